@@ -1,0 +1,69 @@
+# SPDX-License-Identifier: MIT
+cmake_minimum_required(VERSION 3.25)
+# Usage: cmake -D ROOT=<project> -P check_includes.cmake
+# Reads every #include of the product and refuses those that the table below does not allow.
+
+# folder | project headers it may include | third-party headers it may include (regular expressions)
+set(table
+  "firmware/core|core/|"
+  "firmware/protocol|core/,protocol/|"
+  "firmware/avionics|core/,protocol/,hal/[a-z_]+\\.hpp,avionics/|"
+  "firmware/boards|core/,protocol/,hal/,avionics/,boards/|"
+  "hal/include|hal/[a-z_]+\\.hpp|"
+  "hal/sim|hal/[a-z_]+\\.hpp,hal/sim/|"
+  "sim|core/,protocol/,hal/,avionics/,sim/|Eigen/,toml\\+\\+/"
+  "tools/fantail|core/,protocol/,hal/,avionics/,sim/,report/,fantail/|fmt/,CLI/,nlohmann/,unistd\\.h,sys/,fcntl\\.h"
+  "tools/report|core/,protocol/,hal/,avionics/,sim/,report/|Eigen/,fmt/,nlohmann/")
+# Single files that may include more than their folder does.
+set(exceptions "firmware/core/motion_estimator.cpp|Eigen/")
+
+set(standard "^[a-z_]+$") # <vector>, <cmath>: the standard library has no dots and no slashes
+set(wrong "")
+foreach(row IN LISTS table)
+  string(REPLACE "|" ";" row "${row}")
+  list(GET row 0 folder)
+  list(GET row 1 own)
+  list(GET row 2 third_party)
+  string(REPLACE "," ";" own "${own}")
+  string(REPLACE "," ";" third_party "${third_party}")
+  file(GLOB_RECURSE sources RELATIVE ${ROOT} ${ROOT}/${folder}/*.hpp ${ROOT}/${folder}/*.cpp ${ROOT}/${folder}/*.h)
+  foreach(source IN LISTS sources)
+    set(allowed ${third_party})
+    foreach(exception IN LISTS exceptions)
+      string(REPLACE "|" ";" exception "${exception}")
+      list(GET exception 0 excepted)
+      if(source STREQUAL excepted)
+        list(GET exception 1 more)
+        list(APPEND allowed ${more})
+      endif()
+    endforeach()
+    file(STRINGS ${ROOT}/${source} lines REGEX "^[ \t]*#[ \t]*include")
+    foreach(line IN LISTS lines)
+      set(ok FALSE)
+      if(line MATCHES "include[ \t]*<([^>]+)>")
+        set(header "${CMAKE_MATCH_1}")
+        if(header MATCHES "${standard}")
+          set(ok TRUE)
+        endif()
+        foreach(pattern IN LISTS allowed)
+          if(header MATCHES "^${pattern}")
+            set(ok TRUE)
+          endif()
+        endforeach()
+      elseif(line MATCHES "include[ \t]*\"([^\"]+)\"")
+        set(header "${CMAKE_MATCH_1}")
+        foreach(pattern IN LISTS own)
+          if(header MATCHES "^${pattern}")
+            set(ok TRUE)
+          endif()
+        endforeach()
+      endif()
+      if(NOT ok)
+        string(APPEND wrong "  ${source}: ${line}\n")
+      endif()
+    endforeach()
+  endforeach()
+endforeach()
+if(wrong)
+  message(FATAL_ERROR "includes that do not point down (the table is in cmake/check_includes.cmake):\n${wrong}")
+endif()

@@ -1,0 +1,30 @@
+# SPDX-License-Identifier: MIT
+# How every Fantail target is compiled: one interface target, linked by fantail_library() and fantail_executable().
+
+add_library(fantail_flags INTERFACE)
+target_compile_features(fantail_flags INTERFACE cxx_std_20)
+target_compile_options(fantail_flags INTERFACE
+  -Wall -Wextra -Wconversion -Wshadow -Wdouble-promotion -Werror
+  # A fused multiply-add rounds once where a multiply and an add round twice: with it the rocket, the
+  # simulator and a replay would differ in the last bit.
+  -ffp-contract=off)
+
+# Every 64-bit PC since about 2009, so that a build can be handed to the next desk.
+if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64)$")
+  target_compile_options(fantail_flags INTERFACE -march=x86-64-v2)
+endif()
+
+if(FANTAIL_SANITIZE)
+  target_compile_options(fantail_flags INTERFACE
+    -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  target_link_options(fantail_flags INTERFACE -fsanitize=address,undefined)
+endif()
+if(FANTAIL_COVERAGE)
+  target_compile_options(fantail_flags INTERFACE --coverage)
+  target_link_options(fantail_flags INTERFACE --coverage)
+endif()
+
+# What flies is compiled as on the board: no exceptions, no run-time types, and no errno, which would turn sqrtf
+# into a library call on the Cortex-M4.
+add_library(fantail_flight_flags INTERFACE)
+target_compile_options(fantail_flight_flags INTERFACE -fno-exceptions -fno-rtti -fno-math-errno -fno-threadsafe-statics)
