@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "hal/sample.hpp"
+
+namespace fantail::hal {
+
+struct ImuSample {
+  Microseconds time{};  ///< when it was measured
+  Counts rate{};
+  Counts specific_force{};
+  Status status = Status::no_reading;
+};
+
+/// SI units per count, as configured.
+struct ImuScale {
+  float rate_rad_s;
+  float specific_force_m_s2;
+};
+
+/// Gyro and accelerometer in one package.
+class Imu {
+ public:
+  virtual ~Imu() = default;
+  /// The latest sample. Never waits; a sample already seen comes again with its old time.
+  virtual ImuSample read() = 0;
+  [[nodiscard]] virtual ImuScale scale() const = 0;
+};
+
+}  // namespace fantail::hal

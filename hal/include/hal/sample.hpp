@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "hal/clock.hpp"
+
+namespace fantail::hal {
+
+/// What the device said about its own reading.
+enum class Status : std::uint8_t {
+  ok,
+  error,       ///< it answered with an error flag, a bad parity or a failed self-check
+  no_reading,  ///< it has not answered at all
+};
+
+/// Three signed axes as the converter delivers them, x along the rocket's axis towards the nose. A count at either end
+/// of its range means "at least this much".
+using Counts = std::array<std::int16_t, 3>;
+
+}  // namespace fantail::hal

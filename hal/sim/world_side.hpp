@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "hal/accelerometer.hpp"
+#include "hal/encoder.hpp"
+#include "hal/imu.hpp"
+#include "hal/servo.hpp"
+
+namespace fantail::hal::sim {
+
+/// The world's face of the simulated hardware: what the world puts in before a tick and takes out after it. The
+/// avionics never sees it; it holds the devices beside this file, which read from here.
+struct WorldSide {
+  Microseconds time{};
+  ImuSample imu{};
+  ImuScale imu_scale{};
+  AccelerometerSample accelerometer{};
+  float accelerometer_scale_m_s2 = 0.0F;
+  EncoderReading encoders{};
+  bool arm_switch_closed = false;
+  std::array<std::optional<Pulse>, canards> pulses{};  ///< what the avionics wrote last
+};
+
+}  // namespace fantail::hal::sim
