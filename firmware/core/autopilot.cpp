@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#include "core/autopilot.hpp"
+
+#include <algorithm>
+
+#include "core/pd_controller.hpp"
+#include "core/roll_reference.hpp"
+
+namespace fantail::core {
+namespace {
+
+// Five missed ticks: what the estimator may bridge. A clock that stands still or runs backwards is worse.
+constexpr Microseconds longest_tick{5'000};
+
+}  // namespace
+
+Autopilot::Autopilot(const FlightPlan& plan)
+    : plan_{plan},
+      motion_estimator_{plan.motion},
+      launch_detector_{plan.launch_detection, plan.motion.stale_time},
+      flight_phase_{plan.run, plan.guide, plan.motion},
+      chirp_{plan.excitation},
+      canard_mixer_{plan.canards, plan.controller.canard_limit},
+      canard_monitor_{plan.monitor, plan.canards} {}
+
+const TickRecord& Autopilot::step(const Inputs& inputs) {
+  record_ = {.time = inputs.time, .timing_fault = is_timing_fault(inputs.time), .encoders = inputs.encoders};
+  TickRecord& record = record_;
+  last_time_ = inputs.time;
+
+  motion_estimator_.update(inputs);
+  record.motion = motion_estimator_.motion(inputs.time);
+  if (flight_phase_.listens_for_launch()) {
+    record.detection = launch_detector_.update(inputs.time, inputs.accelerometers);
+  }
+
+  const Phase before = flight_phase_.phase();
+  const bool changed = flight_phase_.update({.time = inputs.time,
+                                             .arm_switch_closed = inputs.arm_switch_closed,
+                                             .arm_command = inputs.arm_command,
+                                             .start_command = inputs.start_command,
+                                             .launch_detected = record.detection == DetectionState::detected,
+                                             .timing_fault = record.timing_fault,
+                                             .canard_fault = canard_fault_,
+                                             .motion = record.motion});
+  record.phase = flight_phase_.phase();
+  record.reason = flight_phase_.reason();
+  if (changed) {
+    enter_phase(before, record.phase);
+    record.motion = motion_estimator_.motion(inputs.time);
+  }
+
+  if (record.phase == Phase::controlling) {
+    control(inputs.time - *flight_phase_.control_start(), record);
+  }
+
+  const auto& request = record.phase == Phase::safe ? inputs.canard_request : std::nullopt;
+  record.canards = canard_mixer_.mix(inputs.time, record.command, request, inputs.encoders);
+  record.canard_angle = canard_mixer_.canard_angle(inputs.encoders);
+
+  record.verdicts = canard_monitor_.update(inputs.time, record.canards, inputs.encoders);
+  canard_fault_ = std::ranges::any_of(record.verdicts, [](auto v) { return v != CanardVerdict::healthy; });
+  return record;
+}
+
+void Autopilot::control(Microseconds since_control_start, TickRecord& record) {
+  record.reference = roll_reference(plan_.reference, since_control_start);
+  record.excitation = chirp_.update(since_control_start);
+  if (record.motion.gyro == SensorState::lost) {
+    record.command_status = CommandStatus::gyro_lost;
+    return;
+  }
+  const RollCommand roll = pd_controller(plan_.controller, record.reference, record.motion.roll_angle,
+                                         record.motion.roll_rate_rad_s, record.excitation);
+  record.command_status = roll.finite ? CommandStatus::controlling : CommandStatus::not_finite;
+  record.unclamped_command = roll.unclamped;
+  record.command = roll.command;
+  record.saturated = roll.saturated;
+}
+
+void Autopilot::enter_phase(Phase from, Phase to) {
+  if (to == Phase::launched) {
+    motion_estimator_.begin_flight();
+  } else if (to == Phase::controlling && from == Phase::armed) {
+    motion_estimator_.begin_tunnel_run();
+  } else if (to == Phase::armed) {
+    motion_estimator_.return_to_pad();
+    launch_detector_.reset();
+  }
+}
+
+bool Autopilot::is_timing_fault(Microseconds time) const {
+  return last_time_ && (time <= *last_time_ || time - *last_time_ > longest_tick);
+}
+
+}  // namespace fantail::core

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+
+#include "core/canard_mixer.hpp"
+#include "core/canard_monitor.hpp"
+#include "core/chirp.hpp"
+#include "core/flight_phase.hpp"
+#include "core/flight_plan.hpp"
+#include "core/inputs.hpp"
+#include "core/launch_detector.hpp"
+#include "core/motion_estimator.hpp"
+#include "core/tick_record.hpp"
+
+namespace fantail::core {
+
+/// The flight law. Time and samples come in, canard commands and a record go out; there is no clock, no heap and no
+/// input or output in it, so the same object flies in the rocket, in the simulator and in a replay.
+///
+///   motion_estimator -> launch_detector -> flight_phase -> roll_reference + chirp -> pd_controller (clamp)
+///     -> canard_mixer (clamp each);  canard_monitor watches;  the record holds all of it
+class Autopilot {
+ public:
+  /// `plan` has passed validate().
+  explicit Autopilot(const FlightPlan& plan);
+
+  /// One tick, nominally every millisecond. The commands for the servos are `canards` in the record, which stays valid
+  /// until the next step.
+  const TickRecord& step(const Inputs& inputs);
+
+ private:
+  [[nodiscard]] bool is_timing_fault(Microseconds time) const;
+  void enter_phase(Phase from, Phase to);
+  void control(Microseconds since_control_start, TickRecord& record);
+
+  FlightPlan plan_;
+  MotionEstimator motion_estimator_;
+  LaunchDetector launch_detector_;
+  FlightPhase flight_phase_;
+  Chirp chirp_;
+  CanardMixer canard_mixer_;
+  CanardMonitor canard_monitor_;
+  std::optional<Microseconds> last_time_;
+  bool canard_fault_ = false;
+  TickRecord record_;
+};
+
+}  // namespace fantail::core

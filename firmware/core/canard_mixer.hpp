@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "core/flight_plan.hpp"
+#include "core/inputs.hpp"
+
+namespace fantail::core {
+
+/// What one servo is told. Not driven: its output stays off, because where the canard stands is not known yet.
+struct CanardCommand {
+  Angle angle;  ///< of the shaft, positive as the encoder counts
+  float pulse_us = 0.0F;
+  bool driven = false;
+  bool limited = false;  ///< clamped, or held back by the first-motion rate
+};
+
+using CanardCommands = std::array<CanardCommand, canard_count>;
+
+/// One roll command -> four canard commands; four encoders -> one canard angle. The only way to a servo: in flight, in
+/// the self-test and on the bench.
+///
+/// shaft angle = direction * roll command + trim, clamped once more to the plan limit, the hard limit and the canard's
+/// own mechanical stop, whichever is smallest. After power-up each canard first moves at a limited rate from where its
+/// encoder says it is; a canard whose encoder stays silent for half a second is driven without that courtesy.
+class CanardMixer {
+ public:
+  CanardMixer(const CanardsPlan& plan, Angle plan_limit);
+
+  /// `requested` shaft angles replace the mixed ones (self-test, bench). A request that is not finite means trim.
+  CanardCommands mix(Microseconds time, Angle roll_command,
+                     const std::optional<std::array<Angle, canard_count>>& requested, const EncoderAngles& encoders);
+
+  /// Mean of direction * (encoder - trim) over the encoders that can be read (Eq 33); empty when none can.
+  [[nodiscard]] std::optional<Angle> canard_angle(const EncoderAngles& encoders) const;
+
+  /// Largest shaft angle that can ever be commanded to this canard.
+  [[nodiscard]] Angle limit(std::size_t canard) const { return limits_[canard]; }
+
+ private:
+  struct FirstMotion {
+    std::optional<Angle> position;
+    bool done = false;
+  };
+
+  void start_from_encoder(Microseconds time, std::size_t canard, const std::optional<Angle>& encoder, Angle target);
+  Angle approach(std::size_t canard, Angle target, Angle largest_step);
+
+  CanardsPlan plan_;
+  std::array<Angle, canard_count> limits_;
+  std::array<FirstMotion, canard_count> first_motion_{};
+  std::optional<Microseconds> power_up_;
+  Microseconds last_time_{};
+};
+
+}  // namespace fantail::core

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+
+#include "core/flight_plan.hpp"
+
+namespace fantail::core {
+
+/// Excitation added to the roll command, so that a flight log tells damping and torque constant apart. On for
+/// begin <= t < end after control start, exactly zero elsewhere.
+///
+/// product  (A0 + dA(t)) sin(2 pi (slope t + offset + df(t)) t), as published (Eq 45-46). Mind that its instantaneous
+///          frequency is the derivative of the phase, |2 slope t + offset|, not the factor in front of t: with the
+///          published 2 t - 10 it falls from 8.4 Hz to zero at 2.5 s and rises to 18 Hz at 7 s.
+/// sweep    the same amplitude at a frequency that runs evenly from first to last, phase continuous from zero.
+///
+/// dA and df are seeded, piecewise linear between values drawn every 0.1 s, and off by default.
+class Chirp {
+ public:
+  explicit Chirp(const ExcitationPlan& plan) : plan_{plan} {}
+
+  /// Excitation at a time after control start. Times must not go backwards.
+  [[nodiscard]] Angle update(Microseconds since_control_start);
+
+ private:
+  /// Of the span of 0.1 s that holds the present time; drawn anew when the time enters the next one.
+  struct Span {
+    std::uint32_t index = 0;
+    float amplitude_at_start = 0.0F;
+    float amplitude_at_end = 0.0F;
+    float frequency_at_start = 0.0F;
+    float frequency_at_end = 0.0F;
+    float variation_turns_at_start = 0.0F;  ///< integral of df up to the start of the span
+  };
+
+  void draw(std::uint32_t index);
+  [[nodiscard]] bool varies() const;
+
+  ExcitationPlan plan_;
+  Span span_;
+  bool drawn_ = false;
+};
+
+}  // namespace fantail::core

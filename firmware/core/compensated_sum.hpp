@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+namespace fantail::core {
+
+/// A float sum that carries its rounding error along (Kahan): twenty seconds of 1 kHz increments lose nothing that
+/// could be seen. Needs strict floating point; the flags of this project never allow anything else.
+class CompensatedSum {
+ public:
+  constexpr void add(float increment) {
+    const float corrected = increment - lost_;
+    const float next = sum_ + corrected;
+    lost_ = (next - sum_) - corrected;
+    sum_ = next;
+  }
+  constexpr void reset() { *this = {}; }
+  [[nodiscard]] constexpr float value() const { return sum_; }
+
+ private:
+  float sum_ = 0.0F;
+  float lost_ = 0.0F;
+};
+
+}  // namespace fantail::core

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "core/vector3.hpp"
+
+namespace fantail::core {
+
+/// True for every number; false for infinities and NaN. Written as a range test, because std::isfinite may be a call
+/// into the C library of the target.
+[[nodiscard]] constexpr bool is_finite(float value) {
+  constexpr float largest = 3.402823466e+38F;
+  return value >= -largest && value <= largest;
+}
+
+[[nodiscard]] constexpr bool is_finite(const Vector3& v) { return is_finite(v.x) && is_finite(v.y) && is_finite(v.z); }
+
+}  // namespace fantail::core

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+#include "core/flight_phase.hpp"
+
+namespace fantail::core {
+
+FlightPhase::FlightPhase(const RunPlan& run, const GuidePlan& guide, const MotionPlan& motion)
+    : run_{run}, guide_{guide}, motion_{motion} {}
+
+bool FlightPhase::listens_for_launch() const {
+  return phase_ == Phase::armed && run_.start == Start::launch && !must_rest_first_;
+}
+
+bool FlightPhase::update(const PhaseInputs& inputs) {
+  if (inputs.motion.at_rest_for >= motion_.rest_time) {
+    must_rest_first_ = false;
+  }
+  std::optional<Transition> next;
+  switch (phase_) {
+    case Phase::safe: next = from_safe(inputs); break;
+    case Phase::armed: next = from_armed(inputs); break;
+    case Phase::launched: next = from_launched(inputs); break;
+    case Phase::controlling: next = from_controlling(inputs); break;
+    case Phase::finished: break;  // lasts until a power cycle
+  }
+  if (!next) {
+    return false;
+  }
+  // Whatever looked like a launch was none: a rocket that is being handled must first stand still.
+  must_rest_first_ = phase_ == Phase::launched && next->to == Phase::armed;
+  if (next->to == Phase::controlling) {
+    control_start_ = inputs.time;
+  }
+  phase_ = next->to;
+  reason_ = next->reason;
+  entered_ = inputs.time;
+  return true;
+}
+
+std::optional<FlightPhase::Transition> FlightPhase::from_safe(const PhaseInputs& inputs) const {
+  // Two independent actions: a switch that a hand closes, and a command. Neither alone arms.
+  if (inputs.arm_switch_closed && inputs.arm_command) {
+    return Transition{Phase::armed, PhaseReason::armed_by_switch_and_command};
+  }
+  return std::nullopt;
+}
+
+std::optional<FlightPhase::Transition> FlightPhase::from_armed(const PhaseInputs& inputs) const {
+  // The switch is the pad crew's way out. It is obeyed here and in no later phase: a switch that opens under
+  // vibration must not end a flight.
+  if (!inputs.arm_switch_closed) {
+    return Transition{Phase::safe, PhaseReason::disarmed_by_switch};
+  }
+  // In the tunnel nothing accelerates: control begins on command, and only from rest, when the roll angle means
+  // something and nobody holds a turning rocket.
+  if (run_.start == Start::tunnel && inputs.start_command && inputs.motion.at_rest_for >= motion_.rest_time) {
+    return Transition{Phase::controlling, PhaseReason::tunnel_start_command};
+  }
+  // The hold of the launch detector keeps knocks and sensor errors out; what it lets through, the guide clearance
+  // below still has to confirm.
+  if (listens_for_launch() && inputs.launch_detected) {
+    return Transition{Phase::launched, PhaseReason::launch_detected};
+  }
+  return std::nullopt;
+}
+
+std::optional<FlightPhase::Transition> FlightPhase::from_launched(const PhaseInputs& inputs) const {
+  // Without a rate there is no roll angle, and with a broken clock no height: such a flight is never controlled.
+  if (inputs.timing_fault) {
+    return Transition{Phase::armed, PhaseReason::timing_fault_before_control};
+  }
+  if (inputs.motion.gyro == SensorState::failed) {
+    return Transition{Phase::armed, PhaseReason::gyro_failed_before_control};
+  }
+  // Canards that move inside the guide can jam the rocket in it. Both figures must say that it has left: a knock
+  // gives speed without distance, a drifting accelerometer distance without speed.
+  const bool beyond_guide = inputs.motion.distance_along_guide_m >= guide_.length_m + guide_.clearance_m;
+  if (beyond_guide && inputs.motion.speed_m_s > guide_.minimum_speed_m_s) {
+    return Transition{Phase::controlling, PhaseReason::guide_clear};
+  }
+  // A real launch is clear of the guide within about half a second; what takes this long was something else.
+  if (inputs.time - entered_ >= guide_.clearance_time) {
+    return Transition{Phase::armed, PhaseReason::guide_not_cleared_in_time};
+  }
+  return std::nullopt;
+}
+
+std::optional<FlightPhase::Transition> FlightPhase::from_controlling(const PhaseInputs& inputs) const {
+  // A tick that came late or twice makes every rate and angle doubtful.
+  if (inputs.timing_fault) {
+    return Transition{Phase::finished, PhaseReason::timing_fault};
+  }
+  // The last rate may be used for a few milliseconds only; then roll is unknown.
+  if (inputs.motion.gyro == SensorState::failed) {
+    return Transition{Phase::finished, PhaseReason::gyro_failed};
+  }
+  // Three canards still control roll, so by default a fault is recorded and the others go on.
+  if (inputs.canard_fault && run_.canard_fault == CanardFaultPolicy::end_control) {
+    return Transition{Phase::finished, PhaseReason::canard_fault};
+  }
+  if (run_.start == Start::launch) {
+    // Canards deflected on a rocket that lies across the wind steer it: past this tilt they can only do harm.
+    if (inputs.motion.tilt > run_.tilt_limit) {
+      return Transition{Phase::finished, PhaseReason::tilted_too_far};
+    }
+    // Near apogee there is no flow over the canards, and after it the recovery system works.
+    if (inputs.motion.vertical_speed_m_s < 0.0F) {
+      return Transition{Phase::finished, PhaseReason::apogee};
+    }
+  }
+  if (inputs.time - *control_start_ >= run_.control_time) {
+    return Transition{Phase::finished, PhaseReason::control_time_over};
+  }
+  return std::nullopt;
+}
+
+}  // namespace fantail::core

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "core/angle.hpp"
+#include "core/inputs.hpp"
+#include "core/time.hpp"
+
+namespace fantail::core {
+
+// Every number of one run. Units, defaults, allowed ranges and meanings stand once, in flight_plan_fields.cpp; a plan
+// comes from default_plan() or a loader and must pass validate() before it flies.
+
+/// No canard is ever commanded beyond this, whatever a plan says.
+inline constexpr Angle hard_canard_limit = Angle::from_degrees(20.0F);
+
+enum class Start : std::uint8_t { launch, tunnel };
+enum class CanardFaultPolicy : std::uint8_t { continue_control, end_control };
+
+struct RunPlan {
+  Start start;
+  Microseconds control_time;  ///< control ends this long after control start
+  Angle tilt_limit;           ///< control ends when the axis has turned this far from the vertical
+  CanardFaultPolicy canard_fault;
+};
+
+enum class AccelerometerRule : std::uint8_t { one, two_agree };
+
+struct LaunchDetectionPlan {
+  float threshold_m_s2;  ///< axial specific force
+  Microseconds hold;
+  AccelerometerRule accelerometers;
+  bool single_allowed;  ///< of two accelerometers, fly on the healthy one when the other is lost
+  bool low_pass;        ///< ahead of the threshold; the hold is then measured on its output
+  float low_pass_hz;
+  float disagreement_m_s2;  ///< largest low-passed difference of two accelerometers
+};
+
+struct GuidePlan {
+  float length_m;
+  float clearance_m;            ///< control starts this far beyond the end of the guide ...
+  float minimum_speed_m_s;      ///< ... and faster than this ...
+  Microseconds clearance_time;  ///< ... within this time of launch detection
+};
+
+enum class HeightOrigin : std::uint8_t { replay, velocity_only, from_detection };
+
+struct MotionPlan {
+  HeightOrigin height_origin;
+  Microseconds stale_time;    ///< a sample older than this is no sample
+  float rest_tolerance_m_s2;  ///< at rest: specific force within 1 g of this ...
+  float quiet_rate_rad_s;     ///< ... and no component of the angular rate beyond this
+  Microseconds rest_time;     ///< at rest for this long before a launch can be detected again
+};
+
+enum class RateReference : std::uint8_t { zero, paper_literal };
+
+struct ControllerPlan {
+  float proportional_gain;
+  float derivative_gain_s;
+  RateReference rate_reference;
+  Angle canard_limit;  ///< the plan limit
+};
+
+enum class ReferenceKind : std::uint8_t { hold, steps, square_wave };
+inline constexpr std::size_t most_reference_steps = 8;
+
+struct ReferencePlan {
+  ReferenceKind kind;
+  Angle initial;  ///< until the first step, or until the square wave begins
+  std::uint8_t step_times_count;
+  std::array<Microseconds, most_reference_steps> step_times;  ///< after control start, increasing
+  std::uint8_t step_angles_count;
+  std::array<Angle, most_reference_steps> step_angles;
+  Microseconds square_wave_begin;
+  Angle square_wave_first;
+  Angle square_wave_second;
+  float square_wave_frequency_hz;
+};
+
+enum class ExcitationForm : std::uint8_t { none, product, sweep };
+
+struct ExcitationPlan {
+  ExcitationForm form;
+  Angle amplitude;
+  Microseconds begin;  ///< after control start
+  Microseconds end;
+  float product_slope_hz_s;  ///< product form: sin(2 pi (slope t + offset) t)
+  float product_offset_hz;
+  float sweep_first_hz;  ///< sweep form: instantaneous frequency at begin and at end
+  float sweep_last_hz;
+  Angle amplitude_variation;
+  float frequency_variation_hz;
+  std::uint32_t variation_seed;
+};
+
+enum class Direction : std::uint8_t { normal, reversed };
+
+/// One canard and its servo. Shaft angles, positive as the encoder counts.
+struct CanardPlan {
+  Direction direction;  ///< normal: a positive shaft angle rolls the rocket positively
+  Angle trim;           ///< shaft angle at which the canard makes no roll moment
+  float pulse_centre_us;
+  float pulse_per_radian_us;
+  Angle encoder_zero;  ///< what the encoder reads when the shaft stands at zero
+  Angle mechanical_stop;
+};
+
+struct CanardsPlan {
+  std::array<CanardPlan, canard_count> each;
+  float first_motion_rate_rad_s;
+};
+
+struct MonitorPlan {
+  Microseconds servo_lag;    ///< first-order lag expected between command and encoder
+  Angle tracking_limit;      ///< largest difference between expected and measured angle ...
+  Angle disagreement_limit;  ///< ... and between a canard and the mean of the others ...
+  Microseconds hold;         ///< ... for this long
+  Microseconds encoder_timeout;
+};
+
+struct FlightPlan {
+  RunPlan run;
+  LaunchDetectionPlan launch_detection;
+  GuidePlan guide;
+  MotionPlan motion;
+  ControllerPlan controller;
+  ReferencePlan reference;
+  ExcitationPlan excitation;
+  CanardsPlan canards;
+  MonitorPlan monitor;
+};
+
+}  // namespace fantail::core

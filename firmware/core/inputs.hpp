@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+#include "core/angle.hpp"
+#include "core/time.hpp"
+#include "core/vector3.hpp"
+
+namespace fantail::core {
+
+inline constexpr std::size_t canard_count = 4;
+inline constexpr float standard_gravity_m_s2 = 9.80665F;
+
+/// What the hardware layer knows about a sample before anybody looks at its value.
+enum class SampleQuality : std::uint8_t {
+  valid,
+  saturated,  ///< the axial channel stands at its positive end; the true value is at least this
+  invalid,    ///< the device answered, but with an error
+  absent,     ///< nothing has been read yet, or the device does not answer
+};
+
+/// Angular rate in the body frame.
+struct GyroSample {
+  Microseconds time{};
+  Vector3 rate_rad_s{};
+  SampleQuality quality = SampleQuality::absent;
+};
+
+/// Specific force in the body frame; x reads +1 g on the pad.
+struct AccelerometerSample {
+  Microseconds time{};
+  Vector3 specific_force_m_s2{};
+  SampleQuality quality = SampleQuality::absent;
+};
+
+/// Angle of one canard about its own shaft, encoder zero already taken off. Empty when the encoder had nothing valid.
+using EncoderAngles = std::array<std::optional<Angle>, canard_count>;
+
+/// Everything one control tick may know. A sample that was seen before has an unchanged `time`.
+struct Inputs {
+  Microseconds time{};
+  GyroSample gyro{};
+  std::array<AccelerometerSample, 2> accelerometers{};
+  EncoderAngles encoders{};
+  bool arm_switch_closed = false;
+  bool arm_command = false;    ///< the second, independent action: one tick long
+  bool start_command = false;  ///< tunnel only: begin control now, one tick long
+  /// Canard angles asked for by the pad self-test or an open bench session; obeyed in Safe only.
+  std::optional<std::array<Angle, canard_count>> canard_request{};
+};
+
+}  // namespace fantail::core

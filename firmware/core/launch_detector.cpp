@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#include "core/launch_detector.hpp"
+
+#include "core/finite.hpp"
+
+namespace fantail::core {
+
+LaunchDetector::LaunchDetector(const LaunchDetectionPlan& plan, Microseconds stale_time)
+    : plan_{plan}, stale_time_{stale_time}, channels_{Channel{plan.low_pass_hz}, Channel{plan.low_pass_hz}} {}
+
+void LaunchDetector::reset() { channels_ = {Channel{plan_.low_pass_hz}, Channel{plan_.low_pass_hz}}; }
+
+LaunchDetector::Health LaunchDetector::health(Microseconds now, const Channel& channel,
+                                              const AccelerometerSample& sample) const {
+  const bool usable = sample.quality == SampleQuality::valid || sample.quality == SampleQuality::saturated;
+  const bool fresh = now - sample.time <= stale_time_ && sample.time <= now;
+  const bool forwards = !channel.last_time || sample.time >= *channel.last_time;
+  if (!usable || !fresh || !forwards || !is_finite(sample.specific_force_m_s2.x)) {
+    return Health::bad;
+  }
+  return channel.last_time == sample.time ? Health::repeated : Health::good;
+}
+
+LaunchDetector::Health LaunchDetector::feed(Channel& channel, Microseconds now, const AccelerometerSample& sample) {
+  const Health verdict = health(now, channel, sample);
+  if (verdict == Health::bad) {
+    channel.forget_hold();
+    // A clock that jumped back would make every later sample look old: start over with the next one.
+    if (channel.last_time > sample.time) {
+      channel = Channel{plan_.low_pass_hz};
+    }
+    return verdict;
+  }
+  if (verdict == Health::repeated) {
+    return verdict;
+  }
+  channel.last_time = sample.time;
+  channel.saturated = sample.quality == SampleQuality::saturated;
+  const float filtered = channel.low_pass.update(sample.time, sample.specific_force_m_s2.x);
+  const float observed = plan_.low_pass ? filtered : sample.specific_force_m_s2.x;
+  if (observed < plan_.threshold_m_s2 && !channel.saturated) {
+    channel.forget_hold();
+    return verdict;
+  }
+  if (!channel.above_since) {
+    channel.above_since = sample.time;
+  }
+  channel.hold_complete = sample.time - *channel.above_since >= plan_.hold;
+  return verdict;
+}
+
+// A channel at its positive end says only "at least this much", so it cannot be said to disagree.
+bool LaunchDetector::disagree() const {
+  const auto first = channels_[0].low_pass.output();
+  const auto second = channels_[1].low_pass.output();
+  if (!first || !second || channels_[0].saturated || channels_[1].saturated) {
+    return false;
+  }
+  const float difference = *first - *second;
+  return difference > plan_.disagreement_m_s2 || difference < -plan_.disagreement_m_s2;
+}
+
+DetectionState LaunchDetector::update(Microseconds now, const std::array<AccelerometerSample, 2>& samples) {
+  auto verdict_of = [](const Channel& channel) {
+    if (channel.hold_complete) {
+      return DetectionState::detected;
+    }
+    return channel.above_since ? DetectionState::holding : DetectionState::quiet;
+  };
+
+  const Health first = feed(channels_[0], now, samples[0]);
+  if (plan_.accelerometers == AccelerometerRule::one) {
+    return first == Health::bad ? DetectionState::bad_sample : verdict_of(channels_[0]);
+  }
+
+  const Health second = feed(channels_[1], now, samples[1]);
+  const bool first_lost = first == Health::bad;
+  const bool second_lost = second == Health::bad;
+  if (first_lost != second_lost && plan_.single_allowed) {
+    return verdict_of(channels_[first_lost ? 1 : 0]);
+  }
+  if (first_lost || second_lost || disagree()) {
+    for (Channel& channel : channels_) {
+      channel.forget_hold();
+    }
+    return first_lost || second_lost ? DetectionState::bad_sample : DetectionState::disagreement;
+  }
+  if (channels_[0].hold_complete && channels_[1].hold_complete) {
+    return DetectionState::detected;
+  }
+  return channels_[0].above_since || channels_[1].above_since ? DetectionState::holding : DetectionState::quiet;
+}
+
+}  // namespace fantail::core

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+#include "core/flight_plan.hpp"
+#include "core/inputs.hpp"
+#include "core/low_pass.hpp"
+
+namespace fantail::core {
+
+/// Why the detector stands where it stands.
+enum class DetectionState : std::uint8_t {
+  quiet,        ///< below the threshold
+  holding,      ///< above the threshold, not yet for long enough
+  detected,     ///< this sample completes the hold
+  bad_sample,   ///< a sample was invalid, absent or stale: the hold starts again
+  disagreement  ///< the two accelerometers differ: the hold starts again
+};
+
+/// Launch detection by axial specific force held above a threshold for a time measured with the samples' own
+/// timestamps: it fires at the first sample whose distance from the first one above the threshold is at least the hold.
+/// With two accelerometers each has its own hold, and both must be complete.
+///
+/// Axial specific force is signed: a rocket lying on its side or standing on its nose does not look like a launch.
+/// A sample saturated at the positive end counts as above the threshold.
+class LaunchDetector {
+ public:
+  LaunchDetector(const LaunchDetectionPlan& plan, Microseconds stale_time);
+
+  DetectionState update(Microseconds now, const std::array<AccelerometerSample, 2>& samples);
+
+  /// Forgets holds and filter states.
+  void reset();
+
+ private:
+  enum class Health : std::uint8_t { good, repeated, bad };
+
+  struct Channel {
+    explicit Channel(float low_pass_hz) : low_pass{low_pass_hz} {}
+    void forget_hold() {
+      above_since.reset();
+      hold_complete = false;
+    }
+    LowPass low_pass;
+    std::optional<Microseconds> last_time;
+    std::optional<Microseconds> above_since;
+    bool saturated = false;
+    bool hold_complete = false;
+  };
+
+  [[nodiscard]] Health health(Microseconds now, const Channel& channel, const AccelerometerSample& sample) const;
+  Health feed(Channel& channel, Microseconds now, const AccelerometerSample& sample);
+  [[nodiscard]] bool disagree() const;
+
+  LaunchDetectionPlan plan_;
+  Microseconds stale_time_;
+  std::array<Channel, 2> channels_;
+};
+
+}  // namespace fantail::core

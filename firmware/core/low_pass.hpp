@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+
+#include "core/time.hpp"
+
+namespace fantail::core {
+
+/// How far a first-order lag moves towards a held input in a step of x time constants: 1 - exp(-x), for x >= 0.
+/// The exponential is replaced by the reciprocal of its own series: off by x^4/24 for a small x, and in [0, 1) for
+/// every x, so the lag is stable however late a sample comes.
+[[nodiscard]] constexpr float lag_fraction(float x) {
+  return 1.0F - 1.0F / (1.0F + x * (1.0F + x * (0.5F + x * (1.0F / 6.0F))));
+}
+
+/// First-order low-pass, discretised from the timestamps and primed by the first sample.
+class LowPass {
+ public:
+  constexpr explicit LowPass(float cutoff_hz) : rate_rad_s_{2.0F * 3.14159265F * cutoff_hz} {}
+
+  /// Feeds one sample and returns the output. Times must not go backwards; a repeated time changes nothing.
+  constexpr float update(Microseconds time, float input) {
+    if (!last_time_) {
+      output_ = input;
+    } else {
+      output_ += lag_fraction(rate_rad_s_ * seconds(time - *last_time_)) * (input - output_);
+    }
+    last_time_ = time;
+    return output_;
+  }
+
+  /// The next sample primes it again.
+  constexpr void reset() { last_time_.reset(); }
+
+  [[nodiscard]] constexpr std::optional<float> output() const {
+    return last_time_ ? std::optional{output_} : std::nullopt;
+  }
+
+ private:
+  float rate_rad_s_;
+  float output_ = 0.0F;
+  std::optional<Microseconds> last_time_;
+};
+
+}  // namespace fantail::core

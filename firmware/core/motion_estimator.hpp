@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "core/compensated_sum.hpp"
+#include "core/flight_plan.hpp"
+#include "core/inputs.hpp"
+#include "core/low_pass.hpp"
+#include "core/pad_window.hpp"
+#include "core/vector3.hpp"
+
+namespace fantail::core {
+
+enum class SensorState : std::uint8_t {
+  fresh,     ///< a new, usable sample
+  coasting,  ///< no new sample yet; the last one is young enough to go on with
+  lost,      ///< this tick's sample cannot be used
+  failed,    ///< no usable sample for longer than the plan's stale time
+};
+
+struct Motion {
+  Angle roll_angle;              ///< zero at launch detection (tunnel: at control start); not wrapped
+  float roll_rate_rad_s = 0.0F;  ///< gyro bias taken off
+  Vector3 specific_force_m_s2;   ///< the sample that was integrated
+  float height_m = 0.0F;         ///< above the place of lift-off, as far as `height_origin` lets it be known
+  float distance_along_guide_m = 0.0F;
+  float speed_m_s = 0.0F;           ///< along the guide
+  float vertical_speed_m_s = 0.0F;  ///< earth frame, positive up
+  Angle tilt;                       ///< of the rocket's axis from the vertical
+  SensorState gyro = SensorState::failed;
+  SensorState accelerometer = SensorState::failed;
+  Microseconds at_rest_for{};
+  /// Start of the integrated window: where the specific force left the pad's 1 g.
+  Microseconds thrust_since{};
+};
+
+/// Attitude, roll, height and speed from a gyro and a three-axis accelerometer.
+///
+/// The gyro rate turns the attitude (a quaternion, body to earth) and is summed into the unwrapped roll angle; the
+/// specific force is turned into the earth frame, gravity is removed, and the rest is integrated twice. Attitude and
+/// gyro bias begin with the averages of a still window on the pad, so a tilted guide costs nothing.
+///
+/// Height origin. A launch is known only after the detector's hold; by then the rocket has speed and height. While the
+/// rocket waits, this class integrates every sample since the low-passed axial specific force was last below 1.2 g and
+/// starts again whenever it falls below. At detection that running integral is exactly the replayed hold window: the
+/// same figures as a replay out of a buffer, with no buffer and no long tick.
+///   replay         keeps height and speed of the window
+///   velocity_only  keeps its speed and counts height from detection (what the published flight did)
+///   from_detection keeps neither
+class MotionEstimator {
+ public:
+  explicit MotionEstimator(const MotionPlan& plan);
+
+  /// One tick. Sensors may be late, repeated or missing.
+  void update(const Inputs& inputs);
+
+  /// Launch detection: zero the roll angle, freeze the bias, apply the height origin.
+  void begin_flight();
+
+  /// Control start in the tunnel: zero the roll angle, freeze the bias.
+  void begin_tunnel_run();
+
+  /// A detection that turned out to be none: wait on the pad again.
+  void return_to_pad();
+
+  /// The estimate at `now`, which is not earlier than the last update.
+  [[nodiscard]] Motion motion(Microseconds now) const;
+
+ private:
+  struct Quaternion {
+    float w = 1.0F, x = 0.0F, y = 0.0F, z = 0.0F;
+  };
+
+  struct Trajectory {
+    Quaternion attitude;  ///< body to earth
+    Vector3 guide_axis;   ///< earth frame
+    Vector3 velocity_m_s;
+    Vector3 position_m;
+    Vector3 acceleration_m_s2;  ///< of the last sample, gravity removed
+    Microseconds since{};
+  };
+
+  void follow_gyro(Microseconds now, const GyroSample& sample);
+  void follow_accelerometer(const Inputs& inputs);
+  void integrate(Microseconds time);
+  [[nodiscard]] Trajectory at_rest(Microseconds time) const;
+  [[nodiscard]] Vector3 bias() const;
+
+  MotionPlan plan_;
+  PadWindow pad_window_;
+  LowPass axial_{16.0F};
+  bool in_flight_ = false;
+
+  SensorState gyro_ = SensorState::failed;
+  std::optional<Microseconds> gyro_time_;
+  Vector3 rate_rad_s_;  ///< bias taken off
+  CompensatedSum roll_angle_rad_;
+
+  SensorState accelerometer_ = SensorState::failed;
+  std::optional<Microseconds> accelerometer_time_;
+  Vector3 specific_force_m_s2_;
+
+  Trajectory trajectory_;
+};
+
+}  // namespace fantail::core

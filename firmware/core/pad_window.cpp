@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+#include "core/pad_window.hpp"
+
+namespace fantail::core {
+namespace {
+
+void add(Vector3& sum, const Vector3& v) {
+  sum.x += v.x;
+  sum.y += v.y;
+  sum.z += v.z;
+}
+
+Vector3 divide(const Vector3& sum, float count) { return {sum.x / count, sum.y / count, sum.z / count}; }
+
+bool within(float value, float limit) { return value >= -limit && value <= limit; }
+
+bool is_quiet(const Vector3& rate, float limit) {
+  return within(rate.x, limit) && within(rate.y, limit) && within(rate.z, limit);
+}
+
+float square(const Vector3& v) { return v.x * v.x + v.y * v.y + v.z * v.z; }
+
+// Compares squares: no square root for a yes or no.
+bool is_one_g(float force_squared, float tolerance) {
+  const float least = standard_gravity_m_s2 - tolerance;
+  const float most = standard_gravity_m_s2 + tolerance;
+  return force_squared >= least * least && force_squared <= most * most;
+}
+
+}  // namespace
+
+void PadWindow::update(Microseconds time, const Vector3& rate_rad_s, const Vector3& specific_force_m_s2) {
+  const float force_squared = force_squared_.update(time, square(specific_force_m_s2));
+  if (!is_quiet(rate_rad_s, plan_.quiet_rate_rad_s) || !is_one_g(force_squared, plan_.rest_tolerance_m_s2)) {
+    interrupt(time);
+    return;
+  }
+  if (!rest_since_) {
+    rest_since_ = time;
+  }
+  if (!open_since_) {
+    open_since_ = time;
+  }
+  if (time - *open_since_ >= block_time) {
+    close_block();
+    open_since_ = time;
+  }
+  add(open_.rate_sum, rate_rad_s);
+  add(open_.force_sum, specific_force_m_s2);
+  open_.samples += 1.0F;
+}
+
+void PadWindow::interrupt(Microseconds time) {
+  rest_since_.reset();
+  if (!open_since_) {
+    open_since_ = time;
+  }
+  open_.still = false;
+  if (time - *open_since_ >= block_time) {
+    close_block();
+    open_since_ = time;
+  }
+}
+
+Microseconds PadWindow::at_rest_for(Microseconds now) const {
+  return rest_since_ ? now - *rest_since_ : Microseconds{0};
+}
+
+void PadWindow::close_block() {
+  blocks_[next_] = open_;
+  open_ = Block{};
+  next_ = (next_ + 1) % blocks_.size();
+  closed_ = closed_ < blocks_.size() ? closed_ + 1 : closed_;
+  if (closed_ < blocks_.size()) {
+    return;
+  }
+  Block window;
+  for (std::size_t i = 0; i < window_blocks; ++i) {
+    const Block& block = blocks_[(next_ + i) % blocks_.size()];  // oldest first; the newest are the guard
+    if (!block.still || block.samples < 1.0F) {
+      return;
+    }
+    add(window.rate_sum, block.rate_sum);
+    add(window.force_sum, block.force_sum);
+    window.samples += block.samples;
+  }
+  average_ = PadAverage{divide(window.rate_sum, window.samples), divide(window.force_sum, window.samples)};
+}
+
+}  // namespace fantail::core

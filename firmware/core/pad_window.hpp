@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+
+#include "core/flight_plan.hpp"
+#include "core/inputs.hpp"
+#include "core/low_pass.hpp"
+#include "core/vector3.hpp"
+
+namespace fantail::core {
+
+/// What three still seconds on the pad tell: the zero of the gyro and the direction of gravity in the body frame.
+struct PadAverage {
+  Vector3 gyro_bias_rad_s;
+  Vector3 specific_force_m_s2;
+};
+
+/// Averages the sensors while the rocket stands still on the pad: over 3 s that end 0.5 s before now, so that what
+/// leads up to a launch detection is never in it. Motion voids the window; the last good average stays.
+/// Kept as sums of 0.1 s, so a tick costs one addition and the memory stays small.
+class PadWindow {
+ public:
+  explicit PadWindow(const MotionPlan& plan) : plan_{plan} {}
+
+  /// Feeds one pair of samples of the same instant. Times must not go backwards.
+  void update(Microseconds time, const Vector3& rate_rad_s, const Vector3& specific_force_m_s2);
+
+  /// A sample that cannot be trusted: it is not rest.
+  void interrupt(Microseconds time);
+
+  /// Empty until the rocket has once stood still for long enough.
+  [[nodiscard]] const std::optional<PadAverage>& average() const { return average_; }
+
+  /// How long the rocket has been at rest, up to now; zero while it moves.
+  [[nodiscard]] Microseconds at_rest_for(Microseconds now) const;
+
+ private:
+  static constexpr Microseconds block_time{100'000};
+  static constexpr std::size_t window_blocks = 30;
+  static constexpr std::size_t guard_blocks = 5;
+
+  struct Block {
+    Vector3 rate_sum;
+    Vector3 force_sum;
+    float samples = 0.0F;
+    bool still = true;
+  };
+
+  void close_block();
+
+  MotionPlan plan_;
+  LowPass force_squared_{16.0F};  ///< one sample's noise is not motion
+  std::array<Block, window_blocks + guard_blocks> blocks_{};
+  std::size_t closed_ = 0;  ///< blocks closed so far, up to the size of the ring
+  std::size_t next_ = 0;
+  Block open_;
+  std::optional<Microseconds> open_since_;
+  std::optional<Microseconds> rest_since_;
+  std::optional<PadAverage> average_;
+};
+
+}  // namespace fantail::core

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "core/flight_plan.hpp"
+
+namespace fantail::core {
+
+struct RollCommand {
+  Angle unclamped{};
+  Angle command{};  ///< within the plan limit
+  bool saturated = false;
+  bool finite = true;  ///< false: an input was NaN or infinite, and the command is zero
+};
+
+/// u = kp (R - phi) + kd (R' - p) + excitation, clamped to the plan limit (Eq 10, 28-31). The excitation stands inside
+/// the sum, so the clamp comes after it. R' is zero, or R itself with `rate_reference = "paper_literal"`: the paper
+/// prints kd (R - p), which for a stepped reference can only be a slip, but whoever wants to repeat it to the letter
+/// can. A PD loop settles at R + u_d / kp, not at R: that is the published design.
+[[nodiscard]] RollCommand pd_controller(const ControllerPlan& plan, Angle reference, Angle roll_angle,
+                                        float roll_rate_rad_s, Angle excitation);
+
+}  // namespace fantail::core

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#include "core/tick_record.hpp"
+
+namespace fantail::core {
+
+std::string_view name(Phase phase) {
+  switch (phase) {
+    case Phase::safe: return "safe";
+    case Phase::armed: return "armed";
+    case Phase::launched: return "launched";
+    case Phase::controlling: return "controlling";
+    case Phase::finished: return "finished";
+  }
+  return "unknown";
+}
+
+std::string_view name(PhaseReason reason) {
+  switch (reason) {
+    case PhaseReason::power_on: return "power_on";
+    case PhaseReason::armed_by_switch_and_command: return "armed_by_switch_and_command";
+    case PhaseReason::disarmed_by_switch: return "disarmed_by_switch";
+    case PhaseReason::launch_detected: return "launch_detected";
+    case PhaseReason::guide_clear: return "guide_clear";
+    case PhaseReason::tunnel_start_command: return "tunnel_start_command";
+    case PhaseReason::guide_not_cleared_in_time: return "guide_not_cleared_in_time";
+    case PhaseReason::gyro_failed_before_control: return "gyro_failed_before_control";
+    case PhaseReason::timing_fault_before_control: return "timing_fault_before_control";
+    case PhaseReason::control_time_over: return "control_time_over";
+    case PhaseReason::apogee: return "apogee";
+    case PhaseReason::tilted_too_far: return "tilted_too_far";
+    case PhaseReason::gyro_failed: return "gyro_failed";
+    case PhaseReason::timing_fault: return "timing_fault";
+    case PhaseReason::canard_fault: return "canard_fault";
+  }
+  return "unknown";
+}
+
+std::string_view name(CanardVerdict verdict) {
+  switch (verdict) {
+    case CanardVerdict::healthy: return "healthy";
+    case CanardVerdict::dead: return "dead";
+    case CanardVerdict::stalled: return "stalled";
+    case CanardVerdict::slipping: return "slipping";
+    case CanardVerdict::disagreeing: return "disagreeing";
+  }
+  return "unknown";
+}
+
+}  // namespace fantail::core

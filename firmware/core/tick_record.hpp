@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include "core/canard_mixer.hpp"
+#include "core/canard_monitor.hpp"
+#include "core/flight_phase.hpp"
+#include "core/launch_detector.hpp"
+#include "core/motion_estimator.hpp"
+
+namespace fantail::core {
+
+/// Why the roll command is what it is.
+enum class CommandStatus : std::uint8_t {
+  outside_control,  ///< exactly zero: not in Controlling
+  controlling,
+  gyro_lost,   ///< zero for this tick: no usable rate
+  not_finite,  ///< zero for this tick: the law gave no number
+};
+
+/// Every signal of one tick. An output of Autopilot::step, so that the log, the telemetry and the simulator cannot
+/// disagree about what happened.
+struct TickRecord {
+  Microseconds time{};
+  Phase phase = Phase::safe;
+  PhaseReason reason = PhaseReason::power_on;
+  DetectionState detection = DetectionState::quiet;
+  CommandStatus command_status = CommandStatus::outside_control;
+  bool timing_fault = false;
+
+  Motion motion{};
+
+  Angle reference{};
+  Angle excitation{};
+  Angle unclamped_command{};
+  Angle command{};
+  bool saturated = false;
+
+  CanardCommands canards{};
+  EncoderAngles encoders{};
+  std::optional<Angle> canard_angle{};  ///< mean of the encoders
+  std::array<CanardVerdict, canard_count> verdicts{};
+};
+
+[[nodiscard]] std::string_view name(Phase phase);
+[[nodiscard]] std::string_view name(PhaseReason reason);
+[[nodiscard]] std::string_view name(CanardVerdict verdict);
+
+}  // namespace fantail::core
