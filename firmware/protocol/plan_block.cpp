@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+#include "protocol/plan_block.hpp"
+
+#include <array>
+#include <string_view>
+
+#include "protocol/crc32c.hpp"
+
+namespace fantail::protocol {
+namespace {
+
+constexpr std::array<std::byte, 4> magic{std::byte{'F'}, std::byte{'T'}, std::byte{'P'}, std::byte{'L'}};
+constexpr std::size_t header_size = 12;
+constexpr std::size_t checksum_size = 4;
+
+void put(std::span<std::byte> out, std::size_t at, std::uint32_t value, std::size_t bytes = 4) {
+  for (std::size_t i = 0; i < bytes; ++i) {
+    out[at + i] = static_cast<std::byte>(value >> (8U * i));
+  }
+}
+
+std::uint32_t get(std::span<const std::byte> in, std::size_t at, std::size_t bytes = 4) {
+  std::uint32_t value = 0;
+  for (std::size_t i = 0; i < bytes; ++i) {
+    value |= static_cast<std::uint32_t>(in[at + i]) << (8U * i);
+  }
+  return value;
+}
+
+// FNV-1a.
+std::uint32_t hash(std::uint32_t h, std::string_view text) {
+  for (const char c : text) {
+    h = (h ^ static_cast<std::uint8_t>(c)) * 16777619U;
+  }
+  return (h ^ 0xFFU) * 16777619U;  // ends the text, so that "ab","c" is not "a","bc"
+}
+
+std::size_t payload_size() {
+  std::size_t words = 0;
+  for (const core::PlanField& field : core::flight_plan_fields()) {
+    words += field.slots + (field.is_list() ? 1U : 0U);
+  }
+  return 4U * words;
+}
+
+PlanBlockReading refuse(PlanBlockFault fault) { return {.plan = {}, .fault = fault}; }
+
+}  // namespace
+
+std::uint32_t plan_schema_hash() {
+  std::uint32_t h = 2166136261U;
+  for (const core::PlanField& field : core::flight_plan_fields()) {
+    h = hash(hash(hash(h, field.section), field.key), field.unit);
+    h = (h ^ static_cast<std::uint32_t>(field.kind)) * 16777619U;
+    h = (h ^ static_cast<std::uint32_t>(field.slots)) * 16777619U;
+    for (const std::string_view choice : field.choices) {
+      h = hash(h, choice);
+    }
+  }
+  return h;
+}
+
+std::size_t write_plan_block(const core::FlightPlan& plan, std::span<std::byte, largest_plan_block> out) {
+  for (std::size_t i = 0; i < magic.size(); ++i) {
+    out[i] = magic[i];
+  }
+  put(out, 4, plan_block_version, 2);
+  put(out, 6, static_cast<std::uint32_t>(payload_size()), 2);
+  put(out, 8, plan_schema_hash());
+  std::size_t at = header_size;
+  for (const core::PlanField& field : core::flight_plan_fields()) {
+    if (field.is_list()) {
+      put(out, at, static_cast<std::uint32_t>(field.used_slots(plan)));
+      at += 4;
+    }
+    for (std::size_t slot = 0; slot < field.slots; ++slot) {
+      put(out, at, field.get_bits(plan, slot));
+      at += 4;
+    }
+  }
+  put(out, at, crc32c(std::span{out}.first(at)));
+  return at + checksum_size;
+}
+
+PlanBlockReading read_plan_block(std::span<const std::byte> block) {
+  if (block.size() < header_size + checksum_size) {
+    return refuse(PlanBlockFault::too_short);
+  }
+  for (std::size_t i = 0; i < magic.size(); ++i) {
+    if (block[i] != magic[i]) {
+      return refuse(PlanBlockFault::no_plan_block);
+    }
+  }
+  if (get(block, block.size() - checksum_size) != crc32c(block.first(block.size() - checksum_size))) {
+    return refuse(PlanBlockFault::wrong_checksum);
+  }
+  if (get(block, 4, 2) > plan_block_version) {
+    return refuse(PlanBlockFault::newer_version);
+  }
+  if (get(block, 8) != plan_schema_hash()) {
+    return refuse(PlanBlockFault::other_schema);
+  }
+  const std::size_t payload = payload_size();
+  if (get(block, 6, 2) != payload || block.size() != header_size + payload + checksum_size) {
+    return refuse(PlanBlockFault::wrong_length);
+  }
+
+  core::FlightPlan plan{};
+  std::size_t at = header_size;
+  for (const core::PlanField& field : core::flight_plan_fields()) {
+    if (field.is_list()) {
+      const std::uint32_t length = get(block, at);
+      if (length > field.slots) {
+        return refuse(PlanBlockFault::refused);
+      }
+      field.set_length(plan, length);
+      at += 4;
+    }
+    for (std::size_t slot = 0; slot < field.slots; ++slot) {
+      const std::uint32_t bits = get(block, at);
+      field.set_bits(plan, slot, bits);
+      if (field.get_bits(plan, slot) != bits) {  // did not fit the field's type
+        return refuse(PlanBlockFault::refused);
+      }
+      at += 4;
+    }
+  }
+  if (const auto fault = core::validate(plan)) {
+    return {.plan = {}, .fault = PlanBlockFault::refused, .plan_fault = fault};
+  }
+  return {.plan = plan};
+}
+
+}  // namespace fantail::protocol

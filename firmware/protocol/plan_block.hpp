@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "core/flight_plan.hpp"
+#include "core/flight_plan_fields.hpp"
+
+namespace fantail::protocol {
+
+// A flight plan as a board is loaded with it: little-endian,
+//   0  4 bytes  "FTPL"
+//   4  u16      format version (1)
+//   6  u16      length of the payload in bytes
+//   8  u32      schema hash: changes with every name, unit, kind or capacity in the table of fields
+//  12  payload  every field in the order of the table: a list begins with its length (u32); then one u32 a slot
+//               (an IEEE single in inside units, microseconds, or the index of a choice)
+//   n  u32      CRC-32C of everything before it
+
+inline constexpr std::uint16_t plan_block_version = 1;
+inline constexpr std::size_t largest_plan_block = 1024;
+
+enum class PlanBlockFault : std::uint8_t {
+  too_short,
+  no_plan_block,  ///< it does not begin with the four letters
+  newer_version,
+  other_schema,  ///< written for another table of fields
+  wrong_length,
+  wrong_checksum,
+  refused,  ///< intact, but its plan does not pass core::validate()
+};
+
+/// Number of bytes written; `out` has room for largest_plan_block.
+std::size_t write_plan_block(const core::FlightPlan& plan, std::span<std::byte, largest_plan_block> out);
+
+struct PlanBlockReading {
+  std::optional<core::FlightPlan> plan;
+  PlanBlockFault fault{};                       ///< when there is no plan
+  std::optional<core::PlanFault> plan_fault{};  ///< when the plan was refused
+};
+
+/// Accepts a block only as a whole: every byte checked, every field validated.
+[[nodiscard]] PlanBlockReading read_plan_block(std::span<const std::byte> block);
+
+[[nodiscard]] std::uint32_t plan_schema_hash();
+
+}  // namespace fantail::protocol
