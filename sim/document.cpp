@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+#include "sim/document.hpp"
+
+#include <algorithm>
+#include <sstream>
+
+#include "sim/input_error.hpp"
+
+namespace fantail::sim {
+namespace {
+
+// Number of single-letter edits between two words.
+std::size_t distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  for (std::size_t j = 0; j <= b.size(); ++j) {
+    row[j] = j;
+  }
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t replaced = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+      diagonal = row[j];
+      row[j] = std::min({row[j] + 1, row[j - 1] + 1, replaced});
+    }
+  }
+  return row[b.size()];
+}
+
+std::string describe(const toml::parse_error& error, const std::string& file) {
+  std::ostringstream text;
+  text << file << ':' << error.source().begin.line << ':' << error.source().begin.column
+       << ": not valid TOML: " << error.description();
+  return text.str();
+}
+
+}  // namespace
+
+Override parse_override(std::string_view text) {
+  const std::size_t equals = text.find('=');
+  const std::size_t dot = text.substr(0, equals).find('.');
+  const bool complete = equals != std::string_view::npos && dot != std::string_view::npos && dot > 0 &&
+                        dot + 1 < equals && equals + 1 < text.size();
+  if (!complete) {
+    throw InputError{
+        InputFault::bad_configuration,
+        "--set " + std::string{text} + ": expected section.key=value, as in controller.canard_limit_deg=6"};
+  }
+  return {std::string{text.substr(0, dot)}, std::string{text.substr(dot + 1, equals - dot - 1)},
+          std::string{text.substr(equals + 1)}};
+}
+
+std::optional<std::string> suggestion(std::string_view wrong, std::span<const std::string> known) {
+  std::optional<std::string> best;
+  std::size_t nearest = std::max<std::size_t>(2, wrong.size() / 3) + 1;
+  for (const std::string& word : known) {
+    const bool part = wrong.size() >= 3 && (word.find(wrong) != std::string::npos);
+    const std::size_t d = part ? 1 : distance(wrong, word);
+    if (d < nearest) {
+      nearest = d;
+      best = word;
+    }
+  }
+  return best;
+}
+
+Document Document::load(const std::filesystem::path& file) {
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(file, ignored)) {
+    throw InputError{InputFault::no_such_input, file.string() + ": no such file"};
+  }
+  Document document;
+  document.file_ = file.string();
+  try {
+    document.root_ = toml::parse_file(document.file_);
+  } catch (const toml::parse_error& error) {
+    throw InputError{InputFault::bad_data, describe(error, document.file_)};
+  }
+  return document;
+}
+
+void Document::apply(const Override& change) {
+  toml::table parsed;
+  try {
+    parsed = toml::parse("value = " + change.value);
+  } catch (const toml::parse_error&) {
+    parsed.insert("value", change.value);
+  }
+  if (!root_.contains(change.section)) {
+    root_.insert(change.section, toml::table{});
+  }
+  toml::table* section = root_[change.section].as_table();
+  if (section == nullptr) {
+    throw InputError{InputFault::bad_configuration, change.text() + ": " + change.section + " is not a section"};
+  }
+  section->insert_or_assign(change.key, *parsed.get("value"));
+  replaced_[change.section + "." + change.key] = change.text();
+}
+
+std::string Document::where(std::string_view section, std::string_view key, const toml::node* node) const {
+  const auto replaced = replaced_.find(std::string{section} + "." + std::string{key});
+  if (replaced != replaced_.end()) {
+    return replaced->second;
+  }
+  if (node != nullptr && node->source().begin.line > 0) {
+    return file_ + ":" + std::to_string(node->source().begin.line);
+  }
+  return file_;
+}
+
+void refuse_unknown_sections(const Document& document, std::span<const std::string> known) {
+  for (const auto& [key, node] : document.root()) {
+    const std::string name{key.str()};
+    if (std::ranges::find(known, name) != known.end()) {
+      continue;
+    }
+    std::string message =
+        document.where("", name, &node) + ": unknown " + (node.is_table() ? "section [" + name + "]" : "key " + name);
+    if (const auto meant = suggestion(name, known)) {
+      message += "; did you mean " + *meant + "?";
+    }
+    throw InputError{InputFault::bad_configuration, message};
+  }
+}
+
+}  // namespace fantail::sim
