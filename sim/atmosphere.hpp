@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cmath>
+
+namespace fantail::sim {
+
+enum class DensityModel {
+  exponential,  ///< 1.225 exp(-h / 8500): what the published flights were fitted with
+  isa,          ///< International Standard Atmosphere (ISO 2533)
+  constant,     ///< the same at every height: wind tunnels and closed forms
+};
+
+/// Air density over height above the launch site, taken to lie at sea level. One choice serves ascent and roll plant.
+struct Atmosphere {
+  DensityModel model = DensityModel::exponential;
+  double constant_kg_m3 = 1.2;  ///< for DensityModel::constant only
+
+  /// Height is geopotential height in the ISA (0.24 % below the geometric one at 15 km). The ISA holds up to 20 km;
+  /// above, its isothermal layer is carried on.
+  [[nodiscard]] double density_kg_m3(double height_m) const {
+    switch (model) {
+      case DensityModel::constant: return constant_kg_m3;
+      case DensityModel::isa: return isa_density_kg_m3(height_m);
+      case DensityModel::exponential: break;
+    }
+    return 1.225 * std::exp(height_m * (-1.0 / 8500.0));
+  }
+
+ private:
+  [[nodiscard]] static double isa_density_kg_m3(double height_m) {
+    constexpr double gravity_m_s2 = 9.80665;
+    constexpr double gas_constant_j_kg_k = 287.05287;
+    constexpr double lapse_k_m = 0.0065;
+    constexpr double tropopause_m = 11000.0;
+    constexpr double sea_level_k = 288.15;
+    constexpr double tropopause_k = sea_level_k - lapse_k_m * tropopause_m;
+    constexpr double sea_level_kg_m3 = 101325.0 / (gas_constant_j_kg_k * sea_level_k);
+    // Density falls one power slower than pressure: the air is colder, too.
+    constexpr double exponent = gravity_m_s2 / (gas_constant_j_kg_k * lapse_k_m) - 1.0;
+    if (height_m <= tropopause_m) {
+      return sea_level_kg_m3 * std::pow(1.0 - height_m * (lapse_k_m / sea_level_k), exponent);
+    }
+    const double at_tropopause_kg_m3 = sea_level_kg_m3 * std::pow(tropopause_k / sea_level_k, exponent);
+    constexpr double scale_height_m = gas_constant_j_kg_k * tropopause_k / gravity_m_s2;
+    return at_tropopause_kg_m3 * std::exp((tropopause_m - height_m) / scale_height_m);
+  }
+};
+
+}  // namespace fantail::sim

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#include "sim/wind_tunnel.hpp"
+
+#include <cmath>
+
+namespace fantail::sim {
+
+WindTunnel::WindTunnel(const WindTunnelParameters& parameters, double unit_gaussian)
+    : parameters_{parameters},
+      set_point_m_s_{parameters.fan_rpm * parameters.speed_per_rpm_m_s},
+      mean_m_s_{set_point_m_s_},
+      gust_{unit_gaussian} {}
+
+double WindTunnel::step(double dt_s, double unit_gaussian) {
+  if (dt_s != dt_s_) {
+    dt_s_ = dt_s;
+    fan_gain_ = -std::expm1(-dt_s / parameters_.fan_lag_s);
+    gust_decay_ = std::exp(-dt_s / parameters_.turbulence_time_s);
+    // Keeps the variance at one whatever the step; expm1, as one minus a number close to one would cancel.
+    gust_gain_ = std::sqrt(-std::expm1(-2.0 * dt_s / parameters_.turbulence_time_s));
+  }
+  mean_m_s_ += fan_gain_ * (set_point_m_s_ - mean_m_s_);
+  gust_ = gust_decay_ * gust_ + gust_gain_ * unit_gaussian;
+  return speed_m_s();
+}
+
+}  // namespace fantail::sim
