@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#include "sim/random.hpp"
+
+#include <cmath>
+
+#include "sim/elementary.hpp"
+
+namespace fantail::sim {
+namespace {
+
+/// Right edge of the lowest box, and the area of every layer, for 256 of them: the topmost box then ends at height 1.
+constexpr double last_edge = 3.6541528853610087716;
+constexpr double layer_area = 0.0049286732339746553474;
+
+constexpr double density(double x) { return exponential(-0.5 * x * x); }
+
+// std::sqrt is no constant expression in C++20. Newton from above lands next to the root; where it stops is the same
+// everywhere.
+constexpr double square_root(double x) {
+  double root = x > 1.0 ? x : 1.0;
+  for (double next = 0.5 * (root + x / root); next < root; next = 0.5 * (root + x / root)) {
+    root = next;
+  }
+  return root;
+}
+
+constexpr Ziggurat cut_into_layers() {
+  Ziggurat z;
+  // The lowest layer includes the tail; drawn as if it were a box of the same area.
+  z.edge[0] = layer_area / density(last_edge);
+  z.height[0] = 0.0;
+  z.edge[1] = last_edge;
+  z.height[1] = density(last_edge);
+  for (std::size_t i = 2; i < Ziggurat::layers; ++i) {
+    z.height[i] = z.height[i - 1] + layer_area / z.edge[i - 1];
+    z.edge[i] = square_root(-2.0 * natural_log(z.height[i]));
+  }
+  z.edge[Ziggurat::layers] = 0.0;
+  z.height[Ziggurat::layers] = 1.0;
+  return z;
+}
+
+/// splitmix64 (Steele, Lea and Flood, 2014).
+std::uint64_t split_mix(std::uint64_t& state) {
+  state += 0x9e3779b97f4a7c15U;
+  std::uint64_t z = state;
+  z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9U;
+  z = (z ^ (z >> 27U)) * 0x94d049bb133111ebU;
+  return z ^ (z >> 31U);
+}
+
+}  // namespace
+
+constexpr Ziggurat ziggurat = cut_into_layers();
+
+Random::Random(std::uint64_t seed, std::uint64_t stream) : state_{} {
+  // The seed is mixed before the stream joins it: else stream 1 of seed 1 would be stream 0 of seed 2.
+  std::uint64_t state = split_mix(seed) + stream;
+  for (std::uint64_t& word : state_) {
+    word = split_mix(state);
+  }
+}
+
+double Random::beside_the_layer(std::size_t layer, double value) {
+  if (layer == 0) {
+    return std::copysign(tail(), value);
+  }
+  const double low = ziggurat.height[layer];
+  const double height = low + uniform() * (ziggurat.height[layer + 1] - low);
+  return height < density(value) ? value : gaussian();
+}
+
+// Marsaglia (1964): exponential draws, thinned to the normal tail. 1 - uniform() is never 0.
+double Random::tail() {
+  for (;;) {
+    const double beyond = -natural_log(1.0 - uniform()) / last_edge;
+    const double test = -natural_log(1.0 - uniform());
+    if (2.0 * test > beyond * beyond) {
+      return last_edge + beyond;
+    }
+  }
+}
+
+}  // namespace fantail::sim

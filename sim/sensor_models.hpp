@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <numbers>
+
+#include "hal/accelerometer.hpp"
+#include "hal/encoder.hpp"
+#include "hal/imu.hpp"
+#include "sim/delay_line.hpp"
+#include "sim/random.hpp"
+#include "sim/vector3.hpp"
+
+namespace fantail::sim {
+
+/// One inertial sensor: three axes of specific force and, in an IMU, three of angular rate.
+struct InertialParameters {
+  double rate_noise_rad_s = 0.1 * (std::numbers::pi / 180.0);     ///< standard deviation, white from sample to sample
+  double rate_bias_rad_s = 0.0;                                   ///< the same on every axis
+  double full_scale_rad_s = 2000.0 * (std::numbers::pi / 180.0);  ///< 32768 counts
+  double specific_force_noise_m_s2 = 0.3;                         ///< standard deviation, white from sample to sample
+  double specific_force_bias_m_s2 = 0.0;                          ///< the same on every axis
+  double full_scale_m_s2 = 16.0 * 9.80665;                        ///< 32768 counts
+  double misalignment_rad = 0.0;  ///< the package is turned by this about an axis across the rocket, 0 to 0.2
+  double delay_s = 0.0;           ///< from measured to delivered, 0 to 0.02
+};
+
+/// One three-axis converter: turns a true vector into the counts of its own, slightly turned axes. The noise and the
+/// bias are added in the sensor's axes, then the value is rounded to the nearest count; beyond the ends of int16 it
+/// stays at that end, and a NaN stands at the lower one.
+class TriaxialConverter {
+ public:
+  struct Errors {
+    double noise;
+    double bias;
+    double full_scale;
+  };
+  using Rotation = std::array<Vector3, 3>;  ///< rows
+
+  TriaxialConverter(const Errors& errors, const Rotation& from_body);
+
+  [[nodiscard]] hal::Counts convert(const Vector3& truth, Random& random) const {
+    hal::Counts counts{};
+    for (std::size_t axis = 0; axis < counts.size(); ++axis) {
+      const Vector3& row = counts_per_unit_[axis];
+      const double ideal = row.x * truth.x + row.y * truth.y + row.z * truth.z;
+      counts[axis] = nearest_count(ideal + offset_ + noise_ * random.gaussian());
+    }
+    return counts;
+  }
+
+ private:
+  [[nodiscard]] static std::int16_t nearest_count(double value) {
+    constexpr double lowest = -32768.0;
+    constexpr double highest = 32767.0;
+    value = value > lowest ? value : lowest;
+    value = value < highest ? value : highest;
+    return static_cast<std::int16_t>(static_cast<std::int32_t>(value + 32768.5) - 32768);
+  }
+
+  Rotation counts_per_unit_;
+  double offset_;  ///< counts
+  double noise_;   ///< counts
+};
+
+/// Gyro and accelerometer in one package, so turned by the same misalignment.
+class ImuModel {
+ public:
+  /// `random` is this sensor's own stream; it also picks the axis of the misalignment. Throws std::invalid_argument
+  /// for a parameter outside its range.
+  ImuModel(const InertialParameters& parameters, Random random);
+
+  [[nodiscard]] hal::ImuScale scale() const { return scale_; }
+
+  /// What the device delivers at `time`, called once per sample with increasing times. The sample's own time is the one
+  /// at which it was measured. In a dropout the device hangs: nothing is measured and its last sample comes again.
+  [[nodiscard]] hal::ImuSample sample(hal::Microseconds time, const Vector3& rate_rad_s,
+                                      const Vector3& specific_force_m_s2, bool dropout) {
+    if (dropout) {
+      return line_.repeated();
+    }
+    hal::ImuSample measured{.time = time, .status = hal::Status::ok};
+    measured.rate = gyro_.convert(rate_rad_s, random_);
+    measured.specific_force = accelerometer_.convert(specific_force_m_s2, random_);
+    line_.push(measured);
+    return line_.arrived(time);
+  }
+
+ private:
+  Random random_;  // first: the misalignment draws from it
+  TriaxialConverter::Rotation from_body_;
+  TriaxialConverter gyro_;
+  TriaxialConverter accelerometer_;
+  hal::ImuScale scale_;
+  DelayLine<hal::ImuSample> line_;
+};
+
+/// The second accelerometer: the same without a gyro.
+class AccelerometerModel {
+ public:
+  AccelerometerModel(const InertialParameters& parameters, Random random);
+
+  /// m/s2 per count.
+  [[nodiscard]] float scale() const { return scale_m_s2_; }
+
+  /// As ImuModel::sample.
+  [[nodiscard]] hal::AccelerometerSample sample(hal::Microseconds time, const Vector3& specific_force_m_s2,
+                                                bool dropout) {
+    if (dropout) {
+      return line_.repeated();
+    }
+    hal::AccelerometerSample measured{.time = time, .status = hal::Status::ok};
+    measured.specific_force = converter_.convert(specific_force_m_s2, random_);
+    line_.push(measured);
+    return line_.arrived(time);
+  }
+
+ private:
+  Random random_;  // first: the misalignment draws from it
+  TriaxialConverter converter_;
+  float scale_m_s2_;
+  DelayLine<hal::AccelerometerSample> line_;
+};
+
+/// The four canard shaft encoders: absolute, 14 bits a turn, wrapping from 16383 to 0.
+class EncoderModel {
+ public:
+  /// `zero_rad`: what each encoder reads at shaft angle zero. The noise is the standard deviation of every reading,
+  /// 0 to 1000. Throws std::invalid_argument.
+  EncoderModel(const std::array<double, hal::canards>& zero_rad, double noise_counts, Random random);
+
+  /// An unplugged encoder says no_reading; the noise of the others stays what it was.
+  void unplug(std::size_t canard, bool unplugged = true) { unplugged_[canard] = unplugged; }
+
+  /// Shaft angles within 100 turns.
+  [[nodiscard]] hal::EncoderReading sample(hal::Microseconds time,
+                                           const std::array<double, hal::canards>& shaft_angle_rad) {
+    hal::EncoderReading reading{.time = time};
+    for (std::size_t i = 0; i < hal::canards; ++i) {
+      const double counts =
+          shaft_angle_rad[i] * counts_per_radian + zero_counts_[i] + noise_counts_ * random_.gaussian();
+      if (unplugged_[i]) {
+        continue;
+      }
+      // Whole turns are added first: a conversion to integer rounds towards zero, so only upwards of it is it right.
+      const auto turned = static_cast<std::uint32_t>(counts + (1000.0 * hal::encoder_counts_per_turn + 0.5));
+      reading.each[i] = {.counts = static_cast<std::uint16_t>(turned % hal::encoder_counts_per_turn),
+                         .status = hal::Status::ok};
+    }
+    return reading;
+  }
+
+ private:
+  static constexpr double counts_per_radian = hal::encoder_counts_per_turn / (2.0 * std::numbers::pi);
+
+  std::array<double, hal::canards> zero_counts_{};
+  double noise_counts_;
+  std::array<bool, hal::canards> unplugged_{};
+  Random random_;
+};
+
+}  // namespace fantail::sim

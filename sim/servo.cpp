@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+#include "sim/servo.hpp"
+
+#include <stdexcept>
+#include <string>
+
+namespace fantail::sim {
+namespace {
+
+constexpr double radians_per_degree = std::numbers::pi / 180.0;
+constexpr double shortest_pulse_us = 500.0;
+constexpr double longest_pulse_us = 2500.0;
+constexpr double slipping_grip = 2.0 / 3.0;
+
+// Written so that a NaN is refused too.
+void require(bool allowed, const char* what) {
+  if (!allowed) {
+    throw std::invalid_argument{std::string{"servo: "} + what};
+  }
+}
+
+}  // namespace
+
+Servo::Servo(const ServoParameters& parameters)
+    : parameters_{parameters},
+      lag_reach_rad_{parameters.rate_limit_rad_s * parameters.lag_s},
+      half_play_rad_{0.5 * parameters.backlash_rad},
+      gear_stop_rad_{parameters.stop_rad + half_play_rad_} {
+  require(parameters.lag_s >= 0.0005 && parameters.lag_s <= 1.0, "lag_s must be 0.0005 to 1");
+  require(parameters.delay_s >= 0.0 && parameters.delay_s <= 0.05, "delay_s must be 0 to 0.05");
+  require(parameters.frame_period_s >= 0.001, "frame_period_s must be at least 0.001");
+  require(parameters.rate_limit_rad_s > 0.0, "rate_limit_rad_s must be above 0");
+  require(parameters.stop_rad > 0.0, "stop_rad must be above 0");
+  require(parameters.backlash_rad >= 0.0, "backlash_rad must not be below 0");
+  require(std::isfinite(parameters.pulse_centre_us), "pulse_centre_us must be finite");
+  require(std::abs(parameters.pulse_per_degree_us) > 0.0, "pulse_per_degree_us must not be 0");
+}
+
+void Servo::fail(ServoFault fault) {
+  if (fault == fault_) {
+    return;
+  }
+  if (fault_ == ServoFault::slipping) {
+    gear_rad_ = horn_rad_ = angle_rad();
+    mean_horn_rad_ = mean_angle_rad();
+    slip_from_rad_ = 0.0;
+    grip_ = 1.0;
+  }
+  if (fault == ServoFault::slipping) {
+    slip_from_rad_ = horn_rad_;
+    grip_ = slipping_grip;
+  }
+  if ((fault == ServoFault::reversed || fault_ == ServoFault::reversed) && goal_rad_) {
+    goal_rad_ = -*goal_rad_;
+  }
+  fault_ = fault;
+}
+
+// The pulse is the same for the whole step, so only the first frame in it can change what the servo is told.
+void Servo::latch(double t_s, double end_s, std::optional<double> pulse_us) {
+  const double period_s = parameters_.frame_period_s;
+  if (next_frame_s_ < t_s - same_time_s) {
+    next_frame_s_ = std::ceil((t_s - same_time_s) / period_s) * period_s;
+    if (next_frame_s_ >= end_s) {
+      return;
+    }
+  }
+  const double frame_s = next_frame_s_;
+  double number = std::round(next_frame_s_ / period_s);
+  while (next_frame_s_ < end_s) {
+    number += 1.0;
+    next_frame_s_ = number * period_s;
+  }
+  if (pulse_us == latched_us_ || (pulse_us && !(*pulse_us >= shortest_pulse_us && *pulse_us <= longest_pulse_us))) {
+    return;
+  }
+  latched_us_ = pulse_us;
+  std::optional<double> goal_rad;
+  if (pulse_us) {
+    goal_rad = (*pulse_us - parameters_.pulse_centre_us) * (radians_per_degree / parameters_.pulse_per_degree_us);
+  }
+  queue_[(first_ + waiting_) % queue_.size()] = {.arrival_s = frame_s + parameters_.delay_s, .goal_rad = goal_rad};
+  ++waiting_;
+}
+
+void Servo::step_in_pieces(double t_s, double end_s) {
+  double now_s = t_s;
+  double travelled = 0.0;
+  while (waiting_ > 0 && queue_[first_].arrival_s < end_s - same_time_s) {
+    const Command& command = queue_[first_];
+    if (command.arrival_s > now_s) {
+      travelled += move(interval(command.arrival_s - now_s));
+      now_s = command.arrival_s;
+    }
+    goal_rad_ = command.goal_rad;
+    if (goal_rad_ && fault_ == ServoFault::reversed) {
+      goal_rad_ = -*goal_rad_;
+    }
+    first_ = (first_ + 1) % queue_.size();
+    --waiting_;
+  }
+  travelled += move(now_s == t_s ? whole_step_ : interval(end_s - now_s));
+  mean_horn_rad_ = travelled / (end_s - t_s);
+}
+
+// Each of these moves for one piece of a step and returns the integral of the horn's angle over it.
+double Servo::move(const Interval& piece) {
+  const double before = horn_rad_;
+  switch (fault_) {
+    case ServoFault::none:
+    case ServoFault::slipping:
+    case ServoFault::reversed: return goal_rad_ ? drive(piece) : before * piece.duration_s;
+    case ServoFault::hardover: return turn_at_rate(1.0, piece.duration_s);
+    case ServoFault::dead:
+      gear_rad_ = horn_rad_ = before - before * piece.settling.gain;
+      return piece.duration_s * (before + piece.settling.weight * (horn_rad_ - before));
+    case ServoFault::stuck: break;
+  }
+  return before * piece.duration_s;
+}
+
+double Servo::drive(const Interval& piece) {
+  const double distance = *goal_rad_ - gear_rad_;
+  const double excess = std::abs(distance) - lag_reach_rad_;
+  if (excess <= 0.0) {
+    const double before = horn_rad_;
+    turn_to(gear_rad_ + distance * piece.settling.gain);
+    return piece.duration_s * (before + piece.settling.weight * (horn_rad_ - before));
+  }
+  const double limited_s = excess / parameters_.rate_limit_rad_s;
+  const double direction = distance > 0.0 ? 1.0 : -1.0;
+  if (limited_s >= piece.duration_s) {
+    return turn_at_rate(direction, piece.duration_s);
+  }
+  const Interval rest = interval(piece.duration_s - limited_s);
+  const double limited = turn_at_rate(direction, limited_s);
+  const double before = horn_rad_;
+  turn_to(gear_rad_ + (*goal_rad_ - gear_rad_) * rest.settling.gain);
+  return limited + rest.duration_s * (before + rest.settling.weight * (horn_rad_ - before));
+}
+
+double Servo::turn_at_rate(double direction, double duration_s) {
+  const double before = horn_rad_;
+  turn_to(gear_rad_ + direction * parameters_.rate_limit_rad_s * duration_s);
+  return duration_s * 0.5 * (before + horn_rad_);
+}
+
+}  // namespace fantail::sim

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <numbers>
+#include <optional>
+
+#include "sim/elementary.hpp"
+
+namespace fantail::sim {
+
+struct ServoParameters {
+  double lag_s = 0.020;                                          ///< first-order; 0.0005 to 1
+  double delay_s = 0.003;                                        ///< from latched to acted upon; 0 to 0.05
+  double frame_period_s = 1.0 / 333.0;                           ///< 0.001 or more
+  double rate_limit_rad_s = 600.0 * (std::numbers::pi / 180.0);  ///< above 0
+  double stop_rad = 25.0 * (std::numbers::pi / 180.0);           ///< mechanical stop of the shaft, both ways; above 0
+  double backlash_rad = 0.1 * (std::numbers::pi / 180.0);        ///< whole width of the play; 0 or more
+  double pulse_centre_us = 1500.0;                               ///< commands shaft angle zero
+  double pulse_per_degree_us = 10.0;                             ///< negative when it turns the other way; not 0
+};
+
+enum class ServoFault : std::uint8_t {
+  none,
+  stuck,     ///< the gear is jammed: the shaft stays where it is
+  hardover,  ///< runs to the positive stop at the rate limit, whatever the pulse
+  dead,      ///< torn from its gear: the air turns the shaft back to zero, with the time constant of the lag
+  slipping,  ///< the horn slips: the shaft loses a third of every movement from here on
+  reversed,  ///< moves the other way about zero
+};
+
+/// One canard servo, from the pulse on the wire to the angle of the canard shaft (on which the encoder sits).
+///
+/// pulse -> latched at the next pulse frame -> transport delay -> first-order lag with a rate limit -> gear -> play ->
+/// shaft. Frames begin at whole multiples of the period since t = 0. Every stage is exact in time, so the angle does
+/// not depend on how a time is cut into steps, as long as the pulse is the same.
+/// No pulse: the motor has no power, and friction holds the shaft. A pulse outside 500 to 2500 us, or NaN, is ignored.
+class Servo {
+ public:
+  /// Starts at angle zero, without power. Throws std::invalid_argument for a parameter outside its range.
+  explicit Servo(const ServoParameters& parameters);
+
+  /// Breaks, from now on; ServoFault::none repairs, and the servo goes on from where its shaft stands.
+  void fail(ServoFault fault);
+
+  /// Moves from t_s to t_s + dt_s (dt_s > 0) with `pulse_us` on the wire. The next step begins where this one ends.
+  void step(double t_s, double dt_s, std::optional<double> pulse_us) {
+    if (dt_s != whole_step_.duration_s) {
+      whole_step_ = interval(dt_s);
+    }
+    const double end_s = t_s + dt_s - same_time_s;
+    if (next_frame_s_ < end_s) {
+      latch(t_s, end_s, pulse_us);
+    }
+    if (fault_ != ServoFault::none || (waiting_ > 0 && queue_[first_].arrival_s < end_s)) {
+      step_in_pieces(t_s, t_s + dt_s);
+      return;
+    }
+    const double before = horn_rad_;
+    if (goal_rad_) {
+      const double distance = *goal_rad_ - gear_rad_;
+      if (std::abs(distance) > lag_reach_rad_) {
+        step_in_pieces(t_s, t_s + dt_s);
+        return;
+      }
+      turn_to(gear_rad_ + distance * whole_step_.settling.gain);
+    }
+    mean_horn_rad_ = before + whole_step_.settling.weight * (horn_rad_ - before);
+  }
+
+  /// Angle of the canard shaft, positive as the encoder counts.
+  [[nodiscard]] double angle_rad() const { return on_shaft(horn_rad_); }
+
+  /// Mean of that angle over the last step: what a plant that holds its input saw.
+  [[nodiscard]] double mean_angle_rad() const { return on_shaft(mean_horn_rad_); }
+
+ private:
+  struct Interval {
+    double duration_s;
+    Settling settling;
+  };
+  struct Command {
+    double arrival_s;
+    std::optional<double> goal_rad;  ///< empty: power off
+  };
+
+  /// Times nearer than this are the same: t_s is a sum of steps, a frame's time a product.
+  static constexpr double same_time_s = 1e-9;
+
+  [[nodiscard]] Interval interval(double duration_s) const {
+    return {.duration_s = duration_s, .settling = settling(duration_s / parameters_.lag_s)};
+  }
+  [[nodiscard]] double on_shaft(double horn_rad) const { return slip_from_rad_ + grip_ * (horn_rad - slip_from_rad_); }
+
+  /// The gear stops a little beyond the shaft's stop, by half of the play; the shaft follows when the play is used up.
+  void turn_to(double gear_rad) {
+    gear_rad_ = gear_rad > gear_stop_rad_ ? gear_stop_rad_ : gear_rad < -gear_stop_rad_ ? -gear_stop_rad_ : gear_rad;
+    const double lowest = gear_rad_ - half_play_rad_;
+    const double highest = gear_rad_ + half_play_rad_;
+    horn_rad_ = horn_rad_ < lowest ? lowest : horn_rad_ > highest ? highest : horn_rad_;
+  }
+
+  void latch(double t_s, double end_s, std::optional<double> pulse_us);
+  void step_in_pieces(double t_s, double end_s);
+  [[nodiscard]] double move(const Interval& piece);
+  [[nodiscard]] double drive(const Interval& piece);
+  [[nodiscard]] double turn_at_rate(double direction, double duration_s);
+
+  ServoParameters parameters_;
+  double lag_reach_rad_;  ///< farther from the goal than this, the rate limit rules
+  double half_play_rad_;
+  double gear_stop_rad_;
+  Interval whole_step_{};
+
+  ServoFault fault_ = ServoFault::none;
+  std::optional<double> goal_rad_{};
+  double gear_rad_ = 0.0;
+  double horn_rad_ = 0.0;  ///< beyond the play; the shaft turns with it unless it slips
+  double mean_horn_rad_ = 0.0;
+  double slip_from_rad_ = 0.0;
+  double grip_ = 1.0;  ///< share of the horn's movement that reaches the shaft
+
+  double next_frame_s_ = -std::numeric_limits<double>::infinity();
+  std::optional<double> latched_us_{};
+  std::size_t first_ = 0;
+  std::size_t waiting_ = 0;
+  std::array<Command, 64> queue_{};  ///< at most one a frame: 51 within the longest delay
+};
+
+}  // namespace fantail::sim
