@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#include "sim/canard_set.hpp"
+
+namespace fantail::sim {
+
+CanardSet::CanardSet(const Vehicle& vehicle, Random random)
+    : mounting_{vehicle.canards},
+      servos_{Servo{vehicle.servo}, Servo{vehicle.servo}, Servo{vehicle.servo}, Servo{vehicle.servo}},
+      encoders_{{vehicle.canards[0].encoder_zero_rad, vehicle.canards[1].encoder_zero_rad,
+                 vehicle.canards[2].encoder_zero_rad, vehicle.canards[3].encoder_zero_rad},
+                vehicle.encoder_noise_counts,
+                random} {}
+
+void CanardSet::step(double time_s, double dt_s, const std::array<std::optional<hal::Pulse>, hal::canards>& pulses) {
+  constexpr double microseconds_per_nanosecond = 1e-3;
+  for (std::size_t i = 0; i < servos_.size(); ++i) {
+    const auto pulse_us =
+        pulses[i] ? std::optional{microseconds_per_nanosecond * static_cast<double>(pulses[i]->count())} : std::nullopt;
+    servos_[i].step(time_s, dt_s, pulse_us);
+  }
+}
+
+template <typename AngleOf>
+double CanardSet::average(AngleOf angle_of) const {
+  double sum_rad = 0.0;
+  for (std::size_t i = 0; i < servos_.size(); ++i) {
+    const double from_trim_rad = angle_of(servos_[i]) - mounting_[i].trim_rad;
+    sum_rad += mounting_[i].reversed ? -from_trim_rad : from_trim_rad;
+  }
+  return sum_rad / static_cast<double>(servos_.size());
+}
+
+double CanardSet::deflection_rad() const {
+  return average([](const Servo& servo) { return servo.angle_rad(); });
+}
+
+double CanardSet::mean_deflection_rad() const {
+  return average([](const Servo& servo) { return servo.mean_angle_rad(); });
+}
+
+hal::EncoderReading CanardSet::read_encoders(hal::Microseconds time) {
+  return encoders_.sample(
+      time, {servos_[0].angle_rad(), servos_[1].angle_rad(), servos_[2].angle_rad(), servos_[3].angle_rad()});
+}
+
+}  // namespace fantail::sim

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: MIT
+#include "sim/scenario.hpp"
+
+#include <algorithm>
+#include <array>
+#include <numbers>
+
+#include "sim/input_error.hpp"
+#include "sim/plan_file.hpp"
+#include "sim/shipped.hpp"
+
+namespace fantail::sim {
+namespace {
+
+constexpr double radians_per_degree = std::numbers::pi / 180.0;
+
+// In the order of FaultKind.
+constexpr std::array<std::string_view, 8> fault_kinds{"canard_stuck",    "canard_hardover",      "canard_dead",
+                                                      "canard_slipping", "canard_reversed",      "encoder_unplugged",
+                                                      "imu_dropout",     "accelerometer_dropout"};
+
+const std::vector<std::string>& scenario_sections() {
+  static const std::vector<std::string> names{"environment", "tunnel", "disturbance", "imposed_roll", "timing"};
+  return names;
+}
+
+void read_environment(const Document& document, Scenario& scenario) {
+  Section section{document, "environment"};
+  constexpr std::array<std::string_view, 2> surroundings{"flight", "tunnel"};
+  constexpr std::array<std::string_view, 3> densities{"exponential", "isa", "constant"};
+  scenario.surroundings = static_cast<Surroundings>(section.choice("surroundings", surroundings, 0));
+  scenario.atmosphere.model = static_cast<DensityModel>(section.choice("density", densities, 0));
+  scenario.atmosphere.constant_kg_m3 = section.number("density_kg_m3", {0.01, 5}, scenario.atmosphere.constant_kg_m3);
+  scenario.guide_tilt_rad = radians_per_degree * section.number("guide_tilt_deg", {0, 15}, 0.0);
+  section.finish();
+}
+
+void read_tunnel(const Document& document, Scenario& scenario) {
+  Section section{document, "tunnel"};
+  WindTunnelParameters& p = scenario.tunnel;
+  p.fan_rpm = section.number("fan_rpm", {0, 3000}, p.fan_rpm);
+  p.speed_per_rpm_m_s = section.number("speed_per_rpm_m_s", {0.001, 0.1}, p.speed_per_rpm_m_s);
+  p.turbulence = section.number("turbulence", {0, 0.5}, p.turbulence);
+  p.turbulence_time_s = section.number("turbulence_time_s", {0.01, 60}, p.turbulence_time_s);
+  p.fan_lag_s = section.number("fan_lag_s", {0.1, 600}, p.fan_lag_s);
+  p.swirl_rad = radians_per_degree * section.number("swirl_deg", {-20, 20}, p.swirl_rad / radians_per_degree);
+  p.density_kg_m3 = section.number("density_kg_m3", {0.01, 5}, p.density_kg_m3);
+  section.finish();
+}
+
+void read_disturbance(const Document& document, Scenario& scenario) {
+  Section section{document, "disturbance"};
+  const std::vector<double> times = section.numbers("times_s", {0, 600}, 1000);
+  const std::vector<double> angles = section.numbers("angles_deg", {-45, 45}, 1000);
+  if (times.size() != angles.size()) {
+    section.refuse("times_s", "has " + std::to_string(times.size()) + " values and angles_deg has " +
+                                  std::to_string(angles.size()) + "; allowed: as many of each");
+  }
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    if (i > 0 && times[i] <= times[i - 1]) {
+      section.refuse("times_s", "must increase");
+    }
+    scenario.disturbance.push_back({times[i], radians_per_degree * angles[i]});
+  }
+  section.finish();
+}
+
+void read_imposed_roll(const Document& document, Scenario& scenario) {
+  if (!document.root().contains("imposed_roll")) {
+    return;
+  }
+  Section section{document, "imposed_roll"};
+  scenario.imposed_roll = {.time_s = section.number("time_s", {0, 600}),
+                           .angle_rad = radians_per_degree * section.number("angle_deg", {-3600, 3600}),
+                           .rate_rad_s = radians_per_degree * section.number("rate_deg_s", {-3600, 3600})};
+  section.finish();
+}
+
+void read_timing(const Document& document, Scenario& scenario) {
+  Section section{document, "timing"};
+  scenario.pad_time_s = section.number("pad_time_s", {1, 600}, scenario.pad_time_s);
+  scenario.arm_time_s = section.number("arm_time_s", {0.1, 600}, scenario.arm_time_s);
+  scenario.time_after_end_s = section.number("time_after_end_s", {0, 60}, scenario.time_after_end_s);
+  if (scenario.arm_time_s >= scenario.pad_time_s) {
+    section.refuse("arm_time_s", "must be earlier than pad_time_s");
+  }
+  section.finish();
+}
+
+void read_faults(const Document& document, Scenario& scenario) {
+  const toml::node* node = document.root().get("faults");
+  if (node == nullptr) {
+    return;
+  }
+  if (!node->is_array_of_tables()) {
+    throw InputError{InputFault::bad_configuration,
+                     document.where("", "faults", node) + ": faults must be written as [[faults]]"};
+  }
+  for (const toml::node& element : *node->as_array()) {
+    Section section{document, "faults", *element.as_table()};
+    Fault fault{};
+    fault.kind = static_cast<FaultKind>(section.choice("kind", fault_kinds));
+    fault.from_s = section.number("from_s", {-600, 600});
+    if (is_dropout(fault.kind)) {
+      fault.until_s = section.number("until_s", {fault.from_s, 600});
+    } else {
+      fault.canard = static_cast<std::size_t>(section.integer("canard", {1, 4}) - 1);
+    }
+    section.finish();
+    scenario.faults.push_back(fault);
+  }
+}
+
+void read_scenario_document(const Document& document, Scenario& scenario) {
+  read_environment(document, scenario);
+  read_tunnel(document, scenario);
+  read_disturbance(document, scenario);
+  read_imposed_roll(document, scenario);
+  read_timing(document, scenario);
+  read_faults(document, scenario);
+  const bool tunnel_plan = scenario.plan.run.start == core::Start::tunnel;
+  if (tunnel_plan != (scenario.surroundings == Surroundings::tunnel)) {
+    Section{document, "environment"}.refuse(
+        "surroundings", tunnel_plan ? "must be \"tunnel\": the plan starts with run.start = \"tunnel\""
+                                    : "must be \"flight\": the plan starts with run.start = \"launch\"");
+  }
+}
+
+}  // namespace
+
+std::string_view name(FaultKind kind) { return fault_kinds[static_cast<std::size_t>(kind)]; }
+
+Scenario load_scenario(const std::string& name_or_path, std::span<const Override> changes) {
+  const std::filesystem::path file = find_input(Shipped::scenario, name_or_path);
+  Document scenario_document = Document::load(file);
+  Section top{scenario_document, ""};
+  Scenario scenario;
+  scenario.name = file.stem().string();
+  scenario.vehicle_name = top.text("vehicle");
+  scenario.plan_name = top.text("plan");
+  scenario.seed = static_cast<std::uint64_t>(top.integer("seed", {0, 9e15}, 1));
+  Document plan_document = Document::load(find_input(Shipped::plan, scenario.plan_name));
+  Document vehicle_document = Document::load(find_input(Shipped::vehicle, scenario.vehicle_name));
+
+  std::vector<std::string> sections = scenario_sections();
+  const std::vector<std::string> of_plan = plan_sections();
+  const std::vector<std::string> of_vehicle = vehicle_sections();
+  for (const Override& change : changes) {
+    auto names = [&](const std::vector<std::string>& list) {
+      return std::ranges::find(list, change.section) != list.end();
+    };
+    if (names(of_plan)) {
+      plan_document.apply(change);
+    } else if (names(of_vehicle)) {
+      vehicle_document.apply(change);
+    } else if (names(sections)) {
+      scenario_document.apply(change);
+    } else {
+      std::vector<std::string> all = sections;
+      all.insert(all.end(), of_plan.begin(), of_plan.end());
+      all.insert(all.end(), of_vehicle.begin(), of_vehicle.end());
+      std::string message = change.text() + ": unknown section " + change.section;
+      if (const auto meant = suggestion(change.section, all)) {
+        message += "; did you mean " + *meant + "?";
+      }
+      throw InputError{InputFault::bad_configuration, message};
+    }
+  }
+  sections.insert(sections.end(), {"vehicle", "plan", "seed", "faults"});
+  refuse_unknown_sections(scenario_document, sections);
+  scenario.plan = read_plan(plan_document);
+  scenario.vehicle = read_vehicle(vehicle_document);
+  read_scenario_document(scenario_document, scenario);
+  return scenario;
+}
+
+}  // namespace fantail::sim

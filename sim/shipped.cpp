@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#include "sim/shipped.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "sim/document.hpp"
+#include "sim/input_error.hpp"
+
+namespace fantail::sim {
+namespace {
+
+struct Place {
+  std::string_view noun;
+  std::string_view folder;
+  std::string_view extension;
+};
+
+Place place_of(Shipped kind) {
+  switch (kind) {
+    case Shipped::scenario: return {"scenario", "sim/scenarios", ".toml"};
+    case Shipped::vehicle: return {"vehicle", "sim/vehicles", ".toml"};
+    case Shipped::motor: return {"motor", "sim/motors", ".eng"};
+    case Shipped::plan: break;
+  }
+  return {"flight plan", "firmware/plans", ".toml"};
+}
+
+}  // namespace
+
+std::filesystem::path data_folder() {
+  const char* chosen = std::getenv("FANTAIL_DATA");  // NOLINT(concurrency-mt-unsafe): read before any thread exists
+  return chosen != nullptr ? chosen : FANTAIL_SOURCE_FOLDER;
+}
+
+std::vector<std::string> shipped_names(Shipped kind) {
+  const Place place = place_of(kind);
+  std::vector<std::string> names;
+  std::error_code ignored;
+  for (const auto& entry : std::filesystem::directory_iterator{data_folder() / place.folder, ignored}) {
+    if (entry.path().extension() == place.extension) {
+      names.push_back(entry.path().stem().string());
+    }
+  }
+  std::ranges::sort(names);
+  return names;
+}
+
+std::filesystem::path find_input(Shipped kind, const std::string& name_or_path) {
+  const Place place = place_of(kind);
+  const bool looks_like_path =
+      name_or_path.find('/') != std::string::npos || std::filesystem::path{name_or_path}.has_extension();
+  const std::filesystem::path shipped = data_folder() / place.folder / (name_or_path + std::string{place.extension});
+  std::error_code ignored;
+  if (!looks_like_path && std::filesystem::is_regular_file(shipped, ignored)) {
+    return shipped;
+  }
+  if (std::filesystem::is_regular_file(name_or_path, ignored)) {
+    return name_or_path;
+  }
+  if (looks_like_path) {
+    throw InputError{InputFault::no_such_input, name_or_path + ": no such file"};
+  }
+  const std::vector<std::string> names = shipped_names(kind);
+  std::string message = "unknown " + std::string{place.noun} + " \"" + name_or_path + "\"";
+  if (const auto meant = suggestion(name_or_path, names)) {
+    message += "; did you mean " + *meant + "?";
+  }
+  message += " Shipped:";
+  for (const std::string& name : names) {
+    message += " " + name;
+  }
+  throw InputError{InputFault::no_such_input, message};
+}
+
+}  // namespace fantail::sim

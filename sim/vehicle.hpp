@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string>
+
+#include "sim/document.hpp"
+#include "sim/roll_plant.hpp"
+#include "sim/sensor_models.hpp"
+#include "sim/servo.hpp"
+#include "sim/thrust_curve.hpp"
+
+namespace fantail::sim {
+
+/// How one canard is really built in; a plan that believes something else rolls the rocket the wrong way.
+struct CanardMounting {
+  bool reversed = false;          ///< a positive shaft angle rolls the rocket negatively
+  double trim_rad = 0.0;          ///< shaft angle at which it makes no roll moment
+  double encoder_zero_rad = 0.0;  ///< what the encoder reads at shaft angle zero
+};
+
+/// One rocket as it stands on the pad.
+struct Vehicle {
+  std::string name;
+  double mass_kg = 0.0;  ///< at lift-off, propellant included
+  double drag_area_m2 = 0.0;
+  RollPlant roll_plant{};
+  ThrustCurve motor;
+  ServoParameters servo{};
+  std::array<CanardMounting, 4> canards{};
+  InertialParameters imu{};
+  InertialParameters accelerometer{};
+  double encoder_noise_counts = 0.0;
+};
+
+/// Reads a vehicle file; its motor is looked for beside the shipped motors, or as a path. Throws InputError.
+[[nodiscard]] Vehicle read_vehicle(const Document& document);
+
+/// The names of the sections of a vehicle file.
+[[nodiscard]] std::vector<std::string> vehicle_sections();
+
+}  // namespace fantail::sim

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: MIT
+#include "sim/world.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fantail::sim {
+namespace {
+
+using core::Microseconds;
+
+constexpr Microseconds tick_time{1'000};
+constexpr double tick_time_s = 1e-3;
+// Between the hand on the switch and the word on the wire; they must be two actions.
+constexpr Microseconds arm_command_after{100'000};
+// A start command that the avionics has not followed by then was refused.
+constexpr Microseconds start_patience{1'000'000};
+
+enum Stream : std::uint64_t { imu_noise = 1, accelerometer_noise, encoder_noise, turbulence };
+
+Microseconds nearest_tick(double time_s) { return std::llround(time_s / tick_time_s) * tick_time; }
+
+double in_seconds(Microseconds time) { return 1e-6 * static_cast<double>(time.count()); }
+
+ServoFault servo_fault(FaultKind kind) {
+  switch (kind) {
+    case FaultKind::canard_stuck: return ServoFault::stuck;
+    case FaultKind::canard_hardover: return ServoFault::hardover;
+    case FaultKind::canard_dead: return ServoFault::dead;
+    case FaultKind::canard_slipping: return ServoFault::slipping;
+    case FaultKind::canard_reversed: return ServoFault::reversed;
+    default: return ServoFault::none;
+  }
+}
+
+}  // namespace
+
+World::World(const Scenario& scenario)
+    : scenario_{scenario},
+      ignition_{nearest_tick(scenario.pad_time_s)},
+      environment_{scenario, Random{scenario.seed, turbulence}},
+      disturbance_{scenario.disturbance},
+      canards_{scenario.vehicle, Random{scenario.seed, encoder_noise}},
+      imu_model_{scenario.vehicle.imu, Random{scenario.seed, imu_noise}},
+      accelerometer_model_{scenario.vehicle.accelerometer, Random{scenario.seed, accelerometer_noise}},
+      avionics_{{.clock = clock_,
+                 .imu = imu_,
+                 .accelerometer = accelerometer_,
+                 .servo = servo_,
+                 .encoder = encoder_,
+                 .arm_switch = arm_switch_},
+                scenario.plan} {
+  side_.imu_scale = imu_model_.scale();
+  side_.accelerometer_scale_m_s2 = accelerometer_model_.scale();
+}
+
+const core::TickRecord& World::tick() {
+  apply_faults();
+  impose_roll();
+  fill_hardware();
+  press_buttons();
+  const core::TickRecord& record = avionics_.tick();
+  phase_ = record.phase;
+  follow_events();
+  return record;
+}
+
+void World::advance() {
+  const double from_ignition_s = in_seconds(now_ - ignition_);
+  canards_.step(in_seconds(now_), tick_time_s, side_.pulses);
+  const double density_before = environment_.density_kg_m3();
+  const double speed_before = environment_.speed_m_s();
+  const double disturbance_before = disturbance_rad();
+  environment_.advance_to(from_ignition_s + tick_time_s);
+  now_ += tick_time;
+
+  // A rocket on the pad cannot roll, and one in the tunnel is held by hand until control starts.
+  if (events_.liftoff) {
+    const double deflection_rad = canards_.mean_deflection_rad() + 0.5 * (disturbance_before + disturbance_rad());
+    roll_ = scenario_.vehicle.roll_plant.step(roll_, 0.5 * (density_before + environment_.density_kg_m3()),
+                                              0.5 * (speed_before + environment_.speed_m_s()), deflection_rad,
+                                              tick_time_s);
+  }
+}
+
+Truth World::truth() const {
+  return {.roll_angle_rad = roll_.angle_rad,
+          .roll_rate_rad_s = roll_.rate_rad_s,
+          .canard_rad = canards_.deflection_rad(),
+          .height_m = environment_.height_m(),
+          .speed_m_s = environment_.speed_m_s(),
+          .disturbance_rad = disturbance_rad()};
+}
+
+double World::disturbance_rad() const {
+  const double time_s = events_.liftoff ? in_seconds(now_ - *events_.liftoff) : 0.0;
+  return disturbance_.at(time_s) + environment_.swirl_rad();
+}
+
+void World::apply_faults() {
+  if (scenario_.faults.empty()) {
+    return;
+  }
+  imu_hangs_ = false;
+  accelerometer_hangs_ = false;
+  for (const Fault& fault : scenario_.faults) {
+    const Microseconds begin = std::max(Microseconds{0}, ignition_ + nearest_tick(fault.from_s));
+    const bool present = now_ >= begin && now_ < ignition_ + nearest_tick(fault.until_s);
+    switch (fault.kind) {
+      case FaultKind::imu_dropout: imu_hangs_ = imu_hangs_ || present; break;
+      case FaultKind::accelerometer_dropout: accelerometer_hangs_ = accelerometer_hangs_ || present; break;
+      case FaultKind::encoder_unplugged:
+        if (now_ == begin) {
+          canards_.unplug_encoder(fault.canard);
+        }
+        break;
+      default:
+        if (now_ == begin) {
+          canards_.fail(fault.canard, servo_fault(fault.kind));
+        }
+    }
+  }
+}
+
+void World::impose_roll() {
+  if (roll_is_imposed_ || !scenario_.imposed_roll || !events_.liftoff ||
+      now_ < *events_.liftoff + nearest_tick(scenario_.imposed_roll->time_s)) {
+    return;
+  }
+  roll_ = {.angle_rad = scenario_.imposed_roll->angle_rad, .rate_rad_s = scenario_.imposed_roll->rate_rad_s};
+  roll_is_imposed_ = true;
+}
+
+void World::fill_hardware() {
+  const Vector3 specific_force_m_s2 = environment_.specific_force_m_s2(roll_.angle_rad);
+  side_.time = now_;
+  side_.imu = imu_model_.sample(now_, {.x = roll_.rate_rad_s}, specific_force_m_s2, imu_hangs_);
+  side_.accelerometer = accelerometer_model_.sample(now_, specific_force_m_s2, accelerometer_hangs_);
+  side_.encoders = canards_.read_encoders(now_);
+}
+
+void World::press_buttons() {
+  const Microseconds arm_time = nearest_tick(scenario_.arm_time_s);
+  side_.arm_switch_closed = now_ >= arm_time;
+  if (now_ == arm_time + arm_command_after) {
+    avionics_.command_arm();
+  }
+  if (now_ == ignition_ && scenario_.surroundings == Surroundings::tunnel) {
+    avionics_.command_start();
+  }
+}
+
+void World::follow_events() {
+  const auto note = [this](std::optional<Microseconds>& event, bool happened) {
+    if (!event && happened) {
+      event = now_;
+    }
+  };
+  const Microseconds afterwards = nearest_tick(scenario_.time_after_end_s);
+  if (scenario_.surroundings == Surroundings::tunnel) {
+    note(events_.liftoff, phase_ == core::Phase::controlling);
+    const bool refused = !events_.liftoff && now_ >= ignition_ + start_patience;
+    if (!end_ && (phase_ == core::Phase::finished || refused)) {
+      end_ = now_ + afterwards;
+    }
+    return;
+  }
+  const AscentEvents ascent = environment_.events();
+  note(events_.liftoff, ascent.liftoff_s.has_value());
+  note(events_.guide_clear, environment_.distance_m() >= static_cast<double>(scenario_.plan.guide.length_m));
+  note(events_.burnout, ascent.burnout_s.has_value());
+  note(events_.apogee, ascent.apogee_s.has_value());
+  // A motor too weak for its rocket burns out on the pad.
+  const bool nothing_more_to_come = events_.apogee || (events_.burnout && !events_.liftoff);
+  if (!end_ && nothing_more_to_come) {
+    end_ = now_ + afterwards;
+  }
+}
+
+}  // namespace fantail::sim

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "avionics/avionics.hpp"
+#include "core/tick_record.hpp"
+#include "hal/sim/accelerometer.hpp"
+#include "hal/sim/arm_switch.hpp"
+#include "hal/sim/clock.hpp"
+#include "hal/sim/encoder.hpp"
+#include "hal/sim/imu.hpp"
+#include "hal/sim/servo.hpp"
+#include "hal/sim/world_side.hpp"
+#include "sim/canard_set.hpp"
+#include "sim/disturbance.hpp"
+#include "sim/environment.hpp"
+#include "sim/scenario.hpp"
+#include "sim/sensor_models.hpp"
+
+namespace fantail::sim {
+
+/// What is really so at one tick; only the world knows.
+struct Truth {
+  double roll_angle_rad;
+  double roll_rate_rad_s;
+  double canard_rad;  ///< mean of the four, in the sense of positive roll moment
+  double height_m;
+  double speed_m_s;
+  double disturbance_rad;  ///< equivalent fin offset, swirl included
+};
+
+/// One run of one scenario. The world owns time: it fills the simulated hardware, lets the avionics have its tick, and
+/// then moves everything to the next millisecond. One thread, fixed order, every random stream seeded by the scenario:
+/// the same scenario and seed give the same bytes.
+///
+///   while (!world.over()) { record = world.tick(); truth = world.truth(); ...; world.advance(); }
+class World {
+ public:
+  /// The scenario outlives the world.
+  explicit World(const Scenario& scenario);
+  World(const World&) = delete;  // the devices point into it
+  World& operator=(const World&) = delete;
+
+  /// Sensors, one avionics tick, and what it wrote to the servos. The record is valid until the next tick.
+  const core::TickRecord& tick();
+
+  /// The truth that belongs to the last tick.
+  [[nodiscard]] Truth truth() const;
+
+  /// Moves servos, air and rocket through one millisecond.
+  void advance();
+
+  /// Past apogee, or past the end of control in the tunnel, by the scenario's time.
+  [[nodiscard]] bool over() const { return end_ && now_ >= *end_; }
+
+  [[nodiscard]] core::Microseconds now() const { return now_; }
+
+  /// Instants on the world's clock, each that of a tick.
+  struct Events {
+    std::optional<core::Microseconds> liftoff;  ///< first net upward acceleration; in the tunnel control start
+    std::optional<core::Microseconds> guide_clear;
+    std::optional<core::Microseconds> burnout;
+    std::optional<core::Microseconds> apogee;
+  };
+  [[nodiscard]] const Events& events() const { return events_; }
+
+ private:
+  void apply_faults();
+  void fill_hardware();
+  void press_buttons();
+  void follow_events();
+  void impose_roll();
+  [[nodiscard]] double disturbance_rad() const;
+
+  const Scenario& scenario_;
+  core::Microseconds now_{};
+  core::Microseconds ignition_;  ///< in the tunnel: the start command
+  std::optional<core::Microseconds> end_;
+  Events events_;
+
+  Environment environment_;
+  Disturbance disturbance_;
+  RollState roll_;
+  CanardSet canards_;
+  ImuModel imu_model_;
+  AccelerometerModel accelerometer_model_;
+  bool imu_hangs_ = false;
+  bool accelerometer_hangs_ = false;
+  bool roll_is_imposed_ = false;
+
+  hal::sim::WorldSide side_;
+  hal::sim::Clock clock_{side_};
+  hal::sim::Imu imu_{side_};
+  hal::sim::Accelerometer accelerometer_{side_};
+  hal::sim::Servo servo_{side_};
+  hal::sim::Encoder encoder_{side_};
+  hal::sim::ArmSwitch arm_switch_{side_};
+  avionics::Avionics avionics_;
+  core::Phase phase_ = core::Phase::safe;
+};
+
+}  // namespace fantail::sim

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+#include "paper/closed_loop.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "core/chirp.hpp"
+#include "core/flight_plan_fields.hpp"
+#include "core/pd_controller.hpp"
+#include "core/roll_reference.hpp"
+#include "paper/flown_ascent.hpp"
+
+namespace fantail::paper {
+namespace {
+
+constexpr double tick_s = 1e-3;
+
+core::Angle degrees(double value) { return core::Angle::from_degrees(static_cast<float>(value)); }
+
+auto between(const std::vector<Point>& points, double from_s, double to_s) {
+  const auto first = std::ranges::lower_bound(points, from_s - 1e-9, {}, &Point::time_s);
+  const auto last = std::ranges::upper_bound(points, to_s + 1e-9, {}, &Point::time_s);
+  return std::ranges::subrange{first, last};
+}
+
+}  // namespace
+
+std::vector<Point> run(const Loop& loop, double until_s) {
+  std::vector<Point> points;
+  core::Chirp chirp{loop.excitation};
+  sim::RollState state = loop.start;
+  double canard_rad = 0.0;
+  const auto ticks = static_cast<int>(std::lround(until_s / tick_s));
+  const auto control_from = static_cast<int>(std::lround(loop.control_from_s / tick_s));
+  for (int tick = 0; tick <= ticks; ++tick) {
+    const double t = tick * tick_s;
+    core::RollCommand command;
+    if (tick >= control_from) {
+      const core::Microseconds since{(tick - control_from) * 1000};
+      command = core::pd_controller(loop.controller, core::roll_reference(loop.reference, since),
+                                    core::Angle::from_radians(static_cast<float>(state.angle_rad)),
+                                    static_cast<float>(state.rate_rad_s), chirp.update(since));
+    }
+    points.push_back({.time_s = t,
+                      .angle_deg = state.angle_rad / radians_per_degree,
+                      .rate_deg_s = state.rate_rad_s / radians_per_degree,
+                      .command_deg = static_cast<double>(command.command.degrees()),
+                      .saturated = command.saturated});
+
+    const auto goal_rad = static_cast<double>(command.command.radians());
+    double seen_rad = goal_rad;  // mean over the step
+    if (loop.servo_lag_s) {
+      const double decay = std::exp(-tick_s / *loop.servo_lag_s);
+      const double apart_rad = canard_rad - goal_rad;
+      seen_rad = goal_rad + apart_rad * (*loop.servo_lag_s / tick_s) * (1.0 - decay);
+      canard_rad = goal_rad + apart_rad * decay;
+    }
+    const double middle_s = t + 0.5 * tick_s;
+    state = loop.plant.step(state, density_kg_m3, loop.speed_m_s(middle_s), seen_rad + loop.disturbance.at(middle_s),
+                            tick_s);
+  }
+  return points;
+}
+
+const Point& at(const std::vector<Point>& points, double time_s) {
+  return points[static_cast<std::size_t>(std::lround(time_s / tick_s))];
+}
+
+const Point& peak(const std::vector<Point>& points, double from_s, double to_s) {
+  return *std::ranges::max_element(between(points, from_s, to_s), {}, &Point::angle_deg);
+}
+
+const Point& trough(const std::vector<Point>& points, double from_s, double to_s) {
+  return *std::ranges::min_element(between(points, from_s, to_s), {}, &Point::angle_deg);
+}
+
+double mean_angle_deg(const std::vector<Point>& points, double from_s, double to_s) {
+  double sum = 0.0;
+  int count = 0;
+  for (const Point& point : between(points, from_s, to_s)) {
+    sum += point.angle_deg;
+    ++count;
+  }
+  return sum / count;
+}
+
+double saturated_share(const std::vector<Point>& points, double from_s, double to_s) {
+  const auto range = between(points, from_s, to_s);
+  return static_cast<double>(std::ranges::count_if(range, &Point::saturated)) / static_cast<double>(range.size());
+}
+
+core::ControllerPlan gains(double proportional, double derivative_s, double limit_deg) {
+  return {.proportional_gain = static_cast<float>(proportional),
+          .derivative_gain_s = static_cast<float>(derivative_s),
+          .rate_reference = core::RateReference::zero,
+          .canard_limit = degrees(limit_deg)};
+}
+
+core::ReferencePlan hold(double angle_deg) {
+  core::ReferencePlan plan = core::default_plan().reference;
+  plan.kind = core::ReferenceKind::hold;
+  plan.initial = degrees(angle_deg);
+  return plan;
+}
+
+core::ReferencePlan step(double from_deg, double to_deg, double time_s) {
+  core::ReferencePlan plan = hold(from_deg);
+  plan.kind = core::ReferenceKind::steps;
+  plan.step_times_count = 1;
+  plan.step_times[0] = core::from_seconds(static_cast<float>(time_s));
+  plan.step_angles_count = 1;
+  plan.step_angles[0] = degrees(to_deg);
+  return plan;
+}
+
+std::function<double(double)> launch_speed(double mass_kg, double from_liftoff_s) {
+  return [flown = std::make_shared<FlownAscent>(mass_kg), from_liftoff_s](double time_s) {
+    return flown->speed_m_s(time_s + from_liftoff_s);
+  };
+}
+
+}  // namespace fantail::paper
