@@ -10,20 +10,23 @@ Ascent::Ascent(const AscentParameters& parameters)
       cos_tilt_{std::cos(parameters.guide_tilt_rad)},
       gravity_along_m_s2_{gravity_m_s2 * cos_tilt_},
       lateral_specific_force_m_s2_{gravity_m_s2 * std::sin(parameters.guide_tilt_rad)},
+      half_drag_area_m2_{0.5 * parameters.drag_area_m2},
       kg_per_n_s_{parameters.motor.impulse_n_s() > 0.0
                       ? parameters.motor.propellant_kg() / parameters.motor.impulse_n_s()
                       : 0.0},
+      density_{parameters.atmosphere},
       now_{.mass_kg = parameters.mass_kg,
-           .density_kg_m3 = parameters.atmosphere.density_kg_m3(0.0),
+           .density_kg_m3 = density_.at(0.0),
            .specific_force_m_s2 = gravity_along_m_s2_} {}
 
-Ascent::Instant Ascent::in_flight(double time_s, double distance_m, double speed_m_s) const {
+Ascent::Instant Ascent::in_flight(double time_s, double speed_m_s, double density_kg_m3) const {
   const Burn burn = parameters_.motor.at(time_s);
   const double mass_kg = parameters_.mass_kg - kg_per_n_s_ * burn.impulse_n_s;
-  const double density_kg_m3 = parameters_.atmosphere.density_kg_m3(distance_m * cos_tilt_);
-  const double drag_n = 0.5 * density_kg_m3 * parameters_.drag_area_m2 * speed_m_s * std::abs(speed_m_s);
-  return {
-      .mass_kg = mass_kg, .density_kg_m3 = density_kg_m3, .specific_force_m_s2 = (burn.thrust_n - drag_n) / mass_kg};
+  // The division waits for nothing but the time; dividing the force would put it into the chain that speed goes
+  // through.
+  const double per_kg = 1.0 / mass_kg;
+  const double drag_n = half_drag_area_m2_ * density_kg_m3 * (speed_m_s * std::abs(speed_m_s));
+  return {.mass_kg = mass_kg, .density_kg_m3 = density_kg_m3, .specific_force_m_s2 = (burn.thrust_n - drag_n) * per_kg};
 }
 
 void Ascent::advance_to(double time_s) {
@@ -42,7 +45,7 @@ void Ascent::wait_on_pad(double time_s) {
   if (time_s < 0.0) {
     return;
   }
-  now_ = in_flight(time_s, 0.0, 0.0);
+  now_ = in_flight(time_s, 0.0, now_.density_kg_m3);
   if (now_.specific_force_m_s2 > gravity_along_m_s2_) {
     stage_ = Stage::flight;
     events_.liftoff_s = events_.liftoff_s.value_or(time_s);
@@ -58,15 +61,18 @@ void Ascent::fly(double time_s) {
   }
   const double half_s = 0.5 * dt_s;
   const double middle_speed_m_s = speed_m_s_ + half_s * (now_.specific_force_m_s2 - gravity_along_m_s2_);
-  const Instant middle = in_flight(time_s_ + half_s, distance_m_ + half_s * speed_m_s_, middle_speed_m_s);
   distance_m_ += dt_s * middle_speed_m_s;
+  // The mean density of the step serves its middle as well as a second evaluation would: both are off by the step
+  // squared, as the rule itself is.
+  const double density_kg_m3 = density_.at(distance_m_ * cos_tilt_);
+  const Instant middle = in_flight(time_s_ + half_s, middle_speed_m_s, 0.5 * (now_.density_kg_m3 + density_kg_m3));
   speed_m_s_ += dt_s * (middle.specific_force_m_s2 - gravity_along_m_s2_);
   time_s_ = time_s;
   if (speed_m_s_ < 0.0 && distance_m_ <= 0.0) {
     come_to_rest();
     return;
   }
-  now_ = in_flight(time_s, distance_m_, speed_m_s_);
+  now_ = in_flight(time_s, speed_m_s_, density_kg_m3);
   if (speed_m_s_ < 0.0 && !events_.apogee_s) {
     events_.apogee_s = time_s;
   }
@@ -75,7 +81,7 @@ void Ascent::fly(double time_s) {
 void Ascent::come_to_rest() {
   distance_m_ = 0.0;
   speed_m_s_ = 0.0;
-  now_ = in_flight(time_s_, 0.0, 0.0);
+  now_ = in_flight(time_s_, 0.0, density_.at(0.0));
   now_.specific_force_m_s2 = gravity_along_m_s2_;
   if (time_s_ < parameters_.motor.burnout_s()) {
     // A motor that stutters let it hop: it stands on the pad again, and the flight is still to come.

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "sim/atmosphere.hpp"
+#include "sim/local_density.hpp"
 #include "sim/thrust_curve.hpp"
 
 namespace fantail::sim {
@@ -60,13 +61,13 @@ class Ascent {
  private:
   enum class Stage { pad, flight, landed };
 
-  /// All that follows from time, distance and speed.
+  /// All that follows from time, speed and density.
   struct Instant {
     double mass_kg;
     double density_kg_m3;
     double specific_force_m_s2;
   };
-  [[nodiscard]] Instant in_flight(double time_s, double distance_m, double speed_m_s) const;
+  [[nodiscard]] Instant in_flight(double time_s, double speed_m_s, double density_kg_m3) const;
   void wait_on_pad(double time_s);
   void fly(double time_s);
   void come_to_rest();
@@ -75,7 +76,9 @@ class Ascent {
   double cos_tilt_;
   double gravity_along_m_s2_;
   double lateral_specific_force_m_s2_;
+  double half_drag_area_m2_;
   double kg_per_n_s_;
+  LocalDensity density_;
   double time_s_ = 0.0;
   double distance_m_ = 0.0;
   double speed_m_s_ = 0.0;
