@@ -68,14 +68,14 @@ void Ascent::fly(double time_s) {
   const Instant middle = in_flight(time_s_ + half_s, middle_speed_m_s, 0.5 * (now_.density_kg_m3 + density_kg_m3));
   speed_m_s_ += dt_s * (middle.specific_force_m_s2 - gravity_along_m_s2_);
   time_s_ = time_s;
-  if (speed_m_s_ < 0.0 && distance_m_ <= 0.0) {
-    come_to_rest();
-    return;
+  if (speed_m_s_ < 0.0) {
+    events_.apogee_s = events_.apogee_s.value_or(time_s);
+    if (distance_m_ <= 0.0) {
+      come_to_rest();
+      return;
+    }
   }
   now_ = in_flight(time_s, speed_m_s_, density_kg_m3);
-  if (speed_m_s_ < 0.0 && !events_.apogee_s) {
-    events_.apogee_s = time_s;
-  }
 }
 
 void Ascent::come_to_rest() {

@@ -22,8 +22,8 @@ Disturbance::Disturbance(std::vector<DisturbanceNode> nodes) : nodes_{std::move(
     return;
   }
   for (std::size_t i = 0; i + 1 < nodes_.size(); ++i) {
-    slopes_rad_s_.push_back((nodes_[i + 1].angle_rad - nodes_[i].angle_rad) /
-                            (nodes_[i + 1].time_s - nodes_[i].time_s));
+    const double slope = (nodes_[i + 1].angle_rad - nodes_[i].angle_rad) / (nodes_[i + 1].time_s - nodes_[i].time_s);
+    slopes_rad_s_.push_back(std::isfinite(slope) ? slope : 0.0);  // too steep for a number: a step
   }
   index_ = SegmentIndex{std::move(times_s)};
 }

@@ -46,9 +46,10 @@ ThrustCurve::ThrustCurve(std::vector<ThrustPoint> points, double propellant_kg)
     }
     if (previous != nullptr) {
       const double width_s = point.time_s - previous->time_s;
+      const double slope_n_s = (point.thrust_n - previous->thrust_n) / width_s;
       segments_.push_back({.time_s = previous->time_s,
                            .thrust_n = previous->thrust_n,
-                           .slope_n_s = (point.thrust_n - previous->thrust_n) / width_s,
+                           .slope_n_s = std::isfinite(slope_n_s) ? slope_n_s : 0.0,  // too steep for a number: a step
                            .impulse_n_s = impulse_n_s_});
       impulse_n_s_ += 0.5 * (previous->thrust_n + point.thrust_n) * width_s;
     }
