@@ -47,7 +47,7 @@ class Ascent {
   [[nodiscard]] double height_m() const { return distance_m_ * cos_tilt_; }
   [[nodiscard]] double speed_m_s() const { return speed_m_s_; }  ///< along the line, positive upwards
   [[nodiscard]] double mass_kg() const { return now_.mass_kg; }
-  [[nodiscard]] double density_kg_m3() const { return now_.density_kg_m3; }
+  [[nodiscard]] double density_kg_m3() const { return now_.density_kg_m3; }  ///< of the air at height_m(), to 1e-7
   [[nodiscard]] const AscentEvents& events() const { return events_; }
 
   /// What an accelerometer along the axis reads: (F - D) / m in flight, g cos(tilt) on the pad and after landing.

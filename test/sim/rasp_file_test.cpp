@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "sim/rasp_file.hpp"
 
+#include <filesystem>
 #include <fstream>
-#include <optional>
+#include <initializer_list>
 #include <string>
 
 #include <gtest/gtest.h>

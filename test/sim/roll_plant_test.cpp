@@ -2,9 +2,9 @@
 #include "sim/roll_plant.hpp"
 
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <random>
+#include <utility>
 
 #include <gtest/gtest.h>
 

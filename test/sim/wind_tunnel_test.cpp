@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "sim/wind_tunnel.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 #include <random>
 #include <vector>
