@@ -16,17 +16,17 @@ class DelayLine {
   /// Up to 20 ms at 1 kHz.
   explicit DelayLine(hal::Microseconds delay) : delay_{delay} {}
 
-  /// Takes a sample in; times never go back. When more are on their way than fit, the oldest of them is lost.
-  void push(const Sample& sample) {
+  /// Where to write the sample measured next; times never go back. When more are on their way than fit, the oldest of
+  /// them is lost. Written in place: a copy of freshly written counts stalls the processor for longer than it takes
+  /// to make them.
+  [[nodiscard]] Sample& next() {
     if (delay_.count() == 0) {
-      latest_ = sample;
-      return;
+      return latest_;
     }
     if (waiting_ == line_.size()) {
       pop();
     }
-    line_[(first_ + waiting_) % line_.size()] = sample;
-    ++waiting_;
+    return line_[(first_ + waiting_++) % line_.size()];
   }
 
   /// The newest sample that has arrived by `now`; before the first, a default one.

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <numbers>
+#include <span>
 
 #include "hal/accelerometer.hpp"
 #include "hal/encoder.hpp"
@@ -41,14 +42,12 @@ class TriaxialConverter {
 
   TriaxialConverter(const Errors& errors, const Rotation& from_body);
 
-  [[nodiscard]] hal::Counts convert(const Vector3& truth, Random& random) const {
-    hal::Counts counts{};
+  void convert(const Vector3& truth, std::span<const double, 3> gaussians, hal::Counts& counts) const {
     for (std::size_t axis = 0; axis < counts.size(); ++axis) {
       const Vector3& row = counts_per_unit_[axis];
       const double ideal = row.x * truth.x + row.y * truth.y + row.z * truth.z;
-      counts[axis] = nearest_count(ideal + offset_ + noise_ * random.gaussian());
+      counts[axis] = nearest_count(ideal + offset_ + noise_ * gaussians[axis]);
     }
-    return counts;
   }
 
  private:
@@ -76,15 +75,17 @@ class ImuModel {
 
   /// What the device delivers at `time`, called once per sample with increasing times. The sample's own time is the one
   /// at which it was measured. In a dropout the device hangs: nothing is measured and its last sample comes again.
-  [[nodiscard]] hal::ImuSample sample(hal::Microseconds time, const Vector3& rate_rad_s,
+  [[nodiscard]] const hal::ImuSample& sample(hal::Microseconds time, const Vector3& rate_rad_s,
                                       const Vector3& specific_force_m_s2, bool dropout) {
     if (dropout) {
       return line_.repeated();
     }
-    hal::ImuSample measured{.time = time, .status = hal::Status::ok};
-    measured.rate = gyro_.convert(rate_rad_s, random_);
-    measured.specific_force = accelerometer_.convert(specific_force_m_s2, random_);
-    line_.push(measured);
+    const std::array<double, 6> noise = random_.gaussians<6>();
+    hal::ImuSample& measured = line_.next();
+    measured.time = time;
+    measured.status = hal::Status::ok;
+    gyro_.convert(rate_rad_s, std::span{noise}.first<3>(), measured.rate);
+    accelerometer_.convert(specific_force_m_s2, std::span{noise}.last<3>(), measured.specific_force);
     return line_.arrived(time);
   }
 
@@ -106,14 +107,16 @@ class AccelerometerModel {
   [[nodiscard]] float scale() const { return scale_m_s2_; }
 
   /// As ImuModel::sample.
-  [[nodiscard]] hal::AccelerometerSample sample(hal::Microseconds time, const Vector3& specific_force_m_s2,
+  [[nodiscard]] const hal::AccelerometerSample& sample(hal::Microseconds time, const Vector3& specific_force_m_s2,
                                                 bool dropout) {
     if (dropout) {
       return line_.repeated();
     }
-    hal::AccelerometerSample measured{.time = time, .status = hal::Status::ok};
-    measured.specific_force = converter_.convert(specific_force_m_s2, random_);
-    line_.push(measured);
+    const std::array<double, 3> noise = random_.gaussians<3>();
+    hal::AccelerometerSample& measured = line_.next();
+    measured.time = time;
+    measured.status = hal::Status::ok;
+    converter_.convert(specific_force_m_s2, noise, measured.specific_force);
     return line_.arrived(time);
   }
 
@@ -138,9 +141,10 @@ class EncoderModel {
   [[nodiscard]] hal::EncoderReading sample(hal::Microseconds time,
                                            const std::array<double, hal::canards>& shaft_angle_rad) {
     hal::EncoderReading reading{.time = time};
+    const std::array<double, hal::canards> noise = random_.gaussians<hal::canards>();
     for (std::size_t i = 0; i < hal::canards; ++i) {
       const double counts =
-          shaft_angle_rad[i] * counts_per_radian + zero_counts_[i] + noise_counts_ * random_.gaussian();
+          shaft_angle_rad[i] * counts_per_radian + zero_counts_[i] + noise_counts_ * noise[i];
       if (unplugged_[i]) {
         continue;
       }

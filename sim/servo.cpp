@@ -23,6 +23,7 @@ void require(bool allowed, const char* what) {
 
 Servo::Servo(const ServoParameters& parameters)
     : parameters_{parameters},
+      per_lag_s_{1.0 / parameters.lag_s},
       lag_reach_rad_{parameters.rate_limit_rad_s * parameters.lag_s},
       half_play_rad_{0.5 * parameters.backlash_rad},
       gear_stop_rad_{parameters.stop_rad + half_play_rad_} {
@@ -58,18 +59,17 @@ void Servo::fail(ServoFault fault) {
 
 // The pulse is the same for the whole step, so only the first frame in it can change what the servo is told.
 void Servo::latch(double t_s, double end_s, std::optional<double> pulse_us) {
-  const double period_s = parameters_.frame_period_s;
   if (next_frame_s_ < t_s - same_time_s) {
-    next_frame_s_ = std::ceil((t_s - same_time_s) / period_s) * period_s;
+    frame_ = std::ceil((t_s - same_time_s) / parameters_.frame_period_s);
+    next_frame_s_ = frame_ * parameters_.frame_period_s;
     if (next_frame_s_ >= end_s) {
       return;
     }
   }
   const double frame_s = next_frame_s_;
-  double number = std::round(next_frame_s_ / period_s);
   while (next_frame_s_ < end_s) {
-    number += 1.0;
-    next_frame_s_ = number * period_s;
+    frame_ += 1.0;
+    next_frame_s_ = frame_ * parameters_.frame_period_s;
   }
   if (pulse_us == latched_us_ || (pulse_us && !(*pulse_us >= shortest_pulse_us && *pulse_us <= longest_pulse_us))) {
     return;

@@ -92,7 +92,7 @@ class Servo {
   static constexpr double same_time_s = 1e-9;
 
   [[nodiscard]] Interval interval(double duration_s) const {
-    return {.duration_s = duration_s, .settling = settling(duration_s / parameters_.lag_s)};
+    return {.duration_s = duration_s, .settling = settling(duration_s * per_lag_s_)};
   }
   [[nodiscard]] double on_shaft(double horn_rad) const { return slip_from_rad_ + grip_ * (horn_rad - slip_from_rad_); }
 
@@ -111,6 +111,7 @@ class Servo {
   [[nodiscard]] double turn_at_rate(double direction, double duration_s);
 
   ServoParameters parameters_;
+  double per_lag_s_;
   double lag_reach_rad_;  ///< farther from the goal than this, the rate limit rules
   double half_play_rad_;
   double gear_stop_rad_;
@@ -124,6 +125,7 @@ class Servo {
   double slip_from_rad_ = 0.0;
   double grip_ = 1.0;  ///< share of the horn's movement that reaches the shaft
 
+  double frame_ = 0.0;  ///< number of the next one
   double next_frame_s_ = -std::numeric_limits<double>::infinity();
   std::optional<double> latched_us_{};
   std::size_t first_ = 0;
