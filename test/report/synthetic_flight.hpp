@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+
+#include "core/flight_plan_fields.hpp"
+#include "report/flight.hpp"
+#include "report/numbers.hpp"
+
+namespace fantail::report {
+
+/// A hand-made flight: 1 kHz from -0.5 s to 4.5 s, detected at 0.2 s, control from 0.6 s to 4.6 s exclusive (to the end
+/// of the rows unless a test says otherwise), disturbance -5 deg, gain 0.5, limit 9 deg, reference 0, and the roll angle
+/// exactly at its settle point of -10 deg.
+class SyntheticFlight {
+ public:
+  SyntheticFlight() {
+    flight.scenario = "synthetic";
+    flight.vehicle = "paper dart";
+    flight.plan_name = "by hand";
+    flight.version = "0.0.0";
+    flight.seed = 7;
+    flight.plan = core::default_plan();
+    flight.plan.controller.proportional_gain = 0.5F;
+    flight.plan.controller.canard_limit = core::Angle::from_degrees(9.0F);
+    flight.events = {.liftoff_s = 0.0, .detected_s = 0.2, .control_start_s = 0.6};
+    flight.phase_changes = {{-0.5, core::Phase::armed, core::PhaseReason::armed_by_switch_and_command},
+                            {0.2, core::Phase::launched, core::PhaseReason::launch_detected},
+                            {0.6, core::Phase::controlling, core::PhaseReason::guide_clear}};
+    for (int tick = 0; tick <= 5000; ++tick) {
+      Row row;
+      row.time_s = (tick - 500) / 1000.0;
+      row.phase = tick < 700 ? core::Phase::armed : tick < 1100 ? core::Phase::launched : core::Phase::controlling;
+      row.roll_angle_rad = radians(tick < 1100 ? 0.0 : -10.0);
+      row.truth = Truth{.roll_angle_rad = row.roll_angle_rad, .disturbance_rad = radians(-5.0)};
+      flight.rows.push_back(row);
+    }
+  }
+
+  void each_controlled(const std::function<void(Row&)>& change) {
+    for (Row& row : flight.rows) {
+      if (row.phase == core::Phase::controlling) {
+        change(row);
+      }
+    }
+  }
+
+  /// The flight as if control had ended at a time.
+  void end_control(double time_s, core::PhaseReason reason) {
+    each_controlled([time_s](Row& row) {
+      if (row.time_s >= time_s) {
+        row.phase = core::Phase::finished;
+      }
+    });
+    flight.events.control_end_s = time_s;
+    flight.phase_changes.push_back({time_s, core::Phase::finished, reason});
+  }
+
+  /// The flight as if it had stayed in one phase since a change for this reason.
+  void never_controlled(double time_s, core::Phase phase, core::PhaseReason reason) {
+    each_controlled([phase](Row& row) { row.phase = phase; });
+    flight.events.control_start_s.reset();
+    flight.phase_changes.back() = {time_s, phase, reason};
+  }
+
+  Flight flight;
+};
+
+}  // namespace fantail::report

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+#include "report/figures.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <span>
+
+namespace fantail::report {
+namespace {
+
+// A clamped step of 45 deg takes longer than a second to arrive at the tunnel's 22 m/s (peak at 1.7 s).
+constexpr double settling_time_in_flight_s = 1.0;
+constexpr double settling_time_in_tunnel_s = 2.0;
+// Shorter than this, a saturation at the end of control is the excitation or the thin air near apogee.
+constexpr double lasting_saturation_s = 0.5;
+// Rows are a millisecond apart and their times are rounded to the microsecond.
+constexpr double clock_tolerance_s = 1e-6;
+
+double height_m(const Row& row) { return row.truth ? row.truth->height_m : row.height_m; }
+double speed_m_s(const Row& row) { return row.truth ? row.truth->speed_m_s : row.speed_m_s; }
+double roll_angle_rad(const Row& row) { return row.truth ? row.truth->roll_angle_rad : row.roll_angle_rad; }
+
+std::span<const Row> under_control(const Flight& flight) {
+  const auto is_control = [](const Row& row) { return row.phase == core::Phase::controlling; };
+  const auto first = std::ranges::find_if(flight.rows, is_control);
+  return {first, std::find_if_not(first, flight.rows.end(), is_control)};
+}
+
+void judge_hold(Figures& f, std::span<const Row> control, const Flight& flight) {
+  const double settling_time_s = flight.tunnel ? settling_time_in_tunnel_s : settling_time_in_flight_s;
+  double settles_at_s = control.front().time_s + settling_time_s;
+  double reference_rad = control.front().reference_rad;
+  double sum_rad = 0.0;
+  std::size_t count = 0;
+  for (const Row& row : control) {
+    if (row.reference_rad != reference_rad) {
+      reference_rad = row.reference_rad;
+      settles_at_s = row.time_s + settling_time_s;
+    }
+    const std::optional<double> settle_point = settle_point_rad(row, flight.plan);
+    if (!settle_point || row.time_s < settles_at_s - clock_tolerance_s) {
+      continue;
+    }
+    const double error_rad = std::abs(row.roll_angle_rad - *settle_point);
+    f.largest_hold_error_rad = std::max(f.largest_hold_error_rad.value_or(0.0), error_rad);
+    sum_rad += error_rad;
+    ++count;
+  }
+  if (count > 0) {
+    f.mean_hold_error_rad = sum_rad / static_cast<double>(count);
+  }
+}
+
+void keep_larger(std::optional<double>& kept, double value) {
+  if (!kept || std::abs(value) > std::abs(*kept)) {
+    kept = value;
+  }
+}
+
+void judge_authority(Figures& f, std::span<const Row> control, double limit_rad) {
+  for (const Row& row : control) {
+    if (row.truth) {
+      keep_larger(f.largest_disturbance_rad, row.truth->disturbance_rad);
+    }
+  }
+  if (f.largest_disturbance_rad) {
+    f.authority_margin_rad = limit_rad - std::abs(*f.largest_disturbance_rad);
+  }
+}
+
+void judge_saturation(Figures& f, std::span<const Row> control, double limit_rad) {
+  const auto saturated = std::ranges::count_if(control, &Row::saturated);
+  f.saturated_fraction = static_cast<double>(saturated) / static_cast<double>(control.size());
+
+  const auto last_free = std::find_if_not(control.rbegin(), control.rend(), [](const Row& r) { return r.saturated; });
+  const std::span<const Row> run = control.last(static_cast<std::size_t>(last_free - control.rbegin()));
+  if (run.empty() || run.back().time_s - run.front().time_s < lasting_saturation_s) {
+    return;
+  }
+  f.at_limit_since_s = run.front().time_s;
+  for (const Row& row : run) {
+    if (row.truth) {
+      keep_larger(f.offset_at_limit_rad, row.truth->disturbance_rad);
+      f.offset_beyond_limit = std::abs(row.truth->disturbance_rad) > limit_rad;
+    }
+  }
+}
+
+}  // namespace
+
+Figures figures(const Flight& flight) {
+  Figures f;
+  if (flight.rows.empty()) {
+    return f;
+  }
+  f.final_phase = flight.rows.back().phase;
+  f.max_speed_m_s = speed_m_s(*std::ranges::max_element(flight.rows, {}, speed_m_s));
+  if (!flight.tunnel && flight.events.apogee_s) {
+    f.apogee_m = height_m(*std::ranges::max_element(flight.rows, {}, height_m));
+  }
+  const std::span<const Row> control = under_control(flight);
+  if (control.empty()) {
+    return f;
+  }
+  if (!flight.tunnel) {
+    f.control_start_height_m = height_m(control.front());
+  }
+  f.control_time_s = control.back().time_s - control.front().time_s;
+  f.command_at_end_rad = control.back().command_rad;
+  f.roll_turns = (roll_angle_rad(control.back()) - roll_angle_rad(control.front())) / (2.0 * std::numbers::pi);
+  const double limit_rad = canard_limit_rad(flight.plan);
+  judge_hold(f, control, flight);
+  judge_authority(f, control, limit_rad);
+  judge_saturation(f, control, limit_rad);
+  return f;
+}
+
+}  // namespace fantail::report

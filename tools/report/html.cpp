@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#include "report/html.hpp"
+
+#include <fmt/format.h>
+
+#include "report/escape.hpp"
+#include "report/html_tables.hpp"
+#include "report/overview_svg.hpp"
+#include "report/page_assets.hpp"
+#include "report/plot_data.hpp"
+#include "report/words.hpp"
+
+namespace fantail::report {
+namespace {
+
+std::string head(const Flight& flight) {
+  return fmt::format(
+      "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+      "<meta name=\"color-scheme\" content=\"light dark\">\n<title>{} \u00b7 Fantail flight report</title>\n"
+      "<style>{}</style>\n<style>{}</style>\n</head>\n",
+      escape_html(flight.scenario), uplot_css, page_css);
+}
+
+std::string opening(const Flight& flight, const Verdict& verdict) {
+  const std::string imposed = imposed_roll_words(flight);
+  return fmt::format(
+      "<header>\n<p class=\"kind\">Fantail flight report</p>\n<h1>{}</h1>\n"
+      "<p class=\"run\">Vehicle <b>{}</b>, plan <b>{}</b>, seed {}, Fantail {}</p>\n</header>\n"
+      "<section class=\"verdict {}\">\n<h2>{}</h2>\n<p>{}</p>\n{}</section>\n",
+      escape_html(flight.scenario), escape_html(flight.vehicle), escape_html(flight.plan_name), flight.seed,
+      escape_html(flight.version), name(verdict.outcome), words(verdict.outcome), escape_html(verdict.text),
+      imposed.empty() ? "" : "<p class=\"imposed\">" + escape_html(imposed) + "</p>\n");
+}
+
+}  // namespace
+
+std::string html(const Flight& flight, const Figures& figures, const Verdict& verdict) {
+  std::string page = head(flight);
+  page += "<body>\n<main>\n" + opening(flight, verdict);
+  page += "<section>\n<h2>Figures</h2>\n" + figure_list(flight, figures) + "</section>\n";
+  page += "<section id=\"plots\">\n<h2>The flight</h2>\n" + phase_legend(flight);
+  page += "<figure id=\"overview\">" + overview_svg(flight) + "<figcaption>Roll angle over time</figcaption></figure>\n";
+  page += "</section>\n<div class=\"columns\">\n";
+  page += "<section>\n<h2>Events</h2>\n" + event_table(flight) + "</section>\n";
+  page += "<section>\n<h2>Phases</h2>\n" + phase_table(flight) + canard_table(flight) + "</section>\n</div>\n";
+  page += "<section>\n<h2>What was assumed</h2>\n" + assumption_list(flight) + "</section>\n";
+  page +=
+      "<footer><p>Every tick is in <b>flight.csv</b>, every figure in <b>summary.json</b>, beside this page. The plots "
+      "leave out most samples but no peak. Plots drawn with uPlot (MIT licence, in the source of this page).</p></footer>\n"
+      "</main>\n";
+  page += "<script type=\"application/json\" id=\"flight-data\">" + escape_script_json(plot_data(flight)) + "</script>\n";
+  page += fmt::format("<script>\n/*\n{}*/\n{}</script>\n<script>\n{}</script>\n</body>\n</html>\n", uplot_licence,
+                      uplot_js, page_js);
+  return page;
+}
+
+}  // namespace fantail::report

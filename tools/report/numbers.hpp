@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <numbers>
+#include <string>
+
+namespace fantail::report {
+
+[[nodiscard]] constexpr double degrees(double radians) { return radians * (180.0 / std::numbers::pi); }
+[[nodiscard]] constexpr double radians(double degrees) { return degrees * (std::numbers::pi / 180.0); }
+
+/// "-7.30" for (-7.3, 2); never "-0.0". Not a number reads "not a number".
+[[nodiscard]] std::string fixed(double value, int decimals);
+
+/// The same with no trailing zeros after the point: "6", "-7.3".
+[[nodiscard]] std::string brief(double value, int decimals);
+
+}  // namespace fantail::report

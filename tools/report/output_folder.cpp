@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: MIT
+#include "report/output_folder.hpp"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <cstring>
+#include <system_error>
+#include <vector>
+
+namespace fantail::report {
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void fail(const fs::path& path, int error) {
+  throw OutputError{path.string() + ": " + std::strerror(error)};
+}
+
+// A file-size limit would otherwise kill the program before write() can return EFBIG.
+class IgnoreFileSizeSignal {
+ public:
+  IgnoreFileSizeSignal() : before_{std::signal(SIGXFSZ, SIG_IGN)} {}
+  ~IgnoreFileSizeSignal() {
+    if (before_ != SIG_ERR) {
+      std::signal(SIGXFSZ, before_);
+    }
+  }
+  IgnoreFileSizeSignal(const IgnoreFileSizeSignal&) = delete;
+  IgnoreFileSizeSignal& operator=(const IgnoreFileSizeSignal&) = delete;
+
+ private:
+  void (*before_)(int);
+};
+
+// What has been done so far, and how to take it back.
+class Transaction {
+ public:
+  explicit Transaction(fs::path folder) : folder_{std::move(folder)} {}
+  Transaction(const Transaction&) = delete;
+  Transaction& operator=(const Transaction&) = delete;
+
+  ~Transaction() {
+    if (!committed_) {
+      undo();
+    }
+  }
+
+  void create_folder() {
+    fs::path part;
+    for (const fs::path& step : folder_) {
+      part /= step;
+      if (mkdir(part.c_str(), 0777) == 0) {
+        made_folders_.push_back(part);
+      } else if (const int error = errno; error != EEXIST && error != EISDIR) {
+        std::error_code ignored;
+        if (!fs::is_directory(part, ignored)) {  // "/" and mount points may answer with EROFS or EACCES
+          fail(part, error);
+        }
+      }
+    }
+    std::error_code ignored;
+    if (!fs::is_directory(folder_, ignored)) {
+      fail(folder_, ENOTDIR);
+    }
+  }
+
+  void stage(const NamedFile& file) {
+    staged_.push_back({folder_ / file.name, hidden(file.name, "new"), hidden(file.name, "old")});
+    Staged& s = staged_.back();
+    unlink(s.temporary.c_str());  // left over from a process of the same number that was killed
+    const int fd = open(s.temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (fd < 0) {
+      fail(s.target, errno);
+    }
+    s.written = true;
+    const int error = write_all(fd, file.content);
+    // close() reports what the file system kept to itself until now.
+    const int close_error = close(fd) == 0 ? 0 : errno;
+    if (error != 0 || close_error != 0) {
+      fail(s.target, error != 0 ? error : close_error);
+    }
+  }
+
+  void commit() {
+    for (Staged& s : staged_) {
+      struct stat info {};
+      // Only a file is set aside: a folder in the way makes the next rename fail, as it should.
+      if (lstat(s.target.c_str(), &info) == 0 && !S_ISDIR(info.st_mode)) {
+        move(s.target, s.backup, s.target);
+        s.set_aside = true;
+      }
+      move(s.temporary, s.target, s.target);
+      s.in_place = true;
+    }
+    committed_ = true;
+    for (const Staged& s : staged_) {
+      if (s.set_aside) {
+        unlink(s.backup.c_str());
+      }
+    }
+    // The names too should survive a power cut; a file system that cannot sync a folder has still got the files.
+    if (const int fd = open(folder_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC); fd >= 0) {
+      fsync(fd);
+      close(fd);
+    }
+  }
+
+ private:
+  struct Staged {
+    fs::path target;
+    fs::path temporary;
+    fs::path backup;
+    bool written = false;
+    bool set_aside = false;
+    bool in_place = false;
+  };
+
+  [[nodiscard]] fs::path hidden(const std::string& name, const char* kind) const {
+    return folder_ / ("." + name + "." + std::to_string(getpid()) + "." + kind);
+  }
+
+  static int write_all(int fd, const std::string& content) {
+    std::size_t done = 0;
+    while (done < content.size()) {
+      const ssize_t count = ::write(fd, content.data() + done, content.size() - done);
+      if (count < 0 && errno != EINTR) {
+        return errno;
+      }
+      done += count > 0 ? static_cast<std::size_t>(count) : 0;
+    }
+    return fsync(fd) == 0 || errno == EINVAL ? 0 : errno;  // EINVAL: this file system has no fsync
+  }
+
+  static void move(const fs::path& from, const fs::path& to, const fs::path& blamed) {
+    if (std::rename(from.c_str(), to.c_str()) != 0) {
+      fail(blamed, errno);
+    }
+  }
+
+  void undo() noexcept {
+    for (const Staged& s : staged_) {
+      if (s.in_place) {
+        unlink(s.target.c_str());
+      } else if (s.written) {
+        unlink(s.temporary.c_str());
+      }
+      if (s.set_aside) {
+        std::rename(s.backup.c_str(), s.target.c_str());
+      }
+    }
+    for (auto folder = made_folders_.rbegin(); folder != made_folders_.rend(); ++folder) {
+      rmdir(folder->c_str());
+    }
+  }
+
+  fs::path folder_;
+  std::vector<fs::path> made_folders_;
+  std::vector<Staged> staged_;
+  bool committed_ = false;
+};
+
+}  // namespace
+
+void OutputFolder::write(std::span<const NamedFile> files) const {
+  const IgnoreFileSizeSignal ignore;
+  Transaction transaction{folder_.empty() ? fs::path{"."} : folder_};
+  transaction.create_folder();
+  for (const NamedFile& file : files) {
+    transaction.stage(file);
+  }
+  transaction.commit();
+}
+
+}  // namespace fantail::report

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <stdexcept>
+#include <string>
+
+namespace fantail::report {
+
+/// The folder or a file in it could not be written. what() names the path and the system's reason.
+class OutputError : public std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+struct NamedFile {
+  std::string name;  ///< without folder
+  std::string content;
+};
+
+/// A folder whose files appear together or not at all.
+class OutputFolder {
+ public:
+  explicit OutputFolder(std::filesystem::path folder) : folder_{std::move(folder)} {}
+
+  /// Writes all files under temporary names, brings them to the disk, and only then gives them their names. Creates the
+  /// folder. On any failure the temporaries and the folders it made are removed, an earlier result stays or comes back
+  /// as it was, and OutputError is thrown. (Power lost between two renames can leave new files beside old ones.)
+  void write(std::span<const NamedFile> files) const;
+
+ private:
+  std::filesystem::path folder_;
+};
+
+}  // namespace fantail::report

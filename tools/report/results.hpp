@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+
+#include "report/figures.hpp"
+#include "report/flight.hpp"
+#include "report/verdict.hpp"
+
+namespace fantail::report {
+
+/// What a flight came to, with the text of summary.json: for the terminal and --json.
+struct Results {
+  Figures figures;
+  Verdict verdict;
+  std::string summary;
+};
+
+[[nodiscard]] Results results(const Flight& flight);
+
+/// Writes flight.csv, summary.json and report.html into a folder, all or none; see OutputFolder. Throws OutputError.
+void write_results(const Flight& flight, const Results& results, const std::filesystem::path& folder);
+
+}  // namespace fantail::report

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+#include "report/timeline.hpp"
+
+#include <algorithm>
+
+#include "report/numbers.hpp"
+
+namespace fantail::report {
+namespace {
+
+// More labelled steps than this would hide each other.
+constexpr std::size_t most_step_labels = 3;
+
+std::vector<EventMark> reference_steps(const Flight& flight) {
+  std::vector<EventMark> steps;
+  const Row* before = nullptr;
+  for (const Row& row : flight.rows) {
+    if (row.phase != core::Phase::controlling) {
+      continue;
+    }
+    if (before != nullptr && row.reference_rad != before->reference_rad) {
+      const std::string sign = row.reference_rad > 0.0 ? "+" : "";
+      steps.push_back({row.time_s, "step to " + sign + brief(degrees(row.reference_rad), 1) + "\u00b0"});
+    }
+    before = &row;
+  }
+  if (steps.size() > most_step_labels) {
+    for (std::size_t i = 1; i < steps.size(); ++i) {
+      steps[i].label.clear();
+    }
+    steps.front().label = "steps";
+  }
+  return steps;
+}
+
+}  // namespace
+
+std::vector<PhaseBand> phase_bands(const Flight& flight) {
+  std::vector<PhaseBand> bands;
+  for (const Row& row : flight.rows) {
+    if (bands.empty() || bands.back().phase != row.phase) {
+      if (!bands.empty()) {
+        bands.back().end_s = row.time_s;
+      }
+      bands.push_back({row.phase, row.time_s, row.time_s});
+    }
+    bands.back().end_s = row.time_s;
+  }
+  return bands;
+}
+
+std::vector<EventMark> event_marks(const Flight& flight) {
+  std::vector<EventMark> marks = reference_steps(flight);
+  const Events& e = flight.events;
+  const auto mark = [&marks](const std::optional<double>& time_s, const char* label) {
+    if (time_s) {
+      marks.push_back({*time_s, label});
+    }
+  };
+  mark(e.liftoff_s, "lift-off");
+  mark(e.detected_s, "detected");
+  mark(e.guide_clear_s, "off the guide");
+  mark(e.control_start_s, "control");
+  mark(e.burnout_s, "burn-out");
+  mark(e.apogee_s, "apogee");
+  if (!e.apogee_s || (e.control_end_s && *e.control_end_s < *e.apogee_s - 0.2)) {
+    mark(e.control_end_s, "control ends");
+  }
+  std::ranges::stable_sort(marks, {}, &EventMark::time_s);
+  return marks;
+}
+
+double plot_begin_s(const Flight& flight) {
+  const double first_s = flight.rows.empty() ? 0.0 : flight.rows.front().time_s;
+  const std::optional<double> start = flight.events.liftoff_s ? flight.events.liftoff_s : flight.events.control_start_s;
+  return start ? std::max(first_s, *start - 1.0) : first_s;
+}
+
+}  // namespace fantail::report
