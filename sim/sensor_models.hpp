@@ -76,7 +76,7 @@ class ImuModel {
   /// What the device delivers at `time`, called once per sample with increasing times. The sample's own time is the one
   /// at which it was measured. In a dropout the device hangs: nothing is measured and its last sample comes again.
   [[nodiscard]] const hal::ImuSample& sample(hal::Microseconds time, const Vector3& rate_rad_s,
-                                      const Vector3& specific_force_m_s2, bool dropout) {
+                                             const Vector3& specific_force_m_s2, bool dropout) {
     if (dropout) {
       return line_.repeated();
     }
@@ -108,7 +108,7 @@ class AccelerometerModel {
 
   /// As ImuModel::sample.
   [[nodiscard]] const hal::AccelerometerSample& sample(hal::Microseconds time, const Vector3& specific_force_m_s2,
-                                                bool dropout) {
+                                                       bool dropout) {
     if (dropout) {
       return line_.repeated();
     }
@@ -143,8 +143,7 @@ class EncoderModel {
     hal::EncoderReading reading{.time = time};
     const std::array<double, hal::canards> noise = random_.gaussians<hal::canards>();
     for (std::size_t i = 0; i < hal::canards; ++i) {
-      const double counts =
-          shaft_angle_rad[i] * counts_per_radian + zero_counts_[i] + noise_counts_ * noise[i];
+      const double counts = shaft_angle_rad[i] * counts_per_radian + zero_counts_[i] + noise_counts_ * noise[i];
       if (unplugged_[i]) {
         continue;
       }

@@ -77,9 +77,9 @@ void World::advance() {
   // A rocket on the pad cannot roll, and one in the tunnel is held by hand until control starts.
   if (events_.liftoff) {
     const double deflection_rad = canards_.mean_deflection_rad() + 0.5 * (disturbance_before + disturbance_rad());
-    roll_ = scenario_.vehicle.roll_plant.step(roll_, 0.5 * (density_before + environment_.density_kg_m3()),
-                                              0.5 * (speed_before + environment_.speed_m_s()), deflection_rad,
-                                              tick_time_s);
+    roll_ =
+        scenario_.vehicle.roll_plant.step(roll_, 0.5 * (density_before + environment_.density_kg_m3()),
+                                          0.5 * (speed_before + environment_.speed_m_s()), deflection_rad, tick_time_s);
   }
 }
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // The two ascents, and when the avionics saw them begin: detection, height origin, guide clearance.
-#include <gtest/gtest.h>
-
 #include <array>
 #include <optional>
 #include <string>
 #include <vector>
+
+#include <gtest/gtest.h>
 
 #include "core/flight_plan_fields.hpp"
 #include "core/launch_detector.hpp"

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Roll of the two launches under the published control law, at the canonical speed.
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
 #include <complex>
 #include <numbers>
+
+#include <gtest/gtest.h>
 
 #include "core/chirp.hpp"
 #include "core/flight_plan_fields.hpp"
@@ -24,8 +24,7 @@ Loop launch1(double limit_deg) {
       .controller = gains(1, 0.1, limit_deg),
       .reference = step(0, -15, 1.0),
       .excitation = core::default_plan().excitation,
-      .disturbance =
-          sim::Disturbance{{{0, 0.1 * d}, {1.47, -7.3 * d}, {2.94, -7 * d}, {5.97, -7 * d}, {9, -7.3 * d}}},
+      .disturbance = sim::Disturbance{{{0, 0.1 * d}, {1.47, -7.3 * d}, {2.94, -7 * d}, {5.97, -7 * d}, {9, -7.3 * d}}},
       .speed_m_s = launch_speed(3.47, 0.21),
       .control_from_s = 0.42,
       .servo_lag_s = 0.020,

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Numbers of the publication and of independent calculations: steady states, time constants and the tunnel step.
-#include <gtest/gtest.h>
-
 #include <numbers>
+
+#include <gtest/gtest.h>
 
 #include "core/flight_plan_fields.hpp"
 #include "paper/closed_loop.hpp"
@@ -87,10 +87,8 @@ TEST(Oracle, Row07AnOffsetBeyondTheLimitRollsTheRocketAtASteadyRate) {
 }
 
 TEST(Oracle, Row28TheGeometricReferenceAreaIsStiffAndStillDecays) {
-  const sim::RollPlant stiff{.inertia_kg_m2 = 0.00361,
-                             .reference_area_m2 = std::numbers::pi * 0.04 * 0.04,
-                             .damping_m2 = 60,
-                             .torque_m = 10};
+  const sim::RollPlant stiff{
+      .inertia_kg_m2 = 0.00361, .reference_area_m2 = std::numbers::pi * 0.04 * 0.04, .damping_m2 = 60, .torque_m = 10};
   sim::RollState state{.rate_rad_s = 1.0};
   for (int tick = 0; tick < 1000; ++tick) {
     const double before = state.rate_rad_s;

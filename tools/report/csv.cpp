@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "report/csv.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <string_view>
+
+#include <fmt/format.h>
 
 #include "report/numbers.hpp"
 

@@ -13,20 +13,20 @@ namespace fantail::report {
 /// against, over the settled part of control: without the first second and the second after each change of R (in the
 /// slow air of the tunnel two seconds).
 struct Figures {
-  std::optional<double> apogee_m;                ///< true height where truth exists, else the estimate
-  std::optional<double> max_speed_m_s;           ///< likewise
-  std::optional<double> control_start_height_m;  ///< likewise
-  std::optional<double> control_time_s;          ///< first to last tick under control
-  std::optional<double> saturated_fraction;      ///< of the ticks under control
-  std::optional<double> largest_hold_error_rad;  ///< largest |roll angle - (R + u_d / kp)| over the settled part
-  std::optional<double> mean_hold_error_rad;     ///< mean of the same
+  std::optional<double> apogee_m;                 ///< true height where truth exists, else the estimate
+  std::optional<double> max_speed_m_s;            ///< likewise
+  std::optional<double> control_start_height_m;   ///< likewise
+  std::optional<double> control_time_s;           ///< first to last tick under control
+  std::optional<double> saturated_fraction;       ///< of the ticks under control
+  std::optional<double> largest_hold_error_rad;   ///< largest |roll angle - (R + u_d / kp)| over the settled part
+  std::optional<double> mean_hold_error_rad;      ///< mean of the same
   std::optional<double> largest_disturbance_rad;  ///< u_d of largest magnitude under control, with its sign
   std::optional<double> authority_margin_rad;     ///< limit - |u_d|, the least under control; negative: not enough
   std::optional<double> roll_turns;               ///< net turns from control start to its end
   /// First tick of the saturation that lasts to the end of control, when that is at least half a second.
   std::optional<double> at_limit_since_s;
-  double command_at_end_rad = 0.0;      ///< last command under control
-  bool offset_beyond_limit = false;     ///< |u_d| exceeded the limit at the end of that saturation
+  double command_at_end_rad = 0.0;            ///< last command under control
+  bool offset_beyond_limit = false;           ///< |u_d| exceeded the limit at the end of that saturation
   std::optional<double> offset_at_limit_rad;  ///< u_d of largest magnitude during it
   core::Phase final_phase = core::Phase::safe;
 };

@@ -40,16 +40,19 @@ std::string html(const Flight& flight, const Figures& figures, const Verdict& ve
   page += "<body>\n<main>\n" + opening(flight, verdict);
   page += "<section>\n<h2>Figures</h2>\n" + figure_list(flight, figures) + "</section>\n";
   page += "<section id=\"plots\">\n<h2>The flight</h2>\n" + phase_legend(flight);
-  page += "<figure id=\"overview\">" + overview_svg(flight) + "<figcaption>Roll angle over time</figcaption></figure>\n";
+  page +=
+      "<figure id=\"overview\">" + overview_svg(flight) + "<figcaption>Roll angle over time</figcaption></figure>\n";
   page += "</section>\n<div class=\"columns\">\n";
   page += "<section>\n<h2>Events</h2>\n" + event_table(flight) + "</section>\n";
   page += "<section>\n<h2>Phases</h2>\n" + phase_table(flight) + canard_table(flight) + "</section>\n</div>\n";
   page += "<section>\n<h2>What was assumed</h2>\n" + assumption_list(flight) + "</section>\n";
   page +=
       "<footer><p>Every tick is in <b>flight.csv</b>, every figure in <b>summary.json</b>, beside this page. The plots "
-      "leave out most samples but no peak. Plots drawn with uPlot (MIT licence, in the source of this page).</p></footer>\n"
+      "leave out most samples but no peak. Plots drawn with uPlot (MIT licence, in the source of this "
+      "page).</p></footer>\n"
       "</main>\n";
-  page += "<script type=\"application/json\" id=\"flight-data\">" + escape_script_json(plot_data(flight)) + "</script>\n";
+  page +=
+      "<script type=\"application/json\" id=\"flight-data\">" + escape_script_json(plot_data(flight)) + "</script>\n";
   page += fmt::format("<script>\n/*\n{}*/\n{}</script>\n<script>\n{}</script>\n</body>\n</html>\n", uplot_licence,
                       uplot_js, page_js);
   return page;

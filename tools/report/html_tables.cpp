@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "report/html_tables.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <string_view>
+
+#include <fmt/format.h>
 
 #include "report/escape.hpp"
 #include "report/numbers.hpp"
@@ -28,8 +28,9 @@ std::string figure(std::string_view label, const std::optional<double>& value, i
   if (!value) {
     return {};
   }
-  return fmt::format("<div><dt>{}</dt><dd>{}<span> {}</span>{}</dd></div>\n", label, with_minus(fixed(*value, decimals)),
-                     unit, note.empty() ? "" : fmt::format("<small>{}</small>", note));
+  return fmt::format("<div><dt>{}</dt><dd>{}<span> {}</span>{}</dd></div>\n", label,
+                     with_minus(fixed(*value, decimals)), unit,
+                     note.empty() ? "" : fmt::format("<small>{}</small>", note));
 }
 
 std::optional<double> in_degrees(const std::optional<double>& radians) {
@@ -40,8 +41,8 @@ std::string time_row(std::string_view event, const std::optional<double>& time_s
   if (!time_s) {
     return {};
   }
-  return fmt::format("<tr><td class=\"number\">{}</td><td>{}</td><td>{}</td></tr>\n", with_minus(fixed(*time_s, 3)), event,
-                     meaning);
+  return fmt::format("<tr><td class=\"number\">{}</td><td>{}</td><td>{}</td></tr>\n", with_minus(fixed(*time_s, 3)),
+                     event, meaning);
 }
 
 }  // namespace
@@ -105,7 +106,8 @@ std::string phase_table(const Flight& flight) {
   if (flight.phase_changes.empty()) {
     return "<p>Safe throughout.</p>\n";
   }
-  std::string table = "<table><thead><tr><th class=\"number\">Time, s</th><th>Phase</th><th>Because</th></tr></thead><tbody>\n";
+  std::string table =
+      "<table><thead><tr><th class=\"number\">Time, s</th><th>Phase</th><th>Because</th></tr></thead><tbody>\n";
   for (const PhaseChange& change : flight.phase_changes) {
     table += time_row(words(change.phase), change.time_s, words(change.reason));
   }
@@ -116,7 +118,8 @@ std::string canard_table(const Flight& flight) {
   if (flight.canard_verdict_changes.empty()) {
     return {};
   }
-  std::string table = "<table><thead><tr><th class=\"number\">Time, s</th><th>Canard</th><th>Monitor says</th></tr></thead><tbody>\n";
+  std::string table =
+      "<table><thead><tr><th class=\"number\">Time, s</th><th>Canard</th><th>Monitor says</th></tr></thead><tbody>\n";
   for (const CanardVerdictChange& change : flight.canard_verdict_changes) {
     table += time_row(std::to_string(change.canard + 1), change.time_s, core::name(change.verdict));
   }

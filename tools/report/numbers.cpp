@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "report/numbers.hpp"
 
-#include <fmt/format.h>
-
 #include <cmath>
+
+#include <fmt/format.h>
 
 namespace fantail::report {
 

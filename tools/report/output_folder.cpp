@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "report/output_folder.hpp"
 
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
 #include <cstring>
 #include <system_error>
 #include <vector>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 namespace fantail::report {
 namespace {
@@ -88,7 +88,7 @@ class Transaction {
 
   void commit() {
     for (Staged& s : staged_) {
-      struct stat info {};
+      struct stat info{};
       // Only a file is set aside: a folder in the way makes the next rename fail, as it should.
       if (lstat(s.target.c_str(), &info) == 0 && !S_ISDIR(info.st_mode)) {
         move(s.target, s.backup, s.target);

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "report/overview_svg.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,6 +8,8 @@
 #include <limits>
 #include <span>
 #include <string_view>
+
+#include <fmt/format.h>
 
 #include "report/decimate.hpp"
 #include "report/escape.hpp"
@@ -30,7 +30,8 @@ constexpr int label_rows = 3;
 
 enum Line : std::size_t { reference, settle, truth, estimate, line_count };
 constexpr std::array<std::string_view, line_count> line_class{"reference", "settle", "truth", "estimate"};
-constexpr std::array<std::string_view, line_count> line_name{"reference R", "settles at R + u_d/kp", "true", "estimate"};
+constexpr std::array<std::string_view, line_count> line_name{"reference R", "settles at R + u_d/kp", "true",
+                                                             "estimate"};
 
 struct Range {
   double low;
@@ -178,8 +179,8 @@ class Picture {
     double at = left;
     for (std::size_t line = line_count; line-- > 0;) {
       if (drawn_[line]) {
-        add("<path class=\"{}\" d=\"M{} 378h22\"/><text class=\"tick\" x=\"{}\" y=\"382\">{}</text>", line_class[line], at,
-            at + 28.0, line_name[line]);
+        add("<path class=\"{}\" d=\"M{} 378h22\"/><text class=\"tick\" x=\"{}\" y=\"382\">{}</text>", line_class[line],
+            at, at + 28.0, line_name[line]);
         at += 28.0 + 7.0 * static_cast<double>(line_name[line].size()) + 22.0;
       }
     }

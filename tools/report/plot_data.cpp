@@ -5,9 +5,10 @@
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <nlohmann/json.hpp>
 #include <string_view>
 #include <vector>
+
+#include <nlohmann/json.hpp>
 
 #include "report/decimate.hpp"
 #include "report/numbers.hpp"
@@ -39,16 +40,16 @@ struct Plot {
 
 double degrees_or_gap(const std::optional<double>& radians) { return radians ? degrees(*radians) : unknown; }
 
-Value truth(double Truth::*member) {
+Value truth(double Truth::* member) {
   return [member](const Row& row) { return row.truth ? (*row.truth).*member : unknown; };
 }
-Value truth_degrees(double Truth::*member) {
+Value truth_degrees(double Truth::* member) {
   return [member](const Row& row) { return row.truth ? degrees((*row.truth).*member) : unknown; };
 }
-Value own(double Row::*member) {
+Value own(double Row::* member) {
   return [member](const Row& row) { return row.*member; };
 }
-Value own_degrees(double Row::*member) {
+Value own_degrees(double Row::* member) {
   return [member](const Row& row) { return degrees(row.*member); };
 }
 // References and commands mean something only while somebody follows them.
@@ -73,37 +74,36 @@ std::vector<Plot> plots(const Flight& flight) {
     const std::optional<double> point = settle_point_rad(row, plan);
     return point ? degrees(*point) : unknown;
   };
-  std::vector<Plot> all{
-      {"roll-angle",
-       "Roll angle",
-       "deg",
-       1500,
-       false,
-       {{"reference R", "reference", in_control(own_degrees(&Row::reference_rad))},
-        {"settles at R + u_d/kp", "settle", in_control(settle)},
-        {"true", "truth", truth_degrees(&Truth::roll_angle_rad)},
-        {"estimate", "estimate", own_degrees(&Row::roll_angle_rad)}}},
-      {"roll-rate",
-       "Roll rate",
-       "deg/s",
-       1500,
-       false,
-       {{"true", "truth", truth_degrees(&Truth::roll_rate_rad_s)},
-        {"estimate", "estimate", own_degrees(&Row::roll_rate_rad_s)}}},
-      {"command",
-       "Command and canards",
-       "deg",
-       1500,
-       true,
-       {{"excitation", "excitation", in_control(own_degrees(&Row::excitation_rad))},
-        {"command", "command", own_degrees(&Row::command_rad)},
-        {"encoder mean", "measured", [](const Row& row) { return degrees_or_gap(row.canard_rad); }}}},
-      {"disturbance",
-       "True disturbance (equivalent fin offset u_d)",
-       "deg",
-       800,
-       true,
-       {{"u_d", "truth", truth_degrees(&Truth::disturbance_rad)}}}};
+  std::vector<Plot> all{{"roll-angle",
+                         "Roll angle",
+                         "deg",
+                         1500,
+                         false,
+                         {{"reference R", "reference", in_control(own_degrees(&Row::reference_rad))},
+                          {"settles at R + u_d/kp", "settle", in_control(settle)},
+                          {"true", "truth", truth_degrees(&Truth::roll_angle_rad)},
+                          {"estimate", "estimate", own_degrees(&Row::roll_angle_rad)}}},
+                        {"roll-rate",
+                         "Roll rate",
+                         "deg/s",
+                         1500,
+                         false,
+                         {{"true", "truth", truth_degrees(&Truth::roll_rate_rad_s)},
+                          {"estimate", "estimate", own_degrees(&Row::roll_rate_rad_s)}}},
+                        {"command",
+                         "Command and canards",
+                         "deg",
+                         1500,
+                         true,
+                         {{"excitation", "excitation", in_control(own_degrees(&Row::excitation_rad))},
+                          {"command", "command", own_degrees(&Row::command_rad)},
+                          {"encoder mean", "measured", [](const Row& row) { return degrees_or_gap(row.canard_rad); }}}},
+                        {"disturbance",
+                         "True disturbance (equivalent fin offset u_d)",
+                         "deg",
+                         800,
+                         true,
+                         {{"u_d", "truth", truth_degrees(&Truth::disturbance_rad)}}}};
   for (std::size_t i = 0; i < core::canard_count; ++i) {
     all.push_back(canard_plot(i));
   }
@@ -162,8 +162,12 @@ Json draw(const Plot& plot, std::span<const Row> rows) {
     }
     series[s]["hundredths"] = std::move(column);
   }
-  return {{"id", plot.id},         {"title", plot.title},          {"unit", plot.unit},
-          {"limits", plot.shows_limits}, {"milliseconds", std::move(times)}, {"series", std::move(series)}};
+  return {{"id", plot.id},
+          {"title", plot.title},
+          {"unit", plot.unit},
+          {"limits", plot.shows_limits},
+          {"milliseconds", std::move(times)},
+          {"series", std::move(series)}};
 }
 
 Json limits(const core::FlightPlan& plan) {
@@ -171,7 +175,9 @@ Json limits(const core::FlightPlan& plan) {
   for (const core::CanardPlan& canard : plan.canards.each) {
     stop = std::min(stop, canard.mechanical_stop);
   }
-  const auto text_degrees = [](core::Angle angle) { return std::round(static_cast<double>(angle.degrees()) * 1e3) / 1e3; };
+  const auto text_degrees = [](core::Angle angle) {
+    return std::round(static_cast<double>(angle.degrees()) * 1e3) / 1e3;
+  };
   return {{"plan", text_degrees(plan.controller.canard_limit)},
           {"hard", text_degrees(core::hard_canard_limit)},
           {"stop", text_degrees(stop)}};
@@ -179,7 +185,8 @@ Json limits(const core::FlightPlan& plan) {
 
 // Stretches worth a button of their own.
 Json views(const Flight& flight, double begin_s, double end_s) {
-  Json all = Json::array({{{"label", flight.tunnel ? "Whole run" : "Whole flight"}, {"begin", begin_s}, {"end", end_s}}});
+  Json all =
+      Json::array({{{"label", flight.tunnel ? "Whole run" : "Whole flight"}, {"begin", begin_s}, {"end", end_s}}});
   const Events& e = flight.events;
   if (!flight.tunnel && e.liftoff_s && e.control_start_s) {
     all.push_back({{"label", "Launch"}, {"begin", *e.liftoff_s - 0.2}, {"end", *e.control_start_s + 1.5}});

@@ -2,6 +2,7 @@
 #include "report/summary_json.hpp"
 
 #include <cmath>
+
 #include <nlohmann/json.hpp>
 
 #include "report/numbers.hpp"
@@ -42,9 +43,8 @@ Json phase_changes(const Flight& flight) {
 Json canard_verdicts(const Flight& flight) {
   Json all = Json::array();
   for (const CanardVerdictChange& change : flight.canard_verdict_changes) {
-    all.push_back({{"time_s", rounded(change.time_s)},
-                   {"canard", change.canard + 1},
-                   {"verdict", core::name(change.verdict)}});
+    all.push_back(
+        {{"time_s", rounded(change.time_s)}, {"canard", change.canard + 1}, {"verdict", core::name(change.verdict)}});
   }
   return all;
 }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "report/verdict.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
+
+#include <fmt/format.h>
 
 #include "report/numbers.hpp"
 #include "report/words.hpp"
@@ -46,7 +46,8 @@ std::string why_no_control(const Flight& flight) {
 }
 
 std::string saturation_and_margin(const Figures& f) {
-  std::string text = fmt::format("saturated {} % of control time", fixed(100.0 * f.saturated_fraction.value_or(0.0), 0));
+  std::string text =
+      fmt::format("saturated {} % of control time", fixed(100.0 * f.saturated_fraction.value_or(0.0), 0));
   if (f.authority_margin_rad) {
     text += "; authority margin " + degrees_text(*f.authority_margin_rad);
   }
@@ -112,8 +113,9 @@ std::string canard_faults(const Flight& flight) {
 }  // namespace
 
 Verdict verdict(const Flight& flight, const Figures& figures) {
-  Verdict v = figures.control_time_s ? judge_control(flight, figures)
-                                     : Verdict{Outcome::no_control, fmt::format("No control: {}.", why_no_control(flight))};
+  Verdict v = figures.control_time_s
+                  ? judge_control(flight, figures)
+                  : Verdict{Outcome::no_control, fmt::format("No control: {}.", why_no_control(flight))};
   v.text += early_end(flight) + canard_faults(flight);
   return v;
 }

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+#include "fantail/fly_scenario.hpp"
+
+#include <array>
+
+#include <fmt/format.h>
+
+#include "fantail/interrupt.hpp"
+#include "fantail/progress.hpp"
+#include "sim/world.hpp"
+
+namespace fantail::tool {
+namespace {
+
+double in_seconds(core::Microseconds time) { return 1e-6 * static_cast<double>(time.count()); }
+
+std::optional<double> in_seconds(const std::optional<core::Microseconds>& time) {
+  return time ? std::optional{in_seconds(*time)} : std::nullopt;
+}
+
+report::Truth to_report(const sim::Truth& truth) {
+  return {.roll_angle_rad = truth.roll_angle_rad,
+          .roll_rate_rad_s = truth.roll_rate_rad_s,
+          .canard_rad = truth.canard_rad,
+          .height_m = truth.height_m,
+          .speed_m_s = truth.speed_m_s,
+          .disturbance_rad = truth.disturbance_rad};
+}
+
+std::string describe(const sim::Fault& fault, bool tunnel) {
+  const std::string_view zero = tunnel ? "the start command" : "ignition";
+  const std::string_view kind = sim::name(fault.kind);
+  if (sim::is_dropout(fault.kind)) {
+    return fmt::format("Fault: {} from {:g} to {:g} s after {}.", kind, fault.from_s, fault.until_s, zero);
+  }
+  return fmt::format("Fault: {}, canard {}, from {:g} s after {}.", kind, fault.canard + 1, fault.from_s, zero);
+}
+
+report::Flight describe(const sim::Scenario& scenario) {
+  report::Flight flight;
+  flight.scenario = scenario.name;
+  flight.vehicle = scenario.vehicle.name;
+  flight.plan_name = scenario.plan_name;
+  flight.version = FANTAIL_VERSION;
+  flight.seed = scenario.seed;
+  flight.tunnel = scenario.surroundings == sim::Surroundings::tunnel;
+  flight.plan = scenario.plan;
+  for (const sim::Fault& fault : scenario.faults) {
+    flight.notes.push_back(describe(fault, flight.tunnel));
+  }
+  return flight;
+}
+
+std::optional<double> expected_length_s(const sim::Scenario& scenario) {
+  if (scenario.surroundings != sim::Surroundings::tunnel) {
+    return std::nullopt;
+  }
+  return scenario.pad_time_s + in_seconds(scenario.plan.run.control_time) + scenario.time_after_end_s;
+}
+
+}  // namespace
+
+report::Flight fly_scenario(const sim::Scenario& scenario) {
+  constexpr std::int64_t ticks_between_looks = 1024;
+  report::Flight flight = describe(scenario);
+  Progress progress{"flying " + scenario.name, expected_length_s(scenario)};
+  sim::World world{scenario};
+  for (std::int64_t ticks = 0; !world.over(); ++ticks) {
+    const core::TickRecord& record = world.tick();
+    report::add_tick(flight, record, in_seconds(world.now()), to_report(world.truth()));
+    world.advance();
+    if (ticks % ticks_between_looks == 0) {
+      give_up_if_interrupted();
+      progress.show(in_seconds(world.now()));
+    }
+  }
+  const sim::World::Events& events = world.events();
+  flight.events.liftoff_s = flight.tunnel ? std::nullopt : in_seconds(events.liftoff);
+  flight.events.guide_clear_s = in_seconds(events.guide_clear);
+  flight.events.burnout_s = in_seconds(events.burnout);
+  flight.events.apogee_s = in_seconds(events.apogee);
+  // A rocket that never left counts from ignition, or from the refused start command.
+  const double zero_s = events.liftoff ? in_seconds(*events.liftoff) : scenario.pad_time_s;
+  if (scenario.imposed_roll && events.liftoff) {
+    flight.imposed_roll = {.time_s = zero_s + scenario.imposed_roll->time_s,
+                           .angle_rad = scenario.imposed_roll->angle_rad,
+                           .rate_rad_s = scenario.imposed_roll->rate_rad_s};
+  }
+  report::set_time_zero(flight, zero_s);
+  return flight;
+}
+
+}  // namespace fantail::tool

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "fantail/fly_scenario.hpp"
+#include "fantail/interrupt.hpp"
+#include "fantail/verbs.hpp"
+#include "report/results.hpp"
+#include "sim/scenario.hpp"
+
+namespace fantail::tool {
+namespace {
+
+struct FlyOptions {
+  std::string scenario = "tasha3_launch2";
+  std::string out;
+  std::optional<std::uint64_t> seed;
+  std::vector<std::string> changes;
+  bool json = false;
+};
+
+void print_figure(std::string_view label, const std::optional<double>& value, std::string_view format) {
+  if (value) {
+    fmt::print("  {:<22}{}\n", label, fmt::format(fmt::runtime(format), *value));
+  }
+}
+
+void print_summary(const report::Flight& flight, const report::Results& results) {
+  fmt::print("{} ({}), seed {}\n{}\n\n", flight.scenario, flight.vehicle, flight.seed, results.verdict.text);
+  const report::Events& events = flight.events;
+  const auto percent = results.figures.saturated_fraction;
+  print_figure("launch detected", events.detected_s, "{:.3f} s after lift-off");
+  print_figure("control starts", flight.tunnel ? std::nullopt : events.control_start_s, "{:.3f} s after lift-off");
+  print_figure("  at height", results.figures.control_start_height_m, "{:.2f} m");
+  print_figure("burn-out", events.burnout_s, "{:.2f} s");
+  print_figure("top speed", results.figures.max_speed_m_s, "{:.1f} m/s");
+  print_figure("apogee", results.figures.apogee_m, "{:.1f} m");
+  print_figure("  at time", events.apogee_s, "{:.2f} s");
+  print_figure("saturated", percent ? std::optional{100.0 * *percent} : std::nullopt, "{:.1f} % of control time");
+}
+
+void fly(const FlyOptions& options) {
+  std::vector<sim::Override> changes;
+  for (const std::string& text : options.changes) {
+    changes.push_back(sim::parse_override(text));
+  }
+  sim::Scenario scenario = sim::load_scenario(options.scenario, changes);
+  scenario.seed = options.seed.value_or(scenario.seed);
+
+  const report::Flight flight = fly_scenario(scenario);
+  const report::Results results = report::results(flight);
+  const std::filesystem::path folder =
+      options.out.empty() ? std::filesystem::path{"out"} / scenario.name : std::filesystem::path{options.out};
+  give_up_if_interrupted();
+  report::write_results(flight, results, folder);
+  if (options.json) {
+    fmt::print("{}", results.summary);
+    return;
+  }
+  print_summary(flight, results);
+  fmt::print("\n  report  {}\n  data    {}\n", (folder / "report.html").string(), (folder / "flight.csv").string());
+}
+
+}  // namespace
+
+void add_fly(CLI::App& program) {
+  auto* verb = program.add_subcommand("fly", "Fly a scenario through the real control code in the simulated world");
+  auto options = std::make_shared<FlyOptions>();
+  verb->add_option("SCENARIO", options->scenario, "A shipped name (tasha3_launch1, tasha3_launch2, tunnel_steps) or a "
+                                                  "path to a scenario file")
+      ->capture_default_str();
+  verb->add_option("--out", options->out, "Folder for flight.csv, summary.json and report.html [out/SCENARIO]");
+  verb->add_option("--seed", options->seed, "Of all random streams, instead of the scenario's own");
+  verb->add_option("--set", options->changes, "section.key=value: change one number of plan, vehicle or scenario")
+      ->allow_extra_args(false);
+  verb->add_flag("--json", options->json, "Print summary.json instead of the text");
+  verb->footer(
+      "Examples:\n"
+      "  fantail fly                                         the second launch, into out/tasha3_launch2\n"
+      "  fantail fly tasha3_launch1 --set controller.canard_limit_deg=9\n"
+      "                                                      would wider canards have held the first launch?\n"
+      "  fantail fly my_rocket.toml --seed 7 --out /tmp/try --json\n"
+      "                                                      your own scenario, for a script");
+  verb->callback([options] { fly(*options); });
+}
+
+}  // namespace fantail::tool

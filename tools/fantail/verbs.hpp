@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace fantail::tool {
+
+// One file per verb. Each adds itself to the program; its callback throws what the program turns into an exit code.
+
+void add_fly(CLI::App& program);
+void add_plan(CLI::App& program);
+
+}  // namespace fantail::tool
