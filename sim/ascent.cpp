@@ -4,12 +4,27 @@
 #include <cmath>
 
 namespace fantail::sim {
+namespace {
+
+// x - x^3/3! + ..., or 1 - x^2/2! + ... when `first` is 1 and `n` is 0; up to a right angle. The C library's are not
+// the same on every machine.
+double alternating_series(double first, int n, double x) {
+  double sum = 0.0;
+  for (double term = first; n < 30; n += 2) {
+    sum += term;
+    term *= -x * x / static_cast<double>((n + 1) * (n + 2));
+  }
+  return sum;
+}
+
+}  // namespace
 
 Ascent::Ascent(const AscentParameters& parameters)
     : parameters_{parameters},
-      cos_tilt_{std::cos(parameters.guide_tilt_rad)},
+      cos_tilt_{alternating_series(1.0, 0, parameters.guide_tilt_rad)},
       gravity_along_m_s2_{gravity_m_s2 * cos_tilt_},
-      lateral_specific_force_m_s2_{gravity_m_s2 * std::sin(parameters.guide_tilt_rad)},
+      lateral_specific_force_m_s2_{gravity_m_s2 *
+                                   alternating_series(parameters.guide_tilt_rad, 1, parameters.guide_tilt_rad)},
       half_drag_area_m2_{0.5 * parameters.drag_area_m2},
       kg_per_n_s_{parameters.motor.impulse_n_s() > 0.0
                       ? parameters.motor.propellant_kg() / parameters.motor.impulse_n_s()

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cmath>
+#include "sim/elementary.hpp"
 
 namespace fantail::sim {
 
@@ -24,7 +24,7 @@ struct Atmosphere {
       case DensityModel::isa: return isa_density_kg_m3(height_m);
       case DensityModel::exponential: break;
     }
-    return 1.225 * std::exp(height_m * (-1.0 / 8500.0));
+    return 1.225 * exponential(height_m * (-1.0 / 8500.0));
   }
 
  private:
@@ -39,11 +39,12 @@ struct Atmosphere {
     // Density falls one power slower than pressure: the air is colder, too.
     constexpr double exponent = gravity_m_s2 / (gas_constant_j_kg_k * lapse_k_m) - 1.0;
     if (height_m <= tropopause_m) {
-      return sea_level_kg_m3 * std::pow(1.0 - height_m * (lapse_k_m / sea_level_k), exponent);
+      return sea_level_kg_m3 * exponential(exponent * natural_log(1.0 - height_m * (lapse_k_m / sea_level_k)));
     }
-    const double at_tropopause_kg_m3 = sea_level_kg_m3 * std::pow(tropopause_k / sea_level_k, exponent);
+    constexpr double at_tropopause_kg_m3 =
+        sea_level_kg_m3 * exponential(exponent * natural_log(tropopause_k / sea_level_k));
     constexpr double scale_height_m = gas_constant_j_kg_k * tropopause_k / gravity_m_s2;
-    return at_tropopause_kg_m3 * std::exp((tropopause_m - height_m) / scale_height_m);
+    return at_tropopause_kg_m3 * exponential((tropopause_m - height_m) / scale_height_m);
   }
 };
 

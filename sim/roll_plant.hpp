@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "sim/elementary.hpp"
+
 namespace fantail::sim {
 
 struct RollState {
@@ -32,8 +34,18 @@ struct RollTransition {
     const double phi1 = 1.0 - x * phi2;
     return {.decay = 1.0 - x * phi1, .c1_s = dt_s * phi1, .c2_s2 = dt_s * dt_s * phi2};
   }
-  const double c1_s = -std::expm1(-x) / damping_rate_per_s;
-  return {.decay = std::exp(-x), .c1_s = c1_s, .c2_s2 = (dt_s - c1_s) / damping_rate_per_s};
+  if (std::abs(x) < 1.0) {
+    // The same series, longer: only stiff plants and long steps come here.
+    double phi2 = 0.0;
+    for (int n = 20; n >= 2; --n) {
+      phi2 = (1.0 - x * phi2) / static_cast<double>(n);
+    }
+    const double phi1 = 1.0 - x * phi2;
+    return {.decay = 1.0 - x * phi1, .c1_s = dt_s * phi1, .c2_s2 = dt_s * dt_s * phi2};
+  }
+  const double decay = exponential(-x);
+  const double c1_s = (1.0 - decay) / damping_rate_per_s;
+  return {.decay = decay, .c1_s = c1_s, .c2_s2 = (dt_s - c1_s) / damping_rate_per_s};
 }
 
 /// How a rocket rolls (Bryson et al. 2016, Eq 1-3):

@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "sim/elementary.hpp"
+
 namespace fantail::sim {
 
 WindTunnel::WindTunnel(const WindTunnelParameters& parameters, double unit_gaussian)
@@ -14,10 +16,10 @@ WindTunnel::WindTunnel(const WindTunnelParameters& parameters, double unit_gauss
 double WindTunnel::step(double dt_s, double unit_gaussian) {
   if (dt_s != dt_s_) {
     dt_s_ = dt_s;
-    fan_gain_ = -std::expm1(-dt_s / parameters_.fan_lag_s);
-    gust_decay_ = std::exp(-dt_s / parameters_.turbulence_time_s);
-    // Keeps the variance at one whatever the step; expm1, as one minus a number close to one would cancel.
-    gust_gain_ = std::sqrt(-std::expm1(-2.0 * dt_s / parameters_.turbulence_time_s));
+    fan_gain_ = settling(dt_s / parameters_.fan_lag_s).gain;
+    gust_decay_ = exponential(-dt_s / parameters_.turbulence_time_s);
+    // Keeps the variance at one whatever the step.
+    gust_gain_ = std::sqrt(settling(2.0 * dt_s / parameters_.turbulence_time_s).gain);
   }
   mean_m_s_ += fan_gain_ * (set_point_m_s_ - mean_m_s_);
   gust_ = gust_decay_ * gust_ + gust_gain_ * unit_gaussian;

@@ -88,7 +88,7 @@ TEST(RollPlant, OneStepIsTheAnalyticExponentialAtEveryStepLength) {
 // The part of the angle that the torque makes is dt^2 / 2 times the acceleration: all its digits must be there when the
 // damping of one step is too small to see.
 TEST(RollPlant, NothingCancelsWhenTheDampingOfOneStepIsTiny) {
-  for (const double rate_per_s : {0.0, 1e-300, 1e-12, 1e-6, 1e-3, 1.0, 62.4, 62.6, 1e3}) {
+  for (const double rate_per_s : {0.0, 1e-300, 1e-12, 1e-6, 1e-3, 1.0, 62.4, 62.6, 500.0, 999.0, 1001.0, 3e3}) {
     const double dt_s = 0.001;
     const RollTransition transition = roll_transition(rate_per_s, dt_s);
     const long double x = static_cast<long double>(rate_per_s) * static_cast<long double>(dt_s);
