@@ -39,7 +39,7 @@ class WindTunnel {
   double set_point_m_s_;
   double mean_m_s_;
   double gust_;  ///< in standard deviations
-  // What depends on the step length only, which hardly ever changes.
+  // What depends on the step length only, which hardly ever changes by more than rounding.
   double dt_s_ = 0.0;
   double fan_gain_ = 0.0;
   double gust_decay_ = 1.0;
