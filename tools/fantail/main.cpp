@@ -46,9 +46,9 @@ ExitCode run(int argc, char** argv) {
   try {
     program.parse(argc, argv);
     // Output that a pipe or a full disk did not take must not look like success.
-    return std::fflush(stdout) == 0 ? ExitCode::done
-                                    : complain(std::runtime_error{"standard output could not be written"},
-                                               ExitCode::input_output);
+    return std::fflush(stdout) == 0
+               ? ExitCode::done
+               : complain(std::runtime_error{"standard output could not be written"}, ExitCode::input_output);
   } catch (const CLI::ParseError& error) {
     return program.exit(error) == 0 ? ExitCode::done : ExitCode::usage;
   } catch (const fantail::sim::InputError& error) {

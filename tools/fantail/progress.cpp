@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "fantail/progress.hpp"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cstdio>
 #include <utility>
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 namespace fantail::tool {
 
