@@ -6,8 +6,9 @@
 namespace fantail::core {
 
 // Polynomials of our own, because no two C libraries agree in the last bit: with these the same flight gives the same
-// bytes on every target. Error at most 2 units in the last place against double precision where the result is not
-// near a zero of the function, and below 1e-7 absolute everywhere.
+// bytes on every target. Against double precision, as measured in trig_test.cpp: sine and cosine are within 2 units in
+// the last place where the result is beyond 0.01, and within 1.1e-7 everywhere; atan2 is within 3.5 units. A zero comes
+// out without its sign.
 
 /// Valid for |angle| <= 10 000 rad; beyond that, or for NaN, the result is NaN (never a wrong number).
 [[nodiscard]] float sin(Angle angle);
@@ -17,7 +18,8 @@ namespace fantail::core {
 /// turns drop out without rounding. Valid for |turns| <= 1e6; otherwise NaN.
 [[nodiscard]] float sin_turns(float turns);
 
-/// Angle of the point (x, y), in (-pi, pi]; zero for the origin.
+/// Angle of the point (x, y), in [-pi, pi]; zero for the origin, and a negative zero counts as zero. NaN for a NaN and
+/// for two infinities.
 [[nodiscard]] Angle atan2(float y, float x);
 
 }  // namespace fantail::core
