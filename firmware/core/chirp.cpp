@@ -20,36 +20,58 @@ float draw_uniform(std::uint32_t seed, std::uint32_t stream, std::uint32_t index
   return static_cast<float>(h >> 8U) * (1.0F / 8388608.0F) - 1.0F;
 }
 
-// Takes whole turns out, so that the sine sees a small phase. |turns| < 1e6.
-float fraction(float turns) { return turns - static_cast<float>(static_cast<std::int32_t>(turns)); }
+// Turns of the phase frequency * t without the whole turns, in integers: over minutes a float phase keeps no usable
+// fraction. Valid below 30 kHz (the products then stay within 64 bits).
+float fraction_of_turns(std::int64_t frequency_phz, Microseconds t) {
+  constexpr std::int64_t million = 1'000'000;
+  constexpr std::int64_t turn = million * million;
+  const std::int64_t whole_s = t.count() / million;
+  const std::int64_t rest_us = t.count() % million;
+  const std::int64_t phase =
+      frequency_phz % turn * whole_s + frequency_phz / million * rest_us + frequency_phz % million * rest_us / million;
+  return static_cast<float>(phase % turn) / static_cast<float>(turn);
+}
+
+float product_turns(const ExcitationPlan& plan, Microseconds t, float varied_hz) {
+  const std::int64_t constant_uhz = millionths(plan.product_offset_hz) + millionths(varied_hz);
+  return fraction_of_turns(constant_uhz * 1'000'000 + millionths(plan.product_slope_hz_s) * t.count(), t);
+}
+
+// Half the slope, because the phase is the integral of the frequency.
+float sweep_turns(const ExcitationPlan& plan, Microseconds t) {
+  const std::int64_t first_uhz = millionths(plan.sweep_first_hz);
+  const std::int64_t rise_uhz = millionths(plan.sweep_last_hz) - first_uhz;
+  const std::int64_t half_slope_nhz_s = rise_uhz * 500'000'000 / (plan.end - plan.begin).count();
+  return fraction_of_turns(first_uhz * 1'000'000 + half_slope_nhz_s * t.count() / 1000, t);
+}
 
 }  // namespace
 
 bool Chirp::varies() const { return plan_.amplitude_variation > Angle{} || plan_.frequency_variation_hz > 0.0F; }
 
 void Chirp::draw(std::uint32_t index) {
+  if (!drawn_) {
+    span_.frequency_at_start = plan_.frequency_variation_hz * draw_uniform(plan_.variation_seed, 1, 0);
+    span_.frequency_at_end = plan_.frequency_variation_hz * draw_uniform(plan_.variation_seed, 1, 1);
+    drawn_ = true;
+  }
   // Turns gathered by the frequency variation, span by span; a tick never skips more than the ones it slept through.
-  while (drawn_ && span_.index < index) {
-    span_.variation_turns_at_start += 0.5F * span_s * (span_.frequency_at_start + span_.frequency_at_end);
+  while (span_.index < index) {
+    const float turns =
+        span_.variation_turns_at_start + 0.5F * span_s * (span_.frequency_at_start + span_.frequency_at_end);
+    span_.variation_turns_at_start = turns - static_cast<float>(static_cast<std::int32_t>(turns));
     span_.index += 1;
     span_.frequency_at_start = span_.frequency_at_end;
     span_.frequency_at_end = plan_.frequency_variation_hz * draw_uniform(plan_.variation_seed, 1, span_.index + 1);
   }
-  if (!drawn_) {
-    span_.index = index;
-    span_.frequency_at_start = plan_.frequency_variation_hz * draw_uniform(plan_.variation_seed, 1, index);
-    span_.frequency_at_end = plan_.frequency_variation_hz * draw_uniform(plan_.variation_seed, 1, index + 1);
-  }
   span_.amplitude_at_start = plan_.amplitude_variation.radians() * draw_uniform(plan_.variation_seed, 0, index);
   span_.amplitude_at_end = plan_.amplitude_variation.radians() * draw_uniform(plan_.variation_seed, 0, index + 1);
-  drawn_ = true;
 }
 
 Angle Chirp::update(Microseconds since_control_start) {
   if (plan_.form == ExcitationForm::none || since_control_start < plan_.begin || since_control_start >= plan_.end) {
     return Angle{};
   }
-  const bool product = plan_.form == ExcitationForm::product;
   const Microseconds since_begin = since_control_start - plan_.begin;
   float amplitude = plan_.amplitude.radians();
   float varied_hz = 0.0F;
@@ -65,16 +87,9 @@ Angle Chirp::update(Microseconds since_control_start) {
     varied_hz = span_.frequency_at_start + share * (span_.frequency_at_end - span_.frequency_at_start);
     varied_turns = span_.variation_turns_at_start + 0.5F * into_span_s * (span_.frequency_at_start + varied_hz);
   }
-  float turns = 0.0F;
-  if (product) {
-    const float t = seconds(since_control_start);
-    turns = (plan_.product_slope_hz_s * t + plan_.product_offset_hz + varied_hz) * t;
-  } else {
-    const float t = seconds(since_begin);
-    const float slope = (plan_.sweep_last_hz - plan_.sweep_first_hz) / seconds(plan_.end - plan_.begin);
-    turns = (plan_.sweep_first_hz + 0.5F * slope * t) * t + varied_turns;
-  }
-  return Angle::from_radians(amplitude * sin_turns(fraction(turns)));
+  const float turns = plan_.form == ExcitationForm::product ? product_turns(plan_, since_control_start, varied_hz)
+                                                            : sweep_turns(plan_, since_begin) + varied_turns;
+  return Angle::from_radians(amplitude * sin_turns(turns));
 }
 
 }  // namespace fantail::core

@@ -16,10 +16,11 @@ Angle square_wave_reference(const ReferencePlan& plan, Microseconds t) {
   if (t < plan.square_wave_begin) {
     return plan.initial;
   }
-  // A plan lasts ten minutes at most, so 32 bits of microseconds suffice, and the Cortex-M4 divides them in hardware.
-  const auto half_period = static_cast<std::uint32_t>(from_seconds(0.5F / plan.square_wave_frequency_hz).count());
-  const auto elapsed = static_cast<std::uint32_t>((t - plan.square_wave_begin).count());
-  return (elapsed / half_period) % 2U == 0U ? plan.square_wave_first : plan.square_wave_second;
+  // Counted in millionths of a half wave: a whole number of microseconds for the half period would drift, and at 0.3 Hz
+  // the third half wave would begin a tick late. Ten minutes at 10 Hz stay below 1.2e16.
+  constexpr std::int64_t half_wave = 500'000'000'000;  // of a wave, in units of 1 us times 1 uHz
+  const std::int64_t phase = (t - plan.square_wave_begin).count() * millionths(plan.square_wave_frequency_hz);
+  return phase / half_wave % 2 == 0 ? plan.square_wave_first : plan.square_wave_second;
 }
 
 }  // namespace

@@ -15,13 +15,16 @@ using Microseconds = std::chrono::duration<std::int64_t, std::micro>;
   return static_cast<float>(difference.count()) * 1e-6F;
 }
 
-/// A time in whole microseconds, off by at most 0.55 us; valid for 0 <= value_s <= 3600 s. Whole seconds are split off
-/// first, because the product of the two would already have lost the microsecond. Mind that above 8 s the float itself no longer
-/// names every microsecond: whoever reads times from text converts them without a float.
-[[nodiscard]] constexpr Microseconds from_seconds(float value_s) {
-  const auto whole_s = static_cast<std::int64_t>(value_s);
-  const float rest_s = value_s - static_cast<float>(whole_s);
-  return Microseconds{whole_s * 1'000'000 + static_cast<std::int64_t>(rest_s * 1e6F + 0.5F)};
+/// A value in whole millionths, off by at most 0.55 of one; valid within +-3600. Whole units are split off first,
+/// because the product of the two would already have lost the last digits.
+[[nodiscard]] constexpr std::int64_t millionths(float value) {
+  const auto whole = static_cast<std::int64_t>(value);
+  const float rest = (value - static_cast<float>(whole)) * 1e6F;
+  return whole * 1'000'000 + static_cast<std::int64_t>(rest < 0.0F ? rest - 0.5F : rest + 0.5F);
 }
+
+/// Mind that above 8 s a float no longer names every microsecond: whoever reads times from text converts them without
+/// one. Valid for 0 <= value_s <= 3600 s.
+[[nodiscard]] constexpr Microseconds from_seconds(float value_s) { return Microseconds{millionths(value_s)}; }
 
 }  // namespace fantail::core

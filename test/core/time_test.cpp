@@ -10,6 +10,7 @@ TEST(Time, SecondsBecomeMicrosecondsWithoutLosingWhatTheirFloatKnows) {
   for (std::int64_t i = 0; i <= 3'600'000; ++i) {
     const auto value_s = static_cast<float>(static_cast<double>(i) * 0.001 + 1e-6 * static_cast<double>(i % 997));
     ASSERT_NEAR(static_cast<double>(from_seconds(value_s).count()), static_cast<double>(value_s) * 1e6, 0.55);
+    ASSERT_EQ(millionths(-value_s), -millionths(value_s));
   }
 }
 

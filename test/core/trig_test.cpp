@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "core/trig.hpp"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
+
+#include <gtest/gtest.h>
 
 namespace fantail::core {
 namespace {
