@@ -27,7 +27,9 @@ CanardCommands CanardMixer::mix(Microseconds time, Angle roll_command,
     power_up_ = time;
     last_time_ = time;
   }
-  const Angle first_step = Angle::from_radians(plan_.first_motion_rate_rad_s * seconds(time - last_time_));
+  // A clock that runs backwards is a timing fault; it must not turn the first motion round and past its limits.
+  const Microseconds elapsed = std::max(time - last_time_, Microseconds{0});
+  const Angle first_step = Angle::from_radians(plan_.first_motion_rate_rad_s * seconds(elapsed));
   last_time_ = time;
 
   CanardCommands commands;

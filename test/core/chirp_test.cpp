@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "core/chirp.hpp"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <numbers>
 #include <vector>
+
+#include <gtest/gtest.h>
 
 #include "core/flight_plan_fields.hpp"
 
@@ -95,7 +95,8 @@ TEST(Chirp, SweepMayRunDownwardsAndForTenMinutes) {
   plan.end = Microseconds{600'000'000};
   plan.sweep_first_hz = 50.0F;
   plan.sweep_last_hz = 0.5F;
-  EXPECT_LT(largest_error_deg(plan, [](double t) { return std::fmod((50.0 - 0.5 * 49.5 / 600.0 * t) * t, 1.0); }), 1e-2);
+  EXPECT_LT(largest_error_deg(plan, [](double t) { return std::fmod((50.0 - 0.5 * 49.5 / 600.0 * t) * t, 1.0); }),
+            1e-2);
 }
 
 TEST(Chirp, VariationIsOffByDefault) {
