@@ -14,6 +14,9 @@ using namespace literals;
 // Encoder noise and play; a canard that moved less than this did not move.
 constexpr Angle standstill = 0.3_deg;
 
+// A clock that jumps is a timing fault, not a reason to condemn a canard.
+constexpr Microseconds longest_tick{5'000};
+
 bool readable(const std::optional<Angle>& encoder) { return encoder && is_finite(encoder->radians()); }
 
 }  // namespace
@@ -23,75 +26,89 @@ CanardMonitor::CanardMonitor(const MonitorPlan& monitor, const CanardsPlan& cana
 
 const std::array<CanardVerdict, canard_count>& CanardMonitor::update(Microseconds time, const CanardCommands& commands,
                                                                      const EncoderAngles& encoders) {
-  const float moved_share = last_time_ ? lag_fraction(seconds(time - *last_time_) / seconds(plan_.servo_lag)) : 0.0F;
+  const Microseconds elapsed = std::clamp(time - last_time_.value_or(time), Microseconds{0}, longest_tick);
   last_time_ = time;
   for (std::size_t i = 0; i < canard_count; ++i) {
-    verdicts_[i] = judge(time, i, moved_share, commands[i], encoders);
+    verdicts_[i] = judge(time, elapsed, i, commands[i], encoders);
   }
   return verdicts_;
 }
 
-CanardVerdict CanardMonitor::judge(Microseconds time, std::size_t canard, float moved_share,
+CanardVerdict CanardMonitor::judge(Microseconds time, Microseconds elapsed, std::size_t canard,
                                    const CanardCommand& command, const EncoderAngles& encoders) {
   Channel& channel = channels_[canard];
   const std::optional<Angle>& encoder = encoders[canard];
+
+  // Where the servo should be by now: it starts from where it is, and moves on while its encoder is silent.
+  if (!command.driven) {
+    channel.expected.reset();
+  } else if (channel.expected) {
+    const float moved_share = lag_fraction(seconds(elapsed) / seconds(plan_.servo_lag));
+    *channel.expected += moved_share * (command.angle - *channel.expected);
+  } else if (readable(encoder)) {
+    channel.expected = encoder;
+  }
+
   if (!readable(encoder)) {
-    channel.off_since.reset();
-    channel.apart_since.reset();
+    channel.off = {};
+    channel.apart = {};
     channel.silent_since = channel.silent_since.value_or(time);
     return time - *channel.silent_since >= plan_.encoder_timeout ? CanardVerdict::dead : verdicts_[canard];
   }
   channel.silent_since.reset();
   if (!command.driven) {
-    channel.expected.reset();
+    channel.off = {};
+    channel.apart = {};
     return CanardVerdict::healthy;
   }
 
-  // Where the servo should be by now; it starts from where it is.
-  const Angle expected = channel.expected.value_or(*encoder);
-  channel.expected = expected + moved_share * (command.angle - expected);
-
-  const bool off = abs(*encoder - *channel.expected) > plan_.tracking_limit;
-  if (!channel.off_since) {
+  if (channel.off.charge == Microseconds{0}) {
     channel.lowest = channel.highest = *encoder;
   }
   channel.lowest = std::min(channel.lowest, *encoder);
   channel.highest = std::max(channel.highest, *encoder);
-  if (lasts(channel.off_since, off, time)) {
+  const bool off = lasts(channel.off, abs(*encoder - *channel.expected) > plan_.tracking_limit, elapsed);
+  const bool apart = lasts(channel.apart, stands_apart(canard, encoders), elapsed);
+  if (off) {
     return channel.highest - channel.lowest < standstill ? CanardVerdict::stalled : CanardVerdict::slipping;
   }
-  const bool apart = !off && stands_apart(canard, encoders);
-  return lasts(channel.apart_since, apart, time) ? CanardVerdict::disagreeing : CanardVerdict::healthy;
+  return apart ? CanardVerdict::disagreeing : CanardVerdict::healthy;
 }
 
-// Against the middle one of the others, so that one bad canard does not make its neighbours look bad.
+// Against the middle of the others, so that one bad canard does not make its neighbours look bad. The middle of two is
+// all that lies between them; one other alone cannot say which of the two is right.
 bool CanardMonitor::stands_apart(std::size_t canard, const EncoderAngles& encoders) const {
   auto roll_angle = [&](std::size_t i) {
     const Angle shaft = *encoders[i] - canards_.each[i].trim;
     return canards_.each[i].direction == Direction::reversed ? -shaft : shaft;
   };
-  std::array<Angle, canard_count - 1> others{};
+  std::array<Angle, canard_count - 1> others{};  // sorted
   std::size_t count = 0;
   for (std::size_t i = 0; i < canard_count; ++i) {
-    if (i != canard && readable(encoders[i])) {
-      others[count++] = roll_angle(i);
+    if (i == canard || !readable(encoders[i])) {
+      continue;
     }
+    const Angle angle = roll_angle(i);
+    std::size_t place = count++;
+    for (; place > 0 && others[place - 1] > angle; --place) {
+      others[place] = others[place - 1];
+    }
+    others[place] = angle;
   }
-  if (count < others.size()) {
+  if (count < 2) {
     return false;
   }
-  const auto [low, high] = std::minmax(others[0], others[1]);
-  const Angle middle = std::clamp(others[2], low, high);
-  return abs(roll_angle(canard) - middle) > plan_.disagreement_limit;
+  const Angle own = roll_angle(canard);
+  const Angle middle = std::clamp(own, others[(count - 1) / 2], others[count / 2]);
+  return abs(own - middle) > plan_.disagreement_limit;
 }
 
-bool CanardMonitor::lasts(std::optional<Microseconds>& since, bool condition, Microseconds time) const {
-  if (!condition) {
-    since.reset();
-    return false;
-  }
-  since = since.value_or(time);
-  return time - *since >= plan_.hold;
+bool CanardMonitor::lasts(Persistence& persistence, bool condition, Microseconds elapsed) const {
+  persistence.charge =
+      std::clamp(persistence.charge + (condition ? elapsed : -2 * elapsed), Microseconds{0}, plan_.hold);
+  persistence.lasting =
+      persistence.charge == plan_.hold || (persistence.lasting && persistence.charge > Microseconds{0});
+  return persistence.lasting;
 }
 
 }  // namespace fantail::core

@@ -20,7 +20,10 @@ enum class CanardVerdict : std::uint8_t {
 };
 
 /// Compares each canard's command with its encoder. The command first passes a model of the servo (a first-order lag),
-/// so that fast excitation is not mistaken for a fault; a difference has to last for the plan's hold.
+/// so that fast excitation is not mistaken for a fault. A difference must last for the plan's hold, and twice the time
+/// it was gone in between counts against it: a canard stuck in the middle of an excitation is right twice a wave, and a
+/// sound servo that is faster than its model is wrong twice a wave. A verdict stays until the difference has been gone
+/// for half the hold.
 class CanardMonitor {
  public:
   CanardMonitor(const MonitorPlan& monitor, const CanardsPlan& canards);
@@ -29,19 +32,23 @@ class CanardMonitor {
                                                         const EncoderAngles& encoders);
 
  private:
+  struct Persistence {
+    Microseconds charge{};  ///< grows to the hold while the difference lasts, falls back while it is gone
+    bool lasting = false;
+  };
   struct Channel {
     std::optional<Angle> expected;
     std::optional<Microseconds> silent_since;
-    std::optional<Microseconds> off_since;
-    std::optional<Microseconds> apart_since;
-    Angle lowest;  ///< encoder angles since off_since
+    Persistence off;
+    Persistence apart;
+    Angle lowest;  ///< encoder angles since `off` began to charge
     Angle highest;
   };
 
-  CanardVerdict judge(Microseconds time, std::size_t canard, float moved_share, const CanardCommand& command,
+  CanardVerdict judge(Microseconds time, Microseconds elapsed, std::size_t canard, const CanardCommand& command,
                       const EncoderAngles& encoders);
   [[nodiscard]] bool stands_apart(std::size_t canard, const EncoderAngles& encoders) const;
-  bool lasts(std::optional<Microseconds>& since, bool condition, Microseconds time) const;
+  bool lasts(Persistence& persistence, bool condition, Microseconds elapsed) const;
 
   MonitorPlan plan_;
   CanardsPlan canards_;

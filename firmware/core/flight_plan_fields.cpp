@@ -198,7 +198,7 @@ constexpr auto fields = std::to_array<PlanField>({
 
   number<MEMBER(monitor.servo_lag)>("monitor", "servo_lag_s", "s", 0.025F, {0.001F, 0.2F}, "expected first-order lag of the servo"),
   number<MEMBER(monitor.tracking_limit)>("monitor", "tracking_limit_deg", "deg", 3, {0.2F, 20}, "largest difference between expected and measured canard angle"),
-  number<MEMBER(monitor.disagreement_limit)>("monitor", "disagreement_limit_deg", "deg", 1.5F, {0.2F, 20}, "largest difference between a canard and the mean of the others"),
+  number<MEMBER(monitor.disagreement_limit)>("monitor", "disagreement_limit_deg", "deg", 1.5F, {0.2F, 20}, "largest difference between a canard and the middle of the others"),
   number<MEMBER(monitor.hold)>("monitor", "hold_s", "s", 0.1F, {0.01F, 2}, "a difference must last this long to be a fault"),
   number<MEMBER(monitor.encoder_timeout)>("monitor", "encoder_timeout_s", "s", 0.02F, {0.005F, 1}, "an encoder silent for this long is dead"),
 });

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "core/canard_mixer.hpp"
 
-#include <gtest/gtest.h>
-#include <rapidcheck/gtest.h>
-
 #include <bit>
 #include <cmath>
 #include <limits>
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
 
 #include "core/flight_plan_fields.hpp"
 #include "plan_generator.hpp"
@@ -200,9 +200,7 @@ TEST(CanardMixer, WhatItCommandsIsWhatItReadsBack) {
   EXPECT_NEAR(warm.mixer.canard_angle(encoders)->degrees(), 7.0F, 1e-5F);
 }
 
-Angle any_angle() {
-  return Angle::from_radians(std::bit_cast<float>(*rc::gen::arbitrary<std::uint32_t>()));
-}
+Angle any_angle() { return Angle::from_radians(std::bit_cast<float>(*rc::gen::arbitrary<std::uint32_t>())); }
 
 RC_GTEST_PROP(CanardMixer, NoPlanAndNoInputBringsACanardBeyondItsLimits, ()) {
   const FlightPlan plan = arbitrary_plan();

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "core/pd_controller.hpp"
 
-#include <gtest/gtest.h>
-#include <rapidcheck/gtest.h>
-
 #include <bit>
 #include <cmath>
 #include <cstdint>
 #include <limits>
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
 
 #include "core/flight_plan_fields.hpp"
 
@@ -20,10 +20,8 @@ constexpr float infinity = std::numeric_limits<float>::infinity();
 constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
 
 ControllerPlan gains(float kp, float kd_s, Angle limit) {
-  return {.proportional_gain = kp,
-          .derivative_gain_s = kd_s,
-          .rate_reference = RateReference::zero,
-          .canard_limit = limit};
+  return {
+      .proportional_gain = kp, .derivative_gain_s = kd_s, .rate_reference = RateReference::zero, .canard_limit = limit};
 }
 
 float rad(float degrees) { return Angle::from_degrees(degrees).radians(); }
@@ -93,13 +91,14 @@ TEST(PdController, AnInputThatIsNotFiniteIsNotHiddenByAGainOfZero) {
 }
 
 TEST(PdController, FiniteInputsThatOverflowGiveZeroAndSaySo) {
-  const RollCommand command =
-      pd_controller(gains(10.0F, 0.0F, 9_deg), Angle::from_radians(3e38F), 0_deg, 0.0F, 0_deg);
+  const RollCommand command = pd_controller(gains(10.0F, 0.0F, 9_deg), Angle::from_radians(3e38F), 0_deg, 0.0F, 0_deg);
   EXPECT_FALSE(command.finite);
   EXPECT_EQ(command.command, Angle{});
 }
 
-float any_float() { return *rc::gen::map<std::uint32_t>([](std::uint32_t bits) { return std::bit_cast<float>(bits); }); }
+float any_float() {
+  return *rc::gen::map<std::uint32_t>([](std::uint32_t bits) { return std::bit_cast<float>(bits); });
+}
 
 RC_GTEST_PROP(PdController, NoInputWhateverGivesACommandBeyondTheLimit, ()) {
   const Angle limit = Angle::from_degrees(static_cast<float>(*rc::gen::inRange(5, 200)) * 0.1F);

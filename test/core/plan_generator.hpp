@@ -24,7 +24,8 @@ inline FlightPlan arbitrary_plan() {
   FlightPlan plan = default_plan();
   const auto steps = *rc::gen::inRange<std::size_t>(1, most_reference_steps + 1);
   for (std::size_t i = 0; i < steps; ++i) {  // lists that only make sense together
-    plan.reference.step_times[i] = Microseconds{static_cast<std::int64_t>(i) * 70'000'000 + *rc::gen::inRange(0, 70'000'000)};
+    plan.reference.step_times[i] =
+        Microseconds{static_cast<std::int64_t>(i) * 70'000'000 + *rc::gen::inRange(0, 70'000'000)};
     plan.reference.step_angles[i] = Angle::from_degrees(static_cast<float>(*rc::gen::inRange(-720, 721)));
   }
   plan.reference.step_times_count = plan.reference.step_angles_count = static_cast<std::uint8_t>(steps);
