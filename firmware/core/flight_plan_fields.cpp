@@ -4,6 +4,7 @@
 #include <array>
 #include <bit>
 #include <type_traits>
+#include <utility>
 
 namespace fantail::core {
 namespace {
@@ -58,6 +59,7 @@ void assign_bits(T& to, std::uint32_t v) {
 // Member is a function (plan, slot) -> reference, for a plan that may be const.
 template <auto Member>
 constexpr PlanField bind(PlanField field) {
+  field.is_time = std::is_same_v<std::remove_cvref_t<decltype(Member(std::declval<Plan&>(), 0))>, Microseconds>;
   field.get_inside = [](const Plan& p, std::size_t i) { return inside(Member(p, i)); };
   field.set_inside = [](Plan& p, std::size_t i, float v) { assign(Member(p, i), v); };
   field.get_bits = [](const Plan& p, std::size_t i) { return bits(Member(p, i)); };

@@ -28,6 +28,7 @@ struct PlanField {
   std::span<const std::string_view> choices;
   std::size_t slots = 1;  ///< 1; 4 for one value a canard; the capacity of a list
   float scale = 1.0F;     ///< inside value = file value * scale
+  bool is_time = false;   ///< kept in whole microseconds, which are also its bits
   float (*get_inside)(const FlightPlan&, std::size_t slot) = nullptr;
   void (*set_inside)(FlightPlan&, std::size_t slot, float inside) = nullptr;
   std::uint32_t (*get_bits)(const FlightPlan&, std::size_t slot) = nullptr;  ///< exact, for the wire

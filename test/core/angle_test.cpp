@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "core/angle.hpp"
 
+#include <cmath>
+#include <limits>
+
 #include <gtest/gtest.h>
 
 namespace fantail::core {
@@ -19,6 +22,28 @@ TEST(Angle, ClampKeepsWhatLiesInsideAndStopsAtBothLimits) {
   EXPECT_EQ(clamp(5_deg, 6_deg), 5_deg);
   EXPECT_EQ(clamp(7_deg, 6_deg), 6_deg);
   EXPECT_EQ(clamp(-7_deg, 6_deg), -6_deg);
+}
+
+TEST(Angle, ClampAcceptsTheLimitsThemselvesAndALimitOfZero) {
+  EXPECT_EQ(clamp(6_deg, 6_deg), 6_deg);
+  EXPECT_EQ(clamp(-6_deg, 6_deg), -6_deg);
+  EXPECT_EQ(clamp(1_deg, 0_deg), 0_deg);
+  EXPECT_EQ(clamp(-1_deg, 0_deg), 0_deg);
+}
+
+TEST(Angle, ClampStopsInfinitiesAndLetsANotANumberBeSeen) {
+  constexpr float infinity = std::numeric_limits<float>::infinity();
+  EXPECT_EQ(clamp(Angle::from_radians(infinity), 6_deg), 6_deg);
+  EXPECT_EQ(clamp(Angle::from_radians(-infinity), 6_deg), -6_deg);
+  EXPECT_TRUE(std::isnan(clamp(Angle::from_radians(std::numeric_limits<float>::quiet_NaN()), 6_deg).radians()));
+}
+
+TEST(Angle, ArithmeticIsThatOfItsRadians) {
+  EXPECT_EQ((2.0_rad - 0.5_rad).radians(), 1.5F);
+  EXPECT_EQ((2.0F * 1.5_rad).radians(), 3.0F);
+  EXPECT_EQ((3.0_rad / 2.0F).radians(), 1.5F);
+  EXPECT_EQ(abs(-2_deg), 2_deg);
+  EXPECT_LT(-2_deg, 1_deg);
 }
 
 }  // namespace

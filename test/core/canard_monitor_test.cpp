@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "core/canard_monitor.hpp"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
 #include <numbers>
+
+#include <gtest/gtest.h>
 
 #include "core/flight_plan_fields.hpp"
 
@@ -166,8 +166,8 @@ TEST(CanardMonitor, WithTwoEncodersDeadNobodyCanSayWhichOfTheOthersIsRight) {
   for (int i = 0; i < 300; ++i) {
     bench.step_all(4.0);
   }
-  EXPECT_EQ(bench.step_all(4.0), (Verdicts{CanardVerdict::dead, CanardVerdict::dead, CanardVerdict::healthy,
-                                           CanardVerdict::healthy}));
+  EXPECT_EQ(bench.step_all(4.0),
+            (Verdicts{CanardVerdict::dead, CanardVerdict::dead, CanardVerdict::healthy, CanardVerdict::healthy}));
 }
 
 TEST(CanardMonitor, AnEncoderIsDeadWhenItHasBeenSilentForTheTimeoutAndAloneInThat) {

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#include "core/finite.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace fantail::core {
+namespace {
+
+using Limits = std::numeric_limits<float>;
+
+TEST(Finite, IsEveryNumberAndNothingElse) {
+  for (const float number : {0.0F, -0.0F, Limits::denorm_min(), Limits::min(), Limits::max(), Limits::lowest()}) {
+    EXPECT_TRUE(is_finite(number)) << number;
+  }
+  for (const float other : {Limits::infinity(), -Limits::infinity(), Limits::quiet_NaN(), -Limits::quiet_NaN()}) {
+    EXPECT_FALSE(is_finite(other)) << other;
+  }
+}
+
+TEST(Finite, OneBadComponentSpoilsAVector) {
+  EXPECT_TRUE(is_finite(Vector3{1.0F, 2.0F, 3.0F}));
+  EXPECT_FALSE(is_finite(Vector3{Limits::quiet_NaN(), 0.0F, 0.0F}));
+  EXPECT_FALSE(is_finite(Vector3{0.0F, Limits::infinity(), 0.0F}));
+  EXPECT_FALSE(is_finite(Vector3{0.0F, 0.0F, -Limits::infinity()}));
+}
+
+}  // namespace
+}  // namespace fantail::core

@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: MIT
+#include "core/flight_plan.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <string>
+
+#include "core/flight_plan_fields.hpp"
+#include "plan_generator.hpp"
+
+namespace fantail::core {
+namespace {
+
+using namespace literals;
+
+constexpr float infinity = std::numeric_limits<float>::infinity();
+
+// Faults other than those of the field itself come from rules across fields.
+bool out_of_range(const FlightPlan& plan, const PlanField& of, std::size_t slot) {
+  const std::optional<PlanFault> fault = validate(plan);
+  return fault && fault->field == &of && fault->slot == slot &&
+         (fault->rule == "out of range" || fault->rule == "must be a finite number");
+}
+
+void expect_fault(const FlightPlan& plan, std::string_view section, std::string_view key, std::size_t slot = 0) {
+  const std::optional<PlanFault> fault = validate(plan);
+  ASSERT_TRUE(fault.has_value()) << section << "." << key;
+  EXPECT_EQ(std::string{fault->field->section} + "." + std::string{fault->field->key},
+            std::string{section} + "." + std::string{key});
+  EXPECT_EQ(fault->slot, slot);
+  EXPECT_FALSE(fault->rule.empty());
+}
+
+TEST(FlightPlan, TheDefaultsFly) { EXPECT_FALSE(validate(default_plan()).has_value()); }
+
+TEST(FlightPlan, EveryFieldSaysWhatItIsAndNoTwoShareAName) {
+  std::set<std::string> names;
+  for (const PlanField& f : flight_plan_fields()) {
+    EXPECT_TRUE(names.insert(std::string{f.section} + "." + std::string{f.key}).second) << f.key;
+    EXPECT_FALSE(f.meaning.empty()) << f.key;
+    EXPECT_LE(f.meaning.size(), 100U) << f.key << ": one line";
+    EXPECT_LT(f.minimum, f.maximum) << f.key;
+    EXPECT_TRUE(f.allows(f.default_value)) << f.key;
+    EXPECT_TRUE(f.allows(f.minimum) && f.allows(f.maximum)) << f.key;
+    EXPECT_EQ(f.kind == FieldKind::choice, !f.choices.empty()) << f.key;
+    if (f.kind == FieldKind::choice) {
+      EXPECT_EQ(f.maximum, static_cast<float>(f.choices.size() - 1)) << f.key;
+    }
+  }
+}
+
+TEST(FlightPlan, TheUnitOfAFieldEndsItsName) {
+  const std::pair<std::string_view, std::string_view> endings[] = {
+      {"deg", "_deg"}, {"s", "_s"}, {"g", "_g"}, {"m", "_m"}, {"m/s", "_m_s"}, {"Hz", "_hz"}, {"Hz/s", "_hz_s"},
+      {"deg/s", "_deg_s"}, {"us", "_us"}, {"us/deg", "_per_degree_us"}};
+  for (const PlanField& f : flight_plan_fields()) {
+    if (f.unit.empty() || f.key == "derivative_gain_s" || f.key == "pulse_centre_us") {
+      continue;
+    }
+    const auto ending = std::ranges::find(endings, f.unit, [](const auto& pair) { return pair.first; });
+    ASSERT_NE(ending, std::end(endings)) << f.key << " has the unknown unit " << f.unit;
+    EXPECT_TRUE(f.key.ends_with(ending->second)) << f.key;
+  }
+}
+
+TEST(FlightPlan, FieldsOfOneSectionStandTogether) {
+  std::set<std::string_view> closed;
+  std::string_view current;
+  for (const PlanField& f : flight_plan_fields()) {
+    if (f.section != current) {
+      EXPECT_TRUE(closed.insert(f.section).second) << f.section;
+      current = f.section;
+    }
+  }
+}
+
+TEST(FlightPlan, EveryFieldOwnsItsOwnMember) {
+  for (const PlanField& one : flight_plan_fields()) {
+    for (std::size_t slot = 0; slot < one.slots; ++slot) {
+      FlightPlan plan = default_plan();
+      const float other = one.default_value == one.maximum ? one.minimum : one.maximum;
+      one.set(plan, slot, other);
+      EXPECT_NEAR(one.get(plan, slot), other, std::abs(other) * 1e-6F + 1e-6F) << one.key;
+      for (const PlanField& another : flight_plan_fields()) {
+        for (std::size_t s = 0; s < another.slots; ++s) {
+          if (&one != &another || s != slot) {
+            ASSERT_EQ(another.get_bits(plan, s), another.get_bits(default_plan(), s)) << one.key << " " << another.key;
+          }
+        }
+      }
+    }
+  }
+}
+
+TEST(FlightPlan, EveryFieldAcceptsItsEndsAndRefusesWhatLiesJustBeyond) {
+  for (const PlanField& f : flight_plan_fields()) {
+    for (std::size_t slot = 0; slot < f.slots; ++slot) {
+      FlightPlan plan = default_plan();
+      if (f.is_list()) {
+        f.set_length(plan, f.slots);
+      }
+      for (const float end : {f.minimum, f.maximum}) {
+        f.set(plan, slot, end);
+        EXPECT_FALSE(out_of_range(plan, f, slot)) << f.key << " = " << end;
+        EXPECT_FALSE(f.kind == FieldKind::number && f.allows(std::nextafter(end, end == f.minimum ? -infinity : infinity)));
+      }
+      if (f.kind != FieldKind::number) {
+        continue;
+      }
+      const float beyond = (f.maximum - f.minimum) * 1e-3F;
+      f.set(plan, slot, f.maximum + beyond);
+      EXPECT_TRUE(out_of_range(plan, f, slot)) << f.key << " above";
+      f.set(plan, slot, f.minimum - beyond);
+      EXPECT_TRUE(out_of_range(plan, f, slot)) << f.key << " below";
+    }
+  }
+}
+
+TEST(FlightPlan, ANumberThatIsNotFiniteIsRefusedInEveryField) {
+  for (const PlanField& f : flight_plan_fields()) {
+    for (const float bad : {infinity, -infinity, std::numeric_limits<float>::quiet_NaN()}) {
+      EXPECT_FALSE(f.allows(bad)) << f.key;
+      if (f.kind != FieldKind::number || f.is_time) {
+        continue;
+      }
+      for (std::size_t slot = 0; slot < f.slots; ++slot) {
+        FlightPlan plan = default_plan();
+        if (f.is_list()) {
+          f.set_length(plan, f.slots);
+        }
+        f.set(plan, slot, bad);
+        EXPECT_TRUE(out_of_range(plan, f, slot)) << f.key << " = " << bad;
+      }
+    }
+  }
+}
+
+TEST(FlightPlan, AFractionIsNoChoiceNoFlagAndNoInteger) {
+  for (const PlanField& f : flight_plan_fields()) {
+    EXPECT_EQ(f.allows(0.5F), f.kind == FieldKind::number && f.minimum <= 0.5F && f.maximum >= 0.5F) << f.key;
+  }
+}
+
+TEST(FlightPlan, ReplayRefusesAHoldLongerThanItsRing) {
+  FlightPlan plan = default_plan();
+  plan.launch_detection.hold = Microseconds{500'000};
+  EXPECT_FALSE(validate(plan).has_value());
+  plan.launch_detection.hold = Microseconds{500'001};
+  expect_fault(plan, "launch_detection", "hold_s");
+  plan.motion.height_origin = HeightOrigin::velocity_only;
+  EXPECT_FALSE(validate(plan).has_value());
+}
+
+TEST(FlightPlan, AnExcitationMustEndAfterItBegins) {
+  FlightPlan plan = default_plan();
+  plan.excitation.end = plan.excitation.begin;
+  EXPECT_FALSE(validate(plan).has_value()) << "an excitation that is off has no window";
+  for (const ExcitationForm form : {ExcitationForm::product, ExcitationForm::sweep}) {
+    plan.excitation.form = form;
+    expect_fault(plan, "excitation", "end_s");
+  }
+  plan.excitation.end += Microseconds{1};
+  EXPECT_FALSE(validate(plan).has_value());
+}
+
+TEST(FlightPlan, TrimMustLieInsideThePlanLimit) {
+  FlightPlan plan = default_plan();
+  plan.controller.canard_limit = 3_deg;
+  plan.canards.each[2].trim = 2.9_deg;
+  EXPECT_FALSE(validate(plan).has_value());
+  plan.canards.each[2].trim = -3_deg;
+  expect_fault(plan, "canards", "trim_deg", 2);
+}
+
+TEST(FlightPlan, TheMechanicalStopMustNotLieInsideThePlanLimit) {
+  FlightPlan plan = default_plan();
+  plan.canards.each[3].mechanical_stop = plan.controller.canard_limit;
+  EXPECT_FALSE(validate(plan).has_value());
+  plan.canards.each[3].mechanical_stop = 8.9_deg;
+  expect_fault(plan, "canards", "mechanical_stop_deg", 3);
+}
+
+TEST(FlightPlan, AServoMustMoveWithItsPulse) {
+  FlightPlan plan = default_plan();
+  for (const float dead : {0.0F, -0.5F, 0.5F}) {
+    plan.canards.each[1].pulse_per_radian_us = dead;
+    expect_fault(plan, "canards", "pulse_per_degree_us", 1);
+  }
+}
+
+TEST(FlightPlan, StepsNeedAsManyTimesAsAnglesAndIncreasingTimes) {
+  FlightPlan plan = default_plan();
+  plan.reference.kind = ReferenceKind::steps;
+  expect_fault(plan, "reference", "step_times_s");
+  plan.reference.step_times_count = 2;
+  plan.reference.step_times = {Microseconds{1000}, Microseconds{1000}};
+  expect_fault(plan, "reference", "step_times_s");
+  plan.reference.step_angles_count = 2;
+  expect_fault(plan, "reference", "step_times_s", 1);
+  plan.reference.step_times[1] = Microseconds{1001};
+  EXPECT_FALSE(validate(plan).has_value());
+}
+
+TEST(FlightPlan, AListLongerThanItsRoomIsRefused) {
+  FlightPlan plan = default_plan();
+  plan.reference.step_angles_count = most_reference_steps + 1;
+  expect_fault(plan, "reference", "step_angles_deg");
+}
+
+RC_GTEST_PROP(FlightPlan, TheGeneratorOfTheseTestsMakesPlansThatFly, ()) {
+  RC_ASSERT(!validate(arbitrary_plan()).has_value());
+}
+
+}  // namespace
+}  // namespace fantail::core

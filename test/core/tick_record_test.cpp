@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#include "core/tick_record.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+namespace fantail::core {
+namespace {
+
+// Walks an enumeration from its first value until its names end; every name must be new.
+template <typename Enumeration>
+std::size_t distinct_names() {
+  std::set<std::string_view> names;
+  for (std::uint8_t value = 0; name(static_cast<Enumeration>(value)) != "unknown"; ++value) {
+    EXPECT_TRUE(names.insert(name(static_cast<Enumeration>(value))).second);
+  }
+  return names.size();
+}
+
+TEST(TickRecord, EveryPhaseReasonAndVerdictHasANameOfItsOwn) {
+  EXPECT_EQ(distinct_names<Phase>(), static_cast<std::size_t>(Phase::finished) + 1);
+  EXPECT_EQ(distinct_names<PhaseReason>(), static_cast<std::size_t>(PhaseReason::canard_fault) + 1);
+  EXPECT_EQ(distinct_names<CanardVerdict>(), static_cast<std::size_t>(CanardVerdict::disagreeing) + 1);
+}
+
+TEST(TickRecord, BeginsSafeWithoutACommandOrADrivenCanard) {
+  const TickRecord record;
+  EXPECT_EQ(record.phase, Phase::safe);
+  EXPECT_EQ(record.command.radians(), 0.0F);
+  for (const CanardCommand& canard : record.canards) {
+    EXPECT_FALSE(canard.driven);
+  }
+}
+
+}  // namespace
+}  // namespace fantail::core
