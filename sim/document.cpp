@@ -27,6 +27,12 @@ std::size_t distance(std::string_view a, std::string_view b) {
   return row[b.size()];
 }
 
+std::string trimmed(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(" \t");
+  return first == std::string_view::npos ? std::string{}
+                                         : std::string{text.substr(first, text.find_last_not_of(" \t") + 1 - first)};
+}
+
 std::string describe(const toml::parse_error& error, const std::string& file) {
   std::ostringstream text;
   text << file << ':' << error.source().begin.line << ':' << error.source().begin.column
@@ -39,15 +45,17 @@ std::string describe(const toml::parse_error& error, const std::string& file) {
 Override parse_override(std::string_view text) {
   const std::size_t equals = text.find('=');
   const std::size_t dot = text.substr(0, equals).find('.');
-  const bool complete = equals != std::string_view::npos && dot != std::string_view::npos && dot > 0 &&
-                        dot + 1 < equals && equals + 1 < text.size();
-  if (!complete) {
+  Override change;
+  if (equals != std::string_view::npos && dot != std::string_view::npos) {
+    change = {trimmed(text.substr(0, dot)), trimmed(text.substr(dot + 1, equals - dot - 1)),
+              trimmed(text.substr(equals + 1))};
+  }
+  if (change.section.empty() || change.key.empty() || change.value.empty()) {
     throw InputError{
         InputFault::bad_configuration,
         "--set " + std::string{text} + ": expected section.key=value, as in controller.canard_limit_deg=6"};
   }
-  return {std::string{text.substr(0, dot)}, std::string{text.substr(dot + 1, equals - dot - 1)},
-          std::string{text.substr(equals + 1)}};
+  return change;
 }
 
 std::optional<std::string> suggestion(std::string_view wrong, std::span<const std::string> known) {
@@ -84,10 +92,14 @@ void Document::apply(const Override& change) {
   try {
     parsed = toml::parse("value = " + change.value);
   } catch (const toml::parse_error&) {
-    parsed.insert("value", change.value);
+    parsed.clear();
+  }
+  if (parsed.size() != 1) {  // not TOML, or a whole document smuggled into one value
+    parsed.insert_or_assign("value", change.value);
   }
   if (!root_.contains(change.section)) {
     root_.insert(change.section, toml::table{});
+    replaced_["." + change.section] = change.text();
   }
   toml::table* section = root_[change.section].as_table();
   if (section == nullptr) {

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
+#include <cmath>
 #include <iomanip>
 #include <sstream>
 
@@ -15,16 +17,58 @@ namespace {
 using core::FieldKind;
 using core::PlanField;
 
-std::string value_text(const PlanField& field, float value) {
+// The number a person wrote for this float: 0.1, where the float itself is a little more. Limits are compared with what
+// stands in a file, so they must be what stands in the table of fields.
+double as_written(float value) {
+  std::array<char, 32> text{};
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
+  double written = 0.0;
+  std::from_chars(text.data(), end, written);
+  return written;
+}
+
+// Times go straight into microseconds: through a float, 300.001 s would be 7 us late and so a whole tick.
+void set_value(const PlanField& field, core::FlightPlan& plan, std::size_t slot, double file_value) {
+  if (field.is_time) {
+    field.set_bits(plan, slot, static_cast<std::uint32_t>(std::llround(file_value * 1e6)));
+  } else {
+    field.set(plan, slot, static_cast<float>(file_value));
+  }
+}
+
+double get_value(const PlanField& field, const core::FlightPlan& plan, std::size_t slot) {
+  return field.is_time ? field.get_bits(plan, slot) * 1e-6 : static_cast<double>(field.get(plan, slot));
+}
+
+std::string number_text(double value, int digits) {
+  std::ostringstream text;
+  text << std::setprecision(digits) << value;
+  return text.str();
+}
+
+std::string value_text(const PlanField& field, double value) {
   switch (field.kind) {
     case FieldKind::choice: return '"' + std::string{field.choices[static_cast<std::size_t>(value)]} + '"';
-    case FieldKind::flag: return value != 0.0F ? "true" : "false";
+    case FieldKind::flag: return value != 0.0 ? "true" : "false";
     case FieldKind::number:
     case FieldKind::integer: break;
   }
-  std::ostringstream text;
-  text << std::setprecision(field.kind == FieldKind::integer ? 9 : 6) << static_cast<double>(value);
-  return text.str();
+  return number_text(value, field.kind == FieldKind::integer ? 9 : 6);
+}
+
+// With as many digits as it takes to read the same value back.
+std::string value_text(const PlanField& field, const core::FlightPlan& plan, std::size_t slot) {
+  const double value = get_value(field, plan, slot);
+  std::string text = value_text(field, value);
+  core::FlightPlan copy = plan;
+  for (int digits = 6; field.kind == FieldKind::number && digits <= 9; ++digits) {
+    text = number_text(value, digits);
+    set_value(field, copy, slot, std::stod(text));
+    if (field.get_bits(copy, slot) == field.get_bits(plan, slot)) {
+      break;
+    }
+  }
+  return text;
 }
 
 std::string range_text(const PlanField& field) {
@@ -38,54 +82,38 @@ std::string range_text(const PlanField& field) {
     }
     return words;
   }
-  return value_text(field, field.minimum) + " to " + value_text(field, field.maximum);
+  return value_text(field, as_written(field.minimum)) + " to " + value_text(field, as_written(field.maximum));
 }
 
-// The values of one field as the file gives them, in file units; empty when the file does not mention it.
-std::vector<float> read_values(Section& section, const PlanField& field, bool as_list) {
-  const Limits limits{static_cast<double>(field.minimum), static_cast<double>(field.maximum)};
-  std::vector<float> values;
-  if (!section.has(field.key)) {
-    return values;
-  }
+// The values of one field as the file gives them, in file units.
+std::vector<double> read_values(Section& section, const PlanField& field, bool as_list) {
+  const Limits limits{as_written(field.minimum), as_written(field.maximum)};
   switch (field.kind) {
     case FieldKind::number:
-      if (as_list) {
-        for (const double v : section.numbers(field.key, limits, field.slots)) {
-          values.push_back(static_cast<float>(v));
-        }
-      } else {
-        values.push_back(static_cast<float>(section.number(field.key, limits)));
-      }
-      break;
-    case FieldKind::integer: values.push_back(static_cast<float>(section.integer(field.key, limits))); break;
-    case FieldKind::flag: values.push_back(section.flag(field.key) ? 1.0F : 0.0F); break;
-    case FieldKind::choice:
-      if (as_list) {
-        for (const std::size_t v : section.choices(field.key, field.choices, field.slots)) {
-          values.push_back(static_cast<float>(v));
-        }
-      } else {
-        values.push_back(static_cast<float>(section.choice(field.key, field.choices)));
-      }
-      break;
+      return as_list ? section.numbers(field.key, limits, field.slots) : std::vector{section.number(field.key, limits)};
+    case FieldKind::integer: return {static_cast<double>(section.integer(field.key, limits))};
+    case FieldKind::flag: return {section.flag(field.key) ? 1.0 : 0.0};
+    case FieldKind::choice: break;
   }
-  return values;
+  if (!as_list) {
+    return {static_cast<double>(section.choice(field.key, field.choices))};
+  }
+  const std::vector<std::size_t> chosen = section.choices(field.key, field.choices, field.slots);
+  return {chosen.begin(), chosen.end()};
 }
 
-void read_field(Section& section, const PlanField& field, bool as_list, core::FlightPlan& plan) {
-  const std::vector<float> values = read_values(section, field, as_list);
-  if (field.is_list()) {
-    field.set_length(plan, values.size());
-  } else if (as_list && values.size() != field.slots) {
-    section.refuse(field.key, "has " + std::to_string(values.size()) + " values; allowed: one for all, or " +
+void read_field(Section& section, const PlanField& field, const toml::node& node, core::FlightPlan& plan) {
+  const toml::array* each = field.slots > 1 ? node.as_array() : nullptr;
+  if (each != nullptr && !field.is_list() && each->size() != field.slots) {
+    section.refuse(field.key, "has " + std::to_string(each->size()) + " values; allowed: one for all, or " +
                                   std::to_string(field.slots));
   }
-  for (std::size_t slot = 0; slot < field.slots && !values.empty(); ++slot) {
-    if (as_list && slot >= values.size()) {
-      break;
-    }
-    field.set(plan, slot, as_list ? values[slot] : values[0]);
+  const std::vector<double> values = read_values(section, field, each != nullptr || field.is_list());
+  if (field.is_list()) {
+    field.set_length(plan, values.size());
+  }
+  for (std::size_t slot = 0; slot < field.used_slots(plan); ++slot) {
+    set_value(field, plan, slot, each != nullptr ? values[slot] : values[0]);
   }
 }
 
@@ -110,17 +138,16 @@ core::FlightPlan read_plan(const Document& document) {
     const toml::node* table = document.root().get(name);
     for (const PlanField& field : core::flight_plan_fields()) {
       if (field.section == name && section.has(field.key)) {
-        const bool as_list = field.is_list() || table->as_table()->get(field.key)->is_array();
-        read_field(section, field, as_list, plan);
+        read_field(section, field, *table->as_table()->get(field.key), plan);
       }
     }
     section.finish();
   }
   if (const auto fault = core::validate(plan)) {
     const Section section{document, std::string{fault->field->section}};
-    std::string complaint{fault->rule};
-    if (fault->slot < fault->field->used_slots(plan)) {
-      complaint = "= " + value_text(*fault->field, fault->field->get(plan, fault->slot)) + ": " + complaint;
+    std::string complaint = "is refused: " + std::string{fault->rule};
+    if (!fault->field->is_list() || fault->slot > 0) {  // the rules on a whole list name its first slot
+      complaint = "= " + value_text(*fault->field, plan, fault->slot) + ' ' + complaint;
     }
     section.refuse(fault->field->key, complaint);
   }
@@ -137,7 +164,7 @@ std::string plan_table(const core::FlightPlan& plan) {
     }
     std::vector<std::string> values;
     for (std::size_t slot = 0; slot < field.used_slots(plan); ++slot) {
-      values.push_back(value_text(field, field.get(plan, slot)));
+      values.push_back(value_text(field, plan, slot));
     }
     const bool all_equal = !field.is_list() && std::ranges::all_of(values, [&](auto& v) { return v == values[0]; });
     std::string shown = all_equal ? values[0] : "[";

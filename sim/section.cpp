@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cmath>
 #include <sstream>
 
@@ -9,16 +11,23 @@
 namespace fantail::sim {
 namespace {
 
+// The shortest decimal that is this value: a number just beyond a limit must not look like the limit.
 std::string shown(double value) {
-  std::ostringstream text;
-  text << value;
-  return text.str();
+  std::array<char, 32> text{};
+  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
 }
 
+// On one line, whatever it is, and not longer than a message can bear.
 std::string shown(const toml::node& node) {
-  std::ostringstream text;
-  node.visit([&](const auto& concrete) { text << concrete; });
-  return text.str();
+  std::ostringstream toml;
+  node.visit([&](const auto& concrete) { toml << concrete; });
+  std::istringstream words{toml.str()};
+  std::string text;
+  for (std::string word; words >> word;) {
+    text += (text.empty() ? "" : " ") + word;
+  }
+  constexpr std::size_t longest = 60;
+  return text.size() <= longest ? text : text.substr(0, longest) + "...";
 }
 
 }  // namespace

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "core/finite.hpp"
 
-#include <gtest/gtest.h>
-
 #include <limits>
+
+#include <gtest/gtest.h>
 
 namespace fantail::core {
 namespace {

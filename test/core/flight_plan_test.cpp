@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "core/flight_plan.hpp"
 
-#include <gtest/gtest.h>
-#include <rapidcheck/gtest.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <set>
 #include <string>
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
 
 #include "core/flight_plan_fields.hpp"
 #include "plan_generator.hpp"
@@ -56,8 +56,8 @@ TEST(FlightPlan, EveryFieldSaysWhatItIsAndNoTwoShareAName) {
 
 TEST(FlightPlan, TheUnitOfAFieldEndsItsName) {
   const std::pair<std::string_view, std::string_view> endings[] = {
-      {"deg", "_deg"}, {"s", "_s"}, {"g", "_g"}, {"m", "_m"}, {"m/s", "_m_s"}, {"Hz", "_hz"}, {"Hz/s", "_hz_s"},
-      {"deg/s", "_deg_s"}, {"us", "_us"}, {"us/deg", "_per_degree_us"}};
+      {"deg", "_deg"}, {"s", "_s"},       {"g", "_g"},         {"m", "_m"},   {"m/s", "_m_s"},
+      {"Hz", "_hz"},   {"Hz/s", "_hz_s"}, {"deg/s", "_deg_s"}, {"us", "_us"}, {"us/deg", "_per_degree_us"}};
   for (const PlanField& f : flight_plan_fields()) {
     if (f.unit.empty() || f.key == "derivative_gain_s" || f.key == "pulse_centre_us") {
       continue;
@@ -107,7 +107,8 @@ TEST(FlightPlan, EveryFieldAcceptsItsEndsAndRefusesWhatLiesJustBeyond) {
       for (const float end : {f.minimum, f.maximum}) {
         f.set(plan, slot, end);
         EXPECT_FALSE(out_of_range(plan, f, slot)) << f.key << " = " << end;
-        EXPECT_FALSE(f.kind == FieldKind::number && f.allows(std::nextafter(end, end == f.minimum ? -infinity : infinity)));
+        EXPECT_FALSE(f.kind == FieldKind::number &&
+                     f.allows(std::nextafter(end, end == f.minimum ? -infinity : infinity)));
       }
       if (f.kind != FieldKind::number) {
         continue;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "core/tick_record.hpp"
 
-#include <gtest/gtest.h>
-
 #include <set>
+
+#include <gtest/gtest.h>
 
 namespace fantail::core {
 namespace {
