@@ -50,7 +50,7 @@ core::EncoderAngles encoder_angles(const hal::EncoderReading& raw, const core::C
   constexpr float turn_rad = 2.0F * core::pi;
   core::EncoderAngles angles;
   for (std::size_t i = 0; i < angles.size(); ++i) {
-    if (raw.each[i].status != hal::Status::ok) {
+    if (raw.each[i].status != hal::Status::ok || raw.each[i].counts >= hal::encoder_counts_per_turn) {
       continue;
     }
     float angle_rad = static_cast<float>(raw.each[i].counts) * (turn_rad / hal::encoder_counts_per_turn) -

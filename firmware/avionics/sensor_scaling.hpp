@@ -22,7 +22,8 @@ namespace fantail::avionics {
 [[nodiscard]] core::AccelerometerSample accelerometer_sample(hal::Microseconds time, const hal::Counts& counts,
                                                              hal::Status status, float scale_m_s2);
 
-/// Shaft angles in (-180, 180] degrees about the plan's encoder zeros.
+/// Shaft angles in (-180, 180] degrees about the plan's encoder zeros; empty where the device reported no valid reading
+/// or a count that one turn does not have.
 [[nodiscard]] core::EncoderAngles encoder_angles(const hal::EncoderReading& raw, const core::CanardsPlan& canards);
 
 /// Servo pulses, to the nearest nanosecond; empty for a canard that is not driven.

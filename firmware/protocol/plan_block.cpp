@@ -45,6 +45,10 @@ std::size_t payload_size() {
 
 PlanBlockReading refuse(PlanBlockFault fault) { return {.plan = {}, .fault = fault}; }
 
+PlanBlockReading refuse(const core::PlanFault& fault) {
+  return {.plan = {}, .fault = PlanBlockFault::refused, .plan_fault = fault};
+}
+
 }  // namespace
 
 std::uint32_t plan_schema_hash() {
@@ -91,17 +95,21 @@ PlanBlockReading read_plan_block(std::span<const std::byte> block) {
       return refuse(PlanBlockFault::no_plan_block);
     }
   }
+  // The length first, because a block that was cut off also has a wrong checksum, which would say less.
+  const std::size_t payload = get(block, 6, 2);
+  if (block.size() != header_size + payload + checksum_size) {
+    return refuse(PlanBlockFault::wrong_length);
+  }
   if (get(block, block.size() - checksum_size) != crc32c(block.first(block.size() - checksum_size))) {
     return refuse(PlanBlockFault::wrong_checksum);
   }
-  if (get(block, 4, 2) > plan_block_version) {
-    return refuse(PlanBlockFault::newer_version);
+  if (get(block, 4, 2) != plan_block_version) {
+    return refuse(PlanBlockFault::other_version);
   }
   if (get(block, 8) != plan_schema_hash()) {
     return refuse(PlanBlockFault::other_schema);
   }
-  const std::size_t payload = payload_size();
-  if (get(block, 6, 2) != payload || block.size() != header_size + payload + checksum_size) {
+  if (payload != payload_size()) {
     return refuse(PlanBlockFault::wrong_length);
   }
 
@@ -111,7 +119,7 @@ PlanBlockReading read_plan_block(std::span<const std::byte> block) {
     if (field.is_list()) {
       const std::uint32_t length = get(block, at);
       if (length > field.slots) {
-        return refuse(PlanBlockFault::refused);
+        return refuse(core::PlanFault{&field, 0, "too many values"});
       }
       field.set_length(plan, length);
       at += 4;
@@ -120,13 +128,13 @@ PlanBlockReading read_plan_block(std::span<const std::byte> block) {
       const std::uint32_t bits = get(block, at);
       field.set_bits(plan, slot, bits);
       if (field.get_bits(plan, slot) != bits) {  // did not fit the field's type
-        return refuse(PlanBlockFault::refused);
+        return refuse(core::PlanFault{&field, slot, "out of range"});
       }
       at += 4;
     }
   }
   if (const auto fault = core::validate(plan)) {
-    return {.plan = {}, .fault = PlanBlockFault::refused, .plan_fault = fault};
+    return refuse(*fault);
   }
   return {.plan = plan};
 }

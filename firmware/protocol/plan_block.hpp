@@ -26,11 +26,11 @@ inline constexpr std::size_t largest_plan_block = 1024;
 enum class PlanBlockFault : std::uint8_t {
   too_short,
   no_plan_block,  ///< it does not begin with the four letters
-  newer_version,
-  other_schema,  ///< written for another table of fields
-  wrong_length,
+  wrong_length,   ///< cut off or run on, or not the length of this table of fields
   wrong_checksum,
-  refused,  ///< intact, but its plan does not pass core::validate()
+  other_version,
+  other_schema,  ///< written for another table of fields
+  refused,       ///< intact, but its plan does not pass core::validate()
 };
 
 /// Number of bytes written; `out` has room for largest_plan_block.

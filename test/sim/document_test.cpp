@@ -30,8 +30,9 @@ TEST(Document, EveryKindOfBrokenTomlIsBadDataWithAPlace) {
   for (const std::string_view content :
        {std::string_view{"[controller"}, std::string_view{"a = \"open\nb = 1"}, std::string_view{"a = 1 b = 2"},
         std::string_view{"a = [1, 2"}, std::string_view{"a = 99999999999999999999"}, std::string_view{"a\0b = 1", 7},
-        std::string_view{"a = \"\xff\xfe\""}, std::string_view{"= 1"}, std::string_view{"\x7f"
-                                                                                        "ELF"}}) {
+        std::string_view{"a = \"\xff\xfe\""}, std::string_view{"= 1"},
+        std::string_view{"\x7f"
+                         "ELF"}}) {
     const Complaint broken = refusal_of_file(content);
     EXPECT_EQ(broken.fault, InputFault::bad_data);
     EXPECT_TRUE(broken.message.starts_with("plan.toml:1:") || broken.message.starts_with("plan.toml:2:"))

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "sim/plan_file.hpp"
 
-#include <gtest/gtest.h>
-
 #include <charconv>
 #include <sstream>
+
+#include <gtest/gtest.h>
 
 #include "core/flight_plan_fields.hpp"
 #include "scratch_file.hpp"
@@ -150,8 +150,9 @@ TEST(PlanFile, UnknownKeysAndSectionsAreRefusedWithASuggestion) {
 TEST(PlanFile, RulesAcrossFieldsNameTheFieldItsLineAndTheRule) {
   EXPECT_EQ(refusal("[reference]\nkind = \"steps\""),
             "plan.toml:1: reference.step_times_s is refused: kind = \"steps\" needs at least one step");
-  EXPECT_EQ(refusal("[reference]\nstep_times_s = [1, 2]\nstep_angles_deg = [1]"),
-            "plan.toml:2: reference.step_times_s is refused: step_times_s and step_angles_deg must have the same length");
+  EXPECT_EQ(
+      refusal("[reference]\nstep_times_s = [1, 2]\nstep_angles_deg = [1]"),
+      "plan.toml:2: reference.step_times_s is refused: step_times_s and step_angles_deg must have the same length");
   EXPECT_EQ(refusal("[reference]\nstep_times_s = [2, 1]\nstep_angles_deg = [1, 2]"),
             "plan.toml:2: reference.step_times_s = 1 is refused: step times must increase");
   EXPECT_EQ(refusal("[controller]\ncanard_limit_deg = 4\n[canards]\ntrim_deg = [0, 0, -4, 0]"),
@@ -164,8 +165,9 @@ TEST(PlanFile, OverridesWinAndAreNamedInEveryRefusal) {
   EXPECT_EQ(plan_of("", {"excitation.form=product"}).excitation.form, core::ExcitationForm::product);
   EXPECT_EQ(plan_of("", {"launch_detection.low_pass=false"}).launch_detection.low_pass, false);
   EXPECT_EQ(plan_of("", {"canards.trim_deg=[1, 2, 3, 4]"}).canards.each[2].trim, core::Angle::from_degrees(3.0F));
-  EXPECT_EQ(refusal("[controller]\ncanard_limit_deg = 6", {"controller.canard_limit_deg=30"}),
-            "--set controller.canard_limit_deg=30: controller.canard_limit_deg = 30 is out of range; allowed: 0.5 to 20");
+  EXPECT_EQ(
+      refusal("[controller]\ncanard_limit_deg = 6", {"controller.canard_limit_deg=30"}),
+      "--set controller.canard_limit_deg=30: controller.canard_limit_deg = 30 is out of range; allowed: 0.5 to 20");
   EXPECT_EQ(refusal("", {"controller.kp=1"}), "--set controller.kp=1: unknown key controller.kp");
   EXPECT_EQ(refusal("", {"contoller.x=1"}),
             "--set contoller.x=1: unknown section [contoller]; did you mean controller?");
@@ -188,7 +190,8 @@ TEST(PlanFile, EveryMillisecondOfTenMinutesIsKeptExactly) {
 
 TEST(PlanFile, TheTableOfAPlanReadsBackAsThePlan) {
   const core::FlightPlan plan = plan_of(
-      "[run]\ncontrol_time_s = 123.456\n[canards]\ntrim_deg = [1, -2.5, 0.1, 0]\ndirection = [\"normal\", \"reversed\", "
+      "[run]\ncontrol_time_s = 123.456\n[canards]\ntrim_deg = [1, -2.5, 0.1, 0]\ndirection = [\"normal\", "
+      "\"reversed\", "
       "\"normal\", \"normal\"]\nencoder_zero_deg = 179.98\n[reference]\nkind = \"steps\"\nstep_times_s = [1, "
       "300.001]\nstep_angles_deg = [-20, 33.3]\n[excitation]\nvariation_seed = 16777215\n");
   EXPECT_TRUE(same(plan_of(plan_table(plan)), plan)) << plan_table(plan);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include <gtest/gtest.h>
-
 #include <array>
+
+#include <gtest/gtest.h>
 
 #include "scratch_file.hpp"
 #include "sim/document.hpp"
@@ -57,8 +57,7 @@ TEST_F(ASection, ThatIsAbsentGivesWhatIsMeantOtherwise) {
 TEST_F(ASection, RefusesANumberOutOfRangeWithPlaceNameValueAndRange) {
   const auto read = [](Section& s) { (void)s.number("a", limits); };
   EXPECT_EQ(refusal("[s]\n\na = 21", read), "plan.toml:3: s.a = 21 is out of range; allowed: 0.1 to 20");
-  EXPECT_EQ(refusal("[s]\na = 20.0000001", read),
-            "plan.toml:2: s.a = 20.0000001 is out of range; allowed: 0.1 to 20");
+  EXPECT_EQ(refusal("[s]\na = 20.0000001", read), "plan.toml:2: s.a = 20.0000001 is out of range; allowed: 0.1 to 20");
   EXPECT_EQ(refusal("[s]\na = nan", read), "plan.toml:2: s.a = nan is out of range; allowed: 0.1 to 20");
   EXPECT_EQ(refusal("[s]\na = -inf", read), "plan.toml:2: s.a = -inf is out of range; allowed: 0.1 to 20");
 }
@@ -67,10 +66,10 @@ TEST_F(ASection, RefusesTheWrongTypeOnOneLine) {
   const auto number = [](Section& s) { (void)s.number("a", limits); };
   EXPECT_EQ(refusal("[s]\na = \"six\"", number), "plan.toml:2: s.a = 'six' is not a number; allowed: 0.1 to 20");
   EXPECT_EQ(refusal("[s]\na = true", number), "plan.toml:2: s.a = true is not a number; allowed: 0.1 to 20");
-  for (const std::string_view content : {"[s]\na = [6]", "[s]\na = {x = 1, y = 2}", "[s.a]\nx = 1\ny = 2",
-                                         "[[s.a]]\nx = 1\n[[s.a]]\nx = 2", "[s]\na = \"\"\"two\nlines\"\"\"",
-                                         "[s]\na = [1, [2, 3], {x = 1}, 'a long word', 'another long word', 'third']",
-                                         "[s]\na = 2015-12-04"}) {
+  for (const std::string_view content :
+       {"[s]\na = [6]", "[s]\na = {x = 1, y = 2}", "[s.a]\nx = 1\ny = 2", "[[s.a]]\nx = 1\n[[s.a]]\nx = 2",
+        "[s]\na = \"\"\"two\nlines\"\"\"", "[s]\na = [1, [2, 3], {x = 1}, 'a long word', 'another long word', 'third']",
+        "[s]\na = 2015-12-04"}) {
     EXPECT_TRUE(refusal(content, number).starts_with("plan.toml:")) << content;
     EXPECT_TRUE(refusal(content, number).ends_with(" is not a number; allowed: 0.1 to 20")) << refusal(content, number);
   }

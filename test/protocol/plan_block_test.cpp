@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: MIT
+#include "protocol/plan_block.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
+#include <cstring>
+#include <vector>
+
+#include "plan_generator.hpp"
+#include "protocol/crc32c.hpp"
+
+namespace fantail::protocol {
+namespace {
+
+using core::FlightPlan;
+using core::PlanField;
+using Block = std::vector<std::byte>;
+
+constexpr std::size_t header = 12;
+
+Block written(const FlightPlan& plan) {
+  std::array<std::byte, largest_plan_block> out{};
+  const std::size_t size = write_plan_block(plan, out);
+  return {out.begin(), out.begin() + static_cast<std::ptrdiff_t>(size)};
+}
+
+std::uint32_t word(const Block& block, std::size_t at) {
+  std::uint32_t value = 0;
+  for (std::size_t i = 4; i-- > 0;) {
+    value = value << 8U | static_cast<std::uint32_t>(block[at + i]);
+  }
+  return value;
+}
+
+void set_word(Block& block, std::size_t at, std::uint32_t value) {
+  for (std::size_t i = 0; i < 4; ++i) {
+    block[at + i] = static_cast<std::byte>(value >> (8U * i));
+  }
+}
+
+// A block changed on purpose, by somebody who knows about the checksum.
+Block sealed(Block block) {
+  const std::size_t body = block.size() - 4;
+  set_word(block, body, crc32c(std::span{block}.first(body)));
+  return block;
+}
+
+PlanBlockFault fault_of(const Block& block) {
+  const PlanBlockReading reading = read_plan_block(block);
+  EXPECT_FALSE(reading.plan.has_value());
+  return reading.fault;
+}
+
+// Where the first slot of a field stands in the block; a list's length stands before it.
+std::size_t place_of(std::string_view key) {
+  std::size_t at = header;
+  for (const PlanField& field : core::flight_plan_fields()) {
+    at += field.is_list() ? 4 : 0;
+    if (field.key == key) {
+      return at;
+    }
+    at += 4 * field.slots;
+  }
+  ADD_FAILURE() << key;
+  return at;
+}
+
+bool same_bits(const FlightPlan& a, const FlightPlan& b) {
+  return std::ranges::all_of(core::flight_plan_fields(), [&](const PlanField& field) {
+    for (std::size_t slot = 0; slot < field.slots; ++slot) {
+      if (field.get_bits(a, slot) != field.get_bits(b, slot)) {
+        return false;
+      }
+    }
+    return field.used_slots(a) == field.used_slots(b);
+  });
+}
+
+RC_GTEST_PROP(PlanBlock, AnyPlanThatFliesComesBackToTheLastBit, ()) {
+  const FlightPlan plan = core::arbitrary_plan();
+  const Block block = written(plan);
+  const PlanBlockReading reading = read_plan_block(block);
+  RC_ASSERT(reading.plan.has_value());
+  RC_ASSERT(same_bits(*reading.plan, plan));
+  RC_ASSERT(written(*reading.plan) == block);
+}
+
+TEST(PlanBlock, BeginsAsItsHeaderSays) {
+  const Block block = written(core::default_plan());
+  EXPECT_EQ(std::memcmp(block.data(), "FTPL", 4), 0);
+  EXPECT_EQ(word(block, 4) & 0xFFFFU, 1U);
+  EXPECT_EQ(word(block, 4) >> 16U, block.size() - header - 4);
+  EXPECT_EQ(word(block, 8), plan_schema_hash());
+  EXPECT_EQ(word(block, block.size() - 4), crc32c(std::span{block}.first(block.size() - 4)));
+  EXPECT_EQ(word(block, place_of("control_time_s")), 30'000'000U);
+  EXPECT_EQ(word(block, place_of("proportional_gain")), 0x3F000000U);  // 0.5
+  EXPECT_LE(block.size(), largest_plan_block);
+}
+
+TEST(PlanBlock, EverySingleBitThatFlipsIsNoticed) {
+  Block block = written(core::default_plan());
+  for (std::size_t bit = 0; bit < 8 * block.size(); ++bit) {
+    const std::byte mask = std::byte{1} << (bit % 8);
+    block[bit / 8] ^= mask;
+    ASSERT_FALSE(read_plan_block(block).plan.has_value()) << "bit " << bit;
+    block[bit / 8] ^= mask;
+  }
+  EXPECT_TRUE(read_plan_block(block).plan.has_value());
+}
+
+TEST(PlanBlock, EveryBurstOfUpToFourWrongBytesIsNoticed) {
+  const Block block = written(core::default_plan());
+  for (std::size_t at = 0; at + 4 <= block.size(); ++at) {
+    for (std::size_t length = 1; length <= 4; ++length) {
+      Block spoilt = block;
+      for (std::size_t i = 0; i < length; ++i) {
+        spoilt[at + i] = ~spoilt[at + i];
+      }
+      ASSERT_FALSE(read_plan_block(spoilt).plan.has_value()) << at << " " << length;
+    }
+  }
+}
+
+TEST(PlanBlock, WhateverIsWrongIsCalledByItsName) {
+  const Block block = written(core::default_plan());
+  EXPECT_EQ(fault_of({}), PlanBlockFault::too_short);
+  EXPECT_EQ(fault_of(Block(15)), PlanBlockFault::too_short);
+  EXPECT_EQ(fault_of(Block(1024, std::byte{0xFF})), PlanBlockFault::no_plan_block) << "erased flash";
+  EXPECT_EQ(fault_of(Block(1024)), PlanBlockFault::no_plan_block);
+
+  Block other = block;
+  other[0] = std::byte{'X'};
+  EXPECT_EQ(fault_of(sealed(other)), PlanBlockFault::no_plan_block);
+
+  for (const unsigned version : {0U, 2U, 255U}) {
+    other = block;
+    other[4] = static_cast<std::byte>(version);
+    EXPECT_EQ(fault_of(sealed(other)), PlanBlockFault::other_version) << version;
+  }
+
+  other = block;
+  other[8] ^= std::byte{1};
+  EXPECT_EQ(fault_of(sealed(other)), PlanBlockFault::other_schema);
+
+  other = block;
+  other[block.size() - 5] ^= std::byte{1};
+  EXPECT_EQ(fault_of(other), PlanBlockFault::wrong_checksum);
+}
+
+TEST(PlanBlock, AWrongLengthIsCalledThatBeforeItsChecksumIs) {
+  const Block block = written(core::default_plan());
+  EXPECT_EQ(fault_of({block.begin(), block.end() - 1}), PlanBlockFault::wrong_length);
+  EXPECT_EQ(fault_of({block.begin(), block.begin() + 16}), PlanBlockFault::wrong_length);
+  Block longer = block;
+  longer.push_back(std::byte{0});
+  EXPECT_EQ(fault_of(longer), PlanBlockFault::wrong_length);
+  // And one whose header agrees with its size, but not with the table of fields.
+  longer = block;
+  longer.resize(block.size() + 4);
+  longer[6] ^= std::byte{4};
+  const std::size_t payload = longer.size() - header - 4;
+  longer[6] = static_cast<std::byte>(payload);
+  longer[7] = static_cast<std::byte>(payload >> 8U);
+  EXPECT_EQ(fault_of(sealed(longer)), PlanBlockFault::wrong_length);
+}
+
+TEST(PlanBlock, AnIntactBlockWithAPlanThatMustNotFlyIsRefusedByField) {
+  const Block block = written(core::default_plan());
+  struct Case {
+    std::string_view key;
+    std::uint32_t bits;
+  };
+  for (const Case& bad : {Case{"canard_limit_deg", 0x42B40000U},   // 90 rad
+                          Case{"proportional_gain", 0x7FC00000U},  // NaN
+                          Case{"trim_deg", 0xFF800000U},           // -infinity
+                          Case{"control_time_s", 0xFFFFFFFFU},     // 71 minutes
+                          Case{"height_origin", 3U}, Case{"variation_seed", 16'777'216U}}) {
+    Block other = block;
+    set_word(other, place_of(bad.key), bad.bits);
+    const PlanBlockReading reading = read_plan_block(sealed(other));
+    EXPECT_FALSE(reading.plan.has_value()) << bad.key;
+    EXPECT_EQ(reading.fault, PlanBlockFault::refused) << bad.key;
+    ASSERT_TRUE(reading.plan_fault.has_value()) << bad.key;
+    EXPECT_EQ(reading.plan_fault->field->key, bad.key);
+  }
+}
+
+TEST(PlanBlock, BitsThatDoNotFitTheirFieldAreRefusedByField) {
+  const Block block = written(core::default_plan());
+  for (const std::string_view key : {"low_pass", "start", "direction"}) {
+    for (const std::uint32_t bits : {2U, 256U, 0x80000000U}) {
+      Block other = block;
+      set_word(other, place_of(key), bits);
+      const PlanBlockReading reading = read_plan_block(sealed(other));
+      EXPECT_EQ(reading.fault, PlanBlockFault::refused) << key << " = " << bits;
+      ASSERT_TRUE(reading.plan_fault.has_value()) << key << " = " << bits;
+      EXPECT_EQ(reading.plan_fault->field->key, key);
+    }
+  }
+  for (const std::uint32_t length : {9U, 256U, 0xFFFFFFFFU}) {
+    Block other = block;
+    set_word(other, place_of("step_times_s") - 4, length);
+    const PlanBlockReading reading = read_plan_block(sealed(other));
+    EXPECT_EQ(reading.fault, PlanBlockFault::refused) << length;
+    ASSERT_TRUE(reading.plan_fault.has_value()) << length;
+    EXPECT_EQ(reading.plan_fault->field->key, "step_times_s");
+  }
+}
+
+RC_GTEST_PROP(PlanBlock, NoHeapOfBytesIsAPlan, (std::vector<std::uint8_t> noise)) {
+  Block block(noise.size());
+  std::ranges::transform(noise, block.begin(), [](std::uint8_t byte) { return std::byte{byte}; });
+  RC_ASSERT(!read_plan_block(block).plan.has_value());
+}
+
+}  // namespace
+}  // namespace fantail::protocol
