@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "avionics/sensor_scaling.hpp"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
+
+#include <gtest/gtest.h>
 
 #include "core/flight_plan_fields.hpp"
 

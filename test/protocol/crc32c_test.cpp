@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "protocol/crc32c.hpp"
 
-#include <gtest/gtest.h>
-
 #include <array>
 #include <string_view>
+
+#include <gtest/gtest.h>
 
 namespace fantail::protocol {
 namespace {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "protocol/plan_block.hpp"
 
-#include <gtest/gtest.h>
-#include <rapidcheck/gtest.h>
-
 #include <algorithm>
 #include <cstring>
 #include <vector>
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
 
 #include "plan_generator.hpp"
 #include "protocol/crc32c.hpp"
