@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "sim/elementary.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>

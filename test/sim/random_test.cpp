@@ -2,6 +2,7 @@
 #include "sim/random.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <vector>

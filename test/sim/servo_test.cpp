@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "sim/servo.hpp"
 
+#include <algorithm>
 #include <deque>
 #include <stdexcept>
+#include <utility>
 
 #include <gtest/gtest.h>
 
