@@ -17,6 +17,7 @@ endif()
 if(FANTAIL_SANITIZE)
   target_compile_options(fantail_flags INTERFACE
     -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  target_compile_definitions(fantail_flags INTERFACE _GLIBCXX_ASSERTIONS)
   target_link_options(fantail_flags INTERFACE -fsanitize=address,undefined)
 endif()
 if(FANTAIL_COVERAGE)

@@ -135,6 +135,7 @@ constexpr PlanField list(PlanField field) {
 }
 
 // clang-format off: one field a row reads better than one argument a line
+// NOLINTNEXTLINE(bugprone-macro-parentheses): a member's name in parentheses is no longer one
 #define MEMBER(expression) [](auto& p, [[maybe_unused]] std::size_t i) -> auto& { return p.expression; }
 constexpr auto fields = std::to_array<PlanField>({
   choice<MEMBER(run.start)>("run", "start", start_names, "how control begins: by launch detection, or on command in the tunnel"),
