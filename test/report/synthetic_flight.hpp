@@ -9,9 +9,9 @@
 
 namespace fantail::report {
 
-/// A hand-made flight: 1 kHz from -0.5 s to 4.5 s, detected at 0.2 s, control from 0.6 s to 4.6 s exclusive (to the end
-/// of the rows unless a test says otherwise), disturbance -5 deg, gain 0.5, limit 9 deg, reference 0, and the roll
-/// angle exactly at its settle point of -10 deg.
+/// A hand-made flight: 1 kHz from -0.5 s to 4.5 s, detected at 0.2 s, control from 0.6 s to the end of the rows (3901
+/// ticks), disturbance -5 deg, gain 0.5, limit 9 deg, reference 0, and under control the roll angle exactly at its
+/// settle point of -10 deg.
 class SyntheticFlight {
  public:
   SyntheticFlight() {

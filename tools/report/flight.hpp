@@ -44,13 +44,13 @@ struct Row {
 
 /// Times on the rows' clock. Empty: it did not happen, or nobody could see it.
 struct Events {
-  std::optional<double> liftoff_s;
-  std::optional<double> detected_s;
-  std::optional<double> guide_clear_s;  ///< the rocket truly left the guide; control starts some way above it
-  std::optional<double> control_start_s;
-  std::optional<double> control_end_s;
-  std::optional<double> burnout_s;
-  std::optional<double> apogee_s;
+  std::optional<double> liftoff_s{};
+  std::optional<double> detected_s{};
+  std::optional<double> guide_clear_s{};  ///< the rocket truly left the guide; control starts some way above it
+  std::optional<double> control_start_s{};
+  std::optional<double> control_end_s{};
+  std::optional<double> burnout_s{};
+  std::optional<double> apogee_s{};
 };
 
 /// A roll state that the scenario set by hand, because no model explains it.

@@ -22,6 +22,15 @@ std::string head(const Flight& flight) {
       escape_html(flight.scenario), uplot_css, page_css);
 }
 
+// A formula does not break across lines.
+std::string with_formula(std::string text) {
+  static constexpr std::string_view formula = "R + u_d/kp";
+  if (const std::size_t at = text.find(formula); at != std::string::npos) {
+    text.replace(at, formula.size(), "<span class=\"formula\">R + u_d/kp</span>");
+  }
+  return text;
+}
+
 std::string opening(const Flight& flight, const Verdict& verdict) {
   const std::string imposed = imposed_roll_words(flight);
   return fmt::format(
@@ -29,7 +38,8 @@ std::string opening(const Flight& flight, const Verdict& verdict) {
       "<p class=\"run\">Vehicle <b>{}</b>, plan <b>{}</b>, seed {}, Fantail {}</p>\n</header>\n"
       "<section class=\"verdict {}\">\n<h2>{}</h2>\n<p>{}</p>\n{}</section>\n",
       escape_html(flight.scenario), escape_html(flight.vehicle), escape_html(flight.plan_name), flight.seed,
-      escape_html(flight.version), name(verdict.outcome), words(verdict.outcome), escape_html(verdict.text),
+      escape_html(flight.version), name(verdict.outcome), words(verdict.outcome),
+      with_formula(escape_html(verdict.text)),
       imposed.empty() ? "" : "<p class=\"imposed\">" + escape_html(imposed) + "</p>\n");
 }
 

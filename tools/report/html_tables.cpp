@@ -53,14 +53,14 @@ std::string figure_list(const Flight& flight, const Figures& f) {
   const std::string limit = "limit " + brief(degrees(canard_limit_rad(flight.plan)), 1) + " deg";
   std::string list = "<dl class=\"figures\">\n";
   list += figure("Apogee", f.apogee_m, 1, "m");
-  list += figure(flight.tunnel ? "Air speed, most" : "Speed, most", f.max_speed_m_s, 1, "m/s");
+  list += figure(flight.tunnel ? "Largest air speed" : "Top speed", f.max_speed_m_s, 1, "m/s");
   list += figure("Control starts", flight.events.control_start_s, 3, "s",
                  f.control_start_height_m ? "at " + fixed(*f.control_start_height_m, 2) + " m" : "");
   list += figure("Time under control", f.control_time_s, 2, "s");
-  list += figure("Hold error, most", in_degrees(f.largest_hold_error_rad), 1, "deg",
+  list += figure("Largest hold error", in_degrees(f.largest_hold_error_rad), 1, "deg",
                  f.mean_hold_error_rad ? "mean " + fixed(degrees(*f.mean_hold_error_rad), 2) + " deg" : "");
   list += figure("Saturated", saturated, 1, "%", "of control time");
-  list += figure("Fin offset, most", in_degrees(f.largest_disturbance_rad), 1, "deg", "true u_d under control");
+  list += figure("Largest fin offset", in_degrees(f.largest_disturbance_rad), 1, "deg", "true u_d under control");
   list += figure("Authority margin", in_degrees(f.authority_margin_rad), 1, "deg", limit);
   list += figure("Net roll", f.roll_turns, 2, "turns", "under control");
   list += fmt::format("<div><dt>Final phase</dt><dd>{}</dd></div>\n</dl>\n", words(f.final_phase));
@@ -77,8 +77,9 @@ std::string figure_list(const Flight& flight, const Figures& f) {
 std::string phase_legend(const Flight& flight) {
   std::string legend = "<p class=\"phases\">Phases:";
   std::array<bool, 5> named{};
+  const double begin_s = plot_window(flight).begin_s;
   for (const PhaseBand& band : phase_bands(flight)) {
-    if (band.end_s > plot_begin_s(flight) && !named[static_cast<std::size_t>(band.phase)]) {
+    if (band.end_s > begin_s && !named[static_cast<std::size_t>(band.phase)]) {
       named[static_cast<std::size_t>(band.phase)] = true;
       legend += fmt::format(" <span><i class=\"{}\"></i>{}</span>", core::name(band.phase), words(band.phase));
     }

@@ -23,10 +23,10 @@ namespace {
 constexpr double width = 860.0;
 constexpr double left = 56.0;
 constexpr double right = 848.0;
-constexpr double top = 62.0;
-constexpr double bottom = 330.0;
+constexpr double top = 78.0;
+constexpr double bottom = 346.0;
 constexpr double label_width_per_letter = 6.6;  // of the 12 px labels, on the safe side
-constexpr int label_rows = 3;
+constexpr int label_rows = 4;
 
 enum Line : std::size_t { reference, settle, truth, estimate, line_count };
 constexpr std::array<std::string_view, line_count> line_class{"reference", "settle", "truth", "estimate"};
@@ -68,8 +68,8 @@ class Picture {
   }
 
   std::string draw() {
-    add("<svg class=\"overview\" xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {} 394\" role=\"img\" "
-        "aria-label=\"Roll angle over time\"><style>{}</style><rect class=\"paper\" width=\"{}\" height=\"394\"/>",
+    add("<svg class=\"overview\" xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {} 410\" role=\"img\" "
+        "aria-label=\"Roll angle over time\"><style>{}</style><rect class=\"paper\" width=\"{}\" height=\"410\"/>",
         width, overview_css, width);
     bands();
     grid();
@@ -179,7 +179,7 @@ class Picture {
     double at = left;
     for (std::size_t line = line_count; line-- > 0;) {
       if (drawn_[line]) {
-        add("<path class=\"{}\" d=\"M{} 378h22\"/><text class=\"tick\" x=\"{}\" y=\"382\">{}</text>", line_class[line],
+        add("<path class=\"{}\" d=\"M{} 394h22\"/><text class=\"tick\" x=\"{}\" y=\"398\">{}</text>", line_class[line],
             at, at + 28.0, line_name[line]);
         at += 28.0 + 7.0 * static_cast<double>(line_name[line].size()) + 22.0;
       }
@@ -198,12 +198,9 @@ class Picture {
 }  // namespace
 
 std::string overview_svg(const Flight& flight) {
-  const double begin_s = plot_begin_s(flight);
-  const auto first = std::ranges::find_if(flight.rows, [begin_s](const Row& row) { return row.time_s >= begin_s; });
-  if (first == flight.rows.end()) {
-    return {};
-  }
-  return Picture{flight, {first, flight.rows.end()}}.draw();
+  const Window window = plot_window(flight);
+  const std::span<const Row> rows = rows_between(flight, window.begin_s, window.end_s);
+  return rows.empty() ? std::string{} : Picture{flight, rows}.draw();
 }
 
 }  // namespace fantail::report

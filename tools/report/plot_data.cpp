@@ -183,16 +183,22 @@ Json limits(const core::FlightPlan& plan) {
           {"stop", text_degrees(stop)}};
 }
 
-// Stretches worth a button of their own.
-Json views(const Flight& flight, double begin_s, double end_s) {
-  Json all =
-      Json::array({{{"label", flight.tunnel ? "Whole run" : "Whole flight"}, {"begin", begin_s}, {"end", end_s}}});
+// Stretches worth a button of their own; the first is shown at first.
+Json views(const Flight& flight, const Window& window) {
+  Json all = Json::array();
+  const auto add = [&all](const char* label, double begin_s, double end_s) {
+    all.push_back({{"label", label}, {"begin", begin_s}, {"end", end_s}});
+  };
   const Events& e = flight.events;
+  add(flight.tunnel ? "Run" : "Flight", window.begin_s, window.end_s);
   if (!flight.tunnel && e.liftoff_s && e.control_start_s) {
-    all.push_back({{"label", "Launch"}, {"begin", *e.liftoff_s - 0.2}, {"end", *e.control_start_s + 1.5}});
+    add("Launch", *e.liftoff_s - 0.2, *e.control_start_s + 1.5);
   }
   if (!flight.tunnel && e.control_start_s && e.control_end_s) {
-    all.push_back({{"label", "Control"}, {"begin", *e.control_start_s - 0.1}, {"end", *e.control_end_s + 0.1}});
+    add("Control", *e.control_start_s - 0.1, *e.control_end_s + 0.1);
+  }
+  if (!flight.rows.empty() && flight.rows.back().time_s > window.end_s) {
+    add("With descent", window.begin_s, flight.rows.back().time_s);
   }
   return all;
 }
@@ -200,9 +206,8 @@ Json views(const Flight& flight, double begin_s, double end_s) {
 }  // namespace
 
 std::string plot_data(const Flight& flight) {
-  const double begin_s = plot_begin_s(flight);
-  const auto first = std::ranges::find_if(flight.rows, [begin_s](const Row& row) { return row.time_s >= begin_s; });
-  const std::span<const Row> rows{first, flight.rows.end()};
+  const Window window = plot_window(flight);
+  const std::span<const Row> rows = rows_between(flight, window.begin_s, std::numeric_limits<double>::infinity());
 
   Json phases = Json::array();
   for (const PhaseBand& band : phase_bands(flight)) {
@@ -218,10 +223,7 @@ std::string plot_data(const Flight& flight) {
       drawn.push_back(std::move(one));
     }
   }
-  const double end_s = rows.empty() ? begin_s : rows.back().time_s;
-  const Json data = {{"begin", begin_s},
-                     {"end", end_s},
-                     {"views", views(flight, begin_s, end_s)},
+  const Json data = {{"views", views(flight, window)},
                      {"limits", limits(flight.plan)},
                      {"phases", phases},
                      {"events", events},

@@ -70,10 +70,26 @@ std::vector<EventMark> event_marks(const Flight& flight) {
   return marks;
 }
 
-double plot_begin_s(const Flight& flight) {
-  const double first_s = flight.rows.empty() ? 0.0 : flight.rows.front().time_s;
-  const std::optional<double> start = flight.events.liftoff_s ? flight.events.liftoff_s : flight.events.control_start_s;
-  return start ? std::max(first_s, *start - 1.0) : first_s;
+Window plot_window(const Flight& flight) {
+  if (flight.rows.empty()) {
+    return {};
+  }
+  Window window{flight.rows.front().time_s, flight.rows.back().time_s};
+  const Events& e = flight.events;
+  if (const auto start = e.liftoff_s ? e.liftoff_s : e.control_start_s) {
+    window.begin_s = std::max(window.begin_s, *start - 1.0);
+  }
+  if (e.control_end_s || e.apogee_s) {
+    const double over_s = std::max(e.control_end_s.value_or(window.begin_s), e.apogee_s.value_or(window.begin_s));
+    window.end_s = std::min(window.end_s, over_s + 0.5);
+  }
+  return window;
+}
+
+std::span<const Row> rows_between(const Flight& flight, double begin_s, double end_s) {
+  const auto first = std::ranges::lower_bound(flight.rows, begin_s, {}, &Row::time_s);
+  const auto last = std::ranges::upper_bound(first, flight.rows.end(), end_s, {}, &Row::time_s);
+  return {first, last};
 }
 
 }  // namespace fantail::report

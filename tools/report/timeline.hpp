@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -26,8 +27,15 @@ struct EventMark {
 /// In order of time.
 [[nodiscard]] std::vector<EventMark> event_marks(const Flight& flight);
 
-/// Where the plots begin: a second before lift-off or control start, so that minutes on the pad do not squeeze the
-/// flight. flight.csv has everything.
-[[nodiscard]] double plot_begin_s(const Flight& flight);
+/// What the plots show at first: from a second before lift-off or control start to half a second after control and
+/// apogee, so that neither minutes on the pad nor a tumbling descent squeeze the flight. flight.csv has everything.
+struct Window {
+  double begin_s = 0.0;
+  double end_s = 0.0;
+};
+[[nodiscard]] Window plot_window(const Flight& flight);
+
+/// The rows from a time up to and including another.
+[[nodiscard]] std::span<const Row> rows_between(const Flight& flight, double begin_s, double end_s);
 
 }  // namespace fantail::report

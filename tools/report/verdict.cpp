@@ -132,8 +132,8 @@ std::string_view name(Outcome outcome) {
 
 std::string_view words(Outcome outcome) {
   switch (outcome) {
-    case Outcome::held: return "Roll held";
-    case Outcome::not_held: return "Roll not held";
+    case Outcome::held: return "Held";
+    case Outcome::not_held: return "Not held";
     case Outcome::not_judged: return "Not judged";
     case Outcome::no_control: return "No control";
   }

@@ -25,6 +25,6 @@ struct Verdict {
 [[nodiscard]] Verdict verdict(const Flight& flight, const Figures& figures);
 
 [[nodiscard]] std::string_view name(Outcome outcome);   ///< for files: "held"
-[[nodiscard]] std::string_view words(Outcome outcome);  ///< for readers: "Roll held"
+[[nodiscard]] std::string_view words(Outcome outcome);  ///< for readers: "Held"
 
 }  // namespace fantail::report

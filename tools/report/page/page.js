@@ -11,8 +11,8 @@
   const styles = {
     reference: {color: "step", width: 1.5, stepped: true},
     settle: {color: "green", width: 1.8, dash: [7, 4], stepped: true},
-    truth: {color: "orange", width: 4.5, alpha: .75},
-    estimate: {color: "blue", width: 1.4},
+    truth: {color: "orange", width: 5.5, alpha: .55},
+    estimate: {color: "blue", width: 1.6},
     command: {color: "blue", width: 1.4},
     measured: {color: "orange", width: 2},
     excitation: {color: "grey", width: 1},
@@ -20,7 +20,7 @@
   const number = (value) => String(value).replace("-", "\u2212");
 
   const charts = [];
-  let view = [data.begin, data.end];
+  let view = [data.views[0].begin, data.views[0].end];
   let spreading = false;  // one plot's new range is being given to the others
 
   function show(begin, end) {
@@ -138,7 +138,7 @@
       cursor: {
         sync: {key: "fantail", setSeries: false, filters: {pub: (type) => type === "mousemove" || type === "mouseleave"}},
         drag: {x: true, y: false}, points: {size: 6}, y: false,
-        bind: {dblclick: () => () => show(data.begin, data.end)},
+        bind: {dblclick: () => () => show(data.views[0].begin, data.views[0].end)},
       },
       axes: [
         {...axis, size: 26, space: 60, values: (chart, ticks) => ticks.map(number)},
@@ -202,7 +202,9 @@
     button.addEventListener("click", () => show(begin, end));
     toolbar.append(button);
   }
-  toolbar.append("Drag across a plot to look closer; double-click shows everything.");
+  toolbar.append(Object.assign(document.createElement("span"), {
+    className: "hint", textContent: "Drag across a plot to look closer; double-click goes back.",
+  }));
 
   const heightOf = (plot) => isSmall(plot) ? 150 : plot.id === "roll-angle" ? 300 : 200;
   function build() {

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+#include "report/html.hpp"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <regex>
+
+#include "report/escape.hpp"
+#include "report/overview_svg.hpp"
+#include "synthetic_flight.hpp"
+
+namespace fantail::report {
+namespace {
+
+std::string page_of(const Flight& flight) {
+  const Figures f = figures(flight);
+  return html(flight, f, verdict(flight, f));
+}
+
+// What a reader without scripts gets.
+std::string without_scripts(const std::string& page) { return page.substr(0, page.find("<script")); }
+
+nlohmann::json plot_data_of(const std::string& page) {
+  const std::string tag = "id=\"flight-data\">";
+  const std::size_t begin = page.find(tag) + tag.size();
+  return nlohmann::json::parse(page.substr(begin, page.find("</script>", begin) - begin));
+}
+
+TEST(Html, LoadsNothingFromAnywhere) {
+  const std::string page = page_of(SyntheticFlight{}.flight);
+  EXPECT_EQ(page.find("src="), std::string::npos);
+  EXPECT_EQ(page.find("@import"), std::string::npos);
+  EXPECT_EQ(page.find("<link"), std::string::npos);
+  EXPECT_EQ(page.find("url("), std::string::npos);
+  EXPECT_FALSE(std::regex_search(page, std::regex{"href=[\"']?[^#\"']"}));
+  EXPECT_EQ(page.find("fetch("), std::string::npos);
+  EXPECT_EQ(page.find("XMLHttpRequest"), std::string::npos);
+}
+
+TEST(Html, CarriesTheLicenceOfThePlotLibrary) {
+  EXPECT_NE(page_of(SyntheticFlight{}.flight).find("Permission is hereby granted"), std::string::npos);
+}
+
+TEST(Html, SaysVerdictFiguresEventsAndPhasesWithoutScripts) {
+  SyntheticFlight synthetic;
+  synthetic.each_controlled([](Row& row) { row.roll_angle_rad += radians(2.1); });
+  const std::string text = without_scripts(page_of(synthetic.flight));
+  EXPECT_NE(text.find("Roll held within 2.1 deg of"), std::string::npos);
+  EXPECT_NE(text.find("<dt>Authority margin</dt><dd>4.0"), std::string::npos);
+  EXPECT_NE(text.find("<dt>Control starts</dt><dd>0.600"), std::string::npos);
+  EXPECT_NE(text.find("<td>Launch detected</td>"), std::string::npos);
+  EXPECT_NE(text.find("guide clear and fast enough"), std::string::npos);
+  EXPECT_NE(text.find("<svg"), std::string::npos);
+}
+
+TEST(Html, ListsWhatWasAssumedAndCallsAnImposedRollImposed) {
+  SyntheticFlight synthetic;
+  EXPECT_NE(without_scripts(page_of(synthetic.flight)).find("no imposed roll, no faults"), std::string::npos);
+  synthetic.flight.notes = {"Canard 3 is stuck from 2 s on."};
+  synthetic.flight.imposed_roll = ImposedRoll{0.21, radians(-0.6), radians(51.8)};
+  const std::string text = without_scripts(page_of(synthetic.flight));
+  EXPECT_NE(text.find("Roll was imposed by the scenario at 0.21 s: angle -0.6 deg, rate 51.8 deg/s."),
+            std::string::npos);
+  EXPECT_NE(text.find("<li>Canard 3 is stuck from 2 s on.</li>"), std::string::npos);
+}
+
+TEST(Html, TextFromFilesStaysText) {
+  SyntheticFlight synthetic;
+  const std::string attack = "</script><script>alert('1')</script>\"&";
+  synthetic.flight.scenario = synthetic.flight.vehicle = synthetic.flight.plan_name = synthetic.flight.version = attack;
+  synthetic.flight.notes = {attack};
+  const std::string page = page_of(synthetic.flight);
+  EXPECT_EQ(page.find("alert('1')"), std::string::npos);
+  EXPECT_NE(page.find("&lt;/script&gt;&lt;script&gt;alert(&#39;1&#39;)"), std::string::npos);
+}
+
+TEST(Html, NoTextCanCloseTheDataScript) {
+  EXPECT_EQ(escape_script_json(R"({"a":"</script><!--"})"), R"({"a":"\u003c/script>\u003c!--"})");
+}
+
+TEST(Html, PlotDataKeepsAPeakOfOneMillisecondAndTheLimits) {
+  SyntheticFlight synthetic;
+  for (int tick = 0; tick < 40'000; ++tick) {  // so long that most samples must go
+    synthetic.flight.rows.push_back(synthetic.flight.rows.back());
+    synthetic.flight.rows.back().time_s += 0.001;
+  }
+  synthetic.flight.rows[23'456].roll_rate_rad_s = radians(777.77);
+  const std::string page = page_of(synthetic.flight);
+  EXPECT_LT(page.size(), 1'500'000U);
+  const auto data = plot_data_of(page);
+  EXPECT_EQ(data["limits"]["plan"], 9.0);
+  EXPECT_EQ(data["limits"]["hard"], 20.0);
+  bool found = false;
+  for (const auto& plot : data["plots"]) {
+    ASSERT_EQ(plot["milliseconds"].size(), plot["series"][0]["hundredths"].size());
+    if (plot["id"] == "roll-rate") {
+      EXPECT_LT(plot["milliseconds"].size(), 20'000U);
+      for (std::size_t i = 0; i < plot["milliseconds"].size(); ++i) {
+        found = found || (plot["series"][1]["hundredths"][i] == 77'777 && plot["milliseconds"][i] == 22'956);
+      }
+    }
+  }
+  EXPECT_TRUE(found);
+}
+
+TEST(Html, AFlightWithoutARowStillMakesAPage) {
+  const std::string page = page_of(Flight{});
+  EXPECT_NE(page.find("No control: the rocket was never armed."), std::string::npos);
+  EXPECT_TRUE(plot_data_of(page)["plots"].empty());
+}
+
+TEST(OverviewSvg, IsCompleteInItselfAndHasNoNumberThatIsNone) {
+  SyntheticFlight synthetic;
+  synthetic.each_controlled([](Row& row) {
+    if (row.time_s > 3.0) {
+      row.truth.reset();
+    }
+  });
+  const std::string svg = overview_svg(synthetic.flight);
+  EXPECT_TRUE(svg.starts_with("<svg "));
+  EXPECT_TRUE(svg.ends_with("</svg>"));
+  EXPECT_NE(svg.find("xmlns=\"http://www.w3.org/2000/svg\""), std::string::npos);
+  EXPECT_EQ(svg.find("nan"), std::string::npos);
+  EXPECT_EQ(svg.find("inf"), std::string::npos);
+  EXPECT_NE(svg.find(">lift-off</text>"), std::string::npos);
+  EXPECT_NE(svg.find("class=\"controlling\""), std::string::npos);
+}
+
+}  // namespace
+}  // namespace fantail::report

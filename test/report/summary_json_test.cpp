@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#include "report/summary_json.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "synthetic_flight.hpp"
+
+namespace fantail::report {
+namespace {
+
+nlohmann::json summary_of(const Flight& flight) {
+  const Figures f = figures(flight);
+  return nlohmann::json::parse(summary_json(flight, f, verdict(flight, f)));
+}
+
+TEST(SummaryJson, HasEveryKeyOfTheContract) {
+  const auto summary = summary_of(SyntheticFlight{}.flight);
+  for (const char* key : {"scenario", "seed", "events", "apogee_m", "max_speed_m_s", "control_start_height_m",
+                          "saturated_fraction", "final_phase", "log_sha256", "version"}) {
+    EXPECT_TRUE(summary.contains(key)) << key;
+  }
+  for (const char* key : {"liftoff_s", "detected_s", "control_start_s", "burnout_s", "apogee_s"}) {
+    EXPECT_TRUE(summary["events"].contains(key)) << key;
+  }
+  EXPECT_EQ(summary["scenario"], "synthetic");
+  EXPECT_EQ(summary["seed"], 7);
+  EXPECT_EQ(summary["events"]["control_start_s"], 0.6);
+  EXPECT_EQ(summary["saturated_fraction"], 0.0);
+  EXPECT_EQ(summary["final_phase"], "controlling");
+  EXPECT_EQ(summary["outcome"], "held");
+  EXPECT_EQ(summary["authority_margin_deg"], 4.0);
+  EXPECT_EQ(summary["phase_changes"][1]["reason"], "launch_detected");
+}
+
+TEST(SummaryJson, WhatDoesNotExistIsNull) {
+  SyntheticFlight synthetic;
+  synthetic.never_controlled(-0.5, core::Phase::armed, core::PhaseReason::armed_by_switch_and_command);
+  const auto summary = summary_of(synthetic.flight);
+  EXPECT_TRUE(summary["log_sha256"].is_null());
+  EXPECT_TRUE(summary["events"]["apogee_s"].is_null());
+  EXPECT_TRUE(summary["apogee_m"].is_null());
+  EXPECT_TRUE(summary["saturated_fraction"].is_null());
+  EXPECT_TRUE(summary["authority_margin_deg"].is_null());
+  EXPECT_TRUE(summary["imposed_roll"].is_null());
+}
+
+TEST(SummaryJson, AnImposedRollIsCalledImposed) {
+  SyntheticFlight synthetic;
+  synthetic.flight.imposed_roll = ImposedRoll{0.21, radians(-0.6), radians(51.8)};
+  const auto imposed = summary_of(synthetic.flight)["imposed_roll"];
+  EXPECT_EQ(imposed["time_s"], 0.21);
+  EXPECT_EQ(imposed["angle_deg"], -0.6);
+  EXPECT_EQ(imposed["rate_deg_s"], 51.8);
+}
+
+TEST(SummaryJson, TheLargestSeedKeepsEveryDigit) {
+  SyntheticFlight synthetic;
+  synthetic.flight.seed = std::numeric_limits<std::uint64_t>::max();
+  EXPECT_EQ(summary_of(synthetic.flight)["seed"].get<std::uint64_t>(), synthetic.flight.seed);
+}
+
+TEST(SummaryJson, SurvivesNamesThatAreNoText) {
+  SyntheticFlight synthetic;
+  synthetic.flight.scenario = "\xff\"\n";
+  EXPECT_NO_THROW(summary_of(synthetic.flight));
+}
+
+}  // namespace
+}  // namespace fantail::report

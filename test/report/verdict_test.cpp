@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+#include "report/verdict.hpp"
+
+#include <gtest/gtest.h>
+
+#include "synthetic_flight.hpp"
+
+namespace fantail::report {
+namespace {
+
+Verdict verdict_of(const Flight& flight) { return verdict(flight, figures(flight)); }
+
+TEST(Verdict, AHeldFlightNamesErrorSaturationAndMargin) {
+  SyntheticFlight synthetic;
+  int count = 0;
+  synthetic.each_controlled([&count](Row& row) {
+    row.saturated = count++ < 234;  // 234 of 3901: 6.0 %
+    row.roll_angle_rad += radians(2.1);
+  });
+  const Verdict v = verdict_of(synthetic.flight);
+  EXPECT_EQ(v.outcome, Outcome::held);
+  EXPECT_EQ(v.text,
+            "Roll held within 2.1 deg of R + u_d/kp; saturated 6 % of control time; authority margin 4.0 deg.");
+}
+
+TEST(Verdict, ALargeErrorIsNotCalledHeld) {
+  SyntheticFlight synthetic;
+  synthetic.each_controlled([](Row& row) { row.roll_angle_rad += radians(-24.0); });
+  const Verdict v = verdict_of(synthetic.flight);
+  EXPECT_EQ(v.outcome, Outcome::not_held);
+  EXPECT_EQ(v.text,
+            "Roll not held: up to 24.0 deg from R + u_d/kp; saturated 0 % of control time; authority margin 4.0 deg.");
+}
+
+TEST(Verdict, AnOffsetBeyondTheCanardsIsSaidPlainly) {
+  SyntheticFlight synthetic;
+  synthetic.flight.plan.controller.canard_limit = core::Angle::from_degrees(6.0F);
+  synthetic.each_controlled([](Row& row) {
+    row.truth->disturbance_rad = radians(row.time_s < 1.6 ? -5.0 : -7.3);
+    row.command_rad = radians(6.0);
+    row.saturated = row.time_s >= 1.6795;
+  });
+  synthetic.end_control(4.4, core::PhaseReason::apogee);
+  const Verdict v = verdict_of(synthetic.flight);
+  EXPECT_EQ(v.outcome, Outcome::not_held);
+  // Saturated 1.68 .. 4.399 s: 2720 of 3800 ticks.
+  EXPECT_EQ(v.text,
+            "Canards at their limit (+6 deg) from 1.68 s to the end of control: the fin offset of -7.3 deg is more than "
+            "they can balance; roll not held. Saturated 72 % of control time; authority margin -1.3 deg.");
+}
+
+TEST(Verdict, CanardsAtTheirLimitForAnotherReasonAreNotBlamedOnTheOffset) {
+  SyntheticFlight synthetic;
+  synthetic.each_controlled([](Row& row) {
+    row.saturated = row.time_s > 3.4995;
+    row.command_rad = radians(-9.0);
+  });
+  EXPECT_EQ(verdict_of(synthetic.flight).text,
+            "Roll held within 0.0 deg of R + u_d/kp; saturated 26 % of control time; authority margin 4.0 deg. Canards "
+            "at their limit (-9 deg) from 3.50 s to the end of control.");
+}
+
+TEST(Verdict, WithoutALaunchThereIsNoControl) {
+  SyntheticFlight synthetic;
+  synthetic.never_controlled(-0.5, core::Phase::armed, core::PhaseReason::armed_by_switch_and_command);
+  const Verdict v = verdict_of(synthetic.flight);
+  EXPECT_EQ(v.outcome, Outcome::no_control);
+  EXPECT_EQ(v.text, "No control: no launch was detected.");
+}
+
+TEST(Verdict, EveryOtherWayToNoControlIsNamed) {
+  Flight never_armed = SyntheticFlight{}.flight;
+  never_armed.rows.clear();
+  never_armed.phase_changes.clear();
+  EXPECT_EQ(verdict_of(never_armed).text, "No control: the rocket was never armed.");
+
+  SyntheticFlight knock;
+  knock.flight.plan.guide.clearance_time = core::from_seconds(1.5F);
+  knock.never_controlled(1.7, core::Phase::armed, core::PhaseReason::guide_not_cleared_in_time);
+  EXPECT_EQ(verdict_of(knock.flight).text,
+            "No control: what looked like a launch did not clear the guide within 1.5 s (at 1.70 s).");
+
+  SyntheticFlight deaf;
+  deaf.never_controlled(0.3, core::Phase::armed, core::PhaseReason::gyro_failed_before_control);
+  EXPECT_EQ(verdict_of(deaf.flight).text, "No control: the gyro failed before control (at 0.30 s).");
+}
+
+TEST(Verdict, ALostGyroThatEndsControlIsNamed) {
+  SyntheticFlight synthetic;
+  synthetic.end_control(3.0, core::PhaseReason::gyro_failed);
+  const Verdict v = verdict_of(synthetic.flight);
+  EXPECT_EQ(v.outcome, Outcome::held);
+  EXPECT_TRUE(v.text.ends_with(" Control ended at 3.00 s: the gyro failed.")) << v.text;
+}
+
+TEST(Verdict, ControlThatNeverSettledIsNotJudged) {
+  SyntheticFlight synthetic;
+  synthetic.end_control(1.1, core::PhaseReason::gyro_failed);
+  const Verdict v = verdict_of(synthetic.flight);
+  EXPECT_EQ(v.outcome, Outcome::not_judged);
+  EXPECT_TRUE(v.text.starts_with("Roll not judged: control lasted only 0.50 s; saturated 0 %")) << v.text;
+
+  SyntheticFlight restless;
+  restless.each_controlled(
+      [](Row& row) { row.reference_rad = static_cast<int>(row.time_s * 2.0) % 2 == 0 ? 0.1 : -0.1; });
+  EXPECT_TRUE(verdict_of(restless.flight).text.starts_with("Roll not judged: the reference never stood still"));
+}
+
+TEST(Verdict, WithoutTruthTheSettlePointIsUnknown) {
+  SyntheticFlight synthetic;
+  synthetic.each_controlled([](Row& row) { row.truth.reset(); });
+  EXPECT_EQ(verdict_of(synthetic.flight).text,
+            "Roll not judged: the fin offset, and with it where roll should settle, is unknown; saturated 0 % of control "
+            "time.");
+}
+
+TEST(Verdict, AFaultyCanardIsNamedOnceWithItsNumber) {
+  SyntheticFlight synthetic;
+  synthetic.flight.canard_verdict_changes = {{3.1, 1, core::CanardVerdict::stalled},
+                                             {3.3, 1, core::CanardVerdict::healthy},
+                                             {3.4, 1, core::CanardVerdict::slipping}};
+  EXPECT_TRUE(verdict_of(synthetic.flight).text.ends_with("4.0 deg. Canard 2 stalled from 3.10 s."));
+}
+
+}  // namespace
+}  // namespace fantail::report
