@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "report/csv.hpp"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
+
+#include <gtest/gtest.h>
 
 #include "report/numbers.hpp"
 

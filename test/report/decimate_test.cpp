@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "report/decimate.hpp"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <limits>
 #include <random>
+
+#include <gtest/gtest.h>
 
 namespace fantail::report {
 namespace {

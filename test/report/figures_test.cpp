@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "report/figures.hpp"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
+
+#include <gtest/gtest.h>
 
 #include "synthetic_flight.hpp"
 
@@ -19,7 +19,8 @@ TEST(Figures, ARollAngleAtItsSettlePointHasNoHoldErrorThoughItIsTenDegreesFromTh
 
 TEST(Figures, ADecayingStepResponseIsJudgedFromOneSecondAfterControlStart) {
   SyntheticFlight synthetic;
-  synthetic.each_controlled([](Row& row) { row.roll_angle_rad += radians(10.0) * std::exp(-(row.time_s - 0.6) / 0.5); });
+  synthetic.each_controlled(
+      [](Row& row) { row.roll_angle_rad += radians(10.0) * std::exp(-(row.time_s - 0.6) / 0.5); });
   EXPECT_NEAR(degrees(figures(synthetic.flight).largest_hold_error_rad.value()), 10.0 * std::exp(-2.0), 1e-4);
 }
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "report/flight.hpp"
 
-#include <gtest/gtest.h>
-
 #include <limits>
+
+#include <gtest/gtest.h>
 
 #include "report/numbers.hpp"
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "report/html.hpp"
 
-#include <gtest/gtest.h>
-
-#include <nlohmann/json.hpp>
 #include <regex>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "report/escape.hpp"
 #include "report/overview_svg.hpp"

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "report/output_folder.hpp"
 
-#include <gtest/gtest.h>
-#include <sys/resource.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <array>
 #include <csignal>
 #include <cstdlib>
 #include <fstream>
 #include <set>
 #include <sstream>
+
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 namespace fantail::report {
 namespace {
@@ -92,7 +92,7 @@ TEST_F(OutputFolderTest, FilesFollowTheUsersMask) {
   const mode_t before = umask(027);
   OutputFolder{folder_}.write(first);
   umask(before);
-  struct stat info {};
+  struct stat info{};
   ASSERT_EQ(stat((folder_ / "flight.csv").c_str(), &info), 0);
   EXPECT_EQ(info.st_mode & 0777U, 0640U);
 }

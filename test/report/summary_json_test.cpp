@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "report/summary_json.hpp"
 
-#include <gtest/gtest.h>
-
 #include <limits>
+
+#include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include "synthetic_flight.hpp"

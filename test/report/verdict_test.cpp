@@ -19,8 +19,7 @@ TEST(Verdict, AHeldFlightNamesErrorSaturationAndMargin) {
   });
   const Verdict v = verdict_of(synthetic.flight);
   EXPECT_EQ(v.outcome, Outcome::held);
-  EXPECT_EQ(v.text,
-            "Roll held within 2.1 deg of R + u_d/kp; saturated 6 % of control time; authority margin 4.0 deg.");
+  EXPECT_EQ(v.text, "Roll held within 2.1 deg of R + u_d/kp; saturated 6 % of control time; authority margin 4.0 deg.");
 }
 
 TEST(Verdict, ALargeErrorIsNotCalledHeld) {
@@ -44,9 +43,10 @@ TEST(Verdict, AnOffsetBeyondTheCanardsIsSaidPlainly) {
   const Verdict v = verdict_of(synthetic.flight);
   EXPECT_EQ(v.outcome, Outcome::not_held);
   // Saturated 1.68 .. 4.399 s: 2720 of 3800 ticks.
-  EXPECT_EQ(v.text,
-            "Canards at their limit (+6 deg) from 1.68 s to the end of control: the fin offset of -7.3 deg is more than "
-            "they can balance; roll not held. Saturated 72 % of control time; authority margin -1.3 deg.");
+  EXPECT_EQ(
+      v.text,
+      "Canards at their limit (+6 deg) from 1.68 s to the end of control: the fin offset of -7.3 deg is more than "
+      "they can balance; roll not held. Saturated 72 % of control time; authority margin -1.3 deg.");
 }
 
 TEST(Verdict, CanardsAtTheirLimitForAnotherReasonAreNotBlamedOnTheOffset) {
@@ -109,9 +109,10 @@ TEST(Verdict, ControlThatNeverSettledIsNotJudged) {
 TEST(Verdict, WithoutTruthTheSettlePointIsUnknown) {
   SyntheticFlight synthetic;
   synthetic.each_controlled([](Row& row) { row.truth.reset(); });
-  EXPECT_EQ(verdict_of(synthetic.flight).text,
-            "Roll not judged: the fin offset, and with it where roll should settle, is unknown; saturated 0 % of control "
-            "time.");
+  EXPECT_EQ(
+      verdict_of(synthetic.flight).text,
+      "Roll not judged: the fin offset, and with it where roll should settle, is unknown; saturated 0 % of control "
+      "time.");
 }
 
 TEST(Verdict, AFaultyCanardIsNamedOnceWithItsNumber) {

@@ -15,14 +15,6 @@
 namespace fantail::report {
 namespace {
 
-// A hyphen is half as wide as a minus and gets lost before a large figure.
-std::string with_minus(std::string text) {
-  if (text.starts_with('-')) {
-    text.replace(0, 1, "\u2212");
-  }
-  return text;
-}
-
 std::string figure(std::string_view label, const std::optional<double>& value, int decimals, std::string_view unit,
                    std::string_view note = "") {
   if (!value) {
@@ -92,7 +84,8 @@ std::string event_table(const Flight& flight) {
   std::string rows = time_row("Lift-off", e.liftoff_s, "first net upward acceleration");
   rows += time_row("Launch detected", e.detected_s, "roll angle is zero here");
   rows += time_row("Off the guide", e.guide_clear_s, "truth, not known on board");
-  rows += time_row("Control starts", e.control_start_s, "canards leave trim");
+  rows += time_row("Control starts", e.control_start_s,
+                   flight.tunnel ? "roll angle is zero here, canards leave trim" : "canards leave trim");
   rows += time_row("Burn-out", e.burnout_s, "");
   rows += time_row("Control ends", e.control_end_s, "canards return to trim");
   rows += time_row("Apogee", e.apogee_s, "");

@@ -29,4 +29,11 @@ std::string brief(double value, int decimals) {
   return text;
 }
 
+std::string with_minus(std::string number) {
+  if (number.starts_with('-')) {
+    number.replace(0, 1, "\u2212");
+  }
+  return number;
+}
+
 }  // namespace fantail::report

@@ -15,4 +15,7 @@ namespace fantail::report {
 /// The same with no trailing zeros after the point: "6", "-7.3".
 [[nodiscard]] std::string brief(double value, int decimals);
 
+/// For print: a hyphen is half as wide as a minus and gets lost before a large figure.
+[[nodiscard]] std::string with_minus(std::string number);
+
 }  // namespace fantail::report

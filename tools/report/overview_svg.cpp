@@ -116,7 +116,7 @@ class Picture {
     const double time_step = tick_step(time_, 9);
     for (double i = std::ceil(time_.low / time_step); i * time_step <= time_.high; i += 1.0) {
       add("<text class=\"tick\" x=\"{:.1f}\" y=\"{}\" text-anchor=\"middle\">{}</text>", x(i * time_step), bottom + 18,
-          brief(i * time_step, 3));
+          with_minus(brief(i * time_step, 3)));
     }
     add("<text class=\"tick\" x=\"{}\" y=\"{}\" text-anchor=\"end\">seconds</text>", right, bottom + 34);
     const double angle_step = tick_step(angle_, 5);
@@ -124,7 +124,7 @@ class Picture {
       const double at = y(i * angle_step);
       add("<path class=\"grid\" d=\"M{} {:.1f}H{}\"/><text class=\"tick\" x=\"{}\" y=\"{:.1f}\" "
           "text-anchor=\"end\">{}&#176;</text>",
-          left, at, right, left - 7, at + 4, brief(i * angle_step, 3));
+          left, at, right, left - 7, at + 4, with_minus(brief(i * angle_step, 3)));
     }
   }
 

@@ -74,6 +74,8 @@ std::vector<Plot> plots(const Flight& flight) {
     const std::optional<double> point = settle_point_rad(row, plan);
     return point ? degrees(*point) : unknown;
   };
+  const bool excites = plan.excitation.form != core::ExcitationForm::none;
+  const Value excitation = [excites](const Row& row) { return excites ? degrees(row.excitation_rad) : unknown; };
   std::vector<Plot> all{{"roll-angle",
                          "Roll angle",
                          "deg",
@@ -95,7 +97,7 @@ std::vector<Plot> plots(const Flight& flight) {
                          "deg",
                          1500,
                          true,
-                         {{"excitation", "excitation", in_control(own_degrees(&Row::excitation_rad))},
+                         {{"excitation", "excitation", in_control(excitation)},
                           {"command", "command", own_degrees(&Row::command_rad)},
                           {"encoder mean", "measured", [](const Row& row) { return degrees_or_gap(row.canard_rad); }}}},
                         {"disturbance",

@@ -20,7 +20,7 @@ std::vector<EventMark> reference_steps(const Flight& flight) {
     }
     if (before != nullptr && row.reference_rad != before->reference_rad) {
       const std::string sign = row.reference_rad > 0.0 ? "+" : "";
-      steps.push_back({row.time_s, "step to " + sign + brief(degrees(row.reference_rad), 1) + "\u00b0"});
+      steps.push_back({row.time_s, "step to " + sign + with_minus(brief(degrees(row.reference_rad), 1)) + "\u00b0"});
     }
     before = &row;
   }

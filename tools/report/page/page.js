@@ -78,12 +78,14 @@
     ctx.lineWidth = devicePixelRatio;
     ctx.strokeStyle = color("event");
     for (const event of data.events) {
-      if (event.time < view[0] || event.time > view[1]) continue;
+      if (event.time < view[0] || event.time > view[1] || (!event.label && isSmall(plot))) continue;
+      ctx.globalAlpha = event.label ? 1 : .5;
       ctx.beginPath();
       ctx.moveTo(x(event.time), bbox.top);
       ctx.lineTo(x(event.time), bbox.top + bbox.height);
       ctx.stroke();
     }
+    ctx.globalAlpha = 1;
     if (plot.limits) drawLimits(chart);
     ctx.restore();
   }
@@ -147,7 +149,7 @@
       series: [
         {label: "time", value: (chart, value) => value == null ? "\u2013" : number(value.toFixed(3)) + " s"},
         ...plot.series.map((series) => {
-          const style = styles[series.style];
+          const style = plot.series.length > 1 ? styles[series.style] : {...styles[series.style], width: 2, alpha: 1};
           return {
             label: series.name, stroke: color(style.color), width: style.width, dash: style.dash, alpha: style.alpha ?? 1,
             paths: style.stepped ? uPlot.paths.stepped({align: 1}) : undefined, points: {show: false},
