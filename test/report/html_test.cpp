@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "report/html.hpp"
 
-#include <regex>
-
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -33,7 +31,7 @@ TEST(Html, LoadsNothingFromAnywhere) {
   EXPECT_EQ(page.find("@import"), std::string::npos);
   EXPECT_EQ(page.find("<link"), std::string::npos);
   EXPECT_EQ(page.find("url("), std::string::npos);
-  EXPECT_FALSE(std::regex_search(page, std::regex{"href=[\"']?[^#\"']"}));
+  EXPECT_EQ(page.find("href"), std::string::npos);
   EXPECT_EQ(page.find("fetch("), std::string::npos);
   EXPECT_EQ(page.find("XMLHttpRequest"), std::string::npos);
 }
