@@ -38,6 +38,7 @@
   // --- the strip of event names that stays in sight above the plots ---
   const timeline = document.createElement("div");
   timeline.className = "timeline";
+  let mostRows = 1;  // the strip never shrinks, or the plots would jump under the pointer
   function drawTimeline() {
     timeline.replaceChildren();
     const width = timeline.clientWidth;
@@ -60,7 +61,8 @@
       span.style.left = (turned ? x - needed + 6 : x) + "px";
       span.style.top = row * rowHeight + 3 + "px";
     }
-    timeline.style.height = Math.max(1, ends.length) * rowHeight + 6 + "px";
+    mostRows = Math.max(mostRows, ends.length);
+    timeline.style.height = mostRows * rowHeight + 6 + "px";
   }
 
   // --- what lies behind the lines of a plot ---
