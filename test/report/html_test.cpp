@@ -54,7 +54,8 @@ TEST(Html, SaysVerdictFiguresEventsAndPhasesWithoutScripts) {
 
 TEST(Html, ListsWhatWasAssumedAndCallsAnImposedRollImposed) {
   SyntheticFlight synthetic;
-  EXPECT_NE(without_scripts(page_of(synthetic.flight)).find("no imposed roll, no faults"), std::string::npos);
+  EXPECT_NE(without_scripts(page_of(synthetic.flight)).find("no imposed roll, no faults and no assumptions"),
+            std::string::npos);
   synthetic.flight.notes = {"Canard 3 is stuck from 2 s on."};
   synthetic.flight.imposed_roll = ImposedRoll{0.21, radians(-0.6), radians(51.8)};
   const std::string text = without_scripts(page_of(synthetic.flight));

@@ -87,8 +87,8 @@ std::string event_table(const Flight& flight) {
   rows += time_row("Control starts", e.control_start_s,
                    flight.tunnel ? "roll angle is zero here, canards leave trim" : "canards leave trim");
   rows += time_row("Burn-out", e.burnout_s, "");
-  rows += time_row("Control ends", e.control_end_s, "canards return to trim");
   rows += time_row("Apogee", e.apogee_s, "");
+  rows += time_row("Control ends", e.control_end_s, "canards return to trim");
   if (rows.empty()) {
     return "<p>Nothing happened.</p>\n";
   }
@@ -128,7 +128,7 @@ std::string assumption_list(const Flight& flight) {
   for (const std::string& note : flight.notes) {
     list += "<li>" + escape_html(note) + "</li>\n";
   }
-  return list.empty() ? "<p>Nothing beyond the vehicle and the plan: no imposed roll, no faults.</p>\n"
+  return list.empty() ? "<p>The scenario names no imposed roll, no faults and no assumptions of its own.</p>\n"
                       : "<ul>\n" + list + "</ul>\n";
 }
 

@@ -200,7 +200,7 @@ Json views(const Flight& flight, const Window& window) {
     add("Control", *e.control_start_s - 0.1, *e.control_end_s + 0.1);
   }
   if (!flight.rows.empty() && flight.rows.back().time_s > window.end_s) {
-    add("With descent", window.begin_s, flight.rows.back().time_s);
+    add(flight.tunnel ? "All" : "With descent", window.begin_s, flight.rows.back().time_s);
   }
   return all;
 }
