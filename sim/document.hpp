@@ -72,6 +72,7 @@ class Section {
   [[nodiscard]] std::vector<double> numbers(std::string_view key, Limits limits, std::size_t most);
   [[nodiscard]] std::vector<std::size_t> choices(std::string_view key, std::span<const std::string_view> words,
                                                  std::size_t most);
+  [[nodiscard]] std::vector<std::string> texts(std::string_view key, std::size_t most);
 
   /// Refuses every key that nobody asked for.
   void finish() const;
@@ -81,6 +82,7 @@ class Section {
 
  private:
   const toml::node* find(std::string_view key);
+  std::string checked_text(std::string_view key, const toml::node& node) const;
   double checked_number(std::string_view key, const toml::node& node, Limits limits) const;
   std::size_t checked_choice(std::string_view key, const toml::node& node,
                              std::span<const std::string_view> words) const;

@@ -139,6 +139,7 @@ Scenario load_scenario(const std::string& name_or_path, std::span<const Override
   scenario.vehicle_name = top.text("vehicle");
   scenario.plan_name = top.text("plan");
   scenario.seed = static_cast<std::uint64_t>(top.integer("seed", {0, 9e15}, 1));
+  scenario.assumed = top.texts("assumed", 100);
   Document plan_document = Document::load(find_input(Shipped::plan, scenario.plan_name));
   Document vehicle_document = Document::load(find_input(Shipped::vehicle, scenario.vehicle_name));
 
@@ -166,7 +167,7 @@ Scenario load_scenario(const std::string& name_or_path, std::span<const Override
       throw InputError{InputFault::bad_configuration, message};
     }
   }
-  sections.insert(sections.end(), {"vehicle", "plan", "seed", "faults"});
+  sections.insert(sections.end(), {"vehicle", "plan", "seed", "assumed", "faults"});
   refuse_unknown_sections(scenario_document, sections);
   scenario.plan = read_plan(plan_document);
   scenario.vehicle = read_vehicle(vehicle_document);

@@ -116,6 +116,13 @@ bool Section::flag(std::string_view key, std::optional<bool> otherwise) {
   return *value;
 }
 
+std::string Section::checked_text(std::string_view key, const toml::node& node) const {
+  if (!node.is_string()) {
+    refuse(key, "= " + shown(node) + " is not a text");
+  }
+  return **node.as_string();
+}
+
 std::string Section::text(std::string_view key, std::optional<std::string> otherwise) {
   const toml::node* node = find(key);
   if (node == nullptr) {
@@ -124,10 +131,7 @@ std::string Section::text(std::string_view key, std::optional<std::string> other
     }
     return *otherwise;
   }
-  if (!node->is_string()) {
-    refuse(key, "= " + shown(*node) + " is not a text");
-  }
-  return **node->as_string();
+  return checked_text(key, *node);
 }
 
 std::size_t Section::checked_choice(std::string_view key, const toml::node& node,
@@ -190,6 +194,11 @@ std::vector<std::size_t> Section::choices(std::string_view key, std::span<const 
                                           std::size_t most) {
   return read_list<std::size_t>(*this, key, find(key), most,
                                 [&](const toml::node& node) { return checked_choice(key, node, words); });
+}
+
+std::vector<std::string> Section::texts(std::string_view key, std::size_t most) {
+  return read_list<std::string>(*this, key, find(key), most,
+                                [&](const toml::node& node) { return checked_text(key, node); });
 }
 
 void Section::finish() const {

@@ -12,10 +12,12 @@ namespace {
 
 constexpr double radians_per_degree = std::numbers::pi / 180.0;
 constexpr double standard_gravity_m_s2 = 9.80665;
+constexpr std::size_t most_assumptions = 100;
 
 void read_body(const Document& document, Vehicle& vehicle) {
   Section body{document, "body"};
   vehicle.name = body.text("name");
+  vehicle.assumed = body.texts("assumed", most_assumptions);
   vehicle.mass_kg = body.number("mass_kg", {0.1, 1000});
   vehicle.drag_area_m2 = body.number("drag_area_m2", {0, 1});
   vehicle.roll_plant.inertia_kg_m2 = body.number("roll_inertia_kg_m2", {1e-6, 10});

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <string>
+#include <vector>
 
 #include "sim/document.hpp"
 #include "sim/roll_plant.hpp"
@@ -23,7 +24,8 @@ struct CanardMounting {
 /// One rocket as it stands on the pad.
 struct Vehicle {
   std::string name;
-  double mass_kg = 0.0;  ///< at lift-off, propellant included
+  std::vector<std::string> assumed;  ///< what in this file nobody has measured, a sentence each
+  double mass_kg = 0.0;              ///< at lift-off, propellant included
   double drag_area_m2 = 0.0;
   RollPlant roll_plant{};
   ThrustCurve motor;

@@ -91,6 +91,16 @@ TEST_F(ASection, RefusesListsTooLongAndTheirBadElements) {
   EXPECT_EQ(refusal("[s]\na = [1, 'x']", read), "plan.toml:2: s.a = 'x' is not a number; allowed: 0.1 to 20");
 }
 
+TEST_F(ASection, GivesAListOfTextsAndRefusesWhatIsNone) {
+  const Document document = load("[s]\na = [\"one\", \"two\"]\n");
+  Section section{document, "s"};
+  EXPECT_EQ(section.texts("a", 2), (std::vector<std::string>{"one", "two"}));
+  EXPECT_TRUE(section.texts("b", 2).empty());
+  EXPECT_NE(
+      refusal("[s]\na = [\"one\", 2]\n", [](Section& s) { (void)s.texts("a", 2); }).find(":2: s.a = 2 is not a text"),
+      std::string::npos);
+}
+
 TEST_F(ASection, RefusesWhatIsMissing) {
   EXPECT_EQ(refusal("\n[s]\n", [](Section& s) { (void)s.number("a", limits); }),
             "plan.toml:2: s.a is missing; allowed: 0.1 to 20");

@@ -45,6 +45,9 @@ report::Flight describe(const sim::Scenario& scenario) {
   flight.seed = scenario.seed;
   flight.tunnel = scenario.surroundings == sim::Surroundings::tunnel;
   flight.plan = scenario.plan;
+  for (const auto* assumed : {&scenario.vehicle.assumed, &scenario.assumed}) {
+    flight.notes.insert(flight.notes.end(), assumed->begin(), assumed->end());
+  }
   for (const sim::Fault& fault : scenario.faults) {
     flight.notes.push_back(describe(fault, flight.tunnel));
   }
