@@ -7,10 +7,14 @@
 
 namespace fantail::core {
 
-/// How far a first-order lag moves towards a held input in a step of x time constants: 1 - exp(-x), for x >= 0.
-/// The exponential is replaced by the reciprocal of its own series: off by x^4/24 for a small x, and in [0, 1) for
-/// every x, so the lag is stable however late a sample comes.
+/// How far a first-order lag moves towards a held input in a step of x time constants: 1 - exp(-x).
+/// The exponential is replaced by the reciprocal of its own series: off by x^4/24 for a small x, and in [0, 1] for
+/// every x, so the lag is stable however late a sample comes. Zero for a negative x or NaN: the series has a zero at
+/// -1.6, and a clock that runs backwards must not find it.
 [[nodiscard]] constexpr float lag_fraction(float x) {
+  if (!(x > 0.0F)) {
+    return 0.0F;
+  }
   return 1.0F - 1.0F / (1.0F + x * (1.0F + x * (0.5F + x * (1.0F / 6.0F))));
 }
 
@@ -19,7 +23,7 @@ class LowPass {
  public:
   constexpr explicit LowPass(float cutoff_hz) : rate_rad_s_{2.0F * 3.14159265F * cutoff_hz} {}
 
-  /// Feeds one sample and returns the output. Times must not go backwards; a repeated time changes nothing.
+  /// Feeds one sample and returns the output, which a time that repeats or runs backwards does not change.
   constexpr float update(Microseconds time, float input) {
     if (!last_time_) {
       output_ = input;
