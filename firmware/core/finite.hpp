@@ -12,6 +12,12 @@ namespace fantail::core {
   return value >= -largest && value <= largest;
 }
 
-[[nodiscard]] constexpr bool is_finite(const Vector3& v) { return is_finite(v.x) && is_finite(v.y) && is_finite(v.z); }
+/// False for NaN too. For samples this is the better question: a finite 1e38 makes an infinity in the next square, and
+/// an infinity in a filter never leaves it.
+[[nodiscard]] constexpr bool is_within(float value, float limit) { return value >= -limit && value <= limit; }
+
+[[nodiscard]] constexpr bool is_within(const Vector3& v, float limit) {
+  return is_within(v.x, limit) && is_within(v.y, limit) && is_within(v.z, limit);
+}
 
 }  // namespace fantail::core

@@ -13,26 +13,29 @@ void LaunchDetector::reset() { channels_ = {Channel{plan_.low_pass_hz}, Channel{
 LaunchDetector::Health LaunchDetector::health(Microseconds now, const Channel& channel,
                                               const AccelerometerSample& sample) const {
   const bool usable = sample.quality == SampleQuality::valid || sample.quality == SampleQuality::saturated;
-  const bool fresh = now - sample.time <= stale_time_ && sample.time <= now;
+  const bool fresh = sample.time >= now - stale_time_ && sample.time <= now;
   const bool forwards = !channel.last_time || sample.time >= *channel.last_time;
-  if (!usable || !fresh || !forwards || !is_finite(sample.specific_force_m_s2.x)) {
+  if (!usable || !fresh || !forwards || !is_within(sample.specific_force_m_s2.x, largest_specific_force_m_s2)) {
     return Health::bad;
   }
   return channel.last_time == sample.time ? Health::repeated : Health::good;
 }
 
 LaunchDetector::Health LaunchDetector::feed(Channel& channel, Microseconds now, const AccelerometerSample& sample) {
+  // A clock that jumped back would make every later sample look old: start over.
+  if (channel.last_time > now) {
+    channel = Channel{plan_.low_pass_hz};
+  }
   const Health verdict = health(now, channel, sample);
   if (verdict == Health::bad) {
     channel.forget_hold();
-    // A clock that jumped back would make every later sample look old: start over with the next one.
-    if (channel.last_time > sample.time) {
-      channel = Channel{plan_.low_pass_hz};
-    }
+  }
+  if (verdict != Health::good) {
     return verdict;
   }
-  if (verdict == Health::repeated) {
-    return verdict;
+  // Nobody measured what happened in a gap, so no hold reaches across it.
+  if (channel.last_time && sample.time - *channel.last_time > stale_time_) {
+    channel.forget_hold();
   }
   channel.last_time = sample.time;
   channel.saturated = sample.quality == SampleQuality::saturated;
@@ -49,15 +52,16 @@ LaunchDetector::Health LaunchDetector::feed(Channel& channel, Microseconds now, 
   return verdict;
 }
 
-// A channel at its positive end says only "at least this much", so it cannot be said to disagree.
+// A channel at its positive end says "at least this much": it may read too little, but not too much.
 bool LaunchDetector::disagree() const {
   const auto first = channels_[0].low_pass.output();
   const auto second = channels_[1].low_pass.output();
-  if (!first || !second || channels_[0].saturated || channels_[1].saturated) {
+  if (!first || !second) {
     return false;
   }
-  const float difference = *first - *second;
-  return difference > plan_.disagreement_m_s2 || difference < -plan_.disagreement_m_s2;
+  const float excess = *first - *second;
+  return (excess > plan_.disagreement_m_s2 && !channels_[1].saturated) ||
+         (-excess > plan_.disagreement_m_s2 && !channels_[0].saturated);
 }
 
 DetectionState LaunchDetector::update(Microseconds now, const std::array<AccelerometerSample, 2>& samples) {

@@ -70,7 +70,8 @@ void MotionEstimator::update(const Inputs& inputs) {
 }
 
 void MotionEstimator::follow_gyro(Microseconds now, const GyroSample& sample) {
-  gyro_ = classify(now, sample.time, sample.quality, is_finite(sample.rate_rad_s), gyro_time_, plan_.stale_time);
+  gyro_ = classify(now, sample.time, sample.quality, is_within(sample.rate_rad_s, largest_rate_rad_s), gyro_time_,
+                   plan_.stale_time);
   if (gyro_ != SensorState::fresh) {
     return;
   }
@@ -91,7 +92,8 @@ void MotionEstimator::follow_accelerometer(const Inputs& inputs) {
   // The second accelerometer stands in, tick by tick, when the first has nothing usable.
   for (const AccelerometerSample& sample : inputs.accelerometers) {
     accelerometer_ = classify(inputs.time, sample.time, integrable(sample.quality),
-                              is_finite(sample.specific_force_m_s2), accelerometer_time_, plan_.stale_time);
+                              is_within(sample.specific_force_m_s2, largest_specific_force_m_s2), accelerometer_time_,
+                              plan_.stale_time);
     if (accelerometer_ == SensorState::fresh) {
       specific_force_m_s2_ = sample.specific_force_m_s2;
       integrate(sample.time);
