@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "core/pad_window.hpp"
 
+#include "core/finite.hpp"
+
 namespace fantail::core {
 namespace {
 
@@ -11,12 +13,6 @@ void add(Vector3& sum, const Vector3& v) {
 }
 
 Vector3 divide(const Vector3& sum, float count) { return {sum.x / count, sum.y / count, sum.z / count}; }
-
-bool within(float value, float limit) { return value >= -limit && value <= limit; }
-
-bool is_quiet(const Vector3& rate, float limit) {
-  return within(rate.x, limit) && within(rate.y, limit) && within(rate.z, limit);
-}
 
 float square(const Vector3& v) { return v.x * v.x + v.y * v.y + v.z * v.z; }
 
@@ -30,8 +26,13 @@ bool is_one_g(float force_squared, float tolerance) {
 }  // namespace
 
 void PadWindow::update(Microseconds time, const Vector3& rate_rad_s, const Vector3& specific_force_m_s2) {
+  // What happened while nobody watched is unknown: it is not rest, and no average reaches across it.
+  if (last_time_ && (time < *last_time_ || time - *last_time_ > plan_.stale_time)) {
+    restart();
+  }
+  last_time_ = time;
   const float force_squared = force_squared_.update(time, square(specific_force_m_s2));
-  if (!is_quiet(rate_rad_s, plan_.quiet_rate_rad_s) || !is_one_g(force_squared, plan_.rest_tolerance_m_s2)) {
+  if (!is_within(rate_rad_s, plan_.quiet_rate_rad_s) || !is_one_g(force_squared, plan_.rest_tolerance_m_s2)) {
     interrupt(time);
     return;
   }
@@ -60,6 +61,14 @@ void PadWindow::interrupt(Microseconds time) {
     close_block();
     open_since_ = time;
   }
+}
+
+void PadWindow::restart() {
+  rest_since_.reset();
+  open_since_.reset();
+  open_ = Block{};
+  closed_ = 0;
+  next_ = 0;
 }
 
 Microseconds PadWindow::at_rest_for(Microseconds now) const {

@@ -25,10 +25,11 @@ class PadWindow {
  public:
   explicit PadWindow(const MotionPlan& plan) : plan_{plan} {}
 
-  /// Feeds one pair of samples of the same instant. Times must not go backwards.
+  /// Feeds one pair of samples, each within largest_rate_rad_s and largest_specific_force_m_s2. After a gap longer than
+  /// the plan's stale time, or a time that runs backwards, the window begins anew.
   void update(Microseconds time, const Vector3& rate_rad_s, const Vector3& specific_force_m_s2);
 
-  /// A sample that cannot be trusted: it is not rest.
+  /// The sensors have failed: it is not rest.
   void interrupt(Microseconds time);
 
   /// Empty until the rocket has once stood still for long enough.
@@ -50,6 +51,7 @@ class PadWindow {
   };
 
   void close_block();
+  void restart();
 
   MotionPlan plan_;
   LowPass force_squared_{16.0F};  ///< one sample's noise is not motion
@@ -57,6 +59,7 @@ class PadWindow {
   std::size_t closed_ = 0;  ///< blocks closed so far, up to the size of the ring
   std::size_t next_ = 0;
   Block open_;
+  std::optional<Microseconds> last_time_;
   std::optional<Microseconds> open_since_;
   std::optional<Microseconds> rest_since_;
   std::optional<PadAverage> average_;

@@ -136,7 +136,9 @@ LaunchDetectionPlan random_plan(RandomStream& random) {
 class Scene {
  public:
   explicit Scene(RandomStream& random)
-      : random_{random}, bad_share_{random.chance(0.5) ? 0.0 : 0.004}, interval_{random.whole(1, 3), random.whole(1, 3)} {}
+      : random_{random},
+        bad_share_{random.chance(0.5) ? 0.0 : 0.004},
+        interval_{random.whole(1, 3), random.whole(1, 3)} {}
 
   void advance() {
     now_ += Microseconds{random_.whole(600, 1'400)};

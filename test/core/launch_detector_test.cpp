@@ -87,8 +87,10 @@ struct Pulse {
 };
 
 // Row 15 of the table of expected results.
-const Pulse row_15[] = {
-    {20.0F, ms(50), false, false}, {5.0F, ms(150), false, true}, {3.0F, ms(195), false, true}, {3.0F, ms(205), true, true}};
+const Pulse row_15[] = {{20.0F, ms(50), false, false},
+                        {5.0F, ms(150), false, true},
+                        {3.0F, ms(195), false, true},
+                        {3.0F, ms(205), true, true}};
 
 TEST(LaunchDetector, TellsThePulsesOfTheOracleTableApartAtAnySampling) {
   const auto at_1_khz = [](Microseconds t) { return t + ms(1); };

@@ -21,7 +21,8 @@ class RandomStream {
   }
   bool chance(double probability) { return unit() < probability; }
   float between(float low, float high) {
-    return static_cast<float>(static_cast<double>(low) + unit() * (static_cast<double>(high) - static_cast<double>(low)));
+    return static_cast<float>(static_cast<double>(low) +
+                              unit() * (static_cast<double>(high) - static_cast<double>(low)));
   }
   /// From low to high, both included.
   int whole(int low, int high) { return low + static_cast<int>(unit() * (high - low + 1)); }
