@@ -46,7 +46,7 @@ const TickRecord& Autopilot::step(const Inputs& inputs) {
   record.phase = flight_phase_.phase();
   record.reason = flight_phase_.reason();
   if (changed) {
-    enter_phase(before, record.phase);
+    enter_phase(inputs.time, before, record.phase);
     record.motion = motion_estimator_.motion(inputs.time);
   }
 
@@ -78,11 +78,13 @@ void Autopilot::control(Microseconds since_control_start, TickRecord& record) {
   record.saturated = roll.saturated;
 }
 
-void Autopilot::enter_phase(Phase from, Phase to) {
+void Autopilot::enter_phase(Microseconds time, Phase from, Phase to) {
   if (to == Phase::launched) {
-    motion_estimator_.begin_flight();
-  } else if (to == Phase::controlling && from == Phase::armed) {
-    motion_estimator_.begin_tunnel_run();
+    motion_estimator_.begin_flight(time);
+  } else if (to == Phase::controlling && from == Phase::launched) {
+    motion_estimator_.leave_guide();
+  } else if (to == Phase::controlling) {
+    motion_estimator_.begin_tunnel_run(time);
   } else if (to == Phase::armed) {
     motion_estimator_.return_to_pad();
     launch_detector_.reset();

@@ -31,7 +31,7 @@ class Autopilot {
 
  private:
   [[nodiscard]] bool is_timing_fault(Microseconds time) const;
-  void enter_phase(Phase from, Phase to);
+  void enter_phase(Microseconds time, Phase from, Phase to);
   void control(Microseconds since_control_start, TickRecord& record);
 
   FlightPlan plan_;

@@ -18,12 +18,23 @@ using Eigen::Vector3f;
 // Below this the motor does not push: far enough above 1 g for wind and handling, far below every detection threshold.
 constexpr float thrust_threshold_m_s2 = 1.2F * standard_gravity_m_s2;
 
-// The longest allowed hold (0.5 s) and the time a motor may take from 1.2 g to the threshold. Someone who carries the
-// rocket about must not collect height for longer than that.
-constexpr Microseconds longest_window{600'000};
+// The longest allowed hold (0.5 s) and as much again for a motor that comes up slowly. Someone who carries the rocket
+// about must not collect height for longer than that.
+constexpr Microseconds longest_window{1'000'000};
+
+// Axial readings of a rocket that stands in its guide, and for how long they must last: a thrust that falls off passes
+// through them faster, and in free flight the axis reads the drag, which is negative.
+constexpr float least_support_m_s2 = 0.8F * standard_gravity_m_s2;
+constexpr Microseconds support_time{100'000};
 
 Vector3f eigen(const Vector3& v) { return {v.x, v.y, v.z}; }
 Vector3 plain(const Vector3f& v) { return {v.x(), v.y(), v.z()}; }
+
+// Back to unit length. One Newton step from a length that the last tick left within rounding of 1: no root, no
+// division.
+Quaternionf renormalized(const Quaternionf& q) {
+  return Quaternionf{Eigen::Vector4f{(1.5F - 0.5F * q.squaredNorm()) * q.coeffs()}};
+}
 
 Vector3 minus(const Vector3& a, const Vector3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
 
@@ -44,7 +55,7 @@ Quaternionf upright(const Vector3f& up) {
 // A repeated time is a sample seen before, not a bad one.
 SensorState classify(Microseconds now, Microseconds time, SampleQuality quality, bool usable_value,
                      const std::optional<Microseconds>& last, Microseconds stale_time) {
-  const bool usable = quality == SampleQuality::valid && usable_value && time <= now && now - time <= stale_time;
+  const bool usable = quality == SampleQuality::valid && usable_value && time <= now && time >= now - stale_time;
   if (usable && (!last || time > *last)) {
     return SensorState::fresh;
   }
@@ -62,11 +73,15 @@ SampleQuality integrable(SampleQuality quality) {
 
 }  // namespace
 
-MotionEstimator::MotionEstimator(const MotionPlan& plan) : plan_{plan}, pad_window_{plan}, trajectory_{at_rest({})} {}
+MotionEstimator::MotionEstimator(const MotionPlan& plan)
+    : plan_{plan}, pad_window_{plan}, pad_{at_rest()}, trajectory_{pad_} {}
 
 void MotionEstimator::update(const Inputs& inputs) {
   follow_gyro(inputs.time, inputs.gyro);
   follow_accelerometer(inputs);
+  if (place_ == Place::pad) {
+    watch_pad(inputs.time, inputs.gyro);
+  }
 }
 
 void MotionEstimator::follow_gyro(Microseconds now, const GyroSample& sample) {
@@ -81,7 +96,7 @@ void MotionEstimator::follow_gyro(Microseconds now, const GyroSample& sample) {
     const Vector3f turned = (0.5F * dt_s) * (eigen(rate) + eigen(rate_rad_s_));
     roll_angle_rad_.add(turned.x());
     const auto& a = trajectory_.attitude;
-    const Quaternionf next = (Quaternionf{a.w, a.x, a.y, a.z} * small_rotation(turned)).normalized();
+    const Quaternionf next = renormalized(Quaternionf{a.w, a.x, a.y, a.z} * small_rotation(turned));
     trajectory_.attitude = {next.w(), next.x(), next.y(), next.z()};
   }
   rate_rad_s_ = rate;
@@ -103,44 +118,62 @@ void MotionEstimator::follow_accelerometer(const Inputs& inputs) {
       break;
     }
   }
-  if (in_flight_ || accelerometer_ == SensorState::coasting) {
-    return;
-  }
-  if (accelerometer_ == SensorState::fresh && gyro_ == SensorState::fresh) {
-    pad_window_.update(inputs.time, inputs.gyro.rate_rad_s, specific_force_m_s2_);
-  } else {
-    pad_window_.interrupt(inputs.time);
+}
+
+// One lost sample is not motion; a sensor that stays silent might hide some.
+void MotionEstimator::watch_pad(Microseconds now, const GyroSample& gyro) {
+  if (gyro_ == SensorState::failed || accelerometer_ == SensorState::failed) {
+    pad_window_.interrupt(now);
+  } else if (gyro_ == SensorState::fresh && pad_window_.update(now, gyro.rate_rad_s, specific_force_m_s2_)) {
+    pad_ = at_rest();
   }
 }
 
 void MotionEstimator::integrate(Microseconds time) {
   const Microseconds previous = accelerometer_time_.value_or(time);
   accelerometer_time_ = time;
-  const float filtered = axial_.update(time, specific_force_m_s2_.x);
-  if (!in_flight_ && (filtered < thrust_threshold_m_s2 || time - trajectory_.since > longest_window)) {
-    trajectory_ = at_rest(time);
+  if (stands(time, previous, axial_.update(time, specific_force_m_s2_.x))) {
+    trajectory_ = pad_;
+    trajectory_.since = time;
+    trajectory_.acceleration_m_s2 = acceleration();
     return;
   }
   const float dt_s = seconds(time - previous);
-  const auto& a = trajectory_.attitude;
-  const Vector3f acceleration = Quaternionf{a.w, a.x, a.y, a.z}.toRotationMatrix() * eigen(specific_force_m_s2_) -
-                                Vector3f{0.0F, 0.0F, standard_gravity_m_s2};
+  const Vector3 now = acceleration();
   const Vector3f old_velocity = eigen(trajectory_.velocity_m_s);
-  const Vector3f velocity = old_velocity + (0.5F * dt_s) * (eigen(trajectory_.acceleration_m_s2) + acceleration);
+  const Vector3f velocity = old_velocity + (0.5F * dt_s) * (eigen(trajectory_.acceleration_m_s2) + eigen(now));
   const Vector3f position = eigen(trajectory_.position_m) + (0.5F * dt_s) * (old_velocity + velocity);
-  trajectory_.acceleration_m_s2 = plain(acceleration);
+  trajectory_.acceleration_m_s2 = now;
   trajectory_.velocity_m_s = plain(velocity);
   trajectory_.position_m = plain(position);
 }
 
-MotionEstimator::Trajectory MotionEstimator::at_rest(Microseconds time) const {
+bool MotionEstimator::stands(Microseconds time, Microseconds previous, float axial_m_s2) {
+  const bool pushed = axial_m_s2 >= thrust_threshold_m_s2;
+  if (place_ == Place::pad) {
+    return !pushed || time - trajectory_.since > longest_window || time - previous > plan_.stale_time;
+  }
+  if (place_ == Place::free || pushed || axial_m_s2 < least_support_m_s2) {
+    supported_since_.reset();
+    return false;
+  }
+  supported_since_ = supported_since_.value_or(time);
+  return time - *supported_since_ >= support_time;
+}
+
+Vector3 MotionEstimator::acceleration() const {
+  const auto& a = trajectory_.attitude;
+  return plain(Quaternionf{a.w, a.x, a.y, a.z}.toRotationMatrix() * eigen(specific_force_m_s2_) -
+               Vector3f{0.0F, 0.0F, standard_gravity_m_s2});
+}
+
+MotionEstimator::Trajectory MotionEstimator::at_rest() const {
   Trajectory result;
   const Vector3f axis_up = Vector3f::UnitX();
   const auto& pad = pad_window_.average();
   const Quaternionf q = upright(pad ? eigen(pad->specific_force_m_s2) : axis_up);
   result.attitude = {q.w(), q.x(), q.y(), q.z()};
   result.guide_axis = plain(q * axis_up);
-  result.since = time;
   return result;
 }
 
@@ -149,9 +182,10 @@ Vector3 MotionEstimator::bias() const {
   return pad ? pad->gyro_bias_rad_s : Vector3{};
 }
 
-void MotionEstimator::begin_flight() {
-  in_flight_ = true;
-  roll_angle_rad_.reset();
+void MotionEstimator::begin_flight(Microseconds now) {
+  place_ = Place::guide;
+  supported_since_.reset();
+  zero_roll(now);
   if (plan_.height_origin != HeightOrigin::replay) {
     trajectory_.position_m = Vector3{};
   }
@@ -160,19 +194,32 @@ void MotionEstimator::begin_flight() {
   }
 }
 
-void MotionEstimator::begin_tunnel_run() {
-  in_flight_ = true;
-  roll_angle_rad_.reset();
+void MotionEstimator::leave_guide() { place_ = Place::free; }
+
+void MotionEstimator::begin_tunnel_run(Microseconds now) {
+  place_ = Place::free;
+  zero_roll(now);
 }
 
-void MotionEstimator::return_to_pad() { in_flight_ = false; }
+void MotionEstimator::return_to_pad() { place_ = Place::pad; }
+
+float MotionEstimator::bridged_roll_rad(Microseconds now) const {
+  if (!gyro_time_) {
+    return 0.0F;
+  }
+  return seconds(std::clamp(now - *gyro_time_, Microseconds{0}, plan_.stale_time)) * rate_rad_s_.x;
+}
+
+void MotionEstimator::zero_roll(Microseconds now) {
+  roll_angle_rad_.reset();
+  roll_angle_rad_.add(-bridged_roll_rad(now));
+}
 
 Motion MotionEstimator::motion(Microseconds now) const {
   Motion result;
   const auto& a = trajectory_.attitude;
   const Vector3f axis = Quaternionf{a.w, a.x, a.y, a.z}.toRotationMatrix().col(0);
-  const float gap_s = gyro_time_ ? seconds(std::min(now - *gyro_time_, plan_.stale_time)) : 0.0F;
-  result.roll_angle = Angle::from_radians(roll_angle_rad_.value() + gap_s * rate_rad_s_.x);
+  result.roll_angle = Angle::from_radians(roll_angle_rad_.value() + bridged_roll_rad(now));
   result.roll_rate_rad_s = rate_rad_s_.x;
   result.specific_force_m_s2 = specific_force_m_s2_;
   result.height_m = trajectory_.position_m.z;

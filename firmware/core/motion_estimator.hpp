@@ -49,6 +49,10 @@ struct Motion {
 ///   replay         keeps height and speed of the window
 ///   velocity_only  keeps its speed and counts height from detection (what the published flight did)
 ///   from_detection keeps neither
+///
+/// Between detection and guide clearance a rocket that reads 1 g again stands: nothing flies at 1 g, so height and
+/// speed start over. Without that a knock would leave a speed behind, and the speed would in time become a cleared
+/// guide.
 class MotionEstimator {
  public:
   explicit MotionEstimator(const MotionPlan& plan);
@@ -56,19 +60,24 @@ class MotionEstimator {
   /// One tick. Sensors may be late, repeated or missing.
   void update(const Inputs& inputs);
 
-  /// Launch detection: zero the roll angle, freeze the bias, apply the height origin.
-  void begin_flight();
+  /// Launch detection: the roll angle is zero now, the bias is frozen, the height origin applied.
+  void begin_flight(Microseconds now);
 
-  /// Control start in the tunnel: zero the roll angle, freeze the bias.
-  void begin_tunnel_run();
+  /// The guide is clear: from here on nothing can bring the rocket to a stand.
+  void leave_guide();
+
+  /// Control start in the tunnel: the roll angle is zero now, the bias is frozen.
+  void begin_tunnel_run(Microseconds now);
 
   /// A detection that turned out to be none: wait on the pad again.
   void return_to_pad();
 
-  /// The estimate at `now`, which is not earlier than the last update.
+  /// The estimate at `now`; the last rate bridges the time since the last gyro sample, at most the plan's stale time.
   [[nodiscard]] Motion motion(Microseconds now) const;
 
  private:
+  enum class Place : std::uint8_t { pad, guide, free };
+
   struct Quaternion {
     float w = 1.0F, x = 0.0F, y = 0.0F, z = 0.0F;
   };
@@ -84,14 +93,20 @@ class MotionEstimator {
 
   void follow_gyro(Microseconds now, const GyroSample& sample);
   void follow_accelerometer(const Inputs& inputs);
+  void watch_pad(Microseconds now, const GyroSample& gyro);
   void integrate(Microseconds time);
-  [[nodiscard]] Trajectory at_rest(Microseconds time) const;
+  [[nodiscard]] bool stands(Microseconds time, Microseconds previous, float axial_m_s2);
+  [[nodiscard]] Trajectory at_rest() const;
+  [[nodiscard]] Vector3 acceleration() const;
+  [[nodiscard]] float bridged_roll_rad(Microseconds now) const;
+  void zero_roll(Microseconds now);
   [[nodiscard]] Vector3 bias() const;
 
   MotionPlan plan_;
   PadWindow pad_window_;
   LowPass axial_{16.0F};
-  bool in_flight_ = false;
+  std::optional<Microseconds> supported_since_;
+  Place place_ = Place::pad;
 
   SensorState gyro_ = SensorState::failed;
   std::optional<Microseconds> gyro_time_;
@@ -102,6 +117,7 @@ class MotionEstimator {
   std::optional<Microseconds> accelerometer_time_;
   Vector3 specific_force_m_s2_;
 
+  Trajectory pad_;  ///< at rest, as the pad window last saw it
   Trajectory trajectory_;
 };
 

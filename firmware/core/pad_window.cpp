@@ -25,7 +25,7 @@ bool is_one_g(float force_squared, float tolerance) {
 
 }  // namespace
 
-void PadWindow::update(Microseconds time, const Vector3& rate_rad_s, const Vector3& specific_force_m_s2) {
+bool PadWindow::update(Microseconds time, const Vector3& rate_rad_s, const Vector3& specific_force_m_s2) {
   // What happened while nobody watched is unknown: it is not rest, and no average reaches across it.
   if (last_time_ && (time < *last_time_ || time - *last_time_ > plan_.stale_time)) {
     restart();
@@ -34,7 +34,7 @@ void PadWindow::update(Microseconds time, const Vector3& rate_rad_s, const Vecto
   const float force_squared = force_squared_.update(time, square(specific_force_m_s2));
   if (!is_within(rate_rad_s, plan_.quiet_rate_rad_s) || !is_one_g(force_squared, plan_.rest_tolerance_m_s2)) {
     interrupt(time);
-    return;
+    return false;
   }
   if (!rest_since_) {
     rest_since_ = time;
@@ -42,13 +42,15 @@ void PadWindow::update(Microseconds time, const Vector3& rate_rad_s, const Vecto
   if (!open_since_) {
     open_since_ = time;
   }
+  bool renewed = false;
   if (time - *open_since_ >= block_time) {
-    close_block();
+    renewed = close_block();
     open_since_ = time;
   }
   add(open_.rate_sum, rate_rad_s);
   add(open_.force_sum, specific_force_m_s2);
   open_.samples += 1.0F;
+  return renewed;
 }
 
 void PadWindow::interrupt(Microseconds time) {
@@ -75,25 +77,26 @@ Microseconds PadWindow::at_rest_for(Microseconds now) const {
   return rest_since_ ? now - *rest_since_ : Microseconds{0};
 }
 
-void PadWindow::close_block() {
+bool PadWindow::close_block() {
   blocks_[next_] = open_;
   open_ = Block{};
   next_ = (next_ + 1) % blocks_.size();
   closed_ = closed_ < blocks_.size() ? closed_ + 1 : closed_;
   if (closed_ < blocks_.size()) {
-    return;
+    return false;
   }
   Block window;
   for (std::size_t i = 0; i < window_blocks; ++i) {
     const Block& block = blocks_[(next_ + i) % blocks_.size()];  // oldest first; the newest are the guard
     if (!block.still || block.samples < 1.0F) {
-      return;
+      return false;
     }
     add(window.rate_sum, block.rate_sum);
     add(window.force_sum, block.force_sum);
     window.samples += block.samples;
   }
   average_ = PadAverage{divide(window.rate_sum, window.samples), divide(window.force_sum, window.samples)};
+  return true;
 }
 
 }  // namespace fantail::core

@@ -26,8 +26,8 @@ class PadWindow {
   explicit PadWindow(const MotionPlan& plan) : plan_{plan} {}
 
   /// Feeds one pair of samples, each within largest_rate_rad_s and largest_specific_force_m_s2. After a gap longer than
-  /// the plan's stale time, or a time that runs backwards, the window begins anew.
-  void update(Microseconds time, const Vector3& rate_rad_s, const Vector3& specific_force_m_s2);
+  /// the plan's stale time, or a time that runs backwards, the window begins anew. True when the average is a new one.
+  bool update(Microseconds time, const Vector3& rate_rad_s, const Vector3& specific_force_m_s2);
 
   /// The sensors have failed: it is not rest.
   void interrupt(Microseconds time);
@@ -50,7 +50,7 @@ class PadWindow {
     bool still = true;
   };
 
-  void close_block();
+  bool close_block();
   void restart();
 
   MotionPlan plan_;
