@@ -25,8 +25,9 @@ bool FlightPhase::update(const PhaseInputs& inputs) {
   if (!next) {
     return false;
   }
-  // Whatever looked like a launch was none: a rocket that is being handled must first stand still.
-  must_rest_first_ = phase_ == Phase::launched && next->to == Phase::armed;
+  // Whatever looked like a launch was none: a rocket that is being handled must first stand still. Only rest ends
+  // this; disarming and arming again does not.
+  must_rest_first_ = must_rest_first_ || (phase_ == Phase::launched && next->to == Phase::armed);
   if (next->to == Phase::controlling) {
     control_start_ = inputs.time;
   }
@@ -51,8 +52,9 @@ std::optional<FlightPhase::Transition> FlightPhase::from_armed(const PhaseInputs
     return Transition{Phase::safe, PhaseReason::disarmed_by_switch};
   }
   // In the tunnel nothing accelerates: control begins on command, and only from rest, when the roll angle means
-  // something and nobody holds a turning rocket.
-  if (run_.start == Start::tunnel && inputs.start_command && inputs.motion.at_rest_for >= motion_.rest_time) {
+  // something and nobody holds a turning rocket. A late tick has not watched the rest.
+  const bool at_rest = inputs.motion.at_rest_for >= motion_.rest_time && !inputs.timing_fault;
+  if (run_.start == Start::tunnel && inputs.start_command && at_rest) {
     return Transition{Phase::controlling, PhaseReason::tunnel_start_command};
   }
   // The hold of the launch detector keeps knocks and sensor errors out; what it lets through, the guide clearance

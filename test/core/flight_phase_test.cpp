@@ -1,0 +1,304 @@
+// SPDX-License-Identifier: MIT
+#include "core/flight_phase.hpp"
+
+#include <functional>
+
+#include <gtest/gtest.h>
+
+#include "core/flight_plan_fields.hpp"
+
+namespace fantail::core {
+namespace {
+
+using namespace literals;
+
+Microseconds ms(int value) { return Microseconds{value * 1'000LL}; }
+
+/// Drives the phases tick by tick; each test changes only what it is about.
+class Sequence {
+ public:
+  explicit Sequence(const FlightPlan& plan = default_plan()) : plan_{plan}, phases_{plan.run, plan.guide, plan.motion} {
+    next.arm_switch_closed = true;
+    next.motion.gyro = SensorState::fresh;
+  }
+
+  bool tick() {
+    next.time += ms(1);
+    return phases_.update(next);
+  }
+  /// One tick with something that lasts no longer.
+  bool tick(const std::function<void(PhaseInputs&)>& change) {
+    PhaseInputs once = next;
+    once.time = next.time += ms(1);
+    change(once);
+    return phases_.update(once);
+  }
+  Sequence& arm() {
+    tick([](PhaseInputs& i) { i.arm_command = true; });
+    return *this;
+  }
+  Sequence& launch() {
+    tick([](PhaseInputs& i) { i.launch_detected = true; });
+    return *this;
+  }
+  Sequence& clear_guide() {
+    next.motion.distance_along_guide_m = 6.0F;
+    next.motion.speed_m_s = 20.0F;
+    next.motion.vertical_speed_m_s = 20.0F;
+    tick();
+    return *this;
+  }
+  Sequence& start_tunnel() {
+    next.motion.at_rest_for = plan_.motion.rest_time;
+    tick([](PhaseInputs& i) { i.start_command = true; });
+    return *this;
+  }
+  void expect(Phase phase, PhaseReason reason) const {
+    EXPECT_EQ(phases_.phase(), phase);
+    EXPECT_EQ(phases_.reason(), reason);
+  }
+  [[nodiscard]] const FlightPhase& phases() const { return phases_; }
+
+  PhaseInputs next;
+
+ private:
+  FlightPlan plan_;
+  FlightPhase phases_;
+};
+
+FlightPlan tunnel_plan() {
+  FlightPlan plan = default_plan();
+  plan.run.start = Start::tunnel;
+  return plan;
+}
+
+TEST(FlightPhase, StartsInSafe) { Sequence{}.expect(Phase::safe, PhaseReason::power_on); }
+
+TEST(FlightPhase, NeitherTheSwitchNorTheCommandAloneArms) {
+  Sequence sequence;
+  for (int i = 0; i < 100; ++i) {
+    EXPECT_FALSE(sequence.tick());  // the switch
+  }
+  sequence.next.arm_switch_closed = false;
+  EXPECT_FALSE(sequence.tick([](PhaseInputs& i) { i.arm_command = true; }));
+  sequence.next.arm_switch_closed = true;  // a command of before does not count
+  EXPECT_FALSE(sequence.tick());
+  sequence.expect(Phase::safe, PhaseReason::power_on);
+}
+
+TEST(FlightPhase, SwitchThenCommandArms) {
+  Sequence sequence;
+  EXPECT_TRUE(sequence.tick([](PhaseInputs& i) { i.arm_command = true; }));
+  sequence.expect(Phase::armed, PhaseReason::armed_by_switch_and_command);
+  EXPECT_TRUE(sequence.phases().listens_for_launch());
+}
+
+TEST(FlightPhase, SafeListensToNothingElse) {
+  Sequence sequence;
+  sequence.next.launch_detected = sequence.next.start_command = true;
+  sequence.next.motion.at_rest_for = ms(10'000);
+  sequence.next.motion.distance_along_guide_m = 100.0F;
+  sequence.next.motion.speed_m_s = 100.0F;
+  EXPECT_FALSE(sequence.tick());
+  EXPECT_FALSE(sequence.phases().listens_for_launch());
+}
+
+TEST(FlightPhase, OpenSwitchDisarmsEvenInTheTickOfADetection) {
+  Sequence sequence;
+  sequence.arm();
+  sequence.tick([](PhaseInputs& i) {
+    i.arm_switch_closed = false;
+    i.launch_detected = true;
+  });
+  sequence.expect(Phase::safe, PhaseReason::disarmed_by_switch);
+  sequence.tick();  // closing it again arms nothing
+  sequence.expect(Phase::safe, PhaseReason::disarmed_by_switch);
+}
+
+TEST(FlightPhase, SwitchIsIgnoredFromLaunchedOn) {
+  Sequence sequence;
+  sequence.arm().launch().expect(Phase::launched, PhaseReason::launch_detected);
+  sequence.next.arm_switch_closed = false;
+  EXPECT_FALSE(sequence.tick());
+  sequence.clear_guide().expect(Phase::controlling, PhaseReason::guide_clear);
+  EXPECT_FALSE(sequence.tick());
+  sequence.next.motion.vertical_speed_m_s = -0.1F;
+  sequence.tick();
+  sequence.expect(Phase::finished, PhaseReason::apogee);
+  EXPECT_FALSE(sequence.tick());
+}
+
+TEST(FlightPhase, GuideIsClearOnlyBeyondItAndFastEnough) {
+  const FlightPlan plan = default_plan();
+  const float end = plan.guide.length_m + plan.guide.clearance_m;
+  Sequence sequence;
+  sequence.arm().launch();
+  sequence.next.motion.distance_along_guide_m = end - 0.001F;
+  sequence.next.motion.speed_m_s = 50.0F;
+  EXPECT_FALSE(sequence.tick());
+  sequence.next.motion.distance_along_guide_m = end;
+  sequence.next.motion.speed_m_s = plan.guide.minimum_speed_m_s;
+  EXPECT_FALSE(sequence.tick());
+  sequence.next.motion.speed_m_s = plan.guide.minimum_speed_m_s + 0.001F;
+  EXPECT_TRUE(sequence.tick());
+  sequence.expect(Phase::controlling, PhaseReason::guide_clear);
+  EXPECT_EQ(sequence.phases().control_start(), sequence.next.time);
+}
+
+TEST(FlightPhase, GuideThatIsNotClearedInTimeGoesBackToArmed) {
+  Sequence sequence;
+  sequence.arm().launch();
+  for (int i = 1; i < 1'500; ++i) {
+    ASSERT_FALSE(sequence.tick()) << i;
+  }
+  EXPECT_TRUE(sequence.tick());
+  sequence.expect(Phase::armed, PhaseReason::guide_not_cleared_in_time);
+}
+
+TEST(FlightPhase, AfterAFailedGateNothingIsDetectedBeforeTwoSecondsAtRest) {
+  Sequence sequence;
+  sequence.arm().launch();
+  sequence.next.time += ms(1'500);
+  sequence.tick();
+  EXPECT_FALSE(sequence.phases().listens_for_launch());
+  sequence.launch().expect(Phase::armed, PhaseReason::guide_not_cleared_in_time);
+  sequence.next.motion.at_rest_for = ms(1'999);
+  sequence.launch().expect(Phase::armed, PhaseReason::guide_not_cleared_in_time);
+  sequence.next.motion.at_rest_for = ms(2'000);
+  sequence.tick();
+  EXPECT_TRUE(sequence.phases().listens_for_launch());
+  sequence.next.motion.at_rest_for = ms(0);
+  sequence.launch().expect(Phase::launched, PhaseReason::launch_detected);
+}
+
+TEST(FlightPhase, DisarmingDoesNotExcuseFromTheRest) {
+  Sequence sequence;
+  sequence.arm().launch();
+  sequence.next.time += ms(1'500);
+  sequence.tick();
+  sequence.tick([](PhaseInputs& i) { i.arm_switch_closed = false; });
+  sequence.arm().expect(Phase::armed, PhaseReason::armed_by_switch_and_command);
+  EXPECT_FALSE(sequence.phases().listens_for_launch());
+}
+
+TEST(FlightPhase, FaultBeforeControlGoesBackToThePad) {
+  Sequence gyro;
+  gyro.arm().launch();
+  gyro.tick([](PhaseInputs& i) { i.motion.gyro = SensorState::lost; });
+  gyro.expect(Phase::launched, PhaseReason::launch_detected);
+  gyro.tick([](PhaseInputs& i) { i.motion.gyro = SensorState::failed; });
+  gyro.expect(Phase::armed, PhaseReason::gyro_failed_before_control);
+  EXPECT_FALSE(gyro.phases().listens_for_launch());
+
+  Sequence timing;
+  timing.arm().launch();
+  timing.tick([](PhaseInputs& i) { i.timing_fault = true; });
+  timing.expect(Phase::armed, PhaseReason::timing_fault_before_control);
+  EXPECT_FALSE(timing.phases().listens_for_launch());
+}
+
+TEST(FlightPhase, ControlEndsWhenItsTimeIsOver) {
+  FlightPlan plan = default_plan();
+  plan.run.control_time = ms(500);
+  Sequence sequence{plan};
+  sequence.arm().launch().clear_guide();
+  for (int i = 1; i < 500; ++i) {
+    ASSERT_FALSE(sequence.tick()) << i;
+  }
+  EXPECT_TRUE(sequence.tick());
+  sequence.expect(Phase::finished, PhaseReason::control_time_over);
+}
+
+struct End {
+  PhaseReason reason;
+  std::function<void(PhaseInputs&)> cause;
+};
+
+const End ends[] = {
+    {PhaseReason::apogee, [](PhaseInputs& i) { i.motion.vertical_speed_m_s = -0.001F; }},
+    {PhaseReason::tilted_too_far, [](PhaseInputs& i) { i.motion.tilt = 60.1_deg; }},
+    {PhaseReason::gyro_failed, [](PhaseInputs& i) { i.motion.gyro = SensorState::failed; }},
+    {PhaseReason::timing_fault, [](PhaseInputs& i) { i.timing_fault = true; }},
+};
+
+TEST(FlightPhase, ControlEndsForEachOfItsReasonsAndStaysEnded) {
+  for (const End& end : ends) {
+    Sequence sequence;
+    sequence.arm().launch().clear_guide();
+    sequence.next.motion.tilt = 59.9_deg;
+    sequence.next.motion.gyro = SensorState::lost;
+    sequence.next.motion.vertical_speed_m_s = 0.0F;
+    EXPECT_FALSE(sequence.tick());
+    EXPECT_TRUE(sequence.tick(end.cause));
+    sequence.expect(Phase::finished, end.reason);
+
+    sequence.next.launch_detected = sequence.next.arm_command = sequence.next.start_command = true;
+    sequence.next.motion.at_rest_for = ms(100'000);
+    for (int i = 0; i < 5'000; ++i) {
+      sequence.next.arm_switch_closed = i % 100 < 50;
+      ASSERT_FALSE(sequence.tick());
+    }
+    sequence.expect(Phase::finished, end.reason);
+  }
+}
+
+TEST(FlightPhase, CanardFaultEndsControlOnlyWhenThePlanSaysSo) {
+  for (const CanardFaultPolicy policy : {CanardFaultPolicy::continue_control, CanardFaultPolicy::end_control}) {
+    FlightPlan plan = default_plan();
+    plan.run.canard_fault = policy;
+    Sequence sequence{plan};
+    sequence.arm().launch().clear_guide();
+    sequence.next.canard_fault = true;
+    EXPECT_EQ(sequence.tick(), policy == CanardFaultPolicy::end_control);
+    if (policy == CanardFaultPolicy::end_control) {
+      sequence.expect(Phase::finished, PhaseReason::canard_fault);
+    }
+  }
+}
+
+TEST(FlightPhase, TunnelStartsOnCommandOnlyArmedAndAtRest) {
+  Sequence safe{tunnel_plan()};
+  safe.start_tunnel().expect(Phase::safe, PhaseReason::power_on);
+
+  Sequence moving{tunnel_plan()};
+  moving.arm();
+  moving.next.motion.at_rest_for = ms(1'999);
+  moving.tick([](PhaseInputs& i) { i.start_command = true; });
+  moving.expect(Phase::armed, PhaseReason::armed_by_switch_and_command);
+
+  Sequence ready{tunnel_plan()};
+  ready.arm();
+  ready.next.motion.at_rest_for = ms(5'000);
+  EXPECT_FALSE(ready.tick());
+  ready.start_tunnel().expect(Phase::controlling, PhaseReason::tunnel_start_command);
+  EXPECT_EQ(ready.phases().control_start(), ready.next.time);
+}
+
+TEST(FlightPhase, TunnelDoesNotStartInATickOfATimingFault) {
+  Sequence sequence{tunnel_plan()};
+  sequence.arm();
+  sequence.next.motion.at_rest_for = ms(5'000);
+  EXPECT_FALSE(sequence.tick([](PhaseInputs& i) { i.start_command = i.timing_fault = true; }));
+}
+
+TEST(FlightPhase, TunnelKnowsNoLaunchNoApogeeAndNoTilt) {
+  Sequence sequence{tunnel_plan()};
+  sequence.arm();
+  EXPECT_FALSE(sequence.phases().listens_for_launch());
+  sequence.launch().expect(Phase::armed, PhaseReason::armed_by_switch_and_command);
+  sequence.start_tunnel();
+  sequence.next.motion.vertical_speed_m_s = -5.0F;
+  sequence.next.motion.tilt = 89_deg;
+  EXPECT_FALSE(sequence.tick());
+  sequence.tick([](PhaseInputs& i) { i.motion.gyro = SensorState::failed; });
+  sequence.expect(Phase::finished, PhaseReason::gyro_failed);
+}
+
+TEST(FlightPhase, LaunchPlanDoesNotStartOnTheTunnelsCommand) {
+  Sequence sequence;
+  sequence.arm();
+  sequence.start_tunnel().expect(Phase::armed, PhaseReason::armed_by_switch_and_command);
+}
+
+}  // namespace
+}  // namespace fantail::core
