@@ -12,6 +12,8 @@ namespace fantail::core {
   return value >= -largest && value <= largest;
 }
 
+[[nodiscard]] constexpr bool is_finite(const Vector3& v) { return is_finite(v.x) && is_finite(v.y) && is_finite(v.z); }
+
 /// False for NaN too. For samples this is the better question: a finite 1e38 makes an infinity in the next square, and
 /// an infinity in a filter never leaves it.
 [[nodiscard]] constexpr bool is_within(float value, float limit) { return value >= -limit && value <= limit; }

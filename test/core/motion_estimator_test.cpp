@@ -94,8 +94,7 @@ TEST(MotionEstimator, HeightOfAWholeFlightIsKeptToDecimetres) {
 
 TEST(MotionEstimator, HeightOriginsAreClosedForms) {
   constexpr double a = 40.0;
-  for (const HeightOrigin origin :
-       {HeightOrigin::replay, HeightOrigin::velocity_only, HeightOrigin::from_detection}) {
+  for (const HeightOrigin origin : {HeightOrigin::replay, HeightOrigin::velocity_only, HeightOrigin::from_detection}) {
     Flight flight{{}, origin};
     flight.stand();
     flight.lift_off(a, 0.0);

@@ -54,14 +54,14 @@ class MotionRig {
     const auto& bias = setup_.gyro_bias_rad_s;
     Inputs result;
     result.time = time_;
-    result.gyro = {time_,
-                   {static_cast<float>(roll_rate_rad_s_ + bias[0]), static_cast<float>(bias[1]),
-                    static_cast<float>(bias[2])},
-                   SampleQuality::valid};
-    result.accelerometers.fill({time_,
-                                {static_cast<float>(dot(force, axis_)), static_cast<float>(along_y),
-                                 static_cast<float>(along_z)},
-                                SampleQuality::valid});
+    result.gyro = {
+        time_,
+        {static_cast<float>(roll_rate_rad_s_ + bias[0]), static_cast<float>(bias[1]), static_cast<float>(bias[2])},
+        SampleQuality::valid};
+    result.accelerometers.fill(
+        {time_,
+         {static_cast<float>(dot(force, axis_)), static_cast<float>(along_y), static_cast<float>(along_z)},
+         SampleQuality::valid});
     return result;
   }
 
