@@ -40,7 +40,9 @@ FlightPlan tunnel_plan() {
 /// An autopilot on a rig, at 1 kHz, with canards that stand where they are told.
 class Rocket {
  public:
-  explicit Rocket(const FlightPlan& plan) : autopilot_{plan} { inputs_changed_by([](Inputs&) {}); }
+  explicit Rocket(const FlightPlan& plan) : autopilot_{plan} {
+    inputs_changed_by([](Inputs&) {});
+  }
 
   /// What the hardware does to every tick from now on.
   void inputs_changed_by(std::function<void(Inputs&)> change) { change_ = std::move(change); }
