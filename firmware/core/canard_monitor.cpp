@@ -14,6 +14,9 @@ using namespace literals;
 // Encoder noise and play; a canard that moved less than this did not move.
 constexpr Angle standstill = 0.3_deg;
 
+// A lag never arrives. This near it has: what is left would only shrink into denormal numbers, which a PC is slow with.
+constexpr Angle arrived = 0.0001_deg;
+
 // A clock that jumps is a timing fault, not a reason to condemn a canard.
 constexpr Microseconds longest_tick{5'000};
 
@@ -28,14 +31,18 @@ const std::array<CanardVerdict, canard_count>& CanardMonitor::update(Microsecond
                                                                      const EncoderAngles& encoders) {
   const Microseconds elapsed = std::clamp(time - last_time_.value_or(time), Microseconds{0}, longest_tick);
   last_time_ = time;
+  const Tick tick{.time = time,
+                  .elapsed = elapsed,
+                  .moved_share = lag_fraction(seconds(elapsed) / seconds(plan_.servo_lag)),
+                  .all_agree = all_agree(encoders)};
   for (std::size_t i = 0; i < canard_count; ++i) {
-    verdicts_[i] = judge(time, elapsed, i, commands[i], encoders);
+    verdicts_[i] = judge(tick, i, commands[i], encoders);
   }
   return verdicts_;
 }
 
-CanardVerdict CanardMonitor::judge(Microseconds time, Microseconds elapsed, std::size_t canard,
-                                   const CanardCommand& command, const EncoderAngles& encoders) {
+CanardVerdict CanardMonitor::judge(const Tick& tick, std::size_t canard, const CanardCommand& command,
+                                   const EncoderAngles& encoders) {
   Channel& channel = channels_[canard];
   const std::optional<Angle>& encoder = encoders[canard];
 
@@ -43,8 +50,8 @@ CanardVerdict CanardMonitor::judge(Microseconds time, Microseconds elapsed, std:
   if (!command.driven) {
     channel.expected.reset();
   } else if (channel.expected) {
-    const float moved_share = lag_fraction(seconds(elapsed) / seconds(plan_.servo_lag));
-    *channel.expected += moved_share * (command.angle - *channel.expected);
+    const Angle remaining = command.angle - *channel.expected;
+    *channel.expected = abs(remaining) < arrived ? command.angle : *channel.expected + tick.moved_share * remaining;
   } else if (readable(encoder)) {
     channel.expected = encoder;
   }
@@ -52,8 +59,8 @@ CanardVerdict CanardMonitor::judge(Microseconds time, Microseconds elapsed, std:
   if (!readable(encoder)) {
     channel.off = {};
     channel.apart = {};
-    channel.silent_since = channel.silent_since.value_or(time);
-    return time - *channel.silent_since >= plan_.encoder_timeout ? CanardVerdict::dead : verdicts_[canard];
+    channel.silent_since = channel.silent_since.value_or(tick.time);
+    return tick.time - *channel.silent_since >= plan_.encoder_timeout ? CanardVerdict::dead : verdicts_[canard];
   }
   channel.silent_since.reset();
   if (!command.driven) {
@@ -67,28 +74,43 @@ CanardVerdict CanardMonitor::judge(Microseconds time, Microseconds elapsed, std:
   }
   channel.lowest = std::min(channel.lowest, *encoder);
   channel.highest = std::max(channel.highest, *encoder);
-  const bool off = lasts(channel.off, abs(*encoder - *channel.expected) > plan_.tracking_limit, elapsed);
-  const bool apart = lasts(channel.apart, stands_apart(canard, encoders), elapsed);
+  const bool off = lasts(channel.off, abs(*encoder - *channel.expected) > plan_.tracking_limit, tick.elapsed);
+  const bool apart = lasts(channel.apart, !tick.all_agree && stands_apart(canard, encoders), tick.elapsed);
   if (off) {
     return channel.highest - channel.lowest < standstill ? CanardVerdict::stalled : CanardVerdict::slipping;
   }
   return apart ? CanardVerdict::disagreeing : CanardVerdict::healthy;
 }
 
+Angle CanardMonitor::roll_angle(std::size_t canard, Angle encoder) const {
+  const Angle shaft = encoder - canards_.each[canard].trim;
+  return canards_.each[canard].direction == Direction::reversed ? -shaft : shaft;
+}
+
+// The usual case, told from the two outermost: then no canard stands apart from any middle.
+bool CanardMonitor::all_agree(const EncoderAngles& encoders) const {
+  std::optional<Angle> low;
+  std::optional<Angle> high;
+  for (std::size_t i = 0; i < canard_count; ++i) {
+    if (readable(encoders[i])) {
+      const Angle angle = roll_angle(i, *encoders[i]);
+      low = std::min(low.value_or(angle), angle);
+      high = std::max(high.value_or(angle), angle);
+    }
+  }
+  return !low || *high - *low <= plan_.disagreement_limit;
+}
+
 // Against the middle of the others, so that one bad canard does not make its neighbours look bad. The middle of two is
 // all that lies between them; one other alone cannot say which of the two is right.
 bool CanardMonitor::stands_apart(std::size_t canard, const EncoderAngles& encoders) const {
-  auto roll_angle = [&](std::size_t i) {
-    const Angle shaft = *encoders[i] - canards_.each[i].trim;
-    return canards_.each[i].direction == Direction::reversed ? -shaft : shaft;
-  };
   std::array<Angle, canard_count - 1> others{};  // sorted
   std::size_t count = 0;
   for (std::size_t i = 0; i < canard_count; ++i) {
     if (i == canard || !readable(encoders[i])) {
       continue;
     }
-    const Angle angle = roll_angle(i);
+    const Angle angle = roll_angle(i, *encoders[i]);
     std::size_t place = count++;
     for (; place > 0 && others[place - 1] > angle; --place) {
       others[place] = others[place - 1];
@@ -98,7 +120,7 @@ bool CanardMonitor::stands_apart(std::size_t canard, const EncoderAngles& encode
   if (count < 2) {
     return false;
   }
-  const Angle own = roll_angle(canard);
+  const Angle own = roll_angle(canard, *encoders[canard]);
   const Angle middle = std::clamp(own, others[(count - 1) / 2], others[count / 2]);
   return abs(own - middle) > plan_.disagreement_limit;
 }

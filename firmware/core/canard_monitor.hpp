@@ -45,8 +45,18 @@ class CanardMonitor {
     Angle highest;
   };
 
-  CanardVerdict judge(Microseconds time, Microseconds elapsed, std::size_t canard, const CanardCommand& command,
+  /// What all canards share in one tick.
+  struct Tick {
+    Microseconds time{};
+    Microseconds elapsed{};
+    float moved_share = 0.0F;  ///< of the way to its command that a servo goes in this tick
+    bool all_agree = false;
+  };
+
+  CanardVerdict judge(const Tick& tick, std::size_t canard, const CanardCommand& command,
                       const EncoderAngles& encoders);
+  [[nodiscard]] Angle roll_angle(std::size_t canard, Angle encoder) const;
+  [[nodiscard]] bool all_agree(const EncoderAngles& encoders) const;
   [[nodiscard]] bool stands_apart(std::size_t canard, const EncoderAngles& encoders) const;
   bool lasts(Persistence& persistence, bool condition, Microseconds elapsed) const;
 
