@@ -12,6 +12,8 @@ namespace {
 // Five missed ticks: what the estimator may bridge. A clock that stands still or runs backwards is worse.
 constexpr Microseconds longest_tick{5'000};
 
+constexpr std::optional<std::array<Angle, canard_count>> no_request;
+
 }  // namespace
 
 Autopilot::Autopilot(const FlightPlan& plan)
@@ -41,8 +43,8 @@ const TickRecord& Autopilot::step(const Inputs& inputs) {
                                              .start_command = inputs.start_command,
                                              .launch_detected = record.detection == DetectionState::detected,
                                              .timing_fault = record.timing_fault,
-                                             .canard_fault = canard_fault_,
-                                             .motion = record.motion});
+                                             .canard_fault = canard_fault_},
+                                            record.motion);
   record.phase = flight_phase_.phase();
   record.reason = flight_phase_.reason();
   if (changed) {
@@ -54,8 +56,8 @@ const TickRecord& Autopilot::step(const Inputs& inputs) {
     control(inputs.time - *flight_phase_.control_start(), record);
   }
 
-  const auto& request = record.phase == Phase::safe ? inputs.canard_request : std::nullopt;
-  record.canards = canard_mixer_.mix(inputs.time, record.command, request, inputs.encoders);
+  record.canards = canard_mixer_.mix(inputs.time, record.command,
+                                     record.phase == Phase::safe ? inputs.canard_request : no_request, inputs.encoders);
   record.canard_angle = canard_mixer_.canard_angle(inputs.encoders);
 
   record.verdicts = canard_monitor_.update(inputs.time, record.canards, inputs.encoders);

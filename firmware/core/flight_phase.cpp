@@ -10,16 +10,16 @@ bool FlightPhase::listens_for_launch() const {
   return phase_ == Phase::armed && run_.start == Start::launch && !must_rest_first_;
 }
 
-bool FlightPhase::update(const PhaseInputs& inputs) {
-  if (inputs.motion.at_rest_for >= motion_.rest_time) {
+bool FlightPhase::update(const PhaseInputs& inputs, const Motion& motion) {
+  if (motion.at_rest_for >= motion_.rest_time) {
     must_rest_first_ = false;
   }
   std::optional<Transition> next;
   switch (phase_) {
     case Phase::safe: next = from_safe(inputs); break;
-    case Phase::armed: next = from_armed(inputs); break;
-    case Phase::launched: next = from_launched(inputs); break;
-    case Phase::controlling: next = from_controlling(inputs); break;
+    case Phase::armed: next = from_armed(inputs, motion); break;
+    case Phase::launched: next = from_launched(inputs, motion); break;
+    case Phase::controlling: next = from_controlling(inputs, motion); break;
     case Phase::finished: break;  // lasts until a power cycle
   }
   if (!next) {
@@ -45,7 +45,7 @@ std::optional<FlightPhase::Transition> FlightPhase::from_safe(const PhaseInputs&
   return std::nullopt;
 }
 
-std::optional<FlightPhase::Transition> FlightPhase::from_armed(const PhaseInputs& inputs) const {
+std::optional<FlightPhase::Transition> FlightPhase::from_armed(const PhaseInputs& inputs, const Motion& motion) const {
   // The switch is the pad crew's way out. It is obeyed here and in no later phase: a switch that opens under
   // vibration must not end a flight.
   if (!inputs.arm_switch_closed) {
@@ -53,7 +53,7 @@ std::optional<FlightPhase::Transition> FlightPhase::from_armed(const PhaseInputs
   }
   // In the tunnel nothing accelerates: control begins on command, and only from rest, when the roll angle means
   // something and nobody holds a turning rocket. A late tick has not watched the rest.
-  const bool at_rest = inputs.motion.at_rest_for >= motion_.rest_time && !inputs.timing_fault;
+  const bool at_rest = motion.at_rest_for >= motion_.rest_time && !inputs.timing_fault;
   if (run_.start == Start::tunnel && inputs.start_command && at_rest) {
     return Transition{Phase::controlling, PhaseReason::tunnel_start_command};
   }
@@ -65,18 +65,19 @@ std::optional<FlightPhase::Transition> FlightPhase::from_armed(const PhaseInputs
   return std::nullopt;
 }
 
-std::optional<FlightPhase::Transition> FlightPhase::from_launched(const PhaseInputs& inputs) const {
+std::optional<FlightPhase::Transition> FlightPhase::from_launched(const PhaseInputs& inputs,
+                                                                  const Motion& motion) const {
   // Without a rate there is no roll angle, and with a broken clock no height: such a flight is never controlled.
   if (inputs.timing_fault) {
     return Transition{Phase::armed, PhaseReason::timing_fault_before_control};
   }
-  if (inputs.motion.gyro == SensorState::failed) {
+  if (motion.gyro == SensorState::failed) {
     return Transition{Phase::armed, PhaseReason::gyro_failed_before_control};
   }
   // Canards that move inside the guide can jam the rocket in it. Both figures must say that it has left: a knock
   // gives speed without distance, a drifting accelerometer distance without speed.
-  const bool beyond_guide = inputs.motion.distance_along_guide_m >= guide_.length_m + guide_.clearance_m;
-  if (beyond_guide && inputs.motion.speed_m_s > guide_.minimum_speed_m_s) {
+  const bool beyond_guide = motion.distance_along_guide_m >= guide_.length_m + guide_.clearance_m;
+  if (beyond_guide && motion.speed_m_s > guide_.minimum_speed_m_s) {
     return Transition{Phase::controlling, PhaseReason::guide_clear};
   }
   // A real launch is clear of the guide within about half a second; what takes this long was something else.
@@ -86,13 +87,14 @@ std::optional<FlightPhase::Transition> FlightPhase::from_launched(const PhaseInp
   return std::nullopt;
 }
 
-std::optional<FlightPhase::Transition> FlightPhase::from_controlling(const PhaseInputs& inputs) const {
+std::optional<FlightPhase::Transition> FlightPhase::from_controlling(const PhaseInputs& inputs,
+                                                                     const Motion& motion) const {
   // A tick that came late or twice makes every rate and angle doubtful.
   if (inputs.timing_fault) {
     return Transition{Phase::finished, PhaseReason::timing_fault};
   }
   // The last rate may be used for a few milliseconds only; then roll is unknown.
-  if (inputs.motion.gyro == SensorState::failed) {
+  if (motion.gyro == SensorState::failed) {
     return Transition{Phase::finished, PhaseReason::gyro_failed};
   }
   // Three canards still control roll, so by default a fault is recorded and the others go on.
@@ -101,11 +103,11 @@ std::optional<FlightPhase::Transition> FlightPhase::from_controlling(const Phase
   }
   if (run_.start == Start::launch) {
     // Canards deflected on a rocket that lies across the wind steer it: past this tilt they can only do harm.
-    if (inputs.motion.tilt > run_.tilt_limit) {
+    if (motion.tilt > run_.tilt_limit) {
       return Transition{Phase::finished, PhaseReason::tilted_too_far};
     }
     // Near apogee there is no flow over the canards, and after it the recovery system works.
-    if (inputs.motion.vertical_speed_m_s < 0.0F) {
+    if (motion.vertical_speed_m_s < 0.0F) {
       return Transition{Phase::finished, PhaseReason::apogee};
     }
   }

@@ -36,7 +36,7 @@ enum class PhaseReason : std::uint8_t {
   canard_fault,
 };
 
-/// What one tick may move the phase.
+/// What one tick may move the phase, besides the motion.
 struct PhaseInputs {
   Microseconds time{};
   bool arm_switch_closed = false;
@@ -45,7 +45,6 @@ struct PhaseInputs {
   bool launch_detected = false;
   bool timing_fault = false;
   bool canard_fault = false;
-  Motion motion;
 };
 
 /// Safe -> Armed -> Launched -> Controlling -> Finished. Starts in Safe; there is no way to set a phase.
@@ -54,7 +53,7 @@ class FlightPhase {
   FlightPhase(const RunPlan& run, const GuidePlan& guide, const MotionPlan& motion);
 
   /// True when this tick changed the phase.
-  bool update(const PhaseInputs& inputs);
+  bool update(const PhaseInputs& inputs, const Motion& motion);
 
   [[nodiscard]] Phase phase() const { return phase_; }
   [[nodiscard]] PhaseReason reason() const { return reason_; }
@@ -72,9 +71,9 @@ class FlightPhase {
   };
 
   [[nodiscard]] std::optional<Transition> from_safe(const PhaseInputs& inputs) const;
-  [[nodiscard]] std::optional<Transition> from_armed(const PhaseInputs& inputs) const;
-  [[nodiscard]] std::optional<Transition> from_launched(const PhaseInputs& inputs) const;
-  [[nodiscard]] std::optional<Transition> from_controlling(const PhaseInputs& inputs) const;
+  [[nodiscard]] std::optional<Transition> from_armed(const PhaseInputs& inputs, const Motion& motion) const;
+  [[nodiscard]] std::optional<Transition> from_launched(const PhaseInputs& inputs, const Motion& motion) const;
+  [[nodiscard]] std::optional<Transition> from_controlling(const PhaseInputs& inputs, const Motion& motion) const;
 
   RunPlan run_;
   GuidePlan guide_;

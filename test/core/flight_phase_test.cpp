@@ -14,6 +14,10 @@ using namespace literals;
 
 Microseconds ms(int value) { return Microseconds{value * 1'000LL}; }
 
+struct Tick : PhaseInputs {
+  Motion motion;
+};
+
 /// Drives the phases tick by tick; each test changes only what it is about.
 class Sequence {
  public:
@@ -24,21 +28,21 @@ class Sequence {
 
   bool tick() {
     next.time += ms(1);
-    return phases_.update(next);
+    return phases_.update(next, next.motion);
   }
   /// One tick with something that lasts no longer.
-  bool tick(const std::function<void(PhaseInputs&)>& change) {
-    PhaseInputs once = next;
+  bool tick(const std::function<void(Tick&)>& change) {
+    Tick once = next;
     once.time = next.time += ms(1);
     change(once);
-    return phases_.update(once);
+    return phases_.update(once, once.motion);
   }
   Sequence& arm() {
-    tick([](PhaseInputs& i) { i.arm_command = true; });
+    tick([](Tick& i) { i.arm_command = true; });
     return *this;
   }
   Sequence& launch() {
-    tick([](PhaseInputs& i) { i.launch_detected = true; });
+    tick([](Tick& i) { i.launch_detected = true; });
     return *this;
   }
   Sequence& clear_guide() {
@@ -50,7 +54,7 @@ class Sequence {
   }
   Sequence& start_tunnel() {
     next.motion.at_rest_for = plan_.motion.rest_time;
-    tick([](PhaseInputs& i) { i.start_command = true; });
+    tick([](Tick& i) { i.start_command = true; });
     return *this;
   }
   void expect(Phase phase, PhaseReason reason) const {
@@ -59,7 +63,7 @@ class Sequence {
   }
   [[nodiscard]] const FlightPhase& phases() const { return phases_; }
 
-  PhaseInputs next;
+  Tick next;
 
  private:
   FlightPlan plan_;
@@ -80,7 +84,7 @@ TEST(FlightPhase, NeitherTheSwitchNorTheCommandAloneArms) {
     EXPECT_FALSE(sequence.tick());  // the switch
   }
   sequence.next.arm_switch_closed = false;
-  EXPECT_FALSE(sequence.tick([](PhaseInputs& i) { i.arm_command = true; }));
+  EXPECT_FALSE(sequence.tick([](Tick& i) { i.arm_command = true; }));
   sequence.next.arm_switch_closed = true;  // a command of before does not count
   EXPECT_FALSE(sequence.tick());
   sequence.expect(Phase::safe, PhaseReason::power_on);
@@ -88,7 +92,7 @@ TEST(FlightPhase, NeitherTheSwitchNorTheCommandAloneArms) {
 
 TEST(FlightPhase, SwitchThenCommandArms) {
   Sequence sequence;
-  EXPECT_TRUE(sequence.tick([](PhaseInputs& i) { i.arm_command = true; }));
+  EXPECT_TRUE(sequence.tick([](Tick& i) { i.arm_command = true; }));
   sequence.expect(Phase::armed, PhaseReason::armed_by_switch_and_command);
   EXPECT_TRUE(sequence.phases().listens_for_launch());
 }
@@ -106,7 +110,7 @@ TEST(FlightPhase, SafeListensToNothingElse) {
 TEST(FlightPhase, OpenSwitchDisarmsEvenInTheTickOfADetection) {
   Sequence sequence;
   sequence.arm();
-  sequence.tick([](PhaseInputs& i) {
+  sequence.tick([](Tick& i) {
     i.arm_switch_closed = false;
     i.launch_detected = true;
   });
@@ -176,7 +180,7 @@ TEST(FlightPhase, DisarmingDoesNotExcuseFromTheRest) {
   sequence.arm().launch();
   sequence.next.time += ms(1'500);
   sequence.tick();
-  sequence.tick([](PhaseInputs& i) { i.arm_switch_closed = false; });
+  sequence.tick([](Tick& i) { i.arm_switch_closed = false; });
   sequence.arm().expect(Phase::armed, PhaseReason::armed_by_switch_and_command);
   EXPECT_FALSE(sequence.phases().listens_for_launch());
 }
@@ -184,15 +188,15 @@ TEST(FlightPhase, DisarmingDoesNotExcuseFromTheRest) {
 TEST(FlightPhase, FaultBeforeControlGoesBackToThePad) {
   Sequence gyro;
   gyro.arm().launch();
-  gyro.tick([](PhaseInputs& i) { i.motion.gyro = SensorState::lost; });
+  gyro.tick([](Tick& i) { i.motion.gyro = SensorState::lost; });
   gyro.expect(Phase::launched, PhaseReason::launch_detected);
-  gyro.tick([](PhaseInputs& i) { i.motion.gyro = SensorState::failed; });
+  gyro.tick([](Tick& i) { i.motion.gyro = SensorState::failed; });
   gyro.expect(Phase::armed, PhaseReason::gyro_failed_before_control);
   EXPECT_FALSE(gyro.phases().listens_for_launch());
 
   Sequence timing;
   timing.arm().launch();
-  timing.tick([](PhaseInputs& i) { i.timing_fault = true; });
+  timing.tick([](Tick& i) { i.timing_fault = true; });
   timing.expect(Phase::armed, PhaseReason::timing_fault_before_control);
   EXPECT_FALSE(timing.phases().listens_for_launch());
 }
@@ -211,14 +215,14 @@ TEST(FlightPhase, ControlEndsWhenItsTimeIsOver) {
 
 struct End {
   PhaseReason reason;
-  std::function<void(PhaseInputs&)> cause;
+  std::function<void(Tick&)> cause;
 };
 
 const End ends[] = {
-    {PhaseReason::apogee, [](PhaseInputs& i) { i.motion.vertical_speed_m_s = -0.001F; }},
-    {PhaseReason::tilted_too_far, [](PhaseInputs& i) { i.motion.tilt = 60.1_deg; }},
-    {PhaseReason::gyro_failed, [](PhaseInputs& i) { i.motion.gyro = SensorState::failed; }},
-    {PhaseReason::timing_fault, [](PhaseInputs& i) { i.timing_fault = true; }},
+    {PhaseReason::apogee, [](Tick& i) { i.motion.vertical_speed_m_s = -0.001F; }},
+    {PhaseReason::tilted_too_far, [](Tick& i) { i.motion.tilt = 60.1_deg; }},
+    {PhaseReason::gyro_failed, [](Tick& i) { i.motion.gyro = SensorState::failed; }},
+    {PhaseReason::timing_fault, [](Tick& i) { i.timing_fault = true; }},
 };
 
 TEST(FlightPhase, ControlEndsForEachOfItsReasonsAndStaysEnded) {
@@ -263,7 +267,7 @@ TEST(FlightPhase, TunnelStartsOnCommandOnlyArmedAndAtRest) {
   Sequence moving{tunnel_plan()};
   moving.arm();
   moving.next.motion.at_rest_for = ms(1'999);
-  moving.tick([](PhaseInputs& i) { i.start_command = true; });
+  moving.tick([](Tick& i) { i.start_command = true; });
   moving.expect(Phase::armed, PhaseReason::armed_by_switch_and_command);
 
   Sequence ready{tunnel_plan()};
@@ -278,7 +282,7 @@ TEST(FlightPhase, TunnelDoesNotStartInATickOfATimingFault) {
   Sequence sequence{tunnel_plan()};
   sequence.arm();
   sequence.next.motion.at_rest_for = ms(5'000);
-  EXPECT_FALSE(sequence.tick([](PhaseInputs& i) { i.start_command = i.timing_fault = true; }));
+  EXPECT_FALSE(sequence.tick([](Tick& i) { i.start_command = i.timing_fault = true; }));
 }
 
 TEST(FlightPhase, TunnelKnowsNoLaunchNoApogeeAndNoTilt) {
@@ -290,7 +294,7 @@ TEST(FlightPhase, TunnelKnowsNoLaunchNoApogeeAndNoTilt) {
   sequence.next.motion.vertical_speed_m_s = -5.0F;
   sequence.next.motion.tilt = 89_deg;
   EXPECT_FALSE(sequence.tick());
-  sequence.tick([](PhaseInputs& i) { i.motion.gyro = SensorState::failed; });
+  sequence.tick([](Tick& i) { i.motion.gyro = SensorState::failed; });
   sequence.expect(Phase::finished, PhaseReason::gyro_failed);
 }
 
