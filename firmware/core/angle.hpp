@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <compare>
-
 namespace fantail::core {
 
 inline constexpr float pi = 3.14159265358979F;
@@ -26,7 +24,12 @@ class Angle {
   friend constexpr Angle operator-(Angle a, Angle b) { return Angle{a.radians_ - b.radians_}; }
   friend constexpr Angle operator*(float factor, Angle a) { return Angle{factor * a.radians_}; }
   friend constexpr Angle operator/(Angle a, float divisor) { return Angle{a.radians_ / divisor}; }
-  friend constexpr auto operator<=>(Angle, Angle) = default;
+  // Written out: a defaulted <=> of a float first sorts out which of four orderings it is, on every comparison.
+  friend constexpr bool operator==(Angle a, Angle b) { return a.radians_ == b.radians_; }
+  friend constexpr bool operator<(Angle a, Angle b) { return a.radians_ < b.radians_; }
+  friend constexpr bool operator>(Angle a, Angle b) { return a.radians_ > b.radians_; }
+  friend constexpr bool operator<=(Angle a, Angle b) { return a.radians_ <= b.radians_; }
+  friend constexpr bool operator>=(Angle a, Angle b) { return a.radians_ >= b.radians_; }
 
  private:
   constexpr explicit Angle(float radians) : radians_{radians} {}

@@ -126,6 +126,9 @@ bool CanardMonitor::stands_apart(std::size_t canard, const EncoderAngles& encode
 }
 
 bool CanardMonitor::lasts(Persistence& persistence, bool condition, Microseconds elapsed) const {
+  if (!condition && persistence.charge == Microseconds{0}) {
+    return false;  // the usual case
+  }
   persistence.charge =
       std::clamp(persistence.charge + (condition ? elapsed : -2 * elapsed), Microseconds{0}, plan_.hold);
   persistence.lasting =
