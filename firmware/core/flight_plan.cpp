@@ -7,7 +7,7 @@
 namespace fantail::core {
 namespace {
 
-// The longest hold whose whole window the motion estimator can still replay.
+// The longest hold whose whole window the motion estimator still integrates.
 constexpr Microseconds longest_replayed_hold{500'000};
 
 const PlanField& field_named(std::string_view section, std::string_view key) {
@@ -45,9 +45,9 @@ float as_kept(const PlanField& field, float file_value) {
 
 // Rules that no single range can express.
 std::optional<PlanFault> check_across_fields(const FlightPlan& plan) {
-  if (plan.motion.height_origin == HeightOrigin::replay && plan.launch_detection.hold > longest_replayed_hold) {
+  if (plan.motion.height_origin != HeightOrigin::from_detection && plan.launch_detection.hold > longest_replayed_hold) {
     return PlanFault{&field_named("launch_detection", "hold_s"), 0,
-                     "height_origin = \"replay\" keeps 0.5 s of samples: the hold cannot be longer"};
+                     "must not exceed 0.5 s: height_origin \"replay\" and \"velocity_only\" look back no further"};
   }
   if (plan.excitation.form != ExcitationForm::none && plan.excitation.end <= plan.excitation.begin) {
     return PlanFault{&field_named("excitation", "end_s"), 0, "must be later than begin_s"};

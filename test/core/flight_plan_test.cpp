@@ -147,13 +147,15 @@ TEST(FlightPlan, AFractionIsNoChoiceNoFlagAndNoInteger) {
   }
 }
 
-TEST(FlightPlan, ReplayRefusesAHoldLongerThanItsRing) {
+TEST(FlightPlan, HoldLongerThanTheWindowIsRefusedWhereTheWindowCounts) {
   FlightPlan plan = default_plan();
   plan.launch_detection.hold = Microseconds{500'000};
   EXPECT_FALSE(validate(plan).has_value());
   plan.launch_detection.hold = Microseconds{500'001};
   expect_fault(plan, "launch_detection", "hold_s");
-  plan.motion.height_origin = HeightOrigin::velocity_only;
+  plan.motion.height_origin = HeightOrigin::velocity_only;  // the speed of the hold comes out of the same window
+  expect_fault(plan, "launch_detection", "hold_s");
+  plan.motion.height_origin = HeightOrigin::from_detection;
   EXPECT_FALSE(validate(plan).has_value());
 }
 
