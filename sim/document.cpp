@@ -63,7 +63,7 @@ std::optional<std::string> suggestion(std::string_view wrong, std::span<const st
   std::size_t nearest = std::max<std::size_t>(2, wrong.size() / 3) + 1;
   for (const std::string& word : known) {
     const bool part = wrong.size() >= 3 && (word.find(wrong) != std::string::npos);
-    const std::size_t d = part ? 1 : distance(wrong, word);
+    const std::size_t d = part ? std::min<std::size_t>(2, distance(wrong, word)) : distance(wrong, word);
     if (d < nearest) {
       nearest = d;
       best = word;
@@ -107,6 +107,10 @@ void Document::apply(const Override& change) {
   }
   section->insert_or_assign(change.key, *parsed.get("value"));
   replaced_[change.section + "." + change.key] = change.text();
+}
+
+bool Document::is_replaced(std::string_view section, std::string_view key) const {
+  return replaced_.contains(std::string{section} + "." + std::string{key});
 }
 
 std::string Document::where(std::string_view section, std::string_view key, const toml::node* node) const {

@@ -34,6 +34,10 @@ class Document {
   void apply(const Override& change);
 
   [[nodiscard]] const toml::table& root() const { return root_; }
+  [[nodiscard]] std::filesystem::path file() const { return file_; }
+
+  /// Was this value given by a --set?
+  [[nodiscard]] bool is_replaced(std::string_view section, std::string_view key) const;
 
   /// "file:line" of a value, "--set ..." when it was replaced, or the file alone.
   [[nodiscard]] std::string where(std::string_view section, std::string_view key, const toml::node* node) const;
@@ -76,6 +80,9 @@ class Section {
 
   /// Refuses every key that nobody asked for.
   void finish() const;
+
+  [[nodiscard]] std::string where(std::string_view key) const;
+  [[nodiscard]] bool is_replaced(std::string_view key) const { return document_.is_replaced(name_, key); }
 
   /// For rules that span several keys.
   [[noreturn]] void refuse(std::string_view key, const std::string& complaint) const;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <numbers>
+#include <sstream>
 
 #include "sim/input_error.hpp"
 #include "sim/plan_file.hpp"
@@ -22,6 +23,12 @@ constexpr std::array<std::string_view, 8> fault_kinds{"canard_stuck",    "canard
 const std::vector<std::string>& scenario_sections() {
   static const std::vector<std::string> names{"environment", "tunnel", "disturbance", "imposed_roll", "timing"};
   return names;
+}
+
+std::string shown(double value) {
+  std::ostringstream text;
+  text << value;
+  return text.str();
 }
 
 void read_environment(const Document& document, Scenario& scenario) {
@@ -82,7 +89,12 @@ void read_timing(const Document& document, Scenario& scenario) {
   scenario.arm_time_s = section.number("arm_time_s", {0.1, 600}, scenario.arm_time_s);
   scenario.time_after_end_s = section.number("time_after_end_s", {0, 60}, scenario.time_after_end_s);
   if (scenario.arm_time_s >= scenario.pad_time_s) {
-    section.refuse("arm_time_s", "must be earlier than pad_time_s");
+    const std::string arm = shown(scenario.arm_time_s);
+    const std::string pad = shown(scenario.pad_time_s);
+    if (section.has("arm_time_s")) {
+      section.refuse("arm_time_s", "= " + arm + " must be earlier than pad_time_s = " + pad);
+    }
+    section.refuse("pad_time_s", "= " + pad + " must be later than arm_time_s = " + arm);
   }
   section.finish();
 }
@@ -140,8 +152,8 @@ Scenario load_scenario(const std::string& name_or_path, std::span<const Override
   scenario.plan_name = top.text("plan");
   scenario.seed = static_cast<std::uint64_t>(top.integer("seed", {0, 9e15}, 1));
   scenario.assumed = top.texts("assumed", 100);
-  Document plan_document = Document::load(find_input(Shipped::plan, scenario.plan_name));
-  Document vehicle_document = Document::load(find_input(Shipped::vehicle, scenario.vehicle_name));
+  Document plan_document = Document::load(find_named_input(Shipped::plan, scenario_document, top, "plan"));
+  Document vehicle_document = Document::load(find_named_input(Shipped::vehicle, scenario_document, top, "vehicle"));
 
   std::vector<std::string> sections = scenario_sections();
   const std::vector<std::string> of_plan = plan_sections();

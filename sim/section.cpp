@@ -59,10 +59,13 @@ const toml::node* Section::find(std::string_view key) {
   return table_ == nullptr ? nullptr : table_->get(key);
 }
 
-void Section::refuse(std::string_view key, const std::string& complaint) const {
+std::string Section::where(std::string_view key) const {
   const toml::node* node = table_ == nullptr ? nullptr : table_->get(key);
-  throw InputError{InputFault::bad_configuration,
-                   document_.where(name_, key, node != nullptr ? node : table_) + ": " + label(key) + " " + complaint};
+  return document_.where(name_, key, node != nullptr ? node : table_);
+}
+
+void Section::refuse(std::string_view key, const std::string& complaint) const {
+  throw InputError{InputFault::bad_configuration, where(key) + ": " + label(key) + " " + complaint};
 }
 
 bool Section::has(std::string_view key) { return find(key) != nullptr; }

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "sim/document.hpp"
 #include "sim/input_error.hpp"
 
 namespace fantail::sim {
@@ -24,6 +23,10 @@ Place place_of(Shipped kind) {
     case Shipped::plan: break;
   }
   return {"flight plan", "firmware/plans", ".toml"};
+}
+
+bool looks_like_path(const std::string& text) {
+  return text.find('/') != std::string::npos || std::filesystem::path{text}.has_extension();
 }
 
 }  // namespace
@@ -48,17 +51,15 @@ std::vector<std::string> shipped_names(Shipped kind) {
 
 std::filesystem::path find_input(Shipped kind, const std::string& name_or_path) {
   const Place place = place_of(kind);
-  const bool looks_like_path =
-      name_or_path.find('/') != std::string::npos || std::filesystem::path{name_or_path}.has_extension();
   const std::filesystem::path shipped = data_folder() / place.folder / (name_or_path + std::string{place.extension});
   std::error_code ignored;
-  if (!looks_like_path && std::filesystem::is_regular_file(shipped, ignored)) {
+  if (!looks_like_path(name_or_path) && std::filesystem::is_regular_file(shipped, ignored)) {
     return shipped;
   }
   if (std::filesystem::is_regular_file(name_or_path, ignored)) {
     return name_or_path;
   }
-  if (looks_like_path) {
+  if (looks_like_path(name_or_path)) {
     throw InputError{InputFault::no_such_input, name_or_path + ": no such file"};
   }
   const std::vector<std::string> names = shipped_names(kind);
@@ -66,11 +67,25 @@ std::filesystem::path find_input(Shipped kind, const std::string& name_or_path) 
   if (const auto meant = suggestion(name_or_path, names)) {
     message += "; did you mean " + *meant + "?";
   }
-  message += " Shipped:";
+  message += std::string{message.ends_with('?') ? "" : ";"} + " shipped:";
   for (const std::string& name : names) {
     message += " " + name;
   }
   throw InputError{InputFault::no_such_input, message};
+}
+
+std::filesystem::path find_named_input(Shipped kind, const Document& document, Section& section, std::string_view key) {
+  const std::string name = section.text(key);
+  const std::filesystem::path beside = document.file().parent_path() / name;
+  std::error_code ignored;
+  if (!section.is_replaced(key) && looks_like_path(name) && std::filesystem::is_regular_file(beside, ignored)) {
+    return beside;
+  }
+  try {
+    return find_input(kind, name);
+  } catch (const InputError& error) {
+    throw InputError{error.fault(), section.where(key) + ": " + error.what()};
+  }
 }
 
 }  // namespace fantail::sim

@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "sim/document.hpp"
+
 namespace fantail::sim {
 
 /// What kind of file a name stands for, and so in which folder the shipped ones lie.
@@ -14,6 +16,11 @@ enum class Shipped { scenario, vehicle, motor, plan };
 /// The file that a person means: a path when it names an existing file or looks like one, else a shipped name. Throws
 /// InputError (no_such_input) with the shipped names and a suggestion.
 [[nodiscard]] std::filesystem::path find_input(Shipped kind, const std::string& name_or_path);
+
+/// The file that a key of a document names: a shipped name, or a path from the folder of that document, or from the
+/// working folder. A path given with --set counts from the working folder only. The error says where it was named.
+[[nodiscard]] std::filesystem::path find_named_input(Shipped kind, const Document& document, Section& section,
+                                                     std::string_view key);
 
 /// The shipped names of a kind, sorted.
 [[nodiscard]] std::vector<std::string> shipped_names(Shipped kind);

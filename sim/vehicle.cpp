@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "sim/vehicle.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <numbers>
+#include <sstream>
 
 #include "sim/input_error.hpp"
 #include "sim/rasp_file.hpp"
@@ -30,11 +33,33 @@ void read_body(const Document& document, Vehicle& vehicle) {
   aerodynamics.finish();
 }
 
+// No rocket of this kind comes near; beyond them a flight might last for days, or leave what a double can hold.
+constexpr double longest_burn_s = 600.0;
+constexpr double most_speed_m_s = 3000.0;
+
+std::string shown(double value) {
+  std::ostringstream text;
+  text << value;
+  return text.str();
+}
+
 void read_motor(const Document& document, Vehicle& vehicle) {
   Section motor{document, "motor"};
-  vehicle.motor = load_rasp(find_input(Shipped::motor, motor.text("file")));
-  if (vehicle.motor.propellant_kg() >= vehicle.mass_kg) {
-    motor.refuse("file", "has more propellant than body.mass_kg");
+  vehicle.motor = load_rasp(find_named_input(Shipped::motor, document, motor, "file"));
+  const ThrustCurve& curve = vehicle.motor;
+  const double empty_kg = vehicle.mass_kg - curve.propellant_kg();
+  if (!(empty_kg > 0.0)) {
+    Section{document, "body"}.refuse("mass_kg", "= " + shown(vehicle.mass_kg) +
+                                                    "; allowed: more than the propellant of its motor, " +
+                                                    shown(curve.propellant_kg()));
+  }
+  if (curve.burnout_s() > longest_burn_s) {
+    motor.refuse("file",
+                 "burns for " + shown(curve.burnout_s()) + " s; allowed: at most " + shown(longest_burn_s) + " s");
+  }
+  if (curve.impulse_n_s() > most_speed_m_s * empty_kg) {
+    motor.refuse("file", "gives " + shown(curve.impulse_n_s()) + " N s to " + shown(empty_kg) +
+                             " kg; allowed: what makes at most " + shown(most_speed_m_s) + " m/s");
   }
   motor.finish();
 }
@@ -51,6 +76,9 @@ void read_servo(const Document& document, Vehicle& vehicle) {
   p.backlash_rad = radians_per_degree * servo.number("backlash_deg", {0, 5}, p.backlash_rad / radians_per_degree);
   p.pulse_centre_us = servo.number("pulse_centre_us", {500, 2500}, p.pulse_centre_us);
   p.pulse_per_degree_us = servo.number("pulse_per_degree_us", {-40, 40}, p.pulse_per_degree_us);
+  if (std::abs(p.pulse_per_degree_us) < 0.1) {
+    servo.refuse("pulse_per_degree_us", "= " + shown(p.pulse_per_degree_us) + "; allowed: at least 0.1 away from zero");
+  }
   servo.finish();
 }
 

@@ -82,6 +82,9 @@ report::Flight fly_scenario(const sim::Scenario& scenario) {
   flight.events.guide_clear_s = in_seconds(events.guide_clear);
   flight.events.burnout_s = in_seconds(events.burnout);
   flight.events.apogee_s = in_seconds(events.apogee);
+  if (!flight.tunnel && !events.liftoff) {
+    flight.notes.emplace_back("The rocket never left the pad: its motor never pushed with more than its weight.");
+  }
   // A rocket that never left counts from ignition, or from the refused start command.
   const double zero_s = events.liftoff ? in_seconds(*events.liftoff) : scenario.pad_time_s;
   if (scenario.imposed_roll && events.liftoff) {

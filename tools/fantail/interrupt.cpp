@@ -2,6 +2,7 @@
 #include "fantail/interrupt.hpp"
 
 #include <csignal>
+#include <initializer_list>
 
 namespace fantail::tool {
 namespace {
@@ -12,8 +13,12 @@ volatile std::sig_atomic_t interrupted = 0;
 
 void catch_interrupts() {
   const auto mark = [](int) { interrupted = 1; };
-  std::signal(SIGINT, mark);
-  std::signal(SIGTERM, mark);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    // nohup and the background jobs of a shell ignore some from the start, and mean it.
+    if (std::signal(signal, mark) == SIG_IGN) {
+      std::signal(signal, SIG_IGN);
+    }
+  }
 }
 
 void give_up_if_interrupted() {

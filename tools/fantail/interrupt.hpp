@@ -5,7 +5,8 @@
 
 namespace fantail::tool {
 
-/// Ctrl-C, or a request to terminate. Work is given up between two steps, never in the middle of writing results.
+/// Ctrl-C, a request to terminate, or a terminal that was closed. Work is given up between two steps, never in the
+/// middle of writing results.
 class Interrupted : public std::exception {
  public:
   [[nodiscard]] const char* what() const noexcept override { return "interrupted; nothing was written"; }

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include <exception>
 #include <string>
+#include <system_error>
 
 #include <CLI/CLI.hpp>
-#include <fmt/format.h>
 
 #include "fantail/exit_code.hpp"
 #include "fantail/interrupt.hpp"
+#include "fantail/standard_streams.hpp"
+#include "fantail/usage.hpp"
 #include "fantail/verbs.hpp"
 #include "report/output_folder.hpp"
 #include "sim/input_error.hpp"
@@ -14,11 +16,17 @@
 namespace {
 
 using fantail::tool::ExitCode;
+using fantail::tool::output_was_taken;
+using fantail::tool::usage_complaint;
 
-ExitCode complain(const std::exception& error, ExitCode code) {
-  fmt::print(stderr, "fantail: {}\n", error.what());
+ExitCode complain(const std::string& message, ExitCode code) {
+  fantail::tool::say("fantail: " + message + "\n");
   return code;
 }
+
+ExitCode complain(const std::exception& error, ExitCode code) { return complain(error.what(), code); }
+
+ExitCode complain_about_output() { return complain("standard output could not be written", ExitCode::input_output); }
 
 ExitCode code_of(fantail::sim::InputFault fault) {
   switch (fault) {
@@ -45,26 +53,30 @@ ExitCode run(int argc, char** argv) {
   fantail::tool::add_plan(program);
   try {
     program.parse(argc, argv);
-    // Output that a pipe or a full disk did not take must not look like success.
-    return std::fflush(stdout) == 0
-               ? ExitCode::done
-               : complain(std::runtime_error{"standard output could not be written"}, ExitCode::input_output);
   } catch (const CLI::ParseError& error) {
-    return program.exit(error) == 0 ? ExitCode::done : ExitCode::usage;
+    if (error.get_exit_code() != 0) {
+      return complain(usage_complaint(program, error) + " (see --help)", ExitCode::usage);
+    }
+    program.exit(error);  // help or version, asked for
   } catch (const fantail::sim::InputError& error) {
     return complain(error, code_of(error.fault()));
   } catch (const fantail::report::OutputError& error) {
     return complain(error, ExitCode::input_output);
   } catch (const fantail::tool::Interrupted& error) {
     return complain(error, ExitCode::interrupted);
+  } catch (const std::system_error& error) {
+    return output_was_taken() ? complain(error, ExitCode::input_output) : complain_about_output();
   } catch (const std::exception& error) {
     return complain(error, ExitCode::internal_error);
   }
+  // Output that a pipe or a full disk did not take must not look like success.
+  return output_was_taken() ? ExitCode::done : complain_about_output();
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
+  fantail::tool::guard_standard_streams();
   fantail::tool::catch_interrupts();
   return static_cast<int>(run(argc, argv));
 }

@@ -2,11 +2,12 @@
 #include "fantail/progress.hpp"
 
 #include <algorithm>
-#include <cstdio>
 #include <utility>
 
 #include <fmt/format.h>
 #include <unistd.h>
+
+#include "fantail/standard_streams.hpp"
 
 namespace fantail::tool {
 
@@ -15,7 +16,7 @@ Progress::Progress(std::string what, std::optional<double> total_s)
 
 Progress::~Progress() {
   if (shown_) {
-    fmt::print(stderr, "\r\033[K");
+    say("\r\033[K");
   }
 }
 
@@ -30,8 +31,7 @@ void Progress::show(double done_s) {
   if (total_s_ && rate > 0.0) {
     line += fmt::format(", {:.0f} s to go", std::max(0.0, *total_s_ - done_s) / rate);
   }
-  fmt::print(stderr, "\r\033[K{}", line);
-  std::fflush(stderr);
+  say("\r\033[K" + line);
   shown_ = true;
   next_ = now + std::chrono::milliseconds{100};
 }

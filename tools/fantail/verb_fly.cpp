@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <charconv>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -18,10 +19,24 @@ namespace {
 struct FlyOptions {
   std::string scenario = "tasha3_launch2";
   std::string out;
-  std::optional<std::uint64_t> seed;
+  std::string seed;
   std::vector<std::string> changes;
   bool json = false;
 };
+
+// CLI11 would wrap -1 around and cut off what is too large. Empty: not a seed.
+std::optional<std::uint64_t> parse_seed(const std::string& text) {
+  std::uint64_t seed = 0;
+  const char* end = text.data() + text.size();
+  const auto [stopped, error] = std::from_chars(text.data(), end, seed);
+  return error == std::errc{} && stopped == end ? std::optional{seed} : std::nullopt;
+}
+
+std::string objection_to_seed(const std::string& text) {
+  return parse_seed(text) ? "" : '"' + text + "\" is not a seed; allowed: a whole number, 0 to 18446744073709551615";
+}
+
+std::string objection_to_folder(const std::string& text) { return text.empty() ? "the name of a folder is empty" : ""; }
 
 void print_figure(std::string_view label, const std::optional<double>& value, std::string_view format) {
   if (value) {
@@ -30,7 +45,11 @@ void print_figure(std::string_view label, const std::optional<double>& value, st
 }
 
 void print_summary(const report::Flight& flight, const report::Results& results) {
-  fmt::print("{} ({}), seed {}\n{}\n\n", flight.scenario, flight.vehicle, flight.seed, results.verdict.text);
+  fmt::print("{} ({}), seed {}\n{}\n", flight.scenario, flight.vehicle, flight.seed, results.verdict.text);
+  for (const std::string& note : flight.notes) {
+    fmt::print("{}\n", note);
+  }
+  fmt::print("\n");
   const report::Events& events = flight.events;
   const auto percent = results.figures.saturated_fraction;
   print_figure("launch detected", events.detected_s, "{:.3f} s after lift-off");
@@ -49,7 +68,7 @@ void fly(const FlyOptions& options) {
     changes.push_back(sim::parse_override(text));
   }
   sim::Scenario scenario = sim::load_scenario(options.scenario, changes);
-  scenario.seed = options.seed.value_or(scenario.seed);
+  scenario.seed = parse_seed(options.seed).value_or(scenario.seed);
 
   const report::Flight flight = fly_scenario(scenario);
   const report::Results results = report::results(flight);
@@ -74,8 +93,11 @@ void add_fly(CLI::App& program) {
                    "A shipped name (tasha3_launch1, tasha3_launch2, tunnel_steps) or a "
                    "path to a scenario file")
       ->capture_default_str();
-  verb->add_option("--out", options->out, "Folder for flight.csv, summary.json and report.html [out/SCENARIO]");
-  verb->add_option("--seed", options->seed, "Of all random streams, instead of the scenario's own");
+  verb->add_option("--out", options->out, "Folder for flight.csv, summary.json and report.html [out/SCENARIO]")
+      ->check(objection_to_folder);
+  verb->add_option("--seed", options->seed, "Of all random streams, instead of the scenario's own")
+      ->check(objection_to_seed)
+      ->type_name("NUMBER");
   verb->add_option("--set", options->changes, "section.key=value: change one number of plan, vehicle or scenario")
       ->allow_extra_args(false);
   verb->add_flag("--json", options->json, "Print summary.json instead of the text");

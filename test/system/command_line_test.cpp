@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#include <cctype>
+
+#include <gtest/gtest.h>
+
+#include "system/folder.hpp"
+#include "system/process.hpp"
+
+namespace fantail::test {
+namespace {
+
+using Words = std::vector<std::string>;
+
+class Help : public testing::TestWithParam<Words> {};
+
+TEST_P(Help, ShowsThreeExamples) {
+  Words words = GetParam();
+  words.emplace_back("--help");
+  const Outcome outcome = fantail(words);
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_EQ(outcome.err, "");
+  const std::size_t examples = outcome.out.find("Examples:\n");
+  ASSERT_NE(examples, std::string::npos) << outcome.out;
+  int count = 0;
+  for (std::size_t at = examples; (at = outcome.out.find("\n  fantail ", at)) != std::string::npos; ++at) {
+    ++count;
+  }
+  EXPECT_GE(count, 3) << outcome.out;
+}
+
+INSTANTIATE_TEST_SUITE_P(EachVerb, Help,
+                         testing::Values(Words{}, Words{"fly"}, Words{"plan"}, Words{"plan", "check"},
+                                         Words{"plan", "show"}, Words{"plan", "compile"}),
+                         [](const auto& one) {
+                           std::string name = "fantail";
+                           for (const std::string& word : one.param) {
+                             name += "_" + word;
+                           }
+                           return name;
+                         });
+
+TEST(Version, IsOneLine) {
+  const Outcome outcome = fantail({"--version"});
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_TRUE(outcome.out.starts_with("fantail ")) << outcome.out;
+  EXPECT_TRUE(std::isdigit(static_cast<unsigned char>(outcome.out[8])));
+  EXPECT_EQ(outcome.out.find('\n'), outcome.out.size() - 1);
+}
+
+struct Wrong {
+  const char* name;
+  Words words;
+  const char* said;  ///< must be part of the message
+};
+
+class WrongUsage : public testing::TestWithParam<Wrong> {};
+
+TEST_P(WrongUsage, IsSaidOnStandardErrorWithExitCode64) {
+  const Folder folder;
+  const Outcome outcome = fantail(GetParam().words, {.working_folder = folder.path()});
+  EXPECT_EQ(outcome.exit_code, 64);
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_TRUE(outcome.err.starts_with("fantail: ")) << outcome.err;
+  EXPECT_NE(outcome.err.find(GetParam().said), std::string::npos) << outcome.err;
+  EXPECT_TRUE(folder.listing().empty());
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    CommandLine, WrongUsage,
+    testing::Values(Wrong{"NoVerb", {}, "verb"}, Wrong{"UnknownVerb", {"frobnicate"}, "frobnicate"},
+                    Wrong{"NearlyAVerb", {"flY"}, "flY"}, Wrong{"UnknownOption", {"fly", "--bogus"}, "--bogus"},
+                    Wrong{"OptionOfAnotherVerb", {"plan", "show", "tasha3_launch1", "--seed", "1"}, "--seed"},
+                    Wrong{"OptionWithoutAVerb", {"--json"}, "--json"},
+                    Wrong{"OutWithoutAValue", {"fly", "--out"}, "--out"},
+                    Wrong{"OutWithAnEmptyValue", {"fly", "--out", ""}, "--out"},
+                    Wrong{"SeedWithoutAValue", {"fly", "--seed"}, "--seed"},
+                    Wrong{"SeedThatIsAFraction", {"fly", "--seed", "1.5"}, "--seed"},
+                    Wrong{"SeedThatIsNegative", {"fly", "--seed", "-1"}, "--seed"},
+                    Wrong{"SeedTooLargeForItsType", {"fly", "--seed", "18446744073709551616"}, "--seed"},
+                    Wrong{"SeedThatIsAWord", {"fly", "--seed", "x"}, "--seed"},
+                    Wrong{"SeedThatIsEmpty", {"fly", "--seed", ""}, "--seed"},
+                    Wrong{"SetWithoutAValue", {"fly", "--set"}, "--set"},
+                    Wrong{"TwoScenarios", {"fly", "tasha3_launch1", "tasha3_launch2"}, "tasha3_launch2"},
+                    Wrong{"PlanWithoutAnAction", {"plan"}, "check, show, compile"},
+                    Wrong{"PlanWithAnUnknownAction", {"plan", "frobnicate", "tasha3_launch1"}, "frobnicate"},
+                    Wrong{"PlanCheckWithoutAPlan", {"plan", "check"}, "PLAN"}),
+    [](const auto& one) { return one.param.name; });
+
+TEST(Seed, TheLargestIsTaken) {
+  const Folder folder;
+  const Outcome outcome =
+      fantail({"fly", "--seed", "18446744073709551615", "--json"}, {.working_folder = folder.path()});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("\"seed\": 18446744073709551615"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace fantail::test

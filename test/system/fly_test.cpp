@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "system/folder.hpp"
+#include "system/process.hpp"
+
+namespace fantail::test {
+namespace {
+
+using Names = std::vector<std::string>;
+const Names results{"flight.csv", "report.html", "summary.json"};
+
+nlohmann::json summary(const std::string& folder) {
+  return nlohmann::json::parse(content(std::filesystem::path{folder} / "summary.json"));
+}
+
+TEST(Fly, FliesTheSecondLaunchIntoAFolderOfItsNameWhenNothingIsSaid) {
+  const Folder folder;
+  const Outcome outcome = fantail({"fly"}, {.working_folder = folder.path()});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(outcome.err, "");
+  EXPECT_EQ(folder.listing(), (Names{"out", "out/tasha3_launch2", "out/tasha3_launch2/flight.csv",
+                                     "out/tasha3_launch2/report.html", "out/tasha3_launch2/summary.json"}));
+  EXPECT_NE(outcome.out.find("out/tasha3_launch2/report.html"), std::string::npos) << outcome.out;
+  EXPECT_EQ(summary(folder / "out/tasha3_launch2")["scenario"], "tasha3_launch2");
+}
+
+TEST(Fly, NamesTheDefaultFolderAfterTheScenarioFile) {
+  const Folder folder;
+  folder.write("mine.v2.toml", "vehicle = \"tasha3_launch2\"\nplan = \"tasha3_launch2\"\n");
+  EXPECT_EQ(fantail({"fly", "mine.v2.toml"}, {.working_folder = folder.path()}).exit_code, 0);
+  EXPECT_EQ(summary(folder / "out/mine.v2")["scenario"], "mine.v2");
+}
+
+TEST(Fly, WritesItsThreeFilesWhereItIsTold) {
+  const Folder folder;
+  const Outcome outcome = fantail({"fly", "tasha3_launch1", "--out", folder / "a new/folder"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  Names names;
+  for (const auto& entry : std::filesystem::directory_iterator{folder / "a new/folder"}) {
+    names.push_back(entry.path().filename().string());
+  }
+  std::ranges::sort(names);
+  EXPECT_EQ(names, results);
+}
+
+TEST(Fly, ReplacesAnEarlierResultAndLeavesOtherFilesAlone) {
+  const Folder folder;
+  folder.write("out/summary.json", "an earlier result");
+  folder.write("out/notes.txt", "mine");
+  EXPECT_EQ(fantail({"fly", "--out", folder / "out"}).exit_code, 0);
+  EXPECT_EQ(summary(folder / "out")["seed"], 1);
+  EXPECT_EQ(content(folder / "out/notes.txt"), "mine");
+  EXPECT_EQ(folder.listing().size(), 5U);  // the folder, three results, the notes: nothing temporary
+}
+
+TEST(Fly, GivesTheSameBytesForTheSameSeedAndOthersForAnother) {
+  const Folder folder;
+  for (const auto& [name, seed] : {std::pair{"a", "7"}, std::pair{"b", "7"}, std::pair{"c", "8"}}) {
+    EXPECT_EQ(fantail({"fly", "tasha3_launch2", "--seed", seed, "--out", folder / name}).exit_code, 0);
+  }
+  for (const std::string& file : results) {
+    EXPECT_EQ(content(folder / ("a/" + file)), content(folder / ("b/" + file))) << file;
+    EXPECT_NE(content(folder / ("a/" + file)), content(folder / ("c/" + file))) << file;
+  }
+  EXPECT_EQ(summary(folder / "a")["seed"], 7);
+  EXPECT_EQ(summary(folder / "c")["seed"], 8);
+}
+
+// Bytes must not depend on where they are written, or on the folder the program was called from.
+TEST(Fly, GivesTheSameBytesFromAnotherFolderAndInAnotherLanguage) {
+  const Folder folder;
+  const Folder elsewhere;
+  EXPECT_EQ(fantail({"fly", "--out", folder / "a"}).exit_code, 0);
+  EXPECT_EQ(fantail({"fly", "--out", folder / "b/c"}, {.working_folder = elsewhere.path(),
+                                                       .prepare =
+                                                           [] {
+                                                             setenv("LC_ALL", "de_DE.UTF-8", 1);
+                                                             setenv("TZ", "Pacific/Auckland", 1);
+                                                           }})
+                .exit_code,
+            0);
+  for (const std::string& file : results) {
+    EXPECT_EQ(content(folder / ("a/" + file)), content(folder / ("b/c/" + file))) << file;
+  }
+}
+
+struct Change {
+  const char* text;
+  const char* where;
+};
+
+class FlySet : public testing::TestWithParam<Change> {};
+
+TEST_P(FlySet, ReachesIntoPlanVehicleAndScenario) {
+  const Folder folder;
+  const Outcome changed = fantail({"fly", "--set", GetParam().text, "--out", folder / "changed"});
+  EXPECT_EQ(changed.exit_code, 0) << changed.err;
+  EXPECT_EQ(fantail({"fly", "--out", folder / "plain"}).exit_code, 0);
+  EXPECT_NE(content(folder / "changed/flight.csv"), content(folder / "plain/flight.csv"));
+}
+
+INSTANTIATE_TEST_SUITE_P(EachFile, FlySet,
+                         testing::Values(Change{"controller.canard_limit_deg=6", "plan"},
+                                         Change{"body.mass_kg=3.5", "vehicle"},
+                                         Change{"servo.lag_s=0.03", "vehicle, a key its file does not have"},
+                                         Change{"environment.guide_tilt_deg=5", "scenario"},
+                                         Change{"disturbance.angles_deg=[-3]", "scenario, a list"},
+                                         Change{"reference.kind=hold", "plan, a word without quotes"}),
+                         [](const auto& one) { return "Number" + std::to_string(one.index); });
+
+TEST(Fly, TakesAChangeBeforeTheScenarioAndTheLastOfTwo) {
+  const Folder folder;
+  EXPECT_EQ(fantail({"fly", "--set", "body.mass_kg=9", "--set", "body.mass_kg=3.99", "tasha3_launch2", "--out",
+                     folder / "twice"})
+                .exit_code,
+            0);
+  EXPECT_EQ(fantail({"fly", "--out", folder / "plain"}).exit_code, 0);
+  EXPECT_EQ(content(folder / "twice/flight.csv"), content(folder / "plain/flight.csv"));
+}
+
+TEST(Fly, PrintsOneJsonObjectAndNothingElse) {
+  const Folder folder;
+  const Outcome outcome = fantail({"fly", "tunnel_steps", "--json", "--out", folder / "out"});
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_EQ(outcome.err, "");
+  const nlohmann::json printed = nlohmann::json::parse(outcome.out);  // throws when anything else is there
+  ASSERT_TRUE(printed.is_object());
+  EXPECT_EQ(outcome.out, content(folder / "out/summary.json"));
+  for (const char* key : {"scenario", "seed", "events", "apogee_m", "max_speed_m_s", "control_start_height_m",
+                          "saturated_fraction", "final_phase", "log_sha256", "version"}) {
+    EXPECT_TRUE(printed.contains(key)) << key;
+  }
+  EXPECT_TRUE(printed["log_sha256"].is_null());
+}
+
+TEST(Fly, WritesTheColumnsThatScriptsRelyOn) {
+  const Folder folder;
+  EXPECT_EQ(fantail({"fly", "--out", folder / "out"}).exit_code, 0);
+  const std::string csv = content(folder / "out/flight.csv");
+  EXPECT_EQ(csv.substr(0, csv.find('\n')),
+            "time_s,phase,roll_angle_deg,roll_rate_deg_s,reference_deg,excitation_deg,command_deg,saturated,"
+            "command_1_deg,command_2_deg,command_3_deg,command_4_deg,encoder_1_deg,encoder_2_deg,encoder_3_deg,"
+            "encoder_4_deg,canard_deg,specific_force_m_s2,height_m,speed_m_s,true_roll_angle_deg,"
+            "true_roll_rate_deg_s,true_canard_deg,true_height_m,true_speed_m_s,true_disturbance_deg");
+  EXPECT_EQ(csv.back(), '\n');
+  EXPECT_EQ(csv.find('#'), std::string::npos);
+  EXPECT_EQ(csv.find("nan"), std::string::npos);
+}
+
+TEST(Fly, SaysThatRollWasImposed) {
+  const Folder folder;
+  EXPECT_EQ(fantail({"fly", "tasha3_launch1", "--out", folder / "out"}).exit_code, 0);
+  EXPECT_NEAR(summary(folder / "out")["imposed_roll"]["rate_deg_s"], 51.8, 1e-9);
+  EXPECT_NE(content(folder / "out/report.html").find("imposed"), std::string::npos);
+}
+
+// A rocket that stays on the pad is a result like any other: the run ends after burn-out and says what happened.
+TEST(Fly, ARocketTooHeavyForItsMotorEndsOnThePadAndSaysSo) {
+  const Folder folder;
+  const Outcome outcome = fantail({"fly", "--set", "body.mass_kg=100", "--out", folder / "out"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("never left the pad"), std::string::npos) << outcome.out;
+  const nlohmann::json s = summary(folder / "out");
+  EXPECT_TRUE(s["events"]["liftoff_s"].is_null());
+  EXPECT_TRUE(s["events"]["apogee_s"].is_null());
+  EXPECT_EQ(s["final_phase"], "armed");
+}
+
+// The vehicle and the motor lie beside the files that name them, wherever the program is called from.
+TEST(Fly, FindsFilesBesideTheOneThatNamesThem) {
+  const Folder folder;
+  const std::string root = std::string{FANTAIL_TEST_SOURCE} + "/sim/";
+  folder.write("mine/motor.eng", content(root + "motors/i150_canonical.eng"));
+  std::string vehicle = content(root + "vehicles/tasha3_launch2.toml");
+  const std::string shipped = "\"i150_canonical\"";
+  vehicle.replace(vehicle.find(shipped), shipped.size(), "\"motor.eng\"");
+  folder.write("mine/rocket.toml", vehicle);
+  const std::string scenario = folder.write("mine/flight.toml",
+                                            "vehicle = \"rocket.toml\"\nplan = \"tasha3_launch2\"\n[disturbance]\n"
+                                            "times_s = [0]\nangles_deg = [-4.9]\n");
+  const Outcome outcome = fantail({"fly", scenario, "--out", folder / "beside"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(fantail({"fly", "--out", folder / "plain"}).exit_code, 0);
+  EXPECT_EQ(content(folder / "beside/flight.csv"), content(folder / "plain/flight.csv"));
+}
+
+}  // namespace
+}  // namespace fantail::test

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: MIT
+#include <cstring>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "core/flight_plan_fields.hpp"
+#include "protocol/plan_block.hpp"
+#include "sim/document.hpp"
+#include "sim/plan_file.hpp"
+#include "system/folder.hpp"
+#include "system/process.hpp"
+
+namespace fantail::test {
+namespace {
+
+class Plan : public testing::TestWithParam<std::string> {
+ protected:
+  [[nodiscard]] static std::string file() {
+    return std::string{FANTAIL_TEST_SOURCE} + "/firmware/plans/" + GetParam() + ".toml";
+  }
+};
+
+TEST_P(Plan, MayFly) {
+  const Outcome outcome = fantail({"plan", "check", GetParam()});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("may fly"), std::string::npos) << outcome.out;
+  const Outcome json = fantail({"plan", "check", GetParam(), "--json"});
+  EXPECT_EQ(nlohmann::json::parse(json.out)["may_fly"], true);
+}
+
+// What is shown is itself a plan: reading it back gives the same numbers.
+TEST_P(Plan, IsShownAsAPlanThatReadsBack) {
+  const Folder folder;
+  const Outcome outcome = fantail({"plan", "show", GetParam()});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  const std::string shown = folder.write("shown.toml", outcome.out);
+  const core::FlightPlan expected = sim::read_plan(sim::Document::load(file()));
+  const core::FlightPlan plan = sim::read_plan(sim::Document::load(shown));
+  for (const core::PlanField& field : core::flight_plan_fields()) {
+    ASSERT_EQ(field.used_slots(plan), field.used_slots(expected)) << field.key;
+    for (std::size_t slot = 0; slot < field.used_slots(plan); ++slot) {
+      EXPECT_FLOAT_EQ(field.get(plan, slot), field.get(expected, slot)) << field.section << '.' << field.key;
+    }
+  }
+}
+
+TEST_P(Plan, IsShownAsOneJsonObjectWithEveryField) {
+  const Outcome outcome = fantail({"plan", "show", GetParam(), "--json"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  const nlohmann::json json = nlohmann::json::parse(outcome.out);
+  for (const core::PlanField& field : core::flight_plan_fields()) {
+    EXPECT_TRUE(json.at(std::string{field.section}).contains(std::string{field.key})) << field.key;
+  }
+}
+
+TEST_P(Plan, IsPackedIntoABlockThatReadsBackBitForBit) {
+  const Folder folder;
+  const Outcome outcome = fantail({"plan", "compile", GetParam(), "--out", folder / "made/plan.ftpl"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  const std::string bytes = content(folder / "made/plan.ftpl");
+  const protocol::PlanBlockReading reading =
+      protocol::read_plan_block(std::as_bytes(std::span{bytes.data(), bytes.size()}));
+  ASSERT_TRUE(reading.plan.has_value());
+  const core::FlightPlan expected = sim::read_plan(sim::Document::load(file()));
+  for (const core::PlanField& field : core::flight_plan_fields()) {
+    ASSERT_EQ(field.used_slots(*reading.plan), field.used_slots(expected)) << field.key;
+    for (std::size_t slot = 0; slot < field.used_slots(expected); ++slot) {
+      EXPECT_EQ(field.get_bits(*reading.plan, slot), field.get_bits(expected, slot))
+          << field.section << '.' << field.key;
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Shipped, Plan, testing::Values("tasha3_launch1", "tasha3_launch2", "tunnel_steps"),
+                         [](const auto& one) { return one.param; });
+
+TEST(PlanCompile, NamesTheBlockAfterThePlanWhenNothingIsSaid) {
+  const Folder folder;
+  const Outcome outcome = fantail({"plan", "compile", "tunnel_steps", "--json"}, {.working_folder = folder.path()});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(folder.listing(), std::vector<std::string>{"tunnel_steps.ftpl"});
+  const nlohmann::json json = nlohmann::json::parse(outcome.out);
+  EXPECT_EQ(json["block"], "tunnel_steps.ftpl");
+  EXPECT_EQ(json["bytes"], content(folder / "tunnel_steps.ftpl").size());
+}
+
+TEST(PlanCompile, RefusesAFolderInThePlaceOfTheBlock) {
+  const Folder folder;
+  for (const char* out : {".", "new/", ".."}) {
+    const Outcome outcome =
+        fantail({"plan", "compile", "tunnel_steps", "--out", out}, {.working_folder = folder.path()});
+    EXPECT_EQ(outcome.exit_code, 74) << out;
+    EXPECT_TRUE(folder.listing().empty()) << out;
+  }
+}
+
+TEST(PlanCompile, WritesNothingForAPlanThatMayNotFly) {
+  const Folder folder;
+  folder.write("bad.toml", "[controller]\nproportional_gain = 11\n");
+  const Outcome outcome = fantail({"plan", "compile", "bad.toml"}, {.working_folder = folder.path()});
+  EXPECT_EQ(outcome.exit_code, 78);
+  EXPECT_EQ(folder.listing(), std::vector<std::string>{"bad.toml"});
+}
+
+struct Bad {
+  const char* name;
+  const char* text;
+  const char* said;  ///< file, line, field, value and range
+};
+
+class PlanCheck : public testing::TestWithParam<Bad> {};
+
+TEST_P(PlanCheck, RefusesWithExitCode78) {
+  const Folder folder;
+  folder.write("bad.toml", GetParam().text);
+  for (const char* action : {"check", "show"}) {
+    const Outcome outcome = fantail({"plan", action, "bad.toml"}, {.working_folder = folder.path()});
+    EXPECT_EQ(outcome.exit_code, 78);
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_EQ(outcome.err, std::string{"fantail: bad.toml:"} + GetParam().said + "\n");
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Plans, PlanCheck,
+    testing::Values(Bad{"GainOutOfRange", "\n[controller]\nproportional_gain = 11\n",
+                        "3: controller.proportional_gain = 11 is out of range; allowed: 0 to 10"},
+                    Bad{"GainThatIsNoNumber", "[controller]\nproportional_gain = nan\n",
+                        "2: controller.proportional_gain = nan is out of range; allowed: 0 to 10"},
+                    Bad{"GainThatIsInfinite", "[controller]\nderivative_gain_s = -inf\n",
+                        "2: controller.derivative_gain_s = -inf is out of range; allowed: 0 to 2"},
+                    Bad{"GainThatIsAText", "[controller]\nderivative_gain_s = \"big\"\n",
+                        "2: controller.derivative_gain_s = 'big' is not a number; allowed: 0 to 2"},
+                    Bad{"UnknownKey", "[controller]\npropotional_gain = 1\n",
+                        "2: unknown key controller.propotional_gain; did you mean controller.proportional_gain?"},
+                    Bad{"UnknownSection", "[controler]\n", "1: unknown section [controler]; did you mean controller?"},
+                    Bad{"UnknownChoice", "[reference]\nkind = \"step\"\n",
+                        "2: reference.kind = 'step'; allowed: hold, steps, square_wave"},
+                    Bad{"SectionThatIsAValue", "controller = 3\n", "1: [controller] must be a section"},
+                    Bad{"StepsOutOfOrder",
+                        "[reference]\nkind = \"steps\"\nstep_times_s = [2, 1]\nstep_angles_deg = [0, 1]\n",
+                        "3: reference.step_times_s = 1: step times must increase"},
+                    Bad{"ThreeValuesForFourCanards", "[canards]\ntrim_deg = [1, 2, 3]\n",
+                        "2: canards.trim_deg has 3 values; allowed: one for all, or 4"}),
+    [](const auto& one) { return one.param.name; });
+
+}  // namespace
+}  // namespace fantail::test

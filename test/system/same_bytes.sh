@@ -1,0 +1,61 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# Usage: same_bytes.sh SOURCE_FOLDER WORK_FOLDER FANTAIL
+# Builds the fantail program without optimisation by g++ and optimised by clang, flies every shipped scenario with each,
+# and compares the bytes with what FANTAIL (the normal build) writes. Exit code 77 (skipped) without clang.
+set -eu
+source_folder="$1"
+work="$2"
+normal="$3"
+optimising_clang="${FANTAIL_CLANG:-clang++-19}"
+if ! command -v "$optimising_clang" >/dev/null; then
+  echo "SKIPPED: $optimising_clang is not installed, so nobody knows whether clang gives the same bytes" >&2
+  exit 77
+fi
+
+build() { # NAME COMPILER FLAGS
+  cmake -S "$source_folder" -B "$work/$1" -G Ninja -D CMAKE_CXX_COMPILER="$2" -D CMAKE_CXX_FLAGS="$3" \
+    -D CMAKE_BUILD_TYPE= >"$work/$1.log" 2>&1 &&
+    cmake --build "$work/$1" --target fantail -j 2 >>"$work/$1.log" 2>&1 || {
+    cat "$work/$1.log" >&2
+    exit 1
+  }
+}
+
+fly() { # NAME FANTAIL
+  for scenario in "$source_folder"/sim/scenarios/*.toml; do
+    name="$(basename "$scenario" .toml)"
+    "$2" fly "$scenario" --out "$work/flights/$1/$name" >/dev/null
+    # Every model once that the shipped scenarios leave alone.
+    case "$name" in tunnel*) continue ;; esac
+    "$2" fly "$scenario" --out "$work/flights/$1/$name-isa" --set environment.density=isa \
+      --set environment.guide_tilt_deg=7 --set imu.misalignment_deg=1 --set accelerometer.delay_s=0.004 \
+      --set excitation.form=sweep --set excitation.amplitude_variation_deg=1 >/dev/null
+  done
+}
+
+mkdir -p "$work"
+rm -rf "$work/flights"
+build gcc-O0 g++ -O0
+build clang-O2 "$optimising_clang" -O2
+fly normal "$normal"
+fly gcc-O0 "$work/gcc-O0/fantail"
+fly clang-O2 "$work/clang-O2/fantail"
+
+# The C library chooses faster routines on processors with fused multiply-add; the bytes must not follow.
+GLIBC_TUNABLES=glibc.cpu.hwcaps=-FMA,-AVX2,-FMA_Usable,-AVX2_Usable
+export GLIBC_TUNABLES
+fly older-processor "$normal"
+
+compared=0
+different=0
+for build in gcc-O0 clang-O2 older-processor; do
+  for flight in "$work"/flights/normal/*; do
+    for file in flight.csv summary.json; do
+      compared=$((compared + 1))
+      cmp "$flight/$file" "$work/flights/$build/$(basename "$flight")/$file" || different=$((different + 1))
+    done
+  done
+done
+echo "$compared files compared, $different different"
+[ "$compared" -gt 0 ] && [ "$different" -eq 0 ]

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string_view>
+
+namespace fantail::tool {
+
+/// A stream that the caller closed would lend its number to the next file opened, and messages would land in results:
+/// from here on writing to it fails instead. Broken pipes and file-size limits become write errors, which are reported,
+/// instead of signals, which kill. Call it before anything else.
+void guard_standard_streams();
+
+/// Standard error, as far as it takes anything: a message that cannot be written must not change the exit code.
+void say(std::string_view text);
+
+/// False when standard output has lost anything of what was printed.
+[[nodiscard]] bool output_was_taken();
+
+}  // namespace fantail::tool
