@@ -49,6 +49,9 @@ class World {
   /// The truth that belongs to the last tick.
   [[nodiscard]] Truth truth() const;
 
+  /// What the devices showed the avionics in the last tick, and what it wrote to the servos.
+  [[nodiscard]] const hal::sim::WorldSide& hardware() const { return side_; }
+
   /// Moves servos, air and rocket through one millisecond.
   void advance();
 

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#include <benchmark/benchmark.h>
+
+#include "sim/world.hpp"
+
+namespace fantail::benchmark {
+namespace {
+
+// A whole flight from power-up on the pad to a second after apogee: sensors, avionics, servos, air and rocket. Nothing
+// is written anywhere, and the scenario is loaded beforehand.
+void whole_flight(::benchmark::State& state) {
+  const sim::Scenario scenario = sim::load_scenario("tasha3_launch2", {});
+  double milliseconds = 0.0;
+  for ([[maybe_unused]] auto _ : state) {
+    sim::World world{scenario};
+    while (!world.over()) {
+      const core::TickRecord* record = &world.tick();
+      ::benchmark::DoNotOptimize(record);
+      world.advance();
+    }
+    milliseconds = 1e-3 * static_cast<double>(world.now().count());
+  }
+  using ::benchmark::Counter;
+  state.counters["time_per_world_ms"] = Counter(milliseconds, Counter::kIsIterationInvariantRate | Counter::kInvert);
+  state.counters["times_real_time"] = Counter(1e-3 * milliseconds, Counter::kIsIterationInvariantRate);
+  state.counters["flights_per_s"] = Counter(1.0, Counter::kIsIterationInvariantRate);
+}
+
+}  // namespace
+}  // namespace fantail::benchmark
+
+BENCHMARK(fantail::benchmark::whole_flight)->Name("whole_flight");
