@@ -1,0 +1,126 @@
+# SPDX-License-Identifier: MIT
+"""How fast the autopilot and a whole simulated flight are, beside JSBSim in the same run.
+
+Usage: bench_speed.py EXECUTABLE [--json] [--rounds N]
+
+All times are CPU time. The two take turns: whatever else the machine is doing meets both.
+"""
+
+import argparse
+import json
+import os
+import pathlib
+import statistics
+import subprocess
+import sys
+
+import jsbsim_peer
+
+REPETITIONS = 3  # of each benchmark in a round
+NANOSECONDS = 1e9
+
+
+def fantail_samples(executable):
+    """One round: {benchmark: [{counter: value}, ...]}, a sample a repetition."""
+    finished = subprocess.run(
+        [executable, "--benchmark_format=json", f"--benchmark_repetitions={REPETITIONS}", "--benchmark_min_time=0.2"],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.DEVNULL,
+        check=True,
+    )
+    samples = {}
+    for run in json.loads(finished.stdout)["benchmarks"]:
+        if run.get("error_occurred"):
+            sys.exit(f"bench_speed: {run['name']}: {run['error_message']}")
+        if run["run_type"] == "iteration":
+            samples.setdefault(run["run_name"], []).append(run)
+    return samples
+
+
+def summary(values):
+    mean = statistics.fmean(values)
+    return {
+        "mean": mean,
+        "median": statistics.median(values),
+        "lowest": min(values),
+        "cv": statistics.stdev(values) / mean,
+        "samples": len(values),
+    }
+
+
+def processor():
+    for line in pathlib.Path("/proc/cpuinfo").read_text().splitlines():
+        if line.startswith("model name"):
+            return line.split(":", 1)[1].strip()
+    return "unknown"
+
+
+def measure(executable, rounds):
+    flight = jsbsim_peer.check()
+    milliseconds = 1e3 * flight["duration_s"]
+    fantail = {}
+    peer_s = []
+    for _ in range(rounds):
+        for name, samples in fantail_samples(executable).items():
+            fantail.setdefault(name, []).extend(samples)
+        peer_s += [jsbsim_peer.cpu_seconds(flight["duration_s"]) for _ in range(REPETITIONS)]
+
+    def time_ns(name, counter):
+        return summary([NANOSECONDS * sample[counter] for sample in fantail[name]])
+
+    result = {
+        "processor": processor(),
+        "load_average": os.getloadavg()[0],
+        "autopilot_step_controlling_ns": time_ns("autopilot_step_controlling", "time_per_step"),
+        "autopilot_step_armed_ns": time_ns("autopilot_step_armed", "time_per_step"),
+        "avionics_tick_ns": time_ns("avionics_tick", "time_per_tick"),
+        "world_ms_ns": time_ns("whole_flight", "time_per_world_ms"),
+        "flights_per_s": summary([sample["flights_per_s"] for sample in fantail["whole_flight"]]),
+        "times_real_time": summary([sample["times_real_time"] for sample in fantail["whole_flight"]]),
+        "jsbsim_ms_ns": summary([NANOSECONDS * each / milliseconds for each in peer_s]),
+        "jsbsim_times_real_time": summary([flight["duration_s"] / each for each in peer_s]),
+        "jsbsim_flight": flight,
+    }
+    result["ratio"] = result["jsbsim_ms_ns"]["median"] / result["world_ms_ns"]["median"]
+    return result
+
+
+def show(result):
+    print(f"{result['processor']}, load {result['load_average']:.1f}; CPU time, scenario tasha3_launch2\n")
+    print(f"{'':44}{'median':>10}{'lowest':>10}{'mean':>10}{'cv':>8}")
+    rows = [
+        ("autopilot.step, controlling with chirp    ns", "autopilot_step_controlling_ns"),
+        ("autopilot.step, armed on the pad          ns", "autopilot_step_armed_ns"),
+        ("avionics.tick                             ns", "avionics_tick_ns"),
+        ("whole world, one millisecond              ns", "world_ms_ns"),
+        ("JSBSim, one millisecond                   ns", "jsbsim_ms_ns"),
+        ("whole world, times real time", "times_real_time"),
+        ("JSBSim, times real time", "jsbsim_times_real_time"),
+        ("whole world, flights a second", "flights_per_s"),
+    ]
+    for label, key in rows:
+        row = result[key]
+        print(f"{label:44}{row['median']:10.1f}{row['lowest']:10.1f}{row['mean']:10.1f}{100 * row['cv']:7.1f}%")
+    flight = result["jsbsim_flight"]
+    print(f"\nFantail is {result['ratio']:.0f} times as fast as JSBSim (medians of this run).")
+    print(
+        f"JSBSim's flight: apogee {flight['apogee_m']:.1f} m (421.5 expected), {flight['max_speed_m_s']:.1f} m/s (82.2);"
+        f" roll held at {flight['hold_0_deg']:.2f} deg (-9.80 = R + u_d/kp), then {flight['hold_minus_20_deg']:.2f} (-29.80)."
+    )
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("executable")
+    parser.add_argument("--json", action="store_true", help="one object on standard output")
+    parser.add_argument("--rounds", type=int, default=3)
+    arguments = parser.parse_args()
+    result = measure(arguments.executable, arguments.rounds)
+    if arguments.json:
+        print(json.dumps(result, indent=2))
+    else:
+        show(result)
+
+
+if __name__ == "__main__":
+    main()
