@@ -23,7 +23,7 @@ class Environment {
   [[nodiscard]] double height_m() const { return ascent_ ? ascent_->height_m() : 0.0; }
   [[nodiscard]] double distance_m() const { return ascent_ ? ascent_->distance_m() : 0.0; }
   [[nodiscard]] double swirl_rad() const { return tunnel_ ? tunnel_->swirl_rad() : 0.0; }
-  [[nodiscard]] AscentEvents events() const { return ascent_ ? ascent_->events() : AscentEvents{}; }
+  [[nodiscard]] const AscentEvents& ascent_events() const { return ascent_->events(); }  ///< in flight only
 
   /// Body frame. Hanging in the tunnel the string carries the rocket: 1 g along the axis.
   [[nodiscard]] Vector3 specific_force_m_s2(double roll_angle_rad) const;

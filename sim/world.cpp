@@ -38,8 +38,11 @@ ServoFault servo_fault(FaultKind kind) {
 World::World(const Scenario& scenario)
     : scenario_{scenario},
       ignition_{nearest_tick(scenario.pad_time_s)},
+      arm_time_{nearest_tick(scenario.arm_time_s)},
+      time_after_end_{nearest_tick(scenario.time_after_end_s)},
       environment_{scenario, Random{scenario.seed, turbulence}},
       disturbance_{scenario.disturbance},
+      disturbance_rad_{disturbance_now_rad()},
       canards_{scenario.vehicle, Random{scenario.seed, encoder_noise}},
       imu_model_{scenario.vehicle.imu, Random{scenario.seed, imu_noise}},
       accelerometer_model_{scenario.vehicle.accelerometer, Random{scenario.seed, accelerometer_noise}},
@@ -52,6 +55,9 @@ World::World(const Scenario& scenario)
                 scenario.plan} {
   side_.imu_scale = imu_model_.scale();
   side_.accelerometer_scale_m_s2 = accelerometer_model_.scale();
+  if (scenario.imposed_roll) {
+    imposed_roll_after_liftoff_ = nearest_tick(scenario.imposed_roll->time_s);
+  }
 }
 
 const core::TickRecord& World::tick() {
@@ -70,13 +76,14 @@ void World::advance() {
   canards_.step(in_seconds(now_), tick_time_s, side_.pulses);
   const double density_before = environment_.density_kg_m3();
   const double speed_before = environment_.speed_m_s();
-  const double disturbance_before = disturbance_rad();
+  const double disturbance_before = disturbance_rad_;
   environment_.advance_to(from_ignition_s + tick_time_s);
   now_ += tick_time;
+  disturbance_rad_ = disturbance_now_rad();
 
   // A rocket on the pad cannot roll, and one in the tunnel is held by hand until control starts.
   if (events_.liftoff) {
-    const double deflection_rad = canards_.mean_deflection_rad() + 0.5 * (disturbance_before + disturbance_rad());
+    const double deflection_rad = canards_.mean_deflection_rad() + 0.5 * (disturbance_before + disturbance_rad_);
     roll_ =
         scenario_.vehicle.roll_plant.step(roll_, 0.5 * (density_before + environment_.density_kg_m3()),
                                           0.5 * (speed_before + environment_.speed_m_s()), deflection_rad, tick_time_s);
@@ -89,10 +96,10 @@ Truth World::truth() const {
           .canard_rad = canards_.deflection_rad(),
           .height_m = environment_.height_m(),
           .speed_m_s = environment_.speed_m_s(),
-          .disturbance_rad = disturbance_rad()};
+          .disturbance_rad = disturbance_rad_};
 }
 
-double World::disturbance_rad() const {
+double World::disturbance_now_rad() const {
   const double time_s = events_.liftoff ? in_seconds(now_ - *events_.liftoff) : 0.0;
   return disturbance_.at(time_s) + environment_.swirl_rad();
 }
@@ -124,7 +131,7 @@ void World::apply_faults() {
 
 void World::impose_roll() {
   if (roll_is_imposed_ || !scenario_.imposed_roll || !events_.liftoff ||
-      now_ < *events_.liftoff + nearest_tick(scenario_.imposed_roll->time_s)) {
+      now_ < *events_.liftoff + imposed_roll_after_liftoff_) {
     return;
   }
   roll_ = {.angle_rad = scenario_.imposed_roll->angle_rad, .rate_rad_s = scenario_.imposed_roll->rate_rad_s};
@@ -140,9 +147,8 @@ void World::fill_hardware() {
 }
 
 void World::press_buttons() {
-  const Microseconds arm_time = nearest_tick(scenario_.arm_time_s);
-  side_.arm_switch_closed = now_ >= arm_time;
-  if (now_ == arm_time + arm_command_after) {
+  side_.arm_switch_closed = now_ >= arm_time_;
+  if (now_ == arm_time_ + arm_command_after) {
     avionics_.command_arm();
   }
   if (now_ == ignition_ && scenario_.surroundings == Surroundings::tunnel) {
@@ -151,21 +157,30 @@ void World::press_buttons() {
 }
 
 void World::follow_events() {
+  if (scenario_.surroundings == Surroundings::tunnel) {
+    follow_tunnel();
+  } else {
+    follow_flight();
+  }
+}
+
+void World::follow_tunnel() {
+  if (!events_.liftoff && phase_ == core::Phase::controlling) {
+    events_.liftoff = now_;
+  }
+  const bool refused = !events_.liftoff && now_ >= ignition_ + start_patience;
+  if (!end_ && (phase_ == core::Phase::finished || refused)) {
+    end_ = now_ + time_after_end_;
+  }
+}
+
+void World::follow_flight() {
   const auto note = [this](std::optional<Microseconds>& event, bool happened) {
     if (!event && happened) {
       event = now_;
     }
   };
-  const Microseconds afterwards = nearest_tick(scenario_.time_after_end_s);
-  if (scenario_.surroundings == Surroundings::tunnel) {
-    note(events_.liftoff, phase_ == core::Phase::controlling);
-    const bool refused = !events_.liftoff && now_ >= ignition_ + start_patience;
-    if (!end_ && (phase_ == core::Phase::finished || refused)) {
-      end_ = now_ + afterwards;
-    }
-    return;
-  }
-  const AscentEvents ascent = environment_.events();
+  const AscentEvents& ascent = environment_.ascent_events();
   note(events_.liftoff, ascent.liftoff_s.has_value());
   note(events_.guide_clear, environment_.distance_m() >= static_cast<double>(scenario_.plan.guide.length_m));
   note(events_.burnout, ascent.burnout_s.has_value());
@@ -173,7 +188,7 @@ void World::follow_events() {
   // A motor too weak for its rocket burns out on the pad.
   const bool nothing_more_to_come = events_.apogee || (events_.burnout && !events_.liftoff);
   if (!end_ && nothing_more_to_come) {
-    end_ = now_ + afterwards;
+    end_ = now_ + time_after_end_;
   }
 }
 

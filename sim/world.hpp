@@ -74,17 +74,23 @@ class World {
   void fill_hardware();
   void press_buttons();
   void follow_events();
+  void follow_tunnel();
+  void follow_flight();
   void impose_roll();
-  [[nodiscard]] double disturbance_rad() const;
+  [[nodiscard]] double disturbance_now_rad() const;
 
   const Scenario& scenario_;
   core::Microseconds now_{};
   core::Microseconds ignition_;  ///< in the tunnel: the start command
+  core::Microseconds arm_time_;
+  core::Microseconds time_after_end_;
+  core::Microseconds imposed_roll_after_liftoff_{};
   std::optional<core::Microseconds> end_;
   Events events_;
 
   Environment environment_;
   Disturbance disturbance_;
+  double disturbance_rad_;  ///< at now_
   RollState roll_;
   CanardSet canards_;
   ImuModel imu_model_;
