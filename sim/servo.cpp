@@ -58,7 +58,7 @@ void Servo::fail(ServoFault fault) {
 }
 
 // The pulse is the same for the whole step, so only the first frame in it can change what the servo is told.
-void Servo::latch(double t_s, double end_s, std::optional<double> pulse_us) {
+void Servo::latch(double t_s, double end_s, const std::optional<double>& pulse_us) {
   if (next_frame_s_ < t_s - same_time_s) {
     frame_ = std::ceil((t_s - same_time_s) / parameters_.frame_period_s);
     next_frame_s_ = frame_ * parameters_.frame_period_s;
@@ -74,12 +74,18 @@ void Servo::latch(double t_s, double end_s, std::optional<double> pulse_us) {
   if (pulse_us == latched_us_ || (pulse_us && !(*pulse_us >= shortest_pulse_us && *pulse_us <= longest_pulse_us))) {
     return;
   }
-  latched_us_ = pulse_us;
-  std::optional<double> goal_rad;
+  // Value and flag one by one: to copy an optional whose two halves have just been written, the processor waits for
+  // both of them to reach the cache.
+  Command& command = queue_[(first_ + waiting_) % queue_.size()];
+  command.arrival_s = frame_s + parameters_.delay_s;
   if (pulse_us) {
-    goal_rad = (*pulse_us - parameters_.pulse_centre_us) * (radians_per_degree / parameters_.pulse_per_degree_us);
+    latched_us_.emplace(*pulse_us);
+    command.goal_rad.emplace((*pulse_us - parameters_.pulse_centre_us) *
+                             (radians_per_degree / parameters_.pulse_per_degree_us));
+  } else {
+    latched_us_.reset();
+    command.goal_rad.reset();
   }
-  queue_[(first_ + waiting_) % queue_.size()] = {.arrival_s = frame_s + parameters_.delay_s, .goal_rad = goal_rad};
   ++waiting_;
 }
 

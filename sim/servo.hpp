@@ -48,7 +48,7 @@ class Servo {
   void fail(ServoFault fault);
 
   /// Moves from t_s to t_s + dt_s (dt_s > 0) with `pulse_us` on the wire. The next step begins where this one ends.
-  void step(double t_s, double dt_s, std::optional<double> pulse_us) {
+  void step(double t_s, double dt_s, const std::optional<double>& pulse_us) {
     if (dt_s != whole_step_.duration_s) {
       whole_step_ = interval(dt_s);
     }
@@ -104,7 +104,7 @@ class Servo {
     horn_rad_ = horn_rad_ < lowest ? lowest : horn_rad_ > highest ? highest : horn_rad_;
   }
 
-  void latch(double t_s, double end_s, std::optional<double> pulse_us);
+  void latch(double t_s, double end_s, const std::optional<double>& pulse_us);
   void step_in_pieces(double t_s, double end_s);
   [[nodiscard]] double move(const Interval& piece);
   [[nodiscard]] double drive(const Interval& piece);
