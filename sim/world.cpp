@@ -191,9 +191,14 @@ void World::follow_flight() {
   note(events_.guide_clear, environment_.distance_m() >= static_cast<double>(scenario_.plan.guide.length_m));
   note(events_.burnout, ascent.burnout_s.has_value());
   note(events_.apogee, ascent.apogee_s.has_value());
+  if (!ascent.apogee_s) {
+    events_.apogee.reset();  // it was only a hop, and the rocket stands on the pad again
+  }
   // A motor too weak for its rocket burns out on the pad.
-  const bool nothing_more_to_come = events_.apogee || (events_.burnout && !events_.liftoff);
-  if (!end_ && nothing_more_to_come) {
+  const bool nothing_more_to_come = events_.apogee || (events_.burnout && environment_.distance_m() <= 0.0);
+  if (!nothing_more_to_come) {
+    end_.reset();
+  } else if (!end_) {
     end_ = now_ + time_after_end_;
   }
 }

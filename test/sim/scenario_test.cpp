@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+#include "sim/scenario.hpp"
+
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include "flown_world.hpp"
+#include "sim/input_error.hpp"
+
+namespace fantail::sim {
+namespace {
+
+const std::string head = "vehicle = \"tasha3_launch2\"\nplan = \"tasha3_launch2\"\n";
+
+struct Rule {
+  const char* name;
+  std::string text;  ///< after the two lines of `head`
+  std::string said;  ///< what follows the file name
+};
+
+class ScenarioFile : public testing::TestWithParam<Rule> {};
+
+TEST_P(ScenarioFile, IsRefusedWithItsLine) {
+  std::string pattern = (std::filesystem::temp_directory_path() / "fantail-XXXXXX").string();
+  const std::filesystem::path folder = mkdtemp(pattern.data());
+  const std::filesystem::path file = folder / "s.toml";
+  std::ofstream{file} << head << GetParam().text;
+  try {
+    (void)load_scenario(file.string(), {});
+    ADD_FAILURE() << "accepted";
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.fault(), InputFault::bad_configuration);
+    EXPECT_EQ(std::string{error.what()}, file.string() + GetParam().said);
+  }
+  std::filesystem::remove_all(folder);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Rules, ScenarioFile,
+    testing::Values(
+        Rule{"SeedBelowZero", "seed = -1\n", ":3: seed = -1 is out of range; allowed: 0 to 9e+15"},
+        Rule{"SeedAFraction", "seed = 1.5\n", ":3: seed = 1.5 is not a whole number"},
+        Rule{"Surroundings", "[environment]\nsurroundings = \"space\"\n",
+             ":4: environment.surroundings = 'space'; allowed: flight, tunnel"},
+        Rule{"TunnelForALaunchPlan", "[environment]\nsurroundings = \"tunnel\"\n",
+             ":4: environment.surroundings must be \"flight\": the plan starts with run.start = \"launch\""},
+        Rule{"Density", "[environment]\ndensity = 1.2\n",
+             ":4: environment.density = 1.2; allowed: exponential, isa, constant"},
+        Rule{"DensityValue", "[environment]\ndensity_kg_m3 = 0\n",
+             ":4: environment.density_kg_m3 = 0 is out of range; allowed: 0.01 to 5"},
+        Rule{"Tilt", "[environment]\nguide_tilt_deg = 15.1\n",
+             ":4: environment.guide_tilt_deg = 15.1 is out of range; allowed: 0 to 15"},
+        Rule{"EnvironmentNotASection", "environment = 1\n", ":3: [environment] must be a section"},
+        Rule{"FanSpeed", "[tunnel]\nfan_rpm = 3001\n", ":4: tunnel.fan_rpm = 3001 is out of range; allowed: 0 to 3000"},
+        Rule{"Turbulence", "[tunnel]\nturbulence = true\n",
+             ":4: tunnel.turbulence = true is not a number; allowed: 0 to 0.5"},
+        Rule{"DisturbanceLengths", "[disturbance]\ntimes_s = [0, 1]\nangles_deg = [1]\n",
+             ":4: disturbance.times_s has 2 values and angles_deg has 1; allowed: as many of each"},
+        Rule{"DisturbanceOrder", "[disturbance]\ntimes_s = [0, 0]\nangles_deg = [1, 1]\n",
+             ":4: disturbance.times_s must increase"},
+        Rule{"DisturbanceAngle", "[disturbance]\ntimes_s = [0]\nangles_deg = [46]\n",
+             ":5: disturbance.angles_deg = 46 is out of range; allowed: -45 to 45"},
+        Rule{"DisturbanceNotAList", "[disturbance]\ntimes_s = 0\nangles_deg = 1\n",
+             ":4: disturbance.times_s must be a list, as in [1, 2]"},
+        Rule{"ImposedRollIncomplete", "[imposed_roll]\ntime_s = 1\n",
+             ":3: imposed_roll.angle_deg is missing; allowed: -3600 to 3600"},
+        Rule{"ImposedRollUnknownKey", "[imposed_roll]\ntime_s = 1\nangle_deg = 1\nrate_deg_s = 1\nrate = 1\n",
+             ":7: unknown key imposed_roll.rate; did you mean imposed_roll.rate_deg_s?"},
+        Rule{"ArmAfterIgnition", "[timing]\npad_time_s = 2\narm_time_s = 2\n",
+             ":5: timing.arm_time_s = 2 must be earlier than pad_time_s = 2"},
+        Rule{"PadTimeBeforeArm", "[timing]\n\npad_time_s = 1\n",
+             ":5: timing.pad_time_s = 1 must be later than arm_time_s = 1"},
+        Rule{"TimeAfterEnd", "[timing]\ntime_after_end_s = -1\n",
+             ":4: timing.time_after_end_s = -1 is out of range; allowed: 0 to 60"},
+        Rule{"FaultsNotATable", "faults = [1]\n", ":3: faults must be written as [[faults]]"},
+        Rule{"FaultKindMissing", "[[faults]]\nfrom_s = 1\n", ":3: faults.kind is missing"},
+        Rule{"FaultKindUnknown", "[[faults]]\nkind = \"stuck\"\n",
+             ":4: faults.kind = 'stuck'; allowed: canard_stuck, canard_hardover, canard_dead, canard_slipping, "
+             "canard_reversed, encoder_unplugged, imu_dropout, accelerometer_dropout"},
+        Rule{"FaultCanard", "[[faults]]\nkind = \"canard_stuck\"\nfrom_s = 1\ncanard = 5\n",
+             ":6: faults.canard = 5 is out of range; allowed: 1 to 4"},
+        Rule{"SecondFault",
+             "[[faults]]\nkind = \"canard_stuck\"\nfrom_s = 1\ncanard = 1\n[[faults]]\nkind = \"canard_dead\"\n"
+             "from_s = 1\ncanard = 0\n",
+             ":10: faults.canard = 0 is out of range; allowed: 1 to 4"},
+        Rule{"DropoutEndsBeforeItBegins", "[[faults]]\nkind = \"imu_dropout\"\nfrom_s = 2\nuntil_s = 1\n",
+             ":6: faults.until_s = 1 is out of range; allowed: 2 to 600"},
+        Rule{"DropoutOfACanard", "[[faults]]\nkind = \"imu_dropout\"\nfrom_s = 2\nuntil_s = 3\ncanard = 1\n",
+             ":7: unknown key faults.canard"}),
+    [](const auto& one) { return one.param.name; });
+
+// Whatever a scenario may say, the run ends, and no truth is ever infinite or no number.
+RC_GTEST_PROP(Scenario, AtTheEndsOfItsRangesFliesToAnEndWithFiniteNumbers, ()) {
+  struct Corner {
+    const char* key;
+    std::vector<const char*> values;
+  };
+  static const std::vector<Corner> corners{
+      {"body.mass_kg", {"0.4", "1000"}},
+      {"body.drag_area_m2", {"0", "1"}},
+      {"body.roll_inertia_kg_m2", {"1e-6", "10"}},
+      {"aerodynamics.reference_area_m2", {"1e-8", "1"}},
+      {"aerodynamics.damping_m2", {"0", "1e4"}},
+      {"aerodynamics.torque_m", {"0", "1e4"}},
+      {"environment.density", {"exponential", "isa", "constant"}},
+      {"environment.density_kg_m3", {"0.01", "5"}},
+      {"environment.guide_tilt_deg", {"0", "15"}},
+      {"servo.lag_s", {"0.0005", "1"}},
+      {"servo.delay_s", {"0", "0.05"}},
+      {"servo.frame_rate_hz", {"40", "1000"}},
+      {"servo.rate_limit_deg_s", {"1", "1e5"}},
+      {"servo.stop_deg", {"1", "90"}},
+      {"servo.backlash_deg", {"0", "5"}},
+      {"servo.pulse_per_degree_us", {"-40", "-0.1", "0.1", "40"}},
+      {"imu.full_scale_deg_s", {"50", "4000"}},
+      {"imu.rate_noise_deg_s", {"0", "100"}},
+      {"imu.full_scale_g", {"2", "400"}},
+      {"imu.delay_s", {"0", "0.02"}},
+      {"imu.misalignment_deg", {"0", "10"}},
+      {"accelerometer.specific_force_noise_m_s2", {"0", "50"}},
+      {"encoder.noise_counts", {"0", "1000"}},
+      {"controller.proportional_gain", {"0", "10"}},
+      {"controller.derivative_gain_s", {"0", "2"}},
+      {"disturbance.angles_deg", {"[-45]", "[45]"}},
+  };
+  std::vector<std::string> changes;
+  for (const Corner& corner : corners) {
+    const auto pick = *rc::gen::inRange<std::size_t>(0, 2 * corner.values.size());
+    if (pick < corner.values.size()) {
+      changes.push_back(std::string{corner.key} + "=" + corner.values[pick]);
+    }
+  }
+  const FlownWorld flown = fly("tasha3_launch2", changes);
+  for (const Tick& tick : flown.ticks) {
+    RC_ASSERT(std::isfinite(tick.truth.roll_angle_rad) && std::isfinite(tick.truth.roll_rate_rad_s));
+    RC_ASSERT(std::isfinite(tick.truth.speed_m_s) && std::isfinite(tick.truth.height_m));
+    RC_ASSERT(std::isfinite(tick.truth.canard_rad) && std::isfinite(tick.record.command.radians()));
+  }
+}
+
+}  // namespace
+}  // namespace fantail::sim

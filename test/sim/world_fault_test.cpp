@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: MIT
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "flown_world.hpp"
+
+namespace fantail::sim {
+namespace {
+
+using core::CanardVerdict;
+using core::Phase;
+using core::PhaseReason;
+
+constexpr double fault_s = 2.0;      // after ignition, in the middle of control
+constexpr double liftoff_s = 0.013;  // after ignition
+constexpr double seen_s = fault_s - liftoff_s;
+constexpr std::size_t broken = 1;  // the second canard
+
+FlownWorld fly_with(FaultKind kind, double until_s = 0.0, const std::vector<std::string>& changes = {}) {
+  Scenario s = scenario("tasha3_launch2", changes);
+  s.faults = {{.kind = kind, .canard = broken, .from_s = fault_s, .until_s = until_s}};
+  return fly(s);
+}
+
+double encoder_deg(const Tick& tick, std::size_t canard) {
+  return static_cast<double>(tick.record.encoders[canard]->radians()) / degree;
+}
+
+/// Every verdict on the broken canard that is not healthy comes after the fault; its neighbours stay healthy.
+void expect_noticed_on_the_broken_canard_only(const FlownWorld& flown) {
+  bool noticed = false;
+  for (const Tick& tick : flown.ticks) {
+    for (std::size_t i = 0; i < tick.record.verdicts.size(); ++i) {
+      const bool bad = tick.record.verdicts[i] != CanardVerdict::healthy;
+      ASSERT_TRUE(!bad || i == broken) << "canard " << i + 1 << " at " << tick.time_s << " s";
+      ASSERT_TRUE(!bad || tick.time_s > seen_s) << tick.time_s;
+      noticed = noticed || bad;
+    }
+  }
+  EXPECT_TRUE(noticed);
+}
+
+TEST(CanardFault, StuckStandsStillAndIsNoticed) {
+  const FlownWorld flown = fly_with(FaultKind::canard_stuck);
+  const double stands_deg = encoder_deg(flown.at(seen_s + 0.01), broken);
+  for (double time_s = seen_s + 0.01; time_s < 9.0; time_s += 0.01) {
+    ASSERT_NEAR(encoder_deg(flown.at(time_s), broken), stands_deg, 0.2) << time_s;
+  }
+  expect_noticed_on_the_broken_canard_only(flown);
+}
+
+TEST(CanardFault, HardoverRunsToThePositiveStopAndIsNoticed) {
+  const FlownWorld flown = fly_with(FaultKind::canard_hardover);
+  EXPECT_NEAR(encoder_deg(flown.at(seen_s + 0.2), broken), 25.0, 0.2);
+  EXPECT_NEAR(encoder_deg(flown.at(9.0), broken), 25.0, 0.2);
+  expect_noticed_on_the_broken_canard_only(flown);
+  // The other three take over: the mean of the four still balances the fin offset.
+  EXPECT_NEAR(flown.at(1.5).truth.canard_rad / degree, 4.9, 2.5);
+}
+
+TEST(CanardFault, DeadIsTurnedToZeroByTheAirAndIsNoticed) {
+  const FlownWorld flown = fly_with(FaultKind::canard_dead);
+  for (double time_s = seen_s + 0.3; time_s < 9.0; time_s += 0.01) {
+    ASSERT_NEAR(encoder_deg(flown.at(time_s), broken), 0.0, 0.2) << time_s;
+  }
+  expect_noticed_on_the_broken_canard_only(flown);
+}
+
+TEST(CanardFault, SlippingLosesItsPlaceAndIsNoticed) {
+  const FlownWorld flown = fly_with(FaultKind::canard_slipping);
+  double largest_deg = 0.0;
+  for (double time_s = seen_s + 0.1; time_s < 9.0; time_s += 0.01) {
+    const Tick& tick = flown.at(time_s);
+    largest_deg = std::max(largest_deg, std::abs(encoder_deg(tick, broken) - encoder_deg(tick, 0)));
+  }
+  EXPECT_GT(largest_deg, 1.5);
+  expect_noticed_on_the_broken_canard_only(flown);
+}
+
+TEST(CanardFault, ReversedMirrorsItsNeighboursAndIsNoticed) {
+  const FlownWorld flown = fly_with(FaultKind::canard_reversed);
+  for (double time_s = seen_s + 0.3; time_s < 9.0; time_s += 0.01) {
+    const Tick& tick = flown.at(time_s);
+    ASSERT_NEAR(encoder_deg(tick, broken), -encoder_deg(tick, 0), 0.6) << time_s;
+  }
+  expect_noticed_on_the_broken_canard_only(flown);
+}
+
+TEST(CanardFault, EndsControlOnlyWhenThePlanSaysSo) {
+  const FlownWorld goes_on = fly_with(FaultKind::canard_hardover);
+  EXPECT_EQ(goes_on.first_in(Phase::finished)->record.reason, PhaseReason::apogee);
+  const FlownWorld ends = fly_with(FaultKind::canard_hardover, 0.0, {"run.canard_fault=end_control"});
+  EXPECT_EQ(ends.first_in(Phase::finished)->record.reason, PhaseReason::canard_fault);
+  EXPECT_LT(ends.first_in(Phase::finished)->time_s, seen_s + 0.3);
+}
+
+// Nobody flies by the encoders, so the flight itself is the same to the last bit.
+TEST(EncoderUnplugged, IsEmptyAndDeadAndChangesNothingElse) {
+  const FlownWorld flown = fly_with(FaultKind::encoder_unplugged);
+  const FlownWorld whole = fly("tasha3_launch2");
+  ASSERT_EQ(flown.ticks.size(), whole.ticks.size());
+  for (std::size_t i = 0; i < flown.ticks.size(); ++i) {
+    const Tick& tick = flown.ticks[i];
+    ASSERT_EQ(tick.record.encoders[broken].has_value(), tick.time_s < seen_s - 1e-9) << tick.time_s;
+    ASSERT_TRUE(tick.record.encoders[0].has_value());
+    ASSERT_EQ(tick.truth.roll_angle_rad, whole.ticks[i].truth.roll_angle_rad);
+  }
+  EXPECT_EQ(flown.at(seen_s + 0.019).record.verdicts[broken], CanardVerdict::healthy);
+  EXPECT_EQ(flown.at(seen_s + 0.021).record.verdicts[broken], CanardVerdict::dead);  // 20 ms of patience
+}
+
+// The last sample may be 5 ms old. One that came just before the dropout is so at its sixth missing tick.
+TEST(ImuDropout, OfThreeMillisecondsIsBridged) {
+  const FlownWorld flown = fly_with(FaultKind::imu_dropout, fault_s + 0.003);
+  EXPECT_EQ(flown.first_in(Phase::finished)->record.reason, PhaseReason::apogee);
+}
+
+TEST(ImuDropout, OfMoreThanFiveMillisecondsEndsControl) {
+  const FlownWorld flown = fly_with(FaultKind::imu_dropout, fault_s + 0.008);
+  const Tick* end = flown.first_in(Phase::finished);
+  ASSERT_NE(end, nullptr);
+  EXPECT_EQ(end->record.reason, PhaseReason::gyro_failed);
+  EXPECT_NEAR(end->time_s, seen_s + 0.005, 1e-9);
+  EXPECT_EQ(end->record.command.radians(), 0.0F);
+  EXPECT_NEAR(flown.at(seen_s + 0.5).truth.canard_rad, 0.0, 0.2 * degree);  // at trim
+}
+
+TEST(AccelerometerDropout, OfOneOfTwoStopsDetectionUnlessThePlanAllowsASingleOne) {
+  const auto dropped = [](const char* single_allowed) {
+    Scenario s = scenario("tasha3_launch2", {std::string{"launch_detection.single_allowed="} + single_allowed});
+    s.faults = {{.kind = FaultKind::accelerometer_dropout, .canard = 0, .from_s = -1.0, .until_s = 20.0}};
+    return fly(s);
+  };
+  const FlownWorld refused = dropped("false");
+  EXPECT_EQ(refused.first_in(Phase::launched), nullptr);
+  EXPECT_TRUE(refused.events.apogee.has_value());
+  const FlownWorld allowed = dropped("true");
+  EXPECT_NE(allowed.first_in(Phase::controlling), nullptr);
+}
+
+// Two canards built in the other way round, and a plan that knows: the rocket must not notice.
+TEST(ReversedMounting, WithAPlanThatKnowsFliesTheSame) {
+  const std::string directions = "[\"reversed\",\"normal\",\"reversed\",\"normal\"]";
+  const FlownWorld known =
+      fly("tasha3_launch2", {"canard_mounting.direction=" + directions, "canards.direction=" + directions});
+  const FlownWorld usual = fly("tasha3_launch2");
+  ASSERT_EQ(known.ticks.size(), usual.ticks.size());
+  for (std::size_t i = 0; i < known.ticks.size(); ++i) {
+    ASSERT_NEAR(known.ticks[i].truth.roll_angle_rad, usual.ticks[i].truth.roll_angle_rad, 0.01 * degree);
+  }
+  EXPECT_LT(known.at(1.5).record.encoders[0]->radians() * known.at(1.5).record.encoders[1]->radians(), 0.0F);
+}
+
+TEST(ReversedMounting, WithAPlanThatBelievesOtherwiseSpinsTheRocket) {
+  const std::string all = "[\"reversed\",\"reversed\",\"reversed\",\"reversed\"]";
+  const FlownWorld flown = fly("tasha3_launch2", {"canard_mounting.direction=" + all});
+  EXPECT_GT(std::abs(flown.at(5.0).truth.roll_angle_rad), 360.0 * degree);
+}
+
+}  // namespace
+}  // namespace fantail::sim
