@@ -140,7 +140,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Bad{"SectionThatIsAValue", "controller = 3\n", "1: [controller] must be a section"},
                     Bad{"StepsOutOfOrder",
                         "[reference]\nkind = \"steps\"\nstep_times_s = [2, 1]\nstep_angles_deg = [0, 1]\n",
-                        "3: reference.step_times_s = 1: step times must increase"},
+                        "3: reference.step_times_s = 1 is refused: step times must increase"},
                     Bad{"ThreeValuesForFourCanards", "[canards]\ntrim_deg = [1, 2, 3]\n",
                         "2: canards.trim_deg has 3 values; allowed: one for all, or 4"}),
     [](const auto& one) { return one.param.name; });
