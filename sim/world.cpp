@@ -61,7 +61,9 @@ World::World(const Scenario& scenario)
 }
 
 const core::TickRecord& World::tick() {
-  apply_faults();
+  if (!scenario_.faults.empty()) {
+    apply_faults();
+  }
   impose_roll();
   fill_hardware();
   press_buttons();
@@ -105,9 +107,6 @@ double World::disturbance_now_rad() const {
 }
 
 void World::apply_faults() {
-  if (scenario_.faults.empty()) {
-    return;
-  }
   imu_hangs_ = false;
   accelerometer_hangs_ = false;
   for (const Fault& fault : scenario_.faults) {

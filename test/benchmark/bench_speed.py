@@ -43,6 +43,7 @@ def summary(values):
         "mean": mean,
         "median": statistics.median(values),
         "lowest": min(values),
+        "highest": max(values),
         "cv": statistics.stdev(values) / mean,
         "samples": len(values),
     }
@@ -87,7 +88,7 @@ def measure(executable, rounds):
 
 def show(result):
     print(f"{result['processor']}, load {result['load_average']:.1f}; CPU time, scenario tasha3_launch2\n")
-    print(f"{'':44}{'median':>10}{'lowest':>10}{'mean':>10}{'cv':>8}")
+    print(f"{'':44}{'median':>10}{'mean':>10}{'lowest':>10}{'highest':>10}{'cv':>8}")
     rows = [
         ("autopilot.step, controlling with chirp    ns", "autopilot_step_controlling_ns"),
         ("autopilot.step, armed on the pad          ns", "autopilot_step_armed_ns"),
@@ -100,7 +101,8 @@ def show(result):
     ]
     for label, key in rows:
         row = result[key]
-        print(f"{label:44}{row['median']:10.1f}{row['lowest']:10.1f}{row['mean']:10.1f}{100 * row['cv']:7.1f}%")
+        figures = "".join(f"{row[column]:10.1f}" for column in ("median", "mean", "lowest", "highest"))
+        print(f"{label:44}{figures}{100 * row['cv']:7.1f}%")
     flight = result["jsbsim_flight"]
     print(f"\nFantail is {result['ratio']:.0f} times as fast as JSBSim (medians of this run).")
     print(
