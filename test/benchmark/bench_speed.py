@@ -106,8 +106,9 @@ def show(result):
     flight = result["jsbsim_flight"]
     print(f"\nFantail is {result['ratio']:.0f} times as fast as JSBSim (medians of this run).")
     print(
-        f"JSBSim's flight: apogee {flight['apogee_m']:.1f} m (421.5 expected), {flight['max_speed_m_s']:.1f} m/s (82.2);"
-        f" roll held at {flight['hold_0_deg']:.2f} deg (-9.80 = R + u_d/kp), then {flight['hold_minus_20_deg']:.2f} (-29.80)."
+        f"JSBSim's flight: apogee {flight['apogee_m']:.1f} m (421.5 expected), {flight['max_speed_m_s']:.1f} m/s (82.2);\n"
+        f"roll held at {flight['hold_0_deg']:.2f} deg (expected R + u_d/kp = -9.80), then at "
+        f"{flight['hold_minus_20_deg']:.2f} (-29.80)."
     )
 
 
