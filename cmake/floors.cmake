@@ -45,4 +45,5 @@ endfunction()
 
 add_custom_target(check_includes ALL
   COMMAND ${CMAKE_COMMAND} -D ROOT=${PROJECT_SOURCE_DIR} -P ${PROJECT_SOURCE_DIR}/cmake/check_includes.cmake
-  COMMENT "Checking that includes only point down")
+  COMMENT "Checking that includes only point down"
+  VERBATIM)
