@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <optional>
 
 #include "sim/atmosphere.hpp"
 #include "sim/local_density.hpp"
 #include "sim/thrust_curve.hpp"
+#include "sim/units.hpp"
 
 namespace fantail::sim {
-
-/// Acceleration of free fall: the one the rocket falls with and the one its accelerometers read on the pad.
-inline constexpr double gravity_m_s2 = 9.80665;
 
 struct AscentParameters {
   double mass_kg = 0.0;  ///< at ignition, propellant included; above that of the propellant
@@ -59,7 +58,7 @@ class Ascent {
   [[nodiscard]] double lateral_specific_force_m_s2() const { return lateral_specific_force_m_s2_; }
 
  private:
-  enum class Stage { pad, flight, landed };
+  enum class Stage : std::uint8_t { pad, flight, landed };
 
   /// All that follows from time, speed and density.
   struct Instant {

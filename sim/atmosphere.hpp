@@ -2,10 +2,11 @@
 #pragma once
 
 #include "sim/elementary.hpp"
+#include "sim/units.hpp"
 
 namespace fantail::sim {
 
-enum class DensityModel {
+enum class DensityModel : std::uint8_t {
   exponential,  ///< 1.225 exp(-h / 8500): what the published flights were fitted with
   isa,          ///< International Standard Atmosphere (ISO 2533)
   constant,     ///< the same at every height: wind tunnels and closed forms
@@ -29,7 +30,6 @@ struct Atmosphere {
 
  private:
   [[nodiscard]] static double isa_density_kg_m3(double height_m) {
-    constexpr double gravity_m_s2 = 9.80665;
     constexpr double gas_constant_j_kg_k = 287.05287;
     constexpr double lapse_k_m = 0.0065;
     constexpr double tropopause_m = 11000.0;

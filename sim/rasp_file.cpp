@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "sim/input_error.hpp"
+#include "sim/shown.hpp"
 
 namespace fantail::sim {
 namespace {
@@ -64,12 +65,6 @@ class RaspReader {
   [[noreturn]] void refuse(const std::string& complaint) const {
     throw InputError{InputFault::bad_data,
                      name_ + ":" + std::to_string(std::max<std::size_t>(line_, 1)) + ": " + complaint};
-  }
-
-  static std::string shown(double value) {
-    std::ostringstream text;
-    text << value;
-    return text.str();
   }
 
   // The words of the next line that has any, comments left out; empty at the end of the file.

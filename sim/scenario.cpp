@@ -3,17 +3,15 @@
 
 #include <algorithm>
 #include <array>
-#include <numbers>
-#include <sstream>
 
 #include "sim/input_error.hpp"
 #include "sim/plan_file.hpp"
 #include "sim/shipped.hpp"
+#include "sim/shown.hpp"
+#include "sim/units.hpp"
 
 namespace fantail::sim {
 namespace {
-
-constexpr double radians_per_degree = std::numbers::pi / 180.0;
 
 // In the order of FaultKind.
 constexpr std::array<std::string_view, 8> fault_kinds{"canard_stuck",    "canard_hardover",      "canard_dead",
@@ -23,12 +21,6 @@ constexpr std::array<std::string_view, 8> fault_kinds{"canard_stuck",    "canard
 const std::vector<std::string>& scenario_sections() {
   static const std::vector<std::string> names{"environment", "tunnel", "disturbance", "imposed_roll", "timing"};
   return names;
-}
-
-std::string shown(double value) {
-  std::ostringstream text;
-  text << value;
-  return text.str();
 }
 
 void read_environment(const Document& document, Scenario& scenario) {

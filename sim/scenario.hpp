@@ -18,7 +18,7 @@
 
 namespace fantail::sim {
 
-enum class Surroundings { flight, tunnel };
+enum class Surroundings : std::uint8_t { flight, tunnel };
 
 /// Roll angle and rate put on the rocket once, for a transient whose cause no model explains.
 struct ImposedRoll {
@@ -27,7 +27,7 @@ struct ImposedRoll {
   double rate_rad_s;
 };
 
-enum class FaultKind {
+enum class FaultKind : std::uint8_t {
   canard_stuck,
   canard_hardover,
   canard_dead,

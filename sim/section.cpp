@@ -1,21 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <sstream>
 
 #include "sim/document.hpp"
 #include "sim/input_error.hpp"
+#include "sim/shown.hpp"
 
 namespace fantail::sim {
 namespace {
-
-// The shortest decimal that is this value: a number just beyond a limit must not look like the limit.
-std::string shown(double value) {
-  std::array<char, 32> text{};
-  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
-}
 
 // On one line, whatever it is, and not longer than a message can bear.
 std::string shown(const toml::node& node) {

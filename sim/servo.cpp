@@ -4,10 +4,11 @@
 #include <stdexcept>
 #include <string>
 
+#include "sim/units.hpp"
+
 namespace fantail::sim {
 namespace {
 
-constexpr double radians_per_degree = std::numbers::pi / 180.0;
 constexpr double shortest_pulse_us = 500.0;
 constexpr double longest_pulse_us = 2500.0;
 constexpr double slipping_grip = 2.0 / 3.0;

@@ -6,17 +6,9 @@
 #include <stdexcept>
 #include <utility>
 
+#include "sim/shown.hpp"
+
 namespace fantail::sim {
-namespace {
-
-std::string shown(double value) {
-  std::ostringstream text;
-  text << value;
-  return text.str();
-}
-
-}  // namespace
-
 std::optional<std::string> ThrustCurve::objection(const ThrustPoint* previous, const ThrustPoint& next) {
   if (!std::isfinite(next.time_s) || next.time_s < 0.0) {
     return "time " + shown(next.time_s) + " s; allowed: a finite number, not before ignition";

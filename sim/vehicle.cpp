@@ -3,18 +3,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
-#include <sstream>
 
 #include "sim/input_error.hpp"
 #include "sim/rasp_file.hpp"
 #include "sim/shipped.hpp"
+#include "sim/shown.hpp"
+#include "sim/units.hpp"
 
 namespace fantail::sim {
 namespace {
 
-constexpr double radians_per_degree = std::numbers::pi / 180.0;
-constexpr double standard_gravity_m_s2 = 9.80665;
 constexpr std::size_t most_assumptions = 100;
 
 void read_body(const Document& document, Vehicle& vehicle) {
@@ -37,12 +35,6 @@ void read_body(const Document& document, Vehicle& vehicle) {
 constexpr double longest_burn_s = 600.0;
 constexpr double most_speed_m_s = 3000.0;
 
-std::string shown(double value) {
-  std::ostringstream text;
-  text << value;
-  return text.str();
-}
-
 void read_motor(const Document& document, Vehicle& vehicle) {
   Section motor{document, "motor"};
   vehicle.motor = load_rasp(find_named_input(Shipped::motor, document, motor, "file"));
@@ -51,15 +43,15 @@ void read_motor(const Document& document, Vehicle& vehicle) {
   if (!(empty_kg > 0.0)) {
     Section{document, "body"}.refuse("mass_kg", "= " + shown(vehicle.mass_kg) +
                                                     "; allowed: more than the propellant of its motor, " +
-                                                    shown(curve.propellant_kg()));
+                                                    about(curve.propellant_kg()));
   }
   if (curve.burnout_s() > longest_burn_s) {
     motor.refuse("file",
-                 "burns for " + shown(curve.burnout_s()) + " s; allowed: at most " + shown(longest_burn_s) + " s");
+                 "burns for " + about(curve.burnout_s()) + " s; allowed: at most " + about(longest_burn_s) + " s");
   }
   if (curve.impulse_n_s() > most_speed_m_s * empty_kg) {
-    motor.refuse("file", "gives " + shown(curve.impulse_n_s()) + " N s to " + shown(empty_kg) +
-                             " kg; allowed: what makes at most " + shown(most_speed_m_s) + " m/s");
+    motor.refuse("file", "gives " + about(curve.impulse_n_s()) + " N s to " + about(empty_kg) +
+                             " kg; allowed: what makes at most " + about(most_speed_m_s) + " m/s");
   }
   motor.finish();
 }
@@ -123,8 +115,7 @@ void read_inertial(const Document& document, const std::string& name, bool gyro,
   }
   p.specific_force_noise_m_s2 = section.number("specific_force_noise_m_s2", {0, 50}, p.specific_force_noise_m_s2);
   p.specific_force_bias_m_s2 = section.number("specific_force_bias_m_s2", {-5, 5}, p.specific_force_bias_m_s2);
-  p.full_scale_m_s2 =
-      standard_gravity_m_s2 * section.number("full_scale_g", {2, 400}, p.full_scale_m_s2 / standard_gravity_m_s2);
+  p.full_scale_m_s2 = gravity_m_s2 * section.number("full_scale_g", {2, 400}, p.full_scale_m_s2 / gravity_m_s2);
   p.misalignment_rad =
       radians_per_degree * section.number("misalignment_deg", {0, 10}, p.misalignment_rad / radians_per_degree);
   p.delay_s = section.number("delay_s", {0, 0.02}, p.delay_s);
@@ -140,7 +131,7 @@ std::vector<std::string> vehicle_sections() {
 Vehicle read_vehicle(const Document& document) {
   refuse_unknown_sections(document, vehicle_sections());
   Vehicle vehicle;
-  vehicle.accelerometer.full_scale_m_s2 = 32.0 * standard_gravity_m_s2;
+  vehicle.accelerometer.full_scale_m_s2 = 32.0 * gravity_m_s2;
   read_body(document, vehicle);
   read_motor(document, vehicle);
   read_servo(document, vehicle);

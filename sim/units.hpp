@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <numbers>
+
+namespace fantail::sim {
+
+inline constexpr double radians_per_degree = std::numbers::pi / 180.0;
+
+/// Standard gravity: what the rocket falls with, and what its accelerometers read on the pad.
+inline constexpr double gravity_m_s2 = 9.80665;
+
+}  // namespace fantail::sim
