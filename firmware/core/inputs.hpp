@@ -15,9 +15,10 @@ namespace fantail::core {
 inline constexpr std::size_t canard_count = 4;
 inline constexpr float standard_gravity_m_s2 = 9.80665F;
 
-// Far beyond any sensor that fits a rocket (1000 g, 160 turns a second): what reads more is not a measurement.
+// Beyond any sensor that fits a rocket (1000 g, 16 turns a second): what reads more is not a measurement. The attitude
+// step stays a rotation up to twice this rate.
 inline constexpr float largest_specific_force_m_s2 = 10'000.0F;
-inline constexpr float largest_rate_rad_s = 1'000.0F;
+inline constexpr float largest_rate_rad_s = 100.0F;
 
 /// What the hardware layer knows about a sample before anybody looks at its value.
 enum class SampleQuality : std::uint8_t {

@@ -4,9 +4,11 @@
 
 #include <gtest/gtest.h>
 
+#include "core/finite.hpp"
 #include "core/flight_plan_fields.hpp"
 #include "core/motion_estimator.hpp"
 #include "motion_rig.hpp"
+#include "random_stream.hpp"
 
 namespace fantail::core {
 namespace {
@@ -95,6 +97,30 @@ TEST(RollAngle, HoursOnThePadCostNothing) {
   spin.run(ms(12'000), 3.0);
   // Half a tick of the step from rest to 3 rad/s is not seen by the trapezoid.
   EXPECT_NEAR(spin.motion().roll_angle.radians(), spin.rig.roll_rad() - before - 0.0005 * 3.0, 2e-5);
+}
+
+TEST(RollAngle, TheFastestAdmissibleRatesLeaveTheAttitudeARotation) {
+  MotionPlan plan = default_plan().motion;
+  plan.stale_time = ms(20);  // the longest allowed: each step turns the rocket as far as any can
+  MotionEstimator estimator{plan};
+  estimator.begin_flight(ms(0));  // on the pad the attitude would begin anew with every sample
+  estimator.leave_guide();
+  RandomStream random{1};
+  const auto fastest = [&] { return random.chance(0.5) ? largest_rate_rad_s : -largest_rate_rad_s; };
+  Inputs inputs;
+  for (int step = 0; step < 1000; ++step) {
+    inputs.time += ms(20);
+    inputs.gyro = {
+        .time = inputs.time, .rate_rad_s = {fastest(), fastest(), fastest()}, .quality = SampleQuality::valid};
+    inputs.accelerometers[0] = {.time = inputs.time,
+                                .specific_force_m_s2 = {standard_gravity_m_s2, 0.0F, 0.0F},
+                                .quality = SampleQuality::valid};
+    estimator.update(inputs);
+    const Motion motion = estimator.motion(inputs.time);
+    ASSERT_TRUE(is_finite(motion.tilt.radians())) << step;
+    ASSERT_LE(std::abs(motion.vertical_speed_m_s),
+              0.021F * 2.0F * standard_gravity_m_s2 * static_cast<float>(step + 1));
+  }
 }
 
 TEST(GyroBias, IsTheMeanOfTheStillWindowAndIsFrozenAtDetection) {
