@@ -69,13 +69,18 @@ CanardVerdict CanardMonitor::judge(const Tick& tick, std::size_t canard, const C
     return CanardVerdict::healthy;
   }
 
+  const bool is_off = abs(*encoder - *channel.expected) > plan_.tracking_limit;
+  const bool is_apart = !tick.all_agree && stands_apart(canard, encoders);
+  if (!is_off && !is_apart && channel.off.charge == Microseconds{0} && channel.apart.charge == Microseconds{0}) {
+    return CanardVerdict::healthy;  // the usual case
+  }
   if (channel.off.charge == Microseconds{0}) {
     channel.lowest = channel.highest = *encoder;
   }
   channel.lowest = std::min(channel.lowest, *encoder);
   channel.highest = std::max(channel.highest, *encoder);
-  const bool off = lasts(channel.off, abs(*encoder - *channel.expected) > plan_.tracking_limit, tick.elapsed);
-  const bool apart = lasts(channel.apart, !tick.all_agree && stands_apart(canard, encoders), tick.elapsed);
+  const bool off = lasts(channel.off, is_off, tick.elapsed);
+  const bool apart = lasts(channel.apart, is_apart, tick.elapsed);
   if (off) {
     return channel.highest - channel.lowest < standstill ? CanardVerdict::stalled : CanardVerdict::slipping;
   }
@@ -126,9 +131,6 @@ bool CanardMonitor::stands_apart(std::size_t canard, const EncoderAngles& encode
 }
 
 bool CanardMonitor::lasts(Persistence& persistence, bool condition, Microseconds elapsed) const {
-  if (!condition && persistence.charge == Microseconds{0}) {
-    return false;  // the usual case
-  }
   persistence.charge =
       std::clamp(persistence.charge + (condition ? elapsed : -2 * elapsed), Microseconds{0}, plan_.hold);
   persistence.lasting =
