@@ -13,8 +13,7 @@ std::string shown(double value) {
 
 std::string about(double value) {
   std::array<char, 32> text{};
-  return {text.data(),
-          std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, 6).ptr};
+  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, 6).ptr};
 }
 
 }  // namespace fantail::sim

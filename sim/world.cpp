@@ -46,15 +46,9 @@ World::World(const Scenario& scenario)
       canards_{scenario.vehicle, Random{scenario.seed, encoder_noise}},
       imu_model_{scenario.vehicle.imu, Random{scenario.seed, imu_noise}},
       accelerometer_model_{scenario.vehicle.accelerometer, Random{scenario.seed, accelerometer_noise}},
-      avionics_{{.clock = clock_,
-                 .imu = imu_,
-                 .accelerometer = accelerometer_,
-                 .servo = servo_,
-                 .encoder = encoder_,
-                 .arm_switch = arm_switch_},
-                scenario.plan} {
-  side_.imu_scale = imu_model_.scale();
-  side_.accelerometer_scale_m_s2 = accelerometer_model_.scale();
+      board_{scenario.plan} {
+  board_.hardware.imu_scale = imu_model_.scale();
+  board_.hardware.accelerometer_scale_m_s2 = accelerometer_model_.scale();
   if (scenario.imposed_roll) {
     imposed_roll_after_liftoff_ = nearest_tick(scenario.imposed_roll->time_s);
   }
@@ -67,7 +61,7 @@ const core::TickRecord& World::tick() {
   impose_roll();
   fill_hardware();
   press_buttons();
-  const core::TickRecord& record = avionics_.tick();
+  const core::TickRecord& record = board_.avionics.tick();
   phase_ = record.phase;
   follow_events();
   return record;
@@ -75,7 +69,7 @@ const core::TickRecord& World::tick() {
 
 void World::advance() {
   const double from_ignition_s = in_seconds(now_ - ignition_);
-  canards_.step(in_seconds(now_), tick_time_s, side_.pulses);
+  canards_.step(in_seconds(now_), tick_time_s, board_.hardware.pulses);
   const double density_before = environment_.density_kg_m3();
   const double speed_before = environment_.speed_m_s();
   const double disturbance_before = disturbance_rad_;
@@ -145,19 +139,19 @@ void World::fill_hardware() {
       accelerometer_model_.sample(now_, specific_force_m_s2, accelerometer_hangs_);
   // All are measured before any is copied: a copy of freshly written counts makes the processor wait, and so it waits
   // once instead of three times.
-  side_.time = now_;
-  side_.encoders = encoders;
-  side_.imu = imu;
-  side_.accelerometer = accelerometer;
+  board_.hardware.time = now_;
+  board_.hardware.encoders = encoders;
+  board_.hardware.imu = imu;
+  board_.hardware.accelerometer = accelerometer;
 }
 
 void World::press_buttons() {
-  side_.arm_switch_closed = now_ >= arm_time_;
+  board_.hardware.arm_switch_closed = now_ >= arm_time_;
   if (now_ == arm_time_ + arm_command_after) {
-    avionics_.command_arm();
+    board_.avionics.command_arm();
   }
   if (now_ == ignition_ && scenario_.surroundings == Surroundings::tunnel) {
-    avionics_.command_start();
+    board_.avionics.command_start();
   }
 }
 

@@ -4,20 +4,14 @@
 #include <cstdint>
 #include <optional>
 
-#include "avionics/avionics.hpp"
 #include "core/tick_record.hpp"
-#include "hal/sim/accelerometer.hpp"
-#include "hal/sim/arm_switch.hpp"
-#include "hal/sim/clock.hpp"
-#include "hal/sim/encoder.hpp"
-#include "hal/sim/imu.hpp"
-#include "hal/sim/servo.hpp"
 #include "hal/sim/world_side.hpp"
 #include "sim/canard_set.hpp"
 #include "sim/disturbance.hpp"
 #include "sim/environment.hpp"
 #include "sim/scenario.hpp"
 #include "sim/sensor_models.hpp"
+#include "sim/simulated_board.hpp"
 
 namespace fantail::sim {
 
@@ -50,7 +44,7 @@ class World {
   [[nodiscard]] Truth truth() const;
 
   /// What the devices showed the avionics in the last tick, and what it wrote to the servos.
-  [[nodiscard]] const hal::sim::WorldSide& hardware() const { return side_; }
+  [[nodiscard]] const hal::sim::WorldSide& hardware() const { return board_.hardware; }
 
   /// Moves servos, air and rocket through one millisecond.
   void advance();
@@ -99,14 +93,7 @@ class World {
   bool accelerometer_hangs_ = false;
   bool roll_is_imposed_ = false;
 
-  hal::sim::WorldSide side_;
-  hal::sim::Clock clock_{side_};
-  hal::sim::Imu imu_{side_};
-  hal::sim::Accelerometer accelerometer_{side_};
-  hal::sim::Servo servo_{side_};
-  hal::sim::Encoder encoder_{side_};
-  hal::sim::ArmSwitch arm_switch_{side_};
-  avionics::Avionics avionics_;
+  SimulatedBoard board_;
   core::Phase phase_ = core::Phase::safe;
 };
 
