@@ -163,6 +163,7 @@ std::string plan_table(const core::FlightPlan& plan) {
       section = field.section;
     }
     std::vector<std::string> values;
+    values.reserve(field.used_slots(plan));
     for (std::size_t slot = 0; slot < field.used_slots(plan); ++slot) {
       values.push_back(value_text(field, plan, slot));
     }

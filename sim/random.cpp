@@ -18,10 +18,13 @@ constexpr double density(double x) { return exponential(-0.5 * x * x); }
 // everywhere.
 constexpr double square_root(double x) {
   double root = x > 1.0 ? x : 1.0;
-  for (double next = 0.5 * (root + x / root); next < root; next = 0.5 * (root + x / root)) {
+  while (true) {
+    const double next = 0.5 * (root + x / root);
+    if (!(next < root)) {
+      return root;
+    }
     root = next;
   }
-  return root;
 }
 
 constexpr Ziggurat cut_into_layers() {

@@ -51,7 +51,7 @@ std::vector<std::string> shipped_names(Shipped kind) {
 
 std::filesystem::path find_input(Shipped kind, const std::string& name_or_path) {
   const Place place = place_of(kind);
-  const std::filesystem::path shipped = data_folder() / place.folder / (name_or_path + std::string{place.extension});
+  std::filesystem::path shipped = data_folder() / place.folder / (name_or_path + std::string{place.extension});
   std::error_code ignored;
   if (!looks_like_path(name_or_path) && std::filesystem::is_regular_file(shipped, ignored)) {
     return shipped;
@@ -76,7 +76,7 @@ std::filesystem::path find_input(Shipped kind, const std::string& name_or_path) 
 
 std::filesystem::path find_named_input(Shipped kind, const Document& document, Section& section, std::string_view key) {
   const std::string name = section.text(key);
-  const std::filesystem::path beside = document.file().parent_path() / name;
+  std::filesystem::path beside = document.file().parent_path() / name;
   std::error_code ignored;
   if (!section.is_replaced(key) && looks_like_path(name) && std::filesystem::is_regular_file(beside, ignored)) {
     return beside;

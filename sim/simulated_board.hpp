@@ -13,8 +13,8 @@
 
 namespace fantail::sim {
 
-/// The avionics on simulated hardware: whoever plays the world fills `hardware`, lets `avionics` have its tick, and reads
-/// the servo pulses back from `hardware`.
+/// The avionics on simulated hardware: whoever plays the world fills `hardware`, lets `avionics` have its tick, and
+/// reads the servo pulses back from `hardware`.
 class SimulatedBoard {
  public:
   /// `plan` has passed core::validate().

@@ -16,7 +16,7 @@ constexpr Microseconds arm_command_after{100'000};
 // A start command that the avionics has not followed by then was refused.
 constexpr Microseconds start_patience{1'000'000};
 
-enum Stream : std::uint64_t { imu_noise = 1, accelerometer_noise, encoder_noise, turbulence };
+enum Stream : std::uint8_t { imu_noise = 1, accelerometer_noise, encoder_noise, turbulence };
 
 Microseconds nearest_tick(double time_s) { return std::llround(time_s / tick_time_s) * tick_time; }
 

@@ -69,7 +69,8 @@ std::array<std::optional<hal::Pulse>, hal::canards> pulses(const core::CanardCom
   std::array<std::optional<hal::Pulse>, hal::canards> result;
   for (std::size_t i = 0; i < result.size(); ++i) {
     if (commands[i].driven) {
-      // A plan's pulses are below 4 ms, so the conversion cannot overflow.
+      // A plan's pulses are below 4 ms, so the conversion cannot overflow; they are positive, so half a nanosecond up
+      // is the nearest. NOLINTNEXTLINE(bugprone-incorrect-roundings): lround would be a call into the C library
       result[i] = hal::Pulse{static_cast<std::int32_t>(commands[i].pulse_us * 1000.0F + 0.5F)};
     }
   }

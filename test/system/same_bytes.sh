@@ -38,8 +38,7 @@ fly() { # NAME FANTAIL
 mkdir -p "$work"
 rm -rf "$work/flights"
 build gcc-O0 g++ -O0
-# std::stable_sort of libstdc++ 12 calls something deprecated, of which g++ says nothing in system headers.
-build clang-O2 "$optimising_clang" "-O2 -Wno-deprecated-declarations"
+build clang-O2 "$optimising_clang" -O2
 fly normal "$normal"
 fly gcc-O0 "$work/gcc-O0/fantail"
 fly clang-O2 "$work/clang-O2/fantail"

@@ -78,5 +78,9 @@ ExitCode run(int argc, char** argv) {
 int main(int argc, char** argv) {
   fantail::tool::guard_standard_streams();
   fantail::tool::catch_interrupts();
-  return static_cast<int>(run(argc, argv));
+  try {
+    return static_cast<int>(run(argc, argv));
+  } catch (...) {  // not even a message can be made: memory has run out
+    return static_cast<int>(ExitCode::internal_error);
+  }
 }

@@ -64,6 +64,7 @@ void print_summary(const report::Flight& flight, const report::Results& results)
 
 void fly(const FlyOptions& options) {
   std::vector<sim::Override> changes;
+  changes.reserve(options.changes.size());
   for (const std::string& text : options.changes) {
     changes.push_back(sim::parse_override(text));
   }

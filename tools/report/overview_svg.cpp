@@ -28,7 +28,7 @@ constexpr double bottom = 346.0;
 constexpr double label_width_per_letter = 6.6;  // of the 12 px labels, on the safe side
 constexpr int label_rows = 4;
 
-enum Line : std::size_t { reference, settle, truth, estimate, line_count };
+enum Line : std::uint8_t { reference, settle, truth, estimate, line_count };
 constexpr std::array<std::string_view, line_count> line_class{"reference", "settle", "truth", "estimate"};
 constexpr std::array<std::string_view, line_count> line_name{"reference R", "settles at R + u_d/kp", "true",
                                                              "estimate"};
@@ -37,6 +37,14 @@ struct Range {
   double low;
   double high;
 };
+
+std::vector<double> multiples_within(Range range, double step) {
+  std::vector<double> values;
+  for (auto i = std::lround(std::ceil(range.low / step)); static_cast<double>(i) * step <= range.high; ++i) {
+    values.push_back(static_cast<double>(i) * step);
+  }
+  return values;
+}
 
 // 1, 2 or 5 times a power of ten, so that about `wanted` steps fit.
 double tick_step(Range range, int wanted) {
@@ -114,17 +122,17 @@ class Picture {
 
   void grid() {
     const double time_step = tick_step(time_, 9);
-    for (double i = std::ceil(time_.low / time_step); i * time_step <= time_.high; i += 1.0) {
-      add("<text class=\"tick\" x=\"{:.1f}\" y=\"{}\" text-anchor=\"middle\">{}</text>", x(i * time_step), bottom + 18,
-          with_minus(brief(i * time_step, 3)));
+    for (const double time_s : multiples_within(time_, time_step)) {
+      add("<text class=\"tick\" x=\"{:.1f}\" y=\"{}\" text-anchor=\"middle\">{}</text>", x(time_s), bottom + 18,
+          with_minus(brief(time_s, 3)));
     }
     add("<text class=\"tick\" x=\"{}\" y=\"{}\" text-anchor=\"end\">seconds</text>", right, bottom + 34);
     const double angle_step = tick_step(angle_, 5);
-    for (double i = std::ceil(angle_.low / angle_step); i * angle_step <= angle_.high; i += 1.0) {
-      const double at = y(i * angle_step);
+    for (const double angle_deg : multiples_within(angle_, angle_step)) {
+      const double at = y(angle_deg);
       add("<path class=\"grid\" d=\"M{} {:.1f}H{}\"/><text class=\"tick\" x=\"{}\" y=\"{:.1f}\" "
           "text-anchor=\"end\">{}&#176;</text>",
-          left, at, right, left - 7, at + 4, with_minus(brief(i * angle_step, 3)));
+          left, at, right, left - 7, at + 4, with_minus(brief(angle_deg, 3)));
     }
   }
 

@@ -53,7 +53,7 @@ Value own_degrees(double Row::* member) {
   return [member](const Row& row) { return degrees(row.*member); };
 }
 // References and commands mean something only while somebody follows them.
-Value in_control(Value value) {
+Value in_control(const Value& value) {
   return [value](const Row& row) { return row.phase == core::Phase::controlling ? value(row) : unknown; };
 }
 

@@ -54,7 +54,7 @@ std::vector<EventMark> event_marks(const Flight& flight) {
   const Events& e = flight.events;
   const auto mark = [&marks](const std::optional<double>& time_s, const char* label) {
     if (time_s) {
-      marks.push_back({*time_s, label});
+      marks.insert(std::ranges::upper_bound(marks, *time_s, {}, &EventMark::time_s), {*time_s, label});
     }
   };
   mark(e.liftoff_s, "lift-off");
@@ -66,7 +66,6 @@ std::vector<EventMark> event_marks(const Flight& flight) {
   if (!e.apogee_s || (e.control_end_s && *e.control_end_s < *e.apogee_s - 0.2)) {
     mark(e.control_end_s, "control ends");
   }
-  std::ranges::stable_sort(marks, {}, &EventMark::time_s);
   return marks;
 }
 
