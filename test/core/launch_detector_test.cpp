@@ -6,65 +6,10 @@
 
 #include <gtest/gtest.h>
 
-#include "core/flight_plan_fields.hpp"
+#include "launch_detector_rig.hpp"
 
 namespace fantail::core {
 namespace {
-
-constexpr float g = standard_gravity_m_s2;
-constexpr Microseconds stale_time{5'000};
-
-Microseconds ms(int value) { return Microseconds{value * 1'000}; }
-
-LaunchDetectionPlan launch_1_rule() {
-  LaunchDetectionPlan plan = default_plan().launch_detection;
-  plan.threshold_m_s2 = 2.0F * g;
-  plan.hold = ms(200);
-  plan.accelerometers = AccelerometerRule::one;
-  plan.low_pass = false;
-  return plan;
-}
-
-LaunchDetectionPlan launch_2_rule() {
-  LaunchDetectionPlan plan = default_plan().launch_detection;
-  plan.threshold_m_s2 = 2.5F * g;
-  plan.hold = ms(100);
-  plan.accelerometers = AccelerometerRule::two_agree;
-  plan.low_pass = false;
-  return plan;
-}
-
-AccelerometerSample sample(Microseconds time, float axial_g, SampleQuality quality = SampleQuality::valid) {
-  return {.time = time, .specific_force_m_s2 = {axial_g * g, 0.0F, 0.0F}, .quality = quality};
-}
-
-/// Feeds both accelerometers at the same instants.
-class Bench {
- public:
-  explicit Bench(const LaunchDetectionPlan& plan) : detector_{plan, stale_time} {}
-
-  DetectionState feed(Microseconds time, float axial_g) { return feed(time, axial_g, axial_g); }
-  DetectionState feed(Microseconds time, float first_g, float second_g) {
-    return feed(time, sample(time, first_g), sample(time, second_g));
-  }
-  DetectionState feed(Microseconds now, const AccelerometerSample& first, const AccelerometerSample& second) {
-    return detector_.update(now, {first, second});
-  }
-
-  /// 1 kHz from `begin` on, exclusive of `end`; when it fired, if it did.
-  std::optional<Microseconds> hold_level(Microseconds begin, Microseconds end, float axial_g) {
-    std::optional<Microseconds> fired;
-    for (Microseconds t = begin; t < end; t += ms(1)) {
-      if (feed(t, axial_g) == DetectionState::detected && !fired) {
-        fired = t;
-      }
-    }
-    return fired;
-  }
-
- private:
-  LaunchDetector detector_;
-};
 
 // A pulse on top of a second of standing still; `next` gives the time of the sample after the one at t.
 bool fires_on_pulse(const LaunchDetectionPlan& plan, float pulse_g, Microseconds length,
@@ -221,102 +166,6 @@ TEST(LaunchDetector, NegativeSpecificForceIsNoLaunch) {
   Bench bench{launch_1_rule()};
   EXPECT_EQ(bench.hold_level(ms(0), ms(1'000), -5.0F), std::nullopt);
 }
-
-TEST(LaunchDetector, TwoAccelerometersFireWhenBothOwnHoldsAreComplete) {
-  LaunchDetectionPlan plan = launch_2_rule();
-  plan.disagreement_m_s2 = 5.0F * g;
-  Bench bench{plan};
-  for (int t = 0; t < 140; ++t) {
-    const DetectionState state = bench.feed(ms(t), 3.0F, t < 40 ? 2.0F : 3.0F);
-    EXPECT_EQ(state, DetectionState::holding) << t;
-  }
-  EXPECT_EQ(bench.feed(ms(140), 3.0F, 3.0F), DetectionState::detected);
-}
-
-TEST(LaunchDetector, TwoAccelerometersMayBeReadAtDifferentInstants) {
-  Bench bench{launch_2_rule()};
-  std::optional<Microseconds> fired;
-  for (int t = 0; t <= 120 && !fired; ++t) {
-    // The second one runs at half the rate and 0.3 ms late.
-    const Microseconds second = ms(t - t % 2) - Microseconds{300};
-    if (bench.feed(ms(t), sample(ms(t), 3.0F), sample(second, 3.0F)) == DetectionState::detected) {
-      fired = ms(t);
-    }
-  }
-  EXPECT_EQ(fired, ms(100));
-}
-
-TEST(LaunchDetector, OneOfTwoAccelerometersAloneIsRefusedUnlessThePlanAllowsIt) {
-  for (const bool allowed : {false, true}) {
-    for (const bool first_is_lost : {false, true}) {
-      LaunchDetectionPlan plan = launch_2_rule();
-      plan.single_allowed = allowed;
-      Bench bench{plan};
-      std::optional<Microseconds> fired;
-      for (int t = 0; t < 300; ++t) {
-        AccelerometerSample good = sample(ms(t), 3.0F);
-        const auto state = first_is_lost ? bench.feed(ms(t), {}, good) : bench.feed(ms(t), good, {});
-        if (state == DetectionState::detected && !fired) {
-          fired = ms(t);
-        }
-      }
-      EXPECT_EQ(fired, allowed ? std::optional{ms(100)} : std::nullopt);
-    }
-  }
-}
-
-TEST(LaunchDetector, RuleOfOneAccelerometerDoesNotLookAtTheSecond) {
-  Bench bench{launch_1_rule()};
-  DetectionState state = DetectionState::quiet;
-  for (int t = 0; t <= 200; ++t) {
-    state = bench.feed(ms(t), sample(ms(t), 3.0F), sample(ms(t), -7.0F));
-  }
-  EXPECT_EQ(state, DetectionState::detected);
-}
-
-TEST(LaunchDetector, DisagreementOfMoreThanHalfAGRestartsBothHolds) {
-  Bench bench{launch_2_rule()};
-  EXPECT_EQ(bench.hold_level(ms(0), ms(60), 3.0F), std::nullopt);
-  Microseconds last_disagreement{};
-  for (int t = 60; t < 80; ++t) {
-    if (bench.feed(ms(t), 3.0F, 3.6F) == DetectionState::disagreement) {
-      last_disagreement = ms(t);
-    }
-  }
-  // The low-passed difference passes 0.5 of 0.6 g after 1.79 time constants of 9.95 ms: with the 18th sample.
-  EXPECT_EQ(last_disagreement, ms(79));
-  std::optional<Microseconds> fired;
-  for (int t = 80; t < 300 && !fired; ++t) {
-    const DetectionState state = bench.feed(ms(t), 3.0F);
-    if (state == DetectionState::disagreement) {
-      last_disagreement = ms(t);
-    } else if (state == DetectionState::detected) {
-      fired = ms(t);
-    }
-  }
-  EXPECT_EQ(fired, last_disagreement + ms(101));
-}
-
-TEST(LaunchDetector, DisagreementUpToHalfAGIsCalibrationNotAFault) {
-  Bench bench{launch_2_rule()};
-  DetectionState state = DetectionState::quiet;
-  for (int t = 0; t <= 100; ++t) {
-    state = bench.feed(ms(t), 3.0F, 3.49F);
-  }
-  EXPECT_EQ(state, DetectionState::detected);
-}
-
-TEST(LaunchDetector, SaturatedAccelerometerMayReadTooLittleButNotTooMuch) {
-  Bench fair{launch_2_rule()};
-  Bench stuck{launch_2_rule()};
-  for (int t = 0; t <= 100; ++t) {
-    const AccelerometerSample end = sample(ms(t), 16.0F, SampleQuality::saturated);
-    EXPECT_EQ(fair.feed(ms(t), end, sample(ms(t), 20.0F)),
-              t < 100 ? DetectionState::holding : DetectionState::detected);
-    EXPECT_EQ(stuck.feed(ms(t), end, sample(ms(t), 3.0F)), DetectionState::disagreement);
-  }
-}
-
 TEST(LaunchDetector, LowPassIsPrimedByTheFirstSampleAndTheHoldIsMeasuredOnItsOutput) {
   LaunchDetectionPlan plan = launch_1_rule();
   plan.low_pass = true;

@@ -52,6 +52,23 @@ TEST(Html, SaysVerdictFiguresEventsAndPhasesWithoutScripts) {
   EXPECT_NE(text.find("<svg"), std::string::npos);
 }
 
+TEST(Html, ListsEventsInTheOrderInWhichTheyHappened) {
+  SyntheticFlight synthetic;
+  synthetic.flight.events.guide_clear_s = 0.15;  // off a short guide before the launch is detected
+  synthetic.flight.events.control_end_s = 3.0;
+  synthetic.flight.events.burnout_s = 3.2;
+  synthetic.flight.events.apogee_s = 4.4;
+  const std::string text = without_scripts(page_of(synthetic.flight));
+  std::size_t last = 0;
+  for (const char* event :
+       {"Lift-off", "Off the guide", "Launch detected", "Control starts", "Control ends", "Burn-out", "Apogee"}) {
+    const std::size_t at = text.find("<td>" + std::string{event} + "</td>");
+    ASSERT_NE(at, std::string::npos) << event;
+    EXPECT_GT(at, last) << event;
+    last = at;
+  }
+}
+
 TEST(Html, ListsWhatWasAssumedAndCallsAnImposedRollImposed) {
   SyntheticFlight synthetic;
   EXPECT_NE(without_scripts(page_of(synthetic.flight)).find("no imposed roll, no faults and no assumptions"),

@@ -2,6 +2,8 @@
 #include "sim/plan_file.hpp"
 
 #include <charconv>
+#include <fstream>
+#include <iterator>
 #include <sstream>
 
 #include <gtest/gtest.h>
@@ -196,6 +198,17 @@ TEST(PlanFile, TheTableOfAPlanReadsBackAsThePlan) {
       "300.001]\nstep_angles_deg = [-20, 33.3]\n[excitation]\nvariation_seed = 16777215\n");
   EXPECT_TRUE(same(plan_of(plan_table(plan)), plan)) << plan_table(plan);
   EXPECT_TRUE(same(plan_of(plan_table(core::default_plan())), core::default_plan()));
+}
+
+// The manual is made from the table of fields like everything else.
+TEST(PlanFile, TheManualHoldsTheTableOfDefaults) {
+  std::ifstream stream{PLAN_MANUAL};
+  const std::string manual{std::istreambuf_iterator<char>{stream}, {}};
+  const std::string block = "```toml\n" + plan_table(core::default_plan()) + "```\n";
+  EXPECT_TRUE(manual.ends_with(block))
+      << "the fields have changed; bring docs/flight_plan.md up to date:\n"
+         "  { sed '/^```toml$/q' docs/flight_plan.md; ./dev plan show; echo '```'; } > build/flight_plan.md &&"
+         " mv build/flight_plan.md docs/flight_plan.md";
 }
 
 }  // namespace

@@ -67,7 +67,7 @@ TEST(MissingPart, IsRefusedWhereItIsNamed) {
           {"--set motor.file=i151_canonical: ", "unknown motor", "did you mean i150_canonical?"});
   const std::string vehicle = replaced(shipped("vehicles/smokey.toml"), "i150_canonical", "gone.eng");
   Refusal({{"s.toml", "vehicle = \"v.toml\"\nplan = \"tasha3_launch2\"\n"}, {"v.toml", vehicle}}, {"fly", "s.toml"}, 66,
-          {"v.toml:26: ", "gone.eng"});
+          {"v.toml:27: ", "gone.eng"});
 }
 
 TEST(ScenarioWithoutAVehicle, IsRefused) {
@@ -129,7 +129,7 @@ TEST(Motor, WithMorePropellantThanTheRocketIsRefused) {
   Refusal({}, {"fly", "--set", "body.mass_kg=0.2"}, 78, {"--set body.mass_kg=0.2", "0.226", "propellant"});
   const std::string vehicle = replaced(shipped("vehicles/smokey.toml"), "mass_kg = 3.0", "mass_kg = 0.226");
   Refusal({{"s.toml", "vehicle = \"v.toml\"\nplan = \"tasha3_launch2\"\n"}, {"v.toml", vehicle}}, {"fly", "s.toml"}, 78,
-          {"v.toml:12: body.mass_kg = 0.226", "propellant"});
+          {"v.toml:13: body.mass_kg = 0.226", "propellant"});
 }
 
 // Numbers that are allowed one by one and make no rocket together; and what a model further down would refuse.

@@ -151,7 +151,9 @@ TEST(Fly, WritesTheColumnsThatScriptsRelyOn) {
 
 TEST(Fly, SaysThatRollWasImposed) {
   const Folder folder;
-  EXPECT_EQ(fantail({"fly", "tasha3_launch1", "--out", folder / "out"}).exit_code, 0);
+  const Outcome outcome = fantail({"fly", "tasha3_launch1", "--out", folder / "out"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("Roll was imposed by the scenario at 0.21 s"), std::string::npos) << outcome.out;
   EXPECT_NEAR(summary(folder / "out")["imposed_roll"]["rate_deg_s"], 51.8, 1e-9);
   EXPECT_NE(content(folder / "out/report.html").find("imposed"), std::string::npos);
 }

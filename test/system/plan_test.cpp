@@ -75,6 +75,20 @@ TEST_P(Plan, IsPackedIntoABlockThatReadsBackBitForBit) {
 INSTANTIATE_TEST_SUITE_P(Shipped, Plan, testing::Values("tasha3_launch1", "tasha3_launch2", "tunnel_steps"),
                          [](const auto& one) { return one.param; });
 
+TEST(PlanShow, ShowsTheDefaultOfEveryFieldWhenNoPlanIsNamed) {
+  const Outcome outcome = fantail({"plan", "show"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(outcome.out, sim::plan_table(core::default_plan()));
+  const nlohmann::json json = nlohmann::json::parse(fantail({"plan", "show", "--json"}).out);
+  EXPECT_EQ(json["controller"]["canard_limit_deg"], 9);
+}
+
+TEST(PlanShow, TakesAnEmptyNameForAMistakeNotForNoName) {
+  const Outcome outcome = fantail({"plan", "show", ""});
+  EXPECT_EQ(outcome.exit_code, 66);
+  EXPECT_NE(outcome.err.find("unknown flight plan \"\""), std::string::npos) << outcome.err;
+}
+
 TEST(PlanCompile, NamesTheBlockAfterThePlanWhenNothingIsSaid) {
   const Folder folder;
   const Outcome outcome = fantail({"plan", "compile", "tunnel_steps", "--json"}, {.working_folder = folder.path()});

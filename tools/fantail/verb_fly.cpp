@@ -11,6 +11,7 @@
 #include "fantail/interrupt.hpp"
 #include "fantail/verbs.hpp"
 #include "report/results.hpp"
+#include "report/words.hpp"
 #include "sim/scenario.hpp"
 
 namespace fantail::tool {
@@ -46,6 +47,9 @@ void print_figure(std::string_view label, const std::optional<double>& value, st
 
 void print_summary(const report::Flight& flight, const report::Results& results) {
   fmt::print("{} ({}), seed {}\n{}\n", flight.scenario, flight.vehicle, flight.seed, results.verdict.text);
+  if (const std::string imposed = report::imposed_roll_words(flight); !imposed.empty()) {
+    fmt::print("{}\n", imposed);
+  }
   for (const std::string& note : flight.notes) {
     fmt::print("{}\n", note);
   }
@@ -99,14 +103,14 @@ void add_fly(CLI::App& program) {
   verb->add_option("--seed", options->seed, "Of all random streams, instead of the scenario's own")
       ->check(objection_to_seed)
       ->type_name("NUMBER");
-  verb->add_option("--set", options->changes, "section.key=value: change one number of plan, vehicle or scenario")
+  verb->add_option("--set", options->changes, "section.key=value: change one value of plan, vehicle or scenario")
       ->allow_extra_args(false);
   verb->add_flag("--json", options->json, "Print summary.json instead of the text");
   verb->footer(
       "Examples:\n"
       "  fantail fly                                         the second launch, into out/tasha3_launch2\n"
       "  fantail fly tasha3_launch1 --set controller.canard_limit_deg=9\n"
-      "                                                      would wider canards have held the first launch?\n"
+      "                                                      would a wider canard limit have held the first launch?\n"
       "  fantail fly my_rocket.toml --seed 7 --out /tmp/try --json\n"
       "                                                      your own scenario, for a script");
   verb->callback([options] { fly(*options); });

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include <fmt/format.h>
@@ -21,7 +22,7 @@ namespace fantail::tool {
 namespace {
 
 struct PlanOptions {
-  std::string plan;
+  std::optional<std::string> plan;  ///< only `show` goes without
   std::string out;
   bool json = false;
 };
@@ -32,7 +33,7 @@ struct NamedPlan {
 };
 
 NamedPlan load(const PlanOptions& options) {
-  const std::filesystem::path file = sim::find_input(sim::Shipped::plan, options.plan);
+  const std::filesystem::path file = sim::find_input(sim::Shipped::plan, *options.plan);
   return {.file = file, .plan = sim::read_plan(sim::Document::load(file))};
 }
 
@@ -74,8 +75,8 @@ void check(const PlanOptions& options) {
 }
 
 void show(const PlanOptions& options) {
-  const NamedPlan named = load(options);
-  fmt::print("{}", options.json ? plan_json(named.plan) : sim::plan_table(named.plan));
+  const core::FlightPlan plan = options.plan ? load(options).plan : core::default_plan();
+  fmt::print("{}", options.json ? plan_json(plan) : sim::plan_table(plan));
 }
 
 void compile(const PlanOptions& options) {
@@ -102,33 +103,58 @@ void compile(const PlanOptions& options) {
 
 using Action = void (*)(const PlanOptions&);
 
-CLI::App* add_action(CLI::App* verb, const std::string& name, const std::string& meaning,
-                     const std::shared_ptr<PlanOptions>& options, Action action) {
-  CLI::App* sub = verb->add_subcommand(name, meaning);
-  sub->add_option("PLAN", options->plan, "A shipped name (tasha3_launch1, tasha3_launch2, tunnel_steps) or a path")
-      ->required();
+struct Verb {
+  const char* name;
+  const char* meaning;
+  bool needs_plan;
+  Action action;
+  const char* examples;
+};
+
+constexpr Verb checking{
+    "check", "Say whether a plan may fly", true, check,
+    "Examples:\n"
+    "  fantail plan check my_plan.toml         may it fly? If not: file, line, value, allowed range\n"
+    "  fantail plan check tasha3_launch1       a shipped plan\n"
+    "  fantail plan check my_plan.toml --json  for a script, which also gets the exit code"};
+constexpr Verb showing{
+    "show", "Print every field, defaults included", false, show,
+    "Examples:\n"
+    "  fantail plan show                                 every field with its default, unit, range and meaning\n"
+    "  fantail plan show tasha3_launch2 > my_plan.toml   a plan of your own to begin with\n"
+    "  fantail plan show my_plan.toml --json             every number of a plan, for a script"};
+constexpr Verb packing{
+    "compile", "Write the packed block a board is loaded with", true, compile,
+    "Examples:\n"
+    "  fantail plan compile tasha3_launch2                  into tasha3_launch2.ftpl\n"
+    "  fantail plan compile my_plan.toml --out load/p.ftpl  into a file of your choice\n"
+    "  fantail plan compile my_plan.toml --json             size and format of the block, for a script"};
+
+CLI::App* add_verb(CLI::App* parent, const Verb& verb, const std::shared_ptr<PlanOptions>& options) {
+  CLI::App* sub = parent->add_subcommand(verb.name, verb.meaning);
+  const std::string plan = "A shipped name (tasha3_launch1, tasha3_launch2, tunnel_steps) or a path";
+  sub->add_option("PLAN", options->plan, verb.needs_plan ? plan : plan + "; left out: every default")
+      ->required(verb.needs_plan);
   sub->add_flag("--json", options->json, "Print one JSON object");
-  sub->callback([options, action] { action(*options); });
+  sub->footer(verb.examples);
+  sub->callback([options, action = verb.action] { action(*options); });
   return sub;
 }
 
 }  // namespace
 
 void add_plan(CLI::App& program) {
-  auto* verb = program.add_subcommand("plan", "Check, show or pack a flight plan");
-  verb->require_subcommand(1);
-  auto options = std::make_shared<PlanOptions>();
-  const std::string examples =
+  auto* plan = program.add_subcommand("plan", "Check, show or pack a flight plan");
+  plan->require_subcommand(1);
+  plan->footer(
       "Examples:\n"
       "  fantail plan check my_plan.toml                   may it fly? If not: file, line, value, allowed range\n"
       "  fantail plan show tasha3_launch2                  every number with its unit, range and meaning\n"
-      "  fantail plan compile tasha3_launch2 --out p.ftpl  the block of bytes that a board is loaded with";
-  verb->footer(examples);
-  add_action(verb, "check", "Say whether a plan may fly", options, check)->footer(examples);
-  add_action(verb, "show", "Print every field, defaults included", options, show)->footer(examples);
-  auto* packing = add_action(verb, "compile", "Write the packed block a board is loaded with", options, compile);
-  packing->add_option("--out", options->out, "File to write [PLAN.ftpl]");
-  packing->footer(examples);
+      "  fantail plan compile tasha3_launch2 --out p.ftpl  the block of bytes that a board is loaded with");
+  auto options = std::make_shared<PlanOptions>();
+  add_verb(plan, checking, options);
+  add_verb(plan, showing, options);
+  add_verb(plan, packing, options)->add_option("--out", options->out, "File to write [PLAN.ftpl]");
 }
 
 }  // namespace fantail::tool

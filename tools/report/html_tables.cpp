@@ -80,15 +80,27 @@ std::string phase_legend(const Flight& flight) {
 }
 
 std::string event_table(const Flight& flight) {
+  struct TableEvent {
+    std::optional<double> time_s;
+    std::string_view name;
+    std::string_view meaning;
+  };
   const Events& e = flight.events;
-  std::string rows = time_row("Lift-off", e.liftoff_s, "first net upward acceleration");
-  rows += time_row("Launch detected", e.detected_s, "roll angle is zero here");
-  rows += time_row("Off the guide", e.guide_clear_s, "truth, not known on board");
-  rows += time_row("Control starts", e.control_start_s,
-                   flight.tunnel ? "roll angle is zero here, canards leave trim" : "canards leave trim");
-  rows += time_row("Burn-out", e.burnout_s, "");
-  rows += time_row("Apogee", e.apogee_s, "");
-  rows += time_row("Control ends", e.control_end_s, "canards return to trim");
+  std::array events{
+      TableEvent{e.liftoff_s, "Lift-off", "first net upward acceleration"},
+      TableEvent{e.detected_s, "Launch detected", "roll angle is zero here"},
+      TableEvent{e.guide_clear_s, "Off the guide", "truth, not known on board"},
+      TableEvent{e.control_start_s, "Control starts",
+                 flight.tunnel ? "roll angle is zero here, canards leave trim" : "canards leave trim"},
+      TableEvent{e.burnout_s, "Burn-out", ""},
+      TableEvent{e.apogee_s, "Apogee", ""},
+      TableEvent{e.control_end_s, "Control ends", "canards return to trim"},
+  };
+  std::ranges::stable_sort(events, {}, &TableEvent::time_s);  // what did not happen comes first and makes no row
+  std::string rows;
+  for (const TableEvent& event : events) {
+    rows += time_row(event.name, event.time_s, event.meaning);
+  }
   if (rows.empty()) {
     return "<p>Nothing happened.</p>\n";
   }

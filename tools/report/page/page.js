@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Draws the plots from the JSON in #flight-data. Without this script the page still has its picture and its numbers.
 (() => {
   "use strict";
