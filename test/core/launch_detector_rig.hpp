@@ -8,7 +8,6 @@
 
 namespace fantail::core {
 
-
 inline constexpr float g = standard_gravity_m_s2;
 inline constexpr Microseconds stale_time{5'000};
 

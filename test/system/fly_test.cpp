@@ -158,6 +158,18 @@ TEST(Fly, SaysThatRollWasImposed) {
   EXPECT_NE(content(folder / "out/report.html").find("imposed"), std::string::npos);
 }
 
+// The README's example.
+TEST(Fly, AWiderCanardLimitWouldHaveHeldTheFirstLaunch) {
+  const Folder folder;
+  for (const auto& [limit, expected] : {std::pair{"6", "not_held"}, std::pair{"9", "held"}}) {
+    const std::string change = std::string{"controller.canard_limit_deg="} + limit;
+    const Outcome outcome =
+        fantail({"fly", "tasha3_launch1", "--set", "reference.kind=hold", "--set", change, "--out", folder / limit});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(summary(folder / limit)["outcome"], expected);
+  }
+}
+
 // A rocket that stays on the pad is a result like any other: the run ends after burn-out and says what happened.
 TEST(Fly, ARocketTooHeavyForItsMotorEndsOnThePadAndSaysSo) {
   const Folder folder;

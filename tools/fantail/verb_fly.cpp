@@ -47,11 +47,13 @@ void print_figure(std::string_view label, const std::optional<double>& value, st
 
 void print_summary(const report::Flight& flight, const report::Results& results) {
   fmt::print("{} ({}), seed {}\n{}\n", flight.scenario, flight.vehicle, flight.seed, results.verdict.text);
+  std::vector<std::string> assumed = flight.notes;
   if (const std::string imposed = report::imposed_roll_words(flight); !imposed.empty()) {
-    fmt::print("{}\n", imposed);
+    assumed.insert(assumed.begin(), imposed);
   }
-  for (const std::string& note : flight.notes) {
-    fmt::print("{}\n", note);
+  fmt::print("{}", assumed.empty() ? "" : "\nWhat was assumed:\n");
+  for (const std::string& sentence : assumed) {
+    fmt::print("  {}\n", sentence);
   }
   fmt::print("\n");
   const report::Events& events = flight.events;
@@ -109,7 +111,7 @@ void add_fly(CLI::App& program) {
   verb->footer(
       "Examples:\n"
       "  fantail fly                                         the second launch, into out/tasha3_launch2\n"
-      "  fantail fly tasha3_launch1 --set controller.canard_limit_deg=9\n"
+      "  fantail fly tasha3_launch1 --set reference.kind=hold --set controller.canard_limit_deg=9\n"
       "                                                      would a wider canard limit have held the first launch?\n"
       "  fantail fly my_rocket.toml --seed 7 --out /tmp/try --json\n"
       "                                                      your own scenario, for a script");
