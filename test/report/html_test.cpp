@@ -76,9 +76,21 @@ TEST(Html, ListsWhatWasAssumedAndCallsAnImposedRollImposed) {
   synthetic.flight.notes = {"Canard 3 is stuck from 2 s on."};
   synthetic.flight.imposed_roll = ImposedRoll{0.21, radians(-0.6), radians(51.8)};
   const std::string text = without_scripts(page_of(synthetic.flight));
-  EXPECT_NE(text.find("Roll was imposed by the scenario at 0.21 s: angle -0.6 deg, rate 51.8 deg/s."),
+  EXPECT_NE(text.find("Roll was imposed by the scenario at 0.21 s: angle \u22120.6 deg, rate 51.8 deg/s."),
             std::string::npos);
   EXPECT_NE(text.find("<li>Canard 3 is stuck from 2 s on.</li>"), std::string::npos);
+}
+
+TEST(Html, WritesNegativeNumbersInSentencesWithTheMinusOfItsFigures) {
+  SyntheticFlight synthetic;
+  synthetic.each_controlled([](Row& row) {
+    row.truth->disturbance_rad = radians(-12.0);
+    row.saturated = true;
+    row.command_rad = radians(-9.0);
+  });
+  const std::string text = without_scripts(page_of(synthetic.flight));
+  EXPECT_NE(text.find("at their limit (\u22129 deg)"), std::string::npos) << text.substr(0, text.find("<dl"));
+  EXPECT_NE(text.find("authority margin \u22123.0 deg"), std::string::npos);
 }
 
 TEST(Html, TextFromFilesStaysText) {

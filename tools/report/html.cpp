@@ -5,6 +5,7 @@
 
 #include "report/escape.hpp"
 #include "report/html_tables.hpp"
+#include "report/numbers.hpp"
 #include "report/overview_svg.hpp"
 #include "report/page_assets.hpp"
 #include "report/plot_data.hpp"
@@ -39,8 +40,8 @@ std::string opening(const Flight& flight, const Verdict& verdict) {
       "<section class=\"verdict {}\">\n<h2>{}</h2>\n<p>{}</p>\n{}</section>\n",
       escape_html(flight.scenario), escape_html(flight.vehicle), escape_html(flight.plan_name), flight.seed,
       escape_html(flight.version), name(verdict.outcome), words(verdict.outcome),
-      with_formula(escape_html(verdict.text)),
-      imposed.empty() ? "" : "<p class=\"imposed\">" + escape_html(imposed) + "</p>\n");
+      with_formula(with_minus(escape_html(verdict.text))),
+      imposed.empty() ? "" : "<p class=\"imposed\">" + with_minus(escape_html(imposed)) + "</p>\n");
 }
 
 }  // namespace

@@ -135,7 +135,7 @@ std::string canard_table(const Flight& flight) {
 std::string assumption_list(const Flight& flight) {
   std::string list;
   if (const std::string imposed = imposed_roll_words(flight); !imposed.empty()) {
-    list += "<li><b>Imposed:</b> " + escape_html(imposed) + "</li>\n";
+    list += "<li><b>Imposed:</b> " + with_minus(escape_html(imposed)) + "</li>\n";
   }
   for (const std::string& note : flight.notes) {
     list += "<li>" + escape_html(note) + "</li>\n";

@@ -29,11 +29,14 @@ std::string brief(double value, int decimals) {
   return text;
 }
 
-std::string with_minus(std::string number) {
-  if (number.starts_with('-')) {
-    number.replace(0, 1, "\u2212");
+std::string with_minus(std::string_view text) {
+  std::string result;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const bool begins = i == 0 || text[i - 1] == ' ' || text[i - 1] == '(';
+    const bool number = i + 1 < text.size() && text[i + 1] >= '0' && text[i + 1] <= '9';
+    result += text[i] == '-' && begins && number ? std::string_view{"\u2212"} : text.substr(i, 1);
   }
-  return number;
+  return result;
 }
 
 }  // namespace fantail::report

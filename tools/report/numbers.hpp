@@ -3,6 +3,7 @@
 
 #include <numbers>
 #include <string>
+#include <string_view>
 
 namespace fantail::report {
 
@@ -15,7 +16,8 @@ namespace fantail::report {
 /// The same with no trailing zeros after the point: "6", "-7.3".
 [[nodiscard]] std::string brief(double value, int decimals);
 
-/// For print: a hyphen is half as wide as a minus and gets lost before a large figure.
-[[nodiscard]] std::string with_minus(std::string number);
+/// For print, a number or a sentence with numbers: a hyphen is half as wide as a minus and gets lost before a large
+/// figure.
+[[nodiscard]] std::string with_minus(std::string_view text);
 
 }  // namespace fantail::report
