@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <string_view>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -80,32 +81,35 @@ std::string phase_legend(const Flight& flight) {
 }
 
 std::string event_table(const Flight& flight) {
-  struct TableEvent {
-    std::optional<double> time_s;
-    std::string_view name;
-    std::string_view meaning;
+  struct TableRow {
+    double time_s;
+    std::string html;
+  };
+  std::vector<TableRow> rows;  // by time; of two at the same instant the one added first
+  const auto add = [&rows](const std::optional<double>& time_s, std::string_view event, std::string_view meaning) {
+    if (time_s) {
+      const auto place = std::ranges::upper_bound(rows, *time_s, {}, &TableRow::time_s);
+      rows.insert(place, {*time_s, time_row(event, time_s, meaning)});
+    }
   };
   const Events& e = flight.events;
-  std::array events{
-      TableEvent{e.liftoff_s, "Lift-off", "first net upward acceleration"},
-      TableEvent{e.detected_s, "Launch detected", "roll angle is zero here"},
-      TableEvent{e.guide_clear_s, "Off the guide", "truth, not known on board"},
-      TableEvent{e.control_start_s, "Control starts",
-                 flight.tunnel ? "roll angle is zero here, canards leave trim" : "canards leave trim"},
-      TableEvent{e.burnout_s, "Burn-out", ""},
-      TableEvent{e.apogee_s, "Apogee", ""},
-      TableEvent{e.control_end_s, "Control ends", "canards return to trim"},
-  };
-  std::ranges::stable_sort(events, {}, &TableEvent::time_s);  // what did not happen comes first and makes no row
-  std::string rows;
-  for (const TableEvent& event : events) {
-    rows += time_row(event.name, event.time_s, event.meaning);
-  }
+  add(e.liftoff_s, "Lift-off", "first net upward acceleration");
+  add(e.detected_s, "Launch detected", "roll angle is zero here");
+  add(e.guide_clear_s, "Off the guide", "truth, not known on board");
+  add(e.control_start_s, "Control starts",
+      flight.tunnel ? "roll angle is zero here, canards leave trim" : "canards leave trim");
+  add(e.burnout_s, "Burn-out", "");
+  add(e.apogee_s, "Apogee", "");
+  add(e.control_end_s, "Control ends", "canards return to trim");
   if (rows.empty()) {
     return "<p>Nothing happened.</p>\n";
   }
-  return "<table><thead><tr><th class=\"number\">Time, s</th><th>Event</th><th></th></tr></thead><tbody>\n" + rows +
-         "</tbody></table>\n";
+  std::string table =
+      "<table><thead><tr><th class=\"number\">Time, s</th><th>Event</th><th></th></tr></thead><tbody>\n";
+  for (const TableRow& row : rows) {
+    table += row.html;
+  }
+  return table + "</tbody></table>\n";
 }
 
 std::string phase_table(const Flight& flight) {
