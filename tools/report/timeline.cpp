@@ -50,7 +50,7 @@ std::vector<PhaseBand> phase_bands(const Flight& flight) {
 }
 
 std::vector<EventMark> event_marks(const Flight& flight) {
-  std::vector<EventMark> marks = reference_steps(flight);
+  std::vector<EventMark> marks = reference_steps(flight);  // by time, and kept so
   const Events& e = flight.events;
   const auto mark = [&marks](const std::optional<double>& time_s, const char* label) {
     if (time_s) {
