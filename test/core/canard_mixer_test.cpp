@@ -166,6 +166,14 @@ TEST(CanardMixer, ASilentEncoderKeepsItsCanardOffForHalfASecondOnly) {
   EXPECT_EQ(commands[2].angle, 5_deg);
 }
 
+TEST(CanardMixer, PatienceWithASilentEncoderIsCountedFromPowerUpWhateverTheClockReads) {
+  const Microseconds power_up{3'600'000'000};
+  CanardMixer mixer{default_plan().canards, 9_deg};
+  EXPECT_FALSE(mixer.mix(power_up, Angle{}, std::nullopt, silent)[0].driven);
+  EXPECT_FALSE(mixer.mix(power_up + Microseconds{499'999}, Angle{}, std::nullopt, silent)[0].driven);
+  EXPECT_TRUE(mixer.mix(power_up + Microseconds{500'000}, Angle{}, std::nullopt, silent)[0].driven);
+}
+
 TEST(CanardMixer, AClockThatRunsBackwardsDuringTheFirstMotionMovesNothing) {
   CanardMixer mixer{default_plan().canards, 9_deg};
   const EncoderAngles found{5_deg, 5_deg, 5_deg, 5_deg};

@@ -165,7 +165,7 @@ TEST(FlightPhase, ControlEndsForEachOfItsReasonsAndStaysEnded) {
   for (const End& end : ends) {
     Sequence sequence;
     sequence.arm().launch().clear_guide();
-    sequence.next.motion.tilt = 59.9_deg;
+    sequence.next.motion.tilt = default_plan().run.tilt_limit;
     sequence.next.motion.gyro = SensorState::lost;
     sequence.next.motion.vertical_speed_m_s = 0.0F;
     EXPECT_FALSE(sequence.tick());
@@ -188,6 +188,7 @@ TEST(FlightPhase, CanardFaultEndsControlOnlyWhenThePlanSaysSo) {
     plan.run.canard_fault = policy;
     Sequence sequence{plan};
     sequence.arm().launch().clear_guide();
+    EXPECT_FALSE(sequence.tick());
     sequence.next.canard_fault = true;
     EXPECT_EQ(sequence.tick(), policy == CanardFaultPolicy::end_control);
     if (policy == CanardFaultPolicy::end_control) {

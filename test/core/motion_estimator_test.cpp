@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "core/motion_estimator.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "core/flight_plan_fields.hpp"
-#include "motion_rig.hpp"
+#include "motion_flight.hpp"
 
 namespace fantail::core {
 namespace {
@@ -19,42 +18,6 @@ constexpr Microseconds one_ms{1'000};
 constexpr double degree = MotionRig::degree;
 
 Microseconds ms(int value) { return Microseconds{value * 1'000LL}; }
-
-MotionPlan plan_with(HeightOrigin origin) {
-  MotionPlan plan = default_plan().motion;
-  plan.height_origin = origin;
-  return plan;
-}
-
-/// A rig and the estimator that watches it, 1 kHz.
-class Flight {
- public:
-  explicit Flight(const MotionRig::Setup& setup = {}, HeightOrigin origin = HeightOrigin::replay)
-      : rig{setup}, estimator{plan_with(origin)} {}
-
-  /// A change falls between two samples, half a tick before the first one that shows it: what a trapezoid assumes.
-  void run(Microseconds length, double acceleration_m_s2, double roll_rate_rad_s) {
-    for (const Microseconds end = rig.time() + length; rig.time() < end;) {
-      rig.advance(one_ms / 2, acceleration_m_s2_, roll_rate_rad_s_);
-      acceleration_m_s2_ = acceleration_m_s2;
-      roll_rate_rad_s_ = roll_rate_rad_s;
-      rig.advance(one_ms / 2, acceleration_m_s2, roll_rate_rad_s);
-      estimator.update(rig.inputs());
-    }
-  }
-  void stand(Microseconds length = ms(4'000)) { run(length, 0.0, 0.0); }
-
-  void lift_off(double acceleration_m_s2, double roll_rate_rad_s) { run(one_ms, acceleration_m_s2, roll_rate_rad_s); }
-
-  [[nodiscard]] Motion motion() const { return estimator.motion(rig.time()); }
-
-  MotionRig rig;
-  MotionEstimator estimator;
-
- private:
-  double acceleration_m_s2_ = 0.0;
-  double roll_rate_rad_s_ = 0.0;
-};
 
 TEST(MotionEstimator, TiltedGuideAndRollCostNothing) {
   for (const double tilt_deg : {0.0, 5.0, 10.0, 15.0}) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -97,6 +98,25 @@ TEST(PlanBlock, BeginsAsItsHeaderSays) {
   EXPECT_EQ(word(block, place_of("control_time_s")), 30'000'000U);
   EXPECT_EQ(word(block, place_of("proportional_gain")), 0x3F000000U);  // 0.5
   EXPECT_LE(block.size(), largest_plan_block);
+}
+
+TEST(PlanBlock, SchemaHashIsFnv1aOverEveryNameUnitKindCapacityAndChoice) {
+  std::string text;
+  for (const PlanField& field : core::flight_plan_fields()) {
+    for (const std::string_view part : {field.section, field.key, field.unit}) {
+      text.append(part).push_back('\xFF');
+    }
+    text.push_back(static_cast<char>(field.kind));
+    text.push_back(static_cast<char>(field.slots));
+    for (const std::string_view choice : field.choices) {
+      text.append(choice).push_back('\xFF');
+    }
+  }
+  std::uint64_t expected = 0x811C9DC5U;
+  for (const char c : text) {
+    expected = ((expected ^ static_cast<unsigned char>(c)) * 0x01000193U) % 0x100000000U;
+  }
+  EXPECT_EQ(plan_schema_hash(), expected);
 }
 
 TEST(PlanBlock, EverySingleBitThatFlipsIsNoticed) {
