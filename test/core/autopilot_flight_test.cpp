@@ -132,6 +132,14 @@ TEST(AutopilotFlight, ControlBeginsWhereTheGuideIsClearAndEndsAtApogee) {
   rocket.expect(Phase::finished, PhaseReason::apogee);
 }
 
+TEST(AutopilotFlight, BeyondTheGuideOneGOnTheAxisIsAClimbAndNotAStand) {
+  Rocket rocket{launch_2_plan()};
+  rocket.fly_to_control();
+  const float speed_m_s = rocket.record().motion.speed_m_s;
+  rocket.run(ms(300), 0.0);  // thrust less drag is the weight: the speed stays
+  EXPECT_NEAR(rocket.record().motion.speed_m_s, speed_m_s, 0.1F);
+}
+
 TEST(AutopilotFlight, ClearanceIsADistanceAlongATiltedGuide) {
   Rocket rocket{launch_2_plan()};
   rocket.rig = MotionRig{{.tilt_deg = 15.0, .azimuth_deg = 40.0}};
