@@ -65,7 +65,7 @@ Pipe make_terminal() {
 }
 
 // Until every writer has closed. A terminal whose last writer has gone answers EIO.
-void drain(std::array<Pipe, 2>& from, std::array<std::string*, 2> into) {
+void drain(std::array<Pipe, 2>& from, std::array<std::string*, 2> into, std::atomic<bool>* has_spoken) {
   std::array<pollfd, 2> waiting{{{from[0].read_end, POLLIN, 0}, {from[1].read_end, POLLIN, 0}}};
   std::array<char, 65536> buffer{};
   while (waiting[0].fd >= 0 || waiting[1].fd >= 0) {
@@ -79,6 +79,9 @@ void drain(std::array<Pipe, 2>& from, std::array<std::string*, 2> into) {
       const ssize_t count = read(waiting[i].fd, buffer.data(), buffer.size());
       if (count > 0) {
         into[i]->append(buffer.data(), static_cast<std::size_t>(count));
+        if (i == 1 && has_spoken != nullptr) {
+          *has_spoken = true;
+        }
       } else if (count == 0 || errno != EINTR) {
         close(waiting[i].fd);
         waiting[i].fd = -1;
@@ -108,7 +111,7 @@ Outcome run(const std::string& program, const std::vector<std::string>& argument
   if (surroundings.meanwhile) {
     companion = std::thread{surroundings.meanwhile, process};
   }
-  drain(pipes, {&outcome.out, &outcome.err});
+  drain(pipes, {&outcome.out, &outcome.err}, surroundings.has_spoken);
   // Reaped only after the companion has gone: until then its number still belongs to the program.
   if (companion.joinable()) {
     companion.join();

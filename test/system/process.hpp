@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <atomic>
 #include <filesystem>
 #include <functional>
 #include <optional>
@@ -25,6 +26,8 @@ struct Surroundings {
   std::function<void(int process)> meanwhile = {};
   /// Standard error is a terminal; what the program writes to it is in `err` all the same.
   bool terminal = false;
+  /// Set as soon as the program has written to standard error; for `meanwhile`.
+  std::atomic<bool>* has_spoken = nullptr;
 };
 
 /// Runs the fantail program that this build made, standard input empty, and waits for its end. A run that takes longer
