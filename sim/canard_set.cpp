@@ -8,7 +8,7 @@ CanardSet::CanardSet(const Vehicle& vehicle, Random random)
       servos_{Servo{vehicle.servo}, Servo{vehicle.servo}, Servo{vehicle.servo}, Servo{vehicle.servo}},
       encoders_{{vehicle.canards[0].encoder_zero_rad, vehicle.canards[1].encoder_zero_rad,
                  vehicle.canards[2].encoder_zero_rad, vehicle.canards[3].encoder_zero_rad},
-                vehicle.encoder_noise_counts,
+                vehicle.encoder,
                 random} {}
 
 void CanardSet::step(double time_s, double dt_s, const std::array<std::optional<hal::Pulse>, hal::canards>& pulses) {

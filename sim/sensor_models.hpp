@@ -127,12 +127,16 @@ class AccelerometerModel {
   DelayLine<hal::AccelerometerSample> line_;
 };
 
-/// The four canard shaft encoders: absolute, 14 bits a turn, wrapping from 16383 to 0.
+struct EncoderParameters {
+  double noise_counts = 1.0;  ///< standard deviation of every reading, 0 to 1000
+  int resolution_bits = 14;   ///< of a turn, 4 to 14; a coarser encoder fills the lower bits with zeros
+};
+
+/// The four canard shaft encoders: absolute, delivered as 14 bits a turn, wrapping from 16383 to 0.
 class EncoderModel {
  public:
-  /// `zero_rad`: what each encoder reads at shaft angle zero. The noise is the standard deviation of every reading,
-  /// 0 to 1000. Throws std::invalid_argument.
-  EncoderModel(const std::array<double, hal::canards>& zero_rad, double noise_counts, Random random);
+  /// `zero_rad`: what each encoder reads at shaft angle zero. Throws std::invalid_argument.
+  EncoderModel(const std::array<double, hal::canards>& zero_rad, const EncoderParameters& parameters, Random random);
 
   /// An unplugged encoder says no_reading; the noise of the others stays what it was.
   void unplug(std::size_t canard, bool unplugged = true) { unplugged_[canard] = unplugged; }
@@ -148,8 +152,9 @@ class EncoderModel {
         continue;
       }
       // Whole turns are added first: a conversion to integer rounds towards zero, so only upwards of it is it right.
-      const auto turned = static_cast<std::uint32_t>(counts + (1000.0 * hal::encoder_counts_per_turn + 0.5));
-      reading.each[i] = {.counts = static_cast<std::uint16_t>(turned % hal::encoder_counts_per_turn),
+      const auto steps =
+          static_cast<std::uint32_t>((counts + 1000.0 * hal::encoder_counts_per_turn) * steps_per_count_ + 0.5);
+      reading.each[i] = {.counts = static_cast<std::uint16_t>(steps * counts_per_step_ % hal::encoder_counts_per_turn),
                          .status = hal::Status::ok};
     }
     return reading;
@@ -160,6 +165,8 @@ class EncoderModel {
 
   std::array<double, hal::canards> zero_counts_{};
   double noise_counts_;
+  std::uint32_t counts_per_step_;
+  double steps_per_count_;
   std::array<bool, hal::canards> unplugged_{};
   Random random_;
 };

@@ -139,7 +139,9 @@ Vehicle read_vehicle(const Document& document) {
   read_inertial(document, "imu", true, vehicle.imu);
   read_inertial(document, "accelerometer", false, vehicle.accelerometer);
   Section encoder{document, "encoder"};
-  vehicle.encoder_noise_counts = encoder.number("noise_counts", {0, 1000}, 1.0);
+  vehicle.encoder = {.noise_counts = encoder.number("noise_counts", {0, 1000}, vehicle.encoder.noise_counts),
+                     .resolution_bits = static_cast<int>(
+                         encoder.integer("resolution_bits", {4, 14}, vehicle.encoder.resolution_bits))};
   encoder.finish();
   return vehicle;
 }

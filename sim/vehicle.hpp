@@ -33,7 +33,7 @@ struct Vehicle {
   std::array<CanardMounting, 4> canards{};
   InertialParameters imu{};
   InertialParameters accelerometer{};
-  double encoder_noise_counts = 0.0;
+  EncoderParameters encoder{};
 };
 
 /// Reads a vehicle file; its motor is looked for beside the shipped motors, or as a path. Throws InputError.

@@ -16,7 +16,7 @@ constexpr double count_rad = 2.0 * std::numbers::pi / 16384.0;
 constexpr std::uint64_t seed = 9;
 
 TEST(EncoderModel, CountsSixteenThousandThreeHundredAndEightyFourATurn) {
-  EncoderModel encoder{{}, 0.0, {seed, 0}};
+  EncoderModel encoder{{}, {.noise_counts = 0.0}, {seed, 0}};
   const hal::EncoderReading reading =
       encoder.sample(hal::Microseconds{7}, {0.0, count_rad, 100.4 * count_rad, 100.6 * count_rad});
   EXPECT_EQ(reading.time.count(), 7);
@@ -29,8 +29,21 @@ TEST(EncoderModel, CountsSixteenThousandThreeHundredAndEightyFourATurn) {
   }
 }
 
+TEST(EncoderModel, ACoarserOneReadsTheNearestOfItsSteps) {
+  EncoderModel encoder{{}, {.noise_counts = 0.0, .resolution_bits = 10}, {seed, 0}};  // 16 counts a step
+  const auto counts = [&](double count) {
+    const double angle_rad = count * 2.0 * std::numbers::pi / 16384.0;
+    return encoder.sample(hal::Microseconds{0}, {angle_rad, 0.0, 0.0, 0.0}).each[0].counts;
+  };
+  EXPECT_EQ(counts(7.9), 0);
+  EXPECT_EQ(counts(8.1), 16);
+  EXPECT_EQ(counts(1000.0), 1008);  // 62.5 steps, rounded up
+  EXPECT_EQ(counts(-7.9), 0);
+  EXPECT_EQ(counts(-8.1), 16368);
+}
+
 TEST(EncoderModel, NegativeAnglesAndWholeTurnsWrap) {
-  EncoderModel encoder{{}, 0.0, {seed, 0}};
+  EncoderModel encoder{{}, {.noise_counts = 0.0}, {seed, 0}};
   const hal::EncoderReading reading =
       encoder.sample({}, {-count_rad, -0.4 * count_rad, -0.6 * count_rad, 2.0 * std::numbers::pi});
   EXPECT_EQ(reading.each[0].counts, 16383);
@@ -40,8 +53,8 @@ TEST(EncoderModel, NegativeAnglesAndWholeTurnsWrap) {
 }
 
 TEST(EncoderModel, AnUnpluggedEncoderHasNoReadingAndTheOthersKeepTheirNoise) {
-  EncoderModel whole{{}, 5.0, {seed, 0}};
-  EncoderModel broken{{}, 5.0, {seed, 0}};
+  EncoderModel whole{{}, {.noise_counts = 5.0}, {seed, 0}};
+  EncoderModel broken{{}, {.noise_counts = 5.0}, {seed, 0}};
   broken.unplug(1);
   for (int tick = 0; tick < 100; ++tick) {
     const hal::EncoderReading expected = whole.sample({}, {});
@@ -57,7 +70,7 @@ TEST(EncoderModel, AnUnpluggedEncoderHasNoReadingAndTheOthersKeepTheirNoise) {
 }
 
 TEST(EncoderModel, NoiseHasTheGivenStandardDeviationInCounts) {
-  EncoderModel encoder{{}, 3.0, {seed, 0}};
+  EncoderModel encoder{{}, {.noise_counts = 3.0}, {seed, 0}};
   double sum = 0.0;
   double squares = 0.0;
   constexpr double ticks = 100'000;
@@ -83,7 +96,7 @@ TEST(EncoderModel, TheFirmwareReadsTheShaftAngleBackWithinHalfACount) {
     zeros_rad[i] = zeros_deg[i] * radians_per_degree;
     plan.each[i].encoder_zero = core::Angle::from_degrees(static_cast<float>(zeros_deg[i]));
   }
-  EncoderModel encoder{zeros_rad, 0.0, {seed, 0}};
+  EncoderModel encoder{zeros_rad, {.noise_counts = 0.0}, {seed, 0}};
   for (double angle_deg = -90.0; angle_deg <= 90.0; angle_deg += 0.37) {
     const double angle_rad = angle_deg * radians_per_degree;
     const auto angles =
@@ -96,9 +109,11 @@ TEST(EncoderModel, TheFirmwareReadsTheShaftAngleBackWithinHalfACount) {
 }
 
 TEST(EncoderModel, RefusesNoiseAndZerosThatCannotBe) {
-  EXPECT_THROW((EncoderModel{{}, -1.0, {seed, 0}}), std::invalid_argument);
-  EXPECT_THROW((EncoderModel{{}, std::nan(""), {seed, 0}}), std::invalid_argument);
-  EXPECT_THROW((EncoderModel{{0.0, 7.0, 0.0, 0.0}, 0.0, {seed, 0}}), std::invalid_argument);
+  EXPECT_THROW((EncoderModel{{}, {.noise_counts = -1.0}, {seed, 0}}), std::invalid_argument);
+  EXPECT_THROW((EncoderModel{{}, {.noise_counts = std::nan("")}, {seed, 0}}), std::invalid_argument);
+  EXPECT_THROW((EncoderModel{{}, {.resolution_bits = 15}, {seed, 0}}), std::invalid_argument);
+  EXPECT_THROW((EncoderModel{{}, {.resolution_bits = 3}, {seed, 0}}), std::invalid_argument);
+  EXPECT_THROW((EncoderModel{{0.0, 7.0, 0.0, 0.0}, {}, {seed, 0}}), std::invalid_argument);
 }
 
 }  // namespace

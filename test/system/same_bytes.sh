@@ -52,7 +52,7 @@ compared=0
 different=0
 for build in gcc-O0 clang-O2 older-processor; do
   for flight in "$work"/flights/normal/*; do
-    for file in flight.csv summary.json; do
+    for file in flight.csv summary.json report.html; do
       compared=$((compared + 1))
       cmp "$flight/$file" "$work/flights/$build/$(basename "$flight")/$file" || different=$((different + 1))
     done
