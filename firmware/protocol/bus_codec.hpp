@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <variant>
+
+#include "protocol/bus_messages.hpp"
+
+namespace fantail::protocol {
+
+/// A frame with an 11-bit identifier.
+struct BusFrame {
+  std::uint16_t id = 0;
+  std::uint8_t length = 0;
+  std::array<std::uint8_t, 8> data{};
+  friend bool operator==(const BusFrame&, const BusFrame&) = default;
+};
+
+// Values outside what a frame can hold are clamped before they are encoded, never wrapped; what is not a number becomes
+// zero (in a canard's angle: an absent one). The counter of a frame that has one is its sender's, 0 to 15, one more with
+// every frame of that kind.
+
+[[nodiscard]] BusFrame encode(const BenchRequest& message, std::uint8_t counter);
+[[nodiscard]] BusFrame encode(const BenchSession& message, std::uint8_t counter);
+[[nodiscard]] BusFrame encode(const ArmRequest& message, std::uint8_t counter);
+[[nodiscard]] BusFrame encode(const PlanBegin& message, std::uint8_t counter);
+[[nodiscard]] BusFrame encode(const PlanData& message);
+
+[[nodiscard]] BusFrame encode(const CommandReport& message, std::uint8_t counter);
+[[nodiscard]] BusFrame encode(const EncoderReport& message, std::uint8_t counter);
+[[nodiscard]] BusFrame encode(const StatusReport& message);
+[[nodiscard]] BusFrame encode(const MotionReport& message);
+[[nodiscard]] BusFrame encode(const SessionReply& message);
+[[nodiscard]] BusFrame encode(const ArmReply& message);
+[[nodiscard]] BusFrame encode(const PlanReply& message);
+[[nodiscard]] BusFrame encode(const HealthReport& message);
+[[nodiscard]] BusFrame encode(const RejectionReport& message);
+[[nodiscard]] BusFrame encode(const LimitReport& message);
+[[nodiscard]] BusFrame encode(const HeartbeatReport& message);
+
+using FromBench = std::variant<BenchRequest, BenchSession, ArmRequest, PlanBegin, PlanData>;
+using FromAvionics = std::variant<CommandReport, EncoderReport, StatusReport, MotionReport, SessionReply, ArmReply,
+                                  PlanReply, HealthReport, RejectionReport, LimitReport, HeartbeatReport>;
+
+template <typename Message>
+struct Decoded {
+  std::optional<Message> message{};
+  Rejection rejection{};                  ///< when there is no message
+  std::optional<std::uint8_t> counter{};  ///< of a message that has one; whether it follows on, a Sequence knows
+};
+
+/// What the avionics may be told. Every bit is looked at: identifier, length, CRC-8, and every value against the range
+/// that the database states.
+[[nodiscard]] Decoded<FromBench> decode_from_bench(const BusFrame& frame);
+
+/// What a bench may hear.
+[[nodiscard]] Decoded<FromAvionics> decode_from_avionics(const BusFrame& frame);
+
+/// Follows the 4-bit counter of one kind of frame.
+class Sequence {
+ public:
+  /// How many frames were lost just before this one, 0 to 14, or empty when it is a repetition of the last one. The
+  /// first frame follows on by definition; every frame becomes the new last one.
+  std::optional<std::uint8_t> lost_before(std::uint8_t counter);
+
+  /// The next frame will be a first one.
+  void forget() { last_.reset(); }
+
+ private:
+  std::optional<std::uint8_t> last_;
+};
+
+}  // namespace fantail::protocol

@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+#include "core/angle.hpp"
+#include "core/inputs.hpp"
+#include "core/tick_record.hpp"
+#include "protocol/plan_block.hpp"
+
+namespace fantail::protocol {
+
+// Every message of the bus, in the words of the program. How each one lies in its eight bytes stands in canard_bus.dbc;
+// bus_codec turns one into the other.
+
+inline constexpr std::uint8_t bus_protocol_version = 1;
+
+using PerCanard = std::array<std::optional<core::Angle>, core::canard_count>;
+
+// ---- from the bench PC: the only frames that can move something, each with a counter and a CRC-8 ----
+
+/// Shaft angles, held until the next request or the end of the session; a canard that is not asked stays at its trim.
+struct BenchRequest {
+  PerCanard angle{};
+};
+
+enum class SessionAction : std::uint8_t {
+  keep,   ///< the heartbeat of the bench
+  open,   ///< also a heartbeat, once the session is open
+  close,  ///< centre the canards now
+};
+
+struct BenchSession {
+  SessionAction action = SessionAction::keep;
+  std::uint16_t session = 0;  ///< chosen by the bench
+};
+
+enum class ArmAction : std::uint8_t { self_test, begin, confirm, start };
+
+/// Arming: self_test; begin, which is answered with a nonce; confirm, with that nonce. `start` begins control in the
+/// tunnel and carries the nonce that armed.
+struct ArmRequest {
+  ArmAction action = ArmAction::self_test;
+  std::uint32_t nonce = 0;
+};
+
+/// A plan block is about to come, seven bytes a frame.
+struct PlanBegin {
+  std::uint16_t size = 0;
+  std::uint32_t block_crc = 0;  ///< CRC-32C of the whole block
+};
+
+/// Moves nothing, and the block has a checksum of its own, so it has neither counter nor CRC-8.
+struct PlanData {
+  std::uint8_t index = 0;  ///< bytes from 7 * index on
+  std::array<std::byte, 7> bytes{};
+};
+
+// ---- from the avionics: reports, which move nothing ----
+
+/// What the servos are told; empty: not driven.
+struct CommandReport {
+  PerCanard angle{};
+};
+
+/// What the encoders read; empty: no valid reading.
+struct EncoderReport {
+  PerCanard angle{};
+};
+
+struct StatusReport {
+  core::Phase phase = core::Phase::safe;
+  core::PhaseReason reason = core::PhaseReason::power_on;
+  core::CommandStatus command_status = core::CommandStatus::outside_control;
+  core::Angle roll_command{};
+  bool saturated = false;
+  std::array<bool, core::canard_count> limited{};  ///< asked for more than it was given
+  bool arm_switch_closed = false;
+  bool at_rest = false;
+  bool session_open = false;
+  bool self_test_running = false;
+  bool timing_fault = false;
+  bool every_tick = false;  ///< commands and encoders are reported every millisecond now
+};
+
+struct MotionReport {
+  core::Angle roll_angle{};  ///< saturates at 3276.7 deg
+  float roll_rate_rad_s = 0.0F;
+  float height_m = 0.0F;
+  float speed_m_s = 0.0F;
+};
+
+enum class SessionState : std::uint8_t { closed, open };
+
+/// Why the session is what it is.
+enum class SessionReason : std::uint8_t {
+  none_yet,
+  opened,
+  closed_by_bench,
+  heartbeat_lost,  ///< 100 ms without one
+  not_safe,        ///< refused or ended: the phase is not Safe
+  not_at_rest,     ///< refused or ended: the rocket moves
+  self_test_runs,  ///< refused
+  other_session,   ///< refused: another bench holds one
+};
+
+struct SessionReply {
+  SessionState state = SessionState::closed;
+  SessionReason reason = SessionReason::none_yet;
+  std::uint16_t session = 0;  ///< the one that is open, or was refused or closed last
+};
+
+enum class SelfTestState : std::uint8_t { not_run, running, passed, failed };
+
+enum class SelfTestFailure : std::uint8_t {
+  none,
+  not_safe,                  ///< refused: the phase is not Safe
+  session_open,              ///< refused: the bench holds the canards
+  moved,                     ///< not still for the whole test
+  gyro_failed,               ///< no usable gyro
+  accelerometer_failed,      ///< one that the plan needs is not usable
+  specific_force_not_one_g,  ///< mean of three still seconds, 1 g +- 0.1 g
+  accelerometers_disagree,
+  encoder_silent,
+  canard_did_not_follow,
+  another_canard_moved,  ///< it was not its turn: encoders or servos are swapped
+  no_valid_plan,         ///< the stored plan is broken
+  flash_failed,
+  flash_too_full,
+  timed_out,
+};
+
+enum class ArmRefusal : std::uint8_t {
+  none,
+  not_safe,
+  session_open,
+  self_test_not_passed,    ///< or longer ago than a minute, or the rocket has moved since
+  switch_not_cycled,       ///< closed since power-up: open it, and close it again
+  switch_open,
+  not_at_rest,
+  no_nonce,                ///< confirm without begin
+  nonce_expired,
+  wrong_nonce,
+  not_a_tunnel_plan,       ///< start
+  not_armed,               ///< start
+};
+
+struct ArmReply {
+  SelfTestState self_test = SelfTestState::not_run;
+  SelfTestFailure failure = SelfTestFailure::none;
+  std::optional<std::size_t> canard{};  ///< 0 to 3: where the self-test failed, or which one it moves
+  ArmRefusal refusal = ArmRefusal::none;
+  std::optional<std::uint32_t> nonce{};  ///< to be confirmed within 5 s
+};
+
+enum class TransferState : std::uint8_t {
+  idle,
+  receiving,
+  writing,
+  stored,   ///< read back, validated, in force
+  refused,  ///< the old plan stays in force
+};
+
+enum class TransferFault : std::uint8_t {
+  none,
+  not_safe,
+  wrong_size,
+  out_of_order,  ///< data without a beginning, or past the end
+  timed_out,     ///< 1 s without data
+  bad_block,     ///< `block_fault` says why
+  flash_failed,
+  read_back_differs,
+};
+
+struct PlanReply {
+  TransferState state = TransferState::idle;
+  TransferFault fault = TransferFault::none;
+  std::uint8_t next_index = 0;                   ///< the frame that is waited for
+  std::optional<PlanBlockFault> block_fault{};
+  std::optional<std::uint8_t> field{};           ///< place in core::flight_plan_fields() of the refused one
+};
+
+/// Why a received frame was not acted upon.
+enum class Rejection : std::uint8_t {
+  unknown_id,
+  wrong_length,   ///< also remote and extended frames
+  wrong_crc,
+  wrong_counter,  ///< repeated, or frames before it were lost
+  out_of_range,
+  stale,          ///< heartbeat or request of a session that is not open
+};
+inline constexpr std::size_t rejection_count = 6;
+
+struct HealthReport {
+  std::array<core::CanardVerdict, core::canard_count> verdicts{};
+  core::SensorState gyro = core::SensorState::failed;
+  core::SensorState accelerometer = core::SensorState::failed;
+  std::uint8_t bus_state = 0;  ///< 0 error active, 1 warning, 2 passive, 3 bus off, 4 down
+  std::uint8_t unsent = 0;     ///< frames, modulo 256
+  std::uint8_t overrun = 0;
+  std::uint8_t bus_errors = 0;
+  std::uint16_t longest_tick_us = 0;  ///< in the last 0.1 s; saturates
+};
+
+struct RejectionReport {
+  std::array<std::uint8_t, rejection_count> count{};  ///< modulo 256
+};
+
+struct LimitReport {
+  std::array<core::Angle, core::canard_count> limit{};  ///< largest shaft angle that can be commanded
+};
+
+struct HeartbeatReport {
+  std::uint8_t version = bus_protocol_version;
+  std::uint32_t uptime_ms = 0;  ///< 24 bits, wraps after 4.6 h
+  std::uint32_t plan_crc = 0;   ///< CRC-32C of the plan block in force
+};
+
+}  // namespace fantail::protocol

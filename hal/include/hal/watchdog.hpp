@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+namespace fantail::hal {
+
+/// Resets the processor unless it is fed in time. It runs from power-up and cannot be stopped.
+class Watchdog {
+ public:
+  virtual ~Watchdog() = default;
+  virtual void feed() = 0;
+};
+
+}  // namespace fantail::hal
