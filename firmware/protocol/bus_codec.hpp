@@ -19,8 +19,8 @@ struct BusFrame {
 };
 
 // Values outside what a frame can hold are clamped before they are encoded, never wrapped; what is not a number becomes
-// zero (in a canard's angle: an absent one). The counter of a frame that has one is its sender's, 0 to 15, one more with
-// every frame of that kind.
+// zero (in a canard's angle: an absent one). The counter of a frame that has one is its sender's, 0 to 15, one more
+// with every frame of that kind.
 
 [[nodiscard]] BusFrame encode(const BenchRequest& message, std::uint8_t counter);
 [[nodiscard]] BusFrame encode(const BenchSession& message, std::uint8_t counter);

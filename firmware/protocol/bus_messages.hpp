@@ -137,15 +137,15 @@ enum class ArmRefusal : std::uint8_t {
   none,
   not_safe,
   session_open,
-  self_test_not_passed,    ///< or longer ago than a minute, or the rocket has moved since
-  switch_not_cycled,       ///< closed since power-up: open it, and close it again
+  self_test_not_passed,  ///< or longer ago than a minute, or the rocket has moved since
+  switch_not_cycled,     ///< closed since power-up: open it, and close it again
   switch_open,
   not_at_rest,
-  no_nonce,                ///< confirm without begin
+  no_nonce,  ///< confirm without begin
   nonce_expired,
   wrong_nonce,
-  not_a_tunnel_plan,       ///< start
-  not_armed,               ///< start
+  not_a_tunnel_plan,  ///< start
+  not_armed,          ///< start
 };
 
 struct ArmReply {
@@ -178,19 +178,19 @@ enum class TransferFault : std::uint8_t {
 struct PlanReply {
   TransferState state = TransferState::idle;
   TransferFault fault = TransferFault::none;
-  std::uint8_t next_index = 0;                   ///< the frame that is waited for
+  std::uint8_t next_index = 0;  ///< the frame that is waited for
   std::optional<PlanBlockFault> block_fault{};
-  std::optional<std::uint8_t> field{};           ///< place in core::flight_plan_fields() of the refused one
+  std::optional<std::uint8_t> field{};  ///< place in core::flight_plan_fields() of the refused one
 };
 
 /// Why a received frame was not acted upon.
 enum class Rejection : std::uint8_t {
   unknown_id,
-  wrong_length,   ///< also remote and extended frames
+  wrong_length,  ///< also remote and extended frames
   wrong_crc,
   wrong_counter,  ///< repeated, or frames before it were lost
   out_of_range,
-  stale,          ///< heartbeat or request of a session that is not open
+  stale,  ///< heartbeat or request of a session that is not open
 };
 inline constexpr std::size_t rejection_count = 6;
 
