@@ -1,15 +1,26 @@
 // SPDX-License-Identifier: MIT
 #include "sim/canard_set.hpp"
 
-namespace fantail::sim {
+#include "sim/servo_spread.hpp"
 
-CanardSet::CanardSet(const Vehicle& vehicle, Random random)
+namespace fantail::sim {
+namespace {
+
+// The elements of a list in braces are made from first to last.
+std::array<Servo, hal::canards> make_servos(const Vehicle& vehicle, Random random) {
+  const auto next = [&] { return Servo{one_of_the_spread(vehicle.servo, vehicle.servo_spread, random)}; };
+  return {next(), next(), next(), next()};
+}
+
+}  // namespace
+
+CanardSet::CanardSet(const Vehicle& vehicle, Random encoder_noise, Random servo_spread)
     : mounting_{vehicle.canards},
-      servos_{Servo{vehicle.servo}, Servo{vehicle.servo}, Servo{vehicle.servo}, Servo{vehicle.servo}},
+      servos_{make_servos(vehicle, servo_spread)},
       encoders_{{vehicle.canards[0].encoder_zero_rad, vehicle.canards[1].encoder_zero_rad,
                  vehicle.canards[2].encoder_zero_rad, vehicle.canards[3].encoder_zero_rad},
                 vehicle.encoder,
-                random} {}
+                encoder_noise} {}
 
 void CanardSet::step(double time_s, double dt_s, const std::array<std::optional<hal::Pulse>, hal::canards>& pulses) {
   constexpr double microseconds_per_nanosecond = 1e-3;

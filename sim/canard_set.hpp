@@ -16,7 +16,8 @@ namespace fantail::sim {
 /// The four canards as built into one vehicle: servo pulses in, roll deflection and encoder counts out.
 class CanardSet {
  public:
-  CanardSet(const Vehicle& vehicle, Random random);
+  /// Each is a stream of its own: the noise of the encoders, and how the servos differ from each other.
+  CanardSet(const Vehicle& vehicle, Random encoder_noise, Random servo_spread);
 
   void step(double time_s, double dt_s, const std::array<std::optional<hal::Pulse>, hal::canards>& pulses);
 
@@ -27,8 +28,12 @@ class CanardSet {
 
   [[nodiscard]] hal::EncoderReading read_encoders(hal::Microseconds time);
 
-  void fail(std::size_t canard, ServoFault fault) { servos_[canard].fail(fault); }
+  /// As Servo::fail.
+  void fail(std::size_t canard, ServoFault fault, std::optional<double> fault_angle_rad = std::nullopt) {
+    servos_[canard].fail(fault, fault_angle_rad);
+  }
   void unplug_encoder(std::size_t canard) { encoders_.unplug(canard); }
+  void make_encoder_noisy(std::size_t canard, double noise_counts) { encoders_.set_noise(canard, noise_counts); }
 
  private:
   template <typename AngleOf>

@@ -13,11 +13,6 @@
 namespace fantail::sim {
 namespace {
 
-// In the order of FaultKind.
-constexpr std::array<std::string_view, 8> fault_kinds{"canard_stuck",    "canard_hardover",      "canard_dead",
-                                                      "canard_slipping", "canard_reversed",      "encoder_unplugged",
-                                                      "imu_dropout",     "accelerometer_dropout"};
-
 const std::vector<std::string>& scenario_sections() {
   static const std::vector<std::string> names{"environment", "tunnel", "disturbance", "imposed_roll", "timing"};
   return names;
@@ -91,37 +86,13 @@ void read_timing(const Document& document, Scenario& scenario) {
   section.finish();
 }
 
-void read_faults(const Document& document, Scenario& scenario) {
-  const toml::node* node = document.root().get("faults");
-  if (node == nullptr) {
-    return;
-  }
-  if (!node->is_array_of_tables()) {
-    throw InputError{InputFault::bad_configuration,
-                     document.where("", "faults", node) + ": faults must be written as [[faults]]"};
-  }
-  for (const toml::node& element : *node->as_array()) {
-    Section section{document, "faults", *element.as_table()};
-    Fault fault{};
-    fault.kind = static_cast<FaultKind>(section.choice("kind", fault_kinds));
-    fault.from_s = section.number("from_s", {-600, 600});
-    if (is_dropout(fault.kind)) {
-      fault.until_s = section.number("until_s", {fault.from_s, 600});
-    } else {
-      fault.canard = static_cast<std::size_t>(section.integer("canard", {1, 4}) - 1);
-    }
-    section.finish();
-    scenario.faults.push_back(fault);
-  }
-}
-
 void read_scenario_document(const Document& document, Scenario& scenario) {
   read_environment(document, scenario);
   read_tunnel(document, scenario);
   read_disturbance(document, scenario);
   read_imposed_roll(document, scenario);
   read_timing(document, scenario);
-  read_faults(document, scenario);
+  scenario.faults = read_faults(document, scenario.vehicle.servo.stop_rad);
   const bool tunnel_plan = scenario.plan.run.start == core::Start::tunnel;
   if (tunnel_plan != (scenario.surroundings == Surroundings::tunnel)) {
     Section{document, "environment"}.refuse(
@@ -131,8 +102,6 @@ void read_scenario_document(const Document& document, Scenario& scenario) {
 }
 
 }  // namespace
-
-std::string_view name(FaultKind kind) { return fault_kinds[static_cast<std::size_t>(kind)]; }
 
 Scenario load_scenario(const std::string& name_or_path, std::span<const Override> changes) {
   const std::filesystem::path file = find_input(Shipped::scenario, name_or_path);

@@ -1,18 +1,17 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "core/flight_plan.hpp"
 #include "sim/atmosphere.hpp"
 #include "sim/disturbance.hpp"
 #include "sim/document.hpp"
+#include "sim/fault.hpp"
 #include "sim/vehicle.hpp"
 #include "sim/wind_tunnel.hpp"
 
@@ -25,32 +24,6 @@ struct ImposedRoll {
   double time_s;  ///< after lift-off
   double angle_rad;
   double rate_rad_s;
-};
-
-enum class FaultKind : std::uint8_t {
-  canard_stuck,
-  canard_hardover,
-  canard_dead,
-  canard_slipping,
-  canard_reversed,
-  encoder_unplugged,
-  imu_dropout,
-  accelerometer_dropout,
-};
-
-/// As in scenario files.
-[[nodiscard]] std::string_view name(FaultKind kind);
-
-/// Lasts for a while and concerns no canard.
-[[nodiscard]] constexpr bool is_dropout(FaultKind kind) {
-  return kind == FaultKind::imu_dropout || kind == FaultKind::accelerometer_dropout;
-}
-
-struct Fault {
-  FaultKind kind;
-  std::size_t canard;  ///< 0 to 3; for canard and encoder faults
-  double from_s;       ///< after ignition (in the tunnel: after the start command); negative on the pad
-  double until_s;      ///< dropouts only
 };
 
 /// One run: who flies, by which plan, in which world.

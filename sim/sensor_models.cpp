@@ -100,15 +100,20 @@ AccelerometerModel::AccelerometerModel(const InertialParameters& parameters, Ran
 
 EncoderModel::EncoderModel(const std::array<double, hal::canards>& zero_rad, const EncoderParameters& parameters,
                            Random random)
-    : noise_counts_{parameters.noise_counts}, random_{random} {
-  require(parameters.noise_counts >= 0.0 && parameters.noise_counts <= 1000.0, "noise_counts must be 0 to 1000");
+    : random_{random} {
   require(parameters.resolution_bits >= 4 && parameters.resolution_bits <= 14, "resolution_bits must be 4 to 14");
   counts_per_step_ = 1U << static_cast<unsigned>(14 - parameters.resolution_bits);
   steps_per_count_ = 1.0 / counts_per_step_;
   for (std::size_t i = 0; i < hal::canards; ++i) {
     require(std::abs(zero_rad[i]) <= 2.0 * std::numbers::pi, "zero_rad must be within one turn");
     zero_counts_[i] = zero_rad[i] * counts_per_radian;
+    set_noise(i, parameters.noise_counts);
   }
+}
+
+void EncoderModel::set_noise(std::size_t canard, double noise_counts) {
+  require(noise_counts >= 0.0 && noise_counts <= 1000.0, "noise_counts must be 0 to 1000");
+  noise_counts_[canard] = noise_counts;
 }
 
 }  // namespace fantail::sim

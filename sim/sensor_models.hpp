@@ -141,17 +141,22 @@ class EncoderModel {
   /// An unplugged encoder says no_reading; the noise of the others stays what it was.
   void unplug(std::size_t canard, bool unplugged = true) { unplugged_[canard] = unplugged; }
 
+  /// Standard deviation of one encoder's readings from now on, 0 to 1000 counts; the others keep theirs. Throws
+  /// std::invalid_argument.
+  void set_noise(std::size_t canard, double noise_counts);
+
   /// Shaft angles within 100 turns.
   [[nodiscard]] hal::EncoderReading sample(hal::Microseconds time,
                                            const std::array<double, hal::canards>& shaft_angle_rad) {
     hal::EncoderReading reading{.time = time};
     const std::array<double, hal::canards> noise = random_.gaussians<hal::canards>();
     for (std::size_t i = 0; i < hal::canards; ++i) {
-      const double counts = shaft_angle_rad[i] * counts_per_radian + zero_counts_[i] + noise_counts_ * noise[i];
+      const double counts = shaft_angle_rad[i] * counts_per_radian + zero_counts_[i] + noise_counts_[i] * noise[i];
       if (unplugged_[i]) {
         continue;
       }
       // Whole turns are added first: a conversion to integer rounds towards zero, so only upwards of it is it right.
+      // NOLINTNEXTLINE(bugprone-incorrect-roundings): this far from zero, adding a half is right
       const auto steps =
           static_cast<std::uint32_t>((counts + 1000.0 * hal::encoder_counts_per_turn) * steps_per_count_ + 0.5);
       reading.each[i] = {.counts = static_cast<std::uint16_t>(steps * counts_per_step_ % hal::encoder_counts_per_turn),
@@ -164,7 +169,7 @@ class EncoderModel {
   static constexpr double counts_per_radian = hal::encoder_counts_per_turn / (2.0 * std::numbers::pi);
 
   std::array<double, hal::canards> zero_counts_{};
-  double noise_counts_;
+  std::array<double, hal::canards> noise_counts_{};
   std::uint32_t counts_per_step_;
   double steps_per_count_;
   std::array<bool, hal::canards> unplugged_{};

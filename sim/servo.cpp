@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "sim/servo.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 #include <string>
 
@@ -12,6 +13,7 @@ namespace {
 constexpr double shortest_pulse_us = 500.0;
 constexpr double longest_pulse_us = 2500.0;
 constexpr double slipping_grip = 2.0 / 3.0;
+constexpr double slow_times = 4.0;
 
 // Written so that a NaN is refused too.
 void require(bool allowed, const char* what) {
@@ -24,38 +26,70 @@ void require(bool allowed, const char* what) {
 
 Servo::Servo(const ServoParameters& parameters)
     : parameters_{parameters},
-      per_lag_s_{1.0 / parameters.lag_s},
       lag_reach_rad_{parameters.rate_limit_rad_s * parameters.lag_s},
       half_play_rad_{0.5 * parameters.backlash_rad},
-      gear_stop_rad_{parameters.stop_rad + half_play_rad_} {
-  require(parameters.lag_s >= 0.0005 && parameters.lag_s <= 1.0, "lag_s must be 0.0005 to 1");
-  require(parameters.delay_s >= 0.0 && parameters.delay_s <= 0.05, "delay_s must be 0 to 0.05");
+      gear_stop_rad_{parameters.stop_rad + half_play_rad_},
+      gear_rad_{parameters.centre_rad},
+      horn_rad_{parameters.centre_rad},
+      mean_horn_rad_{parameters.centre_rad} {
+  require(parameters.lag_s >= shortest_lag_s && parameters.lag_s <= longest_lag_s, "lag_s must be 0.0005 to 1");
+  require(parameters.delay_s >= 0.0 && parameters.delay_s <= longest_delay_s, "delay_s must be 0 to 0.05");
   require(parameters.frame_period_s >= 0.001, "frame_period_s must be at least 0.001");
   require(parameters.rate_limit_rad_s > 0.0, "rate_limit_rad_s must be above 0");
   require(parameters.stop_rad > 0.0, "stop_rad must be above 0");
   require(parameters.backlash_rad >= 0.0, "backlash_rad must not be below 0");
   require(std::isfinite(parameters.pulse_centre_us), "pulse_centre_us must be finite");
   require(std::abs(parameters.pulse_per_degree_us) > 0.0, "pulse_per_degree_us must not be 0");
+  require(std::abs(parameters.centre_rad) <= parameters.stop_rad, "centre_rad must be within the stop");
+  set_pace(1.0);
 }
 
-void Servo::fail(ServoFault fault) {
-  if (fault == fault_) {
+void Servo::fail(ServoFault fault, std::optional<double> fault_angle_rad) {
+  require(!fault_angle_rad || std::isfinite(*fault_angle_rad), "the angle of a fault must be finite");
+  if (fault != fault_) {
+    if (fault_ == ServoFault::slipping) {
+      gear_rad_ = horn_rad_ = angle_rad();
+      mean_horn_rad_ = mean_angle_rad();
+      slip_from_rad_ = 0.0;
+      grip_ = 1.0;
+    }
+    if (fault == ServoFault::slipping) {
+      slip_from_rad_ = horn_rad_;
+      grip_ = slipping_grip;
+    }
+    set_pace(fault == ServoFault::slow ? slow_times : 1.0);
+    fault_ = fault;
+  }
+  double trim_error_rad = 0.0;
+  if (fault == ServoFault::wrong_trim) {
+    trim_error_rad = fault_angle_rad.value_or(usual_wrong_trim_rad);
+    shift_shaft(trim_error_rad - trim_error_rad_);
+  } else if (fault == ServoFault::stuck && fault_angle_rad) {
+    shift_shaft(*fault_angle_rad - horn_rad_);
+  }
+  trim_error_rad_ = trim_error_rad;
+  aim();
+}
+
+void Servo::set_pace(double times_slower) {
+  per_lag_s_ = 1.0 / (times_slower * parameters_.lag_s);
+  rate_limit_rad_s_ = parameters_.rate_limit_rad_s / times_slower;
+  whole_step_ = {};  // made anew by the next step
+}
+
+// Gear and horn together, so that the play between them stays as it was.
+void Servo::shift_shaft(double by_rad) {
+  horn_rad_ = std::clamp(horn_rad_ + by_rad, -parameters_.stop_rad, parameters_.stop_rad);
+  turn_to(gear_rad_ + by_rad);
+}
+
+void Servo::aim() {
+  if (!asked_rad_) {
+    goal_rad_.reset();
     return;
   }
-  if (fault_ == ServoFault::slipping) {
-    gear_rad_ = horn_rad_ = angle_rad();
-    mean_horn_rad_ = mean_angle_rad();
-    slip_from_rad_ = 0.0;
-    grip_ = 1.0;
-  }
-  if (fault == ServoFault::slipping) {
-    slip_from_rad_ = horn_rad_;
-    grip_ = slipping_grip;
-  }
-  if ((fault == ServoFault::reversed || fault_ == ServoFault::reversed) && goal_rad_) {
-    goal_rad_ = -*goal_rad_;
-  }
-  fault_ = fault;
+  const double from_centre_rad = fault_ == ServoFault::reversed ? -*asked_rad_ : *asked_rad_;
+  goal_rad_.emplace(parameters_.centre_rad + trim_error_rad_ + from_centre_rad);
 }
 
 // The pulse is the same for the whole step, so only the first frame in it can change what the servo is told.
@@ -81,11 +115,11 @@ void Servo::latch(double t_s, double end_s, const std::optional<double>& pulse_u
   command.arrival_s = frame_s + parameters_.delay_s;
   if (pulse_us) {
     latched_us_.emplace(*pulse_us);
-    command.goal_rad.emplace((*pulse_us - parameters_.pulse_centre_us) *
-                             (radians_per_degree / parameters_.pulse_per_degree_us));
+    command.asked_rad.emplace((*pulse_us - parameters_.pulse_centre_us) *
+                              (radians_per_degree / parameters_.pulse_per_degree_us));
   } else {
     latched_us_.reset();
-    command.goal_rad.reset();
+    command.asked_rad.reset();
   }
   ++waiting_;
 }
@@ -99,10 +133,8 @@ void Servo::step_in_pieces(double t_s, double end_s) {
       travelled += move(interval(command.arrival_s - now_s));
       now_s = command.arrival_s;
     }
-    goal_rad_ = command.goal_rad;
-    if (goal_rad_ && fault_ == ServoFault::reversed) {
-      goal_rad_ = -*goal_rad_;
-    }
+    asked_rad_ = command.asked_rad;
+    aim();
     first_ = (first_ + 1) % queue_.size();
     --waiting_;
   }
@@ -116,7 +148,9 @@ double Servo::move(const Interval& piece) {
   switch (fault_) {
     case ServoFault::none:
     case ServoFault::slipping:
-    case ServoFault::reversed: return goal_rad_ ? drive(piece) : before * piece.duration_s;
+    case ServoFault::reversed:
+    case ServoFault::slow:
+    case ServoFault::wrong_trim: return goal_rad_ ? drive(piece) : before * piece.duration_s;
     case ServoFault::hardover: return turn_at_rate(1.0, piece.duration_s);
     case ServoFault::dead:
       gear_rad_ = horn_rad_ = before - before * piece.settling.gain;
@@ -134,7 +168,7 @@ double Servo::drive(const Interval& piece) {
     turn_to(gear_rad_ + distance * piece.settling.gain);
     return piece.duration_s * (before + piece.settling.weight * (horn_rad_ - before));
   }
-  const double limited_s = excess / parameters_.rate_limit_rad_s;
+  const double limited_s = excess / rate_limit_rad_s_;
   const double direction = distance > 0.0 ? 1.0 : -1.0;
   if (limited_s >= piece.duration_s) {
     return turn_at_rate(direction, piece.duration_s);
@@ -148,7 +182,7 @@ double Servo::drive(const Interval& piece) {
 
 double Servo::turn_at_rate(double direction, double duration_s) {
   const double before = horn_rad_;
-  turn_to(gear_rad_ + direction * parameters_.rate_limit_rad_s * duration_s);
+  turn_to(gear_rad_ + direction * rate_limit_rad_s_ * duration_s);
   return duration_s * 0.5 * (before + horn_rad_);
 }
 

@@ -13,6 +13,10 @@
 
 namespace fantail::sim {
 
+inline constexpr double shortest_lag_s = 0.0005;
+inline constexpr double longest_lag_s = 1.0;
+inline constexpr double longest_delay_s = 0.05;
+
 struct ServoParameters {
   double lag_s = 0.020;                                          ///< first-order; 0.0005 to 1
   double delay_s = 0.003;                                        ///< from latched to acted upon; 0 to 0.05
@@ -20,18 +24,24 @@ struct ServoParameters {
   double rate_limit_rad_s = 600.0 * (std::numbers::pi / 180.0);  ///< above 0
   double stop_rad = 25.0 * (std::numbers::pi / 180.0);           ///< mechanical stop of the shaft, both ways; above 0
   double backlash_rad = 0.1 * (std::numbers::pi / 180.0);        ///< whole width of the play; 0 or more
-  double pulse_centre_us = 1500.0;                               ///< commands shaft angle zero
+  double pulse_centre_us = 1500.0;                               ///< commands the centre
   double pulse_per_degree_us = 10.0;                             ///< negative when it turns the other way; not 0
+  double centre_rad = 0.0;                                       ///< shaft angle of the centre; within the stop
 };
 
 enum class ServoFault : std::uint8_t {
   none,
-  stuck,     ///< the gear is jammed: the shaft stays where it is
-  hardover,  ///< runs to the positive stop at the rate limit, whatever the pulse
-  dead,      ///< torn from its gear: the air turns the shaft back to zero, with the time constant of the lag
-  slipping,  ///< the horn slips: the shaft loses a third of every movement from here on
-  reversed,  ///< moves the other way about zero
+  stuck,       ///< the gear is jammed: the shaft stays where it is, or at the angle given with the fault
+  hardover,    ///< runs to the positive stop at the rate limit, whatever the pulse
+  dead,        ///< torn from its gear: the air turns the shaft back to zero, with the time constant of the lag
+  slipping,    ///< the horn slips: the shaft loses a third of every movement from here on
+  reversed,    ///< moves the other way about the centre
+  slow,        ///< four times the lag, a quarter of the rate limit
+  wrong_trim,  ///< the horn was fitted off: the shaft stands an angle away from where the servo believes
 };
+
+/// Wrong enough to spin a rocket, and small enough to be overlooked by eye. (A whole tooth of a horn is 14 degrees.)
+inline constexpr double usual_wrong_trim_rad = 2.5 * (std::numbers::pi / 180.0);
 
 /// One canard servo, from the pulse on the wire to the angle of the canard shaft (on which the encoder sits).
 ///
@@ -41,11 +51,13 @@ enum class ServoFault : std::uint8_t {
 /// No pulse: the motor has no power, and friction holds the shaft. A pulse outside 500 to 2500 us, or NaN, is ignored.
 class Servo {
  public:
-  /// Starts at angle zero, without power. Throws std::invalid_argument for a parameter outside its range.
+  /// Starts at its centre, without power. Throws std::invalid_argument for a parameter outside its range.
   explicit Servo(const ServoParameters& parameters);
 
   /// Breaks, from now on; ServoFault::none repairs, and the servo goes on from where its shaft stands.
-  void fail(ServoFault fault);
+  /// `fault_angle_rad`: where a stuck shaft is jammed (not given: where it stands), how far off a wrong trim is (not
+  /// given: the usual); the others have none. Both move the shaft at once, as far as the stop allows.
+  void fail(ServoFault fault, std::optional<double> fault_angle_rad = std::nullopt);
 
   /// Moves from t_s to t_s + dt_s (dt_s > 0) with `pulse_us` on the wire. The next step begins where this one ends.
   void step(double t_s, double dt_s, const std::optional<double>& pulse_us) {
@@ -85,7 +97,7 @@ class Servo {
   };
   struct Command {
     double arrival_s;
-    std::optional<double> goal_rad;  ///< empty: power off
+    std::optional<double> asked_rad;  ///< from the centre; empty: power off
   };
 
   /// Times nearer than this are the same: t_s is a sum of steps, a frame's time a product.
@@ -104,6 +116,9 @@ class Servo {
     horn_rad_ = horn_rad_ < lowest ? lowest : horn_rad_ > highest ? highest : horn_rad_;
   }
 
+  void set_pace(double times_slower);
+  void shift_shaft(double by_rad);
+  void aim();
   void latch(double t_s, double end_s, const std::optional<double>& pulse_us);
   void step_in_pieces(double t_s, double end_s);
   [[nodiscard]] double move(const Interval& piece);
@@ -111,17 +126,20 @@ class Servo {
   [[nodiscard]] double turn_at_rate(double direction, double duration_s);
 
   ServoParameters parameters_;
-  double per_lag_s_;
-  double lag_reach_rad_;  ///< farther from the goal than this, the rate limit rules
+  double per_lag_s_{};
+  double rate_limit_rad_s_{};
+  double lag_reach_rad_;  ///< farther from the goal than this, the rate limit rules; also of a slow servo
   double half_play_rad_;
   double gear_stop_rad_;
   Interval whole_step_{};
 
   ServoFault fault_ = ServoFault::none;
-  std::optional<double> goal_rad_{};
-  double gear_rad_ = 0.0;
-  double horn_rad_ = 0.0;  ///< beyond the play; the shaft turns with it unless it slips
-  double mean_horn_rad_ = 0.0;
+  double trim_error_rad_ = 0.0;        ///< of a wrong trim
+  std::optional<double> asked_rad_{};  ///< from the centre
+  std::optional<double> goal_rad_{};   ///< where that is on the shaft
+  double gear_rad_;                    ///< as an angle of the shaft
+  double horn_rad_;                    ///< beyond the play; the shaft turns with it unless it slips
+  double mean_horn_rad_;
   double slip_from_rad_ = 0.0;
   double grip_ = 1.0;  ///< share of the horn's movement that reaches the shaft
 

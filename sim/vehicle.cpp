@@ -71,6 +71,12 @@ void read_servo(const Document& document, Vehicle& vehicle) {
   if (std::abs(p.pulse_per_degree_us) < 0.1) {
     servo.refuse("pulse_per_degree_us", "= " + shown(p.pulse_per_degree_us) + "; allowed: at least 0.1 away from zero");
   }
+  vehicle.servo_spread = {.share = servo.number("spread", {0, 0.3}, 0.0),
+                          .centre_rad = radians_per_degree * servo.number("centre_spread_deg", {0, 2}, 0.0)};
+  if (vehicle.servo_spread.centre_rad > p.stop_rad) {
+    servo.refuse("centre_spread_deg", "= " + shown(vehicle.servo_spread.centre_rad / radians_per_degree) +
+                                          "; allowed: at most stop_deg = " + shown(p.stop_rad / radians_per_degree));
+  }
   servo.finish();
 }
 
@@ -122,10 +128,28 @@ void read_inertial(const Document& document, const std::string& name, bool gyro,
   section.finish();
 }
 
+void read_tolerances(const Document& document, CanardTolerances& t) {
+  Section section{document, "canard_tolerances"};
+  const auto degrees = [&section](std::string_view key, Limits limits, double& value_rad) {
+    value_rad = radians_per_degree * section.number(key, limits, value_rad / radians_per_degree);
+  };
+  constexpr Limits of_an_angle{0.05, 10};
+  degrees("reach_deg", of_an_angle, t.reach_rad);
+  degrees("tracking_deg", of_an_angle, t.tracking_rad);
+  degrees("centring_deg", of_an_angle, t.centring_rad);
+  degrees("backlash_deg", of_an_angle, t.backlash_rad);
+  degrees("slowest_slew_deg_s", {1, 1e5}, t.slowest_slew_rad_s);
+  t.longest_step_time_s = section.number("longest_step_time_s", {0.001, 5}, t.longest_step_time_s);
+  degrees("noise_deg", {0.01, 10}, t.noise_rad);
+  t.dropout_share = 0.01 * section.number("dropout_percent", {0, 50}, 100.0 * t.dropout_share);
+  section.finish();
+}
+
 }  // namespace
 
 std::vector<std::string> vehicle_sections() {
-  return {"body", "aerodynamics", "motor", "servo", "canard_mounting", "imu", "accelerometer", "encoder"};
+  return {"body",    "aerodynamics",     "motor", "servo", "canard_mounting", "imu", "accelerometer",
+          "encoder", "canard_tolerances"};
 }
 
 Vehicle read_vehicle(const Document& document) {
@@ -143,6 +167,7 @@ Vehicle read_vehicle(const Document& document) {
                      .resolution_bits = static_cast<int>(
                          encoder.integer("resolution_bits", {4, 14}, vehicle.encoder.resolution_bits))};
   encoder.finish();
+  read_tolerances(document, vehicle.canard_tolerances);
   return vehicle;
 }
 

@@ -6,10 +6,12 @@
 #include <string>
 #include <vector>
 
+#include "sim/canard_tolerances.hpp"
 #include "sim/document.hpp"
 #include "sim/roll_plant.hpp"
 #include "sim/sensor_models.hpp"
 #include "sim/servo.hpp"
+#include "sim/servo_spread.hpp"
 #include "sim/thrust_curve.hpp"
 
 namespace fantail::sim {
@@ -29,11 +31,13 @@ struct Vehicle {
   double drag_area_m2 = 0.0;
   RollPlant roll_plant{};
   ThrustCurve motor;
-  ServoParameters servo{};
+  ServoParameters servo{};  ///< of a typical one
+  ServoSpread servo_spread{};
   std::array<CanardMounting, 4> canards{};
   InertialParameters imu{};
   InertialParameters accelerometer{};
   EncoderParameters encoder{};
+  CanardTolerances canard_tolerances{};  ///< for the bench; nothing in the simulation follows from them
 };
 
 /// Reads a vehicle file; its motor is looked for beside the shipped motors, or as a path. Throws InputError.

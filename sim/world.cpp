@@ -16,7 +16,7 @@ constexpr Microseconds arm_command_after{100'000};
 // A start command that the avionics has not followed by then was refused.
 constexpr Microseconds start_patience{1'000'000};
 
-enum Stream : std::uint8_t { imu_noise = 1, accelerometer_noise, encoder_noise, turbulence };
+enum Stream : std::uint8_t { imu_noise = 1, accelerometer_noise, encoder_noise, turbulence, servo_spread };
 
 Microseconds nearest_tick(double time_s) { return std::llround(time_s / tick_time_s) * tick_time; }
 
@@ -29,6 +29,8 @@ ServoFault servo_fault(FaultKind kind) {
     case FaultKind::canard_dead: return ServoFault::dead;
     case FaultKind::canard_slipping: return ServoFault::slipping;
     case FaultKind::canard_reversed: return ServoFault::reversed;
+    case FaultKind::canard_slow: return ServoFault::slow;
+    case FaultKind::canard_wrong_trim: return ServoFault::wrong_trim;
     default: return ServoFault::none;
   }
 }
@@ -43,9 +45,10 @@ World::World(const Scenario& scenario)
       environment_{scenario, Random{scenario.seed, turbulence}},
       disturbance_{scenario.disturbance},
       disturbance_rad_{disturbance_now_rad()},
-      canards_{scenario.vehicle, Random{scenario.seed, encoder_noise}},
+      canards_{scenario.vehicle, Random{scenario.seed, encoder_noise}, Random{scenario.seed, servo_spread}},
       imu_model_{scenario.vehicle.imu, Random{scenario.seed, imu_noise}},
       accelerometer_model_{scenario.vehicle.accelerometer, Random{scenario.seed, accelerometer_noise}},
+      fault_is_applied_(scenario.faults.size(), false),
       board_{scenario.plan} {
   board_.hardware.imu_scale = imu_model_.scale();
   board_.hardware.accelerometer_scale_m_s2 = accelerometer_model_.scale();
@@ -103,22 +106,27 @@ double World::disturbance_now_rad() const {
 void World::apply_faults() {
   imu_hangs_ = false;
   accelerometer_hangs_ = false;
-  for (const Fault& fault : scenario_.faults) {
-    const Microseconds begin = std::max(Microseconds{0}, ignition_ + nearest_tick(fault.from_s));
-    const bool present = now_ >= begin && now_ < ignition_ + nearest_tick(fault.until_s);
-    switch (fault.kind) {
-      case FaultKind::imu_dropout: imu_hangs_ = imu_hangs_ || present; break;
-      case FaultKind::accelerometer_dropout: accelerometer_hangs_ = accelerometer_hangs_ || present; break;
-      case FaultKind::encoder_unplugged:
-        if (now_ == begin) {
-          canards_.unplug_encoder(fault.canard);
-        }
-        break;
-      default:
-        if (now_ == begin) {
-          canards_.fail(fault.canard, servo_fault(fault.kind));
-        }
+  for (std::size_t i = 0; i < scenario_.faults.size(); ++i) {
+    const Fault& fault = scenario_.faults[i];
+    if (now_ < ignition_ + nearest_tick(fault.from_s)) {
+      continue;
     }
+    if (is_dropout(fault.kind)) {
+      const bool present = now_ < ignition_ + nearest_tick(fault.until_s);
+      imu_hangs_ = imu_hangs_ || (present && fault.kind == FaultKind::imu_dropout);
+      accelerometer_hangs_ = accelerometer_hangs_ || (present && fault.kind == FaultKind::accelerometer_dropout);
+    } else if (!fault_is_applied_[i]) {
+      fault_is_applied_[i] = true;
+      break_canard(fault);
+    }
+  }
+}
+
+void World::break_canard(const Fault& fault) {
+  switch (fault.kind) {
+    case FaultKind::encoder_unplugged: canards_.unplug_encoder(fault.canard); break;
+    case FaultKind::encoder_noisy: canards_.make_encoder_noisy(fault.canard, fault.noise_counts); break;
+    default: canards_.fail(fault.canard, servo_fault(fault.kind), fault.angle_rad);
   }
 }
 

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "core/tick_record.hpp"
 #include "hal/sim/world_side.hpp"
@@ -65,6 +66,7 @@ class World {
 
  private:
   void apply_faults();
+  void break_canard(const Fault& fault);
   void fill_hardware();
   void press_buttons();
   void follow_events();
@@ -92,6 +94,7 @@ class World {
   bool imu_hangs_ = false;
   bool accelerometer_hangs_ = false;
   bool roll_is_imposed_ = false;
+  std::vector<bool> fault_is_applied_;  ///< in the scenario's order; not of dropouts, which come and go
 
   SimulatedBoard board_;
   core::Phase phase_ = core::Phase::safe;

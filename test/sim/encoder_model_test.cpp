@@ -87,6 +87,28 @@ TEST(EncoderModel, NoiseHasTheGivenStandardDeviationInCounts) {
   EXPECT_NEAR(squares / n, 9.0 + 1.0 / 12.0, 4.0 * 9.0 * std::sqrt(2.0 / n));
 }
 
+TEST(EncoderModel, ANoisyEncoderHasItsOwnStandardDeviationAndTheOthersKeepTheirs) {
+  EncoderModel whole{{}, {.noise_counts = 2.0}, {seed, 0}};
+  EncoderModel broken{{}, {.noise_counts = 2.0}, {seed, 0}};
+  broken.set_noise(2, 60.0);
+  double squares = 0.0;
+  constexpr int ticks = 100'000;
+  for (int tick = 0; tick < ticks; ++tick) {
+    const std::array<double, 4> angles{1.0, 1.0, 1.0, 1.0};
+    const hal::EncoderReading expected = whole.sample({}, angles);
+    const hal::EncoderReading reading = broken.sample({}, angles);
+    for (const std::size_t i : {0U, 1U, 3U}) {
+      ASSERT_EQ(reading.each[i].counts, expected.each[i].counts);
+    }
+    const double error = reading.each[2].counts - 1.0 / count_rad;
+    squares += error * error;
+  }
+  EXPECT_NEAR(squares / ticks, 3600.0 + 1.0 / 12.0, 4.0 * 3600.0 * std::sqrt(2.0 / ticks));
+  EXPECT_THROW(broken.set_noise(0, -1.0), std::invalid_argument);
+  EXPECT_THROW(broken.set_noise(0, 1001.0), std::invalid_argument);
+  EXPECT_THROW(broken.set_noise(0, std::nan("")), std::invalid_argument);
+}
+
 // What the firmware understands, when its plan knows the zeros, is the angle of the shaft, in size and in sign.
 TEST(EncoderModel, TheFirmwareReadsTheShaftAngleBackWithinHalfACount) {
   const std::array<double, 4> zeros_deg{0.0, 170.0, -170.0, -35.5};

@@ -81,7 +81,8 @@ INSTANTIATE_TEST_SUITE_P(
         Rule{"FaultKindMissing", "[[faults]]\nfrom_s = 1\n", ":3: faults.kind is missing"},
         Rule{"FaultKindUnknown", "[[faults]]\nkind = \"stuck\"\n",
              ":4: faults.kind = 'stuck'; allowed: canard_stuck, canard_hardover, canard_dead, canard_slipping, "
-             "canard_reversed, encoder_unplugged, imu_dropout, accelerometer_dropout"},
+             "canard_reversed, canard_slow, canard_wrong_trim, encoder_unplugged, encoder_noisy, imu_dropout, "
+             "accelerometer_dropout"},
         Rule{"FaultCanard", "[[faults]]\nkind = \"canard_stuck\"\nfrom_s = 1\ncanard = 5\n",
              ":6: faults.canard = 5 is out of range; allowed: 1 to 4"},
         Rule{"SecondFault",
@@ -91,7 +92,20 @@ INSTANTIATE_TEST_SUITE_P(
         Rule{"DropoutEndsBeforeItBegins", "[[faults]]\nkind = \"imu_dropout\"\nfrom_s = 2\nuntil_s = 1\n",
              ":6: faults.until_s = 1 is out of range; allowed: 2 to 600"},
         Rule{"DropoutOfACanard", "[[faults]]\nkind = \"imu_dropout\"\nfrom_s = 2\nuntil_s = 3\ncanard = 1\n",
-             ":7: unknown key faults.canard"}),
+             ":7: unknown key faults.canard"},
+        Rule{"StuckBeyondTheStop", "[[faults]]\nkind = \"canard_stuck\"\nfrom_s = 2\ncanard = 1\nangle_deg = -25.1\n",
+             ":7: faults.angle_deg = -25.1; allowed: within the servo's stop, 25 either way"},
+        Rule{"WrongTrimOfNothing", "[[faults]]\nkind = \"canard_wrong_trim\"\nfrom_s = 2\ncanard = 1\nangle_deg = 0\n",
+             ":7: faults.angle_deg = 0; allowed: -15 to 15, but not 0"},
+        Rule{"WrongTrimTooLarge",
+             "[[faults]]\nkind = \"canard_wrong_trim\"\nfrom_s = 2\ncanard = 1\nangle_deg = 15.1\n",
+             ":7: faults.angle_deg = 15.1 is out of range; allowed: -15 to 15"},
+        Rule{"AngleOfASlowCanard", "[[faults]]\nkind = \"canard_slow\"\nfrom_s = 2\ncanard = 1\nangle_deg = 1\n",
+             ":7: unknown key faults.angle_deg"},
+        Rule{"NoiseOfNothing", "[[faults]]\nkind = \"encoder_noisy\"\nfrom_s = 2\ncanard = 1\nnoise_counts = 0\n",
+             ":7: faults.noise_counts = 0 is out of range; allowed: 1 to 1000"},
+        Rule{"NoiseOfAStuckCanard", "[[faults]]\nkind = \"canard_stuck\"\nfrom_s = 2\ncanard = 1\nnoise_counts = 5\n",
+             ":7: unknown key faults.noise_counts"}),
     [](const auto& one) { return one.param.name; });
 
 // Whatever a scenario may say, the run ends, and no truth is ever infinite or no number.
@@ -116,6 +130,8 @@ RC_GTEST_PROP(Scenario, AtTheEndsOfItsRangesFliesToAnEndWithFiniteNumbers, ()) {
       {"servo.rate_limit_deg_s", {"1", "1e5"}},
       {"servo.stop_deg", {"1", "90"}},
       {"servo.backlash_deg", {"0", "5"}},
+      {"servo.spread", {"0", "0.3"}},
+      {"servo.centre_spread_deg", {"0", "1"}},
       {"servo.pulse_per_degree_us", {"-40", "-0.1", "0.1", "40"}},
       {"imu.full_scale_deg_s", {"50", "4000"}},
       {"imu.rate_noise_deg_s", {"0", "100"}},

@@ -135,6 +135,23 @@ TEST(Servo, ANegativePulseScaleTurnsTheOtherWay) {
   EXPECT_NEAR(rig.angle_deg(), -5.0, 1e-12);
 }
 
+TEST(Servo, ItsCentreMayBeOffAndTheStopsStayWhereTheyAre) {
+  ServoParameters p = ideal();
+  p.centre_rad = 1.5 * degree;
+  p.stop_rad = 10.0 * degree;
+  ServoRig rig{p};
+  EXPECT_NEAR(rig.angle_deg(), 1.5, 1e-12);
+  rig.run(0.02, pulse_us(5.0));
+  EXPECT_NEAR(rig.angle_deg(), 6.5 - 5.0 * std::exp(-1.0), 1e-12);
+  rig.run(1.0, pulse_us(9.0));
+  EXPECT_NEAR(rig.angle_deg(), 10.0, 1e-12);
+  rig.run(2.0, pulse_us(-9.0));
+  EXPECT_NEAR(rig.angle_deg(), -7.5, 1e-12);
+  rig.servo.fail(ServoFault::reversed);
+  rig.run(3.0, pulse_us(-5.0));
+  EXPECT_NEAR(rig.angle_deg(), 6.5, 1e-12);
+}
+
 /// The whole servo in steps of a microsecond, as plainly as it can be said.
 class NaiveServo {
  public:
@@ -225,6 +242,8 @@ TEST(Servo, RefusesParametersOutsideTheirRange) {
   refused([](ServoParameters& p) { p.stop_rad = 0.0; });
   refused([](ServoParameters& p) { p.backlash_rad = -0.1; });
   refused([](ServoParameters& p) { p.pulse_per_degree_us = 0.0; });
+  refused([](ServoParameters& p) { p.centre_rad = 1.01 * p.stop_rad; });
+  refused([](ServoParameters& p) { p.centre_rad = std::nan(""); });
 }
 
 }  // namespace

@@ -23,6 +23,12 @@ FlownWorld fly_with(FaultKind kind, double until_s = 0.0, const std::vector<std:
   return fly(s);
 }
 
+FlownWorld fly_with_these(const std::vector<Fault>& faults) {
+  Scenario s = scenario("tasha3_launch2");
+  s.faults = faults;
+  return fly(s);
+}
+
 double encoder_deg(const Tick& tick, std::size_t canard) {
   return static_cast<double>(tick.record.encoders[canard]->radians()) / degree;
 }
@@ -87,6 +93,52 @@ TEST(CanardFault, ReversedMirrorsItsNeighboursAndIsNoticed) {
   expect_noticed_on_the_broken_canard_only(flown);
 }
 
+TEST(CanardFault, SlowLagsBehindItsNeighboursAndIsNoticed) {
+  const FlownWorld flown = fly_with(FaultKind::canard_slow);
+  double largest_deg = 0.0;
+  for (double time_s = seen_s + 0.1; time_s < 9.0; time_s += 0.01) {
+    const Tick& tick = flown.at(time_s);
+    largest_deg = std::max(largest_deg, std::abs(encoder_deg(tick, broken) - encoder_deg(tick, 0)));
+  }
+  EXPECT_GT(largest_deg, 2.0);
+  expect_noticed_on_the_broken_canard_only(flown);
+}
+
+TEST(CanardFault, WrongTrimStandsBesideItsNeighboursAndIsNoticed) {
+  const FlownWorld flown = fly_with(FaultKind::canard_wrong_trim);
+  for (double time_s = seen_s + 0.01; time_s < 9.0; time_s += 0.01) {
+    const Tick& tick = flown.at(time_s);
+    ASSERT_NEAR(encoder_deg(tick, broken) - encoder_deg(tick, 0), 2.5, 0.3) << time_s;
+  }
+  expect_noticed_on_the_broken_canard_only(flown);
+}
+
+// 25 takes the place of 3 for good: a fault that were applied again and again would bring the canard back.
+TEST(CanardFault, IsAppliedOnceAndALaterOneTakesItsPlaceInWhateverOrderTheyAreWritten) {
+  const Fault stuck{
+      .kind = FaultKind::canard_stuck, .canard = broken, .from_s = 1, .until_s = 0, .angle_rad = 3 * degree};
+  const Fault hardover{.kind = FaultKind::canard_hardover, .canard = broken, .from_s = 2, .until_s = 0};
+  for (const FlownWorld& flown : {fly_with_these({stuck, hardover}), fly_with_these({hardover, stuck})}) {
+    EXPECT_NEAR(encoder_deg(flown.at(1.0 - liftoff_s), broken), 3.0, 0.1);
+    EXPECT_NEAR(encoder_deg(flown.at(1.9), broken), 3.0, 0.1);
+    EXPECT_NEAR(encoder_deg(flown.at(2.5), broken), 25.0, 0.1);
+    EXPECT_NEAR(encoder_deg(flown.at(9.0), broken), 25.0, 0.1);
+  }
+}
+
+TEST(CanardFault, OfLongBeforePowerUpIsThereFromTheFirstTick) {
+  const FlownWorld flown = fly_with_these(
+      {{.kind = FaultKind::canard_stuck, .canard = 0, .from_s = -600, .until_s = 0, .angle_rad = 3 * degree},
+       {.kind = FaultKind::canard_wrong_trim, .canard = 1, .from_s = -600, .until_s = 0},
+       {.kind = FaultKind::encoder_unplugged, .canard = 2, .from_s = -600, .until_s = 0}});
+  for (const std::size_t tick : {0U, 500U}) {
+    EXPECT_NEAR(encoder_deg(flown.ticks[tick], 0), 3.0, 0.1) << tick;
+    EXPECT_NEAR(encoder_deg(flown.ticks[tick], 1), 2.5, 0.1) << tick;
+    EXPECT_FALSE(flown.ticks[tick].record.encoders[2].has_value()) << tick;
+    EXPECT_NEAR(encoder_deg(flown.ticks[tick], 3), 0.0, 0.1) << tick;
+  }
+}
+
 TEST(CanardFault, EndsControlOnlyWhenThePlanSaysSo) {
   const FlownWorld goes_on = fly_with(FaultKind::canard_hardover);
   EXPECT_EQ(goes_on.first_in(Phase::finished)->record.reason, PhaseReason::apogee);
@@ -108,6 +160,26 @@ TEST(EncoderUnplugged, IsEmptyAndDeadAndChangesNothingElse) {
   }
   EXPECT_EQ(flown.at(seen_s + 0.019).record.verdicts[broken], CanardVerdict::healthy);
   EXPECT_EQ(flown.at(seen_s + 0.021).record.verdicts[broken], CanardVerdict::dead);  // 20 ms of patience
+}
+
+// 60 counts are 1.32 deg. Before anybody arms it, a canard stands still.
+TEST(EncoderNoisy, IsSoFromItsBeginningAndChangesNothingElse) {
+  constexpr double from_s = -4.5;  // after ignition: half a second after power-up
+  const FlownWorld flown =
+      fly_with_these({{.kind = FaultKind::encoder_noisy, .canard = broken, .from_s = from_s, .until_s = 0}});
+  const FlownWorld whole = fly("tasha3_launch2");
+  ASSERT_EQ(flown.ticks.size(), whole.ticks.size());
+  double squares = 0.0;
+  for (std::size_t i = 0; i < flown.ticks.size(); ++i) {
+    ASSERT_EQ(flown.ticks[i].truth.roll_angle_rad, whole.ticks[i].truth.roll_angle_rad);
+    ASSERT_EQ(encoder_deg(flown.ticks[i], 0), encoder_deg(whole.ticks[i], 0));
+    if (i < 500) {
+      ASSERT_EQ(encoder_deg(flown.ticks[i], broken), encoder_deg(whole.ticks[i], broken));
+    } else if (i < 1000) {
+      squares += std::pow(encoder_deg(flown.ticks[i], broken), 2);
+    }
+  }
+  EXPECT_NEAR(std::sqrt(squares / 500.0), 60.0 * 360.0 / 16384.0, 4.0 * 1.32 / std::sqrt(2.0 * 500.0));
 }
 
 // The last sample may be 5 ms old. One that came just before the dropout is so at its sixth missing tick.

@@ -158,6 +158,28 @@ TEST(Fly, SaysThatRollWasImposed) {
   EXPECT_NE(content(folder / "out/report.html").find("imposed"), std::string::npos);
 }
 
+TEST(Fly, SaysWhatIsBrokenSinceWhenAndByHowMuch) {
+  const Folder folder;
+  const std::string head = "vehicle = \"tasha3_launch2\"\nplan = \"tasha3_launch2\"\n[[faults]]\nkind = ";
+  const std::vector<std::pair<std::string, std::string>> said{
+      {"\"canard_stuck\"\ncanard = 1\nfrom_s = -600\nangle_deg = 3\n",
+       "Fault: canard_stuck, canard 1, jammed at 3 degrees, from power-up."},
+      {"\"canard_stuck\"\ncanard = 1\nfrom_s = 2.5\n", "Fault: canard_stuck, canard 1, from 2.5 s after ignition."},
+      {"\"canard_wrong_trim\"\ncanard = 3\nfrom_s = 0\n",
+       "Fault: canard_wrong_trim, canard 3, 2.5 degrees off, from 0 s after ignition."},
+      {"\"canard_slow\"\ncanard = 4\nfrom_s = -5\n", "Fault: canard_slow, canard 4, from power-up."},
+      {"\"encoder_noisy\"\ncanard = 4\nfrom_s = -600\n",
+       "Fault: encoder_noisy, canard 4, standard deviation 60 counts, from power-up."},
+      {"\"imu_dropout\"\nfrom_s = 4\nuntil_s = 4.003\n", "Fault: imu_dropout from 4 to 4.003 s after ignition."},
+      {"\"imu_dropout\"\nfrom_s = -600\nuntil_s = -4\n", "Fault: imu_dropout from power-up to -4 s after ignition."}};
+  for (const auto& [fault, sentence] : said) {
+    folder.write("broken.toml", head + fault);
+    const Outcome outcome = fantail({"fly", "broken.toml"}, {.working_folder = folder.path()});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_NE(outcome.out.find(sentence), std::string::npos) << sentence << "\n" << outcome.out;
+  }
+}
+
 // The README's example.
 TEST(Fly, AWiderCanardLimitWouldHaveHeldTheFirstLaunch) {
   const Folder folder;

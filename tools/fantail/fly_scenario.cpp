@@ -7,6 +7,7 @@
 
 #include "fantail/interrupt.hpp"
 #include "fantail/progress.hpp"
+#include "sim/units.hpp"
 #include "sim/world.hpp"
 
 namespace fantail::tool {
@@ -27,13 +28,24 @@ report::Truth to_report(const sim::Truth& truth) {
           .disturbance_rad = truth.disturbance_rad};
 }
 
-std::string describe(const sim::Fault& fault, bool tunnel) {
-  const std::string_view zero = tunnel ? "the start command" : "ignition";
+std::string describe(const sim::Fault& fault, const sim::Scenario& scenario) {
+  const std::string_view zero = scenario.surroundings == sim::Surroundings::tunnel ? "the start command" : "ignition";
   const std::string_view kind = sim::name(fault.kind);
+  const bool always = fault.from_s <= -scenario.pad_time_s;
   if (sim::is_dropout(fault.kind)) {
-    return fmt::format("Fault: {} from {:g} to {:g} s after {}.", kind, fault.from_s, fault.until_s, zero);
+    const std::string from = always ? "power-up" : fmt::format("{:g}", fault.from_s);
+    return fmt::format("Fault: {} from {} to {:g} s after {}.", kind, from, fault.until_s, zero);
   }
-  return fmt::format("Fault: {}, canard {}, from {:g} s after {}.", kind, fault.canard + 1, fault.from_s, zero);
+  std::string number;
+  if (fault.angle_rad) {
+    const double angle_deg = *fault.angle_rad / sim::radians_per_degree;
+    number = fault.kind == sim::FaultKind::canard_stuck ? fmt::format(", jammed at {:g} degrees", angle_deg)
+                                                        : fmt::format(", {:g} degrees off", angle_deg);
+  } else if (fault.kind == sim::FaultKind::encoder_noisy) {
+    number = fmt::format(", standard deviation {:g} counts", fault.noise_counts);
+  }
+  const std::string from = always ? "power-up" : fmt::format("{:g} s after {}", fault.from_s, zero);
+  return fmt::format("Fault: {}, canard {}{}, from {}.", kind, fault.canard + 1, number, from);
 }
 
 report::Flight describe(const sim::Scenario& scenario) {
@@ -49,7 +61,7 @@ report::Flight describe(const sim::Scenario& scenario) {
     flight.notes.insert(flight.notes.end(), assumed->begin(), assumed->end());
   }
   for (const sim::Fault& fault : scenario.faults) {
-    flight.notes.push_back(describe(fault, flight.tunnel));
+    flight.notes.push_back(describe(fault, scenario));
   }
   return flight;
 }
