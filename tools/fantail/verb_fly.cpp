@@ -96,9 +96,10 @@ void fly(const FlyOptions& options) {
 void add_fly(CLI::App& program) {
   auto* verb = program.add_subcommand("fly", "Fly a scenario through the real control code in the simulated world");
   auto options = std::make_shared<FlyOptions>();
-  verb->add_option("SCENARIO", options->scenario,
-                   "A shipped name (tasha3_launch1, tasha3_launch2, tunnel_steps) or a "
-                   "path to a scenario file")
+  verb->add_option(
+          "SCENARIO", options->scenario,
+          "A shipped name (tasha3_launch1, tasha3_launch2, tunnel_steps, bench_healthy, bench_canard3_reversed, "
+          "...) or a path to a scenario file")
       ->capture_default_str();
   verb->add_option("--out", options->out, "Folder for flight.csv, summary.json and report.html [out/SCENARIO]")
       ->check(objection_to_folder);

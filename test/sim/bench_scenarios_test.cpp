@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "flown_world.hpp"
+#include "sim/shipped.hpp"
+
+namespace fantail::sim {
+namespace {
+
+struct Rehearsal {
+  const char* name;
+  FaultKind kind;
+  std::size_t canard;  ///< as a person counts, 1 to 4
+  std::optional<double> angle_deg{};
+};
+
+const std::vector<Rehearsal> rehearsals{
+    {"bench_canard1_stuck", FaultKind::canard_stuck, 1, 3.0},
+    {"bench_canard1_dead", FaultKind::canard_dead, 1},
+    {"bench_canard2_slipping", FaultKind::canard_slipping, 2},
+    {"bench_canard2_encoder_unplugged", FaultKind::encoder_unplugged, 2},
+    {"bench_canard3_reversed", FaultKind::canard_reversed, 3},
+    {"bench_canard3_wrong_trim", FaultKind::canard_wrong_trim, 3, 2.5},
+    {"bench_canard4_slow", FaultKind::canard_slow, 4},
+    {"bench_canard4_encoder_noisy", FaultKind::encoder_noisy, 4},
+};
+
+TEST(BenchScenarios, BreakOneCanardFromPowerUpAsTheirNamesSay) {
+  for (const Rehearsal& rehearsal : rehearsals) {
+    SCOPED_TRACE(rehearsal.name);
+    const Scenario s = scenario(rehearsal.name);
+    ASSERT_EQ(s.faults.size(), 1U);
+    const Fault& fault = s.faults[0];
+    EXPECT_EQ(fault.kind, rehearsal.kind);
+    EXPECT_EQ(fault.canard + 1, rehearsal.canard);
+    EXPECT_LT(fault.from_s, -s.pad_time_s);
+    ASSERT_EQ(fault.angle_rad.has_value(), rehearsal.angle_deg.has_value());
+    if (fault.angle_rad) {
+      EXPECT_NEAR(*fault.angle_rad / degree, *rehearsal.angle_deg, 1e-12);
+    }
+  }
+}
+
+TEST(BenchScenarios, AreTheHealthyOneButForTheFaultAndNoneIsForgottenHere) {
+  const Scenario healthy = scenario("bench_healthy");
+  EXPECT_TRUE(healthy.faults.empty());
+  std::set<std::string> expected{"bench_healthy"};
+  for (const Rehearsal& rehearsal : rehearsals) {
+    SCOPED_TRACE(rehearsal.name);
+    expected.insert(rehearsal.name);
+    const Scenario s = scenario(rehearsal.name);
+    EXPECT_EQ(s.vehicle_name, healthy.vehicle_name);
+    EXPECT_EQ(s.plan_name, healthy.plan_name);
+    EXPECT_EQ(s.seed, healthy.seed);
+    ASSERT_EQ(s.disturbance.size(), 1U);
+    EXPECT_EQ(s.disturbance[0].angle_rad, healthy.disturbance.at(0).angle_rad);
+  }
+  std::set<std::string> shipped;
+  for (const std::string& name : shipped_names(Shipped::scenario)) {
+    if (name.starts_with("bench_")) {
+      shipped.insert(name);
+    }
+  }
+  EXPECT_EQ(shipped, expected);
+}
+
+// The monitor of the flight must not take the spread of sound servos for a fault either.
+TEST(BenchScenarios, TheHealthyRocketFliesWithHealthyCanardsForEverySeed) {
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    Scenario s = scenario("bench_healthy");
+    s.seed = seed;
+    for (const Tick& tick : fly(s).ticks) {
+      for (const core::CanardVerdict verdict : tick.record.verdicts) {
+        ASSERT_EQ(verdict, core::CanardVerdict::healthy) << "seed " << seed << " at " << tick.time_s;
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace fantail::sim
