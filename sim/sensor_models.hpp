@@ -156,9 +156,9 @@ class EncoderModel {
         continue;
       }
       // Whole turns are added first: a conversion to integer rounds towards zero, so only upwards of it is it right.
+      const double above_zero = counts + 1000.0 * hal::encoder_counts_per_turn;
       // NOLINTNEXTLINE(bugprone-incorrect-roundings): this far from zero, adding a half is right
-      const auto steps =
-          static_cast<std::uint32_t>((counts + 1000.0 * hal::encoder_counts_per_turn) * steps_per_count_ + 0.5);
+      const auto steps = static_cast<std::uint32_t>(above_zero * steps_per_count_ + 0.5);
       reading.each[i] = {.counts = static_cast<std::uint16_t>(steps * counts_per_step_ % hal::encoder_counts_per_turn),
                          .status = hal::Status::ok};
     }
