@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <span>
 
 #include "protocol/bus_codec.hpp"
 #include "protocol/crc8.hpp"

@@ -9,8 +9,6 @@ namespace {
 
 using core::Microseconds;
 
-constexpr std::uint32_t never_stuffed = worst_bits_on_wire(0) - 34U - 33U / 4U;
-
 /// Takes the bits of a frame in the order of the wire; counts stuff bits and computes the frame's own CRC-15.
 class Wire {
  public:
@@ -47,15 +45,15 @@ class Wire {
 
 Microseconds time_of(const PeriodicFrame& frame) { return frame.bits * bus_bit_time; }
 
-/// How often a frame can come within a time that ends with one more bit.
+/// How often a frame can become ready in a time.
 std::int64_t arrivals(const PeriodicFrame& frame, Microseconds within) {
   return (within + frame.period - Microseconds{1}) / frame.period;
 }
 
 constexpr Microseconds no_bound = std::chrono::minutes{1};
 
-/// The least time that holds what stands already and every frame of these, at least as urgent as `id`, that arrives in
-/// it.
+/// The least time, from `start` on, that is as long as `fixed` and every frame that counts and becomes ready in it (or
+/// up to `margin` later) take together.
 template <typename Counts>
 Microseconds settle(std::span<const PeriodicFrame> frames, Microseconds fixed, Microseconds start, Microseconds margin,
                     Counts counts) {
@@ -88,7 +86,7 @@ std::uint32_t bits_on_wire(const BusFrame& frame) {
     wire.put(frame.data[i], 8);
   }
   wire.put(wire.crc(), 15);
-  return wire.bits() + never_stuffed;
+  return wire.bits() + bits_after_the_crc;
 }
 
 float bus_load(std::span<const PeriodicFrame> frames) {

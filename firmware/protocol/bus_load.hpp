@@ -18,12 +18,14 @@ inline constexpr core::Microseconds bus_bit_time{1};
 /// with the stuff bits that its own content needs. Length at most 8.
 [[nodiscard]] std::uint32_t bits_on_wire(const BusFrame& frame);
 
+/// CRC delimiter, acknowledge slot and delimiter, 7 of the end of frame, 3 of space: never stuffed.
+inline constexpr std::uint32_t bits_after_the_crc = 13;
+
 /// The same for the least fortunate content; 135 for 8 bytes.
 [[nodiscard]] constexpr std::uint32_t worst_bits_on_wire(std::uint8_t length) {
-  const std::uint32_t stuffed =
-      34U + 8U * length;  // start bit to CRC; the first stuff bit takes five bits, each further one four
-  constexpr std::uint32_t never_stuffed = 13;  // CRC delimiter, acknowledge slot and delimiter, 7 of end, 3 of space
-  return stuffed + (stuffed - 1U) / 4U + never_stuffed;
+  const std::uint32_t up_to_the_crc = 34U + 8U * length;
+  // The first stuff bit takes five equal bits; it is the first of the next five, so each further one takes four.
+  return up_to_the_crc + (up_to_the_crc - 1U) / 4U + bits_after_the_crc;
 }
 
 /// One kind of frame, sent at most once in each period.
