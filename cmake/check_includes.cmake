@@ -10,6 +10,7 @@ set(table
   "firmware/avionics|core/,protocol/,hal/[a-z_]+\\.hpp,avionics/|"
   "firmware/boards|core/,protocol/,hal/,avionics/,boards/|"
   "hal/include|hal/[a-z_]+\\.hpp|"
+  "hal/linux|hal/[a-z_]+\\.hpp,hal/linux/|fcntl\\.h,unistd\\.h,sys/"
   "hal/sim|hal/[a-z_]+\\.hpp,hal/sim/|"
   "sim|core/,protocol/,hal/,avionics/,sim/|Eigen/,toml\\+\\+/"
   "tools/fantail|core/,protocol/,hal/,avionics/,sim/,report/,fantail/|fmt/,CLI/,nlohmann/,unistd\\.h,sys/,fcntl\\.h"
