@@ -50,7 +50,7 @@ struct ArmRequest {
 /// A plan block is about to come, seven bytes a frame.
 struct PlanBegin {
   std::uint16_t size = 0;
-  std::uint32_t block_crc = 0;  ///< CRC-32C of the whole block
+  std::uint32_t block_crc = 0;  ///< plan_block_crc() of it
 };
 
 /// Moves nothing, and the block has a checksum of its own, so it has neither counter nor CRC-8.
@@ -216,7 +216,7 @@ struct LimitReport {
 struct HeartbeatReport {
   std::uint8_t version = bus_protocol_version;
   std::uint32_t uptime_ms = 0;  ///< 24 bits, wraps after 4.6 h
-  std::uint32_t plan_crc = 0;   ///< CRC-32C of the plan block in force
+  std::uint32_t plan_crc = 0;   ///< plan_block_crc() of the one in force
 };
 
 }  // namespace fantail::protocol

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "protocol/plan_block.hpp"
 
+#include <algorithm>
 #include <array>
 #include <string_view>
 
@@ -84,6 +85,10 @@ std::size_t write_plan_block(const core::FlightPlan& plan, std::span<std::byte, 
   }
   put(out, at, crc32c(std::span{out}.first(at)));
   return at + checksum_size;
+}
+
+std::uint32_t plan_block_crc(std::span<const std::byte> block) {
+  return crc32c(block.first(block.size() - std::min(checksum_size, block.size())));
 }
 
 PlanBlockReading read_plan_block(std::span<const std::byte> block) {

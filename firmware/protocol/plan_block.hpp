@@ -45,6 +45,10 @@ struct PlanBlockReading {
 /// Accepts a block only as a whole: every byte checked, every field validated.
 [[nodiscard]] PlanBlockReading read_plan_block(std::span<const std::byte> block);
 
+/// What a block is known by: CRC-32C of all but its last four bytes, which is what an intact block has in those. Of the
+/// whole block it would be 0x48674BC7 for every plan, because a CRC over its own end is a constant.
+[[nodiscard]] std::uint32_t plan_block_crc(std::span<const std::byte> block);
+
 [[nodiscard]] std::uint32_t plan_schema_hash();
 
 }  // namespace fantail::protocol

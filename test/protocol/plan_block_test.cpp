@@ -100,6 +100,21 @@ TEST(PlanBlock, BeginsAsItsHeaderSays) {
   EXPECT_LE(block.size(), largest_plan_block);
 }
 
+// The CRC-32C of anything with its own CRC-32C behind it is that of four zero bytes.
+TEST(PlanBlock, IsKnownByTheChecksumAtItsEndBecauseThatOfAllItsBytesIsTheSameForEveryPlan) {
+  FlightPlan other = core::default_plan();
+  other.run.control_time += core::Microseconds{1};
+  const Block one = written(core::default_plan());
+  const Block two = written(other);
+  EXPECT_EQ(crc32c(one), 0x48674BC7U);
+  EXPECT_EQ(crc32c(two), 0x48674BC7U);
+  EXPECT_EQ(plan_block_crc(one), word(one, one.size() - 4));
+  EXPECT_EQ(plan_block_crc(two), word(two, two.size() - 4));
+  EXPECT_NE(plan_block_crc(one), plan_block_crc(two));
+  EXPECT_EQ(plan_block_crc({}), 0U);
+  EXPECT_EQ(plan_block_crc(std::span{one}.first(3)), 0U);
+}
+
 TEST(PlanBlock, SchemaHashIsFnv1aOverEveryNameUnitKindCapacityAndChoice) {
   std::string text;
   for (const PlanField& field : core::flight_plan_fields()) {

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+
+#include "avionics/boot_counter.hpp"
+#include "avionics/flash_access.hpp"
+#include "avionics/flash_room.hpp"
+#include "avionics/plan_store.hpp"
+#include "avionics/plan_transfer.hpp"
+#include "core/time.hpp"
+#include "hal/flash.hpp"
+
+namespace fantail::avionics {
+
+/// Everything that the avionics keeps in flash. One of its users has the flash at a time: the boot counter until it has
+/// finished, then a plan that is written, and in the ticks that are left the look for room.
+class FlashService {
+ public:
+  /// The flash outlives this object.
+  explicit FlashService(hal::Flash& flash) : access_{flash} {}
+  FlashService(const FlashService&) = delete;  // its users refer to its access
+  FlashService& operator=(const FlashService&) = delete;
+
+  /// At power-up, before the first tick: PlanStore::load().
+  std::optional<StoredPlan> load_plan(core::Microseconds now) { return store_.load(now); }
+
+  /// Once a tick, after the frames of the bus have been given to transfer(): at most one call to the flash, which is
+  /// one erase or one program begun, or 256 bytes read.
+  void update(core::Microseconds now, bool safe) {
+    transfer_.update(now, safe);
+    if (!boots_.finished()) {
+      boots_.update(now);
+    } else if (store_.write() == PlanWrite::under_way) {
+      store_.update(now);
+    } else {
+      room_.update(now);
+    }
+  }
+
+  [[nodiscard]] PlanTransfer& transfer() { return transfer_; }
+  [[nodiscard]] const BootCounter& boots() const { return boots_; }
+  [[nodiscard]] const FlashRoom& room() const { return room_; }
+
+ private:
+  FlashAccess access_;
+  BootCounter boots_{access_};
+  PlanStore store_{access_};
+  FlashRoom room_{access_};
+  PlanTransfer transfer_{store_};
+};
+
+}  // namespace fantail::avionics

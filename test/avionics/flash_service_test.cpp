@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+#include "avionics/flash_service.hpp"
+
+#include <gtest/gtest.h>
+
+#include "transfer_rig.hpp"
+
+namespace fantail::avionics {
+namespace {
+
+using namespace std::chrono_literals;
+
+struct Fresh : FlashRig {
+  WatchedFlash watched{flash};
+  FlashService service{watched};
+  using FlashRig::FlashRig;
+  void step() {
+    watched.calls = 0;
+    watched.bytes_read = 0;
+    service.update(world.time, true);
+    world.time += tick;
+  }
+};
+
+TEST(FlashService, FindsOutTheRoomOfABlankFlashAfterCountingThePowerUp) {
+  Fresh rig;
+  ASSERT_TRUE(rig.service.load_plan(rig.world.time).has_value());
+  while (!rig.service.room().free_bytes()) {
+    EXPECT_FALSE(rig.service.room().failed());
+    rig.step();
+    ASSERT_LT(rig.world.time, 1s);
+  }
+  EXPECT_EQ(rig.service.boots().count(), 1U);
+  EXPECT_EQ(*rig.service.room().free_bytes(), 65'536U - 4U * 4096U);
+}
+
+TEST(FlashService, ASectorThatBeginsWithAnythingIsNotFree) {
+  Fresh rig;
+  rig.flash.cells()[16'384] = std::byte{0};            // the first byte of the flight region
+  rig.flash.cells()[5 * 4096 + 15] = std::byte{0xFE};  // the last one that is looked at
+  rig.flash.cells()[6 * 4096 + 16] = std::byte{0};     // beyond it
+  rig.flash.cells()[15 * 4096] = std::byte{0x7F};      // the last sector
+  rig.flash.cells()[0] = std::byte{0};                 // not of the flight region
+  for (int i = 0; i < 100; ++i) {
+    rig.step();
+  }
+  EXPECT_EQ(rig.service.room().free_bytes(), 9U * 4096U);
+}
+
+TEST(FlashService, AWholeW25Q128IsLookedThroughInFiveSeconds) {
+  Fresh rig{hal::sim::flash_16_mib};
+  while (!rig.service.room().finished() && rig.world.time < 10s) {
+    rig.step();
+  }
+  EXPECT_LT(rig.world.time, 5s);
+  EXPECT_EQ(rig.service.room().free_bytes(), 4092U * 4096U);
+}
+
+TEST(FlashService, AsksOneThingATickWhileEverythingIsWanted) {
+  Fresh rig;
+  ASSERT_TRUE(rig.service.load_plan(rig.world.time).has_value());
+  const Bytes block = block_of(numbered_plan(5));
+  rig.service.transfer().receive(
+      rig.world.time, {.size = static_cast<std::uint16_t>(block.size()), .block_crc = protocol::plan_block_crc(block)},
+      true);
+  for (std::size_t index = 0; 7 * index < block.size(); ++index) {
+    protocol::PlanData frame{.index = static_cast<std::uint8_t>(index)};
+    std::copy_n(block.begin() + static_cast<std::ptrdiff_t>(7 * index),
+                std::min<std::size_t>(7, block.size() - 7 * index), frame.bytes.begin());
+    rig.service.transfer().receive(rig.world.time, frame, true);
+  }
+  bool room_was_first = false;
+  std::optional<core::FlightPlan> taken;
+  for (int i = 0; i < 200; ++i) {
+    rig.step();
+    ASSERT_LE(rig.watched.calls, 1);
+    ASSERT_LE(rig.watched.bytes_read, 256U);
+    const auto plan = rig.service.transfer().take_plan();
+    taken = plan ? plan : taken;
+    EXPECT_FALSE(taken && !rig.service.boots().finished()) << "the count of the power-up comes first";
+    room_was_first = room_was_first || (!taken && rig.service.room().finished());
+  }
+  EXPECT_TRUE(taken.has_value());
+  EXPECT_TRUE(rig.service.room().finished());
+  EXPECT_FALSE(room_was_first);
+}
+
+TEST(FlashService, APlanThatComesDuringTheLookForRoomIsWrittenAndTheLookGoesOn) {
+  TransferRig rig;
+  Fresh other{rig.cells()};
+  rig.send(block_of(numbered_plan(5)));
+  rig.run(100);
+  EXPECT_EQ(rig.state(), protocol::TransferState::stored);
+  EXPECT_EQ(rig.service.room().free_bytes(), 12U * 4096U);
+}
+
+TEST(FlashService, ADeadFlashFailsEveryUserByNameAndNobodyWaits) {
+  for (const bool silent : {true, false}) {
+    Fresh rig;
+    rig.flash.set_answers(!silent);
+    rig.flash.set_stays_busy(!silent);
+    for (int i = 0; i < 5000; ++i) {
+      rig.step();
+      ASSERT_LE(rig.watched.calls, 1);
+    }
+    EXPECT_TRUE(rig.service.boots().failed());
+    EXPECT_TRUE(rig.service.room().failed());
+    EXPECT_FALSE(rig.service.room().free_bytes().has_value());
+    EXPECT_EQ(rig.service.load_plan(rig.world.time)->flash_failed, true);
+  }
+}
+
+TEST(FlashService, AFlashThatIsTooSmallFailsEveryUserByName) {
+  Fresh rig{hal::FlashGeometry{.size = 16'384, .sector_size = 4096, .page_size = 256}};
+  EXPECT_TRUE(rig.service.load_plan(rig.world.time)->flash_failed);
+  rig.step();
+  rig.step();
+  EXPECT_TRUE(rig.service.boots().failed());
+  EXPECT_TRUE(rig.service.room().failed());
+}
+
+TEST(FlashService, NeedsTheRoomOfOneBlockAndLittleMore) { EXPECT_LT(sizeof(FlashService), 2048U); }
+
+}  // namespace
+}  // namespace fantail::avionics

@@ -1,0 +1,321 @@
+// SPDX-License-Identifier: MIT
+#include "avionics/plan_transfer.hpp"
+
+#include <array>
+
+#include <gtest/gtest.h>
+
+#include "protocol/bus_messages.hpp"
+#include "transfer_rig.hpp"
+
+namespace fantail::avionics {
+namespace {
+
+using namespace std::chrono_literals;
+using protocol::PlanBlockFault;
+using protocol::TransferFault;
+using protocol::TransferState;
+
+const Bytes seven = block_of(numbered_plan(7));
+const Bytes eight = block_of(numbered_plan(8));
+
+struct PlanTransferTest : testing::Test {
+  TransferRig rig{flash_holding(7)};
+
+  void expect_refused(TransferFault fault) {
+    EXPECT_EQ(rig.state(), TransferState::refused);
+    EXPECT_EQ(rig.fault(), fault);
+    EXPECT_FALSE(rig.taken.has_value());
+    EXPECT_EQ(rig.stored_number(), 7);
+  }
+  // And what was refused stands in the way of nothing.
+  void expect_next_one_is_stored() {
+    rig.safe = true;
+    rig.send(eight);
+    rig.run(100);
+    EXPECT_EQ(rig.state(), TransferState::stored);
+    EXPECT_EQ(rig.stored_number(), 8);
+  }
+};
+
+TEST_F(PlanTransferTest, EveryFrameIsAnsweredWithTheIndexOfTheNext) {
+  rig.begin(eight);
+  const auto first = rig.step();
+  ASSERT_TRUE(first.has_value());
+  EXPECT_EQ(first->state, TransferState::receiving);
+  EXPECT_EQ(first->next_index, 0);
+  const std::size_t frames = (eight.size() + 6) / 7;
+  for (std::size_t index = 0; index + 1 < frames; ++index) {
+    rig.data(eight, index);
+    const auto reply = rig.step();
+    ASSERT_TRUE(reply.has_value());
+    EXPECT_EQ(reply->state, TransferState::receiving);
+    EXPECT_EQ(reply->fault, TransferFault::none);
+    EXPECT_EQ(reply->next_index, index + 1);
+    EXPECT_FALSE(rig.step().has_value()) << "one frame, one reply";
+  }
+  rig.data(eight, frames - 1);
+  const auto last = rig.step();
+  ASSERT_TRUE(last.has_value());
+  EXPECT_EQ(last->state, TransferState::writing);
+  EXPECT_EQ(last->next_index, frames);
+}
+
+TEST_F(PlanTransferTest, APlanIsHandedOutOnceAndOnlyWhenItHasBeenReadBack) {
+  rig.send(eight);
+  EXPECT_TRUE(rig.service.transfer().writing());
+  while (rig.state() == TransferState::writing) {
+    ASSERT_FALSE(rig.taken.has_value());
+    ASSERT_LT(rig.world.time, 3s);
+    rig.step();
+  }
+  EXPECT_EQ(rig.state(), TransferState::stored);
+  EXPECT_FALSE(rig.service.transfer().writing());
+  ASSERT_TRUE(rig.taken.has_value());
+  EXPECT_EQ(number_of(*rig.taken), 8);
+  EXPECT_EQ(rig.service.transfer().block_crc(), protocol::plan_block_crc(eight));
+  EXPECT_EQ(rig.stored_number(), 8);
+  rig.run(100);
+  EXPECT_FALSE(rig.service.transfer().take_plan().has_value());
+}
+
+TEST_F(PlanTransferTest, AFrameThatComesAgainIsAnsweredAgainAndChangesNothing) {
+  rig.begin(eight);
+  rig.data(eight, 0);
+  rig.data(eight, 1);
+  rig.step();
+  Bytes other = eight;
+  other[0] ^= std::byte{1};
+  rig.data(other, 0);
+  const auto reply = rig.step();
+  ASSERT_TRUE(reply.has_value());
+  EXPECT_EQ(reply->state, TransferState::receiving);
+  EXPECT_EQ(reply->fault, TransferFault::none);
+  EXPECT_EQ(reply->next_index, 2);
+  for (std::size_t index = 2; 7 * index < eight.size(); ++index) {
+    rig.data(eight, index);
+  }
+  rig.run(100);
+  EXPECT_EQ(rig.state(), TransferState::stored);
+}
+
+TEST_F(PlanTransferTest, AFrameThatJumpsIsNamedAndTheTransferGoesOnWhereItStood) {
+  rig.begin(eight);
+  rig.data(eight, 0);
+  rig.data(eight, 2);
+  const auto reply = rig.step();
+  ASSERT_TRUE(reply.has_value());
+  EXPECT_EQ(reply->state, TransferState::receiving);
+  EXPECT_EQ(reply->fault, TransferFault::out_of_order);
+  EXPECT_EQ(reply->next_index, 1);
+  rig.data(eight, 1);
+  EXPECT_EQ(rig.step()->fault, TransferFault::none);
+  EXPECT_EQ(rig.reply->next_index, 2);
+}
+
+TEST_F(PlanTransferTest, TheLastFrameIsAnsweredAgainWithWhatHasBecomeOfItAll) {
+  const std::size_t last = (eight.size() - 1) / 7;
+  rig.send(eight);
+  rig.data(eight, last);
+  EXPECT_EQ(rig.step()->state, TransferState::writing);
+  rig.run(100);
+  rig.data(eight, last);
+  const auto reply = rig.step();
+  ASSERT_TRUE(reply.has_value());
+  EXPECT_EQ(reply->state, TransferState::stored);
+}
+
+TEST_F(PlanTransferTest, ABeginningThatComesAgainBeginsAgain) {
+  rig.begin(seven);
+  rig.data(seven, 0);
+  rig.step();
+  rig.begin(eight);
+  EXPECT_EQ(rig.step()->next_index, 0);
+  expect_next_one_is_stored();
+}
+
+TEST_F(PlanTransferTest, ABeginningDuringAWriteIsAnsweredAndTheWriteGoesOn) {
+  rig.send(eight);
+  rig.begin(seven);
+  EXPECT_EQ(rig.step()->state, TransferState::writing);
+  rig.run(100);
+  EXPECT_EQ(rig.state(), TransferState::stored);
+  EXPECT_EQ(rig.stored_number(), 8);
+}
+
+TEST_F(PlanTransferTest, DataWithoutABeginningIsRefused) {
+  rig.data(eight, 0);
+  rig.step();
+  expect_refused(TransferFault::out_of_order);
+  expect_next_one_is_stored();
+}
+
+TEST_F(PlanTransferTest, ABlockOfNoSizeOrBeyondTheLargestIsRefused) {
+  for (const auto size : std::array<std::uint16_t, 3>{0, 1025, 65'535}) {
+    rig.begin(size, 0);
+    rig.step();
+    expect_refused(TransferFault::wrong_size);
+  }
+  rig.begin(1024, 0);
+  EXPECT_EQ(rig.step()->state, TransferState::receiving);
+  expect_next_one_is_stored();
+}
+
+TEST_F(PlanTransferTest, TheLargestBlockIsTakenInAndThenJudged) {
+  const Bytes large(1024, std::byte{0x42});
+  rig.send(large);
+  expect_refused(TransferFault::bad_block);
+  EXPECT_EQ(rig.reply->next_index, 147);
+  EXPECT_EQ(rig.reply->block_fault, PlanBlockFault::no_plan_block);
+}
+
+TEST_F(PlanTransferTest, ASecondWithoutProgressEndsATransfer) {
+  rig.begin(eight);
+  rig.data(eight, 0);
+  rig.run(1000);
+  EXPECT_EQ(rig.state(), TransferState::receiving);
+  rig.step();
+  expect_refused(TransferFault::timed_out);
+  rig.data(eight, 1);
+  rig.step();
+  expect_refused(TransferFault::timed_out);
+  expect_next_one_is_stored();
+}
+
+TEST_F(PlanTransferTest, FramesThatOnlyRepeatThemselvesDoNotKeepATransferAlive) {
+  rig.begin(eight);
+  rig.data(eight, 0);
+  for (int i = 0; i <= 1000; ++i) {
+    rig.data(eight, i % 2 == 0 ? 0 : 9);
+    rig.step();
+  }
+  expect_refused(TransferFault::timed_out);
+}
+
+TEST_F(PlanTransferTest, ABlockWithAnotherChecksumThanWasAnnouncedIsRefused) {
+  rig.begin(static_cast<std::uint16_t>(eight.size()), protocol::plan_block_crc(seven));
+  for (std::size_t index = 0; 7 * index < eight.size(); ++index) {
+    rig.data(eight, index);
+  }
+  rig.step();
+  expect_refused(TransferFault::bad_block);
+  EXPECT_EQ(rig.reply->block_fault, PlanBlockFault::wrong_checksum);
+  EXPECT_FALSE(rig.reply->field.has_value());
+  expect_next_one_is_stored();
+}
+
+TEST_F(PlanTransferTest, EveryBitThatFlipsOnTheWayIsNoticed) {
+  for (std::size_t bit = 0; bit < 8 * eight.size(); bit += 13) {
+    Bytes flipped = eight;
+    flipped[bit / 8] ^= std::byte{1} << (bit % 8);
+    rig.begin(eight);
+    for (std::size_t index = 0; 7 * index < eight.size(); ++index) {
+      rig.data(flipped, index);
+    }
+    rig.step();
+    ASSERT_EQ(rig.fault(), TransferFault::bad_block) << bit;
+  }
+  expect_refused(TransferFault::bad_block);
+}
+
+TEST_F(PlanTransferTest, APlanThatMustNotFlyIsRefusedByTheNameOfItsField) {
+  const auto fields = core::flight_plan_fields();
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    if (fields[i].is_list() || fields[i].kind != core::FieldKind::number || fields[i].is_time) {
+      continue;
+    }
+    core::FlightPlan bad = numbered_plan(8);
+    fields[i].set_bits(bad, 0, 0x7FC00000U);  // not a number
+    rig.send(block_of(bad));
+    expect_refused(TransferFault::bad_block);
+    EXPECT_EQ(rig.reply->block_fault, PlanBlockFault::refused) << fields[i].key;
+    EXPECT_EQ(rig.reply->field, i) << fields[i].key;
+  }
+  expect_next_one_is_stored();
+  EXPECT_FALSE(rig.reply->field.has_value());
+  EXPECT_FALSE(rig.reply->block_fault.has_value());
+}
+
+TEST_F(PlanTransferTest, NothingBeginsOutsideSafe) {
+  rig.safe = false;
+  rig.begin(eight);
+  rig.step();
+  expect_refused(TransferFault::not_safe);
+  expect_next_one_is_stored();
+}
+
+TEST_F(PlanTransferTest, ATransferEndsWhenThePhaseIsNoLongerSafe) {
+  for (const bool noticed_by_a_frame : {true, false}) {
+    rig.safe = true;
+    rig.begin(eight);
+    rig.data(eight, 0);
+    rig.step();
+    rig.safe = false;
+    if (noticed_by_a_frame) {
+      rig.data(eight, 1);
+    }
+    rig.step();
+    expect_refused(TransferFault::not_safe);
+  }
+  expect_next_one_is_stored();
+}
+
+TEST_F(PlanTransferTest, AWriteThatHasNotBegunIsGivenUpWhenThePhaseIsNoLongerSafe) {
+  rig.flash.set_stays_busy(true);
+  rig.send(eight);
+  EXPECT_EQ(rig.state(), TransferState::writing);
+  rig.safe = false;
+  rig.step();
+  expect_refused(TransferFault::not_safe);
+  rig.flash.set_stays_busy(false);
+  expect_next_one_is_stored();
+}
+
+TEST_F(PlanTransferTest, AWriteThatHasBegunGoesOnAndItsPlanIsKeptBackUntilThePhaseIsSafeAgain) {
+  rig.send(eight);
+  rig.step();
+  rig.safe = false;
+  rig.run(100);
+  EXPECT_EQ(rig.stored_number(), 8);
+  EXPECT_TRUE(rig.service.transfer().writing());
+  EXPECT_FALSE(rig.taken.has_value());
+  rig.safe = true;
+  rig.step();
+  EXPECT_EQ(rig.state(), TransferState::stored);
+  EXPECT_TRUE(rig.taken.has_value());
+}
+
+TEST_F(PlanTransferTest, APlanThatNobodyHasTakenYetIsNotLostToTheNextTransfer) {
+  rig.send(eight);
+  while (rig.service.transfer().writing()) {
+    rig.service.update(rig.world.time, true);
+    rig.world.time += tick;
+  }
+  rig.begin(seven);
+  rig.step();
+  EXPECT_EQ(rig.state(), TransferState::stored);
+  ASSERT_TRUE(rig.taken.has_value());
+  EXPECT_EQ(number_of(*rig.taken), 8);
+  rig.begin(seven);
+  EXPECT_EQ(rig.step()->state, TransferState::receiving);
+}
+
+TEST_F(PlanTransferTest, AFlashThatFailsOrKeepsNothingIsNamedAndTheOldPlanStays) {
+  rig.flash.set_answers(false);
+  rig.send(eight);
+  rig.run(100);
+  expect_refused(TransferFault::flash_failed);
+  rig.flash.set_answers(true);
+  rig.flash.set_stays_busy(true);
+  rig.send(eight);
+  rig.run(2100);
+  expect_refused(TransferFault::flash_failed);
+  rig.flash.set_stays_busy(false);
+  rig.flash.stick(4096 + 300, std::byte{0xFF}, ~eight[44]);
+  rig.send(eight);
+  rig.run(100);
+  expect_refused(TransferFault::read_back_differs);
+}
+
+}  // namespace
+}  // namespace fantail::avionics
