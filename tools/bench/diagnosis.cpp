@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: MIT
+#include "bench/diagnosis.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "report/numbers.hpp"
+
+namespace fantail::bench {
+namespace {
+
+using report::degrees;
+using report::fixed;
+
+constexpr double silent = 0.5;        // share of readings without which nothing else can be said
+constexpr double short_share = 0.95;  // of the way; above it a canard is only inexact
+constexpr double same_share = 0.15;   // slipping takes about as much from one side as from the other
+constexpr double right_share = 0.07;  // off by no more than this, the way is right and only its place is wrong
+const double still_rad_s = report::radians(3.0);
+
+std::string signed_degrees(const std::optional<double>& angle_rad) {
+  if (!angle_rad) {
+    return "an unknown angle";
+  }
+  const std::string number = fixed(degrees(*angle_rad), 2);
+  return (number.front() == '-' ? number : "+" + number) + " deg";
+}
+
+class Doctor {
+ public:
+  Doctor(const Figures& figures, std::span<const Check> checks, const Bounds& bounds, std::size_t canard,
+         const sim::CanardTolerances& tolerances)
+      : f_{figures},
+        checks_{checks},
+        t_{tolerances},
+        limit_rad_{bounds.limit_rad[canard]},
+        centre_rad_{bounds.centre_rad[canard]} {}
+
+  // Each test may rely on what the tests before it have ruled out.
+  [[nodiscard]] Diagnosis diagnose() const {
+    // First what is dangerous, whatever else is wrong.
+    if (beyond_limit(f_, limit_rad_)) {
+      return {Cause::limit_not_kept,
+              fmt::format("it was told to go to {} deg; its limit is {} deg",
+                          fixed(degrees(*f_.largest_command_rad), 2), fixed(degrees(limit_rad_), 2)),
+              "Do not fly this avionics. Keep this sheet and its JSON file, and find out why before anything else."};
+    }
+    if (f_.received_ticks == 0 || f_.undriven == f_.received_ticks) {
+      return {Cause::out_of_tolerance,
+              f_.received_ticks == 0 ? "the avionics reported nothing about it" : "the avionics never drove its servo",
+              "Check the bus and that the bench session stayed open, and run again."};
+    }
+    // Without an encoder, and then with one that jumps about, no other figure means anything.
+    if (f_.dropout_share() > silent) {
+      return {Cause::encoder_unplugged,
+              fmt::format("its encoder gave no valid reading in {} % of {} ticks", fixed(100.0 * f_.dropout_share(), 1),
+                          f_.received_ticks),
+              "Check the encoder's plug and cable, then its supply and the magnet on the shaft."};
+    }
+    if (f_.noise_rad && *f_.noise_rad > t_.noise_rad) {
+      return {
+          Cause::encoder_noisy,
+          fmt::format("at rest its encoder scatters by {} deg (standard deviation; allowed {})",
+                      fixed(degrees(*f_.noise_rad), 2), fixed(degrees(t_.noise_rad), 2)),
+          "Check the encoder's cable, shield and magnet gap; if the canard itself trembles, its linkage and servo."};
+    }
+    // Before "does not move": a servo on the wrong plug leaves its own canard at rest, which would be called dead.
+    if (f_.others_moved_rad && *f_.others_moved_rad > most_others_move_rad()) {
+      return another_moves();
+    }
+    // Before all that divides by the movement.
+    if (f_.sign == 0) {
+      return does_not_move();
+    }
+    if (f_.sign == -1) {
+      return {Cause::reversed,
+              fmt::format("told {}, it went to {}", signed_degrees(f_.told_positive_rad),
+                          signed_degrees(f_.reached_positive_rad)),
+              "Check the sign of its pulse width per degree in the plan, its servo's direction, and whether horn, "
+              "linkage and encoder magnet are mounted the right way round."};
+    }
+    // Before slipping, backlash and tracking: a late canard has not arrived when these are looked at.
+    if (const std::string late = lateness(); !late.empty()) {
+      return {Cause::slow, late, "Check the servo's supply voltage under load, friction in the linkage, and its gear."};
+    }
+    // Before trim: it leaves both sides short; a trim moves both the same way.
+    if (slips()) {
+      return {Cause::slipping,
+              fmt::format("it moves the right way but only {} % as far: told {} and {}, it reached {} and {}",
+                          fixed(100.0 * *f_.gain, 0), signed_degrees(f_.told_positive_rad),
+                          signed_degrees(f_.told_negative_rad), signed_degrees(f_.reached_positive_rad),
+                          signed_degrees(f_.reached_negative_rad)),
+              "Check the screw that clamps the horn or the shaft, the linkage, and the pulse width per degree in the "
+              "plan."};
+    }
+    if (stands_off()) {
+      return {Cause::wrong_trim,
+              fmt::format("it moves right but stands {} off everywhere", signed_degrees(f_.centring_error_rad)),
+              "Check its pulse centre, trim and encoder zero in the plan, and that the horn sits on the right tooth."};
+    }
+    return leftovers();
+  }
+
+ private:
+  [[nodiscard]] Diagnosis another_moves() const {
+    const std::size_t other = *f_.other_canard + 1;
+    if (f_.sign.value_or(0) == 0) {
+      return {Cause::wrong_canard_moves,
+              fmt::format("it stood still, and canard {} moved by {} deg instead", other,
+                          fixed(degrees(*f_.others_moved_rad), 2)),
+              fmt::format("Check whether the servo plugs, or the encoder plugs, of this canard and canard {} are "
+                          "swapped.",
+                          other)};
+    }
+    return {Cause::wrong_canard_moves,
+            fmt::format("while only it was asked, canard {} moved too, by {} deg", other,
+                        fixed(degrees(*f_.others_moved_rad), 2)),
+            fmt::format("Check for a shared or shorted servo signal and a linkage that touches canard {}.", other)};
+  }
+
+  // At the shaft's zero too: a servo without power does not know the trim.
+  [[nodiscard]] Diagnosis does_not_move() const {
+    const double stands_rad = f_.stands_at_rad.value_or(centre_rad_);
+    const std::string where = fmt::format("it did not move when told to go to {} and {}, and stands at {}",
+                                          signed_degrees(f_.told_positive_rad), signed_degrees(f_.told_negative_rad),
+                                          signed_degrees(f_.stands_at_rad));
+    const double off_rad = std::min(std::abs(stands_rad - centre_rad_), std::abs(stands_rad));
+    if (off_rad > t_.centring_rad) {
+      return {Cause::stuck, where, "Check what jams the canard or its linkage; let it go with the power off."};
+    }
+    return {Cause::dead, where,
+            "Check the servo's power and signal plug, and whether its gear is torn or the canard is jammed there."};
+  }
+
+  // Empty when it is fast enough. A canard that moves less far has less far to go, so its speed is held against its
+  // own way.
+  [[nodiscard]] std::string lateness() const {
+    const bool late = f_.step_time_s && *f_.step_time_s > t_.longest_step_time_s;
+    const double gain = std::clamp(std::abs(f_.gain.value_or(1.0)), 0.1, 1.0);
+    const double required_rad_s = required_slew_rad_s(f_.slew_way_rad.value_or(0.0), t_);
+    const bool weak = f_.slew_rad_s && *f_.slew_rad_s / gain < required_rad_s;
+    const bool creeping = f_.drift_rad_s && *f_.drift_rad_s > still_rad_s;
+    if (!late && !weak && !creeping) {
+      return {};
+    }
+    std::string text;
+    if (f_.step_time_s) {
+      text += fmt::format("10 to 90 % of a step took it {} s (allowed {})", fixed(*f_.step_time_s, 3),
+                          fixed(t_.longest_step_time_s, 3));
+    } else {
+      text += "it did not finish a step";
+    }
+    if (f_.slew_rad_s) {
+      text += fmt::format(", at most {} deg/s (required {})", fixed(degrees(*f_.slew_rad_s), 0),
+                          fixed(degrees(required_rad_s), 0));
+    }
+    if (creeping) {
+      text += ", and it still moved when it should have stood";
+    }
+    return text;
+  }
+
+  [[nodiscard]] bool slips() const {
+    return f_.gain && f_.positive_share && f_.negative_share && *f_.positive_share < short_share &&
+           *f_.negative_share < short_share && std::abs(*f_.positive_share - *f_.negative_share) < same_share &&
+           (failed(Measure::reached_positive) || failed(Measure::reached_negative));
+  }
+
+  [[nodiscard]] bool stands_off() const {
+    if (!f_.centring_error_rad || !f_.gain || !f_.reached_positive_rad || !f_.reached_negative_rad ||
+        std::abs(*f_.centring_error_rad) <= t_.centring_rad || std::abs(*f_.gain - 1.0) > right_share) {
+      return false;
+    }
+    const double above_rad = *f_.reached_positive_rad - f_.told_positive_rad.value_or(limit_rad_);
+    const double below_rad = *f_.reached_negative_rad - f_.told_negative_rad.value_or(-limit_rad_);
+    return std::abs(above_rad - *f_.centring_error_rad) <= t_.reach_rad &&
+           std::abs(below_rad - *f_.centring_error_rad) <= t_.reach_rad;
+  }
+
+  [[nodiscard]] bool failed(Measure measure) const {
+    return std::ranges::any_of(checks_, [measure](const Check& c) { return c.measure == measure && !c.passed; });
+  }
+
+  [[nodiscard]] Diagnosis leftovers() const {
+    std::string text;
+    for (const Check& check : checks_) {
+      if (check.passed) {
+        continue;
+      }
+      const MeasureWords about = words(check.measure);
+      std::string label{about.label};
+      label.front() = static_cast<char>(text.empty() ? label.front() | 0x20 : label.front());
+      text += text.empty() ? "" : "; ";
+      text += check.measure == Measure::limit_kept
+                  ? "the avionics did not report that it was asked beyond the limit"
+                  : fmt::format("{} {}{}", label, check.value ? fixed(*check.value, about.decimals) : "not measured",
+                                check.value && !about.unit.empty() ? fmt::format(" {}", about.unit) : "");
+      if (check.value && check.measure != Measure::limit_kept) {
+        text += allowed(check, about.decimals);
+      }
+    }
+    if (text.empty()) {
+      return {Cause::healthy, "every figure is within its tolerance", ""};
+    }
+    return {Cause::out_of_tolerance, text,
+            "Look at its plots: no single fault explains these figures. Check linkage, play and cable, and run again."};
+  }
+
+  static std::string allowed(const Check& check, int decimals) {
+    if (check.lowest && check.highest) {
+      return fmt::format(" (allowed {} to {})", fixed(*check.lowest, decimals), fixed(*check.highest, decimals));
+    }
+    return check.highest  ? fmt::format(" (allowed {})", fixed(*check.highest, decimals))
+           : check.lowest ? fmt::format(" (required {})", fixed(*check.lowest, decimals))
+                          : "";
+  }
+
+  const Figures& f_;
+  std::span<const Check> checks_;
+  const sim::CanardTolerances& t_;
+  double limit_rad_;
+  double centre_rad_;
+};
+
+}  // namespace
+
+std::string_view name(Cause cause) {
+  switch (cause) {
+    case Cause::healthy: return "healthy";
+    case Cause::stuck: return "stuck";
+    case Cause::dead: return "dead";
+    case Cause::reversed: return "reversed";
+    case Cause::slipping: return "slipping";
+    case Cause::slow: return "slow";
+    case Cause::encoder_unplugged: return "encoder_unplugged";
+    case Cause::encoder_noisy: return "encoder_noisy";
+    case Cause::wrong_trim: return "wrong_trim";
+    case Cause::wrong_canard_moves: return "wrong_canard_moves";
+    case Cause::out_of_tolerance: return "out_of_tolerance";
+    case Cause::limit_not_kept: return "limit_not_kept";
+  }
+  return "unknown";
+}
+
+std::string_view words(Cause cause) {
+  switch (cause) {
+    case Cause::healthy: return "is healthy";
+    case Cause::stuck: return "is stuck";
+    case Cause::dead: return "is dead";
+    case Cause::reversed: return "is reversed";
+    case Cause::slipping: return "slips";
+    case Cause::slow: return "is slow";
+    case Cause::encoder_unplugged: return "has its encoder unplugged";
+    case Cause::encoder_noisy: return "has a noisy encoder";
+    case Cause::wrong_trim: return "has a wrong trim";
+    case Cause::wrong_canard_moves: return "moves another canard";
+    case Cause::out_of_tolerance: return "is out of tolerance";
+    case Cause::limit_not_kept: return "was commanded beyond its limit";
+  }
+  return "is unknown";
+}
+
+Diagnosis diagnose(const Figures& figures, std::span<const Check> checks, const Bounds& bounds, std::size_t canard,
+                   const sim::CanardTolerances& tolerances) {
+  return Doctor{figures, checks, bounds, canard, tolerances}.diagnose();
+}
+
+std::string sentence(std::size_t canard, const Diagnosis& diagnosis) {
+  return fmt::format("Canard {} {}: {}.{}{}", canard + 1, words(diagnosis.cause), diagnosis.seen,
+                     diagnosis.look_at.empty() ? "" : " ", diagnosis.look_at);
+}
+
+}  // namespace fantail::bench

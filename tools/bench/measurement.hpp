@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <optional>
+
+#include "bench/exercise.hpp"
+#include "bench/recording.hpp"
+
+namespace fantail::bench {
+
+/// What one canard showed in one turn. Empty: could not be measured, or this exercise does not show it. Times come from
+/// the tick numbers.
+struct Figures {
+  std::size_t received_ticks = 0;
+  std::size_t dropouts = 0;  ///< ticks without a valid reading
+  std::size_t undriven = 0;  ///< ticks with the servo's output off
+  bool saturated = false;    ///< read beyond what the bus can carry (20.47 deg) at a limit
+
+  std::optional<int> sign;               ///< 1 follows, -1 moves the other way, 0 does not move
+  std::optional<double> slope;           ///< of the encoder against the lagged command, over the ramps or the sine
+  std::optional<double> gain;            ///< way between the two ends reached, over the way commanded
+  std::optional<double> positive_share;  ///< way from the centre to this end, over the way commanded
+  std::optional<double> negative_share;
+
+  std::optional<double> largest_command_rad;  ///< without sign
+  std::optional<double> told_positive_rad;    ///< command in the hold
+  std::optional<double> told_negative_rad;
+  std::optional<double> reached_positive_rad;  ///< encoder in the hold; of a step: where it went
+  std::optional<double> reached_negative_rad;
+  std::optional<bool> limit_reported;  ///< `limited` was reported while asked beyond, at both ends
+
+  std::optional<double> lag_s;  ///< delay and lag together
+  std::optional<double> tracking_error_rad;
+  std::optional<double> from_above_rad;  ///< encoder - command at the centre
+  std::optional<double> from_below_rad;
+  std::optional<double> centring_error_rad;  ///< mean of the two
+  std::optional<double> backlash_rad;        ///< difference of the two, without sign
+  std::optional<double> stands_at_rad;       ///< mean of all readings at rest
+  std::optional<double> drift_rad_s;         ///< fastest still seen long after the command stood, without sign
+
+  std::optional<double> slew_rad_s;     ///< fastest 10 ms of the widest step
+  std::optional<double> slew_way_rad;   ///< command change of that step, without sign
+  std::optional<double> step_time_s;    ///< 10 to 90 % of the first step
+  std::optional<double> overshoot_rad;  ///< beyond where it came to rest
+  std::optional<double> noise_rad;      ///< standard deviation at rest, drift taken off
+
+  std::optional<double> amplitude_ratio;  ///< of a sine
+  std::optional<double> phase_lag_rad;    ///< of a sine, 0 to 2 pi
+
+  std::optional<double> others_moved_rad;   ///< alone only: how far another canard went along at most
+  std::optional<std::size_t> other_canard;  ///< which one went farthest
+  std::optional<double> other_slope;        ///< its encoder against this canard's command
+
+  [[nodiscard]] double dropout_share() const {
+    return received_ticks == 0 ? 1.0 : static_cast<double>(dropouts) / static_cast<double>(received_ticks);
+  }
+};
+
+[[nodiscard]] Figures measure(const Recording& recording, const Exercise& exercise, const Turn& turn,
+                              std::size_t canard);
+
+}  // namespace fantail::bench

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: MIT
+#include "bench/sheet.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "bench/course.hpp"
+#include "core/flight_plan.hpp"
+#include "report/numbers.hpp"
+
+namespace fantail::bench {
+namespace {
+
+using report::degrees;
+using report::fixed;
+
+constexpr double most_lost = 0.02;    // share of the ticks; beyond it the figures are doubtful
+constexpr double least_whole = 0.95;  // share of the exercise that must have been recorded
+const double resolution_rad = report::radians(0.01);
+
+bool all_passed(const std::vector<Check>& checks) {
+  return std::ranges::all_of(checks, [](const Check& check) { return check.passed; });
+}
+
+Each<double> largest_commands_rad(const Recording& recording) {
+  Each<double> largest{};
+  for (const Tick& tick : recording.ticks()) {
+    for (std::size_t i = 0; i < largest.size(); ++i) {
+      largest[i] = std::max(largest[i], std::abs(tick.command_rad[i].value_or(0.0)));
+    }
+  }
+  return largest;
+}
+
+// `step` and `sine` show what the person asked for; only what they do show is judged.
+bool shown_by(ExerciseKind kind, Measure measure) {
+  switch (measure) {
+    case Measure::sign:
+    case Measure::dropouts:
+    case Measure::noise:
+    case Measure::limit_kept:
+    case Measure::others_moved: return true;
+    case Measure::slew:
+    case Measure::step_time: return kind != ExerciseKind::sine;
+    default: return kind == ExerciseKind::limits;
+  }
+}
+
+class Examination {
+ public:
+  Examination(const Recording& recording, const Exercise& exercise, Sheet& sheet)
+      : recording_{recording}, exercise_{exercise}, sheet_{sheet}, largest_rad_{largest_commands_rad(recording)} {}
+
+  void canards() {
+    for (std::size_t canard = 0; canard < core::canard_count; ++canard) {
+      CanardResult result{.canard = canard};
+      for (const Turn& turn : exercise_.turns()) {
+        if (!turn.canard) {
+          result.together = turn_result(turn, canard);
+        } else if (*turn.canard == canard) {
+          result.alone = turn_result(turn, canard);
+        }
+      }
+      if (!result.alone && !result.together) {
+        continue;
+      }
+      conclude(result);
+      sheet_.canards.push_back(std::move(result));
+    }
+  }
+
+  void general() {
+    limits();
+    const double expected = exercise_.duration_s() / tick_s;
+    const auto spanned = static_cast<double>(sheet_.ticks + sheet_.lost_ticks);
+    const double lost = sheet_.ticks == 0 ? 1.0 : static_cast<double>(sheet_.lost_ticks) / spanned;
+    add(lost <= most_lost, "{} of {} ticks were lost on the way.", sheet_.lost_ticks, fixed(spanned, 0));
+    if (spanned < least_whole * expected) {
+      add(false, "Only {} s of the {} s of the exercise were recorded.", fixed(spanned * tick_s, 1),
+          fixed(exercise_.duration_s(), 1));
+    }
+  }
+
+ private:
+  template <typename... T>
+  void add(bool passed, fmt::format_string<T...> format, T&&... values) {
+    sheet_.general.push_back({.text = fmt::format(format, std::forward<T>(values)...), .passed = passed});
+  }
+
+  [[nodiscard]] TurnResult turn_result(const Turn& turn, std::size_t canard) const {
+    TurnResult result{.figures = measure(recording_, exercise_, turn, canard)};
+    if (turn.canard && result.figures.largest_command_rad) {
+      result.figures.largest_command_rad = largest_rad_[canard];  // in others' turns too
+    }
+    if (exercise_.kind() != ExerciseKind::limits) {
+      result.figures.limit_reported = true;  // it need not have been asked beyond
+    }
+    result.checks = check(result.figures, exercise_.bounds(), canard, turn.canard.has_value(), sheet_.tolerances);
+    std::erase_if(result.checks, [&](const Check& c) { return !shown_by(exercise_.kind(), c.measure); });
+    result.diagnosis = diagnose(result.figures, result.checks, exercise_.bounds(), canard, sheet_.tolerances);
+    return result;
+  }
+
+  static void conclude(CanardResult& result) {
+    const bool alone_healthy = !result.alone || result.alone->diagnosis.cause == Cause::healthy;
+    if (!alone_healthy) {
+      result.diagnosis = result.alone->diagnosis;
+    } else if (result.together) {
+      result.diagnosis = result.together->diagnosis;
+      if (result.alone && result.diagnosis.cause != Cause::healthy) {
+        result.diagnosis.seen = "healthy alone, but with all four moving " + result.diagnosis.seen;
+        result.diagnosis.look_at += " What only shows with all four may be the servos' common supply.";
+      }
+    } else {
+      result.diagnosis = result.alone->diagnosis;
+    }
+  }
+
+  void limits() {
+    const double hard_rad = static_cast<double>(core::hard_canard_limit.radians());
+    const Each<double>& limits_rad = exercise_.bounds().limit_rad;
+    const double widest_rad = *std::ranges::max_element(limits_rad);
+    add(widest_rad <= hard_rad + resolution_rad, "The widest limit in force is {} deg; the hard limit is {} deg.",
+        fixed(degrees(widest_rad), 2), fixed(degrees(hard_rad), 0));
+    for (std::size_t i = 0; i < limits_rad.size(); ++i) {
+      if (largest_rad_[i] > limits_rad[i] + 2.0 * resolution_rad) {
+        add(false, "Canard {} was told to go to {} deg, beyond its limit of {} deg.", i + 1,
+            fixed(degrees(largest_rad_[i]), 2), fixed(degrees(limits_rad[i]), 2));
+      }
+      if (sheet_.heading.planned_limit_rad &&
+          std::abs((*sheet_.heading.planned_limit_rad)[i] - limits_rad[i]) > resolution_rad) {
+        add(false, "Canard {}: the avionics reports a limit of {} deg, the plan on this desk gives {} deg.", i + 1,
+            fixed(degrees(limits_rad[i]), 2), fixed(degrees((*sheet_.heading.planned_limit_rad)[i]), 2));
+      }
+    }
+  }
+
+  const Recording& recording_;
+  const Exercise& exercise_;
+  Sheet& sheet_;
+  Each<double> largest_rad_;
+};
+
+}  // namespace
+
+bool TurnResult::passed() const { return all_passed(checks); }
+
+bool CanardResult::passed() const {
+  return (!alone || alone->passed()) && (!together || together->passed()) && diagnosis.cause == Cause::healthy;
+}
+
+bool Sheet::passed() const {
+  return !canards.empty() && std::ranges::all_of(canards, [](const CanardResult& c) { return c.passed(); }) &&
+         std::ranges::all_of(general, [](const GeneralCheck& c) { return c.passed; });
+}
+
+Sheet examine(const Recording& recording, const Exercise& exercise, const sim::CanardTolerances& tolerances,
+              const Heading& heading) {
+  Sheet sheet{.kind = exercise.kind(),
+              .heading = heading,
+              .bounds = exercise.bounds(),
+              .tolerances = tolerances,
+              .ticks = recording.ticks().size(),
+              .lost_ticks = recording.lost_ticks(),
+              .duration_s = recording.ticks().empty() ? 0.0
+                                                      : tick_s * static_cast<double>(recording.ticks().back().number -
+                                                                                     recording.ticks().front().number)};
+  Examination examination{recording, exercise, sheet};
+  examination.canards();
+  examination.general();
+  return sheet;
+}
+
+std::vector<std::string> conclusions(const Sheet& sheet) {
+  std::vector<std::string> all;
+  for (const CanardResult& result : sheet.canards) {
+    if (!result.passed()) {
+      all.push_back(sentence(result.canard, result.diagnosis));
+    }
+  }
+  for (const GeneralCheck& general : sheet.general) {
+    if (!general.passed) {
+      all.push_back(general.text);
+    }
+  }
+  if (all.empty() && sheet.kind == ExerciseKind::limits) {
+    all.push_back(sheet.canards.size() == core::canard_count
+                      ? "All four canards move the right way, to their limits and no further, and their encoders agree."
+                      : "The canard moves the right way, to its limits and no further, and its encoder agrees.");
+  } else if (all.empty()) {
+    all.push_back(fmt::format("Canard {} follows, within its limits.",
+                              sheet.canards.empty() ? 0 : sheet.canards.front().canard + 1));
+  }
+  return all;
+}
+
+}  // namespace fantail::bench

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bench/diagnosis.hpp"
+#include "bench/exercise.hpp"
+#include "bench/measurement.hpp"
+#include "bench/recording.hpp"
+#include "bench/verdict.hpp"
+#include "core/canard_monitor.hpp"
+#include "sim/canard_tolerances.hpp"
+
+namespace fantail::bench {
+
+/// What the caller knows and the recording does not. Texts may be anything; they are escaped where they are shown.
+struct Heading {
+  std::string vehicle{};
+  std::string plan{};      ///< its name; empty: not known
+  std::string plan_crc{};  ///< of the plan in force, as text
+  std::string date{};
+  std::string avionics{};  ///< what answered, and where: "can0, protocol 1"
+  std::string version{};   ///< of Fantail
+  std::vector<std::string> notes{};
+  /// Limits that the plan on this desk gives; the avionics must report the same.
+  std::optional<Each<double>> planned_limit_rad{};
+  /// The last verdict of the avionics' own monitor; shown and not judged.
+  Each<std::optional<core::CanardVerdict>> monitor{};
+};
+
+struct TurnResult {
+  Figures figures{};
+  std::vector<Check> checks{};
+  Diagnosis diagnosis{};
+  [[nodiscard]] bool passed() const;
+};
+
+struct CanardResult {
+  std::size_t canard = 0;
+  std::optional<TurnResult> alone{};
+  std::optional<TurnResult> together{};
+  Diagnosis diagnosis{};  ///< of the turn alone; when that was healthy, of the turn together
+  [[nodiscard]] bool passed() const;
+};
+
+/// What must hold for the whole sheet, beyond each canard's own figures.
+struct GeneralCheck {
+  std::string text{};  ///< a sentence that says what was found
+  bool passed = false;
+};
+
+struct Sheet {
+  ExerciseKind kind{};
+  Heading heading{};
+  Bounds bounds{};
+  sim::CanardTolerances tolerances{};
+  std::size_t ticks = 0;
+  std::size_t lost_ticks = 0;
+  double duration_s = 0.0;  ///< between the first and the last tick
+  std::vector<CanardResult> canards{};
+  std::vector<GeneralCheck> general{};
+  [[nodiscard]] bool passed() const;
+};
+
+/// Measures, judges and names the causes. Some 10 ms for `limits` of four canards.
+[[nodiscard]] Sheet examine(const Recording& recording, const Exercise& exercise,
+                            const sim::CanardTolerances& tolerances, const Heading& heading);
+
+/// One sentence for each thing that failed, canards first; one when all passed.
+[[nodiscard]] std::vector<std::string> conclusions(const Sheet& sheet);
+
+/// One object; every figure with its unit in its name.
+[[nodiscard]] std::string sheet_json(const Sheet& sheet);
+
+/// For a terminal: plain ASCII, aligned, at most 100 columns but for sentences.
+[[nodiscard]] std::string sheet_text(const Sheet& sheet);
+
+/// A printable page, complete in itself: no script, nothing loaded.
+[[nodiscard]] std::string sheet_html(const Sheet& sheet, const Recording& recording, const Exercise& exercise);
+
+}  // namespace fantail::bench

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+#include <cmath>
+
+#include <nlohmann/json.hpp>
+
+#include "bench/sheet.hpp"
+#include "core/flight_plan.hpp"
+#include "core/tick_record.hpp"
+#include "report/numbers.hpp"
+
+namespace fantail::bench {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using report::degrees;
+
+Json rounded(double value) {
+  const double r = std::round(value * 1e6) / 1e6;
+  return r == 0.0 ? 0.0 : r;
+}
+Json number(const std::optional<double>& value) { return value ? rounded(*value) : Json{}; }
+Json angle(const std::optional<double>& radians) { return radians ? rounded(degrees(*radians)) : Json{}; }
+Json text_or_null(const std::string& text) { return text.empty() ? Json{} : Json(text); }
+
+Json angles(const Each<double>& radians) {
+  Json all = Json::array();
+  for (const double value : radians) {
+    all.push_back(rounded(degrees(value)));
+  }
+  return all;
+}
+
+void add_figures(Json& to, const TurnResult& turn) {
+  const Figures& f = turn.figures;
+  to["sign"] = f.sign ? Json(*f.sign) : Json{};
+  to["gain"] = number(f.gain);
+  to["slope"] = number(f.slope);
+  to["reached_positive_deg"] = angle(f.reached_positive_rad);
+  to["reached_negative_deg"] = angle(f.reached_negative_rad);
+  to["largest_command_deg"] = angle(f.largest_command_rad);
+  to["limit_reported"] = f.limit_reported ? Json(*f.limit_reported) : Json{};
+  to["tracking_error_deg"] = angle(f.tracking_error_rad);
+  to["lag_s"] = number(f.lag_s);
+  to["centring_error_deg"] = angle(f.centring_error_rad);
+  to["backlash_deg"] = angle(f.backlash_rad);
+  to["slew_deg_s"] = angle(f.slew_rad_s);
+  to["step_time_s"] = number(f.step_time_s);
+  to["overshoot_deg"] = angle(f.overshoot_rad);
+  to["noise_deg"] = angle(f.noise_rad);
+  to["dropouts"] = f.dropouts;
+  to["dropout_share"] = rounded(f.dropout_share());
+  to["ticks"] = f.received_ticks;
+  to["others_moved_deg"] = angle(f.others_moved_rad);
+  to["amplitude_ratio"] = number(f.amplitude_ratio);
+  to["phase_lag_deg"] = angle(f.phase_lag_rad);
+  Json failed = Json::array();
+  for (const Check& check : turn.checks) {
+    if (!check.passed) {
+      failed.push_back(words(check.measure).key);
+    }
+  }
+  to["failed"] = failed;
+}
+
+Json canard(const CanardResult& result, const Heading& heading) {
+  const auto& monitor = heading.monitor[result.canard];
+  Json all = {{"canard", result.canard + 1},
+              {"passed", result.passed()},
+              {"cause", name(result.diagnosis.cause)},
+              {"sentence", sentence(result.canard, result.diagnosis)},
+              {"monitor", monitor ? Json(core::name(*monitor)) : Json{}}};
+  add_figures(all, result.alone ? *result.alone : *result.together);
+  if (result.alone && result.together) {
+    Json together = {{"passed", result.together->passed()}, {"cause", name(result.together->diagnosis.cause)}};
+    add_figures(together, *result.together);
+    all["together"] = together;
+  }
+  return all;
+}
+
+Json tolerances(const sim::CanardTolerances& t) {
+  return {{"reach_deg", rounded(degrees(t.reach_rad))},
+          {"tracking_error_deg", rounded(degrees(t.tracking_rad))},
+          {"centring_error_deg", rounded(degrees(t.centring_rad))},
+          {"backlash_deg", rounded(degrees(t.backlash_rad))},
+          {"slew_deg_s", rounded(degrees(t.slowest_slew_rad_s))},
+          {"step_time_s", rounded(t.longest_step_time_s)},
+          {"noise_deg", rounded(degrees(t.noise_rad))},
+          {"dropout_share", rounded(t.dropout_share)},
+          {"others_moved_deg", rounded(degrees(most_others_move_rad()))}};
+}
+
+std::string_view name(ExerciseKind kind) {
+  switch (kind) {
+    case ExerciseKind::limits: return "limits";
+    case ExerciseKind::step: return "step";
+    case ExerciseKind::sine: return "sine";
+  }
+  return "unknown";
+}
+
+}  // namespace
+
+std::string sheet_json(const Sheet& sheet) {
+  const Heading& heading = sheet.heading;
+  Json canards = Json::array();
+  for (const CanardResult& result : sheet.canards) {
+    canards.push_back(canard(result, heading));
+  }
+  Json general = Json::array();
+  for (const GeneralCheck& check : sheet.general) {
+    general.push_back({{"passed", check.passed}, {"text", check.text}});
+  }
+  const Json all = {{"exercise", name(sheet.kind)},
+                    {"passed", sheet.passed()},
+                    {"conclusions", conclusions(sheet)},
+                    {"vehicle", text_or_null(heading.vehicle)},
+                    {"plan", text_or_null(heading.plan)},
+                    {"plan_crc", text_or_null(heading.plan_crc)},
+                    {"date", text_or_null(heading.date)},
+                    {"avionics", text_or_null(heading.avionics)},
+                    {"hard_limit_deg", rounded(static_cast<double>(core::hard_canard_limit.degrees()))},
+                    {"limit_deg", angles(sheet.bounds.limit_rad)},
+                    {"centre_deg", angles(sheet.bounds.centre_rad)},
+                    {"tolerances", tolerances(sheet.tolerances)},
+                    {"canards", canards},
+                    {"general", general},
+                    {"ticks", sheet.ticks},
+                    {"lost_ticks", sheet.lost_ticks},
+                    {"duration_s", rounded(sheet.duration_s)},
+                    {"notes", heading.notes},
+                    {"version", heading.version}};
+  // A vehicle's name may hold any bytes.
+  return all.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace fantail::bench

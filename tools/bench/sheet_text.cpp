@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <iterator>
+
+#include <fmt/format.h>
+
+#include "bench/sheet.hpp"
+#include "bench/sheet_cells.hpp"
+#include "core/tick_record.hpp"
+
+namespace fantail::bench {
+namespace {
+
+constexpr std::size_t label_width = 28;
+constexpr std::size_t allowed_width = 16;
+constexpr std::size_t cell_width = 10;
+
+// A name from a file must neither move the columns nor command the terminal.
+std::string printable(std::string text) {
+  std::ranges::replace_if(text, [](char c) { return c < ' ' || c > '~'; }, '?');
+  return text;
+}
+
+std::string cell(const std::string& text, bool passed) { return passed ? text : text + " !"; }
+
+class Page {
+ public:
+  explicit Page(const Sheet& sheet) : sheet_{sheet} {}
+
+  std::string write() {
+    heading();
+    table();
+    for (const GeneralCheck& check : sheet_.general) {
+      line("{} {}", check.passed ? " " : "!", check.text);
+    }
+    line("");
+    line("{}", sheet_.passed() ? "PASS" : "FAIL");
+    for (const std::string& conclusion : conclusions(sheet_)) {
+      line("  {}", conclusion);
+    }
+    return out_;
+  }
+
+ private:
+  template <typename... T>
+  void line(fmt::format_string<T...> format, T&&... values) {
+    std::string text = fmt::format(format, std::forward<T>(values)...);
+    text.erase(text.find_last_not_of(' ') + 1);
+    out_ += text + "\n";
+  }
+
+  void heading() {
+    const Heading& h = sheet_.heading;
+    line("{}", sheet_title(sheet_.kind));
+    for (const auto& [label, value] : {std::pair{"vehicle", h.vehicle},
+                                       {"plan", h.plan},
+                                       {"plan CRC", h.plan_crc},
+                                       {"date", h.date},
+                                       {"avionics", h.avionics}}) {
+      if (!value.empty()) {
+        line("  {:<10}{}", label, printable(value));
+      }
+    }
+    line("");
+  }
+
+  void row(const std::string& label, const std::string& allowed, const std::vector<std::string>& cells) {
+    std::string text = fmt::format("{:<{}}{:<{}}", label, label_width, allowed, allowed_width);
+    for (const std::string& one : cells) {
+      // The mark of a failure hangs to the right of the column, so that figures stay in line.
+      const bool failed = one.ends_with(" !");
+      text +=
+          fmt::format("{:>{}}{}", failed ? one.substr(0, one.size() - 2) : one, cell_width - 2, failed ? " !" : "  ");
+    }
+    line("{}", text);
+  }
+
+  void table() {
+    std::vector<std::string> cells;
+    for (const CanardResult& result : sheet_.canards) {
+      cells.push_back(fmt::format("canard {}", result.canard + 1));
+    }
+    row("", "allowed", cells);
+    const std::vector<SheetRow> rows = sheet_rows(sheet_);
+    const bool two_turns = std::ranges::any_of(rows, [](const SheetRow& r) {
+      return std::ranges::any_of(r.cells, [](const Cell& c) { return !c.together.empty(); });
+    });
+    for (const SheetRow& r : rows) {
+      cells.clear();
+      for (const Cell& one : r.cells) {
+        cells.push_back(cell(one.alone, one.alone_passed));
+      }
+      row(r.unit.empty() ? r.label : fmt::format("{}, {}", r.label, r.unit), r.allowed, cells);
+    }
+    monitor();
+    if (!two_turns) {
+      line("");
+      return;
+    }
+    line("");
+    line("All four together");
+    for (const SheetRow& r : rows) {
+      cells.clear();
+      bool any = false;
+      for (const Cell& one : r.cells) {
+        any = any || !one.together.empty();
+        cells.push_back(cell(one.together, one.together_passed));
+      }
+      if (any) {
+        row(r.unit.empty() ? r.label : fmt::format("{}, {}", r.label, r.unit), r.allowed, cells);
+      }
+    }
+    line("");
+  }
+
+  void monitor() {
+    std::vector<std::string> cells;
+    bool any = false;
+    for (const CanardResult& result : sheet_.canards) {
+      const auto& verdict = sheet_.heading.monitor[result.canard];
+      any = any || verdict;
+      cells.emplace_back(verdict ? core::name(*verdict) : "");
+    }
+    if (any) {
+      row("Avionics' own verdict", "", cells);
+    }
+  }
+
+  const Sheet& sheet_;
+  std::string out_;
+};
+
+}  // namespace
+
+std::string sheet_text(const Sheet& sheet) { return Page{sheet}.write(); }
+
+}  // namespace fantail::bench
