@@ -181,5 +181,37 @@ TEST(LockStepBench, EveryFaultIsFoundAtEveryCanardWithEverySpread) {
   }
 }
 
+TEST(LockStepBench, EveryFaultIsFoundWithEveryLimitThatAPlanMayHave) {
+  for (const float limit_deg : {2.0F, 6.0F, 20.0F}) {
+    LockStep rocket;
+    rocket.plan.controller.canard_limit = core::Angle::from_degrees(limit_deg);
+    LockStep reversed = rocket;
+    reversed.fault[2] = sim::ServoFault::reversed;
+    expect_only_canard_3(reversed, Cause::reversed);
+    LockStep slipping = rocket;
+    slipping.fault[2] = sim::ServoFault::slipping;
+    expect_only_canard_3(slipping, Cause::slipping);
+    LockStep dead = rocket;
+    dead.fault[2] = sim::ServoFault::dead;
+    expect_only_canard_3(dead, Cause::dead);
+    LockStep slow = rocket;
+    slow.servo[2].lag_s = 0.1;
+    expect_only_canard_3(slow, Cause::slow);
+    LockStep sluggish = rocket;
+    sluggish.servo[2].rate_limit_rad_s = 30.0 * degree;
+    expect_only_canard_3(sluggish, Cause::slow);
+    LockStep noisy = rocket;
+    noisy.more_noise_rad[2] = 0.5 * degree;
+    expect_only_canard_3(noisy, Cause::encoder_noisy);
+    LockStep off = rocket;
+    off.servo[2].pulse_centre_us += 15.0;
+    expect_only_canard_3(off, Cause::wrong_trim);
+    LockStep stuck = rocket;
+    stuck.fault[2] = sim::ServoFault::stuck;
+    stuck.jammed_at_rad[2] = 1.5 * degree;
+    expect_only_canard_3(stuck, Cause::stuck);
+  }
+}
+
 }  // namespace
 }  // namespace fantail::bench

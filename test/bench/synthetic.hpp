@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
+#include <cstddef>
+#include <cstdint>
 #include <numbers>
+#include <optional>
 
 #include "../core/random_stream.hpp"
 #include "bench/exercise.hpp"
@@ -79,6 +81,7 @@ struct Bench {
     for (std::size_t i = 0; i < canards.size(); ++i) {
       canards[i].lagged_rad = canards[i].shaft_rad = exercise.bounds().centre_rad[i];
     }
+    std::size_t marked = 0;
     Each<double> command = exercise.bounds().centre_rad;
     const int ticks = static_cast<int>(std::lround(exercise.duration_s() * 1000.0));
     for (int t = 0; t < ticks; ++t) {
@@ -99,7 +102,8 @@ struct Bench {
         canards[i].move(command[canards[i].answers_to < 4 ? canards[i].answers_to : i]);
       }
       const int late = marks_late_ms + (marks_scatter_ms > 0 ? random.whole(0, marks_scatter_ms) : 0);
-      tick.stretch = exercise.stretch_at(0.001 * (t - late));
+      marked = std::max(marked, exercise.stretch_at(0.001 * (t - late)));
+      tick.stretch = marked;
       if (!random.chance(lost_share)) {
         recording.add(tick);
       }

@@ -20,7 +20,6 @@ using report::with_minus;
 
 constexpr double left = 36.0;
 constexpr double margin_right = 6.0;
-constexpr double top = 18.0;
 constexpr double margin_bottom = 20.0;
 
 struct Range {
@@ -43,7 +42,10 @@ double tick_step(Range range, double wanted) {
 class Drawing {
  public:
   explicit Drawing(const Chart& chart)
-      : chart_{chart}, right_{chart.width - margin_right}, bottom_{chart.height - margin_bottom} {
+      : chart_{chart},
+        right_{chart.width - margin_right},
+        top_{chart.bands.empty() ? 6.0 : 18.0},  // the bands' labels stand above
+        bottom_{chart.height - margin_bottom} {
     time_ = {chart.time.front(), std::max(chart.time.back(), chart.time.front() + 1e-6)};
     angle_ = {-1.0, 1.0};
     for (const auto* line : {&chart.command_deg, &chart.encoder_deg}) {
@@ -82,7 +84,7 @@ class Drawing {
     return left + (right_ - left) * (std::clamp(time, time_.low, time_.high) - time_.low) / (time_.high - time_.low);
   }
   [[nodiscard]] double y(double angle_deg) const {
-    return bottom_ - (bottom_ - top) * (angle_deg - angle_.low) / (angle_.high - angle_.low);
+    return bottom_ - (bottom_ - top_) * (angle_deg - angle_.low) / (angle_.high - angle_.low);
   }
 
   void bands() {
@@ -90,12 +92,12 @@ class Drawing {
     for (const Chart::Band& band : chart_.bands) {
       const double from = x(band.begin);
       const double to = x(band.end);
-      add("<rect class=\"band\" x=\"{:.1f}\" y=\"{}\" width=\"{:.1f}\" height=\"{:.1f}\"/>", from, top, to - from,
-          bottom_ - top);
+      add("<rect class=\"band\" x=\"{:.1f}\" y=\"{}\" width=\"{:.1f}\" height=\"{:.1f}\"/>", from, top_, to - from,
+          bottom_ - top_);
       const double half = 2.8 * static_cast<double>(band.label.size());
       const double middle = std::clamp(0.5 * (from + to), left + half, right_ - half);
       if (!band.label.empty() && middle - half >= taken) {
-        add("<text x=\"{:.1f}\" y=\"{}\" text-anchor=\"middle\">{}</text>", middle, top - 6,
+        add("<text x=\"{:.1f}\" y=\"{}\" text-anchor=\"middle\">{}</text>", middle, top_ - 6,
             report::escape_html(band.label));
         taken = middle + half + 4.0;
       }
@@ -126,8 +128,8 @@ class Drawing {
       add("<path class=\"level\" d=\"M{} {:.1f}H{}\"/>", left, y(level.angle_deg), right_);
       if (!level.label.empty()) {
         const double above = level.angle_deg >= 0.0 ? -4.0 : 12.0;
-        add("<text class=\"level\" x=\"{}\" y=\"{:.1f}\" text-anchor=\"end\">{}</text>", right_ - 2,
-            y(level.angle_deg) + above, report::escape_html(level.label));
+        add("<text class=\"level\" x=\"{}\" y=\"{:.1f}\">{}</text>", left + 3, y(level.angle_deg) + above,
+            report::escape_html(level.label));
       }
     }
   }
@@ -164,6 +166,7 @@ class Drawing {
 
   const Chart& chart_;
   double right_;
+  double top_;
   double bottom_;
   Range time_{};
   Range angle_{};

@@ -173,10 +173,16 @@ class Doctor {
         std::abs(*f_.centring_error_rad) <= t_.centring_rad || std::abs(*f_.gain - 1.0) > right_share) {
       return false;
     }
-    const double above_rad = *f_.reached_positive_rad - f_.told_positive_rad.value_or(limit_rad_);
-    const double below_rad = *f_.reached_negative_rad - f_.told_negative_rad.value_or(-limit_rad_);
-    return std::abs(above_rad - *f_.centring_error_rad) <= t_.reach_rad &&
-           std::abs(below_rad - *f_.centring_error_rad) <= t_.reach_rad;
+    return same_offset(*f_.reached_positive_rad, f_.told_positive_rad.value_or(limit_rad_)) &&
+           same_offset(*f_.reached_negative_rad, f_.told_negative_rad.value_or(-limit_rad_));
+  }
+
+  // A reading at the end of the bus's range is of a canard that stands there or beyond.
+  [[nodiscard]] bool same_offset(double reached_rad, double told_rad) const {
+    const double expected_rad = told_rad + *f_.centring_error_rad;
+    return std::abs(reached_rad - expected_rad) <= t_.reach_rad ||
+           (beyond_bus(reached_rad) && expected_rad * reached_rad > 0.0 &&
+            std::abs(expected_rad) > std::abs(reached_rad));
   }
 
   [[nodiscard]] bool failed(Measure measure) const {
@@ -191,13 +197,15 @@ class Doctor {
       }
       const MeasureWords about = words(check.measure);
       std::string label{about.label};
-      label.front() = static_cast<char>(text.empty() ? label.front() | 0x20 : label.front());
+      label.front() = static_cast<char>(label.front() | 0x20);  // in the middle of a sentence
       text += text.empty() ? "" : "; ";
-      text += check.measure == Measure::limit_kept
+      text += check.measure == Measure::limit_reported
                   ? "the avionics did not report that it was asked beyond the limit"
                   : fmt::format("{} {}{}", label, check.value ? fixed(*check.value, about.decimals) : "not measured",
                                 check.value && !about.unit.empty() ? fmt::format(" {}", about.unit) : "");
-      if (check.value && check.measure != Measure::limit_kept) {
+      if (check.value && check.measure != Measure::limit_reported) {
+        const bool reach = check.measure == Measure::reached_positive || check.measure == Measure::reached_negative;
+        text += reach && beyond_bus(report::radians(*check.value)) ? " or farther" : "";
         text += allowed(check, about.decimals);
       }
     }

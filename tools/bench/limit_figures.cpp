@@ -4,12 +4,9 @@
 
 #include "bench/signal.hpp"
 #include "bench/turn_figures.hpp"
-#include "report/numbers.hpp"
 
 namespace fantail::bench {
 namespace {
-
-const double widest_rad = report::radians(20.46);  // the bus says 20.47 of everything beyond
 
 bool reported_in(const Course& course, const Window& window) {
   for (std::size_t i = window.begin; i < window.end; ++i) {
@@ -37,8 +34,7 @@ void add_ends(const Course& course, Figures& f) {
   const Window below = at_rest(course, Part::hold_negative);
   f.reached_positive_rad = level_rad(course, above);
   f.reached_negative_rad = level_rad(course, below);
-  f.saturated = std::max(std::abs(f.reached_positive_rad.value_or(0.0)),
-                         std::abs(f.reached_negative_rad.value_or(0.0))) > widest_rad;
+  f.saturated = beyond_bus(f.reached_positive_rad.value_or(0.0)) || beyond_bus(f.reached_negative_rad.value_or(0.0));
   if (above.size() == 0 || below.size() == 0) {
     return;
   }

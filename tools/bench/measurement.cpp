@@ -8,6 +8,7 @@
 #include "bench/lag_fit.hpp"
 #include "bench/signal.hpp"
 #include "bench/turn_figures.hpp"
+#include "report/numbers.hpp"
 
 namespace fantail::bench {
 namespace {
@@ -43,6 +44,8 @@ std::vector<double> follow(const Course& course, const Window& window, Figures& 
 }
 
 }  // namespace
+
+bool beyond_bus(double angle_rad) { return std::abs(angle_rad) > report::radians(20.46); }
 
 Figures measure(const Recording& recording, const Exercise& exercise, const Turn& turn, std::size_t canard) {
   Figures f;

@@ -57,6 +57,9 @@ struct Figures {
   }
 };
 
+/// The bus reports 20.47 deg of everything from there on.
+[[nodiscard]] bool beyond_bus(double angle_rad);
+
 [[nodiscard]] Figures measure(const Recording& recording, const Exercise& exercise, const Turn& turn,
                               std::size_t canard);
 

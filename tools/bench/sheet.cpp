@@ -94,9 +94,6 @@ class Examination {
     if (turn.canard && result.figures.largest_command_rad) {
       result.figures.largest_command_rad = largest_rad_[canard];  // in others' turns too
     }
-    if (exercise_.kind() != ExerciseKind::limits) {
-      result.figures.limit_reported = true;  // it need not have been asked beyond
-    }
     result.checks = check(result.figures, exercise_.bounds(), canard, turn.canard.has_value(), sheet_.tolerances);
     std::erase_if(result.checks, [&](const Check& c) { return !shown_by(exercise_.kind(), c.measure); });
     result.diagnosis = diagnose(result.figures, result.checks, exercise_.bounds(), canard, sheet_.tolerances);

@@ -28,8 +28,8 @@ std::string shown(const Check& check, int decimals) {
   if (check.measure == Measure::sign) {
     return *check.value > 0.0 ? "+" : *check.value < 0.0 ? "-" : "still";
   }
-  if (check.measure == Measure::limit_kept && !check.passed && *check.value <= check.highest.value_or(0.0)) {
-    return fixed(*check.value, decimals) + " unreported";
+  if (check.measure == Measure::limit_reported) {
+    return *check.value > 0.0 ? "yes" : "no";
   }
   return fixed(*check.value, decimals);
 }
@@ -37,6 +37,9 @@ std::string shown(const Check& check, int decimals) {
 std::string allowed(const Check& check, int decimals) {
   if (check.measure == Measure::sign) {
     return "+";
+  }
+  if (check.measure == Measure::limit_reported) {
+    return "yes";
   }
   if (check.lowest && check.highest) {
     return fixed(*check.lowest, decimals) + " to " + fixed(*check.highest, decimals);
@@ -99,8 +102,8 @@ std::vector<SheetRow> sheet_rows(const Sheet& sheet) {
   std::vector<SheetRow> rows;
   for (const Measure measure :
        {Measure::sign, Measure::reached_positive, Measure::reached_negative, Measure::limit_kept,
-        Measure::tracking_error, Measure::centring_error, Measure::backlash, Measure::slew, Measure::step_time,
-        Measure::noise, Measure::dropouts, Measure::others_moved}) {
+        Measure::limit_reported, Measure::tracking_error, Measure::centring_error, Measure::backlash, Measure::slew,
+        Measure::step_time, Measure::noise, Measure::dropouts, Measure::others_moved}) {
     if (auto row = row_of(sheet, measure)) {
       rows.push_back(std::move(*row));
     }

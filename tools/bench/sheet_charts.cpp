@@ -108,11 +108,11 @@ std::string canard_charts(const CanardResult& result, const Sheet& sheet, const 
     const auto slew_deg_s = f.slew_rad_s ? std::optional{degrees(*f.slew_rad_s)} : std::nullopt;
     const std::string rise = with_value("Step from the centre: 10 to 90 % in",
                                         f.step_time_s ? std::optional{1e3 * *f.step_time_s} : std::nullopt, 0, "ms");
-    const std::string slew =
-        with_value(sheet.kind == ExerciseKind::step ? "Step back" : "Limit to limit: at most", slew_deg_s, 0, "deg/s");
     steps = step_detail(own, Part::step_out, result.canard, rise);
-    steps += sheet.kind == ExerciseKind::step ? step_detail(own, Part::step_home, result.canard, "Step back")
-                                              : step_detail(own, Part::step_across, result.canard, slew);
+    steps += sheet.kind == ExerciseKind::step
+                 ? step_detail(own, Part::step_home, result.canard, "Step back")
+                 : step_detail(own, Part::step_across, result.canard,
+                               with_value("Limit to limit: at most", slew_deg_s, 0, "deg/s"));
   }
   return fmt::format("<div class=\"charts{}\">\n{}</div>\n", sheet.kind == ExerciseKind::limits ? "" : " single",
                      alone + together + steps);

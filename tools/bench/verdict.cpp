@@ -48,6 +48,7 @@ MeasureWords words(Measure measure) {
     case Measure::reached_positive: return {"reached_positive_deg", "Reached, positive", "deg", 2};
     case Measure::reached_negative: return {"reached_negative_deg", "Reached, negative", "deg", 2};
     case Measure::limit_kept: return {"largest_command_deg", "Largest command", "deg", 2};
+    case Measure::limit_reported: return {"limit_reported", "Clamping reported", "", 0};
     case Measure::tracking_error: return {"tracking_error_deg", "Tracking error", "deg", 2};
     case Measure::centring_error: return {"centring_error_deg", "Centring error", "deg", 2};
     case Measure::backlash: return {"backlash_deg", "Backlash", "deg", 2};
@@ -77,11 +78,13 @@ std::vector<Check> check(const Figures& f, const Bounds& bounds, std::size_t can
                          const sim::CanardTolerances& t) {
   const double limit_rad = bounds.limit_rad[canard];
   const std::optional<double> sign = f.sign ? std::optional{static_cast<double>(*f.sign)} : std::nullopt;
+  const std::optional<double> reported = f.limit_reported ? std::optional{*f.limit_reported ? 1.0 : 0.0} : std::nullopt;
   std::vector<Check> all{
       between(Measure::sign, sign, 1.0, 1.0),
       reached(Measure::reached_positive, f.reached_positive_rad, limit_rad, f, t),
       reached(Measure::reached_negative, f.reached_negative_rad, -limit_rad, f, t),
-      at_most(Measure::limit_kept, f.largest_command_rad, limit_rad + command_resolution_rad),
+      at_most(Measure::limit_kept, f.largest_command_rad, limit_rad),
+      between(Measure::limit_reported, reported, 1.0, 1.0),
       at_most(Measure::tracking_error, f.tracking_error_rad, t.tracking_rad),
       within(Measure::centring_error, f.centring_error_rad, 0.0, t.centring_rad),
       at_most(Measure::backlash, f.backlash_rad, t.backlash_rad),
@@ -91,8 +94,7 @@ std::vector<Check> check(const Figures& f, const Bounds& bounds, std::size_t can
       at_most(Measure::noise, f.noise_rad, t.noise_rad),
       between(Measure::dropouts, 100.0 * f.dropout_share(), std::nullopt, 100.0 * t.dropout_share),
   };
-  // Asked beyond the limit, the avionics has to say that it gave less.
-  all[3].passed = all[3].passed && f.limit_reported.value_or(false);
+  all[3].passed = f.largest_command_rad && !beyond_limit(f, limit_rad);  // reports come in steps
   if (alone) {
     Check others = at_most(Measure::others_moved, f.others_moved_rad, most_others_move_rad());
     // Nobody to be seen is nobody's fault: the others' encoders have their own turn.

@@ -17,6 +17,7 @@ enum class Measure : std::uint8_t {
   reached_positive,
   reached_negative,
   limit_kept,
+  limit_reported,  ///< asked beyond it, the avionics has to say that it gave less
   tracking_error,
   centring_error,
   backlash,

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+#include "bench/exercise.hpp"
+
+#include <stdexcept>
+
+#include <gtest/gtest.h>
+
+#include "synthetic.hpp"
+
+namespace fantail::bench {
+namespace {
+
+double asked_deg(const Exercise& exercise, std::size_t canard, double time_s) {
+  return static_cast<double>(exercise.asked(time_s)[canard].value().degrees());
+}
+
+// Settle 0.4; four ramps of (6 + 3) deg at 20 deg/s; four holds of 0.3; steps 0.3, 0.4 and 0.3: 4.4 s, five times.
+TEST(Exercise, LimitsOfSixDegreesTakeTwentyTwoSeconds) {
+  EXPECT_NEAR(Exercise::limits(six_degrees()).duration_s(), 22.0, 1e-9);
+  EXPECT_NEAR(Exercise::limits_of(six_degrees(), 2).duration_s(), 4.4, 1e-9);
+}
+
+TEST(Exercise, EachCanardHasItsTurnAloneAndThenAllMoveTogether) {
+  const Exercise exercise = Exercise::limits(six_degrees());
+  for (int turn = 0; turn < 5; ++turn) {
+    const auto asked = exercise.asked(4.4 * turn + 1.0);
+    for (int canard = 0; canard < 4; ++canard) {
+      EXPECT_EQ(asked[static_cast<std::size_t>(canard)].has_value(), turn == 4 || turn == canard);
+    }
+  }
+}
+
+TEST(Exercise, ACanardIsAskedThreeDegreesBeyondItsLimitAndNeverMoreThanTheBusCarries) {
+  const Exercise six = Exercise::limits(six_degrees());
+  EXPECT_NEAR(asked_deg(six, 0, 1.0), 9.0, 1e-5);   // the hold, 0.85 to 1.15 s
+  EXPECT_NEAR(asked_deg(six, 0, 2.5), -9.0, 1e-5);  // 2.35 to 2.65 s
+  const Exercise twenty = Exercise::limits(six_degrees(20.0));
+  double largest = 0.0;
+  for (int t = 0; t < 40'000; ++t) {
+    for (const auto& angle : twenty.asked(0.001 * t)) {
+      largest = std::max(largest, std::abs(angle ? static_cast<double>(angle->degrees()) : 0.0));
+    }
+  }
+  EXPECT_NEAR(largest, 20.47, 1e-5);
+}
+
+TEST(Exercise, RampsGoAtTwentyDegreesASecondAndStepsAtOnce) {
+  const Exercise exercise = Exercise::limits(six_degrees());
+  EXPECT_NEAR(asked_deg(exercise, 0, 0.6) - asked_deg(exercise, 0, 0.5), 2.0, 1e-4);
+  EXPECT_NEAR(asked_deg(exercise, 0, 3.399), 0.0, 1e-5);
+  EXPECT_NEAR(asked_deg(exercise, 0, 3.401), 6.0, 1e-5);
+  EXPECT_NEAR(asked_deg(exercise, 0, 3.701), -6.0, 1e-5);
+  EXPECT_NEAR(asked_deg(exercise, 0, 4.101), 0.0, 1e-5);
+}
+
+TEST(Exercise, BeginsAndEndsAtTheCentreHoweverEarlyOrLateItIsRead) {
+  const Exercise exercise = Exercise::limits(six_degrees(6.0, -1.25));
+  for (const double time_s : {-5.0, 0.0, 1e6}) {
+    for (const auto& angle : exercise.asked(time_s)) {
+      EXPECT_NEAR(angle ? static_cast<double>(angle->degrees()) : -1.25, -1.25, 1e-5);
+    }
+  }
+}
+
+TEST(Exercise, CanardsWithDifferentLimitsArriveTogether) {
+  Bounds bounds = six_degrees();
+  bounds.limit_rad[3] = 3.0 * degree;
+  const Exercise exercise = Exercise::limits(bounds);
+  const Stretch& ramp = exercise.stretches()[exercise.turns()[4].first + 1];
+  EXPECT_EQ(ramp.part, Part::ramp_positive);
+  EXPECT_NEAR(asked_deg(exercise, 0, ramp.end_s), 9.0, 1e-4);
+  EXPECT_NEAR(asked_deg(exercise, 3, ramp.end_s), 6.0, 1e-4);
+}
+
+TEST(Exercise, AStretchBelongsToEveryTime) {
+  const Exercise exercise = Exercise::limits(six_degrees());
+  EXPECT_EQ(exercise.stretch_at(-1.0), 0U);
+  EXPECT_EQ(exercise.stretch_at(1e9), exercise.stretches().size() - 1);
+  for (std::size_t i = 0; i < exercise.stretches().size(); ++i) {
+    const Stretch& stretch = exercise.stretches()[i];
+    EXPECT_EQ(exercise.stretch_at(0.5 * (stretch.begin_s + stretch.end_s)), i);
+  }
+}
+
+TEST(Exercise, ASineSwingsAboutTheCentreOfOneCanard) {
+  const Exercise exercise =
+      Exercise::sine(six_degrees(6.0, 1.0), 1, {.amplitude_rad = 4.0 * degree, .frequency_hz = 2.0, .cycles = 3});
+  EXPECT_NEAR(exercise.duration_s(), 0.4 + 1.5 + 0.4, 1e-9);
+  EXPECT_NEAR(asked_deg(exercise, 1, 0.4 + 0.125), 5.0, 1e-4);
+  EXPECT_NEAR(asked_deg(exercise, 1, 0.4 + 0.375), -3.0, 1e-4);
+  EXPECT_FALSE(exercise.asked(0.5)[0]);
+}
+
+TEST(Exercise, RefusesWhatCannotBeAsked) {
+  const Bounds b = six_degrees();
+  EXPECT_THROW((void)Exercise::step(b, 0, 21.0 * degree), std::invalid_argument);
+  EXPECT_THROW((void)Exercise::step(b, 4, 1.0 * degree), std::invalid_argument);
+  EXPECT_THROW((void)Exercise::step(b, 0, std::nan("")), std::invalid_argument);
+  EXPECT_THROW((void)Exercise::sine(b, 0, {.amplitude_rad = 0.1, .frequency_hz = 0.0, .cycles = 1}),
+               std::invalid_argument);
+  EXPECT_THROW((void)Exercise::sine(b, 0, {.amplitude_rad = 0.1, .frequency_hz = 1.0, .cycles = 61}),
+               std::invalid_argument);
+  EXPECT_THROW((void)Exercise::sine(b, 0, {.amplitude_rad = 0.1, .frequency_hz = 1.0, .cycles = 0}),
+               std::invalid_argument);
+}
+
+TEST(Exercise, ATrimBeyondTheLimitStandsAtIt) {
+  protocol::LimitReport report;
+  report.limit.fill(core::Angle::from_degrees(2.0F));
+  Each<core::Angle> trims{};
+  trims[1] = core::Angle::from_degrees(-3.0F);
+  const Bounds b = bounds(report, trims);
+  EXPECT_NEAR(b.centre_rad[1] / degree, -2.0, 1e-5);
+  EXPECT_NEAR(b.centre_rad[0] / degree, 0.0, 1e-5);
+}
+
+}  // namespace
+}  // namespace fantail::bench
