@@ -84,6 +84,27 @@ TEST(Diagnosis, ACanardThatGoesAlongWithAnotherIsNamed) {
   EXPECT_EQ(cause_of(bench, 3), Cause::dead);                // and not when it should
 }
 
+// The supply sags when all four pull at it.
+TEST(Diagnosis, ACanardThatIsSlowOnlyWithTheOthersSaysSo) {
+  const Exercise exercise = Exercise::limits(six_degrees());
+  Bench sound;
+  Bench sagging;
+  sagging.canards[2].lag_s = 0.1;
+  const Recording alone = sound.record(exercise);
+  const Recording together = sagging.record(exercise);
+  Recording both;
+  for (std::size_t i = 0; i < alone.ticks().size(); ++i) {
+    const bool last_turn = alone.ticks()[i].stretch >= exercise.turns()[4].first;
+    both.add(last_turn ? together.ticks()[i] : alone.ticks()[i]);
+  }
+  const Sheet sheet = examine(both, exercise, usual, {});
+  EXPECT_FALSE(sheet.passed());
+  EXPECT_TRUE(sheet.canards[2].alone->passed());
+  EXPECT_EQ(sheet.canards[2].diagnosis.cause, Cause::slow);
+  EXPECT_TRUE(sheet.canards[2].diagnosis.seen.starts_with("healthy alone, but with all four moving"));
+  EXPECT_TRUE(sheet.canards[1].passed());
+}
+
 TEST(Diagnosis, AServoThatIsNeverDrivenIsNotCalledDead) {
   Bench bench;
   const Exercise exercise = Exercise::limits(six_degrees());

@@ -102,16 +102,11 @@ class Examination {
 
   static void conclude(CanardResult& result) {
     const bool alone_healthy = !result.alone || result.alone->diagnosis.cause == Cause::healthy;
-    if (!alone_healthy) {
-      result.diagnosis = result.alone->diagnosis;
-    } else if (result.together) {
-      result.diagnosis = result.together->diagnosis;
-      if (result.alone && result.diagnosis.cause != Cause::healthy) {
-        result.diagnosis.seen = "healthy alone, but with all four moving " + result.diagnosis.seen;
-        result.diagnosis.look_at += " What only shows with all four may be the servos' common supply.";
-      }
-    } else {
-      result.diagnosis = result.alone->diagnosis;
+    const bool from_together = alone_healthy && result.together;
+    result.diagnosis = from_together ? result.together->diagnosis : result.alone->diagnosis;
+    if (from_together && result.alone && result.diagnosis.cause != Cause::healthy) {
+      result.diagnosis.seen = "healthy alone, but with all four moving " + result.diagnosis.seen;
+      result.diagnosis.look_at += " What only shows with all four may be the servos' common supply.";
     }
   }
 

@@ -77,6 +77,7 @@ class Page {
 
   void table() {
     std::vector<std::string> cells;
+    cells.reserve(sheet_.canards.size());
     for (const CanardResult& result : sheet_.canards) {
       cells.push_back(fmt::format("canard {}", result.canard + 1));
     }
