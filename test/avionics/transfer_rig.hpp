@@ -85,4 +85,27 @@ inline Bytes flash_holding(int number) {
   return rig.cells();
 }
 
+inline const Bytes seven = block_of(numbered_plan(7));
+inline const Bytes eight = block_of(numbered_plan(8));
+
+/// A board that holds plan 7.
+struct PlanTransferTest : testing::Test {
+  TransferRig rig{flash_holding(7)};
+
+  void expect_refused(protocol::TransferFault fault) {
+    EXPECT_EQ(rig.state(), protocol::TransferState::refused);
+    EXPECT_EQ(rig.fault(), fault);
+    EXPECT_FALSE(rig.taken.has_value());
+    EXPECT_EQ(rig.stored_number(), 7);
+  }
+  /// And what was refused stands in the way of nothing.
+  void expect_next_one_is_stored() {
+    rig.safe = true;
+    rig.send(eight);
+    rig.run(100);
+    EXPECT_EQ(rig.state(), protocol::TransferState::stored);
+    EXPECT_EQ(rig.stored_number(), 8);
+  }
+};
+
 }  // namespace fantail::avionics
