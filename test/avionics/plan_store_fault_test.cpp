@@ -3,6 +3,7 @@
 #include <rapidcheck/gtest.h>
 
 #include "avionics/plan_store.hpp"
+#include "avionics/sealed_words.hpp"
 #include "plan_store_rig.hpp"
 #include "random_stream.hpp"
 
@@ -157,6 +158,28 @@ TEST(PlanStore, AFlashThatDoesNotKeepWhatItWasToldIsFoundOutBeforeTheOldPlanIsLo
       ASSERT_EQ(number_of(*board.store.load(board.world.time)->plan), 1) << at;
     }
   }
+}
+
+// Headers with their right checksum, as only another program could have written them.
+TEST(PlanStore, AnIntactHeaderThatDoesNotFitItsBlockIsBroken) {
+  const Bytes block = block_of(numbered_plan(7));
+  const auto size = static_cast<std::uint32_t>(block.size());
+  const std::uint32_t crc = protocol::plan_block_crc(block);
+  struct Case {
+    std::uint32_t size;
+    std::uint32_t crc;
+  };
+  for (const Case& bad : {Case{0, crc}, Case{0, 0}, Case{size - 1, crc}, Case{size + 1, crc}, Case{1025, crc},
+                          Case{0xFFFFFFFFU, crc}, Case{size, crc ^ 1U}}) {
+    Bytes cells = flash_with({7});
+    std::ranges::copy(seal<3>({1, bad.size, bad.crc}), cells.begin());
+    const PlanBoard board{cells};
+    EXPECT_FALSE(board.found.plan.has_value()) << bad.size;
+    EXPECT_TRUE(board.found.broken) << bad.size;
+  }
+  Bytes cells = flash_with({7});
+  std::ranges::copy(seal<3>({1, size, crc}), cells.begin());
+  EXPECT_EQ(PlanBoard{cells}.number(), 7) << "the layout that this test assumes";
 }
 
 TEST(PlanStore, AWriteIsWithdrawnOnlyBeforeItsErase) {

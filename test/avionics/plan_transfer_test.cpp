@@ -91,6 +91,22 @@ TEST_F(PlanTransferTest, AFrameThatJumpsIsNamedAndTheTransferGoesOnWhereItStood)
   EXPECT_EQ(rig.reply->next_index, 2);
 }
 
+TEST_F(PlanTransferTest, AFramePastTheEndIsNotTakenIn) {
+  const std::size_t frames = (eight.size() + 6) / 7;
+  rig.begin(eight);
+  for (std::size_t index = 0; index < frames; ++index) {
+    rig.data(eight, index);
+  }
+  rig.data(seven, frames);
+  rig.data(seven, frames + 1);
+  EXPECT_EQ(rig.service.transfer().reply()->fault, TransferFault::out_of_order);
+  rig.data(seven, frames);
+  EXPECT_EQ(rig.step()->state, TransferState::writing);
+  EXPECT_EQ(rig.reply->next_index, frames);
+  rig.run(100);
+  EXPECT_EQ(rig.stored_number(), 8);
+}
+
 TEST_F(PlanTransferTest, TheLastFrameIsAnsweredAgainWithWhatHasBecomeOfItAll) {
   const std::size_t last = (eight.size() - 1) / 7;
   rig.send(eight);
