@@ -12,6 +12,7 @@ set(table
   "hal/include|hal/[a-z_]+\\.hpp|"
   "hal/linux|hal/[a-z_]+\\.hpp,hal/linux/|fcntl\\.h,unistd\\.h,sys/"
   "hal/sim|hal/[a-z_]+\\.hpp,hal/sim/|"
+  "hal/linux|hal/[a-z_]+\\.hpp,hal/linux/|fcntl\\.h,linux/can,net/if,poll\\.h,sys/,unistd\\.h"
   "sim|core/,protocol/,hal/,avionics/,sim/|Eigen/,toml\\+\\+/"
   "tools/fantail|core/,protocol/,hal/,avionics/,sim/,report/,fantail/|fmt/,CLI/,nlohmann/,unistd\\.h,sys/,fcntl\\.h"
   "tools/bench|core/,protocol/,hal/,sim/,report/,bench/|fmt/,nlohmann/"

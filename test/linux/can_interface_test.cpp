@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: MIT
+#include <array>
+#include <ctime>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include <poll.h>
+
+#include "hal/linux/can_bus.hpp"
+#include "linux/shell.hpp"
+
+namespace fantail::test {
+namespace {
+
+using hal::CanFrame;
+using hal::CanState;
+using hal::on_linux::CanBus;
+using hal::on_linux::CanError;
+using std::chrono::milliseconds;
+
+constexpr CanFrame frame{.id = 0x123, .length = 2, .data = {7, 8}};
+
+class LinuxCanInterface : public ::testing::Test {
+ protected:
+  void SetUp() override { restore_virtual_buses(); }
+  void TearDown() override { restore_virtual_buses(); }
+};
+
+bool is_down(CanBus& bus) {
+  (void)bus.receive();
+  return bus.state() == CanState::down;
+}
+
+bool is_well(CanBus& bus) {
+  (void)bus.receive();
+  return bus.state() == CanState::error_active;
+}
+
+void expect_traffic(CanBus& bus) {
+  CanBus other{"vcan0"};
+  ASSERT_TRUE(bus.send(frame));
+  EXPECT_EQ(next_frame(other), frame);
+  ASSERT_TRUE(other.send(frame));
+  EXPECT_EQ(next_frame(bus), frame);
+}
+
+TEST_F(LinuxCanInterface, TakenDownItIsDownAndRefusesFrames) {
+  CanBus bus{"vcan0"};
+  must("ip link set vcan0 down");
+  EXPECT_TRUE(eventually([&] { return is_down(bus); }));
+  EXPECT_FALSE(bus.send(frame));
+  EXPECT_FALSE(bus.receive());
+  EXPECT_EQ(bus.counters().sent, 0U);
+  EXPECT_EQ(bus.counters().unsent, 1U);
+}
+
+TEST_F(LinuxCanInterface, SendingAloneFindsOutThatItIsDown) {
+  CanBus bus{"vcan0"};
+  must("ip link set vcan0 down");
+  EXPECT_FALSE(bus.send(frame));
+  EXPECT_EQ(bus.state(), CanState::down);
+  EXPECT_EQ(bus.counters().unsent, 1U);
+}
+
+TEST_F(LinuxCanInterface, UpAgainItGoesOnByItself) {
+  CanBus bus{"vcan0"};
+  const int descriptor = bus.descriptor();
+  for (int round = 0; round < 3; ++round) {
+    must("ip link set vcan0 down");
+    ASSERT_TRUE(eventually([&] { return is_down(bus); }));
+    must("ip link set vcan0 up");
+    ASSERT_TRUE(eventually([&] { return is_well(bus); }));
+    expect_traffic(bus);
+  }
+  EXPECT_EQ(bus.descriptor(), descriptor);
+}
+
+TEST_F(LinuxCanInterface, RemovedAndMadeAgainItGoesOnByItself) {
+  CanBus bus{"vcan0"};
+  const int descriptor = bus.descriptor();
+  for (int round = 0; round < 3; ++round) {
+    must("ip link del vcan0");
+    ASSERT_TRUE(eventually([&] { return is_down(bus); }));
+    EXPECT_FALSE(bus.send(frame));
+    must("ip link add vcan0 type vcan");
+    (void)bus.receive();
+    EXPECT_EQ(bus.state(), CanState::down) << "there, but not up yet";
+    must("ip link set vcan0 up");
+    ASSERT_TRUE(eventually([&] { return is_well(bus); }));
+    expect_traffic(bus);
+  }
+  EXPECT_EQ(bus.descriptor(), descriptor);
+}
+
+TEST_F(LinuxCanInterface, RemovedAndMadeAgainBetweenTwoCallsItGoesOn) {
+  CanBus bus{"vcan0"};
+  must("ip link del vcan0 && ip link add vcan0 type vcan && ip link set vcan0 up");
+  EXPECT_TRUE(eventually([&] { return bus.send(frame); }));
+  EXPECT_TRUE(is_well(bus));
+  expect_traffic(bus);
+}
+
+TEST_F(LinuxCanInterface, SendingAloneFindsTheInterfaceAgain) {
+  CanBus bus{"vcan0"};
+  must("ip link del vcan0");
+  EXPECT_FALSE(bus.send(frame));
+  must("ip link add vcan0 type vcan && ip link set vcan0 up");
+  EXPECT_TRUE(eventually([&] { return bus.send(frame); }));
+}
+
+TEST_F(LinuxCanInterface, SomethingElseUnderTheNameIsNotTakenForTheBus) {
+  CanBus bus{"vcan0"};
+  must("ip link del vcan0 && ip link set lo down && ip link set lo name vcan0 && ip link set vcan0 up");
+  (void)bus.receive();
+  EXPECT_FALSE(eventually([&] { return !is_down(bus); }, milliseconds{300}));
+  must("ip link set vcan0 down && ip link set vcan0 name lo && ip link set lo up");
+}
+
+TEST_F(LinuxCanInterface, FiltersSurviveTheChangeOfTheInterface) {
+  const std::array filters{hal::on_linux::CanFilter{.id = 0x200, .mask = 0x7FF}};
+  CanBus bus{"vcan0", filters};
+  must("ip link del vcan0");
+  ASSERT_TRUE(eventually([&] { return is_down(bus); }));
+  must("ip link add vcan0 type vcan && ip link set vcan0 up");
+  ASSERT_TRUE(eventually([&] { return is_well(bus); }));
+  must("cansend vcan0 123#11");
+  must("cansend vcan0 200#22");
+  EXPECT_EQ(next_frame(bus), (CanFrame{.id = 0x200, .length = 1, .data = {0x22}}));
+}
+
+TEST_F(LinuxCanInterface, WaitsWithoutTurningTheProcessorWhileItIsDown) {
+  CanBus bus{"vcan0"};
+  must("ip link del vcan0");
+  ASSERT_TRUE(eventually([&] { return is_down(bus); }));
+  const std::clock_t before = std::clock();
+  EXPECT_FALSE(bus.wait(milliseconds{500}));
+  EXPECT_LT(std::clock() - before, CLOCKS_PER_SEC / 5);
+}
+
+TEST_F(LinuxCanInterface, TheDescriptorBecomesReadableWithAFrame) {
+  CanBus bus{"vcan0"};
+  pollfd listening{.fd = bus.descriptor(), .events = POLLIN, .revents = 0};
+  EXPECT_EQ(poll(&listening, 1, 0), 0);
+  must("cansend vcan0 123#11");
+  EXPECT_EQ(poll(&listening, 1, 5000), 1);
+}
+
+std::string trouble(const std::string& name) {
+  try {
+    const CanBus bus{name};
+  } catch (const CanError& error) {
+    return error.what();
+  }
+  return "none";
+}
+
+TEST_F(LinuxCanInterface, AWrongNameIsAnsweredWithWhatToDo) {
+  EXPECT_EQ(trouble("can7"),
+            "can7: no such interface; CAN interfaces here: vcan0, vcan1; with a 1 Mbit/s adapter: sudo ip link set can7 up "
+            "type can bitrate 1000000; without hardware: tools/with_vcan COMMAND, or sudo ip link add vcan0 type vcan && "
+            "sudo ip link set vcan0 up");
+}
+
+TEST_F(LinuxCanInterface, AnInterfaceThatIsNotCanIsRefused) {
+  EXPECT_TRUE(trouble("lo").starts_with("lo: not a CAN interface; CAN interfaces here: vcan0, vcan1; ")) << trouble("lo");
+}
+
+TEST_F(LinuxCanInterface, AnInterfaceThatIsDownIsRefusedWithTheCommandThatHelps) {
+  must("ip link set vcan1 down");
+  EXPECT_EQ(trouble("vcan1"), "vcan1: the interface is down; sudo ip link set vcan1 up");
+}
+
+TEST_F(LinuxCanInterface, ANameThatIsTooLongOrEmptyIsRefused) {
+  EXPECT_TRUE(trouble("can_of_the_third_rocket").starts_with("\"can_of_the_third_rocket\": the name of an interface has 1"));
+  EXPECT_TRUE(trouble("").starts_with("\"\": the name of an interface has 1"));
+}
+
+}  // namespace
+}  // namespace fantail::test
