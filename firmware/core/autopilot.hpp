@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <optional>
 
 #include "core/canard_mixer.hpp"
@@ -28,6 +29,9 @@ class Autopilot {
   /// One tick, nominally every millisecond. The commands for the servos are `canards` in the record, which stays valid
   /// until the next step.
   const TickRecord& step(const Inputs& inputs);
+
+  /// Largest shaft angle that can ever be commanded to this canard.
+  [[nodiscard]] Angle canard_limit(std::size_t canard) const { return canard_mixer_.limit(canard); }
 
  private:
   [[nodiscard]] bool is_timing_fault(Microseconds time) const;

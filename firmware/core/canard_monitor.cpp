@@ -31,30 +31,34 @@ const std::array<CanardVerdict, canard_count>& CanardMonitor::update(Microsecond
                                                                      const EncoderAngles& encoders) {
   const Microseconds elapsed = std::clamp(time - last_time_.value_or(time), Microseconds{0}, longest_tick);
   last_time_ = time;
-  const Tick tick{.time = time,
-                  .elapsed = elapsed,
-                  .moved_share = lag_fraction(seconds(elapsed) / seconds(plan_.servo_lag)),
-                  .all_agree = all_agree(encoders)};
+  const float moved_share = lag_fraction(seconds(elapsed) / seconds(plan_.servo_lag));
+  for (std::size_t i = 0; i < canard_count; ++i) {
+    follow(channels_[i], moved_share, commands[i], encoders[i]);
+  }
+  const Tick tick{.time = time, .elapsed = elapsed, .all_agree = all_agree(encoders)};
   for (std::size_t i = 0; i < canard_count; ++i) {
     verdicts_[i] = judge(tick, i, commands[i], encoders);
   }
   return verdicts_;
 }
 
-CanardVerdict CanardMonitor::judge(const Tick& tick, std::size_t canard, const CanardCommand& command,
-                                   const EncoderAngles& encoders) {
-  Channel& channel = channels_[canard];
-  const std::optional<Angle>& encoder = encoders[canard];
-
-  // Where the servo should be by now: it starts from where it is, and moves on while its encoder is silent.
+// Where the servo should be by now: it starts from where it is, and moves on while its encoder is silent.
+void CanardMonitor::follow(Channel& channel, float moved_share, const CanardCommand& command,
+                           const std::optional<Angle>& encoder) {
   if (!command.driven) {
     channel.expected.reset();
   } else if (channel.expected) {
     const Angle remaining = command.angle - *channel.expected;
-    *channel.expected = abs(remaining) < arrived ? command.angle : *channel.expected + tick.moved_share * remaining;
+    *channel.expected = abs(remaining) < arrived ? command.angle : *channel.expected + moved_share * remaining;
   } else if (readable(encoder)) {
     channel.expected = encoder;
   }
+}
+
+CanardVerdict CanardMonitor::judge(const Tick& tick, std::size_t canard, const CanardCommand& command,
+                                   const EncoderAngles& encoders) {
+  Channel& channel = channels_[canard];
+  const std::optional<Angle>& encoder = encoders[canard];
 
   if (!readable(encoder)) {
     channel.off = {};
@@ -87,9 +91,14 @@ CanardVerdict CanardMonitor::judge(const Tick& tick, std::size_t canard, const C
   return apart ? CanardVerdict::disagreeing : CanardVerdict::healthy;
 }
 
-Angle CanardMonitor::roll_angle(std::size_t canard, Angle encoder) const {
-  const Angle shaft = encoder - canards_.each[canard].trim;
-  return canards_.each[canard].direction == Direction::reversed ? -shaft : shaft;
+// In the sense of positive roll moment, so that canards of either direction can be compared. What each should do by its
+// own command is taken off: the self-test and a bench move one canard and not the others.
+std::optional<Angle> CanardMonitor::departure(std::size_t canard, const std::optional<Angle>& encoder) const {
+  if (!readable(encoder) || !channels_[canard].expected) {
+    return std::nullopt;
+  }
+  const Angle off = *encoder - *channels_[canard].expected;
+  return canards_.each[canard].direction == Direction::reversed ? -off : off;
 }
 
 // The usual case, told from the two outermost: then no canard stands apart from any middle.
@@ -97,10 +106,9 @@ bool CanardMonitor::all_agree(const EncoderAngles& encoders) const {
   std::optional<Angle> low;
   std::optional<Angle> high;
   for (std::size_t i = 0; i < canard_count; ++i) {
-    if (readable(encoders[i])) {
-      const Angle angle = roll_angle(i, *encoders[i]);
-      low = std::min(low.value_or(angle), angle);
-      high = std::max(high.value_or(angle), angle);
+    if (const auto off = departure(i, encoders[i])) {
+      low = std::min(low.value_or(*off), *off);
+      high = std::max(high.value_or(*off), *off);
     }
   }
   return !low || *high - *low <= plan_.disagreement_limit;
@@ -112,22 +120,22 @@ bool CanardMonitor::stands_apart(std::size_t canard, const EncoderAngles& encode
   std::array<Angle, canard_count - 1> others{};  // sorted
   std::size_t count = 0;
   for (std::size_t i = 0; i < canard_count; ++i) {
-    if (i == canard || !readable(encoders[i])) {
+    const std::optional<Angle> off = departure(i, encoders[i]);
+    if (i == canard || !off) {
       continue;
     }
-    const Angle angle = roll_angle(i, *encoders[i]);
     std::size_t place = count++;
-    for (; place > 0 && others[place - 1] > angle; --place) {
+    for (; place > 0 && others[place - 1] > *off; --place) {
       others[place] = others[place - 1];
     }
-    others[place] = angle;
+    others[place] = *off;
   }
-  if (count < 2) {
+  const std::optional<Angle> own = departure(canard, encoders[canard]);
+  if (count < 2 || !own) {
     return false;
   }
-  const Angle own = roll_angle(canard, *encoders[canard]);
-  const Angle middle = std::clamp(own, others[(count - 1) / 2], others[count / 2]);
-  return abs(own - middle) > plan_.disagreement_limit;
+  const Angle middle = std::clamp(*own, others[(count - 1) / 2], others[count / 2]);
+  return abs(*own - middle) > plan_.disagreement_limit;
 }
 
 bool CanardMonitor::lasts(Persistence& persistence, bool condition, Microseconds elapsed) const {

@@ -16,7 +16,7 @@ enum class CanardVerdict : std::uint8_t {
   dead,         ///< its encoder has been silent for the plan's timeout
   stalled,      ///< far from where the command should have brought it, and not moving
   slipping,     ///< far from where the command should have brought it, though it moves
-  disagreeing,  ///< near enough by itself, but not where the other canards stand
+  disagreeing,  ///< near enough by itself, but off its command when the other canards are not
 };
 
 /// Compares each canard's command with its encoder. The command first passes a model of the servo (a first-order lag),
@@ -49,13 +49,15 @@ class CanardMonitor {
   struct Tick {
     Microseconds time{};
     Microseconds elapsed{};
-    float moved_share = 0.0F;  ///< of the way to its command that a servo goes in this tick
     bool all_agree = false;
   };
 
+  /// `moved_share`: of the way to its command that a servo goes in this tick.
+  static void follow(Channel& channel, float moved_share, const CanardCommand& command,
+                     const std::optional<Angle>& encoder);
   CanardVerdict judge(const Tick& tick, std::size_t canard, const CanardCommand& command,
                       const EncoderAngles& encoders);
-  [[nodiscard]] Angle roll_angle(std::size_t canard, Angle encoder) const;
+  [[nodiscard]] std::optional<Angle> departure(std::size_t canard, const std::optional<Angle>& encoder) const;
   [[nodiscard]] bool all_agree(const EncoderAngles& encoders) const;
   [[nodiscard]] bool stands_apart(std::size_t canard, const EncoderAngles& encoders) const;
   bool lasts(Persistence& persistence, bool condition, Microseconds elapsed) const;
