@@ -1,36 +1,165 @@
 // SPDX-License-Identifier: MIT
 #include "avionics/avionics.hpp"
 
-#include <utility>
-
 #include "avionics/sensor_scaling.hpp"
+#include "protocol/plan_block.hpp"
 
 namespace fantail::avionics {
 
-Avionics::Avionics(Devices devices, const core::FlightPlan& plan)
-    : devices_{devices}, canards_{plan.canards}, autopilot_{plan} {}
+Avionics::Avionics(Devices devices, const core::FlightPlan& built_in)
+    : devices_{devices}, flash_{devices.flash}, plan_{built_in}, self_test_{built_in} {
+  adopt(built_in);
+  look_for_new_plan();
+}
 
 const core::TickRecord& Avionics::tick() {
-  const core::TickRecord& record = autopilot_.step(read_devices());
+  look_for_new_plan();
+  const core::Microseconds now = devices_.clock.now();
+  listen(now);
+  const core::Inputs inputs = read_devices(now);
+  const core::TickRecord& record = autopilot_->step(inputs);
   devices_.servo.write(pulses(record.canards));
+
+  tell_person(record);
+  situation_ = {.time = now,
+                .phase = record.phase,
+                .at_rest = record.motion.at_rest_for >= plan_.motion.rest_time,
+                .moves = record.motion.at_rest_for == core::Microseconds{0},
+                .arm_switch_closed = inputs.arm_switch_closed};
+  arming_.update(situation_);
+  self_test_.update(inputs, record, flash_.facts());
+  flash_.update(now, plan_may_change());
+  report(record);
+  tick_duration_ = devices_.clock.now() - now;
+  // Last: only a tick that came this far proves that the loop is alive.
+  devices_.watchdog.feed();
   return record;
 }
 
-core::Inputs Avionics::read_devices() {
+void Avionics::look_for_new_plan() {
+  // A flash that was busy at power-up, with what a reset left behind, is asked until it answers.
+  if (!flash_was_read_ && situation_.phase == core::Phase::safe) {
+    if (const auto stored = flash_.load_plan(devices_.clock.now())) {
+      flash_was_read_ = true;
+      if (stored->plan) {
+        adopt(*stored->plan);
+      }
+    }
+  }
+  if (const auto plan = flash_.take_plan()) {
+    adopt(*plan);
+    devices_.console.write("plan: a new one is in force\n");
+  }
+}
+
+// In Safe only. The new autopilot begins as after power-up: it moves the canards slowly from where they stand, and has
+// yet to see the rocket at rest, so nobody who was allowed to move them by the old plan still is.
+void Avionics::adopt(const core::FlightPlan& plan) {
+  plan_ = plan;
+  plan_crc_ = protocol::plan_crc(plan);
+  autopilot_.emplace(plan);
+  self_test_ = SelfTest{plan};
+}
+
+void Avionics::listen(core::Microseconds now) {
+  situation_.time = now;
+  receiver_.begin_tick();
+  while (const auto message = receiver_.next(now, devices_.can_bus)) {
+    if (const auto* session = std::get_if<protocol::BenchSession>(&*message)) {
+      obey(*session);
+    } else if (const auto* request = std::get_if<protocol::BenchRequest>(&*message)) {
+      obey(*request);
+    } else if (const auto* arm = std::get_if<protocol::ArmRequest>(&*message)) {
+      obey(*arm);
+    } else if (const auto* begin = std::get_if<protocol::PlanBegin>(&*message)) {
+      flash_.transfer().receive(now, *begin, plan_may_change());
+    } else if (const auto* data = std::get_if<protocol::PlanData>(&*message)) {
+      flash_.transfer().receive(now, *data, plan_may_change());
+    }
+  }
+  bench_mode_.update(situation_);
+}
+
+void Avionics::obey(const protocol::BenchSession& message) {
+  if (!bench_mode_.receive(situation_, self_test_.running(), message)) {
+    receiver_.count(protocol::Rejection::stale);
+  }
+}
+
+void Avionics::obey(const protocol::BenchRequest& message) {
+  if (!bench_mode_.receive(message)) {
+    receiver_.count(protocol::Rejection::stale);
+  }
+}
+
+void Avionics::obey(const protocol::ArmRequest& message) {
+  if (message.action == protocol::ArmAction::self_test) {
+    self_test_.start(situation_, bench_mode_.open());
+  } else {
+    // A plan that is being written will want a self-test of its own.
+    arming_.receive(situation_,
+                    {.self_test_passed = self_test_.passed(situation_.time) && !flash_.transfer().writing(),
+                     .session_open = bench_mode_.open(),
+                     .tunnel_plan = plan_.run.start == core::Start::tunnel,
+                     .power_up = flash_.boots().count()},
+                    message);
+  }
+}
+
+bool Avionics::plan_may_change() const {
+  return situation_.phase == core::Phase::safe && !bench_mode_.open() && !self_test_.running() && !arming_.nonce();
+}
+
+core::Inputs Avionics::read_devices(core::Microseconds now) {
   const hal::ImuSample imu = devices_.imu.read();
   const hal::ImuScale imu_scale = devices_.imu.scale();
   const hal::AccelerometerSample second = devices_.accelerometer.read();
+  const bool arm_command = arming_.take_arm_command();
+  const bool start_command = arming_.take_start_command();
   return {
-      .time = devices_.clock.now(),
+      .time = now,
       .gyro = gyro_sample(imu, imu_scale),
       .accelerometers = {accelerometer_sample(imu.time, imu.specific_force, imu.status, imu_scale.specific_force_m_s2),
                          accelerometer_sample(second.time, second.specific_force, second.status,
                                               devices_.accelerometer.scale())},
-      .encoders = encoder_angles(devices_.encoder.read(), canards_),
+      .encoders = encoder_angles(devices_.encoder.read(), plan_.canards),
       .arm_switch_closed = devices_.arm_switch.closed(),
-      .arm_command = std::exchange(arm_command_, false),
-      .start_command = std::exchange(start_command_, false),
+      .arm_command = arm_command,
+      .start_command = start_command,
+      .canard_request = bench_mode_.open() ? bench_mode_.canard_request(plan_.canards) : self_test_.canard_request(),
   };
+}
+
+void Avionics::report(const core::TickRecord& record) {
+  Report report{.situation = situation_,
+                .self_test_running = self_test_.running(),
+                .session_open = bench_mode_.open(),
+                .session = bench_mode_.reply(),
+                .arming = {.self_test = self_test_.state(),
+                           .failure = self_test_.failure(),
+                           .canard = self_test_.canard(),
+                           .refusal = arming_.refusal(),
+                           .nonce = arming_.nonce()},
+                .plan = flash_.transfer().reply(),
+                .rejections = receiver_.rejections(),
+                .plan_crc = plan_crc_,
+                .tick_duration = tick_duration_};
+  report.session_is_news = bench_mode_.take_news();
+  for (std::size_t i = 0; i < core::canard_count; ++i) {
+    report.limits.limit[i] = autopilot_->canard_limit(i);
+  }
+  telemetry_.send(record, report, devices_.can_bus);
+}
+
+void Avionics::tell_person(const core::TickRecord& record) {
+  if (record.phase == situation_.phase) {
+    return;
+  }
+  devices_.console.write("phase: ");
+  devices_.console.write(name(record.phase));
+  devices_.console.write(", ");
+  devices_.console.write(name(record.reason));
+  devices_.console.write("\n");
 }
 
 }  // namespace fantail::avionics

@@ -1,14 +1,27 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
+
+#include "avionics/arming.hpp"
+#include "avionics/bench_mode.hpp"
+#include "avionics/bus_receiver.hpp"
+#include "avionics/flash_service.hpp"
+#include "avionics/self_test.hpp"
+#include "avionics/situation.hpp"
+#include "avionics/telemetry.hpp"
 #include "core/autopilot.hpp"
 #include "core/flight_plan.hpp"
 #include "hal/accelerometer.hpp"
 #include "hal/arm_switch.hpp"
+#include "hal/can_bus.hpp"
 #include "hal/clock.hpp"
+#include "hal/console.hpp"
 #include "hal/encoder.hpp"
+#include "hal/flash.hpp"
 #include "hal/imu.hpp"
 #include "hal/servo.hpp"
+#include "hal/watchdog.hpp"
 
 namespace fantail::avionics {
 
@@ -20,32 +33,47 @@ struct Devices {
   hal::Servo& servo;
   hal::Encoder& encoder;
   hal::ArmSwitch& arm_switch;
+  hal::CanBus& can_bus;
+  hal::Flash& flash;
+  hal::Console& console;
+  hal::Watchdog& watchdog;
 };
 
 /// The application: reads the hardware layer, steps the autopilot, writes the hardware layer. A board's or a world's
-/// main calls tick() every millisecond and does nothing else.
+/// main calls tick() every millisecond and does nothing else; whoever wants something of it says so on the bus.
 class Avionics {
  public:
-  /// `plan` has passed core::validate(); the devices outlive this object.
-  Avionics(Devices devices, const core::FlightPlan& plan);
+  /// `built_in` has passed core::validate(); a good plan in the flash goes before it. The devices outlive this object.
+  Avionics(Devices devices, const core::FlightPlan& built_in);
 
   /// One control tick. The record is valid until the next one.
   const core::TickRecord& tick();
 
-  /// The second of the two independent actions that arm; the first is the arm switch. Acts in the next tick.
-  void command_arm() { arm_command_ = true; }
-
-  /// Tunnel plans: begin control in the next tick, if the rocket is at rest.
-  void command_start() { start_command_ = true; }
-
  private:
-  [[nodiscard]] core::Inputs read_devices();
+  void look_for_new_plan();
+  void adopt(const core::FlightPlan& plan);
+  void listen(core::Microseconds now);
+  void obey(const protocol::BenchSession& message);
+  void obey(const protocol::BenchRequest& message);
+  void obey(const protocol::ArmRequest& message);
+  [[nodiscard]] core::Inputs read_devices(core::Microseconds now);
+  void report(const core::TickRecord& record);
+  void tell_person(const core::TickRecord& record);
+  [[nodiscard]] bool plan_may_change() const;
 
   Devices devices_;
-  core::CanardsPlan canards_;
-  core::Autopilot autopilot_;
-  bool arm_command_ = false;
-  bool start_command_ = false;
+  FlashService flash_;
+  bool flash_was_read_ = false;
+  core::FlightPlan plan_;
+  std::uint32_t plan_crc_ = 0;
+  std::optional<core::Autopilot> autopilot_;  ///< never empty; a new plan makes a new one
+  BusReceiver receiver_;
+  BenchMode bench_mode_;
+  SelfTest self_test_;
+  Arming arming_;
+  Telemetry telemetry_;
+  Situation situation_{};
+  core::Microseconds tick_duration_{};
 };
 
 }  // namespace fantail::avionics

@@ -5,6 +5,7 @@
 
 #include "avionics/boot_counter.hpp"
 #include "avionics/flash_access.hpp"
+#include "avionics/flash_facts.hpp"
 #include "avionics/flash_room.hpp"
 #include "avionics/plan_store.hpp"
 #include "avionics/plan_transfer.hpp"
@@ -22,8 +23,15 @@ class FlashService {
   FlashService(const FlashService&) = delete;  // its users refer to its access
   FlashService& operator=(const FlashService&) = delete;
 
-  /// At power-up, before the first tick: PlanStore::load().
-  std::optional<StoredPlan> load_plan(core::Microseconds now) { return store_.load(now); }
+  /// At power-up: PlanStore::load().
+  std::optional<StoredPlan> load_plan(core::Microseconds now) {
+    const std::optional<StoredPlan> stored = store_.load(now);
+    if (stored) {
+      plan_broken_ = stored->broken && !stored->plan;
+      plan_unreadable_ = stored->flash_failed;
+    }
+    return stored;
+  }
 
   /// Once a tick, after the frames of the bus have been given to transfer(): at most one call to the flash, which is
   /// one erase or one program begun, or 256 bytes read.
@@ -42,12 +50,28 @@ class FlashService {
   [[nodiscard]] const BootCounter& boots() const { return boots_; }
   [[nodiscard]] const FlashRoom& room() const { return room_; }
 
+  /// PlanTransfer::take_plan(); it also takes the place of one that was broken.
+  std::optional<core::FlightPlan> take_plan() {
+    const std::optional<core::FlightPlan> plan = transfer_.take_plan();
+    plan_broken_ = plan_broken_ && !plan;
+    return plan;
+  }
+
+  [[nodiscard]] FlashFacts facts() const {
+    return {.failed = plan_unreadable_ || boots_.failed() || room_.failed(),
+            .stored_plan_broken = plan_broken_,
+            .free_bytes = room_.free_bytes(),
+            .region_bytes = access_.map().flight_end - access_.map().flight_begin};
+  }
+
  private:
   FlashAccess access_;
   BootCounter boots_{access_};
   PlanStore store_{access_};
   FlashRoom room_{access_};
   PlanTransfer transfer_{store_};
+  bool plan_broken_ = false;
+  bool plan_unreadable_ = false;
 };
 
 }  // namespace fantail::avionics

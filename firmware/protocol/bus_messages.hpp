@@ -141,7 +141,7 @@ enum class ArmRefusal : std::uint8_t {
   switch_not_cycled,     ///< closed since power-up: open it, and close it again
   switch_open,
   not_at_rest,
-  no_nonce,  ///< confirm without begin
+  no_nonce,  ///< confirm without begin; or begin, and none can be made
   nonce_expired,
   wrong_nonce,
   not_a_tunnel_plan,  ///< start
@@ -154,6 +154,7 @@ struct ArmReply {
   std::optional<std::size_t> canard{};  ///< 0 to 3: where the self-test failed, or which one it moves
   ArmRefusal refusal = ArmRefusal::none;
   std::optional<std::uint32_t> nonce{};  ///< to be confirmed within 5 s
+  friend bool operator==(const ArmReply&, const ArmReply&) = default;
 };
 
 enum class TransferState : std::uint8_t {

@@ -91,6 +91,11 @@ std::uint32_t plan_block_crc(std::span<const std::byte> block) {
   return crc32c(block.first(block.size() - std::min(checksum_size, block.size())));
 }
 
+std::uint32_t plan_crc(const core::FlightPlan& plan) {
+  std::array<std::byte, largest_plan_block> block;
+  return get(block, write_plan_block(plan, block) - checksum_size);
+}
+
 PlanBlockReading read_plan_block(std::span<const std::byte> block) {
   if (block.size() < header_size + checksum_size) {
     return refuse(PlanBlockFault::too_short);

@@ -36,6 +36,9 @@ enum class PlanBlockFault : std::uint8_t {
 /// Number of bytes written; `out` has room for largest_plan_block.
 std::size_t write_plan_block(const core::FlightPlan& plan, std::span<std::byte, largest_plan_block> out);
 
+/// plan_block_crc() of this plan's block: the plan's name on the bus.
+[[nodiscard]] std::uint32_t plan_crc(const core::FlightPlan& plan);
+
 struct PlanBlockReading {
   std::optional<core::FlightPlan> plan;
   PlanBlockFault fault{};                       ///< when there is no plan

@@ -22,6 +22,7 @@ struct WorldSide {
   EncoderReading encoders{};
   bool arm_switch_closed = false;
   std::array<std::optional<Pulse>, canards> pulses{};  ///< what the avionics wrote last
+  Microseconds watchdog_fed{};                         ///< when the avionics last completed a tick
 };
 
 }  // namespace fantail::hal::sim

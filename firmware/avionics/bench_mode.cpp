@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+#include "avionics/bench_mode.hpp"
+
+#include <utility>
+
+namespace fantail::avionics {
+
+using protocol::SessionAction;
+using protocol::SessionReason;
+
+bool BenchMode::receive(const Situation& now, bool self_test_runs, const protocol::BenchSession& message) {
+  const bool own = session_ == message.session;
+  switch (message.action) {
+    case SessionAction::keep:
+      if (own) {
+        last_heard_ = now.time;
+      }
+      return own;
+    case SessionAction::close:
+      if (own) {
+        close(SessionReason::closed_by_bench);
+      }
+      return own;
+    case SessionAction::open: break;
+  }
+  if (own) {  // the bench repeats itself until it has seen the answer
+    last_heard_ = now.time;
+    answer(SessionReason::opened, message.session);
+  } else if (session_) {
+    // Refused, and the other session goes on: the answer names the one that was refused.
+    answer(SessionReason::other_session, message.session);
+  } else if (now.phase != core::Phase::safe) {
+    answer(SessionReason::not_safe, message.session);
+  } else if (!now.at_rest) {
+    answer(SessionReason::not_at_rest, message.session);
+  } else if (self_test_runs) {
+    answer(SessionReason::self_test_runs, message.session);
+  } else {
+    session_ = message.session;
+    last_heard_ = now.time;
+    answer(SessionReason::opened, message.session);
+  }
+  return true;
+}
+
+bool BenchMode::receive(const protocol::BenchRequest& message) {
+  if (session_) {
+    request_ = message;
+  }
+  return session_.has_value();
+}
+
+std::optional<std::array<core::Angle, core::canard_count>> BenchMode::canard_request(
+    const core::CanardsPlan& canards) const {
+  if (!request_) {
+    return std::nullopt;
+  }
+  std::array<core::Angle, core::canard_count> angles;
+  for (std::size_t i = 0; i < angles.size(); ++i) {
+    angles[i] = request_->angle[i].value_or(canards.each[i].trim);
+  }
+  return angles;
+}
+
+void BenchMode::update(const Situation& now) {
+  if (!session_) {
+    return;
+  }
+  if (now.phase != core::Phase::safe) {
+    close(SessionReason::not_safe);
+  } else if (now.moves) {
+    close(SessionReason::not_at_rest);  // somebody has picked the rocket up
+  } else if (now.time - last_heard_ > patience) {
+    close(SessionReason::heartbeat_lost);
+  }
+}
+
+bool BenchMode::take_news() {
+  const bool news = std::exchange(news_, false);
+  if (session_ && reply_.session != *session_) {
+    reply_ = {.state = protocol::SessionState::open, .reason = SessionReason::opened, .session = *session_};
+  }
+  return news;
+}
+
+void BenchMode::answer(SessionReason reason, std::uint16_t session) {
+  reply_ = {.state = session_ == session ? protocol::SessionState::open : protocol::SessionState::closed,
+            .reason = reason,
+            .session = session};
+  news_ = true;
+}
+
+void BenchMode::close(SessionReason reason) {
+  const std::uint16_t session = *session_;
+  session_.reset();
+  request_.reset();
+  answer(reason, session);
+}
+
+}  // namespace fantail::avionics

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "avionics/situation.hpp"
+#include "core/flight_plan.hpp"
+#include "protocol/bus_messages.hpp"
+
+namespace fantail::avionics {
+
+/// The right of a bench to move the canards. It is given in Safe, to one bench at a time, while the rocket stands
+/// still; it ends with the phase, with motion, on request, or when the bench has been silent for 100 ms. Then nothing
+/// asks for an angle any more, and the canards go to their trims.
+class BenchMode {
+ public:
+  static constexpr core::Microseconds patience{100'000};
+
+  /// False: it concerns a session that is not open, and nothing was done.
+  bool receive(const Situation& now, bool self_test_runs, const protocol::BenchSession& message);
+  bool receive(const protocol::BenchRequest& message);
+
+  /// Once a tick, after what was received.
+  void update(const Situation& now);
+
+  [[nodiscard]] bool open() const { return session_.has_value(); }
+
+  /// Shaft angles for the autopilot, the trim for a canard that was not asked; empty outside a session and before its
+  /// first request.
+  [[nodiscard]] std::optional<std::array<core::Angle, core::canard_count>> canard_request(
+      const core::CanardsPlan& canards) const;
+
+  /// The state and why.
+  [[nodiscard]] const protocol::SessionReply& reply() const { return reply_; }
+  /// True once, when that is an answer which nobody has seen. From then on the reply is about the open session again.
+  [[nodiscard]] bool take_news();
+
+ private:
+  void answer(protocol::SessionReason reason, std::uint16_t session);
+  void close(protocol::SessionReason reason);
+
+  std::optional<std::uint16_t> session_;
+  core::Microseconds last_heard_{};
+  std::optional<protocol::BenchRequest> request_;
+  protocol::SessionReply reply_{};
+  bool news_ = false;
+};
+
+}  // namespace fantail::avionics

@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: MIT
+#include "avionics/self_test.hpp"
+
+#include <algorithm>
+
+#include "core/finite.hpp"
+
+namespace fantail::avionics {
+
+using core::Angle;
+using core::Microseconds;
+using protocol::SelfTestFailure;
+using protocol::SelfTestState;
+using namespace core::literals;
+
+namespace {
+
+constexpr Microseconds still_time{3'000'000};
+constexpr Microseconds patience{12'000'000};  // for the still seconds and the count of the flash
+constexpr float one_g_tolerance_m_s2 = 0.1F * core::standard_gravity_m_s2;
+
+constexpr Angle largest_swing = 3_deg;
+constexpr Microseconds move_time{400'000};     // a sound servo arrives within a tenth of it
+constexpr Microseconds watched_from{300'000};  // the encoders are averaged from here on: one reading is noisy
+
+// A record of a tick is at most 80 bytes; a flight goes on after control has ended.
+constexpr std::int64_t record_bytes_per_s = 80'000;
+constexpr std::int64_t seconds_after_control = 30;
+
+}  // namespace
+
+std::uint32_t SelfTest::record_bytes(const core::FlightPlan& plan) {
+  const std::int64_t control_s = plan.run.control_time.count() / 1'000'000 + 1;
+  return static_cast<std::uint32_t>(record_bytes_per_s * (control_s + seconds_after_control));
+}
+
+void SelfTest::start(const Situation& now, bool session_open) {
+  if (running()) {
+    return;
+  }
+  if (now.phase != core::Phase::safe) {
+    fail(now.time, SelfTestFailure::not_safe);
+  } else if (session_open) {
+    fail(now.time, SelfTestFailure::session_open);
+  } else {
+    state_ = SelfTestState::running;
+    failure_ = SelfTestFailure::none;
+    canard_.reset();
+    started_ = now.time;
+    stage_ = Stage::still;
+    restart_averages(now.time);
+  }
+}
+
+void SelfTest::update(const core::Inputs& inputs, const core::TickRecord& record, const FlashFacts& flash) {
+  const bool moves = record.motion.at_rest_for == Microseconds{0};
+  if (state_ == SelfTestState::passed && moves && record.phase == core::Phase::safe) {
+    fail(inputs.time, SelfTestFailure::moved);  // what was tested is not what stands there now
+  }
+  if (!running()) {
+    return;
+  }
+  if (record.phase != core::Phase::safe) {
+    fail(inputs.time, SelfTestFailure::not_safe);
+  } else if (record.motion.gyro == core::SensorState::failed) {
+    fail(inputs.time, SelfTestFailure::gyro_failed);
+  } else if (stage_ == Stage::still) {
+    stand_still(inputs, record, flash);
+  } else if (moves) {
+    fail(inputs.time, SelfTestFailure::moved);
+  } else {
+    move_canards(record);
+  }
+}
+
+void SelfTest::stand_still(const core::Inputs& inputs, const core::TickRecord& record, const FlashFacts& flash) {
+  if (!average(inputs)) {
+    return fail(inputs.time, SelfTestFailure::accelerometer_failed);
+  }
+  if (record.motion.at_rest_for == Microseconds{0}) {
+    restart_averages(inputs.time);
+  }
+  const bool still = inputs.time - stage_started_ >= still_time && record.motion.at_rest_for >= still_time;
+  const bool counted = flash.free_bytes.has_value() || flash.failed;
+  if (!still || !counted) {
+    if (inputs.time - started_ >= patience) {
+      // A rocket in which a sensor is off by more than the plan's tolerance is never at rest: that is the better name.
+      fail(inputs.time, still ? SelfTestFailure::timed_out : judge_sensors().value_or(SelfTestFailure::moved));
+    }
+    return;
+  }
+  if (const auto failure = judge_sensors()) {
+    fail(inputs.time, *failure);
+  } else if (flash.failed) {
+    fail(inputs.time, SelfTestFailure::flash_failed);
+  } else if (flash.stored_plan_broken) {
+    fail(inputs.time, SelfTestFailure::no_valid_plan);
+  } else if (*flash.free_bytes < std::min(record_bytes(plan_), flash.region_bytes)) {
+    fail(inputs.time, SelfTestFailure::flash_too_full);
+  } else {
+    begin_move(inputs.time, Stage::centre, 0);
+  }
+}
+
+void SelfTest::restart_averages(Microseconds now) {
+  stage_started_ = now;
+  for (Average& average : averages_) {
+    average = {.last_sample = average.last_sample, .last_news = now};
+  }
+}
+
+// False when an accelerometer that the plan needs has had nothing usable for longer than the plan allows.
+bool SelfTest::average(const core::Inputs& inputs) {
+  for (std::size_t i = 0; i < needed_accelerometers(); ++i) {
+    const core::AccelerometerSample& sample = inputs.accelerometers[i];
+    Average& average = averages_[i];
+    const float axial_m_s2 = sample.specific_force_m_s2.x;
+    if (sample.quality == core::SampleQuality::valid && sample.time != average.last_sample &&
+        core::is_finite(axial_m_s2)) {
+      average.sum_m_s2 += axial_m_s2;
+      average.samples += 1.0F;
+      average.last_sample = sample.time;
+      average.last_news = inputs.time;
+    } else if (inputs.time - average.last_news > plan_.motion.stale_time) {
+      return false;
+    }
+  }
+  return true;
+}
+
+std::optional<SelfTestFailure> SelfTest::judge_sensors() const {
+  for (std::size_t i = 0; i < needed_accelerometers(); ++i) {
+    if (averages_[i].samples < 1.0F) {
+      return std::nullopt;  // the rocket has just moved, so nothing is known yet
+    }
+    const float off_m_s2 = averages_[i].mean_m_s2() - core::standard_gravity_m_s2;
+    if (off_m_s2 > one_g_tolerance_m_s2 || off_m_s2 < -one_g_tolerance_m_s2) {
+      return SelfTestFailure::specific_force_not_one_g;
+    }
+  }
+  if (needed_accelerometers() == 2) {
+    const float apart_m_s2 = averages_[0].mean_m_s2() - averages_[1].mean_m_s2();
+    const float allowed_m_s2 = plan_.launch_detection.disagreement_m_s2;
+    if (apart_m_s2 > allowed_m_s2 || apart_m_s2 < -allowed_m_s2) {
+      return SelfTestFailure::accelerometers_disagree;
+    }
+  }
+  return std::nullopt;
+}
+
+void SelfTest::begin_move(Microseconds now, Stage stage, std::size_t canard) {
+  stage_ = stage;
+  stage_started_ = now;
+  canard_ = canard;
+  encoder_sum_ = {};
+  encoder_samples_ = {};
+}
+
+void SelfTest::move_canards(const core::TickRecord& record) {
+  for (std::size_t i = 0; i < core::canard_count; ++i) {
+    if (record.verdicts[i] == core::CanardVerdict::dead) {
+      return fail(record.time, SelfTestFailure::encoder_silent, i);
+    }
+    if (record.time - stage_started_ >= watched_from && record.encoders[i]) {
+      encoder_sum_[i] += *record.encoders[i];
+      encoder_samples_[i] += 1.0F;
+    }
+  }
+  if (record.time - stage_started_ < move_time) {
+    return;
+  }
+  ended_ = record.time;
+  judge_canards();
+  if (!running()) {
+    return;
+  }
+  if (stage_ == Stage::centre) {
+    begin_move(record.time, Stage::out, 0);
+  } else if (stage_ == Stage::out) {
+    begin_move(record.time, Stage::back, *canard_);
+  } else if (*canard_ + 1 < core::canard_count) {
+    begin_move(record.time, Stage::out, *canard_ + 1);
+  } else {
+    state_ = SelfTestState::passed;
+    canard_.reset();
+  }
+}
+
+void SelfTest::judge_canards() {
+  // The one whose turn it is comes last: where two servos or two encoders are swapped, both stand wrong, and the other
+  // one says more.
+  for (std::size_t k = 1; k <= core::canard_count; ++k) {
+    const std::size_t i = (*canard_ + k) % core::canard_count;
+    if (encoder_samples_[i] < 1.0F) {
+      return fail(ended_, SelfTestFailure::encoder_silent, i);
+    }
+    const Angle off = encoder_sum_[i] / encoder_samples_[i] - asked_of(i);
+    if (abs(off) > swing(*canard_) / 3.0F) {
+      const bool its_turn = i == *canard_ || stage_ == Stage::centre;
+      return fail(ended_, its_turn ? SelfTestFailure::canard_did_not_follow : SelfTestFailure::another_canard_moved, i);
+    }
+  }
+}
+
+std::optional<std::array<Angle, core::canard_count>> SelfTest::canard_request() const {
+  if (!running() || stage_ == Stage::still) {
+    return std::nullopt;
+  }
+  std::array<Angle, core::canard_count> angles;
+  for (std::size_t i = 0; i < angles.size(); ++i) {
+    angles[i] = asked_of(i);
+  }
+  return angles;
+}
+
+Angle SelfTest::asked_of(std::size_t canard) const {
+  const Angle trim = plan_.canards.each[canard].trim;
+  return stage_ == Stage::out && canard_ == canard ? trim + swing(canard) : trim;
+}
+
+// Inside the plan limit, on whichever side the trim lies.
+Angle SelfTest::swing(std::size_t canard) const {
+  return std::min(largest_swing, plan_.controller.canard_limit - abs(plan_.canards.each[canard].trim));
+}
+
+std::size_t SelfTest::needed_accelerometers() const {
+  return plan_.launch_detection.accelerometers == core::AccelerometerRule::two_agree ? 2 : 1;
+}
+
+void SelfTest::fail(Microseconds now, SelfTestFailure failure, std::optional<std::size_t> canard) {
+  state_ = SelfTestState::failed;
+  failure_ = failure;
+  canard_ = canard;
+  ended_ = now;
+}
+
+}  // namespace fantail::avionics

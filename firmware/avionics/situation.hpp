@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "core/flight_phase.hpp"
+#include "core/time.hpp"
+
+namespace fantail::avionics {
+
+/// Where the rocket stood after the last tick: what decides whether somebody on the ground may do something.
+struct Situation {
+  core::Microseconds time{};
+  core::Phase phase = core::Phase::safe;
+  bool at_rest = false;  ///< for the plan's rest time, up to now
+  bool moves = false;    ///< not at rest at all
+  bool arm_switch_closed = false;
+};
+
+}  // namespace fantail::avionics

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+#include "avionics/telemetry.hpp"
+
+#include <algorithm>
+
+namespace fantail::avionics {
+namespace {
+
+// Milliseconds.
+constexpr std::uint32_t motion_period = 10;
+constexpr std::uint32_t health_period = 100;
+constexpr std::uint32_t slow_period = 1000;
+
+void put(const protocol::BusFrame& frame, hal::CanBus& bus) {
+  // A frame that finds no room is counted by the bus; there will be another.
+  (void)bus.send({.id = frame.id, .length = frame.length, .data = frame.data});
+}
+
+// Cut off, not rounded: a counter that only ever differs.
+std::uint8_t low_byte(std::uint32_t value) { return static_cast<std::uint8_t>(value & 0xFFU); }
+
+protocol::PerCanard driven_angles(const core::CanardCommands& commands) {
+  protocol::PerCanard angles;
+  for (std::size_t i = 0; i < angles.size(); ++i) {
+    if (commands[i].driven) {
+      angles[i] = commands[i].angle;
+    }
+  }
+  return angles;
+}
+
+protocol::StatusReport status(const core::TickRecord& record, const Report& report, bool every_tick) {
+  protocol::StatusReport status{.phase = record.phase,
+                                .reason = record.reason,
+                                .command_status = record.command_status,
+                                .roll_command = record.command,
+                                .saturated = record.saturated,
+                                .arm_switch_closed = report.situation.arm_switch_closed,
+                                .at_rest = report.situation.at_rest,
+                                .session_open = report.session_open,
+                                .self_test_running = report.self_test_running,
+                                .timing_fault = record.timing_fault,
+                                .every_tick = every_tick};
+  for (std::size_t i = 0; i < status.limited.size(); ++i) {
+    status.limited[i] = record.canards[i].limited;
+  }
+  return status;
+}
+
+}  // namespace
+
+void Telemetry::send(const core::TickRecord& record, const Report& report, hal::CanBus& bus) {
+  const bool every_tick = record.phase == core::Phase::launched || record.phase == core::Phase::controlling ||
+                          report.self_test_running || report.session_open;
+  if (every_tick || ticks_ % motion_period == 0) {
+    put(encode(protocol::CommandReport{driven_angles(record.canards)}, command_counter_++ & 0xFU), bus);
+    put(encode(protocol::EncoderReport{record.encoders}, encoder_counter_++ & 0xFU), bus);
+  }
+  if (ticks_ % motion_period == 3) {
+    put(encode(status(record, report, every_tick)), bus);
+  }
+  if (ticks_ % motion_period == 6) {
+    put(encode(protocol::MotionReport{.roll_angle = record.motion.roll_angle,
+                                      .roll_rate_rad_s = record.motion.roll_rate_rad_s,
+                                      .height_m = record.motion.height_m,
+                                      .speed_m_s = record.motion.speed_m_s}),
+        bus);
+  }
+  if (report.plan) {
+    put(encode(*report.plan), bus);
+  }
+  // Answers at once, and again in case that somebody came late.
+  if (report.session_is_news || ticks_ % health_period == 11) {
+    put(encode(report.session), bus);
+  }
+  if (report.arming != last_arming_ || ticks_ % health_period == 22) {
+    last_arming_ = report.arming;
+    put(encode(report.arming), bus);
+  }
+  send_health(record, report, bus);
+  ticks_ += 1;
+}
+
+void Telemetry::send_health(const core::TickRecord& record, const Report& report, hal::CanBus& bus) {
+  longest_tick_ = std::max(longest_tick_, report.tick_duration);
+  if (ticks_ % health_period == 33) {
+    const hal::CanCounters counters = bus.counters();
+    constexpr std::int64_t most_us = 0xFFFF;
+    put(encode(protocol::HealthReport{
+            .verdicts = record.verdicts,
+            .gyro = record.motion.gyro,
+            .accelerometer = record.motion.accelerometer,
+            .bus_state = static_cast<std::uint8_t>(bus.state()),
+            .unsent = low_byte(counters.unsent),
+            .overrun = low_byte(counters.overrun),
+            .bus_errors = low_byte(counters.errors),
+            .longest_tick_us = static_cast<std::uint16_t>(std::min(std::int64_t{longest_tick_.count()}, most_us))}),
+        bus);
+    longest_tick_ = {};
+  }
+  if (ticks_ % health_period == 44) {
+    const auto uptime_ms = static_cast<std::uint32_t>((record.time.count() / 1000) & 0xFFFFFF);
+    put(encode(protocol::HeartbeatReport{.uptime_ms = uptime_ms, .plan_crc = report.plan_crc}), bus);
+  }
+  if (ticks_ % slow_period == 55) {
+    put(encode(report.rejections), bus);
+  }
+  if (ticks_ % slow_period == 66) {
+    put(encode(report.limits), bus);
+  }
+}
+
+}  // namespace fantail::avionics

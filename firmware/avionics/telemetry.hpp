@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+#include "avionics/situation.hpp"
+#include "core/tick_record.hpp"
+#include "hal/can_bus.hpp"
+#include "protocol/bus_codec.hpp"
+
+namespace fantail::avionics {
+
+/// What one tick has to tell, beside its record.
+struct Report {
+  Situation situation{};
+  bool self_test_running = false;
+  bool session_open = false;
+  protocol::SessionReply session{};  ///< of that one, or of one that was refused
+  bool session_is_news = false;
+  protocol::ArmReply arming{};
+  std::optional<protocol::PlanReply> plan{};
+  protocol::RejectionReport rejections{};
+  protocol::LimitReport limits{};
+  std::uint32_t plan_crc = 0;
+  core::Microseconds tick_duration{};  ///< of the last whole tick
+};
+
+/// Puts the reports on the bus: commands and encoders every millisecond while a canard may move (Launched, Controlling,
+/// self-test, bench session), every ten otherwise; the rest in turn, so that no millisecond has much more than another.
+class Telemetry {
+ public:
+  void send(const core::TickRecord& record, const Report& report, hal::CanBus& bus);
+
+ private:
+  void send_health(const core::TickRecord& record, const Report& report, hal::CanBus& bus);
+
+  std::uint32_t ticks_ = 0;
+  std::uint8_t command_counter_ = 0;
+  std::uint8_t encoder_counter_ = 0;
+  protocol::ArmReply last_arming_{};
+  core::Microseconds longest_tick_{};
+};
+
+}  // namespace fantail::avionics

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "hal/console.hpp"
+
+namespace fantail::hal::sim {
+
+/// Nobody listens.
+class Console final : public hal::Console {
+ public:
+  void write(std::string_view /*text*/) override {}
+};
+
+}  // namespace fantail::hal::sim

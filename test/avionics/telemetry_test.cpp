@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: MIT
+#include "avionics/telemetry.hpp"
+
+#include <gtest/gtest.h>
+
+#include "avionics/board_rig.hpp"
+
+namespace fantail::avionics {
+namespace {
+
+using namespace core::literals;
+
+struct Rates {
+  int commands;
+  int encoders;
+  int status;
+  int motion;
+};
+
+Rates heard_in_a_second(BoardRig& rig) {
+  const auto now = [&rig] {
+    return Rates{.commands = rig.count<protocol::CommandReport>(),
+                 .encoders = rig.count<protocol::EncoderReport>(),
+                 .status = rig.count<protocol::StatusReport>(),
+                 .motion = rig.count<protocol::MotionReport>()};
+  };
+  const Rates before = now();
+  rig.run(second);
+  const Rates after = now();
+  return {.commands = after.commands - before.commands,
+          .encoders = after.encoders - before.encoders,
+          .status = after.status - before.status,
+          .motion = after.motion - before.motion};
+}
+
+void expect_rate(BoardRig& rig, int of_canards) {
+  const Rates rates = heard_in_a_second(rig);
+  EXPECT_EQ(rates.commands, of_canards);
+  EXPECT_EQ(rates.encoders, of_canards);
+  EXPECT_EQ(rates.status, 100);
+  EXPECT_EQ(rates.motion, 100);
+}
+
+TEST(Telemetry, ReportsCanardsAHundredTimesASecondWhileNothingMayMove) {
+  BoardRig rig;
+  expect_rate(rig, 100);
+}
+
+TEST(Telemetry, ReportsCanardsEveryMillisecondInABenchSession) {
+  BoardRig rig;
+  rig.open_session();
+  expect_rate(rig, 1000);
+}
+
+TEST(Telemetry, ReportsCanardsEveryMillisecondInTheSelfTest) {
+  BoardRig rig;
+  rig.run(second);
+  rig.say(protocol::ArmAction::self_test);
+  rig.tick();
+  expect_rate(rig, 1000);
+}
+
+TEST(Telemetry, AnArmedRocketIsQuietAgain) {
+  BoardRig rig;
+  rig.arm();
+  expect_rate(rig, 100);
+}
+
+TEST(Telemetry, ReportsCanardsEveryMillisecondInControl) {
+  core::FlightPlan plan = core::default_plan();
+  plan.run.start = core::Start::tunnel;
+  BoardRig rig{plan};
+  rig.arm();
+  rig.say(protocol::ArmAction::start, rig.armed_with);
+  ASSERT_EQ(rig.tick().phase, core::Phase::controlling);
+  expect_rate(rig, 1000);
+}
+
+TEST(Telemetry, TheReportsSayWhatTheServosAreToldAndWhatTheEncodersRead) {
+  BoardRig rig;
+  rig.unplugged[3] = true;
+  rig.open_session();
+  rig.say(protocol::BenchRequest{.angle = {5_deg, std::nullopt, std::nullopt, std::nullopt}});
+  rig.run(second);
+  const auto& commands = *rig.heard<protocol::CommandReport>();
+  const auto& encoders = *rig.heard<protocol::EncoderReport>();
+  EXPECT_NEAR(commands.angle[0]->degrees(), 5.0F, 0.006F);
+  EXPECT_NEAR(encoders.angle[0]->degrees(), 5.0F, 0.02F);
+  EXPECT_NEAR(encoders.angle[1]->degrees(), 0.0F, 0.02F);
+  EXPECT_FALSE(encoders.angle[3]);
+  EXPECT_EQ(rig.heard<protocol::HealthReport>()->verdicts[3], core::CanardVerdict::dead);
+}
+
+TEST(Telemetry, TheLimitsAreThoseOfThePlan) {
+  core::FlightPlan plan = core::default_plan();
+  plan.canards.each[2].mechanical_stop = 9_deg;
+  plan.controller.canard_limit = 9_deg;
+  BoardRig rig{plan};
+  rig.run(second);
+  EXPECT_NEAR(rig.heard<protocol::LimitReport>()->limit[2].degrees(), 9.0F, 0.001F);
+}
+
+TEST(Telemetry, TheHeartbeatNamesThePlanByItsChecksum) {
+  core::FlightPlan plan = core::default_plan();
+  plan.controller.canard_limit = 6_deg;
+  BoardRig rig{plan};
+  rig.run(second);
+  // The last four bytes of the plan's block, little-endian.
+  std::array<std::byte, protocol::largest_plan_block> block{};
+  const std::size_t size = protocol::write_plan_block(plan, block);
+  std::uint32_t checksum = 0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    checksum |= static_cast<std::uint32_t>(block[size - 4 + i]) << (8U * i);
+  }
+  EXPECT_EQ(rig.heard<protocol::HeartbeatReport>()->plan_crc, checksum);
+  EXPECT_EQ(rig.heard<protocol::HeartbeatReport>()->version, protocol::bus_protocol_version);
+}
+
+TEST(Telemetry, EvenTheWorstMillisecondFitsOnTheBus) {
+  BoardRig rig;
+  hal::sim::CanBus tap{rig.wire};
+  rig.open_session();
+  int most_bits = 0;
+  for (int i = 0; i < 3000; ++i) {
+    if (i % 20 == 0) {
+      rig.say(protocol::BenchSession{.action = protocol::SessionAction::keep, .session = 7});
+    }
+    if (i % 5 == 0) {
+      rig.say(protocol::BenchRequest{.angle = {5_deg, 5_deg, 5_deg, 5_deg}});
+    }
+    while (tap.receive()) {
+    }
+    rig.tick();
+    int bits = 0;
+    while (tap.receive()) {
+      bits += 135;  // of any frame of eight bytes, all stuff bits counted
+    }
+    most_bits = std::max(most_bits, bits);
+  }
+  EXPECT_GE(most_bits, 270);
+  EXPECT_LT(most_bits, 1000);
+}
+
+}  // namespace
+}  // namespace fantail::avionics
