@@ -3,6 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+
+#include "hal/sim/console.hpp"
+#include "hal/sim/flash.hpp"
 
 namespace fantail::sim {
 namespace {
@@ -11,8 +15,6 @@ using core::Microseconds;
 
 constexpr Microseconds tick_time{1'000};
 constexpr double tick_time_s = 1e-3;
-// Between the hand on the switch and the word on the wire; they must be two actions.
-constexpr Microseconds arm_command_after{100'000};
 // A start command that the avionics has not followed by then was refused.
 constexpr Microseconds start_patience{1'000'000};
 
@@ -35,12 +37,34 @@ ServoFault servo_fault(FaultKind kind) {
   }
 }
 
+// For nobody but this world, so no larger than its own start needs.
+constexpr hal::FlashGeometry small_flash{.size = 1U << 20U, .sector_size = 4096, .page_size = 256};
+
 }  // namespace
 
+/// Everything that a flight needs beside the rocket when nobody else is there.
+struct World::LonePad {
+  explicit LonePad(Microseconds arm_time) : crew{wire, arm_time} {}
+  [[nodiscard]] BoardPorts ports() { return {.can_bus = can_bus, .flash = flash, .console = console}; }
+
+  hal::sim::CanWire wire;
+  hal::sim::CanBus can_bus{wire};
+  hal::sim::Flash flash{small_flash};
+  hal::sim::Console console;
+  PadCrew crew;
+};
+
 World::World(const Scenario& scenario)
+    : World{scenario, std::make_unique<LonePad>(nearest_tick(scenario.arm_time_s))} {}
+
+World::World(const Scenario& scenario, const BoardPorts& ports) : World{scenario, ports, nullptr} {}
+
+World::World(const Scenario& scenario, std::unique_ptr<LonePad> pad) : World{scenario, pad->ports(), std::move(pad)} {}
+
+World::World(const Scenario& scenario, const BoardPorts& ports, std::unique_ptr<LonePad> pad)
     : scenario_{scenario},
       ignition_{nearest_tick(scenario.pad_time_s)},
-      arm_time_{nearest_tick(scenario.arm_time_s)},
+      waits_for_ignition_{pad == nullptr},
       time_after_end_{nearest_tick(scenario.time_after_end_s)},
       environment_{scenario, Random{scenario.seed, turbulence}},
       disturbance_{scenario.disturbance},
@@ -49,7 +73,8 @@ World::World(const Scenario& scenario)
       imu_model_{scenario.vehicle.imu, Random{scenario.seed, imu_noise}},
       accelerometer_model_{scenario.vehicle.accelerometer, Random{scenario.seed, accelerometer_noise}},
       fault_is_applied_(scenario.faults.size(), false),
-      board_{scenario.plan} {
+      pad_{std::move(pad)},
+      board_{scenario.plan, ports} {
   board_.hardware.imu_scale = imu_model_.scale();
   board_.hardware.accelerometer_scale_m_s2 = accelerometer_model_.scale();
   if (scenario.imposed_roll) {
@@ -57,13 +82,17 @@ World::World(const Scenario& scenario)
   }
 }
 
+World::~World() = default;
+
 const core::TickRecord& World::tick() {
   if (!scenario_.faults.empty()) {
     apply_faults();
   }
   impose_roll();
   fill_hardware();
-  press_buttons();
+  if (pad_) {
+    let_crew_act();
+  }
   const core::TickRecord& record = board_.avionics.tick();
   phase_ = record.phase;
   follow_events();
@@ -71,6 +100,9 @@ const core::TickRecord& World::tick() {
 }
 
 void World::advance() {
+  if (waits_for_ignition_) {
+    ignition_ += tick_time;
+  }
   const double from_ignition_s = in_seconds(now_ - ignition_);
   canards_.step(in_seconds(now_), tick_time_s, board_.hardware.pulses);
   const double density_before = environment_.density_kg_m3();
@@ -86,6 +118,13 @@ void World::advance() {
     roll_ =
         scenario_.vehicle.roll_plant.step(roll_, 0.5 * (density_before + environment_.density_kg_m3()),
                                           0.5 * (speed_before + environment_.speed_m_s()), deflection_rad, tick_time_s);
+  }
+}
+
+void World::ignite() {
+  if (waits_for_ignition_) {
+    waits_for_ignition_ = false;
+    ignition_ = now_;
   }
 }
 
@@ -153,15 +192,15 @@ void World::fill_hardware() {
   board_.hardware.accelerometer = accelerometer;
 }
 
-void World::press_buttons() {
-  board_.hardware.arm_switch_closed = now_ >= arm_time_;
-  if (now_ == arm_time_ + arm_command_after) {
-    board_.avionics.command_arm();
-  }
+void World::let_crew_act() {
+  pad_->crew.act(now_);
+  board_.hardware.arm_switch_closed = pad_->crew.switch_closed();
   if (now_ == ignition_ && scenario_.surroundings == Surroundings::tunnel) {
-    board_.avionics.command_start();
+    pad_->crew.start_tunnel();
   }
 }
+
+std::optional<protocol::ArmReply> World::refusal_to_arm() const { return pad_ ? pad_->crew.refusal() : std::nullopt; }
 
 void World::follow_events() {
   if (scenario_.surroundings == Surroundings::tunnel) {

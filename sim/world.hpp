@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -10,6 +11,7 @@
 #include "sim/canard_set.hpp"
 #include "sim/disturbance.hpp"
 #include "sim/environment.hpp"
+#include "sim/pad_crew.hpp"
 #include "sim/scenario.hpp"
 #include "sim/sensor_models.hpp"
 #include "sim/simulated_board.hpp"
@@ -33,8 +35,13 @@ struct Truth {
 ///   while (!world.over()) { record = world.tick(); truth = world.truth(); ...; world.advance(); }
 class World {
  public:
-  /// The scenario outlives the world.
+  /// The scenario outlives the world. Its pad crew arms the avionics and ignites the motor by the scenario's clock.
   explicit World(const Scenario& scenario);
+
+  /// Bus, flash and console are somebody else's, and so is the pad: nothing happens until set_arm_switch() and
+  /// ignite().
+  World(const Scenario& scenario, const BoardPorts& ports);
+  ~World();
   World(const World&) = delete;  // the devices point into it
   World& operator=(const World&) = delete;
 
@@ -49,6 +56,14 @@ class World {
 
   /// Moves servos, air and rocket through one millisecond.
   void advance();
+
+  void set_arm_switch(bool closed) { board_.hardware.arm_switch_closed = closed; }
+
+  /// The motor burns from the next millisecond on; in the tunnel nothing happens. Only the first time counts.
+  void ignite();
+
+  /// What the avionics answered the world's own pad crew when it would not be armed.
+  [[nodiscard]] std::optional<protocol::ArmReply> refusal_to_arm() const;
 
   /// Past apogee, or past the end of control in the tunnel, by the scenario's time.
   [[nodiscard]] bool over() const { return end_ && now_ >= *end_; }
@@ -68,7 +83,10 @@ class World {
   void apply_faults();
   void break_canard(const Fault& fault);
   void fill_hardware();
-  void press_buttons();
+  struct LonePad;
+  World(const Scenario& scenario, std::unique_ptr<LonePad> pad);
+  World(const Scenario& scenario, const BoardPorts& ports, std::unique_ptr<LonePad> pad);
+  void let_crew_act();
   void follow_events();
   void follow_tunnel();
   void follow_flight();
@@ -78,7 +96,7 @@ class World {
   const Scenario& scenario_;
   core::Microseconds now_{};
   core::Microseconds ignition_;  ///< in the tunnel: the start command
-  core::Microseconds arm_time_;
+  bool waits_for_ignition_;
   core::Microseconds time_after_end_;
   core::Microseconds imposed_roll_after_liftoff_{};
   std::optional<core::Microseconds> end_;
@@ -96,6 +114,7 @@ class World {
   bool roll_is_imposed_ = false;
   std::vector<bool> fault_is_applied_;  ///< in the scenario's order; not of dropouts, which come and go
 
+  std::unique_ptr<LonePad> pad_;  ///< empty when somebody else is there
   SimulatedBoard board_;
   core::Phase phase_ = core::Phase::safe;
 };

@@ -11,7 +11,7 @@ import jsbsim  # noqa: E402
 
 METRES_PER_FOOT = 0.3048
 TICK_S = 1e-3
-PAD_TIME_S = 5.0  # motor/ignition-s of the model, and pad_time_s of the scenario
+PAD_TIME_S = 10.0  # motor/ignition-s of the model, and pad_time_s of the scenario
 AFTER_APOGEE_S = 1.0
 
 

@@ -164,7 +164,7 @@ TEST(EncoderUnplugged, IsEmptyAndDeadAndChangesNothingElse) {
 
 // 60 counts are 1.32 deg. Before anybody arms it, a canard stands still.
 TEST(EncoderNoisy, IsSoFromItsBeginningAndChangesNothingElse) {
-  constexpr double from_s = -4.5;  // after ignition: half a second after power-up
+  constexpr double from_s = -9.5;  // after ignition: half a second after power-up
   const FlownWorld flown =
       fly_with_these({{.kind = FaultKind::encoder_noisy, .canard = broken, .from_s = from_s, .until_s = 0}});
   const FlownWorld whole = fly("tasha3_launch2");
@@ -219,7 +219,7 @@ TEST(ReversedMounting, WithAPlanThatKnowsFliesTheSame) {
   const FlownWorld usual = fly("tasha3_launch2");
   ASSERT_EQ(known.ticks.size(), usual.ticks.size());
   for (std::size_t i = 0; i < known.ticks.size(); ++i) {
-    ASSERT_NEAR(known.ticks[i].truth.roll_angle_rad, usual.ticks[i].truth.roll_angle_rad, 0.01 * degree);
+    ASSERT_NEAR(known.ticks[i].truth.roll_angle_rad, usual.ticks[i].truth.roll_angle_rad, 0.05 * degree);
   }
   EXPECT_LT(known.at(1.5).record.encoders[0]->radians() * known.at(1.5).record.encoders[1]->radians(), 0.0F);
 }

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#include "sim/pad_crew.hpp"
+
+#include "protocol/bus_codec.hpp"
+
+namespace fantail::sim {
+
+using protocol::ArmAction;
+using protocol::ArmReply;
+using protocol::SelfTestState;
+
+void PadCrew::act(hal::Microseconds now) {
+  const std::optional<ArmReply> reply = newest_reply();
+  if (stage_ == Stage::waiting && now >= arm_time_) {
+    stage_ = Stage::testing;
+    send(ArmAction::self_test);
+  } else if (stage_ == Stage::testing && reply && reply->self_test == SelfTestState::passed) {
+    stage_ = Stage::asking;
+    send(ArmAction::begin);
+  } else if (stage_ == Stage::testing && reply && reply->self_test == SelfTestState::failed) {
+    give_up(*reply);
+  } else if (stage_ == Stage::asking && reply && reply->nonce) {
+    stage_ = Stage::confirming;
+    nonce_ = reply->nonce;
+    send(ArmAction::confirm, *nonce_);
+  } else if (reply && reply->refusal != protocol::ArmRefusal::none) {
+    give_up(*reply);
+  } else if (stage_ == Stage::confirming && reply) {
+    stage_ = Stage::done;
+  }
+}
+
+void PadCrew::start_tunnel() {
+  if (nonce_) {
+    send(ArmAction::start, *nonce_);
+  }
+}
+
+std::optional<ArmReply> PadCrew::newest_reply() {
+  std::optional<ArmReply> newest;
+  while (const auto frame = bus_.receive()) {
+    if (stage_ == Stage::waiting || stage_ == Stage::done) {
+      continue;
+    }
+    const auto decoded = protocol::decode_from_avionics(
+        {.id = static_cast<std::uint16_t>(frame->id), .length = frame->length, .data = frame->data});
+    if (decoded.message) {
+      if (const auto* reply = std::get_if<ArmReply>(&*decoded.message)) {
+        newest = *reply;
+      }
+    }
+  }
+  return newest;
+}
+
+void PadCrew::send(ArmAction action, std::uint32_t nonce) {
+  const protocol::BusFrame frame = encode(protocol::ArmRequest{.action = action, .nonce = nonce}, counter_);
+  counter_ = (counter_ + 1U) & 0xFU;
+  (void)bus_.send({.id = frame.id, .length = frame.length, .data = frame.data});
+}
+
+void PadCrew::give_up(const ArmReply& reply) {
+  stage_ = Stage::done;
+  refusal_ = reply;
+}
+
+}  // namespace fantail::sim
