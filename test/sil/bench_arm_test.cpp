@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include "bench/arm_steps.hpp"
+#include "bench/words.hpp"
+#include "sil/bench_at_world.hpp"
+
+namespace fantail::sil {
+namespace {
+
+using core::Phase;
+
+// The bench and the hand at the switch.
+Phase arm(BenchAtWorld& place, bool start = false) {
+  bench::AvionicsLink link{place.bus()};
+  bench::await_avionics(place, link);
+  bench::ArmSteps steps{place, link};
+  EXPECT_EQ(steps.run_self_test([](const auto&) {}).self_test, protocol::SelfTestState::passed);
+  place.world->set_arm_switch(true);
+  place.wait(10 * millisecond);
+  const protocol::ArmReply reply = steps.ask_for_nonce();
+  EXPECT_TRUE(reply.nonce) << bench::words(reply.refusal);
+  EXPECT_TRUE(steps.confirm(reply.nonce.value_or(0)));
+  if (start) {
+    EXPECT_TRUE(steps.start_control(reply.nonce.value_or(0)));
+  }
+  return place.record.phase;
+}
+
+TEST(BenchArm, ArmsARocketThatThenDetectsItsLaunch) {
+  BenchAtWorld place{"tasha3_launch2"};
+  ASSERT_EQ(arm(place), Phase::armed);
+  place.wait(30 * second);
+  EXPECT_EQ(place.record.phase, Phase::armed) << "it waits as long as it must";
+  place.world->ignite();
+  place.wait(second);
+  EXPECT_EQ(place.record.phase, Phase::controlling);
+  place.wait(40 * second);
+  EXPECT_EQ(place.record.reason, core::PhaseReason::apogee);
+}
+
+TEST(BenchArm, StartsControlInTheTunnel) {
+  BenchAtWorld place{"tunnel_steps"};
+  EXPECT_EQ(arm(place, true), Phase::controlling);
+}
+
+TEST(BenchArm, IsToldWhichCanardFailedTheSelfTest) {
+  BenchAtWorld place{"bench_canard3_reversed"};
+  bench::AvionicsLink link{place.bus()};
+  bench::await_avionics(place, link);
+  bench::ArmSteps steps{place, link};
+  const protocol::ArmReply reply = steps.run_self_test([](const auto&) {});
+  EXPECT_EQ(reply.self_test, protocol::SelfTestState::failed);
+  EXPECT_EQ(bench::words(reply.failure, reply.canard), "canard 3 does not stand where it was told to");
+}
+
+TEST(BenchArm, WithoutTheSwitchIsRefusedWithThatReason) {
+  BenchAtWorld place{"tasha3_launch2"};
+  bench::AvionicsLink link{place.bus()};
+  bench::await_avionics(place, link);
+  bench::ArmSteps steps{place, link};
+  (void)steps.run_self_test([](const auto&) {});
+  const protocol::ArmReply reply = steps.ask_for_nonce();
+  EXPECT_FALSE(reply.nonce);
+  EXPECT_EQ(bench::words(reply.refusal), "the arm switch is open");
+}
+
+// A flight begins with the world's own crew: nothing else arms a rocket there either.
+TEST(PadCrew, ARocketWithABrokenCanardIsNotArmedAndTheReasonIsKept) {
+  sim::Scenario scenario = sim::load_scenario("bench_canard3_reversed", {});
+  sim::World world{scenario};
+  while (!world.over()) {
+    EXPECT_EQ(world.tick().phase, Phase::safe);
+    world.advance();
+  }
+  ASSERT_TRUE(world.refusal_to_arm());
+  EXPECT_EQ(world.refusal_to_arm()->failure, protocol::SelfTestFailure::canard_did_not_follow);
+  EXPECT_EQ(world.refusal_to_arm()->canard, 2U);
+}
+
+}  // namespace
+}  // namespace fantail::sil

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bench/avionics_link.hpp"
+#include "bench/exercise.hpp"
+#include "bench/place.hpp"
+#include "bench/session.hpp"
+#include "bench/sheet.hpp"
+#include "hal/sim/can_bus.hpp"
+#include "hal/sim/console.hpp"
+#include "hal/sim/flash.hpp"
+#include "sim/scenario.hpp"
+#include "sim/world.hpp"
+
+namespace fantail::sil {
+
+inline constexpr hal::Microseconds millisecond{1'000};
+inline constexpr hal::Microseconds second{1'000'000};
+
+/// A bench and a rocket on one simulated bus, in one thread: the rocket lives on while the bench waits.
+class BenchAtWorld final : public bench::Place {
+ public:
+  explicit BenchAtWorld(sim::Scenario loaded) : scenario{std::move(loaded)} { power_cycle(); }
+  explicit BenchAtWorld(const std::string& name, std::uint64_t seed = 1) : BenchAtWorld{load(name, seed)} {}
+
+  /// The flash stays, everything else begins anew.
+  void power_cycle() { world.emplace(scenario, sim::BoardPorts{board_bus, flash, console}); }
+
+  [[nodiscard]] hal::CanBus& bus() override { return pc_bus; }
+  [[nodiscard]] hal::Microseconds now() const override { return now_; }
+  void wait(hal::Microseconds at_most) override {
+    for (hal::Microseconds waited{}; waited < at_most; waited += millisecond) {
+      record = world->tick();
+      world->advance();
+      now_ += millisecond;
+      if (after_tick) {
+        after_tick();
+      }
+    }
+  }
+
+  /// As `fantail bench limits` does it.
+  [[nodiscard]] bench::Sheet limits() {
+    bench::AvionicsLink link{pc_bus};
+    bench::await_avionics(*this, link);
+    wait(3 * second);  // at rest long enough
+    bench::Session session{*this, link, 77};
+    const bench::Bounds bounds = bench::bounds(link.newest<protocol::LimitReport>()->message, session.trims());
+    const bench::Exercise exercise = bench::Exercise::limits(bounds);
+    const bench::Recording recording = bench::perform(exercise, session, link, [](double) {});
+    EXPECT_TRUE(session.close());
+    return bench::examine(recording, exercise, scenario.vehicle.canard_tolerances, {});
+  }
+
+  sim::Scenario scenario;
+  hal::sim::CanWire wire;
+  hal::sim::CanBus board_bus{wire};
+  hal::sim::CanBus pc_bus{wire};
+  hal::sim::Flash flash{{.size = 1U << 18U, .sector_size = 4096, .page_size = 256}};
+  hal::sim::Console console;
+  std::optional<sim::World> world;
+  core::TickRecord record;
+  std::function<void()> after_tick;
+
+ private:
+  static sim::Scenario load(const std::string& name, std::uint64_t seed) {
+    sim::Scenario loaded = sim::load_scenario(name, {});
+    loaded.seed = seed;
+    return loaded;
+  }
+
+  hal::Microseconds now_{};
+};
+
+}  // namespace fantail::sil

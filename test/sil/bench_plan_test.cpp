@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include "bench/plan_sender.hpp"
+#include "bench/words.hpp"
+#include "core/flight_plan_fields.hpp"
+#include "sil/bench_at_world.hpp"
+
+namespace fantail::sil {
+namespace {
+
+using protocol::TransferState;
+
+std::vector<std::byte> block_of(const core::FlightPlan& plan) {
+  std::array<std::byte, protocol::largest_plan_block> block{};
+  const std::size_t size = protocol::write_plan_block(plan, block);
+  return {block.begin(), block.begin() + static_cast<std::ptrdiff_t>(size)};
+}
+
+core::FlightPlan plan_with_limit(float limit_deg) {
+  core::FlightPlan plan = core::default_plan();
+  plan.controller.canard_limit = core::Angle::from_degrees(limit_deg);
+  return plan;
+}
+
+protocol::PlanReply send(BenchAtWorld& place, std::span<const std::byte> block) {
+  bench::AvionicsLink link{place.bus()};
+  bench::await_avionics(place, link);
+  return bench::send_plan(place, link, block, [](std::size_t) {});
+}
+
+float limit_in_force_deg(BenchAtWorld& place) {
+  bench::AvionicsLink link{place.bus()};
+  for (int i = 0; i < 600; ++i) {  // it is reported once a second
+    place.wait(2 * millisecond);
+    link.listen(place.now());
+  }
+  return link.newest<protocol::LimitReport>()->message.limit[0].degrees();
+}
+
+TEST(BenchPlan, ANewPlanIsInForceAtOnceAndAfterTheNextPowerUp) {
+  BenchAtWorld place{"bench_healthy"};
+  ASSERT_EQ(send(place, block_of(plan_with_limit(4.0F))).state, TransferState::stored);
+  EXPECT_NEAR(limit_in_force_deg(place), 4.0F, 0.001F);
+  place.power_cycle();
+  EXPECT_NEAR(limit_in_force_deg(place), 4.0F, 0.001F);
+}
+
+TEST(BenchPlan, ABrokenBlockLeavesTheOldPlanInForce) {
+  BenchAtWorld place{"bench_healthy"};
+  std::vector<std::byte> block = block_of(plan_with_limit(4.0F));
+  block[100] ^= std::byte{1};
+  const protocol::PlanReply reply = send(place, block);
+  EXPECT_EQ(reply.state, TransferState::refused);
+  EXPECT_EQ(reply.fault, protocol::TransferFault::bad_block);
+  EXPECT_NEAR(limit_in_force_deg(place), 9.0F, 0.001F);
+}
+
+TEST(BenchPlan, ARefusedFieldIsNamed) {
+  BenchAtWorld place{"bench_healthy"};
+  const protocol::PlanReply reply = send(place, block_of(plan_with_limit(25.0F)));
+  EXPECT_EQ(reply.state, TransferState::refused);
+  EXPECT_EQ(bench::words(reply), "controller.canard_limit_deg is out of range");
+  EXPECT_NEAR(limit_in_force_deg(place), 9.0F, 0.001F);
+}
+
+TEST(BenchPlan, IsRefusedWhileABenchSessionIsOpen) {
+  BenchAtWorld place{"bench_healthy"};
+  place.wait(4 * second);
+  bench::AvionicsLink link{place.bus()};
+  bench::await_avionics(place, link);
+  bench::Session session{place, link, 3};  // whose canards must not jump to other trims
+  link.listen(place.now());
+  bool refused = false;
+  std::uint8_t counter = 0;
+  for (int i = 0; i < 50 && !refused; ++i) {
+    const auto frame = encode(protocol::PlanBegin{.size = 500, .block_crc = 1}, counter++ & 0xFU);
+    (void)place.bus().send({.id = frame.id, .length = frame.length, .data = frame.data});
+    session.wait(20 * millisecond);
+    const auto& reply = link.newest<protocol::PlanReply>();
+    refused = reply && reply->message.fault == protocol::TransferFault::not_safe;
+  }
+  EXPECT_TRUE(refused);
+}
+
+TEST(BenchPlan, FramesThatAreLostAreSentAgain) {
+  BenchAtWorld place{"bench_healthy"};
+  int ticks = 0;
+  place.after_tick = [&] {
+    ticks += 1;
+    if (ticks % 7 == 0) {
+      (void)place.board_bus.receive();
+    }
+    if (ticks % 11 == 0) {
+      (void)place.pc_bus.receive();
+    }
+  };
+  EXPECT_EQ(send(place, block_of(plan_with_limit(4.0F))).state, TransferState::stored);
+}
+
+TEST(BenchPlan, ABusThatGoesAwayIsSaidSo) {
+  BenchAtWorld place{"bench_healthy"};
+  int ticks = 0;
+  place.after_tick = [&] {
+    if (++ticks == 500) {
+      place.wire.set_state(hal::CanState::down);
+    }
+  };
+  EXPECT_THROW((void)send(place, block_of(plan_with_limit(4.0F))), bench::LinkError);
+  place.wire.set_state(hal::CanState::error_active);
+  EXPECT_NEAR(limit_in_force_deg(place), 9.0F, 0.001F);
+}
+
+}  // namespace
+}  // namespace fantail::sil

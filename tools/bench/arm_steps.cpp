@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+#include "bench/arm_steps.hpp"
+
+#include "bench/session.hpp"
+
+namespace fantail::bench {
+namespace {
+
+using hal::Microseconds;
+using protocol::ArmAction;
+using protocol::ArmReply;
+using protocol::SelfTestFailure;
+using protocol::SelfTestState;
+
+constexpr Microseconds glance{2'000};
+constexpr Microseconds patience{2'000'000};
+constexpr Microseconds step_time{400'000};
+
+bool refused(const ArmReply& reply) {
+  return reply.self_test == SelfTestState::failed &&
+         (reply.failure == SelfTestFailure::not_safe || reply.failure == SelfTestFailure::session_open);
+}
+
+}  // namespace
+
+ArmReply ArmSteps::run_self_test(const std::function<void(const ArmReply&)>& progress) {
+  send(ArmAction::self_test);
+  const Microseconds begin_by = place_.now() + patience;
+  bool begun = false;  // an answer to an earlier test must not be mistaken for this one's
+  for (std::uint64_t seen = replies();;) {
+    look();
+    if (!begun && place_.now() >= begin_by) {
+      throw LinkError{"the avionics does not begin its self-test"};
+    }
+    if (replies() == seen) {
+      continue;
+    }
+    seen = replies();
+    const ArmReply reply = link_.newest<ArmReply>()->message;
+    begun = begun || reply.self_test == SelfTestState::running || refused(reply);
+    if (begun) {
+      progress(reply);
+    }
+    if (begun && reply.self_test != SelfTestState::running) {
+      return reply;
+    }
+  }
+}
+
+ArmReply ArmSteps::ask_for_nonce() {
+  const std::uint64_t before = replies();
+  send(ArmAction::begin);
+  for (const Microseconds end = place_.now() + step_time; place_.now() < end;) {
+    look();
+    if (replies() > before && link_.newest<ArmReply>()->message.nonce) {
+      return link_.newest<ArmReply>()->message;
+    }
+  }
+  // Only now: a refusal that was on its way before this request would be an old one.
+  if (replies() > before && link_.newest<ArmReply>()->message.refusal != protocol::ArmRefusal::none) {
+    return link_.newest<ArmReply>()->message;
+  }
+  throw LinkError{"the avionics does not answer the request to arm"};
+}
+
+bool ArmSteps::confirm(std::uint32_t nonce) {
+  send(ArmAction::confirm, nonce);
+  return reaches(core::Phase::armed);
+}
+
+bool ArmSteps::start_control(std::uint32_t nonce) {
+  send(ArmAction::start, nonce);
+  return reaches(core::Phase::controlling);
+}
+
+void ArmSteps::send(ArmAction action, std::uint32_t nonce) {
+  const protocol::BusFrame frame = encode(protocol::ArmRequest{.action = action, .nonce = nonce}, counter_);
+  counter_ = (counter_ + 1U) & 0xFU;
+  (void)place_.bus().send({.id = frame.id, .length = frame.length, .data = frame.data});
+}
+
+std::uint64_t ArmSteps::replies() const {
+  const auto& heard = link_.newest<ArmReply>();
+  return heard ? heard->count : 0;
+}
+
+void ArmSteps::look() {
+  place_.wait(glance);
+  link_.listen(place_.now());
+  if (!link_.recent<protocol::StatusReport>(place_.now(), patience)) {
+    throw LinkError{"the avionics has fallen silent"};
+  }
+}
+
+// The status comes every 10 ms.
+bool ArmSteps::reaches(core::Phase phase) {
+  for (const Microseconds end = place_.now() + step_time; place_.now() < end;) {
+    look();
+    if (link_.newest<protocol::StatusReport>()->message.phase == phase) {
+      return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace fantail::bench

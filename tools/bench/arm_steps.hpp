@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <functional>
+
+#include "bench/avionics_link.hpp"
+#include "bench/place.hpp"
+
+namespace fantail::bench {
+
+/// The steps of arming. All throw LinkError when nobody answers for two seconds.
+class ArmSteps {
+ public:
+  ArmSteps(Place& place, AvionicsLink& link) : place_{place}, link_{link} {}
+
+  /// Until the self-test has passed or failed. `progress` is told every new state.
+  [[nodiscard]] protocol::ArmReply run_self_test(const std::function<void(const protocol::ArmReply&)>& progress);
+
+  /// The answer to `begin`: a nonce or a refusal.
+  [[nodiscard]] protocol::ArmReply ask_for_nonce();
+
+  /// True when the avionics is armed; otherwise the link's newest ArmReply says why not.
+  [[nodiscard]] bool confirm(std::uint32_t nonce);
+
+  /// True when control has started in the tunnel.
+  [[nodiscard]] bool start_control(std::uint32_t nonce);
+
+ private:
+  void send(protocol::ArmAction action, std::uint32_t nonce = 0);
+  [[nodiscard]] std::uint64_t replies() const;
+  void look();
+  [[nodiscard]] bool reaches(core::Phase phase);
+
+  Place& place_;
+  AvionicsLink& link_;
+  std::uint8_t counter_ = 0;
+};
+
+}  // namespace fantail::bench

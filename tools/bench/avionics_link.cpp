@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#include "bench/avionics_link.hpp"
+
+#include "protocol/bus_load.hpp"
+
+namespace fantail::bench {
+namespace {
+
+// Nobody takes ticks while nothing is recorded.
+constexpr std::size_t most_waiting_ticks = 10'000;
+
+Each<std::optional<double>> radians(const protocol::PerCanard& angles) {
+  Each<std::optional<double>> result{};
+  for (std::size_t i = 0; i < angles.size(); ++i) {
+    if (angles[i]) {
+      result[i] = static_cast<double>(angles[i]->radians());
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+void AvionicsLink::listen(hal::Microseconds now) {
+  while (const auto frame = bus_.receive()) {
+    if (frame->extended || frame->remote) {
+      figures_.foreign += 1;
+      continue;
+    }
+    const protocol::BusFrame bus_frame{
+        .id = static_cast<std::uint16_t>(frame->id), .length = frame->length, .data = frame->data};
+    figures_.wire_bits += protocol::bits_on_wire(bus_frame);
+    const auto decoded = protocol::decode_from_avionics(bus_frame);
+    if (!decoded.message) {
+      (decoded.rejection == protocol::Rejection::unknown_id ? figures_.foreign : figures_.damaged) += 1;
+      continue;
+    }
+    figures_.frames += 1;
+    std::visit(
+        [&]<typename Message>(const Message& message) {
+          auto& heard = std::get<std::optional<Heard<Message>>>(heard_);
+          heard = {.message = message, .time = now, .count = heard ? heard->count + 1 : 1};
+          if constexpr (std::is_same_v<Message, protocol::CommandReport> ||
+                        std::is_same_v<Message, protocol::EncoderReport>) {
+            take(message, *decoded.counter);
+          }
+        },
+        *decoded.message);
+  }
+}
+
+void AvionicsLink::take(const protocol::CommandReport& report, std::uint8_t counter) {
+  last_command_ = unwrap(last_command_, counter);
+  command_ = report;
+}
+
+void AvionicsLink::take(const protocol::EncoderReport& report, std::uint8_t counter) {
+  last_encoder_ = unwrap(last_encoder_, counter);
+  // Half a tick, where the other half was lost, is none.
+  if (last_encoder_ % 16 != last_command_ % 16 || last_command_ < 0) {
+    return;
+  }
+  last_encoder_ = last_command_;
+  Tick tick{.number = last_encoder_,
+            .command_rad = radians(command_.angle),
+            .encoder_rad = radians(report.angle),
+            .limited = {}};
+  if (const auto& status = newest<protocol::StatusReport>()) {
+    tick.limited = status->message.limited;
+  }
+  if (ticks_.size() == most_waiting_ticks) {
+    ticks_.pop_front();
+  }
+  ticks_.push_back(tick);
+}
+
+// Sixteen or more frames lost at once look like none; the bus counts those that it had no room for.
+std::int64_t AvionicsLink::unwrap(std::int64_t last, std::uint8_t counter) {
+  if (last < 0) {
+    return counter;
+  }
+  const std::int64_t step = (counter - last % 16 + 15) % 16 + 1;
+  figures_.lost += static_cast<std::uint64_t>(step - 1);
+  return last + step;
+}
+
+std::optional<Tick> AvionicsLink::take_tick() {
+  if (ticks_.empty()) {
+    return std::nullopt;
+  }
+  Tick tick = ticks_.front();
+  ticks_.pop_front();
+  return tick;
+}
+
+}  // namespace fantail::bench

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <deque>
+#include <optional>
+#include <tuple>
+#include <utility>
+
+#include "bench/recording.hpp"
+#include "hal/can_bus.hpp"
+#include "hal/clock.hpp"
+#include "protocol/bus_codec.hpp"
+
+namespace fantail::bench {
+
+/// How well the bench hears.
+struct LinkFigures {
+  std::uint64_t frames = 0;     ///< of the avionics, understood
+  std::uint64_t foreign = 0;    ///< with an identifier of nobody we know, or of another bench
+  std::uint64_t damaged = 0;    ///< of the avionics, but not understood: length, CRC-8 or range
+  std::uint64_t lost = 0;       ///< command and encoder frames that never came, by their counters
+  std::uint64_t wire_bits = 0;  ///< of all frames, stuff bits included
+};
+
+/// Listens to the avionics: the newest message of every kind and when it came, and the ticks in order.
+class AvionicsLink {
+ public:
+  explicit AvionicsLink(hal::CanBus& bus) : bus_{bus} {}
+
+  /// Takes in all that has arrived.
+  void listen(hal::Microseconds now);
+
+  template <typename Message>
+  struct Heard {
+    Message message{};
+    hal::Microseconds time{};
+    std::uint64_t count = 0;
+  };
+  /// Empty when no such message has ever come.
+  template <typename Message>
+  [[nodiscard]] const std::optional<Heard<Message>>& newest() const {
+    return std::get<std::optional<Heard<Message>>>(heard_);
+  }
+  /// The newest message, when it is not older than `age`.
+  template <typename Message>
+  [[nodiscard]] std::optional<Message> recent(hal::Microseconds now, hal::Microseconds age) const {
+    const auto& heard = newest<Message>();
+    return heard && now - heard->time <= age ? std::optional{heard->message} : std::nullopt;
+  }
+
+  /// The oldest tick not yet taken. A tick is a command and an encoder report with the same counter; its number is that
+  /// counter, unwrapped, so it counts milliseconds while the avionics reports every one.
+  std::optional<Tick> take_tick();
+  void forget_ticks() { ticks_.clear(); }
+
+  [[nodiscard]] const LinkFigures& figures() const { return figures_; }
+
+ private:
+  template <typename... Messages>
+  static std::tuple<std::optional<Heard<Messages>>...> one_of_each(const std::variant<Messages...>&);
+
+  void take(const protocol::CommandReport& report, std::uint8_t counter);
+  void take(const protocol::EncoderReport& report, std::uint8_t counter);
+  [[nodiscard]] std::int64_t unwrap(std::int64_t last, std::uint8_t counter);
+
+  hal::CanBus& bus_;
+  decltype(one_of_each(protocol::FromAvionics{})) heard_{};
+  LinkFigures figures_{};
+  std::int64_t last_command_ = -1;
+  std::int64_t last_encoder_ = -1;
+  protocol::CommandReport command_{};
+  std::deque<Tick> ticks_;
+};
+
+}  // namespace fantail::bench

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#include "bench/plan_sender.hpp"
+
+#include <algorithm>
+
+#include "bench/session.hpp"
+
+namespace fantail::bench {
+namespace {
+
+using hal::Microseconds;
+using protocol::TransferState;
+
+constexpr std::size_t bytes_per_frame = std::tuple_size_v<decltype(protocol::PlanData::bytes)>;
+constexpr Microseconds repeat_after{50'000};
+constexpr Microseconds patience{2'000'000};
+// The bus load allows for one data frame in ten milliseconds.
+constexpr Microseconds pace{10'000};
+
+protocol::BusFrame data_frame(std::span<const std::byte> block, std::size_t index) {
+  protocol::PlanData data{.index = static_cast<std::uint8_t>(index)};
+  const auto rest = block.subspan(std::min(index * bytes_per_frame, block.size()));
+  std::ranges::copy(rest.first(std::min(rest.size(), bytes_per_frame)), data.bytes.begin());
+  return encode(data);
+}
+
+std::uint32_t own_checksum(std::span<const std::byte> block) {
+  std::uint32_t checksum = 0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    checksum |= static_cast<std::uint32_t>(block[block.size() - 4 + i]) << (8U * i);
+  }
+  return checksum;
+}
+
+}  // namespace
+
+protocol::PlanReply send_plan(Place& place, AvionicsLink& link, std::span<const std::byte> block,
+                              const std::function<void(std::size_t)>& progress) {
+  const auto heard = [&] {
+    link.listen(place.now());
+    const auto& newest = link.newest<protocol::PlanReply>();
+    return newest ? newest->count : 0;
+  };
+  const protocol::PlanBegin begin{.size = static_cast<std::uint16_t>(block.size()), .block_crc = own_checksum(block)};
+  std::uint64_t seen = heard();
+  std::uint8_t counter = 0;
+  std::optional<std::size_t> next;  // empty: it has not yet answered the beginning
+  Microseconds last_answer = place.now();
+  Microseconds send_at = place.now();
+  while (true) {
+    if (place.now() >= send_at) {
+      const bool complete = next && *next * bytes_per_frame >= block.size();
+      if (!complete) {
+        const protocol::BusFrame frame = next ? data_frame(block, *next) : encode(begin, counter);
+        counter = next ? counter : (counter + 1U) & 0xFU;
+        (void)place.bus().send({.id = frame.id, .length = frame.length, .data = frame.data});
+      }
+      send_at = place.now() + repeat_after;
+    }
+    place.wait(Microseconds{2'000});
+    if (const std::uint64_t now_seen = heard(); now_seen != seen) {
+      seen = now_seen;
+      last_answer = place.now();
+      const protocol::PlanReply reply = link.newest<protocol::PlanReply>()->message;
+      if (reply.state == TransferState::stored || reply.state == TransferState::refused) {
+        return reply;
+      }
+      if (reply.state == TransferState::receiving && next != reply.next_index) {
+        next = reply.next_index;
+        send_at = std::min(send_at, place.now() + pace);
+        progress(std::min(*next * bytes_per_frame, block.size()));
+      }
+    }
+    if (place.now() - last_answer > patience) {
+      throw LinkError{"the avionics does not answer; its old plan stays in force"};
+    }
+  }
+}
+
+}  // namespace fantail::bench

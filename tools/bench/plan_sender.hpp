@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <span>
+
+#include "bench/avionics_link.hpp"
+#include "bench/place.hpp"
+
+namespace fantail::bench {
+
+/// Sends a plan block, seven bytes at a time, each waited for, and returns the avionics' last word: stored or refused.
+/// `progress` is told the bytes that have arrived. Throws LinkError when the avionics does not answer for two seconds.
+[[nodiscard]] protocol::PlanReply send_plan(Place& place, AvionicsLink& link, std::span<const std::byte> block,
+                                            const std::function<void(std::size_t)>& progress);
+
+}  // namespace fantail::bench

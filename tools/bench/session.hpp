@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <stdexcept>
+#include <string>
+
+#include "bench/avionics_link.hpp"
+#include "bench/exercise.hpp"
+#include "bench/place.hpp"
+#include "bench/recording.hpp"
+
+namespace fantail::bench {
+
+/// The avionics does not answer, refuses, or has ended the session. what() says it for a person.
+class LinkError : public std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// Waits until the avionics has been heard. Throws LinkError with what to look at when it stays silent for two seconds,
+/// or speaks another version of the protocol.
+void await_avionics(Place& place, AvionicsLink& link);
+
+/// The right to move the canards. It opens with the object and lives on heartbeats, which are sent while the bench
+/// waits; however the object ends, by the end of its work or by an exception, the canards are centred.
+class Session {
+ public:
+  /// Throws LinkError with the reason when the avionics refuses.
+  Session(Place& place, AvionicsLink& link, std::uint16_t number);
+  ~Session();
+  Session(const Session&) = delete;
+  Session& operator=(const Session&) = delete;
+
+  /// Asks for these angles from now on.
+  void request(const protocol::PerCanard& angles) { wanted_ = angles; }
+
+  /// Lets time pass, with heartbeats and requests as they fall due. Throws LinkError when the session has ended.
+  void wait(hal::Microseconds duration);
+  /// At least until the next frame, and no longer than 2 ms.
+  void wait();
+
+  /// Ends the session and waits until the avionics has said so. True when all canards that are driven then stand at
+  /// their trims by command.
+  bool close();
+
+  /// Where the canards stand when nothing is asked.
+  [[nodiscard]] const Each<core::Angle>& trims() const { return trims_; }
+
+ private:
+  void open();
+  void learn_trims();
+  void speak();
+  void say(protocol::SessionAction action);
+  [[nodiscard]] std::optional<protocol::SessionReply> answer_since(std::uint64_t count) const;
+  void check_still_open() const;
+
+  Place& place_;
+  AvionicsLink& link_;
+  std::uint16_t number_;
+  bool open_ = false;
+  std::optional<protocol::PerCanard> wanted_;
+  Each<core::Angle> trims_{};
+  hal::Microseconds next_heartbeat_{};
+  hal::Microseconds next_request_{};
+  std::uint8_t heartbeat_counter_ = 0;
+  std::uint8_t request_counter_ = 0;
+};
+
+/// Goes through an exercise and records it. `progress` is told the seconds done; it may throw to give up.
+[[nodiscard]] Recording perform(const Exercise& exercise, Session& session, AvionicsLink& link,
+                                const std::function<void(double)>& progress);
+
+}  // namespace fantail::bench

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: MIT
+#include "bench/watch.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "core/tick_record.hpp"
+
+namespace fantail::bench {
+namespace {
+
+using nlohmann::ordered_json;
+
+constexpr hal::Microseconds stale{2'000'000};
+constexpr double bits_per_microsecond = 1.0;  // 1 Mbit/s
+
+std::string_view name(hal::CanState state) {
+  switch (state) {
+    case hal::CanState::error_active: return "error active";
+    case hal::CanState::error_warning: return "error warning";
+    case hal::CanState::error_passive: return "error passive";
+    case hal::CanState::bus_off: return "bus off";
+    case hal::CanState::down: return "down";
+  }
+  return "unknown";
+}
+
+std::optional<double> degrees(const std::optional<core::Angle>& angle) {
+  return angle ? std::optional{static_cast<double>(angle->degrees())} : std::nullopt;
+}
+
+std::string cell(const std::optional<double>& value) { return value ? fmt::format("{:+.2f}", *value) : "-"; }
+
+ordered_json rounded(const std::optional<double>& value) {
+  return value ? ordered_json::parse(fmt::format("{:.2f}", *value)) : ordered_json{};
+}
+
+struct CanardRow {
+  std::optional<double> command_deg;
+  std::optional<double> encoder_deg;
+  std::optional<double> limit_deg;
+  std::string_view verdict = "unknown";
+  bool limited = false;
+  [[nodiscard]] std::optional<double> difference_deg() const {
+    return command_deg && encoder_deg ? std::optional{*encoder_deg - *command_deg} : std::nullopt;
+  }
+};
+
+}  // namespace
+
+template <typename Message>
+std::optional<Message> Watch::known() const {
+  return link_.recent<Message>(now_, stale);
+}
+
+void Watch::look(hal::Microseconds now) {
+  const std::uint64_t bits = link_.figures().wire_bits;
+  if (now > last_look_) {
+    load_percent_ = 100.0 * static_cast<double>(bits - last_bits_) /
+                    (bits_per_microsecond * static_cast<double>((now - last_look_).count()));
+  }
+  last_bits_ = bits;
+  last_look_ = now_ = now;
+}
+
+namespace {
+
+Each<CanardRow> rows(const std::optional<protocol::CommandReport>& commands,
+                     const std::optional<protocol::EncoderReport>& encoders,
+                     const std::optional<protocol::LimitReport>& limits,
+                     const std::optional<protocol::HealthReport>& health,
+                     const std::optional<protocol::StatusReport>& status) {
+  Each<CanardRow> rows;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    rows[i].command_deg = commands ? degrees(commands->angle[i]) : std::nullopt;
+    rows[i].encoder_deg = encoders ? degrees(encoders->angle[i]) : std::nullopt;
+    rows[i].limit_deg = limits ? degrees(limits->limit[i]) : std::nullopt;
+    rows[i].verdict = health ? core::name(health->verdicts[i]) : "unknown";
+    rows[i].limited = status && status->limited[i];
+  }
+  return rows;
+}
+
+}  // namespace
+
+std::string Watch::link_words() const {
+  const LinkFigures& heard = link_.figures();
+  const hal::CanCounters counters = bus_.counters();
+  return fmt::format("{} {}, load {:.1f} %, {} frames, {} lost, {} damaged, {} foreign, {} overrun, {} bus errors",
+                     interface_, name(bus_.state()), load_percent_, heard.frames, heard.lost, heard.damaged,
+                     heard.foreign, counters.overrun, counters.errors);
+}
+
+std::string Watch::table() const {
+  const auto status = known<protocol::StatusReport>();
+  const auto health = known<protocol::HealthReport>();
+  std::string text = link_words() + "\n";
+  if (!status) {
+    return text + "the avionics is silent\n";
+  }
+  text += fmt::format("phase {} ({}), arm switch {}, {}{}{}\n", core::name(status->phase), core::name(status->reason),
+                      status->arm_switch_closed ? "closed" : "open", status->at_rest ? "at rest" : "moving",
+                      status->session_open ? ", bench session open" : "",
+                      status->self_test_running ? ", self-test running" : "");
+  text += "canard  command   encoder  difference   limit  verdict\n";
+  const auto canards = rows(known<protocol::CommandReport>(), known<protocol::EncoderReport>(),
+                            known<protocol::LimitReport>(), health, status);
+  for (std::size_t i = 0; i < canards.size(); ++i) {
+    const CanardRow& row = canards[i];
+    text +=
+        fmt::format("{:>6} {:>8}  {:>8}    {:>8}  {:>6}  {}{}\n", i + 1, cell(row.command_deg), cell(row.encoder_deg),
+                    cell(row.difference_deg()), row.limit_deg ? fmt::format("{:.2f}", *row.limit_deg) : "-",
+                    row.verdict, row.limited ? ", limited" : "");
+  }
+  return text;
+}
+
+std::string Watch::line() const {
+  const auto status = known<protocol::StatusReport>();
+  if (!status) {
+    return link_words() + "; the avionics is silent\n";
+  }
+  std::string text = fmt::format("{} ({});", core::name(status->phase), core::name(status->reason));
+  const auto canards = rows(known<protocol::CommandReport>(), known<protocol::EncoderReport>(),
+                            known<protocol::LimitReport>(), known<protocol::HealthReport>(), status);
+  for (std::size_t i = 0; i < canards.size(); ++i) {
+    text += fmt::format(" canard {} {} deg told, {} read, {};", i + 1, cell(canards[i].command_deg),
+                        cell(canards[i].encoder_deg), canards[i].verdict);
+  }
+  return text + " " + link_words() + "\n";
+}
+
+std::string Watch::json() const {
+  const auto status = known<protocol::StatusReport>();
+  const auto health = known<protocol::HealthReport>();
+  const auto heartbeat = known<protocol::HeartbeatReport>();
+  const auto rejections = known<protocol::RejectionReport>();
+  const LinkFigures& heard = link_.figures();
+  const hal::CanCounters counters = bus_.counters();
+  ordered_json json;
+  json["interface"] = interface_;
+  json["bus_state"] = name(bus_.state());
+  json["bus_load_percent"] = rounded(load_percent_);
+  json["frames"] = heard.frames;
+  json["frames_lost"] = heard.lost;
+  json["frames_damaged"] = heard.damaged;
+  json["frames_foreign"] = heard.foreign;
+  json["overrun"] = counters.overrun;
+  json["bus_errors"] = counters.errors;
+  json["phase"] = status ? ordered_json{core::name(status->phase)} : ordered_json{};
+  json["reason"] = status ? ordered_json{core::name(status->reason)} : ordered_json{};
+  json["arm_switch_closed"] = status ? ordered_json{status->arm_switch_closed} : ordered_json{};
+  json["at_rest"] = status ? ordered_json{status->at_rest} : ordered_json{};
+  json["session_open"] = status ? ordered_json{status->session_open} : ordered_json{};
+  json["self_test_running"] = status ? ordered_json{status->self_test_running} : ordered_json{};
+  json["uptime_s"] = heartbeat ? rounded(1e-3 * heartbeat->uptime_ms) : ordered_json{};
+  json["plan_crc"] = heartbeat ? ordered_json{fmt::format("{:08x}", heartbeat->plan_crc)} : ordered_json{};
+  json["longest_tick_us"] = health ? ordered_json{health->longest_tick_us} : ordered_json{};
+  json["frames_rejected_by_avionics"] = rejections ? ordered_json{rejections->count} : ordered_json{};
+  json["canards"] = ordered_json::array();
+  for (const CanardRow& row : rows(known<protocol::CommandReport>(), known<protocol::EncoderReport>(),
+                                   known<protocol::LimitReport>(), health, status)) {
+    json["canards"].push_back({{"command_deg", rounded(row.command_deg)},
+                               {"encoder_deg", rounded(row.encoder_deg)},
+                               {"difference_deg", rounded(row.difference_deg())},
+                               {"limit_deg", rounded(row.limit_deg)},
+                               {"verdict", row.verdict},
+                               {"limited", row.limited}});
+  }
+  return json.dump() + "\n";
+}
+
+}  // namespace fantail::bench

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+#include "bench/words.hpp"
+
+#include "core/flight_plan_fields.hpp"
+
+namespace fantail::bench {
+namespace {
+
+std::string words(protocol::PlanBlockFault fault) {
+  using Fault = protocol::PlanBlockFault;
+  switch (fault) {
+    case Fault::too_short: return "it is too short to be a plan";
+    case Fault::no_plan_block: return "it is no plan";
+    case Fault::wrong_length: return "its length is wrong";
+    case Fault::wrong_checksum: return "its checksum is wrong";
+    case Fault::other_version: return "it is written in another version of the format";
+    case Fault::other_schema:
+      return "it was made for another version of the firmware: compile it with the same release";
+    case Fault::refused: return "one of its values is out of range";
+  }
+  return "for an unknown reason";
+}
+
+}  // namespace
+
+std::string words(protocol::SessionReason reason) {
+  using Reason = protocol::SessionReason;
+  switch (reason) {
+    case Reason::none_yet: return "there was none yet";
+    case Reason::opened: return "it is open";
+    case Reason::closed_by_bench: return "a bench closed it";
+    case Reason::heartbeat_lost: return "it heard no heartbeat for 0.1 s";
+    case Reason::not_safe: return "the rocket is not in phase safe; open the arm switch";
+    case Reason::not_at_rest:
+      return "the rocket moves; it must stand still for the plan's rest time (2 s unless changed)";
+    case Reason::self_test_runs: return "the self-test is running";
+    case Reason::other_session: return "another bench holds one";
+  }
+  return "for an unknown reason";
+}
+
+std::string words(protocol::SelfTestFailure failure, const std::optional<std::size_t>& canard) {
+  using Failure = protocol::SelfTestFailure;
+  const std::string which = canard ? "canard " + std::to_string(*canard + 1) : "a canard";
+  switch (failure) {
+    case Failure::none: return "nothing";
+    case Failure::not_safe: return "the rocket is not in phase safe";
+    case Failure::session_open: return "a bench session is open";
+    case Failure::moved: return "the rocket did not stand still";
+    case Failure::gyro_failed: return "the gyro gives no usable rate";
+    case Failure::accelerometer_failed: return "an accelerometer that the plan needs gives no usable sample";
+    case Failure::specific_force_not_one_g:
+      return "an accelerometer does not read 1 g along the axis (0.9 to 1.1 g): is the rocket upright?";
+    case Failure::accelerometers_disagree: return "the two accelerometers disagree by more than the plan allows";
+    case Failure::encoder_silent: return "the encoder of " + which + " is silent";
+    case Failure::canard_did_not_follow: return which + " does not stand where it was told to";
+    case Failure::another_canard_moved:
+      return which + " moved when it was not its turn: are two servos or two encoders swapped?";
+    case Failure::no_valid_plan: return "the plan in the flash is broken; send it again";
+    case Failure::flash_failed: return "the flash does not answer";
+    case Failure::flash_too_full: return "the flash has no room for a flight";
+    case Failure::timed_out: return "it took too long";
+  }
+  return "for an unknown reason";
+}
+
+std::string words(protocol::ArmRefusal refusal) {
+  using Refusal = protocol::ArmRefusal;
+  switch (refusal) {
+    case Refusal::none: return "nothing";
+    case Refusal::not_safe: return "the rocket is not in phase safe";
+    case Refusal::session_open: return "a bench session is open";
+    case Refusal::self_test_not_passed: return "no self-test has passed within the last minute";
+    case Refusal::switch_not_cycled: return "the arm switch has been closed since power-up; open it and close it again";
+    case Refusal::switch_open: return "the arm switch is open";
+    case Refusal::not_at_rest: return "the rocket moves";
+    case Refusal::no_nonce: return "there is nothing to confirm";
+    case Refusal::nonce_expired: return "the confirmation came later than 5 s";
+    case Refusal::wrong_nonce: return "the confirmation was not for this request";
+    case Refusal::not_a_tunnel_plan: return "its plan starts by launch detection, not on command";
+    case Refusal::not_armed: return "it is not armed";
+  }
+  return "for an unknown reason";
+}
+
+std::string words(const protocol::PlanReply& reply) {
+  using Fault = protocol::TransferFault;
+  switch (reply.fault) {
+    case Fault::none: return "nothing";
+    case Fault::not_safe: return "the rocket is not in phase safe, or its canards are being moved";
+    case Fault::wrong_size: return "no plan has that size";
+    case Fault::out_of_order: return "its parts came out of order";
+    case Fault::timed_out: return "the next part did not come for a second";
+    case Fault::flash_failed: return "the flash does not answer";
+    case Fault::read_back_differs: return "the flash does not give back what was written";
+    case Fault::bad_block: break;
+  }
+  if (reply.field && *reply.field < core::flight_plan_fields().size()) {
+    const core::PlanField& field = core::flight_plan_fields()[*reply.field];
+    return std::string{field.section} + "." + std::string{field.key} + " is out of range";
+  }
+  return reply.block_fault ? words(*reply.block_fault) : "for an unknown reason";
+}
+
+}  // namespace fantail::bench

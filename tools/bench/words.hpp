@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include "protocol/bus_messages.hpp"
+
+namespace fantail::bench {
+
+// What the avionics answers with one word, as a sentence for whoever has to do something about it.
+
+[[nodiscard]] std::string words(protocol::SessionReason reason);
+[[nodiscard]] std::string words(protocol::SelfTestFailure failure, const std::optional<std::size_t>& canard);
+[[nodiscard]] std::string words(protocol::ArmRefusal refusal);
+/// Names the refused field of the plan where there is one.
+[[nodiscard]] std::string words(const protocol::PlanReply& reply);
+
+}  // namespace fantail::bench
