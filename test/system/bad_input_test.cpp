@@ -103,7 +103,7 @@ TEST(OutOfRange, IsRefusedWithValueAndRange) {
   Refusal(
       {}, {"fly", "--set", "controller.proportional_gain=99"}, 78,
       {"--set controller.proportional_gain=99: controller.proportional_gain = 99 is out of range; allowed: 0 to 10"});
-  Refusal({}, {"fly", "--set", "timing.arm_time_s=7"}, 78, {"--set timing.arm_time_s=7", "5"});
+  Refusal({}, {"fly", "--set", "timing.arm_time_s=12"}, 78, {"--set timing.arm_time_s=12", "10"});
   Refusal({}, {"fly", "--set", "timing.pad_time_s=1"}, 78, {"--set timing.pad_time_s=1", "arm_time_s"});
 }
 

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "bench/words.hpp"
 #include "fantail/interrupt.hpp"
 #include "fantail/progress.hpp"
 #include "sim/units.hpp"
@@ -73,15 +74,32 @@ std::optional<double> expected_length_s(const sim::Scenario& scenario) {
   return scenario.pad_time_s + in_seconds(scenario.plan.run.control_time) + scenario.time_after_end_s;
 }
 
+std::string why_not_armed(const sim::World& world, bool was_armed) {
+  if (was_armed) {
+    return {};
+  }
+  const auto refusal = world.refusal_to_arm();
+  if (!refusal) {
+    return "The avionics was not armed: its self-test, which takes about seven seconds, had not ended.";
+  }
+  return "The avionics refused to be armed: " +
+         (refusal->refusal != protocol::ArmRefusal::none ? bench::words(refusal->refusal)
+                                                         : bench::words(refusal->failure, refusal->canard)) +
+         ".";
+}
+
 }  // namespace
 
 report::Flight fly_scenario(const sim::Scenario& scenario) {
   constexpr std::int64_t ticks_between_looks = 1024;
   report::Flight flight = describe(scenario);
-  Progress progress{"flying " + scenario.name, expected_length_s(scenario)};
+  Progress progress{"flying " + scenario.name,
+                    {.unit = "s", .rate = " x real time", .total = expected_length_s(scenario)}};
   sim::World world{scenario};
+  bool was_armed = false;
   for (std::int64_t ticks = 0; !world.over(); ++ticks) {
     const core::TickRecord& record = world.tick();
+    was_armed = was_armed || record.phase != core::Phase::safe;
     report::add_tick(flight, record, in_seconds(world.now()), to_report(world.truth()));
     world.advance();
     if (ticks % ticks_between_looks == 0) {
@@ -94,6 +112,9 @@ report::Flight fly_scenario(const sim::Scenario& scenario) {
   flight.events.guide_clear_s = in_seconds(events.guide_clear);
   flight.events.burnout_s = in_seconds(events.burnout);
   flight.events.apogee_s = in_seconds(events.apogee);
+  if (const std::string why = why_not_armed(world, was_armed); !why.empty()) {
+    flight.notes.push_back(why);
+  }
   if (!flight.tunnel && !events.liftoff) {
     flight.notes.emplace_back("The rocket never left the pad: its motor never pushed with more than its weight.");
   }

@@ -21,6 +21,12 @@ void catch_interrupts() {
   }
 }
 
+bool take_interrupt() {
+  const bool was_interrupted = interrupted != 0;
+  interrupted = 0;
+  return was_interrupted;
+}
+
 void give_up_if_interrupted() {
   if (interrupted != 0) {
     throw Interrupted{};

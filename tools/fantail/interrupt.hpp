@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <exception>
+#include <stdexcept>
+#include <string>
 
 namespace fantail::tool {
 
 /// Ctrl-C, a request to terminate, or a terminal that was closed. Work is given up between two steps, never in the
 /// middle of writing results.
-class Interrupted : public std::exception {
+class Interrupted : public std::runtime_error {
  public:
-  [[nodiscard]] const char* what() const noexcept override { return "interrupted; nothing was written"; }
+  explicit Interrupted(const std::string& what = "interrupted; nothing was written") : runtime_error{what} {}
 };
 
 /// From here on the signals only set a mark.
@@ -17,5 +18,8 @@ void catch_interrupts();
 
 /// Throws Interrupted when the mark is set.
 void give_up_if_interrupted();
+
+/// True once for every interrupt: for work that has to be ended in order, and cannot when the mark stays.
+[[nodiscard]] bool take_interrupt();
 
 }  // namespace fantail::tool

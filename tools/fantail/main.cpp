@@ -5,11 +5,14 @@
 
 #include <CLI/CLI.hpp>
 
+#include "bench/session.hpp"
 #include "fantail/exit_code.hpp"
 #include "fantail/interrupt.hpp"
+#include "fantail/requirement.hpp"
 #include "fantail/standard_streams.hpp"
 #include "fantail/usage.hpp"
 #include "fantail/verbs.hpp"
+#include "hal/linux/can_bus.hpp"
 #include "report/output_folder.hpp"
 #include "sim/input_error.hpp"
 
@@ -46,11 +49,14 @@ ExitCode run(int argc, char** argv) {
       "  fantail fly                          the second launch of Tasha III, with a report\n"
       "  fantail fly tunnel_steps --json      the wind-tunnel runs, for a script\n"
       "  fantail plan show tasha3_launch2     every number a rocket is loaded with\n"
+      "  fantail bench limits --can can0      four real canards to their limits, and a sheet to sign\n"
       "\n"
       "Exit codes: 0 done, 1 a requirement was not met, 64 usage, 65 bad data, 66 no such input,\n"
       "  70 internal error, 74 input/output, 78 bad configuration, 130 interrupted");
   fantail::tool::add_fly(program);
   fantail::tool::add_plan(program);
+  fantail::tool::add_node(program);
+  fantail::tool::add_bench(program);
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -64,6 +70,12 @@ ExitCode run(int argc, char** argv) {
     return complain(error, ExitCode::input_output);
   } catch (const fantail::tool::Interrupted& error) {
     return complain(error, ExitCode::interrupted);
+  } catch (const fantail::tool::RequirementNotMet& error) {
+    return output_was_taken() ? complain(error, ExitCode::requirement_not_met) : complain_about_output();
+  } catch (const fantail::hal::on_linux::CanError& error) {
+    return complain(error, ExitCode::input_output);
+  } catch (const fantail::bench::LinkError& error) {
+    return complain(error, ExitCode::input_output);
   } catch (const std::system_error& error) {
     return output_was_taken() ? complain(error, ExitCode::input_output) : complain_about_output();
   } catch (const std::exception& error) {

@@ -11,8 +11,8 @@
 
 namespace fantail::tool {
 
-Progress::Progress(std::string what, std::optional<double> total_s)
-    : what_{std::move(what)}, total_s_{total_s}, terminal_{::isatty(STDERR_FILENO) == 1} {}
+Progress::Progress(std::string what, const Measure& measure)
+    : what_{std::move(what)}, measure_{measure}, terminal_{::isatty(STDERR_FILENO) == 1} {}
 
 Progress::~Progress() {
   if (shown_) {
@@ -20,16 +20,16 @@ Progress::~Progress() {
   }
 }
 
-void Progress::show(double done_s) {
+void Progress::show(double done) {
   const auto now = Clock::now();
   if (!terminal_ || now < next_) {
     return;
   }
   const double elapsed_s = std::chrono::duration<double>(now - start_).count();
-  const double rate = done_s / elapsed_s;
-  std::string line = fmt::format("{}: {:.0f} s, {:.0f} x real time", what_, done_s, rate);
-  if (total_s_ && rate > 0.0) {
-    line += fmt::format(", {:.0f} s to go", std::max(0.0, *total_s_ - done_s) / rate);
+  const double rate = done / elapsed_s;
+  std::string line = fmt::format("{}: {:.0f} {}, {:.0f}{}", what_, done, measure_.unit, rate, measure_.rate);
+  if (measure_.total && rate > 0.0) {
+    line += fmt::format(", {:.0f} s to go", std::max(0.0, *measure_.total - done) / rate);
   }
   say("\r\033[K" + line);
   shown_ = true;

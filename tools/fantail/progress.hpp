@@ -4,6 +4,7 @@
 #include <chrono>
 #include <optional>
 #include <string>
+#include <string_view>
 
 namespace fantail::tool {
 
@@ -11,19 +12,24 @@ namespace fantail::tool {
 /// standard error is not a terminal.
 class Progress {
  public:
-  /// `total_s`: simulated seconds to go through, where they are known beforehand.
-  Progress(std::string what, std::optional<double> total_s);
+  /// What there is to go through, and how its rate is said: " x real time" for simulated seconds.
+  struct Measure {
+    std::string_view unit;
+    std::string_view rate;
+    std::optional<double> total;  ///< where it is known beforehand
+  };
+  Progress(std::string what, const Measure& measure);
   ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  void show(double done_s);
+  void show(double done);
 
  private:
   using Clock = std::chrono::steady_clock;
 
   std::string what_;
-  std::optional<double> total_s_;
+  Measure measure_;
   bool terminal_;
   bool shown_ = false;
   Clock::time_point start_ = Clock::now();

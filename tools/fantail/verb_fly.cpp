@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <charconv>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -9,33 +8,19 @@
 
 #include "fantail/fly_scenario.hpp"
 #include "fantail/interrupt.hpp"
+#include "fantail/scenario_options.hpp"
 #include "fantail/verbs.hpp"
 #include "report/results.hpp"
 #include "report/words.hpp"
-#include "sim/scenario.hpp"
 
 namespace fantail::tool {
 namespace {
 
 struct FlyOptions {
-  std::string scenario = "tasha3_launch2";
+  ScenarioOptions scenario{.scenario = "tasha3_launch2", .seed = {}, .changes = {}};
   std::string out;
-  std::string seed;
-  std::vector<std::string> changes;
   bool json = false;
 };
-
-// CLI11 would wrap -1 around and cut off what is too large. Empty: not a seed.
-std::optional<std::uint64_t> parse_seed(const std::string& text) {
-  std::uint64_t seed = 0;
-  const char* end = text.data() + text.size();
-  const auto [stopped, error] = std::from_chars(text.data(), end, seed);
-  return error == std::errc{} && stopped == end ? std::optional{seed} : std::nullopt;
-}
-
-std::string objection_to_seed(const std::string& text) {
-  return parse_seed(text) ? "" : '"' + text + "\" is not a seed; allowed: a whole number, 0 to 18446744073709551615";
-}
 
 std::string objection_to_folder(const std::string& text) { return text.empty() ? "the name of a folder is empty" : ""; }
 
@@ -69,14 +54,7 @@ void print_summary(const report::Flight& flight, const report::Results& results)
 }
 
 void fly(const FlyOptions& options) {
-  std::vector<sim::Override> changes;
-  changes.reserve(options.changes.size());
-  for (const std::string& text : options.changes) {
-    changes.push_back(sim::parse_override(text));
-  }
-  sim::Scenario scenario = sim::load_scenario(options.scenario, changes);
-  scenario.seed = parse_seed(options.seed).value_or(scenario.seed);
-
+  const sim::Scenario scenario = load(options.scenario);
   const report::Flight flight = fly_scenario(scenario);
   const report::Results results = report::results(flight);
   const std::filesystem::path folder =
@@ -96,18 +74,9 @@ void fly(const FlyOptions& options) {
 void add_fly(CLI::App& program) {
   auto* verb = program.add_subcommand("fly", "Fly a scenario through the real control code in the simulated world");
   auto options = std::make_shared<FlyOptions>();
-  verb->add_option(
-          "SCENARIO", options->scenario,
-          "A shipped name (tasha3_launch1, tasha3_launch2, tunnel_steps, bench_healthy, bench_canard3_reversed, "
-          "...) or a path to a scenario file")
-      ->capture_default_str();
+  add_scenario_options(*verb, options->scenario);
   verb->add_option("--out", options->out, "Folder for flight.csv, summary.json and report.html [out/SCENARIO]")
       ->check(objection_to_folder);
-  verb->add_option("--seed", options->seed, "Of all random streams, instead of the scenario's own")
-      ->check(objection_to_seed)
-      ->type_name("NUMBER");
-  verb->add_option("--set", options->changes, "section.key=value: change one value of plan, vehicle or scenario")
-      ->allow_extra_args(false);
   verb->add_flag("--json", options->json, "Print summary.json instead of the text");
   verb->footer(
       "Examples:\n"

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: MIT
+#include <cstdio>
+#include <iostream>
+#include <memory>
+#include <string>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <unistd.h>
+
+#include "bench/arm_steps.hpp"
+#include "bench/session.hpp"
+#include "bench/words.hpp"
+#include "fantail/bench_options.hpp"
+#include "fantail/can_place.hpp"
+#include "fantail/line_input.hpp"
+#include "fantail/requirement.hpp"
+
+namespace fantail::tool {
+namespace {
+
+struct ArmOptions {
+  BenchOptions bench;
+  bool yes = false;
+  bool start = false;
+};
+
+constexpr hal::Microseconds glance{50'000};
+constexpr hal::Microseconds switch_patience{120'000'000};
+
+void tell(const ArmOptions& options, const std::string& text) {
+  if (!options.bench.json) {
+    fmt::print("{}\n", text);
+    std::fflush(stdout);
+  }
+}
+
+protocol::StatusReport status(const bench::AvionicsLink& link) {
+  return link.newest<protocol::StatusReport>()->message;
+}
+
+void look(bench::Place& place, bench::AvionicsLink& link) {
+  place.wait(glance);
+  link.listen(place.now());
+  if (!link.recent<protocol::StatusReport>(place.now(), hal::Microseconds{2'000'000})) {
+    throw bench::LinkError{"the avionics has fallen silent"};
+  }
+}
+
+void test(const ArmOptions& options, bench::ArmSteps& steps) {
+  std::optional<std::size_t> moving;
+  tell(options, "Self-test: three still seconds, then each canard moves. Keep hands off.");
+  const protocol::ArmReply reply = steps.run_self_test([&](const protocol::ArmReply& now) {
+    if (now.self_test == protocol::SelfTestState::running && now.canard != moving) {
+      moving = now.canard;
+      tell(options, fmt::format("  canard {}", *moving + 1));
+    }
+  });
+  if (reply.self_test != protocol::SelfTestState::passed) {
+    throw RequirementNotMet{"the self-test failed: " + bench::words(reply.failure, reply.canard)};
+  }
+  tell(options, "  passed");
+}
+
+// The first action belongs to the hand at the rocket; this program can only wait for it.
+void await_switch(const ArmOptions& options, bench::Place& place, bench::AvionicsLink& link) {
+  if (status(link).arm_switch_closed) {
+    return;
+  }
+  tell(options, "Close the arm switch at the rocket.");
+  for (const hal::Microseconds end = place.now() + switch_patience; !status(link).arm_switch_closed;) {
+    if (place.now() >= end) {
+      throw RequirementNotMet{"the arm switch stayed open for two minutes; the rocket is safe"};
+    }
+    look(place, link);
+  }
+  tell(options, "  closed");
+}
+
+void await_consent(const ArmOptions& options, bench::Place& place, bench::AvionicsLink& link) {
+  if (options.yes) {
+    return;
+  }
+  fmt::print("Type ARM to arm, anything else to leave the rocket safe: ");
+  std::fflush(stdout);
+  LineInput input;
+  std::optional<std::string> line;
+  while (!(line = input.next())) {
+    if (input.ended()) {
+      throw RequirementNotMet{"nobody typed ARM; the rocket is safe"};
+    }
+    look(place, link);
+  }
+  if (*line != "ARM") {
+    throw RequirementNotMet{"not confirmed; the rocket is safe"};
+  }
+}
+
+void arm(const ArmOptions& options) {
+  CanPlace place{options.bench.interface};
+  bench::AvionicsLink link{place.bus()};
+  bench::await_avionics(place, link);
+  bench::ArmSteps steps{place, link};
+  test(options, steps);
+  await_switch(options, place, link);
+  await_consent(options, place, link);
+  const protocol::ArmReply answer = steps.ask_for_nonce();
+  if (!answer.nonce) {
+    throw RequirementNotMet{"the avionics refuses to be armed: " + bench::words(answer.refusal)};
+  }
+  if (!steps.confirm(*answer.nonce)) {
+    throw RequirementNotMet{"the avionics refuses to be armed: " +
+                            bench::words(link.newest<protocol::ArmReply>()->message.refusal)};
+  }
+  tell(options, "ARMED. Opening the arm switch makes the rocket safe again.");
+  if (options.start) {
+    if (!steps.start_control(*answer.nonce)) {
+      throw RequirementNotMet{"control does not start: " +
+                              bench::words(link.newest<protocol::ArmReply>()->message.refusal)};
+    }
+    tell(options, "Control has started.");
+  }
+  if (options.bench.json) {
+    fmt::print("{}\n", nlohmann::ordered_json{{"armed", true}, {"control_started", options.start}}.dump());
+  }
+}
+
+}  // namespace
+
+void add_bench_arm(CLI::App& bench) {
+  auto* verb = bench.add_subcommand("arm", "Walk through both actions that arm the rocket");
+  auto options = std::make_shared<ArmOptions>();
+  add_bench_options(*verb, options->bench, "Print one JSON object; the question is not asked without --yes");
+  verb->add_flag("--yes", options->yes, "Do not ask on the terminal; for rehearsals and scripts");
+  verb->add_flag("--start", options->start, "In the tunnel: start control too");
+  verb->footer(
+      "Examples:\n"
+      "  fantail bench arm --can can0                 self-test, switch, question, command\n"
+      "  fantail bench arm --can vcan0 --yes          a rehearsal without the question\n"
+      "  fantail bench arm --can can0 --yes --start   in the wind tunnel: armed, and control on");
+  verb->callback([options] { arm(*options); });
+}
+
+}  // namespace fantail::tool

@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: MIT
+#include <array>
+#include <chrono>
+#include <filesystem>
+#include <memory>
+#include <numbers>
+#include <optional>
+#include <random>
+#include <stdexcept>
+#include <string>
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include "bench/exercise.hpp"
+#include "bench/session.hpp"
+#include "bench/sheet.hpp"
+#include "fantail/bench_options.hpp"
+#include "fantail/can_place.hpp"
+#include "fantail/interrupt.hpp"
+#include "fantail/progress.hpp"
+#include "fantail/requirement.hpp"
+#include "fantail/standard_streams.hpp"
+#include "protocol/plan_block.hpp"
+#include "report/output_folder.hpp"
+#include "sim/plan_file.hpp"
+#include "sim/shipped.hpp"
+#include "sim/vehicle.hpp"
+
+namespace fantail::tool {
+namespace {
+
+constexpr double degree = std::numbers::pi / 180.0;
+
+struct ExerciseOptions {
+  BenchOptions bench;
+  std::string vehicle;
+  std::string plan;
+  std::string out;
+  int canard = 1;
+  double to_deg = 5.0;
+  double amplitude_deg = 3.0;
+  double frequency_hz = 2.0;
+  int cycles = 5;
+};
+
+using MakeExercise = std::function<bench::Exercise(const bench::Bounds&, const ExerciseOptions&)>;
+
+bench::Exercise limits(const bench::Bounds& bounds, const ExerciseOptions& /*options*/) {
+  return bench::Exercise::limits(bounds);
+}
+
+bench::Exercise step(const bench::Bounds& bounds, const ExerciseOptions& options) {
+  return bench::Exercise::step(bounds, static_cast<std::size_t>(options.canard - 1), degree * options.to_deg);
+}
+
+bench::Exercise sine(const bench::Bounds& bounds, const ExerciseOptions& options) {
+  return bench::Exercise::sine(bounds, static_cast<std::size_t>(options.canard - 1),
+                               {.amplitude_rad = degree * options.amplitude_deg,
+                                .frequency_hz = options.frequency_hz,
+                                .cycles = options.cycles});
+}
+
+// Whatever is wrong with a file is said before anything moves.
+struct Desk {
+  sim::CanardTolerances tolerances{};
+  bench::Heading heading{};
+  std::optional<std::uint32_t> plan_crc;  ///< of the plan on this desk
+};
+
+Desk desk(const ExerciseOptions& options) {
+  Desk desk;
+  desk.heading.version = FANTAIL_VERSION;
+  desk.heading.date = fmt::format(
+      "{:%Y-%m-%d %H:%M}", fmt::localtime(std::chrono::system_clock::to_time_t(std::chrono::system_clock::now())));
+  if (options.vehicle.empty()) {
+    desk.heading.vehicle = "not named";
+    desk.heading.notes.emplace_back("Tolerances are those of a vehicle that says nothing of them.");
+  } else {
+    const sim::Vehicle vehicle =
+        sim::read_vehicle(sim::Document::load(sim::find_input(sim::Shipped::vehicle, options.vehicle)));
+    desk.heading.vehicle = vehicle.name;
+    desk.tolerances = vehicle.canard_tolerances;
+  }
+  if (!options.plan.empty()) {
+    const core::FlightPlan plan =
+        sim::read_plan(sim::Document::load(sim::find_input(sim::Shipped::plan, options.plan)));
+    desk.heading.plan = options.plan;
+    desk.plan_crc = protocol::plan_crc(plan);
+    desk.heading.planned_limit_rad.emplace();
+    for (std::size_t i = 0; i < core::canard_count; ++i) {
+      const core::Angle limit = std::min(plan.controller.canard_limit, plan.canards.each[i].mechanical_stop);
+      (*desk.heading.planned_limit_rad)[i] = static_cast<double>(limit.radians());
+    }
+  }
+  return desk;
+}
+
+// After the exercise the canards are centred before anything else happens, and after an interrupt too.
+bench::Recording perform(const bench::Exercise& exercise, const ExerciseOptions& options, bench::Session& session,
+                         bench::AvionicsLink& link) {
+  Progress progress{"canards", {.unit = "s", .rate = " x real time", .total = exercise.duration_s()}};
+  try {
+    bench::Recording recording = bench::perform(exercise, session, link, [&](double done_s) { progress.show(done_s); });
+    if (!session.close()) {
+      say("fantail: " + options.bench.interface + ": the avionics did not say that the canards are centred\n");
+    }
+    return recording;
+  } catch (const Interrupted&) {
+    throw Interrupted{session.close() ? "interrupted; the canards are centred"
+                                      : "interrupted; the avionics did not answer, and centres the canards by itself "
+                                        "0.1 s after the last heartbeat"};
+  }
+}
+
+void complete(bench::Heading& heading, const ExerciseOptions& options, const bench::AvionicsLink& link) {
+  const protocol::HeartbeatReport heartbeat = link.newest<protocol::HeartbeatReport>()->message;
+  heading.plan_crc = fmt::format("{:08x}", heartbeat.plan_crc);
+  heading.avionics = fmt::format("{}, bus protocol {}", options.bench.interface, heartbeat.version);
+  if (const auto& health = link.newest<protocol::HealthReport>()) {
+    for (std::size_t i = 0; i < heading.monitor.size(); ++i) {
+      heading.monitor[i] = health->message.verdicts[i];
+    }
+  }
+}
+
+void exercise(const ExerciseOptions& options, const MakeExercise& make) {
+  Desk on_desk = desk(options);
+  CanPlace place{options.bench.interface};
+  bench::AvionicsLink link{place.bus()};
+  bench::await_avionics(place, link);
+  if (on_desk.plan_crc && *on_desk.plan_crc != link.newest<protocol::HeartbeatReport>()->message.plan_crc) {
+    throw RequirementNotMet{"the rocket does not hold " + options.plan + "; send it with fantail bench plan"};
+  }
+  bench::Session session{place, link, static_cast<std::uint16_t>(std::random_device{}())};
+  const bench::Bounds bounds = bench::bounds(link.newest<protocol::LimitReport>()->message, session.trims());
+  const bench::Exercise what = make(bounds, options);
+  const bench::Recording recording = perform(what, options, session, link);
+  complete(on_desk.heading, options, link);
+  const bench::Sheet sheet = bench::examine(recording, what, on_desk.tolerances, on_desk.heading);
+  const std::string json = bench::sheet_json(sheet);
+
+  const std::filesystem::path folder = options.out.empty() ? std::string{"out/bench"} : options.out;
+  const std::array<report::NamedFile, 2> files{
+      {{"sheet.html", bench::sheet_html(sheet, recording, what)}, {"sheet.json", json}}};
+  report::OutputFolder{folder}.write(files);
+  if (options.bench.json) {
+    fmt::print("{}", json);
+  } else {
+    fmt::print("{}\n  sheet  {}\n", bench::sheet_text(sheet), (folder / "sheet.html").string());
+  }
+  if (!sheet.passed()) {
+    throw RequirementNotMet{""};
+  }
+}
+
+CLI::App* add(CLI::App& bench, const char* name, const char* meaning, const std::shared_ptr<ExerciseOptions>& options,
+              const MakeExercise& make) {
+  auto* verb = bench.add_subcommand(name, meaning);
+  add_bench_options(*verb, options->bench, "Print sheet.json instead of the text");
+  verb->add_option("--vehicle", options->vehicle,
+                   "Whose tolerances count: a shipped vehicle or a path; without it, this program's own")
+      ->type_name("FILE");
+  verb->add_option("--plan", options->plan, "The plan that must be in force: a shipped name or a path")
+      ->type_name("PLAN");
+  verb->add_option("--out", options->out, "Folder for sheet.html and sheet.json [out/bench]");
+  verb->callback([options, make] { exercise(*options, make); });
+  return verb;
+}
+
+void add_canard(CLI::App& verb, ExerciseOptions& options) {
+  verb.add_option("--canard", options.canard, "Which one")->check(CLI::Range(1, 4))->required()->type_name("1..4");
+}
+
+}  // namespace
+
+void add_bench_limits(CLI::App& bench) {
+  auto options = std::make_shared<ExerciseOptions>();
+  add(bench, "limits", "Every canard to both limits, alone and all together; a pass/fail sheet", options, limits)
+      ->footer(
+          "Examples:\n"
+          "  fantail bench limits --can can0 --vehicle my_rocket.toml   half a minute; exit code 1 when something "
+          "fails\n"
+          "  fantail bench limits --can can0 --plan tasha3_launch2      refused when the rocket holds another plan\n"
+          "  fantail bench limits --can vcan0 --json --out out/rehearsal  for a script");
+}
+
+void add_bench_step(CLI::App& bench) {
+  auto options = std::make_shared<ExerciseOptions>();
+  auto* verb = add(bench, "step", "One canard to an angle at once, and back", options, step);
+  add_canard(*verb, *options);
+  verb->add_option("--to", options->to_deg, "Shaft angle")
+      ->check(CLI::Range(-20.47, 20.47))
+      ->type_name("DEG")
+      ->capture_default_str();
+  verb->footer(
+      "Examples:\n"
+      "  fantail bench step --can can0 --canard 2             5 deg and back\n"
+      "  fantail bench step --can can0 --canard 2 --to -8     to the other side\n"
+      "  fantail bench step --can vcan0 --canard 1 --json     rise time and slew rate, for a script");
+}
+
+void add_bench_sine(CLI::App& bench) {
+  auto options = std::make_shared<ExerciseOptions>();
+  auto* verb = add(bench, "sine", "One canard through a sine: amplitude ratio and phase lag", options, sine);
+  add_canard(*verb, *options);
+  verb->add_option("--amplitude", options->amplitude_deg, "About the centre")
+      ->check(CLI::Range(0.1, 20.47))
+      ->type_name("DEG")
+      ->capture_default_str();
+  verb->add_option("--frequency", options->frequency_hz, "")
+      ->check(CLI::Range(0.05, 50.0))
+      ->type_name("HZ")
+      ->capture_default_str();
+  verb->add_option("--cycles", options->cycles, "At most 60 s together")
+      ->check(CLI::Range(1, 3000))
+      ->capture_default_str();
+  verb->footer(
+      "Examples:\n"
+      "  fantail bench sine --can can0 --canard 3                              3 deg, 2 Hz, five times\n"
+      "  fantail bench sine --can can0 --canard 3 --frequency 8 --cycles 20    as fast as the chirp goes\n"
+      "  fantail bench sine --can vcan0 --canard 1 --amplitude 6 --json        for a script");
+}
+
+}  // namespace fantail::tool

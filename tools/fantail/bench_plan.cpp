@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "bench/plan_sender.hpp"
+#include "bench/session.hpp"
+#include "bench/words.hpp"
+#include "fantail/bench_options.hpp"
+#include "fantail/can_place.hpp"
+#include "fantail/exit_code.hpp"
+#include "fantail/progress.hpp"
+#include "fantail/requirement.hpp"
+#include "protocol/plan_block.hpp"
+#include "sim/input_error.hpp"
+#include "sim/plan_file.hpp"
+#include "sim/shipped.hpp"
+
+namespace fantail::tool {
+namespace {
+
+struct PlanOptions {
+  BenchOptions bench;
+  std::string plan;
+};
+
+// A block as `plan compile` wrote it goes out as it is, so that what was checked is what is loaded; the avionics
+// judges it. A plan file is compiled here.
+std::vector<std::byte> block_of(const std::string& name) {
+  if (std::filesystem::path{name}.extension() == ".ftpl") {
+    std::ifstream file{name, std::ios::binary};
+    if (!file) {
+      throw sim::InputError{sim::InputFault::no_such_input, name + ": no such file"};
+    }
+    const std::string text{std::istreambuf_iterator<char>{file}, {}};
+    if (text.size() < 16 || text.size() > protocol::largest_plan_block) {
+      throw sim::InputError{sim::InputFault::bad_data, fmt::format("{}: {} bytes; a plan block has 16 to {}", name,
+                                                                   text.size(), protocol::largest_plan_block)};
+    }
+    std::vector<std::byte> block(text.size());
+    for (std::size_t i = 0; i < text.size(); ++i) {
+      block[i] = static_cast<std::byte>(text[i]);
+    }
+    return block;
+  }
+  const core::FlightPlan plan = sim::read_plan(sim::Document::load(sim::find_input(sim::Shipped::plan, name)));
+  std::array<std::byte, protocol::largest_plan_block> block{};
+  const std::size_t size = protocol::write_plan_block(plan, block);
+  return {block.begin(), block.begin() + static_cast<std::ptrdiff_t>(size)};
+}
+
+void send(const PlanOptions& options) {
+  const std::vector<std::byte> block = block_of(options.plan);
+  CanPlace place{options.bench.interface};
+  bench::AvionicsLink link{place.bus()};
+  bench::await_avionics(place, link);
+  protocol::PlanReply reply;
+  {
+    Progress progress{"sending " + options.plan,
+                      {.unit = "bytes", .rate = " a second", .total = static_cast<double>(block.size())}};
+    reply = bench::send_plan(place, link, block, [&](std::size_t done) { progress.show(static_cast<double>(done)); });
+  }
+  const bool stored = reply.state == protocol::TransferState::stored;
+  if (options.bench.json) {
+    nlohmann::ordered_json json{{"plan", options.plan}, {"bytes", block.size()}, {"stored", stored}};
+    json["refused_because"] = nullptr;
+    if (!stored) {
+      json["refused_because"] = bench::words(reply);
+    }
+    fmt::print("{}\n", json.dump());
+  } else if (stored) {
+    fmt::print("{}: {} bytes sent, checked, stored and read back; it is in force\n", options.plan, block.size());
+  }
+  if (!stored) {
+    throw RequirementNotMet{"the avionics refuses " + options.plan + ": " + bench::words(reply) +
+                            "; its old plan stays in force"};
+  }
+}
+
+}  // namespace
+
+void add_bench_plan(CLI::App& bench) {
+  auto* verb = bench.add_subcommand("plan", "Send a flight plan to the rocket, which checks and keeps it");
+  auto options = std::make_shared<PlanOptions>();
+  verb->add_option("PLAN", options->plan,
+                   "A shipped name, a plan file, or a block made by fantail plan compile (.ftpl)")
+      ->required();
+  add_bench_options(*verb, options->bench, "Print one JSON object");
+  verb->footer(
+      "Examples:\n"
+      "  fantail bench plan tasha3_launch2 --can can0   a shipped plan\n"
+      "  fantail bench plan my_plan.toml --can can0     your own; it is checked here first\n"
+      "  fantail bench plan p.ftpl --can can0 --json    a compiled block, for a script");
+  verb->callback([options] { send(*options); });
+}
+
+}  // namespace fantail::tool

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+#include <cstdint>
+#include <cstdio>
+#include <memory>
+#include <optional>
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include "bench/watch.hpp"
+#include "fantail/bench_options.hpp"
+#include "fantail/can_place.hpp"
+#include "fantail/interrupt.hpp"
+#include "fantail/standard_streams.hpp"
+
+namespace fantail::tool {
+namespace {
+
+struct WatchOptions {
+  BenchOptions bench;
+  std::optional<double> seconds;
+};
+
+// A person reads a few times a second, a log once.
+constexpr hal::Microseconds screen_period{200'000};
+constexpr hal::Microseconds line_period{1'000'000};
+
+void watch(const WatchOptions& options) {
+  CanPlace place{options.bench.interface};
+  bench::AvionicsLink link{place.bus()};
+  bench::Watch watch{options.bench.interface, link, place.bus()};
+  const bool screen = !options.bench.json && ::isatty(STDOUT_FILENO) == 1;
+  const hal::Microseconds period = screen ? screen_period : line_period;
+  const hal::Microseconds end = options.seconds
+                                    ? place.now() + hal::Microseconds{static_cast<std::int64_t>(1e6 * *options.seconds)}
+                                    : hal::Microseconds::max();
+  if (screen) {
+    fmt::print("\033[2J");
+  }
+  try {
+    for (hal::Microseconds next = place.now() + period;; next += period) {
+      while (place.now() < next) {
+        place.wait(next - place.now());
+        link.listen(place.now());
+      }
+      watch.look(place.now());
+      if (screen) {
+        fmt::print("\033[H\033[J{}", watch.table());
+      } else {
+        fmt::print("{}", options.bench.json ? watch.json() : watch.line());
+      }
+      std::fflush(stdout);
+      if (!output_was_taken() || place.now() >= end) {
+        return;
+      }
+    }
+  } catch (const Interrupted&) {  // the way to end it
+  }
+}
+
+}  // namespace
+
+void add_bench_watch(CLI::App& bench) {
+  auto* verb = bench.add_subcommand("watch", "Canards, phase, bus load and errors, live; one line a second in a pipe");
+  auto options = std::make_shared<WatchOptions>();
+  add_bench_options(*verb, options->bench, "One object a second, one a line");
+  verb->add_option("--for", options->seconds, "End after so many seconds; without it, by Ctrl-C")
+      ->check(CLI::Range(0.0, 1e9))
+      ->type_name("SECONDS");
+  verb->footer(
+      "Examples:\n"
+      "  fantail bench watch --can can0                   a live table; Ctrl-C ends\n"
+      "  fantail bench watch --can can0 | tee pad.log     a line a second\n"
+      "  fantail bench watch --can vcan0 --json --for 10  ten objects, for a script");
+  verb->callback([options] { watch(*options); });
+}
+
+}  // namespace fantail::tool
