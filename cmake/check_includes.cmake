@@ -10,11 +10,10 @@ set(table
   "firmware/avionics|core/,protocol/,hal/[a-z_]+\\.hpp,avionics/|"
   "firmware/boards|core/,protocol/,hal/,avionics/,boards/|"
   "hal/include|hal/[a-z_]+\\.hpp|"
-  "hal/linux|hal/[a-z_]+\\.hpp,hal/linux/|fcntl\\.h,unistd\\.h,sys/"
-  "hal/sim|hal/[a-z_]+\\.hpp,hal/sim/|"
   "hal/linux|hal/[a-z_]+\\.hpp,hal/linux/|fcntl\\.h,linux/can,net/if,poll\\.h,sys/,unistd\\.h"
+  "hal/sim|hal/[a-z_]+\\.hpp,hal/sim/|"
   "sim|core/,protocol/,hal/,avionics/,sim/|Eigen/,toml\\+\\+/"
-  "tools/fantail|core/,protocol/,hal/,avionics/,sim/,report/,fantail/|fmt/,CLI/,nlohmann/,unistd\\.h,sys/,fcntl\\.h"
+  "tools/fantail|core/,protocol/,hal/,avionics/,sim/,report/,bench/,fantail/|fmt/,CLI/,nlohmann/,poll\\.h,unistd\\.h,sys/,fcntl\\.h"
   "tools/bench|core/,protocol/,hal/,sim/,report/,bench/|fmt/,nlohmann/"
   "tools/report|core/,report/|fmt/,nlohmann/")
 # Single files that may include more than their folder does.

@@ -17,8 +17,8 @@ namespace fantail::hal::on_linux {
 
 /// A CAN interface of this PC, over SocketCAN. Not for several threads.
 ///
-/// State and counters are those of the last send() or receive(). When the interface goes down or vanishes, what waits to
-/// be sent is thrown away, because it would be old when the bus is back; the object looks for the interface's name
+/// State and counters are those of the last send() or receive(). When the interface goes down or vanishes, what waits
+/// to be sent is thrown away, because it would be old when the bus is back; the object looks for the interface's name
 /// again, at most every 100 ms and only in these calls, and goes on when it is up. The same happens to what waits when
 /// the controller leaves the bus (BUS-OFF).
 class CanBus final : public hal::CanBus {

@@ -78,8 +78,8 @@ Interface usable_interface(const std::string& name) {
   }
   const auto found = find_interface(name);
   if (!found) {
-    throw CanError{name + ": no such interface" + others() + "; with a 1 Mbit/s adapter: " +
-                   set_up(is_virtual(name) ? "can0" : name) + "; " + without_hardware};
+    throw CanError{name + ": no such interface" + others() +
+                   "; with a 1 Mbit/s adapter: " + set_up(is_virtual(name) ? "can0" : name) + "; " + without_hardware};
   }
   if (!found->can) {
     throw CanError{name + ": not a CAN interface" + others() + "; with a 1 Mbit/s adapter: " + set_up("can0") + "; " +

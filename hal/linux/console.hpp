@@ -7,8 +7,8 @@
 
 namespace fantail::hal::on_linux {
 
-/// Standard error. What a pipe or a terminal has no room for right now is dropped, and so is everything after its reader
-/// has gone: whoever owns the process must ignore SIGPIPE for that.
+/// Standard error. What a pipe or a terminal has no room for right now is dropped, and so is everything after its
+/// reader has gone: whoever owns the process must ignore SIGPIPE for that.
 class Console final : public hal::Console {
  public:
   void write(std::string_view text) override;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
@@ -15,7 +16,8 @@
 
 namespace fantail::bench {
 
-/// Four simulated servos and encoders behind the flight mixer, driven by an exercise tick by tick: no bus, no real time.
+/// Four simulated servos and encoders behind the flight mixer, driven by an exercise tick by tick: no bus, no real
+/// time.
 struct LockStep {
   static constexpr double degree = 3.14159265358979323846 / 180.0;
 

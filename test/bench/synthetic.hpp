@@ -41,7 +41,7 @@ struct IdealCanard {
   double offset_rad = 0.0;
   double noise_rad = 0.0;
   double dropout_share = 0.0;
-  double fastest_rad_s = 1e9;  ///< a plain rate limit
+  double fastest_rad_s = 1e9;   ///< a plain rate limit
   std::size_t answers_to = 99;  ///< the canard whose command it follows; its own by default
   bool quantised = true;
 
@@ -68,7 +68,7 @@ struct Bench {
   Each<IdealCanard> canards{};
   std::uint32_t seed = 1;
   std::int64_t first_tick = 1000;
-  int marks_late_ms = 0;          ///< how late, and by how much at random, a stretch is marked
+  int marks_late_ms = 0;  ///< how late, and by how much at random, a stretch is marked
   int marks_scatter_ms = 0;
   double lost_share = 0.0;
   double commands_beyond_rad = 0.0;  ///< an avionics that does not keep its limit
@@ -91,8 +91,7 @@ struct Bench {
         tick.encoder_rad[i] = canards[i].read(random);  // read before the servos are told
       }
       for (std::size_t i = 0; i < canards.size(); ++i) {
-        const double wanted =
-            asked[i] ? static_cast<double>(asked[i]->radians()) : exercise.bounds().centre_rad[i];
+        const double wanted = asked[i] ? static_cast<double>(asked[i]->radians()) : exercise.bounds().centre_rad[i];
         const double limit = exercise.bounds().limit_rad[i] + commands_beyond_rad;
         command[i] = std::clamp(wanted, -limit, limit);
         tick.command_rad[i] = std::round(command[i] / (0.01 * degree)) * 0.01 * degree;

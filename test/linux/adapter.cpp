@@ -3,9 +3,9 @@
 
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <cstdlib>
 #include <stdexcept>
-#include <chrono>
 #include <system_error>
 
 #include <fcntl.h>

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
+#include "hal/linux/can_bus.hpp"
+
 #include <cstdint>
 
 #include <gtest/gtest.h>
 
-#include "hal/linux/can_bus.hpp"
 #include "linux/shell.hpp"
 
 namespace fantail::test {
@@ -44,7 +45,7 @@ TEST_F(LinuxCanBus, DoesNotHearItsOwnFrames) {
   CanBus here{"vcan0"};
   CanBus there{"vcan0"};
   ASSERT_TRUE(here.send(numbered(1)));
-  ASSERT_TRUE(next_frame(there)); // a virtual bus is one call deep: what has arrived there would have arrived here
+  ASSERT_TRUE(next_frame(there));  // a virtual bus is one call deep: what has arrived there would have arrived here
   EXPECT_FALSE(here.receive());
 }
 

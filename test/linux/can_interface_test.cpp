@@ -4,7 +4,6 @@
 #include <string>
 
 #include <gtest/gtest.h>
-
 #include <poll.h>
 
 #include "hal/linux/can_bus.hpp"
@@ -156,14 +155,16 @@ std::string trouble(const std::string& name) {
 }
 
 TEST_F(LinuxCanInterface, AWrongNameIsAnsweredWithWhatToDo) {
-  EXPECT_EQ(trouble("can7"),
-            "can7: no such interface; CAN interfaces here: vcan0, vcan1; with a 1 Mbit/s adapter: sudo ip link set can7 up "
-            "type can bitrate 1000000; without hardware: tools/with_vcan COMMAND, or sudo ip link add vcan0 type vcan && "
-            "sudo ip link set vcan0 up");
+  EXPECT_EQ(
+      trouble("can7"),
+      "can7: no such interface; CAN interfaces here: vcan0, vcan1; with a 1 Mbit/s adapter: sudo ip link set can7 up "
+      "type can bitrate 1000000; without hardware: tools/with_vcan COMMAND, or sudo ip link add vcan0 type vcan && "
+      "sudo ip link set vcan0 up");
 }
 
 TEST_F(LinuxCanInterface, AnInterfaceThatIsNotCanIsRefused) {
-  EXPECT_TRUE(trouble("lo").starts_with("lo: not a CAN interface; CAN interfaces here: vcan0, vcan1; ")) << trouble("lo");
+  EXPECT_TRUE(trouble("lo").starts_with("lo: not a CAN interface; CAN interfaces here: vcan0, vcan1; "))
+      << trouble("lo");
 }
 
 TEST_F(LinuxCanInterface, AnInterfaceThatIsDownIsRefusedWithTheCommandThatHelps) {
@@ -172,7 +173,8 @@ TEST_F(LinuxCanInterface, AnInterfaceThatIsDownIsRefusedWithTheCommandThatHelps)
 }
 
 TEST_F(LinuxCanInterface, ANameThatIsTooLongOrEmptyIsRefused) {
-  EXPECT_TRUE(trouble("can_of_the_third_rocket").starts_with("\"can_of_the_third_rocket\": the name of an interface has 1"));
+  EXPECT_TRUE(
+      trouble("can_of_the_third_rocket").starts_with("\"can_of_the_third_rocket\": the name of an interface has 1"));
   EXPECT_TRUE(trouble("").starts_with("\"\": the name of an interface has 1"));
 }
 

@@ -46,8 +46,8 @@ TEST_F(LinuxCanTools, WeReadWhatCansendSends) {
 
 TEST_F(LinuxCanTools, FramesOfCanFdAndInjectedErrorsAreNotHandedOut) {
   CanBus bus{"vcan0"};
-  must("cansend vcan0 123##1112233445566778899AABBCC"); // CAN FD, 12 bytes
-  must("cansend vcan0 20000020#0000000000000000");      // CAN_ERR_FLAG | CAN_ERR_ACK
+  must("cansend vcan0 123##1112233445566778899AABBCC");  // CAN FD, 12 bytes
+  must("cansend vcan0 20000020#0000000000000000");       // CAN_ERR_FLAG | CAN_ERR_ACK
   must("cansend vcan0 7FF#EE");
   EXPECT_EQ(next_frame(bus), (CanFrame{.id = 0x7FF, .length = 1, .data = {0xEE}}));
   EXPECT_EQ(bus.counters().received, 1U);

@@ -4,7 +4,6 @@
 #include <string>
 
 #include <gtest/gtest.h>
-
 #include <linux/can.h>
 #include <sys/socket.h>
 #include <unistd.h>
@@ -67,7 +66,8 @@ TEST(LinuxCanTrouble, AForbiddenSocketIsNotTakenForAMissingOne) {
 
 TEST(LinuxCanTrouble, ARealAdapterIsToldItsBitRateAndAVirtualOneIsNot) {
   const std::string adapter = trouble([] { (void)usable_interface("can17"); });
-  EXPECT_TRUE(contains(adapter, "with a 1 Mbit/s adapter: sudo ip link set can17 up type can bitrate 1000000")) << adapter;
+  EXPECT_TRUE(contains(adapter, "with a 1 Mbit/s adapter: sudo ip link set can17 up type can bitrate 1000000"))
+      << adapter;
   const std::string other = trouble([] { (void)usable_interface("vcan17"); });
   EXPECT_TRUE(contains(other, "sudo ip link set can0 up type can bitrate 1000000")) << other;
   EXPECT_FALSE(contains(other, "vcan17 up type can")) << other;

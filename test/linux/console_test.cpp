@@ -5,9 +5,8 @@
 #include <chrono>
 #include <string>
 
-#include <gtest/gtest.h>
-
 #include <fcntl.h>
+#include <gtest/gtest.h>
 #include <unistd.h>
 
 namespace fantail::test {

@@ -54,7 +54,8 @@ Background::Background(const std::string& command, const std::string& interface)
 }
 
 Background candump(const std::string& interface, int frames) {
-  return Background{"sh -c \"candump -L -n " + std::to_string(frames) + " " + interface + " | sed 's/^([^)]*) //'\"", interface};
+  return Background{"sh -c \"candump -L -n " + std::to_string(frames) + " " + interface + " | sed 's/^([^)]*) //'\"",
+                    interface};
 }
 
 bool eventually(const std::function<bool()>& question, std::chrono::milliseconds longest) {
