@@ -5,6 +5,7 @@
 #include "core/flight_plan.hpp"
 #include "hal/can_bus.hpp"
 #include "hal/console.hpp"
+#include "hal/entropy.hpp"
 #include "hal/flash.hpp"
 #include "hal/sim/accelerometer.hpp"
 #include "hal/sim/arm_switch.hpp"
@@ -22,6 +23,7 @@ struct BoardPorts {
   hal::CanBus& can_bus;
   hal::Flash& flash;
   hal::Console& console;
+  hal::Entropy& entropy;
 };
 
 /// The avionics on simulated hardware: whoever plays the world fills `hardware`, lets `avionics` have its tick, and
@@ -39,7 +41,8 @@ class SimulatedBoard {
                   .can_bus = ports.can_bus,
                   .flash = ports.flash,
                   .console = ports.console,
-                  .watchdog = watchdog_},
+                  .watchdog = watchdog_,
+                  .entropy = ports.entropy},
                  plan} {}
   SimulatedBoard(const SimulatedBoard&) = delete;  // the devices point into it
   SimulatedBoard& operator=(const SimulatedBoard&) = delete;

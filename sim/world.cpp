@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "hal/sim/console.hpp"
+#include "hal/sim/entropy.hpp"
 #include "hal/sim/flash.hpp"
 
 namespace fantail::sim {
@@ -45,12 +46,15 @@ constexpr hal::FlashGeometry small_flash{.size = 1U << 20U, .sector_size = 4096,
 /// Everything that a flight needs beside the rocket when nobody else is there.
 struct World::LonePad {
   explicit LonePad(Microseconds arm_time) : crew{wire, arm_time} {}
-  [[nodiscard]] BoardPorts ports() { return {.can_bus = can_bus, .flash = flash, .console = console}; }
+  [[nodiscard]] BoardPorts ports() {
+    return {.can_bus = can_bus, .flash = flash, .console = console, .entropy = entropy};
+  }
 
   hal::sim::CanWire wire;
   hal::sim::CanBus can_bus{wire};
   hal::sim::Flash flash{small_flash};
   hal::sim::Console console;
+  hal::sim::Entropy entropy;
   PadCrew crew;
 };
 

@@ -38,7 +38,7 @@ class World {
   /// The scenario outlives the world. Its pad crew arms the avionics and ignites the motor by the scenario's clock.
   explicit World(const Scenario& scenario);
 
-  /// Bus, flash and console are somebody else's, and so is the pad: nothing happens until set_arm_switch() and
+  /// Bus, flash, console and entropy are somebody else's, and so is the pad: nothing happens until set_arm_switch() and
   /// ignite().
   World(const Scenario& scenario, const BoardPorts& ports);
   ~World();

@@ -124,7 +124,8 @@ std::optional<std::uint32_t> Arming::fresh_nonce(const Permission& permission) {
     return std::nullopt;
   }
   requests_ += 1;
-  return mixed((*permission.power_up << 16U) | requests_);
+  // Whatever the generator does: one that has failed and repeats itself leaves the nonces different.
+  return mixed((*permission.power_up << 16U) | requests_) ^ permission.random;
 }
 
 }  // namespace fantail::avionics

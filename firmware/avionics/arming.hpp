@@ -12,8 +12,9 @@ namespace fantail::avionics {
 
 /// The second of the two actions that arm; the first is a hand on the arm switch. It takes two steps: `begin` is
 /// answered with a nonce, and `confirm` must bring it back within 5 s. A nonce is good for one attempt and never comes
-/// again: it is made of the number of this power-up, which the flash counts, and of the number of the request. So
-/// frames that were recorded do not arm. After a reset everything has to be done again, the switch included.
+/// again on this board: it is made of the number of this power-up, which the flash counts, and of the number of the
+/// request. A random number keeps two boards, or two blank flashes, apart. So frames that were recorded do not arm.
+/// After a reset everything has to be done again, the switch included.
 class Arming {
  public:
   static constexpr core::Microseconds nonce_lifetime{5'000'000};
@@ -25,6 +26,7 @@ class Arming {
     bool tunnel_plan = false;
     /// Which one this is, at least for the next 65536; empty while the flash has not counted it.
     std::optional<std::uint32_t> power_up{};
+    std::uint32_t random = 0;  ///< fresh with every request
   };
 
   /// begin, confirm or start; a self_test is not its business.

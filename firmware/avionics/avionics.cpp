@@ -101,7 +101,8 @@ void Avionics::obey(const protocol::ArmRequest& message) {
                     {.self_test_passed = self_test_.passed(situation_.time) && !flash_.transfer().writing(),
                      .session_open = bench_mode_.open(),
                      .tunnel_plan = plan_.run.start == core::Start::tunnel,
-                     .power_up = flash_.boots().count()},
+                     .power_up = flash_.boots().count(),
+                     .random = devices_.entropy.draw()},
                     message);
   }
 }

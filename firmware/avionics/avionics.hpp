@@ -18,6 +18,7 @@
 #include "hal/clock.hpp"
 #include "hal/console.hpp"
 #include "hal/encoder.hpp"
+#include "hal/entropy.hpp"
 #include "hal/flash.hpp"
 #include "hal/imu.hpp"
 #include "hal/servo.hpp"
@@ -37,6 +38,7 @@ struct Devices {
   hal::Flash& flash;
   hal::Console& console;
   hal::Watchdog& watchdog;
+  hal::Entropy& entropy;
 };
 
 /// The application: reads the hardware layer, steps the autopilot, writes the hardware layer. A board's or a world's

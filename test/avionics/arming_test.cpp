@@ -222,6 +222,15 @@ TEST(Arming, NoTwoNoncesOfTenPowerUpsAreEqual) {
   EXPECT_EQ(std::ranges::adjacent_find(seen), seen.end());
 }
 
+// Both count their first power-up as number one.
+TEST(Arming, TwoBoardsWithBlankFlashHaveDifferentNonces) {
+  BoardRig one;
+  BoardRig other;
+  one.entropy.number = 0x12345678;
+  other.entropy.number = 0x12345679;
+  EXPECT_NE(begun(one), begun(other));
+}
+
 TEST(Arming, AnOpenBenchSessionPreventsIt) {
   BoardRig rig;
   rig.say(ArmAction::self_test);

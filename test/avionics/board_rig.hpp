@@ -58,6 +58,10 @@ struct FakeConsole final : hal::Console {
   std::string text;
   void write(std::string_view words) override { text += words; }
 };
+struct FakeEntropy final : hal::Entropy {
+  std::uint32_t number = 0;
+  std::uint32_t draw() override { return number; }
+};
 struct FakeWatchdog final : hal::Watchdog {
   int fed = 0;
   void feed() override { fed += 1; }
@@ -75,7 +79,8 @@ class BoardRig {
     clock.time = {};
     servo.written = {};
     avionics_.emplace(
-        Devices{clock, imu, accelerometer, servo, encoder, arm_switch, board_bus, flash, console, watchdog}, plan_);
+        Devices{clock, imu, accelerometer, servo, encoder, arm_switch, board_bus, flash, console, watchdog, entropy},
+        plan_);
   }
 
   const core::TickRecord& tick() {
@@ -182,6 +187,7 @@ class BoardRig {
   FakeArmSwitch arm_switch;
   FakeConsole console;
   FakeWatchdog watchdog;
+  FakeEntropy entropy;
   hal::sim::Flash flash{{.size = 1U << 18U, .sector_size = 4096, .page_size = 256}};
   hal::sim::CanWire wire;
   hal::sim::CanBus board_bus{wire};

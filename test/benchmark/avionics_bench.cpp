@@ -2,6 +2,11 @@
 #include <benchmark/benchmark.h>
 
 #include "benchmark/recorded_flight.hpp"
+#include "hal/sim/can_bus.hpp"
+#include "hal/sim/console.hpp"
+#include "hal/sim/entropy.hpp"
+#include "hal/sim/flash.hpp"
+#include "sim/pad_crew.hpp"
 #include "sim/simulated_board.hpp"
 
 namespace fantail::benchmark {
@@ -12,13 +17,18 @@ namespace {
 void avionics_tick(::benchmark::State& state) {
   const RecordedFlight& flight = recorded_flight();
   for ([[maybe_unused]] auto _ : state) {
-    sim::SimulatedBoard board{flight.scenario.plan};
+    hal::sim::CanWire wire;
+    hal::sim::CanBus can_bus{wire};
+    hal::sim::Flash flash{{.size = 1U << 17U, .sector_size = 4096, .page_size = 256}};
+    hal::sim::Console console;
+    hal::sim::Entropy entropy;
+    sim::PadCrew crew{wire, std::chrono::seconds{1}};
+    sim::SimulatedBoard board{flight.scenario.plan,
+                              {.can_bus = can_bus, .flash = flash, .console = console, .entropy = entropy}};
     core::Phase phase = core::Phase::safe;
     for (const RecordedTick& recorded : flight.ticks) {
       board.hardware = recorded.hardware;
-      if (recorded.inputs.arm_command) {
-        board.avionics.command_arm();
-      }
+      crew.act(recorded.hardware.time);
       const core::TickRecord* record = &board.avionics.tick();
       ::benchmark::DoNotOptimize(record);
       phase = record->phase;

@@ -13,6 +13,7 @@
 #include "bench/sheet.hpp"
 #include "hal/sim/can_bus.hpp"
 #include "hal/sim/console.hpp"
+#include "hal/sim/entropy.hpp"
 #include "hal/sim/flash.hpp"
 #include "sim/scenario.hpp"
 #include "sim/world.hpp"
@@ -29,7 +30,7 @@ class BenchAtWorld final : public bench::Place {
   explicit BenchAtWorld(const std::string& name, std::uint64_t seed = 1) : BenchAtWorld{load(name, seed)} {}
 
   /// The flash stays, everything else begins anew.
-  void power_cycle() { world.emplace(scenario, sim::BoardPorts{board_bus, flash, console}); }
+  void power_cycle() { world.emplace(scenario, sim::BoardPorts{board_bus, flash, console, entropy}); }
 
   [[nodiscard]] hal::CanBus& bus() override { return pc_bus; }
   [[nodiscard]] hal::Microseconds now() const override { return now_; }
@@ -63,6 +64,7 @@ class BenchAtWorld final : public bench::Place {
   hal::sim::CanBus pc_bus{wire};
   hal::sim::Flash flash{{.size = 1U << 18U, .sector_size = 4096, .page_size = 256}};
   hal::sim::Console console;
+  hal::sim::Entropy entropy;
   std::optional<sim::World> world;
   core::TickRecord record;
   std::function<void()> after_tick;

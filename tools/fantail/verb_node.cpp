@@ -16,6 +16,7 @@
 #include "fantail/verbs.hpp"
 #include "hal/linux/can_bus.hpp"
 #include "hal/linux/console.hpp"
+#include "hal/linux/entropy.hpp"
 #include "hal/linux/file_flash.hpp"
 #include "sim/scenario.hpp"
 #include "sim/world.hpp"
@@ -107,7 +108,8 @@ void run_node(const NodeOptions& options) {
   hal::on_linux::CanBus bus{options.interface, to_the_avionics};
   hal::on_linux::FileFlash flash{flash_file(options, scenario)};
   hal::on_linux::Console console;
-  Node node{scenario, {.can_bus = bus, .flash = flash, .console = console}};
+  hal::on_linux::Entropy entropy;
+  Node node{scenario, {.can_bus = bus, .flash = flash, .console = console, .entropy = entropy}};
   fmt::print("{} ({}) on {}; type help for what the hands at the pad can do, Ctrl-C ends\n", scenario.name,
              scenario.vehicle.name, options.interface);
   std::fflush(stdout);
