@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "bench/words.hpp"
 #include "core/tick_record.hpp"
 
 namespace fantail::bench {
@@ -33,6 +34,17 @@ std::string cell(const std::optional<double>& value) { return value ? fmt::forma
 
 ordered_json rounded(const std::optional<double>& value) {
   return value ? ordered_json::parse(fmt::format("{:.2f}", *value)) : ordered_json{};
+}
+
+// Since its power-up, modulo 256, in the order of protocol::Rejection.
+ordered_json by_cause(const protocol::RejectionReport& report) {
+  constexpr std::array<const char*, protocol::rejection_count> causes{"unknown_id",    "wrong_length", "wrong_crc",
+                                                                      "wrong_counter", "out_of_range", "stale"};
+  ordered_json json;
+  for (std::size_t i = 0; i < causes.size(); ++i) {
+    json[causes[i]] = report.count[i];
+  }
+  return json;
 }
 
 struct CanardRow {
@@ -91,6 +103,23 @@ std::string Watch::link_words() const {
                      heard.foreign, counters.overrun, counters.errors);
 }
 
+// What the ground was last told, and why; empty when there is nothing to tell.
+std::string Watch::answer_words() const {
+  std::string text;
+  const auto session = known<protocol::SessionReply>();
+  if (session && session->reason != protocol::SessionReason::none_yet) {
+    text += "bench session: " + words(session->reason) + "\n";
+  }
+  const auto arming = known<protocol::ArmReply>();
+  if (arming && arming->self_test == protocol::SelfTestState::failed) {
+    text += "self-test: " + words(arming->failure, arming->canard) + "\n";
+  }
+  if (arming && arming->refusal != protocol::ArmRefusal::none) {
+    text += "arming: " + words(arming->refusal) + "\n";
+  }
+  return text;
+}
+
 std::string Watch::table() const {
   const auto status = known<protocol::StatusReport>();
   const auto health = known<protocol::HealthReport>();
@@ -135,6 +164,8 @@ std::string Watch::json() const {
   const auto health = known<protocol::HealthReport>();
   const auto heartbeat = known<protocol::HeartbeatReport>();
   const auto rejections = known<protocol::RejectionReport>();
+  const auto session = known<protocol::SessionReply>();
+  const auto arming = known<protocol::ArmReply>();
   const LinkFigures& heard = link_.figures();
   const hal::CanCounters counters = bus_.counters();
   ordered_json json;
@@ -156,7 +187,13 @@ std::string Watch::json() const {
   json["uptime_s"] = heartbeat ? rounded(1e-3 * heartbeat->uptime_ms) : ordered_json{};
   json["plan_crc"] = heartbeat ? ordered_json{fmt::format("{:08x}", heartbeat->plan_crc)} : ordered_json{};
   json["longest_tick_us"] = health ? ordered_json{health->longest_tick_us} : ordered_json{};
-  json["frames_rejected_by_avionics"] = rejections ? ordered_json{rejections->count} : ordered_json{};
+  json["frames_refused_by_avionics"] = rejections ? by_cause(*rejections) : ordered_json{};
+  json["bench_session"] = session ? ordered_json{words(session->reason)} : ordered_json{};
+  json["self_test_failure"] = arming && arming->self_test == protocol::SelfTestState::failed
+                                  ? ordered_json{words(arming->failure, arming->canard)}
+                                  : ordered_json{};
+  json["arm_refusal"] =
+      arming && arming->refusal != protocol::ArmRefusal::none ? ordered_json{words(arming->refusal)} : ordered_json{};
   json["canards"] = ordered_json::array();
   for (const CanardRow& row : rows(known<protocol::CommandReport>(), known<protocol::EncoderReport>(),
                                    known<protocol::LimitReport>(), health, status)) {

@@ -29,6 +29,7 @@ class Watch {
   template <typename Message>
   [[nodiscard]] std::optional<Message> known() const;
   [[nodiscard]] std::string link_words() const;
+  [[nodiscard]] std::string answer_words() const;
 
   std::string interface_;
   const AvionicsLink& link_;
