@@ -45,8 +45,8 @@ Adapter::Adapter() : line_{posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC)} {
     give_up("the interface's name");
   }
   interface_ = name.data();
-  thread_ = std::thread{[this] { work(); }};
   must("ip link set " + interface_ + " up");
+  thread_ = std::thread{[this] { work(); }};
 }
 
 Adapter::~Adapter() {

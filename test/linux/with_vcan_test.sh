@@ -73,7 +73,7 @@ cd /
 
 # What a person sees comes at once, and what a command leaves running ends with it.
 begin=$(date +%s)
-"$with_vcan" --timeout 60 sh -c 'echo first; sleep 300 & sleep 2; echo second' 2>/dev/null | while read -r line; do
+"$with_vcan" --timeout 60 sh -c 'echo first; sleep 300 & sleep 2; echo second' 2>/dev/null | while read -r _; do
   date +%s
 done >"$work/times"
 { read -r first && read -r second; } <"$work/times"
@@ -116,6 +116,15 @@ sleep 0.3
 kill -s TERM "$process"
 wait "$process"
 expect "a signal before there is a command" 143 $?
+
+# A terminal stays a terminal, and a pipe beside it a pipe.
+if command -v script >/dev/null; then
+  export with_vcan
+  got=$(timeout 60 script -qec 'stty rows 33 cols 99
+    "$with_vcan" sh -c "test -t 1 && stty size <&1; test -t 2 || echo piped" 2>/dev/null' /dev/null | tr -d '\r')
+  expect "a terminal and its size" "33 99
+piped" "$got"
+fi
 
 # Nothing stays: neither files nor processes that name their folder.
 expect "temporary files" "" "$(ls -A "$TMPDIR")"
