@@ -14,7 +14,7 @@ set(table
   "hal/sim|hal/[a-z_]+\\.hpp,hal/sim/|"
   "sim|core/,protocol/,hal/,avionics/,sim/|Eigen/,toml\\+\\+/"
   "tools/fantail|core/,protocol/,hal/,avionics/,sim/,report/,bench/,fantail/|fmt/,CLI/,nlohmann/,poll\\.h,unistd\\.h,sys/,fcntl\\.h"
-  "tools/bench|core/,protocol/,hal/,sim/,report/,bench/|fmt/,nlohmann/"
+  "tools/bench|core/,protocol/,hal/,avionics/,sim/,report/,bench/|fmt/,nlohmann/"
   "tools/report|core/,report/|fmt/,nlohmann/")
 # Single files that may include more than their folder does.
 set(exceptions

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "sim/pad_crew.hpp"
 
+#include "avionics/can_frame.hpp"
 #include "protocol/bus_codec.hpp"
 
 namespace fantail::sim {
@@ -42,8 +43,7 @@ std::optional<ArmReply> PadCrew::newest_reply() {
     if (stage_ == Stage::waiting || stage_ == Stage::done) {
       continue;
     }
-    const auto decoded = protocol::decode_from_avionics(
-        {.id = static_cast<std::uint16_t>(frame->id), .length = frame->length, .data = frame->data});
+    const auto decoded = protocol::decode_from_avionics(avionics::bus_frame(*frame));
     if (decoded.message) {
       if (const auto* reply = std::get_if<ArmReply>(&*decoded.message)) {
         newest = *reply;
@@ -56,7 +56,7 @@ std::optional<ArmReply> PadCrew::newest_reply() {
 void PadCrew::send(ArmAction action, std::uint32_t nonce) {
   const protocol::BusFrame frame = encode(protocol::ArmRequest{.action = action, .nonce = nonce}, counter_);
   counter_ = (counter_ + 1U) & 0xFU;
-  (void)bus_.send({.id = frame.id, .length = frame.length, .data = frame.data});
+  (void)bus_.send(avionics::can_frame(frame));
 }
 
 void PadCrew::give_up(const ArmReply& reply) {

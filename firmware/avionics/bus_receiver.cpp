@@ -3,6 +3,8 @@
 
 #include <limits>
 
+#include "avionics/can_frame.hpp"
+
 namespace fantail::avionics {
 namespace {
 
@@ -15,8 +17,7 @@ protocol::Decoded<protocol::FromBench> decode(const hal::CanFrame& frame) {
   if (frame.remote) {
     return {.rejection = Rejection::wrong_length};
   }
-  return protocol::decode_from_bench(
-      {.id = static_cast<std::uint16_t>(frame.id), .length = frame.length, .data = frame.data});
+  return protocol::decode_from_bench(bus_frame(frame));
 }
 
 }  // namespace

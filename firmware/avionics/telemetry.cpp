@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "avionics/can_frame.hpp"
+
 namespace fantail::avionics {
 namespace {
 
@@ -13,7 +15,7 @@ constexpr std::uint32_t slow_period = 1000;
 
 void put(const protocol::BusFrame& frame, hal::CanBus& bus) {
   // A frame that finds no room is counted by the bus; there will be another.
-  (void)bus.send({.id = frame.id, .length = frame.length, .data = frame.data});
+  (void)bus.send(can_frame(frame));
 }
 
 // Cut off, not rounded: a counter that only ever differs.

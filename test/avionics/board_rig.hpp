@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "avionics/avionics.hpp"
+#include "avionics/can_frame.hpp"
 #include "core/flight_plan_fields.hpp"
 #include "hal/sim/can_bus.hpp"
 #include "hal/sim/flash.hpp"
@@ -119,9 +120,7 @@ class BoardRig {
 
   // ---- the PC ----
 
-  void send(const protocol::BusFrame& frame) {
-    (void)pc_bus.send({.id = frame.id, .length = frame.length, .data = frame.data});
-  }
+  void send(const protocol::BusFrame& frame) { (void)pc_bus.send(can_frame(frame)); }
   void say(const protocol::BenchRequest& message) { send(encode(message, next_counter(0))); }
   void say(const protocol::BenchSession& message) { send(encode(message, next_counter(1))); }
   void say(const protocol::ArmRequest& message) { send(encode(message, next_counter(2))); }
@@ -211,8 +210,7 @@ class BoardRig {
 
   void hear() {
     while (const auto frame = pc_bus.receive()) {
-      const auto decoded = protocol::decode_from_avionics(
-          {.id = static_cast<std::uint16_t>(frame->id), .length = frame->length, .data = frame->data});
+      const auto decoded = protocol::decode_from_avionics(bus_frame(*frame));
       if (decoded.message) {
         counts_[decoded.message->index()] += 1;
         std::visit(

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "avionics/board_rig.hpp"
+#include "avionics/can_frame.hpp"
 #include "random_stream.hpp"
 
 namespace fantail::avionics {
@@ -91,7 +92,7 @@ class Vandal {
         frame = encode(data);
       }
     }
-    return {.id = frame.id, .length = frame.length, .data = frame.data};
+    return can_frame(frame);
   }
 
   core::RandomStream random_;

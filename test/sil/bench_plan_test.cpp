@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
+#include "avionics/can_frame.hpp"
 #include "bench/plan_sender.hpp"
 #include "bench/words.hpp"
 #include "core/flight_plan_fields.hpp"
@@ -75,7 +76,7 @@ TEST(BenchPlan, IsRefusedWhileABenchSessionIsOpen) {
   std::uint8_t counter = 0;
   for (int i = 0; i < 50 && !refused; ++i) {
     const auto frame = encode(protocol::PlanBegin{.size = 500, .block_crc = 1}, counter++ & 0xFU);
-    (void)place.bus().send({.id = frame.id, .length = frame.length, .data = frame.data});
+    (void)place.bus().send(avionics::can_frame(frame));
     session.wait(20 * millisecond);
     const auto& reply = link.newest<protocol::PlanReply>();
     refused = reply && reply->message.fault == protocol::TransferFault::not_safe;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "bench/arm_steps.hpp"
 
+#include "avionics/can_frame.hpp"
 #include "bench/session.hpp"
 
 namespace fantail::bench {
@@ -76,7 +77,7 @@ bool ArmSteps::start_control(std::uint32_t nonce) {
 void ArmSteps::send(ArmAction action, std::uint32_t nonce) {
   const protocol::BusFrame frame = encode(protocol::ArmRequest{.action = action, .nonce = nonce}, counter_);
   counter_ = (counter_ + 1U) & 0xFU;
-  (void)place_.bus().send({.id = frame.id, .length = frame.length, .data = frame.data});
+  (void)place_.bus().send(avionics::can_frame(frame));
 }
 
 std::uint64_t ArmSteps::replies() const {

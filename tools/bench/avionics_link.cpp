@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "bench/avionics_link.hpp"
 
+#include "avionics/can_frame.hpp"
 #include "protocol/bus_load.hpp"
 
 namespace fantail::bench {
@@ -27,8 +28,7 @@ void AvionicsLink::listen(hal::Microseconds now) {
       figures_.foreign += 1;
       continue;
     }
-    const protocol::BusFrame bus_frame{
-        .id = static_cast<std::uint16_t>(frame->id), .length = frame->length, .data = frame->data};
+    const protocol::BusFrame bus_frame = avionics::bus_frame(*frame);
     figures_.wire_bits += protocol::bits_on_wire(bus_frame);
     const auto decoded = protocol::decode_from_avionics(bus_frame);
     if (!decoded.message) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "avionics/can_frame.hpp"
 #include "bench/session.hpp"
 
 namespace fantail::bench {
@@ -53,7 +54,7 @@ protocol::PlanReply send_plan(Place& place, AvionicsLink& link, std::span<const 
       if (!complete) {
         const protocol::BusFrame frame = next ? data_frame(block, *next) : encode(begin, counter);
         counter = next ? counter : (counter + 1U) & 0xFU;
-        (void)place.bus().send({.id = frame.id, .length = frame.length, .data = frame.data});
+        (void)place.bus().send(avionics::can_frame(frame));
       }
       send_at = place.now() + repeat_after;
     }

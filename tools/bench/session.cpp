@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "bench/session.hpp"
 
+#include "avionics/can_frame.hpp"
 #include "bench/words.hpp"
 
 namespace fantail::bench {
@@ -25,7 +26,7 @@ std::uint64_t count(const AvionicsLink& link) {
 
 void send(Place& place, const protocol::BusFrame& frame) {
   // A frame that finds no room is not missed: there will be another within 20 ms.
-  (void)place.bus().send({.id = frame.id, .length = frame.length, .data = frame.data});
+  (void)place.bus().send(avionics::can_frame(frame));
 }
 
 }  // namespace
