@@ -38,16 +38,15 @@ void PadCrew::start_tunnel() {
 }
 
 std::optional<ArmReply> PadCrew::newest_reply() {
+  static const std::uint16_t arm_reply_id = encode(ArmReply{}).id;
   std::optional<ArmReply> newest;
   while (const auto frame = bus_.receive()) {
-    if (stage_ == Stage::waiting || stage_ == Stage::done) {
+    if (stage_ == Stage::waiting || stage_ == Stage::done || frame->id != arm_reply_id) {
       continue;
     }
     const auto decoded = protocol::decode_from_avionics(avionics::bus_frame(*frame));
     if (decoded.message) {
-      if (const auto* reply = std::get_if<ArmReply>(&*decoded.message)) {
-        newest = *reply;
-      }
+      newest = std::get<ArmReply>(*decoded.message);
     }
   }
   return newest;
