@@ -12,20 +12,20 @@ using protocol::SelfTestState;
 
 void PadCrew::act(hal::Microseconds now) {
   const std::optional<ArmReply> reply = newest_reply();
+  const bool failed = stage_ == Stage::testing && reply && reply->self_test == SelfTestState::failed;
+  const bool refused = stage_ != Stage::testing && reply && reply->refusal != protocol::ArmRefusal::none;
   if (stage_ == Stage::waiting && now >= arm_time_) {
     stage_ = Stage::testing;
     send(ArmAction::self_test);
   } else if (stage_ == Stage::testing && reply && reply->self_test == SelfTestState::passed) {
     stage_ = Stage::asking;
     send(ArmAction::begin);
-  } else if (stage_ == Stage::testing && reply && reply->self_test == SelfTestState::failed) {
+  } else if (failed || refused) {
     give_up(*reply);
   } else if (stage_ == Stage::asking && reply && reply->nonce) {
     stage_ = Stage::confirming;
     nonce_ = reply->nonce;
     send(ArmAction::confirm, *nonce_);
-  } else if (reply && reply->refusal != protocol::ArmRefusal::none) {
-    give_up(*reply);
   } else if (stage_ == Stage::confirming && reply) {
     stage_ = Stage::done;
   }

@@ -36,17 +36,20 @@ void AvionicsLink::listen(hal::Microseconds now) {
       continue;
     }
     figures_.frames += 1;
-    std::visit(
-        [&]<typename Message>(const Message& message) {
-          auto& heard = std::get<std::optional<Heard<Message>>>(heard_);
-          heard = {.message = message, .time = now, .count = heard ? heard->count + 1 : 1};
-          if constexpr (std::is_same_v<Message, protocol::CommandReport> ||
-                        std::is_same_v<Message, protocol::EncoderReport>) {
-            take(message, *decoded.counter);
-          }
-        },
-        *decoded.message);
+    std::visit([&](const auto& message) { keep(message, now); }, *decoded.message);
+    if (const auto* commands = std::get_if<protocol::CommandReport>(&*decoded.message)) {
+      take(*commands, *decoded.counter);
+    } else if (const auto* encoders = std::get_if<protocol::EncoderReport>(&*decoded.message)) {
+      take(*encoders, *decoded.counter);
+    }
   }
+}
+
+template <typename Message>
+void AvionicsLink::keep(const Message& message, hal::Microseconds now) {
+  auto& heard = std::get<std::optional<Heard<Message>>>(heard_);
+  const std::uint64_t before = heard ? heard->count : 0;
+  heard = Heard<Message>{.message = message, .time = now, .count = before + 1};
 }
 
 void AvionicsLink::take(const protocol::CommandReport& report, std::uint8_t counter) {

@@ -6,7 +6,7 @@
 #include <deque>
 #include <optional>
 #include <tuple>
-#include <utility>
+#include <variant>
 
 #include "bench/recording.hpp"
 #include "hal/can_bus.hpp"
@@ -24,6 +24,14 @@ struct LinkFigures {
   std::uint64_t wire_bits = 0;  ///< of all frames, stuff bits included
 };
 
+/// The newest message of one kind.
+template <typename Message>
+struct Heard {
+  Message message{};
+  hal::Microseconds time{};  ///< when it came
+  std::uint64_t count = 0;   ///< how many there have been
+};
+
 /// Listens to the avionics: the newest message of every kind and when it came, and the ticks in order.
 class AvionicsLink {
  public:
@@ -32,12 +40,6 @@ class AvionicsLink {
   /// Takes in all that has arrived.
   void listen(hal::Microseconds now);
 
-  template <typename Message>
-  struct Heard {
-    Message message{};
-    hal::Microseconds time{};
-    std::uint64_t count = 0;
-  };
   /// Empty when no such message has ever come.
   template <typename Message>
   [[nodiscard]] const std::optional<Heard<Message>>& newest() const {
@@ -58,15 +60,21 @@ class AvionicsLink {
   [[nodiscard]] const LinkFigures& figures() const { return figures_; }
 
  private:
+  template <typename Variant>
+  struct OneOfEach;
   template <typename... Messages>
-  static std::tuple<std::optional<Heard<Messages>>...> one_of_each(const std::variant<Messages...>&);
+  struct OneOfEach<std::variant<Messages...>> {
+    using Tuple = std::tuple<std::optional<Heard<Messages>>...>;
+  };
 
+  template <typename Message>
+  void keep(const Message& message, hal::Microseconds now);
   void take(const protocol::CommandReport& report, std::uint8_t counter);
   void take(const protocol::EncoderReport& report, std::uint8_t counter);
   [[nodiscard]] std::int64_t unwrap(std::int64_t last, std::uint8_t counter);
 
   hal::CanBus& bus_;
-  decltype(one_of_each(protocol::FromAvionics{})) heard_{};
+  OneOfEach<protocol::FromAvionics>::Tuple heard_{};
   LinkFigures figures_{};
   std::int64_t last_command_ = -1;
   std::int64_t last_encoder_ = -1;
