@@ -41,8 +41,14 @@ number=0
 while IFS= read -r line; do
   number=$((number + 1))
   wanted=$(echo "$line" | sed -n 's/.*# .*exit code \([0-9]*\).*/\1/p')
-  sh -c "$line" >"said_$number" 2>&1 </dev/null
-  code=$?
+  # On a PC with much else to do the guest stands still for longer than the avionics waits for a heartbeat. That, and
+  # nothing else, is tried again, and said.
+  for try in 1 2 3; do
+    sh -c "$line" >"said_$number" 2>&1 </dev/null
+    code=$?
+    grep -q 'it heard no heartbeat' "said_$number" || break
+    echo "try $try: the session was lost, this PC is too busy: $line"
+  done
   [ "$code" = "${wanted:-0}" ] || {
     fail "exit code $code instead of ${wanted:-0}: $line"
     tail -n 15 "said_$number"
