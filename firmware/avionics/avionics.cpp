@@ -108,7 +108,8 @@ void Avionics::obey(const protocol::ArmRequest& message) {
 }
 
 bool Avionics::plan_may_change() const {
-  return situation_.phase == core::Phase::safe && !bench_mode_.open() && !self_test_.running() && !arming_.nonce();
+  return situation_.phase == core::Phase::safe && situation_.at_rest && !bench_mode_.open() && !self_test_.running() &&
+         !arming_.nonce();
 }
 
 core::Inputs Avionics::read_devices(core::Microseconds now) {

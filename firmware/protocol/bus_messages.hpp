@@ -187,7 +187,7 @@ struct PlanReply {
 /// Why a received frame was not acted upon.
 enum class Rejection : std::uint8_t {
   unknown_id,
-  wrong_length,  ///< also remote and extended frames
+  wrong_length,  ///< also remote frames
   wrong_crc,
   wrong_counter,  ///< repeated, or frames before it were lost
   out_of_range,

@@ -25,6 +25,7 @@ core::FlightPlan plan_with_limit(float limit_deg) {
 }
 
 protocol::PlanReply send(BenchAtWorld& place, std::span<const std::byte> block) {
+  place.wait(3 * second);  // at rest long enough
   bench::AvionicsLink link{place.bus()};
   bench::await_avionics(place, link);
   return bench::send_plan(place, link, block, [](std::size_t) {});
@@ -54,6 +55,15 @@ TEST(BenchPlan, ABrokenBlockLeavesTheOldPlanInForce) {
   const protocol::PlanReply reply = send(place, block);
   EXPECT_EQ(reply.state, TransferState::refused);
   EXPECT_EQ(reply.fault, protocol::TransferFault::bad_block);
+  EXPECT_NEAR(limit_in_force_deg(place), 9.0F, 0.001F);
+}
+
+TEST(BenchPlan, IsRefusedToARocketThatHasNotYetStoodStill) {
+  BenchAtWorld place{"bench_healthy"};
+  bench::AvionicsLink link{place.bus()};
+  bench::await_avionics(place, link);
+  const protocol::PlanReply reply = bench::send_plan(place, link, block_of(plan_with_limit(4.0F)), [](std::size_t) {});
+  EXPECT_EQ(reply.fault, protocol::TransferFault::not_safe);
   EXPECT_NEAR(limit_in_force_deg(place), 9.0F, 0.001F);
 }
 
@@ -103,7 +113,7 @@ TEST(BenchPlan, ABusThatGoesAwayIsSaidSo) {
   BenchAtWorld place{"bench_healthy"};
   int ticks = 0;
   place.after_tick = [&] {
-    if (++ticks == 500) {
+    if (++ticks == 3'500) {
       place.wire.set_state(hal::CanState::down);
     }
   };

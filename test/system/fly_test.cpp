@@ -167,7 +167,7 @@ TEST(Fly, SaysWhatIsBrokenSinceWhenAndByHowMuch) {
       {"\"canard_stuck\"\ncanard = 1\nfrom_s = 2.5\n", "Fault: canard_stuck, canard 1, from 2.5 s after ignition."},
       {"\"canard_wrong_trim\"\ncanard = 3\nfrom_s = 0\n",
        "Fault: canard_wrong_trim, canard 3, 2.5 degrees off, from 0 s after ignition."},
-      {"\"canard_slow\"\ncanard = 4\nfrom_s = -5\n", "Fault: canard_slow, canard 4, from power-up."},
+      {"\"canard_slow\"\ncanard = 4\nfrom_s = -10\n", "Fault: canard_slow, canard 4, from power-up."},
       {"\"encoder_noisy\"\ncanard = 4\nfrom_s = -600\n",
        "Fault: encoder_noisy, canard 4, standard deviation 60 counts, from power-up."},
       {"\"imu_dropout\"\nfrom_s = 4\nuntil_s = 4.003\n", "Fault: imu_dropout from 4 to 4.003 s after ignition."},

@@ -9,6 +9,8 @@ namespace {
 
 // Nobody takes ticks while nothing is recorded.
 constexpr std::size_t most_waiting_ticks = 10'000;
+// On a slow PC a whole backlog takes longer than the avionics waits for a heartbeat.
+constexpr int most_frames_at_once = 32;
 
 Each<std::optional<double>> radians(const protocol::PerCanard& angles) {
   Each<std::optional<double>> result{};
@@ -23,7 +25,11 @@ Each<std::optional<double>> radians(const protocol::PerCanard& angles) {
 }  // namespace
 
 void AvionicsLink::listen(hal::Microseconds now) {
-  while (const auto frame = bus_.receive()) {
+  for (int i = 0; i < most_frames_at_once; ++i) {
+    const auto frame = bus_.receive();
+    if (!frame) {
+      return;
+    }
     if (frame->extended || frame->remote) {
       figures_.foreign += 1;
       continue;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -25,7 +26,11 @@ struct Tick {
 class Recording {
  public:
   static constexpr std::size_t two_minutes = 120'000;
-  explicit Recording(std::size_t longest = two_minutes) : longest_{longest} {}
+  /// Takes its memory here: to move what is recorded takes longer, on a slow PC, than the avionics waits for a
+  /// heartbeat.
+  explicit Recording(std::size_t longest = two_minutes) : longest_{longest} {
+    ticks_.reserve(std::min(longest, two_minutes));
+  }
 
   /// False, and nothing kept: not after the last one, or beyond the longest span.
   bool add(const Tick& tick);

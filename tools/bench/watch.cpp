@@ -141,7 +141,7 @@ std::string Watch::table() const {
                     cell(row.difference_deg()), row.limit_deg ? fmt::format("{:.2f}", *row.limit_deg) : "-",
                     row.verdict, row.limited ? ", limited" : "");
   }
-  return text;
+  return text + answer_words();
 }
 
 std::string Watch::line() const {

@@ -87,7 +87,7 @@ std::string words(const protocol::PlanReply& reply) {
   using Fault = protocol::TransferFault;
   switch (reply.fault) {
     case Fault::none: return "nothing";
-    case Fault::not_safe: return "the rocket is not in phase safe, or its canards are being moved";
+    case Fault::not_safe: return "the rocket is not in phase safe, moves, or its canards are being moved";
     case Fault::wrong_size: return "no plan has that size";
     case Fault::out_of_order: return "its parts came out of order";
     case Fault::timed_out: return "the next part did not come for a second";

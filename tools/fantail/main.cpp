@@ -23,7 +23,9 @@ using fantail::tool::output_was_taken;
 using fantail::tool::usage_complaint;
 
 ExitCode complain(const std::string& message, ExitCode code) {
-  fantail::tool::say("fantail: " + message + "\n");
+  if (!message.empty()) {  // what there is to say may have been printed
+    fantail::tool::say("fantail: " + message + "\n");
+  }
   return code;
 }
 
