@@ -54,8 +54,12 @@ void SelfTest::start(const Situation& now, bool session_open) {
 
 void SelfTest::update(const core::Inputs& inputs, const core::TickRecord& record, const FlashFacts& flash) {
   const bool moves = record.motion.at_rest_for == Microseconds{0};
-  if (state_ == SelfTestState::passed && moves && record.phase == core::Phase::safe) {
-    fail(inputs.time, SelfTestFailure::moved);  // what was tested is not what stands there now
+  if (state_ == SelfTestState::passed && moves) {  // what was tested is not what stands there now
+    if (record.phase == core::Phase::safe) {
+      fail(inputs.time, SelfTestFailure::moved);
+    } else {
+      state_ = SelfTestState::not_run;  // a flight is no failure, but whoever disarms needs another test
+    }
   }
   if (!running()) {
     return;

@@ -104,6 +104,23 @@ TEST(Arming, ARocketThatWasMovedAfterItsSelfTestNeedsAnother) {
   EXPECT_EQ(rig.heard<ArmReply>()->failure, protocol::SelfTestFailure::moved);
 }
 
+TEST(Arming, ARocketThatWasMovedWhileArmedNeedsAnotherSelfTestToo) {
+  BoardRig rig;
+  ASSERT_EQ(rig.arm().phase, Phase::armed);
+  rig.imu.sample.rate = {500, 0, 0};
+  rig.run(100 * millisecond);
+  rig.imu.sample.rate = {};
+  rig.run(3 * second);  // it stands again before anybody opens the switch
+  rig.arm_switch.is_closed = false;
+  ASSERT_EQ(rig.run(5 * second)->phase, Phase::safe);
+  rig.arm_switch.is_closed = true;
+  rig.tick();
+  rig.say(ArmAction::begin);
+  rig.tick();
+  EXPECT_EQ(rig.heard<ArmReply>()->refusal, ArmRefusal::self_test_not_passed);
+  EXPECT_EQ(rig.heard<ArmReply>()->self_test, SelfTestState::not_run) << "no test has failed";
+}
+
 TEST(Arming, ANonceExpiresAfterFiveSeconds) {
   BoardRig rig;
   const std::uint32_t nonce = begun(rig);
