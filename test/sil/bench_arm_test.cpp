@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
+#include "avionics/can_frame.hpp"
 #include "bench/arm_steps.hpp"
 #include "bench/words.hpp"
 #include "sil/bench_at_world.hpp"
@@ -52,6 +53,36 @@ TEST(BenchArm, IsToldWhichCanardFailedTheSelfTest) {
   const protocol::ArmReply reply = steps.run_self_test([](const auto&) {});
   EXPECT_EQ(reply.self_test, protocol::SelfTestState::failed);
   EXPECT_EQ(bench::words(reply.failure, reply.canard), "canard 3 does not stand where it was told to");
+}
+
+// It fails in the very tick in which it begins, so nobody ever hears that it runs; the second time nothing changes.
+TEST(BenchArm, IsToldThatTheGyroIsGoneAndToldAgain) {
+  sim::Scenario scenario = sim::load_scenario("bench_healthy", {});
+  scenario.faults.push_back({.kind = sim::FaultKind::imu_dropout, .canard = 0, .from_s = -1e6, .until_s = 1e6});
+  BenchAtWorld place{scenario};
+  bench::AvionicsLink link{place.bus()};
+  bench::await_avionics(place, link);
+  for (int time = 0; time < 2; ++time) {
+    bench::ArmSteps steps{place, link};
+    const protocol::ArmReply reply = steps.run_self_test([](const auto&) {});
+    EXPECT_EQ(reply.failure, protocol::SelfTestFailure::gyro_failed);
+    place.wait(second);
+  }
+}
+
+TEST(BenchArm, AnEarlierPassIsNotTakenForTheAnswerToARequestThatWasLost) {
+  BenchAtWorld place{"bench_healthy"};
+  bench::AvionicsLink link{place.bus()};
+  bench::await_avionics(place, link);
+  bench::ArmSteps steps{place, link};
+  ASSERT_EQ(steps.run_self_test([](const auto&) {}).self_test, protocol::SelfTestState::passed);
+  // Somebody else has just used the counter that this bench begins with.
+  hal::sim::CanBus other_bench{place.wire};
+  const protocol::ArmRequest request{.action = protocol::ArmAction::confirm};
+  (void)other_bench.send(avionics::can_frame(encode(request, 0)));
+  place.wait(millisecond);
+  bench::ArmSteps later{place, link};
+  EXPECT_THROW((void)later.run_self_test([](const auto&) {}), bench::LinkError);
 }
 
 TEST(BenchArm, WithoutTheSwitchIsRefusedWithThatReason) {

@@ -17,6 +17,9 @@ constexpr Microseconds glance{2'000};
 constexpr Microseconds patience{2'000'000};
 constexpr Microseconds step_time{400'000};
 
+// The avionics repeats its answer ten times a second: after this long, what it says was said after the request.
+constexpr Microseconds answer_time{300'000};
+
 bool refused(const ArmReply& reply) {
   return reply.self_test == SelfTestState::failed &&
          (reply.failure == SelfTestFailure::not_safe || reply.failure == SelfTestFailure::session_open);
@@ -26,6 +29,7 @@ bool refused(const ArmReply& reply) {
 
 ArmReply ArmSteps::run_self_test(const std::function<void(const ArmReply&)>& progress) {
   send(ArmAction::self_test);
+  const Microseconds answered_by = place_.now() + answer_time;
   const Microseconds begin_by = place_.now() + patience;
   bool begun = false;  // an answer to an earlier test must not be mistaken for this one's
   for (std::uint64_t seen = replies();;) {
@@ -38,7 +42,9 @@ ArmReply ArmSteps::run_self_test(const std::function<void(const ArmReply&)>& pro
     }
     seen = replies();
     const ArmReply reply = link_.newest<ArmReply>()->message;
-    begun = begun || reply.self_test == SelfTestState::running || refused(reply);
+    // A test can fail in the tick in which it begins (no gyro), and then nobody hears that it ran.
+    const bool failed = reply.self_test == SelfTestState::failed && place_.now() >= answered_by;
+    begun = begun || reply.self_test == SelfTestState::running || refused(reply) || failed;
     if (begun) {
       progress(reply);
     }
