@@ -24,6 +24,11 @@ core::FlightPlan plan_with_limit(float limit_deg) {
   return plan;
 }
 
+protocol::PlanReply send_without_waiting(BenchAtWorld& place, std::span<const std::byte> block) {
+  bench::AvionicsLink link{place.bus()};
+  return bench::send_plan(place, link, block, [](std::size_t) {});
+}
+
 protocol::PlanReply send(BenchAtWorld& place, std::span<const std::byte> block) {
   place.wait(3 * second);  // at rest long enough
   bench::AvionicsLink link{place.bus()};
@@ -92,6 +97,57 @@ TEST(BenchPlan, IsRefusedWhileABenchSessionIsOpen) {
     refused = reply && reply->message.fault == protocol::TransferFault::not_safe;
   }
   EXPECT_TRUE(refused);
+}
+
+// A bench that ended while its plan was being written, and a session that keeps that plan back for a while.
+void leave_a_plan_in_writing(BenchAtWorld& place, std::span<const std::byte> block) {
+  const auto say = [&place](const protocol::BusFrame& frame) {
+    (void)place.bus().send(avionics::can_frame(frame));
+    place.wait(millisecond);
+  };
+  say(encode(protocol::PlanBegin{.size = static_cast<std::uint16_t>(block.size()),
+                                 .block_crc = protocol::plan_block_crc(block)},
+             0));
+  for (std::size_t at = 0; at < block.size(); at += 7) {
+    protocol::PlanData data{.index = static_cast<std::uint8_t>(at / 7)};
+    std::ranges::copy(block.subspan(at, std::min<std::size_t>(7, block.size() - at)), data.bytes.begin());
+    say(encode(data));
+  }
+  say(encode(protocol::BenchSession{.action = protocol::SessionAction::open, .session = 3}, 0));
+}
+
+TEST(BenchPlan, APlanOfAnotherBenchThatIsStoredMeanwhileIsNotTakenForItsOwn) {
+  BenchAtWorld place{"bench_healthy"};
+  place.wait(4 * second);
+  leave_a_plan_in_writing(place, block_of(plan_with_limit(4.0F)));
+  ASSERT_EQ(send_without_waiting(place, block_of(plan_with_limit(6.0F))).state, TransferState::stored);
+  EXPECT_NEAR(limit_in_force_deg(place), 6.0F, 0.001F);
+}
+
+TEST(BenchPlan, WhileTheAvionicsKeepsAWrittenPlanBackThatIsSaidAndNothingPromised) {
+  BenchAtWorld place{"bench_healthy"};
+  place.wait(4 * second);
+  bench::AvionicsLink link{place.bus()};
+  hal::sim::CanBus other_bench{place.wire};
+  std::uint8_t counter = 0;
+  int ticks = 0;
+  place.after_tick = [&] {
+    const auto& reply = link.newest<protocol::PlanReply>();
+    if (reply && reply->message.state == TransferState::writing && ticks++ % 20 == 0) {
+      const protocol::BenchSession open{.action = protocol::SessionAction::open, .session = 3};
+      (void)other_bench.send(avionics::can_frame(encode(open, counter++ & 0xFU)));
+    }
+  };
+  try {
+    (void)bench::send_plan(place, link, block_of(plan_with_limit(4.0F)), [](std::size_t) {});
+    FAIL() << "the session came too late";
+  } catch (const bench::LinkError& error) {
+    EXPECT_EQ(std::string{error.what()},
+              "the avionics keeps a written plan back: it comes into force when the phase is Safe and no bench session "
+              "or self-test goes on");
+  }
+  place.after_tick = nullptr;
+  EXPECT_NEAR(limit_in_force_deg(place), 4.0F, 0.001F);
 }
 
 TEST(BenchPlan, FramesThatAreLostAreSentAgain) {
