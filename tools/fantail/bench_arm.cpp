@@ -15,6 +15,7 @@
 #include "fantail/can_place.hpp"
 #include "fantail/line_input.hpp"
 #include "fantail/requirement.hpp"
+#include "fantail/standard_streams.hpp"
 
 namespace fantail::tool {
 namespace {
@@ -81,8 +82,7 @@ void await_consent(const ArmOptions& options, bench::Place& place, bench::Avioni
   if (options.yes) {
     return;
   }
-  fmt::print("Type ARM to arm, anything else to leave the rocket safe: ");
-  std::fflush(stdout);
+  say("Type ARM to arm, anything else to leave the rocket safe: ");  // standard output may be one JSON object
   LineInput input;
   std::optional<std::string> line;
   while (!(line = input.next())) {
@@ -130,7 +130,7 @@ void arm(const ArmOptions& options) {
 void add_bench_arm(CLI::App& bench) {
   auto* verb = bench.add_subcommand("arm", "Walk through both actions that arm the rocket");
   auto options = std::make_shared<ArmOptions>();
-  add_bench_options(*verb, options->bench, "Print one JSON object; the question is not asked without --yes");
+  add_bench_options(*verb, options->bench, "Print one JSON object; the question goes to standard error");
   verb->add_flag("--yes", options->yes, "Do not ask on the terminal; for rehearsals and scripts");
   verb->add_flag("--start", options->start, "In the tunnel: start control too");
   verb->footer(
