@@ -146,6 +146,24 @@ TEST(BusFrames, RandomAndMutatedOnesMoveNoCanardOutsideItsRightAndNeverBreakALim
   }
 }
 
+// In the tunnel, because there a frame could even start control.
+TEST(BusFrames, RandomAndMutatedOnesNeitherMoveACanardOfAnArmedRocketNorEndThePhase) {
+  const std::uint64_t frames = how_many_frames() / 10;
+  std::cout << "frames: " << frames << ", seed: " << seed() << "\n";
+  Vandal vandal{seed()};
+  core::FlightPlan plan = core::default_plan();
+  plan.run.start = core::Start::tunnel;
+  BoardRig rig{plan};
+  ASSERT_EQ(rig.arm().phase, Phase::armed);
+  for (std::uint64_t sent = 0; sent < frames; sent += 20) {
+    for (int i = 0; i < 20; ++i) {
+      (void)rig.pc_bus.send(vandal.frame());
+    }
+    ASSERT_EQ(rig.tick().phase, Phase::armed) << "after " << sent;
+    ASSERT_TRUE(rig.all_pulses_are(0.0)) << "after " << sent;
+  }
+}
+
 // A bench that does its best while somebody else babbles: it may lose its session, and no canard its limit.
 TEST(BusFrames, NoneBreaksALimitWhileABenchWorks) {
   const std::uint64_t frames = how_many_frames() / 10;
