@@ -76,6 +76,39 @@ TEST(Telemetry, ReportsCanardsEveryMillisecondInControl) {
   expect_rate(rig, 1000);
 }
 
+TEST(Telemetry, ReportsCanardsEveryMillisecondWhileTheRocketLeavesItsGuide) {
+  BoardRig rig;
+  ASSERT_EQ(rig.arm().phase, core::Phase::armed);
+  rig.imu.sample.specific_force = rig.accelerometer.sample.specific_force = {5000, 0, 0};
+  int ticks = 0;
+  while (rig.tick().phase == core::Phase::armed && ++ticks < 1000) {
+  }
+  const int before = rig.count<protocol::CommandReport>();
+  ASSERT_EQ(rig.run(50 * millisecond)->phase, core::Phase::launched);
+  EXPECT_EQ(rig.count<protocol::CommandReport>() - before, 50);
+}
+
+TEST(Telemetry, TheLongestTickOfATenthOfASecondIsReported) {
+  Telemetry telemetry;
+  hal::sim::CanWire wire;
+  hal::sim::CanBus board{wire};
+  hal::sim::CanBus pc{wire};
+  core::TickRecord record{};
+  std::vector<int> longest_us;
+  for (int tick = 0; tick < 300; ++tick) {
+    Report report{};
+    report.tick_duration = Microseconds{tick == 50 ? 700 : 200};
+    telemetry.send(record, report, board);
+    while (const auto frame = pc.receive()) {
+      const auto decoded = protocol::decode_from_avionics(bus_frame(*frame));
+      if (const auto* health = std::get_if<protocol::HealthReport>(&*decoded.message)) {
+        longest_us.push_back(health->longest_tick_us);
+      }
+    }
+  }
+  EXPECT_EQ(longest_us, (std::vector<int>{200, 700, 200}));
+}
+
 TEST(Telemetry, TheReportsSayWhatTheServosAreToldAndWhatTheEncodersRead) {
   BoardRig rig;
   rig.unplugged[3] = true;

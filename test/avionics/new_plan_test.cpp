@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+
+#include <gtest/gtest.h>
+
+#include "avionics/board_rig.hpp"
+#include "protocol/plan_block.hpp"
+
+namespace fantail::avionics {
+namespace {
+
+using namespace core::literals;
+using protocol::ArmAction;
+using protocol::ArmRefusal;
+using protocol::ArmReply;
+using protocol::PlanReply;
+using protocol::SelfTestState;
+using protocol::TransferFault;
+using protocol::TransferState;
+
+core::FlightPlan plan_with_trim() {
+  core::FlightPlan plan = core::default_plan();
+  plan.canards.each[1].trim = 4_deg;
+  return plan;
+}
+
+void send_plan(BoardRig& rig, const core::FlightPlan& plan) {
+  std::array<std::byte, protocol::largest_plan_block> buffer{};
+  const auto block = std::span{buffer}.first(protocol::write_plan_block(plan, buffer));
+  rig.say(protocol::PlanBegin{.size = static_cast<std::uint16_t>(block.size()),
+                              .block_crc = protocol::plan_block_crc(block)});
+  rig.tick();
+  for (std::size_t at = 0; at < block.size(); at += 7) {
+    protocol::PlanData data{.index = static_cast<std::uint8_t>(at / 7)};
+    std::ranges::copy(block.subspan(at, std::min<std::size_t>(7, block.size() - at)), data.bytes.begin());
+    rig.say(data);
+    rig.tick();
+  }
+}
+
+TransferFault answer_to_begin(BoardRig& rig) {
+  rig.say(protocol::PlanBegin{.size = 500, .block_crc = 1});
+  rig.tick();
+  return rig.heard<PlanReply>()->fault;
+}
+
+// Tested, and the switch closed: only the command is missing.
+void make_ready(BoardRig& rig) {
+  rig.say(ArmAction::self_test);
+  rig.run(8 * second);
+  rig.arm_switch.is_closed = true;
+  rig.tick();
+}
+
+TEST(NewPlan, IsRefusedWhileANonceWaitsForItsConfirmation) {
+  BoardRig rig;
+  make_ready(rig);
+  rig.say(ArmAction::begin);
+  rig.tick();
+  EXPECT_EQ(answer_to_begin(rig), TransferFault::not_safe);
+}
+
+TEST(NewPlan, IsRefusedWhileTheSelfTestRuns) {
+  BoardRig rig;
+  rig.say(ArmAction::self_test);
+  rig.run(second);
+  EXPECT_EQ(answer_to_begin(rig), TransferFault::not_safe);
+}
+
+TEST(NewPlan, ARocketIsNotArmedWhileOneIsBeingWritten) {
+  BoardRig rig;
+  make_ready(rig);
+  rig.flash.set_stays_busy(true);
+  send_plan(rig, plan_with_trim());
+  ASSERT_EQ(rig.heard<PlanReply>()->state, TransferState::writing);
+  rig.say(ArmAction::begin);
+  rig.tick();
+  EXPECT_FALSE(rig.heard<ArmReply>()->nonce);
+  EXPECT_EQ(rig.heard<ArmReply>()->refusal, ArmRefusal::self_test_not_passed);
+}
+
+TEST(NewPlan, WantsASelfTestOfItsOwnWithItsOwnTrims) {
+  BoardRig rig;
+  make_ready(rig);
+  send_plan(rig, plan_with_trim());
+  rig.run(second);
+  ASSERT_EQ(rig.heard<PlanReply>()->state, TransferState::stored);
+  rig.run(3 * second);
+  rig.say(ArmAction::begin);
+  rig.tick();
+  EXPECT_EQ(rig.heard<ArmReply>()->refusal, ArmRefusal::self_test_not_passed);
+  EXPECT_EQ(rig.heard<ArmReply>()->self_test, SelfTestState::not_run);
+  make_ready(rig);
+  EXPECT_EQ(rig.heard<ArmReply>()->self_test, SelfTestState::passed);
+}
+
+TEST(NewPlan, TheHeartbeatNamesItFromThenOn) {
+  BoardRig rig;
+  send_plan(rig, plan_with_trim());
+  rig.run(second);
+  EXPECT_EQ(rig.heard<protocol::HeartbeatReport>()->plan_crc, protocol::plan_crc(plan_with_trim()));
+}
+
+}  // namespace
+}  // namespace fantail::avionics
