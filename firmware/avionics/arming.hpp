@@ -11,10 +11,10 @@
 namespace fantail::avionics {
 
 /// The second of the two actions that arm; the first is a hand on the arm switch. It takes two steps: `begin` is
-/// answered with a nonce, and `confirm` must bring it back within 5 s. A nonce is good for one attempt and never comes
-/// again on this board: it is made of the number of this power-up, which the flash counts, and of the number of the
-/// request. A random number keeps two boards, or two blank flashes, apart. So frames that were recorded do not arm.
-/// After a reset everything has to be done again, the switch included.
+/// answered with a nonce, and `confirm` must bring it back within 5 s. A nonce is good for one attempt, and that a
+/// later one is the same has a chance of 2^-32: it is made of the number of this power-up, which the flash counts, of
+/// the number of the request, and of a random number. So frames that were recorded do not arm. After a reset everything
+/// has to be done again, the switch included.
 class Arming {
  public:
   static constexpr core::Microseconds nonce_lifetime{5'000'000};

@@ -68,17 +68,13 @@ class Vandal {
       case 0:
       case 1: frame = encode(protocol::BenchRequest{{angle(), angle(), angle(), angle()}}, counter); break;
       case 2:
-        // No session is ever opened, so none of these may be heard.
-        frame = encode(protocol::BenchSession{.action = below(2) == 0 ? protocol::SessionAction::keep
-                                                                      : protocol::SessionAction::close,
+        frame = encode(protocol::BenchSession{.action = static_cast<protocol::SessionAction>(below(3)),
                                               .session = static_cast<std::uint16_t>(below(4))},
                        counter);
         break;
       case 3:
-        // The self-test moves canards by right, so nobody asks for it here.
         frame = encode(
-            protocol::ArmRequest{.action = below(2) == 0 ? protocol::ArmAction::confirm : protocol::ArmAction::start,
-                                 .nonce = below(0x7FFFFFFF)},
+            protocol::ArmRequest{.action = static_cast<protocol::ArmAction>(below(4)), .nonce = below(0x7FFFFFFF)},
             counter);
         break;
       case 4:

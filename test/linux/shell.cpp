@@ -11,16 +11,12 @@
 #include "hal/linux/can_interface.hpp"
 
 namespace fantail::test {
-namespace {
-
 bool is_heard(const std::string& interface) {
   // The kernel's list of those who listen to everything on an interface; a CanBus has filters and is in another list.
   std::ifstream list{"/proc/net/can/rcvlist_all"};
   const std::string text{std::istreambuf_iterator<char>{list}, {}};
   return text.find("  " + interface) != std::string::npos;
 }
-
-}  // namespace
 
 void must(const std::string& command) {
   if (std::system(command.c_str()) != 0) {

@@ -14,6 +14,9 @@ namespace fantail::test {
 /// Runs a shell command and throws when it fails.
 void must(const std::string& command);
 
+/// Somebody listens to everything on this interface, as candump does; a CanBus has filters and does not count.
+[[nodiscard]] bool is_heard(const std::string& interface);
+
 /// A command in the background whose output is read at its end. Ends after ten seconds at the latest.
 class Background {
  public:

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
+#include "avionics/can_frame.hpp"
 #include "sil/bench_at_world.hpp"
 
 namespace fantail::sil {
@@ -112,8 +113,28 @@ TEST(BenchLimits, ABusThatGoesAwayEndsTheSessionOnBothSides) {
   ASSERT_NEAR(place.record.canards[0].angle.degrees(), 5.0F, 0.01F);
   place.wire.set_state(hal::CanState::down);
   EXPECT_THROW(session.wait(5 * second), bench::LinkError);
+  place.wait(110 * millisecond);  // the avionics' patience
   EXPECT_NEAR(place.record.canards[0].angle.degrees(), 0.0F, 0.001F);
   EXPECT_FALSE(session.close()) << "nobody can say so";
+}
+
+// The other one may be at work while this one's process was stopped.
+TEST(BenchLimits, ABenchThatFindsAnothersSessionDoesNotSpeakIntoIt) {
+  BenchAtWorld place{"bench_healthy"};
+  bench::AvionicsLink link{place.bus()};
+  bench::await_avionics(place, link);
+  place.wait(3 * second);
+  bench::Session session{place, link, 5};
+  session.request({core::Angle::from_degrees(5), {}, {}, {}});
+  session.wait(second);
+  hal::sim::CanBus other_bus{place.wire};
+  for (std::uint8_t i = 0; i < 12; ++i) {
+    place.wait(20 * millisecond);
+    (void)other_bus.send(
+        avionics::can_frame(encode(protocol::BenchSession{.action = protocol::SessionAction::open, .session = 6}, i)));
+  }
+  EXPECT_THROW(session.wait(second), bench::LinkError);
+  EXPECT_NEAR(place.record.canards[0].angle.degrees(), 0.0F, 0.001F);
 }
 
 TEST(BenchLimits, FramesThatAreLostOnTheWayAreCountedAndSpoilNothing) {

@@ -120,8 +120,11 @@ TEST(BenchPlan, APlanOfAnotherBenchThatIsStoredMeanwhileIsNotTakenForItsOwn) {
   BenchAtWorld place{"bench_healthy"};
   place.wait(4 * second);
   leave_a_plan_in_writing(place, block_of(plan_with_limit(4.0F)));
-  ASSERT_EQ(send_without_waiting(place, block_of(plan_with_limit(6.0F))).state, TransferState::stored);
-  EXPECT_NEAR(limit_in_force_deg(place), 6.0F, 0.001F);
+  // The other's plan comes into force, and a rocket with a new plan has not yet been seen at rest.
+  const protocol::PlanReply reply = send_without_waiting(place, block_of(plan_with_limit(6.0F)));
+  EXPECT_EQ(reply.state, TransferState::refused);
+  EXPECT_EQ(reply.fault, protocol::TransferFault::not_safe);
+  EXPECT_NEAR(limit_in_force_deg(place), 4.0F, 0.001F);
 }
 
 TEST(BenchPlan, WhileTheAvionicsKeepsAWrittenPlanBackThatIsSaidAndNothingPromised) {

@@ -15,7 +15,7 @@ using protocol::SelfTestState;
 
 constexpr Microseconds glance{2'000};
 constexpr Microseconds patience{2'000'000};
-constexpr Microseconds step_time{400'000};
+constexpr Microseconds step_time{1'000'000};
 
 // The avionics repeats its answer ten times a second: after this long, what it says was said after the request.
 constexpr Microseconds answer_time{300'000};

@@ -13,7 +13,8 @@ class Place {
   virtual ~Place() = default;
   [[nodiscard]] virtual hal::CanBus& bus() = 0;
   [[nodiscard]] virtual hal::Microseconds now() const = 0;
-  /// Until something may have arrived, and no longer than this. Throws whatever should end the procedure.
+  /// Until something may have arrived, and a few milliseconds longer to let more arrive; no longer than this. Throws
+  /// whatever should end the procedure.
   virtual void wait(hal::Microseconds at_most) = 0;
 };
 

@@ -12,11 +12,14 @@ using protocol::SessionAction;
 
 constexpr Microseconds heartbeat_period{20'000};
 constexpr Microseconds request_period{5'000};
+constexpr Microseconds longest_pause{60'000};  // 80 ms since the last heartbeat; the avionics waits for 100
 constexpr Microseconds glance{2'000};
 constexpr Microseconds patience{2'000'000};
-constexpr Microseconds answer_time{500'000};
-// The very first motion after power-up is slow: 30 deg/s from wherever the canards were left.
-constexpr Microseconds centring_time{1'500'000};
+// A PC may be busy for a second.
+constexpr Microseconds answer_time{2'000'000};
+// The very first motion after power-up is slow, down to 5 deg/s from wherever the canards were left.
+constexpr Microseconds centring_look{500'000};
+constexpr Microseconds centring_time{10'000'000};
 
 template <typename Message>
 std::uint64_t count(const AvionicsLink& link) {
@@ -66,7 +69,7 @@ Session::Session(Place& place, AvionicsLink& link, std::uint16_t number) : place
 Session::~Session() {
   try {
     (void)close();
-  } catch (...) {  // a second Ctrl-C: the avionics centres the canards by itself, 100 ms after the last heartbeat
+  } catch (...) {  // NOLINT(bugprone-empty-catch): a second Ctrl-C; without heartbeats the avionics centres the canards
   }
 }
 
@@ -91,12 +94,19 @@ void Session::open() {
   open_ = true;
 }
 
-// By what they are told when nobody asks for anything.
+// By what they are told when nobody asks for anything, once that stands still.
 void Session::learn_trims() {
-  wait(centring_time);
-  const auto& report = link_.newest<protocol::CommandReport>();
-  for (std::size_t i = 0; report && i < trims_.size(); ++i) {
-    trims_[i] = report->message.angle[i].value_or(core::Angle{});
+  std::optional<protocol::PerCanard> before;
+  for (const Microseconds give_up = place_.now() + centring_time; place_.now() < give_up;) {
+    wait(centring_look);
+    const auto& report = link_.newest<protocol::CommandReport>();
+    if (report && before == report->message.angle) {
+      break;
+    }
+    before = report ? std::optional{report->message.angle} : std::nullopt;
+  }
+  for (std::size_t i = 0; before && i < trims_.size(); ++i) {
+    trims_[i] = (*before)[i].value_or(core::Angle{});
   }
 }
 
@@ -109,21 +119,38 @@ void Session::wait(Microseconds duration) {
 void Session::wait() {
   speak();
   place_.wait(glance);
+  speak();  // before the frames that have come: on a busy PC they may be many
   link_.listen(place_.now());
-  speak();
   check_still_open();
 }
 
 void Session::speak() {
   const Microseconds now = place_.now();
+  if (open_ && now > next_heartbeat_ + longest_pause) {
+    // This process stood still for so long that the session may be over, and another bench at work: a request waits
+    // until the avionics has named this session once more.
+    hear_all_that_waits();
+    unsure_since_ = count<protocol::SessionReply>(link_);
+  }
   if (now >= next_heartbeat_) {
     next_heartbeat_ = now + heartbeat_period;
     say(SessionAction::keep);
   }
-  if (wanted_ && now >= next_request_) {
+  if (const auto answer = unsure_since_ ? answer_since(*unsure_since_) : std::nullopt;
+      answer && answer->state == protocol::SessionState::open) {
+    unsure_since_.reset();
+  }
+  if (wanted_ && !unsure_since_ && now >= next_request_) {
     next_request_ = now + request_period;
     send(place_, encode(protocol::BenchRequest{*wanted_}, request_counter_));
     request_counter_ = (request_counter_ + 1U) & 0xFU;
+  }
+}
+
+void Session::hear_all_that_waits() {
+  for (std::uint64_t before = 0; before != link_.figures().frames;) {
+    before = link_.figures().frames;
+    link_.listen(place_.now());
   }
 }
 
@@ -139,9 +166,17 @@ std::optional<protocol::SessionReply> Session::answer_since(std::uint64_t before
 }
 
 void Session::check_still_open() const {
+  if (place_.bus().state() == hal::CanState::down) {
+    throw LinkError{
+        "the CAN interface is down; the avionics centres the canards by itself 0.1 s after the last heartbeat"};
+  }
   const auto& reply = link_.newest<protocol::SessionReply>()->message;
   if (reply.session == number_ && reply.state == protocol::SessionState::closed) {
     throw LinkError{"the avionics has ended the bench session: " + words(reply.reason)};
+  }
+  // Whoever was stopped for a while may find somebody else at work, and must not speak into that.
+  if (reply.session != number_ && reply.state == protocol::SessionState::open) {
+    throw LinkError{"the bench session has ended, and another bench has opened one"};
   }
   if (!link_.recent<protocol::StatusReport>(place_.now(), patience)) {
     throw LinkError{"the avionics has fallen silent; it centres the canards by itself"};
@@ -152,7 +187,6 @@ bool Session::close() {
   if (!open_) {
     return true;
   }
-  open_ = false;
   const std::uint64_t before = count<protocol::CommandReport>(link_);
   const Microseconds give_up = place_.now() + answer_time;
   const auto at_trims = [&] {
@@ -170,14 +204,16 @@ bool Session::close() {
   };
   for (int i = 0; !at_trims(); ++i) {
     if (place_.now() >= give_up) {
+      open_ = false;  // nothing more can be done from here
       return false;
     }
     if (i % 10 == 0) {
       say(SessionAction::close);
     }
-    place_.wait(glance);
+    place_.wait(glance);  // may throw: then the canards have not been seen at their trims, and the next call goes on
     link_.listen(place_.now());
   }
+  open_ = false;
   return true;
 }
 

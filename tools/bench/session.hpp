@@ -37,7 +37,7 @@ class Session {
 
   /// Lets time pass, with heartbeats and requests as they fall due. Throws LinkError when the session has ended.
   void wait(hal::Microseconds duration);
-  /// At least until the next frame, and no longer than 2 ms.
+  /// A few frames long, and no longer than 2 ms.
   void wait();
 
   /// Ends the session and waits until the avionics has said so. True when all canards that are driven then stand at
@@ -51,6 +51,7 @@ class Session {
   void open();
   void learn_trims();
   void speak();
+  void hear_all_that_waits();
   void say(protocol::SessionAction action);
   [[nodiscard]] std::optional<protocol::SessionReply> answer_since(std::uint64_t count) const;
   void check_still_open() const;
@@ -60,6 +61,7 @@ class Session {
   std::uint16_t number_;
   bool open_ = false;
   std::optional<protocol::PerCanard> wanted_;
+  std::optional<std::uint64_t> unsure_since_;  ///< answers heard before this process last stood still
   Each<core::Angle> trims_{};
   hal::Microseconds next_heartbeat_{};
   hal::Microseconds next_request_{};

@@ -169,6 +169,7 @@ std::string Watch::json() const {
   const LinkFigures& heard = link_.figures();
   const hal::CanCounters counters = bus_.counters();
   ordered_json json;
+  // Round brackets: with braces a value would become an array of one.
   json["interface"] = interface_;
   json["bus_state"] = name(bus_.state());
   json["bus_load_percent"] = rounded(load_percent_);
@@ -178,22 +179,22 @@ std::string Watch::json() const {
   json["frames_foreign"] = heard.foreign;
   json["overrun"] = counters.overrun;
   json["bus_errors"] = counters.errors;
-  json["phase"] = status ? ordered_json{core::name(status->phase)} : ordered_json{};
-  json["reason"] = status ? ordered_json{core::name(status->reason)} : ordered_json{};
-  json["arm_switch_closed"] = status ? ordered_json{status->arm_switch_closed} : ordered_json{};
-  json["at_rest"] = status ? ordered_json{status->at_rest} : ordered_json{};
-  json["session_open"] = status ? ordered_json{status->session_open} : ordered_json{};
-  json["self_test_running"] = status ? ordered_json{status->self_test_running} : ordered_json{};
+  json["phase"] = status ? ordered_json(core::name(status->phase)) : ordered_json{};
+  json["reason"] = status ? ordered_json(core::name(status->reason)) : ordered_json{};
+  json["arm_switch_closed"] = status ? ordered_json(status->arm_switch_closed) : ordered_json{};
+  json["at_rest"] = status ? ordered_json(status->at_rest) : ordered_json{};
+  json["session_open"] = status ? ordered_json(status->session_open) : ordered_json{};
+  json["self_test_running"] = status ? ordered_json(status->self_test_running) : ordered_json{};
   json["uptime_s"] = heartbeat ? rounded(1e-3 * heartbeat->uptime_ms) : ordered_json{};
-  json["plan_crc"] = heartbeat ? ordered_json{fmt::format("{:08x}", heartbeat->plan_crc)} : ordered_json{};
-  json["longest_tick_us"] = health ? ordered_json{health->longest_tick_us} : ordered_json{};
+  json["plan_crc"] = heartbeat ? ordered_json(fmt::format("{:08x}", heartbeat->plan_crc)) : ordered_json{};
+  json["longest_tick_us"] = health ? ordered_json(health->longest_tick_us) : ordered_json{};
   json["frames_refused_by_avionics"] = rejections ? by_cause(*rejections) : ordered_json{};
-  json["bench_session"] = session ? ordered_json{words(session->reason)} : ordered_json{};
+  json["bench_session"] = session ? ordered_json(words(session->reason)) : ordered_json{};
   json["self_test_failure"] = arming && arming->self_test == protocol::SelfTestState::failed
-                                  ? ordered_json{words(arming->failure, arming->canard)}
+                                  ? ordered_json(words(arming->failure, arming->canard))
                                   : ordered_json{};
   json["arm_refusal"] =
-      arming && arming->refusal != protocol::ArmRefusal::none ? ordered_json{words(arming->refusal)} : ordered_json{};
+      arming && arming->refusal != protocol::ArmRefusal::none ? ordered_json(words(arming->refusal)) : ordered_json{};
   json["canards"] = ordered_json::array();
   for (const CanardRow& row : rows(known<protocol::CommandReport>(), known<protocol::EncoderReport>(),
                                    known<protocol::LimitReport>(), health, status)) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <array>
+#include <cerrno>
 #include <chrono>
+#include <cstring>
 #include <filesystem>
 #include <memory>
 #include <numbers>
@@ -11,6 +13,7 @@
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include "bench/exercise.hpp"
 #include "bench/session.hpp"
@@ -124,23 +127,49 @@ void complete(bench::Heading& heading, const ExerciseOptions& options, const ben
   }
 }
 
+// A folder that cannot be made is said now, and not after half a minute of work with the canards.
+void expect_room_for_sheet(const std::filesystem::path& folder) {
+  std::error_code ignored;
+  std::filesystem::path there = std::filesystem::absolute(folder, ignored);
+  while (!std::filesystem::exists(there, ignored) && there.has_relative_path()) {
+    there = there.parent_path();
+  }
+  if (!std::filesystem::is_directory(there, ignored)) {
+    throw report::OutputError{there.string() + ": not a folder; choose another one for the sheet with --out"};
+  }
+  if (::access(there.c_str(), W_OK | X_OK) != 0) {
+    throw report::OutputError{there.string() + ": " + std::strerror(errno) +
+                              "; choose another folder for the sheet with --out"};
+  }
+}
+
+std::unique_ptr<bench::Session> open_session(bench::Place& place, bench::AvionicsLink& link) {
+  try {
+    return std::make_unique<bench::Session>(place, link, static_cast<std::uint16_t>(std::random_device{}()));
+  } catch (const Interrupted&) {
+    throw Interrupted{"interrupted before any canard was asked to move"};
+  }
+}
+
 void exercise(const ExerciseOptions& options, const MakeExercise& make) {
   Desk on_desk = desk(options);
+  const std::filesystem::path folder = options.out.empty() ? std::string{"out/bench"} : options.out;
+  expect_room_for_sheet(folder);
   CanPlace place{options.bench.interface};
   bench::AvionicsLink link{place.bus()};
   bench::await_avionics(place, link);
   if (on_desk.plan_crc && *on_desk.plan_crc != link.newest<protocol::HeartbeatReport>()->message.plan_crc) {
-    throw RequirementNotMet{"the rocket does not hold " + options.plan + "; send it with fantail bench plan"};
+    throw RequirementNotMet{"the rocket does not hold " + options.plan + "; send it with fantail bench plan " +
+                            options.plan + " --can " + options.bench.interface};
   }
-  bench::Session session{place, link, static_cast<std::uint16_t>(std::random_device{}())};
-  const bench::Bounds bounds = bench::bounds(link.newest<protocol::LimitReport>()->message, session.trims());
+  const auto session = open_session(place, link);
+  const bench::Bounds bounds = bench::bounds(link.newest<protocol::LimitReport>()->message, session->trims());
   const bench::Exercise what = make(bounds, options);
-  const bench::Recording recording = perform(what, options, session, link);
+  const bench::Recording recording = perform(what, options, *session, link);
   complete(on_desk.heading, options, link);
   const bench::Sheet sheet = bench::examine(recording, what, on_desk.tolerances, on_desk.heading);
   const std::string json = bench::sheet_json(sheet);
 
-  const std::filesystem::path folder = options.out.empty() ? std::string{"out/bench"} : options.out;
   const std::array<report::NamedFile, 2> files{
       {{"sheet.html", bench::sheet_html(sheet, recording, what)}, {"sheet.json", json}}};
   report::OutputFolder{folder}.write(files);

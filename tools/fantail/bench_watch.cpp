@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
+#include <cerrno>
 #include <cstdint>
 #include <cstdio>
 #include <memory>
 #include <optional>
+#include <string>
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -11,7 +13,6 @@
 #include "fantail/bench_options.hpp"
 #include "fantail/can_place.hpp"
 #include "fantail/interrupt.hpp"
-#include "fantail/standard_streams.hpp"
 
 namespace fantail::tool {
 namespace {
@@ -24,6 +25,19 @@ struct WatchOptions {
 // A person reads a few times a second, a log once.
 constexpr hal::Microseconds screen_period{200'000};
 constexpr hal::Microseconds line_period{1'000'000};
+
+// False: there is no use in going on. A reader that has left has seen enough; that is no fault, and a full disk is one.
+bool shown(const std::string& text) {
+  errno = 0;
+  std::fwrite(text.data(), 1, text.size(), stdout);
+  if (std::fflush(stdout) == 0) {
+    return true;
+  }
+  if (errno == EPIPE && std::freopen("/dev/null", "w", stdout) == nullptr) {
+    errno = EIO;  // the end of the program will say that standard output was not taken
+  }
+  return false;
+}
 
 void watch(const WatchOptions& options) {
   CanPlace place{options.bench.interface};
@@ -44,13 +58,9 @@ void watch(const WatchOptions& options) {
         link.listen(place.now());
       }
       watch.look(place.now());
-      if (screen) {
-        fmt::print("\033[H\033[J{}", watch.table());
-      } else {
-        fmt::print("{}", options.bench.json ? watch.json() : watch.line());
-      }
-      std::fflush(stdout);
-      if (!output_was_taken() || place.now() >= end) {
+      const std::string text =
+          screen ? "\033[H\033[J" + watch.table() : (options.bench.json ? watch.json() : watch.line());
+      if (!shown(text) || place.now() >= end) {
         return;
       }
     }

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+#include <nlohmann/json.hpp>
+#include <sys/resource.h>
+
+#include "can/rig.hpp"
+
+namespace fantail::test {
+namespace {
+
+using nlohmann::json;
+
+// A healthy rocket and one with canard 3 reversed, on two buses at the same time: half a minute.
+TEST_F(CanSystem, LimitsPassesTheHealthyRocketAndNamesTheReversedCanardOfTheOther) {
+  Node healthy{"vcan0"};
+  Node reversed{"vcan1", "bench_canard3_reversed"};
+  healthy.await_rest();
+  reversed.await_rest();
+  const Folder folder;
+  Program passing{{"bench", "limits", "--can", "vcan0", "--vehicle", "tasha3_bench", "--plan", "tasha3_launch2",
+                   "--json", "--out", folder / "healthy"}};
+  Program failing{
+      {"bench", "limits", "--can", "vcan1", "--vehicle", "tasha3_bench", "--out", folder / "reversed/sheet"}};
+
+  const Outcome& passed = passing.outcome();
+  EXPECT_EQ(passed.exit_code, 0) << passed.err;
+  EXPECT_EQ(passed.err, "");
+  EXPECT_EQ(passed.out, content(folder / "healthy/sheet.json"));
+  const json sheet = json::parse(passed.out);
+  EXPECT_EQ(sheet["passed"], true) << passed.out;
+  EXPECT_EQ(sheet["exercise"], "limits");
+  EXPECT_EQ(sheet["plan"], "tasha3_launch2");
+  EXPECT_EQ(sheet["canards"].size(), 4U);
+  EXPECT_PRED2(contains, content(folder / "healthy/sheet.html"), "<html");
+
+  const Outcome& failed = failing.outcome();
+  EXPECT_EQ(failed.exit_code, 1) << failed.err;
+  EXPECT_PRED2(contains, failed.out, "\nFAIL\n");
+  EXPECT_PRED2(contains, failed.out, "Canard 3 is reversed");
+  for (const std::string innocent : {"Canard 1", "Canard 2", "Canard 4"}) {
+    EXPECT_EQ(failed.out.find(innocent), std::string::npos) << failed.out;
+  }
+  const json bad_sheet = json::parse(content(folder / "reversed/sheet/sheet.json"));
+  EXPECT_EQ(bad_sheet["passed"], false);
+  EXPECT_EQ(bad_sheet["canards"][2]["cause"], "reversed") << bad_sheet["canards"][2];
+  EXPECT_PRED2(contains, content(folder / "reversed/sheet/sheet.html"), "Canard 3 is reversed");
+}
+
+TEST_F(AtARocket, WithAnotherPlanNothingMoves) {
+  Dump dump{"vcan0"};
+  const Outcome outcome = fantail({"bench", "limits", "--can", "vcan0", "--plan", "tasha3_launch1"});
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_EQ(outcome.err,
+            "fantail: the rocket does not hold tasha3_launch1; send it with fantail bench plan tasha3_launch1 --can "
+            "vcan0\n");
+  EXPECT_EQ(outcome.out, "");
+  for (const LoggedFrame& each : frames(dump.log())) {
+    EXPECT_GE(each.frame.id, 0x100U) << "the bench has said something";
+  }
+}
+
+// The canards have been centred by then; the exit code alone says that there is no sheet.
+TEST_F(AtARocket, AFullDiskForTheSheetIsAnOutputFault) {
+  const Folder folder;
+  const auto full = [] {
+    const rlimit none{4096, 4096};
+    setrlimit(RLIMIT_FSIZE, &none);
+  };
+  const Outcome outcome =
+      fantail({"bench", "step", "--can", "vcan0", "--canard", "1", "--out", folder / "sheet"}, {.prepare = full});
+  EXPECT_EQ(outcome.exit_code, 74);
+  EXPECT_PRED2(contains, outcome.err, "sheet.html: File too large");
+  EXPECT_TRUE(folder.listing().empty());
+  Ear ear{"vcan0"};
+  EXPECT_TRUE(ear.until([&] { return ear.link().newest<protocol::SessionReply>().has_value(); }));
+  EXPECT_EQ(ear.newest<protocol::SessionReply>().reason, protocol::SessionReason::closed_by_bench);
+}
+
+}  // namespace
+}  // namespace fantail::test

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <chrono>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "bench/avionics_link.hpp"
+#include "can/program.hpp"
+#include "hal/linux/can_bus.hpp"
+#include "hal/linux/clock.hpp"
+#include "linux/shell.hpp"
+
+namespace fantail::test {
+
+/// Every test begins with both buses up, whatever the one before it did to them.
+class CanSystem : public ::testing::Test {
+ protected:
+  void SetUp() override { restore_virtual_buses(); }
+};
+
+/// Hears the avionics as a bench does.
+class Ear {
+ public:
+  explicit Ear(const std::string& interface) : bus_{interface} {}
+
+  /// Listens until the answer is yes; false when it stays no.
+  [[nodiscard]] bool until(const std::function<bool()>& question,
+                           std::chrono::milliseconds longest = std::chrono::seconds{20});
+
+  template <typename Message>
+  [[nodiscard]] Message newest() const {
+    const auto& heard = link_.newest<Message>();
+    return heard ? heard->message : Message{};
+  }
+  [[nodiscard]] bench::AvionicsLink& link() { return link_; }
+  [[nodiscard]] bool at_rest() {
+    return until([this] { return newest<protocol::StatusReport>().at_rest; });
+  }
+  [[nodiscard]] bool reaches(core::Phase phase) {
+    return until([this, phase] {
+      const auto& status = link_.newest<protocol::StatusReport>();
+      return status && status->message.phase == phase;
+    });
+  }
+
+ private:
+  hal::on_linux::CanBus bus_;
+  hal::on_linux::Clock clock_;
+  bench::AvionicsLink link_{bus_};
+};
+
+/// fantail node.
+class Node {
+ public:
+  /// `flash` is a file; empty: a new one that goes with the object.
+  explicit Node(const std::string& interface, const std::string& scenario = "bench_healthy",
+                const std::string& flash = "");
+
+  /// Waits until the rocket has stood still for long enough.
+  void await_rest();
+
+  std::string interface;
+  Folder folder;
+  Program program;
+};
+
+/// Tests that share one rocket on vcan0, at rest.
+class AtARocket : public CanSystem {
+ protected:
+  static void SetUpTestSuite();
+  static void TearDownTestSuite() { node.reset(); }
+  static inline std::unique_ptr<Node> node;
+};
+
+/// candump on an interface, from when the object has been made.
+class Dump {
+ public:
+  explicit Dump(const std::string& interface);
+  /// Everything until now, in the words of candump -L; then it ends.
+  [[nodiscard]] std::string log();
+
+ private:
+  std::string interface_;
+  Program program_;
+};
+
+struct LoggedFrame {
+  double time_s = 0.0;
+  hal::CanFrame frame;
+};
+/// What candump -L wrote; without the frames of CAN FD.
+[[nodiscard]] std::vector<LoggedFrame> frames(const std::string& log);
+
+/// One message in the words of cantools.
+struct Spoken {
+  std::string name;
+  std::map<std::string, std::string> signals;  ///< without units
+};
+/// A candump log, read by cantools with the database. Frames that it does not know are left out.
+[[nodiscard]] std::vector<Spoken> decoded_by_cantools(const std::string& log);
+
+/// Lines "TIME_S MESSAGE [wrong_crc] SIGNAL=VALUE ...", made by cantools into a candump log.
+[[nodiscard]] std::string encoded_by_cantools(const std::string& lines, const std::string& interface);
+
+/// False, and then the reason is said: there is no cantools here.
+[[nodiscard]] bool have_cantools();
+
+/// The message of a frame; empty when it is none of the avionics.
+template <typename Message>
+[[nodiscard]] std::optional<Message> report(const hal::CanFrame& frame) {
+  if (frame.extended || frame.remote) {
+    return std::nullopt;
+  }
+  const auto decoded = protocol::decode_from_avionics(
+      {.id = static_cast<std::uint16_t>(frame.id), .length = frame.length, .data = frame.data});
+  const Message* const message = decoded.message ? std::get_if<Message>(&*decoded.message) : nullptr;
+  return message != nullptr ? std::optional{*message} : std::nullopt;
+}
+
+/// All reports of one kind in a log, in order.
+template <typename Message>
+[[nodiscard]] std::vector<Message> reports(const std::string& log) {
+  std::vector<Message> all;
+  for (const LoggedFrame& each : frames(log)) {
+    if (const auto message = report<Message>(each.frame)) {
+      all.push_back(*message);
+    }
+  }
+  return all;
+}
+
+/// Largest distance of a canard from zero; of those that are known.
+[[nodiscard]] float farthest_deg(const protocol::PerCanard& angles);
+
+/// For EXPECT_PRED2.
+[[nodiscard]] inline bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+}  // namespace fantail::test

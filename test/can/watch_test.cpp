@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+#include <csignal>
+#include <sstream>
+
+#include <nlohmann/json.hpp>
+
+#include "can/rig.hpp"
+
+namespace fantail::test {
+namespace {
+
+using nlohmann::json;
+using namespace std::chrono_literals;
+
+std::vector<std::string> lines(const std::string& text) {
+  std::vector<std::string> all;
+  std::istringstream stream{text};
+  for (std::string line; std::getline(stream, line);) {
+    all.push_back(line);
+  }
+  return all;
+}
+
+TEST_F(AtARocket, WatchSaysALineASecondOrAnObjectAndEndsByCtrlC) {
+  Program plain{{"bench", "watch", "--can", "vcan0"}};
+  Program objects{{"bench", "watch", "--can", "vcan0", "--json"}};
+  const auto begin = std::chrono::steady_clock::now();
+  EXPECT_TRUE(eventually([&] { return lines(objects.said()).size() >= 4 && lines(plain.said()).size() >= 4; }, 20s));
+  EXPECT_GT(std::chrono::steady_clock::now() - begin, 3s);
+  for (Program* each : {&plain, &objects}) {
+    each->signal(SIGINT);
+    EXPECT_EQ(each->outcome().exit_code, 0);
+    EXPECT_EQ(each->outcome().err, "");
+  }
+  for (const std::string& line : lines(plain.outcome().out)) {
+    EXPECT_TRUE(line.starts_with("safe (power_on); canard 1 ")) << line;
+    EXPECT_PRED2(contains, line, "vcan0 error active, load ");
+  }
+  double before_s = 0.0;
+  for (const std::string& line : lines(objects.outcome().out)) {
+    const json object = json::parse(line);
+    // A second but for one heartbeat and a late wake; less when the guest was held up.
+    EXPECT_GT(object["uptime_s"].get<double>(), before_s);
+    EXPECT_LT(object["uptime_s"].get<double>() - before_s, before_s == 0.0 ? 1e9 : 1.5);
+    before_s = object["uptime_s"].get<double>();
+  }
+}
+
+TEST_F(AtARocket, WatchEndsWithItsReader) {
+  const Outcome outcome =
+      run("sh", {"-c", "{ \"$0\" bench watch --can vcan0; echo code $? >&2; } | head -n 1", fantail_path()});
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_EQ(lines(outcome.out).size(), 1U) << outcome.out;
+  EXPECT_EQ(outcome.err, "code 0\n");
+}
+
+TEST_F(CanSystem, WatchOnAFullDiskIsAnOutputFault) {
+  const Outcome outcome =
+      fantail({"bench", "watch", "--can", "vcan0"}, {.prepare = redirect(STDOUT_FILENO, "/dev/full")});
+  EXPECT_EQ(outcome.exit_code, 74);
+  EXPECT_PRED2(contains, outcome.err, "standard output");
+}
+
+TEST_F(CanSystem, ASilentBusIsSaidToBeSilent) {
+  const Outcome watch = fantail({"bench", "watch", "--can", "vcan0", "--for", "1"});
+  EXPECT_EQ(watch.exit_code, 0);
+  EXPECT_PRED2(contains, watch.out, "the avionics is silent");
+  const Outcome limits = fantail({"bench", "limits", "--can", "vcan0"});
+  EXPECT_EQ(limits.exit_code, 74);
+  EXPECT_PRED2(contains, limits.err, "the avionics is silent: is it powered");
+}
+
+TEST_F(CanSystem, ANodeEndsAfterItsTime) {
+  const Folder folder;
+  const Outcome outcome =
+      fantail({"node", "bench_healthy", "--can", "vcan0", "--for", "2", "--flash", folder / "flash.bin"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_PRED2(contains, outcome.out, "bench_healthy (Tasha III, bench) on vcan0");
+  EXPECT_PRED2(contains, outcome.out, "ended after ");
+}
+
+TEST_F(AtARocket, ASecondOneWithTheSameFlashIsRefused) {
+  const std::string flash = node->folder / "flash.bin";
+  const Outcome second = fantail({"node", "bench_healthy", "--can", "vcan0", "--flash", flash});
+  EXPECT_EQ(second.exit_code, 74);
+  EXPECT_EQ(second.err, "fantail: " + flash + ": is the flash of another process that is running\n");
+  EXPECT_EQ(second.out, "");
+}
+
+}  // namespace
+}  // namespace fantail::test

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+// What goes wrong before there is a bus to talk on, on any machine; test/can has the rest.
+#include <gtest/gtest.h>
+
+#include "system/folder.hpp"
+#include "system/process.hpp"
+
+namespace fantail::test {
+namespace {
+
+using Words = std::vector<std::string>;
+
+// No machine has an interface of that name.
+const std::string nowhere = "can_of_nobody";
+
+void expect_refusal(const Words& words, int exit_code, const std::vector<std::string>& said) {
+  const Folder folder;
+  const Outcome outcome = fantail(words, {.working_folder = folder.path()});
+  EXPECT_EQ(outcome.exit_code, exit_code) << outcome.err << "signal " << outcome.signal;
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_TRUE(outcome.err.starts_with("fantail: ")) << outcome.err;
+  EXPECT_EQ(outcome.err.find('\n'), outcome.err.size() - 1) << "one line: " << outcome.err;
+  for (const std::string& part : said) {
+    EXPECT_NE(outcome.err.find(part), std::string::npos) << "not said: " << part << "\n" << outcome.err;
+  }
+}
+
+class EachVerbOnTheBus : public testing::TestWithParam<Words> {};
+
+// A kernel without CAN answers before anybody looks for the interface; both answers say how a bus is got.
+TEST_P(EachVerbOnTheBus, SaysWhatToDoWhenThereIsNoBus) {
+  Words words = GetParam();
+  words.insert(words.end(), {"--can", nowhere});
+  expect_refusal(words, 74,
+                 {nowhere + ": ",
+                  "tools/with_vcan COMMAND, or sudo ip link add vcan0 type vcan && sudo ip link set "
+                  "vcan0 up"});
+}
+
+TEST_P(EachVerbOnTheBus, MustBeToldTheInterface) { expect_refusal(GetParam(), 64, {"--can is required"}); }
+
+INSTANTIATE_TEST_SUITE_P(All, EachVerbOnTheBus,
+                         testing::Values(Words{"node", "bench_healthy"}, Words{"bench", "watch"},
+                                         Words{"bench", "limits"}, Words{"bench", "step", "--canard", "1"},
+                                         Words{"bench", "sine", "--canard", "1"}, Words{"bench", "arm"},
+                                         Words{"bench", "plan", "tasha3_launch2"}),
+                         [](const auto& one) { return one.param[0] == "node" ? "node" : one.param[1]; });
+
+// Files come first, so that nothing has moved when one is wrong: here the bus, which is not there, is not even asked.
+TEST(BenchInput, IsReadBeforeTheBusIsTouched) {
+  expect_refusal({"bench", "limits", "--can", nowhere, "--vehicle", "tasha9"}, 66, {"unknown vehicle \"tasha9\""});
+  expect_refusal({"bench", "limits", "--can", nowhere, "--plan", "tasha9"}, 66, {"unknown flight plan \"tasha9\""});
+  expect_refusal({"bench", "plan", "none.ftpl", "--can", nowhere}, 66, {"none.ftpl: no such file"});
+  expect_refusal({"node", "bench_helthy", "--can", nowhere}, 66,
+                 {"unknown scenario \"bench_helthy\"", "did you mean bench_healthy?"});
+  expect_refusal({"node", "bench_healthy", "--can", nowhere, "--set", "timing.pad_time_s=-1"}, 78, {"pad_time_s"});
+  expect_refusal({"node", "bench_healthy", "--can", nowhere, "--set", "no.such_key=1"}, 78, {"no.such_key"});
+}
+
+TEST(BenchSheet, ThatCannotBeWrittenIsSaidBeforeTheBusIsTouched) {
+  const Folder folder;
+  const std::string file = folder.write("taken", "mine");
+  for (const std::string& in_the_way : {file, std::string{"/dev/full"}}) {
+    for (const std::string& out : {in_the_way, in_the_way + "/x"}) {
+      expect_refusal({"bench", "limits", "--can", nowhere, "--out", out}, 74, {in_the_way + ": not a folder"});
+    }
+  }
+  EXPECT_EQ(content(file), "mine");
+  EXPECT_EQ(folder.listing(), Words{"taken"});
+}
+
+TEST(BenchOptions, OutOfRangeAreUsageErrors) {
+  expect_refusal({"bench", "step", "--can", nowhere}, 64, {"--canard"});
+  expect_refusal({"bench", "step", "--can", nowhere, "--canard", "5"}, 64, {"--canard"});
+  expect_refusal({"bench", "step", "--can", nowhere, "--canard", "1", "--to", "21"}, 64, {"--to"});
+  expect_refusal({"bench", "sine", "--can", nowhere, "--canard", "1", "--frequency", "0"}, 64, {"--frequency"});
+  expect_refusal({"bench", "watch", "--can", nowhere, "--for", "-1"}, 64, {"--for"});
+  expect_refusal({"bench"}, 64, {"a verb is missing; allowed: watch, limits, step, sine, arm, plan"});
+}
+
+}  // namespace
+}  // namespace fantail::test
