@@ -76,8 +76,8 @@ TEST_F(InOthersWords, WatchSaysWhatCantoolsReadsOnTheBus) {
   Dump dump{"vcan0"};
   Program watch{{"bench", "watch", "--can", "vcan0", "--json"}};
   const Folder folder;
-  const Outcome sine = fantail({"bench", "sine", "--can", "vcan0", "--canard", "2", "--amplitude", "5", "--frequency",
-                                "0.7", "--cycles", "2", "--out", folder / "sheet"});
+  const Outcome sine = fantail_bench({"sine", "--can", "vcan0", "--canard", "2", "--amplitude", "5", "--frequency",
+                                      "0.7", "--cycles", "2", "--out", folder / "sheet"});
   EXPECT_EQ(sine.exit_code, 0) << sine.out << sine.err;
   watch.signal(SIGINT);
   const std::string said = watch.outcome().out;

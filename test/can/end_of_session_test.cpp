@@ -22,11 +22,18 @@ struct Rehearsal {
   /// Until canard 1 is well away from its centre.
   void go_into_the_middle_of_limits() {
     node.await_rest();
-    bench.emplace(std::vector<std::string>{"bench", "limits", "--can", interface, "--out", folder / "sheet"});
-    if (!ear.until([this] { return farthest_deg(ear.newest<CommandReport>().angle) > 3.0F; })) {
+    for (int attempt = 0; attempt < 5; ++attempt) {
+      bench.emplace(std::vector<std::string>{"bench", "limits", "--can", interface, "--out", folder / "sheet"});
+      if (ear.until([this] { return farthest_deg(ear.newest<CommandReport>().angle) > 3.0F || bench->ended(); }) &&
+          !bench->ended()) {
+        return;
+      }
       bench->signal(SIGINT);
-      throw std::runtime_error{"no canard moves: " + bench->outcome().err};
+      if (!starved(bench->outcome())) {
+        break;
+      }
     }
+    throw std::runtime_error{"no canard moves: " + bench->outcome().err};
   }
 
   void expect_centred(SessionReason reason) {

@@ -80,6 +80,11 @@ void Program::signal(int number) {
   }
 }
 
+bool Program::ended() {
+  const std::lock_guard lock{mutex_};
+  return process_ == 0;
+}
+
 bool Program::says(const std::string& text, std::chrono::milliseconds longest) const {
   return eventually([&] { return said().find(text) != std::string::npos; }, longest);
 }

@@ -35,6 +35,7 @@ class Program {
   /// Waits until that holds `text`; false when it never does.
   [[nodiscard]] bool says(const std::string& text, std::chrono::milliseconds longest = std::chrono::seconds{20}) const;
 
+  [[nodiscard]] bool ended();
   /// Waits for its end.
   [[nodiscard]] const Outcome& outcome();
 

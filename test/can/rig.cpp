@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 #include <csignal>
+#include <cstdio>
 #include <sstream>
 #include <stdexcept>
 
@@ -103,6 +104,24 @@ void AtARocket::SetUpTestSuite() {
   restore_virtual_buses();
   node = std::make_unique<Node>("vcan0");
   node->await_rest();
+}
+
+bool starved(const Outcome& outcome) {
+  const bool yes = outcome.exit_code == 74 && contains(outcome.err, "it heard no heartbeat for 0.1 s");
+  if (yes) {
+    std::puts("this machine is busy: a bench had no processor time for 0.1 s; once more");
+  }
+  return yes;
+}
+
+Outcome fantail_bench(const std::vector<std::string>& arguments, const Surroundings& surroundings) {
+  std::vector<std::string> words{"bench"};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  Outcome outcome = fantail(words, surroundings);
+  for (int again = 0; again < 4 && starved(outcome); ++again) {
+    outcome = fantail(words, surroundings);
+  }
+  return outcome;
 }
 
 Dump::Dump(const std::string& interface)

@@ -79,6 +79,11 @@ class AtARocket : public CanSystem {
   static inline std::unique_ptr<Node> node;
 };
 
+/// Runs fantail bench, and again when its session was lost because the guest gave it no processor time for 0.1 s: that
+/// is the interlock at work, and a busy machine must not decide a test. Says so when it happens; five times at most.
+[[nodiscard]] Outcome fantail_bench(const std::vector<std::string>& arguments, const Surroundings& surroundings = {});
+[[nodiscard]] bool starved(const Outcome& outcome);
+
 /// candump on an interface, from when the object has been made.
 class Dump {
  public:

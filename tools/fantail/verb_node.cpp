@@ -37,7 +37,7 @@ struct NodeOptions {
 // A tick that is late by no more than this is made up for; what is later is left out, and the rocket's time goes slower
 // than this PC's. Otherwise a PC that held up both programs for a moment would end a bench session: of the bench's
 // heartbeats, one in 20 ms, none could come while 100 ms are lived through at once.
-constexpr milliseconds most_debt{20};
+constexpr milliseconds most_debt{10};
 constexpr milliseconds worth_a_word{1'000};
 constexpr int ticks_between_looks = 20;
 // Identifiers 0 to 0xFF: what is said to the avionics, and not what others of its kind report.
