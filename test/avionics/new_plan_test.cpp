@@ -62,6 +62,7 @@ TEST(NewPlan, IsRefusedWhileANonceWaitsForItsConfirmation) {
 
 TEST(NewPlan, IsRefusedWhileTheSelfTestRuns) {
   BoardRig rig;
+  rig.run(3 * second);  // at rest, so it is the self-test that is in the way
   rig.say(ArmAction::self_test);
   rig.run(second);
   EXPECT_EQ(answer_to_begin(rig), TransferFault::not_safe);
@@ -96,6 +97,7 @@ TEST(NewPlan, WantsASelfTestOfItsOwnWithItsOwnTrims) {
 
 TEST(NewPlan, TheHeartbeatNamesItFromThenOn) {
   BoardRig rig;
+  rig.run(3 * second);
   send_plan(rig, plan_with_trim());
   rig.run(second);
   EXPECT_EQ(rig.heard<protocol::HeartbeatReport>()->plan_crc, protocol::plan_crc(plan_with_trim()));

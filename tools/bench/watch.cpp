@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "bench/watch.hpp"
 
+#include <numeric>
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -120,6 +122,12 @@ std::string Watch::answer_words() const {
   return text;
 }
 
+// Of all causes together, as text; they are reported once a second.
+std::string Watch::refused() const {
+  const auto report = known<protocol::RejectionReport>();
+  return report ? fmt::format("{}", std::accumulate(report->count.begin(), report->count.end(), 0)) : "-";
+}
+
 std::string Watch::table() const {
   const auto status = known<protocol::StatusReport>();
   const auto health = known<protocol::HealthReport>();
@@ -131,6 +139,12 @@ std::string Watch::table() const {
                       status->arm_switch_closed ? "closed" : "open", status->at_rest ? "at rest" : "moving",
                       status->session_open ? ", bench session open" : "",
                       status->self_test_running ? ", self-test running" : "");
+  if (health) {
+    text += fmt::format(
+        "avionics' bus: {}, {} frames unsent, {} overrun, {} bus errors, frames refused: {} (counts are modulo 256)\n",
+        name(static_cast<hal::CanState>(health->bus_state)), health->unsent, health->overrun, health->bus_errors,
+        refused());
+  }
   text += "canard  command   encoder  difference   limit  verdict\n";
   const auto canards = rows(known<protocol::CommandReport>(), known<protocol::EncoderReport>(),
                             known<protocol::LimitReport>(), health, status);
@@ -188,6 +202,11 @@ std::string Watch::json() const {
   json["uptime_s"] = heartbeat ? rounded(1e-3 * heartbeat->uptime_ms) : ordered_json{};
   json["plan_crc"] = heartbeat ? ordered_json(fmt::format("{:08x}", heartbeat->plan_crc)) : ordered_json{};
   json["longest_tick_us"] = health ? ordered_json(health->longest_tick_us) : ordered_json{};
+  json["avionics_bus_state"] =
+      health ? ordered_json(name(static_cast<hal::CanState>(health->bus_state))) : ordered_json{};
+  json["avionics_unsent"] = health ? ordered_json(health->unsent) : ordered_json{};
+  json["avionics_overrun"] = health ? ordered_json(health->overrun) : ordered_json{};
+  json["avionics_bus_errors"] = health ? ordered_json(health->bus_errors) : ordered_json{};
   json["frames_refused_by_avionics"] = rejections ? by_cause(*rejections) : ordered_json{};
   json["bench_session"] = session ? ordered_json(words(session->reason)) : ordered_json{};
   json["self_test_failure"] = arming && arming->self_test == protocol::SelfTestState::failed

@@ -30,6 +30,7 @@ class Watch {
   [[nodiscard]] std::optional<Message> known() const;
   [[nodiscard]] std::string link_words() const;
   [[nodiscard]] std::string answer_words() const;
+  [[nodiscard]] std::string refused() const;
 
   std::string interface_;
   const AvionicsLink& link_;
