@@ -2,7 +2,6 @@
 #include "sim/pad_crew.hpp"
 
 #include "avionics/can_frame.hpp"
-#include "protocol/bus_codec.hpp"
 
 namespace fantail::sim {
 
@@ -53,8 +52,7 @@ std::optional<ArmReply> PadCrew::newest_reply() {
 }
 
 void PadCrew::send(ArmAction action, std::uint32_t nonce) {
-  const protocol::BusFrame frame = encode(protocol::ArmRequest{.action = action, .nonce = nonce}, counter_);
-  counter_ = (counter_ + 1U) & 0xFU;
+  const protocol::BusFrame frame = encode(protocol::ArmRequest{.action = action, .nonce = nonce}, counter_.next());
   (void)bus_.send(avionics::can_frame(frame));
 }
 

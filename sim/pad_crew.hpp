@@ -6,7 +6,7 @@
 
 #include "hal/clock.hpp"
 #include "hal/sim/can_bus.hpp"
-#include "protocol/bus_messages.hpp"
+#include "protocol/bus_codec.hpp"
 
 namespace fantail::sim {
 
@@ -37,7 +37,7 @@ class PadCrew {
   hal::sim::CanBus bus_;
   hal::Microseconds arm_time_;
   Stage stage_ = Stage::waiting;
-  std::uint8_t counter_ = 0;
+  protocol::FrameCounter counter_;
   std::optional<std::uint32_t> nonce_;
   std::optional<protocol::ArmReply> refusal_;
 };

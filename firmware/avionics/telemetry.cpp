@@ -55,8 +55,8 @@ void Telemetry::send(const core::TickRecord& record, const Report& report, hal::
   const bool every_tick = record.phase == core::Phase::launched || record.phase == core::Phase::controlling ||
                           report.self_test_running || report.session_open;
   if (every_tick || ticks_ % motion_period == 0) {
-    put(encode(protocol::CommandReport{driven_angles(record.canards)}, command_counter_++ & 0xFU), bus);
-    put(encode(protocol::EncoderReport{record.encoders}, encoder_counter_++ & 0xFU), bus);
+    put(encode(protocol::CommandReport{driven_angles(record.canards)}, command_counter_.next()), bus);
+    put(encode(protocol::EncoderReport{record.encoders}, encoder_counter_.next()), bus);
   }
   if (ticks_ % motion_period == 3) {
     put(encode(status(record, report, every_tick)), bus);

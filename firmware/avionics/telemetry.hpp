@@ -37,8 +37,8 @@ class Telemetry {
   void send_health(const core::TickRecord& record, const Report& report, hal::CanBus& bus);
 
   std::uint32_t ticks_ = 0;
-  std::uint8_t command_counter_ = 0;
-  std::uint8_t encoder_counter_ = 0;
+  protocol::FrameCounter command_counter_;
+  protocol::FrameCounter encoder_counter_;
   protocol::ArmReply last_arming_{};
   core::Microseconds longest_tick_{};
 };

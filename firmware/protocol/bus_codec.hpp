@@ -58,7 +58,16 @@ struct Decoded {
 /// What a bench may hear.
 [[nodiscard]] Decoded<FromAvionics> decode_from_avionics(const BusFrame& frame);
 
-/// Follows the 4-bit counter of one kind of frame.
+/// The 4-bit counter of one kind of frame, at its sender: 0 to 15, and around.
+class FrameCounter {
+ public:
+  [[nodiscard]] std::uint8_t next() { return counter_++ & 0x0FU; }
+
+ private:
+  std::uint8_t counter_ = 0;
+};
+
+/// The same at its receiver.
 class Sequence {
  public:
   /// How many frames were lost just before this one, 0 to 14, or empty when it is a repetition of the last one. The

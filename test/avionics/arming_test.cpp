@@ -12,18 +12,6 @@ using protocol::ArmRefusal;
 using protocol::ArmReply;
 using protocol::SelfTestState;
 
-// Tested, switch closed, nonce in hand.
-std::uint32_t begun(BoardRig& rig) {
-  rig.say(ArmAction::self_test);
-  rig.run(8 * second);
-  EXPECT_EQ(rig.heard<ArmReply>()->self_test, SelfTestState::passed);
-  rig.arm_switch.is_closed = true;
-  rig.tick();
-  rig.say(ArmAction::begin);
-  rig.tick();
-  return rig.heard<ArmReply>()->nonce.value();
-}
-
 Phase phase_after(BoardRig& rig, ArmAction action, std::uint32_t nonce = 0) {
   rig.say(action, nonce);
   return rig.tick().phase;
@@ -56,7 +44,7 @@ TEST(Arming, TheCommandAloneIsRefusedBecauseTheSwitchIsOpen) {
 
 TEST(Arming, ASwitchThatOpensBeforeTheConfirmationPreventsIt) {
   BoardRig rig;
-  const std::uint32_t nonce = begun(rig);
+  const std::uint32_t nonce = rig.begin_arming().value();
   rig.arm_switch.is_closed = false;
   rig.tick();
   EXPECT_EQ(phase_after(rig, ArmAction::confirm, nonce), Phase::safe);
@@ -123,7 +111,7 @@ TEST(Arming, ARocketThatWasMovedWhileArmedNeedsAnotherSelfTestToo) {
 
 TEST(Arming, ANonceExpiresAfterFiveSeconds) {
   BoardRig rig;
-  const std::uint32_t nonce = begun(rig);
+  const std::uint32_t nonce = rig.begin_arming().value();
   rig.run(5 * second - millisecond);
   ASSERT_TRUE(rig.heard<ArmReply>()->nonce);
   rig.run(2 * millisecond);
@@ -133,14 +121,14 @@ TEST(Arming, ANonceExpiresAfterFiveSeconds) {
 
 TEST(Arming, AtTheLastMomentANonceStillArms) {
   BoardRig rig;
-  const std::uint32_t nonce = begun(rig);
+  const std::uint32_t nonce = rig.begin_arming().value();
   rig.run(5 * second - millisecond);
   EXPECT_EQ(phase_after(rig, ArmAction::confirm, nonce), Phase::armed);
 }
 
 TEST(Arming, AWrongNonceVoidsTheRightOne) {
   BoardRig rig;
-  const std::uint32_t nonce = begun(rig);
+  const std::uint32_t nonce = rig.begin_arming().value();
   EXPECT_EQ(phase_after(rig, ArmAction::confirm, nonce ^ 1U), Phase::safe);
   EXPECT_EQ(rig.heard<ArmReply>()->refusal, ArmRefusal::wrong_nonce);
   EXPECT_EQ(phase_after(rig, ArmAction::confirm, nonce), Phase::safe);
@@ -149,7 +137,7 @@ TEST(Arming, AWrongNonceVoidsTheRightOne) {
 
 TEST(Arming, AConfirmationOutOfNothingIsRefused) {
   BoardRig rig;
-  begun(rig);
+  ASSERT_TRUE(rig.begin_arming());
   rig.power_cycle();
   rig.arm_switch.is_closed = false;
   rig.say(ArmAction::self_test);
@@ -228,7 +216,7 @@ TEST(Arming, NoTwoNoncesOfTenPowerUpsAreEqual) {
   for (int power_up = 0; power_up < 10; ++power_up) {
     rig.arm_switch.is_closed = false;
     rig.power_cycle();
-    seen.push_back(begun(rig));
+    seen.push_back(rig.begin_arming().value());
     for (int i = 0; i < 20; ++i) {
       rig.say(ArmAction::begin);
       rig.tick();
@@ -245,7 +233,7 @@ TEST(Arming, TwoBoardsWithBlankFlashHaveDifferentNonces) {
   BoardRig other;
   one.entropy.number = 0x12345678;
   other.entropy.number = 0x12345679;
-  EXPECT_NE(begun(one), begun(other));
+  EXPECT_NE(one.begin_arming().value(), other.begin_arming().value());
 }
 
 TEST(Arming, AnOpenBenchSessionPreventsIt) {
@@ -261,7 +249,7 @@ TEST(Arming, AnOpenBenchSessionPreventsIt) {
 
 TEST(Arming, TheSwitchDisarmsAndTheNonceIsNotGoodForASecondTime) {
   BoardRig rig;
-  const std::uint32_t nonce = begun(rig);
+  const std::uint32_t nonce = rig.begin_arming().value();
   ASSERT_EQ(phase_after(rig, ArmAction::confirm, nonce), Phase::armed);
   rig.arm_switch.is_closed = false;
   ASSERT_EQ(rig.tick().phase, Phase::safe);
@@ -278,7 +266,7 @@ core::FlightPlan tunnel_plan() {
 
 TEST(Arming, InTheTunnelControlStartsWithTheNonceThatArmed) {
   BoardRig rig{tunnel_plan()};
-  const std::uint32_t nonce = begun(rig);
+  const std::uint32_t nonce = rig.begin_arming().value();
   ASSERT_EQ(phase_after(rig, ArmAction::start, nonce), Phase::safe) << "not armed yet";
   EXPECT_EQ(rig.heard<ArmReply>()->refusal, ArmRefusal::not_armed);
   ASSERT_EQ(phase_after(rig, ArmAction::confirm, nonce), Phase::armed);
@@ -289,7 +277,7 @@ TEST(Arming, InTheTunnelControlStartsWithTheNonceThatArmed) {
 
 TEST(Arming, ALaunchPlanIsNeverStartedByCommand) {
   BoardRig rig;
-  const std::uint32_t nonce = begun(rig);
+  const std::uint32_t nonce = rig.begin_arming().value();
   ASSERT_EQ(phase_after(rig, ArmAction::confirm, nonce), Phase::armed);
   EXPECT_EQ(phase_after(rig, ArmAction::start, nonce), Phase::armed);
   EXPECT_EQ(rig.heard<ArmReply>()->refusal, ArmRefusal::not_a_tunnel_plan);

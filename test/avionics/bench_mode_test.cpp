@@ -98,15 +98,6 @@ TEST(BenchMode, ItIsRefusedToAnArmedRocket) {
   EXPECT_TRUE(rig.all_pulses_are(0.0));
 }
 
-TEST(BenchMode, ItIsRefusedWhileTheSelfTestMovesTheCanards) {
-  BoardRig rig;
-  rig.say(protocol::ArmAction::self_test);
-  rig.run(4 * second);
-  rig.say(protocol::BenchSession{.action = SessionAction::open, .session = 3});
-  rig.tick();
-  EXPECT_EQ(rig.heard<protocol::SessionReply>()->reason, SessionReason::self_test_runs);
-}
-
 TEST(BenchMode, TheRightIsLostAHundredMillisecondsAfterTheLastHeartbeat) {
   BoardRig rig;
   rig.open_session();

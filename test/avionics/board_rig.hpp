@@ -121,10 +121,10 @@ class BoardRig {
   // ---- the PC ----
 
   void send(const protocol::BusFrame& frame) { (void)pc_bus.send(can_frame(frame)); }
-  void say(const protocol::BenchRequest& message) { send(encode(message, next_counter(0))); }
-  void say(const protocol::BenchSession& message) { send(encode(message, next_counter(1))); }
-  void say(const protocol::ArmRequest& message) { send(encode(message, next_counter(2))); }
-  void say(const protocol::PlanBegin& message) { send(encode(message, next_counter(3))); }
+  void say(const protocol::BenchRequest& message) { send(encode(message, counters_[0].next())); }
+  void say(const protocol::BenchSession& message) { send(encode(message, counters_[1].next())); }
+  void say(const protocol::ArmRequest& message) { send(encode(message, counters_[2].next())); }
+  void say(const protocol::PlanBegin& message) { send(encode(message, counters_[3].next())); }
   void say(const protocol::PlanData& message) { send(encode(message)); }
   void say(protocol::ArmAction action, std::uint32_t nonce = 0) {
     say(protocol::ArmRequest{.action = action, .nonce = nonce});
@@ -152,15 +152,25 @@ class BoardRig {
     tick();
   }
 
-  /// Self-test, switch and both steps of the command.
-  const core::TickRecord& arm() {
+  /// Tested, and the switch closed: only the command is missing.
+  void make_ready() {
     say(protocol::ArmAction::self_test);
     run(8 * second);
     arm_switch.is_closed = true;
     tick();
+  }
+
+  /// The first step of the command; empty when it was refused.
+  [[nodiscard]] std::optional<std::uint32_t> begin_arming() {
+    make_ready();
     say(protocol::ArmAction::begin);
     tick();
-    armed_with = heard<protocol::ArmReply>()->nonce.value_or(0);
+    return heard<protocol::ArmReply>()->nonce;
+  }
+
+  /// Self-test, switch and both steps of the command.
+  const core::TickRecord& arm() {
+    armed_with = begin_arming().value_or(0);
     say(protocol::ArmAction::confirm, armed_with);
     return tick();
   }
@@ -202,12 +212,6 @@ class BoardRig {
   std::uint32_t armed_with = 0;  ///< the nonce
 
  private:
-  std::uint8_t next_counter(std::size_t kind) {
-    const std::uint8_t counter = counters_[kind];
-    counters_[kind] = (counter + 1U) & 0xFU;
-    return counter;
-  }
-
   void hear() {
     while (const auto frame = pc_bus.receive()) {
       const auto decoded = protocol::decode_from_avionics(bus_frame(*frame));
@@ -225,7 +229,7 @@ class BoardRig {
 
   core::FlightPlan plan_;
   std::optional<Avionics> avionics_;
-  std::array<std::uint8_t, 4> counters_{};
+  std::array<protocol::FrameCounter, 4> counters_{};
   decltype(one_of_each(protocol::FromAvionics{})) heard_{};
   std::array<int, std::variant_size_v<protocol::FromAvionics>> counts_{};
 };

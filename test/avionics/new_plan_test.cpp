@@ -44,17 +44,9 @@ TransferFault answer_to_begin(BoardRig& rig) {
   return rig.heard<PlanReply>()->fault;
 }
 
-// Tested, and the switch closed: only the command is missing.
-void make_ready(BoardRig& rig) {
-  rig.say(ArmAction::self_test);
-  rig.run(8 * second);
-  rig.arm_switch.is_closed = true;
-  rig.tick();
-}
-
 TEST(NewPlan, IsRefusedWhileANonceWaitsForItsConfirmation) {
   BoardRig rig;
-  make_ready(rig);
+  rig.make_ready();
   rig.say(ArmAction::begin);
   rig.tick();
   EXPECT_EQ(answer_to_begin(rig), TransferFault::not_safe);
@@ -70,7 +62,7 @@ TEST(NewPlan, IsRefusedWhileTheSelfTestRuns) {
 
 TEST(NewPlan, ARocketIsNotArmedWhileOneIsBeingWritten) {
   BoardRig rig;
-  make_ready(rig);
+  rig.make_ready();
   rig.flash.set_stays_busy(true);
   send_plan(rig, plan_with_trim());
   ASSERT_EQ(rig.heard<PlanReply>()->state, TransferState::writing);
@@ -82,7 +74,7 @@ TEST(NewPlan, ARocketIsNotArmedWhileOneIsBeingWritten) {
 
 TEST(NewPlan, WantsASelfTestOfItsOwnWithItsOwnTrims) {
   BoardRig rig;
-  make_ready(rig);
+  rig.make_ready();
   send_plan(rig, plan_with_trim());
   rig.run(second);
   ASSERT_EQ(rig.heard<PlanReply>()->state, TransferState::stored);
@@ -91,7 +83,7 @@ TEST(NewPlan, WantsASelfTestOfItsOwnWithItsOwnTrims) {
   rig.tick();
   EXPECT_EQ(rig.heard<ArmReply>()->refusal, ArmRefusal::self_test_not_passed);
   EXPECT_EQ(rig.heard<ArmReply>()->self_test, SelfTestState::not_run);
-  make_ready(rig);
+  rig.make_ready();
   EXPECT_EQ(rig.heard<ArmReply>()->self_test, SelfTestState::passed);
 }
 

@@ -53,13 +53,7 @@ TEST(RightToMove, ANewSessionDoesNotGoOnWithWhatTheLastOneAskedFor) {
 
 TEST(RightToMove, ASessionThatIsOpenedInTheTickOfTheConfirmationMovesNothing) {
   BoardRig rig;
-  rig.say(ArmAction::self_test);
-  rig.run(8 * second);
-  rig.arm_switch.is_closed = true;
-  rig.tick();
-  rig.say(ArmAction::begin);
-  rig.tick();
-  rig.say(ArmAction::confirm, rig.heard<ArmReply>()->nonce.value());
+  rig.say(ArmAction::confirm, rig.begin_arming().value());
   rig.say(protocol::BenchSession{.action = SessionAction::open, .session = 3});
   rig.say(protocol::BenchRequest{.angle = {5_deg, 5_deg, 5_deg, 5_deg}});
   EXPECT_EQ(rig.tick().phase, Phase::armed);
@@ -71,13 +65,7 @@ TEST(RightToMove, ASessionThatIsOpenedInTheTickOfTheConfirmationMovesNothing) {
 
 TEST(RightToMove, ASelfTestThatIsAskedForInTheTickOfTheConfirmationDoesNotRun) {
   BoardRig rig;
-  rig.say(ArmAction::self_test);
-  rig.run(8 * second);
-  rig.arm_switch.is_closed = true;
-  rig.tick();
-  rig.say(ArmAction::begin);
-  rig.tick();
-  rig.say(ArmAction::confirm, rig.heard<ArmReply>()->nonce.value());
+  rig.say(ArmAction::confirm, rig.begin_arming().value());
   rig.say(ArmAction::self_test);
   EXPECT_EQ(rig.tick().phase, Phase::armed);
   EXPECT_EQ(rig.heard<ArmReply>()->failure, protocol::SelfTestFailure::not_safe);

@@ -45,12 +45,17 @@ class BenchAtWorld final : public bench::Place {
     }
   }
 
+  /// When the rocket has been at rest for long enough.
+  [[nodiscard]] bench::Session open_session(bench::AvionicsLink& link) {
+    bench::await_avionics(*this, link);
+    wait(3 * second);
+    return {*this, link, 5};
+  }
+
   /// As `fantail bench limits` does it.
   [[nodiscard]] bench::Sheet limits() {
     bench::AvionicsLink link{pc_bus};
-    bench::await_avionics(*this, link);
-    wait(3 * second);  // at rest long enough
-    bench::Session session{*this, link, 77};
+    bench::Session session = open_session(link);
     const bench::Bounds bounds = bench::bounds(link.newest<protocol::LimitReport>()->message, session.trims());
     const bench::Exercise exercise = bench::Exercise::limits(bounds);
     const bench::Recording recording = bench::perform(exercise, session, link, [](double) {});

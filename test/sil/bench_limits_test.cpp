@@ -83,9 +83,7 @@ TEST(BenchLimits, AnInterruptAtAnyMomentCentresTheCanards) {
   for (const double at_s : {0.1, 1.0, 2.5, 7.7, 20.0}) {
     BenchAtWorld place{"bench_healthy"};
     bench::AvionicsLink link{place.bus()};
-    bench::await_avionics(place, link);
-    place.wait(3 * second);
-    bench::Session session{place, link, 5};
+    bench::Session session = place.open_session(link);
     const bench::Exercise exercise =
         bench::Exercise::limits(bench::bounds(link.newest<protocol::LimitReport>()->message, session.trims()));
     EXPECT_THROW((void)bench::perform(exercise, session, link,
@@ -105,9 +103,7 @@ TEST(BenchLimits, AnInterruptAtAnyMomentCentresTheCanards) {
 TEST(BenchLimits, ABusThatGoesAwayEndsTheSessionOnBothSides) {
   BenchAtWorld place{"bench_healthy"};
   bench::AvionicsLink link{place.bus()};
-  bench::await_avionics(place, link);
-  place.wait(3 * second);
-  bench::Session session{place, link, 5};
+  bench::Session session = place.open_session(link);
   session.request({core::Angle::from_degrees(5), {}, {}, {}});
   session.wait(second);
   ASSERT_NEAR(place.record.canards[0].angle.degrees(), 5.0F, 0.01F);
@@ -122,9 +118,7 @@ TEST(BenchLimits, ABusThatGoesAwayEndsTheSessionOnBothSides) {
 TEST(BenchLimits, ABenchThatFindsAnothersSessionDoesNotSpeakIntoIt) {
   BenchAtWorld place{"bench_healthy"};
   bench::AvionicsLink link{place.bus()};
-  bench::await_avionics(place, link);
-  place.wait(3 * second);
-  bench::Session session{place, link, 5};
+  bench::Session session = place.open_session(link);
   session.request({core::Angle::from_degrees(5), {}, {}, {}});
   session.wait(second);
   hal::sim::CanBus other_bus{place.wire};

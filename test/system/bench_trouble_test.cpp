@@ -4,26 +4,13 @@
 
 #include "system/folder.hpp"
 #include "system/process.hpp"
+#include "system/refusal.hpp"
 
 namespace fantail::test {
 namespace {
 
-using Words = std::vector<std::string>;
-
 // No machine has an interface of that name.
 const std::string nowhere = "can_of_nobody";
-
-void expect_refusal(const Words& words, int exit_code, const std::vector<std::string>& said) {
-  const Folder folder;
-  const Outcome outcome = fantail(words, {.working_folder = folder.path()});
-  EXPECT_EQ(outcome.exit_code, exit_code) << outcome.err << "signal " << outcome.signal;
-  EXPECT_EQ(outcome.out, "");
-  EXPECT_TRUE(outcome.err.starts_with("fantail: ")) << outcome.err;
-  EXPECT_EQ(outcome.err.find('\n'), outcome.err.size() - 1) << "one line: " << outcome.err;
-  for (const std::string& part : said) {
-    EXPECT_NE(outcome.err.find(part), std::string::npos) << "not said: " << part << "\n" << outcome.err;
-  }
-}
 
 class EachVerbOnTheBus : public testing::TestWithParam<Words> {};
 
@@ -31,13 +18,13 @@ class EachVerbOnTheBus : public testing::TestWithParam<Words> {};
 TEST_P(EachVerbOnTheBus, SaysWhatToDoWhenThereIsNoBus) {
   Words words = GetParam();
   words.insert(words.end(), {"--can", nowhere});
-  expect_refusal(words, 74,
-                 {nowhere + ": ",
-                  "tools/with_vcan COMMAND, or sudo ip link add vcan0 type vcan && sudo ip link set "
-                  "vcan0 up"});
+  Refusal({}, words, 74,
+          {nowhere + ": ",
+           "tools/with_vcan COMMAND, or sudo ip link add vcan0 type vcan && sudo ip link set "
+           "vcan0 up"});
 }
 
-TEST_P(EachVerbOnTheBus, MustBeToldTheInterface) { expect_refusal(GetParam(), 64, {"--can is required"}); }
+TEST_P(EachVerbOnTheBus, MustBeToldTheInterface) { Refusal({}, GetParam(), 64, {"--can is required"}); }
 
 INSTANTIATE_TEST_SUITE_P(All, EachVerbOnTheBus,
                          testing::Values(Words{"node", "bench_healthy"}, Words{"bench", "watch"},
@@ -48,13 +35,13 @@ INSTANTIATE_TEST_SUITE_P(All, EachVerbOnTheBus,
 
 // Files come first, so that nothing has moved when one is wrong: here the bus, which is not there, is not even asked.
 TEST(BenchInput, IsReadBeforeTheBusIsTouched) {
-  expect_refusal({"bench", "limits", "--can", nowhere, "--vehicle", "tasha9"}, 66, {"unknown vehicle \"tasha9\""});
-  expect_refusal({"bench", "limits", "--can", nowhere, "--plan", "tasha9"}, 66, {"unknown flight plan \"tasha9\""});
-  expect_refusal({"bench", "plan", "none.ftpl", "--can", nowhere}, 66, {"none.ftpl: no such file"});
-  expect_refusal({"node", "bench_helthy", "--can", nowhere}, 66,
-                 {"unknown scenario \"bench_helthy\"", "did you mean bench_healthy?"});
-  expect_refusal({"node", "bench_healthy", "--can", nowhere, "--set", "timing.pad_time_s=-1"}, 78, {"pad_time_s"});
-  expect_refusal({"node", "bench_healthy", "--can", nowhere, "--set", "no.such_key=1"}, 78, {"no.such_key"});
+  Refusal({}, {"bench", "limits", "--can", nowhere, "--vehicle", "tasha9"}, 66, {"unknown vehicle \"tasha9\""});
+  Refusal({}, {"bench", "limits", "--can", nowhere, "--plan", "tasha9"}, 66, {"unknown flight plan \"tasha9\""});
+  Refusal({}, {"bench", "plan", "none.ftpl", "--can", nowhere}, 66, {"none.ftpl: no such file"});
+  Refusal({}, {"node", "bench_helthy", "--can", nowhere}, 66,
+          {"unknown scenario \"bench_helthy\"", "did you mean bench_healthy?"});
+  Refusal({}, {"node", "bench_healthy", "--can", nowhere, "--set", "timing.pad_time_s=-1"}, 78, {"pad_time_s"});
+  Refusal({}, {"node", "bench_healthy", "--can", nowhere, "--set", "no.such_key=1"}, 78, {"no.such_key"});
 }
 
 TEST(BenchSheet, ThatCannotBeWrittenIsSaidBeforeTheBusIsTouched) {
@@ -62,7 +49,7 @@ TEST(BenchSheet, ThatCannotBeWrittenIsSaidBeforeTheBusIsTouched) {
   const std::string file = folder.write("taken", "mine");
   for (const std::string& in_the_way : {file, std::string{"/dev/full"}}) {
     for (const std::string& out : {in_the_way, in_the_way + "/x"}) {
-      expect_refusal({"bench", "limits", "--can", nowhere, "--out", out}, 74, {in_the_way + ": not a folder"});
+      Refusal({}, {"bench", "limits", "--can", nowhere, "--out", out}, 74, {in_the_way + ": not a folder"});
     }
   }
   EXPECT_EQ(content(file), "mine");
@@ -70,12 +57,12 @@ TEST(BenchSheet, ThatCannotBeWrittenIsSaidBeforeTheBusIsTouched) {
 }
 
 TEST(BenchOptions, OutOfRangeAreUsageErrors) {
-  expect_refusal({"bench", "step", "--can", nowhere}, 64, {"--canard"});
-  expect_refusal({"bench", "step", "--can", nowhere, "--canard", "5"}, 64, {"--canard"});
-  expect_refusal({"bench", "step", "--can", nowhere, "--canard", "1", "--to", "21"}, 64, {"--to"});
-  expect_refusal({"bench", "sine", "--can", nowhere, "--canard", "1", "--frequency", "0"}, 64, {"--frequency"});
-  expect_refusal({"bench", "watch", "--can", nowhere, "--for", "-1"}, 64, {"--for"});
-  expect_refusal({"bench"}, 64, {"a verb is missing; allowed: watch, limits, step, sine, arm, plan"});
+  Refusal({}, {"bench", "step", "--can", nowhere}, 64, {"--canard"});
+  Refusal({}, {"bench", "step", "--can", nowhere, "--canard", "5"}, 64, {"--canard"});
+  Refusal({}, {"bench", "step", "--can", nowhere, "--canard", "1", "--to", "21"}, 64, {"--to"});
+  Refusal({}, {"bench", "sine", "--can", nowhere, "--canard", "1", "--frequency", "0"}, 64, {"--frequency"});
+  Refusal({}, {"bench", "watch", "--can", nowhere, "--for", "-1"}, 64, {"--for"});
+  Refusal({}, {"bench"}, 64, {"a verb is missing; allowed: watch, limits, step, sine, arm, plan"});
 }
 
 }  // namespace

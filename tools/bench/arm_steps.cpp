@@ -81,8 +81,7 @@ bool ArmSteps::start_control(std::uint32_t nonce) {
 }
 
 void ArmSteps::send(ArmAction action, std::uint32_t nonce) {
-  const protocol::BusFrame frame = encode(protocol::ArmRequest{.action = action, .nonce = nonce}, counter_);
-  counter_ = (counter_ + 1U) & 0xFU;
+  const protocol::BusFrame frame = encode(protocol::ArmRequest{.action = action, .nonce = nonce}, counter_.next());
   (void)place_.bus().send(avionics::can_frame(frame));
 }
 

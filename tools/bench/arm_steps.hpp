@@ -34,7 +34,7 @@ class ArmSteps {
 
   Place& place_;
   AvionicsLink& link_;
-  std::uint8_t counter_ = 0;
+  protocol::FrameCounter counter_;
 };
 
 }  // namespace fantail::bench

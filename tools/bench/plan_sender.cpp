@@ -47,7 +47,7 @@ protocol::PlanReply send_plan(Place& place, AvionicsLink& link, std::span<const 
   };
   const protocol::PlanBegin begin{.size = static_cast<std::uint16_t>(block.size()), .block_crc = own_checksum(block)};
   std::uint64_t seen = heard();
-  std::uint8_t counter = 0;
+  protocol::FrameCounter counter;
   std::optional<std::size_t> next;  // empty: it has not yet answered the beginning
   std::optional<Microseconds> writing_since;
   Microseconds last_answer = place.now();
@@ -56,8 +56,7 @@ protocol::PlanReply send_plan(Place& place, AvionicsLink& link, std::span<const 
     if (place.now() >= send_at) {
       const bool complete = next && *next * bytes_per_frame >= block.size();
       if (!complete) {
-        const protocol::BusFrame frame = next ? data_frame(block, *next) : encode(begin, counter);
-        counter = next ? counter : (counter + 1U) & 0xFU;
+        const protocol::BusFrame frame = next ? data_frame(block, *next) : encode(begin, counter.next());
         (void)place.bus().send(avionics::can_frame(frame));
       }
       send_at = place.now() + repeat_after;

@@ -148,8 +148,7 @@ void Session::speak() {
   }
   if (wanted_ && !unsure_since_ && now >= next_request_) {
     next_request_ = now + request_period;
-    send(place_, encode(protocol::BenchRequest{*wanted_}, request_counter_));
-    request_counter_ = (request_counter_ + 1U) & 0xFU;
+    send(place_, encode(protocol::BenchRequest{*wanted_}, request_counter_.next()));
   }
 }
 
@@ -161,8 +160,7 @@ void Session::hear_all_that_waits() {
 }
 
 void Session::say(SessionAction action) {
-  send(place_, encode(protocol::BenchSession{.action = action, .session = number_}, heartbeat_counter_));
-  heartbeat_counter_ = (heartbeat_counter_ + 1U) & 0xFU;
+  send(place_, encode(protocol::BenchSession{.action = action, .session = number_}, heartbeat_counter_.next()));
 }
 
 std::optional<protocol::SessionReply> Session::answer_since(std::uint64_t before) const {

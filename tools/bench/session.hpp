@@ -65,8 +65,8 @@ class Session {
   Each<core::Angle> trims_{};
   hal::Microseconds next_heartbeat_{};
   hal::Microseconds next_request_{};
-  std::uint8_t heartbeat_counter_ = 0;
-  std::uint8_t request_counter_ = 0;
+  protocol::FrameCounter heartbeat_counter_;
+  protocol::FrameCounter request_counter_;
 };
 
 /// Goes through an exercise and records it. `progress` is told the seconds done; it may throw to give up.

@@ -60,6 +60,23 @@ struct CanardRow {
   }
 };
 
+Each<CanardRow> rows(const AvionicsLink& link, hal::Microseconds now) {
+  const auto commands = link.recent<protocol::CommandReport>(now, stale);
+  const auto encoders = link.recent<protocol::EncoderReport>(now, stale);
+  const auto limits = link.recent<protocol::LimitReport>(now, stale);
+  const auto health = link.recent<protocol::HealthReport>(now, stale);
+  const auto status = link.recent<protocol::StatusReport>(now, stale);
+  Each<CanardRow> rows;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    rows[i].command_deg = commands ? degrees(commands->angle[i]) : std::nullopt;
+    rows[i].encoder_deg = encoders ? degrees(encoders->angle[i]) : std::nullopt;
+    rows[i].limit_deg = limits ? degrees(limits->limit[i]) : std::nullopt;
+    rows[i].verdict = health ? core::name(health->verdicts[i]) : "unknown";
+    rows[i].limited = status && status->limited[i];
+  }
+  return rows;
+}
+
 }  // namespace
 
 template <typename Message>
@@ -76,26 +93,6 @@ void Watch::look(hal::Microseconds now) {
   last_bits_ = bits;
   last_look_ = now_ = now;
 }
-
-namespace {
-
-Each<CanardRow> rows(const std::optional<protocol::CommandReport>& commands,
-                     const std::optional<protocol::EncoderReport>& encoders,
-                     const std::optional<protocol::LimitReport>& limits,
-                     const std::optional<protocol::HealthReport>& health,
-                     const std::optional<protocol::StatusReport>& status) {
-  Each<CanardRow> rows;
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    rows[i].command_deg = commands ? degrees(commands->angle[i]) : std::nullopt;
-    rows[i].encoder_deg = encoders ? degrees(encoders->angle[i]) : std::nullopt;
-    rows[i].limit_deg = limits ? degrees(limits->limit[i]) : std::nullopt;
-    rows[i].verdict = health ? core::name(health->verdicts[i]) : "unknown";
-    rows[i].limited = status && status->limited[i];
-  }
-  return rows;
-}
-
-}  // namespace
 
 std::string Watch::link_words() const {
   const LinkFigures& heard = link_.figures();
@@ -146,8 +143,7 @@ std::string Watch::table() const {
         refused());
   }
   text += "canard  command   encoder  difference   limit  verdict\n";
-  const auto canards = rows(known<protocol::CommandReport>(), known<protocol::EncoderReport>(),
-                            known<protocol::LimitReport>(), health, status);
+  const auto canards = rows(link_, now_);
   for (std::size_t i = 0; i < canards.size(); ++i) {
     const CanardRow& row = canards[i];
     text +=
@@ -164,8 +160,7 @@ std::string Watch::line() const {
     return link_words() + "; the avionics is silent\n";
   }
   std::string text = fmt::format("{} ({});", core::name(status->phase), core::name(status->reason));
-  const auto canards = rows(known<protocol::CommandReport>(), known<protocol::EncoderReport>(),
-                            known<protocol::LimitReport>(), known<protocol::HealthReport>(), status);
+  const auto canards = rows(link_, now_);
   for (std::size_t i = 0; i < canards.size(); ++i) {
     text += fmt::format(" canard {} {} deg told, {} read, {};", i + 1, cell(canards[i].command_deg),
                         cell(canards[i].encoder_deg), canards[i].verdict);
@@ -215,8 +210,7 @@ std::string Watch::json() const {
   json["arm_refusal"] =
       arming && arming->refusal != protocol::ArmRefusal::none ? ordered_json(words(arming->refusal)) : ordered_json{};
   json["canards"] = ordered_json::array();
-  for (const CanardRow& row : rows(known<protocol::CommandReport>(), known<protocol::EncoderReport>(),
-                                   known<protocol::LimitReport>(), health, status)) {
+  for (const CanardRow& row : rows(link_, now_)) {
     json["canards"].push_back({{"command_deg", rounded(row.command_deg)},
                                {"encoder_deg", rounded(row.encoder_deg)},
                                {"difference_deg", rounded(row.difference_deg())},
