@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace fantail::plot {
+
+enum class Mark : std::uint8_t { line, step, points, line_and_points };
+
+/// What a colour says, the same on every page.
+enum class Role : std::uint8_t { measured, model, second_model, reference, limit, neutral };
+
+struct Series {
+  std::string name{};
+  Role role = Role::measured;
+  Mark mark = Mark::line;
+  std::vector<double> x{};  ///< increasing for lines
+  std::vector<double> y{};  ///< as long as x; not a number: a gap
+};
+
+/// The area between two curves: a band of uncertainty.
+struct Area {
+  std::string name{};
+  Role role = Role::model;
+  std::vector<double> x{};
+  std::vector<double> low{};
+  std::vector<double> high{};
+};
+
+/// A shaded stretch of the x axis.
+struct Stripe {
+  double begin = 0.0;
+  double end = 0.0;
+  std::string label{};
+};
+
+/// A line across the plot.
+struct Level {
+  double value = 0.0;
+  std::string label{};
+  bool upright = false;  ///< at an x, not at a y
+};
+
+struct Range {
+  double low;
+  double high;
+};
+
+/// One plot as an SVG that takes its colours from plot.css (light and dark), with axes, units and a legend when it has
+/// more than one name. Long series are thinned without losing a peak.
+struct Chart {
+  std::string label{};    ///< what it shows, for those who do not see it
+  std::string x_label{};  ///< "time / s"
+  std::string y_label{};
+  double width = 720.0;  ///< in the drawing's own units; text is 12 of them high
+  double height = 260.0;
+  std::vector<Series> series{};
+  std::vector<Area> areas{};
+  std::vector<Stripe> stripes{};
+  std::vector<Level> levels{};
+  std::optional<Range> x_range{};  ///< else all that is drawn
+  std::optional<Range> y_range{};
+  bool equal_x_ticks_at_points = false;  ///< ticks at the x of the first series: counts, set points
+};
+
+[[nodiscard]] std::string svg(const Chart& chart);
+
+}  // namespace fantail::plot
