@@ -42,13 +42,14 @@ std::vector<Point> run(const Loop& loop, double until_s) {
                                     core::Angle::from_radians(static_cast<float>(state.angle_rad)),
                                     static_cast<float>(state.rate_rad_s), chirp.update(since));
     }
+    const auto goal_rad = static_cast<double>(command.command.radians());
     points.push_back({.time_s = t,
                       .angle_deg = state.angle_rad / radians_per_degree,
                       .rate_deg_s = state.rate_rad_s / radians_per_degree,
                       .command_deg = static_cast<double>(command.command.degrees()),
+                      .canard_deg = (loop.servo_lag_s ? canard_rad : goal_rad) / radians_per_degree,
                       .saturated = command.saturated});
 
-    const auto goal_rad = static_cast<double>(command.command.radians());
     double seen_rad = goal_rad;  // mean over the step
     if (loop.servo_lag_s) {
       const double decay = std::exp(-tick_s / *loop.servo_lag_s);

@@ -35,6 +35,7 @@ struct Point {
   double angle_deg;
   double rate_deg_s;
   double command_deg;
+  double canard_deg;  ///< as an encoder sees it
   bool saturated;
 };
 

@@ -38,6 +38,11 @@ struct InitialState {
   double rate_rad_s;
 };
 
+/// Where a damping constant is looked for. At 0.01 a roll rate outlasts every flight; at 1000 it is gone within a
+/// sample.
+inline constexpr double lowest_alpha_m2 = 0.01;
+inline constexpr double highest_alpha_m2 = 1000.0;
+
 /// One identified roll model (Eq 2-8): damping, torque constant, disturbance.
 struct Model {
   double alpha_m2 = 0.0;

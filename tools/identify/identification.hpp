@@ -35,7 +35,7 @@ using NodeChoice = std::variant<NodeTimes, EvenNodes, AutomaticNodes>;
 /// How the canards were commanded, for the closed loop.
 struct ClosedLoop {
   core::ControllerPlan controller{};
-  double servo_lag_s = 0.0;              ///< first-order, between command and canard; 0: none, as published
+  double servo_lag_s = 0.0;            ///< first-order, between command and canard; 0: none, as published
   double controller_period_s = 0.001;  ///< the law runs as often, whatever the log's rate
 };
 
@@ -64,13 +64,13 @@ struct Identification {
   std::optional<Uncertainty> uncertainty{};
   std::optional<ErrorMap> error_map{};
   std::vector<NodeTrial> node_trials{};  ///< AutomaticNodes only
-  std::vector<std::string> remarks{};     ///< the winner lies on the edge of the grid, ...
+  std::vector<std::string> remarks{};    ///< the winner lies on the edge of the grid, ...
   std::size_t samples = 0;
   double seconds = 0.0;  ///< length of the record
 };
 
-/// Throws sim::InputError (bad_data) when there are fewer samples than unknowns, or when the record's speed is nowhere above
-/// zero; (bad_configuration) for nodes that no sample lies between.
+/// Throws sim::InputError (bad_data) when there are fewer samples than unknowns, or when the record's speed is nowhere
+/// above zero; (bad_configuration) for nodes that no sample lies between.
 [[nodiscard]] Identification identify(const Record& record, const Airframe& airframe, const Options& options);
 
 }  // namespace fantail::identify

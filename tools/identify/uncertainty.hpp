@@ -22,9 +22,9 @@ struct Uncertainty {
   /// In the order alpha, beta, nodes; in m2, m and radians.
   std::vector<double> standard_deviation{};
   Eigen::MatrixXd correlation{};
-  std::vector<Interval> interval{};    ///< 95 %, from the standard deviations
-  Interval alpha_profile_m2{};         ///< 95 %, from the profile of the likelihood: the one to trust for alpha
-  double effective_samples = 0.0;      ///< independent samples that the correlated residual is worth
+  std::vector<Interval> interval{};  ///< 95 %, from the standard deviations
+  Interval alpha_profile_m2{};       ///< 95 %, from the profile of the likelihood: the one to trust for alpha
+  double effective_samples = 0.0;    ///< independent samples that the correlated residual is worth
   double residual_rms_rad = 0.0;
   double residual_correlation_s = 0.0;  ///< over which time the residual remembers itself
   bool alpha_identifiable = false;

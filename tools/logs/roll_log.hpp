@@ -19,17 +19,17 @@ using ColumnNames = std::map<std::string, std::string>;  ///< e.g. {"roll_angle_
 enum class AngleUnit : std::uint8_t { degrees, radians };
 
 struct Reading {
-  ColumnNames columns{};                     ///< for those that the file names differently
-  AngleUnit angles = AngleUnit::degrees;     ///< of every angle and rate in the file
-  bool truth = false;                        ///< read the true_ columns of a simulated flight instead of the measured ones
+  ColumnNames columns{};                  ///< for those that the file names differently
+  AngleUnit angles = AngleUnit::degrees;  ///< of every angle and rate in the file
+  bool truth = false;                     ///< read the true_ columns of a simulated flight instead of the measured ones
 };
 
-/// Roll motion over time, from a CSV file or a Fantail flight folder, in SI and radians. Every list that is not empty is
-/// as long as time_s; what a file does not have is empty. Rows with a cell that is no number in a column that was asked
-/// for are left out and counted.
+/// Roll motion over time, from a CSV file or a Fantail flight folder, in SI and radians. Every list that is not empty
+/// is as long as time_s; what a file does not have is empty. Rows with a cell that is no number in a column that was
+/// asked for are left out and counted.
 struct RollLog {
-  std::string name;             ///< file or folder as the person wrote it
-  std::vector<double> time_s;   ///< strictly increasing
+  std::string name;            ///< file or folder as the person wrote it
+  std::vector<double> time_s;  ///< strictly increasing
   std::vector<double> roll_angle_rad;
   std::vector<double> roll_rate_rad_s;
   std::vector<double> canard_rad;  ///< mean of the encoders
@@ -54,9 +54,9 @@ struct Needs {
   bool speed = false;
 };
 
-/// `path` is a CSV file or a folder that holds a flight.csv. Throws sim::InputError: no_such_input; bad_data for a missing
-/// column (naming it and listing those that are there), time that does not increase, more than 1 % of rows without a
-/// number, fewer than two rows. Messages name file and line.
+/// `path` is a CSV file or a folder that holds a flight.csv. Throws sim::InputError: no_such_input; bad_data for a
+/// missing column (naming it and listing those that are there), time that does not increase, more than 1 % of rows
+/// without a number, fewer than two rows. Messages name file and line.
 [[nodiscard]] RollLog read_roll_log(const std::filesystem::path& path, const Reading& reading, const Needs& needs);
 
 }  // namespace fantail::logs

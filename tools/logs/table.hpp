@@ -13,8 +13,8 @@ namespace fantail::logs {
 /// understood; lines that begin with '#' and empty lines are skipped.
 class Table {
  public:
-  /// `text` is the content, `name` what messages call it. Throws sim::InputError (bad_data): no header, a name that stands
-  /// twice, a row with another number of cells than the header (naming the line), more than `most_bytes`.
+  /// `text` is the content, `name` what messages call it. Throws sim::InputError (bad_data): no header, a name that
+  /// stands twice, a row with another number of cells than the header (naming the line), more than `most_bytes`.
   [[nodiscard]] static Table parse(std::string_view text, std::string name);
   /// Throws also no_such_input.
   [[nodiscard]] static Table load(const std::string& path);

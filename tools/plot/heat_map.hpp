@@ -16,12 +16,12 @@ struct HeatMap {
   std::string label{};
   std::string x_label{};
   std::string y_label{};
-  std::string value_label{};   ///< with its unit
-  std::vector<double> x{};     ///< increasing, evenly spaced
-  std::vector<double> y{};     ///< likewise
+  std::string value_label{};    ///< with its unit
+  std::vector<double> x{};      ///< increasing, evenly spaced
+  std::vector<double> y{};      ///< likewise
   std::vector<double> value{};  ///< value[j * x.size() + i] belongs to x[i], y[j]
-  std::vector<Spot> spots{};   ///< the winner, the print's, ...
-  bool logarithmic = true;     ///< of the colour, so that a narrow valley shows; values above 0
+  std::vector<Spot> spots{};    ///< the winner, the print's, ...
+  bool logarithmic = true;      ///< of the colour, so that a narrow valley shows; values above 0
   double width = 720.0;
   double height = 320.0;
 };

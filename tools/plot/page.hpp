@@ -13,7 +13,7 @@ enum class Tone : std::uint8_t { plain, good, bad, unsure };
 
 /// A whole page that loads nothing and prints well. Text is escaped, parts named _html are not.
 struct Page {
-  std::string kind{};   ///< "Fantail identification report", small above the title
+  std::string kind{};  ///< "Fantail identification report", small above the title
   std::string title{};
   std::string subtitle{};
   Tone tone = Tone::plain;

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+// What the roll model's identification must give back: Table 2, and the limits of what a window can tell.
+#include <array>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "core/flight_plan_fields.hpp"
+#include "identify/identification.hpp"
+#include "identify/node_times.hpp"
+#include "identify/sensitivities.hpp"
+#include "identify/uncertainty_of.hpp"
+#include "paper/flown_record.hpp"
+#include "sim/plan_file.hpp"
+#include "sim/shipped.hpp"
+
+namespace fantail::paper {
+namespace {
+
+using identify::Identification;
+using identify::Method;
+using identify::Record;
+
+constexpr double degrees(double rad) { return rad / radians_per_degree; }
+
+TEST(Oracle, Row23EveryStepOfTable2ComesBackExactlyOnTheGrid) {
+  for (const TunnelStep& row : table_2) {
+    const Loop loop = tunnel_loop(row);
+    const Record record = flown_record(loop, 0.0, 5.0, 10);
+    const Identification found = identify::identify(
+        record, airframe(loop), {.nodes = identify::NodeTimes{0.0, 5.0}, .method = Method::grid});
+    SCOPED_TRACE(row.step);
+    EXPECT_DOUBLE_EQ(found.model.alpha_m2, row.alpha_m2);
+    EXPECT_DOUBLE_EQ(found.model.beta_m, row.beta_m);
+    EXPECT_NEAR(degrees(found.model.node_rad[0]), row.disturbance_begin_deg, 0.03);
+    EXPECT_NEAR(degrees(found.model.node_rad[1]), row.disturbance_end_deg, 0.03);
+    EXPECT_LT(degrees(found.simulation.mean_abs_angle_error_rad), 0.06);
+  }
+}
+
+TEST(Oracle, TheContinuousMethodFindsTheStepsOfTable2WithoutAGrid) {
+  for (const TunnelStep& row : table_2) {
+    const Loop loop = tunnel_loop(row);
+    const Record record = flown_record(loop, 0.0, 5.0, 10);
+    const Identification found =
+        identify::identify(record, airframe(loop), {.nodes = identify::NodeTimes{0.0, 5.0}});
+    SCOPED_TRACE(row.step);
+    EXPECT_NEAR(found.model.alpha_m2, row.alpha_m2, 0.01 * row.alpha_m2);
+    EXPECT_NEAR(found.model.beta_m, row.beta_m, 0.01 * row.beta_m);
+    EXPECT_NEAR(degrees(found.model.node_rad[0]), row.disturbance_begin_deg, 0.05);
+    EXPECT_NEAR(degrees(found.model.node_rad[1]), row.disturbance_end_deg, 0.05);
+  }
+}
+
+// t = 0 at control start, 0.64 s after lift-off.
+Loop second_launch(const core::ExcitationPlan& excitation) {
+  return {.plant = {.inertia_kg_m2 = 0.00393, .reference_area_m2 = reference_area_m2, .damping_m2 = 23, .torque_m = 9},
+          .controller = gains(0.5, 0.05, 9),
+          .reference = step(0, -20, 2.0),
+          .excitation = excitation,
+          .disturbance = sim::Disturbance{{{0.0, -4.9 * radians_per_degree}}},
+          .speed_m_s = launch_speed(3.99, 0.64),
+          .control_from_s = 0.0,
+          .servo_lag_s = 0.020,
+          .start = {.angle_rad = 0.0, .rate_rad_s = -20 * radians_per_degree}};
+}
+
+// With the four intervals that this window was published with.
+double cramer_rao_alpha_m2(const core::ExcitationPlan& excitation) {
+  const Loop loop = second_launch(excitation);
+  const Record record = flown_record(loop, 0.4, 2.0, 10);
+  const identify::NodeTimes nodes = identify::even_nodes(record, 4);
+  const identify::Model truth{.alpha_m2 = 23,
+                              .beta_m = 9,
+                              .node_time_s = nodes,
+                              .node_rad = std::vector<double>(nodes.size(), -4.9 * radians_per_degree),
+                              .initial = {{record.roll_angle_rad[0], record.roll_rate_rad_s[0]}}};
+  const auto sensitivities = identify::open_loop_sensitivities(record, airframe(loop), truth);
+  return identify::cramer_rao_standard_deviations(sensitivities, 0.3 * radians_per_degree)(0);
+}
+
+TEST(Oracle, Row30OnlyTheChirpMakesTheDampingKnown) {
+  const auto plan = sim::read_plan(sim::Document::load(sim::find_input(sim::Shipped::plan, "tasha3_launch2")));
+  EXPECT_NEAR(cramer_rao_alpha_m2(plan.excitation), 1.67, 0.15 * 1.67);
+  EXPECT_GT(cramer_rao_alpha_m2(core::default_plan().excitation), 50.0);
+}
+
+TEST(Oracle, Row25TheMeansOfTable2) {
+  std::array<double, 6> sum{};
+  for (const TunnelStep& row : table_2) {
+    const std::array<double, 6> numbers{row.alpha_m2,
+                                        row.beta_m,
+                                        row.disturbance_begin_deg,
+                                        row.disturbance_end_deg,
+                                        row.mean_abs_angle_error_deg,
+                                        row.mean_abs_rate_error_deg_s};
+    for (std::size_t i = 0; i < sum.size(); ++i) {
+      sum[i] += numbers[i] / static_cast<double>(std::size(table_2));
+    }
+  }
+  const std::array<double, 6> expected{19.375, 9.625, -5.529, -6.616, 0.875, 3.521};
+  for (std::size_t i = 0; i < sum.size(); ++i) {
+    EXPECT_NEAR(sum[i], expected[i], 0.001) << i;
+  }
+}
+
+}  // namespace
+}  // namespace fantail::paper

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+#include "identify/identification.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "identify/alpha_fit.hpp"
+#include "identify/node_times.hpp"
+#include "identify/open_loop.hpp"
+#include "identify/response_basis.hpp"
+#include "identify/sensitivities.hpp"
+#include "identify/uncertainty_of.hpp"
+#include "sim/input_error.hpp"
+
+namespace fantail::identify {
+namespace {
+
+using sim::InputError;
+using sim::InputFault;
+
+void check_record(const Record& record, std::size_t nodes, Start start) {
+  const std::size_t unknowns =
+      2 + nodes + (start == Start::fitted ? 2 * record.segment_begin.size() : std::size_t{0});
+  if (record.size() <= unknowns) {
+    throw InputError{InputFault::bad_data, fmt::format("window {}: {} samples for {} unknowns; allowed: more samples",
+                                                       record.window, record.size(), unknowns)};
+  }
+  if (std::ranges::none_of(record.speed_m_s, [](double speed) { return speed > 0.0; })) {
+    throw InputError{InputFault::bad_data,
+                     fmt::format("window {}: the speed is nowhere above zero, and still air turns nothing", record.window)};
+  }
+}
+
+// The fit that a number of nodes is judged by, and what the searches share.
+struct Question {
+  const Record& record;
+  const Airframe& airframe;
+  const Options& options;
+};
+
+Model open_loop_model(const Question& q, const NodeTimes& nodes, std::optional<ErrorMap>& errors) {
+  const auto& [record, airframe, options] = q;
+  if (options.method == Method::grid || options.with_error_map) {
+    GridResult found = search_open_loop_grid(record, airframe, nodes, options.start, options.grid);
+    errors = std::move(found.errors);
+    if (options.method == Method::grid) {
+      return std::move(found.model);
+    }
+  }
+  return fit_open_loop(record, airframe, nodes, options.start, options.grid);
+}
+
+Model model_with(const Question& q, const NodeTimes& nodes, std::optional<ErrorMap>& errors) {
+  check_nodes(q.record, nodes);
+  check_record(q.record, nodes.size(), q.options.start);
+  return open_loop_model(q, nodes, errors);
+}
+
+Simulation simulate(const Question& q, const Model& model) {
+  return simulate_open_loop(q.record, q.airframe, model);
+}
+
+// As few intervals as come within a tenth of the least error: the published rule, "until there is no significant further
+// improvement", with a number. The error need not fall evenly: it may take three intervals before any of them helps.
+std::size_t worth_it(const std::vector<NodeTrial>& trials) {
+  constexpr double close_enough = 1.1;
+  const auto error = [](const NodeTrial& trial) { return trial.mean_abs_angle_error_rad; };
+  const double least = error(*std::ranges::min_element(trials, {}, error));
+  const auto first =
+      std::ranges::find_if(trials, [&](const NodeTrial& trial) { return error(trial) <= close_enough * least; });
+  return first->intervals;
+}
+
+NodeTimes choose_nodes(const Question& q, std::vector<NodeTrial>& trials) {
+  if (const auto* times = std::get_if<NodeTimes>(&q.options.nodes)) {
+    return *times;
+  }
+  if (const auto* even = std::get_if<EvenNodes>(&q.options.nodes)) {
+    return even_nodes(q.record, even->intervals);
+  }
+  Options quick = q.options;
+  quick.with_error_map = false;
+  const Question trial_question{q.record, q.airframe, quick};
+  for (std::size_t n = 1; n <= std::get<AutomaticNodes>(q.options.nodes).most; ++n) {
+    std::optional<ErrorMap> ignored;
+    const Model model = model_with(trial_question, even_nodes(q.record, n), ignored);
+    trials.push_back({.intervals = n,
+                      .model = model,
+                      .mean_abs_angle_error_rad = simulate(trial_question, model).mean_abs_angle_error_rad});
+  }
+  return even_nodes(q.record, worth_it(trials));
+}
+
+void remark_on_edges(Identification& result, const Grid& grid) {
+  if (result.method != Method::grid) {
+    return;
+  }
+  const auto on_edge = [](double value, const Axis& axis) {
+    const std::vector<double> values = axis.values();
+    return values.size() > 1 && (value == values.front() || value == values.back());
+  };
+  if (on_edge(result.model.alpha_m2, grid.alpha_m2) || on_edge(result.model.beta_m, grid.beta_m)) {
+    result.remarks.emplace_back("The winner lies on the edge of the grid: the best may lie beyond it.");
+  }
+}
+
+}  // namespace
+
+Identification identify(const Record& record, const Airframe& airframe, const Options& options) {
+  const Question question{record, airframe, options};
+  Identification result;
+  result.method = options.method;
+  result.loop = options.closed_loop ? Loop::closed : Loop::open;
+  result.samples = record.size();
+  result.seconds = record.time_s.back() - record.time_s.front();
+  const NodeTimes nodes = choose_nodes(question, result.node_trials);
+  result.model = model_with(question, nodes, result.error_map);
+  result.simulation = simulate(question, result.model);
+  remark_on_edges(result, options.grid);
+  if (options.with_uncertainty) {
+    const ResponseBasis basis{record, airframe, nodes, options.start};
+    result.uncertainty = uncertainty_of(
+        record, result.model, result.simulation, open_loop_sensitivities(record, airframe, result.model), options.start,
+        [&basis](double alpha_m2) { return AlphaFit{basis, alpha_m2}.least_squares_rad2(); });
+  }
+  return result;
+}
+
+}  // namespace fantail::identify

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "identify/estimate.hpp"
+#include "identify/identification.hpp"
+#include "identify/record.hpp"
+
+namespace fantail::identify {
+
+/// For a fixed alpha the open-loop roll angle is linear in everything else:
+///   phi = free motion + beta phi_u + sum_k (beta u_k) phi_k (+ initial states),
+/// so a few simulations for each alpha serve every beta and every disturbance. What does not depend on alpha is made once,
+/// here.
+class ResponseBasis {
+ public:
+  /// The nodes have passed check_nodes().
+  ResponseBasis(const Record& record, const Airframe& airframe, const NodeTimes& nodes, Start start);
+
+  /// Columns of respond(), in this order.
+  [[nodiscard]] std::size_t nodes() const { return nodes_; }  ///< angle per beta u_k
+  /// Angle per initial angle and per initial rate of each segment in turn; none with Start::measured.
+  [[nodiscard]] std::size_t initial_columns() const { return initial_columns_; }
+  [[nodiscard]] std::size_t canard_column() const { return nodes_ + initial_columns_; }    ///< angle per beta
+  [[nodiscard]] std::size_t free_column() const { return nodes_ + initial_columns_ + 1U; }  ///< from the measured starts
+  [[nodiscard]] std::size_t columns() const { return nodes_ + initial_columns_ + 2U; }
+  [[nodiscard]] std::size_t samples() const { return samples_; }
+
+  /// Roll angles in radians, a row a sample. `angles` is resized when it has another size.
+  void respond(double alpha_m2, Eigen::MatrixXd& angles) const;
+
+  /// Measured roll angle.
+  [[nodiscard]] const Eigen::VectorXd& measured_rad() const { return measured_rad_; }
+
+ private:
+  static constexpr std::size_t width = 4;  // lanes that one pass carries along; two vector registers each
+
+  struct Reset {
+    std::size_t sample;
+    std::vector<double> angle;  // one for each lane
+    std::vector<double> rate;
+  };
+  void pass(std::size_t first_lane, const std::vector<double>& coefficients, Eigen::MatrixXd& angles) const;
+
+  std::size_t samples_;
+  std::size_t nodes_;
+  std::size_t initial_columns_;
+  Eigen::VectorXd measured_rad_;
+  std::vector<double> dt_s_;              // to the next sample
+  std::vector<double> damping_per_m2_s_;  // damping rate over that step, per alpha
+  std::vector<double> input_;             // roll acceleration per beta: [pass][sample][lane of the pass]
+  std::vector<Reset> resets_;
+};
+
+/// A difference of two times to the nanosecond, so that equal steps are equal numbers.
+[[nodiscard]] double step_s(double from_s, double to_s);
+
+/// Damping rate per alpha, and roll acceleration per beta and radian.
+[[nodiscard]] double damping_per_m2_s(const Airframe& airframe, double density_kg_m3, double speed_m_s);
+[[nodiscard]] double authority_per_m_s2(const Airframe& airframe, double density_kg_m3, double speed_m_s);
+
+}  // namespace fantail::identify
