@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 // What the roll model's identification must give back: Table 2, and the limits of what a window can tell.
+#include "identify/identification.hpp"
+
 #include <array>
 #include <cmath>
 
 #include <gtest/gtest.h>
 
 #include "core/flight_plan_fields.hpp"
-#include "identify/identification.hpp"
 #include "identify/node_times.hpp"
 #include "identify/sensitivities.hpp"
 #include "identify/uncertainty_of.hpp"
@@ -27,8 +28,8 @@ TEST(Oracle, Row23EveryStepOfTable2ComesBackExactlyOnTheGrid) {
   for (const TunnelStep& row : table_2) {
     const Loop loop = tunnel_loop(row);
     const Record record = flown_record(loop, 0.0, 5.0, 10);
-    const Identification found = identify::identify(
-        record, airframe(loop), {.nodes = identify::NodeTimes{0.0, 5.0}, .method = Method::grid});
+    const Identification found =
+        identify::identify(record, airframe(loop), {.nodes = identify::NodeTimes{0.0, 5.0}, .method = Method::grid});
     SCOPED_TRACE(row.step);
     EXPECT_DOUBLE_EQ(found.model.alpha_m2, row.alpha_m2);
     EXPECT_DOUBLE_EQ(found.model.beta_m, row.beta_m);
@@ -42,8 +43,7 @@ TEST(Oracle, TheContinuousMethodFindsTheStepsOfTable2WithoutAGrid) {
   for (const TunnelStep& row : table_2) {
     const Loop loop = tunnel_loop(row);
     const Record record = flown_record(loop, 0.0, 5.0, 10);
-    const Identification found =
-        identify::identify(record, airframe(loop), {.nodes = identify::NodeTimes{0.0, 5.0}});
+    const Identification found = identify::identify(record, airframe(loop), {.nodes = identify::NodeTimes{0.0, 5.0}});
     SCOPED_TRACE(row.step);
     EXPECT_NEAR(found.model.alpha_m2, row.alpha_m2, 0.01 * row.alpha_m2);
     EXPECT_NEAR(found.model.beta_m, row.beta_m, 0.01 * row.beta_m);

@@ -40,9 +40,7 @@ double AlphaFit::least_squares_rad2() const {
   return (rest() - beta_m.value_or(0.0) * canard_rest()).squaredNorm();
 }
 
-double AlphaFit::mean_abs_error_rad(double beta_m) const {
-  return (rest() - beta_m * canard_rest()).cwiseAbs().mean();
-}
+double AlphaFit::mean_abs_error_rad(double beta_m) const { return (rest() - beta_m * canard_rest()).cwiseAbs().mean(); }
 
 Model AlphaFit::model(double beta_m, const NodeTimes& node_time_s) const {
   const Eigen::VectorXd all = fit_.coefficients(measured_side) - beta_m * fit_.coefficients(canard_side);

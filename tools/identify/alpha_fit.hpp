@@ -11,15 +11,16 @@
 
 namespace fantail::identify {
 
-/// The open-loop fit at one alpha. The best nodes for a beta leave the error  rest - beta canard_rest,  where both parts are
-/// what the nodes cannot explain: so one factorisation serves every beta.
+/// The open-loop fit at one alpha. The best nodes for a beta leave the error  rest - beta canard_rest,  where both
+/// parts are what the nodes cannot explain: so one factorisation serves every beta.
 class AlphaFit {
  public:
   AlphaFit(const ResponseBasis& basis, double alpha_m2);
 
   [[nodiscard]] double alpha_m2() const { return alpha_m2_; }
 
-  /// Of least squares. Empty when the nodes explain all that the canards did (to a millionth): then any beta is as good.
+  /// Of least squares. Empty when the nodes explain all that the canards did (to a millionth): then any beta is as
+  /// good.
   [[nodiscard]] std::optional<double> best_beta_m() const;
 
   /// The sum of squared angle errors at the best beta, or at any when there is no best.

@@ -20,15 +20,15 @@ using sim::InputError;
 using sim::InputFault;
 
 void check_record(const Record& record, std::size_t nodes, Start start) {
-  const std::size_t unknowns =
-      2 + nodes + (start == Start::fitted ? 2 * record.segment_begin.size() : std::size_t{0});
+  const std::size_t unknowns = 2 + nodes + (start == Start::fitted ? 2 * record.segment_begin.size() : std::size_t{0});
   if (record.size() <= unknowns) {
     throw InputError{InputFault::bad_data, fmt::format("window {}: {} samples for {} unknowns; allowed: more samples",
                                                        record.window, record.size(), unknowns)};
   }
   if (std::ranges::none_of(record.speed_m_s, [](double speed) { return speed > 0.0; })) {
-    throw InputError{InputFault::bad_data,
-                     fmt::format("window {}: the speed is nowhere above zero, and still air turns nothing", record.window)};
+    throw InputError{
+        InputFault::bad_data,
+        fmt::format("window {}: the speed is nowhere above zero, and still air turns nothing", record.window)};
   }
 }
 
@@ -57,12 +57,11 @@ Model model_with(const Question& q, const NodeTimes& nodes, std::optional<ErrorM
   return open_loop_model(q, nodes, errors);
 }
 
-Simulation simulate(const Question& q, const Model& model) {
-  return simulate_open_loop(q.record, q.airframe, model);
-}
+Simulation simulate(const Question& q, const Model& model) { return simulate_open_loop(q.record, q.airframe, model); }
 
-// As few intervals as come within a tenth of the least error: the published rule, "until there is no significant further
-// improvement", with a number. The error need not fall evenly: it may take three intervals before any of them helps.
+// As few intervals as come within a tenth of the least error: the published rule, "until there is no significant
+// further improvement", with a number. The error need not fall evenly: it may take three intervals before any of them
+// helps.
 std::size_t worth_it(const std::vector<NodeTrial>& trials) {
   constexpr double close_enough = 1.1;
   const auto error = [](const NodeTrial& trial) { return trial.mean_abs_angle_error_rad; };

@@ -11,8 +11,9 @@ namespace fantail::identify {
 /// `intervals` + 1 nodes at an even distance over the record; one node for none.
 [[nodiscard]] NodeTimes even_nodes(const Record& record, std::size_t intervals);
 
-/// Throws sim::InputError (bad_configuration) unless the times increase and every node has a sample on one of its sides,
-/// this node's side included: another could have any value. `samples_per_node` at least, on average, else bad_data.
+/// Throws sim::InputError (bad_configuration) unless the times increase and every node has a sample on one of its
+/// sides, this node's side included: another could have any value. `samples_per_node` at least, on average, else
+/// bad_data.
 void check_nodes(const Record& record, const NodeTimes& nodes);
 
 /// Share of each node in the disturbance at a time; they add up to one.

@@ -93,9 +93,9 @@ GridResult search_open_loop_grid(const Record& record, const Airframe& airframe,
 Model fit_open_loop(const Record& record, const Airframe& airframe, const NodeTimes& nodes, Start start,
                     const Grid& grid) {
   const ResponseBasis basis{record, airframe, nodes, start};
-  const double log_alpha = least_over(
-      [&basis](double x) { return AlphaFit{basis, std::exp(x)}.least_squares_rad2(); },
-      {.low = std::log(lowest_alpha_m2), .high = std::log(highest_alpha_m2)}, /*places=*/12);
+  const double log_alpha =
+      least_over([&basis](double x) { return AlphaFit{basis, std::exp(x)}.least_squares_rad2(); },
+                 {.low = std::log(lowest_alpha_m2), .high = std::log(highest_alpha_m2)}, /*places=*/12);
   const AlphaFit fit{basis, std::exp(log_alpha)};
   Model model = fit.model(fit.best_beta_m().value_or(0.5 * (grid.beta_m.first + grid.beta_m.last)), nodes);
   add_starts(model, record);

@@ -19,14 +19,14 @@ struct GridResult {
   ErrorMap errors;
 };
 
-/// Eq 22: nodes by least squares for every alpha and beta of the grid; the winner has the least mean absolute angle error,
-/// of equal ones the first.
+/// Eq 22: nodes by least squares for every alpha and beta of the grid; the winner has the least mean absolute angle
+/// error, of equal ones the first.
 [[nodiscard]] GridResult search_open_loop_grid(const Record& record, const Airframe& airframe, const NodeTimes& nodes,
                                                Start start, const Grid& grid);
 
 /// The same model by least squares alone, without a grid: for each alpha everything else is linear, so only alpha is
-/// searched, from 0.01 to 1000 m2. Where the canards moved no more than the nodes can explain, beta is the middle of `grid`,
-/// and the uncertainty says so.
+/// searched, from 0.01 to 1000 m2. Where the canards moved no more than the nodes can explain, beta is the middle of
+/// `grid`, and the uncertainty says so.
 [[nodiscard]] Model fit_open_loop(const Record& record, const Airframe& airframe, const NodeTimes& nodes, Start start,
                                   const Grid& grid);
 

@@ -142,8 +142,8 @@ ResidualNoise estimate_noise(std::span<const double> time_s, const Eigen::Vector
                        {.low = log_s - spacing, .high = std::min(longest, log_s + spacing)}, places, 1e-3);
       const double correlation_s = best.correlation_s;
       (void)least_over([&](double share) { return try_shape({share, correlation_s}); },
-                       {.low = std::max(0.0, at.white_share - 0.3), .high = std::min(1.0, at.white_share + 0.3)}, places,
-                       1e-3);
+                       {.low = std::max(0.0, at.white_share - 0.3), .high = std::min(1.0, at.white_share + 0.3)},
+                       places, 1e-3);
     }
   }
   return {.variance_rad2 = likelihood.at(best).variance_rad2,

@@ -21,8 +21,8 @@ struct ResidualNoise {
   [[nodiscard]] double effective_samples(std::span<const double> time_s) const;
 };
 
-/// The most likely one (restricted maximum likelihood: what the fit took out of the residual is not mistaken for quiet).
-/// `explaining`: everything that was fitted, linearised, a row a sample.
+/// The most likely one (restricted maximum likelihood: what the fit took out of the residual is not mistaken for
+/// quiet). `explaining`: everything that was fitted, linearised, a row a sample.
 [[nodiscard]] ResidualNoise estimate_noise(std::span<const double> time_s, const Eigen::VectorXd& residual,
                                            const Eigen::MatrixXd& explaining);
 

@@ -77,7 +77,8 @@ ResponseBasis::ResponseBasis(const Record& record, const Airframe& airframe, con
 
   for (std::size_t s = 0; s < record.segment_begin.size(); ++s) {
     const std::size_t at = record.segment_begin[s];
-    Reset reset{.sample = at, .angle = std::vector<double>(passes * width), .rate = std::vector<double>(passes * width)};
+    Reset reset{
+        .sample = at, .angle = std::vector<double>(passes * width), .rate = std::vector<double>(passes * width)};
     if (start == Start::fitted) {
       reset.angle[nodes_ + 2 * s] = 1.0;
       reset.rate[nodes_ + 2 * s + 1] = 1.0;

@@ -14,8 +14,8 @@ namespace fantail::identify {
 
 /// For a fixed alpha the open-loop roll angle is linear in everything else:
 ///   phi = free motion + beta phi_u + sum_k (beta u_k) phi_k (+ initial states),
-/// so a few simulations for each alpha serve every beta and every disturbance. What does not depend on alpha is made once,
-/// here.
+/// so a few simulations for each alpha serve every beta and every disturbance. What does not depend on alpha is made
+/// once, here.
 class ResponseBasis {
  public:
   /// The nodes have passed check_nodes().
@@ -25,8 +25,10 @@ class ResponseBasis {
   [[nodiscard]] std::size_t nodes() const { return nodes_; }  ///< angle per beta u_k
   /// Angle per initial angle and per initial rate of each segment in turn; none with Start::measured.
   [[nodiscard]] std::size_t initial_columns() const { return initial_columns_; }
-  [[nodiscard]] std::size_t canard_column() const { return nodes_ + initial_columns_; }    ///< angle per beta
-  [[nodiscard]] std::size_t free_column() const { return nodes_ + initial_columns_ + 1U; }  ///< from the measured starts
+  [[nodiscard]] std::size_t canard_column() const { return nodes_ + initial_columns_; }  ///< angle per beta
+  [[nodiscard]] std::size_t free_column() const {
+    return nodes_ + initial_columns_ + 1U;
+  }  ///< from the measured starts
   [[nodiscard]] std::size_t columns() const { return nodes_ + initial_columns_ + 2U; }
   [[nodiscard]] std::size_t samples() const { return samples_; }
 

@@ -96,9 +96,7 @@ std::string verdict(const Uncertainty& u, double excitation_rad) {
   const std::string cause = excitation_rad < no_excitation_rad
                                 ? "no excitation"
                                 : "too little excitation for the noise and length of this window";
-  const std::string who = u.alpha_identifiable  ? "beta is"
-                          : u.beta_identifiable ? "alpha is"
-                                                : "alpha and beta are";
+  const std::string who = u.alpha_identifiable ? "beta is" : u.beta_identifiable ? "alpha is" : "alpha and beta are";
   return who + " not identifiable from this window: " + cause;
 }
 
@@ -108,7 +106,7 @@ double student_975(double degrees_of_freedom) {
   // Cornish-Fisher expansion around the normal quantile (Abramowitz and Stegun 26.7.5).
   constexpr double z = 1.959963984540054;
   const double z2 = z * z;
-  const double n = std::max(degrees_of_freedom, 3.0);
+  const double n = std::max(degrees_of_freedom, 2.0);
   const double g1 = z * (z2 + 1.0) / 4.0;
   const double g2 = z * ((5.0 * z2 + 16.0) * z2 + 3.0) / 96.0;
   const double g3 = z * (((3.0 * z2 + 19.0) * z2 + 17.0) * z2 - 15.0) / 384.0;
@@ -146,9 +144,8 @@ Uncertainty uncertainty_of(const Record& record, const Model& model, const Simul
 
   MatrixXd covariance = weight.of_angles * noise.covariance_times(record.time_s, weight.of_angles.transpose());
   if (start == Start::measured) {
-    const double rate_variance =
-        residual_of(record.roll_rate_rad_s, simulation.roll_rate_rad_s).squaredNorm() /
-        static_cast<double>(record.size());
+    const double rate_variance = residual_of(record.roll_rate_rad_s, simulation.roll_rate_rad_s).squaredNorm() /
+                                 static_cast<double>(record.size());
     covariance += rate_variance * weight.of_start_rates * weight.of_start_rates.transpose();
   }
 
@@ -156,7 +153,8 @@ Uncertainty uncertainty_of(const Record& record, const Model& model, const Simul
   result.effective_samples = noise.effective_samples(record.time_s);
   result.residual_rms_rad = std::sqrt(residual.squaredNorm() / static_cast<double>(record.size()));
   result.residual_correlation_s = (1.0 - noise.white_share) * noise.correlation_s;
-  const double quantile = student_975(result.effective_samples - static_cast<double>(fitted.cols()));
+  // Half of the samples go into finding out what the noise is like.
+  const double quantile = student_975(0.5 * (result.effective_samples - static_cast<double>(fitted.cols())));
   const VectorXd deviation = covariance.diagonal().cwiseMax(0.0).cwiseSqrt();
   const VectorXd per_deviation = deviation.cwiseMax(1e-300).cwiseInverse();
   result.correlation = per_deviation.asDiagonal() * covariance * per_deviation.asDiagonal();
