@@ -25,8 +25,10 @@ struct Reading {
 };
 
 /// Roll motion over time, from a CSV file or a Fantail flight folder, in SI and radians. Every list that is not empty
-/// is as long as time_s; what a file does not have is empty. Rows with a cell that is no number in a column that was
-/// asked for are left out and counted.
+/// is as long as time_s; what a file does not have is empty. Rows with a cell that is no number in a column that the
+/// user needs are left out and counted; such a cell of any other column becomes not-a-number. A row that repeats the
+/// one before it, time and all, is counted once: loggers write a line twice, and the second says nothing new. Roll
+/// angles that are wrapped into one turn are continued.
 struct RollLog {
   std::string name;            ///< file or folder as the person wrote it
   std::vector<double> time_s;  ///< strictly increasing
@@ -43,10 +45,11 @@ struct RollLog {
   std::optional<double> burnout_s;  ///< from summary.json of a flight folder
   std::optional<double> apogee_s;   ///< likewise
   std::size_t rows_left_out = 0;
+  std::size_t rows_repeated = 0;
   std::vector<std::string> warnings;  ///< a sentence each: angles that look like radians, rows left out, ...
 };
 
-/// The columns that a user of a log cannot do without, by their Fantail names. time_s is always needed.
+/// The columns that a user of a log cannot do without. time_s is always needed.
 struct Needs {
   bool roll_angle = true;
   bool roll_rate = true;
@@ -54,9 +57,10 @@ struct Needs {
   bool speed = false;
 };
 
-/// `path` is a CSV file or a folder that holds a flight.csv. Throws sim::InputError: no_such_input; bad_data for a
-/// missing column (naming it and listing those that are there), time that does not increase, more than 1 % of rows
-/// without a number, fewer than two rows. Messages name file and line.
+/// `path` is a CSV file or a folder that holds a flight.csv. Throws sim::InputError: no_such_input; bad_configuration
+/// for a mapped column that Fantail does not know; bad_data for a missing column (naming it and listing those that are
+/// there), time that goes back, two different rows with one time (nobody knows which of them is right), more than 1 %
+/// of rows without a number, fewer than two rows. Messages name file and line.
 [[nodiscard]] RollLog read_roll_log(const std::filesystem::path& path, const Reading& reading, const Needs& needs);
 
 }  // namespace fantail::logs

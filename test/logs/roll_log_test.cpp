@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: MIT
+#include "logs/roll_log.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "logs/refused.hpp"
+#include "sim/input_error.hpp"
+#include "system/folder.hpp"
+
+namespace fantail::logs {
+namespace {
+
+using sim::InputFault;
+using test::expect_refused;
+
+constexpr double degree = std::numbers::pi / 180.0;
+const std::string head = "time_s,roll_angle_deg,roll_rate_deg_s,canard_deg,speed_m_s\n";
+
+class RollLogFile : public testing::Test {
+ protected:
+  RollLog read(const std::string& text, const Reading& reading = {},
+               const Needs& needs = {.canard = true, .speed = true}) {
+    return read_roll_log(folder_.write("log.csv", text), reading, needs);
+  }
+  void expect_bad(const std::string& text, std::initializer_list<const char*> words, const Reading& reading = {},
+                  const Needs& needs = {.canard = true, .speed = true}) {
+    expect_refused(InputFault::bad_data, words, [&] { (void)read(text, reading, needs); });
+  }
+
+  const test::Folder folder_;
+};
+
+std::string rows(std::size_t count) {
+  std::string text;
+  for (std::size_t i = 0; i < count; ++i) {
+    text += std::to_string(i) + "e-2,1,0,5,22\n";
+  }
+  return text;
+}
+
+TEST_F(RollLogFile, IsReadInRadians) {
+  const RollLog log = read(head + "-0.5,10,180,-6,20\n0.25,20,-90,9,21.5\n");
+  EXPECT_EQ(log.time_s, (std::vector{-0.5, 0.25}));
+  EXPECT_DOUBLE_EQ(log.roll_angle_rad[1], 20.0 * degree);
+  EXPECT_DOUBLE_EQ(log.roll_rate_rad_s[0], std::numbers::pi);
+  EXPECT_DOUBLE_EQ(log.canard_rad[0], -6.0 * degree);
+  EXPECT_EQ(log.speed_m_s, (std::vector{20.0, 21.5}));
+  EXPECT_TRUE(log.height_m.empty());
+  EXPECT_TRUE(log.phase.empty());
+}
+
+TEST_F(RollLogFile, HasEveryColumnThatFantailKnows) {
+  const RollLog log = read(
+      "height_m,phase,time_s,roll_angle_deg,roll_rate_deg_s,canard_deg,speed_m_s,command_deg,reference_deg,"
+      "excitation_deg,specific_force_m_s2,other\n"
+      "7,launched,0,1,2,3,4,5,6,-7,9.5,\n8,controlling,1,1,2,3,4,5,6,-7,9.5,text\n");
+  EXPECT_EQ(log.height_m, (std::vector{7.0, 8.0}));
+  EXPECT_EQ(log.phase, (std::vector{core::Phase::launched, core::Phase::controlling}));
+  EXPECT_DOUBLE_EQ(log.command_rad[0], 5.0 * degree);
+  EXPECT_DOUBLE_EQ(log.reference_rad[0], 6.0 * degree);
+  EXPECT_DOUBLE_EQ(log.excitation_rad[0], -7.0 * degree);
+  EXPECT_EQ(log.specific_force_m_s2[1], 9.5);
+}
+
+TEST_F(RollLogFile, AColumnThatIsMissingIsNamedAndTheOthersListed) {
+  expect_bad("time_s,roll_angle,roll_rate_deg_s,canard_deg,speed_m_s\n" + rows(3),
+             {"log.csv: no column roll_angle_deg", "did you mean roll_angle?",
+              "there are: time_s, roll_angle, roll_rate_deg_s, canard_deg, speed_m_s", "--column roll_angle_deg=NAME"});
+  expect_bad("time,roll_angle_deg\n1,2\n", {"no column time_s", "did you mean time?"});
+  expect_bad("time_s,roll_angle_deg,roll_rate_deg_s,canard_deg\n1,2,3,4\n", {"no column speed_m_s", "--speed"});
+  EXPECT_NO_THROW((void)read("time_s,roll_angle_deg\n0,1\n1,2\n", {}, {.roll_rate = false}));
+}
+
+TEST_F(RollLogFile, ColumnsMayHaveOtherNames) {
+  const Reading reading{.columns = {{"roll_angle_deg", "phi"}, {"time_s", "t"}}};
+  const std::string text = "t,phi,roll_rate_deg_s,canard_deg,speed_m_s\n0,90,0,0,1\n1,0,0,0,1\n";
+  EXPECT_DOUBLE_EQ(read(text, reading).roll_angle_rad[0], std::numbers::pi / 2.0);
+  expect_bad(head + rows(3), {"no column t"}, reading);
+  expect_bad(head + rows(3), {"no column psi", "there are"}, {.columns = {{"phase", "psi"}}});
+  expect_refused(InputFault::bad_configuration,
+                 {"--column roll_angel_deg=phi", "did you mean roll_angle_deg?", "excitation_deg"},
+                 [&] { (void)read(head + rows(3), {.columns = {{"roll_angel_deg", "phi"}}}); });
+}
+
+TEST_F(RollLogFile, AnglesMayBeInRadians) {
+  const Reading reading{.angles = AngleUnit::radians};
+  EXPECT_EQ(read(head + "0,1,2,0.1,4\n1,1,2,0.2,4\n", reading).roll_angle_rad[0], 1.0);
+  const RollLog log =
+      read("time_s,roll_angle_rad,roll_rate_rad_s,canard_rad,speed_m_s\n0,1,2,0.1,4\n1,1,2,0.2,4\n", reading);
+  EXPECT_EQ(log.roll_rate_rad_s[0], 2.0);
+  EXPECT_EQ(log.canard_rad[1], 0.2);
+}
+
+TEST_F(RollLogFile, OfASimulatedFlightMayBeTheTruth) {
+  const std::string text =
+      "time_s,roll_angle_deg,true_roll_angle_deg,roll_rate_deg_s,true_roll_rate_deg_s,canard_deg,true_canard_deg,"
+      "speed_m_s,true_speed_m_s\n0,1,2,3,4,5,6,0,22\n1,1,2,3,4,5,6,0,22\n";
+  const RollLog log = read(text, {.truth = true});
+  EXPECT_DOUBLE_EQ(log.roll_angle_rad[0], 2.0 * degree);
+  EXPECT_DOUBLE_EQ(log.roll_rate_rad_s[0], 4.0 * degree);
+  EXPECT_DOUBLE_EQ(log.canard_rad[0], 6.0 * degree);
+  EXPECT_EQ(log.speed_m_s[0], 22.0);
+  expect_bad(head + rows(3), {"no column true_roll_angle_deg", "did you mean roll_angle_deg?"}, {.truth = true});
+}
+
+TEST_F(RollLogFile, TimeThatGoesBackIsRefusedWithBothLines) {
+  expect_bad(head + "0.1,1,0,0,22\n\n0.3,1,0,0,22\n0.2,1,0,0,22\n",
+             {"log.csv:5: time_s is 0.2 after 0.3 in line 4: time goes back"});
+}
+
+TEST_F(RollLogFile, ARowThatIsRepeatedCountsOnce) {
+  const RollLog log = read(head + "0,1,0,5,22\n0,1,0,5,22\n1,1,0,5,22\n1,1,0,5,22\n1,1,0,5,22\n");
+  EXPECT_EQ(log.time_s, (std::vector{0.0, 1.0}));
+  EXPECT_EQ(log.rows_repeated, 3U);
+  ASSERT_FALSE(log.warnings.empty());
+  EXPECT_NE(log.warnings[0].find("3 of 5 rows repeat"), std::string::npos) << log.warnings[0];
+}
+
+TEST_F(RollLogFile, TwoDifferentRowsWithOneTimeAreRefused) {
+  expect_bad(head + "0,1,0,5,22\n0,1,0,5.5,22\n1,1,0,5,22\n", {"log.csv:3: time_s is 0 as in line 2", "canard_deg"});
+}
+
+TEST_F(RollLogFile, AFewRowsWithoutNumbersAreLeftOutAndCounted) {
+  const RollLog log = read(head + rows(100) + "1,nan,0,5,22\n1.5,1,0,5,22\n");
+  EXPECT_EQ(log.rows_left_out, 1U);
+  EXPECT_EQ(log.time_s.size(), 101U);
+  ASSERT_EQ(log.warnings.size(), 1U);
+  EXPECT_NE(log.warnings[0].find("1 of 102 rows have no number where one is needed (first: line 102, roll_angle_deg "
+                                 "\"nan\"); they are left out"),
+            std::string::npos)
+      << log.warnings[0];
+}
+
+TEST_F(RollLogFile, MoreThanOnePercentOfSuchRowsIsRefused) {
+  EXPECT_NO_THROW((void)read(head + rows(99) + "1,1,0,,22\n"));
+  expect_bad(head + rows(98) + "1,1,0,,22\n", {"log.csv: 1 of 99 rows", "line 100, canard_deg \"\"", "1 %"});
+  expect_bad(head + "a,1,0,0,22\n", {"log.csv: 1 of 1 rows"});
+}
+
+TEST_F(RollLogFile, CellsThatNobodyNeedsMayBeEmpty) {
+  const std::string text =
+      "time_s,roll_angle_deg,roll_rate_deg_s,canard_deg,reference_deg\n0,1,2,,\n1,1,2,6,\n2,1,2,,\n";
+  const RollLog log = read(text, {}, {});
+  ASSERT_EQ(log.canard_rad.size(), 3U);
+  EXPECT_TRUE(std::isnan(log.canard_rad[0]));
+  EXPECT_DOUBLE_EQ(log.canard_rad[1], 6.0 * degree);
+  EXPECT_TRUE(log.reference_rad.empty()) << "a column without a single number is none";
+  EXPECT_EQ(log.rows_left_out, 0U);
+}
+
+TEST_F(RollLogFile, APhaseThatIsNoneIsNotUsed) {
+  const RollLog log =
+      read("time_s,phase,roll_angle_deg,roll_rate_deg_s\n0,armed,1,2\n1,boost,1,2\n2,armed,1,2\n", {}, {});
+  EXPECT_TRUE(log.phase.empty());
+  ASSERT_EQ(log.warnings.size(), 2U);
+  EXPECT_NE(log.warnings[0].find("log.csv:3: \"boost\""), std::string::npos) << log.warnings[0];
+}
+
+TEST_F(RollLogFile, AnAngleThatIsWrappedIntoOneTurnIsContinued) {
+  // 100 deg/s from 170 deg on, written between -180 and 180 and then back.
+  std::string text = "time_s,roll_angle_deg,roll_rate_deg_s\n";
+  for (int i = 0; i <= 1000; ++i) {
+    const double t = i * 0.01;
+    const double angle = i <= 500 ? 170.0 + 100.0 * t : 670.0 - 100.0 * (t - 5.0);
+    text += std::to_string(t) + "," + std::to_string(std::remainder(angle, 360.0)) + (i <= 500 ? ",100\n" : ",-100\n");
+  }
+  const RollLog log = read(text, {}, {});
+  EXPECT_NEAR(log.roll_angle_rad[500], 670.0 * degree, 1e-6);
+  EXPECT_NEAR(log.roll_angle_rad[1000], 170.0 * degree, 1e-6);
+  ASSERT_EQ(log.warnings.size(), 1U);
+  EXPECT_NE(log.warnings[0].find("whole turn 4 times"), std::string::npos) << log.warnings[0];
+}
+
+TEST_F(RollLogFile, TooFewRowsAreRefused) {
+  expect_bad(head, {"log.csv: 0 rows with numbers", "two are needed"});
+  expect_bad(head + rows(1), {"log.csv: 1 rows"});
+}
+
+TEST_F(RollLogFile, AFlightFolderKnowsWhenTheMotorBurntOut) {
+  folder_.write("flight/flight.csv", head + rows(3));
+  folder_.write("flight/summary.json", R"({"events": {"burnout_s": 3.188, "apogee_s": null}})");
+  const RollLog log = read_roll_log(folder_.path() / "flight", {}, {});
+  EXPECT_EQ(log.name, folder_ / "flight");
+  EXPECT_EQ(log.burnout_s, 3.188);
+  EXPECT_EQ(log.apogee_s, std::nullopt);
+}
+
+TEST_F(RollLogFile, AFolderMayLackASummaryButNotAFlight) {
+  folder_.write("flight/flight.csv", head + rows(3));
+  EXPECT_EQ(read_roll_log(folder_.path() / "flight", {}, {}).burnout_s, std::nullopt);
+  folder_.write("broken/flight.csv", head + rows(3));
+  folder_.write("broken/summary.json", "{\"events\": ");
+  expect_refused(InputFault::bad_data, {"summary.json: not the JSON"},
+                 [&] { (void)read_roll_log(folder_.path() / "broken", {}, {}); });
+  folder_.write("empty/other.txt", "");
+  expect_refused(InputFault::no_such_input, {"empty: this folder holds no flight.csv"},
+                 [&] { (void)read_roll_log(folder_.path() / "empty", {}, {}); });
+  expect_refused(InputFault::no_such_input, {"gone.csv: no such file"},
+                 [&] { (void)read_roll_log(folder_.path() / "gone.csv", {}, {}); });
+}
+
+}  // namespace
+}  // namespace fantail::logs

@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: MIT
+#include "identify/make_record.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "sim/input_error.hpp"
+#include "sim/shown.hpp"
+
+namespace fantail::identify {
+namespace {
+
+using logs::RollLog;
+using sim::about;
+using sim::InputError;
+using sim::InputFault;
+using Indices = std::vector<std::size_t>;
+
+constexpr std::size_t least_samples = 3;
+
+[[noreturn]] void refuse(const RollLog& log, const std::string& why) {
+  throw InputError{InputFault::bad_data, log.name + ": " + why};
+}
+
+std::string words(const Window& window) {
+  if (!window.name.empty()) {
+    return window.name;
+  }
+  return (window.from_s ? about(*window.from_s) : "") + ":" + (window.to_s ? about(*window.to_s) : "");
+}
+
+// Distance from which on two samples have a gap between them.
+double gap_s(const RollLog& log, const RecordOptions& options) {
+  std::vector<double> step_s;
+  for (std::size_t i = 1; i < log.time_s.size(); ++i) {
+    step_s.push_back(log.time_s[i] - log.time_s[i - 1]);
+  }
+  if (step_s.empty()) {
+    return options.longest_gap_s;
+  }
+  const auto middle = step_s.begin() + static_cast<std::ptrdiff_t>(step_s.size() / 2);
+  std::nth_element(step_s.begin(), middle, step_s.end());
+  return std::max(options.longest_gap_s, 5.0 * *middle);
+}
+
+Indices samples_inside(const RollLog& log, const Window& window, double longest_gap_s) {
+  const double first = log.time_s.front();
+  const double last = log.time_s.back();
+  const double from = window.from_s.value_or(first);
+  const double to = window.to_s.value_or(last);
+  if (from > to) {
+    throw InputError{InputFault::bad_configuration, fmt::format("window {}: begins at {} s, behind its end at {} s",
+                                                                words(window), about(from), about(to))};
+  }
+  if (from < first - longest_gap_s || to > last + longest_gap_s) {
+    refuse(log, fmt::format("window {}: {} s to {} s lies outside the data, which goes from {} s to {} s",
+                            words(window), about(from), about(to), about(first), about(last)));
+  }
+  Indices inside;
+  for (std::size_t i = 0; i < log.time_s.size(); ++i) {
+    if (log.time_s[i] >= from && log.time_s[i] <= to) {
+      inside.push_back(i);
+    }
+  }
+  return inside;
+}
+
+// A column at another time than that of its samples; empty outside the log and inside a gap.
+class ShiftedColumn {
+ public:
+  ShiftedColumn(const std::vector<double>& time_s, const std::vector<double>& value, double shift_s, double gap_s)
+      : time_s_{time_s}, value_{value}, shift_s_{shift_s}, gap_s_{gap_s} {}
+
+  [[nodiscard]] std::optional<double> at(std::size_t sample) const {
+    if (shift_s_ == 0.0) {
+      return value_[sample];
+    }
+    const double t = time_s_[sample] + shift_s_;
+    if (t < time_s_.front() || t > time_s_.back()) {
+      return {};
+    }
+    const auto above = std::ranges::lower_bound(time_s_, t);
+    const auto i = static_cast<std::size_t>(above - time_s_.begin());
+    if (*above == t) {
+      return value_[i];
+    }
+    const double step_s = time_s_[i] - time_s_[i - 1];
+    if (step_s > gap_s_) {
+      return {};
+    }
+    return value_[i - 1] + (value_[i] - value_[i - 1]) * ((t - time_s_[i - 1]) / step_s);
+  }
+
+ private:
+  const std::vector<double>& time_s_;
+  const std::vector<double>& value_;
+  double shift_s_;
+  double gap_s_;
+};
+
+// Where the stretches without a gap begin, and only those long enough to say something.
+struct Kept {
+  Indices samples;
+  Indices segment_begin;
+};
+
+Kept without_crumbs(const RollLog& log, const Indices& samples, double longest_gap_s) {
+  Kept kept;
+  for (std::size_t begin = 0, end = 0; begin < samples.size(); begin = end) {
+    for (end = begin + 1; end < samples.size(); ++end) {
+      if (log.time_s[samples[end]] - log.time_s[samples[end - 1]] > longest_gap_s) {
+        break;
+      }
+    }
+    if (end - begin >= least_samples) {
+      kept.segment_begin.push_back(kept.samples.size());
+      kept.samples.insert(kept.samples.end(), samples.begin() + static_cast<std::ptrdiff_t>(begin),
+                          samples.begin() + static_cast<std::ptrdiff_t>(end));
+    }
+  }
+  return kept;
+}
+
+std::vector<double> picked(const RollLog& log, const std::vector<double>& column, const Indices& samples,
+                           const char* name) {
+  if (column.empty()) {
+    refuse(log, fmt::format("no column {} with numbers in it", name));
+  }
+  std::vector<double> out;
+  for (const std::size_t i : samples) {
+    if (std::isnan(column[i])) {
+      refuse(log, fmt::format("{} has no number at {} s", name, about(log.time_s[i])));
+    }
+    out.push_back(column[i]);
+  }
+  return out;
+}
+
+// For columns that only some need: all or nothing.
+std::vector<double> picked_if_whole(const std::vector<double>& column, const Indices& samples) {
+  std::vector<double> out;
+  if (!column.empty()) {
+    std::ranges::for_each(samples, [&](std::size_t i) { out.push_back(column[i]); });
+  }
+  return std::ranges::any_of(out, [](double v) { return std::isnan(v); }) ? std::vector<double>{} : out;
+}
+
+std::vector<double> speeds(const RollLog& log, const Indices& samples, const RecordOptions& options) {
+  if (options.speed_m_s) {
+    return std::vector<double>(samples.size(), *options.speed_m_s);
+  }
+  if (log.speed_m_s.empty()) {
+    refuse(log, "no speed: there is no column speed_m_s with numbers in it; if nobody measured it: --speed");
+  }
+  std::vector<double> speed = picked(log, log.speed_m_s, samples, "speed_m_s");
+  // On board, speed is the integral of acceleration; in a tunnel there is none, and it drifts about zero.
+  constexpr double standing_m_s = 1.0;
+  if (std::ranges::max(speed) < standing_m_s) {
+    refuse(log, fmt::format("no speed: speed_m_s is never above {} m/s in this window (on board it comes from the "
+                            "acceleration, which a wind tunnel lacks); give --speed, or --truth for a simulated flight",
+                            about(std::ranges::max(speed))));
+  }
+  return speed;
+}
+
+std::vector<double> densities(const RollLog& log, const Indices& samples, const RecordOptions& options) {
+  const bool everywhere_the_same = options.atmosphere.model == sim::DensityModel::constant;
+  if (options.density_kg_m3 || everywhere_the_same) {
+    return std::vector<double>(samples.size(), options.density_kg_m3.value_or(options.atmosphere.constant_kg_m3));
+  }
+  if (log.height_m.empty()) {
+    refuse(log, "no column height_m to take the density of the air from; give it: --density 1.2");
+  }
+  std::vector<double> density = picked(log, log.height_m, samples, "height_m");
+  for (double& value : density) {
+    value = options.atmosphere.density_kg_m3(value);
+  }
+  return density;
+}
+
+}  // namespace
+
+Record make_record(const RollLog& log, const Window& window, const RecordOptions& options) {
+  const double longest_gap_s = gap_s(log, options);
+  if (log.canard_rad.empty()) {
+    refuse(log, "no column canard_deg with numbers in it");
+  }
+  const ShiftedColumn canard{log.time_s, log.canard_rad, options.lag_s, longest_gap_s};
+  Indices inside = samples_inside(log, window, longest_gap_s);
+  std::erase_if(inside, [&](std::size_t i) { return !canard.at(i); });
+  const auto [samples, segment_begin] = without_crumbs(log, inside, longest_gap_s);
+  if (samples.size() < least_samples) {
+    refuse(log, fmt::format("window {}: {} samples without a gap between them; at least {} are needed", words(window),
+                            inside.size(), least_samples));
+  }
+
+  Record record;
+  record.window = words(window);
+  record.window_begin_s = log.time_s[samples.front()];
+  record.segment_begin = segment_begin;
+  for (const std::size_t i : samples) {
+    record.time_s.push_back(log.time_s[i] - record.window_begin_s);
+    record.canard_rad.push_back(*canard.at(i));
+    record.in_control.push_back(log.phase.empty() || log.phase[i] == core::Phase::controlling);
+    if (std::isnan(record.canard_rad.back())) {
+      refuse(log, fmt::format("canard_deg has no number at {} s", about(log.time_s[i])));
+    }
+  }
+  record.roll_angle_rad = picked(log, log.roll_angle_rad, samples, "roll_angle_deg");
+  record.roll_rate_rad_s = picked(log, log.roll_rate_rad_s, samples, "roll_rate_deg_s");
+  record.speed_m_s = speeds(log, samples, options);
+  record.density_kg_m3 = densities(log, samples, options);
+  record.reference_rad = picked_if_whole(log.reference_rad, samples);
+  record.excitation_rad = picked_if_whole(log.excitation_rad, samples);
+  return record;
+}
+
+}  // namespace fantail::identify

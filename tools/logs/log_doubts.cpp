@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+#include "logs/log_doubts.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "sim/shown.hpp"
+#include "sim/units.hpp"
+
+namespace fantail::logs {
+namespace {
+
+double largest(const std::vector<double>& list) {
+  double most = 0.0;
+  for (const double value : list) {
+    most = std::max(most, std::abs(value));  // not a number: std::max keeps what it has
+  }
+  return most;
+}
+
+bool is_between(double value, double low, double high) { return low < value && value < high; }
+
+// No canard turns beyond 34 degrees, and one that controls anything turns by more than 3: those are 0.6 and 0.05 rad.
+// What moves that little in degrees hardly turns a rocket, so the rate and the steps of the reference are asked, too.
+bool looks_like_radians(const RollLog& log) {
+  return is_between(largest(log.canard_rad), 0.05, 0.6) && is_between(largest(log.roll_rate_rad_s), 0.2, 12.0) &&
+         largest(log.roll_angle_rad) > 0.05 && largest(log.reference_rad) < 3.2;
+}
+
+// Slope of the roll angle over the integral of the rate, in pieces long enough for noise to be small. Empty when the
+// two do not go together at all, or nothing moves.
+std::optional<double> angle_over_rate(const RollLog& log) {
+  constexpr double piece_s = 0.25;
+  double rate_rate = 0.0;
+  double rate_angle = 0.0;
+  double angle_angle = 0.0;
+  std::size_t begin = 0;
+  double turned = 0.0;
+  for (std::size_t i = 1; i < log.time_s.size(); ++i) {
+    const double step_s = log.time_s[i] - log.time_s[i - 1];
+    turned += 0.5 * (log.roll_rate_rad_s[i] + log.roll_rate_rad_s[i - 1]) * step_s;
+    if (step_s > piece_s) {  // a gap
+      begin = i;
+      turned = 0.0;
+    } else if (log.time_s[i] - log.time_s[begin] >= piece_s) {
+      const double angle = log.roll_angle_rad[i] - log.roll_angle_rad[begin];
+      rate_rate += turned * turned;
+      rate_angle += turned * angle;
+      angle_angle += angle * angle;
+      begin = i;
+      turned = 0.0;
+    }
+  }
+  if (!(rate_rate > 0.0 && angle_angle > 0.0) || rate_angle * rate_angle < 0.8 * rate_rate * angle_angle) {
+    return {};
+  }
+  return rate_angle / rate_rate;
+}
+
+}  // namespace
+
+void note_doubtful_units(RollLog& log, AngleUnit stated) {
+  const double canard = largest(log.canard_rad);
+  if (stated == AngleUnit::degrees && looks_like_radians(log)) {
+    log.warnings.push_back(fmt::format(
+        "angles look like radians: the largest canard angle is {}; if they are: --units rad", sim::about(canard)));
+  }
+  if (stated == AngleUnit::radians && canard > 1.6) {
+    log.warnings.push_back(fmt::format(
+        "angles look like degrees: the largest canard angle is {} rad; if they are: --units deg", sim::about(canard)));
+  }
+  std::vector<double> step_s;
+  for (std::size_t i = 1; i < log.time_s.size(); ++i) {
+    step_s.push_back(log.time_s[i] - log.time_s[i - 1]);
+  }
+  const auto middle = step_s.begin() + static_cast<std::ptrdiff_t>(step_s.size() / 2);
+  std::nth_element(step_s.begin(), middle, step_s.end());
+  if (*middle >= 1.0) {
+    log.warnings.push_back(
+        fmt::format("samples are {} s apart; time_s is in seconds, not in milliseconds", sim::about(*middle)));
+  }
+}
+
+void note_doubtful_motion(RollLog& log) {
+  if (log.roll_angle_rad.empty() || log.roll_rate_rad_s.empty()) {
+    return;
+  }
+  const auto slope = angle_over_rate(log);
+  if (!slope) {
+    return;
+  }
+  const double off = std::abs(*slope);
+  constexpr double degrees_per_radian = 1.0 / sim::radians_per_degree;
+  if (is_between(off * degrees_per_radian, 0.7, 1.4) || is_between(off / degrees_per_radian, 0.7, 1.4)) {
+    log.warnings.push_back(
+        fmt::format("the roll angle changes {} times as fast as the roll rate says: one of them seems to be in radians",
+                    sim::about(off)));
+  } else if (*slope < 0.0) {
+    log.warnings.push_back("the roll angle falls where the roll rate is positive: one of them has the wrong sign");
+  }
+}
+
+}  // namespace fantail::logs

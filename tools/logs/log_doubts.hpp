@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "logs/roll_log.hpp"
+
+namespace fantail::logs {
+
+// What is legal but most likely not meant. Each doubt becomes a warning of the log; nothing is refused or changed.
+
+/// Angles whose size speaks for the other unit, and samples so far apart that time is likely in milliseconds. For a log
+/// whose angles still stand as in the file.
+void note_doubtful_units(RollLog& log, AngleUnit stated);
+
+/// A roll rate that is not the slope of the roll angle: of opposite sign, or off by 180 / pi.
+void note_doubtful_motion(RollLog& log);
+
+}  // namespace fantail::logs
