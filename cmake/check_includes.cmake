@@ -13,15 +13,16 @@ set(table
   "hal/linux|hal/[a-z_]+\\.hpp,hal/linux/|fcntl\\.h,linux/can,net/if,poll\\.h,sys/,unistd\\.h"
   "hal/sim|hal/[a-z_]+\\.hpp,hal/sim/|"
   "sim|core/,protocol/,hal/,avionics/,sim/|Eigen/,toml\\+\\+/"
-  "tools/fantail|core/,protocol/,hal/,avionics/,sim/,report/,bench/,plot/,logs/,identify/,tunnel/,predict/,paper/,fantail/|fmt/,CLI/,nlohmann/,poll\\.h,unistd\\.h,sys/,fcntl\\.h"
+  "tools/fantail|core/,protocol/,hal/,avionics/,sim/,report/,bench/,plot/,logs/,identify/,tunnel/,predict/,paper/,fly/,fantail/|fmt/,CLI/,nlohmann/,poll\\.h,unistd\\.h,sys/,fcntl\\.h"
   "tools/bench|core/,protocol/,hal/,avionics/,sim/,report/,bench/|fmt/,nlohmann/"
+  "tools/fly|core/,protocol/,hal/,avionics/,sim/,report/,bench/,fly/|fmt/"
   "tools/report|core/,report/|fmt/,nlohmann/"
   "tools/plot|report/,plot/|fmt/"
   "tools/logs|core/,sim/,logs/|fmt/,nlohmann/"
   "tools/identify|core/,sim/,report/,plot/,logs/,identify/|Eigen/,fmt/,nlohmann/"
   "tools/tunnel|core/,sim/,report/,plot/,logs/,identify/,tunnel/|Eigen/,fmt/,nlohmann/"
-  "tools/predict|core/,protocol/,hal/,avionics/,sim/,report/,plot/,logs/,identify/,tunnel/,predict/|Eigen/,fmt/,nlohmann/"
-  "tools/paper|core/,protocol/,hal/,avionics/,sim/,report/,plot/,logs/,identify/,tunnel/,predict/,paper/|Eigen/,fmt/,nlohmann/")
+  "tools/predict|core/,protocol/,hal/,avionics/,sim/,report/,plot/,logs/,identify/,tunnel/,fly/,predict/|Eigen/,fmt/,nlohmann/"
+  "tools/paper|core/,protocol/,hal/,avionics/,sim/,report/,plot/,logs/,identify/,tunnel/,fly/,predict/,paper/|Eigen/,fmt/,nlohmann/")
 # Single files that may include more than their folder does.
 set(exceptions
   "firmware/core/motion_estimator.cpp|Eigen/"

@@ -6,10 +6,11 @@
 
 #include <fmt/format.h>
 
-#include "fantail/fly_scenario.hpp"
 #include "fantail/interrupt.hpp"
+#include "fantail/progress.hpp"
 #include "fantail/scenario_options.hpp"
 #include "fantail/verbs.hpp"
+#include "fly/fly_scenario.hpp"
 #include "report/results.hpp"
 #include "report/words.hpp"
 
@@ -53,9 +54,18 @@ void print_summary(const report::Flight& flight, const report::Results& results)
   print_figure("saturated", percent ? std::optional{100.0 * *percent} : std::nullopt, "{:.1f} % of control time");
 }
 
-void fly(const FlyOptions& options) {
+report::Flight fly_and_show(const sim::Scenario& scenario) {
+  Progress progress{"flying " + scenario.name,
+                    {.unit = "s", .rate = " x real time", .total = fly::expected_length_s(scenario)}};
+  return fly::fly_scenario(scenario, [&progress](double simulated_s) {
+    give_up_if_interrupted();
+    progress.show(simulated_s);
+  });
+}
+
+void fly_and_report(const FlyOptions& options) {
   const sim::Scenario scenario = load(options.scenario);
-  const report::Flight flight = fly_scenario(scenario);
+  const report::Flight flight = fly_and_show(scenario);
   const report::Results results = report::results(flight);
   const std::filesystem::path folder =
       options.out.empty() ? std::filesystem::path{"out"} / scenario.name : std::filesystem::path{options.out};
@@ -85,7 +95,7 @@ void add_fly(CLI::App& program) {
       "                                                      would a wider canard limit have held the first launch?\n"
       "  fantail fly my_rocket.toml --seed 7 --out /tmp/try --json\n"
       "                                                      your own scenario, for a script");
-  verb->callback([options] { fly(*options); });
+  verb->callback([options] { fly_and_report(*options); });
 }
 
 }  // namespace fantail::tool

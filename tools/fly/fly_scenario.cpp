@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: MIT
-#include "fantail/fly_scenario.hpp"
+#include "fly/fly_scenario.hpp"
 
 #include <array>
 
 #include <fmt/format.h>
 
 #include "bench/words.hpp"
-#include "fantail/interrupt.hpp"
-#include "fantail/progress.hpp"
 #include "sim/units.hpp"
 #include "sim/world.hpp"
 
-namespace fantail::tool {
+namespace fantail::fly {
 namespace {
 
 double in_seconds(core::Microseconds time) { return 1e-6 * static_cast<double>(time.count()); }
@@ -67,13 +65,6 @@ report::Flight describe(const sim::Scenario& scenario) {
   return flight;
 }
 
-std::optional<double> expected_length_s(const sim::Scenario& scenario) {
-  if (scenario.surroundings != sim::Surroundings::tunnel) {
-    return std::nullopt;
-  }
-  return scenario.pad_time_s + in_seconds(scenario.plan.run.control_time) + scenario.time_after_end_s;
-}
-
 std::string why_not_armed(const sim::World& world, bool was_armed) {
   if (was_armed) {
     return {};
@@ -90,11 +81,16 @@ std::string why_not_armed(const sim::World& world, bool was_armed) {
 
 }  // namespace
 
-report::Flight fly_scenario(const sim::Scenario& scenario) {
+std::optional<double> expected_length_s(const sim::Scenario& scenario) {
+  if (scenario.surroundings != sim::Surroundings::tunnel) {
+    return std::nullopt;
+  }
+  return scenario.pad_time_s + in_seconds(scenario.plan.run.control_time) + scenario.time_after_end_s;
+}
+
+report::Flight fly_scenario(const sim::Scenario& scenario, const Look& look) {
   constexpr std::int64_t ticks_between_looks = 1024;
   report::Flight flight = describe(scenario);
-  Progress progress{"flying " + scenario.name,
-                    {.unit = "s", .rate = " x real time", .total = expected_length_s(scenario)}};
   sim::World world{scenario};
   bool was_armed = false;
   for (std::int64_t ticks = 0; !world.over(); ++ticks) {
@@ -102,9 +98,8 @@ report::Flight fly_scenario(const sim::Scenario& scenario) {
     was_armed = was_armed || record.phase != core::Phase::safe;
     report::add_tick(flight, record, in_seconds(world.now()), to_report(world.truth()));
     world.advance();
-    if (ticks % ticks_between_looks == 0) {
-      give_up_if_interrupted();
-      progress.show(in_seconds(world.now()));
+    if (look && ticks % ticks_between_looks == 0) {
+      look(in_seconds(world.now()));
     }
   }
   const sim::World::Events& events = world.events();
@@ -129,4 +124,4 @@ report::Flight fly_scenario(const sim::Scenario& scenario) {
   return flight;
 }
 
-}  // namespace fantail::tool
+}  // namespace fantail::fly

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+#include <optional>
+
+#include "report/flight.hpp"
+#include "sim/scenario.hpp"
+
+namespace fantail::fly {
+
+/// Called about once a simulated second, with the seconds since power-up. What it throws ends the flight.
+using Look = std::function<void(double simulated_s)>;
+
+/// Flies a scenario to its end and keeps every tick. Safe to call from several threads.
+[[nodiscard]] report::Flight fly_scenario(const sim::Scenario& scenario, const Look& look = {});
+
+/// Seconds from power-up to the end, where they are known beforehand: in the tunnel.
+[[nodiscard]] std::optional<double> expected_length_s(const sim::Scenario& scenario);
+
+}  // namespace fantail::fly
