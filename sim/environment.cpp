@@ -8,6 +8,8 @@ namespace fantail::sim {
 Environment::Environment(const Scenario& scenario, Random turbulence)
     : turbulence_{turbulence}, time_s_{-scenario.pad_time_s} {
   if (scenario.surroundings == Surroundings::tunnel) {
+    fan_to_come_ = scenario.fan_programme;
+    fan_rpm_ = scenario.tunnel.fan_rpm;
     tunnel_.emplace(scenario.tunnel, turbulence_.gaussian());
   } else {
     ascent_.emplace(AscentParameters{.mass_kg = scenario.vehicle.mass_kg,
@@ -22,9 +24,19 @@ void Environment::advance_to(double time_s) {
   if (ascent_) {
     ascent_->advance_to(time_s);
   } else if (time_s > time_s_) {
+    follow_fan_programme();
     tunnel_->step(time_s - time_s_, turbulence_.gaussian());
   }
   time_s_ = time_s;
+}
+
+void Environment::follow_fan_programme() {
+  constexpr double clock_tolerance_s = 1e-7;  // ticks are whole microseconds, seconds are not exact
+  while (!fan_to_come_.empty() && fan_to_come_.front().time_s <= time_s_ + clock_tolerance_s) {
+    fan_rpm_ = fan_to_come_.front().fan_rpm;
+    tunnel_->set_fan_rpm(fan_rpm_);
+    fan_to_come_ = fan_to_come_.subspan(1);
+  }
 }
 
 Vector3 Environment::specific_force_m_s2(double roll_angle_rad) const {

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <functional>
 
 #include "sim/input_error.hpp"
 #include "sim/plan_file.hpp"
@@ -29,6 +31,33 @@ void read_environment(const Document& document, Scenario& scenario) {
   section.finish();
 }
 
+// Two lists of one length, the times increasing.
+struct TimedValues {
+  std::vector<double> times_s;
+  std::vector<double> values;
+};
+
+TimedValues read_timed_values(Section& section, std::string_view times_key, std::string_view values_key,
+                              Limits time_limits, Limits value_limits) {
+  const TimedValues read{section.numbers(times_key, time_limits, 1000),
+                         section.numbers(values_key, value_limits, 1000)};
+  if (read.times_s.size() != read.values.size()) {
+    section.refuse(times_key, "has " + std::to_string(read.times_s.size()) + " values and " + std::string{values_key} +
+                                  " has " + std::to_string(read.values.size()) + "; allowed: as many of each");
+  }
+  if (std::ranges::adjacent_find(read.times_s, std::greater_equal{}) != read.times_s.end()) {
+    section.refuse(times_key, "must increase");
+  }
+  return read;
+}
+
+void read_fan_programme(Section& section, Scenario& scenario) {
+  const TimedValues read = read_timed_values(section, "fan_times_s", "fan_rpms", {0, 3600}, {0, 3000});
+  for (std::size_t i = 0; i < read.times_s.size(); ++i) {
+    scenario.fan_programme.push_back({read.times_s[i], read.values[i]});
+  }
+}
+
 void read_tunnel(const Document& document, Scenario& scenario) {
   Section section{document, "tunnel"};
   WindTunnelParameters& p = scenario.tunnel;
@@ -39,22 +68,18 @@ void read_tunnel(const Document& document, Scenario& scenario) {
   p.fan_lag_s = section.number("fan_lag_s", {0.1, 600}, p.fan_lag_s);
   p.swirl_rad = radians_per_degree * section.number("swirl_deg", {-20, 20}, p.swirl_rad / radians_per_degree);
   p.density_kg_m3 = section.number("density_kg_m3", {0.01, 5}, p.density_kg_m3);
+  read_fan_programme(section, scenario);
+  WindSensor& sensor = scenario.wind_sensor;
+  sensor.period_s = section.number("wind_sensor_period_s", {0.001, 600}, sensor.period_s);
+  sensor.resolution_m_s = section.number("wind_sensor_resolution_m_s", {0, 5}, sensor.resolution_m_s);
   section.finish();
 }
 
 void read_disturbance(const Document& document, Scenario& scenario) {
   Section section{document, "disturbance"};
-  const std::vector<double> times = section.numbers("times_s", {0, 600}, 1000);
-  const std::vector<double> angles = section.numbers("angles_deg", {-45, 45}, 1000);
-  if (times.size() != angles.size()) {
-    section.refuse("times_s", "has " + std::to_string(times.size()) + " values and angles_deg has " +
-                                  std::to_string(angles.size()) + "; allowed: as many of each");
-  }
-  for (std::size_t i = 0; i < times.size(); ++i) {
-    if (i > 0 && times[i] <= times[i - 1]) {
-      section.refuse("times_s", "must increase");
-    }
-    scenario.disturbance.push_back({times[i], radians_per_degree * angles[i]});
+  const TimedValues read = read_timed_values(section, "times_s", "angles_deg", {0, 600}, {-45, 45});
+  for (std::size_t i = 0; i < read.times_s.size(); ++i) {
+    scenario.disturbance.push_back({read.times_s[i], radians_per_degree * read.values[i]});
   }
   section.finish();
 }
@@ -74,7 +99,11 @@ void read_timing(const Document& document, Scenario& scenario) {
   Section section{document, "timing"};
   scenario.pad_time_s = section.number("pad_time_s", {1, 600}, scenario.pad_time_s);
   scenario.arm_time_s = section.number("arm_time_s", {0.1, 600}, scenario.arm_time_s);
-  scenario.time_after_end_s = section.number("time_after_end_s", {0, 60}, scenario.time_after_end_s);
+  scenario.time_after_end_s = section.number("time_after_end_s", {0, 3600}, scenario.time_after_end_s);
+  scenario.log_period_s = section.number("log_period_s", {0.001, 1}, scenario.log_period_s);
+  if (std::abs(scenario.log_period_s * 1e3 - std::round(scenario.log_period_s * 1e3)) > 1e-9) {
+    section.refuse("log_period_s", "= " + shown(scenario.log_period_s) + " is not a whole number of milliseconds");
+  }
   if (scenario.arm_time_s >= scenario.pad_time_s) {
     const std::string arm = shown(scenario.arm_time_s);
     const std::string pad = shown(scenario.pad_time_s);

@@ -13,6 +13,7 @@
 #include "sim/document.hpp"
 #include "sim/fault.hpp"
 #include "sim/vehicle.hpp"
+#include "sim/wind_sensor.hpp"
 #include "sim/wind_tunnel.hpp"
 
 namespace fantail::sim {
@@ -24,6 +25,12 @@ struct ImposedRoll {
   double time_s;  ///< after lift-off
   double angle_rad;
   double rate_rad_s;
+};
+
+/// The tunnel's fan from a time on.
+struct FanSetPoint {
+  double time_s;  ///< after the start command
+  double fan_rpm;
 };
 
 /// One run: who flies, by which plan, in which world.
@@ -41,7 +48,10 @@ struct Scenario {
   double pad_time_s = 10.0;       ///< from power-up to ignition, or to the start command
   double arm_time_s = 1.0;        ///< after power-up
   double time_after_end_s = 1.0;  ///< goes on this long after apogee, or after control has ended in the tunnel
+  double log_period_s = 0.001;    ///< between the rows that are kept of a run; whole milliseconds
   WindTunnelParameters tunnel{};
+  std::vector<FanSetPoint> fan_programme;  ///< after tunnel.fan_rpm, which holds until the first of them
+  WindSensor wind_sensor{};
   std::vector<DisturbanceNode> disturbance;  ///< times after lift-off, or after control start in the tunnel
   std::optional<ImposedRoll> imposed_roll;
   std::vector<Fault> faults;

@@ -70,6 +70,7 @@ World::World(const Scenario& scenario, const BoardPorts& ports, std::unique_ptr<
       ignition_{nearest_tick(scenario.pad_time_s)},
       waits_for_ignition_{pad == nullptr},
       time_after_end_{nearest_tick(scenario.time_after_end_s)},
+      wind_sensor_period_{nearest_tick(scenario.wind_sensor.period_s)},
       environment_{scenario, Random{scenario.seed, turbulence}},
       disturbance_{scenario.disturbance},
       disturbance_rad_{disturbance_now_rad()},
@@ -139,6 +140,14 @@ Truth World::truth() const {
           .height_m = environment_.height_m(),
           .speed_m_s = environment_.speed_m_s(),
           .disturbance_rad = disturbance_rad_};
+}
+
+std::optional<WindReading> World::wind_reading() const {
+  if (scenario_.surroundings != Surroundings::tunnel || now_ % wind_sensor_period_ != Microseconds{0}) {
+    return std::nullopt;
+  }
+  return WindReading{.fan_rpm = environment_.fan_rpm(),
+                     .wind_speed_m_s = scenario_.wind_sensor.shown_m_s(environment_.speed_m_s())};
 }
 
 double World::disturbance_now_rad() const {

@@ -51,6 +51,9 @@ class World {
   /// The truth that belongs to the last tick.
   [[nodiscard]] Truth truth() const;
 
+  /// What the tunnel's own instruments read at the last tick; empty in flight and between two readings.
+  [[nodiscard]] std::optional<WindReading> wind_reading() const;
+
   /// What the devices showed the avionics in the last tick, and what it wrote to the servos.
   [[nodiscard]] const hal::sim::WorldSide& hardware() const { return board_.hardware; }
 
@@ -98,6 +101,7 @@ class World {
   core::Microseconds ignition_;  ///< in the tunnel: the start command
   bool waits_for_ignition_;
   core::Microseconds time_after_end_;
+  core::Microseconds wind_sensor_period_;
   core::Microseconds imposed_roll_after_liftoff_{};
   std::optional<core::Microseconds> end_;
   Events events_;

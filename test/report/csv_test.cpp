@@ -113,5 +113,13 @@ TEST(Csv, ANegativeZeroIsAZero) {
   EXPECT_NE(second_line(flight).find("controlling,0.000000,0.000000,"), std::string::npos);
 }
 
+TEST(TunnelCsv, HasOneRowForEachReadingOnTheRowsClock) {
+  Flight flight;
+  flight.tunnel_readings = {{8.0, 570.0, 10.1}, {10.0, 870.0, 10.0}};
+  set_time_zero(flight, 10.0);
+  EXPECT_EQ(tunnel_csv(flight),
+            "time_s,fan_rpm,wind_speed_m_s\n-2.000000,570.000000,10.100000\n0.000000,870.000000,10.000000\n");
+}
+
 }  // namespace
 }  // namespace fantail::report

@@ -84,13 +84,23 @@ TEST(ShippedPlans, TunnelRunsStepBy45DegreesEveryTenSecondsEightTimes) {
   EXPECT_EQ(plan.excitation.form, core::ExcitationForm::none);
 }
 
-TEST(ShippedPlans, AreThreeAndNoFileIsForgottenHere) {
+TEST(ShippedPlans, AFreelyRollingTunnelRunHasNoGains) {
+  const core::FlightPlan plan = shipped("tunnel_free");
+  EXPECT_EQ(plan.run.start, core::Start::tunnel);
+  EXPECT_EQ(plan.run.control_time, Microseconds{600'000'000});
+  EXPECT_EQ(plan.controller.proportional_gain, 0.0F);
+  EXPECT_EQ(plan.controller.derivative_gain_s, 0.0F);
+  EXPECT_EQ(plan.reference.kind, core::ReferenceKind::hold);
+  EXPECT_EQ(plan.excitation.form, core::ExcitationForm::none);
+}
+
+TEST(ShippedPlans, AreFourAndNoFileIsForgottenHere) {
   std::size_t count = 0;
   for (const auto& entry : std::filesystem::directory_iterator{SHIPPED_PLANS}) {
     EXPECT_NO_THROW((void)read_plan(Document::load(entry.path()))) << entry.path();
     count += 1;
   }
-  EXPECT_EQ(count, 3U);
+  EXPECT_EQ(count, 4U);
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 namespace fantail::test {
 namespace {
 
-const std::string names_of_scenarios = "tasha3_launch1 tasha3_launch2 tunnel_steps";
+const std::string names_of_scenarios = "tasha3_launch1 tasha3_launch2 tunnel_free tunnel_steps";
 const std::string head = "vehicle = \"tasha3_launch2\"\nplan = \"tasha3_launch2\"\n";
 
 std::string shipped(const std::string& file) { return content(std::string{FANTAIL_TEST_SOURCE} + "/sim/" + file); }

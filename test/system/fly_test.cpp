@@ -135,6 +135,41 @@ TEST(Fly, PrintsOneJsonObjectAndNothingElse) {
   EXPECT_TRUE(printed["log_sha256"].is_null());
 }
 
+TEST(Fly, ATunnelRunLeavesTheTunnelsOwnLogBesideItAndAFlightDoesNot) {
+  const Folder folder;
+  EXPECT_EQ(fantail({"fly", "tunnel_steps", "--set", "run.control_time_s=3", "--out", folder / "out"}).exit_code, 0);
+  const std::string log = content(folder / "out/tunnel.csv");
+  EXPECT_EQ(log.substr(0, log.find('\n')), "time_s,fan_rpm,wind_speed_m_s");
+  EXPECT_NE(log.find("\n0.000000,1250.000000,22."), std::string::npos) << log;
+  EXPECT_EQ(std::ranges::count(log, '\n'), 8)
+      << log;  // the header, ten seconds before control and three of it, one after
+}
+
+TEST(Fly, AScenarioMaySayHowManyRowsAreKept) {
+  const Folder folder;
+  const std::vector<std::string> short_run{"fly", "tunnel_swirl_with", "--set", "run.control_time_s=3", "--out"};
+  const auto flown = [&](const char* name, const char* change) {
+    std::vector<std::string> arguments = short_run;
+    arguments.insert(arguments.end(), {folder / name, "--set", change});
+    const Outcome outcome = fantail(arguments);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    return outcome.out;
+  };
+  const std::string said = flown("thin", "timing.log_period_s=0.02");
+  EXPECT_NE(said.find("a row every 0.02 s instead of every millisecond"), std::string::npos) << said;
+  EXPECT_EQ(flown("full", "timing.log_period_s=0.001").find("instead of"), std::string::npos);
+  const std::string thin = content(folder / "thin/flight.csv");
+  const std::string full = content(folder / "full/flight.csv");
+  EXPECT_EQ(std::ranges::count(full, '\n') / std::ranges::count(thin, '\n'), 19);  // 20 but for the header
+  // What is kept is as it was.
+  for (std::size_t begin = 0; begin < thin.size();) {
+    const std::size_t end = thin.find('\n', begin) + 1;
+    ASSERT_NE(full.find(thin.substr(begin, end - begin)), std::string::npos);
+    begin = end;
+  }
+  EXPECT_EQ(content(folder / "thin/tunnel.csv"), content(folder / "full/tunnel.csv"));
+}
+
 TEST(Fly, WritesTheColumnsThatScriptsRelyOn) {
   const Folder folder;
   EXPECT_EQ(fantail({"fly", "--out", folder / "out"}).exit_code, 0);

@@ -23,9 +23,10 @@ std::string objection_to_seed(const std::string& text) {
 }  // namespace
 
 void add_scenario_options(CLI::App& verb, ScenarioOptions& options) {
-  auto* scenario = verb.add_option("SCENARIO", options.scenario,
-                                   "A shipped name (tasha3_launch1, tasha3_launch2, tunnel_steps, bench_...) or a path "
-                                   "to a scenario file");
+  auto* scenario =
+      verb.add_option("SCENARIO", options.scenario,
+                      "A shipped name (tasha3_launch1, tasha3_launch2, tunnel_steps, tunnel_..., bench_...) or a path "
+                      "to a scenario file");
   if (options.scenario.empty()) {
     scenario->required();
   } else {

@@ -85,7 +85,8 @@ void add_fly(CLI::App& program) {
   auto* verb = program.add_subcommand("fly", "Fly a scenario through the real control code in the simulated world");
   auto options = std::make_shared<FlyOptions>();
   add_scenario_options(*verb, options->scenario);
-  verb->add_option("--out", options->out, "Folder for flight.csv, summary.json and report.html [out/SCENARIO]")
+  verb->add_option("--out", options->out,
+                   "Folder for flight.csv, summary.json, report.html and, of a tunnel run, tunnel.csv [out/SCENARIO]")
       ->check(objection_to_folder);
   verb->add_flag("--json", options->json, "Print summary.json instead of the text");
   verb->footer(

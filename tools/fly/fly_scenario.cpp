@@ -2,6 +2,7 @@
 #include "fly/fly_scenario.hpp"
 
 #include <array>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -62,6 +63,10 @@ report::Flight describe(const sim::Scenario& scenario) {
   for (const sim::Fault& fault : scenario.faults) {
     flight.notes.push_back(describe(fault, scenario));
   }
+  if (scenario.log_period_s > 0.001) {
+    flight.notes.push_back(
+        fmt::format("flight.csv has a row every {:g} s instead of every millisecond.", scenario.log_period_s));
+  }
   return flight;
 }
 
@@ -90,13 +95,22 @@ std::optional<double> expected_length_s(const sim::Scenario& scenario) {
 
 report::Flight fly_scenario(const sim::Scenario& scenario, const Look& look) {
   constexpr std::int64_t ticks_between_looks = 1024;
+  const std::int64_t ticks_per_row = std::llround(scenario.log_period_s * 1e3);
   report::Flight flight = describe(scenario);
   sim::World world{scenario};
   bool was_armed = false;
   for (std::int64_t ticks = 0; !world.over(); ++ticks) {
     const core::TickRecord& record = world.tick();
     was_armed = was_armed || record.phase != core::Phase::safe;
-    report::add_tick(flight, record, in_seconds(world.now()), to_report(world.truth()));
+    const double time_s = in_seconds(world.now());
+    if (ticks % ticks_per_row == 0) {
+      report::add_tick(flight, record, time_s, to_report(world.truth()));
+    } else {
+      report::note_tick(flight, record, time_s);
+    }
+    if (const auto reading = world.wind_reading()) {
+      flight.tunnel_readings.push_back({time_s, reading->fan_rpm, reading->wind_speed_m_s});
+    }
     world.advance();
     if (look && ticks % ticks_between_looks == 0) {
       look(in_seconds(world.now()));

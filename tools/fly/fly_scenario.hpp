@@ -12,7 +12,7 @@ namespace fantail::fly {
 /// Called about once a simulated second, with the seconds since power-up. What it throws ends the flight.
 using Look = std::function<void(double simulated_s)>;
 
-/// Flies a scenario to its end and keeps every tick. Safe to call from several threads.
+/// Flies a scenario to its end and keeps every tick, or as many as it says. Safe to call from several threads.
 [[nodiscard]] report::Flight fly_scenario(const sim::Scenario& scenario, const Look& look = {});
 
 /// Seconds from power-up to the end, where they are known beforehand: in the tunnel.

@@ -96,4 +96,17 @@ std::string csv(const Flight& flight) {
   return fmt::to_string(out);
 }
 
+std::string tunnel_csv(const Flight& flight) {
+  fmt::memory_buffer out;
+  fmt::format_to(std::back_inserter(out), "time_s,fan_rpm,wind_speed_m_s\n");
+  for (const TunnelReading& reading : flight.tunnel_readings) {
+    Line line{out};
+    line.number(reading.time_s);
+    line.cell(reading.fan_rpm);
+    line.cell(reading.wind_speed_m_s);
+    line.end();
+  }
+  return fmt::to_string(out);
+}
+
 }  // namespace fantail::report

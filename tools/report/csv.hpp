@@ -7,8 +7,11 @@
 
 namespace fantail::report {
 
-/// flight.csv: a header, then one row per tick with six decimals. What is unknown is an empty cell. The true_ columns
-/// exist when any row has truth.
+/// flight.csv: a header, then one row per tick that was kept, with six decimals. What is unknown is an empty cell. The
+/// true_ columns exist when any row has truth.
 [[nodiscard]] std::string csv(const Flight& flight);
+
+/// tunnel.csv: time_s, fan_rpm, wind_speed_m_s; one row per reading of the wind sensor.
+[[nodiscard]] std::string tunnel_csv(const Flight& flight);
 
 }  // namespace fantail::report

@@ -65,9 +65,13 @@ Row row(const core::TickRecord& record, double time_s) {
   return r;
 }
 
-void add_tick(Flight& flight, const core::TickRecord& record, double time_s, const std::optional<Truth>& truth) {
+void note_tick(Flight& flight, const core::TickRecord& record, double time_s) {
   note_phase(flight, record, time_s);
   note_canards(flight, record, time_s);
+}
+
+void add_tick(Flight& flight, const core::TickRecord& record, double time_s, const std::optional<Truth>& truth) {
+  note_tick(flight, record, time_s);
   flight.rows.push_back(row(record, time_s));
   flight.rows.back().truth = truth;
 }
@@ -87,6 +91,7 @@ void set_time_zero(Flight& flight, double zero_s) {
   std::ranges::for_each(flight.phase_changes, [&](auto& change) { move(change.time_s); });
   std::ranges::for_each(flight.canard_verdict_changes, [&](auto& change) { move(change.time_s); });
   std::ranges::for_each(flight.rows, [&](auto& r) { move(r.time_s); });
+  std::ranges::for_each(flight.tunnel_readings, [&](auto& reading) { move(reading.time_s); });
 }
 
 double canard_limit_rad(const core::FlightPlan& plan) {

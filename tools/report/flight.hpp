@@ -42,6 +42,13 @@ struct Row {
   std::optional<Truth> truth{};
 };
 
+/// What the instruments of a wind tunnel read.
+struct TunnelReading {
+  double time_s = 0.0;  ///< on the rows' clock
+  double fan_rpm = 0.0;
+  double wind_speed_m_s = 0.0;
+};
+
 /// Times on the rows' clock. Empty: it did not happen, or nobody could see it.
 struct Events {
   std::optional<double> liftoff_s{};
@@ -87,13 +94,17 @@ struct Flight {
   std::vector<PhaseChange> phase_changes;
   std::vector<CanardVerdictChange> canard_verdict_changes;
   std::vector<Row> rows;
+  std::vector<TunnelReading> tunnel_readings;  ///< empty in flight
 };
 
 /// A tick as a row, without truth. An encoder angle that is not finite counts as missing.
 [[nodiscard]] Row row(const core::TickRecord& record, double time_s);
 
-/// Appends a tick, and with it what can be seen from records alone: phase changes, canard verdicts, and the events
-/// detected, control start and control end. The other events and everything else are the caller's to fill in.
+/// Notes what can be seen from records alone: phase changes, canard verdicts, and the events detected, control start
+/// and control end. The other events and everything else are the caller's to fill in.
+void note_tick(Flight& flight, const core::TickRecord& record, double time_s);
+
+/// Notes a tick and appends its row.
 void add_tick(Flight& flight, const core::TickRecord& record, double time_s, const std::optional<Truth>& truth);
 
 /// Moves the clock so that `zero_s` becomes 0, to the microsecond: lift-off is known only after the pad rows.

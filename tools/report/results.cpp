@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "report/results.hpp"
 
-#include <array>
+#include <vector>
 
 #include "report/csv.hpp"
 #include "report/html.hpp"
@@ -19,9 +19,12 @@ Results results(const Flight& flight) {
 }
 
 void write_results(const Flight& flight, const Results& results, const std::filesystem::path& folder) {
-  const std::array<NamedFile, 3> files{{{"flight.csv", csv(flight)},
-                                        {"summary.json", results.summary},
-                                        {"report.html", html(flight, results.figures, results.verdict)}}};
+  std::vector<NamedFile> files{{"flight.csv", csv(flight)},
+                               {"summary.json", results.summary},
+                               {"report.html", html(flight, results.figures, results.verdict)}};
+  if (!flight.tunnel_readings.empty()) {
+    files.push_back({"tunnel.csv", tunnel_csv(flight)});
+  }
   OutputFolder{folder}.write(files);
 }
 

@@ -18,7 +18,8 @@ struct Results {
 
 [[nodiscard]] Results results(const Flight& flight);
 
-/// Writes flight.csv, summary.json and report.html into a folder, all or none; see OutputFolder. Throws OutputError.
+/// Writes flight.csv, summary.json, report.html and, of a run in a tunnel, tunnel.csv into a folder, all or none; see
+/// OutputFolder. Throws OutputError.
 void write_results(const Flight& flight, const Results& results, const std::filesystem::path& folder);
 
 }  // namespace fantail::report

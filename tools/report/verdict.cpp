@@ -60,7 +60,11 @@ std::string at_limit(const Figures& f) {
 }
 
 std::string why_not_judged(const Flight& flight, const Figures& f) {
-  if (!f.largest_disturbance_rad || flight.plan.controller.proportional_gain == 0.0F) {
+  const core::ControllerPlan& controller = flight.plan.controller;
+  if (controller.proportional_gain == 0.0F && controller.derivative_gain_s == 0.0F) {
+    return "the plan's gains are zero, so that it rolls freely";
+  }
+  if (!f.largest_disturbance_rad || controller.proportional_gain == 0.0F) {
     return "the fin offset, and with it where roll should settle, is unknown";
   }
   return *f.control_time_s < 2.0 ? fmt::format("control lasted only {} s", fixed(*f.control_time_s, 2))
