@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "plot/axis.hpp"
+
 namespace fantail::plot {
 
 enum class Mark : std::uint8_t { line, step, points, line_and_points };
@@ -42,21 +44,18 @@ struct Level {
   double value = 0.0;
   std::string label{};
   bool upright = false;  ///< at an x, not at a y
-};
-
-struct Range {
-  double low;
-  double high;
+  Role role = Role::neutral;
 };
 
 /// One plot as an SVG that takes its colours from plot.css (light and dark), with axes, units and a legend when it has
-/// more than one name. Long series are thinned without losing a peak.
+/// more than one name. Long series are thinned without losing a peak. What cannot be drawn (empty, not a number) is
+/// said in the drawing.
 struct Chart {
   std::string label{};    ///< what it shows, for those who do not see it
   std::string x_label{};  ///< "time / s"
   std::string y_label{};
-  double width = 720.0;  ///< in the drawing's own units; text is 12 of them high
-  double height = 260.0;
+  double width = 880.0;   ///< in the drawing's own units; text is 12 of them high. 880 fills a page, 428 half of it
+  double height = 280.0;  ///< more when legend and labels need it
   std::vector<Series> series{};
   std::vector<Area> areas{};
   std::vector<Stripe> stripes{};
@@ -67,5 +66,8 @@ struct Chart {
 };
 
 [[nodiscard]] std::string svg(const Chart& chart);
+
+/// The same drawing, or a heat map's, as a file of its own: with its style inside.
+[[nodiscard]] std::string standalone(std::string svg);
 
 }  // namespace fantail::plot

@@ -21,9 +21,9 @@ struct HeatMap {
   std::vector<double> y{};      ///< likewise
   std::vector<double> value{};  ///< value[j * x.size() + i] belongs to x[i], y[j]
   std::vector<Spot> spots{};    ///< the winner, the print's, ...
-  bool logarithmic = true;      ///< of the colour, so that a narrow valley shows; values above 0
-  double width = 720.0;
-  double height = 320.0;
+  bool logarithmic = true;      ///< of the colour, over at most three decades, so that a narrow valley shows
+  double width = 880.0;
+  double height = 380.0;
 };
 
 [[nodiscard]] std::string svg(const HeatMap& map);
