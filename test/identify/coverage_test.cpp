@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What is stated must be so: of a thousand noisy records of one truth, the truth lies inside the stated interval in 95 %,
-// give or take; less than 93 % would be a claim of more than is known.
+// What is stated must be so: of a thousand noisy records of one truth, the truth lies inside the stated interval in 95
+// %, give or take; less than 93 % would be a claim of more than is known.
 #include <algorithm>
 #include <cstdint>
 #include <string>
@@ -37,17 +37,17 @@ TEST_P(Coverage, PlantedNumbersLieInsideTheStatedIntervals) {
   for (int i = 0; i < records; ++i) {
     Record record = clean;
     add_noise(record, GetParam().noise, first_seed + static_cast<std::uint64_t>(i));
-    const Identification found = identify(
-        record, tasha, {.nodes = planting.node_time_s, .start = GetParam().start, .with_error_map = false});
+    const Identification found =
+        identify(record, tasha, {.nodes = planting.node_time_s, .start = GetParam().start, .with_error_map = false});
     const Uncertainty& known = *found.uncertainty;
     for (std::size_t k = 0; k < truth.size(); ++k) {
       inside[k] += *known.interval[k].low <= truth[k] && truth[k] <= *known.interval[k].high ? 1 : 0;
     }
     const Interval& profile = known.alpha_profile_m2;
-    inside_profile += profile.low.value_or(0.0) <= planting.alpha_m2 &&
-                              planting.alpha_m2 <= profile.high.value_or(highest_alpha_m2)
-                          ? 1
-                          : 0;
+    inside_profile +=
+        profile.low.value_or(0.0) <= planting.alpha_m2 && planting.alpha_m2 <= profile.high.value_or(highest_alpha_m2)
+            ? 1
+            : 0;
   }
   SCOPED_TRACE("seeds from " + std::to_string(first_seed));
   for (std::size_t k = 0; k < truth.size(); ++k) {

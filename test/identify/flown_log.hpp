@@ -7,8 +7,8 @@
 
 namespace fantail::test {
 
-/// A log from -1 s to 10 s at 100 Hz: launched at 0, control from 1 s to 9 s, the reference steps at 3 s and at 5 s, thrust
-/// until 4 s. Each column is a straight line over time, so that what lies between two samples is known.
+/// A log from -1 s to 10 s at 100 Hz: launched at 0, control from 1 s to 9 s, the reference steps at 3 s and at 5 s,
+/// thrust until 4 s. Each column is a straight line over time, so that what lies between two samples is known.
 inline logs::RollLog flown_log() {
   logs::RollLog log;
   log.name = "flown.csv";

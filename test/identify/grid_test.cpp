@@ -46,9 +46,7 @@ TEST(OpenLoopGrid, TheDefaultIsThePublishedOneWithTheValueItsPrintLeftOut) {
   EXPECT_EQ(beta.back(), 15.0);
 }
 
-TEST(OpenLoopGrid, AnAxisOfOneValueIsAllowed) {
-  EXPECT_EQ((Axis{7.0, 7.0, 1.0}.values()), std::vector<double>{7.0});
-}
+TEST(OpenLoopGrid, AnAxisOfOneValueIsAllowed) { EXPECT_EQ((Axis{7.0, 7.0, 1.0}.values()), std::vector<double>{7.0}); }
 
 TEST(OpenLoopGrid, ItsErrorsAreThoseOfTheModelItReturns) {
   Record record = planted_record({});

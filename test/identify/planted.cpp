@@ -74,9 +74,8 @@ void add_noise(Record& record, const Noise& noise, std::uint64_t seed) {
   double wander = deviation * gauss(generator);
   for (std::size_t i = 0; i < record.size(); ++i) {
     if (i > 0) {
-      const double kept = noise.correlation_s > 0.0
-                              ? std::exp(-(record.time_s[i] - record.time_s[i - 1]) / noise.correlation_s)
-                              : 0.0;
+      const double kept =
+          noise.correlation_s > 0.0 ? std::exp(-(record.time_s[i] - record.time_s[i - 1]) / noise.correlation_s) : 0.0;
       wander = kept * wander + std::sqrt(1.0 - kept * kept) * deviation * gauss(generator);
     }
     record.roll_angle_rad[i] += wander;

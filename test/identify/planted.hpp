@@ -13,8 +13,8 @@ inline constexpr double radians_per_degree = 0.017453292519943295;
 
 inline constexpr Airframe tasha{.inertia_kg_m2 = 0.00393, .reference_area_m2 = 5.0265e-5};
 
-/// A record whose truth is known: the roll of a planted model, stepped by this file's own integrator (a thousand midpoint
-/// steps a second or more), under canards that move in several sines at once.
+/// A record whose truth is known: the roll of a planted model, stepped by this file's own integrator (a thousand
+/// midpoint steps a second or more), under canards that move in several sines at once.
 struct Planting {
   double alpha_m2 = 20.0;
   double beta_m = 9.0;
@@ -32,7 +32,8 @@ struct Planting {
 
 [[nodiscard]] double planted_disturbance_rad(const Planting& planting, double time_s);
 
-/// Adds angle noise of this standard deviation that is forgotten with this time constant (0: white), and white rate noise.
+/// Adds angle noise of this standard deviation that is forgotten with this time constant (0: white), and white rate
+/// noise.
 struct Noise {
   double angle_deg = 0.3;
   double correlation_s = 0.0;

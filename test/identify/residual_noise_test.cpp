@@ -49,12 +49,12 @@ TEST(ResidualNoise, ItsProductIsThatOfTheWholeMatrix) {
 
 TEST(ResidualNoise, ASampleInHundredsOfWhiteNoiseCountsInFull) {
   const std::vector<double> time_s = uneven_times(500, 0.01);
-  EXPECT_DOUBLE_EQ((ResidualNoise{.variance_rad2 = 1.0, .white_share = 1.0, .correlation_s = 0.0}.effective_samples(time_s)),
-                   500.0);
+  EXPECT_DOUBLE_EQ(
+      (ResidualNoise{.variance_rad2 = 1.0, .white_share = 1.0, .correlation_s = 0.0}.effective_samples(time_s)), 500.0);
   // (1 + e^-x) / (1 - e^-x) for x = 0.1: 20.02 neighbours say the same.
   const double x = 0.1;
-  const ResidualNoise slow{.variance_rad2 = 1.0, .white_share = 0.0,
-                           .correlation_s = (time_s.back() - time_s.front()) / 499.0 / x};
+  const ResidualNoise slow{
+      .variance_rad2 = 1.0, .white_share = 0.0, .correlation_s = (time_s.back() - time_s.front()) / 499.0 / x};
   EXPECT_NEAR(slow.effective_samples(time_s), 500.0 * std::tanh(0.5 * x), 1e-9);
 }
 
