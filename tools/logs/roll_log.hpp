@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/tick_record.hpp"
+#include "logs/table.hpp"
 
 namespace fantail::logs {
 
@@ -62,5 +63,8 @@ struct Needs {
 /// there), time that goes back, two different rows with one time (nobody knows which of them is right), more than 1 %
 /// of rows without a number, fewer than two rows. Messages name file and line.
 [[nodiscard]] RollLog read_roll_log(const std::filesystem::path& path, const Reading& reading, const Needs& needs);
+
+/// The same from a CSV alone.
+[[nodiscard]] RollLog make_roll_log(const Table& table, const Reading& reading, const Needs& needs);
 
 }  // namespace fantail::logs

@@ -170,7 +170,8 @@ std::size_t Table::read_quoted(std::size_t begin, std::size_t end, std::size_t l
     refuse(line, "text behind a closing quote");
   }
   const std::string_view inside = trimmed(std::string_view{text_}.substr(first, out - first));
-  const auto from = static_cast<std::uint32_t>(inside.empty() ? first : inside.data() - text_.data());
+  const std::size_t start = inside.empty() ? first : static_cast<std::size_t>(inside.data() - text_.data());
+  const auto from = static_cast<std::uint32_t>(start);
   cells_.push_back({from, static_cast<std::uint32_t>(from + inside.size())});
   return in;
 }
