@@ -142,6 +142,9 @@ Scenario load_scenario(const std::string& name_or_path, std::span<const Override
   scenario.plan_name = top.text("plan");
   scenario.seed = static_cast<std::uint64_t>(top.integer("seed", {0, 9e15}, 1));
   scenario.assumed = top.texts("assumed", 100);
+  if (top.has("tunnel_result")) {
+    scenario.tunnel_result = find_named_input(Shipped::tunnel_result, scenario_document, top, "tunnel_result");
+  }
   Document plan_document = Document::load(find_named_input(Shipped::plan, scenario_document, top, "plan"));
   Document vehicle_document = Document::load(find_named_input(Shipped::vehicle, scenario_document, top, "vehicle"));
 
@@ -169,7 +172,7 @@ Scenario load_scenario(const std::string& name_or_path, std::span<const Override
       throw InputError{InputFault::bad_configuration, message};
     }
   }
-  sections.insert(sections.end(), {"vehicle", "plan", "seed", "assumed", "faults"});
+  sections.insert(sections.end(), {"vehicle", "plan", "seed", "assumed", "tunnel_result", "faults"});
   refuse_unknown_sections(scenario_document, sections);
   scenario.plan = read_plan(plan_document);
   scenario.vehicle = read_vehicle(vehicle_document);

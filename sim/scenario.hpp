@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <span>
 #include <string>
@@ -55,6 +56,7 @@ struct Scenario {
   std::vector<DisturbanceNode> disturbance;  ///< times after lift-off, or after control start in the tunnel
   std::optional<ImposedRoll> imposed_roll;
   std::vector<Fault> faults;
+  std::optional<std::filesystem::path> tunnel_result;  ///< what a prediction of this flight starts from; not flown
 };
 
 /// A shipped name or a path, with changes from the command line, which may reach into the scenario, its plan or its

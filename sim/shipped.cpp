@@ -20,6 +20,7 @@ Place place_of(Shipped kind) {
     case Shipped::scenario: return {"scenario", "sim/scenarios", ".toml"};
     case Shipped::vehicle: return {"vehicle", "sim/vehicles", ".toml"};
     case Shipped::motor: return {"motor", "sim/motors", ".eng"};
+    case Shipped::tunnel_result: return {"tunnel result", "sim/tunnel_results", ".csv"};
     case Shipped::plan: break;
   }
   return {"flight plan", "firmware/plans", ".toml"};

@@ -12,7 +12,7 @@
 namespace fantail::sim {
 
 /// What kind of file a name stands for, and so in which folder the shipped ones lie.
-enum class Shipped : std::uint8_t { scenario, vehicle, motor, plan };
+enum class Shipped : std::uint8_t { scenario, vehicle, motor, plan, tunnel_result };
 
 /// The file that a person means: a path when it names an existing file or looks like one, else a shipped name. Throws
 /// InputError (no_such_input) with the shipped names and a suggestion.

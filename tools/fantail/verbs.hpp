@@ -11,5 +11,6 @@ void add_fly(CLI::App& program);
 void add_plan(CLI::App& program);
 void add_node(CLI::App& program);
 void add_bench(CLI::App& program);
+void add_predict(CLI::App& program);
 
 }  // namespace fantail::tool

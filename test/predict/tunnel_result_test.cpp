@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+#include "predict/tunnel_result.hpp"
+
+#include <gtest/gtest.h>
+
+#include "report/numbers.hpp"
+#include "sim/input_error.hpp"
+#include "sim/scenario.hpp"
+#include "sim/shipped.hpp"
+#include "system/folder.hpp"
+
+namespace fantail::predict {
+namespace {
+
+using report::degrees;
+using report::radians;
+using test::Folder;
+
+TunnelResult shipped(const std::string& name, const std::optional<double>& swirl_rad = {}) {
+  return read_tunnel_result(sim::find_input(sim::Shipped::tunnel_result, name), swirl_rad);
+}
+
+struct Means {
+  double damping_m2 = 0.0;
+  double torque_m = 0.0;
+  double begin_deg = 0.0;
+  double end_deg = 0.0;
+};
+
+Means means(const TunnelResult& result) {
+  Means m;
+  const auto n = static_cast<double>(result.steps.size());
+  for (const TunnelStep& step : result.steps) {
+    m.damping_m2 += step.damping_m2 / n;
+    m.torque_m += step.torque_m / n;
+    m.begin_deg += degrees(step.offset_begin_rad) / n;
+    m.end_deg += degrees(step.offset_end_rad) / n;
+  }
+  return m;
+}
+
+TEST(Oracle, Row25MeansOfTable2) {
+  const Means m = means(shipped("tasha3_table2", 0.0));
+  EXPECT_NEAR(m.damping_m2, 19.375, 0.001);
+  EXPECT_NEAR(m.torque_m, 9.625, 0.001);
+  EXPECT_NEAR(m.begin_deg, -5.529, 0.001);
+  EXPECT_NEAR(m.end_deg, -6.616, 0.001);
+}
+
+// Published: an average offset of -6.1 degrees over the steps, "taking into account the swirl ... -4.1".
+TEST(TunnelResult, TakesOffTheSwirlThatItsFileNames) {
+  const TunnelResult result = shipped("tasha3_table2");
+  EXPECT_NEAR(degrees(result.swirl_rad), -2.0, 1e-12);
+  const Means m = means(result);
+  EXPECT_NEAR(0.5 * (m.begin_deg + m.end_deg), -4.1, 0.05);
+  EXPECT_EQ(result.swirl_words, "Swirl taken off: -2 degrees, as the column swirl_deg of tasha3_table2.csv says.");
+}
+
+TEST(TunnelResult, SwirlThatIsGivenCountsInsteadOfTheFiles) {
+  const TunnelResult result = shipped("tasha3_table2", radians(-1.0));
+  EXPECT_NEAR(degrees(result.steps.front().offset_begin_rad), -4.59, 1e-12);
+  EXPECT_EQ(result.swirl_words, "Swirl taken off: -1 degrees, as --swirl says.");
+}
+
+TEST(TunnelResult, WhatNobodySaysOfSwirlIsNotTakenOffAndThatIsSaid) {
+  const Folder folder;
+  const TunnelResult result = read_tunnel_result(
+      folder.write(
+          "steps.csv",
+          "step,begin_s,alpha_m2,beta_m,disturbance_begin_deg,disturbance_end_deg\n1,0,20,9,-5,-6\n2,5,18,8,-4,-7\n"),
+      {});
+  EXPECT_NEAR(degrees(result.steps[1].offset_end_rad), -7.0, 1e-12);
+  EXPECT_EQ(result.swirl_words,
+            "Swirl taken off: none, as steps.csv has no column swirl_deg and --swirl was not given.");
+  EXPECT_TRUE(result.sources.empty());
+}
+
+TEST(TunnelResult, OfTheFirstLaunchSaysThatItIsHindsight) {
+  const TunnelResult result = shipped("tasha3_launch1_flight");
+  ASSERT_EQ(result.sources.size(), 1U);
+  EXPECT_NE(result.sources[0].find("No wind-tunnel test"), std::string::npos);
+  EXPECT_NE(result.sources[0].find("hindsight"), std::string::npos);
+  EXPECT_NEAR(means(result).damping_m2, 8.0, 1e-12);
+  EXPECT_NEAR(means(result).end_deg, -7.15, 1e-12);
+}
+
+TEST(TunnelResult, IsNamedByTheShippedLaunchesAndNobodyElse) {
+  EXPECT_EQ(sim::load_scenario("tasha3_launch1", {}).tunnel_result->filename(), "tasha3_launch1_flight.csv");
+  EXPECT_EQ(sim::load_scenario("tasha3_launch2", {}).tunnel_result->filename(), "tasha3_table2.csv");
+  EXPECT_FALSE(sim::load_scenario("tunnel_steps", {}).tunnel_result);
+}
+
+struct BadFile {
+  const char* text;
+  const char* said;
+};
+
+class BadTunnelResult : public testing::TestWithParam<BadFile> {};
+
+TEST_P(BadTunnelResult, IsRefusedAndSaysWhere) {
+  const Folder folder;
+  const std::string file = folder.write("steps.csv", GetParam().text);
+  try {
+    (void)read_tunnel_result(file, {});
+    FAIL() << "not refused";
+  } catch (const sim::InputError& error) {
+    EXPECT_EQ(error.fault(), sim::InputFault::bad_data);
+    EXPECT_NE(std::string{error.what()}.find(GetParam().said), std::string::npos) << error.what();
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Each, BadTunnelResult,
+    testing::Values(
+        BadFile{"alpha_m2,beta_m,disturbance_begin_deg\n1,1,1\n1,1,1\n", "disturbance_end_deg"},
+        BadFile{"alpha_m2,beta_m,disturbance_begin_deg,disturbance_end_deg\n19,9,-5,-6\n-19,9,-5,-6\n",
+                "steps.csv:3: alpha_m2 = \"-19\"; allowed: 0.001 to 10000"},
+        BadFile{"alpha_m2,beta_m,disturbance_begin_deg,disturbance_end_deg\n19,nan,-5,-6\n19,9,-5,-6\n",
+                "steps.csv:2: beta_m = \"nan\""},
+        BadFile{"alpha_m2,beta_m,disturbance_begin_deg,disturbance_end_deg,swirl_deg\n19,9,-5,-6,\n19,9,-5,-6,0\n",
+                "steps.csv:2: swirl_deg = \"\""},
+        BadFile{"alpha_m2,beta_m,disturbance_begin_deg,disturbance_end_deg\n19,9,-5,-6\n", "has 1 of the rows"}),
+    [](const auto& one) { return "Number" + std::to_string(one.index); });
+
+}  // namespace
+}  // namespace fantail::predict

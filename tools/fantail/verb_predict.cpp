@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: MIT
+#include <charconv>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "fantail/interrupt.hpp"
+#include "fantail/progress.hpp"
+#include "fantail/requirement.hpp"
+#include "fantail/scenario_options.hpp"
+#include "fantail/verbs.hpp"
+#include "predict/results.hpp"
+#include "sim/input_error.hpp"
+#include "sim/shipped.hpp"
+
+namespace fantail::tool {
+namespace {
+
+constexpr double most_runs = 100000;
+
+struct PredictOptions {
+  ScenarioOptions scenario{.scenario = "tasha3_launch2", .seed = {}, .changes = {}};
+  std::optional<std::string> tunnel;
+  std::optional<double> swirl_deg;
+  std::string damping_factor = "1:1";
+  std::size_t runs = 200;
+  unsigned threads = 0;
+  std::optional<double> servo_lag_s;
+  std::optional<double> servo_delay_s;
+  double authority_percent = 95.0;
+  double held_percent = 90.0;
+  double phase_margin_deg = 30.0;
+  std::string out;
+  bool json = false;
+};
+
+std::optional<double> number(std::string_view text) {
+  double value = 0.0;
+  const auto [stopped, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  return error == std::errc{} && stopped == text.data() + text.size() ? std::optional{value} : std::nullopt;
+}
+
+std::optional<predict::DampingFactor> parse_damping_factor(std::string_view text) {
+  const std::size_t colon = text.find(':');
+  const std::optional<double> low = number(text.substr(0, colon));
+  const std::optional<double> high = colon == std::string_view::npos ? low : number(text.substr(colon + 1));
+  if (!low || !high || !(*low >= 0.1) || !(*high >= *low) || !(*high <= 10.0)) {
+    return std::nullopt;
+  }
+  return predict::DampingFactor{.low = *low, .high = *high};
+}
+
+std::string objection_to_damping_factor(const std::string& text) {
+  return parse_damping_factor(text) ? "" : '"' + text + "\" is no range; allowed: LOW:HIGH, 0.1 to 10, as 1:1.6";
+}
+
+std::string objection_to_folder(const std::string& text) { return text.empty() ? "the name of a folder is empty" : ""; }
+
+std::filesystem::path tunnel_file(const sim::Scenario& scenario, const PredictOptions& options) {
+  if (options.tunnel) {
+    return sim::find_input(sim::Shipped::tunnel_result, *options.tunnel);
+  }
+  if (scenario.tunnel_result) {
+    return *scenario.tunnel_result;
+  }
+  throw sim::InputError{sim::InputFault::bad_configuration,
+                        scenario.name +
+                            ": names no tunnel_result; give the steps.csv of the tunnel with --tunnel FILE, "
+                            "or name it in the scenario: tunnel_result = \"steps.csv\""};
+}
+
+std::optional<double> in_radians(const std::optional<double>& degrees) {
+  return degrees ? std::optional{report::radians(*degrees)} : std::nullopt;
+}
+
+predict::Prediction fly_the_spread(const sim::Scenario& scenario, const PredictOptions& options) {
+  const predict::TunnelResult tunnel =
+      predict::read_tunnel_result(tunnel_file(scenario, options), in_radians(options.swirl_deg));
+  Progress progress{"predicting " + scenario.name,
+                    {.unit = "runs", .rate = " a second", .total = static_cast<double>(options.runs)}};
+  return predict::predict(scenario, tunnel,
+                          {.runs = options.runs,
+                           .threads = options.threads,
+                           .damping = *parse_damping_factor(options.damping_factor),
+                           .servo_lag_s = options.servo_lag_s,
+                           .servo_delay_s = options.servo_delay_s},
+                          [&progress](std::size_t done) {
+                            give_up_if_interrupted();
+                            progress.show(static_cast<double>(done));
+                          });
+}
+
+void predict_launch(const PredictOptions& options) {
+  const sim::Scenario scenario = load(options.scenario);
+  predict::require_launch(scenario);
+  const predict::Prediction prediction = fly_the_spread(scenario, options);
+  const predict::Decision decision =
+      predict::decide(prediction, {.authority_share = 0.01 * options.authority_percent,
+                                   .held_share = 0.01 * options.held_percent,
+                                   .phase_margin_rad = report::radians(options.phase_margin_deg)});
+  const std::filesystem::path folder = options.out.empty() ? std::filesystem::path{"out"} / "predict" / scenario.name
+                                                           : std::filesystem::path{options.out};
+  predict::write_prediction(prediction, decision, FANTAIL_VERSION, folder);
+  if (options.json) {
+    fmt::print("{}", predict::prediction_json(prediction, decision, FANTAIL_VERSION));
+  } else {
+    fmt::print("{}\n  runs  {}\n  band  {}\n", predict::prediction_text(prediction, decision),
+               (folder / "runs.csv").string(), (folder / "band.csv").string());
+  }
+  if (!decision.go) {
+    throw RequirementNotMet{""};
+  }
+}
+
+void add_thresholds(CLI::App& verb, PredictOptions& options) {
+  verb.add_option("--authority-percent", options.authority_percent,
+                  "Go asks for: canards that can balance the offset in this share of the runs")
+      ->check(CLI::Range(0.0, 99.9))
+      ->capture_default_str();
+  verb.add_option("--held-percent", options.held_percent, "Go asks for: roll held in this share of the runs")
+      ->check(CLI::Range(0.0, 99.9))
+      ->capture_default_str();
+  verb.add_option("--phase-margin", options.phase_margin_deg,
+                  "Go asks for: this phase margin in degrees at the worst speed flown")
+      ->check(CLI::Range(0.0, 90.0))
+      ->capture_default_str();
+}
+
+}  // namespace
+
+void add_predict(CLI::App& program) {
+  auto* verb = program.add_subcommand("predict", "Fly a launch over the spread of its tunnel results: go or no go");
+  auto options = std::make_shared<PredictOptions>();
+  add_scenario_options(*verb, options->scenario);
+  verb->add_option("--tunnel", options->tunnel,
+                   "steps.csv of fantail tunnel steps, or a shipped name [tunnel_result of the scenario]")
+      ->type_name("FILE");
+  verb->add_option(
+          "--swirl", options->swirl_deg,
+          "Swirl of the tunnel as a fin offset in degrees, to be taken off [column swirl_deg of the file, or 0]")
+      ->check(CLI::Range(-45.0, 45.0));
+  verb->add_option("--damping-factor", options->damping_factor,
+                   "LOW:HIGH, damping in flight over damping in the tunnel, evenly drawn")
+      ->check(objection_to_damping_factor)
+      ->type_name("RANGE")
+      ->capture_default_str();
+  verb->add_option("--servo-lag", options->servo_lag_s, "Measured first-order lag of the servos in seconds [vehicle's]")
+      ->check(CLI::Range(0.0005, 1.0));
+  verb->add_option("--servo-delay", options->servo_delay_s,
+                   "Measured dead time from command to canard in seconds, lag apart [vehicle's, with the pulse frame]")
+      ->check(CLI::Range(0.0, 0.05));
+  verb->add_option("--runs", options->runs, "How many airframes to fly")
+      ->check(CLI::Range(1.0, most_runs))
+      ->capture_default_str();
+  verb->add_option("--threads", options->threads, "How many to fly at once [as many as the machine can]")
+      ->check(CLI::Range(1, 1024));
+  add_thresholds(*verb, *options);
+  verb->add_option("--out", options->out, "Folder for predict.json, runs.csv, band.csv [out/predict/SCENARIO]")
+      ->check(objection_to_folder);
+  verb->add_flag("--json", options->json, "Print predict.json instead of the text");
+  verb->footer(
+      "Exit code 0: go; 1: no go.\n"
+      "Examples:\n"
+      "  fantail predict tasha3_launch1                      the launch that failed: no go, and why\n"
+      "  fantail predict tasha3_launch2 --damping-factor 1:1.6 --runs 1000\n"
+      "                                                      damping that the tunnel may have shown too low\n"
+      "  fantail predict my_rocket.toml --tunnel out/tunnel/steps/steps.csv --swirl -2 --servo-lag 0.018 --json\n"
+      "                                                      your own rocket, after its tunnel run and its bench");
+  verb->callback([options] { predict_launch(*options); });
+}
+
+}  // namespace fantail::tool

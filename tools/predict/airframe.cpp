@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#include "predict/airframe.hpp"
+
+#include <cmath>
+
+#include "sim/random.hpp"
+
+namespace fantail::predict {
+namespace {
+
+/// Of the random numbers of one run; those of the world begin at one.
+constexpr std::uint64_t airframe_stream = 1000;
+
+}  // namespace
+
+AirframeSpread::AirframeSpread(const std::vector<TunnelStep>& steps, const DampingFactor& damping) : damping_{damping} {
+  const auto count = static_cast<double>(steps.size());
+  for (const TunnelStep& step : steps) {
+    deviations_.push_back({step.damping_m2, step.torque_m, step.offset_begin_rad, step.offset_end_rad});
+    for (std::size_t i = 0; i < mean_.size(); ++i) {
+      mean_[i] += deviations_.back()[i] / count;
+    }
+  }
+  // Variance of one more step: that of the steps, and that of their mean.
+  const double scale = std::sqrt((1.0 + 1.0 / count) / (count - 1.0));
+  for (Numbers& deviation : deviations_) {
+    for (std::size_t i = 0; i < mean_.size(); ++i) {
+      deviation[i] = scale * (deviation[i] - mean_[i]);
+    }
+  }
+}
+
+TunnelStep AirframeSpread::draw(std::uint64_t seed) const {
+  sim::Random random{seed, airframe_stream};
+  const double factor = damping_.low + random.uniform() * (damping_.high - damping_.low);
+  for (;;) {
+    // A sum of the deviations, each with a normal factor of its own, has exactly their covariance, also where there are
+    // fewer steps than numbers in a step.
+    Numbers drawn = mean_;
+    for (const Numbers& deviation : deviations_) {
+      const double share = random.gaussian();
+      for (std::size_t i = 0; i < drawn.size(); ++i) {
+        drawn[i] += share * deviation[i];
+      }
+    }
+    const auto [damping_m2, torque_m, offset_begin_rad, offset_end_rad] = drawn;
+    if (damping_m2 > 0.0 && torque_m > 0.0) {
+      return {.damping_m2 = factor * damping_m2,
+              .torque_m = torque_m,
+              .offset_begin_rad = offset_begin_rad,
+              .offset_end_rad = offset_end_rad};
+    }
+  }
+}
+
+}  // namespace fantail::predict

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "predict/tunnel_result.hpp"
+
+namespace fantail::predict {
+
+/// Factors on the damping, all as likely. The tunnel tends to show less damping than the flight has.
+struct DampingFactor {
+  double low = 1.0;  ///< above zero
+  double high = 1.0;
+};
+
+/// Airframes as the rocket on the pad may be one: a normal law through the tunnel's steps, with the correlation of
+/// damping, torque and both offsets that the steps have among themselves. It is wider than the steps by the doubt that
+/// so few leave about their mean. What has a damping or torque of zero or less is drawn again.
+class AirframeSpread {
+ public:
+  /// Takes two or more steps.
+  AirframeSpread(const std::vector<TunnelStep>& steps, const DampingFactor& damping);
+
+  /// The same seed gives the same airframe.
+  [[nodiscard]] TunnelStep draw(std::uint64_t seed) const;
+
+ private:
+  using Numbers = std::array<double, 4>;
+
+  std::vector<Numbers>
+      deviations_;  ///< of each step from their mean, so scaled that their squares add up to the variance
+  Numbers mean_{};
+  DampingFactor damping_;
+};
+
+}  // namespace fantail::predict

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "predict/prediction.hpp"
+#include "report/numbers.hpp"
+
+namespace fantail::predict {
+
+/// What a launch must promise.
+struct Thresholds {
+  double authority_share = 0.95;                    ///< of the runs whose canards can balance the offset
+  double held_share = 0.90;                         ///< of the runs that hold their roll
+  double phase_margin_rad = report::radians(30.0);  ///< in the median, at the worst speed flown
+};
+
+enum class Judgement : std::uint8_t { met, not_met, not_judged };
+
+struct Criterion {
+  std::string key{};       ///< for files: "authority"
+  std::string label{};     ///< for readers: "Authority margin above zero"
+  std::string found{};     ///< "100 % of the runs (98 to 100 %)"
+  std::string required{};  ///< "at least 95 % of the runs"
+  Judgement judgement = Judgement::not_judged;
+  std::string clause{};  ///< says what was found and, when it is not met, what is wrong; no full stop
+};
+
+struct Decision {
+  bool go = false;
+  std::vector<Criterion> criteria;
+  std::string text;  ///< "Go: ..." or "No go: ...", one sentence, and one more for what could not be judged
+};
+
+/// Go when no criterion is not met. Shares must reach their threshold with the low end of their interval: runs that are
+/// too few to tell are no go.
+[[nodiscard]] Decision decide(const Prediction& prediction, const Thresholds& thresholds);
+
+}  // namespace fantail::predict

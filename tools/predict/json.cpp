@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+#include <cmath>
+
+#include <nlohmann/json.hpp>
+
+#include "predict/results.hpp"
+#include "predict/words.hpp"
+
+namespace fantail::predict {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using report::degrees;
+
+Json rounded(double value) {
+  const double r = std::round(value * 1e6) / 1e6;
+  return r == 0.0 ? 0.0 : r;
+}
+
+Json json(const Spread& s, double scale = 1.0) {
+  return {{"mean", rounded(scale * s.mean)},
+          {"p5", rounded(scale * s.p5)},
+          {"p50", rounded(scale * s.p50)},
+          {"p95", rounded(scale * s.p95)}};
+}
+
+Json json(const std::optional<Spread>& s, double scale = 1.0) { return s ? json(*s, scale) : Json{}; }
+
+Json json(const Share& s) {
+  return {{"count", s.count},
+          {"of", s.of},
+          {"share", rounded(s.value)},
+          {"low", rounded(s.low)},
+          {"high", rounded(s.high)}};
+}
+
+Json json(const MarginsAtSpeed& at) {
+  return {{"speed_m_s", rounded(at.speed_m_s)},
+          {"phase_margin_deg", json(at.phase_margin_rad, degrees(1.0))},
+          {"crossover_rad_s", json(at.crossover_rad_s)},
+          {"gain_margin", json(at.gain_margin)}};
+}
+
+Json stability(const Prediction& p) {
+  Json over_speed = Json::array();
+  for (const MarginsAtSpeed& at : p.over_speed) {
+    over_speed.push_back(json(at));
+  }
+  return {{"servo_lag_s", rounded(p.servo_lag_s)},
+          {"delay_s", rounded(p.delay_s)},
+          {"worst", p.worst_speed ? json(*p.worst_speed) : Json{}},
+          {"over_speed", over_speed}};
+}
+
+Json criteria(const Decision& decision) {
+  Json all = Json::array();
+  for (const Criterion& c : decision.criteria) {
+    all.push_back({{"criterion", c.key},
+                   {"judgement", name(c.judgement)},
+                   {"found", c.found},
+                   {"required", c.required},
+                   {"sentence", c.clause}});
+  }
+  return all;
+}
+
+Json tunnel(const Prediction& p) {
+  return {{"file", p.tunnel.name},
+          {"steps", p.tunnel.steps.size()},
+          {"swirl_deg", rounded(degrees(p.tunnel.swirl_rad))},
+          {"sources", p.tunnel.sources},
+          {"damping_factor", {p.damping.low, p.damping.high}}};
+}
+
+}  // namespace
+
+std::string prediction_json(const Prediction& p, const Decision& decision, std::string_view version) {
+  const double in_degrees = degrees(1.0);
+  const Json all = {{"scenario", p.scenario},
+                    {"vehicle", p.vehicle},
+                    {"plan", p.plan_name},
+                    {"seed", p.seed},
+                    {"runs", p.runs.size()},
+                    {"go", decision.go},
+                    {"verdict", decision.text},
+                    {"criteria", criteria(decision)},
+                    {"tunnel", tunnel(p)},
+                    {"canard_limit_deg", rounded(degrees(p.limit_rad))},
+                    {"offset_size_deg", json(p.offset_size_rad, in_degrees)},
+                    {"authority_margin_deg", json(p.authority_margin_rad, in_degrees)},
+                    {"authority", json(p.authority)},
+                    {"held", json(p.held)},
+                    {"not_judged", p.not_judged},
+                    {"without_control", p.without_control},
+                    {"settle_deg", json(p.settle_rad, in_degrees)},
+                    {"saturated_share", json(p.saturated_share)},
+                    {"spin_rate_deg_s", json(p.spin_rate_rad_s, in_degrees)},
+                    {"top_speed_m_s", json(p.top_speed_m_s)},
+                    {"stability", stability(p)},
+                    {"basis", basis(p)},
+                    {"version", version}};
+  return all.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace fantail::predict

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: MIT
+#include "predict/prediction.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "predict/loop_at_speed.hpp"
+#include "predict/team.hpp"
+#include "report/flight.hpp"
+#include "report/numbers.hpp"
+#include "sim/input_error.hpp"
+
+namespace fantail::predict {
+namespace {
+
+using Track = std::vector<double> Run::*;
+
+/// The scenario with the servo that was measured.
+sim::Scenario with_servo(const sim::Scenario& scenario, const Options& options) {
+  sim::Scenario changed = scenario;
+  sim::ServoParameters& servo = changed.vehicle.servo;
+  servo.lag_s = options.servo_lag_s.value_or(servo.lag_s);
+  if (options.servo_delay_s) {
+    // A delay from command to canard holds the wait for the pulse frame, which the simulated servo adds by itself.
+    const double waiting_s = loop_delay_s(changed.vehicle) - changed.vehicle.imu.delay_s - servo.delay_s;
+    servo.delay_s = std::max(0.0, *options.servo_delay_s - waiting_s);
+  }
+  return changed;
+}
+
+template <typename ValueOf>
+Spread spread_of(const std::vector<Run>& runs, ValueOf value_of) {
+  std::vector<double> values;
+  std::ranges::transform(runs, std::back_inserter(values), value_of);
+  return spread(std::move(values));
+}
+
+template <typename ValueOf>
+std::optional<Spread> spread_where_known(const std::vector<Run>& runs, ValueOf value_of) {
+  std::vector<double> values;
+  for (const Run& run : runs) {
+    if (const std::optional<double> value = value_of(run)) {
+      values.push_back(*value);
+    }
+  }
+  return values.empty() ? std::nullopt : std::optional{spread(std::move(values))};
+}
+
+std::optional<double> size_of(const std::optional<double>& value) {
+  return value ? std::optional{std::abs(*value)} : std::nullopt;
+}
+
+void count(Prediction& p) {
+  const auto number = [&p](auto is_so) { return static_cast<std::size_t>(std::ranges::count_if(p.runs, is_so)); };
+  const auto came_to = [&number](report::Outcome outcome) {
+    return number([outcome](const Run& run) { return run.outcome == outcome; });
+  };
+  p.authority = share(number([](const Run& run) { return run.authority_margin_rad > 0.0; }), p.runs.size());
+  p.not_judged = came_to(report::Outcome::not_judged);
+  p.without_control = came_to(report::Outcome::no_control);
+  p.held = share(came_to(report::Outcome::held), p.runs.size() - p.not_judged);
+}
+
+Band band(const std::vector<Run>& runs) {
+  const auto flew = [](const Run& run) { return run.roll_angle_rad.size() > 1; };
+  std::size_t length = 0;
+  for (const Run& run : runs) {
+    if (flew(run)) {
+      length = length == 0 ? run.roll_angle_rad.size() : std::min(length, run.roll_angle_rad.size());
+    }
+  }
+  Band all;
+  for (std::size_t i = 0; i < length; ++i) {
+    const auto over_runs = [&](Track track) {
+      std::vector<double> values;
+      for (const Run& run : runs) {
+        if (flew(run)) {
+          values.push_back((run.*track)[i]);
+        }
+      }
+      return spread(std::move(values));
+    };
+    all.time_s.push_back(track_step_s * static_cast<double>(i));
+    all.roll_angle_rad.push_back(over_runs(&Run::roll_angle_rad));
+    all.roll_rate_rad_s.push_back(over_runs(&Run::roll_rate_rad_s));
+  }
+  return all;
+}
+
+void find_margins(Prediction& p, const sim::Scenario& scenario) {
+  const auto start = spread_where_known(p.runs, [](const Run& run) { return run.speed_at_control_start_m_s; });
+  if (!start) {
+    return;
+  }
+  p.over_speed = margins_over_speed(scenario, p.runs, start->p50, p.top_speed_m_s.p50);
+  const auto worst = std::ranges::min_element(p.over_speed, {}, [](const auto& at) { return at.phase_margin_rad.p50; });
+  if (worst != p.over_speed.end()) {
+    p.worst_speed = *worst;
+  }
+}
+
+std::vector<std::string> notes(const sim::Scenario& scenario, const TunnelResult& tunnel) {
+  std::vector<std::string> all = scenario.vehicle.assumed;
+  all.insert(all.end(), scenario.assumed.begin(), scenario.assumed.end());
+  all.push_back(fmt::format("The tunnel steps were identified with the reference area of this vehicle, {:.4g} m2.",
+                            scenario.vehicle.roll_plant.reference_area_m2));
+  if (tunnel.steps.size() < 5) {
+    all.push_back(fmt::format("{} rows say little about how different the next one can be.", tunnel.steps.size()));
+  }
+  if (scenario.imposed_roll) {
+    all.emplace_back("The roll that the scenario imposes is left out: nobody knows it before the flight.");
+  }
+  for (const sim::Fault& fault : scenario.faults) {
+    all.push_back(fmt::format("Every run has the scenario's fault {}.", sim::name(fault.kind)));
+  }
+  return all;
+}
+
+}  // namespace
+
+void require_launch(const sim::Scenario& scenario) {
+  if (scenario.surroundings == sim::Surroundings::tunnel) {
+    throw sim::InputError{sim::InputFault::bad_configuration,
+                          scenario.name +
+                              ": environment.surroundings = \"tunnel\"; allowed: \"flight\", as what is "
+                              "predicted is a launch"};
+  }
+}
+
+Prediction predict(const sim::Scenario& scenario, const TunnelResult& tunnel, const Options& options,
+                   const std::function<void(std::size_t)>& look) {
+  require_launch(scenario);
+  const sim::Scenario flown = with_servo(scenario, options);
+  Prediction p{.scenario = scenario.name,
+               .vehicle = scenario.vehicle.name,
+               .plan_name = scenario.plan_name,
+               .seed = scenario.seed,
+               .tunnel = tunnel,
+               .damping = options.damping,
+               .notes = notes(scenario, tunnel),
+               .limit_rad = report::canard_limit_rad(scenario.plan),
+               .servo_lag_s = flown.vehicle.servo.lag_s,
+               .delay_s = loop_delay_s(flown.vehicle),
+               .runs = std::vector<Run>(options.runs)};
+  const AirframeSpread airframes{tunnel.steps, options.damping};
+  share_out(
+      options.runs, options.threads,
+      [&](std::size_t i) {
+        const std::uint64_t seed = seed_of_run(scenario.seed, i);
+        p.runs[i] = fly_run(flown, airframes.draw(seed), seed);
+      },
+      look);
+  count(p);
+  p.offset_size_rad = spread_of(p.runs, [](const Run& run) { return std::abs(run.offset_rad); });
+  p.authority_margin_rad = spread_of(p.runs, [](const Run& run) { return run.authority_margin_rad; });
+  p.top_speed_m_s = spread_of(p.runs, [](const Run& run) { return run.top_speed_m_s; });
+  p.settle_rad = spread_where_known(p.runs, [](const Run& run) { return run.settle_rad; });
+  p.saturated_share = spread_where_known(p.runs, [](const Run& run) { return run.saturated_share; });
+  p.spin_rate_rad_s = spread_where_known(p.runs, [](const Run& run) { return size_of(run.spin_rate_rad_s); });
+  p.band = band(p.runs);
+  find_margins(p, flown);
+  return p;
+}
+
+}  // namespace fantail::predict

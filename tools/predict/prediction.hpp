@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "predict/airframe.hpp"
+#include "predict/loop_at_speed.hpp"
+#include "predict/run.hpp"
+#include "predict/share.hpp"
+#include "predict/tunnel_result.hpp"
+#include "sim/scenario.hpp"
+
+namespace fantail::predict {
+
+struct Options {
+  std::size_t runs = 200;
+  unsigned threads = 0;  ///< 0: as many as the machine has; no figure depends on it
+  DampingFactor damping{};
+  std::optional<double> servo_lag_s{};    ///< measured; else the vehicle's
+  std::optional<double> servo_delay_s{};  ///< measured, from command to canard, lag apart; else what the vehicle says
+};
+
+/// Roll over time, over all runs that left the pad.
+struct Band {
+  std::vector<double> time_s;  ///< after lift-off
+  std::vector<Spread> roll_angle_rad;
+  std::vector<Spread> roll_rate_rad_s;
+};
+
+/// What a launch will do, as far as the tunnel tells.
+struct Prediction {
+  std::string scenario{};
+  std::string vehicle{};
+  std::string plan_name{};
+  std::uint64_t seed = 0;
+  TunnelResult tunnel{};
+  DampingFactor damping{};
+  std::vector<std::string> notes{};  ///< what was assumed, a sentence each
+  double limit_rad = 0.0;
+  double servo_lag_s = 0.0;
+  double delay_s = 0.0;  ///< all dead time of the loop
+  std::vector<Run> runs{};
+
+  Spread offset_size_rad{};  ///< |offset|
+  Spread authority_margin_rad{};
+  Share authority{};           ///< runs with a margin above zero
+  Share held{};                ///< of those that could be judged
+  std::size_t not_judged = 0;  ///< their reference never stands still, or they have no proportional gain
+  std::size_t without_control = 0;
+  Spread top_speed_m_s{};
+  std::optional<Spread> settle_rad{};
+  std::optional<Spread> saturated_share{};
+  std::optional<Spread> spin_rate_rad_s{};  ///< size; of the runs without authority
+  Band band{};
+  std::vector<MarginsAtSpeed> over_speed{};     ///< from the speed at control start to top speed; empty without a loop
+  std::optional<MarginsAtSpeed> worst_speed{};  ///< where the median phase margin is least
+};
+
+/// Throws sim::InputError for a scenario that is no launch.
+void require_launch(const sim::Scenario& scenario);
+
+/// Flies the launch over the spread. `look` is told how many runs are done and may throw to give up. Throws
+/// what require_launch() throws.
+[[nodiscard]] Prediction predict(const sim::Scenario& scenario, const TunnelResult& tunnel, const Options& options,
+                                 const std::function<void(std::size_t done)>& look);
+
+}  // namespace fantail::predict

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+#include "predict/results.hpp"
+
+#include <array>
+
+#include "report/output_folder.hpp"
+
+namespace fantail::predict {
+
+void write_prediction(const Prediction& prediction, const Decision& decision, std::string_view version,
+                      const std::filesystem::path& folder) {
+  const std::array<report::NamedFile, 3> files{{{"predict.json", prediction_json(prediction, decision, version)},
+                                                {"runs.csv", runs_csv(prediction)},
+                                                {"band.csv", band_csv(prediction)}}};
+  report::OutputFolder{folder}.write(files);
+}
+
+}  // namespace fantail::predict

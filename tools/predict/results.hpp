@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "predict/decision.hpp"
+
+namespace fantail::predict {
+
+/// One object; angles in degrees, every figure with its unit in its name; what does not exist is null.
+[[nodiscard]] std::string prediction_json(const Prediction& prediction, const Decision& decision,
+                                          std::string_view version);
+
+/// For a terminal.
+[[nodiscard]] std::string prediction_text(const Prediction& prediction, const Decision& decision);
+
+/// runs.csv: a row for each run.
+[[nodiscard]] std::string runs_csv(const Prediction& prediction);
+
+/// band.csv: predicted roll over time.
+[[nodiscard]] std::string band_csv(const Prediction& prediction);
+
+/// Writes predict.json, runs.csv and band.csv into a folder, all or none. Throws report::OutputError.
+void write_prediction(const Prediction& prediction, const Decision& decision, std::string_view version,
+                      const std::filesystem::path& folder);
+
+}  // namespace fantail::predict

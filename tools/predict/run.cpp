@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+#include "predict/run.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "fly/fly_scenario.hpp"
+#include "report/figures.hpp"
+#include "report/flight.hpp"
+#include "sim/random.hpp"
+
+namespace fantail::predict {
+namespace {
+
+constexpr double offset_rise_s = 1.7;
+constexpr double clock_tolerance_s = 1e-6;
+
+sim::Scenario with_airframe(const sim::Scenario& scenario, const TunnelStep& airframe, std::uint64_t seed) {
+  sim::Scenario changed = scenario;
+  changed.seed = seed;
+  changed.vehicle.roll_plant.damping_m2 = airframe.damping_m2;
+  changed.vehicle.roll_plant.torque_m = airframe.torque_m;
+  changed.disturbance = {{0.0, airframe.offset_begin_rad}, {offset_rise_s, airframe.offset_end_rad}};
+  changed.imposed_roll.reset();
+  return changed;
+}
+
+void keep_roll(Run& run, const report::Flight& flight) {
+  const double end_s = flight.events.apogee_s.value_or(flight.rows.back().time_s);
+  for (const report::Row& row : flight.rows) {
+    const double next_s = track_step_s * static_cast<double>(run.roll_angle_rad.size());
+    if (row.truth && row.time_s <= end_s && row.time_s >= next_s - clock_tolerance_s) {
+      run.roll_angle_rad.push_back(row.truth->roll_angle_rad);
+      run.roll_rate_rad_s.push_back(row.truth->roll_rate_rad_s);
+    }
+  }
+}
+
+void look_at_control(Run& run, const report::Flight& flight) {
+  const auto is_control = [](const report::Row& row) { return row.phase == core::Phase::controlling; };
+  const auto first = std::ranges::find_if(flight.rows, is_control);
+  if (first == flight.rows.end()) {
+    return;
+  }
+  const auto last = std::find_if(flight.rows.rbegin(), flight.rows.rend(), is_control);
+  run.speed_at_control_start_m_s = first->truth->speed_m_s;
+  if (run.authority_margin_rad > 0.0) {
+    run.settle_rad = report::settle_point_rad(*last, flight.plan);
+  }
+}
+
+}  // namespace
+
+std::uint64_t seed_of_run(std::uint64_t master_seed, std::size_t index) {
+  return sim::Random{master_seed, index}.bits();
+}
+
+std::optional<double> spin_rate_rad_s(const TunnelStep& airframe, double offset_rad, double limit_rad,
+                                      double speed_m_s) {
+  if (std::abs(offset_rad) <= limit_rad) {
+    return std::nullopt;
+  }
+  const double left_rad = offset_rad - std::copysign(limit_rad, offset_rad);
+  return speed_m_s * airframe.torque_m * left_rad / airframe.damping_m2;
+}
+
+Run fly_run(const sim::Scenario& scenario, const TunnelStep& airframe, std::uint64_t seed) {
+  const report::Flight flight = fly::fly_scenario(with_airframe(scenario, airframe, seed));
+  const report::Figures figures = report::figures(flight);
+  const double limit_rad = report::canard_limit_rad(scenario.plan);
+  Run run;
+  run.seed = seed;
+  run.airframe = airframe;
+  run.offset_rad = std::abs(airframe.offset_begin_rad) > std::abs(airframe.offset_end_rad) ? airframe.offset_begin_rad
+                                                                                           : airframe.offset_end_rad;
+  run.authority_margin_rad = limit_rad - std::abs(run.offset_rad);
+  run.outcome = report::verdict(flight, figures).outcome;
+  run.largest_hold_error_rad = figures.largest_hold_error_rad;
+  run.saturated_share = figures.saturated_fraction;
+  run.top_speed_m_s = figures.max_speed_m_s.value_or(0.0);
+  run.apogee_m = figures.apogee_m;
+  run.spin_rate_rad_s = spin_rate_rad_s(airframe, run.offset_rad, limit_rad, run.top_speed_m_s);
+  keep_roll(run, flight);
+  look_at_control(run, flight);
+  return run;
+}
+
+}  // namespace fantail::predict

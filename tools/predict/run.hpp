@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "predict/tunnel_result.hpp"
+#include "report/verdict.hpp"
+#include "sim/scenario.hpp"
+
+namespace fantail::predict {
+
+/// Between two points of a run's roll, in seconds; the first is at lift-off.
+inline constexpr double track_step_s = 0.02;
+
+/// One launch with one airframe of the spread.
+struct Run {
+  std::uint64_t seed = 0;
+  TunnelStep airframe{};
+  double offset_rad = 0.0;            ///< the larger of the airframe's two
+  double authority_margin_rad = 0.0;  ///< canard limit less |offset|
+  report::Outcome outcome = report::Outcome::no_control;
+  std::optional<double> largest_hold_error_rad;
+  std::optional<double> saturated_share;
+  std::optional<double> settle_rad;  ///< R + u_d / kp as control ends, where the canards reach it
+  std::optional<double> speed_at_control_start_m_s;
+  double top_speed_m_s = 0.0;
+  std::optional<double> apogee_m;
+  /// At top speed, the canards at their limit against an offset that is larger: where the roll rate ends.
+  std::optional<double> spin_rate_rad_s;
+  std::vector<double> roll_angle_rad;  ///< from lift-off to apogee, what truly was; every track_step_s
+  std::vector<double> roll_rate_rad_s;
+};
+
+/// The seed of a run: another for every run, the same for the same number however many there are.
+[[nodiscard]] std::uint64_t seed_of_run(std::uint64_t master_seed, std::size_t index);
+
+/// Flies the scenario with this airframe in the place of the vehicle's own damping and torque and of the scenario's
+/// disturbance. The offset goes from its begin value at lift-off to its end value 1.7 s later and stays: on the first
+/// launch, the one flight where it was seen to rise, it took from detection to then. A roll that the scenario imposes
+/// is left out: nobody knows it beforehand.
+[[nodiscard]] Run fly_run(const sim::Scenario& scenario, const TunnelStep& airframe, std::uint64_t seed);
+
+/// Where a roll rate ends at this speed with the canards held at their limit against the offset; empty when they can
+/// balance it.
+[[nodiscard]] std::optional<double> spin_rate_rad_s(const TunnelStep& airframe, double offset_rad, double limit_rad,
+                                                    double speed_m_s);
+
+}  // namespace fantail::predict

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include "predict/results.hpp"
+#include "predict/words.hpp"
+
+namespace fantail::predict {
+namespace {
+
+using report::degrees;
+using report::fixed;
+
+std::string with_ends(const Spread& s, double scale, int decimals, std::string_view unit) {
+  return fmt::format("{} {} ({} to {})", fixed(scale * s.p50, decimals), unit, fixed(scale * s.p5, decimals),
+                     fixed(scale * s.p95, decimals));
+}
+
+std::string line(std::string_view label, const std::string& value) { return fmt::format("  {:<27}{}\n", label, value); }
+
+std::string line(std::string_view label, const std::optional<Spread>& s, double scale, int decimals,
+                 std::string_view unit) {
+  return s ? line(label, with_ends(*s, scale, decimals, unit)) : "";
+}
+
+std::string figures(const Prediction& p) {
+  const double in_degrees = degrees(1.0);
+  std::string text = "Middle of the runs (5 to 95 % of them):\n";
+  text += line("size of the fin offset", p.offset_size_rad, in_degrees, 1, "deg");
+  text += line("authority margin", p.authority_margin_rad, in_degrees, 1, "deg");
+  text += line("roll settles at", p.settle_rad, in_degrees, 1, "deg");
+  text += line("saturated", p.saturated_share, 100.0, 0, "% of control time");
+  text += line("spin without authority", p.spin_rate_rad_s, in_degrees, 0, "deg/s at top speed");
+  text += line("top speed", p.top_speed_m_s, 1.0, 1, "m/s");
+  if (p.worst_speed) {
+    const MarginsAtSpeed& at = *p.worst_speed;
+    text += line("worst phase margin", with_ends(at.phase_margin_rad, in_degrees, 0, "deg") +
+                                           fmt::format(" at {} m/s", fixed(at.speed_m_s, 0)));
+    text += line("  crossover there", at.crossover_rad_s, 1.0, 0, "rad/s");
+    text += line("  gain margin there", at.gain_margin, 1.0, 1, "times");
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string prediction_text(const Prediction& p, const Decision& decision) {
+  std::string text =
+      fmt::format("{} ({}), {} runs, seed {}\n{}\n\n", p.scenario, p.vehicle, p.runs.size(), p.seed, decision.text);
+  for (const Criterion& c : decision.criteria) {
+    text += fmt::format("  {:<11}{}: {}; asked for: {}\n", words(c.judgement), c.label, c.found, c.required);
+  }
+  text += fmt::format("\n{}\nHow this was found:\n", figures(p));
+  for (const std::string& sentence : basis(p)) {
+    text += fmt::format("  {}\n", sentence);
+  }
+  return text;
+}
+
+}  // namespace fantail::predict

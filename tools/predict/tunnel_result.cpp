@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+#include "predict/tunnel_result.hpp"
+
+#include <algorithm>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "logs/table.hpp"
+#include "report/numbers.hpp"
+#include "sim/input_error.hpp"
+
+namespace fantail::predict {
+namespace {
+
+using report::brief;
+using report::degrees;
+using report::radians;
+
+constexpr double largest_angle_deg = 45.0;
+
+struct Limits {
+  double minimum;
+  double maximum;
+};
+
+/// A column whose every cell must be a number within limits.
+class NumberColumn {
+ public:
+  NumberColumn(const logs::Table& table, std::string_view name, Limits limits)
+      : table_{table}, name_{name}, column_{table.column(name)}, limits_{limits} {}
+
+  [[nodiscard]] double operator[](std::size_t row) const {
+    const std::optional<double> value = table_.number(row, column_);
+    if (!value || *value < limits_.minimum || *value > limits_.maximum) {
+      throw sim::InputError{sim::InputFault::bad_data,
+                            fmt::format("{}:{}: {} = \"{}\"; allowed: {:g} to {:g}", table_.name(), table_.line(row),
+                                        name_, table_.cell(row, column_), limits_.minimum, limits_.maximum)};
+    }
+    return *value;
+  }
+
+ private:
+  const logs::Table& table_;
+  std::string name_;
+  std::size_t column_;
+  Limits limits_;
+};
+
+std::string describe_swirl(const TunnelResult& result, bool given, bool in_file) {
+  if (given) {
+    return fmt::format("Swirl taken off: {} degrees, as --swirl says.", brief(degrees(result.swirl_rad), 2));
+  }
+  if (in_file) {
+    return fmt::format("Swirl taken off: {} degrees, as the column swirl_deg of {} says.",
+                       brief(degrees(result.swirl_rad), 2), result.name);
+  }
+  return fmt::format("Swirl taken off: none, as {} has no column swirl_deg and --swirl was not given.", result.name);
+}
+
+std::vector<std::string> sources(const logs::Table& table) {
+  std::vector<std::string> found;
+  const std::optional<std::size_t> column = table.find("source");
+  for (std::size_t row = 0; column && row < table.rows(); ++row) {
+    const std::string text{table.cell(row, *column)};
+    if (!text.empty() && std::ranges::find(found, text) == found.end()) {
+      found.push_back(text);
+    }
+  }
+  return found;
+}
+
+}  // namespace
+
+TunnelResult read_tunnel_result(const std::filesystem::path& file, const std::optional<double>& swirl_rad) {
+  const logs::Table table = logs::Table::load(file.string());
+  constexpr Limits angle{-largest_angle_deg, largest_angle_deg};
+  const NumberColumn damping{table, "alpha_m2", {1e-3, 1e4}};
+  const NumberColumn torque{table, "beta_m", {1e-3, 1e4}};
+  const NumberColumn begin{table, "disturbance_begin_deg", angle};
+  const NumberColumn end{table, "disturbance_end_deg", angle};
+  std::optional<NumberColumn> swirl;
+  if (!swirl_rad && table.find("swirl_deg")) {
+    swirl.emplace(table, "swirl_deg", angle);
+  }
+  if (table.rows() < 2) {
+    throw sim::InputError{sim::InputFault::bad_data,
+                          fmt::format("{}: has {} of the rows that a spread is made from; allowed: two or more, better "
+                                      "eight, one for each step",
+                                      table.name(), table.rows())};
+  }
+  TunnelResult result;
+  result.name = file.filename().string();
+  result.sources = sources(table);
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    const double off_rad = swirl_rad ? *swirl_rad : swirl ? radians((*swirl)[row]) : 0.0;
+    result.swirl_rad += off_rad / static_cast<double>(table.rows());
+    result.steps.push_back({.damping_m2 = damping[row],
+                            .torque_m = torque[row],
+                            .offset_begin_rad = radians(begin[row]) - off_rad,
+                            .offset_end_rad = radians(end[row]) - off_rad});
+  }
+  result.swirl_words = describe_swirl(result, swirl_rad.has_value(), swirl.has_value());
+  return result;
+}
+
+}  // namespace fantail::predict

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace fantail::predict {
+
+/// What one step in the tunnel showed of the airframe.
+struct TunnelStep {
+  double damping_m2 = 0.0;
+  double torque_m = 0.0;
+  double offset_begin_rad = 0.0;  ///< equivalent fin offset as the step began, swirl taken off
+  double offset_end_rad = 0.0;    ///< five seconds later
+};
+
+/// A file of tunnel steps, as `fantail tunnel steps` writes them.
+struct TunnelResult {
+  std::string name;                  ///< of the file, without folder
+  std::vector<std::string> sources;  ///< what the file says of where its rows are from
+  std::vector<TunnelStep> steps;     ///< two or more
+  double swirl_rad = 0.0;            ///< the mean of what was taken off
+  std::string swirl_words;           ///< a sentence: how much was taken off, and who said so
+};
+
+/// Reads the columns alpha_m2, beta_m, disturbance_begin_deg, disturbance_end_deg, and, where they are there, swirl_deg
+/// and source. The swirl that is taken off is `swirl_rad` when given, else what the column swirl_deg says in that row,
+/// else none. Throws sim::InputError (no_such_input, bad_data).
+[[nodiscard]] TunnelResult read_tunnel_result(const std::filesystem::path& file,
+                                              const std::optional<double>& swirl_rad);
+
+}  // namespace fantail::predict

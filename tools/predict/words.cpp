@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#include "predict/words.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace fantail::predict {
+
+using report::brief;
+using report::degrees;
+using report::fixed;
+
+std::string percent(double share) {
+  const double value = 100.0 * share;
+  if (value > 0.0 && value < 1.0) {
+    return fixed(std::max(value, 0.1), 1) + " %";
+  }
+  return (value > 99.0 && value < 100.0 ? fixed(std::min(value, 99.9), 1) : fixed(value, 0)) + " %";
+}
+
+std::string of_the_runs(double share) {
+  return share == 0.0 ? "none of the runs" : share == 1.0 ? "all runs" : percent(share) + " of the runs";
+}
+
+std::string_view name(Judgement judgement) {
+  switch (judgement) {
+    case Judgement::met: return "met";
+    case Judgement::not_met: return "not_met";
+    case Judgement::not_judged: break;
+  }
+  return "not_judged";
+}
+
+std::string_view words(Judgement judgement) {
+  switch (judgement) {
+    case Judgement::met: return "met";
+    case Judgement::not_met: return "not met";
+    case Judgement::not_judged: break;
+  }
+  return "not judged";
+}
+
+std::vector<std::string> basis(const Prediction& p) {
+  std::vector<std::string> all;
+  for (const std::string& source : p.tunnel.sources) {
+    all.push_back(fmt::format("Source of {}: {}.", p.tunnel.name, source));
+  }
+  all.push_back(
+      fmt::format("{} airframes drawn from a normal law through the {} rows of {}, damping, torque and offset together "
+                  "as they come "
+                  "in the rows; each flown with sensor noise of its own.",
+                  p.runs.size(), p.tunnel.steps.size(), p.tunnel.name));
+  all.push_back(p.tunnel.swirl_words);
+  if (p.damping.low != 1.0 || p.damping.high != 1.0) {
+    all.push_back(fmt::format("Damping times a factor between {} and {}, as --damping-factor says.",
+                              brief(p.damping.low, 3), brief(p.damping.high, 3)));
+  }
+  all.push_back(fmt::format("Servo: first-order lag {} ms; dead time of the whole loop {} ms.",
+                            brief(1e3 * p.servo_lag_s, 1), brief(1e3 * p.delay_s, 1)));
+  all.insert(all.end(), p.notes.begin(), p.notes.end());
+  return all;
+}
+
+}  // namespace fantail::predict

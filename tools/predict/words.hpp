@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "predict/decision.hpp"
+
+namespace fantail::predict {
+
+/// "95 %" for 0.95. One digit after the point where less than one per cent would look like none, or 99.6 like all.
+[[nodiscard]] std::string percent(double share);
+
+/// "95 % of the runs", "all runs", "none of the runs".
+[[nodiscard]] std::string of_the_runs(double share);
+
+[[nodiscard]] std::string_view name(Judgement judgement);   ///< for files: "not_met"
+[[nodiscard]] std::string_view words(Judgement judgement);  ///< for readers: "not met"
+
+/// How the runs were made: the airframes, the swirl, the servo, what was left out. A sentence each.
+[[nodiscard]] std::vector<std::string> basis(const Prediction& prediction);
+
+}  // namespace fantail::predict
