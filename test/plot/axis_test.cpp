@@ -50,7 +50,8 @@ TEST(Axis, VeryLargeAndVerySmallTicksAreWrittenWithAPowerOfTen) {
 }
 
 TEST(Axis, TicksFarFromZeroCanBeToldApart) {
-  EXPECT_EQ(texts(even_ticks({1'700'000'000.0, 1'700'000'002.0}, 2.0)), (Texts{"1700000000", "1700000001", "1700000002"}));
+  EXPECT_EQ(texts(even_ticks({1'700'000'000.0, 1'700'000'002.0}, 2.0)),
+            (Texts{"1700000000", "1700000001", "1700000002"}));
 }
 
 TEST(Axis, DecadesAreCutInOneTwoFive) {
@@ -68,9 +69,9 @@ TEST(Axis, AnyRangeCanBeDrawn) {
   constexpr double gone = std::numeric_limits<double>::quiet_NaN();
   constexpr double endless = std::numeric_limits<double>::infinity();
   constexpr double most = std::numeric_limits<double>::max();
-  for (const Range range : {Range{0, 0}, Range{5, 5}, Range{-3, -3}, Range{gone, gone}, Range{gone, 1}, Range{1, gone},
-                            Range{-endless, endless}, Range{-most, most}, Range{2, 1}, Range{1e9, 1e9 + 1e-7},
-                            Range{1e-300, 1e-300}}) {
+  for (const Range range :
+       {Range{0, 0}, Range{5, 5}, Range{-3, -3}, Range{gone, gone}, Range{gone, 1}, Range{1, gone},
+        Range{-endless, endless}, Range{-most, most}, Range{2, 1}, Range{1e9, 1e9 + 1e-7}, Range{1e-300, 1e-300}}) {
     const Range fit = drawable(range);
     EXPECT_LT(fit.low, fit.high) << range.low << ' ' << range.high;
     EXPECT_TRUE(std::isfinite(fit.high - fit.low));

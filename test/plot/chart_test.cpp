@@ -14,7 +14,9 @@ namespace {
 constexpr double gone = std::numeric_limits<double>::quiet_NaN();
 constexpr double pixel = 0.06;  // coordinates are written to a tenth
 
-Series line(std::vector<double> x, std::vector<double> y) { return {"", Role::measured, Mark::line, std::move(x), std::move(y)}; }
+Series line(std::vector<double> x, std::vector<double> y) {
+  return {"", Role::measured, Mark::line, std::move(x), std::move(y)};
+}
 
 Chart with_ranges(Series series) {
   return {.series = {std::move(series)}, .x_range = Range{0.0, 10.0}, .y_range = Range{-1.0, 1.0}};
@@ -132,7 +134,8 @@ TEST(Chart, AStripeIsCutToTheAxis) {
 
 TEST(Chart, LevelsStandAtTheirValue) {
   Chart chart = with_ranges(line({0, 1}, {0, 0}));
-  chart.levels = {{.value = 0.5, .label = "limit", .role = Role::limit}, {.value = 2.5, .label = "burn-out", .upright = true}};
+  chart.levels = {{.value = 0.5, .label = "limit", .role = Role::limit},
+                  {.value = 2.5, .label = "burn-out", .upright = true}};
   const SvgReader read{svg(chart)};
   EXPECT_NEAR(SvgReader::strokes(read.tags("path", "level limit").at(0)).at(0).at(0).y, read.at(0, 0.75).y, pixel);
   EXPECT_NEAR(SvgReader::strokes(read.tags("path", "level neutral").at(0)).at(0).at(0).x, read.at(0.25, 0).x, pixel);

@@ -12,7 +12,9 @@ namespace {
 
 constexpr double gone = std::numeric_limits<double>::quiet_NaN();
 
-Series named(std::string name, Role role = Role::measured) { return {std::move(name), role, Mark::line, {0, 1}, {0, 1}}; }
+Series named(std::string name, Role role = Role::measured) {
+  return {std::move(name), role, Mark::line, {0, 1}, {0, 1}};
+}
 
 TEST(ChartWords, EverythingThatIsTextIsEscaped) {
   const std::string bad = "<script>&\"'";
@@ -94,7 +96,8 @@ TEST(ChartWords, NegativeTicksHaveMinusSignsNotHyphens) {
 }
 
 TEST(ChartWords, TicksCanStandAtTheCountsOfTheFirstSeries) {
-  Chart chart{.series = {{"", Role::model, Mark::line_and_points, {1, 2, 3, 6}, {4, 3, 2, 1}}}, .equal_x_ticks_at_points = true};
+  Chart chart{.series = {{"", Role::model, Mark::line_and_points, {1, 2, 3, 6}, {4, 3, 2, 1}}},
+              .equal_x_ticks_at_points = true};
   chart.y_range = Range{100, 200};
   const SvgReader read{svg(chart)};
   for (const char* count : {"1", "2", "3", "6"}) {
@@ -118,9 +121,9 @@ TEST(ChartWords, TheLegendSaysWhichOfTwoHasNoData) {
 TEST(ChartWords, DegenerateDataGiveFiniteDrawings) {
   constexpr double endless = std::numeric_limits<double>::infinity();
   constexpr double most = std::numeric_limits<double>::max();
-  const std::vector<std::vector<double>> values{{},           {5},        {5, 5, 5},       {gone},       {gone, 1, gone},
-                                                {0, 0},       {-0.0},     {endless, 1},    {most, -most}, {1e-300, 2e-300},
-                                                {1e9, 1e9},   {1, 2, 3},  {-endless, gone}};
+  const std::vector<std::vector<double>> values{{},         {5},       {5, 5, 5},       {gone},        {gone, 1, gone},
+                                                {0, 0},     {-0.0},    {endless, 1},    {most, -most}, {1e-300, 2e-300},
+                                                {1e9, 1e9}, {1, 2, 3}, {-endless, gone}};
   for (const Mark mark : {Mark::line, Mark::step, Mark::points, Mark::line_and_points}) {
     for (const auto& x : values) {
       for (const auto& y : values) {

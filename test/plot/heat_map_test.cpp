@@ -140,8 +140,12 @@ TEST(HeatMap, TextIsEscapedAndEmptyDataSaySo) {
 
 TEST(HeatMap, DegenerateDataGiveFiniteDrawings) {
   for (const bool logarithmic : {true, false}) {
-    for (const auto& value : std::vector<std::vector<double>>{
-             {5, 5, 5, 5}, {0, 0, 0, 0}, {-1, -2, -3, -4}, {gone, 1, gone, gone}, {1e-300, 1e300, 0, 1}, {0, 1, 2, gone}}) {
+    for (const auto& value : std::vector<std::vector<double>>{{5, 5, 5, 5},
+                                                              {0, 0, 0, 0},
+                                                              {-1, -2, -3, -4},
+                                                              {gone, 1, gone, gone},
+                                                              {1e-300, 1e300, 0, 1},
+                                                              {0, 1, 2, gone}}) {
       HeatMap map = two_by_two(value);
       map.logarithmic = logarithmic;
       map.spots = {{gone, 1, "nowhere"}, {500, 1, "outside"}};

@@ -58,7 +58,8 @@ Range y_range(const Chart& chart) {
       include(range, level.value);
     }
   }
-  const bool labelled = std::ranges::any_of(chart.levels, [](const Level& l) { return !l.upright && !l.label.empty(); });
+  const bool labelled =
+      std::ranges::any_of(chart.levels, [](const Level& l) { return !l.upright && !l.label.empty(); });
   return with_margin(drawable(range.value_or(Range{0.0, 1.0})), labelled ? 0.11 : 0.06);  // room above for the label
 }
 
@@ -73,7 +74,8 @@ bool anything_in(const std::vector<double>& x, const std::vector<double>& y) {
 
 bool anything_in(const Chart& chart) {
   return std::ranges::any_of(chart.series, [](const Series& s) { return anything_in(s.x, s.y); }) ||
-         std::ranges::any_of(chart.areas, [](const Area& a) { return anything_in(a.x, a.low) && anything_in(a.x, a.high); });
+         std::ranges::any_of(chart.areas,
+                             [](const Area& a) { return anything_in(a.x, a.low) && anything_in(a.x, a.high); });
 }
 
 // The first curve of a role is drawn plainly, further names of the same role with other dashes. What was measured is
@@ -115,8 +117,10 @@ void draw_curves(Drawing& drawing, LabelPlaces& places, const Chart& chart, cons
   const Box frame = drawing.frame();
   const bool cut = chart.x_range || chart.y_range;  // an inner svg cuts off what lies outside, and needs no name for it
   if (cut) {
-    drawing.add("<svg x=\"{0:.1f}\" y=\"{1:.1f}\" width=\"{2:.1f}\" height=\"{3:.1f}\" viewBox=\"{0:.1f} {1:.1f} {2:.1f} {3:.1f}\">",
-                frame.left, frame.top, frame.width(), frame.height());
+    drawing.add(
+        "<svg x=\"{0:.1f}\" y=\"{1:.1f}\" width=\"{2:.1f}\" height=\"{3:.1f}\" viewBox=\"{0:.1f} {1:.1f} {2:.1f} "
+        "{3:.1f}\">",
+        frame.left, frame.top, frame.width(), frame.height());
   }
   for (const Area& area : chart.areas) {
     draw(drawing, area);
@@ -153,8 +157,8 @@ std::string svg(const Chart& chart) {
   Drawing drawing;
   drawing.place({left, 0.0, right, 1.0}, x, y);
   const TopLabels top_labels{chart, drawing};
-  const double top = 6.0 + legend_row * static_cast<double>(legend.rows()) +
-                     top_label_row * static_cast<double>(top_labels.rows());
+  const double top =
+      6.0 + legend_row * static_cast<double>(legend.rows()) + top_label_row * static_cast<double>(top_labels.rows());
   const double height = std::max(chart.height, top + least_frame_height + below);
   const Box frame{left, top, right, height - below};
   drawing.place(frame, x, y);
@@ -184,7 +188,8 @@ std::string svg(const Chart& chart) {
 
 std::string standalone(std::string svg) {
   if (const std::size_t begin = svg.find('>'); begin != std::string::npos) {
-    svg.insert(begin + 1, fmt::format("<style>{}</style><rect class=\"paper\" width=\"100%\" height=\"100%\"/>", plot_css));
+    svg.insert(begin + 1,
+               fmt::format("<style>{}</style><rect class=\"paper\" width=\"100%\" height=\"100%\"/>", plot_css));
   }
   return svg;
 }

@@ -105,8 +105,8 @@ void draw_dots(Drawing& drawing, LabelPlaces& places, const Series& series) {
       continue;
     }
     const Pixel p{drawing.x(series.x[i]), drawing.y(series.y[i])};
-    const bool seen = p.x >= frame.left - 0.1 && p.x <= frame.right + 0.1 && p.y >= frame.top - 0.1 &&
-                      p.y <= frame.bottom + 0.1;
+    const bool seen =
+        p.x >= frame.left - 0.1 && p.x <= frame.right + 0.1 && p.y >= frame.top - 0.1 && p.y <= frame.bottom + 0.1;
     if (seen && drawn.emplace(std::lround(2.0 * p.x), std::lround(2.0 * p.y)).second) {
       path += fmt::format("M{:.1f} {:.1f}h0", p.x, p.y);
       places.avoid(p);

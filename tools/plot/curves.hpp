@@ -15,8 +15,8 @@ namespace fantail::plot {
 /// The name of its colour in plot.css.
 [[nodiscard]] std::string_view class_of(Role role);
 
-/// Which samples to draw: stretches without a gap, of each not much more than one smallest and one largest value per two
-/// units of the drawing. Samples beside the x range are left out except for those next to it.
+/// Which samples to draw: stretches without a gap, of each not much more than one smallest and one largest value per
+/// two units of the drawing. Samples beside the x range are left out except for those next to it.
 [[nodiscard]] std::vector<std::vector<std::size_t>> stretches(const std::vector<double>& x,
                                                               std::span<const std::vector<double>> columns,
                                                               const Drawing& drawing);

@@ -57,9 +57,8 @@ Range edges(const std::vector<double>& centres) {
   if (centres.empty()) {
     return {0.0, 1.0};
   }
-  const double half = centres.size() < 2
-                          ? 0.5
-                          : 0.5 * (centres.back() - centres.front()) / static_cast<double>(centres.size() - 1);
+  const double half =
+      centres.size() < 2 ? 0.5 : 0.5 * (centres.back() - centres.front()) / static_cast<double>(centres.size() - 1);
   return drawable({centres.front() - half, centres.back() + half});
 }
 
@@ -111,8 +110,8 @@ void draw_key(Drawing& drawing, const std::vector<Tick>& ticks, const Shades& sh
               width, frame.height());
   for (const Tick& tick : ticks) {
     const double y = frame.bottom - frame.height() * shade.part(tick.value);
-    drawing.add("<path class=\"tick\" d=\"M{:.1f} {:.1f}h4\"/><text x=\"{:.1f}\" y=\"{:.1f}\">{}</text>", left + width, y,
-                left + width + 8.0, y + 4.2, tick.text);
+    drawing.add("<path class=\"tick\" d=\"M{:.1f} {:.1f}h4\"/><text x=\"{:.1f}\" y=\"{:.1f}\">{}</text>", left + width,
+                y, left + width + 8.0, y + 4.2, tick.text);
   }
   if (shade.cut) {
     drawing.add("<text x=\"{:.1f}\" y=\"{:.1f}\">and less</text>", left, frame.bottom + tick_row);

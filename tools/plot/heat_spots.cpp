@@ -62,16 +62,18 @@ void draw_spots(Drawing& drawing, const std::vector<HeatMap::Spot>& spots) {
           drawing.add("<path class=\"{}\" d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\"/>", part, spot.at.x, spot.at.y, x, y);
         }
       }
-      drawing.add("<rect class=\"tag\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" rx=\"3\"/>"
-                  "<text class=\"tag\" x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\">{}</text>",
-                  box->left, box->top, box->width(), box->height(), 0.5 * (box->left + box->right),
-                  box->bottom - 5.0, printed(spot.text));
+      drawing.add(
+          "<rect class=\"tag\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" rx=\"3\"/>"
+          "<text class=\"tag\" x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\">{}</text>",
+          box->left, box->top, box->width(), box->height(), 0.5 * (box->left + box->right), box->bottom - 5.0,
+          printed(spot.text));
     }
   }
   for (const Shown& spot : shown) {
-    drawing.add("<circle class=\"halo\" cx=\"{0:.1f}\" cy=\"{1:.1f}\" r=\"{2}\"/>"
-                "<circle class=\"spot\" cx=\"{0:.1f}\" cy=\"{1:.1f}\" r=\"{2}\"/>",
-                spot.at.x, spot.at.y, ring - 1.0);
+    drawing.add(
+        "<circle class=\"halo\" cx=\"{0:.1f}\" cy=\"{1:.1f}\" r=\"{2}\"/>"
+        "<circle class=\"spot\" cx=\"{0:.1f}\" cy=\"{1:.1f}\" r=\"{2}\"/>",
+        spot.at.x, spot.at.y, ring - 1.0);
   }
 }
 

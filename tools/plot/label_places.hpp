@@ -30,7 +30,8 @@ class LabelPlaces {
   void keep_free(Box box) { taken_.push_back(box); }
   void avoid(Pixel point) { drawn_.push_back(point); }
 
-  /// The candidate that covers the least, the first of equals, which is then taken. Empty when none lies inside and free.
+  /// The candidate that covers the least, the first of equals, which is then taken. Empty when none lies inside and
+  /// free.
   std::optional<Box> take(std::span<const Box> candidates);
 
  private:

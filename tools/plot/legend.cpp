@@ -63,8 +63,7 @@ Legend::Legend(const Chart& chart, const std::vector<std::string>& styles) : cha
 
 void Legend::draw(Drawing& drawing) const {
   if (!chart_.y_label.empty()) {
-    drawing.add("<text class=\"axis\" x=\"0\" y=\"13\">{}</text>",
-                printed(shortened(chart_.y_label, chart_.width)));
+    drawing.add("<text class=\"axis\" x=\"0\" y=\"13\">{}</text>", printed(shortened(chart_.y_label, chart_.width)));
   }
   for (std::size_t row = 0; row < rows_.size(); ++row) {
     const double y = 13.0 + legend_row * static_cast<double>(row);
@@ -74,14 +73,17 @@ void Legend::draw(Drawing& drawing) const {
     }
     for (const Entry& entry : rows_[row]) {
       if (entry.area != nullptr) {
-        drawing.add("<path class=\"area {}\" d=\"M{:.1f} {:.1f}h22v10h-22Z\"/>", class_of(entry.area->role), x, y - 9.0);
+        drawing.add("<path class=\"area {}\" d=\"M{:.1f} {:.1f}h22v10h-22Z\"/>", class_of(entry.area->role), x,
+                    y - 9.0);
       }
       if (entry.series != nullptr && entry.series->mark != Mark::points) {
         drawing.add("<path class=\"line {}{}\" d=\"M{:.1f} {:.1f}h22\"/>", class_of(entry.series->role), entry.style, x,
                     y - 4.0);
       }
-      if (entry.series != nullptr && (entry.series->mark == Mark::points || entry.series->mark == Mark::line_and_points)) {
-        drawing.add("<path class=\"dots {}\" d=\"M{:.1f} {:.1f}h0\"/>", class_of(entry.series->role), x + 11.0, y - 4.0);
+      if (entry.series != nullptr &&
+          (entry.series->mark == Mark::points || entry.series->mark == Mark::line_and_points)) {
+        drawing.add("<path class=\"dots {}\" d=\"M{:.1f} {:.1f}h0\"/>", class_of(entry.series->role), x + 11.0,
+                    y - 4.0);
       }
       drawing.add("<text x=\"{:.1f}\" y=\"{:.1f}\">{}</text>", x + sample, y, printed(entry.name));
       x += entry.width;

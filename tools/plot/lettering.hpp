@@ -6,7 +6,8 @@
 
 namespace fantail::plot {
 
-/// How wide the text stands in the drawing's own units, rather too much than too little: nobody knows the reader's font.
+/// How wide the text stands in the drawing's own units, rather too much than too little: nobody knows the reader's
+/// font.
 [[nodiscard]] double text_width(std::string_view text);
 
 /// As much of the text as fits, with an ellipsis when that is not all.

@@ -77,9 +77,11 @@ void TopLabels::draw(Drawing& drawing) const {
 void draw_stripes(Drawing& drawing, const Chart& chart) {
   for (const Stripe& stripe : chart.stripes) {
     if (const auto extent = shown(stripe, drawing)) {
-      drawing.add("<rect class=\"stripe\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\"><title>{}</title></rect>",
-                  extent->from, drawing.frame().top, std::max(extent->to - extent->from, 1.0), drawing.frame().height(),
-                  printed(stripe.label));
+      drawing.add(
+          "<rect class=\"stripe\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" "
+          "height=\"{:.1f}\"><title>{}</title></rect>",
+          extent->from, drawing.frame().top, std::max(extent->to - extent->from, 1.0), drawing.frame().height(),
+          printed(stripe.label));
     }
   }
 }

@@ -13,8 +13,8 @@ namespace fantail::plot {
 
 constexpr double top_label_row = 15.0;
 
-/// The labels of stripes and upright levels, in rows above the frame. One without room is left out; its text still shows
-/// under a mouse.
+/// The labels of stripes and upright levels, in rows above the frame. One without room is left out; its text still
+/// shows under a mouse.
 class TopLabels {
  public:
   /// Only the drawing's x is used.

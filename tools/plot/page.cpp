@@ -62,9 +62,8 @@ std::string section(std::string_view heading, std::string_view body_html) {
 std::string paragraph(std::string_view text) { return fmt::format("<p>{}</p>\n", printed(text)); }
 
 std::string figure(std::string_view svg, std::string_view caption) {
-  return caption.empty()
-             ? fmt::format("<figure>{}</figure>\n", svg)
-             : fmt::format("<figure>{}<figcaption>{}</figcaption></figure>\n", svg, printed(caption));
+  return caption.empty() ? fmt::format("<figure>{}</figure>\n", svg)
+                         : fmt::format("<figure>{}<figcaption>{}</figcaption></figure>\n", svg, printed(caption));
 }
 
 std::string figures(std::span<const std::string> figures_html) {
@@ -78,7 +77,8 @@ std::string figures(std::span<const std::string> figures_html) {
 std::string table(std::span<const Column> columns, std::span<const std::vector<Cell>> rows) {
   std::string out = "<div class=\"table\"><table>\n<thead><tr>";
   for (const Column& column : columns) {
-    out += fmt::format("<th scope=\"col\"{}>{}</th>", class_attribute(column.number, Tone::plain), printed(column.heading));
+    out += fmt::format("<th scope=\"col\"{}>{}</th>", class_attribute(column.number, Tone::plain),
+                       printed(column.heading));
   }
   out += "</tr></thead>\n<tbody>\n";
   for (const std::vector<Cell>& row : rows) {
