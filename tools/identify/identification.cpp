@@ -6,6 +6,9 @@
 #include <fmt/format.h>
 
 #include "identify/alpha_fit.hpp"
+#include "identify/closed_loop_fit.hpp"
+#include "identify/closed_loop_grid.hpp"
+#include "identify/closed_loop_model.hpp"
 #include "identify/node_times.hpp"
 #include "identify/open_loop.hpp"
 #include "identify/response_basis.hpp"
@@ -51,13 +54,54 @@ Model open_loop_model(const Question& q, const NodeTimes& nodes, std::optional<E
   return fit_open_loop(record, airframe, nodes, options.start, options.grid);
 }
 
+Model closed_loop_model(const Question& q, const NodeTimes& nodes, std::optional<ErrorMap>& errors) {
+  const auto& [record, airframe, options] = q;
+  std::optional<Model> grid_best;
+  if (options.method == Method::grid || options.with_error_map) {
+    ClosedLoopGrid found =
+        search_closed_loop_grid(record, airframe, *options.closed_loop, nodes, options.start, options.grid);
+    errors = std::move(found.errors);
+    if (options.method == Method::grid) {
+      return std::move(found.model);
+    }
+    grid_best = std::move(found.least_squares);
+  }
+  return fit_closed_loop(record, airframe, *options.closed_loop, nodes, options.start, options.grid, grid_best).model;
+}
+
 Model model_with(const Question& q, const NodeTimes& nodes, std::optional<ErrorMap>& errors) {
   check_nodes(q.record, nodes);
   check_record(q.record, nodes.size(), q.options.start);
-  return open_loop_model(q, nodes, errors);
+  return q.options.closed_loop ? closed_loop_model(q, nodes, errors) : open_loop_model(q, nodes, errors);
 }
 
-Simulation simulate(const Question& q, const Model& model) { return simulate_open_loop(q.record, q.airframe, model); }
+Simulation simulate(const Question& q, const Model& model) {
+  return q.options.closed_loop ? simulate_closed_loop(q.record, q.airframe, *q.options.closed_loop, model)
+                               : simulate_open_loop(q.record, q.airframe, model);
+}
+
+Uncertainty open_loop_uncertainty(const Question& q, const Model& model, const Simulation& simulation) {
+  const auto& [record, airframe, options] = q;
+  const ResponseBasis basis{record, airframe, model.node_time_s, options.start};
+  return uncertainty_of(record, model, simulation, open_loop_sensitivities(record, airframe, model), options.start,
+                        [&basis](double alpha_m2) { return AlphaFit{basis, alpha_m2}.least_squares_rad2(); });
+}
+
+Uncertainty closed_loop_uncertainty(const Question& q, const Model& model, const Simulation& simulation) {
+  const auto& [record, airframe, options] = q;
+  const ClosedLoop& loop = *options.closed_loop;
+  ClosedLoopDescent descent{record, airframe, loop, model.node_time_s, options.start};
+  const auto profile = [&](double alpha_m2) {
+    Model begin = model;
+    begin.alpha_m2 = alpha_m2;
+    return descent.from(begin, Alpha::held).squares_rad2;
+  };
+  // The model's canards are the commands, whatever the encoders say, if there are any.
+  Record commanded = record;
+  commanded.canard_rad = simulation.canard_rad;
+  return uncertainty_of(commanded, model, simulation, closed_loop_sensitivities(record, airframe, loop, model).angle,
+                        options.start, profile);
+}
 
 // As few intervals as come within a tenth of the least error: the published rule, "until there is no significant
 // further improvement", with a number. The error need not fall evenly: it may take three intervals before any of them
@@ -118,10 +162,8 @@ Identification identify(const Record& record, const Airframe& airframe, const Op
   result.simulation = simulate(question, result.model);
   remark_on_edges(result, options.grid);
   if (options.with_uncertainty) {
-    const ResponseBasis basis{record, airframe, nodes, options.start};
-    result.uncertainty = uncertainty_of(
-        record, result.model, result.simulation, open_loop_sensitivities(record, airframe, result.model), options.start,
-        [&basis](double alpha_m2) { return AlphaFit{basis, alpha_m2}.least_squares_rad2(); });
+    result.uncertainty = options.closed_loop ? closed_loop_uncertainty(question, result.model, result.simulation)
+                                             : open_loop_uncertainty(question, result.model, result.simulation);
   }
   return result;
 }

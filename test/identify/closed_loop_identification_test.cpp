@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "identify/closed_loop_runs.hpp"
+#include "identify/identification.hpp"
+#include "identify/planted.hpp"
+
+namespace fantail::identify {
+namespace {
+
+constexpr double degree = paper::radians_per_degree;
+
+Options closed_loop_options(const paper::Loop& loop, const NodeTimes& nodes) {
+  return {.nodes = nodes, .closed_loop = controller_of(loop), .with_error_map = false};
+}
+
+TEST(ClosedLoopIdentification, BothMethodsFindThePlantedModel) {
+  const paper::Loop loop = second_launch_with_chirp();
+  const Record record = closed_loop_record(loop, 9.0, 1);
+  Options options = closed_loop_options(loop, {0.0, 9.0});
+  options.with_error_map = true;
+  const Identification continuous = identify(record, paper::airframe(loop), options);
+  EXPECT_EQ(continuous.loop, Loop::closed);
+  expect_same(continuous.model, truth(loop, {0.0, 9.0}));
+  EXPECT_LT(continuous.simulation.mean_abs_angle_error_rad, 1e-4 * degree);
+  ASSERT_TRUE(continuous.error_map);
+  EXPECT_EQ(continuous.error_map->mean_abs_angle_error_rad.size(), 1260U);
+
+  options.method = Method::grid;
+  const Identification grid = identify(record, paper::airframe(loop), options);
+  EXPECT_EQ(grid.model.alpha_m2, 23.0);
+  EXPECT_EQ(grid.model.beta_m, 9.0);
+}
+
+TEST(ClosedLoopIdentification, SaysHowWellTheNumbersAreKnown) {
+  const paper::Loop loop = second_launch_with_chirp();
+  Record record = closed_loop_record(loop, 6.0, 10);
+  add_noise(record, {.angle_deg = 0.3, .correlation_s = 0.0}, 11);
+  record.canard_rad.clear();
+  const Identification found = identify(record, paper::airframe(loop), closed_loop_options(loop, {0.0, 6.0}));
+  ASSERT_TRUE(found.uncertainty);
+  const Uncertainty& uncertainty = *found.uncertainty;
+  ASSERT_EQ(uncertainty.standard_deviation.size(), 4U);
+  EXPECT_TRUE(uncertainty.alpha_identifiable) << uncertainty.verdict;
+  ASSERT_TRUE(uncertainty.alpha_profile_m2.low && uncertainty.alpha_profile_m2.high);
+  EXPECT_LT(*uncertainty.alpha_profile_m2.low, found.model.alpha_m2);
+  EXPECT_GT(*uncertainty.alpha_profile_m2.high, found.model.alpha_m2);
+  EXPECT_NEAR(uncertainty.residual_rms_rad / degree, 0.3, 0.05);
+}
+
+TEST(ClosedLoopIdentification, AsManyNodesAsItTakes) {
+  const paper::Loop loop = second_launch();
+  Record record = closed_loop_record(loop, 6.0, 10);
+  Options options = closed_loop_options(loop, {});
+  options.nodes = AutomaticNodes{.most = 2};
+  options.with_uncertainty = false;
+  add_noise(record, {.angle_deg = 0.3, .correlation_s = 0.0}, 12);
+  const Identification found = identify(record, paper::airframe(loop), options);
+  ASSERT_EQ(found.node_trials.size(), 2U);
+  EXPECT_EQ(found.model.node_time_s.size(), 2U);
+}
+
+// 38 of 40 should do; by chance fewer than 34 would in one of a hundred runs, and these seeds are always the same.
+TEST(ClosedLoopIdentification, ThePlantedNumbersLieInTheStatedIntervals) {
+  const paper::Loop loop = second_launch_with_chirp();
+  const Record quiet = closed_loop_record(loop, 4.0, 10);
+  constexpr std::uint64_t records = 40;
+  int alpha_inside = 0;
+  int beta_inside = 0;
+  for (std::uint64_t seed = 1; seed <= records; ++seed) {
+    Record record = quiet;
+    add_noise(record, {.angle_deg = 0.3, .correlation_s = 0.0}, seed);
+    Options options = closed_loop_options(loop, {0.0});
+    options.grid = {.alpha_m2 = {15.0, 35.0, 10.0}, .beta_m = {8.0, 10.0, 2.0}};
+    const Identification found = identify(record, paper::airframe(loop), options);
+    const Interval& alpha = found.uncertainty->interval[0];
+    const Interval& beta = found.uncertainty->interval[1];
+    alpha_inside += *alpha.low <= 23.0 && 23.0 <= *alpha.high ? 1 : 0;
+    beta_inside += *beta.low <= 9.0 && 9.0 <= *beta.high ? 1 : 0;
+  }
+  EXPECT_GE(alpha_inside, 34);
+  EXPECT_GE(beta_inside, 34);
+}
+
+}  // namespace
+}  // namespace fantail::identify
