@@ -107,8 +107,8 @@ void predict_launch(const PredictOptions& options) {
   if (options.json) {
     fmt::print("{}", predict::prediction_json(prediction, decision, FANTAIL_VERSION));
   } else {
-    fmt::print("{}\n  runs  {}\n  band  {}\n", predict::prediction_text(prediction, decision),
-               (folder / "runs.csv").string(), (folder / "band.csv").string());
+    fmt::print("{}\n  page  {}\n  runs  {}\n", predict::prediction_text(prediction, decision),
+               (folder / "predict.html").string(), (folder / "runs.csv").string());
   }
   if (!decision.go) {
     throw RequirementNotMet{""};
@@ -158,7 +158,8 @@ void add_predict(CLI::App& program) {
   verb->add_option("--threads", options->threads, "How many to fly at once [as many as the machine can]")
       ->check(CLI::Range(1, 1024));
   add_thresholds(*verb, *options);
-  verb->add_option("--out", options->out, "Folder for predict.json, runs.csv, band.csv [out/predict/SCENARIO]")
+  verb->add_option("--out", options->out,
+                   "Folder for predict.html, predict.json, runs.csv, band.csv [out/predict/SCENARIO]")
       ->check(objection_to_folder);
   verb->add_flag("--json", options->json, "Print predict.json instead of the text");
   verb->footer(

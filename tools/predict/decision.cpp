@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "predict/decision.hpp"
 
+#include <cmath>
+
 #include <fmt/format.h>
 
 #include "predict/words.hpp"
@@ -17,7 +19,7 @@ Judgement judge(bool met) { return met ? Judgement::met : Judgement::not_met; }
 std::string required_share(double share) { return "at least " + percent(share) + " of the runs"; }
 
 std::string found_share(const Share& share) {
-  return fmt::format("{} ({} to {})", of_the_runs(share.value), percent(share.low), percent(share.high));
+  return fmt::format("{} ({} to {})", of_the_runs(share.value), fixed(100.0 * share.low, 0), percent(share.high));
 }
 
 bool too_few_runs(const Share& share, double threshold) { return share.value >= threshold && share.low < threshold; }
@@ -94,6 +96,33 @@ Criterion phase_margin(const Prediction& p, double threshold_rad) {
   return c;
 }
 
+std::string advice_on_authority(const Prediction& p, double share) {
+  std::vector<double> sizes;
+  for (const Run& run : p.runs) {
+    sizes.push_back(std::abs(run.offset_rad));
+  }
+  constexpr double step_deg = 0.5;
+  const double enough_deg = step_deg * std::ceil(degrees(point_above(std::move(sizes), share)) / step_deg);
+  return fmt::format(
+      "A canard limit of {} degrees would balance the offset in {} of the runs; so would straighter fins.",
+      brief(enough_deg, 1), percent(share));
+}
+
+std::vector<std::string> advice(const Decision& d, const Prediction& p) {
+  std::vector<std::string> all;
+  for (const Criterion& c : d.criteria) {
+    if (c.judgement != Judgement::not_met) {
+      continue;
+    }
+    if (c.key == "authority" && !too_few_runs(p.authority, d.thresholds.authority_share)) {
+      all.push_back(advice_on_authority(p, d.thresholds.authority_share));
+    } else if (c.key == "phase_margin" && p.worst_speed) {
+      all.emplace_back("Smaller gains or a faster servo give the loop more phase margin.");
+    }
+  }
+  return all;
+}
+
 std::string joined(const std::vector<Criterion>& criteria, Judgement judgement) {
   std::string text;
   for (const Criterion& c : criteria) {
@@ -107,7 +136,7 @@ std::string joined(const std::vector<Criterion>& criteria, Judgement judgement) 
 }  // namespace
 
 Decision decide(const Prediction& prediction, const Thresholds& thresholds) {
-  Decision d;
+  Decision d{.thresholds = thresholds};
   d.criteria = {authority(prediction, thresholds.authority_share), held(prediction, thresholds.held_share),
                 phase_margin(prediction, thresholds.phase_margin_rad)};
   const std::string wrong = joined(d.criteria, Judgement::not_met);
@@ -116,6 +145,7 @@ Decision decide(const Prediction& prediction, const Thresholds& thresholds) {
   if (const std::string open = joined(d.criteria, Judgement::not_judged); !open.empty()) {
     d.text += " Not judged: " + open + ".";
   }
+  d.advice = advice(d, prediction);
   return d;
 }
 

@@ -30,8 +30,10 @@ struct Criterion {
 
 struct Decision {
   bool go = false;
-  std::vector<Criterion> criteria;
-  std::string text;  ///< "Go: ..." or "No go: ...", one sentence, and one more for what could not be judged
+  std::vector<Criterion> criteria{};
+  std::string text{};                 ///< "Go: ..." or "No go: ...", and a sentence more for what could not be judged
+  std::vector<std::string> advice{};  ///< what would have to change, a sentence each; empty for go
+  Thresholds thresholds{};
 };
 
 /// Go when no criterion is not met. Shares must reach their threshold with the low end of their interval: runs that are

@@ -84,6 +84,7 @@ std::string prediction_json(const Prediction& p, const Decision& decision, std::
                     {"go", decision.go},
                     {"verdict", decision.text},
                     {"criteria", criteria(decision)},
+                    {"advice", decision.advice},
                     {"tunnel", tunnel(p)},
                     {"canard_limit_deg", rounded(degrees(p.limit_rad))},
                     {"offset_size_deg", json(p.offset_size_rad, in_degrees)},

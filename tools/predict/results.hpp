@@ -22,7 +22,11 @@ namespace fantail::predict {
 /// band.csv: predicted roll over time.
 [[nodiscard]] std::string band_csv(const Prediction& prediction);
 
-/// Writes predict.json, runs.csv and band.csv into a folder, all or none. Throws report::OutputError.
+/// predict.html: one page that loads nothing.
+[[nodiscard]] std::string prediction_html(const Prediction& prediction, const Decision& decision,
+                                          std::string_view version);
+
+/// Writes predict.html, predict.json, runs.csv and band.csv into a folder, all or none. Throws report::OutputError.
 void write_prediction(const Prediction& prediction, const Decision& decision, std::string_view version,
                       const std::filesystem::path& folder);
 

@@ -32,6 +32,8 @@ void keep_roll(Run& run, const report::Flight& flight) {
     if (row.truth && row.time_s <= end_s && row.time_s >= next_s - clock_tolerance_s) {
       run.roll_angle_rad.push_back(row.truth->roll_angle_rad);
       run.roll_rate_rad_s.push_back(row.truth->roll_rate_rad_s);
+      run.reference_rad.push_back(row.phase == core::Phase::controlling ? std::optional{row.reference_rad}
+                                                                        : std::nullopt);
     }
   }
 }

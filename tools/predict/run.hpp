@@ -32,6 +32,7 @@ struct Run {
   std::optional<double> spin_rate_rad_s;
   std::vector<double> roll_angle_rad;  ///< from lift-off to apogee, what truly was; every track_step_s
   std::vector<double> roll_rate_rad_s;
+  std::vector<std::optional<double>> reference_rad;  ///< at the same times, under control
 };
 
 /// The seed of a run: another for every run, the same for the same number however many there are.

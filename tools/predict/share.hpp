@@ -26,8 +26,11 @@ struct Spread {
   double p95 = 0.0;
 };
 
-/// Of at least one value. Between two values a point lies on the straight line, so that the least is 0 % and the
-/// largest 100 %.
+/// Below it lies this share of the values, of which there is at least one. Between two values a point lies on the
+/// straight line, so that the least is 0 % and the largest 100 %.
+[[nodiscard]] double point_above(std::vector<double> values, double share_below);
+
+/// Likewise.
 [[nodiscard]] Spread spread(std::vector<double> values);
 
 }  // namespace fantail::predict

@@ -49,6 +49,9 @@ std::string prediction_text(const Prediction& p, const Decision& decision) {
   for (const Criterion& c : decision.criteria) {
     text += fmt::format("  {:<11}{}: {}; asked for: {}\n", words(c.judgement), c.label, c.found, c.required);
   }
+  for (const std::string& sentence : decision.advice) {
+    text += fmt::format("  {}\n", sentence);
+  }
   text += fmt::format("\n{}\nHow this was found:\n", figures(p));
   for (const std::string& sentence : basis(p)) {
     text += fmt::format("  {}\n", sentence);

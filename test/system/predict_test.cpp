@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "system/folder.hpp"
+#include "system/process.hpp"
+#include "system/refusal.hpp"
+
+namespace fantail::test {
+namespace {
+
+const Words results{"band.csv", "predict.html", "predict.json", "runs.csv"};
+
+nlohmann::json prediction(const std::filesystem::path& folder) {
+  return nlohmann::json::parse(content(folder / "predict.json"));
+}
+
+TEST(Predict, TheFirstLaunchIsNoGoWithItsReasonAndEverythingIsWritten) {
+  const Folder folder;
+  const Outcome outcome = fantail({"predict", "tasha3_launch1", "--runs", "10"}, {.working_folder = folder.path()});
+  EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
+  EXPECT_EQ(outcome.err, "");
+  EXPECT_NE(outcome.out.find("No go: the fin offset of about 7."), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("larger than the 6 degree canard limit in all runs"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("seed 1\n"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("hindsight"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("Swirl taken off: 0 degrees"), std::string::npos) << outcome.out;
+  const std::filesystem::path written = folder.path() / "out/predict/tasha3_launch1";
+  Words names;
+  for (const auto& entry : std::filesystem::directory_iterator{written}) {
+    names.push_back(entry.path().filename().string());
+  }
+  std::ranges::sort(names);
+  EXPECT_EQ(names, results);
+  EXPECT_EQ(prediction(written)["go"], false);
+  EXPECT_NE(content(written / "predict.html").find("No go"), std::string::npos);
+}
+
+TEST(Predict, TheSecondLaunchIsGo) {
+  const Folder folder;
+  const Outcome outcome = fantail({"predict", "--runs", "80", "--json", "--out", folder / "here"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err << outcome.out;
+  const nlohmann::json said = nlohmann::json::parse(outcome.out);
+  EXPECT_EQ(said["scenario"], "tasha3_launch2");
+  EXPECT_EQ(said["go"], true);
+  EXPECT_EQ(said["tunnel"]["swirl_deg"], -2.0);
+  EXPECT_EQ(said, prediction(folder / "here"));
+}
+
+TEST(Predict, GivesTheSameBytesForTheSameSeedWithOneThreadOrTwoAndOthersForAnotherSeed) {
+  const Folder folder;
+  for (const auto& [name, seed, threads] : {std::tuple{"a", "7", "1"}, {"b", "7", "2"}, {"c", "8", "2"}}) {
+    (void)fantail({"predict", "--runs", "6", "--seed", seed, "--threads", threads, "--out", folder / name});
+  }
+  for (const std::string& file : results) {
+    EXPECT_EQ(content(folder / ("a/" + file)), content(folder / ("b/" + file))) << file;
+    EXPECT_NE(content(folder / ("a/" + file)), content(folder / ("c/" + file))) << file;
+  }
+  EXPECT_EQ(prediction(folder / "c")["seed"], 8);
+}
+
+constexpr const char* own_steps =
+    "step,begin_s,alpha_m2,beta_m,disturbance_begin_deg,disturbance_end_deg,a_column_more\n"
+    "1,0,20,9.5,-11,-12,x\n2,5,19,9.0,-12,-11,y\n3,10,21,10,-11.5,-11,z\n";
+
+TEST(Predict, TakesAFileOfOnesOwnWithTheSwirlThatIsGiven) {
+  const Folder folder;
+  folder.write("steps.csv", own_steps);
+  const Outcome outcome = fantail({"predict", "--tunnel", "steps.csv", "--swirl", "-1.5", "--runs", "5", "--json"},
+                                  {.working_folder = folder.path()});
+  EXPECT_EQ(outcome.exit_code, 1);
+  const nlohmann::json said = nlohmann::json::parse(outcome.out);
+  EXPECT_EQ(said["tunnel"]["file"], "steps.csv");
+  EXPECT_EQ(said["tunnel"]["swirl_deg"], -1.5);
+  EXPECT_NEAR(said["offset_size_deg"]["mean"].get<double>(), 10.2, 1.0);
+  EXPECT_EQ(said["authority"]["count"], 0);
+}
+
+TEST(Predict, FindsTheFileThatAScenarioNamesBesideIt) {
+  const Folder folder;
+  folder.write("mine/steps.csv", own_steps);
+  folder.write("mine/flight.toml",
+               "vehicle = \"tasha3_launch2\"\nplan = \"tasha3_launch2\"\ntunnel_result = \"steps.csv\"\n");
+  const Outcome outcome = fantail({"predict", "mine/flight.toml", "--runs", "3"}, {.working_folder = folder.path()});
+  EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
+  EXPECT_NE(outcome.out.find("the 3 rows of steps.csv"), std::string::npos) << outcome.out;
+}
+
+TEST(Predict, RefusesWhatItCannotPredictFromAndWritesNothing) {
+  const std::string flight = "vehicle = \"tasha3_launch2\"\nplan = \"tasha3_launch2\"\n";
+  Refusal({{"mine.toml", flight}}, {"predict", "mine.toml"}, 78, {"mine: names no tunnel_result", "--tunnel FILE"});
+  Refusal({{"mine.toml", "tunnel_result = \"absent\"\n" + flight}}, {"predict", "mine.toml"}, 66,
+          {"mine.toml:1: unknown tunnel result \"absent\"", "tasha3_table2"});
+  Refusal({}, {"predict", "--tunnel", "tasha3_tabel2"}, 66, {"did you mean tasha3_table2?"});
+  Refusal({}, {"predict", "--tunnel", "absent.csv"}, 66, {"absent.csv: no such file"});
+  Refusal({{"steps.csv", "alpha_m2,beta_m\n19,9\n"}}, {"predict", "--tunnel", "steps.csv"}, 65,
+          {"disturbance_begin_deg", "alpha_m2"});
+  Refusal({}, {"predict", "tunnel_steps"}, 78, {"tunnel_steps: environment.surroundings"});
+}
+
+TEST(Predict, RefusesOptionsThatMeanNothing) {
+  Refusal({}, {"predict", "--runs", "0"}, 64, {"--runs"});
+  Refusal({}, {"predict", "--damping-factor", "2:1"}, 64, {"LOW:HIGH"});
+  Refusal({}, {"predict", "--damping-factor", "low"}, 64, {"LOW:HIGH"});
+  Refusal({}, {"predict", "--servo-lag", "20"}, 64, {"--servo-lag"});
+  Refusal({}, {"predict", "--authority-percent", "100"}, 64, {"--authority-percent"});
+}
+
+TEST(Predict, LowerDemandsCanBeMade) {
+  const Folder folder;
+  const Words asked{"predict", "tasha3_launch1", "--runs", "10",   "--authority-percent", "0", "--held-percent",
+                    "0",       "--phase-margin", "10",     "--out"};
+  Words words = asked;
+  words.push_back(folder / "out");
+  EXPECT_EQ(fantail(words).exit_code, 0);
+}
+
+}  // namespace
+}  // namespace fantail::test

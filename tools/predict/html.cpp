@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+#include <array>
+#include <cctype>
+#include <numbers>
+
+#include <fmt/format.h>
+
+#include "plot/page.hpp"
+#include "predict/charts.hpp"
+#include "predict/results.hpp"
+#include "predict/words.hpp"
+
+namespace fantail::predict {
+namespace {
+
+using report::degrees;
+using report::fixed;
+
+constexpr double in_degrees = 180.0 / std::numbers::pi;
+
+plot::Tone tone(Judgement judgement) {
+  switch (judgement) {
+    case Judgement::met: return plot::Tone::good;
+    case Judgement::not_met: return plot::Tone::bad;
+    case Judgement::not_judged: break;
+  }
+  return plot::Tone::unsure;
+}
+
+plot::Figure figure(std::string label, const Spread& s, double scale, int decimals, std::string unit) {
+  return {.label = std::move(label),
+          .value = fixed(scale * s.p50, decimals),
+          .unit = std::move(unit),
+          .remark = fmt::format("5 to 95 %: {} to {}", fixed(scale * s.p5, decimals), fixed(scale * s.p95, decimals))};
+}
+
+plot::Figure figure(std::string label, const Share& s) {
+  return {.label = std::move(label),
+          .value = fixed(100.0 * s.value, 0),
+          .unit = "%",
+          .remark = fmt::format("of {} runs; 95 % interval {} to {}", s.of, fixed(100.0 * s.low, 0), percent(s.high))};
+}
+
+std::string figures(const Prediction& p) {
+  std::vector<plot::Figure> all{figure("authority margin", p.authority_margin_rad, in_degrees, 1, "deg"),
+                                figure("canards can balance the offset", p.authority)};
+  if (p.held.of > 0) {
+    all.push_back(figure("roll is held", p.held));
+  }
+  if (p.worst_speed) {
+    all.push_back(figure(fmt::format("phase margin at {} m/s, the worst speed", fixed(p.worst_speed->speed_m_s, 0)),
+                         p.worst_speed->phase_margin_rad, in_degrees, 0, "deg"));
+  }
+  if (p.settle_rad) {
+    all.push_back(figure("roll settles at", *p.settle_rad, in_degrees, 1, "deg"));
+  }
+  if (p.spin_rate_rad_s) {
+    all.push_back(figure("spin without authority, at top speed", *p.spin_rate_rad_s, in_degrees, 0, "deg/s"));
+  }
+  if (p.saturated_share) {
+    all.push_back(figure("canards at their limit", *p.saturated_share, 100.0, 0, "% of control time"));
+  }
+  return plot::figure_row(all);
+}
+
+/// The heading says it already.
+std::string without_heading(const Decision& decision) {
+  std::string text = decision.text.substr(decision.text.find(": ") + 2);
+  text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
+  return text;
+}
+
+std::string criteria(const Decision& decision) {
+  const std::array<plot::Column, 4> columns{{{"criterion"}, {"found"}, {"asked for"}, {""}}};
+  std::vector<std::vector<plot::Cell>> rows;
+  for (const Criterion& c : decision.criteria) {
+    rows.push_back({{c.label}, {c.found}, {c.required}, {std::string{words(c.judgement)}, tone(c.judgement)}});
+  }
+  return plot::table(columns, rows) + (decision.advice.empty() ? "" : plot::list(decision.advice));
+}
+
+std::string roll(const Prediction& p) {
+  if (p.band.time_s.empty()) {
+    return plot::paragraph("No run left the pad.");
+  }
+  return plot::figure(roll_angle_chart(p),
+                      "Roll angle of the rocket as it truly would be. A proportional-derivative loop settles at the "
+                      "reference plus the fin offset over the gain, not at the reference.") +
+         plot::figure(roll_rate_chart(p), "Roll rate.");
+}
+
+std::string stability(const Prediction& p, const Decision& decision) {
+  if (p.over_speed.empty()) {
+    return plot::paragraph(
+        "There is no loop whose margin could be told: control never begins, or its gains are nought.");
+  }
+  const std::array<plot::Column, 4> columns{{{"air speed, m/s", true},
+                                             {"phase margin, deg", true},
+                                             {"crossover, rad/s", true},
+                                             {"gain margin, times", true}}};
+  std::vector<std::vector<plot::Cell>> rows;
+  constexpr std::size_t rows_apart = 4;
+  const auto with_ends = [](const Spread& s, double scale, int decimals) {
+    return fmt::format("{} ({} to {})", fixed(scale * s.p50, decimals), fixed(scale * s.p5, decimals),
+                       fixed(scale * s.p95, decimals));
+  };
+  for (std::size_t i = 0; i < p.over_speed.size(); i += rows_apart) {
+    const MarginsAtSpeed& at = p.over_speed[i];
+    rows.push_back({{fixed(at.speed_m_s, 0)},
+                    {with_ends(at.phase_margin_rad, in_degrees, 0)},
+                    {with_ends(at.crossover_rad_s, 1.0, 1)},
+                    {at.gain_margin ? with_ends(*at.gain_margin, 1.0, 1) : "any"}});
+  }
+  return plot::figure(
+             phase_margin_chart(p, decision.thresholds),
+             fmt::format("How far the loop is from swinging by itself, from the speed at which control starts to "
+                         "top speed, with a servo lag of {} ms and {} ms of dead time.",
+                         report::brief(1e3 * p.servo_lag_s, 1), report::brief(1e3 * p.delay_s, 1))) +
+         plot::table(columns, rows);
+}
+
+std::string airframes(const Prediction& p) {
+  const std::array<std::string, 2> pair{
+      plot::figure(offset_chart(p), "The fin offset against what the canards can balance."),
+      plot::figure(airframe_chart(p), "The airframes that were flown, and the identified ones they were drawn from.")};
+  return plot::figures(pair);
+}
+
+}  // namespace
+
+std::string prediction_html(const Prediction& p, const Decision& decision, std::string_view version) {
+  const std::string heading = decision.go ? "Go" : "No go";
+  return plot::html({.kind = "Fantail launch prediction",
+                     .title = p.scenario,
+                     .subtitle = fmt::format("{}, plan {}; {} runs, seed {}; Fantail {}", p.vehicle, p.plan_name,
+                                             p.runs.size(), p.seed, version),
+                     .tone = decision.go ? plot::Tone::good : plot::Tone::bad,
+                     .verdict_heading = heading,
+                     .verdict = without_heading(decision),
+                     .body_html = plot::section("In the middle of the runs", figures(p)) +
+                                  plot::section("What a launch must promise", criteria(decision)) +
+                                  plot::section("Predicted roll", roll(p)) +
+                                  plot::section("Fin offset and airframe", airframes(p)) +
+                                  plot::section("Stability over speed", stability(p, decision)) +
+                                  plot::section("How this was found", plot::list(basis(p)))});
+}
+
+}  // namespace fantail::predict
