@@ -55,7 +55,8 @@ TEST(Run, TheFirstLaunchIsNotHeldAndNobodyKnowsItsRollBeforehand) {
 }
 
 // Facts of the first launch: -73.1 deg/s 6 s after detection, which came 0.21 s after lift-off. One degree
-// of the offset is left over, and half of the servos' play of 0.1 degrees, which those facts do not have, comes to that.
+// of the offset is left over, and half of the servos' play of 0.1 degrees, which those facts do not have, comes to
+// that.
 TEST(Run, TheFirstLaunchSpinsAsItDid) {
   TunnelStep closed_loop = first_launch;
   closed_loop.damping_m2 = 7.5;

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#include "predict/loop_at_speed.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "fly/fly_scenario.hpp"
+#include "report/numbers.hpp"
+
+namespace fantail::predict {
+namespace {
+
+constexpr double speed_m_s = 81.0;
+
+// The real avionics, servos and sensors in a steady stream of 81 m/s, all that is not in the linear loop taken away,
+// with the gains of the second launch times a factor.
+sim::Scenario steady_stream(double gain_factor) {
+  sim::Scenario scenario = sim::load_scenario("tunnel_steps", {});
+  scenario.tunnel = {.fan_rpm = 2700.0, .speed_per_rpm_m_s = speed_m_s / 2700.0};
+  scenario.disturbance.clear();
+  scenario.vehicle.servo.backlash_rad = 0.0;
+  scenario.vehicle.servo.rate_limit_rad_s = 1e4;
+  scenario.plan.reference.kind = core::ReferenceKind::hold;
+  scenario.plan.controller.canard_limit = core::hard_canard_limit;
+  scenario.plan.controller.proportional_gain = static_cast<float>(0.5 * gain_factor);
+  scenario.plan.controller.derivative_gain_s = static_cast<float>(0.05 * gain_factor);
+  scenario.plan.run.control_time = core::Microseconds{12'000'000};
+  return scenario;
+}
+
+TunnelStep airframe(const sim::Vehicle& vehicle) {
+  return {.damping_m2 = vehicle.roll_plant.damping_m2, .torque_m = vehicle.roll_plant.torque_m};
+}
+
+/// Largest roll rate from 8 s after control start on: noise, or a loop that swings.
+double late_roll_rate_deg_s(const sim::Scenario& scenario) {
+  double largest = 0.0;
+  for (const report::Row& row : fly::fly_scenario(scenario).rows) {
+    if (row.time_s > 8.0 && row.phase == core::Phase::controlling) {
+      largest = std::max(largest, std::abs(report::degrees(row.truth->roll_rate_rad_s)));
+    }
+  }
+  return largest;
+}
+
+// The dead time of the loop is an assumption about pulses, frames and ticks; the flown rocket knows nothing of it.
+TEST(LoopAtSpeed, TheFlownRocketBeginsToSwingAtTheGainMargin) {
+  const sim::Scenario usual = steady_stream(1.0);
+  const auto found = margins(loop_at_speed(usual, airframe(usual.vehicle), speed_m_s));
+  ASSERT_TRUE(found && found->gain_margin);
+  EXPECT_LT(late_roll_rate_deg_s(steady_stream(0.93 * *found->gain_margin)), 5.0);
+  EXPECT_GT(late_roll_rate_deg_s(steady_stream(1.07 * *found->gain_margin)), 30.0);
+}
+
+TEST(LoopAtSpeed, HasTheServosOfTheVehicleAndTheGainsOfThePlan) {
+  sim::Scenario scenario = sim::load_scenario("tasha3_launch1", {});
+  scenario.vehicle.imu.delay_s = 0.002;
+  const RollLoop loop = loop_at_speed(scenario, {.damping_m2 = 7.5, .torque_m = 10.0}, 97.0);
+  EXPECT_EQ(loop.proportional_gain, 1.0);
+  EXPECT_NEAR(loop.derivative_gain_s, 0.1, 1e-6);
+  EXPECT_EQ(loop.servo_lag_s, 0.020);
+  EXPECT_NEAR(loop.delay_s, 0.002 + 0.003 + 0.5 / 333.0 + 0.0005, 1e-12);
+  // 1.225 kg/m3 at the launch site: rho v A alpha / (2 I) and rho v^2 A beta / (2 I).
+  EXPECT_NEAR(loop.damping_rate_per_s, 1.225 * 97.0 * 5.0265e-5 * 7.5 / (2.0 * 0.00361), 1e-9);
+  EXPECT_NEAR(loop.authority_per_s2, 1.225 * 97.0 * 97.0 * 5.0265e-5 * 10.0 / (2.0 * 0.00361), 1e-6);
+}
+
+}  // namespace
+}  // namespace fantail::predict
