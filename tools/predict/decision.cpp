@@ -53,8 +53,7 @@ Criterion held(const Prediction& p, double threshold) {
   if (share.of == 0) {
     c.found = "could not be judged";
     c.clause =
-        "whether roll is held could not be judged: the reference never stands still for long enough, or there is no "
-        "proportional gain";
+        "whether roll is held, as the reference never stands still for long enough or there is no proportional gain";
     return c;
   }
   c.found = found_share(share);

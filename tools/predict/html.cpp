@@ -58,7 +58,7 @@ std::string figures(const Prediction& p) {
     all.push_back(figure("spin without authority, at top speed", *p.spin_rate_rad_s, in_degrees, 0, "deg/s"));
   }
   if (p.saturated_share) {
-    all.push_back(figure("canards at their limit", *p.saturated_share, 100.0, 0, "% of control time"));
+    all.push_back(figure("control time with canards at their limit", *p.saturated_share, 100.0, 0, "%"));
   }
   return plot::figure_row(all);
 }
@@ -86,7 +86,8 @@ std::string roll(const Prediction& p) {
   return plot::figure(roll_angle_chart(p),
                       "Roll angle of the rocket as it truly would be. A proportional-derivative loop settles at the "
                       "reference plus the fin offset over the gain, not at the reference.") +
-         plot::figure(roll_rate_chart(p), "Roll rate.");
+         plot::figure(roll_rate_chart(p),
+                      "How fast it turns. The band is the spread of the runs at each instant, not one run.");
 }
 
 std::string stability(const Prediction& p, const Decision& decision) {
