@@ -56,6 +56,7 @@ ExitCode run(int argc, char** argv) {
       "Exit codes: 0 done, 1 a requirement was not met, 64 usage, 65 bad data, 66 no such input,\n"
       "  70 internal error, 74 input/output, 78 bad configuration, 130 interrupted");
   fantail::tool::add_fly(program);
+  fantail::tool::add_identify(program);
   fantail::tool::add_plan(program);
   fantail::tool::add_node(program);
   fantail::tool::add_bench(program);

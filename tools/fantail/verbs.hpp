@@ -8,6 +8,7 @@ namespace fantail::tool {
 // One file per verb. Each adds itself to the program; its callback throws what the program turns into an exit code.
 
 void add_fly(CLI::App& program);
+void add_identify(CLI::App& program);
 void add_plan(CLI::App& program);
 void add_node(CLI::App& program);
 void add_bench(CLI::App& program);

@@ -186,12 +186,15 @@ std::vector<double> densities(const RollLog& log, const Indices& samples, const 
 
 Record make_record(const RollLog& log, const Window& window, const RecordOptions& options) {
   const double longest_gap_s = gap_s(log, options);
-  if (log.canard_rad.empty()) {
+  const bool with_canards = !log.canard_rad.empty();
+  if (!with_canards && options.canard_needed) {
     refuse(log, "no column canard_deg with numbers in it");
   }
   const ShiftedColumn canard{log.time_s, log.canard_rad, options.lag_s, longest_gap_s};
   Indices inside = samples_inside(log, window, longest_gap_s);
-  std::erase_if(inside, [&](std::size_t i) { return !canard.at(i); });
+  if (with_canards) {
+    std::erase_if(inside, [&](std::size_t i) { return !canard.at(i); });
+  }
   const auto [samples, segment_begin] = without_crumbs(log, inside, longest_gap_s);
   if (samples.size() < least_samples) {
     refuse(log, fmt::format("window {}: {} samples without a gap between them; at least {} are needed", words(window),
@@ -204,8 +207,11 @@ Record make_record(const RollLog& log, const Window& window, const RecordOptions
   record.segment_begin = segment_begin;
   for (const std::size_t i : samples) {
     record.time_s.push_back(log.time_s[i] - record.window_begin_s);
-    record.canard_rad.push_back(*canard.at(i));
     record.in_control.push_back(log.phase.empty() || log.phase[i] == core::Phase::controlling);
+    if (!with_canards) {
+      continue;
+    }
+    record.canard_rad.push_back(*canard.at(i));
     if (std::isnan(record.canard_rad.back())) {
       refuse(log, fmt::format("canard_deg has no number at {} s", about(log.time_s[i])));
     }

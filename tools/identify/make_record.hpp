@@ -17,6 +17,7 @@ struct RecordOptions {
   std::optional<double> density_kg_m3{};  ///< the same everywhere; empty: from the height by `atmosphere`
   sim::Atmosphere atmosphere{};
   std::optional<double> speed_m_s{};  ///< for a log without speeds, or instead of them
+  bool canard_needed = true;          ///< false: a log without canard angles gives a record without them
   double longest_gap_s = 0.1;         ///< samples farther apart have a gap between them (but see below)
 };
 

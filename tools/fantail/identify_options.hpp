@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+namespace fantail::tool {
+
+/// What a person may say to `fantail identify`, as typed.
+struct IdentifyOptions {
+  std::string data;
+  std::vector<std::string> columns;  ///< NAME=THEIRS
+  std::string units = "deg";
+  bool truth = false;
+
+  std::optional<double> from_s;
+  std::optional<double> to_s;
+  std::vector<std::string> windows;
+  double lag_s = 0.0;
+  bool fit_lag = false;
+  bool fit_initial = false;
+
+  std::optional<std::string> vehicle;
+  std::optional<double> inertia_kg_m2;
+  std::optional<double> area_m2;
+  std::optional<std::string> density;
+  std::optional<double> speed_m_s;
+
+  std::string nodes = "even:1";
+  std::string method = "continuous";
+  std::string grid_alpha;  ///< A:B:STEP, empty: as published
+  std::string grid_beta;
+
+  std::string loop = "open";
+  std::optional<std::string> plan;
+  std::optional<double> proportional_gain;
+  std::optional<double> derivative_gain_s;
+  std::optional<double> limit_deg;
+  double servo_lag_s = 0.0;
+
+  bool json = false;
+  std::string out;
+};
+
+void add_identify_options(CLI::App& verb, IdentifyOptions& options);
+
+}  // namespace fantail::tool

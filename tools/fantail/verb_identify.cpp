@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "core/flight_plan.hpp"
+#include "core/flight_plan_fields.hpp"
+#include "fantail/identify_options.hpp"
+#include "fantail/interrupt.hpp"
+#include "fantail/verbs.hpp"
+#include "identify/air.hpp"
+#include "identify/axis_text.hpp"
+#include "identify/result_json.hpp"
+#include "identify/result_text.hpp"
+#include "identify/study.hpp"
+#include "identify/write_study.hpp"
+#include "logs/roll_log.hpp"
+#include "sim/document.hpp"
+#include "sim/plan_file.hpp"
+#include "sim/shipped.hpp"
+#include "sim/shown.hpp"
+#include "sim/vehicle.hpp"
+
+namespace fantail::tool {
+namespace {
+
+logs::RollLog read(const IdentifyOptions& o) {
+  logs::Reading reading;
+  for (const std::string& text : o.columns) {
+    const std::size_t equals = text.find('=');
+    reading.columns[text.substr(0, equals)] = text.substr(equals + 1);
+  }
+  reading.angles = o.units == "rad" ? logs::AngleUnit::radians : logs::AngleUnit::degrees;
+  reading.truth = o.truth;
+  return logs::read_roll_log(o.data, reading, {.canard = o.loop == "open", .speed = !o.speed_m_s});
+}
+
+std::vector<identify::Window> windows(const IdentifyOptions& o, const logs::RollLog& log) {
+  if (o.from_s || o.to_s) {
+    return {{.from_s = o.from_s, .to_s = o.to_s}};
+  }
+  std::vector<identify::Window> all;
+  for (const std::string& text : o.windows) {
+    all.push_back(identify::find_window(log, text));
+  }
+  if (all.empty()) {
+    const bool controlled = std::ranges::find(log.phase, core::Phase::controlling) != log.phase.end();
+    all.push_back(controlled ? identify::find_window(log, "control") : identify::Window{.name = "all"});
+  }
+  return all;
+}
+
+struct Rocket {
+  identify::Airframe airframe;
+  std::string words;
+};
+
+Rocket rocket(const IdentifyOptions& o) {
+  Rocket result;
+  if (o.vehicle) {
+    const sim::Vehicle vehicle =
+        sim::read_vehicle(sim::Document::load(sim::find_input(sim::Shipped::vehicle, *o.vehicle)));
+    result = {{vehicle.roll_plant.inertia_kg_m2, vehicle.roll_plant.reference_area_m2}, vehicle.name + ", "};
+  } else if (!o.inertia_kg_m2 || !o.area_m2) {
+    std::string message = "which rocket? --vehicle NAME|FILE, or --inertia and --area; shipped vehicles:";
+    for (const std::string& name : sim::shipped_names(sim::Shipped::vehicle)) {
+      message += " " + name;
+    }
+    throw CLI::ValidationError{message, CLI::ExitCodes::ValidationError};
+  }
+  identify::Airframe& airframe = result.airframe;
+  airframe.inertia_kg_m2 = o.inertia_kg_m2.value_or(airframe.inertia_kg_m2);
+  airframe.reference_area_m2 = o.area_m2.value_or(airframe.reference_area_m2);
+  result.words +=
+      fmt::format("I {} kg m2, A {} m2", sim::about(airframe.inertia_kg_m2), sim::about(airframe.reference_area_m2));
+  return result;
+}
+
+identify::ClosedLoop closed_loop(const IdentifyOptions& o) {
+  if (o.fit_lag) {
+    throw CLI::ValidationError{"--fit-lag: the closed loop does not use the measured canards; allowed with --loop open",
+                               CLI::ExitCodes::ValidationError};
+  }
+  core::ControllerPlan controller = core::default_plan().controller;
+  if (o.plan) {
+    controller = sim::read_plan(sim::Document::load(sim::find_input(sim::Shipped::plan, *o.plan))).controller;
+  } else if (!o.proportional_gain || !o.derivative_gain_s || !o.limit_deg) {
+    throw CLI::ValidationError{"--loop closed needs the controller: --plan NAME|FILE, or --kp, --kd and --limit",
+                               CLI::ExitCodes::ValidationError};
+  }
+  if (o.proportional_gain) {
+    controller.proportional_gain = static_cast<float>(*o.proportional_gain);
+  }
+  if (o.derivative_gain_s) {
+    controller.derivative_gain_s = static_cast<float>(*o.derivative_gain_s);
+  }
+  if (o.limit_deg) {
+    controller.canard_limit = core::Angle::from_degrees(static_cast<float>(*o.limit_deg));
+  }
+  return {.controller = controller, .servo_lag_s = o.servo_lag_s};
+}
+
+identify::Question question(const IdentifyOptions& o) {
+  using identify::Method;
+  identify::Question q;
+  q.nodes = o.nodes;
+  q.fit_lag = o.fit_lag;
+  q.methods = o.method == "both"   ? std::vector{Method::grid, Method::continuous}
+              : o.method == "grid" ? std::vector{Method::grid}
+                                   : std::vector{Method::continuous};
+  q.record.lag_s = o.lag_s;
+  q.record.speed_m_s = o.speed_m_s;
+  q.options.start = o.fit_initial ? identify::Start::fitted : identify::Start::measured;
+  q.options.grid.alpha_m2 = identify::parse_axis(o.grid_alpha).value_or(q.options.grid.alpha_m2);
+  q.options.grid.beta_m = identify::parse_axis(o.grid_beta).value_or(q.options.grid.beta_m);
+  if (o.loop == "closed") {
+    q.options.closed_loop = closed_loop(o);
+    q.record.canard_needed = false;
+  }
+  return q;
+}
+
+// "out/identify/tasha3_launch2" for a folder, ".../log" for log.csv.
+std::filesystem::path output_folder(const IdentifyOptions& o) {
+  if (!o.out.empty()) {
+    return o.out;
+  }
+  std::filesystem::path data = std::filesystem::absolute(o.data).lexically_normal();
+  if (!data.has_filename()) {  // it ended in a slash
+    data = data.parent_path();
+  }
+  const bool is_csv = data.extension() == ".csv";
+  return std::filesystem::path{"out"} / "identify" / (is_csv ? data.stem() : data.filename());
+}
+
+void identify_data(const IdentifyOptions& o) {
+  identify::Question q = question(o);
+  const Rocket which = rocket(o);
+  q.airframe = which.airframe;
+  const logs::RollLog log = read(o);
+  const identify::Air air = identify::choose_air(log, o.density);
+  q.record.atmosphere = air.atmosphere;
+  q.windows = windows(o, log);
+  identify::Study result = study(log, q);
+  result.vehicle = which.words;
+  result.density = air.words;
+  result.speed = o.speed_m_s ? sim::shown(*o.speed_m_s) + " m/s throughout" : o.truth ? "true_speed_m_s" : "speed_m_s";
+
+  give_up_if_interrupted();
+  const std::filesystem::path folder = output_folder(o);
+  write_study(result, folder);
+  if (o.json) {
+    fmt::print("{}", result_json(result));
+    return;
+  }
+  fmt::print("{}\n  report  {}\n", result_text(result), (folder / "report.html").string());
+  for (const std::string& name : model_csv_names(result)) {
+    fmt::print("  model   {}\n", (folder / name).string());
+  }
+}
+
+}  // namespace
+
+void add_identify(CLI::App& program) {
+  auto* verb = program.add_subcommand("identify", "Find damping, torque constant and disturbance in a log");
+  auto options = std::make_shared<IdentifyOptions>();
+  add_identify_options(*verb, *options);
+  verb->footer(
+      "Examples:\n"
+      "  fantail identify out/tasha3_launch2 --vehicle tasha3_launch2 --method both\n"
+      "                                          a simulated flight: the published grid beside the search without one\n"
+      "  fantail identify run7.csv --column roll_angle_deg=phi --column canard_deg=fin --units rad --speed 22\n"
+      "      --inertia 0.00393 --area 5.0265e-5 --window 0:5 --window 5:10\n"
+      "                                          another logger's tunnel run, two steps of it, each by itself\n"
+      "  fantail identify out/tasha3_launch1 --vehicle tasha3_launch1 --nodes thrust:2,coast:2 --loop closed\n"
+      "      --plan tasha3_launch1 --json        canards as the controller commands them, for a script");
+  verb->callback([options] { identify_data(*options); });
+}
+
+}  // namespace fantail::tool

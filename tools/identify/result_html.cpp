@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: MIT
+#include "identify/result_html.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "identify/result_charts.hpp"
+#include "identify/words.hpp"
+#include "plot/page.hpp"
+#include "report/numbers.hpp"
+
+namespace fantail::identify {
+namespace {
+
+using report::degrees;
+
+// The one that the summary speaks of: without a grid's steps where there is one.
+const Identification& main_result(const WindowFindings& window) {
+  const auto continuous = std::ranges::find(window.results, Method::continuous, &Identification::method);
+  return continuous == window.results.end() ? window.results.front() : *continuous;
+}
+
+bool tells(const WindowFindings& window) {
+  const auto& u = main_result(window).uncertainty;
+  return u && u->alpha_identifiable && u->beta_identifiable;
+}
+
+// What a terminal may not have.
+std::string printable(std::string text) {
+  for (const auto& [plain, printed] : {std::pair{"+-", "\u00b1"}, std::pair{" m2", " m\u00b2"}}) {
+    for (std::size_t at = text.find(plain); at != std::string::npos; at = text.find(plain)) {
+      text.replace(at, std::string_view{plain}.size(), printed);
+    }
+  }
+  return text;
+}
+
+// "alpha and beta are ..." as a sentence of its own.
+std::string sentence(std::string text) {
+  text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
+  return text + ".";
+}
+
+std::string figures(const WindowFindings& window) {
+  const Identification& result = main_result(window);
+  const auto range = [&](std::size_t number) {
+    return result.uncertainty ? "95 %: " + words(interval_of(result, number)) : std::string{};
+  };
+  const std::vector<double>& nodes = result.model.node_rad;
+  const auto [low, high] = std::ranges::minmax(nodes);
+  const std::string least = report::fixed(degrees(low), 1);
+  const std::string most = report::fixed(degrees(high), 1);
+  return plot::figure_row(std::vector<plot::Figure>{
+      {"damping alpha", report::brief(result.model.alpha_m2, 2), "m\u00b2", range(0)},
+      {"torque constant beta", report::brief(result.model.beta_m, 2), "m", range(1)},
+      {"disturbance", least == most ? least : least + " to " + most, "deg", "as an equivalent canard angle"},
+      {"mean angle error", report::fixed(degrees(result.simulation.mean_abs_angle_error_rad), 2), "deg",
+       fmt::format("rate: {} deg/s", report::fixed(degrees(result.simulation.mean_abs_rate_error_rad_s), 1))}});
+}
+
+std::string numbers_table(const WindowFindings& window) {
+  std::vector<plot::Column> columns{{"", false}};
+  std::size_t nodes = 0;
+  for (const Identification& result : window.results) {
+    const std::string who = fmt::format("{}, {} loop", name(result.method), name(result.loop));
+    columns.push_back({who, true});
+    columns.push_back({"95 %", true});
+    nodes = std::max(nodes, result.model.node_rad.size());
+  }
+  std::vector<std::vector<plot::Cell>> rows;
+  for (std::size_t k = 0; k < nodes + 2; ++k) {
+    std::vector<plot::Cell> row{{k == 0   ? "damping alpha / m\u00b2"
+                                 : k == 1 ? "torque constant beta / m"
+                                          : "disturbance / deg, " + node_label(window, k - 2)}};
+    for (const Identification& result : window.results) {
+      const bool known = k < result.model.node_rad.size() + 2 && result.uncertainty;
+      row.push_back({printable(k < 2 ? with_deviation(result, k) : node_value(window, result, k - 2))});
+      row.push_back({known ? words(interval_of(result, k), k < 2 ? 1.0 : degrees(1.0)) : ""});
+    }
+    rows.push_back(std::move(row));
+  }
+  std::vector<plot::Cell> angle{{"mean angle error / deg"}};
+  std::vector<plot::Cell> rate{{"mean rate error / deg/s"}};
+  for (const Identification& result : window.results) {
+    angle.insert(angle.end(), {{report::fixed(degrees(result.simulation.mean_abs_angle_error_rad), 3)}, {""}});
+    rate.insert(rate.end(), {{report::fixed(degrees(result.simulation.mean_abs_rate_error_rad_s), 2)}, {""}});
+  }
+  rows.push_back(std::move(angle));
+  rows.push_back(std::move(rate));
+  return plot::table(columns, rows);
+}
+
+std::vector<std::string> how_well_sentences(const Identification& result) {
+  std::vector<std::string> all;
+  for (std::size_t k = 0; k < result.model.node_rad.size() + 2; ++k) {
+    all.push_back(printable(how_well(result, k)));
+  }
+  const Uncertainty& u = *result.uncertainty;
+  constexpr double tied = 0.9;
+  if (std::abs(u.correlation(0, 1)) > tied) {
+    all.push_back(
+        fmt::format("Alpha and beta go together (correlation {}): a larger alpha with a larger beta explains "
+                    "the log nearly as well, so their ratio is known better than either.",
+                    report::fixed(u.correlation(0, 1), 2)));
+  }
+  const std::string strength = report::brief(degrees(u.residual_rms_rad), 3);
+  if (u.effective_samples > 0.5 * static_cast<double>(result.samples)) {
+    all.push_back(fmt::format("The residual, {} deg, is new in every sample: each of the {} samples counts.", strength,
+                              result.samples));
+  } else {
+    all.push_back(fmt::format(
+        "The residual, {} deg, remembers itself for {} s, so the {} samples are worth as much as {} "
+        "with new noise in each. Faster sampling would not help; more time or more motion would.",
+        strength, report::fixed(u.residual_correlation_s, 2), result.samples, report::fixed(u.effective_samples, 0)));
+  }
+  return all;
+}
+
+std::string knowledge(const WindowFindings& window) {
+  const Identification& result = main_result(window);
+  if (!result.uncertainty) {
+    return "";
+  }
+  return plot::section(
+      "How well each number is known",
+      plot::paragraph("Nineteen times in twenty the truth lies inside the range that is stated, if the "
+                      "model holds and the residual goes on as it was.") +
+          plot::list(how_well_sentences(result)));
+}
+
+std::string pictures(const WindowFindings& window) {
+  std::string motion = plot::figure(plot::svg(angle_chart(window)), "");
+  motion += plot::figure(plot::svg(rate_chart(window)), "");
+  const std::vector<std::string> left_over{plot::figure(plot::svg(angle_residual_chart(window)), ""),
+                                           plot::figure(plot::svg(rate_residual_chart(window)), "")};
+  std::string out = plot::section("Measured and modelled", motion);
+  out += plot::section(
+      "What the model leaves",
+      plot::paragraph("Measured minus modelled. A good model leaves noise without a shape; slow waves mean that the "
+                      "disturbance needs more nodes, spikes at each move of the canards a lag.") +
+          plot::figures(left_over));
+  std::vector<std::string> inputs{plot::figure(
+      plot::svg(disturbance_chart(window)),
+      "The disturbance acts like a canard that is set by this angle; the band is where it lies with 95 %.")};
+  const plot::Chart canards = canard_chart(window);
+  if (!canards.series.empty()) {
+    inputs.push_back(plot::figure(plot::svg(canards), "What drove the rocket on purpose."));
+  }
+  return out + plot::section("What turned the rocket", plot::figures(inputs));
+}
+
+std::string searches(const WindowFindings& window) {
+  std::string out;
+  const auto mapped =
+      std::ranges::find_if(window.results, [](const Identification& r) { return r.error_map.has_value(); });
+  if (mapped != window.results.end()) {
+    out += plot::section(
+        "The error over alpha and beta",
+        plot::figure(plot::svg(error_map_chart(window, *mapped->error_map)),
+                     "Each cell: the disturbance that fits best, and the mean angle error that is left. A long dark "
+                     "valley means that many pairs explain the log alike."));
+  }
+  for (const Identification& result : window.results) {
+    if (!result.node_trials.empty()) {
+      out += plot::section(
+          fmt::format("How many nodes ({})", name(result.method)),
+          plot::paragraph("More intervals always fit better. As few are chosen as come within a tenth of the least "
+                          "error.") +
+              plot::figure(plot::svg(node_curve_chart(result)), ""));
+    }
+  }
+  return out;
+}
+
+std::string remark_list(const Study& study, const WindowFindings& window) {
+  std::vector<std::string> all = study.warnings;
+  all.insert(all.end(), window.remarks.begin(), window.remarks.end());
+  for (const Identification& result : window.results) {
+    for (const std::string& remark : result.remarks) {
+      all.push_back(window.results.size() > 1 ? fmt::format("{}: {}", name(result.method), remark) : remark);
+    }
+  }
+  if (window.lag_is_fitted || window.lag_s != 0.0) {
+    all.push_back(fmt::format("Canard angles are taken {} ms {} than they are logged{}.",
+                              report::brief(1000.0 * std::abs(window.lag_s), 1),
+                              window.lag_s < 0.0 ? "earlier" : "later", window.lag_is_fitted ? ", as fitted" : ""));
+  }
+  return all.empty() ? "" : plot::section("Remarks", plot::list(all));
+}
+
+std::string part(const Study& study, const WindowFindings& window) {
+  std::string out = figures(window) + numbers_table(window);
+  if (study.windows.size() > 1) {
+    const Identification& result = main_result(window);
+    out = plot::section("Window " + window.record.window,
+                        plot::paragraph(extent(window.record)) +
+                            (result.uncertainty ? plot::paragraph(sentence(result.uncertainty->verdict)) : "") + out);
+  } else {
+    out = plot::section("The roll model", out);
+  }
+  return out + knowledge(window) + pictures(window) + searches(window) + remark_list(study, window);
+}
+
+}  // namespace
+
+std::string result_html(const Study& study) {
+  const auto good = static_cast<std::size_t>(std::ranges::count_if(study.windows, tells));
+  const std::size_t all = study.windows.size();
+  plot::Page page;
+  page.kind = "Fantail identification report";
+  page.title = study.data;
+  page.subtitle = printable(fmt::format("{}; density {}; speed {}", study.vehicle, study.density, study.speed));
+  page.tone = good == all ? plot::Tone::good : plot::Tone::unsure;
+  if (all == 1) {
+    const WindowFindings& window = study.windows.front();
+    const Identification& result = main_result(window);
+    page.subtitle += fmt::format("; window {}, {}", window.record.window, extent(window.record));
+    page.verdict_heading =
+        good == 1 ? "This window tells damping and torque" : "This window does not tell both damping and torque";
+    page.verdict = result.uncertainty ? sentence(result.uncertainty->verdict) : "";
+  } else {
+    page.verdict_heading = fmt::format("{} of {} windows tell damping and torque", good, all);
+    for (const WindowFindings& window : study.windows) {
+      const Identification& result = main_result(window);
+      page.verdict += fmt::format("{}{}: alpha {}, beta {}.", page.verdict.empty() ? "" : " ", window.record.window,
+                                  report::brief(result.model.alpha_m2, 2), report::brief(result.model.beta_m, 2));
+    }
+  }
+  for (const WindowFindings& window : study.windows) {
+    page.body_html += part(study, window);
+  }
+  return plot::html(page);
+}
+
+}  // namespace fantail::identify

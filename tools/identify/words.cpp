@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+#include "identify/words.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "report/numbers.hpp"
+
+namespace fantail::identify {
+namespace {
+
+constexpr int most_decimals = 4;  // no sensor tells more
+
+// So that two digits of a deviation show.
+int decimals(double deviation) {
+  if (!(deviation > 0.0)) {
+    return most_decimals;
+  }
+  return std::clamp(1 - static_cast<int>(std::floor(std::log10(deviation))), 0, most_decimals);
+}
+
+std::string subject(std::size_t number, const Model& model) {
+  if (number < 2) {
+    return number == 0 ? "Damping alpha" : "Torque constant beta";
+  }
+  if (model.node_time_s.size() == 1) {
+    return "The disturbance";
+  }
+  return fmt::format("The disturbance {} s into the window", report::brief(model.node_time_s[number - 2], 2));
+}
+
+std::string percent(double share) { return report::brief(100.0 * share, share < 0.0995 ? 1 : 0) + " %"; }
+
+}  // namespace
+
+std::string_view name(Method method) { return method == Method::grid ? "grid" : "continuous"; }
+
+std::string_view name(Loop loop) { return loop == Loop::open ? "open" : "closed"; }
+
+std::vector<double> numbers(const Model& model) {
+  std::vector<double> all{model.alpha_m2, model.beta_m};
+  all.insert(all.end(), model.node_rad.begin(), model.node_rad.end());
+  return all;
+}
+
+std::string with_deviation(const Identification& result, std::size_t number, double scale) {
+  const double value = scale * numbers(result.model)[number];
+  if (!result.uncertainty) {
+    return report::fixed(value, most_decimals);
+  }
+  const double deviation = scale * result.uncertainty->standard_deviation[number];
+  const int places = decimals(deviation);
+  return report::fixed(value, places) + " +- " + report::fixed(deviation, places);
+}
+
+std::string words(const Interval& interval, double scale) {
+  const double low = scale * interval.low.value_or(0.0);
+  const double high = scale * interval.high.value_or(0.0);
+  const int places = interval.low && interval.high ? decimals(0.25 * (high - low)) : 2;
+  if (interval.low && interval.high) {
+    return report::fixed(low, places) + " to " + report::fixed(high, places);
+  }
+  if (interval.low) {
+    return "above " + report::fixed(low, places);
+  }
+  return interval.high ? "below " + report::fixed(high, places) : "not bounded by this window";
+}
+
+const Interval& interval_of(const Identification& result, std::size_t number) {
+  return number == 0 ? result.uncertainty->alpha_profile_m2 : result.uncertainty->interval[number];
+}
+
+std::string how_well(const Identification& result, std::size_t number) {
+  constexpr double useful = 0.5;
+  const bool angle = number >= 2;
+  const double scale = angle ? report::degrees(1.0) : 1.0;
+  const std::string_view unit = angle ? "deg" : number == 0 ? "m2" : "m";
+  const std::string who = subject(number, result.model);
+  const double value = scale * numbers(result.model)[number];
+  const Interval& interval = interval_of(result, number);
+  if (!interval.low || !interval.high) {
+    return fmt::format("{} is {} {} from this window, but {}: the data do not tell.", who, report::brief(value, 2),
+                       unit, words(interval, scale));
+  }
+  const double half = 0.5 * scale * (*interval.high - *interval.low);
+  const std::string range = fmt::format("between {} {}", words(interval, scale), unit);
+  if (angle) {
+    return fmt::format("{} lies {}: known to {} deg either way.", who, range,
+                       report::brief(half, std::min(decimals(half), 3)));
+  }
+  const double share = half / std::abs(value);
+  return fmt::format("{} lies {}: {}.", who, range,
+                     share < useful
+                         ? "known to " + percent(share) + " either way"
+                         : "known to " + percent(share) + " either way, which is too little to predict with");
+}
+
+bool share_nodes(const WindowFindings& window) {
+  const auto& first = window.results.front().model.node_time_s;
+  return std::ranges::all_of(window.results, [&](const Identification& r) { return r.model.node_time_s == first; });
+}
+
+std::string node_label(const WindowFindings& window, std::size_t node) {
+  const auto& times = window.results.front().model.node_time_s;
+  if (!share_nodes(window)) {
+    return fmt::format("node {}", node + 1);
+  }
+  return times.size() == 1 ? "throughout" : fmt::format("{} s into the window", report::brief(times[node], 2));
+}
+
+std::string node_value(const WindowFindings& window, const Identification& result, std::size_t node) {
+  if (node >= result.model.node_rad.size()) {
+    return "";
+  }
+  const std::string value = with_deviation(result, node + 2, report::degrees(1.0));
+  return share_nodes(window) ? value
+                             : fmt::format("{} at {} s", value, report::brief(result.model.node_time_s[node], 2));
+}
+
+std::string extent(const Record& record) {
+  return fmt::format("{} s to {} s on the log's clock, {} samples", report::brief(record.window_begin_s, 3),
+                     report::brief(record.window_begin_s + record.time_s.back(), 3), record.size());
+}
+
+std::vector<std::string> remarks(const WindowFindings& window, const Identification& result) {
+  std::vector<std::string> all = window.remarks;
+  all.insert(all.end(), result.remarks.begin(), result.remarks.end());
+  return all;
+}
+
+}  // namespace fantail::identify

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "identify/identification.hpp"
+#include "identify/study.hpp"
+
+namespace fantail::identify {
+
+// What text and page say alike.
+
+[[nodiscard]] std::string_view name(Method method);
+[[nodiscard]] std::string_view name(Loop loop);
+
+/// "22.87 +- 0.41": as many decimals as two digits of the standard deviation need. `scale` turns SI into the unit
+/// shown.
+[[nodiscard]] std::string with_deviation(const Identification& result, std::size_t number, double scale = 1.0);
+
+/// "22.1 to 23.7", "above 22.1", "below 23.7" or "not bounded by this window".
+[[nodiscard]] std::string words(const Interval& interval, double scale = 1.0);
+
+/// The numbers of a model in the order of Uncertainty: alpha, beta, nodes.
+[[nodiscard]] std::vector<double> numbers(const Model& model);
+/// The interval to show for one of them: alpha's is that of its profile.
+[[nodiscard]] const Interval& interval_of(const Identification& result, std::size_t number);
+
+/// "alpha = 22.87 m2, known to 2 %": whether a number can be built upon, for someone who flies rockets.
+[[nodiscard]] std::string how_well(const Identification& result, std::size_t number);
+
+/// A node of the disturbance in a table with a column for each method: "1.62 s into the window" and "-4.90 +- 0.02";
+/// where the methods chose different nodes, the time stands with the value. An empty value for a node that a result has
+/// not got.
+[[nodiscard]] std::string node_label(const WindowFindings& window, std::size_t node);
+[[nodiscard]] std::string node_value(const WindowFindings& window, const Identification& result, std::size_t node);
+
+/// "0.64 s to 10.36 s on the log's clock, 9720 samples".
+[[nodiscard]] std::string extent(const Record& record);
+
+/// Everything that a reader of one result has to know beside the numbers.
+[[nodiscard]] std::vector<std::string> remarks(const WindowFindings& window, const Identification& result);
+
+}  // namespace fantail::identify
