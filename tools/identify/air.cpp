@@ -49,7 +49,7 @@ Air choose_air(const logs::RollLog& log, const std::optional<std::string>& asked
   const auto value = logs::number(*asked);
   if (!value || *value <= 0.0 || *value > 100.0) {
     throw sim::InputError{sim::InputFault::bad_configuration,
-                          "--density " + *asked + ": allowed: 0 to 100 kg/m3 without 0, exponential, isa"};
+                          "--density " + *asked + ": allowed: above 0 and up to 100 kg/m3, exponential, isa"};
   }
   return constant(*value, "");
 }

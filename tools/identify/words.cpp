@@ -85,7 +85,9 @@ std::string how_well(const Identification& result, std::size_t number) {
                        unit, words(interval, scale));
   }
   const double half = 0.5 * scale * (*interval.high - *interval.low);
-  const std::string range = fmt::format("between {} {}", words(interval, scale), unit);
+  const int places = decimals(0.5 * half);
+  const std::string range = fmt::format("between {} and {} {}", report::fixed(scale * *interval.low, places),
+                                        report::fixed(scale * *interval.high, places), unit);
   if (angle) {
     return fmt::format("{} lies {}: known to {} deg either way.", who, range,
                        report::brief(half, std::min(decimals(half), 3)));

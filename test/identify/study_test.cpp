@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#include "identify/study.hpp"
+
+#include <gtest/gtest.h>
+
+#include "core/flight_plan_fields.hpp"
+#include "identify/flown_log.hpp"
+#include "identify/planted_log.hpp"
+#include "logs/refused.hpp"
+
+namespace fantail::identify {
+namespace {
+
+TEST(Study, HasAResultForEachWindowAndMethod) {
+  const logs::RollLog log = planted_log({});
+  Question question = planted_question("0");
+  question.windows = {find_window(log, ":4"), find_window(log, "4:")};
+  question.methods = {Method::grid, Method::continuous};
+  const Study found = study(log, question);
+  EXPECT_EQ(found.data, "planted.csv");
+  ASSERT_EQ(found.windows.size(), 2U);
+  for (const WindowFindings& window : found.windows) {
+    ASSERT_EQ(window.results.size(), 2U);
+    EXPECT_EQ(window.results[0].method, Method::grid);
+    EXPECT_EQ(window.results[0].model.alpha_m2, 20.0);  // as planted; both stand on the grid
+    EXPECT_EQ(window.results[0].model.beta_m, 9.0);
+    EXPECT_NEAR(window.results[1].model.alpha_m2, 20.0, 0.2);
+    EXPECT_NEAR(window.results[1].model.node_rad[0], -5.0 * radians_per_degree, 0.001);
+    EXPECT_TRUE(window.remarks.empty());
+  }
+  EXPECT_EQ(found.windows[0].record.window, ":4");
+  EXPECT_NEAR(found.windows[1].record.window_begin_s, 4.0, 1e-9);
+}
+
+TEST(Study, TakesAwayALagThatItWasToldOrFound) {
+  logs::RollLog log = planted_log({.sample_hz = 500.0});
+  delay_canards(log, 10);
+  Question question = planted_question("0");
+  question.options.with_error_map = false;
+  EXPECT_GT(study(log, question).windows[0].results[0].simulation.mean_abs_angle_error_rad, 2e-3);
+  question.record.lag_s = 0.02;
+  EXPECT_LT(study(log, question).windows[0].results[0].simulation.mean_abs_angle_error_rad, 2e-4);
+  question.record.lag_s = 0.0;
+  question.fit_lag = true;
+  const Study found = study(log, question);
+  EXPECT_TRUE(found.windows[0].lag_is_fitted);
+  EXPECT_NEAR(found.windows[0].lag_s, 0.02, 0.0005);
+  EXPECT_LT(found.windows[0].results[0].simulation.mean_abs_angle_error_rad, 2e-4);
+}
+
+TEST(Study, SaysThatThereAreGaps) {
+  logs::RollLog log = planted_log({});
+  test::cut_out(log, 3.005, 3.495);
+  const Study found = study(log, planted_question());
+  ASSERT_EQ(found.windows[0].remarks.size(), 1U);
+  EXPECT_NE(found.windows[0].remarks[0].find("1 gap"), std::string::npos);
+}
+
+TEST(Study, OfAClosedLoopNeedsTheReference) {
+  Question question = planted_question();
+  question.options.closed_loop = ClosedLoop{.controller = core::default_plan().controller};
+  test::expect_refused(sim::InputFault::bad_data, {"planted.csv", "no column reference_deg", "window all"},
+                       [&] { (void)study(planted_log({}), question); });
+}
+
+TEST(Study, PassesTheWarningsOfTheLogOn) {
+  logs::RollLog log = planted_log({});
+  log.warnings = {"a doubt"};
+  EXPECT_EQ(study(log, planted_question()).warnings, (std::vector<std::string>{"a doubt"}));
+}
+
+}  // namespace
+}  // namespace fantail::identify
