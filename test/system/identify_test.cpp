@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: MIT
+#include <cmath>
+#include <functional>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "sim/roll_plant.hpp"
+#include "sim/units.hpp"
+#include "system/folder.hpp"
+#include "system/process.hpp"
+#include "system/refusal.hpp"
+
+namespace fantail::test {
+namespace {
+
+constexpr double degrees = 1.0 / sim::radians_per_degree;
+const Words tasha{"--vehicle", "tasha3_launch2"};
+
+Words identify(const std::string& data, const Words& more = {}) {
+  Words words{"identify", data};
+  words.insert(words.end(), tasha.begin(), tasha.end());
+  words.insert(words.end(), more.begin(), more.end());
+  return words;
+}
+
+struct Row {
+  double time_s;
+  double angle_deg;
+  double rate_deg_s;
+  double canard_deg;
+};
+
+std::string cells(const Row& r) {
+  return std::to_string(r.time_s) + "," + std::to_string(r.angle_deg) + "," + std::to_string(r.rate_deg_s) + "," +
+         std::to_string(r.canard_deg) + ",22\n";
+}
+
+const std::string head = "time_s,roll_angle_deg,roll_rate_deg_s,canard_deg,speed_m_s\n";
+
+// Five seconds in a tunnel at 100 Hz: alpha 20, beta 9, offset -5 degrees.
+std::vector<Row> tunnel_rows(const std::function<double(double)>& canard_deg) {
+  const sim::RollPlant plant{
+      .inertia_kg_m2 = 0.00393, .reference_area_m2 = 5.0265e-5, .damping_m2 = 20.0, .torque_m = 9.0};
+  sim::RollState state{};
+  std::vector<Row> rows;
+  for (int i = 0; i <= 500; ++i) {
+    const double t = 0.01 * i;
+    rows.push_back({t, degrees * state.angle_rad, degrees * state.rate_rad_s, canard_deg(t)});
+    constexpr int steps = 20;  // the canards move between samples, too
+    for (int k = 0; k < steps; ++k) {
+      const double between = t + 0.01 * (k + 0.5) / steps;
+      state = plant.step(state, 1.2, 22.0, (canard_deg(between) - 5.0) / degrees, 0.01 / steps);
+    }
+  }
+  return rows;
+}
+
+double shaken(double t) { return 5.0 + 4.0 * std::sin(6.0 * t) + std::sin(17.0 * t); }
+
+std::string text(const std::vector<Row>& rows) {
+  std::string all = head;
+  for (const Row& row : rows) {
+    all += cells(row);
+  }
+  return all;
+}
+
+nlohmann::json identified(const Folder& folder, const Words& words) {
+  const Outcome outcome = fantail(words, {.working_folder = folder.path()});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(outcome.err, "");
+  return nlohmann::json::parse(outcome.out, nullptr, false);
+}
+
+void expect_inside(double truth, const nlohmann::json& interval) {
+  EXPECT_LE(interval[0], truth);
+  EXPECT_GE(interval[1], truth);
+}
+
+class IdentifiedFlight : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    folder_ = std::make_unique<Folder>();
+    ASSERT_EQ(fantail({"fly", "tasha3_launch2"}, {.working_folder = folder_->path()}).exit_code, 0);
+  }
+  static void TearDownTestSuite() { folder_.reset(); }
+  static std::unique_ptr<Folder> folder_;
+};
+std::unique_ptr<Folder> IdentifiedFlight::folder_;
+
+TEST_F(IdentifiedFlight, GivesWhatItWasFlownWith) {
+  const auto json = identified(*folder_, identify("out/tasha3_launch2", {"--json"}));
+  EXPECT_EQ(json["window"], "control");
+  EXPECT_TRUE(json["alpha_identifiable"]);
+  EXPECT_NEAR(json["alpha_m2"], 23.0, 0.5);
+  EXPECT_NEAR(json["beta_m"], 9.0, 0.2);
+  expect_inside(23.0, json["alpha_interval_m2"]);
+  expect_inside(9.0, json["beta_interval_m"]);
+  EXPECT_NEAR(json["disturbance_deg"][0], -4.9, 0.02);
+  for (const char* name : {"report.html", "model.csv", "identification.json"}) {
+    EXPECT_GT(content(*folder_ / (std::string{"out/identify/tasha3_launch2/"} + name)).size(), 500U) << name;
+  }
+}
+
+TEST_F(IdentifiedFlight, GivesItVeryNearlyFromTheTruth) {
+  const auto json =
+      identified(*folder_, identify("out/tasha3_launch2/", {"--json", "--truth", "--method", "both", "--out", "t"}));
+  ASSERT_EQ(json["results"].size(), 2U);
+  EXPECT_EQ(json["results"][0]["alpha_m2"], 23.0);
+  EXPECT_EQ(json["results"][0]["beta_m"], 9.0);
+  EXPECT_NEAR(json["results"][1]["alpha_m2"], 23.0, 0.01);
+  EXPECT_NEAR(json["results"][1]["beta_m"], 9.0, 0.004);
+  EXPECT_NEAR(json["results"][1]["disturbance_deg"][1], -4.9, 0.001);
+}
+
+TEST_F(IdentifiedFlight, HasWindowsByItsEvents) {
+  const auto json = identified(*folder_, identify("out/tasha3_launch2", {"--json", "--window", "thrust", "--window",
+                                                                         "step:1", "--window", "1:2", "--out", "w"}));
+  ASSERT_EQ(json["results"].size(), 3U);
+  EXPECT_EQ(json["results"][0]["window"], "thrust");
+  EXPECT_NEAR(json["results"][0]["window_begin_s"], 0.638, 0.005);
+  EXPECT_NEAR(json["results"][1]["window_begin_s"], 2.638, 0.005);  // two seconds after control start
+  EXPECT_EQ(json["results"][2]["samples"], 1001);
+  const auto nodes =
+      identified(*folder_, identify("out/tasha3_launch2", {"--json", "--nodes", "thrust:2,coast:2", "--out", "n"}));
+  EXPECT_EQ(nodes["node_time_s"].size(), 5U);
+}
+
+TEST(Identify, ReadsAnotherLoggersNamesAndUnits) {
+  const Folder folder;
+  std::string log = "t,phi,p,fin\n";
+  for (const Row& r : tunnel_rows(shaken)) {
+    log += std::to_string(r.time_s) + "," + std::to_string(r.angle_deg / degrees) + "," +
+           std::to_string(r.rate_deg_s / degrees) + "," + std::to_string(r.canard_deg / degrees) + "\r\n";
+  }
+  folder.write("run.csv", log);
+  const auto json = identified(folder, {"identify", "run.csv", "--column", "time_s=t", "--column", "roll_angle_deg=phi",
+                                        "--column", "roll_rate_deg_s=p", "--column", "canard_deg=fin", "--units", "rad",
+                                        "--speed", "22", "--inertia", "0.00393", "--area", "5.0265e-5", "--json"});
+  EXPECT_EQ(json["window"], "all");
+  EXPECT_NEAR(json["alpha_m2"], 20.0, 0.1);
+  EXPECT_NEAR(json["beta_m"], 9.0, 0.05);
+  EXPECT_NEAR(json["disturbance_deg"][0], -5.0, 0.02);
+  EXPECT_TRUE(json["remarks"].empty()) << json["remarks"];
+  EXPECT_FALSE(content(folder / "out/identify/run/report.html").empty());
+}
+
+TEST(Identify, PrintsATableForPeople) {
+  const Folder folder;
+  folder.write("run.csv", text(tunnel_rows(shaken)));
+  const Outcome outcome = fantail(identify("run.csv", {"--method", "both"}), {.working_folder = folder.path()});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  for (const char* part : {"run.csv: the roll model", "grid, open loop", "continuous, open loop", "damping alpha / m2",
+                           "alpha and beta are identifiable from this window", "out/identify/run/report.html"}) {
+    EXPECT_NE(outcome.out.find(part), std::string::npos) << part << "\n" << outcome.out;
+  }
+}
+
+TEST(Identify, SaysWhenCanardsThatStandStillTellNothing) {
+  const Folder folder;
+  folder.write("still.csv", text(tunnel_rows([](double) { return 5.0; })));
+  const auto json = identified(folder, identify("still.csv", {"--json"}));
+  EXPECT_FALSE(json["alpha_identifiable"]);
+  EXPECT_NE(json["verdict"].get<std::string>().find("no excitation"), std::string::npos) << json["verdict"];
+}
+
+TEST(Identify, LeavesAFewRowsWithoutNumbersOutAndSaysSo) {
+  const Folder folder;
+  std::vector<Row> rows = tunnel_rows(shaken);
+  rows[100].angle_deg = std::nan("");
+  folder.write("run.csv", text(rows));
+  const auto json = identified(folder, identify("run.csv", {"--json"}));
+  EXPECT_NEAR(json["alpha_m2"], 20.0, 0.1);
+  EXPECT_NE(json["remarks"].dump().find("1 of 501 rows have no number"), std::string::npos) << json["remarks"];
+}
+
+TEST(Identify, DoubtsRadiansInADegreeColumn) {
+  const Folder folder;
+  std::vector<Row> rows = tunnel_rows(shaken);
+  for (Row& row : rows) {
+    row = {row.time_s, row.angle_deg / degrees, row.rate_deg_s / degrees, row.canard_deg / degrees};
+  }
+  folder.write("run.csv", text(rows));
+  const Outcome outcome = fantail(identify("run.csv"), {.working_folder = folder.path()});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("look like radians"), std::string::npos) << outcome.out;
+}
+
+TEST(Identify, RefusesWhatIsNoLog) {
+  const std::string good = text(tunnel_rows(shaken));
+  Refusal({}, identify("none.csv"), 66, {"none.csv: no such file"});
+  Refusal({{"folder/other", ""}}, identify("folder"), 66, {"folder: this folder holds no flight.csv"});
+  Refusal({{"a.csv", ""}}, identify("a.csv"), 65, {"a.csv: is empty"});
+  Refusal({{"a.csv", "time_s,roll_angle,roll_rate_deg_s,canard_deg,speed_m_s\n1,2,3,4,5\n"}}, identify("a.csv"), 65,
+          {"a.csv: no column roll_angle_deg", "did you mean roll_angle?", "there are: time_s, roll_angle"});
+  Refusal({{"a.csv", head + "0,1,2,3,22\n0.2,1,2,3,22\n0.1,1,2,3,22\n"}}, identify("a.csv"), 65,
+          {"a.csv:4: time_s is 0.1 after 0.2 in line 3: time goes back"});
+  Refusal({{"a.csv", good + "6,nan,2,3,22\n7,nan,2,3,22\n8,,2,3,22\n9,1,2,,22\n10,1,2,,22\n11,1,2,,22\n"}},
+          identify("a.csv"), 65, {"a.csv: 6 of 507 rows", "line 503, roll_angle_deg \"nan\"", "1 %"});
+  Refusal({{"a.csv", head + "0,1,2,3\n"}}, identify("a.csv"), 65, {"a.csv:2: 4 cells where the header has 5"});
+}
+
+TEST(Identify, RefusesAWindowThatCannotBe) {
+  const std::string good = text(tunnel_rows(shaken));
+  Refusal({{"a.csv", good}}, identify("a.csv", {"--window", "20:25"}), 65, {"outside the data", "0 s to 5 s"});
+  Refusal({{"a.csv", good}}, identify("a.csv", {"--from", "2", "--to", "2.035"}), 65, {"4 samples for 4 unknowns"});
+  Refusal({{"a.csv", good}}, identify("a.csv", {"--window", "boost"}), 78, {"--window boost", "control, thrust"});
+  Refusal({{"a.csv", good}}, identify("a.csv", {"--window", "control"}), 65, {"no column phase"});
+  Refusal({{"a.csv", good}}, identify("a.csv", {"--from", "3", "--to", "2"}), 78, {"behind its end"});
+  Refusal({{"a.csv", good}}, identify("a.csv", {"--nodes", "5,0"}), 78, {"--nodes 5,0", "auto"});
+}
+
+TEST(Identify, RefusesToGuessASpeed) {
+  Refusal({{"a.csv", "time_s,roll_angle_deg,roll_rate_deg_s,canard_deg\n0,1,2,3\n1,1,2,3\n"}}, identify("a.csv"), 65,
+          {"no column speed_m_s", "--speed"});
+  std::string standing = head;
+  for (int i = 0; i < 20; ++i) {
+    standing += "0." + std::to_string(i + 10) + ",1,2,3,0.01\n";
+  }
+  Refusal({{"a.csv", standing}}, identify("a.csv"), 65, {"no speed", "--speed", "--truth"});
+}
+
+TEST(Identify, AsksWhichRocket) {
+  const std::string good = text(tunnel_rows(shaken));
+  Refusal({{"a.csv", good}}, {"identify", "a.csv"}, 64, {"which rocket?", "--inertia", "tasha3_launch2", "smokey"});
+  Refusal({{"a.csv", good}}, {"identify", "a.csv", "--inertia", "0.004"}, 64, {"which rocket?"});
+  Refusal({{"a.csv", good}}, {"identify", "a.csv", "--vehicle", "tasha"}, 66, {"unknown vehicle", "did you mean"});
+}
+
+TEST(Identify, RefusesOptionsThatMakeNoSense) {
+  const std::string good = text(tunnel_rows(shaken));
+  Refusal({{"a.csv", good}}, identify("a.csv", {"--units", "grad"}), 64, {"--units"});
+  Refusal({{"a.csv", good}}, identify("a.csv", {"--column", "phi"}), 64, {"--column", "NAME=THEIRS"});
+  Refusal({{"a.csv", good}}, identify("a.csv", {"--column", "roll=phi"}), 78, {"unknown column \"roll\""});
+  Refusal({{"a.csv", good}}, identify("a.csv", {"--speed", "nan"}), 64, {"--speed", "0.1 to 10000"});
+  Refusal({{"a.csv", good}}, identify("a.csv", {"--density", "thin"}), 78, {"--density thin"});
+  Refusal({{"a.csv", good}}, identify("a.csv", {"--grid-beta", "5:15"}), 64, {"FIRST:LAST:STEP"});
+  Refusal({{"a.csv", good}}, identify("a.csv", {"--loop", "closed"}), 64, {"--plan", "--kp"});
+  Refusal({{"a.csv", good}}, identify("a.csv", {"--loop", "closed", "--plan", "tasha3_launch2", "--fit-lag"}), 64,
+          {"--fit-lag", "--loop open"});
+  Refusal({{"a.csv", good}}, identify("a.csv", {"--loop", "closed", "--plan", "tasha3_launch2"}), 65,
+          {"no column reference_deg"});
+  Refusal({{"a.csv", good}}, identify("a.csv", {"--window", "1:2", "--from", "1"}), 64, {"--from", "--window"});
+  Refusal({{"a.csv", good}, {"file", ""}}, identify("a.csv", {"--out", "file/folder"}), 74, {"file"});
+}
+
+}  // namespace
+}  // namespace fantail::test
