@@ -51,6 +51,7 @@ ExitCode run(int argc, char** argv) {
       "  fantail fly                          the second launch of Tasha III, with a report\n"
       "  fantail fly tunnel_steps --json      the wind-tunnel runs, for a script\n"
       "  fantail plan show tasha3_launch2     every number a rocket is loaded with\n"
+      "  fantail predict tasha3_launch1       what a tunnel would have said of it: no go, and why\n"
       "  fantail bench limits --can can0      four real canards to their limits, and a sheet to sign\n"
       "\n"
       "Exit codes: 0 done, 1 a requirement was not met, 64 usage, 65 bad data, 66 no such input,\n"
