@@ -33,8 +33,9 @@ TEST_P(Help, ShowsThreeExamplesOfItsOwn) {
 }
 
 INSTANTIATE_TEST_SUITE_P(EachVerb, Help,
-                         testing::Values(Words{}, Words{"fly"}, Words{"identify"}, Words{"plan"},
-                                         Words{"plan", "check"}, Words{"plan", "show"}, Words{"plan", "compile"}),
+                         testing::Values(Words{}, Words{"fly"}, Words{"identify"}, Words{"predict"}, Words{"compare"},
+                                         Words{"plan"}, Words{"plan", "check"}, Words{"plan", "show"},
+                                         Words{"plan", "compile"}),
                          [](const auto& one) {
                            std::string name = "fantail";
                            for (const std::string& word : one.param) {

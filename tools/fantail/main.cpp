@@ -61,6 +61,7 @@ ExitCode run(int argc, char** argv) {
   fantail::tool::add_plan(program);
   fantail::tool::add_node(program);
   fantail::tool::add_bench(program);
+  fantail::tool::add_compare(program);
   fantail::tool::add_predict(program);
   try {
     program.parse(argc, argv);

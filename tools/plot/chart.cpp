@@ -147,7 +147,7 @@ std::string svg(const Chart& chart) {
   const double below = tick_row + (chart.x_label.empty() ? 0.0 : label_row) + 7.0;
 
   const std::vector<Tick> y_ticks = even_ticks(y, std::max((chart.height - below - 30.0) / 36.0, 3.0));
-  const double left = tick_column(y_ticks);
+  const double left = std::max(tick_column(y_ticks), chart.least_left);
   const std::vector<Tick> x_ticks =
       chart.equal_x_ticks_at_points && !chart.series.empty() && !chart.series.front().x.empty()
           ? ticks_at(chart.series.front().x, x)

@@ -63,6 +63,7 @@ struct Chart {
   std::optional<Range> x_range{};  ///< else all that is drawn
   std::optional<Range> y_range{};
   bool equal_x_ticks_at_points = false;  ///< ticks at the x of the first series: counts, set points
+  double least_left = 0.0;               ///< room beside the y axis at least: charts below each other line up
 };
 
 [[nodiscard]] std::string svg(const Chart& chart);

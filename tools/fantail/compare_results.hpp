@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "logs/compare.hpp"
+
+namespace fantail::tool {
+
+/// Two logs, what was asked of them and what came of it.
+struct CompareResults {
+  std::string a;  ///< "out/flight (measured)"
+  std::string b;
+  std::string window;  ///< "control"; may be empty
+  bool shift_found = false;
+  logs::Comparison comparison{};
+  std::optional<double> required_angle_rad{};
+  std::optional<double> required_rate_rad_s{};
+  std::vector<std::string> warnings{};
+
+  [[nodiscard]] bool required() const { return required_angle_rad || required_rate_rad_s; }
+  /// Which mean difference is larger than required, a sentence each; empty when the requirement is met.
+  [[nodiscard]] std::vector<std::string> objections() const;
+};
+
+[[nodiscard]] std::string compare_text(const CompareResults& results);
+[[nodiscard]] std::string compare_json(const CompareResults& results);
+[[nodiscard]] std::string compare_html(const CompareResults& results);
+[[nodiscard]] std::string compare_csv(const logs::Comparison& comparison);
+
+/// compare.html, compare.json and differences.csv, all or none.
+void write_compare_results(const CompareResults& results, const std::filesystem::path& folder);
+
+}  // namespace fantail::tool

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: MIT
+#include <cmath>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "fantail/compare_results.hpp"
+#include "fantail/interrupt.hpp"
+#include "fantail/requirement.hpp"
+#include "fantail/verbs.hpp"
+#include "identify/window.hpp"
+#include "logs/compare.hpp"
+#include "logs/roll_log.hpp"
+#include "report/numbers.hpp"
+
+namespace fantail::tool {
+namespace {
+
+struct LogChoice {
+  std::string path;
+  std::string motion = "measured";
+  std::string units = "deg";
+  std::vector<std::string> columns;
+};
+
+struct CompareVerbOptions {
+  LogChoice a;
+  LogChoice b;
+  std::optional<double> from_s;
+  std::optional<double> to_s;
+  std::optional<std::string> window;
+  std::string align = "none";
+  std::optional<double> shift_s;
+  bool remove_offset = false;
+  std::optional<double> most_angle_deg;
+  std::optional<double> most_rate_deg_s;
+  std::string out = "out/compare";
+  bool json = false;
+};
+
+std::string objection_to_folder(const std::string& text) { return text.empty() ? "the name of a folder is empty" : ""; }
+
+std::string objection_to_column(const std::string& text) {
+  const std::size_t equals = text.find('=');
+  const bool both = equals != std::string::npos && equals > 0 && equals + 1 < text.size();
+  return both ? "" : '"' + text + "\" is not OURS=THEIRS, as in roll_angle_deg=phi";
+}
+
+// CLI11 takes "nan" and "inf" for numbers.
+std::string objection_to_time(const std::string& text) {
+  double value = 0.0;
+  return CLI::detail::lexical_cast(text, value) && std::isfinite(value) ? ""
+                                                                        : '"' + text + "\" is not a number of seconds";
+}
+
+std::string objection_to_requirement(const std::string& text) {
+  double value = 0.0;
+  const bool good = CLI::detail::lexical_cast(text, value) && std::isfinite(value) && value >= 0.0;
+  return good ? "" : '"' + text + "\" is not a number of 0 or more";
+}
+
+logs::RollLog read(const LogChoice& choice) {
+  logs::Reading reading{.angles = choice.units == "rad" ? logs::AngleUnit::radians : logs::AngleUnit::degrees,
+                        .truth = choice.motion == "true"};
+  for (const std::string& text : choice.columns) {
+    const std::size_t equals = text.find('=');
+    reading.columns[text.substr(0, equals)] = text.substr(equals + 1);
+  }
+  return logs::read_roll_log(choice.path, reading, {});
+}
+
+logs::CompareOptions question(const CompareVerbOptions& options, const logs::RollLog& a) {
+  logs::CompareOptions question{.from_s = options.from_s, .to_s = options.to_s};
+  if (options.window) {
+    const identify::Window window = identify::find_window(a, *options.window);
+    question.from_s = window.from_s;
+    question.to_s = window.to_s;
+  }
+  question.shift_s = options.shift_s.value_or(0.0);
+  question.find_shift = options.align == "angle";
+  question.remove_offset = options.remove_offset;
+  return question;
+}
+
+std::optional<double> in_radians(const std::optional<double>& degrees) {
+  return degrees ? std::optional{report::radians(*degrees)} : std::nullopt;
+}
+
+void compare_logs(const CompareVerbOptions& options) {
+  const logs::RollLog a = read(options.a);
+  const logs::RollLog b = read(options.b);
+  give_up_if_interrupted();
+  CompareResults results{.a = fmt::format("{} ({})", options.a.path, options.a.motion),
+                         .b = fmt::format("{} ({})", options.b.path, options.b.motion),
+                         .window = options.window.value_or(""),
+                         .shift_found = options.align == "angle",
+                         .required_angle_rad = in_radians(options.most_angle_deg),
+                         .required_rate_rad_s = in_radians(options.most_rate_deg_s)};
+  results.comparison = logs::compare(a, b, question(options, a));
+  for (const auto& [name, log] : {std::pair{"A", &a}, std::pair{"B", &b}}) {
+    for (const std::string& warning : log->warnings) {
+      results.warnings.push_back(fmt::format("{}: {}", name, warning));
+    }
+  }
+  results.warnings.insert(results.warnings.end(), results.comparison.warnings.begin(),
+                          results.comparison.warnings.end());
+  give_up_if_interrupted();
+  const std::filesystem::path folder{options.out};
+  write_compare_results(results, folder);
+  if (options.json) {
+    fmt::print("{}", compare_json(results));
+  } else {
+    fmt::print("{}\n  page  {}\n  data  {}\n", compare_text(results), (folder / "compare.html").string(),
+               (folder / "differences.csv").string());
+  }
+  if (const std::vector<std::string> objections = results.objections(); !objections.empty()) {
+    throw RequirementNotMet{fmt::format("{}", fmt::join(objections, "; "))};
+  }
+}
+
+void add_log(CLI::App& verb, const std::string& name, const std::string& capital, LogChoice& choice) {
+  verb.add_option(capital, choice.path, "CSV file or flight folder")->required();
+  verb.add_option("--" + name, choice.motion,
+                  "Which roll motion of " + capital + ": as measured, or a simulation's truth")
+      ->check(CLI::IsMember({"measured", "true"}))
+      ->type_name("measured|true")
+      ->capture_default_str();
+  verb.add_option("--" + name + "-column", choice.columns,
+                  "A column that " + capital + " calls otherwise, as roll_rate_deg_s=gyro_x; repeatable")
+      ->check(objection_to_column)
+      ->type_name("OURS=THEIRS")
+      ->allow_extra_args(false);
+  verb.add_option("--" + name + "-units", choice.units, "Of every angle and rate in " + capital)
+      ->check(CLI::IsMember({"deg", "rad"}))
+      ->type_name("deg|rad")
+      ->capture_default_str();
+}
+
+void add_alignment(CLI::App& verb, CompareVerbOptions& options) {
+  auto* window =
+      verb.add_option("--window", options.window, "By A's events: control, thrust, coast, step:N, or FROM:TO");
+  verb.add_option("--from", options.from_s, "Begin on A's clock, s")->check(objection_to_time)->excludes(window);
+  verb.add_option("--to", options.to_s, "End on A's clock, s")->check(objection_to_time)->excludes(window);
+  auto* align =
+      verb.add_option("--align", options.align,
+                      "none: the clocks as they are. angle: look up to 2 s to both sides for the shift at which "
+                      "the rolls agree best, judged by their rates")
+          ->check(CLI::IsMember({"none", "angle"}))
+          ->type_name("none|angle")
+          ->capture_default_str();
+  verb.add_option("--shift", options.shift_s, "What B's clock shows at A's zero, s")
+      ->check(objection_to_time)
+      ->excludes(align);
+  verb.add_flag("--remove-offset", options.remove_offset,
+                "Roll angles count from different zeros: let both begin the window at A's");
+}
+
+}  // namespace
+
+void add_compare(CLI::App& program) {
+  auto* verb = program.add_subcommand("compare", "How far the roll motions in two logs are apart");
+  auto options = std::make_shared<CompareVerbOptions>();
+  add_log(*verb, "a", "A", options->a);
+  add_log(*verb, "b", "B", options->b);
+  add_alignment(*verb, *options);
+  verb->add_option("--require-angle", options->most_angle_deg,
+                   "Largest mean difference of the angle, deg; else exit code 1")
+      ->check(objection_to_requirement);
+  verb->add_option("--require-rate", options->most_rate_deg_s,
+                   "Largest mean difference of the rate, deg/s; else exit code 1")
+      ->check(objection_to_requirement);
+  verb->add_option("--out", options->out, "Folder for compare.html, compare.json and differences.csv")
+      ->check(objection_to_folder)
+      ->capture_default_str();
+  verb->add_flag("--json", options->json, "Print compare.json instead of the text");
+  verb->footer(
+      "Examples:\n"
+      "  fantail compare out/tasha3_launch2 out/tasha3_launch2 --b true --window control\n"
+      "                                                      how well the avionics knew its own roll\n"
+      "  fantail compare flown.csv out/tasha3_launch2 --align angle --remove-offset --from 0.5 --to 8\n"
+      "                                                      a logger whose clock and zero nobody set\n"
+      "  fantail compare new.csv old.csv --b-column roll_angle_deg=phi --b-units rad --require-angle 0.5 --json\n"
+      "                                                      a check for a script: exit code 1 when farther apart");
+  verb->callback([options] { compare_logs(*options); });
+}
+
+}  // namespace fantail::tool
