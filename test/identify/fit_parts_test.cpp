@@ -46,8 +46,26 @@ TEST(OrthogonalFit, AColumnThatSaysNothingNewIsLeftOut) {
       1, 2, 4,         //
       1, 2, 5;
   const OrthogonalFit fit{columns, 2};
-  EXPECT_NEAR(fit.coefficients(0)(0), 4.0, 1e-13);
-  EXPECT_EQ(fit.coefficients(0)(1), 0.0);
+  EXPECT_EQ(fit.coefficients(0)(0), 0.0);
+  EXPECT_NEAR(fit.coefficients(0)(1), 2.0, 1e-13);
+}
+
+TEST(OrthogonalFit, ColumnsThatBeginWithZerosAreFittedLikeAnyOther) {
+  constexpr Eigen::Index rows = 50;
+  Eigen::MatrixXd columns(rows, 3);
+  for (Eigen::Index i = 0; i < rows; ++i) {
+    const auto t = static_cast<double>(i);
+    columns.row(i) << 1.0 + t, (i < 30 ? 0.0 : t), (i < 41 ? 0.0 : t * t);
+  }
+  const Eigen::MatrixXd before = columns;
+  Eigen::MatrixXd all(rows, 4);
+  all << columns, 3.0 * before.col(0) - 2.0 * before.col(1) + 0.5 * before.col(2);
+  const OrthogonalFit fit{all, 3};
+  const Eigen::VectorXd found = fit.coefficients(0);
+  EXPECT_NEAR(found(0), 3.0, 1e-11);
+  EXPECT_NEAR(found(1), -2.0, 1e-11);
+  EXPECT_NEAR(found(2), 0.5, 1e-11);
+  EXPECT_NEAR(all.col(3).norm(), 0.0, 1e-10);
 }
 
 TEST(NodeTimes, SharesRunStraightBetweenNodesAndStayOutside) {

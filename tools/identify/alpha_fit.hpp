@@ -26,7 +26,8 @@ class AlphaFit {
   /// The sum of squared angle errors at the best beta, or at any when there is no best.
   [[nodiscard]] double least_squares_rad2() const;
 
-  [[nodiscard]] double mean_abs_error_rad(double beta_m) const;
+  /// The mean absolute angle error at each value of the axis.
+  [[nodiscard]] std::vector<double> mean_abs_error_rad(const Axis& beta_m) const;
 
   /// beta_m not zero. Initial states are in the model only if the basis has columns for them.
   [[nodiscard]] Model model(double beta_m, const NodeTimes& node_time_s) const;

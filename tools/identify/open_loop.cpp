@@ -77,9 +77,10 @@ GridResult search_open_loop_grid(const Record& record, const Airframe& airframe,
   std::size_t best = 0;
   for (std::size_t i = 0; i < width; ++i) {
     const AlphaFit fit{basis, errors.alpha_m2[i]};
+    const std::vector<double> along_beta = fit.mean_abs_error_rad(grid.beta_m);
     for (std::size_t j = 0; j < errors.beta_m.size(); ++j) {
       const std::size_t cell = j * width + i;
-      errors.mean_abs_angle_error_rad[cell] = fit.mean_abs_error_rad(errors.beta_m[j]);
+      errors.mean_abs_angle_error_rad[cell] = along_beta[j];
       if (errors.mean_abs_angle_error_rad[cell] < errors.mean_abs_angle_error_rad[best]) {
         best = cell;
       }

@@ -10,31 +10,29 @@
 namespace fantail::identify {
 namespace {
 
-constexpr std::size_t coefficients_per_step = 6;
+// So many steps at a time that their transitions stay in the nearest cache until all lanes have taken them.
+constexpr std::size_t stretch = 64;
+using Transitions = std::array<RampTransition, stretch>;
 
-// Step coefficients of one alpha, in the order that pass() reads them.
-std::vector<double> step_coefficients(double alpha_m2, const std::vector<double>& dt_s,
-                                      const std::vector<double>& damping_per_m2_s) {
-  std::vector<double> all(dt_s.size() * coefficients_per_step);
-  double last_dt_s = -1.0;
-  double last_damping = -1.0;
-  RampTransition t{};
-  for (std::size_t i = 0; i < dt_s.size(); ++i) {
-    // In a tunnel every step is the same.
-    if (dt_s[i] != last_dt_s || damping_per_m2_s[i] != last_damping) {
-      last_dt_s = dt_s[i];
-      last_damping = damping_per_m2_s[i];
-      t = ramp_transition(alpha_m2 * last_damping, last_dt_s);
+void fill(Transitions& all, double alpha_m2, const double* damping_per_m2_s, const double* dt_s, std::size_t steps) {
+  constexpr std::size_t together = 4;
+  using Numbers = Eigen::Array<double, together, 1>;
+  std::size_t i = 0;
+  while (i < steps) {
+    if (i + together <= steps) {
+      const Numbers dt{Eigen::Map<const Numbers>{&dt_s[i]}};
+      const Numbers damping = alpha_m2 * Eigen::Map<const Numbers>{&damping_per_m2_s[i]} * dt;
+      if ((damping < small_ramp_damping).all()) {
+        const RampTransitionOf<Numbers> t = small_ramp_transition(damping, dt);
+        for (Eigen::Index j = 0; j < Eigen::Index{together}; ++j, ++i) {
+          all[i] = {t.decay[j], t.rate_0[j], t.rate_1[j], t.angle_p[j], t.angle_0[j], t.angle_1[j]};
+        }
+        continue;
+      }
     }
-    double* out = &all[i * coefficients_per_step];
-    out[0] = t.decay;
-    out[1] = t.rate_0;
-    out[2] = t.rate_1;
-    out[3] = t.angle_p;
-    out[4] = t.angle_0;
-    out[5] = t.angle_1;
+    all[i] = ramp_transition(alpha_m2 * damping_per_m2_s[i], dt_s[i]);
+    ++i;
   }
-  return all;
 }
 
 }  // namespace
@@ -62,10 +60,9 @@ ResponseBasis::ResponseBasis(const Record& record, const Airframe& airframe, con
     damping_per_m2_s_.push_back(0.5 * (damping(i) + damping(i + 1)));
   }
 
-  const std::size_t passes = (columns() + width - 1) / width;
-  input_.assign(passes * samples_ * width, 0.0);
+  input_.assign(passes() * samples_, Lanes::Zero());
   const auto input = [&](std::size_t sample, std::size_t lane) -> double& {
-    return input_[(lane / width * samples_ + sample) * width + lane % width];
+    return input_[lane / width * samples_ + sample][static_cast<Eigen::Index>(lane % width)];
   };
   for (std::size_t i = 0; i < samples_; ++i) {
     const double authority = authority_per_m_s2(airframe, record.density_kg_m3[i], record.speed_m_s[i]);
@@ -77,14 +74,16 @@ ResponseBasis::ResponseBasis(const Record& record, const Airframe& airframe, con
 
   for (std::size_t s = 0; s < record.segment_begin.size(); ++s) {
     const std::size_t at = record.segment_begin[s];
-    Reset reset{
-        .sample = at, .angle = std::vector<double>(passes * width), .rate = std::vector<double>(passes * width)};
+    Reset reset{.sample = at, .start = std::vector<State>(passes(), {.angle = Lanes::Zero(), .rate = Lanes::Zero()})};
+    const auto set = [&reset](Lanes State::* what, std::size_t lane, double value) {
+      (reset.start[lane / width].*what)[static_cast<Eigen::Index>(lane % width)] = value;
+    };
     if (start == Start::fitted) {
-      reset.angle[nodes_ + 2 * s] = 1.0;
-      reset.rate[nodes_ + 2 * s + 1] = 1.0;
+      set(&State::angle, nodes_ + 2 * s, 1.0);
+      set(&State::rate, nodes_ + 2 * s + 1, 1.0);
     } else {
-      reset.angle[free_column()] = record.roll_angle_rad[at];
-      reset.rate[free_column()] = record.roll_rate_rad_s[at];
+      set(&State::angle, free_column(), record.roll_angle_rad[at]);
+      set(&State::rate, free_column(), record.roll_rate_rad_s[at]);
     }
     resets_.push_back(std::move(reset));
   }
@@ -92,43 +91,48 @@ ResponseBasis::ResponseBasis(const Record& record, const Airframe& airframe, con
 
 void ResponseBasis::respond(double alpha_m2, Eigen::MatrixXd& angles) const {
   angles.resize(static_cast<Eigen::Index>(samples_), static_cast<Eigen::Index>(columns()));
-  const std::vector<double> coefficients = step_coefficients(alpha_m2, dt_s_, damping_per_m2_s_);
-  for (std::size_t lane = 0; lane < columns(); lane += width) {
-    pass(lane, coefficients, angles);
+  Transitions transitions;
+  for (std::size_t s = 0; s < resets_.size(); ++s) {
+    const std::size_t last = (s + 1 < resets_.size() ? resets_[s + 1].sample : samples_) - 1;
+    std::vector<State> state = resets_[s].start;
+    for (std::size_t i = resets_[s].sample; i <= last; i += stretch) {
+      const std::size_t steps = std::min(stretch, last - i);
+      fill(transitions, alpha_m2, damping_per_m2_s_.data() + i, dt_s_.data() + i, steps);
+      for (std::size_t pass = 0; pass < passes(); ++pass) {
+        advance(pass, i, {transitions.data(), steps}, state[pass], angles);
+      }
+    }
   }
 }
 
-void ResponseBasis::pass(std::size_t first_lane, const std::vector<double>& coefficients,
-                         Eigen::MatrixXd& angles) const {
-  std::array<double, width> angle{};
-  std::array<double, width> rate{};
-  const double* input = &input_[first_lane * samples_];
-  const std::size_t lanes = std::min(width, columns() - first_lane);
+// Writes the angles before each of the steps, and those behind the last one.
+void ResponseBasis::advance(std::size_t pass, std::size_t first, std::span<const RampTransition> steps, State& state,
+                            Eigen::MatrixXd& angles) const {
+  // Lanes behind the last column are written into it before it is, and so lost.
   std::array<double*, width> out{};
-  for (std::size_t j = 0; j < lanes; ++j) {
-    out[j] = angles.col(static_cast<Eigen::Index>(first_lane + j)).data();
+  for (std::size_t j = 0; j < width; ++j) {
+    out[j] =
+        &angles(static_cast<Eigen::Index>(first), static_cast<Eigen::Index>(std::min(pass * width + j, columns() - 1)));
   }
-  for (std::size_t s = 0; s < resets_.size(); ++s) {
-    for (std::size_t j = 0; j < width; ++j) {
-      angle[j] = resets_[s].angle[first_lane + j];
-      rate[j] = resets_[s].rate[first_lane + j];
+  const auto write = [&](std::size_t at, const Lanes& angle) {
+    for (std::size_t j = width; j-- > 0;) {
+      out[j][at] = angle[static_cast<Eigen::Index>(j)];
     }
-    const std::size_t end = s + 1 < resets_.size() ? resets_[s + 1].sample : samples_;
-    for (std::size_t i = resets_[s].sample;; ++i) {
-      for (std::size_t j = 0; j < lanes; ++j) {
-        out[j][i] = angle[j];
-      }
-      if (i + 1 == end) {
-        break;
-      }
-      const double* c = &coefficients[i * coefficients_per_step];
-      const double* from = &input[i * width];
-      for (std::size_t j = 0; j < width; ++j) {
-        angle[j] += c[3] * rate[j] + (c[4] * from[j] + c[5] * from[width + j]);
-        rate[j] = c[0] * rate[j] + (c[1] * from[j] + c[2] * from[width + j]);
-      }
-    }
+  };
+  const Lanes* input = &input_[pass * samples_ + first];
+  Lanes angle = state.angle;
+  // Strongly damped rates would shrink to the end of a double's range and stay there, where a processor takes ten times
+  // as long.
+  constexpr double nothing_rad_s = 1e-200;
+  Lanes rate = (state.rate.abs() < nothing_rad_s).select(0.0, state.rate);
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    write(i, angle);
+    const RampTransition& t = steps[i];
+    angle += t.angle_p * rate + (t.angle_0 * input[i] + t.angle_1 * input[i + 1]);
+    rate = t.decay * rate + (t.rate_0 * input[i] + t.rate_1 * input[i + 1]);
   }
+  write(steps.size(), angle);
+  state = {.angle = angle, .rate = rate};
 }
 
 }  // namespace fantail::identify

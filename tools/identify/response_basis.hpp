@@ -2,12 +2,14 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include <Eigen/Core>
 
 #include "identify/estimate.hpp"
 #include "identify/identification.hpp"
+#include "identify/ramp_transition.hpp"
 #include "identify/record.hpp"
 
 namespace fantail::identify {
@@ -40,13 +42,19 @@ class ResponseBasis {
 
  private:
   static constexpr std::size_t width = 4;  // lanes that one pass carries along; two vector registers each
+  using Lanes = Eigen::Array<double, width, 1>;
 
+  struct State {
+    Lanes angle;
+    Lanes rate;
+  };
   struct Reset {
     std::size_t sample;
-    std::vector<double> angle;  // one for each lane
-    std::vector<double> rate;
+    std::vector<State> start;  // of each pass
   };
-  void pass(std::size_t first_lane, const std::vector<double>& coefficients, Eigen::MatrixXd& angles) const;
+  [[nodiscard]] std::size_t passes() const { return (columns() + width - 1) / width; }
+  void advance(std::size_t pass, std::size_t first, std::span<const RampTransition> steps, State& state,
+               Eigen::MatrixXd& angles) const;
 
   std::size_t samples_;
   std::size_t nodes_;
@@ -54,7 +62,7 @@ class ResponseBasis {
   Eigen::VectorXd measured_rad_;
   std::vector<double> dt_s_;              // to the next sample
   std::vector<double> damping_per_m2_s_;  // damping rate over that step, per alpha
-  std::vector<double> input_;             // roll acceleration per beta: [pass][sample][lane of the pass]
+  std::vector<Lanes> input_;              // roll acceleration per beta: [pass * samples + sample]
   std::vector<Reset> resets_;
 };
 
