@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <cctype>
+#include <iterator>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 
+#include "identify/misfit.hpp"
 #include "identify/result_charts.hpp"
 #include "identify/words.hpp"
 #include "plot/page.hpp"
@@ -206,30 +208,53 @@ std::string part(const Study& study, const WindowFindings& window) {
   return out + knowledge(window) + pictures(window) + searches(window) + remark_list(study, window);
 }
 
+void judge_one(const WindowFindings& window, plot::Page& page) {
+  const Identification& result = main_result(window);
+  page.subtitle += fmt::format("; window {}, {}", window.record.window, extent(window.record));
+  const auto doubt = misfit(window.record, result.simulation);
+  page.tone = tells(window) && !doubt ? plot::Tone::good : plot::Tone::unsure;
+  if (!tells(window)) {
+    page.verdict_heading = "This window does not tell both damping and torque";
+    page.verdict = result.uncertainty ? sentence(result.uncertainty->verdict) : "";
+  } else if (doubt) {
+    page.verdict_heading = "Damping and torque, with a doubt";
+    page.verdict = *doubt;
+  } else {
+    page.verdict_heading = "This window tells damping and torque";
+    page.verdict = sentence(result.uncertainty->verdict);
+  }
+}
+
+void judge_several(const Study& study, plot::Page& page) {
+  const auto good = std::ranges::count_if(study.windows, tells);
+  const auto doubtful = std::ranges::count_if(study.windows, [](const WindowFindings& window) {
+    return misfit(window.record, main_result(window).simulation).has_value();
+  });
+  const auto all = std::ssize(study.windows);
+  page.tone = good == all && doubtful == 0 ? plot::Tone::good : plot::Tone::unsure;
+  page.verdict_heading = fmt::format("{} of {} windows tell damping and torque", good, all);
+  for (const WindowFindings& window : study.windows) {
+    const Model& model = main_result(window).model;
+    page.verdict += fmt::format("{}: alpha {}, beta {}. ", window.record.window, report::brief(model.alpha_m2, 2),
+                                report::brief(model.beta_m, 2));
+  }
+  if (doubtful > 0) {
+    page.verdict +=
+        fmt::format("In {} of them the model does not follow the log all the way; see the remarks.", doubtful);
+  }
+}
+
 }  // namespace
 
 std::string result_html(const Study& study) {
-  const auto good = static_cast<std::size_t>(std::ranges::count_if(study.windows, tells));
-  const std::size_t all = study.windows.size();
   plot::Page page;
   page.kind = "Fantail identification report";
   page.title = study.data;
   page.subtitle = printable(fmt::format("{}; density {}; speed {}", study.vehicle, study.density, study.speed));
-  page.tone = good == all ? plot::Tone::good : plot::Tone::unsure;
-  if (all == 1) {
-    const WindowFindings& window = study.windows.front();
-    const Identification& result = main_result(window);
-    page.subtitle += fmt::format("; window {}, {}", window.record.window, extent(window.record));
-    page.verdict_heading =
-        good == 1 ? "This window tells damping and torque" : "This window does not tell both damping and torque";
-    page.verdict = result.uncertainty ? sentence(result.uncertainty->verdict) : "";
+  if (study.windows.size() == 1) {
+    judge_one(study.windows.front(), page);
   } else {
-    page.verdict_heading = fmt::format("{} of {} windows tell damping and torque", good, all);
-    for (const WindowFindings& window : study.windows) {
-      const Identification& result = main_result(window);
-      page.verdict += fmt::format("{}{}: alpha {}, beta {}.", page.verdict.empty() ? "" : " ", window.record.window,
-                                  report::brief(result.model.alpha_m2, 2), report::brief(result.model.beta_m, 2));
-    }
+    judge_several(study, page);
   }
   for (const WindowFindings& window : study.windows) {
     page.body_html += part(study, window);

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "identify/study.hpp"
 
+#include <utility>
+
 #include <fmt/format.h>
 
 #include "identify/lag_fit.hpp"
+#include "identify/misfit.hpp"
 #include "identify/node_choice.hpp"
 #include "sim/input_error.hpp"
 #include "sim/shown.hpp"
@@ -60,6 +63,9 @@ WindowFindings look_at(const logs::RollLog& log, const Window& window, const Que
     options.method = method;
     options.nodes = nodes;
     found.results.push_back(identify(found.record, question.airframe, options));
+    if (auto doubt = misfit(found.record, found.results.back().simulation)) {
+      found.results.back().remarks.push_back(std::move(*doubt));
+    }
   }
   return found;
 }
