@@ -2,15 +2,13 @@
 #include "identify/result_html.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <iterator>
-#include <string_view>
-#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "identify/misfit.hpp"
+#include "identify/page_words.hpp"
 #include "identify/result_charts.hpp"
 #include "identify/words.hpp"
 #include "plot/page.hpp"
@@ -20,33 +18,6 @@ namespace fantail::identify {
 namespace {
 
 using report::degrees;
-
-// The one that the summary speaks of: without a grid's steps where there is one.
-const Identification& main_result(const WindowFindings& window) {
-  const auto continuous = std::ranges::find(window.results, Method::continuous, &Identification::method);
-  return continuous == window.results.end() ? window.results.front() : *continuous;
-}
-
-bool tells(const WindowFindings& window) {
-  const auto& u = main_result(window).uncertainty;
-  return u && u->alpha_identifiable && u->beta_identifiable;
-}
-
-// What a terminal may not have.
-std::string printable(std::string text) {
-  for (const auto& [plain, printed] : {std::pair{"+-", "\u00b1"}, std::pair{" m2", " m\u00b2"}}) {
-    for (std::size_t at = text.find(plain); at != std::string::npos; at = text.find(plain)) {
-      text.replace(at, std::string_view{plain}.size(), printed);
-    }
-  }
-  return text;
-}
-
-// "alpha and beta are ..." as a sentence of its own.
-std::string sentence(std::string text) {
-  text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
-  return text + ".";
-}
 
 std::string figures(const WindowFindings& window) {
   const Identification& result = main_result(window);
@@ -95,32 +66,6 @@ std::string numbers_table(const WindowFindings& window) {
   rows.push_back(std::move(angle));
   rows.push_back(std::move(rate));
   return plot::table(columns, rows);
-}
-
-std::vector<std::string> how_well_sentences(const Identification& result) {
-  std::vector<std::string> all;
-  for (std::size_t k = 0; k < result.model.node_rad.size() + 2; ++k) {
-    all.push_back(printable(how_well(result, k)));
-  }
-  const Uncertainty& u = *result.uncertainty;
-  constexpr double tied = 0.9;
-  if (std::abs(u.correlation(0, 1)) > tied) {
-    all.push_back(
-        fmt::format("Alpha and beta go together (correlation {}): a larger alpha with a larger beta explains "
-                    "the log nearly as well, so their ratio is known better than either.",
-                    report::fixed(u.correlation(0, 1), 2)));
-  }
-  const std::string strength = report::brief(degrees(u.residual_rms_rad), 3);
-  if (u.effective_samples > 0.5 * static_cast<double>(result.samples)) {
-    all.push_back(fmt::format("The residual, {} deg, is new in every sample: each of the {} samples counts.", strength,
-                              result.samples));
-  } else {
-    all.push_back(fmt::format(
-        "The residual, {} deg, remembers itself for {} s, so the {} samples are worth as much as {} "
-        "with new noise in each. Faster sampling would not help; more time or more motion would.",
-        strength, report::fixed(u.residual_correlation_s, 2), result.samples, report::fixed(u.effective_samples, 0)));
-  }
-  return all;
 }
 
 std::string knowledge(const WindowFindings& window) {

@@ -35,7 +35,7 @@ class Text {
   }
 
   void row(const WindowFindings& window, const std::string& label, const Cell& cell) {
-    std::string text = fmt::format("  {:<28}", label);
+    std::string text = fmt::format("  {:<26}", label);
     for (const Identification& result : window.results) {
       text += fmt::format("{:<28}", cell(result));
     }

@@ -109,7 +109,7 @@ std::string node_label(const WindowFindings& window, std::size_t node) {
   if (!share_nodes(window)) {
     return fmt::format("node {}", node + 1);
   }
-  return times.size() == 1 ? "throughout" : fmt::format("{} s into the window", report::brief(times[node], 2));
+  return times.size() == 1 ? "throughout" : fmt::format("{} s in", report::brief(times[node], 2));
 }
 
 std::string node_value(const WindowFindings& window, const Identification& result, std::size_t node) {

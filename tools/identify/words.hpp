@@ -30,9 +30,9 @@ namespace fantail::identify {
 /// "alpha = 22.87 m2, known to 2 %": whether a number can be built upon, for someone who flies rockets.
 [[nodiscard]] std::string how_well(const Identification& result, std::size_t number);
 
-/// A node of the disturbance in a table with a column for each method: "1.62 s into the window" and "-4.90 +- 0.02";
-/// where the methods chose different nodes, the time stands with the value. An empty value for a node that a result has
-/// not got.
+/// A node of the disturbance in a table with a column for each method: "1.62 s in" (into the window) and "-4.90 +-
+/// 0.02"; where the methods chose different nodes, the time stands with the value. An empty value for a node that a
+/// result has not got.
 [[nodiscard]] std::string node_label(const WindowFindings& window, std::size_t node);
 [[nodiscard]] std::string node_value(const WindowFindings& window, const Identification& result, std::size_t node);
 
