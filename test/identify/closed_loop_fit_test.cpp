@@ -30,6 +30,15 @@ TEST(ClosedLoopFit, FindsItInALogOfAHundredHertz) {
   expect_same(fit(loop, closed_loop_record(loop, 9.0, 10), {0.0, 4.5}).model, truth(loop, {0.0, 4.5}), 5.0);
 }
 
+// At 100 Hz a chirp of 18 Hz has five samples a period. Between them it runs straight: held, it would be 5 ms late, and
+// alpha would come out as 24.5.
+TEST(ClosedLoopFit, AChirpInASlowLogIsNotLate) {
+  const paper::Loop loop = second_launch_with_chirp();
+  const Model found = fit(loop, closed_loop_record(loop, 9.0, 10), {0.0, 4.5}).model;
+  EXPECT_NEAR(found.alpha_m2, 23.0, 0.3);
+  EXPECT_NEAR(found.beta_m, 9.0, 0.05);
+}
+
 TEST(ClosedLoopFit, FindsThePlantedFirstLaunchThoughItsCanardsStoodAtTheLimit) {
   const paper::Loop loop = first_launch();
   const NodeTimes nodes = first_launch_nodes();

@@ -10,6 +10,7 @@
 #include "identify/closed_loop_start.hpp"
 #include "identify/closed_loop_trials.hpp"
 #include "identify/planted.hpp"
+#include "sim/random.hpp"
 
 namespace fantail::identify {
 namespace {
@@ -68,6 +69,43 @@ TEST(ClosedLoopGrid, EachCellHasItsOwnBestNodes) {
       EXPECT_NEAR(found.errors.mean_abs_angle_error_rad[j * found.errors.alpha_m2.size() + i] / degree,
                   mean_rad / degree, 1e-3)
           << "alpha " << found.errors.alpha_m2[i] << ", beta " << found.errors.beta_m[j];
+    }
+  }
+}
+
+// The first launch has several hollows for the nodes of one alpha and beta. Sixty descents from all around know them.
+TEST(ClosedLoopGrid, TheWinnerLiesInTheDeepestHollowOfItsCell) {
+  const paper::Loop loop = first_launch();
+  const Airframe airframe = paper::airframe(loop);
+  const ClosedLoop controller = controller_of(loop);
+  const NodeTimes nodes = first_launch_nodes();
+  const Grid grid{.alpha_m2 = {1.0, 20.0, 1.0}, .beta_m = {9.0, 11.0, 0.5}};
+  for (const std::uint64_t seed : {1U, 3U, 5U}) {
+    Record record = closed_loop_record(loop, 9.0, 20);
+    add_noise(record, {.angle_deg = 0.3, .correlation_s = 0.5}, seed);
+    const ClosedLoopGrid found = search_closed_loop_grid(record, airframe, controller, nodes, Start::measured, grid);
+
+    const Course course = closed_loop_course(record, airframe, controller, nodes);
+    LaneTrials<1> trials{course, {.initial = false, .model = false}};
+    Transitions transitions;
+    fill_transitions(course, found.model.alpha_m2, Slopes::none, transitions);
+    const Eigen::VectorXd winner = unknown_of(found.model, Start::measured);
+    trials.set(0, found.model.beta_m, winner);
+    trials.fly(transitions);
+    const double squares_rad2 = trials.errors().squares(0);
+    sim::Random random{seed, 0};
+    for (int descent = 0; descent < 60; ++descent) {
+      Eigen::VectorXd begin = winner;
+      for (double& node_rad : begin) {
+        node_rad += degree * random.gaussian();
+      }
+      LevenbergMarquardt search{begin, {}};
+      while (!search.finished()) {
+        trials.set(0, found.model.beta_m, search.trial());
+        trials.fly_with_derivatives(transitions);
+        search.tell(trials.equations(0));
+      }
+      EXPECT_GE(search.squares(), squares_rad2 * (1.0 - 1e-3)) << "seed " << seed << ", descent " << descent;
     }
   }
 }

@@ -62,7 +62,7 @@ TEST(ClosedLoopIdentification, AsManyNodesAsItTakes) {
   EXPECT_EQ(found.model.node_time_s.size(), 2U);
 }
 
-// 38 of 40 should do; by chance fewer than 34 would in one of a hundred runs, and these seeds are always the same.
+// 38 of 40 should do. Fewer than 34 would be chance in three of a thousand cases, and these seeds are always the same.
 TEST(ClosedLoopIdentification, ThePlantedNumbersLieInTheStatedIntervals) {
   const paper::Loop loop = second_launch_with_chirp();
   const Record quiet = closed_loop_record(loop, 4.0, 10);

@@ -3,168 +3,136 @@
 
 #include <algorithm>
 #include <limits>
-#include <utility>
 
+#include "identify/closed_loop_column.hpp"
 #include "identify/closed_loop_start.hpp"
-#include "identify/closed_loop_trials.hpp"
 
 namespace fantail::identify {
 namespace {
 
-constexpr std::size_t lanes = 4;
-
-// A step that promises less than this share of the sum of squares is the last: it changes the mean error by so little
-// that derivatives at its end, which cost as much as the flight, tell nothing of interest.
-constexpr double last_step = 1e-3;
-
-// One beta on its way through the alphas.
-struct Cell {
-  double beta_m;
-  LevenbergMarquardt search;
-  Eigen::VectorXd solution{};  // at this alpha; before it has been found, at the one before
-  Eigen::VectorXd before{};    // at the alpha before
-  double squares = 0.0;
-  double mean_absolute = 0.0;
-};
+// So many of the best cells get a second look.
+constexpr std::size_t second_looks = 8;
 
 class Search {
  public:
   Search(const Record& record, const Airframe& airframe, const ClosedLoop& loop, const NodeTimes& node_time_s,
-         Start start, const std::vector<double>& beta_m)
-      : course_{closed_loop_course(record, airframe, loop, node_time_s)},
-        first_guess_{record, airframe, node_time_s, start},
-        trials_{course_, {.initial = start == Start::fitted, .model = false}} {
-    const LevenbergMarquardt::Rules rules{.first_damping = 1e-9,
-                                          .relative_gain = 1e-9,
-                                          .absolute_gain = static_cast<double>(record.size()) * single_precision_rad2,
-                                          .most_trials = 40};
-    for (const double beta : beta_m) {
-      cells_.push_back({.beta_m = beta, .search = LevenbergMarquardt{Eigen::VectorXd{}, rules}});
+         Start start, const Grid& grid)
+      : alpha_m2_{grid.alpha_m2.values()},
+        beta_m_{grid.beta_m.values()},
+        course_{closed_loop_course(record, airframe, loop, node_time_s)},
+        guess_{record, airframe, node_time_s, start},
+        column_{course_, start} {
+    for (std::size_t j = 0; j < beta_m_.size(); ++j) {
+      for (std::size_t i = 0; i < alpha_m2_.size(); ++i) {
+        cells_.push_back({.beta_m = beta_m_[j], .place = {}});
+      }
     }
   }
 
-  /// All betas at one alpha; alphas must come in order, each near the one before.
-  const std::vector<Cell>& solve(double alpha_m2) {
-    fill_transitions(course_, alpha_m2, Slopes::none, transitions_);
-    guess(alpha_m2);
-    improve();
-    judge();
-    return cells_;
+  /// From alpha to alpha; two solutions point to where the next one begins.
+  void sweep() {
+    std::vector<Attempt> attempts(beta_m_.size());
+    for (std::size_t i = 0; i < alpha_m2_.size(); ++i) {
+      for (std::size_t j = 0; j < beta_m_.size(); ++j) {
+        attempts[j].beta_m = beta_m_[j];
+        if (i == 0 || !cell(i - 1, j).place.allFinite()) {
+          attempts[j].place = guess_.at(alpha_m2_[i], beta_m_[j]);
+        } else if (i == 1) {
+          attempts[j].place = cell(i - 1, j).place;
+        } else {
+          attempts[j].place = 2.0 * cell(i - 1, j).place - cell(i - 2, j).place;
+        }
+      }
+      column_.solve(alpha_m2_[i], attempts);
+      for (std::size_t j = 0; j < beta_m_.size(); ++j) {
+        cell(i, j) = attempts[j];
+      }
+    }
+  }
+
+  /// A cell can have several hollows, and the way through the alphas may have led into the wrong one. Where it matters
+  /// for who wins, the others are tried too: from the open loop's nodes, and from those of the cells around.
+  void look_again() {
+    std::vector<bool> seen(cells_.size(), false);
+    std::vector<std::size_t> order(cells_.size());
+    for (std::size_t i = 0; i < order.size(); ++i) {
+      order[i] = i;
+    }
+    const std::size_t count = std::min(second_looks, order.size());
+    const auto best = order.begin() + static_cast<std::ptrdiff_t>(count);
+    for (std::size_t looks = 0; looks < 2 * count; ++looks) {
+      std::ranges::partial_sort(order, best, {}, [this](std::size_t i) { return cells_[i].mean_abs_error_rad; });
+      const auto next = std::find_if(order.begin(), best, [&seen](std::size_t i) { return !seen[i]; });
+      if (next == best) {
+        return;
+      }
+      seen[*next] = true;
+      look_at(*next % alpha_m2_.size(), *next / alpha_m2_.size());
+    }
+  }
+
+  [[nodiscard]] const std::vector<Attempt>& cells() const { return cells_; }
+  [[nodiscard]] double alpha_m2(std::size_t cell) const { return alpha_m2_[cell % alpha_m2_.size()]; }
+  [[nodiscard]] ErrorMap errors() const {
+    ErrorMap map{.alpha_m2 = alpha_m2_, .beta_m = beta_m_, .mean_abs_angle_error_rad = {}};
+    for (const Attempt& attempt : cells_) {
+      map.mean_abs_angle_error_rad.push_back(attempt.mean_abs_error_rad);
+    }
+    return map;
   }
 
  private:
-  // The solutions at two alphas point to the next one.
-  void guess(double alpha_m2) {
-    for (Cell& cell : cells_) {
-      if (cell.solution.size() == 0 || !cell.solution.allFinite()) {
-        cell.solution = first_guess_.at(alpha_m2, cell.beta_m);
-        cell.before = cell.solution;
-      }
-      guess_ = 2.0 * cell.solution - cell.before;
-      cell.search.restart(guess_);
-      std::swap(cell.before, cell.solution);
-    }
-  }
+  Attempt& cell(std::size_t i, std::size_t j) { return cells_[j * alpha_m2_.size() + i]; }
 
-  void improve() {
-    wait_for_all();
-    while (!waiting_.empty()) {
-      fly_waiting([this] { trials_.fly_with_derivatives(transitions_); },
-                  [](const Cell& cell) { return &cell.search.trial(); },
-                  [this](Cell& cell, std::size_t lane) {
-                    cell.search.tell(trials_.equations(lane));
-                    return !cell.search.finished() && cell.search.promised_gain() > last_step * cell.search.squares();
-                  });
+  void look_at(std::size_t i, std::size_t j) {
+    Attempt& here = cell(i, j);
+    std::vector<Attempt> attempts;
+    const auto try_from = [&](const Eigen::VectorXd& place) {
+      attempts.push_back({.beta_m = here.beta_m, .place = place});
+    };
+    if (i > 0) {
+      try_from(cell(i - 1, j).place);
     }
-  }
-
-  // Where the last step was one too far, the place before it counts.
-  void judge() {
-    for (Cell& cell : cells_) {
-      cell.solution = cell.search.trial();
+    if (i + 1 < alpha_m2_.size()) {
+      try_from(cell(i + 1, j).place);
     }
-    wait_for_all();
-    while (!waiting_.empty()) {
-      fly_waiting([this] { trials_.fly(transitions_); }, [](const Cell& cell) { return &cell.solution; },
-                  [this](Cell& cell, std::size_t lane) {
-                    cell.squares = trials_.errors().squares(lane);
-                    cell.mean_absolute = trials_.errors().mean_absolute(lane);
-                    const bool too_far =
-                        !(cell.squares <= cell.search.squares()) && cell.solution != cell.search.best();
-                    if (too_far) {
-                      cell.solution = cell.search.best();
-                    }
-                    return too_far;
-                  });
+    if (j > 0) {
+      try_from(cell(i, j - 1).place);
     }
-  }
-
-  void wait_for_all() {
-    for (std::size_t j = 0; j < cells_.size(); ++j) {
-      waiting_.push_back(j);
+    if (j + 1 < beta_m_.size()) {
+      try_from(cell(i, j + 1).place);
     }
-  }
-
-  // A flight for each waiting cell, some side by side; those of which `told` says so wait for another.
-  template <class Fly, class Where, class Told>
-  void fly_waiting(const Fly& fly, const Where& where, const Told& told) {
-    still_waiting_.clear();
-    for (std::size_t first = 0; first < waiting_.size(); first += lanes) {
-      const std::size_t count = std::min(lanes, waiting_.size() - first);
-      for (std::size_t lane = 0; lane < lanes; ++lane) {
-        // Lanes that are left over fly with the last cell.
-        const Cell& cell = cells_[waiting_[first + std::min(lane, count - 1)]];
-        trials_.set(lane, cell.beta_m, *where(cell));
-      }
-      fly();
-      for (std::size_t lane = 0; lane < count; ++lane) {
-        if (told(cells_[waiting_[first + lane]], lane)) {
-          still_waiting_.push_back(waiting_[first + lane]);
-        }
+    column_.solve(alpha_m2_[i], attempts);
+    for (const Attempt& attempt : attempts) {
+      if (attempt.squares_rad2 < here.squares_rad2) {
+        here = attempt;
       }
     }
-    std::swap(waiting_, still_waiting_);
   }
 
+  std::vector<double> alpha_m2_;
+  std::vector<double> beta_m_;
   Course course_;
-  FirstGuess first_guess_;
-  LaneTrials<lanes> trials_;
-  Transitions transitions_{};
-  std::vector<Cell> cells_{};
-  std::vector<std::size_t> waiting_{};
-  std::vector<std::size_t> still_waiting_{};
-  Eigen::VectorXd guess_{};
+  FirstGuess guess_;
+  ClosedLoopColumn column_;
+  std::vector<Attempt> cells_{};  ///< [j * alpha_m2_.size() + i]
 };
 
 }  // namespace
 
 ClosedLoopGrid search_closed_loop_grid(const Record& record, const Airframe& airframe, const ClosedLoop& loop,
                                        const NodeTimes& node_time_s, Start start, const Grid& grid) {
-  const std::vector<double> alpha_m2 = grid.alpha_m2.values();
-  const std::vector<double> beta_m = grid.beta_m.values();
-  ClosedLoopGrid result;
-  result.errors = {.alpha_m2 = alpha_m2, .beta_m = beta_m, .mean_abs_angle_error_rad = {}};
-  result.errors.mean_abs_angle_error_rad.resize(alpha_m2.size() * beta_m.size());
-  double least_absolute = std::numeric_limits<double>::infinity();
-  double least_squares = std::numeric_limits<double>::infinity();
-  Search search{record, airframe, loop, node_time_s, start, beta_m};
-  for (std::size_t i = 0; i < alpha_m2.size(); ++i) {
-    const std::vector<Cell>& cells = search.solve(alpha_m2[i]);
-    for (std::size_t j = 0; j < cells.size(); ++j) {
-      const Cell& cell = cells[j];
-      const auto model = [&] { return model_of(record, node_time_s, start, alpha_m2[i], cell.beta_m, cell.solution); };
-      result.errors.mean_abs_angle_error_rad[j * alpha_m2.size() + i] = cell.mean_absolute;
-      if (cell.mean_absolute < least_absolute) {
-        least_absolute = cell.mean_absolute;
-        result.model = model();
-      }
-      if (cell.squares < least_squares) {
-        least_squares = cell.squares;
-        result.least_squares = model();
-      }
-    }
-  }
-  return result;
+  Search search{record, airframe, loop, node_time_s, start, grid};
+  search.sweep();
+  search.look_again();
+  const auto least = [&](double Attempt::* value) {
+    const auto found = std::ranges::min_element(search.cells(), {}, value);
+    const auto at = static_cast<std::size_t>(found - search.cells().begin());
+    return model_of(record, node_time_s, start, search.alpha_m2(at), found->beta_m, found->place);
+  };
+  return {.model = least(&Attempt::mean_abs_error_rad),
+          .least_squares = least(&Attempt::squares_rad2),
+          .errors = search.errors()};
 }
 
 }  // namespace fantail::identify

@@ -29,6 +29,8 @@ class LaneTrials {
     }
   }
 
+  [[nodiscard]] const Course& course() const { return course_; }
+
   /// `unknown`: the nodes and what comes behind them.
   template <class Vector>
   void set(std::size_t lane, double beta_m, const Vector& unknown) {
