@@ -38,7 +38,7 @@ TEST(Window, MayBeGivenInSeconds) {
 
 TEST(Window, AWordThatIsNoneIsRefusedWithThoseThatAre) {
   for (const char* text : {"controll", "", ":", "a:b", "1:b", "step:0", "step:-1", "step:", "step:1x", "1", "1:2:3"}) {
-    expect_refused(InputFault::bad_configuration, {"--window", text, "Known: control, thrust, coast, step:N, A:B"},
+    expect_refused(InputFault::bad_configuration, {"--window", text, "allowed: control, thrust, coast, step:N, A:B"},
                    [&] { (void)find_window(flown_log(), text); });
   }
   expect_refused(InputFault::bad_configuration, {"did you mean control?"},

@@ -124,12 +124,12 @@ Window find_window(const RollLog& log, const std::string& text) {
   if (auto window = seconds(text)) {
     return *window;
   }
-  std::string message = "--window " + text + ": unknown";
+  std::string message = "--window " + text + ": unknown;";
   const std::array<std::string, 4> words{"control", "thrust", "coast", "step:1"};
   if (const auto meant = sim::suggestion(text, words)) {
-    message += "; did you mean " + *meant + "?";
+    message += " did you mean " + *meant + "?";
   }
-  throw InputError{InputFault::bad_configuration, message + " Known: control, thrust, coast, step:N, A:B in seconds"};
+  throw InputError{InputFault::bad_configuration, message + " allowed: control, thrust, coast, step:N, A:B in seconds"};
 }
 
 std::optional<double> burnout_s(const RollLog& log) {
