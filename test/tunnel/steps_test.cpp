@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: MIT
+#include "tunnel/steps.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "logs/refused.hpp"
+#include "sim/roll_plant.hpp"
+#include "tunnel/made_logs.hpp"
+#include "tunnel/steps_report.hpp"
+
+namespace fantail::tunnel {
+namespace {
+
+constexpr identify::Airframe tasha{.inertia_kg_m2 = 0.00393, .reference_area_m2 = 5.0265e-5};
+
+struct Planted {
+  double alpha_m2;
+  double beta_m;
+  double offset_deg;
+};
+
+// A run at 100 Hz and 22 m/s whose reference goes between 0 and 45 deg every `half_wave_s`; in each step another rocket
+// rolls. Where the canards go until the next sample follows from this one, so that they run straight between samples,
+// as the model takes them to.
+logs::RollLog made_run(const std::vector<Planted>& rockets, double half_wave_s = 6.0) {
+  logs::RollLog log;
+  log.name = "run.csv";
+  constexpr double dt_s = 0.01;
+  sim::RollState state;
+  double canard = 0.0;
+  for (int i = -100; i < std::lround(half_wave_s / dt_s) * static_cast<long>(rockets.size()); ++i) {
+    const double t = dt_s * i;
+    const auto step = static_cast<std::size_t>(std::max(t / half_wave_s + 1e-9, 0.0));
+    const double reference = i < 0 ? 0.0 : step % 2 == 0 ? 45.0 * degree : 0.0;
+    log.time_s.push_back(t);
+    log.roll_angle_rad.push_back(state.angle_rad);
+    log.roll_rate_rad_s.push_back(state.rate_rad_s);
+    log.reference_rad.push_back(reference);
+    log.canard_rad.push_back(canard);
+    log.phase.push_back(i < 0 ? core::Phase::armed : core::Phase::controlling);
+    if (i >= 0) {
+      const sim::RollPlant plant{.inertia_kg_m2 = tasha.inertia_kg_m2,
+                                 .reference_area_m2 = tasha.reference_area_m2,
+                                 .damping_m2 = rockets[step].alpha_m2,
+                                 .torque_m = rockets[step].beta_m};
+      const double next = 0.5 * (reference - state.angle_rad) - 0.05 * state.rate_rad_s;
+      for (int k = 0; k < 10; ++k) {
+        const double between = canard + (next - canard) * (k + 0.5) / 10.0;
+        state = plant.step(state, 1.2, 22.0, between + rockets[step].offset_deg * degree, dt_s / 10.0);
+      }
+      canard = next;
+    }
+  }
+  return log;
+}
+
+StepOptions at_22_m_s() {
+  StepOptions options;
+  options.record.speed_m_s = 22.0;
+  options.record.density_kg_m3 = 1.2;
+  return options;
+}
+
+const std::vector<Planted> three_rockets{{13.0, 10.5, -6.0}, {22.0, 9.0, -5.0}, {25.0, 12.0, -7.0}};
+
+TEST(FindReferenceSteps, CutsAtEachChangeUnderControlTheFirstIncluded) {
+  const std::vector<ReferenceStep> steps = find_reference_steps(made_run(three_rockets));
+  ASSERT_EQ(steps.size(), 3U);
+  EXPECT_NEAR(steps[0].begin_s, 0.0, 1e-9);
+  EXPECT_NEAR(steps[0].end_s, 5.99, 1e-9);
+  EXPECT_EQ(steps[0].from_rad, 0.0);
+  EXPECT_NEAR(steps[0].to_rad, 45.0 * degree, 1e-12);
+  EXPECT_NEAR(steps[1].begin_s, 6.0, 1e-9);
+  EXPECT_EQ(steps[1].to_rad, 0.0);
+  EXPECT_NEAR(steps[2].end_s, 17.99, 1e-9);
+}
+
+TEST(FindReferenceSteps, WhatHappensAfterControlIsNoStep) {
+  logs::RollLog log = made_run(three_rockets);
+  for (std::size_t i = 0; i < log.time_s.size(); ++i) {
+    if (log.time_s[i] > 8.0) {
+      log.phase[i] = core::Phase::finished;
+    }
+  }
+  const std::vector<ReferenceStep> steps = find_reference_steps(log);
+  ASSERT_EQ(steps.size(), 2U);
+  EXPECT_NEAR(steps[1].end_s, 8.0, 1e-9);
+}
+
+TEST(FindReferenceSteps, ALogWithoutStepsIsRefused) {
+  logs::RollLog log = made_run(three_rockets);
+  log.reference_rad.assign(log.time_s.size(), 0.0);
+  test::expect_refused(sim::InputFault::bad_data, {"run.csv", "never changes"},
+                       [&] { (void)find_reference_steps(log); });
+  log.reference_rad.clear();
+  test::expect_refused(sim::InputFault::bad_data, {"run.csv", "reference_deg"},
+                       [&] { (void)find_reference_steps(log); });
+}
+
+TEST(IdentifySteps, EachStepGetsItsOwnModel) {
+  const StepTable table = identify_steps(made_run(three_rockets), tasha, at_22_m_s());
+  ASSERT_EQ(table.steps.size(), 3U);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const identify::Model& model = table.steps[i].identified.model;
+    EXPECT_EQ(table.steps[i].number, i + 1);
+    EXPECT_NEAR(model.alpha_m2, three_rockets[i].alpha_m2, 0.05) << i;
+    EXPECT_NEAR(model.beta_m, three_rockets[i].beta_m, 0.03) << i;
+    EXPECT_NEAR(model.node_rad.front() / degree, three_rockets[i].offset_deg, 0.03) << i;
+    EXPECT_NEAR(model.node_rad.back() / degree, three_rockets[i].offset_deg, 0.03) << i;
+    EXPECT_NEAR(table.steps[i].record.time_s.back(), 5.0, 1e-6) << i;
+  }
+  EXPECT_NEAR(table.alpha_m2.mean, 20.0, 0.05);
+  EXPECT_NEAR(table.alpha_m2.deviation, std::sqrt(39.0), 0.05);  // of 13, 22 and 25: (49 + 4 + 25) / 2
+  EXPECT_NEAR(table.disturbance_begin_rad.deviation / degree, 1.0, 0.05);
+}
+
+TEST(IdentifySteps, ByTheGridFindsItsNearestCells) {
+  StepOptions options = at_22_m_s();
+  options.method = identify::Method::grid;
+  const StepTable table = identify_steps(made_run(three_rockets), tasha, options);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(table.steps[i].identified.model.alpha_m2, three_rockets[i].alpha_m2) << i;
+    EXPECT_EQ(table.steps[i].identified.model.beta_m, three_rockets[i].beta_m) << i;
+  }
+}
+
+TEST(IdentifySteps, OneDirectionKeepsTheNumbersOfTheSteps) {
+  StepOptions options = at_22_m_s();
+  options.direction = Direction::down;
+  const StepTable table = identify_steps(made_run(three_rockets), tasha, options);
+  ASSERT_EQ(table.steps.size(), 1U);
+  EXPECT_EQ(table.steps[0].number, 2U);
+  EXPECT_EQ(table.alpha_m2.deviation, 0.0);
+}
+
+TEST(IdentifySteps, AShortStepIsTakenAsItIsAndRemarkedOn) {
+  const StepTable table = identify_steps(made_run(three_rockets, 3.0), tasha, at_22_m_s());
+  ASSERT_EQ(table.steps.size(), 3U);
+  EXPECT_NEAR(table.steps[0].record.time_s.back(), 2.99, 1e-6);
+  ASSERT_FALSE(table.remarks.empty());
+  EXPECT_NE(table.remarks[0].find("Step 1 lasts only 2.99 s"), std::string::npos) << table.remarks[0];
+}
+
+TEST(IdentifySteps, WhatIsWrongWithOneStepIsSaidWithItsNumber) {
+  StepOptions options = at_22_m_s();
+  options.seconds = 0.02;
+  test::expect_refused(sim::InputFault::bad_data, {"step 1 (at 0 s)"},
+                       [&] { (void)identify_steps(made_run(three_rockets), tasha, options); });
+}
+
+TEST(StepsCsv, HasTheColumnsThatAPredictionReads) {
+  const std::string csv = steps_csv(identify_steps(made_run(three_rockets), tasha, at_22_m_s()));
+  EXPECT_TRUE(
+      csv.starts_with("step,begin_s,alpha_m2,beta_m,disturbance_begin_deg,disturbance_end_deg,mean_abs_angle_error_deg,"
+                      "mean_abs_rate_error_deg_s\n1,0.000000,1"))
+      << csv;
+  EXPECT_EQ(std::ranges::count(csv, '\n'), 4);
+}
+
+TEST(StepsReport, SaysTheSameToPersonScriptAndPage) {
+  const StepTable table = identify_steps(made_run(three_rockets), tasha, at_22_m_s());
+  const StepsHeading heading{.log = "run.csv",
+                             .vehicle = "dart",
+                             .airframe = tasha,
+                             .speed_m_s = 22.0,
+                             .speed_source = "given by hand",
+                             .density_kg_m3 = 1.2,
+                             .options = at_22_m_s()};
+  const nlohmann::json json = nlohmann::json::parse(steps_json(heading, table));
+  ASSERT_EQ(json["steps"].size(), 3U);
+  EXPECT_NEAR(json["steps"][1]["alpha_m2"], 22.0, 0.05);
+  EXPECT_NEAR(json["mean"]["alpha_m2"], 20.0, 0.05);
+  EXPECT_NEAR(json["standard_deviation"]["alpha_m2"], std::sqrt(39.0), 0.05);
+  EXPECT_EQ(json["speed_m_s"], 22.0);
+  const std::string text = steps_text(heading, table);
+  EXPECT_NE(text.find("dart: inertia 0.00393 kg m2"), std::string::npos) << text;
+  EXPECT_NE(text.find("standard deviation"), std::string::npos) << text;
+  const std::string page = steps_html(heading, table);
+  for (const char* label : {"Roll angle after step 1,", "Roll rate after step 3,", "dart"}) {
+    EXPECT_NE(page.find(label), std::string::npos) << label;
+  }
+}
+
+}  // namespace
+}  // namespace fantail::tunnel

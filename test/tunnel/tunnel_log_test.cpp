@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#include "tunnel/tunnel_log.hpp"
+
+#include <gtest/gtest.h>
+
+#include "logs/refused.hpp"
+#include "system/folder.hpp"
+
+namespace fantail::tunnel {
+namespace {
+
+using sim::InputFault;
+using test::expect_refused;
+using test::Folder;
+
+TEST(TunnelLog, IsReadFromAFolderOrAFileInAnyOrderOfColumns) {
+  const Folder folder;
+  folder.write("tunnel.csv", "wind_speed_m_s,note,time_s,fan_rpm\n22.1,x,0,1250\n22.0,y,2,1250\n");
+  for (const std::string& path : {folder.path().string(), folder / "tunnel.csv"}) {
+    const TunnelLog log = read_tunnel_log(path, {});
+    EXPECT_EQ(log.name, path);
+    EXPECT_EQ(log.time_s, (std::vector<double>{0.0, 2.0}));
+    EXPECT_EQ(log.fan_rpm, (std::vector<double>{1250.0, 1250.0}));
+    EXPECT_EQ(log.wind_speed_m_s, (std::vector<double>{22.1, 22.0}));
+  }
+}
+
+TEST(TunnelLog, ColumnsMayHaveOtherNames) {
+  const Folder folder;
+  const std::string file = folder.write("k.csv", "t,RPM,WS\n0,570,10\n2,570,10.1\n");
+  const TunnelLog log = read_tunnel_log(file, {{"time_s", "t"}, {"fan_rpm", "RPM"}, {"wind_speed_m_s", "WS"}});
+  EXPECT_EQ(log.wind_speed_m_s, (std::vector<double>{10.0, 10.1}));
+  expect_refused(InputFault::bad_data, {"k.csv", "no column time_s", "RPM"}, [&] { (void)read_tunnel_log(file, {}); });
+  expect_refused(InputFault::bad_configuration, {"rpm=RPM", "fan_rpm"},
+                 [&] { (void)read_tunnel_log(file, {{"rpm", "RPM"}}); });
+}
+
+TEST(TunnelLog, WhatCannotBeALogIsRefusedWithItsLine) {
+  const Folder folder;
+  const std::string head = "time_s,fan_rpm,wind_speed_m_s\n";
+  const auto refused = [&](const std::string& rows, std::initializer_list<const char*> words) {
+    const std::string file = folder.write("bad.csv", head + rows);
+    expect_refused(InputFault::bad_data, words, [&] { (void)read_tunnel_log(file, {}); });
+  };
+  refused("0,570,10\n2,570,10\n2,570,10\n", {"bad.csv:4", "time_s = 2 after 2", "increase"});
+  refused("0,570,10\n2,-1,10\n", {"bad.csv:3", "fan_rpm = -1"});
+  refused("0,570,10\n2,570,\n4,570,10\n", {"1 of 3 rows", "more than 1 %"});
+  refused("0,570,10\n", {"1 rows", "at least two"});
+  expect_refused(InputFault::no_such_input, {"none.csv"}, [&] { (void)read_tunnel_log(folder / "none.csv", {}); });
+  std::filesystem::create_directory(folder / "empty");
+  expect_refused(InputFault::no_such_input, {"empty", "no tunnel.csv"},
+                 [&] { (void)read_tunnel_log(folder / "empty", {}); });
+}
+
+TEST(TunnelLog, OneRowInAHundredWithoutANumberIsLeftOutAndCounted) {
+  const Folder folder;
+  std::string rows = "time_s,fan_rpm,wind_speed_m_s\n";
+  for (int i = 0; i < 200; ++i) {
+    rows += std::to_string(2 * i) + ",570," + (i == 77 ? "-" : "10.0") + "\n";
+  }
+  const TunnelLog log = read_tunnel_log(folder.write("gap.csv", rows), {});
+  EXPECT_EQ(log.rows_left_out, 1U);
+  EXPECT_EQ(log.time_s.size(), 199U);
+}
+
+TEST(TunnelLogBeside, LiesInTheFolderOrNextToTheFile) {
+  const Folder folder;
+  EXPECT_FALSE(tunnel_log_beside(folder.path()).has_value());
+  folder.write("tunnel.csv", "");
+  folder.write("flight.csv", "");
+  EXPECT_EQ(tunnel_log_beside(folder.path()), folder.path() / "tunnel.csv");
+  EXPECT_EQ(tunnel_log_beside(folder / "flight.csv"), folder.path() / "tunnel.csv");
+}
+
+}  // namespace
+}  // namespace fantail::tunnel

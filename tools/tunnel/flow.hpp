@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tunnel/statistics.hpp"
+#include "tunnel/steady.hpp"
+#include "tunnel/tunnel_log.hpp"
+
+namespace fantail::tunnel {
+
+/// The air at one set point of the fan.
+struct FlowPoint {
+  SteadySegment segment{};
+  double mean_m_s = 0.0;
+  double deviation_m_s = 0.0;       ///< standard deviation, divided by the number of readings
+  double gamma_m_s = 0.0;           ///< deviation^2 / mean, the turbulence intensity as published (Eq 26)
+  double relative_deviation = 0.0;  ///< deviation / mean, the usual turbulence intensity
+  double rounding_share = 0.0;      ///< deviation / mean that the sensor's rounding makes alone
+};
+
+struct Flow {
+  std::vector<FlowPoint> points{};
+  std::optional<Line> line{};          ///< mean speed over set point; from two different set points on
+  double rounding_m_s = 0.0;           ///< what the sensor rounds to; 0: nothing found
+  std::vector<std::string> remarks{};  ///< a sentence each
+};
+
+/// Throws sim::InputError (bad_data) when no set point became steady, or when air stood still in one.
+[[nodiscard]] Flow examine_flow(const TunnelLog& log, const SteadySegments& segments);
+
+}  // namespace fantail::tunnel

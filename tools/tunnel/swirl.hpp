@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "logs/roll_log.hpp"
+#include "tunnel/statistics.hpp"
+#include "tunnel/steady.hpp"
+#include "tunnel/tunnel_log.hpp"
+
+namespace fantail::tunnel {
+
+/// A rocket that rolled freely while the fan went through its set points.
+struct RollSession {
+  logs::RollLog roll;
+  TunnelLog wind;
+  SteadySegments steady;  ///< of the wind
+};
+
+struct SwirlOptions {
+  double alpha_m2 = 19.4;  ///< damping and torque constant: means of the published tunnel steps
+  double beta_m = 9.6;
+  double from_speed_m_s = 20.0;  ///< the swirl is the mean difference from here on
+};
+
+/// One set point of one session.
+struct OffsetPoint {
+  SteadySegment segment{};
+  KnownMean speed_m_s{};
+  KnownMean rate_rad_s{};
+  double canard_rad = 0.0;  ///< where the canards really stood; zero for a log that does not say
+  double offset_rad = 0.0;  ///< equivalent fin offset (Eq 27), without what the canards did
+  double standard_error_rad = 0.0;
+};
+
+/// Both sessions at one speed.
+struct OffsetDifference {
+  double speed_m_s = 0.0;
+  double without_rad = 0.0;
+  double with_rad = 0.0;
+  double difference_rad = 0.0;  ///< without minus with: what the swirl adds
+  double standard_error_rad = 0.0;
+  bool counted = false;  ///< fast enough for the mean
+};
+
+/// The mean difference.
+struct SwirlOffset {
+  double offset_rad = 0.0;
+  double standard_error_rad = 0.0;  ///< of the points, or of their scatter over speed where that is larger
+  double deviation_rad = 0.0;       ///< standard deviation over the speeds
+  std::size_t speeds = 0;
+};
+
+struct Swirl {
+  SwirlOptions options{};
+  std::vector<OffsetPoint> without{};
+  std::vector<OffsetPoint> with{};
+  std::vector<OffsetDifference> differences{};
+  std::optional<SwirlOffset> swirl{};  ///< empty when the sessions share no speed that is fast enough
+  std::vector<std::string> remarks{};
+};
+
+/// Throws sim::InputError (bad_data) when no set point of a session became steady, when the roll log has no samples in
+/// one, or when the air stood still.
+[[nodiscard]] Swirl examine_swirl(const RollSession& without, const RollSession& with, const SwirlOptions& options);
+
+}  // namespace fantail::tunnel

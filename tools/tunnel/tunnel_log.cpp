@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+#include "tunnel/tunnel_log.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "logs/table.hpp"
+#include "sim/input_error.hpp"
+
+namespace fantail::tunnel {
+namespace {
+
+using sim::InputError;
+using sim::InputFault;
+
+constexpr std::array<std::string_view, 3> column_names{"time_s", "fan_rpm", "wind_speed_m_s"};
+
+std::array<std::size_t, 3> find_columns(const logs::Table& table, const logs::ColumnNames& columns) {
+  for (const auto& [ours, theirs] : columns) {
+    if (std::ranges::find(column_names, ours) == column_names.end()) {
+      throw InputError{InputFault::bad_configuration,
+                       fmt::format("{}={}: a tunnel's log has no column {}; it has time_s, fan_rpm, wind_speed_m_s",
+                                   ours, theirs, ours)};
+    }
+  }
+  std::array<std::size_t, 3> found{};
+  std::ranges::transform(column_names, found.begin(), [&](std::string_view name) {
+    const auto mapped = columns.find(std::string{name});
+    return table.column(mapped == columns.end() ? name : mapped->second);
+  });
+  return found;
+}
+
+void refuse(const std::string& message) { throw InputError{InputFault::bad_data, message}; }
+
+}  // namespace
+
+TunnelLog read_tunnel_log(const std::filesystem::path& path, const logs::ColumnNames& columns) {
+  std::error_code ignored;
+  std::filesystem::path file = path;
+  if (std::filesystem::is_directory(path, ignored)) {
+    file /= "tunnel.csv";
+    if (!std::filesystem::exists(file, ignored)) {
+      throw InputError{InputFault::no_such_input, path.string() + ": this folder holds no tunnel.csv"};
+    }
+  }
+  const logs::Table table = logs::Table::load(file.string());
+  const auto [time, fan, wind] = find_columns(table, columns);
+  TunnelLog log{.name = path.string()};
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    const auto time_s = table.number(row, time);
+    const auto fan_rpm = table.number(row, fan);
+    const auto wind_speed_m_s = table.number(row, wind);
+    if (!time_s || !fan_rpm || !wind_speed_m_s) {
+      ++log.rows_left_out;
+      continue;
+    }
+    if (!log.time_s.empty() && *time_s <= log.time_s.back()) {
+      refuse(fmt::format("{}: time_s = {:g} after {:g}; time must increase", table.where(row), *time_s,
+                         log.time_s.back()));
+    }
+    if (*fan_rpm < 0.0) {
+      refuse(fmt::format("{}: fan_rpm = {:g}; allowed: 0 and more", table.where(row), *fan_rpm));
+    }
+    log.time_s.push_back(*time_s);
+    log.fan_rpm.push_back(*fan_rpm);
+    log.wind_speed_m_s.push_back(*wind_speed_m_s);
+  }
+  if (log.rows_left_out * 100 > table.rows()) {
+    refuse(
+        fmt::format("{}: {} of {} rows have no number in time_s, fan_rpm or wind_speed_m_s; more than 1 % is too many",
+                    file.string(), log.rows_left_out, table.rows()));
+  }
+  if (log.time_s.size() < 2) {
+    refuse(fmt::format("{}: {} rows with numbers; at least two are needed", file.string(), log.time_s.size()));
+  }
+  return log;
+}
+
+std::optional<std::filesystem::path> tunnel_log_beside(const std::filesystem::path& log) {
+  std::error_code ignored;
+  const std::filesystem::path folder = std::filesystem::is_directory(log, ignored) ? log : log.parent_path();
+  const std::filesystem::path file = folder / "tunnel.csv";
+  return std::filesystem::is_regular_file(file, ignored) ? std::optional{file} : std::nullopt;
+}
+
+}  // namespace fantail::tunnel

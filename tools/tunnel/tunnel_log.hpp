@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "logs/roll_log.hpp"
+
+namespace fantail::tunnel {
+
+/// What the tunnel's own instruments read: the fan's set point and the wind sensor. Lists are equally long.
+struct TunnelLog {
+  std::string name;
+  std::vector<double> time_s{};   ///< strictly increasing
+  std::vector<double> fan_rpm{};  ///< empty when nobody wrote it down
+  std::vector<double> wind_speed_m_s{};
+  std::size_t rows_left_out = 0;  ///< with a cell that is no number
+};
+
+/// `path` is a CSV file with the columns time_s, fan_rpm and wind_speed_m_s, or a folder with a tunnel.csv. `columns`
+/// says what the file calls them where it has other names. Throws sim::InputError: no_such_input; bad_data for a
+/// missing column, time that does not increase, a negative set point, more than 1 % of rows without a number, fewer
+/// than two rows.
+[[nodiscard]] TunnelLog read_tunnel_log(const std::filesystem::path& path, const logs::ColumnNames& columns);
+
+/// The tunnel.csv that lies in a flight folder, or beside a CSV file. Empty when there is none.
+[[nodiscard]] std::optional<std::filesystem::path> tunnel_log_beside(const std::filesystem::path& log);
+
+}  // namespace fantail::tunnel
