@@ -35,7 +35,8 @@ TEST_P(Help, ShowsThreeExamplesOfItsOwn) {
 INSTANTIATE_TEST_SUITE_P(EachVerb, Help,
                          testing::Values(Words{}, Words{"fly"}, Words{"identify"}, Words{"predict"}, Words{"compare"},
                                          Words{"plan"}, Words{"plan", "check"}, Words{"plan", "show"},
-                                         Words{"plan", "compile"}),
+                                         Words{"plan", "compile"}, Words{"tunnel"}, Words{"tunnel", "flow"},
+                                         Words{"tunnel", "swirl"}, Words{"tunnel", "steps"}),
                          [](const auto& one) {
                            std::string name = "fantail";
                            for (const std::string& word : one.param) {

@@ -62,6 +62,7 @@ ExitCode run(int argc, char** argv) {
   fantail::tool::add_node(program);
   fantail::tool::add_bench(program);
   fantail::tool::add_compare(program);
+  fantail::tool::add_tunnel(program);
   fantail::tool::add_predict(program);
   try {
     program.parse(argc, argv);

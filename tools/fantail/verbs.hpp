@@ -13,6 +13,7 @@ void add_plan(CLI::App& program);
 void add_node(CLI::App& program);
 void add_bench(CLI::App& program);
 void add_compare(CLI::App& program);
+void add_tunnel(CLI::App& program);
 void add_predict(CLI::App& program);
 
 }  // namespace fantail::tool

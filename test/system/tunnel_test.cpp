@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "system/folder.hpp"
+#include "system/process.hpp"
+#include "system/refusal.hpp"
+
+namespace fantail::test {
+namespace {
+
+Outcome in(const Folder& folder, const Words& words) { return fantail(words, {.working_folder = folder.path()}); }
+
+// A short session with the free plan: two set points of the fan, the air quick to follow.
+Words session(const std::string& scenario, const std::string& out) {
+  return {"fly",   scenario,
+          "--set", "tunnel.fan_times_s=[0, 50]",
+          "--set", "tunnel.fan_rpms=[1250, 1700]",
+          "--set", "tunnel.fan_lag_s=2",
+          "--set", "run.control_time_s=100",
+          "--set", "timing.time_after_end_s=0",
+          "--out", out};
+}
+
+TEST(Tunnel, FlowReadsTheLogThatFlyMakesAndLeavesPageAndJson) {
+  const Folder folder;
+  ASSERT_EQ(in(folder, session("tunnel_flow", "made")).exit_code, 0);
+  const Outcome outcome = in(folder, {"tunnel", "flow", "made", "--json"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(outcome.err, "");
+  const nlohmann::json json = nlohmann::json::parse(outcome.out);
+  ASSERT_EQ(json["set_points"].size(), 2U);
+  EXPECT_NEAR(json["set_points"][0]["mean_m_s"], 22.0, 0.1);
+  EXPECT_NEAR(json["line"]["slope_m_s_per_rpm"], 0.0176, 0.0003);
+  EXPECT_EQ(outcome.out, content(folder / "out/tunnel/flow/flow.json"));
+  EXPECT_NE(content(folder / "out/tunnel/flow/report.html").find("<svg"), std::string::npos);
+  const Outcome text = in(folder, {"tunnel", "flow", "made", "--steady", "20,70:90"});
+  EXPECT_EQ(text.exit_code, 0) << text.err;
+  EXPECT_NE(text.out.find("70-88"), std::string::npos) << text.out;
+  EXPECT_NE(text.out.find("out/tunnel/flow/report.html"), std::string::npos) << text.out;
+}
+
+TEST(Tunnel, SwirlComparesTwoSessions) {
+  const Folder folder;
+  ASSERT_EQ(in(folder, session("tunnel_swirl_without", "a")).exit_code, 0);
+  ASSERT_EQ(in(folder, session("tunnel_swirl_with", "b")).exit_code, 0);
+  const Outcome outcome = in(folder, {"tunnel", "swirl", "a", "b", "--json", "--out", "s"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(outcome.err, "");
+  const nlohmann::json json = nlohmann::json::parse(outcome.out);
+  EXPECT_NEAR(json["swirl_deg"], -2.0, 0.1);
+  EXPECT_EQ(json["without"]["set_points"].size(), 2U);
+  EXPECT_EQ(outcome.out, content(folder / "s/swirl.json"));
+  // The truth of the simulator, which has no set points of the fan in it, needs times by hand.
+  const Outcome truth = in(folder, {"tunnel", "swirl", "a", "b", "--truth", "--steady-without", "20:45,70:95",
+                                    "--steady-with", "20:45,70:95", "--out", "t"});
+  EXPECT_EQ(truth.exit_code, 0) << truth.err;
+  EXPECT_NE(truth.out.find("worth -2.0"), std::string::npos) << truth.out;
+}
+
+TEST(Tunnel, StepsWritesTheTableThatAPredictionReads) {
+  const Folder folder;
+  ASSERT_EQ(in(folder, {"fly", "tunnel_steps", "--set", "run.control_time_s=20", "--out", "run"}).exit_code, 0);
+  const Outcome outcome = in(folder, {"tunnel", "steps", "run", "--json"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(outcome.err, "");
+  const nlohmann::json json = nlohmann::json::parse(outcome.out);
+  ASSERT_EQ(json["steps"].size(), 4U);
+  EXPECT_NEAR(json["mean"]["alpha_m2"], 19.4, 0.4);
+  EXPECT_NEAR(json["mean"]["beta_m"], 9.6, 0.2);
+  EXPECT_NEAR(json["mean"]["disturbance_end_deg"], -6.1, 0.1);
+  const std::string csv = content(folder / "out/tunnel/steps/steps.csv");
+  EXPECT_TRUE(
+      csv.starts_with("step,begin_s,alpha_m2,beta_m,disturbance_begin_deg,disturbance_end_deg,"
+                      "mean_abs_angle_error_deg,mean_abs_rate_error_deg_s\n"))
+      << csv;
+  EXPECT_EQ(std::ranges::count(csv, '\n'), 5);
+  const Outcome by_hand = in(folder, {"tunnel", "steps", "run", "--speed", "22", "--inertia", "0.00393", "--area",
+                                      "5.0265e-5", "--only", "up", "--method", "grid"});
+  EXPECT_EQ(by_hand.exit_code, 0) << by_hand.err;
+  EXPECT_NE(by_hand.out.find("given by hand"), std::string::npos) << by_hand.out;
+  EXPECT_NE(by_hand.out.find(": 2 steps"), std::string::npos) << by_hand.out;
+}
+
+TEST(Tunnel, WhatIsNoLogOfATunnelIsRefusedAndNothingIsWritten) {
+  const std::string wind = "time_s,fan_rpm,wind_speed_m_s\n";
+  const std::string roll = "time_s,roll_rate_deg_s\n0,1\n2,1\n4,1\n";
+  Refusal({}, {"tunnel", "flow", "none.csv"}, 66, {"none.csv", "no such file"});
+  Refusal({{"a.csv", "time_s,rpm\n0,1\n"}}, {"tunnel", "flow", "a.csv"}, 65, {"a.csv", "fan_rpm", "rpm"});
+  Refusal({{"a.csv", wind + "0,570,10\n2,570,10\n"}}, {"tunnel", "flow", "a.csv"}, 65, {"a.csv", "became steady"});
+  Refusal({{"a.csv", wind + "0,570,10\n2,570,10\n"}}, {"tunnel", "flow", "a.csv", "--steady", "50"}, 78, {"from 50 s"});
+  Refusal({{"a.csv", wind}}, {"tunnel", "flow", "a.csv", "--column", "rpm=x"}, 78, {"rpm=x"});
+  Refusal({{"a.csv", roll}, {"b.csv", roll}}, {"tunnel", "swirl", "a.csv", "b.csv"}, 65, {"a.csv", "no wind speed"});
+  Refusal({{"a.csv", "time_s,speed_m_s,roll_rate_deg_s\n0,9,1\n2,9,1\n"}}, {"tunnel", "swirl", "a.csv", "a.csv"}, 78,
+          {"a.csv", "--steady-without"});
+  Refusal({{"a.csv", roll}}, {"tunnel", "steps", "a.csv"}, 65, {"a.csv", "roll_angle_deg"});
+  Refusal({{"a.csv", "time_s,roll_angle_deg,roll_rate_deg_s,canard_deg\n0,0,0,0\n1,0,0,0\n"}},
+          {"tunnel", "steps", "a.csv", "--speed", "22"}, 65, {"a.csv", "reference_deg"});
+  Refusal({}, {"tunnel", "steps", "none", "--vehicle", "nobody"}, 66, {"none"});
+}
+
+TEST(Tunnel, AWrongWordIsAUsageError) {
+  Refusal({}, {"tunnel"}, 64, {"--help"});
+  Refusal({}, {"tunnel", "flow"}, 64, {"LOG"});
+  Refusal({}, {"tunnel", "flow", "x", "--steady", "5,4"}, 64, {"--steady", "5,4"});
+  Refusal({}, {"tunnel", "flow", "x", "--column", "rpm"}, 64, {"--column"});
+  Refusal({}, {"tunnel", "swirl", "x"}, 64, {"WITH"});
+  Refusal({}, {"tunnel", "swirl", "x", "y", "--alpha", "nan"}, 64, {"--alpha"});
+  Refusal({}, {"tunnel", "steps", "x", "--method", "magic"}, 64, {"--method"});
+  Refusal({}, {"tunnel", "steps", "x", "--speed", "-3"}, 64, {"--speed"});
+  Refusal({}, {"tunnel", "steps", "x", "--intervals", "99"}, 64, {"--intervals"});
+}
+
+}  // namespace
+}  // namespace fantail::test

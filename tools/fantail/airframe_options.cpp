@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#include "fantail/airframe_options.hpp"
+
+#include "fantail/number_option.hpp"
+#include "sim/shipped.hpp"
+#include "sim/vehicle.hpp"
+
+namespace fantail::tool {
+
+void add_airframe_options(CLI::App& verb, AirframeOptions& options) {
+  verb.add_option("--vehicle", options.vehicle, "Whose inertia and reference area: a shipped vehicle or a path")
+      ->type_name("FILE")
+      ->capture_default_str();
+  verb.add_option("--inertia", options.inertia_kg_m2, "Roll inertia, instead of the vehicle's")
+      ->check(within(1e-9, 1e6))
+      ->type_name("KG_M2");
+  verb.add_option("--area", options.area_m2, "Reference area, instead of the vehicle's")
+      ->check(within(1e-9, 1e6))
+      ->type_name("M2");
+}
+
+NamedAirframe airframe(const AirframeOptions& options) {
+  if (options.inertia_kg_m2 && options.area_m2) {
+    return {"given by hand", {.inertia_kg_m2 = *options.inertia_kg_m2, .reference_area_m2 = *options.area_m2}};
+  }
+  const sim::Vehicle vehicle =
+      sim::read_vehicle(sim::Document::load(sim::find_input(sim::Shipped::vehicle, options.vehicle)));
+  return {vehicle.name,
+          {.inertia_kg_m2 = options.inertia_kg_m2.value_or(vehicle.roll_plant.inertia_kg_m2),
+           .reference_area_m2 = options.area_m2.value_or(vehicle.roll_plant.reference_area_m2)}};
+}
+
+}  // namespace fantail::tool

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include "identify/record.hpp"
+
+namespace fantail::tool {
+
+/// Whose inertia and reference area a roll model is identified with.
+struct AirframeOptions {
+  std::string vehicle;  ///< the default, when the verb has one
+  std::optional<double> inertia_kg_m2{};
+  std::optional<double> area_m2{};
+};
+
+struct NamedAirframe {
+  std::string name;
+  identify::Airframe airframe{};
+};
+
+/// --vehicle, --inertia and --area.
+void add_airframe_options(CLI::App& verb, AirframeOptions& options);
+
+/// The vehicle's, but for what is given as a number. Throws sim::InputError.
+[[nodiscard]] NamedAirframe airframe(const AirframeOptions& options);
+
+}  // namespace fantail::tool

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "logs/roll_log.hpp"
+
+namespace fantail::tool {
+
+/// How a person's log is to be read: shared by every verb that reads one.
+struct LogOptions {
+  std::vector<std::string> columns;
+  std::string units = "deg";
+  bool truth = false;
+};
+
+/// --column.
+void add_column_option(CLI::App& verb, std::vector<std::string>& columns);
+/// --column, --units and --truth.
+void add_log_options(CLI::App& verb, LogOptions& options);
+
+[[nodiscard]] logs::ColumnNames column_names(const std::vector<std::string>& columns);
+[[nodiscard]] logs::Reading reading(const LogOptions& options);
+
+}  // namespace fantail::tool

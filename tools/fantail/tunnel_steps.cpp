@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "fantail/airframe_options.hpp"
+#include "fantail/log_options.hpp"
+#include "fantail/number_option.hpp"
+#include "fantail/tunnel_options.hpp"
+#include "tunnel/session.hpp"
+#include "tunnel/steps_report.hpp"
+
+namespace fantail::tool {
+namespace {
+
+constexpr const char* default_folder = "out/tunnel/steps";
+
+struct StepsVerbOptions {
+  std::string run;
+  LogOptions logs;
+  AirframeOptions airframe{.vehicle = "tasha3_tunnel"};
+  std::optional<double> speed_m_s;
+  std::string wind;
+  double density_kg_m3 = 1.2;
+  std::string method = "continuous";
+  std::string only;
+  tunnel::StepOptions steps;
+  TunnelOutput output;
+};
+
+tunnel::StepsHeading heading(const StepsVerbOptions& options, const logs::RollLog& log) {
+  const NamedAirframe frame = airframe(options.airframe);
+  tunnel::StepsHeading heading{.log = log.name,
+                               .vehicle = frame.name,
+                               .airframe = frame.airframe,
+                               .density_kg_m3 = options.density_kg_m3,
+                               .options = options.steps};
+  heading.options.method = options.method == "grid" ? identify::Method::grid : identify::Method::continuous;
+  heading.options.direction = options.only.empty()   ? tunnel::Direction::both
+                              : options.only == "up" ? tunnel::Direction::up
+                                                     : tunnel::Direction::down;
+  const tunnel::StepSpeed speed = tunnel::speed_of_steps(
+      log, options.run, {.speed_m_s = options.speed_m_s, .wind = options.wind, .truth = options.logs.truth});
+  heading.speed_m_s = speed.speed_m_s;
+  heading.speed_source = speed.source;
+  heading.options.record.speed_m_s = speed.speed_m_s;
+  heading.options.record.density_kg_m3 = options.density_kg_m3;
+  return heading;
+}
+
+void steps(const StepsVerbOptions& options) {
+  const logs::RollLog log = logs::read_roll_log(options.run, reading(options.logs), {.canard = true});
+  const tunnel::StepsHeading head = heading(options, log);
+  const tunnel::StepTable table = tunnel::identify_steps(log, head.airframe, head.options);
+  const std::string json = tunnel::steps_json(head, table);
+  write_tunnel_output(
+      options.output, default_folder,
+      {{"steps.csv", tunnel::steps_csv(table)}, {"steps.json", json}, {"report.html", tunnel::steps_html(head, table)}},
+      tunnel::steps_text(head, table), json);
+}
+
+void add_run_options(CLI::App& verb, StepsVerbOptions& options) {
+  verb.add_option("RUN", options.run, "A flight folder or a CSV with reference_deg and canard_deg")->required();
+  add_airframe_options(verb, options.airframe);
+  verb.add_option("--speed", options.speed_m_s, "Wind speed, instead of tunnel.csv's mean or the log's own")
+      ->check(within(0.1, 1000.0))
+      ->type_name("M/S");
+  verb.add_option("--wind", options.wind, "The tunnel's log, instead of the tunnel.csv beside the run")
+      ->type_name("FILE");
+  verb.add_option("--density", options.density_kg_m3, "Of the air")
+      ->check(within(0.01, 5.0))
+      ->type_name("KG/M3")
+      ->capture_default_str();
+  add_log_options(verb, options.logs);
+}
+
+void add_method_options(CLI::App& verb, StepsVerbOptions& options) {
+  verb.add_option("--seconds", options.steps.seconds, "Of each step are looked at")
+      ->check(within(0.05, 600.0))
+      ->type_name("S")
+      ->capture_default_str();
+  verb.add_option("--intervals", options.steps.intervals, "Of the disturbance in each step; 0: it is constant")
+      ->check(within(0, 20))
+      ->capture_default_str();
+  verb.add_option("--method", options.method, "continuous, or the published search on a grid")
+      ->check(CLI::IsMember({"continuous", "grid"}))
+      ->type_name("continuous|grid")
+      ->capture_default_str();
+  verb.add_option("--only", options.only, "Steps in one direction only")
+      ->check(CLI::IsMember({"up", "down"}))
+      ->type_name("up|down");
+  verb.add_option("--lag", options.steps.record.lag_s, "How much later the canard column is than the gyro's")
+      ->check(within(-1.0, 1.0))
+      ->type_name("S")
+      ->capture_default_str();
+}
+
+}  // namespace
+
+void add_tunnel_steps(CLI::App& tunnel) {
+  auto* verb = tunnel.add_subcommand("steps", "The roll model of every step of a square-wave run, and their spread");
+  auto options = std::make_shared<StepsVerbOptions>();
+  add_run_options(*verb, *options);
+  add_method_options(*verb, *options);
+  add_tunnel_output(*verb, options->output, default_folder);
+  verb->footer(
+      "Examples:\n"
+      "  fantail tunnel steps out/tunnel_steps                    the run of fantail fly tunnel_steps\n"
+      "  fantail tunnel steps out/tunnel_steps --method grid --only up\n"
+      "                                                           by the published method, steps to the right only\n"
+      "  fantail tunnel steps run.csv --speed 22 --inertia 0.00393 --area 5.0265e-5 --json\n"
+      "                                                           another logger's file, for a script");
+  verb->callback([options] { steps(*options); });
+}
+
+}  // namespace fantail::tool

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#include <memory>
+#include <string>
+
+#include "fantail/log_options.hpp"
+#include "fantail/number_option.hpp"
+#include "fantail/tunnel_options.hpp"
+#include "sim/input_error.hpp"
+#include "tunnel/session.hpp"
+#include "tunnel/swirl_report.hpp"
+
+namespace fantail::tool {
+namespace {
+
+constexpr const char* default_folder = "out/tunnel/swirl";
+
+struct SessionOptions {
+  std::string roll;
+  std::string wind;
+  std::string steady;
+};
+
+struct SwirlVerbOptions {
+  SessionOptions without;
+  SessionOptions with;
+  LogOptions logs;
+  tunnel::SwirlOptions swirl;
+  tunnel::SteadyOptions finding;
+  TunnelOutput output;
+};
+
+tunnel::RollSession read(const SessionOptions& options, const SwirlVerbOptions& all) {
+  tunnel::RollSession session;
+  session.roll = logs::read_roll_log(options.roll, reading(all.logs), {.roll_angle = false, .roll_rate = true});
+  session.wind = tunnel::wind_of(session.roll, options.roll, options.wind, all.logs.truth);
+  if (session.wind.fan_rpm.empty() && options.steady.empty()) {
+    throw sim::InputError{sim::InputFault::bad_configuration,
+                          options.roll +
+                              ": the speeds come from the log itself, which does not say what the fan did; "
+                              "say when it was steady with --steady-without and --steady-with"};
+  }
+  session.steady = steady_segments(session.wind, options.steady, all.finding);
+  return session;
+}
+
+void swirl(const SwirlVerbOptions& options) {
+  const tunnel::SwirlSessions sessions{read(options.without, options), read(options.with, options)};
+  const tunnel::Swirl swirl = tunnel::examine_swirl(sessions.without, sessions.with, options.swirl);
+  const std::string json = tunnel::swirl_json(sessions, swirl);
+  write_tunnel_output(options.output, default_folder,
+                      {{"swirl.json", json}, {"report.html", tunnel::swirl_html(sessions, swirl)}},
+                      tunnel::swirl_text(sessions, swirl), json);
+}
+
+void add_session(CLI::App& verb, const std::string& word, SessionOptions& options) {
+  verb.add_option("--wind-" + word, options.wind,
+                  "The tunnel's log of that session, instead of the tunnel.csv beside it or the log's own speeds")
+      ->type_name("FILE");
+  add_steady_option(verb, "--steady-" + word, options.steady,
+                    "When that session was steady, instead of finding out: begins in seconds, or begin:end");
+}
+
+}  // namespace
+
+void add_tunnel_swirl(CLI::App& tunnel) {
+  auto* verb = tunnel.add_subcommand("swirl", "What the swirl adds to the fin offset, from free rolling");
+  auto options = std::make_shared<SwirlVerbOptions>();
+  verb->add_option("WITHOUT", options->without.roll, "Roll log without flow straightener: a flight folder or a CSV")
+      ->required();
+  verb->add_option("WITH", options->with.roll, "Roll log with flow straightener")->required();
+  add_session(*verb, "without", options->without);
+  add_session(*verb, "with", options->with);
+  verb->add_option("--alpha", options->swirl.alpha_m2, "Damping; the default is the mean of the published tunnel steps")
+      ->check(within(1e-6, 1e6))
+      ->type_name("M2")
+      ->capture_default_str();
+  verb->add_option("--beta", options->swirl.beta_m, "Torque constant; the default likewise")
+      ->check(within(1e-6, 1e6))
+      ->type_name("M")
+      ->capture_default_str();
+  verb->add_option("--from-speed", options->swirl.from_speed_m_s, "The swirl is the mean difference from here on")
+      ->check(within(0.0, 1e4))
+      ->type_name("M/S")
+      ->capture_default_str();
+  add_log_options(*verb, options->logs);
+  add_tunnel_output(*verb, options->output, default_folder);
+  verb->footer(
+      "Examples:\n"
+      "  fantail tunnel swirl out/tunnel_swirl_without out/tunnel_swirl_with\n"
+      "                                     the sessions of fantail fly\n"
+      "  fantail tunnel swirl bare.csv crate.csv --wind-without bare_wind.csv --wind-with crate_wind.csv\n"
+      "                                     rocket and tunnel logged apart, on one clock\n"
+      "  fantail tunnel swirl out/tunnel_swirl_without out/tunnel_swirl_with --alpha 23 --beta 9 --json\n"
+      "                                     with another rocket's roll model, for a script");
+  verb->callback([options] { swirl(*options); });
+}
+
+}  // namespace fantail::tool

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include "fantail/tunnel_options.hpp"
+#include "fantail/verbs.hpp"
+
+namespace fantail::tool {
+
+void add_tunnel_output(CLI::App& verb, TunnelOutput& output, const std::string& default_folder) {
+  verb.add_option("--out", output.out, "Folder for the results [" + default_folder + "]")
+      ->check([](const std::string& text) { return std::string{text.empty() ? "the name of a folder is empty" : ""}; });
+  verb.add_flag("--json", output.json, "Print the JSON instead of the text");
+}
+
+void write_tunnel_output(const TunnelOutput& output, const std::string& default_folder,
+                         const std::vector<report::NamedFile>& files, const std::string& text,
+                         const std::string& json) {
+  const std::filesystem::path folder = output.out.empty() ? default_folder : output.out;
+  report::OutputFolder{folder}.write(files);
+  if (output.json) {
+    fmt::print("{}", json);
+  } else {
+    fmt::print("{}\n  report  {}\n", text, (folder / "report.html").string());
+  }
+}
+
+void add_steady_option(CLI::App& verb, const std::string& name, std::string& stretches, const std::string& meaning) {
+  verb.add_option(name, stretches, meaning)
+      ->check([](const std::string& text) {
+        return tunnel::parse_stretches(text) ? std::string{}
+                                             : '"' + text +
+                                                   "\" is not a list of increasing times in seconds, as in "
+                                                   "100,230,390 or 100:140,230:290";
+      })
+      ->type_name("T,T,...");
+}
+
+tunnel::SteadySegments steady_segments(const tunnel::TunnelLog& log, const std::string& stretches,
+                                       const tunnel::SteadyOptions& options) {
+  return stretches.empty() ? tunnel::find_steady(log, options)
+                           : tunnel::take_steady(log, *tunnel::parse_stretches(stretches), options);
+}
+
+void add_tunnel(CLI::App& program) {
+  auto* verb = program.add_subcommand("tunnel", "What a session in the wind tunnel says: air, swirl, roll model");
+  verb->require_subcommand(1);
+  verb->footer(
+      "Examples:\n"
+      "  fantail tunnel flow out/tunnel_flow                                    how even the air is\n"
+      "  fantail tunnel swirl out/tunnel_swirl_without out/tunnel_swirl_with    what the swirl is worth in degrees\n"
+      "  fantail tunnel steps out/tunnel_steps                                  the roll model of every step\n"
+      "\n"
+      "The simulated tunnel makes such logs: fantail fly tunnel_flow, tunnel_swirl_without, tunnel_swirl_with and\n"
+      "tunnel_steps.");
+  add_tunnel_flow(*verb);
+  add_tunnel_swirl(*verb);
+  add_tunnel_steps(*verb);
+}
+
+}  // namespace fantail::tool
