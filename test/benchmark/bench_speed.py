@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: MIT
-"""How fast the autopilot and a whole simulated flight are, beside JSBSim in the same run.
+"""How fast the autopilot, a whole simulated flight and the identification are, beside peers in the same run.
 
-Usage: bench_speed.py EXECUTABLE [--json] [--rounds N]
+Usage: bench_speed.py FOLDER [--json] [--rounds N], the folder being where the benchmark was built.
 
-All times are CPU time. The two take turns: whatever else the machine is doing meets both.
+All times are CPU time. All take turns: whatever else the machine is doing meets each of them. Ends with 1 when the
+identifications do not agree.
 """
 
 import argparse
@@ -14,6 +15,7 @@ import statistics
 import subprocess
 import sys
 
+import identify_speed
 import jsbsim_peer
 
 REPETITIONS = 3  # of each benchmark in a round
@@ -44,7 +46,7 @@ def summary(values):
         "median": statistics.median(values),
         "lowest": min(values),
         "highest": max(values),
-        "cv": statistics.stdev(values) / mean,
+        "cv": statistics.stdev(values) / mean if len(values) > 1 else 0.0,
         "samples": len(values),
     }
 
@@ -56,14 +58,18 @@ def processor():
     return "unknown"
 
 
-def measure(executable, rounds):
+def measure(folder, rounds):
     flight = jsbsim_peer.check()
+    tasks = identify_speed.load_tasks(folder)
+    identified = {}
     milliseconds = 1e3 * flight["duration_s"]
     fantail = {}
     peer_s = []
     for _ in range(rounds):
-        for name, samples in fantail_samples(executable).items():
+        of_round = fantail_samples(pathlib.Path(folder) / "bench_speed")
+        for name, samples in of_round.items():
             fantail.setdefault(name, []).extend(samples)
+        identify_speed.collect(identified, of_round, tasks)
         peer_s += [jsbsim_peer.cpu_seconds(flight["duration_s"]) for _ in range(REPETITIONS)]
 
     def time_ns(name, counter):
@@ -81,6 +87,8 @@ def measure(executable, rounds):
         "jsbsim_ms_ns": summary([NANOSECONDS * each / milliseconds for each in peer_s]),
         "jsbsim_times_real_time": summary([flight["duration_s"] / each for each in peer_s]),
         "jsbsim_flight": flight,
+        "identification": identify_speed.results(identified, summary),
+        "disagreements": identify_speed.disagreements(identified),
     }
     result["ratio"] = result["jsbsim_ms_ns"]["median"] / result["world_ms_ns"]["median"]
     return result
@@ -110,19 +118,22 @@ def show(result):
         f"roll held at {flight['hold_0_deg']:.2f} deg (expected R + u_d/kp = -9.80), then at "
         f"{flight['hold_minus_20_deg']:.2f} (-29.80)."
     )
+    identify_speed.show(result["identification"])
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("executable")
+    parser.add_argument("folder")
     parser.add_argument("--json", action="store_true", help="one object on standard output")
     parser.add_argument("--rounds", type=int, default=3)
     arguments = parser.parse_args()
-    result = measure(arguments.executable, arguments.rounds)
+    result = measure(arguments.folder, arguments.rounds)
     if arguments.json:
         print(json.dumps(result, indent=2))
     else:
         show(result)
+    if result["disagreements"]:
+        sys.exit("bench_speed: the answers differ: " + "; ".join(result["disagreements"]))
 
 
 if __name__ == "__main__":
