@@ -33,8 +33,8 @@ TEST_P(Help, ShowsThreeExamplesOfItsOwn) {
 }
 
 INSTANTIATE_TEST_SUITE_P(EachVerb, Help,
-                         testing::Values(Words{}, Words{"fly"}, Words{"identify"}, Words{"predict"}, Words{"compare"},
-                                         Words{"plan"}, Words{"plan", "check"}, Words{"plan", "show"},
+                         testing::Values(Words{}, Words{"fly"}, Words{"identify"}, Words{"paper"}, Words{"predict"},
+                                         Words{"compare"}, Words{"plan"}, Words{"plan", "check"}, Words{"plan", "show"},
                                          Words{"plan", "compile"}, Words{"tunnel"}, Words{"tunnel", "flow"},
                                          Words{"tunnel", "swirl"}, Words{"tunnel", "steps"}),
                          [](const auto& one) {

@@ -58,6 +58,7 @@ ExitCode run(int argc, char** argv) {
       "  70 internal error, 74 input/output, 78 bad configuration, 130 interrupted");
   fantail::tool::add_fly(program);
   fantail::tool::add_identify(program);
+  fantail::tool::add_paper(program);
   fantail::tool::add_plan(program);
   fantail::tool::add_node(program);
   fantail::tool::add_bench(program);

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+#include <array>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "fantail/interrupt.hpp"
+#include "fantail/progress.hpp"
+#include "fantail/verbs.hpp"
+#include "paper/chapters.hpp"
+#include "paper/paper_page.hpp"
+#include "report/output_folder.hpp"
+
+namespace fantail::tool {
+namespace {
+
+struct PaperOptions {
+  std::string out = "out/paper";
+  bool json = false;
+};
+
+std::vector<paper::Chapter> work_through() {
+  Progress progress{"repeating the publication", {.unit = "chapters", .rate = " a second", .total = 6.0}};
+  double done = 0.0;
+  const paper::Tell tell = [&](const std::string&) {
+    give_up_if_interrupted();
+    progress.show(done);
+  };
+  std::vector<paper::Chapter> chapters;
+  const auto add = [&](paper::Chapter chapter) {
+    chapters.push_back(std::move(chapter));
+    progress.show(++done);
+  };
+  add(paper::air_chapter(tell));
+  add(paper::swirl_chapter(tell));
+  add(paper::first_launch_chapter(tell));
+  add(paper::steps_chapter(tell));
+  add(paper::second_launch_chapter(tell));
+  add(paper::print_chapter());
+  return chapters;
+}
+
+void print_chapters(const std::vector<paper::Chapter>& chapters) {
+  for (const paper::Chapter& chapter : chapters) {
+    fmt::print("{}\n", chapter.title);
+    for (const paper::Claim& claim : chapter.claims) {
+      fmt::print("  {:<33} {}: {}\n", paper::words(claim.finding), claim.place, claim.what);
+      fmt::print("  {:<33}   printed {}{}{}\n", "", claim.theirs, claim.ours.empty() ? "" : "; ours ", claim.ours);
+    }
+    fmt::print("\n");
+  }
+}
+
+void repeat_the_paper(const PaperOptions& options) {
+  const std::vector<paper::Chapter> chapters = work_through();
+  const std::string json = paper::paper_json(chapters, FANTAIL_VERSION);
+  const std::filesystem::path folder{options.out};
+  give_up_if_interrupted();
+  report::OutputFolder{folder}.write(
+      std::array{report::NamedFile{.name = "paper.html", .content = paper::paper_html(chapters, FANTAIL_VERSION)},
+                 report::NamedFile{.name = "paper.json", .content = json}});
+  if (options.json) {
+    fmt::print("{}", json);
+    return;
+  }
+  print_chapters(chapters);
+  fmt::print("{}\n\n  page  {}\n", paper::summary(paper::tally(chapters)), (folder / "paper.html").string());
+}
+
+}  // namespace
+
+void add_paper(CLI::App& program) {
+  auto* verb = program.add_subcommand(
+      "paper",
+      "Repeat the published work (Bryson et al. 2016) from its printed numbers, and say where the print is wrong");
+  auto options = std::make_shared<PaperOptions>();
+  verb->add_option("--out", options->out, "Folder for paper.html and paper.json")->capture_default_str();
+  verb->add_flag("--json", options->json, "Print paper.json instead of the text");
+  verb->footer(
+      "Examples:\n"
+      "  fantail paper                        every printed table, figure and number beside ours, in out/paper\n"
+      "  fantail paper --out /tmp/page        the page elsewhere\n"
+      "  fantail paper --json | jq .differs   how many statements came out differently");
+  verb->callback([options] { repeat_the_paper(*options); });
+}
+
+}  // namespace fantail::tool

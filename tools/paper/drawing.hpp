@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "paper/runs.hpp"
+#include "plot/chart.hpp"
+#include "report/flight.hpp"
+
+namespace fantail::paper {
+
+/// A chart of a page on which two stand side by side, as a figure.
+[[nodiscard]] std::string half_width_figure(plot::Chart chart, const std::string& caption);
+
+/// What a row of a flight contributes to a curve; not a number where there is nothing.
+using RowValue = std::function<double(const report::Row&)>;
+
+/// A curve of a run over its clock (minus `zero_s`) between two times of that clock.
+struct Stretch {
+  double zero_s = 0.0;
+  double from_s = 0.0;
+  double to_s = 0.0;
+};
+[[nodiscard]] plot::Series curve(const Run& run, const Stretch& stretch, std::string name, plot::Role role,
+                                 const RowValue& value);
+
+/// A list over another, both as they are.
+[[nodiscard]] plot::Series curve(const std::vector<double>& x, std::vector<double> y, std::string name,
+                                 plot::Role role);
+
+[[nodiscard]] std::vector<double> degrees(const std::vector<double>& radians);
+
+[[nodiscard]] double true_angle_deg(const report::Row& row);
+[[nodiscard]] double true_rate_deg_s(const report::Row& row);
+[[nodiscard]] double true_canard_deg(const report::Row& row);
+[[nodiscard]] double true_disturbance_deg(const report::Row& row);
+
+}  // namespace fantail::paper

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+#include "paper/paper_page.hpp"
+
+#include <vector>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "paper/printed_figures.hpp"
+#include "plot/page.hpp"
+
+namespace fantail::paper {
+namespace {
+
+plot::Tone tone(Finding finding) {
+  switch (finding) {
+    case Finding::reproduced: return plot::Tone::good;
+    case Finding::differs: return plot::Tone::bad;
+    case Finding::error_in_print: return plot::Tone::unsure;
+    case Finding::not_reproducible: break;
+  }
+  return plot::Tone::plain;
+}
+
+std::string claim_table(std::span<const Claim> claims) {
+  static const std::vector<plot::Column> columns{
+      {.heading = "Where"},      {.heading = "What"},    {.heading = "Printed"}, {.heading = "Ours"},
+      {.heading = "Difference"}, {.heading = "Finding"}, {.heading = "Remark"}};
+  std::vector<std::vector<plot::Cell>> rows;
+  for (const Claim& claim : claims) {
+    rows.push_back({{.text = claim.place},
+                    {.text = claim.what},
+                    {.text = claim.theirs},
+                    {.text = claim.ours},
+                    {.text = claim.difference},
+                    {.text = std::string{words(claim.finding)}, .tone = tone(claim.finding)},
+                    {.text = claim.why}});
+  }
+  return plot::table(columns, rows);
+}
+
+std::string chapter_html(const Chapter& chapter) {
+  return plot::section(chapter.title, plot::paragraph(chapter.introduction) + claim_table(chapter.claims) +
+                                          plot::figures(chapter.figures_html));
+}
+
+std::string figure_table() {
+  static const std::vector<plot::Column> columns{
+      {.heading = "Figure"}, {.heading = "Shows"}, {.heading = "On this page"}};
+  std::vector<std::vector<plot::Cell>> rows;
+  for (const PrintedFigure& figure : printed_figures) {
+    rows.push_back({{.text = std::string{figure.number}},
+                    {.text = std::string{figure.shows}},
+                    {.text = std::string{figure.here}}});
+  }
+  return plot::table(columns, rows);
+}
+
+std::vector<plot::Figure> tally_figures(const Tally& count) {
+  return {
+      {.label = "Reproduced", .value = std::to_string(count.reproduced), .unit = "", .remark = "within the tolerance"},
+      {.label = "Different", .value = std::to_string(count.differs), .unit = "", .remark = "with the reason"},
+      {.label = "Errors in print",
+       .value = std::to_string(count.error_in_print),
+       .unit = "",
+       .remark = "with what it must read"},
+      {.label = "Without the data",
+       .value = std::to_string(count.not_reproducible),
+       .unit = "",
+       .remark = "not reproducible"}};
+}
+
+}  // namespace
+
+Tally tally(std::span<const Chapter> chapters) {
+  Tally count;
+  for (const Chapter& chapter : chapters) {
+    for (const Claim& claim : chapter.claims) {
+      switch (claim.finding) {
+        case Finding::reproduced: ++count.reproduced; break;
+        case Finding::differs: ++count.differs; break;
+        case Finding::not_reproducible: ++count.not_reproducible; break;
+        case Finding::error_in_print: ++count.error_in_print; break;
+      }
+    }
+  }
+  return count;
+}
+
+std::string summary(const Tally& count) {
+  return fmt::format(
+      "Of what was printed, {} statements are reproduced from the printed numbers, {} differ, {} are slips of the "
+      "print, and "
+      "{} rest on measurements that were not published.",
+      count.reproduced, count.differs, count.error_in_print, count.not_reproducible);
+}
+
+std::string paper_html(std::span<const Chapter> chapters, const std::string& version) {
+  const Tally count = tally(chapters);
+  std::string body = plot::section("How it came out", plot::figure_row(tally_figures(count)));
+  for (const Chapter& chapter : chapters) {
+    body += chapter_html(chapter);
+  }
+  body += plot::section("The printed figures and tables", figure_table());
+  return plot::html({.kind = "Fantail reproduction report",
+                     .title = "Vertical Wind Tunnel for Prediction of Rocket Flight Dynamics",
+                     .subtitle = "Bryson et al., Aerospace 2016, 3(2), 10, repeated with Fantail " + version +
+                                 ". Every number under \u201cOurs\u201d was worked out when this page was made.",
+                     .tone = count.differs == 0 ? plot::Tone::good : plot::Tone::unsure,
+                     .verdict_heading = "Summary",
+                     .verdict = summary(count),
+                     .body_html = body});
+}
+
+std::string paper_json(std::span<const Chapter> chapters, const std::string& version) {
+  const Tally count = tally(chapters);
+  nlohmann::ordered_json claims = nlohmann::ordered_json::array();
+  for (const Chapter& chapter : chapters) {
+    for (const Claim& claim : chapter.claims) {
+      claims.push_back({{"chapter", chapter.title},
+                        {"place", claim.place},
+                        {"what", claim.what},
+                        {"theirs", claim.theirs},
+                        {"ours", claim.ours},
+                        {"difference", claim.difference},
+                        {"finding", name(claim.finding)},
+                        {"why", claim.why}});
+    }
+  }
+  const nlohmann::ordered_json all{{"reproduced", count.reproduced},
+                                   {"differs", count.differs},
+                                   {"error_in_print", count.error_in_print},
+                                   {"not_reproducible", count.not_reproducible},
+                                   {"claims", claims},
+                                   {"version", version}};
+  return all.dump(2) + "\n";
+}
+
+}  // namespace fantail::paper

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#include "paper/published_steps.hpp"
+
+#include "logs/table.hpp"
+#include "sim/input_error.hpp"
+#include "sim/shipped.hpp"
+
+namespace fantail::paper {
+
+std::vector<PublishedStep> published_steps() {
+  const std::string file = sim::find_input(sim::Shipped::tunnel_result, "tasha3_table2").string();
+  const logs::Table table = logs::Table::load(file);
+  const auto number = [&](std::size_t row, std::string_view column) {
+    const auto value = table.number(row, table.column(column));
+    if (!value) {
+      throw sim::InputError{sim::InputFault::bad_data, file + ":" + std::to_string(table.line(row)) + ": " +
+                                                           std::string{column} + " is no number"};
+    }
+    return *value;
+  };
+  std::vector<PublishedStep> steps;
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    steps.push_back({.step = static_cast<int>(number(row, "step")),
+                     .alpha_m2 = number(row, "alpha_m2"),
+                     .beta_m = number(row, "beta_m"),
+                     .disturbance_begin_deg = number(row, "disturbance_begin_deg"),
+                     .disturbance_end_deg = number(row, "disturbance_end_deg"),
+                     .mean_abs_angle_error_deg = number(row, "mean_abs_angle_error_deg"),
+                     .mean_abs_rate_error_deg_s = number(row, "mean_abs_rate_error_deg_s")});
+  }
+  return steps;
+}
+
+}  // namespace fantail::paper

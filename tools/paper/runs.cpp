@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#include "paper/runs.hpp"
+
+#include <cmath>
+
+#include "fly/fly_scenario.hpp"
+
+namespace fantail::paper {
+
+Run fly(const std::string& scenario, std::span<const sim::Override> changes, const Tell& tell) {
+  Run run{.scenario = sim::load_scenario(scenario, changes), .flight = {}};
+  tell("flying " + run.scenario.name);
+  run.flight = fly::fly_scenario(run.scenario, [&](double) { tell("flying " + run.scenario.name); });
+  return run;
+}
+
+identify::Airframe airframe(const sim::Scenario& scenario) {
+  const sim::RollPlant& plant = scenario.vehicle.roll_plant;
+  return {.inertia_kg_m2 = plant.inertia_kg_m2, .reference_area_m2 = plant.reference_area_m2};
+}
+
+identify::Record true_record(const Run& run, double from_s, double to_s, double every_s) {
+  identify::Record record;
+  record.window = run.scenario.name;
+  record.window_begin_s = from_s;
+  double next_s = from_s;
+  const auto density = [&run](double height_m) {
+    return run.flight.tunnel ? run.scenario.tunnel.density_kg_m3 : run.scenario.atmosphere.density_kg_m3(height_m);
+  };
+  for (const report::Row& row : run.flight.rows) {
+    if (!row.truth || row.time_s < next_s - 1e-9 || row.time_s > to_s + 1e-9) {
+      continue;
+    }
+    next_s = row.time_s + every_s;
+    record.time_s.push_back(row.time_s - from_s);
+    record.roll_angle_rad.push_back(row.truth->roll_angle_rad);
+    record.roll_rate_rad_s.push_back(row.truth->roll_rate_rad_s);
+    record.canard_rad.push_back(row.truth->canard_rad);
+    record.speed_m_s.push_back(row.truth->speed_m_s);
+    record.density_kg_m3.push_back(density(row.truth->height_m));
+    record.reference_rad.push_back(row.reference_rad);
+    record.excitation_rad.push_back(row.excitation_rad);
+    record.in_control.push_back(row.phase == core::Phase::controlling);
+  }
+  return record;
+}
+
+}  // namespace fantail::paper

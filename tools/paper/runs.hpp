@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+#include <span>
+#include <string>
+
+#include "identify/record.hpp"
+#include "report/flight.hpp"
+#include "sim/scenario.hpp"
+
+namespace fantail::paper {
+
+/// One of the published runs, flown in the simulated world.
+struct Run {
+  sim::Scenario scenario;
+  report::Flight flight;
+};
+
+/// Says what is going on; what it throws ends the work.
+using Tell = std::function<void(const std::string& what)>;
+
+[[nodiscard]] Run fly(const std::string& scenario, std::span<const sim::Override> changes, const Tell& tell);
+
+/// The truth of a run from one time of its clock to another, a sample every `every_s`: an ideal log. Excitation and
+/// reference with it, for the closed loop.
+[[nodiscard]] identify::Record true_record(const Run& run, double from_s, double to_s, double every_s);
+
+[[nodiscard]] identify::Airframe airframe(const sim::Scenario& scenario);
+
+}  // namespace fantail::paper
