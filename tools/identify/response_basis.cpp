@@ -121,8 +121,8 @@ void ResponseBasis::advance(std::size_t pass, std::size_t first, std::span<const
   };
   const Lanes* input = &input_[pass * samples_ + first];
   Lanes angle = state.angle;
-  // Strongly damped rates would shrink to the end of a double's range and stay there, where a processor takes ten times
-  // as long.
+  // Strongly damped rates would shrink to the end of a double's range and stay there, where a processor takes several
+  // times as long.
   constexpr double nothing_rad_s = 1e-200;
   Lanes rate = (state.rate.abs() < nothing_rad_s).select(0.0, state.rate);
   for (std::size_t i = 0; i < steps.size(); ++i) {
