@@ -66,7 +66,8 @@ Chapter print_chapter() {
                         "8.5 and 7.5 were identified, which are not on a grid of whole numbers."));
   claims.push_back(slip("Section 4.2", "Unit of the mean angle error, open loop", "1.51 deg/s", "1.51 deg",
                         "It is an angle; that of the closed loop is printed in degrees."));
-  claims.push_back(slip("Notation", "Unit of the inertia", "kg/m2", "kg m2", "As Table 1 has it."));
+  claims.push_back(slip("Notation", "Unit of the inertia", "kg/m2", "kg m2",
+                        "A moment of inertia is a mass times a distance squared, as Table 1 has it."));
   return chapter;
 }
 
