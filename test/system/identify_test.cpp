@@ -231,7 +231,7 @@ TEST(Identify, AsksWhichRocket) {
 TEST(Identify, RefusesOptionsThatMakeNoSense) {
   const std::string good = text(tunnel_rows(shaken));
   Refusal({{"a.csv", good}}, identify("a.csv", {"--units", "grad"}), 64, {"--units"});
-  Refusal({{"a.csv", good}}, identify("a.csv", {"--column", "phi"}), 64, {"--column", "NAME=THEIRS"});
+  Refusal({{"a.csv", good}}, identify("a.csv", {"--column", "phi"}), 64, {"--column", "OURS=THEIRS"});
   Refusal({{"a.csv", good}}, identify("a.csv", {"--column", "roll=phi"}), 78, {"unknown column \"roll\""});
   Refusal({{"a.csv", good}}, identify("a.csv", {"--speed", "nan"}), 64, {"--speed", "0.1 to 10000"});
   Refusal({{"a.csv", good}}, identify("a.csv", {"--density", "thin"}), 78, {"--density thin"});

@@ -1,32 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "fantail/identify_options.hpp"
 
-#include <fmt/format.h>
-
+#include "fantail/number_option.hpp"
 #include "identify/axis_text.hpp"
-#include "logs/number.hpp"
-#include "sim/shown.hpp"
 
 namespace fantail::tool {
 namespace {
-
-// CLI11 alone would take "nan" and "inf".
-CLI::Validator within(double low, double high) {
-  return CLI::Validator{[low, high](const std::string& text) {
-                          const auto value = logs::number(text);
-                          return value && *value >= low && *value <= high
-                                     ? std::string{}
-                                     : fmt::format("\"{}\": allowed: {} to {}", text, sim::shown(low),
-                                                   sim::shown(high));
-                        },
-                        ""};
-}
-
-std::string objection_to_mapping(const std::string& text) {
-  const std::size_t equals = text.find('=');
-  const bool good = equals != std::string::npos && equals > 0 && equals + 1 < text.size();
-  return good ? "" : '"' + text + "\": expected NAME=THEIRS, as in roll_angle_deg=phi";
-}
 
 std::string objection_to_axis(const std::string& text) {
   return identify::parse_axis(text)
@@ -38,13 +17,7 @@ std::string objection_to_folder(const std::string& text) { return text.empty() ?
 
 void add_reading(CLI::App& verb, IdentifyOptions& o) {
   verb.add_option("DATA", o.data, "A CSV file, or a folder that `fantail fly` wrote")->required();
-  verb.add_option("--column", o.columns, "NAME=THEIRS: what the file calls a column, as in roll_angle_deg=phi")
-      ->allow_extra_args(false)
-      ->check(objection_to_mapping);
-  verb.add_option("--units", o.units, "Of every angle and rate in the file: deg or rad")
-      ->check(CLI::IsMember({"deg", "rad"}))
-      ->capture_default_str();
-  verb.add_flag("--truth", o.truth, "Read the true_ columns of a simulated flight");
+  add_log_options(verb, o.log);
 }
 
 void add_windows(CLI::App& verb, IdentifyOptions& o) {

@@ -7,14 +7,14 @@
 
 #include <CLI/CLI.hpp>
 
+#include "fantail/log_options.hpp"
+
 namespace fantail::tool {
 
 /// What a person may say to `fantail identify`, as typed.
 struct IdentifyOptions {
   std::string data;
-  std::vector<std::string> columns;  ///< NAME=THEIRS
-  std::string units = "deg";
-  bool truth = false;
+  LogOptions log;
 
   std::optional<double> from_s;
   std::optional<double> to_s;

@@ -2,15 +2,12 @@
 #include "fantail/log_options.hpp"
 
 namespace fantail::tool {
-namespace {
 
 std::string objection_to_column(const std::string& text) {
   const std::size_t equals = text.find('=');
   const bool both = equals != std::string::npos && equals > 0 && equals + 1 < text.size();
   return both ? "" : '"' + text + "\" is not OURS=THEIRS, as in roll_angle_deg=phi";
 }
-
-}  // namespace
 
 void add_column_option(CLI::App& verb, std::vector<std::string>& columns) {
   verb.add_option("--column", columns, "A column that the file calls otherwise, as roll_rate_deg_s=gyro_x; repeatable")

@@ -22,6 +22,8 @@ void add_column_option(CLI::App& verb, std::vector<std::string>& columns);
 /// --column, --units and --truth.
 void add_log_options(CLI::App& verb, LogOptions& options);
 
+/// Empty for OURS=THEIRS.
+[[nodiscard]] std::string objection_to_column(const std::string& text);
 [[nodiscard]] logs::ColumnNames column_names(const std::vector<std::string>& columns);
 [[nodiscard]] logs::Reading reading(const LogOptions& options);
 

@@ -11,6 +11,7 @@
 
 #include "fantail/compare_results.hpp"
 #include "fantail/interrupt.hpp"
+#include "fantail/log_options.hpp"
 #include "fantail/requirement.hpp"
 #include "fantail/verbs.hpp"
 #include "identify/window.hpp"
@@ -45,12 +46,6 @@ struct CompareVerbOptions {
 
 std::string objection_to_folder(const std::string& text) { return text.empty() ? "the name of a folder is empty" : ""; }
 
-std::string objection_to_column(const std::string& text) {
-  const std::size_t equals = text.find('=');
-  const bool both = equals != std::string::npos && equals > 0 && equals + 1 < text.size();
-  return both ? "" : '"' + text + "\" is not OURS=THEIRS, as in roll_angle_deg=phi";
-}
-
 // CLI11 takes "nan" and "inf" for numbers.
 std::string objection_to_time(const std::string& text) {
   double value = 0.0;
@@ -65,12 +60,9 @@ std::string objection_to_requirement(const std::string& text) {
 }
 
 logs::RollLog read(const LogChoice& choice) {
-  logs::Reading reading{.angles = choice.units == "rad" ? logs::AngleUnit::radians : logs::AngleUnit::degrees,
-                        .truth = choice.motion == "true"};
-  for (const std::string& text : choice.columns) {
-    const std::size_t equals = text.find('=');
-    reading.columns[text.substr(0, equals)] = text.substr(equals + 1);
-  }
+  const logs::Reading reading{.columns = column_names(choice.columns),
+                              .angles = choice.units == "rad" ? logs::AngleUnit::radians : logs::AngleUnit::degrees,
+                              .truth = choice.motion == "true"};
   return logs::read_roll_log(choice.path, reading, {});
 }
 

@@ -29,14 +29,7 @@ namespace fantail::tool {
 namespace {
 
 logs::RollLog read(const IdentifyOptions& o) {
-  logs::Reading reading;
-  for (const std::string& text : o.columns) {
-    const std::size_t equals = text.find('=');
-    reading.columns[text.substr(0, equals)] = text.substr(equals + 1);
-  }
-  reading.angles = o.units == "rad" ? logs::AngleUnit::radians : logs::AngleUnit::degrees;
-  reading.truth = o.truth;
-  return logs::read_roll_log(o.data, reading, {.canard = o.loop == "open", .speed = !o.speed_m_s});
+  return logs::read_roll_log(o.data, reading(o.log), {.canard = o.loop == "open", .speed = !o.speed_m_s});
 }
 
 std::vector<identify::Window> windows(const IdentifyOptions& o, const logs::RollLog& log) {
@@ -148,7 +141,9 @@ void identify_data(const IdentifyOptions& o) {
   identify::Study result = study(log, q);
   result.vehicle = which.words;
   result.density = air.words;
-  result.speed = o.speed_m_s ? sim::shown(*o.speed_m_s) + " m/s throughout" : o.truth ? "true_speed_m_s" : "speed_m_s";
+  result.speed = o.speed_m_s   ? sim::shown(*o.speed_m_s) + " m/s throughout"
+                 : o.log.truth ? "true_speed_m_s"
+                               : "speed_m_s";
 
   give_up_if_interrupted();
   const std::filesystem::path folder = output_folder(o);
