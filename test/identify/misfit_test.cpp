@@ -14,7 +14,7 @@ std::optional<std::string> misfit_of(const Planting& planting, double rate_noise
   Record record = planted_record(planting);
   add_noise(record, {.angle_deg = 0.1, .rate_deg_s = rate_noise_deg_s}, 1);
   const Identification found = identify(record, tasha, {.with_uncertainty = false, .with_error_map = false});
-  return misfit(record, found.simulation);
+  return misfit(record, found);
 }
 
 TEST(Misfit, IsNotSeenInNoise) {

@@ -58,7 +58,7 @@ TEST(Words, ShowTwoDigitsOfTheDeviation) {
 TEST(Words, ShowTheEndsOfAnInterval) {
   EXPECT_EQ(words({22.1, 23.72}), "22.10 to 23.72");
   EXPECT_EQ(words({12.0, {}}), "above 12.00");
-  EXPECT_EQ(words({{}, 30.0}), "below 30.00");
+  EXPECT_EQ(words({{}, 30.0}), "below 30.0");
   EXPECT_EQ(words(Interval{}), "not bounded by this window");
 }
 

@@ -127,6 +127,17 @@ TEST_F(IdentifiedFlight, HasWindowsByItsEvents) {
   EXPECT_EQ(nodes["node_time_s"].size(), 5U);
 }
 
+TEST_F(IdentifiedFlight, MayBeLeftToTheController) {
+  // The flown servos lag by more than the 20 ms of their first order alone, so only roughly.
+  const auto json =
+      identified(*folder_, identify("out/tasha3_launch2", {"--json", "--loop", "closed", "--plan", "tasha3_launch2",
+                                                           "--servo-lag", "0.02", "--window", "0.9:5", "--out", "c"}));
+  EXPECT_EQ(json["loop"], "closed");
+  EXPECT_NEAR(json["alpha_m2"], 23.0, 0.2 * 23.0);
+  EXPECT_NEAR(json["beta_m"], 9.0, 0.2 * 9.0);
+  EXPECT_NEAR(json["disturbance_deg"][0], -4.9, 0.2);
+}
+
 TEST(Identify, ReadsAnotherLoggersNamesAndUnits) {
   const Folder folder;
   std::string log = "t,phi,p,fin\n";

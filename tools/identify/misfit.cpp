@@ -40,12 +40,12 @@ double memory(const Record& record, const std::vector<double>& residual) {
 
 }  // namespace
 
-std::optional<std::string> misfit(const Record& record, const Simulation& simulation) {
+std::optional<std::string> misfit(const Record& record, const Identification& result) {
   constexpr double motion = 0.5;
   constexpr double negligible = 0.01;
   std::vector<double> residual = record.roll_rate_rad_s;
   for (std::size_t i = 0; i < residual.size(); ++i) {
-    residual[i] -= simulation.roll_rate_rad_s[i];
+    residual[i] -= result.simulation.roll_rate_rad_s[i];
   }
   const double strength = std::sqrt(mean_square(residual));
   if (strength < negligible * std::sqrt(mean_square(record.roll_rate_rad_s)) || memory(record, residual) < motion) {
@@ -54,8 +54,8 @@ std::optional<std::string> misfit(const Record& record, const Simulation& simula
   return fmt::format(
       "The model does not follow this log all the way: what it leaves of the rate, {} deg/s, is motion and not noise. "
       "The "
-      "intervals do not cover that. More nodes, another window or --fit-lag may help.",
-      report::brief(report::degrees(strength), 2));
+      "intervals do not cover that. More nodes, another window or {} may help.",
+      report::brief(report::degrees(strength), 2), result.loop == Loop::open ? "--fit-lag" : "--servo-lag");
 }
 
 }  // namespace fantail::identify

@@ -156,7 +156,7 @@ std::string part(const Study& study, const WindowFindings& window) {
 void judge_one(const WindowFindings& window, plot::Page& page) {
   const Identification& result = main_result(window);
   page.subtitle += fmt::format("; window {}, {}", window.record.window, extent(window.record));
-  const auto doubt = misfit(window.record, result.simulation);
+  const auto doubt = misfit(window.record, result);
   page.tone = tells(window) && !doubt ? plot::Tone::good : plot::Tone::unsure;
   if (!tells(window)) {
     page.verdict_heading = "This window does not tell both damping and torque";
@@ -173,7 +173,7 @@ void judge_one(const WindowFindings& window, plot::Page& page) {
 void judge_several(const Study& study, plot::Page& page) {
   const auto good = std::ranges::count_if(study.windows, tells);
   const auto doubtful = std::ranges::count_if(study.windows, [](const WindowFindings& window) {
-    return misfit(window.record, main_result(window).simulation).has_value();
+    return misfit(window.record, main_result(window)).has_value();
   });
   const auto all = std::ssize(study.windows);
   page.tone = good == all && doubtful == 0 ? plot::Tone::good : plot::Tone::unsure;

@@ -63,7 +63,7 @@ WindowFindings look_at(const logs::RollLog& log, const Window& window, const Que
     options.method = method;
     options.nodes = nodes;
     found.results.push_back(identify(found.record, question.airframe, options));
-    if (auto doubt = misfit(found.record, found.results.back().simulation)) {
+    if (auto doubt = misfit(found.record, found.results.back())) {
       found.results.back().remarks.push_back(std::move(*doubt));
     }
   }

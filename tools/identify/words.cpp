@@ -58,7 +58,7 @@ std::string with_deviation(const Identification& result, std::size_t number, dou
 std::string words(const Interval& interval, double scale) {
   const double low = scale * interval.low.value_or(0.0);
   const double high = scale * interval.high.value_or(0.0);
-  const int places = interval.low && interval.high ? decimals(0.25 * (high - low)) : 2;
+  const int places = decimals(interval.low && interval.high ? 0.25 * (high - low) : 0.05 * std::abs(low + high));
   if (interval.low && interval.high) {
     return report::fixed(low, places) + " to " + report::fixed(high, places);
   }
