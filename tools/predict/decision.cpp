@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "predict/decision.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -96,10 +97,8 @@ Criterion phase_margin(const Prediction& p, double threshold_rad) {
 }
 
 std::string advice_on_authority(const Prediction& p, double share) {
-  std::vector<double> sizes;
-  for (const Run& run : p.runs) {
-    sizes.push_back(std::abs(run.offset_rad));
-  }
+  std::vector<double> sizes(p.runs.size());
+  std::ranges::transform(p.runs, sizes.begin(), [](const Run& run) { return std::abs(run.offset_rad); });
   constexpr double step_deg = 0.5;
   const double enough_deg = step_deg * std::ceil(degrees(point_above(std::move(sizes), share)) / step_deg);
   return fmt::format(

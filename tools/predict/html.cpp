@@ -13,7 +13,6 @@
 namespace fantail::predict {
 namespace {
 
-using report::degrees;
 using report::fixed;
 
 constexpr double in_degrees = 180.0 / std::numbers::pi;
@@ -73,6 +72,7 @@ std::string without_heading(const Decision& decision) {
 std::string criteria(const Decision& decision) {
   const std::array<plot::Column, 4> columns{{{"criterion"}, {"found"}, {"asked for"}, {""}}};
   std::vector<std::vector<plot::Cell>> rows;
+  rows.reserve(decision.criteria.size());
   for (const Criterion& c : decision.criteria) {
     rows.push_back({{c.label}, {c.found}, {c.required}, {std::string{words(c.judgement)}, tone(c.judgement)}});
   }
