@@ -87,6 +87,15 @@ TEST(Identification, NodesAreAddedUntilOneMoreIsNotWorthIt) {
   EXPECT_GT(found.node_trials[1].mean_abs_angle_error_rad, 2.0 * found.node_trials[2].mean_abs_angle_error_rad);
 }
 
+TEST(Identification, AHundredthOfADegreeIsNotWorthANode) {
+  // Constant but for a bend whose trace in the roll angle stays below that.
+  const Planting planting{.node_time_s = {0.0, 2.0, 4.0}, .node_deg = {-5.0, -5.0005, -5.0}};
+  Options options = quick;
+  options.nodes = AutomaticNodes{.most = 6};
+  const Identification found = identify(planted_record(planting), tasha, options);
+  EXPECT_EQ(found.model.node_time_s.size(), 2U);
+}
+
 TEST(Identification, AWinnerOnTheEdgeOfTheGridIsSaidToBeOne) {
   Options options = quick;
   options.method = Method::grid;

@@ -2,6 +2,7 @@
 #include "identify/identification.hpp"
 
 #include <algorithm>
+#include <numbers>
 
 #include <fmt/format.h>
 
@@ -105,13 +106,14 @@ Uncertainty closed_loop_uncertainty(const Question& q, const Model& model, const
 
 // As few intervals as come within a tenth of the least error: the published rule, "until there is no significant
 // further improvement", with a number. The error need not fall evenly: it may take three intervals before any of them
-// helps.
+// helps. A hundredth of a degree is less than any sensor shows, so it is no improvement either.
 std::size_t worth_it(const std::vector<NodeTrial>& trials) {
   constexpr double close_enough = 1.1;
+  constexpr double unseen_rad = 0.01 * std::numbers::pi / 180.0;
   const auto error = [](const NodeTrial& trial) { return trial.mean_abs_angle_error_rad; };
   const double least = error(*std::ranges::min_element(trials, {}, error));
-  const auto first =
-      std::ranges::find_if(trials, [&](const NodeTrial& trial) { return error(trial) <= close_enough * least; });
+  const double limit = std::max(close_enough * least, least + unseen_rad);
+  const auto first = std::ranges::find_if(trials, [&](const NodeTrial& trial) { return error(trial) <= limit; });
   return first->intervals;
 }
 
