@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -16,8 +17,8 @@ namespace {
 // In a tunnel the avionics integrates its own noise to a height of metres; over ten of them density changes by 0.1 %.
 bool climbs(const logs::RollLog& log) {
   constexpr double real_climb_m = 10.0;
-  double low = INFINITY;
-  double high = -INFINITY;
+  double low = std::numeric_limits<double>::infinity();
+  double high = -std::numeric_limits<double>::infinity();
   for (const double height : log.height_m) {
     low = std::fmin(low, height);
     high = std::fmax(high, height);
