@@ -5,27 +5,16 @@
 #include <cmath>
 #include <cstdint>
 #include <numbers>
-#include <random>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "gaussian.hpp"
+
 namespace fantail::sim {
 namespace {
 
-// Box-Muller on the test's own generator.
-class Gaussian {
- public:
-  explicit Gaussian(std::uint64_t seed) : random_{seed} {}
-  double operator()() {
-    const double radius = std::sqrt(-2.0 * std::log(uniform()));
-    return radius * std::cos(2.0 * std::numbers::pi * uniform());
-  }
-
- private:
-  double uniform() { return (static_cast<double>(random_() >> 11) + 0.5) * 0x1p-53; }
-  std::mt19937_64 random_;
-};
+using test::Gaussian;
 
 TEST(WindTunnel, StandsInSteadyStateAtTheFansSpeed) {
   WindTunnel tunnel{{}};
