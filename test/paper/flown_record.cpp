@@ -25,7 +25,7 @@ identify::Record flown_record(const Loop& loop, double from_s, double to_s, int 
   return record;
 }
 
-Loop tunnel_loop(const PublishedStep& row) {
+Loop tunnel_loop(const TunnelStep& row) {
   const double d = radians_per_degree;
   return {.plant = {.inertia_kg_m2 = 0.00393,
                     .reference_area_m2 = reference_area_m2,

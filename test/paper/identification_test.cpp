@@ -12,6 +12,7 @@
 #include "identify/sensitivities.hpp"
 #include "identify/uncertainty_of.hpp"
 #include "paper/flown_record.hpp"
+#include "paper/published_steps.hpp"
 #include "sim/plan_file.hpp"
 #include "sim/shipped.hpp"
 
@@ -25,7 +26,7 @@ using identify::Record;
 constexpr double degrees(double rad) { return rad / radians_per_degree; }
 
 TEST(Oracle, Row23EveryStepOfTable2ComesBackExactlyOnTheGrid) {
-  for (const PublishedStep& row : table_2) {
+  for (const TunnelStep& row : table_2) {
     const Loop loop = tunnel_loop(row);
     const Record record = flown_record(loop, 0.0, 5.0, 10);
     const Identification found =
@@ -40,7 +41,7 @@ TEST(Oracle, Row23EveryStepOfTable2ComesBackExactlyOnTheGrid) {
 }
 
 TEST(Oracle, TheContinuousMethodFindsTheStepsOfTable2WithoutAGrid) {
-  for (const PublishedStep& row : table_2) {
+  for (const TunnelStep& row : table_2) {
     const Loop loop = tunnel_loop(row);
     const Record record = flown_record(loop, 0.0, 5.0, 10);
     const Identification found = identify::identify(record, airframe(loop), {.nodes = identify::NodeTimes{0.0, 5.0}});
@@ -102,7 +103,7 @@ TEST(Oracle, TheShippedTable2IsThePrinted) {
 
 TEST(Oracle, Row25TheMeansOfTable2) {
   std::array<double, 6> sum{};
-  for (const PublishedStep& row : table_2) {
+  for (const TunnelStep& row : table_2) {
     const std::array<double, 6> numbers{row.alpha_m2,
                                         row.beta_m,
                                         row.disturbance_begin_deg,
