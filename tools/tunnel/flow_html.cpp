@@ -109,6 +109,7 @@ std::string points_table(const Flow& flow) {
                                                     {"\u03c3/mean / %", true},
                                                     {"rounding / %", true}}};
   std::vector<std::vector<plot::Cell>> rows;
+  rows.reserve(flow.points.size());
   for (const FlowPoint& p : flow.points) {
     rows.push_back({{fixed(rpm_of(p), 0)},
                     {fmt::format("{:g} to {:g}", p.segment.begin_s, p.segment.end_s)},

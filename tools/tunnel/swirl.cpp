@@ -73,6 +73,7 @@ std::vector<OffsetPoint> examine(const RollSession& session, const SwirlOptions&
            (session.steady.left_out.empty() ? "" : "; " + session.steady.left_out.front()));
   }
   std::vector<OffsetPoint> points;
+  points.reserve(session.steady.found.size());
   for (const SteadySegment& segment : session.steady.found) {
     points.push_back(examine(session, segment, options));
   }
