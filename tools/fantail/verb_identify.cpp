@@ -37,6 +37,7 @@ std::vector<identify::Window> windows(const IdentifyOptions& o, const logs::Roll
     return {{.from_s = o.from_s, .to_s = o.to_s}};
   }
   std::vector<identify::Window> all;
+  all.reserve(o.windows.size() + 1);
   for (const std::string& text : o.windows) {
     all.push_back(identify::find_window(log, text));
   }

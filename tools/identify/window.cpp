@@ -62,7 +62,7 @@ Window thrust_or_coast(const RollLog& log, const std::string& text) {
            fmt::format("the motor burnt out at {} s, control was from {} s to {} s", sim::about(*end_s),
                        sim::about(*window.from_s), sim::about(*window.to_s)));
   }
-  (text == "thrust" ? window.to_s : window.from_s) = *end_s;
+  (text == "thrust" ? window.to_s : window.from_s) = end_s;
   return window;
 }
 
@@ -102,7 +102,7 @@ std::optional<Window> seconds(const std::string& text) {
   }
   const std::string from = text.substr(0, colon);
   const std::string to = text.substr(colon + 1);
-  const Window window{logs::number(from), logs::number(to), text};
+  Window window{logs::number(from), logs::number(to), text};
   if ((!from.empty() && !window.from_s) || (!to.empty() && !window.to_s)) {
     return {};
   }

@@ -33,6 +33,11 @@ std::string subject(std::size_t number, const Model& model) {
 
 std::string percent(double share) { return report::brief(100.0 * share, share < 0.0995 ? 1 : 0) + " %"; }
 
+bool share_nodes(const WindowFindings& window) {
+  const auto& first = window.results.front().model.node_time_s;
+  return std::ranges::all_of(window.results, [&](const Identification& r) { return r.model.node_time_s == first; });
+}
+
 }  // namespace
 
 std::string_view name(Method method) { return method == Method::grid ? "grid" : "continuous"; }
@@ -97,11 +102,6 @@ std::string how_well(const Identification& result, std::size_t number) {
                      share < useful
                          ? "known to " + percent(share) + " either way"
                          : "known to " + percent(share) + " either way, which is too little to predict with");
-}
-
-bool share_nodes(const WindowFindings& window) {
-  const auto& first = window.results.front().model.node_time_s;
-  return std::ranges::all_of(window.results, [&](const Identification& r) { return r.model.node_time_s == first; });
 }
 
 std::string node_label(const WindowFindings& window, std::size_t node) {

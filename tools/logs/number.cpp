@@ -24,8 +24,9 @@ std::optional<double> number(std::string_view text) {
     text.remove_prefix(1);
   }
   double value = 0.0;
-  const char* const end = text.data() + text.size();
-  const auto [rest, error] = std::from_chars(text.data(), end, value);
+  const char* const begin = text.data();
+  const char* const end = begin + text.size();
+  const auto [rest, error] = std::from_chars(begin, end, value);
   if (error != std::errc{} || rest != end || !std::isfinite(value)) {
     return {};
   }
