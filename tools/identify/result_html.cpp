@@ -116,8 +116,8 @@ std::string searches(const WindowFindings& window) {
     if (!result.node_trials.empty()) {
       out += plot::section(
           fmt::format("How many nodes ({})", name(result.method)),
-          plot::paragraph("More intervals always fit better. As few are chosen as come within a tenth of the least "
-                          "error.") +
+          plot::paragraph("More intervals always fit better. As few are chosen as come within a tenth, or a "
+                          "hundredth of a degree, of the least error.") +
               plot::figure(plot::svg(node_curve_chart(result)), ""));
     }
   }
