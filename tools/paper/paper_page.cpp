@@ -89,9 +89,9 @@ Tally tally(std::span<const Chapter> chapters) {
 
 std::string summary(const Tally& count) {
   return fmt::format(
-      "Of what was printed, {} statements are reproduced from the printed numbers, {} differ, {} are slips of the "
-      "print, and "
-      "{} rest on measurements that were not published.",
+      "Of what was printed, {} statements are reproduced from the printed numbers; {} came out differently, {} are "
+      "slips "
+      "of the print, and {} rest on measurements that were not published.",
       count.reproduced, count.differs, count.error_in_print, count.not_reproducible);
 }
 

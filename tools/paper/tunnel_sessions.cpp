@@ -24,6 +24,7 @@ tunnel::RollSession roll_session(const Run& run) {
       session.roll.time_s.push_back(row.time_s);
       session.roll.roll_angle_rad.push_back(row.roll_angle_rad);
       session.roll.roll_rate_rad_s.push_back(row.roll_rate_rad_s);
+      session.roll.canard_rad.push_back(row.canard_rad.value_or(0.0));
     }
   }
   session.wind = wind_log(run);
