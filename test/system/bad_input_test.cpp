@@ -8,7 +8,9 @@
 namespace fantail::test {
 namespace {
 
-const std::string names_of_scenarios = "tasha3_launch1 tasha3_launch2 tunnel_free tunnel_steps";
+const std::string names_of_scenarios =
+    "tasha3_launch1 tasha3_launch2 tunnel_flow tunnel_steps tunnel_swirl_with tunnel_swirl_without";
+const std::string names_of_plans = "tasha3_launch1 tasha3_launch2 tunnel_free tunnel_steps";
 const std::string head = "vehicle = \"tasha3_launch2\"\nplan = \"tasha3_launch2\"\n";
 
 std::string shipped(const std::string& file) { return content(std::string{FANTAIL_TEST_SOURCE} + "/sim/" + file); }
@@ -25,7 +27,7 @@ TEST(UnknownScenario, IsRefusedWithTheShippedNamesAndASuggestion) {
 }
 
 TEST(UnknownPlan, IsRefusedWithTheShippedNamesAndASuggestion) {
-  Refusal({}, {"plan", "check", "tunel_steps"}, 66, {"did you mean tunnel_steps?", names_of_scenarios});
+  Refusal({}, {"plan", "check", "tunel_steps"}, 66, {"did you mean tunnel_steps?", names_of_plans});
 }
 
 TEST(MissingPath, IsRefused) {
