@@ -33,6 +33,13 @@ class Autopilot {
   /// Largest shaft angle that can ever be commanded to this canard.
   [[nodiscard]] Angle canard_limit(std::size_t canard) const { return canard_mixer_.limit(canard); }
 
+  /// See core/state_visitor.hpp. The record is no state: it is made anew in every step.
+  template <typename Visitor>
+  void visit_state(Visitor& visit) {
+    visit(motion_estimator_, launch_detector_, flight_phase_, chirp_, canard_mixer_, canard_monitor_, last_time_,
+          canard_fault_);
+  }
+
  private:
   [[nodiscard]] bool is_timing_fault(Microseconds time) const;
   void enter_phase(Microseconds time, Phase from, Phase to);

@@ -39,10 +39,21 @@ class CanardMixer {
   /// Largest shaft angle that can ever be commanded to this canard.
   [[nodiscard]] Angle limit(std::size_t canard) const { return limits_[canard]; }
 
+  /// See core/state_visitor.hpp.
+  template <typename Visitor>
+  void visit_state(Visitor& visit) {
+    visit(first_motion_, power_up_, last_time_);
+  }
+
  private:
   struct FirstMotion {
     std::optional<Angle> position;
     bool done = false;
+
+    template <typename Visitor>
+    void visit_state(Visitor& visit) {
+      visit(position, done);
+    }
   };
 
   void start_from_encoder(Microseconds time, std::size_t canard, const std::optional<Angle>& encoder, Angle target);

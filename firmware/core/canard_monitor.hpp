@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 
@@ -18,6 +19,7 @@ enum class CanardVerdict : std::uint8_t {
   slipping,     ///< far from where the command should have brought it, though it moves
   disagreeing,  ///< near enough by itself, but off its command when the other canards are not
 };
+inline constexpr std::size_t canard_verdicts = 5;
 
 /// Compares each canard's command with its encoder. The command first passes a model of the servo (a first-order lag),
 /// so that fast excitation is not mistaken for a fault. A difference must last for the plan's hold, and twice the time
@@ -31,10 +33,24 @@ class CanardMonitor {
   const std::array<CanardVerdict, canard_count>& update(Microseconds time, const CanardCommands& commands,
                                                         const EncoderAngles& encoders);
 
+  /// See core/state_visitor.hpp.
+  template <typename Visitor>
+  void visit_state(Visitor& visit) {
+    visit(channels_, last_time_);
+    for (CanardVerdict& verdict : verdicts_) {
+      visit.below(canard_verdicts, verdict);
+    }
+  }
+
  private:
   struct Persistence {
     Microseconds charge{};  ///< grows to the hold while the difference lasts, falls back while it is gone
     bool lasting = false;
+
+    template <typename Visitor>
+    void visit_state(Visitor& visit) {
+      visit(charge, lasting);
+    }
   };
   struct Channel {
     std::optional<Angle> expected;
@@ -43,6 +59,11 @@ class CanardMonitor {
     Persistence apart;
     Angle lowest;  ///< encoder angles since `off` began to charge
     Angle highest;
+
+    template <typename Visitor>
+    void visit_state(Visitor& visit) {
+      visit(expected, silent_since, off, apart, lowest, highest);
+    }
   };
 
   /// What all canards share in one tick.

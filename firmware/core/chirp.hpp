@@ -23,6 +23,12 @@ class Chirp {
   /// Excitation at a time after control start. Times must not go backwards.
   [[nodiscard]] Angle update(Microseconds since_control_start);
 
+  /// See core/state_visitor.hpp.
+  template <typename Visitor>
+  void visit_state(Visitor& visit) {
+    visit(span_, drawn_);
+  }
+
  private:
   /// Of the span of 0.1 s that holds the present time; drawn anew when the time enters the next one.
   struct Span {
@@ -32,6 +38,12 @@ class Chirp {
     float frequency_at_start = 0.0F;
     float frequency_at_end = 0.0F;
     float variation_turns_at_start = 0.0F;  ///< integral of df up to the start of the span
+
+    template <typename Visitor>
+    void visit_state(Visitor& visit) {
+      visit(index, amplitude_at_start, amplitude_at_end, frequency_at_start, frequency_at_end,
+            variation_turns_at_start);
+    }
   };
 
   void draw(std::uint32_t index);

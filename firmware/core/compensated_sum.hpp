@@ -16,6 +16,12 @@ class CompensatedSum {
   constexpr void reset() { *this = {}; }
   [[nodiscard]] constexpr float value() const { return sum_; }
 
+  /// See core/state_visitor.hpp.
+  template <typename Visitor>
+  void visit_state(Visitor& visit) {
+    visit(sum_, lost_);
+  }
+
  private:
   float sum_ = 0.0F;
   float lost_ = 0.0F;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 
@@ -16,6 +17,7 @@ enum class Phase : std::uint8_t {
   controlling,  ///< the only phase in which the roll command is not zero
   finished,     ///< until a power cycle
 };
+inline constexpr std::size_t phases = 5;
 
 /// Why the phase is what it is: the reason of the last transition.
 enum class PhaseReason : std::uint8_t {
@@ -35,6 +37,7 @@ enum class PhaseReason : std::uint8_t {
   timing_fault,
   canard_fault,
 };
+inline constexpr std::size_t phase_reasons = 15;
 
 /// What one tick may move the phase, besides the motion.
 struct PhaseInputs {
@@ -63,6 +66,14 @@ class FlightPhase {
 
   /// Empty until control has started.
   [[nodiscard]] std::optional<Microseconds> control_start() const { return control_start_; }
+
+  /// See core/state_visitor.hpp.
+  template <typename Visitor>
+  void visit_state(Visitor& visit) {
+    visit.below(phases, phase_);
+    visit.below(phase_reasons, reason_);
+    visit(entered_, must_rest_first_, control_start_);
+  }
 
  private:
   struct Transition {

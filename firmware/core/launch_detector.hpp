@@ -35,6 +35,12 @@ class LaunchDetector {
   /// Forgets holds and filter states.
   void reset();
 
+  /// See core/state_visitor.hpp.
+  template <typename Visitor>
+  void visit_state(Visitor& visit) {
+    visit(channels_);
+  }
+
  private:
   enum class Health : std::uint8_t { good, repeated, bad };
 
@@ -49,6 +55,11 @@ class LaunchDetector {
     std::optional<Microseconds> above_since;
     bool saturated = false;
     bool hold_complete = false;
+
+    template <typename Visitor>
+    void visit_state(Visitor& visit) {
+      visit(low_pass, last_time, above_since, saturated, hold_complete);
+    }
   };
 
   [[nodiscard]] Health health(Microseconds now, const Channel& channel, const AccelerometerSample& sample) const;

@@ -41,6 +41,12 @@ class LowPass {
     return last_time_ ? std::optional{output_} : std::nullopt;
   }
 
+  /// See core/state_visitor.hpp.
+  template <typename Visitor>
+  void visit_state(Visitor& visit) {
+    visit(output_, last_time_);
+  }
+
  private:
   float rate_rad_s_;
   float output_ = 0.0F;

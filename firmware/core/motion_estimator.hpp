@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 
@@ -19,6 +20,7 @@ enum class SensorState : std::uint8_t {
   lost,      ///< this tick's sample cannot be used
   failed,    ///< no usable sample for longer than the plan's stale time
 };
+inline constexpr std::size_t sensor_states = 4;
 
 struct Motion {
   Angle roll_angle;              ///< zero at launch detection (tunnel: at control start); not wrapped
@@ -75,11 +77,26 @@ class MotionEstimator {
   /// The estimate at `now`; the last rate bridges the time since the last gyro sample, at most the plan's stale time.
   [[nodiscard]] Motion motion(Microseconds now) const;
 
+  /// See core/state_visitor.hpp.
+  template <typename Visitor>
+  void visit_state(Visitor& visit) {
+    visit(pad_window_, axial_, supported_since_, gyro_time_, rate_rad_s_, roll_angle_rad_, accelerometer_time_,
+          specific_force_m_s2_, pad_, trajectory_);
+    visit.below(places, place_);
+    visit.below(sensor_states, gyro_, accelerometer_);
+  }
+
  private:
   enum class Place : std::uint8_t { pad, guide, free };
+  static constexpr std::size_t places = 3;
 
   struct Quaternion {
     float w = 1.0F, x = 0.0F, y = 0.0F, z = 0.0F;
+
+    template <typename Visitor>
+    void visit_state(Visitor& visit) {
+      visit(w, x, y, z);
+    }
   };
 
   struct Trajectory {
@@ -89,6 +106,11 @@ class MotionEstimator {
     Vector3 position_m;
     Vector3 acceleration_m_s2;  ///< of the last sample, gravity removed
     Microseconds since{};
+
+    template <typename Visitor>
+    void visit_state(Visitor& visit) {
+      visit(attitude, guide_axis, velocity_m_s, position_m, acceleration_m_s2, since);
+    }
   };
 
   void follow_gyro(Microseconds now, const GyroSample& sample);

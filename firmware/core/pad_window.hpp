@@ -16,6 +16,11 @@ namespace fantail::core {
 struct PadAverage {
   Vector3 gyro_bias_rad_s;
   Vector3 specific_force_m_s2;
+
+  template <typename Visitor>
+  void visit_state(Visitor& visit) {
+    visit(gyro_bias_rad_s, specific_force_m_s2);
+  }
 };
 
 /// Averages the sensors while the rocket stands still on the pad: over 3 s that end 0.5 s before now, so that what
@@ -38,6 +43,14 @@ class PadWindow {
   /// How long the rocket has been at rest, up to now; zero while it moves.
   [[nodiscard]] Microseconds at_rest_for(Microseconds now) const;
 
+  /// See core/state_visitor.hpp.
+  template <typename Visitor>
+  void visit_state(Visitor& visit) {
+    visit(force_squared_, blocks_, open_, last_time_, open_since_, rest_since_, average_);
+    visit.below(blocks_.size() + 1, closed_);
+    visit.below(blocks_.size(), next_);
+  }
+
  private:
   static constexpr Microseconds block_time{100'000};
   static constexpr std::size_t window_blocks = 30;
@@ -48,6 +61,11 @@ class PadWindow {
     Vector3 force_sum;
     float samples = 0.0F;
     bool still = true;
+
+    template <typename Visitor>
+    void visit_state(Visitor& visit) {
+      visit(rate_sum, force_sum, samples, still);
+    }
   };
 
   bool close_block();

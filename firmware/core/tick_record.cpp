@@ -46,4 +46,35 @@ std::string_view name(CanardVerdict verdict) {
   return "unknown";
 }
 
+std::string_view name(SensorState state) {
+  switch (state) {
+    case SensorState::fresh: return "fresh";
+    case SensorState::coasting: return "coasting";
+    case SensorState::lost: return "lost";
+    case SensorState::failed: return "failed";
+  }
+  return "unknown";
+}
+
+std::string_view name(CommandStatus status) {
+  switch (status) {
+    case CommandStatus::outside_control: return "outside_control";
+    case CommandStatus::controlling: return "controlling";
+    case CommandStatus::gyro_lost: return "gyro_lost";
+    case CommandStatus::not_finite: return "not_finite";
+  }
+  return "unknown";
+}
+
+std::string_view name(DetectionState state) {
+  switch (state) {
+    case DetectionState::quiet: return "quiet";
+    case DetectionState::holding: return "holding";
+    case DetectionState::detected: return "detected";
+    case DetectionState::bad_sample: return "bad_sample";
+    case DetectionState::disagreement: return "disagreement";
+  }
+  return "unknown";
+}
+
 }  // namespace fantail::core

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string_view>
@@ -21,6 +22,7 @@ enum class CommandStatus : std::uint8_t {
   gyro_lost,   ///< zero for this tick: no usable rate
   not_finite,  ///< zero for this tick: the law gave no number
 };
+inline constexpr std::size_t command_statuses = 4;
 
 /// Every signal of one tick. An output of Autopilot::step, so that the log, the telemetry and the simulator cannot
 /// disagree about what happened.
@@ -49,5 +51,8 @@ struct TickRecord {
 [[nodiscard]] std::string_view name(Phase phase);
 [[nodiscard]] std::string_view name(PhaseReason reason);
 [[nodiscard]] std::string_view name(CanardVerdict verdict);
+[[nodiscard]] std::string_view name(SensorState state);
+[[nodiscard]] std::string_view name(CommandStatus status);
+[[nodiscard]] std::string_view name(DetectionState state);
 
 }  // namespace fantail::core

@@ -9,6 +9,12 @@ struct Vector3 {
   float x = 0.0F;
   float y = 0.0F;
   float z = 0.0F;
+
+  /// See core/state_visitor.hpp.
+  template <typename Visitor>
+  void visit_state(Visitor& visit) {
+    visit(x, y, z);
+  }
 };
 
 }  // namespace fantail::core

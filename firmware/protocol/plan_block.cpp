@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "protocol/crc32c.hpp"
+#include "protocol/little_endian.hpp"
 
 namespace fantail::protocol {
 namespace {
@@ -13,20 +14,6 @@ namespace {
 constexpr std::array<std::byte, 4> magic{std::byte{'F'}, std::byte{'T'}, std::byte{'P'}, std::byte{'L'}};
 constexpr std::size_t header_size = 12;
 constexpr std::size_t checksum_size = 4;
-
-void put(std::span<std::byte> out, std::size_t at, std::uint32_t value, std::size_t bytes = 4) {
-  for (std::size_t i = 0; i < bytes; ++i) {
-    out[at + i] = static_cast<std::byte>(value >> (8U * i));
-  }
-}
-
-std::uint32_t get(std::span<const std::byte> in, std::size_t at, std::size_t bytes = 4) {
-  std::uint32_t value = 0;
-  for (std::size_t i = 0; i < bytes; ++i) {
-    value |= static_cast<std::uint32_t>(in[at + i]) << (8U * i);
-  }
-  return value;
-}
 
 // FNV-1a.
 std::uint32_t hash(std::uint32_t h, std::string_view text) {
@@ -69,21 +56,21 @@ std::size_t write_plan_block(const core::FlightPlan& plan, std::span<std::byte, 
   for (std::size_t i = 0; i < magic.size(); ++i) {
     out[i] = magic[i];
   }
-  put(out, 4, plan_block_version, 2);
-  put(out, 6, static_cast<std::uint32_t>(payload_size()), 2);
-  put(out, 8, plan_schema_hash());
+  put<2>(out, 4, plan_block_version);
+  put<2>(out, 6, payload_size());
+  put<4>(out, 8, plan_schema_hash());
   std::size_t at = header_size;
   for (const core::PlanField& field : core::flight_plan_fields()) {
     if (field.is_list()) {
-      put(out, at, static_cast<std::uint32_t>(field.used_slots(plan)));
+      put<4>(out, at, field.used_slots(plan));
       at += 4;
     }
     for (std::size_t slot = 0; slot < field.slots; ++slot) {
-      put(out, at, field.get_bits(plan, slot));
+      put<4>(out, at, field.get_bits(plan, slot));
       at += 4;
     }
   }
-  put(out, at, crc32c(std::span{out}.first(at)));
+  put<4>(out, at, crc32c(std::span{out}.first(at)));
   return at + checksum_size;
 }
 
@@ -93,7 +80,7 @@ std::uint32_t plan_block_crc(std::span<const std::byte> block) {
 
 std::uint32_t plan_crc(const core::FlightPlan& plan) {
   std::array<std::byte, largest_plan_block> block;
-  return get(block, write_plan_block(plan, block) - checksum_size);
+  return static_cast<std::uint32_t>(get<4>(block, write_plan_block(plan, block) - checksum_size));
 }
 
 PlanBlockReading read_plan_block(std::span<const std::byte> block) {
@@ -106,17 +93,17 @@ PlanBlockReading read_plan_block(std::span<const std::byte> block) {
     }
   }
   // The length first, because a block that was cut off also has a wrong checksum, which would say less.
-  const std::size_t payload = get(block, 6, 2);
+  const auto payload = static_cast<std::size_t>(get<2>(block, 6));
   if (block.size() != header_size + payload + checksum_size) {
     return refuse(PlanBlockFault::wrong_length);
   }
-  if (get(block, block.size() - checksum_size) != crc32c(block.first(block.size() - checksum_size))) {
+  if (get<4>(block, block.size() - checksum_size) != crc32c(block.first(block.size() - checksum_size))) {
     return refuse(PlanBlockFault::wrong_checksum);
   }
-  if (get(block, 4, 2) != plan_block_version) {
+  if (get<2>(block, 4) != plan_block_version) {
     return refuse(PlanBlockFault::other_version);
   }
-  if (get(block, 8) != plan_schema_hash()) {
+  if (get<4>(block, 8) != plan_schema_hash()) {
     return refuse(PlanBlockFault::other_schema);
   }
   if (payload != payload_size()) {
@@ -127,7 +114,7 @@ PlanBlockReading read_plan_block(std::span<const std::byte> block) {
   std::size_t at = header_size;
   for (const core::PlanField& field : core::flight_plan_fields()) {
     if (field.is_list()) {
-      const std::uint32_t length = get(block, at);
+      const auto length = static_cast<std::uint32_t>(get<4>(block, at));
       if (length > field.slots) {
         return refuse(core::PlanFault{&field, 0, "too many values"});
       }
@@ -135,7 +122,7 @@ PlanBlockReading read_plan_block(std::span<const std::byte> block) {
       at += 4;
     }
     for (std::size_t slot = 0; slot < field.slots; ++slot) {
-      const std::uint32_t bits = get(block, at);
+      const auto bits = static_cast<std::uint32_t>(get<4>(block, at));
       field.set_bits(plan, slot, bits);
       if (field.get_bits(plan, slot) != bits) {  // did not fit the field's type
         return refuse(core::PlanFault{&field, slot, "out of range"});

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+
+namespace fantail::core {
+
+// How the flight law shows what it remembers. Every class of the law that remembers something from one tick to the next
+// has a member
+//
+//   template <typename Visitor> void visit_state(Visitor& visit);
+//
+// that names each remembered value once, in a fixed order, to a visitor that may read or replace it: `visit(a, b, ...)`
+// for numbers, times, angles, flags, optionals and arrays of these, and for parts that have a visit_state of their own;
+// `visit.below(limit, a, ...)` for enumerations and indices, which are always smaller than `limit`. What the plan
+// determines is not state. A law that was made from the same plan and given the same state goes on bit for bit: a
+// flight log holds such states, and a replay begins at one.
+
+}  // namespace fantail::core

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#include "protocol/log_frame.hpp"
+
+#include "protocol/crc32c.hpp"
+#include "protocol/little_endian.hpp"
+
+namespace fantail::protocol {
+namespace {
+
+constexpr std::byte erased{0xFF};
+
+}  // namespace
+
+std::array<std::byte, log_head_size> encode(const LogFrameHead& head) {
+  std::array<std::byte, log_head_size> out{};
+  out[0] = log_sync;
+  out[1] = static_cast<std::byte>(head.type);
+  put<2>(out, 2, head.length);
+  put<4>(out, 4, head.sequence);
+  put<6>(out, 8, static_cast<std::uint64_t>(head.time.count()));
+  return out;
+}
+
+std::optional<LogFrame> LogFrameReader::next() {
+  while (position_ < bytes_.size()) {
+    if (const auto frame = frame_here()) {
+      position_ += log_frame_overhead + frame->payload.size();
+      in_foreign_run_ = false;
+      return frame;
+    }
+    pass_over_byte();
+  }
+  return std::nullopt;
+}
+
+std::optional<LogFrame> LogFrameReader::frame_here() const {
+  const auto rest = bytes_.subspan(position_);
+  if (rest[0] != log_sync || rest.size() < log_frame_overhead) {
+    return std::nullopt;
+  }
+  const auto length = static_cast<std::size_t>(get<2>(rest, 2));
+  if (length > largest_log_payload || rest.size() < log_frame_overhead + length) {
+    return std::nullopt;
+  }
+  const std::size_t end = log_head_size + length;
+  if (get<4>(rest, end) != crc32c(rest.first(end))) {
+    return std::nullopt;
+  }
+  return LogFrame{.head = {.type = static_cast<std::uint8_t>(rest[1]),
+                           .length = static_cast<std::uint16_t>(length),
+                           .sequence = static_cast<std::uint32_t>(get<4>(rest, 4)),
+                           .time = core::Microseconds{static_cast<std::int64_t>(get<6>(rest, 8))}},
+                  .payload = rest.subspan(log_head_size, length),
+                  .position = position_};
+}
+
+void LogFrameReader::pass_over_byte() {
+  if (bytes_[position_] == erased) {
+    in_foreign_run_ = false;
+  } else {
+    foreign_bytes_ += 1;
+    foreign_runs_ += in_foreign_run_ ? 0 : 1;
+    in_foreign_run_ = true;
+  }
+  position_ += 1;
+}
+
+}  // namespace fantail::protocol

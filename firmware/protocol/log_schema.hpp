@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string_view>
+
+namespace fantail::protocol {
+
+/// What lies where in the payloads of this version's ticks, events and health records: text that goes into every
+/// header, so that a reader which knows nothing of this version can still show each value. One line a record ("tick
+/// 50": its size), then a line for each of its values, with its offset, type, name and unit:
+///   u8 u16 u32 i16 f32   a number
+///   u16:9.3              three bits from bit 9 on
+[[nodiscard]] std::string_view log_schema();
+
+}  // namespace fantail::protocol

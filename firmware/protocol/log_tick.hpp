@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "core/angle.hpp"
+#include "core/flight_phase.hpp"
+#include "core/inputs.hpp"
+#include "core/tick_record.hpp"
+#include "core/time.hpp"
+
+namespace fantail::protocol {
+
+/// What a device said about its reading (as the hardware layer has it).
+enum class DeviceStatus : std::uint8_t { ok, error, no_reading };
+
+/// One tick as a log keeps it: what went into the flight law, and enough of what came out to see whether a replay gives
+/// the same. Everything else is made again by the law.
+struct LogTick {
+  core::Microseconds time{};  ///< in the frame's head
+
+  core::Microseconds imu_time{};  ///< when the sample was measured
+  std::array<std::int16_t, 3> rate_counts{};
+  std::array<std::int16_t, 3> specific_force_counts{};
+  DeviceStatus imu_status = DeviceStatus::no_reading;
+
+  core::Microseconds accelerometer_time{};
+  std::array<std::int16_t, 3> accelerometer_counts{};
+  DeviceStatus accelerometer_status = DeviceStatus::no_reading;
+
+  std::array<std::uint16_t, core::canard_count> encoder_counts{};  ///< 0 to 16383
+  std::array<DeviceStatus, core::canard_count> encoder_status{};
+
+  bool arm_switch_closed = false;
+  bool arm_command = false;
+  bool start_command = false;
+
+  core::Phase phase = core::Phase::safe;
+  core::CommandStatus command_status = core::CommandStatus::outside_control;
+  bool saturated = false;
+  bool timing_fault = false;
+  core::Angle command{};  ///< of the roll, every bit of it
+  /// What the shafts are told, to 0.001 degrees; empty: not driven.
+  std::array<std::optional<core::Angle>, core::canard_count> canard_commands{};
+  core::Microseconds duration_before{};  ///< of the tick before this one; saturates at 65535 us
+  std::uint32_t digest = 0;              ///< tick_digest() of the whole record
+};
+
+/// Measurement times are kept as an age of up to 65534 us. An older sample is one that came before: its time is that of
+/// the tick before, which whoever packs or unpacks a row of ticks has at hand.
+struct SampleTimes {
+  core::Microseconds imu{};
+  core::Microseconds accelerometer{};
+};
+
+inline constexpr std::size_t log_tick_size = 50;
+using PackedTick = std::array<std::byte, log_tick_size>;
+
+/// `times`: of the tick before; becomes those of this one.
+[[nodiscard]] PackedTick pack(const LogTick& tick, SampleTimes& times);
+
+/// Empty for a payload of another size and for values that no tick can have. `times` as in pack().
+[[nodiscard]] std::optional<LogTick> unpack_tick(core::Microseconds time, std::span<const std::byte> payload,
+                                                 SampleTimes& times);
+
+}  // namespace fantail::protocol

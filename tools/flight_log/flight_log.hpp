@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/flight_plan.hpp"
+#include "protocol/log_notes.hpp"
+#include "protocol/log_tick.hpp"
+
+namespace fantail::flight_log {
+
+struct LoggedTick {
+  std::uint32_t sequence = 0;
+  protocol::LogTick tick;
+};
+
+/// What the flight law remembered before the first tick whose sequence is higher.
+struct Checkpoint {
+  std::uint32_t sequence = 0;
+  core::Microseconds time{};
+  protocol::SampleTimes times;
+  std::vector<std::byte> state;
+};
+
+/// A record as it lay in the file, with a payload that only its schema explains.
+struct RawRecord {
+  std::uint32_t sequence = 0;
+  core::Microseconds time{};
+  std::vector<std::byte> payload;
+};
+
+/// Where records are missing: those between two that are there.
+struct Gap {
+  std::uint32_t first_missing = 0;
+  std::uint32_t count = 0;
+  core::Microseconds before{};  ///< time of the last record before it
+  core::Microseconds after{};
+};
+
+/// One flight, as far as its log could be read.
+struct Flight {
+  // Of the first header that is intact; empty texts and zeros without one.
+  bool has_header = false;
+  std::uint16_t format_version = 0;
+  std::uint32_t flight = 0;
+  std::uint32_t power_up = 0;
+  std::uint32_t state_layout = 0;
+  float rate_scale_rad_s = 0.0F;
+  float specific_force_scale_m_s2 = 0.0F;
+  float accelerometer_scale_m_s2 = 0.0F;
+  std::string firmware_version;
+  std::string git_hash;
+  std::string vehicle;
+  std::string sensors;
+  std::string schema;
+  std::vector<std::byte> plan_block;
+  std::optional<core::FlightPlan> plan;  ///< empty when this program cannot read the block
+  std::string plan_fault;                ///< why
+
+  /// With the schema of this version; otherwise `foreign_ticks` holds the payloads and `ticks` is empty.
+  std::vector<LoggedTick> ticks;
+  std::vector<RawRecord> foreign_ticks;
+  std::vector<Checkpoint> checkpoints;
+  std::vector<protocol::LogEvent> events;
+  std::vector<protocol::LogHealth> health;
+
+  std::size_t records = 0;  ///< intact ones, of any type
+  std::size_t unknown_records = 0;
+  std::vector<Gap> gaps;
+};
+
+/// A file of flights: what a board's flash held, or one flight of it.
+struct LogFile {
+  std::string name;
+  std::size_t bytes = 0;
+  std::size_t foreign_bytes = 0;  ///< in no intact record, and not erased flash
+  std::size_t foreign_runs = 0;
+  std::vector<Flight> flights;  ///< in the order of the file; none when it holds no intact record
+};
+
+/// No log is longer: 16 MiB is all that the flash holds.
+inline constexpr std::size_t most_log_bytes = std::size_t{1} << 29;
+
+/// Whatever bytes it is given: takes memory in proportion to them, and saves what can be saved.
+[[nodiscard]] LogFile parse_log(std::span<const std::byte> bytes, std::string name);
+
+/// Throws sim::InputError: no_such_input; bad_data for a file that holds no intact record at all (saying what it looks
+/// like instead, where that is known) or more than most_log_bytes; std::system_error for one that cannot be read.
+[[nodiscard]] LogFile read_log_file(const std::filesystem::path& path);
+
+}  // namespace fantail::flight_log

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/flight_plan.hpp"
+#include "core/tick_record.hpp"
+#include "flight_log/flight_log.hpp"
+
+namespace fantail::flight_log {
+
+/// The first place where a replay does not give what was recorded.
+struct Difference {
+  std::size_t tick = 0;  ///< index in Flight::ticks
+  std::string field;     ///< as in the schema; "digest" when only a signal differs that the log leaves out
+  std::string recorded;
+  std::string replayed;
+};
+
+struct Regeneration {
+  /// As many as Flight::ticks; empty where no checkpoint leads to the tick without a gap.
+  std::vector<std::optional<core::TickRecord>> records;
+  std::size_t compared = 0;
+  std::size_t unreachable = 0;
+  std::optional<Difference> first_difference;
+  std::size_t differing = 0;  ///< ticks
+  std::string obstacle;       ///< a sentence when nothing could be replayed: no header, another law, no checkpoint
+};
+
+/// Runs the recorded inputs through the flight law, from every checkpoint that follows a gap on, and compares each tick
+/// with what was recorded, byte for byte. `plan` is flight.plan, or a changed one: then the inputs are still those of
+/// the flight that was flown (open loop), and the differences are what the change would have done to the commands.
+[[nodiscard]] Regeneration regenerate(const Flight& flight, const core::FlightPlan& plan);
+
+}  // namespace fantail::flight_log
