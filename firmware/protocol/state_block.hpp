@@ -6,11 +6,13 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 #include <type_traits>
 
 #include "core/angle.hpp"
+#include "core/finite.hpp"
 #include "core/time.hpp"
 #include "protocol/little_endian.hpp"
 
@@ -114,17 +116,16 @@ class StateReader : public StateVisitor<StateReader> {
     return value;
   }
   void plain(float& value) {
-    value = std::bit_cast<float>(static_cast<std::uint32_t>(take<4>()));
-    constexpr float largest = 1e9F;  // far beyond every sum that the law makes
-    if (!(value >= -largest && value <= largest)) {
-      ok_ = false;
-      value = 0.0F;
-    }
+    constexpr float largest = 1e9F;  // far beyond every sum that the law makes, and it converts to an integer
+    value = take_number(largest);
   }
-  void plain(core::Angle& value) {
-    float radians = 0.0F;
-    plain(radians);
-    value = core::Angle::from_radians(radians);
+  // An angle may be that of an encoder, and the law takes any that is a number.
+  void plain(core::Angle& value) { value = core::Angle::from_radians(take_number(std::numeric_limits<float>::max())); }
+  float take_number(float largest) {
+    const auto value = std::bit_cast<float>(static_cast<std::uint32_t>(take<4>()));
+    const bool fits = core::is_within(value, largest);
+    ok_ = ok_ && fits;
+    return fits ? value : 0.0F;
   }
   void plain(std::uint32_t& value) { value = static_cast<std::uint32_t>(take<4>()); }
   void plain(core::Microseconds& value) {

@@ -32,5 +32,36 @@ TEST(Crc32c, GivesTheTestVectorsOfIscsi) {
   EXPECT_EQ(crc32c(bytes), 0x113FDB5CU);
 }
 
+TEST(Crc32c, OfPartsIsThatOfTheWhole) {
+  const std::string_view text = "123456789 and some more, so that eight bytes at a time do not suffice";
+  const auto bytes = std::as_bytes(std::span{text});
+  for (std::size_t cut = 0; cut <= bytes.size(); ++cut) {
+    EXPECT_EQ(crc32c(crc32c(bytes.first(cut)), bytes.subspan(cut)), crc32c(bytes));
+  }
+}
+
+// One bit at a time, as the polynomial is defined.
+std::uint32_t slow_crc(std::span<const std::byte> bytes) {
+  std::uint32_t crc = ~0U;
+  for (const std::byte byte : bytes) {
+    crc ^= std::to_integer<std::uint32_t>(byte);
+    for (int bit = 0; bit < 8; ++bit) {
+      crc = (crc & 1U) != 0 ? (crc >> 1U) ^ 0x82F63B78U : crc >> 1U;
+    }
+  }
+  return ~crc;
+}
+
+TEST(Crc32c, IsThatOfItsDefinitionForEveryLengthAndEveryValue) {
+  std::array<std::byte, 600> bytes{};
+  for (std::size_t i = 0; i < bytes.size(); ++i) {
+    bytes[i] = static_cast<std::byte>(i * 167 + i / 256);
+  }
+  for (std::size_t length = 0; length <= bytes.size(); ++length) {
+    const auto part = std::span{bytes}.last(length);
+    EXPECT_EQ(crc32c(part), slow_crc(part));
+  }
+}
+
 }  // namespace
 }  // namespace fantail::protocol

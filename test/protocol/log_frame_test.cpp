@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+#include "protocol/log_frame.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include "log_bytes.hpp"
+#include "protocol/crc32c.hpp"
+
+namespace fantail::protocol {
+namespace {
+
+std::vector<std::uint32_t> sequences(LogFrameReader& reader) {
+  std::vector<std::uint32_t> found;
+  while (const auto frame = reader.next()) {
+    found.push_back(frame->head.sequence);
+  }
+  return found;
+}
+
+TEST(LogFrame, LiesThereAsItsDocumentationSays) {
+  const std::vector<std::byte> payload{std::byte{0x11}, std::byte{0x22}};
+  const std::vector<std::byte> bytes =
+      frame({.type = 3, .length = 2, .sequence = 0x01020304, .time = core::Microseconds{0x0A0B0C0D0E0F}}, payload);
+  constexpr std::array<std::uint8_t, 16> expected{0xA5, 3,    2,    0,    4,    3,    2,    1,
+                                                  0x0F, 0x0E, 0x0D, 0x0C, 0x0B, 0x0A, 0x11, 0x22};
+  ASSERT_EQ(bytes.size(), expected.size() + 4);
+  EXPECT_TRUE(std::ranges::equal(std::span{bytes}.first(expected.size()), expected, {},
+                                 [](std::byte b) { return std::to_integer<std::uint8_t>(b); }));
+}
+
+TEST(LogFrame, ComesBackWithEverythingInIt) {
+  const std::vector<std::byte> payload(300, std::byte{0x5A});
+  const LogFrameHead head{.type = 9, .length = 300, .sequence = 77, .time = core::Microseconds{(1LL << 48) - 1}};
+  const std::vector<std::byte> bytes = frame(head, payload);
+  LogFrameReader reader{bytes};
+  const auto found = reader.next();
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->head.type, 9);
+  EXPECT_EQ(found->head.sequence, 77U);
+  EXPECT_EQ(found->head.time, head.time);
+  EXPECT_TRUE(std::ranges::equal(found->payload, payload));
+  EXPECT_EQ(found->position, 0U);
+  EXPECT_FALSE(reader.next());
+  EXPECT_EQ(reader.foreign_bytes(), 0U);
+}
+
+TEST(LogFrame, ErasedFlashBetweenFramesIsNothing) {
+  std::vector<std::byte> bytes = frame(1, {});
+  bytes.insert(bytes.end(), 200, std::byte{0xFF});
+  append(bytes, frame(2, {}));
+  LogFrameReader reader{bytes};
+  EXPECT_EQ(sequences(reader), (std::vector<std::uint32_t>{1, 2}));
+  EXPECT_EQ(reader.foreign_bytes(), 0U);
+  EXPECT_EQ(reader.foreign_runs(), 0U);
+}
+
+TEST(LogFrame, WhatComesBetweenFramesIsPassedOverAndCounted) {
+  std::vector<std::byte> bytes(10, std::byte{0x00});
+  append(bytes, frame(1, {}));
+  bytes.insert(bytes.end(), 7, log_sync);
+  append(bytes, frame(2, {}));
+  LogFrameReader reader{bytes};
+  EXPECT_EQ(sequences(reader), (std::vector<std::uint32_t>{1, 2}));
+  EXPECT_EQ(reader.foreign_bytes(), 17U);
+  EXPECT_EQ(reader.foreign_runs(), 2U);
+}
+
+TEST(LogFrame, EverySingleBitThatIsFlippedCostsOneFrameAndNoMore) {
+  std::vector<std::byte> bytes;
+  for (std::uint32_t sequence = 0; sequence < 3; ++sequence) {
+    append(bytes, frame(sequence, std::vector<std::byte>(50, std::byte{0x3C})));
+  }
+  const std::size_t size = bytes.size() / 3;
+  for (std::size_t bit = 0; bit < 8 * bytes.size(); ++bit) {
+    bytes[bit / 8] ^= std::byte{1} << (bit % 8);
+    std::vector<std::uint32_t> expected{0, 1, 2};
+    std::erase(expected, static_cast<std::uint32_t>(bit / 8 / size));
+    LogFrameReader reader{bytes};
+    EXPECT_EQ(sequences(reader), expected) << "bit " << bit;
+    bytes[bit / 8] ^= std::byte{1} << (bit % 8);
+  }
+}
+
+TEST(LogFrame, ACutLeavesTheFramesBeforeIt) {
+  std::vector<std::byte> bytes;
+  for (std::uint32_t sequence = 0; sequence < 3; ++sequence) {
+    append(bytes, frame(sequence, std::vector<std::byte>(50)));
+  }
+  const std::size_t size = bytes.size() / 3;
+  for (std::size_t cut = 0; cut <= bytes.size(); ++cut) {
+    LogFrameReader reader{std::span{bytes}.first(cut)};
+    EXPECT_EQ(sequences(reader).size(), cut / size);
+  }
+}
+
+TEST(LogFrame, AFrameThatClaimsMoreThanAnyHasIsNone) {
+  const std::vector<std::byte> largest = frame(1, std::vector<std::byte>(largest_log_payload));
+  const std::vector<std::byte> larger = frame(1, std::vector<std::byte>(largest_log_payload + 1));
+  LogFrameReader accepts{largest};
+  EXPECT_TRUE(accepts.next());
+  LogFrameReader refuses{larger};
+  EXPECT_FALSE(refuses.next());
+}
+
+// Bytes that mean nothing must not become a record: one in 2^32 candidates would, and these are far fewer.
+RC_GTEST_PROP(LogFrame, NoneIsFoundInNoise, (std::vector<std::uint8_t> noise)) {
+  std::vector<std::byte> bytes(noise.size());
+  std::ranges::transform(noise, bytes.begin(), [](std::uint8_t b) { return b % 3 == 0 ? log_sync : std::byte{b}; });
+  LogFrameReader reader{bytes};
+  RC_ASSERT(!reader.next());
+  RC_ASSERT(reader.position() == bytes.size());
+}
+
+}  // namespace
+}  // namespace fantail::protocol

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: MIT
+#include "protocol/log_tick.hpp"
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include "protocol/little_endian.hpp"
+
+namespace fantail::protocol {
+namespace {
+
+using core::Angle;
+using core::Microseconds;
+
+constexpr Microseconds now{5'000'000};
+
+LogTick some_tick() {
+  return {.time = now,
+          .imu_time = now - Microseconds{120},
+          .rate_counts = {1, -2, 32767},
+          .specific_force_counts = {-32768, 5, 6},
+          .imu_status = DeviceStatus::ok,
+          .accelerometer_time = now - Microseconds{65'534},
+          .accelerometer_counts = {7, 8, -9},
+          .accelerometer_status = DeviceStatus::error,
+          .encoder_counts = {0, 1, 8192, 16383},
+          .encoder_status = {DeviceStatus::ok, DeviceStatus::error, DeviceStatus::no_reading, DeviceStatus::ok},
+          .arm_switch_closed = true,
+          .arm_command = false,
+          .start_command = true,
+          .phase = core::Phase::controlling,
+          .command_status = core::CommandStatus::controlling,
+          .saturated = true,
+          .timing_fault = false,
+          .command = Angle::from_radians(0.12345678F),
+          .canard_commands = {Angle::from_degrees(1.234F), std::nullopt, Angle::from_degrees(-20.0F), Angle{}},
+          .duration_before = Microseconds{321},
+          .digest = 0xDEADBEEF};
+}
+
+TEST(LogTick, ComesBackWithEverythingInIt) {
+  const LogTick tick = some_tick();
+  SampleTimes packing;
+  const PackedTick bytes = pack(tick, packing);
+  SampleTimes unpacking;
+  const auto back = unpack_tick(now, bytes, unpacking);
+  ASSERT_TRUE(back);
+  EXPECT_EQ(back->time, now);
+  EXPECT_EQ(back->imu_time, tick.imu_time);
+  EXPECT_EQ(back->rate_counts, tick.rate_counts);
+  EXPECT_EQ(back->specific_force_counts, tick.specific_force_counts);
+  EXPECT_EQ(back->imu_status, tick.imu_status);
+  EXPECT_EQ(back->accelerometer_time, tick.accelerometer_time);
+  EXPECT_EQ(back->accelerometer_counts, tick.accelerometer_counts);
+  EXPECT_EQ(back->accelerometer_status, tick.accelerometer_status);
+  EXPECT_EQ(back->encoder_counts, tick.encoder_counts);
+  EXPECT_EQ(back->encoder_status, tick.encoder_status);
+  EXPECT_EQ(back->arm_switch_closed, tick.arm_switch_closed);
+  EXPECT_EQ(back->arm_command, tick.arm_command);
+  EXPECT_EQ(back->start_command, tick.start_command);
+  EXPECT_EQ(back->phase, tick.phase);
+  EXPECT_EQ(back->command_status, tick.command_status);
+  EXPECT_EQ(back->saturated, tick.saturated);
+  EXPECT_EQ(back->timing_fault, tick.timing_fault);
+  EXPECT_EQ(back->command, tick.command);
+  EXPECT_EQ(back->duration_before, tick.duration_before);
+  EXPECT_EQ(back->digest, tick.digest);
+}
+
+TEST(LogTick, ACanardsCommandIsKeptToAThousandthOfADegree) {
+  SampleTimes times;
+  const auto back = unpack_tick(now, pack(some_tick(), times), times);
+  ASSERT_TRUE(back);
+  EXPECT_NEAR(back->canard_commands[0]->degrees(), 1.234, 1e-5);
+  EXPECT_FALSE(back->canard_commands[1]);
+  EXPECT_NEAR(back->canard_commands[2]->degrees(), -20.0, 1e-5);
+  EXPECT_EQ(back->canard_commands[3], Angle{});
+}
+
+TEST(LogTick, ASampleThatGoesOnBeingOldKeepsItsTime) {
+  LogTick tick = some_tick();
+  tick.imu_time = Microseconds{1'234};
+  SampleTimes packing;
+  SampleTimes unpacking{.imu = Microseconds{1'234}};  // a checkpoint says so
+  for (int k = 0; k < 3; ++k) {
+    tick.time += Microseconds{1'000};
+    const auto back = unpack_tick(tick.time, pack(tick, packing), unpacking);
+    ASSERT_TRUE(back);
+    EXPECT_EQ(back->imu_time, Microseconds{1'234});
+  }
+}
+
+TEST(LogTick, ASampleBecomesOldWithoutAJump) {
+  LogTick tick = some_tick();
+  const Microseconds measured = tick.imu_time;
+  SampleTimes packing;
+  SampleTimes unpacking;
+  for (int k = 0; k < 200; ++k) {  // through the largest age that has room, 65.5 ms
+    tick.time += Microseconds{1'000};
+    const auto back = unpack_tick(tick.time, pack(tick, packing), unpacking);
+    ASSERT_TRUE(back);
+    ASSERT_EQ(back->imu_time, measured) << k;
+  }
+}
+
+TEST(LogTick, ALongTickIsKeptAsLongAsThereIsRoom) {
+  LogTick tick = some_tick();
+  tick.duration_before = Microseconds{70'000};
+  SampleTimes times;
+  EXPECT_EQ(unpack_tick(now, pack(tick, times), times)->duration_before, Microseconds{65'535});
+}
+
+TEST(LogTick, APayloadOfAnotherSizeIsRefused) {
+  SampleTimes times;
+  const PackedTick bytes = pack(some_tick(), times);
+  EXPECT_FALSE(unpack_tick(now, std::span{bytes}.first(log_tick_size - 1), times));
+  std::vector<std::byte> longer{bytes.begin(), bytes.end()};
+  longer.push_back(std::byte{});
+  EXPECT_FALSE(unpack_tick(now, longer, times));
+}
+
+TEST(LogTick, ValuesThatNoTickHasAreRefused) {
+  const auto accepts = [](std::size_t at, std::uint32_t value, auto width) {
+    SampleTimes times;
+    PackedTick bytes = pack(some_tick(), times);
+    put<decltype(width)::value>(bytes, at, value);
+    return unpack_tick(now, bytes, times).has_value();
+  };
+  constexpr std::integral_constant<std::size_t, 2> two;
+  constexpr std::integral_constant<std::size_t, 4> four;
+  EXPECT_TRUE(accepts(0, 0x0004, two));   // Finished
+  EXPECT_FALSE(accepts(0, 0x0005, two));  // there are five phases
+  EXPECT_FALSE(accepts(0, 0x0060, two));  // and three states of a device
+  EXPECT_FALSE(accepts(24, 0xC000, two));
+  EXPECT_TRUE(accepts(32, 0x3F800000, four));
+  EXPECT_FALSE(accepts(32, 0x7FC00000, four));  // a command that is no number
+}
+
+RC_GTEST_PROP(LogTick, WhatUnpacksPacksToTheSameBytes, ()) {
+  PackedTick bytes{};
+  for (std::byte& byte : bytes) {
+    byte = std::byte{*rc::gen::arbitrary<std::uint8_t>()};
+  }
+  SampleTimes unpacking{.imu = Microseconds{1}, .accelerometer = Microseconds{2}};
+  SampleTimes packing = unpacking;
+  const auto tick = unpack_tick(now, bytes, unpacking);
+  RC_PRE(tick.has_value());
+  PackedTick again = pack(*tick, packing);
+  put<2>(bytes, 0, get<2>(bytes, 0) & 0x3FFFU);  // the two bits that mean nothing
+  RC_ASSERT(again == bytes);
+}
+
+}  // namespace
+}  // namespace fantail::protocol

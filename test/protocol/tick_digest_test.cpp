@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+#include "protocol/tick_digest.hpp"
+
+#include <cstdint>
+#include <set>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace fantail::protocol {
+namespace {
+
+// Every signal by itself, so that none is left out of the list which the digest goes by.
+TEST(TickDigest, ChangesWithEverySignal) {
+  using core::TickRecord;
+  std::vector<void (*)(TickRecord&)> changes{
+      [](TickRecord& r) { r.time = core::Microseconds{1}; },
+      [](TickRecord& r) { r.time = core::Microseconds{std::int64_t{1} << 40U}; },
+      [](TickRecord& r) { r.phase = core::Phase::armed; },
+      [](TickRecord& r) { r.reason = core::PhaseReason::apogee; },
+      [](TickRecord& r) { r.detection = core::DetectionState::holding; },
+      [](TickRecord& r) { r.command_status = core::CommandStatus::gyro_lost; },
+      [](TickRecord& r) { r.timing_fault = true; },
+      [](TickRecord& r) { r.motion.roll_angle = core::Angle::from_radians(1.0F); },
+      [](TickRecord& r) { r.motion.roll_rate_rad_s = 1.0F; },
+      [](TickRecord& r) { r.motion.specific_force_m_s2.x = 1.0F; },
+      [](TickRecord& r) { r.motion.specific_force_m_s2.y = 1.0F; },
+      [](TickRecord& r) { r.motion.specific_force_m_s2.z = 1.0F; },
+      [](TickRecord& r) { r.motion.height_m = 1.0F; },
+      [](TickRecord& r) { r.motion.distance_along_guide_m = 1.0F; },
+      [](TickRecord& r) { r.motion.speed_m_s = 1.0F; },
+      [](TickRecord& r) { r.motion.vertical_speed_m_s = 1.0F; },
+      [](TickRecord& r) { r.motion.tilt = core::Angle::from_radians(1.0F); },
+      [](TickRecord& r) { r.motion.gyro = core::SensorState::fresh; },
+      [](TickRecord& r) { r.motion.accelerometer = core::SensorState::fresh; },
+      [](TickRecord& r) { r.motion.at_rest_for = core::Microseconds{1}; },
+      [](TickRecord& r) { r.motion.thrust_since = core::Microseconds{1}; },
+      [](TickRecord& r) { r.reference = core::Angle::from_radians(1.0F); },
+      [](TickRecord& r) { r.excitation = core::Angle::from_radians(1.0F); },
+      [](TickRecord& r) { r.unclamped_command = core::Angle::from_radians(1.0F); },
+      [](TickRecord& r) { r.command = core::Angle::from_radians(1.0F); },
+      [](TickRecord& r) { r.saturated = true; },
+      [](TickRecord& r) { r.canard_angle = core::Angle{}; },
+      [](TickRecord& r) { r.canard_angle = core::Angle::from_radians(1.0F); },
+  };
+  std::set<std::uint32_t> digests{tick_digest(TickRecord{})};
+  for (const auto change : changes) {
+    TickRecord record;
+    change(record);
+    digests.insert(tick_digest(record));
+  }
+  std::size_t expected = changes.size() + 1;
+  for (std::size_t i = 0; i < core::canard_count; ++i) {
+    const auto with = [&](auto change) {
+      TickRecord record;
+      change(record);
+      digests.insert(tick_digest(record));
+      expected += 1;
+    };
+    with([i](TickRecord& r) { r.canards[i].angle = core::Angle::from_radians(1.0F); });
+    with([i](TickRecord& r) { r.canards[i].pulse_us = 1.0F; });
+    with([i](TickRecord& r) { r.canards[i].driven = true; });
+    with([i](TickRecord& r) { r.canards[i].limited = true; });
+    with([i](TickRecord& r) { r.encoders[i] = core::Angle{}; });
+    with([i](TickRecord& r) { r.encoders[i] = core::Angle::from_radians(1.0F); });
+    with([i](TickRecord& r) { r.verdicts[i] = core::CanardVerdict::dead; });
+  }
+  EXPECT_EQ(digests.size(), expected);
+}
+
+TEST(TickDigest, TellsTheTwoZerosApart) {
+  core::TickRecord negative;
+  negative.command = core::Angle::from_radians(-0.0F);
+  EXPECT_NE(tick_digest(negative), tick_digest(core::TickRecord{}));
+}
+
+}  // namespace
+}  // namespace fantail::protocol
