@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+#include "avionics/log_tick_of.hpp"
+
+#include "avionics/sensor_scaling.hpp"
+#include "protocol/tick_digest.hpp"
+
+namespace fantail::avionics {
+namespace {
+
+// The two enumerations say the same; the protocol knows no hardware layer.
+protocol::DeviceStatus to_log(hal::Status status) {
+  switch (status) {
+    case hal::Status::ok: return protocol::DeviceStatus::ok;
+    case hal::Status::error: return protocol::DeviceStatus::error;
+    case hal::Status::no_reading: break;
+  }
+  return protocol::DeviceStatus::no_reading;
+}
+
+hal::Status from_log(protocol::DeviceStatus status) {
+  switch (status) {
+    case protocol::DeviceStatus::ok: return hal::Status::ok;
+    case protocol::DeviceStatus::error: return hal::Status::error;
+    case protocol::DeviceStatus::no_reading: break;
+  }
+  return hal::Status::no_reading;
+}
+
+}  // namespace
+
+protocol::LogTick log_tick_of(const core::TickRecord& record, const RawSamples& raw, const core::Inputs& inputs,
+                              core::Microseconds duration_before) {
+  protocol::LogTick tick{
+      .time = inputs.time,
+      .imu_time = raw.imu.time,
+      .rate_counts = raw.imu.rate,
+      .specific_force_counts = raw.imu.specific_force,
+      .imu_status = to_log(raw.imu.status),
+      .accelerometer_time = raw.accelerometer.time,
+      .accelerometer_counts = raw.accelerometer.specific_force,
+      .accelerometer_status = to_log(raw.accelerometer.status),
+      .arm_switch_closed = inputs.arm_switch_closed,
+      .arm_command = inputs.arm_command,
+      .start_command = inputs.start_command,
+      .phase = record.phase,
+      .command_status = record.command_status,
+      .saturated = record.saturated,
+      .timing_fault = record.timing_fault,
+      .command = record.command,
+      .duration_before = duration_before,
+      .digest = protocol::tick_digest(record),
+  };
+  for (std::size_t i = 0; i < core::canard_count; ++i) {
+    const hal::EncoderSample& encoder = raw.encoders.each[i];
+    // A count that one turn does not have is no reading, and 14 bits could not say so.
+    const bool on_the_turn = encoder.counts < hal::encoder_counts_per_turn;
+    tick.encoder_counts[i] = on_the_turn ? encoder.counts : std::uint16_t{0};
+    tick.encoder_status[i] =
+        on_the_turn || encoder.status != hal::Status::ok ? to_log(encoder.status) : protocol::DeviceStatus::error;
+    if (record.canards[i].driven) {
+      tick.canard_commands[i] = record.canards[i].angle;
+    }
+  }
+  return tick;
+}
+
+RawSamples raw_samples_of(const protocol::LogTick& tick) {
+  RawSamples raw{
+      .imu = {.time = tick.imu_time,
+              .rate = tick.rate_counts,
+              .specific_force = tick.specific_force_counts,
+              .status = from_log(tick.imu_status)},
+      .accelerometer = {.time = tick.accelerometer_time,
+                        .specific_force = tick.accelerometer_counts,
+                        .status = from_log(tick.accelerometer_status)},
+      .encoders = {.time = tick.time},
+  };
+  for (std::size_t i = 0; i < core::canard_count; ++i) {
+    raw.encoders.each[i] = {.counts = tick.encoder_counts[i], .status = from_log(tick.encoder_status[i])};
+  }
+  return raw;
+}
+
+core::Inputs inputs_of(const protocol::LogTick& tick, const SampleScales& scales, const core::CanardsPlan& canards) {
+  const RawSamples raw = raw_samples_of(tick);
+  return {
+      .time = tick.time,
+      .gyro = gyro_sample(raw.imu, scales.imu),
+      .accelerometers = {accelerometer_sample(raw.imu.time, raw.imu.specific_force, raw.imu.status,
+                                              scales.imu.specific_force_m_s2),
+                         accelerometer_sample(raw.accelerometer.time, raw.accelerometer.specific_force,
+                                              raw.accelerometer.status, scales.accelerometer_m_s2)},
+      .encoders = encoder_angles(raw.encoders, canards),
+      .arm_switch_closed = tick.arm_switch_closed,
+      .arm_command = tick.arm_command,
+      .start_command = tick.start_command,
+      .canard_request = std::nullopt,
+  };
+}
+
+}  // namespace fantail::avionics

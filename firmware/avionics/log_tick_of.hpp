@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "core/flight_plan.hpp"
+#include "core/inputs.hpp"
+#include "core/tick_record.hpp"
+#include "hal/accelerometer.hpp"
+#include "hal/encoder.hpp"
+#include "hal/imu.hpp"
+#include "protocol/log_tick.hpp"
+
+namespace fantail::avionics {
+
+// Between what the devices gave and what a flight log keeps, in one place, so that a replay feeds the flight law with
+// the flight's own inputs.
+
+/// What the devices gave in one tick.
+struct RawSamples {
+  hal::ImuSample imu;
+  hal::AccelerometerSample accelerometer;
+  hal::EncoderReading encoders;
+};
+
+/// What a count of each device stands for.
+struct SampleScales {
+  hal::ImuScale imu{};
+  float accelerometer_m_s2 = 0.0F;
+};
+
+/// A tick as a log keeps it. `inputs` are those that made `record`, without which a replay could not make it again.
+[[nodiscard]] protocol::LogTick log_tick_of(const core::TickRecord& record, const RawSamples& raw,
+                                            const core::Inputs& inputs, core::Microseconds duration_before);
+
+/// What the devices gave, as far as the flight law can tell.
+[[nodiscard]] RawSamples raw_samples_of(const protocol::LogTick& tick);
+
+/// Everything that the flight law may know of this tick. (A canard request is obeyed in Safe only, and no log has one.)
+[[nodiscard]] core::Inputs inputs_of(const protocol::LogTick& tick, const SampleScales& scales,
+                                     const core::CanardsPlan& canards);
+
+}  // namespace fantail::avionics
