@@ -15,6 +15,7 @@
 #include "hal/linux/can_bus.hpp"
 #include "report/output_folder.hpp"
 #include "sim/input_error.hpp"
+#include "telemetry/url.hpp"
 
 namespace {
 
@@ -83,6 +84,8 @@ ExitCode run(int argc, char** argv) {
   } catch (const fantail::hal::on_linux::CanError& error) {
     return complain(error, ExitCode::input_output);
   } catch (const fantail::bench::LinkError& error) {
+    return complain(error, ExitCode::input_output);
+  } catch (const fantail::telemetry::TelemetryError& error) {
     return complain(error, ExitCode::input_output);
   } catch (const std::system_error& error) {
     return output_was_taken() ? complain(error, ExitCode::input_output) : complain_about_output();

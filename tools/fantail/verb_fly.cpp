@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "fantail/interrupt.hpp"
+#include "fantail/lcm_output.hpp"
 #include "fantail/progress.hpp"
 #include "fantail/scenario_options.hpp"
 #include "fantail/verbs.hpp"
@@ -20,6 +21,7 @@ namespace {
 struct FlyOptions {
   ScenarioOptions scenario{.scenario = "tasha3_launch2", .seed = {}, .changes = {}};
   std::string out;
+  std::string lcm;
   bool json = false;
 };
 
@@ -54,18 +56,24 @@ void print_summary(const report::Flight& flight, const report::Results& results)
   print_figure("saturated", percent ? std::optional{100.0 * *percent} : std::nullopt, "{:.1f} % of control time");
 }
 
-report::Flight fly_and_show(const sim::Scenario& scenario) {
+report::Flight fly_and_show(const sim::Scenario& scenario, LcmOutput& lcm) {
   Progress progress{"flying " + scenario.name,
                     {.unit = "s", .rate = " x real time", .total = fly::expected_length_s(scenario)}};
-  return fly::fly_scenario(scenario, [&progress](double simulated_s) {
+  const auto look = [&progress](double simulated_s) {
     give_up_if_interrupted();
     progress.show(simulated_s);
-  });
+  };
+  if (!lcm.is_on()) {
+    return fly::fly_scenario(scenario, look);
+  }
+  const telemetry::Surroundings surroundings{.limits_rad = telemetry::limits_of(scenario.plan)};
+  return fly::fly_scenario(scenario, look, [&](const core::TickRecord& record) { lcm.report(record, surroundings); });
 }
 
 void fly_and_report(const FlyOptions& options) {
   const sim::Scenario scenario = load(options.scenario);
-  const report::Flight flight = fly_and_show(scenario);
+  LcmOutput lcm{options.lcm};
+  const report::Flight flight = fly_and_show(scenario, lcm);
   const report::Results results = report::results(flight);
   const std::filesystem::path folder =
       options.out.empty() ? std::filesystem::path{"out"} / scenario.name : std::filesystem::path{options.out};
@@ -73,10 +81,14 @@ void fly_and_report(const FlyOptions& options) {
   report::write_results(flight, results, folder);
   if (options.json) {
     fmt::print("{}", results.summary);
+    (void)lcm.finish();
     return;
   }
   print_summary(flight, results);
   fmt::print("\n  report  {}\n  data    {}\n", (folder / "report.html").string(), (folder / "flight.csv").string());
+  if (const std::string sent = lcm.finish(); !sent.empty()) {
+    fmt::print("  lcm     {}\n", sent);
+  }
 }
 
 }  // namespace
@@ -88,6 +100,7 @@ void add_fly(CLI::App& program) {
   verb->add_option("--out", options->out,
                    "Folder for flight.csv, summary.json, report.html and, of a tunnel run, tunnel.csv [out/SCENARIO]")
       ->check(objection_to_folder);
+  add_lcm_option(*verb, options->lcm, "Publish the flight as LCM messages");
   verb->add_flag("--json", options->json, "Print summary.json instead of the text");
   verb->footer(
       "Examples:\n"

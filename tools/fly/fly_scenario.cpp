@@ -93,7 +93,7 @@ std::optional<double> expected_length_s(const sim::Scenario& scenario) {
   return scenario.pad_time_s + in_seconds(scenario.plan.run.control_time) + scenario.time_after_end_s;
 }
 
-report::Flight fly_scenario(const sim::Scenario& scenario, const Look& look) {
+report::Flight fly_scenario(const sim::Scenario& scenario, const Look& look, const Observe& observe) {
   constexpr std::int64_t ticks_between_looks = 1024;
   const std::int64_t ticks_per_row = std::llround(scenario.log_period_s * 1e3);
   report::Flight flight = describe(scenario);
@@ -101,6 +101,9 @@ report::Flight fly_scenario(const sim::Scenario& scenario, const Look& look) {
   bool was_armed = false;
   for (std::int64_t ticks = 0; !world.over(); ++ticks) {
     const core::TickRecord& record = world.tick();
+    if (observe) {
+      observe(record);
+    }
     was_armed = was_armed || record.phase != core::Phase::safe;
     const double time_s = in_seconds(world.now());
     if (ticks % ticks_per_row == 0) {

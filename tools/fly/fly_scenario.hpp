@@ -4,6 +4,7 @@
 #include <functional>
 #include <optional>
 
+#include "core/tick_record.hpp"
 #include "report/flight.hpp"
 #include "sim/scenario.hpp"
 
@@ -12,8 +13,12 @@ namespace fantail::fly {
 /// Called about once a simulated second, with the seconds since power-up. What it throws ends the flight.
 using Look = std::function<void(double simulated_s)>;
 
+/// Called with every tick, in order, for who wants more than the flight keeps.
+using Observe = std::function<void(const core::TickRecord& record)>;
+
 /// Flies a scenario to its end and keeps every tick, or as many as it says. Safe to call from several threads.
-[[nodiscard]] report::Flight fly_scenario(const sim::Scenario& scenario, const Look& look = {});
+[[nodiscard]] report::Flight fly_scenario(const sim::Scenario& scenario, const Look& look = {},
+                                          const Observe& observe = {});
 
 /// Seconds from power-up to the end, where they are known beforehand: in the tunnel.
 [[nodiscard]] std::optional<double> expected_length_s(const sim::Scenario& scenario);

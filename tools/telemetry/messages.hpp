@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+#include "core/flight_phase.hpp"
+#include "core/tick_record.hpp"
+#include "hal/can_bus.hpp"
+
+namespace fantail::telemetry {
+
+// What the LCM messages of types/*.lcm say, in the words of the program: what is not known is empty here and NaN or -1
+// on the wire. The channel's name is that of the struct: FANTAIL_STATE, FANTAIL_CANARDS, FANTAIL_EVENT, FANTAIL_HEALTH.
+
+enum class Channel : std::uint8_t { state, canards, event, health };
+inline constexpr std::size_t channel_count = 4;
+
+template <typename Value>
+using Each = std::array<Value, core::canard_count>;
+
+/// What every message begins with.
+struct Stamp {
+  std::int64_t run = 0;       ///< the sender, from its start to its end
+  std::int64_t sequence = 0;  ///< of the channel: 0, 1, 2, ...
+  core::Microseconds time{};  ///< since the avionics was switched on
+  friend bool operator==(const Stamp&, const Stamp&) = default;
+};
+
+struct State {
+  core::Phase phase = core::Phase::safe;
+  core::PhaseReason reason = core::PhaseReason::power_on;
+  core::CommandStatus command_status = core::CommandStatus::outside_control;
+  bool timing_fault = false;
+  bool saturated = false;
+  std::optional<double> roll_angle_rad{};
+  std::optional<double> roll_rate_rad_s{};
+  std::optional<double> reference_rad{};
+  std::optional<double> excitation_rad{};
+  std::optional<double> unclamped_command_rad{};
+  std::optional<double> command_rad{};
+  std::optional<double> specific_force_m_s2{};  ///< along the rocket's axis
+  std::optional<double> height_m{};
+  std::optional<double> speed_m_s{};
+  std::optional<double> vertical_speed_m_s{};
+  std::optional<double> tilt_rad{};
+  friend bool operator==(const State&, const State&) = default;
+};
+
+struct Canards {
+  Each<std::optional<double>> command_rad{};  ///< empty: not driven
+  Each<std::optional<double>> encoder_rad{};
+  Each<std::optional<double>> limit_rad{};
+  std::optional<double> canard_rad{};  ///< mean of the encoders
+  Each<bool> limited{};
+  Each<std::optional<core::CanardVerdict>> verdicts{};
+  friend bool operator==(const Canards&, const Canards&) = default;
+};
+
+/// The phase or the verdict on one canard has changed: one of the two is there.
+struct Event {
+  struct PhaseChange {
+    core::Phase before = core::Phase::safe;
+    core::Phase phase = core::Phase::safe;
+    core::PhaseReason reason = core::PhaseReason::power_on;
+    friend bool operator==(const PhaseChange&, const PhaseChange&) = default;
+  };
+  struct VerdictChange {
+    std::size_t canard = 0;  ///< 0 to 3
+    core::CanardVerdict before = core::CanardVerdict::healthy;
+    core::CanardVerdict verdict = core::CanardVerdict::healthy;
+    friend bool operator==(const VerdictChange&, const VerdictChange&) = default;
+  };
+  std::optional<PhaseChange> phase{};
+  std::optional<VerdictChange> verdict{};
+  friend bool operator==(const Event&, const Event&) = default;
+};
+
+struct Health {
+  /// One end of a CAN bus.
+  struct Bus {
+    hal::CanState state = hal::CanState::error_active;
+    std::int64_t unsent = 0;
+    std::int64_t overrun = 0;
+    std::int64_t errors = 0;
+    friend bool operator==(const Bus&, const Bus&) = default;
+  };
+  /// How well a gateway hears the avionics.
+  struct Gateway {
+    hal::CanState state = hal::CanState::error_active;
+    std::int64_t frames = 0;
+    std::int64_t lost = 0;
+    std::int64_t damaged = 0;
+    std::int64_t foreign = 0;
+    std::int64_t overrun = 0;
+    friend bool operator==(const Gateway&, const Gateway&) = default;
+  };
+  core::SensorState gyro = core::SensorState::failed;
+  core::SensorState accelerometer = core::SensorState::failed;
+  Each<core::CanardVerdict> verdicts{};
+  bool timing_fault = false;
+  std::optional<double> longest_tick_s{};    ///< in the last 0.1 s
+  std::optional<std::int64_t> late_ticks{};  ///< since the start
+  std::optional<Bus> bus{};
+  std::optional<Gateway> gateway{};
+  friend bool operator==(const Health&, const Health&) = default;
+};
+
+}  // namespace fantail::telemetry

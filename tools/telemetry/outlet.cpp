@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#include "telemetry/outlet.hpp"
+
+#include <cerrno>
+#include <cstring>
+#include <string>
+
+#include <lcm/lcm.h>
+
+namespace fantail::telemetry {
+namespace {
+
+class NetworkOutlet final : public Outlet {
+ public:
+  explicit NetworkOutlet(const Url& url) {
+    require_route(url);
+    lcm_.reset(lcm_create(url.text().c_str()));
+    if (!lcm_) {
+      throw TelemetryError{url.text() + ": LCM could not be started; its own words stand above"};
+    }
+  }
+  bool put(const Packet& packet) override {
+    const std::string channel{name(packet.channel)};
+    return lcm_publish(lcm_.get(), channel.c_str(), packet.bytes.data(), static_cast<unsigned>(packet.size)) >= 0;
+  }
+  bool close() override { return true; }
+  // A receiver's buffer holds a few hundred packets, and a simulated flight is over in a moment.
+  [[nodiscard]] std::optional<int> most_per_second() const override { return 10'000; }
+
+ private:
+  struct Destroy {
+    void operator()(lcm_t* lcm) const { lcm_destroy(lcm); }
+  };
+  std::unique_ptr<lcm_t, Destroy> lcm_;
+};
+
+// Not LCM's own file outlet: that one does not notice a full disk, and its clock is that of the computer, on which a
+// simulated flight is over in a moment.
+class FileOutlet final : public Outlet {
+ public:
+  explicit FileOutlet(const std::string& path) : log_{lcm_eventlog_create(path.c_str(), "w")} {
+    if (!log_) {
+      throw TelemetryError{path + ": " + std::strerror(errno)};
+    }
+  }
+  bool put(const Packet& packet) override {
+    std::string channel{name(packet.channel)};
+    auto bytes = packet.bytes;
+    lcm_eventlog_event_t event{.eventnum = 0,
+                               .timestamp = packet.time.count(),
+                               .channellen = static_cast<std::int32_t>(channel.size()),
+                               .datalen = static_cast<std::int32_t>(packet.size),
+                               .channel = channel.data(),
+                               .data = bytes.data()};
+    return lcm_eventlog_write_event(log_.get(), &event) == 0;
+  }
+  bool close() override { return std::fflush(log_->f) == 0 && std::ferror(log_->f) == 0; }
+  [[nodiscard]] std::optional<int> most_per_second() const override { return std::nullopt; }
+
+ private:
+  struct Destroy {
+    void operator()(lcm_eventlog_t* log) const { lcm_eventlog_destroy(log); }
+  };
+  std::unique_ptr<lcm_eventlog_t, Destroy> log_;
+};
+
+}  // namespace
+
+std::unique_ptr<Outlet> open_outlet(const Url& url) {
+  if (url.is_file()) {
+    return std::make_unique<FileOutlet>(url.path());
+  }
+  return std::make_unique<NetworkOutlet>(url);
+}
+
+}  // namespace fantail::telemetry

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <thread>
+
+#include "telemetry/outlet.hpp"
+#include "telemetry/packet_queue.hpp"
+#include "telemetry/sink.hpp"
+
+namespace fantail::telemetry {
+
+struct PublisherFigures {
+  std::uint64_t published = 0;
+  std::uint64_t dropped = 0;  ///< no room in the queue
+  std::uint64_t failed = 0;   ///< not taken by the network or the disk
+  bool complete = true;       ///< false: the disk has lost some of what it took
+};
+
+/// Publishes from a thread of its own, so that whoever flies never waits: not for a network, not for a disk.
+class Publisher final : public Sink {
+ public:
+  /// All messages of 75 s of flight.
+  static constexpr std::size_t queue_size = 16'384;
+
+  explicit Publisher(std::unique_ptr<Outlet> outlet, std::size_t most_waiting = queue_size);
+  /// What still waits is thrown away.
+  ~Publisher() override;
+
+  /// For one thread.
+  void send(const Packet& packet) override;
+
+  /// Waits until all that was sent has gone its way, and stops. At a full queue to the network that takes 1.6 s.
+  PublisherFigures finish();
+
+ private:
+  void work();
+  void publish_batch(std::size_t most);
+
+  std::unique_ptr<Outlet> outlet_;
+  PacketQueue queue_;
+  PublisherFigures figures_;  ///< `dropped` belongs to the caller, the others to the thread until it has ended
+  std::atomic<bool> finish_ = false;
+  std::atomic<bool> give_up_ = false;
+  std::thread thread_;
+};
+
+}  // namespace fantail::telemetry
