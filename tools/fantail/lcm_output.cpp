@@ -6,8 +6,7 @@
 namespace fantail::tool {
 
 CLI::Option* add_lcm_option(CLI::App& verb, std::string& url, const std::string& meaning) {
-  return verb
-      .add_option("--lcm", url, meaning + ": udpm://239.255.76.67:7667 (LCM's default), or a log, file:///PATH")
+  return verb.add_option("--lcm", url, meaning + ": udpm://239.255.76.67:7667 (LCM's default), or a log, file:///PATH")
       ->check(CLI::Validator{telemetry::objection_to_url, ""})
       ->type_name("URL");
 }

@@ -35,7 +35,7 @@ struct RawRecord {
   std::vector<std::byte> payload;
 };
 
-/// Where records are missing: those between two that are there.
+/// Where records are missing: those between two that are there, or those before the first (then `before` is `after`).
 struct Gap {
   std::uint32_t first_missing = 0;
   std::uint32_t count = 0;
@@ -71,8 +71,13 @@ struct Flight {
   std::vector<protocol::LogHealth> health;
 
   std::size_t records = 0;  ///< intact ones, of any type
+  /// Of those: of a type, a size or a value that this version does not know.
   std::size_t unknown_records = 0;
+  /// Sequences of the ticks among them: a replay cannot go past one.
+  std::vector<std::uint32_t> unknown_ticks;
   std::vector<Gap> gaps;
+  core::Microseconds first_time{};  ///< of the first and the last record
+  core::Microseconds last_time{};
 };
 
 /// A file of flights: what a board's flash held, or one flight of it.
@@ -81,17 +86,23 @@ struct LogFile {
   std::size_t bytes = 0;
   std::size_t foreign_bytes = 0;  ///< in no intact record, and not erased flash
   std::size_t foreign_runs = 0;
-  std::vector<Flight> flights;  ///< in the order of the file; none when it holds no intact record
+  std::size_t cut_off_bytes = 0;     ///< of the foreign ones, those after the last intact record
+  std::vector<Flight> flights;       ///< in the order of the file; none when it holds no intact record
+  std::size_t records_left_out = 0;  ///< what follows the flight number most_flights
 };
 
 /// No log is longer: 16 MiB is all that the flash holds.
 inline constexpr std::size_t most_log_bytes = std::size_t{1} << 29;
 
+/// Nor has any so many flights; bytes that are made to look like it must not take all memory.
+inline constexpr std::size_t most_flights = 1000;
+
 /// Whatever bytes it is given: takes memory in proportion to them, and saves what can be saved.
 [[nodiscard]] LogFile parse_log(std::span<const std::byte> bytes, std::string name);
 
-/// Throws sim::InputError: no_such_input; bad_data for a file that holds no intact record at all (saying what it looks
-/// like instead, where that is known) or more than most_log_bytes; std::system_error for one that cannot be read.
+/// A folder stands for the flight.ftl in it. Throws sim::InputError: no_such_input; bad_data for a file that holds no
+/// intact record at all (saying what it looks like instead) or more than most_log_bytes; std::system_error for one that
+/// cannot be read.
 [[nodiscard]] LogFile read_log_file(const std::filesystem::path& path);
 
 }  // namespace fantail::flight_log

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -28,7 +29,13 @@ struct Regeneration {
   std::optional<Difference> first_difference;
   std::size_t differing = 0;  ///< ticks
   std::string obstacle;       ///< a sentence when nothing could be replayed: no header, another law, no checkpoint
+
+  /// Every tick that is there was replayed and gave what was recorded.
+  [[nodiscard]] bool complete_and_equal() const { return compared > 0 && unreachable == 0 && differing == 0; }
 };
+
+/// What the checkpoints of this program's flight law are known by.
+[[nodiscard]] std::uint32_t state_layout();
 
 /// Runs the recorded inputs through the flight law, from every checkpoint that follows a gap on, and compares each tick
 /// with what was recorded, byte for byte. `plan` is flight.plan, or a changed one: then the inputs are still those of

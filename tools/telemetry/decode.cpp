@@ -96,10 +96,8 @@ Health content(const fantail_lcm::health_t& message, WordReader& words) {
     health.late_ticks = message.late_ticks;
   }
   if (const auto state = words.read_if_known(message.bus_state, CanState::down)) {
-    health.bus = Health::Bus{.state = *state,
-                             .unsent = message.bus_unsent,
-                             .overrun = message.bus_overrun,
-                             .errors = message.bus_errors};
+    health.bus = Health::Bus{
+        .state = *state, .unsent = message.bus_unsent, .overrun = message.bus_overrun, .errors = message.bus_errors};
   }
   if (const auto state = words.read_if_known(message.gateway_bus_state, CanState::down)) {
     health.gateway = Health::Gateway{.state = *state,
@@ -119,10 +117,9 @@ std::optional<Decoded> decoded(std::span<const std::byte> bytes) {
     return std::nullopt;
   }
   WordReader words;
-  Decoded result{.stamp = {.run = message->run,
-                           .sequence = message->sequence,
-                           .time = core::Microseconds{message->time_us}},
-                 .content = content(*message, words)};
+  Decoded result{
+      .stamp = {.run = message->run, .sequence = message->sequence, .time = core::Microseconds{message->time_us}},
+      .content = content(*message, words)};
   return words.all_known() ? std::optional{result} : std::nullopt;
 }
 

@@ -31,9 +31,7 @@ class PacketQueue {
     const std::size_t begin = begin_.load(std::memory_order_relaxed);
     return begin == end_.load(std::memory_order_acquire) ? nullptr : &places_[begin];
   }
-  void pop() {
-    begin_.store((begin_.load(std::memory_order_relaxed) + 1) % places_.size(), std::memory_order_release);
-  }
+  void pop() { begin_.store((begin_.load(std::memory_order_relaxed) + 1) % places_.size(), std::memory_order_release); }
 
  private:
   std::vector<Packet> places_;

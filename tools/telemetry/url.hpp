@@ -20,8 +20,8 @@ class Url {
 
   [[nodiscard]] const std::string& text() const { return text_; }
   [[nodiscard]] bool is_file() const { return !path_.empty(); }
-  [[nodiscard]] const std::string& path() const { return path_; }       ///< of a file, without options
-  [[nodiscard]] const std::string& address() const { return address_; } ///< of a network
+  [[nodiscard]] const std::string& path() const { return path_; }        ///< of a file, without options
+  [[nodiscard]] const std::string& address() const { return address_; }  ///< of a network
   [[nodiscard]] std::uint16_t port() const { return port_; }
 
  private:

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+#include "flight_log/integrity.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace fantail::flight_log {
+namespace {
+
+std::string counted(std::uint64_t number, std::string_view noun) {
+  return fmt::format("{} {}{}", number, noun, number == 1 ? "" : "s");
+}
+
+}  // namespace
+
+std::uint64_t lost_records(const Flight& flight) {
+  std::uint64_t lost = 0;
+  for (const Gap& gap : flight.gaps) {
+    lost += gap.count;
+  }
+  return lost;
+}
+
+std::uint64_t dropped_ticks(const Flight& flight) {
+  std::uint64_t dropped = 0;
+  for (const protocol::LogEvent& event : flight.events) {
+    dropped += event.kind == protocol::LogEventKind::records_dropped ? event.number : 0;
+  }
+  return dropped;
+}
+
+bool has_end(const Flight& flight) {
+  return std::ranges::any_of(flight.events,
+                             [](const auto& e) { return e.kind == protocol::LogEventKind::recording_ended; });
+}
+
+bool intact(const Flight& flight) { return flight.gaps.empty() && flight.has_header; }
+
+bool intact(const LogFile& file) {
+  return !file.flights.empty() && file.foreign_bytes == file.cut_off_bytes && file.records_left_out == 0 &&
+         std::ranges::all_of(file.flights, [](const Flight& flight) { return intact(flight); });
+}
+
+std::string integrity_words(const Flight& flight) {
+  std::string text;
+  if (!flight.gaps.empty()) {
+    text = fmt::format("damaged: {} lost in {}, {} left", counted(lost_records(flight), "record"),
+                       counted(flight.gaps.size(), "gap"), flight.records);
+  } else {
+    text = fmt::format("{}: {}, none missing", flight.has_header ? "intact" : "damaged",
+                       counted(flight.records, "record"));
+  }
+  if (!flight.has_header) {
+    text += "; no header, and so neither plan nor scales";
+  }
+  if (!has_end(flight)) {
+    text += "; the recording has no end: it was cut off";
+  }
+  if (flight.unknown_records > 0) {
+    text += fmt::format("; {} of a kind that this version does not know", counted(flight.unknown_records, "record"));
+  }
+  return text;
+}
+
+std::string foreign_words(const LogFile& file) {
+  if (file.foreign_bytes == 0) {
+    return {};
+  }
+  std::string text = fmt::format("{} in {} belong to no intact record", counted(file.foreign_bytes, "byte"),
+                                 counted(file.foreign_runs, "place"));
+  if (file.cut_off_bytes > 0) {
+    text += fmt::format("; {} of them at the end, where the last record was cut off", file.cut_off_bytes);
+  }
+  return text;
+}
+
+std::string replay_words(const Flight& flight, const Regeneration& regeneration) {
+  if (!regeneration.obstacle.empty()) {
+    return "not possible: " + regeneration.obstacle;
+  }
+  std::string text;
+  if (const auto& difference = regeneration.first_difference) {
+    const LoggedTick& tick = flight.ticks[difference->tick];
+    text = fmt::format("differs: {} of {}; first at {:.6f} s (tick {}): {} was {}, replayed {}",
+                       counted(regeneration.differing, "tick"), regeneration.compared,
+                       1e-6 * static_cast<double>(tick.tick.time.count()), difference->tick, difference->field,
+                       difference->recorded, difference->replayed);
+  } else {
+    text = fmt::format("equal: {} replayed, every output byte as recorded", counted(regeneration.compared, "tick"));
+  }
+  if (regeneration.unreachable > 0) {
+    text += fmt::format("; {} after a gap, before the next checkpoint, could not be replayed",
+                        counted(regeneration.unreachable, "tick"));
+  }
+  return text;
+}
+
+}  // namespace fantail::flight_log

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "flight_log/flight_log.hpp"
+#include "flight_log/regenerate.hpp"
+
+namespace fantail::flight_log {
+
+[[nodiscard]] std::uint64_t lost_records(const Flight& flight);
+/// Ticks that found no room in the recorder's queue, as far as its events say.
+[[nodiscard]] std::uint64_t dropped_ticks(const Flight& flight);
+/// Did the recorder end the recording itself? A log without this end was cut off: by power lost on impact, mostly.
+[[nodiscard]] bool has_end(const Flight& flight);
+
+/// Every record from the first to the last that was written is there. A log that was merely cut off is intact as far as
+/// it goes.
+[[nodiscard]] bool intact(const Flight& flight);
+/// Likewise of all flights, with no bytes between them that belong to no record.
+[[nodiscard]] bool intact(const LogFile& file);
+
+/// "intact: 31 250 records, none missing".
+[[nodiscard]] std::string integrity_words(const Flight& flight);
+/// "342 bytes in 3 places belong to no intact record". Empty when there are none.
+[[nodiscard]] std::string foreign_words(const LogFile& file);
+/// "equal: all 30 000 ticks replayed, every output byte as recorded".
+[[nodiscard]] std::string replay_words(const Flight& flight, const Regeneration& regeneration);
+
+}  // namespace fantail::flight_log

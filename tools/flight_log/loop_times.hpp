@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <optional>
+
+#include "flight_log/flight_log.hpp"
+
+namespace fantail::flight_log {
+
+/// How long the ticks of a flight took, and how regularly they came.
+struct LoopTimes {
+  std::size_t ticks = 0;  ///< whose duration is known: each stands in the tick after it
+  double mean_us = 0.0;
+  double p99_us = 0.0;  ///< the smallest duration that 99 of 100 ticks do not exceed
+  double longest_us = 0.0;
+  std::size_t late = 0;          ///< ticks that took a millisecond or more, and so delayed the next
+  double longest_step_us = 0.0;  ///< between the beginnings of two ticks with no gap between them
+};
+
+/// Empty for a flight without ticks of this version.
+[[nodiscard]] std::optional<LoopTimes> loop_times(const Flight& flight);
+
+}  // namespace fantail::flight_log

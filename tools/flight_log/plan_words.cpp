@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#include "flight_log/plan_words.hpp"
+
+#include <fmt/format.h>
+
+#include "sim/input_error.hpp"
+#include "sim/plan_file.hpp"
+#include "sim/shipped.hpp"
+
+namespace fantail::flight_log {
+namespace {
+
+bool has_checksum(const std::string& shipped, std::uint32_t checksum) {
+  try {
+    const auto file = sim::find_input(sim::Shipped::plan, shipped);
+    return protocol::plan_crc(sim::read_plan(sim::Document::load(file))) == checksum;
+  } catch (const sim::InputError&) {
+    return false;  // somebody is at work on that file; it is not what was asked for
+  }
+}
+
+}  // namespace
+
+std::string words(const protocol::PlanBlockReading& reading) {
+  switch (reading.fault) {
+    case protocol::PlanBlockFault::too_short:
+    case protocol::PlanBlockFault::no_plan_block: return "there is none in the header";
+    case protocol::PlanBlockFault::wrong_length: return "it is not of the length it should have";
+    case protocol::PlanBlockFault::wrong_checksum: return "its checksum is wrong";
+    case protocol::PlanBlockFault::other_version: return "its format is another version's";
+    case protocol::PlanBlockFault::other_schema: return "it was written for another list of plan values";
+    case protocol::PlanBlockFault::refused: break;
+  }
+  if (!reading.plan_fault) {
+    return "it would not be allowed to fly";
+  }
+  return fmt::format("it would not be allowed to fly: {}.{}, {}", reading.plan_fault->field->section,
+                     reading.plan_fault->field->key, reading.plan_fault->rule);
+}
+
+std::string plan_name(const Flight& flight) {
+  if (flight.plan_block.empty()) {
+    return {};
+  }
+  const std::uint32_t checksum = protocol::plan_block_crc(flight.plan_block);
+  for (const std::string& name : sim::shipped_names(sim::Shipped::plan)) {
+    if (has_checksum(name, checksum)) {
+      return name;
+    }
+  }
+  return fmt::format("plan {:08x}", checksum);
+}
+
+}  // namespace fantail::flight_log

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+#include "flight_log/regenerate.hpp"
+
+#include <algorithm>
+
+#include "avionics/log_tick_of.hpp"
+#include "core/autopilot.hpp"
+#include "core/flight_plan_fields.hpp"
+#include "flight_log/outcome.hpp"
+#include "protocol/state_block.hpp"
+
+namespace fantail::flight_log {
+namespace {
+
+std::string obstacle_before(const Flight& flight) {
+  if (!flight.foreign_ticks.empty()) {
+    return "Its ticks are laid out as in another version of Fantail, whose flight law this program does not have.";
+  }
+  if (!flight.has_header) {
+    return "None of its headers is left, and so neither the plan nor what a count of a sensor stands for.";
+  }
+  if (flight.ticks.empty()) {
+    return "It holds no tick.";
+  }
+  if (flight.state_layout != state_layout()) {
+    return "It was flown by another version of the flight law.";
+  }
+  return flight.checkpoints.empty() ? "It holds no checkpoint from which the flight law could go on." : "";
+}
+
+/// Walks along a flight and knows where the flight law can be followed.
+class Replay {
+ public:
+  Replay(const Flight& flight, const core::FlightPlan& plan)
+      : flight_{flight},
+        plan_{plan},
+        scales_{.imu = {.rate_rad_s = flight.rate_scale_rad_s, .specific_force_m_s2 = flight.specific_force_scale_m_s2},
+                .accelerometer_m_s2 = flight.accelerometer_scale_m_s2} {}
+
+  /// The law as it was before this tick; null where nothing leads to it.
+  core::Autopilot* law_before(std::uint32_t sequence) {
+    if (pass_gaps(sequence)) {
+      law_.reset();
+    }
+    for (; checkpoint_ < flight_.checkpoints.size() && flight_.checkpoints[checkpoint_].sequence < sequence;
+         ++checkpoint_) {
+      const Checkpoint& here = flight_.checkpoints[checkpoint_];
+      const bool leads_here = here.sequence > last_missing_ || !anything_missing_;
+      const bool after_last_tick = !last_tick_ || here.sequence > *last_tick_;
+      if (!law_ && leads_here && after_last_tick) {
+        resume(here);
+      }
+    }
+    last_tick_ = sequence;
+    return law_ ? &*law_ : nullptr;
+  }
+
+  [[nodiscard]] core::Inputs inputs(const protocol::LogTick& tick) const {
+    return avionics::inputs_of(tick, scales_, plan_.canards);
+  }
+
+ private:
+  // True when something was lost between the tick before and this one.
+  bool pass_gaps(std::uint32_t sequence) {
+    bool passed = false;
+    const auto& gaps = flight_.gaps;
+    for (; gap_ < gaps.size() && gaps[gap_].first_missing < sequence; ++gap_) {
+      note_missing(gaps[gap_].first_missing + (gaps[gap_].count - 1));
+      passed = true;
+    }
+    const auto& unknown = flight_.unknown_ticks;
+    for (; unknown_ < unknown.size() && unknown[unknown_] < sequence; ++unknown_) {
+      note_missing(unknown[unknown_]);
+      passed = true;
+    }
+    return passed;
+  }
+
+  void note_missing(std::uint32_t sequence) {
+    last_missing_ = std::max(last_missing_, sequence);
+    anything_missing_ = true;
+  }
+
+  void resume(const Checkpoint& checkpoint) {
+    law_.emplace(plan_);
+    protocol::StateReader reader{checkpoint.state};
+    law_->visit_state(reader);
+    if (!reader.ok()) {
+      law_.reset();
+    }
+  }
+
+  const Flight& flight_;
+  const core::FlightPlan& plan_;
+  avionics::SampleScales scales_;
+  std::optional<core::Autopilot> law_;
+  std::size_t checkpoint_ = 0;
+  std::size_t gap_ = 0;
+  std::size_t unknown_ = 0;
+  std::uint32_t last_missing_ = 0;
+  bool anything_missing_ = false;
+  std::optional<std::uint32_t> last_tick_;
+};
+
+}  // namespace
+
+std::uint32_t state_layout() {
+  core::Autopilot law{core::default_plan()};
+  protocol::StateLayout layout;
+  law.visit_state(layout);
+  return layout.hash();
+}
+
+Regeneration regenerate(const Flight& flight, const core::FlightPlan& plan) {
+  Regeneration result;
+  result.records.resize(flight.ticks.size());
+  result.obstacle = obstacle_before(flight);
+  result.unreachable = flight.ticks.size();
+  if (!result.obstacle.empty()) {
+    return result;
+  }
+  Replay replay{flight, plan};
+  for (std::size_t i = 0; i < flight.ticks.size(); ++i) {
+    const protocol::LogTick& tick = flight.ticks[i].tick;
+    core::Autopilot* law = replay.law_before(flight.ticks[i].sequence);
+    if (law == nullptr) {
+      continue;
+    }
+    const core::Inputs inputs = replay.inputs(tick);
+    const core::TickRecord& record = law->step(inputs);
+    const protocol::LogTick replayed =
+        avionics::log_tick_of(record, avionics::raw_samples_of(tick), inputs, tick.duration_before);
+    result.records[i] = record;
+    result.compared += 1;
+    if (same_bytes(tick, replayed)) {
+      continue;
+    }
+    result.differing += 1;
+    if (!result.first_difference) {
+      const auto difference = first_difference(tick, replayed);
+      result.first_difference = {.tick = i,
+                                 .field = difference ? difference->field : "",
+                                 .recorded = difference ? difference->recorded : "",
+                                 .replayed = difference ? difference->replayed : ""};
+    }
+  }
+  result.unreachable = flight.ticks.size() - result.compared;
+  if (result.compared == 0) {
+    result.obstacle = "None of its checkpoints is one that this flight law can have written.";
+  }
+  return result;
+}
+
+}  // namespace fantail::flight_log

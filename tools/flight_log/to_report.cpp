@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+#include "flight_log/to_report.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "core/flight_plan_fields.hpp"
+#include "flight_log/integrity.hpp"
+#include "flight_log/plan_words.hpp"
+
+namespace fantail::flight_log {
+namespace {
+
+using protocol::LogEventKind;
+
+double in_seconds(core::Microseconds time) { return 1e-6 * static_cast<double>(time.count()); }
+
+std::optional<double>* event_of(report::Events& events, core::Phase phase) {
+  switch (phase) {
+    case core::Phase::launched: return &events.detected_s;
+    case core::Phase::controlling: return &events.control_start_s;
+    case core::Phase::finished: return &events.control_end_s;
+    case core::Phase::safe:
+    case core::Phase::armed: break;
+  }
+  return nullptr;
+}
+
+// A row that follows a hole shows a phase, but not when it began. The recorder's own events do, where they are left.
+void set_events(report::Flight& result, const Flight& flight, const std::vector<double>& after_hole_s) {
+  for (const report::PhaseChange& change : result.phase_changes) {
+    if (std::ranges::find(after_hole_s, change.time_s) != after_hole_s.end()) {
+      if (auto* event = event_of(result.events, change.phase)) {
+        event->reset();
+      }
+    }
+  }
+  for (const protocol::LogEvent& event : flight.events) {
+    if (event.kind != LogEventKind::phase) {
+      continue;
+    }
+    if (auto* known = event_of(result.events, static_cast<core::Phase>(event.value))) {
+      *known = in_seconds(event.time);
+    }
+  }
+}
+
+bool flies(core::Phase phase) { return phase == core::Phase::launched || phase == core::Phase::controlling; }
+
+// Of the last detection: one before it was none.
+std::optional<double> lift_off_s(const Regeneration& regeneration) {
+  std::optional<double> result;
+  core::Phase before = core::Phase::safe;
+  for (const auto& record : regeneration.records) {
+    if (record && flies(record->phase) && !flies(before)) {
+      result = in_seconds(record->motion.thrust_since);
+    }
+    before = record ? record->phase : before;
+  }
+  return result;
+}
+
+void add_notes(report::Flight& result, const Flight& flight, const Regeneration& regeneration) {
+  const auto note = [&result](std::string sentence) { result.notes.push_back(std::move(sentence)); };
+  if (!flight.gaps.empty() || !flight.has_header) {
+    note(fmt::format("The log is {}.", integrity_words(flight)));
+  } else if (!has_end(flight)) {
+    note("The recording was cut off: it has no end.");
+  }
+  if (const std::uint64_t dropped = dropped_ticks(flight); dropped > 0) {
+    note(fmt::format("The recorder dropped {} ticks that found no room in its queue.", dropped));
+  }
+  if (!regeneration.obstacle.empty()) {
+    note("The flight could not be replayed. " + regeneration.obstacle);
+  } else if (regeneration.unreachable > 0) {
+    note(
+        fmt::format("{} ticks between a gap and the next checkpoint are left out: what the flight law knew of the "
+                    "rocket there is lost.",
+                    regeneration.unreachable));
+  }
+  if (regeneration.differing > 0) {
+    note(fmt::format("{} ticks are not what this program's flight law makes of the recorded inputs.",
+                     regeneration.differing));
+  }
+}
+
+}  // namespace
+
+report::Flight to_report(const Flight& flight, const Regeneration& regeneration) {
+  report::Flight result;
+  result.scenario = fmt::format("flight {} of power-up {}", flight.flight, flight.power_up);
+  result.vehicle = flight.vehicle;
+  result.plan_name = plan_name(flight);
+  result.version = flight.firmware_version;
+  result.plan = flight.plan.value_or(core::default_plan());
+  result.tunnel = flight.plan && flight.plan->run.start == core::Start::tunnel;
+  result.rows.reserve(regeneration.compared);
+  std::vector<double> after_hole_s;
+  bool hole = true;
+  for (std::size_t i = 0; i < flight.ticks.size(); ++i) {
+    const auto& record = regeneration.records[i];
+    if (!record) {
+      hole = true;
+      continue;
+    }
+    const double time_s = in_seconds(record->time);
+    if (hole) {
+      after_hole_s.push_back(time_s);
+      hole = false;
+    }
+    report::add_tick(result, *record, time_s, std::nullopt);
+  }
+  set_events(result, flight, after_hole_s);
+  if (!result.tunnel) {
+    result.events.liftoff_s = lift_off_s(regeneration);
+  }
+  add_notes(result, flight, regeneration);
+  const std::optional<double>& zero_s = result.tunnel ? result.events.control_start_s : result.events.liftoff_s;
+  const double first_s = flight.ticks.empty() ? 0.0 : in_seconds(flight.ticks.front().tick.time);
+  report::set_time_zero(result, zero_s.value_or(first_s));
+  return result;
+}
+
+}  // namespace fantail::flight_log
