@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <cerrno>
 #include <cstdint>
-#include <cstdio>
 #include <memory>
 #include <optional>
 #include <string>
@@ -13,6 +11,7 @@
 #include "fantail/bench_options.hpp"
 #include "fantail/can_place.hpp"
 #include "fantail/interrupt.hpp"
+#include "fantail/live_output.hpp"
 
 namespace fantail::tool {
 namespace {
@@ -25,19 +24,6 @@ struct WatchOptions {
 // A person reads a few times a second, a log once.
 constexpr hal::Microseconds screen_period{200'000};
 constexpr hal::Microseconds line_period{1'000'000};
-
-// False: there is no use in going on. A reader that has left has seen enough; that is no fault, and a full disk is one.
-bool shown(const std::string& text) {
-  errno = 0;
-  std::fwrite(text.data(), 1, text.size(), stdout);
-  if (std::fflush(stdout) == 0) {
-    return true;
-  }
-  if (errno == EPIPE && std::freopen("/dev/null", "w", stdout) == nullptr) {
-    errno = EIO;  // the end of the program will say that standard output was not taken
-  }
-  return false;
-}
 
 void watch(const WatchOptions& options) {
   CanPlace place{options.bench.interface};

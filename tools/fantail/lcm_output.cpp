@@ -18,19 +18,21 @@ LcmOutput::LcmOutput(const std::string& url) : url_{url} {
   }
 }
 
-std::string LcmOutput::finish() {
-  if (!publisher_) {
-    return {};
+std::string report_of(const telemetry::PublisherFigures& figures, const std::string& url) {
+  if (!figures.complete) {
+    throw telemetry::TelemetryError{url + ": the messages could not all be written: is the disk full?"};
   }
-  const telemetry::PublisherFigures figures = publisher_->finish();
-  if (figures.failed > 0 || !figures.complete) {
-    throw telemetry::TelemetryError{fmt::format("{}: {} of {} messages could not be {}; the flight itself is whole",
-                                                url_, figures.failed, figures.failed + figures.published,
-                                                figures.complete ? "sent" : "written, and perhaps more")};
+  if (figures.failed > 0) {
+    throw telemetry::TelemetryError{
+        fmt::format("{}: {} of {} messages could not be sent: is the network gone? What does not go through LCM is "
+                    "whole",
+                    url, figures.failed, figures.failed + figures.published)};
   }
   const std::string dropped =
       figures.dropped > 0 ? fmt::format(", {} dropped because the queue was full", figures.dropped) : "";
-  return fmt::format("{} messages to {}{}", figures.published, url_, dropped);
+  return fmt::format("{} messages to {}{}", figures.published, url, dropped);
 }
+
+std::string LcmOutput::finish() { return publisher_ ? report_of(publisher_->finish(), url_) : ""; }
 
 }  // namespace fantail::tool

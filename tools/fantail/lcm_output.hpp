@@ -14,6 +14,9 @@ namespace fantail::tool {
 /// --lcm, checked: where messages go or come from.
 CLI::Option* add_lcm_option(CLI::App& verb, std::string& url, const std::string& meaning);
 
+/// One sentence about what was published. Throws telemetry::TelemetryError when the network or the disk refused a part.
+[[nodiscard]] std::string report_of(const telemetry::PublisherFigures& figures, const std::string& url);
+
 /// The ticks of a flight as LCM messages. Without a URL it does nothing.
 class LcmOutput {
  public:
@@ -27,8 +30,7 @@ class LcmOutput {
   }
   [[nodiscard]] bool is_on() const { return publisher_ != nullptr; }
 
-  /// Waits until everything has gone its way. One sentence about it; empty without a URL. Throws
-  /// telemetry::TelemetryError when the network or the disk refused a part.
+  /// Waits until everything has gone its way, and reports on it; empty without a URL.
   std::string finish();
 
  private:

@@ -66,6 +66,8 @@ ExitCode run(int argc, char** argv) {
   fantail::tool::add_compare(program);
   fantail::tool::add_tunnel(program);
   fantail::tool::add_predict(program);
+  fantail::tool::add_gateway(program);
+  fantail::tool::add_watch(program);
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <chrono>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -10,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "fantail/interrupt.hpp"
+#include "fantail/lcm_output.hpp"
 #include "fantail/node_flash.hpp"
 #include "fantail/pad_commands.hpp"
 #include "fantail/scenario_options.hpp"
@@ -20,6 +22,7 @@
 #include "hal/linux/entropy.hpp"
 #include "sim/scenario.hpp"
 #include "sim/world.hpp"
+#include "telemetry/limit_tap.hpp"
 
 namespace fantail::tool {
 namespace {
@@ -31,6 +34,7 @@ struct NodeOptions {
   ScenarioOptions scenario;
   std::string interface;
   std::string flash;
+  std::string lcm;
   std::optional<double> seconds;
 };
 
@@ -53,6 +57,10 @@ class Node {
  public:
   Node(const sim::Scenario& scenario, const sim::BoardPorts& ports) : world_{scenario, ports} {}
 
+  /// Called after every tick, with the time that it took.
+  using Observe = std::function<void(const core::TickRecord& record, SteadyClock::duration took)>;
+  void observe(Observe observe) { observe_ = std::move(observe); }
+
   void run(const std::optional<double>& seconds) {
     const auto begin = SteadyClock::now();
     auto due = begin;
@@ -70,7 +78,11 @@ class Node {
       if (now < due) {
         std::this_thread::sleep_until(due);
       }
-      (void)world_.tick();
+      const auto tick_begin = SteadyClock::now();
+      const core::TickRecord& record = world_.tick();
+      if (observe_) {
+        observe_(record, SteadyClock::now() - tick_begin);
+      }
       world_.advance();
       ticks_ += 1;
       due += milliseconds{1};
@@ -106,6 +118,7 @@ class Node {
 
   sim::World world_;
   PadCommands hands_;
+  Observe observe_;
   std::int64_t ticks_ = 0;
   std::int64_t late_ = 0;
   SteadyClock::duration left_out_{};
@@ -117,10 +130,25 @@ void run_node(const NodeOptions& options) {
   const auto flash = open_node_flash(flash_file(options, scenario));
   hal::on_linux::Console console;
   hal::on_linux::Entropy entropy;
-  Node node{scenario, {.can_bus = bus, .flash = *flash, .console = console, .entropy = entropy}};
+  LcmOutput lcm{options.lcm};
+  telemetry::LimitTap tap{bus};
+  hal::CanBus& port = lcm.is_on() ? static_cast<hal::CanBus&>(tap) : bus;
+  Node node{scenario, {.can_bus = port, .flash = *flash, .console = console, .entropy = entropy}};
   fmt::print("{} ({}) on {}; type help for what the hands at the pad can do, Ctrl-C ends\n", scenario.name,
              scenario.vehicle.name, options.interface);
   std::fflush(stdout);
+  if (lcm.is_on()) {
+    node.observe([&](const core::TickRecord& record, SteadyClock::duration took) {
+      const hal::CanCounters counters = bus.counters();
+      lcm.report(record, {.limits_rad = tap.limits_rad(),
+                          .tick_s = std::chrono::duration<double>{took}.count(),
+                          .late_ticks = node.late(),
+                          .bus = telemetry::Health::Bus{.state = bus.state(),
+                                                        .unsent = counters.unsent,
+                                                        .overrun = counters.overrun,
+                                                        .errors = counters.errors}});
+    });
+  }
   node.run(options.seconds);
   const hal::CanCounters counters = bus.counters();
   fmt::print(
@@ -129,6 +157,9 @@ void run_node(const NodeOptions& options) {
       "out; frames: {} sent, {} received, {} found no room\n",
       1e-3 * static_cast<double>(node.ticks()), node.late(), node.ticks(), node.left_out_s(), counters.sent,
       counters.received, counters.unsent);
+  if (const std::string sent = lcm.finish(); !sent.empty()) {
+    fmt::print("{}\n", sent);
+  }
 }
 
 }  // namespace
@@ -145,6 +176,7 @@ void add_node(CLI::App& program) {
                    "What the board keeps when it is switched off: its plan and the count of its power-ups "
                    "[out/SCENARIO/flash.bin]")
       ->type_name("FILE");
+  add_lcm_option(*verb, options->lcm, "Publish the flight as LCM messages");
   verb->add_option("--for", options->seconds, "End after so many seconds; without it, by Ctrl-C")
       ->check(CLI::Range(0.0, 1e9))
       ->type_name("SECONDS");

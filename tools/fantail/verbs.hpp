@@ -16,5 +16,7 @@ void add_bench(CLI::App& program);
 void add_compare(CLI::App& program);
 void add_tunnel(CLI::App& program);
 void add_predict(CLI::App& program);
+void add_gateway(CLI::App& program);
+void add_watch(CLI::App& program);
 
 }  // namespace fantail::tool

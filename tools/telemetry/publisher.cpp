@@ -20,15 +20,19 @@ Publisher::~Publisher() {
   finish();
 }
 
-void Publisher::send(const Packet& packet) { figures_.dropped += queue_.push(packet) ? 0 : 1; }
+void Publisher::send(const Packet& packet) { dropped_ += queue_.push(packet) ? 0 : 1; }
 
 PublisherFigures Publisher::finish() {
   finish_ = true;
   if (thread_.joinable()) {
     thread_.join();
-    figures_.complete = outlet_->close();
+    complete_ = outlet_->close();
   }
-  return figures_;
+  return figures();
+}
+
+PublisherFigures Publisher::figures() const {
+  return {.published = published_, .dropped = dropped_, .failed = failed_, .complete = complete_};
 }
 
 void Publisher::work() {
@@ -51,7 +55,7 @@ void Publisher::publish_batch(std::size_t most) {
     if (packet == nullptr) {
       return;
     }
-    (outlet_->put(*packet) ? figures_.published : figures_.failed) += 1;
+    (outlet_->put(*packet) ? published_ : failed_) += 1;
     queue_.pop();
   }
 }

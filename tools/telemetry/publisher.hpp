@@ -32,6 +32,9 @@ class Publisher final : public Sink {
   /// For one thread.
   void send(const Packet& packet) override;
 
+  /// So far; for the thread that sends.
+  [[nodiscard]] PublisherFigures figures() const;
+
   /// Waits until all that was sent has gone its way, and stops. At a full queue to the network that takes 1.6 s.
   PublisherFigures finish();
 
@@ -41,7 +44,10 @@ class Publisher final : public Sink {
 
   std::unique_ptr<Outlet> outlet_;
   PacketQueue queue_;
-  PublisherFigures figures_;  ///< `dropped` belongs to the caller, the others to the thread until it has ended
+  std::uint64_t dropped_ = 0;
+  std::atomic<std::uint64_t> published_ = 0;
+  std::atomic<std::uint64_t> failed_ = 0;
+  bool complete_ = true;
   std::atomic<bool> finish_ = false;
   std::atomic<bool> give_up_ = false;
   std::thread thread_;

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+#include <memory>
+#include <optional>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "fantail/can_place.hpp"
+#include "fantail/interrupt.hpp"
+#include "fantail/lcm_output.hpp"
+#include "fantail/standard_streams.hpp"
+#include "fantail/verbs.hpp"
+#include "telemetry/gateway.hpp"
+#include "telemetry/words.hpp"
+
+namespace fantail::tool {
+namespace {
+
+struct GatewayOptions {
+  std::string interface;
+  std::string url;
+  std::optional<double> seconds;
+};
+
+constexpr hal::Microseconds longest_wait{100'000};
+constexpr hal::Microseconds silence{2'000'000};
+constexpr hal::Microseconds between_words{1'000'000};
+
+/// Says on standard error what a person should know while it happens.
+class Herald {
+ public:
+  Herald(std::string interface, const telemetry::Gateway& gateway, const telemetry::Publisher& publisher)
+      : interface_{std::move(interface)}, gateway_{gateway}, publisher_{publisher} {}
+
+  void look(hal::Microseconds now) {
+    if (gateway_.bus_state() != state_) {
+      state_ = gateway_.bus_state();
+      tell(fmt::format("bus: {}", telemetry::name(state_)));
+    }
+    const auto last = gateway_.last_heard();
+    const bool silent = now - last.value_or(hal::Microseconds{}) > silence;
+    if (silent != silent_) {
+      silent_ = silent;
+      tell(silent ? "the avionics is silent" : "the avionics speaks again");
+    }
+    if (gateway_.restarts() != restarts_) {
+      restarts_ = gateway_.restarts();
+      tell("the avionics has been switched on again");
+    }
+    if (now < next_count_) {
+      return;
+    }
+    next_count_ = now + between_words;
+    const std::uint64_t lost = gateway_.heard().lost + gateway_.overrun();
+    if (lost > lost_) {
+      tell(fmt::format("{} frames lost", lost - lost_));
+      lost_ = lost;
+    }
+    const std::uint64_t failed = publisher_.figures().failed;
+    if (failed > 0 && !failure_told_) {
+      failure_told_ = true;
+      tell("LCM does not take the messages: is the network gone?");
+    }
+  }
+
+ private:
+  void tell(const std::string& what) const { say(fmt::format("{}: {}\n", interface_, what)); }
+
+  std::string interface_;
+  const telemetry::Gateway& gateway_;
+  const telemetry::Publisher& publisher_;
+  hal::CanState state_ = hal::CanState::error_active;
+  hal::Microseconds next_count_{};
+  std::uint64_t lost_ = 0;
+  int restarts_ = 0;
+  bool silent_ = false;
+  bool failure_told_ = false;
+};
+
+void run(const GatewayOptions& options) {
+  CanPlace place{options.interface};
+  telemetry::Publisher publisher{telemetry::open_outlet(telemetry::Url{options.url})};
+  telemetry::Gateway gateway{place.bus(), publisher};
+  Herald herald{options.interface, gateway, publisher};
+  fmt::print("{} to {}; Ctrl-C ends\n", options.interface, options.url);
+  std::fflush(stdout);
+  const hal::Microseconds end = options.seconds
+                                    ? place.now() + hal::Microseconds{static_cast<std::int64_t>(1e6 * *options.seconds)}
+                                    : hal::Microseconds::max();
+  try {
+    while (place.now() < end) {
+      place.wait(std::min(longest_wait, end - place.now()));
+      gateway.listen(place.now());
+      herald.look(place.now());
+    }
+  } catch (const Interrupted&) {  // the way to end it
+  }
+  const bench::LinkFigures& heard = gateway.heard();
+  fmt::print("frames: {} of the avionics, {} lost, {} damaged, {} foreign, {} overrun\n", heard.frames, heard.lost,
+             heard.damaged, heard.foreign, gateway.overrun());
+  fmt::print("{}\n", report_of(publisher.finish(), options.url));
+}
+
+}  // namespace
+
+void add_gateway(CLI::App& program) {
+  auto* verb = program.add_subcommand(
+      "gateway", "From a CAN bus to LCM messages: what the avionics says, for everyone on the network. Sends nothing "
+                 "on the bus");
+  auto options = std::make_shared<GatewayOptions>();
+  verb->add_option("--can", options->interface, "CAN interface, for example vcan0 or can0")
+      ->required()
+      ->type_name("IF");
+  add_lcm_option(*verb, options->url, "Where the messages go")->required();
+  verb->add_option("--for,--seconds", options->seconds, "End after so many seconds; without it, by Ctrl-C")
+      ->check(CLI::Range(0.0, 1e9))
+      ->type_name("SECONDS");
+  verb->footer(
+      "Examples:\n"
+      "  fantail gateway --can can0 --lcm udpm://239.255.76.67:7667            for everyone on this network\n"
+      "  fantail gateway --can can0 --lcm 'udpm://239.255.76.67:7667?ttl=0'    for this computer alone\n"
+      "  fantail gateway --can vcan0 --lcm file:///tmp/pad.lcmlog --for 60     a minute, into a log");
+  verb->callback([options] { run(*options); });
+}
+
+}  // namespace fantail::tool

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#include <memory>
+#include <optional>
+#include <string>
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include "fantail/interrupt.hpp"
+#include "fantail/lcm_output.hpp"
+#include "fantail/live_output.hpp"
+#include "fantail/verbs.hpp"
+#include "hal/linux/clock.hpp"
+#include "telemetry/panel.hpp"
+#include "telemetry/subscription.hpp"
+
+namespace fantail::tool {
+namespace {
+
+struct WatchOptions {
+  std::string url;
+  std::optional<double> seconds;
+  bool json = false;
+};
+
+// A person reads a few times a second, a log once.
+constexpr hal::Microseconds screen_period{200'000};
+constexpr hal::Microseconds line_period{1'000'000};
+
+/// Listens until `end`. False: there will be no more, or Ctrl-C.
+bool listen_until(hal::Microseconds end, const hal::Clock& clock, telemetry::Subscription& subscription,
+                  telemetry::Receiver& receiver) {
+  using std::chrono::milliseconds;
+  for (hal::Microseconds now = clock.now(); now < end; now = clock.now()) {
+    subscription.wait(std::chrono::ceil<milliseconds>(end - now));
+    if (!subscription.listen(receiver, clock.now()) || take_interrupt()) {
+      return false;
+    }
+  }
+  return true;
+}
+
+void watch(const WatchOptions& options) {
+  telemetry::Subscription subscription{telemetry::Url{options.url}};
+  telemetry::Receiver receiver;
+  telemetry::Panel panel{options.url, receiver};
+  const hal::on_linux::Clock clock;
+  const bool screen = !options.json && ::isatty(STDOUT_FILENO) == 1;
+  const hal::Microseconds period = screen ? screen_period : line_period;
+  const hal::Microseconds end = options.seconds ? hal::Microseconds{static_cast<std::int64_t>(1e6 * *options.seconds)}
+                                                : hal::Microseconds::max();
+  if (screen) {
+    fmt::print("\033[2J");
+  }
+  bool more = true;
+  for (hal::Microseconds next = std::min(period, end); more; next = std::min(next + period, end)) {
+    more = listen_until(next, clock, subscription, receiver) && next < end;
+    panel.look(clock.now());
+    const std::string text = screen ? "\033[H\033[J" + panel.table() : (options.json ? panel.json() : panel.lines());
+    if (!shown(text)) {
+      return;
+    }
+  }
+}
+
+}  // namespace
+
+void add_watch(CLI::App& program) {
+  auto* verb = program.add_subcommand(
+      "watch", "Roll, canards, phase, health and the quality of the link, live from LCM messages; a line a second in "
+               "a pipe, and one for every event");
+  auto options = std::make_shared<WatchOptions>();
+  add_lcm_option(*verb, options->url, "Where the messages come from")->required();
+  verb->add_option("--for,--seconds", options->seconds, "End after so many seconds; without it, by Ctrl-C")
+      ->check(CLI::Range(0.0, 1e9))
+      ->type_name("SECONDS");
+  verb->add_flag("--json", options->json, "One object a second, one a line");
+  verb->footer(
+      "Examples:\n"
+      "  fantail watch --lcm udpm://239.255.76.67:7667            a live panel; Ctrl-C ends\n"
+      "  fantail watch --lcm udpm:// | tee flight.txt             lines, from LCM's default address\n"
+      "  fantail watch --lcm file:///tmp/flight.lcmlog --json     a log at its own pace, for a script");
+  verb->callback([options] { watch(*options); });
+}
+
+}  // namespace fantail::tool

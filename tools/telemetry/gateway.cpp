@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+#include "telemetry/gateway.hpp"
+
+namespace fantail::telemetry {
+namespace {
+
+using std::chrono::milliseconds;
+
+// Several times as old as a report becomes before the next one; then it is not known any more.
+constexpr milliseconds status_age{100};
+constexpr milliseconds health_age{500};
+constexpr milliseconds limit_age{5'000};
+// A little less than the period of 10 ms: nothing comes at even times.
+constexpr milliseconds canards_pause{9};
+
+std::optional<double> radians(core::Angle angle) { return static_cast<double>(angle.radians()); }
+
+}  // namespace
+
+// Null: the same as at the last look.
+template <typename Message>
+const Message* Gateway::news(std::uint64_t& taken) const {
+  const auto& newest = link_.newest<Message>();
+  if (!newest || newest->count == taken) {
+    return nullptr;
+  }
+  taken = newest->count;
+  return &newest->message;
+}
+
+void Gateway::listen(hal::Microseconds now) {
+  link_.listen(now);
+  if (link_.figures().frames != frames_) {
+    frames_ = link_.figures().frames;
+    last_heard_ = now;
+  }
+  follow_clock(now);
+  const auto time = clock_.at(now);
+  if (!time || !sender_) {
+    link_.forget_ticks();
+    return;
+  }
+  if (const auto* status = news<protocol::StatusReport>(states_)) {
+    changes_.look(*time, status->phase, status->reason, *sender_);
+  }
+  send_state(now, *time);
+  send_canards(now, *time);
+  send_health(*time);
+}
+
+void Gateway::follow_clock(hal::Microseconds now) {
+  const auto* heartbeat = news<protocol::HeartbeatReport>(heartbeats_);
+  if (heartbeat == nullptr) {
+    return;
+  }
+  const bool restarted = clock_.hear(heartbeat->uptime_ms, now);
+  if (restarted || !sender_) {
+    sender_.emplace(sink_);
+  }
+  if (restarted) {
+    restarts_ += 1;
+    changes_.begin_with_first_look();
+    canards_sent_.reset();
+  }
+}
+
+void Gateway::send_state(hal::Microseconds now, core::Microseconds time) {
+  const auto* motion = news<protocol::MotionReport>(motions_);
+  const auto status = link_.recent<protocol::StatusReport>(now, status_age);
+  if (motion == nullptr || !status) {
+    return;
+  }
+  sender_->send(time, State{.phase = status->phase,
+                            .reason = status->reason,
+                            .command_status = status->command_status,
+                            .timing_fault = status->timing_fault,
+                            .saturated = status->saturated,
+                            .roll_angle_rad = radians(motion->roll_angle),
+                            .roll_rate_rad_s = motion->roll_rate_rad_s,
+                            .command_rad = radians(status->roll_command),
+                            .height_m = motion->height_m,
+                            .speed_m_s = motion->speed_m_s});
+}
+
+void Gateway::send_canards(hal::Microseconds now, core::Microseconds time) {
+  std::optional<bench::Tick> newest;
+  while (const auto tick = link_.take_tick()) {
+    newest = tick;
+  }
+  if (!newest || (canards_sent_ && time - *canards_sent_ < canards_pause)) {
+    return;
+  }
+  canards_sent_ = time;
+  Canards canards{.command_rad = newest->command_rad, .encoder_rad = newest->encoder_rad};
+  canards.limited = newest->limited;
+  const auto limits = link_.recent<protocol::LimitReport>(now, limit_age);
+  const auto health = link_.recent<protocol::HealthReport>(now, health_age);
+  for (std::size_t i = 0; i < core::canard_count; ++i) {
+    canards.limit_rad[i] = limits ? radians(limits->limit[i]) : std::nullopt;
+    canards.verdicts[i] = health ? std::optional{health->verdicts[i]} : std::nullopt;
+  }
+  sender_->send(time, canards);
+}
+
+void Gateway::send_health(core::Microseconds time) {
+  const auto* report = news<protocol::HealthReport>(healths_);
+  if (report == nullptr) {
+    return;
+  }
+  changes_.look(time, report->verdicts, *sender_);
+  const bench::LinkFigures& heard = link_.figures();
+  const auto& status = link_.newest<protocol::StatusReport>();
+  sender_->send(time, Health{.gyro = report->gyro,
+                             .accelerometer = report->accelerometer,
+                             .verdicts = report->verdicts,
+                             .timing_fault = status && status->message.timing_fault,
+                             .longest_tick_s = 1e-6 * report->longest_tick_us,
+                             .late_ticks = {},
+                             .bus = Health::Bus{.state = static_cast<hal::CanState>(report->bus_state),
+                                                .unsent = unsent_.take(report->unsent),
+                                                .overrun = overrun_.take(report->overrun),
+                                                .errors = errors_.take(report->bus_errors)},
+                             .gateway = Health::Gateway{.state = bus_.state(),
+                                                        .frames = static_cast<std::int64_t>(heard.frames),
+                                                        .lost = static_cast<std::int64_t>(heard.lost),
+                                                        .damaged = static_cast<std::int64_t>(heard.damaged),
+                                                        .foreign = static_cast<std::int64_t>(heard.foreign),
+                                                        .overrun = bus_.counters().overrun}});
+}
+
+std::int64_t Gateway::Unwrapped::take(std::uint8_t value) {
+  count += last ? static_cast<std::uint8_t>(value - *last) : value;
+  last = value;
+  return count;
+}
+
+}  // namespace fantail::telemetry

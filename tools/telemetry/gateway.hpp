@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "bench/avionics_link.hpp"
+#include "hal/can_bus.hpp"
+#include "telemetry/avionics_clock.hpp"
+#include "telemetry/changes.hpp"
+
+namespace fantail::telemetry {
+
+/// A bus on which nothing can be said.
+class ListenOnlyBus final : public hal::CanBus {
+ public:
+  explicit ListenOnlyBus(hal::CanBus& bus) : bus_{bus} {}
+  bool send(const hal::CanFrame& /*frame*/) override { return false; }
+  std::optional<hal::CanFrame> receive() override { return bus_.receive(); }
+  [[nodiscard]] hal::CanState state() const override { return bus_.state(); }
+  [[nodiscard]] hal::CanCounters counters() const override { return bus_.counters(); }
+
+ private:
+  hal::CanBus& bus_;
+};
+
+/// From the frames of a real bus to the same messages that a simulated flight sends. What no frame says stays unknown:
+/// reference, excitation, specific force and the command before its limit. Until the first heartbeat, which tells the
+/// avionics' time, nothing is sent.
+class Gateway {
+ public:
+  Gateway(hal::CanBus& bus, Sink& sink) : bus_{bus}, sink_{sink} { changes_.begin_with_first_look(); }
+
+  /// Takes in what has arrived, and sends what is due.
+  void listen(hal::Microseconds now);
+
+  [[nodiscard]] const bench::LinkFigures& heard() const { return link_.figures(); }
+  [[nodiscard]] std::uint32_t overrun() const { return bus_.counters().overrun; }
+  [[nodiscard]] hal::CanState bus_state() const { return bus_.state(); }
+  /// When the avionics last said anything; empty: never.
+  [[nodiscard]] std::optional<hal::Microseconds> last_heard() const { return last_heard_; }
+  [[nodiscard]] int restarts() const { return restarts_; }
+
+ private:
+  template <typename Message>
+  [[nodiscard]] const Message* news(std::uint64_t& taken) const;
+  void follow_clock(hal::Microseconds now);
+  void send_state(hal::Microseconds now, core::Microseconds time);
+  void send_canards(hal::Microseconds now, core::Microseconds time);
+  void send_health(core::Microseconds time);
+
+  /// Of a counter modulo 256, what it has come to since the first look.
+  struct Unwrapped {
+    std::optional<std::uint8_t> last;
+    std::int64_t count = 0;
+    std::int64_t take(std::uint8_t value);
+  };
+
+  ListenOnlyBus bus_;
+  Sink& sink_;
+  bench::AvionicsLink link_{bus_};
+  AvionicsClock clock_;
+  std::optional<Sender> sender_;  ///< empty until the avionics' time is known
+  Changes changes_;
+  int restarts_ = 0;
+  std::uint64_t frames_ = 0;
+  std::optional<hal::Microseconds> last_heard_;
+  std::uint64_t heartbeats_ = 0;
+  std::uint64_t states_ = 0;
+  std::uint64_t motions_ = 0;
+  std::uint64_t healths_ = 0;
+  std::optional<core::Microseconds> canards_sent_;
+  Unwrapped unsent_;
+  Unwrapped overrun_;
+  Unwrapped errors_;
+};
+
+}  // namespace fantail::telemetry

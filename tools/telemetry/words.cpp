@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#include "telemetry/words.hpp"
+
+#include <fmt/format.h>
+
+namespace fantail::telemetry {
+
+std::string_view name(core::SensorState state) {
+  switch (state) {
+    case core::SensorState::fresh: return "fresh";
+    case core::SensorState::coasting: return "coasting";
+    case core::SensorState::lost: return "lost";
+    case core::SensorState::failed: return "failed";
+  }
+  return "unknown";
+}
+
+std::string_view name(hal::CanState state) {
+  switch (state) {
+    case hal::CanState::error_active: return "error active";
+    case hal::CanState::error_warning: return "error warning";
+    case hal::CanState::error_passive: return "error passive";
+    case hal::CanState::bus_off: return "bus off";
+    case hal::CanState::down: return "down";
+  }
+  return "unknown";
+}
+
+std::string words(const Event& event) {
+  if (event.phase) {
+    return fmt::format("{} -> {} ({})", core::name(event.phase->before), core::name(event.phase->phase),
+                       core::name(event.phase->reason));
+  }
+  if (event.verdict) {
+    return fmt::format("canard {}: {} -> {}", event.verdict->canard + 1, core::name(event.verdict->before),
+                       core::name(event.verdict->verdict));
+  }
+  return "nothing";
+}
+
+}  // namespace fantail::telemetry
