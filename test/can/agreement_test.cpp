@@ -18,7 +18,7 @@ class InOthersWords : public CanSystem {
  protected:
   void SetUp() override {
     if (!have_cantools()) {
-      GTEST_SKIP() << "no cantools in build/can-venv; run ./dev test with a network once";
+      GTEST_SKIP() << "no cantools in build/test-venv; run ./dev test with a network once";
     }
     CanSystem::SetUp();
   }

@@ -13,7 +13,7 @@ namespace fantail::test {
 namespace {
 
 const std::string source = FANTAIL_TEST_SOURCE;
-const std::string with_can_tools = source + "/test/protocol/with_can_tools.sh";
+const std::string with_python = source + "/test/with_python.sh";
 const std::string database = source + "/firmware/protocol/canard_bus.dbc";
 
 std::string flash_or(const std::string& flash, const Folder& folder) {
@@ -49,7 +49,7 @@ hal::CanFrame frame_of(const std::string& text) {
 std::string run_can_tools(const std::vector<std::string>& arguments, const std::string& input) {
   const Folder folder;
   const std::string file = folder.write("input", input);
-  std::vector<std::string> words{"-c", "file=$1; shift; exec \"$@\" <\"$file\"", "sh", file, with_can_tools};
+  std::vector<std::string> words{"-c", "file=$1; shift; exec \"$@\" <\"$file\"", "sh", file, with_python};
   words.insert(words.end(), arguments.begin(), arguments.end());
   const Outcome outcome = run("sh", words);
   if (outcome.exit_code != 0) {
@@ -160,7 +160,7 @@ std::vector<LoggedFrame> frames(const std::string& log) {
   return all;
 }
 
-bool have_cantools() { return run(with_can_tools, {"-c", ""}).exit_code == 0; }
+bool have_cantools() { return run(with_python, {"-c", ""}).exit_code == 0; }
 
 std::vector<Spoken> decoded_by_cantools(const std::string& log) {
   std::istringstream lines{run_can_tools({"-m", "cantools", "decode", "--single-line", database}, log)};

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#include "log_export/csv.hpp"
+
+#include <algorithm>
+
+#include <gtest/gtest.h>
+
+#include "made_flight.hpp"
+#include "report/csv.hpp"
+
+namespace fantail::log_export {
+namespace {
+
+Selection select(std::initializer_list<std::string_view> names) {
+  Selection selection;
+  for (const std::string_view name : names) {
+    selection.push_back(find_field(name).value());
+  }
+  return selection;
+}
+
+std::vector<std::string> lines(const std::string& text) {
+  std::vector<std::string> all;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = text.find('\n', begin);
+    all.push_back(text.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return all;
+}
+
+TEST(CsvExport, WithoutAChoiceItIsFlightCsvByteForByte) {
+  const MadeFlight made;
+  EXPECT_EQ(flight_csv(made.source(), made.report), report::csv(made.report));
+}
+
+TEST(CsvExport, OfAWindowTheRowsAtBothEndsAreThereAndNoOthers) {
+  const MadeFlight made;
+  const auto rows = lines(flight_csv(made.source({.from_s = 0.1, .until_s = 0.15}), made.report));
+  ASSERT_EQ(rows.size(), 52U);
+  EXPECT_EQ(rows[1].substr(0, 9), "0.100000,");
+  EXPECT_EQ(rows[51].substr(0, 9), "0.150000,");
+}
+
+TEST(CsvExport, ChosenFieldsStandInTheirOrderWithOneRowForEachTickOfTheLog) {
+  const MadeFlight made;
+  const auto rows = lines(csv(made.source(), select({"speed_m_s", "time_s", "phase", "rate_y_count", "saturated"})));
+  ASSERT_EQ(rows.size(), 951U);
+  EXPECT_EQ(rows[0], "speed_m_s,time_s,phase,rate_y_count,saturated");
+  EXPECT_EQ(rows[1], "0.000000,-0.100000,armed,0,0");
+  EXPECT_EQ(rows[401], "50.000000,0.300000,controlling,-400,0");
+}
+
+TEST(CsvExport, WhatIsUnknownIsAnEmptyCellAndAGapIsAGapInTime) {
+  const MadeFlight made;
+  const auto rows = lines(csv(made.source(), select({"time_s", "speed_m_s", "command_4_deg", "digest"})));
+  EXPECT_EQ(rows[500], "0.399000,62.375000,,4294902259");
+  EXPECT_EQ(rows[501], "0.450000,,,4294902310");  // not replayed
+}
+
+TEST(CsvExport, AFieldOfAWindowThatHoldsNoTickIsAHeaderAlone) {
+  const MadeFlight made;
+  EXPECT_EQ(csv(made.source({.from_s = 5.0}), select({"time_s"})), "time_s\n");
+}
+
+}  // namespace
+}  // namespace fantail::log_export

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// export_samples FOLDER: one log made by hand, in every format that another program is to read.
+#include <fstream>
+#include <string>
+
+#include "log_export/candump.hpp"
+#include "log_export/csv.hpp"
+#include "log_export/json.hpp"
+#include "made_flight.hpp"
+#include "log_export/ulog.hpp"
+
+int main(int argc, char** argv) {
+  using namespace fantail::log_export;
+  if (argc != 2) {
+    return 64;
+  }
+  const MadeFlight made;
+  const Source source = made.source();
+  const auto write = [&](const char* name, const std::string& content) {
+    std::ofstream{std::string{argv[1]} + "/" + name, std::ios::binary} << content;
+  };
+  write("fields.csv", csv(source, every_field()));
+  write("flight.csv", flight_csv(source, made.report));
+  write("flight.ulg", ulog(source, every_field()));
+  write("flight.log", candump(source));
+  write("flight.json", json(source, every_field()));
+}

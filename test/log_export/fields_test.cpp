@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+#include "log_export/fields.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "made_flight.hpp"
+
+namespace fantail::log_export {
+namespace {
+
+Value value(std::span<const Value> values, std::string_view name) { return values[find_field(name).value()]; }
+double number(std::span<const Value> values, std::string_view name) { return std::get<double>(value(values, name)); }
+
+TEST(ExportFields, EveryNameStandsOnceAndIsMadeOfSmallLettersDigitsAndUnderscores) {
+  std::set<std::string> names;
+  for (const Field& field : fields()) {
+    EXPECT_TRUE(names.insert(field.name).second) << field.name;
+    EXPECT_EQ(field.name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_"), std::string::npos) << field.name;
+  }
+  EXPECT_EQ(fields().front().name, "time_s");
+}
+
+TEST(ExportFields, EveryColumnThatALogCanFillOfFlightCsvIsAField) {
+  for (const char* name :
+       {"time_s", "phase", "roll_angle_deg", "roll_rate_deg_s", "reference_deg", "excitation_deg", "command_deg",
+        "saturated", "command_1_deg", "command_2_deg", "command_3_deg", "command_4_deg", "encoder_1_deg",
+        "encoder_2_deg", "encoder_3_deg", "encoder_4_deg", "canard_deg", "specific_force_m_s2", "height_m",
+        "speed_m_s"}) {
+    EXPECT_TRUE(find_field(name)) << name;
+  }
+}
+
+TEST(ExportFields, RawCountsAreThereByTheNamesOfTheSchema) {
+  for (const char* name : {"rate_x_count", "specific_force_z_count", "accelerometer_y_count", "encoder_4_count",
+                           "encoder_4_status", "imu_age_us", "duration_before_us", "digest"}) {
+    ASSERT_TRUE(find_field(name)) << name;
+    EXPECT_FALSE(fields()[*find_field(name)].replayed) << name;
+  }
+}
+
+TEST(ExportFields, AnUnknownOneIsNamedWithTheNearestAndAllThatThereAre) {
+  EXPECT_FALSE(find_field("roll_rate_deg"));
+  const std::string message = unknown_field("roll_rate_deg");
+  EXPECT_NE(message.find("\"roll_rate_deg\" (did you mean roll_rate_deg_s?)"), std::string::npos) << message;
+  EXPECT_NE(message.find("time_s, time_us, "), std::string::npos) << message;
+}
+
+TEST(ExportFields, ATickHasItsRecordedAndItsReplayedValuesInDegrees) {
+  const MadeFlight made;
+  const Source source = made.source();
+  TickReader reader{source};
+  const auto values = reader.read(400);
+  ASSERT_EQ(values.size(), fields().size());
+  EXPECT_NEAR(number(values, "time_s"), 0.3, 1e-12);
+  EXPECT_EQ(std::get<std::int64_t>(value(values, "time_us")), 10'400'000);
+  EXPECT_EQ(std::get<std::int64_t>(value(values, "rate_y_count")), -400);
+  EXPECT_EQ(std::get<std::int64_t>(value(values, "digest")), 0xFFFF0000LL + 400);
+  EXPECT_EQ(std::get<std::int64_t>(value(values, "imu_age_us")), 250);
+  EXPECT_EQ(std::get<Word>(value(values, "phase")).text, "controlling");
+  EXPECT_EQ(std::get<Word>(value(values, "encoder_4_status")).text, "no_reading");
+  EXPECT_NEAR(number(values, "roll_angle_deg"), 0.4, 1e-6);
+  EXPECT_NEAR(number(values, "roll_rate_deg_s"), 1.0, 1e-6);
+  EXPECT_NEAR(number(values, "command_2_deg"), 6.0, 1e-5);
+  EXPECT_NEAR(number(values, "encoder_2_deg"), 3.0, 1e-5);
+  EXPECT_NEAR(number(values, "specific_force_m_s2"), 30.0, 1e-6);
+}
+
+TEST(ExportFields, ACanardThatIsNotDrivenHasNoCommandAndASilentEncoderNoAngle) {
+  const MadeFlight made;
+  const Source source = made.source();
+  TickReader reader{source};
+  const auto values = reader.read(400);
+  EXPECT_TRUE(std::holds_alternative<std::monostate>(value(values, "command_4_deg")));
+  EXPECT_TRUE(std::holds_alternative<std::monostate>(value(values, "encoder_4_deg")));
+}
+
+TEST(ExportFields, WhereTheReplayCouldNotComeWhatStandsInTheLogIsStillThere) {
+  const MadeFlight made;
+  const Source source = made.source();
+  TickReader reader{source};
+  const auto values = reader.read(502);  // tick 552: fifty are missing before it
+  EXPECT_NEAR(number(values, "time_s"), 0.452, 1e-12);
+  EXPECT_EQ(std::get<std::int64_t>(value(values, "rate_x_count")), 552);
+  EXPECT_NEAR(number(values, "command_deg"), 2.76, 1e-6);
+  EXPECT_NEAR(number(values, "command_1_deg"), 6.52, 1e-5);
+  EXPECT_TRUE(std::holds_alternative<std::monostate>(value(values, "roll_angle_deg")));
+  EXPECT_TRUE(std::holds_alternative<std::monostate>(value(values, "verdict_1")));
+}
+
+TEST(ExportFields, WithoutAnyReplayTheClockBeginsWithTheFirstTick) {
+  MadeFlight made;
+  made.regeneration = {};
+  made.report = {};
+  const Source source = made.source();
+  EXPECT_EQ(source.record(0), nullptr);
+  EXPECT_EQ(source.time_s(MadeFlight::time(0)), 0.0);
+}
+
+}  // namespace
+}  // namespace fantail::log_export

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: MIT
+#include "log_export/json.hpp"
+
+#include <cmath>
+#include <iterator>
+#include <vector>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "core/flight_plan_fields.hpp"
+#include "core/tick_record.hpp"
+#include "log_export/event_words.hpp"
+
+namespace fantail::log_export {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+double rounded(double value) { return std::round(value * 1e6) / 1e6 + 0.0; }
+
+Json word_or_null(std::string_view word) { return word.empty() ? Json{} : Json(word); }
+
+Json plan(const flight_log::Flight& flight) {
+  if (!flight.plan) {
+    return {};
+  }
+  Json all = Json::object();
+  for (const core::PlanField& field : core::flight_plan_fields()) {
+    const std::string key{field.key};
+    const auto value = [&](std::size_t slot) -> Json {
+      const float number = field.get(*flight.plan, slot);
+      switch (field.kind) {
+        case core::FieldKind::choice: return field.choices[static_cast<std::size_t>(number)];
+        case core::FieldKind::flag: return number != 0.0F;
+        case core::FieldKind::integer: return static_cast<std::int64_t>(number);
+        case core::FieldKind::number: break;
+      }
+      return std::stod(fmt::format("{}", number));  // the float's own shortest decimals
+    };
+    if (field.slots == 1 && !field.is_list()) {
+      all[field.section][key] = value(0);
+    } else {
+      Json list = Json::array();
+      for (std::size_t slot = 0; slot < field.used_slots(*flight.plan); ++slot) {
+        list.push_back(value(slot));
+      }
+      all[field.section][key] = std::move(list);
+    }
+  }
+  return all;
+}
+
+Json events(const Source& source) {
+  Json all = Json::array();
+  for (const protocol::LogEvent& event : source.flight().events) {
+    if (source.inside(event.time)) {
+      const bool of_a_canard = event.kind == protocol::LogEventKind::canard_verdict;
+      all.push_back({{"time_s", rounded(source.time_s(event.time))},
+                     {"kind", name(event.kind)},
+                     {"value", word_or_null(value_word(event))},
+                     {"reason", word_or_null(detail_word(event))},
+                     {"canard", of_a_canard ? Json(event.index + 1) : Json{}},
+                     {"number", event.number}});
+    }
+  }
+  return all;
+}
+
+Json health(const Source& source) {
+  Json all = Json::array();
+  for (const protocol::LogHealth& record : source.flight().health) {
+    if (!source.inside(record.time)) {
+      continue;
+    }
+    Json verdicts = Json::array();
+    for (const core::CanardVerdict verdict : record.verdicts) {
+      verdicts.push_back(core::name(verdict));
+    }
+    all.push_back({{"time_s", rounded(source.time_s(record.time))},
+                   {"verdicts", std::move(verdicts)},
+                   {"gyro_state", core::name(record.gyro)},
+                   {"accelerometer_state", core::name(record.accelerometer)},
+                   {"bus_state", record.bus_state},
+                   {"longest_tick_us", record.longest_tick_us},
+                   {"longest_queue", record.longest_queue},
+                   {"ticks_dropped", record.ticks_dropped},
+                   {"unsent", record.unsent},
+                   {"bus_errors", record.bus_errors}});
+  }
+  return all;
+}
+
+Json gaps(const Source& source) {
+  Json all = Json::array();
+  for (const flight_log::Gap& gap : source.flight().gaps) {
+    all.push_back({{"after_s", rounded(source.time_s(gap.before))},
+                   {"until_s", rounded(source.time_s(gap.after))},
+                   {"records_missing", gap.count}});
+  }
+  return all;
+}
+
+struct Element {
+  fmt::memory_buffer& out;
+
+  void operator()(std::monostate) const { out.append(std::string_view{"null"}); }
+  // More digits than a float has.
+  void operator()(double value) const { fmt::format_to(std::back_inserter(out), "{:.9g}", value + 0.0); }
+  void operator()(std::int64_t value) const { fmt::format_to(std::back_inserter(out), "{}", value); }
+  void operator()(bool value) const { out.append(std::string_view{value ? "true" : "false"}); }
+  void operator()(const Word& word) const { fmt::format_to(std::back_inserter(out), "\"{}\"", word.text); }
+};
+
+std::string ticks(const Source& source, const Selection& selection) {
+  std::vector<fmt::memory_buffer> lists(selection.size());
+  TickReader reader{source};
+  const auto& all = source.flight().ticks;
+  for (std::size_t tick = 0; tick < all.size(); ++tick) {
+    if (!source.inside(all[tick].tick.time)) {
+      continue;
+    }
+    const std::span<const Value> values = reader.read(tick);
+    for (std::size_t i = 0; i < selection.size(); ++i) {
+      if (lists[i].size() > 0) {
+        lists[i].push_back(',');
+      }
+      std::visit(Element{lists[i]}, values[selection[i]]);
+    }
+  }
+  fmt::memory_buffer out;
+  for (std::size_t i = 0; i < selection.size(); ++i) {
+    fmt::format_to(std::back_inserter(out), "{}\n    \"{}\": [", i == 0 ? "" : ",", fields()[selection[i]].name);
+    out.append(lists[i]);
+    out.push_back(']');
+  }
+  return fmt::to_string(out);
+}
+
+}  // namespace
+
+std::string json(const Source& source, const Selection& selection) {
+  const flight_log::Flight& flight = source.flight();
+  const Json head = {{"flight", flight.flight},
+                     {"power_up", flight.power_up},
+                     {"vehicle", flight.vehicle},
+                     {"sensors", flight.sensors},
+                     {"firmware_version", flight.firmware_version},
+                     {"git_hash", flight.git_hash},
+                     {"format_version", flight.format_version},
+                     {"rate_scale_rad_s", flight.rate_scale_rad_s},
+                     {"specific_force_scale_m_s2", flight.specific_force_scale_m_s2},
+                     {"accelerometer_scale_m_s2", flight.accelerometer_scale_m_s2},
+                     {"plan", plan(flight)},
+                     {"gaps", gaps(source)},
+                     {"events", events(source)},
+                     {"health", health(source)}};
+  std::string text = head.dump(2, ' ', false, Json::error_handler_t::replace);
+  text.resize(text.size() - 2);  // "\n}"
+  return text + ",\n  \"ticks\": {" + ticks(source, selection) + "\n  }\n}\n";
+}
+
+}  // namespace fantail::log_export
