@@ -16,12 +16,13 @@ constexpr BusFrameKind kind(std::string_view name, BusNode sender, unsigned leng
           .name = name,
           .sender = sender,
           .length = static_cast<std::uint8_t>(length),
-          .fastest_period = std::chrono::milliseconds{period_ms},
+          .fastest_period = period_ms > 0 ? std::optional{std::chrono::milliseconds{period_ms}} : std::nullopt,
           .has_counter = Frame::is_protected,
           .can_move = can_move};
 }
 
 constexpr bool can_move = true;
+constexpr unsigned no_period = 0;
 
 // A session that ends centres the canards, the self-test moves them, and a plan that comes into force may have other
 // trims. PlanData alone does nothing: the block counts only as a whole, with the CRC-32C that a PlanBegin announced.
@@ -35,6 +36,8 @@ constexpr std::array<BusFrameKind, bus_frame_count> catalogue{{
     kind<PlanBeginFrame>("PlanBegin", BusNode::bench, CANARD_BUS_PLAN_BEGIN_LENGTH, CANARD_BUS_PLAN_BEGIN_CYCLE_TIME_MS,
                          can_move),
     kind<PlanDataFrame>("PlanData", BusNode::bench, CANARD_BUS_PLAN_DATA_LENGTH, CANARD_BUS_PLAN_DATA_CYCLE_TIME_MS),
+    kind<LogRequestFrame>("LogRequest", BusNode::bench, CANARD_BUS_LOG_REQUEST_LENGTH,
+                          CANARD_BUS_LOG_REQUEST_CYCLE_TIME_MS),
     kind<CommandReportFrame>("CommandReport", BusNode::avionics, CANARD_BUS_COMMAND_REPORT_LENGTH,
                              CANARD_BUS_COMMAND_REPORT_CYCLE_TIME_MS),
     kind<EncoderReportFrame>("EncoderReport", BusNode::avionics, CANARD_BUS_ENCODER_REPORT_LENGTH,
@@ -48,6 +51,7 @@ constexpr std::array<BusFrameKind, bus_frame_count> catalogue{{
     kind<ArmReplyFrame>("ArmReply", BusNode::avionics, CANARD_BUS_ARM_REPLY_LENGTH, CANARD_BUS_ARM_REPLY_CYCLE_TIME_MS),
     kind<PlanReplyFrame>("PlanReply", BusNode::avionics, CANARD_BUS_PLAN_REPLY_LENGTH,
                          CANARD_BUS_PLAN_REPLY_CYCLE_TIME_MS),
+    kind<LogReplyFrame>("LogReply", BusNode::avionics, CANARD_BUS_LOG_REPLY_LENGTH, CANARD_BUS_LOG_REPLY_CYCLE_TIME_MS),
     kind<HealthReportFrame>("HealthReport", BusNode::avionics, CANARD_BUS_HEALTH_REPORT_LENGTH,
                             CANARD_BUS_HEALTH_REPORT_CYCLE_TIME_MS),
     kind<RejectionReportFrame>("RejectionReport", BusNode::avionics, CANARD_BUS_REJECTION_REPORT_LENGTH,
@@ -56,6 +60,7 @@ constexpr std::array<BusFrameKind, bus_frame_count> catalogue{{
                            CANARD_BUS_LIMIT_REPORT_CYCLE_TIME_MS),
     kind<HeartbeatReportFrame>("HeartbeatReport", BusNode::avionics, CANARD_BUS_HEARTBEAT_REPORT_LENGTH,
                                CANARD_BUS_HEARTBEAT_REPORT_CYCLE_TIME_MS),
+    kind<LogDataFrame>("LogData", BusNode::avionics, CANARD_BUS_LOG_DATA_LENGTH, no_period),
 }};
 
 static_assert(std::ranges::is_sorted(catalogue, {}, &BusFrameKind::id));

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string_view>
 
@@ -17,12 +18,12 @@ struct BusFrameKind {
   std::string_view name{};
   BusNode sender = BusNode::bench;
   std::uint8_t length = 0;
-  std::chrono::milliseconds fastest_period{};
-  bool has_counter = false;  ///< and a CRC-8
-  bool can_move = false;     ///< a canard may move because of it
+  std::optional<std::chrono::milliseconds> fastest_period{};  ///< empty: takes what all others leave
+  bool has_counter = false;                                   ///< and a CRC-8
+  bool can_move = false;                                      ///< a canard may move because of it
 };
 
-inline constexpr std::size_t bus_frame_count = 16;
+inline constexpr std::size_t bus_frame_count = 19;
 
 /// Every frame of the bus, the most urgent first.
 [[nodiscard]] std::span<const BusFrameKind, bus_frame_count> bus_catalogue();

@@ -27,6 +27,7 @@ struct BusFrame {
 [[nodiscard]] BusFrame encode(const ArmRequest& message, std::uint8_t counter);
 [[nodiscard]] BusFrame encode(const PlanBegin& message, std::uint8_t counter);
 [[nodiscard]] BusFrame encode(const PlanData& message);
+[[nodiscard]] BusFrame encode(const LogRequest& message, std::uint8_t counter);
 
 [[nodiscard]] BusFrame encode(const CommandReport& message, std::uint8_t counter);
 [[nodiscard]] BusFrame encode(const EncoderReport& message, std::uint8_t counter);
@@ -35,14 +36,17 @@ struct BusFrame {
 [[nodiscard]] BusFrame encode(const SessionReply& message);
 [[nodiscard]] BusFrame encode(const ArmReply& message);
 [[nodiscard]] BusFrame encode(const PlanReply& message);
+[[nodiscard]] BusFrame encode(const LogReply& message);
 [[nodiscard]] BusFrame encode(const HealthReport& message);
 [[nodiscard]] BusFrame encode(const RejectionReport& message);
 [[nodiscard]] BusFrame encode(const LimitReport& message);
 [[nodiscard]] BusFrame encode(const HeartbeatReport& message);
+[[nodiscard]] BusFrame encode(const LogData& message);
 
-using FromBench = std::variant<BenchRequest, BenchSession, ArmRequest, PlanBegin, PlanData>;
-using FromAvionics = std::variant<CommandReport, EncoderReport, StatusReport, MotionReport, SessionReply, ArmReply,
-                                  PlanReply, HealthReport, RejectionReport, LimitReport, HeartbeatReport>;
+using FromBench = std::variant<BenchRequest, BenchSession, ArmRequest, PlanBegin, PlanData, LogRequest>;
+using FromAvionics =
+    std::variant<CommandReport, EncoderReport, StatusReport, MotionReport, SessionReply, ArmReply, PlanReply, LogReply,
+                 HealthReport, RejectionReport, LimitReport, HeartbeatReport, LogData>;
 
 template <typename Message>
 struct Decoded {

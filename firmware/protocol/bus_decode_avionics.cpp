@@ -5,6 +5,7 @@
 
 #include "protocol/bus_codec.hpp"
 #include "protocol/bus_frames.hpp"
+#include "protocol/bus_log_words.hpp"
 #include "protocol/bus_words.hpp"
 
 namespace fantail::protocol {
@@ -102,6 +103,15 @@ std::optional<PlanReply> read_plan(const PlanReplyFrame::Raw& raw) {
   return message;
 }
 
+std::optional<LogReply> read_log(const LogReplyFrame::Raw& raw) {
+  const auto state = known<LogState>(raw.state);
+  const auto fault = known<LogFault>(raw.fault);
+  if (!state || !fault) {
+    return std::nullopt;
+  }
+  return LogReply{.state = *state, .fault = *fault, .tag = raw.tag, .number = raw.number, .extra = raw.extra};
+}
+
 std::optional<HealthReport> read_health(const HealthReportFrame::Raw& raw) {
   const auto gyro = known<core::SensorState>(raw.gyro);
   const auto accelerometer = known<core::SensorState>(raw.accelerometer);
@@ -145,6 +155,14 @@ std::optional<HeartbeatReport> read_heartbeat(const HeartbeatReportFrame::Raw& r
   return HeartbeatReport{.version = raw.version, .uptime_ms = raw.uptime, .plan_crc = raw.plan_crc};
 }
 
+std::optional<LogData> read_data(const LogDataFrame::Raw& raw) {
+  LogData message{.index = raw.index};
+  for (std::size_t i = 0; i < message.bytes.size(); ++i) {
+    message.bytes[i] = std::byte{raw.*signals::bytes<LogDataFrame::Raw>[i]};
+  }
+  return message;
+}
+
 }  // namespace
 
 Decoded<FromAvionics> decode_from_avionics(const BusFrame& frame) {
@@ -157,10 +175,12 @@ Decoded<FromAvionics> decode_from_avionics(const BusFrame& frame) {
     case SessionReplyFrame::id: return decode_as<FromAvionics, SessionReplyFrame, strict>(frame, read_session);
     case ArmReplyFrame::id: return decode_as<FromAvionics, ArmReplyFrame, strict>(frame, read_arm);
     case PlanReplyFrame::id: return decode_as<FromAvionics, PlanReplyFrame, strict>(frame, read_plan);
+    case LogReplyFrame::id: return decode_as<FromAvionics, LogReplyFrame, strict>(frame, read_log);
     case HealthReportFrame::id: return decode_as<FromAvionics, HealthReportFrame, strict>(frame, read_health);
     case RejectionReportFrame::id: return decode_as<FromAvionics, RejectionReportFrame, strict>(frame, read_rejection);
     case LimitReportFrame::id: return decode_as<FromAvionics, LimitReportFrame, strict>(frame, read_limit);
     case HeartbeatReportFrame::id: return decode_as<FromAvionics, HeartbeatReportFrame, strict>(frame, read_heartbeat);
+    case LogDataFrame::id: return decode_as<FromAvionics, LogDataFrame, strict>(frame, read_data);
     default: return {.rejection = Rejection::unknown_id};
   }
 }

@@ -5,6 +5,7 @@
 
 #include "protocol/bus_codec.hpp"
 #include "protocol/bus_frames.hpp"
+#include "protocol/bus_log_words.hpp"
 #include "protocol/bus_words.hpp"
 
 namespace fantail::protocol {
@@ -42,10 +43,17 @@ std::optional<PlanBegin> read_begin(const PlanBeginFrame::Raw& raw) {
 
 std::optional<PlanData> read_data(const PlanDataFrame::Raw& raw) {
   PlanData message{.index = raw.index};
-  for (std::size_t i = 0; i < signals::bytes.size(); ++i) {
-    message.bytes[i] = std::byte{raw.*signals::bytes[i]};
+  for (std::size_t i = 0; i < message.bytes.size(); ++i) {
+    message.bytes[i] = std::byte{raw.*signals::bytes<PlanDataFrame::Raw>[i]};
   }
   return message;
+}
+
+// Of any place and size, as above.
+std::optional<LogRequest> read_log(const LogRequestFrame::Raw& raw) {
+  const auto action = known<LogAction>(raw.action);
+  return action ? std::optional{LogRequest{.action = *action, .tag = raw.tag, .offset = raw.offset, .size = raw.size}}
+                : std::nullopt;
 }
 
 }  // namespace
@@ -58,6 +66,7 @@ Decoded<FromBench> decode_from_bench(const BusFrame& frame) {
     case ArmRequestFrame::id: return decode_as<FromBench, ArmRequestFrame, strict>(frame, read_arm);
     case PlanBeginFrame::id: return decode_as<FromBench, PlanBeginFrame, strict>(frame, read_begin);
     case PlanDataFrame::id: return decode_as<FromBench, PlanDataFrame, strict>(frame, read_data);
+    case LogRequestFrame::id: return decode_as<FromBench, LogRequestFrame, strict>(frame, read_log);
     default: return {.rejection = Rejection::unknown_id};
   }
 }

@@ -5,9 +5,24 @@
 
 #include "protocol/bus_codec.hpp"
 #include "protocol/bus_frames.hpp"
+#include "protocol/bus_log_words.hpp"
 #include "protocol/bus_words.hpp"
 
 namespace fantail::protocol {
+namespace {
+
+// PlanData and LogData are alike.
+template <typename Frame>
+BusFrame pack_data(const auto& message) {
+  typename Frame::Raw raw{};
+  raw.index = message.index;
+  for (std::size_t i = 0; i < message.bytes.size(); ++i) {
+    raw.*signals::bytes<typename Frame::Raw>[i] = std::to_integer<std::uint8_t>(message.bytes[i]);
+  }
+  return Frame::pack(raw);
+}
+
+}  // namespace
 
 BusFrame encode(const BenchRequest& message, std::uint8_t counter) {
   return protect<BenchRequestFrame>(signals::asked.raw(message.angle), counter);
@@ -34,13 +49,16 @@ BusFrame encode(const PlanBegin& message, std::uint8_t counter) {
   return protect<PlanBeginFrame>(raw, counter);
 }
 
-BusFrame encode(const PlanData& message) {
-  PlanDataFrame::Raw raw{};
-  raw.index = message.index;
-  for (std::size_t i = 0; i < signals::bytes.size(); ++i) {
-    raw.*signals::bytes[i] = std::to_integer<std::uint8_t>(message.bytes[i]);
-  }
-  return PlanDataFrame::pack(raw);
+BusFrame encode(const PlanData& message) { return pack_data<PlanDataFrame>(message); }
+
+BusFrame encode(const LogRequest& message, std::uint8_t counter) {
+  constexpr std::uint16_t twelve_bits = 0xFFF;
+  LogRequestFrame::Raw raw{};
+  raw.action = raw_of(message.action);
+  raw.tag = message.tag & 0x0FU;
+  raw.offset = message.offset;
+  raw.size = std::min(message.size, twelve_bits);
+  return protect<LogRequestFrame>(raw, counter);
 }
 
 BusFrame encode(const CommandReport& message, std::uint8_t counter) {
@@ -109,6 +127,18 @@ BusFrame encode(const PlanReply& message) {
   }
   return PlanReplyFrame::pack(raw);
 }
+
+BusFrame encode(const LogReply& message) {
+  LogReplyFrame::Raw raw{};
+  raw.state = raw_of(message.state);
+  raw.fault = raw_of(message.fault);
+  raw.tag = message.tag & 0x0FU;
+  raw.number = message.number;
+  raw.extra = message.extra;
+  return LogReplyFrame::pack(raw);
+}
+
+BusFrame encode(const LogData& message) { return pack_data<LogDataFrame>(message); }
 
 BusFrame encode(const HealthReport& message) {
   constexpr std::uint8_t last_state = CANARD_BUS_HEALTH_REPORT_BUS_STATE_DOWN_CHOICE;

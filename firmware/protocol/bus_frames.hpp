@@ -22,6 +22,8 @@ using PlanBeginFrame = Layout<canard_bus_plan_begin_t, CANARD_BUS_PLAN_BEGIN_FRA
                               canard_bus_plan_begin_unpack>;
 using PlanDataFrame = Layout<canard_bus_plan_data_t, CANARD_BUS_PLAN_DATA_FRAME_ID, canard_bus_plan_data_pack,
                              canard_bus_plan_data_unpack>;
+using LogRequestFrame = Layout<canard_bus_log_request_t, CANARD_BUS_LOG_REQUEST_FRAME_ID, canard_bus_log_request_pack,
+                               canard_bus_log_request_unpack>;
 using CommandReportFrame = Layout<canard_bus_command_report_t, CANARD_BUS_COMMAND_REPORT_FRAME_ID,
                                   canard_bus_command_report_pack, canard_bus_command_report_unpack>;
 using EncoderReportFrame = Layout<canard_bus_encoder_report_t, CANARD_BUS_ENCODER_REPORT_FRAME_ID,
@@ -36,6 +38,8 @@ using ArmReplyFrame = Layout<canard_bus_arm_reply_t, CANARD_BUS_ARM_REPLY_FRAME_
                              canard_bus_arm_reply_unpack>;
 using PlanReplyFrame = Layout<canard_bus_plan_reply_t, CANARD_BUS_PLAN_REPLY_FRAME_ID, canard_bus_plan_reply_pack,
                               canard_bus_plan_reply_unpack>;
+using LogReplyFrame = Layout<canard_bus_log_reply_t, CANARD_BUS_LOG_REPLY_FRAME_ID, canard_bus_log_reply_pack,
+                             canard_bus_log_reply_unpack>;
 using HealthReportFrame = Layout<canard_bus_health_report_t, CANARD_BUS_HEALTH_REPORT_FRAME_ID,
                                  canard_bus_health_report_pack, canard_bus_health_report_unpack>;
 using RejectionReportFrame = Layout<canard_bus_rejection_report_t, CANARD_BUS_REJECTION_REPORT_FRAME_ID,
@@ -45,9 +49,12 @@ using LimitReportFrame = Layout<canard_bus_limit_report_t, CANARD_BUS_LIMIT_REPO
 using HeartbeatReportFrame = Layout<canard_bus_heartbeat_report_t, CANARD_BUS_HEARTBEAT_REPORT_FRAME_ID,
                                     canard_bus_heartbeat_report_pack, canard_bus_heartbeat_report_unpack>;
 
-// Whatever can move something is protected.
+using LogDataFrame =
+    Layout<canard_bus_log_data_t, CANARD_BUS_LOG_DATA_FRAME_ID, canard_bus_log_data_pack, canard_bus_log_data_unpack>;
+
+// Whatever can move or erase something is protected.
 static_assert(BenchRequestFrame::is_protected && BenchSessionFrame::is_protected && ArmRequestFrame::is_protected &&
-              PlanBeginFrame::is_protected);
+              PlanBeginFrame::is_protected && LogRequestFrame::is_protected);
 
 namespace signals {
 
@@ -57,7 +64,6 @@ using RawEncoder = EncoderReportFrame::Raw;
 using RawStatus = StatusReportFrame::Raw;
 using RawHealth = HealthReportFrame::Raw;
 using RawLimit = LimitReportFrame::Raw;
-using RawData = PlanDataFrame::Raw;
 
 inline constexpr FourAngles<RawRequest> asked{
     .given = {&RawRequest::asked_1, &RawRequest::asked_2, &RawRequest::asked_3, &RawRequest::asked_4}};
@@ -70,8 +76,9 @@ inline constexpr std::array limited{&RawStatus::limited_1, &RawStatus::limited_2
 inline constexpr std::array verdicts{&RawHealth::verdict_1, &RawHealth::verdict_2, &RawHealth::verdict_3,
                                      &RawHealth::verdict_4};
 inline constexpr std::array limits{&RawLimit::canard_1, &RawLimit::canard_2, &RawLimit::canard_3, &RawLimit::canard_4};
-inline constexpr std::array bytes{&RawData::byte_0, &RawData::byte_1, &RawData::byte_2, &RawData::byte_3,
-                                  &RawData::byte_4, &RawData::byte_5, &RawData::byte_6};
+template <typename Raw>
+inline constexpr std::array bytes{&Raw::byte_0, &Raw::byte_1, &Raw::byte_2, &Raw::byte_3,
+                                  &Raw::byte_4, &Raw::byte_5, &Raw::byte_6};
 
 }  // namespace signals
 

@@ -47,7 +47,7 @@ Microseconds time_of(const PeriodicFrame& frame) { return frame.bits * bus_bit_t
 
 /// How often a frame can become ready in a time.
 std::int64_t arrivals(const PeriodicFrame& frame, Microseconds within) {
-  return (within + frame.period - Microseconds{1}) / frame.period;
+  return (within + *frame.period - Microseconds{1}) / *frame.period;
 }
 
 constexpr Microseconds no_bound = std::chrono::minutes{1};
@@ -92,7 +92,9 @@ std::uint32_t bits_on_wire(const BusFrame& frame) {
 float bus_load(std::span<const PeriodicFrame> frames) {
   float load = 0.0F;
   for (const PeriodicFrame& frame : frames) {
-    load += static_cast<float>(time_of(frame).count()) / static_cast<float>(frame.period.count());
+    if (frame.period) {
+      load += static_cast<float>(time_of(frame).count()) / static_cast<float>(frame.period->count());
+    }
   }
   return load;
 }
@@ -100,6 +102,9 @@ float bus_load(std::span<const PeriodicFrame> frames) {
 std::optional<Microseconds> worst_latency(std::span<const PeriodicFrame> frames, std::uint16_t id) {
   const auto own = std::ranges::find(frames, id, &PeriodicFrame::id);
   if (own == frames.end()) {
+    return std::nullopt;
+  }
+  if (std::ranges::any_of(frames, [id](const PeriodicFrame& frame) { return frame.id <= id && !frame.period; })) {
     return std::nullopt;
   }
   Microseconds blocking{};
@@ -121,7 +126,7 @@ std::optional<Microseconds> worst_latency(std::span<const PeriodicFrame> frames,
     const Microseconds fixed = blocking + earlier * time_of(*own);
     // A frame that becomes ready in the very bit in which the bus falls idle still takes part.
     const Microseconds starts = settle(frames, fixed, fixed, bus_bit_time, more_urgent);
-    worst = std::max(worst, starts - earlier * own->period + time_of(*own));
+    worst = std::max(worst, starts - earlier * *own->period + time_of(*own));
   }
   return worst;
 }

@@ -28,20 +28,22 @@ inline constexpr std::uint32_t bits_after_the_crc = 13;
   return up_to_the_crc + (up_to_the_crc - 1U) / 4U + bits_after_the_crc;
 }
 
-/// One kind of frame, sent at most once in each period.
+/// One kind of frame, sent at most once in each period. One without a period takes whatever time is left by the more
+/// urgent ones, which it delays by its own length at most.
 struct PeriodicFrame {
   std::uint16_t id = 0;
   std::uint32_t bits = 0;
-  core::Microseconds period{};  ///< above zero
+  std::optional<core::Microseconds> period{};  ///< above zero
 };
 
-/// Share of the bus's time that these frames take; above 1 they do not fit.
+/// Share of the bus's time that the frames with a period take; above 1 they do not fit.
 [[nodiscard]] float bus_load(std::span<const PeriodicFrame> frames);
 
 /// From the moment frame `id` is handed to the controller until it has been received, if every node always offers its
 /// most urgent waiting frame and no frame is disturbed: one less urgent frame is on the wire already, and every more
 /// urgent one comes as often as it may (Davis, Burns, Bril, Lukkien: Controller Area Network schedulability analysis:
-/// refuted, revisited and revised, 2007). Empty when there is no bound below a minute, or no such frame.
+/// refuted, revisited and revised, 2007). Empty when there is no bound below a minute, or no such frame,
+/// or it or a more urgent one has no period.
 [[nodiscard]] std::optional<core::Microseconds> worst_latency(std::span<const PeriodicFrame> frames, std::uint16_t id);
 
 }  // namespace fantail::protocol

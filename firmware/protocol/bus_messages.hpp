@@ -59,6 +59,20 @@ struct PlanData {
   std::array<std::byte, 7> bytes{};
 };
 
+enum class LogAction : std::uint8_t {
+  info,
+  read,
+  erase,  ///< in Safe, in an open bench session
+};
+
+/// Of the flight record: the used part of the flash's flight region. Moves nothing; protected because it can erase.
+struct LogRequest {
+  LogAction action = LogAction::info;
+  std::uint8_t tag = 0;      ///< 0 to 15, chosen by the bench; the answer carries it
+  std::uint32_t offset = 0;  ///< read: from the beginning of the record
+  std::uint16_t size = 0;    ///< read: 1 to largest_log_chunk; 12 bits
+};
+
 // ---- from the avionics: reports, which move nothing ----
 
 /// What the servos are told; empty: not driven.
@@ -183,6 +197,41 @@ struct PlanReply {
   std::optional<PlanBlockFault> block_fault{};
   std::optional<std::uint8_t> field{};  ///< place in core::flight_plan_fields() of the refused one
 };
+
+enum class LogState : std::uint8_t {
+  ready,    ///< the answer to info
+  read,     ///< the bytes asked for have been sent
+  erasing,  ///< said again as it goes on
+  erased,
+  refused,  ///< or given up
+};
+
+enum class LogFault : std::uint8_t {
+  none,
+  not_safe,
+  no_session,       ///< erase: not open, or closed before the end
+  busy,             ///< it is being erased, or the flash has something more urgent to do
+  not_counted_yet,  ///< what is used is still being looked for, some seconds after power-up
+  out_of_range,     ///< nothing, too much, or beyond the end
+  flash_failed,
+};
+
+struct LogReply {
+  LogState state = LogState::ready;
+  LogFault fault = LogFault::none;
+  std::uint8_t tag = 0;
+  std::uint32_t number = 0;  ///< ready, erased: bytes in use; read: CRC-32C of the bytes; erasing: bytes still to erase
+  std::uint16_t extra = 0;   ///< ready: flights in them, as far as known; read: how many bytes
+};
+
+/// Seven bytes of what was asked for; zeros after the last.
+struct LogData {
+  std::uint8_t index = 0;  ///< bytes from 7 * index on
+  std::array<std::byte, 7> bytes{};
+};
+
+/// As many bytes as the index can count.
+inline constexpr std::uint16_t largest_log_chunk = 256 * 7;
 
 /// Why a received frame was not acted upon.
 enum class Rejection : std::uint8_t {

@@ -22,6 +22,7 @@ std::vector<BusFrame> protected_frames() {
           encode(BenchSession{.action = SessionAction::open, .session = 0xBEEF}, 15),
           encode(ArmRequest{.action = ArmAction::confirm, .nonce = 0x12345678}, 0),
           encode(PlanBegin{.size = 900, .block_crc = 0xE3069283}, 3),
+          encode(LogRequest{.action = LogAction::erase, .tag = 9, .offset = 0x00FEDCBA, .size = 1792}, 6),
           encode(CommandReport{.angle = request.angle}, 1),
           encode(EncoderReport{.angle = request.angle}, 12)};
 }
@@ -131,9 +132,9 @@ TEST(BusCodecBadFrame, ACounterComesWithExactlyTheMessagesThatHaveOne) {
 // What is accepted from the bench has one meaning and one form: nothing of it was ignored.
 RC_GTEST_PROP(BusCodecBadFrame, ARandomFrameFromTheBenchIsRefusedOrComesBackBitForBit, (std::uint32_t seed)) {
   core::RandomStream random{seed};
-  constexpr std::uint16_t ids[] = {0x010, 0x020, 0x030, 0x040, 0x041};
+  constexpr std::uint16_t ids[] = {0x010, 0x020, 0x030, 0x040, 0x041, 0x050};
   for (int i = 0; i < 2000; ++i) {
-    FrameBuilder builder{ids[random.whole(0, 4)]};
+    FrameBuilder builder{ids[random.whole(0, 5)]};
     const bool sparse = random.chance(0.5);
     for (unsigned bit = 0; bit < 64; ++bit) {
       builder.put(bit, 1, random.chance(sparse ? 0.05 : 0.5) ? 1 : 0);

@@ -49,6 +49,7 @@ const std::vector<Frame>& frames() {
       {"ArmRequest", 0x030, {choice(0, 8, 4), whole(16, 32), whole(52, 4)}, {}},
       {"PlanBegin", 0x040, {whole(0, 16), whole(16, 32), whole(52, 4)}, {}},
       {"PlanData", 0x041, all_bytes(), {}},
+      {"LogRequest", 0x050, {choice(0, 4, 3), whole(4, 4), whole(8, 32), whole(40, 12), whole(52, 4)}, {}},
       {"CommandReport", 0x100, four_angles(), {48, 49, 50, 51}},
       {"EncoderReport", 0x101, four_angles(), {48, 49, 50, 51}},
       {"StatusReport",
@@ -64,6 +65,7 @@ const std::vector<Frame>& frames() {
        {choice(0, 8, 4), choice(8, 8, 15), choice(16, 4, 5), choice(24, 8, 12), whole(32, 32)},
        {20}},
       {"PlanReply", 0x122, {choice(0, 8, 5), choice(8, 8, 8), whole(16, 8), choice(24, 8, 8), whole(32, 8)}, {40}},
+      {"LogReply", 0x123, {choice(0, 4, 5), choice(4, 4, 7), whole(8, 4), whole(16, 32), whole(48, 16)}, {}},
       {"HealthReport",
        0x130,
        {choice(0, 4, 5), choice(4, 4, 5), choice(8, 4, 5), choice(12, 4, 5), choice(16, 2, 4), choice(18, 2, 4),
@@ -74,7 +76,8 @@ const std::vector<Frame>& frames() {
        {whole(0, 8), whole(8, 8), whole(16, 8), whole(24, 8), whole(32, 8), whole(40, 8)},
        {}},
       {"LimitReport", 0x132, {{0, 12, 0, 2047}, {12, 12, 0, 2047}, {24, 12, 0, 2047}, {36, 12, 0, 2047}}, {}},
-      {"HeartbeatReport", 0x140, {whole(0, 8), whole(8, 24), whole(32, 32)}, {}}};
+      {"HeartbeatReport", 0x140, {whole(0, 8), whole(8, 24), whole(32, 32)}, {}},
+      {"LogData", 0x180, all_bytes(), {}}};
   return all;
 }
 
@@ -113,7 +116,7 @@ TEST_P(BusCodecLayout, EverySignalKeepsEveryValueOfItsRangeAndRefusesEveryOther)
 TEST_P(BusCodecLayout, BitsOfNoSignalAreRefusedFromTheBenchOnly) {
   const Frame& frame = GetParam();
   std::uint64_t used = 0;
-  const bool has_crc = frame.id <= 0x040 || frame.id == 0x100 || frame.id == 0x101;
+  const bool has_crc = frame.id <= 0x040 || frame.id == 0x050 || frame.id == 0x100 || frame.id == 0x101;
   for (const Signal& signal : frame.signals) {
     used |= ((std::uint64_t{1} << signal.length) - 1) << signal.start;
   }

@@ -154,6 +154,7 @@ TEST(BusCodecValue, CountersThatDoNotFitLoseTheirUpperBits) {
 
 TEST(BusCodecValue, APlaceThatDoesNotFitIsClamped) {
   EXPECT_EQ(encode(ArmReply{.canard = 1000}), encode(ArmReply{.canard = 3}));
+  EXPECT_EQ(encode(LogRequest{.tag = 0x17, .size = 5000}, 0), encode(LogRequest{.tag = 7, .size = 4095}, 0));
   EXPECT_EQ(encode(HealthReport{.bus_state = 200}), encode(HealthReport{.bus_state = 4}));
 }
 

@@ -56,12 +56,20 @@ void print_signals(const PlanBegin& m) {
   print("size", m.size);
   print("block_crc", m.block_crc);
 }
-void print_signals(const PlanData& m) {
+void print_data(const auto& m) {
   print("index", m.index);
   for (std::size_t i = 0; i < m.bytes.size(); ++i) {
     print("byte_" + std::to_string(i), std::to_integer<int>(m.bytes[i]));
   }
 }
+void print_signals(const LogRequest& m) {
+  print("action", m.action);
+  print("tag", m.tag);
+  print("offset", m.offset);
+  print("size", m.size);
+}
+void print_signals(const PlanData& m) { print_data(m); }
+void print_signals(const LogData& m) { print_data(m); }
 void print_signals(const StatusReport& m) {
   print("phase", m.phase);
   print("reason", m.reason);
@@ -104,6 +112,13 @@ void print_signals(const PlanReply& m) {
   print("block_fault", m.block_fault ? static_cast<double>(*m.block_fault) + 1 : 0);
   print("field_given", m.field.has_value());
   print("field", m.field.value_or(0));
+}
+void print_signals(const LogReply& m) {
+  print("state", m.state);
+  print("fault", m.fault);
+  print("tag", m.tag);
+  print("number", m.number);
+  print("extra", m.extra);
 }
 void print_signals(const HealthReport& m) {
   for (std::size_t i = 0; i < m.verdicts.size(); ++i) {
@@ -167,10 +182,11 @@ int main(int count, char** /*arguments*/) {
       fastest.push_back({.id = kind.id, .bits = worst_bits_on_wire(kind.length), .period = kind.fastest_period});
     }
     for (const BusFrameKind& kind : bus_catalogue()) {
-      std::printf("%u %s %s %u %d %d %d %d\n", static_cast<unsigned>(kind.id), std::string{kind.name}.c_str(),
-                  kind.sender == BusNode::bench ? "BENCH" : "AVIONICS", static_cast<unsigned>(kind.length),
-                  static_cast<int>(kind.fastest_period.count()), kind.has_counter, kind.can_move,
-                  static_cast<int>(worst_latency(fastest, kind.id).value().count()));
+      const int period_ms = kind.fastest_period ? static_cast<int>(kind.fastest_period->count()) : 0;
+      const auto latency = worst_latency(fastest, kind.id);
+      std::printf("%u %s %s %u %d %d %d %s\n", static_cast<unsigned>(kind.id), std::string{kind.name}.c_str(),
+                  kind.sender == BusNode::bench ? "BENCH" : "AVIONICS", static_cast<unsigned>(kind.length), period_ms,
+                  kind.has_counter, kind.can_move, latency ? std::to_string(latency->count()).c_str() : "none");
     }
     return 0;
   }

@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -114,10 +116,10 @@ std::vector<PeriodicFrame> everything_at_its_fastest() {
   return frames;
 }
 
-// Frames in one second, added up by hand: 200 + 50 + 10 + 10 + 100 from the bench, 2 * 1000 + 2 * 100 + 2 * 10 + 100 +
-// 10 + 1 + 1 + 10 from the avionics.
+// Frames in one second, added up by hand: 200 + 50 + 10 + 10 + 100 + 50 from the bench, 2 * 1000 + 2 * 100 + 2 * 10 +
+// 100 + 50 + 10 + 1 + 1 + 10 from the avionics. LogData has no rate of its own.
 TEST(BusLoad, EverythingAtItsFastestTakesLessThanFourTenthsOfTheBus) {
-  constexpr double frames_a_second = 370 + 2342;
+  constexpr double frames_a_second = 420 + 2392;
   const float load = bus_load(everything_at_its_fastest());
   EXPECT_NEAR(load, frames_a_second * 135e-6, 1e-6);
   EXPECT_LT(load, 0.40F);
@@ -139,6 +141,26 @@ TEST(BusLoad, TheSecondFrameOfABusyPeriodCanBeTheLatest) {
   EXPECT_EQ(worst_latency(frames, 3), Microseconds{3500});
 }
 
+TEST(BusLoad, AFrameWithoutAPeriodTakesNoShareAndDelaysAnyOtherByItsOwnLengthAtMost) {
+  const std::array<PeriodicFrame, 3> with{{{.id = 1, .bits = 100, .period = Microseconds{1000}},
+                                           {.id = 2, .bits = 100, .period = Microseconds{2000}},
+                                           {.id = 3, .bits = 130, .period = std::nullopt}}};
+  const std::span without = std::span{with}.first(2);
+  EXPECT_FLOAT_EQ(bus_load(with), 0.15F);
+  EXPECT_EQ(worst_latency(without, 1), Microseconds{200});  // frame 2 is on the wire already
+  EXPECT_EQ(worst_latency(with, 1), Microseconds{230});     // now it may be frame 3
+  EXPECT_EQ(worst_latency(without, 2), Microseconds{200});
+  EXPECT_EQ(worst_latency(with, 2), Microseconds{330});
+  EXPECT_FALSE(worst_latency(with, 3));
+}
+
+TEST(BusLoad, OnlyTheDataOfTheFlightRecordHaveNoPeriodAndTheyAreTheLeastUrgent) {
+  for (const BusFrameKind& kind : bus_catalogue()) {
+    EXPECT_EQ(kind.fastest_period.has_value(), kind.id != 0x180);
+    EXPECT_LE(kind.id, 0x180);
+  }
+}
+
 TEST(BusLoad, ThereIsNoBoundOnAFullBusAndNoneForAFrameThatIsNotThere) {
   const std::array<PeriodicFrame, 2> frames{
       {{.id = 1, .bits = 135, .period = Microseconds{135}}, {.id = 2, .bits = 135, .period = Microseconds{1000}}}};
@@ -146,6 +168,9 @@ TEST(BusLoad, ThereIsNoBoundOnAFullBusAndNoneForAFrameThatIsNotThere) {
   EXPECT_FALSE(worst_latency(frames, 3));
   EXPECT_GT(bus_load(frames), 1.0F);
 }
+
+// A frame without a period: only its first one is looked at, and what it then holds up.
+constexpr Microseconds endless = std::chrono::minutes{1};
 
 /// A bus bit by bit: at each bit the frames that are due join the queue, and a free bus takes the most urgent one.
 std::map<std::uint16_t, Microseconds> simulated_latency(const std::vector<PeriodicFrame>& frames,
@@ -155,7 +180,7 @@ std::map<std::uint16_t, Microseconds> simulated_latency(const std::vector<Period
   Microseconds free{};
   for (Microseconds now{}; now < duration; ++now) {
     for (std::size_t i = 0; i < frames.size(); ++i) {
-      if (now >= first[i] && (now - first[i]) % frames[i].period == Microseconds{}) {
+      if (now >= first[i] && (now - first[i]) % frames[i].period.value_or(endless) == Microseconds{}) {
         queue.push_back({frames[i].id, {now, frames[i].bits}});
       }
     }
@@ -175,10 +200,11 @@ RC_GTEST_PROP(BusLoad, NoSimulatedFrameIsLaterThanItsBound, (std::uint32_t seed)
   auto frames = everything_at_its_fastest();
   std::vector<Microseconds> first;
   for (const PeriodicFrame& frame : frames) {
-    first.emplace_back(random.whole(0, static_cast<int>(std::min(frame.period.count(), std::int64_t{3000}))));
+    first.emplace_back(
+        random.whole(0, static_cast<int>(std::min(frame.period.value_or(endless).count(), std::int64_t{3000}))));
   }
   for (const auto& [id, latency] : simulated_latency(frames, first, Microseconds{12'000})) {
-    RC_ASSERT(latency <= *worst_latency(frames, id));
+    RC_ASSERT(latency <= worst_latency(frames, id).value_or(endless));
   }
 }
 
@@ -202,6 +228,13 @@ TEST(BusCatalogue, HasEveryFrameOnceAndFindsItByItsIdentifier) {
     EXPECT_EQ(find_bus_frame(kind.id), &kind);
   }
   EXPECT_EQ(find_bus_frame(0x7FF), nullptr);
+}
+
+TEST(BusCatalogue, WhatCanEraseComesFromTheBenchIsProtectedAndMovesNothing) {
+  const BusFrameKind& kind = *find_bus_frame(0x050);
+  EXPECT_EQ(kind.sender, BusNode::bench);
+  EXPECT_TRUE(kind.has_counter);
+  EXPECT_FALSE(kind.can_move);
 }
 
 TEST(BusCatalogue, EverythingThatCanMoveSomethingComesFromTheBenchAndIsProtected) {

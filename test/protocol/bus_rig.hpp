@@ -52,7 +52,7 @@ class FrameBuilder {
   }
   /// As this kind of frame is sent.
   [[nodiscard]] BusFrame done() const {
-    const bool has_crc = frame_.id <= 0x040 || frame_.id == 0x100 || frame_.id == 0x101;
+    const bool has_crc = frame_.id <= 0x040 || frame_.id == 0x050 || frame_.id == 0x100 || frame_.id == 0x101;
     return has_crc ? with_crc() : plain();
   }
 

@@ -1061,6 +1061,187 @@ bool canard_bus_plan_data_byte_6_is_in_phys_range(float value)
     return ((value >= 0.0f) && (value <= 255.0f));
 }
 
+int canard_bus_log_request_pack(
+    uint8_t *dst_p,
+    const struct canard_bus_log_request_t *src_p,
+    size_t size)
+{
+    if (size < 8u) {
+        return (-EINVAL);
+    }
+
+    memset(&dst_p[0], 0, 8);
+
+    dst_p[0] |= pack_left_shift_u8(src_p->action, 0u, 0x0fu);
+    dst_p[0] |= pack_left_shift_u8(src_p->tag, 4u, 0xf0u);
+    dst_p[1] |= pack_left_shift_u32(src_p->offset, 0u, 0xffu);
+    dst_p[2] |= pack_right_shift_u32(src_p->offset, 8u, 0xffu);
+    dst_p[3] |= pack_right_shift_u32(src_p->offset, 16u, 0xffu);
+    dst_p[4] |= pack_right_shift_u32(src_p->offset, 24u, 0xffu);
+    dst_p[5] |= pack_left_shift_u16(src_p->size, 0u, 0xffu);
+    dst_p[6] |= pack_right_shift_u16(src_p->size, 8u, 0x0fu);
+    dst_p[6] |= pack_left_shift_u8(src_p->counter, 4u, 0xf0u);
+    dst_p[7] |= pack_left_shift_u8(src_p->crc, 0u, 0xffu);
+
+    return (8);
+}
+
+int canard_bus_log_request_unpack(
+    struct canard_bus_log_request_t *dst_p,
+    const uint8_t *src_p,
+    size_t size)
+{
+    if (size < 8u) {
+        return (-EINVAL);
+    }
+
+    dst_p->action = unpack_right_shift_u8(src_p[0], 0u, 0x0fu);
+    dst_p->tag = unpack_right_shift_u8(src_p[0], 4u, 0xf0u);
+    dst_p->offset = unpack_right_shift_u32(src_p[1], 0u, 0xffu);
+    dst_p->offset |= unpack_left_shift_u32(src_p[2], 8u, 0xffu);
+    dst_p->offset |= unpack_left_shift_u32(src_p[3], 16u, 0xffu);
+    dst_p->offset |= unpack_left_shift_u32(src_p[4], 24u, 0xffu);
+    dst_p->size = unpack_right_shift_u16(src_p[5], 0u, 0xffu);
+    dst_p->size |= unpack_left_shift_u16(src_p[6], 8u, 0x0fu);
+    dst_p->counter = unpack_right_shift_u8(src_p[6], 4u, 0xf0u);
+    dst_p->crc = unpack_right_shift_u8(src_p[7], 0u, 0xffu);
+
+    return (0);
+}
+
+int canard_bus_log_request_init(struct canard_bus_log_request_t *msg_p)
+{
+    if (msg_p == NULL) return -1;
+
+    memset(msg_p, 0, sizeof(struct canard_bus_log_request_t));
+
+    return 0;
+}
+
+uint8_t canard_bus_log_request_action_encode(float value)
+{
+    return (uint8_t)(cantools_unsigned_from_double(value));
+}
+
+float canard_bus_log_request_action_decode(uint8_t value)
+{
+    return ((float)value);
+}
+
+bool canard_bus_log_request_action_is_in_range(uint8_t value)
+{
+    return (value <= 2u);
+}
+
+bool canard_bus_log_request_action_is_in_phys_range(float value)
+{
+    return ((value >= 0.0f) && (value <= 2.0f));
+}
+
+uint8_t canard_bus_log_request_tag_encode(float value)
+{
+    return (uint8_t)(cantools_unsigned_from_double(value));
+}
+
+float canard_bus_log_request_tag_decode(uint8_t value)
+{
+    return ((float)value);
+}
+
+bool canard_bus_log_request_tag_is_in_range(uint8_t value)
+{
+    return (value <= 15u);
+}
+
+bool canard_bus_log_request_tag_is_in_phys_range(float value)
+{
+    return ((value >= 0.0f) && (value <= 15.0f));
+}
+
+uint32_t canard_bus_log_request_offset_encode(float value)
+{
+    return (uint32_t)(cantools_unsigned_from_double(value));
+}
+
+float canard_bus_log_request_offset_decode(uint32_t value)
+{
+    return ((float)value);
+}
+
+bool canard_bus_log_request_offset_is_in_range(uint32_t value)
+{
+    (void)value;
+
+    return (true);
+}
+
+bool canard_bus_log_request_offset_is_in_phys_range(float value)
+{
+    return ((value >= 0.0f) && (value <= 4294967295.0f));
+}
+
+uint16_t canard_bus_log_request_size_encode(float value)
+{
+    return (uint16_t)(cantools_unsigned_from_double(value));
+}
+
+float canard_bus_log_request_size_decode(uint16_t value)
+{
+    return ((float)value);
+}
+
+bool canard_bus_log_request_size_is_in_range(uint16_t value)
+{
+    return (value <= 4095u);
+}
+
+bool canard_bus_log_request_size_is_in_phys_range(float value)
+{
+    return ((value >= 0.0f) && (value <= 4095.0f));
+}
+
+uint8_t canard_bus_log_request_counter_encode(float value)
+{
+    return (uint8_t)(cantools_unsigned_from_double(value));
+}
+
+float canard_bus_log_request_counter_decode(uint8_t value)
+{
+    return ((float)value);
+}
+
+bool canard_bus_log_request_counter_is_in_range(uint8_t value)
+{
+    return (value <= 15u);
+}
+
+bool canard_bus_log_request_counter_is_in_phys_range(float value)
+{
+    return ((value >= 0.0f) && (value <= 15.0f));
+}
+
+uint8_t canard_bus_log_request_crc_encode(float value)
+{
+    return (uint8_t)(cantools_unsigned_from_double(value));
+}
+
+float canard_bus_log_request_crc_decode(uint8_t value)
+{
+    return ((float)value);
+}
+
+bool canard_bus_log_request_crc_is_in_range(uint8_t value)
+{
+    (void)value;
+
+    return (true);
+}
+
+bool canard_bus_log_request_crc_is_in_phys_range(float value)
+{
+    return ((value >= 0.0f) && (value <= 255.0f));
+}
+
 int canard_bus_command_report_pack(
     uint8_t *dst_p,
     const struct canard_bus_command_report_t *src_p,
@@ -2659,6 +2840,165 @@ bool canard_bus_plan_reply_field_given_is_in_phys_range(float value)
     return ((value >= 0.0f) && (value <= 1.0f));
 }
 
+int canard_bus_log_reply_pack(
+    uint8_t *dst_p,
+    const struct canard_bus_log_reply_t *src_p,
+    size_t size)
+{
+    if (size < 8u) {
+        return (-EINVAL);
+    }
+
+    memset(&dst_p[0], 0, 8);
+
+    dst_p[0] |= pack_left_shift_u8(src_p->state, 0u, 0x0fu);
+    dst_p[0] |= pack_left_shift_u8(src_p->fault, 4u, 0xf0u);
+    dst_p[1] |= pack_left_shift_u8(src_p->tag, 0u, 0x0fu);
+    dst_p[2] |= pack_left_shift_u32(src_p->number, 0u, 0xffu);
+    dst_p[3] |= pack_right_shift_u32(src_p->number, 8u, 0xffu);
+    dst_p[4] |= pack_right_shift_u32(src_p->number, 16u, 0xffu);
+    dst_p[5] |= pack_right_shift_u32(src_p->number, 24u, 0xffu);
+    dst_p[6] |= pack_left_shift_u16(src_p->extra, 0u, 0xffu);
+    dst_p[7] |= pack_right_shift_u16(src_p->extra, 8u, 0xffu);
+
+    return (8);
+}
+
+int canard_bus_log_reply_unpack(
+    struct canard_bus_log_reply_t *dst_p,
+    const uint8_t *src_p,
+    size_t size)
+{
+    if (size < 8u) {
+        return (-EINVAL);
+    }
+
+    dst_p->state = unpack_right_shift_u8(src_p[0], 0u, 0x0fu);
+    dst_p->fault = unpack_right_shift_u8(src_p[0], 4u, 0xf0u);
+    dst_p->tag = unpack_right_shift_u8(src_p[1], 0u, 0x0fu);
+    dst_p->number = unpack_right_shift_u32(src_p[2], 0u, 0xffu);
+    dst_p->number |= unpack_left_shift_u32(src_p[3], 8u, 0xffu);
+    dst_p->number |= unpack_left_shift_u32(src_p[4], 16u, 0xffu);
+    dst_p->number |= unpack_left_shift_u32(src_p[5], 24u, 0xffu);
+    dst_p->extra = unpack_right_shift_u16(src_p[6], 0u, 0xffu);
+    dst_p->extra |= unpack_left_shift_u16(src_p[7], 8u, 0xffu);
+
+    return (0);
+}
+
+int canard_bus_log_reply_init(struct canard_bus_log_reply_t *msg_p)
+{
+    if (msg_p == NULL) return -1;
+
+    memset(msg_p, 0, sizeof(struct canard_bus_log_reply_t));
+
+    return 0;
+}
+
+uint8_t canard_bus_log_reply_state_encode(float value)
+{
+    return (uint8_t)(cantools_unsigned_from_double(value));
+}
+
+float canard_bus_log_reply_state_decode(uint8_t value)
+{
+    return ((float)value);
+}
+
+bool canard_bus_log_reply_state_is_in_range(uint8_t value)
+{
+    return (value <= 4u);
+}
+
+bool canard_bus_log_reply_state_is_in_phys_range(float value)
+{
+    return ((value >= 0.0f) && (value <= 4.0f));
+}
+
+uint8_t canard_bus_log_reply_fault_encode(float value)
+{
+    return (uint8_t)(cantools_unsigned_from_double(value));
+}
+
+float canard_bus_log_reply_fault_decode(uint8_t value)
+{
+    return ((float)value);
+}
+
+bool canard_bus_log_reply_fault_is_in_range(uint8_t value)
+{
+    return (value <= 6u);
+}
+
+bool canard_bus_log_reply_fault_is_in_phys_range(float value)
+{
+    return ((value >= 0.0f) && (value <= 6.0f));
+}
+
+uint8_t canard_bus_log_reply_tag_encode(float value)
+{
+    return (uint8_t)(cantools_unsigned_from_double(value));
+}
+
+float canard_bus_log_reply_tag_decode(uint8_t value)
+{
+    return ((float)value);
+}
+
+bool canard_bus_log_reply_tag_is_in_range(uint8_t value)
+{
+    return (value <= 15u);
+}
+
+bool canard_bus_log_reply_tag_is_in_phys_range(float value)
+{
+    return ((value >= 0.0f) && (value <= 15.0f));
+}
+
+uint32_t canard_bus_log_reply_number_encode(float value)
+{
+    return (uint32_t)(cantools_unsigned_from_double(value));
+}
+
+float canard_bus_log_reply_number_decode(uint32_t value)
+{
+    return ((float)value);
+}
+
+bool canard_bus_log_reply_number_is_in_range(uint32_t value)
+{
+    (void)value;
+
+    return (true);
+}
+
+bool canard_bus_log_reply_number_is_in_phys_range(float value)
+{
+    return ((value >= 0.0f) && (value <= 4294967295.0f));
+}
+
+uint16_t canard_bus_log_reply_extra_encode(float value)
+{
+    return (uint16_t)(cantools_unsigned_from_double(value));
+}
+
+float canard_bus_log_reply_extra_decode(uint16_t value)
+{
+    return ((float)value);
+}
+
+bool canard_bus_log_reply_extra_is_in_range(uint16_t value)
+{
+    (void)value;
+
+    return (true);
+}
+
+bool canard_bus_log_reply_extra_is_in_phys_range(float value)
+{
+    return ((value >= 0.0f) && (value <= 65535.0f));
+}
+
 int canard_bus_health_report_pack(
     uint8_t *dst_p,
     const struct canard_bus_health_report_t *src_p,
@@ -3415,4 +3755,233 @@ bool canard_bus_heartbeat_report_plan_crc_is_in_range(uint32_t value)
 bool canard_bus_heartbeat_report_plan_crc_is_in_phys_range(float value)
 {
     return ((value >= 0.0f) && (value <= 4294967295.0f));
+}
+
+int canard_bus_log_data_pack(
+    uint8_t *dst_p,
+    const struct canard_bus_log_data_t *src_p,
+    size_t size)
+{
+    if (size < 8u) {
+        return (-EINVAL);
+    }
+
+    memset(&dst_p[0], 0, 8);
+
+    dst_p[0] |= pack_left_shift_u8(src_p->index, 0u, 0xffu);
+    dst_p[1] |= pack_left_shift_u8(src_p->byte_0, 0u, 0xffu);
+    dst_p[2] |= pack_left_shift_u8(src_p->byte_1, 0u, 0xffu);
+    dst_p[3] |= pack_left_shift_u8(src_p->byte_2, 0u, 0xffu);
+    dst_p[4] |= pack_left_shift_u8(src_p->byte_3, 0u, 0xffu);
+    dst_p[5] |= pack_left_shift_u8(src_p->byte_4, 0u, 0xffu);
+    dst_p[6] |= pack_left_shift_u8(src_p->byte_5, 0u, 0xffu);
+    dst_p[7] |= pack_left_shift_u8(src_p->byte_6, 0u, 0xffu);
+
+    return (8);
+}
+
+int canard_bus_log_data_unpack(
+    struct canard_bus_log_data_t *dst_p,
+    const uint8_t *src_p,
+    size_t size)
+{
+    if (size < 8u) {
+        return (-EINVAL);
+    }
+
+    dst_p->index = unpack_right_shift_u8(src_p[0], 0u, 0xffu);
+    dst_p->byte_0 = unpack_right_shift_u8(src_p[1], 0u, 0xffu);
+    dst_p->byte_1 = unpack_right_shift_u8(src_p[2], 0u, 0xffu);
+    dst_p->byte_2 = unpack_right_shift_u8(src_p[3], 0u, 0xffu);
+    dst_p->byte_3 = unpack_right_shift_u8(src_p[4], 0u, 0xffu);
+    dst_p->byte_4 = unpack_right_shift_u8(src_p[5], 0u, 0xffu);
+    dst_p->byte_5 = unpack_right_shift_u8(src_p[6], 0u, 0xffu);
+    dst_p->byte_6 = unpack_right_shift_u8(src_p[7], 0u, 0xffu);
+
+    return (0);
+}
+
+int canard_bus_log_data_init(struct canard_bus_log_data_t *msg_p)
+{
+    if (msg_p == NULL) return -1;
+
+    memset(msg_p, 0, sizeof(struct canard_bus_log_data_t));
+
+    return 0;
+}
+
+uint8_t canard_bus_log_data_index_encode(float value)
+{
+    return (uint8_t)(cantools_unsigned_from_double(value));
+}
+
+float canard_bus_log_data_index_decode(uint8_t value)
+{
+    return ((float)value);
+}
+
+bool canard_bus_log_data_index_is_in_range(uint8_t value)
+{
+    (void)value;
+
+    return (true);
+}
+
+bool canard_bus_log_data_index_is_in_phys_range(float value)
+{
+    return ((value >= 0.0f) && (value <= 255.0f));
+}
+
+uint8_t canard_bus_log_data_byte_0_encode(float value)
+{
+    return (uint8_t)(cantools_unsigned_from_double(value));
+}
+
+float canard_bus_log_data_byte_0_decode(uint8_t value)
+{
+    return ((float)value);
+}
+
+bool canard_bus_log_data_byte_0_is_in_range(uint8_t value)
+{
+    (void)value;
+
+    return (true);
+}
+
+bool canard_bus_log_data_byte_0_is_in_phys_range(float value)
+{
+    return ((value >= 0.0f) && (value <= 255.0f));
+}
+
+uint8_t canard_bus_log_data_byte_1_encode(float value)
+{
+    return (uint8_t)(cantools_unsigned_from_double(value));
+}
+
+float canard_bus_log_data_byte_1_decode(uint8_t value)
+{
+    return ((float)value);
+}
+
+bool canard_bus_log_data_byte_1_is_in_range(uint8_t value)
+{
+    (void)value;
+
+    return (true);
+}
+
+bool canard_bus_log_data_byte_1_is_in_phys_range(float value)
+{
+    return ((value >= 0.0f) && (value <= 255.0f));
+}
+
+uint8_t canard_bus_log_data_byte_2_encode(float value)
+{
+    return (uint8_t)(cantools_unsigned_from_double(value));
+}
+
+float canard_bus_log_data_byte_2_decode(uint8_t value)
+{
+    return ((float)value);
+}
+
+bool canard_bus_log_data_byte_2_is_in_range(uint8_t value)
+{
+    (void)value;
+
+    return (true);
+}
+
+bool canard_bus_log_data_byte_2_is_in_phys_range(float value)
+{
+    return ((value >= 0.0f) && (value <= 255.0f));
+}
+
+uint8_t canard_bus_log_data_byte_3_encode(float value)
+{
+    return (uint8_t)(cantools_unsigned_from_double(value));
+}
+
+float canard_bus_log_data_byte_3_decode(uint8_t value)
+{
+    return ((float)value);
+}
+
+bool canard_bus_log_data_byte_3_is_in_range(uint8_t value)
+{
+    (void)value;
+
+    return (true);
+}
+
+bool canard_bus_log_data_byte_3_is_in_phys_range(float value)
+{
+    return ((value >= 0.0f) && (value <= 255.0f));
+}
+
+uint8_t canard_bus_log_data_byte_4_encode(float value)
+{
+    return (uint8_t)(cantools_unsigned_from_double(value));
+}
+
+float canard_bus_log_data_byte_4_decode(uint8_t value)
+{
+    return ((float)value);
+}
+
+bool canard_bus_log_data_byte_4_is_in_range(uint8_t value)
+{
+    (void)value;
+
+    return (true);
+}
+
+bool canard_bus_log_data_byte_4_is_in_phys_range(float value)
+{
+    return ((value >= 0.0f) && (value <= 255.0f));
+}
+
+uint8_t canard_bus_log_data_byte_5_encode(float value)
+{
+    return (uint8_t)(cantools_unsigned_from_double(value));
+}
+
+float canard_bus_log_data_byte_5_decode(uint8_t value)
+{
+    return ((float)value);
+}
+
+bool canard_bus_log_data_byte_5_is_in_range(uint8_t value)
+{
+    (void)value;
+
+    return (true);
+}
+
+bool canard_bus_log_data_byte_5_is_in_phys_range(float value)
+{
+    return ((value >= 0.0f) && (value <= 255.0f));
+}
+
+uint8_t canard_bus_log_data_byte_6_encode(float value)
+{
+    return (uint8_t)(cantools_unsigned_from_double(value));
+}
+
+float canard_bus_log_data_byte_6_decode(uint8_t value)
+{
+    return ((float)value);
+}
+
+bool canard_bus_log_data_byte_6_is_in_range(uint8_t value)
+{
+    (void)value;
+
+    return (true);
+}
+
+bool canard_bus_log_data_byte_6_is_in_phys_range(float value)
+{
+    return ((value >= 0.0f) && (value <= 255.0f));
 }

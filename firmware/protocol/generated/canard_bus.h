@@ -50,6 +50,7 @@ extern "C" {
 #define CANARD_BUS_ARM_REQUEST_FRAME_ID (0x30u)
 #define CANARD_BUS_PLAN_BEGIN_FRAME_ID (0x40u)
 #define CANARD_BUS_PLAN_DATA_FRAME_ID (0x41u)
+#define CANARD_BUS_LOG_REQUEST_FRAME_ID (0x50u)
 #define CANARD_BUS_COMMAND_REPORT_FRAME_ID (0x100u)
 #define CANARD_BUS_ENCODER_REPORT_FRAME_ID (0x101u)
 #define CANARD_BUS_STATUS_REPORT_FRAME_ID (0x110u)
@@ -57,10 +58,12 @@ extern "C" {
 #define CANARD_BUS_SESSION_REPLY_FRAME_ID (0x120u)
 #define CANARD_BUS_ARM_REPLY_FRAME_ID (0x121u)
 #define CANARD_BUS_PLAN_REPLY_FRAME_ID (0x122u)
+#define CANARD_BUS_LOG_REPLY_FRAME_ID (0x123u)
 #define CANARD_BUS_HEALTH_REPORT_FRAME_ID (0x130u)
 #define CANARD_BUS_REJECTION_REPORT_FRAME_ID (0x131u)
 #define CANARD_BUS_LIMIT_REPORT_FRAME_ID (0x132u)
 #define CANARD_BUS_HEARTBEAT_REPORT_FRAME_ID (0x140u)
+#define CANARD_BUS_LOG_DATA_FRAME_ID (0x180u)
 
 /* Frame lengths in bytes. */
 #define CANARD_BUS_BENCH_REQUEST_LENGTH (8u)
@@ -68,6 +71,7 @@ extern "C" {
 #define CANARD_BUS_ARM_REQUEST_LENGTH (8u)
 #define CANARD_BUS_PLAN_BEGIN_LENGTH (8u)
 #define CANARD_BUS_PLAN_DATA_LENGTH (8u)
+#define CANARD_BUS_LOG_REQUEST_LENGTH (8u)
 #define CANARD_BUS_COMMAND_REPORT_LENGTH (8u)
 #define CANARD_BUS_ENCODER_REPORT_LENGTH (8u)
 #define CANARD_BUS_STATUS_REPORT_LENGTH (8u)
@@ -75,10 +79,12 @@ extern "C" {
 #define CANARD_BUS_SESSION_REPLY_LENGTH (8u)
 #define CANARD_BUS_ARM_REPLY_LENGTH (8u)
 #define CANARD_BUS_PLAN_REPLY_LENGTH (8u)
+#define CANARD_BUS_LOG_REPLY_LENGTH (8u)
 #define CANARD_BUS_HEALTH_REPORT_LENGTH (8u)
 #define CANARD_BUS_REJECTION_REPORT_LENGTH (8u)
 #define CANARD_BUS_LIMIT_REPORT_LENGTH (8u)
 #define CANARD_BUS_HEARTBEAT_REPORT_LENGTH (8u)
+#define CANARD_BUS_LOG_DATA_LENGTH (8u)
 
 /* Extended or standard frame types. */
 #define CANARD_BUS_BENCH_REQUEST_IS_EXTENDED (0)
@@ -86,6 +92,7 @@ extern "C" {
 #define CANARD_BUS_ARM_REQUEST_IS_EXTENDED (0)
 #define CANARD_BUS_PLAN_BEGIN_IS_EXTENDED (0)
 #define CANARD_BUS_PLAN_DATA_IS_EXTENDED (0)
+#define CANARD_BUS_LOG_REQUEST_IS_EXTENDED (0)
 #define CANARD_BUS_COMMAND_REPORT_IS_EXTENDED (0)
 #define CANARD_BUS_ENCODER_REPORT_IS_EXTENDED (0)
 #define CANARD_BUS_STATUS_REPORT_IS_EXTENDED (0)
@@ -93,10 +100,12 @@ extern "C" {
 #define CANARD_BUS_SESSION_REPLY_IS_EXTENDED (0)
 #define CANARD_BUS_ARM_REPLY_IS_EXTENDED (0)
 #define CANARD_BUS_PLAN_REPLY_IS_EXTENDED (0)
+#define CANARD_BUS_LOG_REPLY_IS_EXTENDED (0)
 #define CANARD_BUS_HEALTH_REPORT_IS_EXTENDED (0)
 #define CANARD_BUS_REJECTION_REPORT_IS_EXTENDED (0)
 #define CANARD_BUS_LIMIT_REPORT_IS_EXTENDED (0)
 #define CANARD_BUS_HEARTBEAT_REPORT_IS_EXTENDED (0)
+#define CANARD_BUS_LOG_DATA_IS_EXTENDED (0)
 
 /* Frame cycle times in milliseconds. */
 #define CANARD_BUS_BENCH_REQUEST_CYCLE_TIME_MS (5u)
@@ -104,6 +113,7 @@ extern "C" {
 #define CANARD_BUS_ARM_REQUEST_CYCLE_TIME_MS (100u)
 #define CANARD_BUS_PLAN_BEGIN_CYCLE_TIME_MS (100u)
 #define CANARD_BUS_PLAN_DATA_CYCLE_TIME_MS (10u)
+#define CANARD_BUS_LOG_REQUEST_CYCLE_TIME_MS (20u)
 #define CANARD_BUS_COMMAND_REPORT_CYCLE_TIME_MS (1u)
 #define CANARD_BUS_ENCODER_REPORT_CYCLE_TIME_MS (1u)
 #define CANARD_BUS_STATUS_REPORT_CYCLE_TIME_MS (10u)
@@ -111,6 +121,7 @@ extern "C" {
 #define CANARD_BUS_SESSION_REPLY_CYCLE_TIME_MS (100u)
 #define CANARD_BUS_ARM_REPLY_CYCLE_TIME_MS (100u)
 #define CANARD_BUS_PLAN_REPLY_CYCLE_TIME_MS (10u)
+#define CANARD_BUS_LOG_REPLY_CYCLE_TIME_MS (20u)
 #define CANARD_BUS_HEALTH_REPORT_CYCLE_TIME_MS (100u)
 #define CANARD_BUS_REJECTION_REPORT_CYCLE_TIME_MS (1000u)
 #define CANARD_BUS_LIMIT_REPORT_CYCLE_TIME_MS (1000u)
@@ -125,6 +136,10 @@ extern "C" {
 #define CANARD_BUS_ARM_REQUEST_ACTION_BEGIN_CHOICE (1u)
 #define CANARD_BUS_ARM_REQUEST_ACTION_CONFIRM_CHOICE (2u)
 #define CANARD_BUS_ARM_REQUEST_ACTION_START_CHOICE (3u)
+
+#define CANARD_BUS_LOG_REQUEST_ACTION_INFO_CHOICE (0u)
+#define CANARD_BUS_LOG_REQUEST_ACTION_READ_CHOICE (1u)
+#define CANARD_BUS_LOG_REQUEST_ACTION_ERASE_CHOICE (2u)
 
 #define CANARD_BUS_STATUS_REPORT_PHASE_SAFE_CHOICE (0u)
 #define CANARD_BUS_STATUS_REPORT_PHASE_ARMED_CHOICE (1u)
@@ -229,6 +244,20 @@ extern "C" {
 #define CANARD_BUS_PLAN_REPLY_BLOCK_FAULT_OTHER_SCHEMA_CHOICE (6u)
 #define CANARD_BUS_PLAN_REPLY_BLOCK_FAULT_REFUSED_CHOICE (7u)
 
+#define CANARD_BUS_LOG_REPLY_STATE_READY_CHOICE (0u)
+#define CANARD_BUS_LOG_REPLY_STATE_READ_CHOICE (1u)
+#define CANARD_BUS_LOG_REPLY_STATE_ERASING_CHOICE (2u)
+#define CANARD_BUS_LOG_REPLY_STATE_ERASED_CHOICE (3u)
+#define CANARD_BUS_LOG_REPLY_STATE_REFUSED_CHOICE (4u)
+
+#define CANARD_BUS_LOG_REPLY_FAULT_NONE_CHOICE (0u)
+#define CANARD_BUS_LOG_REPLY_FAULT_NOT_SAFE_CHOICE (1u)
+#define CANARD_BUS_LOG_REPLY_FAULT_NO_SESSION_CHOICE (2u)
+#define CANARD_BUS_LOG_REPLY_FAULT_BUSY_CHOICE (3u)
+#define CANARD_BUS_LOG_REPLY_FAULT_NOT_COUNTED_YET_CHOICE (4u)
+#define CANARD_BUS_LOG_REPLY_FAULT_OUT_OF_RANGE_CHOICE (5u)
+#define CANARD_BUS_LOG_REPLY_FAULT_FLASH_FAILED_CHOICE (6u)
+
 #define CANARD_BUS_HEALTH_REPORT_VERDICT_1_HEALTHY_CHOICE (0u)
 #define CANARD_BUS_HEALTH_REPORT_VERDICT_1_DEAD_CHOICE (1u)
 #define CANARD_BUS_HEALTH_REPORT_VERDICT_1_STALLED_CHOICE (2u)
@@ -275,6 +304,7 @@ extern "C" {
 #define CANARD_BUS_ARM_REQUEST_NAME "ArmRequest"
 #define CANARD_BUS_PLAN_BEGIN_NAME "PlanBegin"
 #define CANARD_BUS_PLAN_DATA_NAME "PlanData"
+#define CANARD_BUS_LOG_REQUEST_NAME "LogRequest"
 #define CANARD_BUS_COMMAND_REPORT_NAME "CommandReport"
 #define CANARD_BUS_ENCODER_REPORT_NAME "EncoderReport"
 #define CANARD_BUS_STATUS_REPORT_NAME "StatusReport"
@@ -282,10 +312,12 @@ extern "C" {
 #define CANARD_BUS_SESSION_REPLY_NAME "SessionReply"
 #define CANARD_BUS_ARM_REPLY_NAME "ArmReply"
 #define CANARD_BUS_PLAN_REPLY_NAME "PlanReply"
+#define CANARD_BUS_LOG_REPLY_NAME "LogReply"
 #define CANARD_BUS_HEALTH_REPORT_NAME "HealthReport"
 #define CANARD_BUS_REJECTION_REPORT_NAME "RejectionReport"
 #define CANARD_BUS_LIMIT_REPORT_NAME "LimitReport"
 #define CANARD_BUS_HEARTBEAT_REPORT_NAME "HeartbeatReport"
+#define CANARD_BUS_LOG_DATA_NAME "LogData"
 
 /* Signal Names. */
 #define CANARD_BUS_BENCH_REQUEST_CANARD_1_NAME "canard_1"
@@ -318,6 +350,12 @@ extern "C" {
 #define CANARD_BUS_PLAN_DATA_BYTE_4_NAME "byte_4"
 #define CANARD_BUS_PLAN_DATA_BYTE_5_NAME "byte_5"
 #define CANARD_BUS_PLAN_DATA_BYTE_6_NAME "byte_6"
+#define CANARD_BUS_LOG_REQUEST_ACTION_NAME "action"
+#define CANARD_BUS_LOG_REQUEST_TAG_NAME "tag"
+#define CANARD_BUS_LOG_REQUEST_OFFSET_NAME "offset"
+#define CANARD_BUS_LOG_REQUEST_SIZE_NAME "size"
+#define CANARD_BUS_LOG_REQUEST_COUNTER_NAME "counter"
+#define CANARD_BUS_LOG_REQUEST_CRC_NAME "crc"
 #define CANARD_BUS_COMMAND_REPORT_CANARD_1_NAME "canard_1"
 #define CANARD_BUS_COMMAND_REPORT_CANARD_2_NAME "canard_2"
 #define CANARD_BUS_COMMAND_REPORT_CANARD_3_NAME "canard_3"
@@ -372,6 +410,11 @@ extern "C" {
 #define CANARD_BUS_PLAN_REPLY_BLOCK_FAULT_NAME "block_fault"
 #define CANARD_BUS_PLAN_REPLY_FIELD_NAME "field"
 #define CANARD_BUS_PLAN_REPLY_FIELD_GIVEN_NAME "field_given"
+#define CANARD_BUS_LOG_REPLY_STATE_NAME "state"
+#define CANARD_BUS_LOG_REPLY_FAULT_NAME "fault"
+#define CANARD_BUS_LOG_REPLY_TAG_NAME "tag"
+#define CANARD_BUS_LOG_REPLY_NUMBER_NAME "number"
+#define CANARD_BUS_LOG_REPLY_EXTRA_NAME "extra"
 #define CANARD_BUS_HEALTH_REPORT_VERDICT_1_NAME "verdict_1"
 #define CANARD_BUS_HEALTH_REPORT_VERDICT_2_NAME "verdict_2"
 #define CANARD_BUS_HEALTH_REPORT_VERDICT_3_NAME "verdict_3"
@@ -396,6 +439,14 @@ extern "C" {
 #define CANARD_BUS_HEARTBEAT_REPORT_VERSION_NAME "version"
 #define CANARD_BUS_HEARTBEAT_REPORT_UPTIME_NAME "uptime"
 #define CANARD_BUS_HEARTBEAT_REPORT_PLAN_CRC_NAME "plan_crc"
+#define CANARD_BUS_LOG_DATA_INDEX_NAME "index"
+#define CANARD_BUS_LOG_DATA_BYTE_0_NAME "byte_0"
+#define CANARD_BUS_LOG_DATA_BYTE_1_NAME "byte_1"
+#define CANARD_BUS_LOG_DATA_BYTE_2_NAME "byte_2"
+#define CANARD_BUS_LOG_DATA_BYTE_3_NAME "byte_3"
+#define CANARD_BUS_LOG_DATA_BYTE_4_NAME "byte_4"
+#define CANARD_BUS_LOG_DATA_BYTE_5_NAME "byte_5"
+#define CANARD_BUS_LOG_DATA_BYTE_6_NAME "byte_6"
 
 /**
  * Signals in message BenchRequest.
@@ -650,6 +701,57 @@ struct canard_bus_plan_data_t {
      * Offset: 0
      */
     uint8_t byte_6;
+};
+
+/**
+ * Signals in message LogRequest.
+ *
+ * Asks for the state of the flight record, for up to 1792 bytes of it, or for its erase. Moves nothing, but can erase, so it is protected.
+ *
+ * All signal values are as on the CAN bus.
+ */
+struct canard_bus_log_request_t {
+    /**
+     * Range: 0..2 (0..2 -)
+     * Scale: 1
+     * Offset: 0
+     */
+    uint8_t action;
+
+    /**
+     * Range: 0..15 (0..15 -)
+     * Scale: 1
+     * Offset: 0
+     */
+    uint8_t tag;
+
+    /**
+     * Range: 0..4294967295 (0..4294967295 bytes)
+     * Scale: 1
+     * Offset: 0
+     */
+    uint32_t offset;
+
+    /**
+     * Range: 0..4095 (0..4095 bytes)
+     * Scale: 1
+     * Offset: 0
+     */
+    uint16_t size;
+
+    /**
+     * Range: 0..15 (0..15 -)
+     * Scale: 1
+     * Offset: 0
+     */
+    uint8_t counter;
+
+    /**
+     * Range: 0..255 (0..255 -)
+     * Scale: 1
+     * Offset: 0
+     */
+    uint8_t crc;
 };
 
 /**
@@ -1094,6 +1196,50 @@ struct canard_bus_plan_reply_t {
 };
 
 /**
+ * Signals in message LogReply.
+ *
+ * The answer to the LogRequest with this tag. number and extra are, when ready or erased: bytes in use, flights in them; read: CRC-32C of the bytes just sent, how many; erasing: bytes still to erase, zero; refused: zero.
+ *
+ * All signal values are as on the CAN bus.
+ */
+struct canard_bus_log_reply_t {
+    /**
+     * Range: 0..4 (0..4 -)
+     * Scale: 1
+     * Offset: 0
+     */
+    uint8_t state;
+
+    /**
+     * Range: 0..6 (0..6 -)
+     * Scale: 1
+     * Offset: 0
+     */
+    uint8_t fault;
+
+    /**
+     * Range: 0..15 (0..15 -)
+     * Scale: 1
+     * Offset: 0
+     */
+    uint8_t tag;
+
+    /**
+     * Range: 0..4294967295 (0..4294967295 -)
+     * Scale: 1
+     * Offset: 0
+     */
+    uint32_t number;
+
+    /**
+     * Range: 0..65535 (0..65535 -)
+     * Scale: 1
+     * Offset: 0
+     */
+    uint16_t extra;
+};
+
+/**
  * Signals in message HealthReport.
  *
  * Verdict on each canard, sensors, bus and timing. The three counts are modulo 256.
@@ -1295,6 +1441,71 @@ struct canard_bus_heartbeat_report_t {
      * Offset: 0
      */
     uint32_t plan_crc;
+};
+
+/**
+ * Signals in message LogData.
+ *
+ * Seven bytes of the flight record, from byte 7 * index of the bytes asked for on. The last frame is filled up with zeros. No period: in Safe it takes what every other frame leaves.
+ *
+ * All signal values are as on the CAN bus.
+ */
+struct canard_bus_log_data_t {
+    /**
+     * Range: 0..255 (0..255 -)
+     * Scale: 1
+     * Offset: 0
+     */
+    uint8_t index;
+
+    /**
+     * Range: 0..255 (0..255 -)
+     * Scale: 1
+     * Offset: 0
+     */
+    uint8_t byte_0;
+
+    /**
+     * Range: 0..255 (0..255 -)
+     * Scale: 1
+     * Offset: 0
+     */
+    uint8_t byte_1;
+
+    /**
+     * Range: 0..255 (0..255 -)
+     * Scale: 1
+     * Offset: 0
+     */
+    uint8_t byte_2;
+
+    /**
+     * Range: 0..255 (0..255 -)
+     * Scale: 1
+     * Offset: 0
+     */
+    uint8_t byte_3;
+
+    /**
+     * Range: 0..255 (0..255 -)
+     * Scale: 1
+     * Offset: 0
+     */
+    uint8_t byte_4;
+
+    /**
+     * Range: 0..255 (0..255 -)
+     * Scale: 1
+     * Offset: 0
+     */
+    uint8_t byte_5;
+
+    /**
+     * Range: 0..255 (0..255 -)
+     * Scale: 1
+     * Offset: 0
+     */
+    uint8_t byte_6;
 };
 
 /**
@@ -2681,6 +2892,283 @@ bool canard_bus_plan_data_byte_6_is_in_range(uint8_t value);
  * @return true if in range, false otherwise.
  */
 bool canard_bus_plan_data_byte_6_is_in_phys_range(float value);
+
+/**
+ * Pack message LogRequest.
+ *
+ * @param[out] dst_p Buffer to pack the message into.
+ * @param[in] src_p Data to pack.
+ * @param[in] size Size of dst_p.
+ *
+ * @return Size of packed data, or negative error code.
+ */
+int canard_bus_log_request_pack(
+    uint8_t *dst_p,
+    const struct canard_bus_log_request_t *src_p,
+    size_t size);
+
+/**
+ * Unpack message LogRequest.
+ *
+ * @param[out] dst_p Object to unpack the message into.
+ * @param[in] src_p Message to unpack.
+ * @param[in] size Size of src_p.
+ *
+ * @return zero(0) or negative error code.
+ */
+int canard_bus_log_request_unpack(
+    struct canard_bus_log_request_t *dst_p,
+    const uint8_t *src_p,
+    size_t size);
+
+/**
+ * Init message fields to default values from LogRequest.
+ *
+ * @param[in] msg_p Message to init.
+ *
+ * @return zero(0) on success or (-1) in case of nullptr argument.
+ */
+int canard_bus_log_request_init(struct canard_bus_log_request_t *msg_p);
+
+/**
+ * Encode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to encode.
+ *
+ * @return Encoded signal.
+ */
+uint8_t canard_bus_log_request_action_encode(float value);
+
+/**
+ * Decode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to decode.
+ *
+ * @return Decoded signal.
+ */
+float canard_bus_log_request_action_decode(uint8_t value);
+
+/**
+ * Check that given signal is in allowed range.
+ *
+ * @param[in] value Signal to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool canard_bus_log_request_action_is_in_range(uint8_t value);
+
+/**
+ * Check that given physical value is in allowed range before encoding.
+ *
+ * Use this BEFORE calling _encode() to avoid silent integer overflow:
+ *   encode(-1.0) on a [0,100] signal wraps to 255 and passes is_in_range().
+ *   is_in_phys_range(-1.0) correctly returns false.
+ *
+ * @param[in] value Physical signal value to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool canard_bus_log_request_action_is_in_phys_range(float value);
+
+/**
+ * Encode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to encode.
+ *
+ * @return Encoded signal.
+ */
+uint8_t canard_bus_log_request_tag_encode(float value);
+
+/**
+ * Decode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to decode.
+ *
+ * @return Decoded signal.
+ */
+float canard_bus_log_request_tag_decode(uint8_t value);
+
+/**
+ * Check that given signal is in allowed range.
+ *
+ * @param[in] value Signal to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool canard_bus_log_request_tag_is_in_range(uint8_t value);
+
+/**
+ * Check that given physical value is in allowed range before encoding.
+ *
+ * Use this BEFORE calling _encode() to avoid silent integer overflow:
+ *   encode(-1.0) on a [0,100] signal wraps to 255 and passes is_in_range().
+ *   is_in_phys_range(-1.0) correctly returns false.
+ *
+ * @param[in] value Physical signal value to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool canard_bus_log_request_tag_is_in_phys_range(float value);
+
+/**
+ * Encode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to encode.
+ *
+ * @return Encoded signal.
+ */
+uint32_t canard_bus_log_request_offset_encode(float value);
+
+/**
+ * Decode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to decode.
+ *
+ * @return Decoded signal.
+ */
+float canard_bus_log_request_offset_decode(uint32_t value);
+
+/**
+ * Check that given signal is in allowed range.
+ *
+ * @param[in] value Signal to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool canard_bus_log_request_offset_is_in_range(uint32_t value);
+
+/**
+ * Check that given physical value is in allowed range before encoding.
+ *
+ * Use this BEFORE calling _encode() to avoid silent integer overflow:
+ *   encode(-1.0) on a [0,100] signal wraps to 255 and passes is_in_range().
+ *   is_in_phys_range(-1.0) correctly returns false.
+ *
+ * @param[in] value Physical signal value to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool canard_bus_log_request_offset_is_in_phys_range(float value);
+
+/**
+ * Encode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to encode.
+ *
+ * @return Encoded signal.
+ */
+uint16_t canard_bus_log_request_size_encode(float value);
+
+/**
+ * Decode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to decode.
+ *
+ * @return Decoded signal.
+ */
+float canard_bus_log_request_size_decode(uint16_t value);
+
+/**
+ * Check that given signal is in allowed range.
+ *
+ * @param[in] value Signal to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool canard_bus_log_request_size_is_in_range(uint16_t value);
+
+/**
+ * Check that given physical value is in allowed range before encoding.
+ *
+ * Use this BEFORE calling _encode() to avoid silent integer overflow:
+ *   encode(-1.0) on a [0,100] signal wraps to 255 and passes is_in_range().
+ *   is_in_phys_range(-1.0) correctly returns false.
+ *
+ * @param[in] value Physical signal value to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool canard_bus_log_request_size_is_in_phys_range(float value);
+
+/**
+ * Encode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to encode.
+ *
+ * @return Encoded signal.
+ */
+uint8_t canard_bus_log_request_counter_encode(float value);
+
+/**
+ * Decode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to decode.
+ *
+ * @return Decoded signal.
+ */
+float canard_bus_log_request_counter_decode(uint8_t value);
+
+/**
+ * Check that given signal is in allowed range.
+ *
+ * @param[in] value Signal to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool canard_bus_log_request_counter_is_in_range(uint8_t value);
+
+/**
+ * Check that given physical value is in allowed range before encoding.
+ *
+ * Use this BEFORE calling _encode() to avoid silent integer overflow:
+ *   encode(-1.0) on a [0,100] signal wraps to 255 and passes is_in_range().
+ *   is_in_phys_range(-1.0) correctly returns false.
+ *
+ * @param[in] value Physical signal value to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool canard_bus_log_request_counter_is_in_phys_range(float value);
+
+/**
+ * Encode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to encode.
+ *
+ * @return Encoded signal.
+ */
+uint8_t canard_bus_log_request_crc_encode(float value);
+
+/**
+ * Decode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to decode.
+ *
+ * @return Decoded signal.
+ */
+float canard_bus_log_request_crc_decode(uint8_t value);
+
+/**
+ * Check that given signal is in allowed range.
+ *
+ * @param[in] value Signal to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool canard_bus_log_request_crc_is_in_range(uint8_t value);
+
+/**
+ * Check that given physical value is in allowed range before encoding.
+ *
+ * Use this BEFORE calling _encode() to avoid silent integer overflow:
+ *   encode(-1.0) on a [0,100] signal wraps to 255 and passes is_in_range().
+ *   is_in_phys_range(-1.0) correctly returns false.
+ *
+ * @param[in] value Physical signal value to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool canard_bus_log_request_crc_is_in_phys_range(float value);
 
 /**
  * Pack message CommandReport.
@@ -5102,6 +5590,243 @@ bool canard_bus_plan_reply_field_given_is_in_range(uint8_t value);
 bool canard_bus_plan_reply_field_given_is_in_phys_range(float value);
 
 /**
+ * Pack message LogReply.
+ *
+ * @param[out] dst_p Buffer to pack the message into.
+ * @param[in] src_p Data to pack.
+ * @param[in] size Size of dst_p.
+ *
+ * @return Size of packed data, or negative error code.
+ */
+int canard_bus_log_reply_pack(
+    uint8_t *dst_p,
+    const struct canard_bus_log_reply_t *src_p,
+    size_t size);
+
+/**
+ * Unpack message LogReply.
+ *
+ * @param[out] dst_p Object to unpack the message into.
+ * @param[in] src_p Message to unpack.
+ * @param[in] size Size of src_p.
+ *
+ * @return zero(0) or negative error code.
+ */
+int canard_bus_log_reply_unpack(
+    struct canard_bus_log_reply_t *dst_p,
+    const uint8_t *src_p,
+    size_t size);
+
+/**
+ * Init message fields to default values from LogReply.
+ *
+ * @param[in] msg_p Message to init.
+ *
+ * @return zero(0) on success or (-1) in case of nullptr argument.
+ */
+int canard_bus_log_reply_init(struct canard_bus_log_reply_t *msg_p);
+
+/**
+ * Encode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to encode.
+ *
+ * @return Encoded signal.
+ */
+uint8_t canard_bus_log_reply_state_encode(float value);
+
+/**
+ * Decode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to decode.
+ *
+ * @return Decoded signal.
+ */
+float canard_bus_log_reply_state_decode(uint8_t value);
+
+/**
+ * Check that given signal is in allowed range.
+ *
+ * @param[in] value Signal to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool canard_bus_log_reply_state_is_in_range(uint8_t value);
+
+/**
+ * Check that given physical value is in allowed range before encoding.
+ *
+ * Use this BEFORE calling _encode() to avoid silent integer overflow:
+ *   encode(-1.0) on a [0,100] signal wraps to 255 and passes is_in_range().
+ *   is_in_phys_range(-1.0) correctly returns false.
+ *
+ * @param[in] value Physical signal value to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool canard_bus_log_reply_state_is_in_phys_range(float value);
+
+/**
+ * Encode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to encode.
+ *
+ * @return Encoded signal.
+ */
+uint8_t canard_bus_log_reply_fault_encode(float value);
+
+/**
+ * Decode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to decode.
+ *
+ * @return Decoded signal.
+ */
+float canard_bus_log_reply_fault_decode(uint8_t value);
+
+/**
+ * Check that given signal is in allowed range.
+ *
+ * @param[in] value Signal to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool canard_bus_log_reply_fault_is_in_range(uint8_t value);
+
+/**
+ * Check that given physical value is in allowed range before encoding.
+ *
+ * Use this BEFORE calling _encode() to avoid silent integer overflow:
+ *   encode(-1.0) on a [0,100] signal wraps to 255 and passes is_in_range().
+ *   is_in_phys_range(-1.0) correctly returns false.
+ *
+ * @param[in] value Physical signal value to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool canard_bus_log_reply_fault_is_in_phys_range(float value);
+
+/**
+ * Encode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to encode.
+ *
+ * @return Encoded signal.
+ */
+uint8_t canard_bus_log_reply_tag_encode(float value);
+
+/**
+ * Decode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to decode.
+ *
+ * @return Decoded signal.
+ */
+float canard_bus_log_reply_tag_decode(uint8_t value);
+
+/**
+ * Check that given signal is in allowed range.
+ *
+ * @param[in] value Signal to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool canard_bus_log_reply_tag_is_in_range(uint8_t value);
+
+/**
+ * Check that given physical value is in allowed range before encoding.
+ *
+ * Use this BEFORE calling _encode() to avoid silent integer overflow:
+ *   encode(-1.0) on a [0,100] signal wraps to 255 and passes is_in_range().
+ *   is_in_phys_range(-1.0) correctly returns false.
+ *
+ * @param[in] value Physical signal value to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool canard_bus_log_reply_tag_is_in_phys_range(float value);
+
+/**
+ * Encode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to encode.
+ *
+ * @return Encoded signal.
+ */
+uint32_t canard_bus_log_reply_number_encode(float value);
+
+/**
+ * Decode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to decode.
+ *
+ * @return Decoded signal.
+ */
+float canard_bus_log_reply_number_decode(uint32_t value);
+
+/**
+ * Check that given signal is in allowed range.
+ *
+ * @param[in] value Signal to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool canard_bus_log_reply_number_is_in_range(uint32_t value);
+
+/**
+ * Check that given physical value is in allowed range before encoding.
+ *
+ * Use this BEFORE calling _encode() to avoid silent integer overflow:
+ *   encode(-1.0) on a [0,100] signal wraps to 255 and passes is_in_range().
+ *   is_in_phys_range(-1.0) correctly returns false.
+ *
+ * @param[in] value Physical signal value to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool canard_bus_log_reply_number_is_in_phys_range(float value);
+
+/**
+ * Encode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to encode.
+ *
+ * @return Encoded signal.
+ */
+uint16_t canard_bus_log_reply_extra_encode(float value);
+
+/**
+ * Decode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to decode.
+ *
+ * @return Decoded signal.
+ */
+float canard_bus_log_reply_extra_decode(uint16_t value);
+
+/**
+ * Check that given signal is in allowed range.
+ *
+ * @param[in] value Signal to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool canard_bus_log_reply_extra_is_in_range(uint16_t value);
+
+/**
+ * Check that given physical value is in allowed range before encoding.
+ *
+ * Use this BEFORE calling _encode() to avoid silent integer overflow:
+ *   encode(-1.0) on a [0,100] signal wraps to 255 and passes is_in_range().
+ *   is_in_phys_range(-1.0) correctly returns false.
+ *
+ * @param[in] value Physical signal value to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool canard_bus_log_reply_extra_is_in_phys_range(float value);
+
+/**
  * Pack message HealthReport.
  *
  * @param[out] dst_p Buffer to pack the message into.
@@ -6208,6 +6933,363 @@ bool canard_bus_heartbeat_report_plan_crc_is_in_range(uint32_t value);
  * @return true if in range, false otherwise.
  */
 bool canard_bus_heartbeat_report_plan_crc_is_in_phys_range(float value);
+
+/**
+ * Pack message LogData.
+ *
+ * @param[out] dst_p Buffer to pack the message into.
+ * @param[in] src_p Data to pack.
+ * @param[in] size Size of dst_p.
+ *
+ * @return Size of packed data, or negative error code.
+ */
+int canard_bus_log_data_pack(
+    uint8_t *dst_p,
+    const struct canard_bus_log_data_t *src_p,
+    size_t size);
+
+/**
+ * Unpack message LogData.
+ *
+ * @param[out] dst_p Object to unpack the message into.
+ * @param[in] src_p Message to unpack.
+ * @param[in] size Size of src_p.
+ *
+ * @return zero(0) or negative error code.
+ */
+int canard_bus_log_data_unpack(
+    struct canard_bus_log_data_t *dst_p,
+    const uint8_t *src_p,
+    size_t size);
+
+/**
+ * Init message fields to default values from LogData.
+ *
+ * @param[in] msg_p Message to init.
+ *
+ * @return zero(0) on success or (-1) in case of nullptr argument.
+ */
+int canard_bus_log_data_init(struct canard_bus_log_data_t *msg_p);
+
+/**
+ * Encode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to encode.
+ *
+ * @return Encoded signal.
+ */
+uint8_t canard_bus_log_data_index_encode(float value);
+
+/**
+ * Decode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to decode.
+ *
+ * @return Decoded signal.
+ */
+float canard_bus_log_data_index_decode(uint8_t value);
+
+/**
+ * Check that given signal is in allowed range.
+ *
+ * @param[in] value Signal to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool canard_bus_log_data_index_is_in_range(uint8_t value);
+
+/**
+ * Check that given physical value is in allowed range before encoding.
+ *
+ * Use this BEFORE calling _encode() to avoid silent integer overflow:
+ *   encode(-1.0) on a [0,100] signal wraps to 255 and passes is_in_range().
+ *   is_in_phys_range(-1.0) correctly returns false.
+ *
+ * @param[in] value Physical signal value to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool canard_bus_log_data_index_is_in_phys_range(float value);
+
+/**
+ * Encode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to encode.
+ *
+ * @return Encoded signal.
+ */
+uint8_t canard_bus_log_data_byte_0_encode(float value);
+
+/**
+ * Decode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to decode.
+ *
+ * @return Decoded signal.
+ */
+float canard_bus_log_data_byte_0_decode(uint8_t value);
+
+/**
+ * Check that given signal is in allowed range.
+ *
+ * @param[in] value Signal to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool canard_bus_log_data_byte_0_is_in_range(uint8_t value);
+
+/**
+ * Check that given physical value is in allowed range before encoding.
+ *
+ * Use this BEFORE calling _encode() to avoid silent integer overflow:
+ *   encode(-1.0) on a [0,100] signal wraps to 255 and passes is_in_range().
+ *   is_in_phys_range(-1.0) correctly returns false.
+ *
+ * @param[in] value Physical signal value to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool canard_bus_log_data_byte_0_is_in_phys_range(float value);
+
+/**
+ * Encode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to encode.
+ *
+ * @return Encoded signal.
+ */
+uint8_t canard_bus_log_data_byte_1_encode(float value);
+
+/**
+ * Decode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to decode.
+ *
+ * @return Decoded signal.
+ */
+float canard_bus_log_data_byte_1_decode(uint8_t value);
+
+/**
+ * Check that given signal is in allowed range.
+ *
+ * @param[in] value Signal to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool canard_bus_log_data_byte_1_is_in_range(uint8_t value);
+
+/**
+ * Check that given physical value is in allowed range before encoding.
+ *
+ * Use this BEFORE calling _encode() to avoid silent integer overflow:
+ *   encode(-1.0) on a [0,100] signal wraps to 255 and passes is_in_range().
+ *   is_in_phys_range(-1.0) correctly returns false.
+ *
+ * @param[in] value Physical signal value to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool canard_bus_log_data_byte_1_is_in_phys_range(float value);
+
+/**
+ * Encode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to encode.
+ *
+ * @return Encoded signal.
+ */
+uint8_t canard_bus_log_data_byte_2_encode(float value);
+
+/**
+ * Decode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to decode.
+ *
+ * @return Decoded signal.
+ */
+float canard_bus_log_data_byte_2_decode(uint8_t value);
+
+/**
+ * Check that given signal is in allowed range.
+ *
+ * @param[in] value Signal to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool canard_bus_log_data_byte_2_is_in_range(uint8_t value);
+
+/**
+ * Check that given physical value is in allowed range before encoding.
+ *
+ * Use this BEFORE calling _encode() to avoid silent integer overflow:
+ *   encode(-1.0) on a [0,100] signal wraps to 255 and passes is_in_range().
+ *   is_in_phys_range(-1.0) correctly returns false.
+ *
+ * @param[in] value Physical signal value to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool canard_bus_log_data_byte_2_is_in_phys_range(float value);
+
+/**
+ * Encode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to encode.
+ *
+ * @return Encoded signal.
+ */
+uint8_t canard_bus_log_data_byte_3_encode(float value);
+
+/**
+ * Decode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to decode.
+ *
+ * @return Decoded signal.
+ */
+float canard_bus_log_data_byte_3_decode(uint8_t value);
+
+/**
+ * Check that given signal is in allowed range.
+ *
+ * @param[in] value Signal to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool canard_bus_log_data_byte_3_is_in_range(uint8_t value);
+
+/**
+ * Check that given physical value is in allowed range before encoding.
+ *
+ * Use this BEFORE calling _encode() to avoid silent integer overflow:
+ *   encode(-1.0) on a [0,100] signal wraps to 255 and passes is_in_range().
+ *   is_in_phys_range(-1.0) correctly returns false.
+ *
+ * @param[in] value Physical signal value to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool canard_bus_log_data_byte_3_is_in_phys_range(float value);
+
+/**
+ * Encode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to encode.
+ *
+ * @return Encoded signal.
+ */
+uint8_t canard_bus_log_data_byte_4_encode(float value);
+
+/**
+ * Decode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to decode.
+ *
+ * @return Decoded signal.
+ */
+float canard_bus_log_data_byte_4_decode(uint8_t value);
+
+/**
+ * Check that given signal is in allowed range.
+ *
+ * @param[in] value Signal to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool canard_bus_log_data_byte_4_is_in_range(uint8_t value);
+
+/**
+ * Check that given physical value is in allowed range before encoding.
+ *
+ * Use this BEFORE calling _encode() to avoid silent integer overflow:
+ *   encode(-1.0) on a [0,100] signal wraps to 255 and passes is_in_range().
+ *   is_in_phys_range(-1.0) correctly returns false.
+ *
+ * @param[in] value Physical signal value to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool canard_bus_log_data_byte_4_is_in_phys_range(float value);
+
+/**
+ * Encode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to encode.
+ *
+ * @return Encoded signal.
+ */
+uint8_t canard_bus_log_data_byte_5_encode(float value);
+
+/**
+ * Decode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to decode.
+ *
+ * @return Decoded signal.
+ */
+float canard_bus_log_data_byte_5_decode(uint8_t value);
+
+/**
+ * Check that given signal is in allowed range.
+ *
+ * @param[in] value Signal to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool canard_bus_log_data_byte_5_is_in_range(uint8_t value);
+
+/**
+ * Check that given physical value is in allowed range before encoding.
+ *
+ * Use this BEFORE calling _encode() to avoid silent integer overflow:
+ *   encode(-1.0) on a [0,100] signal wraps to 255 and passes is_in_range().
+ *   is_in_phys_range(-1.0) correctly returns false.
+ *
+ * @param[in] value Physical signal value to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool canard_bus_log_data_byte_5_is_in_phys_range(float value);
+
+/**
+ * Encode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to encode.
+ *
+ * @return Encoded signal.
+ */
+uint8_t canard_bus_log_data_byte_6_encode(float value);
+
+/**
+ * Decode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to decode.
+ *
+ * @return Decoded signal.
+ */
+float canard_bus_log_data_byte_6_decode(uint8_t value);
+
+/**
+ * Check that given signal is in allowed range.
+ *
+ * @param[in] value Signal to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool canard_bus_log_data_byte_6_is_in_range(uint8_t value);
+
+/**
+ * Check that given physical value is in allowed range before encoding.
+ *
+ * Use this BEFORE calling _encode() to avoid silent integer overflow:
+ *   encode(-1.0) on a [0,100] signal wraps to 255 and passes is_in_range().
+ *   is_in_phys_range(-1.0) correctly returns false.
+ *
+ * @param[in] value Physical signal value to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool canard_bus_log_data_byte_6_is_in_phys_range(float value);
 
 
 #ifdef __cplusplus
