@@ -5,16 +5,6 @@
 
 namespace fantail::telemetry {
 
-std::string_view name(core::SensorState state) {
-  switch (state) {
-    case core::SensorState::fresh: return "fresh";
-    case core::SensorState::coasting: return "coasting";
-    case core::SensorState::lost: return "lost";
-    case core::SensorState::failed: return "failed";
-  }
-  return "unknown";
-}
-
 std::string_view name(hal::CanState state) {
   switch (state) {
     case hal::CanState::error_active: return "error active";

@@ -8,7 +8,6 @@
 
 namespace fantail::telemetry {
 
-[[nodiscard]] std::string_view name(core::SensorState state);
 [[nodiscard]] std::string_view name(hal::CanState state);
 
 /// "launched -> controlling (guide_clear)", "canard 3: healthy -> stalled".
