@@ -31,7 +31,7 @@ struct BoardPorts {
 class SimulatedBoard {
  public:
   /// `plan` has passed core::validate(); it is in force unless the flash holds another.
-  SimulatedBoard(const core::FlightPlan& plan, const BoardPorts& ports)
+  SimulatedBoard(const core::FlightPlan& plan, const BoardPorts& ports, const avionics::Identity& identity = {})
       : avionics{{.clock = clock_,
                   .imu = imu_,
                   .accelerometer = accelerometer_,
@@ -43,7 +43,8 @@ class SimulatedBoard {
                   .console = ports.console,
                   .watchdog = watchdog_,
                   .entropy = ports.entropy},
-                 plan} {}
+                 plan,
+                 identity} {}
   SimulatedBoard(const SimulatedBoard&) = delete;  // the devices point into it
   SimulatedBoard& operator=(const SimulatedBoard&) = delete;
 

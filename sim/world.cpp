@@ -5,9 +5,11 @@
 #include <cmath>
 #include <utility>
 
+#include "avionics/flash_map.hpp"
 #include "hal/sim/console.hpp"
 #include "hal/sim/entropy.hpp"
 #include "hal/sim/flash.hpp"
+#include "protocol/log_frame.hpp"
 
 namespace fantail::sim {
 namespace {
@@ -38,28 +40,25 @@ ServoFault servo_fault(FaultKind kind) {
   }
 }
 
-// For nobody but this world, so no larger than its own start needs.
-constexpr hal::FlashGeometry small_flash{.size = 1U << 20U, .sector_size = 4096, .page_size = 256};
-
 }  // namespace
 
 /// Everything that a flight needs beside the rocket when nobody else is there.
 struct World::LonePad {
-  explicit LonePad(Microseconds arm_time) : crew{wire, arm_time} {}
+  LonePad(Microseconds arm_time, const hal::FlashGeometry& geometry) : flash{geometry}, crew{wire, arm_time} {}
   [[nodiscard]] BoardPorts ports() {
     return {.can_bus = can_bus, .flash = flash, .console = console, .entropy = entropy};
   }
 
   hal::sim::CanWire wire;
   hal::sim::CanBus can_bus{wire};
-  hal::sim::Flash flash{small_flash};
+  hal::sim::Flash flash;
   hal::sim::Console console;
   hal::sim::Entropy entropy;
   PadCrew crew;
 };
 
-World::World(const Scenario& scenario)
-    : World{scenario, std::make_unique<LonePad>(nearest_tick(scenario.arm_time_s))} {}
+World::World(const Scenario& scenario, const hal::FlashGeometry& flash)
+    : World{scenario, std::make_unique<LonePad>(nearest_tick(scenario.arm_time_s), flash)} {}
 
 World::World(const Scenario& scenario, const BoardPorts& ports) : World{scenario, ports, nullptr} {}
 
@@ -79,7 +78,12 @@ World::World(const Scenario& scenario, const BoardPorts& ports, std::unique_ptr<
       accelerometer_model_{scenario.vehicle.accelerometer, Random{scenario.seed, accelerometer_noise}},
       fault_is_applied_(scenario.faults.size(), false),
       pad_{std::move(pad)},
-      board_{scenario.plan, ports} {
+      board_{scenario.plan,
+             ports,
+             {.firmware_version = avionics::firmware_version(),
+              .git_hash = avionics::git_hash(),
+              .vehicle = scenario.vehicle.name,
+              .sensors = "simulated"}} {
   board_.hardware.imu_scale = imu_model_.scale();
   board_.hardware.accelerometer_scale_m_s2 = accelerometer_model_.scale();
   if (scenario.imposed_roll) {
@@ -214,6 +218,26 @@ void World::let_crew_act() {
 }
 
 std::optional<protocol::ArmReply> World::refusal_to_arm() const { return pad_ ? pad_->crew.refusal() : std::nullopt; }
+
+std::span<const std::byte> World::recorded() const {
+  const auto map = pad_ ? avionics::flash_map(pad_->flash.geometry()) : std::nullopt;
+  if (!map) {
+    return {};
+  }
+  const auto region = std::span<const std::byte>{pad_->flash.cells()}.subspan(map->flight_begin);
+  const auto blank =
+      std::ranges::find_if(region.rbegin(), region.rend(), [](std::byte b) { return b != std::byte{0xFF}; });
+  // Before the blank part may be a record of which only the beginning was written when the world ended, and the last
+  // bytes of a whole one may look erased.
+  const auto used = static_cast<std::size_t>(region.rend() - blank);
+  const auto written = region.first(std::min(used + map->page_size, region.size()));
+  protocol::LogFrameReader reader{written};
+  std::size_t end = 0;
+  while (const auto frame = reader.next()) {
+    end = frame->position + protocol::log_frame_overhead + frame->payload.size();
+  }
+  return written.first(end);
+}
 
 void World::follow_events() {
   if (scenario_.surroundings == Surroundings::tunnel) {

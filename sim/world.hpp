@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "core/tick_record.hpp"
+#include "hal/flash.hpp"
 #include "hal/sim/world_side.hpp"
 #include "sim/canard_set.hpp"
 #include "sim/disturbance.hpp"
@@ -35,8 +38,14 @@ struct Truth {
 ///   while (!world.over()) { record = world.tick(); truth = world.truth(); ...; world.advance(); }
 class World {
  public:
+  /// Holds the first ten seconds of a flight's record; for those who do not read it.
+  static constexpr hal::FlashGeometry small_flash{.size = 1U << 20U, .sector_size = 4096, .page_size = 256};
+  /// As a W25Q64: two minutes. Twice the size would be looked through only after the self-test has begun to wait for
+  /// it, and the flash would be seen in the flight.
+  static constexpr hal::FlashGeometry large_flash{.size = 8U << 20U, .sector_size = 4096, .page_size = 256};
+
   /// The scenario outlives the world. Its pad crew arms the avionics and ignites the motor by the scenario's clock.
-  explicit World(const Scenario& scenario);
+  explicit World(const Scenario& scenario, const hal::FlashGeometry& flash = small_flash);
 
   /// Bus, flash, console and entropy are somebody else's, and so is the pad: nothing happens until set_arm_switch() and
   /// ignite().
@@ -70,6 +79,10 @@ class World {
 
   /// Past apogee, or past the end of control in the tunnel, by the scenario's time.
   [[nodiscard]] bool over() const { return end_ && now_ >= *end_; }
+
+  /// What the avionics recorded into the world's own flash up to now, to the last whole record: what would be found
+  /// there if the power were cut. Empty when nothing was.
+  [[nodiscard]] std::span<const std::byte> recorded() const;
 
   [[nodiscard]] core::Microseconds now() const { return now_; }
 

@@ -6,8 +6,9 @@
 
 namespace fantail::avionics {
 
-Avionics::Avionics(Devices devices, const core::FlightPlan& built_in)
+Avionics::Avionics(Devices devices, const core::FlightPlan& built_in, const Identity& identity)
     : devices_{devices}, flash_{devices.flash}, plan_{built_in}, self_test_{built_in} {
+  flash_.recorder().introduce(identity);
   adopt(built_in);
   look_for_new_plan();
 }
@@ -16,7 +17,9 @@ const core::TickRecord& Avionics::tick() {
   look_for_new_plan();
   const core::Microseconds now = devices_.clock.now();
   listen(now);
-  const core::Inputs inputs = read_devices(now);
+  read_devices();
+  core::Inputs inputs = avionics::inputs(now, readings_, scales_, plan_.canards);
+  inputs.canard_request = bench_mode_.open() ? bench_mode_.canard_request(plan_.canards) : self_test_.canard_request();
   const core::TickRecord& record = autopilot_->step(inputs);
   devices_.servo.write(pulses(record.canards));
 
@@ -28,6 +31,13 @@ const core::TickRecord& Avionics::tick() {
                 .arm_switch_closed = inputs.arm_switch_closed};
   arming_.update(situation_);
   self_test_.update(inputs, record, flash_.facts());
+  flash_.recorder().note({.readings = readings_,
+                          .scales = scales_,
+                          .record = record,
+                          .duration_before = tick_duration_,
+                          .bus = devices_.can_bus,
+                          .power_up = flash_.boots().count()},
+                         *autopilot_);
   flash_.update(now, plan_may_change());
   report(record);
   tick_duration_ = devices_.clock.now() - now;
@@ -58,6 +68,7 @@ void Avionics::adopt(const core::FlightPlan& plan) {
   plan_ = plan;
   plan_crc_ = protocol::plan_crc(plan);
   autopilot_.emplace(plan);
+  flash_.recorder().take_plan(plan);
   self_test_ = SelfTest{plan};
 }
 
@@ -96,9 +107,10 @@ void Avionics::obey(const protocol::ArmRequest& message) {
   if (message.action == protocol::ArmAction::self_test) {
     self_test_.start(situation_, bench_mode_.open());
   } else {
-    // A plan that is being written will want a self-test of its own.
+    // A plan that is being written will want a self-test of its own, and a flight wants its room in the flash.
+    const bool flash_is_ready = !flash_.transfer().writing() && !flash_.flights().erasing();
     arming_.receive(situation_,
-                    {.self_test_passed = self_test_.passed(situation_.time) && !flash_.transfer().writing(),
+                    {.self_test_passed = self_test_.passed(situation_.time) && flash_is_ready,
                      .session_open = bench_mode_.open(),
                      .tunnel_plan = plan_.run.start == core::Start::tunnel,
                      .power_up = flash_.boots().count(),
@@ -109,27 +121,21 @@ void Avionics::obey(const protocol::ArmRequest& message) {
 
 bool Avionics::plan_may_change() const {
   return situation_.phase == core::Phase::safe && situation_.at_rest && !bench_mode_.open() && !self_test_.running() &&
-         !arming_.nonce();
+         !arming_.nonce() && !flash_.recorder().busy();
 }
 
-core::Inputs Avionics::read_devices(core::Microseconds now) {
-  const hal::ImuSample imu = devices_.imu.read();
-  const hal::ImuScale imu_scale = devices_.imu.scale();
-  const hal::AccelerometerSample second = devices_.accelerometer.read();
-  const bool arm_command = arming_.take_arm_command();
-  const bool start_command = arming_.take_start_command();
-  return {
-      .time = now,
-      .gyro = gyro_sample(imu, imu_scale),
-      .accelerometers = {accelerometer_sample(imu.time, imu.specific_force, imu.status, imu_scale.specific_force_m_s2),
-                         accelerometer_sample(second.time, second.specific_force, second.status,
-                                              devices_.accelerometer.scale())},
-      .encoders = encoder_angles(devices_.encoder.read(), plan_.canards),
-      .arm_switch_closed = devices_.arm_switch.closed(),
-      .arm_command = arm_command,
-      .start_command = start_command,
-      .canard_request = bench_mode_.open() ? bench_mode_.canard_request(plan_.canards) : self_test_.canard_request(),
-  };
+bool Avionics::erase_flights() {
+  return situation_.phase == core::Phase::safe && bench_mode_.open() && !self_test_.running() && flash_.erase_flights();
+}
+
+void Avionics::read_devices() {
+  readings_ = {.imu = devices_.imu.read(),
+               .accelerometer = devices_.accelerometer.read(),
+               .encoders = devices_.encoder.read(),
+               .arm_switch_closed = devices_.arm_switch.closed(),
+               .arm_command = arming_.take_arm_command(),
+               .start_command = arming_.take_start_command()};
+  scales_ = {.imu = devices_.imu.scale(), .accelerometer_m_s2 = devices_.accelerometer.scale()};
 }
 
 void Avionics::report(const core::TickRecord& record) {

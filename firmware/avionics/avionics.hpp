@@ -7,7 +7,9 @@
 #include "avionics/bench_mode.hpp"
 #include "avionics/bus_receiver.hpp"
 #include "avionics/flash_service.hpp"
+#include "avionics/identity.hpp"
 #include "avionics/self_test.hpp"
+#include "avionics/sensor_readings.hpp"
 #include "avionics/situation.hpp"
 #include "avionics/telemetry.hpp"
 #include "core/autopilot.hpp"
@@ -46,10 +48,14 @@ struct Devices {
 class Avionics {
  public:
   /// `built_in` has passed core::validate(); a good plan in the flash goes before it. The devices outlive this object.
-  Avionics(Devices devices, const core::FlightPlan& built_in);
+  Avionics(Devices devices, const core::FlightPlan& built_in, const Identity& identity = {});
 
   /// One control tick. The record is valid until the next one.
   const core::TickRecord& tick();
+
+  /// Erases all recorded flights, in the ticks to come. False: refused. Only from an open bench session, which is to
+  /// say in Safe and at rest; until it has ended the rocket will not be armed.
+  bool erase_flights();
 
  private:
   void look_for_new_plan();
@@ -58,7 +64,7 @@ class Avionics {
   void obey(const protocol::BenchSession& message);
   void obey(const protocol::BenchRequest& message);
   void obey(const protocol::ArmRequest& message);
-  [[nodiscard]] core::Inputs read_devices(core::Microseconds now);
+  void read_devices();
   void report(const core::TickRecord& record);
   void tell_person(const core::TickRecord& record);
   [[nodiscard]] bool plan_may_change() const;
@@ -75,6 +81,8 @@ class Avionics {
   Arming arming_;
   Telemetry telemetry_;
   Situation situation_{};
+  SensorReadings readings_{};
+  SensorScales scales_{};
   core::Microseconds tick_duration_{};
 };
 

@@ -4,7 +4,12 @@
 #include <cstdint>
 #include <optional>
 
+#include "core/time.hpp"
+
 namespace fantail::avionics {
+
+/// A flight is recorded for so long after control has ended.
+inline constexpr core::Microseconds recorded_after_control{30'000'000};
 
 /// What the flash told about itself.
 struct FlashFacts {

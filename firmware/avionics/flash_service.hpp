@@ -6,16 +6,18 @@
 #include "avionics/boot_counter.hpp"
 #include "avionics/flash_access.hpp"
 #include "avionics/flash_facts.hpp"
-#include "avionics/flash_room.hpp"
+#include "avionics/flight_region.hpp"
 #include "avionics/plan_store.hpp"
 #include "avionics/plan_transfer.hpp"
+#include "avionics/recorder.hpp"
 #include "core/time.hpp"
 #include "hal/flash.hpp"
 
 namespace fantail::avionics {
 
 /// Everything that the avionics keeps in flash. One of its users has the flash at a time: the boot counter until it has
-/// finished, then a plan that is written, and in the ticks that are left the look for room.
+/// finished, then a flight that is recorded, then a plan that is written, and in the ticks that are left the region of
+/// the flights is looked through or erased.
 class FlashService {
  public:
   /// The flash outlives this object.
@@ -39,16 +41,34 @@ class FlashService {
     transfer_.update(now, safe);
     if (!boots_.finished()) {
       boots_.update(now);
+    } else if (recorder_.busy()) {
+      recorder_.update(now);
     } else if (store_.write() == PlanWrite::under_way) {
       store_.update(now);
     } else {
-      room_.update(now);
+      flights_.update(now);
     }
+  }
+
+  /// Erases all recorded flights, in the ticks to come. False: not now. Whoever calls this knows that the rocket is on
+  /// the bench, and keeps it from being armed while flights().erasing().
+  bool erase_flights() {
+    const bool in_use = !boots_.finished() || recorder_.busy() || store_.write() == PlanWrite::under_way;
+    return !in_use && flights_.begin_erase();
+  }
+
+  /// FlightRegion::read(), in a tick of its own: not in one with an update().
+  Access read_flights(core::Microseconds now, std::uint32_t offset, std::span<std::byte> out) {
+    const bool in_use = !boots_.finished() || recorder_.busy() || store_.write() == PlanWrite::under_way ||
+                        !flights_.finished() || flights_.erasing();
+    return in_use ? Access::again : flights_.read(now, offset, out);
   }
 
   [[nodiscard]] PlanTransfer& transfer() { return transfer_; }
   [[nodiscard]] const BootCounter& boots() const { return boots_; }
-  [[nodiscard]] const FlashRoom& room() const { return room_; }
+  [[nodiscard]] const FlightRegion& flights() const { return flights_; }
+  [[nodiscard]] Recorder& recorder() { return recorder_; }
+  [[nodiscard]] const Recorder& recorder() const { return recorder_; }
 
   /// PlanTransfer::take_plan(); it also takes the place of one that was broken.
   std::optional<core::FlightPlan> take_plan() {
@@ -58,9 +78,9 @@ class FlashService {
   }
 
   [[nodiscard]] FlashFacts facts() const {
-    return {.failed = plan_unreadable_ || boots_.failed() || room_.failed(),
+    return {.failed = plan_unreadable_ || boots_.failed() || flights_.failed(),
             .stored_plan_broken = plan_broken_,
-            .free_bytes = room_.free_bytes(),
+            .free_bytes = flights_.free_bytes(),
             .region_bytes = access_.map().flight_end - access_.map().flight_begin};
   }
 
@@ -68,7 +88,8 @@ class FlashService {
   FlashAccess access_;
   BootCounter boots_{access_};
   PlanStore store_{access_};
-  FlashRoom room_{access_};
+  FlightRegion flights_{access_};
+  Recorder recorder_{flights_};
   PlanTransfer transfer_{store_};
   bool plan_broken_ = false;
   bool plan_unreadable_ = false;

@@ -23,15 +23,14 @@ constexpr Angle largest_swing = 3_deg;
 constexpr Microseconds move_time{400'000};     // a sound servo arrives within a tenth of it
 constexpr Microseconds watched_from{300'000};  // the encoders are averaged from here on: one reading is noisy
 
-// A record of a tick is at most 80 bytes; a flight goes on after control has ended.
+// A record of a tick is at most 80 bytes, and with all that stands between the ticks a flight has less than 80 a tick.
 constexpr std::int64_t record_bytes_per_s = 80'000;
-constexpr std::int64_t seconds_after_control = 30;
 
 }  // namespace
 
 std::uint32_t SelfTest::record_bytes(const core::FlightPlan& plan) {
-  const std::int64_t control_s = plan.run.control_time.count() / 1'000'000 + 1;
-  return static_cast<std::uint32_t>(record_bytes_per_s * (control_s + seconds_after_control));
+  const std::int64_t recorded_s = (plan.run.control_time + recorded_after_control).count() / 1'000'000 + 1;
+  return static_cast<std::uint32_t>(record_bytes_per_s * recorded_s);
 }
 
 void SelfTest::start(const Situation& now, bool session_open) {

@@ -25,13 +25,13 @@ struct Fresh : FlashRig {
 TEST(FlashService, FindsOutTheRoomOfABlankFlashAfterCountingThePowerUp) {
   Fresh rig;
   ASSERT_TRUE(rig.service.load_plan(rig.world.time).has_value());
-  while (!rig.service.room().free_bytes()) {
-    EXPECT_FALSE(rig.service.room().failed());
+  while (!rig.service.flights().free_bytes()) {
+    EXPECT_FALSE(rig.service.flights().failed());
     rig.step();
     ASSERT_LT(rig.world.time, 1s);
   }
   EXPECT_EQ(rig.service.boots().count(), 1U);
-  EXPECT_EQ(*rig.service.room().free_bytes(), 65'536U - 4U * 4096U);
+  EXPECT_EQ(*rig.service.flights().free_bytes(), 65'536U - 4U * 4096U);
 }
 
 TEST(FlashService, ASectorThatBeginsWithAnythingIsNotFree) {
@@ -44,16 +44,16 @@ TEST(FlashService, ASectorThatBeginsWithAnythingIsNotFree) {
   for (int i = 0; i < 100; ++i) {
     rig.step();
   }
-  EXPECT_EQ(rig.service.room().free_bytes(), 9U * 4096U);
+  EXPECT_EQ(rig.service.flights().free_bytes(), 9U * 4096U);
 }
 
 TEST(FlashService, AWholeW25Q128IsLookedThroughInFiveSeconds) {
   Fresh rig{hal::sim::flash_16_mib};
-  while (!rig.service.room().finished() && rig.world.time < 10s) {
+  while (!rig.service.flights().finished() && rig.world.time < 10s) {
     rig.step();
   }
   EXPECT_LT(rig.world.time, 5s);
-  EXPECT_EQ(rig.service.room().free_bytes(), 4092U * 4096U);
+  EXPECT_EQ(rig.service.flights().free_bytes(), 4092U * 4096U);
 }
 
 TEST(FlashService, AsksOneThingATickWhileEverythingIsWanted) {
@@ -78,10 +78,10 @@ TEST(FlashService, AsksOneThingATickWhileEverythingIsWanted) {
     const auto plan = rig.service.transfer().take_plan();
     taken = plan ? plan : taken;
     EXPECT_FALSE(taken && !rig.service.boots().finished()) << "the count of the power-up comes first";
-    room_was_first = room_was_first || (!taken && rig.service.room().finished());
+    room_was_first = room_was_first || (!taken && rig.service.flights().finished());
   }
   EXPECT_TRUE(taken.has_value());
-  EXPECT_TRUE(rig.service.room().finished());
+  EXPECT_TRUE(rig.service.flights().finished());
   EXPECT_FALSE(room_was_first);
 }
 
@@ -91,7 +91,7 @@ TEST(FlashService, APlanThatComesDuringTheLookForRoomIsWrittenAndTheLookGoesOn) 
   rig.send(block_of(numbered_plan(5)));
   rig.run(100);
   EXPECT_EQ(rig.state(), protocol::TransferState::stored);
-  EXPECT_EQ(rig.service.room().free_bytes(), 12U * 4096U);
+  EXPECT_EQ(rig.service.flights().free_bytes(), 12U * 4096U);
 }
 
 TEST(FlashService, ADeadFlashFailsEveryUserByNameAndNobodyWaits) {
@@ -104,8 +104,8 @@ TEST(FlashService, ADeadFlashFailsEveryUserByNameAndNobodyWaits) {
       ASSERT_LE(rig.watched.calls, 1);
     }
     EXPECT_TRUE(rig.service.boots().failed());
-    EXPECT_TRUE(rig.service.room().failed());
-    EXPECT_FALSE(rig.service.room().free_bytes().has_value());
+    EXPECT_TRUE(rig.service.flights().failed());
+    EXPECT_FALSE(rig.service.flights().free_bytes().has_value());
     EXPECT_EQ(rig.service.load_plan(rig.world.time)->flash_failed, true);
   }
 }
@@ -116,7 +116,7 @@ TEST(FlashService, AFlashThatIsTooSmallFailsEveryUserByName) {
   rig.step();
   rig.step();
   EXPECT_TRUE(rig.service.boots().failed());
-  EXPECT_TRUE(rig.service.room().failed());
+  EXPECT_TRUE(rig.service.flights().failed());
 }
 
 TEST(FlashService, NeedsTheRoomOfOneBlockAndLittleMore) { EXPECT_LT(sizeof(FlashService), 2048U); }

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "avionics/flash_access.hpp"
+#include "core/time.hpp"
+
+namespace fantail::avionics {
+
+/// Where the records of flights lie: one behind the other from the bottom, each begun on a fresh sector, and none ever
+/// overwritten. Only an erase of them all gives room back.
+///
+/// Nothing says where the last one ends but the flash itself, so that no power cut can spoil it. At power-up the
+/// beginning of every sector is looked at, one a tick (4 s for 16 MiB): the next flight comes behind the last sector
+/// that begins with anything, if the sector there is blank to its last byte. An erase or a first page that was cut off
+/// may have left something deeper in; such a sector is stepped over.
+class FlightRegion {
+ public:
+  /// The access outlives this object.
+  explicit FlightRegion(FlashAccess& flash) : flash_{flash} {}
+
+  /// Once a tick while nobody else has the flash: at most one call to it, for the look or for an erase.
+  void update(core::Microseconds now);
+
+  /// The look at power-up has ended.
+  [[nodiscard]] bool finished() const { return step_ != Step::look && step_ != Step::check_next; }
+  /// The flash does not answer.
+  [[nodiscard]] bool failed() const { return step_ == Step::failed; }
+  /// Empty until the whole region has been looked at.
+  [[nodiscard]] std::optional<std::uint32_t> free_bytes() const;
+
+  // ---- one flight ----
+
+  /// Begins a flight, which uses nothing before its first byte. Its number, by which one is told from the others of
+  /// this flash: its first sector. Empty: full, failed, being erased, or not yet looked at.
+  std::optional<std::uint32_t> open();
+  /// Bytes that the open flight may still have.
+  [[nodiscard]] std::size_t room() const { return flash_.map().flight_end - write_at_; }
+  /// Bytes that may be appended at once.
+  [[nodiscard]] std::size_t page_room() const {
+    const std::uint32_t page = flash_.map().page_size;
+    return page - write_at_ % page;
+  }
+  /// Within the page. Not in a tick in which update() was called.
+  Access append(core::Microseconds now, std::span<const std::byte> bytes);
+
+  // ---- all of them ----
+
+  /// Of the region, from its beginning: flights and what lies between them, up to a whole sector.
+  [[nodiscard]] std::uint32_t used_bytes() const { return end_ * flash_.map().sector_size; }
+  /// Stored bytes, from `offset` in the region on; `out` has at most FlashAccess::read_size bytes. Failed beyond the
+  /// region's end.
+  Access read(core::Microseconds now, std::uint32_t offset, std::span<std::byte> out);
+
+  /// Erases all flights, from the last sector down, so that what a power cut leaves is a row of flights that ends
+  /// early. False when it is not to be had now. Whoever calls this knows that nobody flies.
+  bool begin_erase();
+  [[nodiscard]] bool erasing() const { return step_ == Step::erase || step_ == Step::check_erase; }
+
+ private:
+  enum class Step : std::uint8_t { look, check_next, ready, erase, check_erase, failed };
+
+  void look(core::Microseconds now);
+  void check_next(core::Microseconds now);
+  void erase(core::Microseconds now);
+  [[nodiscard]] bool done(Access access);
+  [[nodiscard]] std::uint32_t address(std::uint32_t sector) const {
+    return flash_.map().flight_begin + sector * flash_.map().sector_size;
+  }
+
+  FlashAccess& flash_;
+  Step step_ = Step::look;
+  std::uint32_t sector_ = 0;    ///< that is looked at next
+  std::uint32_t offset_ = 0;    ///< in the sector that is checked
+  std::uint32_t end_ = 0;       ///< sectors in use
+  std::uint32_t write_at_ = 0;  ///< address
+};
+
+}  // namespace fantail::avionics

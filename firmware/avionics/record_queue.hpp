@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "core/time.hpp"
+#include "protocol/little_endian.hpp"
+#include "protocol/log_frame.hpp"
+#include "protocol/log_notes.hpp"
+#include "protocol/log_tick.hpp"
+
+namespace fantail::avionics {
+
+// What waits for the flash. Ticks are numbered from 0 on; whatever else stands in a record stands before the tick whose
+// number it bears.
+
+/// Packed ticks: the last half second before a launch, and what the flash has not yet taken after it.
+class TickQueue {
+ public:
+  /// Half a second, what comes in while header and first checkpoint are written at 3 ms a page, and some.
+  static constexpr std::uint32_t capacity = 564;
+
+  void clear() { head_ = first_ = end_ = 0; }
+  [[nodiscard]] std::uint32_t size() const { return end_ - first_; }
+  [[nodiscard]] bool full() const { return size() == capacity; }
+  /// Number of the oldest one.
+  [[nodiscard]] std::uint32_t first() const { return first_; }
+  /// Number of the one that comes next.
+  [[nodiscard]] std::uint32_t end() const { return end_; }
+
+  /// Not when it is full. Times never run backwards.
+  void push(core::Microseconds time, const protocol::PackedTick& tick) {
+    Slot& slot = slots_[(head_ + size()) % capacity];
+    slot.tick = tick;
+    protocol::put<4>(slot.low_time, 0, static_cast<std::uint64_t>(time.count()));
+    newest_ = time;
+    end_ += 1;
+  }
+
+  // Of the oldest; not when it is empty.
+  [[nodiscard]] std::span<const std::byte> tick() const { return slots_[head_].tick; }
+  [[nodiscard]] core::Microseconds time() const {
+    const auto age = static_cast<std::uint32_t>(static_cast<std::uint64_t>(newest_.count()) -
+                                                protocol::get<4>(slots_[head_].low_time, 0));
+    return newest_ - core::Microseconds{age};
+  }
+  void pop() {
+    head_ = (head_ + 1) % capacity;
+    first_ += 1;
+  }
+
+ private:
+  struct Slot {  // without a gap
+    protocol::PackedTick tick;
+    std::array<std::byte, 4> low_time;  ///< none is more than an hour older than the newest
+  };
+  static_assert(sizeof(Slot) == protocol::log_tick_size + 4);
+
+  std::array<Slot, capacity> slots_{};
+  std::uint32_t head_ = 0;
+  std::uint32_t first_ = 0;
+  std::uint32_t end_ = 0;
+  core::Microseconds newest_{};
+};
+
+/// An event or a health record.
+struct Note {
+  core::Microseconds time{};
+  std::uint32_t before = 0;  ///< number of the tick that follows
+  std::uint32_t lost = 0;    ///< records before it that found no room: their numbers go with them
+  protocol::LogRecord type{};
+  std::uint8_t size = 0;
+  std::array<std::byte, protocol::log_health_size> payload{};
+};
+
+class NoteQueue {
+ public:
+  static constexpr std::uint32_t capacity = 32;
+
+  void clear() { head_ = size_ = 0; }
+  [[nodiscard]] bool empty() const { return size_ == 0; }
+  [[nodiscard]] std::uint32_t size() const { return size_; }
+  void push(const Note& note) {
+    notes_[(head_ + size_) % capacity] = note;
+    size_ += 1;
+  }
+  [[nodiscard]] const Note& front() const { return notes_[head_]; }
+  void pop() {
+    head_ = (head_ + 1) % capacity;
+    size_ -= 1;
+  }
+
+ private:
+  std::array<Note, capacity> notes_{};
+  std::uint32_t head_ = 0;
+  std::uint32_t size_ = 0;
+};
+
+/// A state of the flight law, as a checkpoint's payload. One waits at a time.
+struct WaitingCheckpoint {
+  std::array<std::byte, 1792> payload{};  // the law of this version needs 1681
+  std::size_t size = 0;                   ///< 0: none waits
+  std::uint32_t before = 0;               ///< number of the tick that follows
+
+  [[nodiscard]] std::span<const std::byte> bytes() const { return std::span{payload}.first(size); }
+};
+
+struct RecordQueue {
+  TickQueue ticks;
+  NoteQueue notes;
+  WaitingCheckpoint checkpoint;
+
+  void clear() {
+    ticks.clear();
+    notes.clear();
+    checkpoint.size = 0;
+  }
+};
+
+}  // namespace fantail::avionics

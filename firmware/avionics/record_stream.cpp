@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+#include "avionics/record_stream.hpp"
+
+#include <algorithm>
+
+namespace fantail::avionics {
+
+using protocol::LogEnd;
+using protocol::LogFrameWriter;
+using protocol::LogRecord;
+
+namespace {
+
+constexpr core::Microseconds header_period{5'000'000};
+constexpr std::size_t last_frame_size = protocol::log_frame_overhead + protocol::log_event_size;
+
+std::span<const std::byte> bytes_of(std::string_view text) { return std::as_bytes(std::span{text}); }
+
+}  // namespace
+
+void RecordStream::begin(const protocol::LogHeader& header) {
+  header_ = header;
+  header_begin_ = encode(header);
+  header_time_.reset();
+  source_.reset();
+  page_size_ = 0;
+  sequence_ = 0;
+  open_ = true;
+  finishing_ = false;
+  broken_off_.reset();
+}
+
+void RecordStream::update(core::Microseconds now) {
+  if (!open_) {
+    return;
+  }
+  const std::size_t room = std::min(page_.size(), region_.page_room());
+  fill_page(room);
+  const bool nothing_more = page_size_ < room;
+  if (page_size_ == room || (finishing_ && nothing_more && page_size_ > 0)) {
+    const Access access = region_.append(now, std::span{page_}.first(page_size_));
+    if (access == Access::failed) {
+      broken_off_ = LogEnd::flash_failed;
+      return close();
+    }
+    page_size_ = access == Access::done ? 0 : page_size_;
+  }
+  if (finishing_ && nothing_more && page_size_ == 0) {
+    close();
+  }
+}
+
+void RecordStream::fill_page(std::size_t room) {
+  while (page_size_ < room && (!frame_.done() || begin_next())) {
+    page_size_ += frame_.write(std::span{page_}.subspan(page_size_, room - page_size_));
+    if (frame_.done()) {
+      release();
+    }
+  }
+}
+
+// The order in which records stand: what is noted before a tick, the header when it is due, the checkpoint, the tick.
+bool RecordStream::begin_next() {
+  TickQueue& ticks = queue_.ticks;
+  const WaitingCheckpoint& checkpoint = queue_.checkpoint;
+  const bool tick_waits = ticks.size() > 0;
+  if (broken_off_) {
+    return false;
+  }
+  if (!header_time_ && tick_waits) {
+    return begin_header(ticks.time());
+  }
+  if (!queue_.notes.empty() && queue_.notes.front().before <= ticks.first()) {
+    const Note& note = queue_.notes.front();
+    sequence_ += note.lost;
+    return begin_frame(note.type, note.time, {std::span{note.payload}.first(note.size)});
+  }
+  if (!tick_waits) {
+    return false;
+  }
+  if (ticks.time() - *header_time_ >= header_period) {
+    return begin_header(ticks.time());
+  }
+  if (checkpoint.size > 0 && checkpoint.before == ticks.first()) {
+    return begin_frame(LogRecord::checkpoint, ticks.time(), {checkpoint.bytes()});
+  }
+  return begin_frame(LogRecord::tick, ticks.time(), {ticks.tick()});
+}
+
+bool RecordStream::begin_header(core::Microseconds time) {
+  header_time_ = time;
+  return begin_frame(LogRecord::header, time, {header_begin_, header_.plan_block, bytes_of(header_.schema)});
+}
+
+bool RecordStream::begin_frame(LogRecord type, core::Microseconds time, const LogFrameWriter::Parts& payload) {
+  // There is always room for the event that says that the flash was full.
+  if (page_size_ + LogFrameWriter::frame_size(payload) + last_frame_size > region_.room()) {
+    begin_end_of_flash(time);
+    return true;
+  }
+  frame_.begin({.type = static_cast<std::uint8_t>(type), .sequence = sequence_, .time = time}, payload);
+  source_ = type;
+  sequence_ += 1;
+  return true;
+}
+
+void RecordStream::begin_end_of_flash(core::Microseconds time) {
+  broken_off_ = LogEnd::flash_full;
+  finishing_ = true;
+  source_.reset();
+  last_event_ = protocol::pack(protocol::LogEvent{.time = time,
+                                                  .kind = protocol::LogEventKind::recording_ended,
+                                                  .value = static_cast<std::uint8_t>(LogEnd::flash_full)});
+  frame_.begin({.type = static_cast<std::uint8_t>(LogRecord::event), .sequence = sequence_, .time = time},
+               {last_event_});
+}
+
+void RecordStream::release() {
+  if (source_ == LogRecord::event || source_ == LogRecord::health) {
+    queue_.notes.pop();
+  } else if (source_ == LogRecord::checkpoint) {
+    queue_.checkpoint.size = 0;
+  } else if (source_ == LogRecord::tick) {
+    queue_.ticks.pop();
+  }
+  source_.reset();
+}
+
+void RecordStream::close() {
+  open_ = false;
+  frame_.abandon();
+  queue_.clear();
+}
+
+}  // namespace fantail::avionics

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: MIT
+#include "avionics/recorder.hpp"
+
+#include "avionics/flash_facts.hpp"
+#include "protocol/log_schema.hpp"
+#include "protocol/state_block.hpp"
+
+namespace fantail::avionics {
+
+using core::Microseconds;
+using core::Phase;
+using protocol::LogEnd;
+using protocol::LogEventKind;
+
+namespace {
+
+constexpr Microseconds checkpoint_period{1'000'000};
+constexpr std::uint32_t room_to_go_on = TickQueue::capacity / 2;
+
+bool flies(Phase phase) { return phase != Phase::safe && phase != Phase::armed; }
+
+}  // namespace
+
+void Recorder::take_plan(const core::FlightPlan& plan) {
+  plan_block_size_ = protocol::write_plan_block(plan, plan_block_);
+  canards_ = plan.canards;
+  stage_ = Stage::idle;
+}
+
+void Recorder::note(const Tick& tick, core::Autopilot& law) {
+  const Phase phase = tick.record.phase;
+  switch (stage_) {
+    case Stage::idle:
+      if (phase == Phase::armed) {
+        begin_on_pad(tick, law);
+      }
+      break;
+    case Stage::on_pad:
+      if (phase == Phase::safe) {
+        stage_ = Stage::idle;
+        break;
+      }
+      if (flies(phase)) {
+        begin_flight(tick);
+        if (stage_ == Stage::flying) {
+          fly_on(tick, law);
+        }
+        break;
+      }
+      if (queue_.ticks.size() == PadRing::ticks) {
+        ring_.retire_oldest(queue_.ticks);
+      }
+      queue_tick(tick);
+      break;
+    case Stage::flying: fly_on(tick, law); break;
+    case Stage::closing: break;
+  }
+}
+
+void Recorder::begin_on_pad(const Tick& tick, const core::Autopilot& law) {
+  queue_.clear();
+  told_ = {};
+  armed_because_ = tick.record.reason;
+  times_ = {.imu = tick.readings.imu.time, .accelerometer = tick.readings.accelerometer.time};
+  ring_.begin(law, times_, tick.scales, canards_);
+  stage_ = Stage::on_pad;
+}
+
+void Recorder::begin_flight(const Tick& tick) {
+  const auto flight = region_.open();
+  if (!flight) {
+    stage_ = Stage::idle;
+    return;
+  }
+  protocol::StateLayout layout;
+  ring_.law().visit_state(layout);
+  stream_.begin({.flight = *flight,
+                 .power_up = tick.power_up.value_or(0),
+                 .state_layout = layout.hash(),
+                 .rate_scale_rad_s = tick.scales.imu.rate_rad_s,
+                 .specific_force_scale_m_s2 = tick.scales.imu.specific_force_m_s2,
+                 .accelerometer_scale_m_s2 = tick.scales.accelerometer_m_s2,
+                 .firmware_version = identity_.firmware_version,
+                 .git_hash = identity_.git_hash,
+                 .vehicle = identity_.vehicle,
+                 .sensors = identity_.sensors,
+                 .plan_block = std::span{plan_block_}.first(plan_block_size_),
+                 .schema = protocol::log_schema()});
+  stage_ = Stage::flying;
+  overflowed_ = false;
+  dropped_ = 0;
+  longest_tick_ = {};
+  longest_queue_ = 0;
+  ticks_to_health_ = 0;
+  finished_since_.reset();
+  const Microseconds time = queue_.ticks.size() > 0 ? queue_.ticks.time() : tick.record.time;
+  queue_checkpoint(tick.record.time, ring_.law(), ring_.times(), queue_.ticks.first());
+  queue_event({.time = time, .kind = LogEventKind::recording_began, .number = *flight}, queue_.ticks.first());
+  queue_event({.time = time,
+               .kind = LogEventKind::phase,
+               .value = static_cast<std::uint8_t>(told_.phase),
+               .detail = static_cast<std::uint8_t>(armed_because_)},
+              queue_.ticks.first());
+}
+
+void Recorder::queue_tick(const Tick& tick) {
+  const protocol::PackedTick packed = pack(log_tick(tick.readings, tick.record, tick.duration_before), times_);
+  overflowed_ = overflowed_ || queue_.ticks.full();
+  if (overflowed_) {
+    dropped_ += 1;
+    ticks_dropped_ += 1;
+    checkpoint_time_.reset();  // a replay cannot go on behind a gap
+    overflowed_ = queue_.ticks.size() > room_to_go_on || queue_.checkpoint.size > 0;
+  } else {
+    queue_.ticks.push(tick.record.time, packed);
+  }
+}
+
+void Recorder::fly_on(const Tick& tick, core::Autopilot& law) {
+  const Microseconds time = tick.record.time;
+  queue_changes(tick.record);
+  queue_tick(tick);
+  queue_health(tick);
+  if (!overflowed_) {
+    tell_what_was_dropped(time);
+    if (queue_.checkpoint.size == 0 && (!checkpoint_time_ || time - *checkpoint_time_ >= checkpoint_period)) {
+      queue_checkpoint(time, law, times_, queue_.ticks.end());
+    }
+  }
+  if (const auto end = reason_to_end(tick.record)) {
+    queue_event({.time = time, .kind = LogEventKind::recording_ended, .value = static_cast<std::uint8_t>(*end)},
+                queue_.ticks.end());
+    stream_.finish();
+    stage_ = Stage::closing;
+  }
+}
+
+std::optional<LogEnd> Recorder::reason_to_end(const core::TickRecord& record) {
+  if (!flies(record.phase)) {
+    return LogEnd::returned_to_pad;
+  }
+  if (record.phase == Phase::finished && !finished_since_) {
+    finished_since_ = record.time;
+  }
+  const bool over = finished_since_ && record.time - *finished_since_ >= recorded_after_control;
+  return over ? std::optional{LogEnd::flight_over} : std::nullopt;
+}
+
+void Recorder::update(Microseconds now) {
+  stream_.update(now);
+  if (!busy() && stage_ != Stage::on_pad) {
+    stage_ = Stage::idle;
+  }
+}
+
+}  // namespace fantail::avionics

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "avionics/flight_region.hpp"
+#include "avionics/identity.hpp"
+#include "avionics/pad_ring.hpp"
+#include "avionics/record_queue.hpp"
+#include "avionics/record_stream.hpp"
+#include "avionics/sensor_readings.hpp"
+#include "core/autopilot.hpp"
+#include "core/flight_plan.hpp"
+#include "hal/can_bus.hpp"
+#include "protocol/log_notes.hpp"
+#include "protocol/plan_block.hpp"
+
+namespace fantail::avionics {
+
+/// Records a flight, from half a second before its launch was detected (in the tunnel: before control) until it has
+/// been over for half a minute or the flash is full. On the pad nothing is written: an armed rocket keeps its last half
+/// second in memory, and a rocket that is not armed nothing at all.
+///
+/// It never waits for the flash. Ticks that come while the queue is full are counted and left out, and with a
+/// checkpoint the record goes on where there is room again: with a flash of 85 kB/s (W25Q128 at its slowest) that does
+/// not happen.
+///
+/// Time in a tick, at worst: one tick packed and summed up, one of half a second ago flown again (armed only), one
+/// state of the flight law written out (once a second), 256 bytes framed with their CRC, and one program of the flash
+/// begun.
+class Recorder {
+ public:
+  /// The region outlives this object.
+  explicit Recorder(FlightRegion& region) : region_{region} {}
+  Recorder(const Recorder&) = delete;  // its stream refers to its queue
+  Recorder& operator=(const Recorder&) = delete;
+
+  struct Tick {
+    const SensorReadings& readings;
+    const SensorScales& scales;
+    const core::TickRecord& record;
+    core::Microseconds duration_before{};  ///< of the tick before
+    const hal::CanBus& bus;
+    std::optional<std::uint32_t> power_up{};
+  };
+
+  /// In Safe, while nothing is busy().
+  void take_plan(const core::FlightPlan& plan);
+  void introduce(const Identity& identity) { identity_ = identity; }
+
+  /// Once a tick, when the flight law has stepped: `law` is what it is now. No call to the flash.
+  void note(const Tick& tick, core::Autopilot& law);
+
+  /// Once a tick while busy() and the flash is free: at most one call to it.
+  void update(core::Microseconds now);
+
+  /// Something is being written.
+  [[nodiscard]] bool busy() const { return stream_.open(); }
+  /// Since power-up.
+  [[nodiscard]] std::uint32_t ticks_dropped() const { return ticks_dropped_; }
+
+ private:
+  enum class Stage : std::uint8_t { idle, on_pad, flying, closing };
+  /// What the events have told so far.
+  struct Told {
+    core::Phase phase = core::Phase::armed;
+    std::array<core::CanardVerdict, core::canard_count> verdicts{};
+    core::SensorState gyro = core::SensorState::fresh;
+    core::SensorState accelerometer = core::SensorState::fresh;
+    core::CommandStatus command_status = core::CommandStatus::outside_control;
+  };
+
+  void begin_on_pad(const Tick& tick, const core::Autopilot& law);
+  void begin_flight(const Tick& tick);
+  void fly_on(const Tick& tick, core::Autopilot& law);
+  [[nodiscard]] std::optional<protocol::LogEnd> reason_to_end(const core::TickRecord& record);
+
+  // `before`: number of the tick that follows.
+  void queue_tick(const Tick& tick);
+  void queue_changes(const core::TickRecord& record);
+  void queue_health(const Tick& tick);
+  void queue_checkpoint(core::Microseconds time, core::Autopilot& law, const protocol::SampleTimes& times,
+                        std::uint32_t before);
+  void tell_what_was_dropped(core::Microseconds time);
+  void queue_event(const protocol::LogEvent& event, std::uint32_t before);
+  void queue_note(core::Microseconds time, protocol::LogRecord type, std::span<const std::byte> payload,
+                  std::uint32_t before, std::uint32_t lost = 0);
+
+  FlightRegion& region_;
+  Identity identity_{};
+  core::CanardsPlan canards_{};
+  std::array<std::byte, protocol::largest_plan_block> plan_block_{};
+  std::size_t plan_block_size_ = 0;
+
+  Stage stage_ = Stage::idle;
+  RecordQueue queue_{};
+  RecordStream stream_{queue_, region_};
+  PadRing ring_{};
+  protocol::SampleTimes times_{};  ///< of the newest tick
+  Told told_{};
+  core::PhaseReason armed_because_{};
+  std::uint32_t ticks_to_health_ = 0;
+  std::optional<core::Microseconds> checkpoint_time_{};  ///< of the last one; empty: one is wanted now
+  std::optional<core::Microseconds> finished_since_{};
+  bool overflowed_ = false;    ///< no tick is taken until there is room again
+  std::uint32_t dropped_ = 0;  ///< records, since that was last said
+  std::uint32_t ticks_dropped_ = 0;
+  core::Microseconds longest_tick_{};
+  std::uint32_t longest_queue_ = 0;
+};
+
+}  // namespace fantail::avionics

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+// What a recorder puts between the ticks.
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "avionics/recorder.hpp"
+#include "protocol/state_block.hpp"
+
+namespace fantail::avionics {
+
+using core::Microseconds;
+using protocol::LogEventKind;
+using protocol::LogRecord;
+
+namespace {
+
+constexpr std::uint32_t ticks_per_health = 100;
+// The other half is for events, which do not come again.
+constexpr std::uint32_t most_waiting_health = NoteQueue::capacity / 2;
+
+// A sensor that is slower than the ticks coasts between two samples; that is no news.
+core::SensorState worth_telling(core::SensorState state) {
+  return state == core::SensorState::coasting ? core::SensorState::fresh : state;
+}
+
+std::uint16_t at_most_16_bits(std::int64_t value) {
+  return static_cast<std::uint16_t>(std::clamp<std::int64_t>(value, 0, std::numeric_limits<std::uint16_t>::max()));
+}
+
+template <typename Enumeration>
+std::uint8_t byte(Enumeration value) {
+  return static_cast<std::uint8_t>(value);
+}
+
+}  // namespace
+
+void Recorder::queue_changes(const core::TickRecord& record) {
+  const std::uint32_t before = queue_.ticks.end();
+  const auto tell = [&](auto& told, auto now, protocol::LogEvent event) {
+    if (told != now) {
+      told = now;
+      event.time = record.time;
+      event.value = byte(now);
+      queue_event(event, before);
+    }
+  };
+  tell(told_.phase, record.phase, {.kind = LogEventKind::phase, .detail = byte(record.reason)});
+  for (std::size_t i = 0; i < core::canard_count; ++i) {
+    tell(told_.verdicts[i], record.verdicts[i],
+         {.kind = LogEventKind::canard_verdict, .index = static_cast<std::uint8_t>(i)});
+  }
+  tell(told_.gyro, worth_telling(record.motion.gyro), {.kind = LogEventKind::gyro_state});
+  tell(told_.accelerometer, worth_telling(record.motion.accelerometer), {.kind = LogEventKind::accelerometer_state});
+  tell(told_.command_status, record.command_status, {.kind = LogEventKind::command_status});
+}
+
+void Recorder::queue_health(const Tick& tick) {
+  longest_tick_ = std::max(longest_tick_, tick.duration_before);
+  longest_queue_ = std::max(longest_queue_, queue_.ticks.size());
+  ticks_to_health_ = ticks_to_health_ > 0 ? ticks_to_health_ - 1 : ticks_per_health - 1;
+  if (ticks_to_health_ > 0 || queue_.notes.size() >= most_waiting_health) {
+    return;
+  }
+  const hal::CanCounters counters = tick.bus.counters();
+  const protocol::LogHealth health{.time = tick.record.time,
+                                   .verdicts = tick.record.verdicts,
+                                   .gyro = tick.record.motion.gyro,
+                                   .accelerometer = tick.record.motion.accelerometer,
+                                   .bus_state = byte(tick.bus.state()),
+                                   .longest_tick_us = at_most_16_bits(longest_tick_.count()),
+                                   .longest_queue = at_most_16_bits(longest_queue_),
+                                   .ticks_dropped = ticks_dropped_,
+                                   .unsent = counters.unsent,
+                                   .bus_errors = counters.errors};
+  queue_note(health.time, LogRecord::health, pack(health), queue_.ticks.end());
+  longest_tick_ = {};
+  longest_queue_ = 0;
+}
+
+void Recorder::queue_checkpoint(Microseconds time, core::Autopilot& law, const protocol::SampleTimes& times,
+                                std::uint32_t before) {
+  WaitingCheckpoint& checkpoint = queue_.checkpoint;
+  const std::span<std::byte> payload = checkpoint.payload;
+  protocol::put<8>(payload, 0, static_cast<std::uint64_t>(times.imu.count()));
+  protocol::put<8>(payload, 8, static_cast<std::uint64_t>(times.accelerometer.count()));
+  protocol::StateWriter writer{payload.subspan(protocol::log_checkpoint_times_size)};
+  law.visit_state(writer);
+  const std::size_t size = protocol::log_checkpoint_times_size + writer.size();
+  checkpoint.size = size <= payload.size() ? size : 0;  // part of a state is none
+  checkpoint.before = before;
+  checkpoint_time_ = time;
+}
+
+void Recorder::tell_what_was_dropped(Microseconds time) {
+  if (dropped_ == 0 || queue_.notes.size() == NoteQueue::capacity) {
+    return;
+  }
+  const std::uint32_t lost = std::exchange(dropped_, 0);
+  const protocol::LogEvent event{.time = time, .kind = LogEventKind::records_dropped, .number = lost};
+  queue_note(time, LogRecord::event, pack(event), queue_.ticks.end(), lost);
+}
+
+void Recorder::queue_event(const protocol::LogEvent& event, std::uint32_t before) {
+  queue_note(event.time, LogRecord::event, pack(event), before);
+}
+
+void Recorder::queue_note(Microseconds time, LogRecord type, std::span<const std::byte> payload, std::uint32_t before,
+                          std::uint32_t lost) {
+  if (queue_.notes.size() == NoteQueue::capacity) {
+    dropped_ += 1;
+    return;
+  }
+  Note note{.time = time, .before = before, .lost = lost, .type = type};
+  note.size = static_cast<std::uint8_t>(payload.size());
+  std::ranges::copy(payload, note.payload.begin());
+  queue_.notes.push(note);
+}
+
+}  // namespace fantail::avionics

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#include "protocol/log_frame_writer.hpp"
+
+#include <algorithm>
+
+#include "protocol/crc32c.hpp"
+#include "protocol/little_endian.hpp"
+
+namespace fantail::protocol {
+
+std::size_t LogFrameWriter::frame_size(const Parts& payload) {
+  return log_frame_overhead + payload[0].size() + payload[1].size() + payload[2].size();
+}
+
+void LogFrameWriter::begin(LogFrameHead head, const Parts& payload) {
+  head.length = static_cast<std::uint16_t>(frame_size(payload) - log_frame_overhead);
+  head_ = encode(head);
+  parts_ = {head_, payload[0], payload[1], payload[2], tail_};
+  part_ = 0;
+  crc_ = 0;
+}
+
+std::size_t LogFrameWriter::write(std::span<std::byte> out) {
+  const std::size_t tail = parts_.size() - 1;
+  std::size_t size = 0;
+  std::size_t summed = 0;
+  while (!done() && size < out.size()) {
+    std::span<const std::byte>& part = parts_[part_];
+    const std::size_t count = std::min(part.size(), out.size() - size);
+    std::copy_n(part.begin(), count, out.begin() + static_cast<std::ptrdiff_t>(size));
+    size += count;
+    part = part.subspan(count);
+    while (!done() && parts_[part_].empty()) {
+      part_ += 1;
+      if (part_ == tail) {
+        // Over what lies together: eight bytes at a time need not stop where a part ends.
+        crc_ = crc32c(crc_, out.subspan(summed, size - summed));
+        summed = size;
+        put<4>(tail_, 0, crc_);
+      }
+    }
+  }
+  if (part_ < tail) {
+    crc_ = crc32c(crc_, out.subspan(summed, size - summed));
+  }
+  return size;
+}
+
+}  // namespace fantail::protocol

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "protocol/log_frame.hpp"
+
+namespace fantail::protocol {
+
+/// Lays one frame after the other into pages: a frame may be taken out in pieces of any size.
+class LogFrameWriter {
+ public:
+  using Parts = std::array<std::span<const std::byte>, 3>;
+
+  LogFrameWriter() = default;
+  LogFrameWriter(const LogFrameWriter&) = delete;  // it looks into itself
+  LogFrameWriter& operator=(const LogFrameWriter&) = delete;
+
+  /// Bytes of a frame with this payload.
+  [[nodiscard]] static std::size_t frame_size(const Parts& payload);
+
+  /// The payload, in up to three parts and at most largest_log_payload bytes in all, stays where it is until done().
+  /// The head's length is filled in here.
+  void begin(LogFrameHead head, const Parts& payload);
+
+  /// The next bytes of the frame, as many as there is room for; says how many.
+  std::size_t write(std::span<std::byte> out);
+
+  /// Forgets the rest of the frame.
+  void abandon() { part_ = parts_.size(); }
+
+  /// Nothing was begun, or all of it has been written.
+  [[nodiscard]] bool done() const { return part_ == parts_.size(); }
+
+ private:
+  std::array<std::byte, log_head_size> head_{};
+  std::array<std::byte, 4> tail_{};
+  std::array<std::span<const std::byte>, 5> parts_{};  ///< what is left of head, payload and tail
+  std::size_t part_ = parts_.size();
+  std::uint32_t crc_ = 0;
+};
+
+}  // namespace fantail::protocol
