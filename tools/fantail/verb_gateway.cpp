@@ -105,8 +105,9 @@ void run(const GatewayOptions& options) {
 
 void add_gateway(CLI::App& program) {
   auto* verb = program.add_subcommand(
-      "gateway", "From a CAN bus to LCM messages: what the avionics says, for everyone on the network. Sends nothing "
-                 "on the bus");
+      "gateway",
+      "From a CAN bus to LCM messages: what the avionics says, for everyone on the network. Sends nothing "
+      "on the bus");
   auto options = std::make_shared<GatewayOptions>();
   verb->add_option("--can", options->interface, "CAN interface, for example vcan0 or can0")
       ->required()

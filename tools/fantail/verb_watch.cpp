@@ -47,8 +47,8 @@ void watch(const WatchOptions& options) {
   const hal::on_linux::Clock clock;
   const bool screen = !options.json && ::isatty(STDOUT_FILENO) == 1;
   const hal::Microseconds period = screen ? screen_period : line_period;
-  const hal::Microseconds end = options.seconds ? hal::Microseconds{static_cast<std::int64_t>(1e6 * *options.seconds)}
-                                                : hal::Microseconds::max();
+  const hal::Microseconds end =
+      options.seconds ? hal::Microseconds{static_cast<std::int64_t>(1e6 * *options.seconds)} : hal::Microseconds::max();
   if (screen) {
     fmt::print("\033[2J");
   }
@@ -67,8 +67,9 @@ void watch(const WatchOptions& options) {
 
 void add_watch(CLI::App& program) {
   auto* verb = program.add_subcommand(
-      "watch", "Roll, canards, phase, health and the quality of the link, live from LCM messages; a line a second in "
-               "a pipe, and one for every event");
+      "watch",
+      "Roll, canards, phase, health and the quality of the link, live from LCM messages; a line a second in "
+      "a pipe, and one for every event");
   auto options = std::make_shared<WatchOptions>();
   add_lcm_option(*verb, options->url, "Where the messages come from")->required();
   verb->add_option("--for,--seconds", options->seconds, "End after so many seconds; without it, by Ctrl-C")

@@ -124,8 +124,8 @@ std::string Panel::health_text() const {
 
 std::string Panel::channels_text() const {
   const double span_s = in_seconds(receiver_.recent_span());
-  std::string text = fmt::format("link, last {:.0f} s     per s  received    lost    late   twice  ignored  unreadable\n",
-                                 span_s);
+  std::string text =
+      fmt::format("link, last {:.0f} s     per s  received    lost    late   twice  ignored  unreadable\n", span_s);
   for (std::size_t i = 0; i < channel_count; ++i) {
     const auto channel = static_cast<Channel>(i);
     const ChannelFigures recent = receiver_.recent(channel);
@@ -167,20 +167,20 @@ std::string Panel::lines() const {
   const std::string odd = recent.ignored + recent.unreadable > 0
                               ? fmt::format(", {} ignored, {} unreadable", recent.ignored, recent.unreadable)
                               : "";
-  const std::string link = fmt::format("link: {}, {} received, {} lost, {} late, {} twice{} in {:.0f} s\n", link_word(),
-                                       recent.received, recent.lost, recent.late, recent.duplicate, odd,
-                                       in_seconds(receiver_.recent_span()));
+  const std::string link =
+      fmt::format("link: {}, {} received, {} lost, {} late, {} twice{} in {:.0f} s\n", link_word(), recent.received,
+                  recent.lost, recent.late, recent.duplicate, odd, in_seconds(receiver_.recent_span()));
   if (!receiver_.state()) {
     return text + link;
   }
   const State& state = receiver_.state()->content;
-  return text + fmt::format("{:.3f} s  {}{} ({}), roll {} deg, rate {} deg/s, command {} deg{}, height {} m, speed {} "
-                            "m/s; {}",
-                            in_seconds(receiver_.state()->stamp.time), is_stale(receiver_.state()) ? "STALE: " : "",
-                            core::name(state.phase), core::name(state.reason), cell(degrees(state.roll_angle_rad)),
-                            cell(degrees(state.roll_rate_rad_s)), cell(degrees(state.command_rad)),
-                            state.saturated ? " saturated" : "", cell(state.height_m, 1), cell(state.speed_m_s, 1),
-                            link);
+  return text + fmt::format(
+                    "{:.3f} s  {}{} ({}), roll {} deg, rate {} deg/s, command {} deg{}, height {} m, speed {} "
+                    "m/s; {}",
+                    in_seconds(receiver_.state()->stamp.time), is_stale(receiver_.state()) ? "STALE: " : "",
+                    core::name(state.phase), core::name(state.reason), cell(degrees(state.roll_angle_rad)),
+                    cell(degrees(state.roll_rate_rad_s)), cell(degrees(state.command_rad)),
+                    state.saturated ? " saturated" : "", cell(state.height_m, 1), cell(state.speed_m_s, 1), link);
 }
 
 }  // namespace fantail::telemetry

@@ -89,17 +89,17 @@ ordered_json health_json(const std::optional<Heard<Health>>& heard, hal::Microse
   }
   json["gateway"] = ordered_json{};
   if (health.gateway) {
-    json["gateway"] = {{"state", name(health.gateway->state)},    {"frames", health.gateway->frames},
-                       {"lost", health.gateway->lost},            {"damaged", health.gateway->damaged},
-                       {"foreign", health.gateway->foreign},      {"overrun", health.gateway->overrun}};
+    json["gateway"] = {{"state", name(health.gateway->state)}, {"frames", health.gateway->frames},
+                       {"lost", health.gateway->lost},         {"damaged", health.gateway->damaged},
+                       {"foreign", health.gateway->foreign},   {"overrun", health.gateway->overrun}};
   }
   return json;
 }
 
 ordered_json figures_json(const ChannelFigures& figures, std::int64_t lost) {
-  return {{"received", figures.received},   {"lost", lost},
-          {"late", figures.late},           {"duplicate", figures.duplicate},
-          {"ignored", figures.ignored},     {"unreadable", figures.unreadable}};
+  return {{"received", figures.received}, {"lost", lost},
+          {"late", figures.late},         {"duplicate", figures.duplicate},
+          {"ignored", figures.ignored},   {"unreadable", figures.unreadable}};
 }
 
 }  // namespace

@@ -113,8 +113,6 @@ ChannelFigures Receiver::recent(Channel channel) const {
   return difference(marks_.back().totals[index(channel)], marks_.front().totals[index(channel)]);
 }
 
-hal::Microseconds Receiver::recent_span() const {
-  return marks_.back().time - marks_.front().time;
-}
+hal::Microseconds Receiver::recent_span() const { return marks_.back().time - marks_.front().time; }
 
 }  // namespace fantail::telemetry
