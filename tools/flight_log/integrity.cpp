@@ -68,7 +68,7 @@ std::string foreign_words(const LogFile& file) {
     return {};
   }
   std::string text = fmt::format("{} in {} belong to no intact record", counted(file.foreign_bytes, "byte"),
-                                 counted(file.foreign_runs, "place"));
+                                 counted(file.foreign_places, "place"));
   if (file.cut_off_bytes > 0) {
     text += fmt::format("; {} of them at the end, where the last record was cut off", file.cut_off_bytes);
   }

@@ -16,6 +16,7 @@ LogFile parse_log(std::span<const std::byte> bytes, std::string name) {
   bool begun = false;
   std::size_t foreign_before = 0;
   while (const auto frame = reader.next()) {
+    file.foreign_places += reader.foreign_bytes() > foreign_before ? 1 : 0;
     foreign_before = reader.foreign_bytes();
     if (builder.begins_another(*frame)) {
       file.flights.push_back(builder.take());
@@ -33,8 +34,8 @@ LogFile parse_log(std::span<const std::byte> bytes, std::string name) {
     file.flights.push_back(builder.take());
   }
   file.foreign_bytes = reader.foreign_bytes();
-  file.foreign_runs = reader.foreign_runs();
   file.cut_off_bytes = file.foreign_bytes - foreign_before;
+  file.foreign_places += file.cut_off_bytes > 0 ? 1 : 0;
   return file;
 }
 

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#include "flight_log/integrity.hpp"
+
+#include <gtest/gtest.h>
+
+#include "flight_log/made_flight.hpp"
+
+namespace fantail::flight_log {
+namespace {
+
+using core::Microseconds;
+
+bool says(const std::string& text, std::string_view words) { return text.find(words) != std::string::npos; }
+
+TEST(Integrity, AWholeLogIsIntact) {
+  const MadeFlight made = make_flight();
+  const LogFile file = parse_log(made.bytes, "");
+  EXPECT_TRUE(intact(file));
+  EXPECT_EQ(integrity_words(file.flights[0]),
+            "intact: " + std::to_string(made.frame_ends.size()) + " records, none missing");
+  EXPECT_EQ(foreign_words(file), "");
+}
+
+TEST(Integrity, ALogThatWasCutOffIsIntactAsFarAsItGoesAndSaysSo) {
+  const MadeFlight made = make_flight();
+  const LogFile file = parse_log(std::span{made.bytes}.first(made.frame_ends[50] + 20), "");
+  EXPECT_TRUE(intact(file));
+  EXPECT_FALSE(has_end(file.flights[0]));
+  EXPECT_TRUE(says(integrity_words(file.flights[0]), "51 records, none missing; the recording has no end"));
+  EXPECT_TRUE(says(foreign_words(file), "at the end, where the last record was cut off"));
+}
+
+TEST(Integrity, ATurnedBitIsDamageAndCountedInRecordsGapsAndBytes) {
+  MadeFlight made = make_flight();
+  made.bytes[made.frame_ends[50] + 20] ^= std::byte{1};
+  made.bytes[made.frame_ends[60] + 20] ^= std::byte{1};
+  const LogFile file = parse_log(made.bytes, "");
+  EXPECT_FALSE(intact(file));
+  EXPECT_TRUE(says(integrity_words(file.flights[0]), "damaged: 2 records lost in 2 gaps"));
+  EXPECT_TRUE(says(foreign_words(file), "in 2 places"));
+}
+
+TEST(Integrity, WithoutAHeaderALogIsDamaged) {
+  Flight flight;
+  flight.records = 1;
+  EXPECT_FALSE(intact(flight));
+  EXPECT_TRUE(says(integrity_words(flight), "1 record, none missing; no header"));
+}
+
+TEST(Integrity, TicksThatTheRecorderDroppedAreAddedUp) {
+  Flight flight;
+  flight.events = {{.kind = protocol::LogEventKind::records_dropped, .number = 3},
+                   {.kind = protocol::LogEventKind::recording_began, .number = 100},
+                   {.kind = protocol::LogEventKind::records_dropped, .number = 4}};
+  EXPECT_EQ(dropped_ticks(flight), 7U);
+}
+
+TEST(Integrity, TheReplayIsSaidInWords) {
+  LogFile file = parse_log(make_flight().bytes, "");
+  Flight& flight = file.flights[0];
+  EXPECT_EQ(replay_words(flight, regenerate(flight, *flight.plan)),
+            "equal: 3000 ticks replayed, every output byte as recorded");
+  flight.ticks[700].tick.command = core::Angle::from_radians(0.25F);
+  // The 701st tick is 0.7 s after the first, at 5.5 s.
+  EXPECT_TRUE(says(replay_words(flight, regenerate(flight, *flight.plan)),
+                   "differs: 1 tick of 3000; first at 6.200000 s (tick 700): command was 0.25 rad, replayed"));
+  flight.checkpoints.clear();
+  EXPECT_TRUE(says(replay_words(flight, regenerate(flight, *flight.plan)), "not possible: It holds no checkpoint"));
+}
+
+}  // namespace
+}  // namespace fantail::flight_log
