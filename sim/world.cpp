@@ -239,6 +239,11 @@ std::span<const std::byte> World::recorded() const {
   return written.first(end);
 }
 
+bool World::record_is_full() const {
+  const auto map = pad_ ? avionics::flash_map(pad_->flash.geometry()) : std::nullopt;
+  return map && recorded().size() + map->sector_size > map->flight_end - map->flight_begin;
+}
+
 void World::follow_events() {
   if (scenario_.surroundings == Surroundings::tunnel) {
     follow_tunnel();

@@ -83,6 +83,8 @@ class World {
   /// What the avionics recorded into the world's own flash up to now, to the last whole record: what would be found
   /// there if the power were cut. Empty when nothing was.
   [[nodiscard]] std::span<const std::byte> recorded() const;
+  /// The flash was too small for it.
+  [[nodiscard]] bool record_is_full() const;
 
   [[nodiscard]] core::Microseconds now() const { return now_; }
 

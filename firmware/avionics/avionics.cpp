@@ -17,9 +17,7 @@ const core::TickRecord& Avionics::tick() {
   look_for_new_plan();
   const core::Microseconds now = devices_.clock.now();
   listen(now);
-  read_devices();
-  core::Inputs inputs = avionics::inputs(now, readings_, scales_, plan_.canards);
-  inputs.canard_request = bench_mode_.open() ? bench_mode_.canard_request(plan_.canards) : self_test_.canard_request();
+  const core::Inputs inputs = read_devices(now);
   const core::TickRecord& record = autopilot_->step(inputs);
   devices_.servo.write(pulses(record.canards));
 
@@ -31,8 +29,9 @@ const core::TickRecord& Avionics::tick() {
                 .arm_switch_closed = inputs.arm_switch_closed};
   arming_.update(situation_);
   self_test_.update(inputs, record, flash_.facts());
-  flash_.recorder().note({.readings = readings_,
+  flash_.recorder().note({.raw = raw_,
                           .scales = scales_,
+                          .inputs = inputs,
                           .record = record,
                           .duration_before = tick_duration_,
                           .bus = devices_.can_bus,
@@ -128,14 +127,25 @@ bool Avionics::erase_flights() {
   return situation_.phase == core::Phase::safe && bench_mode_.open() && !self_test_.running() && flash_.erase_flights();
 }
 
-void Avionics::read_devices() {
-  readings_ = {.imu = devices_.imu.read(),
-               .accelerometer = devices_.accelerometer.read(),
-               .encoders = devices_.encoder.read(),
-               .arm_switch_closed = devices_.arm_switch.closed(),
-               .arm_command = arming_.take_arm_command(),
-               .start_command = arming_.take_start_command()};
+core::Inputs Avionics::read_devices(core::Microseconds now) {
+  raw_ = {
+      .imu = devices_.imu.read(), .accelerometer = devices_.accelerometer.read(), .encoders = devices_.encoder.read()};
   scales_ = {.imu = devices_.imu.scale(), .accelerometer_m_s2 = devices_.accelerometer.scale()};
+  const bool arm_command = arming_.take_arm_command();
+  const bool start_command = arming_.take_start_command();
+  return {
+      .time = now,
+      .gyro = gyro_sample(raw_.imu, scales_.imu),
+      .accelerometers = {accelerometer_sample(raw_.imu.time, raw_.imu.specific_force, raw_.imu.status,
+                                              scales_.imu.specific_force_m_s2),
+                         accelerometer_sample(raw_.accelerometer.time, raw_.accelerometer.specific_force,
+                                              raw_.accelerometer.status, scales_.accelerometer_m_s2)},
+      .encoders = encoder_angles(raw_.encoders, plan_.canards),
+      .arm_switch_closed = devices_.arm_switch.closed(),
+      .arm_command = arm_command,
+      .start_command = start_command,
+      .canard_request = bench_mode_.open() ? bench_mode_.canard_request(plan_.canards) : self_test_.canard_request(),
+  };
 }
 
 void Avionics::report(const core::TickRecord& record) {

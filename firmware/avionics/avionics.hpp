@@ -8,8 +8,8 @@
 #include "avionics/bus_receiver.hpp"
 #include "avionics/flash_service.hpp"
 #include "avionics/identity.hpp"
+#include "avionics/log_tick_of.hpp"
 #include "avionics/self_test.hpp"
-#include "avionics/sensor_readings.hpp"
 #include "avionics/situation.hpp"
 #include "avionics/telemetry.hpp"
 #include "core/autopilot.hpp"
@@ -64,7 +64,7 @@ class Avionics {
   void obey(const protocol::BenchSession& message);
   void obey(const protocol::BenchRequest& message);
   void obey(const protocol::ArmRequest& message);
-  void read_devices();
+  [[nodiscard]] core::Inputs read_devices(core::Microseconds now);
   void report(const core::TickRecord& record);
   void tell_person(const core::TickRecord& record);
   [[nodiscard]] bool plan_may_change() const;
@@ -81,8 +81,8 @@ class Avionics {
   Arming arming_;
   Telemetry telemetry_;
   Situation situation_{};
-  SensorReadings readings_{};
-  SensorScales scales_{};
+  RawSamples raw_{};
+  SampleScales scales_{};
   core::Microseconds tick_duration_{};
 };
 

@@ -3,7 +3,7 @@
 
 namespace fantail::avionics {
 
-void PadRing::begin(const core::Autopilot& law, const protocol::SampleTimes& times, const SensorScales& scales,
+void PadRing::begin(const core::Autopilot& law, const protocol::SampleTimes& times, const SampleScales& scales,
                     const core::CanardsPlan& canards) {
   law_ = law;
   times_ = times;
@@ -13,7 +13,7 @@ void PadRing::begin(const core::Autopilot& law, const protocol::SampleTimes& tim
 
 void PadRing::retire_oldest(TickQueue& queue) {
   if (const auto tick = protocol::unpack_tick(queue.time(), queue.tick(), times_)) {
-    (void)law_->step(inputs(tick->time, readings(*tick), scales_, canards_));
+    (void)law_->step(inputs_of(*tick, scales_, canards_));
   }
   queue.pop();
 }

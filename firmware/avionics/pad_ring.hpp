@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <optional>
 
+#include "avionics/log_tick_of.hpp"
 #include "avionics/record_queue.hpp"
-#include "avionics/sensor_readings.hpp"
 #include "core/autopilot.hpp"
 #include "core/flight_plan.hpp"
 #include "protocol/log_tick.hpp"
@@ -20,7 +20,7 @@ class PadRing {
   static constexpr std::uint32_t ticks = 500;
 
   /// `law` and `times` are those before the next tick.
-  void begin(const core::Autopilot& law, const protocol::SampleTimes& times, const SensorScales& scales,
+  void begin(const core::Autopilot& law, const protocol::SampleTimes& times, const SampleScales& scales,
              const core::CanardsPlan& canards);
 
   /// Makes room for one more tick.
@@ -33,7 +33,7 @@ class PadRing {
  private:
   std::optional<core::Autopilot> law_;
   protocol::SampleTimes times_{};
-  SensorScales scales_{};
+  SampleScales scales_{};
   core::CanardsPlan canards_{};
 };
 

@@ -61,7 +61,7 @@ void Recorder::begin_on_pad(const Tick& tick, const core::Autopilot& law) {
   queue_.clear();
   told_ = {};
   armed_because_ = tick.record.reason;
-  times_ = {.imu = tick.readings.imu.time, .accelerometer = tick.readings.accelerometer.time};
+  times_ = {.imu = tick.raw.imu.time, .accelerometer = tick.raw.accelerometer.time};
   ring_.begin(law, times_, tick.scales, canards_);
   stage_ = Stage::on_pad;
 }
@@ -104,7 +104,8 @@ void Recorder::begin_flight(const Tick& tick) {
 }
 
 void Recorder::queue_tick(const Tick& tick) {
-  const protocol::PackedTick packed = pack(log_tick(tick.readings, tick.record, tick.duration_before), times_);
+  const protocol::PackedTick packed =
+      pack(log_tick_of(tick.record, tick.raw, tick.inputs, tick.duration_before), times_);
   overflowed_ = overflowed_ || queue_.ticks.full();
   if (overflowed_) {
     dropped_ += 1;

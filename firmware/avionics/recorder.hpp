@@ -9,10 +9,10 @@
 
 #include "avionics/flight_region.hpp"
 #include "avionics/identity.hpp"
+#include "avionics/log_tick_of.hpp"
 #include "avionics/pad_ring.hpp"
 #include "avionics/record_queue.hpp"
 #include "avionics/record_stream.hpp"
-#include "avionics/sensor_readings.hpp"
 #include "core/autopilot.hpp"
 #include "core/flight_plan.hpp"
 #include "hal/can_bus.hpp"
@@ -40,8 +40,9 @@ class Recorder {
   Recorder& operator=(const Recorder&) = delete;
 
   struct Tick {
-    const SensorReadings& readings;
-    const SensorScales& scales;
+    const RawSamples& raw;
+    const SampleScales& scales;
+    const core::Inputs& inputs;  ///< made of them
     const core::TickRecord& record;
     core::Microseconds duration_before{};  ///< of the tick before
     const hal::CanBus& bus;

@@ -5,7 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "avionics/sensor_readings.hpp"
+#include "avionics/identity.hpp"
+#include "avionics/log_tick_of.hpp"
 #include "core/autopilot.hpp"
 #include "protocol/log_frame.hpp"
 #include "protocol/log_header.hpp"
@@ -102,11 +103,10 @@ struct Replay {
     ASSERT_TRUE(tick.has_value());
     ASSERT_TRUE(law.has_value());
     ticks.push_back(*tick);
-    const avionics::SensorScales scales{
+    const avionics::SampleScales scales{
         .imu = {.rate_rad_s = header->rate_scale_rad_s, .specific_force_m_s2 = header->specific_force_scale_m_s2},
         .accelerometer_m_s2 = header->accelerometer_scale_m_s2};
-    const core::TickRecord& record =
-        law->step(avionics::inputs(tick->time, avionics::readings(*tick), scales, plan->canards));
+    const core::TickRecord& record = law->step(avionics::inputs_of(*tick, scales, plan->canards));
     equal += protocol::tick_digest(record) == tick->digest ? 1 : 0;
   }
 };

@@ -64,10 +64,11 @@ report::Flight fly_and_show(const sim::Scenario& scenario, LcmOutput& lcm) {
     progress.show(simulated_s);
   };
   if (!lcm.is_on()) {
-    return fly::fly_scenario(scenario, look);
+    return fly::fly_scenario(scenario, look, {}, fly::Log::kept);
   }
   const telemetry::Surroundings surroundings{.limits_rad = telemetry::limits_of(scenario.plan)};
-  return fly::fly_scenario(scenario, look, [&](const core::TickRecord& record) { lcm.report(record, surroundings); });
+  const auto observe = [&](const core::TickRecord& record) { lcm.report(record, surroundings); };
+  return fly::fly_scenario(scenario, look, observe, fly::Log::kept);
 }
 
 void fly_and_report(const FlyOptions& options) {
@@ -86,6 +87,9 @@ void fly_and_report(const FlyOptions& options) {
   }
   print_summary(flight, results);
   fmt::print("\n  report  {}\n  data    {}\n", (folder / "report.html").string(), (folder / "flight.csv").string());
+  if (!flight.log.empty()) {
+    fmt::print("  log     {}\n", (folder / "flight.ftl").string());
+  }
   if (const std::string sent = lcm.finish(); !sent.empty()) {
     fmt::print("  lcm     {}\n", sent);
   }
@@ -97,8 +101,10 @@ void add_fly(CLI::App& program) {
   auto* verb = program.add_subcommand("fly", "Fly a scenario through the real control code in the simulated world");
   auto options = std::make_shared<FlyOptions>();
   add_scenario_options(*verb, options->scenario);
-  verb->add_option("--out", options->out,
-                   "Folder for flight.csv, summary.json, report.html and, of a tunnel run, tunnel.csv [out/SCENARIO]")
+  verb->add_option(
+          "--out", options->out,
+          "Folder for flight.csv, summary.json, report.html, flight.ftl (what the avionics recorded itself) and, "
+          "of a tunnel run, tunnel.csv [out/SCENARIO]")
       ->check(objection_to_folder);
   add_lcm_option(*verb, options->lcm, "Publish the flight as LCM messages");
   verb->add_flag("--json", options->json, "Print summary.json instead of the text");

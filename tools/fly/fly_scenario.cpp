@@ -3,6 +3,8 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <span>
 
 #include <fmt/format.h>
 
@@ -84,6 +86,19 @@ std::string why_not_armed(const sim::World& world, bool was_armed) {
          ".";
 }
 
+void keep_log(report::Flight& flight, const sim::World& world, bool was_armed) {
+  const std::span<const std::byte> recorded = world.recorded();
+  flight.log.assign(recorded.begin(), recorded.end());
+  if (flight.log.empty()) {
+    flight.notes.push_back(fmt::format("The avionics recorded nothing, so there is no flight.ftl: it was never {}.",
+                                       !was_armed      ? "armed"
+                                       : flight.tunnel ? "told to begin"
+                                                       : "launched, as far as it could tell"));
+  } else if (world.record_is_full()) {
+    flight.notes.emplace_back("flight.ftl ends before the run does: the flash of the avionics was full.");
+  }
+}
+
 }  // namespace
 
 std::optional<double> expected_length_s(const sim::Scenario& scenario) {
@@ -93,11 +108,11 @@ std::optional<double> expected_length_s(const sim::Scenario& scenario) {
   return scenario.pad_time_s + in_seconds(scenario.plan.run.control_time) + scenario.time_after_end_s;
 }
 
-report::Flight fly_scenario(const sim::Scenario& scenario, const Look& look, const Observe& observe) {
+report::Flight fly_scenario(const sim::Scenario& scenario, const Look& look, const Observe& observe, Log log) {
   constexpr std::int64_t ticks_between_looks = 1024;
   const std::int64_t ticks_per_row = std::llround(scenario.log_period_s * 1e3);
   report::Flight flight = describe(scenario);
-  sim::World world{scenario};
+  sim::World world{scenario, log == Log::kept ? sim::World::large_flash : sim::World::small_flash};
   bool was_armed = false;
   for (std::int64_t ticks = 0; !world.over(); ++ticks) {
     const core::TickRecord& record = world.tick();
@@ -126,6 +141,9 @@ report::Flight fly_scenario(const sim::Scenario& scenario, const Look& look, con
   flight.events.apogee_s = in_seconds(events.apogee);
   if (const std::string why = why_not_armed(world, was_armed); !why.empty()) {
     flight.notes.push_back(why);
+  }
+  if (log == Log::kept) {
+    keep_log(flight, world, was_armed);
   }
   if (!flight.tunnel && !events.liftoff) {
     flight.notes.emplace_back("The rocket never left the pad: its motor never pushed with more than its weight.");

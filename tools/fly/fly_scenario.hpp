@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <optional>
 
@@ -16,9 +17,12 @@ using Look = std::function<void(double simulated_s)>;
 /// Called with every tick, in order, for who wants more than the flight keeps.
 using Observe = std::function<void(const core::TickRecord& record)>;
 
+/// Of what the avionics records itself, report::Flight::log: nobody wants it, or all that its flash can hold.
+enum class Log : std::uint8_t { dropped, kept };
+
 /// Flies a scenario to its end and keeps every tick, or as many as it says. Safe to call from several threads.
 [[nodiscard]] report::Flight fly_scenario(const sim::Scenario& scenario, const Look& look = {},
-                                          const Observe& observe = {});
+                                          const Observe& observe = {}, Log log = Log::dropped);
 
 /// Seconds from power-up to the end, where they are known beforehand: in the tunnel.
 [[nodiscard]] std::optional<double> expected_length_s(const sim::Scenario& scenario);

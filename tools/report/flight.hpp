@@ -95,6 +95,7 @@ struct Flight {
   std::vector<CanardVerdictChange> canard_verdict_changes;
   std::vector<Row> rows;
   std::vector<TunnelReading> tunnel_readings;  ///< empty in flight
+  std::vector<std::byte> log;                  ///< what the avionics recorded itself; empty: nothing
 };
 
 /// A tick as a row, without truth. An encoder angle that is not finite counts as missing.

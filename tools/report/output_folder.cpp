@@ -70,7 +70,8 @@ class Transaction {
   }
 
   void stage(const NamedFile& file) {
-    staged_.push_back({folder_ / file.name, hidden(file.name, "new"), hidden(file.name, "old")});
+    staged_.push_back(
+        {.target = folder_ / file.name, .temporary = hidden(file.name, "new"), .backup = hidden(file.name, "old")});
     Staged& s = staged_.back();
     unlink(s.temporary.c_str());  // left over from a process of the same number that was killed
     const int fd = open(s.temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
@@ -86,6 +87,10 @@ class Transaction {
     }
   }
 
+  void stage_removal(const std::string& name) {
+    staged_.push_back({.target = folder_ / name, .temporary = {}, .backup = hidden(name, "old"), .removal = true});
+  }
+
   void commit() {
     for (Staged& s : staged_) {
       struct stat info{};
@@ -94,8 +99,10 @@ class Transaction {
         move(s.target, s.backup, s.target);
         s.set_aside = true;
       }
-      move(s.temporary, s.target, s.target);
-      s.in_place = true;
+      if (!s.removal) {
+        move(s.temporary, s.target, s.target);
+        s.in_place = true;
+      }
     }
     committed_ = true;
     for (const Staged& s : staged_) {
@@ -115,6 +122,7 @@ class Transaction {
     fs::path target;
     fs::path temporary;
     fs::path backup;
+    bool removal = false;
     bool written = false;
     bool set_aside = false;
     bool in_place = false;
@@ -166,12 +174,15 @@ class Transaction {
 
 }  // namespace
 
-void OutputFolder::write(std::span<const NamedFile> files) const {
+void OutputFolder::write(std::span<const NamedFile> files, std::span<const std::string> removed) const {
   const IgnoreFileSizeSignal ignore;
   Transaction transaction{folder_.empty() ? fs::path{"."} : folder_};
   transaction.create_folder();
   for (const NamedFile& file : files) {
     transaction.stage(file);
+  }
+  for (const std::string& name : removed) {
+    transaction.stage_removal(name);
   }
   transaction.commit();
 }

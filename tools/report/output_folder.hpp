@@ -26,7 +26,8 @@ class OutputFolder {
   /// Writes all files under temporary names, brings them to the disk, and only then gives them their names. Creates the
   /// folder. On any failure the temporaries and the folders it made are removed, an earlier result stays or comes back
   /// as it was, and OutputError is thrown. (Power lost between two renames can leave new files beside old ones.)
-  void write(std::span<const NamedFile> files) const;
+  /// Files with the names in `removed`, which are none of these, are gone afterwards.
+  void write(std::span<const NamedFile> files, std::span<const std::string> removed = {}) const;
 
  private:
   std::filesystem::path folder_;

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "report/results.hpp"
 
+#include <algorithm>
+#include <span>
+#include <string>
 #include <vector>
 
 #include "report/csv.hpp"
@@ -9,6 +12,15 @@
 #include "report/summary_json.hpp"
 
 namespace fantail::report {
+namespace {
+
+std::string text(std::span<const std::byte> bytes) {
+  std::string out(bytes.size(), '\0');
+  std::ranges::transform(bytes, out.begin(), [](std::byte byte) { return static_cast<char>(byte); });
+  return out;
+}
+
+}  // namespace
 
 Results results(const Flight& flight) {
   Results r;
@@ -22,10 +34,17 @@ void write_results(const Flight& flight, const Results& results, const std::file
   std::vector<NamedFile> files{{"flight.csv", csv(flight)},
                                {"summary.json", results.summary},
                                {"report.html", html(flight, results.figures, results.verdict)}};
-  if (!flight.tunnel_readings.empty()) {
-    files.push_back({"tunnel.csv", tunnel_csv(flight)});
-  }
-  OutputFolder{folder}.write(files);
+  std::vector<std::string> of_others;
+  const auto add = [&](const char* name, bool there, const auto& content) {
+    if (there) {
+      files.push_back({name, content()});
+    } else {
+      of_others.emplace_back(name);
+    }
+  };
+  add("flight.ftl", !flight.log.empty(), [&] { return text(flight.log); });
+  add("tunnel.csv", !flight.tunnel_readings.empty(), [&] { return tunnel_csv(flight); });
+  OutputFolder{folder}.write(files, of_others);
 }
 
 }  // namespace fantail::report

@@ -18,8 +18,9 @@ struct Results {
 
 [[nodiscard]] Results results(const Flight& flight);
 
-/// Writes flight.csv, summary.json, report.html and, of a run in a tunnel, tunnel.csv into a folder, all or none; see
-/// OutputFolder. Throws OutputError.
+/// Writes flight.csv, summary.json, report.html, flight.ftl when something was recorded and, of a run in a tunnel,
+/// tunnel.csv into a folder, all or none; see OutputFolder. What an earlier run left there under one of these names
+/// does not stay. Throws OutputError.
 void write_results(const Flight& flight, const Results& results, const std::filesystem::path& folder);
 
 }  // namespace fantail::report

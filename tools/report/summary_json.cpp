@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "report/numbers.hpp"
+#include "report/sha256.hpp"
 
 namespace fantail::report {
 namespace {
@@ -84,7 +85,7 @@ std::string summary_json(const Flight& flight, const Figures& figures, const Ver
                         {"canard_verdicts", canard_verdicts(flight)},
                         {"imposed_roll", imposed_roll(flight)},
                         {"notes", flight.notes},
-                        {"log_sha256", nullptr},
+                        {"log_sha256", flight.log.empty() ? Json{} : Json(sha256(flight.log))},
                         {"version", flight.version}};
   // A scenario's name may hold any bytes; they must not turn a flown flight into an exception.
   return summary.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
