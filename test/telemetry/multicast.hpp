@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "can/program.hpp"
+#include "system/process.hpp"
+
+namespace fantail::test {
+
+[[nodiscard]] inline bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+[[nodiscard]] inline bool has_route() { return run("ip", {"route", "get", "239.255.76.67"}).exit_code == 0; }
+
+/// What the message for people without a route tells them to do, done.
+inline void follow_the_advice() {
+  if (!has_route()) {
+    EXPECT_EQ(run("ip", {"route", "add", "224.0.0.0/4", "dev", "lo"}).exit_code, 0);
+  }
+}
+
+inline void take_the_route_away() {
+  if (has_route()) {
+    EXPECT_EQ(run("ip", {"route", "del", "224.0.0.0/4", "dev", "lo"}).exit_code, 0);
+  }
+}
+
+/// Of each line that has come to its end.
+[[nodiscard]] inline std::vector<nlohmann::json> objects(const std::string& text) {
+  std::vector<nlohmann::json> all;
+  std::istringstream lines{text.substr(0, text.rfind('\n') + 1)};
+  for (std::string line; std::getline(lines, line);) {
+    all.push_back(nlohmann::json::parse(line));
+  }
+  return all;
+}
+
+/// The texts of all events in them, in order.
+[[nodiscard]] inline std::vector<std::string> events(const std::vector<nlohmann::json>& objects) {
+  std::vector<std::string> all;
+  for (const auto& object : objects) {
+    for (const auto& event : object["events"]) {
+      all.push_back(event["text"]);
+    }
+  }
+  return all;
+}
+
+/// A total of the newest object: total(watch, "FANTAIL_STATE", "received").
+[[nodiscard]] inline std::int64_t total(const std::vector<nlohmann::json>& objects, const std::string& channel,
+                                        const std::string& figure) {
+  return objects.empty() ? 0 : objects.back()["channels"][channel]["total"][figure].get<std::int64_t>();
+}
+
+/// fantail watch --json, already listening.
+class Watcher {
+ public:
+  explicit Watcher(const std::string& url) : program_{{"watch", "--lcm", url, "--json"}} {
+    EXPECT_TRUE(program_.says("\"link\"")) << program_.outcome().err;
+  }
+  [[nodiscard]] std::vector<nlohmann::json> seen() const { return objects(program_.said()); }
+  [[nodiscard]] Program& program() { return program_; }
+
+ private:
+  Program program_;
+};
+
+}  // namespace fantail::test
