@@ -6,8 +6,8 @@
 #include "log_export/candump.hpp"
 #include "log_export/csv.hpp"
 #include "log_export/json.hpp"
-#include "made_flight.hpp"
 #include "log_export/ulog.hpp"
+#include "made_flight.hpp"
 
 int main(int argc, char** argv) {
   using namespace fantail::log_export;

@@ -12,10 +12,10 @@
 
 namespace fantail::log_export {
 
-/// A log and its replay, made by hand: 1 kHz from 10 s of the board's clock on, which is -0.1 s; detected at 0 s, control
-/// from 0.2 s on; 1000 ticks in all, of which those from 500 to 549 are missing and those from 550 to 559 could not be
-/// replayed. Tick i has a roll angle of i millidegrees, canard k is told i / 100 + k degrees and stands at half of that;
-/// canard 4 is not driven and has no encoder.
+/// A log and its replay, made by hand: 1 kHz from 10 s of the board's clock on, which is -0.1 s; detected at 0 s,
+/// control from 0.2 s on; 1000 ticks in all, of which those from 500 to 549 are missing and those from 550 to 559 could
+/// not be replayed. Tick i has a roll angle of i millidegrees, canard k is told i / 100 + k degrees and stands at half
+/// of that; canard 4 is not driven and has no encoder.
 struct MadeFlight {
   static constexpr int ticks = 1000;
   static constexpr std::int64_t begin_us = 10'000'000;
@@ -71,9 +71,7 @@ struct MadeFlight {
   }
 
   void add(int i) {
-    const core::Phase phase = i < 100   ? core::Phase::armed
-                              : i < 300 ? core::Phase::launched
-                                        : core::Phase::controlling;
+    const core::Phase phase = i < 100 ? core::Phase::armed : i < 300 ? core::Phase::launched : core::Phase::controlling;
     flight_log::LoggedTick logged;
     logged.sequence = static_cast<std::uint32_t>(i);
     protocol::LogTick& tick = logged.tick;
@@ -87,8 +85,8 @@ struct MadeFlight {
                            protocol::DeviceStatus::no_reading};
     tick.arm_switch_closed = true;
     tick.phase = phase;
-    tick.command_status = phase == core::Phase::controlling ? core::CommandStatus::controlling
-                                                            : core::CommandStatus::outside_control;
+    tick.command_status =
+        phase == core::Phase::controlling ? core::CommandStatus::controlling : core::CommandStatus::outside_control;
     tick.command = core::Angle::from_degrees(static_cast<float>(i) / 200.0F);
     tick.digest = 0xFFFF0000U + static_cast<std::uint32_t>(i);
 

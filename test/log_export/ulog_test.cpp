@@ -74,8 +74,8 @@ TEST(UlogExport, EventsAreTextsAndTheGapADropoutOfItsLength) {
       EXPECT_EQ(number<std::uint16_t>(message.content, 0), 51U);  // ms from the tick before it to the one behind it
     }
   }
-  EXPECT_EQ(texts, (std::vector<std::string>{"6phase: launched (launch_detected)",
-                                             "4canard_verdict: canard 3 stalled"}));
+  EXPECT_EQ(texts,
+            (std::vector<std::string>{"6phase: launched (launch_detected)", "4canard_verdict: canard 3 stalled"}));
   EXPECT_EQ(count(all, 'O'), 1U);
 }
 

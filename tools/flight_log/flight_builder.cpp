@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "flight_log/plan_words.hpp"
+#include "flight_log/printable.hpp"
 #include "protocol/little_endian.hpp"
 #include "protocol/log_header.hpp"
 #include "protocol/log_schema.hpp"
@@ -98,10 +99,10 @@ void FlightBuilder::add_header(const protocol::LogFrame& frame) {
   flight_.rate_scale_rad_s = header->rate_scale_rad_s;
   flight_.specific_force_scale_m_s2 = header->specific_force_scale_m_s2;
   flight_.accelerometer_scale_m_s2 = header->accelerometer_scale_m_s2;
-  flight_.firmware_version = header->firmware_version;
-  flight_.git_hash = header->git_hash;
-  flight_.vehicle = header->vehicle;
-  flight_.sensors = header->sensors;
+  flight_.firmware_version = printable(header->firmware_version);
+  flight_.git_hash = printable(header->git_hash);
+  flight_.vehicle = printable(header->vehicle);
+  flight_.sensors = printable(header->sensors);
   flight_.schema = header->schema;
   flight_.plan_block.assign(header->plan_block.begin(), header->plan_block.end());
   const auto reading = protocol::read_plan_block(header->plan_block);

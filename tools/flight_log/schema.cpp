@@ -6,6 +6,7 @@
 #include <bit>
 #include <charconv>
 
+#include "flight_log/printable.hpp"
 #include "protocol/little_endian.hpp"
 
 namespace fantail::flight_log {
@@ -71,8 +72,8 @@ std::optional<SchemaField> read_field(std::string_view line, std::size_t record_
     return std::nullopt;
   }
   field.offset = *offset;
-  field.name = take(line, ' ');
-  field.unit = line;
+  field.name = printable(take(line, ' '));
+  field.unit = printable(line);
   return field.name.empty() ? std::nullopt : std::optional{field};
 }
 
@@ -116,7 +117,7 @@ std::vector<SchemaRecord> parse_schema(std::string_view text) {
     const auto size = number<std::size_t>(rest);
     known = size.has_value();
     if (known) {
-      records.push_back({.name = std::string{name}, .size = *size, .fields = {}});
+      records.push_back({.name = printable(name), .size = *size, .fields = {}});
     }
   }
   return records;

@@ -46,15 +46,35 @@ void set_events(report::Flight& result, const Flight& flight, const std::vector<
   }
 }
 
+bool is_tunnel(const Flight& flight) { return flight.plan && flight.plan->run.start == core::Start::tunnel; }
+
+// As the recorder noted it; else as two ticks in a row show it.
+std::optional<core::Microseconds> control_start(const Flight& flight) {
+  constexpr core::Phase phase = core::Phase::controlling;
+  const auto event = std::ranges::find_if(flight.events, [](const auto& e) {
+    return e.kind == LogEventKind::phase && e.value == static_cast<std::uint8_t>(phase);
+  });
+  if (event != flight.events.end()) {
+    return event->time;
+  }
+  const auto& ticks = flight.ticks;
+  for (std::size_t i = 1; i < ticks.size(); ++i) {
+    if (ticks[i].tick.phase == phase && ticks[i - 1].tick.phase != phase) {
+      return ticks[i].tick.time;
+    }
+  }
+  return std::nullopt;
+}
+
 bool flies(core::Phase phase) { return phase == core::Phase::launched || phase == core::Phase::controlling; }
 
 // Of the last detection: one before it was none.
-std::optional<double> lift_off_s(const Regeneration& regeneration) {
-  std::optional<double> result;
+std::optional<core::Microseconds> lift_off(const Regeneration& regeneration) {
+  std::optional<core::Microseconds> result;
   core::Phase before = core::Phase::safe;
   for (const auto& record : regeneration.records) {
     if (record && flies(record->phase) && !flies(before)) {
-      result = in_seconds(record->motion.thrust_since);
+      result = record->motion.thrust_since;
     }
     before = record ? record->phase : before;
   }
@@ -87,6 +107,13 @@ void add_notes(report::Flight& result, const Flight& flight, const Regeneration&
 
 }  // namespace
 
+core::Microseconds time_zero(const Flight& flight, const Regeneration& regeneration) {
+  if (const auto begin = is_tunnel(flight) ? control_start(flight) : lift_off(regeneration)) {
+    return *begin;
+  }
+  return flight.ticks.empty() ? flight.first_time : flight.ticks.front().tick.time;
+}
+
 report::Flight to_report(const Flight& flight, const Regeneration& regeneration) {
   report::Flight result;
   result.scenario = fmt::format("flight {} of power-up {}", flight.flight, flight.power_up);
@@ -94,11 +121,11 @@ report::Flight to_report(const Flight& flight, const Regeneration& regeneration)
   result.plan_name = plan_name(flight);
   result.version = flight.firmware_version;
   result.plan = flight.plan.value_or(core::default_plan());
-  result.tunnel = flight.plan && flight.plan->run.start == core::Start::tunnel;
+  result.tunnel = is_tunnel(flight);
   result.rows.reserve(regeneration.compared);
   std::vector<double> after_hole_s;
   bool hole = true;
-  for (std::size_t i = 0; i < flight.ticks.size(); ++i) {
+  for (std::size_t i = 0; i < regeneration.records.size(); ++i) {
     const auto& record = regeneration.records[i];
     if (!record) {
       hole = true;
@@ -112,13 +139,11 @@ report::Flight to_report(const Flight& flight, const Regeneration& regeneration)
     report::add_tick(result, *record, time_s, std::nullopt);
   }
   set_events(result, flight, after_hole_s);
-  if (!result.tunnel) {
-    result.events.liftoff_s = lift_off_s(regeneration);
+  if (const auto begin = result.tunnel ? std::nullopt : lift_off(regeneration)) {
+    result.events.liftoff_s = in_seconds(*begin);
   }
   add_notes(result, flight, regeneration);
-  const std::optional<double>& zero_s = result.tunnel ? result.events.control_start_s : result.events.liftoff_s;
-  const double first_s = flight.ticks.empty() ? 0.0 : in_seconds(flight.ticks.front().tick.time);
-  report::set_time_zero(result, zero_s.value_or(first_s));
+  report::set_time_zero(result, in_seconds(time_zero(flight, regeneration)));
   return result;
 }
 

@@ -7,9 +7,12 @@
 
 namespace fantail::flight_log {
 
+/// The board's clock where `time_s` is 0: the start of the replayed window (Motion::thrust_since at detection), in the
+/// tunnel control start; of a log that shows neither, its first tick.
+[[nodiscard]] core::Microseconds time_zero(const Flight& flight, const Regeneration& regeneration);
+
 /// A logged flight as the reports, exports and analyses know a flight: a row for each regenerated tick, without truth.
-/// Time zero is the start of the replayed window (Motion::thrust_since at detection), in the tunnel control start; of a
-/// log that shows neither, its first tick.
+/// A default-made `regeneration`, where there is no plan to replay with, gives no rows.
 [[nodiscard]] report::Flight to_report(const Flight& flight, const Regeneration& regeneration);
 
 }  // namespace fantail::flight_log

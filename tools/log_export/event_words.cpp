@@ -33,8 +33,7 @@ std::string sentence(const protocol::LogEvent& event) {
     case LogEventKind::recording_began: return fmt::format("{}: flight {}", kind, event.number);
     case LogEventKind::records_dropped: return fmt::format("{}: {} ticks", kind, event.number);
     case LogEventKind::phase: return fmt::format("{}: {} ({})", kind, value_word(event), detail_word(event));
-    case LogEventKind::canard_verdict:
-      return fmt::format("{}: canard {} {}", kind, event.index + 1, value_word(event));
+    case LogEventKind::canard_verdict: return fmt::format("{}: canard {} {}", kind, event.index + 1, value_word(event));
     default: return fmt::format("{}: {}", kind, value_word(event));
   }
 }

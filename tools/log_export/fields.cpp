@@ -179,10 +179,9 @@ Selection every_field() {
 std::span<const Value> TickReader::read(std::size_t tick) {
   values_.clear();
   const flight_log::LoggedTick& logged = source_.flight().ticks[tick];
-  visit_logged(logged, source_.time_s(logged.tick.time),
-               [this](std::string_view, std::string_view unit, const auto& value) {
-                 values_.push_back(value_of(value, unit));
-               });
+  visit_logged(
+      logged, source_.time_s(logged.tick.time),
+      [this](std::string_view, std::string_view unit, const auto& value) { values_.push_back(value_of(value, unit)); });
   const core::TickRecord* record = source_.record(tick);
   static const core::TickRecord none{};
   visit_replayed(record != nullptr ? *record : none,

@@ -25,10 +25,9 @@ telemetry::Health health_of(const protocol::LogHealth& record, bool timing_fault
           .timing_fault = timing_fault,
           .longest_tick_s = 1e-6 * record.longest_tick_us,
           .late_ticks = {},
-          .bus = telemetry::Health::Bus{.state = bus_state,
-                                        .unsent = record.unsent,
-                                        .overrun = not_in_a_log,
-                                        .errors = record.bus_errors},
+          .bus =
+              telemetry::Health::Bus{
+                  .state = bus_state, .unsent = record.unsent, .overrun = not_in_a_log, .errors = record.bus_errors},
           .gateway = {}};
 }
 

@@ -21,10 +21,7 @@ core::Microseconds clock_zero(const flight_log::Flight& flight, const flight_log
 
 Source::Source(const flight_log::Flight& flight, const flight_log::Regeneration& regeneration,
                const report::Flight& report, Window window)
-    : flight_{flight},
-      regeneration_{regeneration},
-      zero_{clock_zero(flight, regeneration, report)},
-      window_{window} {}
+    : flight_{flight}, regeneration_{regeneration}, zero_{clock_zero(flight, regeneration, report)}, window_{window} {}
 
 const core::TickRecord* Source::record(std::size_t tick) const {
   const auto& records = regeneration_.records;

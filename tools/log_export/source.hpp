@@ -31,7 +31,9 @@ class Source {
   /// The replayed record of a tick; null where the replay could not come.
   [[nodiscard]] const core::TickRecord* record(std::size_t tick) const;
   /// On the clock of flight.csv.
-  [[nodiscard]] double time_s(core::Microseconds time) const { return 1e-6 * static_cast<double>((time - zero_).count()); }
+  [[nodiscard]] double time_s(core::Microseconds time) const {
+    return 1e-6 * static_cast<double>((time - zero_).count());
+  }
   [[nodiscard]] bool inside(core::Microseconds time) const { return inside(time_s(time)); }
   [[nodiscard]] bool inside(double time_s) const;
 

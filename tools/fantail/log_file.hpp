@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "flight_log/flight_log.hpp"
+
+namespace fantail::tool {
+
+/// Of the flights in a file the one that a person chose, counted from 1; without a choice the only one. Throws
+/// CLI::ValidationError that says how many there are.
+[[nodiscard]] flight_log::Flight take_flight(flight_log::LogFile file, const std::optional<std::size_t>& choice);
+
+/// What a log, or a folder with one, is called where its results are named: "flown" for flown.ftl, the folder for
+/// flight.ftl and flight.csv.
+[[nodiscard]] std::string name_of_log(const std::filesystem::path& path);
+
+}  // namespace fantail::tool

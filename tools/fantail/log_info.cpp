@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+#include "fantail/log_info.hpp"
+
+#include <memory>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "fantail/interrupt.hpp"
+#include "fantail/log_file.hpp"
+#include "fantail/log_verbs.hpp"
+#include "fantail/requirement.hpp"
+#include "flight_log/integrity.hpp"
+#include "flight_log/plan_words.hpp"
+#include "flight_log/to_report.hpp"
+
+namespace fantail::tool {
+namespace {
+
+struct InfoOptions {
+  std::string log;
+  std::optional<std::size_t> flight;
+  bool json = false;
+};
+
+std::string heading(const flight_log::LogFile& file) {
+  std::string text =
+      fmt::format("{}: {} bytes, {}\n", file.name, file.bytes,
+                  file.flights.size() == 1 ? "one flight" : fmt::format("{} flights", file.flights.size()));
+  if (const std::string foreign = flight_log::foreign_words(file); !foreign.empty()) {
+    text += foreign + "\n";
+  }
+  if (file.records_left_out > 0) {
+    text += fmt::format("{} records behind flight {} are left out: no log has so many flights\n", file.records_left_out,
+                        file.flights.size());
+  }
+  return text;
+}
+
+void show(const InfoOptions& options) {
+  flight_log::LogFile file = flight_log::read_log_file(options.log);
+  if (options.flight) {
+    // The bytes between the flights are nothing to do with one of them.
+    flight_log::Flight chosen = take_flight(std::move(file), options.flight);
+    file.flights.clear();
+    file.flights.push_back(std::move(chosen));
+  }
+  std::vector<FlightInfo> flights;
+  for (std::size_t i = 0; i < file.flights.size(); ++i) {
+    give_up_if_interrupted();
+    flights.push_back(flight_info(file.flights[i], options.flight.value_or(i + 1)));
+  }
+  if (options.json) {
+    fmt::print("{}", log_info_json(file, flights));
+  } else {
+    fmt::print("{}", heading(file));
+    for (const FlightInfo& info : flights) {
+      fmt::print("{}", log_info_text(info));
+    }
+  }
+  if (!flight_log::intact(file)) {
+    throw RequirementNotMet{""};
+  }
+}
+
+}  // namespace
+
+FlightInfo flight_info(const flight_log::Flight& flight, std::size_t number) {
+  flight_log::Regeneration replay;
+  if (flight.plan) {
+    replay = flight_log::regenerate(flight, *flight.plan);
+  } else {
+    replay.unreachable = flight.ticks.size();
+    replay.obstacle = flight.has_header ? "Its flight plan cannot be used: " + flight.plan_fault + "."
+                                        : "None of its headers is left, and so no flight plan.";
+  }
+  const core::Microseconds zero = flight_log::time_zero(flight, replay);
+  return {.number = number,
+          .flight = flight,
+          .replay = std::move(replay),
+          .loop = flight_log::loop_times(flight),
+          .health = flight_log::health_figures(flight),
+          .zero = zero,
+          .plan = flight_log::plan_name(flight)};
+}
+
+void add_log_info(CLI::App& log) {
+  auto* verb = log.add_subcommand("info", "What a flight log holds, whether it is intact, and whether a replay agrees");
+  auto options = std::make_shared<InfoOptions>();
+  verb->add_option("LOG", options->log, "A flight log (.ftl), or a folder with a flight.ftl")->required();
+  verb->add_option("--flight", options->flight, "Of several flights in one file, counted from 1 [all]");
+  verb->add_flag("--json", options->json, "Print one JSON object");
+  verb->footer(
+      "Times count from lift-off, in the tunnel from control start.\n"
+      "Exit code 0: intact, also when cut off by a loss of power; 1: records are missing or bytes damaged.\n"
+      "Examples:\n"
+      "  fantail log info out/tasha3_launch2    who flew what, is it intact, does a replay give the same\n"
+      "  fantail log info flash.ftl --flight 2  one of several flights that a board's flash held\n"
+      "  fantail log info flown.ftl --json      every figure and every event, for a script");
+  verb->callback([options] { show(*options); });
+}
+
+}  // namespace fantail::tool

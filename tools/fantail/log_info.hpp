@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "flight_log/flight_log.hpp"
+#include "flight_log/health_figures.hpp"
+#include "flight_log/loop_times.hpp"
+#include "flight_log/regenerate.hpp"
+
+namespace fantail::tool {
+
+/// What fantail log info says of one flight.
+struct FlightInfo {
+  std::size_t number = 0;  ///< in the file, from 1
+  const flight_log::Flight& flight;
+  flight_log::Regeneration replay;
+  std::optional<flight_log::LoopTimes> loop;
+  std::optional<flight_log::HealthFigures> health;
+  core::Microseconds zero{};  ///< what times count from
+  std::string plan;           ///< its name
+
+  [[nodiscard]] double seconds(core::Microseconds time) const {
+    return 1e-6 * static_cast<double>((time - zero).count());
+  }
+};
+
+/// The flight outlives what is returned.
+[[nodiscard]] FlightInfo flight_info(const flight_log::Flight& flight, std::size_t number);
+
+[[nodiscard]] std::string log_info_text(const FlightInfo& info);
+[[nodiscard]] std::string log_info_json(const flight_log::LogFile& file, const std::vector<FlightInfo>& flights);
+
+}  // namespace fantail::tool

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "fantail/log_info.hpp"
+#include "flight_log/event_words.hpp"
+#include "flight_log/integrity.hpp"
+#include "protocol/plan_block.hpp"
+
+namespace fantail::tool {
+namespace {
+
+constexpr std::size_t most_events_shown = 60;
+
+std::string line(std::string_view label, std::string_view text) { return fmt::format("  {:<10}{}\n", label, text); }
+
+std::string or_unknown(const std::string& text) { return text.empty() ? "not known" : text; }
+
+std::string plan_words(const FlightInfo& info) {
+  if (info.flight.plan_block.empty()) {
+    return "not known";
+  }
+  const std::uint32_t checksum = protocol::plan_block_crc(info.flight.plan_block);
+  const std::string fault = info.flight.plan ? "" : "; it cannot be used: " + info.flight.plan_fault;
+  // A plan that is not a shipped one is called after its checksum.
+  const std::string known = info.plan == fmt::format("plan {:08x}", checksum) ? "" : info.plan + ", ";
+  return fmt::format("{}checksum {:08x}{}", known, checksum, fault);
+}
+
+std::string extent_words(const FlightInfo& info) {
+  const flight_log::Flight& flight = info.flight;
+  const std::size_t ticks = flight.ticks.size() + flight.foreign_ticks.size();
+  return fmt::format("{:.3f} s, from {:.3f} s to {:.3f} s; {} ticks",
+                     1e-6 * static_cast<double>((flight.last_time - flight.first_time).count()),
+                     info.seconds(flight.first_time), info.seconds(flight.last_time), ticks);
+}
+
+std::string loop_words(const flight_log::LoopTimes& loop) {
+  return fmt::format(
+      "a tick takes {:.1f} us in the mean, 99 of 100 at most {:.0f} us, the longest {:.0f} us; {}\n"
+      "{:12}longest step from one tick to the next: {:.3f} ms",
+      loop.mean_us, loop.p99_us, loop.longest_us,
+      loop.late == 0 ? "none was late" : fmt::format("{} took a millisecond or more", loop.late), "",
+      1e-3 * loop.longest_step_us);
+}
+
+std::string health_words(const flight_log::HealthFigures& health) {
+  return fmt::format("at most {} ticks waited for the flash, {} dropped; bus: {} frames unsent, {} errors",
+                     health.longest_queue, health.ticks_dropped, health.unsent, health.bus_errors);
+}
+
+std::string event_list(const FlightInfo& info) {
+  const auto& events = info.flight.events;
+  std::string text = events.empty() ? "" : "\n  time / s   what happened\n";
+  for (std::size_t i = 0; i < std::min(events.size(), most_events_shown); ++i) {
+    text += fmt::format("  {:>9.3f}  {}\n", info.seconds(events[i].time), flight_log::words(events[i]));
+  }
+  if (events.size() > most_events_shown) {
+    text += fmt::format("  and {} more, which --json lists\n", events.size() - most_events_shown);
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string log_info_text(const FlightInfo& info) {
+  const flight_log::Flight& flight = info.flight;
+  std::string text =
+      fmt::format("\nFlight {}: at {:#x} in the flash, power-up {}\n", info.number, flight.flight, flight.power_up);
+  text += line("vehicle", or_unknown(flight.vehicle));
+  text += line("firmware", fmt::format("{}, git {}, log format {}", or_unknown(flight.firmware_version),
+                                       or_unknown(flight.git_hash), flight.format_version));
+  text += line("plan", plan_words(info));
+  text += line("sensors", or_unknown(flight.sensors));
+  text += line("recorded", extent_words(info));
+  text += line("integrity", flight_log::integrity_words(flight));
+  text += line("replay", flight_log::replay_words(flight, info.replay));
+  if (info.loop) {
+    text += line("loop", loop_words(*info.loop));
+  }
+  if (info.health) {
+    text += line("health", health_words(*info.health));
+  }
+  if (const auto dropped = flight_log::dropped_ticks(flight); dropped > 0) {
+    text += line("dropped", fmt::format("{} ticks found no room in the recorder's queue", dropped));
+  }
+  return text + event_list(info);
+}
+
+}  // namespace fantail::tool

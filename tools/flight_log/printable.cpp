@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#include "flight_log/printable.hpp"
+
+#include <cstddef>
+#include <cstdint>
+
+namespace fantail::flight_log {
+namespace {
+
+struct Form {
+  unsigned char mask, lead;
+  std::uint32_t smallest;  ///< what a shorter form could have said is not allowed
+};
+constexpr Form forms[]{{0x80, 0x00, 0}, {0xE0, 0xC0, 0x80}, {0xF0, 0xE0, 0x800}, {0xF8, 0xF0, 0x10000}};
+
+// Length of the character that the text begins with; 0 when it is none to print.
+std::size_t character(std::string_view text) {
+  const auto first = static_cast<unsigned char>(text[0]);
+  for (std::size_t length = 1; length <= 4; ++length) {
+    const Form& form = forms[length - 1];
+    if ((first & form.mask) != form.lead) {
+      continue;
+    }
+    if (text.size() < length) {
+      return 0;
+    }
+    std::uint32_t code = first & static_cast<unsigned char>(~form.mask);
+    for (std::size_t i = 1; i < length; ++i) {
+      const auto next = static_cast<unsigned char>(text[i]);
+      if ((next & 0xC0U) != 0x80U) {
+        return 0;
+      }
+      code = (code << 6U) | (next & 0x3FU);
+    }
+    const bool surrogate = code >= 0xD800 && code < 0xE000;
+    const bool control = code < 0x20 || (code >= 0x7F && code < 0xA0);
+    return code >= form.smallest && code < 0x110000 && !surrogate && !control ? length : 0;
+  }
+  return 0;
+}
+
+}  // namespace
+
+std::string printable(std::string_view text) {
+  std::string result;
+  while (!text.empty()) {
+    const std::size_t length = character(text);
+    result += length == 0 ? std::string_view{"?"} : text.substr(0, length);
+    text.remove_prefix(length == 0 ? 1 : length);
+  }
+  return result;
+}
+
+}  // namespace fantail::flight_log
