@@ -6,6 +6,7 @@
 #include "log_export/candump.hpp"
 #include "log_export/csv.hpp"
 #include "log_export/json.hpp"
+#include "log_export/lcm.hpp"
 #include "log_export/ulog.hpp"
 #include "made_flight.hpp"
 
@@ -23,5 +24,6 @@ int main(int argc, char** argv) {
   write("flight.csv", flight_csv(source, made.report));
   write("flight.ulg", ulog(source, every_field()));
   write("flight.log", candump(source));
+  write("flight.lcmlog", lcm(source));
   write("flight.json", json(source, every_field()));
 }

@@ -11,6 +11,7 @@ import unittest
 
 import can
 import cantools
+import lcm
 import numpy
 from pyulog import ULog
 
@@ -19,6 +20,9 @@ PROJECT = pathlib.Path(sys.argv[2])
 FOLDER = tempfile.TemporaryDirectory()
 HERE = pathlib.Path(FOLDER.name)
 subprocess.run([PROGRAM, HERE], check=True)
+subprocess.run(["lcm-gen", "--python", "--ppath", HERE, *(PROJECT / "tools/telemetry/types").glob("*.lcm")], check=True)
+sys.path.insert(0, str(HERE))
+import fantail_lcm  # noqa: E402  generated just now
 
 
 def table(name):
@@ -122,6 +126,55 @@ class CandumpByCantools(unittest.TestCase):
         self.check("MotionReport", "roll_rate", "roll_rate_deg_s")
         self.check("MotionReport", "speed", "speed_m_s")
         self.check("StatusReport", "roll_command", "command_deg")
+
+
+class LcmLogByLcm(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        types = {"FANTAIL_STATE": fantail_lcm.state_t, "FANTAIL_CANARDS": fantail_lcm.canards_t,
+                 "FANTAIL_EVENT": fantail_lcm.event_t, "FANTAIL_HEALTH": fantail_lcm.health_t}
+        cls.messages = {channel: [] for channel in types}
+        log = lcm.EventLog(str(HERE / "flight.lcmlog"), "r")
+        for event in log:
+            cls.messages[event.channel].append((event.timestamp, types[event.channel].decode(event.data)))
+        log.close()
+        cls.csv = table("fields.csv")
+        cls.row = {round(time): i for i, time in enumerate(cls.csv["time_us"])}
+
+    def test_there_is_a_state_and_the_canards_for_each_replayed_tick(self):
+        replayed = [time for time, angle in zip(self.csv["time_us"], self.csv["roll_angle_deg"]) if not math.isnan(angle)]
+        for channel in ["FANTAIL_STATE", "FANTAIL_CANARDS"]:
+            self.assertEqual([time for time, _ in self.messages[channel]], replayed)
+
+    def test_numbers_run_on_in_each_channel_and_the_run_is_one(self):
+        self.assertEqual(len({m.run for list_ in self.messages.values() for _, m in list_}), 1)
+        for channel, list_ in self.messages.items():
+            self.assertEqual([m.sequence for _, m in list_], list(range(len(list_))), channel)
+            self.assertEqual([m.time_us for _, m in list_], [time for time, _ in list_], channel)
+
+    def same(self, found_rad, column, time):
+        wanted = self.csv[column][self.row[time]]
+        if math.isnan(wanted):
+            self.assertTrue(math.isnan(found_rad), (column, time))
+        else:
+            self.assertAlmostEqual(math.degrees(found_rad), wanted, delta=0.6e-6, msg=(column, time))
+
+    def test_values_are_those_of_the_csv(self):
+        for time, state in self.messages["FANTAIL_STATE"]:
+            self.same(state.roll_angle_rad, "roll_angle_deg", time)
+            self.same(state.roll_rate_rad_s, "roll_rate_deg_s", time)
+            self.same(state.command_rad, "command_deg", time)
+            self.assertAlmostEqual(state.speed_m_s, self.csv["speed_m_s"][self.row[time]], delta=0.6e-6)
+        for time, canards in self.messages["FANTAIL_CANARDS"]:
+            for i in range(4):
+                self.same(canards.command_rad[i], f"command_{i + 1}_deg", time)
+                self.same(canards.encoder_rad[i], f"encoder_{i + 1}_deg", time)
+
+    def test_changes_of_the_phase_and_health_are_those_of_the_log(self):
+        phases = [(time, m.phase_before, m.phase) for time, m in self.messages["FANTAIL_EVENT"]]
+        self.assertEqual(phases, [(10_100_000, 1, 2), (10_300_000, 2, 3)])
+        self.assertEqual([(time, round(m.longest_tick_s * 1e6)) for time, m in self.messages["FANTAIL_HEALTH"]],
+                         [(10_050_000, 50), (10_150_000, 150), (10_950_000, 950)])
 
 
 class JsonByPython(unittest.TestCase):

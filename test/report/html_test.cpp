@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "report/html.hpp"
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -50,6 +52,29 @@ TEST(Html, SaysVerdictFiguresEventsAndPhasesWithoutScripts) {
   EXPECT_NE(text.find("<td>Launch detected</td>"), std::string::npos);
   EXPECT_NE(text.find("guide clear and fast enough"), std::string::npos);
   EXPECT_NE(text.find("<svg"), std::string::npos);
+}
+
+TEST(Html, NoLineIsDrawnWhereRowsAreMissing) {
+  SyntheticFlight synthetic;
+  std::erase_if(synthetic.flight.rows, [](const Row& row) { return row.time_s > 2.0 && row.time_s < 2.5; });
+  const nlohmann::json data = plot_data_of(page_of(synthetic.flight));
+  for (const nlohmann::json& plot : data["plots"]) {
+    const auto& times = plot["milliseconds"];
+    const auto between = std::ranges::find_if(times, [](const nlohmann::json& t) { return t > 2000 && t < 2500; });
+    ASSERT_NE(between, times.end()) << plot["id"];
+    for (const nlohmann::json& series : plot["series"]) {
+      EXPECT_TRUE(series["hundredths"][static_cast<std::size_t>(between - times.begin())].is_null()) << plot["id"];
+    }
+  }
+}
+
+TEST(Html, OfAFlightThatWasNotSimulatedNoSeedIsShown) {
+  SyntheticFlight synthetic;
+  synthetic.flight.seed.reset();
+  synthetic.flight.notes = {"The recording was cut off."};
+  const std::string text = without_scripts(page_of(synthetic.flight));
+  EXPECT_EQ(text.find("seed"), std::string::npos);
+  EXPECT_NE(text.find("About the log"), std::string::npos);
 }
 
 TEST(Html, ListsEventsInTheOrderInWhichTheyHappened) {

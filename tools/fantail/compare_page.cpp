@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include <algorithm>
-#include <limits>
-
 #include <fmt/format.h>
 
 #include "fantail/compare_results.hpp"
+#include "fantail/gap_curves.hpp"
 #include "plot/chart.hpp"
 #include "plot/page.hpp"
 #include "report/numbers.hpp"
@@ -14,43 +12,6 @@ namespace {
 
 using plot::Role;
 using report::degrees;
-
-// Where samples were left out the curves have gaps: a point that is no number stands between.
-class Curves {
- public:
-  explicit Curves(const std::vector<double>& time_s) {
-    std::vector<double> intervals;
-    for (std::size_t i = 1; i < time_s.size(); ++i) {
-      intervals.push_back(time_s[i] - time_s[i - 1]);
-    }
-    std::ranges::sort(intervals);
-    const double longest = intervals.empty() ? 0.0 : std::max(0.1, 5.0 * intervals[intervals.size() / 2]);
-    for (std::size_t i = 0; i < time_s.size(); ++i) {
-      if (i > 0 && time_s[i] - time_s[i - 1] > longest) {
-        gaps_.push_back(i);
-        time_s_.push_back(0.5 * (time_s[i - 1] + time_s[i]));
-      }
-      time_s_.push_back(time_s[i]);
-    }
-  }
-
-  [[nodiscard]] plot::Series in_degrees(std::string name, Role role, const std::vector<double>& values_rad) const {
-    plot::Series series{.name = std::move(name), .role = role, .x = time_s_};
-    auto gap = gaps_.begin();
-    for (std::size_t i = 0; i < values_rad.size(); ++i) {
-      if (gap != gaps_.end() && *gap == i) {
-        series.y.push_back(std::numeric_limits<double>::quiet_NaN());
-        ++gap;
-      }
-      series.y.push_back(degrees(values_rad[i]));
-    }
-    return series;
-  }
-
- private:
-  std::vector<double> time_s_{};
-  std::vector<std::size_t> gaps_{};
-};
 
 std::string figure_of(std::string_view what, std::string_view unit, std::vector<plot::Series> series, double height) {
   const plot::Chart chart{.label = fmt::format("{} over time", what),
@@ -106,7 +67,7 @@ std::string compare_html(const CompareResults& results) {
        fmt::format("over {:.3f} s", c.time_s.back() - c.time_s.front())}};
   page.body_html = plot::section("Absolute differences", plot::figure_row(figures));
 
-  const Curves curves{c.time_s};
+  const GapCurves curves{c.time_s};
   constexpr double tall = 280.0;
   constexpr double flat = 190.0;
   page.body_html += plot::section(

@@ -16,7 +16,7 @@ std::string objection_to_axis(const std::string& text) {
 std::string objection_to_folder(const std::string& text) { return text.empty() ? "the name of a folder is empty" : ""; }
 
 void add_reading(CLI::App& verb, IdentifyOptions& o) {
-  verb.add_option("DATA", o.data, "A CSV file, or a folder that `fantail fly` wrote")->required();
+  verb.add_option("DATA", o.data, "A CSV file, a flight log (.ftl), or a folder that `fantail fly` wrote")->required();
   add_log_options(verb, o.log);
 }
 

@@ -69,6 +69,7 @@ ExitCode run(int argc, char** argv) {
   fantail::tool::add_predict(program);
   fantail::tool::add_gateway(program);
   fantail::tool::add_watch(program);
+  fantail::tool::add_report(program);
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

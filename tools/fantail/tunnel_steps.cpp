@@ -60,7 +60,9 @@ void steps(const StepsVerbOptions& options) {
 }
 
 void add_run_options(CLI::App& verb, StepsVerbOptions& options) {
-  verb.add_option("RUN", options.run, "A flight folder or a CSV with reference_deg and canard_deg")->required();
+  verb.add_option("RUN", options.run,
+                  "A flight folder, a flight log (.ftl), or a CSV with reference_deg and canard_deg")
+      ->required();
   add_airframe_options(verb, options.airframe);
   verb.add_option("--speed", options.speed_m_s, "Wind speed, instead of tunnel.csv's mean or the log's own")
       ->check(within(0.1, 1000.0))

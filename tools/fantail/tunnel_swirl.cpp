@@ -65,7 +65,8 @@ void add_session(CLI::App& verb, const std::string& word, SessionOptions& option
 void add_tunnel_swirl(CLI::App& tunnel) {
   auto* verb = tunnel.add_subcommand("swirl", "What the swirl adds to the fin offset, from free rolling");
   auto options = std::make_shared<SwirlVerbOptions>();
-  verb->add_option("WITHOUT", options->without.roll, "Roll log without flow straightener: a flight folder or a CSV")
+  verb->add_option("WITHOUT", options->without.roll,
+                   "Roll log without flow straightener: a flight folder, a flight log (.ftl) or a CSV")
       ->required();
   verb->add_option("WITH", options->with.roll, "Roll log with flow straightener")->required();
   add_session(*verb, "without", options->without);

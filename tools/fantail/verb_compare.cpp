@@ -116,7 +116,7 @@ void compare_logs(const CompareVerbOptions& options) {
 }
 
 void add_log(CLI::App& verb, const std::string& name, const std::string& capital, LogChoice& choice) {
-  verb.add_option(capital, choice.path, "CSV file or flight folder")->required();
+  verb.add_option(capital, choice.path, "CSV file, flight log (.ftl) or flight folder")->required();
   verb.add_option("--" + name, choice.motion,
                   "Which roll motion of " + capital + ": as measured, or a simulation's truth")
       ->check(CLI::IsMember({"measured", "true"}))

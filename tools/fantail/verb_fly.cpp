@@ -34,7 +34,7 @@ void print_figure(std::string_view label, const std::optional<double>& value, st
 }
 
 void print_summary(const report::Flight& flight, const report::Results& results) {
-  fmt::print("{} ({}), seed {}\n{}\n", flight.scenario, flight.vehicle, flight.seed, results.verdict.text);
+  fmt::print("{} ({}), seed {}\n{}\n", flight.scenario, flight.vehicle, flight.seed.value_or(0), results.verdict.text);
   std::vector<std::string> assumed = flight.notes;
   if (const std::string imposed = report::imposed_roll_words(flight); !imposed.empty()) {
     assumed.insert(assumed.begin(), imposed);

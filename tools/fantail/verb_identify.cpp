@@ -127,8 +127,8 @@ std::filesystem::path output_folder(const IdentifyOptions& o) {
   if (!data.has_filename()) {  // it ended in a slash
     data = data.parent_path();
   }
-  const bool is_csv = data.extension() == ".csv";
-  return std::filesystem::path{"out"} / "identify" / (is_csv ? data.stem() : data.filename());
+  const bool is_file = data.extension() == ".csv" || data.extension() == ".ftl";
+  return std::filesystem::path{"out"} / "identify" / (is_file ? data.stem() : data.filename());
 }
 
 void identify_data(const IdentifyOptions& o) {

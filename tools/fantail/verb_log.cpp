@@ -13,6 +13,7 @@ void add_log(CLI::App& program) {
       "  fantail log info flash.ftl --flight 2  one of several flights that a board's flash held\n"
       "  fantail log info flown.ftl --json      every figure and every event, for a script");
   add_log_info(*verb);
+  add_log_export(*verb);
 }
 
 }  // namespace fantail::tool

@@ -19,5 +19,6 @@ void add_tunnel(CLI::App& program);
 void add_predict(CLI::App& program);
 void add_gateway(CLI::App& program);
 void add_watch(CLI::App& program);
+void add_report(CLI::App& program);
 
 }  // namespace fantail::tool

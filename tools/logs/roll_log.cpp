@@ -4,15 +4,18 @@
 #include <algorithm>
 #include <fstream>
 #include <optional>
+#include <string_view>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "logs/flight_file.hpp"
 #include "logs/log_doubts.hpp"
 #include "logs/roll_columns.hpp"
 #include "logs/roll_rows.hpp"
 #include "logs/table.hpp"
 #include "logs/turns.hpp"
+#include "report/csv.hpp"
 #include "sim/input_error.hpp"
 #include "sim/units.hpp"
 
@@ -45,6 +48,25 @@ void read_events(const std::filesystem::path& file, RollLog& log) {
   log.apogee_s = event("apogee_s");
 }
 
+// By way of the table, so that a log gives the same figures as the flight.csv that was made of it.
+RollLog roll_log_of_flight_log(const std::filesystem::path& file, const Reading& reading, const Needs& needs) {
+  const std::string_view asked = reading.truth                          ? "--truth"
+                                 : !reading.columns.empty()             ? "--column"
+                                 : reading.angles != AngleUnit::degrees ? "--units"
+                                                                        : "";
+  if (!asked.empty()) {
+    throw InputError{
+        InputFault::bad_configuration,
+        fmt::format("{}: {}: a flight log says itself what its values are, and holds no truth", file.string(), asked)};
+  }
+  const report::Flight flight = read_flight_log(file);
+  RollLog log = make_roll_log(Table::parse(report::csv(flight), file.string()), reading, needs);
+  log.burnout_s = flight.events.burnout_s;
+  log.apogee_s = flight.events.apogee_s;
+  log.warnings.insert(log.warnings.begin(), flight.notes.begin(), flight.notes.end());
+  return log;
+}
+
 }  // namespace
 
 RollLog make_roll_log(const Table& table, const Reading& reading, const Needs& needs) {
@@ -71,11 +93,15 @@ RollLog make_roll_log(const Table& table, const Reading& reading, const Needs& n
 RollLog read_roll_log(const std::filesystem::path& path, const Reading& reading, const Needs& needs) {
   std::error_code ignored;
   if (!std::filesystem::is_directory(path, ignored)) {
-    return make_roll_log(Table::load(path.string()), reading, needs);
+    return is_flight_log(path) ? roll_log_of_flight_log(path, reading, needs)
+                               : make_roll_log(Table::load(path.string()), reading, needs);
   }
   const std::filesystem::path file = path / "flight.csv";
   if (!std::filesystem::exists(file, ignored)) {
-    throw InputError{InputFault::no_such_input, path.string() + ": this folder holds no flight.csv"};
+    if (std::filesystem::exists(path / "flight.ftl", ignored)) {
+      return roll_log_of_flight_log(path / "flight.ftl", reading, needs);
+    }
+    throw InputError{InputFault::no_such_input, path.string() + ": this folder holds no flight.csv or flight.ftl"};
   }
   RollLog log = make_roll_log(Table::load(file.string()), reading, needs);
   log.name = path.string();

@@ -58,8 +58,10 @@ struct Needs {
   bool speed = false;
 };
 
-/// `path` is a CSV file or a folder that holds a flight.csv. Throws sim::InputError: no_such_input; bad_configuration
-/// for a mapped column that Fantail does not know; bad_data for a missing column (naming it and listing those that are
+/// `path` is a CSV file, a flight log (.ftl), or a folder that holds a flight.csv or else a flight.ftl. A flight log is
+/// read as the flight.csv that its replay makes, and what it has lost becomes a warning. Throws sim::InputError:
+/// no_such_input; bad_configuration for a mapped column that Fantail does not know, and for a column, a unit or a truth
+/// that is asked of a flight log; bad_data for a missing column (naming it and listing those that are
 /// there), time that goes back, two different rows with one time (nobody knows which of them is right), more than 1 %
 /// of rows without a number, fewer than two rows. Messages name file and line.
 [[nodiscard]] RollLog read_roll_log(const std::filesystem::path& path, const Reading& reading, const Needs& needs);

@@ -25,6 +25,9 @@ class Line {
   explicit Line(fmt::memory_buffer& out) : out_{out} {}
 
   void number(double value) {
+    if (std::isnan(value)) {
+      return;  // unknown: an empty cell
+    }
     // Never "-0.000000": two files that differ in nothing else would compare unequal.
     fmt::format_to(std::back_inserter(out_), "{:.6f}", std::abs(value) < 0.5e-6 ? 0.0 : value);
   }

@@ -17,9 +17,25 @@ constexpr double lasting_saturation_s = 0.5;
 // Rows are a millisecond apart and their times are rounded to the microsecond.
 constexpr double clock_tolerance_s = 1e-6;
 
-double height_m(const Row& row) { return row.truth ? row.truth->height_m : row.height_m; }
-double speed_m_s(const Row& row) { return row.truth ? row.truth->speed_m_s : row.speed_m_s; }
-double roll_angle_rad(const Row& row) { return row.truth ? row.truth->roll_angle_rad : row.roll_angle_rad; }
+// The truth where it is known.
+double better(const Row& row, double Truth::* truth, double estimate) {
+  return row.truth && std::isfinite((*row.truth).*truth) ? (*row.truth).*truth : estimate;
+}
+double height_m(const Row& row) { return better(row, &Truth::height_m, row.height_m); }
+double speed_m_s(const Row& row) { return better(row, &Truth::speed_m_s, row.speed_m_s); }
+double roll_angle_rad(const Row& row) { return better(row, &Truth::roll_angle_rad, row.roll_angle_rad); }
+
+std::optional<double> known(double value) { return std::isfinite(value) ? std::optional{value} : std::nullopt; }
+
+std::optional<double> largest(const Flight& flight, double (*value)(const Row&)) {
+  std::optional<double> result;
+  for (const Row& row : flight.rows) {
+    if (const double one = value(row); std::isfinite(one) && (!result || one > *result)) {
+      result = one;
+    }
+  }
+  return result;
+}
 
 std::span<const Row> under_control(const Flight& flight) {
   const auto is_control = [](const Row& row) { return row.phase == core::Phase::controlling; };
@@ -38,7 +54,7 @@ void judge_hold(Figures& f, std::span<const Row> control, const Flight& flight) 
       reference_rad = row.reference_rad;
       settles_at_s = row.time_s + settling_time_s;
     }
-    const std::optional<double> settle_point = settle_point_rad(row, flight.plan);
+    const std::optional<double> settle_point = settle_point_rad(row, flight);
     if (!settle_point || row.time_s < settles_at_s - clock_tolerance_s) {
       continue;
     }
@@ -53,23 +69,23 @@ void judge_hold(Figures& f, std::span<const Row> control, const Flight& flight) 
 }
 
 void keep_larger(std::optional<double>& kept, double value) {
-  if (!kept || std::abs(value) > std::abs(*kept)) {
+  if (std::isfinite(value) && (!kept || std::abs(value) > std::abs(*kept))) {
     kept = value;
   }
 }
 
-void judge_authority(Figures& f, std::span<const Row> control, double limit_rad) {
+void judge_authority(Figures& f, std::span<const Row> control, const Flight& flight) {
   for (const Row& row : control) {
     if (row.truth) {
       keep_larger(f.largest_disturbance_rad, row.truth->disturbance_rad);
     }
   }
-  if (f.largest_disturbance_rad) {
-    f.authority_margin_rad = limit_rad - std::abs(*f.largest_disturbance_rad);
+  if (f.largest_disturbance_rad && flight.known.plan) {
+    f.authority_margin_rad = canard_limit_rad(flight.plan) - std::abs(*f.largest_disturbance_rad);
   }
 }
 
-void judge_saturation(Figures& f, std::span<const Row> control, double limit_rad) {
+void judge_saturation(Figures& f, std::span<const Row> control, const Flight& flight) {
   const auto saturated = std::ranges::count_if(control, &Row::saturated);
   f.saturated_fraction = static_cast<double>(saturated) / static_cast<double>(control.size());
 
@@ -82,7 +98,7 @@ void judge_saturation(Figures& f, std::span<const Row> control, double limit_rad
   for (const Row& row : run) {
     if (row.truth) {
       keep_larger(f.offset_at_limit_rad, row.truth->disturbance_rad);
-      f.offset_beyond_limit = std::abs(row.truth->disturbance_rad) > limit_rad;
+      f.offset_beyond_limit = flight.known.plan && std::abs(row.truth->disturbance_rad) > canard_limit_rad(flight.plan);
     }
   }
 }
@@ -95,24 +111,25 @@ Figures figures(const Flight& flight) {
     return f;
   }
   f.final_phase = flight.rows.back().phase;
-  f.max_speed_m_s = speed_m_s(*std::ranges::max_element(flight.rows, {}, speed_m_s));
+  f.max_speed_m_s = largest(flight, speed_m_s);
   if (!flight.tunnel && flight.events.apogee_s) {
-    f.apogee_m = height_m(*std::ranges::max_element(flight.rows, {}, height_m));
+    f.apogee_m = largest(flight, height_m);
   }
   const std::span<const Row> control = under_control(flight);
   if (control.empty()) {
     return f;
   }
   if (!flight.tunnel) {
-    f.control_start_height_m = height_m(control.front());
+    f.control_start_height_m = known(height_m(control.front()));
   }
   f.control_time_s = control.back().time_s - control.front().time_s;
   f.command_at_end_rad = control.back().command_rad;
-  f.roll_turns = (roll_angle_rad(control.back()) - roll_angle_rad(control.front())) / (2.0 * std::numbers::pi);
-  const double limit_rad = canard_limit_rad(flight.plan);
+  f.roll_turns = known((roll_angle_rad(control.back()) - roll_angle_rad(control.front())) / (2.0 * std::numbers::pi));
   judge_hold(f, control, flight);
-  judge_authority(f, control, limit_rad);
-  judge_saturation(f, control, limit_rad);
+  judge_authority(f, control, flight);
+  if (flight.known.saturation) {
+    judge_saturation(f, control, flight);
+  }
   return f;
 }
 

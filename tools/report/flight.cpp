@@ -103,7 +103,12 @@ std::optional<double> settle_point_rad(const Row& row, const core::FlightPlan& p
   if (!row.truth || gain == 0.0) {
     return std::nullopt;
   }
-  return row.reference_rad + row.truth->disturbance_rad / gain;
+  const double point_rad = row.reference_rad + row.truth->disturbance_rad / gain;
+  return std::isfinite(point_rad) ? std::optional{point_rad} : std::nullopt;
+}
+
+std::optional<double> settle_point_rad(const Row& row, const Flight& flight) {
+  return flight.known.plan ? settle_point_rad(row, flight.plan) : std::nullopt;
 }
 
 }  // namespace fantail::report

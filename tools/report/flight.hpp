@@ -23,7 +23,7 @@ struct Truth {
   double disturbance_rad = 0.0;  ///< equivalent fin offset u_d
 };
 
-/// One tick as it stands in flight.csv, in SI and radians. Empty: nobody knew it at that tick.
+/// One tick as it stands in flight.csv, in SI and radians. Empty, or not a number: nobody knew it at that tick.
 struct Row {
   double time_s = 0.0;  ///< 0 at lift-off (tunnel: at control start); pad rows are negative
   core::Phase phase = core::Phase::safe;
@@ -70,7 +70,7 @@ struct ImposedRoll {
 struct PhaseChange {
   double time_s = 0.0;
   core::Phase phase = core::Phase::safe;
-  core::PhaseReason reason = core::PhaseReason::power_on;
+  std::optional<core::PhaseReason> reason = core::PhaseReason::power_on;  ///< empty: a table does not tell
 };
 
 struct CanardVerdictChange {
@@ -79,13 +79,20 @@ struct CanardVerdictChange {
   core::CanardVerdict verdict = core::CanardVerdict::healthy;
 };
 
+/// What a table from elsewhere may leave out. Whoever flies or replays a flight knows all of it.
+struct Known {
+  bool plan = true;
+  bool phase = true;
+  bool saturation = true;
+};
+
 /// One flown flight: all that flight.csv, summary.json and report.html are made from.
 struct Flight {
   std::string scenario;
   std::string vehicle;
   std::string plan_name;
-  std::string version;  ///< of the program that flew it
-  std::uint64_t seed = 0;
+  std::string version;                ///< of the program that flew it
+  std::optional<std::uint64_t> seed;  ///< of a simulated one
   bool tunnel = false;
   core::FlightPlan plan{};
   std::optional<ImposedRoll> imposed_roll;
@@ -96,6 +103,7 @@ struct Flight {
   std::vector<Row> rows;
   std::vector<TunnelReading> tunnel_readings;  ///< empty in flight
   std::vector<std::byte> log;                  ///< what the avionics recorded itself; empty: nothing
+  Known known;
 };
 
 /// A tick as a row, without truth. An encoder angle that is not finite counts as missing.
@@ -116,5 +124,7 @@ void set_time_zero(Flight& flight, double zero_s);
 
 /// Where a proportional-derivative loop comes to rest: R + u_d / kp. Empty without truth, and for a gain of zero.
 [[nodiscard]] std::optional<double> settle_point_rad(const Row& row, const core::FlightPlan& plan);
+/// Likewise, and empty for a flight whose plan is not known.
+[[nodiscard]] std::optional<double> settle_point_rad(const Row& row, const Flight& flight);
 
 }  // namespace fantail::report

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "report/html.hpp"
 
+#include <string>
+#include <vector>
+
 #include <fmt/format.h>
 
 #include "report/escape.hpp"
@@ -32,14 +35,34 @@ std::string with_formula(std::string text) {
   return text;
 }
 
+std::string run_words(const Flight& flight) {
+  std::vector<std::string> parts;
+  if (!flight.vehicle.empty()) {
+    parts.push_back(fmt::format("vehicle <b>{}</b>", escape_html(flight.vehicle)));
+  }
+  if (!flight.plan_name.empty()) {
+    parts.push_back(fmt::format("plan <b>{}</b>", escape_html(flight.plan_name)));
+  }
+  if (flight.seed) {
+    parts.push_back(fmt::format("seed {}", *flight.seed));
+  }
+  if (!flight.version.empty()) {
+    parts.push_back("Fantail " + escape_html(flight.version));
+  }
+  std::string words = fmt::format("{}", fmt::join(parts, ", "));
+  if (words.starts_with('v') || words.starts_with('p') || words.starts_with('s')) {
+    words.front() = static_cast<char>(words.front() - 'a' + 'A');
+  }
+  return words;
+}
+
 std::string opening(const Flight& flight, const Verdict& verdict) {
   const std::string imposed = imposed_roll_words(flight);
   return fmt::format(
       "<header>\n<p class=\"kind\">Fantail flight report</p>\n<h1>{}</h1>\n"
-      "<p class=\"run\">Vehicle <b>{}</b>, plan <b>{}</b>, seed {}, Fantail {}</p>\n</header>\n"
+      "<p class=\"run\">{}</p>\n</header>\n"
       "<section class=\"verdict {}\">\n<h2>{}</h2>\n<p>{}</p>\n{}</section>\n",
-      escape_html(flight.scenario), escape_html(flight.vehicle), escape_html(flight.plan_name), flight.seed,
-      escape_html(flight.version), name(verdict.outcome), words(verdict.outcome),
+      escape_html(flight.scenario), run_words(flight), name(verdict.outcome), words(verdict.outcome),
       with_formula(with_minus(escape_html(verdict.text))),
       imposed.empty() ? "" : "<p class=\"imposed\">" + with_minus(escape_html(imposed)) + "</p>\n");
 }
@@ -56,7 +79,10 @@ std::string html(const Flight& flight, const Figures& figures, const Verdict& ve
   page += "</section>\n<div class=\"columns\">\n";
   page += "<section>\n<h2>Events</h2>\n" + event_table(flight) + "</section>\n";
   page += "<section>\n<h2>Phases</h2>\n" + phase_table(flight) + canard_table(flight) + "</section>\n</div>\n";
-  page += "<section>\n<h2>What was assumed</h2>\n" + assumption_list(flight) + "</section>\n";
+  if (flight.seed || !flight.notes.empty()) {
+    page += fmt::format("<section>\n<h2>{}</h2>\n{}</section>\n", flight.seed ? "What was assumed" : "About the log",
+                        assumption_list(flight));
+  }
   page +=
       "<footer><p>Every tick is in <b>flight.csv</b>, every figure in <b>summary.json</b>, beside this page. The plots "
       "leave out most samples but no peak. Plots drawn with uPlot (MIT licence, in the source of this "

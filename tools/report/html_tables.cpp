@@ -43,7 +43,8 @@ std::string time_row(std::string_view event, const std::optional<double>& time_s
 std::string figure_list(const Flight& flight, const Figures& f) {
   const std::optional<double> saturated =
       f.saturated_fraction ? std::optional{100.0 * *f.saturated_fraction} : std::nullopt;
-  const std::string limit = "limit " + brief(degrees(canard_limit_rad(flight.plan)), 1) + " deg";
+  const std::string limit =
+      flight.known.plan ? "limit " + brief(degrees(canard_limit_rad(flight.plan)), 1) + " deg" : "";
   std::string list = "<dl class=\"figures\">\n";
   list += figure("Apogee", f.apogee_m, 1, "m");
   list += figure(flight.tunnel ? "Largest air speed" : "Top speed", f.max_speed_m_s, 1, "m/s");
@@ -56,7 +57,10 @@ std::string figure_list(const Flight& flight, const Figures& f) {
   list += figure("Largest fin offset", in_degrees(f.largest_disturbance_rad), 1, "deg", "true u_d under control");
   list += figure("Authority margin", in_degrees(f.authority_margin_rad), 1, "deg", limit);
   list += figure("Net roll", f.roll_turns, 2, "turns", "under control");
-  list += fmt::format("<div><dt>Final phase</dt><dd>{}</dd></div>\n</dl>\n", words(f.final_phase));
+  if (flight.known.phase) {
+    list += fmt::format("<div><dt>Final phase</dt><dd>{}</dd></div>\n", words(f.final_phase));
+  }
+  list += "</dl>\n";
   if (f.largest_hold_error_rad) {
     list += fmt::format(
         "<p class=\"aside\">A proportional-derivative loop comes to rest at R&nbsp;+&nbsp;u_d/kp, not at the reference "
@@ -68,6 +72,9 @@ std::string figure_list(const Flight& flight, const Figures& f) {
 }
 
 std::string phase_legend(const Flight& flight) {
+  if (!flight.known.phase) {
+    return {};
+  }
   std::string legend = "<p class=\"phases\">Phases:";
   std::array<bool, 5> named{};
   const double begin_s = plot_window(flight).begin_s;
@@ -93,7 +100,8 @@ std::string event_table(const Flight& flight) {
     }
   };
   const Events& e = flight.events;
-  add(e.liftoff_s, "Lift-off", "first net upward acceleration");
+  add(e.liftoff_s, "Lift-off",
+      flight.seed ? "first net upward acceleration" : "where the specific force left the pad's 1 g");
   add(e.detected_s, "Launch detected", "roll angle is zero here");
   add(e.guide_clear_s, "Off the guide", "truth, not known on board");
   add(e.control_start_s, "Control starts",
@@ -102,7 +110,7 @@ std::string event_table(const Flight& flight) {
   add(e.apogee_s, "Apogee", "");
   add(e.control_end_s, "Control ends", "canards return to trim");
   if (rows.empty()) {
-    return "<p>Nothing happened.</p>\n";
+    return flight.known.phase ? "<p>Nothing happened.</p>\n" : "<p>The log does not tell.</p>\n";
   }
   std::string table =
       "<table><thead><tr><th class=\"number\">Time, s</th><th>Event</th><th></th></tr></thead><tbody>\n";
@@ -113,13 +121,16 @@ std::string event_table(const Flight& flight) {
 }
 
 std::string phase_table(const Flight& flight) {
+  if (!flight.known.phase) {
+    return "<p>The log does not tell.</p>\n";
+  }
   if (flight.phase_changes.empty()) {
     return "<p>Safe throughout.</p>\n";
   }
   std::string table =
       "<table><thead><tr><th class=\"number\">Time, s</th><th>Phase</th><th>Because</th></tr></thead><tbody>\n";
   for (const PhaseChange& change : flight.phase_changes) {
-    table += time_row(words(change.phase), change.time_s, words(change.reason));
+    table += time_row(words(change.phase), change.time_s, change.reason ? words(*change.reason) : "");
   }
   return table + "</tbody></table>\n";
 }

@@ -102,8 +102,8 @@ class Picture {
   void read_lines() {
     constexpr double gap = std::numeric_limits<double>::quiet_NaN();
     for (const Row& row : rows_) {
-      const bool control = row.phase == core::Phase::controlling;
-      const std::optional<double> point = settle_point_rad(row, flight_.plan);
+      const bool control = !flight_.known.phase || row.phase == core::Phase::controlling;
+      const std::optional<double> point = settle_point_rad(row, flight_);
       lines_[reference].push_back(control ? degrees(row.reference_rad) : gap);
       lines_[settle].push_back(control && point ? degrees(*point) : gap);
       lines_[truth].push_back(row.truth ? degrees(row.truth->roll_angle_rad) : gap);
@@ -112,6 +112,9 @@ class Picture {
   }
 
   void bands() {
+    if (!flight_.known.phase) {
+      return;
+    }
     for (const PhaseBand& band : phase_bands(flight_)) {
       if (const double w = x(band.end_s) - x(band.begin_s); w > 0.0) {
         add("<rect class=\"{}\" x=\"{:.1f}\" y=\"{}\" width=\"{:.1f}\" height=\"{}\"/>", core::name(band.phase),
@@ -138,10 +141,15 @@ class Picture {
 
   void curves() {
     const std::vector<std::size_t> kept = keep_extremes(lines_, 300);
+    const std::vector<std::size_t> missing_after = gaps(rows_);
     for (std::size_t line = 0; line < line_count; ++line) {
       std::string path;
       bool pen_down = false;
+      auto gap = missing_after.begin();
       for (const std::size_t i : kept) {
+        for (; gap != missing_after.end() && *gap < i; ++gap) {
+          pen_down = false;
+        }
         const double value = lines_[line][i];
         if (!std::isfinite(value)) {
           pen_down = false;

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <optional>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -53,8 +55,10 @@ Value own_degrees(double Row::* member) {
   return [member](const Row& row) { return degrees(row.*member); };
 }
 // References and commands mean something only while somebody follows them.
-Value in_control(const Value& value) {
-  return [value](const Row& row) { return row.phase == core::Phase::controlling ? value(row) : unknown; };
+Value in_control(const Flight& flight, const Value& value) {
+  return [value, always = !flight.known.phase](const Row& row) {
+    return always || row.phase == core::Phase::controlling ? value(row) : unknown;
+  };
 }
 
 Plot canard_plot(std::size_t i) {
@@ -69,20 +73,19 @@ Plot canard_plot(std::size_t i) {
 }
 
 std::vector<Plot> plots(const Flight& flight) {
-  const core::FlightPlan& plan = flight.plan;
-  const Value settle = [&plan](const Row& row) {
-    const std::optional<double> point = settle_point_rad(row, plan);
+  const Value settle = [&flight](const Row& row) {
+    const std::optional<double> point = settle_point_rad(row, flight);
     return point ? degrees(*point) : unknown;
   };
-  const bool excites = plan.excitation.form != core::ExcitationForm::none;
+  const bool excites = flight.known.plan && flight.plan.excitation.form != core::ExcitationForm::none;
   const Value excitation = [excites](const Row& row) { return excites ? degrees(row.excitation_rad) : unknown; };
   std::vector<Plot> all{{"roll-angle",
                          "Roll angle",
                          "deg",
                          1500,
                          false,
-                         {{"reference R", "reference", in_control(own_degrees(&Row::reference_rad))},
-                          {"settles at R + u_d/kp", "settle", in_control(settle)},
+                         {{"reference R", "reference", in_control(flight, own_degrees(&Row::reference_rad))},
+                          {"settles at R + u_d/kp", "settle", in_control(flight, settle)},
                           {"true", "truth", truth_degrees(&Truth::roll_angle_rad)},
                           {"estimate", "estimate", own_degrees(&Row::roll_angle_rad)}}},
                         {"roll-rate",
@@ -97,7 +100,7 @@ std::vector<Plot> plots(const Flight& flight) {
                          "deg",
                          1500,
                          true,
-                         {{"excitation", "excitation", in_control(excitation)},
+                         {{"excitation", "excitation", in_control(flight, excitation)},
                           {"command", "command", own_degrees(&Row::command_rad)},
                           {"encoder mean", "measured", [](const Row& row) { return degrees_or_gap(row.canard_rad); }}}},
                         {"disturbance",
@@ -137,6 +140,27 @@ Json hundredths(double value) {
   return static_cast<std::int64_t>(std::llround(value * 100.0));
 }
 
+struct Point {
+  double time_s;
+  std::optional<std::size_t> row;  // empty: nothing is known there, and no line goes across
+};
+
+std::vector<Point> points_with_gaps(const std::vector<std::size_t>& kept, std::span<const Row> rows) {
+  const std::vector<std::size_t> missing_after = gaps(rows);
+  std::vector<Point> points;
+  points.reserve(kept.size());
+  auto gap = missing_after.begin();
+  for (const std::size_t i : kept) {
+    for (; gap != missing_after.end() && *gap < i; ++gap) {
+      if (!points.empty()) {
+        points.push_back({0.5 * (rows[*gap].time_s + rows[*gap + 1].time_s), {}});
+      }
+    }
+    points.push_back({rows[i].time_s, i});
+  }
+  return points;
+}
+
 Json draw(const Plot& plot, std::span<const Row> rows) {
   std::vector<std::vector<double>> values;
   Json series = Json::array();
@@ -152,15 +176,15 @@ Json draw(const Plot& plot, std::span<const Row> rows) {
   if (values.empty()) {
     return {};
   }
-  const std::vector<std::size_t> kept = keep_extremes(values, plot.buckets);
+  const std::vector<Point> points = points_with_gaps(keep_extremes(values, plot.buckets), rows);
   Json times = Json::array();
-  for (const std::size_t i : kept) {
-    times.push_back(static_cast<std::int64_t>(std::llround(rows[i].time_s * 1000.0)));
+  for (const Point& point : points) {
+    times.push_back(static_cast<std::int64_t>(std::llround(point.time_s * 1000.0)));
   }
   for (std::size_t s = 0; s < values.size(); ++s) {
     Json column = Json::array();
-    for (const std::size_t i : kept) {
-      column.push_back(hundredths(values[s][i]));
+    for (const Point& point : points) {
+      column.push_back(point.row ? hundredths(values[s][*point.row]) : Json{});
     }
     series[s]["hundredths"] = std::move(column);
   }
@@ -212,7 +236,7 @@ std::string plot_data(const Flight& flight) {
   const std::span<const Row> rows = rows_between(flight, window.begin_s, std::numeric_limits<double>::infinity());
 
   Json phases = Json::array();
-  for (const PhaseBand& band : phase_bands(flight)) {
+  for (const PhaseBand& band : flight.known.phase ? phase_bands(flight) : std::vector<PhaseBand>{}) {
     phases.push_back({{"phase", core::name(band.phase)}, {"begin", band.begin_s}, {"end", band.end_s}});
   }
   Json events = Json::array();
@@ -226,7 +250,7 @@ std::string plot_data(const Flight& flight) {
     }
   }
   const Json data = {{"views", views(flight, window)},
-                     {"limits", limits(flight.plan)},
+                     {"limits", flight.known.plan ? limits(flight.plan) : Json{}},
                      {"phases", phases},
                      {"events", events},
                      {"plots", drawn}};

@@ -19,6 +19,7 @@ Json rounded(double value) {
   return r == 0.0 ? 0.0 : r;
 }
 Json number(const std::optional<double>& value) { return value ? rounded(*value) : Json{}; }
+Json text(const std::string& words) { return words.empty() ? Json{} : Json(words); }
 Json angle(const std::optional<double>& radians) { return radians ? rounded(degrees(*radians)) : Json{}; }
 
 Json events(const Events& e) {
@@ -36,7 +37,7 @@ Json phase_changes(const Flight& flight) {
   for (const PhaseChange& change : flight.phase_changes) {
     all.push_back({{"time_s", rounded(change.time_s)},
                    {"phase", core::name(change.phase)},
-                   {"reason", core::name(change.reason)}});
+                   {"reason", change.reason ? Json(core::name(*change.reason)) : Json{}}});
   }
   return all;
 }
@@ -63,9 +64,9 @@ Json imposed_roll(const Flight& flight) {
 
 std::string summary_json(const Flight& flight, const Figures& figures, const Verdict& verdict) {
   const Json summary = {{"scenario", flight.scenario},
-                        {"vehicle", flight.vehicle},
-                        {"plan", flight.plan_name},
-                        {"seed", flight.seed},
+                        {"vehicle", text(flight.vehicle)},
+                        {"plan", text(flight.plan_name)},
+                        {"seed", flight.seed ? Json(*flight.seed) : Json{}},
                         {"verdict", verdict.text},
                         {"outcome", name(verdict.outcome)},
                         {"events", events(flight.events)},
@@ -80,13 +81,13 @@ std::string summary_json(const Flight& flight, const Figures& figures, const Ver
                         {"authority_margin_deg", angle(figures.authority_margin_rad)},
                         {"roll_turns", number(figures.roll_turns)},
                         {"at_limit_since_s", number(figures.at_limit_since_s)},
-                        {"final_phase", core::name(figures.final_phase)},
+                        {"final_phase", flight.known.phase ? Json(core::name(figures.final_phase)) : Json{}},
                         {"phase_changes", phase_changes(flight)},
                         {"canard_verdicts", canard_verdicts(flight)},
                         {"imposed_roll", imposed_roll(flight)},
                         {"notes", flight.notes},
                         {"log_sha256", flight.log.empty() ? Json{} : Json(sha256(flight.log))},
-                        {"version", flight.version}};
+                        {"version", text(flight.version)}};
   // A scenario's name may hold any bytes; they must not turn a flown flight into an exception.
   return summary.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

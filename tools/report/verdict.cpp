@@ -32,8 +32,11 @@ std::string why_no_control(const Flight& flight) {
     return "the rocket was never armed";
   }
   const PhaseChange& last = flight.phase_changes.back();
+  if (!last.reason) {
+    return "the log holds no time of it";
+  }
   const std::string when = fixed(last.time_s, 2) + " s";
-  switch (last.reason) {
+  switch (*last.reason) {
     case core::PhaseReason::armed_by_switch_and_command:
       return flight.tunnel ? "the start command never came at rest" : "no launch was detected";
     case core::PhaseReason::launch_detected:
@@ -41,13 +44,14 @@ std::string why_no_control(const Flight& flight) {
     case core::PhaseReason::guide_not_cleared_in_time:
       return fmt::format("what looked like a launch did not clear the guide within {} s (at {})",
                          brief(static_cast<double>(core::seconds(flight.plan.guide.clearance_time)), 2), when);
-    default: return fmt::format("{} (at {})", words(last.reason), when);
+    default: return fmt::format("{} (at {})", words(*last.reason), when);
   }
 }
 
 std::string saturation_and_margin(const Figures& f) {
-  std::string text =
-      fmt::format("saturated {} % of control time", fixed(100.0 * f.saturated_fraction.value_or(0.0), 0));
+  std::string text = f.saturated_fraction
+                         ? fmt::format("saturated {} % of control time", fixed(100.0 * *f.saturated_fraction, 0))
+                         : "saturation is not in the log";
   if (f.authority_margin_rad) {
     text += "; authority margin " + degrees_text(*f.authority_margin_rad);
   }
@@ -60,6 +64,9 @@ std::string at_limit(const Figures& f) {
 }
 
 std::string why_not_judged(const Flight& flight, const Figures& f) {
+  if (!flight.known.plan) {
+    return "the plan, and with it where roll should settle, is unknown";
+  }
   const core::ControllerPlan& controller = flight.plan.controller;
   if (controller.proportional_gain == 0.0F && controller.derivative_gain_s == 0.0F) {
     return "the plan's gains are zero, so that it rolls freely";
@@ -95,10 +102,13 @@ std::string early_end(const Flight& flight) {
     return {};
   }
   const PhaseChange& end = flight.phase_changes.back();
+  if (!end.reason) {
+    return {};
+  }
   if (end.reason == core::PhaseReason::apogee || end.reason == core::PhaseReason::control_time_over) {
     return {};
   }
-  return fmt::format(" Control ended at {} s: {}.", fixed(end.time_s, 2), words(end.reason));
+  return fmt::format(" Control ended at {} s: {}.", fixed(end.time_s, 2), words(*end.reason));
 }
 
 std::string canard_faults(const Flight& flight) {
@@ -117,6 +127,9 @@ std::string canard_faults(const Flight& flight) {
 }  // namespace
 
 Verdict verdict(const Flight& flight, const Figures& figures) {
+  if (!flight.known.phase) {
+    return {Outcome::not_judged, "Roll not judged: the log does not tell when it was under control."};
+  }
   Verdict v = figures.control_time_s
                   ? judge_control(flight, figures)
                   : Verdict{Outcome::no_control, fmt::format("No control: {}.", why_no_control(flight))};

@@ -89,7 +89,7 @@
       ctx.stroke();
     }
     ctx.globalAlpha = 1;
-    if (plot.limits) drawLimits(chart);
+    if (plot.limits && data.limits) drawLimits(chart);
     ctx.restore();
   }
 
@@ -123,7 +123,7 @@
   // Room around the lines; a plot with limits always shows the plan limit and a strip beyond it.
   const heightRange = (plot) => (chart, low, high) => {
     if (low == null || high == null) [low, high] = [-1, 1];
-    if (plot.limits) {
+    if (plot.limits && data.limits) {
       const shown = data.limits.plan * 1.35;
       [low, high] = [Math.min(low, -shown), Math.max(high, shown)];
     }

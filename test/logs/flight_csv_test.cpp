@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+#include "logs/flight_csv.hpp"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "logs/refused.hpp"
+#include "report/csv.hpp"
+#include "report/figures.hpp"
+#include "report/html.hpp"
+#include "report/numbers.hpp"
+#include "report/verdict.hpp"
+
+namespace fantail::logs {
+namespace {
+
+using sim::InputFault;
+using test::expect_refused;
+
+report::Flight read(const std::string& text) { return read_flight_csv(Table::parse(text, "log.csv")); }
+
+TEST(FlightCsv, ColumnsBecomeRowsInRadiansAndPhasesTheEvents) {
+  const report::Flight flight = read(
+      "time_s,phase,roll_angle_deg,command_2_deg,true_roll_angle_deg\n"
+      "-0.1,armed,1,2,3\n0,launched,180,,90\n0.5,controlling,0,4,0\n9,finished,0,0,0\n");
+  ASSERT_EQ(flight.rows.size(), 4U);
+  EXPECT_NEAR(flight.rows[1].roll_angle_rad, 3.14159265358979, 1e-12);
+  EXPECT_NEAR(flight.rows[1].truth.value().roll_angle_rad, 1.570796326794897, 1e-12);
+  EXPECT_FALSE(flight.rows[1].commands_rad[1]);
+  EXPECT_NEAR(flight.rows[2].commands_rad[1].value(), report::radians(4.0), 1e-12);
+  EXPECT_EQ(flight.events.detected_s, 0.0);
+  EXPECT_EQ(flight.events.control_start_s, 0.5);
+  EXPECT_EQ(flight.events.control_end_s, 9.0);
+  ASSERT_EQ(flight.phase_changes.size(), 4U);
+  EXPECT_FALSE(flight.phase_changes[1].reason);
+}
+
+TEST(FlightCsv, WhatTheTableDoesNotHaveIsNotKnown) {
+  const report::Flight flight = read("time_s,roll_angle_deg\n0,1\n1,2\n");
+  EXPECT_FALSE(flight.known.plan);
+  EXPECT_FALSE(flight.known.phase);
+  EXPECT_FALSE(flight.known.saturation);
+  EXPECT_TRUE(std::isnan(flight.rows[0].speed_m_s));
+  EXPECT_FALSE(flight.rows[0].truth);
+  EXPECT_TRUE(flight.phase_changes.empty());
+  const report::Figures figures = report::figures(flight);
+  EXPECT_FALSE(figures.max_speed_m_s);
+  EXPECT_FALSE(figures.saturated_fraction);
+}
+
+TEST(FlightCsv, APageOfIsMadeWithoutInventingAnything) {
+  const report::Flight flight = read("time_s,roll_angle_deg\n0,1\n1,2\n");
+  const report::Figures figures = report::figures(flight);
+  const report::Verdict verdict = report::verdict(flight, figures);
+  EXPECT_EQ(verdict.outcome, report::Outcome::not_judged);
+  const std::string page = report::html(flight, figures, verdict);
+  for (const char* invented : {"Safe", "Final phase", "Saturated", "Top speed", "not a number", "seed"}) {
+    EXPECT_EQ(page.substr(0, page.find("<script")).find(invented), std::string::npos) << invented;
+  }
+  EXPECT_NE(page.find("\"id\":\"roll-angle\""), std::string::npos);
+  EXPECT_EQ(page.find("\"id\":\"speed\""), std::string::npos);
+}
+
+TEST(FlightCsv, OfATableWithPhasesTheTimeUnderControlIsMeasured) {
+  const report::Flight flight = read(
+      "time_s,phase,roll_angle_deg,saturated\n0,armed,0,0\n1,controlling,0,1\n2,controlling,720,0\n3,finished,0,0\n");
+  const report::Figures figures = report::figures(flight);
+  EXPECT_NEAR(figures.control_time_s.value(), 1.0, 1e-12);
+  EXPECT_NEAR(figures.roll_turns.value(), 2.0, 1e-12);
+  EXPECT_NEAR(figures.saturated_fraction.value(), 0.5, 1e-12);
+  EXPECT_NE(report::verdict(flight, figures).text.find("the plan, and with it where roll should settle, is unknown"),
+            std::string::npos);
+}
+
+TEST(FlightCsv, ATableWithoutAFlightIsRefusedWithItsPlace) {
+  expect_refused(InputFault::bad_data, {"log.csv", "time_s"}, [] { (void)read("t,roll_angle_deg\n0,1\n"); });
+  expect_refused(InputFault::bad_data, {"log.csv: none of its columns", "roll_rate_deg_s"},
+                 [] { (void)read("time_s,a,b\n0,1,2\n"); });
+  expect_refused(InputFault::bad_data, {"log.csv:3: time_s \"0\" after 0; allowed: numbers that increase"},
+                 [] { (void)read("time_s,speed_m_s\n0,1\n0,1\n"); });
+  expect_refused(InputFault::bad_data, {"log.csv:2: phase \"gliding\"; allowed: safe, armed"},
+                 [] { (void)read("time_s,phase,speed_m_s\n0,gliding,1\n"); });
+  expect_refused(InputFault::bad_data, {"log.csv: no row behind the header"}, [] { (void)read("time_s,speed_m_s\n"); });
+}
+
+TEST(FlightCsv, AFlightThatWasWrittenComesBack) {
+  const std::string text =
+      "time_s,phase,roll_angle_deg,roll_rate_deg_s,reference_deg,excitation_deg,command_deg,saturated,command_1_deg,"
+      "command_2_deg,command_3_deg,command_4_deg,encoder_1_deg,encoder_2_deg,encoder_3_deg,encoder_4_deg,canard_deg,"
+      "specific_force_m_s2,height_m,speed_m_s\n"
+      "-0.001000,armed,0.100000,2.000000,0.000000,0.000000,0.000000,0,1.000000,,3.000000,4.000000,5.000000,6.000000,,"
+      "8.000000,,9.806650,1.000000,2.000000\n"
+      "0.000000,launched,0.100000,2.000000,0.000000,0.000000,0.000000,1,1.000000,,3.000000,4.000000,5.000000,6.000000,,"
+      "8.000000,7.000000,9.806650,1.000000,2.000000\n";
+  EXPECT_EQ(report::csv(read(text)), text);
+}
+
+}  // namespace
+}  // namespace fantail::logs

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+#include "logs/flight_file.hpp"
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "flight_log/made_flight.hpp"
+#include "logs/refused.hpp"
+#include "logs/roll_log.hpp"
+#include "system/folder.hpp"
+
+namespace fantail::logs {
+namespace {
+
+using flight_log::MadeFlight;
+using sim::InputFault;
+using test::expect_refused;
+
+std::string text(const std::vector<std::byte>& bytes) {
+  std::string result(bytes.size(), '\0');
+  std::ranges::transform(bytes, result.begin(), [](std::byte b) { return static_cast<char>(b); });
+  return result;
+}
+
+class FlightFile : public testing::Test {
+ protected:
+  [[nodiscard]] std::string log_with_damage() const {
+    // A hundred records from the middle of the first second.
+    std::vector<std::byte> bytes = made_.bytes;
+    const auto begin = static_cast<std::ptrdiff_t>(made_.frame_ends[200]);
+    std::fill(bytes.begin() + begin, bytes.begin() + static_cast<std::ptrdiff_t>(made_.frame_ends[300]), std::byte{0});
+    return text(bytes);
+  }
+
+  const MadeFlight made_ = flight_log::make_flight();
+  const test::Folder folder_;
+};
+
+TEST_F(FlightFile, AFlightLogGivesTheRollMotionOfItsReplay) {
+  const RollLog log = read_roll_log(folder_.write("flown.ftl", text(made_.bytes)), {}, {});
+  ASSERT_EQ(log.time_s.size(), made_.records.size());
+  EXPECT_TRUE(log.warnings.empty());
+  for (std::size_t i = 0; i < log.time_s.size(); ++i) {
+    const core::TickRecord& record = made_.records[i];
+    // Six decimals of a degree.
+    ASSERT_NEAR(log.roll_angle_rad[i], static_cast<double>(record.motion.roll_angle.radians()), 1e-8);
+    ASSERT_NEAR(log.roll_rate_rad_s[i], static_cast<double>(record.motion.roll_rate_rad_s), 1e-8);
+    ASSERT_EQ(log.phase[i], record.phase);
+    ASSERT_NEAR(log.time_s[i] - log.time_s[0],
+                1e-6 * static_cast<double>((record.time - made_.records[0].time).count()), 1e-9);
+  }
+}
+
+TEST_F(FlightFile, OfAFolderTheTableIsTakenAndWithoutOneTheLog) {
+  folder_.write("only/flight.ftl", text(made_.bytes));
+  EXPECT_EQ(read_roll_log(folder_.path() / "only", {}, {}).time_s.size(), made_.records.size());
+  folder_.write("both/flight.ftl", text(made_.bytes));
+  folder_.write("both/flight.csv", "time_s,roll_angle_deg,roll_rate_deg_s\n0,0,0\n1,0,0\n");
+  EXPECT_EQ(read_roll_log(folder_.path() / "both", {}, {}).time_s.size(), 2U);
+}
+
+TEST_F(FlightFile, WhatIsLostIsAGapInTimeAndAWarning) {
+  const RollLog log = read_roll_log(folder_.write("torn.ftl", log_with_damage()), {}, {});
+  double longest_s = 0.0;
+  for (std::size_t i = 1; i < log.time_s.size(); ++i) {
+    longest_s = std::max(longest_s, log.time_s[i] - log.time_s[i - 1]);
+  }
+  EXPECT_GT(longest_s, 0.09);  // and on to the next state to replay from
+  EXPECT_LT(log.time_s.size(), made_.records.size() - 90);
+  ASSERT_FALSE(log.warnings.empty());
+  EXPECT_NE(log.warnings[0].find("100 records lost in 1 gap"), std::string::npos) << log.warnings[0];
+}
+
+TEST_F(FlightFile, WhatOnlyATableCanBeAskedIsRefusedOfALog) {
+  const auto path = folder_.write("flown.ftl", text(made_.bytes));
+  expect_refused(InputFault::bad_configuration, {"flown.ftl: --truth", "holds no truth"},
+                 [&] { (void)read_roll_log(path, {.truth = true}, {}); });
+  expect_refused(InputFault::bad_configuration, {"flown.ftl: --units"},
+                 [&] { (void)read_roll_log(path, {.angles = AngleUnit::radians}, {}); });
+  expect_refused(InputFault::bad_configuration, {"flown.ftl: --column"},
+                 [&] { (void)read_roll_log(path, {.columns = {{"roll_angle_deg", "phi"}}}, {}); });
+}
+
+TEST_F(FlightFile, OfSeveralFlightsNoneIsTakenAtRandom) {
+  flight_log::MadeFlightOptions second;
+  second.flight = 2;
+  const auto path = folder_.write("two.ftl", text(made_.bytes) + text(flight_log::make_flight(second).bytes));
+  expect_refused(InputFault::bad_data, {"two.ftl: holds 2 flights", "fantail log export", "--flight"},
+                 [&] { (void)read_flight(path); });
+}
+
+TEST_F(FlightFile, AFlightThatCannotBeReplayedSaysWhy) {
+  // Without its header nobody knows the plan: from the first record on to the last but one thousand.
+  const std::string bytes = text(made_.bytes);
+  const auto path = folder_.write("tail.ftl", bytes.substr(made_.frame_ends[made_.frame_ends.size() - 100]));
+  expect_refused(InputFault::bad_data, {"tail.ftl: the flight cannot be replayed"}, [&] { (void)read_flight(path); });
+}
+
+TEST_F(FlightFile, OfAFolderRowsComeFromTheTableReasonsFromTheSummaryAndThePlanFromTheLog) {
+  folder_.write("flown/flight.ftl", text(made_.bytes));
+  folder_.write("flown/flight.csv",
+                "time_s,phase,roll_angle_deg,true_roll_angle_deg\n0,armed,1,2\n1,launched,1,2\n2,controlling,3,4\n");
+  folder_.write("flown/summary.json",
+                R"({"scenario":"s","vehicle":"v","plan":"p","seed":5,"version":"1","events":{"apogee_s":1.5},)"
+                R"("phase_changes":[{"time_s":1,"phase":"launched","reason":"launch_detected"}],)"
+                R"("canard_verdicts":[{"time_s":1.5,"canard":4,"verdict":"dead"}],)"
+                R"("imposed_roll":{"time_s":1,"angle_deg":180,"rate_deg_s":0},"notes":["A note."]})");
+  const report::Flight flight = read_flight(folder_.path() / "flown");
+  EXPECT_EQ(flight.rows.size(), 3U);
+  EXPECT_TRUE(flight.rows[0].truth);
+  EXPECT_TRUE(flight.known.plan);
+  EXPECT_EQ(flight.plan.controller.canard_limit, made_.plan.controller.canard_limit);
+  EXPECT_EQ(flight.seed, 5U);
+  EXPECT_EQ(flight.events.apogee_s, 1.5);
+  EXPECT_EQ(flight.events.control_start_s, 2.0);
+  ASSERT_EQ(flight.phase_changes.size(), 1U);
+  EXPECT_EQ(flight.phase_changes[0].reason, core::PhaseReason::launch_detected);
+  ASSERT_EQ(flight.canard_verdict_changes.size(), 1U);
+  EXPECT_EQ(flight.canard_verdict_changes[0].canard, 3U);
+  EXPECT_NEAR(flight.imposed_roll.value().angle_rad, 3.14159265358979, 1e-12);
+  EXPECT_EQ(flight.notes, std::vector<std::string>{"A note."});
+}
+
+TEST_F(FlightFile, ASummaryThatIsNoneIsRefused) {
+  folder_.write("flown/flight.csv", "time_s,roll_angle_deg\n0,1\n");
+  folder_.write("flown/summary.json", "[1, 2");
+  expect_refused(InputFault::bad_data, {"summary.json: not the JSON of a flight's summary"},
+                 [&] { (void)read_flight(folder_.path() / "flown"); });
+}
+
+}  // namespace
+}  // namespace fantail::logs

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "fantail/compare_results.hpp"
+#include "fantail/interrupt.hpp"
+#include "fantail/log_file.hpp"
+#include "fantail/overlay_page.hpp"
+#include "fantail/verbs.hpp"
+#include "logs/compare.hpp"
+#include "logs/flight_file.hpp"
+#include "logs/roll_log.hpp"
+#include "report/output_folder.hpp"
+#include "report/results.hpp"
+
+namespace fantail::tool {
+namespace {
+
+struct ReportOptions {
+  std::string a;
+  std::string b;
+  std::string out;
+  std::optional<double> from_s;
+  std::optional<double> to_s;
+  std::string align = "none";
+  std::optional<double> shift_s;
+  bool remove_offset = false;
+  bool json = false;
+};
+
+std::string objection_to_folder(const std::string& text) { return text.empty() ? "the name of a folder is empty" : ""; }
+
+std::string objection_to_time(const std::string& text) {
+  double value = 0.0;
+  return CLI::detail::lexical_cast(text, value) && std::isfinite(value) ? ""
+                                                                        : '"' + text + "\" is not a number of seconds";
+}
+
+void report_one(const ReportOptions& options) {
+  const report::Flight flight = logs::read_flight(options.a);
+  give_up_if_interrupted();
+  const report::Results results = report::results(flight);
+  const std::filesystem::path folder =
+      options.out.empty() ? std::filesystem::path{"out"} / "report" / name_of_log(options.a) : options.out;
+  report::write_results(flight, results, folder);
+  if (options.json) {
+    fmt::print("{}", results.summary);
+    return;
+  }
+  fmt::print("{}\n{}\n", flight.scenario, results.verdict.text);
+  for (const std::string& note : flight.notes) {
+    fmt::print("  {}\n", note);
+  }
+  fmt::print("\n  report  {}\n  data    {}\n", (folder / "report.html").string(), (folder / "flight.csv").string());
+}
+
+void report_two(const ReportOptions& options) {
+  const logs::RollLog a = logs::read_roll_log(options.a, {}, {});
+  const logs::RollLog b = logs::read_roll_log(options.b, {}, {});
+  give_up_if_interrupted();
+  CompareResults results{.a = options.a, .b = options.b, .shift_found = options.align == "angle"};
+  logs::CompareOptions question{.from_s = options.from_s, .to_s = options.to_s};
+  question.shift_s = options.shift_s.value_or(0.0);
+  question.find_shift = results.shift_found;
+  question.remove_offset = options.remove_offset;
+  results.comparison = logs::compare(a, b, question);
+  for (const auto& [name, log] : {std::pair{"A", &a}, std::pair{"B", &b}}) {
+    for (const std::string& warning : log->warnings) {
+      results.warnings.push_back(fmt::format("{}: {}", name, warning));
+    }
+  }
+  results.warnings.insert(results.warnings.end(), results.comparison.warnings.begin(),
+                          results.comparison.warnings.end());
+  give_up_if_interrupted();
+  const std::filesystem::path folder =
+      options.out.empty()
+          ? std::filesystem::path{"out"} / "report" / (name_of_log(options.a) + "_and_" + name_of_log(options.b))
+          : options.out;
+  report::OutputFolder{folder}.write(
+      std::array<report::NamedFile, 3>{{{"report.html", overlay_html(results, a, b)},
+                                        {"compare.json", compare_json(results)},
+                                        {"differences.csv", compare_csv(results.comparison)}}});
+  if (options.json) {
+    fmt::print("{}", compare_json(results));
+  } else {
+    fmt::print("{}\n  report  {}\n  data    {}\n", compare_text(results), (folder / "report.html").string(),
+               (folder / "differences.csv").string());
+  }
+}
+
+}  // namespace
+
+void add_report(CLI::App& program) {
+  auto* verb = program.add_subcommand("report", "A page on a flight that was logged, or on two beside each other");
+  auto options = std::make_shared<ReportOptions>();
+  constexpr const char* what = "a flight log (.ftl), a CSV with columns of flight.csv, or a flight folder";
+  verb->add_option("A", options->a, fmt::format("The flight: {}", what))->required();
+  auto* b = verb->add_option("B", options->b, "A second flight to lay over it, likewise");
+  verb->add_option("--out", options->out,
+                   "Folder for report.html and the data behind it [out/report/A or out/report/A_and_B]")
+      ->check(objection_to_folder);
+  verb->add_option("--from", options->from_s, "Of two flights: begin on A's clock, s")
+      ->check(objection_to_time)
+      ->needs(b);
+  verb->add_option("--to", options->to_s, "Of two flights: end on A's clock, s")->check(objection_to_time)->needs(b);
+  auto* align = verb->add_option("--align", options->align,
+                                 "none: the clocks as they are. angle: the shift of up to 2 s at which the rolls agree "
+                                 "best, judged by their rates")
+                    ->check(CLI::IsMember({"none", "angle"}))
+                    ->type_name("none|angle")
+                    ->capture_default_str()
+                    ->needs(b);
+  verb->add_option("--shift", options->shift_s, "What B's clock shows at A's zero, s")
+      ->check(objection_to_time)
+      ->excludes(align)
+      ->needs(b);
+  verb->add_flag("--remove-offset", options->remove_offset,
+                 "Roll angles count from different zeros: let both begin at A's")
+      ->needs(b);
+  verb->add_flag("--json", options->json, "Print summary.json, of two flights compare.json, instead of the text");
+  verb->footer(
+      "Examples:\n"
+      "  fantail report flown.ftl                             what the board has recorded, as fly shows its flights\n"
+      "  fantail report flown.ftl out/tasha3_launch2 --align angle --from 0 --to 12\n"
+      "                                                       flown and simulated, one over the other\n"
+      "  fantail report old_logger.csv --out /tmp/page --json a table from elsewhere, for a script\n"
+      "\n"
+      "Figures of how far two flights are apart, with limits for a script: fantail compare.");
+  verb->callback([options] { options->b.empty() ? report_one(*options) : report_two(*options); });
+}
+
+}  // namespace fantail::tool

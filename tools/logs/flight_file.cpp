@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+#include "logs/flight_file.hpp"
+
+#include <fmt/format.h>
+
+#include "flight_log/integrity.hpp"
+#include "flight_log/to_report.hpp"
+#include "logs/flight_csv.hpp"
+#include "logs/summary.hpp"
+#include "sim/input_error.hpp"
+
+namespace fantail::logs {
+namespace {
+
+using sim::InputError;
+using sim::InputFault;
+
+bool is_there(const std::filesystem::path& path) {
+  std::error_code ignored;
+  return std::filesystem::exists(path, ignored);
+}
+
+// The log beside a table knows the plan; a run in the tunnel shows in it too.
+void add_plan(report::Flight& flight, const std::filesystem::path& log) {
+  const flight_log::LogFile file = flight_log::read_log_file(log);
+  if (file.flights.size() == 1 && file.flights.front().plan) {
+    flight.plan = *file.flights.front().plan;
+    flight.known.plan = true;
+    flight.tunnel = flight.plan.run.start == core::Start::tunnel;
+  }
+}
+
+report::Flight read_folder(const std::filesystem::path& folder) {
+  const std::filesystem::path table = folder / "flight.csv";
+  const std::filesystem::path log = folder / "flight.ftl";
+  if (!is_there(table)) {
+    if (!is_there(log)) {
+      throw InputError{InputFault::no_such_input, folder.string() + ": this folder holds no flight.csv or flight.ftl"};
+    }
+    return read_flight_log(log);
+  }
+  report::Flight flight = read_flight_csv(Table::load(table.string()));
+  add_summary(flight, folder / "summary.json");
+  if (is_there(log)) {
+    add_plan(flight, log);
+  }
+  return flight;
+}
+
+}  // namespace
+
+bool is_flight_log(const std::filesystem::path& path) { return path.extension() == ".ftl"; }
+
+report::Flight read_flight_log(const std::filesystem::path& file) {
+  const flight_log::LogFile log = flight_log::read_log_file(file);
+  const auto refuse = [&file](const std::string& complaint) {
+    throw InputError{InputFault::bad_data, file.string() + ": " + complaint};
+  };
+  if (log.flights.size() > 1) {
+    refuse(fmt::format("holds {} flights; take one out: fantail log export {} --to csv --flight 1 to {}",
+                       log.flights.size(), file.string(), log.flights.size()));
+  }
+  const flight_log::Flight& flight = log.flights.front();
+  if (!flight.plan) {
+    refuse("the flight cannot be replayed: " +
+           (flight.plan_fault.empty() ? std::string{"its plan is not there"} : flight.plan_fault));
+  }
+  const flight_log::Regeneration replay = flight_log::regenerate(flight, *flight.plan);
+  if (replay.compared == 0) {
+    refuse("the flight cannot be replayed. " + replay.obstacle);
+  }
+  report::Flight result = flight_log::to_report(flight, replay);
+  if (const std::string foreign = flight_log::foreign_words(log); !foreign.empty()) {
+    result.notes.push_back("Of the log, " + foreign + ".");
+  }
+  return result;
+}
+
+report::Flight read_flight(const std::filesystem::path& path) {
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored)) {
+    return read_folder(path);
+  }
+  report::Flight flight = is_flight_log(path) ? read_flight_log(path) : read_flight_csv(Table::load(path.string()));
+  if (flight.scenario.empty()) {
+    flight.scenario = path.filename().string();
+  }
+  return flight;
+}
+
+}  // namespace fantail::logs

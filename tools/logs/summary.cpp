@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+#include "logs/summary.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <optional>
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "report/numbers.hpp"
+#include "sim/input_error.hpp"
+
+namespace fantail::logs {
+namespace {
+
+using Json = nlohmann::json;
+
+// The member of an object, or null.
+Json member(const Json& object, const char* name) {
+  const auto found = object.is_object() ? object.find(name) : object.end();
+  return found != object.end() ? *found : Json{};
+}
+
+std::string text(const Json& object, const char* name) {
+  const Json value = member(object, name);
+  return value.is_string() ? value.get<std::string>() : std::string{};
+}
+
+std::optional<double> number(const Json& object, const char* name) {
+  const Json value = member(object, name);
+  return value.is_number() ? std::optional{value.get<double>()} : std::nullopt;
+}
+
+// The value of an enumeration that has this name.
+template <typename Enum>
+std::optional<Enum> named(const std::string& word, std::size_t count) {
+  for (std::size_t i = 0; i < count; ++i) {
+    if (core::name(static_cast<Enum>(i)) == word) {
+      return static_cast<Enum>(i);
+    }
+  }
+  return {};
+}
+
+void read_events(report::Events& events, const Json& json) {
+  const auto read = [&json](std::optional<double>& event, const char* name) {
+    if (const auto value = number(json, name)) {
+      event = value;
+    }
+  };
+  read(events.liftoff_s, "liftoff_s");
+  read(events.detected_s, "detected_s");
+  read(events.guide_clear_s, "guide_clear_s");
+  read(events.control_start_s, "control_start_s");
+  read(events.burnout_s, "burnout_s");
+  read(events.control_end_s, "control_end_s");
+  read(events.apogee_s, "apogee_s");
+}
+
+void read_phase_changes(report::Flight& flight, const Json& list) {
+  if (!list.is_array()) {
+    return;
+  }
+  flight.phase_changes.clear();
+  for (const Json& change : list) {
+    const auto phase = named<core::Phase>(text(change, "phase"), core::phases);
+    const auto time_s = number(change, "time_s");
+    if (phase && time_s) {
+      flight.phase_changes.push_back(
+          {*time_s, *phase, named<core::PhaseReason>(text(change, "reason"), core::phase_reasons)});
+    }
+  }
+}
+
+void read_canard_verdicts(report::Flight& flight, const Json& list) {
+  for (const Json& change : list.is_array() ? list : Json::array()) {
+    const auto verdict = named<core::CanardVerdict>(text(change, "verdict"), core::canard_verdicts);
+    const auto canard = number(change, "canard");
+    const auto time_s = number(change, "time_s");
+    if (verdict && canard && time_s && *canard >= 1.0 && *canard <= core::canard_count) {
+      flight.canard_verdict_changes.push_back({*time_s, static_cast<std::size_t>(*canard) - 1, *verdict});
+    }
+  }
+}
+
+}  // namespace
+
+void add_summary(report::Flight& flight, const std::filesystem::path& file) {
+  std::ifstream stream{file};
+  if (!stream) {
+    return;
+  }
+  const Json summary = Json::parse(stream, nullptr, false);
+  if (!summary.is_object()) {
+    throw sim::InputError{sim::InputFault::bad_data, file.string() + ": not the JSON of a flight's summary"};
+  }
+  flight.scenario = text(summary, "scenario");
+  flight.vehicle = text(summary, "vehicle");
+  flight.plan_name = text(summary, "plan");
+  flight.version = text(summary, "version");
+  if (const Json seed = member(summary, "seed"); seed.is_number_unsigned()) {
+    flight.seed = seed.get<std::uint64_t>();
+  }
+  read_events(flight.events, member(summary, "events"));
+  read_phase_changes(flight, member(summary, "phase_changes"));
+  read_canard_verdicts(flight, member(summary, "canard_verdicts"));
+  const Json imposed = member(summary, "imposed_roll");
+  if (const auto time_s = number(imposed, "time_s")) {
+    flight.imposed_roll = {.time_s = *time_s,
+                           .angle_rad = report::radians(number(imposed, "angle_deg").value_or(0.0)),
+                           .rate_rad_s = report::radians(number(imposed, "rate_deg_s").value_or(0.0))};
+  }
+  for (const Json& note : member(summary, "notes")) {
+    if (note.is_string()) {
+      flight.notes.push_back(note.get<std::string>());
+    }
+  }
+}
+
+}  // namespace fantail::logs
