@@ -13,10 +13,6 @@
 
 namespace fantail::test {
 
-[[nodiscard]] inline bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
 [[nodiscard]] inline bool has_route() { return run("ip", {"route", "get", "239.255.76.67"}).exit_code == 0; }
 
 /// What the message for people without a route tells them to do, done.
