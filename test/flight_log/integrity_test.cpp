@@ -47,12 +47,12 @@ TEST(Integrity, WithoutAHeaderALogIsDamaged) {
   EXPECT_TRUE(says(integrity_words(flight), "1 record, none missing; no header"));
 }
 
-TEST(Integrity, TicksThatTheRecorderDroppedAreAddedUp) {
+TEST(Integrity, RecordsThatWereNeverWrittenAreAddedUp) {
   Flight flight;
   flight.events = {{.kind = protocol::LogEventKind::records_dropped, .number = 3},
                    {.kind = protocol::LogEventKind::recording_began, .number = 100},
                    {.kind = protocol::LogEventKind::records_dropped, .number = 4}};
-  EXPECT_EQ(dropped_ticks(flight), 7U);
+  EXPECT_EQ(dropped_records(flight), 7U);
 }
 
 TEST(Integrity, TheReplayIsSaidInWords) {

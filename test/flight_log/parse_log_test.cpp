@@ -232,6 +232,25 @@ TEST(ParseLog, BytesThatPretendToBeManyFlightsAreRefusedAfterTheThousandth) {
   EXPECT_EQ(file.records_left_out, 500U);
 }
 
+TEST(ParseLog, WhatTheRecorderLeftOutIsNoDamage) {
+  LogMaker log;
+  log.header(Microseconds{0}, some_header(), core::default_plan());
+  log.tick({.time = Microseconds{1'000}});
+  log.skip_to(log.sequence() + 5);
+  log.event({.time = Microseconds{7'000}, .kind = protocol::LogEventKind::records_dropped, .number = 4});
+  log.tick({.time = Microseconds{7'000}});
+  log.skip_to(log.sequence() + 3);
+  log.tick({.time = Microseconds{11'000}});
+  log.event({.time = Microseconds{11'000}, .kind = protocol::LogEventKind::records_dropped, .number = 3});
+  const LogFile file = parse_log(log.bytes(), "");
+  const auto& gaps = file.flights.at(0).gaps;
+  ASSERT_EQ(gaps.size(), 2U);
+  EXPECT_EQ(gaps[0].count, 5U);
+  EXPECT_EQ(gaps[0].dropped, 4U);
+  EXPECT_EQ(gaps[1].count, 3U);
+  EXPECT_EQ(gaps[1].dropped, 0U) << "what is said elsewhere is said of another gap";
+}
+
 TEST(ParseLog, NothingIsNoFlight) { EXPECT_TRUE(parse_log({}, "empty").flights.empty()); }
 
 }  // namespace

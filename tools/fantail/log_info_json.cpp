@@ -32,6 +32,7 @@ Json integrity(const FlightInfo& info) {
   for (const flight_log::Gap& gap : flight.gaps) {
     gaps.push_back({{"first_missing", gap.first_missing},
                     {"count", gap.count},
+                    {"dropped", gap.dropped},
                     {"from_s", info.seconds(gap.before)},
                     {"to_s", info.seconds(gap.after)}});
   }
@@ -42,7 +43,7 @@ Json integrity(const FlightInfo& info) {
           {"lost_records", flight_log::lost_records(flight)},
           {"gaps", gaps},
           {"has_end", flight_log::has_end(flight)},
-          {"dropped_ticks", flight_log::dropped_ticks(flight)}};
+          {"dropped_records", flight_log::dropped_records(flight)}};
 }
 
 Json replay(const FlightInfo& info) {

@@ -82,9 +82,6 @@ std::string log_info_text(const FlightInfo& info) {
   if (info.health) {
     text += line("health", health_words(*info.health));
   }
-  if (const auto dropped = flight_log::dropped_ticks(flight); dropped > 0) {
-    text += line("dropped", fmt::format("{} ticks found no room in the recorder's queue", dropped));
-  }
   return text + event_list(info);
 }
 

@@ -48,7 +48,8 @@ std::string words(const protocol::LogEvent& event) {
     case Kind::gyro_state: return sensor("gyro", event.value);
     case Kind::accelerometer_state: return sensor("accelerometer", event.value);
     case Kind::command_status: return std::string{words(static_cast<core::CommandStatus>(event.value))};
-    case Kind::records_dropped: return fmt::format("{} ticks found no room in the recorder's queue", event.number);
+    case Kind::records_dropped:
+      return fmt::format("{} records were not written, because the flash was too slow", event.number);
   }
   return "unknown";
 }

@@ -49,12 +49,7 @@ void FlightBuilder::add(const protocol::LogFrame& frame) {
     case LogRecord::header: add_header(frame); return;
     case LogRecord::checkpoint: add_checkpoint(frame); return;
     case LogRecord::tick: add_tick(frame); return;
-    case LogRecord::event:
-      if (const auto event = protocol::unpack_event(frame.head.time, frame.payload)) {
-        flight_.events.push_back(*event);
-        return;
-      }
-      break;
+    case LogRecord::event: add_event(frame); return;
     case LogRecord::health:
       if (const auto health = protocol::unpack_health(frame.head.time, frame.payload)) {
         flight_.health.push_back(*health);
@@ -71,7 +66,8 @@ void FlightBuilder::note_place(const protocol::LogFrameHead& head) {
     flight_.gaps.push_back({.first_missing = expected,
                             .count = head.sequence - expected,
                             .before = last_sequence_ ? flight_.last_time : head.time,
-                            .after = head.time});
+                            .after = head.time,
+                            .dropped = 0});
   }
   if (!last_sequence_) {
     flight_.first_time = head.time;
@@ -110,6 +106,21 @@ void FlightBuilder::add_header(const protocol::LogFrame& frame) {
   flight_.plan_fault = reading.plan ? "" : words(reading);
   schema_is_ours_ = header->schema == protocol::log_schema();
   add_waiting_ticks();
+}
+
+void FlightBuilder::add_event(const protocol::LogFrame& frame) {
+  const auto event = protocol::unpack_event(frame.head.time, frame.payload);
+  if (!event) {
+    flight_.unknown_records += 1;
+    return;
+  }
+  flight_.events.push_back(*event);
+  if (event->kind == protocol::LogEventKind::records_dropped && !flight_.gaps.empty()) {
+    Gap& gap = flight_.gaps.back();
+    if (gap.first_missing + gap.count == frame.head.sequence) {
+      gap.dropped = std::min(event->number, gap.count);
+    }
+  }
 }
 
 void FlightBuilder::add_checkpoint(const protocol::LogFrame& frame) {

@@ -26,8 +26,8 @@ class FlightBuilder {
   void note_place(const protocol::LogFrameHead& head);
   void add_header(const protocol::LogFrame& frame);
   void add_checkpoint(const protocol::LogFrame& frame);
+  void add_event(const protocol::LogFrame& frame);
   void add_tick(const protocol::LogFrame& frame);
-  void add_unknown(const protocol::LogFrame& frame);
   void add_waiting_ticks();
 
   Flight flight_;

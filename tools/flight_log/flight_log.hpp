@@ -41,6 +41,7 @@ struct Gap {
   std::uint32_t count = 0;
   core::Microseconds before{};  ///< time of the last record before it
   core::Microseconds after{};
+  std::uint32_t dropped = 0;  ///< of them, those that the recorder itself left out, as it says behind them
 };
 
 /// One flight, as far as its log could be read.

@@ -17,12 +17,12 @@ std::string counted(std::uint64_t number, std::string_view noun) {
 std::uint64_t lost_records(const Flight& flight) {
   std::uint64_t lost = 0;
   for (const Gap& gap : flight.gaps) {
-    lost += gap.count;
+    lost += gap.count - gap.dropped;
   }
   return lost;
 }
 
-std::uint64_t dropped_ticks(const Flight& flight) {
+std::uint64_t dropped_records(const Flight& flight) {
   std::uint64_t dropped = 0;
   for (const protocol::LogEvent& event : flight.events) {
     dropped += event.kind == protocol::LogEventKind::records_dropped ? event.number : 0;
@@ -35,7 +35,7 @@ bool has_end(const Flight& flight) {
                              [](const auto& e) { return e.kind == protocol::LogEventKind::recording_ended; });
 }
 
-bool intact(const Flight& flight) { return flight.gaps.empty() && flight.has_header; }
+bool intact(const Flight& flight) { return lost_records(flight) == 0 && flight.has_header; }
 
 bool intact(const LogFile& file) {
   return !file.flights.empty() && file.foreign_bytes == file.cut_off_bytes && file.records_left_out == 0 &&
@@ -44,15 +44,19 @@ bool intact(const LogFile& file) {
 
 std::string integrity_words(const Flight& flight) {
   std::string text;
-  if (!flight.gaps.empty()) {
-    text = fmt::format("damaged: {} lost in {}, {} left", counted(lost_records(flight), "record"),
-                       counted(flight.gaps.size(), "gap"), flight.records);
+  if (const std::uint64_t lost = lost_records(flight); lost > 0) {
+    const auto gaps = std::ranges::count_if(flight.gaps, [](const Gap& gap) { return gap.dropped < gap.count; });
+    text = fmt::format("damaged: {} lost in {}, {} left", counted(lost, "record"),
+                       counted(static_cast<std::uint64_t>(gaps), "gap"), flight.records);
   } else {
     text = fmt::format("{}: {}, none missing", flight.has_header ? "intact" : "damaged",
                        counted(flight.records, "record"));
   }
   if (!flight.has_header) {
     text += "; no header, and so neither plan nor scales";
+  }
+  if (const std::uint64_t dropped = dropped_records(flight); dropped > 0) {
+    text += fmt::format("; {} never written, because the flash was too slow", counted(dropped, "record"));
   }
   if (!has_end(flight)) {
     text += "; the recording has no end: it was cut off";

@@ -9,9 +9,10 @@
 
 namespace fantail::flight_log {
 
+/// Records that were written and are not there.
 [[nodiscard]] std::uint64_t lost_records(const Flight& flight);
-/// Ticks that found no room in the recorder's queue, as far as its events say.
-[[nodiscard]] std::uint64_t dropped_ticks(const Flight& flight);
+/// Records that were never written, because they found no room in the recorder's queue; as far as its events say.
+[[nodiscard]] std::uint64_t dropped_records(const Flight& flight);
 /// Did the recorder end the recording itself? A log without this end was cut off: by power lost on impact, mostly.
 [[nodiscard]] bool has_end(const Flight& flight);
 

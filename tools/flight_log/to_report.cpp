@@ -83,13 +83,13 @@ std::optional<core::Microseconds> lift_off(const Regeneration& regeneration) {
 
 void add_notes(report::Flight& result, const Flight& flight, const Regeneration& regeneration) {
   const auto note = [&result](std::string sentence) { result.notes.push_back(std::move(sentence)); };
-  if (!flight.gaps.empty() || !flight.has_header) {
+  if (!intact(flight)) {
     note(fmt::format("The log is {}.", integrity_words(flight)));
   } else if (!has_end(flight)) {
     note("The recording was cut off: it has no end.");
   }
-  if (const std::uint64_t dropped = dropped_ticks(flight); dropped > 0) {
-    note(fmt::format("The recorder dropped {} ticks that found no room in its queue.", dropped));
+  if (const std::uint64_t dropped = dropped_records(flight); dropped > 0) {
+    note(fmt::format("{} records were never written, because the flash was too slow.", dropped));
   }
   if (!regeneration.obstacle.empty()) {
     note("The flight could not be replayed. " + regeneration.obstacle);
