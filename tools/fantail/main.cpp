@@ -62,6 +62,7 @@ ExitCode run(int argc, char** argv) {
   fantail::tool::add_paper(program);
   fantail::tool::add_plan(program);
   fantail::tool::add_log(program);
+  fantail::tool::add_replay(program);
   fantail::tool::add_node(program);
   fantail::tool::add_bench(program);
   fantail::tool::add_compare(program);

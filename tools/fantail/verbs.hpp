@@ -12,6 +12,7 @@ void add_identify(CLI::App& program);
 void add_paper(CLI::App& program);
 void add_plan(CLI::App& program);
 void add_log(CLI::App& program);
+void add_replay(CLI::App& program);
 void add_node(CLI::App& program);
 void add_bench(CLI::App& program);
 void add_compare(CLI::App& program);

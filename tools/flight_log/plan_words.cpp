@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "flight_log/plan_words.hpp"
 
+#include <utility>
+#include <vector>
+
 #include <fmt/format.h>
 
 #include "sim/input_error.hpp"
@@ -10,13 +13,19 @@
 namespace fantail::flight_log {
 namespace {
 
-bool has_checksum(const std::string& shipped, std::uint32_t checksum) {
-  try {
-    const auto file = sim::find_input(sim::Shipped::plan, shipped);
-    return protocol::plan_crc(sim::read_plan(sim::Document::load(file))) == checksum;
-  } catch (const sim::InputError&) {
-    return false;  // somebody is at work on that file; it is not what was asked for
+using NamedChecksum = std::pair<std::string, std::uint32_t>;
+
+std::vector<NamedChecksum> shipped_plans() {
+  std::vector<NamedChecksum> plans;
+  for (const std::string& name : sim::shipped_names(sim::Shipped::plan)) {
+    try {
+      const auto file = sim::find_input(sim::Shipped::plan, name);
+      plans.emplace_back(name, protocol::plan_crc(sim::read_plan(sim::Document::load(file))));
+    } catch (const sim::InputError&) {
+      continue;  // somebody is at work on that file; it is not what was asked for
+    }
   }
+  return plans;
 }
 
 }  // namespace
@@ -43,8 +52,9 @@ std::string plan_name(const Flight& flight) {
     return {};
   }
   const std::uint32_t checksum = protocol::plan_block_crc(flight.plan_block);
-  for (const std::string& name : sim::shipped_names(sim::Shipped::plan)) {
-    if (has_checksum(name, checksum)) {
+  static const std::vector<NamedChecksum> shipped = shipped_plans();
+  for (const auto& [name, its_checksum] : shipped) {
+    if (its_checksum == checksum) {
       return name;
     }
   }

@@ -4,9 +4,8 @@
 #include <array>
 #include <cstdint>
 
-#include <sys/types.h>  // sha256.h needs it and does not say so
-
 #include <sha256.h>
+#include <sys/types.h>  // sha256.h needs it and does not say so
 
 namespace fantail::report {
 

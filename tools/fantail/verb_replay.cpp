@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: MIT
+#include <array>
+#include <chrono>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "fantail/interrupt.hpp"
+#include "fantail/log_file.hpp"
+#include "fantail/requirement.hpp"
+#include "fantail/verbs.hpp"
+#include "fantail/what_if.hpp"
+#include "flight_log/integrity.hpp"
+#include "flight_log/regenerate.hpp"
+#include "report/numbers.hpp"
+#include "report/output_folder.hpp"
+#include "sim/changed_plan.hpp"
+#include "sim/input_error.hpp"
+
+namespace fantail::tool {
+namespace {
+
+struct ReplayOptions {
+  std::string log;
+  std::vector<std::string> changes;
+  std::optional<std::size_t> flight;
+  std::string out;
+  bool json = false;
+};
+
+std::string objection_to_folder(const std::string& text) { return text.empty() ? "the name of a folder is empty" : ""; }
+
+struct Replayed {
+  flight_log::Regeneration result;
+  double ticks_per_s = 0.0;
+};
+
+Replayed replay(const flight_log::Flight& flight, const core::FlightPlan& plan) {
+  using Clock = std::chrono::steady_clock;
+  const auto begin = Clock::now();
+  flight_log::Regeneration result = flight_log::regenerate(flight, plan);
+  const std::chrono::duration<double> took = Clock::now() - begin;
+  const double rate = took.count() > 0.0 ? static_cast<double>(result.compared) / took.count() : 0.0;
+  return {.result = std::move(result), .ticks_per_s = rate};
+}
+
+[[noreturn]] void refuse(const ReplayOptions& options, const std::string& why) {
+  throw sim::InputError{sim::InputFault::bad_data, fmt::format("{}: cannot be replayed. {}", options.log, why)};
+}
+
+nlohmann::ordered_json to_json(const ReplayOptions& options, const flight_log::Flight& flight,
+                               const Replayed& replayed) {
+  const flight_log::Regeneration& r = replayed.result;
+  nlohmann::ordered_json json{{"log", options.log},
+                              {"equal", r.differing == 0},
+                              {"ticks", flight.ticks.size()},
+                              {"compared", r.compared},
+                              {"unreachable", r.unreachable},
+                              {"differing", r.differing},
+                              {"ticks_per_s", replayed.ticks_per_s},
+                              {"first_difference", nullptr}};
+  if (const auto& difference = r.first_difference) {
+    json["first_difference"] = {
+        {"tick", difference->tick},
+        {"power_up_time_s", 1e-6 * static_cast<double>(flight.ticks[difference->tick].tick.time.count())},
+        {"field", difference->field},
+        {"recorded", difference->recorded},
+        {"replayed", difference->replayed}};
+  }
+  return json;
+}
+
+void verify(const ReplayOptions& options, const flight_log::Flight& flight, const Replayed& replayed) {
+  if (options.json) {
+    fmt::print("{}\n", to_json(options, flight, replayed).dump(2));
+  } else {
+    fmt::print("{}: {}\n  {:.0f} ticks a second, {:.0f} times as fast as the flight\n", options.log,
+               flight_log::replay_words(flight, replayed.result), replayed.ticks_per_s, replayed.ticks_per_s / 1000.0);
+  }
+  if (replayed.result.differing > 0) {
+    throw RequirementNotMet{""};
+  }
+}
+
+std::filesystem::path folder_of(const ReplayOptions& options) {
+  return options.out.empty() ? std::filesystem::path{"out"} / "replay" / name_of_log(options.log)
+                             : std::filesystem::path{options.out};
+}
+
+void show_what_if(const ReplayOptions& options, const flight_log::Flight& flight, const Replayed& flown) {
+  std::vector<sim::Override> changes;
+  for (const std::string& text : options.changes) {
+    changes.push_back(sim::parse_override(text));
+  }
+  const core::FlightPlan plan = sim::changed_plan(*flight.plan, changes);
+  WhatIf result = what_if(flight, flown.result, flight_log::regenerate(flight, plan));
+  result.log = options.log;
+  result.changes = options.changes;
+  give_up_if_interrupted();
+  const std::filesystem::path folder = folder_of(options);
+  const std::array<report::NamedFile, 2> files{
+      {{"what_if.html", what_if_html(result)}, {"what_if.csv", what_if_csv(result)}}};
+  report::OutputFolder{folder}.write(files);
+  if (options.json) {
+    nlohmann::ordered_json json{{"log", options.log},
+                                {"open_loop", true},
+                                {"changes", options.changes},
+                                {"ticks", result.time_s.size()},
+                                {"differing", result.differing},
+                                {"first_difference_s", nullptr},
+                                {"largest_difference_deg", report::degrees(result.largest_difference_rad)},
+                                {"largest_difference_s", result.largest_difference_s},
+                                {"flown_saturated_fraction", result.flown_saturated},
+                                {"what_if_saturated_fraction", result.what_if_saturated}};
+    if (result.first_difference_s) {
+      json["first_difference_s"] = *result.first_difference_s;
+    }
+    fmt::print("{}\n", json.dump(2));
+    return;
+  }
+  fmt::print("{}\n  page  {}\n  data  {}\n", what_if_text(result), (folder / "what_if.html").string(),
+             (folder / "what_if.csv").string());
+}
+
+void run(const ReplayOptions& options) {
+  const flight_log::Flight flight = take_flight(flight_log::read_log_file(options.log), options.flight);
+  if (!flight.plan) {
+    refuse(options, flight.has_header ? "Its flight plan cannot be used: " + flight.plan_fault + "."
+                                      : "None of its headers is left, and so no flight plan.");
+  }
+  const Replayed flown = replay(flight, *flight.plan);
+  if (!flown.result.obstacle.empty()) {
+    refuse(options, flown.result.obstacle);
+  }
+  give_up_if_interrupted();
+  if (options.changes.empty()) {
+    verify(options, flight, flown);
+  } else {
+    show_what_if(options, flight, flown);
+  }
+}
+
+}  // namespace
+
+void add_replay(CLI::App& program) {
+  auto* verb = program.add_subcommand("replay", "Run a recorded flight's inputs through the flight law again");
+  auto options = std::make_shared<ReplayOptions>();
+  verb->add_option("LOG", options->log, "A flight log (.ftl), or a folder with a flight.ftl")->required();
+  verb->add_option("--set", options->changes,
+                   "section.key=value: change one value of the plan and see which commands it would have given, in "
+                   "open loop; repeatable")
+      ->allow_extra_args(false);
+  verb->add_option("--flight", options->flight, "Of several flights in one file, counted from 1");
+  verb->add_option("--out", options->out, "With --set: folder for what_if.html and what_if.csv [out/replay/NAME]")
+      ->check(objection_to_folder);
+  verb->add_flag("--json", options->json, "Print one JSON object");
+  verb->footer(
+      "Exit code 0: every output byte of every tick that could be replayed is as recorded; 1: one differs.\n"
+      "Examples:\n"
+      "  fantail replay out/tasha3_launch2    does this program fly that flight as it was flown?\n"
+      "  fantail replay flown.ftl --set controller.canard_limit_deg=9\n"
+      "                                       what would the law have asked for with a wider limit?\n"
+      "  fantail replay flash.ftl --flight 2 --json\n"
+      "                                       one of several flights, for a script");
+  verb->callback([options] { run(*options); });
+}
+
+}  // namespace fantail::tool

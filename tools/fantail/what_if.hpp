@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "flight_log/flight_log.hpp"
+#include "flight_log/regenerate.hpp"
+
+namespace fantail::tool {
+
+/// The commands of a flight that was flown beside those that another plan would have given on the same inputs.
+struct WhatIf {
+  std::string log;
+  std::vector<std::string> changes;  ///< "controller.canard_limit_deg=9"
+  std::vector<double> time_s;        ///< of the ticks that were replayed, on the flown flight's clock
+  std::vector<double> flown_rad;     ///< roll commands
+  std::vector<double> what_if_rad;
+  std::vector<double> roll_angle_rad;  ///< of the flown flight, as the other plan's law would have known it
+  std::vector<core::Phase> flown_phase;
+  std::vector<core::Phase> what_if_phase;
+
+  std::size_t differing = 0;  ///< ticks with another roll command or phase
+  std::optional<double> first_difference_s;
+  double largest_difference_rad = 0.0;
+  double largest_difference_s = 0.0;
+  double flown_saturated = 0.0;  ///< share of the ticks under control
+  double what_if_saturated = 0.0;
+  std::size_t unreachable = 0;
+};
+
+/// Replays with both plans. The flight has a plan, and neither replay meets an obstacle.
+[[nodiscard]] WhatIf what_if(const flight_log::Flight& flight, const flight_log::Regeneration& flown,
+                             const flight_log::Regeneration& changed);
+
+[[nodiscard]] std::string what_if_text(const WhatIf& result);
+[[nodiscard]] std::string what_if_csv(const WhatIf& result);
+[[nodiscard]] std::string what_if_html(const WhatIf& result);
+
+/// What must stand beside every figure of it.
+inline constexpr const char* open_loop_sentence =
+    "Open loop: the sensors read what they read in the flight that was flown, whatever these commands would have done "
+    "to the rocket. The commands are right for the first moments after they begin to differ; later ones show what the "
+    "flight law would have asked for, not how the rocket would have rolled.";
+
+}  // namespace fantail::tool
