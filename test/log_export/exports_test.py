@@ -188,7 +188,7 @@ class JsonByPython(unittest.TestCase):
                 self.assertEqual([word or "" for word in ticks[name]], values, name)
             else:
                 found = [math.nan if value is None else float(value) for value in ticks[name]]
-                numpy.testing.assert_allclose(found, values, rtol=1e-8, atol=0.6e-6, equal_nan=True, err_msg=name)
+                numpy.testing.assert_allclose(found, values, rtol=0, atol=0.6e-6, equal_nan=True, err_msg=name)
 
 
 if __name__ == "__main__":

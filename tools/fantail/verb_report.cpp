@@ -43,12 +43,14 @@ std::string objection_to_time(const std::string& text) {
                                                                         : '"' + text + "\" is not a number of seconds";
 }
 
+std::filesystem::path default_folder(const std::string& name) { return std::filesystem::path{"out"} / "report" / name; }
+
 void report_one(const ReportOptions& options) {
   const report::Flight flight = logs::read_flight(options.a);
   give_up_if_interrupted();
   const report::Results results = report::results(flight);
   const std::filesystem::path folder =
-      options.out.empty() ? std::filesystem::path{"out"} / "report" / name_of_log(options.a) : options.out;
+      options.out.empty() ? default_folder(name_of_log(options.a)) : std::filesystem::path{options.out};
   report::write_results(flight, results, folder);
   if (options.json) {
     fmt::print("{}", results.summary);
@@ -65,7 +67,7 @@ void report_two(const ReportOptions& options) {
   const logs::RollLog a = logs::read_roll_log(options.a, {}, {});
   const logs::RollLog b = logs::read_roll_log(options.b, {}, {});
   give_up_if_interrupted();
-  CompareResults results{.a = options.a, .b = options.b, .shift_found = options.align == "angle"};
+  CompareResults results{.a = options.a, .b = options.b, .window = {}, .shift_found = options.align == "angle"};
   logs::CompareOptions question{.from_s = options.from_s, .to_s = options.to_s};
   question.shift_s = options.shift_s.value_or(0.0);
   question.find_shift = results.shift_found;
@@ -79,10 +81,9 @@ void report_two(const ReportOptions& options) {
   results.warnings.insert(results.warnings.end(), results.comparison.warnings.begin(),
                           results.comparison.warnings.end());
   give_up_if_interrupted();
-  const std::filesystem::path folder =
-      options.out.empty()
-          ? std::filesystem::path{"out"} / "report" / (name_of_log(options.a) + "_and_" + name_of_log(options.b))
-          : options.out;
+  const std::filesystem::path folder = options.out.empty()
+                                           ? default_folder(name_of_log(options.a) + "_and_" + name_of_log(options.b))
+                                           : std::filesystem::path{options.out};
   report::OutputFolder{folder}.write(
       std::array<report::NamedFile, 3>{{{"report.html", overlay_html(results, a, b)},
                                         {"compare.json", compare_json(results)},

@@ -46,13 +46,14 @@ class Bus {
     const auto& ticks = source_.flight().ticks;
     for (std::size_t i = 0; i < ticks.size(); ++i) {
       const core::Microseconds time = ticks[i].tick.time;
+      send_health(time - core::Microseconds{1});
       if (source_.inside(time)) {
         if (const core::TickRecord* record = source_.record(i)) {
           send(*record, ticks[i].tick);
         }
       }
-      send_health(time);
     }
+    send_health(core::Microseconds::max());
     return fmt::to_string(out_);
   }
 

@@ -2,12 +2,12 @@
 #include "log_export/csv.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 
 #include <fmt/format.h>
 
 #include "report/csv.hpp"
+#include "report/six_decimals.hpp"
 
 namespace fantail::log_export {
 namespace {
@@ -17,10 +17,11 @@ struct Cell {
   fmt::memory_buffer& out;
 
   void operator()(std::monostate) const {}
-  void operator()(double value) const {
-    fmt::format_to(std::back_inserter(out), "{:.6f}", std::abs(value) < 0.5e-6 ? 0.0 : value);
+  void operator()(double value) const { out.append(report::SixDecimals{value}.text()); }
+  void operator()(std::int64_t value) const {
+    const fmt::format_int digits{value};
+    out.append(digits.data(), digits.data() + digits.size());
   }
-  void operator()(std::int64_t value) const { fmt::format_to(std::back_inserter(out), "{}", value); }
   void operator()(bool value) const { out.push_back(value ? '1' : '0'); }
   void operator()(const Word& word) const { out.append(word.text); }
 };

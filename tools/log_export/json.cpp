@@ -11,6 +11,7 @@
 #include "core/flight_plan_fields.hpp"
 #include "core/tick_record.hpp"
 #include "log_export/event_words.hpp"
+#include "report/six_decimals.hpp"
 
 namespace fantail::log_export {
 namespace {
@@ -105,11 +106,17 @@ struct Element {
   fmt::memory_buffer& out;
 
   void operator()(std::monostate) const { out.append(std::string_view{"null"}); }
-  // More digits than a float has.
-  void operator()(double value) const { fmt::format_to(std::back_inserter(out), "{:.9g}", value + 0.0); }
-  void operator()(std::int64_t value) const { fmt::format_to(std::back_inserter(out), "{}", value); }
+  void operator()(double value) const { out.append(report::SixDecimals{value}.brief()); }
+  void operator()(std::int64_t value) const {
+    const fmt::format_int digits{value};
+    out.append(digits.data(), digits.data() + digits.size());
+  }
   void operator()(bool value) const { out.append(std::string_view{value ? "true" : "false"}); }
-  void operator()(const Word& word) const { fmt::format_to(std::back_inserter(out), "\"{}\"", word.text); }
+  void operator()(const Word& word) const {
+    out.push_back('"');
+    out.append(word.text);
+    out.push_back('"');
+  }
 };
 
 std::string ticks(const Source& source, const Selection& selection) {

@@ -41,14 +41,17 @@ std::string lcm(const Source& source) {
   changes.begin_with_first_look();  // a log begins when the rocket has long been armed
   const telemetry::Limits limits = flight.plan ? telemetry::limits_of(*flight.plan) : telemetry::Limits{};
   std::size_t next_health = 0;
-  for (std::size_t i = 0; i < flight.ticks.size(); ++i) {
-    const core::Microseconds time = flight.ticks[i].tick.time;
-    for (; next_health < flight.health.size() && flight.health[next_health].time <= time; ++next_health) {
+  const auto send_health = [&](core::Microseconds until, bool timing_fault) {
+    for (; next_health < flight.health.size() && flight.health[next_health].time <= until; ++next_health) {
       const protocol::LogHealth& record = flight.health[next_health];
       if (source.inside(record.time)) {
-        sender.send(record.time, health_of(record, flight.ticks[i].tick.timing_fault));
+        sender.send(record.time, health_of(record, timing_fault));
       }
     }
+  };
+  for (std::size_t i = 0; i < flight.ticks.size(); ++i) {
+    const core::Microseconds time = flight.ticks[i].tick.time;
+    send_health(time, flight.ticks[i].tick.timing_fault);
     const core::TickRecord* record = source.record(i);
     if (record == nullptr || !source.inside(time)) {
       continue;
@@ -58,6 +61,7 @@ std::string lcm(const Source& source) {
     sender.send(time, telemetry::state_of(*record));
     sender.send(time, telemetry::canards_of(*record, limits));
   }
+  send_health(core::Microseconds::max(), !flight.ticks.empty() && flight.ticks.back().tick.timing_fault);
   return log.take();
 }
 

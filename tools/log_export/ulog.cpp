@@ -92,13 +92,20 @@ class File {
   }
 
   std::string write() {
-    writer_.format(format("fantail_recorded", topics_[recorded]));
-    writer_.format(format("fantail_replayed", topics_[replayed]));
+    constexpr std::array<std::string_view, 2> names{"fantail_recorded", "fantail_replayed"};
+    for (const Topic topic : {recorded, replayed}) {
+      if (!topics_[topic].empty()) {
+        writer_.format(format(names[topic], topics_[topic]));
+      }
+    }
     writer_.format(health_format);
     information();
     parameters();
-    writer_.subscribe(recorded, "fantail_recorded");
-    writer_.subscribe(replayed, "fantail_replayed");
+    for (const Topic topic : {recorded, replayed}) {
+      if (!topics_[topic].empty()) {
+        writer_.subscribe(topic, names[topic]);
+      }
+    }
     writer_.subscribe(health, "fantail_health");
     const auto& ticks = source_.flight().ticks;
     TickReader reader{source_};
@@ -173,7 +180,7 @@ class File {
     const flight_log::Flight& flight = source_.flight();
     for (; next_gap_ < flight.gaps.size() && flight.gaps[next_gap_].after <= until; ++next_gap_) {
       const flight_log::Gap& gap = flight.gaps[next_gap_];
-      if (source_.inside(gap.after)) {
+      if (gap.after > gap.before && source_.inside(gap.after)) {
         writer_.dropout(us(gap.after - gap.before) / 1000);
       }
     }

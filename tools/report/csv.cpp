@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "report/numbers.hpp"
+#include "report/six_decimals.hpp"
 
 namespace fantail::report {
 namespace {
@@ -28,8 +29,8 @@ class Line {
     if (std::isnan(value)) {
       return;  // unknown: an empty cell
     }
-    // Never "-0.000000": two files that differ in nothing else would compare unequal.
-    fmt::format_to(std::back_inserter(out_), "{:.6f}", std::abs(value) < 0.5e-6 ? 0.0 : value);
+    const SixDecimals decimals{value};
+    out_.append(decimals.text());
   }
   void cell(double value) {
     out_.push_back(',');

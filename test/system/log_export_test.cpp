@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "flight_log/made_flight.hpp"
+#include "system/folder.hpp"
+#include "system/process.hpp"
+#include "system/refusal.hpp"
+
+namespace fantail::test {
+namespace {
+
+using Json = nlohmann::json;
+
+std::string text(const std::vector<std::byte>& bytes) {
+  std::string result(bytes.size(), '\0');
+  std::ranges::transform(bytes, result.begin(), [](std::byte b) { return static_cast<char>(b); });
+  return result;
+}
+
+std::string made_log() {
+  static const std::string log = text(flight_log::make_flight().bytes);
+  return log;
+}
+
+std::string content(const std::string& path) {
+  std::ostringstream text;
+  text << std::ifstream{path, std::ios::binary}.rdbuf();
+  return text.str();
+}
+
+std::size_t lines(const std::string& text) { return static_cast<std::size_t>(std::ranges::count(text, '\n')); }
+
+class LogExport : public testing::Test {
+ protected:
+  LogExport() { folder_.write("flown.ftl", made_log()); }
+
+  Outcome run(const Words& more) const {
+    Words words{"log", "export", "flown.ftl"};
+    words.insert(words.end(), more.begin(), more.end());
+    return fantail(words, {.working_folder = folder_.path()});
+  }
+
+  const Folder folder_;
+};
+
+TEST_F(LogExport, WritesEachFormatUnderTheNameOfTheLogAndSaysWhere) {
+  for (const char* format : {"csv", "ulog", "lcm", "candump", "json"}) {
+    const Outcome outcome = run({"--to", format});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    ASSERT_FALSE(outcome.out.empty());
+    EXPECT_TRUE(outcome.out.starts_with("out/export/flown.")) << outcome.out;
+    EXPECT_FALSE(content(folder_ / outcome.out.substr(0, outcome.out.size() - 1)).empty()) << format;
+  }
+}
+
+TEST_F(LogExport, TheSameLogGivesTheSameBytes) {
+  for (const char* format : {"csv", "ulog", "lcm", "candump", "json"}) {
+    EXPECT_EQ(run({"--to", format, "--out", "-"}).out, run({"--to", format, "--out", "-"}).out) << format;
+  }
+}
+
+TEST_F(LogExport, GoesToStandardOutputWholeAndAlone) {
+  const Outcome outcome = run({"--to", "csv", "--out", "-", "--fields", "time_us,rate_x_count"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  // Three seconds of ticks; the counts of the made-up gyro are 1 on the pad and 500 in flight.
+  EXPECT_EQ(lines(outcome.out), 3001U);
+  EXPECT_TRUE(outcome.out.starts_with("time_us,rate_x_count\n5500000,1\n")) << outcome.out.substr(0, 80);
+  EXPECT_TRUE(outcome.out.ends_with("8499000,500\n"));
+  EXPECT_EQ(folder_.listing(), Words{"flown.ftl"});
+}
+
+TEST_F(LogExport, CutsOutAStretchWithBothEnds) {
+  const Outcome outcome = run({"--to", "json", "--out", "-", "--from", "0.5", "--until", "0.75"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  const Json ticks = Json::parse(outcome.out)["ticks"];
+  ASSERT_EQ(ticks["time_s"].size(), 251U);
+  EXPECT_NEAR(ticks["time_s"].front(), 0.5, 1e-9);
+  EXPECT_NEAR(ticks["time_s"].back(), 0.75, 1e-9);
+}
+
+TEST_F(LogExport, WhatIsLostIsSaidOnStandardErrorAndTheRestIsExported) {
+  const flight_log::MadeFlight made = flight_log::make_flight();
+  std::string torn = made_log();
+  torn.replace(made.frame_ends[200], made.frame_ends[300] - made.frame_ends[200],
+               made.frame_ends[300] - made.frame_ends[200], '\0');
+  folder_.write("flown.ftl", torn);
+  const Outcome outcome = run({"--to", "csv"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(outcome.err.find("fantail: note: The log is damaged: 100 records lost in 1 gap"), std::string::npos)
+      << outcome.err;
+  EXPECT_GT(lines(content(folder_ / "out/export/flown.csv")), 2000U);
+}
+
+TEST_F(LogExport, WithoutAReplayTheRecordedFieldsAreStillThere) {
+  const flight_log::MadeFlight made = flight_log::make_flight();
+  // Header and plan, and then ticks up to the next state to replay from: without that state nothing can be replayed.
+  const std::string log = made_log();
+  const std::string head = log.substr(0, made.frame_ends[0]);
+  const std::string ticks = log.substr(made.frame_ends[1], made.frame_ends[100] - made.frame_ends[1]);
+  folder_.write("flown.ftl", head + ticks);
+  const Outcome refused = run({"--to", "csv"});
+  EXPECT_EQ(refused.exit_code, 65);
+  EXPECT_NE(refused.err.find("--fields time_us,phase,command_deg"), std::string::npos) << refused.err;
+  const Outcome outcome = run({"--to", "csv", "--out", "-", "--fields", "time_us,rate_x_count,roll_angle_deg"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_TRUE(outcome.out.starts_with("time_us,rate_x_count,roll_angle_deg\n5500000,1,\n")) << outcome.out.substr(0, 80);
+}
+
+TEST(LogExportRefuses, WithTheReasonAndWithoutAFile) {
+  const std::string log = made_log();
+  const auto words = [](const Words& more) {
+    Words all{"log", "export", "flown.ftl"};
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+  };
+  Refusal({{"flown.ftl", log}}, words({}), 64, {"--to"});
+  Refusal({{"flown.ftl", log}}, words({"--to", "xls"}), 64, {"xls", "csv"});
+  Refusal({{"flown.ftl", log}}, words({"--to", "csv", "--fields", "time_s,roll_angel_deg"}), 64,
+          {"no field \"roll_angel_deg\" (did you mean roll_angle_deg?)", "time_us", "encoder_4_count"});
+  Refusal({{"flown.ftl", log}}, words({"--to", "csv", "--fields", "time_s,time_s"}), 64, {"time_s stands there twice"});
+  Refusal({{"flown.ftl", log}}, words({"--to", "candump", "--fields", "time_s"}), 64, {"messages of its own"});
+  Refusal({{"flown.ftl", log}}, words({"--to", "csv", "--from", "2", "--until", "1"}), 64, {"--from 2 lies behind"});
+  Refusal({{"flown.ftl", log}}, words({"--to", "csv", "--from", "nan"}), 64, {"nan"});
+  Refusal({{"flown.ftl", log}}, words({"--to", "csv", "--from", "100"}), 65, {"no tick between"});
+  Refusal({{"flown.ftl", log}}, words({"--to", "csv", "--flight", "2"}), 64, {"holds one flight; allowed: 1 to 1"});
+  Refusal({{"flown.ftl", log + log}}, words({"--to", "csv"}), 64, {"holds 2 flights; which one?"});
+  Refusal({{"flown.ftl", "time_s,roll_angle_deg\n0,1\n"}}, words({"--to", "csv"}), 65, {"holds no record of a flight"});
+  Refusal({}, words({"--to", "csv"}), 66, {"flown.ftl"});
+}
+
+}  // namespace
+}  // namespace fantail::test

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "flight_log/made_flight.hpp"
+#include "system/folder.hpp"
+#include "system/process.hpp"
+#include "system/refusal.hpp"
+
+namespace fantail::test {
+namespace {
+
+using Json = nlohmann::json;
+
+std::string made_log() {
+  const std::vector<std::byte> bytes = flight_log::make_flight().bytes;
+  std::string result(bytes.size(), '\0');
+  std::ranges::transform(bytes, result.begin(), [](std::byte b) { return static_cast<char>(b); });
+  return result;
+}
+
+std::string content(const std::string& path) {
+  std::ostringstream text;
+  text << std::ifstream{path, std::ios::binary}.rdbuf();
+  return text.str();
+}
+
+// angle + rate t in degrees, ten times a second for ten seconds.
+std::string line(double angle, double rate) {
+  std::string text = "time_s,roll_angle_deg,roll_rate_deg_s,speed_m_s\n";
+  for (int i = 0; i <= 100; ++i) {
+    const double t = i / 10.0;
+    text += std::to_string(t) + "," + std::to_string(angle + rate * t) + "," + std::to_string(rate) + ",30\n";
+  }
+  return text;
+}
+
+TEST(Report, OfAFlightLogIsThePageAndTheDataThatFlyWrites) {
+  const Folder folder;
+  folder.write("flown.ftl", made_log());
+  const Outcome outcome = fantail({"report", "flown.ftl", "--json"}, {.working_folder = folder.path()});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  const Json summary = Json::parse(outcome.out);
+  EXPECT_TRUE(summary["seed"].is_null());
+  EXPECT_EQ(summary["phase_changes"].back()["phase"], summary["final_phase"]);
+  EXPECT_FALSE(summary["events"]["detected_s"].is_null());
+  EXPECT_EQ(content(folder / "out/report/flown/summary.json"), outcome.out);
+  EXPECT_NE(content(folder / "out/report/flown/report.html").find("Launch detected"), std::string::npos);
+  const Outcome table = fantail({"log", "export", "flown.ftl", "--to", "csv", "--out", "-"},
+                                {.working_folder = folder.path()});
+  EXPECT_EQ(content(folder / "out/report/flown/flight.csv"), table.out);
+}
+
+TEST(Report, OfATableFromElsewhereShowsWhatItHasAndNoMore) {
+  const Folder folder;
+  folder.write("old.csv", line(5.0, 36.0));
+  const Outcome outcome =
+      fantail({"report", "old.csv", "--out", "page", "--json"}, {.working_folder = folder.path()});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  const Json summary = Json::parse(outcome.out);
+  EXPECT_EQ(summary["max_speed_m_s"], 30.0);
+  for (const char* key : {"vehicle", "plan", "seed", "final_phase", "saturated_fraction", "authority_margin_deg"}) {
+    EXPECT_TRUE(summary[key].is_null()) << key;
+  }
+  EXPECT_EQ(summary["outcome"], "not_judged");
+}
+
+TEST(Report, OfAFolderOfFlySaysTheSameAsFly) {
+  const Folder folder;
+  const Outcome flown = fantail({"fly", "--out", "flown", "--json"}, {.working_folder = folder.path()});
+  ASSERT_EQ(flown.exit_code, 0) << flown.err;
+  const Outcome outcome = fantail({"report", "flown", "--json"}, {.working_folder = folder.path()});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  const Json before = Json::parse(flown.out);
+  const Json after = Json::parse(outcome.out);
+  for (const char* key : {"scenario", "vehicle", "plan", "seed", "events", "apogee_m", "max_speed_m_s", "control_time_s",
+                          "saturated_fraction", "phase_changes", "canard_verdicts", "notes", "final_phase"}) {
+    EXPECT_EQ(after[key], before[key]) << key;
+  }
+  EXPECT_EQ(content(folder / "out/report/flown/flight.csv"), content(folder / "flown/flight.csv"));
+}
+
+TEST(Report, OfTwoFlightsHasTheDifferencesOfCompare) {
+  const Folder folder;
+  folder.write("a.csv", line(1.0, 20.0));
+  folder.write("b.csv", line(0.0, 19.0));
+  const Outcome outcome =
+      fantail({"report", "a.csv", "b.csv", "--from", "2", "--to", "4", "--json"}, {.working_folder = folder.path()});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  // A - B = 1 + t over 2..4 s: mean 4, largest 5 at 4 s; the rates are 1 deg/s apart.
+  const Json json = Json::parse(outcome.out);
+  EXPECT_NEAR(json["mean_abs_angle_difference_deg"], 4.0, 1e-5);
+  EXPECT_NEAR(json["max_abs_angle_difference_deg"], 5.0, 1e-5);
+  EXPECT_NEAR(json["mean_abs_rate_difference_deg_s"], 1.0, 1e-5);
+  const std::string page = content(folder / "out/report/a_and_b/report.html");
+  EXPECT_NE(page.find("Speed"), std::string::npos);
+  EXPECT_EQ(page.find("Roll command"), std::string::npos) << "neither log has one";
+  EXPECT_EQ(page.find("src="), std::string::npos);
+}
+
+TEST(Report, ALogAndATableCanBeLaidOverEachOther) {
+  const Folder folder;
+  folder.write("flown.ftl", made_log());
+  ASSERT_EQ(fantail({"log", "export", "flown.ftl", "--to", "csv", "--out", "same.csv"}, {.working_folder = folder.path()})
+                .exit_code,
+            0);
+  const Outcome outcome =
+      fantail({"report", "flown.ftl", "same.csv", "--json"}, {.working_folder = folder.path()});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(Json::parse(outcome.out)["max_abs_angle_difference_deg"], 0.0);
+}
+
+TEST(Report, RefusesWithTheReasonAndWithoutAFile) {
+  Refusal({}, {"report"}, 64, {"A"});
+  Refusal({}, {"report", "nowhere.ftl"}, 66, {"nowhere.ftl"});
+  Refusal({}, {"report", "nowhere.csv"}, 66, {"nowhere.csv"});
+  Refusal({{"folder/other", ""}}, {"report", "folder"}, 66, {"folder: this folder holds no flight.csv or flight.ftl"});
+  Refusal({{"a.csv", "t,b\n0,1\n"}}, {"report", "a.csv"}, 65, {"a.csv", "time_s"});
+  Refusal({{"a.csv", line(0, 1)}}, {"report", "a.csv", "--align", "angle"}, 64, {"--align"});
+  Refusal({{"a.ftl", "not a log"}}, {"report", "a.ftl"}, 65, {"a.ftl", "holds no record of a flight"});
+}
+
+}  // namespace
+}  // namespace fantail::test
