@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <chrono>
+
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -53,6 +55,22 @@ TEST(Fly, ReplacesAnEarlierResultAndLeavesOtherFilesAlone) {
   EXPECT_EQ(summary(folder / "out")["seed"], 1);
   EXPECT_EQ(content(folder / "out/notes.txt"), "mine");
   EXPECT_EQ(folder.listing().size(), 5U);  // the folder, three results, the notes: nothing temporary
+}
+
+// Three seconds: a start command that comes before the avionics can be armed is refused.
+TEST(Fly, InRealTimeTakesAsLongAsTheFlightAndChangesNoByte) {
+  const Folder folder;
+  const Names scenario{"fly", "tunnel_steps", "--set", "timing.pad_time_s=1.5"};
+  Names quick = scenario;
+  quick.insert(quick.end(), {"--out", folder / "quick"});
+  Names by_the_clock = scenario;
+  by_the_clock.insert(by_the_clock.end(), {"--out", folder / "by_the_clock", "--realtime"});
+  EXPECT_EQ(fantail(quick).exit_code, 0);
+  const auto begin = std::chrono::steady_clock::now();
+  EXPECT_EQ(fantail(by_the_clock).exit_code, 0);
+  // Never less; how much more is the machine's business.
+  EXPECT_GE(std::chrono::steady_clock::now() - begin, std::chrono::seconds{3});
+  EXPECT_EQ(content(folder / "quick/flight.csv"), content(folder / "by_the_clock/flight.csv"));
 }
 
 TEST(Fly, GivesTheSameBytesForTheSameSeedAndOthersForAnother) {

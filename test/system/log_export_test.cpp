@@ -110,7 +110,8 @@ TEST_F(LogExport, WithoutAReplayTheRecordedFieldsAreStillThere) {
   EXPECT_NE(refused.err.find("--fields time_us,phase,command_deg"), std::string::npos) << refused.err;
   const Outcome outcome = run({"--to", "csv", "--out", "-", "--fields", "time_us,rate_x_count,roll_angle_deg"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-  EXPECT_TRUE(outcome.out.starts_with("time_us,rate_x_count,roll_angle_deg\n5500000,1,\n")) << outcome.out.substr(0, 80);
+  EXPECT_TRUE(outcome.out.starts_with("time_us,rate_x_count,roll_angle_deg\n5500000,1,\n"))
+      << outcome.out.substr(0, 80);
 }
 
 TEST(LogExportRefuses, WithTheReasonAndWithoutAFile) {

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 # Usage: readme_logs.sh SOURCE PROGRAM
-# The lines of the README's section on logs, one by one, as a reader copies them; PROGRAM stands in for ./dev, which would
+# The lines of the README's sections on logs and on the flight record, one by one, as a reader copies them; PROGRAM stands in for ./dev, which would
 # build one of its own. A line that promises exit code 1 must keep that, too.
 set -u
 source=$1 program=$2
@@ -9,8 +9,11 @@ work=$(mktemp -d /tmp/readme_logs.XXXXXX)
 trap 'rm -rf "$work"' EXIT
 cd "$work" || exit 1
 
-sed -n '/^## From logs/,/^## /p' "$source/README.md" | sed -n '/^```/,/^```/p' | sed '/^```/d' >lines
-[ "$(wc -l <lines)" -ge 6 ] || { echo "FAILED: the section has only $(wc -l <lines) lines" && exit 1; }
+for section in "From logs" "The flight record"; do
+  sed -n "/^## $section/,/^## /p" "$source/README.md" | sed -n '/^```/,/^```/p' | sed '/^```/d' >section_lines
+  [ "$(wc -l <section_lines)" -ge 6 ] || { echo "FAILED: \"$section\" has only $(wc -l <section_lines) lines" && exit 1; }
+  cat section_lines >>lines
+done
 
 failures=0
 while read -r line; do

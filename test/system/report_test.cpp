@@ -52,16 +52,15 @@ TEST(Report, OfAFlightLogIsThePageAndTheDataThatFlyWrites) {
   EXPECT_FALSE(summary["events"]["detected_s"].is_null());
   EXPECT_EQ(content(folder / "out/report/flown/summary.json"), outcome.out);
   EXPECT_NE(content(folder / "out/report/flown/report.html").find("Launch detected"), std::string::npos);
-  const Outcome table = fantail({"log", "export", "flown.ftl", "--to", "csv", "--out", "-"},
-                                {.working_folder = folder.path()});
+  const Outcome table =
+      fantail({"log", "export", "flown.ftl", "--to", "csv", "--out", "-"}, {.working_folder = folder.path()});
   EXPECT_EQ(content(folder / "out/report/flown/flight.csv"), table.out);
 }
 
 TEST(Report, OfATableFromElsewhereShowsWhatItHasAndNoMore) {
   const Folder folder;
   folder.write("old.csv", line(5.0, 36.0));
-  const Outcome outcome =
-      fantail({"report", "old.csv", "--out", "page", "--json"}, {.working_folder = folder.path()});
+  const Outcome outcome = fantail({"report", "old.csv", "--out", "page", "--json"}, {.working_folder = folder.path()});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   const Json summary = Json::parse(outcome.out);
   EXPECT_EQ(summary["max_speed_m_s"], 30.0);
@@ -79,8 +78,9 @@ TEST(Report, OfAFolderOfFlySaysTheSameAsFly) {
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   const Json before = Json::parse(flown.out);
   const Json after = Json::parse(outcome.out);
-  for (const char* key : {"scenario", "vehicle", "plan", "seed", "events", "apogee_m", "max_speed_m_s", "control_time_s",
-                          "saturated_fraction", "phase_changes", "canard_verdicts", "notes", "final_phase"}) {
+  for (const char* key :
+       {"scenario", "vehicle", "plan", "seed", "events", "apogee_m", "max_speed_m_s", "control_time_s",
+        "saturated_fraction", "phase_changes", "canard_verdicts", "notes", "final_phase"}) {
     EXPECT_EQ(after[key], before[key]) << key;
   }
   EXPECT_EQ(content(folder / "out/report/flown/flight.csv"), content(folder / "flown/flight.csv"));
@@ -107,11 +107,11 @@ TEST(Report, OfTwoFlightsHasTheDifferencesOfCompare) {
 TEST(Report, ALogAndATableCanBeLaidOverEachOther) {
   const Folder folder;
   folder.write("flown.ftl", made_log());
-  ASSERT_EQ(fantail({"log", "export", "flown.ftl", "--to", "csv", "--out", "same.csv"}, {.working_folder = folder.path()})
-                .exit_code,
-            0);
-  const Outcome outcome =
-      fantail({"report", "flown.ftl", "same.csv", "--json"}, {.working_folder = folder.path()});
+  ASSERT_EQ(
+      fantail({"log", "export", "flown.ftl", "--to", "csv", "--out", "same.csv"}, {.working_folder = folder.path()})
+          .exit_code,
+      0);
+  const Outcome outcome = fantail({"report", "flown.ftl", "same.csv", "--json"}, {.working_folder = folder.path()});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_EQ(Json::parse(outcome.out)["max_abs_angle_difference_deg"], 0.0);
 }

@@ -95,9 +95,10 @@ Exported export_foreign(const ExportQuestion& question, const flight_log::Flight
                                 meant ? " (did you mean " + *meant + "?)" : "", fmt::join(all, ", ")));
     }
   }
-  return {.bytes = log_export::foreign_csv(flight, question.fields.empty() ? all : question.fields, question.window),
-          .notes = {fmt::format("Written by Fantail {}: {}. The table holds what stands in the log; nothing was replayed.",
-                                flight.firmware_version, what)}};
+  return {
+      .bytes = log_export::foreign_csv(flight, question.fields.empty() ? all : question.fields, question.window),
+      .notes = {fmt::format("Written by Fantail {}: {}. The table holds what stands in the log; nothing was replayed.",
+                            flight.firmware_version, what)}};
 }
 
 }  // namespace

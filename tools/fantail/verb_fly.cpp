@@ -11,6 +11,7 @@
 #include "fantail/progress.hpp"
 #include "fantail/scenario_options.hpp"
 #include "fantail/verbs.hpp"
+#include "fantail/wall_clock.hpp"
 #include "fly/fly_scenario.hpp"
 #include "report/results.hpp"
 #include "report/words.hpp"
@@ -22,6 +23,7 @@ struct FlyOptions {
   ScenarioOptions scenario{.scenario = "tasha3_launch2", .seed = {}, .changes = {}};
   std::string out;
   std::string lcm;
+  bool realtime = false;
   bool json = false;
 };
 
@@ -56,25 +58,31 @@ void print_summary(const report::Flight& flight, const report::Results& results)
   print_figure("saturated", percent ? std::optional{100.0 * *percent} : std::nullopt, "{:.1f} % of control time");
 }
 
-report::Flight fly_and_show(const sim::Scenario& scenario, LcmOutput& lcm) {
+report::Flight fly_and_show(const sim::Scenario& scenario, LcmOutput& lcm, bool realtime) {
   Progress progress{"flying " + scenario.name,
                     {.unit = "s", .rate = " x real time", .total = fly::expected_length_s(scenario)}};
   const auto look = [&progress](double simulated_s) {
     give_up_if_interrupted();
     progress.show(simulated_s);
   };
-  if (!lcm.is_on()) {
+  if (!lcm.is_on() && !realtime) {
     return fly::fly_scenario(scenario, look, {}, fly::Log::kept);
   }
+  WallClock wall_clock;
   const telemetry::Surroundings surroundings{.limits_rad = telemetry::limits_of(scenario.plan)};
-  const auto observe = [&](const core::TickRecord& record) { lcm.report(record, surroundings); };
+  const auto observe = [&](const core::TickRecord& record) {
+    if (realtime) {
+      wall_clock.wait_for(record.time);
+    }
+    lcm.report(record, surroundings);
+  };
   return fly::fly_scenario(scenario, look, observe, fly::Log::kept);
 }
 
 void fly_and_report(const FlyOptions& options) {
   const sim::Scenario scenario = load(options.scenario);
   LcmOutput lcm{options.lcm};
-  const report::Flight flight = fly_and_show(scenario, lcm);
+  const report::Flight flight = fly_and_show(scenario, lcm, options.realtime);
   const report::Results results = report::results(flight);
   const std::filesystem::path folder =
       options.out.empty() ? std::filesystem::path{"out"} / scenario.name : std::filesystem::path{options.out};
@@ -107,6 +115,7 @@ void add_fly(CLI::App& program) {
           "of a tunnel run, tunnel.csv [out/SCENARIO]")
       ->check(objection_to_folder);
   add_lcm_option(*verb, options->lcm, "Publish the flight as LCM messages");
+  verb->add_flag("--realtime", options->realtime, "Fly no faster than the clock on the wall; the files are the same");
   verb->add_flag("--json", options->json, "Print summary.json instead of the text");
   verb->footer(
       "Examples:\n"
@@ -114,7 +123,9 @@ void add_fly(CLI::App& program) {
       "  fantail fly tasha3_launch1 --set reference.kind=hold --set controller.canard_limit_deg=9\n"
       "                                                      would a wider canard limit have held the first launch?\n"
       "  fantail fly my_rocket.toml --seed 7 --out /tmp/try --json\n"
-      "                                                      your own scenario, for a script");
+      "                                                      your own scenario, for a script\n"
+      "  fantail fly --realtime --lcm udpm://239.255.76.67:7667\n"
+      "                                                      by the clock, for fantail watch in another terminal");
   verb->callback([options] { fly_and_report(*options); });
 }
 
