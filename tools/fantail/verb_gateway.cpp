@@ -118,8 +118,8 @@ void add_gateway(CLI::App& program) {
       ->type_name("SECONDS");
   verb->footer(
       "Examples:\n"
-      "  fantail gateway --can can0 --lcm udpm://239.255.76.67:7667            for everyone on this network\n"
-      "  fantail gateway --can can0 --lcm 'udpm://239.255.76.67:7667?ttl=0'    for this computer alone\n"
+      "  fantail gateway --can can0 --lcm 'udpm://239.255.76.67:7667?ttl=1'    for everyone on this network\n"
+      "  fantail gateway --can can0 --lcm udpm://                              for this computer alone\n"
       "  fantail gateway --can vcan0 --lcm file:///tmp/pad.lcmlog --for 60     a minute, into a log");
   verb->callback([options] { run(*options); });
 }
