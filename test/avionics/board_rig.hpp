@@ -118,6 +118,8 @@ class BoardRig {
     return record;
   }
 
+  [[nodiscard]] Avionics& avionics() { return *avionics_; }
+
   // ---- the PC ----
 
   void send(const protocol::BusFrame& frame) { (void)pc_bus.send(can_frame(frame)); }
