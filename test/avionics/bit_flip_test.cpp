@@ -23,8 +23,8 @@ class Flipper {
     const std::vector<Record> read = records_in(window);
     const bool all_written =
         std::ranges::all_of(read, [&](const Record& r) { return flight_.was_written(r, window, from); });
-    const auto there = static_cast<std::size_t>(std::ranges::count_if(
-        read, [&](const Record& r) { return r.end + from <= byte || r.begin + from > byte; }));
+    const auto there = static_cast<std::size_t>(
+        std::ranges::count_if(read, [&](const Record& r) { return r.end + from <= byte || r.begin + from > byte; }));
     const auto all = static_cast<std::size_t>(
         std::ranges::count_if(flight_.records().begin() + static_cast<std::ptrdiff_t>(first_from(from)),
                               flight_.records().begin() + static_cast<std::ptrdiff_t>(first_from(to)),

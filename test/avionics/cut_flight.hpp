@@ -43,8 +43,8 @@ class CutFlight {
     return static_cast<std::size_t>(after - programs().begin()) - 1;
   }
 
-  /// Where a reader may begin and still see, from `byte` on, what one that began at the beginning would see: at a record
-  /// some way before the one that the byte is in.
+  /// Where a reader may begin and still see, from `byte` on, what one that began at the beginning would see: at a
+  /// record some way before the one that the byte is in.
   [[nodiscard]] std::size_t reader_begin(std::size_t byte) const {
     constexpr std::ptrdiff_t some_way = 40;
     const auto after = std::ranges::upper_bound(records_, byte, {}, &Record::begin);

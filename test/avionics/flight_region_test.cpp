@@ -149,6 +149,28 @@ TEST(FlightRegion, AnEraseIsRefusedOutsideOfABenchSession) {
   EXPECT_TRUE(rig.avionics().erase_flights());
 }
 
+TEST(FlightRegion, WhileTheFlightsAreErasedARocketIsNotArmed) {
+  BoardRig rig;
+  std::ranges::fill(region_of(rig.flash).first(20 * sector), std::byte{0});
+  rig.power_cycle();
+  rig.make_ready();
+  rig.open_session();
+  ASSERT_TRUE(rig.avionics().erase_flights());
+  rig.flash.set_stays_busy(true);
+  rig.say(protocol::BenchSession{.action = protocol::SessionAction::close, .session = 7});
+  rig.heartbeat.reset();
+  rig.run(second / 2);
+  rig.say(protocol::ArmAction::begin);
+  rig.tick();
+  EXPECT_EQ(rig.heard<protocol::ArmReply>()->nonce, std::nullopt);
+  EXPECT_EQ(rig.heard<protocol::ArmReply>()->refusal, protocol::ArmRefusal::self_test_not_passed);
+  rig.flash.set_stays_busy(false);
+  rig.run(second / 2);
+  rig.say(protocol::ArmAction::begin);
+  rig.tick();
+  EXPECT_TRUE(rig.heard<protocol::ArmReply>()->nonce.has_value()) << "when the erase has ended";
+}
+
 TEST(FlightRegion, AnEraseIsRefusedToAnArmedRocket) {
   BoardRig rig;
   rig.run(3 * second);

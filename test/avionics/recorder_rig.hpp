@@ -67,10 +67,10 @@ class RecorderRig {
     }
     raw_.imu.time = raw_.accelerometer.time = time;
     raw_.imu.status = raw_.accelerometer.status = hal::Status::ok;
-    core::TickRecord record = law_.step({.time = time,
-                                         .gyro = {.time = time,
-                                                  .rate_rad_s = {.x = random_.between(-9.0F, 9.0F)},
-                                                  .quality = core::SampleQuality::valid}});
+    core::TickRecord record = law_.step(
+        {.time = time,
+         .gyro = {
+             .time = time, .rate_rad_s = {.x = random_.between(-9.0F, 9.0F)}, .quality = core::SampleQuality::valid}});
     record.phase = phase;
     service.recorder().note(
         {.raw = raw_, .scales = {}, .inputs = {.time = time}, .record = record, .bus = bus_, .power_up = 1}, law_);

@@ -147,5 +147,30 @@ TEST_F(OutputFolderTest, TheFileSizeSignalIsHandedBack) {
   EXPECT_EQ(std::signal(SIGXFSZ, before), static_cast<void (*)(int)>(handler));
 }
 
+TEST_F(OutputFolderTest, WhatIsToBeRemovedIsGoneAfterwardsAndOnlyThen) {
+  const std::array<std::string, 2> removed{"flight.ftl", "tunnel.csv"};
+  const std::array<NamedFile, 4> with_log{
+      {{"flight.csv", "one"}, {"summary.json", "two"}, {"report.html", "three"}, {"flight.ftl", "four"}}};
+  OutputFolder{folder_}.write(with_log);
+  OutputFolder{folder_}.write(second, removed);
+  EXPECT_EQ(names_in(folder_), three_names);
+
+  OutputFolder{folder_}.write(with_log);
+  fs::create_directory(folder_ / "tunnel.csv");  // of nobody's run: it stays
+  OutputFolder{folder_}.write(second, removed);
+  EXPECT_TRUE(fs::exists(folder_ / "tunnel.csv"));
+  EXPECT_FALSE(fs::exists(folder_ / "flight.ftl"));
+}
+
+TEST_F(OutputFolderTest, AFailureBringsBackWhatWasToBeRemoved) {
+  const std::array<std::string, 1> removed{"flight.ftl"};
+  const std::array<NamedFile, 1> log{{{"flight.ftl", "four"}}};
+  OutputFolder{folder_}.write(log);
+  fs::create_directory(folder_ / "report.html");
+  const std::array<NamedFile, 1> page{{{"report.html", "three"}}};
+  EXPECT_THROW(OutputFolder{folder_}.write(page, removed), OutputError);
+  EXPECT_EQ(read(folder_ / "flight.ftl"), "four");
+}
+
 }  // namespace
 }  // namespace fantail::report

@@ -47,6 +47,14 @@ TEST(SummaryJson, WhatDoesNotExistIsNull) {
   EXPECT_TRUE(summary["imposed_roll"].is_null());
 }
 
+// The digest of "abc" as FIPS 180-2 prints it.
+TEST(SummaryJson, HasTheDigestOfWhatTheAvionicsRecorded) {
+  SyntheticFlight synthetic;
+  synthetic.flight.log = {std::byte{'a'}, std::byte{'b'}, std::byte{'c'}};
+  EXPECT_EQ(summary_of(synthetic.flight)["log_sha256"],
+            "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+}
+
 TEST(SummaryJson, AnImposedRollIsCalledImposed) {
   SyntheticFlight synthetic;
   synthetic.flight.imposed_roll = ImposedRoll{0.21, radians(-0.6), radians(51.8)};

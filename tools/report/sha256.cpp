@@ -5,7 +5,6 @@
 #include <cstdint>
 
 #include <sha256.h>
-#include <sys/types.h>  // sha256.h needs it and does not say so
 
 namespace fantail::report {
 
