@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: MIT
+#include <string>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "system/folder.hpp"
+#include "system/process.hpp"
+#include "system/refusal.hpp"
+
+namespace fantail::test {
+namespace {
+
+using Json = nlohmann::json;
+
+// Flown once for all tests of this file.
+const std::string& flown_log() {
+  static const std::string log = [] {
+    const Folder folder;
+    const Outcome outcome = fantail({"fly", "tasha3_launch2", "--out", folder / "flown"});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    return content(folder / "flown/flight.ftl");
+  }();
+  return log;
+}
+
+std::string damaged_log() {
+  std::string log = flown_log();
+  log[log.size() / 2] = static_cast<char>(log[log.size() / 2] ^ 1);
+  return log;
+}
+
+class FlownLog : public testing::Test {
+ protected:
+  Outcome run(const Words& words) { return fantail(words, {.working_folder = folder.path()}); }
+  Folder folder;
+};
+
+TEST_F(FlownLog, InfoSaysWhoFlewWhatAndThatItIsIntactAndReplaysEqually) {
+  folder.write("out/flown/flight.ftl", flown_log());
+  const Outcome outcome = run({"log", "info", "out/flown"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  for (const char* words :
+       {"one flight", "tasha3_launch2, checksum", "intact:", "none missing", "equal:", "every output byte as recorded",
+        "Launched: launch detected", "Controlling: guide clear and fast enough", "a tick takes"}) {
+    EXPECT_NE(outcome.out.find(words), std::string::npos) << words << "\n" << outcome.out;
+  }
+}
+
+TEST_F(FlownLog, InfoAsJsonHasTheSameInFigures) {
+  folder.write("a.ftl", flown_log());
+  const Outcome outcome = run({"log", "info", "a.ftl", "--json"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  const Json json = Json::parse(outcome.out);
+  EXPECT_EQ(json["intact"], true);
+  EXPECT_EQ(json["bytes"], flown_log().size());
+  ASSERT_EQ(json["flights"].size(), 1U);
+  const Json& flight = json["flights"][0];
+  EXPECT_EQ(flight["plan"]["name"], "tasha3_launch2");
+  EXPECT_EQ(flight["replay"]["differing"], 0);
+  EXPECT_EQ(flight["replay"]["unreachable"], 0);
+  EXPECT_EQ(flight["replay"]["compared"], flight["ticks"]);
+  EXPECT_EQ(flight["integrity"]["lost_records"], 0);
+  EXPECT_LT(flight["from_s"], 0.0) << "it begins on the pad";
+  EXPECT_GT(flight["events"].size(), 3U);
+}
+
+TEST_F(FlownLog, ADamagedOneIsShownAsFarAsItGoesWithExitCode1) {
+  folder.write("a.ftl", damaged_log());
+  const Outcome outcome = run({"log", "info", "a.ftl"});
+  EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
+  EXPECT_EQ(outcome.err, "");
+  EXPECT_NE(outcome.out.find("damaged: 1 record lost in 1 gap"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("belong to no intact record"), std::string::npos);
+}
+
+TEST_F(FlownLog, OneThatWasCutOffIsIntactAsFarAsItGoes) {
+  folder.write("a.ftl", flown_log().substr(0, flown_log().size() / 2));
+  const Outcome outcome = run({"log", "info", "a.ftl"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("it was cut off"), std::string::npos) << outcome.out;
+}
+
+TEST_F(FlownLog, OfTwoFlightsInOneFileEachCanBeChosen) {
+  folder.write("two.ftl", flown_log() + flown_log());
+  const Outcome both = run({"log", "info", "two.ftl"});
+  EXPECT_EQ(both.exit_code, 0) << both.err;
+  EXPECT_NE(both.out.find("2 flights"), std::string::npos);
+  const Outcome second = run({"log", "info", "two.ftl", "--flight", "2", "--json"});
+  EXPECT_EQ(Json::parse(second.out)["flights"][0]["number"], 2);
+  const Outcome third = run({"log", "info", "two.ftl", "--flight", "3"});
+  EXPECT_EQ(third.exit_code, 64);
+  EXPECT_NE(third.err.find("1 to 2"), std::string::npos) << third.err;
+  const Outcome which = run({"replay", "two.ftl"});
+  EXPECT_EQ(which.exit_code, 64);
+  EXPECT_NE(which.err.find("--flight"), std::string::npos) << which.err;
+}
+
+TEST_F(FlownLog, ReplayComparesEveryTick) {
+  folder.write("a.ftl", flown_log());
+  const Outcome text = run({"replay", "a.ftl"});
+  EXPECT_EQ(text.exit_code, 0) << text.err;
+  EXPECT_NE(text.out.find("every output byte as recorded"), std::string::npos) << text.out;
+  EXPECT_NE(text.out.find("ticks a second"), std::string::npos);
+  const Json json = Json::parse(run({"replay", "a.ftl", "--json"}).out);
+  EXPECT_EQ(json["equal"], true);
+  EXPECT_EQ(json["compared"], json["ticks"]);
+}
+
+TEST_F(FlownLog, WhatIfIsMarkedAsOpenLoopAndHasAPageAndATable) {
+  folder.write("flown/flight.ftl", flown_log());
+  const Outcome outcome = run({"replay", "flown", "--set", "controller.canard_limit_deg=3"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("open loop"), std::string::npos) << outcome.out;
+  const std::string page = content(folder / "out/replay/flown/what_if.html");
+  EXPECT_NE(page.find("Open loop"), std::string::npos);
+  const std::string table = content(folder / "out/replay/flown/what_if.csv");
+  EXPECT_TRUE(table.starts_with("time_s,flown_phase,flown_command_deg,what_if_phase,what_if_command_deg,"));
+  const Json json = Json::parse(
+      run({"replay", "flown", "--set", "controller.canard_limit_deg=3", "--json", "--out", folder / "x"}).out);
+  EXPECT_EQ(json["open_loop"], true);
+  EXPECT_GT(json["differing"], 0);
+  // Both commands lie within their limits, of 6 and 3 degrees.
+  EXPECT_LE(json["largest_difference_deg"], 9.001);
+}
+
+TEST_F(FlownLog, WhatIfNothingWereChangedIsNothing) {
+  folder.write("a.ftl", flown_log());
+  const Json json = Json::parse(run({"replay", "a.ftl", "--set", "controller.canard_limit_deg=6", "--json"}).out);
+  EXPECT_EQ(json["differing"], 0);
+}
+
+TEST_F(FlownLog, APlanValueThatCannotBeIsRefusedAsInAnyPlan) {
+  const Refusal unknown{{{"a.ftl", flown_log()}},
+                        {"replay", "a.ftl", "--set", "controller.canard_limt_deg=3"},
+                        78,
+                        {"canard_limt_deg", "did you mean canard_limit_deg?"}};
+  const Refusal beyond{
+      {{"a.ftl", flown_log()}}, {"replay", "a.ftl", "--set", "controller.canard_limit_deg=90"}, 78, {"90"}};
+}
+
+TEST(LogVerbs, WhatIsNoLogIsRefusedWithWhatItIs) {
+  const std::string csv = "time_s,phase,roll_angle_deg\n0,safe,0\n";
+  const Refusal info{{{"a.csv", csv}}, {"log", "info", "a.csv"}, 65, {"a.csv", "CSV"}};
+  const Refusal replay{{{"a.csv", csv}}, {"replay", "a.csv"}, 65, {"a.csv", "CSV"}};
+  const Refusal empty{{{"a.ftl", ""}}, {"log", "info", "a.ftl"}, 65, {"empty"}};
+  const Refusal none{{}, {"log", "info", "none.ftl"}, 66, {"none.ftl", "no such file"}};
+  const Refusal folder{{{"d/x", ""}}, {"replay", "d"}, 66, {"flight.ftl"}};
+  const Refusal missing{{}, {"replay"}, 64, {"LOG"}};
+}
+
+}  // namespace
+}  // namespace fantail::test
