@@ -26,7 +26,7 @@ TEST(Integrity, ALogThatWasCutOffIsIntactAsFarAsItGoesAndSaysSo) {
   const LogFile file = parse_log(std::span{made.bytes}.first(made.frame_ends[50] + 20), "");
   EXPECT_TRUE(intact(file));
   EXPECT_FALSE(has_end(file.flights[0]));
-  EXPECT_TRUE(says(integrity_words(file.flights[0]), "51 records, none missing; the recording has no end"));
+  EXPECT_TRUE(says(integrity_words(file.flights[0]), "51 records, none missing; the recording breaks off"));
   EXPECT_TRUE(says(foreign_words(file), "at the end, where the last record was cut off"));
 }
 

@@ -24,7 +24,7 @@ struct FlightInfo {
   std::string plan;           ///< its name
 
   [[nodiscard]] double seconds(core::Microseconds time) const {
-    return 1e-6 * static_cast<double>((time - zero).count());
+    return static_cast<double>((time - zero).count()) / 1e6;  // the double nearest to the microseconds
   }
 };
 

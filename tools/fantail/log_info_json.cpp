@@ -12,7 +12,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-double duration_s(core::Microseconds time) { return 1e-6 * static_cast<double>(time.count()); }
+double duration_s(core::Microseconds time) { return static_cast<double>(time.count()) / 1e6; }
 
 Json or_null(const std::string& text) { return text.empty() ? Json{} : Json(text); }
 

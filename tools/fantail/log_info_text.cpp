@@ -32,17 +32,22 @@ std::string extent_words(const FlightInfo& info) {
   const flight_log::Flight& flight = info.flight;
   const std::size_t ticks = flight.ticks.size() + flight.foreign_ticks.size();
   return fmt::format("{:.3f} s, from {:.3f} s to {:.3f} s; {} ticks",
-                     1e-6 * static_cast<double>((flight.last_time - flight.first_time).count()),
+                     static_cast<double>((flight.last_time - flight.first_time).count()) / 1e6,
                      info.seconds(flight.first_time), info.seconds(flight.last_time), ticks);
 }
 
+std::string duration_words(const flight_log::LoopTimes& loop) {
+  if (loop.longest_us == 0.0) {
+    return "no tick took any time: a simulated clock stands still while the flight law works";
+  }
+  return fmt::format("a tick takes {:.1f} us in the mean, 99 of 100 at most {:.0f} us, the longest {:.0f} us; {}",
+                     loop.mean_us, loop.p99_us, loop.longest_us,
+                     loop.late == 0 ? "none was late" : fmt::format("{} took a millisecond or more", loop.late));
+}
+
 std::string loop_words(const flight_log::LoopTimes& loop) {
-  return fmt::format(
-      "a tick takes {:.1f} us in the mean, 99 of 100 at most {:.0f} us, the longest {:.0f} us; {}\n"
-      "{:12}longest step from one tick to the next: {:.3f} ms",
-      loop.mean_us, loop.p99_us, loop.longest_us,
-      loop.late == 0 ? "none was late" : fmt::format("{} took a millisecond or more", loop.late), "",
-      1e-3 * loop.longest_step_us);
+  return fmt::format("{}\n{:12}longest step from one tick to the next: {:.3f} ms", duration_words(loop), "",
+                     1e-3 * loop.longest_step_us);
 }
 
 std::string health_words(const flight_log::HealthFigures& health) {

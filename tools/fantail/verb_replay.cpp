@@ -67,7 +67,7 @@ nlohmann::ordered_json to_json(const ReplayOptions& options, const flight_log::F
   if (const auto& difference = r.first_difference) {
     json["first_difference"] = {
         {"tick", difference->tick},
-        {"power_up_time_s", 1e-6 * static_cast<double>(flight.ticks[difference->tick].tick.time.count())},
+        {"power_up_time_s", static_cast<double>(flight.ticks[difference->tick].tick.time.count()) / 1e6},
         {"field", difference->field},
         {"recorded", difference->recorded},
         {"replayed", difference->replayed}};

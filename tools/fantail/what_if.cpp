@@ -59,7 +59,7 @@ WhatIf what_if(const flight_log::Flight& flight, const flight_log::Regeneration&
       result.unreachable += 1;
       continue;
     }
-    const double time_s = 1e-6 * static_cast<double>((flight.ticks[i].tick.time - zero).count());
+    const double time_s = static_cast<double>((flight.ticks[i].tick.time - zero).count()) / 1e6;
     result.time_s.push_back(time_s);
     result.flown_rad.push_back(command_rad(*was));
     result.what_if_rad.push_back(command_rad(*would));

@@ -57,7 +57,7 @@ std::string what_if_html(const WhatIf& result) {
   plot::Page page{.kind = "Fantail replay: what if", .title = fmt::format("{}", fmt::join(result.changes, ", "))};
   page.subtitle = result.log;
   page.tone = plot::Tone::unsure;
-  page.verdict_heading = "Open loop";
+  page.verdict_heading = "Not a prediction";
   page.verdict = open_loop_sentence;
   std::vector<double> difference_rad;
   for (std::size_t i = 0; i < result.time_s.size(); ++i) {

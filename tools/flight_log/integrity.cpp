@@ -59,7 +59,7 @@ std::string integrity_words(const Flight& flight) {
     text += fmt::format("; {} never written, because the flash was too slow", counted(dropped, "record"));
   }
   if (!has_end(flight)) {
-    text += "; the recording has no end: it was cut off";
+    text += "; the recording breaks off: power was lost, or the run ended";
   }
   if (flight.unknown_records > 0) {
     text += fmt::format("; {} of a kind that this version does not know", counted(flight.unknown_records, "record"));

@@ -86,7 +86,7 @@ void add_notes(report::Flight& result, const Flight& flight, const Regeneration&
   if (!intact(flight)) {
     note(fmt::format("The log is {}.", integrity_words(flight)));
   } else if (!has_end(flight)) {
-    note("The recording was cut off: it has no end.");
+    note("The recording breaks off: power was lost, or the run ended.");
   }
   if (const std::uint64_t dropped = dropped_records(flight); dropped > 0) {
     note(fmt::format("{} records were never written, because the flash was too slow.", dropped));
