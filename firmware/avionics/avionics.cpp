@@ -37,8 +37,9 @@ const core::TickRecord& Avionics::tick() {
                           .bus = devices_.can_bus,
                           .power_up = flash_.boots().count()},
                          *autopilot_);
-  flash_.update(now, plan_may_change());
+  flash_.update(now, plan_may_change(), right_to_log());
   report(record);
+  flash_.send_log(now, right_to_log(), devices_.can_bus);
   tick_duration_ = devices_.clock.now() - now;
   // Last: only a tick that came this far proves that the loop is alive.
   devices_.watchdog.feed();
@@ -85,6 +86,8 @@ void Avionics::listen(core::Microseconds now) {
       flash_.transfer().receive(now, *begin, plan_may_change());
     } else if (const auto* data = std::get_if<protocol::PlanData>(&*message)) {
       flash_.transfer().receive(now, *data, plan_may_change());
+    } else if (const auto* log = std::get_if<protocol::LogRequest>(&*message)) {
+      flash_.receive(*log, right_to_log());
     }
   }
   bench_mode_.update(situation_);
@@ -123,8 +126,8 @@ bool Avionics::plan_may_change() const {
          !arming_.nonce() && !flash_.recorder().busy();
 }
 
-bool Avionics::erase_flights() {
-  return situation_.phase == core::Phase::safe && bench_mode_.open() && !self_test_.running() && flash_.erase_flights();
+LogTransfer::Right Avionics::right_to_log() const {
+  return {.safe = situation_.phase == core::Phase::safe, .session_open = bench_mode_.open()};
 }
 
 core::Inputs Avionics::read_devices(core::Microseconds now) {

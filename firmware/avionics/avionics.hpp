@@ -53,10 +53,6 @@ class Avionics {
   /// One control tick. The record is valid until the next one.
   const core::TickRecord& tick();
 
-  /// Erases all recorded flights, in the ticks to come. False: refused. Only from an open bench session, which is to
-  /// say in Safe and at rest; until it has ended the rocket will not be armed.
-  bool erase_flights();
-
  private:
   void look_for_new_plan();
   void adopt(const core::FlightPlan& plan);
@@ -68,6 +64,7 @@ class Avionics {
   void report(const core::TickRecord& record);
   void tell_person(const core::TickRecord& record);
   [[nodiscard]] bool plan_may_change() const;
+  [[nodiscard]] LogTransfer::Right right_to_log() const;
 
   Devices devices_;
   FlashService flash_;

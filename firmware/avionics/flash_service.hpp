@@ -7,6 +7,7 @@
 #include "avionics/flash_access.hpp"
 #include "avionics/flash_facts.hpp"
 #include "avionics/flight_region.hpp"
+#include "avionics/log_transfer.hpp"
 #include "avionics/plan_store.hpp"
 #include "avionics/plan_transfer.hpp"
 #include "avionics/recorder.hpp"
@@ -16,8 +17,8 @@
 namespace fantail::avionics {
 
 /// Everything that the avionics keeps in flash. One of its users has the flash at a time: the boot counter until it has
-/// finished, then a flight that is recorded, then a plan that is written, and in the ticks that are left the region of
-/// the flights is looked through or erased.
+/// finished, then a flight that is recorded, then a plan that is written, and in the ticks that are left the flights
+/// are read for the bench, or their region is looked through or erased.
 class FlashService {
  public:
   /// The flash outlives this object.
@@ -37,31 +38,25 @@ class FlashService {
 
   /// Once a tick, after the frames of the bus have been given to transfer(): at most one call to the flash, which is
   /// one erase or one program begun, or 256 bytes read.
-  void update(core::Microseconds now, bool safe) {
+  void update(core::Microseconds now, bool safe, LogTransfer::Right right = {}) {
     transfer_.update(now, safe);
+    log_.update(now, known(right));
     if (!boots_.finished()) {
       boots_.update(now);
     } else if (recorder_.busy()) {
       recorder_.update(now);
     } else if (store_.write() == PlanWrite::under_way) {
       store_.update(now);
-    } else {
+    } else if (!log_.read(now)) {
       flights_.update(now);
     }
   }
 
-  /// Erases all recorded flights, in the ticks to come. False: not now. Whoever calls this knows that the rocket is on
-  /// the bench, and keeps it from being armed while flights().erasing().
-  bool erase_flights() {
-    const bool in_use = !boots_.finished() || recorder_.busy() || store_.write() == PlanWrite::under_way;
-    return !in_use && flights_.begin_erase();
-  }
-
-  /// FlightRegion::read(), in a tick of its own: not in one with an update().
-  Access read_flights(core::Microseconds now, std::uint32_t offset, std::span<std::byte> out) {
-    const bool in_use = !boots_.finished() || recorder_.busy() || store_.write() == PlanWrite::under_way ||
-                        !flights_.finished() || flights_.erasing();
-    return in_use ? Access::again : flights_.read(now, offset, out);
+  /// As the frames of the bus come in.
+  void receive(const protocol::LogRequest& request, LogTransfer::Right right) { log_.receive(request, known(right)); }
+  /// Once a tick, behind the reports of the others.
+  void send_log(core::Microseconds now, LogTransfer::Right right, hal::CanBus& bus) {
+    log_.send(now, known(right), bus);
   }
 
   [[nodiscard]] PlanTransfer& transfer() { return transfer_; }
@@ -85,11 +80,17 @@ class FlashService {
   }
 
  private:
+  [[nodiscard]] LogTransfer::Right known(LogTransfer::Right right) const {
+    right.flash_in_use = !boots_.finished() || recorder_.busy() || store_.write() == PlanWrite::under_way;
+    return right;
+  }
+
   FlashAccess access_;
   BootCounter boots_{access_};
   PlanStore store_{access_};
   FlightRegion flights_{access_};
   Recorder recorder_{flights_};
+  LogTransfer log_{flights_};
   PlanTransfer transfer_{store_};
   bool plan_broken_ = false;
   bool plan_unreadable_ = false;

@@ -59,6 +59,8 @@ class FlightRegion {
   /// Erases all flights, from the last sector down, so that what a power cut leaves is a row of flights that ends
   /// early. False when it is not to be had now. Whoever calls this knows that nobody flies.
   bool begin_erase();
+  /// Ends it after the sector that is being erased; until that is done it is erasing() still.
+  void stop_erase() { step_ = step_ == Step::erase ? Step::check_erase : step_; }
   [[nodiscard]] bool erasing() const { return step_ == Step::erase || step_ == Step::check_erase; }
 
  private:

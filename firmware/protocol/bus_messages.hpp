@@ -221,7 +221,7 @@ struct LogReply {
   LogFault fault = LogFault::none;
   std::uint8_t tag = 0;
   std::uint32_t number = 0;  ///< ready, erased: bytes in use; read: CRC-32C of the bytes; erasing: bytes still to erase
-  std::uint16_t extra = 0;   ///< ready: flights in them, as far as known; read: how many bytes
+  std::uint16_t extra = 0;   ///< ready, erased: KiB still free, saturates; read: how many bytes
 };
 
 /// Seven bytes of what was asked for; zeros after the last.

@@ -1198,7 +1198,7 @@ struct canard_bus_plan_reply_t {
 /**
  * Signals in message LogReply.
  *
- * The answer to the LogRequest with this tag. number and extra are, when ready or erased: bytes in use, flights in them; read: CRC-32C of the bytes just sent, how many; erasing: bytes still to erase, zero; refused: zero.
+ * The answer to the LogRequest with this tag. number and extra are, when ready or erased: bytes in use, KiB still free; read: CRC-32C of the bytes just sent, how many; erasing: bytes still to erase, zero; refused: zero.
  *
  * All signal values are as on the CAN bus.
  */

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: MIT
+#include "avionics/log_transfer.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <span>
+
+#include "avionics/can_frame.hpp"
+#include "protocol/bus_codec.hpp"
+#include "protocol/crc32c.hpp"
+
+namespace fantail::avionics {
+
+using protocol::LogAction;
+using protocol::LogFault;
+using protocol::LogState;
+
+void LogTransfer::answer(LogState state, std::uint32_t number, std::uint16_t extra) {
+  reply_ = {.state = state, .tag = tag_, .number = number, .extra = extra};
+  reply_due_ = true;
+}
+
+void LogTransfer::refuse(LogFault fault) {
+  answer(LogState::refused);
+  reply_.fault = fault;
+}
+
+void LogTransfer::receive(const protocol::LogRequest& request, const Right& right) {
+  tag_ = request.tag;
+  size_ = 0;
+  reply_due_ = false;
+  if (const auto fault = refusal(request, right)) {
+    refuse(*fault);
+    return;
+  }
+  switch (request.action) {
+    case LogAction::info:
+      erasing_ ? answer(LogState::erasing, flights_.used_bytes())
+               : answer(LogState::ready, flights_.used_bytes(), free_kib());
+      break;
+    case LogAction::read:
+      offset_ = request.offset;
+      size_ = request.size;
+      read_ = 0;
+      crc_ = 0;
+      buffered_ = 0;
+      sent_ = 0;
+      index_ = 0;
+      break;
+    case LogAction::erase: begin_erase(right); break;
+  }
+}
+
+std::optional<LogFault> LogTransfer::refusal(const protocol::LogRequest& request, const Right& right) const {
+  if (!right.safe) {
+    return LogFault::not_safe;
+  }
+  if (request.action == LogAction::erase && !right.session_open) {
+    return LogFault::no_session;
+  }
+  if (flights_.failed()) {
+    return LogFault::flash_failed;
+  }
+  if (!flights_.finished()) {
+    return LogFault::not_counted_yet;
+  }
+  if (request.action != LogAction::read) {
+    return std::nullopt;
+  }
+  if (flights_.erasing()) {
+    return LogFault::busy;
+  }
+  const std::uint32_t used = flights_.used_bytes();
+  const bool is_there = request.size > 0 && request.size <= protocol::largest_log_chunk && request.size <= used &&
+                        request.offset <= used - request.size;
+  return is_there ? std::nullopt : std::optional{LogFault::out_of_range};
+}
+
+void LogTransfer::begin_erase(const Right& right) {
+  if (erasing_) {
+    answer(LogState::erasing, flights_.used_bytes());
+  } else if (right.flash_in_use || flights_.erasing()) {
+    refuse(LogFault::busy);  // also the last sector of an erase that was stopped
+  } else if (flights_.used_bytes() == 0) {
+    answer(LogState::erased, 0, free_kib());
+  } else if (flights_.begin_erase()) {
+    erasing_ = true;
+    answer(LogState::erasing, flights_.used_bytes());
+  } else {
+    refuse(LogFault::busy);
+  }
+}
+
+void LogTransfer::update(core::Microseconds now, const Right& right) {
+  if (erasing_) {
+    follow_erase(now, right);
+  }
+  if (size_ > 0 && !right.safe) {
+    size_ = 0;
+    refuse(LogFault::not_safe);
+  }
+}
+
+void LogTransfer::follow_erase(core::Microseconds now, const Right& right) {
+  if (!right.safe || !right.session_open) {
+    flights_.stop_erase();
+    erasing_ = false;
+    refuse(right.safe ? LogFault::no_session : LogFault::not_safe);
+  } else if (flights_.failed()) {
+    erasing_ = false;
+    refuse(LogFault::flash_failed);
+  } else if (!flights_.erasing()) {
+    erasing_ = false;
+    answer(LogState::erased, flights_.used_bytes(), free_kib());
+  } else if (!reply_due_ && (!last_reply_ || now - *last_reply_ >= report_period)) {
+    answer(LogState::erasing, flights_.used_bytes());
+  }
+}
+
+bool LogTransfer::read(core::Microseconds now) {
+  if (read_ >= size_ || sent_ < buffered_) {
+    return false;
+  }
+  const auto bytes = std::span{buffer_}.first(std::min<std::size_t>(buffer_.size(), size_ - read_));
+  const Access access = flights_.read(now, offset_ + read_, bytes);
+  if (access == Access::failed) {
+    size_ = 0;
+    refuse(LogFault::flash_failed);
+  } else if (access == Access::done) {
+    crc_ = protocol::crc32c(crc_, bytes);
+    read_ = static_cast<std::uint16_t>(read_ + bytes.size());
+    buffered_ = bytes.size();
+    sent_ = 0;
+  }
+  return true;
+}
+
+void LogTransfer::send(core::Microseconds now, const Right& right, hal::CanBus& bus) {
+  const std::size_t most = right.session_open ? frames_a_tick_in_session : frames_a_tick;
+  for (std::size_t i = 0; i < most && size_ > 0 && sent_ < buffered_; ++i) {
+    if (!send_data(bus)) {
+      return;  // nor is there room for the answer
+    }
+  }
+  if (size_ > 0 && read_ == size_ && sent_ == buffered_) {
+    answer(LogState::read, crc_, size_);
+    size_ = 0;
+  }
+  if (reply_due_ && (!last_reply_ || now - *last_reply_ >= reply_gap) && bus.send(can_frame(encode(reply_)))) {
+    reply_due_ = false;
+    last_reply_ = now;
+  }
+}
+
+bool LogTransfer::send_data(hal::CanBus& bus) {
+  const auto rest = std::span{buffer_}.first(buffered_).subspan(sent_);
+  protocol::LogData data{.index = index_};
+  std::ranges::copy(rest.first(std::min(rest.size(), bytes_a_frame)), data.bytes.begin());
+  if (!bus.send(can_frame(encode(data)))) {
+    return false;
+  }
+  sent_ += std::min(rest.size(), bytes_a_frame);
+  index_ += 1;
+  return true;
+}
+
+std::uint16_t LogTransfer::free_kib() const {
+  constexpr std::uint32_t most = std::numeric_limits<std::uint16_t>::max();
+  return static_cast<std::uint16_t>(std::min(flights_.free_bytes().value_or(0) / 1024U, most));
+}
+
+}  // namespace fantail::avionics

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+#include "avionics/flight_region.hpp"
+#include "core/time.hpp"
+#include "hal/can_bus.hpp"
+#include "protocol/bus_messages.hpp"
+
+namespace fantail::avionics {
+
+/// The flight record on its way to the bench, one chunk at a time, and its erase on the bench's word.
+///
+/// A chunk is read from the flash five frames at a time and sent as fast as the bus takes it; its CRC-32C comes last.
+/// A new request takes the place of the one before. An erase begins, and goes on, only in Safe while a bench session is
+/// open: without one it stops after the sector that it is at, which leaves a record whose beginning is whole.
+class LogTransfer {
+ public:
+  /// With all other frames of a millisecond in Safe, the bus carries so many; every millisecond of an open bench
+  /// session has two reports more, and a request.
+  static constexpr std::size_t frames_a_tick = 5;
+  static constexpr std::size_t frames_a_tick_in_session = 3;
+  static constexpr core::Microseconds report_period{100'000};
+  /// Two replies are at least this far apart, whoever asks.
+  static constexpr core::Microseconds reply_gap{20'000};
+
+  struct Right {
+    bool safe = false;          ///< the phase is Safe
+    bool session_open = false;  ///< of a bench
+    bool flash_in_use = false;  ///< by somebody who goes first
+  };
+
+  /// The region outlives this object and is updated by its owner.
+  explicit LogTransfer(FlightRegion& flights) : flights_{flights} {}
+
+  void receive(const protocol::LogRequest& request, const Right& right);
+
+  /// Once a tick, after what it received and before the region is updated. No call to the flash.
+  void update(core::Microseconds now, const Right& right);
+  /// In a tick in which nobody else has the flash: true when it has made its one call.
+  bool read(core::Microseconds now);
+  /// Once a tick, behind the reports, which are more urgent.
+  void send(core::Microseconds now, const Right& right, hal::CanBus& bus);
+
+ private:
+  static constexpr std::size_t bytes_a_frame = std::tuple_size_v<decltype(protocol::LogData::bytes)>;
+
+  void answer(protocol::LogState state, std::uint32_t number = 0, std::uint16_t extra = 0);
+  void refuse(protocol::LogFault fault);
+  [[nodiscard]] std::optional<protocol::LogFault> refusal(const protocol::LogRequest& request,
+                                                          const Right& right) const;
+  void begin_erase(const Right& right);
+  void follow_erase(core::Microseconds now, const Right& right);
+  [[nodiscard]] bool send_data(hal::CanBus& bus);
+  [[nodiscard]] std::uint16_t free_kib() const;
+
+  FlightRegion& flights_;
+  protocol::LogReply reply_{};
+  bool reply_due_ = false;
+  std::optional<core::Microseconds> last_reply_;
+  std::uint8_t tag_ = 0;  ///< of the newest request
+
+  bool erasing_ = false;
+
+  std::uint32_t offset_ = 0;                                       ///< of the chunk that is being sent
+  std::uint16_t size_ = 0;                                         ///< of it; 0: none
+  std::uint16_t read_ = 0;                                         ///< bytes of it that have been read
+  std::uint32_t crc_ = 0;                                          ///< of these
+  std::array<std::byte, frames_a_tick * bytes_a_frame> buffer_{};  ///< the last of these
+  std::size_t buffered_ = 0;
+  std::size_t sent_ = 0;  ///< bytes of the buffer
+  std::uint8_t index_ = 0;
+};
+
+}  // namespace fantail::avionics
