@@ -9,6 +9,7 @@ namespace {
 
 // Nobody takes ticks while nothing is recorded.
 constexpr std::size_t most_waiting_ticks = 10'000;
+constexpr std::size_t most_waiting_log_data = 1'000;
 // On a slow PC a whole backlog takes longer than the avionics waits for a heartbeat.
 constexpr int most_frames_at_once = 32;
 
@@ -47,6 +48,11 @@ void AvionicsLink::listen(hal::Microseconds now) {
       take(*commands, *decoded.counter);
     } else if (const auto* encoders = std::get_if<protocol::EncoderReport>(&*decoded.message)) {
       take(*encoders, *decoded.counter);
+    } else if (const auto* data = std::get_if<protocol::LogData>(&*decoded.message)) {
+      if (log_data_.size() == most_waiting_log_data) {
+        log_data_.pop_front();
+      }
+      log_data_.push_back(*data);
     }
   }
 }
@@ -100,6 +106,15 @@ std::optional<Tick> AvionicsLink::take_tick() {
   Tick tick = ticks_.front();
   ticks_.pop_front();
   return tick;
+}
+
+std::optional<protocol::LogData> AvionicsLink::take_log_data() {
+  if (log_data_.empty()) {
+    return std::nullopt;
+  }
+  const protocol::LogData data = log_data_.front();
+  log_data_.pop_front();
+  return data;
 }
 
 }  // namespace fantail::bench

@@ -57,6 +57,10 @@ class AvionicsLink {
   std::optional<Tick> take_tick();
   void forget_ticks() { ticks_.clear(); }
 
+  /// The oldest piece of the flight record not yet taken.
+  std::optional<protocol::LogData> take_log_data();
+  void forget_log_data() { log_data_.clear(); }
+
   [[nodiscard]] const LinkFigures& figures() const { return figures_; }
 
  private:
@@ -80,6 +84,7 @@ class AvionicsLink {
   std::int64_t last_encoder_ = -1;
   protocol::CommandReport command_{};
   std::deque<Tick> ticks_;
+  std::deque<protocol::LogData> log_data_;
 };
 
 }  // namespace fantail::bench

@@ -83,6 +83,21 @@ std::string words(protocol::ArmRefusal refusal) {
   return "for an unknown reason";
 }
 
+std::string words(protocol::LogFault fault) {
+  using Fault = protocol::LogFault;
+  switch (fault) {
+    case Fault::none: return "nothing";
+    case Fault::not_safe:
+      return "the rocket is not in phase safe; open the arm switch, and after a flight switch it off and on";
+    case Fault::no_session: return "no bench session is open";
+    case Fault::busy: return "its flash has something else to do";
+    case Fault::not_counted_yet: return "it is still looking through its flash";
+    case Fault::out_of_range: return "its record has no such bytes";
+    case Fault::flash_failed: return "its flash does not answer";
+  }
+  return "for an unknown reason";
+}
+
 std::string words(const protocol::PlanReply& reply) {
   using Fault = protocol::TransferFault;
   switch (reply.fault) {

@@ -12,6 +12,7 @@ namespace fantail::bench {
 [[nodiscard]] std::string words(protocol::SessionReason reason);
 [[nodiscard]] std::string words(protocol::SelfTestFailure failure, const std::optional<std::size_t>& canard);
 [[nodiscard]] std::string words(protocol::ArmRefusal refusal);
+[[nodiscard]] std::string words(protocol::LogFault fault);
 /// Names the refused field of the plan where there is one.
 [[nodiscard]] std::string words(const protocol::PlanReply& reply);
 

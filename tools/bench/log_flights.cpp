@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#include "bench/log_flights.hpp"
+
+#include <algorithm>
+
+#include "protocol/log_frame.hpp"
+#include "protocol/log_header.hpp"
+
+namespace fantail::bench {
+namespace {
+
+std::optional<protocol::LogHeader> header_of(const protocol::LogFrame& frame) {
+  return frame.head.type == static_cast<std::uint8_t>(protocol::LogRecord::header)
+             ? protocol::decode_log_header(frame.payload)
+             : std::nullopt;
+}
+
+/// Takes the frames of a record in their order.
+class Splitter {
+ public:
+  void take(const protocol::LogFrame& frame, std::size_t foreign_before) {
+    const auto header = header_of(frame);
+    const bool other = header && numbered_ && number_ != header->flight;
+    const bool first = flights_.empty();
+    if (!first) {
+      flights_.back().damaged_bytes += foreign_before;  // what a power cut left lies behind its flight
+    }
+    if (first || frame.head.sequence < next_sequence_ || other) {
+      flights_.push_back({.begin = first ? 0 : frame.position, .first_time = frame.head.time});
+      numbered_ = false;
+      next_sequence_ = 0;
+    }
+    RecordedFlight& flight = flights_.back();
+    if (header && !numbered_) {
+      numbered_ = true;
+      number_ = header->flight;
+      flight.vehicle = header->vehicle;
+      flight.power_up = header->power_up;
+    }
+    // A flight's first frame carries 0, and what was lost before it was its own.
+    flight.missing_records += frame.head.sequence - next_sequence_;
+    flight.damaged_bytes += first ? foreign_before : 0;
+    next_sequence_ = frame.head.sequence + 1;
+    flight.records += 1;
+    flight.last_time = frame.head.time;
+    flight.end = frame.position + protocol::log_frame_overhead + frame.payload.size();
+  }
+
+  [[nodiscard]] std::vector<RecordedFlight>& flights() { return flights_; }
+
+ private:
+  std::vector<RecordedFlight> flights_;
+  bool numbered_ = false;  ///< the flight's header has been seen
+  std::uint32_t number_ = 0;
+  std::uint32_t next_sequence_ = 0;
+};
+
+}  // namespace
+
+std::vector<RecordedFlight> split_flights(std::span<const std::byte> record) {
+  protocol::LogFrameReader reader{record};
+  Splitter splitter;
+  std::size_t foreign = 0;
+  while (const auto frame = reader.next()) {
+    splitter.take(*frame, reader.foreign_bytes() - foreign);
+    foreign = reader.foreign_bytes();
+  }
+  std::vector<RecordedFlight>& flights = splitter.flights();
+  if (!flights.empty()) {
+    flights.back().damaged_bytes += reader.foreign_bytes() - foreign;
+  }
+  // Damaged bytes behind a flight's last intact record stay with it.
+  for (std::size_t i = 0; i < flights.size(); ++i) {
+    const std::size_t limit = i + 1 < flights.size() ? flights[i + 1].begin : record.size();
+    std::size_t end = limit;
+    while (end > flights[i].end && record[end - 1] == std::byte{0xFF}) {
+      end -= 1;
+    }
+    flights[i].end = end;
+  }
+  return flights;
+}
+
+}  // namespace fantail::bench

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: MIT
+#include "bench/log_reader.hpp"
+
+#include <algorithm>
+
+#include "avionics/can_frame.hpp"
+#include "bench/words.hpp"
+#include "protocol/crc32c.hpp"
+
+namespace fantail::bench {
+namespace {
+
+using hal::Microseconds;
+using protocol::LogAction;
+using protocol::LogFault;
+using protocol::LogState;
+
+constexpr std::size_t bytes_a_frame = std::tuple_size_v<decltype(protocol::LogData::bytes)>;
+constexpr std::size_t fewest_frames = 8;
+constexpr Microseconds glance{2'000};
+constexpr Microseconds repeat_after{100'000};
+// A chunk takes 90 ms at its slowest, and the answer may overtake the last of its frames.
+constexpr Microseconds silence{150'000};
+constexpr Microseconds straggling{20'000};
+constexpr Microseconds patience{5'000'000};
+// The look through 16 MiB takes four seconds.
+constexpr Microseconds look_patience{15'000'000};
+// An erase of one sector may take 400 ms.
+constexpr Microseconds erase_patience{3'000'000};
+
+[[noreturn]] void refuse(LogFault fault) {
+  throw LinkError{"the avionics does not give its flight record: " + words(fault)};
+}
+
+[[noreturn]] void silent() { throw LinkError{"the avionics does not answer when asked for its flight record"}; }
+
+}  // namespace
+
+void LogReader::ask(LogAction action, std::uint32_t offset, std::uint16_t size) {
+  link_.listen(place_.now());
+  link_.forget_log_data();
+  tag_ = (tag_ + 1U) & 0x0FU;
+  const auto& newest = link_.newest<protocol::LogReply>();
+  heard_before_ = newest ? newest->count : 0;
+  const protocol::LogRequest request{.action = action, .tag = tag_, .offset = offset, .size = size};
+  (void)place_.bus().send(avionics::can_frame(encode(request, counter_.next())));
+}
+
+std::optional<protocol::LogReply> LogReader::answer() const {
+  const auto& newest = link_.newest<protocol::LogReply>();
+  return newest && newest->count > heard_before_ && newest->message.tag == tag_ ? std::optional{newest->message}
+                                                                                : std::nullopt;
+}
+
+LogInfo LogReader::info() {
+  const Microseconds begin = place_.now();
+  Microseconds last_answer = begin;
+  while (true) {
+    ask(LogAction::info, 0, 0);
+    std::optional<protocol::LogReply> reply;
+    for (const Microseconds end = place_.now() + repeat_after; !reply && place_.now() < end; reply = answer()) {
+      place_.wait(glance);
+      link_.listen(place_.now());
+    }
+    const Microseconds now = place_.now();
+    last_answer = reply ? now : last_answer;
+    if (reply && reply->state == LogState::ready) {
+      return {.used_bytes = reply->number, .free_bytes = 1024U * reply->extra};
+    }
+    // Another bench may be erasing, which is not waited for either.
+    if (reply && reply->state == LogState::refused && reply->fault != LogFault::not_counted_yet) {
+      refuse(reply->fault);
+    }
+    if (reply && now - begin > look_patience) {
+      refuse(reply->state == LogState::refused ? reply->fault : LogFault::busy);
+    }
+    if (now - last_answer > patience) {
+      silent();
+    }
+    if (reply) {
+      place_.wait(repeat_after);
+    }
+  }
+}
+
+std::vector<std::byte> LogReader::read(std::uint32_t offset, std::uint32_t size) {
+  const Microseconds begin = place_.now();
+  while (true) {
+    const auto now_size = static_cast<std::uint16_t>(std::min<std::size_t>(size, frames_at_once_ * bytes_a_frame));
+    if (auto bytes = try_to_read(offset, now_size)) {
+      frames_at_once_ = std::min(2 * frames_at_once_, most_frames);
+      return *bytes;
+    }
+    repeated_ += 1;
+    frames_at_once_ = std::max(frames_at_once_ / 2, fewest_frames);
+    if (place_.now() - begin > patience) {
+      silent();
+    }
+  }
+}
+
+// Empty: something was lost or damaged on the way.
+std::optional<std::vector<std::byte>> LogReader::try_to_read(std::uint32_t offset, std::uint16_t size) {
+  std::vector<std::byte> bytes((size + bytes_a_frame - 1) / bytes_a_frame * bytes_a_frame);
+  arrived_.assign(bytes.size() / bytes_a_frame, false);
+  ask(LogAction::read, offset, size);
+  Microseconds last_heard = place_.now();
+  std::optional<Microseconds> answered;
+  while (true) {
+    place_.wait(glance);
+    link_.listen(place_.now());
+    last_heard = take_data(bytes) ? place_.now() : last_heard;
+    const auto reply = answer();
+    if (reply && reply->state == LogState::refused) {
+      if (reply->fault == LogFault::busy || reply->fault == LogFault::not_counted_yet) {
+        place_.wait(repeat_after);
+        return std::nullopt;
+      }
+      refuse(reply->fault);
+    }
+    const bool complete = std::ranges::find(arrived_, false) == arrived_.end();
+    if (reply && complete) {
+      bytes.resize(size);
+      const bool whole = reply->state == LogState::read && reply->extra == size;
+      return whole && reply->number == protocol::crc32c(bytes) ? std::optional{std::move(bytes)} : std::nullopt;
+    }
+    answered = reply && !answered ? place_.now() : answered;
+    if ((answered && place_.now() - *answered > straggling) || place_.now() - last_heard > silence) {
+      return std::nullopt;
+    }
+  }
+}
+
+bool LogReader::take_data(std::vector<std::byte>& bytes) {
+  bool any = false;
+  while (const auto data = link_.take_log_data()) {
+    any = true;
+    if (data->index < arrived_.size()) {
+      std::ranges::copy(data->bytes, bytes.begin() + static_cast<std::ptrdiff_t>(data->index * bytes_a_frame));
+      arrived_[data->index] = true;
+    }
+  }
+  return any;
+}
+
+void LogReader::erase(Session& session, const std::function<void(std::uint32_t)>& progress) {
+  ask(LogAction::erase, 0, 0);
+  Microseconds asked = place_.now();
+  Microseconds last_answer = asked;
+  std::uint64_t seen = heard_before_;
+  while (true) {
+    session.wait();
+    const Microseconds now = place_.now();
+    const auto reply = answer();
+    const std::uint64_t count = reply ? link_.newest<protocol::LogReply>()->count : seen;
+    if (reply && count != seen) {
+      seen = count;
+      last_answer = now;
+      if (reply->state == LogState::erased) {
+        return;
+      }
+      if (reply->state == LogState::refused && reply->fault != LogFault::busy) {
+        throw LinkError{"the avionics does not erase its flight record: " + words(reply->fault)};
+      }
+      progress(reply->number);
+    }
+    const bool waits = reply && reply->state == LogState::erasing;
+    if (!waits && now - asked > repeat_after) {
+      ask(LogAction::erase, 0, 0);
+      asked = now;
+      seen = heard_before_;
+    }
+    if (now - last_answer > (waits ? erase_patience : patience)) {
+      throw LinkError{"the avionics has fallen silent while it erased its flight record; ask again"};
+    }
+  }
+}
+
+}  // namespace fantail::bench
