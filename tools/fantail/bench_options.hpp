@@ -23,5 +23,6 @@ void add_bench_step(CLI::App& bench);
 void add_bench_sine(CLI::App& bench);
 void add_bench_arm(CLI::App& bench);
 void add_bench_plan(CLI::App& bench);
+void add_bench_log(CLI::App& bench);
 
 }  // namespace fantail::tool

@@ -23,6 +23,7 @@ void add_bench(CLI::App& program) {
   add_bench_sine(*bench);
   add_bench_arm(*bench);
   add_bench_plan(*bench);
+  add_bench_log(*bench);
 }
 
 }  // namespace fantail::tool

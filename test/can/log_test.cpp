@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+// The flight record of a rocket, downloaded over a real SocketCAN bus.
+#include <algorithm>
+#include <csignal>
+#include <filesystem>
+
+#include <nlohmann/json.hpp>
+
+#include "bench/made_record.hpp"
+#include "can/rig.hpp"
+#include "hal/linux/file_flash.hpp"
+
+namespace fantail::test {
+namespace {
+
+using nlohmann::json;
+
+constexpr std::uint32_t region_begin = 4 * 4096;
+
+std::string text_of(std::span<const std::byte> bytes) {
+  std::string text(bytes.size(), '\0');
+  std::ranges::transform(bytes, text.begin(), [](std::byte byte) { return static_cast<char>(byte); });
+  return text;
+}
+
+/// A node whose flash file holds two flights.
+class FlownRocket : public CanSystem {
+ protected:
+  FlownRocket() {
+    hal::on_linux::FileFlash chip{flash};
+    Bytes record = first;
+    fill_sector(record);
+    protocol::append(record, second);
+    for (std::size_t at = 0; at < record.size(); at += 256) {
+      const auto page = std::span{record}.subspan(at, std::min<std::size_t>(256, record.size() - at));
+      EXPECT_EQ(chip.program(static_cast<std::uint32_t>(region_begin + at), page), hal::FlashResult::ok);
+    }
+    fill_sector(record);
+    used = record.size();
+  }
+
+  [[nodiscard]] std::vector<std::string> command(const std::vector<std::string>& more = {}) const {
+    std::vector<std::string> words{"log", "--can", "vcan0", "--out", folder / "out"};
+    words.insert(words.end(), more.begin(), more.end());
+    return words;
+  }
+  void expect_both_flights() const {
+    EXPECT_EQ(content(folder / "out/flight_001.ftl"), text_of(first));
+    EXPECT_EQ(content(folder / "out/flight_002.ftl"), text_of(second));
+    EXPECT_EQ(downloaded(), (std::vector<std::string>{"flight_001.ftl", "flight_002.ftl"}));
+  }
+  [[nodiscard]] std::vector<std::string> downloaded() const {
+    std::vector<std::string> names;
+    for (const auto& entry : std::filesystem::directory_iterator{folder / "out"}) {
+      names.push_back(entry.path().filename().string());
+    }
+    std::ranges::sort(names);
+    return names;
+  }
+
+  Folder folder;
+  const std::string flash = folder / "flash.bin";
+  const Bytes first = flight(0, 1'000, "first");
+  const Bytes second = flight(20, 200, "second");
+  std::size_t used = 0;
+};
+
+TEST_F(FlownRocket, ADownloadThatWasKilledGoesOnAndEndsWithAFileForEveryFlight) {
+  Node node{"vcan0", "bench_healthy", flash};
+  const std::filesystem::path part = folder / "out/record.part";
+  const auto has_grown_to = [&](std::uintmax_t size) {
+    return eventually([&] {
+      std::error_code error;
+      const std::uintmax_t now = std::filesystem::file_size(part, error);
+      return !error && now >= size;
+    });
+  };
+  std::vector<std::string> words{"bench"};
+  std::ranges::copy(command(), std::back_inserter(words));
+  {
+    Program killed{words};
+    ASSERT_TRUE(has_grown_to(10'000));
+    killed.signal(SIGKILL);
+    EXPECT_EQ(killed.outcome().signal, SIGKILL);
+  }
+  const auto kept = std::filesystem::file_size(part);
+  EXPECT_LT(kept, used);
+  {
+    Program interrupted{words};
+    ASSERT_TRUE(has_grown_to(kept + 10'000));
+    interrupted.signal(SIGINT);
+    EXPECT_EQ(interrupted.outcome().exit_code, 130);
+    EXPECT_PRED2(contains, interrupted.outcome().err, "bytes are kept in " + part.string());
+  }
+  const auto kept_then = std::filesystem::file_size(part);
+  EXPECT_GE(kept_then, kept + 10'000);
+
+  const Outcome whole = fantail_bench(command({"--json"}));
+  ASSERT_EQ(whole.exit_code, 0) << whole.err;
+  const json result = json::parse(whole.out);
+  EXPECT_EQ(result["resumed_bytes"], kept_then);
+  EXPECT_EQ(result["downloaded_bytes"], used - kept_then);
+  ASSERT_EQ(result["files"].size(), 2U);
+  EXPECT_EQ(result["files"][0]["vehicle"], "first");
+  EXPECT_EQ(result["files"][0]["records"], 1'001);
+  EXPECT_EQ(result["files"][0]["intact"], true);
+  EXPECT_EQ(result["files"][1]["vehicle"], "second");
+  expect_both_flights();
+}
+
+TEST_F(FlownRocket, OneOfItsFlightsIsListedAndDownloadedAlone) {
+  Node node{"vcan0", "bench_healthy", flash};
+  const Outcome list = fantail_bench({"log", "--can", "vcan0", "--list", "--json"});
+  ASSERT_EQ(list.exit_code, 0) << list.err;
+  const json flights = json::parse(list.out)["flights"];
+  ASSERT_EQ(flights.size(), 2U);
+  EXPECT_EQ(flights[1]["vehicle"], "second");
+  EXPECT_EQ(flights[1]["power_up"], 7);
+  const Outcome one = fantail_bench(command({"--flight", "2"}));
+  EXPECT_EQ(one.exit_code, 0) << one.err;
+  EXPECT_PRED2(contains, one.out, "flight_002.ftl  0.2 s, 0.02 MB, intact");
+  EXPECT_EQ(content(folder / "out/flight_002.ftl"), text_of(second));
+  EXPECT_EQ(downloaded(), std::vector<std::string>{"flight_002.ftl"});
+  const Outcome none = fantail_bench(command({"--flight", "3"}));
+  EXPECT_EQ(none.exit_code, 1);
+  EXPECT_EQ(none.err, "fantail: there is no flight 3; the rocket holds 2, see --list\n");
+}
+
+TEST_F(FlownRocket, EraseAsksDownloadsFirstAndLeavesNothing) {
+  Node node{"vcan0", "bench_healthy", flash};
+  node.await_rest();
+  const Outcome unasked = fantail_bench(command({"--erase"}));  // its standard input is empty
+  EXPECT_EQ(unasked.exit_code, 1);
+  EXPECT_PRED2(contains, unasked.err, "nobody typed ERASE; the flight record is kept");
+  expect_both_flights();  // which had come before the question
+  const Outcome erased = fantail_bench(command({"--erase", "--yes", "--json"}));
+  ASSERT_EQ(erased.exit_code, 0) << erased.err;
+  EXPECT_EQ(json::parse(erased.out)["erased"], true);
+  expect_both_flights();  // the same ones, under the same names
+  const Outcome nothing = fantail_bench(command());
+  EXPECT_EQ(nothing.exit_code, 0) << nothing.err;
+  EXPECT_EQ(nothing.out, "nothing is recorded; 16.76 MB are free\n");
+  node.program.type("quit");
+  EXPECT_EQ(node.program.outcome().exit_code, 0);
+  hal::on_linux::FileFlash chip{flash};
+  Bytes there(used);
+  EXPECT_EQ(chip.read(region_begin, there), hal::FlashResult::ok);
+  EXPECT_EQ(there, Bytes(used, std::byte{0xFF}));
+}
+
+}  // namespace
+}  // namespace fantail::test

@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <random>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "bench/log_download.hpp"
+#include "bench/log_listing.hpp"
+#include "fantail/bench_options.hpp"
+#include "fantail/can_place.hpp"
+#include "fantail/flight_files.hpp"
+#include "fantail/interrupt.hpp"
+#include "fantail/line_input.hpp"
+#include "fantail/progress.hpp"
+#include "fantail/requirement.hpp"
+#include "fantail/standard_streams.hpp"
+
+namespace fantail::tool {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+struct LogOptions {
+  BenchOptions bench;
+  std::string out = "out/bench_log";
+  std::optional<int> flight;
+  bool list = false;
+  bool erase = false;
+  bool discard = false;
+  bool yes = false;
+};
+
+/// At one rocket, for one run of the verb.
+struct Visit {
+  explicit Visit(const LogOptions& chosen) : options{chosen}, place{chosen.bench.interface}, link{place.bus()} {
+    bench::await_avionics(place, link);
+    info = reader.info();
+    json["used_bytes"] = info.used_bytes;
+    json["free_bytes"] = info.free_bytes;
+  }
+
+  template <typename... Values>
+  void tell(fmt::format_string<Values...> text, Values&&... values) const {
+    if (!options.bench.json) {
+      fmt::print(text, std::forward<Values>(values)...);
+    }
+  }
+
+  const LogOptions& options;
+  CanPlace place;
+  bench::AvionicsLink link;
+  bench::LogReader reader{place, link};
+  bench::LogInfo info{};
+  Json json{};
+};
+
+constexpr double mega = 1e6;
+
+std::vector<bench::ListedFlight> list_flights(Visit& visit) {
+  Progress progress{"looking for flights",
+                    {.unit = "bytes", .rate = " a second", .total = static_cast<double>(visit.info.used_bytes)}};
+  return bench::list_flights(visit.reader, visit.info.used_bytes, [&](std::uint32_t done) { progress.show(done); });
+}
+
+void list(Visit& visit) {
+  visit.tell("{:.2f} MB recorded, {:.2f} MB free\n", visit.info.used_bytes / mega, visit.info.free_bytes / mega);
+  visit.json["flights"] = Json::array();
+  int number = 0;
+  for (const bench::ListedFlight& flight : list_flights(visit)) {
+    number += 1;
+    visit.tell("  flight {}  {:.2f} MB  {}, power-up {}\n", number, flight.stretch.size / mega, flight.vehicle,
+               flight.power_up);
+    visit.json["flights"].push_back({{"flight", number},
+                                     {"begin", flight.stretch.offset},
+                                     {"bytes", flight.stretch.size},
+                                     {"vehicle", flight.vehicle},
+                                     {"power_up", flight.power_up}});
+  }
+}
+
+bench::LogStretch stretch_of(Visit& visit) {
+  if (!visit.options.flight) {
+    return {.offset = 0, .size = visit.info.used_bytes};
+  }
+  const auto flights = list_flights(visit);
+  const auto number = static_cast<std::size_t>(*visit.options.flight);
+  if (number > flights.size()) {
+    throw RequirementNotMet{
+        fmt::format("there is no flight {}; the rocket holds {}, see --list", number, flights.size())};
+  }
+  return flights[number - 1].stretch;
+}
+
+void say_file(Visit& visit, const FlightFile& file) {
+  const bench::RecordedFlight& flight = file.flight;
+  const std::string path = (fs::path{visit.options.out} / file.name).string();
+  if (flight.records == 0) {
+    visit.tell("{}  {} bytes, and no intact record in them\n", path, flight.end - flight.begin);
+  } else {
+    visit.tell("{}  {:.1f} s, {:.2f} MB, {}\n", path, flight.duration_s(),
+               static_cast<double>(flight.end - flight.begin) / mega,
+               flight.intact() ? "intact"
+                               : fmt::format("damaged in the flash: {} records missing, {} damaged bytes",
+                                             flight.missing_records, flight.damaged_bytes));
+  }
+  Json json{{"file", path},
+            {"bytes", flight.end - flight.begin},
+            {"duration_s", flight.duration_s()},
+            {"vehicle", flight.vehicle},
+            {"power_up", nullptr},
+            {"records", flight.records},
+            {"missing_records", flight.missing_records},
+            {"damaged_bytes", flight.damaged_bytes},
+            {"intact", flight.records > 0 && flight.intact()}};
+  if (flight.power_up) {
+    json["power_up"] = *flight.power_up;
+  }
+  visit.json["files"].push_back(json);
+}
+
+void fetch(Visit& visit) {
+  const bench::LogStretch stretch = stretch_of(visit);
+  const fs::path folder{visit.options.out};
+  bench::LogPart part{folder / (visit.options.flight ? fmt::format("flight_{:03}.part", *visit.options.flight)
+                                                     : std::string{"record.part"})};
+  std::uint32_t before = 0;
+  try {
+    const std::uint32_t there = std::min(part.size(), stretch.size);
+    // What was there already took no time now.
+    Progress progress{"downloading",
+                      {.unit = "bytes", .rate = " a second", .total = static_cast<double>(stretch.size - there)}};
+    before = bench::download(visit.reader, stretch, part,
+                             [&](std::uint32_t done) { progress.show(done > there ? done - there : done); });
+  } catch (const Interrupted&) {
+    throw Interrupted{fmt::format("interrupted; {} of {} bytes are kept in {}, and the same command goes on from there",
+                                  part.size(), stretch.size, part.path().string())};
+  } catch (const bench::LinkError& error) {
+    throw bench::LinkError{fmt::format("{}; {} of {} bytes are kept in {}, and the same command goes on from there",
+                                       error.what(), part.size(), stretch.size, part.path().string())};
+  }
+  visit.tell("{} bytes downloaded and verified{}\n", stretch.size - before,
+             before > 0 ? fmt::format(", {} were there already", before) : std::string{});
+  visit.json["downloaded_bytes"] = stretch.size - before;
+  visit.json["resumed_bytes"] = before;
+  visit.json["repeated_chunks"] = visit.reader.repeated();
+  visit.json["files"] = Json::array();
+  const auto first = static_cast<std::size_t>(visit.options.flight.value_or(1));
+  for (const FlightFile& file : write_flights(folder, part.read(0, stretch.size), first)) {
+    say_file(visit, file);
+  }
+  part.remove();
+}
+
+void await_consent(Visit& visit) {
+  if (visit.options.yes) {
+    return;
+  }
+  say("Type ERASE to erase the flight record of the rocket, anything else to keep it: ");
+  LineInput input;
+  std::optional<std::string> line;
+  while (!(line = input.next())) {
+    if (input.ended()) {
+      throw RequirementNotMet{"nobody typed ERASE; the flight record is kept"};
+    }
+    visit.place.wait(hal::Microseconds{50'000});
+    visit.link.listen(visit.place.now());
+  }
+  if (*line != "ERASE") {
+    throw RequirementNotMet{"not confirmed; the flight record is kept"};
+  }
+}
+
+void erase(Visit& visit) {
+  await_consent(visit);
+  try {
+    bench::Session session{visit.place, visit.link, static_cast<std::uint16_t>(std::random_device{}())};
+    Progress progress{"erasing",
+                      {.unit = "bytes", .rate = " a second", .total = static_cast<double>(visit.info.used_bytes)}};
+    visit.reader.erase(session, [&](std::uint32_t left) { progress.show(visit.info.used_bytes - left); });
+    (void)session.close();
+  } catch (const Interrupted&) {
+    throw Interrupted{"interrupted; the avionics stops erasing, and what it has not erased yet is still there"};
+  }
+  visit.tell("the flight record is erased\n");
+}
+
+void log(const LogOptions& options) {
+  Visit visit{options};
+  const bool empty = visit.info.used_bytes == 0;
+  if (empty) {
+    visit.tell("nothing is recorded; {:.2f} MB are free\n", visit.info.free_bytes / mega);
+  } else if (options.list) {
+    list(visit);
+  } else if (!options.discard) {
+    fetch(visit);
+  }
+  if (options.erase && !empty) {
+    erase(visit);
+  }
+  if (options.bench.json) {
+    visit.json["erased"] = options.erase;
+    fmt::print("{}\n", visit.json.dump());
+  }
+}
+
+}  // namespace
+
+void add_bench_log(CLI::App& bench) {
+  auto* verb = bench.add_subcommand("log", "Download the recorded flights, and erase them when that is asked");
+  auto options = std::make_shared<LogOptions>();
+  add_bench_options(*verb, options->bench, "Print one JSON object; the question goes to standard error");
+  verb->add_option("--out", options->out, "Folder for flight_001.ftl and so on [out/bench_log]")->type_name("DIR");
+  auto* flight = verb->add_option("--flight", options->flight, "Only this one, counted as --list does")
+                     ->check(CLI::Range(1, 9999))
+                     ->type_name("N");
+  auto* list_flag = verb->add_flag("--list", options->list, "Say what is recorded, and download nothing");
+  auto* erase_flag = verb->add_flag("--erase", options->erase,
+                                    "Then erase the record; everything is downloaded and verified before that");
+  verb->add_flag("--discard", options->discard, "Erase without downloading")->needs(erase_flag);
+  verb->add_flag("--yes", options->yes, "Do not ask before erasing; for scripts")->needs(erase_flag);
+  erase_flag->excludes(flight)->excludes(list_flag);
+  flight->excludes(list_flag);
+  verb->footer(
+      "A download that was interrupted goes on where it was when the command is given again.\n"
+      "Examples:\n"
+      "  fantail bench log --can can0 --out launch_day    every flight into a file of its own\n"
+      "  fantail bench log --can can0 --list              what the rocket holds\n"
+      "  fantail bench log --can can0 --erase             download everything, ask, make room for the next flight");
+  verb->callback([options] { log(*options); });
+}
+
+}  // namespace fantail::tool
