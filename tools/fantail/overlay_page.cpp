@@ -101,7 +101,8 @@ std::string overlay_html(const CompareResults& results, const logs::RollLog& a, 
   const logs::Comparison& c = results.comparison;
   const plot::Range stretch{c.time_s.front(), c.time_s.back()};
   plot::Page page{.kind = "Fantail report of two flights", .title = "A and B"};
-  page.subtitle = fmt::format("A: {}. B: {}. {:.3f} s to {:.3f} s", results.a, results.b, stretch.low, stretch.high);
+  page.subtitle = fmt::format("A, the broad lines: {}. B, the fine lines: {}. {:.3f} s to {:.3f} s", results.a,
+                              results.b, stretch.low, stretch.high);
   const auto shown = [](double value_rad) { return fmt::format("{:.3g}", degrees(value_rad)); };
   const auto at = [](const logs::Difference& d) { return fmt::format("at {:.3f} s", d.max_at_s); };
   page.body_html = plot::section(
