@@ -11,7 +11,9 @@ if(git)
     OUTPUT_VARIABLE top OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
   file(REAL_PATH "${SOURCE}" source)
   if(top STREQUAL source)
-    execute_process(COMMAND ${git} -C ${SOURCE} describe --always --dirty --abbrev=12 --exclude=*
+    execute_process(
+      COMMAND ${CMAKE_COMMAND} -E env GIT_OPTIONAL_LOCKS=0
+        ${git} -C ${SOURCE} describe --always --dirty --abbrev=12 --exclude=*
       OUTPUT_VARIABLE answer OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
     if(answer MATCHES "^[0-9a-f]+(-dirty)?$")
       set(hash ${answer})
