@@ -53,7 +53,8 @@ const TickRecord& Autopilot::step(const Inputs& inputs) {
   }
 
   if (record.phase == Phase::controlling) {
-    control(inputs.time - *flight_phase_.control_start(), record);
+    // Always there, except in a state that a damaged log made up.
+    control(inputs.time - flight_phase_.control_start().value_or(inputs.time), record);
   }
 
   record.canards = canard_mixer_.mix(inputs.time, record.command,

@@ -111,7 +111,7 @@ std::optional<FlightPhase::Transition> FlightPhase::from_controlling(const Phase
       return Transition{Phase::finished, PhaseReason::apogee};
     }
   }
-  if (inputs.time - *control_start_ >= run_.control_time) {
+  if (inputs.time - entered_ >= run_.control_time) {
     return Transition{Phase::finished, PhaseReason::control_time_over};
   }
   return std::nullopt;
