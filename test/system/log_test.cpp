@@ -177,7 +177,7 @@ TEST_F(FlownLog, APlanValueThatCannotBeIsRefusedAsInAnyPlan) {
   const Refusal unknown{{{"a.ftl", flown_log()}},
                         {"replay", "a.ftl", "--set", "controller.canard_limt_deg=3"},
                         78,
-                        {"canard_limt_deg", "did you mean canard_limit_deg?"}};
+                        {"canard_limt_deg", "did you mean controller.canard_limit_deg?"}};
   const Refusal beyond{
       {{"a.ftl", flown_log()}}, {"replay", "a.ftl", "--set", "controller.canard_limit_deg=90"}, 78, {"90"}};
 }
