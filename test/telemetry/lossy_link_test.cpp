@@ -101,8 +101,12 @@ TEST(LossyLink, RubbishOnOurChannelsIsCountedAndTheWatchGoesOn) {
     EXPECT_EQ(lcm_publish(lcm.get(), "FANTAIL_EVENT", rubbish.data(), size), 0);
   }
   EXPECT_TRUE(eventually([&] { return total(watcher.seen(), "FANTAIL_EVENT", "unreadable") == 100; }));
-  BadLink{}.send(1);
-  EXPECT_TRUE(eventually([&] { return watcher.seen().back()["link"] == "live"; }));
+  BadLink link;
+  std::int64_t sequence = 0;
+  EXPECT_TRUE(eventually([&] {
+    link.send(sequence++);
+    return watcher.seen().back()["link"] == "live";
+  }));
 }
 
 }  // namespace
