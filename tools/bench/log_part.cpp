@@ -19,10 +19,11 @@ LogPart::LogPart(std::filesystem::path path) : path_{std::move(path)} {
     throw report::OutputError{path_.parent_path().string() + ": " + error.message()};
   }
   open(std::ios::app);
-  size_ = static_cast<std::uint32_t>(std::filesystem::file_size(path_, error));
-  if (error) {
-    throw report::OutputError{path_.string() + ": " + error.message()};
+  const std::streamoff end = file_.seekp(0, std::ios::end).tellp();
+  if (end < 0) {
+    fail();
   }
+  size_ = static_cast<std::uint32_t>(end);
 }
 
 void LogPart::fail() const { throw report::OutputError{path_.string() + ": " + std::strerror(errno)}; }
