@@ -10,11 +10,11 @@
 namespace fantail::bench {
 namespace {
 
+using protocol::append;
 using test::fill_sector;
 using test::flight;
 using test::header_of;
 using test::tick_of;
-using protocol::append;
 using Bytes = std::vector<std::byte>;
 
 TEST(LogFlights, OfErasedFlashAndOfForeignBytesThereAreNone) {

@@ -11,7 +11,7 @@ namespace fantail::test {
 namespace {
 
 using Names = std::vector<std::string>;
-const Names results{"flight.csv", "report.html", "summary.json"};
+const Names results{"flight.csv", "flight.ftl", "report.html", "summary.json"};
 
 nlohmann::json summary(const std::string& folder) {
   return nlohmann::json::parse(content(std::filesystem::path{folder} / "summary.json"));
@@ -22,8 +22,9 @@ TEST(Fly, FliesTheSecondLaunchIntoAFolderOfItsNameWhenNothingIsSaid) {
   const Outcome outcome = fantail({"fly"}, {.working_folder = folder.path()});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_EQ(outcome.err, "");
-  EXPECT_EQ(folder.listing(), (Names{"out", "out/tasha3_launch2", "out/tasha3_launch2/flight.csv",
-                                     "out/tasha3_launch2/report.html", "out/tasha3_launch2/summary.json"}));
+  EXPECT_EQ(folder.listing(),
+            (Names{"out", "out/tasha3_launch2", "out/tasha3_launch2/flight.csv", "out/tasha3_launch2/flight.ftl",
+                   "out/tasha3_launch2/report.html", "out/tasha3_launch2/summary.json"}));
   EXPECT_NE(outcome.out.find("out/tasha3_launch2/report.html"), std::string::npos) << outcome.out;
   EXPECT_EQ(summary(folder / "out/tasha3_launch2")["scenario"], "tasha3_launch2");
 }
@@ -35,7 +36,7 @@ TEST(Fly, NamesTheDefaultFolderAfterTheScenarioFile) {
   EXPECT_EQ(summary(folder / "out/mine.v2")["scenario"], "mine.v2");
 }
 
-TEST(Fly, WritesItsThreeFilesWhereItIsTold) {
+TEST(Fly, WritesItsFilesWhereItIsTold) {
   const Folder folder;
   const Outcome outcome = fantail({"fly", "tasha3_launch1", "--out", folder / "a new/folder"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
@@ -54,7 +55,7 @@ TEST(Fly, ReplacesAnEarlierResultAndLeavesOtherFilesAlone) {
   EXPECT_EQ(fantail({"fly", "--out", folder / "out"}).exit_code, 0);
   EXPECT_EQ(summary(folder / "out")["seed"], 1);
   EXPECT_EQ(content(folder / "out/notes.txt"), "mine");
-  EXPECT_EQ(folder.listing().size(), 5U);  // the folder, three results, the notes: nothing temporary
+  EXPECT_EQ(folder.listing().size(), 6U);  // the folder, four results, the notes: nothing temporary
 }
 
 // Three seconds: a start command that comes before the avionics can be armed is refused.
@@ -150,7 +151,16 @@ TEST(Fly, PrintsOneJsonObjectAndNothingElse) {
                           "saturated_fraction", "final_phase", "log_sha256", "version"}) {
     EXPECT_TRUE(printed.contains(key)) << key;
   }
-  EXPECT_TRUE(printed["log_sha256"].is_null());
+  const std::string sum = run("sha256sum", {folder / "out/flight.ftl"}).out;
+  EXPECT_EQ(printed["log_sha256"], sum.substr(0, 64));
+}
+
+TEST(Fly, WhatWasNeverArmedRecordsNothingAndAnOldLogDoesNotStay) {
+  const Folder folder;
+  folder.write("out/flight.ftl", "of an earlier flight");
+  EXPECT_EQ(fantail({"fly", "--set", "timing.pad_time_s=2", "--out", folder / "out"}).exit_code, 0);
+  EXPECT_FALSE(std::filesystem::exists(folder / "out/flight.ftl"));
+  EXPECT_TRUE(summary(folder / "out")["log_sha256"].is_null());
 }
 
 TEST(Fly, ATunnelRunLeavesTheTunnelsOwnLogBesideItAndAFlightDoesNot) {
