@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""How fast the autopilot, a whole simulated flight and the identification are, beside peers in the same run.
+"""How fast the autopilot, a whole simulated flight, identification and flight log are, beside peers in the same run.
 
 Usage: bench_speed.py FOLDER [--json] [--rounds N], the folder being where the benchmark was built.
 
@@ -17,6 +17,7 @@ import sys
 
 import identify_speed
 import jsbsim_peer
+import log_speed
 
 REPETITIONS = 3  # of each benchmark in a round
 NANOSECONDS = 1e9
@@ -61,6 +62,8 @@ def processor():
 def measure(folder, rounds):
     flight = jsbsim_peer.check()
     tasks = identify_speed.load_tasks(folder)
+    logs = log_speed.write_logs(folder)
+    log_peers = {reader: [] for reader in log_speed.READERS}
     identified = {}
     milliseconds = 1e3 * flight["duration_s"]
     fantail = {}
@@ -70,6 +73,8 @@ def measure(folder, rounds):
         for name, samples in of_round.items():
             fantail.setdefault(name, []).extend(samples)
         identify_speed.collect(identified, of_round, tasks)
+        for reader, samples in log_peers.items():
+            samples += [log_speed.measure(logs, reader) for _ in range(REPETITIONS)]
         peer_s += [jsbsim_peer.cpu_seconds(flight["duration_s"]) for _ in range(REPETITIONS)]
 
     def time_ns(name, counter):
@@ -88,6 +93,7 @@ def measure(folder, rounds):
         "jsbsim_times_real_time": summary([flight["duration_s"] / each for each in peer_s]),
         "jsbsim_flight": flight,
         "identification": identify_speed.results(identified, summary),
+        "flight_log": log_speed.results(fantail, log_peers, summary),
         "disagreements": identify_speed.disagreements(identified),
     }
     result["ratio"] = result["jsbsim_ms_ns"]["median"] / result["world_ms_ns"]["median"]
@@ -118,6 +124,7 @@ def show(result):
         f"roll held at {flight['hold_0_deg']:.2f} deg (expected R + u_d/kp = -9.80), then at "
         f"{flight['hold_minus_20_deg']:.2f} (-29.80)."
     )
+    log_speed.show(result["flight_log"])
     identify_speed.show(result["identification"])
 
 
