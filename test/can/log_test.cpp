@@ -69,11 +69,14 @@ TEST_F(FlownRocket, ADownloadThatWasKilledGoesOnAndEndsWithAFileForEveryFlight) 
   Node node{"vcan0", "bench_healthy", flash};
   const std::filesystem::path part = folder / "out/record.part";
   const auto has_grown_to = [&](std::uintmax_t size) {
-    return eventually([&] {
-      std::error_code error;
-      const std::uintmax_t now = std::filesystem::file_size(part, error);
-      return !error && now >= size;
-    });
+    // A rocket looks through its flash for four seconds before it says anything about it.
+    return eventually(
+        [&] {
+          std::error_code error;
+          const std::uintmax_t now = std::filesystem::file_size(part, error);
+          return !error && now >= size;
+        },
+        std::chrono::seconds{30});
   };
   std::vector<std::string> words{"bench"};
   std::ranges::copy(command(), std::back_inserter(words));

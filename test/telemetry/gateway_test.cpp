@@ -195,7 +195,7 @@ TEST_F(GatewayTest, NothingIsEverSaidOnTheBus) {
   heartbeat(0);
   motion(core::Phase::safe);
   say_angles(0.0F, 0.0F);
-  bus.waiting.push_back({.id = 0x123, .length = 8});
+  bus.waiting.push_back({.id = 0x7E0, .length = 8});
   gateway.listen(Microseconds{0});
   ListenOnlyBus listening{bus};
   EXPECT_FALSE(listening.send({.id = 1}));
