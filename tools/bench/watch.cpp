@@ -17,17 +17,6 @@ using nlohmann::ordered_json;
 constexpr hal::Microseconds stale{2'000'000};
 constexpr double bits_per_microsecond = 1.0;  // 1 Mbit/s
 
-std::string_view name(hal::CanState state) {
-  switch (state) {
-    case hal::CanState::error_active: return "error active";
-    case hal::CanState::error_warning: return "error warning";
-    case hal::CanState::error_passive: return "error passive";
-    case hal::CanState::bus_off: return "bus off";
-    case hal::CanState::down: return "down";
-  }
-  return "unknown";
-}
-
 std::optional<double> degrees(const std::optional<core::Angle>& angle) {
   return angle ? std::optional{static_cast<double>(angle->degrees())} : std::nullopt;
 }
@@ -98,7 +87,7 @@ std::string Watch::link_words() const {
   const LinkFigures& heard = link_.figures();
   const hal::CanCounters counters = bus_.counters();
   return fmt::format("{} {}, load {:.1f} %, {} frames, {} lost, {} damaged, {} foreign, {} overrun, {} bus errors",
-                     interface_, name(bus_.state()), load_percent_, heard.frames, heard.lost, heard.damaged,
+                     interface_, words(bus_.state()), load_percent_, heard.frames, heard.lost, heard.damaged,
                      heard.foreign, counters.overrun, counters.errors);
 }
 
@@ -139,7 +128,7 @@ std::string Watch::table() const {
   if (health) {
     text += fmt::format(
         "avionics' bus: {}, {} frames unsent, {} overrun, {} bus errors, frames refused: {} (counts are modulo 256)\n",
-        name(static_cast<hal::CanState>(health->bus_state)), health->unsent, health->overrun, health->bus_errors,
+        words(static_cast<hal::CanState>(health->bus_state)), health->unsent, health->overrun, health->bus_errors,
         refused());
   }
   text += "canard  command   encoder  difference   limit  verdict\n";
@@ -180,7 +169,7 @@ std::string Watch::json() const {
   ordered_json json;
   // Round brackets: with braces a value would become an array of one.
   json["interface"] = interface_;
-  json["bus_state"] = name(bus_.state());
+  json["bus_state"] = words(bus_.state());
   json["bus_load_percent"] = rounded(load_percent_);
   json["frames"] = heard.frames;
   json["frames_lost"] = heard.lost;
@@ -198,7 +187,7 @@ std::string Watch::json() const {
   json["plan_crc"] = heartbeat ? ordered_json(fmt::format("{:08x}", heartbeat->plan_crc)) : ordered_json{};
   json["longest_tick_us"] = health ? ordered_json(health->longest_tick_us) : ordered_json{};
   json["avionics_bus_state"] =
-      health ? ordered_json(name(static_cast<hal::CanState>(health->bus_state))) : ordered_json{};
+      health ? ordered_json(words(static_cast<hal::CanState>(health->bus_state))) : ordered_json{};
   json["avionics_unsent"] = health ? ordered_json(health->unsent) : ordered_json{};
   json["avionics_overrun"] = health ? ordered_json(health->overrun) : ordered_json{};
   json["avionics_bus_errors"] = health ? ordered_json(health->bus_errors) : ordered_json{};

@@ -23,6 +23,17 @@ std::string words(protocol::PlanBlockFault fault) {
 
 }  // namespace
 
+std::string_view words(hal::CanState state) {
+  switch (state) {
+    case hal::CanState::error_active: return "error active";
+    case hal::CanState::error_warning: return "error warning";
+    case hal::CanState::error_passive: return "error passive";
+    case hal::CanState::bus_off: return "bus off";
+    case hal::CanState::down: return "down";
+  }
+  return "unknown";
+}
+
 std::string words(protocol::SessionReason reason) {
   using Reason = protocol::SessionReason;
   switch (reason) {

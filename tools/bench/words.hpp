@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <string>
+#include <string_view>
 
+#include "hal/can_bus.hpp"
 #include "protocol/bus_messages.hpp"
 
 namespace fantail::bench {
@@ -15,5 +18,8 @@ namespace fantail::bench {
 [[nodiscard]] std::string words(protocol::LogFault fault);
 /// Names the refused field of the plan where there is one.
 [[nodiscard]] std::string words(const protocol::PlanReply& reply);
+
+/// "error active", "bus off", ...
+[[nodiscard]] std::string_view words(hal::CanState state);
 
 }  // namespace fantail::bench

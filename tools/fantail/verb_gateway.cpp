@@ -5,13 +5,13 @@
 
 #include <fmt/format.h>
 
+#include "bench/words.hpp"
 #include "fantail/can_place.hpp"
 #include "fantail/interrupt.hpp"
 #include "fantail/lcm_output.hpp"
 #include "fantail/standard_streams.hpp"
 #include "fantail/verbs.hpp"
 #include "telemetry/gateway.hpp"
-#include "telemetry/words.hpp"
 
 namespace fantail::tool {
 namespace {
@@ -35,7 +35,7 @@ class Herald {
   void look(hal::Microseconds now) {
     if (gateway_.bus_state() != state_) {
       state_ = gateway_.bus_state();
-      tell(fmt::format("bus: {}", telemetry::name(state_)));
+      tell(fmt::format("bus: {}", bench::words(state_)));
     }
     const auto last = gateway_.last_heard();
     const bool silent = now - last.value_or(hal::Microseconds{}) > silence;

@@ -8,6 +8,8 @@
 
 #include <lcm/lcm.h>
 
+#include "telemetry/event_log.hpp"
+
 namespace fantail::telemetry {
 
 struct MemoryLog::Stream {
@@ -39,15 +41,7 @@ MemoryLog::~MemoryLog() {
 }
 
 void MemoryLog::send(const Packet& packet) {
-  std::string channel{name(packet.channel)};
-  auto bytes = packet.bytes;
-  lcm_eventlog_event_t event{.eventnum = 0,
-                             .timestamp = packet.time.count(),
-                             .channellen = static_cast<std::int32_t>(channel.size()),
-                             .datalen = static_cast<std::int32_t>(packet.size),
-                             .channel = channel.data(),
-                             .data = bytes.data()};
-  if (lcm_eventlog_write_event(&stream_->log, &event) != 0) {
+  if (!write_event(stream_->log, packet)) {
     throw std::bad_alloc{};
   }
 }

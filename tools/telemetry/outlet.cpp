@@ -7,6 +7,8 @@
 
 #include <lcm/lcm.h>
 
+#include "telemetry/event_log.hpp"
+
 namespace fantail::telemetry {
 namespace {
 
@@ -44,17 +46,7 @@ class FileOutlet final : public Outlet {
       throw TelemetryError{path + ": " + std::strerror(errno)};
     }
   }
-  bool put(const Packet& packet) override {
-    std::string channel{name(packet.channel)};
-    auto bytes = packet.bytes;
-    lcm_eventlog_event_t event{.eventnum = 0,
-                               .timestamp = packet.time.count(),
-                               .channellen = static_cast<std::int32_t>(channel.size()),
-                               .datalen = static_cast<std::int32_t>(packet.size),
-                               .channel = channel.data(),
-                               .data = bytes.data()};
-    return lcm_eventlog_write_event(log_.get(), &event) == 0;
-  }
+  bool put(const Packet& packet) override { return write_event(*log_, packet); }
   bool close() override { return std::fflush(log_->f) == 0 && std::ferror(log_->f) == 0; }
   [[nodiscard]] std::optional<int> most_per_second() const override { return std::nullopt; }
 

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "bench/words.hpp"
 #include "telemetry/panel_values.hpp"
 #include "telemetry/words.hpp"
 
@@ -111,12 +112,12 @@ std::string Panel::health_text() const {
   }
   text += "\n";
   if (health.bus) {
-    text += fmt::format("  avionics' CAN bus: {}, {} unsent, {} overrun, {} bus errors\n", name(health.bus->state),
+    text += fmt::format("  avionics' CAN bus: {}, {} unsent, {} overrun, {} bus errors\n", bench::words(health.bus->state),
                         health.bus->unsent, health.bus->overrun, health.bus->errors);
   }
   if (health.gateway) {
     text += fmt::format("  gateway's CAN bus: {}, {} frames, {} lost, {} damaged, {} foreign, {} overrun\n",
-                        name(health.gateway->state), health.gateway->frames, health.gateway->lost,
+                        bench::words(health.gateway->state), health.gateway->frames, health.gateway->lost,
                         health.gateway->damaged, health.gateway->foreign, health.gateway->overrun);
   }
   return text;

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "bench/words.hpp"
 #include "telemetry/panel.hpp"
 #include "telemetry/panel_values.hpp"
 #include "telemetry/words.hpp"
@@ -82,14 +83,14 @@ ordered_json health_json(const std::optional<Heard<Health>>& heard, hal::Microse
   json["late_ticks"] = known(health.late_ticks);
   json["bus"] = ordered_json{};
   if (health.bus) {
-    json["bus"] = {{"state", name(health.bus->state)},
+    json["bus"] = {{"state", bench::words(health.bus->state)},
                    {"unsent", health.bus->unsent},
                    {"overrun", health.bus->overrun},
                    {"errors", health.bus->errors}};
   }
   json["gateway"] = ordered_json{};
   if (health.gateway) {
-    json["gateway"] = {{"state", name(health.gateway->state)}, {"frames", health.gateway->frames},
+    json["gateway"] = {{"state", bench::words(health.gateway->state)}, {"frames", health.gateway->frames},
                        {"lost", health.gateway->lost},         {"damaged", health.gateway->damaged},
                        {"foreign", health.gateway->foreign},   {"overrun", health.gateway->overrun}};
   }

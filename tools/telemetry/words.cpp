@@ -5,17 +5,6 @@
 
 namespace fantail::telemetry {
 
-std::string_view name(hal::CanState state) {
-  switch (state) {
-    case hal::CanState::error_active: return "error active";
-    case hal::CanState::error_warning: return "error warning";
-    case hal::CanState::error_passive: return "error passive";
-    case hal::CanState::bus_off: return "bus off";
-    case hal::CanState::down: return "down";
-  }
-  return "unknown";
-}
-
 std::string words(const Event& event) {
   if (event.phase) {
     return fmt::format("{} -> {} ({})", core::name(event.phase->before), core::name(event.phase->phase),
