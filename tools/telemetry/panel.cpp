@@ -112,8 +112,8 @@ std::string Panel::health_text() const {
   }
   text += "\n";
   if (health.bus) {
-    text += fmt::format("  avionics' CAN bus: {}, {} unsent, {} overrun, {} bus errors\n", bench::words(health.bus->state),
-                        health.bus->unsent, health.bus->overrun, health.bus->errors);
+    text += fmt::format("  avionics' CAN bus: {}, {} unsent, {} overrun, {} bus errors\n",
+                        bench::words(health.bus->state), health.bus->unsent, health.bus->overrun, health.bus->errors);
   }
   if (health.gateway) {
     text += fmt::format("  gateway's CAN bus: {}, {} frames, {} lost, {} damaged, {} foreign, {} overrun\n",

@@ -90,9 +90,12 @@ ordered_json health_json(const std::optional<Heard<Health>>& heard, hal::Microse
   }
   json["gateway"] = ordered_json{};
   if (health.gateway) {
-    json["gateway"] = {{"state", bench::words(health.gateway->state)}, {"frames", health.gateway->frames},
-                       {"lost", health.gateway->lost},         {"damaged", health.gateway->damaged},
-                       {"foreign", health.gateway->foreign},   {"overrun", health.gateway->overrun}};
+    json["gateway"] = {{"state", bench::words(health.gateway->state)},
+                       {"frames", health.gateway->frames},
+                       {"lost", health.gateway->lost},
+                       {"damaged", health.gateway->damaged},
+                       {"foreign", health.gateway->foreign},
+                       {"overrun", health.gateway->overrun}};
   }
   return json;
 }
