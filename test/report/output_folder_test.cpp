@@ -140,6 +140,15 @@ TEST_F(OutputFolderTest, AnUnwritableFolderIsNamed) {
   }
 }
 
+TEST_F(OutputFolderTest, WhatIsNoFileIsNotReplacedByOne) {
+  fs::create_directory(folder_);
+  ASSERT_EQ(mkfifo((folder_ / "flight.csv").c_str(), 0600), 0);
+  EXPECT_EQ(failure(folder_, first),
+            (folder_ / "flight.csv").string() + ": is a device, a pipe or a socket, and no place for a file");
+  EXPECT_TRUE(fs::is_fifo(folder_ / "flight.csv"));
+  EXPECT_EQ(names_in(folder_), std::set<std::string>{"flight.csv"});
+}
+
 TEST_F(OutputFolderTest, TheFileSizeSignalIsHandedBack) {
   const auto handler = [](int) {};
   const auto before = std::signal(SIGXFSZ, handler);

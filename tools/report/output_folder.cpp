@@ -73,6 +73,12 @@ class Transaction {
     staged_.push_back(
         {.target = folder_ / file.name, .temporary = hidden(file.name, "new"), .backup = hidden(file.name, "old")});
     Staged& s = staged_.back();
+    // A device or a pipe would be set aside like an old file, and whoever needs it would find a file in its place.
+    struct stat info{};
+    if (lstat(s.target.c_str(), &info) == 0 && !S_ISREG(info.st_mode) && !S_ISLNK(info.st_mode) &&
+        !S_ISDIR(info.st_mode)) {
+      throw OutputError{s.target.string() + ": is a device, a pipe or a socket, and no place for a file"};
+    }
     unlink(s.temporary.c_str());  // left over from a process of the same number that was killed
     const int fd = open(s.temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (fd < 0) {
