@@ -35,8 +35,6 @@ class RecordStream {
 
   /// From begin() until everything lies in the flash, or it is full, or it has failed.
   [[nodiscard]] bool open() const { return open_; }
-  /// Why it was closed without finish(); empty: it was not.
-  [[nodiscard]] const std::optional<protocol::LogEnd>& broken_off() const { return broken_off_; }
 
  private:
   void fill_page(std::size_t room);
@@ -61,7 +59,7 @@ class RecordStream {
   std::optional<core::Microseconds> header_time_{};  ///< of the last one
   bool open_ = false;
   bool finishing_ = false;
-  std::optional<protocol::LogEnd> broken_off_{};
+  std::optional<protocol::LogEnd> broken_off_{};  ///< why it ends without finish()
 };
 
 }  // namespace fantail::avionics

@@ -9,6 +9,7 @@
 #include <span>
 
 #include "protocol/crc32c.hpp"
+#include "protocol/little_endian.hpp"
 
 namespace fantail::avionics {
 
@@ -24,15 +25,10 @@ inline constexpr std::size_t sealed_size = 4 * (words + 1);
 template <std::size_t words>
 [[nodiscard]] std::array<std::byte, sealed_size<words>> seal(const std::array<std::uint32_t, words>& values) {
   std::array<std::byte, sealed_size<words>> out{};
-  const auto put = [&out](std::size_t at, std::uint32_t value) {
-    for (std::size_t i = 0; i < 4; ++i) {
-      out[at + i] = static_cast<std::byte>(value >> (8U * i));
-    }
-  };
   for (std::size_t i = 0; i < words; ++i) {
-    put(4 * i, values[i]);
+    protocol::put<4>(out, 4 * i, values[i]);
   }
-  put(4 * words, protocol::crc32c(std::span{out}.first(4 * words)));
+  protocol::put<4>(out, 4 * words, protocol::crc32c(std::span{out}.first(4 * words)));
   return out;
 }
 
@@ -41,15 +37,13 @@ template <std::size_t words>
 template <std::size_t words>
 [[nodiscard]] std::optional<std::array<std::uint32_t, words>> unseal(
     std::span<const std::byte, sealed_size<words>> bytes) {
-  std::array<std::uint32_t, words + 1> values{};
-  for (std::size_t i = 0; i < bytes.size(); ++i) {
-    values[i / 4] |= static_cast<std::uint32_t>(bytes[i]) << (8U * (i % 4));
-  }
-  if (erased(bytes) || values[words] != protocol::crc32c(bytes.first(4 * words))) {
+  if (erased(bytes) || protocol::get<4>(bytes, 4 * words) != protocol::crc32c(bytes.first(4 * words))) {
     return std::nullopt;
   }
   std::array<std::uint32_t, words> out{};
-  std::copy_n(values.begin(), words, out.begin());
+  for (std::size_t i = 0; i < words; ++i) {
+    out[i] = static_cast<std::uint32_t>(protocol::get<4>(bytes, 4 * i));
+  }
   return out;
 }
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstddef>
-
 namespace fantail::core {
 
 // How the flight law shows what it remembers. Every class of the law that remembers something from one tick to the next
@@ -15,5 +13,9 @@ namespace fantail::core {
 // `visit.below(limit, a, ...)` for enumerations and indices, which are always smaller than `limit`. What the plan
 // determines is not state. A law that was made from the same plan and given the same state goes on bit for bit: a
 // flight log holds such states, and a replay begins at one.
+
+/// A part with a visit_state of its own.
+template <typename T, typename Visitor>
+concept RemembersState = requires(T& value, Visitor& visitor) { value.visit_state(visitor); };
 
 }  // namespace fantail::core

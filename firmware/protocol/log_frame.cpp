@@ -25,7 +25,6 @@ std::optional<LogFrame> LogFrameReader::next() {
   while (position_ < bytes_.size()) {
     if (const auto frame = frame_here()) {
       position_ += log_frame_overhead + frame->payload.size();
-      in_foreign_run_ = false;
       return frame;
     }
     pass_over_byte();
@@ -55,13 +54,7 @@ std::optional<LogFrame> LogFrameReader::frame_here() const {
 }
 
 void LogFrameReader::pass_over_byte() {
-  if (bytes_[position_] == erased) {
-    in_foreign_run_ = false;
-  } else {
-    foreign_bytes_ += 1;
-    foreign_runs_ += in_foreign_run_ ? 0 : 1;
-    in_foreign_run_ = true;
-  }
+  foreign_bytes_ += bytes_[position_] == erased ? 0 : 1;
   position_ += 1;
 }
 

@@ -62,8 +62,6 @@ class LogFrameReader {
 
   /// Bytes so far that belong to no intact frame and are not erased flash.
   [[nodiscard]] std::size_t foreign_bytes() const { return foreign_bytes_; }
-  /// Runs of such bytes.
-  [[nodiscard]] std::size_t foreign_runs() const { return foreign_runs_; }
   /// How far the bytes have been read.
   [[nodiscard]] std::size_t position() const { return position_; }
 
@@ -74,8 +72,6 @@ class LogFrameReader {
   std::span<const std::byte> bytes_;
   std::size_t position_ = 0;
   std::size_t foreign_bytes_ = 0;
-  std::size_t foreign_runs_ = 0;
-  bool in_foreign_run_ = false;
 };
 
 }  // namespace fantail::protocol

@@ -3,16 +3,15 @@
 
 #include <array>
 #include <bit>
-#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <optional>
 #include <span>
-#include <type_traits>
 
 #include "core/angle.hpp"
 #include "core/finite.hpp"
+#include "core/state_visitor.hpp"
 #include "core/time.hpp"
 #include "protocol/little_endian.hpp"
 
@@ -21,9 +20,6 @@ namespace fantail::protocol {
 // What the flight law remembers (core/state_visitor.hpp) as bytes, little-endian and the same on every processor: float
 // 4 bytes, std::uint32_t 4, time 8, flag 1, enumeration or index 1, an optional its flag and its value. Every state of
 // one version of the law has one size and one layout.
-
-template <typename Visitor, typename T>
-concept HasState = requires(T& value, Visitor& visitor) { value.visit_state(visitor); };
 
 /// Common to the three visitors: takes a value apart until only plain ones are left, which Derived::plain() is given.
 template <typename Derived>
@@ -44,7 +40,7 @@ class StateVisitor {
 
   template <typename T>
   void each(T& value) {
-    if constexpr (HasState<Derived, T>) {
+    if constexpr (core::RemembersState<T, Derived>) {
       value.visit_state(derived());
     } else {
       derived().plain(value);

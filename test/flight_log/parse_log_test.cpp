@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <array>
+#include <iterator>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -99,6 +100,18 @@ TEST(ParseLog, FlightsBehindEachOtherAreToldApart) {
   EXPECT_EQ(file.flights[1].ticks.size(), 1000U);
   EXPECT_EQ(file.flights[1].flight, 2U);
   EXPECT_EQ(file.foreign_bytes, 0U) << "erased flash is nothing foreign";
+}
+
+TEST(ParseLog, ThePlacesWhereSomethingForeignLiesAreCounted) {
+  const std::vector<std::byte> flight = make_flight().bytes;
+  std::vector<std::byte> bytes(10, std::byte{0x00});
+  std::ranges::copy(flight, std::back_inserter(bytes));
+  bytes.insert(bytes.end(), 7, protocol::log_sync);
+  std::ranges::copy(flight, std::back_inserter(bytes));
+  const LogFile file = parse_log(bytes, "both");
+  EXPECT_EQ(file.foreign_bytes, 17U);
+  EXPECT_EQ(file.foreign_places, 2U);
+  EXPECT_EQ(file.cut_off_bytes, 0U);
 }
 
 TEST(ParseLog, TheSameFlightTwiceIsTwoFlights) {

@@ -57,7 +57,6 @@ TEST(LogFrame, ErasedFlashBetweenFramesIsNothing) {
   LogFrameReader reader{bytes};
   EXPECT_EQ(sequences(reader), (std::vector<std::uint32_t>{1, 2}));
   EXPECT_EQ(reader.foreign_bytes(), 0U);
-  EXPECT_EQ(reader.foreign_runs(), 0U);
 }
 
 TEST(LogFrame, WhatComesBetweenFramesIsPassedOverAndCounted) {
@@ -68,7 +67,6 @@ TEST(LogFrame, WhatComesBetweenFramesIsPassedOverAndCounted) {
   LogFrameReader reader{bytes};
   EXPECT_EQ(sequences(reader), (std::vector<std::uint32_t>{1, 2}));
   EXPECT_EQ(reader.foreign_bytes(), 17U);
-  EXPECT_EQ(reader.foreign_runs(), 2U);
 }
 
 TEST(LogFrame, EverySingleBitThatIsFlippedCostsOneFrameAndNoMore) {

@@ -5,6 +5,7 @@
 
 #include "avionics/can_frame.hpp"
 #include "bench/session.hpp"
+#include "protocol/little_endian.hpp"
 
 namespace fantail::bench {
 namespace {
@@ -29,11 +30,7 @@ protocol::BusFrame data_frame(std::span<const std::byte> block, std::size_t inde
 }
 
 std::uint32_t own_checksum(std::span<const std::byte> block) {
-  std::uint32_t checksum = 0;
-  for (std::size_t i = 0; i < 4; ++i) {
-    checksum |= static_cast<std::uint32_t>(block[block.size() - 4 + i]) << (8U * i);
-  }
-  return checksum;
+  return static_cast<std::uint32_t>(protocol::get<4>(block, block.size() - 4));
 }
 
 }  // namespace
