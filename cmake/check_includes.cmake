@@ -11,6 +11,8 @@ set(table
   "firmware/boards|core/,protocol/,hal/,avionics/,boards/|"
   "hal/include|hal/[a-z_]+\\.hpp|"
   "hal/linux|hal/[a-z_]+\\.hpp,hal/linux/|fcntl\\.h,linux/can,net/if,poll\\.h,sys/,unistd\\.h"
+  "hal/emulator|hal/[a-z_]+\\.hpp,hal/emulator/,protocol/|"
+  "hal/stm32f4|hal/[a-z_]+\\.hpp,hal/stm32f4/|"
   "hal/sim|hal/[a-z_]+\\.hpp,hal/sim/|"
   "sim|core/,protocol/,hal/,avionics/,sim/|Eigen/,toml\\+\\+/"
   "tools/fantail|core/,protocol/,hal/,avionics/,sim/,report/,bench/,plot/,logs/,identify/,tunnel/,predict/,paper/,fly/,telemetry/,flight_log/,log_export/,fantail/|fmt/,CLI/,nlohmann/,poll\\.h,unistd\\.h,sys/,fcntl\\.h"
@@ -28,6 +30,7 @@ set(table
   "tools/paper|core/,protocol/,hal/,avionics/,sim/,report/,plot/,logs/,identify/,tunnel/,fly/,predict/,paper/|Eigen/,fmt/,nlohmann/")
 # Single files that may include more than their folder does.
 set(exceptions
+  "firmware/boards/cortex_m4/startup.c|stdint\\.h"
   "firmware/core/motion_estimator.cpp|Eigen/"
   "firmware/protocol/generated/canard_bus.c|string\\.h"
   "firmware/protocol/generated/canard_bus.h|stdbool\\.h,stddef\\.h,stdint\\.h"

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+namespace fantail::hal {
+
+/// Memory that a reset of the processor leaves alone and a power cut need not. What lies in it at power-up is anything:
+/// whoever keeps something here seals it with a CRC.
+class BackupMemory {
+ public:
+  virtual ~BackupMemory() = default;
+  /// All of it, to be read and written in place; the same at every call. Empty on a board that has none.
+  [[nodiscard]] virtual std::span<std::byte> bytes() = 0;
+};
+
+}  // namespace fantail::hal

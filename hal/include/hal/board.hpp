@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+namespace fantail::hal {
+
+/// What is wrong with the board, as its own drivers found it. With any of them the rocket is not armed. The numbers are
+/// those of the bits on the bus.
+enum class BoardFault : std::uint8_t {
+  crystal_failed,        ///< the 8 MHz crystal did not start: the processor runs on its own oscillator
+  clock_failed,          ///< the PLL did not lock
+  image_broken,          ///< the firmware in the processor is not what was built: its CRC is wrong
+  imu_silent,            ///< does not answer
+  imu_wrong_id,          ///< something answers, and it is not an ICM-42688-P
+  imu_self_test_failed,  ///< its own electrical self-test
+  accelerometer_silent,
+  accelerometer_wrong_id,
+  encoder_silent,  ///< one of the four, at power-up
+  flash_silent,
+  flash_wrong_id,
+  flash_stuck,  ///< busy for longer than its data sheet allows
+  can_failed,   ///< the controller did not leave initialisation
+  entropy_failed,
+  battery_unmeasured,  ///< the converter did not answer
+  loop_overrun,        ///< more ticks came late than the plan allows
+  crashed,             ///< the processor was reset by a hard fault, and the post-mortem record says where
+};
+inline constexpr std::size_t board_faults = 17;
+
+[[nodiscard]] constexpr std::string_view name(BoardFault fault) {
+  constexpr std::array<std::string_view, board_faults> names{
+      "crystal_failed", "clock_failed",         "image_broken",         "imu_silent",
+      "imu_wrong_id",   "imu_self_test_failed", "accelerometer_silent", "accelerometer_wrong_id",
+      "encoder_silent", "flash_silent",         "flash_wrong_id",       "flash_stuck",
+      "can_failed",     "entropy_failed",       "battery_unmeasured",   "loop_overrun",
+      "crashed"};
+  return names[static_cast<std::size_t>(fault)];
+}
+
+/// A set of faults.
+class BoardFaults {
+ public:
+  constexpr void add(BoardFault fault) { bits_ |= 1U << static_cast<unsigned>(fault); }
+  [[nodiscard]] constexpr bool has(BoardFault fault) const { return (bits_ >> static_cast<unsigned>(fault) & 1U) != 0; }
+  [[nodiscard]] constexpr bool none() const { return bits_ == 0; }
+  [[nodiscard]] constexpr std::uint32_t bits() const { return bits_; }
+  friend constexpr bool operator==(BoardFaults, BoardFaults) = default;
+
+ private:
+  std::uint32_t bits_ = 0;
+};
+
+/// Why the processor began anew.
+enum class ResetCause : std::uint8_t {
+  power_on,
+  brown_out,  ///< the supply was too low for a moment
+  pin,        ///< the reset button, or a probe
+  software,   ///< asked for by the firmware itself, as after a hard fault
+  watchdog,
+};
+inline constexpr std::size_t reset_causes = 5;
+
+struct BoardStatus {
+  BoardFaults faults{};
+  ResetCause reset_cause = ResetCause::power_on;
+  std::optional<std::uint16_t> battery_mv{};
+  std::uint32_t overruns = 0;  ///< control ticks that were due and did not come, since power-up
+};
+
+/// Lights and tones: what a person at the pad sees and hears.
+enum class Signal : std::uint8_t {
+  safe,
+  faulty,  ///< Safe, and it cannot be armed
+  self_test,
+  armed,
+  flying,
+  finished,
+};
+
+/// What the board knows about itself, and its lamp and buzzer.
+class Board {
+ public:
+  virtual ~Board() = default;
+  /// Now; never waits.
+  [[nodiscard]] virtual BoardStatus status() = 0;
+  /// Once a tick.
+  virtual void show(Signal signal) = 0;
+};
+
+}  // namespace fantail::hal
