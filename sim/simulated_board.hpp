@@ -9,6 +9,8 @@
 #include "hal/flash.hpp"
 #include "hal/sim/accelerometer.hpp"
 #include "hal/sim/arm_switch.hpp"
+#include "hal/sim/backup_memory.hpp"
+#include "hal/sim/board.hpp"
 #include "hal/sim/clock.hpp"
 #include "hal/sim/encoder.hpp"
 #include "hal/sim/imu.hpp"
@@ -42,7 +44,9 @@ class SimulatedBoard {
                   .flash = ports.flash,
                   .console = ports.console,
                   .watchdog = watchdog_,
-                  .entropy = ports.entropy},
+                  .entropy = ports.entropy,
+                  .board = board_,
+                  .backup_memory = backup_memory_},
                  plan,
                  identity} {}
   SimulatedBoard(const SimulatedBoard&) = delete;  // the devices point into it
@@ -58,6 +62,8 @@ class SimulatedBoard {
   hal::sim::Encoder encoder_{hardware};
   hal::sim::ArmSwitch arm_switch_{hardware};
   hal::sim::Watchdog watchdog_{hardware};
+  hal::sim::Board board_{hardware};
+  hal::sim::NoBackupMemory backup_memory_;
 
  public:
   avionics::Avionics avionics;

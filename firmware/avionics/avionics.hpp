@@ -16,6 +16,8 @@
 #include "core/flight_plan.hpp"
 #include "hal/accelerometer.hpp"
 #include "hal/arm_switch.hpp"
+#include "hal/backup_memory.hpp"
+#include "hal/board.hpp"
 #include "hal/can_bus.hpp"
 #include "hal/clock.hpp"
 #include "hal/console.hpp"
@@ -41,6 +43,8 @@ struct Devices {
   hal::Console& console;
   hal::Watchdog& watchdog;
   hal::Entropy& entropy;
+  hal::Board& board;
+  hal::BackupMemory& backup_memory;
 };
 
 /// The application: reads the hardware layer, steps the autopilot, writes the hardware layer. A board's or a world's

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "hal/accelerometer.hpp"
+#include "hal/board.hpp"
 #include "hal/encoder.hpp"
 #include "hal/imu.hpp"
 #include "hal/servo.hpp"
@@ -21,7 +22,9 @@ struct WorldSide {
   float accelerometer_scale_m_s2 = 0.0F;
   EncoderReading encoders{};
   bool arm_switch_closed = false;
+  BoardStatus board{};
   std::array<std::optional<Pulse>, canards> pulses{};  ///< what the avionics wrote last
+  Signal shown = Signal::safe;                         ///< by lamp and buzzer
   Microseconds watchdog_fed{};                         ///< when the avionics last completed a tick
 };
 

@@ -12,6 +12,7 @@
 #include "avionics/avionics.hpp"
 #include "avionics/can_frame.hpp"
 #include "core/flight_plan_fields.hpp"
+#include "hal/sim/backup_memory.hpp"
 #include "hal/sim/can_bus.hpp"
 #include "hal/sim/flash.hpp"
 #include "protocol/bus_codec.hpp"
@@ -63,6 +64,12 @@ struct FakeEntropy final : hal::Entropy {
   std::uint32_t number = 0;
   std::uint32_t draw() override { return number; }
 };
+struct FakeBoard final : hal::Board {
+  hal::BoardStatus now{};
+  hal::Signal shown = hal::Signal::safe;
+  hal::BoardStatus status() override { return now; }
+  void show(hal::Signal signal) override { shown = signal; }
+};
 struct FakeWatchdog final : hal::Watchdog {
   int fed = 0;
   void feed() override { fed += 1; }
@@ -79,9 +86,9 @@ class BoardRig {
     avionics_.reset();
     clock.time = {};
     servo.written = {};
-    avionics_.emplace(
-        Devices{clock, imu, accelerometer, servo, encoder, arm_switch, board_bus, flash, console, watchdog, entropy},
-        plan_);
+    avionics_.emplace(Devices{clock, imu, accelerometer, servo, encoder, arm_switch, board_bus, flash, console,
+                              watchdog, entropy, board, backup_memory},
+                      plan_);
   }
 
   const core::TickRecord& tick() {
@@ -199,6 +206,8 @@ class BoardRig {
   FakeConsole console;
   FakeWatchdog watchdog;
   FakeEntropy entropy;
+  FakeBoard board;
+  hal::sim::BackupMemory backup_memory;
   hal::sim::Flash flash{{.size = 1U << 18U, .sector_size = 4096, .page_size = 256}};
   hal::sim::CanWire wire;
   hal::sim::CanBus board_bus{wire};
