@@ -11,5 +11,6 @@ set(CMAKE_FIND_ROOT_PATH_MODE_PROGRAM NEVER)
 set(CMAKE_C_FLAGS_INIT
   "-mcpu=cortex-m4 -mthumb -mfpu=fpv4-sp-d16 -mfloat-abi=hard -ffunction-sections -fdata-sections -fstack-usage -fcallgraph-info=su")
 set(CMAKE_CXX_FLAGS_INIT "${CMAKE_C_FLAGS_INIT} -fno-use-cxa-atexit -Wno-psabi")
-set(CMAKE_C_FLAGS_RELEASE_INIT "-O2 -g -DNDEBUG")
-set(CMAKE_CXX_FLAGS_RELEASE_INIT "-O2 -g -DNDEBUG")
+# In the cache, because what a toolchain file gives as _INIT stands before CMake's own -O3.
+set(CMAKE_C_FLAGS_RELEASE "-O2 -g -DNDEBUG" CACHE STRING "")
+set(CMAKE_CXX_FLAGS_RELEASE "-O2 -g -DNDEBUG" CACHE STRING "")
