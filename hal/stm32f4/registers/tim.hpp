@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "hal/stm32f4/registers/register.hpp"
+
+namespace fantail::hal::stm32f4::registers {
+
+/// TIM1 and TIM8. RM0090 section 17.4.
+struct Tim {
+  Register cr1;
+  Register cr2;
+  Register smcr;
+  Register dier;
+  Register sr;
+  Register egr;
+  Register ccmr[2];
+  Register ccer;
+  Register cnt;
+  Register psc;
+  Register arr;
+  Register rcr;
+  Register ccr[4];
+  Register bdtr;
+  Register dcr;
+  Register dmar;
+};
+static_assert(offsetof(Tim, egr) == 0x14);
+static_assert(offsetof(Tim, ccmr) == 0x18);
+static_assert(offsetof(Tim, ccer) == 0x20);
+static_assert(offsetof(Tim, psc) == 0x28);
+static_assert(offsetof(Tim, ccr) == 0x34);
+static_assert(offsetof(Tim, bdtr) == 0x44);
+
+// Section 17.4.1.
+inline constexpr std::uint32_t tim_cr1_cen = 1U << 0U;
+inline constexpr std::uint32_t tim_cr1_udis = 1U << 1U;  ///< no update: what is preloaded stays preloaded
+inline constexpr std::uint32_t tim_cr1_arpe = 1U << 7U;
+// Section 17.4.6.
+inline constexpr std::uint32_t tim_egr_ug = 1U << 0U;
+// Section 17.4.7: of the first channel of the pair; the second lies 8 bits higher.
+inline constexpr std::uint32_t tim_ccmr_ocpe = 1U << 3U;      ///< the compare value is preloaded
+inline constexpr std::uint32_t tim_ccmr_ocm_pwm1 = 6U << 4U;  ///< high while the counter is below the compare value
+inline constexpr std::uint32_t tim_ccmr_bits_per_channel = 8;
+// Section 17.4.9: of the first channel; each further one lies 4 bits higher.
+inline constexpr std::uint32_t tim_ccer_cce = 1U << 0U;
+inline constexpr std::uint32_t tim_ccer_bits_per_channel = 4;
+// Section 17.4.18.
+inline constexpr std::uint32_t tim_bdtr_moe = 1U << 15U;
+
+}  // namespace fantail::hal::stm32f4::registers
