@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+namespace fantail::hal::stm32f4::registers {
+
+// What the processor does by instruction and not by register. As load() and store(), these are replaced in the tests.
+
+/// Interrupts wait from now on; an interrupt that waits still ends wait_for_interrupt().
+void mask_interrupts();
+/// Those that waited are served before this returns.
+void unmask_interrupts();
+/// Stops the processor until an interrupt comes.
+void wait_for_interrupt();
+
+}  // namespace fantail::hal::stm32f4::registers
