@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+#include "hal/servo.hpp"
+#include "hal/stm32f4/registers/tim.hpp"
+
+namespace fantail::hal::stm32f4 {
+
+/// Four servos on the four channels of an advanced timer: a pulse each 3 ms (333 Hz), in steps of 48 ns at 168 MHz.
+///
+/// Compare values are preloaded: the timer takes all four over between two frames, so no pulse is ever cut, and a
+/// switched-off output is a pulse of no length. Until the first pulse the pins are not driven at all, and the pull-down
+/// resistors keep them low.
+class Servo final : public hal::Servo {
+ public:
+  /// What a hobby servo understands. Nothing else is ever driven.
+  static constexpr Pulse shortest{500'000};
+  static constexpr Pulse longest{2'500'000};
+  using Counts = std::array<std::uint32_t, canards>;
+
+  /// `timer_hz`: what the timer counts before its prescaler.
+  Servo(registers::Tim& timer, std::uint32_t timer_hz);
+
+  /// A servo that is asked for a pulse outside of its range keeps the one it has: that is a broken command or a broken
+  /// plan, and of all answers to it the end of the range would be the hardest kick.
+  void write(const std::array<std::optional<Pulse>, canards>& pulses) override;
+
+  /// Pulses that were outside of their range, since power-up.
+  [[nodiscard]] std::uint32_t refused() const { return refused_; }
+
+  /// For drive(): what these pulses are in counts of the timer. Empty, or outside of the range, is no pulse.
+  [[nodiscard]] Counts counts(const std::array<std::optional<Pulse>, canards>& pulses) const;
+
+  /// All four in the next frame. Needs nothing but the timer, so a crash handler can use it with counts laid by, in
+  /// whatever state it finds the rest; outputs that were never on stay off.
+  static void drive(registers::Tim& timer, const Counts& counts);
+
+ private:
+  [[nodiscard]] std::uint32_t count(Pulse pulse) const;
+
+  registers::Tim* timer_;
+  std::uint32_t counts_per_nanosecond_;  ///< times 2^32
+  Counts counts_{};
+  bool on_ = false;
+  std::uint32_t refused_ = 0;
+};
+
+}  // namespace fantail::hal::stm32f4
