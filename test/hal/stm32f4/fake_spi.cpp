@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: MIT
+#include "fake_spi.hpp"
+
+#include <algorithm>
+
+namespace fantail::hal::stm32f4::test {
+namespace {
+
+using namespace registers::spi;
+
+constexpr int looks_per_byte = 3;
+constexpr int looks_of_the_last_edge = 2;  // RXNE comes half a clock before the last edge, BSY goes after it
+
+std::uint32_t speed_and_mode(std::uint32_t control) {
+  return control & (clock_phase | clock_polarity | prescaler_mask | master | software_select | internal_select);
+}
+
+}  // namespace
+
+FakePort::FakePort(RegisterWorld& world) {
+  world.on_write(block_.bsrr, [this](std::uint32_t value) {
+    const std::uint32_t before = level_;
+    level_ = ((level_ & ~(value >> 16U)) | value) & 0xFFFFU;
+    for (const auto& [pin, watcher] : watchers_) {
+      if (((before ^ level_) >> pin & 1U) != 0) {
+        watcher((level_ >> pin & 1U) != 0);
+      }
+    }
+  });
+}
+
+FakeSpi::FakeSpi(RegisterWorld& world, std::uint32_t bus_hz) : bus_hz_{bus_hz} {
+  world.on_read(block_.sr, [this] { return look(); });
+  world.on_read(block_.cr1, [this] { return control_; });
+  world.on_write(block_.cr1, [this](std::uint32_t value) { write_control(value); });
+  world.on_write(block_.dr, [this](std::uint32_t value) { write_data(value); });
+  world.on_read(block_.dr, [this] { return read_data(); });
+}
+
+void FakeSpi::attach(FakePort& port, std::uint8_t pin, SpiSlave& slave) {
+  port.watch(pin, [this, &slave](bool level) { select(slave, level); });
+}
+
+std::uint32_t FakeSpi::clock_hz() const { return bus_hz_ >> (((control_ & prescaler_mask) >> prescaler_shift) + 1U); }
+
+void FakeSpi::select(SpiSlave& slave, bool level) {
+  if (shifting_ || busy_left_ > 0) {
+    violations.emplace_back("chip select moved while the block was busy");
+  }
+  if (level) {
+    std::erase(selected_, &slave);
+    slave.deselected();
+    return;
+  }
+  selected_.push_back(&slave);
+  if (selected_.size() > 1) {
+    violations.emplace_back("two devices selected at once");
+  }
+  clocked_ = false;
+  looks_at_select_ = looks_;
+  slave.selected();
+}
+
+std::uint32_t FakeSpi::look() {
+  looks_ += 1;
+  if (shifting_ && !stopped_ && --looks_left_ <= 0) {
+    if (full_) {
+      overrun_ = true;  // and what came is lost
+    } else {
+      received_ = *shifting_;
+      full_ = true;
+    }
+    shifting_.reset();
+    busy_left_ = looks_of_the_last_edge;
+    if (waiting_) {
+      const std::uint8_t next = *waiting_;
+      waiting_.reset();
+      begin(next);
+    }
+  } else if (busy_left_ > 0) {
+    busy_left_ -= 1;
+  }
+  const std::uint32_t status = (full_ ? received : 0) | (waiting_ || stopped_ ? 0 : transmit_empty) |
+                               (overrun_ ? overrun : 0) | (shifting_ || busy_left_ > 0 ? busy : 0);
+  if (data_was_read_) {
+    overrun_ = false;
+  }
+  data_was_read_ = false;
+  return status;
+}
+
+void FakeSpi::write_control(std::uint32_t value) {
+  const bool is_on = (control_ & enable) != 0;
+  if (is_on && (shifting_ || busy_left_ > 0) && !stopped_) {
+    violations.emplace_back("CR1 written while busy");
+  }
+  if (is_on && speed_and_mode(value) != speed_and_mode(control_)) {
+    violations.emplace_back("mode or speed changed while enabled");
+  }
+  if ((value & enable) == 0) {
+    shifting_.reset();
+    waiting_.reset();
+    busy_left_ = 0;
+  }
+  if (!selected_.empty()) {
+    violations.emplace_back("CR1 written while a device was selected");
+  }
+  control_ = value;
+}
+
+void FakeSpi::write_data(std::uint32_t value) {
+  constexpr std::uint32_t runs = enable | master | software_select | internal_select;
+  if ((control_ & runs) != runs) {
+    violations.emplace_back("data written to a block that is not an enabled master");
+    return;
+  }
+  const auto out = static_cast<std::uint8_t>(value);
+  if (!shifting_) {
+    begin(out);
+  } else if (!waiting_) {
+    waiting_ = out;
+  } else {
+    violations.emplace_back("data written into a full transmit buffer");
+  }
+}
+
+std::uint32_t FakeSpi::read_data() {
+  full_ = false;
+  data_was_read_ = true;
+  return received_;
+}
+
+void FakeSpi::begin(std::uint8_t out) {
+  bytes_ += 1;
+  wire_us_ += 8.0e6 / clock_hz();
+  looks_left_ = looks_per_byte;
+  shifting_ = 0xFF;  // nobody drives the line: its pull-up does
+  for (SpiSlave* slave : selected_) {
+    const SpiSlave::Needs needs = slave->needs();
+    const auto mode =
+        static_cast<std::uint8_t>((control_ & clock_phase ? 1U : 0U) | (control_ & clock_polarity ? 2U : 0U));
+    if (!std::ranges::count(needs.modes, mode)) {
+      violations.emplace_back("a device was spoken to in mode " + std::to_string(mode));
+    }
+    if (clock_hz() > needs.most_hz) {
+      violations.emplace_back("a device was clocked at " + std::to_string(clock_hz()) + " Hz");
+    }
+    // One look is at least one cycle of the bus clock.
+    if (!clocked_ && static_cast<double>(looks_ - looks_at_select_) / bus_hz_ * 1e9 < needs.select_ns) {
+      violations.emplace_back("a device was clocked too soon after its chip select");
+    }
+    shifting_ = slave->exchange(out);
+  }
+  if (selected_.empty()) {
+    violations.emplace_back("a byte was sent to nobody");
+  }
+  clocked_ = true;
+}
+
+}  // namespace fantail::hal::stm32f4::test

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "hal/stm32f4/registers/gpio.hpp"
+#include "hal/stm32f4/registers/spi.hpp"
+#include "register_world.hpp"
+
+namespace fantail::hal::stm32f4::test {
+
+/// A port whose outputs somebody watches. All pins are high at first, as the pin map leaves chip selects.
+class FakePort {
+ public:
+  using Watcher = std::function<void(bool level)>;
+
+  explicit FakePort(RegisterWorld& world);
+  registers::Gpio& block() { return block_; }
+  void watch(std::uint8_t pin, Watcher watcher) { watchers_[pin] = std::move(watcher); }
+
+ private:
+  registers::Gpio block_{};
+  std::uint32_t level_ = 0xFFFF;
+  std::map<std::uint8_t, Watcher> watchers_;
+};
+
+/// A device on an SPI bus, byte by byte.
+class SpiSlave {
+ public:
+  struct Needs {
+    std::vector<std::uint8_t> modes;  ///< those it understands
+    std::uint32_t most_hz;
+    std::uint32_t select_ns = 0;  ///< between chip select and the first clock
+  };
+
+  virtual ~SpiSlave() = default;
+  [[nodiscard]] virtual Needs needs() const = 0;
+  virtual void selected() = 0;
+  virtual std::uint8_t exchange(std::uint8_t out) = 0;
+  virtual void deselected() = 0;
+};
+
+/// An SPI block as RM0090 section 28.3 describes it: transmit buffer, shift register, receive buffer, and what happens
+/// when they are not looked after. Its time goes by in looks at SR. What a driver must not do is written down in
+/// `violations`.
+class FakeSpi {
+ public:
+  FakeSpi(RegisterWorld& world, std::uint32_t bus_hz);
+  registers::Spi& block() { return block_; }
+
+  /// The slave outlives this object. Its chip select is low when it is selected.
+  void attach(FakePort& port, std::uint8_t pin, SpiSlave& slave);
+
+  // ---- faults ----
+  /// From now on no byte ever comes to its end.
+  void stop() { stopped_ = true; }
+  void go_on() { stopped_ = false; }
+  /// The clock that the board really has, when it is not the one the driver was told.
+  void set_bus_hz(std::uint32_t bus_hz) { bus_hz_ = bus_hz; }
+
+  // ---- what was seen ----
+  std::vector<std::string> violations{};
+  [[nodiscard]] std::uint64_t bytes() const { return bytes_; }
+  /// Eight clocks of the wire for each byte.
+  [[nodiscard]] double wire_us() const { return wire_us_; }
+  [[nodiscard]] std::uint32_t clock_hz() const;
+  [[nodiscard]] std::uint64_t looks() const { return looks_; }
+  /// The longest a device was selected, in looks at SR.
+  void forget_traffic() { bytes_ = 0, wire_us_ = 0.0; }
+
+ private:
+  std::uint32_t look();
+  void write_control(std::uint32_t value);
+  void write_data(std::uint32_t value);
+  std::uint32_t read_data();
+  void begin(std::uint8_t out);
+  void select(SpiSlave& slave, bool level);
+
+  registers::Spi block_{};
+  std::uint32_t bus_hz_;
+  std::uint32_t control_ = 0;
+  std::vector<SpiSlave*> selected_;
+  std::optional<std::uint8_t> shifting_;  ///< what will have been received when the looks are over
+  std::optional<std::uint8_t> waiting_;   ///< in the transmit buffer
+  std::uint8_t received_ = 0;
+  bool full_ = false;
+  bool overrun_ = false;
+  bool data_was_read_ = false;
+  int looks_left_ = 0;
+  int busy_left_ = 0;
+  std::uint64_t looks_ = 0;
+  std::uint64_t looks_at_select_ = 0;
+  bool clocked_ = false;
+  bool stopped_ = false;
+  std::uint64_t bytes_ = 0;
+  double wire_us_ = 0.0;
+};
+
+}  // namespace fantail::hal::stm32f4::test
