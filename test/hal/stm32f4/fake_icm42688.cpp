@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: MIT
+#include "fake_icm42688.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fantail::hal::stm32f4::test {
+namespace {
+
+// Bank 0, section 13.1.
+constexpr std::uint8_t device_config = 0x11, accelerometer_data = 0x1F, gyro_data = 0x25, interrupt_status = 0x2D,
+                       power = 0x4E, gyro_config = 0x4F, accelerometer_config = 0x50, self_test = 0x70, who_am_i = 0x75,
+                       bank_select = 0x76;
+
+/// Section 5.6: the range is halved with each number.
+double range(double widest, std::uint8_t config) { return widest / (1 << (config >> 5U)); }
+
+/// The factory's codes, in counts of 250 deg/s and 2 g full scale.
+double factory_counts(std::uint8_t code) { return 2620.0 * std::pow(1.01, code - 1); }
+
+}  // namespace
+
+FakeIcm42688::FakeIcm42688(const FakeClock& clock) : clock_{clock} {
+  reset();
+  resets = 0;
+}
+
+void FakeIcm42688::reset() {
+  resets += 1;
+  bank_ = 0;
+  for (auto& bank : registers_) {
+    bank.fill(0);
+  }
+  auto& bank0 = registers_[0];
+  for (std::uint8_t address = 0x1D; address <= gyro_data + 5; address += 2) {
+    bank0[address] = 0x80;  // -32768 until the first sample
+  }
+  bank0[interrupt_status] = 0x10;
+  bank0[0x4C] = 0x30, bank0[0x4D] = 0x91, bank0[gyro_config] = 0x06, bank0[accelerometer_config] = 0x06;
+  bank0[0x51] = 0x16, bank0[0x52] = 0x11, bank0[0x53] = 0x0D, bank0[0x64] = 0x10, bank0[0x65] = 0x10;
+  std::ranges::copy(gyro_codes, registers_[1].begin() + 0x5F);
+  std::ranges::copy(accelerometer_codes, registers_[2].begin() + 0x3B);
+  reset_until_ = clock_.time + Microseconds{1'000};
+  samples_ = 0;
+}
+
+void FakeIcm42688::selected() {
+  address_.reset();
+  update();
+}
+
+void FakeIcm42688::update() {
+  const std::uint8_t mode = registers_[0][power];
+  const bool gyro_on = (mode & 0x0CU) == 0x0C;
+  const bool accelerometer_on = (mode & 0x03U) == 0x03;
+  if ((!gyro_on && !accelerometer_on) || frozen) {
+    return;
+  }
+  // Both at 1 kHz; the slower to start sets the beat.
+  const Microseconds first =
+      std::max(gyro_on ? gyro_ready_ : Microseconds{}, accelerometer_on ? accelerometer_ready_ : Microseconds{});
+  const std::int64_t due = clock_.time < first ? 0 : (clock_.time - first) / Microseconds{1'000} + 1;
+  if (due <= samples_) {
+    return;
+  }
+  samples_ = due;
+  registers_[0][interrupt_status] |= 0x08;
+  const std::uint8_t test = registers_[0][self_test];
+  for (std::uint8_t i = 0; i < 3; ++i) {
+    const auto at = static_cast<std::uint8_t>(2 * i);
+    if (gyro_on) {
+      const bool actuated = (test >> i & 1U) != 0;
+      const double more = actuated ? gyro_actuation * factory_counts(gyro_codes[i]) * 250.0 / 32768.0 : 0.0;
+      put(static_cast<std::uint8_t>(gyro_data + at), rate_deg_s[i] + more, range(2000.0, registers_[0][gyro_config]));
+    }
+    if (accelerometer_on) {
+      const bool actuated = (test >> (3U + i) & 1U) != 0 && (test & 0x40U) != 0;
+      const double more =
+          actuated ? accelerometer_actuation * factory_counts(accelerometer_codes[i]) * 2.0 / 32768.0 : 0.0;
+      put(static_cast<std::uint8_t>(accelerometer_data + at), force_g[i] + more,
+          range(16.0, registers_[0][accelerometer_config]));
+    }
+  }
+}
+
+void FakeIcm42688::put(std::uint8_t address, double value, double full_scale) {
+  // Section 14.34, FIFO_HOLD_LAST_DATA_EN = 0: the lowest counts are replaced.
+  const double counts = std::clamp(std::round(value / full_scale * 32768.0), -32766.0, 32767.0);
+  const auto word = static_cast<std::uint16_t>(static_cast<std::int16_t>(counts));
+  registers_[0][address] = static_cast<std::uint8_t>(word >> 8U);
+  registers_[0][address + 1U] = static_cast<std::uint8_t>(word);
+}
+
+std::uint8_t FakeIcm42688::exchange(std::uint8_t out) {
+  if (stuck_at) {
+    return *stuck_at;
+  }
+  if (clock_.time < reset_until_ && resets > 0) {
+    violations.emplace_back("spoken to within 1 ms of its reset");
+  }
+  if (!address_) {
+    address_ = out & 0x7FU;
+    reading_ = (out & 0x80U) != 0;
+    return 0;
+  }
+  const std::uint8_t address = *address_;
+  address_ = static_cast<std::uint8_t>((address + 1U) & 0x7FU);
+  if (reading_) {
+    return read(address);
+  }
+  write(address, out);
+  return 0;
+}
+
+std::uint8_t FakeIcm42688::read(std::uint8_t address) {
+  if (bank_ == 0 && address == who_am_i) {
+    return id;
+  }
+  if (address == bank_select) {
+    return bank_;
+  }
+  const std::uint8_t value = registers_[bank_][address];
+  if (bank_ == 0 && address == interrupt_status) {
+    registers_[0][interrupt_status] = 0;
+  }
+  return value;
+}
+
+void FakeIcm42688::write(std::uint8_t address, std::uint8_t value) {
+  writes += 1;
+  if (clock_.time - switched_on_ < Microseconds{200}) {
+    violations.emplace_back("written to within 200 us of being switched on");
+  }
+  if (address == bank_select) {
+    bank_ = value & 7U;
+    return;
+  }
+  const std::uint8_t mode = registers_[0][power];
+  const bool any_on = mode != 0;
+  const bool may_change = bank_ == 0 && (address == device_config || address == power || address == gyro_config ||
+                                         address == accelerometer_config || address == self_test);
+  if (any_on && !may_change) {
+    violations.emplace_back("register " + std::to_string(address) + " changed while a sensor was on");
+  }
+  if (bank_ == 0 && address == device_config && (value & 1U) != 0) {
+    reset();
+    return;
+  }
+  if (bank_ == 0 && address == power) {
+    if ((mode & 0x0CU) != 0x0C && (value & 0x0CU) == 0x0C) {
+      gyro_ready_ = clock_.time + Microseconds{30'000};
+    }
+    if ((mode & 0x03U) != 0x03 && (value & 0x03U) == 0x03) {
+      accelerometer_ready_ = clock_.time + Microseconds{10'000};
+    }
+    if (mode == 0 && value != 0) {
+      switched_on_ = clock_.time;
+    }
+    if (mode != value) {
+      samples_ = 0;
+    }
+  }
+  registers_[bank_][address] = value;
+}
+
+}  // namespace fantail::hal::stm32f4::test

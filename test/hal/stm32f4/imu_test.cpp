@@ -1,0 +1,299 @@
+// SPDX-License-Identifier: MIT
+#include "hal/stm32f4/imu.hpp"
+
+#include <gtest/gtest.h>
+
+#include "fake_icm42688.hpp"
+#include "hal/stm32f4/icm42688.hpp"
+
+namespace fantail::hal::stm32f4 {
+namespace {
+
+using test::FakeClock;
+using test::FakeIcm42688;
+using test::FakePort;
+using test::FakeSpi;
+using test::RegisterWorld;
+using enum SensorAxis;
+
+constexpr std::uint32_t bus_hz = 84'000'000;
+constexpr Mounting straight{plus_x, plus_y, plus_z};
+constexpr Microseconds tick{1'000};
+
+class ImuTest : public testing::Test {
+ protected:
+  RegisterWorld world;
+  FakeClock clock;
+  FakePort port{world};
+  FakeSpi spi{world, bus_hz};
+  FakeIcm42688 device{clock};
+  SpiBus bus{spi.block(), bus_hz};
+
+  void SetUp() override { spi.attach(port, 4, device); }
+  void TearDown() override {
+    for (const auto& violations : {spi.violations, device.violations}) {
+      for (const std::string& violation : violations) {
+        ADD_FAILURE() << violation;
+      }
+    }
+  }
+
+  Imu make(const Mounting& mounting = straight) {
+    return Imu{SpiDevice{bus, Pin{port.block(), 4}, icm42688::spi}, clock, mounting};
+  }
+  ImuSample next(Imu& imu) {
+    clock.time += tick;
+    return imu.read();
+  }
+  /// Ticks until a sample comes, at most so many.
+  int ticks_to_sample(Imu& imu, int most) {
+    for (int i = 1; i <= most; ++i) {
+      if (next(imu).status == Status::ok) {
+        return i;
+      }
+    }
+    return most + 1;
+  }
+  /// The start without a self-test.
+  Imu running(const Mounting& mounting = straight) {
+    Imu imu = make(mounting);
+    imu.start(SensorStart::in_flight);
+    EXPECT_LE(ticks_to_sample(imu, 100), 60);
+    return imu;
+  }
+};
+
+TEST_F(ImuTest, MeasuresInTheUnitsOfItsConfiguration) {
+  // Half of each range, DS-000347 sections 3.1 and 3.2.
+  device.rate_deg_s = {1000.0, -500.0, 0.0};
+  device.force_g = {8.0, 0.0, -4.0};
+  Imu imu = running();
+  const ImuSample sample = next(imu);
+  EXPECT_EQ(sample.rate, (Counts{16384, -8192, 0}));
+  EXPECT_EQ(sample.specific_force, (Counts{16384, 0, -8192}));
+  EXPECT_FLOAT_EQ(imu.scale().rate_rad_s * 16384.0F, 1000.0F * 3.14159265F / 180.0F);
+  EXPECT_FLOAT_EQ(imu.scale().specific_force_m_s2 * 16384.0F, 8.0F * 9.80665F);
+  EXPECT_TRUE(imu.faults().none());
+}
+
+TEST_F(ImuTest, IsSetUpAsTheHeaderSays) {
+  const Imu imu = running();
+  EXPECT_EQ(device.reg(0, 0x4E), 0x0F);  // both in low-noise mode
+  EXPECT_EQ(device.reg(0, 0x4F), 0x06);  // 2000 deg/s, 1 kHz
+  EXPECT_EQ(device.reg(0, 0x50), 0x06);  // 16 g, 1 kHz
+  EXPECT_EQ(device.reg(0, 0x52), 0x00);
+  // 258 Hz in the table of section 5.3: 6, 36, 10.
+  EXPECT_EQ(device.reg(1, 0x0C), 6);
+  EXPECT_EQ(device.reg(1, 0x0D), 36);
+  EXPECT_EQ(device.reg(1, 0x0E), 0xA0);
+  EXPECT_EQ(device.reg(2, 0x03), 12);
+  EXPECT_EQ(device.reg(2, 0x04), 36);
+  EXPECT_EQ(device.reg(2, 0x05), 0xA0);
+  EXPECT_EQ(spi.clock_hz(), 21'000'000U);
+}
+
+TEST_F(ImuTest, IsTurnedIntoTheRocketsAxes) {
+  device.rate_deg_s = {0.0, 1000.0, 0.0};
+  device.force_g = {0.0, 0.0, 8.0};
+  Imu imu = running({plus_y, minus_x, plus_z});
+  const ImuSample sample = next(imu);
+  EXPECT_EQ(sample.rate, (Counts{16384, 0, 0}));
+  EXPECT_EQ(sample.specific_force, (Counts{0, 0, 16384}));
+}
+
+TEST_F(ImuTest, BothEndsOfTheRangeAreTheEndsThatTheContractNames) {
+  // The device itself never says less than -32766.
+  device.rate_deg_s = {-3000.0, 3000.0, 0.0};
+  Imu imu = running();
+  EXPECT_EQ(next(imu).rate, (Counts{-32768, 32767, 0}));
+}
+
+TEST_F(ImuTest, ASampleSeenBeforeComesAgainWithItsOldTime) {
+  Imu imu = running();
+  const ImuSample first = next(imu);
+  EXPECT_EQ(first.time, clock.time - Imu::age_when_found);
+  device.rate_deg_s = {100.0, 0.0, 0.0};  // and no time for a new sample
+  clock.time += Microseconds{10};
+  const ImuSample again = imu.read();
+  EXPECT_EQ(again.time, first.time);
+  EXPECT_EQ(again.rate, first.rate);
+  EXPECT_EQ(again.status, Status::ok);
+  EXPECT_GT(next(imu).time, first.time);
+}
+
+TEST_F(ImuTest, SaysNoReadingUntilItsFirstSample) {
+  Imu imu = make();
+  imu.start(SensorStart::power_up);
+  EXPECT_EQ(imu.read().status, Status::no_reading);
+  const int ticks = ticks_to_sample(imu, 2000);
+  // 60 + 200 + 200 + 200 + 25 + 200 + 25 + 200 ms of self-test, and 45 ms of start-up.
+  EXPECT_GE(ticks, 1155);
+  EXPECT_LE(ticks, 1200);
+  EXPECT_TRUE(imu.faults().none());
+}
+
+TEST_F(ImuTest, AfterAResetInFlightADeviceThatStillRunsIsTakenAsItIs) {
+  {
+    const Imu before = running();
+  }
+  const int resets = device.resets;
+  // The processor was reset while another bank was selected.
+  SpiRegisters{SpiDevice{bus, Pin{port.block(), 4}, icm42688::spi}}.write(icm42688::bank_select, 2);
+  device.writes = 0;
+  Imu after = make();
+  after.start(SensorStart::in_flight);
+  EXPECT_LE(ticks_to_sample(after, 100), 3);
+  EXPECT_EQ(device.resets, resets);
+}
+
+TEST_F(ImuTest, AfterAResetInFlightADeviceThatWasResetTooSamplesWithin60Milliseconds) {
+  Imu imu = make();
+  imu.start(SensorStart::in_flight);
+  EXPECT_LE(ticks_to_sample(imu, 100), 60);
+}
+
+TEST_F(ImuTest, ADeviceThatResetsItselfIsSetUpAgainInTheBackground) {
+  Imu imu = running();
+  device.reset();
+  clock.time += tick;
+  EXPECT_EQ(next(imu).status, Status::no_reading);
+  EXPECT_LE(ticks_to_sample(imu, 100), 60);
+  EXPECT_EQ(device.reg(1, 0x0C), 6);
+  EXPECT_TRUE(imu.faults().none());
+}
+
+TEST_F(ImuTest, ADeviceThatStopsAnsweringIsSilentAndComesBack) {
+  for (const std::uint8_t level : std::array<std::uint8_t, 2>{0x00, 0xFF}) {
+    Imu imu = running();
+    device.stuck_at = level;
+    EXPECT_EQ(next(imu).status, Status::no_reading);
+    for (int i = 0; i < 100; ++i) {
+      EXPECT_EQ(next(imu).status, Status::no_reading);
+    }
+    EXPECT_TRUE(imu.faults().has(BoardFault::imu_silent));
+    device.stuck_at.reset();
+    EXPECT_LE(ticks_to_sample(imu, 200), 90);
+    EXPECT_TRUE(imu.faults().none());
+  }
+}
+
+TEST_F(ImuTest, OneSpoiltAnswerCostsOneTickAndNoReset) {
+  Imu imu = running();
+  const int resets = device.resets;
+  device.stuck_at = 0xFF;
+  EXPECT_EQ(next(imu).status, Status::no_reading);
+  device.stuck_at.reset();
+  EXPECT_EQ(next(imu).status, Status::ok);
+  EXPECT_EQ(device.resets, resets);
+  EXPECT_TRUE(imu.faults().none());
+}
+
+TEST_F(ImuTest, ADeviceThatIsNotTheRightOneIsNamed) {
+  device.id = 0x4E;
+  Imu imu = make();
+  imu.start(SensorStart::power_up);
+  EXPECT_EQ(ticks_to_sample(imu, 200), 201);
+  EXPECT_TRUE(imu.faults().has(BoardFault::imu_wrong_id));
+  EXPECT_FALSE(imu.faults().has(BoardFault::imu_silent));
+}
+
+TEST_F(ImuTest, ADeviceThatChangesItsIdIsAnError) {
+  Imu imu = running();
+  device.id = 0x12;
+  EXPECT_EQ(next(imu).status, Status::error);
+  EXPECT_TRUE(imu.faults().has(BoardFault::imu_wrong_id));
+  device.id = 0x47;
+  EXPECT_LE(ticks_to_sample(imu, 100), 60);
+}
+
+TEST_F(ImuTest, ADeviceWithoutNewSamplesIsSetUpAgainAfterTenMilliseconds) {
+  Imu imu = running();
+  const int resets = device.resets;
+  const Microseconds last = next(imu).time;
+  device.frozen = true;
+  for (int i = 0; i < 10; ++i) {
+    const ImuSample sample = next(imu);
+    EXPECT_EQ(sample.time, last);
+    EXPECT_EQ(sample.status, Status::ok);
+  }
+  EXPECT_EQ(next(imu).status, Status::no_reading);
+  device.frozen = false;
+  EXPECT_LE(ticks_to_sample(imu, 100), 60);
+  EXPECT_EQ(device.resets, resets + 1);
+}
+
+TEST_F(ImuTest, NoTickTakesLongHoweverTheDeviceBehaves) {
+  Imu imu = make();
+  imu.start(SensorStart::power_up);
+  double longest_us = 0.0;
+  for (int i = 0; i < 3000; ++i) {
+    device.stuck_at = i % 700 > 650 ? std::optional<std::uint8_t>{0xFF} : std::nullopt;
+    spi.forget_traffic();
+    static_cast<void>(next(imu));
+    longest_us = std::max(longest_us, spi.wire_us());
+  }
+  // The tick that sets everything up and reads it back: 2 * (15 + 3) registers and some, two bytes each, at 21 MHz.
+  EXPECT_LE(longest_us, 80 * 8 / 21.0);
+}
+
+TEST_F(ImuTest, ABusThatStopsIsADeviceThatIsSilent) {
+  Imu imu = running();
+  spi.stop();
+  for (int i = 0; i < 10; ++i) {
+    EXPECT_EQ(next(imu).status, Status::no_reading);
+  }
+  EXPECT_TRUE(imu.faults().has(BoardFault::imu_silent));
+  spi.violations.clear();
+  spi.go_on();
+  EXPECT_LE(ticks_to_sample(imu, 100), 60);
+}
+
+// ---- self-test ----
+
+TEST_F(ImuTest, AnAxisThatMovesTooLittleOrTooMuchFailsTheSelfTest) {
+  for (const double actuation : {0.4, 1.6}) {
+    for (const bool gyro : {true, false}) {
+      device.gyro_actuation = gyro ? actuation : 1.0;
+      device.accelerometer_actuation = gyro ? 1.0 : actuation;
+      Imu imu = make();
+      imu.start(SensorStart::power_up);
+      EXPECT_LE(ticks_to_sample(imu, 5000), 3600);  // three tries; it measures all the same
+      EXPECT_TRUE(imu.faults().has(BoardFault::imu_self_test_failed)) << actuation << gyro;
+    }
+  }
+}
+
+TEST_F(ImuTest, ARocketThatIsCarriedAboutAtPowerUpIsTestedAgain) {
+  Imu imu = make();
+  imu.start(SensorStart::power_up);
+  device.rate_deg_s = {30.0, 0.0, 0.0};
+  for (int i = 0; i < 1130; ++i) {
+    static_cast<void>(next(imu));
+  }
+  EXPECT_TRUE(imu.faults().has(BoardFault::imu_self_test_failed));
+  device.rate_deg_s = {};
+  EXPECT_LE(ticks_to_sample(imu, 2000), 1200);
+  EXPECT_TRUE(imu.faults().none());
+}
+
+TEST(ImuSelfTest, WithoutFactoryCodesAbsoluteLimitsHold) {
+  // 60 deg/s at 131 counts each; 50 to 1200 mg at 16384 counts per g.
+  const ImuSelfTest::Axes off{10, -10, 0};
+  EXPECT_TRUE(ImuSelfTest::gyro_passes(off, {10 + 7870, -10 - 7870, 7870}, {90, 0, 90}));
+  EXPECT_FALSE(ImuSelfTest::gyro_passes(off, {10 + 7850, -10 - 7870, 7870}, {90, 0, 90}));
+  EXPECT_TRUE(ImuSelfTest::accelerometer_passes(off, {10 + 820, -10 - 820, 19660}, {}));
+  EXPECT_FALSE(ImuSelfTest::accelerometer_passes(off, {10 + 820, -10 - 820, 19670}, {}));
+  EXPECT_FALSE(ImuSelfTest::accelerometer_passes(off, {10 + 818, -10 - 820, 820}, {}));
+}
+
+TEST(ImuSelfTest, AResponseIsComparedWithWhatTheFactoryNoted) {
+  // A code of 1 is 2620 counts, 71 is 2620 * 1.01^70 = 5258.
+  const ImuSelfTest::Axes off{};
+  EXPECT_TRUE(ImuSelfTest::gyro_passes(off, {1320, -3920, 5258}, {1, 1, 71}));
+  EXPECT_FALSE(ImuSelfTest::gyro_passes(off, {1300, 2620, 5258}, {1, 1, 71}));
+  EXPECT_FALSE(ImuSelfTest::gyro_passes(off, {2620, 2620, 2620}, {1, 1, 71}));
+  EXPECT_FALSE(ImuSelfTest::accelerometer_passes(off, {3940, 2620, 5258}, {1, 1, 71}));
+}
+
+}  // namespace
+}  // namespace fantail::hal::stm32f4
