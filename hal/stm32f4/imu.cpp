@@ -116,10 +116,13 @@ void Imu::restart() {
 void Imu::settle_for(Microseconds now, Microseconds duration) { stage_ends_ = now + duration; }
 
 bool Imu::check_id(std::uint8_t id) {
+  if (id == icm::id) {
+    return true;
+  }
   // What a line reads that nobody drives, or that is held down.
   silent_ = id == 0x00 || id == 0xFF;
-  wrong_id_ = !silent_ && id != icm::id;
-  return !silent_ && !wrong_id_;
+  wrong_id_ = !silent_;
+  return false;
 }
 
 void Imu::adopt(Microseconds now) {
@@ -207,6 +210,8 @@ void Imu::run(Microseconds now) {
     return;
   }
   misses_ = 0;
+  silent_ = false;
+  wrong_id_ = false;
   if ((std::to_integer<std::uint8_t>(burst.back()) & icm::reset_done) != 0) {
     restart();  // a brown-out of its own: it sleeps, with nothing configured
     return;

@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: MIT
+#include "hal/stm32f4/accelerometer.hpp"
+
+#include <gtest/gtest.h>
+
+#include "fake_kx134.hpp"
+#include "hal/stm32f4/kx134.hpp"
+
+namespace fantail::hal::stm32f4 {
+namespace {
+
+using test::FakeClock;
+using test::FakeKx134;
+using test::FakePort;
+using test::FakeSpi;
+using test::RegisterWorld;
+using enum SensorAxis;
+
+constexpr std::uint32_t bus_hz = 42'000'000;
+constexpr Mounting straight{plus_x, plus_y, plus_z};
+constexpr Microseconds tick{1'000};
+
+class AccelerometerTest : public testing::Test {
+ protected:
+  RegisterWorld world;
+  FakeClock clock;
+  FakePort port{world};
+  FakeSpi spi{world, bus_hz};
+  FakeKx134 device{clock};
+  SpiBus bus{spi.block(), bus_hz};
+
+  void SetUp() override { spi.attach(port, 4, device); }
+  void TearDown() override {
+    for (const auto& violations : {spi.violations, device.violations}) {
+      for (const std::string& violation : violations) {
+        ADD_FAILURE() << violation;
+      }
+    }
+  }
+
+  Accelerometer make(const Mounting& mounting = straight) {
+    return Accelerometer{SpiDevice{bus, Pin{port.block(), 4}, kx134::spi}, clock, mounting};
+  }
+  AccelerometerSample next(Accelerometer& accelerometer) {
+    clock.time += tick;
+    return accelerometer.read();
+  }
+  int ticks_to_sample(Accelerometer& accelerometer, int most) {
+    for (int i = 1; i <= most; ++i) {
+      if (next(accelerometer).status == Status::ok) {
+        return i;
+      }
+    }
+    return most + 1;
+  }
+  Accelerometer running(const Mounting& mounting = straight) {
+    Accelerometer accelerometer = make(mounting);
+    EXPECT_LE(ticks_to_sample(accelerometer, 100), 20);
+    return accelerometer;
+  }
+};
+
+TEST_F(AccelerometerTest, MeasuresInTheUnitsOfItsConfiguration) {
+  device.noisy = false;
+  device.force_g = {16.0, 0.5, -1.0};
+  Accelerometer accelerometer = running();
+  // 1024 counts per g: 32 g are 32768.
+  EXPECT_EQ(next(accelerometer).specific_force, (Counts{16384, 512, -1024}));
+  EXPECT_FLOAT_EQ(accelerometer.scale() * 1024.0F, 9.80665F);
+  EXPECT_TRUE(accelerometer.faults().none());
+  EXPECT_EQ(spi.clock_hz(), 5'250'000U);
+  EXPECT_EQ(device.reg(0x1B) & 0x18U, 0x10U);  // 32 g
+  EXPECT_EQ(device.reg(0x21), 0x0B);           // 1600 Hz
+}
+
+TEST_F(AccelerometerTest, IsTurnedIntoTheRocketsAxesAndItsEndsAreEnds) {
+  device.noisy = false;
+  device.force_g = {-40.0, 1.0, 50.0};
+  Accelerometer accelerometer = running({minus_x, plus_y, minus_z});
+  EXPECT_EQ(next(accelerometer).specific_force, (Counts{32767, 1024, -32768}));
+}
+
+TEST_F(AccelerometerTest, ASampleSeenBeforeComesAgainWithItsOldTime) {
+  Accelerometer accelerometer = running();
+  const AccelerometerSample first = next(accelerometer);
+  EXPECT_EQ(first.time, clock.time - Accelerometer::age_when_found);
+  clock.time += Microseconds{10};
+  EXPECT_EQ(accelerometer.read().time, first.time);
+  EXPECT_EQ(accelerometer.read().status, Status::ok);
+  EXPECT_GT(next(accelerometer).time, first.time);
+}
+
+TEST_F(AccelerometerTest, EachTickFindsANewSample) {
+  Accelerometer accelerometer = running();
+  Microseconds last = next(accelerometer).time;
+  for (int i = 0; i < 1000; ++i) {
+    const Microseconds time = next(accelerometer).time;
+    ASSERT_EQ(time, last + tick);
+    last = time;
+  }
+}
+
+TEST_F(AccelerometerTest, AfterAResetInFlightADeviceThatStillRunsIsTakenAsItIs) {
+  {
+    const Accelerometer before = running();
+  }
+  const int resets = device.resets;
+  Accelerometer after = make();
+  after.start(SensorStart::in_flight);
+  EXPECT_LE(ticks_to_sample(after, 100), 2);
+  EXPECT_EQ(device.resets, resets);
+}
+
+TEST_F(AccelerometerTest, ADeviceThatResetsItselfIsSetUpAgain) {
+  Accelerometer accelerometer = running();
+  device.reset();
+  clock.time += 2 * tick;
+  int without = 0;
+  while (next(accelerometer).status == Status::ok && without < 100) {
+    ++without;
+  }
+  EXPECT_LE(without, 10);
+  EXPECT_LE(ticks_to_sample(accelerometer, 100), 20);
+  EXPECT_EQ(device.reg(0x1B), 0xF0);
+}
+
+TEST_F(AccelerometerTest, ADeviceThatStopsAnsweringIsSilentAndComesBack) {
+  for (const std::uint8_t level : std::array<std::uint8_t, 2>{0x00, 0xFF}) {
+    Accelerometer accelerometer = running();
+    device.stuck_at = level;
+    for (int i = 0; i < 100; ++i) {
+      EXPECT_EQ(next(accelerometer).status, Status::no_reading);
+    }
+    EXPECT_TRUE(accelerometer.faults().has(BoardFault::accelerometer_silent));
+    device.stuck_at.reset();
+    EXPECT_LE(ticks_to_sample(accelerometer, 100), 50);
+    EXPECT_TRUE(accelerometer.faults().none());
+  }
+}
+
+TEST_F(AccelerometerTest, OneSpoiltAnswerCostsOneTickAndNoReset) {
+  Accelerometer accelerometer = running();
+  const int resets = device.resets;
+  device.stuck_at = 0x00;
+  EXPECT_EQ(next(accelerometer).status, Status::no_reading);
+  device.stuck_at.reset();
+  EXPECT_EQ(next(accelerometer).status, Status::ok);
+  EXPECT_EQ(device.resets, resets);
+}
+
+TEST_F(AccelerometerTest, ADeviceThatIsNotTheRightOneIsNamed) {
+  device.id = 0x3D;  // a KX132: the same registers, a quarter of the range
+  Accelerometer accelerometer = make();
+  EXPECT_EQ(ticks_to_sample(accelerometer, 100), 101);
+  EXPECT_TRUE(accelerometer.faults().has(BoardFault::accelerometer_wrong_id));
+  EXPECT_FALSE(accelerometer.faults().has(BoardFault::accelerometer_silent));
+}
+
+TEST_F(AccelerometerTest, ADeviceThatChangesItsIdIsAnError) {
+  Accelerometer accelerometer = running();
+  device.id = 0x12;
+  EXPECT_EQ(next(accelerometer).status, Status::error);
+  EXPECT_TRUE(accelerometer.faults().has(BoardFault::accelerometer_wrong_id));
+}
+
+TEST_F(AccelerometerTest, ADeviceWhoseLogicDidNotComeUpIsNotUsed) {
+  device.test_response = 0x00;
+  Accelerometer accelerometer = make();
+  EXPECT_EQ(ticks_to_sample(accelerometer, 100), 101);
+  EXPECT_TRUE(accelerometer.faults().has(BoardFault::accelerometer_silent));
+}
+
+TEST_F(AccelerometerTest, ADeviceThatSaysTheSameForeverIsAnError) {
+  Accelerometer accelerometer = running();
+  device.noisy = false;
+  int good = 0;
+  while (next(accelerometer).status == Status::ok && good < 1000) {
+    ++good;
+  }
+  EXPECT_GE(good, 98);
+  EXPECT_LE(good, 101);
+  for (int i = 0; i < 500; ++i) {
+    EXPECT_NE(next(accelerometer).status, Status::ok) << "and a reset does not make it better";
+  }
+  device.noisy = true;
+  EXPECT_LE(ticks_to_sample(accelerometer, 100), 20);
+}
+
+TEST_F(AccelerometerTest, WithoutNewSamplesItIsSetUpAgain) {
+  Accelerometer accelerometer = running();
+  const int resets = device.resets;
+  device.frozen = true;
+  for (int i = 0; i < 15; ++i) {
+    static_cast<void>(next(accelerometer));
+  }
+  EXPECT_EQ(accelerometer.read().status, Status::no_reading);
+  EXPECT_EQ(device.resets, resets + 1);
+}
+
+}  // namespace
+}  // namespace fantail::hal::stm32f4
