@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: MIT
+#include "hal/stm32f4/can_bus.hpp"
+
+#include <algorithm>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "can_bus_rig.hpp"
+
+namespace fantail::hal::stm32f4 {
+namespace {
+
+TEST(CanBus, JoinsTheBusWithItsTimingAndOpensTheTransceiver) {
+  CanBusRig rig;
+  EXPECT_EQ(rig.bus.state(), CanState::down);
+  EXPECT_FALSE(rig.start());
+  EXPECT_EQ(rig.model.btr(), 0x033F'0001U);
+  EXPECT_FALSE(rig.silent());
+  EXPECT_EQ(rig.bus.state(), CanState::error_active);
+  EXPECT_EQ(rig.model.mistakes, 0);
+}
+
+TEST(CanBus, AClockThatMakesNoMegabitIsAFaultAndTheTransceiverStaysSilent) {
+  CanBusRig rig;
+  EXPECT_EQ(rig.bus.start(41'500'000, listens_to), BoardFault::can_failed);
+  EXPECT_TRUE(rig.silent());
+  EXPECT_EQ(rig.bus.state(), CanState::down);
+}
+
+TEST(CanBus, AControllerThatDoesNotAnswerIsAFaultAfterABoundedWait) {
+  CanBusRig rig;
+  rig.model.dead = true;
+  EXPECT_EQ(rig.start(), BoardFault::can_failed);
+  EXPECT_LT(rig.world.accesses(), 30'000U);
+  EXPECT_TRUE(rig.silent());
+  EXPECT_EQ(rig.bus.state(), CanState::down);
+  EXPECT_FALSE(rig.bus.send(numbered(1)));
+  EXPECT_FALSE(rig.bus.receive());
+  EXPECT_EQ(rig.bus.counters().unsent, 1U);
+}
+
+TEST(CanBus, RegistersThatReadZeroAsInTheEmulatorAreAFaultAndNotABus) {
+  test::RegisterWorld world;
+  registers::Can can{};
+  registers::Gpio port{};
+  registers::Register set_pending{};
+  const auto ignore = [](std::uint32_t) {};
+  for (registers::Register* place : {&can.mcr, &can.msr, &can.tsr, &can.rf0r, &can.esr, &can.fmr}) {
+    world.on_write(*place, ignore);
+  }
+  CanBus bus{can, Pin{port, 0}, InterruptLine{set_pending, 19}};
+  EXPECT_EQ(bus.start(apb1_hz, listens_to), BoardFault::can_failed);
+  EXPECT_EQ(test::RegisterWorld::peek(can.btr), 0x033F'0001U) << "written all the same: a trace shows it";
+  for (std::uint32_t i = 0; i < 100; ++i) {
+    EXPECT_FALSE(bus.send(numbered(i)));
+  }
+  bus.on_transmit_interrupt();
+  bus.on_receive_interrupt();
+  bus.on_error_interrupt();
+  EXPECT_EQ(bus.state(), CanState::down);
+  EXPECT_EQ(bus.counters().unsent, 100U);
+}
+
+TEST(CanBus, ABusThatIsStuckIsAFaultAndIsJoinedWhenItIsFree) {
+  CanBusRig rig;
+  rig.model.stuck_bus = true;
+  EXPECT_EQ(rig.start(), BoardFault::can_failed);
+  EXPECT_LT(rig.world.accesses(), 30'000U);
+  EXPECT_EQ(rig.bus.state(), CanState::down);
+  EXPECT_FALSE(rig.bus.send(numbered(1)));
+  rig.model.stuck_bus = false;
+  for (int look = 0; look < 3; ++look) {
+    (void)rig.bus.state();
+  }
+  EXPECT_EQ(rig.bus.state(), CanState::error_active);
+  EXPECT_TRUE(rig.bus.send(numbered(2)));
+  rig.model.run(1);
+  EXPECT_EQ(rig.model.wire.size(), 1U);
+}
+
+TEST(CanBus, SendsEveryKindOfFrameAsItIs) {
+  CanBusRig rig;
+  ASSERT_FALSE(rig.start());
+  const std::vector<CanFrame> frames{
+      {.id = 0x7FF, .length = 8, .data = {1, 2, 3, 4, 5, 6, 7, 8}},
+      {.id = 0, .length = 0},
+      {.id = 0x1FFF'FFFF, .extended = true, .length = 5, .data = {0xFF, 0, 0xFF, 0, 0xFF}},
+      {.id = 0x155, .remote = true, .length = 3},
+  };
+  for (const CanFrame& frame : frames) {
+    EXPECT_TRUE(rig.bus.send(frame));
+  }
+  rig.model.run(10);
+  EXPECT_EQ(rig.model.wire, frames);
+  EXPECT_EQ(rig.bus.counters().sent, 4U);
+  EXPECT_EQ(rig.model.mistakes, 0);
+}
+
+TEST(CanBus, AFrameThatNoBusHasIsRefusedAndCounted) {
+  CanBusRig rig;
+  ASSERT_FALSE(rig.start());
+  EXPECT_FALSE(rig.bus.send({.id = 0x800}));
+  EXPECT_FALSE(rig.bus.send({.id = 0x2000'0000, .extended = true}));
+  EXPECT_FALSE(rig.bus.send({.id = 1, .length = 9}));
+  EXPECT_EQ(rig.bus.counters().unsent, 3U);
+}
+
+TEST(CanBus, SendsInTheOrderOfTheCallsWhateverTheIdentifiersAre) {
+  CanBusRig rig;
+  ASSERT_FALSE(rig.start());
+  constexpr std::uint32_t count = 67;  // queue and mailboxes
+  for (std::uint32_t i = 0; i < count; ++i) {
+    EXPECT_TRUE(rig.bus.send(numbered(i, i % 2 == 0 ? 0x700 : 0x100)));
+  }
+  EXPECT_FALSE(rig.bus.send(numbered(count))) << "full, on a bus that is well: this one is too much";
+  rig.model.run(100);
+  ASSERT_EQ(rig.model.wire.size(), count);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    EXPECT_EQ(number_of(rig.model.wire[i]), i);
+  }
+  EXPECT_EQ(rig.bus.counters().sent, count);
+  EXPECT_EQ(rig.bus.counters().unsent, 1U);
+}
+
+TEST(CanBus, HearsItsOwnIdentifiersAndNoOthers) {
+  CanBusRig rig;
+  ASSERT_FALSE(rig.start());
+  int heard = 0;
+  for (std::uint32_t id = 0; id <= 0x7FF; ++id) {
+    const bool wanted = std::ranges::find(listens_to, id) != listens_to.end();
+    EXPECT_EQ(rig.model.arrive(numbered(id, id)), wanted) << id;
+    if (const auto frame = rig.bus.receive()) {
+      EXPECT_EQ(*frame, numbered(id, id));
+      heard += 1;
+    }
+  }
+  EXPECT_EQ(heard, 6);
+  EXPECT_FALSE(rig.model.arrive({.id = 0x123, .extended = true}));
+  EXPECT_FALSE(rig.model.arrive({.id = 0x123U << 18U, .extended = true}));
+  EXPECT_FALSE(rig.model.arrive({.id = 0x123, .remote = true}));
+  EXPECT_EQ(rig.bus.counters().received, 6U);
+}
+
+TEST(CanBus, WithoutIdentifiersItHearsNothingAndWithTooManyItDoesNotStart) {
+  CanBusRig rig;
+  ASSERT_FALSE(rig.bus.start(apb1_hz, {}));
+  EXPECT_FALSE(rig.model.arrive({.id = 0}));
+  const std::array<std::uint16_t, CanBus::most_identifiers + 1> too_many{};
+  EXPECT_EQ(rig.bus.start(apb1_hz, too_many), BoardFault::can_failed);
+}
+
+TEST(CanBus, EveryNumberOfIdentifiersIsHeardWhole) {
+  for (std::size_t count = 1; count <= CanBus::most_identifiers; ++count) {
+    CanBusRig rig;
+    std::array<std::uint16_t, CanBus::most_identifiers> identifiers{};
+    for (std::size_t i = 0; i < count; ++i) {
+      identifiers[i] = static_cast<std::uint16_t>(0x100 + 3 * i);
+    }
+    ASSERT_FALSE(rig.bus.start(apb1_hz, std::span{identifiers}.first(count)));
+    std::size_t heard = 0;
+    for (std::uint32_t id = 0; id <= 0x7FF; ++id) {
+      heard += rig.model.arrive(numbered(id, id)) ? 1U : 0U;
+      (void)rig.bus.receive();
+    }
+    EXPECT_EQ(heard, count);
+  }
+}
+
+TEST(CanBus, ReceivesInOrderWithLengthAndDataAndZeroBeyond) {
+  CanBusRig rig;
+  ASSERT_FALSE(rig.start());
+  for (std::uint8_t length = 0; length <= 8; ++length) {
+    CanFrame frame{.id = 0x020, .length = length};
+    for (std::size_t i = 0; i < length; ++i) {
+      frame.data[i] = static_cast<std::uint8_t>(0xF0U + i);
+    }
+    ASSERT_TRUE(rig.model.arrive(frame));
+    EXPECT_EQ(rig.bus.receive(), frame);
+  }
+  EXPECT_FALSE(rig.bus.receive());
+}
+
+TEST(CanBus, ALengthCodeAboveEightMeansEight) {
+  CanBusRig rig;
+  ASSERT_FALSE(rig.start());
+  CanFrame frame = numbered(5);
+  frame.length = 15;
+  ASSERT_TRUE(rig.model.arrive(frame));
+  EXPECT_EQ(rig.bus.receive(), numbered(5));
+}
+
+TEST(CanBus, KeepsTheFramesOfMoreThanATickAndCountsWhatFindsNoRoom) {
+  CanBusRig rig;
+  ASSERT_FALSE(rig.start());
+  for (std::uint32_t i = 0; i < CanBus::receive_queue + 5; ++i) {
+    ASSERT_TRUE(rig.model.arrive(numbered(i)));
+  }
+  for (std::uint32_t i = 0; i < CanBus::receive_queue; ++i) {
+    ASSERT_EQ(rig.bus.receive(), numbered(i));
+  }
+  EXPECT_FALSE(rig.bus.receive());
+  EXPECT_EQ(rig.bus.counters().overrun, 5U);
+  EXPECT_EQ(rig.bus.counters().received, CanBus::receive_queue);
+}
+
+TEST(CanBus, AHandlerThatIsHeldUpLosesTheNewestFramesAndSaysSo) {
+  CanBusRig rig;
+  ASSERT_FALSE(rig.start());
+  rig.model.masked = true;
+  for (std::uint32_t i = 0; i < 5; ++i) {
+    ASSERT_TRUE(rig.model.arrive(numbered(i)));
+  }
+  rig.model.masked = false;
+  rig.model.serve();
+  for (std::uint32_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(rig.bus.receive(), numbered(i));
+  }
+  EXPECT_FALSE(rig.bus.receive());
+  EXPECT_EQ(rig.bus.counters().overrun, 1U) << "one flag for all that were lost";
+}
+
+}  // namespace
+}  // namespace fantail::hal::stm32f4
