@@ -3,10 +3,6 @@
 
 #include "avionics/avionics.hpp"
 #include "core/flight_plan.hpp"
-#include "hal/can_bus.hpp"
-#include "hal/console.hpp"
-#include "hal/entropy.hpp"
-#include "hal/flash.hpp"
 #include "hal/sim/accelerometer.hpp"
 #include "hal/sim/arm_switch.hpp"
 #include "hal/sim/backup_memory.hpp"
@@ -17,20 +13,12 @@
 #include "hal/sim/servo.hpp"
 #include "hal/sim/watchdog.hpp"
 #include "hal/sim/world_side.hpp"
+#include "sim/flight_computer.hpp"
 
 namespace fantail::sim {
 
-/// What the avionics has besides sensors and servos. They need not be simulated: a node on a PC has a real bus.
-struct BoardPorts {
-  hal::CanBus& can_bus;
-  hal::Flash& flash;
-  hal::Console& console;
-  hal::Entropy& entropy;
-};
-
-/// The avionics on simulated hardware: whoever plays the world fills `hardware`, lets `avionics` have its tick, and
-/// reads the servo pulses back from `hardware`.
-class SimulatedBoard {
+/// The avionics in this process, on simulated hardware.
+class SimulatedBoard final : public FlightComputer {
  public:
   /// `plan` has passed core::validate(); it is in force unless the flash holds another.
   SimulatedBoard(const core::FlightPlan& plan, const BoardPorts& ports, const avionics::Identity& identity = {})
@@ -52,17 +40,19 @@ class SimulatedBoard {
   SimulatedBoard(const SimulatedBoard&) = delete;  // the devices point into it
   SimulatedBoard& operator=(const SimulatedBoard&) = delete;
 
-  hal::sim::WorldSide hardware;
+  [[nodiscard]] hal::sim::WorldSide& hardware() override { return hardware_; }
+  const core::TickRecord& tick() override { return avionics.tick(); }
 
  private:
-  hal::sim::Clock clock_{hardware};
-  hal::sim::Imu imu_{hardware};
-  hal::sim::Accelerometer accelerometer_{hardware};
-  hal::sim::Servo servo_{hardware};
-  hal::sim::Encoder encoder_{hardware};
-  hal::sim::ArmSwitch arm_switch_{hardware};
-  hal::sim::Watchdog watchdog_{hardware};
-  hal::sim::Board board_{hardware};
+  hal::sim::WorldSide hardware_;
+  hal::sim::Clock clock_{hardware_};
+  hal::sim::Imu imu_{hardware_};
+  hal::sim::Accelerometer accelerometer_{hardware_};
+  hal::sim::Servo servo_{hardware_};
+  hal::sim::Encoder encoder_{hardware_};
+  hal::sim::ArmSwitch arm_switch_{hardware_};
+  hal::sim::Watchdog watchdog_{hardware_};
+  hal::sim::Board board_{hardware_};
   hal::sim::NoBackupMemory backup_memory_;
 
  public:

@@ -57,14 +57,17 @@ struct World::LonePad {
   PadCrew crew;
 };
 
-World::World(const Scenario& scenario, const hal::FlashGeometry& flash)
-    : World{scenario, std::make_unique<LonePad>(nearest_tick(scenario.arm_time_s), flash)} {}
+World::World(const Scenario& scenario, const hal::FlashGeometry& flash, const MakeFlightComputer& make)
+    : World{scenario, std::make_unique<LonePad>(nearest_tick(scenario.arm_time_s), flash), make} {}
 
-World::World(const Scenario& scenario, const BoardPorts& ports) : World{scenario, ports, nullptr} {}
+World::World(const Scenario& scenario, const BoardPorts& ports, const MakeFlightComputer& make)
+    : World{scenario, ports, nullptr, make} {}
 
-World::World(const Scenario& scenario, std::unique_ptr<LonePad> pad) : World{scenario, pad->ports(), std::move(pad)} {}
+World::World(const Scenario& scenario, std::unique_ptr<LonePad> pad, const MakeFlightComputer& make)
+    : World{scenario, pad->ports(), std::move(pad), make} {}
 
-World::World(const Scenario& scenario, const BoardPorts& ports, std::unique_ptr<LonePad> pad)
+World::World(const Scenario& scenario, const BoardPorts& ports, std::unique_ptr<LonePad> pad,
+             const MakeFlightComputer& make)
     : scenario_{scenario},
       ignition_{nearest_tick(scenario.pad_time_s)},
       waits_for_ignition_{pad == nullptr},
@@ -78,14 +81,14 @@ World::World(const Scenario& scenario, const BoardPorts& ports, std::unique_ptr<
       accelerometer_model_{scenario.vehicle.accelerometer, Random{scenario.seed, accelerometer_noise}},
       fault_is_applied_(scenario.faults.size(), false),
       pad_{std::move(pad)},
-      board_{scenario.plan,
-             ports,
-             {.firmware_version = avionics::firmware_version(),
-              .git_hash = avionics::git_hash(),
-              .vehicle = scenario.vehicle.name,
-              .sensors = "simulated"}} {
-  board_.hardware.imu_scale = imu_model_.scale();
-  board_.hardware.accelerometer_scale_m_s2 = accelerometer_model_.scale();
+      board_{make(scenario.plan, ports,
+                  {.firmware_version = avionics::firmware_version(),
+                   .git_hash = avionics::git_hash(),
+                   .vehicle = scenario.vehicle.name,
+                   .sensors = "simulated"})},
+      hardware_{board_->hardware()} {
+  hardware_.imu_scale = imu_model_.scale();
+  hardware_.accelerometer_scale_m_s2 = accelerometer_model_.scale();
   if (scenario.imposed_roll) {
     imposed_roll_after_liftoff_ = nearest_tick(scenario.imposed_roll->time_s);
   }
@@ -102,7 +105,7 @@ const core::TickRecord& World::tick() {
   if (pad_) {
     let_crew_act();
   }
-  const core::TickRecord& record = board_.avionics.tick();
+  const core::TickRecord& record = board_->tick();
   phase_ = record.phase;
   follow_events();
   return record;
@@ -113,7 +116,7 @@ void World::advance() {
     ignition_ += tick_time;
   }
   const double from_ignition_s = in_seconds(now_ - ignition_);
-  canards_.step(in_seconds(now_), tick_time_s, board_.hardware.pulses);
+  canards_.step(in_seconds(now_), tick_time_s, hardware_.pulses);
   const double density_before = environment_.density_kg_m3();
   const double speed_before = environment_.speed_m_s();
   const double disturbance_before = disturbance_rad_;
@@ -203,15 +206,15 @@ void World::fill_hardware() {
       accelerometer_model_.sample(now_, specific_force_m_s2, accelerometer_hangs_);
   // All are measured before any is copied: a copy of freshly written counts makes the processor wait, and so it waits
   // once instead of three times.
-  board_.hardware.time = now_;
-  board_.hardware.encoders = encoders;
-  board_.hardware.imu = imu;
-  board_.hardware.accelerometer = accelerometer;
+  hardware_.time = now_;
+  hardware_.encoders = encoders;
+  hardware_.imu = imu;
+  hardware_.accelerometer = accelerometer;
 }
 
 void World::let_crew_act() {
   pad_->crew.act(now_);
-  board_.hardware.arm_switch_closed = pad_->crew.switch_closed();
+  hardware_.arm_switch_closed = pad_->crew.switch_closed();
   if (now_ == ignition_ && scenario_.surroundings == Surroundings::tunnel) {
     pad_->crew.start_tunnel();
   }

@@ -14,10 +14,10 @@
 #include "sim/canard_set.hpp"
 #include "sim/disturbance.hpp"
 #include "sim/environment.hpp"
+#include "sim/flight_computer.hpp"
 #include "sim/pad_crew.hpp"
 #include "sim/scenario.hpp"
 #include "sim/sensor_models.hpp"
-#include "sim/simulated_board.hpp"
 
 namespace fantail::sim {
 
@@ -45,11 +45,12 @@ class World {
   static constexpr hal::FlashGeometry large_flash{.size = 8U << 20U, .sector_size = 4096, .page_size = 256};
 
   /// The scenario outlives the world. Its pad crew arms the avionics and ignites the motor by the scenario's clock.
-  explicit World(const Scenario& scenario, const hal::FlashGeometry& flash = small_flash);
+  explicit World(const Scenario& scenario, const hal::FlashGeometry& flash = small_flash,
+                 const MakeFlightComputer& make = simulated_board);
 
   /// Bus, flash, console and entropy are somebody else's, and so is the pad: nothing happens until set_arm_switch() and
   /// ignite().
-  World(const Scenario& scenario, const BoardPorts& ports);
+  World(const Scenario& scenario, const BoardPorts& ports, const MakeFlightComputer& make = simulated_board);
   ~World();
   World(const World&) = delete;  // the devices point into it
   World& operator=(const World&) = delete;
@@ -64,12 +65,12 @@ class World {
   [[nodiscard]] std::optional<WindReading> wind_reading() const;
 
   /// What the devices showed the avionics in the last tick, and what it wrote to the servos.
-  [[nodiscard]] const hal::sim::WorldSide& hardware() const { return board_.hardware; }
+  [[nodiscard]] const hal::sim::WorldSide& hardware() const { return hardware_; }
 
   /// Moves servos, air and rocket through one millisecond.
   void advance();
 
-  void set_arm_switch(bool closed) { board_.hardware.arm_switch_closed = closed; }
+  void set_arm_switch(bool closed) { hardware_.arm_switch_closed = closed; }
 
   /// The motor burns from the next millisecond on; in the tunnel nothing happens. Only the first time counts.
   void ignite();
@@ -102,8 +103,9 @@ class World {
   void break_canard(const Fault& fault);
   void fill_hardware();
   struct LonePad;
-  World(const Scenario& scenario, std::unique_ptr<LonePad> pad);
-  World(const Scenario& scenario, const BoardPorts& ports, std::unique_ptr<LonePad> pad);
+  World(const Scenario& scenario, std::unique_ptr<LonePad> pad, const MakeFlightComputer& make);
+  World(const Scenario& scenario, const BoardPorts& ports, std::unique_ptr<LonePad> pad,
+        const MakeFlightComputer& make);
   void let_crew_act();
   void follow_events();
   void follow_tunnel();
@@ -134,7 +136,8 @@ class World {
   std::vector<bool> fault_is_applied_;  ///< in the scenario's order; not of dropouts, which come and go
 
   std::unique_ptr<LonePad> pad_;  ///< empty when somebody else is there
-  SimulatedBoard board_;
+  std::unique_ptr<FlightComputer> board_;
+  hal::sim::WorldSide& hardware_;  ///< of the board
   core::Phase phase_ = core::Phase::safe;
 };
 

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <array>
+#include <concepts>
 #include <string_view>
+#include <type_traits>
 
 #include "core/tick_record.hpp"
 
@@ -17,9 +19,10 @@ struct SignalName {
 
 /// Shows every signal of a record once, in a fixed order: the one list that a digest, an export and a comparison go by.
 /// The visitor is called with the name and a value: Angle, std::optional<Angle>, float, bool, Microseconds or an
-/// enumeration.
-template <typename Visitor>
-void visit_signals(const TickRecord& record, Visitor&& visit) {
+/// enumeration; for a record that may be written, so may what the visitor is shown.
+template <typename Record, typename Visitor>
+  requires std::same_as<std::remove_const_t<Record>, TickRecord>
+void visit_signals(Record& record, Visitor&& visit) {
   visit(SignalName{"time", "us"}, record.time);
   visit(SignalName{"phase", ""}, record.phase);
   visit(SignalName{"reason", ""}, record.reason);
@@ -27,7 +30,7 @@ void visit_signals(const TickRecord& record, Visitor&& visit) {
   visit(SignalName{"command_status", ""}, record.command_status);
   visit(SignalName{"timing_fault", ""}, record.timing_fault);
 
-  const Motion& motion = record.motion;
+  auto& motion = record.motion;
   visit(SignalName{"roll_angle", "rad"}, motion.roll_angle);
   visit(SignalName{"roll_rate", "rad_s"}, motion.roll_rate_rad_s);
   visit(SignalName{"specific_force_x", "m_s2"}, motion.specific_force_m_s2.x);

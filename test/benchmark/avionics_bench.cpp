@@ -27,7 +27,7 @@ void avionics_tick(::benchmark::State& state) {
                               {.can_bus = can_bus, .flash = flash, .console = console, .entropy = entropy}};
     core::Phase phase = core::Phase::safe;
     for (const RecordedTick& recorded : flight.ticks) {
-      board.hardware = recorded.hardware;
+      board.hardware() = recorded.hardware;
       crew.act(recorded.hardware.time);
       const core::TickRecord* record = &board.avionics.tick();
       ::benchmark::DoNotOptimize(record);

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "avionics/avionics.hpp"
+#include "boards/emulator/measured.hpp"
+#include "hal/emulator/channel.hpp"
+#include "hal/emulator/console.hpp"
+#include "hal/emulator/entropy.hpp"
+#include "hal/emulator/flash.hpp"
+#include "hal/emulator/link.hpp"
+#include "hal/emulator/stopwatch.hpp"
+#include "hal/emulator/world_link.hpp"
+#include "hal/sim/accelerometer.hpp"
+#include "hal/sim/arm_switch.hpp"
+#include "hal/sim/backup_memory.hpp"
+#include "hal/sim/board.hpp"
+#include "hal/sim/can_bus.hpp"
+#include "hal/sim/clock.hpp"
+#include "hal/sim/encoder.hpp"
+#include "hal/sim/imu.hpp"
+#include "hal/sim/servo.hpp"
+#include "hal/sim/watchdog.hpp"
+#include "hal/sim/world_side.hpp"
+#include "protocol/hil_codec.hpp"
+
+namespace fantail::boards::emulator {
+
+/// The avionics behind a link: a world says when a tick is and what the devices show in it.
+class Target {
+ public:
+  /// Channel and stopwatch outlive this object. `name` is that of the image.
+  Target(hal::emulator::Channel& channel, hal::emulator::Stopwatch& stopwatch, std::string_view name,
+         const Measured& measured);
+
+  /// Answers the next question. `late`: milliseconds that have passed without one being answered.
+  void serve(std::uint32_t late);
+
+ private:
+  void present();
+  void begin(std::span<const std::byte> payload);
+  void tick(std::span<const std::byte> payload);
+  void refuse(std::string_view why);
+  void take_frames(protocol::HilReader& reader);
+  void give_frames(protocol::HilWriter& writer);
+
+  hal::emulator::Stopwatch& stopwatch_;
+  std::string_view name_;
+  const Measured& measured_;
+  hal::emulator::Link link_;
+  hal::sim::WorldSide world_;
+  hal::sim::Clock clock_{world_};
+  hal::sim::Imu imu_{world_};
+  hal::sim::Accelerometer accelerometer_{world_};
+  hal::sim::Servo servo_{world_};
+  hal::sim::Encoder encoder_{world_};
+  hal::sim::ArmSwitch arm_switch_{world_};
+  hal::sim::Watchdog watchdog_{world_};
+  hal::sim::Board board_{world_};
+  hal::sim::NoBackupMemory backup_memory_;
+  hal::sim::CanWire wire_;
+  std::optional<hal::sim::CanBus> can_bus_;    ///< the avionics' node, new with every beginning
+  std::optional<hal::sim::CanBus> world_bus_;  ///< all other nodes
+  hal::emulator::Flash flash_;
+  hal::emulator::Console console_;
+  hal::emulator::Entropy entropy_;
+  std::array<char, 32> vehicle_{};
+  std::array<char, 32> sensors_{};
+  std::optional<avionics::Avionics> avionics_;
+  bool ticked_ = false;
+  std::uint32_t overruns_ = 0;
+};
+
+}  // namespace fantail::boards::emulator

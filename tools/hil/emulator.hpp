@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include <sys/types.h>
+
+#include "hil/descriptor.hpp"
+#include "hil/wire.hpp"
+
+namespace fantail::hil {
+
+struct EmulatorOptions {
+  std::filesystem::path image{};
+  /// Nanoseconds of one instruction as a power of two: 2^3 is 125 million a second, about those of an STM32F405. The
+  /// emulated time does not wait for ours.
+  std::string icount = "shift=3,sleep=off";
+  std::string program = "qemu-system-arm";
+};
+
+/// An image on a processor that QEMU emulates, in a process of its own that ends with this object, and with this
+/// process whatever happens to it.
+class Emulator final : public Wire {
+ public:
+  /// Throws sim::InputError without an image, and TargetError without an emulator.
+  explicit Emulator(const EmulatorOptions& options);
+  ~Emulator() override;
+  Emulator(const Emulator&) = delete;
+  Emulator& operator=(const Emulator&) = delete;
+
+  void write(std::span<const std::byte> bytes) override;
+  [[nodiscard]] std::size_t read(std::span<std::byte> out, std::chrono::milliseconds at_most) override;
+
+  [[nodiscard]] pid_t process() const { return process_; }
+
+ private:
+  [[noreturn]] void ended();
+
+  Descriptor to_target_;
+  Descriptor from_target_;
+  Descriptor complaints_;
+  pid_t process_ = -1;
+};
+
+/// Where the build leaves it: beside the folder that this program was built in.
+[[nodiscard]] std::filesystem::path built_image(const std::string& name = "fantail-emulator.elf");
+
+}  // namespace fantail::hil
