@@ -86,6 +86,9 @@ ArmRefusal Arming::objection(const Situation& now, const Permission& permission)
   if (permission.session_open) {
     return ArmRefusal::session_open;
   }
+  if (now.board_faulty) {
+    return ArmRefusal::board_fault;
+  }
   if (!permission.self_test_passed) {
     return ArmRefusal::self_test_not_passed;
   }

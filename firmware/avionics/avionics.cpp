@@ -27,8 +27,9 @@ const core::TickRecord& Avionics::tick() {
                 .at_rest = record.motion.at_rest_for >= plan_.motion.rest_time,
                 .moves = record.motion.at_rest_for == core::Microseconds{0},
                 .arm_switch_closed = inputs.arm_switch_closed};
+  watch_board(record);
   arming_.update(situation_);
-  self_test_.update(inputs, record, flash_.facts());
+  self_test_.update(inputs, record, flash_.facts(), situation_.board_faulty);
   flash_.recorder().note({.raw = raw_,
                           .scales = scales_,
                           .inputs = inputs,
@@ -151,6 +152,14 @@ core::Inputs Avionics::read_devices(core::Microseconds now) {
   };
 }
 
+void Avionics::watch_board(const core::TickRecord& record) {
+  board_watch_.look(devices_.board.status(), record.overruns, plan_.run.overrun_limit);
+  situation_.board_faulty = board_watch_.faulty();
+  const FlashFacts flash = flash_.facts();
+  board_is_news_ = board_watch_.tell(record.time, record.phase, flash, devices_.console);
+  devices_.board.show(signal_of(record.phase, self_test_.running(), !board_watch_.faulty() && flash.fit()));
+}
+
 void Avionics::report(const core::TickRecord& record) {
   Report report{.situation = situation_,
                 .self_test_running = self_test_.running(),
@@ -163,6 +172,8 @@ void Avionics::report(const core::TickRecord& record) {
                            .nonce = arming_.nonce()},
                 .plan = flash_.transfer().reply(),
                 .rejections = receiver_.rejections(),
+                .board = board_watch_.report(flash_.facts()),
+                .board_is_news = board_is_news_,
                 .plan_crc = plan_crc_,
                 .tick_duration = tick_duration_};
   report.session_is_news = bench_mode_.take_news();

@@ -5,6 +5,7 @@
 
 #include "avionics/arming.hpp"
 #include "avionics/bench_mode.hpp"
+#include "avionics/board_watch.hpp"
 #include "avionics/bus_receiver.hpp"
 #include "avionics/flash_service.hpp"
 #include "avionics/identity.hpp"
@@ -65,6 +66,7 @@ class Avionics {
   void obey(const protocol::BenchRequest& message);
   void obey(const protocol::ArmRequest& message);
   [[nodiscard]] core::Inputs read_devices(core::Microseconds now);
+  void watch_board(const core::TickRecord& record);
   void report(const core::TickRecord& record);
   void tell_person(const core::TickRecord& record);
   [[nodiscard]] bool plan_may_change() const;
@@ -80,6 +82,8 @@ class Avionics {
   BenchMode bench_mode_;
   SelfTest self_test_;
   Arming arming_;
+  BoardWatch board_watch_;
+  bool board_is_news_ = false;
   Telemetry telemetry_;
   Situation situation_{};
   RawSamples raw_{};

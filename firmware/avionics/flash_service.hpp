@@ -30,8 +30,7 @@ class FlashService {
   std::optional<StoredPlan> load_plan(core::Microseconds now) {
     const std::optional<StoredPlan> stored = store_.load(now);
     if (stored) {
-      plan_broken_ = stored->broken && !stored->plan;
-      plan_unreadable_ = stored->flash_failed;
+      plan_source_ = source_of(*stored);
     }
     return stored;
   }
@@ -65,16 +64,19 @@ class FlashService {
   [[nodiscard]] Recorder& recorder() { return recorder_; }
   [[nodiscard]] const Recorder& recorder() const { return recorder_; }
 
-  /// PlanTransfer::take_plan(); it also takes the place of one that was broken.
+  /// PlanTransfer::take_plan(); it also takes the place of one that could not be read.
   std::optional<core::FlightPlan> take_plan() {
     const std::optional<core::FlightPlan> plan = transfer_.take_plan();
-    plan_broken_ = plan_broken_ && !plan;
+    if (plan) {
+      plan_source_ = protocol::PlanSource::stored;
+    }
     return plan;
   }
 
   [[nodiscard]] FlashFacts facts() const {
-    return {.failed = plan_unreadable_ || boots_.failed() || flights_.failed(),
-            .stored_plan_broken = plan_broken_,
+    const bool plan_failed = plan_source_ == protocol::PlanSource::flash_unreadable;
+    return {.failed = plan_failed || boots_.failed() || flights_.failed(),
+            .plan = plan_source_,
             .free_bytes = flights_.free_bytes(),
             .region_bytes = access_.map().flight_end - access_.map().flight_begin};
   }
@@ -92,8 +94,7 @@ class FlashService {
   Recorder recorder_{flights_};
   LogTransfer log_{flights_};
   PlanTransfer transfer_{store_};
-  bool plan_broken_ = false;
-  bool plan_unreadable_ = false;
+  std::optional<protocol::PlanSource> plan_source_{};  ///< empty until the flash has been asked
 };
 
 }  // namespace fantail::avionics

@@ -19,7 +19,7 @@ std::optional<StoredPlan> PlanStore::load(core::Microseconds now) {
   Access access = read_headers(now, out);
   const bool second_first = slots_[1] && (!slots_[0] || slots_[1]->sequence > slots_[0]->sequence);
   for (const std::size_t slot : {std::size_t{second_first ? 1U : 0U}, std::size_t{second_first ? 0U : 1U}}) {
-    if (access == Access::done && slots_[slot] && !out.plan) {
+    if (access == Access::done && slots_[slot] && !out.plan && !out.newer) {
       access = read_block(now, slot, out);
     }
   }
@@ -57,9 +57,12 @@ Access PlanStore::read_block(core::Microseconds now, std::size_t slot, StoredPla
     return access;
   }
   if (protocol::plan_block_crc(block) == slots_[slot]->block_crc) {
-    out.plan = protocol::read_plan_block(block).plan;
+    const protocol::PlanBlockReading reading = protocol::read_plan_block(block);
+    out.plan = reading.plan;
+    // Whoever loaded it wanted no older one to be flown, and newer firmware can still read it: it is spared.
+    out.newer = !reading.plan && reading.fault == protocol::PlanBlockFault::newer_version;
   }
-  if (out.plan) {
+  if (out.plan || out.newer) {
     out.block_crc = slots_[slot]->block_crc;
     in_force_ = slot;
   } else {

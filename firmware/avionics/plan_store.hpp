@@ -10,6 +10,7 @@
 #include "avionics/flash_access.hpp"
 #include "core/flight_plan.hpp"
 #include "core/time.hpp"
+#include "protocol/bus_messages.hpp"
 
 namespace fantail::avionics {
 
@@ -17,9 +18,24 @@ namespace fantail::avionics {
 struct StoredPlan {
   std::optional<core::FlightPlan> plan{};
   std::uint32_t block_crc = 0;  ///< protocol::plan_block_crc() of its block
+  bool newer = false;           ///< the newest one was made for a newer version of the firmware; then there is no plan
   bool broken = false;          ///< a slot holds what cannot be flown; beside a plan it may be a write that was cut off
   bool flash_failed = false;    ///< nothing is known
 };
+
+[[nodiscard]] constexpr protocol::PlanSource source_of(const StoredPlan& stored) {
+  using protocol::PlanSource;
+  if (stored.flash_failed) {
+    return PlanSource::flash_unreadable;
+  }
+  if (stored.plan) {
+    return PlanSource::stored;
+  }
+  if (stored.newer) {
+    return PlanSource::stored_is_newer;
+  }
+  return stored.broken ? PlanSource::stored_is_broken : PlanSource::built_in;
+}
 
 enum class PlanWrite : std::uint8_t {
   none,

@@ -41,6 +41,8 @@ void SelfTest::start(const Situation& now, bool session_open) {
     fail(now.time, SelfTestFailure::not_safe);
   } else if (session_open) {
     fail(now.time, SelfTestFailure::session_open);
+  } else if (now.board_faulty) {
+    fail(now.time, SelfTestFailure::board_fault);
   } else {
     state_ = SelfTestState::running;
     failure_ = SelfTestFailure::none;
@@ -51,7 +53,8 @@ void SelfTest::start(const Situation& now, bool session_open) {
   }
 }
 
-void SelfTest::update(const core::Inputs& inputs, const core::TickRecord& record, const FlashFacts& flash) {
+void SelfTest::update(const core::Inputs& inputs, const core::TickRecord& record, const FlashFacts& flash,
+                      bool board_faulty) {
   const bool moves = record.motion.at_rest_for == Microseconds{0};
   if (state_ == SelfTestState::passed && moves) {  // what was tested is not what stands there now
     if (record.phase == core::Phase::safe) {
@@ -65,6 +68,8 @@ void SelfTest::update(const core::Inputs& inputs, const core::TickRecord& record
   }
   if (record.phase != core::Phase::safe) {
     fail(inputs.time, SelfTestFailure::not_safe);
+  } else if (board_faulty) {
+    fail(inputs.time, SelfTestFailure::board_fault);
   } else if (record.motion.gyro == core::SensorState::failed) {
     fail(inputs.time, SelfTestFailure::gyro_failed);
   } else if (stage_ == Stage::still) {
@@ -84,7 +89,7 @@ void SelfTest::stand_still(const core::Inputs& inputs, const core::TickRecord& r
     restart_averages(inputs.time);
   }
   const bool still = inputs.time - stage_started_ >= still_time && record.motion.at_rest_for >= still_time;
-  const bool counted = flash.free_bytes.has_value() || flash.failed;
+  const bool counted = (flash.free_bytes && flash.plan) || flash.failed;
   if (!still || !counted) {
     if (inputs.time - started_ >= patience) {
       // A rocket in which a sensor is off by more than the plan's tolerance is never at rest: that is the better name.
@@ -96,8 +101,10 @@ void SelfTest::stand_still(const core::Inputs& inputs, const core::TickRecord& r
     fail(inputs.time, *failure);
   } else if (flash.failed) {
     fail(inputs.time, SelfTestFailure::flash_failed);
-  } else if (flash.stored_plan_broken) {
+  } else if (flash.plan == protocol::PlanSource::stored_is_broken) {
     fail(inputs.time, SelfTestFailure::no_valid_plan);
+  } else if (flash.plan == protocol::PlanSource::stored_is_newer) {
+    fail(inputs.time, SelfTestFailure::newer_plan);
   } else if (*flash.free_bytes < std::min(record_bytes(plan_), flash.region_bytes)) {
     fail(inputs.time, SelfTestFailure::flash_too_full);
   } else {

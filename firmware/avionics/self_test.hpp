@@ -15,8 +15,8 @@
 namespace fantail::avionics {
 
 /// Is this rocket fit to be armed? Three still seconds, in which every sensor that the plan needs must read what a
-/// rocket on the pad reads; then each canard alone moves 3 degrees out and back, and its encoder must see it and no
-/// other may. About six seconds. The first failure ends the test, and it has a name.
+/// rocket on the pad reads, on a board without a fault; then each canard alone moves 3 degrees out and back, and its
+/// encoder must see it and no other may. About six seconds. The first failure ends the test, and it has a name.
 class SelfTest {
  public:
   /// The result lasts this long, and no longer than the rocket stands still.
@@ -28,7 +28,7 @@ class SelfTest {
   void start(const Situation& now, bool session_open);
 
   /// Once a tick, with what the autopilot was given and what it made of it.
-  void update(const core::Inputs& inputs, const core::TickRecord& record, const FlashFacts& flash);
+  void update(const core::Inputs& inputs, const core::TickRecord& record, const FlashFacts& flash, bool board_faulty);
 
   /// Shaft angles for the autopilot; empty unless it moves the canards now.
   [[nodiscard]] std::optional<std::array<core::Angle, core::canard_count>> canard_request() const;

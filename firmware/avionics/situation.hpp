@@ -13,6 +13,7 @@ struct Situation {
   bool at_rest = false;  ///< for the plan's rest time, up to now
   bool moves = false;    ///< not at rest at all
   bool arm_switch_closed = false;
+  bool board_faulty = false;
 };
 
 }  // namespace fantail::avionics

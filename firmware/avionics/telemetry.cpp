@@ -110,6 +110,9 @@ void Telemetry::send_health(const core::TickRecord& record, const Report& report
   if (ticks_ % slow_period == 66) {
     put(encode(report.limits), bus);
   }
+  if (report.board_is_news || ticks_ % slow_period == 77) {
+    put(encode(report.board), bus);
+  }
 }
 
 }  // namespace fantail::avionics

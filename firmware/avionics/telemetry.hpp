@@ -23,6 +23,8 @@ struct Report {
   std::optional<protocol::PlanReply> plan{};
   protocol::RejectionReport rejections{};
   protocol::LimitReport limits{};
+  protocol::BoardReport board{};
+  bool board_is_news = false;
   std::uint32_t plan_crc = 0;
   core::Microseconds tick_duration{};  ///< of the last whole tick
 };

@@ -2,6 +2,7 @@
 #include "core/autopilot.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "core/pd_controller.hpp"
 #include "core/roll_reference.hpp"
@@ -11,6 +12,8 @@ namespace {
 
 // Five missed ticks: what the estimator may bridge. A clock that stands still or runs backwards is worse.
 constexpr Microseconds longest_tick{5'000};
+
+constexpr Microseconds tick_period{1'000};
 
 constexpr std::optional<std::array<Angle, canard_count>> no_request;
 
@@ -26,7 +29,11 @@ Autopilot::Autopilot(const FlightPlan& plan)
       canard_monitor_{plan.monitor, plan.canards} {}
 
 const TickRecord& Autopilot::step(const Inputs& inputs) {
-  record_ = {.time = inputs.time, .timing_fault = is_timing_fault(inputs.time), .encoders = inputs.encoders};
+  count_overruns(inputs.time);
+  record_ = {.time = inputs.time,
+             .timing_fault = is_timing_fault(inputs.time),
+             .overruns = overruns_,
+             .encoders = inputs.encoders};
   TickRecord& record = record_;
   last_time_ = inputs.time;
 
@@ -82,6 +89,9 @@ void Autopilot::control(Microseconds since_control_start, TickRecord& record) {
 }
 
 void Autopilot::enter_phase(Microseconds time, Phase from, Phase to) {
+  if (from == Phase::armed) {
+    overruns_before_flight_ = overruns_;
+  }
   if (to == Phase::launched) {
     motion_estimator_.begin_flight(time);
   } else if (to == Phase::controlling && from == Phase::launched) {
@@ -94,8 +104,21 @@ void Autopilot::enter_phase(Microseconds time, Phase from, Phase to) {
   }
 }
 
+// From the times alone, so that a replay counts the same. A tick that is late by half a period at most has come.
+void Autopilot::count_overruns(Microseconds time) {
+  if (last_time_ && time > *last_time_) {
+    const std::int64_t missed = (time - *last_time_ - Microseconds{1} + tick_period / 2) / tick_period - 1;
+    const std::int64_t most = std::numeric_limits<std::uint32_t>::max() - overruns_;
+    overruns_ += static_cast<std::uint32_t>(std::clamp<std::int64_t>(missed, 0, most));
+  }
+}
+
 bool Autopilot::is_timing_fault(Microseconds time) const {
-  return last_time_ && (time <= *last_time_ || time - *last_time_ > longest_tick);
+  const Phase phase = flight_phase_.phase();
+  const bool flies = phase == Phase::launched || phase == Phase::controlling;
+  // Each one spoils rate and angle a little, and a loop that keeps failing is not the one that was tested.
+  const bool too_many = flies && overruns_ - overruns_before_flight_ > plan_.run.overrun_limit;
+  return too_many || (last_time_ && (time <= *last_time_ || time - *last_time_ > longest_tick));
 }
 
 }  // namespace fantail::core

@@ -37,10 +37,11 @@ class Autopilot {
   template <typename Visitor>
   void visit_state(Visitor& visit) {
     visit(motion_estimator_, launch_detector_, flight_phase_, chirp_, canard_mixer_, canard_monitor_, last_time_,
-          canard_fault_);
+          canard_fault_, overruns_, overruns_before_flight_);
   }
 
  private:
+  void count_overruns(Microseconds time);
   [[nodiscard]] bool is_timing_fault(Microseconds time) const;
   void enter_phase(Microseconds time, Phase from, Phase to);
   void control(Microseconds since_control_start, TickRecord& record);
@@ -54,6 +55,8 @@ class Autopilot {
   CanardMonitor canard_monitor_;
   std::optional<Microseconds> last_time_;
   bool canard_fault_ = false;
+  std::uint32_t overruns_ = 0;                ///< since the first tick
+  std::uint32_t overruns_before_flight_ = 0;  ///< of these, up to launch detection or the tunnel's start
   TickRecord record_;
 };
 

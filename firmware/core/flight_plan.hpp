@@ -25,6 +25,7 @@ struct RunPlan {
   Microseconds control_time;  ///< control ends this long after control start
   Angle tilt_limit;           ///< control ends when the axis has turned this far from the vertical
   CanardFaultPolicy canard_fault;
+  std::uint16_t overrun_limit;  ///< control ticks that may fail to come in a flight, and before it is armed
 };
 
 enum class AccelerometerRule : std::uint8_t { one, two_agree };

@@ -142,6 +142,8 @@ constexpr auto fields = std::to_array<PlanField>({
   number<MEMBER(run.control_time)>("run", "control_time_s", "s", 30, {0.1F, 600}, "control ends this long after control start"),
   number<MEMBER(run.tilt_limit)>("run", "tilt_limit_deg", "deg", 60, {20, 90}, "control ends when the axis is tilted further from the vertical"),
   choice<MEMBER(run.canard_fault)>("run", "canard_fault", fault_policy_names, "what a single canard fault does to control"),
+  bind<MEMBER(run.overrun_limit)>({.section = "run", .key = "overrun_limit", .unit = {}, .kind = FieldKind::integer,
+       .default_value = 20, .minimum = 0, .maximum = 1000, .meaning = "control ticks that may fail to come in a flight, and from power-up to arming", .choices = {}}),
 
   number<MEMBER(launch_detection.threshold_m_s2)>("launch_detection", "threshold_g", "g", 2.5F, {1.5F, 15}, "axial specific force that counts as thrust"),
   number<MEMBER(launch_detection.hold)>("launch_detection", "hold_s", "s", 0.1F, {0.02F, 2}, "the threshold must be exceeded for this long"),

@@ -33,6 +33,7 @@ struct TickRecord {
   DetectionState detection = DetectionState::quiet;
   CommandStatus command_status = CommandStatus::outside_control;
   bool timing_fault = false;
+  std::uint32_t overruns = 0;  ///< ticks that were due and did not come, since the first one
 
   Motion motion{};
 

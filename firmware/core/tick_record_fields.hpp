@@ -18,8 +18,8 @@ struct SignalName {
 };
 
 /// Shows every signal of a record once, in a fixed order: the one list that a digest, an export and a comparison go by.
-/// The visitor is called with the name and a value: Angle, std::optional<Angle>, float, bool, Microseconds or an
-/// enumeration; for a record that may be written, so may what the visitor is shown.
+/// The visitor is called with the name and a value: Angle, std::optional<Angle>, float, bool, std::uint32_t,
+/// Microseconds or an enumeration; for a record that may be written, so may what the visitor is shown.
 template <typename Record, typename Visitor>
   requires std::same_as<std::remove_const_t<Record>, TickRecord>
 void visit_signals(Record& record, Visitor&& visit) {
@@ -29,6 +29,7 @@ void visit_signals(Record& record, Visitor&& visit) {
   visit(SignalName{"detection", ""}, record.detection);
   visit(SignalName{"command_status", ""}, record.command_status);
   visit(SignalName{"timing_fault", ""}, record.timing_fault);
+  visit(SignalName{"overruns", ""}, record.overruns);
 
   auto& motion = record.motion;
   visit(SignalName{"roll_angle", "rad"}, motion.roll_angle);

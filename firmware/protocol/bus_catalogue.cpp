@@ -58,6 +58,8 @@ constexpr std::array<BusFrameKind, bus_frame_count> catalogue{{
                                CANARD_BUS_REJECTION_REPORT_CYCLE_TIME_MS),
     kind<LimitReportFrame>("LimitReport", BusNode::avionics, CANARD_BUS_LIMIT_REPORT_LENGTH,
                            CANARD_BUS_LIMIT_REPORT_CYCLE_TIME_MS),
+    kind<BoardReportFrame>("BoardReport", BusNode::avionics, CANARD_BUS_BOARD_REPORT_LENGTH,
+                           CANARD_BUS_BOARD_REPORT_CYCLE_TIME_MS),
     kind<HeartbeatReportFrame>("HeartbeatReport", BusNode::avionics, CANARD_BUS_HEARTBEAT_REPORT_LENGTH,
                                CANARD_BUS_HEARTBEAT_REPORT_CYCLE_TIME_MS),
     kind<LogDataFrame>("LogData", BusNode::avionics, CANARD_BUS_LOG_DATA_LENGTH, no_period),

@@ -151,6 +151,22 @@ std::optional<LimitReport> read_limit(const LimitReportFrame::Raw& raw) {
   return message;
 }
 
+std::optional<BoardReport> read_board(const BoardReportFrame::Raw& raw) {
+  const auto plan = known<PlanSource>(raw.plan);
+  if (!plan || !canard_bus_board_report_reset_cause_is_in_range(raw.reset_cause)) {
+    return std::nullopt;
+  }
+  BoardReport message{.faults = raw.faults,
+                      .reset_cause = raw.reset_cause,
+                      .plan = *plan,
+                      .flash_failed = raw.flash_failed != 0,
+                      .overruns = raw.overruns};
+  if (raw.battery_given != 0) {
+    message.battery_mv = raw.battery;
+  }
+  return message;
+}
+
 std::optional<HeartbeatReport> read_heartbeat(const HeartbeatReportFrame::Raw& raw) {
   return HeartbeatReport{.version = raw.version, .uptime_ms = raw.uptime, .plan_crc = raw.plan_crc};
 }
@@ -179,6 +195,7 @@ Decoded<FromAvionics> decode_from_avionics(const BusFrame& frame) {
     case HealthReportFrame::id: return decode_as<FromAvionics, HealthReportFrame, strict>(frame, read_health);
     case RejectionReportFrame::id: return decode_as<FromAvionics, RejectionReportFrame, strict>(frame, read_rejection);
     case LimitReportFrame::id: return decode_as<FromAvionics, LimitReportFrame, strict>(frame, read_limit);
+    case BoardReportFrame::id: return decode_as<FromAvionics, BoardReportFrame, strict>(frame, read_board);
     case HeartbeatReportFrame::id: return decode_as<FromAvionics, HeartbeatReportFrame, strict>(frame, read_heartbeat);
     case LogDataFrame::id: return decode_as<FromAvionics, LogDataFrame, strict>(frame, read_data);
     default: return {.rejection = Rejection::unknown_id};

@@ -174,6 +174,19 @@ BusFrame encode(const LimitReport& message) {
   return LimitReportFrame::pack(raw);
 }
 
+BusFrame encode(const BoardReport& message) {
+  constexpr std::uint8_t last_cause = CANARD_BUS_BOARD_REPORT_RESET_CAUSE_WATCHDOG_CHOICE;
+  BoardReportFrame::Raw raw{};
+  raw.faults = message.faults;
+  raw.battery = message.battery_mv.value_or(0);
+  raw.overruns = message.overruns;
+  raw.reset_cause = std::min(message.reset_cause, last_cause);
+  raw.plan = raw_of(message.plan);
+  raw.battery_given = message.battery_mv.has_value();
+  raw.flash_failed = message.flash_failed;
+  return BoardReportFrame::pack(raw);
+}
+
 BusFrame encode(const HeartbeatReport& message) {
   constexpr std::uint32_t three_bytes = 0xFFFFFFU;
   return HeartbeatReportFrame::pack(

@@ -46,6 +46,8 @@ using RejectionReportFrame = Layout<canard_bus_rejection_report_t, CANARD_BUS_RE
                                     canard_bus_rejection_report_pack, canard_bus_rejection_report_unpack>;
 using LimitReportFrame = Layout<canard_bus_limit_report_t, CANARD_BUS_LIMIT_REPORT_FRAME_ID,
                                 canard_bus_limit_report_pack, canard_bus_limit_report_unpack>;
+using BoardReportFrame = Layout<canard_bus_board_report_t, CANARD_BUS_BOARD_REPORT_FRAME_ID,
+                                canard_bus_board_report_pack, canard_bus_board_report_unpack>;
 using HeartbeatReportFrame = Layout<canard_bus_heartbeat_report_t, CANARD_BUS_HEARTBEAT_REPORT_FRAME_ID,
                                     canard_bus_heartbeat_report_pack, canard_bus_heartbeat_report_unpack>;
 

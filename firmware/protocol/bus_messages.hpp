@@ -145,6 +145,8 @@ enum class SelfTestFailure : std::uint8_t {
   flash_failed,
   flash_too_full,
   timed_out,
+  board_fault,  ///< or refused: BoardReport names it
+  newer_plan,   ///< the stored plan was made for a newer version of the firmware
 };
 
 enum class ArmRefusal : std::uint8_t {
@@ -160,6 +162,7 @@ enum class ArmRefusal : std::uint8_t {
   wrong_nonce,
   not_a_tunnel_plan,  ///< start
   not_armed,          ///< start
+  board_fault,        ///< BoardReport names it
 };
 
 struct ArmReply {
@@ -261,6 +264,24 @@ struct RejectionReport {
 
 struct LimitReport {
   std::array<core::Angle, core::canard_count> limit{};  ///< largest shaft angle that can be commanded
+};
+
+/// Which plan is in force, and what is wrong with the one in the flash. With anything wrong it is the built-in one.
+enum class PlanSource : std::uint8_t {
+  built_in,  ///< none is stored
+  stored,
+  stored_is_broken,
+  stored_is_newer,  ///< made for a newer version of the firmware
+  flash_unreadable,
+};
+
+struct BoardReport {
+  std::uint32_t faults = 0;      ///< hal::BoardFaults::bits()
+  std::uint8_t reset_cause = 0;  ///< hal::ResetCause
+  PlanSource plan = PlanSource::built_in;
+  bool flash_failed = false;  ///< it does not answer, or does not keep what is written
+  std::optional<std::uint16_t> battery_mv{};
+  std::uint8_t overruns = 0;  ///< control ticks that were due and did not come, since power-up; saturates
 };
 
 struct HeartbeatReport {

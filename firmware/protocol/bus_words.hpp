@@ -133,6 +133,8 @@ constexpr unsigned word(SelfTestFailure value) {
     case flash_failed: return CANARD_BUS_ARM_REPLY_FAILURE_FLASH_FAILED_CHOICE;
     case flash_too_full: return CANARD_BUS_ARM_REPLY_FAILURE_FLASH_TOO_FULL_CHOICE;
     case timed_out: return CANARD_BUS_ARM_REPLY_FAILURE_TIMED_OUT_CHOICE;
+    case board_fault: return CANARD_BUS_ARM_REPLY_FAILURE_BOARD_FAULT_CHOICE;
+    case newer_plan: return CANARD_BUS_ARM_REPLY_FAILURE_NEWER_PLAN_CHOICE;
   }
   return no_word;
 }
@@ -152,6 +154,7 @@ constexpr unsigned word(ArmRefusal value) {
     case wrong_nonce: return CANARD_BUS_ARM_REPLY_REFUSAL_WRONG_NONCE_CHOICE;
     case not_a_tunnel_plan: return CANARD_BUS_ARM_REPLY_REFUSAL_NOT_A_TUNNEL_PLAN_CHOICE;
     case not_armed: return CANARD_BUS_ARM_REPLY_REFUSAL_NOT_ARMED_CHOICE;
+    case board_fault: return CANARD_BUS_ARM_REPLY_REFUSAL_BOARD_FAULT_CHOICE;
   }
   return no_word;
 }
@@ -191,9 +194,22 @@ constexpr unsigned word(PlanBlockFault value) {
     case no_plan_block: return CANARD_BUS_PLAN_REPLY_BLOCK_FAULT_NO_PLAN_BLOCK_CHOICE - 1;
     case wrong_length: return CANARD_BUS_PLAN_REPLY_BLOCK_FAULT_WRONG_LENGTH_CHOICE - 1;
     case wrong_checksum: return CANARD_BUS_PLAN_REPLY_BLOCK_FAULT_WRONG_CHECKSUM_CHOICE - 1;
-    case other_version: return CANARD_BUS_PLAN_REPLY_BLOCK_FAULT_OTHER_VERSION_CHOICE - 1;
+    case older_version: return CANARD_BUS_PLAN_REPLY_BLOCK_FAULT_OLDER_VERSION_CHOICE - 1;
     case other_schema: return CANARD_BUS_PLAN_REPLY_BLOCK_FAULT_OTHER_SCHEMA_CHOICE - 1;
     case refused: return CANARD_BUS_PLAN_REPLY_BLOCK_FAULT_REFUSED_CHOICE - 1;
+    case newer_version: return CANARD_BUS_PLAN_REPLY_BLOCK_FAULT_NEWER_VERSION_CHOICE - 1;
+  }
+  return no_word;
+}
+
+constexpr unsigned word(PlanSource value) {
+  switch (value) {
+    using enum PlanSource;
+    case built_in: return CANARD_BUS_BOARD_REPORT_PLAN_BUILT_IN_CHOICE;
+    case stored: return CANARD_BUS_BOARD_REPORT_PLAN_STORED_CHOICE;
+    case stored_is_broken: return CANARD_BUS_BOARD_REPORT_PLAN_STORED_IS_BROKEN_CHOICE;
+    case stored_is_newer: return CANARD_BUS_BOARD_REPORT_PLAN_STORED_IS_NEWER_CHOICE;
+    case flash_unreadable: return CANARD_BUS_BOARD_REPORT_PLAN_FLASH_UNREADABLE_CHOICE;
   }
   return no_word;
 }
@@ -245,6 +261,7 @@ static_assert(words_agree<ArmRefusal>());
 static_assert(words_agree<TransferState>());
 static_assert(words_agree<TransferFault>());
 static_assert(words_agree<PlanBlockFault>());
+static_assert(words_agree<PlanSource>());
 static_assert(words_agree<core::CanardVerdict>());
 static_assert(words_agree<core::SensorState>());
 static_assert(CANARD_BUS_HEALTH_REPORT_BUS_STATE_ERROR_ACTIVE_CHOICE == 0);
@@ -252,6 +269,11 @@ static_assert(CANARD_BUS_HEALTH_REPORT_BUS_STATE_ERROR_WARNING_CHOICE == 1);
 static_assert(CANARD_BUS_HEALTH_REPORT_BUS_STATE_ERROR_PASSIVE_CHOICE == 2);
 static_assert(CANARD_BUS_HEALTH_REPORT_BUS_STATE_BUS_OFF_CHOICE == 3);
 static_assert(CANARD_BUS_HEALTH_REPORT_BUS_STATE_DOWN_CHOICE == 4);
+static_assert(CANARD_BUS_BOARD_REPORT_RESET_CAUSE_POWER_ON_CHOICE == 0);
+static_assert(CANARD_BUS_BOARD_REPORT_RESET_CAUSE_BROWN_OUT_CHOICE == 1);
+static_assert(CANARD_BUS_BOARD_REPORT_RESET_CAUSE_PIN_CHOICE == 2);
+static_assert(CANARD_BUS_BOARD_REPORT_RESET_CAUSE_SOFTWARE_CHOICE == 3);
+static_assert(CANARD_BUS_BOARD_REPORT_RESET_CAUSE_WATCHDOG_CHOICE == 4);
 
 /// Empty for a value that has no word.
 template <typename Enum>

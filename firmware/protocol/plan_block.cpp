@@ -101,7 +101,8 @@ PlanBlockReading read_plan_block(std::span<const std::byte> block) {
     return refuse(PlanBlockFault::wrong_checksum);
   }
   if (get<2>(block, 4) != plan_block_version) {
-    return refuse(PlanBlockFault::other_version);
+    return refuse(get<2>(block, 4) > plan_block_version ? PlanBlockFault::newer_version
+                                                        : PlanBlockFault::older_version);
   }
   if (get<4>(block, 8) != plan_schema_hash()) {
     return refuse(PlanBlockFault::other_schema);

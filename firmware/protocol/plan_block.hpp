@@ -13,14 +13,14 @@ namespace fantail::protocol {
 
 // A flight plan as a board is loaded with it: little-endian,
 //   0  4 bytes  "FTPL"
-//   4  u16      format version (1)
+//   4  u16      version (2): of this format and of the table of fields, one more with every change of either
 //   6  u16      length of the payload in bytes
 //   8  u32      schema hash: changes with every name, unit, kind or capacity in the table of fields
 //  12  payload  every field in the order of the table: a list begins with its length (u32); then one u32 a slot
 //               (an IEEE single in inside units, microseconds, or the index of a choice)
 //   n  u32      CRC-32C of everything before it
 
-inline constexpr std::uint16_t plan_block_version = 1;
+inline constexpr std::uint16_t plan_block_version = 2;
 inline constexpr std::size_t largest_plan_block = 1024;
 
 enum class PlanBlockFault : std::uint8_t {
@@ -28,9 +28,10 @@ enum class PlanBlockFault : std::uint8_t {
   no_plan_block,  ///< it does not begin with the four letters
   wrong_length,   ///< cut off or run on, or not the length of this table of fields
   wrong_checksum,
-  other_version,
-  other_schema,  ///< written for another table of fields
-  refused,       ///< intact, but its plan does not pass core::validate()
+  older_version,
+  other_schema,   ///< of this version, and yet written for another table of fields
+  refused,        ///< intact, but its plan does not pass core::validate()
+  newer_version,  ///< intact as far as this version can tell; to read it takes newer firmware
 };
 
 /// Number of bytes written; `out` has room for largest_plan_block.

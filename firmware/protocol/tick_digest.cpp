@@ -16,6 +16,7 @@ class Digest {
   void operator()(const core::SignalName&, float value) { word(std::bit_cast<std::uint32_t>(value)); }
   void operator()(const core::SignalName&, core::Angle value) { word(std::bit_cast<std::uint32_t>(value.radians())); }
   void operator()(const core::SignalName&, bool value) { word(value ? 1U : 0U); }
+  void operator()(const core::SignalName&, std::uint32_t value) { word(value); }
   void operator()(const core::SignalName&, core::Microseconds value) {
     const auto bits = static_cast<std::uint64_t>(value.count());
     word(static_cast<std::uint32_t>(bits));

@@ -45,6 +45,8 @@ TEST(Avionics, FeedsTheWatchdogOncePerCompletedTick) {
 
 TEST(Avionics, TellsThePersonAtTheConsoleEveryPhaseAndItsReason) {
   BoardRig rig;
+  rig.make_ready();
+  rig.console.text.clear();
   rig.arm();
   EXPECT_EQ(rig.console.text, "phase: armed, armed_by_switch_and_command\n");
 }

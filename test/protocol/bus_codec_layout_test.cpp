@@ -62,9 +62,9 @@ const std::vector<Frame>& frames() {
       {"SessionReply", 0x120, {choice(0, 8, 2), choice(8, 8, 8), whole(16, 16)}, {}},
       {"ArmReply",
        0x121,
-       {choice(0, 8, 4), choice(8, 8, 15), choice(16, 4, 5), choice(24, 8, 12), whole(32, 32)},
+       {choice(0, 8, 4), choice(8, 8, 17), choice(16, 4, 5), choice(24, 8, 13), whole(32, 32)},
        {20}},
-      {"PlanReply", 0x122, {choice(0, 8, 5), choice(8, 8, 8), whole(16, 8), choice(24, 8, 8), whole(32, 8)}, {40}},
+      {"PlanReply", 0x122, {choice(0, 8, 5), choice(8, 8, 8), whole(16, 8), choice(24, 8, 9), whole(32, 8)}, {40}},
       {"LogReply", 0x123, {choice(0, 4, 5), choice(4, 4, 7), whole(8, 4), whole(16, 32), whole(48, 16)}, {}},
       {"HealthReport",
        0x130,
@@ -76,6 +76,10 @@ const std::vector<Frame>& frames() {
        {whole(0, 8), whole(8, 8), whole(16, 8), whole(24, 8), whole(32, 8), whole(40, 8)},
        {}},
       {"LimitReport", 0x132, {{0, 12, 0, 2047}, {12, 12, 0, 2047}, {24, 12, 0, 2047}, {36, 12, 0, 2047}}, {}},
+      {"BoardReport",
+       0x133,
+       {whole(0, 32), whole(32, 16), whole(48, 8), choice(56, 3, 5), choice(59, 3, 5), whole(63, 1)},
+       {62}},
       {"HeartbeatReport", 0x140, {whole(0, 8), whole(8, 24), whole(32, 32)}, {}},
       {"LogData", 0x180, all_bytes(), {}}};
   return all;
@@ -175,13 +179,17 @@ TEST(BusCodecFlags, AReportedAngleWithoutItsFlagIsAbsent) {
   EXPECT_TRUE(report.angle[0]);
 }
 
-TEST(BusCodecFlags, ANonceAndAFieldAreThereOnlyWithTheirFlag) {
+TEST(BusCodecFlags, ANonceAFieldAndABatteryAreThereOnlyWithTheirFlag) {
   EXPECT_EQ(std::get<ArmReply>(decode_from_avionics(FrameBuilder{0x121}.put(32, 32, 77).plain()).message.value()).nonce,
             std::nullopt);
   EXPECT_EQ(encode(ArmReply{.nonce = 0}), FrameBuilder{0x121}.put(20, 1, 1).plain());
   EXPECT_EQ(std::get<PlanReply>(decode_from_avionics(FrameBuilder{0x122}.put(32, 8, 77).plain()).message.value()).field,
             std::nullopt);
   EXPECT_EQ(encode(PlanReply{.field = 0}), FrameBuilder{0x122}.put(40, 1, 1).plain());
+  EXPECT_EQ(std::get<BoardReport>(decode_from_avionics(FrameBuilder{0x133}.put(32, 16, 77).plain()).message.value())
+                .battery_mv,
+            std::nullopt);
+  EXPECT_EQ(encode(BoardReport{.battery_mv = std::uint16_t{0}}), FrameBuilder{0x133}.put(62, 1, 1).plain());
 }
 
 }  // namespace

@@ -156,6 +156,7 @@ TEST(BusCodecValue, APlaceThatDoesNotFitIsClamped) {
   EXPECT_EQ(encode(ArmReply{.canard = 1000}), encode(ArmReply{.canard = 3}));
   EXPECT_EQ(encode(LogRequest{.tag = 0x17, .size = 5000}, 0), encode(LogRequest{.tag = 7, .size = 4095}, 0));
   EXPECT_EQ(encode(HealthReport{.bus_state = 200}), encode(HealthReport{.bus_state = 4}));
+  EXPECT_EQ(encode(BoardReport{.reset_cause = 200}), encode(BoardReport{.reset_cause = 4}));
 }
 
 }  // namespace

@@ -146,6 +146,15 @@ void print_signals(const LimitReport& m) {
     print_degrees(numbered("canard", i), m.limit[i]);
   }
 }
+void print_signals(const BoardReport& m) {
+  print("faults", m.faults);
+  print("battery", m.battery_mv.value_or(0));
+  print("overruns", m.overruns);
+  print("reset_cause", m.reset_cause);
+  print("plan", m.plan);
+  print("battery_given", m.battery_mv.has_value());
+  print("flash_failed", m.flash_failed);
+}
 void print_signals(const HeartbeatReport& m) {
   print("version", m.version);
   print("uptime", m.uptime_ms);

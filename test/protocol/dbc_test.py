@@ -18,7 +18,7 @@ MESSAGES = sorted(DATABASE.messages, key=lambda message: message.frame_id)
 SEED = 20260101
 OUT_OF_RANGE = 4
 WORST_BITS = 135
-GIVEN_BY = {"nonce": "nonce_given", "field": "field_given"}  # a value, and the bit that says whether it is there
+GIVEN_BY = {"nonce": "nonce_given", "field": "field_given", "battery": "battery_given"}  # a value, and the bit that says whether it is there
 for k in "1234":
     GIVEN_BY["canard_" + k] = ("asked_", "driven_", "valid_", k)
 
@@ -203,6 +203,16 @@ class Manual(unittest.TestCase):
         for message, row in zip(MESSAGES, self.rows("Frames"), strict=True):
             for name in re.findall(r"`(\w+)`", row[6]):
                 self.assertTrue(any(re.fullmatch(name + r"(_\d)?", s.name) for s in message.signals), (message.name, name))
+
+    def test_the_bits_of_board_faults_are_those_of_the_hardware_layer_everywhere(self):
+        header = (PROJECT / "hal/include/hal/board.hpp").read_text()
+        body = re.search(r"enum class BoardFault [^{]*\{(.*?)\};", header, re.S).group(1)
+        faults = re.findall(r"^\s*(\w+),", body, re.M)
+        self.assertGreater(len(faults), 10)
+        self.assertEqual([row[:2] for row in self.rows("Faults of the board")],
+                         [[str(bit), f"`{fault}`"] for bit, fault in enumerate(faults)])
+        comment = DATABASE.get_message_by_name("BoardReport").comment
+        self.assertIn("from the lowest: " + ", ".join(faults) + ".", comment)
 
     def test_its_bus_load_is_that_of_everything_at_its_fastest(self):
         periodic = [m for m in MESSAGES if m.cycle_time]

@@ -91,7 +91,7 @@ RC_GTEST_PROP(PlanBlock, AnyPlanThatFliesComesBackToTheLastBit, ()) {
 TEST(PlanBlock, BeginsAsItsHeaderSays) {
   const Block block = written(core::default_plan());
   EXPECT_EQ(std::memcmp(block.data(), "FTPL", 4), 0);
-  EXPECT_EQ(word(block, 4) & 0xFFFFU, 1U);
+  EXPECT_EQ(word(block, 4) & 0xFFFFU, 2U);
   EXPECT_EQ(word(block, 4) >> 16U, block.size() - header - 4);
   EXPECT_EQ(word(block, 8), plan_schema_hash());
   EXPECT_EQ(word(block, block.size() - 4), crc32c(std::span{block}.first(block.size() - 4)));
@@ -134,6 +134,28 @@ TEST(PlanBlock, SchemaHashIsFnv1aOverEveryNameUnitKindCapacityAndChoice) {
   EXPECT_EQ(plan_schema_hash(), expected);
 }
 
+// What a board can say about a plan that it cannot read, that it is from newer firmware, it says by the version alone.
+TEST(PlanBlock, ATableOfFieldsThatHasChangedTakesANewVersion) {
+  struct Known {
+    std::uint16_t version;
+    std::uint32_t schema_hash;
+  };
+  constexpr Known newest{2, 0xE4BD5126U};
+  EXPECT_EQ(plan_block_version, newest.version);
+  EXPECT_EQ(plan_schema_hash(), newest.schema_hash)
+      << "raise plan_block_version, unless no release has had this one yet, and write the new hash here";
+}
+
+// As newer firmware would write it: another table of fields, another length.
+TEST(PlanBlock, APlanFromANewerVersionIsCalledThatWhateverElseDiffers) {
+  Block newer = written(core::default_plan());
+  newer.resize(newer.size() + 40);
+  const std::size_t payload = newer.size() - header - 4;
+  set_word(newer, 4, static_cast<std::uint32_t>(payload << 16U) | (plan_block_version + 1U));
+  set_word(newer, 8, ~plan_schema_hash());
+  EXPECT_EQ(fault_of(sealed(newer)), PlanBlockFault::newer_version);
+}
+
 TEST(PlanBlock, EverySingleBitThatFlipsIsNoticed) {
   Block block = written(core::default_plan());
   for (std::size_t bit = 0; bit < 8 * block.size(); ++bit) {
@@ -169,10 +191,12 @@ TEST(PlanBlock, WhateverIsWrongIsCalledByItsName) {
   other[0] = std::byte{'X'};
   EXPECT_EQ(fault_of(sealed(other)), PlanBlockFault::no_plan_block);
 
-  for (const unsigned version : {0U, 2U, 255U}) {
+  for (const unsigned version : {0U, 1U, 3U, 255U, 256U, 0xFFFFU}) {
     other = block;
     other[4] = static_cast<std::byte>(version);
-    EXPECT_EQ(fault_of(sealed(other)), PlanBlockFault::other_version) << version;
+    other[5] = static_cast<std::byte>(version >> 8U);
+    EXPECT_EQ(fault_of(sealed(other)), version < 2 ? PlanBlockFault::older_version : PlanBlockFault::newer_version)
+        << version;
   }
 
   other = block;

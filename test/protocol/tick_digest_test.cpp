@@ -21,6 +21,8 @@ TEST(TickDigest, ChangesWithEverySignal) {
       [](TickRecord& r) { r.detection = core::DetectionState::holding; },
       [](TickRecord& r) { r.command_status = core::CommandStatus::gyro_lost; },
       [](TickRecord& r) { r.timing_fault = true; },
+      [](TickRecord& r) { r.overruns = 1; },
+      [](TickRecord& r) { r.overruns = 1U << 31U; },
       [](TickRecord& r) { r.motion.roll_angle = core::Angle::from_radians(1.0F); },
       [](TickRecord& r) { r.motion.roll_rate_rad_s = 1.0F; },
       [](TickRecord& r) { r.motion.specific_force_m_s2.x = 1.0F; },

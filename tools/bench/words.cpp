@@ -13,7 +13,10 @@ std::string words(protocol::PlanBlockFault fault) {
     case Fault::no_plan_block: return "it is no plan";
     case Fault::wrong_length: return "its length is wrong";
     case Fault::wrong_checksum: return "its checksum is wrong";
-    case Fault::other_version: return "it is written in another version of the format";
+    case Fault::older_version:
+      return "it was made for an older version of the firmware: compile it with the release that the board has";
+    case Fault::newer_version:
+      return "it was made for a newer version of the firmware: flash that version, or compile it with the board's";
     case Fault::other_schema:
       return "it was made for another version of the firmware: compile it with the same release";
     case Fault::refused: return "one of its values is out of range";
@@ -71,6 +74,9 @@ std::string words(protocol::SelfTestFailure failure, const std::optional<std::si
     case Failure::flash_failed: return "the flash does not answer";
     case Failure::flash_too_full: return "the flash has no room for a flight";
     case Failure::timed_out: return "it took too long";
+    case Failure::board_fault: return "the board has a fault; watch names it";
+    case Failure::newer_plan:
+      return "the plan in the flash was made for a newer version of the firmware: flash that version, or send a plan";
   }
   return "for an unknown reason";
 }
@@ -90,6 +96,7 @@ std::string words(protocol::ArmRefusal refusal) {
     case Refusal::wrong_nonce: return "the confirmation was not for this request";
     case Refusal::not_a_tunnel_plan: return "its plan starts by launch detection, not on command";
     case Refusal::not_armed: return "it is not armed";
+    case Refusal::board_fault: return "the board has a fault; watch names it";
   }
   return "for an unknown reason";
 }

@@ -36,7 +36,8 @@ std::string words(const protocol::PlanBlockReading& reading) {
     case protocol::PlanBlockFault::no_plan_block: return "there is none in the header";
     case protocol::PlanBlockFault::wrong_length: return "it is not of the length it should have";
     case protocol::PlanBlockFault::wrong_checksum: return "its checksum is wrong";
-    case protocol::PlanBlockFault::other_version: return "its format is another version's";
+    case protocol::PlanBlockFault::older_version: return "it was written by an older version";
+    case protocol::PlanBlockFault::newer_version: return "it was written by a newer version";
     case protocol::PlanBlockFault::other_schema: return "it was written for another list of plan values";
     case protocol::PlanBlockFault::refused: break;
   }

@@ -2577,12 +2577,12 @@ float canard_bus_arm_reply_failure_decode(uint8_t value)
 
 bool canard_bus_arm_reply_failure_is_in_range(uint8_t value)
 {
-    return (value <= 14u);
+    return (value <= 16u);
 }
 
 bool canard_bus_arm_reply_failure_is_in_phys_range(float value)
 {
-    return ((value >= 0.0f) && (value <= 14.0f));
+    return ((value >= 0.0f) && (value <= 16.0f));
 }
 
 uint8_t canard_bus_arm_reply_canard_encode(float value)
@@ -2637,12 +2637,12 @@ float canard_bus_arm_reply_refusal_decode(uint8_t value)
 
 bool canard_bus_arm_reply_refusal_is_in_range(uint8_t value)
 {
-    return (value <= 11u);
+    return (value <= 12u);
 }
 
 bool canard_bus_arm_reply_refusal_is_in_phys_range(float value)
 {
-    return ((value >= 0.0f) && (value <= 11.0f));
+    return ((value >= 0.0f) && (value <= 12.0f));
 }
 
 uint32_t canard_bus_arm_reply_nonce_encode(float value)
@@ -2790,12 +2790,12 @@ float canard_bus_plan_reply_block_fault_decode(uint8_t value)
 
 bool canard_bus_plan_reply_block_fault_is_in_range(uint8_t value)
 {
-    return (value <= 7u);
+    return (value <= 8u);
 }
 
 bool canard_bus_plan_reply_block_fault_is_in_phys_range(float value)
 {
-    return ((value >= 0.0f) && (value <= 7.0f));
+    return ((value >= 0.0f) && (value <= 8.0f));
 }
 
 uint8_t canard_bus_plan_reply_field_encode(float value)
@@ -3638,6 +3638,211 @@ bool canard_bus_limit_report_canard_4_is_in_range(int16_t value)
 bool canard_bus_limit_report_canard_4_is_in_phys_range(float value)
 {
     return ((value >= 0.0f) && (value <= 20.47f));
+}
+
+int canard_bus_board_report_pack(
+    uint8_t *dst_p,
+    const struct canard_bus_board_report_t *src_p,
+    size_t size)
+{
+    if (size < 8u) {
+        return (-EINVAL);
+    }
+
+    memset(&dst_p[0], 0, 8);
+
+    dst_p[0] |= pack_left_shift_u32(src_p->faults, 0u, 0xffu);
+    dst_p[1] |= pack_right_shift_u32(src_p->faults, 8u, 0xffu);
+    dst_p[2] |= pack_right_shift_u32(src_p->faults, 16u, 0xffu);
+    dst_p[3] |= pack_right_shift_u32(src_p->faults, 24u, 0xffu);
+    dst_p[4] |= pack_left_shift_u16(src_p->battery, 0u, 0xffu);
+    dst_p[5] |= pack_right_shift_u16(src_p->battery, 8u, 0xffu);
+    dst_p[6] |= pack_left_shift_u8(src_p->overruns, 0u, 0xffu);
+    dst_p[7] |= pack_left_shift_u8(src_p->reset_cause, 0u, 0x07u);
+    dst_p[7] |= pack_left_shift_u8(src_p->plan, 3u, 0x38u);
+    dst_p[7] |= pack_left_shift_u8(src_p->battery_given, 6u, 0x40u);
+    dst_p[7] |= pack_left_shift_u8(src_p->flash_failed, 7u, 0x80u);
+
+    return (8);
+}
+
+int canard_bus_board_report_unpack(
+    struct canard_bus_board_report_t *dst_p,
+    const uint8_t *src_p,
+    size_t size)
+{
+    if (size < 8u) {
+        return (-EINVAL);
+    }
+
+    dst_p->faults = unpack_right_shift_u32(src_p[0], 0u, 0xffu);
+    dst_p->faults |= unpack_left_shift_u32(src_p[1], 8u, 0xffu);
+    dst_p->faults |= unpack_left_shift_u32(src_p[2], 16u, 0xffu);
+    dst_p->faults |= unpack_left_shift_u32(src_p[3], 24u, 0xffu);
+    dst_p->battery = unpack_right_shift_u16(src_p[4], 0u, 0xffu);
+    dst_p->battery |= unpack_left_shift_u16(src_p[5], 8u, 0xffu);
+    dst_p->overruns = unpack_right_shift_u8(src_p[6], 0u, 0xffu);
+    dst_p->reset_cause = unpack_right_shift_u8(src_p[7], 0u, 0x07u);
+    dst_p->plan = unpack_right_shift_u8(src_p[7], 3u, 0x38u);
+    dst_p->battery_given = unpack_right_shift_u8(src_p[7], 6u, 0x40u);
+    dst_p->flash_failed = unpack_right_shift_u8(src_p[7], 7u, 0x80u);
+
+    return (0);
+}
+
+int canard_bus_board_report_init(struct canard_bus_board_report_t *msg_p)
+{
+    if (msg_p == NULL) return -1;
+
+    memset(msg_p, 0, sizeof(struct canard_bus_board_report_t));
+
+    return 0;
+}
+
+uint32_t canard_bus_board_report_faults_encode(float value)
+{
+    return (uint32_t)(cantools_unsigned_from_double(value));
+}
+
+float canard_bus_board_report_faults_decode(uint32_t value)
+{
+    return ((float)value);
+}
+
+bool canard_bus_board_report_faults_is_in_range(uint32_t value)
+{
+    (void)value;
+
+    return (true);
+}
+
+bool canard_bus_board_report_faults_is_in_phys_range(float value)
+{
+    return ((value >= 0.0f) && (value <= 4294967295.0f));
+}
+
+uint16_t canard_bus_board_report_battery_encode(float value)
+{
+    return (uint16_t)(cantools_unsigned_from_double(value));
+}
+
+float canard_bus_board_report_battery_decode(uint16_t value)
+{
+    return ((float)value);
+}
+
+bool canard_bus_board_report_battery_is_in_range(uint16_t value)
+{
+    (void)value;
+
+    return (true);
+}
+
+bool canard_bus_board_report_battery_is_in_phys_range(float value)
+{
+    return ((value >= 0.0f) && (value <= 65535.0f));
+}
+
+uint8_t canard_bus_board_report_overruns_encode(float value)
+{
+    return (uint8_t)(cantools_unsigned_from_double(value));
+}
+
+float canard_bus_board_report_overruns_decode(uint8_t value)
+{
+    return ((float)value);
+}
+
+bool canard_bus_board_report_overruns_is_in_range(uint8_t value)
+{
+    (void)value;
+
+    return (true);
+}
+
+bool canard_bus_board_report_overruns_is_in_phys_range(float value)
+{
+    return ((value >= 0.0f) && (value <= 255.0f));
+}
+
+uint8_t canard_bus_board_report_reset_cause_encode(float value)
+{
+    return (uint8_t)(cantools_unsigned_from_double(value));
+}
+
+float canard_bus_board_report_reset_cause_decode(uint8_t value)
+{
+    return ((float)value);
+}
+
+bool canard_bus_board_report_reset_cause_is_in_range(uint8_t value)
+{
+    return (value <= 4u);
+}
+
+bool canard_bus_board_report_reset_cause_is_in_phys_range(float value)
+{
+    return ((value >= 0.0f) && (value <= 4.0f));
+}
+
+uint8_t canard_bus_board_report_plan_encode(float value)
+{
+    return (uint8_t)(cantools_unsigned_from_double(value));
+}
+
+float canard_bus_board_report_plan_decode(uint8_t value)
+{
+    return ((float)value);
+}
+
+bool canard_bus_board_report_plan_is_in_range(uint8_t value)
+{
+    return (value <= 4u);
+}
+
+bool canard_bus_board_report_plan_is_in_phys_range(float value)
+{
+    return ((value >= 0.0f) && (value <= 4.0f));
+}
+
+uint8_t canard_bus_board_report_battery_given_encode(float value)
+{
+    return (uint8_t)(cantools_unsigned_from_double(value));
+}
+
+float canard_bus_board_report_battery_given_decode(uint8_t value)
+{
+    return ((float)value);
+}
+
+bool canard_bus_board_report_battery_given_is_in_range(uint8_t value)
+{
+    return (value <= 1u);
+}
+
+bool canard_bus_board_report_battery_given_is_in_phys_range(float value)
+{
+    return ((value >= 0.0f) && (value <= 1.0f));
+}
+
+uint8_t canard_bus_board_report_flash_failed_encode(float value)
+{
+    return (uint8_t)(cantools_unsigned_from_double(value));
+}
+
+float canard_bus_board_report_flash_failed_decode(uint8_t value)
+{
+    return ((float)value);
+}
+
+bool canard_bus_board_report_flash_failed_is_in_range(uint8_t value)
+{
+    return (value <= 1u);
+}
+
+bool canard_bus_board_report_flash_failed_is_in_phys_range(float value)
+{
+    return ((value >= 0.0f) && (value <= 1.0f));
 }
 
 int canard_bus_heartbeat_report_pack(

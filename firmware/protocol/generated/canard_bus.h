@@ -62,6 +62,7 @@ extern "C" {
 #define CANARD_BUS_HEALTH_REPORT_FRAME_ID (0x130u)
 #define CANARD_BUS_REJECTION_REPORT_FRAME_ID (0x131u)
 #define CANARD_BUS_LIMIT_REPORT_FRAME_ID (0x132u)
+#define CANARD_BUS_BOARD_REPORT_FRAME_ID (0x133u)
 #define CANARD_BUS_HEARTBEAT_REPORT_FRAME_ID (0x140u)
 #define CANARD_BUS_LOG_DATA_FRAME_ID (0x180u)
 
@@ -83,6 +84,7 @@ extern "C" {
 #define CANARD_BUS_HEALTH_REPORT_LENGTH (8u)
 #define CANARD_BUS_REJECTION_REPORT_LENGTH (8u)
 #define CANARD_BUS_LIMIT_REPORT_LENGTH (8u)
+#define CANARD_BUS_BOARD_REPORT_LENGTH (8u)
 #define CANARD_BUS_HEARTBEAT_REPORT_LENGTH (8u)
 #define CANARD_BUS_LOG_DATA_LENGTH (8u)
 
@@ -104,6 +106,7 @@ extern "C" {
 #define CANARD_BUS_HEALTH_REPORT_IS_EXTENDED (0)
 #define CANARD_BUS_REJECTION_REPORT_IS_EXTENDED (0)
 #define CANARD_BUS_LIMIT_REPORT_IS_EXTENDED (0)
+#define CANARD_BUS_BOARD_REPORT_IS_EXTENDED (0)
 #define CANARD_BUS_HEARTBEAT_REPORT_IS_EXTENDED (0)
 #define CANARD_BUS_LOG_DATA_IS_EXTENDED (0)
 
@@ -125,6 +128,7 @@ extern "C" {
 #define CANARD_BUS_HEALTH_REPORT_CYCLE_TIME_MS (100u)
 #define CANARD_BUS_REJECTION_REPORT_CYCLE_TIME_MS (1000u)
 #define CANARD_BUS_LIMIT_REPORT_CYCLE_TIME_MS (1000u)
+#define CANARD_BUS_BOARD_REPORT_CYCLE_TIME_MS (100u)
 #define CANARD_BUS_HEARTBEAT_REPORT_CYCLE_TIME_MS (100u)
 
 /* Signal choices. */
@@ -200,6 +204,8 @@ extern "C" {
 #define CANARD_BUS_ARM_REPLY_FAILURE_FLASH_FAILED_CHOICE (12u)
 #define CANARD_BUS_ARM_REPLY_FAILURE_FLASH_TOO_FULL_CHOICE (13u)
 #define CANARD_BUS_ARM_REPLY_FAILURE_TIMED_OUT_CHOICE (14u)
+#define CANARD_BUS_ARM_REPLY_FAILURE_BOARD_FAULT_CHOICE (15u)
+#define CANARD_BUS_ARM_REPLY_FAILURE_NEWER_PLAN_CHOICE (16u)
 
 #define CANARD_BUS_ARM_REPLY_CANARD_NONE_CHOICE (0u)
 #define CANARD_BUS_ARM_REPLY_CANARD_CANARD_1_CHOICE (1u)
@@ -219,6 +225,7 @@ extern "C" {
 #define CANARD_BUS_ARM_REPLY_REFUSAL_WRONG_NONCE_CHOICE (9u)
 #define CANARD_BUS_ARM_REPLY_REFUSAL_NOT_A_TUNNEL_PLAN_CHOICE (10u)
 #define CANARD_BUS_ARM_REPLY_REFUSAL_NOT_ARMED_CHOICE (11u)
+#define CANARD_BUS_ARM_REPLY_REFUSAL_BOARD_FAULT_CHOICE (12u)
 
 #define CANARD_BUS_PLAN_REPLY_STATE_IDLE_CHOICE (0u)
 #define CANARD_BUS_PLAN_REPLY_STATE_RECEIVING_CHOICE (1u)
@@ -240,9 +247,10 @@ extern "C" {
 #define CANARD_BUS_PLAN_REPLY_BLOCK_FAULT_NO_PLAN_BLOCK_CHOICE (2u)
 #define CANARD_BUS_PLAN_REPLY_BLOCK_FAULT_WRONG_LENGTH_CHOICE (3u)
 #define CANARD_BUS_PLAN_REPLY_BLOCK_FAULT_WRONG_CHECKSUM_CHOICE (4u)
-#define CANARD_BUS_PLAN_REPLY_BLOCK_FAULT_OTHER_VERSION_CHOICE (5u)
+#define CANARD_BUS_PLAN_REPLY_BLOCK_FAULT_OLDER_VERSION_CHOICE (5u)
 #define CANARD_BUS_PLAN_REPLY_BLOCK_FAULT_OTHER_SCHEMA_CHOICE (6u)
 #define CANARD_BUS_PLAN_REPLY_BLOCK_FAULT_REFUSED_CHOICE (7u)
+#define CANARD_BUS_PLAN_REPLY_BLOCK_FAULT_NEWER_VERSION_CHOICE (8u)
 
 #define CANARD_BUS_LOG_REPLY_STATE_READY_CHOICE (0u)
 #define CANARD_BUS_LOG_REPLY_STATE_READ_CHOICE (1u)
@@ -298,6 +306,18 @@ extern "C" {
 #define CANARD_BUS_HEALTH_REPORT_BUS_STATE_BUS_OFF_CHOICE (3u)
 #define CANARD_BUS_HEALTH_REPORT_BUS_STATE_DOWN_CHOICE (4u)
 
+#define CANARD_BUS_BOARD_REPORT_RESET_CAUSE_POWER_ON_CHOICE (0u)
+#define CANARD_BUS_BOARD_REPORT_RESET_CAUSE_BROWN_OUT_CHOICE (1u)
+#define CANARD_BUS_BOARD_REPORT_RESET_CAUSE_PIN_CHOICE (2u)
+#define CANARD_BUS_BOARD_REPORT_RESET_CAUSE_SOFTWARE_CHOICE (3u)
+#define CANARD_BUS_BOARD_REPORT_RESET_CAUSE_WATCHDOG_CHOICE (4u)
+
+#define CANARD_BUS_BOARD_REPORT_PLAN_BUILT_IN_CHOICE (0u)
+#define CANARD_BUS_BOARD_REPORT_PLAN_STORED_CHOICE (1u)
+#define CANARD_BUS_BOARD_REPORT_PLAN_STORED_IS_BROKEN_CHOICE (2u)
+#define CANARD_BUS_BOARD_REPORT_PLAN_STORED_IS_NEWER_CHOICE (3u)
+#define CANARD_BUS_BOARD_REPORT_PLAN_FLASH_UNREADABLE_CHOICE (4u)
+
 /* Frame Names. */
 #define CANARD_BUS_BENCH_REQUEST_NAME "BenchRequest"
 #define CANARD_BUS_BENCH_SESSION_NAME "BenchSession"
@@ -316,6 +336,7 @@ extern "C" {
 #define CANARD_BUS_HEALTH_REPORT_NAME "HealthReport"
 #define CANARD_BUS_REJECTION_REPORT_NAME "RejectionReport"
 #define CANARD_BUS_LIMIT_REPORT_NAME "LimitReport"
+#define CANARD_BUS_BOARD_REPORT_NAME "BoardReport"
 #define CANARD_BUS_HEARTBEAT_REPORT_NAME "HeartbeatReport"
 #define CANARD_BUS_LOG_DATA_NAME "LogData"
 
@@ -436,6 +457,13 @@ extern "C" {
 #define CANARD_BUS_LIMIT_REPORT_CANARD_2_NAME "canard_2"
 #define CANARD_BUS_LIMIT_REPORT_CANARD_3_NAME "canard_3"
 #define CANARD_BUS_LIMIT_REPORT_CANARD_4_NAME "canard_4"
+#define CANARD_BUS_BOARD_REPORT_FAULTS_NAME "faults"
+#define CANARD_BUS_BOARD_REPORT_BATTERY_NAME "battery"
+#define CANARD_BUS_BOARD_REPORT_OVERRUNS_NAME "overruns"
+#define CANARD_BUS_BOARD_REPORT_RESET_CAUSE_NAME "reset_cause"
+#define CANARD_BUS_BOARD_REPORT_PLAN_NAME "plan"
+#define CANARD_BUS_BOARD_REPORT_BATTERY_GIVEN_NAME "battery_given"
+#define CANARD_BUS_BOARD_REPORT_FLASH_FAILED_NAME "flash_failed"
 #define CANARD_BUS_HEARTBEAT_REPORT_VERSION_NAME "version"
 #define CANARD_BUS_HEARTBEAT_REPORT_UPTIME_NAME "uptime"
 #define CANARD_BUS_HEARTBEAT_REPORT_PLAN_CRC_NAME "plan_crc"
@@ -1109,7 +1137,7 @@ struct canard_bus_arm_reply_t {
     uint8_t self_test;
 
     /**
-     * Range: 0..14 (0..14 -)
+     * Range: 0..16 (0..16 -)
      * Scale: 1
      * Offset: 0
      */
@@ -1130,7 +1158,7 @@ struct canard_bus_arm_reply_t {
     uint8_t nonce_given;
 
     /**
-     * Range: 0..11 (0..11 -)
+     * Range: 0..12 (0..12 -)
      * Scale: 1
      * Offset: 0
      */
@@ -1174,7 +1202,7 @@ struct canard_bus_plan_reply_t {
     uint8_t next_index;
 
     /**
-     * Range: 0..7 (0..7 -)
+     * Range: 0..8 (0..8 -)
      * Scale: 1
      * Offset: 0
      */
@@ -1411,6 +1439,64 @@ struct canard_bus_limit_report_t {
      * Offset: 0
      */
     int16_t canard_4;
+};
+
+/**
+ * Signals in message BoardReport.
+ *
+ * What the board says about itself: with any fault the rocket is not armed. The bits of faults, from the lowest: crystal_failed, clock_failed, image_broken, imu_silent, imu_wrong_id, imu_self_test_failed, accelerometer_silent, accelerometer_wrong_id, encoder_silent, flash_silent, flash_wrong_id, flash_stuck, can_failed, entropy_failed, battery_unmeasured, loop_overrun, crashed. overruns: control ticks that were due and did not come since power-up, 255 for that many or more. plan: which one is in force, and what is wrong with the stored one.
+ *
+ * All signal values are as on the CAN bus.
+ */
+struct canard_bus_board_report_t {
+    /**
+     * Range: 0..4294967295 (0..4294967295 -)
+     * Scale: 1
+     * Offset: 0
+     */
+    uint32_t faults;
+
+    /**
+     * Range: 0..65535 (0..65535 mV)
+     * Scale: 1
+     * Offset: 0
+     */
+    uint16_t battery;
+
+    /**
+     * Range: 0..255 (0..255 -)
+     * Scale: 1
+     * Offset: 0
+     */
+    uint8_t overruns;
+
+    /**
+     * Range: 0..4 (0..4 -)
+     * Scale: 1
+     * Offset: 0
+     */
+    uint8_t reset_cause;
+
+    /**
+     * Range: 0..4 (0..4 -)
+     * Scale: 1
+     * Offset: 0
+     */
+    uint8_t plan;
+
+    /**
+     * Range: 0..1 (0..1 -)
+     * Scale: 1
+     * Offset: 0
+     */
+    uint8_t battery_given;
+
+    /**
+     * Range: 0..1 (0..1 -)
+     * Scale: 1
+     * Offset: 0
+     */
+    uint8_t flash_failed;
 };
 
 /**
@@ -6776,6 +6862,323 @@ bool canard_bus_limit_report_canard_4_is_in_range(int16_t value);
  * @return true if in range, false otherwise.
  */
 bool canard_bus_limit_report_canard_4_is_in_phys_range(float value);
+
+/**
+ * Pack message BoardReport.
+ *
+ * @param[out] dst_p Buffer to pack the message into.
+ * @param[in] src_p Data to pack.
+ * @param[in] size Size of dst_p.
+ *
+ * @return Size of packed data, or negative error code.
+ */
+int canard_bus_board_report_pack(
+    uint8_t *dst_p,
+    const struct canard_bus_board_report_t *src_p,
+    size_t size);
+
+/**
+ * Unpack message BoardReport.
+ *
+ * @param[out] dst_p Object to unpack the message into.
+ * @param[in] src_p Message to unpack.
+ * @param[in] size Size of src_p.
+ *
+ * @return zero(0) or negative error code.
+ */
+int canard_bus_board_report_unpack(
+    struct canard_bus_board_report_t *dst_p,
+    const uint8_t *src_p,
+    size_t size);
+
+/**
+ * Init message fields to default values from BoardReport.
+ *
+ * @param[in] msg_p Message to init.
+ *
+ * @return zero(0) on success or (-1) in case of nullptr argument.
+ */
+int canard_bus_board_report_init(struct canard_bus_board_report_t *msg_p);
+
+/**
+ * Encode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to encode.
+ *
+ * @return Encoded signal.
+ */
+uint32_t canard_bus_board_report_faults_encode(float value);
+
+/**
+ * Decode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to decode.
+ *
+ * @return Decoded signal.
+ */
+float canard_bus_board_report_faults_decode(uint32_t value);
+
+/**
+ * Check that given signal is in allowed range.
+ *
+ * @param[in] value Signal to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool canard_bus_board_report_faults_is_in_range(uint32_t value);
+
+/**
+ * Check that given physical value is in allowed range before encoding.
+ *
+ * Use this BEFORE calling _encode() to avoid silent integer overflow:
+ *   encode(-1.0) on a [0,100] signal wraps to 255 and passes is_in_range().
+ *   is_in_phys_range(-1.0) correctly returns false.
+ *
+ * @param[in] value Physical signal value to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool canard_bus_board_report_faults_is_in_phys_range(float value);
+
+/**
+ * Encode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to encode.
+ *
+ * @return Encoded signal.
+ */
+uint16_t canard_bus_board_report_battery_encode(float value);
+
+/**
+ * Decode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to decode.
+ *
+ * @return Decoded signal.
+ */
+float canard_bus_board_report_battery_decode(uint16_t value);
+
+/**
+ * Check that given signal is in allowed range.
+ *
+ * @param[in] value Signal to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool canard_bus_board_report_battery_is_in_range(uint16_t value);
+
+/**
+ * Check that given physical value is in allowed range before encoding.
+ *
+ * Use this BEFORE calling _encode() to avoid silent integer overflow:
+ *   encode(-1.0) on a [0,100] signal wraps to 255 and passes is_in_range().
+ *   is_in_phys_range(-1.0) correctly returns false.
+ *
+ * @param[in] value Physical signal value to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool canard_bus_board_report_battery_is_in_phys_range(float value);
+
+/**
+ * Encode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to encode.
+ *
+ * @return Encoded signal.
+ */
+uint8_t canard_bus_board_report_overruns_encode(float value);
+
+/**
+ * Decode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to decode.
+ *
+ * @return Decoded signal.
+ */
+float canard_bus_board_report_overruns_decode(uint8_t value);
+
+/**
+ * Check that given signal is in allowed range.
+ *
+ * @param[in] value Signal to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool canard_bus_board_report_overruns_is_in_range(uint8_t value);
+
+/**
+ * Check that given physical value is in allowed range before encoding.
+ *
+ * Use this BEFORE calling _encode() to avoid silent integer overflow:
+ *   encode(-1.0) on a [0,100] signal wraps to 255 and passes is_in_range().
+ *   is_in_phys_range(-1.0) correctly returns false.
+ *
+ * @param[in] value Physical signal value to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool canard_bus_board_report_overruns_is_in_phys_range(float value);
+
+/**
+ * Encode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to encode.
+ *
+ * @return Encoded signal.
+ */
+uint8_t canard_bus_board_report_reset_cause_encode(float value);
+
+/**
+ * Decode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to decode.
+ *
+ * @return Decoded signal.
+ */
+float canard_bus_board_report_reset_cause_decode(uint8_t value);
+
+/**
+ * Check that given signal is in allowed range.
+ *
+ * @param[in] value Signal to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool canard_bus_board_report_reset_cause_is_in_range(uint8_t value);
+
+/**
+ * Check that given physical value is in allowed range before encoding.
+ *
+ * Use this BEFORE calling _encode() to avoid silent integer overflow:
+ *   encode(-1.0) on a [0,100] signal wraps to 255 and passes is_in_range().
+ *   is_in_phys_range(-1.0) correctly returns false.
+ *
+ * @param[in] value Physical signal value to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool canard_bus_board_report_reset_cause_is_in_phys_range(float value);
+
+/**
+ * Encode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to encode.
+ *
+ * @return Encoded signal.
+ */
+uint8_t canard_bus_board_report_plan_encode(float value);
+
+/**
+ * Decode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to decode.
+ *
+ * @return Decoded signal.
+ */
+float canard_bus_board_report_plan_decode(uint8_t value);
+
+/**
+ * Check that given signal is in allowed range.
+ *
+ * @param[in] value Signal to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool canard_bus_board_report_plan_is_in_range(uint8_t value);
+
+/**
+ * Check that given physical value is in allowed range before encoding.
+ *
+ * Use this BEFORE calling _encode() to avoid silent integer overflow:
+ *   encode(-1.0) on a [0,100] signal wraps to 255 and passes is_in_range().
+ *   is_in_phys_range(-1.0) correctly returns false.
+ *
+ * @param[in] value Physical signal value to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool canard_bus_board_report_plan_is_in_phys_range(float value);
+
+/**
+ * Encode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to encode.
+ *
+ * @return Encoded signal.
+ */
+uint8_t canard_bus_board_report_battery_given_encode(float value);
+
+/**
+ * Decode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to decode.
+ *
+ * @return Decoded signal.
+ */
+float canard_bus_board_report_battery_given_decode(uint8_t value);
+
+/**
+ * Check that given signal is in allowed range.
+ *
+ * @param[in] value Signal to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool canard_bus_board_report_battery_given_is_in_range(uint8_t value);
+
+/**
+ * Check that given physical value is in allowed range before encoding.
+ *
+ * Use this BEFORE calling _encode() to avoid silent integer overflow:
+ *   encode(-1.0) on a [0,100] signal wraps to 255 and passes is_in_range().
+ *   is_in_phys_range(-1.0) correctly returns false.
+ *
+ * @param[in] value Physical signal value to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool canard_bus_board_report_battery_given_is_in_phys_range(float value);
+
+/**
+ * Encode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to encode.
+ *
+ * @return Encoded signal.
+ */
+uint8_t canard_bus_board_report_flash_failed_encode(float value);
+
+/**
+ * Decode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to decode.
+ *
+ * @return Decoded signal.
+ */
+float canard_bus_board_report_flash_failed_decode(uint8_t value);
+
+/**
+ * Check that given signal is in allowed range.
+ *
+ * @param[in] value Signal to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool canard_bus_board_report_flash_failed_is_in_range(uint8_t value);
+
+/**
+ * Check that given physical value is in allowed range before encoding.
+ *
+ * Use this BEFORE calling _encode() to avoid silent integer overflow:
+ *   encode(-1.0) on a [0,100] signal wraps to 255 and passes is_in_range().
+ *   is_in_phys_range(-1.0) correctly returns false.
+ *
+ * @param[in] value Physical signal value to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool canard_bus_board_report_flash_failed_is_in_phys_range(float value);
 
 /**
  * Pack message HeartbeatReport.

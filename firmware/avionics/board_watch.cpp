@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+#include "avionics/board_watch.hpp"
+
+#include <algorithm>
+#include <string_view>
+
+namespace fantail::avionics {
+
+using protocol::PlanSource;
+
+namespace {
+
+constexpr std::string_view not_armed = "it will not be armed";
+
+std::string_view words(hal::ResetCause cause) {
+  switch (cause) {
+    case hal::ResetCause::power_on: return "reset by power-on\n";
+    case hal::ResetCause::brown_out: return "reset by a supply that was too low\n";
+    case hal::ResetCause::pin: return "reset by its button or a probe\n";
+    case hal::ResetCause::software: return "reset by the firmware itself\n";
+    case hal::ResetCause::watchdog: return "reset by the watchdog\n";
+  }
+  return "reset by something unknown\n";
+}
+
+std::string_view words(PlanSource plan) {
+  switch (plan) {
+    case PlanSource::built_in: return "plan: the built-in one; none is stored\n";
+    case PlanSource::stored: return "plan: the one in the flash\n";
+    case PlanSource::stored_is_broken:
+      return "plan: the built-in one; the stored one is broken, and until another is sent it will not be armed\n";
+    case PlanSource::stored_is_newer:
+      return "plan: the built-in one; the stored one is from a newer version of the firmware, and until that is "
+             "flashed "
+             "or another plan is sent it will not be armed\n";
+    case PlanSource::flash_unreadable:
+      return "plan: the built-in one; the flash cannot be read, and it will not be armed\n";
+  }
+  return "plan: unknown\n";
+}
+
+void write_faults(hal::BoardFaults faults, hal::Console& console) {
+  std::string_view before = "board: ";
+  for (std::size_t i = 0; i < hal::board_faults; ++i) {
+    const auto fault = static_cast<hal::BoardFault>(i);
+    if (faults.has(fault)) {
+      console.write(before);
+      console.write(name(fault));
+      before = ", ";
+    }
+  }
+}
+
+}  // namespace
+
+void BoardWatch::look(const hal::BoardStatus& status, std::uint32_t missed_ticks, std::uint32_t overrun_limit) {
+  status_ = status;
+  status_.overruns = std::max(status.overruns, missed_ticks);
+  if (status_.overruns > overrun_limit) {
+    status_.faults.add(hal::BoardFault::loop_overrun);
+  }
+}
+
+protocol::BoardReport BoardWatch::report(const FlashFacts& flash) const {
+  constexpr std::uint32_t most_overruns = 0xFF;
+  return {.faults = status_.faults.bits(),
+          .reset_cause = static_cast<std::uint8_t>(status_.reset_cause),
+          .plan = flash.plan.value_or(PlanSource::built_in),
+          .flash_failed = flash.failed,
+          .battery_mv = status_.battery_mv,
+          .overruns = static_cast<std::uint8_t>(std::min(status_.overruns, most_overruns))};
+}
+
+bool BoardWatch::tell(core::Microseconds now, core::Phase phase, const FlashFacts& flash, hal::Console& console) {
+  const Told news{.faults = status_.faults, .plan = flash.plan, .flash_failed = flash.failed};
+  if (told_at_ && (news == told_ || now - *told_at_ < shortest_pause)) {
+    return false;
+  }
+  const std::string_view so = phase == core::Phase::safe ? not_armed : "it goes on";
+  if (!told_at_) {
+    console.write(words(status_.reset_cause));
+  }
+  if (!told_at_ || news.faults != told_.faults) {
+    write_faults(news.faults, console);
+    console.write(news.faults.none() ? "board: no fault" : "; ");
+    console.write(news.faults.none() ? "" : so);
+    console.write("\n");
+  }
+  if (news.plan && news.plan != told_.plan) {
+    console.write(words(*news.plan));
+  }
+  if (news.flash_failed && !told_.flash_failed) {
+    console.write("flash: it does not answer, or does not keep what is written; ");
+    console.write(so);
+    console.write("\n");
+  }
+  told_ = news;
+  told_at_ = now;
+  return true;
+}
+
+hal::Signal signal_of(core::Phase phase, bool self_test_running, bool fit) {
+  switch (phase) {
+    case core::Phase::safe: break;
+    case core::Phase::armed: return hal::Signal::armed;
+    case core::Phase::launched:
+    case core::Phase::controlling: return hal::Signal::flying;
+    case core::Phase::finished: return hal::Signal::finished;
+  }
+  if (self_test_running) {
+    return hal::Signal::self_test;
+  }
+  return fit ? hal::Signal::safe : hal::Signal::faulty;
+}
+
+}  // namespace fantail::avionics

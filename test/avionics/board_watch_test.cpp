@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: MIT
+#include "avionics/board_watch.hpp"
+
+#include <set>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "avionics/board_rig.hpp"
+
+namespace fantail::avionics {
+namespace {
+
+using core::Phase;
+using hal::BoardFault;
+using hal::Signal;
+using protocol::ArmAction;
+using protocol::ArmRefusal;
+using protocol::ArmReply;
+using protocol::BoardReport;
+using protocol::SelfTestFailure;
+using protocol::SelfTestState;
+
+bool says(const BoardRig& rig, std::string_view words) { return rig.console.text.find(words) != std::string::npos; }
+
+void boot_with(BoardRig& rig, std::initializer_list<BoardFault> faults) {
+  rig.board.now.faults = {};
+  for (const BoardFault fault : faults) {
+    rig.board.now.faults.add(fault);
+  }
+  rig.console.text.clear();
+  rig.power_cycle();
+}
+
+class EachBoardFault : public testing::TestWithParam<std::size_t> {
+ protected:
+  [[nodiscard]] static BoardFault fault() { return static_cast<BoardFault>(GetParam()); }
+};
+
+TEST_P(EachBoardFault, KeepsTheRocketFromBeingArmedAndHasItsNameOnBusAndConsole) {
+  BoardRig rig;
+  boot_with(rig, {fault()});
+  rig.say(ArmAction::self_test);
+  for (Microseconds t{}; t < 8 * second; t += millisecond) {
+    ASSERT_EQ(rig.tick().phase, Phase::safe);
+    ASSERT_TRUE(rig.all_pulses_are(0.0));
+  }
+  EXPECT_EQ(rig.heard<ArmReply>()->self_test, SelfTestState::failed);
+  EXPECT_EQ(rig.heard<ArmReply>()->failure, SelfTestFailure::board_fault);
+  rig.arm_switch.is_closed = true;
+  rig.tick();
+  rig.say(ArmAction::begin);
+  EXPECT_EQ(rig.tick().phase, Phase::safe);
+  EXPECT_EQ(rig.heard<ArmReply>()->refusal, ArmRefusal::board_fault);
+  EXPECT_FALSE(rig.heard<ArmReply>()->nonce);
+  EXPECT_EQ(rig.heard<BoardReport>()->faults, 1U << GetParam());
+  EXPECT_TRUE(says(rig, "board: " + std::string{name(fault())} + "; it will not be armed\n")) << rig.console.text;
+  EXPECT_EQ(rig.board.shown, Signal::faulty);
+}
+
+INSTANTIATE_TEST_SUITE_P(Faults, EachBoardFault, testing::Range(std::size_t{0}, hal::board_faults),
+                         [](const auto& test) { return std::string{name(static_cast<BoardFault>(test.param))}; });
+
+TEST(BoardWatch, TheFirstTickTellsWhyTheProcessorBeganEveryFaultAndThePlan) {
+  BoardRig rig;
+  rig.board.now.reset_cause = hal::ResetCause::watchdog;
+  boot_with(rig, {BoardFault::flash_silent, BoardFault::imu_silent});
+  rig.tick();
+  EXPECT_EQ(rig.console.text,
+            "reset by the watchdog\n"
+            "board: imu_silent, flash_silent; it will not be armed\n"
+            "plan: the built-in one; none is stored\n");
+  EXPECT_EQ(rig.heard<BoardReport>()->reset_cause, static_cast<int>(hal::ResetCause::watchdog));
+}
+
+TEST(BoardWatch, EveryCauseOfAResetHasWordsOfItsOwn) {
+  std::set<std::string> words;
+  for (std::size_t i = 0; i < hal::reset_causes; ++i) {
+    BoardRig rig;
+    rig.board.now.reset_cause = static_cast<hal::ResetCause>(i);
+    boot_with(rig, {});
+    rig.tick();
+    words.insert(rig.console.text.substr(0, rig.console.text.find('\n')));
+    EXPECT_EQ(rig.heard<BoardReport>()->reset_cause, i);
+  }
+  EXPECT_EQ(words.size(), hal::reset_causes);
+}
+
+TEST(BoardWatch, ASoundBoardIsReportedOnceASecondAndNamedOnce) {
+  BoardRig rig;
+  rig.tick();
+  const std::string text = rig.console.text;
+  const int before = rig.count<BoardReport>();
+  rig.run(10 * second);
+  EXPECT_EQ(rig.count<BoardReport>() - before, 10);
+  EXPECT_EQ(rig.heard<BoardReport>()->faults, 0U);
+  EXPECT_EQ(rig.console.text, text);
+}
+
+TEST(BoardWatch, AFaultIsReportedInTheTickInWhichItCame) {
+  BoardRig rig;
+  rig.run(second + 500 * millisecond);
+  rig.console.text.clear();
+  rig.board.now.faults.add(BoardFault::flash_stuck);
+  rig.tick();
+  EXPECT_EQ(rig.heard<BoardReport>()->faults, 1U << static_cast<unsigned>(BoardFault::flash_stuck));
+  EXPECT_EQ(rig.console.text, "board: flash_stuck; it will not be armed\n");
+}
+
+// A plug that makes contact every other millisecond must fill neither bus nor console.
+TEST(BoardWatch, AFaultThatComesAndGoesIsToldTenTimesASecondAtMost) {
+  BoardRig rig;
+  rig.run(second);
+  const int before = rig.count<BoardReport>();
+  for (int i = 0; i < 10'000; ++i) {
+    rig.board.now.faults = {};
+    if (i % 2 == 0) {
+      rig.board.now.faults.add(BoardFault::imu_silent);
+    }
+    rig.tick();
+  }
+  EXPECT_LE(rig.count<BoardReport>() - before, 100 + 10);
+  EXPECT_GT(rig.count<BoardReport>() - before, 50);
+}
+
+TEST(BoardWatch, BatteryAndOverrunsAreReported) {
+  BoardRig rig;
+  rig.run(second);
+  EXPECT_EQ(rig.heard<BoardReport>()->battery_mv, std::nullopt);
+  rig.board.now.battery_mv = 7912;
+  rig.board.now.overruns = 7;
+  rig.run(second);
+  EXPECT_EQ(rig.heard<BoardReport>()->battery_mv, 7912);
+  EXPECT_EQ(rig.heard<BoardReport>()->overruns, 7);
+  rig.board.now.overruns = 100'000;
+  rig.run(second);
+  EXPECT_EQ(rig.heard<BoardReport>()->overruns, 255) << "it saturates";
+}
+
+TEST(BoardWatch, AFaultInTheMiddleOfASelfTestEndsItAndTheCanardsGoToTrim) {
+  BoardRig rig;
+  rig.say(ArmAction::self_test);
+  rig.run(4 * second);
+  ASSERT_EQ(rig.heard<ArmReply>()->self_test, SelfTestState::running);
+  rig.board.now.faults.add(BoardFault::encoder_silent);
+  rig.run(500 * millisecond);
+  EXPECT_EQ(rig.heard<ArmReply>()->failure, SelfTestFailure::board_fault);
+  EXPECT_TRUE(rig.all_pulses_are(0.0));
+}
+
+TEST(BoardWatch, AFaultBetweenTheTwoStepsOfTheCommandRefusesTheSecond) {
+  BoardRig rig;
+  const std::uint32_t nonce = rig.begin_arming().value();
+  rig.board.now.faults.add(BoardFault::battery_unmeasured);
+  rig.tick();
+  rig.say(ArmAction::confirm, nonce);
+  EXPECT_EQ(rig.run(100 * millisecond)->phase, Phase::safe);
+  EXPECT_EQ(rig.heard<ArmReply>()->refusal, ArmRefusal::board_fault);
+}
+
+TEST(BoardWatch, AFaultOfAnArmedRocketIsToldAndDoesNotDisarmIt) {
+  BoardRig rig;
+  ASSERT_EQ(rig.arm().phase, Phase::armed);
+  rig.console.text.clear();
+  rig.board.now.faults.add(BoardFault::accelerometer_silent);
+  EXPECT_EQ(rig.run(second)->phase, Phase::armed);
+  EXPECT_EQ(rig.console.text, "board: accelerometer_silent; it goes on\n");
+  EXPECT_EQ(rig.board.shown, Signal::armed);
+}
+
+// 6 ticks that come 5 ms after the one before: 4 are missing each time.
+TEST(BoardWatch, ALoopThatMissesMoreTicksThanThePlanAllowsKeepsTheRocketFromBeingArmed) {
+  core::FlightPlan plan = core::default_plan();
+  plan.run.overrun_limit = 23;
+  BoardRig rig{plan};
+  const auto be_late = [&rig](int times) {
+    for (int i = 0; i < times; ++i) {
+      rig.clock.time += 4 * millisecond;
+      rig.run(100 * millisecond);
+    }
+    rig.run(second);
+  };
+  rig.tick();
+  be_late(5);
+  EXPECT_EQ(rig.heard<BoardReport>()->overruns, 20);
+  EXPECT_EQ(rig.heard<BoardReport>()->faults, 0U);
+  be_late(1);
+  EXPECT_EQ(rig.heard<BoardReport>()->overruns, 24);
+  EXPECT_EQ(rig.heard<BoardReport>()->faults, 1U << static_cast<unsigned>(BoardFault::loop_overrun));
+  EXPECT_FALSE(rig.begin_arming());
+  EXPECT_EQ(rig.heard<ArmReply>()->refusal, ArmRefusal::board_fault);
+}
+
+TEST(BoardWatch, TheBoardsOwnCountOfOverrunsCountsToo) {
+  BoardRig rig;
+  rig.board.now.overruns = core::default_plan().run.overrun_limit;
+  rig.tick();
+  EXPECT_EQ(rig.heard<BoardReport>()->faults, 0U);
+  rig.board.now.overruns += 1U;
+  rig.run(second);
+  EXPECT_EQ(rig.heard<BoardReport>()->faults, 1U << static_cast<unsigned>(BoardFault::loop_overrun));
+}
+
+TEST(BoardWatch, LampAndBuzzerShowWhatItDoes) {
+  core::FlightPlan plan = core::default_plan();
+  plan.run.start = core::Start::tunnel;
+  plan.run.control_time = second;
+  BoardRig rig{plan};
+  rig.tick();
+  EXPECT_EQ(rig.board.shown, Signal::safe);
+  rig.say(ArmAction::self_test);
+  rig.run(second);
+  EXPECT_EQ(rig.board.shown, Signal::self_test);
+  rig.run(8 * second);
+  EXPECT_EQ(rig.board.shown, Signal::safe);
+  ASSERT_EQ(rig.arm().phase, Phase::armed);
+  EXPECT_EQ(rig.board.shown, Signal::armed);
+  rig.say(ArmAction::start, rig.armed_with);
+  ASSERT_EQ(rig.tick().phase, Phase::controlling);
+  EXPECT_EQ(rig.board.shown, Signal::flying);
+  ASSERT_EQ(rig.run(2 * second)->phase, Phase::finished);
+  EXPECT_EQ(rig.board.shown, Signal::finished);
+}
+
+TEST(BoardWatch, ALaunchedRocketFlies) { EXPECT_EQ(signal_of(Phase::launched, false, true), Signal::flying); }
+
+}  // namespace
+}  // namespace fantail::avionics
