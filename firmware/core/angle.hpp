@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cmath>
+
 namespace fantail::core {
 
 inline constexpr float pi = 3.14159265358979F;
@@ -36,7 +38,7 @@ class Angle {
   float radians_ = 0.0F;
 };
 
-[[nodiscard]] constexpr Angle abs(Angle a) { return a < Angle{} ? -a : a; }
+[[nodiscard]] constexpr Angle abs(Angle a) { return Angle::from_radians(std::abs(a.radians())); }
 
 /// The angle nearest to `a` within [-limit, limit]; limit >= 0. A NaN stays a NaN: whoever commands must have refused
 /// it.
