@@ -10,13 +10,19 @@ namespace {
 
 constexpr Microseconds encoder_patience{500'000};
 
-Angle signed_by(Direction direction, Angle angle) { return direction == Direction::reversed ? -angle : angle; }
-
 }  // namespace
 
-CanardMixer::CanardMixer(const CanardsPlan& plan, Angle plan_limit) : plan_{plan} {
+CanardMixer::CanardMixer(const CanardsPlan& plan, Angle plan_limit)
+    : first_motion_rate_rad_s_{plan.first_motion_rate_rad_s} {
   for (std::size_t i = 0; i < canard_count; ++i) {
-    limits_[i] = std::min({plan_limit, hard_canard_limit, plan.each[i].mechanical_stop});
+    const CanardPlan& canard = plan.each[i];
+    canards_[i] = {.sense = canard.direction == Direction::reversed ? -1.0F : 1.0F,
+                   .trim = canard.trim,
+                   .limit = std::min({plan_limit, hard_canard_limit, canard.mechanical_stop}),
+                   .pulse_centre_us = canard.pulse_centre_us,
+                   .pulse_per_radian_us = canard.pulse_per_radian_us,
+                   .position = {},
+                   .first_motion_done = false};
   }
 }
 
@@ -29,50 +35,48 @@ CanardCommands CanardMixer::mix(Microseconds time, Angle roll_command,
   }
   // A clock that runs backwards is a timing fault; it must not turn the first motion round and past its limits.
   const Microseconds elapsed = std::max(time - last_time_, Microseconds{0});
-  const Angle first_step = Angle::from_radians(plan_.first_motion_rate_rad_s * seconds(elapsed));
   last_time_ = time;
 
   CanardCommands commands;
   for (std::size_t i = 0; i < canard_count; ++i) {
-    const CanardPlan& canard = plan_.each[i];
-    const Angle mixed = signed_by(canard.direction, roll_command) + canard.trim;
-    Angle wanted = requested ? (*requested)[i] : mixed;
-    if (!is_finite(wanted.radians())) {
-      wanted = canard.trim;
-    }
-    const Angle target = clamp(wanted, limits_[i]);
-    start_from_encoder(time, i, encoders[i], target);
-    if (!first_motion_[i].position) {
-      continue;
-    }
-    const Angle angle = first_motion_[i].done ? target : approach(i, target, first_step);
-    commands[i] = {.angle = angle,
-                   .pulse_us = canard.pulse_centre_us + canard.pulse_per_radian_us * angle.radians(),
-                   .driven = true,
-                   .limited = angle != wanted};
+    Canard& canard = canards_[i];
+    const Angle wanted = requested ? (*requested)[i] : canard.sense * roll_command + canard.trim;
+    commands[i] = command(time, elapsed, canard, is_finite(wanted.radians()) ? wanted : canard.trim, encoders[i]);
   }
   return commands;
 }
 
-void CanardMixer::start_from_encoder(Microseconds time, std::size_t canard, const std::optional<Angle>& encoder,
-                                     Angle target) {
-  FirstMotion& motion = first_motion_[canard];
-  if (motion.position) {
-    return;
+CanardCommand CanardMixer::command(Microseconds time, Microseconds elapsed, Canard& canard, Angle wanted,
+                                   const std::optional<Angle>& encoder) const {
+  const Angle target = clamp(wanted, canard.limit);
+  if (!canard.position) {
+    start_from_encoder(time, canard, encoder, target);
+    if (!canard.position) {
+      return CanardCommand{};
+    }
   }
+  const Angle angle = canard.first_motion_done ? target : approach(elapsed, canard, target);
+  return CanardCommand{.angle = angle,
+                       .pulse_us = canard.pulse_centre_us + canard.pulse_per_radian_us * angle.radians(),
+                       .driven = true,
+                       .limited = angle != wanted};
+}
+
+void CanardMixer::start_from_encoder(Microseconds time, Canard& canard, const std::optional<Angle>& encoder,
+                                     Angle target) const {
   if (encoder && is_finite(encoder->radians())) {
-    motion.position = clamp(*encoder, limits_[canard]);
+    canard.position = clamp(*encoder, canard.limit);
   } else if (time - *power_up_ >= encoder_patience) {
-    motion.position = target;
+    canard.position = target;
   }
 }
 
-Angle CanardMixer::approach(std::size_t canard, Angle target, Angle largest_step) {
-  FirstMotion& motion = first_motion_[canard];
-  const Angle remaining = target - *motion.position;
-  motion.done = abs(remaining) <= largest_step;
-  *motion.position += clamp(remaining, largest_step);
-  return motion.done ? target : *motion.position;
+Angle CanardMixer::approach(Microseconds elapsed, Canard& canard, Angle target) const {
+  const Angle largest_step = Angle::from_radians(first_motion_rate_rad_s_ * seconds(elapsed));
+  const Angle remaining = target - *canard.position;
+  canard.first_motion_done = abs(remaining) <= largest_step;
+  *canard.position += clamp(remaining, largest_step);
+  return canard.first_motion_done ? target : *canard.position;
 }
 
 std::optional<Angle> CanardMixer::canard_angle(const EncoderAngles& encoders) const {
@@ -80,7 +84,7 @@ std::optional<Angle> CanardMixer::canard_angle(const EncoderAngles& encoders) co
   float count = 0.0F;
   for (std::size_t i = 0; i < canard_count; ++i) {
     if (encoders[i] && is_finite(encoders[i]->radians())) {
-      sum += signed_by(plan_.each[i].direction, *encoders[i] - plan_.each[i].trim);
+      sum += canards_[i].sense * (*encoders[i] - canards_[i].trim);
       count += 1.0F;
     }
   }

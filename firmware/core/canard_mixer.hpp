@@ -37,31 +37,37 @@ class CanardMixer {
   [[nodiscard]] std::optional<Angle> canard_angle(const EncoderAngles& encoders) const;
 
   /// Largest shaft angle that can ever be commanded to this canard.
-  [[nodiscard]] Angle limit(std::size_t canard) const { return limits_[canard]; }
+  [[nodiscard]] Angle limit(std::size_t canard) const { return canards_[canard].limit; }
 
   /// See core/state_visitor.hpp.
   template <typename Visitor>
   void visit_state(Visitor& visit) {
-    visit(first_motion_, power_up_, last_time_);
+    visit(canards_, power_up_, last_time_);
   }
 
  private:
-  struct FirstMotion {
-    std::optional<Angle> position;
-    bool done = false;
+  struct Canard {
+    float sense;  ///< -1 for a reversed one
+    Angle trim;
+    Angle limit;
+    float pulse_centre_us;
+    float pulse_per_radian_us;
+    std::optional<Angle> position;  ///< in the first motion
+    bool first_motion_done;
 
     template <typename Visitor>
     void visit_state(Visitor& visit) {
-      visit(position, done);
+      visit(position, first_motion_done);
     }
   };
 
-  void start_from_encoder(Microseconds time, std::size_t canard, const std::optional<Angle>& encoder, Angle target);
-  Angle approach(std::size_t canard, Angle target, Angle largest_step);
+  [[nodiscard]] CanardCommand command(Microseconds time, Microseconds elapsed, Canard& canard, Angle wanted,
+                                      const std::optional<Angle>& encoder) const;
+  void start_from_encoder(Microseconds time, Canard& canard, const std::optional<Angle>& encoder, Angle target) const;
+  [[nodiscard]] Angle approach(Microseconds elapsed, Canard& canard, Angle target) const;
 
-  CanardsPlan plan_;
-  std::array<Angle, canard_count> limits_;
-  std::array<FirstMotion, canard_count> first_motion_{};
+  float first_motion_rate_rad_s_;
+  std::array<Canard, canard_count> canards_;
   std::optional<Microseconds> power_up_;
   Microseconds last_time_{};
 };

@@ -2,6 +2,7 @@
 #include "core/canard_monitor.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "core/finite.hpp"
 #include "core/low_pass.hpp"
@@ -25,19 +26,27 @@ bool readable(const std::optional<Angle>& encoder) { return encoder && is_finite
 }  // namespace
 
 CanardMonitor::CanardMonitor(const MonitorPlan& monitor, const CanardsPlan& canards)
-    : plan_{monitor}, canards_{canards} {}
+    : plan_{monitor}, servo_lag_s_{seconds(monitor.servo_lag)} {
+  for (std::size_t i = 0; i < canard_count; ++i) {
+    channels_[i].sense = canards.each[i].direction == Direction::reversed ? -1.0F : 1.0F;
+  }
+}
 
 const std::array<CanardVerdict, canard_count>& CanardMonitor::update(Microseconds time, const CanardCommands& commands,
                                                                      const EncoderAngles& encoders) {
-  const Microseconds elapsed = std::clamp(time - last_time_.value_or(time), Microseconds{0}, longest_tick);
+  Tick tick{.time = time, .elapsed = std::clamp(time - last_time_.value_or(time), Microseconds{0}, longest_tick)};
   last_time_ = time;
-  const float moved_share = lag_fraction(seconds(elapsed) / seconds(plan_.servo_lag));
+  const float moved_share = lag_fraction(seconds(tick.elapsed) / servo_lag_s_);
   for (std::size_t i = 0; i < canard_count; ++i) {
-    follow(channels_[i], moved_share, commands[i], encoders[i]);
+    Channel& channel = channels_[i];
+    follow(channel, moved_share, commands[i], encoders[i]);
+    if (channel.expected && readable(encoders[i])) {
+      tick.departures[i] = channel.sense * (*encoders[i] - *channel.expected);
+    }
   }
-  const Tick tick{.time = time, .elapsed = elapsed, .all_agree = all_agree(encoders)};
+  tick.all_agree = all_agree(tick.departures);
   for (std::size_t i = 0; i < canard_count; ++i) {
-    verdicts_[i] = judge(tick, i, commands[i], encoders);
+    verdicts_[i] = judge(tick, i, encoders[i]);
   }
   return verdicts_;
 }
@@ -55,34 +64,34 @@ void CanardMonitor::follow(Channel& channel, float moved_share, const CanardComm
   }
 }
 
-CanardVerdict CanardMonitor::judge(const Tick& tick, std::size_t canard, const CanardCommand& command,
-                                   const EncoderAngles& encoders) {
-  Channel& channel = channels_[canard];
-  const std::optional<Angle>& encoder = encoders[canard];
-
-  if (!readable(encoder)) {
-    channel.off = {};
-    channel.apart = {};
-    channel.silent_since = channel.silent_since.value_or(tick.time);
-    return tick.time - *channel.silent_since >= plan_.encoder_timeout ? CanardVerdict::dead : verdicts_[canard];
+CanardVerdict CanardMonitor::judge(const Tick& tick, std::size_t canard, const std::optional<Angle>& encoder) {
+  if (tick.departures[canard]) {
+    return judge_departure(tick, canard, *encoder);
   }
-  channel.silent_since.reset();
-  if (!command.driven) {
-    channel.off = {};
-    channel.apart = {};
+  Channel& channel = channels_[canard];
+  channel.off = {};
+  channel.apart = {};
+  if (readable(encoder)) {  // but not driven
+    channel.silent_since.reset();
     return CanardVerdict::healthy;
   }
+  channel.silent_since = channel.silent_since.value_or(tick.time);
+  return tick.time - *channel.silent_since >= plan_.encoder_timeout ? CanardVerdict::dead : verdicts_[canard];
+}
 
-  const bool is_off = abs(*encoder - *channel.expected) > plan_.tracking_limit;
-  const bool is_apart = !tick.all_agree && stands_apart(canard, encoders);
+CanardVerdict CanardMonitor::judge_departure(const Tick& tick, std::size_t canard, Angle encoder) {
+  Channel& channel = channels_[canard];
+  channel.silent_since.reset();
+  const bool is_off = abs(*tick.departures[canard]) > plan_.tracking_limit;
+  const bool is_apart = !tick.all_agree && stands_apart(canard, tick.departures);
   if (!is_off && !is_apart && channel.off.charge == Microseconds{0} && channel.apart.charge == Microseconds{0}) {
     return CanardVerdict::healthy;  // the usual case
   }
   if (channel.off.charge == Microseconds{0}) {
-    channel.lowest = channel.highest = *encoder;
+    channel.lowest = channel.highest = encoder;
   }
-  channel.lowest = std::min(channel.lowest, *encoder);
-  channel.highest = std::max(channel.highest, *encoder);
+  channel.lowest = std::min(channel.lowest, encoder);
+  channel.highest = std::max(channel.highest, encoder);
   const bool off = lasts(channel.off, is_off, tick.elapsed);
   const bool apart = lasts(channel.apart, is_apart, tick.elapsed);
   if (off) {
@@ -91,51 +100,41 @@ CanardVerdict CanardMonitor::judge(const Tick& tick, std::size_t canard, const C
   return apart ? CanardVerdict::disagreeing : CanardVerdict::healthy;
 }
 
-// In the sense of positive roll moment, so that canards of either direction can be compared. What each should do by its
-// own command is taken off: the self-test and a bench move one canard and not the others.
-std::optional<Angle> CanardMonitor::departure(std::size_t canard, const std::optional<Angle>& encoder) const {
-  if (!readable(encoder) || !channels_[canard].expected) {
-    return std::nullopt;
-  }
-  const Angle off = *encoder - *channels_[canard].expected;
-  return canards_.each[canard].direction == Direction::reversed ? -off : off;
-}
-
 // The usual case, told from the two outermost: then no canard stands apart from any middle.
-bool CanardMonitor::all_agree(const EncoderAngles& encoders) const {
-  std::optional<Angle> low;
-  std::optional<Angle> high;
-  for (std::size_t i = 0; i < canard_count; ++i) {
-    if (const auto off = departure(i, encoders[i])) {
-      low = std::min(low.value_or(*off), *off);
-      high = std::max(high.value_or(*off), *off);
+bool CanardMonitor::all_agree(const Departures& departures) const {
+  Angle low =
+      Angle::from_radians(std::numeric_limits<float>::infinity());  // no departures: an empty range, which agrees
+  Angle high = -low;
+  for (const std::optional<Angle>& departure : departures) {
+    if (departure) {
+      low = std::min(low, *departure);
+      high = std::max(high, *departure);
     }
   }
-  return !low || *high - *low <= plan_.disagreement_limit;
+  return high - low <= plan_.disagreement_limit;
 }
 
 // Against the middle of the others, so that one bad canard does not make its neighbours look bad. The middle of two is
 // all that lies between them; one other alone cannot say which of the two is right.
-bool CanardMonitor::stands_apart(std::size_t canard, const EncoderAngles& encoders) const {
+bool CanardMonitor::stands_apart(std::size_t canard, const Departures& departures) const {
   std::array<Angle, canard_count - 1> others{};  // sorted
   std::size_t count = 0;
   for (std::size_t i = 0; i < canard_count; ++i) {
-    const std::optional<Angle> off = departure(i, encoders[i]);
-    if (i == canard || !off) {
+    if (i == canard || !departures[i]) {
       continue;
     }
     std::size_t place = count++;
-    for (; place > 0 && others[place - 1] > *off; --place) {
+    for (; place > 0 && others[place - 1] > *departures[i]; --place) {
       others[place] = others[place - 1];
     }
-    others[place] = *off;
+    others[place] = *departures[i];
   }
-  const std::optional<Angle> own = departure(canard, encoders[canard]);
-  if (count < 2 || !own) {
+  if (count < 2) {
     return false;
   }
-  const Angle middle = std::clamp(*own, others[(count - 1) / 2], others[count / 2]);
-  return abs(*own - middle) > plan_.disagreement_limit;
+  const Angle own = *departures[canard];
+  const Angle middle = std::clamp(own, others[(count - 1) / 2], others[count / 2]);
+  return abs(own - middle) > plan_.disagreement_limit;
 }
 
 bool CanardMonitor::lasts(Persistence& persistence, bool condition, Microseconds elapsed) const {

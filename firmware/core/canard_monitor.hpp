@@ -53,6 +53,7 @@ class CanardMonitor {
     }
   };
   struct Channel {
+    float sense = 1.0F;  ///< -1 for a reversed canard
     std::optional<Angle> expected;
     std::optional<Microseconds> silent_since;
     Persistence off;
@@ -66,25 +67,30 @@ class CanardMonitor {
     }
   };
 
+  /// How far each encoder is from where its canard should be, in the sense of positive roll moment, so that canards of
+  /// either direction can be compared; empty without a command or a reading. What each should do by its own command is
+  /// taken off: the self-test and a bench move one canard and not the others.
+  using Departures = std::array<std::optional<Angle>, canard_count>;
+
   /// What all canards share in one tick.
   struct Tick {
     Microseconds time{};
     Microseconds elapsed{};
+    Departures departures{};
     bool all_agree = false;
   };
 
   /// `moved_share`: of the way to its command that a servo goes in this tick.
   static void follow(Channel& channel, float moved_share, const CanardCommand& command,
                      const std::optional<Angle>& encoder);
-  CanardVerdict judge(const Tick& tick, std::size_t canard, const CanardCommand& command,
-                      const EncoderAngles& encoders);
-  [[nodiscard]] std::optional<Angle> departure(std::size_t canard, const std::optional<Angle>& encoder) const;
-  [[nodiscard]] bool all_agree(const EncoderAngles& encoders) const;
-  [[nodiscard]] bool stands_apart(std::size_t canard, const EncoderAngles& encoders) const;
+  CanardVerdict judge(const Tick& tick, std::size_t canard, const std::optional<Angle>& encoder);
+  CanardVerdict judge_departure(const Tick& tick, std::size_t canard, Angle encoder);
+  [[nodiscard]] bool all_agree(const Departures& departures) const;
+  [[nodiscard]] bool stands_apart(std::size_t canard, const Departures& departures) const;
   bool lasts(Persistence& persistence, bool condition, Microseconds elapsed) const;
 
   MonitorPlan plan_;
-  CanardsPlan canards_;
+  float servo_lag_s_;
   std::array<Channel, canard_count> channels_{};
   std::array<CanardVerdict, canard_count> verdicts_{};
   std::optional<Microseconds> last_time_;
