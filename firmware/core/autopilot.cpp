@@ -20,28 +20,29 @@ constexpr std::optional<std::array<Angle, canard_count>> no_request;
 }  // namespace
 
 Autopilot::Autopilot(const FlightPlan& plan)
-    : plan_{plan},
-      motion_estimator_{plan.motion},
+    : controller_{plan.controller},
+      reference_{plan.reference},
       launch_detector_{plan.launch_detection, plan.motion.stale_time},
       flight_phase_{plan.run, plan.guide, plan.motion},
       chirp_{plan.excitation},
       canard_mixer_{plan.canards, plan.controller.canard_limit},
-      canard_monitor_{plan.monitor, plan.canards} {}
+      canard_monitor_{plan.monitor, plan.canards},
+      motion_estimator_{plan.motion} {}
 
+// Every signal of the record is written in every step: nothing of the last one stays.
 const TickRecord& Autopilot::step(const Inputs& inputs) {
   count_overruns(inputs.time);
-  record_ = {.time = inputs.time,
-             .timing_fault = is_timing_fault(inputs.time),
-             .overruns = overruns_,
-             .encoders = inputs.encoders};
   TickRecord& record = record_;
+  record.time = inputs.time;
+  record.timing_fault = is_timing_fault(inputs.time);
+  record.overruns = overruns_;
+  record.encoders = inputs.encoders;
   last_time_ = inputs.time;
 
   motion_estimator_.update(inputs);
   record.motion = motion_estimator_.motion(inputs.time);
-  if (flight_phase_.listens_for_launch()) {
-    record.detection = launch_detector_.update(inputs.time, inputs.accelerometers);
-  }
+  record.detection = flight_phase_.listens_for_launch() ? launch_detector_.update(inputs.time, inputs.accelerometers)
+                                                        : DetectionState::quiet;
 
   const Phase before = flight_phase_.phase();
   const bool changed = flight_phase_.update({.time = inputs.time,
@@ -61,7 +62,10 @@ const TickRecord& Autopilot::step(const Inputs& inputs) {
 
   if (record.phase == Phase::controlling) {
     // Always there, except in a state that a damaged log made up.
-    control(inputs.time - flight_phase_.control_start().value_or(inputs.time), record);
+    control(inputs.time - flight_phase_.control_start().value_or(inputs.time));
+  } else {
+    record.reference = record.excitation = Angle{};
+    stay_neutral(CommandStatus::outside_control);
   }
 
   record.canards = canard_mixer_.mix(inputs.time, record.command,
@@ -73,19 +77,26 @@ const TickRecord& Autopilot::step(const Inputs& inputs) {
   return record;
 }
 
-void Autopilot::control(Microseconds since_control_start, TickRecord& record) {
-  record.reference = roll_reference(plan_.reference, since_control_start);
+void Autopilot::control(Microseconds since_control_start) {
+  TickRecord& record = record_;
+  record.reference = roll_reference(reference_, since_control_start);
   record.excitation = chirp_.update(since_control_start);
   if (record.motion.gyro == SensorState::lost) {
-    record.command_status = CommandStatus::gyro_lost;
+    stay_neutral(CommandStatus::gyro_lost);
     return;
   }
-  const RollCommand roll = pd_controller(plan_.controller, record.reference, record.motion.roll_angle,
+  const RollCommand roll = pd_controller(controller_, record.reference, record.motion.roll_angle,
                                          record.motion.roll_rate_rad_s, record.excitation);
   record.command_status = roll.finite ? CommandStatus::controlling : CommandStatus::not_finite;
   record.unclamped_command = roll.unclamped;
   record.command = roll.command;
   record.saturated = roll.saturated;
+}
+
+void Autopilot::stay_neutral(CommandStatus why) {
+  record_.command_status = why;
+  record_.unclamped_command = record_.command = Angle{};
+  record_.saturated = false;
 }
 
 void Autopilot::enter_phase(Microseconds time, Phase from, Phase to) {

@@ -44,10 +44,11 @@ class Autopilot {
   void count_overruns(Microseconds time);
   [[nodiscard]] bool is_timing_fault(Microseconds time) const;
   void enter_phase(Microseconds time, Phase from, Phase to);
-  void control(Microseconds since_control_start, TickRecord& record);
+  void control(Microseconds since_control_start);
+  void stay_neutral(CommandStatus why);
 
-  FlightPlan plan_;
-  MotionEstimator motion_estimator_;
+  ControllerPlan controller_;
+  ReferencePlan reference_;
   LaunchDetector launch_detector_;
   FlightPhase flight_phase_;
   Chirp chirp_;
@@ -58,6 +59,7 @@ class Autopilot {
   std::uint32_t overruns_ = 0;                ///< since the first tick
   std::uint32_t overruns_before_flight_ = 0;  ///< of these, up to launch detection or the tunnel's start
   TickRecord record_;
+  MotionEstimator motion_estimator_;  // last, because it is large
 };
 
 }  // namespace fantail::core

@@ -73,8 +73,9 @@ SampleQuality integrable(SampleQuality quality) {
 
 }  // namespace
 
-MotionEstimator::MotionEstimator(const MotionPlan& plan)
-    : plan_{plan}, pad_window_{plan}, pad_{at_rest()}, trajectory_{pad_} {}
+MotionEstimator::MotionEstimator(const MotionPlan& plan) : plan_{plan}, pad_window_{plan} {
+  trajectory_ = pad_ = at_rest();
+}
 
 void MotionEstimator::update(const Inputs& inputs) {
   follow_gyro(inputs.time, inputs.gyro);
@@ -90,7 +91,7 @@ void MotionEstimator::follow_gyro(Microseconds now, const GyroSample& sample) {
   if (gyro_ != SensorState::fresh) {
     return;
   }
-  const Vector3 rate = minus(sample.rate_rad_s, bias());
+  const Vector3 rate = without_bias(sample.rate_rad_s);
   if (gyro_time_) {
     const float dt_s = seconds(std::min(sample.time - *gyro_time_, plan_.stale_time));
     const Vector3f turned = (0.5F * dt_s) * (eigen(rate) + eigen(rate_rad_s_));
@@ -177,9 +178,9 @@ MotionEstimator::Trajectory MotionEstimator::at_rest() const {
   return result;
 }
 
-Vector3 MotionEstimator::bias() const {
+Vector3 MotionEstimator::without_bias(const Vector3& rate_rad_s) const {
   const auto& pad = pad_window_.average();
-  return pad ? pad->gyro_bias_rad_s : Vector3{};
+  return pad ? minus(rate_rad_s, pad->gyro_bias_rad_s) : rate_rad_s;
 }
 
 void MotionEstimator::begin_flight(Microseconds now) {

@@ -122,10 +122,9 @@ class MotionEstimator {
   [[nodiscard]] Vector3 acceleration() const;
   [[nodiscard]] float bridged_roll_rad(Microseconds now) const;
   void zero_roll(Microseconds now);
-  [[nodiscard]] Vector3 bias() const;
+  [[nodiscard]] Vector3 without_bias(const Vector3& rate_rad_s) const;
 
   MotionPlan plan_;
-  PadWindow pad_window_;
   LowPass axial_{16.0F};
   std::optional<Microseconds> supported_since_;
   Place place_ = Place::pad;
@@ -139,8 +138,9 @@ class MotionEstimator {
   std::optional<Microseconds> accelerometer_time_;
   Vector3 specific_force_m_s2_;
 
-  Trajectory pad_;  ///< at rest, as the pad window last saw it
   Trajectory trajectory_;
+  Trajectory pad_;        ///< at rest, as the pad window last saw it
+  PadWindow pad_window_;  // the largest stands last: what lies beyond 1 kB costs the Cortex-M4 an address each time
 };
 
 }  // namespace fantail::core

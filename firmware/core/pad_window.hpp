@@ -73,14 +73,14 @@ class PadWindow {
 
   MotionPlan plan_;
   LowPass force_squared_{16.0F};  ///< one sample's noise is not motion
-  std::array<Block, window_blocks + guard_blocks> blocks_{};
-  std::size_t closed_ = 0;  ///< blocks closed so far, up to the size of the ring
+  std::size_t closed_ = 0;        ///< blocks closed so far, up to the size of the ring
   std::size_t next_ = 0;
   Block open_;
   std::optional<Microseconds> last_time_;
   std::optional<Microseconds> open_since_;
   std::optional<Microseconds> rest_since_;
   std::optional<PadAverage> average_;
+  std::array<Block, window_blocks + guard_blocks> blocks_{};
 };
 
 }  // namespace fantail::core
