@@ -85,7 +85,7 @@ ClockTree start_clocks(Rcc& rcc, FlashInterface& flash, Pwr& pwr) {
 }
 
 void enable_peripherals(Rcc& rcc) {
-  rcc.ahb1enr.set(rcc_ahb1enr_gpioa | rcc_ahb1enr_gpiob | rcc_ahb1enr_gpioc | rcc_ahb1enr_bkpsram);
+  rcc.ahb1enr.set(rcc_ahb1enr_gpioa | rcc_ahb1enr_gpiob | rcc_ahb1enr_gpioc);
   rcc.ahb2enr.set(rcc_ahb2enr_rng);
   rcc.apb1enr.set(rcc_apb1enr_spi2 | rcc_apb1enr_spi3 | rcc_apb1enr_can1 | rcc_apb1enr_pwr);
   rcc.apb2enr.set(rcc_apb2enr_tim1 | rcc_apb2enr_tim8 | rcc_apb2enr_usart1 | rcc_apb2enr_adc1 | rcc_apb2enr_spi1);

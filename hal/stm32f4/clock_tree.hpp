@@ -34,7 +34,7 @@ inline constexpr std::uint32_t internal_oscillator_hz = 16'000'000;  ///< HSI, w
 /// is there.
 [[nodiscard]] ClockTree start_clocks(registers::Rcc& rcc, registers::FlashInterface& flash, registers::Pwr& pwr);
 
-/// The clocks of every peripheral that the board uses; none answers before.
+/// The clocks of every peripheral that the board uses, save the backup memory; none answers before.
 void enable_peripherals(registers::Rcc& rcc);
 
 }  // namespace fantail::hal::stm32f4

@@ -105,7 +105,7 @@ TEST(EnablePeripherals, GivesAClockToWhatTheBoardUsesAndKeepsTheOthers) {
   registers::Rcc rcc{};
   RegisterWorld::poke(rcc.ahb1enr, 0x00100000);  // reset value: the core-coupled memory
   enable_peripherals(rcc);
-  EXPECT_EQ(RegisterWorld::peek(rcc.ahb1enr), 0x00140007U);  // RM0090 section 7.3.10
+  EXPECT_EQ(RegisterWorld::peek(rcc.ahb1enr), 0x00100007U);  // RM0090 section 7.3.10
   EXPECT_EQ(RegisterWorld::peek(rcc.ahb2enr), 0x00000040U);
   EXPECT_EQ(RegisterWorld::peek(rcc.apb1enr), 0x1200C000U);
   EXPECT_EQ(RegisterWorld::peek(rcc.apb2enr), 0x00001113U);

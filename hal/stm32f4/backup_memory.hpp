@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "hal/backup_memory.hpp"
+#include "hal/stm32f4/registers/pwr.hpp"
+#include "hal/stm32f4/registers/rcc.hpp"
+
+namespace fantail::hal::stm32f4 {
+
+/// The 4 KB of SRAM in the backup domain, which no reset of the processor touches: RM0090 section 5.1.2.
+class BackupMemory final : public hal::BackupMemory {
+ public:
+  /// `cells`: where the memory is.
+  BackupMemory(registers::Rcc& rcc, registers::Pwr& pwr, std::span<std::byte> cells) : cells_{cells} {
+    rcc.apb1enr.set(registers::rcc_apb1enr_pwr);
+    pwr.cr.set(registers::pwr_cr_dbp);
+    rcc.ahb1enr.set(registers::rcc_ahb1enr_bkpsram);
+    static_cast<void>(rcc.ahb1enr.read());  // the clock is there two bus cycles later: ES0182
+  }
+
+  [[nodiscard]] std::span<std::byte> bytes() override { return cells_; }
+
+ private:
+  std::span<std::byte> cells_;
+};
+
+}  // namespace fantail::hal::stm32f4

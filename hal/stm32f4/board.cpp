@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#include "hal/stm32f4/board.hpp"
+
+#include <cstddef>
+
+#include "hal/stm32f4/signal_pattern.hpp"
+
+namespace fantail::hal::stm32f4 {
+
+void Board::add(BoardFaults faults) {
+  for (std::size_t i = 0; i < board_faults; ++i) {
+    if (const auto fault = static_cast<BoardFault>(i); faults.has(fault)) {
+      faults_.add(fault);
+    }
+  }
+}
+
+BoardStatus Board::status() {
+  if (parts_.entropy.failed()) {
+    faults_.add(BoardFault::entropy_failed);
+  }
+  BoardStatus result{
+      .faults = faults_, .reset_cause = reset_cause_, .battery_mv = parts_.battery.millivolts(), .overruns = overruns_};
+  if (parts_.battery.failed()) {
+    result.faults.add(BoardFault::battery_unmeasured);  // it may answer again
+  }
+  return result;
+}
+
+void Board::show(Signal signal) {
+  if (signal != shown_) {
+    shown_ = signal;
+    tick_of_pattern_ = 0;
+  }
+  const std::size_t step = tick_of_pattern_ / ticks_per_pattern_step;
+  parts_.light.set(pattern(signal).light[step] == '#');
+  parts_.buzzer.sound(pattern(signal).sound[step] == '#');
+  tick_of_pattern_ = (tick_of_pattern_ + 1) % (pattern_steps * ticks_per_pattern_step);
+}
+
+}  // namespace fantail::hal::stm32f4

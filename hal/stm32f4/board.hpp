@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+
+#include "hal/board.hpp"
+#include "hal/stm32f4/battery.hpp"
+#include "hal/stm32f4/buzzer.hpp"
+#include "hal/stm32f4/entropy.hpp"
+#include "hal/stm32f4/pin.hpp"
+
+namespace fantail::hal::stm32f4 {
+
+/// Collects what the drivers found out, and shows the avionics' signal with lamp and buzzer.
+class Board final : public hal::Board {
+ public:
+  /// They outlive this object.
+  struct Parts {
+    Pin light;
+    Buzzer& buzzer;
+    const Battery& battery;
+    const Entropy& entropy;
+  };
+
+  Board(Parts parts, ResetCause reset_cause) : parts_{parts}, reset_cause_{reset_cause} {}
+
+  /// A fault stays until the next reset.
+  void add(BoardFault fault) { faults_.add(fault); }
+  void add(BoardFaults faults);
+  void add_overruns(std::uint32_t ticks) { overruns_ += ticks; }
+
+  [[nodiscard]] BoardStatus status() override;
+  void show(Signal signal) override;
+
+ private:
+  Parts parts_;
+  ResetCause reset_cause_;
+  BoardFaults faults_{};
+  std::uint32_t overruns_ = 0;
+  Signal shown_ = Signal::safe;
+  std::uint32_t tick_of_pattern_ = 0;
+};
+
+}  // namespace fantail::hal::stm32f4
