@@ -22,6 +22,7 @@ constexpr std::optional<std::array<Angle, canard_count>> no_request;
 Autopilot::Autopilot(const FlightPlan& plan)
     : controller_{plan.controller},
       reference_{plan.reference},
+      overrun_limit_{plan.run.overrun_limit},
       launch_detector_{plan.launch_detection, plan.motion.stale_time},
       flight_phase_{plan.run, plan.guide, plan.motion},
       chirp_{plan.excitation},
@@ -117,18 +118,19 @@ void Autopilot::enter_phase(Microseconds time, Phase from, Phase to) {
 
 // From the times alone, so that a replay counts the same. A tick that is late by half a period at most has come.
 void Autopilot::count_overruns(Microseconds time) {
-  if (last_time_ && time > *last_time_) {
-    const std::int64_t missed = (time - *last_time_ - Microseconds{1} + tick_period / 2) / tick_period - 1;
-    const std::int64_t most = std::numeric_limits<std::uint32_t>::max() - overruns_;
-    overruns_ += static_cast<std::uint32_t>(std::clamp<std::int64_t>(missed, 0, most));
+  if (!last_time_ || time - *last_time_ <= tick_period * 3 / 2) {
+    return;
   }
+  const std::int64_t missed = (time - *last_time_ - Microseconds{1} + tick_period / 2) / tick_period - 1;
+  const std::int64_t most = std::numeric_limits<std::uint32_t>::max() - overruns_;
+  overruns_ += static_cast<std::uint32_t>(std::min(missed, most));
 }
 
 bool Autopilot::is_timing_fault(Microseconds time) const {
   const Phase phase = flight_phase_.phase();
   const bool flies = phase == Phase::launched || phase == Phase::controlling;
   // Each one spoils rate and angle a little, and a loop that keeps failing is not the one that was tested.
-  const bool too_many = flies && overruns_ - overruns_before_flight_ > plan_.run.overrun_limit;
+  const bool too_many = flies && overruns_ - overruns_before_flight_ > overrun_limit_;
   return too_many || (last_time_ && (time <= *last_time_ || time - *last_time_ > longest_tick));
 }
 

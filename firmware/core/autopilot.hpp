@@ -49,6 +49,7 @@ class Autopilot {
 
   ControllerPlan controller_;
   ReferencePlan reference_;
+  std::uint32_t overrun_limit_;
   LaunchDetector launch_detector_;
   FlightPhase flight_phase_;
   Chirp chirp_;
