@@ -7,7 +7,11 @@
 namespace fantail::avionics {
 
 Avionics::Avionics(Devices devices, const core::FlightPlan& built_in, const Identity& identity)
-    : devices_{devices}, flash_{devices.flash}, plan_{built_in}, self_test_{built_in} {
+    : devices_{devices},
+      flash_{devices.flash},
+      flight_memory_{devices.backup_memory.bytes(), devices.board.status().reset_cause},
+      plan_{built_in},
+      self_test_{built_in} {
   flash_.recorder().introduce(identity);
   adopt(built_in);
   look_for_new_plan();
@@ -18,6 +22,7 @@ const core::TickRecord& Avionics::tick() {
   const core::Microseconds now = devices_.clock.now();
   listen(now);
   const core::Inputs inputs = read_devices(now);
+  resume_flight(inputs);
   const core::TickRecord& record = autopilot_->step(inputs);
   devices_.servo.write(pulses(record.canards));
 
@@ -38,6 +43,7 @@ const core::TickRecord& Avionics::tick() {
                           .bus = devices_.can_bus,
                           .power_up = flash_.boots().count()},
                          *autopilot_);
+  flight_memory_.keep(record, plan_crc_, flash_.flights().used_sectors(), *autopilot_);
   flash_.update(now, plan_may_change(), right_to_log());
   report(record);
   flash_.send_log(now, right_to_log(), devices_.can_bus);
@@ -60,6 +66,20 @@ void Avionics::look_for_new_plan() {
   if (const auto plan = flash_.take_plan()) {
     adopt(*plan);
     devices_.console.write("plan: a new one is in force\n");
+  }
+}
+
+// Not before the flash has said which plan is in force.
+void Avionics::resume_flight(const core::Inputs& first) {
+  if (!flash_was_read_ || !flight_memory_.waits()) {
+    return;
+  }
+  if (const auto resumed = flight_memory_.resume(first, plan_crc_, *autopilot_)) {
+    flash_.resume_flight(resumed->used_sectors);
+    devices_.console.write("flight: resumed after a reset\n");
+  } else {
+    autopilot_.emplace(plan_);  // half a state is none
+    devices_.console.write("flight: not resumed\n");
   }
 }
 

@@ -8,6 +8,7 @@
 #include "avionics/board_watch.hpp"
 #include "avionics/bus_receiver.hpp"
 #include "avionics/flash_service.hpp"
+#include "avionics/flight_memory.hpp"
 #include "avionics/identity.hpp"
 #include "avionics/log_tick_of.hpp"
 #include "avionics/self_test.hpp"
@@ -60,6 +61,7 @@ class Avionics {
 
  private:
   void look_for_new_plan();
+  void resume_flight(const core::Inputs& first);
   void adopt(const core::FlightPlan& plan);
   void listen(core::Microseconds now);
   void obey(const protocol::BenchSession& message);
@@ -74,6 +76,7 @@ class Avionics {
 
   Devices devices_;
   FlashService flash_;
+  FlightMemory flight_memory_;
   bool flash_was_read_ = false;
   core::FlightPlan plan_;
   std::uint32_t plan_crc_ = 0;

@@ -51,6 +51,15 @@ class FlashService {
     }
   }
 
+  /// A flight goes on after a reset: what is left of it gets a record of its own. `used_sectors`: of the flights'
+  /// region, as it was known before.
+  void resume_flight(std::optional<std::uint32_t> used_sectors) {
+    if (used_sectors) {
+      flights_.look_from(*used_sectors);
+    }
+    recorder_.resume_flight();
+  }
+
   /// As the frames of the bus come in.
   void receive(const protocol::LogRequest& request, LogTransfer::Right right) { log_.receive(request, known(right)); }
   /// Once a tick, behind the reports of the others.

@@ -45,6 +45,13 @@ void FlightRegion::look(core::Microseconds now) {
   }
 }
 
+void FlightRegion::look_from(std::uint32_t used_sectors) {
+  if (step_ == Step::look) {
+    end_ = std::min(used_sectors, flash_.map().flight_sectors());
+    step_ = end_ < flash_.map().flight_sectors() ? Step::check_next : Step::ready;
+  }
+}
+
 void FlightRegion::check_next(core::Microseconds now) {
   const std::uint32_t sector_size = flash_.map().sector_size;
   std::array<std::byte, FlashAccess::read_size> buffer{};

@@ -26,6 +26,14 @@ class FlightRegion {
   /// Once a tick while nobody else has the flash: at most one call to it, for the look or for an erase.
   void update(core::Microseconds now);
 
+  /// Instead of the look at power-up, by whoever knows for certain that nothing lies behind these sectors but what was
+  /// appended since: the next flight comes behind that, as soon as a blank sector has been found.
+  void look_from(std::uint32_t used_sectors);
+  /// Empty until the whole region has been looked at.
+  [[nodiscard]] std::optional<std::uint32_t> used_sectors() const {
+    return finished() && !failed() ? std::optional{end_} : std::nullopt;
+  }
+
   /// The look at power-up has ended.
   [[nodiscard]] bool finished() const { return step_ != Step::look && step_ != Step::check_next; }
   /// The flash does not answer.

@@ -31,7 +31,8 @@ void Recorder::note(const Tick& tick, core::Autopilot& law) {
   const Phase phase = tick.record.phase;
   switch (stage_) {
     case Stage::idle:
-      if (phase == Phase::armed) {
+      if (phase == Phase::armed || (resumed_ && flies(phase) && region_.finished())) {
+        resumed_ = false;
         begin_on_pad(tick, law);
       }
       break;
@@ -59,7 +60,7 @@ void Recorder::note(const Tick& tick, core::Autopilot& law) {
 
 void Recorder::begin_on_pad(const Tick& tick, const core::Autopilot& law) {
   queue_.clear();
-  told_ = {};
+  told_ = {.phase = tick.record.phase};
   armed_because_ = tick.record.reason;
   times_ = {.imu = tick.raw.imu.time, .accelerometer = tick.raw.accelerometer.time};
   ring_.begin(law, times_, tick.scales, canards_);

@@ -53,6 +53,9 @@ class Recorder {
   void take_plan(const core::FlightPlan& plan);
   void introduce(const Identity& identity) { identity_ = identity; }
 
+  /// The rocket flies already: a record begins as soon as the flash can take one, with what the law then remembers.
+  void resume_flight() { resumed_ = true; }
+
   /// Once a tick, when the flight law has stepped: `law` is what it is now. No call to the flash.
   void note(const Tick& tick, core::Autopilot& law);
 
@@ -107,6 +110,7 @@ class Recorder {
   std::uint32_t ticks_to_health_ = 0;
   std::optional<core::Microseconds> checkpoint_time_{};  ///< of the last one; empty: one is wanted now
   std::optional<core::Microseconds> finished_since_{};
+  bool resumed_ = false;
   bool overflowed_ = false;    ///< no tick is taken until there is room again
   std::uint32_t dropped_ = 0;  ///< records, since that was last said
   std::uint32_t ticks_dropped_ = 0;

@@ -78,6 +78,12 @@ const TickRecord& Autopilot::step(const Inputs& inputs) {
   return record;
 }
 
+void Autopilot::resume(const Inputs& first) {
+  motion_estimator_.bridge(first.time, first.gyro);
+  canard_monitor_.bridge();
+  last_time_.reset();
+}
+
 void Autopilot::control(Microseconds since_control_start) {
   TickRecord& record = record_;
   record.reference = roll_reference(reference_, since_control_start);

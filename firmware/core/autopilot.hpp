@@ -30,6 +30,13 @@ class Autopilot {
   /// until the next step.
   const TickRecord& step(const Inputs& inputs);
 
+  /// The state has come back after a reset, in flight, and `first` is what the next step() is given: bridges what
+  /// nobody saw, which is no timing fault. The clock has gone on, so reference, excitation and every limit of time have
+  /// too.
+  void resume(const Inputs& first);
+
+  [[nodiscard]] Phase phase() const { return flight_phase_.phase(); }
+
   /// Largest shaft angle that can ever be commanded to this canard.
   [[nodiscard]] Angle canard_limit(std::size_t canard) const { return canard_mixer_.limit(canard); }
 

@@ -51,6 +51,14 @@ const std::array<CanardVerdict, canard_count>& CanardMonitor::update(Microsecond
   return verdicts_;
 }
 
+void CanardMonitor::bridge() {
+  last_time_.reset();
+  for (Channel& channel : channels_) {
+    channel.expected.reset();
+    channel.silent_since.reset();
+  }
+}
+
 // Where the servo should be by now: it starts from where it is, and moves on while its encoder is silent.
 void CanardMonitor::follow(Channel& channel, float moved_share, const CanardCommand& command,
                            const std::optional<Angle>& encoder) {

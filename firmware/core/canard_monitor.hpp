@@ -33,6 +33,10 @@ class CanardMonitor {
   const std::array<CanardVerdict, canard_count>& update(Microseconds time, const CanardCommands& commands,
                                                         const EncoderAngles& encoders);
 
+  /// Nobody called update() for a while, and the servos may have had no pulses: each canard is expected where its
+  /// encoder is next seen, and no encoder has been silent. Verdicts stay as they are judged.
+  void bridge();
+
   /// See core/state_visitor.hpp.
   template <typename Visitor>
   void visit_state(Visitor& visit) {

@@ -27,6 +27,10 @@ constexpr Microseconds longest_window{1'000'000};
 constexpr float least_support_m_s2 = 0.8F * standard_gravity_m_s2;
 constexpr Microseconds support_time{100'000};
 
+// Far beyond what a reset takes; it bounds the work.
+constexpr Microseconds longest_bridge{1'000'000};
+constexpr Microseconds bridge_step{1'000};
+
 Vector3f eigen(const Vector3& v) { return {v.x, v.y, v.z}; }
 Vector3 plain(const Vector3f& v) { return {v.x(), v.y(), v.z()}; }
 
@@ -94,14 +98,45 @@ void MotionEstimator::follow_gyro(Microseconds now, const GyroSample& sample) {
   const Vector3 rate = without_bias(sample.rate_rad_s);
   if (gyro_time_) {
     const float dt_s = seconds(std::min(sample.time - *gyro_time_, plan_.stale_time));
-    const Vector3f turned = (0.5F * dt_s) * (eigen(rate) + eigen(rate_rad_s_));
-    roll_angle_rad_.add(turned.x());
-    const auto& a = trajectory_.attitude;
-    const Quaternionf next = renormalized(Quaternionf{a.w, a.x, a.y, a.z} * small_rotation(turned));
-    trajectory_.attitude = {next.w(), next.x(), next.y(), next.z()};
+    turn(dt_s, rate_rad_s_, rate);
   }
   rate_rad_s_ = rate;
   gyro_time_ = sample.time;
+}
+
+void MotionEstimator::turn(float dt_s, const Vector3& first_rate_rad_s, const Vector3& last_rate_rad_s) {
+  const Vector3f turned = (0.5F * dt_s) * (eigen(last_rate_rad_s) + eigen(first_rate_rad_s));
+  roll_angle_rad_.add(turned.x());
+  const auto& a = trajectory_.attitude;
+  const Quaternionf next = renormalized(Quaternionf{a.w, a.x, a.y, a.z} * small_rotation(turned));
+  trajectory_.attitude = {next.w(), next.x(), next.y(), next.z()};
+}
+
+void MotionEstimator::bridge(Microseconds now, const GyroSample& gyro) {
+  // Nobody saw whether the rocket still stood.
+  supported_since_.reset();
+  if (!gyro_time_) {
+    return;
+  }
+  const bool usable = classify(now, gyro.time, gyro.quality, is_within(gyro.rate_rad_s, largest_rate_rad_s), gyro_time_,
+                               plan_.stale_time) == SensorState::fresh;
+  const Microseconds end = usable ? gyro.time : now;
+  const Vector3 last = usable ? minus(gyro.rate_rad_s, bias()) : rate_rad_s_;
+  const Microseconds gap = std::clamp(end - *gyro_time_, Microseconds{0}, longest_bridge);
+  // As many steps as there would have been ticks: a rotation in one is exact for small angles only.
+  const auto steps = static_cast<float>(gap / bridge_step + 1);
+  const Vector3 change = minus(last, rate_rad_s_);
+  const auto rate_after = [&](float step) {
+    const float share = step / steps;
+    return Vector3{rate_rad_s_.x + share * change.x, rate_rad_s_.y + share * change.y,
+                   rate_rad_s_.z + share * change.z};
+  };
+  const float dt_s = seconds(gap) / steps;
+  for (float step = 0.0F; step < steps; step += 1.0F) {
+    turn(dt_s, rate_after(step), rate_after(step + 1.0F));
+  }
+  rate_rad_s_ = last;
+  gyro_time_ = end;
 }
 
 void MotionEstimator::follow_accelerometer(const Inputs& inputs) {

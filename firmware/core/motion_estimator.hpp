@@ -74,6 +74,11 @@ class MotionEstimator {
   /// A detection that turned out to be none: wait on the pad again.
   void return_to_pad();
 
+  /// Nobody called update() for a while, and now `gyro` is there: the rate is taken to have gone evenly from the last
+  /// one to this one (to have stayed, when this one cannot be used), so that roll angle and attitude go on. What an
+  /// accelerometer reads bridges any gap by itself. Longer than the plan's stale time, at most a second.
+  void bridge(Microseconds now, const GyroSample& gyro);
+
   /// The estimate at `now`; the last rate bridges the time since the last gyro sample, at most the plan's stale time.
   [[nodiscard]] Motion motion(Microseconds now) const;
 
@@ -115,6 +120,7 @@ class MotionEstimator {
 
   void follow_gyro(Microseconds now, const GyroSample& sample);
   void follow_accelerometer(const Inputs& inputs);
+  void turn(float dt_s, const Vector3& first_rate_rad_s, const Vector3& last_rate_rad_s);
   void watch_pad(Microseconds now, const GyroSample& gyro);
   void integrate(Microseconds time);
   [[nodiscard]] bool stands(Microseconds time, Microseconds previous, float axial_m_s2);

@@ -83,8 +83,13 @@ class BoardRig {
 
   /// The flash keeps what it has; everything else begins anew, with the switch as it stands.
   void power_cycle() {
-    avionics_.reset();
     clock.time = {};
+    reset_processor();
+  }
+
+  /// Clock, flash and backup memory keep what they have.
+  void reset_processor() {
+    avionics_.reset();
     servo.written = {};
     avionics_.emplace(Devices{clock, imu, accelerometer, servo, encoder, arm_switch, board_bus, flash, console,
                               watchdog, entropy, board, backup_memory},

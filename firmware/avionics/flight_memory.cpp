@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: MIT
+#include "avionics/flight_memory.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "avionics/backup_map.hpp"
+#include "protocol/crc32c.hpp"
+#include "protocol/little_endian.hpp"
+#include "protocol/state_block.hpp"
+
+namespace fantail::avionics {
+
+using core::Microseconds;
+using core::Phase;
+using hal::ResetCause;
+using protocol::get;
+using protocol::put;
+
+namespace {
+
+// A half, little-endian:
+//    0  4 bytes  mark
+//    4  u32      CRC-32C of everything behind it, up to the end of the state
+//    8  u32      sequence: the half with the larger one is the newer
+//   12  i64      time of the tick, microseconds
+//   20  u32      CRC of the plan
+//   24  u32      layout of the state
+//   28  u32      resumes of this flight so far
+//   32  u32      sectors of the flash that are in use, when byte 36 is 1
+//   36  u8
+//   37  u16      size of the state
+//   39  the state
+constexpr std::uint32_t mark = 0x4D4C4646;  // "FFLM"
+constexpr std::size_t crc_at = 4;
+constexpr std::size_t sealed_from = 8;
+constexpr std::size_t time_at = 12;
+constexpr std::size_t plan_at = 20;
+constexpr std::size_t layout_at = 24;
+constexpr std::size_t resumes_at = 28;
+constexpr std::size_t sectors_at = 32;
+constexpr std::size_t sectors_known_at = 36;
+constexpr std::size_t size_at = 37;
+constexpr std::size_t state_at = 39;
+constexpr std::size_t most_state = flight_half_size - state_at;
+
+constexpr std::array<std::size_t, 2> both{0, 1};
+
+bool flies(Phase phase) { return phase != Phase::safe && phase != Phase::armed; }
+
+bool may_be_resumed_after(ResetCause cause) { return cause == ResetCause::watchdog || cause == ResetCause::software; }
+
+std::uint32_t word(std::span<const std::byte> half, std::size_t at) {
+  return static_cast<std::uint32_t>(get<4>(half, at));
+}
+
+std::span<std::byte> state_in(std::span<std::byte> half) {
+  return half.subspan(state_at, std::min<std::size_t>(get<2>(half, size_at), most_state));
+}
+
+std::uint32_t checksum(std::span<std::byte> half) {
+  return protocol::crc32c(half.subspan(sealed_from, state_at - sealed_from + state_in(half).size()));
+}
+
+void seal(std::span<std::byte> half) {
+  put<4>(half, crc_at, checksum(half));
+  put<4>(half, 0, mark);
+}
+
+void break_seal(std::span<std::byte> half) {
+  put<4>(half, 0, 0);
+  put<4>(half, crc_at, 0);
+}
+
+bool sealed(std::span<std::byte> half) {
+  return !half.empty() && word(half, 0) == mark && get<2>(half, size_at) <= most_state &&
+         word(half, crc_at) == checksum(half);
+}
+
+/// Those that are sealed, the newer one first; the others are empty.
+std::array<std::span<std::byte>, 2> newest_first(std::span<std::byte> memory) {
+  std::array<std::span<std::byte>, 2> halves{};
+  for (const std::size_t i : both) {
+    const auto half = flight_half(memory, i);
+    halves[i] = sealed(half) ? half : std::span<std::byte>{};
+  }
+  if (!halves[1].empty() && (halves[0].empty() || word(halves[1], sealed_from) > word(halves[0], sealed_from))) {
+    std::swap(halves[0], halves[1]);
+  }
+  return halves;
+}
+
+Microseconds time_of(std::span<const std::byte> half) {
+  return Microseconds{static_cast<std::int64_t>(get<8>(half, time_at))};
+}
+
+std::uint32_t layout_of(core::Autopilot& law) {
+  protocol::StateLayout layout;
+  law.visit_state(layout);
+  return layout.hash();
+}
+
+bool restore(std::span<std::byte> half, const core::Inputs& first, std::uint32_t plan_crc, core::Autopilot& law) {
+  const Microseconds gap = first.time - time_of(half);
+  if (word(half, plan_at) != plan_crc || word(half, layout_at) != layout_of(law) ||
+      word(half, resumes_at) >= FlightMemory::most_resumes || gap <= Microseconds{0} ||
+      gap > FlightMemory::longest_gap) {
+    return false;
+  }
+  protocol::StateReader reader{state_in(half)};
+  law.visit_state(reader);
+  return reader.ok() && flies(law.phase());
+}
+
+}  // namespace
+
+FlightMemory::FlightMemory(std::span<std::byte> memory, ResetCause cause) : memory_{memory} {
+  waits_ = may_be_resumed_after(cause) && !newest_first(memory_)[0].empty();
+  if (!waits_) {
+    forget();
+  }
+}
+
+std::optional<FlightMemory::Resumed> FlightMemory::resume(const core::Inputs& first, std::uint32_t plan_crc,
+                                                          core::Autopilot& law) {
+  waits_ = false;
+  for (const std::span<std::byte> half : newest_first(memory_)) {
+    if (half.empty() || !restore(half, first, plan_crc, law)) {
+      continue;
+    }
+    sequence_ = word(half, sealed_from);
+    resumes_ = word(half, resumes_at);
+    // Before the state is used: should the law crash on it, the next reset must know that it was tried.
+    count_resume();
+    law.resume(first);
+    return Resumed{
+        .sealed_at = time_of(half),
+        .used_sectors = get<1>(half, sectors_known_at) == 1 ? std::optional{word(half, sectors_at)} : std::nullopt};
+  }
+  forget();
+  return std::nullopt;
+}
+
+void FlightMemory::count_resume() {
+  resumes_ += 1;
+  for (const std::span<std::byte> half : newest_first(memory_)) {
+    if (!half.empty()) {
+      put<4>(half, resumes_at, resumes_);
+      seal(half);
+    }
+  }
+}
+
+void FlightMemory::keep(const core::TickRecord& record, std::uint32_t plan_crc,
+                        std::optional<std::uint32_t> used_sectors, core::Autopilot& law) {
+  if (waits_) {
+    return;
+  }
+  if (!flies(record.phase)) {
+    forget();
+    return;
+  }
+  if (memory_.size() < backup_size || (sealed_at_ && record.time - *sealed_at_ < period)) {
+    return;
+  }
+  sealed_at_ = record.time;
+  sequence_ += 1;
+  const std::span<std::byte> half = flight_half(memory_, sequence_ % 2);
+  break_seal(half);
+  protocol::StateWriter writer{half.subspan(state_at)};
+  law.visit_state(writer);
+  if (writer.size() > most_state) {
+    return;  // part of a state is none
+  }
+  put<4>(half, sealed_from, sequence_);
+  put<8>(half, time_at, static_cast<std::uint64_t>(record.time.count()));
+  put<4>(half, plan_at, plan_crc);
+  layout_ = layout_ ? layout_ : layout_of(law);
+  put<4>(half, layout_at, *layout_);
+  put<4>(half, resumes_at, resumes_);
+  put<4>(half, sectors_at, used_sectors.value_or(0));
+  put<1>(half, sectors_known_at, used_sectors ? 1 : 0);
+  put<2>(half, size_at, writer.size());
+  seal(half);
+}
+
+void FlightMemory::forget() {
+  for (const std::size_t i : both) {
+    if (const auto half = flight_half(memory_, i); !half.empty()) {
+      break_seal(half);
+    }
+  }
+  sequence_ = 0;
+  resumes_ = 0;
+  sealed_at_.reset();
+}
+
+std::optional<Microseconds> clock_after_reset(std::span<std::byte> memory, ResetCause cause, Microseconds gap) {
+  const auto newest = newest_first(memory)[0];
+  if (!may_be_resumed_after(cause) || newest.empty()) {
+    return std::nullopt;
+  }
+  return time_of(newest) + gap;
+}
+
+}  // namespace fantail::avionics

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "core/autopilot.hpp"
+#include "core/inputs.hpp"
+#include "core/tick_record.hpp"
+#include "core/time.hpp"
+#include "hal/board.hpp"
+
+namespace fantail::avionics {
+
+/// Keeps a flight where a reset leaves it alone, so that the rest of it can be flown after one.
+///
+/// From launch detection on, the whole state of the flight law is sealed with a CRC-32C every 10 ms, in two halves in
+/// turn: one of them is whole at any moment. On the pad nothing valid lies there. After a reset by the watchdog or by
+/// the firmware itself the flight goes on from the newer half that is intact and of the plan and the law that are in
+/// force; after any other reset, and after the third resume of one flight, the rocket is Safe. It never comes back
+/// armed.
+///
+/// What is written goes straight into that memory. A seal takes the state written out and a CRC over 1.7 kB.
+class FlightMemory {
+ public:
+  static constexpr core::Microseconds period{10'000};
+  /// After so long nobody knows any more how the rocket lies.
+  static constexpr core::Microseconds longest_gap{250'000};
+  /// A flight that crashes the processor again and again is not flown on: the canards are brought to trim, in Safe.
+  static constexpr std::uint32_t most_resumes = 3;
+
+  /// Nothing that lies in the memory is left valid, unless a flight may be resumed.
+  FlightMemory(std::span<std::byte> memory, hal::ResetCause cause);
+
+  /// A flight lies there: resume() wants to be called, once it is known which plan is in force.
+  [[nodiscard]] bool waits() const { return waits_; }
+
+  struct Resumed {
+    core::Microseconds sealed_at{};
+    std::optional<std::uint32_t> used_sectors{};  ///< as given to keep()
+  };
+  /// Before step(first). `law` is made of the plan in force. Empty: it must be made anew, and nothing valid is left.
+  [[nodiscard]] std::optional<Resumed> resume(const core::Inputs& first, std::uint32_t plan_crc, core::Autopilot& law);
+
+  /// Once a tick, after the law's step. `used_sectors`: of the flash's region of flights, when that is known.
+  void keep(const core::TickRecord& record, std::uint32_t plan_crc, std::optional<std::uint32_t> used_sectors,
+            core::Autopilot& law);
+
+  /// Of this flight.
+  [[nodiscard]] std::uint32_t resumes() const { return resumes_; }
+
+ private:
+  void forget();
+  void count_resume();
+
+  std::span<std::byte> memory_;
+  bool waits_ = false;
+  std::uint32_t sequence_ = 0;
+  std::uint32_t resumes_ = 0;
+  std::optional<core::Microseconds> sealed_at_{};
+  std::optional<std::uint32_t> layout_{};  ///< the same for every state of this firmware
+};
+
+/// For a board whose clock begins anew with a reset: where it must begin so that a flight that lies in the memory can
+/// be resumed, because the clock goes on in flight. Empty: at zero, as after power-up. `gap`: from the last seal to the
+/// first look at the clock (half a period of the seals, the watchdog's time and the start of the firmware), which
+/// nothing measures; the roll angle is off by the roll rate times what this is off.
+[[nodiscard]] std::optional<core::Microseconds> clock_after_reset(std::span<std::byte> memory, hal::ResetCause cause,
+                                                                  core::Microseconds gap);
+
+}  // namespace fantail::avionics

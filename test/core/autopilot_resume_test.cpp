@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "core/autopilot.hpp"
+#include "core/flight_plan_fields.hpp"
+
+namespace fantail::core {
+namespace {
+
+constexpr Microseconds millisecond{1'000};
+
+// A rocket in the tunnel, where control begins on command and nothing but the roll rate matters.
+FlightPlan tunnel_plan() {
+  FlightPlan plan = default_plan();
+  plan.run.start = Start::tunnel;
+  return plan;
+}
+
+struct ResumeRig {
+  FlightPlan plan;
+  Autopilot law{plan};
+  Inputs inputs{};
+
+  explicit ResumeRig(const FlightPlan& flown = tunnel_plan()) : plan{flown} {
+    inputs.arm_switch_closed = true;
+    for (auto& sample : inputs.accelerometers) {
+      sample = {.specific_force_m_s2 = {.x = standard_gravity_m_s2}, .quality = SampleQuality::valid};
+    }
+    inputs.gyro.quality = SampleQuality::valid;
+    inputs.encoders.fill(Angle{});
+    for (int i = 0; i < 5000; ++i) {
+      tick();
+    }
+    inputs.arm_command = true;
+    tick();
+    inputs.arm_command = false;
+    inputs.start_command = true;
+    tick();
+    inputs.start_command = false;
+    EXPECT_EQ(law.phase(), Phase::controlling);
+  }
+
+  void wait(Microseconds time) {
+    inputs.time += time;
+    inputs.gyro.time = inputs.time;
+    for (auto& sample : inputs.accelerometers) {
+      sample.time = inputs.time;
+    }
+  }
+  const TickRecord& tick(float rate_rad_s = 0.0F) {
+    wait(millisecond);
+    inputs.gyro.rate_rad_s.x = rate_rad_s;
+    return law.step(inputs);
+  }
+  const TickRecord& resume(Microseconds gap, float rate_rad_s) {
+    wait(gap);
+    inputs.gyro.rate_rad_s.x = rate_rad_s;
+    law.resume(inputs);
+    return law.step(inputs);
+  }
+};
+
+TEST(AutopilotResume, AGapEndsControlWithoutItAndDoesNotWithIt) {
+  ResumeRig without;
+  without.wait(60 * millisecond);
+  EXPECT_EQ(without.law.step(without.inputs).reason, PhaseReason::timing_fault);
+
+  ResumeRig with;
+  const TickRecord& record = with.resume(60 * millisecond, 0.0F);
+  EXPECT_EQ(record.phase, Phase::controlling);
+  EXPECT_FALSE(record.timing_fault);
+  EXPECT_EQ(record.command_status, CommandStatus::controlling);
+}
+
+TEST(AutopilotResume, TheRollAngleGoesOnByTheRateTimesTheGap) {
+  ResumeRig rig;
+  for (int i = 0; i < 100; ++i) {
+    rig.tick(5.0F);
+  }
+  const float before = rig.tick(5.0F).motion.roll_angle.radians();
+  EXPECT_NEAR(rig.resume(70 * millisecond, 5.0F).motion.roll_angle.radians() - before, 5.0F * 0.070F, 1e-4F);
+}
+
+TEST(AutopilotResume, ARateThatChangesEvenlyIsBridgedExactly) {
+  ResumeRig rig;
+  for (int i = 0; i < 100; ++i) {
+    rig.tick(2.0F);
+  }
+  const float before = rig.tick(2.0F).motion.roll_angle.radians();
+  EXPECT_NEAR(rig.resume(80 * millisecond, 10.0F).motion.roll_angle.radians() - before, 6.0F * 0.080F, 1e-4F);
+}
+
+TEST(AutopilotResume, WithoutAUsableSampleTheLastRateIsTakenToHaveStayed) {
+  ResumeRig rig;
+  for (int i = 0; i < 100; ++i) {
+    rig.tick(4.0F);
+  }
+  const float before = rig.tick(4.0F).motion.roll_angle.radians();
+  rig.inputs.gyro.quality = SampleQuality::absent;
+  const TickRecord& first = rig.resume(60 * millisecond, 4.0F);
+  EXPECT_NEAR(first.motion.roll_angle.radians() - before, 4.0F * 0.060F, 1e-4F);
+  EXPECT_EQ(first.phase, Phase::controlling) << "one tick without a rate is not a failed gyro";
+  EXPECT_EQ(first.command_status, CommandStatus::gyro_lost);
+  rig.inputs.gyro.quality = SampleQuality::valid;
+  EXPECT_EQ(rig.tick(4.0F).command_status, CommandStatus::controlling);
+}
+
+TEST(AutopilotResume, AGyroThatStaysSilentEndsControlAfterThePlansStaleTime) {
+  ResumeRig rig;
+  rig.tick(4.0F);
+  rig.inputs.gyro.quality = SampleQuality::absent;
+  rig.resume(60 * millisecond, 4.0F);
+  Microseconds silent{};
+  while (rig.tick().phase == Phase::controlling && silent < 100 * millisecond) {
+    silent += millisecond;
+  }
+  EXPECT_EQ(rig.law.phase(), Phase::finished);
+  EXPECT_EQ(silent, rig.plan.motion.stale_time);
+}
+
+// Spinning about an axis that leans: a rotation of more than a radian is still one. The tilt of the axis after a turn
+// about the fixed axis n by the angle a is that of Rodrigues' formula.
+TEST(AutopilotResume, TheAttitudeTurnsAsFarAsTheRatesSay) {
+  ResumeRig rig;
+  const float along = 10.0F;
+  const float across = 3.0F;
+  rig.inputs.gyro.rate_rad_s.y = across;
+  rig.tick(along);
+  const double rate = std::sqrt(static_cast<double>(along * along + across * across));
+  const double before = static_cast<double>(rig.tick(along).motion.tilt.radians());
+  const TickRecord& record = rig.resume(100 * millisecond, along);
+  // Two ticks, the first by a trapezoid from zero, and the gap.
+  const auto tilt_after = [&](double time) {
+    const double share = static_cast<double>(along) / rate;
+    return std::acos(share * share + (1.0 - share * share) * std::cos(rate * time));
+  };
+  EXPECT_NEAR(before, tilt_after(0.0015), 1e-4);
+  EXPECT_NEAR(static_cast<double>(record.motion.tilt.radians()), tilt_after(0.1015), 2e-4);
+}
+
+TEST(AutopilotResume, ReferenceAndExcitationAreThoseOfTheTimeAsIfNothingHadBeen) {
+  FlightPlan plan = tunnel_plan();
+  plan.reference.kind = ReferenceKind::square_wave;
+  plan.excitation.form = ExcitationForm::sweep;
+  plan.excitation.begin = Microseconds{0};
+  plan.excitation.end = Microseconds{5'000'000};
+  plan.excitation.amplitude_variation = Angle::from_radians(0.01F);
+  plan.excitation.frequency_variation_hz = 0.3F;
+  for (const int gap_ms : {20, 60, 250}) {
+    ResumeRig interrupted{plan};
+    ResumeRig other{plan};
+    for (int i = 0; i < 777; ++i) {
+      interrupted.tick();
+      other.tick();
+    }
+    interrupted.resume(gap_ms * millisecond, 0.0F);
+    for (int i = 0; i < gap_ms; ++i) {
+      other.tick();
+    }
+    for (int i = 0; i < 500; ++i) {
+      const TickRecord& one = interrupted.tick();
+      const TickRecord& two = other.tick();
+      ASSERT_EQ(one.time, two.time);
+      ASSERT_EQ(one.reference, two.reference);
+      ASSERT_EQ(one.excitation, two.excitation);
+    }
+  }
+}
+
+TEST(AutopilotResume, ACanardThatWasPushedAsideInTheGapIsNotCondemned) {
+  ResumeRig rig;
+  rig.tick();
+  const Angle aside = Angle::from_radians(0.15F);
+  rig.inputs.encoders.fill(aside);
+  rig.resume(60 * millisecond, 0.0F);
+  // Its servo brings it back as the model of it expects.
+  float left = aside.radians();
+  for (int i = 0; i < 300; ++i) {
+    left *= 1.0F - 1.0F / 25.0F;
+    rig.inputs.encoders.fill(Angle::from_radians(left));
+    for (const CanardVerdict verdict : rig.tick().verdicts) {
+      ASSERT_EQ(verdict, CanardVerdict::healthy) << i;
+    }
+  }
+}
+
+TEST(AutopilotResume, AnEncoderThatWasSilentBeforeTheGapIsNotDeadBecauseOfIt) {
+  ResumeRig rig;
+  rig.inputs.encoders[2].reset();
+  rig.tick();
+  EXPECT_EQ(rig.resume(60 * millisecond, 0.0F).verdicts[2], CanardVerdict::healthy);
+}
+
+}  // namespace
+}  // namespace fantail::core
