@@ -10,12 +10,15 @@ namespace fantail::hal::stm32f4 {
 /// The 4 KB of SRAM in the backup domain, which no reset of the processor touches: RM0090 section 5.1.2.
 class BackupMemory final : public hal::BackupMemory {
  public:
-  /// `cells`: where the memory is.
-  BackupMemory(registers::Rcc& rcc, registers::Pwr& pwr, std::span<std::byte> cells) : cells_{cells} {
+  /// `cells`: where the memory is. None of it where its domain stays closed, as in the emulator, in which whoever
+  /// touches the upper three quarters crashes.
+  BackupMemory(registers::Rcc& rcc, registers::Pwr& pwr, std::span<std::byte> cells) {
     rcc.apb1enr.set(registers::rcc_apb1enr_pwr);
     pwr.cr.set(registers::pwr_cr_dbp);
     rcc.ahb1enr.set(registers::rcc_ahb1enr_bkpsram);
-    static_cast<void>(rcc.ahb1enr.read());  // the clock is there two bus cycles later: ES0182
+    if (pwr.cr.any(registers::pwr_cr_dbp) && rcc.ahb1enr.any(registers::rcc_ahb1enr_bkpsram)) {
+      cells_ = cells;
+    }
   }
 
   [[nodiscard]] std::span<std::byte> bytes() override { return cells_; }

@@ -8,7 +8,7 @@ using namespace registers;
 
 // A look takes eight cycles of HSI or more, half a microsecond. The crystal starts within 2 ms (data sheet, HSE
 // oscillator characteristics), the PLL locks within 300 us (PLL characteristics), the others answer in a few cycles.
-constexpr std::uint32_t looks_for_crystal = 40'000;
+constexpr std::uint32_t looks_for_crystal = 20'000;
 constexpr std::uint32_t looks_for_pll = 4'000;
 constexpr std::uint32_t looks_for_switch = 1'000;
 

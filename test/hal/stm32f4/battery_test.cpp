@@ -88,6 +88,15 @@ TEST_F(TheBattery, IsElevenTimesThePinToWithinACount) {
   }
 }
 
+TEST_F(TheBattery, AVoltageBeyondWhatTheBusCanSayIsTheMostItCanSay) {
+  Battery high{converter.registers, converter.common, {.channel = 12, .reference_mv = 3300, .divider = 40}};
+  converter.volts[12] = 3.3;
+  high.update();
+  converter.pass(0.001);
+  high.update();
+  EXPECT_EQ(high.millivolts(), 65'535);
+}
+
 TEST_F(TheBattery, TheConverterIsWithinItsClockAndSamplesForTheDivider) {
   EXPECT_LE(converter.clock_hz(), 36e6);  // data sheet, ADC characteristics
   EXPECT_EQ(converter.cycles(), 480);

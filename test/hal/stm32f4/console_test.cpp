@@ -80,8 +80,8 @@ TEST_F(TheConsole, WhatDoesNotFitIsDroppedAndCountedAndTheRestIsWhole) {
 }
 
 TEST_F(TheConsole, AnIdlePortInterruptsNobody) {
-  console.write("x");
-  pass_bytes(5);
+  console.write("several");
+  pass_bytes(10);
   const std::uint32_t calls = usart.handler_calls;
   pass_bytes(50);
   EXPECT_EQ(usart.handler_calls, calls);

@@ -40,6 +40,8 @@ struct FakeRng {
     });
   }
   void lose_noise() { seed_error_ = stopped_ = true; }
+  /// The error comes when a number is ready, which is then not to be used.
+  void lose_noise_behind_a_number() { seed_error_ = true; }
 
  private:
   bool enabled_ = false;
@@ -79,6 +81,14 @@ TEST_F(TheEntropy, AnErrorOfTheSeedIsAFailureAndTheNumbersComeBack) {
   EXPECT_EQ(entropy.draw(), before);
   EXPECT_TRUE(entropy.failed());
   EXPECT_NE(entropy.draw(), before);
+  EXPECT_TRUE(entropy.failed());
+}
+
+TEST_F(TheEntropy, ANumberThatStandsReadyBesideAnErrorIsNotUsed) {
+  Entropy entropy{device.registers};
+  const std::uint32_t before = entropy.draw();
+  device.lose_noise_behind_a_number();
+  EXPECT_EQ(entropy.draw(), before);
   EXPECT_TRUE(entropy.failed());
 }
 

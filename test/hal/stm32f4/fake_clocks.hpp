@@ -51,6 +51,7 @@ class FakeClocks {
   [[nodiscard]] double rng_hz() const { return pll_on_ && pll_looks_ <= 0 ? pll_hz((pllcfgr() >> 24U) & 15U) : 0; }
   [[nodiscard]] bool crystal_is_watched() const { return css_; }
   [[nodiscard]] bool crystal_is_on() const { return hse_on_; }
+  [[nodiscard]] bool pll_is_on() const { return pll_on_; }
   [[nodiscard]] std::uint32_t acr() const { return acr_; }
   [[nodiscard]] bool ever_too_fast() const { return too_fast_; }
 
