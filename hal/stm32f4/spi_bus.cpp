@@ -45,30 +45,55 @@ bool SpiBus::prepare(const SpiSettings& settings) {
     block_.cr1.write(control | enable);
     control_ = control;
   }
-  // What a transfer that was given up has left behind. Reading DR and then SR also clears an overrun.
   if (block_.sr.any(received | overrun)) {
-    static_cast<void>(block_.dr.read());
-    static_cast<void>(block_.sr.read());
+    drop_received();  // what a transfer that was given up has left behind
   }
   return true;
 }
 
+// Section 28.3.7, transmit-only procedure: the next byte is written while one is under way, and the wire never rests.
+// What comes in meanwhile overruns, and is dropped at the end.
+bool SpiBus::send(std::span<const std::byte> out) {
+  registers::Spi& block = block_;
+  for (const std::byte byte : out) {
+    if (!wait_for(block.sr, transmit_empty, transmit_empty, most_looks_)) {
+      return false;
+    }
+    block.dr.write(std::to_integer<std::uint32_t>(byte));
+  }
+  const bool done = wait_for(block.sr, transmit_empty | busy, transmit_empty, 2 * most_looks_);
+  drop_received();
+  return done;
+}
+
+// One byte at a time: if the next one were written before this one is read, an interrupt longer than a byte (0.4 us at
+// 21 MHz) would lose one.
 bool SpiBus::exchange(const SpiSegment& segment) {
-  const std::size_t size = std::max(segment.out.size(), segment.in.size());
+  registers::Spi& block = block_;
+  const std::uint32_t most_looks = most_looks_;
+  const std::span<const std::byte> out = segment.out;
+  const std::span<std::byte> in = segment.in;
+  const std::size_t size = std::max(out.size(), in.size());
+  if (!wait_for(block.sr, transmit_empty, transmit_empty, most_looks)) {
+    return false;
+  }
   for (std::size_t i = 0; i < size; ++i) {
-    if (!wait_for(block_.sr, transmit_empty, transmit_empty, most_looks_)) {
+    block.dr.write(i < out.size() ? std::to_integer<std::uint32_t>(out[i]) : 0);
+    if (!wait_for(block.sr, received, received, most_looks)) {
       return false;
     }
-    block_.dr.write(i < segment.out.size() ? std::to_integer<std::uint32_t>(segment.out[i]) : 0);
-    if (!wait_for(block_.sr, received, received, most_looks_)) {
-      return false;
-    }
-    const std::uint32_t data = block_.dr.read();
-    if (i < segment.in.size()) {
-      segment.in[i] = static_cast<std::byte>(data);
+    const std::uint32_t data = block.dr.read();
+    if (i < in.size()) {
+      in[i] = static_cast<std::byte>(data);
     }
   }
   return true;
+}
+
+// Reading DR and then SR also clears an overrun (section 28.3.10).
+void SpiBus::drop_received() {
+  static_cast<void>(block_.dr.read());
+  static_cast<void>(block_.sr.read());
 }
 
 bool SpiBus::transfer(const SpiSettings& settings, Pin& select, std::span<const SpiSegment> segments) {
@@ -81,7 +106,9 @@ bool SpiBus::transfer(const SpiSettings& settings, Pin& select, std::span<const 
   for (std::uint32_t look = 0; look < settings.select_ns * (bus_hz_ / mega) / kilo + 1; ++look) {
     static_cast<void>(block_.sr.read());
   }
-  bool done = std::ranges::all_of(segments, [this](const SpiSegment& segment) { return exchange(segment); });
+  bool done = std::ranges::all_of(segments, [this](const SpiSegment& segment) {
+    return segment.in.empty() ? send(segment.out) : exchange(segment);
+  });
   // The last byte has been received half a clock before its last edge: a device that is deselected before that would
   // count too few edges.
   done = wait_for(block_.sr, busy, 0, most_looks_) && done;

@@ -36,9 +36,6 @@ struct SpiSegment {
 
 /// One SPI block as a full-duplex master of 8-bit frames. It is polled: a transfer of a tick takes some microseconds,
 /// less than an interrupt for each byte would. Every wait ends.
-///
-/// One byte is under way at a time. The next one could be written while it is, and the wire would never rest, but an
-/// interrupt longer than a byte (0.4 us at 21 MHz) would then lose one to an overrun.
 class SpiBus {
  public:
   /// The bus clock is the one the block runs on: APB2 for SPI1, APB1 for SPI2 and SPI3. The block outlives this object,
@@ -55,7 +52,9 @@ class SpiBus {
  private:
   [[nodiscard]] std::uint32_t prescaler(const SpiSettings& settings) const;
   bool prepare(const SpiSettings& settings);
+  bool send(std::span<const std::byte> out);
   bool exchange(const SpiSegment& segment);
+  void drop_received();
 
   registers::Spi& block_;
   std::uint32_t bus_hz_;

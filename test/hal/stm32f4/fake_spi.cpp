@@ -122,6 +122,9 @@ void FakeSpi::write_data(std::uint32_t value) {
   } else {
     violations.emplace_back("data written into a full transmit buffer");
   }
+  for (int i = 0; i < interrupt_looks_; ++i) {
+    static_cast<void>(look());
+  }
 }
 
 std::uint32_t FakeSpi::read_data() {

@@ -60,8 +60,8 @@ class FakeSpi {
   /// From now on no byte ever comes to its end.
   void stop() { stopped_ = true; }
   void go_on() { stopped_ = false; }
-  /// The clock that the board really has, when it is not the one the driver was told.
-  void set_bus_hz(std::uint32_t bus_hz) { bus_hz_ = bus_hz; }
+  /// Behind every byte that is written an interrupt takes as long as so many looks.
+  void interrupt_for(int looks) { interrupt_looks_ = looks; }
 
   // ---- what was seen ----
   std::vector<std::string> violations{};
@@ -70,7 +70,6 @@ class FakeSpi {
   [[nodiscard]] double wire_us() const { return wire_us_; }
   [[nodiscard]] std::uint32_t clock_hz() const;
   [[nodiscard]] std::uint64_t looks() const { return looks_; }
-  /// The longest a device was selected, in looks at SR.
   void forget_traffic() { bytes_ = 0, wire_us_ = 0.0; }
 
  private:
@@ -97,6 +96,7 @@ class FakeSpi {
   std::uint64_t looks_at_select_ = 0;
   bool clocked_ = false;
   bool stopped_ = false;
+  int interrupt_looks_ = 0;
   std::uint64_t bytes_ = 0;
   double wire_us_ = 0.0;
 };

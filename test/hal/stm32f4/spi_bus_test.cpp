@@ -142,6 +142,21 @@ TEST(SpiBus, WhereNoRegisterEverAnswersATransferFailsAndEnds) {
   EXPECT_LE(world.accesses(), 1000U);
 }
 
+TEST_F(SpiBusTest, InterruptsLongerThanSomeBytesLoseNothing) {
+  Echo echo{0, 21'000'000};
+  spi.attach(port, 4, echo);
+  SpiDevice device{bus, Pin{port.block(), 4}, {.most_hz = 21'000'000}};
+  for (const int looks : {1, 2, 3, 5, 50}) {
+    spi.interrupt_for(looks);
+    std::array<std::byte, 3> in{};
+    std::array<std::byte, 2> more{};
+    ASSERT_TRUE(device.transfer({{.out = out}, {.out = out, .in = in}, {.in = more}}));
+    EXPECT_EQ(in, (std::array{std::byte{0xED}, std::byte{0xFF}, std::byte{0x00}})) << looks;
+    EXPECT_EQ(more, (std::array{std::byte{0xFF}, std::byte{0xFF}})) << looks;
+    EXPECT_EQ(echo.frames.back(), (std::vector<std::uint8_t>{0x12, 0x00, 0xFF, 0x12, 0x00, 0xFF, 0x00, 0x00})) << looks;
+  }
+}
+
 TEST_F(SpiBusTest, WhatAnEarlierOverrunLeftBehindIsNotTakenForAnAnswer) {
   Echo echo{0, 21'000'000};
   spi.attach(port, 4, echo);
