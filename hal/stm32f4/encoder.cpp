@@ -103,7 +103,7 @@ Status Encoder::judge_angle(Channel& channel, std::uint16_t frame) {
 
 // The angle 0 is a frame of zeros, and so is a line that is held down. A shaft gets there from nearby, and its noise of
 // some counts does not leave it there.
-bool Encoder::may_be_zero(Channel& channel) {
+bool Encoder::may_be_zero(const Channel& channel) {
   const bool nearby = channel.angle < near_zero || channel.angle > encoder_counts_per_turn - near_zero;
   return channel.status != Status::no_reading && nearby && channel.zeros <= most_zeros;
 }

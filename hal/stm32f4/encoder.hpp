@@ -51,7 +51,7 @@ class Encoder final : public hal::Encoder {
   std::optional<std::uint16_t> exchange(std::size_t which, Request request);
   static void judge(Channel& channel, std::optional<std::uint16_t> frame, Request sent);
   static Status judge_angle(Channel& channel, std::uint16_t frame);
-  static bool may_be_zero(Channel& channel);
+  static bool may_be_zero(const Channel& channel);
 
   std::array<SpiDevice, canards> devices_;
   const hal::Clock& clock_;

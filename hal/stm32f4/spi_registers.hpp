@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -17,17 +16,9 @@ class SpiRegisters {
  public:
   explicit SpiRegisters(SpiDevice device) : device_{device} {}
 
-  bool write(std::uint8_t address, std::uint8_t value) {
-    return device_.transfer(std::array{std::byte{address}, std::byte{value}}, {});
-  }
-  bool read(std::uint8_t address, std::span<std::byte> out) {
-    const std::array command{std::byte{address} | std::byte{0x80}};
-    return device_.transfer({{.out = command}, {.in = out}});
-  }
-  std::optional<std::uint8_t> read(std::uint8_t address) {
-    std::array<std::byte, 1> value{};
-    return read(address, value) ? std::optional{std::to_integer<std::uint8_t>(value[0])} : std::nullopt;
-  }
+  bool write(std::uint8_t address, std::uint8_t value);
+  bool read(std::uint8_t address, std::span<std::byte> out);
+  std::optional<std::uint8_t> read(std::uint8_t address);
 
  private:
   SpiDevice device_;
