@@ -78,9 +78,7 @@ void Encoder::judge(Channel& channel, std::optional<std::uint16_t> frame, Reques
   channel.silent = 0;
   // ERRFL has been asked for: until its content is here, the flag stays as it is.
   channel.flagged = false;
-  if (!as5047p::is_even(*frame)) {
-    channel.status = Status::error;
-  } else if (channel.asked == Request::errors) {
+  if (!as5047p::is_even(*frame) || channel.asked == Request::errors) {
     channel.status = Status::error;
   } else if ((*frame & as5047p::error_flag) != 0) {
     channel.status = Status::error;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace fantail::hal::stm32f4::test {
 namespace {
@@ -118,6 +119,10 @@ std::uint8_t FakeIcm42688::read(std::uint8_t address) {
   }
   if (address == bank_select) {
     return bank_;
+  }
+  if (bank_ == 0 && address == interrupt_status && before_status) {
+    std::exchange(before_status, {})();
+    update();
   }
   const std::uint8_t value = registers_[bank_][address];
   if (bank_ == 0 && address == interrupt_status) {

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -30,7 +31,8 @@ class FakeIcm42688 final : public SpiSlave {
   // ---- faults ----
   std::optional<std::uint8_t> stuck_at{};  ///< answers nothing but this
   std::uint8_t id = 0x47;
-  bool frozen = false;  ///< no new samples
+  bool frozen = false;                    ///< no new samples
+  std::function<void()> before_status{};  ///< happens once, just before INT_STATUS is read
   /// Its supply was gone for a moment.
   void reset();
 

@@ -121,6 +121,17 @@ TEST_F(ImuTest, ASampleSeenBeforeComesAgainWithItsOldTime) {
   EXPECT_GT(next(imu).time, first.time);
 }
 
+TEST_F(ImuTest, ASampleThatComesBetweenDataAndFlagIsNotLost) {
+  Imu imu = running();
+  device.before_status = [this] {
+    clock.time += tick;
+    device.rate_deg_s = {1000.0, 0.0, 0.0};
+  };
+  static_cast<void>(next(imu));
+  clock.time += Microseconds{10};  // no further sample, and its flag is gone
+  EXPECT_EQ(imu.read().rate, (Counts{16384, 0, 0}));
+}
+
 TEST_F(ImuTest, SaysNoReadingUntilItsFirstSample) {
   Imu imu = make();
   imu.start(SensorStart::power_up);
