@@ -15,7 +15,7 @@ constexpr Microseconds reset_time{2'000};  // TN027
 constexpr Microseconds longest_reset{20'000};
 constexpr Microseconds longest_without_sample{10'000};
 constexpr std::uint8_t most_misses = 5;
-// Its noise is about two counts (130 ug per root Hz through 178 Hz): no sensor at work says the same so often.
+// It is noisier than its last bit: at work it does not say exactly the same on three axes so often.
 constexpr std::uint32_t most_same = 100;
 
 }  // namespace

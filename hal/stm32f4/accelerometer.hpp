@@ -17,7 +17,7 @@ namespace fantail::hal::stm32f4 {
 /// Kionix KX134-1211 at +-32 g, 1600 Hz. Why this one beside the IMU: another maker and another process, so that the
 /// two do not share a weakness or a bad batch; a range above what a motor's burnout and a parachute's opening put on a
 /// rocket, where the IMU's 16 g have ended, and still 1 mg to a count, so that it sees the 1 g of the pad; and it is
-/// sold on small boards (SparkFun, ROHM) whose SPI pins are brought out.
+/// sold on small boards whose SPI pins are brought out.
 ///
 /// As with the IMU nothing here waits: each read() carries the device's start on by one step. The low-pass of the
 /// device (a ninth of its rate: 178 Hz) is below half of the 1 kHz it is read at.
