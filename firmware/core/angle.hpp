@@ -43,10 +43,10 @@ class Angle {
 /// The angle nearest to `a` within [-limit, limit]; limit >= 0. A NaN stays a NaN: whoever commands must have refused
 /// it.
 [[nodiscard]] constexpr Angle clamp(Angle a, Angle limit) {
-  if (a > limit) {
-    return limit;
+  if (abs(a) > limit) {
+    return a > Angle{} ? limit : -limit;
   }
-  return a < -limit ? -limit : a;
+  return a;
 }
 
 namespace literals {

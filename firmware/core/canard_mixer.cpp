@@ -26,9 +26,9 @@ CanardMixer::CanardMixer(const CanardsPlan& plan, Angle plan_limit)
   }
 }
 
-CanardCommands CanardMixer::mix(Microseconds time, Angle roll_command,
-                                const std::optional<std::array<Angle, canard_count>>& requested,
-                                const EncoderAngles& encoders) {
+const CanardCommands& CanardMixer::mix(Microseconds time, Angle roll_command,
+                                       const std::optional<std::array<Angle, canard_count>>& requested,
+                                       const EncoderAngles& encoders) {
   if (!power_up_) {
     power_up_ = time;
     last_time_ = time;
@@ -36,30 +36,33 @@ CanardCommands CanardMixer::mix(Microseconds time, Angle roll_command,
   // A clock that runs backwards is a timing fault; it must not turn the first motion round and past its limits.
   const Microseconds elapsed = std::max(time - last_time_, Microseconds{0});
   last_time_ = time;
-
-  CanardCommands commands;
   for (std::size_t i = 0; i < canard_count; ++i) {
-    Canard& canard = canards_[i];
+    const Canard& canard = canards_[i];
     const Angle wanted = requested ? (*requested)[i] : canard.sense * roll_command + canard.trim;
-    commands[i] = command(time, elapsed, canard, is_finite(wanted.radians()) ? wanted : canard.trim, encoders[i]);
+    drive(time, elapsed, i, is_finite(wanted.radians()) ? wanted : canard.trim, encoders[i]);
   }
-  return commands;
+  return commands_;
 }
 
-CanardCommand CanardMixer::command(Microseconds time, Microseconds elapsed, Canard& canard, Angle wanted,
-                                   const std::optional<Angle>& encoder) const {
-  const Angle target = clamp(wanted, canard.limit);
-  if (!canard.position) {
-    start_from_encoder(time, canard, encoder, target);
+inline void CanardMixer::drive(Microseconds time, Microseconds elapsed, std::size_t i, Angle wanted,
+                               const std::optional<Angle>& encoder) {
+  Canard& canard = canards_[i];
+  CanardCommand& command = commands_[i];
+  Angle angle = clamp(wanted, canard.limit);
+  if (!canard.first_motion_done) {
     if (!canard.position) {
-      return CanardCommand{};
+      start_from_encoder(time, canard, encoder, angle);
     }
+    if (!canard.position) {
+      command = {};
+      return;
+    }
+    angle = approach(elapsed, canard, angle);
   }
-  const Angle angle = canard.first_motion_done ? target : approach(elapsed, canard, target);
-  return CanardCommand{.angle = angle,
-                       .pulse_us = canard.pulse_centre_us + canard.pulse_per_radian_us * angle.radians(),
-                       .driven = true,
-                       .limited = angle != wanted};
+  command.angle = angle;
+  command.pulse_us = canard.pulse_centre_us + canard.pulse_per_radian_us * angle.radians();
+  command.driven = true;
+  command.limited = angle != wanted;
 }
 
 void CanardMixer::start_from_encoder(Microseconds time, Canard& canard, const std::optional<Angle>& encoder,

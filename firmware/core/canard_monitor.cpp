@@ -34,17 +34,27 @@ CanardMonitor::CanardMonitor(const MonitorPlan& monitor, const CanardsPlan& cana
 
 const std::array<CanardVerdict, canard_count>& CanardMonitor::update(Microseconds time, const CanardCommands& commands,
                                                                      const EncoderAngles& encoders) {
-  Tick tick{.time = time, .elapsed = std::clamp(time - last_time_.value_or(time), Microseconds{0}, longest_tick)};
+  Tick tick{.time = time, .elapsed = up_to(longest_tick, time - last_time_.value_or(time))};
   last_time_ = time;
   const float moved_share = lag_fraction(seconds(tick.elapsed) / servo_lag_s_);
+  bool all_in_order = true;
+  Angle lowest = Angle::from_radians(std::numeric_limits<float>::infinity());  // an empty range, in which all agree
+  Angle highest = -lowest;
   for (std::size_t i = 0; i < canard_count; ++i) {
     Channel& channel = channels_[i];
     follow(channel, moved_share, commands[i], encoders[i]);
-    if (channel.expected && readable(encoders[i])) {
-      tick.departures[i] = channel.sense * (*encoders[i] - *channel.expected);
+    all_in_order = is_in_order(channel) && all_in_order;
+    if (channel.comparable) {
+      lowest = std::min(lowest, channel.departure);
+      highest = std::max(highest, channel.departure);
     }
   }
-  tick.all_agree = all_agree(tick.departures);
+  // Told from the two outermost: then no canard stands apart from any middle.
+  tick.all_agree = highest - lowest <= plan_.disagreement_limit;
+  if (all_in_order && tick.all_agree) {  // the usual case
+    verdicts_.fill(CanardVerdict::healthy);
+    return verdicts_;
+  }
   for (std::size_t i = 0; i < canard_count; ++i) {
     verdicts_[i] = judge(tick, i, encoders[i]);
   }
@@ -59,48 +69,62 @@ void CanardMonitor::bridge() {
   }
 }
 
-// Where the servo should be by now: it starts from where it is, and moves on while its encoder is silent.
-void CanardMonitor::follow(Channel& channel, float moved_share, const CanardCommand& command,
-                           const std::optional<Angle>& encoder) {
+// Where the servo should be by now: it starts from where it is, and moves on while its encoder is silent. What a canard
+// should do by its own command is taken off before it is compared with the others, because the self-test and a bench
+// move one and not the others.
+inline void CanardMonitor::follow(Channel& channel, float moved_share, const CanardCommand& command,
+                                  const std::optional<Angle>& encoder) {
+  const bool is_readable = readable(encoder);
+  if (is_readable) {
+    channel.silent_since.reset();
+  }
+  channel.comparable = is_readable && command.driven;
   if (!command.driven) {
     channel.expected.reset();
-  } else if (channel.expected) {
+    return;
+  }
+  if (channel.expected) {
     const Angle remaining = command.angle - *channel.expected;
     *channel.expected = abs(remaining) < arrived ? command.angle : *channel.expected + moved_share * remaining;
-  } else if (readable(encoder)) {
+  } else if (is_readable) {
     channel.expected = encoder;
+  }
+  if (is_readable) {
+    channel.departure = channel.sense * (*encoder - *channel.expected);
   }
 }
 
+// Then there is nothing to judge, as long as it does not stand apart from the others.
+inline bool CanardMonitor::is_in_order(const Channel& channel) const {
+  return channel.comparable && abs(channel.departure) <= plan_.tracking_limit &&
+         channel.off.charge == Microseconds{0} && channel.apart.charge == Microseconds{0};
+}
+
 CanardVerdict CanardMonitor::judge(const Tick& tick, std::size_t canard, const std::optional<Angle>& encoder) {
-  if (tick.departures[canard]) {
-    return judge_departure(tick, canard, *encoder);
-  }
   Channel& channel = channels_[canard];
+  if (channel.comparable) {
+    return judge_departure(tick, channel, *encoder);
+  }
   channel.off = {};
   channel.apart = {};
   if (readable(encoder)) {  // but not driven
-    channel.silent_since.reset();
     return CanardVerdict::healthy;
   }
   channel.silent_since = channel.silent_since.value_or(tick.time);
   return tick.time - *channel.silent_since >= plan_.encoder_timeout ? CanardVerdict::dead : verdicts_[canard];
 }
 
-CanardVerdict CanardMonitor::judge_departure(const Tick& tick, std::size_t canard, Angle encoder) {
-  Channel& channel = channels_[canard];
-  channel.silent_since.reset();
-  const bool is_off = abs(*tick.departures[canard]) > plan_.tracking_limit;
-  const bool is_apart = !tick.all_agree && stands_apart(canard, tick.departures);
-  if (!is_off && !is_apart && channel.off.charge == Microseconds{0} && channel.apart.charge == Microseconds{0}) {
-    return CanardVerdict::healthy;  // the usual case
+inline CanardVerdict CanardMonitor::judge_departure(const Tick& tick, Channel& channel, Angle encoder) const {
+  const bool is_apart = !tick.all_agree && stands_apart(channel);
+  if (is_in_order(channel) && !is_apart) {
+    return CanardVerdict::healthy;
   }
   if (channel.off.charge == Microseconds{0}) {
     channel.lowest = channel.highest = encoder;
   }
   channel.lowest = std::min(channel.lowest, encoder);
   channel.highest = std::max(channel.highest, encoder);
-  const bool off = lasts(channel.off, is_off, tick.elapsed);
+  const bool off = lasts(channel.off, abs(channel.departure) > plan_.tracking_limit, tick.elapsed);
   const bool apart = lasts(channel.apart, is_apart, tick.elapsed);
   if (off) {
     return channel.highest - channel.lowest < standstill ? CanardVerdict::stalled : CanardVerdict::slipping;
@@ -108,46 +132,31 @@ CanardVerdict CanardMonitor::judge_departure(const Tick& tick, std::size_t canar
   return apart ? CanardVerdict::disagreeing : CanardVerdict::healthy;
 }
 
-// The usual case, told from the two outermost: then no canard stands apart from any middle.
-bool CanardMonitor::all_agree(const Departures& departures) const {
-  Angle low =
-      Angle::from_radians(std::numeric_limits<float>::infinity());  // no departures: an empty range, which agrees
-  Angle high = -low;
-  for (const std::optional<Angle>& departure : departures) {
-    if (departure) {
-      low = std::min(low, *departure);
-      high = std::max(high, *departure);
-    }
-  }
-  return high - low <= plan_.disagreement_limit;
-}
-
 // Against the middle of the others, so that one bad canard does not make its neighbours look bad. The middle of two is
 // all that lies between them; one other alone cannot say which of the two is right.
-bool CanardMonitor::stands_apart(std::size_t canard, const Departures& departures) const {
+bool CanardMonitor::stands_apart(const Channel& channel) const {
   std::array<Angle, canard_count - 1> others{};  // sorted
   std::size_t count = 0;
-  for (std::size_t i = 0; i < canard_count; ++i) {
-    if (i == canard || !departures[i]) {
+  for (const Channel& other : channels_) {
+    if (&other == &channel || !other.comparable) {
       continue;
     }
     std::size_t place = count++;
-    for (; place > 0 && others[place - 1] > *departures[i]; --place) {
+    for (; place > 0 && others[place - 1] > other.departure; --place) {
       others[place] = others[place - 1];
     }
-    others[place] = *departures[i];
+    others[place] = other.departure;
   }
   if (count < 2) {
     return false;
   }
-  const Angle own = *departures[canard];
+  const Angle own = channel.departure;
   const Angle middle = std::clamp(own, others[(count - 1) / 2], others[count / 2]);
   return abs(own - middle) > plan_.disagreement_limit;
 }
 
 bool CanardMonitor::lasts(Persistence& persistence, bool condition, Microseconds elapsed) const {
-  persistence.charge =
-      std::clamp(persistence.charge + (condition ? elapsed : -2 * elapsed), Microseconds{0}, plan_.hold);
+  persistence.charge = up_to(plan_.hold, persistence.charge + (condition ? elapsed : -2 * elapsed));
   persistence.lasting =
       persistence.charge == plan_.hold || (persistence.lasting && persistence.charge > Microseconds{0});
   return persistence.lasting;

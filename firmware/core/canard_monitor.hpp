@@ -65,32 +65,30 @@ class CanardMonitor {
     Angle lowest;  ///< encoder angles since `off` began to charge
     Angle highest;
 
+    // No state: made anew in every tick.
+    bool comparable = false;  ///< driven, and its encoder can be read
+    Angle departure;  ///< if comparable: how far the encoder is from `expected`, positive with positive roll moment
+
     template <typename Visitor>
     void visit_state(Visitor& visit) {
       visit(expected, silent_since, off, apart, lowest, highest);
     }
   };
 
-  /// How far each encoder is from where its canard should be, in the sense of positive roll moment, so that canards of
-  /// either direction can be compared; empty without a command or a reading. What each should do by its own command is
-  /// taken off: the self-test and a bench move one canard and not the others.
-  using Departures = std::array<std::optional<Angle>, canard_count>;
-
   /// What all canards share in one tick.
   struct Tick {
     Microseconds time{};
     Microseconds elapsed{};
-    Departures departures{};
     bool all_agree = false;
   };
 
   /// `moved_share`: of the way to its command that a servo goes in this tick.
   static void follow(Channel& channel, float moved_share, const CanardCommand& command,
                      const std::optional<Angle>& encoder);
+  [[nodiscard]] bool is_in_order(const Channel& channel) const;
   CanardVerdict judge(const Tick& tick, std::size_t canard, const std::optional<Angle>& encoder);
-  CanardVerdict judge_departure(const Tick& tick, std::size_t canard, Angle encoder);
-  [[nodiscard]] bool all_agree(const Departures& departures) const;
-  [[nodiscard]] bool stands_apart(std::size_t canard, const Departures& departures) const;
+  CanardVerdict judge_departure(const Tick& tick, Channel& channel, Angle encoder) const;
+  [[nodiscard]] bool stands_apart(const Channel& channel) const;
   bool lasts(Persistence& persistence, bool condition, Microseconds elapsed) const;
 
   MonitorPlan plan_;

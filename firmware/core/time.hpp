@@ -17,6 +17,15 @@ using Microseconds = std::chrono::duration<std::int64_t, std::micro>;
   return (narrow == difference.count() ? static_cast<float>(narrow) : static_cast<float>(difference.count())) * 1e-6F;
 }
 
+/// A span of time that can be neither negative nor longer than `most`. By value: std::clamp picks one of three
+/// references, which sends 64-bit numbers through memory.
+[[nodiscard]] constexpr Microseconds up_to(Microseconds most, Microseconds span) {
+  if (span > most) {
+    return most;
+  }
+  return span < Microseconds{0} ? Microseconds{0} : span;
+}
+
 /// A value in whole millionths, off by at most 0.55 of one; valid within +-3600. Whole units are split off first,
 /// because the product of the two would already have lost the last digits.
 [[nodiscard]] constexpr std::int64_t millionths(float value) {
