@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "core/chirp.hpp"
 
+#include <algorithm>
+
 #include "core/trig.hpp"
 
 namespace fantail::core {
@@ -20,34 +22,71 @@ float draw_uniform(std::uint32_t seed, std::uint32_t stream, std::uint32_t index
   return static_cast<float>(h >> 8U) * (1.0F / 8388608.0F) - 1.0F;
 }
 
+struct Divided {
+  std::uint64_t quotient;
+  std::uint64_t remainder;
+};
+
+// A number below 2^60 by 2^twos * odd. A 64-bit division is a call of 150 instructions on the Cortex-M4: this is long
+// division in digits of 18 bits, so that a remainder and the next digit share 32 bits.
+template <unsigned twos, std::uint32_t odd>
+Divided divide(std::uint64_t number) {
+  static_assert(twos >= 3 && odd < 1U << 14U);
+  constexpr std::uint32_t digit = (1U << 18U) - 1U;
+  const std::uint64_t dividend = number >> twos;
+  const auto first = static_cast<std::uint32_t>(dividend >> 36U);
+  const std::uint32_t second = (first % odd) << 18U | (static_cast<std::uint32_t>(dividend >> 18U) & digit);
+  const std::uint32_t third = (second % odd) << 18U | (static_cast<std::uint32_t>(dividend) & digit);
+  return {.quotient = std::uint64_t{first / odd} << 36U | std::uint64_t{second / odd} << 18U | third / odd,
+          .remainder = (third % odd) << twos | (static_cast<std::uint32_t>(number) & ((1U << twos) - 1U))};
+}
+
+Divided by_a_million(std::uint64_t number) { return divide<6, 15625>(number); }
+
+std::uint64_t magnitude(std::int64_t number) { return static_cast<std::uint64_t>(number < 0 ? -number : number); }
+
+std::int64_t by_a_thousand(std::int64_t number) {
+  const auto quotient = static_cast<std::int64_t>(divide<3, 125>(magnitude(number)).quotient);
+  return number < 0 ? -quotient : quotient;
+}
+
 // Turns of the phase frequency * t without the whole turns, in integers: over minutes a float phase keeps no usable
-// fraction. Valid below 30 kHz (the products then stay within 64 bits).
+// fraction. Valid below 30 kHz and for 0 <= t <= 1 h (the sums then stay below 2^60).
 float fraction_of_turns(std::int64_t frequency_phz, Microseconds t) {
-  constexpr std::int64_t million = 1'000'000;
-  constexpr std::int64_t turn = million * million;
-  const std::int64_t whole_s = t.count() / million;
-  const std::int64_t rest_us = t.count() % million;
-  const std::int64_t phase =
-      frequency_phz % turn * whole_s + frequency_phz / million * rest_us + frequency_phz % million * rest_us / million;
-  return static_cast<float>(phase % turn) / static_cast<float>(turn);
-}
-
-float product_turns(const ExcitationPlan& plan, Microseconds t, float varied_hz) {
-  const std::int64_t constant_uhz = millionths(plan.product_offset_hz) + millionths(varied_hz);
-  return fraction_of_turns(constant_uhz * 1'000'000 + millionths(plan.product_slope_hz_s) * t.count(), t);
-}
-
-// Half the slope, because the phase is the integral of the frequency.
-float sweep_turns(const ExcitationPlan& plan, Microseconds t) {
-  const std::int64_t first_uhz = millionths(plan.sweep_first_hz);
-  const std::int64_t rise_uhz = millionths(plan.sweep_last_hz) - first_uhz;
-  const std::int64_t half_slope_nhz_s = rise_uhz * 500'000'000 / (plan.end - plan.begin).count();
-  return fraction_of_turns(first_uhz * 1'000'000 + half_slope_nhz_s * t.count() / 1000, t);
+  constexpr std::uint32_t million = 1'000'000;
+  constexpr float turn = 1e12F;
+  const auto since_us = static_cast<std::uint32_t>(t.count());
+  const std::uint32_t whole_s = since_us / million;
+  const std::uint32_t rest_us = since_us % million;
+  const Divided frequency = by_a_million(magnitude(frequency_phz));
+  const std::uint64_t below_1_hz_phz = by_a_million(frequency.quotient).remainder * million + frequency.remainder;
+  const Divided phase = by_a_million(below_1_hz_phz * whole_s + frequency.quotient * rest_us +
+                                     by_a_million(frequency.remainder * rest_us).quotient);
+  const auto fraction = static_cast<std::int64_t>(by_a_million(phase.quotient).remainder * million + phase.remainder);
+  return static_cast<float>(frequency_phz < 0 ? -fraction : fraction) / turn;
 }
 
 }  // namespace
 
-bool Chirp::varies() const { return plan_.amplitude_variation > Angle{} || plan_.frequency_variation_hz > 0.0F; }
+Chirp::Chirp(const ExcitationPlan& plan)
+    : plan_{plan},
+      varies_{plan.amplitude_variation > Angle{} || plan.frequency_variation_hz > 0.0F},
+      product_offset_uhz_{millionths(plan.product_offset_hz)},
+      product_slope_uhz_s_{millionths(plan.product_slope_hz_s)},
+      sweep_first_uhz_{millionths(plan.sweep_first_hz)},
+      sweep_half_slope_nhz_s_{(millionths(plan.sweep_last_hz) - sweep_first_uhz_) * 500'000'000 /
+                              std::max((plan.end - plan.begin).count(), std::int64_t{1})} {}
+
+float Chirp::product_turns(Microseconds since_control_start, float varied_hz) const {
+  const std::int64_t constant_uhz = product_offset_uhz_ + (varies_ ? millionths(varied_hz) : 0);
+  return fraction_of_turns(constant_uhz * 1'000'000 + product_slope_uhz_s_ * since_control_start.count(),
+                           since_control_start);
+}
+
+float Chirp::sweep_turns(Microseconds since_begin) const {
+  return fraction_of_turns(sweep_first_uhz_ * 1'000'000 + by_a_thousand(sweep_half_slope_nhz_s_ * since_begin.count()),
+                           since_begin);
+}
 
 void Chirp::draw(std::uint32_t index) {
   if (!drawn_) {
@@ -76,7 +115,7 @@ Angle Chirp::update(Microseconds since_control_start) {
   float amplitude = plan_.amplitude.radians();
   float varied_hz = 0.0F;
   float varied_turns = 0.0F;
-  if (varies()) {
+  if (varies_) {
     const auto elapsed = static_cast<std::uint32_t>(since_begin.count());
     if (!drawn_ || elapsed / span_us != span_.index) {
       draw(elapsed / span_us);
@@ -87,8 +126,8 @@ Angle Chirp::update(Microseconds since_control_start) {
     varied_hz = span_.frequency_at_start + share * (span_.frequency_at_end - span_.frequency_at_start);
     varied_turns = span_.variation_turns_at_start + 0.5F * into_span_s * (span_.frequency_at_start + varied_hz);
   }
-  const float turns = plan_.form == ExcitationForm::product ? product_turns(plan_, since_control_start, varied_hz)
-                                                            : sweep_turns(plan_, since_begin) + varied_turns;
+  const float turns = plan_.form == ExcitationForm::product ? product_turns(since_control_start, varied_hz)
+                                                            : sweep_turns(since_begin) + varied_turns;
   return Angle::from_radians(amplitude * sin_turns(turns));
 }
 

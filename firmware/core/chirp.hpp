@@ -18,7 +18,7 @@ namespace fantail::core {
 /// dA and df are seeded, piecewise linear between values drawn every 0.1 s, and off by default.
 class Chirp {
  public:
-  explicit Chirp(const ExcitationPlan& plan) : plan_{plan} {}
+  explicit Chirp(const ExcitationPlan& plan);
 
   /// Excitation at a time after control start. Times must not go backwards.
   [[nodiscard]] Angle update(Microseconds since_control_start);
@@ -47,9 +47,16 @@ class Chirp {
   };
 
   void draw(std::uint32_t index);
-  [[nodiscard]] bool varies() const;
+  [[nodiscard]] float product_turns(Microseconds since_control_start, float varied_hz) const;
+  [[nodiscard]] float sweep_turns(Microseconds since_begin) const;
 
   ExcitationPlan plan_;
+  bool varies_;
+  // The plan's frequencies as whole numbers.
+  std::int64_t product_offset_uhz_;
+  std::int64_t product_slope_uhz_s_;
+  std::int64_t sweep_first_uhz_;
+  std::int64_t sweep_half_slope_nhz_s_;  ///< half, because the phase is the integral of the frequency
   Span span_;
   bool drawn_ = false;
 };
