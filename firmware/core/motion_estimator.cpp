@@ -89,7 +89,7 @@ void MotionEstimator::update(const Inputs& inputs) {
   }
 }
 
-void MotionEstimator::follow_gyro(Microseconds now, const GyroSample& sample) {
+inline void MotionEstimator::follow_gyro(Microseconds now, const GyroSample& sample) {
   gyro_ = classify(now, sample.time, sample.quality, is_within(sample.rate_rad_s, largest_rate_rad_s), gyro_time_,
                    plan_.stale_time);
   if (gyro_ != SensorState::fresh) {
@@ -97,14 +97,14 @@ void MotionEstimator::follow_gyro(Microseconds now, const GyroSample& sample) {
   }
   const Vector3 rate = without_bias(sample.rate_rad_s);
   if (gyro_time_) {
-    const float dt_s = seconds(std::min(sample.time - *gyro_time_, plan_.stale_time));
+    const float dt_s = seconds(up_to(plan_.stale_time, sample.time - *gyro_time_));
     turn(dt_s, rate_rad_s_, rate);
   }
   rate_rad_s_ = rate;
   gyro_time_ = sample.time;
 }
 
-void MotionEstimator::turn(float dt_s, const Vector3& first_rate_rad_s, const Vector3& last_rate_rad_s) {
+inline void MotionEstimator::turn(float dt_s, const Vector3& first_rate_rad_s, const Vector3& last_rate_rad_s) {
   const Vector3f turned = (0.5F * dt_s) * (eigen(last_rate_rad_s) + eigen(first_rate_rad_s));
   roll_angle_rad_.add(turned.x());
   const auto& a = trajectory_.attitude;
@@ -139,7 +139,7 @@ void MotionEstimator::bridge(Microseconds now, const GyroSample& gyro) {
   gyro_time_ = end;
 }
 
-void MotionEstimator::follow_accelerometer(const Inputs& inputs) {
+inline void MotionEstimator::follow_accelerometer(const Inputs& inputs) {
   // The second accelerometer stands in, tick by tick, when the first has nothing usable.
   for (const AccelerometerSample& sample : inputs.accelerometers) {
     accelerometer_ = classify(inputs.time, sample.time, integrable(sample.quality),
@@ -157,7 +157,7 @@ void MotionEstimator::follow_accelerometer(const Inputs& inputs) {
 }
 
 // One lost sample is not motion; a sensor that stays silent might hide some.
-void MotionEstimator::watch_pad(Microseconds now, const GyroSample& gyro) {
+inline void MotionEstimator::watch_pad(Microseconds now, const GyroSample& gyro) {
   if (gyro_ == SensorState::failed || accelerometer_ == SensorState::failed) {
     pad_window_.interrupt(now);
   } else if (gyro_ == SensorState::fresh && pad_window_.update(now, gyro.rate_rad_s, specific_force_m_s2_)) {
@@ -165,7 +165,7 @@ void MotionEstimator::watch_pad(Microseconds now, const GyroSample& gyro) {
   }
 }
 
-void MotionEstimator::integrate(Microseconds time) {
+inline void MotionEstimator::integrate(Microseconds time) {
   const Microseconds previous = accelerometer_time_.value_or(time);
   accelerometer_time_ = time;
   if (stands(time, previous, axial_.update(time, specific_force_m_s2_.x))) {
@@ -184,7 +184,7 @@ void MotionEstimator::integrate(Microseconds time) {
   trajectory_.position_m = plain(position);
 }
 
-bool MotionEstimator::stands(Microseconds time, Microseconds previous, float axial_m_s2) {
+inline bool MotionEstimator::stands(Microseconds time, Microseconds previous, float axial_m_s2) {
   const bool pushed = axial_m_s2 >= thrust_threshold_m_s2;
   if (place_ == Place::pad) {
     return !pushed || time - trajectory_.since > longest_window || time - previous > plan_.stale_time;
@@ -213,7 +213,7 @@ MotionEstimator::Trajectory MotionEstimator::at_rest() const {
   return result;
 }
 
-Vector3 MotionEstimator::without_bias(const Vector3& rate_rad_s) const {
+inline Vector3 MotionEstimator::without_bias(const Vector3& rate_rad_s) const {
   const auto& pad = pad_window_.average();
   return pad ? minus(rate_rad_s, pad->gyro_bias_rad_s) : rate_rad_s;
 }
@@ -239,11 +239,8 @@ void MotionEstimator::begin_tunnel_run(Microseconds now) {
 
 void MotionEstimator::return_to_pad() { place_ = Place::pad; }
 
-float MotionEstimator::bridged_roll_rad(Microseconds now) const {
-  if (!gyro_time_) {
-    return 0.0F;
-  }
-  return seconds(std::clamp(now - *gyro_time_, Microseconds{0}, plan_.stale_time)) * rate_rad_s_.x;
+inline float MotionEstimator::bridged_roll_rad(Microseconds now) const {
+  return gyro_time_ ? seconds(up_to(plan_.stale_time, now - *gyro_time_)) * rate_rad_s_.x : 0.0F;
 }
 
 void MotionEstimator::zero_roll(Microseconds now) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/trig.hpp"
 
+#include <cmath>
 #include <cstdint>
 #include <limits>
 
@@ -61,8 +62,8 @@ float sin_turns(float turns) {
 }
 
 Angle atan2(float y, float x) {
-  const float abs_x = x < 0.0F ? -x : x;
-  const float abs_y = y < 0.0F ? -y : y;
+  const float abs_x = std::abs(x);
+  const float abs_y = std::abs(y);
   if (abs_x == 0.0F && abs_y == 0.0F) {
     return Angle{};
   }
