@@ -54,6 +54,7 @@ class Autopilot {
   void control(Microseconds since_control_start);
   void stay_neutral(CommandStatus why);
 
+  TickRecord record_;
   ControllerPlan controller_;
   ReferencePlan reference_;
   std::uint32_t overrun_limit_;
@@ -66,7 +67,6 @@ class Autopilot {
   bool canard_fault_ = false;
   std::uint32_t overruns_ = 0;                ///< since the first tick
   std::uint32_t overruns_before_flight_ = 0;  ///< of these, up to launch detection or the tunnel's start
-  TickRecord record_;
   MotionEstimator motion_estimator_;  // last, because it is large
 };
 

@@ -45,7 +45,8 @@ inline std::optional<FlightPhase::Transition> FlightPhase::from_safe(const Phase
   return std::nullopt;
 }
 
-inline std::optional<FlightPhase::Transition> FlightPhase::from_armed(const PhaseInputs& inputs, const Motion& motion) const {
+inline std::optional<FlightPhase::Transition> FlightPhase::from_armed(const PhaseInputs& inputs,
+                                                                      const Motion& motion) const {
   // The switch is the pad crew's way out. It is obeyed here and in no later phase: a switch that opens under
   // vibration must not end a flight.
   if (!inputs.arm_switch_closed) {
@@ -66,7 +67,7 @@ inline std::optional<FlightPhase::Transition> FlightPhase::from_armed(const Phas
 }
 
 inline std::optional<FlightPhase::Transition> FlightPhase::from_launched(const PhaseInputs& inputs,
-                                                                  const Motion& motion) const {
+                                                                         const Motion& motion) const {
   // Without a rate there is no roll angle, and with a broken clock no height: such a flight is never controlled.
   if (inputs.timing_fault) {
     return Transition{Phase::armed, PhaseReason::timing_fault_before_control};
@@ -88,7 +89,7 @@ inline std::optional<FlightPhase::Transition> FlightPhase::from_launched(const P
 }
 
 inline std::optional<FlightPhase::Transition> FlightPhase::from_controlling(const PhaseInputs& inputs,
-                                                                     const Motion& motion) const {
+                                                                            const Motion& motion) const {
   // A tick that came late or twice makes every rate and angle doubtful.
   if (inputs.timing_fault) {
     return Transition{Phase::finished, PhaseReason::timing_fault};

@@ -42,6 +42,7 @@ bool PadWindow::update(Microseconds time, const Vector3& rate_rad_s, const Vecto
   if (!open_since_) {
     open_since_ = time;
   }
+  sum_one_more();
   bool renewed = false;
   if (time - *open_since_ >= block_time) {
     renewed = close_block();
@@ -58,6 +59,7 @@ void PadWindow::interrupt(Microseconds time) {
   if (!open_since_) {
     open_since_ = time;
   }
+  sum_one_more();
   open_.still = false;
   if (time - *open_since_ >= block_time) {
     close_block();
@@ -71,6 +73,12 @@ void PadWindow::restart() {
   open_ = Block{};
   closed_ = 0;
   next_ = 0;
+  forget_window();
+}
+
+void PadWindow::forget_window() {
+  window_ = Block{};
+  summed_ = 0;
 }
 
 Microseconds PadWindow::at_rest_for(Microseconds now) const {
@@ -78,25 +86,33 @@ Microseconds PadWindow::at_rest_for(Microseconds now) const {
 }
 
 bool PadWindow::close_block() {
+  while (summed_ < window_blocks) {
+    sum_one_more();
+  }
+  const Block window = window_;
+  forget_window();
   blocks_[next_] = open_;
   open_ = Block{};
   next_ = (next_ + 1) % blocks_.size();
   closed_ = closed_ < blocks_.size() ? closed_ + 1 : closed_;
-  if (closed_ < blocks_.size()) {
+  if (closed_ < blocks_.size() || !window.still) {
     return false;
-  }
-  Block window;
-  for (std::size_t i = 0; i < window_blocks; ++i) {
-    const Block& block = blocks_[(next_ + i) % blocks_.size()];  // oldest first; the newest are the guard
-    if (!block.still || block.samples < 1.0F) {
-      return false;
-    }
-    add(window.rate_sum, block.rate_sum);
-    add(window.force_sum, block.force_sum);
-    window.samples += block.samples;
   }
   average_ = PadAverage{divide(window.rate_sum, window.samples), divide(window.force_sum, window.samples)};
   return true;
+}
+
+// Oldest first; the oldest of all gives way to the block that closes, and the newest are the guard.
+void PadWindow::sum_one_more() {
+  if (summed_ == window_blocks) {
+    return;
+  }
+  const Block& block = blocks_[(next_ + 1 + summed_) % blocks_.size()];
+  window_.still = window_.still && block.still && block.samples >= 1.0F;
+  add(window_.rate_sum, block.rate_sum);
+  add(window_.force_sum, block.force_sum);
+  window_.samples += block.samples;
+  ++summed_;
 }
 
 }  // namespace fantail::core

@@ -25,7 +25,7 @@ struct PadAverage {
 
 /// Averages the sensors while the rocket stands still on the pad: over 3 s that end 0.5 s before now, so that what
 /// leads up to a launch detection is never in it. Motion voids the window; the last good average stays.
-/// Kept as sums of 0.1 s, so a tick costs one addition and the memory stays small.
+/// Kept as sums of 0.1 s, so a tick costs few additions and the memory stays small.
 class PadWindow {
  public:
   explicit PadWindow(const MotionPlan& plan) : plan_{plan} {}
@@ -49,6 +49,7 @@ class PadWindow {
     visit(force_squared_, blocks_, open_, last_time_, open_since_, rest_since_, average_);
     visit.below(blocks_.size() + 1, closed_);
     visit.below(blocks_.size(), next_);
+    forget_window();  // follows from the blocks, which may be others now
   }
 
  private:
@@ -70,12 +71,16 @@ class PadWindow {
 
   bool close_block();
   void restart();
+  void sum_one_more();
+  void forget_window();
 
   MotionPlan plan_;
   LowPass force_squared_{16.0F};  ///< one sample's noise is not motion
   std::size_t closed_ = 0;        ///< blocks closed so far, up to the size of the ring
   std::size_t next_ = 0;
   Block open_;
+  Block window_;  ///< of the average that is made when the open block closes: its blocks are summed one a tick until then
+  std::size_t summed_ = 0;
   std::optional<Microseconds> last_time_;
   std::optional<Microseconds> open_since_;
   std::optional<Microseconds> rest_since_;
