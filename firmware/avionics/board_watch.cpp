@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <string_view>
 
+#include "avionics/board_words.hpp"
+
 namespace fantail::avionics {
 
 using protocol::PlanSource;
@@ -11,33 +13,6 @@ using protocol::PlanSource;
 namespace {
 
 constexpr std::string_view not_armed = "it will not be armed";
-
-std::string_view words(hal::ResetCause cause) {
-  switch (cause) {
-    case hal::ResetCause::power_on: return "reset by power-on\n";
-    case hal::ResetCause::brown_out: return "reset by a supply that was too low\n";
-    case hal::ResetCause::pin: return "reset by its button or a probe\n";
-    case hal::ResetCause::software: return "reset by the firmware itself\n";
-    case hal::ResetCause::watchdog: return "reset by the watchdog\n";
-  }
-  return "reset by something unknown\n";
-}
-
-std::string_view words(PlanSource plan) {
-  switch (plan) {
-    case PlanSource::built_in: return "plan: the built-in one; none is stored\n";
-    case PlanSource::stored: return "plan: the one in the flash\n";
-    case PlanSource::stored_is_broken:
-      return "plan: the built-in one; the stored one is broken, and until another is sent it will not be armed\n";
-    case PlanSource::stored_is_newer:
-      return "plan: the built-in one; the stored one is from a newer version of the firmware, and until that is "
-             "flashed "
-             "or another plan is sent it will not be armed\n";
-    case PlanSource::flash_unreadable:
-      return "plan: the built-in one; the flash cannot be read, and it will not be armed\n";
-  }
-  return "plan: unknown\n";
-}
 
 void write_faults(hal::BoardFaults faults, hal::Console& console) {
   std::string_view before = "board: ";
@@ -79,6 +54,7 @@ bool BoardWatch::tell(core::Microseconds now, core::Phase phase, const FlashFact
   const std::string_view so = phase == core::Phase::safe ? not_armed : "it goes on";
   if (!told_at_) {
     console.write(words(status_.reset_cause));
+    console.write("\n");
   }
   if (!told_at_ || news.faults != told_.faults) {
     write_faults(news.faults, console);
@@ -87,7 +63,9 @@ bool BoardWatch::tell(core::Microseconds now, core::Phase phase, const FlashFact
     console.write("\n");
   }
   if (news.plan && news.plan != told_.plan) {
+    console.write("plan: ");
     console.write(words(*news.plan));
+    console.write("\n");
   }
   if (news.flash_failed && !told_.flash_failed) {
     console.write("flash: it does not answer, or does not keep what is written; ");

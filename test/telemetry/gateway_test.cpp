@@ -97,6 +97,15 @@ TEST_F(GatewayTest, WhatNoFrameSaysStaysUnknown) {
   EXPECT_EQ(states[0].specific_force_m_s2, std::nullopt);
 }
 
+TEST_F(GatewayTest, WhatTheBoardSaysOfItselfIsUnderstoodAndNotPassedOn) {
+  heartbeat(0);
+  say(protocol::BoardReport{.faults = 1, .overruns = 3});
+  gateway.listen(Microseconds{0});
+  EXPECT_EQ(gateway.heard().frames, 2U);
+  EXPECT_EQ(gateway.heard().damaged + gateway.heard().foreign, 0U);
+  EXPECT_TRUE(collected.all<Health>().empty());
+}
+
 TEST_F(GatewayTest, AnOldPhaseIsNotSentBesideANewMotion) {
   heartbeat(0);
   motion(core::Phase::safe);

@@ -4,8 +4,10 @@
 #include <numeric>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
+#include "bench/board_words.hpp"
 #include "bench/words.hpp"
 #include "core/tick_record.hpp"
 
@@ -131,6 +133,9 @@ std::string Watch::table() const {
         words(static_cast<hal::CanState>(health->bus_state)), health->unsent, health->overrun, health->bus_errors,
         refused());
   }
+  if (const auto board = known<protocol::BoardReport>()) {
+    text += board_lines(*board);
+  }
   text += "canard  command   encoder  difference   limit  verdict\n";
   const auto canards = rows(link_, now_);
   for (std::size_t i = 0; i < canards.size(); ++i) {
@@ -153,6 +158,10 @@ std::string Watch::line() const {
   for (std::size_t i = 0; i < canards.size(); ++i) {
     text += fmt::format(" canard {} {} deg told, {} read, {};", i + 1, cell(canards[i].command_deg),
                         cell(canards[i].encoder_deg), canards[i].verdict);
+  }
+  const auto board = known<protocol::BoardReport>();
+  if (board && board->faults != 0) {
+    text += fmt::format(" board: {};", fmt::join(fault_names(board->faults), ", "));
   }
   return text + " " + link_words() + "\n";
 }
@@ -198,6 +207,13 @@ std::string Watch::json() const {
                                   : ordered_json{};
   json["arm_refusal"] =
       arming && arming->refusal != protocol::ArmRefusal::none ? ordered_json(words(arming->refusal)) : ordered_json{};
+  const auto board = known<protocol::BoardReport>();
+  json["board_faults"] = board ? ordered_json(fault_names(board->faults)) : ordered_json{};
+  json["reset_cause"] = board ? ordered_json(reset_cause_name(*board)) : ordered_json{};
+  json["battery_v"] = board && board->battery_mv ? rounded(1e-3 * *board->battery_mv) : ordered_json{};
+  json["ticks_missed"] = board ? ordered_json(board->overruns) : ordered_json{};  // 255: or more
+  json["plan"] = board ? ordered_json(name(board->plan)) : ordered_json{};
+  json["flash_failed"] = board ? ordered_json(board->flash_failed) : ordered_json{};
   json["canards"] = ordered_json::array();
   for (const CanardRow& row : rows(link_, now_)) {
     json["canards"].push_back({{"command_deg", rounded(row.command_deg)},

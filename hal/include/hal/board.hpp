@@ -65,6 +65,11 @@ enum class ResetCause : std::uint8_t {
 };
 inline constexpr std::size_t reset_causes = 5;
 
+[[nodiscard]] constexpr std::string_view name(ResetCause cause) {
+  constexpr std::array<std::string_view, reset_causes> names{"power_on", "brown_out", "pin", "software", "watchdog"};
+  return names[static_cast<std::size_t>(cause)];
+}
+
 struct BoardStatus {
   BoardFaults faults{};
   ResetCause reset_cause = ResetCause::power_on;

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#include "bench/watch.hpp"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "avionics/can_frame.hpp"
+#include "bench/board_words.hpp"
+#include "hal/board.hpp"
+#include "hal/sim/can_bus.hpp"
+
+namespace fantail::bench {
+namespace {
+
+using nlohmann::json;
+
+class WatchTest : public testing::Test {
+ protected:
+  void hear(const protocol::BoardReport& report) {
+    (void)board.send(avionics::can_frame(encode(protocol::StatusReport{})));
+    (void)board.send(avionics::can_frame(encode(report)));
+    link.listen(now);
+    watch.look(now);
+  }
+  [[nodiscard]] bool table_says(std::string_view words) const { return watch.table().find(words) != std::string::npos; }
+
+  static constexpr hal::Microseconds now{1'000'000};
+  hal::sim::CanWire wire;
+  hal::sim::CanBus board{wire};
+  hal::sim::CanBus pc{wire};
+  AvionicsLink link{pc};
+  Watch watch{"vcan0", link, pc};
+};
+
+std::uint32_t bit(hal::BoardFault fault) { return 1U << static_cast<unsigned>(fault); }
+
+TEST_F(WatchTest, EveryFaultOfTheBoardIsNamed) {
+  hear({.faults = bit(hal::BoardFault::imu_silent) | bit(hal::BoardFault::flash_wrong_id),
+        .reset_cause = static_cast<std::uint8_t>(hal::ResetCause::watchdog),
+        .plan = protocol::PlanSource::stored,
+        .battery_mv = std::uint16_t{7'912},
+        .overruns = 3});
+  EXPECT_TRUE(
+      table_says("board: imu_silent, flash_wrong_id; with that it is not armed; reset by the watchdog, battery 7.91 V, "
+                 "3 control ticks missed\nplan: the one in the flash\n"))
+      << watch.table();
+  EXPECT_NE(watch.line().find("board: imu_silent, flash_wrong_id;"), std::string::npos) << watch.line();
+  const json object = json::parse(watch.json());
+  EXPECT_EQ(object["board_faults"], (json{"imu_silent", "flash_wrong_id"}));
+  EXPECT_EQ(object["reset_cause"], "watchdog");
+  EXPECT_EQ(object["battery_v"], 7.91);
+  EXPECT_EQ(object["ticks_missed"], 3);
+  EXPECT_EQ(object["plan"], "stored");
+  EXPECT_EQ(object["flash_failed"], false);
+}
+
+TEST_F(WatchTest, ASoundBoardHasNoFault) {
+  hear({});
+  EXPECT_TRUE(table_says("board: no fault; reset by power-on, battery not measured, 0 control ticks missed\n"));
+  EXPECT_EQ(watch.line().find("board:"), std::string::npos);
+  const json object = json::parse(watch.json());
+  EXPECT_EQ(object["board_faults"], json::array());
+  EXPECT_EQ(object["battery_v"], nullptr);
+}
+
+TEST_F(WatchTest, WhatTheBoardHasNotSaidIsNull) {
+  watch.look(now);
+  const json object = json::parse(watch.json());
+  for (const char* key : {"board_faults", "reset_cause", "battery_v", "ticks_missed", "plan", "flash_failed"}) {
+    EXPECT_EQ(object[key], nullptr) << key;
+  }
+}
+
+TEST_F(WatchTest, APlanFromANewerVersionSaysWhatToDo) {
+  hear({.plan = protocol::PlanSource::stored_is_newer, .flash_failed = true});
+  EXPECT_TRUE(table_says("from a newer version of the firmware, and until that is flashed or another plan is sent"));
+  EXPECT_TRUE(table_says("flash: it does not answer"));
+  EXPECT_EQ(json::parse(watch.json())["plan"], "stored_is_newer");
+}
+
+TEST(BoardWords, ABitThatOnlyNewerAvionicsKnowsIsShownByItsNumber) {
+  EXPECT_EQ(fault_names(1U << 31U | 1U), (std::vector<std::string>{"crystal_failed", "bit_31"}));
+}
+
+}  // namespace
+}  // namespace fantail::bench
