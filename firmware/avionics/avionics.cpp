@@ -214,4 +214,15 @@ void Avionics::tell_person(const core::TickRecord& record) {
   devices_.console.write("\n");
 }
 
+std::array<std::optional<hal::Pulse>, hal::canards> Avionics::pulses_at_trim() const {
+  core::CanardCommands commands;
+  for (std::size_t i = 0; i < commands.size(); ++i) {
+    const core::CanardPlan& canard = plan_.canards.each[i];
+    commands[i] = {.angle = canard.trim,
+                   .pulse_us = canard.pulse_centre_us + canard.pulse_per_radian_us * canard.trim.radians(),
+                   .driven = true};
+  }
+  return pulses(commands);
+}
+
 }  // namespace fantail::avionics

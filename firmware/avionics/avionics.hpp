@@ -59,6 +59,9 @@ class Avionics {
   /// One control tick. The record is valid until the next one.
   const core::TickRecord& tick();
 
+  /// Where the plan in force has its canards when nothing is asked of them: for a board that gives up.
+  [[nodiscard]] std::array<std::optional<hal::Pulse>, hal::canards> pulses_at_trim() const;
+
  private:
   void look_for_new_plan();
   void resume_flight(const core::Inputs& first);

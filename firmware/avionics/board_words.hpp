@@ -33,8 +33,7 @@ namespace fantail::avionics {
     case PlanSource::stored_is_newer:
       return "the built-in one; the stored one is from a newer version of the firmware, and until that is flashed or "
              "another plan is sent it will not be armed";
-    case PlanSource::flash_unreadable:
-      return "the built-in one; the flash cannot be read, and it will not be armed";
+    case PlanSource::flash_unreadable: return "the built-in one; the flash cannot be read, and it will not be armed";
   }
   return "unknown";
 }

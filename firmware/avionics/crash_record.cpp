@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "avionics/crash_record.hpp"
 
+#include <algorithm>
 #include <string_view>
 
 namespace fantail::avionics {
@@ -46,6 +47,16 @@ std::optional<CrashRecord> crash_in(std::span<const std::byte, crash_record_size
                      .configurable_fault_status = w[5],
                      .hard_fault_status = w[6],
                      .fault_address = w[7]};
+}
+
+std::optional<CrashRecord> take_crash(std::span<std::byte> place) {
+  if (place.size() < crash_record_size) {
+    return std::nullopt;
+  }
+  const auto bytes = place.first<crash_record_size>();
+  const std::optional<CrashRecord> record = crash_in(bytes);
+  std::ranges::fill(bytes, std::byte{});
+  return record;
 }
 
 void tell(const CrashRecord& record, hal::Console& console) {

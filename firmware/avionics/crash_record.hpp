@@ -36,6 +36,10 @@ inline constexpr std::size_t crash_record_size = sealed_size<crash_words>;
 /// Empty when no intact record lies there.
 [[nodiscard]] std::optional<CrashRecord> crash_in(std::span<const std::byte, crash_record_size> bytes);
 
+/// The record that lies at the beginning of `place`, which has room for one or is empty. It is told once: afterwards
+/// none lies there.
+[[nodiscard]] std::optional<CrashRecord> take_crash(std::span<std::byte> place);
+
 /// For a person with the map file of the image.
 void tell(const CrashRecord& record, hal::Console& console);
 

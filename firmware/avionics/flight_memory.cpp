@@ -56,7 +56,8 @@ std::uint32_t word(std::span<const std::byte> half, std::size_t at) {
 }
 
 std::span<std::byte> state_in(std::span<std::byte> half) {
-  return half.subspan(state_at, std::min<std::size_t>(get<2>(half, size_at), most_state));
+  const auto size = static_cast<std::size_t>(get<2>(half, size_at));
+  return half.subspan(state_at, std::min(size, most_state));
 }
 
 std::uint32_t checksum(std::span<std::byte> half) {

@@ -43,18 +43,19 @@ def run(tool: str, *arguments: str) -> str:
 class CallGraph:
     """Of all functions that are in the image, from the compiler's .ci files."""
 
-    def __init__(self, build: pathlib.Path, linked: dict[str, int]):
+    def __init__(self, build: pathlib.Path, image: str, linked: dict[str, tuple[int, int]]):
         self.frames: dict[str, int] = {}
         self.calls: dict[str, set[str]] = {}
         self.dynamic: list[str] = []
-        for file in build.rglob("*.ci"):
+        for file in [*build.glob("firmware/**/*.ci"), *build.glob("hal/**/*.ci")]:
+            program = re.search(r"CMakeFiles/(fantail-[^/]+)\.dir", str(file))
+            if program and program[1] != image:  # each has a main
+                continue
             text = file.read_text()
-            local: set[str] = set()
             for title, label in re.findall(r'^node: \{ title: "([^"]+)" label: "([^"]*)"', text, re.M):
                 frame = re.search(r"\\n(\d+) bytes \((\w+)", label)
                 if frame:
                     name = title.rsplit(":", 1)[-1]
-                    local.add(title)
                     self.frames[name] = max(self.frames.get(name, 0), int(frame[1]))
                     if frame[2] == "dynamic" and name in linked:
                         self.dynamic.append(name)
@@ -132,7 +133,7 @@ def facts(elf: pathlib.Path) -> dict:
     symbols = symbols_of(elf)
     functions = {address & ~1: name for name, (address, _) in symbols.items() if address >> 24 == 0x08}
     handlers = {n for n in symbols if n.endswith("_handler")}
-    graph = CallGraph(build, symbols)
+    graph = CallGraph(build, elf.stem, symbols)
     callable_by_pointer = pointed_at(elf, functions) - handlers - {"main"}
     main_depth, main_path = graph.deepest("main", callable_by_pointer)
     interrupts = [graph.deepest(h, callable_by_pointer)

@@ -67,7 +67,7 @@ class Autopilot {
   bool canard_fault_ = false;
   std::uint32_t overruns_ = 0;                ///< since the first tick
   std::uint32_t overruns_before_flight_ = 0;  ///< of these, up to launch detection or the tunnel's start
-  MotionEstimator motion_estimator_;  // last, because it is large
+  MotionEstimator motion_estimator_;          // last, because it is large
 };
 
 }  // namespace fantail::core

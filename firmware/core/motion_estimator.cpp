@@ -121,7 +121,7 @@ void MotionEstimator::bridge(Microseconds now, const GyroSample& gyro) {
   const bool usable = classify(now, gyro.time, gyro.quality, is_within(gyro.rate_rad_s, largest_rate_rad_s), gyro_time_,
                                plan_.stale_time) == SensorState::fresh;
   const Microseconds end = usable ? gyro.time : now;
-  const Vector3 last = usable ? minus(gyro.rate_rad_s, bias()) : rate_rad_s_;
+  const Vector3 last = usable ? without_bias(gyro.rate_rad_s) : rate_rad_s_;
   const Microseconds gap = std::clamp(end - *gyro_time_, Microseconds{0}, longest_bridge);
   // As many steps as there would have been ticks: a rotation in one is exact for small angles only.
   const auto steps = static_cast<float>(gap / bridge_step + 1);

@@ -79,7 +79,8 @@ class PadWindow {
   std::size_t closed_ = 0;        ///< blocks closed so far, up to the size of the ring
   std::size_t next_ = 0;
   Block open_;
-  Block window_;  ///< of the average that is made when the open block closes: its blocks are summed one a tick until then
+  Block
+      window_;  ///< of the average that is made when the open block closes: its blocks are summed one a tick until then
   std::size_t summed_ = 0;
   std::optional<Microseconds> last_time_;
   std::optional<Microseconds> open_since_;

@@ -7,20 +7,13 @@
 
 namespace fantail::hal::stm32f4 {
 
-void Board::add(BoardFaults faults) {
-  for (std::size_t i = 0; i < board_faults; ++i) {
-    if (const auto fault = static_cast<BoardFault>(i); faults.has(fault)) {
-      faults_.add(fault);
-    }
-  }
-}
-
 BoardStatus Board::status() {
   if (parts_.entropy.failed()) {
     faults_.add(BoardFault::entropy_failed);
   }
   BoardStatus result{
       .faults = faults_, .reset_cause = reset_cause_, .battery_mv = parts_.battery.millivolts(), .overruns = overruns_};
+  result.faults.add(faults_now_);
   if (parts_.battery.failed()) {
     result.faults.add(BoardFault::battery_unmeasured);  // it may answer again
   }

@@ -26,7 +26,9 @@ class Board final : public hal::Board {
 
   /// A fault stays until the next reset.
   void add(BoardFault fault) { faults_.add(fault); }
-  void add(BoardFaults faults);
+  void add(BoardFaults faults) { faults_.add(faults); }
+  /// Faults that come and go with their devices, in the place of those said last.
+  void set_now(BoardFaults faults) { faults_now_ = faults; }
   void add_overruns(std::uint32_t ticks) { overruns_ += ticks; }
 
   [[nodiscard]] BoardStatus status() override;
@@ -36,6 +38,7 @@ class Board final : public hal::Board {
   Parts parts_;
   ResetCause reset_cause_;
   BoardFaults faults_{};
+  BoardFaults faults_now_{};
   std::uint32_t overruns_ = 0;
   Signal shown_ = Signal::safe;
   std::uint32_t tick_of_pattern_ = 0;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "avionics/crash_record.hpp"
 
+#include <algorithm>
+#include <array>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -35,6 +37,14 @@ TEST(CrashRecord, IsNotFoundInMemoryThatNobodyWrote) {
   EXPECT_FALSE(crash_in(bytes));
   // Zeros with the CRC of zeros, as from a seal around nothing.
   EXPECT_FALSE(crash_in(seal(std::array<std::uint32_t, crash_words>{})));
+}
+
+TEST(CrashRecord, IsTakenOnce) {
+  std::array<std::byte, 256> place{};
+  std::ranges::copy(seal(crash), place.begin());
+  EXPECT_EQ(take_crash(place), crash);
+  EXPECT_FALSE(take_crash(place));
+  EXPECT_FALSE(take_crash({}));  // of a board without such memory
 }
 
 TEST(CrashRecord, IsToldWithThePlacesThatTheMapFileNames) {

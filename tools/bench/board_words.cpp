@@ -45,9 +45,8 @@ std::string_view name(protocol::PlanSource plan) {
 
 std::string board_lines(const protocol::BoardReport& report) {
   const std::string faults =
-      report.faults == 0
-          ? "no fault"
-          : fmt::format("{}; with that it is not armed", fmt::join(fault_names(report.faults), ", "));
+      report.faults == 0 ? "no fault"
+                         : fmt::format("{}; with that it is not armed", fmt::join(fault_names(report.faults), ", "));
   const std::string battery =
       report.battery_mv ? fmt::format("{:.2f} V", 1e-3 * *report.battery_mv) : std::string{"not measured"};
   std::string text =

@@ -19,6 +19,7 @@ void crash_handler(void);
 MAY_BE_HANDLED(systick_handler)
 MAY_BE_HANDLED(can1_tx_handler)
 MAY_BE_HANDLED(can1_rx0_handler)
+MAY_BE_HANDLED(can1_sce_handler)
 MAY_BE_HANDLED(usart1_handler)
 
 // RM0090 table 62: sixteen of the processor's own, then 82 interrupts.
@@ -30,7 +31,9 @@ __attribute__((section(".vectors"), used)) static const handler vectors[16 + 82]
     [16 ... 16 + 18] = crash_handler,
     [16 + 19] = can1_tx_handler,
     [16 + 20] = can1_rx0_handler,
-    [16 + 21 ... 16 + 36] = crash_handler,
+    [16 + 21] = crash_handler,
+    [16 + 22] = can1_sce_handler,
+    [16 + 23 ... 16 + 36] = crash_handler,
     [16 + 37] = usart1_handler,
     [16 + 38 ... 16 + 81] = crash_handler,
 };

@@ -13,7 +13,7 @@ namespace fantail::hal {
 /// those of the bits on the bus.
 enum class BoardFault : std::uint8_t {
   crystal_failed,        ///< the 8 MHz crystal did not start: the processor runs on its own oscillator
-  clock_failed,          ///< the PLL did not lock
+  clock_failed,          ///< the PLL did not lock, or the oscillator of the watchdog does not run
   image_broken,          ///< the firmware in the processor is not what was built: its CRC is wrong
   imu_silent,            ///< does not answer
   imu_wrong_id,          ///< something answers, and it is not an ICM-42688-P
@@ -46,6 +46,7 @@ inline constexpr std::size_t board_faults = 17;
 class BoardFaults {
  public:
   constexpr void add(BoardFault fault) { bits_ |= 1U << static_cast<unsigned>(fault); }
+  constexpr void add(BoardFaults others) { bits_ |= others.bits_; }
   [[nodiscard]] constexpr bool has(BoardFault fault) const { return (bits_ >> static_cast<unsigned>(fault) & 1U) != 0; }
   [[nodiscard]] constexpr bool none() const { return bits_ == 0; }
   [[nodiscard]] constexpr std::uint32_t bits() const { return bits_; }

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+// The flight image: construct, look whether all is there, loop.
+#include "avionics/avionics.hpp"
+#include "avionics/backup_map.hpp"
+#include "avionics/crash_record.hpp"
+#include "avionics/flight_memory.hpp"
+#include "boards/cortex_m4/forever.hpp"
+#include "boards/cortex_m4/image.hpp"
+#include "boards/stm32f405/crash.hpp"
+#include "boards/stm32f405/hardware.hpp"
+#include "core/flight_plan_fields.hpp"
+
+using namespace fantail;  // NOLINT(google-build-using-namespace): it all comes together here
+using boards::stm32f405::Hardware;
+
+namespace {
+
+// From the last sealed tick to the first of the new loop: half of a seal's 10 ms, the watchdog's 50 ms, 5 ms of boot.
+constexpr hal::Microseconds gap_of_a_reset{60'000};
+
+void introduce(Hardware& hardware) {
+  hal::Console& console = hardware.console();
+  console.write("\nFantail ");
+  console.write(avionics::firmware_version());
+  console.write(", git ");
+  console.write(avionics::git_hash());
+  console.write("\n");
+  if (!boards::image_is_intact()) {
+    hardware.board().add(hal::BoardFault::image_broken);
+  }
+  if (const auto crash = avionics::take_crash(avionics::crash_place(hardware.backup_memory().bytes()))) {
+    hardware.board().add(hal::BoardFault::crashed);
+    avionics::tell(*crash, console);
+  }
+}
+
+}  // namespace
+
+int main() {
+  static boards::Forever<Hardware> room_for_hardware;
+  Hardware& hardware = room_for_hardware.make();
+  introduce(hardware);
+  const auto flight_time = avionics::clock_after_reset(hardware.backup_memory().bytes(),
+                                                       hardware.board().status().reset_cause, gap_of_a_reset);
+  if (flight_time) {
+    hardware.clock().begin_at(*flight_time);
+  }
+  hardware.start(flight_time ? hal::stm32f4::SensorStart::in_flight : hal::stm32f4::SensorStart::power_up);
+
+  static boards::Forever<avionics::Avionics> room_for_avionics;
+  avionics::Avionics& avionics =
+      room_for_avionics.make(hardware.devices(), core::default_plan(),
+                             avionics::Identity{.firmware_version = avionics::firmware_version(),
+                                                .git_hash = avionics::git_hash(),
+                                                .vehicle = {},
+                                                .sensors = "ICM-42688-P, KX134-1211"});
+  boards::stm32f405::centre_on_crash(avionics);
+  for (;;) {
+    hardware.wait_for_tick();
+    avionics.tick();
+  }
+}
