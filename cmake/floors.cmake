@@ -36,6 +36,14 @@ function(fantail_library name)
   endif()
 endfunction()
 
+# fantail_small(<file>...): of the library in this folder, what runs at power-up, on the ground, or so seldom that in an
+# image its size counts and not its speed.
+function(fantail_small)
+  if(CMAKE_CROSSCOMPILING)
+    set_property(SOURCE ${ARGN} APPEND PROPERTY COMPILE_OPTIONS -Os)
+  endif()
+endfunction()
+
 function(fantail_executable name)
   cmake_parse_arguments(ARG "" "" "SOURCES;USES" ${ARGN})
   add_executable(${name} ${ARG_SOURCES})

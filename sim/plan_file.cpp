@@ -175,7 +175,7 @@ std::string plan_table(const core::FlightPlan& plan) {
     shown += all_equal ? "" : "]";
     std::ostringstream assignment;
     assignment << field.key << " = " << shown;
-    text << std::left << std::setw(46) << assignment.str() << " # " << field.meaning << " ("
+    text << std::left << std::setw(46) << assignment.str() << " # " << core::meaning(field) << " ("
          << (field.unit.empty() ? "" : std::string{field.unit} + ", ") << range_text(field) << ")\n";
   }
   return text.str();

@@ -24,7 +24,6 @@ struct PlanField {
   float default_value = 0.0F;
   float minimum = 0.0F;
   float maximum = 0.0F;
-  std::string_view meaning;
   std::span<const std::string_view> choices;
   std::size_t slots = 1;  ///< 1; 4 for one value a canard; the capacity of a list
   float scale = 1.0F;     ///< inside value = file value * scale
@@ -46,6 +45,9 @@ struct PlanField {
 };
 
 [[nodiscard]] std::span<const PlanField> flight_plan_fields();
+
+/// Of one of the flight_plan_fields(), for a person.
+[[nodiscard]] std::string_view meaning(const PlanField& field);
 
 [[nodiscard]] FlightPlan default_plan();
 

@@ -29,9 +29,10 @@ using Microseconds = std::chrono::duration<std::int64_t, std::micro>;
 /// A value in whole millionths, off by at most 0.55 of one; valid within +-3600. Whole units are split off first,
 /// because the product of the two would already have lost the last digits.
 [[nodiscard]] constexpr std::int64_t millionths(float value) {
-  const auto whole = static_cast<std::int64_t>(value);
+  // Both parts fit 32 bits, which the Cortex-M4 converts itself; to 64 bits its library goes by way of doubles.
+  const auto whole = static_cast<std::int32_t>(value);
   const float rest = (value - static_cast<float>(whole)) * 1e6F;
-  return whole * 1'000'000 + static_cast<std::int64_t>(rest < 0.0F ? rest - 0.5F : rest + 0.5F);
+  return std::int64_t{whole} * 1'000'000 + static_cast<std::int32_t>(rest < 0.0F ? rest - 0.5F : rest + 0.5F);
 }
 
 /// Mind that above 8 s a float no longer names every microsecond: whoever reads times from text converts them without

@@ -10,10 +10,10 @@ namespace {
 
 using Table = std::array<std::uint32_t, 256>;
 
-// Eight bytes at a time (Kounavis and Berry, "slicing by 8"): tables[k][b] is what byte b does to the remainder when k
-// more bytes follow it. 8 kB of tables, and about five times the speed of one.
-constexpr std::array<Table, 8> make_tables() {
-  std::array<Table, 8> tables{};
+// Four bytes at a time (Kounavis and Berry, "slicing by 4"): tables[k][b] is what byte b does to the remainder when k
+// more bytes follow it. Eight would be faster still, but their 8 kB are an eighth of the flight image.
+constexpr std::array<Table, 4> make_tables() {
+  std::array<Table, 4> tables{};
   for (std::uint32_t i = 0; i < 256; ++i) {
     std::uint32_t value = i;
     for (int bit = 0; bit < 8; ++bit) {
@@ -38,12 +38,10 @@ std::uint32_t crc32c(std::span<const std::byte> bytes) { return crc32c(0, bytes)
 
 std::uint32_t crc32c(std::uint32_t before, std::span<const std::byte> bytes) {
   std::uint32_t crc = ~before;
-  for (; bytes.size() >= 8; bytes = bytes.subspan(8)) {
-    const auto low = static_cast<std::uint32_t>(get<4>(bytes, 0)) ^ crc;
-    const auto high = static_cast<std::uint32_t>(get<4>(bytes, 4));
-    crc = tables[7][low & 0xFFU] ^ tables[6][(low >> 8U) & 0xFFU] ^ tables[5][(low >> 16U) & 0xFFU] ^
-          tables[4][low >> 24U] ^ tables[3][high & 0xFFU] ^ tables[2][(high >> 8U) & 0xFFU] ^
-          tables[1][(high >> 16U) & 0xFFU] ^ tables[0][high >> 24U];
+  for (; bytes.size() >= 4; bytes = bytes.subspan(4)) {
+    const auto word = static_cast<std::uint32_t>(get<4>(bytes, 0)) ^ crc;
+    crc = tables[3][word & 0xFFU] ^ tables[2][(word >> 8U) & 0xFFU] ^ tables[1][(word >> 16U) & 0xFFU] ^
+          tables[0][word >> 24U];
   }
   for (const std::byte byte : bytes) {
     crc = tables[0][(crc ^ static_cast<std::uint32_t>(byte)) & 0xFFU] ^ (crc >> 8U);

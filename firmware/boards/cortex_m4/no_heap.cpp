@@ -10,3 +10,10 @@ void operator delete(void* /*place*/, std::size_t /*size*/) noexcept { crash_han
 
 /// A virtual function that nobody has implemented was called.
 extern "C" void __cxa_pure_virtual() { crash_handler(); }
+
+/// What the standard library calls where it would throw. Its own would bring signals and an exit.
+extern "C" void abort() {
+  crash_handler();
+  for (;;) {
+  }
+}
