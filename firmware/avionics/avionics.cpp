@@ -11,7 +11,7 @@ Avionics::Avionics(Devices devices, const core::FlightPlan& built_in, const Iden
       flash_{devices.flash},
       flight_memory_{devices.backup_memory.bytes(), devices.board.status().reset_cause},
       plan_{built_in},
-      self_test_{built_in} {
+      self_test_{plan_} {
   flash_.recorder().introduce(identity);
   adopt(built_in);
   look_for_new_plan();
@@ -90,7 +90,7 @@ void Avionics::adopt(const core::FlightPlan& plan) {
   plan_crc_ = protocol::plan_crc(plan);
   autopilot_.emplace(plan);
   flash_.recorder().take_plan(plan);
-  self_test_ = SelfTest{plan};
+  self_test_ = SelfTest{plan_};
 }
 
 void Avionics::listen(core::Microseconds now) {

@@ -22,7 +22,7 @@ void PlanTransfer::become(TransferState state, TransferFault fault) {
 
 void PlanTransfer::receive(core::Microseconds now, const protocol::PlanBegin& begin, bool safe) {
   // Said again by a bench that did not hear, or by another one: what is being written ends first, and is handed out.
-  if (writing() || plan_) {
+  if (writing() || plan_waits_) {
     reply_due_ = true;
     return;
   }
@@ -93,7 +93,7 @@ void PlanTransfer::check_block() {
     }
     return;
   }
-  plan_ = reading.plan;
+  plan_waits_ = true;
   store_.begin_write(block());
   become(TransferState::writing);
 }
@@ -115,7 +115,7 @@ void PlanTransfer::follow_write(bool safe) {
     case PlanWrite::read_back_differs: become(TransferState::refused, TransferFault::read_back_differs); break;
   }
   if (state_ == TransferState::refused) {
-    plan_.reset();
+    plan_waits_ = false;
   }
 }
 
@@ -128,7 +128,10 @@ std::optional<protocol::PlanReply> PlanTransfer::reply() {
 }
 
 std::optional<core::FlightPlan> PlanTransfer::take_plan() {
-  return state_ == TransferState::stored ? std::exchange(plan_, std::nullopt) : std::nullopt;
+  if (state_ != TransferState::stored || !std::exchange(plan_waits_, false)) {
+    return std::nullopt;
+  }
+  return protocol::read_plan_block(block()).plan;  // not a copy, which would cost the memory of one all the time
 }
 
 }  // namespace fantail::avionics

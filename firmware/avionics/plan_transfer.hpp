@@ -65,7 +65,7 @@ class PlanTransfer {
   std::uint8_t next_index_ = 0;
   core::Microseconds last_progress_{};
   std::array<std::byte, protocol::largest_plan_block> buffer_{};
-  std::optional<core::FlightPlan> plan_;  ///< checked, and not yet handed out
+  bool plan_waits_ = false;  ///< the block is checked, and its plan not yet handed out
 };
 
 }  // namespace fantail::avionics

@@ -22,7 +22,7 @@ bool flies(Phase phase) { return phase != Phase::safe && phase != Phase::armed; 
 }  // namespace
 
 void Recorder::take_plan(const core::FlightPlan& plan) {
-  plan_block_size_ = protocol::write_plan_block(plan, plan_block_);
+  protocol::write_plan_block(plan, plan_block_);
   canards_ = plan.canards;
   stage_ = Stage::idle;
 }
@@ -85,7 +85,7 @@ void Recorder::begin_flight(const Tick& tick) {
                  .git_hash = identity_.git_hash,
                  .vehicle = identity_.vehicle,
                  .sensors = identity_.sensors,
-                 .plan_block = std::span{plan_block_}.first(plan_block_size_),
+                 .plan_block = plan_block_,
                  .schema = protocol::log_schema()});
   stage_ = Stage::flying;
   overflowed_ = false;

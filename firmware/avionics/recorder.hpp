@@ -97,8 +97,7 @@ class Recorder {
   FlightRegion& region_;
   Identity identity_{};
   core::CanardsPlan canards_{};
-  std::array<std::byte, protocol::largest_plan_block> plan_block_{};
-  std::size_t plan_block_size_ = 0;
+  std::array<std::byte, protocol::plan_block_size> plan_block_{};
 
   Stage stage_ = Stage::idle;
   RecordQueue queue_{};

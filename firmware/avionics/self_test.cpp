@@ -105,7 +105,7 @@ void SelfTest::stand_still(const core::Inputs& inputs, const core::TickRecord& r
     fail(inputs.time, SelfTestFailure::no_valid_plan);
   } else if (flash.plan == protocol::PlanSource::stored_is_newer) {
     fail(inputs.time, SelfTestFailure::newer_plan);
-  } else if (*flash.free_bytes < std::min(record_bytes(plan_), flash.region_bytes)) {
+  } else if (*flash.free_bytes < std::min(record_bytes(*plan_), flash.region_bytes)) {
     fail(inputs.time, SelfTestFailure::flash_too_full);
   } else {
     begin_move(inputs.time, Stage::centre, 0);
@@ -131,7 +131,7 @@ bool SelfTest::average(const core::Inputs& inputs) {
       average.samples += 1.0F;
       average.last_sample = sample.time;
       average.last_news = inputs.time;
-    } else if (inputs.time - average.last_news > plan_.motion.stale_time) {
+    } else if (inputs.time - average.last_news > plan_->motion.stale_time) {
       return false;
     }
   }
@@ -150,7 +150,7 @@ std::optional<SelfTestFailure> SelfTest::judge_sensors() const {
   }
   if (needed_accelerometers() == 2) {
     const float apart_m_s2 = averages_[0].mean_m_s2() - averages_[1].mean_m_s2();
-    const float allowed_m_s2 = plan_.launch_detection.disagreement_m_s2;
+    const float allowed_m_s2 = plan_->launch_detection.disagreement_m_s2;
     if (apart_m_s2 > allowed_m_s2 || apart_m_s2 < -allowed_m_s2) {
       return SelfTestFailure::accelerometers_disagree;
     }
@@ -224,17 +224,17 @@ std::optional<std::array<Angle, core::canard_count>> SelfTest::canard_request() 
 }
 
 Angle SelfTest::asked_of(std::size_t canard) const {
-  const Angle trim = plan_.canards.each[canard].trim;
+  const Angle trim = plan_->canards.each[canard].trim;
   return stage_ == Stage::out && canard_ == canard ? trim + swing(canard) : trim;
 }
 
 // Inside the plan limit, on whichever side the trim lies.
 Angle SelfTest::swing(std::size_t canard) const {
-  return std::min(largest_swing, plan_.controller.canard_limit - abs(plan_.canards.each[canard].trim));
+  return std::min(largest_swing, plan_->controller.canard_limit - abs(plan_->canards.each[canard].trim));
 }
 
 std::size_t SelfTest::needed_accelerometers() const {
-  return plan_.launch_detection.accelerometers == core::AccelerometerRule::two_agree ? 2 : 1;
+  return plan_->launch_detection.accelerometers == core::AccelerometerRule::two_agree ? 2 : 1;
 }
 
 void SelfTest::fail(Microseconds now, SelfTestFailure failure, std::optional<std::size_t> canard) {

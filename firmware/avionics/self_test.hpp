@@ -22,7 +22,8 @@ class SelfTest {
   /// The result lasts this long, and no longer than the rocket stands still.
   static constexpr core::Microseconds validity{60'000'000};
 
-  explicit SelfTest(const core::FlightPlan& plan) : plan_{plan} {}
+  /// The plan outlives this object; when it is another one, so is its test.
+  explicit SelfTest(const core::FlightPlan& plan) : plan_{&plan} {}
 
   /// Begins, or refuses with a reason.
   void start(const Situation& now, bool session_open);
@@ -68,7 +69,7 @@ class SelfTest {
   [[nodiscard]] core::Angle swing(std::size_t canard) const;
   [[nodiscard]] core::Angle asked_of(std::size_t canard) const;
 
-  core::FlightPlan plan_;
+  const core::FlightPlan* plan_;
   protocol::SelfTestState state_ = protocol::SelfTestState::not_run;
   protocol::SelfTestFailure failure_ = protocol::SelfTestFailure::none;
   std::optional<std::size_t> canard_;

@@ -14,6 +14,15 @@ constexpr auto fields = [] {
   return result;
 }();
 
+constexpr std::size_t words() {
+  std::size_t sum = 0;
+  for (const PlanField& field : fields) {
+    sum += field.slots + (field.is_list() ? 1U : 0U);
+  }
+  return sum;
+}
+static_assert(words() == flight_plan_words, "the header says how many they are, for whoever keeps a plan's block");
+
 }  // namespace
 
 std::span<const PlanField> flight_plan_fields() { return fields; }

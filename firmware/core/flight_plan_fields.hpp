@@ -35,7 +35,7 @@ struct PlanField {
   std::size_t (*get_length)(const FlightPlan&) = nullptr;  ///< a list's own length; null for everything else
   void (*set_length)(FlightPlan&, std::size_t length) = nullptr;
 
-  [[nodiscard]] bool is_list() const { return get_length != nullptr; }
+  [[nodiscard]] constexpr bool is_list() const { return get_length != nullptr; }
   [[nodiscard]] std::size_t used_slots(const FlightPlan& plan) const { return is_list() ? get_length(plan) : slots; }
   [[nodiscard]] float get(const FlightPlan& plan, std::size_t slot) const { return get_inside(plan, slot) / scale; }
   /// False for NaN, beyond the range, or a fraction where an integer, choice or flag stands.
@@ -48,6 +48,9 @@ struct PlanField {
 
 /// Of one of the flight_plan_fields(), for a person.
 [[nodiscard]] std::string_view meaning(const PlanField& field);
+
+/// The slots of all fields, and a length for each list.
+inline constexpr std::size_t flight_plan_words = 90;
 
 [[nodiscard]] FlightPlan default_plan();
 

@@ -23,13 +23,7 @@ std::uint32_t hash(std::uint32_t h, std::string_view text) {
   return (h ^ 0xFFU) * 16777619U;  // ends the text, so that "ab","c" is not "a","bc"
 }
 
-std::size_t payload_size() {
-  std::size_t words = 0;
-  for (const core::PlanField& field : core::flight_plan_fields()) {
-    words += field.slots + (field.is_list() ? 1U : 0U);
-  }
-  return 4U * words;
-}
+constexpr std::size_t payload_size = plan_block_size - header_size - checksum_size;
 
 PlanBlockReading refuse(PlanBlockFault fault) { return {.plan = {}, .fault = fault}; }
 
@@ -52,12 +46,12 @@ std::uint32_t plan_schema_hash() {
   return h;
 }
 
-std::size_t write_plan_block(const core::FlightPlan& plan, std::span<std::byte, largest_plan_block> out) {
+std::size_t write_plan_block(const core::FlightPlan& plan, std::span<std::byte> out) {
   for (std::size_t i = 0; i < magic.size(); ++i) {
     out[i] = magic[i];
   }
   put<2>(out, 4, plan_block_version);
-  put<2>(out, 6, payload_size());
+  put<2>(out, 6, payload_size);
   put<4>(out, 8, plan_schema_hash());
   std::size_t at = header_size;
   for (const core::PlanField& field : core::flight_plan_fields()) {
@@ -79,7 +73,7 @@ std::uint32_t plan_block_crc(std::span<const std::byte> block) {
 }
 
 std::uint32_t plan_crc(const core::FlightPlan& plan) {
-  std::array<std::byte, largest_plan_block> block;
+  std::array<std::byte, plan_block_size> block;
   return static_cast<std::uint32_t>(get<4>(block, write_plan_block(plan, block) - checksum_size));
 }
 
@@ -107,7 +101,7 @@ PlanBlockReading read_plan_block(std::span<const std::byte> block) {
   if (get<4>(block, 8) != plan_schema_hash()) {
     return refuse(PlanBlockFault::other_schema);
   }
-  if (payload != payload_size()) {
+  if (payload != payload_size) {
     return refuse(PlanBlockFault::wrong_length);
   }
 

@@ -21,7 +21,10 @@ namespace fantail::protocol {
 //   n  u32      CRC-32C of everything before it
 
 inline constexpr std::uint16_t plan_block_version = 2;
+inline constexpr std::size_t plan_block_size = 12 + 4 * core::flight_plan_words + 4;
+/// Room for those of other versions too, so that what is stored or sent can be called by its name.
 inline constexpr std::size_t largest_plan_block = 1024;
+static_assert(plan_block_size <= largest_plan_block);
 
 enum class PlanBlockFault : std::uint8_t {
   too_short,
@@ -34,8 +37,8 @@ enum class PlanBlockFault : std::uint8_t {
   newer_version,  ///< intact as far as this version can tell; to read it takes newer firmware
 };
 
-/// Number of bytes written; `out` has room for largest_plan_block.
-std::size_t write_plan_block(const core::FlightPlan& plan, std::span<std::byte, largest_plan_block> out);
+/// Number of bytes written, plan_block_size; `out` has room for them.
+std::size_t write_plan_block(const core::FlightPlan& plan, std::span<std::byte> out);
 
 /// plan_block_crc() of this plan's block: the plan's name on the bus.
 [[nodiscard]] std::uint32_t plan_crc(const core::FlightPlan& plan);
