@@ -11,8 +11,8 @@ constexpr std::uint8_t control_1_value = 0xF0;
 // 1600 Hz, low-pass at a ninth of it.
 constexpr std::uint8_t output_rate_value = 0x0B;
 
-constexpr Microseconds reset_time{2'000};  // TN027
-constexpr Microseconds longest_reset{20'000};
+constexpr Microseconds reset_time{2'000};      // TN027
+constexpr Microseconds longest_reset{60'000};  // at power-up it takes up to 50 ms to answer (TN027)
 constexpr Microseconds longest_without_sample{10'000};
 constexpr std::uint8_t most_misses = 5;
 // It is noisier than its last bit: at work it does not say exactly the same on three axes so often.
@@ -91,15 +91,20 @@ void Accelerometer::wait_for_reset(Microseconds now) {
   if (now - reset_at_ <= reset_time) {
     return;
   }
-  const bool came_up = check_id(registers_.read(kx134::who_am_i).value_or(0)) &&
-                       registers_.read(kx134::command_test_response) == kx134::test_response;
-  // The rate only changes while the device stands by, as it does after a reset that it has heard.
-  if (came_up && registers_.read(kx134::control_1) == 0 && registers_.write(kx134::output_rate, output_rate_value) &&
-      registers_.write(kx134::control_1, control_1_value) && registers_.read(kx134::output_rate) == output_rate_value &&
+  const auto id = registers_.read(kx134::who_am_i);
+  const auto control = registers_.read(kx134::control_1);
+  if (id == kx134::id && control && *control != 0) {
+    restart();  // it was not listening when it was told to reset
+    return;
+  }
+  // The rate only changes while the device stands by, as it does after a reset and at power-up.
+  if (id == kx134::id && registers_.read(kx134::command_test_response) == kx134::test_response &&
+      registers_.write(kx134::output_rate, output_rate_value) && registers_.write(kx134::control_1, control_1_value) &&
+      registers_.read(kx134::output_rate) == output_rate_value &&
       registers_.read(kx134::control_1) == control_1_value) {
     begin_running(now);
   } else if (now - reset_at_ > longest_reset) {
-    silent_ = silent_ || !wrong_id_;
+    silent_ = check_id(id.value_or(0)) || silent_;
     restart();
   }
 }

@@ -154,9 +154,10 @@ void Imu::wait_for_reset(Microseconds now) {
   }
   const auto id = registers_.read(icm::who_am_i);
   const auto status = registers_.read(icm::interrupt_status);
-  if (!check_id(id.value_or(0)) || !status || (*status & icm::reset_done) == 0) {
+  if (id != icm::id || !status || (*status & icm::reset_done) == 0) {
+    // At power-up it may not be there yet: it is only named when its time is over.
     if (now - stage_ends_ > longest_reset) {
-      silent_ = silent_ || !wrong_id_;
+      silent_ = check_id(id.value_or(0)) || silent_;
       restart();
     }
     return;

@@ -133,9 +133,21 @@ TEST_F(AccelerometerTest, ADeviceThatStopsAnsweringIsSilentAndComesBack) {
     }
     EXPECT_TRUE(accelerometer.faults().has(BoardFault::accelerometer_silent));
     device.stuck_at.reset();
-    EXPECT_LE(ticks_to_sample(accelerometer, 100), 50);
+    EXPECT_LE(ticks_to_sample(accelerometer, 100), 20);
     EXPECT_TRUE(accelerometer.faults().none());
   }
+}
+
+TEST_F(AccelerometerTest, ADeviceThatTakesItsTimeAtPowerUpIsNoFault) {
+  device.stuck_at = 0xFF;
+  Accelerometer accelerometer = make();
+  for (int i = 0; i < 50; ++i) {
+    EXPECT_EQ(next(accelerometer).status, Status::no_reading);
+    EXPECT_TRUE(accelerometer.faults().none());
+  }
+  device.stuck_at.reset();
+  EXPECT_LE(ticks_to_sample(accelerometer, 100), 10);
+  EXPECT_TRUE(accelerometer.faults().none());
 }
 
 TEST_F(AccelerometerTest, OneSpoiltAnswerCostsOneTickAndNoReset) {
