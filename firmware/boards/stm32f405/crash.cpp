@@ -53,8 +53,10 @@ extern "C" [[noreturn, gnu::used]] void after_crash(const std::uint32_t* frame, 
     hal::stm32f4::Servo::drive(tim8(), hardware->servo().counts(flying->pulses_at_trim()));
   }
   if (hardware != nullptr) {
-    const auto sealed = avionics::seal(describe(frame, link_register));
-    std::ranges::copy(sealed, avionics::crash_place(hardware->backup_memory().bytes()).begin());
+    // Empty where that memory could not be opened.
+    if (const auto place = avionics::crash_place(hardware->backup_memory().bytes()); !place.empty()) {
+      std::ranges::copy(avionics::seal(describe(frame, link_register)), place.begin());
+    }
   }
   scb().aircr.write(registers::scb_aircr_vectkey | registers::scb_aircr_sysresetreq);
   for (;;) {
