@@ -29,8 +29,9 @@ def run_bytes(elf, seconds, until, times=1):
         return run(image, seconds, until, times)
 
 
-def run(elf, seconds, until, times=1):
-    """Console and register writes, up to when `until` has stood on the console so often, or for so long."""
+def run(elf, seconds, until, times=1, trace_bytes=0):
+    """Console and register writes, up to when `until` has stood on the console so often and the trace is so long, or for
+    so many seconds."""
     with tempfile.TemporaryDirectory() as folder:
         trace = pathlib.Path(folder, "trace")
         emulator = subprocess.Popen(
@@ -43,7 +44,8 @@ def run(elf, seconds, until, times=1):
         try:
             while time.monotonic() < deadline and emulator.poll() is None:
                 time.sleep(0.1)
-                if console.exists() and console.read_text(errors="replace").count(until) >= times:
+                if (console.exists() and console.read_text(errors="replace").count(until) >= times
+                        and trace.stat().st_size >= trace_bytes):
                     break
         finally:
             emulator.kill()
@@ -59,7 +61,8 @@ def run(elf, seconds, until, times=1):
 class FlightImage(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        cls.console, cls.writes = run(ELF, 60, "battery_unmeasured")
+        # Some 2000 ticks: the canards' first motion begins half a second after power-up.
+        cls.console, cls.writes = run(ELF, 60, "battery_unmeasured", trace_bytes=8_000_000)
 
     def to(self, device, offset):
         return [value for d, o, value in self.writes if d == device and o == offset]
