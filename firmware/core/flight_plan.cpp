@@ -10,6 +10,10 @@ namespace {
 // The longest hold whose whole window the motion estimator still integrates.
 constexpr Microseconds longest_replayed_hold{500'000};
 
+// What a hobby servo understands, and what the servo driver refuses to go beyond.
+constexpr float shortest_pulse_us = 500.0F;
+constexpr float longest_pulse_us = 2500.0F;
+
 const PlanField& field_named(std::string_view section, std::string_view key) {
   const auto all = flight_plan_fields();
   for (const PlanField& field : all) {
@@ -63,6 +67,15 @@ std::optional<PlanFault> check_across_fields(const FlightPlan& plan) {
     }
     if (canard.pulse_per_radian_us > -1.0F && canard.pulse_per_radian_us < 1.0F) {
       return PlanFault{&field_named("canards", "pulse_per_degree_us"), i, "must not be zero"};
+    }
+    const float swing_us = canard.pulse_per_radian_us * plan.controller.canard_limit.radians();
+    for (const float pulse_us : {canard.pulse_centre_us - swing_us, canard.pulse_centre_us + swing_us}) {
+      if (pulse_us < shortest_pulse_us || pulse_us > longest_pulse_us) {
+        return PlanFault{
+            &field_named("canards", "pulse_centre_us"), i,
+            "with pulse_per_degree_us, some angle inside of controller.canard_limit_deg would need a pulse "
+            "outside of 500 to 2500 us, which no servo is given"};
+      }
     }
   }
   return check_steps(plan.reference);

@@ -196,6 +196,20 @@ TEST(FlightPlan, AServoMustMoveWithItsPulse) {
   }
 }
 
+TEST(FlightPlan, EveryAngleInsideThePlanLimitHasAPulseThatAServoUnderstands) {
+  FlightPlan plan = default_plan();
+  plan.controller.canard_limit = 20_deg;
+  plan.canards.each[2].pulse_centre_us = 1290.0F;  // with 39 us a degree from 510 to 2070 us
+  plan.canards.each[2].pulse_per_radian_us = 39.0F * 180.0F / pi;
+  EXPECT_FALSE(validate(plan).has_value());
+  plan.canards.each[2].pulse_centre_us = 1270.0F;  // from 490 us
+  expect_fault(plan, "canards", "pulse_centre_us", 2);
+  plan.canards.each[2].pulse_per_radian_us *= -1.0F;  // the same pulses the other way round
+  expect_fault(plan, "canards", "pulse_centre_us", 2);
+  plan.canards.each[2].pulse_centre_us = 1730.0F;  // to 2510 us
+  expect_fault(plan, "canards", "pulse_centre_us", 2);
+}
+
 TEST(FlightPlan, StepsNeedAsManyTimesAsAnglesAndIncreasingTimes) {
   FlightPlan plan = default_plan();
   plan.reference.kind = ReferenceKind::steps;
