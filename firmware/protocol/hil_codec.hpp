@@ -7,6 +7,7 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -14,7 +15,6 @@
 
 #include "core/angle.hpp"
 #include "core/tick_record_fields.hpp"
-#include "protocol/little_endian.hpp"
 
 namespace fantail::protocol {
 
@@ -107,6 +107,24 @@ class HilVisitor {
   }
 };
 
+// As put() and get(), in one access instead of one for every byte: a record of 50 signals crosses in every tick.
+static_assert(std::endian::native == std::endian::little);
+template <std::size_t bytes>
+using Word = std::conditional_t<
+    bytes == 1, std::uint8_t,
+    std::conditional_t<bytes == 2, std::uint16_t, std::conditional_t<bytes == 4, std::uint32_t, std::uint64_t>>>;
+template <std::size_t bytes>
+void store(std::byte* out, std::uint64_t number) {
+  const auto word = static_cast<Word<bytes>>(number);
+  std::memcpy(out, &word, sizeof word);
+}
+template <std::size_t bytes>
+[[nodiscard]] std::uint64_t load(const std::byte* in) {
+  Word<bytes> word;
+  std::memcpy(&word, in, sizeof word);
+  return word;
+}
+
 /// Writes into a buffer. What finds no room is left out, and ok() is false.
 class HilWriter : public HilVisitor<HilWriter> {
  public:
@@ -139,7 +157,7 @@ class HilWriter : public HilVisitor<HilWriter> {
       ok_ = false;
       return;
     }
-    put<bytes>(out_, size_, number);
+    store<bytes>(out_.data() + size_, number);
     size_ += bytes;
   }
   template <std::size_t bytes, typename T, typename ToBits, typename FromBits>
@@ -186,7 +204,7 @@ class HilReader : public HilVisitor<HilReader> {
       ok_ = false;
       return 0;
     }
-    const std::uint64_t number = get<bytes>(in_, at_);
+    const std::uint64_t number = load<bytes>(in_.data() + at_);
     at_ += bytes;
     return number;
   }

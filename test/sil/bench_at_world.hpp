@@ -4,7 +4,10 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
+
+#include <gtest/gtest.h>
 
 #include "bench/avionics_link.hpp"
 #include "bench/exercise.hpp"
@@ -15,6 +18,7 @@
 #include "hal/sim/console.hpp"
 #include "hal/sim/entropy.hpp"
 #include "hal/sim/flash.hpp"
+#include "sim/flight_computer.hpp"
 #include "sim/scenario.hpp"
 #include "sim/world.hpp"
 
@@ -26,11 +30,16 @@ inline constexpr hal::Microseconds second{1'000'000};
 /// A bench and a rocket on one simulated bus, in one thread: the rocket lives on while the bench waits.
 class BenchAtWorld final : public bench::Place {
  public:
-  explicit BenchAtWorld(sim::Scenario loaded) : scenario{std::move(loaded)} { power_cycle(); }
-  explicit BenchAtWorld(const std::string& name, std::uint64_t seed = 1) : BenchAtWorld{load(name, seed)} {}
+  explicit BenchAtWorld(sim::Scenario loaded, sim::MakeFlightComputer make = sim::simulated_board)
+      : scenario{std::move(loaded)}, make_{std::move(make)} {
+    power_cycle();
+  }
+  explicit BenchAtWorld(const std::string& name, std::uint64_t seed = 1,
+                        sim::MakeFlightComputer make = sim::simulated_board)
+      : BenchAtWorld{load(name, seed), std::move(make)} {}
 
   /// The flash stays, everything else begins anew.
-  void power_cycle() { world.emplace(scenario, sim::BoardPorts{board_bus, flash, console, entropy}); }
+  void power_cycle() { world.emplace(scenario, sim::BoardPorts{board_bus, flash, console, entropy}, make_); }
 
   [[nodiscard]] hal::CanBus& bus() override { return pc_bus; }
   [[nodiscard]] hal::Microseconds now() const override { return now_; }
@@ -81,6 +90,7 @@ class BenchAtWorld final : public bench::Place {
     return loaded;
   }
 
+  sim::MakeFlightComputer make_;
   hal::Microseconds now_{};
 };
 

@@ -13,6 +13,7 @@
 #include "fantail/usage.hpp"
 #include "fantail/verbs.hpp"
 #include "hal/linux/can_bus.hpp"
+#include "hil/wire.hpp"
 #include "report/output_folder.hpp"
 #include "sim/input_error.hpp"
 #include "telemetry/url.hpp"
@@ -87,6 +88,8 @@ ExitCode run(int argc, char** argv) {
   } catch (const fantail::tool::RequirementNotMet& error) {
     return output_was_taken() ? complain(error, ExitCode::requirement_not_met) : complain_about_output();
   } catch (const fantail::hal::on_linux::CanError& error) {
+    return complain(error, ExitCode::input_output);
+  } catch (const fantail::hil::TargetError& error) {
     return complain(error, ExitCode::input_output);
   } catch (const fantail::bench::LinkError& error) {
     return complain(error, ExitCode::input_output);

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include <fmt/format.h>
 
+#include "fantail/aboard.hpp"
 #include "fantail/interrupt.hpp"
 #include "fantail/lcm_output.hpp"
 #include "fantail/progress.hpp"
@@ -23,6 +26,7 @@ struct FlyOptions {
   ScenarioOptions scenario{.scenario = "tasha3_launch2", .seed = {}, .changes = {}};
   std::string out;
   std::string lcm;
+  AboardOptions aboard;
   bool realtime = false;
   bool json = false;
 };
@@ -58,7 +62,7 @@ void print_summary(const report::Flight& flight, const report::Results& results)
   print_figure("saturated", percent ? std::optional{100.0 * *percent} : std::nullopt, "{:.1f} % of control time");
 }
 
-report::Flight fly_and_show(const sim::Scenario& scenario, LcmOutput& lcm, bool realtime) {
+report::Flight fly_and_show(const sim::Scenario& scenario, Aboard& aboard, LcmOutput& lcm, bool realtime) {
   Progress progress{"flying " + scenario.name,
                     {.unit = "s", .rate = " x real time", .total = fly::expected_length_s(scenario)}};
   const auto look = [&progress](double simulated_s) {
@@ -66,7 +70,7 @@ report::Flight fly_and_show(const sim::Scenario& scenario, LcmOutput& lcm, bool 
     progress.show(simulated_s);
   };
   if (!lcm.is_on() && !realtime) {
-    return fly::fly_scenario(scenario, look, {}, fly::Log::kept);
+    return fly::fly_scenario(scenario, look, {}, fly::Log::kept, aboard.maker());
   }
   WallClock wall_clock;
   const telemetry::Surroundings surroundings{.limits_rad = telemetry::limits_of(scenario.plan)};
@@ -76,13 +80,15 @@ report::Flight fly_and_show(const sim::Scenario& scenario, LcmOutput& lcm, bool 
     }
     lcm.report(record, surroundings);
   };
-  return fly::fly_scenario(scenario, look, observe, fly::Log::kept);
+  return fly::fly_scenario(scenario, look, observe, fly::Log::kept, aboard.maker());
 }
 
 void fly_and_report(const FlyOptions& options) {
   const sim::Scenario scenario = load(options.scenario);
   LcmOutput lcm{options.lcm};
-  const report::Flight flight = fly_and_show(scenario, lcm, options.realtime);
+  Aboard aboard{options.aboard};
+  report::Flight flight = fly_and_show(scenario, aboard, lcm, options.realtime);
+  std::ranges::copy(aboard.notes(), std::back_inserter(flight.notes));
   const report::Results results = report::results(flight);
   const std::filesystem::path folder =
       options.out.empty() ? std::filesystem::path{"out"} / scenario.name : std::filesystem::path{options.out};
@@ -114,6 +120,7 @@ void add_fly(CLI::App& program) {
           "Folder for flight.csv, summary.json, report.html, flight.ftl (what the avionics recorded itself) and, "
           "of a tunnel run, tunnel.csv [out/SCENARIO]")
       ->check(objection_to_folder);
+  add_aboard_options(*verb, options->aboard);
   add_lcm_option(*verb, options->lcm, "Publish the flight as LCM messages");
   verb->add_flag("--realtime", options->realtime, "Fly no faster than the clock on the wall; the files are the same");
   verb->add_flag("--json", options->json, "Print summary.json instead of the text");
@@ -124,6 +131,7 @@ void add_fly(CLI::App& program) {
       "                                                      would a wider canard limit have held the first launch?\n"
       "  fantail fly my_rocket.toml --seed 7 --out /tmp/try --json\n"
       "                                                      your own scenario, for a script\n"
+      "  fantail fly tasha3_launch2 --on emulator            on the emulated processor of the board: the same bytes\n"
       "  fantail fly --realtime --lcm udpm://239.255.76.67:7667\n"
       "                                                      by the clock, for fantail watch in another terminal");
   verb->callback([options] { fly_and_report(*options); });

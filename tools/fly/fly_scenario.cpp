@@ -108,11 +108,12 @@ std::optional<double> expected_length_s(const sim::Scenario& scenario) {
   return scenario.pad_time_s + in_seconds(scenario.plan.run.control_time) + scenario.time_after_end_s;
 }
 
-report::Flight fly_scenario(const sim::Scenario& scenario, const Look& look, const Observe& observe, Log log) {
+report::Flight fly_scenario(const sim::Scenario& scenario, const Look& look, const Observe& observe, Log log,
+                            const sim::MakeFlightComputer& make) {
   constexpr std::int64_t ticks_between_looks = 1024;
   const std::int64_t ticks_per_row = std::llround(scenario.log_period_s * 1e3);
   report::Flight flight = describe(scenario);
-  sim::World world{scenario, log == Log::kept ? sim::World::large_flash : sim::World::small_flash};
+  sim::World world{scenario, log == Log::kept ? sim::World::large_flash : sim::World::small_flash, make};
   bool was_armed = false;
   for (std::int64_t ticks = 0; !world.over(); ++ticks) {
     const core::TickRecord& record = world.tick();

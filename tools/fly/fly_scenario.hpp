@@ -7,6 +7,7 @@
 
 #include "core/tick_record.hpp"
 #include "report/flight.hpp"
+#include "sim/flight_computer.hpp"
 #include "sim/scenario.hpp"
 
 namespace fantail::fly {
@@ -20,9 +21,11 @@ using Observe = std::function<void(const core::TickRecord& record)>;
 /// Of what the avionics records itself, report::Flight::log: nobody wants it, or all that its flash can hold.
 enum class Log : std::uint8_t { dropped, kept };
 
-/// Flies a scenario to its end and keeps every tick, or as many as it says. Safe to call from several threads.
+/// Flies a scenario to its end and keeps every tick, or as many as it says. Safe to call from several threads, each
+/// with flight computers of its own.
 [[nodiscard]] report::Flight fly_scenario(const sim::Scenario& scenario, const Look& look = {},
-                                          const Observe& observe = {}, Log log = Log::dropped);
+                                          const Observe& observe = {}, Log log = Log::dropped,
+                                          const sim::MakeFlightComputer& make = sim::simulated_board);
 
 /// Seconds from power-up to the end, where they are known beforehand: in the tunnel.
 [[nodiscard]] std::optional<double> expected_length_s(const sim::Scenario& scenario);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "hil/link.hpp"
 
+#include <optional>
+
 #include <fmt/format.h>
 
 namespace fantail::hil {
@@ -12,14 +14,14 @@ protocol::LogFrame Link::ask(protocol::HilType type, std::size_t payload_size, c
   const auto question = out_.seal(type, sequence_, payload_size, time);
   wire_->write(question);
   const std::uint32_t damaged_before = damaged();
-  Clock::time_point begin{};
+  std::optional<Clock::time_point> silent_since;
   for (;;) {
     while (const auto frame = in_.next()) {
       if (frame->head.sequence == sequence_) {  // else the answer to a question that was asked twice
         return *frame;
       }
     }
-    const std::size_t count = wire_->read(in_.room(), send_again_after);
+    const std::size_t count = wire_->read(in_.room(), patience_.send_again);
     in_.arrived(count);
     if (count != 0) {
       continue;
@@ -28,18 +30,22 @@ protocol::LogFrame Link::ask(protocol::HilType type, std::size_t payload_size, c
       waiting_();
     }
     const auto now = Clock::now();
-    begin = begin == Clock::time_point{} ? now - send_again_after : begin;
-    if (now - begin >= patience) {
-      const std::uint32_t damaged_now = damaged() - damaged_before;
-      throw TargetError{
-          damaged_now == 0
-              ? fmt::format("the flight computer has said nothing for {} s", patience / std::chrono::seconds{1})
-              : fmt::format("the flight computer's frames arrive damaged: {} in the last {} s", damaged_now,
-                            patience / std::chrono::seconds{1})};
+    silent_since = silent_since.value_or(now - patience_.send_again);
+    if (now - *silent_since >= patience_.give_up) {
+      give_up(damaged() - damaged_before);
     }
     asked_again_ += 1;
     wire_->write(question);
   }
+}
+
+void Link::give_up(std::uint32_t damaged_frames) const {
+  const double seconds = 1e-3 * static_cast<double>(patience_.give_up.count());
+  throw TargetError{damaged_frames == 0
+                        ? fmt::format("the flight computer has said nothing for {:g} s", seconds)
+                        : fmt::format("the flight computer's frames arrive damaged, {} of them in {:g} s; is it "
+                                      "another baud rate, or another program?",
+                                      damaged_frames, seconds)};
 }
 
 }  // namespace fantail::hil

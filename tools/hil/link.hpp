@@ -17,14 +17,16 @@ namespace fantail::hil {
 /// Called a few times a second while nothing comes. What it throws ends the waiting.
 using Waiting = std::function<void()>;
 
+struct Patience {
+  std::chrono::milliseconds send_again{250};
+  std::chrono::milliseconds give_up{5'000};
+};
+
 /// The world's side of the link (protocol/hil_frame.hpp): it asks, and waits for the answer.
 class Link {
  public:
-  static constexpr std::chrono::milliseconds send_again_after{250};
-  static constexpr std::chrono::milliseconds patience{5'000};
-
-  explicit Link(std::unique_ptr<Wire> wire, Waiting waiting = {})
-      : wire_{std::move(wire)}, waiting_{std::move(waiting)} {}
+  explicit Link(std::unique_ptr<Wire> wire, Waiting waiting = {}, const Patience& patience = {})
+      : wire_{std::move(wire)}, waiting_{std::move(waiting)}, patience_{patience} {}
 
   /// Where the payload of the next question goes.
   [[nodiscard]] std::span<std::byte> payload() { return out_.payload(); }
@@ -37,8 +39,11 @@ class Link {
   [[nodiscard]] std::uint32_t damaged() const { return in_.damaged(); }
 
  private:
+  [[noreturn]] void give_up(std::uint32_t damaged_frames) const;
+
   std::unique_ptr<Wire> wire_;
   Waiting waiting_;
+  Patience patience_;
   protocol::HilFrameIn in_;
   protocol::HilFrameOut out_;
   std::uint32_t sequence_ = 0;

@@ -11,7 +11,8 @@ namespace fantail::hil {
 
 using protocol::HilType;
 
-Target::Target(std::unique_ptr<Wire> wire, Waiting waiting) : link_{std::move(wire), std::move(waiting)} {
+Target::Target(std::unique_ptr<Wire> wire, Waiting waiting, const Patience& patience)
+    : link_{std::move(wire), std::move(waiting), patience} {
   protocol::HilWriter writer{link_.payload()};
   const std::uint32_t layout = hal::emulator::layout();
   writer(protocol::hil_version);

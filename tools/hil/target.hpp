@@ -24,7 +24,7 @@ struct TargetIdentity {
 class Target {
  public:
   /// Throws TargetError when nobody answers, and sim::InputError when who answers speaks another language.
-  explicit Target(std::unique_ptr<Wire> wire, Waiting waiting = {});
+  explicit Target(std::unique_ptr<Wire> wire, Waiting waiting = {}, const Patience& patience = {});
 
   [[nodiscard]] const TargetIdentity& identity() const { return identity_; }
   /// For sim::World: the avionics is made anew at the first tick. This object outlives it.

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: MIT
+// Usage: count_instructions [COUNTS.txt [--write]]
+// Counts the instructions of every tick and of the flight law in it, on the emulated processor, prints them, and
+// compares them with a file (exit code 1 beyond 2 %) or writes that file. Exit code 77: there is no image.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <fstream>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "emulator/images.hpp"
+#include "sil/bench_at_world.hpp"
+#include "sim/scenario.hpp"
+#include "sim/world.hpp"
+
+namespace fantail::test {
+namespace {
+
+constexpr double most_change = 0.02;
+
+/// Of one kind of section: mean, and the longest one.
+struct Count {
+  void add(std::uint32_t instructions, double time_s) {
+    number += 1;
+    sum += instructions;
+    if (instructions > worst) {
+      worst = instructions;
+      worst_s = time_s;
+    }
+  }
+  [[nodiscard]] double mean() const {
+    return number == 0 ? 0.0 : static_cast<double>(sum) / static_cast<double>(number);
+  }
+
+  std::uint64_t number = 0;
+  std::uint64_t sum = 0;
+  std::uint32_t worst = 0;
+  double worst_s = 0.0;  ///< since power-up
+};
+
+struct Phase {
+  std::string name;
+  Count step{};
+  Count tick{};
+};
+
+class Counter {
+ public:
+  explicit Counter(const hil::Target& target) : target_{target} {}
+
+  void add(Phase& phase, const core::TickRecord& record) {
+    const double time_s = 1e-6 * static_cast<double>(record.time.count());
+    phase.step.add(instructions(target_.times().step), time_s);
+    phase.tick.add(instructions(target_.times().tick), time_s);
+  }
+
+ private:
+  // Exact: an instruction takes 64 ns of the emulated time, which are more than ten counts of the clock.
+  [[nodiscard]] std::uint32_t instructions(std::uint32_t counts) const {
+    const hil::TargetIdentity& known = target_.identity();
+    return static_cast<std::uint32_t>(
+        std::lround(static_cast<double>(counts) * static_cast<double>(known.instructions) / known.counts));
+  }
+
+  const hil::Target& target_;
+};
+
+using Phases = std::array<Phase, 3>;
+
+Phases count(hil::Target& target) {
+  Phases phases{Phase{"pad"}, Phase{"controlling_with_chirp"}, Phase{"bench_session"}};
+  Counter counter{target};
+  const sim::Scenario launch = sim::load_scenario("tasha3_launch2", {});
+  sim::World world{launch, sim::World::large_flash, target.maker()};
+  while (!world.over()) {
+    const core::TickRecord& record = world.tick();
+    if (record.phase == core::Phase::safe || record.phase == core::Phase::armed) {
+      counter.add(phases[0], record);
+    } else if (record.phase == core::Phase::controlling && record.excitation != core::Angle{}) {
+      counter.add(phases[1], record);
+    }
+    world.advance();
+  }
+  sil::BenchAtWorld bench{"bench_healthy", 1, target.maker()};
+  bench.after_tick = [&] { counter.add(phases[2], bench.record); };
+  (void)bench.limits();
+  return phases;
+}
+
+bool agrees(std::string_view what, double now, double before) {
+  const bool same = std::abs(now - before) <= most_change * before;
+  if (!same) {
+    std::printf("%.*s: %.0f instructions, and %.0f before\n", static_cast<int>(what.size()), what.data(), now, before);
+  }
+  return same;
+}
+
+bool compare(const Phases& phases, const std::string& path) {
+  std::ifstream file{path};
+  std::string line;
+  std::getline(file, line);  // the names of the columns
+  bool same = true;
+  for (const Phase& phase : phases) {
+    std::string name;
+    double step = 0.0;
+    double step_worst = 0.0;
+    double tick = 0.0;
+    double tick_worst = 0.0;
+    if (!(file >> name >> step >> step_worst >> tick >> tick_worst) || name != phase.name) {
+      std::printf("%s has no counts of %s\n", path.c_str(), phase.name.c_str());
+      return false;
+    }
+    same = agrees(name + ", mean step", phase.step.mean(), step) && same;
+    same = agrees(name + ", worst step", phase.step.worst, step_worst) && same;
+    same = agrees(name + ", mean tick", phase.tick.mean(), tick) && same;
+    same = agrees(name + ", worst tick", phase.tick.worst, tick_worst) && same;
+  }
+  if (!same) {
+    std::printf("if that is meant: count_instructions %s --write\n", path.c_str());
+  }
+  return same;
+}
+
+bool write(const Phases& phases, const std::string& path) {
+  std::ofstream file{path};
+  file << "phase step_mean step_worst tick_mean tick_worst\n";
+  for (const Phase& phase : phases) {
+    file << phase.name << ' ' << std::lround(phase.step.mean()) << ' ' << phase.step.worst << ' '
+         << std::lround(phase.tick.mean()) << ' ' << phase.tick.worst << '\n';
+  }
+  return file.good();
+}
+
+int run(int argc, char** argv) {
+  if (const std::string objection = objection_to_images(); !objection.empty()) {
+    std::printf("%s\n", objection.c_str());
+    return 77;
+  }
+  hil::Target target{std::make_unique<hil::Emulator>(
+      hil::EmulatorOptions{.image = image("fantail-count.elf"), .icount = "shift=6,sleep=off"})};
+  const Phases phases = count(target);
+  std::printf("instructions           ticks   step mean   worst at s       tick mean   worst at s\n");
+  for (const Phase& phase : phases) {
+    std::printf("%-22s %5llu %11.1f %7u %8.3f %11.1f %7u %8.3f\n", phase.name.c_str(),
+                static_cast<unsigned long long>(phase.step.number), phase.step.mean(), phase.step.worst,
+                phase.step.worst_s, phase.tick.mean(), phase.tick.worst, phase.tick.worst_s);
+  }
+  if (argc < 2) {
+    return 0;
+  }
+  const bool to_write = argc > 2 && std::string_view{argv[2]} == "--write";
+  return (to_write ? write(phases, argv[1]) : compare(phases, argv[1])) ? 0 : 1;
+}
+
+}  // namespace
+}  // namespace fantail::test
+
+int main(int argc, char** argv) {
+  try {
+    return fantail::test::run(argc, argv);
+  } catch (const std::exception& error) {
+    std::printf("%s\n", error.what());
+    return 1;
+  }
+}

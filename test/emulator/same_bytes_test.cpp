@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "core/tick_record_fields.hpp"
+#include "emulator/images.hpp"
+#include "fly/fly_scenario.hpp"
+#include "protocol/hil_codec.hpp"
+#include "report/csv.hpp"
+#include "report/results.hpp"
+#include "sim/scenario.hpp"
+
+namespace fantail::test {
+namespace {
+
+struct Case {
+  std::string name;
+  std::string scenario;
+  std::vector<sim::Fault> faults{};
+};
+
+void PrintTo(const Case& flown, std::ostream* out) { *out << flown.name; }
+
+/// Every bit of every signal of every tick.
+class Records {
+ public:
+  void add(const core::TickRecord& record) {
+    std::array<std::byte, 512> bytes{};
+    protocol::HilWriter writer{bytes};
+    core::visit_signals(record, writer);
+    size_ = writer.size();
+    bytes_.insert(bytes_.end(), bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(size_));
+  }
+  [[nodiscard]] std::size_t ticks() const { return bytes_.size() / size_; }
+  [[nodiscard]] std::size_t first_difference(const Records& other) const {
+    const auto [here, there] = std::ranges::mismatch(bytes_, other.bytes_);
+    return static_cast<std::size_t>(here - bytes_.begin()) / size_;
+  }
+
+ private:
+  std::vector<std::byte> bytes_;
+  std::size_t size_ = 1;
+};
+
+struct Flown {
+  report::Flight flight;
+  Records records;
+};
+
+Flown fly(const sim::Scenario& scenario, const sim::MakeFlightComputer& make) {
+  Flown flown;
+  flown.flight =
+      fly::fly_scenario(scenario, {}, [&](const auto& record) { flown.records.add(record); }, fly::Log::kept, make);
+  return flown;
+}
+
+class Emulated : public testing::TestWithParam<Case> {};
+
+TEST_P(Emulated, FlightIsThatOfTheHostTickByTickAndByteByByte) {
+  if (const std::string objection = objection_to_images(); !objection.empty()) {
+    GTEST_SKIP() << objection;
+  }
+  sim::Scenario scenario = sim::load_scenario(GetParam().scenario, {});
+  scenario.faults = GetParam().faults;
+  hil::Target target{std::make_unique<hil::Emulator>(hil::EmulatorOptions{.image = image("fantail-emulator.elf")})};
+  const Flown here = fly(scenario, sim::simulated_board);
+  const Flown there = fly(scenario, target.maker());
+
+  EXPECT_GT(here.records.ticks(), 15'000U);
+  EXPECT_EQ(there.records.ticks(), here.records.ticks());
+  EXPECT_EQ(there.records.first_difference(here.records), here.records.ticks()) << "the first tick that differs";
+  EXPECT_FALSE(here.flight.log.empty());
+  EXPECT_TRUE(there.flight.log == here.flight.log) << "flight.ftl";
+  EXPECT_TRUE(report::csv(there.flight) == report::csv(here.flight)) << "flight.csv";
+  EXPECT_EQ(report::results(there.flight).summary, report::results(here.flight).summary);
+  EXPECT_EQ(target.times().overruns, 0U);
+  EXPECT_EQ(target.link().damaged(), 0U);
+}
+
+// In the middle of control, in seconds after ignition.
+const std::vector<sim::Fault> jammed_canard_and_dropouts{
+    {.kind = sim::FaultKind::canard_stuck, .canard = 1, .from_s = 2.0, .until_s = 0.0},
+    {.kind = sim::FaultKind::accelerometer_dropout, .canard = 0, .from_s = 1.0, .until_s = 1.3},
+    {.kind = sim::FaultKind::imu_dropout, .canard = 0, .from_s = 3.0, .until_s = 3.02}};
+
+INSTANTIATE_TEST_SUITE_P(All, Emulated,
+                         testing::Values(Case{"FirstLaunch", "tasha3_launch1"}, Case{"SecondLaunch", "tasha3_launch2"},
+                                         Case{"TunnelSteps", "tunnel_steps"},
+                                         Case{"Faults", "tasha3_launch2", jammed_canard_and_dropouts}),
+                         [](const auto& one) { return one.param.name; });
+
+}  // namespace
+}  // namespace fantail::test

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "hil/target.hpp"
+#include "sim/flight_computer.hpp"
+
+namespace fantail::tool {
+
+/// Where the avionics runs that a world flies.
+struct AboardOptions {
+  std::string on = "host";
+  std::string image;
+};
+
+void add_aboard_options(CLI::App& verb, AboardOptions& options);
+
+/// The avionics in this process, in an emulator, or at the end of a serial line.
+class Aboard {
+ public:
+  /// Throws hil::TargetError and sim::InputError.
+  explicit Aboard(const AboardOptions& options);
+
+  [[nodiscard]] sim::MakeFlightComputer maker();
+  /// Where it was flown, and what was the matter; nothing about this process.
+  [[nodiscard]] std::vector<std::string> notes() const;
+
+ private:
+  std::string where_;
+  std::optional<hil::Target> target_;
+};
+
+}  // namespace fantail::tool
