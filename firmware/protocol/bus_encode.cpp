@@ -74,7 +74,7 @@ BusFrame encode(const StatusReport& message) {
   raw.phase = raw_of(message.phase);
   raw.reason = raw_of(message.reason);
   raw.command_status = raw_of(message.command_status);
-  raw.roll_command = RollCommand::raw(message.roll_command.degrees());
+  raw.roll_command = RollCommand{}.raw(message.roll_command.degrees());
   raw.saturated = message.saturated;
   raw.arm_switch_closed = message.arm_switch_closed;
   raw.at_rest = message.at_rest;
@@ -90,10 +90,10 @@ BusFrame encode(const StatusReport& message) {
 
 BusFrame encode(const MotionReport& message) {
   return MotionReportFrame::pack(
-      {.roll_angle = RollAngle::raw(message.roll_angle.degrees()),
-       .roll_rate = RollRate::raw(core::Angle::from_radians(message.roll_rate_rad_s).degrees()),
-       .height = Height::raw(message.height_m),
-       .speed = Speed::raw(message.speed_m_s)});
+      {.roll_angle = RollAngle{}.raw(message.roll_angle.degrees()),
+       .roll_rate = RollRate{}.raw(core::Angle::from_radians(message.roll_rate_rad_s).degrees()),
+       .height = Height{}.raw(message.height_m),
+       .speed = Speed{}.raw(message.speed_m_s)});
 }
 
 BusFrame encode(const SessionReply& message) {
@@ -169,7 +169,7 @@ BusFrame encode(const RejectionReport& message) {
 BusFrame encode(const LimitReport& message) {
   LimitReportFrame::Raw raw{};
   for (std::size_t i = 0; i < core::canard_count; ++i) {
-    raw.*signals::limits[i] = CanardLimit::raw(message.limit[i].degrees());
+    raw.*signals::limits[i] = CanardLimit{}.raw(message.limit[i].degrees());
   }
   return LimitReportFrame::pack(raw);
 }

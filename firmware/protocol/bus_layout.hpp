@@ -48,8 +48,9 @@ inline std::uint8_t protection_of(const BusFrame& frame) {
 template <typename Frame>
 BusFrame protect(typename Frame::Raw raw, std::uint8_t counter) {
   raw.counter = counter & 0x0FU;
-  raw.crc = protection_of(Frame::pack(raw));
-  return Frame::pack(raw);
+  BusFrame frame = Frame::pack(raw);
+  frame.data.back() = protection_of(frame);
+  return frame;
 }
 
 /// Everything that can be said against a frame before its values are looked at. `strict` refuses bits that no signal of

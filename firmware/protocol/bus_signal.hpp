@@ -16,14 +16,15 @@ namespace fantail::protocol {
 
 /// A signal with a scale: its generated functions, and the raw values that it may have.
 template <auto generated_encode, auto generated_decode, std::int16_t lowest, std::int16_t highest>
-struct Scaled {
+class Scaled {
+ public:
   /// To the nearest raw value, a half away from zero (as far as single precision can tell a half). Clamped first: the
   /// generated function would run into undefined behaviour, and what it packs would wrap. Not a number gives zero.
-  static std::int16_t raw(float value) {
-    if (value >= generated_decode(highest)) {
+  [[nodiscard]] std::int16_t raw(float value) const {
+    if (value >= highest_value_) {
       return highest;
     }
-    if (value <= generated_decode(lowest)) {
+    if (value <= lowest_value_) {
       return lowest;
     }
     // Neither above nor below nor equal to itself.
@@ -31,10 +32,15 @@ struct Scaled {
       return 0;
     }
     // The generated function cuts off the fraction.
-    const float half = 0.5F * generated_decode(1);
-    return generated_encode(value < 0.0F ? value - half : value + half);
+    return generated_encode(value < 0.0F ? value - half_ : value + half_);
   }
   static float value(std::int16_t raw) { return generated_decode(raw); }
+
+ private:
+  // Asked once, for however many values follow.
+  float highest_value_ = generated_decode(highest);
+  float lowest_value_ = generated_decode(lowest);
+  float half_ = 0.5F * generated_decode(1);
 };
 
 // Signals of the same kind have the same scale in every message; a test reads that from the database.
@@ -59,10 +65,11 @@ struct FourAngles {
 
   /// An angle that is absent, or not a number, is zero and not given.
   [[nodiscard]] Raw raw(const PerCanard& angles) const {
+    const CanardAngle scale;
     Raw raw{};
     for (std::size_t i = 0; i < core::canard_count; ++i) {
       if (angles[i] && *angles[i] == *angles[i]) {  // NOLINT(misc-redundant-expression): false for what is no number
-        raw.*angle[i] = CanardAngle::raw(angles[i]->degrees());
+        raw.*angle[i] = scale.raw(angles[i]->degrees());
         raw.*given[i] = 1;
       }
     }

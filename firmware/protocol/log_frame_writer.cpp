@@ -2,6 +2,7 @@
 #include "protocol/log_frame_writer.hpp"
 
 #include <algorithm>
+#include <cstring>
 
 #include "protocol/crc32c.hpp"
 #include "protocol/little_endian.hpp"
@@ -27,7 +28,7 @@ std::size_t LogFrameWriter::write(std::span<std::byte> out) {
   while (!done() && size < out.size()) {
     std::span<const std::byte>& part = parts_[part_];
     const std::size_t count = std::min(part.size(), out.size() - size);
-    std::copy_n(part.begin(), count, out.begin() + static_cast<std::ptrdiff_t>(size));
+    std::memcpy(out.data() + size, part.data(), count);  // not std::copy_n, which may mean memmove, byte by byte
     size += count;
     part = part.subspan(count);
     while (!done() && parts_[part_].empty()) {
