@@ -101,7 +101,7 @@ class NoteQueue {
 
 /// A state of the flight law, as a checkpoint's payload. One waits at a time.
 struct WaitingCheckpoint {
-  std::array<std::byte, 1792> payload{};  // the law of this version needs 1681
+  std::array<std::byte, 1792> payload{};  // the law of this version needs 1689
   std::size_t size = 0;                   ///< 0: none waits
   std::uint32_t before = 0;               ///< number of the tick that follows
 
