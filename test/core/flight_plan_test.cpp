@@ -42,8 +42,8 @@ TEST(FlightPlan, EveryFieldSaysWhatItIsAndNoTwoShareAName) {
   std::set<std::string> names;
   for (const PlanField& f : flight_plan_fields()) {
     EXPECT_TRUE(names.insert(std::string{f.section} + "." + std::string{f.key}).second) << f.key;
-    EXPECT_FALSE(f.meaning.empty()) << f.key;
-    EXPECT_LE(f.meaning.size(), 100U) << f.key << ": one line";
+    EXPECT_FALSE(meaning(f).empty()) << f.key;
+    EXPECT_LE(meaning(f).size(), 100U) << f.key << ": one line";
     EXPECT_LT(f.minimum, f.maximum) << f.key;
     EXPECT_TRUE(f.allows(f.default_value)) << f.key;
     EXPECT_TRUE(f.allows(f.minimum) && f.allows(f.maximum)) << f.key;
