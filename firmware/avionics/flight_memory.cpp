@@ -17,6 +17,7 @@ using core::Phase;
 using hal::ResetCause;
 using protocol::get;
 using protocol::put;
+using protocol::StateExtent;
 
 namespace {
 
@@ -55,9 +56,10 @@ std::uint32_t word(std::span<const std::byte> half, std::size_t at) {
   return static_cast<std::uint32_t>(get<4>(half, at));
 }
 
+std::size_t state_size(std::span<const std::byte> half) { return static_cast<std::size_t>(get<2>(half, size_at)); }
+
 std::span<std::byte> state_in(std::span<std::byte> half) {
-  const auto size = static_cast<std::size_t>(get<2>(half, size_at));
-  return half.subspan(state_at, std::min(size, most_state));
+  return half.subspan(state_at, std::min(state_size(half), most_state));
 }
 
 std::uint32_t checksum(std::span<std::byte> half) {
@@ -75,7 +77,7 @@ void break_seal(std::span<std::byte> half) {
 }
 
 bool sealed(std::span<std::byte> half) {
-  return !half.empty() && word(half, 0) == mark && get<2>(half, size_at) <= most_state &&
+  return !half.empty() && word(half, 0) == mark && state_size(half) <= most_state &&
          word(half, crc_at) == checksum(half);
 }
 
@@ -109,7 +111,7 @@ bool restore(std::span<std::byte> half, const core::Inputs& first, std::uint32_t
       gap > FlightMemory::longest_gap) {
     return false;
   }
-  protocol::StateReader reader{state_in(half)};
+  protocol::StateReader reader{state_in(half), StateExtent::in_flight};
   law.visit_state(reader);
   return reader.ok() && flies(law.phase());
 }
@@ -159,7 +161,9 @@ void FlightMemory::keep(const core::TickRecord& record, std::uint32_t plan_crc,
     return;
   }
   if (!flies(record.phase)) {
-    forget();
+    if (sequence_ > 0) {
+      forget();
+    }
     return;
   }
   if (memory_.size() < backup_size || (sealed_at_ && record.time - *sealed_at_ < period)) {
@@ -169,7 +173,7 @@ void FlightMemory::keep(const core::TickRecord& record, std::uint32_t plan_crc,
   sequence_ += 1;
   const std::span<std::byte> half = flight_half(memory_, sequence_ % 2);
   break_seal(half);
-  protocol::StateWriter writer{half.subspan(state_at)};
+  protocol::StateWriter writer{half.subspan(state_at), StateExtent::in_flight};
   law.visit_state(writer);
   if (writer.size() > most_state) {
     return;  // part of a state is none

@@ -16,13 +16,13 @@ namespace fantail::avionics {
 
 /// Keeps a flight where a reset leaves it alone, so that the rest of it can be flown after one.
 ///
-/// From launch detection on, the whole state of the flight law is sealed with a CRC-32C every 10 ms, in two halves in
-/// turn: one of them is whole at any moment. On the pad nothing valid lies there. After a reset by the watchdog or by
+/// From launch detection on, the state of the flight law is sealed with a CRC-32C every 10 ms, in two halves in turn:
+/// one of them is whole at any moment. On the pad nothing valid lies there. After a reset by the watchdog or by
 /// the firmware itself the flight goes on from the newer half that is intact and of the plan and the law that are in
 /// force; after any other reset, and after the third resume of one flight, the rocket is Safe. It never comes back
 /// armed.
 ///
-/// What is written goes straight into that memory. A seal takes the state written out and a CRC over 1.7 kB.
+/// What is written goes straight into that memory. A seal takes the state written out and a CRC over 0.7 kB.
 class FlightMemory {
  public:
   static constexpr core::Microseconds period{10'000};

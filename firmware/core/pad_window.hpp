@@ -46,7 +46,9 @@ class PadWindow {
   /// See core/state_visitor.hpp.
   template <typename Visitor>
   void visit_state(Visitor& visit) {
-    visit(force_squared_, blocks_, open_, last_time_, open_since_, rest_since_, average_);
+    visit(force_squared_);
+    visit.on_pad(blocks_);  // an empty block is not rest
+    visit(open_, last_time_, open_since_, rest_since_, average_);
     visit.below(blocks_.size() + 1, closed_);
     visit.below(blocks_.size(), next_);
     forget_window();  // follows from the blocks, which may be others now

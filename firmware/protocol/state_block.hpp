@@ -21,10 +21,17 @@ namespace fantail::protocol {
 // 4 bytes, std::uint32_t 4, time 8, flag 1, enumeration or index 1, an optional its flag and its value. Every state of
 // one version of the law has one size and one layout.
 
+enum class StateExtent : std::uint8_t {
+  whole,      ///< a law that is given it goes on bit for bit
+  in_flight,  ///< without what is of use on the pad only: two fifths of the whole
+};
+
 /// Common to the three visitors: takes a value apart until only plain ones are left, which Derived::plain() is given.
 template <typename Derived>
 class StateVisitor {
  public:
+  explicit StateVisitor(StateExtent extent = StateExtent::whole) : extent_{extent} {}
+
   template <typename... T>
   void operator()(T&... values) {
     (each(values), ...);
@@ -33,6 +40,13 @@ class StateVisitor {
   template <typename... T>
   void below(std::size_t limit, T&... values) {
     (derived().small(limit, values), ...);
+  }
+
+  template <typename... T>
+  void on_pad(T&... values) {
+    if (extent_ == StateExtent::whole) {
+      (each(values), ...);
+    }
   }
 
  private:
@@ -60,12 +74,15 @@ class StateVisitor {
     each(content);
     derived().replace(value, there, content);
   }
+
+  StateExtent extent_;
 };
 
 /// Writes a state. Bytes beyond the room are counted and not written.
 class StateWriter : public StateVisitor<StateWriter> {
  public:
-  explicit StateWriter(std::span<std::byte> out) : out_{out} {}
+  explicit StateWriter(std::span<std::byte> out, StateExtent extent = StateExtent::whole)
+      : StateVisitor{extent}, out_{out} {}
   [[nodiscard]] std::size_t size() const { return size_; }
 
  private:
@@ -97,7 +114,8 @@ class StateWriter : public StateVisitor<StateWriter> {
 /// time of 140000 years, another size) makes ok() false, and then what was read into must not be used.
 class StateReader : public StateVisitor<StateReader> {
  public:
-  explicit StateReader(std::span<const std::byte> in) : in_{in} {}
+  explicit StateReader(std::span<const std::byte> in, StateExtent extent = StateExtent::whole)
+      : StateVisitor{extent}, in_{in} {}
   /// After the visit.
   [[nodiscard]] bool ok() const { return ok_ && at_ == in_.size(); }
 
