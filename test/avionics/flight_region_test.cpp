@@ -35,6 +35,33 @@ TEST(FlightRegion, TheNextFlightComesBehindTheLastSectorThatBeginsWithAnything) 
   EXPECT_EQ(Looked{flash}.region.free_bytes(), 0U);
 }
 
+TEST(FlightRegion, WhoKnowsHowMuchIsInUseNeedNoLookAtEverySector) {
+  hal::sim::Flash flash{small_flash};
+  region_of(flash)[0] = region_of(flash)[sector] = std::byte{0};
+  region_of(flash)[2 * sector + 100] = std::byte{0};  // appended since
+  FlashAccess access{flash};
+  FlightRegion region{access};
+  EXPECT_EQ(region.used_sectors(), std::nullopt);
+  region.look_from(2);
+  int ticks = 0;
+  for (; !region.finished(); ++ticks) {
+    region.update({});
+  }
+  EXPECT_EQ(ticks, 1 + 4096 / 256);
+  EXPECT_EQ(region.used_sectors(), 3U);
+  EXPECT_EQ(region.open(), 3U);
+}
+
+TEST(FlightRegion, MoreInUseThanThereIsMeansThatItIsFull) {
+  hal::sim::Flash flash{small_flash};
+  FlashAccess access{flash};
+  FlightRegion region{access};
+  region.look_from(sectors + 5);
+  EXPECT_TRUE(region.finished());
+  EXPECT_EQ(region.open(), std::nullopt);
+  EXPECT_EQ(region.free_bytes(), 0U);
+}
+
 TEST(FlightRegion, ASectorWithAnythingDeeperInIsSteppedOver) {
   for (std::uint32_t at = 16; at < sector; at += 17) {
     hal::sim::Flash flash{small_flash};
