@@ -191,6 +191,15 @@ TEST(FlightMemory, MemoryThatIsAnythingIsNoFlight) {
   }
 }
 
+TEST(FlightMemory, AResumeCountsThoughTheLawNeverCameToItsNextSeal) {
+  Kept rig;
+  std::uint32_t resumed = 0;
+  for (int i = 0; i < 10; ++i) {
+    resumed += resume(rig.memory, rig.after(60 * millisecond), rig.plan) ? 1U : 0U;
+  }
+  EXPECT_EQ(resumed, FlightMemory::most_resumes);
+}
+
 // A reset may come between any two stores, and the compiler may have put them in another order.
 TEST(FlightMemory, AResetInTheMiddleOfASealLeavesTheOtherHalf) {
   Kept rig;
