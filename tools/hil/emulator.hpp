@@ -7,6 +7,7 @@
 #include <sys/types.h>
 
 #include "hil/descriptor.hpp"
+#include "hil/one_processor.hpp"
 #include "hil/wire.hpp"
 
 namespace fantail::hil {
@@ -37,6 +38,7 @@ class Emulator final : public Wire {
  private:
   [[noreturn]] void ended();
 
+  OneProcessor one_processor_;  ///< for this thread and the emulator
   Descriptor to_target_;
   Descriptor from_target_;
   Descriptor complaints_;

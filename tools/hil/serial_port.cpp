@@ -31,7 +31,7 @@ SerialPort::SerialPort(std::string device) : device_{std::move(device)} {
   ::cfmakeraw(&settings);
   settings.c_cflag |= static_cast<tcflag_t>(CLOCAL | CREAD);
   settings.c_cflag &= ~static_cast<tcflag_t>(CRTSCTS | CSTOPB);
-  settings.c_cc[VMIN] = 0;
+  settings.c_cc[VMIN] = 1;  // with 0, nothing that has come yet would look like the end
   settings.c_cc[VTIME] = 0;
   if (::cfsetspeed(&settings, B921600) != 0 || ::tcsetattr(port_.number(), TCSANOW, &settings) != 0) {
     refuse(std::strerror(errno));
