@@ -24,6 +24,8 @@ class Board final : public hal::Board {
 
   Board(Parts parts, ResetCause reset_cause) : parts_{parts}, reset_cause_{reset_cause} {}
 
+  /// What the processor calls a software reset is also what a probe asks for. Before anybody has asked for the status.
+  void was_reset_by(ResetCause cause) { reset_cause_ = cause; }
   /// A fault stays until the next reset.
   void add(BoardFault fault) { faults_.add(fault); }
   void add(BoardFaults faults) { faults_.add(faults); }

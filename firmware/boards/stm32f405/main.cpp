@@ -15,8 +15,11 @@ using boards::stm32f405::Hardware;
 
 namespace {
 
-// From the last sealed tick to the first of the new loop: half of a seal's 10 ms, the watchdog's 50 ms, 5 ms of boot.
-constexpr hal::Microseconds gap_of_a_reset{60'000};
+// From the last sealed tick to the first of the new loop: half of a seal's 10 ms, and 5 ms of boot; when the watchdog
+// had to find out, its 50 ms. All of it estimated, nothing measured.
+hal::Microseconds gap_of(hal::ResetCause cause) {
+  return hal::Microseconds{cause == hal::ResetCause::watchdog ? 60'000 : 10'000};
+}
 
 void introduce(Hardware& hardware) {
   hal::Console& console = hardware.console();
@@ -28,9 +31,14 @@ void introduce(Hardware& hardware) {
   if (!boards::image_is_intact()) {
     hardware.board().add(hal::BoardFault::image_broken);
   }
-  if (const auto crash = avionics::take_crash(avionics::crash_place(hardware.backup_memory().bytes()))) {
+  const auto crash = avionics::take_crash(avionics::crash_place(hardware.backup_memory().bytes()));
+  if (crash) {
     hardware.board().add(hal::BoardFault::crashed);
     avionics::tell(*crash, console);
+  } else if (hardware.board().status().reset_cause == hal::ResetCause::software) {
+    // This firmware resets itself when it has crashed and never else, so it was a probe: somebody flashes a board in
+    // the middle of a tunnel run, and his canards must not go on where they were.
+    hardware.board().was_reset_by(hal::ResetCause::pin);
   }
 }
 
@@ -40,8 +48,8 @@ int main() {
   static boards::Forever<Hardware> room_for_hardware;
   Hardware& hardware = room_for_hardware.make();
   introduce(hardware);
-  const auto flight_time = avionics::clock_after_reset(hardware.backup_memory().bytes(),
-                                                       hardware.board().status().reset_cause, gap_of_a_reset);
+  const hal::ResetCause cause = hardware.board().status().reset_cause;
+  const auto flight_time = avionics::clock_after_reset(hardware.backup_memory().bytes(), cause, gap_of(cause));
   if (flight_time) {
     hardware.clock().begin_at(*flight_time);
   }
