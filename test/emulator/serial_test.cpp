@@ -75,7 +75,7 @@ TEST(Serial, TheBoardAtTheEndOfASerialLineFliesAsTheHostDoesAndCanBeFlownAgain) 
     EXPECT_EQ(target.identity().image, "fantail-hil");
     sim::World here{scenario};
     sim::World there{scenario, sim::World::small_flash, target.maker()};
-    for (int tick = 0; tick < 300; ++tick) {
+    for (int tick = 0; tick < 150; ++tick) {
       ASSERT_EQ(protocol::tick_digest(there.tick()), protocol::tick_digest(here.tick())) << tick;
       here.advance();
       there.advance();

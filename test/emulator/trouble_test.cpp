@@ -126,7 +126,7 @@ class BadWire final : public hil::Wire {
     const std::size_t size = wire_->read(out, at_most);
     came += size != 0 ? 1 : 0;
     if (damage_all) {
-      for (std::size_t at = 0; at < size; at += 8) {  // several frames may come at once
+      for (std::size_t at = 8; at < size; at += 8) {  // several frames may come at once
         out[at] ^= std::byte{0x01};
       }
     }

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include "system/refusal.hpp"
+
+namespace fantail::test {
+namespace {
+
+TEST(FlyOn, APlaceThatDoesNotExistIsRefused) {
+  Refusal{{}, {"fly", "--on", "moon"}, 64, {"\"moon\" is no place to fly; allowed: host, emulator, serial:DEVICE"}};
+  Refusal{{}, {"fly", "--on", "serial:"}, 64, {"\"serial:\" is no place to fly"}};
+}
+
+TEST(FlyOn, AnImageThatIsMissingIsNamed) {
+  Refusal{{},
+          {"fly", "--on", "emulator", "--image", "/nowhere/fantail-emulator.elf"},
+          66,
+          {"/nowhere/fantail-emulator.elf: there is no such image", "./dev fly --on emulator builds it"}};
+}
+
+TEST(FlyOn, ASerialDeviceThatIsMissingOrNoneIsNamed) {
+  Refusal{{}, {"fly", "--on", "serial:/dev/there-is-none"}, 74, {"/dev/there-is-none: there is no such device"}};
+  Refusal{{}, {"fly", "--on", "serial:/dev/null"}, 74, {"/dev/null: it is not a serial port"}};
+}
+
+}  // namespace
+}  // namespace fantail::test
