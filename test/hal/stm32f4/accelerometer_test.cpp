@@ -5,54 +5,19 @@
 
 #include "fake_kx134.hpp"
 #include "hal/stm32f4/kx134.hpp"
+#include "sensor_rig.hpp"
 
 namespace fantail::hal::stm32f4 {
 namespace {
 
-using test::FakeClock;
 using test::FakeKx134;
-using test::FakePort;
-using test::FakeSpi;
-using test::RegisterWorld;
 using enum SensorAxis;
 
-constexpr std::uint32_t bus_hz = 42'000'000;
 constexpr Mounting straight{plus_x, plus_y, plus_z};
-constexpr Microseconds tick{1'000};
 
-class AccelerometerTest : public testing::Test {
+class AccelerometerTest : public test::SensorTest<FakeKx134, 42'000'000> {
  protected:
-  RegisterWorld world;
-  FakeClock clock;
-  FakePort port{world};
-  FakeSpi spi{world, bus_hz};
-  FakeKx134 device{clock};
-  SpiBus bus{spi.block(), bus_hz};
-
-  void SetUp() override { spi.attach(port, 4, device); }
-  void TearDown() override {
-    for (const auto& violations : {spi.violations, device.violations}) {
-      for (const std::string& violation : violations) {
-        ADD_FAILURE() << violation;
-      }
-    }
-  }
-
-  Accelerometer make(const Mounting& mounting = straight) {
-    return Accelerometer{SpiDevice{bus, Pin{port.block(), 4}, kx134::spi}, clock, mounting};
-  }
-  AccelerometerSample next(Accelerometer& accelerometer) {
-    clock.time += tick;
-    return accelerometer.read();
-  }
-  int ticks_to_sample(Accelerometer& accelerometer, int most) {
-    for (int i = 1; i <= most; ++i) {
-      if (next(accelerometer).status == Status::ok) {
-        return i;
-      }
-    }
-    return most + 1;
-  }
+  Accelerometer make(const Mounting& mounting = straight) { return Accelerometer{place(kx134::spi), clock, mounting}; }
   Accelerometer running(const Mounting& mounting = straight) {
     Accelerometer accelerometer = make(mounting);
     EXPECT_LE(ticks_to_sample(accelerometer, 100), 20);

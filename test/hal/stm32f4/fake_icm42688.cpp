@@ -45,11 +45,6 @@ void FakeIcm42688::reset() {
   samples_ = 0;
 }
 
-void FakeIcm42688::selected() {
-  address_.reset();
-  update();
-}
-
 void FakeIcm42688::update() {
   const std::uint8_t mode = registers_[0][power];
   const bool gyro_on = (mode & 0x0CU) == 0x0C;
@@ -92,25 +87,10 @@ void FakeIcm42688::put(std::uint8_t address, double value, double full_scale) {
   registers_[0][address + 1U] = static_cast<std::uint8_t>(word);
 }
 
-std::uint8_t FakeIcm42688::exchange(std::uint8_t out) {
-  if (stuck_at) {
-    return *stuck_at;
-  }
+void FakeIcm42688::spoken_to() {
   if (clock_.time < reset_until_ && resets > 0) {
     violations.emplace_back("spoken to within 1 ms of its reset");
   }
-  if (!address_) {
-    address_ = out & 0x7FU;
-    reading_ = (out & 0x80U) != 0;
-    return 0;
-  }
-  const std::uint8_t address = *address_;
-  address_ = static_cast<std::uint8_t>((address + 1U) & 0x7FU);
-  if (reading_) {
-    return read(address);
-  }
-  write(address, out);
-  return 0;
 }
 
 std::uint8_t FakeIcm42688::read(std::uint8_t address) {

@@ -8,14 +8,14 @@
 #include <string>
 #include <vector>
 
+#include "fake_addressed.hpp"
 #include "fake_clock.hpp"
-#include "fake_spi.hpp"
 
 namespace fantail::hal::stm32f4::test {
 
 /// An ICM-42688-P as DS-000347 revision 1.8 describes it, as far as the driver can see it: five banks of registers,
 /// reset, start-up times, data-ready, self-test. What must not be done to it is written down in `violations`.
-class FakeIcm42688 final : public SpiSlave {
+class FakeIcm42688 final : public AddressedSlave {
  public:
   explicit FakeIcm42688(const FakeClock& clock);
 
@@ -29,34 +29,28 @@ class FakeIcm42688 final : public SpiSlave {
   std::array<std::uint8_t, 3> accelerometer_codes{80, 85, 90};
 
   // ---- faults ----
-  std::optional<std::uint8_t> stuck_at{};  ///< answers nothing but this
   std::uint8_t id = 0x47;
   bool frozen = false;                    ///< no new samples
   std::function<void()> before_status{};  ///< happens once, just before INT_STATUS is read
   /// Its supply was gone for a moment.
   void reset();
 
-  std::vector<std::string> violations{};
   [[nodiscard]] std::uint8_t reg(std::uint8_t bank, std::uint8_t address) const { return registers_[bank][address]; }
   int resets = 0;
   int writes = 0;
 
   [[nodiscard]] Needs needs() const override { return {.modes = {0, 3}, .most_hz = 24'000'000, .select_ns = 39}; }
-  void selected() override;
-  std::uint8_t exchange(std::uint8_t out) override;
-  void deselected() override {}
 
  private:
-  void update();
-  void write(std::uint8_t address, std::uint8_t value);
-  std::uint8_t read(std::uint8_t address);
+  void update() override;
+  void spoken_to() override;
+  void write(std::uint8_t address, std::uint8_t value) override;
+  std::uint8_t read(std::uint8_t address) override;
   void put(std::uint8_t address, double value, double full_scale);
 
   const FakeClock& clock_;
   std::array<std::array<std::uint8_t, 128>, 5> registers_{};
   std::uint8_t bank_ = 0;
-  std::optional<std::uint8_t> address_;
-  bool reading_ = false;
   Microseconds reset_until_{};
   Microseconds switched_on_{-1'000'000};
   Microseconds gyro_ready_{};

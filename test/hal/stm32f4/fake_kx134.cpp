@@ -21,11 +21,6 @@ void FakeKx134::reset() {
   samples_ = 0;
 }
 
-void FakeKx134::selected() {
-  address_.reset();
-  update();
-}
-
 void FakeKx134::update() {
   const std::uint8_t control = registers_[control_1];
   if ((control & 0x80U) == 0 || frozen) {
@@ -52,25 +47,10 @@ void FakeKx134::update() {
   }
 }
 
-std::uint8_t FakeKx134::exchange(std::uint8_t out) {
-  if (stuck_at) {
-    return *stuck_at;
-  }
+void FakeKx134::spoken_to() {
   if (clock_.time < reset_until_ && resets > 1) {
     violations.emplace_back("spoken to within 2 ms of its reset");
   }
-  if (!address_) {
-    address_ = out & 0x7FU;
-    reading_ = (out & 0x80U) != 0;
-    return 0;
-  }
-  const std::uint8_t address = *address_;
-  address_ = static_cast<std::uint8_t>((address + 1U) & 0x7FU);
-  if (reading_) {
-    return read(address);
-  }
-  write(address, out);
-  return 0;
 }
 
 std::uint8_t FakeKx134::read(std::uint8_t address) {

@@ -7,13 +7,13 @@
 #include <string>
 #include <vector>
 
+#include "fake_addressed.hpp"
 #include "fake_clock.hpp"
-#include "fake_spi.hpp"
 
 namespace fantail::hal::stm32f4::test {
 
 /// A KX134-1211 as its Technical Reference Manual describes it, as far as the driver can see it.
-class FakeKx134 final : public SpiSlave {
+class FakeKx134 final : public AddressedSlave {
  public:
   explicit FakeKx134(const FakeClock& clock) : clock_{clock} { reset(); }
 
@@ -21,31 +21,25 @@ class FakeKx134 final : public SpiSlave {
   bool noisy = true;  ///< a count, now and then
 
   // ---- faults ----
-  std::optional<std::uint8_t> stuck_at{};  ///< answers nothing but this
   std::uint8_t id = 0x46;
   std::uint8_t test_response = 0x55;
   bool frozen = false;  ///< no new samples
   /// Its supply was gone for a moment.
   void reset();
 
-  std::vector<std::string> violations{};
   [[nodiscard]] std::uint8_t reg(std::uint8_t address) const { return registers_[address]; }
   int resets = 0;
 
   [[nodiscard]] Needs needs() const override { return {.modes = {0}, .most_hz = 10'000'000}; }
-  void selected() override;
-  std::uint8_t exchange(std::uint8_t out) override;
-  void deselected() override {}
 
  private:
-  void update();
-  std::uint8_t read(std::uint8_t address);
-  void write(std::uint8_t address, std::uint8_t value);
+  void update() override;
+  void spoken_to() override;
+  std::uint8_t read(std::uint8_t address) override;
+  void write(std::uint8_t address, std::uint8_t value) override;
 
   const FakeClock& clock_;
   std::array<std::uint8_t, 128> registers_{};
-  std::optional<std::uint8_t> address_;
-  bool reading_ = false;
   Microseconds reset_until_{};
   Microseconds switched_on_{};
   std::int64_t samples_ = 0;

@@ -5,55 +5,19 @@
 
 #include "fake_icm42688.hpp"
 #include "hal/stm32f4/icm42688.hpp"
+#include "sensor_rig.hpp"
 
 namespace fantail::hal::stm32f4 {
 namespace {
 
-using test::FakeClock;
 using test::FakeIcm42688;
-using test::FakePort;
-using test::FakeSpi;
-using test::RegisterWorld;
 using enum SensorAxis;
 
-constexpr std::uint32_t bus_hz = 84'000'000;
 constexpr Mounting straight{plus_x, plus_y, plus_z};
-constexpr Microseconds tick{1'000};
 
-class ImuTest : public testing::Test {
+class ImuTest : public test::SensorTest<FakeIcm42688, 84'000'000> {
  protected:
-  RegisterWorld world;
-  FakeClock clock;
-  FakePort port{world};
-  FakeSpi spi{world, bus_hz};
-  FakeIcm42688 device{clock};
-  SpiBus bus{spi.block(), bus_hz};
-
-  void SetUp() override { spi.attach(port, 4, device); }
-  void TearDown() override {
-    for (const auto& violations : {spi.violations, device.violations}) {
-      for (const std::string& violation : violations) {
-        ADD_FAILURE() << violation;
-      }
-    }
-  }
-
-  Imu make(const Mounting& mounting = straight) {
-    return Imu{SpiDevice{bus, Pin{port.block(), 4}, icm42688::spi}, clock, mounting};
-  }
-  ImuSample next(Imu& imu) {
-    clock.time += tick;
-    return imu.read();
-  }
-  /// Ticks until a sample comes, at most so many.
-  int ticks_to_sample(Imu& imu, int most) {
-    for (int i = 1; i <= most; ++i) {
-      if (next(imu).status == Status::ok) {
-        return i;
-      }
-    }
-    return most + 1;
-  }
+  Imu make(const Mounting& mounting = straight) { return Imu{place(icm42688::spi), clock, mounting}; }
   /// The start without a self-test.
   Imu running(const Mounting& mounting = straight) {
     Imu imu = make(mounting);
