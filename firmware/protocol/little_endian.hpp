@@ -4,25 +4,30 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <type_traits>
+#include <utility>
 
 namespace fantail::protocol {
 
-// Numbers as they lie in a block or a frame: lowest byte first.
+// Numbers as they lie in a block or a frame: lowest byte first. Written without loops, because of a loop GCC does not
+// see that it is one load or one store of the Cortex-M4, and leaves six instructions for each byte.
+
+/// Enough for so many bytes, and no more: 64 bits are two registers.
+template <std::size_t bytes>
+using WordOf = std::conditional_t<(bytes > 4), std::uint64_t, std::uint32_t>;
 
 template <std::size_t bytes>
 constexpr void put(std::span<std::byte> out, std::size_t at, std::uint64_t value) {
-  for (std::size_t i = 0; i < bytes; ++i) {
-    out[at + i] = static_cast<std::byte>(value >> (8U * i));
-  }
+  [word = static_cast<WordOf<bytes>>(value), first = out.data() + at]<std::size_t... i>(std::index_sequence<i...>) {
+    ((first[i] = static_cast<std::byte>(word >> (8U * i))), ...);
+  }(std::make_index_sequence<bytes>{});
 }
 
 template <std::size_t bytes>
 [[nodiscard]] constexpr std::uint64_t get(std::span<const std::byte> in, std::size_t at) {
-  std::uint64_t value = 0;
-  for (std::size_t i = 0; i < bytes; ++i) {
-    value |= static_cast<std::uint64_t>(in[at + i]) << (8U * i);
-  }
-  return value;
+  return [first = in.data() + at]<std::size_t... i>(std::index_sequence<i...>) {
+    return ((static_cast<WordOf<bytes>>(first[i]) << (8U * i)) | ...);
+  }(std::make_index_sequence<bytes>{});
 }
 
 }  // namespace fantail::protocol

@@ -34,7 +34,7 @@ std::size_t LogFrameWriter::write(std::span<std::byte> out) {
     while (!done() && parts_[part_].empty()) {
       part_ += 1;
       if (part_ == tail) {
-        // Over what lies together: eight bytes at a time need not stop where a part ends.
+        // Over what lies together, because a word need not end where a part does.
         crc_ = crc32c(crc_, out.subspan(summed, size - summed));
         summed = size;
         put<4>(tail_, 0, crc_);
