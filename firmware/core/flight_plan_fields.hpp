@@ -25,9 +25,10 @@ struct PlanField {
   float minimum = 0.0F;
   float maximum = 0.0F;
   std::span<const std::string_view> choices;
-  std::size_t slots = 1;  ///< 1; 4 for one value a canard; the capacity of a list
-  float scale = 1.0F;     ///< inside value = file value * scale
-  bool is_time = false;   ///< kept in whole microseconds, which are also its bits
+  std::size_t slots = 1;    ///< 1; 4 for one value a canard; the capacity of a list
+  float scale = 1.0F;       ///< inside value = file value * scale
+  bool is_time = false;     ///< kept in whole microseconds, which are also its bits
+  bool has_length = false;  ///< it is a list; GCC 12's sanitizer takes no `get_length != nullptr` for a constant
   float (*get_inside)(const FlightPlan&, std::size_t slot) = nullptr;
   void (*set_inside)(FlightPlan&, std::size_t slot, float inside) = nullptr;
   std::uint32_t (*get_bits)(const FlightPlan&, std::size_t slot) = nullptr;  ///< exact, for the wire
@@ -35,7 +36,7 @@ struct PlanField {
   std::size_t (*get_length)(const FlightPlan&) = nullptr;  ///< a list's own length; null for everything else
   void (*set_length)(FlightPlan&, std::size_t length) = nullptr;
 
-  [[nodiscard]] constexpr bool is_list() const { return get_length != nullptr; }
+  [[nodiscard]] constexpr bool is_list() const { return has_length; }
   [[nodiscard]] std::size_t used_slots(const FlightPlan& plan) const { return is_list() ? get_length(plan) : slots; }
   [[nodiscard]] float get(const FlightPlan& plan, std::size_t slot) const { return get_inside(plan, slot) / scale; }
   /// False for NaN, beyond the range, or a fraction where an integer, choice or flag stands.

@@ -155,6 +155,7 @@ constexpr PlanRow integer(std::string_view section, std::string_view key, float 
 // Length is a function plan -> reference to the list's own length.
 template <auto Length>
 constexpr PlanRow list(PlanRow row) {
+  row.field.has_length = true;
   row.field.get_length = [](const Plan& p) -> std::size_t { return Length(p); };
   row.field.set_length = [](Plan& p, std::size_t length) { Length(p) = static_cast<std::uint8_t>(length); };
   return row;
