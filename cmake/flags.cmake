@@ -14,9 +14,9 @@ if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64)$")
   target_compile_options(fantail_flags INTERFACE -march=x86-64-v2)
 endif()
 
+set(fantail_sanitizers -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
 if(FANTAIL_SANITIZE)
-  target_compile_options(fantail_flags INTERFACE
-    -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  target_compile_options(fantail_flags INTERFACE ${fantail_sanitizers})
   target_compile_definitions(fantail_flags INTERFACE _GLIBCXX_ASSERTIONS)
   target_link_options(fantail_flags INTERFACE -fsanitize=address,undefined)
 endif()

@@ -5,8 +5,20 @@
 # sees the headers of the libraries it links and no others: a wrong include does not compile. What a compiler cannot
 # see (system-wide third-party headers, "../" paths) is checked by check_includes.cmake, which runs in every build.
 
+# The standard library takes most of the compile time of what flies: on a PC it is read once. For the processor it is
+# not, and so an #include that is missing is found there.
+if(NOT CMAKE_CROSSCOMPILING)
+  add_library(flight_precompiled OBJECT ${PROJECT_SOURCE_DIR}/firmware/precompiled.cpp)
+  target_link_libraries(flight_precompiled PRIVATE fantail_flags fantail_flight_flags)
+  target_precompile_headers(flight_precompiled PRIVATE
+    <algorithm> <array> <bit> <chrono> <cmath> <cstdint> <optional> <span> <string_view> <utility> <variant>)
+endif()
+
 # fantail_library(<name> INCLUDE_AS <prefix> [FLIGHT] SOURCES <file>... [USES <library>...] [PRIVATE_USES <library>...])
 # Headers of this folder are included as <prefix>/file.hpp.
+#
+# With FANTAIL_TESTS each library has a twin, <name>_sanitized, compiled for the address and undefined-behaviour
+# sanitizers and built only for the tests that ask for it (fantail_test(... SANITIZED)).
 function(fantail_library name)
   cmake_parse_arguments(ARG "FLIGHT" "INCLUDE_AS" "SOURCES;USES;PRIVATE_USES" ${ARGN})
   set(scope PUBLIC)
@@ -15,6 +27,9 @@ function(fantail_library name)
     target_link_libraries(${name} PRIVATE fantail_flags)
     if(ARG_FLIGHT)
       target_link_libraries(${name} PRIVATE fantail_flight_flags)
+      if(TARGET flight_precompiled)
+        target_precompile_headers(${name} REUSE_FROM flight_precompiled)
+      endif()
     endif()
   else()
     set(scope INTERFACE)
@@ -25,7 +40,7 @@ function(fantail_library name)
   cmake_path(GET ARG_INCLUDE_AS PARENT_PATH parent)
   file(MAKE_DIRECTORY ${root}/${parent})
   file(CREATE_LINK ${CMAKE_CURRENT_SOURCE_DIR} ${root}/${ARG_INCLUDE_AS} SYMBOLIC)
-  target_include_directories(${name} ${scope} ${root})
+  target_include_directories(${name} ${scope} $<BUILD_INTERFACE:${root}> $<INSTALL_INTERFACE:include/fantail>)
 
   target_link_libraries(${name} ${scope} ${ARG_USES})
   if(ARG_PRIVATE_USES)
@@ -34,6 +49,37 @@ function(fantail_library name)
   if(ARG_SOURCES)
     add_dependencies(${name} check_includes)
   endif()
+  if(FANTAIL_TESTS AND NOT FANTAIL_SANITIZE)
+    fantail_sanitized_twin(${name})
+  endif()
+endfunction()
+
+# What a target links, with its own libraries replaced by their twins.
+function(fantail_twins result)
+  list(TRANSFORM ARGN REPLACE "^(fantail_[a-z0-9_]+)$" "\\1_sanitized")
+  list(TRANSFORM ARGN REPLACE "^(fantail_(flight_)?flags)_sanitized$" "\\1")
+  set(${result} ${ARGN} PARENT_SCOPE)
+endfunction()
+
+function(fantail_sanitized_twin name)
+  get_target_property(type ${name} TYPE)
+  fantail_twins(uses ${ARG_USES})
+  if(type STREQUAL INTERFACE_LIBRARY)
+    add_library(${name}_sanitized INTERFACE)
+    target_include_directories(${name}_sanitized INTERFACE ${root})
+    target_link_libraries(${name}_sanitized INTERFACE ${uses})
+    return()
+  endif()
+  fantail_twins(private_uses ${ARG_PRIVATE_USES})
+  add_library(${name}_sanitized STATIC EXCLUDE_FROM_ALL ${ARG_SOURCES})
+  target_include_directories(${name}_sanitized PUBLIC ${root})
+  target_link_libraries(${name}_sanitized PUBLIC ${uses} PRIVATE fantail_flags ${private_uses})
+  if(ARG_FLIGHT)
+    target_link_libraries(${name}_sanitized PRIVATE fantail_flight_flags)
+  endif()
+  # -w: the same files are compiled with all warnings once already, and GCC 12 invents some under the sanitizers.
+  target_compile_options(${name}_sanitized PRIVATE ${fantail_sanitizers} -O1 -g1 -w)
+  target_compile_definitions(${name}_sanitized PRIVATE _GLIBCXX_ASSERTIONS)
 endfunction()
 
 # fantail_small(<file>...): of the library in this folder, what runs at power-up, on the ground, or so seldom that in an
@@ -41,6 +87,19 @@ endfunction()
 function(fantail_small)
   if(CMAKE_CROSSCOMPILING)
     set_property(SOURCE ${ARGN} APPEND PROPERTY COMPILE_OPTIONS -Os)
+  endif()
+endfunction()
+
+# fantail_kernel(<file>...): of a folder that is compiled for a quick build (-O1: tools and tests), what goes through every
+# sample of a log or every cell of a grid, and is worth the optimiser's time.
+function(fantail_kernel)
+  set_property(SOURCE ${ARGN} APPEND PROPERTY COMPILE_OPTIONS $<$<CONFIG:Release>:-O3>)
+endfunction()
+
+# fantail_once(<file>...): of a folder that is compiled for speed, what runs once a program: it reads files and words.
+function(fantail_once)
+  if(NOT CMAKE_CROSSCOMPILING)
+    set_property(SOURCE ${ARGN} APPEND PROPERTY COMPILE_OPTIONS $<$<CONFIG:Release>:-O1>)
   endif()
 endfunction()
 

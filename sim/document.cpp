@@ -2,7 +2,7 @@
 #include "sim/document.hpp"
 
 #include <algorithm>
-#include <sstream>
+#include <filesystem>
 
 #include "sim/input_error.hpp"
 
@@ -31,13 +31,6 @@ std::string trimmed(std::string_view text) {
   const std::size_t first = text.find_first_not_of(" \t");
   return first == std::string_view::npos ? std::string{}
                                          : std::string{text.substr(first, text.find_last_not_of(" \t") + 1 - first)};
-}
-
-std::string describe(const toml::parse_error& error, const std::string& file) {
-  std::ostringstream text;
-  text << file << ':' << error.source().begin.line << ':' << error.source().begin.column
-       << ": not valid TOML: " << error.description();
-  return text.str();
 }
 
 }  // namespace
@@ -72,40 +65,25 @@ std::optional<std::string> suggestion(std::string_view wrong, std::span<const st
   return best;
 }
 
-Document Document::load(const std::filesystem::path& file) {
+Document Document::load(const std::string& file) {
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(file, ignored)) {
-    throw InputError{InputFault::no_such_input, file.string() + ": no such file"};
+    throw InputError{InputFault::no_such_input, file + ": no such file"};
   }
   Document document;
-  document.file_ = file.string();
-  try {
-    document.root_ = toml::parse_file(document.file_);
-  } catch (const toml::parse_error& error) {
-    throw InputError{InputFault::bad_data, describe(error, document.file_)};
-  }
+  document.file_ = file;
+  document.tree_ = TomlTree::read(file);
   return document;
 }
 
 void Document::apply(const Override& change) {
-  toml::table parsed;
-  try {
-    parsed = toml::parse("value = " + change.value);
-  } catch (const toml::parse_error&) {
-    parsed.clear();
-  }
-  if (parsed.size() != 1) {  // not TOML, or a whole document smuggled into one value
-    parsed.insert_or_assign("value", change.value);
-  }
-  if (!root_.contains(change.section)) {
-    root_.insert(change.section, toml::table{});
+  const TomlNode section = root()[change.section];
+  if (!section) {
     replaced_["." + change.section] = change.text();
-  }
-  toml::table* section = root_[change.section].as_table();
-  if (section == nullptr) {
+  } else if (!section.is_table()) {
     throw InputError{InputFault::bad_configuration, change.text() + ": " + change.section + " is not a section"};
   }
-  section->insert_or_assign(change.key, *parsed.get("value"));
+  tree_.put(change.section, change.key, change.value);
   replaced_[change.section + "." + change.key] = change.text();
 }
 
@@ -113,25 +91,22 @@ bool Document::is_replaced(std::string_view section, std::string_view key) const
   return replaced_.contains(std::string{section} + "." + std::string{key});
 }
 
-std::string Document::where(std::string_view section, std::string_view key, const toml::node* node) const {
+std::string Document::where(std::string_view section, std::string_view key, TomlNode node) const {
   const auto replaced = replaced_.find(std::string{section} + "." + std::string{key});
   if (replaced != replaced_.end()) {
     return replaced->second;
   }
-  if (node != nullptr && node->source().begin.line > 0) {
-    return file_ + ":" + std::to_string(node->source().begin.line);
-  }
-  return file_;
+  return node.line() > 0 ? file_ + ":" + std::to_string(node.line()) : file_;
 }
 
 void refuse_unknown_sections(const Document& document, std::span<const std::string> known) {
-  for (const auto& [key, node] : document.root()) {
-    const std::string name{key.str()};
+  for (const std::string& name : document.root().keys()) {
     if (std::ranges::find(known, name) != known.end()) {
       continue;
     }
+    const TomlNode node = document.root()[name];
     std::string message =
-        document.where("", name, &node) + ": unknown " + (node.is_table() ? "section [" + name + "]" : "key " + name);
+        document.where("", name, node) + ": unknown " + (node.is_table() ? "section [" + name + "]" : "key " + name);
     if (const auto meant = suggestion(name, known)) {
       message += "; did you mean " + *meant + "?";
     }

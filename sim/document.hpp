@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <filesystem>
+#include <cstddef>
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <span>
@@ -9,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include <toml++/toml.h>
+#include "sim/toml_tree.hpp"
 
 namespace fantail::sim {
 
@@ -28,23 +29,23 @@ struct Override {
 class Document {
  public:
   /// Throws InputError: no_such_input, or bad_data with file:line:column.
-  [[nodiscard]] static Document load(const std::filesystem::path& file);
+  [[nodiscard]] static Document load(const std::string& file);
 
   /// Replaces or adds one value. The value is read as TOML; what is not TOML is a string.
   void apply(const Override& change);
 
-  [[nodiscard]] const toml::table& root() const { return root_; }
-  [[nodiscard]] std::filesystem::path file() const { return file_; }
+  [[nodiscard]] TomlNode root() const { return tree_.root(); }
+  [[nodiscard]] const std::string& file() const { return file_; }
 
   /// Was this value given by a --set?
   [[nodiscard]] bool is_replaced(std::string_view section, std::string_view key) const;
 
   /// "file:line" of a value, "--set ..." when it was replaced, or the file alone.
-  [[nodiscard]] std::string where(std::string_view section, std::string_view key, const toml::node* node) const;
+  [[nodiscard]] std::string where(std::string_view section, std::string_view key, TomlNode node) const;
 
  private:
   std::string file_;
-  toml::table root_;
+  TomlTree tree_;
   std::map<std::string, std::string, std::less<>> replaced_;
 };
 
@@ -63,7 +64,7 @@ class Section {
   /// A section that is absent reads as empty.
   Section(const Document& document, std::string name);
   /// One table of an array of tables.
-  Section(const Document& document, std::string name, const toml::table& table);
+  Section(const Document& document, std::string name, TomlNode table);
 
   [[nodiscard]] bool has(std::string_view key);
   [[nodiscard]] double number(std::string_view key, Limits limits, std::optional<double> otherwise = {});
@@ -88,16 +89,15 @@ class Section {
   [[noreturn]] void refuse(std::string_view key, const std::string& complaint) const;
 
  private:
-  const toml::node* find(std::string_view key);
-  std::string checked_text(std::string_view key, const toml::node& node) const;
-  double checked_number(std::string_view key, const toml::node& node, Limits limits) const;
-  std::size_t checked_choice(std::string_view key, const toml::node& node,
-                             std::span<const std::string_view> words) const;
+  TomlNode find(std::string_view key);
+  std::string checked_text(std::string_view key, TomlNode node) const;
+  double checked_number(std::string_view key, TomlNode node, Limits limits) const;
+  std::size_t checked_choice(std::string_view key, TomlNode node, std::span<const std::string_view> words) const;
   [[nodiscard]] std::string label(std::string_view key) const;
 
   const Document& document_;
   std::string name_;
-  const toml::table* table_;
+  TomlNode table_;
   std::vector<std::string> known_;
 };
 

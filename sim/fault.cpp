@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "sim/fault.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
+#include "sim/document.hpp"
 #include "sim/input_error.hpp"
 #include "sim/servo.hpp"
 #include "sim/shown.hpp"
@@ -63,16 +65,17 @@ std::string_view name(FaultKind kind) { return fault_kinds[static_cast<std::size
 
 std::vector<Fault> read_faults(const Document& document, double servo_stop_rad) {
   std::vector<Fault> faults;
-  const toml::node* node = document.root().get("faults");
-  if (node == nullptr) {
+  const TomlNode node = document.root()["faults"];
+  if (!node) {
     return faults;
   }
-  if (!node->is_array_of_tables()) {
+  const auto elements = node.elements();
+  if (!elements || elements->empty() || !std::ranges::all_of(*elements, &TomlNode::is_table)) {
     throw InputError{InputFault::bad_configuration,
                      document.where("", "faults", node) + ": faults must be written as [[faults]]"};
   }
-  for (const toml::node& element : *node->as_array()) {
-    Section section{document, "faults", *element.as_table()};
+  for (const TomlNode element : *elements) {
+    Section section{document, "faults", element};
     faults.push_back(read_fault(section, servo_stop_rad));
   }
   return faults;

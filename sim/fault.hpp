@@ -7,9 +7,9 @@
 #include <string_view>
 #include <vector>
 
-#include "sim/document.hpp"
-
 namespace fantail::sim {
+
+class Document;
 
 /// What can go wrong in a run. The canard_ kinds are those of ServoFault.
 enum class FaultKind : std::uint8_t {

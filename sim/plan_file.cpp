@@ -102,18 +102,18 @@ std::vector<double> read_values(Section& section, const PlanField& field, bool a
   return {chosen.begin(), chosen.end()};
 }
 
-void read_field(Section& section, const PlanField& field, const toml::node& node, core::FlightPlan& plan) {
-  const toml::array* each = field.slots > 1 ? node.as_array() : nullptr;
-  if (each != nullptr && !field.is_list() && each->size() != field.slots) {
+void read_field(Section& section, const PlanField& field, TomlNode node, core::FlightPlan& plan) {
+  const auto each = field.slots > 1 ? node.elements() : std::nullopt;
+  if (each && !field.is_list() && each->size() != field.slots) {
     section.refuse(field.key, "has " + std::to_string(each->size()) + " values; allowed: one for all, or " +
                                   std::to_string(field.slots));
   }
-  const std::vector<double> values = read_values(section, field, each != nullptr || field.is_list());
+  const std::vector<double> values = read_values(section, field, each || field.is_list());
   if (field.is_list()) {
     field.set_length(plan, values.size());
   }
   for (std::size_t slot = 0; slot < field.used_slots(plan); ++slot) {
-    set_value(field, plan, slot, each != nullptr ? values[slot] : values[0]);
+    set_value(field, plan, slot, each ? values[slot] : values[0]);
   }
 }
 
@@ -135,10 +135,9 @@ core::FlightPlan read_plan(const Document& document) {
   core::FlightPlan plan = core::default_plan();
   for (const std::string& name : sections) {
     Section section{document, name};
-    const toml::node* table = document.root().get(name);
     for (const PlanField& field : core::flight_plan_fields()) {
       if (field.section == name && section.has(field.key)) {
-        read_field(section, field, *table->as_table()->get(field.key), plan);
+        read_field(section, field, document.root()[name][field.key], plan);
       }
     }
     section.finish();

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <filesystem>
 #include <string>
+#include <vector>
 
 #include "core/flight_plan.hpp"
 #include "sim/document.hpp"

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 
+#include "sim/document.hpp"
 #include "sim/input_error.hpp"
 #include "sim/plan_file.hpp"
 #include "sim/shipped.hpp"
@@ -45,7 +45,7 @@ TimedValues read_timed_values(Section& section, std::string_view times_key, std:
     section.refuse(times_key, "has " + std::to_string(read.times_s.size()) + " values and " + std::string{values_key} +
                                   " has " + std::to_string(read.values.size()) + "; allowed: as many of each");
   }
-  if (std::ranges::adjacent_find(read.times_s, std::greater_equal{}) != read.times_s.end()) {
+  if (std::ranges::adjacent_find(read.times_s, [](double a, double b) { return a >= b; }) != read.times_s.end()) {
     section.refuse(times_key, "must increase");
   }
   return read;
@@ -85,7 +85,7 @@ void read_disturbance(const Document& document, Scenario& scenario) {
 }
 
 void read_imposed_roll(const Document& document, Scenario& scenario) {
-  if (!document.root().contains("imposed_roll")) {
+  if (!document.root()["imposed_roll"]) {
     return;
   }
   Section section{document, "imposed_roll"};

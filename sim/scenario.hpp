@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
 #include <optional>
 #include <span>
 #include <string>
@@ -11,13 +10,14 @@
 #include "core/flight_plan.hpp"
 #include "sim/atmosphere.hpp"
 #include "sim/disturbance.hpp"
-#include "sim/document.hpp"
 #include "sim/fault.hpp"
 #include "sim/vehicle.hpp"
 #include "sim/wind_sensor.hpp"
 #include "sim/wind_tunnel.hpp"
 
 namespace fantail::sim {
+
+struct Override;
 
 enum class Surroundings : std::uint8_t { flight, tunnel };
 
@@ -56,7 +56,7 @@ struct Scenario {
   std::vector<DisturbanceNode> disturbance;  ///< times after lift-off, or after control start in the tunnel
   std::optional<ImposedRoll> imposed_roll;
   std::vector<Fault> faults;
-  std::optional<std::filesystem::path> tunnel_result;  ///< what a prediction of this flight starts from; not flown
+  std::optional<std::string> tunnel_result;  ///< what a prediction of this flight starts from; not flown
 };
 
 /// A shipped name or a path, with changes from the command line, which may reach into the scenario, its plan or its

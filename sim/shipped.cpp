@@ -34,7 +34,14 @@ bool looks_like_path(const std::string& text) {
 
 std::filesystem::path data_folder() {
   const char* chosen = std::getenv("FANTAIL_DATA");  // NOLINT(concurrency-mt-unsafe): read before any thread exists
-  return chosen != nullptr ? chosen : FANTAIL_SOURCE_FOLDER;
+  if (chosen != nullptr) {
+    return chosen;
+  }
+  // An installed program finds them beside itself, under any prefix: PREFIX/libexec/fantail/fantail-fly.
+  std::error_code ignored;
+  const auto program = std::filesystem::read_symlink("/proc/self/exe", ignored);
+  const auto installed = program.parent_path().parent_path().parent_path() / "share" / "fantail";
+  return std::filesystem::is_directory(installed, ignored) ? installed : std::filesystem::path{FANTAIL_SOURCE_FOLDER};
 }
 
 std::vector<std::string> shipped_names(Shipped kind) {
@@ -77,7 +84,7 @@ std::filesystem::path find_input(Shipped kind, const std::string& name_or_path) 
 
 std::filesystem::path find_named_input(Shipped kind, const Document& document, Section& section, std::string_view key) {
   const std::string name = section.text(key);
-  std::filesystem::path beside = document.file().parent_path() / name;
+  std::filesystem::path beside = std::filesystem::path{document.file()}.parent_path() / name;
   std::error_code ignored;
   if (!section.is_replaced(key) && looks_like_path(name) && std::filesystem::is_regular_file(beside, ignored)) {
     return beside;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/document.hpp"
 #include "sim/input_error.hpp"
 #include "sim/rasp_file.hpp"
 #include "sim/shipped.hpp"

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "sim/canard_tolerances.hpp"
-#include "sim/document.hpp"
 #include "sim/roll_plant.hpp"
 #include "sim/sensor_models.hpp"
 #include "sim/servo.hpp"
@@ -15,6 +14,8 @@
 #include "sim/thrust_curve.hpp"
 
 namespace fantail::sim {
+
+class Document;
 
 /// How one canard is really built in; a plan that believes something else rolls the rocket the wrong way.
 struct CanardMounting {

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "avionics/can_frame.hpp"
-#include "bench/words.hpp"
+#include "link/words.hpp"
 #include "protocol/crc32c.hpp"
 
 namespace fantail::bench {
@@ -29,7 +29,7 @@ constexpr Microseconds look_patience{15'000'000};
 constexpr Microseconds erase_patience{3'000'000};
 
 [[noreturn]] void refuse(LogFault fault) {
-  throw LinkError{"the avionics does not give its flight record: " + words(fault)};
+  throw LinkError{"the avionics does not give its flight record: " + link::words(fault)};
 }
 
 [[noreturn]] void silent() { throw LinkError{"the avionics does not answer when asked for its flight record"}; }
@@ -160,7 +160,7 @@ void LogReader::erase(Session& session, const std::function<void(std::uint32_t)>
         return;
       }
       if (reply->state == LogState::refused && reply->fault != LogFault::busy) {
-        throw LinkError{"the avionics does not erase its flight record: " + words(reply->fault)};
+        throw LinkError{"the avionics does not erase its flight record: " + link::words(reply->fault)};
       }
       progress(reply->number);
     }

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "avionics/can_frame.hpp"
-#include "bench/words.hpp"
+#include "link/words.hpp"
 
 namespace fantail::bench {
 namespace {
@@ -95,7 +95,7 @@ void Session::open() {
     link_.listen(place_.now());
   }
   if (answer->state != protocol::SessionState::open) {
-    throw LinkError{"the avionics refuses a bench session: " + words(answer->reason)};
+    throw LinkError{"the avionics refuses a bench session: " + link::words(answer->reason)};
   }
   open_ = true;
 }
@@ -176,7 +176,7 @@ void Session::check_still_open() const {
   }
   const auto& reply = link_.newest<protocol::SessionReply>()->message;
   if (reply.session == number_ && reply.state == protocol::SessionState::closed) {
-    throw LinkError{"the avionics has ended the bench session: " + words(reply.reason)};
+    throw LinkError{"the avionics has ended the bench session: " + link::words(reply.reason)};
   }
   // Whoever was stopped for a while may find somebody else at work, and must not speak into that.
   if (reply.session != number_ && reply.state == protocol::SessionState::open) {

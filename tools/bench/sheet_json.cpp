@@ -1,26 +1,19 @@
 // SPDX-License-Identifier: MIT
-#include <cmath>
-
-#include <nlohmann/json.hpp>
-
 #include "bench/sheet.hpp"
 #include "core/flight_plan.hpp"
 #include "core/tick_record.hpp"
+#include "json/value.hpp"
 #include "report/numbers.hpp"
 
 namespace fantail::bench {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using Json = json::Value;
+using json::rounded;
+using json::text_or_null;
 using report::degrees;
 
-Json rounded(double value) {
-  const double r = std::round(value * 1e6) / 1e6;
-  return r == 0.0 ? 0.0 : r;
-}
-Json number(const std::optional<double>& value) { return value ? rounded(*value) : Json{}; }
 Json angle(const std::optional<double>& radians) { return radians ? rounded(degrees(*radians)) : Json{}; }
-Json text_or_null(const std::string& text) { return text.empty() ? Json{} : Json(text); }
 
 Json angles(const Each<double>& radians) {
   Json all = Json::array();
@@ -32,26 +25,26 @@ Json angles(const Each<double>& radians) {
 
 void add_figures(Json& to, const TurnResult& turn) {
   const Figures& f = turn.figures;
-  to["sign"] = f.sign ? Json(*f.sign) : Json{};
-  to["gain"] = number(f.gain);
-  to["slope"] = number(f.slope);
+  to["sign"] = f.sign;
+  to["gain"] = rounded(f.gain);
+  to["slope"] = rounded(f.slope);
   to["reached_positive_deg"] = angle(f.reached_positive_rad);
   to["reached_negative_deg"] = angle(f.reached_negative_rad);
   to["largest_command_deg"] = angle(f.largest_command_rad);
-  to["limit_reported"] = f.limit_reported ? Json(*f.limit_reported) : Json{};
+  to["limit_reported"] = f.limit_reported;
   to["tracking_error_deg"] = angle(f.tracking_error_rad);
-  to["lag_s"] = number(f.lag_s);
+  to["lag_s"] = rounded(f.lag_s);
   to["centring_error_deg"] = angle(f.centring_error_rad);
   to["backlash_deg"] = angle(f.backlash_rad);
   to["slew_deg_s"] = angle(f.slew_rad_s);
-  to["step_time_s"] = number(f.step_time_s);
+  to["step_time_s"] = rounded(f.step_time_s);
   to["overshoot_deg"] = angle(f.overshoot_rad);
   to["noise_deg"] = angle(f.noise_rad);
   to["dropouts"] = f.dropouts;
   to["dropout_share"] = rounded(f.dropout_share());
   to["ticks"] = f.received_ticks;
   to["others_moved_deg"] = angle(f.others_moved_rad);
-  to["amplitude_ratio"] = number(f.amplitude_ratio);
+  to["amplitude_ratio"] = rounded(f.amplitude_ratio);
   to["phase_lag_deg"] = angle(f.phase_lag_rad);
   Json failed = Json::array();
   for (const Check& check : turn.checks) {
@@ -130,8 +123,7 @@ std::string sheet_json(const Sheet& sheet) {
                     {"duration_s", rounded(sheet.duration_s)},
                     {"notes", heading.notes},
                     {"version", heading.version}};
-  // A vehicle's name may hold any bytes.
-  return all.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return all.pretty();
 }
 
 }  // namespace fantail::bench

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "bench/sheet.hpp"
 #include "bench/sheet_cells.hpp"

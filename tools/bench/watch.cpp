@@ -5,16 +5,16 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <nlohmann/json.hpp>
 
 #include "bench/board_words.hpp"
-#include "bench/words.hpp"
 #include "core/tick_record.hpp"
+#include "json/value.hpp"
+#include "link/words.hpp"
 
 namespace fantail::bench {
 namespace {
 
-using nlohmann::ordered_json;
+using Json = json::Value;
 
 constexpr hal::Microseconds stale{2'000'000};
 constexpr double bits_per_microsecond = 1.0;  // 1 Mbit/s
@@ -25,15 +25,13 @@ std::optional<double> degrees(const std::optional<core::Angle>& angle) {
 
 std::string cell(const std::optional<double>& value) { return value ? fmt::format("{:+.2f}", *value) : "-"; }
 
-ordered_json rounded(const std::optional<double>& value) {
-  return value ? ordered_json::parse(fmt::format("{:.2f}", *value)) : ordered_json{};
-}
+Json rounded(const std::optional<double>& value) { return json::printed(value, 2); }
 
 // Since its power-up, modulo 256, in the order of protocol::Rejection.
-ordered_json by_cause(const protocol::RejectionReport& report) {
+Json by_cause(const protocol::RejectionReport& report) {
   constexpr std::array<const char*, protocol::rejection_count> causes{"unknown_id",    "wrong_length", "wrong_crc",
                                                                       "wrong_counter", "out_of_range", "stale"};
-  ordered_json json;
+  Json json;
   for (std::size_t i = 0; i < causes.size(); ++i) {
     json[causes[i]] = report.count[i];
   }
@@ -89,7 +87,7 @@ std::string Watch::link_words() const {
   const LinkFigures& heard = link_.figures();
   const hal::CanCounters counters = bus_.counters();
   return fmt::format("{} {}, load {:.1f} %, {} frames, {} lost, {} damaged, {} foreign, {} overrun, {} bus errors",
-                     interface_, words(bus_.state()), load_percent_, heard.frames, heard.lost, heard.damaged,
+                     interface_, link::words(bus_.state()), load_percent_, heard.frames, heard.lost, heard.damaged,
                      heard.foreign, counters.overrun, counters.errors);
 }
 
@@ -98,14 +96,14 @@ std::string Watch::answer_words() const {
   std::string text;
   const auto session = known<protocol::SessionReply>();
   if (session && session->reason != protocol::SessionReason::none_yet) {
-    text += "bench session: " + words(session->reason) + "\n";
+    text += "bench session: " + link::words(session->reason) + "\n";
   }
   const auto arming = known<protocol::ArmReply>();
   if (arming && arming->self_test == protocol::SelfTestState::failed) {
-    text += "self-test: " + words(arming->failure, arming->canard) + "\n";
+    text += "self-test: " + link::words(arming->failure, arming->canard) + "\n";
   }
   if (arming && arming->refusal != protocol::ArmRefusal::none) {
-    text += "arming: " + words(arming->refusal) + "\n";
+    text += "arming: " + link::words(arming->refusal) + "\n";
   }
   return text;
 }
@@ -130,7 +128,7 @@ std::string Watch::table() const {
   if (health) {
     text += fmt::format(
         "avionics' bus: {}, {} frames unsent, {} overrun, {} bus errors, frames refused: {} (counts are modulo 256)\n",
-        words(static_cast<hal::CanState>(health->bus_state)), health->unsent, health->overrun, health->bus_errors,
+        link::words(static_cast<hal::CanState>(health->bus_state)), health->unsent, health->overrun, health->bus_errors,
         refused());
   }
   if (const auto board = known<protocol::BoardReport>()) {
@@ -175,10 +173,9 @@ std::string Watch::json() const {
   const auto arming = known<protocol::ArmReply>();
   const LinkFigures& heard = link_.figures();
   const hal::CanCounters counters = bus_.counters();
-  ordered_json json;
-  // Round brackets: with braces a value would become an array of one.
+  Json json;
   json["interface"] = interface_;
-  json["bus_state"] = words(bus_.state());
+  json["bus_state"] = link::words(bus_.state());
   json["bus_load_percent"] = rounded(load_percent_);
   json["frames"] = heard.frames;
   json["frames_lost"] = heard.lost;
@@ -186,35 +183,34 @@ std::string Watch::json() const {
   json["frames_foreign"] = heard.foreign;
   json["overrun"] = counters.overrun;
   json["bus_errors"] = counters.errors;
-  json["phase"] = status ? ordered_json(core::name(status->phase)) : ordered_json{};
-  json["reason"] = status ? ordered_json(core::name(status->reason)) : ordered_json{};
-  json["arm_switch_closed"] = status ? ordered_json(status->arm_switch_closed) : ordered_json{};
-  json["at_rest"] = status ? ordered_json(status->at_rest) : ordered_json{};
-  json["session_open"] = status ? ordered_json(status->session_open) : ordered_json{};
-  json["self_test_running"] = status ? ordered_json(status->self_test_running) : ordered_json{};
-  json["uptime_s"] = heartbeat ? rounded(1e-3 * heartbeat->uptime_ms) : ordered_json{};
-  json["plan_crc"] = heartbeat ? ordered_json(fmt::format("{:08x}", heartbeat->plan_crc)) : ordered_json{};
-  json["longest_tick_us"] = health ? ordered_json(health->longest_tick_us) : ordered_json{};
-  json["avionics_bus_state"] =
-      health ? ordered_json(words(static_cast<hal::CanState>(health->bus_state))) : ordered_json{};
-  json["avionics_unsent"] = health ? ordered_json(health->unsent) : ordered_json{};
-  json["avionics_overrun"] = health ? ordered_json(health->overrun) : ordered_json{};
-  json["avionics_bus_errors"] = health ? ordered_json(health->bus_errors) : ordered_json{};
-  json["frames_refused_by_avionics"] = rejections ? by_cause(*rejections) : ordered_json{};
-  json["bench_session"] = session ? ordered_json(words(session->reason)) : ordered_json{};
+  json["phase"] = status ? Json(core::name(status->phase)) : Json{};
+  json["reason"] = status ? Json(core::name(status->reason)) : Json{};
+  json["arm_switch_closed"] = status ? Json(status->arm_switch_closed) : Json{};
+  json["at_rest"] = status ? Json(status->at_rest) : Json{};
+  json["session_open"] = status ? Json(status->session_open) : Json{};
+  json["self_test_running"] = status ? Json(status->self_test_running) : Json{};
+  json["uptime_s"] = heartbeat ? rounded(1e-3 * heartbeat->uptime_ms) : Json{};
+  json["plan_crc"] = heartbeat ? Json(fmt::format("{:08x}", heartbeat->plan_crc)) : Json{};
+  json["longest_tick_us"] = health ? Json(health->longest_tick_us) : Json{};
+  json["avionics_bus_state"] = health ? Json(link::words(static_cast<hal::CanState>(health->bus_state))) : Json{};
+  json["avionics_unsent"] = health ? Json(health->unsent) : Json{};
+  json["avionics_overrun"] = health ? Json(health->overrun) : Json{};
+  json["avionics_bus_errors"] = health ? Json(health->bus_errors) : Json{};
+  json["frames_refused_by_avionics"] = rejections ? by_cause(*rejections) : Json{};
+  json["bench_session"] = session ? Json(link::words(session->reason)) : Json{};
   json["self_test_failure"] = arming && arming->self_test == protocol::SelfTestState::failed
-                                  ? ordered_json(words(arming->failure, arming->canard))
-                                  : ordered_json{};
+                                  ? Json(link::words(arming->failure, arming->canard))
+                                  : Json{};
   json["arm_refusal"] =
-      arming && arming->refusal != protocol::ArmRefusal::none ? ordered_json(words(arming->refusal)) : ordered_json{};
+      arming && arming->refusal != protocol::ArmRefusal::none ? Json(link::words(arming->refusal)) : Json{};
   const auto board = known<protocol::BoardReport>();
-  json["board_faults"] = board ? ordered_json(fault_names(board->faults)) : ordered_json{};
-  json["reset_cause"] = board ? ordered_json(reset_cause_name(*board)) : ordered_json{};
-  json["battery_v"] = board && board->battery_mv ? rounded(1e-3 * *board->battery_mv) : ordered_json{};
-  json["ticks_missed"] = board ? ordered_json(board->overruns) : ordered_json{};  // 255: or more
-  json["plan"] = board ? ordered_json(name(board->plan)) : ordered_json{};
-  json["flash_failed"] = board ? ordered_json(board->flash_failed) : ordered_json{};
-  json["canards"] = ordered_json::array();
+  json["board_faults"] = board ? Json(fault_names(board->faults)) : Json{};
+  json["reset_cause"] = board ? Json(reset_cause_name(*board)) : Json{};
+  json["battery_v"] = board && board->battery_mv ? rounded(1e-3 * *board->battery_mv) : Json{};
+  json["ticks_missed"] = board ? Json(board->overruns) : Json{};  // 255: or more
+  json["plan"] = board ? Json(name(board->plan)) : Json{};
+  json["flash_failed"] = board ? Json(board->flash_failed) : Json{};
+  json["canards"] = Json::array();
   for (const CanardRow& row : rows(link_, now_)) {
     json["canards"].push_back({{"command_deg", rounded(row.command_deg)},
                                {"encoder_deg", rounded(row.encoder_deg)},

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string_view>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "avionics/identity.hpp"
 #include "fantail/interrupt.hpp"
@@ -34,14 +34,14 @@ std::unique_ptr<hil::Wire> wire(const AboardOptions& options) {
 
 }  // namespace
 
-void add_aboard_options(CLI::App& verb, AboardOptions& options) {
-  verb.add_option("--on", options.on,
-                  "Where the avionics runs: host (in this program), emulator (the ARM image on an emulated Cortex-M4), "
-                  "serial:DEVICE (a board on a serial line) [host]")
-      ->check(objection_to_place)
-      ->type_name("PLACE");
-  verb.add_option("--image", options.image, "The image for the emulator [fantail-emulator.elf of the last build]")
-      ->type_name("FILE");
+void add_aboard_options(const Verb& verb, AboardOptions& options) {
+  verb.option("--on", options.on,
+              "Where the avionics runs: host (in this program), emulator (the ARM image on an emulated Cortex-M4), "
+              "serial:DEVICE (a board on a serial line) [host]")
+      .check(objection_to_place)
+      .value_name("PLACE");
+  verb.option("--image", options.image, "The image for the emulator [fantail-emulator.elf of the last build]")
+      .value_name("FILE");
 }
 
 Aboard::Aboard(const AboardOptions& options) {

@@ -5,8 +5,7 @@
 #include <string>
 #include <vector>
 
-#include <CLI/CLI.hpp>
-
+#include "fantail/command_line.hpp"
 #include "hil/target.hpp"
 #include "sim/flight_computer.hpp"
 
@@ -18,7 +17,7 @@ struct AboardOptions {
   std::string image;
 };
 
-void add_aboard_options(CLI::App& verb, AboardOptions& options);
+void add_aboard_options(const Verb& verb, AboardOptions& options);
 
 /// The avionics in this process, in an emulator, or at the end of a serial line.
 class Aboard {

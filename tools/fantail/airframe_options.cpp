@@ -7,16 +7,16 @@
 
 namespace fantail::tool {
 
-void add_airframe_options(CLI::App& verb, AirframeOptions& options) {
-  verb.add_option("--vehicle", options.vehicle, "Whose inertia and reference area: a shipped vehicle or a path")
-      ->type_name("FILE")
-      ->capture_default_str();
-  verb.add_option("--inertia", options.inertia_kg_m2, "Roll inertia, instead of the vehicle's")
-      ->check(within(1e-9, 1e6))
-      ->type_name("KG_M2");
-  verb.add_option("--area", options.area_m2, "Reference area, instead of the vehicle's")
-      ->check(within(1e-9, 1e6))
-      ->type_name("M2");
+void add_airframe_options(const Verb& verb, AirframeOptions& options) {
+  verb.option("--vehicle", options.vehicle, "Whose inertia and reference area: a shipped vehicle or a path")
+      .value_name("FILE")
+      .show_default();
+  verb.option("--inertia", options.inertia_kg_m2, "Roll inertia, instead of the vehicle's")
+      .check(within(1e-9, 1e6))
+      .value_name("KG_M2");
+  verb.option("--area", options.area_m2, "Reference area, instead of the vehicle's")
+      .check(within(1e-9, 1e6))
+      .value_name("M2");
 }
 
 NamedAirframe airframe(const AirframeOptions& options) {

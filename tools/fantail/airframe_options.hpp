@@ -4,8 +4,7 @@
 #include <optional>
 #include <string>
 
-#include <CLI/CLI.hpp>
-
+#include "fantail/command_line.hpp"
 #include "identify/record.hpp"
 
 namespace fantail::tool {
@@ -23,7 +22,7 @@ struct NamedAirframe {
 };
 
 /// --vehicle, --inertia and --area.
-void add_airframe_options(CLI::App& verb, AirframeOptions& options);
+void add_airframe_options(const Verb& verb, AirframeOptions& options);
 
 /// The vehicle's, but for what is given as a number. Throws sim::InputError.
 [[nodiscard]] NamedAirframe airframe(const AirframeOptions& options);

@@ -4,18 +4,18 @@
 #include <memory>
 #include <string>
 
-#include <fmt/format.h>
-#include <nlohmann/json.hpp>
+#include <fmt/core.h>
 #include <unistd.h>
 
 #include "bench/arm_steps.hpp"
 #include "bench/session.hpp"
-#include "bench/words.hpp"
 #include "fantail/bench_options.hpp"
 #include "fantail/can_place.hpp"
 #include "fantail/line_input.hpp"
 #include "fantail/requirement.hpp"
 #include "fantail/standard_streams.hpp"
+#include "json/value.hpp"
+#include "link/words.hpp"
 
 namespace fantail::tool {
 namespace {
@@ -58,7 +58,7 @@ void test(const ArmOptions& options, bench::ArmSteps& steps) {
     }
   });
   if (reply.self_test != protocol::SelfTestState::passed) {
-    throw RequirementNotMet{"the self-test failed: " + bench::words(reply.failure, reply.canard)};
+    throw RequirementNotMet{"the self-test failed: " + link::words(reply.failure, reply.canard)};
   }
   tell(options, "  passed");
 }
@@ -106,39 +106,39 @@ void arm(const ArmOptions& options) {
   await_consent(options, place, link);
   const protocol::ArmReply answer = steps.ask_for_nonce();
   if (!answer.nonce) {
-    throw RequirementNotMet{"the avionics refuses to be armed: " + bench::words(answer.refusal)};
+    throw RequirementNotMet{"the avionics refuses to be armed: " + link::words(answer.refusal)};
   }
   if (!steps.confirm(*answer.nonce)) {
     throw RequirementNotMet{"the avionics refuses to be armed: " +
-                            bench::words(link.newest<protocol::ArmReply>()->message.refusal)};
+                            link::words(link.newest<protocol::ArmReply>()->message.refusal)};
   }
   tell(options, "ARMED. Opening the arm switch makes the rocket safe again.");
   if (options.start) {
     if (!steps.start_control(*answer.nonce)) {
       throw RequirementNotMet{"control does not start: " +
-                              bench::words(link.newest<protocol::ArmReply>()->message.refusal)};
+                              link::words(link.newest<protocol::ArmReply>()->message.refusal)};
     }
     tell(options, "Control has started.");
   }
   if (options.bench.json) {
-    fmt::print("{}\n", nlohmann::ordered_json{{"armed", true}, {"control_started", options.start}}.dump());
+    fmt::print("{}\n", json::Value{{"armed", true}, {"control_started", options.start}}.dump());
   }
 }
 
 }  // namespace
 
-void add_bench_arm(CLI::App& bench) {
-  auto* verb = bench.add_subcommand("arm", "Walk through both actions that arm the rocket");
+void add_bench_arm(const Verb& bench) {
+  auto verb = bench.verb("arm", "Walk through both actions that arm the rocket");
   auto options = std::make_shared<ArmOptions>();
-  add_bench_options(*verb, options->bench, "Print one JSON object; the question goes to standard error");
-  verb->add_flag("--yes", options->yes, "Do not ask on the terminal; for rehearsals and scripts");
-  verb->add_flag("--start", options->start, "In the tunnel: start control too");
-  verb->footer(
+  add_bench_options(verb, options->bench, "Print one JSON object; the question goes to standard error");
+  verb.flag("--yes", options->yes, "Do not ask on the terminal; for rehearsals and scripts");
+  verb.flag("--start", options->start, "In the tunnel: start control too");
+  verb.examples(
       "Examples:\n"
       "  fantail bench arm --can can0                 self-test, switch, question, command\n"
       "  fantail bench arm --can vcan0 --yes          a rehearsal without the question\n"
       "  fantail bench arm --can can0 --yes --start   in the wind tunnel: armed, and control on");
-  verb->callback([options] { arm(*options); });
+  verb.action([options] { arm(*options); });
 }
 
 }  // namespace fantail::tool

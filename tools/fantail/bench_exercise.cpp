@@ -12,7 +12,7 @@
 #include <string>
 
 #include <fmt/chrono.h>
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <unistd.h>
 
 #include "bench/exercise.hpp"
@@ -183,30 +183,29 @@ void exercise(const ExerciseOptions& options, const MakeExercise& make) {
   }
 }
 
-CLI::App* add(CLI::App& bench, const char* name, const char* meaning, const std::shared_ptr<ExerciseOptions>& options,
-              const MakeExercise& make) {
-  auto* verb = bench.add_subcommand(name, meaning);
-  add_bench_options(*verb, options->bench, "Print sheet.json instead of the text");
-  verb->add_option("--vehicle", options->vehicle,
-                   "Whose tolerances count: a shipped vehicle or a path; without it, this program's own")
-      ->type_name("FILE");
-  verb->add_option("--plan", options->plan, "The plan that must be in force: a shipped name or a path")
-      ->type_name("PLAN");
-  verb->add_option("--out", options->out, "Folder for sheet.html and sheet.json [out/bench]");
-  verb->callback([options, make] { exercise(*options, make); });
+Verb add(const Verb& bench, const char* name, const char* meaning, const std::shared_ptr<ExerciseOptions>& options,
+         const MakeExercise& make) {
+  const Verb verb = bench.verb(name, meaning);
+  add_bench_options(verb, options->bench, "Print sheet.json instead of the text");
+  verb.option("--vehicle", options->vehicle,
+              "Whose tolerances count: a shipped vehicle or a path; without it, this program's own")
+      .value_name("FILE");
+  verb.option("--plan", options->plan, "The plan that must be in force: a shipped name or a path").value_name("PLAN");
+  verb.option("--out", options->out, "Folder for sheet.html and sheet.json [out/bench]");
+  verb.action([options, make] { exercise(*options, make); });
   return verb;
 }
 
-void add_canard(CLI::App& verb, ExerciseOptions& options) {
-  verb.add_option("--canard", options.canard, "Which one")->check(CLI::Range(1, 4))->required()->type_name("1..4");
+void add_canard(const Verb& verb, ExerciseOptions& options) {
+  verb.option("--canard", options.canard, "Which one").range(1, 4).required().value_name("1..4");
 }
 
 }  // namespace
 
-void add_bench_limits(CLI::App& bench) {
+void add_bench_limits(const Verb& bench) {
   auto options = std::make_shared<ExerciseOptions>();
   add(bench, "limits", "Every canard to both limits, alone and all together; a pass/fail sheet", options, limits)
-      ->footer(
+      .examples(
           "Examples:\n"
           "  fantail bench limits --can can0 --vehicle my_rocket.toml   half a minute; exit code 1 when something "
           "fails\n"
@@ -214,37 +213,29 @@ void add_bench_limits(CLI::App& bench) {
           "  fantail bench limits --can vcan0 --json --out out/rehearsal  for a script");
 }
 
-void add_bench_step(CLI::App& bench) {
+void add_bench_step(const Verb& bench) {
   auto options = std::make_shared<ExerciseOptions>();
-  auto* verb = add(bench, "step", "One canard to an angle at once, and back", options, step);
-  add_canard(*verb, *options);
-  verb->add_option("--to", options->to_deg, "Shaft angle")
-      ->check(CLI::Range(-20.47, 20.47))
-      ->type_name("DEG")
-      ->capture_default_str();
-  verb->footer(
+  const Verb verb = add(bench, "step", "One canard to an angle at once, and back", options, step);
+  add_canard(verb, *options);
+  verb.option("--to", options->to_deg, "Shaft angle").range(-20.47, 20.47).value_name("DEG").show_default();
+  verb.examples(
       "Examples:\n"
       "  fantail bench step --can can0 --canard 2             5 deg and back\n"
       "  fantail bench step --can can0 --canard 2 --to -8     to the other side\n"
       "  fantail bench step --can vcan0 --canard 1 --json     rise time and slew rate, for a script");
 }
 
-void add_bench_sine(CLI::App& bench) {
+void add_bench_sine(const Verb& bench) {
   auto options = std::make_shared<ExerciseOptions>();
-  auto* verb = add(bench, "sine", "One canard through a sine: amplitude ratio and phase lag", options, sine);
-  add_canard(*verb, *options);
-  verb->add_option("--amplitude", options->amplitude_deg, "About the centre")
-      ->check(CLI::Range(0.1, 20.47))
-      ->type_name("DEG")
-      ->capture_default_str();
-  verb->add_option("--frequency", options->frequency_hz, "")
-      ->check(CLI::Range(0.05, 50.0))
-      ->type_name("HZ")
-      ->capture_default_str();
-  verb->add_option("--cycles", options->cycles, "At most 60 s together")
-      ->check(CLI::Range(1, 3000))
-      ->capture_default_str();
-  verb->footer(
+  const Verb verb = add(bench, "sine", "One canard through a sine: amplitude ratio and phase lag", options, sine);
+  add_canard(verb, *options);
+  verb.option("--amplitude", options->amplitude_deg, "About the centre")
+      .range(0.1, 20.47)
+      .value_name("DEG")
+      .show_default();
+  verb.option("--frequency", options->frequency_hz, "").range(0.05, 50.0).value_name("HZ").show_default();
+  verb.option("--cycles", options->cycles, "At most 60 s together").range(1, 3000).show_default();
+  verb.examples(
       "Examples:\n"
       "  fantail bench sine --can can0 --canard 3                              3 deg, 2 Hz, five times\n"
       "  fantail bench sine --can can0 --canard 3 --frequency 8 --cycles 20    as fast as the chirp goes\n"

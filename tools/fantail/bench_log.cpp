@@ -8,8 +8,7 @@
 #include <string>
 #include <vector>
 
-#include <fmt/format.h>
-#include <nlohmann/json.hpp>
+#include <fmt/core.h>
 
 #include "bench/log_download.hpp"
 #include "bench/log_listing.hpp"
@@ -21,12 +20,13 @@
 #include "fantail/progress.hpp"
 #include "fantail/requirement.hpp"
 #include "fantail/standard_streams.hpp"
+#include "json/value.hpp"
 
 namespace fantail::tool {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
+using Json = json::Value;
 
 struct LogOptions {
   BenchOptions bench;
@@ -115,14 +115,11 @@ void say_file(Visit& visit, const FlightFile& file) {
             {"bytes", flight.end - flight.begin},
             {"duration_s", flight.duration_s()},
             {"vehicle", flight.vehicle},
-            {"power_up", nullptr},
+            {"power_up", flight.power_up},
             {"records", flight.records},
             {"missing_records", flight.missing_records},
             {"damaged_bytes", flight.damaged_bytes},
             {"intact", flight.records > 0 && flight.intact()}};
-  if (flight.power_up) {
-    json["power_up"] = *flight.power_up;
-  }
   visit.json["files"].push_back(json);
 }
 
@@ -213,28 +210,27 @@ void log(const LogOptions& options) {
 
 }  // namespace
 
-void add_bench_log(CLI::App& bench) {
-  auto* verb = bench.add_subcommand("log", "Download the recorded flights, and erase them when that is asked");
+void add_bench_log(const Verb& bench) {
+  auto verb = bench.verb("log", "Download the recorded flights, and erase them when that is asked");
   auto options = std::make_shared<LogOptions>();
-  add_bench_options(*verb, options->bench, "Print one JSON object; the question goes to standard error");
-  verb->add_option("--out", options->out, "Folder for flight_001.ftl and so on [out/bench_log]")->type_name("DIR");
-  auto* flight = verb->add_option("--flight", options->flight, "Only this one, counted as --list does")
-                     ->check(CLI::Range(1, 9999))
-                     ->type_name("N");
-  auto* list_flag = verb->add_flag("--list", options->list, "Say what is recorded, and download nothing");
-  auto* erase_flag = verb->add_flag("--erase", options->erase,
-                                    "Then erase the record; everything is downloaded and verified before that");
-  verb->add_flag("--discard", options->discard, "Erase without downloading")->needs(erase_flag);
-  verb->add_flag("--yes", options->yes, "Do not ask before erasing; for scripts")->needs(erase_flag);
-  erase_flag->excludes(flight)->excludes(list_flag);
-  flight->excludes(list_flag);
-  verb->footer(
+  add_bench_options(verb, options->bench, "Print one JSON object; the question goes to standard error");
+  verb.option("--out", options->out, "Folder for flight_001.ftl and so on [out/bench_log]").value_name("DIR");
+  auto flight =
+      verb.option("--flight", options->flight, "Only this one, counted as --list does").range(1, 9999).value_name("N");
+  auto list_flag = verb.flag("--list", options->list, "Say what is recorded, and download nothing");
+  auto erase_flag =
+      verb.flag("--erase", options->erase, "Then erase the record; everything is downloaded and verified before that");
+  verb.flag("--discard", options->discard, "Erase without downloading").needs(erase_flag);
+  verb.flag("--yes", options->yes, "Do not ask before erasing; for scripts").needs(erase_flag);
+  erase_flag.excludes(flight).excludes(list_flag);
+  flight.excludes(list_flag);
+  verb.examples(
       "A download that was interrupted goes on where it was when the command is given again.\n"
       "Examples:\n"
       "  fantail bench log --can can0 --out launch_day    every flight into a file of its own\n"
       "  fantail bench log --can can0 --list              what the rocket holds\n"
       "  fantail bench log --can can0 --erase             download everything, ask, make room for the next flight");
-  verb->callback([options] { log(*options); });
+  verb.action([options] { log(*options); });
 }
 
 }  // namespace fantail::tool

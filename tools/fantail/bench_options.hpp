@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include <CLI/CLI.hpp>
+#include "fantail/command_line.hpp"
 
 namespace fantail::tool {
 
@@ -14,15 +14,15 @@ struct BenchOptions {
 };
 
 /// --can and --json.
-void add_bench_options(CLI::App& verb, BenchOptions& options, const std::string& json_meaning);
+void add_bench_options(const Verb& verb, BenchOptions& options, const std::string& json_meaning);
 
 // Each verb of the bench in a file of its own.
-void add_bench_watch(CLI::App& bench);
-void add_bench_limits(CLI::App& bench);
-void add_bench_step(CLI::App& bench);
-void add_bench_sine(CLI::App& bench);
-void add_bench_arm(CLI::App& bench);
-void add_bench_plan(CLI::App& bench);
-void add_bench_log(CLI::App& bench);
+void add_bench_watch(const Verb& bench);
+void add_bench_limits(const Verb& bench);
+void add_bench_step(const Verb& bench);
+void add_bench_sine(const Verb& bench);
+void add_bench_arm(const Verb& bench);
+void add_bench_plan(const Verb& bench);
+void add_bench_log(const Verb& bench);
 
 }  // namespace fantail::tool

@@ -7,17 +7,17 @@
 #include <string>
 #include <vector>
 
-#include <fmt/format.h>
-#include <nlohmann/json.hpp>
+#include <fmt/core.h>
 
 #include "bench/plan_sender.hpp"
 #include "bench/session.hpp"
-#include "bench/words.hpp"
 #include "fantail/bench_options.hpp"
 #include "fantail/can_place.hpp"
 #include "fantail/exit_code.hpp"
 #include "fantail/progress.hpp"
 #include "fantail/requirement.hpp"
+#include "json/value.hpp"
+#include "link/words.hpp"
 #include "protocol/plan_block.hpp"
 #include "sim/input_error.hpp"
 #include "sim/plan_file.hpp"
@@ -69,36 +69,34 @@ void send(const PlanOptions& options) {
   }
   const bool stored = reply.state == protocol::TransferState::stored;
   if (options.bench.json) {
-    nlohmann::ordered_json json{{"plan", options.plan}, {"bytes", block.size()}, {"stored", stored}};
-    json["refused_because"] = nullptr;
-    if (!stored) {
-      json["refused_because"] = bench::words(reply);
-    }
+    const json::Value json{{"plan", options.plan},
+                           {"bytes", block.size()},
+                           {"stored", stored},
+                           {"refused_because", stored ? json::Value{} : json::Value(link::words(reply))}};
     fmt::print("{}\n", json.dump());
   } else if (stored) {
     fmt::print("{}: {} bytes sent, checked, stored and read back; it is in force\n", options.plan, block.size());
   }
   if (!stored) {
-    throw RequirementNotMet{"the avionics refuses " + options.plan + ": " + bench::words(reply) +
+    throw RequirementNotMet{"the avionics refuses " + options.plan + ": " + link::words(reply) +
                             "; its old plan stays in force"};
   }
 }
 
 }  // namespace
 
-void add_bench_plan(CLI::App& bench) {
-  auto* verb = bench.add_subcommand("plan", "Send a flight plan to the rocket, which checks and keeps it");
+void add_bench_plan(const Verb& bench) {
+  auto verb = bench.verb("plan", "Send a flight plan to the rocket, which checks and keeps it");
   auto options = std::make_shared<PlanOptions>();
-  verb->add_option("PLAN", options->plan,
-                   "A shipped name, a plan file, or a block made by fantail plan compile (.ftpl)")
-      ->required();
-  add_bench_options(*verb, options->bench, "Print one JSON object");
-  verb->footer(
+  verb.option("PLAN", options->plan, "A shipped name, a plan file, or a block made by fantail plan compile (.ftpl)")
+      .required();
+  add_bench_options(verb, options->bench, "Print one JSON object");
+  verb.examples(
       "Examples:\n"
       "  fantail bench plan tasha3_launch2 --can can0   a shipped plan\n"
       "  fantail bench plan my_plan.toml --can can0     your own; it is checked here first\n"
       "  fantail bench plan p.ftpl --can can0 --json    a compiled block, for a script");
-  verb->callback([options] { send(*options); });
+  verb.action([options] { send(*options); });
 }
 
 }  // namespace fantail::tool

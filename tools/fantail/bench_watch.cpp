@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <unistd.h>
 
 #include "bench/watch.hpp"
@@ -56,19 +56,19 @@ void watch(const WatchOptions& options) {
 
 }  // namespace
 
-void add_bench_watch(CLI::App& bench) {
-  auto* verb = bench.add_subcommand("watch", "Canards, phase, bus load and errors, live; one line a second in a pipe");
+void add_bench_watch(const Verb& bench) {
+  auto verb = bench.verb("watch", "Canards, phase, bus load and errors, live; one line a second in a pipe");
   auto options = std::make_shared<WatchOptions>();
-  add_bench_options(*verb, options->bench, "One object a second, one a line");
-  verb->add_option("--for", options->seconds, "End after so many seconds; without it, by Ctrl-C")
-      ->check(CLI::Range(0.0, 1e9))
-      ->type_name("SECONDS");
-  verb->footer(
+  add_bench_options(verb, options->bench, "One object a second, one a line");
+  verb.option("--for", options->seconds, "End after so many seconds; without it, by Ctrl-C")
+      .range(0.0, 1e9)
+      .value_name("SECONDS");
+  verb.examples(
       "Examples:\n"
       "  fantail bench watch --can can0                   a live table; Ctrl-C ends\n"
       "  fantail bench watch --can can0 | tee pad.log     a line a second\n"
       "  fantail bench watch --can vcan0 --json --for 10  ten objects, for a script");
-  verb->callback([options] { watch(*options); });
+  verb.action([options] { watch(*options); });
 }
 
 }  // namespace fantail::tool

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "fantail/compare_results.hpp"
 #include "fantail/gap_curves.hpp"

@@ -2,26 +2,24 @@
 #include "fantail/compare_results.hpp"
 
 #include <array>
-#include <cmath>
 #include <iterator>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
+#include "json/value.hpp"
 #include "report/numbers.hpp"
 #include "report/output_folder.hpp"
 
 namespace fantail::tool {
 namespace {
 
+using json::rounded;
 using report::degrees;
 
 std::string too_large(std::string_view what, double mean_rad, double required_rad, std::string_view unit) {
   return fmt::format("mean {} difference {:.3g} {} is larger than the {:.3g} {} required", what, degrees(mean_rad),
                      unit, degrees(required_rad), unit);
 }
-
-double rounded(double value) { return std::round(value * 1e6) / 1e6 + 0.0; }
 
 }  // namespace
 
@@ -62,7 +60,7 @@ std::string compare_text(const CompareResults& results) {
 }
 
 std::string compare_json(const CompareResults& results) {
-  using Json = nlohmann::ordered_json;
+  using Json = json::Value;
   const logs::Comparison& c = results.comparison;
   const Json json = {{"a", results.a},
                      {"b", results.b},
@@ -84,8 +82,7 @@ std::string compare_json(const CompareResults& results) {
                      {"requirement_met", results.required() ? Json(results.objections().empty()) : Json{}},
                      {"notes", results.warnings},
                      {"version", FANTAIL_VERSION}};
-  // A folder's name may hold any bytes.
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json.pretty();
 }
 
 std::string compare_csv(const logs::Comparison& c) {

@@ -10,6 +10,7 @@ enum class ExitCode : int {
   usage = 64,
   bad_data = 65,
   no_such_input = 66,
+  not_installed = 69,
   internal_error = 70,
   input_output = 74,
   bad_configuration = 78,

@@ -5,9 +5,9 @@
 #include <optional>
 #include <span>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "fantail/command_line.hpp"
 #include "flight_log/to_report.hpp"
 #include "log_export/candump.hpp"
 #include "log_export/csv.hpp"
@@ -21,9 +21,7 @@
 namespace fantail::tool {
 namespace {
 
-[[noreturn]] void refuse_fields(const std::string& complaint) {
-  throw CLI::ValidationError{"--fields: " + complaint, CLI::ExitCodes::ValidationError};
-}
+[[noreturn]] void refuse_fields(const std::string& complaint) { throw UsageError{"--fields: " + complaint}; }
 
 [[noreturn]] void refuse_log(const ExportQuestion& question, const std::string& complaint) {
   throw sim::InputError{sim::InputFault::bad_data, question.log + ": " + complaint};

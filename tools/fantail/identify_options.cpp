@@ -15,69 +15,68 @@ std::string objection_to_axis(const std::string& text) {
 
 std::string objection_to_folder(const std::string& text) { return text.empty() ? "the name of a folder is empty" : ""; }
 
-void add_reading(CLI::App& verb, IdentifyOptions& o) {
-  verb.add_option("DATA", o.data, "A CSV file, a flight log (.ftl), or a folder that `fantail fly` wrote")->required();
+void add_reading(const Verb& verb, IdentifyOptions& o) {
+  verb.option("DATA", o.data, "A CSV file, a flight log (.ftl), or a folder that `fantail fly` wrote").required();
   add_log_options(verb, o.log);
 }
 
-void add_windows(CLI::App& verb, IdentifyOptions& o) {
-  auto* from = verb.add_option("--from", o.from_s, "Begin of the window on the log's clock, in seconds")
-                   ->check(within(-1e6, 1e6));
-  auto* to = verb.add_option("--to", o.to_s, "End of the window, in seconds")->check(within(-1e6, 1e6));
-  verb.add_option("--window", o.windows,
-                  "control, thrust, coast, step:N or A:B in seconds; several, each by itself [control, or all of a log "
-                  "without phases]")
-      ->allow_extra_args(false)
-      ->excludes(from)
-      ->excludes(to);
-  auto* lag = verb.add_option("--lag", o.lag_s, "By how many seconds the canard column is later than the gyro's")
-                  ->check(within(-1.0, 1.0))
-                  ->capture_default_str();
-  verb.add_flag("--fit-lag", o.fit_lag, "Find that lag, within 50 ms")->excludes(lag);
-  verb.add_flag("--fit-initial", o.fit_initial,
-                "Fit the first angle and rate, too, instead of taking them as measured");
+void add_windows(const Verb& verb, IdentifyOptions& o) {
+  auto from =
+      verb.option("--from", o.from_s, "Begin of the window on the log's clock, in seconds").check(within(-1e6, 1e6));
+  auto to = verb.option("--to", o.to_s, "End of the window, in seconds").check(within(-1e6, 1e6));
+  verb.option("--window", o.windows,
+              "control, thrust, coast, step:N or A:B in seconds; several, each by itself [control, or all of a log "
+              "without phases]")
+      .one_word_each_time()
+      .excludes(from)
+      .excludes(to);
+  auto lag = verb.option("--lag", o.lag_s, "By how many seconds the canard column is later than the gyro's")
+                 .check(within(-1.0, 1.0))
+                 .show_default();
+  verb.flag("--fit-lag", o.fit_lag, "Find that lag, within 50 ms").excludes(lag);
+  verb.flag("--fit-initial", o.fit_initial, "Fit the first angle and rate, too, instead of taking them as measured");
 }
 
-void add_rocket(CLI::App& verb, IdentifyOptions& o) {
-  verb.add_option("--vehicle", o.vehicle, "A shipped name (tasha3_launch2, tasha3_tunnel, smokey, ...) or a path");
-  verb.add_option("--inertia", o.inertia_kg_m2, "Roll moment of inertia in kg m2")->check(within(1e-9, 1e6));
-  verb.add_option("--area", o.area_m2, "Reference area in m2")->check(within(1e-9, 1e6));
-  verb.add_option("--density", o.density,
-                  "Of the air: kg/m3, exponential or isa [exponential if the log climbs, else 1.2]");
-  verb.add_option("--speed", o.speed_m_s, "In m/s, the same throughout, instead of the log's")->check(within(0.1, 1e4));
+void add_rocket(const Verb& verb, IdentifyOptions& o) {
+  verb.option("--vehicle", o.vehicle, "A shipped name (tasha3_launch2, tasha3_tunnel, smokey, ...) or a path");
+  verb.option("--inertia", o.inertia_kg_m2, "Roll moment of inertia in kg m2").check(within(1e-9, 1e6));
+  verb.option("--area", o.area_m2, "Reference area in m2").check(within(1e-9, 1e6));
+  verb.option("--density", o.density,
+              "Of the air: kg/m3, exponential or isa [exponential if the log climbs, else 1.2]");
+  verb.option("--speed", o.speed_m_s, "In m/s, the same throughout, instead of the log's").check(within(0.1, 1e4));
 }
 
-void add_method(CLI::App& verb, IdentifyOptions& o) {
-  verb.add_option("--nodes", o.nodes,
-                  "Of the disturbance: seconds from the window's begin as in 0,5; even:N; thrust:N,coast:M; auto")
-      ->capture_default_str();
-  verb.add_option("--method", o.method, "grid (as published), continuous or both")
-      ->check(CLI::IsMember({"grid", "continuous", "both"}))
-      ->capture_default_str();
-  verb.add_option("--grid-alpha", o.grid_alpha, "FIRST:LAST:STEP in m2 [1:60:1]")->check(objection_to_axis);
-  verb.add_option("--grid-beta", o.grid_beta, "FIRST:LAST:STEP in m [5:15:0.5]")->check(objection_to_axis);
-  verb.add_option("--loop", o.loop, "open: canards as measured; closed: as the controller commands in the model")
-      ->check(CLI::IsMember({"open", "closed"}))
-      ->capture_default_str();
-  verb.add_option("--plan", o.plan, "Closed loop: gains and limit of a shipped plan or a path");
-  verb.add_option("--kp", o.proportional_gain, "Closed loop: canard angle per roll angle error")->check(within(0, 100));
-  verb.add_option("--kd", o.derivative_gain_s, "Closed loop: canard angle per roll rate, in s")->check(within(0, 100));
-  verb.add_option("--limit", o.limit_deg, "Closed loop: canard limit in degrees")->check(within(0.01, 90));
-  verb.add_option("--servo-lag", o.servo_lag_s, "Closed loop: first-order lag of the servos in s")
-      ->check(within(0, 1))
-      ->capture_default_str();
+void add_method(const Verb& verb, IdentifyOptions& o) {
+  verb.option("--nodes", o.nodes,
+              "Of the disturbance: seconds from the window's begin as in 0,5; even:N; thrust:N,coast:M; auto")
+      .show_default();
+  verb.option("--method", o.method, "grid (as published), continuous or both")
+      .one_of({"grid", "continuous", "both"})
+      .show_default();
+  verb.option("--grid-alpha", o.grid_alpha, "FIRST:LAST:STEP in m2 [1:60:1]").check(objection_to_axis);
+  verb.option("--grid-beta", o.grid_beta, "FIRST:LAST:STEP in m [5:15:0.5]").check(objection_to_axis);
+  verb.option("--loop", o.loop, "open: canards as measured; closed: as the controller commands in the model")
+      .one_of({"open", "closed"})
+      .show_default();
+  verb.option("--plan", o.plan, "Closed loop: gains and limit of a shipped plan or a path");
+  verb.option("--kp", o.proportional_gain, "Closed loop: canard angle per roll angle error").check(within(0, 100));
+  verb.option("--kd", o.derivative_gain_s, "Closed loop: canard angle per roll rate, in s").check(within(0, 100));
+  verb.option("--limit", o.limit_deg, "Closed loop: canard limit in degrees").check(within(0.01, 90));
+  verb.option("--servo-lag", o.servo_lag_s, "Closed loop: first-order lag of the servos in s")
+      .check(within(0, 1))
+      .show_default();
 }
 
 }  // namespace
 
-void add_identify_options(CLI::App& verb, IdentifyOptions& options) {
+void add_identify_options(const Verb& verb, IdentifyOptions& options) {
   add_reading(verb, options);
   add_windows(verb, options);
   add_rocket(verb, options);
   add_method(verb, options);
-  verb.add_flag("--json", options.json, "Print one JSON object instead of the text");
-  verb.add_option("--out", options.out, "Folder for report.html, model.csv and identification.json [out/identify/DATA]")
-      ->check(objection_to_folder);
+  verb.flag("--json", options.json, "Print one JSON object instead of the text");
+  verb.option("--out", options.out, "Folder for report.html, model.csv and identification.json [out/identify/DATA]")
+      .check(objection_to_folder);
 }
 
 }  // namespace fantail::tool

@@ -5,8 +5,7 @@
 #include <string>
 #include <vector>
 
-#include <CLI/CLI.hpp>
-
+#include "fantail/command_line.hpp"
 #include "fantail/log_options.hpp"
 
 namespace fantail::tool {
@@ -45,6 +44,6 @@ struct IdentifyOptions {
   std::string out;
 };
 
-void add_identify_options(CLI::App& verb, IdentifyOptions& options);
+void add_identify_options(const Verb& verb, IdentifyOptions& options);
 
 }  // namespace fantail::tool

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "fantail/lcm_output.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 namespace fantail::tool {
 
-CLI::Option* add_lcm_option(CLI::App& verb, std::string& url, const std::string& meaning) {
-  return verb.add_option("--lcm", url, meaning + ": udpm://239.255.76.67:7667 (LCM's default), or a log, file:///PATH")
-      ->check(CLI::Validator{telemetry::objection_to_url, ""})
-      ->type_name("URL");
+Option add_lcm_option(const Verb& verb, std::string& url, const std::string& meaning) {
+  return verb.option("--lcm", url, meaning + ": udpm://239.255.76.67:7667 (LCM's default), or a log, file:///PATH")
+      .check(telemetry::objection_to_url)
+      .value_name("URL");
 }
 
 LcmOutput::LcmOutput(const std::string& url) : url_{url} {

@@ -4,15 +4,14 @@
 #include <memory>
 #include <string>
 
-#include <CLI/CLI.hpp>
-
+#include "fantail/command_line.hpp"
 #include "telemetry/publisher.hpp"
 #include "telemetry/tick_reporter.hpp"
 
 namespace fantail::tool {
 
 /// --lcm, checked: where messages go or come from.
-CLI::Option* add_lcm_option(CLI::App& verb, std::string& url, const std::string& meaning);
+Option add_lcm_option(const Verb& verb, std::string& url, const std::string& meaning);
 
 /// One sentence about what was published. Throws telemetry::TelemetryError when the network or the disk refused a part.
 [[nodiscard]] std::string report_of(const telemetry::PublisherFigures& figures, const std::string& url);

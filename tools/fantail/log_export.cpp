@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "fantail/exported.hpp"
 #include "fantail/interrupt.hpp"
@@ -17,6 +16,7 @@
 #include "fantail/standard_streams.hpp"
 #include "flight_log/integrity.hpp"
 #include "report/output_folder.hpp"
+#include "text/number.hpp"
 
 namespace fantail::tool {
 namespace {
@@ -31,9 +31,7 @@ struct ExportOptions {
 };
 
 std::string objection_to_time(const std::string& text) {
-  double value = 0.0;
-  return CLI::detail::lexical_cast(text, value) && std::isfinite(value) ? ""
-                                                                        : '"' + text + "\" is not a number of seconds";
+  return text::number(text) ? "" : '"' + text + "\" is not a number of seconds";
 }
 
 std::string objection_to_file(const std::string& text) {
@@ -51,8 +49,7 @@ std::filesystem::path output_file(const ExportOptions& options, const ExportForm
 void export_log(const ExportOptions& options) {
   const auto& [from_s, until_s] = options.window;
   if (from_s && until_s && *from_s > *until_s) {
-    throw CLI::ValidationError{fmt::format("--from {:g} lies behind --until {:g}", *from_s, *until_s),
-                               CLI::ExitCodes::ValidationError};
+    throw UsageError{fmt::format("--from {:g} lies behind --until {:g}", *from_s, *until_s)};
   }
   const ExportFormat& format = *std::ranges::find(export_formats, options.format, &ExportFormat::name);
   flight_log::LogFile file = flight_log::read_log_file(options.log);
@@ -80,36 +77,36 @@ void export_log(const ExportOptions& options) {
 
 }  // namespace
 
-void add_log_export(CLI::App& log) {
-  auto* verb = log.add_subcommand("export", "A flight log as a file that other programs read");
+void add_log_export(const Verb& log) {
+  auto verb = log.verb("export", "A flight log as a file that other programs read");
   auto options = std::make_shared<ExportOptions>();
-  verb->add_option("LOG", options->log, "A flight log (.ftl), or a folder with a flight.ftl")->required();
-  verb->add_option("--to", options->format,
-                   "csv: flight.csv. ulog: for PlotJuggler and Foxglove. lcm: for lcm-logplayer. candump: the bus as "
-                   "it was, for canplayer and cantools. json: one object with everything")
-      ->required()
-      ->check(CLI::IsMember({"csv", "ulog", "lcm", "candump", "json"}))
-      ->type_name("csv|ulog|lcm|candump|json");
-  verb->add_option("--out", options->out, "The file; - is standard output [out/export/NAME.ENDING]")
-      ->check(objection_to_file);
-  verb->add_option("--fields", options->fields,
-                   "Only these, separated by commas, raw counts too; an unknown name lists all [csv: those of "
-                   "flight.csv; ulog, json: all]")
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->type_name("A,B,C");
-  verb->add_option("--from", options->window.from_s, "Begin, s on the clock of time_s")->check(objection_to_time);
-  verb->add_option("--until", options->window.until_s, "End, s on the clock of time_s (--to is the format)")
-      ->check(objection_to_time);
-  verb->add_option("--flight", options->flight, "Of several flights in one file, counted from 1");
-  verb->footer(
+  verb.option("LOG", options->log, "A flight log (.ftl), or a folder with a flight.ftl").required();
+  verb.option("--to", options->format,
+              "csv: flight.csv. ulog: for PlotJuggler and Foxglove. lcm: for lcm-logplayer. candump: the bus as "
+              "it was, for canplayer and cantools. json: one object with everything")
+      .required()
+      .one_of({"csv", "ulog", "lcm", "candump", "json"})
+      .value_name("csv|ulog|lcm|candump|json");
+  verb.option("--out", options->out, "The file; - is standard output [out/export/NAME.ENDING]")
+      .check(objection_to_file);
+  verb.option("--fields", options->fields,
+              "Only these, separated by commas, raw counts too; an unknown name lists all [csv: those of "
+              "flight.csv; ulog, json: all]")
+      .separated_by(',')
+      .one_word_each_time()
+      .value_name("A,B,C");
+  verb.option("--from", options->window.from_s, "Begin, s on the clock of time_s").check(objection_to_time);
+  verb.option("--until", options->window.until_s, "End, s on the clock of time_s (--to is the format)")
+      .check(objection_to_time);
+  verb.option("--flight", options->flight, "Of several flights in one file, counted from 1");
+  verb.examples(
       "Examples:\n"
       "  fantail log export out/tasha3_launch2 --to ulog      for PlotJuggler: out/export/tasha3_launch2.ulg\n"
       "  fantail log export flown.ftl --to csv --fields time_s,roll_angle_deg,rate_x_count --from 0 --until 12\n"
       "                                                       a table of your own, raw counts of the gyro in it\n"
       "  fantail log export flown.ftl --to candump --out - | cantools decode firmware/protocol/canard_bus.dbc\n"
       "                                                       what the bus carried in flight, in words");
-  verb->callback([options] { export_log(*options); });
+  verb.action([options] { export_log(*options); });
 }
 
 }  // namespace fantail::tool

@@ -4,21 +4,20 @@
 #include <system_error>
 #include <utility>
 
-#include <CLI/CLI.hpp>
-#include <fmt/format.h>
+#include <fmt/core.h>
+
+#include "fantail/command_line.hpp"
 
 namespace fantail::tool {
 
 flight_log::Flight take_flight(flight_log::LogFile file, const std::optional<std::size_t>& choice) {
   const std::size_t count = file.flights.size();
   if (choice && (*choice < 1 || *choice > count)) {
-    throw CLI::ValidationError{fmt::format("--flight {}: {} holds {}; allowed: 1 to {}", *choice, file.name,
-                                           count == 1 ? "one flight" : fmt::format("{} flights", count), count),
-                               CLI::ExitCodes::ValidationError};
+    throw UsageError{fmt::format("--flight {}: {} holds {}; allowed: 1 to {}", *choice, file.name,
+                                 count == 1 ? "one flight" : fmt::format("{} flights", count), count)};
   }
   if (!choice && count > 1) {
-    throw CLI::ValidationError{fmt::format("{} holds {} flights; which one? --flight 1 to {}", file.name, count, count),
-                               CLI::ExitCodes::ValidationError};
+    throw UsageError{fmt::format("{} holds {} flights; which one? --flight 1 to {}", file.name, count, count)};
   }
   return std::move(file.flights[choice.value_or(1) - 1]);
 }

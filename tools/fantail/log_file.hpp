@@ -11,7 +11,7 @@
 namespace fantail::tool {
 
 /// Of the flights in a file the one that a person chose, counted from 1; without a choice the only one. Throws
-/// CLI::ValidationError that says how many there are.
+/// UsageError that says how many there are.
 [[nodiscard]] flight_log::Flight take_flight(flight_log::LogFile file, const std::optional<std::size_t>& choice);
 
 /// What a log, or a folder with one, is called where its results are named: "flown" for flown.ftl, the folder for

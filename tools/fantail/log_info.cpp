@@ -4,7 +4,7 @@
 #include <memory>
 #include <utility>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "fantail/interrupt.hpp"
 #include "fantail/log_file.hpp"
@@ -84,20 +84,20 @@ FlightInfo flight_info(const flight_log::Flight& flight, std::size_t number) {
           .plan = flight_log::plan_name(flight)};
 }
 
-void add_log_info(CLI::App& log) {
-  auto* verb = log.add_subcommand("info", "What a flight log holds, whether it is intact, and whether a replay agrees");
+void add_log_info(const Verb& log) {
+  auto verb = log.verb("info", "What a flight log holds, whether it is intact, and whether a replay agrees");
   auto options = std::make_shared<InfoOptions>();
-  verb->add_option("LOG", options->log, "A flight log (.ftl), or a folder with a flight.ftl")->required();
-  verb->add_option("--flight", options->flight, "Of several flights in one file, counted from 1 [all]");
-  verb->add_flag("--json", options->json, "Print one JSON object");
-  verb->footer(
+  verb.option("LOG", options->log, "A flight log (.ftl), or a folder with a flight.ftl").required();
+  verb.option("--flight", options->flight, "Of several flights in one file, counted from 1 [all]");
+  verb.flag("--json", options->json, "Print one JSON object");
+  verb.examples(
       "Times count from lift-off, in the tunnel from control start.\n"
       "Exit code 0: intact, also when cut off by a loss of power; 1: records are missing or bytes damaged.\n"
       "Examples:\n"
       "  fantail log info out/tasha3_launch2    who flew what, is it intact, does a replay give the same\n"
       "  fantail log info flash.ftl --flight 2  one of several flights that a board's flash held\n"
       "  fantail log info flown.ftl --json      every figure and every event, for a script");
-  verb->callback([options] { show(*options); });
+  verb.action([options] { show(*options); });
 }
 
 }  // namespace fantail::tool

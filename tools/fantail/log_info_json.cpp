@@ -1,20 +1,19 @@
 // SPDX-License-Identifier: MIT
-#include <fmt/format.h>
-#include <nlohmann/json.hpp>
+#include <fmt/core.h>
 
 #include "fantail/log_info.hpp"
 #include "flight_log/event_words.hpp"
 #include "flight_log/integrity.hpp"
+#include "json/value.hpp"
 #include "protocol/plan_block.hpp"
 
 namespace fantail::tool {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using Json = json::Value;
+using json::text_or_null;
 
 double duration_s(core::Microseconds time) { return static_cast<double>(time.count()) / 1e6; }
-
-Json or_null(const std::string& text) { return text.empty() ? Json{} : Json(text); }
 
 Json plan(const FlightInfo& info) {
   if (info.flight.plan_block.empty()) {
@@ -23,7 +22,7 @@ Json plan(const FlightInfo& info) {
   return {{"name", info.plan},
           {"crc", fmt::format("{:08x}", protocol::plan_block_crc(info.flight.plan_block))},
           {"usable", info.flight.plan.has_value()},
-          {"fault", or_null(info.flight.plan_fault)}};
+          {"fault", text_or_null(info.flight.plan_fault)}};
 }
 
 Json integrity(const FlightInfo& info) {
@@ -51,7 +50,7 @@ Json replay(const FlightInfo& info) {
             {"compared", info.replay.compared},
             {"differing", info.replay.differing},
             {"unreachable", info.replay.unreachable},
-            {"obstacle", or_null(info.replay.obstacle)},
+            {"obstacle", text_or_null(info.replay.obstacle)},
             {"first_difference", nullptr}};
   if (const auto& difference = info.replay.first_difference) {
     json["first_difference"] = {{"tick", difference->tick},
@@ -86,12 +85,10 @@ Json health(const FlightInfo& info) {
 Json events(const FlightInfo& info) {
   Json list = Json::array();
   for (const protocol::LogEvent& event : info.flight.events) {
-    Json one{{"time_s", info.seconds(event.time)},
-             {"kind", std::string{name(event.kind)}},
-             {"words", flight_log::words(event)}};
+    Json one{{"time_s", info.seconds(event.time)}, {"kind", name(event.kind)}, {"words", flight_log::words(event)}};
     if (event.kind == protocol::LogEventKind::phase) {
-      one["phase"] = std::string{name(static_cast<core::Phase>(event.value))};
-      one["reason"] = std::string{name(static_cast<core::PhaseReason>(event.detail))};
+      one["phase"] = name(static_cast<core::Phase>(event.value));
+      one["reason"] = name(static_cast<core::PhaseReason>(event.detail));
     }
     list.push_back(one);
   }
@@ -103,11 +100,11 @@ Json flight(const FlightInfo& info) {
   return {{"number", info.number},
           {"flight", f.flight},
           {"power_up", f.power_up},
-          {"vehicle", or_null(f.vehicle)},
-          {"firmware_version", or_null(f.firmware_version)},
-          {"git_hash", or_null(f.git_hash)},
+          {"vehicle", text_or_null(f.vehicle)},
+          {"firmware_version", text_or_null(f.firmware_version)},
+          {"git_hash", text_or_null(f.git_hash)},
           {"format_version", f.format_version},
-          {"sensors", or_null(f.sensors)},
+          {"sensors", text_or_null(f.sensors)},
           {"plan", plan(info)},
           {"ticks", f.ticks.size() + f.foreign_ticks.size()},
           {"duration_s", duration_s(f.last_time - f.first_time)},
@@ -135,7 +132,7 @@ std::string log_info_json(const flight_log::LogFile& file, const std::vector<Fli
                   {"cut_off_bytes", file.cut_off_bytes},
                   {"intact", flight_log::intact(file)},
                   {"flights", list}};
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json.pretty();
 }
 
 }  // namespace fantail::tool

@@ -9,20 +9,20 @@ std::string objection_to_column(const std::string& text) {
   return both ? "" : '"' + text + "\" is not OURS=THEIRS, as in roll_angle_deg=phi";
 }
 
-void add_column_option(CLI::App& verb, std::vector<std::string>& columns) {
-  verb.add_option("--column", columns, "A column that the file calls otherwise, as roll_rate_deg_s=gyro_x; repeatable")
-      ->check(objection_to_column)
-      ->type_name("OURS=THEIRS")
-      ->allow_extra_args(false);
+void add_column_option(const Verb& verb, std::vector<std::string>& columns) {
+  verb.option("--column", columns, "A column that the file calls otherwise, as roll_rate_deg_s=gyro_x; repeatable")
+      .check(objection_to_column)
+      .value_name("OURS=THEIRS")
+      .one_word_each_time();
 }
 
-void add_log_options(CLI::App& verb, LogOptions& options) {
+void add_log_options(const Verb& verb, LogOptions& options) {
   add_column_option(verb, options.columns);
-  verb.add_option("--units", options.units, "Of every angle and rate in the file")
-      ->check(CLI::IsMember({"deg", "rad"}))
-      ->type_name("deg|rad")
-      ->capture_default_str();
-  verb.add_flag("--truth", options.truth, "Read the true_ columns of a simulated run instead of the measured ones");
+  verb.option("--units", options.units, "Of every angle and rate in the file")
+      .one_of({"deg", "rad"})
+      .value_name("deg|rad")
+      .show_default();
+  verb.flag("--truth", options.truth, "Read the true_ columns of a simulated run instead of the measured ones");
 }
 
 logs::ColumnNames column_names(const std::vector<std::string>& columns) {

@@ -4,8 +4,7 @@
 #include <string>
 #include <vector>
 
-#include <CLI/CLI.hpp>
-
+#include "fantail/command_line.hpp"
 #include "logs/roll_log.hpp"
 
 namespace fantail::tool {
@@ -18,9 +17,9 @@ struct LogOptions {
 };
 
 /// --column.
-void add_column_option(CLI::App& verb, std::vector<std::string>& columns);
+void add_column_option(const Verb& verb, std::vector<std::string>& columns);
 /// --column, --units and --truth.
-void add_log_options(CLI::App& verb, LogOptions& options);
+void add_log_options(const Verb& verb, LogOptions& options);
 
 /// Empty for OURS=THEIRS.
 [[nodiscard]] std::string objection_to_column(const std::string& text);

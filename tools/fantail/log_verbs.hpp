@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <CLI/CLI.hpp>
+#include "fantail/command_line.hpp"
 
 namespace fantail::tool {
 
 // What fantail log can do, each in its own file.
 
-void add_log_export(CLI::App& log);
-void add_log_info(CLI::App& log);
+void add_log_export(const Verb& log);
+void add_log_info(const Verb& log);
 
 }  // namespace fantail::tool

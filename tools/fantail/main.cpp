@@ -1,117 +1,121 @@
 // SPDX-License-Identifier: MIT
-#include <exception>
+// The program `fantail` itself: finds the program of a verb and becomes it.
+#include <algorithm>
+#include <filesystem>
 #include <string>
 #include <system_error>
+#include <vector>
 
-#include <CLI/CLI.hpp>
+#include <fmt/core.h>
+#include <unistd.h>
 
-#include "bench/session.hpp"
 #include "fantail/exit_code.hpp"
-#include "fantail/interrupt.hpp"
-#include "fantail/requirement.hpp"
 #include "fantail/standard_streams.hpp"
-#include "fantail/usage.hpp"
-#include "fantail/verbs.hpp"
-#include "hal/linux/can_bus.hpp"
-#include "hil/wire.hpp"
-#include "report/output_folder.hpp"
-#include "sim/input_error.hpp"
-#include "telemetry/url.hpp"
+#include "fantail/verb_table.hpp"
+#include "sim/document.hpp"
 
 namespace {
 
 using fantail::tool::ExitCode;
-using fantail::tool::output_was_taken;
-using fantail::tool::usage_complaint;
+using fantail::tool::say;
+using fantail::tool::verb_table;
 
-ExitCode complain(const std::string& message, ExitCode code) {
-  if (!message.empty()) {  // what there is to say may have been printed
-    fantail::tool::say("fantail: " + message + "\n");
+constexpr const char* examples =
+    "Examples:\n"
+    "  fantail fly                          the second launch of Tasha III, with a report\n"
+    "  fantail fly tunnel_steps --json      the wind-tunnel runs, for a script\n"
+    "  fantail plan show tasha3_launch2     every number a rocket is loaded with\n"
+    "  fantail predict tasha3_launch1       what a tunnel would have said of it: no go, and why\n"
+    "  fantail bench limits --can can0      four real canards to their limits, and a sheet to sign\n"
+    "\n"
+    "Exit codes: 0 done, 1 a requirement was not met, 64 usage, 65 bad data, 66 no such input, 69 not installed,\n"
+    "  70 internal error, 74 input/output, 78 bad configuration, 130 interrupted\n";
+
+ExitCode printed() {
+  if (fantail::tool::output_was_taken()) {
+    return ExitCode::done;
   }
-  return code;
+  say("fantail: standard output could not be written\n");
+  return ExitCode::input_output;
 }
 
-ExitCode complain(const std::exception& error, ExitCode code) { return complain(error.what(), code); }
-
-ExitCode complain_about_output() { return complain("standard output could not be written", ExitCode::input_output); }
-
-ExitCode code_of(fantail::sim::InputFault fault) {
-  switch (fault) {
-    case fantail::sim::InputFault::no_such_input: return ExitCode::no_such_input;
-    case fantail::sim::InputFault::bad_data: return ExitCode::bad_data;
-    case fantail::sim::InputFault::bad_configuration: break;
+ExitCode help() {
+  fmt::print(
+      "Fantail: roll control for sounding rockets, from the wind tunnel to flight\n"
+      "Usage: fantail VERB ...\n\n"
+      "  -h,--help    Print this; fantail VERB --help is about one verb\n"
+      "  --version    Print the version\n\n"
+      "Verbs:\n");
+  for (const auto& verb : verb_table) {
+    fmt::print("  {:<10} {}\n", verb.name, verb.meaning);
   }
-  return ExitCode::bad_configuration;
+  fmt::print("\n{}", examples);
+  return printed();
 }
 
-ExitCode run(int argc, char** argv) {
-  CLI::App program{"Fantail: roll control for sounding rockets, from the wind tunnel to flight", "fantail"};
-  program.require_subcommand(1);
-  program.set_version_flag("--version", "fantail " FANTAIL_VERSION);
-  program.footer(
-      "Examples:\n"
-      "  fantail fly                          the second launch of Tasha III, with a report\n"
-      "  fantail fly tunnel_steps --json      the wind-tunnel runs, for a script\n"
-      "  fantail plan show tasha3_launch2     every number a rocket is loaded with\n"
-      "  fantail predict tasha3_launch1       what a tunnel would have said of it: no go, and why\n"
-      "  fantail bench limits --can can0      four real canards to their limits, and a sheet to sign\n"
-      "\n"
-      "Exit codes: 0 done, 1 a requirement was not met, 64 usage, 65 bad data, 66 no such input,\n"
-      "  70 internal error, 74 input/output, 78 bad configuration, 130 interrupted");
-  fantail::tool::add_fly(program);
-  fantail::tool::add_identify(program);
-  fantail::tool::add_paper(program);
-  fantail::tool::add_plan(program);
-  fantail::tool::add_log(program);
-  fantail::tool::add_replay(program);
-  fantail::tool::add_node(program);
-  fantail::tool::add_bench(program);
-  fantail::tool::add_compare(program);
-  fantail::tool::add_tunnel(program);
-  fantail::tool::add_predict(program);
-  fantail::tool::add_gateway(program);
-  fantail::tool::add_watch(program);
-  fantail::tool::add_report(program);
-  try {
-    program.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() != 0) {
-      return complain(usage_complaint(program, error) + " (see --help)", ExitCode::usage);
-    }
-    program.exit(error);  // help or version, asked for
-  } catch (const fantail::sim::InputError& error) {
-    return complain(error, code_of(error.fault()));
-  } catch (const fantail::report::OutputError& error) {
-    return complain(error, ExitCode::input_output);
-  } catch (const fantail::tool::Interrupted& error) {
-    return complain(error, ExitCode::interrupted);
-  } catch (const fantail::tool::RequirementNotMet& error) {
-    return output_was_taken() ? complain(error, ExitCode::requirement_not_met) : complain_about_output();
-  } catch (const fantail::hal::on_linux::CanError& error) {
-    return complain(error, ExitCode::input_output);
-  } catch (const fantail::hil::TargetError& error) {
-    return complain(error, ExitCode::input_output);
-  } catch (const fantail::bench::LinkError& error) {
-    return complain(error, ExitCode::input_output);
-  } catch (const fantail::telemetry::TelemetryError& error) {
-    return complain(error, ExitCode::input_output);
-  } catch (const std::system_error& error) {
-    return output_was_taken() ? complain(error, ExitCode::input_output) : complain_about_output();
-  } catch (const std::exception& error) {
-    return complain(error, ExitCode::internal_error);
+ExitCode refuse(const std::string& complaint) {
+  say("fantail: " + complaint + " (see --help)\n");
+  return ExitCode::usage;
+}
+
+std::vector<std::string> names() {
+  std::vector<std::string> all;
+  std::ranges::transform(verb_table, std::back_inserter(all), [](const auto& verb) { return std::string{verb.name}; });
+  return all;
+}
+
+std::string list() {
+  std::string text;
+  for (const auto& verb : verb_table) {
+    text += (text.empty() ? "" : ", ") + std::string{verb.name};
   }
-  // Output that a pipe or a full disk did not take must not look like success.
-  return output_was_taken() ? ExitCode::done : complain_about_output();
+  return text;
+}
+
+ExitCode become(const std::string& verb, char** argv) {
+  // Beside a program that was built, or where an installed one has its parts.
+  const std::filesystem::path here = std::filesystem::read_symlink("/proc/self/exe").parent_path();
+  const std::string program = "fantail-" + verb;
+  for (const std::filesystem::path& folder : {here / "libexec", here / "../libexec/fantail"}) {
+    execv((folder / program).c_str(), argv);  // returns only when there is none
+  }
+  say(fmt::format(
+      "fantail: the verb {} is not there: {} is neither in {} nor in {}; in the sources, ./dev {} builds it\n", verb,
+      program, (here / "libexec").string(), (here / "../libexec/fantail").lexically_normal().string(), verb));
+  return ExitCode::not_installed;
+}
+
+ExitCode start(int argc, char** argv) {
+  if (argc < 2) {
+    return refuse("a verb is missing; allowed: " + list());
+  }
+  const std::string word = argv[1];
+  if (word == "--help" || word == "-h") {
+    return help();
+  }
+  if (word == "--version") {
+    fmt::print("fantail {}\n", FANTAIL_VERSION);
+    return printed();
+  }
+  if (word.starts_with('-')) {
+    return refuse("unknown option " + word + "; a verb comes first: " + list());
+  }
+  if (std::ranges::find(verb_table, word, &fantail::tool::VerbEntry::name) == verb_table.end()) {
+    const auto meant = fantail::sim::suggestion(word, names());
+    return refuse("unknown verb \"" + word + '"' + (meant ? "; did you mean " + *meant + "?" : "; allowed: " + list()));
+  }
+  return become(word, argv + 1);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
   fantail::tool::guard_standard_streams();
-  fantail::tool::catch_interrupts();
   try {
-    return static_cast<int>(run(argc, argv));
-  } catch (...) {  // not even a message can be made: memory has run out
+    return static_cast<int>(start(argc, argv));
+  } catch (const std::system_error&) {  // standard output that cannot be written
+    return static_cast<int>(printed());
+  } catch (...) {  // memory has run out, or /proc is not there
     return static_cast<int>(ExitCode::internal_error);
   }
 }

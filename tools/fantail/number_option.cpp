@@ -3,22 +3,20 @@
 
 #include <string>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
-#include "logs/number.hpp"
 #include "sim/shown.hpp"
+#include "text/number.hpp"
 
 namespace fantail::tool {
 
-CLI::Validator within(double low, double high) {
-  return CLI::Validator{[low, high](const std::string& text) {
-                          const auto value = logs::number(text);
-                          return value && *value >= low && *value <= high
-                                     ? std::string{}
-                                     : fmt::format("\"{}\": allowed: {} to {}", text, sim::shown(low),
-                                                   sim::shown(high));
-                        },
-                        ""};
+Objection within(double low, double high) {
+  return [low, high](const std::string& text) {
+    const auto value = text::number(text);
+    return value && *value >= low && *value <= high
+               ? std::string{}
+               : fmt::format("\"{}\": allowed: {} to {}", text, sim::shown(low), sim::shown(high));
+  };
 }
 
 }  // namespace fantail::tool

@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <optional>
 
+#include "sim/document.hpp"
+
 namespace fantail::tool {
 namespace {
 
@@ -22,21 +24,21 @@ std::string objection_to_seed(const std::string& text) {
 
 }  // namespace
 
-void add_scenario_options(CLI::App& verb, ScenarioOptions& options) {
-  auto* scenario =
-      verb.add_option("SCENARIO", options.scenario,
-                      "A shipped name (tasha3_launch1, tasha3_launch2, tunnel_steps, tunnel_..., bench_...) or a path "
-                      "to a scenario file");
+void add_scenario_options(const Verb& verb, ScenarioOptions& options) {
+  auto scenario =
+      verb.option("SCENARIO", options.scenario,
+                  "A shipped name (tasha3_launch1, tasha3_launch2, tunnel_steps, tunnel_..., bench_...) or a path "
+                  "to a scenario file");
   if (options.scenario.empty()) {
-    scenario->required();
+    scenario.required();
   } else {
-    scenario->capture_default_str();
+    scenario.show_default();
   }
-  verb.add_option("--seed", options.seed, "Of all random streams, instead of the scenario's own")
-      ->check(objection_to_seed)
-      ->type_name("NUMBER");
-  verb.add_option("--set", options.changes, "section.key=value: change one value of plan, vehicle or scenario")
-      ->allow_extra_args(false);
+  verb.option("--seed", options.seed, "Of all random streams, instead of the scenario's own")
+      .check(objection_to_seed)
+      .value_name("NUMBER");
+  verb.option("--set", options.changes, "section.key=value: change one value of plan, vehicle or scenario")
+      .one_word_each_time();
 }
 
 sim::Scenario load(const ScenarioOptions& options) {

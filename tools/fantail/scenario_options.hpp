@@ -4,8 +4,7 @@
 #include <string>
 #include <vector>
 
-#include <CLI/CLI.hpp>
-
+#include "fantail/command_line.hpp"
 #include "sim/scenario.hpp"
 
 namespace fantail::tool {
@@ -18,7 +17,7 @@ struct ScenarioOptions {
 };
 
 /// SCENARIO, --seed and --set. A scenario that is already named is the default.
-void add_scenario_options(CLI::App& verb, ScenarioOptions& options);
+void add_scenario_options(const Verb& verb, ScenarioOptions& options);
 
 /// Throws sim::InputError.
 [[nodiscard]] sim::Scenario load(const ScenarioOptions& options);

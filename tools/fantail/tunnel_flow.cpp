@@ -32,32 +32,32 @@ void flow(const FlowOptions& options) {
 
 }  // namespace
 
-void add_tunnel_flow(CLI::App& tunnel) {
-  auto* verb = tunnel.add_subcommand("flow", "Steady speeds, turbulence, and the line of speed over fan");
+void add_tunnel_flow(const Verb& tunnel) {
+  auto verb = tunnel.verb("flow", "Steady speeds, turbulence, and the line of speed over fan");
   auto options = std::make_shared<FlowOptions>();
-  verb->add_option("LOG", options->log, "A CSV with time_s, fan_rpm and wind_speed_m_s, or a folder with a tunnel.csv")
-      ->required();
-  add_steady_option(*verb, "--steady", options->steady,
+  verb.option("LOG", options->log, "A CSV with time_s, fan_rpm and wind_speed_m_s, or a folder with a tunnel.csv")
+      .required();
+  add_steady_option(verb, "--steady", options->steady,
                     "When it was steady, instead of finding out: begins in seconds, each until the fan's next set "
                     "point, or begin:end");
-  verb->add_option("--shortest", options->finding.shortest_s, "A steady stretch that is shorter is none")
-      ->check(within(0.0, 1e6))
-      ->type_name("S")
-      ->capture_default_str();
-  verb->add_option("--rpm-tolerance", options->finding.rpm_tolerance,
-                   "A fan reading further off than this is a new set point")
-      ->check(within(0.0, 1e4))
-      ->type_name("RPM")
-      ->capture_default_str();
-  add_column_option(*verb, options->columns);
-  add_tunnel_output(*verb, options->output, default_folder);
-  verb->footer(
+  verb.option("--shortest", options->finding.shortest_s, "A steady stretch that is shorter is none")
+      .check(within(0.0, 1e6))
+      .value_name("S")
+      .show_default();
+  verb.option("--rpm-tolerance", options->finding.rpm_tolerance,
+              "A fan reading further off than this is a new set point")
+      .check(within(0.0, 1e4))
+      .value_name("RPM")
+      .show_default();
+  add_column_option(verb, options->columns);
+  add_tunnel_output(verb, options->output, default_folder);
+  verb.examples(
       "Examples:\n"
       "  fantail tunnel flow out/tunnel_flow                        the session of fantail fly tunnel_flow\n"
       "  fantail tunnel flow kestrel.csv --column wind_speed_m_s=WS --steady 100,230,390,550,718,858\n"
       "                                                             another logger's file, times by hand\n"
       "  fantail tunnel flow out/tunnel_flow --json                 for a script");
-  verb->callback([options] { flow(*options); });
+  verb.action([options] { flow(*options); });
 }
 
 }  // namespace fantail::tool

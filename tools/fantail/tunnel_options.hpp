@@ -5,8 +5,7 @@
 #include <string>
 #include <vector>
 
-#include <CLI/CLI.hpp>
-
+#include "fantail/command_line.hpp"
 #include "report/output_folder.hpp"
 #include "tunnel/steady.hpp"
 
@@ -19,22 +18,22 @@ struct TunnelOutput {
 };
 
 /// --out and --json.
-void add_tunnel_output(CLI::App& verb, TunnelOutput& output, const std::string& default_folder);
+void add_tunnel_output(const Verb& verb, TunnelOutput& output, const std::string& default_folder);
 
 /// Writes the files, and prints the text with the folder's page, or the JSON.
 void write_tunnel_output(const TunnelOutput& output, const std::string& default_folder,
                          const std::vector<report::NamedFile>& files, const std::string& text, const std::string& json);
 
 /// A list of steady stretches by hand.
-void add_steady_option(CLI::App& verb, const std::string& name, std::string& stretches, const std::string& meaning);
+void add_steady_option(const Verb& verb, const std::string& name, std::string& stretches, const std::string& meaning);
 
 /// By hand where there is a list, else found.
 [[nodiscard]] tunnel::SteadySegments steady_segments(const tunnel::TunnelLog& log, const std::string& stretches,
                                                      const tunnel::SteadyOptions& options);
 
 // Each verb of the tunnel in a file of its own.
-void add_tunnel_flow(CLI::App& tunnel);
-void add_tunnel_swirl(CLI::App& tunnel);
-void add_tunnel_steps(CLI::App& tunnel);
+void add_tunnel_flow(const Verb& tunnel);
+void add_tunnel_swirl(const Verb& tunnel);
+void add_tunnel_steps(const Verb& tunnel);
 
 }  // namespace fantail::tool

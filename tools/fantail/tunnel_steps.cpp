@@ -59,60 +59,56 @@ void steps(const StepsVerbOptions& options) {
       tunnel::steps_text(head, table), json);
 }
 
-void add_run_options(CLI::App& verb, StepsVerbOptions& options) {
-  verb.add_option("RUN", options.run,
-                  "A flight folder, a flight log (.ftl), or a CSV with reference_deg and canard_deg")
-      ->required();
+void add_run_options(const Verb& verb, StepsVerbOptions& options) {
+  verb.option("RUN", options.run, "A flight folder, a flight log (.ftl), or a CSV with reference_deg and canard_deg")
+      .required();
   add_airframe_options(verb, options.airframe);
-  verb.add_option("--speed", options.speed_m_s, "Wind speed, instead of tunnel.csv's mean or the log's own")
-      ->check(within(0.1, 1000.0))
-      ->type_name("M/S");
-  verb.add_option("--wind", options.wind, "The tunnel's log, instead of the tunnel.csv beside the run")
-      ->type_name("FILE");
-  verb.add_option("--density", options.density_kg_m3, "Of the air")
-      ->check(within(0.01, 5.0))
-      ->type_name("KG/M3")
-      ->capture_default_str();
+  verb.option("--speed", options.speed_m_s, "Wind speed, instead of tunnel.csv's mean or the log's own")
+      .check(within(0.1, 1000.0))
+      .value_name("M/S");
+  verb.option("--wind", options.wind, "The tunnel's log, instead of the tunnel.csv beside the run").value_name("FILE");
+  verb.option("--density", options.density_kg_m3, "Of the air")
+      .check(within(0.01, 5.0))
+      .value_name("KG/M3")
+      .show_default();
   add_log_options(verb, options.logs);
 }
 
-void add_method_options(CLI::App& verb, StepsVerbOptions& options) {
-  verb.add_option("--seconds", options.steps.seconds, "Of each step are looked at")
-      ->check(within(0.05, 600.0))
-      ->type_name("S")
-      ->capture_default_str();
-  verb.add_option("--intervals", options.steps.intervals, "Of the disturbance in each step; 0: it is constant")
-      ->check(within(0, 20))
-      ->capture_default_str();
-  verb.add_option("--method", options.method, "continuous, or the published search on a grid")
-      ->check(CLI::IsMember({"continuous", "grid"}))
-      ->type_name("continuous|grid")
-      ->capture_default_str();
-  verb.add_option("--only", options.only, "Steps in one direction only")
-      ->check(CLI::IsMember({"up", "down"}))
-      ->type_name("up|down");
-  verb.add_option("--lag", options.steps.record.lag_s, "How much later the canard column is than the gyro's")
-      ->check(within(-1.0, 1.0))
-      ->type_name("S")
-      ->capture_default_str();
+void add_method_options(const Verb& verb, StepsVerbOptions& options) {
+  verb.option("--seconds", options.steps.seconds, "Of each step are looked at")
+      .check(within(0.05, 600.0))
+      .value_name("S")
+      .show_default();
+  verb.option("--intervals", options.steps.intervals, "Of the disturbance in each step; 0: it is constant")
+      .check(within(0, 20))
+      .show_default();
+  verb.option("--method", options.method, "continuous, or the published search on a grid")
+      .one_of({"continuous", "grid"})
+      .value_name("continuous|grid")
+      .show_default();
+  verb.option("--only", options.only, "Steps in one direction only").one_of({"up", "down"}).value_name("up|down");
+  verb.option("--lag", options.steps.record.lag_s, "How much later the canard column is than the gyro's")
+      .check(within(-1.0, 1.0))
+      .value_name("S")
+      .show_default();
 }
 
 }  // namespace
 
-void add_tunnel_steps(CLI::App& tunnel) {
-  auto* verb = tunnel.add_subcommand("steps", "The roll model of every step of a square-wave run, and their spread");
+void add_tunnel_steps(const Verb& tunnel) {
+  auto verb = tunnel.verb("steps", "The roll model of every step of a square-wave run, and their spread");
   auto options = std::make_shared<StepsVerbOptions>();
-  add_run_options(*verb, *options);
-  add_method_options(*verb, *options);
-  add_tunnel_output(*verb, options->output, default_folder);
-  verb->footer(
+  add_run_options(verb, *options);
+  add_method_options(verb, *options);
+  add_tunnel_output(verb, options->output, default_folder);
+  verb.examples(
       "Examples:\n"
       "  fantail tunnel steps out/tunnel_steps                    the run of fantail fly tunnel_steps\n"
       "  fantail tunnel steps out/tunnel_steps --method grid --only up\n"
       "                                                           by the published method, steps to the right only\n"
       "  fantail tunnel steps run.csv --speed 22 --inertia 0.00393 --area 5.0265e-5 --json\n"
       "                                                           another logger's file, for a script");
-  verb->callback([options] { steps(*options); });
+  verb.action([options] { steps(*options); });
 }
 
 }  // namespace fantail::tool

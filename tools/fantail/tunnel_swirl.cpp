@@ -52,40 +52,40 @@ void swirl(const SwirlVerbOptions& options) {
                       tunnel::swirl_text(sessions, swirl), json);
 }
 
-void add_session(CLI::App& verb, const std::string& word, SessionOptions& options) {
-  verb.add_option("--wind-" + word, options.wind,
-                  "The tunnel's log of that session, instead of the tunnel.csv beside it or the log's own speeds")
-      ->type_name("FILE");
+void add_session(const Verb& verb, const std::string& word, SessionOptions& options) {
+  verb.option("--wind-" + word, options.wind,
+              "The tunnel's log of that session, instead of the tunnel.csv beside it or the log's own speeds")
+      .value_name("FILE");
   add_steady_option(verb, "--steady-" + word, options.steady,
                     "When that session was steady, instead of finding out: begins in seconds, or begin:end");
 }
 
 }  // namespace
 
-void add_tunnel_swirl(CLI::App& tunnel) {
-  auto* verb = tunnel.add_subcommand("swirl", "What the swirl adds to the fin offset, from free rolling");
+void add_tunnel_swirl(const Verb& tunnel) {
+  auto verb = tunnel.verb("swirl", "What the swirl adds to the fin offset, from free rolling");
   auto options = std::make_shared<SwirlVerbOptions>();
-  verb->add_option("WITHOUT", options->without.roll,
-                   "Roll log without flow straightener: a flight folder, a flight log (.ftl) or a CSV")
-      ->required();
-  verb->add_option("WITH", options->with.roll, "Roll log with flow straightener")->required();
-  add_session(*verb, "without", options->without);
-  add_session(*verb, "with", options->with);
-  verb->add_option("--alpha", options->swirl.alpha_m2, "Damping; the default is the mean of the published tunnel steps")
-      ->check(within(1e-6, 1e6))
-      ->type_name("M2")
-      ->capture_default_str();
-  verb->add_option("--beta", options->swirl.beta_m, "Torque constant; the default likewise")
-      ->check(within(1e-6, 1e6))
-      ->type_name("M")
-      ->capture_default_str();
-  verb->add_option("--from-speed", options->swirl.from_speed_m_s, "The swirl is the mean difference from here on")
-      ->check(within(0.0, 1e4))
-      ->type_name("M/S")
-      ->capture_default_str();
-  add_log_options(*verb, options->logs);
-  add_tunnel_output(*verb, options->output, default_folder);
-  verb->footer(
+  verb.option("WITHOUT", options->without.roll,
+              "Roll log without flow straightener: a flight folder, a flight log (.ftl) or a CSV")
+      .required();
+  verb.option("WITH", options->with.roll, "Roll log with flow straightener").required();
+  add_session(verb, "without", options->without);
+  add_session(verb, "with", options->with);
+  verb.option("--alpha", options->swirl.alpha_m2, "Damping; the default is the mean of the published tunnel steps")
+      .check(within(1e-6, 1e6))
+      .value_name("M2")
+      .show_default();
+  verb.option("--beta", options->swirl.beta_m, "Torque constant; the default likewise")
+      .check(within(1e-6, 1e6))
+      .value_name("M")
+      .show_default();
+  verb.option("--from-speed", options->swirl.from_speed_m_s, "The swirl is the mean difference from here on")
+      .check(within(0.0, 1e4))
+      .value_name("M/S")
+      .show_default();
+  add_log_options(verb, options->logs);
+  add_tunnel_output(verb, options->output, default_folder);
+  verb.examples(
       "Examples:\n"
       "  fantail tunnel swirl out/tunnel_swirl_without out/tunnel_swirl_with\n"
       "                                     the sessions of fantail fly\n"
@@ -93,7 +93,7 @@ void add_tunnel_swirl(CLI::App& tunnel) {
       "                                     rocket and tunnel logged apart, on one clock\n"
       "  fantail tunnel swirl out/tunnel_swirl_without out/tunnel_swirl_with --alpha 23 --beta 9 --json\n"
       "                                     with another rocket's roll model, for a script");
-  verb->callback([options] { swirl(*options); });
+  verb.action([options] { swirl(*options); });
 }
 
 }  // namespace fantail::tool

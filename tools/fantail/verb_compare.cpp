@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -13,11 +12,12 @@
 #include "fantail/interrupt.hpp"
 #include "fantail/log_options.hpp"
 #include "fantail/requirement.hpp"
-#include "fantail/verbs.hpp"
+#include "fantail/run.hpp"
 #include "identify/window.hpp"
 #include "logs/compare.hpp"
 #include "logs/roll_log.hpp"
 #include "report/numbers.hpp"
+#include "text/number.hpp"
 
 namespace fantail::tool {
 namespace {
@@ -46,17 +46,12 @@ struct CompareVerbOptions {
 
 std::string objection_to_folder(const std::string& text) { return text.empty() ? "the name of a folder is empty" : ""; }
 
-// CLI11 takes "nan" and "inf" for numbers.
 std::string objection_to_time(const std::string& text) {
-  double value = 0.0;
-  return CLI::detail::lexical_cast(text, value) && std::isfinite(value) ? ""
-                                                                        : '"' + text + "\" is not a number of seconds";
+  return text::number(text) ? "" : '"' + text + "\" is not a number of seconds";
 }
 
 std::string objection_to_requirement(const std::string& text) {
-  double value = 0.0;
-  const bool good = CLI::detail::lexical_cast(text, value) && std::isfinite(value) && value >= 0.0;
-  return good ? "" : '"' + text + "\" is not a number of 0 or more";
+  return text::number(text).value_or(-1.0) >= 0.0 ? "" : '"' + text + "\" is not a number of 0 or more";
 }
 
 logs::RollLog read(const LogChoice& choice) {
@@ -115,62 +110,55 @@ void compare_logs(const CompareVerbOptions& options) {
   }
 }
 
-void add_log(CLI::App& verb, const std::string& name, const std::string& capital, LogChoice& choice) {
-  verb.add_option(capital, choice.path, "CSV file, flight log (.ftl) or flight folder")->required();
-  verb.add_option("--" + name, choice.motion,
-                  "Which roll motion of " + capital + ": as measured, or a simulation's truth")
-      ->check(CLI::IsMember({"measured", "true"}))
-      ->type_name("measured|true")
-      ->capture_default_str();
-  verb.add_option("--" + name + "-column", choice.columns,
-                  "A column that " + capital + " calls otherwise, as roll_rate_deg_s=gyro_x; repeatable")
-      ->check(objection_to_column)
-      ->type_name("OURS=THEIRS")
-      ->allow_extra_args(false);
-  verb.add_option("--" + name + "-units", choice.units, "Of every angle and rate in " + capital)
-      ->check(CLI::IsMember({"deg", "rad"}))
-      ->type_name("deg|rad")
-      ->capture_default_str();
+void add_log(const Verb& verb, const std::string& name, const std::string& capital, LogChoice& choice) {
+  verb.option(capital, choice.path, "CSV file, flight log (.ftl) or flight folder").required();
+  verb.option("--" + name, choice.motion, "Which roll motion of " + capital + ": as measured, or a simulation's truth")
+      .one_of({"measured", "true"})
+      .value_name("measured|true")
+      .show_default();
+  verb.option("--" + name + "-column", choice.columns,
+              "A column that " + capital + " calls otherwise, as roll_rate_deg_s=gyro_x; repeatable")
+      .check(objection_to_column)
+      .value_name("OURS=THEIRS")
+      .one_word_each_time();
+  verb.option("--" + name + "-units", choice.units, "Of every angle and rate in " + capital)
+      .one_of({"deg", "rad"})
+      .value_name("deg|rad")
+      .show_default();
 }
 
-void add_alignment(CLI::App& verb, CompareVerbOptions& options) {
-  auto* window =
-      verb.add_option("--window", options.window, "By A's events: control, thrust, coast, step:N, or FROM:TO");
-  verb.add_option("--from", options.from_s, "Begin on A's clock, s")->check(objection_to_time)->excludes(window);
-  verb.add_option("--to", options.to_s, "End on A's clock, s")->check(objection_to_time)->excludes(window);
-  auto* align =
-      verb.add_option("--align", options.align,
-                      "none: the clocks as they are. angle: look up to 2 s to both sides for the shift at which "
-                      "the rolls agree best, judged by their rates")
-          ->check(CLI::IsMember({"none", "angle"}))
-          ->type_name("none|angle")
-          ->capture_default_str();
-  verb.add_option("--shift", options.shift_s, "What B's clock shows at A's zero, s")
-      ->check(objection_to_time)
-      ->excludes(align);
-  verb.add_flag("--remove-offset", options.remove_offset,
-                "Roll angles count from different zeros: let both begin the window at A's");
+void add_alignment(const Verb& verb, CompareVerbOptions& options) {
+  auto window = verb.option("--window", options.window, "By A's events: control, thrust, coast, step:N, or FROM:TO");
+  verb.option("--from", options.from_s, "Begin on A's clock, s").check(objection_to_time).excludes(window);
+  verb.option("--to", options.to_s, "End on A's clock, s").check(objection_to_time).excludes(window);
+  auto align = verb.option("--align", options.align,
+                           "none: the clocks as they are. angle: look up to 2 s to both sides for the shift at which "
+                           "the rolls agree best, judged by their rates")
+                   .one_of({"none", "angle"})
+                   .value_name("none|angle")
+                   .show_default();
+  verb.option("--shift", options.shift_s, "What B's clock shows at A's zero, s")
+      .check(objection_to_time)
+      .excludes(align);
+  verb.flag("--remove-offset", options.remove_offset,
+            "Roll angles count from different zeros: let both begin the window at A's");
 }
 
-}  // namespace
-
-void add_compare(CLI::App& program) {
-  auto* verb = program.add_subcommand("compare", "How far the roll motions in two logs are apart");
+void fill(const Verb& verb) {
   auto options = std::make_shared<CompareVerbOptions>();
-  add_log(*verb, "a", "A", options->a);
-  add_log(*verb, "b", "B", options->b);
-  add_alignment(*verb, *options);
-  verb->add_option("--require-angle", options->most_angle_deg,
-                   "Largest mean difference of the angle, deg; else exit code 1")
-      ->check(objection_to_requirement);
-  verb->add_option("--require-rate", options->most_rate_deg_s,
-                   "Largest mean difference of the rate, deg/s; else exit code 1")
-      ->check(objection_to_requirement);
-  verb->add_option("--out", options->out, "Folder for compare.html, compare.json and differences.csv")
-      ->check(objection_to_folder)
-      ->capture_default_str();
-  verb->add_flag("--json", options->json, "Print compare.json instead of the text");
-  verb->footer(
+  add_log(verb, "a", "A", options->a);
+  add_log(verb, "b", "B", options->b);
+  add_alignment(verb, *options);
+  verb.option("--require-angle", options->most_angle_deg, "Largest mean difference of the angle, deg; else exit code 1")
+      .check(objection_to_requirement);
+  verb.option("--require-rate", options->most_rate_deg_s,
+              "Largest mean difference of the rate, deg/s; else exit code 1")
+      .check(objection_to_requirement);
+  verb.option("--out", options->out, "Folder for compare.html, compare.json and differences.csv")
+      .check(objection_to_folder)
+      .show_default();
+  verb.flag("--json", options->json, "Print compare.json instead of the text");
+  verb.examples(
       "Examples:\n"
       "  fantail compare out/tasha3_launch2 out/tasha3_launch2 --b true --window control\n"
       "                                                      how well the avionics knew its own roll\n"
@@ -178,7 +166,10 @@ void add_compare(CLI::App& program) {
       "                                                      a logger whose clock and zero nobody set\n"
       "  fantail compare new.csv old.csv --b-column roll_angle_deg=phi --b-units rad --require-angle 0.5 --json\n"
       "                                                      a check for a script: exit code 1 when farther apart");
-  verb->callback([options] { compare_logs(*options); });
+  verb.action([options] { compare_logs(*options); });
 }
 
+}  // namespace
 }  // namespace fantail::tool
+
+int main(int argc, char** argv) { return fantail::tool::run("compare", fantail::tool::fill, argc, argv); }

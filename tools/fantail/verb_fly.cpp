@@ -12,10 +12,11 @@
 #include "fantail/interrupt.hpp"
 #include "fantail/lcm_output.hpp"
 #include "fantail/progress.hpp"
+#include "fantail/run.hpp"
 #include "fantail/scenario_options.hpp"
-#include "fantail/verbs.hpp"
 #include "fantail/wall_clock.hpp"
 #include "fly/fly_scenario.hpp"
+#include "hil/wire.hpp"
 #include "report/results.hpp"
 #include "report/words.hpp"
 
@@ -109,22 +110,18 @@ void fly_and_report(const FlyOptions& options) {
   }
 }
 
-}  // namespace
-
-void add_fly(CLI::App& program) {
-  auto* verb = program.add_subcommand("fly", "Fly a scenario through the real control code in the simulated world");
+void fill(const Verb& verb) {
   auto options = std::make_shared<FlyOptions>();
-  add_scenario_options(*verb, options->scenario);
-  verb->add_option(
-          "--out", options->out,
-          "Folder for flight.csv, summary.json, report.html, flight.ftl (what the avionics recorded itself) and, "
-          "of a tunnel run, tunnel.csv [out/SCENARIO]")
-      ->check(objection_to_folder);
-  add_aboard_options(*verb, options->aboard);
-  add_lcm_option(*verb, options->lcm, "Publish the flight as LCM messages");
-  verb->add_flag("--realtime", options->realtime, "Fly no faster than the clock on the wall; the files are the same");
-  verb->add_flag("--json", options->json, "Print summary.json instead of the text");
-  verb->footer(
+  add_scenario_options(verb, options->scenario);
+  verb.option("--out", options->out,
+              "Folder for flight.csv, summary.json, report.html, flight.ftl (what the avionics recorded itself) and, "
+              "of a tunnel run, tunnel.csv [out/SCENARIO]")
+      .check(objection_to_folder);
+  add_aboard_options(verb, options->aboard);
+  add_lcm_option(verb, options->lcm, "Publish the flight as LCM messages");
+  verb.flag("--realtime", options->realtime, "Fly no faster than the clock on the wall; the files are the same");
+  verb.flag("--json", options->json, "Print summary.json instead of the text");
+  verb.examples(
       "Examples:\n"
       "  fantail fly                                         the second launch, into out/tasha3_launch2\n"
       "  fantail fly tasha3_launch1 --set reference.kind=hold --set controller.canard_limit_deg=9\n"
@@ -134,7 +131,13 @@ void add_fly(CLI::App& program) {
       "  fantail fly tasha3_launch2 --on emulator            on the emulated processor of the board: the same bytes\n"
       "  fantail fly --realtime --lcm udpm://239.255.76.67:7667\n"
       "                                                      by the clock, for fantail watch in another terminal");
-  verb->callback([options] { fly_and_report(*options); });
+  verb.action([options] { fly_and_report(*options); });
 }
 
+}  // namespace
 }  // namespace fantail::tool
+
+int main(int argc, char** argv) {
+  using namespace fantail;
+  return tool::run("fly", tool::fill, argc, argv, tool::is_one_of<hil::TargetError, telemetry::TelemetryError>);
+}

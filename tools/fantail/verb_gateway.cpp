@@ -3,15 +3,16 @@
 #include <optional>
 #include <string>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
-#include "bench/words.hpp"
+#include "bench/session.hpp"
 #include "fantail/can_place.hpp"
 #include "fantail/interrupt.hpp"
 #include "fantail/lcm_output.hpp"
+#include "fantail/run.hpp"
 #include "fantail/standard_streams.hpp"
-#include "fantail/verbs.hpp"
-#include "telemetry/gateway.hpp"
+#include "gateway/gateway.hpp"
+#include "link/words.hpp"
 
 namespace fantail::tool {
 namespace {
@@ -29,13 +30,13 @@ constexpr hal::Microseconds between_words{1'000'000};
 /// Says on standard error what a person should know while it happens.
 class Herald {
  public:
-  Herald(std::string interface, const telemetry::Gateway& gateway, const telemetry::Publisher& publisher)
+  Herald(std::string interface, const gateway::Gateway& gateway, const telemetry::Publisher& publisher)
       : interface_{std::move(interface)}, gateway_{gateway}, publisher_{publisher} {}
 
   void look(hal::Microseconds now) {
     if (gateway_.bus_state() != state_) {
       state_ = gateway_.bus_state();
-      tell(fmt::format("bus: {}", bench::words(state_)));
+      tell(fmt::format("bus: {}", link::words(state_)));
     }
     const auto last = gateway_.last_heard();
     const bool silent = now - last.value_or(hal::Microseconds{}) > silence;
@@ -67,7 +68,7 @@ class Herald {
   void tell(const std::string& what) const { say(fmt::format("{}: {}\n", interface_, what)); }
 
   std::string interface_;
-  const telemetry::Gateway& gateway_;
+  const gateway::Gateway& gateway_;
   const telemetry::Publisher& publisher_;
   hal::CanState state_ = hal::CanState::error_active;
   hal::Microseconds next_count_{};
@@ -80,7 +81,7 @@ class Herald {
 void run(const GatewayOptions& options) {
   CanPlace place{options.interface};
   telemetry::Publisher publisher{telemetry::open_outlet(telemetry::Url{options.url})};
-  telemetry::Gateway gateway{place.bus(), publisher};
+  gateway::Gateway gateway{place.bus(), publisher};
   Herald herald{options.interface, gateway, publisher};
   fmt::print("{} to {}; Ctrl-C ends\n", options.interface, options.url);
   std::fflush(stdout);
@@ -101,27 +102,26 @@ void run(const GatewayOptions& options) {
   fmt::print("{}\n", report_of(publisher.finish(), options.url));
 }
 
-}  // namespace
-
-void add_gateway(CLI::App& program) {
-  auto* verb = program.add_subcommand(
-      "gateway",
-      "From a CAN bus to LCM messages: what the avionics says, for everyone on the network. Sends nothing "
-      "on the bus");
+void fill(const Verb& verb) {
   auto options = std::make_shared<GatewayOptions>();
-  verb->add_option("--can", options->interface, "CAN interface, for example vcan0 or can0")
-      ->required()
-      ->type_name("IF");
-  add_lcm_option(*verb, options->url, "Where the messages go")->required();
-  verb->add_option("--for,--seconds", options->seconds, "End after so many seconds; without it, by Ctrl-C")
-      ->check(CLI::Range(0.0, 1e9))
-      ->type_name("SECONDS");
-  verb->footer(
+  verb.option("--can", options->interface, "CAN interface, for example vcan0 or can0").required().value_name("IF");
+  add_lcm_option(verb, options->url, "Where the messages go").required();
+  verb.option("--for,--seconds", options->seconds, "End after so many seconds; without it, by Ctrl-C")
+      .range(0.0, 1e9)
+      .value_name("SECONDS");
+  verb.examples(
       "Examples:\n"
       "  fantail gateway --can can0 --lcm 'udpm://239.255.76.67:7667?ttl=1'    for everyone on this network\n"
       "  fantail gateway --can can0 --lcm udpm://                              for this computer alone\n"
       "  fantail gateway --can vcan0 --lcm file:///tmp/pad.lcmlog --for 60     a minute, into a log");
-  verb->callback([options] { run(*options); });
+  verb.action([options] { run(*options); });
 }
 
+}  // namespace
 }  // namespace fantail::tool
+
+int main(int argc, char** argv) {
+  using namespace fantail;
+  return tool::run("gateway", tool::fill, argc, argv,
+                   tool::is_one_of<hal::on_linux::CanError, bench::LinkError, telemetry::TelemetryError>);
+}

@@ -5,13 +5,13 @@
 #include <string>
 #include <vector>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "core/flight_plan.hpp"
 #include "core/flight_plan_fields.hpp"
 #include "fantail/identify_options.hpp"
 #include "fantail/interrupt.hpp"
-#include "fantail/verbs.hpp"
+#include "fantail/run.hpp"
 #include "identify/air.hpp"
 #include "identify/axis_text.hpp"
 #include "identify/result_json.hpp"
@@ -64,7 +64,7 @@ Rocket rocket(const IdentifyOptions& o) {
     for (const std::string& name : sim::shipped_names(sim::Shipped::vehicle)) {
       message += " " + name;
     }
-    throw CLI::ValidationError{message, CLI::ExitCodes::ValidationError};
+    throw UsageError{message};
   }
   identify::Airframe& airframe = result.airframe;
   airframe.inertia_kg_m2 = o.inertia_kg_m2.value_or(airframe.inertia_kg_m2);
@@ -76,15 +76,13 @@ Rocket rocket(const IdentifyOptions& o) {
 
 identify::ClosedLoop closed_loop(const IdentifyOptions& o) {
   if (o.fit_lag) {
-    throw CLI::ValidationError{"--fit-lag: the closed loop does not use the measured canards; allowed with --loop open",
-                               CLI::ExitCodes::ValidationError};
+    throw UsageError{"--fit-lag: the closed loop does not use the measured canards; allowed with --loop open"};
   }
   core::ControllerPlan controller = core::default_plan().controller;
   if (o.plan) {
     controller = sim::read_plan(sim::Document::load(sim::find_input(sim::Shipped::plan, *o.plan))).controller;
   } else if (!o.proportional_gain || !o.derivative_gain_s || !o.limit_deg) {
-    throw CLI::ValidationError{"--loop closed needs the controller: --plan NAME|FILE, or --kp, --kd and --limit",
-                               CLI::ExitCodes::ValidationError};
+    throw UsageError{"--loop closed needs the controller: --plan NAME|FILE, or --kp, --kd and --limit"};
   }
   if (o.proportional_gain) {
     controller.proportional_gain = static_cast<float>(*o.proportional_gain);
@@ -159,13 +157,10 @@ void identify_data(const IdentifyOptions& o) {
   }
 }
 
-}  // namespace
-
-void add_identify(CLI::App& program) {
-  auto* verb = program.add_subcommand("identify", "Find damping, torque constant and disturbance in a log");
+void fill(const Verb& verb) {
   auto options = std::make_shared<IdentifyOptions>();
-  add_identify_options(*verb, *options);
-  verb->footer(
+  add_identify_options(verb, *options);
+  verb.examples(
       "Examples:\n"
       "  fantail identify out/tasha3_launch2 --vehicle tasha3_launch2 --method both\n"
       "                                          a simulated flight: the published grid beside the search without one\n"
@@ -174,7 +169,10 @@ void add_identify(CLI::App& program) {
       "                                          another logger's tunnel run, two steps of it, each by itself\n"
       "  fantail identify out/tasha3_launch1 --vehicle tasha3_launch1 --nodes thrust:2,coast:2 --loop closed\n"
       "      --plan tasha3_launch1 --json        canards as the controller commands them, for a script");
-  verb->callback([options] { identify_data(*options); });
+  verb.action([options] { identify_data(*options); });
 }
 
+}  // namespace
 }  // namespace fantail::tool
+
+int main(int argc, char** argv) { return fantail::tool::run("identify", fantail::tool::fill, argc, argv); }

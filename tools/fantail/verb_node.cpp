@@ -8,15 +8,15 @@
 #include <thread>
 #include <vector>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "fantail/interrupt.hpp"
 #include "fantail/lcm_output.hpp"
 #include "fantail/node_flash.hpp"
 #include "fantail/pad_commands.hpp"
+#include "fantail/run.hpp"
 #include "fantail/scenario_options.hpp"
 #include "fantail/standard_streams.hpp"
-#include "fantail/verbs.hpp"
 #include "hal/linux/can_bus.hpp"
 #include "hal/linux/console.hpp"
 #include "hal/linux/entropy.hpp"
@@ -162,31 +162,31 @@ void run_node(const NodeOptions& options) {
   }
 }
 
-}  // namespace
-
-void add_node(CLI::App& program) {
-  auto* verb = program.add_subcommand(
-      "node", "Run the avionics on this PC in real time: a simulated rocket behind it, a real CAN bus in front");
+void fill(const Verb& verb) {
   auto options = std::make_shared<NodeOptions>();
-  add_scenario_options(*verb, options->scenario);
-  verb->add_option("--can", options->interface, "CAN interface, for example vcan0 or can0")
-      ->required()
-      ->type_name("IF");
-  verb->add_option("--flash", options->flash,
-                   "What the board keeps when it is switched off: its plan and the count of its power-ups "
-                   "[out/SCENARIO/flash.bin]")
-      ->type_name("FILE");
-  add_lcm_option(*verb, options->lcm, "Publish the flight as LCM messages");
-  verb->add_option("--for", options->seconds, "End after so many seconds; without it, by Ctrl-C")
-      ->check(CLI::Range(0.0, 1e9))
-      ->type_name("SECONDS");
-  verb->footer(
+  add_scenario_options(verb, options->scenario);
+  verb.option("--can", options->interface, "CAN interface, for example vcan0 or can0").required().value_name("IF");
+  verb.option("--flash", options->flash,
+              "What the board keeps when it is switched off: its plan and the count of its power-ups "
+              "[out/SCENARIO/flash.bin]")
+      .value_name("FILE");
+  add_lcm_option(verb, options->lcm, "Publish the flight as LCM messages");
+  verb.option("--for", options->seconds, "End after so many seconds; without it, by Ctrl-C")
+      .range(0.0, 1e9)
+      .value_name("SECONDS");
+  verb.examples(
       "Examples:\n"
       "  fantail node bench_healthy --can vcan0             a rocket on the bench, for fantail bench\n"
       "  fantail node bench_canard3_reversed --can vcan0    the same with a fault for the bench to find\n"
       "  fantail node tasha3_launch2 --can can0 --for 60    with a real adapter: rehearse arming, type switch close "
       "and ignite");
-  verb->callback([options] { run_node(*options); });
+  verb.action([options] { run_node(*options); });
 }
 
+}  // namespace
 }  // namespace fantail::tool
+
+int main(int argc, char** argv) {
+  using namespace fantail;
+  return tool::run("node", tool::fill, argc, argv, tool::is_one_of<hal::on_linux::CanError, telemetry::TelemetryError>);
+}

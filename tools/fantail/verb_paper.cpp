@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "fantail/interrupt.hpp"
 #include "fantail/progress.hpp"
-#include "fantail/verbs.hpp"
+#include "fantail/run.hpp"
 #include "paper/chapters.hpp"
 #include "paper/paper_page.hpp"
 #include "report/output_folder.hpp"
@@ -70,21 +70,19 @@ void repeat_the_paper(const PaperOptions& options) {
   fmt::print("{}\n\n  page  {}\n", paper::summary(paper::tally(chapters)), (folder / "paper.html").string());
 }
 
-}  // namespace
-
-void add_paper(CLI::App& program) {
-  auto* verb = program.add_subcommand(
-      "paper",
-      "Repeat the published work (Bryson et al. 2016) from its printed numbers, and say where the print is wrong");
+void fill(const Verb& verb) {
   auto options = std::make_shared<PaperOptions>();
-  verb->add_option("--out", options->out, "Folder for paper.html and paper.json")->capture_default_str();
-  verb->add_flag("--json", options->json, "Print paper.json instead of the text");
-  verb->footer(
+  verb.option("--out", options->out, "Folder for paper.html and paper.json").show_default();
+  verb.flag("--json", options->json, "Print paper.json instead of the text");
+  verb.examples(
       "Examples:\n"
       "  fantail paper                        every printed table, figure and number beside ours, in out/paper\n"
       "  fantail paper --out /tmp/page        the page elsewhere\n"
       "  fantail paper --json | jq .differs   how many statements came out differently");
-  verb->callback([options] { repeat_the_paper(*options); });
+  verb.action([options] { repeat_the_paper(*options); });
 }
 
+}  // namespace
 }  // namespace fantail::tool
+
+int main(int argc, char** argv) { return fantail::tool::run("paper", fantail::tool::fill, argc, argv); }

@@ -5,13 +5,13 @@
 #include <optional>
 #include <string>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "fantail/interrupt.hpp"
 #include "fantail/progress.hpp"
 #include "fantail/requirement.hpp"
+#include "fantail/run.hpp"
 #include "fantail/scenario_options.hpp"
-#include "fantail/verbs.hpp"
 #include "predict/results.hpp"
 #include "sim/input_error.hpp"
 #include "sim/shipped.hpp"
@@ -115,54 +115,46 @@ void predict_launch(const PredictOptions& options) {
   }
 }
 
-void add_thresholds(CLI::App& verb, PredictOptions& options) {
-  verb.add_option("--authority-percent", options.authority_percent,
-                  "Go asks for: canards that can balance the offset in this share of the runs")
-      ->check(CLI::Range(0.0, 99.9))
-      ->capture_default_str();
-  verb.add_option("--held-percent", options.held_percent, "Go asks for: roll held in this share of the runs")
-      ->check(CLI::Range(0.0, 99.9))
-      ->capture_default_str();
-  verb.add_option("--phase-margin", options.phase_margin_deg,
-                  "Go asks for: this phase margin in degrees at the worst speed flown")
-      ->check(CLI::Range(0.0, 90.0))
-      ->capture_default_str();
+void add_thresholds(const Verb& verb, PredictOptions& options) {
+  verb.option("--authority-percent", options.authority_percent,
+              "Go asks for: canards that can balance the offset in this share of the runs")
+      .range(0.0, 99.9)
+      .show_default();
+  verb.option("--held-percent", options.held_percent, "Go asks for: roll held in this share of the runs")
+      .range(0.0, 99.9)
+      .show_default();
+  verb.option("--phase-margin", options.phase_margin_deg,
+              "Go asks for: this phase margin in degrees at the worst speed flown")
+      .range(0.0, 90.0)
+      .show_default();
 }
 
-}  // namespace
-
-void add_predict(CLI::App& program) {
-  auto* verb = program.add_subcommand("predict", "Fly a launch over the spread of its tunnel results: go or no go");
+void fill(const Verb& verb) {
   auto options = std::make_shared<PredictOptions>();
-  add_scenario_options(*verb, options->scenario);
-  verb->add_option("--tunnel", options->tunnel,
-                   "steps.csv of fantail tunnel steps, or a shipped name [tunnel_result of the scenario]")
-      ->type_name("FILE");
-  verb->add_option(
-          "--swirl", options->swirl_deg,
-          "Swirl of the tunnel as a fin offset in degrees, to be taken off [column swirl_deg of the file, or 0]")
-      ->check(CLI::Range(-45.0, 45.0));
-  verb->add_option("--damping-factor", options->damping_factor,
-                   "LOW:HIGH, damping in flight over damping in the tunnel, evenly drawn")
-      ->check(objection_to_damping_factor)
-      ->type_name("RANGE")
-      ->capture_default_str();
-  verb->add_option("--servo-lag", options->servo_lag_s, "Measured first-order lag of the servos in seconds [vehicle's]")
-      ->check(CLI::Range(0.0005, 1.0));
-  verb->add_option("--servo-delay", options->servo_delay_s,
-                   "Measured dead time from command to canard in seconds, lag apart [vehicle's, with the pulse frame]")
-      ->check(CLI::Range(0.0, 0.05));
-  verb->add_option("--runs", options->runs, "How many airframes to fly")
-      ->check(CLI::Range(1.0, most_runs))
-      ->capture_default_str();
-  verb->add_option("--threads", options->threads, "How many to fly at once [as many as the machine can]")
-      ->check(CLI::Range(1, 1024));
-  add_thresholds(*verb, *options);
-  verb->add_option("--out", options->out,
-                   "Folder for predict.html, predict.json, runs.csv, band.csv [out/predict/SCENARIO]")
-      ->check(objection_to_folder);
-  verb->add_flag("--json", options->json, "Print predict.json instead of the text");
-  verb->footer(
+  add_scenario_options(verb, options->scenario);
+  verb.option("--tunnel", options->tunnel,
+              "steps.csv of fantail tunnel steps, or a shipped name [tunnel_result of the scenario]")
+      .value_name("FILE");
+  verb.option("--swirl", options->swirl_deg,
+              "Swirl of the tunnel as a fin offset in degrees, to be taken off [column swirl_deg of the file, or 0]")
+      .range(-45.0, 45.0);
+  verb.option("--damping-factor", options->damping_factor,
+              "LOW:HIGH, damping in flight over damping in the tunnel, evenly drawn")
+      .check(objection_to_damping_factor)
+      .value_name("RANGE")
+      .show_default();
+  verb.option("--servo-lag", options->servo_lag_s, "Measured first-order lag of the servos in seconds [vehicle's]")
+      .range(0.0005, 1.0);
+  verb.option("--servo-delay", options->servo_delay_s,
+              "Measured dead time from command to canard in seconds, lag apart [vehicle's, with the pulse frame]")
+      .range(0.0, 0.05);
+  verb.option("--runs", options->runs, "How many airframes to fly").range(1.0, most_runs).show_default();
+  verb.option("--threads", options->threads, "How many to fly at once [as many as the machine can]").range(1, 1024);
+  add_thresholds(verb, *options);
+  verb.option("--out", options->out, "Folder for predict.html, predict.json, runs.csv, band.csv [out/predict/SCENARIO]")
+      .check(objection_to_folder);
+  verb.flag("--json", options->json, "Print predict.json instead of the text");
+  verb.examples(
       "Exit code 0: go; 1: no go.\n"
       "Examples:\n"
       "  fantail predict tasha3_launch1                      the launch that failed: no go, and why\n"
@@ -170,7 +162,10 @@ void add_predict(CLI::App& program) {
       "                                                      damping that the tunnel may have shown too low\n"
       "  fantail predict my_rocket.toml --tunnel out/tunnel/steps/steps.csv --swirl -2 --servo-lag 0.018 --json\n"
       "                                                      your own rocket, after its tunnel run and its bench");
-  verb->callback([options] { predict_launch(*options); });
+  verb.action([options] { predict_launch(*options); });
 }
 
+}  // namespace
 }  // namespace fantail::tool
+
+int main(int argc, char** argv) { return fantail::tool::run("predict", fantail::tool::fill, argc, argv); }

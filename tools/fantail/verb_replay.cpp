@@ -7,16 +7,16 @@
 #include <string>
 #include <vector>
 
-#include <fmt/format.h>
-#include <nlohmann/json.hpp>
+#include <fmt/core.h>
 
 #include "fantail/interrupt.hpp"
 #include "fantail/log_file.hpp"
 #include "fantail/requirement.hpp"
-#include "fantail/verbs.hpp"
+#include "fantail/run.hpp"
 #include "fantail/what_if.hpp"
 #include "flight_log/integrity.hpp"
 #include "flight_log/regenerate.hpp"
+#include "json/value.hpp"
 #include "report/numbers.hpp"
 #include "report/output_folder.hpp"
 #include "sim/changed_plan.hpp"
@@ -53,17 +53,16 @@ Replayed replay(const flight_log::Flight& flight, const core::FlightPlan& plan) 
   throw sim::InputError{sim::InputFault::bad_data, fmt::format("{}: cannot be replayed. {}", options.log, why)};
 }
 
-nlohmann::ordered_json to_json(const ReplayOptions& options, const flight_log::Flight& flight,
-                               const Replayed& replayed) {
+json::Value to_json(const ReplayOptions& options, const flight_log::Flight& flight, const Replayed& replayed) {
   const flight_log::Regeneration& r = replayed.result;
-  nlohmann::ordered_json json{{"log", options.log},
-                              {"equal", r.differing == 0},
-                              {"ticks", flight.ticks.size()},
-                              {"compared", r.compared},
-                              {"unreachable", r.unreachable},
-                              {"differing", r.differing},
-                              {"ticks_per_s", replayed.ticks_per_s},
-                              {"first_difference", nullptr}};
+  json::Value json{{"log", options.log},
+                   {"equal", r.differing == 0},
+                   {"ticks", flight.ticks.size()},
+                   {"compared", r.compared},
+                   {"unreachable", r.unreachable},
+                   {"differing", r.differing},
+                   {"ticks_per_s", replayed.ticks_per_s},
+                   {"first_difference", nullptr}};
   if (const auto& difference = r.first_difference) {
     json["first_difference"] = {
         {"tick", difference->tick},
@@ -77,7 +76,7 @@ nlohmann::ordered_json to_json(const ReplayOptions& options, const flight_log::F
 
 void verify(const ReplayOptions& options, const flight_log::Flight& flight, const Replayed& replayed) {
   if (options.json) {
-    fmt::print("{}\n", to_json(options, flight, replayed).dump(2));
+    fmt::print("{}", to_json(options, flight, replayed).pretty());
   } else {
     fmt::print("{}: {}\n  {:.0f} ticks a second, {:.0f} times as fast as the flight\n", options.log,
                flight_log::replay_words(flight, replayed.result), replayed.ticks_per_s, replayed.ticks_per_s / 1000.0);
@@ -107,20 +106,17 @@ void show_what_if(const ReplayOptions& options, const flight_log::Flight& flight
       {{"what_if.html", what_if_html(result)}, {"what_if.csv", what_if_csv(result)}}};
   report::OutputFolder{folder}.write(files);
   if (options.json) {
-    nlohmann::ordered_json json{{"log", options.log},
-                                {"open_loop", true},
-                                {"changes", options.changes},
-                                {"ticks", result.time_s.size()},
-                                {"differing", result.differing},
-                                {"first_difference_s", nullptr},
-                                {"largest_difference_deg", report::degrees(result.largest_difference_rad)},
-                                {"largest_difference_s", result.largest_difference_s},
-                                {"flown_saturated_fraction", result.flown_saturated},
-                                {"what_if_saturated_fraction", result.what_if_saturated}};
-    if (result.first_difference_s) {
-      json["first_difference_s"] = *result.first_difference_s;
-    }
-    fmt::print("{}\n", json.dump(2));
+    const json::Value json{{"log", options.log},
+                           {"open_loop", true},
+                           {"changes", options.changes},
+                           {"ticks", result.time_s.size()},
+                           {"differing", result.differing},
+                           {"first_difference_s", result.first_difference_s},
+                           {"largest_difference_deg", report::degrees(result.largest_difference_rad)},
+                           {"largest_difference_s", result.largest_difference_s},
+                           {"flown_saturated_fraction", result.flown_saturated},
+                           {"what_if_saturated_fraction", result.what_if_saturated}};
+    fmt::print("{}", json.pretty());
     return;
   }
   fmt::print("{}\n  page  {}\n  data  {}\n", what_if_text(result), (folder / "what_if.html").string(),
@@ -145,21 +141,18 @@ void run(const ReplayOptions& options) {
   }
 }
 
-}  // namespace
-
-void add_replay(CLI::App& program) {
-  auto* verb = program.add_subcommand("replay", "Run a recorded flight's inputs through the flight law again");
+void fill(const Verb& verb) {
   auto options = std::make_shared<ReplayOptions>();
-  verb->add_option("LOG", options->log, "A flight log (.ftl), or a folder with a flight.ftl")->required();
-  verb->add_option("--set", options->changes,
-                   "section.key=value: change one value of the plan and see which commands it would have given, in "
-                   "open loop; repeatable")
-      ->allow_extra_args(false);
-  verb->add_option("--flight", options->flight, "Of several flights in one file, counted from 1");
-  verb->add_option("--out", options->out, "With --set: folder for what_if.html and what_if.csv [out/replay/NAME]")
-      ->check(objection_to_folder);
-  verb->add_flag("--json", options->json, "Print one JSON object");
-  verb->footer(
+  verb.option("LOG", options->log, "A flight log (.ftl), or a folder with a flight.ftl").required();
+  verb.option("--set", options->changes,
+              "section.key=value: change one value of the plan and see which commands it would have given, in "
+              "open loop; repeatable")
+      .one_word_each_time();
+  verb.option("--flight", options->flight, "Of several flights in one file, counted from 1");
+  verb.option("--out", options->out, "With --set: folder for what_if.html and what_if.csv [out/replay/NAME]")
+      .check(objection_to_folder);
+  verb.flag("--json", options->json, "Print one JSON object");
+  verb.examples(
       "Exit code 0: every output byte of every tick that could be replayed is as recorded; 1: one differs.\n"
       "Examples:\n"
       "  fantail replay out/tasha3_launch2    does this program fly that flight as it was flown?\n"
@@ -167,7 +160,10 @@ void add_replay(CLI::App& program) {
       "                                       what would the law have asked for with a wider limit?\n"
       "  fantail replay flash.ftl --flight 2 --json\n"
       "                                       one of several flights, for a script");
-  verb->callback([options] { run(*options); });
+  verb.action([options] { run(*options); });
 }
 
+}  // namespace
 }  // namespace fantail::tool
+
+int main(int argc, char** argv) { return fantail::tool::run("replay", fantail::tool::fill, argc, argv); }

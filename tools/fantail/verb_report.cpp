@@ -1,24 +1,24 @@
 // SPDX-License-Identifier: MIT
 #include <array>
-#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
 #include <utility>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "fantail/compare_results.hpp"
 #include "fantail/interrupt.hpp"
 #include "fantail/log_file.hpp"
 #include "fantail/overlay_page.hpp"
-#include "fantail/verbs.hpp"
+#include "fantail/run.hpp"
 #include "logs/compare.hpp"
 #include "logs/flight_file.hpp"
 #include "logs/roll_log.hpp"
 #include "report/output_folder.hpp"
 #include "report/results.hpp"
+#include "text/number.hpp"
 
 namespace fantail::tool {
 namespace {
@@ -38,9 +38,7 @@ struct ReportOptions {
 std::string objection_to_folder(const std::string& text) { return text.empty() ? "the name of a folder is empty" : ""; }
 
 std::string objection_to_time(const std::string& text) {
-  double value = 0.0;
-  return CLI::detail::lexical_cast(text, value) && std::isfinite(value) ? ""
-                                                                        : '"' + text + "\" is not a number of seconds";
+  return text::number(text) ? "" : '"' + text + "\" is not a number of seconds";
 }
 
 std::filesystem::path default_folder(const std::string& name) { return std::filesystem::path{"out"} / "report" / name; }
@@ -96,37 +94,31 @@ void report_two(const ReportOptions& options) {
   }
 }
 
-}  // namespace
-
-void add_report(CLI::App& program) {
-  auto* verb = program.add_subcommand("report", "A page on a flight that was logged, or on two beside each other");
+void fill(const Verb& verb) {
   auto options = std::make_shared<ReportOptions>();
   constexpr const char* what = "a flight log (.ftl), a CSV with columns of flight.csv, or a flight folder";
-  verb->add_option("A", options->a, fmt::format("The flight: {}", what))->required();
-  auto* b = verb->add_option("B", options->b, "A second flight to lay over it, likewise");
-  verb->add_option("--out", options->out,
-                   "Folder for report.html and the data behind it [out/report/A or out/report/A_and_B]")
-      ->check(objection_to_folder);
-  verb->add_option("--from", options->from_s, "Of two flights: begin on A's clock, s")
-      ->check(objection_to_time)
-      ->needs(b);
-  verb->add_option("--to", options->to_s, "Of two flights: end on A's clock, s")->check(objection_to_time)->needs(b);
-  auto* align = verb->add_option("--align", options->align,
-                                 "none: the clocks as they are. angle: the shift of up to 2 s at which the rolls agree "
-                                 "best, judged by their rates")
-                    ->check(CLI::IsMember({"none", "angle"}))
-                    ->type_name("none|angle")
-                    ->capture_default_str()
-                    ->needs(b);
-  verb->add_option("--shift", options->shift_s, "What B's clock shows at A's zero, s")
-      ->check(objection_to_time)
-      ->excludes(align)
-      ->needs(b);
-  verb->add_flag("--remove-offset", options->remove_offset,
-                 "Roll angles count from different zeros: let both begin at A's")
-      ->needs(b);
-  verb->add_flag("--json", options->json, "Print summary.json, of two flights compare.json, instead of the text");
-  verb->footer(
+  verb.option("A", options->a, fmt::format("The flight: {}", what)).required();
+  auto b = verb.option("B", options->b, "A second flight to lay over it, likewise");
+  verb.option("--out", options->out,
+              "Folder for report.html and the data behind it [out/report/A or out/report/A_and_B]")
+      .check(objection_to_folder);
+  verb.option("--from", options->from_s, "Of two flights: begin on A's clock, s").check(objection_to_time).needs(b);
+  verb.option("--to", options->to_s, "Of two flights: end on A's clock, s").check(objection_to_time).needs(b);
+  auto align = verb.option("--align", options->align,
+                           "none: the clocks as they are. angle: the shift of up to 2 s at which the rolls agree "
+                           "best, judged by their rates")
+                   .one_of({"none", "angle"})
+                   .value_name("none|angle")
+                   .show_default()
+                   .needs(b);
+  verb.option("--shift", options->shift_s, "What B's clock shows at A's zero, s")
+      .check(objection_to_time)
+      .excludes(align)
+      .needs(b);
+  verb.flag("--remove-offset", options->remove_offset, "Roll angles count from different zeros: let both begin at A's")
+      .needs(b);
+  verb.flag("--json", options->json, "Print summary.json, of two flights compare.json, instead of the text");
+  verb.examples(
       "Examples:\n"
       "  fantail report flown.ftl                             what the board has recorded, as fly shows its flights\n"
       "  fantail report flown.ftl out/tasha3_launch2 --align angle --from 0 --to 12\n"
@@ -134,7 +126,10 @@ void add_report(CLI::App& program) {
       "  fantail report old_logger.csv --out /tmp/page --json a table from elsewhere, for a script\n"
       "\n"
       "Figures of how far two flights are apart, with limits for a script: fantail compare.");
-  verb->callback([options] { options->b.empty() ? report_one(*options) : report_two(*options); });
+  verb.action([options] { options->b.empty() ? report_one(*options) : report_two(*options); });
 }
 
+}  // namespace
 }  // namespace fantail::tool
+
+int main(int argc, char** argv) { return fantail::tool::run("report", fantail::tool::fill, argc, argv); }

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
-#include <fmt/format.h>
+#include <fmt/core.h>
 
+#include "fantail/run.hpp"
 #include "fantail/tunnel_options.hpp"
-#include "fantail/verbs.hpp"
 
 namespace fantail::tool {
 
-void add_tunnel_output(CLI::App& verb, TunnelOutput& output, const std::string& default_folder) {
-  verb.add_option("--out", output.out, "Folder for the results [" + default_folder + "]")
-      ->check([](const std::string& text) { return std::string{text.empty() ? "the name of a folder is empty" : ""}; });
-  verb.add_flag("--json", output.json, "Print the JSON instead of the text");
+void add_tunnel_output(const Verb& verb, TunnelOutput& output, const std::string& default_folder) {
+  verb.option("--out", output.out, "Folder for the results [" + default_folder + "]")
+      .check([](const std::string& text) { return std::string{text.empty() ? "the name of a folder is empty" : ""}; });
+  verb.flag("--json", output.json, "Print the JSON instead of the text");
 }
 
 void write_tunnel_output(const TunnelOutput& output, const std::string& default_folder,
@@ -24,15 +24,15 @@ void write_tunnel_output(const TunnelOutput& output, const std::string& default_
   }
 }
 
-void add_steady_option(CLI::App& verb, const std::string& name, std::string& stretches, const std::string& meaning) {
-  verb.add_option(name, stretches, meaning)
-      ->check([](const std::string& text) {
+void add_steady_option(const Verb& verb, const std::string& name, std::string& stretches, const std::string& meaning) {
+  verb.option(name, stretches, meaning)
+      .check([](const std::string& text) {
         return tunnel::parse_stretches(text) ? std::string{}
                                              : '"' + text +
                                                    "\" is not a list of increasing times in seconds, as in "
                                                    "100,230,390 or 100:140,230:290";
       })
-      ->type_name("T,T,...");
+      .value_name("T,T,...");
 }
 
 tunnel::SteadySegments steady_segments(const tunnel::TunnelLog& log, const std::string& stretches,
@@ -41,10 +41,11 @@ tunnel::SteadySegments steady_segments(const tunnel::TunnelLog& log, const std::
                            : tunnel::take_steady(log, *tunnel::parse_stretches(stretches), options);
 }
 
-void add_tunnel(CLI::App& program) {
-  auto* verb = program.add_subcommand("tunnel", "What a session in the wind tunnel says: air, swirl, roll model");
-  verb->require_subcommand(1);
-  verb->footer(
+namespace {
+
+void fill(const Verb& verb) {
+  verb.needs_verb();
+  verb.examples(
       "Examples:\n"
       "  fantail tunnel flow out/tunnel_flow                                    how even the air is\n"
       "  fantail tunnel swirl out/tunnel_swirl_without out/tunnel_swirl_with    what the swirl is worth in degrees\n"
@@ -52,9 +53,12 @@ void add_tunnel(CLI::App& program) {
       "\n"
       "The simulated tunnel makes such logs: fantail fly tunnel_flow, tunnel_swirl_without, tunnel_swirl_with and\n"
       "tunnel_steps.");
-  add_tunnel_flow(*verb);
-  add_tunnel_swirl(*verb);
-  add_tunnel_steps(*verb);
+  add_tunnel_flow(verb);
+  add_tunnel_swirl(verb);
+  add_tunnel_steps(verb);
 }
 
+}  // namespace
 }  // namespace fantail::tool
+
+int main(int argc, char** argv) { return fantail::tool::run("tunnel", fantail::tool::fill, argc, argv); }

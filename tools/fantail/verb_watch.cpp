@@ -3,13 +3,13 @@
 #include <optional>
 #include <string>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <unistd.h>
 
 #include "fantail/interrupt.hpp"
 #include "fantail/lcm_output.hpp"
 #include "fantail/live_output.hpp"
-#include "fantail/verbs.hpp"
+#include "fantail/run.hpp"
 #include "hal/linux/clock.hpp"
 #include "telemetry/panel.hpp"
 #include "telemetry/subscription.hpp"
@@ -63,25 +63,25 @@ void watch(const WatchOptions& options) {
   }
 }
 
-}  // namespace
-
-void add_watch(CLI::App& program) {
-  auto* verb = program.add_subcommand(
-      "watch",
-      "Roll, canards, phase, health and the quality of the link, live from LCM messages; a line a second in "
-      "a pipe, and one for every event");
+void fill(const Verb& verb) {
   auto options = std::make_shared<WatchOptions>();
-  add_lcm_option(*verb, options->url, "Where the messages come from")->required();
-  verb->add_option("--for,--seconds", options->seconds, "End after so many seconds; without it, by Ctrl-C")
-      ->check(CLI::Range(0.0, 1e9))
-      ->type_name("SECONDS");
-  verb->add_flag("--json", options->json, "One object a second, one a line");
-  verb->footer(
+  add_lcm_option(verb, options->url, "Where the messages come from").required();
+  verb.option("--for,--seconds", options->seconds, "End after so many seconds; without it, by Ctrl-C")
+      .range(0.0, 1e9)
+      .value_name("SECONDS");
+  verb.flag("--json", options->json, "One object a second, one a line");
+  verb.examples(
       "Examples:\n"
       "  fantail watch --lcm udpm://239.255.76.67:7667            a live panel; Ctrl-C ends\n"
       "  fantail watch --lcm udpm:// | tee flight.txt             lines, from LCM's default address\n"
       "  fantail watch --lcm file:///tmp/flight.lcmlog --json     a log at its own pace, for a script");
-  verb->callback([options] { watch(*options); });
+  verb.action([options] { watch(*options); });
 }
 
+}  // namespace
 }  // namespace fantail::tool
+
+int main(int argc, char** argv) {
+  using namespace fantail;
+  return tool::run("watch", tool::fill, argc, argv, tool::is_one_of<telemetry::TelemetryError>);
+}

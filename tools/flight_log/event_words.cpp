@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "flight_log/event_words.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "report/words.hpp"
 

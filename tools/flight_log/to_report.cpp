@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "core/flight_plan_fields.hpp"
 #include "flight_log/integrity.hpp"

@@ -6,9 +6,9 @@
 #include <cstddef>
 #include <span>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
-#include "bench/words.hpp"
+#include "link/words.hpp"
 #include "sim/units.hpp"
 #include "sim/world.hpp"
 
@@ -81,8 +81,8 @@ std::string why_not_armed(const sim::World& world, bool was_armed) {
     return "The avionics was not armed: its self-test, which takes about seven seconds, had not ended.";
   }
   return "The avionics refused to be armed: " +
-         (refusal->refusal != protocol::ArmRefusal::none ? bench::words(refusal->refusal)
-                                                         : bench::words(refusal->failure, refusal->canard)) +
+         (refusal->refusal != protocol::ArmRefusal::none ? link::words(refusal->refusal)
+                                                         : link::words(refusal->failure, refusal->canard)) +
          ".";
 }
 

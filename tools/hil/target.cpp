@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "hil/target.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "hil/remote_board.hpp"
 #include "protocol/hil_codec.hpp"

@@ -5,11 +5,11 @@
 #include <cmath>
 #include <limits>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
-#include "logs/number.hpp"
 #include "sim/input_error.hpp"
 #include "sim/shown.hpp"
+#include "text/number.hpp"
 
 namespace fantail::identify {
 namespace {
@@ -47,7 +47,7 @@ Air choose_air(const logs::RollLog& log, const std::optional<std::string>& asked
   if (*asked == "isa") {
     return {{.model = sim::DensityModel::isa}, "of the standard atmosphere, height from height_m"};
   }
-  const auto value = logs::number(*asked);
+  const auto value = text::number(*asked);
   if (!value || *value <= 0.0 || *value > 100.0) {
     throw sim::InputError{sim::InputFault::bad_configuration,
                           "--density " + *asked + ": allowed: above 0 and up to 100 kg/m3, exponential, isa"};

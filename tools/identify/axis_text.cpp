@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "identify/axis_text.hpp"
 
-#include "logs/number.hpp"
+#include "text/number.hpp"
 
 namespace fantail::identify {
 
@@ -12,9 +12,9 @@ std::optional<Axis> parse_axis(const std::string& text) {
   if (second_colon == std::string::npos) {
     return {};
   }
-  const auto first = logs::number(text.substr(0, first_colon));
-  const auto last = logs::number(text.substr(first_colon + 1, second_colon - first_colon - 1));
-  const auto step = logs::number(text.substr(second_colon + 1));
+  const auto first = text::number(text.substr(0, first_colon));
+  const auto last = text::number(text.substr(first_colon + 1, second_colon - first_colon - 1));
+  const auto step = text::number(text.substr(second_colon + 1));
   if (!first || !last || !step || *first <= 0.0 || *last < *first || *step <= 0.0 ||
       (*last - *first) / *step > most_values - 1.0) {
     return {};

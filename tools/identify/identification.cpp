@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <numbers>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "identify/alpha_fit.hpp"
 #include "identify/closed_loop_fit.hpp"

@@ -6,12 +6,12 @@
 #include <string_view>
 #include <vector>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "identify/window.hpp"
-#include "logs/number.hpp"
 #include "sim/input_error.hpp"
 #include "sim/shown.hpp"
+#include "text/number.hpp"
 
 namespace fantail::identify {
 namespace {
@@ -74,7 +74,7 @@ NodeTimes thrust_and_coast(const logs::RollLog& log, const Record& record, const
 std::optional<NodeTimes> seconds(const std::string& text) {
   NodeTimes times;
   for (const std::string_view part : parts(text)) {
-    const auto time = logs::number(part);
+    const auto time = text::number(part);
     if (!time || (!times.empty() && *time <= times.back())) {
       return {};
     }

@@ -5,7 +5,7 @@
 #include <iterator>
 #include <vector>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "identify/misfit.hpp"
 #include "identify/page_words.hpp"

@@ -3,20 +3,20 @@
 
 #include <charconv>
 
-#include <fmt/format.h>
-#include <nlohmann/json.hpp>
+#include <fmt/core.h>
 
 #include "identify/words.hpp"
+#include "json/value.hpp"
 #include "report/numbers.hpp"
 
 namespace fantail::identify {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using Json = json::Value;
 using report::degrees;
 
 // Eight digits: more than any of these numbers is known to, and no ...0000001. What is no number becomes null.
-Json rounded(double value) {
+double rounded(double value) {
   double result = value;
   const std::string text = fmt::format("{:.8g}", value);
   std::from_chars(text.data(), text.data() + text.size(), result);
@@ -106,8 +106,7 @@ std::string result_json(const Study& study) {
     }
   }
   const Json& whole = all.size() == 1 ? all[0] : Json{{"results", all}};
-  // A file name need not be UTF-8.
-  return whole.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return whole.pretty();
 }
 
 }  // namespace fantail::identify

@@ -3,7 +3,7 @@
 
 #include <functional>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "identify/words.hpp"
 #include "report/numbers.hpp"

@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "identify/lag_fit.hpp"
 #include "identify/misfit.hpp"

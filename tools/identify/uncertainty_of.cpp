@@ -6,7 +6,7 @@
 #include <numeric>
 
 #include <Eigen/Cholesky>
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "identify/node_times.hpp"
 #include "identify/orthogonal_fit.hpp"

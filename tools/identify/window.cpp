@@ -6,13 +6,13 @@
 #include <cmath>
 #include <vector>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
-#include "logs/number.hpp"
 #include "sim/document.hpp"
 #include "sim/input_error.hpp"
 #include "sim/shown.hpp"
 #include "sim/units.hpp"
+#include "text/number.hpp"
 
 namespace fantail::identify {
 namespace {
@@ -102,7 +102,7 @@ std::optional<Window> seconds(const std::string& text) {
   }
   const std::string from = text.substr(0, colon);
   const std::string to = text.substr(colon + 1);
-  Window window{logs::number(from), logs::number(to), text};
+  Window window{text::number(from), text::number(to), text};
   if ((!from.empty() && !window.from_s) || (!to.empty() && !window.to_s)) {
     return {};
   }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "identify/write_study.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "identify/model_csv.hpp"
 #include "identify/result_html.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "log_export/event_words.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "core/tick_record.hpp"
 

@@ -1,34 +1,30 @@
 // SPDX-License-Identifier: MIT
 #include "log_export/json.hpp"
 
-#include <cmath>
 #include <iterator>
 #include <vector>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "core/flight_plan_fields.hpp"
 #include "core/tick_record.hpp"
+#include "json/value.hpp"
 #include "log_export/event_words.hpp"
 #include "report/six_decimals.hpp"
 
 namespace fantail::log_export {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-double rounded(double value) { return std::round(value * 1e6) / 1e6 + 0.0; }
-
-Json word_or_null(std::string_view word) { return word.empty() ? Json{} : Json(word); }
+using Json = json::Value;
+using json::rounded;
+using json::text_or_null;
 
 Json plan(const flight_log::Flight& flight) {
   if (!flight.plan) {
     return {};
   }
-  Json all = Json::object();
+  Json all;
   for (const core::PlanField& field : core::flight_plan_fields()) {
-    const std::string key{field.key};
     const auto value = [&](std::size_t slot) -> Json {
       const float number = field.get(*flight.plan, slot);
       switch (field.kind) {
@@ -40,13 +36,13 @@ Json plan(const flight_log::Flight& flight) {
       return std::stod(fmt::format("{}", number));  // the float's own shortest decimals
     };
     if (field.slots == 1 && !field.is_list()) {
-      all[field.section][key] = value(0);
+      all[field.section][field.key] = value(0);
     } else {
       Json list = Json::array();
       for (std::size_t slot = 0; slot < field.used_slots(*flight.plan); ++slot) {
         list.push_back(value(slot));
       }
-      all[field.section][key] = std::move(list);
+      all[field.section][field.key] = std::move(list);
     }
   }
   return all;
@@ -59,8 +55,8 @@ Json events(const Source& source) {
       const bool of_a_canard = event.kind == protocol::LogEventKind::canard_verdict;
       all.push_back({{"time_s", rounded(source.time_s(event.time))},
                      {"kind", name(event.kind)},
-                     {"value", word_or_null(value_word(event))},
-                     {"reason", word_or_null(detail_word(event))},
+                     {"value", text_or_null(value_word(event))},
+                     {"reason", text_or_null(detail_word(event))},
                      {"canard", of_a_canard ? Json(event.index + 1) : Json{}},
                      {"number", event.number}});
     }
@@ -162,8 +158,8 @@ std::string json(const Source& source, const Selection& selection) {
                      {"gaps", gaps(source)},
                      {"events", events(source)},
                      {"health", health(source)}};
-  std::string text = head.dump(2, ' ', false, Json::error_handler_t::replace);
-  text.resize(text.size() - 2);  // "\n}"
+  std::string text = head.pretty();
+  text.resize(text.size() - 3);  // "\n}\n"
   return text + ",\n  \"ticks\": {" + ticks(source, selection) + "\n  }\n}\n";
 }
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <limits>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "core/flight_plan_fields.hpp"
 #include "log_export/event_words.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "logs/flight_file.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "flight_log/integrity.hpp"
 #include "flight_log/to_report.hpp"

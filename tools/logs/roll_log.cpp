@@ -2,17 +2,15 @@
 #include "logs/roll_log.hpp"
 
 #include <algorithm>
-#include <fstream>
-#include <optional>
 #include <string_view>
 
-#include <fmt/format.h>
-#include <nlohmann/json.hpp>
+#include <fmt/core.h>
 
 #include "logs/flight_file.hpp"
 #include "logs/log_doubts.hpp"
 #include "logs/roll_columns.hpp"
 #include "logs/roll_rows.hpp"
+#include "logs/summary.hpp"
 #include "logs/table.hpp"
 #include "logs/turns.hpp"
 #include "report/csv.hpp"
@@ -24,29 +22,6 @@ namespace {
 
 using sim::InputError;
 using sim::InputFault;
-
-[[noreturn]] void refuse(const std::string& message) { throw InputError{InputFault::bad_data, message}; }
-
-void read_events(const std::filesystem::path& file, RollLog& log) {
-  std::ifstream stream{file};
-  if (!stream) {
-    return;  // a folder may hold nothing but the CSV
-  }
-  const auto summary = nlohmann::json::parse(stream, nullptr, false);
-  if (!summary.is_object()) {
-    refuse(file.string() + ": not the JSON of a flight's summary");
-  }
-  const auto events = summary.find("events");
-  const auto event = [&](const char* name) -> std::optional<double> {
-    if (events == summary.end() || !events->is_object()) {
-      return {};
-    }
-    const auto found = events->find(name);
-    return found != events->end() && found->is_number() ? std::optional{found->get<double>()} : std::nullopt;
-  };
-  log.burnout_s = event("burnout_s");
-  log.apogee_s = event("apogee_s");
-}
 
 // By way of the table, so that a log gives the same figures as the flight.csv that was made of it.
 RollLog roll_log_of_flight_log(const std::filesystem::path& file, const Reading& reading, const Needs& needs) {
@@ -105,7 +80,9 @@ RollLog read_roll_log(const std::filesystem::path& path, const Reading& reading,
   }
   RollLog log = make_roll_log(Table::load(file.string()), reading, needs);
   log.name = path.string();
-  read_events(path / "summary.json", log);
+  const report::Events events = summary_events(path / "summary.json");
+  log.burnout_s = events.burnout_s;
+  log.apogee_s = events.apogee_s;
   return log;
 }
 

@@ -3,33 +3,51 @@
 
 #include <algorithm>
 #include <fstream>
+#include <iterator>
 #include <optional>
 #include <string>
 
-#include <nlohmann/json.hpp>
-
+#include "json/value.hpp"
 #include "report/numbers.hpp"
 #include "sim/input_error.hpp"
 
 namespace fantail::logs {
 namespace {
 
-using Json = nlohmann::json;
+using Json = json::Value;
+
+// Null without the file: a folder may hold nothing but the CSV.
+Json read(const std::filesystem::path& file) {
+  std::ifstream stream{file};
+  if (!stream) {
+    return {};
+  }
+  try {
+    Json summary = json::parse(std::string{std::istreambuf_iterator<char>{stream}, {}});
+    if (!summary.is_object()) {
+      throw json::Error{"no object"};
+    }
+    return summary;
+  } catch (const json::Error&) {
+    throw sim::InputError{sim::InputFault::bad_data, file.string() + ": not the JSON of a flight's summary"};
+  }
+}
 
 // The member of an object, or null.
-Json member(const Json& object, const char* name) {
-  const auto found = object.is_object() ? object.find(name) : object.end();
-  return found != object.end() ? *found : Json{};
+const Json& member(const Json& object, const char* name) {
+  static const Json null;
+  const Json* found = object.find(name);
+  return found != nullptr ? *found : null;
 }
 
 std::string text(const Json& object, const char* name) {
-  const Json value = member(object, name);
-  return value.is_string() ? value.get<std::string>() : std::string{};
+  const Json& value = member(object, name);
+  return value.is_text() ? value.text() : std::string{};
 }
 
 std::optional<double> number(const Json& object, const char* name) {
-  const Json value = member(object, name);
-  return value.is_number() ? std::optional{value.get<double>()} : std::nullopt;
+  const Json& value = member(object, name);
+  return value.is_number() ? std::optional{value.number()} : std::nullopt;
 }
 
 // The value of an enumeration that has this name.
@@ -74,7 +92,7 @@ void read_phase_changes(report::Flight& flight, const Json& list) {
 }
 
 void read_canard_verdicts(report::Flight& flight, const Json& list) {
-  for (const Json& change : list.is_array() ? list : Json::array()) {
+  for (const Json& change : list) {
     const auto verdict = named<core::CanardVerdict>(text(change, "verdict"), core::canard_verdicts);
     const auto canard = number(change, "canard");
     const auto time_s = number(change, "time_s");
@@ -86,34 +104,36 @@ void read_canard_verdicts(report::Flight& flight, const Json& list) {
 
 }  // namespace
 
+report::Events summary_events(const std::filesystem::path& file) {
+  report::Events events;
+  read_events(events, member(read(file), "events"));
+  return events;
+}
+
 void add_summary(report::Flight& flight, const std::filesystem::path& file) {
-  std::ifstream stream{file};
-  if (!stream) {
+  const Json summary = read(file);
+  if (summary.is_null()) {
     return;
-  }
-  const Json summary = Json::parse(stream, nullptr, false);
-  if (!summary.is_object()) {
-    throw sim::InputError{sim::InputFault::bad_data, file.string() + ": not the JSON of a flight's summary"};
   }
   flight.scenario = text(summary, "scenario");
   flight.vehicle = text(summary, "vehicle");
   flight.plan_name = text(summary, "plan");
   flight.version = text(summary, "version");
-  if (const Json seed = member(summary, "seed"); seed.is_number_unsigned()) {
-    flight.seed = seed.get<std::uint64_t>();
+  if (const Json& seed = member(summary, "seed"); seed.is_count()) {
+    flight.seed = seed.count();
   }
   read_events(flight.events, member(summary, "events"));
   read_phase_changes(flight, member(summary, "phase_changes"));
   read_canard_verdicts(flight, member(summary, "canard_verdicts"));
-  const Json imposed = member(summary, "imposed_roll");
+  const Json& imposed = member(summary, "imposed_roll");
   if (const auto time_s = number(imposed, "time_s")) {
     flight.imposed_roll = {.time_s = *time_s,
                            .angle_rad = report::radians(number(imposed, "angle_deg").value_or(0.0)),
                            .rate_rad_s = report::radians(number(imposed, "rate_deg_s").value_or(0.0))};
   }
   for (const Json& note : member(summary, "notes")) {
-    if (note.is_string()) {
-      flight.notes.push_back(note.get<std::string>());
+    if (note.is_text()) {
+      flight.notes.push_back(note.text());
     }
   }
 }

@@ -12,4 +12,7 @@ namespace fantail::logs {
 /// it is no summary.
 void add_summary(report::Flight& flight, const std::filesystem::path& file);
 
+/// Its events alone, in the same way.
+[[nodiscard]] report::Events summary_events(const std::filesystem::path& file);
+
 }  // namespace fantail::logs

@@ -9,11 +9,11 @@
 #include <set>
 #include <system_error>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
-#include "logs/number.hpp"
 #include "logs/words.hpp"
 #include "sim/input_error.hpp"
+#include "text/number.hpp"
 
 namespace fantail::logs {
 namespace {
@@ -96,7 +96,7 @@ void Table::read_header(std::size_t line) {
     if (!name.empty() && !seen.insert(name).second) {
       refuse(line, fmt::format("the column {} stands twice", in_quotes(name)));
     }
-    all_numbers = all_numbers && (name.empty() || logs::number(name));
+    all_numbers = all_numbers && (name.empty() || text::number(name));
     columns_.emplace_back(name);
   }
   if (all_numbers) {
@@ -169,7 +169,7 @@ std::size_t Table::read_quoted(std::size_t begin, std::size_t end, std::size_t l
   if (in < end && text_[in] != ',') {
     refuse(line, "text behind a closing quote");
   }
-  const std::string_view inside = trimmed(std::string_view{text_}.substr(first, out - first));
+  const std::string_view inside = text::trimmed(std::string_view{text_}.substr(first, out - first));
   const std::size_t start = inside.empty() ? first : static_cast<std::size_t>(inside.data() - text_.data());
   const auto from = static_cast<std::uint32_t>(start);
   cells_.push_back({from, static_cast<std::uint32_t>(from + inside.size())});
@@ -195,7 +195,7 @@ std::string_view Table::cell(std::size_t row, std::size_t column) const {
 }
 
 std::optional<double> Table::number(std::size_t row, std::size_t column) const {
-  return logs::number(cell(row, column));
+  return text::number(cell(row, column));
 }
 
 std::string Table::where(std::size_t row) const { return fmt::format("{}:{}", name_, lines_[row]); }

@@ -2,7 +2,7 @@
 // Section 4.1.1: how even the tunnel's air is.
 #include <algorithm>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "paper/chapters.hpp"
 #include "paper/drawing.hpp"

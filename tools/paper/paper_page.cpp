@@ -3,9 +3,9 @@
 
 #include <vector>
 
-#include <fmt/format.h>
-#include <nlohmann/json.hpp>
+#include <fmt/core.h>
 
+#include "json/value.hpp"
 #include "paper/printed_figures.hpp"
 #include "plot/page.hpp"
 
@@ -114,7 +114,7 @@ std::string paper_html(std::span<const Chapter> chapters, const std::string& ver
 
 std::string paper_json(std::span<const Chapter> chapters, const std::string& version) {
   const Tally count = tally(chapters);
-  nlohmann::ordered_json claims = nlohmann::ordered_json::array();
+  json::Value claims = json::Value::array();
   for (const Chapter& chapter : chapters) {
     for (const Claim& claim : chapter.claims) {
       claims.push_back({{"chapter", chapter.title},
@@ -127,13 +127,13 @@ std::string paper_json(std::span<const Chapter> chapters, const std::string& ver
                         {"why", claim.why}});
     }
   }
-  const nlohmann::ordered_json all{{"reproduced", count.reproduced},
-                                   {"differs", count.differs},
-                                   {"error_in_print", count.error_in_print},
-                                   {"not_reproducible", count.not_reproducible},
-                                   {"claims", claims},
-                                   {"version", version}};
-  return all.dump(2) + "\n";
+  const json::Value all{{"reproduced", count.reproduced},
+                        {"differs", count.differs},
+                        {"error_in_print", count.error_in_print},
+                        {"not_reproducible", count.not_reproducible},
+                        {"claims", claims},
+                        {"version", version}};
+  return all.pretty();
 }
 
 }  // namespace fantail::paper

@@ -2,7 +2,7 @@
 // Section 4.3.1 and Table 2: eight steps of 45 degrees in the wind tunnel, each identified by itself.
 #include <cmath>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "identify/closed_loop_model.hpp"
 #include "identify/identification.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Section 4.1.2: how much the tunnel itself turns the rocket.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "paper/chapters.hpp"
 #include "paper/drawing.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "plot/page.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "plot/lettering.hpp"
 #include "plot/page_assets.hpp"

@@ -3,7 +3,7 @@
 #include <cctype>
 #include <numbers>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "plot/page.hpp"
 #include "predict/charts.hpp"

@@ -1,21 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include <cmath>
-
-#include <nlohmann/json.hpp>
-
+#include "json/value.hpp"
 #include "predict/results.hpp"
 #include "predict/words.hpp"
 
 namespace fantail::predict {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using Json = json::Value;
+using json::rounded;
 using report::degrees;
-
-Json rounded(double value) {
-  const double r = std::round(value * 1e6) / 1e6;
-  return r == 0.0 ? 0.0 : r;
-}
 
 Json json(const Spread& s, double scale = 1.0) {
   return {{"mean", rounded(scale * s.mean)},
@@ -69,7 +62,7 @@ Json tunnel(const Prediction& p) {
           {"steps", p.tunnel.steps.size()},
           {"swirl_deg", rounded(degrees(p.tunnel.swirl_rad))},
           {"sources", p.tunnel.sources},
-          {"damping_factor", {p.damping.low, p.damping.high}}};
+          {"damping_factor", Json::array({p.damping.low, p.damping.high})}};
 }
 
 }  // namespace
@@ -100,7 +93,7 @@ std::string prediction_json(const Prediction& p, const Decision& decision, std::
                     {"stability", stability(p)},
                     {"basis", basis(p)},
                     {"version", version}};
-  return all.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return all.pretty();
 }
 
 }  // namespace fantail::predict

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "predict/loop_at_speed.hpp"
 #include "predict/team.hpp"

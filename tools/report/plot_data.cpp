@@ -10,8 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include <nlohmann/json.hpp>
-
+#include "json/value.hpp"
 #include "report/decimate.hpp"
 #include "report/numbers.hpp"
 #include "report/timeline.hpp"
@@ -19,7 +18,7 @@
 namespace fantail::report {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using Json = json::Value;
 using Value = std::function<double(const Row&)>;
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
@@ -201,9 +200,7 @@ Json limits(const core::FlightPlan& plan) {
   for (const core::CanardPlan& canard : plan.canards.each) {
     stop = std::min(stop, canard.mechanical_stop);
   }
-  const auto text_degrees = [](core::Angle angle) {
-    return std::round(static_cast<double>(angle.degrees()) * 1e3) / 1e3;
-  };
+  const auto text_degrees = [](core::Angle angle) { return json::rounded(static_cast<double>(angle.degrees()), 3); };
   return {{"plan", text_degrees(plan.controller.canard_limit)},
           {"hard", text_degrees(core::hard_canard_limit)},
           {"stop", text_degrees(stop)}};
@@ -254,7 +251,7 @@ std::string plot_data(const Flight& flight) {
                      {"phases", phases},
                      {"events", events},
                      {"plots", drawn}};
-  return data.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return data.dump();
 }
 
 }  // namespace fantail::report

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "report/words.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "report/numbers.hpp"
 

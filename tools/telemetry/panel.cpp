@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "telemetry/panel.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
-#include "bench/words.hpp"
+#include "link/words.hpp"
 #include "telemetry/panel_values.hpp"
 #include "telemetry/words.hpp"
 
@@ -113,11 +113,11 @@ std::string Panel::health_text() const {
   text += "\n";
   if (health.bus) {
     text += fmt::format("  avionics' CAN bus: {}, {} unsent, {} overrun, {} bus errors\n",
-                        bench::words(health.bus->state), health.bus->unsent, health.bus->overrun, health.bus->errors);
+                        link::words(health.bus->state), health.bus->unsent, health.bus->overrun, health.bus->errors);
   }
   if (health.gateway) {
     text += fmt::format("  gateway's CAN bus: {}, {} frames, {} lost, {} damaged, {} foreign, {} overrun\n",
-                        bench::words(health.gateway->state), health.gateway->frames, health.gateway->lost,
+                        link::words(health.gateway->state), health.gateway->frames, health.gateway->lost,
                         health.gateway->damaged, health.gateway->foreign, health.gateway->overrun);
   }
   return text;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include <fmt/format.h>
-#include <nlohmann/json.hpp>
-
-#include "bench/words.hpp"
+#include "json/value.hpp"
+#include "link/words.hpp"
 #include "telemetry/panel.hpp"
 #include "telemetry/panel_values.hpp"
 #include "telemetry/words.hpp"
@@ -10,25 +8,18 @@
 namespace fantail::telemetry {
 namespace {
 
-using nlohmann::ordered_json;
-
-template <typename Value>
-ordered_json known(const std::optional<Value>& value) {
-  return value ? ordered_json(*value) : ordered_json{};
-}
+using Json = json::Value;
 
 // As many digits as a person can use; the messages themselves have all.
-ordered_json rounded(const std::optional<double>& value) {
-  return value ? ordered_json::parse(fmt::format("{:.4f}", *value)) : ordered_json{};
-}
+Json rounded(const std::optional<double>& value) { return json::printed(value, 4); }
 
 template <typename Content>
-ordered_json section(const std::optional<Heard<Content>>& heard, hal::Microseconds now) {
-  ordered_json json;
+Json section(const std::optional<Heard<Content>>& heard, hal::Microseconds now) {
+  Json json;
   json["stale"] = !heard || now - heard->came > Receiver::stale_after;
-  json["age_s"] = heard ? rounded(in_seconds(now - heard->came)) : ordered_json{};
-  json["time_s"] = heard ? ordered_json(in_seconds(heard->stamp.time)) : ordered_json{};
-  json["sequence"] = heard ? ordered_json(heard->stamp.sequence) : ordered_json{};
+  json["age_s"] = heard ? rounded(in_seconds(now - heard->came)) : Json{};
+  json["time_s"] = heard ? Json(in_seconds(heard->stamp.time)) : Json{};
+  json["sequence"] = heard ? Json(heard->stamp.sequence) : Json{};
   return json;
 }
 
@@ -38,18 +29,18 @@ const Content& content_or_nothing(const std::optional<Heard<Content>>& heard) {
   return heard ? heard->content : nothing;
 }
 
-ordered_json state_json(const std::optional<Heard<State>>& heard, hal::Microseconds now) {
-  ordered_json json = section(heard, now);
+Json state_json(const std::optional<Heard<State>>& heard, hal::Microseconds now) {
+  Json json = section(heard, now);
   const State& state = content_or_nothing(heard);
-  json["phase"] = heard ? ordered_json(core::name(state.phase)) : ordered_json{};
-  json["reason"] = heard ? ordered_json(core::name(state.reason)) : ordered_json{};
+  json["phase"] = heard ? Json(core::name(state.phase)) : Json{};
+  json["reason"] = heard ? Json(core::name(state.reason)) : Json{};
   json["roll_angle_deg"] = rounded(degrees(state.roll_angle_rad));
   json["roll_rate_deg_s"] = rounded(degrees(state.roll_rate_rad_s));
   json["reference_deg"] = rounded(degrees(state.reference_rad));
   json["excitation_deg"] = rounded(degrees(state.excitation_rad));
   json["command_deg"] = rounded(degrees(state.command_rad));
-  json["saturated"] = heard ? ordered_json(state.saturated) : ordered_json{};
-  json["timing_fault"] = heard ? ordered_json(state.timing_fault) : ordered_json{};
+  json["saturated"] = heard ? Json(state.saturated) : Json{};
+  json["timing_fault"] = heard ? Json(state.timing_fault) : Json{};
   json["specific_force_m_s2"] = rounded(state.specific_force_m_s2);
   json["height_m"] = rounded(state.height_m);
   json["speed_m_s"] = rounded(state.speed_m_s);
@@ -58,39 +49,38 @@ ordered_json state_json(const std::optional<Heard<State>>& heard, hal::Microseco
   return json;
 }
 
-ordered_json canards_json(const std::optional<Heard<Canards>>& heard, hal::Microseconds now) {
-  ordered_json json = section(heard, now);
+Json canards_json(const std::optional<Heard<Canards>>& heard, hal::Microseconds now) {
+  Json json = section(heard, now);
   const Canards& canards = content_or_nothing(heard);
   json["canard_deg"] = rounded(degrees(canards.canard_rad));
-  json["each"] = ordered_json::array();
+  json["each"] = Json::array();
   for (std::size_t i = 0; i < core::canard_count; ++i) {
-    json["each"].push_back(
-        {{"command_deg", rounded(degrees(canards.command_rad[i]))},
-         {"encoder_deg", rounded(degrees(canards.encoder_rad[i]))},
-         {"limit_deg", rounded(degrees(canards.limit_rad[i]))},
-         {"verdict", canards.verdicts[i] ? ordered_json(core::name(*canards.verdicts[i])) : ordered_json{}},
-         {"limited", heard ? ordered_json(canards.limited[i]) : ordered_json{}}});
+    json["each"].push_back({{"command_deg", rounded(degrees(canards.command_rad[i]))},
+                            {"encoder_deg", rounded(degrees(canards.encoder_rad[i]))},
+                            {"limit_deg", rounded(degrees(canards.limit_rad[i]))},
+                            {"verdict", canards.verdicts[i] ? Json(core::name(*canards.verdicts[i])) : Json{}},
+                            {"limited", heard ? Json(canards.limited[i]) : Json{}}});
   }
   return json;
 }
 
-ordered_json health_json(const std::optional<Heard<Health>>& heard, hal::Microseconds now) {
-  ordered_json json = section(heard, now);
+Json health_json(const std::optional<Heard<Health>>& heard, hal::Microseconds now) {
+  Json json = section(heard, now);
   const Health& health = content_or_nothing(heard);
-  json["gyro"] = heard ? ordered_json(name(health.gyro)) : ordered_json{};
-  json["accelerometer"] = heard ? ordered_json(name(health.accelerometer)) : ordered_json{};
-  json["longest_tick_us"] = health.longest_tick_s ? ordered_json(1e6 * *health.longest_tick_s) : ordered_json{};
-  json["late_ticks"] = known(health.late_ticks);
-  json["bus"] = ordered_json{};
+  json["gyro"] = heard ? Json(name(health.gyro)) : Json{};
+  json["accelerometer"] = heard ? Json(name(health.accelerometer)) : Json{};
+  json["longest_tick_us"] = health.longest_tick_s ? Json(1e6 * *health.longest_tick_s) : Json{};
+  json["late_ticks"] = health.late_ticks;
+  json["bus"] = Json{};
   if (health.bus) {
-    json["bus"] = {{"state", bench::words(health.bus->state)},
+    json["bus"] = {{"state", link::words(health.bus->state)},
                    {"unsent", health.bus->unsent},
                    {"overrun", health.bus->overrun},
                    {"errors", health.bus->errors}};
   }
-  json["gateway"] = ordered_json{};
+  json["gateway"] = Json{};
   if (health.gateway) {
-    json["gateway"] = {{"state", bench::words(health.gateway->state)},
+    json["gateway"] = {{"state", link::words(health.gateway->state)},
                        {"frames", health.gateway->frames},
                        {"lost", health.gateway->lost},
                        {"damaged", health.gateway->damaged},
@@ -100,7 +90,7 @@ ordered_json health_json(const std::optional<Heard<Health>>& heard, hal::Microse
   return json;
 }
 
-ordered_json figures_json(const ChannelFigures& figures, std::int64_t lost) {
+Json figures_json(const ChannelFigures& figures, std::int64_t lost) {
   return {{"received", figures.received}, {"lost", lost},
           {"late", figures.late},         {"duplicate", figures.duplicate},
           {"ignored", figures.ignored},   {"unreadable", figures.unreadable}};
@@ -109,11 +99,11 @@ ordered_json figures_json(const ChannelFigures& figures, std::int64_t lost) {
 }  // namespace
 
 std::string Panel::json() const {
-  ordered_json json;
+  Json json;
   json["url"] = url_;
   const auto& state = receiver_.state();
   json["link"] = !state ? "silent" : (is_stale(state) ? "stale" : "live");
-  json["run"] = state ? ordered_json(state->stamp.run) : ordered_json{};
+  json["run"] = state ? Json(state->stamp.run) : Json{};
   json["restarts"] = receiver_.restarts();
   json["state"] = state_json(state, now_);
   json["canards"] = canards_json(receiver_.canards(), now_);
@@ -123,10 +113,10 @@ std::string Panel::json() const {
     const auto channel = static_cast<Channel>(i);
     const ChannelFigures& total = receiver_.total(channel);
     const ChannelFigures recent = receiver_.recent(channel);
-    json["channels"][std::string{name(channel)}] = {{"total", figures_json(total, total.lost)},
-                                                    {"recent", figures_json(recent, lost_lately(recent))}};
+    json["channels"][name(channel)] = {{"total", figures_json(total, total.lost)},
+                                       {"recent", figures_json(recent, lost_lately(recent))}};
   }
-  json["events"] = ordered_json::array();
+  json["events"] = Json::array();
   for (const Heard<Event>& event : news_) {
     json["events"].push_back({{"time_s", in_seconds(event.stamp.time)}, {"text", words(event.content)}});
   }

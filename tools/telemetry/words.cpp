@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "telemetry/words.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 namespace fantail::telemetry {
 

@@ -42,7 +42,7 @@ std::string flow_text(const TunnelLog& log, const Flow& flow) {
 std::string flow_json(const TunnelLog& log, const Flow& flow) {
   Json points = Json::array();
   for (const FlowPoint& p : flow.points) {
-    points.push_back({{"fan_rpm", number(p.segment.fan_rpm)},
+    points.push_back({{"fan_rpm", rounded(p.segment.fan_rpm)},
                       {"begin_s", rounded(p.segment.begin_s)},
                       {"end_s", rounded(p.segment.end_s)},
                       {"readings", p.segment.count},
@@ -52,12 +52,13 @@ std::string flow_json(const TunnelLog& log, const Flow& flow) {
                       {"relative_deviation", rounded(p.relative_deviation)},
                       {"relative_deviation_of_rounding", rounded(p.rounding_share)}});
   }
-  return text_of({{"log", log.name},
-                  {"set_points", points},
-                  {"line", flow.line ? line(*flow.line) : Json{}},
-                  {"rounding_m_s", rounded(flow.rounding_m_s)},
-                  {"rounding_deviation_m_s", rounded(rounding_deviation(flow.rounding_m_s))},
-                  {"remarks", flow.remarks}});
+  const Json all = {{"log", log.name},
+                    {"set_points", points},
+                    {"line", flow.line ? line(*flow.line) : Json{}},
+                    {"rounding_m_s", rounded(flow.rounding_m_s)},
+                    {"rounding_deviation_m_s", rounded(rounding_deviation(flow.rounding_m_s))},
+                    {"remarks", flow.remarks}};
+  return all.pretty();
 }
 
 }  // namespace fantail::tunnel

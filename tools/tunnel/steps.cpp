@@ -5,7 +5,7 @@
 #include <cmath>
 #include <span>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "report/numbers.hpp"
 #include "sim/input_error.hpp"

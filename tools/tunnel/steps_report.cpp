@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tunnel/steps_report.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "report/numbers.hpp"
 #include "tunnel/json.hpp"
@@ -94,19 +94,20 @@ std::string steps_json(const StepsHeading& heading, const StepTable& table) {
   for (const StepResult& result : table.steps) {
     steps.push_back(step_json(result));
   }
-  return text_of({{"log", heading.log},
-                  {"vehicle", heading.vehicle},
-                  {"inertia_kg_m2", rounded(heading.airframe.inertia_kg_m2)},
-                  {"reference_area_m2", heading.airframe.reference_area_m2},
-                  {"speed_m_s", number(heading.speed_m_s)},
-                  {"speed_source", heading.speed_source},
-                  {"density_kg_m3", rounded(heading.density_kg_m3)},
-                  {"method", name(heading.options.method)},
-                  {"seconds", rounded(heading.options.seconds)},
-                  {"steps", steps},
-                  {"mean", row_of(table, &Spread::mean)},
-                  {"standard_deviation", row_of(table, &Spread::deviation)},
-                  {"remarks", table.remarks}});
+  const Json all = {{"log", heading.log},
+                    {"vehicle", heading.vehicle},
+                    {"inertia_kg_m2", rounded(heading.airframe.inertia_kg_m2)},
+                    {"reference_area_m2", heading.airframe.reference_area_m2},
+                    {"speed_m_s", rounded(heading.speed_m_s)},
+                    {"speed_source", heading.speed_source},
+                    {"density_kg_m3", rounded(heading.density_kg_m3)},
+                    {"method", name(heading.options.method)},
+                    {"seconds", rounded(heading.options.seconds)},
+                    {"steps", steps},
+                    {"mean", row_of(table, &Spread::mean)},
+                    {"standard_deviation", row_of(table, &Spread::deviation)},
+                    {"remarks", table.remarks}};
+  return all.pretty();
 }
 
 }  // namespace fantail::tunnel

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tunnel/swirl_report.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "report/numbers.hpp"
 #include "tunnel/json.hpp"
@@ -14,7 +14,7 @@ using report::degrees;
 Json session(const RollSession& session, const std::vector<OffsetPoint>& points) {
   Json all = Json::array();
   for (const OffsetPoint& p : points) {
-    all.push_back({{"fan_rpm", number(p.segment.fan_rpm)},
+    all.push_back({{"fan_rpm", rounded(p.segment.fan_rpm)},
                    {"begin_s", rounded(p.segment.begin_s)},
                    {"end_s", rounded(p.segment.end_s)},
                    {"speed_m_s", rounded(p.speed_m_s.mean)},
@@ -84,16 +84,17 @@ std::string swirl_json(const SwirlSessions& sessions, const Swirl& swirl) {
   const auto of_mean = [&swirl](double SwirlOffset::* value) {
     return swirl.swirl ? angle(*swirl.swirl.*value) : Json{};
   };
-  return text_of({{"swirl_deg", of_mean(&SwirlOffset::offset_rad)},
-                  {"swirl_standard_error_deg", of_mean(&SwirlOffset::standard_error_rad)},
-                  {"swirl_deviation_deg", of_mean(&SwirlOffset::deviation_rad)},
-                  {"from_speed_m_s", rounded(swirl.options.from_speed_m_s)},
-                  {"alpha_m2", rounded(swirl.options.alpha_m2)},
-                  {"beta_m", rounded(swirl.options.beta_m)},
-                  {"without", session(sessions.without, swirl.without)},
-                  {"with", session(sessions.with, swirl.with)},
-                  {"differences", differences},
-                  {"remarks", swirl.remarks}});
+  const Json all = {{"swirl_deg", of_mean(&SwirlOffset::offset_rad)},
+                    {"swirl_standard_error_deg", of_mean(&SwirlOffset::standard_error_rad)},
+                    {"swirl_deviation_deg", of_mean(&SwirlOffset::deviation_rad)},
+                    {"from_speed_m_s", rounded(swirl.options.from_speed_m_s)},
+                    {"alpha_m2", rounded(swirl.options.alpha_m2)},
+                    {"beta_m", rounded(swirl.options.beta_m)},
+                    {"without", session(sessions.without, swirl.without)},
+                    {"with", session(sessions.with, swirl.with)},
+                    {"differences", differences},
+                    {"remarks", swirl.remarks}};
+  return all.pretty();
 }
 
 }  // namespace fantail::tunnel

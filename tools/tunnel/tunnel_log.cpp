@@ -5,7 +5,7 @@
 #include <array>
 #include <string_view>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "logs/table.hpp"
 #include "sim/input_error.hpp"

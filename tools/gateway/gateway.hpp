@@ -9,7 +9,7 @@
 #include "telemetry/avionics_clock.hpp"
 #include "telemetry/changes.hpp"
 
-namespace fantail::telemetry {
+namespace fantail::gateway {
 
 /// A bus on which nothing can be said.
 class ListenOnlyBus final : public hal::CanBus {
@@ -29,7 +29,7 @@ class ListenOnlyBus final : public hal::CanBus {
 /// avionics' time, nothing is sent.
 class Gateway {
  public:
-  Gateway(hal::CanBus& bus, Sink& sink) : bus_{bus}, sink_{sink} { changes_.begin_with_first_look(); }
+  Gateway(hal::CanBus& bus, telemetry::Sink& sink) : bus_{bus}, sink_{sink} { changes_.begin_with_first_look(); }
 
   /// Takes in what has arrived, and sends what is due.
   void listen(hal::Microseconds now);
@@ -57,11 +57,11 @@ class Gateway {
   };
 
   ListenOnlyBus bus_;
-  Sink& sink_;
+  telemetry::Sink& sink_;
   bench::AvionicsLink link_{bus_};
-  AvionicsClock clock_;
-  std::optional<Sender> sender_;  ///< empty until the avionics' time is known
-  Changes changes_;
+  telemetry::AvionicsClock clock_;
+  std::optional<telemetry::Sender> sender_;  ///< empty until the avionics' time is known
+  telemetry::Changes changes_;
   int restarts_ = 0;
   std::uint64_t frames_ = 0;
   std::optional<hal::Microseconds> last_heard_;
@@ -75,4 +75,4 @@ class Gateway {
   Unwrapped errors_;
 };
 
-}  // namespace fantail::telemetry
+}  // namespace fantail::gateway

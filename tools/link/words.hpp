@@ -8,7 +8,7 @@
 #include "hal/can_bus.hpp"
 #include "protocol/bus_messages.hpp"
 
-namespace fantail::bench {
+namespace fantail::link {
 
 // What the avionics answers with one word, as a sentence for whoever has to do something about it.
 
@@ -22,4 +22,4 @@ namespace fantail::bench {
 /// "error active", "bus off", ...
 [[nodiscard]] std::string_view words(hal::CanState state);
 
-}  // namespace fantail::bench
+}  // namespace fantail::link

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "bench/words.hpp"
+#include "link/words.hpp"
 
 #include "core/flight_plan_fields.hpp"
 
-namespace fantail::bench {
+namespace fantail::link {
 namespace {
 
 std::string words(protocol::PlanBlockFault fault) {
@@ -135,4 +135,4 @@ std::string words(const protocol::PlanReply& reply) {
   return reply.block_fault ? words(*reply.block_fault) : "for an unknown reason";
 }
 
-}  // namespace fantail::bench
+}  // namespace fantail::link

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "telemetry/gateway.hpp"
+#include "gateway/gateway.hpp"
 
-namespace fantail::telemetry {
+namespace fantail::gateway {
 namespace {
 
 using std::chrono::milliseconds;
@@ -70,16 +70,16 @@ void Gateway::send_state(hal::Microseconds now, core::Microseconds time) {
   if (motion == nullptr || !status) {
     return;
   }
-  sender_->send(time, State{.phase = status->phase,
-                            .reason = status->reason,
-                            .command_status = status->command_status,
-                            .timing_fault = status->timing_fault,
-                            .saturated = status->saturated,
-                            .roll_angle_rad = radians(motion->roll_angle),
-                            .roll_rate_rad_s = motion->roll_rate_rad_s,
-                            .command_rad = radians(status->roll_command),
-                            .height_m = motion->height_m,
-                            .speed_m_s = motion->speed_m_s});
+  sender_->send(time, telemetry::State{.phase = status->phase,
+                                       .reason = status->reason,
+                                       .command_status = status->command_status,
+                                       .timing_fault = status->timing_fault,
+                                       .saturated = status->saturated,
+                                       .roll_angle_rad = radians(motion->roll_angle),
+                                       .roll_rate_rad_s = motion->roll_rate_rad_s,
+                                       .command_rad = radians(status->roll_command),
+                                       .height_m = motion->height_m,
+                                       .speed_m_s = motion->speed_m_s});
 }
 
 void Gateway::send_canards(hal::Microseconds now, core::Microseconds time) {
@@ -91,7 +91,7 @@ void Gateway::send_canards(hal::Microseconds now, core::Microseconds time) {
     return;
   }
   canards_sent_ = time;
-  Canards canards{.command_rad = newest->command_rad, .encoder_rad = newest->encoder_rad};
+  telemetry::Canards canards{.command_rad = newest->command_rad, .encoder_rad = newest->encoder_rad};
   canards.limited = newest->limited;
   const auto limits = link_.recent<protocol::LimitReport>(now, limit_age);
   const auto health = link_.recent<protocol::HealthReport>(now, health_age);
@@ -110,22 +110,23 @@ void Gateway::send_health(core::Microseconds time) {
   changes_.look(time, report->verdicts, *sender_);
   const bench::LinkFigures& heard = link_.figures();
   const auto& status = link_.newest<protocol::StatusReport>();
-  sender_->send(time, Health{.gyro = report->gyro,
-                             .accelerometer = report->accelerometer,
-                             .verdicts = report->verdicts,
-                             .timing_fault = status && status->message.timing_fault,
-                             .longest_tick_s = 1e-6 * report->longest_tick_us,
-                             .late_ticks = {},
-                             .bus = Health::Bus{.state = static_cast<hal::CanState>(report->bus_state),
-                                                .unsent = unsent_.take(report->unsent),
-                                                .overrun = overrun_.take(report->overrun),
-                                                .errors = errors_.take(report->bus_errors)},
-                             .gateway = Health::Gateway{.state = bus_.state(),
-                                                        .frames = static_cast<std::int64_t>(heard.frames),
-                                                        .lost = static_cast<std::int64_t>(heard.lost),
-                                                        .damaged = static_cast<std::int64_t>(heard.damaged),
-                                                        .foreign = static_cast<std::int64_t>(heard.foreign),
-                                                        .overrun = bus_.counters().overrun}});
+  sender_->send(
+      time, telemetry::Health{.gyro = report->gyro,
+                              .accelerometer = report->accelerometer,
+                              .verdicts = report->verdicts,
+                              .timing_fault = status && status->message.timing_fault,
+                              .longest_tick_s = 1e-6 * report->longest_tick_us,
+                              .late_ticks = {},
+                              .bus = telemetry::Health::Bus{.state = static_cast<hal::CanState>(report->bus_state),
+                                                            .unsent = unsent_.take(report->unsent),
+                                                            .overrun = overrun_.take(report->overrun),
+                                                            .errors = errors_.take(report->bus_errors)},
+                              .gateway = telemetry::Health::Gateway{.state = bus_.state(),
+                                                                    .frames = static_cast<std::int64_t>(heard.frames),
+                                                                    .lost = static_cast<std::int64_t>(heard.lost),
+                                                                    .damaged = static_cast<std::int64_t>(heard.damaged),
+                                                                    .foreign = static_cast<std::int64_t>(heard.foreign),
+                                                                    .overrun = bus_.counters().overrun}});
 }
 
 std::int64_t Gateway::Unwrapped::take(std::uint8_t value) {
@@ -134,4 +135,4 @@ std::int64_t Gateway::Unwrapped::take(std::uint8_t value) {
   return count;
 }
 
-}  // namespace fantail::telemetry
+}  // namespace fantail::gateway

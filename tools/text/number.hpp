@@ -4,7 +4,7 @@
 #include <optional>
 #include <string_view>
 
-namespace fantail::logs {
+namespace fantail::text {
 
 /// `text` without spaces and tabs at its ends.
 [[nodiscard]] std::string_view trimmed(std::string_view text);
@@ -12,4 +12,4 @@ namespace fantail::logs {
 /// The finite number that `text` is, spaces around it allowed; empty for anything else, "nan" and "1,5" too.
 [[nodiscard]] std::optional<double> number(std::string_view text);
 
-}  // namespace fantail::logs
+}  // namespace fantail::text

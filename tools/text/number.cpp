@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "logs/number.hpp"
+#include "text/number.hpp"
 
 #include <charconv>
 #include <cmath>
 #include <system_error>
 
-namespace fantail::logs {
+namespace fantail::text {
 
 std::string_view trimmed(std::string_view text) {
   while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) {
@@ -33,4 +33,4 @@ std::optional<double> number(std::string_view text) {
   return value;
 }
 
-}  // namespace fantail::logs
+}  // namespace fantail::text

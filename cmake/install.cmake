@@ -1,0 +1,32 @@
+# SPDX-License-Identifier: MIT
+# cmake --install: the programs with what they ship, and core and protocol for other projects, which say
+# find_package(Fantail) and link Fantail::core and Fantail::protocol.
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+
+install(TARGETS fantail RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+get_property(verbs GLOBAL PROPERTY FANTAIL_VERBS)
+install(TARGETS ${verbs} RUNTIME DESTINATION libexec/fantail)
+
+# The folders keep their places, because scenarios name vehicles and plans by them.
+set(data ${CMAKE_INSTALL_DATADIR}/fantail)
+install(DIRECTORY sim/scenarios sim/vehicles sim/motors sim/tunnel_results DESTINATION ${data}/sim)
+install(DIRECTORY firmware/plans DESTINATION ${data}/firmware)
+install(FILES firmware/protocol/canard_bus.dbc DESTINATION ${data})
+install(DIRECTORY tools/telemetry/types/ DESTINATION ${data}/lcm)
+install(FILES docs/fantail.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES third_party/uplot/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR}/uplot)
+
+foreach(library IN ITEMS core protocol)
+  install(DIRECTORY firmware/${library} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/fantail FILES_MATCHING PATTERN "*.hpp")
+  set_target_properties(fantail_${library} PROPERTIES EXPORT_NAME ${library})
+  target_compile_features(fantail_${library} INTERFACE cxx_std_20)
+endforeach()
+install(TARGETS fantail_core fantail_protocol fantail_protocol_generated fantail_flags fantail_flight_flags
+  EXPORT FantailTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+set(package ${CMAKE_INSTALL_LIBDIR}/cmake/Fantail)
+install(EXPORT FantailTargets NAMESPACE Fantail:: DESTINATION ${package})
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/FantailConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+file(WRITE ${PROJECT_BINARY_DIR}/FantailConfig.cmake "include(\${CMAKE_CURRENT_LIST_DIR}/FantailTargets.cmake)\n")
+install(FILES ${PROJECT_BINARY_DIR}/FantailConfig.cmake ${PROJECT_BINARY_DIR}/FantailConfigVersion.cmake DESTINATION ${package})

@@ -1,0 +1,2 @@
+// SPDX-License-Identifier: MIT
+// Of the target flight_precompiled, which is nothing but its header.

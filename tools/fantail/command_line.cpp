@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: MIT
+#include "fantail/command_line.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "sim/document.hpp"
+
+namespace fantail::tool {
+namespace {
+
+const CLI::App& innermost(const CLI::App& app) {
+  const auto parsed = app.get_subcommands();
+  return parsed.empty() ? app : innermost(*parsed.front());
+}
+
+// One line on what is wrong with the words, naming the one that is.
+std::string complaint(const CLI::App& program, const CLI::ParseError& error) {
+  std::vector<std::string> verbs;
+  std::string list;
+  for (const CLI::App* verb : innermost(program).get_subcommands(nullptr)) {
+    verbs.push_back(verb->get_name());
+    list += (list.empty() ? "" : ", ") + verbs.back();
+  }
+  // CLI11 says only that something is required, whatever stands in its place.
+  if (verbs.empty() || dynamic_cast<const CLI::RequiredError*>(&error) == nullptr) {
+    return error.what();
+  }
+  const std::vector<std::string> left_over = program.remaining(true);
+  if (left_over.empty()) {
+    return "a verb is missing; allowed: " + list;
+  }
+  const std::string& word = left_over.front();
+  if (word.starts_with('-')) {
+    return "unknown option " + word + "; a verb comes first: " + list;
+  }
+  const auto meant = sim::suggestion(word, verbs);
+  return "unknown verb \"" + word + '"' + (meant ? "; did you mean " + *meant + "?" : "; allowed: " + list);
+}
+
+}  // namespace
+
+void read_command_line(const std::string& name, const std::string& meaning, void (*fill)(const Verb& verb),
+                       std::vector<std::string> words) {
+  CLI::App program{"", "fantail"};
+  program.require_subcommand(1);
+  fill(Verb{program.add_subcommand(name, meaning)});
+  // CLI11 takes the words from behind.
+  std::ranges::reverse(words);
+  words.push_back(name);
+  try {
+    program.parse(std::move(words));
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() != 0) {
+      throw UsageError{complaint(program, error)};
+    }
+    program.exit(error);  // help, asked for
+  }
+}
+
+Option& Option::required(bool is) {
+  option_->required(is);
+  return *this;
+}
+
+Option& Option::check(const Objection& objection) {
+  option_->check(CLI::Validator{objection, ""});
+  return *this;
+}
+
+Option& Option::range(int low, int high) {
+  option_->check(CLI::Range(low, high));
+  return *this;
+}
+
+Option& Option::range(double low, double high) {
+  option_->check(CLI::Range(low, high));
+  return *this;
+}
+
+Option& Option::one_of(std::initializer_list<const char*> words) {
+  option_->check(CLI::IsMember(std::vector<std::string>(words.begin(), words.end())));
+  return *this;
+}
+
+Option& Option::value_name(const std::string& name) {
+  option_->type_name(name);
+  return *this;
+}
+
+Option& Option::show_default() {
+  option_->capture_default_str();
+  return *this;
+}
+
+Option& Option::one_word_each_time() {
+  option_->allow_extra_args(false);
+  return *this;
+}
+
+Option& Option::separated_by(char separator) {
+  option_->delimiter(separator);
+  return *this;
+}
+
+Option& Option::needs(const Option& other) {
+  option_->needs(other.option_);
+  return *this;
+}
+
+Option& Option::excludes(const Option& other) {
+  option_->excludes(other.option_);
+  return *this;
+}
+
+Verb Verb::verb(const std::string& name, const std::string& meaning) const {
+  return Verb{app_->add_subcommand(name, meaning)};
+}
+
+void Verb::needs_verb() const { app_->require_subcommand(1); }
+
+template <typename T>
+Option Verb::option(const std::string& names, T& value, const std::string& meaning) const {
+  return Option{app_->add_option(names, value, meaning)};
+}
+
+template Option Verb::option(const std::string&, std::string&, const std::string&) const;
+template Option Verb::option(const std::string&, std::optional<std::string>&, const std::string&) const;
+template Option Verb::option(const std::string&, double&, const std::string&) const;
+template Option Verb::option(const std::string&, std::optional<double>&, const std::string&) const;
+template Option Verb::option(const std::string&, int&, const std::string&) const;
+template Option Verb::option(const std::string&, std::optional<int>&, const std::string&) const;
+template Option Verb::option(const std::string&, unsigned&, const std::string&) const;
+template Option Verb::option(const std::string&, std::size_t&, const std::string&) const;
+template Option Verb::option(const std::string&, std::optional<std::size_t>&, const std::string&) const;
+template Option Verb::option(const std::string&, std::vector<std::string>&, const std::string&) const;
+
+Option Verb::flag(const std::string& name, bool& value, const std::string& meaning) const {
+  return Option{app_->add_flag(name, value, meaning)};
+}
+
+void Verb::examples(const std::string& text) const { app_->footer(text); }
+
+void Verb::action(const std::function<void()>& action) const { app_->callback(action); }
+
+}  // namespace fantail::tool

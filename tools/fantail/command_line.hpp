@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+#include <initializer_list>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+// CLI11 stands behind this file: its headers take five seconds to compile, and every verb would pay them.
+namespace CLI {
+class App;
+class Option;
+}  // namespace CLI
+
+namespace fantail::tool {
+
+/// What is wrong with the words of a command line. what() names the option, its value and what is allowed.
+class UsageError : public std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// What is wrong with the text of a value; empty when nothing is.
+using Objection = std::function<std::string(const std::string& text)>;
+
+/// One option, flag or argument of a verb. A handle: copies mean the same option.
+class Option {
+ public:
+  explicit Option(CLI::Option* option) : option_{option} {}
+
+  Option& required(bool is = true);
+  Option& check(const Objection& objection);
+  Option& range(int low, int high);
+  Option& range(double low, double high);
+  Option& one_of(std::initializer_list<const char*> words);
+  /// What stands for the value in the help: KG_M2.
+  Option& value_name(const std::string& name);
+  /// The help shows the value that the variable has now.
+  Option& show_default();
+  /// Takes one word each time it is given, and may be given again: for lists.
+  Option& one_word_each_time();
+  Option& separated_by(char separator);
+  Option& needs(const Option& other);
+  Option& excludes(const Option& other);
+
+ private:
+  CLI::Option* option_;
+};
+
+/// A verb of the program, or one of its own verbs. A handle, too.
+class Verb {
+ public:
+  explicit Verb(CLI::App* app) : app_{app} {}
+
+  /// `plan check` is a verb of `plan`, which then does nothing by itself.
+  [[nodiscard]] Verb verb(const std::string& name, const std::string& meaning) const;
+  void needs_verb() const;
+
+  /// Names are "--out" or "-o,--out"; a name without dashes is an argument by its place. T: std::string, double, int,
+  /// unsigned, std::size_t, optionals of these, and std::vector<std::string>.
+  template <typename T>
+  Option option(const std::string& names, T& value, const std::string& meaning) const;
+  Option flag(const std::string& name, bool& value, const std::string& meaning) const;
+
+  /// Stands below the options in the help.
+  void examples(const std::string& text) const;
+  /// What is done when the whole command line has been read.
+  void action(const std::function<void()>& action) const;
+
+ private:
+  CLI::App* app_;
+};
+
+/// Reads the words behind a verb's name and does what `fill` has described; for --help, prints it. Throws UsageError,
+/// and what the verb's action throws.
+void read_command_line(const std::string& name, const std::string& meaning, void (*fill)(const Verb& verb),
+                       std::vector<std::string> words);
+
+}  // namespace fantail::tool

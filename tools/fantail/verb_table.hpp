@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <string_view>
+
+namespace fantail::tool {
+
+struct VerbEntry {
+  std::string_view name;
+  std::string_view meaning;
+};
+
+/// Every verb, in the order in which the help lists them. Each is a program fantail-NAME.
+inline constexpr std::array verb_table{
+    VerbEntry{"fly", "Fly a scenario through the real control code in the simulated world"},
+    VerbEntry{"identify", "Find damping, torque constant and disturbance in a log"},
+    VerbEntry{
+        "paper",
+        "Repeat the published work (Bryson et al. 2016) from its printed numbers, and say where the print is wrong"},
+    VerbEntry{"plan", "Check, show or pack a flight plan"},
+    VerbEntry{"log", "What is in a flight log, and other formats of it"},
+    VerbEntry{"replay", "Run a recorded flight's inputs through the flight law again"},
+    VerbEntry{"node",
+              "Run the avionics on this PC in real time: a simulated rocket behind it, a real CAN bus in front"},
+    VerbEntry{"bench", "Check and command a rocket over CAN"},
+    VerbEntry{"compare", "How far the roll motions in two logs are apart"},
+    VerbEntry{"tunnel", "What a session in the wind tunnel says: air, swirl, roll model"},
+    VerbEntry{"predict", "Fly a launch over the spread of its tunnel results: go or no go"},
+    VerbEntry{"gateway",
+              "From a CAN bus to LCM messages: what the avionics says, for everyone on the network. Sends nothing on "
+              "the bus"},
+    VerbEntry{"watch",
+              "Roll, canards, phase, health and the quality of the link, live from LCM messages; a line a second in a "
+              "pipe, and one for every event"},
+    VerbEntry{"report", "A page on a flight that was logged, or on two beside each other"},
+};
+
+}  // namespace fantail::tool
