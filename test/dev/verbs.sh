@@ -1,0 +1,70 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# Usage: verbs.sh PROJECT quick|thorough
+# Every verb of ./dev that needs no hardware and no hours, called once as a person calls it. `thorough` are those that
+# need clang or the ARM compiler; it ends with 77 (skipped) where these are not installed. ./dev test is what calls this.
+set -eu
+project=$1
+dev=$project/dev
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+cd "$work"
+called="test"
+
+# call CODE VERB ARGUMENT...
+call() {
+  wanted=$1
+  shift
+  called="$called $1"
+  code=0
+  "$dev" "$@" >said 2>&1 </dev/null || code=$?
+  [ "$code" = "$wanted" ] || {
+    echo "FAILED: ./dev $*: exit code $code instead of $wanted:"
+    tail -n 30 said
+    exit 1
+  }
+}
+
+quick() {
+  call 0 help
+  call 0 packages fly
+  grep -qx ninja-build said || { echo "FAILED: no ninja-build in the packages for flying" && exit 1; }
+  call 0 fly
+  call 0 identify out/tasha3_launch2 --vehicle tasha3_launch2 --window 0.9:8
+  call 0 compare out/tasha3_launch2 out/tasha3_launch2 --b true
+  call 0 log info out/tasha3_launch2
+  call 0 replay out/tasha3_launch2
+  call 0 report out/tasha3_launch2
+  call 0 plan check tasha3_launch2
+  call 0 fly tunnel_steps
+  call 0 tunnel steps out/tunnel_steps
+  call 1 predict tasha3_launch1
+  call 0 paper
+  # No bus and no messages here: what they say of that is the test.
+  call 74 node bench_healthy --can no_such_bus
+  call 74 bench watch --can no_such_bus
+  call 74 gateway --can no_such_bus --lcm "file:///$work/x.lcmlog"
+  call 74 watch --lcm file:///nowhere/x.lcmlog
+  call 3 with-vcan sh -c 'exit 3'
+  call 0 install --prefix "$work/prefix"
+  "$work/prefix/bin/fantail" --version
+}
+
+thorough() {
+  for tool in clang-tidy-19 clang-format-19 arm-none-eabi-gcc; do
+    command -v "$tool" >/dev/null || { echo "SKIPPED: $tool is not installed" && exit 77; }
+  done
+  call 0 firmware
+  call 0 format --check
+  call 0 gates tools/text
+}
+
+"$2"
+# None is forgotten: the two parts together are what the help lists.
+all="$(sed -n 's/^ *call [0-9]* \([a-z-]*\).*/\1/p' "$0") test"
+for verb in $("$dev" help | sed -n 's/^\.\/dev \([a-z-]*\).*/\1/p'); do
+  case " $(echo "$all" | tr '\n' ' ') flash debug soak bench-speed " in
+    *" $verb "*) ;;
+    *) echo "FAILED: no test calls ./dev $verb" && exit 1 ;;
+  esac
+done

@@ -1,0 +1,38 @@
+# SPDX-License-Identifier: MIT
+# shellcheck shell=sh
+# The image for the board, and getting it there. Part of ./dev.
+
+firmware() {
+  [ $# -eq 0 ] || usage
+  take_turn
+  # shellcheck disable=SC2086
+  need $firmware_packages
+  arm_build "the flight image" fantail-stm32f405
+  python3 firmware/boards/image_report.py build/arm/fantail-stm32f405.elf
+  printf '\n  image   %s\n  map     %s\n' "build/arm/fantail-stm32f405.elf, .hex, .bin" "build/arm/fantail-stm32f405.map"
+}
+
+flash() {
+  take_turn
+  # shellcheck disable=SC2086
+  need $firmware_packages $flash_packages
+  arm_build "the flight image" fantail-stm32f405
+  leave_turn
+  exec tools/flash_board build/arm/fantail-stm32f405 "$@"
+}
+
+debug() {
+  [ $# -eq 0 ] || usage
+  take_turn
+  # shellcheck disable=SC2086
+  need $firmware_packages $flash_packages gdb-multiarch
+  arm_build "the flight image" fantail-stm32f405
+  leave_turn
+  st-info --probe 2>/dev/null | grep -qE '^Found [1-9]' || {
+    echo "dev: no ST-LINK found: plug it in, and see docs/flashing.md" >&2
+    exit 74
+  }
+  exec gdb-multiarch build/arm/fantail-stm32f405.elf \
+    -ex "target extended-remote | openocd -f interface/stlink.cfg -f target/stm32f4x.cfg -c 'gdb_port pipe; log_output build/arm/openocd.log'" \
+    -ex "monitor reset halt"
+}

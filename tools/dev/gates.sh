@@ -1,0 +1,94 @@
+# SPDX-License-Identifier: MIT
+# shellcheck shell=sh
+# What costs too much for every change: sanitizers on everything, the linter, long soaks, benchmarks. Part of ./dev.
+
+# gates [FOLDER...]: the tests of everything, or of the folders named, under the sanitizers; then clang-tidy.
+gates() {
+  for folder in "$@"; do
+    [ -d "$folder" ] && [ "${folder#/}" = "$folder" ] || {
+      echo "dev: gates: no folder $folder in the sources; for example firmware/core" >&2
+      exit 64
+    }
+  done
+  take_turn
+  # shellcheck disable=SC2086
+  need $gate_packages
+  host_options=FANTAIL_TESTS
+  if [ $# -eq 0 ]; then
+    build "everything under the sanitizers" build/host-asan 3000 sanitized_commands all
+    host_build "what the linter reads" all
+    ctest --preset host-asan
+    set -- firmware hal sim tools
+  else
+    for folder in "$@"; do
+      tests="test_$(basename "$folder")"
+      [ -d "test/$(basename "$folder")" ] || { echo "dev: no tests of $folder by itself" >&2 && continue; }
+      build "$tests under the sanitizers" build/host-asan 3000 sanitized_commands "$tests"
+      "build/host-asan/test/$(basename "$folder")/$tests" --gtest_brief=1
+    done
+    host_build "what the linter reads" check_includes
+  fi
+  for folder in "$@"; do git ls-files "$folder/*.cpp"; done | sort -u |
+    xargs -r -n 4 -P "$(nproc)" clang-tidy-19 -p build/host --quiet
+}
+
+sanitized_commands() {
+  configured build/host-asan host-asan && cmake --build --preset host-asan --target "$@"
+}
+
+# soak [--short]: --short is a thousandth of it, to see that it works.
+soak() {
+  frames=100000000 csv_runs=1000000 log_runs=10000000 cuts=1
+  case "$*" in
+    "") ;;
+    --short) frames=100000 csv_runs=1000 log_runs=10000 cuts="" ;;
+    *) usage ;;
+  esac
+  take_turn
+  # shellcheck disable=SC2086
+  need $soak_packages
+  host_options=FANTAIL_TESTS
+  host_build "the soak tests" test_avionics
+  build "the fuzzers" build/fuzz 600 fuzz_commands
+  leave_turn
+  FANTAIL_FRAMES=$frames FANTAIL_SEED=$(od -An -N3 -tu4 /dev/urandom | tr -d ' ') \
+    build/host/test/avionics/test_avionics --gtest_filter='BusFrames.*'
+  [ -z "$cuts" ] || FANTAIL_ALL_CUTS=1 build/host/test/avionics/test_avionics --gtest_filter='PowerCut.*:BitFlip.*'
+  # What it finds new goes into the build folder, not between the sources.
+  mkdir -p build/fuzz/csv_found build/fuzz/log_found
+  build/fuzz/test/fuzz/csv_fuzz -runs=$csv_runs -max_len=4096 -print_final_stats=1 -dict=test/fuzz/csv.dict \
+    -artifact_prefix=build/fuzz/ build/fuzz/csv_found test/fuzz/csv_corpus
+  build/fuzz/test/fuzz/write_log_seeds build/fuzz/log_seeds
+  build/fuzz/test/fuzz/log_fuzz -runs=$log_runs -max_len=8192 -print_final_stats=1 -dict=test/fuzz/log.dict \
+    -artifact_prefix=build/fuzz/ build/fuzz/log_found build/fuzz/log_seeds
+}
+
+fuzz_commands() {
+  configured build/fuzz fuzz && cmake --build --preset fuzz
+}
+
+bench_speed() {
+  take_turn
+  # shellcheck disable=SC2086
+  need $bench_packages
+  host_options=FANTAIL_BENCHMARKS
+  host_build "the benchmarks" bench_speed write_identify_task write_logged_flight
+  if ! cmp -s test/benchmark/requirements.txt build/bench-venv/requirements.txt; then
+    rm -rf build/bench-venv
+    /usr/bin/python3 -m venv build/bench-venv
+    build/bench-venv/bin/pip -q --disable-pip-version-check install -r test/benchmark/requirements.txt
+    cp test/benchmark/requirements.txt build/bench-venv/
+  fi
+  leave_turn
+  exec build/bench-venv/bin/python test/benchmark/bench_speed.py build/host/test/benchmark "$@"
+}
+
+format() {
+  # shellcheck disable=SC2086
+  need $format_packages
+  case "${1:-}" in
+    "") git ls-files '*.cpp' '*.hpp' | xargs clang-format-19 -i ;;
+    --check) git ls-files '*.cpp' '*.hpp' | xargs clang-format-19 --dry-run --Werror ;;
+    *) usage ;;
+  esac
+}

@@ -1,0 +1,88 @@
+# SPDX-License-Identifier: MIT
+# shellcheck shell=sh
+# What must be installed, and installing it. Part of ./dev, which has set $root.
+
+fly_packages="g++ cmake ninja-build libeigen3-dev libtomlplusplus-dev libcli11-dev libfmt-dev nlohmann-json3-dev libmd-dev liblcm-dev liblcm-bin"
+can_packages="user-mode-linux busybox-static can-utils iproute2"
+test_packages="$fly_packages $can_packages libgtest-dev libgmock-dev librapidcheck-dev python3-venv"
+firmware_packages="gcc-arm-none-eabi libnewlib-arm-none-eabi libstdc++-arm-none-eabi-newlib libeigen3-dev cmake ninja-build git python3"
+arm_packages="$firmware_packages qemu-system-arm googletest"
+flash_packages="openocd stlink-tools dfu-util stm32flash"
+format_packages="git clang-format-19"
+gate_packages="$test_packages git clang-19 clang-tidy-19"
+soak_packages="$test_packages clang-19 libclang-rt-19-dev"
+bench_packages="$fly_packages libbenchmark-dev libceres-dev python3-venv"
+# With --all nothing may be skipped, and the verbs of this script are called, but for those that take hours.
+all_packages="$test_packages $arm_packages $gate_packages $format_packages"
+
+system_name() {
+  # shellcheck disable=SC1091
+  (. /etc/os-release 2>/dev/null && echo "${PRETTY_NAME:-this system}") || echo "this system"
+}
+
+is_installed() {
+  dpkg-query -W -f '${Status}' "$1" 2>/dev/null | grep -q 'install ok installed'
+}
+
+# refuse TEXT...: one message, and the exit code for what is not there.
+refuse() {
+  printf 'dev: %s\n' "$@" >&2
+  exit 69
+}
+
+# need PACKAGE...: asks dpkg about each, and touches the network only when one is missing.
+need() {
+  command -v dpkg-query >/dev/null ||
+    refuse "$(system_name) has no dpkg, and this script knows the packages of Debian 12 only. Install what answers to" \
+      "  $*" "and build with: cmake --preset host && cmake --build --preset host"
+  missing=""
+  for package in "$@"; do
+    is_installed "$package" || case " $missing " in *" $package "*) ;; *) missing="$missing $package" ;; esac
+  done
+  [ -n "$missing" ] || return 0
+  as_root=""
+  if [ "$(id -u)" -ne 0 ]; then
+    command -v sudo >/dev/null || refuse "not root, and there is no sudo; let root run this, then try again:" \
+      "  apt-get update && apt-get install --no-install-recommends$missing"
+    as_root="sudo"
+  fi
+  echo "dev: installing$missing" >&2
+  install_packages
+}
+
+# apt as this script calls it: no questions, and in turn with others.
+apt() {
+  $as_root env DEBIAN_FRONTEND=noninteractive apt-get -q -o DPkg::Lock::Timeout=600 "$@" >&2
+}
+
+install_packages() {
+  interrupted=$(dpkg --audit 2>/dev/null)
+  [ -z "$interrupted" ] || refuse "an earlier installation was interrupted; as root:" \
+    "  dpkg --configure -a && apt-get --fix-broken install" "and then this command again. What dpkg says:" "$interrupted"
+  if [ -n "$as_root" ] && ! sudo true; then
+    refuse "sudo did not let this user; let root run this, then try again:" \
+      "  apt-get update && apt-get install --no-install-recommends$missing"
+  fi
+  reached=yes
+  apt -o APT::Update::Error-Mode=any update || reached=""
+  unknown=""
+  for package in $missing; do
+    LC_ALL=C apt-cache policy "$package" 2>/dev/null | grep -q 'Candidate: [^(]' || unknown="$unknown $package"
+  done
+  if [ -n "$unknown" ] && [ -z "$reached" ]; then
+    refuse "the package servers could not be reached (see above), and without them these are unknown:$unknown" \
+      "Is there a network, and a proxy if you need one? Then this command again."
+  fi
+  [ -z "$unknown" ] || refuse "$(system_name) has no package$unknown; Fantail is built and tested on Debian 12." \
+    "What is there can be installed by hand, and the build says what it still misses:" \
+    "  cmake --preset host && cmake --build --preset host"
+  # shellcheck disable=SC2086 # a list of words
+  apt -y --no-install-recommends install $missing && return 0
+  free_mb=$(df -Pm /var/cache/apt / 2>/dev/null | awk 'NR > 1 && (least == "" || $4 < least) { least = $4 } END { print least }')
+  [ -n "$reached" ] || refuse "the packages could not be fetched: the package servers could not be reached (see above)." \
+    "Is there a network, and a proxy if you need one? Then this command again; what is installed stays."
+  [ "${free_mb:-1000}" -ge 500 ] || refuse "the packages could not be installed: only $free_mb MB are free on the disk of / or /var." \
+    "Make room, then: apt-get clean && dpkg --configure -a, and this command again."
+  refuse "apt could not install the packages; its reason stands above. When it is mended, this command again:" \
+    "what is installed stays."
+}

@@ -1,0 +1,68 @@
+# SPDX-License-Identifier: MIT
+# shellcheck shell=sh
+# The tests, and where their time goes. Part of ./dev.
+
+# The Python packages that tests hold Fantail's files and frames against. Those tests are skipped without them, and with
+# --all nothing may be.
+python_tools() {
+  # Only what is pinned: another version may read or generate other text.
+  cat test/protocol/requirements.txt test/log_export/requirements.txt >build/test-requirements.txt
+  cmp -s build/test-requirements.txt build/test-venv/requirements.txt && return 0
+  rm -rf build/test-venv
+  # Debian's Python, whatever else stands first in PATH: its modules are those of the package list.
+  if /usr/bin/python3 -m venv build/test-venv &&
+    build/test-venv/bin/pip -q --disable-pip-version-check install --no-deps -r build/test-requirements.txt; then
+    cp build/test-requirements.txt build/test-venv/requirements.txt
+  else
+    rm -rf build/test-venv
+    echo "dev: pip could not install cantools, pyulog and lcm (no network?): the tests with them are SKIPPED" >&2
+  fi
+}
+
+# stage NAME COMMAND...: what the table of --times has a line for.
+stage() {
+  name=$1
+  shift
+  stage_begun=$(date +%s) code=0
+  "$@" || code=$?
+  echo "$name $(($(date +%s) - stage_begun))" >>build/times.txt
+  return "$code"
+}
+
+run_tests() {
+  all="" times=""
+  for word in "$@"; do
+    case "$word" in
+      --all) all=yes ;;
+      --times) times=yes ;;
+      *) usage ;;
+    esac
+  done
+  take_turn
+  : >build/times.txt
+  # shellcheck disable=SC2086
+  if [ -n "$all" ]; then stage packages need $all_packages; else stage packages need $test_packages; fi
+  stage python python_tools
+  # Without the ARM tier the tests on the emulated processor are skipped.
+  [ -z "$all" ] || stage build_arm arm_build "the images for the emulated processor" all
+  host_options=FANTAIL_TESTS
+  stage build_host host_build "the tests" all
+  leave_turn
+  failed=""
+  stage tests host_tests || failed=yes
+  # A skipped test says nothing; where everything has been installed it is a failure.
+  if [ -n "$all" ] && ! grep -q 'skipped="0"' build/host/test-results.xml; then
+    echo "dev: tests were skipped, and with --all nothing may be" >&2
+    failed=yes
+  fi
+  [ -z "$times" ] || /usr/bin/python3 tools/dev/times.py build
+  [ -z "$failed" ]
+}
+
+# test/build/declared_packages.py wants to know which files of which packages the tests read.
+host_tests() {
+  : >build/host/read_log.txt
+  rm -rf build/host/test-times
+  LD_PRELOAD="$root/build/host/test/build/read_log.so" FANTAIL_READ_LOG="$root/build/host/read_log.txt" \
+    GTEST_OUTPUT="json:$root/build/host/test-times/" GTEST_BRIEF=1 ctest --preset host --output-junit test-results.xml
+}
