@@ -1,0 +1,41 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# Usage: install_test.sh SOURCE BUILD
+# Installs into an empty prefix, flies from there, and builds somebody else's project against it.
+set -eu
+source=$1 build=$2
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+prefix="$work/a prefix"
+
+fail() {
+  echo "FAILED: $*" >&2
+  exit 1
+}
+
+cmake --install "$build" --prefix "$prefix" >"$work/install.log" || { cat "$work/install.log" && exit 1; }
+cd "$work"
+"$prefix/bin/fantail" fly --json >summary.json
+[ -s out/tasha3_launch2/report.html ] || fail "the installed program made no report"
+# Its data is what was installed, not what lies in the sources.
+"$prefix/bin/fantail" plan check tasha3_launch2 | grep -qF "$prefix/share/fantail/firmware/plans/" ||
+  fail "the installed program reads other data than what was installed"
+for verb in $("$build/fantail" --help | sed -n '/^Verbs:/,/^$/s/^  \([a-z]*\) .*/\1/p'); do
+  "$prefix/bin/fantail" "$verb" --help >help.txt || fail "fantail $verb is not installed"
+  grep -q "^Usage: fantail $verb" help.txt || fail "fantail $verb --help speaks of something else"
+  grep -qx ".B $verb" "$prefix/share/man/man1/fantail.1" || fail "the man page does not know $verb"
+done
+rm "$prefix/libexec/fantail/fantail-paper"
+code=0
+"$prefix/bin/fantail" paper >said 2>&1 || code=$?
+[ "$code" = 69 ] && grep -q 'fantail-paper' said || fail "a verb that is not installed: exit code $code, $(cat said)"
+[ -s "$prefix/share/fantail/canard_bus.dbc" ] || fail "no CAN database"
+[ -s "$prefix/share/fantail/lcm/state_t.lcm" ] || fail "no LCM types"
+
+cmake -S "$source/test/build/consumer" -B consumer -G Ninja -D CMAKE_PREFIX_PATH="$prefix" -D CMAKE_CXX_COMPILER="${CXX:-c++}" >configure.log ||
+  { cat configure.log && exit 1; }
+cmake --build consumer >build.log || { cat build.log && exit 1; }
+./consumer/consumer | grep -q 'plan schema [0-9a-f]\{8\}$' || fail "the consumer says: $(./consumer/consumer)"
+# What it links was compiled like the programs: the installed plan packs to the same schema.
+schema=$(./consumer/consumer | sed 's/.* //')
+"$prefix/bin/fantail" plan compile tasha3_launch2 --out p.ftpl | grep -q "schema $schema" || fail "another plan schema than $schema"
