@@ -2,17 +2,17 @@
 #include "bench/watch.hpp"
 
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
 #include "avionics/can_frame.hpp"
 #include "bench/board_words.hpp"
 #include "hal/board.hpp"
 #include "hal/sim/can_bus.hpp"
+#include "json/value.hpp"
 
 namespace fantail::bench {
 namespace {
 
-using nlohmann::json;
+using Json = json::Value;
 
 class WatchTest : public testing::Test {
  protected:
@@ -45,8 +45,8 @@ TEST_F(WatchTest, EveryFaultOfTheBoardIsNamed) {
                  "3 control ticks missed\nplan: the one in the flash\n"))
       << watch.table();
   EXPECT_NE(watch.line().find("board: imu_silent, flash_wrong_id;"), std::string::npos) << watch.line();
-  const json object = json::parse(watch.json());
-  EXPECT_EQ(object["board_faults"], (json{"imu_silent", "flash_wrong_id"}));
+  const Json object = json::parse(watch.json());
+  EXPECT_EQ(object["board_faults"], Json::array({"imu_silent", "flash_wrong_id"}));
   EXPECT_EQ(object["reset_cause"], "watchdog");
   EXPECT_EQ(object["battery_v"], 7.91);
   EXPECT_EQ(object["ticks_missed"], 3);
@@ -58,14 +58,14 @@ TEST_F(WatchTest, ASoundBoardHasNoFault) {
   hear({});
   EXPECT_TRUE(table_says("board: no fault; reset by power-on, battery not measured, 0 control ticks missed\n"));
   EXPECT_EQ(watch.line().find("board:"), std::string::npos);
-  const json object = json::parse(watch.json());
-  EXPECT_EQ(object["board_faults"], json::array());
+  const Json object = json::parse(watch.json());
+  EXPECT_EQ(object["board_faults"], Json::array());
   EXPECT_EQ(object["battery_v"], nullptr);
 }
 
 TEST_F(WatchTest, WhatTheBoardHasNotSaidIsNull) {
   watch.look(now);
-  const json object = json::parse(watch.json());
+  const Json object = json::parse(watch.json());
   for (const char* key : {"board_faults", "reset_cause", "battery_v", "ticks_missed", "plan", "flash_failed"}) {
     EXPECT_EQ(object[key], nullptr) << key;
   }

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "fly/fly_scenario.hpp"
+#include "sim/document.hpp"
 #include "sim/plan_file.hpp"
 
 namespace fantail::benchmark {

@@ -4,15 +4,15 @@
 #include <csignal>
 #include <sstream>
 
-#include <fmt/format.h>
-#include <nlohmann/json.hpp>
+#include <fmt/core.h>
 
 #include "can/rig.hpp"
+#include "json/value.hpp"
 
 namespace fantail::test {
 namespace {
 
-using nlohmann::json;
+using Json = json::Value;
 
 class InOthersWords : public CanSystem {
  protected:
@@ -45,10 +45,10 @@ std::string in_hundredths(double value) {
   return text == "-0.00" ? "0.00" : text;
 }
 
-std::vector<std::string> canards(const json& object, const std::string& key) {
+std::vector<std::string> canards(const Json& object, const std::string& key) {
   std::vector<std::string> values;
-  for (const json& one : object["canards"]) {
-    values.push_back(one[key].is_number() ? in_hundredths(one[key].get<double>()) : one[key].get<std::string>());
+  for (const Json& one : object["canards"]) {
+    values.push_back(one[key].is_number() ? in_hundredths(one[key].number()) : one[key].text());
   }
   return values;
 }
@@ -66,7 +66,7 @@ void expect_in_order(std::vector<std::vector<std::string>> frames, const std::ve
   auto from = frames.begin();
   for (const auto& values : watched) {
     from = std::find(from, frames.end(), values);
-    ASSERT_NE(from, frames.end()) << what << ": " << fmt::format("{}", json(values).dump());
+    ASSERT_NE(from, frames.end()) << what << ": " << Json(values);
   }
 }
 
@@ -86,14 +86,14 @@ TEST_F(InOthersWords, WatchSaysWhatCantoolsReadsOnTheBus) {
   std::map<std::string, std::vector<std::vector<std::string>>> watched;
   std::istringstream lines{said};
   for (std::string line; std::getline(lines, line);) {
-    const json object = json::parse(line);
+    const Json object = json::parse(line);
     watched["command"].push_back(canards(object, "command_deg"));
     watched["encoder"].push_back(canards(object, "encoder_deg"));
     watched["verdict"].push_back(canards(object, "verdict"));
-    watched["phase"].push_back({object["phase"], object["reason"]});
+    watched["phase"].push_back({object["phase"].text(), object["reason"].text()});
     watched["heartbeat"].push_back(
-        {in_hundredths(1000.0 * object["uptime_s"].get<double>()),
-         in_hundredths(static_cast<double>(std::stoul(object["plan_crc"].get<std::string>(), nullptr, 16)))});
+        {in_hundredths(1000.0 * object["uptime_s"].number()),
+         in_hundredths(static_cast<double>(std::stoul(object["plan_crc"].text(), nullptr, 16)))});
   }
   ASSERT_GE(watched["phase"].size(), 4U) << said;
   const std::vector<std::string> angles{"canard_1", "canard_2", "canard_3", "canard_4"};

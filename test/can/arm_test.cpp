@@ -2,8 +2,8 @@
 #include <filesystem>
 #include <sstream>
 
-#include "bench/words.hpp"
 #include "can/rig.hpp"
+#include "link/words.hpp"
 
 namespace fantail::test {
 namespace {
@@ -52,7 +52,7 @@ struct Replay {
       armed = armed || ear.newest<StatusReport>().phase != Phase::safe;
       return ear.newest<ArmReply>().refusal == ArmRefusal::wrong_nonce || armed;
     })) << "the confirmation was not looked at, but refused before: "
-        << bench::words(ear.newest<ArmReply>().refusal);
+        << link::words(ear.newest<ArmReply>().refusal);
     EXPECT_FALSE(armed);
   }
 

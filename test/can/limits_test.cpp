@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include <future>
 
-#include <nlohmann/json.hpp>
 #include <sys/resource.h>
 
 #include "can/rig.hpp"
+#include "json/value.hpp"
 
 namespace fantail::test {
 namespace {
 
-using nlohmann::json;
+using Json = json::Value;
 
 // A healthy rocket and one with canard 3 reversed, on two buses at the same time: half a minute.
 TEST_F(CanSystem, LimitsPassesTheHealthyRocketAndNamesTheReversedCanardOfTheOther) {
@@ -28,7 +28,7 @@ TEST_F(CanSystem, LimitsPassesTheHealthyRocketAndNamesTheReversedCanardOfTheOthe
   EXPECT_EQ(passed.exit_code, 0) << passed.err;
   EXPECT_EQ(passed.err, "");
   EXPECT_EQ(passed.out, content(folder / "healthy/sheet.json"));
-  const json sheet = json::parse(passed.out);
+  const Json sheet = json::parse(passed.out);
   EXPECT_EQ(sheet["passed"], true) << passed.out;
   EXPECT_EQ(sheet["exercise"], "limits");
   EXPECT_EQ(sheet["plan"], "tasha3_launch2");
@@ -41,7 +41,7 @@ TEST_F(CanSystem, LimitsPassesTheHealthyRocketAndNamesTheReversedCanardOfTheOthe
   for (const std::string innocent : {"Canard 1", "Canard 2", "Canard 4"}) {
     EXPECT_EQ(failed.out.find(innocent), std::string::npos) << failed.out;
   }
-  const json bad_sheet = json::parse(content(folder / "reversed/sheet/sheet.json"));
+  const Json bad_sheet = json::parse(content(folder / "reversed/sheet/sheet.json"));
   EXPECT_EQ(bad_sheet["passed"], false);
   EXPECT_EQ(bad_sheet["canards"][2]["cause"], "reversed") << bad_sheet["canards"][2];
   EXPECT_PRED2(contains, content(folder / "reversed/sheet/sheet.html"), "Canard 3 is reversed");

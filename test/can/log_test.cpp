@@ -4,16 +4,15 @@
 #include <csignal>
 #include <filesystem>
 
-#include <nlohmann/json.hpp>
-
 #include "bench/made_record.hpp"
 #include "can/rig.hpp"
 #include "hal/linux/file_flash.hpp"
+#include "json/value.hpp"
 
 namespace fantail::test {
 namespace {
 
-using nlohmann::json;
+using Json = json::Value;
 
 constexpr std::uint32_t region_begin = 4 * 4096;
 
@@ -100,7 +99,7 @@ TEST_F(FlownRocket, ADownloadThatWasKilledGoesOnAndEndsWithAFileForEveryFlight) 
 
   const Outcome whole = fantail_bench(command({"--json"}));
   ASSERT_EQ(whole.exit_code, 0) << whole.err;
-  const json result = json::parse(whole.out);
+  const Json result = json::parse(whole.out);
   EXPECT_EQ(result["resumed_bytes"], kept_then);
   EXPECT_EQ(result["downloaded_bytes"], used - kept_then);
   ASSERT_EQ(result["files"].size(), 2U);
@@ -115,7 +114,7 @@ TEST_F(FlownRocket, OneOfItsFlightsIsListedAndDownloadedAlone) {
   Node node{"vcan0", "bench_healthy", flash};
   const Outcome list = fantail_bench({"log", "--can", "vcan0", "--list", "--json"});
   ASSERT_EQ(list.exit_code, 0) << list.err;
-  const json flights = json::parse(list.out)["flights"];
+  const Json flights = json::parse(list.out)["flights"];
   ASSERT_EQ(flights.size(), 2U);
   EXPECT_EQ(flights[1]["vehicle"], "second");
   EXPECT_EQ(flights[1]["power_up"], 7);

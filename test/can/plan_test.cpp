@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: MIT
-#include <fmt/format.h>
-#include <nlohmann/json.hpp>
+#include <fmt/core.h>
 
 #include "can/rig.hpp"
+#include "json/value.hpp"
 
 namespace fantail::test {
 namespace {
 
-using nlohmann::json;
-
 std::string plan_in_force(const std::string& interface) {
   const Outcome watch = fantail({"bench", "watch", "--can", interface, "--json", "--for", "1"});
-  return json::parse(watch.out)["plan_crc"];
+  return json::parse(watch.out)["plan_crc"].text();
 }
 
 // A block ends with its CRC-32C, the low byte first.

@@ -3,7 +3,6 @@
 #include <vector>
 
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
 #include "identify/model_csv.hpp"
 #include "identify/planted_log.hpp"
@@ -12,6 +11,7 @@
 #include "identify/result_text.hpp"
 #include "identify/words.hpp"
 #include "identify/write_study.hpp"
+#include "json/value.hpp"
 #include "system/folder.hpp"
 
 namespace fantail::identify {
@@ -74,7 +74,7 @@ TEST(Words, SayHowWellANumberIsKnown) {
 
 TEST(ResultJson, OfOneResultIsTheResultItself) {
   const Study found = example();
-  const auto json = nlohmann::json::parse(result_json(found));
+  const auto json = json::parse(result_json(found));
   for (const char* key : {"alpha_m2",
                           "beta_m",
                           "disturbance_deg",
@@ -102,10 +102,10 @@ TEST(ResultJson, OfOneResultIsTheResultItself) {
   EXPECT_EQ(json["method"], "continuous");
   EXPECT_EQ(json["loop"], "open");
   EXPECT_EQ(json["samples"], 401);
-  EXPECT_DOUBLE_EQ(json["seconds"], 4.0);
-  EXPECT_NEAR(json["alpha_m2"], found.windows[0].results[0].model.alpha_m2, 1e-6);
+  EXPECT_DOUBLE_EQ(json["seconds"].number(), 4.0);
+  EXPECT_NEAR(json["alpha_m2"].number(), found.windows[0].results[0].model.alpha_m2, 1e-6);
   EXPECT_EQ(json["disturbance_deg"].size(), 2U);
-  EXPECT_NEAR(json["disturbance_deg"][0], -5.0, 0.5);  // planted
+  EXPECT_NEAR(json["disturbance_deg"][0].number(), -5.0, 0.5);  // planted
   EXPECT_EQ(json["disturbance_interval_deg"].size(), 2U);
   EXPECT_EQ(json["correlation"].size(), 4U);
   EXPECT_EQ(json["correlation"][3].size(), 4U);
@@ -113,7 +113,7 @@ TEST(ResultJson, OfOneResultIsTheResultItself) {
 }
 
 TEST(ResultJson, OfSeveralIsAListOfThem) {
-  const auto json = nlohmann::json::parse(result_json(example({Method::grid, Method::continuous})));
+  const auto json = json::parse(result_json(example({Method::grid, Method::continuous})));
   ASSERT_EQ(json["results"].size(), 2U);
   EXPECT_EQ(json["results"][0]["method"], "grid");
   EXPECT_EQ(json["results"][1]["method"], "continuous");
@@ -122,13 +122,13 @@ TEST(ResultJson, OfSeveralIsAListOfThem) {
 TEST(ResultJson, HasNullForAnOpenEnd) {
   Study found = example();
   found.windows[0].results[0].uncertainty->alpha_profile_m2 = {.low = 3.0, .high = {}};
-  const auto json = nlohmann::json::parse(result_json(found));
+  const auto json = json::parse(result_json(found));
   EXPECT_EQ(json["alpha_interval_m2"][0], 3.0);
   EXPECT_TRUE(json["alpha_interval_m2"][1].is_null());
 }
 
 TEST(ResultJson, HasTheCurveOverTheNodesWhenTheyWereChosen) {
-  const auto json = nlohmann::json::parse(result_json(example({Method::continuous}, "auto")));
+  const auto json = json::parse(result_json(example({Method::continuous}, "auto")));
   ASSERT_EQ(json["node_curve"].size(), 6U);
   EXPECT_EQ(json["node_curve"][0]["intervals"], 1);
   EXPECT_TRUE(json["node_curve"][0].contains("mean_abs_angle_error_deg"));

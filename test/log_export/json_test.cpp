@@ -2,23 +2,23 @@
 #include "log_export/json.hpp"
 
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
+#include "json/value.hpp"
 #include "made_flight.hpp"
 
 namespace fantail::log_export {
 namespace {
 
-using Json = nlohmann::json;
+using Json = json::Value;
 
 TEST(JsonExport, EveryFieldIsAListAndAllAreAsLongAsTheLog) {
   const MadeFlight made;
-  const Json json = Json::parse(log_export::json(made.source(), every_field()));
+  const Json json = json::parse(log_export::json(made.source(), every_field()));
   ASSERT_EQ(json["ticks"].size(), fields().size());
   for (const Field& field : fields()) {
     EXPECT_EQ(json["ticks"][field.name].size(), 950U) << field.name;
   }
-  EXPECT_NEAR(json["ticks"]["roll_angle_deg"][400], 0.4, 1e-6);
+  EXPECT_NEAR(json["ticks"]["roll_angle_deg"][400].number(), 0.4, 1e-6);
   EXPECT_EQ(json["ticks"]["phase"][400], "controlling");
   EXPECT_EQ(json["ticks"]["arm_switch_closed"][400], true);
   EXPECT_TRUE(json["ticks"]["roll_angle_deg"][502].is_null());
@@ -27,12 +27,12 @@ TEST(JsonExport, EveryFieldIsAListAndAllAreAsLongAsTheLog) {
 
 TEST(JsonExport, HeaderPlanEventsHealthAndGapsAreThere) {
   const MadeFlight made;
-  const Json json = Json::parse(log_export::json(made.source(), every_field()));
+  const Json json = json::parse(log_export::json(made.source(), every_field()));
   EXPECT_EQ(json["vehicle"], "paper dart");
   EXPECT_EQ(json["git_hash"], "0123abc");
   EXPECT_EQ(json["plan"]["launch_detection"]["threshold_g"], 2.5);
   EXPECT_EQ(json["plan"]["launch_detection"]["low_pass"], true);
-  EXPECT_EQ(json["gaps"], Json::parse(R"([{"after_s":0.399,"until_s":0.45,"records_missing":50}])"));
+  EXPECT_EQ(json["gaps"], json::parse(R"([{"after_s":0.399,"until_s":0.45,"records_missing":50}])"));
   ASSERT_EQ(json["events"].size(), 2U);
   EXPECT_EQ(json["events"][0]["time_s"], 0.0);
   EXPECT_EQ(json["events"][0]["value"], "launched");
@@ -46,7 +46,7 @@ TEST(JsonExport, HeaderPlanEventsHealthAndGapsAreThere) {
 
 TEST(JsonExport, AWindowHoldsForTicksEventsAndHealth) {
   const MadeFlight made;
-  const Json json = Json::parse(log_export::json(made.source({.from_s = 0.04, .until_s = 0.06}), every_field()));
+  const Json json = json::parse(log_export::json(made.source({.from_s = 0.04, .until_s = 0.06}), every_field()));
   EXPECT_EQ(json["ticks"]["time_s"].size(), 21U);
   EXPECT_TRUE(json["events"].empty());
   EXPECT_EQ(json["health"].size(), 1U);
@@ -55,7 +55,7 @@ TEST(JsonExport, AWindowHoldsForTicksEventsAndHealth) {
 TEST(JsonExport, AVehicleNameOfAnyBytesIsStillJson) {
   MadeFlight made;
   made.flight.vehicle = "a \"quoted\"\n\xFF name";
-  EXPECT_TRUE(Json::accept(log_export::json(made.source(), every_field())));
+  EXPECT_NO_THROW((void)json::parse(log_export::json(made.source(), every_field())));
 }
 
 }  // namespace

@@ -5,10 +5,10 @@
 
 #include <gtest/gtest.h>
 
-#include "logs/number.hpp"
 #include "logs/refused.hpp"
 #include "sim/input_error.hpp"
 #include "system/folder.hpp"
+#include "text/number.hpp"
 
 namespace fantail::logs {
 namespace {
@@ -123,11 +123,11 @@ TEST(Table, LoadsAFileAndSaysWhenThereIsNone) {
 }
 
 TEST(Number, IsFiniteAndNothingElse) {
-  EXPECT_EQ(number(" +1.5 "), 1.5);
-  EXPECT_EQ(number("-.5"), -0.5);
-  EXPECT_EQ(number("1E3"), 1000.0);
+  EXPECT_EQ(text::number(" +1.5 "), 1.5);
+  EXPECT_EQ(text::number("-.5"), -0.5);
+  EXPECT_EQ(text::number("1E3"), 1000.0);
   for (const char* text : {"", " ", "nan", "inf", "-inf", "1e999", "1,5", "1 2", "+-1", "--1", "0x10", "12a", "\""}) {
-    EXPECT_EQ(number(text), std::nullopt) << text;
+    EXPECT_EQ(text::number(text), std::nullopt) << text;
   }
 }
 

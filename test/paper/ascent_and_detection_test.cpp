@@ -10,6 +10,7 @@
 #include "core/flight_plan_fields.hpp"
 #include "core/launch_detector.hpp"
 #include "paper/flown_ascent.hpp"
+#include "sim/document.hpp"
 #include "sim/plan_file.hpp"
 #include "sim/scenario.hpp"
 #include "sim/shipped.hpp"

@@ -2,8 +2,8 @@
 #include "predict/prediction.hpp"
 
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
+#include "json/value.hpp"
 #include "predict/results.hpp"
 #include "sim/input_error.hpp"
 
@@ -70,12 +70,12 @@ TEST(Prediction, ARunIsTheSameHoweverManyThereAre) {
 
 TEST(Prediction, SaysWhatTheJsonReaderNeedsAndThatInDegrees) {
   const Prediction p = predicted("tasha3_launch1", {.runs = 4});
-  const nlohmann::json all = nlohmann::json::parse(prediction_json(p, decide(p, {}), "1.2.3"));
+  const json::Value all = json::parse(prediction_json(p, decide(p, {}), "1.2.3"));
   EXPECT_EQ(all["go"], false);
   EXPECT_EQ(all["seed"], 1);
   EXPECT_EQ(all["runs"], 4);
   EXPECT_EQ(all["version"], "1.2.3");
-  EXPECT_NEAR(all["canard_limit_deg"].get<double>(), 6.0, 1e-5);
+  EXPECT_NEAR(all["canard_limit_deg"].number(), 6.0, 1e-5);
   EXPECT_EQ(all["authority"]["share"], 0.0);
   EXPECT_TRUE(all["settle_deg"].is_null());
   EXPECT_EQ(all["criteria"].size(), 3U);

@@ -85,8 +85,8 @@ TEST(TunnelResult, OfTheFirstLaunchSaysThatItIsHindsight) {
 }
 
 TEST(TunnelResult, IsNamedByTheShippedLaunchesAndNobodyElse) {
-  EXPECT_EQ(sim::load_scenario("tasha3_launch1", {}).tunnel_result->filename(), "tasha3_launch1_flight.csv");
-  EXPECT_EQ(sim::load_scenario("tasha3_launch2", {}).tunnel_result->filename(), "tasha3_table2.csv");
+  EXPECT_TRUE(sim::load_scenario("tasha3_launch1", {}).tunnel_result->ends_with("/tasha3_launch1_flight.csv"));
+  EXPECT_TRUE(sim::load_scenario("tasha3_launch2", {}).tunnel_result->ends_with("/tasha3_table2.csv"));
   EXPECT_FALSE(sim::load_scenario("tunnel_steps", {}).tunnel_result);
 }
 

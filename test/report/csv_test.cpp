@@ -10,7 +10,7 @@
 namespace fantail::report {
 namespace {
 
-constexpr const char* measured_header =
+const std::string measured_header =
     "time_s,phase,roll_angle_deg,roll_rate_deg_s,reference_deg,excitation_deg,command_deg,saturated,command_1_deg,"
     "command_2_deg,command_3_deg,command_4_deg,encoder_1_deg,encoder_2_deg,encoder_3_deg,encoder_4_deg,canard_deg,"
     "specific_force_m_s2,height_m,speed_m_s";
@@ -46,7 +46,7 @@ TEST(Csv, HeaderIsTheContractWordForWord) {
   flight.rows[0].truth = Truth{};
   const std::string text = csv(flight);
   EXPECT_EQ(text.substr(0, text.find('\n')),
-            std::string{measured_header} +
+            measured_header +
                 ",true_roll_angle_deg,true_roll_rate_deg_s,true_canard_deg,true_height_m,true_speed_m_s,"
                 "true_disturbance_deg");
 }
@@ -54,10 +54,10 @@ TEST(Csv, HeaderIsTheContractWordForWord) {
 TEST(Csv, WithoutTruthThereAreNoTrueColumns) {
   Flight flight;
   flight.rows = {some_row()};
-  EXPECT_EQ(csv(flight).substr(0, std::string{measured_header}.size() + 1), std::string{measured_header} + "\n");
+  EXPECT_EQ(csv(flight).substr(0, measured_header.size() + 1), measured_header + "\n");
 }
 
-TEST(Csv, AFlightWithoutRowsIsAHeader) { EXPECT_EQ(csv(Flight{}), std::string{measured_header} + "\n"); }
+TEST(Csv, AFlightWithoutRowsIsAHeader) { EXPECT_EQ(csv(Flight{}), measured_header + "\n"); }
 
 TEST(Csv, ARowHoldsDegreesWithSixDecimalsAndThePhaseAsAWord) {
   Flight flight;

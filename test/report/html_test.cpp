@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
+#include "json/value.hpp"
 #include "report/escape.hpp"
 #include "report/overview_svg.hpp"
 #include "synthetic_flight.hpp"
@@ -21,10 +21,10 @@ std::string page_of(const Flight& flight) {
 // What a reader without scripts gets.
 std::string without_scripts(const std::string& page) { return page.substr(0, page.find("<script")); }
 
-nlohmann::json plot_data_of(const std::string& page) {
+json::Value plot_data_of(const std::string& page) {
   const std::string tag = "id=\"flight-data\">";
   const std::size_t begin = page.find(tag) + tag.size();
-  return nlohmann::json::parse(page.substr(begin, page.find("</script>", begin) - begin));
+  return json::parse(page.substr(begin, page.find("</script>", begin) - begin));
 }
 
 TEST(Html, LoadsNothingFromAnywhere) {
@@ -57,12 +57,13 @@ TEST(Html, SaysVerdictFiguresEventsAndPhasesWithoutScripts) {
 TEST(Html, NoLineIsDrawnWhereRowsAreMissing) {
   SyntheticFlight synthetic;
   std::erase_if(synthetic.flight.rows, [](const Row& row) { return row.time_s > 2.0 && row.time_s < 2.5; });
-  const nlohmann::json data = plot_data_of(page_of(synthetic.flight));
-  for (const nlohmann::json& plot : data["plots"]) {
+  const json::Value data = plot_data_of(page_of(synthetic.flight));
+  for (const json::Value& plot : data["plots"]) {
     const auto& times = plot["milliseconds"];
-    const auto between = std::ranges::find_if(times, [](const nlohmann::json& t) { return t > 2000 && t < 2500; });
+    const auto between =
+        std::ranges::find_if(times, [](const json::Value& t) { return t.number() > 2000 && t.number() < 2500; });
     ASSERT_NE(between, times.end()) << plot["id"];
-    for (const nlohmann::json& series : plot["series"]) {
+    for (const json::Value& series : plot["series"]) {
       EXPECT_TRUE(series["hundredths"][static_cast<std::size_t>(between - times.begin())].is_null()) << plot["id"];
     }
   }

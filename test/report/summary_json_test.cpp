@@ -4,16 +4,16 @@
 #include <limits>
 
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
+#include "json/value.hpp"
 #include "synthetic_flight.hpp"
 
 namespace fantail::report {
 namespace {
 
-nlohmann::json summary_of(const Flight& flight) {
+json::Value summary_of(const Flight& flight) {
   const Figures f = figures(flight);
-  return nlohmann::json::parse(summary_json(flight, f, verdict(flight, f)));
+  return json::parse(summary_json(flight, f, verdict(flight, f)));
 }
 
 TEST(SummaryJson, HasEveryKeyOfTheContract) {
@@ -67,7 +67,7 @@ TEST(SummaryJson, AnImposedRollIsCalledImposed) {
 TEST(SummaryJson, TheLargestSeedKeepsEveryDigit) {
   SyntheticFlight synthetic;
   synthetic.flight.seed = std::numeric_limits<std::uint64_t>::max();
-  EXPECT_EQ(summary_of(synthetic.flight)["seed"].get<std::uint64_t>(), synthetic.flight.seed);
+  EXPECT_EQ(summary_of(synthetic.flight)["seed"], synthetic.flight.seed);
 }
 
 TEST(SummaryJson, SurvivesNamesThatAreNoText) {

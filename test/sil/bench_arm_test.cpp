@@ -3,7 +3,7 @@
 
 #include "avionics/can_frame.hpp"
 #include "bench/arm_steps.hpp"
-#include "bench/words.hpp"
+#include "link/words.hpp"
 #include "sil/bench_at_world.hpp"
 
 namespace fantail::sil {
@@ -20,7 +20,7 @@ Phase arm(BenchAtWorld& place, bool start = false) {
   place.world->set_arm_switch(true);
   place.wait(10 * millisecond);
   const protocol::ArmReply reply = steps.ask_for_nonce();
-  EXPECT_TRUE(reply.nonce) << bench::words(reply.refusal);
+  EXPECT_TRUE(reply.nonce) << link::words(reply.refusal);
   EXPECT_TRUE(steps.confirm(reply.nonce.value_or(0)));
   if (start) {
     EXPECT_TRUE(steps.start_control(reply.nonce.value_or(0)));
@@ -52,7 +52,7 @@ TEST(BenchArm, IsToldWhichCanardFailedTheSelfTest) {
   bench::ArmSteps steps{place, link};
   const protocol::ArmReply reply = steps.run_self_test([](const auto&) {});
   EXPECT_EQ(reply.self_test, protocol::SelfTestState::failed);
-  EXPECT_EQ(bench::words(reply.failure, reply.canard), "canard 3 does not stand where it was told to");
+  EXPECT_EQ(link::words(reply.failure, reply.canard), "canard 3 does not stand where it was told to");
 }
 
 // It fails in the very tick in which it begins, so nobody ever hears that it runs; the second time nothing changes.
@@ -93,7 +93,7 @@ TEST(BenchArm, WithoutTheSwitchIsRefusedWithThatReason) {
   (void)steps.run_self_test([](const auto&) {});
   const protocol::ArmReply reply = steps.ask_for_nonce();
   EXPECT_FALSE(reply.nonce);
-  EXPECT_EQ(bench::words(reply.refusal), "the arm switch is open");
+  EXPECT_EQ(link::words(reply.refusal), "the arm switch is open");
 }
 
 // A flight begins with the world's own crew: nothing else arms a rocket there either.

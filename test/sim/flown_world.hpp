@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/document.hpp"
 #include "sim/world.hpp"
 
 namespace fantail::sim {

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "sim/document.hpp"
 #include "sim/scenario.hpp"
 #include "sim/units.hpp"
 #include "sim/world.hpp"

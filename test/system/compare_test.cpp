@@ -4,8 +4,8 @@
 #include <numbers>
 
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
+#include "json/value.hpp"
 #include "system/folder.hpp"
 #include "system/process.hpp"
 #include "system/refusal.hpp"
@@ -13,7 +13,7 @@
 namespace fantail::test {
 namespace {
 
-using Json = nlohmann::json;
+using Json = json::Value;
 
 struct Clock {
   double begin_s = 0.0;
@@ -53,15 +53,15 @@ TEST(Compare, PrintsMeanAndLargestDifferenceAndWritesAPageAndTheData) {
   const Outcome outcome =
       fantail({"compare", "a.csv", "b.csv", "--from", "2", "--to", "4", "--json"}, {.working_folder = folder.path()});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-  const Json json = Json::parse(outcome.out);
+  const Json json = json::parse(outcome.out);
   // A - B = 1 + t over 2..4 s: mean 4, largest 5 at 4 s; the rates are 1 deg/s apart.
-  EXPECT_NEAR(json["mean_abs_angle_difference_deg"], 4.0, 1e-5);
-  EXPECT_NEAR(json["max_abs_angle_difference_deg"], 5.0, 1e-5);
-  EXPECT_NEAR(json["max_angle_difference_at_s"], 4.0, 1e-9);
-  EXPECT_NEAR(json["mean_abs_rate_difference_deg_s"], 1.0, 1e-5);
-  EXPECT_NEAR(json["max_abs_rate_difference_deg_s"], 1.0, 1e-5);
+  EXPECT_NEAR(json["mean_abs_angle_difference_deg"].number(), 4.0, 1e-5);
+  EXPECT_NEAR(json["max_abs_angle_difference_deg"].number(), 5.0, 1e-5);
+  EXPECT_NEAR(json["max_angle_difference_at_s"].number(), 4.0, 1e-9);
+  EXPECT_NEAR(json["mean_abs_rate_difference_deg_s"].number(), 1.0, 1e-5);
+  EXPECT_NEAR(json["max_abs_rate_difference_deg_s"].number(), 1.0, 1e-5);
   EXPECT_EQ(json["samples"], 201);
-  EXPECT_NEAR(json["seconds"], 2.0, 1e-9);
+  EXPECT_NEAR(json["seconds"].number(), 2.0, 1e-9);
   EXPECT_EQ(json["shift_s"], 0.0);
   EXPECT_TRUE(json["requirement_met"].is_null());
   EXPECT_EQ(folder.listing(), (Words{"a.csv", "b.csv", "out", "out/compare", "out/compare/compare.html",
@@ -80,13 +80,13 @@ TEST(Compare, FindsHowFarTwoClocksAreApart) {
   const Words words{"compare", "a.csv", "b.csv", "--align", "angle", "--remove-offset", "--json"};
   const Outcome outcome = fantail(words, {.working_folder = folder.path()});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-  const Json json = Json::parse(outcome.out);
-  EXPECT_NEAR(json["shift_s"], 0.037, 1e-3);
-  EXPECT_NEAR(json["offset_deg"], -30.0, 0.15);  // a millisecond of at most 145 deg/s
-  EXPECT_LT(json["max_abs_angle_difference_deg"], 0.3);
+  const Json json = json::parse(outcome.out);
+  EXPECT_NEAR(json["shift_s"].number(), 0.037, 1e-3);
+  EXPECT_NEAR(json["offset_deg"].number(), -30.0, 0.15);  // a millisecond of at most 145 deg/s
+  EXPECT_LT(json["max_abs_angle_difference_deg"].number(), 0.3);
   const Outcome stated =
       fantail({"compare", "a.csv", "b.csv", "--shift", "0.037", "--json"}, {.working_folder = folder.path()});
-  EXPECT_NEAR(Json::parse(stated.out)["mean_abs_angle_difference_deg"], 30.0, 0.01);
+  EXPECT_NEAR(json::parse(stated.out)["mean_abs_angle_difference_deg"].number(), 30.0, 0.01);
 }
 
 TEST(Compare, ASimulatedFlightHasItsTruthBesideIt) {
@@ -122,7 +122,7 @@ TEST(Compare, ReadsLoggersThatNameAndMeasureOtherwise) {
   const Words words{"compare", "a.csv", "b.csv", "--b-column", "roll_angle_deg=phi", "--b-units", "rad", "--json"};
   const Outcome outcome = fantail(words, {.working_folder = folder.path()});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-  EXPECT_LT(Json::parse(outcome.out)["max_abs_angle_difference_deg"], 1e-3);
+  EXPECT_LT(json::parse(outcome.out)["max_abs_angle_difference_deg"].number(), 1e-3);
 }
 
 TEST(Compare, RefusesWhatCannotBeCompared) {

@@ -8,6 +8,7 @@
 
 #include "fly/fly_scenario.hpp"
 #include "report/results.hpp"
+#include "sim/document.hpp"
 #include "sim/scenario.hpp"
 
 int main(int argc, char** argv) {

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
 #include "flight_log/made_flight.hpp"
+#include "json/value.hpp"
 #include "system/folder.hpp"
 #include "system/process.hpp"
 #include "system/refusal.hpp"
@@ -16,7 +16,7 @@
 namespace fantail::test {
 namespace {
 
-using Json = nlohmann::json;
+using Json = json::Value;
 
 std::string text(const std::vector<std::byte>& bytes) {
   std::string result(bytes.size(), '\0');
@@ -78,13 +78,13 @@ TEST_F(LogExport, GoesToStandardOutputWholeAndAlone) {
 
 TEST_F(LogExport, CutsOutAStretchWithBothEnds) {
   const Words times{"--to", "json", "--out", "-", "--fields", "time_s"};
-  const Json all = Json::parse(run(times).out)["ticks"]["time_s"];
+  const Json all = json::parse(run(times).out)["ticks"]["time_s"];
   ASSERT_EQ(all.size(), 3000U);
   Words stretch = times;
   stretch.insert(stretch.end(), {"--from", all[1000].dump(), "--until", all[1250].dump()});
   const Outcome outcome = run(stretch);
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-  EXPECT_EQ(Json::parse(outcome.out)["ticks"]["time_s"],
+  EXPECT_EQ(json::parse(outcome.out)["ticks"]["time_s"],
             Json(std::vector<Json>(all.begin() + 1000, all.begin() + 1251)));
 }
 

@@ -4,8 +4,8 @@
 #include <string>
 
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
+#include "json/value.hpp"
 #include "system/folder.hpp"
 #include "system/process.hpp"
 #include "system/refusal.hpp"
@@ -20,7 +20,7 @@ class Paper : public testing::Test {
     const Outcome outcome = fantail({"paper", "--json", "--out", *folder_ / "paper"});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     ASSERT_EQ(outcome.err, "");
-    result_ = new nlohmann::json(nlohmann::json::parse(outcome.out));
+    result_ = new json::Value(json::parse(outcome.out));
   }
   static void TearDownTestSuite() {
     delete result_;
@@ -28,11 +28,11 @@ class Paper : public testing::Test {
   }
 
   // The claims whose place and text hold these words.
-  static std::vector<nlohmann::json> claims(const std::string& place, const std::string& what) {
-    std::vector<nlohmann::json> found;
-    for (const nlohmann::json& claim : (*result_)["claims"]) {
-      if (claim["place"].get<std::string>().find(place) != std::string::npos &&
-          claim["what"].get<std::string>().find(what) != std::string::npos) {
+  static std::vector<json::Value> claims(const std::string& place, const std::string& what) {
+    std::vector<json::Value> found;
+    for (const json::Value& claim : (*result_)["claims"]) {
+      if (claim["place"].text().find(place) != std::string::npos &&
+          claim["what"].text().find(what) != std::string::npos) {
         found.push_back(claim);
       }
     }
@@ -40,17 +40,17 @@ class Paper : public testing::Test {
   }
   static std::string finding(const std::string& place, const std::string& what) {
     const auto found = claims(place, what);
-    return found.size() == 1 ? found[0]["finding"].get<std::string>() : std::to_string(found.size()) + " claims";
+    return found.size() == 1 ? found[0]["finding"].text() : std::to_string(found.size()) + " claims";
   }
 
   static inline Folder* folder_ = nullptr;
-  static inline nlohmann::json* result_ = nullptr;
+  static inline json::Value* result_ = nullptr;
 };
 
 TEST_F(Paper, EveryStepOfTable2IsFoundAgain) {
   const auto rows = claims("Table 2, step", "");
   EXPECT_EQ(rows.size(), 8U);
-  for (const nlohmann::json& row : rows) {
+  for (const json::Value& row : rows) {
     EXPECT_EQ(row["finding"], "reproduced") << row;
   }
 }
@@ -79,13 +79,13 @@ TEST_F(Paper, TheSlipsOfThePrintAreNamed) {
 
 TEST_F(Paper, WhateverCameOutDifferentlyHasAReason) {
   std::set<std::string> findings;
-  for (const nlohmann::json& claim : (*result_)["claims"]) {
-    findings.insert(claim["finding"].get<std::string>());
+  for (const json::Value& claim : (*result_)["claims"]) {
+    findings.insert(claim["finding"].text());
     if (claim["finding"] != "reproduced") {
-      EXPECT_FALSE(claim["why"].get<std::string>().empty()) << claim;
+      EXPECT_FALSE(claim["why"].text().empty()) << claim;
     }
     EXPECT_NE(claim["why"], "The reason is not known.") << claim;
-    EXPECT_EQ(claim["ours"].get<std::string>().find("nan"), std::string::npos) << claim;
+    EXPECT_EQ(claim["ours"].text().find("nan"), std::string::npos) << claim;
   }
   EXPECT_EQ(findings.size(), 4U);
 }
@@ -108,7 +108,7 @@ TEST_F(Paper, ThePageIsCompleteAndLoadsNothing) {
 
 TEST_F(Paper, GivesTheSameBytesTwice) {
   const Outcome again = fantail({"paper", "--json", "--out", *folder_ / "again"});
-  EXPECT_EQ(nlohmann::json::parse(again.out), *result_);
+  EXPECT_EQ(json::parse(again.out), *result_);
   EXPECT_EQ(content(folder_->path() / "again/paper.html"), content(folder_->path() / "paper/paper.html"));
   std::filesystem::remove_all(folder_->path() / "again");
 }

@@ -2,9 +2,9 @@
 #include <cstring>
 
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
 #include "core/flight_plan_fields.hpp"
+#include "json/value.hpp"
 #include "protocol/plan_block.hpp"
 #include "sim/document.hpp"
 #include "sim/plan_file.hpp"
@@ -26,7 +26,7 @@ TEST_P(Plan, MayFly) {
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_NE(outcome.out.find("may fly"), std::string::npos) << outcome.out;
   const Outcome json = fantail({"plan", "check", GetParam(), "--json"});
-  EXPECT_EQ(nlohmann::json::parse(json.out)["may_fly"], true);
+  EXPECT_EQ(json::parse(json.out)["may_fly"], true);
 }
 
 // What is shown is itself a plan: reading it back gives the same numbers.
@@ -48,9 +48,9 @@ TEST_P(Plan, IsShownAsAPlanThatReadsBack) {
 TEST_P(Plan, IsShownAsOneJsonObjectWithEveryField) {
   const Outcome outcome = fantail({"plan", "show", GetParam(), "--json"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-  const nlohmann::json json = nlohmann::json::parse(outcome.out);
+  const json::Value json = json::parse(outcome.out);
   for (const core::PlanField& field : core::flight_plan_fields()) {
-    EXPECT_TRUE(json.at(std::string{field.section}).contains(std::string{field.key})) << field.key;
+    EXPECT_TRUE(json[field.section].contains(field.key)) << field.key;
   }
 }
 
@@ -80,7 +80,7 @@ TEST(PlanShow, ShowsTheDefaultOfEveryFieldWhenNoPlanIsNamed) {
   const Outcome outcome = fantail({"plan", "show"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_EQ(outcome.out, sim::plan_table(core::default_plan()));
-  const nlohmann::json json = nlohmann::json::parse(fantail({"plan", "show", "--json"}).out);
+  const json::Value json = json::parse(fantail({"plan", "show", "--json"}).out);
   EXPECT_EQ(json["controller"]["canard_limit_deg"], 9);
 }
 
@@ -95,7 +95,7 @@ TEST(PlanCompile, NamesTheBlockAfterThePlanWhenNothingIsSaid) {
   const Outcome outcome = fantail({"plan", "compile", "tunnel_steps", "--json"}, {.working_folder = folder.path()});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_EQ(folder.listing(), std::vector<std::string>{"tunnel_steps.ftpl"});
-  const nlohmann::json json = nlohmann::json::parse(outcome.out);
+  const json::Value json = json::parse(outcome.out);
   EXPECT_EQ(json["block"], "tunnel_steps.ftpl");
   EXPECT_EQ(json["bytes"], content(folder / "tunnel_steps.ftpl").size());
 }

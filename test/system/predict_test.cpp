@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
+#include "json/value.hpp"
 #include "system/folder.hpp"
 #include "system/process.hpp"
 #include "system/refusal.hpp"
@@ -11,9 +11,7 @@ namespace {
 
 const Words results{"band.csv", "predict.html", "predict.json", "runs.csv"};
 
-nlohmann::json prediction(const std::filesystem::path& folder) {
-  return nlohmann::json::parse(content(folder / "predict.json"));
-}
+json::Value prediction(const std::filesystem::path& folder) { return json::parse(content(folder / "predict.json")); }
 
 TEST(Predict, TheFirstLaunchIsNoGoWithItsReasonAndEverythingIsWritten) {
   const Folder folder;
@@ -40,7 +38,7 @@ TEST(Predict, TheSecondLaunchIsGo) {
   const Folder folder;
   const Outcome outcome = fantail({"predict", "--runs", "80", "--json", "--out", folder / "here"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err << outcome.out;
-  const nlohmann::json said = nlohmann::json::parse(outcome.out);
+  const json::Value said = json::parse(outcome.out);
   EXPECT_EQ(said["scenario"], "tasha3_launch2");
   EXPECT_EQ(said["go"], true);
   EXPECT_EQ(said["tunnel"]["swirl_deg"], -2.0);
@@ -69,10 +67,10 @@ TEST(Predict, TakesAFileOfOnesOwnWithTheSwirlThatIsGiven) {
   const Outcome outcome = fantail({"predict", "--tunnel", "steps.csv", "--swirl", "-1.5", "--runs", "5", "--json"},
                                   {.working_folder = folder.path()});
   EXPECT_EQ(outcome.exit_code, 1);
-  const nlohmann::json said = nlohmann::json::parse(outcome.out);
+  const json::Value said = json::parse(outcome.out);
   EXPECT_EQ(said["tunnel"]["file"], "steps.csv");
   EXPECT_EQ(said["tunnel"]["swirl_deg"], -1.5);
-  EXPECT_NEAR(said["offset_size_deg"]["mean"].get<double>(), 10.2, 1.0);
+  EXPECT_NEAR(said["offset_size_deg"]["mean"].number(), 10.2, 1.0);
   EXPECT_EQ(said["authority"]["count"], 0);
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
+#include "json/value.hpp"
 #include "system/folder.hpp"
 #include "system/process.hpp"
 #include "system/refusal.hpp"
@@ -28,10 +28,10 @@ TEST(Tunnel, FlowReadsTheLogThatFlyMakesAndLeavesPageAndJson) {
   const Outcome outcome = in(folder, {"tunnel", "flow", "made", "--json"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_EQ(outcome.err, "");
-  const nlohmann::json json = nlohmann::json::parse(outcome.out);
+  const json::Value json = json::parse(outcome.out);
   ASSERT_EQ(json["set_points"].size(), 2U);
-  EXPECT_NEAR(json["set_points"][0]["mean_m_s"], 22.0, 0.1);
-  EXPECT_NEAR(json["line"]["slope_m_s_per_rpm"], 0.0176, 0.0003);
+  EXPECT_NEAR(json["set_points"][0]["mean_m_s"].number(), 22.0, 0.1);
+  EXPECT_NEAR(json["line"]["slope_m_s_per_rpm"].number(), 0.0176, 0.0003);
   EXPECT_EQ(outcome.out, content(folder / "out/tunnel/flow/flow.json"));
   EXPECT_NE(content(folder / "out/tunnel/flow/report.html").find("<svg"), std::string::npos);
   const Outcome text = in(folder, {"tunnel", "flow", "made", "--steady", "20,70:90"});
@@ -47,8 +47,8 @@ TEST(Tunnel, SwirlComparesTwoSessions) {
   const Outcome outcome = in(folder, {"tunnel", "swirl", "a", "b", "--json", "--out", "s"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_EQ(outcome.err, "");
-  const nlohmann::json json = nlohmann::json::parse(outcome.out);
-  EXPECT_NEAR(json["swirl_deg"], -2.0, 0.1);
+  const json::Value json = json::parse(outcome.out);
+  EXPECT_NEAR(json["swirl_deg"].number(), -2.0, 0.1);
   EXPECT_EQ(json["without"]["set_points"].size(), 2U);
   EXPECT_EQ(outcome.out, content(folder / "s/swirl.json"));
   // The truth of the simulator, which has no set points of the fan in it, needs times by hand.
@@ -64,11 +64,11 @@ TEST(Tunnel, StepsWritesTheTableThatAPredictionReads) {
   const Outcome outcome = in(folder, {"tunnel", "steps", "run", "--json"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_EQ(outcome.err, "");
-  const nlohmann::json json = nlohmann::json::parse(outcome.out);
+  const json::Value json = json::parse(outcome.out);
   ASSERT_EQ(json["steps"].size(), 4U);
-  EXPECT_NEAR(json["mean"]["alpha_m2"], 19.4, 0.4);
-  EXPECT_NEAR(json["mean"]["beta_m"], 9.6, 0.2);
-  EXPECT_NEAR(json["mean"]["disturbance_end_deg"], -6.1, 0.1);
+  EXPECT_NEAR(json["mean"]["alpha_m2"].number(), 19.4, 0.4);
+  EXPECT_NEAR(json["mean"]["beta_m"].number(), 9.6, 0.2);
+  EXPECT_NEAR(json["mean"]["disturbance_end_deg"].number(), -6.1, 0.1);
   const std::string csv = content(folder / "out/tunnel/steps/steps.csv");
   EXPECT_TRUE(
       csv.starts_with("step,begin_s,alpha_m2,beta_m,disturbance_begin_deg,disturbance_end_deg,"

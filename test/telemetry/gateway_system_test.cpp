@@ -3,12 +3,13 @@
 #include <csignal>
 
 #include "can/rig.hpp"
+#include "json/value.hpp"
 #include "telemetry/multicast.hpp"
 
 namespace fantail::test {
 namespace {
 
-using nlohmann::json;
+using Json = json::Value;
 
 // Two ports and not two addresses: the kernel hands what comes to a port to everyone who has joined any of its groups.
 const std::string from_node = "udpm://239.255.76.67:7671?ttl=0";
@@ -57,20 +58,20 @@ TEST_F(GatewaySystem, SaysOfARealBusWhatTheNodeSaysOfItself) {
   EXPECT_PRED2(contains, gateway.outcome().out, " messages to " + from_gateway + "\n");
 
   // At rest both say the same, as far as the bus's steps let them.
-  const auto near = [](const json& a, const json& b, double tolerance) {
-    return std::abs(a.get<double>() - b.get<double>()) <= tolerance;
+  const auto near = [](const Json& a, const Json& b, double tolerance) {
+    return std::abs(a.number() - b.number()) <= tolerance;
   };
   EXPECT_PRED3(near, at_rest_inside["state"]["roll_angle_deg"], at_rest_outside["state"]["roll_angle_deg"], 0.3);
   EXPECT_PRED3(near, at_rest_inside["state"]["height_m"], at_rest_outside["state"]["height_m"], 0.5);
   for (std::size_t i = 0; i < 4; ++i) {
-    const json& one = at_rest_inside["canards"]["each"][i];
-    const json& other = at_rest_outside["canards"]["each"][i];
+    const Json& one = at_rest_inside["canards"]["each"][i];
+    const Json& other = at_rest_outside["canards"]["each"][i];
     EXPECT_PRED3(near, one["limit_deg"], other["limit_deg"], 0.02);
     EXPECT_EQ(one["verdict"], other["verdict"]);
   }
   EXPECT_EQ(at_rest_inside["health"]["gyro"], at_rest_outside["health"]["gyro"]);
   EXPECT_TRUE(at_rest_inside["health"]["gateway"].is_null());
-  EXPECT_GT(at_rest_outside["health"]["gateway"]["frames"].get<int>(), 0);
+  EXPECT_GT(at_rest_outside["health"]["gateway"]["frames"].number(), 0);
   EXPECT_FALSE(at_rest_inside["state"]["specific_force_m_s2"].is_null());
   EXPECT_TRUE(at_rest_outside["state"]["specific_force_m_s2"].is_null());
   // Nothing on the bus is the gateway's: the avionics speaks with 0x100 and more, and the bench that armed with less.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "telemetry/gateway.hpp"
+#include "gateway/gateway.hpp"
 
 #include <deque>
 
@@ -13,6 +13,8 @@ namespace fantail::telemetry {
 namespace {
 
 using core::Angle;
+using gateway::Gateway;
+using gateway::ListenOnlyBus;
 using hal::Microseconds;
 using test::Collected;
 

@@ -4,13 +4,14 @@
 #include <filesystem>
 #include <map>
 
+#include "json/value.hpp"
 #include "linux/shell.hpp"
 #include "telemetry/multicast.hpp"
 
 namespace fantail::test {
 namespace {
 
-using nlohmann::json;
+using Json = json::Value;
 using namespace std::chrono_literals;
 
 const std::string url = "udpm://239.255.76.67:7667?ttl=0";
@@ -39,7 +40,7 @@ bool is_part_of(const std::vector<std::string>& some, const std::vector<std::str
 }
 
 /// Everything in a log, as fast as it can be read.
-std::vector<json> in_log(const std::string& log) {
+std::vector<Json> in_log(const std::string& log) {
   const Outcome outcome = fantail({"watch", "--lcm", "file://" + log + "?speed=0", "--json"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   return objects(outcome.out);
@@ -152,7 +153,7 @@ TEST_F(LcmTools, LcmLogplayerPlaysItAndWatchShowsTheFlightAgain) {
   EXPECT_EQ(events(seen), flight_events);
   EXPECT_EQ(seen.back()["channels"]["FANTAIL_STATE"]["total"], wanted.back()["channels"]["FANTAIL_STATE"]["total"]);
   // What was live, is now said to be old; it is still what was said last.
-  const auto last_live = std::ranges::find_if(seen, [](const json& object) { return object["link"] == "live"; });
+  const auto last_live = std::ranges::find_if(seen, [](const Json& object) { return object["link"] == "live"; });
   EXPECT_NE(last_live, seen.end());
   EXPECT_EQ(seen.back()["link"], "stale");
   for (const char* value : {"roll_angle_deg", "command_deg", "height_m", "phase", "time_s"}) {

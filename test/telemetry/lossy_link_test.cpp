@@ -84,8 +84,8 @@ TEST(LossyLink, IsShownAsLinkQualityAndNeverAsWrongData) {
   double before = -1.0;
   for (const auto& object : seen) {
     if (object["link"] != "silent") {
-      const auto height_m = object["state"]["height_m"].get<double>();
-      EXPECT_EQ(height_m, object["state"]["sequence"].get<double>());
+      const auto height_m = object["state"]["height_m"].number();
+      EXPECT_EQ(height_m, object["state"]["sequence"].number());
       EXPECT_GE(height_m, before);
       before = height_m;
     }

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
 #include "can/program.hpp"
+#include "json/value.hpp"
 #include "system/process.hpp"
 
 namespace fantail::test {
@@ -29,30 +29,30 @@ inline void take_the_route_away() {
 }
 
 /// Of each line that has come to its end.
-[[nodiscard]] inline std::vector<nlohmann::json> objects(const std::string& text) {
-  std::vector<nlohmann::json> all;
+[[nodiscard]] inline std::vector<json::Value> objects(const std::string& text) {
+  std::vector<json::Value> all;
   std::istringstream lines{text.substr(0, text.rfind('\n') + 1)};
   for (std::string line; std::getline(lines, line);) {
-    all.push_back(nlohmann::json::parse(line));
+    all.push_back(json::parse(line));
   }
   return all;
 }
 
 /// The texts of all events in them, in order.
-[[nodiscard]] inline std::vector<std::string> events(const std::vector<nlohmann::json>& objects) {
+[[nodiscard]] inline std::vector<std::string> events(const std::vector<json::Value>& objects) {
   std::vector<std::string> all;
   for (const auto& object : objects) {
     for (const auto& event : object["events"]) {
-      all.push_back(event["text"]);
+      all.push_back(event["text"].text());
     }
   }
   return all;
 }
 
 /// A total of the newest object: total(watch, "FANTAIL_STATE", "received").
-[[nodiscard]] inline std::int64_t total(const std::vector<nlohmann::json>& objects, const std::string& channel,
+[[nodiscard]] inline std::int64_t total(const std::vector<json::Value>& objects, const std::string& channel,
                                         const std::string& figure) {
-  return objects.empty() ? 0 : objects.back()["channels"][channel]["total"][figure].get<std::int64_t>();
+  return objects.empty() ? 0 : static_cast<std::int64_t>(objects.back()["channels"][channel]["total"][figure].count());
 }
 
 /// fantail watch --json, already listening.
@@ -61,7 +61,7 @@ class Watcher {
   explicit Watcher(const std::string& url) : program_{{"watch", "--lcm", url, "--json"}} {
     EXPECT_TRUE(program_.says("\"link\"")) << program_.outcome().err;
   }
-  [[nodiscard]] std::vector<nlohmann::json> seen() const { return objects(program_.said()); }
+  [[nodiscard]] std::vector<json::Value> seen() const { return objects(program_.said()); }
   [[nodiscard]] Program& program() { return program_; }
 
  private:

@@ -2,8 +2,8 @@
 #include "tunnel/flow.hpp"
 
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
+#include "json/value.hpp"
 #include "logs/refused.hpp"
 #include "tunnel/flow_report.hpp"
 #include "tunnel/made_logs.hpp"
@@ -65,7 +65,7 @@ TEST(FlowReport, SaysTheSameToPersonScriptAndPage) {
   const std::string text = flow_text(log, flow);
   EXPECT_NE(text.find("0.00025 m/s"), std::string::npos) << text;
   EXPECT_NE(text.find("0.500 %"), std::string::npos) << text;
-  const nlohmann::json json = nlohmann::json::parse(flow_json(log, flow));
+  const json::Value json = json::parse(flow_json(log, flow));
   EXPECT_EQ(json["set_points"][0]["gamma_m_s"], 0.00025);
   EXPECT_EQ(json["set_points"][0]["relative_deviation"], 0.005);
   EXPECT_TRUE(json["line"].is_null());

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "fly/fly_scenario.hpp"
+#include "sim/document.hpp"
 #include "sim/wind_tunnel.hpp"
 #include "tunnel/flow.hpp"
 #include "tunnel/made_logs.hpp"

@@ -5,8 +5,8 @@
 #include <limits>
 
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
+#include "json/value.hpp"
 #include "logs/refused.hpp"
 #include "tunnel/made_logs.hpp"
 #include "tunnel/swirl_report.hpp"
@@ -141,10 +141,10 @@ TEST(SwirlReport, SaysTheSameToPersonScriptAndPage) {
   const SwirlSessions sessions{made_session({22.0, 30.0}, -6.1), made_session({22.0, 30.0}, -4.1)};
   const Swirl swirl = examine_swirl(sessions.without, sessions.with, {});
   EXPECT_NE(swirl_text(sessions, swirl).find("worth -2.000 +-"), std::string::npos) << swirl_text(sessions, swirl);
-  const nlohmann::json json = nlohmann::json::parse(swirl_json(sessions, swirl));
-  EXPECT_NEAR(json["swirl_deg"], -2.0, 1e-6);
-  EXPECT_NEAR(json["without"]["set_points"][0]["offset_deg"], -6.1, 1e-6);
-  EXPECT_NEAR(json["without"]["set_points"][0]["roll_rate_deg_s"], -66.41, 0.005);
+  const json::Value json = json::parse(swirl_json(sessions, swirl));
+  EXPECT_NEAR(json["swirl_deg"].number(), -2.0, 1e-6);
+  EXPECT_NEAR(json["without"]["set_points"][0]["offset_deg"].number(), -6.1, 1e-6);
+  EXPECT_NEAR(json["without"]["set_points"][0]["roll_rate_deg_s"].number(), -66.41, 0.005);
   EXPECT_EQ(json["differences"].size(), 2U);
   EXPECT_NE(swirl_html(sessions, swirl).find("\u22122.000 \u00b1"), std::string::npos);
 }
