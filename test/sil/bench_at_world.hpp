@@ -45,14 +45,20 @@ class BenchAtWorld final : public bench::Place {
   [[nodiscard]] hal::Microseconds now() const override { return now_; }
   void wait(hal::Microseconds at_most) override {
     for (hal::Microseconds waited{}; waited < at_most; waited += millisecond) {
-      record = world->tick();
-      world->advance();
+      if (world) {
+        record = world->tick();
+        world->advance();
+      }
       now_ += millisecond;
       if (after_tick) {
         after_tick();
       }
     }
   }
+
+  /// The PC is held up, and a node on it with it.
+  void suspend(hal::Microseconds time) { now_ += time; }
+  void switch_off() { world.reset(); }
 
   /// When the rocket has been at rest for long enough.
   [[nodiscard]] bench::Session open_session(bench::AvionicsLink& link) {

@@ -14,11 +14,12 @@ using protocol::SelfTestFailure;
 using protocol::SelfTestState;
 
 constexpr Microseconds glance{2'000};
-constexpr Microseconds patience{2'000'000};
+constexpr Microseconds time_to_begin{2'000'000};
 constexpr Microseconds step_time{1'000'000};
 
-// The avionics repeats its answer ten times a second: after this long, what it says was said after the request.
-constexpr Microseconds answer_time{300'000};
+// The avionics repeats its answer ten times a second: after this long, what it says was said after the request, even if
+// a busy PC slept through the beginning.
+constexpr Microseconds answer_time{600'000};
 
 bool refused(const ArmReply& reply) {
   return reply.self_test == SelfTestState::failed &&
@@ -29,12 +30,13 @@ bool refused(const ArmReply& reply) {
 
 ArmReply ArmSteps::run_self_test(const std::function<void(const ArmReply&)>& progress) {
   send(ArmAction::self_test);
-  const Microseconds answered_by = place_.now() + answer_time;
-  const Microseconds begin_by = place_.now() + patience;
+  Patience until_answered{answer_time, place_.now()};
+  Patience until_begun{time_to_begin, place_.now()};
   bool begun = false;  // an answer to an earlier test must not be mistaken for this one's
   for (std::uint64_t seen = replies();;) {
     look();
-    if (!begun && place_.now() >= begin_by) {
+    const bool answered = until_answered.ends(place_.now());
+    if (!begun && until_begun.ends(place_.now())) {
       throw LinkError{"the avionics does not begin its self-test"};
     }
     if (replies() == seen) {
@@ -43,7 +45,7 @@ ArmReply ArmSteps::run_self_test(const std::function<void(const ArmReply&)>& pro
     seen = replies();
     const ArmReply reply = link_.newest<ArmReply>()->message;
     // A test can fail in the tick in which it begins (no gyro), and then nobody hears that it ran.
-    const bool failed = reply.self_test == SelfTestState::failed && place_.now() >= answered_by;
+    const bool failed = reply.self_test == SelfTestState::failed && answered;
     begun = begun || reply.self_test == SelfTestState::running || refused(reply) || failed;
     if (begun) {
       progress(reply);
@@ -57,7 +59,7 @@ ArmReply ArmSteps::run_self_test(const std::function<void(const ArmReply&)>& pro
 ArmReply ArmSteps::ask_for_nonce() {
   const std::uint64_t before = replies();
   send(ArmAction::begin);
-  for (const Microseconds end = place_.now() + step_time; place_.now() < end;) {
+  for (Patience patience{step_time, place_.now()}; !patience.ends(place_.now());) {
     look();
     if (replies() > before && link_.newest<ArmReply>()->message.nonce) {
       return link_.newest<ArmReply>()->message;
@@ -93,14 +95,14 @@ std::uint64_t ArmSteps::replies() const {
 void ArmSteps::look() {
   place_.wait(glance);
   link_.listen(place_.now());
-  if (!link_.recent<protocol::StatusReport>(place_.now(), patience)) {
+  if (link_.has_fallen_silent()) {
     throw LinkError{"the avionics has fallen silent"};
   }
 }
 
 // The status comes every 10 ms.
 bool ArmSteps::reaches(core::Phase phase) {
-  for (const Microseconds end = place_.now() + step_time; place_.now() < end;) {
+  for (Patience patience{step_time, place_.now()}; !patience.ends(place_.now());) {
     look();
     if (link_.newest<protocol::StatusReport>()->message.phase == phase) {
       return true;

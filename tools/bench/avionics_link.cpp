@@ -10,8 +10,7 @@ namespace {
 // Nobody takes ticks while nothing is recorded.
 constexpr std::size_t most_waiting_ticks = 10'000;
 constexpr std::size_t most_waiting_log_data = 1'000;
-// On a slow PC a whole backlog takes longer than the avionics waits for a heartbeat.
-constexpr int most_frames_at_once = 32;
+constexpr hal::Microseconds longest_silence{2'000'000};
 
 Each<std::optional<double>> radians(const protocol::PerCanard& angles) {
   Each<std::optional<double>> result{};
@@ -25,11 +24,12 @@ Each<std::optional<double>> radians(const protocol::PerCanard& angles) {
 
 }  // namespace
 
-void AvionicsLink::listen(hal::Microseconds now) {
-  for (int i = 0; i < most_frames_at_once; ++i) {
+bool AvionicsLink::listen(hal::Microseconds now, int most_frames) {
+  silent_ = silence_ && silence_->ends(now);
+  for (int i = 0; i < most_frames; ++i) {
     const auto frame = bus_.receive();
     if (!frame) {
-      return;
+      return false;
     }
     if (frame->extended || frame->remote) {
       figures_.foreign += 1;
@@ -53,8 +53,12 @@ void AvionicsLink::listen(hal::Microseconds now) {
         log_data_.pop_front();
       }
       log_data_.push_back(*data);
+    } else if (std::holds_alternative<protocol::StatusReport>(*decoded.message)) {
+      silence_.emplace(longest_silence, now);
+      silent_ = false;
     }
   }
+  return true;
 }
 
 template <typename Message>

@@ -8,6 +8,7 @@
 #include <tuple>
 #include <variant>
 
+#include "bench/patience.hpp"
 #include "bench/recording.hpp"
 #include "hal/can_bus.hpp"
 #include "hal/clock.hpp"
@@ -37,8 +38,10 @@ class AvionicsLink {
  public:
   explicit AvionicsLink(hal::CanBus& bus) : bus_{bus} {}
 
-  /// Takes in all that has arrived.
-  void listen(hal::Microseconds now);
+  /// Takes in what has arrived: all of it, unless frames come faster than they are read. True: there is more.
+  bool listen(hal::Microseconds now, int most_frames = 1'000);
+  /// There were status reports, and for two seconds of listening there has been none.
+  [[nodiscard]] bool has_fallen_silent() const { return silent_; }
 
   /// Empty when no such message has ever come.
   template <typename Message>
@@ -80,6 +83,8 @@ class AvionicsLink {
   hal::CanBus& bus_;
   OneOfEach<protocol::FromAvionics>::Tuple heard_{};
   LinkFigures figures_{};
+  std::optional<Patience> silence_;
+  bool silent_ = false;
   std::int64_t last_command_ = -1;
   std::int64_t last_encoder_ = -1;
   protocol::CommandReport command_{};

@@ -22,11 +22,11 @@ constexpr Microseconds repeat_after{100'000};
 // A chunk takes 90 ms at its slowest, and the answer may overtake the last of its frames.
 constexpr Microseconds silence{150'000};
 constexpr Microseconds straggling{20'000};
-constexpr Microseconds patience{5'000'000};
+constexpr Microseconds answer_time{5'000'000};
 // The look through 16 MiB takes four seconds.
-constexpr Microseconds look_patience{15'000'000};
+constexpr Microseconds look_time{15'000'000};
 // An erase of one sector may take 400 ms.
-constexpr Microseconds erase_patience{3'000'000};
+constexpr Microseconds erase_time{3'000'000};
 
 [[noreturn]] void refuse(LogFault fault) {
   throw LinkError{"the avionics does not give its flight record: " + link::words(fault)};
@@ -53,8 +53,8 @@ std::optional<protocol::LogReply> LogReader::answer() const {
 }
 
 LogInfo LogReader::info() {
-  const Microseconds begin = place_.now();
-  Microseconds last_answer = begin;
+  Patience look{look_time, place_.now()};
+  Patience any_answer{answer_time, place_.now()};
   while (true) {
     ask(LogAction::info, 0, 0);
     std::optional<protocol::LogReply> reply;
@@ -62,8 +62,6 @@ LogInfo LogReader::info() {
       place_.wait(glance);
       link_.listen(place_.now());
     }
-    const Microseconds now = place_.now();
-    last_answer = reply ? now : last_answer;
     if (reply && reply->state == LogState::ready) {
       return {.used_bytes = reply->number, .free_bytes = 1024U * reply->extra};
     }
@@ -71,20 +69,21 @@ LogInfo LogReader::info() {
     if (reply && reply->state == LogState::refused && reply->fault != LogFault::not_counted_yet) {
       refuse(reply->fault);
     }
-    if (reply && now - begin > look_patience) {
-      refuse(reply->state == LogState::refused ? reply->fault : LogFault::busy);
-    }
-    if (now - last_answer > patience) {
-      silent();
-    }
+    const bool too_long = look.ends(place_.now());
     if (reply) {
+      if (too_long) {
+        refuse(reply->state == LogState::refused ? reply->fault : LogFault::busy);
+      }
+      any_answer.begin_again();
       place_.wait(repeat_after);
+    } else if (any_answer.ends(place_.now())) {
+      silent();
     }
   }
 }
 
 std::vector<std::byte> LogReader::read(std::uint32_t offset, std::uint32_t size) {
-  const Microseconds begin = place_.now();
+  Patience patience{answer_time, place_.now()};
   while (true) {
     const auto now_size = static_cast<std::uint16_t>(std::min<std::size_t>(size, frames_at_once_ * bytes_a_frame));
     if (auto bytes = try_to_read(offset, now_size)) {
@@ -93,7 +92,7 @@ std::vector<std::byte> LogReader::read(std::uint32_t offset, std::uint32_t size)
     }
     repeated_ += 1;
     frames_at_once_ = std::max(frames_at_once_ / 2, fewest_frames);
-    if (place_.now() - begin > patience) {
+    if (patience.ends(place_.now())) {
       silent();
     }
   }
@@ -146,7 +145,8 @@ bool LogReader::take_data(std::vector<std::byte>& bytes) {
 void LogReader::erase(Session& session, const std::function<void(std::uint32_t)>& progress) {
   ask(LogAction::erase, 0, 0);
   Microseconds asked = place_.now();
-  Microseconds last_answer = asked;
+  Patience any_answer{answer_time, asked};
+  Patience next_sector{erase_time, asked};
   std::uint64_t seen = heard_before_;
   while (true) {
     session.wait();
@@ -155,7 +155,8 @@ void LogReader::erase(Session& session, const std::function<void(std::uint32_t)>
     const std::uint64_t count = reply ? link_.newest<protocol::LogReply>()->count : seen;
     if (reply && count != seen) {
       seen = count;
-      last_answer = now;
+      any_answer.begin_again();
+      next_sector.begin_again();
       if (reply->state == LogState::erased) {
         return;
       }
@@ -170,7 +171,9 @@ void LogReader::erase(Session& session, const std::function<void(std::uint32_t)>
       asked = now;
       seen = heard_before_;
     }
-    if (now - last_answer > (waits ? erase_patience : patience)) {
+    const bool no_answer = any_answer.ends(now);
+    const bool no_sector = next_sector.ends(now);
+    if (waits ? no_sector : no_answer) {
       throw LinkError{"the avionics has fallen silent while it erased its flight record; ask again"};
     }
   }

@@ -15,10 +15,9 @@ using protocol::TransferState;
 
 constexpr std::size_t bytes_per_frame = std::tuple_size_v<decltype(protocol::PlanData::bytes)>;
 constexpr Microseconds repeat_after{50'000};
-constexpr Microseconds patience{2'000'000};
+constexpr Microseconds answer_time{2'000'000};
 // Longer than the slowest flash needs.
-constexpr Microseconds write_patience{10'000'000};
-constexpr std::optional<Microseconds> no_time;
+constexpr Microseconds write_time{10'000'000};
 // The bus load allows for one data frame in ten milliseconds.
 constexpr Microseconds pace{10'000};
 
@@ -46,8 +45,8 @@ protocol::PlanReply send_plan(Place& place, AvionicsLink& link, std::span<const 
   std::uint64_t seen = heard();
   protocol::FrameCounter counter;
   std::optional<std::size_t> next;  // empty: it has not yet answered the beginning
-  std::optional<Microseconds> writing_since;
-  Microseconds last_answer = place.now();
+  std::optional<Patience> writing;
+  Patience answer{answer_time, place.now()};
   Microseconds send_at = place.now();
   while (true) {
     if (place.now() >= send_at) {
@@ -61,26 +60,30 @@ protocol::PlanReply send_plan(Place& place, AvionicsLink& link, std::span<const 
     place.wait(Microseconds{2'000});
     if (const std::uint64_t now_seen = heard(); now_seen != seen) {
       seen = now_seen;
-      last_answer = place.now();
+      answer.begin_again();
       const protocol::PlanReply reply = link.newest<protocol::PlanReply>()->message;
       // Until it has taken this beginning, what it writes and stores is the plan of a bench that was here before.
       const bool stored_this = reply.state == TransferState::stored && next;
       if (stored_this || reply.state == TransferState::refused) {
         return reply;
       }
-      writing_since = reply.state == TransferState::writing ? writing_since.value_or(place.now()) : no_time;
+      if (reply.state != TransferState::writing) {
+        writing.reset();
+      } else if (!writing) {
+        writing.emplace(write_time, place.now());
+      }
       if (reply.state == TransferState::receiving && next != reply.next_index) {
         next = reply.next_index;
         send_at = std::min(send_at, place.now() + pace);
         progress(std::min(*next * bytes_per_frame, block.size()));
       }
     }
-    if (writing_since && place.now() - *writing_since > write_patience) {
+    if (writing && writing->ends(place.now())) {
       throw LinkError{
           "the avionics keeps a written plan back: it comes into force when the phase is Safe and no bench session or "
           "self-test goes on"};
     }
-    if (place.now() - last_answer > patience) {
+    if (answer.ends(place.now())) {
       throw LinkError{"the avionics does not answer; its old plan stays in force"};
     }
   }

@@ -16,8 +16,8 @@ constexpr Microseconds heartbeat_period{20'000};
 constexpr Microseconds request_period{5'000};
 constexpr Microseconds longest_pause{60'000};  // 80 ms since the last heartbeat; the avionics waits for 100
 constexpr Microseconds glance{2'000};
-constexpr Microseconds patience{2'000'000};
-// A PC may be busy for a second.
+constexpr int portion = 32;  // frames
+constexpr int most_portions = 30;
 constexpr Microseconds answer_time{2'000'000};
 // The very first motion after power-up is slow, down to 5 deg/s from wherever the canards were left.
 constexpr Microseconds centring_look{500'000};
@@ -41,12 +41,12 @@ void send(Place& place, const protocol::BusFrame& frame) {
 }  // namespace
 
 void await_avionics(Place& place, AvionicsLink& link) {
-  const Microseconds give_up = place.now() + patience;
+  Patience patience{answer_time, place.now()};
   const auto complete = [&] {
     return count<protocol::HeartbeatReport>(link) > 0 && count<protocol::LimitReport>(link) > 0;
   };
   for (link.listen(place.now()); !complete(); link.listen(place.now())) {
-    if (place.now() >= give_up) {
+    if (patience.ends(place.now())) {
       throw LinkError{
           link.figures().frames == 0
               ? "the avionics is silent: is it powered, is the bus terminated at both ends, and does it run "
@@ -81,10 +81,10 @@ Session::~Session() {
 
 void Session::open() {
   const std::uint64_t before = count<protocol::SessionReply>(link_);
-  const Microseconds give_up = place_.now() + answer_time;
+  Patience patience{answer_time, place_.now()};
   std::optional<protocol::SessionReply> answer;
   while (!(answer = answer_since(before))) {
-    if (place_.now() >= give_up) {
+    if (patience.ends(place_.now())) {
       throw LinkError{"the avionics did not answer the request for a bench session"};
     }
     if (place_.now() >= next_heartbeat_) {
@@ -103,7 +103,7 @@ void Session::open() {
 // By what they are told when nobody asks for anything, once that stands still.
 void Session::learn_trims() {
   std::optional<protocol::PerCanard> before;
-  for (const Microseconds give_up = place_.now() + centring_time; place_.now() < give_up;) {
+  for (Patience patience{centring_time, place_.now()}; !patience.ends(place_.now());) {
     wait(centring_look);
     const auto& report = link_.newest<protocol::CommandReport>();
     if (report && before == report->message.angle) {
@@ -125,8 +125,13 @@ void Session::wait(Microseconds duration) {
 void Session::wait() {
   speak();
   place_.wait(glance);
-  speak();  // before the frames that have come: on a busy PC they may be many
-  link_.listen(place_.now());
+  // In portions, with heartbeats in between: on a busy PC the frames that have come may be many.
+  for (int portions = 0; portions < most_portions; ++portions) {
+    speak();
+    if (!link_.listen(place_.now(), portion)) {
+      break;
+    }
+  }
   check_still_open();
 }
 
@@ -135,7 +140,7 @@ void Session::speak() {
   if (open_ && now > next_heartbeat_ + longest_pause) {
     // This process stood still for so long that the session may be over, and another bench at work: a request waits
     // until the avionics has named this session once more.
-    hear_all_that_waits();
+    (void)link_.listen(now);
     unsure_since_ = count<protocol::SessionReply>(link_);
   }
   if (now >= next_heartbeat_) {
@@ -149,13 +154,6 @@ void Session::speak() {
   if (wanted_ && !unsure_since_ && now >= next_request_) {
     next_request_ = now + request_period;
     send(place_, encode(protocol::BenchRequest{*wanted_}, request_counter_.next()));
-  }
-}
-
-void Session::hear_all_that_waits() {
-  for (std::uint64_t before = 0; before != link_.figures().frames;) {
-    before = link_.figures().frames;
-    link_.listen(place_.now());
   }
 }
 
@@ -182,7 +180,7 @@ void Session::check_still_open() const {
   if (reply.session != number_ && reply.state == protocol::SessionState::open) {
     throw LinkError{"the bench session has ended, and another bench has opened one"};
   }
-  if (!link_.recent<protocol::StatusReport>(place_.now(), patience)) {
+  if (link_.has_fallen_silent()) {
     throw LinkError{"the avionics has fallen silent; it centres the canards by itself"};
   }
 }
@@ -192,7 +190,7 @@ bool Session::close() {
     return true;
   }
   const std::uint64_t before = count<protocol::CommandReport>(link_);
-  const Microseconds give_up = place_.now() + answer_time;
+  Patience patience{answer_time, place_.now()};
   const auto at_trims = [&] {
     const auto& report = link_.newest<protocol::CommandReport>();
     const auto& reply = link_.newest<protocol::SessionReply>();
@@ -207,7 +205,7 @@ bool Session::close() {
     return true;
   };
   for (int i = 0; !at_trims(); ++i) {
-    if (place_.now() >= give_up) {
+    if (patience.ends(place_.now())) {
       open_ = false;  // nothing more can be done from here
       return false;
     }

@@ -51,7 +51,6 @@ class Session {
   void open();
   void learn_trims();
   void speak();
-  void hear_all_that_waits();
   void say(protocol::SessionAction action);
   [[nodiscard]] std::optional<protocol::SessionReply> answer_since(std::uint64_t count) const;
   void check_still_open() const;

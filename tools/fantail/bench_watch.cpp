@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -38,11 +39,11 @@ void watch(const WatchOptions& options) {
     fmt::print("\033[2J");
   }
   try {
-    for (hal::Microseconds next = place.now() + period;; next += period) {
-      while (place.now() < next) {
-        place.wait(next - place.now());
-        link.listen(place.now());
-      }
+    for (hal::Microseconds next = place.now() + period;; next = std::max(next + period, place.now())) {
+      do {
+        place.wait(std::max(next - place.now(), hal::Microseconds{0}));
+        (void)link.listen(place.now());
+      } while (place.now() < next);
       watch.look(place.now());
       const std::string text =
           screen ? "\033[H\033[J" + watch.table() : (options.bench.json ? watch.json() : watch.line());
@@ -50,7 +51,7 @@ void watch(const WatchOptions& options) {
         return;
       }
     }
-  } catch (const Interrupted&) {  // the way to end it
+  } catch (const Interrupted&) {  // NOLINT(bugprone-empty-catch): the way to end it
   }
 }
 

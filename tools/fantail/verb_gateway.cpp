@@ -5,6 +5,7 @@
 
 #include <fmt/core.h>
 
+#include "bench/patience.hpp"
 #include "bench/session.hpp"
 #include "fantail/can_place.hpp"
 #include "fantail/interrupt.hpp"
@@ -24,22 +25,27 @@ struct GatewayOptions {
 };
 
 constexpr hal::Microseconds longest_wait{100'000};
-constexpr hal::Microseconds silence{2'000'000};
+constexpr hal::Microseconds longest_silence{2'000'000};
 constexpr hal::Microseconds between_words{1'000'000};
 
 /// Says on standard error what a person should know while it happens.
 class Herald {
  public:
-  Herald(std::string interface, const gateway::Gateway& gateway, const telemetry::Publisher& publisher)
-      : interface_{std::move(interface)}, gateway_{gateway}, publisher_{publisher} {}
+  Herald(std::string interface, const gateway::Gateway& gateway, const telemetry::Publisher& publisher,
+         hal::Microseconds now)
+      : interface_{std::move(interface)}, gateway_{gateway}, publisher_{publisher}, silence_{longest_silence, now} {}
 
   void look(hal::Microseconds now) {
     if (gateway_.bus_state() != state_) {
       state_ = gateway_.bus_state();
       tell(fmt::format("bus: {}", link::words(state_)));
     }
-    const auto last = gateway_.last_heard();
-    const bool silent = now - last.value_or(hal::Microseconds{}) > silence;
+    const bool spoken = gateway_.heard().frames != frames_;
+    if (spoken) {
+      frames_ = gateway_.heard().frames;
+      silence_.begin_again();
+    }
+    const bool silent = !spoken && silence_.ends(now);
     if (silent != silent_) {
       silent_ = silent;
       tell(silent ? "the avionics is silent" : "the avionics speaks again");
@@ -70,6 +76,8 @@ class Herald {
   std::string interface_;
   const gateway::Gateway& gateway_;
   const telemetry::Publisher& publisher_;
+  bench::Patience silence_;
+  std::uint64_t frames_ = 0;
   hal::CanState state_ = hal::CanState::error_active;
   hal::Microseconds next_count_{};
   std::uint64_t lost_ = 0;
@@ -82,7 +90,7 @@ void run(const GatewayOptions& options) {
   CanPlace place{options.interface};
   telemetry::Publisher publisher{telemetry::open_outlet(telemetry::Url{options.url})};
   gateway::Gateway gateway{place.bus(), publisher};
-  Herald herald{options.interface, gateway, publisher};
+  Herald herald{options.interface, gateway, publisher, place.now()};
   fmt::print("{} to {}; Ctrl-C ends\n", options.interface, options.url);
   std::fflush(stdout);
   const hal::Microseconds end = options.seconds
@@ -94,7 +102,7 @@ void run(const GatewayOptions& options) {
       gateway.listen(place.now());
       herald.look(place.now());
     }
-  } catch (const Interrupted&) {  // the way to end it
+  } catch (const Interrupted&) {  // NOLINT(bugprone-empty-catch): the way to end it
   }
   const bench::LinkFigures& heard = gateway.heard();
   fmt::print("frames: {} of the avionics, {} lost, {} damaged, {} foreign, {} overrun\n", heard.frames, heard.lost,

@@ -17,6 +17,7 @@
 #include "fantail/run.hpp"
 #include "fantail/scenario_options.hpp"
 #include "fantail/standard_streams.hpp"
+#include "fly/pace.hpp"
 #include "hal/linux/can_bus.hpp"
 #include "hal/linux/console.hpp"
 #include "hal/linux/entropy.hpp"
@@ -28,7 +29,6 @@ namespace fantail::tool {
 namespace {
 
 using SteadyClock = std::chrono::steady_clock;
-using std::chrono::milliseconds;
 
 struct NodeOptions {
   ScenarioOptions scenario;
@@ -38,11 +38,6 @@ struct NodeOptions {
   std::optional<double> seconds;
 };
 
-// A tick that is late by no more than this is made up for; what is later is left out, and the rocket's time goes slower
-// than this PC's. Otherwise a PC that held up both programs for a moment would end a bench session: of the bench's
-// heartbeats, one in 20 ms, none could come while 100 ms are lived through at once.
-constexpr milliseconds most_debt{10};
-constexpr milliseconds worth_a_word{1'000};
 constexpr int ticks_between_looks = 20;
 // Identifiers 0 to 0xFF: what is said to the avionics, and not what others of its kind report.
 const std::vector<hal::on_linux::CanFilter> to_the_avionics{{.id = 0, .mask = 0x700}};
@@ -63,20 +58,17 @@ class Node {
 
   void run(const std::optional<double>& seconds) {
     const auto begin = SteadyClock::now();
-    auto due = begin;
+    pace_ = fly::Pace{begin};
     for (auto now = begin;; now = SteadyClock::now()) {
       if (ticks_ % ticks_between_looks == 0 &&
           (!obey_hands() || take_interrupt() || (seconds && now - begin >= std::chrono::duration<double>{*seconds}))) {
         break;
       }
-      late_ += now > due ? 1 : 0;  // the one before has not ended within its millisecond
-      if (now > due + most_debt) {
-        // With a pause, in which a bench can speak however busy this PC is.
-        leave_out(now + milliseconds{1} - due);
-        due = now + milliseconds{1};
-      }
-      if (now < due) {
+      if (const auto due = pace_.next(now); now < due) {
         std::this_thread::sleep_until(due);
+      }
+      if (const std::string words = pace_.take_words(); !words.empty()) {
+        say(words);
       }
       const auto tick_begin = SteadyClock::now();
       const core::TickRecord& record = world_.tick();
@@ -85,23 +77,13 @@ class Node {
       }
       world_.advance();
       ticks_ += 1;
-      due += milliseconds{1};
     }
   }
 
   [[nodiscard]] std::int64_t ticks() const { return ticks_; }
-  [[nodiscard]] std::int64_t late() const { return late_; }
-  [[nodiscard]] double left_out_s() const { return std::chrono::duration<double>{left_out_}.count(); }
+  [[nodiscard]] const fly::Pace& pace() const { return pace_; }
 
  private:
-  void leave_out(SteadyClock::duration time) {
-    left_out_ += time;
-    if (time > worth_a_word) {
-      say(fmt::format("this PC has slept for {:.1f} s; the rocket's time goes on from here\n",
-                      std::chrono::duration<double>{time}.count()));
-    }
-  }
-
   // False: the person has had enough.
   bool obey_hands() {
     while (const auto command = hands_.next()) {
@@ -119,9 +101,8 @@ class Node {
   sim::World world_;
   PadCommands hands_;
   Observe observe_;
+  fly::Pace pace_{SteadyClock::now()};
   std::int64_t ticks_ = 0;
-  std::int64_t late_ = 0;
-  SteadyClock::duration left_out_{};
 };
 
 void run_node(const NodeOptions& options) {
@@ -142,7 +123,7 @@ void run_node(const NodeOptions& options) {
       const hal::CanCounters counters = bus.counters();
       lcm.report(record, {.limits_rad = tap.limits_rad(),
                           .tick_s = std::chrono::duration<double>{took}.count(),
-                          .late_ticks = node.late(),
+                          .late_ticks = node.pace().late(),
                           .bus = telemetry::Health::Bus{.state = bus.state(),
                                                         .unsent = counters.unsent,
                                                         .overrun = counters.overrun,
@@ -155,8 +136,8 @@ void run_node(const NodeOptions& options) {
       "ended after {:.1f} s of the rocket's time; {} of {} ticks ended later than a millisecond after they were due, "
       "{:.1f} s were left "
       "out; frames: {} sent, {} received, {} found no room\n",
-      1e-3 * static_cast<double>(node.ticks()), node.late(), node.ticks(), node.left_out_s(), counters.sent,
-      counters.received, counters.unsent);
+      1e-3 * static_cast<double>(node.ticks()), node.pace().late(), node.ticks(),
+      std::chrono::duration<double>{node.pace().left_out()}.count(), counters.sent, counters.received, counters.unsent);
   if (const std::string sent = lcm.finish(); !sent.empty()) {
     fmt::print("{}\n", sent);
   }

@@ -12,6 +12,9 @@ constexpr milliseconds health_age{500};
 constexpr milliseconds limit_age{5'000};
 // A little less than the period of 10 ms: nothing comes at even times.
 constexpr milliseconds canards_pause{9};
+// Frames, 12 ms of them: of what came while a busy PC held this process up, every change of the phase is to be seen.
+constexpr int portion = 32;
+constexpr int most_portions = 30;
 
 std::optional<double> radians(core::Angle angle) { return static_cast<double>(angle.radians()); }
 
@@ -29,11 +32,14 @@ const Message* Gateway::news(std::uint64_t& taken) const {
 }
 
 void Gateway::listen(hal::Microseconds now) {
-  link_.listen(now);
-  if (link_.figures().frames != frames_) {
-    frames_ = link_.figures().frames;
-    last_heard_ = now;
+  bool more = true;
+  for (int portions = 0; more && portions < most_portions; ++portions) {
+    more = link_.listen(now, portion);
+    pass_on(now);
   }
+}
+
+void Gateway::pass_on(hal::Microseconds now) {
   follow_clock(now);
   const auto time = clock_.at(now);
   if (!time || !sender_) {

@@ -37,13 +37,12 @@ class Gateway {
   [[nodiscard]] const bench::LinkFigures& heard() const { return link_.figures(); }
   [[nodiscard]] std::uint32_t overrun() const { return bus_.counters().overrun; }
   [[nodiscard]] hal::CanState bus_state() const { return bus_.state(); }
-  /// When the avionics last said anything; empty: never.
-  [[nodiscard]] std::optional<hal::Microseconds> last_heard() const { return last_heard_; }
   [[nodiscard]] int restarts() const { return restarts_; }
 
  private:
   template <typename Message>
   [[nodiscard]] const Message* news(std::uint64_t& taken) const;
+  void pass_on(hal::Microseconds now);
   void follow_clock(hal::Microseconds now);
   void send_state(hal::Microseconds now, core::Microseconds time);
   void send_canards(hal::Microseconds now, core::Microseconds time);
@@ -63,8 +62,6 @@ class Gateway {
   std::optional<telemetry::Sender> sender_;  ///< empty until the avionics' time is known
   telemetry::Changes changes_;
   int restarts_ = 0;
-  std::uint64_t frames_ = 0;
-  std::optional<hal::Microseconds> last_heard_;
   std::uint64_t heartbeats_ = 0;
   std::uint64_t states_ = 0;
   std::uint64_t motions_ = 0;

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+#include <vector>
+
+#include <fmt/core.h>
+#include <gtest/gtest.h>
+
+#include "fly/pace.hpp"
+
+namespace fantail::fly {
+namespace {
+
+using std::chrono::microseconds;
+using std::chrono::milliseconds;
+using std::chrono::seconds;
+
+const Pace::Time power_up{seconds{100}};
+
+/// A PC that needs `cost` for each tick; the words of its node, and how many ticks it had gone through by then.
+struct Pc {
+  Pace pace{power_up};
+  Pace::Time now = power_up;
+  int ticks = 0;
+  std::string words;
+
+  void run_for(Pace::Duration time, Pace::Duration cost) {
+    for (const Pace::Time end = now + time; now < end; ++ticks) {
+      now = std::max(now, pace.next(now)) + cost;
+      words += pace.take_words();
+    }
+  }
+  [[nodiscard]] double lived_s() const { return 1e-3 * ticks; }
+};
+
+TEST(NodePace, OnAPcThatKeepsUpATickBeginsEveryMillisecond) {
+  Pc pc;
+  pc.run_for(seconds{20}, microseconds{700});
+  EXPECT_NEAR(pc.ticks, 20'000, 1);
+  EXPECT_EQ(pc.pace.late(), 0);
+  EXPECT_EQ(pc.pace.left_out().count(), 0);
+  EXPECT_EQ(pc.words, "");
+}
+
+TEST(NodePace, TenMillisecondsAreMadeUpForAndMoreIsLeftOut) {
+  Pc pc;
+  pc.run_for(milliseconds{100}, milliseconds{0});
+  pc.now += milliseconds{10};
+  pc.run_for(milliseconds{100}, milliseconds{0});
+  EXPECT_NEAR(pc.lived_s(), 0.210, 0.0015);
+  EXPECT_EQ(pc.pace.left_out().count(), 0);
+  EXPECT_NEAR(static_cast<double>(pc.pace.late()), 10.0, 1.0);
+  pc.now += milliseconds{50};
+  pc.run_for(milliseconds{100}, milliseconds{0});
+  EXPECT_NEAR(pc.lived_s(), 0.310, 0.0025);
+  EXPECT_GE(pc.pace.left_out(), milliseconds{49});
+  EXPECT_LE(pc.pace.left_out(), milliseconds{52});
+  EXPECT_EQ(pc.words, "");
+}
+
+// A hundred ticks without a pause would be the end of a bench session whose heartbeats could not come.
+TEST(NodePace, NoMoreThanElevenTicksAreLivedThroughWithoutAPause) {
+  for (const int gap_ms : {1, 5, 9, 10, 11, 12, 50, 99, 100, 5'000}) {
+    Pace pace{power_up};
+    const Pace::Time now = power_up + milliseconds{gap_ms};
+    int at_once = 0;
+    while (pace.next(now) <= now) {
+      at_once += 1;
+    }
+    EXPECT_LE(at_once, 11) << gap_ms;
+  }
+}
+
+TEST(NodePace, APcThatSleptIsToldOnceHowLong) {
+  Pc pc;
+  pc.run_for(seconds{2}, microseconds{100});
+  pc.now += seconds{40};
+  pc.run_for(seconds{30}, microseconds{100});
+  EXPECT_EQ(pc.words, "this PC has slept for 40.0 s; the rocket's time goes on from here\n");
+}
+
+TEST(NodePace, APcThatIsTooSlowIsToldHowSlowTheRocketLivesAndWhatItSaysIsSo) {
+  for (const int cost_us : {2'300, 4'000, 30'000, 200'000}) {
+    Pc pc;
+    pc.run_for(seconds{5}, microseconds{cost_us});
+    while (pc.words.empty() && pc.ticks < 100'000) {
+      pc.run_for(microseconds{1}, microseconds{cost_us});
+    }
+    const double passed_s = std::chrono::duration<double>{pc.now - power_up}.count() - 1e-6 * cost_us;
+    EXPECT_EQ(pc.words, fmt::format("this PC is too busy: of the last {:.1f} s the rocket has lived through {:.1f} s\n",
+                                    passed_s, pc.lived_s()));
+    pc.words.clear();
+    pc.run_for(seconds{20}, microseconds{700});
+    EXPECT_EQ(pc.words, "") << "it has caught up";
+  }
+}
+
+TEST(NodePace, APcThatIsALittleTooSlowIsNotWorthAWord) {
+  Pc pc;
+  pc.run_for(seconds{30}, microseconds{1'800});
+  EXPECT_EQ(pc.words, "");
+  EXPECT_GT(pc.pace.left_out(), seconds{10});
+}
+
+}  // namespace
+}  // namespace fantail::fly

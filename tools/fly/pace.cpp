@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#include "fly/pace.hpp"
+
+#include <utility>
+
+#include <fmt/core.h>
+
+namespace fantail::fly {
+namespace {
+
+using std::chrono::milliseconds;
+
+constexpr milliseconds tick{1};
+constexpr milliseconds most_debt{10};
+constexpr milliseconds worth_a_word{1'000};
+constexpr milliseconds window{5'000};
+
+double seconds(Pace::Duration duration) { return std::chrono::duration<double>{duration}.count(); }
+
+}  // namespace
+
+Pace::Time Pace::next(Time now) {
+  late_ += now > due_ ? 1 : 0;
+  if (now > due_ + most_debt) {
+    // With a pause, in which a bench can speak however busy this PC is.
+    leave_out(now + tick - due_);
+    due_ = now + tick;
+  }
+  if (now - window_begin_ >= window) {
+    close_window(now);
+  }
+  const Time begin = due_;
+  due_ += tick;
+  return begin;
+}
+
+void Pace::leave_out(Duration time) {
+  left_out_ += time;
+  if (time > worth_a_word) {
+    words_ += fmt::format("this PC has slept for {:.1f} s; the rocket's time goes on from here\n", seconds(time));
+    window_begin_ += time;
+  } else {
+    left_out_in_window_ += time;
+  }
+}
+
+// Less than half of the time was lived through: whoever waits for the rocket waits more than twice as long.
+void Pace::close_window(Time now) {
+  const Duration passed = now - window_begin_;
+  if (2 * left_out_in_window_ > passed) {
+    words_ += fmt::format("this PC is too busy: of the last {:.1f} s the rocket has lived through {:.1f} s\n",
+                          seconds(passed), seconds(passed - left_out_in_window_));
+  }
+  window_begin_ = now;
+  left_out_in_window_ = {};
+}
+
+std::string Pace::take_words() { return std::exchange(words_, {}); }
+
+}  // namespace fantail::fly
