@@ -9,6 +9,15 @@ target_compile_options(fantail_flags INTERFACE
   # simulator and a replay would differ in the last bit.
   -ffp-contract=off)
 
+# What has been compiled before need not be compiled again, in another clone either, where a compiler cache is installed.
+find_program(FANTAIL_CCACHE ccache)
+if(FANTAIL_CCACHE AND NOT DEFINED CMAKE_CXX_COMPILER_LAUNCHER)
+  # What it has to overlook so that precompiled headers can be cached; folders are named from the sources on.
+  set(CMAKE_CXX_COMPILER_LAUNCHER env CCACHE_SLOPPINESS=pch_defines,time_macros CCACHE_NOHASHDIR=1 CCACHE_DEPEND=1
+    CCACHE_BASEDIR=${PROJECT_SOURCE_DIR} ${FANTAIL_CCACHE})
+  set(CMAKE_C_COMPILER_LAUNCHER ${CMAKE_CXX_COMPILER_LAUNCHER})
+endif()
+
 # Every 64-bit PC since about 2009, so that a build can be handed to the next desk.
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64)$")
   target_compile_options(fantail_flags INTERFACE -march=x86-64-v2)

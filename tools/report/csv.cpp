@@ -3,10 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
+#include <string>
 #include <string_view>
-
-#include <fmt/format.h>
 
 #include "report/numbers.hpp"
 #include "report/six_decimals.hpp"
@@ -23,14 +21,14 @@ constexpr std::string_view true_columns =
 
 class Line {
  public:
-  explicit Line(fmt::memory_buffer& out) : out_{out} {}
+  explicit Line(std::string& out) : out_{out} {}
 
   void number(double value) {
     if (std::isnan(value)) {
       return;  // unknown: an empty cell
     }
     const SixDecimals decimals{value};
-    out_.append(decimals.text());
+    out_ += decimals.text();
   }
   void cell(double value) {
     out_.push_back(',');
@@ -46,13 +44,13 @@ class Line {
   }
   void text(std::string_view value) {
     out_.push_back(',');
-    out_.append(value.data(), value.data() + value.size());
+    out_ += value;
   }
   void flag(bool value) { text(value ? "1" : "0"); }
   void end() { out_.push_back('\n'); }
 
  private:
-  fmt::memory_buffer& out_;
+  std::string& out_;
 };
 
 void write_row(Line line, const Row& row, bool with_truth) {
@@ -87,22 +85,22 @@ void write_row(Line line, const Row& row, bool with_truth) {
 
 std::string csv(const Flight& flight) {
   const bool with_truth = std::ranges::any_of(flight.rows, [](const Row& row) { return row.truth.has_value(); });
-  fmt::memory_buffer out;
+  std::string out;
   out.reserve((flight.rows.size() + 1) * 320);
-  out.append(measured_columns.data(), measured_columns.data() + measured_columns.size());
+  out += measured_columns;
   if (with_truth) {
-    out.append(true_columns.data(), true_columns.data() + true_columns.size());
+    out += true_columns;
   }
   out.push_back('\n');
   for (const Row& row : flight.rows) {
     write_row(Line{out}, row, with_truth);
   }
-  return fmt::to_string(out);
+  return out;
 }
 
 std::string tunnel_csv(const Flight& flight) {
-  fmt::memory_buffer out;
-  fmt::format_to(std::back_inserter(out), "time_s,fan_rpm,wind_speed_m_s\n");
+  std::string out;
+  out += "time_s,fan_rpm,wind_speed_m_s\n";
   for (const TunnelReading& reading : flight.tunnel_readings) {
     Line line{out};
     line.number(reading.time_s);
@@ -110,7 +108,7 @@ std::string tunnel_csv(const Flight& flight) {
     line.cell(reading.wind_speed_m_s);
     line.end();
   }
-  return fmt::to_string(out);
+  return out;
 }
 
 }  // namespace fantail::report

@@ -2,10 +2,9 @@
 #include "report/six_decimals.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <cstdint>
-
-#include <fmt/format.h>
 
 namespace fantail::report {
 namespace {
@@ -41,9 +40,10 @@ SixDecimals::SixDecimals(double value) {
     }
   }
   std::array<char, longest> out{};
-  const auto end = fmt::format_to_n(out.data(), out.size(), "{:.6f}", std::abs(value) < 0.5e-6 ? 0.0 : value);
-  begin_ = longest - end.size;
-  std::copy_n(out.begin(), end.size, text_.begin() + static_cast<std::ptrdiff_t>(begin_));
+  const auto end = std::to_chars(out.data(), out.data() + out.size(), std::abs(value) < 0.5e-6 ? 0.0 : value,
+                                 std::chars_format::fixed, 6);
+  begin_ = longest - static_cast<std::size_t>(end.ptr - out.data());
+  std::copy(out.data(), end.ptr, text_.begin() + static_cast<std::ptrdiff_t>(begin_));
 }
 
 std::string_view SixDecimals::brief() const {

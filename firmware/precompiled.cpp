@@ -1,2 +1,0 @@
-// SPDX-License-Identifier: MIT
-// Of the target flight_precompiled, which is nothing but its header.

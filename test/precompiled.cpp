@@ -1,2 +1,0 @@
-// SPDX-License-Identifier: MIT
-// Of the target test_precompiled, which is nothing but its header.
