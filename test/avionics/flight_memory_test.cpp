@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <iostream>
 #include <memory>
 #include <random>
 #include <vector>
@@ -14,6 +13,7 @@
 #include "core/flight_plan_fields.hpp"
 #include "protocol/state_block.hpp"
 #include "protocol/tick_digest.hpp"
+#include "seed.hpp"
 
 namespace fantail::avionics {
 namespace {
@@ -164,9 +164,7 @@ TEST(FlightMemory, EverySingleBitThatFlipsBreaksItsHalfAndTheOtherOneIsTaken) {
 
 TEST(FlightMemory, WithBothHalvesSpoiltThereIsNothingToResume) {
   Kept rig;
-  const std::uint32_t seed = std::random_device{}();
-  std::cout << "seed " << seed << "\n";
-  std::mt19937 random{seed};
+  std::mt19937 random{test::seed()};
   for (int i = 0; i < 500; ++i) {
     Memory memory = rig.memory;
     for (const std::size_t half : {std::size_t{0}, std::size_t{1}}) {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // The processor is reset in flight, and the whole avionics begins anew.
 #include <algorithm>
-#include <iostream>
 #include <random>
 
 #include <gtest/gtest.h>
 
 #include "flying_rig.hpp"
+#include "seed.hpp"
 
 namespace fantail::avionics {
 namespace {
@@ -58,9 +58,7 @@ TEST(Resume, TheCanardsTakeTheirCommandsAtOnceAndNotAsAfterPowerUp) {
 // of at most A the angle is off by A gap^2 / 4 at most; and where the clock is off by e, by the largest rate times e.
 // The gap is that from the last seal, up to 10 ms longer than the time without a processor.
 TEST(Resume, AtAnyTickTheRollAngleStaysWithinItsBoundAndTheCommandsWithinTheirs) {
-  const std::uint32_t seed = std::random_device{}();
-  std::cout << "seed " << seed << "\n";
-  std::mt19937 random{seed};
+  std::mt19937 random{test::seed()};
   const auto between = [&random](int low, int high) { return std::uniform_int_distribution{low, high}(random); };
   for (int flight = 0; flight < 12; ++flight) {
     FlyingRig rig;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <array>
-#include <cstdlib>
 #include <random>
 
 #include <gtest/gtest.h>
@@ -10,6 +9,7 @@
 #include "flight_log/integrity.hpp"
 #include "flight_log/log_maker.hpp"
 #include "flight_log/made_flight.hpp"
+#include "seed.hpp"
 
 namespace fantail::flight_log {
 namespace {
@@ -89,10 +89,7 @@ TEST(DamagedLog, ALengthThatCannotBeIsPassedOver) {
 
 TEST(DamagedLog, NoiseBetweenTheRecordsCostsNone) {
   const MadeFlight made = short_flight();
-  const char* asked = std::getenv("FANTAIL_SEED");
-  const auto seed = asked != nullptr ? static_cast<std::uint32_t>(std::stoul(asked)) : 20'261'121U;
-  std::printf("seed %u\n", seed);
-  std::mt19937 random{seed};  // NOLINT(cert-msc32-c,cert-msc51-cpp): the seed is the point
+  std::mt19937 random{test::seed(20'261'121)};  // NOLINT(cert-msc32-c,cert-msc51-cpp): the seed is the point
   for (int run = 0; run < 50; ++run) {
     std::vector<std::byte> bytes;
     std::size_t begin = 0;

@@ -10,6 +10,8 @@
 
 #include <gtest/gtest.h>
 
+#include "seed.hpp"
+
 namespace fantail::json {
 namespace {
 
@@ -206,9 +208,7 @@ TEST(Printed, HasTheDecimalsOfPrintf) {
   EXPECT_EQ(printed(1e20, 2).dump(), "1e+20");
   EXPECT_TRUE(printed({}, 2).is_null());
   EXPECT_TRUE(printed(std::nan(""), 2).is_null());
-  const auto seed = std::random_device{}();
-  SCOPED_TRACE("seed " + std::to_string(seed));
-  std::mt19937_64 random{seed};
+  std::mt19937_64 random{test::seed()};
   std::uniform_real_distribution<double> any{-1000.0, 1000.0};
   for (int i = 0; i < 20'000; ++i) {
     const double value = i % 2 == 0 ? any(random) : std::round(any(random) * 32768.0) / 32768.0;  // ties

@@ -10,6 +10,8 @@
 
 #include <gtest/gtest.h>
 
+#include "seed.hpp"
+
 namespace fantail::report {
 namespace {
 
@@ -30,9 +32,7 @@ TEST(SixDecimals, AreThoseOfPrintf) {
 }
 
 TEST(SixDecimals, AreThoseOfPrintfForAnyNumber) {
-  const auto seed = std::random_device{}();
-  SCOPED_TRACE("seed " + std::to_string(seed));
-  std::mt19937_64 random{seed};
+  std::mt19937_64 random{test::seed()};
   std::uniform_real_distribution<double> mantissa{-1.0, 1.0};
   std::uniform_int_distribution<int> exponent{-12, 16};
   for (int i = 0; i < 200'000; ++i) {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // A bus on which something is wrong.
-#include <iostream>
 #include <map>
 #include <random>
 
 #include <gtest/gtest.h>
 
 #include "can_bus_rig.hpp"
+#include "seed.hpp"
 
 namespace fantail::hal::stm32f4 {
 namespace {
@@ -139,9 +139,7 @@ TEST(CanBusTrouble, AFrameThatIsSentInTheMomentOfBusOffIsNotKeptForLater) {
 // What the bus does comes at any access to a register, in the loop and in the handlers: no frame is lost without being
 // counted, none comes twice, and those of one identifier stay in order.
 TEST(CanBusTrouble, WheneverTheBusActsEveryFrameIsAccountedFor) {
-  const std::uint32_t seed = std::random_device{}();
-  std::cout << "seed " << seed << "\n";
-  std::mt19937 random{seed};
+  std::mt19937 random{fantail::test::seed()};
   const auto chance = [&random](unsigned one_in) { return random() % one_in == 0; };
   for (int run = 0; run < 20; ++run) {
     CanBusRig rig;
