@@ -20,12 +20,10 @@ TEST_F(CanSystem, AnInterfaceThatGoesDownAndComesBackIsNoticedAndNothingHasToBeS
   node.await_rest();
   Program watch{{"bench", "watch", "--can", "vcan0", "--json"}};
   const auto shows = [&](const std::function<bool(const Json&)>& question) {
-    return eventually(
-        [&] {
-          const Json object = last_object(watch.said());
-          return object.is_object() && question(object);
-        },
-        std::chrono::seconds{20});
+    return eventually([&] {
+      const Json object = last_object(watch.said());
+      return object.is_object() && question(object);
+    });
   };
   EXPECT_TRUE(shows([](const Json& now) { return now["bus_state"] == "error active" && now["phase"] == "safe"; }));
   must("ip link set vcan0 down");

@@ -11,39 +11,37 @@ namespace {
 
 using Json = json::Value;
 
-// A healthy rocket and one with canard 3 reversed, on two buses at the same time: half a minute.
-TEST_F(CanSystem, LimitsPassesTheHealthyRocketAndNamesTheReversedCanardOfTheOther) {
+// A healthy rocket and one with canard 3 reversed, on two buses at the same time. All four canards through their whole
+// course take half a minute: test/sil does that without a bus, and test/system as the README has it, with one.
+TEST_F(CanSystem, AnExercisePassesTheHealthyRocketAndNamesTheReversedCanardOfTheOther) {
   Node healthy{"vcan0"};
   Node reversed{"vcan1", "bench_canard3_reversed"};
   healthy.await_rest();
   reversed.await_rest();
   const Folder folder;
   auto passing = std::async(std::launch::async, [&] {
-    return fantail_bench({"limits", "--can", "vcan0", "--vehicle", "tasha3_bench", "--plan", "tasha3_launch2", "--json",
-                          "--out", folder / "healthy"});
+    return fantail_bench({"step", "--can", "vcan0", "--canard", "3", "--vehicle", "tasha3_bench", "--plan",
+                          "tasha3_launch2", "--json", "--out", folder / "healthy"});
   });
-  const Outcome failed =
-      fantail_bench({"limits", "--can", "vcan1", "--vehicle", "tasha3_bench", "--out", folder / "reversed/sheet"});
+  const Outcome failed = fantail_bench(
+      {"step", "--can", "vcan1", "--canard", "3", "--vehicle", "tasha3_bench", "--out", folder / "reversed/sheet"});
   const Outcome passed = passing.get();
   EXPECT_EQ(passed.exit_code, 0) << passed.err;
   EXPECT_EQ(passed.err, "");
   EXPECT_EQ(passed.out, content(folder / "healthy/sheet.json"));
   const Json sheet = json::parse(passed.out);
   EXPECT_EQ(sheet["passed"], true) << passed.out;
-  EXPECT_EQ(sheet["exercise"], "limits");
+  EXPECT_EQ(sheet["exercise"], "step");
   EXPECT_EQ(sheet["plan"], "tasha3_launch2");
-  EXPECT_EQ(sheet["canards"].size(), 4U);
+  EXPECT_EQ(sheet["canards"].size(), 1U);
   EXPECT_PRED2(contains, content(folder / "healthy/sheet.html"), "<html");
 
   EXPECT_EQ(failed.exit_code, 1) << failed.err;
   EXPECT_PRED2(contains, failed.out, "\nFAIL\n");
   EXPECT_PRED2(contains, failed.out, "Canard 3 is reversed");
-  for (const std::string innocent : {"Canard 1", "Canard 2", "Canard 4"}) {
-    EXPECT_EQ(failed.out.find(innocent), std::string::npos) << failed.out;
-  }
   const Json bad_sheet = json::parse(content(folder / "reversed/sheet/sheet.json"));
   EXPECT_EQ(bad_sheet["passed"], false);
-  EXPECT_EQ(bad_sheet["canards"][2]["cause"], "reversed") << bad_sheet["canards"][2];
+  EXPECT_EQ(bad_sheet["canards"][0]["cause"], "reversed") << bad_sheet["canards"][0];
   EXPECT_PRED2(contains, content(folder / "reversed/sheet/sheet.html"), "Canard 3 is reversed");
 }
 

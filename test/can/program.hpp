@@ -33,7 +33,7 @@ class Program {
   /// What it has written to standard output so far.
   [[nodiscard]] std::string said() const { return content(out_); }
   /// Waits until that holds `text`; false when it never does.
-  [[nodiscard]] bool says(const std::string& text, std::chrono::milliseconds longest = std::chrono::seconds{20}) const;
+  [[nodiscard]] bool says(const std::string& text, std::chrono::milliseconds longest = std::chrono::minutes{1}) const;
 
   [[nodiscard]] bool ended();
   /// Waits for its end.

@@ -32,7 +32,7 @@ class Ear {
 
   /// Listens until the answer is yes; false when it stays no.
   [[nodiscard]] bool until(const std::function<bool()>& question,
-                           std::chrono::milliseconds longest = std::chrono::seconds{20});
+                           std::chrono::milliseconds longest = std::chrono::minutes{1});
 
   template <typename Message>
   [[nodiscard]] Message newest() const {

@@ -21,11 +21,11 @@ std::vector<std::string> lines(const std::string& text) {
 }
 
 TEST_F(AtARocket, WatchSaysALineASecondOrAnObjectAndEndsByCtrlC) {
+  const auto begin = std::chrono::steady_clock::now();
   Program plain{{"bench", "watch", "--can", "vcan0"}};
   Program objects{{"bench", "watch", "--can", "vcan0", "--json"}};
-  const auto begin = std::chrono::steady_clock::now();
-  EXPECT_TRUE(eventually([&] { return lines(objects.said()).size() >= 4 && lines(plain.said()).size() >= 4; }, 20s));
-  EXPECT_GT(std::chrono::steady_clock::now() - begin, 3s);
+  EXPECT_TRUE(eventually([&] { return lines(objects.said()).size() >= 4 && lines(plain.said()).size() >= 4; }));
+  EXPECT_GE(std::chrono::steady_clock::now() - begin, 4s) << "less than a second for a line";
   for (Program* each : {&plain, &objects}) {
     each->signal(SIGINT);
     EXPECT_EQ(each->outcome().exit_code, 0);
@@ -38,9 +38,7 @@ TEST_F(AtARocket, WatchSaysALineASecondOrAnObjectAndEndsByCtrlC) {
   double before_s = 0.0;
   for (const std::string& line : lines(objects.outcome().out)) {
     const Json object = json::parse(line);
-    // A second but for one heartbeat and a late wake; less when the guest was held up.
     EXPECT_GT(object["uptime_s"].number(), before_s);
-    EXPECT_LT(object["uptime_s"].number() - before_s, before_s == 0.0 ? 1e9 : 1.5);
     before_s = object["uptime_s"].number();
   }
 }

@@ -56,10 +56,8 @@ TEST(LinuxConsole, DropsWhatDoesNotFitInsteadOfWaiting) {
   ErrorPipe pipe;
   hal::on_linux::Console console;
   const std::string much(1 << 20, 'x');
-  const auto begin = std::chrono::steady_clock::now();
-  console.write(much);
+  console.write(much);  // nobody reads: whoever waited would wait for ever
   console.write("lost");
-  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds{5});
   const std::string kept = pipe.read_all();
   EXPECT_GT(kept.size(), 0U);
   EXPECT_LT(kept.size(), much.size());

@@ -36,9 +36,9 @@ class Background {
 /// candump, already listening; its output as in a log, without the times.
 [[nodiscard]] Background candump(const std::string& interface, int frames);
 
-/// Asks until the answer is yes; false after `longest`. Far longer than anything should take.
+/// Asks until the answer is yes; false after a minute, which is far longer than anything takes on a busy machine too.
 [[nodiscard]] bool eventually(const std::function<bool()>& question,
-                              std::chrono::milliseconds longest = std::chrono::seconds{5});
+                              std::chrono::milliseconds longest = std::chrono::minutes{1});
 
 /// The next frame; waits for it.
 [[nodiscard]] std::optional<hal::CanFrame> next_frame(hal::on_linux::CanBus& bus);

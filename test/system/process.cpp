@@ -16,7 +16,7 @@
 namespace fantail::test {
 namespace {
 
-constexpr unsigned patience_s = 60;
+constexpr unsigned patience_s = 240;
 
 struct Pipe {
   int read_end = -1;

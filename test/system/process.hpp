@@ -31,7 +31,7 @@ struct Surroundings {
 };
 
 /// Runs the fantail program that this build made, standard input empty, and waits for its end. A run that takes longer
-/// than a minute is killed, so that a test fails instead of hanging.
+/// than four minutes is killed, so that a test fails instead of hanging.
 [[nodiscard]] Outcome fantail(const std::vector<std::string>& arguments, const Surroundings& surroundings = {});
 
 /// The same for any program, found through PATH.

@@ -1,22 +1,34 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Usage: same_bytes.sh SOURCE_FOLDER WORK_FOLDER FLY_ALONE
-# Builds fly_alone, which is `fantail fly` and nothing else, without optimisation by g++ and optimised by clang, flies every
-# shipped scenario with each, and compares the bytes with what FLY_ALONE (of the normal build) writes. Exit code 77 (skipped) without clang.
+# Usage: same_bytes.sh SOURCE_FOLDER WORK_FOLDER BUILD_FOLDER
+# Compiles what flies and its world once more, without optimisation by g++ and optimised by clang, links it with the rest
+# of the normal build's fly_alone (`fantail fly` and nothing else), flies every shipped scenario with each, and compares
+# the bytes with what the normal one writes. Exit code 77 (skipped) without clang.
 set -eu
 source_folder="$1"
 work="$2"
-normal="$3"
+normal_build="$3"
+normal="$normal_build/test/system/fly_alone"
 optimising_clang="${FANTAIL_CLANG:-clang++-19}"
 if ! command -v "$optimising_clang" >/dev/null; then
   echo "SKIPPED: $optimising_clang is not installed, so nobody knows whether clang gives the same bytes" >&2
   exit 77
 fi
 
+# How the normal build links fly_alone: words, of which some are archives of firmware, hal and sim.
+link=$(ninja -C "$normal_build" -t commands fly_alone | tail -n 1)
+archives=$(echo "$link" | tr ' ' '\n' | grep -E '^(firmware|hal|sim)/.*\.a$' | sort -u)
+[ "$(echo "$archives" | wc -l)" -ge 5 ] || {
+  echo "FAILED: no archives of what flies in: $link" >&2
+  exit 1
+}
+
 build() { # NAME COMPILER FLAGS
   if ! {
+    # shellcheck disable=SC2086 # a list of words
     cmake -S "$source_folder" -B "$work/$1" -G Ninja -D CMAKE_CXX_COMPILER="$2" -D CMAKE_CXX_FLAGS="$3" \
-      -D CMAKE_BUILD_TYPE= -D FANTAIL_TESTS=ON && cmake --build "$work/$1" --target fly_alone -j 2
+      -D CMAKE_BUILD_TYPE= && cmake --build "$work/$1" -j 2 --target $archives &&
+      (cd "$normal_build" && eval "$(echo "$link" | sed -E "s# (firmware|hal|sim)/# $work/$1/\\1/#g; s# -o [^ ]+# -o $work/$1/fly_alone#")")
   } >"$work/$1.log" 2>&1; then
     cat "$work/$1.log" >&2
     exit 1
@@ -41,8 +53,8 @@ rm -rf "$work/flights"
 build gcc-O0 g++ -O0
 build clang-O2 "$optimising_clang" -O2
 fly normal "$normal"
-fly gcc-O0 "$work/gcc-O0/test/system/fly_alone"
-fly clang-O2 "$work/clang-O2/test/system/fly_alone"
+fly gcc-O0 "$work/gcc-O0/fly_alone"
+fly clang-O2 "$work/clang-O2/fly_alone"
 
 # The C library chooses faster routines on processors with fused multiply-add; the bytes must not follow.
 GLIBC_TUNABLES=glibc.cpu.hwcaps=-FMA,-AVX2,-FMA_Usable,-AVX2_Usable

@@ -41,7 +41,7 @@ TEST_F(GatewaySystem, SaysOfARealBusWhatTheNodeSaysOfItself) {
   Program gateway{{"gateway", "--can", "vcan0", "--lcm", from_gateway}};
   Watcher inside{from_node};
   Watcher outside{from_gateway};
-  ASSERT_TRUE(eventually([&] { return is_live(inside) && is_live(outside); }, std::chrono::seconds{20}));
+  ASSERT_TRUE(eventually([&] { return is_live(inside) && is_live(outside); }));
   Program arm{{"bench", "arm", "--can", "vcan0", "--yes"}};
   ASSERT_TRUE(arm.says("Close the arm switch at the rocket.")) << arm.said();
   const auto at_rest_inside = inside.seen().back();
@@ -117,7 +117,7 @@ TEST_F(GatewaySystem, ANetworkThatGoesAwayDoesNotEndAFlight) {
   ASSERT_TRUE(node.says(" on vcan0;")) << node.outcome().err;
   {
     Watcher inside{from_node};
-    EXPECT_TRUE(eventually([&] { return is_live(inside); }, std::chrono::seconds{20}));
+    EXPECT_TRUE(eventually([&] { return is_live(inside); }));
   }
   take_the_route_away();
   EXPECT_TRUE(Ear{"vcan0"}.at_rest());
