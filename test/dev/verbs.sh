@@ -27,6 +27,9 @@ call() {
 
 quick() {
   call 0 help
+  call 64 bogus
+  grep -q 'no verb "bogus"' said || { echo "FAILED: a verb that is none was not named: $(cat said)" && exit 1; }
+  call 64 packages nonsense
   call 0 packages fly
   grep -qx ninja-build said || { echo "FAILED: no ninja-build in the packages for flying" && exit 1; }
   call 0 fly
@@ -56,7 +59,7 @@ thorough() {
   done
   call 0 firmware
   call 0 format --check
-  call 0 gates tools/text
+  call 0 gates tools/json # its tests under the sanitizers, and the linter
 }
 
 "$2"

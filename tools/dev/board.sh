@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# shellcheck shell=sh
+# shellcheck shell=dash
 # The image for the board, and getting it there. Part of ./dev.
 
 firmware() {

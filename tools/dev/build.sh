@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# shellcheck shell=sh
+# shellcheck shell=dash
 # Building, one at a time and not in silence. Part of ./dev, which has set $root and stands in it.
 
 # One build a folder: a node and a bench are often started together. Held until leave_turn, or the end of this script.
@@ -27,7 +27,7 @@ out_of_room() {
 # build WHAT FOLDER ROOM_MB COMMAND...: runs COMMAND, a build by ninja in FOLDER, and says how far WHAT is: on a terminal
 # all the time, in a pipe every ten seconds. Silent when there is nothing to build. What failed is printed whole.
 build() {
-  what=$1 folder=$2 room_mb=$3
+  local what="$1" folder="$2" room_mb="$3" status ticker begun count done total spent left text
   shift 3
   mkdir -p "$folder" || out_of_room "$room_mb"
   status=$folder/progress
@@ -50,7 +50,8 @@ build() {
         [ "$((done % 4))" -ne 0 ] && [ "$done" -ne "$total" ] && [ -s "$status" ] && continue
         spent=$(($(date +%s) - begun))
         left=""
-        [ "$spent" -lt 3 ] || [ "$done" -eq 0 ] || left=", about $((spent * (total - done) / done)) s to go"
+        [ "$spent" -lt 3 ] || [ "$done" -eq 0 ] || left=$((spent * (total - done) / done))
+        [ "${left:-0}" -lt 1 ] && left="" || left=", about $left s to go"
         text="building $what: $done of $total ($((100 * done / total)) %)$left"
         echo "$text" >"$status"
         [ ! -t 2 ] || printf '\r\033[K%s' "$text" >&2
@@ -72,9 +73,8 @@ build() {
 # configured FOLDER PRESET [OPTION...]: with these options on. CMake runs again by itself when one of its files changes,
 # but not when a preset does.
 configured() {
-  build_folder=$1 preset=$2
+  local build_folder="$1" preset="$2" wanted="" fresh=yes option
   shift 2
-  wanted="" fresh=yes
   for option in "$@"; do
     wanted="$wanted -D $option=ON"
     grep -q "^$option:BOOL=ON" "$build_folder/CMakeCache.txt" 2>/dev/null || fresh=""
@@ -87,7 +87,7 @@ configured() {
 # host_build WHAT TARGET...: of the programs for this PC, with the options that $host_options names.
 host_options=""
 host_build() {
-  what=$1
+  local what="$1"
   shift
   # shellcheck disable=SC2086
   build "$what" build/host 900 host_commands "$@"

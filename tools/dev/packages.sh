@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# shellcheck shell=sh
+# shellcheck shell=dash
 # What must be installed, and installing it. Part of ./dev, which has set $root.
 
 fly_packages="g++ cmake ninja-build libeigen3-dev libtomlplusplus-dev libcli11-dev libfmt-dev nlohmann-json3-dev libmd-dev liblcm-dev liblcm-bin"
