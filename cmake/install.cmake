@@ -2,6 +2,9 @@
 # cmake --install: the programs with what they ship, and core and protocol for other projects, which say
 # find_package(Fantail) and link Fantail::core and Fantail::protocol.
 include(GNUInstallDirs)
+# Whatever the umask: what root installs is for everyone.
+set(CMAKE_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
+  OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
 include(CMakePackageConfigHelpers)
 
 install(TARGETS fantail RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})

@@ -29,6 +29,11 @@ rm "$prefix/libexec/fantail/fantail-paper"
 code=0
 "$prefix/bin/fantail" paper >said 2>&1 || code=$?
 [ "$code" = 69 ] && grep -q 'fantail-paper' said || fail "a verb that is not installed: exit code $code, $(cat said)"
+chmod a-x "$prefix/libexec/fantail/fantail-plan"
+code=0
+"$prefix/bin/fantail" plan >said 2>&1 || code=$?
+[ "$code" = 69 ] && grep -q 'fantail-plan cannot be started: Permission denied' said || fail "no program: $code, $(cat said)"
+chmod a+x "$prefix/libexec/fantail/fantail-plan"
 [ -s "$prefix/share/fantail/canard_bus.dbc" ] || fail "no CAN database"
 [ -s "$prefix/share/fantail/lcm/state_t.lcm" ] || fail "no LCM types"
 

@@ -75,6 +75,15 @@ expect 70 "a.cpp:1: error: such a thing" fly
 stand_in cmake 'echo "CMake Error: no such preset"; exit 1'
 expect 70 "CMake Error: no such preset" fly
 
+# Where nothing can be written.
+rm -rf build
+: >build
+expect 73 "this user cannot write into $work/project/build" fly
+stand_in df 'echo "Filesystem 1048576-blocks Used Available Capacity Mounted"; echo "/dev/sda 10 9 3 99% /"'
+expect 74 "the disk is full" fly
+ln -sf "$(command -v df)" "$work/bin/df"
+rm build
+
 # Slow: in a pipe it says how far it is, and a second one waits for its turn and says so.
 mkdir -p build/host
 stand_in cmake 'case "$*" in --build*) echo "[40 90] Building"; sleep 12 ;; esac'
@@ -90,4 +99,14 @@ grep -q "building what flies: 40 of 90 (44 %)" "$work/first" || {
   failures=$((failures + 1))
 }
 [ "$(tail -n 1 "$work/first")" = flown ] || { echo "FAILED: not flown" && failures=$((failures + 1)); }
+
+# Killed outright, it leaves nobody behind who writes.
+mkfifo "$work/pipe"
+PATH="$work/bin" ./dev fly >"$work/pipe" 2>&1 </dev/null &
+killed=$!
+(sleep 1 && kill -KILL "$killed") &
+timeout 60 cat "$work/pipe" >"$work/said" || {
+  echo "FAILED: a minute after ./dev was killed somebody still wrote: $(tail -n 2 "$work/said")"
+  failures=$((failures + 1))
+}
 [ "$failures" -eq 0 ]

@@ -59,7 +59,7 @@ thorough() {
   done
   call 0 firmware
   call 0 format --check
-  call 0 gates tools/json # its tests under the sanitizers, and the linter
+  call 0 gates tools/text # its tests under the sanitizers, and the linter
 }
 
 "$2"

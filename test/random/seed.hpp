@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <charconv>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
@@ -8,6 +9,8 @@
 #include <random>
 #include <stdexcept>
 #include <string>
+#include <string_view>
+#include <system_error>
 
 namespace fantail::test {
 
@@ -17,12 +20,11 @@ namespace fantail::test {
   const char* const asked = std::getenv("FANTAIL_SEED");
   std::uint32_t result = usual ? *usual : std::random_device{}();
   if (asked != nullptr) {
-    std::size_t used = 0;
-    const unsigned long long number = std::stoull(asked, &used);
-    if (asked[used] != '\0' || number > UINT32_MAX) {
-      throw std::invalid_argument{"FANTAIL_SEED is no whole number from 0 to 4294967295: " + std::string{asked}};
+    const std::string_view text{asked};
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), result);
+    if (error != std::errc{} || end != text.data() + text.size()) {
+      throw std::invalid_argument{"FANTAIL_SEED is no whole number from 0 to 4294967295: " + std::string{text}};
     }
-    result = static_cast<std::uint32_t>(number);
   }
   std::printf("seed %u; the same again with FANTAIL_SEED=%u\n", result, result);
   std::fflush(stdout);

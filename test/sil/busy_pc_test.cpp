@@ -72,6 +72,23 @@ TEST_P(BusyPc, ThatSleepsInTheMiddleOfASelfTestHearsItsEnd) {
   EXPECT_EQ(reply.self_test, protocol::SelfTestState::passed);
 }
 
+TEST(ABusyPc, ThatHoldsTheBenchUpIsNamedWhenTheSessionIsLost) {
+  BenchAtWorld place{"bench_healthy"};
+  bench::AvionicsLink link{place.pc_bus};
+  bench::Session session = place.open_session(link);
+  session.wait(second);
+  place.wait(3 * second);  // the rocket lives on, and the bench does not speak
+  try {
+    session.wait(second);
+    FAIL() << "the session is still open";
+  } catch (const bench::LinkError& error) {
+    EXPECT_STREQ(
+        error.what(),
+        "the avionics has ended the bench session: it heard no heartbeat for 0.1 s, and this PC, asleep or too "
+        "busy, had held the bench up for 3.0 s");
+  }
+}
+
 TEST(ABusyPc, ARocketThatDiesIsSilentAfterTwoSecondsOfListening) {
   BenchAtWorld place{"bench_healthy"};
   bench::AvionicsLink link{place.pc_bus};

@@ -69,12 +69,13 @@ TEST(NodePace, NoMoreThanElevenTicksAreLivedThroughWithoutAPause) {
   }
 }
 
-TEST(NodePace, APcThatSleptIsToldOnceHowLong) {
+TEST(NodePace, ALongStandstillIsToldOnce) {
   Pc pc;
   pc.run_for(seconds{2}, microseconds{100});
   pc.now += seconds{40};
   pc.run_for(seconds{30}, microseconds{100});
-  EXPECT_EQ(pc.words, "this PC has slept for 40.0 s; the rocket's time goes on from here\n");
+  EXPECT_EQ(pc.words,
+            "the rocket stood still for 40.0 s, because this PC slept or was busy; its time goes on from here\n");
 }
 
 TEST(NodePace, APcThatIsTooSlowIsToldHowSlowTheRocketLivesAndWhatItSaysIsSo) {
@@ -91,6 +92,16 @@ TEST(NodePace, APcThatIsTooSlowIsToldHowSlowTheRocketLivesAndWhatItSaysIsSo) {
     pc.run_for(seconds{20}, microseconds{700});
     EXPECT_EQ(pc.words, "") << "it has caught up";
   }
+}
+
+TEST(NodePace, StandstillsThatComeAgainAndAgainAreAMatterOfPace) {
+  Pc pc;
+  for (int i = 0; i < 6; ++i) {
+    pc.now += milliseconds{1'200};
+    pc.run_for(milliseconds{300}, microseconds{100});
+  }
+  EXPECT_NE(pc.words.find("the rocket stood still for 1.2 s"), std::string::npos) << pc.words;
+  EXPECT_NE(pc.words.find("too busy: of the last 5"), std::string::npos) << pc.words;
 }
 
 TEST(NodePace, APcThatIsALittleTooSlowIsNotWorthAWord) {

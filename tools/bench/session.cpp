@@ -2,6 +2,9 @@
 #include "bench/session.hpp"
 
 #include <algorithm>
+#include <utility>
+
+#include <fmt/core.h>
 
 #include "avionics/can_frame.hpp"
 #include "link/words.hpp"
@@ -33,6 +36,8 @@ std::uint64_t count(const AvionicsLink& link) {
   return heard ? heard->count : 0;
 }
 
+std::string tenths(Microseconds time) { return fmt::format("{:.1f} s", 1e-6 * static_cast<double>(time.count())); }
+
 void send(Place& place, const protocol::BusFrame& frame) {
   // A frame that finds no room is not missed: there will be another within 20 ms.
   (void)place.bus().send(avionics::can_frame(frame));
@@ -47,11 +52,11 @@ void await_avionics(Place& place, AvionicsLink& link) {
   };
   for (link.listen(place.now()); !complete(); link.listen(place.now())) {
     if (patience.ends(place.now())) {
-      throw LinkError{
-          link.figures().frames == 0
-              ? "the avionics is silent: is it powered, is the bus terminated at both ends, and does it run "
-                "at 1 Mbit/s?"
-              : "the avionics speaks, but its heartbeat does not come: is the bus overloaded?"};
+      throw LinkError{link.figures().frames == 0
+                          ? "the avionics is silent: is it powered (its node running), is the bus terminated at both "
+                            "ends, and does it run "
+                            "at 1 Mbit/s?"
+                          : "the avionics speaks, but its heartbeat does not come: is the bus overloaded?"};
     }
     place.wait(glance);
   }
@@ -98,6 +103,7 @@ void Session::open() {
     throw LinkError{"the avionics refuses a bench session: " + link::words(answer->reason)};
   }
   open_ = true;
+  last_look_ = place_.now();
 }
 
 // By what they are told when nobody asks for anything, once that stands still.
@@ -137,6 +143,7 @@ void Session::wait() {
 
 void Session::speak() {
   const Microseconds now = place_.now();
+  longest_gap_ = std::max(longest_gap_, now - std::exchange(last_look_, now));
   if (open_ && now > next_heartbeat_ + longest_pause) {
     // This process stood still for so long that the session may be over, and another bench at work: a request waits
     // until the avionics has named this session once more.
@@ -174,7 +181,10 @@ void Session::check_still_open() const {
   }
   const auto& reply = link_.newest<protocol::SessionReply>()->message;
   if (reply.session == number_ && reply.state == protocol::SessionState::closed) {
-    throw LinkError{"the avionics has ended the bench session: " + link::words(reply.reason)};
+    const bool by_pc = reply.reason == protocol::SessionReason::heartbeat_lost && longest_gap_ > longest_pause;
+    throw LinkError{
+        "the avionics has ended the bench session: " + link::words(reply.reason) +
+        (by_pc ? ", and this PC, asleep or too busy, had held the bench up for " + tenths(longest_gap_) : "")};
   }
   // Whoever was stopped for a while may find somebody else at work, and must not speak into that.
   if (reply.session != number_ && reply.state == protocol::SessionState::open) {

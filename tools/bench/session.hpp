@@ -63,6 +63,8 @@ class Session {
   std::optional<std::uint64_t> unsure_since_;  ///< answers heard before this process last stood still
   Each<core::Angle> trims_{};
   hal::Microseconds next_heartbeat_{};
+  hal::Microseconds last_look_{};
+  hal::Microseconds longest_gap_{};  ///< between two looks, in which no heartbeat could be sent
   hal::Microseconds next_request_{};
   protocol::FrameCounter heartbeat_counter_;
   protocol::FrameCounter request_counter_;

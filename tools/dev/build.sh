@@ -4,13 +4,13 @@
 
 # One build a folder: a node and a bench are often started together. Held until leave_turn, or the end of this script.
 take_turn() {
-  mkdir -p build || exit 73
+  mkdir -p build 2>/dev/null && (: >>build/lock) 2>/dev/null || cannot_write build
   exec 9>>build/lock
   flock -w 1 9 || { # a person who waits for less need not know
     echo "dev: waiting for another ./dev in this folder: $(cat build/lock.owner 2>/dev/null || echo "it has just begun")" >&2
     flock 9
   }
-  echo "./dev $verb, process $$" >build/lock.owner || out_of_room
+  (echo "./dev $verb, process $$" >build/lock.owner) 2>/dev/null || cannot_write build
 }
 
 leave_turn() {
@@ -18,8 +18,20 @@ leave_turn() {
   exec 9>&-
 }
 
+free_mb() {
+  df -Pm . | awk 'NR == 2 { print $4 }'
+}
+
+# cannot_write FOLDER: why, and the end.
+cannot_write() {
+  [ "$(free_mb)" -ge 20 ] || out_of_room 900
+  echo "dev: this user cannot write into $root/$1 or what is in it. Built by root before? Then, as root:" \
+    "chown -R $(id -un) $root/build. Or copy the project to a folder of your own." >&2
+  exit 73
+}
+
 out_of_room() {
-  echo "dev: the disk is full: $(df -Pm build | awk 'NR == 2 { print $4 }') MB are free where build/ is, and a build takes up to $1 MB." \
+  echo "dev: the disk is full: $(free_mb) MB are free where build/ is, and a build takes up to $1 MB." \
     "Make room, then this command again; what has been built stays." >&2
   exit 74
 }
@@ -27,47 +39,56 @@ out_of_room() {
 # build WHAT FOLDER ROOM_MB COMMAND...: runs COMMAND, a build by ninja in FOLDER, and says how far WHAT is: on a terminal
 # all the time, in a pipe every ten seconds. Silent when there is nothing to build. What failed is printed whole.
 build() {
-  local what="$1" folder="$2" room_mb="$3" status ticker begun count done total spent left text
+  local what="$1" folder="$2" room_mb="$3" status ticker="" code
   shift 3
-  mkdir -p "$folder" || out_of_room "$room_mb"
+  mkdir -p "$folder" 2>/dev/null && (: >"$folder/build.log") 2>/dev/null || cannot_write "$folder"
   status=$folder/progress
-  rm -f "$status" "$folder/failed"
-  ticker=""
+  rm -f "$status"
   if [ ! -t 2 ]; then
-    (while sleep 10 >/dev/null 2>&1; do [ ! -s "$status" ] || cat "$status" >&2; done) 9>&- &
+    # Ends with this script, however that ends.
+    (while sleep 10 && kill -0 "$$" 2>/dev/null; do [ ! -s "$status" ] || cat "$status" >&2; done) 9>&- &
     ticker=$!
   elif [ ! -e "$folder/build.ninja" ]; then
     printf 'building %s: looking at this machine' "$what" >&2
   fi
+  # The exit code goes round the pipe: a missing one is a failure too.
+  code=$({ { NINJA_STATUS='[%f %t] ' "$@" 3>&- 9>&- 2>&1 && echo 0 >&3; } | tee "$folder/build.log" 2>/dev/null |
+    follow_build "$what" "$status" 9>&-; } 3>&1) || :
+  [ -z "$ticker" ] || kill "$ticker" 2>/dev/null
+  [ ! -t 2 ] || printf '\r\033[K' >&2
+  rm -f "$status"
+  [ "$code" != 0 ] || return 0
+  # From the first failure on; all of it when it is not the compiler that failed.
+  sed -n '/^FAILED: /,$p' "$folder/build.log" | grep -v '^\[[0-9]* [0-9]*\] ' >&2 || :
+  grep -q '^FAILED: ' "$folder/build.log" || cat "$folder/build.log" >&2
+  ! grep -q 'No space left on device' "$folder/build.log" && [ "$(free_mb)" -ge 20 ] || out_of_room "$room_mb"
+  ! grep -q 'Permission denied' "$folder/build.log" || cannot_write "$folder"
+  echo "dev: $what could not be built; the reasons stand above, all of the build in $folder/build.log" >&2
+  exit 70
+}
+
+# follow_build WHAT STATUS_FILE: reads what ninja says and keeps the line that tells how far it is.
+follow_build() {
+  local begun line count done total spent left text
   begun=$(date +%s)
-  { NINJA_STATUS='[%f %t] ' "$@" 9>&- 2>&1 || : >"$folder/failed"; } | tee "$folder/build.log" | while IFS= read -r line; do
+  while IFS= read -r line; do
     case "$line" in
       "["[0-9]*"] "*)
         count=${line%%]*}
         count=${count#[}
         done=${count% *} total=${count#* }
         # Asking for the clock in every line of ninja's would start a program each.
-        [ "$((done % 4))" -ne 0 ] && [ "$done" -ne "$total" ] && [ -s "$status" ] && continue
+        [ "$((done % 4))" -ne 0 ] && [ "$done" -ne "$total" ] && [ -s "$2" ] && continue
         spent=$(($(date +%s) - begun))
         left=""
         [ "$spent" -lt 3 ] || [ "$done" -eq 0 ] || left=$((spent * (total - done) / done))
         [ "${left:-0}" -lt 1 ] && left="" || left=", about $left s to go"
-        text="building $what: $done of $total ($((100 * done / total)) %)$left"
-        echo "$text" >"$status"
+        text="building $1: $done of $total ($((100 * done / total)) %)$left"
+        (echo "$text" >"$2") 2>/dev/null || : # on a full disk the build says so itself
         [ ! -t 2 ] || printf '\r\033[K%s' "$text" >&2
         ;;
     esac
   done
-  [ -z "$ticker" ] || kill "$ticker" 2>/dev/null
-  [ ! -t 2 ] || printf '\r\033[K' >&2
-  rm -f "$status"
-  [ -e "$folder/failed" ] || return 0
-  # From the first failure on; all of it when it is not the compiler that failed.
-  sed -n '/^FAILED: /,$p' "$folder/build.log" | grep -v '^\[[0-9]* [0-9]*\] ' >&2 || :
-  grep -q '^FAILED: ' "$folder/build.log" || cat "$folder/build.log" >&2
-  ! grep -q 'No space left on device' "$folder/build.log" || out_of_room "$room_mb"
-  echo "dev: $what could not be built; the reasons stand above, all of the build in $folder/build.log" >&2
-  exit 70
 }
 
 # configured FOLDER PRESET [OPTION...]: with these options on. CMake runs again by itself when one of its files changes,

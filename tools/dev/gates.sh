@@ -28,7 +28,7 @@ gates() {
     done
     host_build "what the linter reads" check_includes
   fi
-  for folder in "$@"; do git ls-files "$folder/*.cpp"; done | sort -u |
+  sources "*.cpp" "$@" | sort -u |
     xargs -r -n 4 -P "$(nproc)" clang-tidy-19 -p build/host --quiet \
       --extra-arg=-Wno-ignored-gch --extra-arg=-Wno-unknown-warning-option # what is for GCC in the commands
 }
@@ -89,9 +89,17 @@ bench_speed() {
 format() {
   # shellcheck disable=SC2086
   need $format_packages
-  case "${1:-}" in
-    "") git ls-files '*.cpp' '*.hpp' | xargs clang-format-19 -i ;;
-    --check) git ls-files '*.cpp' '*.hpp' | xargs clang-format-19 --dry-run --Werror ;;
+  case "$*" in
+    "") sources "*.[ch]pp" firmware hal sim tools test | xargs clang-format-19 -i ;;
+    --check) sources "*.[ch]pp" firmware hal sim tools test | xargs clang-format-19 --dry-run --Werror ;;
     *) usage ;;
   esac
+}
+
+# sources PATTERN FOLDER...: the files of that name. Not git's list: it is empty without an error where git does not like
+# the owner of the folder.
+sources() {
+  local pattern="$1"
+  shift
+  find "$@" -name "$pattern" -type f
 }

@@ -8,8 +8,8 @@ test_packages="$fly_packages $can_packages libgtest-dev libgmock-dev librapidche
 firmware_packages="gcc-arm-none-eabi libnewlib-arm-none-eabi libstdc++-arm-none-eabi-newlib libeigen3-dev cmake ninja-build git python3"
 arm_packages="$firmware_packages qemu-system-arm googletest"
 flash_packages="openocd stlink-tools dfu-util stm32flash"
-format_packages="git clang-format-19"
-gate_packages="$test_packages git clang-19 clang-tidy-19"
+format_packages="clang-format-19"
+gate_packages="$test_packages clang-19 clang-tidy-19"
 soak_packages="$test_packages clang-19 libclang-rt-19-dev"
 bench_packages="$fly_packages libbenchmark-dev libceres-dev python3-venv"
 # With --all nothing may be skipped, and the verbs of this script are called, but for those that take hours.

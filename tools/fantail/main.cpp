@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The program `fantail` itself: finds the program of a verb and becomes it.
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
 #include <filesystem>
 #include <string>
 #include <system_error>
@@ -77,7 +79,12 @@ ExitCode become(const std::string& verb, char** argv) {
   const std::filesystem::path here = std::filesystem::read_symlink("/proc/self/exe").parent_path();
   const std::string program = "fantail-" + verb;
   for (const std::filesystem::path& folder : {here / "libexec", here / "../libexec/fantail"}) {
-    execv((folder / program).c_str(), argv);  // returns only when there is none
+    execv((folder / program).c_str(), argv);  // returns only when it fails
+    if (errno != ENOENT && errno != ENOTDIR) {
+      say(fmt::format("fantail: {} cannot be started: {}\n", (folder / program).lexically_normal().string(),
+                      std::strerror(errno)));
+      return ExitCode::not_installed;
+    }
   }
   say(fmt::format(
       "fantail: the verb {} is not there: {} is neither in {} nor in {}; in the sources, ./dev {} builds it\n", verb,

@@ -37,8 +37,12 @@ Pace::Time Pace::next(Time now) {
 void Pace::leave_out(Duration time) {
   left_out_ += time;
   if (time > worth_a_word) {
-    words_ += fmt::format("this PC has slept for {:.1f} s; the rocket's time goes on from here\n", seconds(time));
-    window_begin_ += time;
+    words_ += fmt::format(
+        "the rocket stood still for {:.1f} s, because this PC slept or was busy; its time goes on from here\n",
+        seconds(time));
+  }
+  if (time > window) {
+    window_begin_ += time;  // that was no matter of pace
   } else {
     left_out_in_window_ += time;
   }
