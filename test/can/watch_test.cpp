@@ -43,6 +43,23 @@ TEST_F(AtARocket, WatchSaysALineASecondOrAnObjectAndEndsByCtrlC) {
   }
 }
 
+// As on a PC that was suspended: the frames waited in the socket, and nobody was silent.
+TEST_F(AtARocket, AWatchThatWasHeldUpSaysNothingFalse) {
+  Program watch{{"bench", "watch", "--can", "vcan0", "--json"}};
+  ASSERT_TRUE(eventually([&] { return lines(watch.said()).size() >= 2; }));
+  watch.signal(SIGSTOP);
+  std::this_thread::sleep_for(4s);
+  const std::size_t before = lines(watch.said()).size();
+  watch.signal(SIGCONT);
+  ASSERT_TRUE(eventually([&] { return lines(watch.said()).size() >= before + 3; }));
+  watch.signal(SIGINT);
+  for (const std::string& line : lines(watch.outcome().out)) {
+    const Json object = json::parse(line);
+    EXPECT_FALSE(object["phase"].is_null()) << "silent: " << line;
+    EXPECT_LE(object["bus_load_percent"].number(), 100.0) << line;
+  }
+}
+
 TEST_F(AtARocket, WatchEndsWithItsReader) {
   const Outcome outcome =
       run("sh", {"-c", "{ \"$0\" bench watch --can vcan0; echo code $? >&2; } | head -n 1", fantail_path()});
