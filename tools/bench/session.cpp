@@ -54,8 +54,7 @@ void await_avionics(Place& place, AvionicsLink& link) {
     if (patience.ends(place.now())) {
       throw LinkError{link.figures().frames == 0
                           ? "the avionics is silent: is it powered (its node running), is the bus terminated at both "
-                            "ends, and does it run "
-                            "at 1 Mbit/s?"
+                            "ends, and does it run at 1 Mbit/s?"
                           : "the avionics speaks, but its heartbeat does not come: is the bus overloaded?"};
     }
     place.wait(glance);

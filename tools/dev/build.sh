@@ -62,7 +62,9 @@ build() {
   sed -n '/^FAILED: /,$p' "$folder/build.log" | grep -v '^\[[0-9]* [0-9]*\] ' >&2 || :
   grep -q '^FAILED: ' "$folder/build.log" || cat "$folder/build.log" >&2
   ! grep -q 'No space left on device' "$folder/build.log" && [ "$(free_mb)" -ge 20 ] || out_of_room "$room_mb"
-  ! grep -q 'Permission denied' "$folder/build.log" || cannot_write "$folder"
+  # A source that cannot be read says "Permission denied" too.
+  ! grep -q 'Permission denied' "$folder/build.log" || [ -z "$(find "$folder" ! -writable -print -quit)" ] ||
+    cannot_write "$folder"
   echo "dev: $what could not be built; the reasons stand above, all of the build in $folder/build.log" >&2
   exit 70
 }
