@@ -84,7 +84,8 @@ endfunction()
 # What a target links, with its own libraries replaced by their twins.
 function(fantail_twins result)
   list(TRANSFORM ARGN REPLACE "^(fantail_[a-z0-9_]+)$" "\\1_sanitized")
-  list(TRANSFORM ARGN REPLACE "^(fantail_(flight_)?flags)_sanitized$" "\\1")
+  # Nor of these: one is options, the other little more than somebody else's parser, which takes the compiler very long.
+  list(TRANSFORM ARGN REPLACE "^(fantail_(flight_)?flags|fantail_json)_sanitized$" "\\1")
   set(${result} ${ARGN} PARENT_SCOPE)
 endfunction()
 

@@ -108,8 +108,9 @@ TEST_F(FlownRocket, ADownloadThatWasKilledGoesOnAndEndsWithAFileForEveryFlight) 
   expect_both_flights();
 }
 
-TEST_F(FlownRocket, OneOfItsFlightsIsListedAndDownloadedAlone) {
+TEST_F(FlownRocket, OneFlightIsDownloadedAloneAndEraseDownloadsAllFirstAndLeavesNothing) {
   Node node{"vcan0", "bench_healthy", flash};
+  node.await_rest();
   const Outcome list = fantail_bench({"log", "--can", "vcan0", "--list", "--json"});
   ASSERT_EQ(list.exit_code, 0) << list.err;
   const Json flights = json::parse(list.out)["flights"];
@@ -124,11 +125,7 @@ TEST_F(FlownRocket, OneOfItsFlightsIsListedAndDownloadedAlone) {
   const Outcome none = fantail_bench(command({"--flight", "3"}));
   EXPECT_EQ(none.exit_code, 1);
   EXPECT_EQ(none.err, "fantail: there is no flight 3; the rocket holds 2, see --list\n");
-}
 
-TEST_F(FlownRocket, EraseAsksDownloadsFirstAndLeavesNothing) {
-  Node node{"vcan0", "bench_healthy", flash};
-  node.await_rest();
   const Outcome unasked = fantail_bench(command({"--erase"}));  // its standard input is empty
   EXPECT_EQ(unasked.exit_code, 1);
   EXPECT_PRED2(contains, unasked.err, "nobody typed ERASE; the flight record is kept");

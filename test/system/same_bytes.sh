@@ -27,7 +27,7 @@ build() { # NAME COMPILER FLAGS
   if ! {
     # shellcheck disable=SC2086 # a list of words
     cmake -S "$source_folder" -B "$work/$1" -G Ninja -D CMAKE_CXX_COMPILER="$2" -D CMAKE_CXX_FLAGS="$3" \
-      -D CMAKE_BUILD_TYPE= && cmake --build "$work/$1" -j 2 --target $archives &&
+      -D CMAKE_BUILD_TYPE= && cmake --build "$work/$1" --target $archives &&
       (cd "$normal_build" && eval "$(echo "$link" | sed -E "s# (firmware|hal|sim)/# $work/$1/\\1/#g; s# -o [^ ]+# -o $work/$1/fly_alone#")")
   } >"$work/$1.log" 2>&1; then
     cat "$work/$1.log" >&2
