@@ -9,11 +9,6 @@ target_compile_options(fantail_flags INTERFACE
   # simulator and a replay would differ in the last bit.
   -ffp-contract=off)
 
-# GCC looks for memory to give back at every 100 MB, and here that costs an eighth of its time.
-if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
-  target_compile_options(fantail_flags INTERFACE --param=ggc-min-heapsize=524288) # kB
-endif()
-
 # What has been compiled before need not be compiled again, in another clone either, where a compiler cache is installed.
 find_program(FANTAIL_CCACHE ccache)
 if(FANTAIL_CCACHE AND NOT DEFINED CMAKE_CXX_COMPILER_LAUNCHER)
