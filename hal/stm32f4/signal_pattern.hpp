@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <string_view>
 
@@ -16,7 +15,7 @@ struct SignalPattern {
   std::string_view sound;
 };
 
-inline constexpr std::size_t pattern_steps = 16;
+inline constexpr std::uint32_t pattern_steps = 16;
 inline constexpr std::uint32_t ticks_per_pattern_step = 125;
 
 [[nodiscard]] constexpr SignalPattern pattern(Signal signal) {
