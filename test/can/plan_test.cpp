@@ -32,7 +32,8 @@ TEST_F(CanSystem, APlanIsStoredAndABrokenOneIsRefused) {
   const std::string file = folder.write("broken.ftpl", broken);
   const Outcome refused = fantail({"bench", "plan", file, "--can", "vcan0", "--json"});
   EXPECT_EQ(refused.exit_code, 1);
-  EXPECT_EQ(refused.err, "fantail: the avionics refuses " + file + ": its checksum is wrong; its old plan stays in force\n");
+  EXPECT_EQ(refused.err,
+            "fantail: the avionics refuses " + file + ": its checksum is wrong; its old plan stays in force\n");
   EXPECT_EQ(json::parse(refused.out)["refused_because"], "its checksum is wrong");
 
   const Outcome stored = fantail({"bench", "plan", "tunnel_steps", "--can", "vcan0"});

@@ -74,6 +74,13 @@ stand_in cmake 'echo "[1 9] Building"; echo "FAILED: a.o"; echo "a.cpp:1: error:
 expect 70 "a.cpp:1: error: such a thing" fly
 stand_in cmake 'echo "CMake Error: no such preset"; exit 1'
 expect 70 "CMake Error: no such preset" fly
+expect 70 "rm -rf build/host, and it begins anew" fly
+# A first configuration that failed is not to spoil the second.
+stand_in cmake 'case "$*" in --fresh*) echo "forgotten" ;; esac; exit 1'
+expect 70 "forgotten" fly
+stand_in flock 'exit 127'
+expect 69 "flock does not work here" fly
+ln -sf "$(command -v flock)" "$work/bin/flock"
 
 # Where nothing can be written.
 rm -rf build

@@ -7,6 +7,7 @@ take_turn() {
   mkdir -p build 2>/dev/null && (: >>build/lock) 2>/dev/null || cannot_write build
   exec 9>>build/lock
   flock -w 1 9 || { # a person who waits for less need not know
+    [ $? -eq 1 ] || refuse "flock does not work here, which keeps two builds apart; it comes with the package util-linux"
     echo "dev: waiting for another ./dev in this folder: $(cat build/lock.owner 2>/dev/null || echo "it has just begun")" >&2
     flock 9
   }
@@ -65,7 +66,8 @@ build() {
   # A source that cannot be read says "Permission denied" too.
   ! grep -q 'Permission denied' "$folder/build.log" || [ -z "$(find "$folder" ! -writable -print -quit)" ] ||
     cannot_write "$folder"
-  echo "dev: $what could not be built; the reasons stand above, all of the build in $folder/build.log" >&2
+  echo "dev: $what could not be built; the reasons stand above, all of the build in $folder/build.log." \
+    "Where the sources are not to blame: rm -rf $folder, and it begins anew" >&2
   exit 70
 }
 
@@ -102,9 +104,18 @@ configured() {
     wanted="$wanted -D $option=ON"
     grep -q "^$option:BOOL=ON" "$build_folder/CMakeCache.txt" 2>/dev/null || fresh=""
   done
-  [ -n "$fresh" ] && [ "$build_folder/build.ninja" -nt CMakePresets.json ] && return 0
+  [ -n "$fresh" ] && [ -s "$build_folder/build.ninja" ] && [ "$build_folder/build.ninja" -nt CMakePresets.json ] && return 0
   # shellcheck disable=SC2086 # a list of words
-  cmake --preset "$preset" $wanted
+  configure "$build_folder" "$preset" $wanted
+}
+
+# configure FOLDER PRESET [ARGUMENT...]: what a first configuration that failed has found out is forgotten.
+configure() {
+  local build_folder="$1" forget="" preset="$2"
+  shift 2
+  [ -s "$build_folder/build.ninja" ] || forget=--fresh
+  # shellcheck disable=SC2086 # a word or none
+  cmake $forget --preset "$preset" "$@"
 }
 
 # host_build WHAT TARGET...: of the programs for this PC, with the options that $host_options names.
@@ -128,5 +139,5 @@ arm_build() {
 
 arm_commands() {
   # Always, because the tests are left out where the package googletest was missing the last time.
-  cmake --preset stm32f405 && cmake --build build/arm --target "$1"
+  configure build/arm stm32f405 && cmake --build build/arm --target "$1"
 }

@@ -5,7 +5,7 @@
 # gates [FOLDER...]: the tests of everything, or of the folders named, under the sanitizers; then clang-tidy.
 gates() {
   for folder in "$@"; do
-    [ -d "$folder" ] && [ "${folder#/}" = "$folder" ] || {
+    case "$folder" in [a-z]*) ;; *) false ;; esac && [ -d "$folder" ] || {
       echo "dev: gates: no folder $folder in the sources; for example firmware/core" >&2
       exit 64
     }
@@ -89,9 +89,9 @@ bench_speed() {
 format() {
   # shellcheck disable=SC2086
   need $format_packages
-  case "$*" in
-    "") sources "*.[ch]pp" firmware hal sim tools test | xargs clang-format-19 -i ;;
-    --check) sources "*.[ch]pp" firmware hal sim tools test | xargs clang-format-19 --dry-run --Werror ;;
+  case "$#$*" in
+    0) sources "*.[ch]pp" firmware hal sim tools test | xargs clang-format-19 -i ;;
+    1--check) sources "*.[ch]pp" firmware hal sim tools test | xargs clang-format-19 --dry-run --Werror ;;
     *) usage ;;
   esac
 }
