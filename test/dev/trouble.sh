@@ -78,6 +78,15 @@ expect 70 "rm -rf build/host, and it begins anew" fly
 # A first configuration that failed is not to spoil the second.
 stand_in cmake 'case "$*" in --fresh*) echo "forgotten" ;; esac; exit 1'
 expect 70 "forgotten" fly
+# Nor is the build of another place, which the project was copied from.
+mkdir -p build/host
+echo "rule" >build/host/build.ninja
+echo "CMAKE_HOME_DIRECTORY:INTERNAL=$work/other" >build/host/CMakeCache.txt
+expect 70 "forgotten" fly
+echo "CMAKE_HOME_DIRECTORY:INTERNAL=$work/project" >build/host/CMakeCache.txt
+stand_in cmake 'echo "$*"; exit 1'
+expect 70 "--build --preset host" fly
+rm -r build/host
 stand_in flock 'exit 127'
 expect 69 "flock does not work here" fly
 ln -sf "$(command -v flock)" "$work/bin/flock"

@@ -104,16 +104,21 @@ configured() {
     wanted="$wanted -D $option=ON"
     grep -q "^$option:BOOL=ON" "$build_folder/CMakeCache.txt" 2>/dev/null || fresh=""
   done
-  [ -n "$fresh" ] && [ -s "$build_folder/build.ninja" ] && [ "$build_folder/build.ninja" -nt CMakePresets.json ] && return 0
+  [ -n "$fresh" ] && was_configured_here "$build_folder" && [ "$build_folder/build.ninja" -nt CMakePresets.json ] && return 0
   # shellcheck disable=SC2086 # a list of words
   configure "$build_folder" "$preset" $wanted
 }
 
-# configure FOLDER PRESET [ARGUMENT...]: what a first configuration that failed has found out is forgotten.
+# A project that was copied or moved together with its build has another one's: it would build and run the original.
+was_configured_here() {
+  [ -s "$1/build.ninja" ] && grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$1/CMakeCache.txt" 2>/dev/null
+}
+
+# configure FOLDER PRESET [ARGUMENT...]: forgets what another place, or a first configuration that failed, has found out.
 configure() {
   local build_folder="$1" forget="" preset="$2"
   shift 2
-  [ -s "$build_folder/build.ninja" ] || forget=--fresh
+  was_configured_here "$build_folder" || forget=--fresh
   # shellcheck disable=SC2086 # a word or none
   cmake $forget --preset "$preset" "$@"
 }
