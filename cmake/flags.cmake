@@ -15,7 +15,6 @@ if(FANTAIL_CCACHE)
   execute_process(COMMAND ${FANTAIL_CCACHE} --version RESULT_VARIABLE ccache_fails OUTPUT_QUIET ERROR_QUIET)
 endif()
 if(FANTAIL_CCACHE AND NOT ccache_fails AND NOT DEFINED CMAKE_CXX_COMPILER_LAUNCHER)
-  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${FANTAIL_CCACHE}) # which may be removed
   # What it has to overlook so that precompiled headers can be cached; folders are named from the sources on.
   set(CMAKE_CXX_COMPILER_LAUNCHER env CCACHE_SLOPPINESS=pch_defines,time_macros CCACHE_NOHASHDIR=1 CCACHE_DEPEND=1
     CCACHE_BASEDIR=${PROJECT_SOURCE_DIR} ${FANTAIL_CCACHE})

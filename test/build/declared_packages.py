@@ -29,7 +29,7 @@ PRODUCTS = (("libexec/fantail-fly", "fly"), ("fantail-stm32f405.unsealed.elf", "
 OPTIONAL = re.compile(
     r"git"  # cmake/identity.cmake: without it the hash is "unknown"
     r"|clang(-\d+)?"  # other compilers to compare with: same_bytes.sh skips, same_bits.cmake takes g++ twice
-    r"|ccache"  # whoever builds has asked for it in CMAKE_CXX_COMPILER_LAUNCHER
+    r"|ccache"  # cmake/flags.cmake: without it everything is compiled
 )
 # Files that are read because this machine has them, not because anything needs them.
 OF_THE_MACHINE = re.compile(
