@@ -6,8 +6,8 @@
 # see (system-wide third-party headers, "../" paths) is checked by check_includes.cmake, which runs in every build.
 
 # The standard library takes most of the compile time: on a PC GCC 12 reads it once for each set of flags. For the processor,
-# by other compilers and under the `host-asan` preset it is not, and so an #include that is missing is found there. Targets link what is
-# named in FANTAIL_PRECOMPILED, or nothing.
+# by other compilers and under the `host-asan` preset it is not, and so an #include that is missing is found there. Targets
+# link what is named in FANTAIL_PRECOMPILED, or nothing.
 function(fantail_precompiled name)
   cmake_parse_arguments(ARG "" "" "HEADERS;USES;OPTIONS" ${ARGN})
   add_library(${name} OBJECT ${PROJECT_SOURCE_DIR}/cmake/precompiled.cpp)

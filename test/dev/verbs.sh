@@ -49,6 +49,19 @@ quick() {
   call 74 gateway --can no_such_bus --lcm "file:///$work/x.lcmlog"
   call 74 watch --lcm file:///nowhere/x.lcmlog
   call 3 with-vcan sh -c 'exit 3'
+  call 0 flash --help # says how, and installs nothing for it
+  grep -q 'write it into the board' said || { echo "FAILED: what is flash? $(cat said)" && exit 1; }
+  call 64 test --foo
+  grep -q 'test does not take "--foo"' said || { echo "FAILED: the wrong word was not named: $(cat said)" && exit 1; }
+  call 64 format ''
+  call 64 gates .
+  call 64 install --prefix --help
+  call 64 install '--prefix=~/nowhere'
+  export DESTDIR="$work/stage"
+  call 0 install --prefix /prefix
+  unset DESTDIR
+  grep -qF "$work/stage/prefix/bin/fantail" said && [ -x "$work/stage/prefix/bin/fantail" ] ||
+    { echo "FAILED: it is not where it was said to be: $(cat said)" && exit 1; }
   call 0 install --prefix "$work/prefix"
   "$work/prefix/bin/fantail" --version
 }

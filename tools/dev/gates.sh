@@ -91,13 +91,16 @@ bench_commands() {
 }
 
 format() {
-  # shellcheck disable=SC2086
-  need $format_packages
-  case "$#$*" in
-    0) sources "*.[ch]pp" firmware hal sim tools test | xargs clang-format-19 -i ;;
-    1--check) sources "*.[ch]pp" firmware hal sim tools test | xargs clang-format-19 --dry-run --Werror ;;
+  local how
+  case "$#,$*" in
+    0,) how=-i ;;
+    1,--check) how="--dry-run --Werror" ;;
     *) usage ;;
   esac
+  # shellcheck disable=SC2086
+  need $format_packages
+  # shellcheck disable=SC2086 # a list of words
+  sources "*.[ch]pp" firmware hal sim tools test | xargs clang-format-19 $how
 }
 
 # sources PATTERN FOLDER...: the files of that name. Not git's list: it is empty without an error where git does not like
