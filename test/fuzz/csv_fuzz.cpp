@@ -79,7 +79,7 @@ void read(std::uint8_t choice, std::string text) {
   const identify::RecordOptions options{.lag_s = (choice & 32U) != 0 ? 0.02 : 0.0};
   const logs::Table table = logs::Table::parse(std::move(text), "log.csv");
   check_table(table);
-  const logs::RollLog log = logs::make_roll_log(table, reading, needs);
+  const logs::RollLog log = logs::roll_log(logs::read_flight_csv(table, reading, needs), table.name(), reading);
   check_log(log);
   const bool control = (choice & 64U) != 0;
   check_record(

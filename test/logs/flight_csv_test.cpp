@@ -18,7 +18,9 @@ namespace {
 using sim::InputFault;
 using test::expect_refused;
 
-report::Flight read(const std::string& text) { return read_flight_csv(Table::parse(text, "log.csv")); }
+constexpr Needs nothing{.roll_angle = false, .roll_rate = false};
+
+report::Flight read(const std::string& text) { return read_flight_csv(Table::parse(text, "log.csv"), {}, nothing); }
 
 TEST(FlightCsv, ColumnsBecomeRowsInRadiansAndPhasesTheEvents) {
   const report::Flight flight = read(
@@ -77,11 +79,31 @@ TEST(FlightCsv, ATableWithoutAFlightIsRefusedWithItsPlace) {
   expect_refused(InputFault::bad_data, {"log.csv", "time_s"}, [] { (void)read("t,roll_angle_deg\n0,1\n"); });
   expect_refused(InputFault::bad_data, {"log.csv: none of its columns", "roll_rate_deg_s"},
                  [] { (void)read("time_s,a,b\n0,1,2\n"); });
-  expect_refused(InputFault::bad_data, {"log.csv:3: time_s \"0\" after 0; allowed: numbers that increase"},
-                 [] { (void)read("time_s,speed_m_s\n0,1\n0,1\n"); });
-  expect_refused(InputFault::bad_data, {"log.csv:2: phase \"gliding\"; allowed: safe, armed"},
-                 [] { (void)read("time_s,phase,speed_m_s\n0,gliding,1\n"); });
+  expect_refused(InputFault::bad_data, {"log.csv:3: time_s is 0 after 1 in line 2: time goes back"},
+                 [] { (void)read("time_s,speed_m_s\n1,1\n0,1\n"); });
   expect_refused(InputFault::bad_data, {"log.csv: no row behind the header"}, [] { (void)read("time_s,speed_m_s\n"); });
+}
+
+TEST(FlightCsv, WhatWasLeftOutOfATableIsANoteOfTheFlight) {
+  const report::Flight flight = read("time_s,phase,speed_m_s\n0,armed,1\n0,armed,1\n1,gliding,1\n");
+  ASSERT_EQ(flight.notes.size(), 2U);
+  EXPECT_EQ(flight.notes[0], "log.csv:4: \"gliding\" is no flight phase; the column is not used.");
+  EXPECT_EQ(flight.notes[1], "1 of 3 rows repeat the one before them; they are left out.");
+  EXPECT_FALSE(flight.known.phase);
+  EXPECT_TRUE(flight.phase_changes.empty());
+}
+
+TEST(FlightCsv, AnOptionIsAdvisedByTheNameThatTheVerbHasForItOrNotAtAll) {
+  const auto message = [](const std::string& options) {
+    try {
+      (void)read_flight_csv(Table::parse("t,speed_m_s\n0,1\n", "log.csv"), {.options = options}, nothing);
+    } catch (const sim::InputError& error) {
+      return std::string{error.what()};
+    }
+    return std::string{};
+  };
+  EXPECT_NE(message("--b-").find("; if it is called otherwise: --b-column time_s=NAME"), std::string::npos);
+  EXPECT_EQ(message("").find("--"), std::string::npos) << message("");
 }
 
 TEST(FlightCsv, AFlightThatWasWrittenComesBack) {

@@ -45,9 +45,8 @@ TEST_F(FlightFile, AFlightLogGivesTheRollMotionOfItsReplay) {
   EXPECT_TRUE(log.warnings.empty());
   for (std::size_t i = 0; i < log.time_s.size(); ++i) {
     const core::TickRecord& record = made_.records[i];
-    // Six decimals of a degree.
-    ASSERT_NEAR(log.roll_angle_rad[i], static_cast<double>(record.motion.roll_angle.radians()), 1e-8);
-    ASSERT_NEAR(log.roll_rate_rad_s[i], static_cast<double>(record.motion.roll_rate_rad_s), 1e-8);
+    ASSERT_EQ(log.roll_angle_rad[i], static_cast<double>(record.motion.roll_angle.radians()));
+    ASSERT_EQ(log.roll_rate_rad_s[i], static_cast<double>(record.motion.roll_rate_rad_s));
     ASSERT_EQ(log.phase[i], record.phase);
     ASSERT_NEAR(log.time_s[i] - log.time_s[0],
                 1e-6 * static_cast<double>((record.time - made_.records[0].time).count()), 1e-9);
@@ -76,11 +75,11 @@ TEST_F(FlightFile, WhatIsLostIsAGapInTimeAndAWarning) {
 
 TEST_F(FlightFile, WhatOnlyATableCanBeAskedIsRefusedOfALog) {
   const auto path = folder_.write("flown.ftl", text(made_.bytes));
-  expect_refused(InputFault::bad_configuration, {"flown.ftl: --truth", "holds no truth"},
+  expect_refused(InputFault::bad_configuration, {"flown.ftl: is a flight log", "holds no truth"},
                  [&] { (void)read_roll_log(path, {.truth = true}, {}); });
-  expect_refused(InputFault::bad_configuration, {"flown.ftl: --units"},
+  expect_refused(InputFault::bad_configuration, {"flown.ftl: is a flight log", "in which unit"},
                  [&] { (void)read_roll_log(path, {.angles = AngleUnit::radians}, {}); });
-  expect_refused(InputFault::bad_configuration, {"flown.ftl: --column"},
+  expect_refused(InputFault::bad_configuration, {"flown.ftl: is a flight log", "names its columns itself"},
                  [&] { (void)read_roll_log(path, {.columns = {{"roll_angle_deg", "phi"}}}, {}); });
 }
 

@@ -12,8 +12,7 @@ namespace {
 
 constexpr double degrees_per_radian = 57.29577951308232;
 
-// A roll that swings by `amplitude` at 2 rad/s, with canards of `canard`; lists hold what a file would, in its own
-// unit.
+// A roll that swings by `amplitude` at 2 rad/s, with canards of `canard`: the numbers of a file, in its own unit.
 RollLog swinging(double amplitude, double canard, double unit = 1.0) {
   RollLog log;
   for (int i = 0; i < 500; ++i) {
@@ -27,7 +26,12 @@ RollLog swinging(double amplitude, double canard, double unit = 1.0) {
 }
 
 std::string doubts(RollLog log, AngleUnit stated) {
-  note_doubtful_units(log, stated);
+  if (stated == AngleUnit::degrees) {
+    for (auto* list : {&log.roll_angle_rad, &log.roll_rate_rad_s, &log.canard_rad, &log.reference_rad}) {
+      std::ranges::for_each(*list, [](double& angle) { angle /= degrees_per_radian; });
+    }
+  }
+  note_doubtful_units(log, {.angles = stated});
   note_doubtful_motion(log);
   std::string all;
   std::ranges::for_each(log.warnings, [&](const std::string& warning) { all += warning + "\n"; });

@@ -54,10 +54,11 @@ std::string objection_to_requirement(const std::string& text) {
   return text::number(text).value_or(-1.0) >= 0.0 ? "" : '"' + text + "\" is not a number of 0 or more";
 }
 
-logs::RollLog read(const LogChoice& choice) {
+logs::RollLog read(const LogChoice& choice, const char* options) {
   const logs::Reading reading{.columns = column_names(choice.columns),
                               .angles = choice.units == "rad" ? logs::AngleUnit::radians : logs::AngleUnit::degrees,
-                              .truth = choice.motion == "true"};
+                              .truth = choice.motion == "true",
+                              .options = options};
   return logs::read_roll_log(choice.path, reading, {});
 }
 
@@ -79,8 +80,8 @@ std::optional<double> in_radians(const std::optional<double>& degrees) {
 }
 
 void compare_logs(const CompareVerbOptions& options) {
-  const logs::RollLog a = read(options.a);
-  const logs::RollLog b = read(options.b);
+  const logs::RollLog a = read(options.a, "--a-");
+  const logs::RollLog b = read(options.b, "--b-");
   give_up_if_interrupted();
   CompareResults results{.a = fmt::format("{} ({})", options.a.path, options.a.motion),
                          .b = fmt::format("{} ({})", options.b.path, options.b.motion),

@@ -62,8 +62,8 @@ void report_one(const ReportOptions& options) {
 }
 
 void report_two(const ReportOptions& options) {
-  const logs::RollLog a = logs::read_roll_log(options.a, {}, {});
-  const logs::RollLog b = logs::read_roll_log(options.b, {}, {});
+  const logs::RollLog a = logs::read_roll_log(options.a, {.options = ""}, {});
+  const logs::RollLog b = logs::read_roll_log(options.b, {.options = ""}, {});
   give_up_if_interrupted();
   CompareResults results{.a = options.a, .b = options.b, .window = {}, .shift_found = options.align == "angle"};
   logs::CompareOptions question{.from_s = options.from_s, .to_s = options.to_s};

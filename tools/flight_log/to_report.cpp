@@ -16,22 +16,11 @@ using protocol::LogEventKind;
 
 double in_seconds(core::Microseconds time) { return 1e-6 * static_cast<double>(time.count()); }
 
-std::optional<double>* event_of(report::Events& events, core::Phase phase) {
-  switch (phase) {
-    case core::Phase::launched: return &events.detected_s;
-    case core::Phase::controlling: return &events.control_start_s;
-    case core::Phase::finished: return &events.control_end_s;
-    case core::Phase::safe:
-    case core::Phase::armed: break;
-  }
-  return nullptr;
-}
-
 // A row that follows a hole shows a phase, but not when it began. The recorder's own events do, where they are left.
 void set_events(report::Flight& result, const Flight& flight, const std::vector<double>& after_hole_s) {
   for (const report::PhaseChange& change : result.phase_changes) {
     if (std::ranges::find(after_hole_s, change.time_s) != after_hole_s.end()) {
-      if (auto* event = event_of(result.events, change.phase)) {
+      if (auto* event = report::event_of(result.events, change.phase)) {
         event->reset();
       }
     }
@@ -40,7 +29,7 @@ void set_events(report::Flight& result, const Flight& flight, const std::vector<
     if (event.kind != LogEventKind::phase) {
       continue;
     }
-    if (auto* known = event_of(result.events, static_cast<core::Phase>(event.value))) {
+    if (auto* known = report::event_of(result.events, static_cast<core::Phase>(event.value))) {
       *known = in_seconds(event.time);
     }
   }

@@ -2,16 +2,19 @@
 #include "logs/flight_csv.hpp"
 
 #include <algorithm>
-#include <array>
-#include <limits>
+#include <cmath>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <fmt/core.h>
 
+#include "logs/found_columns.hpp"
 #include "logs/words.hpp"
+#include "report/columns.hpp"
 #include "report/numbers.hpp"
 #include "sim/input_error.hpp"
 #include "sim/shown.hpp"
@@ -19,163 +22,152 @@
 namespace fantail::logs {
 namespace {
 
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-
-[[noreturn]] void refuse(const std::string& message) { throw sim::InputError{sim::InputFault::bad_data, message}; }
-
-// A column of flight.csv and its place in a row.
-struct Known {
-  std::string_view name;
-  bool is_angle;
-  void (*set)(report::Row&, double);
-};
-
-template <double report::Row::* member>
-void set(report::Row& row, double value) {
-  row.*member = value;
-}
-template <double report::Truth::* member>
-void set_truth(report::Row& row, double value) {
-  if (!row.truth) {
-    row.truth = report::Truth{unknown, unknown, unknown, unknown, unknown, unknown};
-  }
-  (*row.truth).*member = value;
-}
-template <std::size_t canard>
-void set_command(report::Row& row, double value) {
-  row.commands_rad[canard] = value;
-}
-template <std::size_t canard>
-void set_encoder(report::Row& row, double value) {
-  row.encoders_rad[canard] = value;
-}
-void set_canard(report::Row& row, double value) { row.canard_rad = value; }
-
+using report::Column;
 using report::Row;
-using report::Truth;
-constexpr std::array<Known, 23> columns{{
-    {"roll_angle_deg", true, set<&Row::roll_angle_rad>},
-    {"roll_rate_deg_s", true, set<&Row::roll_rate_rad_s>},
-    {"reference_deg", true, set<&Row::reference_rad>},
-    {"excitation_deg", true, set<&Row::excitation_rad>},
-    {"command_deg", true, set<&Row::command_rad>},
-    {"command_1_deg", true, set_command<0>},
-    {"command_2_deg", true, set_command<1>},
-    {"command_3_deg", true, set_command<2>},
-    {"command_4_deg", true, set_command<3>},
-    {"encoder_1_deg", true, set_encoder<0>},
-    {"encoder_2_deg", true, set_encoder<1>},
-    {"encoder_3_deg", true, set_encoder<2>},
-    {"encoder_4_deg", true, set_encoder<3>},
-    {"canard_deg", true, set_canard},
-    {"specific_force_m_s2", false, set<&Row::specific_force_m_s2>},
-    {"height_m", false, set<&Row::height_m>},
-    {"speed_m_s", false, set<&Row::speed_m_s>},
-    {"true_roll_angle_deg", true, set_truth<&Truth::roll_angle_rad>},
-    {"true_roll_rate_deg_s", true, set_truth<&Truth::roll_rate_rad_s>},
-    {"true_canard_deg", true, set_truth<&Truth::canard_rad>},
-    {"true_height_m", false, set_truth<&Truth::height_m>},
-    {"true_speed_m_s", false, set_truth<&Truth::speed_m_s>},
-    {"true_disturbance_deg", true, set_truth<&Truth::disturbance_rad>},
-}};
+using sim::InputFault;
 
-struct Found {
-  std::size_t index;
-  const Known* column;
+[[noreturn]] void refuse(const std::string& message) { throw sim::InputError{InputFault::bad_data, message}; }
+
+std::optional<core::Phase> phase_named(std::string_view word) {
+  for (std::size_t i = 0; i < core::phases; ++i) {
+    if (core::name(static_cast<core::Phase>(i)) == word) {
+      return static_cast<core::Phase>(i);
+    }
+  }
+  return {};
+}
+
+class Rows {
+ public:
+  Rows(const Table& table, const FoundColumns& columns, AngleUnit angles, report::Flight& flight)
+      : table_{table}, columns_{columns.found()}, phase_{columns.phase()}, angles_{angles}, flight_{flight} {}
+
+  void read_all() {
+    flight_.rows.reserve(table_.rows());
+    for (std::size_t line = 0; line < table_.rows(); ++line) {
+      if (const auto row = read(line); !row) {
+        ++left_out_;
+      } else if (repeats(*row, line)) {
+        ++repeated_;
+      } else {
+        flight_.rows.push_back(*row);
+        last_line_ = table_.line(line);
+      }
+    }
+    judge_count();
+    flight_.known.phase = phase_.has_value();
+  }
+
+ private:
+  std::optional<Row> read(std::size_t line) {
+    Row row = report::unknown_row();
+    for (const auto& [index, column, needed] : columns_) {
+      const auto value = table_.number(line, index);
+      if (value) {
+        const bool is_degrees = column->unit == Column::Unit::degrees && angles_ == AngleUnit::degrees;
+        column->set(row, is_degrees ? report::radians(*value) : *value);
+      } else if (needed) {
+        if (first_left_out_.empty()) {
+          first_left_out_ =
+              fmt::format("line {}, {} {}", table_.line(line), column->name, in_quotes(table_.cell(line, index)));
+        }
+        return {};
+      }
+    }
+    read_phase(row, line);
+    return row;
+  }
+
+  void read_phase(Row& row, std::size_t line) {
+    if (!phase_) {
+      return;
+    }
+    const std::string_view word = table_.cell(line, *phase_);
+    if (const auto phase = phase_named(word)) {
+      row.phase = *phase;
+      return;
+    }
+    flight_.notes.push_back(
+        fmt::format("{}: {} is no flight phase; the column is not used.", table_.where(line), in_quotes(word)));
+    std::ranges::for_each(flight_.rows, [](Row& read) { read.phase = Row{}.phase; });
+    phase_.reset();
+  }
+
+  [[nodiscard]] bool repeats(const Row& row, std::size_t line) const {
+    if (flight_.rows.empty() || row.time_s > flight_.rows.back().time_s) {
+      return false;
+    }
+    const Row& before = flight_.rows.back();
+    const std::string times = fmt::format("{}: time_s is {}", table_.where(line), sim::shown(row.time_s));
+    if (row.time_s < before.time_s) {
+      refuse(fmt::format("{} after {} in line {}: time goes back", times, sim::shown(before.time_s), last_line_));
+    }
+    for (const FoundColumn& found : columns_) {
+      const double now = found.column->get(row);
+      const double then = found.column->get(before);
+      if (now != then && !(std::isnan(now) && std::isnan(then))) {
+        refuse(fmt::format("{} as in line {}, but {} is another: two rows may share a time only when they are the same",
+                           times, last_line_, found.column->name));
+      }
+    }
+    return true;
+  }
+
+  void judge_count() const {
+    const std::size_t rows = table_.rows();
+    if (left_out_ > 0) {
+      const std::string said =
+          fmt::format("{} of {} rows have no number where one is needed (first: {})", left_out_, rows, first_left_out_);
+      if (left_out_ * 100 > rows) {
+        refuse(fmt::format("{}: {}; more than 1 % is too many", table_.name(), said));
+      }
+      flight_.notes.push_back(said + "; they are left out.");
+    }
+    if (repeated_ > 0) {
+      flight_.notes.push_back(
+          fmt::format("{} of {} rows repeat the one before them; they are left out.", repeated_, rows));
+    }
+    if (flight_.rows.empty()) {
+      refuse(table_.name() + ": no row behind the header");
+    }
+  }
+
+  const Table& table_;
+  std::span<const FoundColumn> columns_;
+  std::optional<std::size_t> phase_;
+  AngleUnit angles_;
+  report::Flight& flight_;
+  std::size_t left_out_ = 0;
+  std::size_t repeated_ = 0;
+  std::string first_left_out_;
+  std::size_t last_line_ = 0;
 };
-
-std::vector<Found> find_columns(const Table& table) {
-  std::vector<Found> found;
-  for (const Known& column : columns) {
-    if (const auto index = table.find(column.name)) {
-      found.push_back({*index, &column});
-    }
-  }
-  if (found.empty()) {
-    std::string message = fmt::format("{}: none of its columns is one of a flight;", table.name());
-    for (const Known& column : columns) {
-      message += fmt::format(" {}", column.name);
-    }
-    refuse(message);
-  }
-  return found;
-}
-
-report::Row empty_row() {
-  report::Row row;
-  row.roll_angle_rad = row.roll_rate_rad_s = row.reference_rad = row.excitation_rad = row.command_rad = unknown;
-  row.specific_force_m_s2 = row.height_m = row.speed_m_s = unknown;
-  return row;
-}
-
-core::Phase phase_of(const Table& table, std::size_t row, std::size_t column) {
-  constexpr std::array all{core::Phase::safe, core::Phase::armed, core::Phase::launched, core::Phase::controlling,
-                           core::Phase::finished};
-  const std::string_view word = table.cell(row, column);
-  const auto* const phase = std::ranges::find(all, word, [](core::Phase one) { return core::name(one); });
-  if (phase == all.end()) {
-    refuse(fmt::format("{}: phase {}; allowed: safe, armed, launched, controlling, finished", table.where(row),
-                       in_quotes(word)));
-  }
-  return *phase;
-}
 
 // What the phases of the rows tell; why they changed stands in no table.
 void note_phases(report::Flight& flight) {
-  const report::Row* before = nullptr;
-  for (const report::Row& row : flight.rows) {
-    const bool changed = before == nullptr ? row.phase != core::Phase::safe : row.phase != before->phase;
-    if (changed) {
-      flight.phase_changes.push_back({row.time_s, row.phase, {}});
+  for (std::size_t i = 0; i < flight.rows.size(); ++i) {
+    const auto [time_s, phase] = std::pair{flight.rows[i].time_s, flight.rows[i].phase};
+    const core::Phase before = i == 0 ? core::Phase::safe : flight.rows[i - 1].phase;
+    if (phase == before) {
+      continue;
     }
-    if (changed && before != nullptr) {
-      report::Events& e = flight.events;
-      if (row.phase == core::Phase::launched) {
-        e.detected_s = row.time_s;
-      } else if (row.phase == core::Phase::controlling) {
-        e.control_start_s = row.time_s;
-      } else if (row.phase == core::Phase::finished) {
-        e.control_end_s = row.time_s;
+    flight.phase_changes.push_back({time_s, phase, {}});
+    if (i > 0) {  // one that was there in the first row began before it
+      if (auto* event = report::event_of(flight.events, phase)) {
+        *event = time_s;
       }
     }
-    before = &row;
   }
 }
 
 }  // namespace
 
-report::Flight read_flight_csv(const Table& table) {
-  const std::size_t time = table.column("time_s");
-  const std::vector<Found> found = find_columns(table);
-  const auto phase = table.find("phase");
-  const auto saturated = table.find("saturated");
+report::Flight read_flight_csv(const Table& table, const Reading& reading, const Needs& needs) {
+  const FoundColumns columns{table, reading, needs};
   report::Flight flight;
-  flight.known = {.plan = false, .phase = phase.has_value(), .saturation = saturated.has_value()};
-  flight.rows.reserve(table.rows());
-  for (std::size_t i = 0; i < table.rows(); ++i) {
-    report::Row row = empty_row();
-    const auto time_s = table.number(i, time);
-    if (!time_s || (!flight.rows.empty() && *time_s <= flight.rows.back().time_s)) {
-      refuse(fmt::format("{}: time_s {}{}; allowed: numbers that increase", table.where(i),
-                         in_quotes(table.cell(i, time)),
-                         flight.rows.empty() ? "" : " after " + sim::shown(flight.rows.back().time_s)));
-    }
-    row.time_s = *time_s;
-    for (const Found& one : found) {
-      if (const auto value = table.number(i, one.index)) {
-        one.column->set(row, one.column->is_angle ? report::radians(*value) : *value);
-      }
-    }
-    if (phase) {
-      row.phase = phase_of(table, i, *phase);
-    }
-    row.saturated = saturated && table.number(i, *saturated).value_or(0.0) != 0.0;
-    flight.rows.push_back(row);
-  }
-  if (flight.rows.empty()) {
-    refuse(table.name() + ": no row behind the header");
-  }
-  if (phase) {
+  flight.known = {.plan = false, .saturation = columns.has("saturated")};
+  Rows{table, columns, reading.angles, flight}.read_all();
+  if (flight.known.phase) {
     note_phases(flight);
   }
   return flight;

@@ -30,24 +30,20 @@ void add_plan(report::Flight& flight, const std::filesystem::path& log) {
   }
 }
 
-report::Flight read_folder(const std::filesystem::path& folder) {
-  const std::filesystem::path table = folder / "flight.csv";
-  const std::filesystem::path log = folder / "flight.ftl";
-  if (!is_there(table)) {
-    if (!is_there(log)) {
-      throw InputError{InputFault::no_such_input, folder.string() + ": this folder holds no flight.csv or flight.ftl"};
-    }
-    return read_flight_log(log);
-  }
-  report::Flight flight = read_flight_csv(Table::load(table.string()));
-  add_summary(flight, folder / "summary.json");
-  if (is_there(log)) {
-    add_plan(flight, log);
-  }
-  return flight;
-}
-
 }  // namespace
+
+std::filesystem::path flight_file(const std::filesystem::path& path) {
+  std::error_code ignored;
+  if (!std::filesystem::is_directory(path, ignored)) {
+    return path;
+  }
+  for (const char* const name : {"flight.csv", "flight.ftl"}) {
+    if (is_there(path / name)) {
+      return path / name;
+    }
+  }
+  throw InputError{InputFault::no_such_input, path.string() + ": this folder holds no flight.csv or flight.ftl"};
+}
 
 bool is_flight_log(const std::filesystem::path& path) { return path.extension() == ".ftl"; }
 
@@ -77,13 +73,19 @@ report::Flight read_flight_log(const std::filesystem::path& file) {
 }
 
 report::Flight read_flight(const std::filesystem::path& path) {
-  std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored)) {
-    return read_folder(path);
+  const std::filesystem::path file = flight_file(path);
+  if (is_flight_log(file)) {
+    return read_flight_log(file);
   }
-  report::Flight flight = is_flight_log(path) ? read_flight_log(path) : read_flight_csv(Table::load(path.string()));
-  if (flight.scenario.empty()) {
+  report::Flight flight =
+      read_flight_csv(Table::load(file.string()), {.options = ""}, {.roll_angle = false, .roll_rate = false});
+  if (file == path) {
     flight.scenario = path.filename().string();
+    return flight;
+  }
+  add_summary(flight, path / "summary.json");
+  if (is_there(path / "flight.ftl")) {
+    add_plan(flight, path / "flight.ftl");
   }
   return flight;
 }

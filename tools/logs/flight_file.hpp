@@ -2,11 +2,14 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
 
 #include "report/flight.hpp"
 
 namespace fantail::logs {
+
+/// `path` itself, or of a folder its flight.csv, or else its flight.ftl. Throws sim::InputError (no_such_input) for a
+/// folder without either.
+[[nodiscard]] std::filesystem::path flight_file(const std::filesystem::path& path);
 
 /// A flight log (.ftl) by its name.
 [[nodiscard]] bool is_flight_log(const std::filesystem::path& path);

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <string>
+#include <string_view>
 
 #include <fmt/core.h>
 
@@ -23,11 +25,19 @@ double largest(const std::vector<double>& list) {
 
 bool is_between(double value, double low, double high) { return low < value && value < high; }
 
-// No canard turns beyond 34 degrees, and one that controls anything turns by more than 3: those are 0.6 and 0.05 rad.
-// What moves that little in degrees hardly turns a rocket, so the rate and the steps of the reference are asked, too.
+// Angles in degrees that are numbers of radians: no canard turns beyond 34 degrees, and one that controls anything
+// turns by more than 3; those are 0.6 and 0.05 rad. What moves that little in degrees hardly turns a rocket, so the
+// rate and the steps of the reference are asked, too.
 bool looks_like_radians(const RollLog& log) {
-  return is_between(largest(log.canard_rad), 0.05, 0.6) && is_between(largest(log.roll_rate_rad_s), 0.2, 12.0) &&
-         largest(log.roll_angle_rad) > 0.05 && largest(log.reference_rad) < 3.2;
+  const auto largest_deg = [](const std::vector<double>& list) { return largest(list) / sim::radians_per_degree; };
+  return is_between(largest_deg(log.canard_rad), 0.05, 0.6) &&
+         is_between(largest_deg(log.roll_rate_rad_s), 0.2, 12.0) && largest_deg(log.roll_angle_rad) > 0.05 &&
+         largest_deg(log.reference_rad) < 3.2;
+}
+
+// "; if they are: --units rad", for a verb that has the option.
+std::string advice(const Reading& reading, std::string_view unit) {
+  return reading.options.empty() ? "" : fmt::format("; if they are: {}units {}", reading.options, unit);
 }
 
 // Slope of the roll angle over the integral of the rate, in pieces long enough for noise to be small. Empty when the
@@ -62,15 +72,15 @@ std::optional<double> angle_over_rate(const RollLog& log) {
 
 }  // namespace
 
-void note_doubtful_units(RollLog& log, AngleUnit stated) {
-  const double canard = largest(log.canard_rad);
-  if (stated == AngleUnit::degrees && looks_like_radians(log)) {
-    log.warnings.push_back(fmt::format(
-        "angles look like radians: the largest canard angle is {}; if they are: --units rad", sim::about(canard)));
+void note_doubtful_units(RollLog& log, const Reading& reading) {
+  const double canard_rad = largest(log.canard_rad);
+  if (reading.angles == AngleUnit::degrees && looks_like_radians(log)) {
+    log.warnings.push_back(fmt::format("angles look like radians: the largest canard angle is {}{}",
+                                       sim::about(canard_rad / sim::radians_per_degree), advice(reading, "rad")));
   }
-  if (stated == AngleUnit::radians && canard > 1.6) {
-    log.warnings.push_back(fmt::format(
-        "angles look like degrees: the largest canard angle is {} rad; if they are: --units deg", sim::about(canard)));
+  if (reading.angles == AngleUnit::radians && canard_rad > 1.6) {
+    log.warnings.push_back(fmt::format("angles look like degrees: the largest canard angle is {} rad{}",
+                                       sim::about(canard_rad), advice(reading, "deg")));
   }
   std::vector<double> step_s;
   for (std::size_t i = 1; i < log.time_s.size(); ++i) {

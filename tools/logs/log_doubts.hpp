@@ -7,9 +7,9 @@ namespace fantail::logs {
 
 // What is legal but most likely not meant. Each doubt becomes a warning of the log; nothing is refused or changed.
 
-/// Angles whose size speaks for the other unit, and samples so far apart that time is likely in milliseconds. For a log
-/// whose angles still stand as in the file.
-void note_doubtful_units(RollLog& log, AngleUnit stated);
+/// Angles whose size speaks for another unit in the file than the one that `reading` states, and samples so far apart
+/// that time is likely in milliseconds.
+void note_doubtful_units(RollLog& log, const Reading& reading);
 
 /// A roll rate that is not the slope of the roll angle: of opposite sign, or off by 180 / pi.
 void note_doubtful_motion(RollLog& log);

@@ -2,61 +2,99 @@
 #include "logs/roll_log.hpp"
 
 #include <algorithm>
-#include <string_view>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
 
 #include <fmt/core.h>
 
 #include "logs/flight_file.hpp"
 #include "logs/log_doubts.hpp"
-#include "logs/roll_columns.hpp"
-#include "logs/roll_rows.hpp"
 #include "logs/summary.hpp"
 #include "logs/table.hpp"
 #include "logs/turns.hpp"
-#include "report/csv.hpp"
 #include "sim/input_error.hpp"
-#include "sim/units.hpp"
 
 namespace fantail::logs {
 namespace {
 
+using report::Row;
+using report::Truth;
 using sim::InputError;
 using sim::InputFault;
 
-// By way of the table, so that a log gives the same figures as the flight.csv that was made of it.
-RollLog roll_log_of_flight_log(const std::filesystem::path& file, const Reading& reading, const Needs& needs) {
-  const std::string_view asked = reading.truth                          ? "--truth"
-                                 : !reading.columns.empty()             ? "--column"
-                                 : reading.angles != AngleUnit::degrees ? "--units"
-                                                                        : "";
-  if (!asked.empty()) {
-    throw InputError{
-        InputFault::bad_configuration,
-        fmt::format("{}: {}: a flight log says itself what its values are, and holds no truth", file.string(), asked)};
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+struct Signal {
+  std::vector<double> RollLog::* list;
+  double (*measured)(const Row& row);
+  double Truth::* truth = nullptr;
+};
+
+template <double Row::* member>
+double measured(const Row& row) {
+  return row.*member;
+}
+double measured_canard_rad(const Row& row) { return row.canard_rad.value_or(unknown); }
+
+constexpr std::array signals{
+    Signal{&RollLog::time_s, measured<&Row::time_s>},
+    Signal{&RollLog::roll_angle_rad, measured<&Row::roll_angle_rad>, &Truth::roll_angle_rad},
+    Signal{&RollLog::roll_rate_rad_s, measured<&Row::roll_rate_rad_s>, &Truth::roll_rate_rad_s},
+    Signal{&RollLog::canard_rad, measured_canard_rad, &Truth::canard_rad},
+    Signal{&RollLog::speed_m_s, measured<&Row::speed_m_s>, &Truth::speed_m_s},
+    Signal{&RollLog::command_rad, measured<&Row::command_rad>},
+    Signal{&RollLog::reference_rad, measured<&Row::reference_rad>},
+    Signal{&RollLog::excitation_rad, measured<&Row::excitation_rad>},
+    Signal{&RollLog::height_m, measured<&Row::height_m>, &Truth::height_m},
+    Signal{&RollLog::specific_force_m_s2, measured<&Row::specific_force_m_s2>},
+};
+
+std::vector<double> values(const std::vector<Row>& rows, const Signal& signal, bool of_truth) {
+  std::vector<double> list(rows.size());
+  std::ranges::transform(rows, list.begin(), [&](const Row& row) {
+    if (!of_truth || signal.truth == nullptr) {
+      return signal.measured(row);
+    }
+    return row.truth ? (*row.truth).*signal.truth : unknown;
+  });
+  if (std::ranges::all_of(list, [](double value) { return std::isnan(value); })) {
+    list.clear();
   }
-  const report::Flight flight = read_flight_log(file);
-  RollLog log = make_roll_log(Table::parse(report::csv(flight), file.string()), reading, needs);
-  log.burnout_s = flight.events.burnout_s;
-  log.apogee_s = flight.events.apogee_s;
-  log.warnings.insert(log.warnings.begin(), flight.notes.begin(), flight.notes.end());
-  return log;
+  return list;
+}
+
+void refuse_what_only_a_table_has(const std::string& file, const Reading& reading) {
+  const char* const why = reading.truth                          ? "it holds no truth, only what was measured"
+                          : !reading.columns.empty()             ? "it names its columns itself"
+                          : reading.angles != AngleUnit::degrees ? "it says itself in which unit its angles are"
+                                                                 : nullptr;
+  if (why != nullptr) {
+    throw InputError{InputFault::bad_configuration, fmt::format("{}: is a flight log: {}", file, why)};
+  }
 }
 
 }  // namespace
 
-RollLog make_roll_log(const Table& table, const Reading& reading, const Needs& needs) {
+RollLog roll_log(const report::Flight& flight, std::string name, const Reading& reading) {
   RollLog log;
-  log.name = table.name();
-  const std::vector<FoundColumn> columns = find_roll_columns(table, reading, needs);
-  read_roll_rows(table, columns, find_phase_column(table, reading), log);
-  note_doubtful_units(log, reading.angles);
-  if (reading.angles == AngleUnit::degrees) {
-    for (const FoundColumn& column : columns) {
-      if (column.is_angle) {
-        std::ranges::for_each(log.*column.list, [](double& angle) { angle *= sim::radians_per_degree; });
-      }
-    }
+  log.name = std::move(name);
+  if (flight.rows.size() < 2) {
+    throw InputError{InputFault::bad_data,
+                     fmt::format("{}: {} rows with numbers; at least two are needed", log.name, flight.rows.size())};
   }
+  for (const Signal& signal : signals) {
+    log.*signal.list = values(flight.rows, signal, reading.truth);
+  }
+  if (flight.known.phase) {
+    log.phase.resize(flight.rows.size());
+    std::ranges::transform(flight.rows, log.phase.begin(), &Row::phase);
+  }
+  log.burnout_s = flight.events.burnout_s;
+  log.apogee_s = flight.events.apogee_s;
+  log.warnings = flight.notes;
+  note_doubtful_units(log, reading);
   if (const std::size_t turns = continue_over_turns(log); turns > 0) {
     log.warnings.push_back(
         fmt::format("the roll angle jumps by a whole turn {} times; it is read as one that goes on", turns));
@@ -66,24 +104,18 @@ RollLog make_roll_log(const Table& table, const Reading& reading, const Needs& n
 }
 
 RollLog read_roll_log(const std::filesystem::path& path, const Reading& reading, const Needs& needs) {
-  std::error_code ignored;
-  if (!std::filesystem::is_directory(path, ignored)) {
-    return is_flight_log(path) ? roll_log_of_flight_log(path, reading, needs)
-                               : make_roll_log(Table::load(path.string()), reading, needs);
+  const std::filesystem::path file = flight_file(path);
+  if (is_flight_log(file)) {
+    refuse_what_only_a_table_has(file.string(), reading);
+    return roll_log(read_flight_log(file), file.string(), reading);
   }
-  const std::filesystem::path file = path / "flight.csv";
-  if (!std::filesystem::exists(file, ignored)) {
-    if (std::filesystem::exists(path / "flight.ftl", ignored)) {
-      return roll_log_of_flight_log(path / "flight.ftl", reading, needs);
-    }
-    throw InputError{InputFault::no_such_input, path.string() + ": this folder holds no flight.csv or flight.ftl"};
+  report::Flight flight = read_flight_csv(Table::load(file.string()), reading, needs);
+  if (file != path) {
+    const report::Events events = summary_events(path / "summary.json");
+    flight.events.burnout_s = events.burnout_s;
+    flight.events.apogee_s = events.apogee_s;
   }
-  RollLog log = make_roll_log(Table::load(file.string()), reading, needs);
-  log.name = path.string();
-  const report::Events events = summary_events(path / "summary.json");
-  log.burnout_s = events.burnout_s;
-  log.apogee_s = events.apogee_s;
-  return log;
+  return roll_log(flight, path.string(), reading);
 }
 
 }  // namespace fantail::logs

@@ -20,12 +20,8 @@ void note_phase(Flight& flight, const core::TickRecord& record, double time_s) {
     return;
   }
   flight.phase_changes.push_back({time_s, record.phase, record.reason});
-  if (record.phase == core::Phase::launched) {
-    flight.events.detected_s = time_s;
-  } else if (record.phase == core::Phase::controlling) {
-    flight.events.control_start_s = time_s;
-  } else if (record.phase == core::Phase::finished) {
-    flight.events.control_end_s = time_s;
+  if (auto* event = event_of(flight.events, record.phase)) {
+    *event = time_s;
   }
 }
 
@@ -41,6 +37,17 @@ void note_canards(Flight& flight, const core::TickRecord& record, double time_s)
 }
 
 }  // namespace
+
+std::optional<double>* event_of(Events& events, core::Phase phase) {
+  switch (phase) {
+    case core::Phase::launched: return &events.detected_s;
+    case core::Phase::controlling: return &events.control_start_s;
+    case core::Phase::finished: return &events.control_end_s;
+    case core::Phase::safe:
+    case core::Phase::armed: break;
+  }
+  return nullptr;
+}
 
 Row row(const core::TickRecord& record, double time_s) {
   Row r;

@@ -60,6 +60,9 @@ struct Events {
   std::optional<double> apogee_s{};
 };
 
+/// Of those that begin a phase; null for a phase that no event begins.
+[[nodiscard]] std::optional<double>* event_of(Events& events, core::Phase phase);
+
 /// A roll state that the scenario set by hand, because no model explains it.
 struct ImposedRoll {
   double time_s = 0.0;
