@@ -44,7 +44,7 @@ const CanardCommands& CanardMixer::mix(Microseconds time, Angle roll_command,
   return commands_;
 }
 
-inline void CanardMixer::drive(Microseconds time, Microseconds elapsed, std::size_t i, Angle wanted,
+void CanardMixer::drive(Microseconds time, Microseconds elapsed, std::size_t i, Angle wanted,
                                const std::optional<Angle>& encoder) {
   Canard& canard = canards_[i];
   CanardCommand& command = commands_[i];

@@ -72,7 +72,7 @@ void CanardMonitor::bridge() {
 // Where the servo should be by now: it starts from where it is, and moves on while its encoder is silent. What a canard
 // should do by its own command is taken off before it is compared with the others, because the self-test and a bench
 // move one and not the others.
-inline void CanardMonitor::follow(Channel& channel, float moved_share, const CanardCommand& command,
+void CanardMonitor::follow(Channel& channel, float moved_share, const CanardCommand& command,
                                   const std::optional<Angle>& encoder) {
   const bool is_readable = readable(encoder);
   if (is_readable) {
@@ -95,7 +95,7 @@ inline void CanardMonitor::follow(Channel& channel, float moved_share, const Can
 }
 
 // Then there is nothing to judge, as long as it does not stand apart from the others.
-inline bool CanardMonitor::is_in_order(const Channel& channel) const {
+bool CanardMonitor::is_in_order(const Channel& channel) const {
   return channel.comparable && abs(channel.departure) <= plan_.tracking_limit &&
          channel.off.charge == Microseconds{0} && channel.apart.charge == Microseconds{0};
 }
@@ -114,7 +114,7 @@ CanardVerdict CanardMonitor::judge(const Tick& tick, std::size_t canard, const s
   return tick.time - *channel.silent_since >= plan_.encoder_timeout ? CanardVerdict::dead : verdicts_[canard];
 }
 
-inline CanardVerdict CanardMonitor::judge_departure(const Tick& tick, Channel& channel, Angle encoder) const {
+CanardVerdict CanardMonitor::judge_departure(const Tick& tick, Channel& channel, Angle encoder) const {
   const bool is_apart = !tick.all_agree && stands_apart(channel);
   if (is_in_order(channel) && !is_apart) {
     return CanardVerdict::healthy;

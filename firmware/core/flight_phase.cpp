@@ -37,7 +37,7 @@ bool FlightPhase::update(const PhaseInputs& inputs, const Motion& motion) {
   return true;
 }
 
-inline std::optional<FlightPhase::Transition> FlightPhase::from_safe(const PhaseInputs& inputs) const {
+std::optional<FlightPhase::Transition> FlightPhase::from_safe(const PhaseInputs& inputs) const {
   // Two independent actions: a switch that a hand closes, and a command. Neither alone arms.
   if (inputs.arm_switch_closed && inputs.arm_command) {
     return Transition{Phase::armed, PhaseReason::armed_by_switch_and_command};
@@ -45,7 +45,7 @@ inline std::optional<FlightPhase::Transition> FlightPhase::from_safe(const Phase
   return std::nullopt;
 }
 
-inline std::optional<FlightPhase::Transition> FlightPhase::from_armed(const PhaseInputs& inputs,
+std::optional<FlightPhase::Transition> FlightPhase::from_armed(const PhaseInputs& inputs,
                                                                       const Motion& motion) const {
   // The switch is the pad crew's way out. It is obeyed here and in no later phase: a switch that opens under
   // vibration must not end a flight.
@@ -66,7 +66,7 @@ inline std::optional<FlightPhase::Transition> FlightPhase::from_armed(const Phas
   return std::nullopt;
 }
 
-inline std::optional<FlightPhase::Transition> FlightPhase::from_launched(const PhaseInputs& inputs,
+std::optional<FlightPhase::Transition> FlightPhase::from_launched(const PhaseInputs& inputs,
                                                                          const Motion& motion) const {
   // Without a rate there is no roll angle, and with a broken clock no height: such a flight is never controlled.
   if (inputs.timing_fault) {
@@ -88,7 +88,7 @@ inline std::optional<FlightPhase::Transition> FlightPhase::from_launched(const P
   return std::nullopt;
 }
 
-inline std::optional<FlightPhase::Transition> FlightPhase::from_controlling(const PhaseInputs& inputs,
+std::optional<FlightPhase::Transition> FlightPhase::from_controlling(const PhaseInputs& inputs,
                                                                             const Motion& motion) const {
   // A tick that came late or twice makes every rate and angle doubtful.
   if (inputs.timing_fault) {

@@ -89,7 +89,7 @@ void MotionEstimator::update(const Inputs& inputs) {
   }
 }
 
-inline void MotionEstimator::follow_gyro(Microseconds now, const GyroSample& sample) {
+void MotionEstimator::follow_gyro(Microseconds now, const GyroSample& sample) {
   gyro_ = classify(now, sample.time, sample.quality, is_within(sample.rate_rad_s, largest_rate_rad_s), gyro_time_,
                    plan_.stale_time);
   if (gyro_ != SensorState::fresh) {
@@ -104,7 +104,7 @@ inline void MotionEstimator::follow_gyro(Microseconds now, const GyroSample& sam
   gyro_time_ = sample.time;
 }
 
-inline void MotionEstimator::turn(float dt_s, const Vector3& first_rate_rad_s, const Vector3& last_rate_rad_s) {
+void MotionEstimator::turn(float dt_s, const Vector3& first_rate_rad_s, const Vector3& last_rate_rad_s) {
   const Vector3f turned = (0.5F * dt_s) * (eigen(last_rate_rad_s) + eigen(first_rate_rad_s));
   roll_angle_rad_.add(turned.x());
   const auto& a = trajectory_.attitude;
@@ -139,7 +139,7 @@ void MotionEstimator::bridge(Microseconds now, const GyroSample& gyro) {
   gyro_time_ = end;
 }
 
-inline void MotionEstimator::follow_accelerometer(const Inputs& inputs) {
+void MotionEstimator::follow_accelerometer(const Inputs& inputs) {
   // The second accelerometer stands in, tick by tick, when the first has nothing usable.
   for (const AccelerometerSample& sample : inputs.accelerometers) {
     accelerometer_ = classify(inputs.time, sample.time, integrable(sample.quality),
@@ -157,7 +157,7 @@ inline void MotionEstimator::follow_accelerometer(const Inputs& inputs) {
 }
 
 // One lost sample is not motion; a sensor that stays silent might hide some.
-inline void MotionEstimator::watch_pad(Microseconds now, const GyroSample& gyro) {
+void MotionEstimator::watch_pad(Microseconds now, const GyroSample& gyro) {
   if (gyro_ == SensorState::failed || accelerometer_ == SensorState::failed) {
     pad_window_.interrupt(now);
   } else if (gyro_ == SensorState::fresh && pad_window_.update(now, gyro.rate_rad_s, specific_force_m_s2_)) {
@@ -165,7 +165,7 @@ inline void MotionEstimator::watch_pad(Microseconds now, const GyroSample& gyro)
   }
 }
 
-inline void MotionEstimator::integrate(Microseconds time) {
+void MotionEstimator::integrate(Microseconds time) {
   const Microseconds previous = accelerometer_time_.value_or(time);
   accelerometer_time_ = time;
   if (stands(time, previous, axial_.update(time, specific_force_m_s2_.x))) {
@@ -184,7 +184,7 @@ inline void MotionEstimator::integrate(Microseconds time) {
   trajectory_.position_m = plain(position);
 }
 
-inline bool MotionEstimator::stands(Microseconds time, Microseconds previous, float axial_m_s2) {
+bool MotionEstimator::stands(Microseconds time, Microseconds previous, float axial_m_s2) {
   const bool pushed = axial_m_s2 >= thrust_threshold_m_s2;
   if (place_ == Place::pad) {
     return !pushed || time - trajectory_.since > longest_window || time - previous > plan_.stale_time;
@@ -213,7 +213,7 @@ MotionEstimator::Trajectory MotionEstimator::at_rest() const {
   return result;
 }
 
-inline Vector3 MotionEstimator::without_bias(const Vector3& rate_rad_s) const {
+Vector3 MotionEstimator::without_bias(const Vector3& rate_rad_s) const {
   const auto& pad = pad_window_.average();
   return pad ? minus(rate_rad_s, pad->gyro_bias_rad_s) : rate_rad_s;
 }
@@ -239,7 +239,7 @@ void MotionEstimator::begin_tunnel_run(Microseconds now) {
 
 void MotionEstimator::return_to_pad() { place_ = Place::pad; }
 
-inline float MotionEstimator::bridged_roll_rad(Microseconds now) const {
+float MotionEstimator::bridged_roll_rad(Microseconds now) const {
   return gyro_time_ ? seconds(up_to(plan_.stale_time, now - *gyro_time_)) * rate_rad_s_.x : 0.0F;
 }
 
