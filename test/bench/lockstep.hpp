@@ -7,9 +7,9 @@
 #include <optional>
 
 #include "bench/exercise.hpp"
-#include "bench/recording.hpp"
 #include "core/canard_mixer.hpp"
 #include "core/flight_plan_fields.hpp"
+#include "link/recording.hpp"
 #include "sim/random.hpp"
 #include "sim/sensor_models.hpp"
 #include "sim/servo.hpp"
@@ -41,14 +41,14 @@ struct LockStep {
     return b;
   }
 
-  [[nodiscard]] Recording record(const Exercise& exercise) const {
+  [[nodiscard]] link::Recording record(const Exercise& exercise) const {
     core::CanardMixer mixer{plan.canards, plan.controller.canard_limit};
     Each<sim::Servo> servos{sim::Servo{servo[0]}, sim::Servo{servo[1]}, sim::Servo{servo[2]}, sim::Servo{servo[3]}};
     sim::EncoderModel encoders{{}, encoder, sim::Random{seed, 7}};
     sim::Random noise{seed, 8};
     Each<std::optional<double>> pulse{};
     constexpr int settle = 1500;
-    Recording recording;
+    link::Recording recording;
     const int ticks = settle + static_cast<int>(std::lround(exercise.duration_s() * 1000.0));
     for (int t = 0; t < ticks; ++t) {
       if (t == settle / 2) {
@@ -63,7 +63,7 @@ struct LockStep {
       }
       const hal::EncoderReading reading = encoders.sample(core::Microseconds{1000LL * t}, shaft);
       core::EncoderAngles read{};
-      Tick tick{.number = t};
+      link::Tick tick{.number = t};
       for (std::size_t i = 0; i < 4; ++i) {
         if (reading.each[i].status == hal::Status::ok) {
           const int counts = reading.each[i].counts > 8191 ? reading.each[i].counts - 16384 : reading.each[i].counts;

@@ -218,11 +218,11 @@ TEST(Measurement, AStepToAnAngleIsMeasuredLikeTheOneToTheLimit) {
 
 TEST(Measurement, WhatWasNotRecordedIsNotMeasured) {
   const Exercise exercise = Exercise::limits(six_degrees());
-  for (const Recording& recording : {Recording{}, [] {
-                                       Recording one;
-                                       one.add({.number = 5});
-                                       return one;
-                                     }()}) {
+  for (const link::Recording& recording : {link::Recording{}, [] {
+                                             link::Recording one;
+                                             one.add({.number = 5});
+                                             return one;
+                                           }()}) {
     for (const Turn& turn : exercise.turns()) {
       const Figures f = measure(recording, exercise, turn, 0);
       EXPECT_FALSE(f.sign);
@@ -237,10 +237,10 @@ TEST(Measurement, WhatWasNotRecordedIsNotMeasured) {
 TEST(Measurement, EveryCutOfARecordingCanBeMeasured) {
   Bench bench;
   const Exercise exercise = Exercise::limits_of(six_degrees(), 1);
-  const Recording whole = bench.record(exercise);
+  const link::Recording whole = bench.record(exercise);
   for (std::size_t end = 0; end < whole.ticks().size(); end += 97) {
-    Recording cut;
-    for (const Tick& tick : whole.ticks().first(end)) {
+    link::Recording cut;
+    for (const link::Tick& tick : whole.ticks().first(end)) {
       cut.add(tick);
     }
     const Figures f = measure(cut, exercise, exercise.turns()[0], 1);

@@ -90,9 +90,9 @@ TEST(Diagnosis, ACanardThatIsSlowOnlyWithTheOthersSaysSo) {
   Bench sound;
   Bench sagging;
   sagging.canards[2].lag_s = 0.1;
-  const Recording alone = sound.record(exercise);
-  const Recording together = sagging.record(exercise);
-  Recording both;
+  const link::Recording alone = sound.record(exercise);
+  const link::Recording together = sagging.record(exercise);
+  link::Recording both;
   for (std::size_t i = 0; i < alone.ticks().size(); ++i) {
     const bool last_turn = alone.ticks()[i].stretch >= exercise.turns()[4].first;
     both.add(last_turn ? together.ticks()[i] : alone.ticks()[i]);
@@ -108,9 +108,9 @@ TEST(Diagnosis, ACanardThatIsSlowOnlyWithTheOthersSaysSo) {
 TEST(Diagnosis, AServoThatIsNeverDrivenIsNotCalledDead) {
   Bench bench;
   const Exercise exercise = Exercise::limits(six_degrees());
-  const Recording driven = bench.record(exercise);
-  Recording recording;
-  for (Tick tick : driven.ticks()) {
+  const link::Recording driven = bench.record(exercise);
+  link::Recording recording;
+  for (link::Tick tick : driven.ticks()) {
     tick.command_rad[2].reset();
     recording.add(tick);
   }
@@ -150,13 +150,13 @@ TEST(Sheet, FailsWhenALimitIsBeyondTheHardOne) {
 TEST(Sheet, FailsWhenItWasCutShortOrTheBusLostTooMuch) {
   Bench bench;
   const Exercise exercise = Exercise::limits(six_degrees());
-  const Recording whole = bench.record(exercise);
-  Recording half;
-  for (const Tick& tick : whole.ticks().first(10'000)) {
+  const link::Recording whole = bench.record(exercise);
+  link::Recording half;
+  for (const link::Tick& tick : whole.ticks().first(10'000)) {
     half.add(tick);
   }
   EXPECT_FALSE(examine(half, exercise, usual, {}).passed());
-  EXPECT_FALSE(examine(Recording{}, exercise, usual, {}).passed());
+  EXPECT_FALSE(examine(link::Recording{}, exercise, usual, {}).passed());
   bench.lost_share = 0.01;
   EXPECT_TRUE(sheet_of(bench).passed());
   bench.lost_share = 0.05;
@@ -213,7 +213,7 @@ TEST(Sheet, TextIsPlainAndAligned) {
 class Page : public testing::Test {
  protected:
   static std::string page(Bench bench, const Exercise& exercise, const Heading& heading = {}) {
-    const Recording recording = bench.record(exercise);
+    const link::Recording recording = bench.record(exercise);
     return sheet_html(examine(recording, exercise, usual, heading), recording, exercise);
   }
 };
@@ -267,8 +267,8 @@ TEST_F(Page, ShowsAStepAndASineTheSameWay) {
 
 TEST_F(Page, IsMadeOfAnEmptyRecordingToo) {
   const Exercise exercise = Exercise::limits(six_degrees());
-  const Sheet sheet = examine(Recording{}, exercise, usual, {});
-  EXPECT_NE(sheet_html(sheet, Recording{}, exercise).find("FAIL"), std::string::npos);
+  const Sheet sheet = examine(link::Recording{}, exercise, usual, {});
+  EXPECT_NE(sheet_html(sheet, link::Recording{}, exercise).find("FAIL"), std::string::npos);
   EXPECT_FALSE(sheet_text(sheet).empty());
   EXPECT_EQ(json::parse(sheet_json(sheet))["passed"], false);
 }

@@ -10,7 +10,7 @@
 
 #include "../core/random_stream.hpp"
 #include "bench/exercise.hpp"
-#include "bench/recording.hpp"
+#include "link/recording.hpp"
 
 namespace fantail::bench {
 
@@ -75,9 +75,9 @@ struct Bench {
   bool reports_limited = true;
   int requests_every_ms = 1;
 
-  Recording record(const Exercise& exercise) {
+  link::Recording record(const Exercise& exercise) {
     core::RandomStream random{seed};
-    Recording recording;
+    link::Recording recording;
     for (std::size_t i = 0; i < canards.size(); ++i) {
       canards[i].lagged_rad = canards[i].shaft_rad = exercise.bounds().centre_rad[i];
     }
@@ -85,7 +85,7 @@ struct Bench {
     Each<double> command = exercise.bounds().centre_rad;
     const int ticks = static_cast<int>(std::lround(exercise.duration_s() * 1000.0));
     for (int t = 0; t < ticks; ++t) {
-      Tick tick{.number = first_tick + t};
+      link::Tick tick{.number = first_tick + t};
       const auto asked = exercise.asked(0.001 * (t - t % requests_every_ms));
       for (std::size_t i = 0; i < canards.size(); ++i) {
         tick.encoder_rad[i] = canards[i].read(random);  // read before the servos are told

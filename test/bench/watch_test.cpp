@@ -28,7 +28,7 @@ class WatchTest : public testing::Test {
   hal::sim::CanWire wire;
   hal::sim::CanBus board{wire};
   hal::sim::CanBus pc{wire};
-  AvionicsLink link{pc};
+  link::AvionicsLink link{pc};
   Watch watch{"vcan0", link, pc};
 };
 

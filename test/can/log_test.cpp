@@ -4,10 +4,10 @@
 #include <csignal>
 #include <filesystem>
 
-#include "bench/made_record.hpp"
 #include "can/rig.hpp"
 #include "hal/linux/file_flash.hpp"
 #include "json/value.hpp"
+#include "link/made_record.hpp"
 
 namespace fantail::test {
 namespace {

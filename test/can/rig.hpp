@@ -11,10 +11,10 @@
 
 #include <gtest/gtest.h>
 
-#include "bench/avionics_link.hpp"
 #include "can/program.hpp"
 #include "hal/linux/can_bus.hpp"
 #include "hal/linux/clock.hpp"
+#include "link/avionics_link.hpp"
 #include "linux/shell.hpp"
 
 namespace fantail::test {
@@ -39,7 +39,7 @@ class Ear {
     const auto& heard = link_.newest<Message>();
     return heard ? heard->message : Message{};
   }
-  [[nodiscard]] bench::AvionicsLink& link() { return link_; }
+  [[nodiscard]] link::AvionicsLink& link() { return link_; }
   [[nodiscard]] bool at_rest() {
     return until([this] { return newest<protocol::StatusReport>().at_rest; });
   }
@@ -53,7 +53,7 @@ class Ear {
  private:
   hal::on_linux::CanBus bus_;
   hal::on_linux::Clock clock_;
-  bench::AvionicsLink link_{bus_};
+  link::AvionicsLink link_{bus_};
 };
 
 /// fantail node.

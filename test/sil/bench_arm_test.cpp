@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "avionics/can_frame.hpp"
-#include "bench/arm_steps.hpp"
+#include "link/arm_steps.hpp"
 #include "link/words.hpp"
 #include "sil/bench_at_world.hpp"
 
@@ -13,9 +13,9 @@ using core::Phase;
 
 // The bench and the hand at the switch.
 Phase arm(BenchAtWorld& place, bool start = false) {
-  bench::AvionicsLink link{place.bus()};
-  bench::await_avionics(place, link);
-  bench::ArmSteps steps{place, link};
+  link::AvionicsLink link{place.bus()};
+  link::await_avionics(place, link);
+  link::ArmSteps steps{place, link};
   EXPECT_EQ(steps.run_self_test([](const auto&) {}).self_test, protocol::SelfTestState::passed);
   place.world->set_arm_switch(true);
   place.wait(10 * millisecond);
@@ -47,9 +47,9 @@ TEST(BenchArm, StartsControlInTheTunnel) {
 
 TEST(BenchArm, IsToldWhichCanardFailedTheSelfTest) {
   BenchAtWorld place{"bench_canard3_reversed"};
-  bench::AvionicsLink link{place.bus()};
-  bench::await_avionics(place, link);
-  bench::ArmSteps steps{place, link};
+  link::AvionicsLink link{place.bus()};
+  link::await_avionics(place, link);
+  link::ArmSteps steps{place, link};
   const protocol::ArmReply reply = steps.run_self_test([](const auto&) {});
   EXPECT_EQ(reply.self_test, protocol::SelfTestState::failed);
   EXPECT_EQ(link::words(reply.failure, reply.canard), "canard 3 does not stand where it was told to");
@@ -60,10 +60,10 @@ TEST(BenchArm, IsToldThatTheGyroIsGoneAndToldAgain) {
   sim::Scenario scenario = sim::load_scenario("bench_healthy", {});
   scenario.faults.push_back({.kind = sim::FaultKind::imu_dropout, .canard = 0, .from_s = -1e6, .until_s = 1e6});
   BenchAtWorld place{scenario};
-  bench::AvionicsLink link{place.bus()};
-  bench::await_avionics(place, link);
+  link::AvionicsLink link{place.bus()};
+  link::await_avionics(place, link);
   for (int time = 0; time < 2; ++time) {
-    bench::ArmSteps steps{place, link};
+    link::ArmSteps steps{place, link};
     const protocol::ArmReply reply = steps.run_self_test([](const auto&) {});
     EXPECT_EQ(reply.failure, protocol::SelfTestFailure::gyro_failed);
     place.wait(second);
@@ -72,24 +72,24 @@ TEST(BenchArm, IsToldThatTheGyroIsGoneAndToldAgain) {
 
 TEST(BenchArm, AnEarlierPassIsNotTakenForTheAnswerToARequestThatWasLost) {
   BenchAtWorld place{"bench_healthy"};
-  bench::AvionicsLink link{place.bus()};
-  bench::await_avionics(place, link);
-  bench::ArmSteps steps{place, link};
+  link::AvionicsLink link{place.bus()};
+  link::await_avionics(place, link);
+  link::ArmSteps steps{place, link};
   ASSERT_EQ(steps.run_self_test([](const auto&) {}).self_test, protocol::SelfTestState::passed);
   // Somebody else has just used the counter that this bench begins with.
   hal::sim::CanBus other_bench{place.wire};
   const protocol::ArmRequest request{.action = protocol::ArmAction::confirm};
   (void)other_bench.send(avionics::can_frame(encode(request, 0)));
   place.wait(millisecond);
-  bench::ArmSteps later{place, link};
-  EXPECT_THROW((void)later.run_self_test([](const auto&) {}), bench::LinkError);
+  link::ArmSteps later{place, link};
+  EXPECT_THROW((void)later.run_self_test([](const auto&) {}), link::LinkError);
 }
 
 TEST(BenchArm, WithoutTheSwitchIsRefusedWithThatReason) {
   BenchAtWorld place{"tasha3_launch2"};
-  bench::AvionicsLink link{place.bus()};
-  bench::await_avionics(place, link);
-  bench::ArmSteps steps{place, link};
+  link::AvionicsLink link{place.bus()};
+  link::await_avionics(place, link);
+  link::ArmSteps steps{place, link};
   (void)steps.run_self_test([](const auto&) {});
   const protocol::ArmReply reply = steps.ask_for_nonce();
   EXPECT_FALSE(reply.nonce);

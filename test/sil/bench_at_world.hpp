@@ -9,15 +9,15 @@
 
 #include <gtest/gtest.h>
 
-#include "bench/avionics_link.hpp"
 #include "bench/exercise.hpp"
-#include "bench/place.hpp"
-#include "bench/session.hpp"
 #include "bench/sheet.hpp"
 #include "hal/sim/can_bus.hpp"
 #include "hal/sim/console.hpp"
 #include "hal/sim/entropy.hpp"
 #include "hal/sim/flash.hpp"
+#include "link/avionics_link.hpp"
+#include "link/place.hpp"
+#include "link/session.hpp"
 #include "sim/flight_computer.hpp"
 #include "sim/scenario.hpp"
 #include "sim/world.hpp"
@@ -28,7 +28,7 @@ inline constexpr hal::Microseconds millisecond{1'000};
 inline constexpr hal::Microseconds second{1'000'000};
 
 /// A bench and a rocket on one simulated bus, in one thread: the rocket lives on while the bench waits.
-class BenchAtWorld final : public bench::Place {
+class BenchAtWorld final : public link::Place {
  public:
   explicit BenchAtWorld(sim::Scenario loaded, sim::MakeFlightComputer make = sim::simulated_board)
       : scenario{std::move(loaded)}, make_{std::move(make)} {
@@ -61,19 +61,19 @@ class BenchAtWorld final : public bench::Place {
   void switch_off() { world.reset(); }
 
   /// When the rocket has been at rest for long enough.
-  [[nodiscard]] bench::Session open_session(bench::AvionicsLink& link) {
-    bench::await_avionics(*this, link);
+  [[nodiscard]] link::Session open_session(link::AvionicsLink& link) {
+    link::await_avionics(*this, link);
     wait(3 * second);
     return {*this, link, 5};
   }
 
   /// As `fantail bench limits` does it.
   [[nodiscard]] bench::Sheet limits() {
-    bench::AvionicsLink link{pc_bus};
-    bench::Session session = open_session(link);
+    link::AvionicsLink link{pc_bus};
+    link::Session session = open_session(link);
     const bench::Bounds bounds = bench::bounds(link.newest<protocol::LimitReport>()->message, session.trims());
     const bench::Exercise exercise = bench::Exercise::limits(bounds);
-    const bench::Recording recording = bench::perform(exercise, session, link, [](double) {});
+    const link::Recording recording = bench::perform(exercise, session, link, [](double) {});
     EXPECT_TRUE(session.close());
     return bench::examine(recording, exercise, scenario.vehicle.canard_tolerances, {});
   }

@@ -82,8 +82,8 @@ struct CtrlC {};
 TEST(BenchLimits, AnInterruptAtAnyMomentCentresTheCanards) {
   for (const double at_s : {0.1, 1.0, 2.5, 7.7, 20.0}) {
     BenchAtWorld place{"bench_healthy"};
-    bench::AvionicsLink link{place.bus()};
-    bench::Session session = place.open_session(link);
+    link::AvionicsLink link{place.bus()};
+    link::Session session = place.open_session(link);
     const bench::Exercise exercise =
         bench::Exercise::limits(bench::bounds(link.newest<protocol::LimitReport>()->message, session.trims()));
     EXPECT_THROW((void)bench::perform(exercise, session, link,
@@ -102,13 +102,13 @@ TEST(BenchLimits, AnInterruptAtAnyMomentCentresTheCanards) {
 
 TEST(BenchLimits, ABusThatGoesAwayEndsTheSessionOnBothSides) {
   BenchAtWorld place{"bench_healthy"};
-  bench::AvionicsLink link{place.bus()};
-  bench::Session session = place.open_session(link);
+  link::AvionicsLink link{place.bus()};
+  link::Session session = place.open_session(link);
   session.request({core::Angle::from_degrees(5), {}, {}, {}});
   session.wait(second);
   ASSERT_NEAR(place.record.canards[0].angle.degrees(), 5.0F, 0.01F);
   place.wire.set_state(hal::CanState::down);
-  EXPECT_THROW(session.wait(5 * second), bench::LinkError);
+  EXPECT_THROW(session.wait(5 * second), link::LinkError);
   place.wait(110 * millisecond);  // the avionics' patience
   EXPECT_NEAR(place.record.canards[0].angle.degrees(), 0.0F, 0.001F);
   EXPECT_FALSE(session.close()) << "nobody can say so";
@@ -117,8 +117,8 @@ TEST(BenchLimits, ABusThatGoesAwayEndsTheSessionOnBothSides) {
 // The other one may be at work while this one's process was stopped.
 TEST(BenchLimits, ABenchThatFindsAnothersSessionDoesNotSpeakIntoIt) {
   BenchAtWorld place{"bench_healthy"};
-  bench::AvionicsLink link{place.bus()};
-  bench::Session session = place.open_session(link);
+  link::AvionicsLink link{place.bus()};
+  link::Session session = place.open_session(link);
   session.request({core::Angle::from_degrees(5), {}, {}, {}});
   session.wait(second);
   hal::sim::CanBus other_bus{place.wire};
@@ -127,7 +127,7 @@ TEST(BenchLimits, ABenchThatFindsAnothersSessionDoesNotSpeakIntoIt) {
     (void)other_bus.send(
         avionics::can_frame(encode(protocol::BenchSession{.action = protocol::SessionAction::open, .session = 6}, i)));
   }
-  EXPECT_THROW(session.wait(second), bench::LinkError);
+  EXPECT_THROW(session.wait(second), link::LinkError);
   EXPECT_NEAR(place.record.canards[0].angle.degrees(), 0.0F, 0.001F);
 }
 
@@ -148,23 +148,23 @@ TEST(BenchLimits, FramesThatAreLostOnTheWayAreCountedAndSpoilNothing) {
 TEST(BenchLimits, ASilentBusIsSaidSo) {
   BenchAtWorld place{"bench_healthy"};
   place.wire.set_state(hal::CanState::down);
-  bench::AvionicsLink link{place.bus()};
+  link::AvionicsLink link{place.bus()};
   try {
-    bench::await_avionics(place, link);
+    link::await_avionics(place, link);
     FAIL();
-  } catch (const bench::LinkError& error) {
+  } catch (const link::LinkError& error) {
     EXPECT_NE(std::string{error.what()}.find("the avionics is silent"), std::string::npos);
   }
 }
 
 TEST(BenchLimits, ARocketThatMovesIsRefused) {
   BenchAtWorld place{"bench_healthy"};
-  bench::AvionicsLink link{place.bus()};
-  bench::await_avionics(place, link);  // within two seconds of power-up: it has not yet been seen at rest
+  link::AvionicsLink link{place.bus()};
+  link::await_avionics(place, link);  // within two seconds of power-up: it has not yet been seen at rest
   try {
-    bench::Session session{place, link, 5};
+    link::Session session{place, link, 5};
     FAIL();
-  } catch (const bench::LinkError& error) {
+  } catch (const link::LinkError& error) {
     EXPECT_NE(std::string{error.what()}.find("must stand still"), std::string::npos);
   }
 }

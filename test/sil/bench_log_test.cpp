@@ -7,9 +7,9 @@
 #include <gtest/gtest.h>
 
 #include "avionics/can_frame.hpp"
-#include "bench/log_download.hpp"
-#include "bench/log_flights.hpp"
-#include "bench/log_listing.hpp"
+#include "link/log_download.hpp"
+#include "link/log_flights.hpp"
+#include "link/log_listing.hpp"
 #include "random_stream.hpp"
 #include "sil/bench_at_world.hpp"
 #include "system/folder.hpp"
@@ -17,8 +17,8 @@
 namespace fantail::sil {
 namespace {
 
-using bench::LogPart;
-using bench::LogReader;
+using link::LogPart;
+using link::LogReader;
 using Bytes = std::vector<std::byte>;
 
 constexpr std::uint32_t region_begin = 4 * 4096;
@@ -41,7 +41,7 @@ std::uint32_t in_sectors(std::size_t bytes) { return static_cast<std::uint32_t>(
 
 struct BenchLog : testing::Test {
   BenchAtWorld place{"bench_healthy"};
-  bench::AvionicsLink link{place.bus()};
+  link::AvionicsLink link{place.bus()};
   LogReader reader{place, link};
   test::Folder folder;
   const std::string path = folder / "record.part";
@@ -55,7 +55,7 @@ struct BenchLog : testing::Test {
     place.power_cycle();
   }
   std::uint32_t download(LogPart& part, std::uint32_t size) {
-    return bench::download(reader, {.offset = 0, .size = size}, part, [](std::uint32_t) {});
+    return link::download(reader, {.offset = 0, .size = size}, part, [](std::uint32_t) {});
   }
   void expect_whole(const LogPart& part, std::uint32_t size) {
     ASSERT_EQ(part.size(), size);
@@ -66,7 +66,7 @@ struct BenchLog : testing::Test {
 
 TEST_F(BenchLog, ArrivesByteForByteAsFastAsTheBusAllows) {
   ASSERT_GE(flown().size(), 60'000U);
-  const bench::LogInfo info = reader.info();
+  const link::LogInfo info = reader.info();
   EXPECT_EQ(info.used_bytes, in_sectors(flown().size()));
   EXPECT_EQ(info.free_bytes, (1U << 18U) - region_begin - info.used_bytes);
   LogPart part{path};
@@ -80,7 +80,7 @@ TEST_F(BenchLog, ArrivesByteForByteAsFastAsTheBusAllows) {
   std::printf("%u bytes in %.2f s of the rocket's time: %.1f kB/s\n", info.used_bytes, seconds,
               1e-3 * info.used_bytes / seconds);
   const Bytes all = part.read(0, info.used_bytes);
-  const auto flights = bench::split_flights(all);
+  const auto flights = link::split_flights(all);
   ASSERT_EQ(flights.size(), 1U);
   EXPECT_TRUE(flights[0].intact());
   EXPECT_TRUE(std::ranges::equal(std::span{all}.first(flights[0].end), flown()));
@@ -157,7 +157,7 @@ TEST_F(BenchLog, EveryFlightIsListedWithWhereItLiesAndWhoFlewIt) {
   place.power_cycle();
   const std::uint32_t used = reader.info().used_bytes;
   EXPECT_EQ(used, end);
-  const auto flights = bench::list_flights(reader, used, [](std::uint32_t) {});
+  const auto flights = link::list_flights(reader, used, [](std::uint32_t) {});
   ASSERT_EQ(flights.size(), 2U);
   EXPECT_EQ(flights[0].stretch.offset, 0U);
   EXPECT_EQ(flights[0].stretch.size, second);
@@ -170,7 +170,7 @@ TEST_F(BenchLog, EveryFlightIsListedWithWhereItLiesAndWhoFlewIt) {
 TEST_F(BenchLog, IsErasedInASessionOnlyAndGoneAfterTheNextPowerUpToo) {
   const std::uint32_t used = reader.info().used_bytes;
   {
-    bench::Session session = place.open_session(link);
+    link::Session session = place.open_session(link);
     std::uint32_t left = used;
     reader.erase(session, [&](std::uint32_t now) {
       EXPECT_LE(now, left);
@@ -212,7 +212,7 @@ TEST_F(BenchLog, ABusThatGoesAwayIsSaidSoAndThePartIsKept) {
     }
   };
   LogPart part{path};
-  EXPECT_THROW((void)download(part, used), bench::LinkError);
+  EXPECT_THROW((void)download(part, used), link::LinkError);
   EXPECT_GT(part.size(), 10'000U);
   EXPECT_TRUE(std::ranges::equal(part.read(0, part.size()), std::span{flown()}.first(part.size())));
 }

@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "avionics/can_frame.hpp"
-#include "bench/plan_sender.hpp"
 #include "core/flight_plan_fields.hpp"
+#include "link/plan_sender.hpp"
 #include "link/words.hpp"
 #include "sil/bench_at_world.hpp"
 
@@ -25,19 +25,19 @@ core::FlightPlan plan_with_limit(float limit_deg) {
 }
 
 protocol::PlanReply send_without_waiting(BenchAtWorld& place, std::span<const std::byte> block) {
-  bench::AvionicsLink link{place.bus()};
-  return bench::send_plan(place, link, block, [](std::size_t) {});
+  link::AvionicsLink link{place.bus()};
+  return link::send_plan(place, link, block, [](std::size_t) {});
 }
 
 protocol::PlanReply send(BenchAtWorld& place, std::span<const std::byte> block) {
   place.wait(3 * second);  // at rest long enough
-  bench::AvionicsLink link{place.bus()};
-  bench::await_avionics(place, link);
-  return bench::send_plan(place, link, block, [](std::size_t) {});
+  link::AvionicsLink link{place.bus()};
+  link::await_avionics(place, link);
+  return link::send_plan(place, link, block, [](std::size_t) {});
 }
 
 float limit_in_force_deg(BenchAtWorld& place) {
-  bench::AvionicsLink link{place.bus()};
+  link::AvionicsLink link{place.bus()};
   for (int i = 0; i < 600; ++i) {  // it is reported once a second
     place.wait(2 * millisecond);
     link.listen(place.now());
@@ -65,9 +65,9 @@ TEST(BenchPlan, ABrokenBlockLeavesTheOldPlanInForce) {
 
 TEST(BenchPlan, IsRefusedToARocketThatHasNotYetStoodStill) {
   BenchAtWorld place{"bench_healthy"};
-  bench::AvionicsLink link{place.bus()};
-  bench::await_avionics(place, link);
-  const protocol::PlanReply reply = bench::send_plan(place, link, block_of(plan_with_limit(4.0F)), [](std::size_t) {});
+  link::AvionicsLink link{place.bus()};
+  link::await_avionics(place, link);
+  const protocol::PlanReply reply = link::send_plan(place, link, block_of(plan_with_limit(4.0F)), [](std::size_t) {});
   EXPECT_EQ(reply.fault, protocol::TransferFault::not_safe);
   EXPECT_NEAR(limit_in_force_deg(place), 9.0F, 0.001F);
 }
@@ -83,9 +83,9 @@ TEST(BenchPlan, ARefusedFieldIsNamed) {
 TEST(BenchPlan, IsRefusedWhileABenchSessionIsOpen) {
   BenchAtWorld place{"bench_healthy"};
   place.wait(4 * second);
-  bench::AvionicsLink link{place.bus()};
-  bench::await_avionics(place, link);
-  bench::Session session{place, link, 3};  // whose canards must not jump to other trims
+  link::AvionicsLink link{place.bus()};
+  link::await_avionics(place, link);
+  link::Session session{place, link, 3};  // whose canards must not jump to other trims
   link.listen(place.now());
   bool refused = false;
   std::uint8_t counter = 0;
@@ -130,7 +130,7 @@ TEST(BenchPlan, APlanOfAnotherBenchThatIsStoredMeanwhileIsNotTakenForItsOwn) {
 TEST(BenchPlan, WhileTheAvionicsKeepsAWrittenPlanBackThatIsSaidAndNothingPromised) {
   BenchAtWorld place{"bench_healthy"};
   place.wait(4 * second);
-  bench::AvionicsLink link{place.bus()};
+  link::AvionicsLink link{place.bus()};
   hal::sim::CanBus other_bench{place.wire};
   std::uint8_t counter = 0;
   int ticks = 0;
@@ -142,9 +142,9 @@ TEST(BenchPlan, WhileTheAvionicsKeepsAWrittenPlanBackThatIsSaidAndNothingPromise
     }
   };
   try {
-    (void)bench::send_plan(place, link, block_of(plan_with_limit(4.0F)), [](std::size_t) {});
+    (void)link::send_plan(place, link, block_of(plan_with_limit(4.0F)), [](std::size_t) {});
     FAIL() << "the session came too late";
-  } catch (const bench::LinkError& error) {
+  } catch (const link::LinkError& error) {
     EXPECT_EQ(std::string{error.what()},
               "the avionics keeps a written plan back: it comes into force when the phase is Safe and no bench session "
               "or self-test goes on");
@@ -176,7 +176,7 @@ TEST(BenchPlan, ABusThatGoesAwayIsSaidSo) {
       place.wire.set_state(hal::CanState::down);
     }
   };
-  EXPECT_THROW((void)send(place, block_of(plan_with_limit(4.0F))), bench::LinkError);
+  EXPECT_THROW((void)send(place, block_of(plan_with_limit(4.0F))), link::LinkError);
   place.wire.set_state(hal::CanState::error_active);
   EXPECT_NEAR(limit_in_force_deg(place), 9.0F, 0.001F);
 }

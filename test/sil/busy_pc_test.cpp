@@ -2,16 +2,16 @@
 // A PC that is too busy for its programs, or was suspended: no sentence may blame the avionics for it.
 #include <gtest/gtest.h>
 
-#include "bench/arm_steps.hpp"
-#include "bench/patience.hpp"
-#include "bench/plan_sender.hpp"
+#include "link/arm_steps.hpp"
+#include "link/patience.hpp"
+#include "link/plan_sender.hpp"
 #include "protocol/plan_block.hpp"
 #include "sil/bench_at_world.hpp"
 
 namespace fantail::sil {
 namespace {
 
-using bench::Patience;
+using link::Patience;
 
 /// With the node on the same PC both sleep; a rocket on a real bus lives on, and the PC's socket keeps what it said.
 enum class Asleep : std::uint8_t { both, bench_alone };
@@ -33,8 +33,8 @@ INSTANTIATE_TEST_SUITE_P(Sleeps, BusyPc, testing::Values(Asleep::both, Asleep::b
 // The simulated socket keeps 64 frames, the oldest, as a real one keeps some hundreds.
 TEST_P(BusyPc, ThatSleptDoesNotCallTheAvionicsSilent) {
   BenchAtWorld place{"bench_healthy"};
-  bench::AvionicsLink link{place.pc_bus};
-  bench::await_avionics(place, link);
+  link::AvionicsLink link{place.pc_bus};
+  link::await_avionics(place, link);
   for (int i = 0; i < 10; ++i) {
     sleep(place, 3 * second);
     (void)link.listen(place.now());
@@ -59,9 +59,9 @@ TEST(ABusyPc, ThatSleepsWithItsNodeInTheMiddleOfAnExerciseFinishesIt) {
 
 TEST_P(BusyPc, ThatSleepsInTheMiddleOfASelfTestHearsItsEnd) {
   BenchAtWorld place{"bench_healthy"};
-  bench::AvionicsLink link{place.pc_bus};
-  bench::await_avionics(place, link);
-  bench::ArmSteps steps{place, link};
+  link::AvionicsLink link{place.pc_bus};
+  link::await_avionics(place, link);
+  link::ArmSteps steps{place, link};
   int replies = 0;
   const protocol::ArmReply reply = steps.run_self_test([&](const protocol::ArmReply&) {
     replies += 1;
@@ -74,14 +74,14 @@ TEST_P(BusyPc, ThatSleepsInTheMiddleOfASelfTestHearsItsEnd) {
 
 TEST(ABusyPc, ThatHoldsTheBenchUpIsNamedWhenTheSessionIsLost) {
   BenchAtWorld place{"bench_healthy"};
-  bench::AvionicsLink link{place.pc_bus};
-  bench::Session session = place.open_session(link);
+  link::AvionicsLink link{place.pc_bus};
+  link::Session session = place.open_session(link);
   session.wait(second);
   place.wait(3 * second);  // the rocket lives on, and the bench does not speak
   try {
     session.wait(second);
     FAIL() << "the session is still open";
-  } catch (const bench::LinkError& error) {
+  } catch (const link::LinkError& error) {
     EXPECT_STREQ(
         error.what(),
         "the avionics has ended the bench session: it heard no heartbeat for 0.1 s, and this PC, asleep or too "
@@ -91,14 +91,14 @@ TEST(ABusyPc, ThatHoldsTheBenchUpIsNamedWhenTheSessionIsLost) {
 
 TEST(ABusyPc, ARocketThatDiesIsSilentAfterTwoSecondsOfListening) {
   BenchAtWorld place{"bench_healthy"};
-  bench::AvionicsLink link{place.pc_bus};
-  bench::Session session = place.open_session(link);
+  link::AvionicsLink link{place.pc_bus};
+  link::Session session = place.open_session(link);
   place.switch_off();
   const hal::Microseconds dead = place.now();
   try {
     session.wait(20 * second);
     FAIL() << "nobody noticed";
-  } catch (const bench::LinkError& error) {
+  } catch (const link::LinkError& error) {
     EXPECT_STREQ(error.what(), "the avionics has fallen silent; it centres the canards by itself");
   }
   EXPECT_NEAR(1e-6 * static_cast<double>((place.now() - dead).count()), 2.0, 0.05);

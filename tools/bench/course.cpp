@@ -21,9 +21,9 @@ Window window_of(const Course& course, Part part) {
 
 }  // namespace
 
-Course course(const Recording& recording, const Exercise& exercise, const Turn& turn, std::size_t canard) {
+Course course(const link::Recording& recording, const Exercise& exercise, const Turn& turn, std::size_t canard) {
   Course result;
-  for (const Tick& tick : recording.ticks()) {
+  for (const link::Tick& tick : recording.ticks()) {
     if (tick.stretch < turn.first || tick.stretch > turn.last) {
       continue;
     }

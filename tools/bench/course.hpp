@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "bench/exercise.hpp"
-#include "bench/recording.hpp"
+#include "link/recording.hpp"
 
 namespace fantail::bench {
 
@@ -30,7 +30,8 @@ struct Course {
 };
 
 /// Empty when the turn was not recorded, or the canard never driven in it.
-[[nodiscard]] Course course(const Recording& recording, const Exercise& exercise, const Turn& turn, std::size_t canard);
+[[nodiscard]] Course course(const link::Recording& recording, const Exercise& exercise, const Turn& turn,
+                            std::size_t canard);
 
 /// Indices [begin, end) of a course.
 struct Window {

@@ -4,18 +4,21 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
 
 #include "core/inputs.hpp"
+#include "link/avionics_link.hpp"
+#include "link/recording.hpp"
+#include "link/session.hpp"
 #include "protocol/bus_messages.hpp"
 
 namespace fantail::bench {
 
-template <typename T>
-using Each = std::array<T, core::canard_count>;
+using link::Each;
 
 /// Between what the canards may be moved. Shaft angles.
 struct Bounds {
@@ -110,5 +113,9 @@ class Exercise {
   Each<bool> asked_{};
   Each<double> now_rad_{};
 };
+
+/// Goes through an exercise and records it. `progress` is told the seconds done; it may throw to give up.
+[[nodiscard]] link::Recording perform(const Exercise& exercise, link::Session& session, link::AvionicsLink& link,
+                                      const std::function<void(double)>& progress);
 
 }  // namespace fantail::bench

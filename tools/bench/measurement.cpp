@@ -47,7 +47,7 @@ std::vector<double> follow(const Course& course, const Window& window, Figures& 
 
 bool beyond_bus(double angle_rad) { return std::abs(angle_rad) > report::radians(20.46); }
 
-Figures measure(const Recording& recording, const Exercise& exercise, const Turn& turn, std::size_t canard) {
+Figures measure(const link::Recording& recording, const Exercise& exercise, const Turn& turn, std::size_t canard) {
   Figures f;
   const Course own = course(recording, exercise, turn, canard);
   f.received_ticks = own.received;

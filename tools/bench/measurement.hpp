@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "bench/exercise.hpp"
-#include "bench/recording.hpp"
+#include "link/recording.hpp"
 
 namespace fantail::bench {
 
@@ -60,7 +60,7 @@ struct Figures {
 /// The bus reports 20.47 deg of everything from there on.
 [[nodiscard]] bool beyond_bus(double angle_rad);
 
-[[nodiscard]] Figures measure(const Recording& recording, const Exercise& exercise, const Turn& turn,
+[[nodiscard]] Figures measure(const link::Recording& recording, const Exercise& exercise, const Turn& turn,
                               std::size_t canard);
 
 }  // namespace fantail::bench

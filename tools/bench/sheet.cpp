@@ -24,9 +24,9 @@ bool all_passed(const std::vector<Check>& checks) {
   return std::ranges::all_of(checks, [](const Check& check) { return check.passed; });
 }
 
-Each<double> largest_commands_rad(const Recording& recording) {
+Each<double> largest_commands_rad(const link::Recording& recording) {
   Each<double> largest{};
-  for (const Tick& tick : recording.ticks()) {
+  for (const link::Tick& tick : recording.ticks()) {
     for (std::size_t i = 0; i < largest.size(); ++i) {
       largest[i] = std::max(largest[i], std::abs(tick.command_rad[i].value_or(0.0)));
     }
@@ -50,7 +50,7 @@ bool shown_by(ExerciseKind kind, Measure measure) {
 
 class Examination {
  public:
-  Examination(const Recording& recording, const Exercise& exercise, Sheet& sheet)
+  Examination(const link::Recording& recording, const Exercise& exercise, Sheet& sheet)
       : recording_{recording}, exercise_{exercise}, sheet_{sheet}, largest_rad_{largest_commands_rad(recording)} {}
 
   void canards() {
@@ -129,7 +129,7 @@ class Examination {
     }
   }
 
-  const Recording& recording_;
+  const link::Recording& recording_;
   const Exercise& exercise_;
   Sheet& sheet_;
   Each<double> largest_rad_;
@@ -148,7 +148,7 @@ bool Sheet::passed() const {
          std::ranges::all_of(general, [](const GeneralCheck& c) { return c.passed; });
 }
 
-Sheet examine(const Recording& recording, const Exercise& exercise, const sim::CanardTolerances& tolerances,
+Sheet examine(const link::Recording& recording, const Exercise& exercise, const sim::CanardTolerances& tolerances,
               const Heading& heading) {
   Sheet sheet{.kind = exercise.kind(),
               .heading = heading,

@@ -9,9 +9,9 @@
 #include "bench/diagnosis.hpp"
 #include "bench/exercise.hpp"
 #include "bench/measurement.hpp"
-#include "bench/recording.hpp"
 #include "bench/verdict.hpp"
 #include "core/canard_monitor.hpp"
+#include "link/recording.hpp"
 #include "sim/canard_tolerances.hpp"
 
 namespace fantail::bench {
@@ -66,7 +66,7 @@ struct Sheet {
 };
 
 /// Measures, judges and names the causes. Some 10 ms for `limits` of four canards.
-[[nodiscard]] Sheet examine(const Recording& recording, const Exercise& exercise,
+[[nodiscard]] Sheet examine(const link::Recording& recording, const Exercise& exercise,
                             const sim::CanardTolerances& tolerances, const Heading& heading);
 
 /// One sentence for each thing that failed, canards first; one when all passed.
@@ -79,6 +79,6 @@ struct Sheet {
 [[nodiscard]] std::string sheet_text(const Sheet& sheet);
 
 /// A printable page, complete in itself: no script, nothing loaded.
-[[nodiscard]] std::string sheet_html(const Sheet& sheet, const Recording& recording, const Exercise& exercise);
+[[nodiscard]] std::string sheet_html(const Sheet& sheet, const link::Recording& recording, const Exercise& exercise);
 
 }  // namespace fantail::bench

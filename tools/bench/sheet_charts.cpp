@@ -86,7 +86,7 @@ std::string with_value(std::string_view words, const std::optional<double>& valu
 
 }  // namespace
 
-std::string canard_charts(const CanardResult& result, const Sheet& sheet, const Recording& recording,
+std::string canard_charts(const CanardResult& result, const Sheet& sheet, const link::Recording& recording,
                           const Exercise& exercise) {
   std::string alone;
   std::string together;

@@ -117,7 +117,7 @@ std::string closing(const Sheet& sheet) {
 
 }  // namespace
 
-std::string sheet_html(const Sheet& sheet, const Recording& recording, const Exercise& exercise) {
+std::string sheet_html(const Sheet& sheet, const link::Recording& recording, const Exercise& exercise) {
   std::string page = head(sheet) + "<body>\n<main>\n" + opening(sheet) + table(sheet);
   for (const CanardResult& result : sheet.canards) {
     page += fmt::format(

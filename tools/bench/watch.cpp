@@ -49,13 +49,13 @@ struct CanardRow {
   }
 };
 
-Each<CanardRow> rows(const AvionicsLink& link, hal::Microseconds now) {
+link::Each<CanardRow> rows(const link::AvionicsLink& link, hal::Microseconds now) {
   const auto commands = link.recent<protocol::CommandReport>(now, stale);
   const auto encoders = link.recent<protocol::EncoderReport>(now, stale);
   const auto limits = link.recent<protocol::LimitReport>(now, stale);
   const auto health = link.recent<protocol::HealthReport>(now, stale);
   const auto status = link.recent<protocol::StatusReport>(now, stale);
-  Each<CanardRow> rows;
+  link::Each<CanardRow> rows;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     rows[i].command_deg = commands ? degrees(commands->angle[i]) : std::nullopt;
     rows[i].encoder_deg = encoders ? degrees(encoders->angle[i]) : std::nullopt;
@@ -84,7 +84,7 @@ void Watch::look(hal::Microseconds now) {
 }
 
 std::string Watch::link_words() const {
-  const LinkFigures& heard = link_.figures();
+  const link::LinkFigures& heard = link_.figures();
   const hal::CanCounters counters = bus_.counters();
   return fmt::format("{} {}, load {:.1f} %, {} frames, {} lost, {} damaged, {} foreign, {} overrun, {} bus errors",
                      interface_, link::words(bus_.state()), load_percent_, heard.frames, heard.lost, heard.damaged,
@@ -171,7 +171,7 @@ std::string Watch::json() const {
   const auto rejections = known<protocol::RejectionReport>();
   const auto session = known<protocol::SessionReply>();
   const auto arming = known<protocol::ArmReply>();
-  const LinkFigures& heard = link_.figures();
+  const link::LinkFigures& heard = link_.figures();
   const hal::CanCounters counters = bus_.counters();
   Json json;
   json["interface"] = interface_;

@@ -4,15 +4,15 @@
 #include <cstdint>
 #include <string>
 
-#include "bench/avionics_link.hpp"
 #include "hal/can_bus.hpp"
+#include "link/avionics_link.hpp"
 
 namespace fantail::bench {
 
 /// What is known about the bus and whoever speaks on it, made once a look.
 class Watch {
  public:
-  Watch(std::string interface, const AvionicsLink& link, const hal::CanBus& bus)
+  Watch(std::string interface, const link::AvionicsLink& link, const hal::CanBus& bus)
       : interface_{std::move(interface)}, link_{link}, bus_{bus} {}
 
   /// Takes the bus load since the last look. Call it before the others.
@@ -33,7 +33,7 @@ class Watch {
   [[nodiscard]] std::string refused() const;
 
   std::string interface_;
-  const AvionicsLink& link_;
+  const link::AvionicsLink& link_;
   const hal::CanBus& bus_;
   hal::Microseconds now_{};
   hal::Microseconds last_look_{};

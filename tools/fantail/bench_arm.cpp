@@ -7,14 +7,14 @@
 #include <fmt/core.h>
 #include <unistd.h>
 
-#include "bench/arm_steps.hpp"
-#include "bench/session.hpp"
 #include "fantail/bench_options.hpp"
 #include "fantail/can_place.hpp"
 #include "fantail/line_input.hpp"
 #include "fantail/requirement.hpp"
 #include "fantail/standard_streams.hpp"
 #include "json/value.hpp"
+#include "link/arm_steps.hpp"
+#include "link/session.hpp"
 #include "link/words.hpp"
 
 namespace fantail::tool {
@@ -36,19 +36,17 @@ void tell(const ArmOptions& options, const std::string& text) {
   }
 }
 
-protocol::StatusReport status(const bench::AvionicsLink& link) {
-  return link.newest<protocol::StatusReport>()->message;
-}
+protocol::StatusReport status(const link::AvionicsLink& link) { return link.newest<protocol::StatusReport>()->message; }
 
-void look(bench::Place& place, bench::AvionicsLink& link) {
+void look(link::Place& place, link::AvionicsLink& link) {
   place.wait(glance);
   link.listen(place.now());
   if (link.has_fallen_silent()) {
-    throw bench::LinkError{"the avionics has fallen silent"};
+    throw link::LinkError{"the avionics has fallen silent"};
   }
 }
 
-void test(const ArmOptions& options, bench::ArmSteps& steps) {
+void test(const ArmOptions& options, link::ArmSteps& steps) {
   std::optional<std::size_t> moving;
   tell(options, "Self-test: three still seconds, then each canard moves. Keep hands off.");
   const protocol::ArmReply reply = steps.run_self_test([&](const protocol::ArmReply& now) {
@@ -64,7 +62,7 @@ void test(const ArmOptions& options, bench::ArmSteps& steps) {
 }
 
 // The first action belongs to the hand at the rocket; this program can only wait for it.
-void await_switch(const ArmOptions& options, bench::Place& place, bench::AvionicsLink& link) {
+void await_switch(const ArmOptions& options, link::Place& place, link::AvionicsLink& link) {
   if (status(link).arm_switch_closed) {
     return;
   }
@@ -78,7 +76,7 @@ void await_switch(const ArmOptions& options, bench::Place& place, bench::Avionic
   tell(options, "  closed");
 }
 
-void await_consent(const ArmOptions& options, bench::Place& place, bench::AvionicsLink& link) {
+void await_consent(const ArmOptions& options, link::Place& place, link::AvionicsLink& link) {
   if (options.yes) {
     return;
   }
@@ -98,9 +96,9 @@ void await_consent(const ArmOptions& options, bench::Place& place, bench::Avioni
 
 void arm(const ArmOptions& options) {
   CanPlace place{options.bench.interface};
-  bench::AvionicsLink link{place.bus()};
-  bench::await_avionics(place, link);
-  bench::ArmSteps steps{place, link};
+  link::AvionicsLink link{place.bus()};
+  link::await_avionics(place, link);
+  link::ArmSteps steps{place, link};
   test(options, steps);
   await_switch(options, place, link);
   await_consent(options, place, link);

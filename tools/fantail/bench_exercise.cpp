@@ -16,7 +16,6 @@
 #include <unistd.h>
 
 #include "bench/exercise.hpp"
-#include "bench/session.hpp"
 #include "bench/sheet.hpp"
 #include "fantail/bench_options.hpp"
 #include "fantail/can_place.hpp"
@@ -24,6 +23,7 @@
 #include "fantail/progress.hpp"
 #include "fantail/requirement.hpp"
 #include "fantail/standard_streams.hpp"
+#include "link/session.hpp"
 #include "protocol/plan_block.hpp"
 #include "report/output_folder.hpp"
 #include "sim/plan_file.hpp"
@@ -100,11 +100,11 @@ Desk desk(const ExerciseOptions& options) {
 }
 
 // After the exercise the canards are centred before anything else happens, and after an interrupt too.
-bench::Recording perform(const bench::Exercise& exercise, const ExerciseOptions& options, bench::Session& session,
-                         bench::AvionicsLink& link) {
+link::Recording perform(const bench::Exercise& exercise, const ExerciseOptions& options, link::Session& session,
+                        link::AvionicsLink& link) {
   Progress progress{"canards", {.unit = "s", .rate = " x real time", .total = exercise.duration_s()}};
   try {
-    bench::Recording recording = bench::perform(exercise, session, link, [&](double done_s) { progress.show(done_s); });
+    link::Recording recording = bench::perform(exercise, session, link, [&](double done_s) { progress.show(done_s); });
     if (!session.close()) {
       say("fantail: " + options.bench.interface + ": the avionics did not say that the canards are centred\n");
     }
@@ -116,7 +116,7 @@ bench::Recording perform(const bench::Exercise& exercise, const ExerciseOptions&
   }
 }
 
-void complete(bench::Heading& heading, const ExerciseOptions& options, const bench::AvionicsLink& link) {
+void complete(bench::Heading& heading, const ExerciseOptions& options, const link::AvionicsLink& link) {
   const protocol::HeartbeatReport heartbeat = link.newest<protocol::HeartbeatReport>()->message;
   heading.plan_crc = fmt::format("{:08x}", heartbeat.plan_crc);
   heading.avionics = fmt::format("{}, bus protocol {}", options.bench.interface, heartbeat.version);
@@ -143,9 +143,9 @@ void expect_room_for_sheet(const std::filesystem::path& folder) {
   }
 }
 
-std::unique_ptr<bench::Session> open_session(bench::Place& place, bench::AvionicsLink& link) {
+std::unique_ptr<link::Session> open_session(link::Place& place, link::AvionicsLink& link) {
   try {
-    return std::make_unique<bench::Session>(place, link, static_cast<std::uint16_t>(std::random_device{}()));
+    return std::make_unique<link::Session>(place, link, static_cast<std::uint16_t>(std::random_device{}()));
   } catch (const Interrupted&) {
     throw Interrupted{"interrupted before any canard was asked to move"};
   }
@@ -156,8 +156,8 @@ void exercise(const ExerciseOptions& options, const MakeExercise& make) {
   const std::filesystem::path folder = options.out.empty() ? std::string{"out/bench"} : options.out;
   expect_room_for_sheet(folder);
   CanPlace place{options.bench.interface};
-  bench::AvionicsLink link{place.bus()};
-  bench::await_avionics(place, link);
+  link::AvionicsLink link{place.bus()};
+  link::await_avionics(place, link);
   if (on_desk.plan_crc && *on_desk.plan_crc != link.newest<protocol::HeartbeatReport>()->message.plan_crc) {
     throw RequirementNotMet{"the rocket does not hold " + options.plan + "; send it with fantail bench plan " +
                             options.plan + " --can " + options.bench.interface};
@@ -165,7 +165,7 @@ void exercise(const ExerciseOptions& options, const MakeExercise& make) {
   const auto session = open_session(place, link);
   const bench::Bounds bounds = bench::bounds(link.newest<protocol::LimitReport>()->message, session->trims());
   const bench::Exercise what = make(bounds, options);
-  const bench::Recording recording = perform(what, options, *session, link);
+  const link::Recording recording = perform(what, options, *session, link);
   complete(on_desk.heading, options, link);
   const bench::Sheet sheet = bench::examine(recording, what, on_desk.tolerances, on_desk.heading);
   const std::string json = bench::sheet_json(sheet);

@@ -10,8 +10,6 @@
 
 #include <fmt/core.h>
 
-#include "bench/log_download.hpp"
-#include "bench/log_listing.hpp"
 #include "fantail/bench_options.hpp"
 #include "fantail/can_place.hpp"
 #include "fantail/flight_files.hpp"
@@ -21,6 +19,8 @@
 #include "fantail/requirement.hpp"
 #include "fantail/standard_streams.hpp"
 #include "json/value.hpp"
+#include "link/log_download.hpp"
+#include "link/log_listing.hpp"
 
 namespace fantail::tool {
 namespace {
@@ -41,7 +41,7 @@ struct LogOptions {
 /// At one rocket, for one run of the verb.
 struct Visit {
   explicit Visit(const LogOptions& chosen) : options{chosen}, place{chosen.bench.interface}, link{place.bus()} {
-    bench::await_avionics(place, link);
+    link::await_avionics(place, link);
     info = reader.info();
     json["used_bytes"] = info.used_bytes;
     json["free_bytes"] = info.free_bytes;
@@ -56,25 +56,25 @@ struct Visit {
 
   const LogOptions& options;
   CanPlace place;
-  bench::AvionicsLink link;
-  bench::LogReader reader{place, link};
-  bench::LogInfo info{};
+  link::AvionicsLink link;
+  link::LogReader reader{place, link};
+  link::LogInfo info{};
   Json json{};
 };
 
 constexpr double mega = 1e6;
 
-std::vector<bench::ListedFlight> list_flights(Visit& visit) {
+std::vector<link::ListedFlight> list_flights(Visit& visit) {
   Progress progress{"looking for flights",
                     {.unit = "bytes", .rate = " a second", .total = static_cast<double>(visit.info.used_bytes)}};
-  return bench::list_flights(visit.reader, visit.info.used_bytes, [&](std::uint32_t done) { progress.show(done); });
+  return link::list_flights(visit.reader, visit.info.used_bytes, [&](std::uint32_t done) { progress.show(done); });
 }
 
 void list(Visit& visit) {
   visit.tell("{:.2f} MB recorded, {:.2f} MB free\n", visit.info.used_bytes / mega, visit.info.free_bytes / mega);
   visit.json["flights"] = Json::array();
   int number = 0;
-  for (const bench::ListedFlight& flight : list_flights(visit)) {
+  for (const link::ListedFlight& flight : list_flights(visit)) {
     number += 1;
     visit.tell("  flight {}  {:.2f} MB  {}, power-up {}\n", number, flight.stretch.size / mega, flight.vehicle,
                flight.power_up);
@@ -86,7 +86,7 @@ void list(Visit& visit) {
   }
 }
 
-bench::LogStretch stretch_of(Visit& visit) {
+link::LogStretch stretch_of(Visit& visit) {
   if (!visit.options.flight) {
     return {.offset = 0, .size = visit.info.used_bytes};
   }
@@ -100,7 +100,7 @@ bench::LogStretch stretch_of(Visit& visit) {
 }
 
 void say_file(Visit& visit, const FlightFile& file) {
-  const bench::RecordedFlight& flight = file.flight;
+  const link::RecordedFlight& flight = file.flight;
   const std::string path = (fs::path{visit.options.out} / file.name).string();
   if (flight.records == 0) {
     visit.tell("{}  {} bytes, and no intact record in them\n", path, flight.end - flight.begin);
@@ -124,24 +124,24 @@ void say_file(Visit& visit, const FlightFile& file) {
 }
 
 void fetch(Visit& visit) {
-  const bench::LogStretch stretch = stretch_of(visit);
+  const link::LogStretch stretch = stretch_of(visit);
   const fs::path folder{visit.options.out};
-  bench::LogPart part{folder / (visit.options.flight ? fmt::format("flight_{:03}.part", *visit.options.flight)
-                                                     : std::string{"record.part"})};
+  link::LogPart part{folder / (visit.options.flight ? fmt::format("flight_{:03}.part", *visit.options.flight)
+                                                    : std::string{"record.part"})};
   std::uint32_t before = 0;
   try {
     const std::uint32_t there = std::min(part.size(), stretch.size);
     // What was there already took no time now.
     Progress progress{"downloading",
                       {.unit = "bytes", .rate = " a second", .total = static_cast<double>(stretch.size - there)}};
-    before = bench::download(visit.reader, stretch, part,
-                             [&](std::uint32_t done) { progress.show(done > there ? done - there : done); });
+    before = link::download(visit.reader, stretch, part,
+                            [&](std::uint32_t done) { progress.show(done > there ? done - there : done); });
   } catch (const Interrupted&) {
     throw Interrupted{fmt::format("interrupted; {} of {} bytes are kept in {}, and the same command goes on from there",
                                   part.size(), stretch.size, part.path().string())};
-  } catch (const bench::LinkError& error) {
-    throw bench::LinkError{fmt::format("{}; {} of {} bytes are kept in {}, and the same command goes on from there",
-                                       error.what(), part.size(), stretch.size, part.path().string())};
+  } catch (const link::LinkError& error) {
+    throw link::LinkError{fmt::format("{}; {} of {} bytes are kept in {}, and the same command goes on from there",
+                                      error.what(), part.size(), stretch.size, part.path().string())};
   }
   visit.tell("{} bytes downloaded and verified{}\n", stretch.size - before,
              before > 0 ? fmt::format(", {} were there already", before) : std::string{});
@@ -178,7 +178,7 @@ void await_consent(Visit& visit) {
 void erase(Visit& visit) {
   await_consent(visit);
   try {
-    bench::Session session{visit.place, visit.link, static_cast<std::uint16_t>(std::random_device{}())};
+    link::Session session{visit.place, visit.link, static_cast<std::uint16_t>(std::random_device{}())};
     Progress progress{"erasing",
                       {.unit = "bytes", .rate = " a second", .total = static_cast<double>(visit.info.used_bytes)}};
     visit.reader.erase(session, [&](std::uint32_t left) { progress.show(visit.info.used_bytes - left); });

@@ -9,14 +9,14 @@
 
 #include <fmt/core.h>
 
-#include "bench/plan_sender.hpp"
-#include "bench/session.hpp"
 #include "fantail/bench_options.hpp"
 #include "fantail/can_place.hpp"
 #include "fantail/exit_code.hpp"
 #include "fantail/progress.hpp"
 #include "fantail/requirement.hpp"
 #include "json/value.hpp"
+#include "link/plan_sender.hpp"
+#include "link/session.hpp"
 #include "link/words.hpp"
 #include "protocol/plan_block.hpp"
 #include "sim/input_error.hpp"
@@ -59,13 +59,13 @@ std::vector<std::byte> block_of(const std::string& name) {
 void send(const PlanOptions& options) {
   const std::vector<std::byte> block = block_of(options.plan);
   CanPlace place{options.bench.interface};
-  bench::AvionicsLink link{place.bus()};
-  bench::await_avionics(place, link);
+  link::AvionicsLink link{place.bus()};
+  link::await_avionics(place, link);
   protocol::PlanReply reply;
   {
     Progress progress{"sending " + options.plan,
                       {.unit = "bytes", .rate = " a second", .total = static_cast<double>(block.size())}};
-    reply = bench::send_plan(place, link, block, [&](std::size_t done) { progress.show(static_cast<double>(done)); });
+    reply = link::send_plan(place, link, block, [&](std::size_t done) { progress.show(static_cast<double>(done)); });
   }
   const bool stored = reply.state == protocol::TransferState::stored;
   if (options.bench.json) {

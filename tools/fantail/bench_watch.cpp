@@ -28,7 +28,7 @@ constexpr hal::Microseconds line_period{1'000'000};
 
 void watch(const WatchOptions& options) {
   CanPlace place{options.bench.interface};
-  bench::AvionicsLink link{place.bus()};
+  link::AvionicsLink link{place.bus()};
   bench::Watch watch{options.bench.interface, link, place.bus()};
   const bool screen = !options.bench.json && ::isatty(STDOUT_FILENO) == 1;
   const hal::Microseconds period = screen ? screen_period : line_period;

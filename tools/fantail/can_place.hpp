@@ -3,14 +3,14 @@
 
 #include <string>
 
-#include "bench/place.hpp"
 #include "hal/linux/can_bus.hpp"
 #include "hal/linux/clock.hpp"
+#include "link/place.hpp"
 
 namespace fantail::tool {
 
 /// At a real bus. Ctrl-C ends a wait with Interrupted, once: whoever catches it can still centre the canards.
-class CanPlace final : public bench::Place {
+class CanPlace final : public link::Place {
  public:
   /// Throws hal::on_linux::CanError with what to do about it.
   explicit CanPlace(const std::string& interface) : bus_{interface} {}

@@ -39,7 +39,7 @@ std::vector<FlightFile> write_flights(const std::filesystem::path& folder, std::
   const auto usable = [&](const std::string& name, const std::string& content) {
     return !taken.contains(name) && (!std::filesystem::exists(folder / name) || holds(folder / name, content));
   };
-  const auto add = [&](const bench::RecordedFlight& flight, std::size_t number, const char* pattern) {
+  const auto add = [&](const link::RecordedFlight& flight, std::size_t number, const char* pattern) {
     std::string content = text_of(record.subspan(flight.begin, flight.end - flight.begin));
     std::string name;
     do {
@@ -50,7 +50,7 @@ std::vector<FlightFile> write_flights(const std::filesystem::path& folder, std::
     files.push_back({name, flight});
     contents.push_back({name, std::move(content)});
   };
-  const std::vector<bench::RecordedFlight> flights = bench::split_flights(record);
+  const std::vector<link::RecordedFlight> flights = link::split_flights(record);
   for (std::size_t i = 0; i < flights.size(); ++i) {
     add(flights[i], first + i, "flight_{:03}.ftl");
   }

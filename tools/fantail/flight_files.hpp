@@ -7,13 +7,13 @@
 #include <string>
 #include <vector>
 
-#include "bench/log_flights.hpp"
+#include "link/log_flights.hpp"
 
 namespace fantail::tool {
 
 struct FlightFile {
   std::string name;  ///< in the folder
-  bench::RecordedFlight flight;
+  link::RecordedFlight flight;
 };
 
 /// Writes each flight of a record as flight_001.ftl and so on into the folder, all of them or none. `first` is the

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "bench/session.hpp"
 #include "fantail/bench_options.hpp"
 #include "fantail/run.hpp"
 #include "hal/linux/can_error.hpp"
+#include "link/session.hpp"
 
 namespace fantail::tool {
 
@@ -34,5 +34,5 @@ void fill(const Verb& bench) {
 
 int main(int argc, char** argv) {
   using namespace fantail;
-  return tool::run("bench", tool::fill, argc, argv, tool::is_one_of<hal::on_linux::CanError, bench::LinkError>);
+  return tool::run("bench", tool::fill, argc, argv, tool::is_one_of<hal::on_linux::CanError, link::LinkError>);
 }

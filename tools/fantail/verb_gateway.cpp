@@ -5,14 +5,14 @@
 
 #include <fmt/core.h>
 
-#include "bench/patience.hpp"
-#include "bench/session.hpp"
 #include "fantail/can_place.hpp"
 #include "fantail/interrupt.hpp"
 #include "fantail/lcm_output.hpp"
 #include "fantail/run.hpp"
 #include "fantail/standard_streams.hpp"
 #include "gateway/gateway.hpp"
+#include "link/patience.hpp"
+#include "link/session.hpp"
 #include "link/words.hpp"
 
 namespace fantail::tool {
@@ -76,7 +76,7 @@ class Herald {
   std::string interface_;
   const gateway::Gateway& gateway_;
   const telemetry::Publisher& publisher_;
-  bench::Patience silence_;
+  link::Patience silence_;
   std::uint64_t frames_ = 0;
   hal::CanState state_ = hal::CanState::error_active;
   hal::Microseconds next_count_{};
@@ -104,7 +104,7 @@ void run(const GatewayOptions& options) {
     }
   } catch (const Interrupted&) {  // NOLINT(bugprone-empty-catch): the way to end it
   }
-  const bench::LinkFigures& heard = gateway.heard();
+  const link::LinkFigures& heard = gateway.heard();
   fmt::print("frames: {} of the avionics, {} lost, {} damaged, {} foreign, {} overrun\n", heard.frames, heard.lost,
              heard.damaged, heard.foreign, gateway.overrun());
   fmt::print("{}\n", report_of(publisher.finish(), options.url));
@@ -131,5 +131,5 @@ void fill(const Verb& verb) {
 int main(int argc, char** argv) {
   using namespace fantail;
   return tool::run("gateway", tool::fill, argc, argv,
-                   tool::is_one_of<hal::on_linux::CanError, bench::LinkError, telemetry::TelemetryError>);
+                   tool::is_one_of<hal::on_linux::CanError, link::LinkError, telemetry::TelemetryError>);
 }

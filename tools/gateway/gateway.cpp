@@ -89,7 +89,7 @@ void Gateway::send_state(hal::Microseconds now, core::Microseconds time) {
 }
 
 void Gateway::send_canards(hal::Microseconds now, core::Microseconds time) {
-  std::optional<bench::Tick> newest;
+  std::optional<link::Tick> newest;
   while (const auto tick = link_.take_tick()) {
     newest = tick;
   }
@@ -114,7 +114,7 @@ void Gateway::send_health(core::Microseconds time) {
     return;
   }
   changes_.look(time, report->verdicts, *sender_);
-  const bench::LinkFigures& heard = link_.figures();
+  const link::LinkFigures& heard = link_.figures();
   const auto& status = link_.newest<protocol::StatusReport>();
   sender_->send(
       time, telemetry::Health{.gyro = report->gyro,

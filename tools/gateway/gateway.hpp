@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <optional>
 
-#include "bench/avionics_link.hpp"
 #include "hal/can_bus.hpp"
+#include "link/avionics_link.hpp"
 #include "telemetry/avionics_clock.hpp"
 #include "telemetry/changes.hpp"
 
@@ -34,7 +34,7 @@ class Gateway {
   /// Takes in what has arrived, and sends what is due.
   void listen(hal::Microseconds now);
 
-  [[nodiscard]] const bench::LinkFigures& heard() const { return link_.figures(); }
+  [[nodiscard]] const link::LinkFigures& heard() const { return link_.figures(); }
   [[nodiscard]] std::uint32_t overrun() const { return bus_.counters().overrun; }
   [[nodiscard]] hal::CanState bus_state() const { return bus_.state(); }
   [[nodiscard]] int restarts() const { return restarts_; }
@@ -57,7 +57,7 @@ class Gateway {
 
   ListenOnlyBus bus_;
   telemetry::Sink& sink_;
-  bench::AvionicsLink link_{bus_};
+  link::AvionicsLink link_{bus_};
   telemetry::AvionicsClock clock_;
   std::optional<telemetry::Sender> sender_;  ///< empty until the avionics' time is known
   telemetry::Changes changes_;

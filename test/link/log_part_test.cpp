@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "bench/log_part.hpp"
+#include "link/log_part.hpp"
 
 #include <gtest/gtest.h>
 
 #include "report/output_folder.hpp"
 #include "system/folder.hpp"
 
-namespace fantail::bench {
+namespace fantail::link {
 namespace {
 
 std::vector<std::byte> bytes(std::size_t count, int first) {
@@ -56,4 +56,4 @@ TEST(LogPart, AFolderThatCannotBeMadeAndADiskThatIsFullAreNamed) {
 }
 
 }  // namespace
-}  // namespace fantail::bench
+}  // namespace fantail::link

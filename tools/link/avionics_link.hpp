@@ -8,13 +8,13 @@
 #include <tuple>
 #include <variant>
 
-#include "bench/patience.hpp"
-#include "bench/recording.hpp"
 #include "hal/can_bus.hpp"
 #include "hal/clock.hpp"
+#include "link/patience.hpp"
+#include "link/recording.hpp"
 #include "protocol/bus_codec.hpp"
 
-namespace fantail::bench {
+namespace fantail::link {
 
 /// How well the bench hears.
 struct LinkFigures {
@@ -92,4 +92,4 @@ class AvionicsLink {
   std::deque<protocol::LogData> log_data_;
 };
 
-}  // namespace fantail::bench
+}  // namespace fantail::link

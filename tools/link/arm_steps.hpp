@@ -4,10 +4,10 @@
 #include <cstdint>
 #include <functional>
 
-#include "bench/avionics_link.hpp"
-#include "bench/place.hpp"
+#include "link/avionics_link.hpp"
+#include "link/place.hpp"
 
-namespace fantail::bench {
+namespace fantail::link {
 
 /// The steps of arming. All throw LinkError when nobody answers for two seconds.
 class ArmSteps {
@@ -37,4 +37,4 @@ class ArmSteps {
   protocol::FrameCounter counter_;
 };
 
-}  // namespace fantail::bench
+}  // namespace fantail::link

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "bench/plan_sender.hpp"
+#include "link/plan_sender.hpp"
 
 #include <algorithm>
 
 #include "avionics/can_frame.hpp"
-#include "bench/session.hpp"
+#include "link/session.hpp"
 #include "protocol/little_endian.hpp"
 
-namespace fantail::bench {
+namespace fantail::link {
 namespace {
 
 using hal::Microseconds;
@@ -89,4 +89,4 @@ protocol::PlanReply send_plan(Place& place, AvionicsLink& link, std::span<const 
   }
 }
 
-}  // namespace fantail::bench
+}  // namespace fantail::link

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "bench/arm_steps.hpp"
+#include "link/arm_steps.hpp"
 
 #include "avionics/can_frame.hpp"
-#include "bench/session.hpp"
+#include "link/session.hpp"
 
-namespace fantail::bench {
+namespace fantail::link {
 namespace {
 
 using hal::Microseconds;
@@ -111,4 +111,4 @@ bool ArmSteps::reaches(core::Phase phase) {
   return false;
 }
 
-}  // namespace fantail::bench
+}  // namespace fantail::link

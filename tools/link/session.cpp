@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "bench/session.hpp"
+#include "link/session.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -9,7 +9,7 @@
 #include "avionics/can_frame.hpp"
 #include "link/words.hpp"
 
-namespace fantail::bench {
+namespace fantail::link {
 namespace {
 
 using hal::Microseconds;
@@ -25,10 +25,6 @@ constexpr Microseconds answer_time{2'000'000};
 // The very first motion after power-up is slow, down to 5 deg/s from wherever the canards were left.
 constexpr Microseconds centring_look{500'000};
 constexpr Microseconds centring_time{10'000'000};
-
-// What a busy PC slept through is not asked for all at once: a hold that nobody saw begin would be too short to
-// measure.
-constexpr double longest_stride_s = 0.02;
 
 template <typename Message>
 std::uint64_t count(const AvionicsLink& link) {
@@ -99,7 +95,7 @@ void Session::open() {
     link_.listen(place_.now());
   }
   if (answer->state != protocol::SessionState::open) {
-    throw LinkError{"the avionics refuses a bench session: " + link::words(answer->reason)};
+    throw LinkError{"the avionics refuses a bench session: " + words(answer->reason)};
   }
   open_ = true;
   last_look_ = place_.now();
@@ -182,7 +178,7 @@ void Session::check_still_open() const {
   if (reply.session == number_ && reply.state == protocol::SessionState::closed) {
     const bool by_pc = reply.reason == protocol::SessionReason::heartbeat_lost && longest_gap_ > longest_pause;
     throw LinkError{
-        "the avionics has ended the bench session: " + link::words(reply.reason) +
+        "the avionics has ended the bench session: " + words(reply.reason) +
         (by_pc ? ", and this PC, asleep or too busy, had held the bench up for " + tenths(longest_gap_) : "")};
   }
   // Whoever was stopped for a while may find somebody else at work, and must not speak into that.
@@ -228,26 +224,4 @@ bool Session::close() {
   return true;
 }
 
-Recording perform(const Exercise& exercise, Session& session, AvionicsLink& link,
-                  const std::function<void(double)>& progress) {
-  Recording recording;
-  link.forget_ticks();
-  std::optional<std::int64_t> last;
-  double done_s = 0.0;
-  session.request(exercise.asked(0.0));
-  while (done_s < exercise.duration_s()) {
-    session.wait();
-    const double latest_s = done_s + longest_stride_s;
-    while (auto tick = link.take_tick()) {
-      done_s = std::min(done_s + 1e-3 * static_cast<double>(tick->number - last.value_or(tick->number)), latest_s);
-      last = tick->number;
-      tick->stretch = exercise.stretch_at(done_s);
-      (void)recording.add(*tick);
-    }
-    session.request(exercise.asked(done_s));
-    progress(done_s);
-  }
-  return recording;
-}
-
-}  // namespace fantail::bench
+}  // namespace fantail::link

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "bench/log_part.hpp"
+#include "link/log_part.hpp"
 
 #include <algorithm>
 #include <cerrno>
@@ -8,7 +8,7 @@
 
 #include "report/output_folder.hpp"
 
-namespace fantail::bench {
+namespace fantail::link {
 
 LogPart::LogPart(std::filesystem::path path) : path_{std::move(path)} {
   std::error_code error;
@@ -71,4 +71,4 @@ void LogPart::remove() {
   std::filesystem::remove(path_, ignored);
 }
 
-}  // namespace fantail::bench
+}  // namespace fantail::link

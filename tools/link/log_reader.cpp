@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "bench/log_reader.hpp"
+#include "link/log_reader.hpp"
 
 #include <algorithm>
 
@@ -7,7 +7,7 @@
 #include "link/words.hpp"
 #include "protocol/crc32c.hpp"
 
-namespace fantail::bench {
+namespace fantail::link {
 namespace {
 
 using hal::Microseconds;
@@ -29,7 +29,7 @@ constexpr Microseconds look_time{15'000'000};
 constexpr Microseconds erase_time{3'000'000};
 
 [[noreturn]] void refuse(LogFault fault) {
-  throw LinkError{"the avionics does not give its flight record: " + link::words(fault)};
+  throw LinkError{"the avionics does not give its flight record: " + words(fault)};
 }
 
 [[noreturn]] void silent() { throw LinkError{"the avionics does not answer when asked for its flight record"}; }
@@ -161,7 +161,7 @@ void LogReader::erase(Session& session, const std::function<void(std::uint32_t)>
         return;
       }
       if (reply->state == LogState::refused && reply->fault != LogFault::busy) {
-        throw LinkError{"the avionics does not erase its flight record: " + link::words(reply->fault)};
+        throw LinkError{"the avionics does not erase its flight record: " + words(reply->fault)};
       }
       progress(reply->number);
     }
@@ -179,4 +179,4 @@ void LogReader::erase(Session& session, const std::function<void(std::uint32_t)>
   }
 }
 
-}  // namespace fantail::bench
+}  // namespace fantail::link

@@ -7,11 +7,11 @@
 #include <optional>
 #include <vector>
 
-#include "bench/avionics_link.hpp"
-#include "bench/place.hpp"
-#include "bench/session.hpp"
+#include "link/avionics_link.hpp"
+#include "link/place.hpp"
+#include "link/session.hpp"
 
-namespace fantail::bench {
+namespace fantail::link {
 
 struct LogInfo {
   std::uint32_t used_bytes = 0;
@@ -55,4 +55,4 @@ class LogReader {
   static constexpr std::size_t most_frames = 256;
 };
 
-}  // namespace fantail::bench
+}  // namespace fantail::link

@@ -2,16 +2,14 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <stdexcept>
 #include <string>
 
-#include "bench/avionics_link.hpp"
-#include "bench/exercise.hpp"
-#include "bench/place.hpp"
-#include "bench/recording.hpp"
+#include "link/avionics_link.hpp"
+#include "link/place.hpp"
+#include "link/recording.hpp"
 
-namespace fantail::bench {
+namespace fantail::link {
 
 /// The avionics does not answer, refuses, or has ended the session. what() says it for a person.
 class LinkError : public std::runtime_error {
@@ -70,8 +68,4 @@ class Session {
   protocol::FrameCounter request_counter_;
 };
 
-/// Goes through an exercise and records it. `progress` is told the seconds done; it may throw to give up.
-[[nodiscard]] Recording perform(const Exercise& exercise, Session& session, AvionicsLink& link,
-                                const std::function<void(double)>& progress);
-
-}  // namespace fantail::bench
+}  // namespace fantail::link

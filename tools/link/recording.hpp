@@ -2,15 +2,19 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
 
-#include "bench/exercise.hpp"
+#include "core/inputs.hpp"
 
-namespace fantail::bench {
+namespace fantail::link {
+
+template <typename T>
+using Each = std::array<T, core::canard_count>;
 
 /// What the avionics reported of one millisecond.
 struct Tick {
@@ -47,4 +51,4 @@ class Recording {
   std::vector<Tick> ticks_;
 };
 
-}  // namespace fantail::bench
+}  // namespace fantail::link

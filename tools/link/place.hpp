@@ -4,7 +4,7 @@
 #include "hal/can_bus.hpp"
 #include "hal/clock.hpp"
 
-namespace fantail::bench {
+namespace fantail::link {
 
 /// Where a bench stands: at a real bus, where waiting takes time, or at a simulated one, which moves on while the bench
 /// waits. So a procedure is written once, from top to bottom, and every test of it is the procedure itself.
@@ -18,4 +18,4 @@ class Place {
   virtual void wait(hal::Microseconds at_most) = 0;
 };
 
-}  // namespace fantail::bench
+}  // namespace fantail::link

@@ -10,7 +10,7 @@
 
 #include "core/time.hpp"
 
-namespace fantail::bench {
+namespace fantail::link {
 
 /// One flight in a downloaded record, as far as its frames tell.
 struct RecordedFlight {
@@ -32,4 +32,4 @@ struct RecordedFlight {
 /// names another flight, and ends with its last byte that is not erased flash.
 [[nodiscard]] std::vector<RecordedFlight> split_flights(std::span<const std::byte> record);
 
-}  // namespace fantail::bench
+}  // namespace fantail::link

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "bench/log_flights.hpp"
+#include "link/log_flights.hpp"
 
 #include <algorithm>
 
 #include "protocol/log_frame.hpp"
 #include "protocol/log_header.hpp"
 
-namespace fantail::bench {
+namespace fantail::link {
 namespace {
 
 std::optional<protocol::LogHeader> header_of(const protocol::LogFrame& frame) {
@@ -81,4 +81,4 @@ std::vector<RecordedFlight> split_flights(std::span<const std::byte> record) {
   return flights;
 }
 
-}  // namespace fantail::bench
+}  // namespace fantail::link

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "bench/log_download.hpp"
+#include "link/log_download.hpp"
 
 #include <algorithm>
 
-namespace fantail::bench {
+namespace fantail::link {
 namespace {
 
 bool same(LogReader& reader, const LogStretch& stretch, const LogPart& part, std::uint32_t offset, std::uint32_t size) {
@@ -40,4 +40,4 @@ std::uint32_t download(LogReader& reader, const LogStretch& stretch, LogPart& pa
   return before;
 }
 
-}  // namespace fantail::bench
+}  // namespace fantail::link

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "bench/recording.hpp"
+#include "link/recording.hpp"
 
-namespace fantail::bench {
+namespace fantail::link {
 
 bool Recording::add(const Tick& tick) {
   if (!ticks_.empty()) {
@@ -27,4 +27,4 @@ std::size_t Recording::lost_ticks() const {
   return static_cast<std::size_t>(ticks_.back().number - ticks_.front().number) + 1 - ticks_.size();
 }
 
-}  // namespace fantail::bench
+}  // namespace fantail::link

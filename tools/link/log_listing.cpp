@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "bench/log_listing.hpp"
+#include "link/log_listing.hpp"
 
 #include <algorithm>
 
@@ -7,7 +7,7 @@
 #include "protocol/log_frame.hpp"
 #include "protocol/log_header.hpp"
 
-namespace fantail::bench {
+namespace fantail::link {
 namespace {
 
 // Of the smallest sector that there is in NOR flash; larger ones are multiples of it.
@@ -60,4 +60,4 @@ std::vector<ListedFlight> list_flights(LogReader& reader, std::uint32_t used_byt
   return flights;
 }
 
-}  // namespace fantail::bench
+}  // namespace fantail::link

@@ -4,10 +4,10 @@
 #include <cstdint>
 #include <functional>
 
-#include "bench/log_part.hpp"
-#include "bench/log_reader.hpp"
+#include "link/log_part.hpp"
+#include "link/log_reader.hpp"
 
-namespace fantail::bench {
+namespace fantail::link {
 
 /// A stretch of the record, from `offset` on.
 struct LogStretch {
@@ -22,4 +22,4 @@ struct LogStretch {
 std::uint32_t download(LogReader& reader, const LogStretch& stretch, LogPart& part,
                        const std::function<void(std::uint32_t)>& progress);
 
-}  // namespace fantail::bench
+}  // namespace fantail::link

@@ -5,7 +5,7 @@
 
 #include "hal/clock.hpp"
 
-namespace fantail::bench {
+namespace fantail::link {
 
 /// How long something is waited for. To be asked at every look, and what lies between two looks counts for 0.25 s at
 /// the most: while a busy PC held this process up nobody listened, and an avionics on the same PC could not speak.
@@ -29,4 +29,4 @@ class Patience {
   hal::Microseconds waited_{};
 };
 
-}  // namespace fantail::bench
+}  // namespace fantail::link

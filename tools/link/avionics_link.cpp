@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "bench/avionics_link.hpp"
+#include "link/avionics_link.hpp"
 
 #include "avionics/can_frame.hpp"
 #include "protocol/bus_load.hpp"
 
-namespace fantail::bench {
+namespace fantail::link {
 namespace {
 
 // Nobody takes ticks while nothing is recorded.
@@ -121,4 +121,4 @@ std::optional<protocol::LogData> AvionicsLink::take_log_data() {
   return data;
 }
 
-}  // namespace fantail::bench
+}  // namespace fantail::link

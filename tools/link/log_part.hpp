@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-namespace fantail::bench {
+namespace fantail::link {
 
 /// What has been downloaded so far, in a file that outlives this program. It holds whole, verified bytes only, in
 /// order; a program that is killed can leave it shorter, and never wrong. Every call throws report::OutputError with
@@ -35,4 +35,4 @@ class LogPart {
   std::uint32_t size_ = 0;
 };
 
-}  // namespace fantail::bench
+}  // namespace fantail::link

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "bench/log_flights.hpp"
+#include "link/log_flights.hpp"
 
 #include <string>
 
 #include <gtest/gtest.h>
 
-#include "bench/made_record.hpp"
+#include "link/made_record.hpp"
 
-namespace fantail::bench {
+namespace fantail::link {
 namespace {
 
 using protocol::append;
@@ -98,4 +98,4 @@ TEST(LogFlights, AHeaderOfAnotherFlightBeginsOneWhateverItsNumber) {
 }
 
 }  // namespace
-}  // namespace fantail::bench
+}  // namespace fantail::link

@@ -5,10 +5,10 @@
 #include <functional>
 #include <span>
 
-#include "bench/avionics_link.hpp"
-#include "bench/place.hpp"
+#include "link/avionics_link.hpp"
+#include "link/place.hpp"
 
-namespace fantail::bench {
+namespace fantail::link {
 
 /// Sends a plan block, seven bytes at a time, each waited for, and returns the avionics' last word: stored or refused.
 /// `progress` is told the bytes that have arrived. Throws LinkError when the avionics does not answer for two seconds,
@@ -16,4 +16,4 @@ namespace fantail::bench {
 [[nodiscard]] protocol::PlanReply send_plan(Place& place, AvionicsLink& link, std::span<const std::byte> block,
                                             const std::function<void(std::size_t)>& progress);
 
-}  // namespace fantail::bench
+}  // namespace fantail::link

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "bench/log_download.hpp"
+#include "link/log_download.hpp"
 
-namespace fantail::bench {
+namespace fantail::link {
 
 /// A flight in the avionics' record, of which only the beginning has been read.
 struct ListedFlight {
@@ -24,4 +24,4 @@ struct ListedFlight {
 [[nodiscard]] std::vector<ListedFlight> list_flights(LogReader& reader, std::uint32_t used_bytes,
                                                      const std::function<void(std::uint32_t)>& progress);
 
-}  // namespace fantail::bench
+}  // namespace fantail::link

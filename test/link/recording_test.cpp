@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "bench/recording.hpp"
+#include "link/recording.hpp"
 
 #include <limits>
 
 #include <gtest/gtest.h>
 
-namespace fantail::bench {
+namespace fantail::link {
 namespace {
 
 TEST(Recording, CountsTheNumbersThatNeverCame) {
@@ -43,4 +43,4 @@ TEST(Recording, HoldsNoMoreThanItsBoundWhateverNumbersCome) {
 TEST(Recording, AnEmptyOneHasLostNothing) { EXPECT_EQ(Recording{}.lost_ticks(), 0U); }
 
 }  // namespace
-}  // namespace fantail::bench
+}  // namespace fantail::link
