@@ -99,19 +99,4 @@ std::string Document::where(std::string_view section, std::string_view key, Toml
   return node.line() > 0 ? file_ + ":" + std::to_string(node.line()) : file_;
 }
 
-void refuse_unknown_sections(const Document& document, std::span<const std::string> known) {
-  for (const std::string& name : document.root().keys()) {
-    if (std::ranges::find(known, name) != known.end()) {
-      continue;
-    }
-    const TomlNode node = document.root()[name];
-    std::string message =
-        document.where("", name, node) + ": unknown " + (node.is_table() ? "section [" + name + "]" : "key " + name);
-    if (const auto meant = suggestion(name, known)) {
-      message += "; did you mean " + *meant + "?";
-    }
-    throw InputError{InputFault::bad_configuration, message};
-  }
-}
-
 }  // namespace fantail::sim

@@ -10,6 +10,7 @@
 
 #include "core/flight_plan_fields.hpp"
 #include "sim/input_error.hpp"
+#include "sim/section.hpp"
 
 namespace fantail::sim {
 namespace {

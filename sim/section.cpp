@@ -1,13 +1,20 @@
 // SPDX-License-Identifier: MIT
+#include "sim/section.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "sim/document.hpp"
 #include "sim/input_error.hpp"
 #include "sim/shown.hpp"
 
 namespace fantail::sim {
+namespace {
+
+std::string range(Limits limits) { return shown(limits.minimum) + " to " + shown(limits.maximum); }
+
+}  // namespace
+
 Section::Section(const Document& document, std::string name) : document_{document}, name_{std::move(name)} {
   if (name_.empty()) {
     table_ = document.root();
@@ -43,8 +50,16 @@ void Section::refuse(std::string_view key, const std::string& complaint) const {
 
 bool Section::has(std::string_view key) { return static_cast<bool>(find(key)); }
 
+TomlNode Section::require(std::string_view key, const std::string& allowed) {
+  const TomlNode node = find(key);
+  if (!node) {
+    refuse(key, "is missing" + (allowed.empty() ? "" : "; allowed: " + allowed));
+  }
+  return node;
+}
+
 double Section::checked_number(std::string_view key, TomlNode node, Limits limits) const {
-  const std::string allowed = "; allowed: " + shown(limits.minimum) + " to " + shown(limits.maximum);
+  const std::string allowed = "; allowed: " + range(limits);
   const std::optional<double> value = node.number();
   if (!value) {
     refuse(key, "= " + node.shown() + " is not a number" + allowed);
@@ -55,36 +70,20 @@ double Section::checked_number(std::string_view key, TomlNode node, Limits limit
   return *value;
 }
 
-double Section::number(std::string_view key, Limits limits, std::optional<double> otherwise) {
-  const TomlNode node = find(key);
-  if (!node) {
-    if (!otherwise) {
-      refuse(key, "is missing; allowed: " + shown(limits.minimum) + " to " + shown(limits.maximum));
-    }
-    return *otherwise;
-  }
-  return checked_number(key, node, limits);
+double Section::number(std::string_view key, Limits limits) {
+  return checked_number(key, require(key, range(limits)), limits);
 }
 
-std::int64_t Section::integer(std::string_view key, Limits limits, std::optional<std::int64_t> otherwise) {
-  const TomlNode node = find(key);
-  if (!node && otherwise) {
-    return *otherwise;
-  }
-  if (node && !node.integer()) {
+std::int64_t Section::integer(std::string_view key, Limits limits) {
+  const TomlNode node = require(key, range(limits));
+  if (!node.integer()) {
     refuse(key, "= " + node.shown() + " is not a whole number");
   }
-  return static_cast<std::int64_t>(number(key, limits));
+  return static_cast<std::int64_t>(checked_number(key, node, limits));
 }
 
-bool Section::flag(std::string_view key, std::optional<bool> otherwise) {
-  const TomlNode node = find(key);
-  if (!node) {
-    if (!otherwise) {
-      refuse(key, "is missing; allowed: true or false");
-    }
-    return *otherwise;
-  }
+bool Section::flag(std::string_view key) {
+  const TomlNode node = require(key, "true or false");
   const std::optional<bool> value = node.flag();
   if (!value) {
     refuse(key, "= " + node.shown() + "; allowed: true or false");
@@ -100,16 +99,7 @@ std::string Section::checked_text(std::string_view key, TomlNode node) const {
   return *text;
 }
 
-std::string Section::text(std::string_view key, std::optional<std::string> otherwise) {
-  const TomlNode node = find(key);
-  if (!node) {
-    if (!otherwise) {
-      refuse(key, "is missing");
-    }
-    return *otherwise;
-  }
-  return checked_text(key, node);
-}
+std::string Section::text(std::string_view key) { return checked_text(key, require(key)); }
 
 std::size_t Section::checked_choice(std::string_view key, TomlNode node,
                                     std::span<const std::string_view> words) const {
@@ -126,16 +116,8 @@ std::size_t Section::checked_choice(std::string_view key, TomlNode node,
   refuse(key, "= " + node.shown() + "; allowed: " + allowed);
 }
 
-std::size_t Section::choice(std::string_view key, std::span<const std::string_view> words,
-                            std::optional<std::size_t> otherwise) {
-  const TomlNode node = find(key);
-  if (!node) {
-    if (!otherwise) {
-      refuse(key, "is missing");
-    }
-    return *otherwise;
-  }
-  return checked_choice(key, node, words);
+std::size_t Section::choice(std::string_view key, std::span<const std::string_view> words) {
+  return checked_choice(key, require(key), words);
 }
 
 namespace {
@@ -185,6 +167,21 @@ void Section::finish() const {
     std::string message = where(name) + ": unknown key " + label(name);
     if (const auto meant = suggestion(name, known_)) {
       message += "; did you mean " + label(*meant) + "?";
+    }
+    throw InputError{InputFault::bad_configuration, message};
+  }
+}
+
+void refuse_unknown_sections(const Document& document, std::span<const std::string> known) {
+  for (const std::string& name : document.root().keys()) {
+    if (std::ranges::find(known, name) != known.end()) {
+      continue;
+    }
+    const TomlNode node = document.root()[name];
+    std::string message =
+        document.where("", name, node) + ": unknown " + (node.is_table() ? "section [" + name + "]" : "key " + name);
+    if (const auto meant = suggestion(name, known)) {
+      message += "; did you mean " + *meant + "?";
     }
     throw InputError{InputFault::bad_configuration, message};
   }

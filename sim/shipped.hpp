@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "sim/document.hpp"
+#include "sim/section.hpp"
 
 namespace fantail::sim {
 

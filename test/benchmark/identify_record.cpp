@@ -5,6 +5,7 @@
 #include <cstddef>
 
 #include "identify/node_times.hpp"
+#include "sim/scenario_file.hpp"
 #include "sim/world.hpp"
 
 namespace fantail::benchmark {

@@ -7,6 +7,7 @@
 #include "fly/fly_scenario.hpp"
 #include "sim/document.hpp"
 #include "sim/plan_file.hpp"
+#include "sim/scenario_file.hpp"
 
 namespace fantail::benchmark {
 namespace {

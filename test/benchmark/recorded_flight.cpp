@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "avionics/sensor_scaling.hpp"
+#include "sim/scenario_file.hpp"
 #include "sim/world.hpp"
 
 namespace fantail::benchmark {

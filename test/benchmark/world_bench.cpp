@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <benchmark/benchmark.h>
 
+#include "sim/scenario_file.hpp"
 #include "sim/world.hpp"
 
 namespace fantail::benchmark {

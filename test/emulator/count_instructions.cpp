@@ -15,7 +15,7 @@
 
 #include "emulator/images.hpp"
 #include "sil/bench_at_world.hpp"
-#include "sim/scenario.hpp"
+#include "sim/scenario_file.hpp"
 #include "sim/world.hpp"
 
 namespace fantail::test {

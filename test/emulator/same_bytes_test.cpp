@@ -13,7 +13,7 @@
 #include "protocol/hil_codec.hpp"
 #include "report/csv.hpp"
 #include "report/results.hpp"
-#include "sim/scenario.hpp"
+#include "sim/scenario_file.hpp"
 
 namespace fantail::test {
 namespace {

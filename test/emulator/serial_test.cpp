@@ -15,7 +15,7 @@
 #include "emulator/images.hpp"
 #include "hil/serial_port.hpp"
 #include "protocol/tick_digest.hpp"
-#include "sim/scenario.hpp"
+#include "sim/scenario_file.hpp"
 #include "sim/world.hpp"
 
 namespace fantail::test {

@@ -14,7 +14,7 @@
 #include "emulator/images.hpp"
 #include "protocol/tick_digest.hpp"
 #include "sim/input_error.hpp"
-#include "sim/scenario.hpp"
+#include "sim/scenario_file.hpp"
 #include "sim/world.hpp"
 
 namespace fantail::test {

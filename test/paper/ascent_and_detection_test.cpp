@@ -12,7 +12,7 @@
 #include "paper/flown_ascent.hpp"
 #include "sim/document.hpp"
 #include "sim/plan_file.hpp"
-#include "sim/scenario.hpp"
+#include "sim/scenario_file.hpp"
 #include "sim/shipped.hpp"
 #include "sim/world.hpp"
 

@@ -9,6 +9,7 @@
 
 #include "fly/fly_scenario.hpp"
 #include "report/numbers.hpp"
+#include "sim/scenario_file.hpp"
 
 namespace fantail::predict {
 namespace {

@@ -6,6 +6,7 @@
 #include "json/value.hpp"
 #include "predict/results.hpp"
 #include "sim/input_error.hpp"
+#include "sim/scenario_file.hpp"
 
 namespace fantail::predict {
 namespace {

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "report/numbers.hpp"
+#include "sim/scenario_file.hpp"
 
 namespace fantail::predict {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "report/numbers.hpp"
 #include "sim/input_error.hpp"
-#include "sim/scenario.hpp"
+#include "sim/scenario_file.hpp"
 #include "sim/shipped.hpp"
 #include "system/folder.hpp"
 

@@ -5,6 +5,7 @@
 #include "bench/arm_steps.hpp"
 #include "link/words.hpp"
 #include "sil/bench_at_world.hpp"
+#include "sim/scenario_file.hpp"
 
 namespace fantail::sil {
 namespace {

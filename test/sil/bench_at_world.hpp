@@ -19,7 +19,7 @@
 #include "hal/sim/entropy.hpp"
 #include "hal/sim/flash.hpp"
 #include "sim/flight_computer.hpp"
-#include "sim/scenario.hpp"
+#include "sim/scenario_file.hpp"
 #include "sim/world.hpp"
 
 namespace fantail::sil {

@@ -12,6 +12,7 @@
 #include "bench/log_listing.hpp"
 #include "random_stream.hpp"
 #include "sil/bench_at_world.hpp"
+#include "sim/scenario_file.hpp"
 #include "system/folder.hpp"
 
 namespace fantail::sil {

@@ -15,6 +15,7 @@
 #include "protocol/plan_block.hpp"
 #include "protocol/state_block.hpp"
 #include "protocol/tick_digest.hpp"
+#include "sim/scenario_file.hpp"
 #include "sim/world.hpp"
 
 namespace fantail::sil {

@@ -10,6 +10,7 @@
 #include "flight_log/regenerate.hpp"
 #include "flight_log/to_report.hpp"
 #include "protocol/tick_digest.hpp"
+#include "sim/scenario_file.hpp"
 #include "sim/shipped.hpp"
 #include "sim/world.hpp"
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "scratch_file.hpp"
+#include "sim/section.hpp"
 
 namespace fantail::sim {
 namespace {

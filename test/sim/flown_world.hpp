@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "sim/document.hpp"
+#include "sim/scenario_file.hpp"
 #include "sim/world.hpp"
 
 namespace fantail::sim {

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "sim/scenario.hpp"
-
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -11,6 +9,7 @@
 
 #include "flown_world.hpp"
 #include "sim/input_error.hpp"
+#include "sim/scenario_file.hpp"
 
 namespace fantail::sim {
 namespace {

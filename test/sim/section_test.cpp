@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
+#include "sim/section.hpp"
+
 #include <array>
 
 #include <gtest/gtest.h>
 
 #include "scratch_file.hpp"
-#include "sim/document.hpp"
 
 namespace fantail::sim {
 namespace {
@@ -42,14 +43,11 @@ TEST_F(ASection, GivesNumbersWordsAndFlagsAsTheyStand) {
   section.finish();
 }
 
-TEST_F(ASection, ThatIsAbsentGivesWhatIsMeantOtherwise) {
+TEST_F(ASection, ThatIsAbsentHasNothing) {
   const Document document = load("");
   Section section{document, "s"};
-  EXPECT_EQ(section.number("a", limits, 7.0), 7.0);
-  EXPECT_EQ(section.integer("a", limits, 7), 7);
-  EXPECT_TRUE(section.flag("a", true));
-  EXPECT_EQ(section.text("a", "x"), "x");
-  EXPECT_EQ(section.choice("a", words, 1), 1U);
+  EXPECT_FALSE(section.is_there());
+  EXPECT_FALSE(section.has("a"));
   EXPECT_TRUE(section.numbers("a", limits, 2).empty());
   section.finish();
 }
@@ -109,7 +107,7 @@ TEST_F(ASection, RefusesWhatIsMissing) {
 
 TEST_F(ASection, RefusesAKeyNobodyAskedForAndSuggestsOne) {
   const auto read = [](Section& s) {
-    (void)s.number("canard_limit_deg", limits, 9.0);
+    (void)s.has("canard_limit_deg");
     s.finish();
   };
   EXPECT_EQ(refusal("[s]\ncanard_limit = 6", read),

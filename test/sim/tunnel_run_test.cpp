@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "sim/document.hpp"
-#include "sim/scenario.hpp"
+#include "sim/scenario_file.hpp"
 #include "sim/units.hpp"
 #include "sim/world.hpp"
 

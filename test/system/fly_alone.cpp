@@ -9,7 +9,7 @@
 #include "fly/fly_scenario.hpp"
 #include "report/results.hpp"
 #include "sim/document.hpp"
-#include "sim/scenario.hpp"
+#include "sim/scenario_file.hpp"
 
 int main(int argc, char** argv) {
   const std::vector<std::string> words{argv + 1, argv + argc};

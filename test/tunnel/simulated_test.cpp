@@ -10,6 +10,7 @@
 
 #include "fly/fly_scenario.hpp"
 #include "sim/document.hpp"
+#include "sim/scenario_file.hpp"
 #include "sim/wind_tunnel.hpp"
 #include "tunnel/flow.hpp"
 #include "tunnel/made_logs.hpp"

@@ -3,7 +3,7 @@
 
 #include "fantail/number_option.hpp"
 #include "sim/shipped.hpp"
-#include "sim/vehicle.hpp"
+#include "sim/vehicle_file.hpp"
 
 namespace fantail::tool {
 

@@ -28,7 +28,7 @@
 #include "report/output_folder.hpp"
 #include "sim/plan_file.hpp"
 #include "sim/shipped.hpp"
-#include "sim/vehicle.hpp"
+#include "sim/vehicle_file.hpp"
 
 namespace fantail::tool {
 namespace {

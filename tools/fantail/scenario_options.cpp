@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "sim/document.hpp"
+#include "sim/scenario_file.hpp"
 
 namespace fantail::tool {
 namespace {

@@ -23,7 +23,7 @@
 #include "sim/plan_file.hpp"
 #include "sim/shipped.hpp"
 #include "sim/shown.hpp"
-#include "sim/vehicle.hpp"
+#include "sim/vehicle_file.hpp"
 
 namespace fantail::tool {
 namespace {

@@ -9,6 +9,7 @@
 #include <fmt/core.h>
 
 #include "link/words.hpp"
+#include "sim/fault_file.hpp"
 #include "sim/units.hpp"
 #include "sim/world.hpp"
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "fly/fly_scenario.hpp"
+#include "sim/scenario_file.hpp"
 
 namespace fantail::paper {
 

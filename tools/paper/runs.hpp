@@ -7,7 +7,7 @@
 
 #include "identify/record.hpp"
 #include "report/flight.hpp"
-#include "sim/scenario.hpp"
+#include "sim/scenario_file.hpp"
 
 namespace fantail::paper {
 

@@ -10,6 +10,7 @@
 #include "paper/drawing.hpp"
 #include "paper/published_steps.hpp"
 #include "report/numbers.hpp"
+#include "sim/scenario_file.hpp"
 #include "sim/units.hpp"
 
 namespace fantail::paper {

@@ -10,6 +10,7 @@
 #include "predict/team.hpp"
 #include "report/flight.hpp"
 #include "report/numbers.hpp"
+#include "sim/fault_file.hpp"
 #include "sim/input_error.hpp"
 
 namespace fantail::predict {
