@@ -127,13 +127,6 @@ function(fantail_kernel)
     $<$<AND:$<CONFIG:Release>,$<NOT:$<BOOL:$<TARGET_PROPERTY:FANTAIL_IS_TWIN>>>>:-O3>)
 endfunction()
 
-# fantail_once(<file>...): of a folder that is compiled for speed, what runs once a program: it reads files and words.
-function(fantail_once)
-  if(NOT CMAKE_CROSSCOMPILING)
-    set_property(SOURCE ${ARGN} APPEND PROPERTY COMPILE_OPTIONS $<$<CONFIG:Release>:-O1>)
-  endif()
-endfunction()
-
 # fantail_precompile(<target> [<what fantail_precompiled() has made>])
 function(fantail_precompile name)
   if(TARGET "${ARGN}")

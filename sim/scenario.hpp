@@ -11,7 +11,6 @@
 #include "sim/disturbance.hpp"
 #include "sim/fault.hpp"
 #include "sim/vehicle.hpp"
-#include "sim/wind_sensor.hpp"
 #include "sim/wind_tunnel.hpp"
 
 namespace fantail::sim {

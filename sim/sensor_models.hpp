@@ -12,7 +12,7 @@
 #include "hal/imu.hpp"
 #include "sim/delay_line.hpp"
 #include "sim/random.hpp"
-#include "sim/vector3.hpp"
+#include "sim/units.hpp"
 
 namespace fantail::sim {
 

@@ -10,7 +10,6 @@
 #include "sim/roll_plant.hpp"
 #include "sim/sensor_models.hpp"
 #include "sim/servo.hpp"
-#include "sim/servo_spread.hpp"
 #include "sim/thrust_curve.hpp"
 #include "sim/units.hpp"
 

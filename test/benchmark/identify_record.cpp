@@ -5,7 +5,7 @@
 #include <cstddef>
 
 #include "identify/node_times.hpp"
-#include "sim/scenario_file.hpp"
+#include "sim/input/scenario_file.hpp"
 #include "sim/world.hpp"
 
 namespace fantail::benchmark {
@@ -15,7 +15,7 @@ constexpr std::size_t ticks_per_s = 1'000;
 constexpr std::size_t seconds = 9;
 
 sim::Scenario scenario() {
-  sim::Scenario launch = sim::load_scenario("tasha3_launch2", {});
+  sim::Scenario launch = sim::input::load_scenario("tasha3_launch2", {});
   constexpr double degree = 0.017453292519943295;
   // Corners where the nodes will stand: control starts 0.65 s after lift-off.
   launch.disturbance = {{.time_s = 0.65, .angle_rad = -3.0 * degree},

@@ -13,7 +13,7 @@
 #include "protocol/hil_codec.hpp"
 #include "report/csv.hpp"
 #include "report/results.hpp"
-#include "sim/scenario_file.hpp"
+#include "sim/input/scenario_file.hpp"
 
 namespace fantail::test {
 namespace {
@@ -65,7 +65,7 @@ TEST_P(Emulated, FlightIsThatOfTheHostTickByTickAndByteByByte) {
   if (const std::string objection = objection_to_images(); !objection.empty()) {
     GTEST_SKIP() << objection;
   }
-  sim::Scenario scenario = sim::load_scenario(GetParam().scenario, {});
+  sim::Scenario scenario = sim::input::load_scenario(GetParam().scenario, {});
   scenario.faults = GetParam().faults;
   hil::Target target{std::make_unique<hil::Emulator>(hil::EmulatorOptions{.image = image("fantail-emulator.elf")})};
   const Flown here = fly(scenario, sim::simulated_board);

@@ -15,7 +15,7 @@
 #include "emulator/images.hpp"
 #include "hil/serial_port.hpp"
 #include "protocol/tick_digest.hpp"
-#include "sim/scenario_file.hpp"
+#include "sim/input/scenario_file.hpp"
 #include "sim/world.hpp"
 
 namespace fantail::test {
@@ -69,7 +69,7 @@ TEST(Serial, TheBoardAtTheEndOfASerialLineFliesAsTheHostDoesAndCanBeFlownAgain) 
   }
   const EmulatedBoard board;
   ASSERT_FALSE(board.device.empty());
-  const sim::Scenario scenario = sim::load_scenario("tasha3_launch2", {});
+  const sim::Scenario scenario = sim::input::load_scenario("tasha3_launch2", {});
   for (int flight = 0; flight < 2; ++flight) {
     hil::Target target{std::make_unique<hil::SerialPort>(board.device)};
     EXPECT_EQ(target.identity().image, "fantail-hil");

@@ -13,8 +13,8 @@
 
 #include "emulator/images.hpp"
 #include "protocol/tick_digest.hpp"
+#include "sim/input/scenario_file.hpp"
 #include "sim/input_error.hpp"
-#include "sim/scenario_file.hpp"
 #include "sim/world.hpp"
 
 namespace fantail::test {
@@ -32,7 +32,7 @@ class EmulatorTrouble : public testing::Test {
   }
 
   static hil::EmulatorOptions options() { return {.image = image("fantail-emulator.elf")}; }
-  sim::Scenario scenario = sim::load_scenario("tasha3_launch2", {});
+  sim::Scenario scenario = sim::input::load_scenario("tasha3_launch2", {});
 };
 
 std::string why(const std::function<void()>& act) {

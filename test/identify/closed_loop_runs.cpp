@@ -8,8 +8,8 @@
 #include "core/chirp.hpp"
 #include "core/flight_plan_fields.hpp"
 #include "core/roll_reference.hpp"
-#include "sim/plan_file.hpp"
-#include "sim/shipped.hpp"
+#include "sim/input/plan_file.hpp"
+#include "sim/input/shipped.hpp"
 
 namespace fantail::identify {
 
@@ -51,8 +51,9 @@ paper::Loop second_launch() {
 
 paper::Loop second_launch_with_chirp() {
   paper::Loop loop = second_launch();
-  loop.excitation =
-      sim::read_plan(sim::Document::load(sim::find_input(sim::Shipped::plan, "tasha3_launch2"))).excitation;
+  loop.excitation = sim::input::read_plan(
+                        sim::input::Document::load(sim::input::find_input(sim::input::Shipped::plan, "tasha3_launch2")))
+                        .excitation;
   return loop;
 }
 

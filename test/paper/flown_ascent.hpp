@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "sim/ascent.hpp"
-#include "sim/rasp_file.hpp"
-#include "sim/shipped.hpp"
+#include "sim/input/rasp_file.hpp"
+#include "sim/input/shipped.hpp"
 
 namespace fantail::paper {
 
@@ -15,9 +15,10 @@ namespace fantail::paper {
 class FlownAscent {
  public:
   explicit FlownAscent(double mass_kg) {
-    sim::Ascent ascent{{.mass_kg = mass_kg,
-                        .drag_area_m2 = 0.0050,
-                        .motor = sim::load_rasp(sim::find_input(sim::Shipped::motor, "i150_canonical"))}};
+    sim::Ascent ascent{
+        {.mass_kg = mass_kg,
+         .drag_area_m2 = 0.0050,
+         .motor = sim::input::load_rasp(sim::input::find_input(sim::input::Shipped::motor, "i150_canonical"))}};
     for (int tick = 0; !ascent.events().apogee_s; ++tick) {
       ascent.advance_to(1e-3 * tick);
       if (ascent.events().liftoff_s) {

@@ -13,8 +13,8 @@
 #include "identify/uncertainty_of.hpp"
 #include "paper/flown_record.hpp"
 #include "paper/published_steps.hpp"
-#include "sim/plan_file.hpp"
-#include "sim/shipped.hpp"
+#include "sim/input/plan_file.hpp"
+#include "sim/input/shipped.hpp"
 
 namespace fantail::paper {
 namespace {
@@ -81,7 +81,8 @@ double cramer_rao_alpha_m2(const core::ExcitationPlan& excitation) {
 }
 
 TEST(Oracle, Row30OnlyTheChirpMakesTheDampingKnown) {
-  const auto plan = sim::read_plan(sim::Document::load(sim::find_input(sim::Shipped::plan, "tasha3_launch2")));
+  const auto plan = sim::input::read_plan(
+      sim::input::Document::load(sim::input::find_input(sim::input::Shipped::plan, "tasha3_launch2")));
   EXPECT_NEAR(cramer_rao_alpha_m2(plan.excitation), 1.67, 0.15 * 1.67);
   EXPECT_GT(cramer_rao_alpha_m2(core::default_plan().excitation), 50.0);
 }

@@ -10,8 +10,8 @@
 #include "core/chirp.hpp"
 #include "core/flight_plan_fields.hpp"
 #include "paper/closed_loop.hpp"
-#include "sim/plan_file.hpp"
-#include "sim/shipped.hpp"
+#include "sim/input/plan_file.hpp"
+#include "sim/input/shipped.hpp"
 
 namespace fantail::paper {
 namespace {
@@ -44,7 +44,9 @@ Loop launch2(double proportional_gain, const core::ExcitationPlan& excitation) {
 }
 
 core::ExcitationPlan published_chirp() {
-  return sim::read_plan(sim::Document::load(sim::find_input(sim::Shipped::plan, "tasha3_launch2"))).excitation;
+  return sim::input::read_plan(
+             sim::input::Document::load(sim::input::find_input(sim::input::Shipped::plan, "tasha3_launch2")))
+      .excitation;
 }
 
 TEST(Oracle, Row16TheFirstLaunchSwingsAsMeasured) {

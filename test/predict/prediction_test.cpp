@@ -5,8 +5,8 @@
 
 #include "json/value.hpp"
 #include "predict/results.hpp"
+#include "sim/input/scenario_file.hpp"
 #include "sim/input_error.hpp"
-#include "sim/scenario_file.hpp"
 
 namespace fantail::predict {
 namespace {
@@ -16,7 +16,7 @@ using report::degrees;
 const auto look_away = [](std::size_t) {};
 
 Prediction predicted(const std::string& scenario_name, const Options& options) {
-  const sim::Scenario scenario = sim::load_scenario(scenario_name, {});
+  const sim::Scenario scenario = sim::input::load_scenario(scenario_name, {});
   return predict(scenario, read_tunnel_result(scenario.tunnel_result.value(), {}), options, look_away);
 }
 
@@ -96,7 +96,7 @@ TEST(Prediction, AServoThatWasMeasuredTakesThePlaceOfTheVehicles) {
 }
 
 TEST(Prediction, OfATunnelRunIsRefused) {
-  const sim::Scenario tunnel = sim::load_scenario("tunnel_steps", {});
+  const sim::Scenario tunnel = sim::input::load_scenario("tunnel_steps", {});
   try {
     require_launch(tunnel);
     FAIL() << "not refused";

@@ -4,9 +4,9 @@
 #include <gtest/gtest.h>
 
 #include "report/numbers.hpp"
+#include "sim/input/scenario_file.hpp"
+#include "sim/input/shipped.hpp"
 #include "sim/input_error.hpp"
-#include "sim/scenario_file.hpp"
-#include "sim/shipped.hpp"
 #include "system/folder.hpp"
 
 namespace fantail::predict {
@@ -17,7 +17,7 @@ using report::radians;
 using test::Folder;
 
 TunnelResult shipped(const std::string& name, const std::optional<double>& swirl_rad = {}) {
-  return read_tunnel_result(sim::find_input(sim::Shipped::tunnel_result, name), swirl_rad);
+  return read_tunnel_result(sim::input::find_input(sim::input::Shipped::tunnel_result, name), swirl_rad);
 }
 
 struct Means {
@@ -85,9 +85,9 @@ TEST(TunnelResult, OfTheFirstLaunchSaysThatItIsHindsight) {
 }
 
 TEST(TunnelResult, IsNamedByTheShippedLaunchesAndNobodyElse) {
-  EXPECT_TRUE(sim::load_scenario("tasha3_launch1", {}).tunnel_result->ends_with("/tasha3_launch1_flight.csv"));
-  EXPECT_TRUE(sim::load_scenario("tasha3_launch2", {}).tunnel_result->ends_with("/tasha3_table2.csv"));
-  EXPECT_FALSE(sim::load_scenario("tunnel_steps", {}).tunnel_result);
+  EXPECT_TRUE(sim::input::load_scenario("tasha3_launch1", {}).tunnel_result->ends_with("/tasha3_launch1_flight.csv"));
+  EXPECT_TRUE(sim::input::load_scenario("tasha3_launch2", {}).tunnel_result->ends_with("/tasha3_table2.csv"));
+  EXPECT_FALSE(sim::input::load_scenario("tunnel_steps", {}).tunnel_result);
 }
 
 struct BadFile {

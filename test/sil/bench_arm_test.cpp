@@ -5,7 +5,7 @@
 #include "bench/arm_steps.hpp"
 #include "link/words.hpp"
 #include "sil/bench_at_world.hpp"
-#include "sim/scenario_file.hpp"
+#include "sim/input/scenario_file.hpp"
 
 namespace fantail::sil {
 namespace {
@@ -58,7 +58,7 @@ TEST(BenchArm, IsToldWhichCanardFailedTheSelfTest) {
 
 // It fails in the very tick in which it begins, so nobody ever hears that it runs; the second time nothing changes.
 TEST(BenchArm, IsToldThatTheGyroIsGoneAndToldAgain) {
-  sim::Scenario scenario = sim::load_scenario("bench_healthy", {});
+  sim::Scenario scenario = sim::input::load_scenario("bench_healthy", {});
   scenario.faults.push_back({.kind = sim::FaultKind::imu_dropout, .canard = 0, .from_s = -1e6, .until_s = 1e6});
   BenchAtWorld place{scenario};
   bench::AvionicsLink link{place.bus()};
@@ -99,7 +99,7 @@ TEST(BenchArm, WithoutTheSwitchIsRefusedWithThatReason) {
 
 // A flight begins with the world's own crew: nothing else arms a rocket there either.
 TEST(PadCrew, ARocketWithABrokenCanardIsNotArmedAndTheReasonIsKept) {
-  sim::Scenario scenario = sim::load_scenario("bench_canard3_reversed", {});
+  sim::Scenario scenario = sim::input::load_scenario("bench_canard3_reversed", {});
   sim::World world{scenario};
   while (!world.over()) {
     EXPECT_EQ(world.tick().phase, Phase::safe);

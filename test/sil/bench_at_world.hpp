@@ -19,7 +19,7 @@
 #include "hal/sim/entropy.hpp"
 #include "hal/sim/flash.hpp"
 #include "sim/flight_computer.hpp"
-#include "sim/scenario_file.hpp"
+#include "sim/input/scenario_file.hpp"
 #include "sim/world.hpp"
 
 namespace fantail::sil {
@@ -91,7 +91,7 @@ class BenchAtWorld final : public bench::Place {
 
  private:
   static sim::Scenario load(const std::string& name, std::uint64_t seed) {
-    sim::Scenario loaded = sim::load_scenario(name, {});
+    sim::Scenario loaded = sim::input::load_scenario(name, {});
     loaded.seed = seed;
     return loaded;
   }

@@ -15,7 +15,7 @@
 #include "protocol/plan_block.hpp"
 #include "protocol/state_block.hpp"
 #include "protocol/tick_digest.hpp"
-#include "sim/scenario_file.hpp"
+#include "sim/input/scenario_file.hpp"
 #include "sim/world.hpp"
 
 namespace fantail::sil {
@@ -30,7 +30,7 @@ struct Flown {
 };
 
 Flown fly(const std::string& name) {
-  const sim::Scenario scenario = sim::load_scenario(name, {});
+  const sim::Scenario scenario = sim::input::load_scenario(name, {});
   sim::World world{scenario, sim::World::large_flash};
   Flown flown{.plan = scenario.plan};
   while (!world.over()) {

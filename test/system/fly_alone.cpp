@@ -8,8 +8,8 @@
 
 #include "fly/fly_scenario.hpp"
 #include "report/results.hpp"
-#include "sim/document.hpp"
-#include "sim/scenario_file.hpp"
+#include "sim/input/document.hpp"
+#include "sim/input/scenario_file.hpp"
 
 int main(int argc, char** argv) {
   const std::vector<std::string> words{argv + 1, argv + argc};
@@ -17,11 +17,11 @@ int main(int argc, char** argv) {
     return 64;
   }
   try {
-    std::vector<fantail::sim::Override> changes;
+    std::vector<fantail::sim::input::Override> changes;
     for (std::size_t i = 2; i < words.size(); ++i) {
-      changes.push_back(fantail::sim::parse_override(words[i]));
+      changes.push_back(fantail::sim::input::parse_override(words[i]));
     }
-    const fantail::sim::Scenario scenario = fantail::sim::load_scenario(words[0], changes);
+    const fantail::sim::Scenario scenario = fantail::sim::input::load_scenario(words[0], changes);
     const fantail::report::Flight flight = fantail::fly::fly_scenario(scenario, {}, {}, fantail::fly::Log::kept);
     fantail::report::write_results(flight, fantail::report::results(flight), words[1]);
   } catch (const std::exception& error) {

@@ -2,8 +2,8 @@
 #include "fantail/airframe_options.hpp"
 
 #include "fantail/number_option.hpp"
-#include "sim/shipped.hpp"
-#include "sim/vehicle_file.hpp"
+#include "sim/input/shipped.hpp"
+#include "sim/input/vehicle_file.hpp"
 
 namespace fantail::tool {
 
@@ -23,8 +23,8 @@ NamedAirframe airframe(const AirframeOptions& options) {
   if (options.inertia_kg_m2 && options.area_m2) {
     return {"given by hand", {.inertia_kg_m2 = *options.inertia_kg_m2, .reference_area_m2 = *options.area_m2}};
   }
-  const sim::Vehicle vehicle =
-      sim::read_vehicle(sim::Document::load(sim::find_input(sim::Shipped::vehicle, options.vehicle)));
+  const sim::Vehicle vehicle = sim::input::read_vehicle(
+      sim::input::Document::load(sim::input::find_input(sim::input::Shipped::vehicle, options.vehicle)));
   return {vehicle.name,
           {.inertia_kg_m2 = options.inertia_kg_m2.value_or(vehicle.roll_plant.inertia_kg_m2),
            .reference_area_m2 = options.area_m2.value_or(vehicle.roll_plant.reference_area_m2)}};

@@ -26,9 +26,9 @@
 #include "fantail/standard_streams.hpp"
 #include "protocol/plan_block.hpp"
 #include "report/output_folder.hpp"
-#include "sim/plan_file.hpp"
-#include "sim/shipped.hpp"
-#include "sim/vehicle_file.hpp"
+#include "sim/input/plan_file.hpp"
+#include "sim/input/shipped.hpp"
+#include "sim/input/vehicle_file.hpp"
 
 namespace fantail::tool {
 namespace {
@@ -80,14 +80,14 @@ Desk desk(const ExerciseOptions& options) {
     desk.heading.vehicle = "not named";
     desk.heading.notes.emplace_back("Tolerances are those of a vehicle that says nothing of them.");
   } else {
-    const sim::Vehicle vehicle =
-        sim::read_vehicle(sim::Document::load(sim::find_input(sim::Shipped::vehicle, options.vehicle)));
+    const sim::Vehicle vehicle = sim::input::read_vehicle(
+        sim::input::Document::load(sim::input::find_input(sim::input::Shipped::vehicle, options.vehicle)));
     desk.heading.vehicle = vehicle.name;
     desk.tolerances = vehicle.canard_tolerances;
   }
   if (!options.plan.empty()) {
-    const core::FlightPlan plan =
-        sim::read_plan(sim::Document::load(sim::find_input(sim::Shipped::plan, options.plan)));
+    const core::FlightPlan plan = sim::input::read_plan(
+        sim::input::Document::load(sim::input::find_input(sim::input::Shipped::plan, options.plan)));
     desk.heading.plan = options.plan;
     desk.plan_crc = protocol::plan_crc(plan);
     desk.heading.planned_limit_rad.emplace();

@@ -19,9 +19,9 @@
 #include "json/value.hpp"
 #include "link/words.hpp"
 #include "protocol/plan_block.hpp"
+#include "sim/input/plan_file.hpp"
+#include "sim/input/shipped.hpp"
 #include "sim/input_error.hpp"
-#include "sim/plan_file.hpp"
-#include "sim/shipped.hpp"
 
 namespace fantail::tool {
 namespace {
@@ -50,7 +50,8 @@ std::vector<std::byte> block_of(const std::string& name) {
     }
     return block;
   }
-  const core::FlightPlan plan = sim::read_plan(sim::Document::load(sim::find_input(sim::Shipped::plan, name)));
+  const core::FlightPlan plan =
+      sim::input::read_plan(sim::input::Document::load(sim::input::find_input(sim::input::Shipped::plan, name)));
   std::array<std::byte, protocol::largest_plan_block> block{};
   const std::size_t size = protocol::write_plan_block(plan, block);
   return {block.begin(), block.begin() + static_cast<std::ptrdiff_t>(size)};

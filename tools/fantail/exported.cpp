@@ -15,7 +15,7 @@
 #include "log_export/json.hpp"
 #include "log_export/lcm.hpp"
 #include "log_export/ulog.hpp"
-#include "sim/document.hpp"
+#include "sim/input/messages.hpp"
 #include "sim/input_error.hpp"
 
 namespace fantail::tool {
@@ -88,7 +88,7 @@ Exported export_foreign(const ExportQuestion& question, const flight_log::Flight
   }
   for (const std::string& name : question.fields) {
     if (std::ranges::find(all, name) == all.end()) {
-      const auto meant = sim::suggestion(name, all);
+      const auto meant = sim::input::suggestion(name, all);
       refuse_fields(fmt::format("no field \"{}\"{} in this log of another version; there are: {}", name,
                                 meant ? " (did you mean " + *meant + "?)" : "", fmt::join(all, ", ")));
     }

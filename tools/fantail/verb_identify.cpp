@@ -19,11 +19,11 @@
 #include "identify/study.hpp"
 #include "identify/write_study.hpp"
 #include "logs/roll_log.hpp"
-#include "sim/document.hpp"
-#include "sim/plan_file.hpp"
-#include "sim/shipped.hpp"
-#include "sim/shown.hpp"
-#include "sim/vehicle_file.hpp"
+#include "sim/input/document.hpp"
+#include "sim/input/messages.hpp"
+#include "sim/input/plan_file.hpp"
+#include "sim/input/shipped.hpp"
+#include "sim/input/vehicle_file.hpp"
 
 namespace fantail::tool {
 namespace {
@@ -56,12 +56,12 @@ struct Rocket {
 Rocket rocket(const IdentifyOptions& o) {
   Rocket result;
   if (o.vehicle) {
-    const sim::Vehicle vehicle =
-        sim::read_vehicle(sim::Document::load(sim::find_input(sim::Shipped::vehicle, *o.vehicle)));
+    const sim::Vehicle vehicle = sim::input::read_vehicle(
+        sim::input::Document::load(sim::input::find_input(sim::input::Shipped::vehicle, *o.vehicle)));
     result = {{vehicle.roll_plant.inertia_kg_m2, vehicle.roll_plant.reference_area_m2}, vehicle.name + ", "};
   } else if (!o.inertia_kg_m2 || !o.area_m2) {
     std::string message = "which rocket? --vehicle NAME|FILE, or --inertia and --area; shipped vehicles:";
-    for (const std::string& name : sim::shipped_names(sim::Shipped::vehicle)) {
+    for (const std::string& name : sim::input::shipped_names(sim::input::Shipped::vehicle)) {
       message += " " + name;
     }
     throw UsageError{message};
@@ -69,8 +69,8 @@ Rocket rocket(const IdentifyOptions& o) {
   identify::Airframe& airframe = result.airframe;
   airframe.inertia_kg_m2 = o.inertia_kg_m2.value_or(airframe.inertia_kg_m2);
   airframe.reference_area_m2 = o.area_m2.value_or(airframe.reference_area_m2);
-  result.words +=
-      fmt::format("I {} kg m2, A {} m2", sim::about(airframe.inertia_kg_m2), sim::about(airframe.reference_area_m2));
+  result.words += fmt::format("I {} kg m2, A {} m2", sim::input::about(airframe.inertia_kg_m2),
+                              sim::input::about(airframe.reference_area_m2));
   return result;
 }
 
@@ -80,7 +80,9 @@ identify::ClosedLoop closed_loop(const IdentifyOptions& o) {
   }
   core::ControllerPlan controller = core::default_plan().controller;
   if (o.plan) {
-    controller = sim::read_plan(sim::Document::load(sim::find_input(sim::Shipped::plan, *o.plan))).controller;
+    controller =
+        sim::input::read_plan(sim::input::Document::load(sim::input::find_input(sim::input::Shipped::plan, *o.plan)))
+            .controller;
   } else if (!o.proportional_gain || !o.derivative_gain_s || !o.limit_deg) {
     throw UsageError{"--loop closed needs the controller: --plan NAME|FILE, or --kp, --kd and --limit"};
   }
@@ -140,7 +142,7 @@ void identify_data(const IdentifyOptions& o) {
   identify::Study result = study(log, q);
   result.vehicle = which.words;
   result.density = air.words;
-  result.speed = o.speed_m_s   ? sim::shown(*o.speed_m_s) + " m/s throughout"
+  result.speed = o.speed_m_s   ? sim::input::shown(*o.speed_m_s) + " m/s throughout"
                  : o.log.truth ? "true_speed_m_s"
                                : "speed_m_s";
 

@@ -13,8 +13,8 @@
 #include "fantail/run.hpp"
 #include "fantail/scenario_options.hpp"
 #include "predict/results.hpp"
+#include "sim/input/shipped.hpp"
 #include "sim/input_error.hpp"
-#include "sim/shipped.hpp"
 
 namespace fantail::tool {
 namespace {
@@ -61,7 +61,7 @@ std::string objection_to_folder(const std::string& text) { return text.empty() ?
 
 std::filesystem::path tunnel_file(const sim::Scenario& scenario, const PredictOptions& options) {
   if (options.tunnel) {
-    return sim::find_input(sim::Shipped::tunnel_result, *options.tunnel);
+    return sim::input::find_input(sim::input::Shipped::tunnel_result, *options.tunnel);
   }
   if (scenario.tunnel_result) {
     return *scenario.tunnel_result;

@@ -19,7 +19,7 @@
 #include "json/value.hpp"
 #include "report/numbers.hpp"
 #include "report/output_folder.hpp"
-#include "sim/changed_plan.hpp"
+#include "sim/input/plan_file.hpp"
 #include "sim/input_error.hpp"
 
 namespace fantail::tool {
@@ -92,11 +92,11 @@ std::filesystem::path folder_of(const ReplayOptions& options) {
 }
 
 void show_what_if(const ReplayOptions& options, const flight_log::Flight& flight, const Replayed& flown) {
-  std::vector<sim::Override> changes;
+  std::vector<sim::input::Override> changes;
   for (const std::string& text : options.changes) {
-    changes.push_back(sim::parse_override(text));
+    changes.push_back(sim::input::parse_override(text));
   }
-  const core::FlightPlan plan = sim::changed_plan(*flight.plan, changes);
+  const core::FlightPlan plan = sim::input::changed_plan(*flight.plan, changes);
   WhatIf result = what_if(flight, flown.result, flight_log::regenerate(flight, plan));
   result.log = options.log;
   result.changes = options.changes;

@@ -6,9 +6,9 @@
 
 #include <fmt/core.h>
 
+#include "sim/input/plan_file.hpp"
+#include "sim/input/shipped.hpp"
 #include "sim/input_error.hpp"
-#include "sim/plan_file.hpp"
-#include "sim/shipped.hpp"
 
 namespace fantail::flight_log {
 namespace {
@@ -17,10 +17,10 @@ using NamedChecksum = std::pair<std::string, std::uint32_t>;
 
 std::vector<NamedChecksum> shipped_plans() {
   std::vector<NamedChecksum> plans;
-  for (const std::string& name : sim::shipped_names(sim::Shipped::plan)) {
+  for (const std::string& name : sim::input::shipped_names(sim::input::Shipped::plan)) {
     try {
-      const auto file = sim::find_input(sim::Shipped::plan, name);
-      plans.emplace_back(name, protocol::plan_crc(sim::read_plan(sim::Document::load(file))));
+      const auto file = sim::input::find_input(sim::input::Shipped::plan, name);
+      plans.emplace_back(name, protocol::plan_crc(sim::input::read_plan(sim::input::Document::load(file))));
     } catch (const sim::InputError&) {
       continue;  // somebody is at work on that file; it is not what was asked for
     }

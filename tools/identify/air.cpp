@@ -7,8 +7,8 @@
 
 #include <fmt/core.h>
 
+#include "sim/input/messages.hpp"
 #include "sim/input_error.hpp"
-#include "sim/shown.hpp"
 #include "text/number.hpp"
 
 namespace fantail::identify {
@@ -28,7 +28,7 @@ bool climbs(const logs::RollLog& log) {
 
 Air constant(double density_kg_m3, const std::string& why) {
   return {{.model = sim::DensityModel::constant, .constant_kg_m3 = density_kg_m3},
-          fmt::format("{} kg/m3{}", sim::shown(density_kg_m3), why)};
+          fmt::format("{} kg/m3{}", sim::input::shown(density_kg_m3), why)};
 }
 
 Air exponential() {

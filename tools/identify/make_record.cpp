@@ -8,16 +8,16 @@
 
 #include <fmt/core.h>
 
+#include "sim/input/messages.hpp"
 #include "sim/input_error.hpp"
-#include "sim/shown.hpp"
 
 namespace fantail::identify {
 namespace {
 
 using logs::RollLog;
-using sim::about;
 using sim::InputError;
 using sim::InputFault;
+using sim::input::about;
 using Indices = std::vector<std::size_t>;
 
 constexpr std::size_t least_samples = 3;

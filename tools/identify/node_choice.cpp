@@ -9,8 +9,8 @@
 #include <fmt/core.h>
 
 #include "identify/window.hpp"
+#include "sim/input/messages.hpp"
 #include "sim/input_error.hpp"
-#include "sim/shown.hpp"
 #include "text/number.hpp"
 
 namespace fantail::identify {
@@ -58,8 +58,8 @@ NodeTimes thrust_and_coast(const logs::RollLog& log, const Record& record, const
         InputFault::bad_data,
         fmt::format("{}: --nodes {}: the motor burnt out at {} s, which is outside the window {} of {} s to "
                     "{} s",
-                    log.name, text, sim::about(*burnout), record.window, sim::about(record.window_begin_s),
-                    sim::about(record.window_begin_s + end_s))};
+                    log.name, text, sim::input::about(*burnout), record.window,
+                    sim::input::about(record.window_begin_s), sim::input::about(record.window_begin_s + end_s))};
   }
   NodeTimes times;
   for (std::size_t k = 0; k < thrust; ++k) {

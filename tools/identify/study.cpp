@@ -8,8 +8,8 @@
 #include "identify/lag_fit.hpp"
 #include "identify/misfit.hpp"
 #include "identify/node_choice.hpp"
+#include "sim/input/messages.hpp"
 #include "sim/input_error.hpp"
-#include "sim/shown.hpp"
 
 namespace fantail::identify {
 namespace {
@@ -50,7 +50,7 @@ WindowFindings look_at(const logs::RollLog& log, const Window& window, const Que
     found.record = make_record(log, window, how);
     if (fit.at_the_edge) {
       found.remarks.push_back(fmt::format("The fitted lag lies at the edge of what is tried, {} ms; it may be longer.",
-                                          sim::shown(1000.0 * largest_fitted_lag_s)));
+                                          sim::input::shown(1000.0 * largest_fitted_lag_s)));
     }
   }
   found.lag_s = how.lag_s;

@@ -8,9 +8,9 @@
 
 #include <fmt/core.h>
 
-#include "sim/document.hpp"
+#include "sim/input/document.hpp"
+#include "sim/input/messages.hpp"
 #include "sim/input_error.hpp"
-#include "sim/shown.hpp"
 #include "sim/units.hpp"
 #include "text/number.hpp"
 
@@ -59,8 +59,8 @@ Window thrust_or_coast(const RollLog& log, const std::string& text) {
   }
   if (*end_s <= *window.from_s || *end_s >= *window.to_s) {
     refuse(log, text,
-           fmt::format("the motor burnt out at {} s, control was from {} s to {} s", sim::about(*end_s),
-                       sim::about(*window.from_s), sim::about(*window.to_s)));
+           fmt::format("the motor burnt out at {} s, control was from {} s to {} s", sim::input::about(*end_s),
+                       sim::input::about(*window.from_s), sim::input::about(*window.to_s)));
   }
   (text == "thrust" ? window.to_s : window.from_s) = end_s;
   return window;
@@ -126,7 +126,7 @@ Window find_window(const RollLog& log, const std::string& text) {
   }
   std::string message = "--window " + text + ": unknown;";
   const std::array<std::string, 4> words{"control", "thrust", "coast", "step:1"};
-  if (const auto meant = sim::suggestion(text, words)) {
+  if (const auto meant = sim::input::suggestion(text, words)) {
     message += " did you mean " + *meant + "?";
   }
   throw InputError{InputFault::bad_configuration, message + " allowed: control, thrust, coast, step:N, A:B in seconds"};

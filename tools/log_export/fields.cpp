@@ -11,7 +11,7 @@
 
 #include "core/tick_record_fields.hpp"
 #include "report/numbers.hpp"
-#include "sim/document.hpp"
+#include "sim/input/messages.hpp"
 
 namespace fantail::log_export {
 namespace {
@@ -163,7 +163,7 @@ std::optional<std::size_t> find_field(std::string_view name) {
 std::string unknown_field(std::string_view name) {
   std::vector<std::string> names;
   std::ranges::transform(fields(), std::back_inserter(names), &Field::name);
-  const auto meant = sim::suggestion(name, names);
+  const auto meant = sim::input::suggestion(name, names);
   return fmt::format("no field \"{}\"{}; there are: {}", name, meant ? " (did you mean " + *meant + "?)" : "",
                      fmt::join(names, ", "));
 }

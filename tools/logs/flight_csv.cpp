@@ -13,8 +13,8 @@
 
 #include "logs/words.hpp"
 #include "report/numbers.hpp"
+#include "sim/input/messages.hpp"
 #include "sim/input_error.hpp"
-#include "sim/shown.hpp"
 
 namespace fantail::logs {
 namespace {
@@ -158,7 +158,7 @@ report::Flight read_flight_csv(const Table& table) {
     if (!time_s || (!flight.rows.empty() && *time_s <= flight.rows.back().time_s)) {
       refuse(fmt::format("{}: time_s {}{}; allowed: numbers that increase", table.where(i),
                          in_quotes(table.cell(i, time)),
-                         flight.rows.empty() ? "" : " after " + sim::shown(flight.rows.back().time_s)));
+                         flight.rows.empty() ? "" : " after " + sim::input::shown(flight.rows.back().time_s)));
     }
     row.time_s = *time_s;
     for (const Found& one : found) {

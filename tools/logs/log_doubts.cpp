@@ -7,7 +7,7 @@
 
 #include <fmt/core.h>
 
-#include "sim/shown.hpp"
+#include "sim/input/messages.hpp"
 #include "sim/units.hpp"
 
 namespace fantail::logs {
@@ -65,12 +65,14 @@ std::optional<double> angle_over_rate(const RollLog& log) {
 void note_doubtful_units(RollLog& log, AngleUnit stated) {
   const double canard = largest(log.canard_rad);
   if (stated == AngleUnit::degrees && looks_like_radians(log)) {
-    log.warnings.push_back(fmt::format(
-        "angles look like radians: the largest canard angle is {}; if they are: --units rad", sim::about(canard)));
+    log.warnings.push_back(
+        fmt::format("angles look like radians: the largest canard angle is {}; if they are: --units rad",
+                    sim::input::about(canard)));
   }
   if (stated == AngleUnit::radians && canard > 1.6) {
-    log.warnings.push_back(fmt::format(
-        "angles look like degrees: the largest canard angle is {} rad; if they are: --units deg", sim::about(canard)));
+    log.warnings.push_back(
+        fmt::format("angles look like degrees: the largest canard angle is {} rad; if they are: --units deg",
+                    sim::input::about(canard)));
   }
   std::vector<double> step_s;
   for (std::size_t i = 1; i < log.time_s.size(); ++i) {
@@ -80,7 +82,7 @@ void note_doubtful_units(RollLog& log, AngleUnit stated) {
   std::nth_element(step_s.begin(), middle, step_s.end());
   if (*middle >= 1.0) {
     log.warnings.push_back(
-        fmt::format("samples are {} s apart; time_s is in seconds, not in milliseconds", sim::about(*middle)));
+        fmt::format("samples are {} s apart; time_s is in seconds, not in milliseconds", sim::input::about(*middle)));
   }
 }
 
@@ -97,7 +99,7 @@ void note_doubtful_motion(RollLog& log) {
   if (is_between(off * degrees_per_radian, 0.7, 1.4) || is_between(off / degrees_per_radian, 0.7, 1.4)) {
     log.warnings.push_back(
         fmt::format("the roll angle changes {} times as fast as the roll rate says: one of them seems to be in radians",
-                    sim::about(off)));
+                    sim::input::about(off)));
   } else if (*slope < 0.0) {
     log.warnings.push_back("the roll angle falls where the roll rate is positive: one of them has the wrong sign");
   }

@@ -8,7 +8,7 @@
 #include <fmt/core.h>
 
 #include "logs/words.hpp"
-#include "sim/document.hpp"
+#include "sim/input/messages.hpp"
 #include "sim/input_error.hpp"
 
 namespace fantail::logs {
@@ -47,7 +47,7 @@ void refuse_unknown_names(const Reading& reading) {
       continue;
     }
     std::string message = fmt::format("--column {}={}: unknown column {}", ours, theirs, in_quotes(ours));
-    if (const auto meant = sim::suggestion(ours, names)) {
+    if (const auto meant = sim::input::suggestion(ours, names)) {
       message += "; did you mean " + *meant + "?";
     }
     message += " Fantail's columns:";

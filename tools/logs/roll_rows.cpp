@@ -11,8 +11,8 @@
 #include <fmt/core.h>
 
 #include "logs/words.hpp"
+#include "sim/input/messages.hpp"
 #include "sim/input_error.hpp"
-#include "sim/shown.hpp"
 
 namespace fantail::logs {
 namespace {
@@ -79,9 +79,10 @@ class Rows {
     if (log_.time_s.empty() || values_[0] > log_.time_s.back()) {
       return false;
     }
-    const std::string times = fmt::format("{}: time_s is {}", table_.where(row), sim::shown(values_[0]));
+    const std::string times = fmt::format("{}: time_s is {}", table_.where(row), sim::input::shown(values_[0]));
     if (values_[0] < log_.time_s.back()) {
-      refuse(fmt::format("{} after {} in line {}: time goes back", times, sim::shown(log_.time_s.back()), last_line_));
+      refuse(fmt::format("{} after {} in line {}: time goes back", times, sim::input::shown(log_.time_s.back()),
+                         last_line_));
     }
     for (std::size_t i = 0; i < columns_.size(); ++i) {
       const double before = (log_.*columns_[i].list).back();

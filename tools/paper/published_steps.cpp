@@ -2,13 +2,13 @@
 #include "paper/published_steps.hpp"
 
 #include "logs/table.hpp"
+#include "sim/input/shipped.hpp"
 #include "sim/input_error.hpp"
-#include "sim/shipped.hpp"
 
 namespace fantail::paper {
 
 std::vector<PublishedStep> published_steps() {
-  const std::string file = sim::find_input(sim::Shipped::tunnel_result, "tasha3_table2").string();
+  const std::string file = sim::input::find_input(sim::input::Shipped::tunnel_result, "tasha3_table2").string();
   const logs::Table table = logs::Table::load(file);
   const auto number = [&](std::size_t row, std::string_view column) {
     const auto value = table.number(row, table.column(column));

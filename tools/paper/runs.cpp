@@ -4,12 +4,12 @@
 #include <cmath>
 
 #include "fly/fly_scenario.hpp"
-#include "sim/scenario_file.hpp"
+#include "sim/input/scenario_file.hpp"
 
 namespace fantail::paper {
 
-Run fly(const std::string& scenario, std::span<const sim::Override> changes, const Tell& tell) {
-  Run run{.scenario = sim::load_scenario(scenario, changes), .flight = {}};
+Run fly(const std::string& scenario, std::span<const sim::input::Override> changes, const Tell& tell) {
+  Run run{.scenario = sim::input::load_scenario(scenario, changes), .flight = {}};
   tell("flying " + run.scenario.name);
   run.flight = fly::fly_scenario(run.scenario, [&](double) { tell("flying " + run.scenario.name); });
   return run;

@@ -7,7 +7,7 @@
 
 #include "identify/record.hpp"
 #include "report/flight.hpp"
-#include "sim/scenario_file.hpp"
+#include "sim/input/scenario_file.hpp"
 
 namespace fantail::paper {
 
@@ -20,7 +20,7 @@ struct Run {
 /// Says what is going on; what it throws ends the work.
 using Tell = std::function<void(const std::string& what)>;
 
-[[nodiscard]] Run fly(const std::string& scenario, std::span<const sim::Override> changes, const Tell& tell);
+[[nodiscard]] Run fly(const std::string& scenario, std::span<const sim::input::Override> changes, const Tell& tell);
 
 /// The truth of a run from one time of its clock to another, a sample every `every_s`: an ideal log. Excitation and
 /// reference with it, for the closed loop.

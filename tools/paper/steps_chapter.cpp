@@ -10,7 +10,7 @@
 #include "paper/drawing.hpp"
 #include "paper/published_steps.hpp"
 #include "report/numbers.hpp"
-#include "sim/scenario_file.hpp"
+#include "sim/input/scenario_file.hpp"
 #include "sim/units.hpp"
 
 namespace fantail::paper {
@@ -121,7 +121,7 @@ void add_means(std::vector<Claim>& claims, const std::vector<PublishedStep>& row
 
 Chapter steps_chapter(const Tell& tell) {
   tell("repeating the eight steps of Table 2");
-  const sim::Scenario tunnel = sim::load_scenario("tunnel_steps", {});
+  const sim::Scenario tunnel = sim::input::load_scenario("tunnel_steps", {});
   const std::vector<PublishedStep> rows = published_steps();
   Chapter chapter{.title = "Steps in the wind tunnel",
                   .introduction =

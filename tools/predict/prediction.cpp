@@ -10,7 +10,7 @@
 #include "predict/team.hpp"
 #include "report/flight.hpp"
 #include "report/numbers.hpp"
-#include "sim/fault_file.hpp"
+#include "sim/input/fault_file.hpp"
 #include "sim/input_error.hpp"
 
 namespace fantail::predict {
@@ -114,7 +114,7 @@ std::vector<std::string> notes(const sim::Scenario& scenario, const TunnelResult
     all.emplace_back("The roll that the scenario imposes is left out: nobody knows it before the flight.");
   }
   for (const sim::Fault& fault : scenario.faults) {
-    all.push_back(fmt::format("Every run has the scenario's fault {}.", sim::name(fault.kind)));
+    all.push_back(fmt::format("Every run has the scenario's fault {}.", sim::input::name(fault.kind)));
   }
   return all;
 }
