@@ -10,6 +10,7 @@
 #include "flight_log/regenerate.hpp"
 #include "flight_log/to_report.hpp"
 #include "protocol/tick_digest.hpp"
+#include "sim/input/fault_file.hpp"
 #include "sim/input/scenario_file.hpp"
 #include "sim/input/shipped.hpp"
 #include "sim/world.hpp"
@@ -80,7 +81,7 @@ TEST(ReplayedFlight, SoDoesAFlightWithEveryKindOfFaultInIt) {
         sim::FaultKind::canard_slipping, sim::FaultKind::canard_reversed, sim::FaultKind::canard_slow,
         sim::FaultKind::canard_wrong_trim, sim::FaultKind::encoder_unplugged, sim::FaultKind::encoder_noisy,
         sim::FaultKind::imu_dropout, sim::FaultKind::accelerometer_dropout}) {
-    SCOPED_TRACE(name(kind));
+    SCOPED_TRACE(sim::input::name(kind));
     sim::Scenario scenario = sim::input::load_scenario("tasha3_launch2", {});
     scenario.faults = {{.kind = kind, .canard = 1, .from_s = 2.0, .until_s = 2.3}};
     EXPECT_TRUE(expect_equal_replay(scenario));
