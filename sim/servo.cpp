@@ -5,8 +5,6 @@
 #include <stdexcept>
 #include <string>
 
-#include "sim/units.hpp"
-
 namespace fantail::sim {
 namespace {
 

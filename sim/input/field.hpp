@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -94,7 +95,7 @@ struct Field {
   std::string_view meaning;  ///< a plain sentence, in Markdown
 };
 
-/// `Member` is a type of function (thing, slot) -> reference, for a thing that may be const.
+/// `Member` is a type of function (thing, slot) -> reference, for a thing that may be const; FANTAIL_PLACE writes it.
 template <typename Thing, typename Member>
 constexpr Place<Thing> place_of(Member) {
   using Value = std::remove_cvref_t<decltype(Member{}(std::declval<Thing&>(), 0))>;

@@ -118,6 +118,21 @@ void read_field(Section& section, const PlanField& field, TomlNode node, core::F
   }
 }
 
+// As a file would have it, value by value: "[section]", then "key = value   # meaning".
+Document document_of(const core::FlightPlan& plan) {
+  Document document;
+  std::istringstream lines{plan_table(plan)};
+  std::string section;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with('[')) {
+      section = line.substr(1, line.find(']') - 1);
+    } else if (!line.empty()) {
+      document.apply(parse_override(section + "." + line.substr(0, line.find('#'))));
+    }
+  }
+  return document;
+}
+
 }  // namespace
 
 std::vector<std::string> plan_sections() {
@@ -180,25 +195,6 @@ std::string plan_table(const core::FlightPlan& plan) {
   }
   return text.str();
 }
-
-namespace {
-
-// As a file would have it, value by value: "[section]", then "key = value   # meaning".
-Document document_of(const core::FlightPlan& plan) {
-  Document document;
-  std::istringstream lines{plan_table(plan)};
-  std::string section;
-  for (std::string line; std::getline(lines, line);) {
-    if (line.starts_with('[')) {
-      section = line.substr(1, line.find(']') - 1);
-    } else if (!line.empty()) {
-      document.apply(parse_override(section + "." + line.substr(0, line.find('#'))));
-    }
-  }
-  return document;
-}
-
-}  // namespace
 
 core::FlightPlan changed_plan(const core::FlightPlan& plan, std::span<const Override> changes) {
   Document document = document_of(plan);

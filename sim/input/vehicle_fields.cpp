@@ -43,6 +43,7 @@ constexpr auto fields = std::to_array<Field<Vehicle>>({
   {"imu", "rate_noise_deg_s", number(deg_s, {0, 100}), may, AT(it.imu.rate_noise_rad_s), "Standard deviation of each sample of the rates, white."},
   {"imu", "rate_bias_deg_s", number(deg_s, {-50, 50}), may, AT(it.imu.rate_bias_rad_s), "Added to every rate."},
   {"imu", "full_scale_deg_s", number(deg_s, {50, 4000}), may, AT(it.imu.full_scale_rad_s), "Largest rate that it can show."},
+// Both inertial sensors are described by the same words.
 #define INERTIAL(section, sensor) \
   {section, "specific_force_noise_m_s2", number("m/s2", {0, 50}), may, AT(sensor.specific_force_noise_m_s2), "Standard deviation of each sample of the specific force, white."}, \
   {section, "specific_force_bias_m_s2", number("m/s2", {-5, 5}), may, AT(sensor.specific_force_bias_m_s2), "Added to every axis."}, \
