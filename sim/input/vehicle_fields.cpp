@@ -44,12 +44,14 @@ constexpr auto fields = std::to_array<Field<Vehicle>>({
   {"imu", "rate_bias_deg_s", number(deg_s, {-50, 50}), may, AT(it.imu.rate_bias_rad_s), "Added to every rate."},
   {"imu", "full_scale_deg_s", number(deg_s, {50, 4000}), may, AT(it.imu.full_scale_rad_s), "Largest rate that it can show."},
 // Both inertial sensors are described by the same words.
+// NOLINTBEGIN(bugprone-macro-parentheses): as in field.hpp
 #define INERTIAL(section, sensor) \
   {section, "specific_force_noise_m_s2", number("m/s2", {0, 50}), may, AT(sensor.specific_force_noise_m_s2), "Standard deviation of each sample of the specific force, white."}, \
   {section, "specific_force_bias_m_s2", number("m/s2", {-5, 5}), may, AT(sensor.specific_force_bias_m_s2), "Added to every axis."}, \
   {section, "full_scale_g", number(g, {2, 400}), may, AT(sensor.full_scale_m_s2), "Largest specific force that it can show."}, \
   {section, "misalignment_deg", number(deg, {0, 10}), may, AT(sensor.misalignment_rad), "The package is turned by this about an axis across the rocket that is drawn from the seed."}, \
   {section, "delay_s", number("s", {0, 0.02}), may, AT(sensor.delay_s), "From measured to delivered."}
+// NOLINTEND(bugprone-macro-parentheses)
   INERTIAL("imu", it.imu),
   INERTIAL("accelerometer", it.accelerometer),
 
