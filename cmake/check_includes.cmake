@@ -30,6 +30,9 @@ set(table
   "tools/plot|report/,plot/|fmt/"
   "tools/logs|core/,sim/,json/,report/,text/,flight_log/,logs/|fmt/"
   "tools/identify|core/,sim/,json/,report/,text/,plot/,logs/,identify/|Eigen/,fmt/"
+  "tools/identify/model|sim/,identify/model/|Eigen/,fmt/"
+  "tools/identify/closed_loop|core/,sim/,identify/model/,identify/closed_loop/|Eigen/,fmt/"
+  "tools/identify/result|json/,report/,plot/,identify/model/,identify/closed_loop/,identify/result/|Eigen/,fmt/"
   "tools/tunnel|core/,sim/,json/,report/,plot/,logs/,identify/,tunnel/|Eigen/,fmt/"
   "tools/predict|core/,protocol/,hal/,avionics/,sim/,json/,report/,plot/,logs/,identify/,tunnel/,fly/,predict/|Eigen/,fmt/"
   "tools/paper|core/,protocol/,hal/,avionics/,sim/,json/,report/,plot/,logs/,identify/,tunnel/,fly/,predict/,paper/|Eigen/,fmt/")

@@ -6,11 +6,14 @@
 
 #include <gtest/gtest.h>
 
-#include "identify/planted.hpp"
+#include "identify/model/planted.hpp"
 #include "sim/input_error.hpp"
 
 namespace fantail::identify {
 namespace {
+
+using namespace model;
+using namespace result;
 
 constexpr Options quick{.with_error_map = false};
 

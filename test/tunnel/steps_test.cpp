@@ -15,7 +15,7 @@
 namespace fantail::tunnel {
 namespace {
 
-constexpr identify::Airframe tasha{.inertia_kg_m2 = 0.00393, .reference_area_m2 = 5.0265e-5};
+constexpr identify::model::Airframe tasha{.inertia_kg_m2 = 0.00393, .reference_area_m2 = 5.0265e-5};
 
 struct Planted {
   double alpha_m2;
@@ -105,7 +105,7 @@ TEST(IdentifySteps, EachStepGetsItsOwnModel) {
   const StepTable table = identify_steps(made_run(three_rockets), tasha, at_22_m_s());
   ASSERT_EQ(table.steps.size(), 3U);
   for (std::size_t i = 0; i < 3; ++i) {
-    const identify::Model& model = table.steps[i].identified.model;
+    const identify::model::RollModel& model = table.steps[i].identified.model;
     EXPECT_EQ(table.steps[i].number, i + 1);
     EXPECT_NEAR(model.alpha_m2, three_rockets[i].alpha_m2, 0.05) << i;
     EXPECT_NEAR(model.beta_m, three_rockets[i].beta_m, 0.03) << i;
@@ -120,7 +120,7 @@ TEST(IdentifySteps, EachStepGetsItsOwnModel) {
 
 TEST(IdentifySteps, ByTheGridFindsItsNearestCells) {
   StepOptions options = at_22_m_s();
-  options.method = identify::Method::grid;
+  options.method = identify::result::Method::grid;
   const StepTable table = identify_steps(made_run(three_rockets), tasha, options);
   for (std::size_t i = 0; i < 3; ++i) {
     EXPECT_EQ(table.steps[i].identified.model.alpha_m2, three_rockets[i].alpha_m2) << i;

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "fantail/command_line.hpp"
-#include "identify/record.hpp"
+#include "identify/model/roll_model.hpp"
 
 namespace fantail::tool {
 
@@ -18,7 +18,7 @@ struct AirframeOptions {
 
 struct NamedAirframe {
   std::string name;
-  identify::Airframe airframe{};
+  identify::model::Airframe airframe{};
 };
 
 /// --vehicle, --inertia and --area.

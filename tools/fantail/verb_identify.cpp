@@ -12,12 +12,10 @@
 #include "fantail/identify_options.hpp"
 #include "fantail/interrupt.hpp"
 #include "fantail/run.hpp"
-#include "identify/air.hpp"
-#include "identify/axis_text.hpp"
-#include "identify/result_json.hpp"
-#include "identify/result_text.hpp"
+#include "identify/choices.hpp"
+#include "identify/make_record.hpp"
+#include "identify/result/outputs.hpp"
 #include "identify/study.hpp"
-#include "identify/write_study.hpp"
 #include "logs/roll_log.hpp"
 #include "sim/document.hpp"
 #include "sim/plan_file.hpp"
@@ -49,7 +47,7 @@ std::vector<identify::Window> windows(const IdentifyOptions& o, const logs::Roll
 }
 
 struct Rocket {
-  identify::Airframe airframe;
+  identify::model::Airframe airframe;
   std::string words;
 };
 
@@ -66,7 +64,7 @@ Rocket rocket(const IdentifyOptions& o) {
     }
     throw UsageError{message};
   }
-  identify::Airframe& airframe = result.airframe;
+  identify::model::Airframe& airframe = result.airframe;
   airframe.inertia_kg_m2 = o.inertia_kg_m2.value_or(airframe.inertia_kg_m2);
   airframe.reference_area_m2 = o.area_m2.value_or(airframe.reference_area_m2);
   result.words +=
@@ -74,7 +72,7 @@ Rocket rocket(const IdentifyOptions& o) {
   return result;
 }
 
-identify::ClosedLoop closed_loop(const IdentifyOptions& o) {
+identify::closed_loop::Control closed_loop(const IdentifyOptions& o) {
   if (o.fit_lag) {
     throw UsageError{"--fit-lag: the closed loop does not use the measured canards; allowed with --loop open"};
   }
@@ -97,7 +95,7 @@ identify::ClosedLoop closed_loop(const IdentifyOptions& o) {
 }
 
 identify::Question question(const IdentifyOptions& o) {
-  using identify::Method;
+  using identify::result::Method;
   identify::Question q;
   q.nodes = o.nodes;
   q.fit_lag = o.fit_lag;
@@ -106,7 +104,7 @@ identify::Question question(const IdentifyOptions& o) {
                                    : std::vector{Method::continuous};
   q.record.lag_s = o.lag_s;
   q.record.speed_m_s = o.speed_m_s;
-  q.options.start = o.fit_initial ? identify::Start::fitted : identify::Start::measured;
+  q.options.start = o.fit_initial ? identify::model::Start::fitted : identify::model::Start::measured;
   q.options.grid.alpha_m2 = identify::parse_axis(o.grid_alpha).value_or(q.options.grid.alpha_m2);
   q.options.grid.beta_m = identify::parse_axis(o.grid_beta).value_or(q.options.grid.beta_m);
   if (o.loop == "closed") {
@@ -137,7 +135,7 @@ void identify_data(const IdentifyOptions& o) {
   const identify::Air air = identify::choose_air(log, o.density);
   q.record.atmosphere = air.atmosphere;
   q.windows = windows(o, log);
-  identify::Study result = study(log, q);
+  identify::result::Study result = study(log, q);
   result.vehicle = which.words;
   result.density = air.words;
   result.speed = o.speed_m_s   ? sim::shown(*o.speed_m_s) + " m/s throughout"
@@ -148,10 +146,10 @@ void identify_data(const IdentifyOptions& o) {
   const std::filesystem::path folder = output_folder(o);
   write_study(result, folder);
   if (o.json) {
-    fmt::print("{}", result_json(result));
+    fmt::print("{}", as_json(result));
     return;
   }
-  fmt::print("{}\n  report  {}\n", result_text(result), (folder / "report.html").string());
+  fmt::print("{}\n  report  {}\n", as_text(result), (folder / "report.html").string());
   for (const std::string& name : model_csv_names(result)) {
     fmt::print("  model   {}\n", (folder / name).string());
   }

@@ -3,13 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
+#include <limits>
 #include <vector>
 
 #include <fmt/core.h>
 
 #include "sim/input_error.hpp"
 #include "sim/shown.hpp"
+#include "text/number.hpp"
 
 namespace fantail::identify {
 namespace {
@@ -182,9 +183,48 @@ std::vector<double> densities(const RollLog& log, const Indices& samples, const 
   return density;
 }
 
+// In a tunnel the avionics integrates its own noise to a height of metres; over ten of them density changes by 0.1 %.
+bool climbs(const RollLog& log) {
+  constexpr double real_climb_m = 10.0;
+  double low = std::numeric_limits<double>::infinity();
+  double high = -low;
+  for (const double height : log.height_m) {
+    low = std::fmin(low, height);
+    high = std::fmax(high, height);
+  }
+  return high - low > real_climb_m;
+}
+
+Air same_everywhere(double density_kg_m3, const std::string& why) {
+  return {{.model = sim::DensityModel::constant, .constant_kg_m3 = density_kg_m3},
+          fmt::format("{} kg/m3{}", sim::shown(density_kg_m3), why)};
+}
+
+Air exponential() {
+  return {{.model = sim::DensityModel::exponential}, "1.225 exp(-h / 8500 m) kg/m3, h from height_m"};
+}
+
 }  // namespace
 
-Record make_record(const RollLog& log, const Window& window, const RecordOptions& options) {
+Air choose_air(const RollLog& log, const std::optional<std::string>& asked) {
+  if (!asked) {
+    return climbs(log) ? exponential() : same_everywhere(1.2, ", as nothing was said and the log does not climb");
+  }
+  if (*asked == "exponential") {
+    return exponential();
+  }
+  if (*asked == "isa") {
+    return {{.model = sim::DensityModel::isa}, "of the standard atmosphere, height from height_m"};
+  }
+  const auto value = text::number(*asked);
+  if (!value || *value <= 0.0 || *value > 100.0) {
+    throw InputError{InputFault::bad_configuration,
+                     "--density " + *asked + ": allowed: above 0 and up to 100 kg/m3, exponential, isa"};
+  }
+  return same_everywhere(*value, "");
+}
+
+model::Record make_record(const RollLog& log, const Window& window, const RecordOptions& options) {
   const double longest_gap_s = gap_s(log, options);
   const bool with_canards = !log.canard_rad.empty();
   if (!with_canards && options.canard_needed) {
@@ -201,7 +241,7 @@ Record make_record(const RollLog& log, const Window& window, const RecordOptions
                             inside.size(), least_samples));
   }
 
-  Record record;
+  model::Record record;
   record.window = words(window);
   record.window_begin_s = log.time_s[samples.front()];
   record.segment_begin = segment_begin;

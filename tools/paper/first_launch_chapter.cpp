@@ -5,7 +5,7 @@
 
 #include <fmt/core.h>
 
-#include "identify/closed_loop_model.hpp"
+#include "identify/closed_loop/closed_loop.hpp"
 #include "identify/identification.hpp"
 #include "paper/chapters.hpp"
 #include "paper/drawing.hpp"
@@ -32,7 +32,7 @@ Moment extreme(const report::Flight& flight, double from_s, double to_s, double 
 }
 
 // "8.52 and 10.03"
-std::string pair(const identify::Model& model) {
+std::string pair(const identify::model::RollModel& model) {
   return fmt::format("{:.2f} and {:.2f}", model.alpha_m2, model.beta_m);
 }
 
@@ -127,18 +127,18 @@ void add_transient(std::vector<Claim>& claims, const report::Flight& flight) {
 // The published model and nothing else: its controller and disturbance, a servo that is a pure lag of 20 ms.
 void add_modelled_drop(std::vector<Claim>& claims, const Run& run) {
   const double from_s = run.scenario.imposed_roll->time_s;
-  const identify::Record record = true_record(run, from_s, from_s + 1.42, 0.001);
-  identify::Model model{.alpha_m2 = run.scenario.vehicle.roll_plant.damping_m2,
-                        .beta_m = run.scenario.vehicle.roll_plant.torque_m,
-                        .node_time_s = {},
-                        .node_rad = {},
-                        .initial = {{.angle_rad = run.scenario.imposed_roll->angle_rad,
-                                     .rate_rad_s = run.scenario.imposed_roll->rate_rad_s}}};
+  const identify::model::Record record = true_record(run, from_s, from_s + 1.42, 0.001);
+  identify::model::RollModel model{.alpha_m2 = run.scenario.vehicle.roll_plant.damping_m2,
+                                   .beta_m = run.scenario.vehicle.roll_plant.torque_m,
+                                   .node_time_s = {},
+                                   .node_rad = {},
+                                   .initial = {{.angle_rad = run.scenario.imposed_roll->angle_rad,
+                                                .rate_rad_s = run.scenario.imposed_roll->rate_rad_s}}};
   for (const sim::DisturbanceNode& node : run.scenario.disturbance) {
     model.node_time_s.push_back(node.time_s - from_s);
     model.node_rad.push_back(node.angle_rad);
   }
-  const identify::Simulation flown = identify::simulate_closed_loop(
+  const identify::model::Simulation flown = identify::closed_loop::simulate(
       record, airframe(run.scenario),
       {.controller = run.scenario.plan.controller, .servo_lag_s = run.scenario.vehicle.servo.lag_s}, model);
   const auto peak = std::ranges::max_element(flown.roll_angle_rad.begin(), flown.roll_angle_rad.begin() + 800);
@@ -197,15 +197,15 @@ Chapter first_launch_chapter(const Tell& tell) {
   // From launch detection, with two pieces to burn-out and two to the last two seconds before apogee, as published.
   const double from_s = *flight.events.detected_s + 0.01;
   const double to_s = *flight.events.detected_s + 9.0;
-  const identify::Record record = true_record(run, from_s, to_s, 0.01);
+  const identify::model::Record record = true_record(run, from_s, to_s, 0.01);
   const double thrust_s = *flight.events.burnout_s - from_s;
-  const identify::NodeTimes nodes{0.0, 0.5 * thrust_s, thrust_s, 0.5 * (thrust_s + record.time_s.back()),
-                                  record.time_s.back()};
+  const identify::model::NodeTimes nodes{0.0, 0.5 * thrust_s, thrust_s, 0.5 * (thrust_s + record.time_s.back()),
+                                         record.time_s.back()};
   identify::Options options{.nodes = nodes, .with_error_map = false};
-  const identify::Identification open = identify::identify(record, airframe(run.scenario), options);
-  options.closed_loop =
-      identify::ClosedLoop{.controller = run.scenario.plan.controller, .servo_lag_s = run.scenario.vehicle.servo.lag_s};
-  const identify::Identification closed = identify::identify(record, airframe(run.scenario), options);
+  const identify::result::Identification open = identify::identify(record, airframe(run.scenario), options);
+  options.closed_loop = identify::closed_loop::Control{.controller = run.scenario.plan.controller,
+                                                       .servo_lag_s = run.scenario.vehicle.servo.lag_s};
+  const identify::result::Identification closed = identify::identify(record, airframe(run.scenario), options);
   const std::string ours =
       fmt::format("our flight was made with 7.5 and 10; the open loop finds {} in it, the closed {}", pair(open.model),
                   pair(closed.model));

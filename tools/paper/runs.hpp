@@ -5,7 +5,7 @@
 #include <span>
 #include <string>
 
-#include "identify/record.hpp"
+#include "identify/model/roll_model.hpp"
 #include "report/flight.hpp"
 #include "sim/scenario.hpp"
 
@@ -24,8 +24,8 @@ using Tell = std::function<void(const std::string& what)>;
 
 /// The truth of a run from one time of its clock to another, a sample every `every_s`: an ideal log. Excitation and
 /// reference with it, for the closed loop.
-[[nodiscard]] identify::Record true_record(const Run& run, double from_s, double to_s, double every_s);
+[[nodiscard]] identify::model::Record true_record(const Run& run, double from_s, double to_s, double every_s);
 
-[[nodiscard]] identify::Airframe airframe(const sim::Scenario& scenario);
+[[nodiscard]] identify::model::Airframe airframe(const sim::Scenario& scenario);
 
 }  // namespace fantail::paper

@@ -56,9 +56,9 @@ plot::Series chirp_curve(const core::ExcitationPlan& plan) {
   return series;
 }
 
-std::string curve_over_nodes(const std::vector<identify::NodeTrial>& trials) {
+std::string curve_over_nodes(const std::vector<identify::result::NodeTrial>& trials) {
   std::string text;
-  for (const identify::NodeTrial& trial : trials) {
+  for (const identify::result::NodeTrial& trial : trials) {
     text += (text.empty() ? "" : ", ") + report::fixed(report::degrees(trial.mean_abs_angle_error_rad), 2);
   }
   return text + " deg";
@@ -84,17 +84,18 @@ Chapter second_launch_chapter(const Tell& tell) {
   const auto record_of = [&](const Windowed& window) {
     return true_record(run, zero_s + window.from_s, zero_s + window.to_s, 0.01);
   };
-  const identify::Record first = record_of(first_window);
-  const identify::Airframe rocket = airframe(run.scenario);
-  const identify::Identification over_nodes =
+  const identify::model::Record first = record_of(first_window);
+  const identify::model::Airframe rocket = airframe(run.scenario);
+  const identify::result::Identification over_nodes =
       identify::identify(first, rocket, {.nodes = identify::AutomaticNodes{6}, .with_error_map = false});
-  const identify::Identification open = identify::identify(
-      first, rocket, {.nodes = identify::EvenNodes{first_window.intervals}, .method = identify::Method::grid});
-  const identify::Record second = record_of(second_window);
-  const identify::Identification later = identify::identify(
-      second, rocket, {.nodes = identify::EvenNodes{second_window.intervals}, .method = identify::Method::grid});
+  const identify::result::Identification open = identify::identify(
+      first, rocket, {.nodes = identify::EvenNodes{first_window.intervals}, .method = identify::result::Method::grid});
+  const identify::model::Record second = record_of(second_window);
+  const identify::result::Identification later = identify::identify(
+      second, rocket,
+      {.nodes = identify::EvenNodes{second_window.intervals}, .method = identify::result::Method::grid});
 
-  const auto found = [](const identify::Model& model) {
+  const auto found = [](const identify::model::RollModel& model) {
     return fmt::format("our flight was made with 23 and 9; the published search finds {:g} and {:g} in it",
                        model.alpha_m2, model.beta_m);
   };
@@ -133,8 +134,8 @@ Chapter second_launch_chapter(const Tell& tell) {
           .y_label = "roll rate / deg/s",
           .series = {curve(run, flown, "simulated", plot::Role::measured, true_rate_deg_s)}},
          "As figure 27.");
-  const auto both = [&](const identify::Record& record, const identify::Identification& model, double offset_s,
-                        const std::string& caption) {
+  const auto both = [&](const identify::model::Record& record, const identify::result::Identification& model,
+                        double offset_s, const std::string& caption) {
     std::vector<double> time_s = record.time_s;
     for (double& t : time_s) {
       t += offset_s;

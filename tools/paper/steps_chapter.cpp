@@ -4,7 +4,7 @@
 
 #include <fmt/core.h>
 
-#include "identify/closed_loop_model.hpp"
+#include "identify/closed_loop/closed_loop.hpp"
 #include "identify/identification.hpp"
 #include "paper/chapters.hpp"
 #include "paper/drawing.hpp"
@@ -20,14 +20,14 @@ using sim::radians_per_degree;
 constexpr double step_s = 5.0;
 
 struct Repeated {
-  identify::Record record;
-  identify::Identification found;
+  identify::model::Record record;
+  identify::result::Identification found;
 };
 
 // The step that a row of the table describes, flown by the real controller without noise and servo lag, and identified
 // from its log at 100 Hz as the published ones were.
 Repeated repeat(const PublishedStep& row, const sim::Scenario& tunnel) {
-  identify::Record record;
+  identify::model::Record record;
   record.window = "step " + std::to_string(row.step);
   for (int i = 0; i <= static_cast<int>(step_s * 100.0); ++i) {
     record.time_s.push_back(0.01 * i);
@@ -41,25 +41,26 @@ Repeated repeat(const PublishedStep& row, const sim::Scenario& tunnel) {
   record.reference_rad.assign(samples, 45.0 * radians_per_degree);
   record.excitation_rad.assign(samples, 0.0);
   record.in_control.assign(samples, true);
-  const identify::Model truth{
+  const identify::model::RollModel truth{
       .alpha_m2 = row.alpha_m2,
       .beta_m = row.beta_m,
       .node_time_s = {0.0, step_s},
       .node_rad = {row.disturbance_begin_deg * radians_per_degree, row.disturbance_end_deg * radians_per_degree},
       .initial = {{.angle_rad = 0.0, .rate_rad_s = 0.0}}};
-  const identify::Airframe rocket = airframe(tunnel);
-  const identify::Simulation flown =
-      identify::simulate_closed_loop(record, rocket, {.controller = tunnel.plan.controller}, truth);
+  const identify::model::Airframe rocket = airframe(tunnel);
+  const identify::model::Simulation flown =
+      identify::closed_loop::simulate(record, rocket, {.controller = tunnel.plan.controller}, truth);
   record.roll_angle_rad = flown.roll_angle_rad;
   record.roll_rate_rad_s = flown.roll_rate_rad_s;
   record.canard_rad = flown.canard_rad;
   return {.record = record,
-          .found = identify::identify(record, rocket,
-                                      {.nodes = identify::NodeTimes{0.0, step_s}, .method = identify::Method::grid})};
+          .found = identify::identify(
+              record, rocket,
+              {.nodes = identify::model::NodeTimes{0.0, step_s}, .method = identify::result::Method::grid})};
 }
 
-Claim row_claim(const PublishedStep& row, const identify::Identification& found) {
-  const identify::Model& model = found.model;
+Claim row_claim(const PublishedStep& row, const identify::result::Identification& found) {
+  const identify::model::RollModel& model = found.model;
   const double begin_deg = report::degrees(model.node_rad.front());
   const double end_deg = report::degrees(model.node_rad.back());
   const bool agrees = model.alpha_m2 == row.alpha_m2 && model.beta_m == row.beta_m &&

@@ -21,8 +21,8 @@ bool wanted(const ReferenceStep& step, Direction direction) {
   return direction == Direction::both || (direction == Direction::up) == (step.to_rad > step.from_rad);
 }
 
-StepResult identify_step(const logs::RollLog& log, const identify::Airframe& airframe, const StepOptions& options,
-                         const ReferenceStep& step, std::size_t number) {
+StepResult identify_step(const logs::RollLog& log, const identify::model::Airframe& airframe,
+                         const StepOptions& options, const ReferenceStep& step, std::size_t number) {
   const std::string name = fmt::format("step {}", number);
   StepResult result{.number = number, .step = step};
   try {
@@ -51,7 +51,7 @@ Spread spread(const std::vector<StepResult>& steps, Value value) {
 }
 
 void summarise(StepTable& table) {
-  using identify::Identification;
+  using identify::result::Identification;
   const std::vector<StepResult>& steps = table.steps;
   table.alpha_m2 = spread(steps, [](const Identification& i) { return i.model.alpha_m2; });
   table.beta_m = spread(steps, [](const Identification& i) { return i.model.beta_m; });
@@ -105,7 +105,8 @@ std::vector<ReferenceStep> find_reference_steps(const logs::RollLog& log) {
   return steps;
 }
 
-StepTable identify_steps(const logs::RollLog& log, const identify::Airframe& airframe, const StepOptions& options) {
+StepTable identify_steps(const logs::RollLog& log, const identify::model::Airframe& airframe,
+                         const StepOptions& options) {
   StepTable table;
   const std::vector<ReferenceStep> all = find_reference_steps(log);
   for (std::size_t i = 0; i < all.size(); ++i) {
@@ -151,8 +152,8 @@ std::string steps_csv(const StepTable& table) {
       "step,begin_s,alpha_m2,beta_m,disturbance_begin_deg,disturbance_end_deg,mean_abs_angle_error_deg,"
       "mean_abs_rate_error_deg_s\n";
   for (const StepResult& result : table.steps) {
-    const identify::Model& model = result.identified.model;
-    const identify::Simulation& simulation = result.identified.simulation;
+    const identify::model::RollModel& model = result.identified.model;
+    const identify::model::Simulation& simulation = result.identified.simulation;
     text += fmt::format("{},{:.6f},{:.6f},{:.6f},{:.6f},{:.6f},{:.6f},{:.6f}\n", result.number, result.step.begin_s,
                         model.alpha_m2, model.beta_m, degrees(model.node_rad.front()), degrees(model.node_rad.back()),
                         degrees(simulation.mean_abs_angle_error_rad), degrees(simulation.mean_abs_rate_error_rad_s));

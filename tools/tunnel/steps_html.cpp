@@ -29,7 +29,7 @@ std::vector<double> in_degrees(const std::vector<double>& radians) {
 
 std::string responses(const StepResult& result) {
   const std::vector<double>& time_s = result.record.time_s;
-  const identify::Simulation& model = result.identified.simulation;
+  const identify::model::Simulation& model = result.identified.simulation;
   const Chart angle{
       .label = fmt::format("Roll angle after step {}, measured and modelled", result.number),
       .x_label = "time after the step / s",
@@ -63,7 +63,7 @@ std::string responses(const StepResult& result) {
 }
 
 std::string over_steps(const StepTable& table, const char* label, const char* y_label, const Spread& spread,
-                       double (*value)(const identify::Model&)) {
+                       double (*value)(const identify::model::RollModel&)) {
   Chart chart{.label = label,
               .x_label = "step",
               .y_label = y_label,
@@ -109,8 +109,8 @@ std::string steps_table(const StepTable& table) {
                                                     {"rate error / deg/s", true}}};
   std::vector<std::vector<plot::Cell>> rows;
   for (const StepResult& result : table.steps) {
-    const identify::Model& model = result.identified.model;
-    const identify::Simulation& simulation = result.identified.simulation;
+    const identify::model::RollModel& model = result.identified.model;
+    const identify::model::Simulation& simulation = result.identified.simulation;
     rows.push_back(row(std::to_string(result.number), fmt::format("{:g}", result.step.begin_s), model.alpha_m2,
                        model.beta_m, model.node_rad.front(), model.node_rad.back(), simulation.mean_abs_angle_error_rad,
                        simulation.mean_abs_rate_error_rad_s));
@@ -123,17 +123,18 @@ std::string steps_table(const StepTable& table) {
 }  // namespace
 
 std::string steps_html(const StepsHeading& heading, const StepTable& table) {
-  const std::array<std::string, 2> parameters{over_steps(table, "Damping alpha", "alpha / m\u00b2", table.alpha_m2,
-                                                         [](const identify::Model& model) { return model.alpha_m2; }),
-                                              over_steps(table, "Torque constant beta", "beta / m", table.beta_m,
-                                                         [](const identify::Model& model) { return model.beta_m; })};
+  const std::array<std::string, 2> parameters{
+      over_steps(table, "Damping alpha", "alpha / m\u00b2", table.alpha_m2,
+                 [](const identify::model::RollModel& model) { return model.alpha_m2; }),
+      over_steps(table, "Torque constant beta", "beta / m", table.beta_m,
+                 [](const identify::model::RollModel& model) { return model.beta_m; })};
   const std::array<std::string, 2> disturbances{
       over_steps(table, "Disturbance at the begin, deg", "disturbance / deg",
                  {degrees(table.disturbance_begin_rad.mean), degrees(table.disturbance_begin_rad.deviation)},
-                 [](const identify::Model& model) { return degrees(model.node_rad.front()); }),
+                 [](const identify::model::RollModel& model) { return degrees(model.node_rad.front()); }),
       over_steps(table, "Disturbance at the end, deg", "disturbance / deg",
                  {degrees(table.disturbance_end_rad.mean), degrees(table.disturbance_end_rad.deviation)},
-                 [](const identify::Model& model) { return degrees(model.node_rad.back()); })};
+                 [](const identify::model::RollModel& model) { return degrees(model.node_rad.back()); })};
   std::string body = plot::section(
       "Every step identified",
       steps_table(table) +
