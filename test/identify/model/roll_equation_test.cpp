@@ -8,6 +8,70 @@
 namespace fantail::identify::model {
 namespace {
 
+constexpr double alpha_m2 = 20.0;
+constexpr double beta_m = 9.0;
+const RollEquation equation = roll_equation({.inertia_kg_m2 = 0.004, .reference_area_m2 = 5e-5}, 1.2, 50.0);
+
+struct Roll {
+  double angle_rad;
+  double rate_rad_s;
+};
+
+// dp/dt = - damping p + acceleration, by ten thousand midpoint steps, under a deflection that runs straight.
+Roll integrated(Roll roll, double from_rad, double to_rad, double dt_s) {
+  constexpr int steps = 10000;
+  const double h = dt_s / steps;
+  const auto slope = [&](double share, double rate_rad_s) {
+    return equation.acceleration_rad_s2(beta_m, from_rad + share * (to_rad - from_rad)) -
+           equation.damping_rate_per_s(alpha_m2) * rate_rad_s;
+  };
+  for (int i = 0; i < steps; ++i) {
+    const double middle = roll.rate_rad_s + 0.5 * h * slope(static_cast<double>(i) / steps, roll.rate_rad_s);
+    roll.angle_rad += h * middle;
+    roll.rate_rad_s += h * slope((i + 0.5) / steps, middle);
+  }
+  return roll;
+}
+
+TEST(RollEquation, ItsCoefficientsAreThosePrinted) {
+  EXPECT_DOUBLE_EQ(equation.damping_per_m2_s, 0.5 * 1.2 * 50.0 * 5e-5 / 0.004);
+  EXPECT_DOUBLE_EQ(equation.authority_per_m_s2, 0.5 * 1.2 * 50.0 * 50.0 * 5e-5 / 0.004);
+}
+
+TEST(RollEquation, BothExactStepsSolveIt) {
+  constexpr Roll before{.angle_rad = 0.3, .rate_rad_s = -0.5};
+  constexpr double from_rad = 0.02;
+  constexpr double to_rad = -0.05;
+  for (const double dt_s : {0.001, 0.02, 0.5}) {
+    SCOPED_TRACE(dt_s);
+    const Roll straight = integrated(before, from_rad, to_rad, dt_s);
+    const RampStep ramp = ramp_step(equation.damping_rate_per_s(alpha_m2), dt_s);
+    const double g0 = equation.acceleration_rad_s2(beta_m, from_rad);
+    const double g1 = equation.acceleration_rad_s2(beta_m, to_rad);
+    EXPECT_NEAR(before.angle_rad + ramp.angle_change(before.rate_rad_s, g0, g1), straight.angle_rad, 1e-8);
+    EXPECT_NEAR(ramp.rate_after(before.rate_rad_s, g0, g1), straight.rate_rad_s, 1e-8);
+    const Roll flat = integrated(before, from_rad, from_rad, dt_s);
+    const HeldStep held = held_step(equation, alpha_m2, dt_s);
+    EXPECT_NEAR(before.angle_rad + held.angle_change(before.rate_rad_s, beta_m * from_rad), flat.angle_rad, 1e-8);
+    EXPECT_NEAR(held.rate_after(before.rate_rad_s, beta_m * from_rad), flat.rate_rad_s, 1e-8);
+  }
+}
+
+TEST(HeldStep, ItsSlopeIsThatOfDifferences) {
+  constexpr double change_m2 = 1e-3;
+  for (const double dt_s : {0.0, 0.001, 0.1}) {
+    SCOPED_TRACE(dt_s);
+    const HeldStep more = held_step(equation, alpha_m2 + change_m2, dt_s);
+    const HeldStep less = held_step(equation, alpha_m2 - change_m2, dt_s);
+    const auto [step, by_alpha] = held_step_and_slope(equation, alpha_m2, dt_s);
+    for (double HeldStep::* number :
+         {&HeldStep::decay, &HeldStep::angle_p_s, &HeldStep::rate_gain, &HeldStep::angle_gain}) {
+      EXPECT_EQ(step.*number, held_step(equation, alpha_m2, dt_s).*number);
+      EXPECT_NEAR(by_alpha.*number, (more.*number - less.*number) / (2.0 * change_m2), 1e-9);
+    }
+  }
+}
+
 TEST(RampStep, WithoutDampingItIsTheIntegralOfARamp) {
   const RampStep t = ramp_step(0.0, 0.01);
   EXPECT_DOUBLE_EQ(t.decay, 1.0);
