@@ -7,6 +7,7 @@
 #include <fmt/core.h>
 
 #include "report/numbers.hpp"
+#include "text/number.hpp"
 
 namespace fantail::identify {
 namespace {
@@ -55,7 +56,7 @@ std::optional<std::string> misfit(const Record& record, const Identification& re
       "The model does not follow this log all the way: what it leaves of the rate, {} deg/s, is motion and not noise. "
       "The "
       "intervals do not cover that. More nodes, another window or {} may help.",
-      report::brief(report::degrees(strength), 2), result.loop == Loop::open ? "--fit-lag" : "--servo-lag");
+      text::brief(report::degrees(strength), 2), result.loop == Loop::open ? "--fit-lag" : "--servo-lag");
 }
 
 }  // namespace fantail::identify

@@ -12,6 +12,7 @@
 
 #include "identify/words.hpp"
 #include "report/numbers.hpp"
+#include "text/number.hpp"
 
 namespace fantail::identify {
 namespace {
@@ -29,7 +30,7 @@ std::string all_nodes(const Identification& result) {
     most = std::max(most, half);
   }
   return fmt::format("The disturbance at its {} nodes is known to {} to {} deg either way.",
-                     result.model.node_rad.size(), report::brief(least, 3), report::brief(most, 3));
+                     result.model.node_rad.size(), text::brief(least, 3), text::brief(most, 3));
 }
 
 }  // namespace
@@ -60,10 +61,10 @@ std::vector<std::string> how_well_sentences(const Identification& result) {
     all.push_back(
         fmt::format("Alpha and beta go together (correlation {}): a larger alpha with a larger beta explains "
                     "the log nearly as well, so their ratio is known better than either.",
-                    report::fixed(u.correlation(0, 1), 2)));
+                    text::fixed(u.correlation(0, 1), 2)));
   }
-  const std::string strength = report::brief(degrees(u.residual_rms_rad), 3);
-  const std::string worth = report::fixed(u.effective_samples, 0);
+  const std::string strength = text::brief(degrees(u.residual_rms_rad), 3);
+  const std::string worth = text::fixed(u.effective_samples, 0);
   if (u.effective_samples > 0.5 * static_cast<double>(result.samples)) {
     all.push_back(fmt::format("The residual, {} deg, is new in every sample: each of the {} samples counts.", strength,
                               result.samples));
@@ -71,7 +72,7 @@ std::vector<std::string> how_well_sentences(const Identification& result) {
     all.push_back(
         fmt::format("The residual, {} deg, remembers itself for {} s: all {} samples together are worth about {} "
                     "independent {}. Faster sampling would not help; more time or more motion would.",
-                    strength, report::fixed(u.residual_correlation_s, 2), result.samples, worth == "1" ? "one" : worth,
+                    strength, text::fixed(u.residual_correlation_s, 2), result.samples, worth == "1" ? "one" : worth,
                     worth == "1" ? "reading" : "readings"));
   }
   return all;

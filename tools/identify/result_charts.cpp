@@ -14,9 +14,9 @@
 namespace fantail::identify {
 namespace {
 
-using plot::Chart;
-using plot::Role;
-using plot::Series;
+using page::Chart;
+using page::Role;
+using page::Series;
 using report::degrees;
 
 constexpr double half_width = 428.0;
@@ -144,7 +144,7 @@ Chart disturbance_chart(const WindowFindings& window) {
   for (std::size_t k = 0; k < window.results.size(); ++k) {
     const Identification& result = window.results[k];
     Series line{.name = model_name(window, result), .role = role(k)};
-    plot::Area band{.name = "95 % of it", .role = role(k)};
+    page::Area band{.name = "95 % of it", .role = role(k)};
     for (int i = 0; i <= points; ++i) {
       const double t = length_s * i / points;
       const Estimate there = disturbance_at(result, t);
@@ -170,7 +170,7 @@ Chart node_curve_chart(const Identification& result) {
   chart.y_label = "mean angle error / deg";
   chart.width = half_width;
   chart.equal_x_ticks_at_points = true;
-  Series curve{.name = "mean angle error", .role = Role::model, .mark = plot::Mark::line_and_points};
+  Series curve{.name = "mean angle error", .role = Role::model, .mark = page::Mark::line_and_points};
   double most = 0.0;
   for (const NodeTrial& trial : result.node_trials) {
     curve.x.push_back(static_cast<double>(trial.intervals));
@@ -180,12 +180,12 @@ Chart node_curve_chart(const Identification& result) {
   chart.series.push_back(std::move(curve));
   chart.levels.push_back(
       {.value = static_cast<double>(result.model.node_rad.size() - 1), .label = "chosen", .upright = true});
-  chart.y_range = plot::Range{0.0, 1.1 * most};
+  chart.y_range = page::Range{0.0, 1.1 * most};
   return chart;
 }
 
-plot::HeatMap error_map_chart(const WindowFindings& window, const ErrorMap& errors) {
-  plot::HeatMap map;
+page::HeatMap error_map_chart(const WindowFindings& window, const ErrorMap& errors) {
+  page::HeatMap map;
   map.label = "mean angle error over alpha and beta";
   map.x_label = "alpha / m\u00b2";
   map.y_label = "beta / m";

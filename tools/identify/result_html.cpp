@@ -11,8 +11,9 @@
 #include "identify/page_words.hpp"
 #include "identify/result_charts.hpp"
 #include "identify/words.hpp"
-#include "plot/page.hpp"
+#include "page/page.hpp"
 #include "report/numbers.hpp"
+#include "text/number.hpp"
 
 namespace fantail::identify {
 namespace {
@@ -26,18 +27,18 @@ std::string figures(const WindowFindings& window) {
   };
   const std::vector<double>& nodes = result.model.node_rad;
   const auto [low, high] = std::ranges::minmax(nodes);
-  const std::string least = report::fixed(degrees(low), 1);
-  const std::string most = report::fixed(degrees(high), 1);
-  return plot::figure_row(std::vector<plot::Figure>{
-      {"damping alpha", report::brief(result.model.alpha_m2, 2), "m\u00b2", range(0)},
-      {"torque constant beta", report::brief(result.model.beta_m, 2), "m", range(1)},
+  const std::string least = text::fixed(degrees(low), 1);
+  const std::string most = text::fixed(degrees(high), 1);
+  return page::figure_row(std::vector<page::Figure>{
+      {"damping alpha", text::brief(result.model.alpha_m2, 2), "m\u00b2", range(0)},
+      {"torque constant beta", text::brief(result.model.beta_m, 2), "m", range(1)},
       {"disturbance", least == most ? least : least + " to " + most, "deg", "as an equivalent canard angle"},
-      {"mean angle error", report::fixed(degrees(result.simulation.mean_abs_angle_error_rad), 2), "deg",
-       fmt::format("rate: {} deg/s", report::fixed(degrees(result.simulation.mean_abs_rate_error_rad_s), 1))}});
+      {"mean angle error", text::fixed(degrees(result.simulation.mean_abs_angle_error_rad), 2), "deg",
+       fmt::format("rate: {} deg/s", text::fixed(degrees(result.simulation.mean_abs_rate_error_rad_s), 1))}});
 }
 
 std::string numbers_table(const WindowFindings& window) {
-  std::vector<plot::Column> columns{{"", false}};
+  std::vector<page::Column> columns{{"", false}};
   std::size_t nodes = 0;
   for (const Identification& result : window.results) {
     const std::string who = fmt::format("{}, {} loop", name(result.method), name(result.loop));
@@ -45,9 +46,9 @@ std::string numbers_table(const WindowFindings& window) {
     columns.push_back({"95 %", true});
     nodes = std::max(nodes, result.model.node_rad.size());
   }
-  std::vector<std::vector<plot::Cell>> rows;
+  std::vector<std::vector<page::Cell>> rows;
   for (std::size_t k = 0; k < nodes + 2; ++k) {
-    std::vector<plot::Cell> row{{k == 0   ? "damping alpha / m\u00b2"
+    std::vector<page::Cell> row{{k == 0   ? "damping alpha / m\u00b2"
                                  : k == 1 ? "torque constant beta / m"
                                           : "disturbance / deg, " + node_label(window, k - 2)}};
     for (const Identification& result : window.results) {
@@ -57,15 +58,15 @@ std::string numbers_table(const WindowFindings& window) {
     }
     rows.push_back(std::move(row));
   }
-  std::vector<plot::Cell> angle{{"mean angle error / deg"}};
-  std::vector<plot::Cell> rate{{"mean rate error / deg/s"}};
+  std::vector<page::Cell> angle{{"mean angle error / deg"}};
+  std::vector<page::Cell> rate{{"mean rate error / deg/s"}};
   for (const Identification& result : window.results) {
-    angle.insert(angle.end(), {{report::fixed(degrees(result.simulation.mean_abs_angle_error_rad), 3)}, {""}});
-    rate.insert(rate.end(), {{report::fixed(degrees(result.simulation.mean_abs_rate_error_rad_s), 2)}, {""}});
+    angle.insert(angle.end(), {{text::fixed(degrees(result.simulation.mean_abs_angle_error_rad), 3)}, {""}});
+    rate.insert(rate.end(), {{text::fixed(degrees(result.simulation.mean_abs_rate_error_rad_s), 2)}, {""}});
   }
   rows.push_back(std::move(angle));
   rows.push_back(std::move(rate));
-  return plot::table(columns, rows);
+  return page::table(columns, rows);
 }
 
 std::string knowledge(const WindowFindings& window) {
@@ -73,32 +74,32 @@ std::string knowledge(const WindowFindings& window) {
   if (!result.uncertainty) {
     return "";
   }
-  return plot::section(
+  return page::section(
       "How well each number is known",
-      plot::paragraph("Nineteen times in twenty the truth lies inside the range that is stated, if the "
+      page::paragraph("Nineteen times in twenty the truth lies inside the range that is stated, if the "
                       "model holds and the residual goes on as it was.") +
-          plot::list(how_well_sentences(result)));
+          page::list(how_well_sentences(result)));
 }
 
 std::string pictures(const WindowFindings& window) {
-  std::string motion = plot::figure(plot::svg(angle_chart(window)), "");
-  motion += plot::figure(plot::svg(rate_chart(window)), "");
-  const std::vector<std::string> left_over{plot::figure(plot::svg(angle_residual_chart(window)), ""),
-                                           plot::figure(plot::svg(rate_residual_chart(window)), "")};
-  std::string out = plot::section("Measured and modelled", motion);
-  out += plot::section(
+  std::string motion = page::figure(page::svg(angle_chart(window)), "");
+  motion += page::figure(page::svg(rate_chart(window)), "");
+  const std::vector<std::string> left_over{page::figure(page::svg(angle_residual_chart(window)), ""),
+                                           page::figure(page::svg(rate_residual_chart(window)), "")};
+  std::string out = page::section("Measured and modelled", motion);
+  out += page::section(
       "What the model leaves",
-      plot::paragraph("Measured minus modelled. A good model leaves noise without a shape; slow waves mean that the "
+      page::paragraph("Measured minus modelled. A good model leaves noise without a shape; slow waves mean that the "
                       "disturbance needs more nodes, spikes at each move of the canards a lag.") +
-          plot::figures(left_over));
-  std::vector<std::string> inputs{plot::figure(
-      plot::svg(disturbance_chart(window)),
+          page::side_by_side(left_over));
+  std::vector<std::string> inputs{page::figure(
+      page::svg(disturbance_chart(window)),
       "The disturbance acts like a canard that is set by this angle; the band is where it lies with 95 %.")};
-  const plot::Chart canards = canard_chart(window);
+  const page::Chart canards = canard_chart(window);
   if (!canards.series.empty()) {
-    inputs.push_back(plot::figure(plot::svg(canards), "What drove the rocket on purpose."));
+    inputs.push_back(page::figure(page::svg(canards), "What drove the rocket on purpose."));
   }
-  return out + plot::section("What turned the rocket", plot::figures(inputs));
+  return out + page::section("What turned the rocket", page::side_by_side(inputs));
 }
 
 std::string searches(const WindowFindings& window) {
@@ -106,19 +107,19 @@ std::string searches(const WindowFindings& window) {
   const auto mapped =
       std::ranges::find_if(window.results, [](const Identification& r) { return r.error_map.has_value(); });
   if (mapped != window.results.end()) {
-    out += plot::section(
+    out += page::section(
         "The error over alpha and beta",
-        plot::figure(plot::svg(error_map_chart(window, *mapped->error_map)),
+        page::figure(page::svg(error_map_chart(window, *mapped->error_map)),
                      "Each cell: the disturbance that fits best, and the mean angle error that is left. A long dark "
                      "valley means that many pairs explain the log alike."));
   }
   for (const Identification& result : window.results) {
     if (!result.node_trials.empty()) {
-      out += plot::section(
+      out += page::section(
           fmt::format("How many nodes ({})", name(result.method)),
-          plot::paragraph("More intervals always fit better. As few are chosen as come within a tenth, or a "
+          page::paragraph("More intervals always fit better. As few are chosen as come within a tenth, or a "
                           "hundredth of a degree, of the least error.") +
-              plot::figure(plot::svg(node_curve_chart(result)), ""));
+              page::figure(page::svg(node_curve_chart(result)), ""));
     }
   }
   return out;
@@ -134,30 +135,30 @@ std::string remark_list(const Study& study, const WindowFindings& window) {
   }
   if (window.lag_is_fitted || window.lag_s != 0.0) {
     all.push_back(fmt::format("Canard angles are taken {} ms {} than they are logged{}.",
-                              report::brief(1000.0 * std::abs(window.lag_s), 1),
-                              window.lag_s < 0.0 ? "earlier" : "later", window.lag_is_fitted ? ", as fitted" : ""));
+                              text::brief(1000.0 * std::abs(window.lag_s), 1), window.lag_s < 0.0 ? "earlier" : "later",
+                              window.lag_is_fitted ? ", as fitted" : ""));
   }
-  return all.empty() ? "" : plot::section("Remarks", plot::list(all));
+  return all.empty() ? "" : page::section("Remarks", page::list(all));
 }
 
 std::string part(const Study& study, const WindowFindings& window) {
   std::string out = figures(window) + numbers_table(window);
   if (study.windows.size() > 1) {
     const Identification& result = main_result(window);
-    out = plot::section("Window " + window.record.window,
-                        plot::paragraph(extent(window.record)) +
-                            (result.uncertainty ? plot::paragraph(sentence(result.uncertainty->verdict)) : "") + out);
+    out = page::section("Window " + window.record.window,
+                        page::paragraph(extent(window.record)) +
+                            (result.uncertainty ? page::paragraph(sentence(result.uncertainty->verdict)) : "") + out);
   } else {
-    out = plot::section("The roll model", out);
+    out = page::section("The roll model", out);
   }
   return out + knowledge(window) + pictures(window) + searches(window) + remark_list(study, window);
 }
 
-void judge_one(const WindowFindings& window, plot::Page& page) {
+void judge_one(const WindowFindings& window, page::Page& page) {
   const Identification& result = main_result(window);
   page.subtitle += fmt::format("; window {}, {}", window.record.window, extent(window.record));
   const auto doubt = misfit(window.record, result);
-  page.tone = tells(window) && !doubt ? plot::Tone::good : plot::Tone::unsure;
+  page.tone = tells(window) && !doubt ? page::Tone::good : page::Tone::unsure;
   if (!tells(window)) {
     page.verdict_heading = "This window does not tell both damping and torque";
     page.verdict = result.uncertainty ? sentence(result.uncertainty->verdict) : "";
@@ -170,18 +171,18 @@ void judge_one(const WindowFindings& window, plot::Page& page) {
   }
 }
 
-void judge_several(const Study& study, plot::Page& page) {
+void judge_several(const Study& study, page::Page& page) {
   const auto good = std::ranges::count_if(study.windows, tells);
   const auto doubtful = std::ranges::count_if(study.windows, [](const WindowFindings& window) {
     return misfit(window.record, main_result(window)).has_value();
   });
   const auto all = std::ssize(study.windows);
-  page.tone = good == all && doubtful == 0 ? plot::Tone::good : plot::Tone::unsure;
+  page.tone = good == all && doubtful == 0 ? page::Tone::good : page::Tone::unsure;
   page.verdict_heading = fmt::format("{} of {} windows tell damping and torque", good, all);
   for (const WindowFindings& window : study.windows) {
     const Model& model = main_result(window).model;
-    page.verdict += fmt::format("{}: alpha {}, beta {}. ", window.record.window, report::brief(model.alpha_m2, 2),
-                                report::brief(model.beta_m, 2));
+    page.verdict += fmt::format("{}: alpha {}, beta {}. ", window.record.window, text::brief(model.alpha_m2, 2),
+                                text::brief(model.beta_m, 2));
   }
   if (doubtful > 0) {
     page.verdict +=
@@ -192,7 +193,7 @@ void judge_several(const Study& study, plot::Page& page) {
 }  // namespace
 
 std::string result_html(const Study& study) {
-  plot::Page page;
+  page::Page page;
   page.kind = "Fantail identification report";
   page.title = study.data;
   page.subtitle = printable(fmt::format("{}; density {}; speed {}", study.vehicle, study.density, study.speed));
@@ -204,7 +205,7 @@ std::string result_html(const Study& study) {
   for (const WindowFindings& window : study.windows) {
     page.body_html += part(study, window);
   }
-  return plot::html(page);
+  return page::html(page);
 }
 
 }  // namespace fantail::identify

@@ -7,6 +7,7 @@
 
 #include "identify/words.hpp"
 #include "report/numbers.hpp"
+#include "text/number.hpp"
 
 namespace fantail::identify {
 namespace {
@@ -56,7 +57,7 @@ class Text {
     line("");
     line("window {}: {}", window.record.window, extent(window.record));
     if (window.lag_is_fitted || window.lag_s != 0.0) {
-      line("  canard angles taken {} ms {}{}", report::brief(1000.0 * std::abs(window.lag_s), 1),
+      line("  canard angles taken {} ms {}{}", text::brief(1000.0 * std::abs(window.lag_s), 1),
            window.lag_s < 0.0 ? "earlier" : "later", window.lag_is_fitted ? " (fitted)" : "");
     }
     row(window, "", [](const Identification& r) { return fmt::format("{}, {} loop", name(r.method), name(r.loop)); });
@@ -71,11 +72,10 @@ class Text {
     for (std::size_t k = 0; k < nodes; ++k) {
       row(window, "  " + node_label(window, k), [&](const Identification& r) { return node_value(window, r, k); });
     }
-    row(window, "mean angle error / deg", [](const Identification& r) {
-      return report::fixed(report::degrees(r.simulation.mean_abs_angle_error_rad), 3);
-    });
+    row(window, "mean angle error / deg",
+        [](const Identification& r) { return text::fixed(report::degrees(r.simulation.mean_abs_angle_error_rad), 3); });
     row(window, "mean rate error / deg/s", [](const Identification& r) {
-      return report::fixed(report::degrees(r.simulation.mean_abs_rate_error_rad_s), 2);
+      return text::fixed(report::degrees(r.simulation.mean_abs_rate_error_rad_s), 2);
     });
     for (const Identification& result : window.results) {
       node_curve(result);
@@ -94,7 +94,7 @@ class Text {
     }
     line("  intervals of the disturbance, and the mean angle error ({}):", name(result.method));
     for (const NodeTrial& trial : result.node_trials) {
-      line("    {}  {} deg{}", trial.intervals, report::fixed(report::degrees(trial.mean_abs_angle_error_rad), 3),
+      line("    {}  {} deg{}", trial.intervals, text::fixed(report::degrees(trial.mean_abs_angle_error_rad), 3),
            trial.intervals + 1 == result.model.node_rad.size() ? "  chosen" : "");
     }
   }

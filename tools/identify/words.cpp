@@ -7,6 +7,7 @@
 #include <fmt/core.h>
 
 #include "report/numbers.hpp"
+#include "text/number.hpp"
 
 namespace fantail::identify {
 namespace {
@@ -28,10 +29,10 @@ std::string subject(std::size_t number, const Model& model) {
   if (model.node_time_s.size() == 1) {
     return "The disturbance";
   }
-  return fmt::format("The disturbance {} s into the window", report::brief(model.node_time_s[number - 2], 2));
+  return fmt::format("The disturbance {} s into the window", text::brief(model.node_time_s[number - 2], 2));
 }
 
-std::string percent(double share) { return report::brief(100.0 * share, share < 0.0995 ? 1 : 0) + " %"; }
+std::string percent(double share) { return text::brief(100.0 * share, share < 0.0995 ? 1 : 0) + " %"; }
 
 bool share_nodes(const WindowFindings& window) {
   const auto& first = window.results.front().model.node_time_s;
@@ -53,11 +54,11 @@ std::vector<double> numbers(const Model& model) {
 std::string with_deviation(const Identification& result, std::size_t number, double scale) {
   const double value = scale * numbers(result.model)[number];
   if (!result.uncertainty) {
-    return report::fixed(value, most_decimals);
+    return text::fixed(value, most_decimals);
   }
   const double deviation = scale * result.uncertainty->standard_deviation[number];
   const int places = decimals(deviation);
-  return report::fixed(value, places) + " +- " + report::fixed(deviation, places);
+  return text::fixed(value, places) + " +- " + text::fixed(deviation, places);
 }
 
 std::string words(const Interval& interval, double scale) {
@@ -65,12 +66,12 @@ std::string words(const Interval& interval, double scale) {
   const double high = scale * interval.high.value_or(0.0);
   const int places = decimals(interval.low && interval.high ? 0.25 * (high - low) : 0.05 * std::abs(low + high));
   if (interval.low && interval.high) {
-    return report::fixed(low, places) + " to " + report::fixed(high, places);
+    return text::fixed(low, places) + " to " + text::fixed(high, places);
   }
   if (interval.low) {
-    return "above " + report::fixed(low, places);
+    return "above " + text::fixed(low, places);
   }
-  return interval.high ? "below " + report::fixed(high, places) : "not bounded by this window";
+  return interval.high ? "below " + text::fixed(high, places) : "not bounded by this window";
 }
 
 const Interval& interval_of(const Identification& result, std::size_t number) {
@@ -86,16 +87,16 @@ std::string how_well(const Identification& result, std::size_t number) {
   const double value = scale * numbers(result.model)[number];
   const Interval& interval = interval_of(result, number);
   if (!interval.low || !interval.high) {
-    return fmt::format("{} is {} {} from this window, but {}: the data do not tell.", who, report::brief(value, 2),
-                       unit, words(interval, scale));
+    return fmt::format("{} is {} {} from this window, but {}: the data do not tell.", who, text::brief(value, 2), unit,
+                       words(interval, scale));
   }
   const double half = 0.5 * scale * (*interval.high - *interval.low);
   const int places = decimals(0.5 * half);
-  const std::string range = fmt::format("between {} and {} {}", report::fixed(scale * *interval.low, places),
-                                        report::fixed(scale * *interval.high, places), unit);
+  const std::string range = fmt::format("between {} and {} {}", text::fixed(scale * *interval.low, places),
+                                        text::fixed(scale * *interval.high, places), unit);
   if (angle) {
     return fmt::format("{} lies {}: known to {} deg either way.", who, range,
-                       report::brief(half, std::min(decimals(half), 3)));
+                       text::brief(half, std::min(decimals(half), 3)));
   }
   const double share = half / std::abs(value);
   return fmt::format("{} lies {}: {}.", who, range,
@@ -109,7 +110,7 @@ std::string node_label(const WindowFindings& window, std::size_t node) {
   if (!share_nodes(window)) {
     return fmt::format("node {}", node + 1);
   }
-  return times.size() == 1 ? "throughout" : fmt::format("{} s in", report::brief(times[node], 2));
+  return times.size() == 1 ? "throughout" : fmt::format("{} s in", text::brief(times[node], 2));
 }
 
 std::string node_value(const WindowFindings& window, const Identification& result, std::size_t node) {
@@ -117,13 +118,12 @@ std::string node_value(const WindowFindings& window, const Identification& resul
     return "";
   }
   const std::string value = with_deviation(result, node + 2, report::degrees(1.0));
-  return share_nodes(window) ? value
-                             : fmt::format("{} at {} s", value, report::brief(result.model.node_time_s[node], 2));
+  return share_nodes(window) ? value : fmt::format("{} at {} s", value, text::brief(result.model.node_time_s[node], 2));
 }
 
 std::string extent(const Record& record) {
-  return fmt::format("{} s to {} s on the log's clock, {} samples", report::brief(record.window_begin_s, 3),
-                     report::brief(record.window_begin_s + record.time_s.back(), 3), record.size());
+  return fmt::format("{} s to {} s on the log's clock, {} samples", text::brief(record.window_begin_s, 3),
+                     text::brief(record.window_begin_s + record.time_s.back(), 3), record.size());
 }
 
 std::vector<std::string> remarks(const WindowFindings& window, const Identification& result) {

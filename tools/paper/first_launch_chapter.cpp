@@ -11,6 +11,7 @@
 #include "paper/drawing.hpp"
 #include "report/numbers.hpp"
 #include "report/results.hpp"
+#include "text/number.hpp"
 
 namespace fantail::paper {
 namespace {
@@ -169,7 +170,7 @@ void add_limit(std::vector<Claim>& claims, const report::Flight& flight, const r
        .theirs = "yes",
        .ours = lasts && highest_rate_deg_s < 0.0
                    ? fmt::format("yes: from {:.2f} s after lift-off, never above {} deg/s", *figures.at_limit_since_s,
-                                 report::with_minus(report::fixed(highest_rate_deg_s, 1)))
+                                 text::with_minus(text::fixed(highest_rate_deg_s, 1)))
                    : "no",
        .difference = {},
        .finding = lasts && highest_rate_deg_s < 0.0 ? Finding::reproduced : Finding::differs,
@@ -185,9 +186,7 @@ Chapter first_launch_chapter(const Tell& tell) {
   Chapter chapter{.title = "Launch 1",
                   .introduction =
                       "Tasha III, 22 July 2015: gains 1 and 0.1 s, canards limited to 6 degrees, and a fin offset "
-                      "beyond that. Flown here with the printed plan, masses and model.",
-                  .claims = {},
-                  .figures_html = {}};
+                      "beyond that. Flown here with the printed plan, masses and model."};
   add_ascent(chapter.claims, flight, figures);
   add_transient(chapter.claims, flight);
   add_modelled_drop(chapter.claims, run);
@@ -220,36 +219,37 @@ Chapter first_launch_chapter(const Tell& tell) {
                                        "They measure what the model leaves out of a real flight."));
 
   const Stretch flown{.zero_s = *flight.events.detected_s, .from_s = *flight.events.detected_s - 0.2, .to_s = to_s};
-  const auto figure = [&](const std::string& label, const std::string& unit, std::vector<plot::Series> series,
+  const auto figure = [&](const std::string& label, const std::string& unit, std::vector<page::Series> series,
                           const std::string& caption) {
     chapter.figures_html.push_back(half_width_figure(
         {.label = label, .x_label = "time after launch detection / s", .y_label = unit, .series = std::move(series)},
         caption));
   };
   figure("Roll rate of launch 1", "roll rate / deg/s",
-         {curve(run, flown, "simulated", plot::Role::measured, true_rate_deg_s)}, "As figures 18 and 19a: roll rate.");
+         {curve(run, flown, "simulated", page::Role::measured, true_rate_deg_s)}, "As figures 18 and 19a: roll rate.");
   figure("Canard angle of launch 1", "canard angle / deg",
-         {curve(run, flown, "mean of the canards", plot::Role::measured, true_canard_deg)},
+         {curve(run, flown, "mean of the canards", page::Role::measured, true_canard_deg)},
          "As figure 19b: the canards reach their limit and stay there.");
   std::vector<double> time_s = record.time_s;
   for (double& t : time_s) {
     t += from_s - flown.zero_s;
   }
-  figure(
-      "Roll angle of launch 1", "roll angle / deg",
-      {curve(time_s, degrees(record.roll_angle_rad), "simulated flight", plot::Role::measured),
-       curve(time_s, degrees(open.simulation.roll_angle_rad), "identified, open loop", plot::Role::model),
-       curve(time_s, degrees(closed.simulation.roll_angle_rad), "identified, closed loop", plot::Role::second_model)},
-      "As figures 20a, 21a and 22a: roll angle, and both identified models.");
+  figure("Roll angle of launch 1", "roll angle / deg",
+         {curve(time_s, report::in_degrees(record.roll_angle_rad), "simulated flight", page::Role::measured),
+          curve(time_s, report::in_degrees(open.simulation.roll_angle_rad), "identified, open loop", page::Role::model),
+          curve(time_s, report::in_degrees(closed.simulation.roll_angle_rad), "identified, closed loop",
+                page::Role::second_model)},
+         "As figures 20a, 21a and 22a: roll angle, and both identified models.");
   std::vector<double> node_s = nodes;
   for (double& t : node_s) {
     t += from_s - flown.zero_s;
   }
-  figure("Disturbance of launch 1", "equivalent fin offset / deg",
-         {curve(run, flown, "in the simulated flight", plot::Role::measured, true_disturbance_deg),
-          curve(node_s, degrees(open.model.node_rad), "identified, open loop", plot::Role::model),
-          curve(node_s, degrees(closed.model.node_rad), "identified, closed loop", plot::Role::second_model)},
-         "As figures 21b and 22b: the offset grows with speed until burn-out and stays near \u22127 degrees.");
+  figure(
+      "Disturbance of launch 1", "equivalent fin offset / deg",
+      {curve(run, flown, "in the simulated flight", page::Role::measured, true_disturbance_deg),
+       curve(node_s, report::in_degrees(open.model.node_rad), "identified, open loop", page::Role::model),
+       curve(node_s, report::in_degrees(closed.model.node_rad), "identified, closed loop", page::Role::second_model)},
+      "As figures 21b and 22b: the offset grows with speed until burn-out and stays near \u22127 degrees.");
   return chapter;
 }
 

@@ -11,6 +11,7 @@
 #include "paper/published_steps.hpp"
 #include "report/numbers.hpp"
 #include "sim/units.hpp"
+#include "text/number.hpp"
 
 namespace fantail::paper {
 namespace {
@@ -66,15 +67,15 @@ Claim row_claim(const PublishedStep& row, const identify::Identification& found)
                       std::abs(begin_deg - row.disturbance_begin_deg) <= 0.03 &&
                       std::abs(end_deg - row.disturbance_end_deg) <= 0.03;
   const auto numbers = [](double alpha_m2, double beta_m, double from_deg, double to_deg) {
-    return report::with_minus(fmt::format("{:g}, {:g}, {:.2f} to {:.2f} deg", alpha_m2, beta_m, from_deg, to_deg));
+    return text::with_minus(fmt::format("{:g}, {:g}, {:.2f} to {:.2f} deg", alpha_m2, beta_m, from_deg, to_deg));
   };
   return {.place = "Table 2, step " + std::to_string(row.step),
           .what = "Damping, torque constant, offset at the begin and end",
           .theirs = numbers(row.alpha_m2, row.beta_m, row.disturbance_begin_deg, row.disturbance_end_deg),
           .ours = numbers(model.alpha_m2, model.beta_m, begin_deg, end_deg),
-          .difference = report::with_minus(
-              fmt::format("{:g}, {:g}, {:.3f} and {:.3f} deg", model.alpha_m2 - row.alpha_m2, model.beta_m - row.beta_m,
-                          begin_deg - row.disturbance_begin_deg, end_deg - row.disturbance_end_deg)),
+          .difference = text::with_minus(fmt::format("{:g}, {:g}, {:.3f} and {:.3f} deg", model.alpha_m2 - row.alpha_m2,
+                                                     model.beta_m - row.beta_m, begin_deg - row.disturbance_begin_deg,
+                                                     end_deg - row.disturbance_end_deg)),
           .finding = agrees ? Finding::reproduced : Finding::differs,
           .why = agrees ? "The step flown with the printed numbers, identified on the published grid."
                         : "The reason is not known."};
@@ -127,9 +128,7 @@ Chapter steps_chapter(const Tell& tell) {
                       "Launch 2's rocket on a string at 22 m/s, eight steps of 45 degrees, gains 0.5 and 0.05 s, "
                       "five seconds of each identified with a disturbance that runs straight. The measured "
                       "steps are not published: each is flown here with the numbers that were printed for it, "
-                      "and the published search must find them again.",
-                  .claims = {},
-                  .figures_html = {}};
+                      "and the published search must find them again."};
   std::optional<Repeated> sixth;
   for (const PublishedStep& row : rows) {
     Repeated repeated = repeat(row, tunnel);
@@ -159,14 +158,14 @@ Chapter steps_chapter(const Tell& tell) {
                                        "They measure what the model leaves out of a real step."));
   const auto figure = [&](const std::string& label, const std::string& unit, const std::vector<double>& flown,
                           const std::vector<double>& model, const std::string& caption) {
-    chapter.figures_html.push_back(
-        half_width_figure({.label = label,
-                           .x_label = "time / s",
-                           .y_label = unit,
-                           .series = {curve(sixth->record.time_s, degrees(flown),
-                                            "step 6, flown with the printed numbers", plot::Role::measured),
-                                      curve(sixth->record.time_s, degrees(model), "identified", plot::Role::model)}},
-                          caption));
+    chapter.figures_html.push_back(half_width_figure(
+        {.label = label,
+         .x_label = "time / s",
+         .y_label = unit,
+         .series = {curve(sixth->record.time_s, report::in_degrees(flown), "step 6, flown with the printed numbers",
+                          page::Role::measured),
+                    curve(sixth->record.time_s, report::in_degrees(model), "identified", page::Role::model)}},
+        caption));
   };
   figure("Roll angle of step 6", "roll angle / deg", sixth->record.roll_angle_rad,
          sixth->found.simulation.roll_angle_rad,

@@ -9,7 +9,6 @@
 #include "predict/loop_at_speed.hpp"
 #include "predict/team.hpp"
 #include "report/flight.hpp"
-#include "report/numbers.hpp"
 #include "sim/input_error.hpp"
 
 namespace fantail::predict {

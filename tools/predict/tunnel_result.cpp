@@ -9,13 +9,14 @@
 #include "logs/table.hpp"
 #include "report/numbers.hpp"
 #include "sim/input_error.hpp"
+#include "text/number.hpp"
 
 namespace fantail::predict {
 namespace {
 
-using report::brief;
 using report::degrees;
 using report::radians;
+using text::brief;
 
 constexpr double largest_angle_deg = 45.0;
 

@@ -5,11 +5,13 @@
 
 #include <fmt/core.h>
 
+#include "text/number.hpp"
+
 namespace fantail::predict {
 
-using report::brief;
 using report::degrees;
-using report::fixed;
+using text::brief;
+using text::fixed;
 
 std::string percent(double share) {
   const double value = 100.0 * share;
