@@ -56,6 +56,19 @@ TEST(Chart, AGapOfOneSampleInAHundredThousandStillBreaksTheLine) {
   EXPECT_EQ(SvgReader::strokes(read.tags("path", "line measured").at(0)).size(), 2U);
 }
 
+TEST(Chart, WhereSamplesAreMissingASampledLineBreaksAndOthersDoNot) {
+  Chart chart = with_ranges(line({0, 1, 2, 3, 4, 9.5, 10}, {0, 0.1, 0, 0.1, 0, 0.1, 0}));
+  EXPECT_EQ(SvgReader::strokes(SvgReader{svg(chart)}.tags("path", "line measured").at(0)).size(), 1U);
+  chart.sampled = true;
+  EXPECT_EQ(SvgReader::strokes(SvgReader{svg(chart)}.tags("path", "line measured").at(0)).size(), 2U);
+}
+
+TEST(Chart, TheHeightOfARangeIsThatOfWhatIsSeen) {
+  Chart chart{.series = {line({0, 1, 2, 3}, {0, 1, 0, 1000})}, .x_range = Range{0, 2}};
+  EXPECT_TRUE(SvgReader{svg(chart)}.has_text("1"));
+  EXPECT_FALSE(SvgReader{svg(chart)}.has_text("1000"));
+}
+
 TEST(Chart, APeakOfOneSampleIsNeverThinnedAway) {
   Series series = line({}, {});
   for (int i = 0; i < 100'000; ++i) {

@@ -54,6 +54,41 @@ TEST(ChartWords, TwoNamesOfOneRoleAreDashedDifferently) {
   EXPECT_EQ(read.tags("path", "line measured dash2\"").size(), 2U);
 }
 
+TEST(ChartWords, AColouredStripeIsNamedInTheLegendAndAGreyOneAboveItself) {
+  Chart chart{.series = {named("measured")}};
+  chart.stripes = {{0.0, 0.3, "pad"}, {0.3, 0.5, "control", Role::measured}, {0.6, 0.9, "control", Role::measured}};
+  const SvgReader read{svg(chart)};
+  EXPECT_EQ(std::ranges::count(read.texts(), "control"), 1);
+  EXPECT_EQ(read.tags("path", "stripe measured").size(), 1U);
+  EXPECT_EQ(read.tags("rect", "stripe measured").size(), 2U);
+  EXPECT_TRUE(read.has_text("pad"));
+}
+
+TEST(ChartWords, WhatWasMeasuredIsBroadUnderAModelUnlessATargetIs) {
+  const Series model = named("model", Role::model);
+  EXPECT_TRUE(SvgReader{svg({.series = {named("measured"), model}})}.holds("line measured beneath"));
+  EXPECT_FALSE(SvgReader{svg({.series = {named("measured"), model, named("true", Role::target)}})}.holds("beneath"));
+}
+
+TEST(ChartWords, TheLineOfAnEventReachesUpToItsLabelAndCrossesNoEarlierOne) {
+  Chart chart{.series = {named("")}};
+  for (const char* label : {"first event", "second event", "third event"}) {
+    chart.levels.push_back(
+        {.value = 0.5 + 0.01 * static_cast<double>(chart.levels.size()), .label = label, .upright = true});
+  }
+  const SvgReader read{svg(chart)};
+  const auto lines = read.tags("path", "level neutral");
+  const auto labels = read.tags("text", "mark");
+  ASSERT_EQ(lines.size(), 6U);  // of each event in the frame, then above it
+  ASSERT_EQ(labels.size(), 3U);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto line = SvgReader::strokes(lines[3 + i]).at(0);
+    EXPECT_LT(line[1].y, SvgReader::number(labels[i], "y"));
+    EXPECT_LT(line[0].x, SvgReader::number(labels[i], "x"));
+    EXPECT_TRUE(i == 0 || line[1].y > SvgReader::number(labels[i - 1], "y"));
+  }
+}
+
 TEST(ChartWords, LegendsThatDoNotFitOneRowTakeMore) {
   Chart chart{.width = 428.0};
   for (int i = 0; i < 12; ++i) {

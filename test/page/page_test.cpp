@@ -45,10 +45,26 @@ TEST(Page, WithoutAVerdictThereIsNone) {
   EXPECT_FALSE(holds(html(page), "<section class=\"verdict"));
 }
 
+TEST(Page, FactsAndFindingsStandWithTitleAndVerdict) {
+  Page page = example();
+  page.facts = {{"Plan", "p<1>"}, {"Date", ""}};
+  page.findings = {{"Canard 3:", "told -9"}, {"", "and <so> on"}};
+  page.stamped = true;
+  page.footer = "Made by x & y";
+  const std::string text = html(page);
+  EXPECT_TRUE(holds(text, "<div><dt>Plan</dt><dd>p&lt;1&gt;</dd></div>"));
+  EXPECT_FALSE(holds(text, "Date"));
+  EXPECT_TRUE(holds(text, "<section class=\"verdict bad stamped\">"));
+  EXPECT_TRUE(holds(text, "<li><b>Canard 3:</b> told \u22129</li>\n<li>and &lt;so&gt; on</li>"));
+  EXPECT_TRUE(holds(text, "Made by x &amp; y</footer>\n</main>"));
+}
+
 TEST(Page, ParagraphsListsAndCaptionsAreEscaped) {
   EXPECT_EQ(paragraph("a < -3"), "<p>a &lt; \u22123</p>\n");
   const std::vector<std::string> sentences{"<1>", "two"};
   EXPECT_EQ(list(sentences), "<ul>\n<li>&lt;1&gt;</li>\n<li>two</li>\n</ul>\n");
+  EXPECT_EQ(list(std::vector<Cell>{{"kept", Tone::good}, {"lost", Tone::bad}}),
+            "<ul>\n<li class=\"good\">kept</li>\n<li class=\"bad\">lost</li>\n</ul>\n");
   EXPECT_TRUE(holds(figure("<svg></svg>", "a & b"), "<figcaption>a &amp; b</figcaption>"));
   EXPECT_TRUE(holds(section("a & b", ""), "<h2>a &amp; b</h2>"));
 }
@@ -60,6 +76,8 @@ TEST(Page, NumbersOfATableStandRightAndTonesAreClasses) {
   EXPECT_TRUE(holds(text, "<th scope=\"col\">what &lt;is&gt;</th><th scope=\"col\" class=\"number\">value</th>"));
   EXPECT_TRUE(holds(text, "<tr><td>a&amp;b</td><td class=\"number bad\">\u22121.5</td></tr>"));
   EXPECT_TRUE(holds(text, "<tr><td class=\"good\">c</td><td class=\"number\">2</td></tr>"));
+  const std::vector<std::vector<Cell>> two_lines{{{"1", Tone::plain, "<2>", Tone::bad}}};
+  EXPECT_TRUE(holds(table(columns, two_lines), "<td>1<small class=\"bad\">&lt;2&gt;</small></td>"));
 }
 
 TEST(Page, FiguresShowLabelValueUnitAndRemark) {

@@ -67,5 +67,11 @@ TEST(Thinning, EveryStretchKeepsItsSmallestAndLargestValueOfNoise) {
   }
 }
 
+TEST(Thinning, AGapIsFiveTimesTheUsualStep) {
+  EXPECT_EQ(gaps(std::vector<double>{0, 1, 2, 3, 9, 10, 15}), std::vector<std::size_t>{4});
+  EXPECT_TRUE(gaps(std::vector<double>{0, 1}).empty());
+  EXPECT_TRUE(gaps({}).empty());
+}
+
 }  // namespace
 }  // namespace fantail::page

@@ -26,7 +26,7 @@ constexpr std::size_t after_step = 200;
 Chart chart_of(const Course& course, const Window& window, std::size_t zero, double ticks_per_unit) {
   Chart chart{.y_label = "deg",
               .width = page::half_page,
-              .height = 190.0,
+              .height = 180.0,
               .series = {{.name = "command", .role = Role::target}, {.name = "encoder"}}};
   for (std::size_t i = window.begin; i < window.end; ++i) {
     const double time = (static_cast<double>(i) - static_cast<double>(zero)) / ticks_per_unit;
@@ -43,6 +43,7 @@ std::string whole_turn(const Course& course, const Sheet& sheet, std::size_t can
   Chart chart = chart_of(course, {0, course.size()}, 0, 1.0 / tick_s);
   chart.label = fmt::format("Canard {}: command and encoder over time, {}", canard + 1, caption);
   chart.x_label = "time / s";
+  chart.height = 215.0;  // three sheets of A4 for four canards
   if (sheet.kind != ExerciseKind::limits) {
     chart.width = page::full_page;  // alone on its row
     chart.height = 260.0;

@@ -136,12 +136,15 @@ TopLabels::TopLabels(const Chart& chart, const Drawing& drawing) {
       labels_.push_back(label);
     }
   }
+  if (std::ranges::any_of(labels_, [](const Label& label) { return label.level != nullptr; })) {
+    std::ranges::for_each(labels_, [this](Label& label) { label.row = rows_ - 1 - label.row; });
+  }
 }
 
 void TopLabels::draw(Drawing& drawing) const {
   const double top = drawing.frame().top;
   for (const Label& label : labels_) {
-    const double y = top - 5.0 - top_label_row * static_cast<double>(rows_ - 1 - label.row);
+    const double y = top - 5.0 - top_label_row * static_cast<double>(label.row);
     if (label.level != nullptr) {
       drawing.add("<path class=\"level {}\" d=\"M{:.1f} {:.1f}V{:.1f}\"/>", class_of(label.level->role),
                   drawing.x(label.level->value), top, y - 9.0);

@@ -70,7 +70,7 @@ class TopLabels {
     double left;
     std::string text;
     const Level* level = nullptr;  ///< of the chart; its line reaches up to the label
-    std::size_t row = 0;           ///< counted from above, so that a line crosses no label of an earlier one
+    std::size_t row = 0;           ///< upwards; the first level has the highest, so that its line crosses no label
   };
 
   std::vector<Label> labels_{};
