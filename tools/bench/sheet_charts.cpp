@@ -27,7 +27,8 @@ Chart chart_of(const Course& course, const Window& window, std::size_t zero, dou
   Chart chart{.y_label = "deg",
               .width = page::half_page,
               .height = 180.0,
-              .series = {{.name = "command", .role = Role::target}, {.name = "encoder"}}};
+              .series = {{.name = "command", .role = Role::target}, {.name = "encoder"}},
+              .least_left = 36.0};
   for (std::size_t i = window.begin; i < window.end; ++i) {
     const double time = (static_cast<double>(i) - static_cast<double>(zero)) / ticks_per_unit;
     for (page::Series& series : chart.series) {

@@ -127,6 +127,7 @@ std::string live_figure(const LiveCharts& live, std::string_view caption) {
     return {};
   }
   Chart chart = live.charts.front();
+  std::erase_if(chart.series, [](const Series& one) { return !anything_in(one); });
   chart.height += 60.0;  // for legend and events, which have rows of their own where scripts run
   chart.x_range = Range{live.views.front().begin_s, live.views.front().end_s};
   return fmt::format("<div id=\"live\">\n{}</div>\n", figure(standalone(svg(chart)), caption));

@@ -71,8 +71,8 @@ std::string html(const Page& page) {
       "<meta name=\"color-scheme\" content=\"light dark\">\n<title>{}{}{}</title>\n<style>{}{}{}</style>\n</head>\n"
       "<body>\n<main>\n{}{}{}{}</main>\n{}</body>\n</html>\n",
       title, title.empty() || kind.empty() ? "" : " \u00b7 ", kind, page.live.charts.empty() ? "" : uplot_css,
-      chart_css, page_css, header(page), verdict(page), page.body_html, unless_empty("footer", "plain", page.footer),
-      live_scripts(page.live));
+      chart_css, page_css, header(page), verdict(page), page.body_html,
+      page.footer.empty() ? "" : fmt::format("<footer>{}</footer>\n", printed(page.footer)), live_scripts(page.live));
 }
 
 std::string escape_html(std::string_view text) {
