@@ -70,6 +70,7 @@ std::string figures(const Sheet& sheet) {
     rows.push_back(std::move(monitors));
   }
   std::vector<page::Cell> checks;
+  checks.reserve(sheet.general.size());
   for (const GeneralCheck& check : sheet.general) {
     checks.push_back({check.text, check.passed ? Tone::good : Tone::bad});
   }

@@ -81,9 +81,10 @@ std::vector<Tick> even_ticks(Range range, double wanted) {
   const double step = tick_step(range, wanted);
   const double largest = std::max(std::abs(range.low), std::abs(range.high));
   std::vector<Tick> ticks;
-  const double last = std::floor(range.high / step + rounding);
-  for (double i = std::ceil(range.low / step - rounding); i <= last; i += 1.0) {
-    ticks.push_back({i * step, tick_text(i * step, step, largest)});
+  const double first = std::ceil(range.low / step - rounding);
+  const int last = static_cast<int>(std::floor(range.high / step + rounding) - first);
+  for (int i = 0; i <= last; ++i) {
+    ticks.push_back({(first + i) * step, tick_text((first + i) * step, step, largest)});
   }
   return ticks;
 }
@@ -127,6 +128,7 @@ std::vector<Tick> ticks_at(std::span<const double> values, Range range) {
   const double largest = std::max(std::abs(range.low), std::abs(range.high));
   const double step = std::pow(10.0, std::floor(std::log10(std::max(largest, 1e-300))) - 2.0);  // three figures
   std::vector<Tick> ticks;
+  ticks.reserve(sorted.size());
   for (const double value : sorted) {
     ticks.push_back({value, tick_text(value, step, largest)});
   }

@@ -86,9 +86,9 @@ std::vector<std::vector<std::size_t>> stretches(const std::vector<double>& x, Co
 // Labels know a curve by points on it, close enough together that none slips between two.
 void tell(LabelPlaces& places, Pixel from, Pixel to) {
   constexpr double apart = 5.0;
-  const double parts = std::min(std::ceil(std::hypot(to.x - from.x, to.y - from.y) / apart), 500.0);
-  for (double i = 0.0; i <= parts; i += 1.0) {
-    const double part = parts > 0.0 ? i / parts : 0.0;
+  const int parts = static_cast<int>(std::min(std::ceil(std::hypot(to.x - from.x, to.y - from.y) / apart), 500.0));
+  for (int i = 0; i <= parts; ++i) {
+    const double part = static_cast<double>(i) / std::max(parts, 1);
     places.avoid({from.x + part * (to.x - from.x), from.y + part * (to.y - from.y)});
   }
 }

@@ -150,7 +150,7 @@ std::vector<Box> candidates(Pixel at, double width) {
   centred(at.x - beside, at.y);
   centred(at.x, at.y - over);
   centred(at.x, at.y + over);
-  for (double away = 1.0; away <= 9.0; away += 1.0) {
+  for (int away = 1; away <= 9; ++away) {
     for (int i = 0; i < 12; ++i) {
       const double angle = std::numbers::pi / 6.0 * static_cast<double>(i);
       centred(at.x + (beside + 14.0 * away) * std::cos(angle), at.y - (over + 14.0 * away) * std::sin(angle));

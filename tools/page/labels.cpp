@@ -124,7 +124,8 @@ TopLabels::TopLabels(const Chart& chart, const Drawing& drawing) {
       wanted.push_back({right + text_width(text) <= chart.width ? right : std::max(left, frame.left), text, &level});
     }
   }
-  std::ranges::stable_sort(wanted, {}, &Label::left);
+  std::ranges::sort(
+      wanted, [](const Label& a, const Label& b) { return a.left != b.left ? a.left < b.left : a.text < b.text; });
   std::array<double, most_rows> taken{};
   taken.fill(-1e9);
   for (Label& label : wanted) {
@@ -185,8 +186,9 @@ void label_levels(Drawing& drawing, LabelPlaces& places, const Chart& chart) {
   const Box frame = drawing.frame();
   for (const Level& level : chart.levels) {
     if (!level.upright && within(level.value, drawing.y_range())) {
-      for (double x = frame.left; x <= frame.right; x += 3.0) {
-        places.avoid({x, drawing.y(level.value)});
+      const int points = static_cast<int>(frame.width() / 3.0);
+      for (int i = 0; i <= points; ++i) {
+        places.avoid({frame.left + 3.0 * i, drawing.y(level.value)});
       }
     }
   }

@@ -34,15 +34,15 @@ std::string unless_empty(std::string_view tag, std::string_view kind, std::strin
 }
 
 std::string header(const Page& page) {
-  std::string out = fmt::format("<header>\n{}<h1>{}</h1>\n{}", unless_empty("p", "kind", page.kind),
-                                escape_html(page.title), unless_empty("p", "subtitle", page.subtitle));
+  const std::string titles = fmt::format("<header>\n{}<h1>{}</h1>\n{}", unless_empty("p", "kind", page.kind),
+                                         escape_html(page.title), unless_empty("p", "subtitle", page.subtitle));
   std::string facts;
   for (const Page::Fact& fact : page.facts) {
     if (!fact.value.empty()) {
       facts += fmt::format("<div><dt>{}</dt><dd>{}</dd></div>\n", escape_html(fact.label), escape_html(fact.value));
     }
   }
-  return out + (facts.empty() ? "" : "<dl class=\"facts\">\n" + facts + "</dl>\n") + "</header>\n";
+  return titles + (facts.empty() ? "" : "<dl class=\"facts\">\n" + facts + "</dl>\n") + "</header>\n";
 }
 
 std::string verdict(const Page& page) {

@@ -30,7 +30,6 @@ std::string figure_list(const Flight& flight, const Figures& f) {
       list.push_back({std::move(label), fixed(*value, decimals), std::move(unit), std::move(remark)});
     }
   };
-  const auto percent = [](double share) { return 100.0 * share; };
   add("Apogee", f.apogee_m, 1, "m");
   add(flight.tunnel ? "Largest air speed" : "Top speed", f.max_speed_m_s, 1, "m/s");
   add("Control starts", flight.events.control_start_s, 3, "s",
@@ -38,7 +37,7 @@ std::string figure_list(const Flight& flight, const Figures& f) {
   add("Time under control", f.control_time_s, 2, "s");
   add("Largest hold error", in_degrees(f.largest_hold_error_rad), 1, "deg",
       f.mean_hold_error_rad ? "mean " + fixed(degrees(*f.mean_hold_error_rad), 2) + " deg" : "");
-  add("Saturated", f.saturated_fraction ? std::optional{percent(*f.saturated_fraction)} : std::nullopt, 1, "%",
+  add("Saturated", f.saturated_fraction ? std::optional{100.0 * *f.saturated_fraction} : std::nullopt, 1, "%",
       "of control time");
   add("Largest fin offset", in_degrees(f.largest_disturbance_rad), 1, "deg", "true u_d under control");
   add("Authority margin", in_degrees(f.authority_margin_rad), 1, "deg",
@@ -68,10 +67,13 @@ std::string table(std::string what, std::string meaning, const Rows& rows) {
 }
 
 std::string event_table(const Flight& flight) {
-  std::vector<std::pair<double, std::vector<page::Cell>>> events;  // of two at the same instant the one added first
-  const auto add = [&events](const std::optional<double>& time_s, std::string_view event, std::string_view meaning) {
+  std::vector<double> times_s;
+  Rows rows;  // by time; of two at the same instant the one added first
+  const auto add = [&](const std::optional<double>& time_s, std::string_view event, std::string_view meaning) {
     if (time_s) {
-      events.emplace_back(*time_s, row(*time_s, event, meaning));
+      const auto place = std::ranges::upper_bound(times_s, *time_s);
+      rows.insert(rows.begin() + (place - times_s.begin()), row(*time_s, event, meaning));
+      times_s.insert(place, *time_s);
     }
   };
   const Events& e = flight.events;
@@ -84,12 +86,9 @@ std::string event_table(const Flight& flight) {
   add(e.burnout_s, "Burn-out", "");
   add(e.apogee_s, "Apogee", "");
   add(e.control_end_s, "Control ends", "canards return to trim");
-  if (events.empty()) {
+  if (rows.empty()) {
     return page::paragraph(flight.known.phase ? "Nothing happened." : "The log does not tell.");
   }
-  std::ranges::stable_sort(events, {}, [](const auto& event) { return event.first; });
-  Rows rows;
-  std::ranges::transform(events, std::back_inserter(rows), [](const auto& event) { return event.second; });
   return table("Event", "", rows);
 }
 
