@@ -48,6 +48,7 @@ std::string figure_table() {
   static const std::vector<plot::Column> columns{
       {.heading = "Figure"}, {.heading = "Shows"}, {.heading = "On this page"}};
   std::vector<std::vector<plot::Cell>> rows;
+  rows.reserve(std::size(printed_figures));
   for (const PrintedFigure& figure : printed_figures) {
     rows.push_back({{.text = std::string{figure.number}},
                     {.text = std::string{figure.shows}},

@@ -117,7 +117,7 @@ Chapter second_launch_chapter(const Tell& tell) {
                               report::with_minus(report::fixed(report::degrees(open.model.node_rad.front()), 2)),
                               report::with_minus(report::fixed(report::degrees(later.model.node_rad.front()), 2)))));
 
-  const auto figure = [&](plot::Chart chart, const std::string& caption) {
+  const auto figure = [&](const plot::Chart& chart, const std::string& caption) {
     chapter.figures_html.push_back(half_width_figure(chart, caption));
   };
   figure({.label = "Excitation",
