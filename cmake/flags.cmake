@@ -10,7 +10,10 @@ target_compile_options(fantail_flags INTERFACE
   -ffp-contract=off)
 
 # What has been compiled before need not be compiled again, in another clone either, where a compiler cache is installed.
-find_program(FANTAIL_CCACHE ccache NO_CACHE)
+# Not for the processor: the cache does not keep the call graph (-fcallgraph-info), from which the deepest stack is known.
+if(NOT CMAKE_CROSSCOMPILING)
+  find_program(FANTAIL_CCACHE ccache NO_CACHE)
+endif()
 if(FANTAIL_CCACHE)
   execute_process(COMMAND ${FANTAIL_CCACHE} --version RESULT_VARIABLE ccache_fails OUTPUT_QUIET ERROR_QUIET)
 endif()

@@ -77,13 +77,12 @@ std::optional<LogFault> LogTransfer::refusal(const protocol::LogRequest& request
 }
 
 void LogTransfer::begin_erase(const Right& right) {
+  const bool busy = right.flash_in_use || flights_.erasing();  // also with the last sector of an erase that was stopped
   if (erasing_) {
     answer(LogState::erasing, flights_.used_bytes());
-  } else if (right.flash_in_use || flights_.erasing()) {
-    refuse(LogFault::busy);  // also the last sector of an erase that was stopped
-  } else if (flights_.used_bytes() == 0) {
+  } else if (!busy && flights_.used_bytes() == 0) {
     answer(LogState::erased, 0, free_kib());
-  } else if (flights_.begin_erase()) {
+  } else if (!busy && flights_.begin_erase()) {
     erasing_ = true;
     answer(LogState::erasing, flights_.used_bytes());
   } else {

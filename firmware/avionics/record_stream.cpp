@@ -61,7 +61,7 @@ void RecordStream::fill_page(std::size_t room) {
 
 // The order in which records stand: what is noted before a tick, the header when it is due, the checkpoint, the tick.
 bool RecordStream::begin_next() {
-  TickQueue& ticks = queue_.ticks;
+  const TickQueue& ticks = queue_.ticks;
   const WaitingCheckpoint& checkpoint = queue_.checkpoint;
   const bool tick_waits = ticks.size() > 0;
   if (broken_off_) {

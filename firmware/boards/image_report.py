@@ -150,18 +150,24 @@ def facts(elf: pathlib.Path) -> dict:
         r"^ \.text\S*\s+0x0*8\w+\s+(0x\w+)\s+\S*libfantail_core\.a\(", map_text.replace("\n                0x", " 0x"), re.M))
     load = sum(len(d) for a, d in words_of_memory(elf).items() if a >> 24 in (0x08, 0x20))
     ram = sum(symbols[e][0] - symbols[b][0] for b, e in (("data_begin", "data_end"), ("bss_begin", "bss_end")))
+    objects = [*build.glob("firmware/**/*.obj"), *build.glob("hal/**/*.obj")]
+    without_graph = sorted(str(o.relative_to(build)) for o in objects if not o.with_suffix(".ci").exists())
+    is_whole = objects and not without_graph
     return {
         "image": elf.name,
+        "build": str(build),
         "flash_bytes": load,
         "flash_limit": FLASH_LIMIT,
         "static_ram_bytes": ram,
         "static_ram_limit": RAM_LIMIT,
         "core_code_bytes": core,
         "stack_reserved_bytes": symbols["stack_top"][0] - symbols["stack_bottom"][0],
-        "stack_worst_bytes": reset + main_depth + EXCEPTION_FRAME + interrupt_depth,
+        "stack_worst_bytes": reset + main_depth + EXCEPTION_FRAME + interrupt_depth if is_whole else None,
         "stack_path": main_path,
         "interrupt_path": interrupt_path,
         "dynamic_frames": graph.dynamic,
+        "objects": len(objects),
+        "without_call_graph": without_graph,
         "largest_objects": sorted(((size, name) for name, (address, size) in symbols.items()
                                    if address >> 24 == 0x20 and size), reverse=True)[:5],
         "forbidden": {what: sorted(n for n in symbols if re.fullmatch(pattern, n)) for what, pattern in FORBIDDEN.items()},
@@ -174,7 +180,11 @@ def failures(f: dict) -> list[str]:
         wrong.append(f"{f['flash_bytes']} bytes of flash, allowed are {f['flash_limit']}")
     if f["static_ram_bytes"] > f["static_ram_limit"]:
         wrong.append(f"{f['static_ram_bytes']} bytes of static memory, allowed are {f['static_ram_limit']}")
-    if 2 * f["stack_worst_bytes"] > f["stack_reserved_bytes"]:
+    if f["stack_worst_bytes"] is None:
+        without = f["without_call_graph"]
+        wrong.append(f"the deepest stack is not known: {len(without)} of {f['objects']} objects have no call graph "
+                     f"(-fcallgraph-info){', as ' + without[0] if without else ''}; rm -rf {f['build']} and build it again")
+    elif 2 * f["stack_worst_bytes"] > f["stack_reserved_bytes"]:
         wrong.append(f"a stack of {f['stack_worst_bytes']} bytes, allowed is half of {f['stack_reserved_bytes']}")
     if f["dynamic_frames"]:
         wrong.append(f"stack frames without a fixed size: {', '.join(f['dynamic_frames'])}")
@@ -194,11 +204,12 @@ def show(f: dict) -> None:
     row("flash", f["flash_bytes"], f"of {f['flash_limit']} that we allow ourselves, of 1048576")
     row("  flight core", f["core_code_bytes"], "code only")
     row("static memory", f["static_ram_bytes"], f"of {f['static_ram_limit']} that we allow ourselves, of 131072")
-    row("deepest stack", f["stack_worst_bytes"], f"of {f['stack_reserved_bytes']} reserved")
-    print("\n  the deepest way down:")
-    for line in demangled(f["stack_path"]):
-        name, frame = line.rsplit(" ", 1)
-        print(f"    {frame:>5}  {re.sub(r'[(<].*', '', name)}")
+    if f["stack_worst_bytes"] is not None:
+        row("deepest stack", f["stack_worst_bytes"], f"of {f['stack_reserved_bytes']} reserved")
+        print("\n  the deepest way down:")
+        for line in demangled(f["stack_path"]):
+            name, frame = line.rsplit(" ", 1)
+            print(f"    {frame:>5}  {re.sub(r'[(<].*', '', name)}")
     print("\n  the largest objects:")
     for size, name in f["largest_objects"]:
         print(f"    {size:>6}  {demangled([name])[0]}")

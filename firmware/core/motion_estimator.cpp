@@ -124,16 +124,16 @@ void MotionEstimator::bridge(Microseconds now, const GyroSample& gyro) {
   const Vector3 last = usable ? without_bias(gyro.rate_rad_s) : rate_rad_s_;
   const Microseconds gap = std::clamp(end - *gyro_time_, Microseconds{0}, longest_bridge);
   // As many steps as there would have been ticks: a rotation in one is exact for small angles only.
-  const auto steps = static_cast<float>(gap / bridge_step + 1);
+  const auto steps = static_cast<int>(gap / bridge_step + 1);
   const Vector3 change = minus(last, rate_rad_s_);
-  const auto rate_after = [&](float step) {
-    const float share = step / steps;
+  const auto rate_after = [&](int step) {
+    const float share = static_cast<float>(step) / static_cast<float>(steps);
     return Vector3{rate_rad_s_.x + share * change.x, rate_rad_s_.y + share * change.y,
                    rate_rad_s_.z + share * change.z};
   };
-  const float dt_s = seconds(gap) / steps;
-  for (float step = 0.0F; step < steps; step += 1.0F) {
-    turn(dt_s, rate_after(step), rate_after(step + 1.0F));
+  const float dt_s = seconds(gap) / static_cast<float>(steps);
+  for (int step = 0; step < steps; ++step) {
+    turn(dt_s, rate_after(step), rate_after(step + 1));
   }
   rate_rad_s_ = last;
   gyro_time_ = end;

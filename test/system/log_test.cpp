@@ -116,6 +116,7 @@ TEST_F(FlownLog, OfTwoFlightsInOneFileEachCanBeChosen) {
   EXPECT_NE(both.out.find("2 flights"), std::string::npos);
   const Outcome second = run({"log", "info", "two.ftl", "--flight", "2", "--json"});
   EXPECT_EQ(json::parse(second.out)["flights"][0]["number"], 2);
+  EXPECT_EQ(json::parse(second.out)["log"], "two.ftl");
   const Outcome third = run({"log", "info", "two.ftl", "--flight", "3"});
   EXPECT_EQ(third.exit_code, 64);
   EXPECT_NE(third.err.find("1 to 2"), std::string::npos) << third.err;

@@ -111,15 +111,15 @@ void say_file(Visit& visit, const FlightFile& file) {
                                : fmt::format("damaged in the flash: {} records missing, {} damaged bytes",
                                              flight.missing_records, flight.damaged_bytes));
   }
-  Json json{{"file", path},
-            {"bytes", flight.end - flight.begin},
-            {"duration_s", flight.duration_s()},
-            {"vehicle", flight.vehicle},
-            {"power_up", flight.power_up},
-            {"records", flight.records},
-            {"missing_records", flight.missing_records},
-            {"damaged_bytes", flight.damaged_bytes},
-            {"intact", flight.records > 0 && flight.intact()}};
+  const Json json{{"file", path},
+                  {"bytes", flight.end - flight.begin},
+                  {"duration_s", flight.duration_s()},
+                  {"vehicle", flight.vehicle},
+                  {"power_up", flight.power_up},
+                  {"records", flight.records},
+                  {"missing_records", flight.missing_records},
+                  {"damaged_bytes", flight.damaged_bytes},
+                  {"intact", flight.records > 0 && flight.intact()}};
   visit.json["files"].push_back(json);
 }
 

@@ -10,7 +10,7 @@
 
 namespace fantail::tool {
 
-flight_log::Flight take_flight(flight_log::LogFile file, const std::optional<std::size_t>& choice) {
+flight_log::Flight take_flight(flight_log::LogFile& file, const std::optional<std::size_t>& choice) {
   const std::size_t count = file.flights.size();
   if (choice && (*choice < 1 || *choice > count)) {
     throw UsageError{fmt::format("--flight {}: {} holds {}; allowed: 1 to {}", *choice, file.name,

@@ -10,9 +10,9 @@
 
 namespace fantail::tool {
 
-/// Of the flights in a file the one that a person chose, counted from 1; without a choice the only one. Throws
-/// UsageError that says how many there are.
-[[nodiscard]] flight_log::Flight take_flight(flight_log::LogFile file, const std::optional<std::size_t>& choice);
+/// Of the flights in a file the one that a person chose, counted from 1; without a choice the only one. It is moved out
+/// of the file, the rest stays. Throws UsageError that says how many there are.
+[[nodiscard]] flight_log::Flight take_flight(flight_log::LogFile& file, const std::optional<std::size_t>& choice);
 
 /// What a log, or a folder with one, is called where its results are named: "flown" for flown.ftl, the folder for
 /// flight.ftl and flight.csv.

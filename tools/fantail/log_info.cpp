@@ -41,7 +41,7 @@ void show(const InfoOptions& options) {
   flight_log::LogFile file = flight_log::read_log_file(options.log);
   if (options.flight) {
     // The bytes between the flights are nothing to do with one of them.
-    flight_log::Flight chosen = take_flight(std::move(file), options.flight);
+    flight_log::Flight chosen = take_flight(file, options.flight);
     file.flights.clear();
     file.flights.push_back(std::move(chosen));
   }

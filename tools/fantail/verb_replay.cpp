@@ -93,6 +93,7 @@ std::filesystem::path folder_of(const ReplayOptions& options) {
 
 void show_what_if(const ReplayOptions& options, const flight_log::Flight& flight, const Replayed& flown) {
   std::vector<sim::Override> changes;
+  changes.reserve(options.changes.size());
   for (const std::string& text : options.changes) {
     changes.push_back(sim::parse_override(text));
   }
@@ -124,7 +125,8 @@ void show_what_if(const ReplayOptions& options, const flight_log::Flight& flight
 }
 
 void run(const ReplayOptions& options) {
-  const flight_log::Flight flight = take_flight(flight_log::read_log_file(options.log), options.flight);
+  flight_log::LogFile file = flight_log::read_log_file(options.log);
+  const flight_log::Flight flight = take_flight(file, options.flight);
   if (!flight.plan) {
     refuse(options, flight.has_header ? "Its flight plan cannot be used: " + flight.plan_fault + "."
                                       : "None of its headers is left, and so no flight plan.");

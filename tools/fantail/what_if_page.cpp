@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <functional>
 #include <utility>
 
 #include <fmt/format.h>
@@ -48,10 +50,8 @@ std::string what_if_html(const WhatIf& result) {
   page.tone = page::Tone::unsure;
   page.verdict_heading = "Not a prediction";
   page.verdict = open_loop_sentence;
-  std::vector<double> difference_rad;
-  for (std::size_t i = 0; i < result.time_s.size(); ++i) {
-    difference_rad.push_back(result.what_if_rad[i] - result.flown_rad[i]);
-  }
+  std::vector<double> difference_rad(result.time_s.size());
+  std::ranges::transform(result.what_if_rad, result.flown_rad, difference_rad.begin(), std::minus{});
   page.body_html = page::section(
       "Roll command", page::figure_row(figures(result)) +
                           chart("roll command",

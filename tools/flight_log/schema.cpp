@@ -23,8 +23,9 @@ std::string_view take(std::string_view& text, char end) {
 template <typename Number>
 std::optional<Number> number(std::string_view text) {
   Number result{};
-  const char* end = text.data() + text.size();
-  const auto [stopped, error] = std::from_chars(text.data(), end, result);
+  const char* const begin = text.data();
+  const char* const end = begin + text.size();
+  const auto [stopped, error] = std::from_chars(begin, end, result);
   return error == std::errc{} && stopped == end ? std::optional{result} : std::nullopt;
 }
 

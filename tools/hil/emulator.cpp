@@ -52,6 +52,9 @@ std::vector<std::string> command(const EmulatorOptions& options) {
   ::setpgid(0, 0);  // the keyboard's interrupt is for this program, which then ends the emulator in order
   // Upwards first, so that none of them is where another is to go.
   const int null = ::open("/dev/null", O_RDONLY | O_CLOEXEC);
+  if (null < 0) {
+    ::_exit(1);
+  }
   for (int* each : {&in, &out, &complaints, &failure}) {
     *each = ::fcntl(*each, F_DUPFD_CLOEXEC, 10);
   }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <utility>
 
 #include <fmt/core.h>
@@ -85,9 +86,9 @@ class CourseBuilder {
     const double interval_s = record_.time_s[sample + 1] - record_.time_s[sample];
     const double count = std::max(1.0, std::round(interval_s / loop_.controller_period_s));
     const double duration_s = interval_s / count;
-    for (double i = 0.0; i < count; i += 1.0) {
-      const double begin_share = i / count;
-      const double middle_share = (i + 0.5) / count;
+    for (std::int64_t i = 0; i < static_cast<std::int64_t>(count); ++i) {
+      const double begin_share = static_cast<double>(i) / count;
+      const double middle_share = (static_cast<double>(i) + 0.5) / count;
       const double excitation_rad =
           record_.excitation_rad.empty() ? 0.0 : between(record_.excitation_rad, sample, begin_share);
       add_step(sample, record_.time_s[sample] + begin_share * interval_s, duration_s, excitation_rad);

@@ -28,6 +28,7 @@ double disturbance_rad(const Model& model, double time_s) {
 
 std::vector<InitialState> measured_starts(const Record& record) {
   std::vector<InitialState> starts;
+  starts.reserve(record.segment_begin.size());
   for (const std::size_t at : record.segment_begin) {
     starts.push_back({.angle_rad = record.roll_angle_rad[at], .rate_rad_s = record.roll_rate_rad_s[at]});
   }
@@ -86,6 +87,7 @@ GridResult search_open_loop_grid(const Record& record, const Airframe& airframe,
       }
     }
   }
+  // A grid that is not empty has a width. NOLINTNEXTLINE(clang-analyzer-core.DivideZero)
   result.model = AlphaFit{basis, errors.alpha_m2[best % width]}.model(errors.beta_m[best / width], nodes);
   add_starts(result.model, record);
   return result;

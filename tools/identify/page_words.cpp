@@ -48,8 +48,10 @@ bool tells(const WindowFindings& window) {
 std::vector<std::string> how_well_sentences(const Identification& result) {
   const std::size_t nodes = result.model.node_rad.size();
   constexpr std::size_t few = 2;
+  const std::size_t told = 2 + (nodes <= few ? nodes : 0);
   std::vector<std::string> all;
-  for (std::size_t k = 0; k < 2 + (nodes <= few ? nodes : 0); ++k) {
+  all.reserve(told + 1);
+  for (std::size_t k = 0; k < told; ++k) {
     all.push_back(printable(how_well(result, k)));
   }
   if (nodes > few) {

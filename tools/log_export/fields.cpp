@@ -64,6 +64,7 @@ Value value_of(T value, std::string_view /*unit*/) {
 }
 
 FieldType type_of(bool) { return FieldType::flag; }
+FieldType type_of(float) { return FieldType::number; }
 FieldType type_of(double) { return FieldType::number; }
 FieldType type_of(core::Angle) { return FieldType::number; }
 FieldType type_of(const std::optional<core::Angle>&) { return FieldType::number; }

@@ -46,6 +46,7 @@ std::string chapter_html(const Chapter& chapter) {
 std::string figure_table() {
   static const std::vector<page::Column> columns{{"Figure"}, {"Shows"}, {"On this page"}};
   std::vector<std::vector<page::Cell>> rows;
+  rows.reserve(std::size(printed_figures));
   for (const PrintedFigure& figure : printed_figures) {
     rows.push_back({{std::string{figure.number}}, {std::string{figure.shows}}, {std::string{figure.here}}});
   }

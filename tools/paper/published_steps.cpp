@@ -19,6 +19,7 @@ std::vector<PublishedStep> published_steps() {
     return *value;
   };
   std::vector<PublishedStep> steps;
+  steps.reserve(table.rows());
   for (std::size_t row = 0; row < table.rows(); ++row) {
     steps.push_back({.step = static_cast<int>(number(row, "step")),
                      .alpha_m2 = number(row, "alpha_m2"),

@@ -116,7 +116,7 @@ Chapter second_launch_chapter(const Tell& tell) {
                               text::with_minus(text::fixed(report::degrees(open.model.node_rad.front()), 2)),
                               text::with_minus(text::fixed(report::degrees(later.model.node_rad.front()), 2)))));
 
-  const auto figure = [&](page::Chart chart, const std::string& caption) {
+  const auto figure = [&](const page::Chart& chart, const std::string& caption) {
     chapter.figures_html.push_back(half_width_figure(chart, caption));
   };
   figure({.label = "Excitation",
