@@ -8,7 +8,6 @@
 namespace fantail::predict {
 
 using report::brief;
-using report::degrees;
 using report::fixed;
 
 std::string percent(double share) {
@@ -43,6 +42,7 @@ std::string_view words(Judgement judgement) {
 
 std::vector<std::string> basis(const Prediction& p) {
   std::vector<std::string> all;
+  all.reserve(p.tunnel.sources.size() + 3);
   for (const std::string& source : p.tunnel.sources) {
     all.push_back(fmt::format("Source of {}: {}.", p.tunnel.name, source));
   }
