@@ -1,77 +1,51 @@
 # SPDX-License-Identifier: MIT
 cmake_minimum_required(VERSION 3.25)
-# Usage: cmake -D ROOT=<project> -P check_includes.cmake
-# Reads every #include of the product and refuses those that the table below does not allow.
-
-# folder | project headers it may include | third-party headers it may include (regular expressions)
-set(table
-  "firmware/core|core/|"
-  "firmware/protocol|core/,protocol/|"
-  "firmware/avionics|core/,protocol/,hal/[a-z_]+\\.hpp,avionics/|"
-  "firmware/boards|core/,protocol/,hal/,avionics/,boards/|"
-  "hal/include|hal/[a-z_]+\\.hpp|"
-  "hal/linux|hal/[a-z_]+\\.hpp,hal/linux/|fcntl\\.h,linux/can,net/if,poll\\.h,sys/,unistd\\.h"
-  "hal/emulator|hal/[a-z_]+\\.hpp,hal/emulator/,hal/sim/,protocol/|"
-  "hal/stm32f4|hal/[a-z_]+\\.hpp,hal/stm32f4/|"
-  "hal/sim|hal/[a-z_]+\\.hpp,hal/sim/|"
-  "sim|core/,protocol/,hal/,avionics/,sim/|"
-  "tools/fantail|core/,protocol/,hal/,avionics/,sim/,json/,report/,bench/,plot/,logs/,identify/,tunnel/,predict/,paper/,fly/,hil/,telemetry/,gateway/,link/,text/,flight_log/,log_export/,fantail/|fmt/,poll\\.h,unistd\\.h,sys/,fcntl\\.h"
-  "tools/bench|core/,protocol/,hal/,avionics/,sim/,json/,report/,link/,bench/|fmt/"
-  "tools/text|text/|"
-  "tools/json|json/|fmt/"
-  "tools/link|core/,protocol/,hal/,avionics/,report/,link/|fmt/"
-  "tools/gateway|core/,protocol/,hal/,link/,telemetry/,gateway/|"
-  "tools/fly|core/,protocol/,hal/,avionics/,sim/,report/,link/,fly/|fmt/"
-  "tools/hil|core/,protocol/,hal/,avionics/,sim/,hil/|fmt/,fcntl\\.h,poll\\.h,sched\\.h,sys/,termios\\.h,unistd\\.h"
-  "tools/telemetry|core/,protocol/,hal/,avionics/,link/,json/,telemetry/|fmt/,lcm/,fantail_lcm/,arpa/inet\\.h,netinet/in\\.h,poll\\.h,sys/socket\\.h,unistd\\.h"
-  "tools/report|core/,json/,report/|fmt/"
-  "tools/flight_log|core/,protocol/,hal/,avionics/,sim/,report/,flight_log/|fmt/"
-  "tools/log_export|core/,protocol/,hal/,sim/,json/,report/,flight_log/,telemetry/,log_export/|fmt/"
-  "tools/plot|report/,plot/|fmt/"
-  "tools/logs|core/,sim/,json/,report/,text/,flight_log/,logs/|fmt/"
-  "tools/identify|core/,sim/,json/,report/,text/,plot/,logs/,identify/|Eigen/,fmt/"
-  "tools/tunnel|core/,sim/,json/,report/,plot/,logs/,identify/,tunnel/|Eigen/,fmt/"
-  "tools/predict|core/,protocol/,hal/,avionics/,sim/,json/,report/,plot/,logs/,identify/,tunnel/,fly/,predict/|Eigen/,fmt/"
-  "tools/paper|core/,protocol/,hal/,avionics/,sim/,json/,report/,plot/,logs/,identify/,tunnel/,fly/,predict/,paper/|Eigen/,fmt/")
-# Single files that may include more than their folder does.
-set(exceptions
-  "firmware/boards/cortex_m4/startup.c|stdint\\.h"
-  "firmware/core/motion_estimator.cpp|Eigen/"
-  "firmware/protocol/generated/canard_bus.c|string\\.h"
-  "firmware/protocol/generated/canard_bus.h|stdbool\\.h,stddef\\.h,stdint\\.h"
-  "sim/toml_tree.cpp|toml\\+\\+/"
-  "tools/json/value.cpp|nlohmann/"
-  "tools/report/output_folder.cpp|fcntl\\.h,unistd\\.h,sys/"
-  "tools/fantail/command_line.cpp|CLI/"
-  "tools/report/sha256.cpp|sha256\\.h")
+# Usage: cmake -D ROOT=<project> [-D EXACT=ON] -P check_includes.cmake
+# Reads every #include of the product and refuses those that layers.cmake does not allow; with EXACT also what it allows and
+# nobody needs. And it refuses a member that is `inline` in its .cpp alone: other translation units see it without, which the
+# standard forbids without a compiler having to say so.
+include(${CMAKE_CURRENT_LIST_DIR}/layers.cmake)
 
 set(standard "^[a-z_]+$") # <vector>, <cmath>: the standard library has no dots and no slashes
 # The pure floors have no heap, no clock and no input or output, and so no use for the headers that offer them.
 set(pure "firmware/core" "firmware/protocol")
 set(pure_standard "^(algorithm|array|bit|chrono|cmath|compare|concepts|cstddef|cstdint|cstring|limits|numbers|numeric|optional|span|string_view|tuple|type_traits|utility|variant)$")
+set(names "") # of the folders, by the #include
 set(wrong "")
-foreach(row IN LISTS table)
-  string(REPLACE "|" ";" row "${row}")
-  list(GET row 0 folder)
-  list(GET row 1 own)
-  list(GET row 2 third_party)
-  string(REPLACE "," ";" own "${own}")
-  string(REPLACE "," ";" third_party "${third_party}")
+foreach(row IN LISTS FANTAIL_LAYERS)
+  fantail_split("${row}" layer)
+  fantail_include_name("${layer_0}" own)
+  foreach(name IN LISTS layer_1)
+    if(NOT name IN_LIST names)
+      string(APPEND wrong "  cmake/layers.cmake: ${layer_0} names ${name}, which is not above it\n")
+    endif()
+  endforeach()
+  list(APPEND names ${own})
+endforeach()
+
+foreach(row IN LISTS FANTAIL_LAYERS)
+  fantail_split("${row}" layer)
+  set(folder "${layer_0}")
+  fantail_include_name("${folder}" own)
+  set(needed "")
   set(allowed_standard "${standard}")
   if(folder IN_LIST pure)
     set(allowed_standard "${pure_standard}")
   endif()
   file(GLOB_RECURSE sources RELATIVE ${ROOT} ${ROOT}/${folder}/*)
+  foreach(other IN LISTS FANTAIL_LAYERS) # a folder within it has its own row
+    fantail_split("${other}" inner)
+    if(inner_0 MATCHES "^${folder}/")
+      list(FILTER sources EXCLUDE REGEX "^${inner_0}/")
+    endif()
+  endforeach()
   list(FILTER sources INCLUDE REGEX "\\.(c|cc|cpp|cxx|h|hh|hpp|hxx|inc|inl|ipp)$")
   foreach(source IN LISTS sources)
-    set(allowed ${third_party})
-    foreach(exception IN LISTS exceptions)
-      string(REPLACE "|" ";" exception "${exception}")
-      list(GET exception 0 excepted)
-      if(source STREQUAL excepted)
-        list(GET exception 1 more)
-        string(REPLACE "," ";" more "${more}")
-        list(APPEND allowed ${more})
+    set(others "${layer_2}")
+    foreach(exception IN LISTS FANTAIL_EXCEPTIONS)
+      fantail_split("${exception}" single)
+      if(source STREQUAL single_0)
+        list(APPEND others ${single_1})
       endif()
     endforeach()
     file(STRINGS ${ROOT}/${source} lines REGEX "^[ \t]*#[ \t]*include")
@@ -83,18 +57,22 @@ foreach(row IN LISTS table)
         if(header MATCHES "${allowed_standard}")
           set(ok TRUE)
         endif()
-        foreach(pattern IN LISTS allowed)
+        foreach(pattern IN LISTS others)
           if(header MATCHES "^${pattern}")
             set(ok TRUE)
           endif()
         endforeach()
-      elseif(line MATCHES "include[ \t]*\"([^\"]+)\"")
+      elseif(line MATCHES "include[ \t]*\"([^\"]+)/[^/\"]+\"")
+        # The innermost folder of the table that it lies in.
         set(header "${CMAKE_MATCH_1}")
-        foreach(pattern IN LISTS own)
-          if(header MATCHES "^${pattern}")
-            set(ok TRUE)
-          endif()
-        endforeach()
+        set(room "${header}")
+        while(room AND NOT room IN_LIST names)
+          cmake_path(GET room PARENT_PATH room)
+        endwhile()
+        if(room AND (room STREQUAL own OR room IN_LIST layer_1))
+          set(ok TRUE)
+          list(APPEND needed ${room})
+        endif()
       endif()
       if(header MATCHES "\\.\\.") # a detour out of the folder that was allowed
         set(ok FALSE)
@@ -103,8 +81,19 @@ foreach(row IN LISTS table)
         string(APPEND wrong "  ${source}: ${line}\n")
       endif()
     endforeach()
+    if(source MATCHES "\\.cpp$")
+      file(STRINGS ${ROOT}/${source} lines REGEX "^[ \t]*inline [^=;(]*[A-Za-z0-9_]::~?[a-z_A-Z]+\\(")
+      foreach(line IN LISTS lines)
+        string(APPEND wrong "  ${source}: ${line} (a member that is inline outside its class)\n")
+      endforeach()
+    endif()
+  endforeach()
+  foreach(name IN LISTS layer_1)
+    if(EXACT AND NOT name IN_LIST needed)
+      string(APPEND wrong "  cmake/layers.cmake: ${folder} may include ${name}, but does not\n")
+    endif()
   endforeach()
 endforeach()
 if(wrong)
-  message(FATAL_ERROR "includes that do not point down (the table is in cmake/check_includes.cmake):\n${wrong}")
+  message(FATAL_ERROR "what the layers do not allow (cmake/layers.cmake lists them):\n${wrong}")
 endif()

@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: MIT
-# The house has floors: tools, sim, firmware, hal. An include only ever points down.
+# The house has floors: tools, sim, firmware, hal. An include only ever points down (layers.cmake).
 #
 # Each library owns one include root in the build tree that holds nothing but a link to its own folder, so a target
 # sees the headers of the libraries it links and no others: a wrong include does not compile. What a compiler cannot
 # see (system-wide third-party headers, "../" paths) is checked by check_includes.cmake, which runs in every build.
+
+include(${CMAKE_CURRENT_LIST_DIR}/layers.cmake)
 
 # The standard library takes most of the compile time: on a PC GCC 12 reads it once for each set of flags. For the processor,
 # by other compilers and under the `host-asan` preset it is not, and so an #include that is missing is found there. Targets
@@ -41,13 +43,22 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL GNU AND CMAKE_CXX_COMPILER_VERSION VERSION_LES
   endforeach()
 endif()
 
-# fantail_library(<name> INCLUDE_AS <prefix> [FLIGHT] SOURCES <file>... [USES <library>...] [PRIVATE_USES <library>...])
-# Headers of this folder are included as <prefix>/file.hpp.
+# fantail_library(<name> INCLUDE_AS <prefix> [FLIGHT] SOURCES <file>... [ONLY <folder>...] [USES <library>...]
+#   [PRIVATE_USES <library>...])
+# Headers of this folder are included as <prefix>/file.hpp. It links the libraries of the folders that stand in its row of
+# layers.cmake (ONLY: of these of them, where programs beside it link the others); USES and PRIVATE_USES are what is not ours.
 #
 # With FANTAIL_TESTS each library has a twin, <name>_sanitized, compiled for the address and undefined-behaviour
 # sanitizers and built only for the tests that ask for it (fantail_test(... SANITIZED)).
 function(fantail_library name)
-  cmake_parse_arguments(ARG "FLIGHT" "INCLUDE_AS" "SOURCES;USES;PRIVATE_USES" ${ARGN})
+  cmake_parse_arguments(ARG "FLIGHT" "INCLUDE_AS" "SOURCES;ONLY;USES;PRIVATE_USES" ${ARGN})
+  if(NOT ARG_ONLY)
+    fantail_allowed_here(ARG_ONLY)
+  endif()
+  foreach(folder IN LISTS ARG_ONLY)
+    string(REPLACE "/" "_" library "fantail_${folder}")
+    list(APPEND ARG_USES ${library})
+  endforeach()
   set(scope PUBLIC)
   if(ARG_SOURCES)
     add_library(${name} STATIC ${ARG_SOURCES})
@@ -79,6 +90,19 @@ function(fantail_library name)
   if(FANTAIL_TESTS AND NOT FANTAIL_SANITIZE)
     fantail_sanitized_twin(${name})
   endif()
+endfunction()
+
+# The folders that the one at hand may include, by its row of layers.cmake.
+function(fantail_allowed_here result)
+  cmake_path(RELATIVE_PATH CMAKE_CURRENT_SOURCE_DIR BASE_DIRECTORY ${PROJECT_SOURCE_DIR} OUTPUT_VARIABLE here)
+  foreach(row IN LISTS FANTAIL_LAYERS)
+    fantail_split("${row}" layer)
+    if(layer_0 STREQUAL here)
+      set(${result} "${layer_1}" PARENT_SCOPE)
+      return()
+    endif()
+  endforeach()
+  message(FATAL_ERROR "${here} has no row in cmake/layers.cmake")
 endfunction()
 
 # What a target links, with its own libraries replaced by their twins.
@@ -128,13 +152,6 @@ function(fantail_kernel)
     $<$<AND:$<CONFIG:Release>,$<NOT:$<BOOL:$<TARGET_PROPERTY:FANTAIL_IS_TWIN>>>>:-O3>)
 endfunction()
 
-# fantail_once(<file>...): of a folder that is compiled for speed, what runs once a program: it reads files and words.
-function(fantail_once)
-  if(NOT CMAKE_CROSSCOMPILING)
-    set_property(SOURCE ${ARGN} APPEND PROPERTY COMPILE_OPTIONS $<$<CONFIG:Release>:-O1>)
-  endif()
-endfunction()
-
 # fantail_precompile(<target> [<what fantail_precompiled() has made>])
 function(fantail_precompile name)
   if(TARGET "${ARGN}")
@@ -152,6 +169,6 @@ function(fantail_executable name)
 endfunction()
 
 add_custom_target(check_includes ALL
-  COMMAND ${CMAKE_COMMAND} -D ROOT=${PROJECT_SOURCE_DIR} -P ${PROJECT_SOURCE_DIR}/cmake/check_includes.cmake
+  COMMAND ${CMAKE_COMMAND} -D ROOT=${PROJECT_SOURCE_DIR} -D EXACT=ON -P ${PROJECT_SOURCE_DIR}/cmake/check_includes.cmake
   COMMENT "Checking that includes only point down"
   VERBATIM)

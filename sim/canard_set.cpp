@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "sim/canard_set.hpp"
 
-#include "sim/servo_spread.hpp"
+#include "sim/servo.hpp"
 
 namespace fantail::sim {
 namespace {

@@ -4,12 +4,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <string_view>
-#include <vector>
 
 namespace fantail::sim {
-
-class Document;
 
 /// What can go wrong in a run. The canard_ kinds are those of ServoFault.
 enum class FaultKind : std::uint8_t {
@@ -26,9 +22,6 @@ enum class FaultKind : std::uint8_t {
   accelerometer_dropout,
 };
 
-/// As in scenario files.
-[[nodiscard]] std::string_view name(FaultKind kind);
-
 /// Lasts for a while and concerns no canard.
 [[nodiscard]] constexpr bool is_dropout(FaultKind kind) {
   return kind == FaultKind::imu_dropout || kind == FaultKind::accelerometer_dropout;
@@ -43,8 +36,5 @@ struct Fault {
   std::optional<double> angle_rad{};  ///< stuck and wrong_trim only, as Servo::fail
   double noise_counts = 60.0;         ///< encoder_noisy only: standard deviation of its readings
 };
-
-/// The [[faults]] of a scenario file, for servos with this mechanical stop. Throws InputError.
-[[nodiscard]] std::vector<Fault> read_faults(const Document& document, double servo_stop_rad);
 
 }  // namespace fantail::sim

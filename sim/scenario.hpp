@@ -3,7 +3,6 @@
 
 #include <cstdint>
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -12,12 +11,9 @@
 #include "sim/disturbance.hpp"
 #include "sim/fault.hpp"
 #include "sim/vehicle.hpp"
-#include "sim/wind_sensor.hpp"
 #include "sim/wind_tunnel.hpp"
 
 namespace fantail::sim {
-
-struct Override;
 
 enum class Surroundings : std::uint8_t { flight, tunnel };
 
@@ -58,9 +54,5 @@ struct Scenario {
   std::vector<Fault> faults;
   std::optional<std::string> tunnel_result;  ///< what a prediction of this flight starts from; not flown
 };
-
-/// A shipped name or a path, with changes from the command line, which may reach into the scenario, its plan or its
-/// vehicle. Throws InputError.
-[[nodiscard]] Scenario load_scenario(const std::string& name_or_path, std::span<const Override> changes);
 
 }  // namespace fantail::sim

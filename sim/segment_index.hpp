@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace fantail::sim {
@@ -15,7 +17,23 @@ class SegmentIndex {
   SegmentIndex() = default;
 
   /// Times in seconds, finite and strictly increasing (the caller has checked), at least two.
-  explicit SegmentIndex(std::vector<double> times_s);
+  explicit SegmentIndex(std::vector<double> times_s) : times_s_{std::move(times_s)} {
+    // Four slots a segment: evenly spaced times are found at once. Lists with one very short segment degrade to a walk.
+    const std::size_t slots = 4 * times_s_.size();
+    const double span_s = times_s_.back() - times_s_.front();
+    // Times a denormal number apart would need more slots a second than a double can count.
+    slots_per_s_ = std::min(static_cast<double>(slots) / span_s, 1e300);
+    first_in_slot_.reserve(slots + 1);
+    std::size_t i = 0;
+    // One slot more than the span holds: rounding may number the last instant `slots`.
+    for (std::size_t slot = 0; slot <= slots; ++slot) {
+      const double edge_s = times_s_.front() + static_cast<double>(slot) / slots_per_s_;
+      while (i + 2 < times_s_.size() && edge_s >= times_s_[i + 1]) {
+        ++i;
+      }
+      first_in_slot_.push_back(static_cast<std::uint32_t>(i));
+    }
+  }
 
   /// The i with times[i] <= time < times[i + 1]. Only for times within [first, last).
   [[nodiscard]] std::size_t segment(double time_s) const {

@@ -12,25 +12,33 @@
 #include "hal/imu.hpp"
 #include "sim/delay_line.hpp"
 #include "sim/random.hpp"
-#include "sim/vector3.hpp"
+#include "sim/units.hpp"
 
 namespace fantail::sim {
 
 /// One inertial sensor: three axes of specific force and, in an IMU, three of angular rate.
 struct InertialParameters {
-  double rate_noise_rad_s = 0.1 * (std::numbers::pi / 180.0);     ///< standard deviation, white from sample to sample
-  double rate_bias_rad_s = 0.0;                                   ///< the same on every axis
-  double full_scale_rad_s = 2000.0 * (std::numbers::pi / 180.0);  ///< 32768 counts
-  double specific_force_noise_m_s2 = 0.3;                         ///< standard deviation, white from sample to sample
-  double specific_force_bias_m_s2 = 0.0;                          ///< the same on every axis
-  double full_scale_m_s2 = 16.0 * 9.80665;                        ///< 32768 counts
+  double rate_noise_rad_s = 0.1 * radians_per_degree;     ///< standard deviation, white from sample to sample
+  double rate_bias_rad_s = 0.0;                           ///< the same on every axis
+  double full_scale_rad_s = 2000.0 * radians_per_degree;  ///< 32768 counts
+  double specific_force_noise_m_s2 = 0.3;                 ///< standard deviation, white from sample to sample
+  double specific_force_bias_m_s2 = 0.0;                  ///< the same on every axis
+  double full_scale_m_s2 = 16.0 * gravity_m_s2;           ///< 32768 counts
   double misalignment_rad = 0.0;  ///< the package is turned by this about an axis across the rocket, 0 to 0.2
   double delay_s = 0.0;           ///< from measured to delivered, 0 to 0.02
 };
 
-/// One three-axis converter: turns a true vector into the counts of its own, slightly turned axes. The noise and the
-/// bias are added in the sensor's axes, then the value is rounded to the nearest count; beyond the ends of int16 it
-/// stays at that end, and a NaN stands at the lower one.
+/// One three-axis converter, from a true vector in the rocket's frame to counts. In this order:
+///   1. misalignment: the vector is seen along the sensor's own, slightly turned axes;
+///   2. bias, and 3. noise are added there;
+///   4. rounding to the nearest count, 32768 of them being the full scale;
+///   5. the ends of int16: beyond them it stays at that end, and a NaN stands at the lower one.
+/// Delay and dropouts come after it, and are the device's.
+///
+/// Example: 1 g along the axis, full scale 16 g, so that a count is 0.00479 m/s2. Aligned it makes 2048 counts; a bias
+/// of 0.1 m/s2 adds 20.9; noise of 0.3 m/s2 that draws +1 standard deviation adds 62.7; 2131.5 is rounded to 2132,
+/// which the avionics reads as 10.21 m/s2. With a delay of 2 ms it gets that sample two ticks later, with the time of
+/// its measurement.
 class TriaxialConverter {
  public:
   struct Errors {
@@ -132,7 +140,13 @@ struct EncoderParameters {
   int resolution_bits = 14;   ///< of a turn, 4 to 14; a coarser encoder fills the lower bits with zeros
 };
 
-/// The four canard shaft encoders: absolute, delivered as 14 bits a turn, wrapping from 16383 to 0.
+/// The four canard shaft encoders: absolute, delivered as 14 bits a turn. From shaft angle to reading, in this order:
+///   1. the zero of the encoder, and 2. noise are added, in counts;
+///   3. rounding to the nearest step of the resolution;
+///   4. wrapping from 16383 to 0. An unplugged one then says no_reading.
+///
+/// Example: 1 degree is 45.5 counts; a zero of 10 degrees adds 455.1; noise of 1 count that draws +1 standard deviation
+/// makes 501.6; with 12 bits, 4 counts a step, it reads 500, and 502 with all 14.
 class EncoderModel {
  public:
   /// `zero_rad`: what each encoder reads at shaft angle zero. Throws std::invalid_argument.

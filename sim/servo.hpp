@@ -6,10 +6,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <numbers>
 #include <optional>
 
 #include "sim/elementary.hpp"
+#include "sim/random.hpp"
+#include "sim/units.hpp"
 
 namespace fantail::sim {
 
@@ -18,16 +19,27 @@ inline constexpr double longest_lag_s = 1.0;
 inline constexpr double longest_delay_s = 0.05;
 
 struct ServoParameters {
-  double lag_s = 0.020;                                          ///< first-order; 0.0005 to 1
-  double delay_s = 0.003;                                        ///< from latched to acted upon; 0 to 0.05
-  double frame_period_s = 1.0 / 333.0;                           ///< 0.001 or more
-  double rate_limit_rad_s = 600.0 * (std::numbers::pi / 180.0);  ///< above 0
-  double stop_rad = 25.0 * (std::numbers::pi / 180.0);           ///< mechanical stop of the shaft, both ways; above 0
-  double backlash_rad = 0.1 * (std::numbers::pi / 180.0);        ///< whole width of the play; 0 or more
-  double pulse_centre_us = 1500.0;                               ///< commands the centre
-  double pulse_per_degree_us = 10.0;                             ///< negative when it turns the other way; not 0
-  double centre_rad = 0.0;                                       ///< shaft angle of the centre; within the stop
+  double lag_s = 0.020;                                  ///< first-order; 0.0005 to 1
+  double delay_s = 0.003;                                ///< from latched to acted upon; 0 to 0.05
+  double frame_period_s = 1.0 / 333.0;                   ///< 0.001 or more
+  double rate_limit_rad_s = 600.0 * radians_per_degree;  ///< above 0
+  double stop_rad = 25.0 * radians_per_degree;           ///< mechanical stop of the shaft, both ways; above 0
+  double backlash_rad = 0.1 * radians_per_degree;        ///< whole width of the play; 0 or more
+  double pulse_centre_us = 1500.0;                       ///< commands the centre
+  double pulse_per_degree_us = 10.0;                     ///< negative when it turns the other way; not 0
+  double centre_rad = 0.0;                               ///< shaft angle of the centre; within the stop
 };
+
+/// How much the servos of one vehicle differ from each other. Zeros: all are the same.
+struct ServoSpread {
+  double share = 0.0;       ///< of lag, delay, rate limit and play: each is multiplied by 1 +- this; 0 to 0.3
+  double centre_rad = 0.0;  ///< each centre is off by +- this; 0 to the servo's stop
+};
+
+/// One servo off the shelf: evenly spread about `typical`, and inside Servo's ranges where that is. Five numbers are
+/// drawn whatever the spread, so that one kind of spread does not change the other.
+[[nodiscard]] ServoParameters one_of_the_spread(const ServoParameters& typical, const ServoSpread& spread,
+                                                Random& random);
 
 enum class ServoFault : std::uint8_t {
   none,
@@ -41,14 +53,28 @@ enum class ServoFault : std::uint8_t {
 };
 
 /// Wrong enough to spin a rocket, and small enough to be overlooked by eye. (A whole tooth of a horn is 14 degrees.)
-inline constexpr double usual_wrong_trim_rad = 2.5 * (std::numbers::pi / 180.0);
+inline constexpr double usual_wrong_trim_rad = 2.5 * radians_per_degree;
 
 /// One canard servo, from the pulse on the wire to the angle of the canard shaft (on which the encoder sits).
 ///
-/// pulse -> latched at the next pulse frame -> transport delay -> first-order lag with a rate limit -> gear -> play ->
-/// shaft. Frames begin at whole multiples of the period since t = 0. Every stage is exact in time, so the angle does
-/// not depend on how a time is cut into steps, as long as the pulse is the same.
-/// No pulse: the motor has no power, and friction holds the shaft. A pulse outside 500 to 2500 us, or NaN, is ignored.
+/// What happens to a pulse, in this order:
+///   1. frame: it is looked at when the next frame begins; frames begin at whole multiples of the period since t = 0;
+///   2. range: outside 500 to 2500 us, or NaN, it is ignored; none at all takes the power away, and friction holds the
+///      shaft;
+///   3. delay: that much later the servo acts on it;
+///   4. direction, centre and trim: the goal, an angle of the shaft (faults: `reversed`, `wrong_trim`);
+///   5. rate limit, while the goal is farther away than limit times lag, and then the first-order lag: the gear
+///      (faults: `slow`, `hardover`, `dead`, `stuck`);
+///   6. stop: of the gear, half of the play beyond that of the shaft;
+///   7. play: the shaft follows half of it behind;
+///   8. grip: a `slipping` horn loses a third of every movement.
+/// Every stage is exact in time, so the angle does not depend on how a time is cut into steps, as long as the pulse is
+/// the same.
+///
+/// Example, with the defaults: from 1 ms on the pulse is 1700 us. It is taken over at 3.003 ms and acted upon at 6.003
+/// ms. The goal is 20 degrees; 600 deg/s times 20 ms is 12 degrees, so the gear turns its first 8 degrees at the rate
+/// limit, until 19.336 ms. From there the lag has it: 20 ms later 12 / e = 4.41 degrees are missing, the gear stands
+/// at 15.59 degrees and the shaft, 0.05 behind it, at 15.54. At rest it will be at 19.95.
 class Servo {
  public:
   /// Starts at its centre, without power. Throws std::invalid_argument for a parameter outside its range.

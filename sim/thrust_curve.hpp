@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "sim/segment_index.hpp"
@@ -12,6 +12,13 @@ namespace fantail::sim {
 struct ThrustPoint {
   double time_s;  ///< after ignition
   double thrust_n;
+};
+
+/// Why a point may not follow another.
+enum class PointFault : std::uint8_t {
+  time,    ///< not finite, or before ignition
+  thrust,  ///< not finite, or below zero
+  order,   ///< not later than the one before
 };
 
 /// What a motor does at one instant.
@@ -26,12 +33,12 @@ class ThrustCurve {
   /// No motor: no thrust, no propellant.
   ThrustCurve() = default;
 
-  /// Throws std::invalid_argument unless there are at least two points, each without objection(), the last thrust is
+  /// Throws std::invalid_argument unless there are at least two points, each without fault(), the last thrust is
   /// zero, the impulse is positive and finite, and so is the propellant.
   ThrustCurve(std::vector<ThrustPoint> points, double propellant_kg);
 
-  /// Why `next` may not follow `previous` (null: it is the first point), naming value and rule; empty when it may.
-  [[nodiscard]] static std::optional<std::string> objection(const ThrustPoint* previous, const ThrustPoint& next);
+  /// Why `next` may not follow `previous` (null: it is the first point); empty when it may.
+  [[nodiscard]] static std::optional<PointFault> fault(const ThrustPoint* previous, const ThrustPoint& next);
 
   /// Thrust and impulse at any finite time, found with one search.
   [[nodiscard]] Burn at(double time_s) const {

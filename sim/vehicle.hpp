@@ -10,12 +10,10 @@
 #include "sim/roll_plant.hpp"
 #include "sim/sensor_models.hpp"
 #include "sim/servo.hpp"
-#include "sim/servo_spread.hpp"
 #include "sim/thrust_curve.hpp"
+#include "sim/units.hpp"
 
 namespace fantail::sim {
-
-class Document;
 
 /// How one canard is really built in; a plan that believes something else rolls the rocket the wrong way.
 struct CanardMounting {
@@ -36,15 +34,9 @@ struct Vehicle {
   ServoSpread servo_spread{};
   std::array<CanardMounting, 4> canards{};
   InertialParameters imu{};
-  InertialParameters accelerometer{};
+  InertialParameters accelerometer{.full_scale_m_s2 = 32.0 * gravity_m_s2};
   EncoderParameters encoder{};
   CanardTolerances canard_tolerances{};  ///< for the bench; nothing in the simulation follows from them
 };
-
-/// Reads a vehicle file; its motor is looked for beside the shipped motors, or as a path. Throws InputError.
-[[nodiscard]] Vehicle read_vehicle(const Document& document);
-
-/// The names of the sections of a vehicle file.
-[[nodiscard]] std::vector<std::string> vehicle_sections();
 
 }  // namespace fantail::sim

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cmath>
+
 namespace fantail::sim {
 
 /// Defaults: the tunnel of Bryson et al. 2016 at 22 m/s, without turbulence and swirl.
@@ -44,6 +46,23 @@ class WindTunnel {
   double fan_gain_ = 0.0;
   double gust_decay_ = 1.0;
   double gust_gain_ = 0.0;
+};
+
+/// Defaults: the anemometer of Bryson et al. 2016.
+struct WindSensor {
+  double period_s = 2.0;
+  double resolution_m_s = 0.1;  ///< 0: not rounded
+
+  /// What it shows at this speed.
+  [[nodiscard]] double shown_m_s(double speed_m_s) const {
+    return resolution_m_s > 0.0 ? resolution_m_s * std::round(speed_m_s / resolution_m_s) : speed_m_s;
+  }
+};
+
+/// One line of a tunnel's log.
+struct WindReading {
+  double fan_rpm;  ///< the set point in force
+  double wind_speed_m_s;
 };
 
 }  // namespace fantail::sim

@@ -45,7 +45,7 @@ const CanardCommands& CanardMixer::mix(Microseconds time, Angle roll_command,
 }
 
 void CanardMixer::drive(Microseconds time, Microseconds elapsed, std::size_t i, Angle wanted,
-                               const std::optional<Angle>& encoder) {
+                        const std::optional<Angle>& encoder) {
   Canard& canard = canards_[i];
   CanardCommand& command = commands_[i];
   Angle angle = clamp(wanted, canard.limit);

@@ -73,7 +73,7 @@ void CanardMonitor::bridge() {
 // should do by its own command is taken off before it is compared with the others, because the self-test and a bench
 // move one and not the others.
 void CanardMonitor::follow(Channel& channel, float moved_share, const CanardCommand& command,
-                                  const std::optional<Angle>& encoder) {
+                           const std::optional<Angle>& encoder) {
   const bool is_readable = readable(encoder);
   if (is_readable) {
     channel.silent_since.reset();

@@ -45,8 +45,7 @@ std::optional<FlightPhase::Transition> FlightPhase::from_safe(const PhaseInputs&
   return std::nullopt;
 }
 
-std::optional<FlightPhase::Transition> FlightPhase::from_armed(const PhaseInputs& inputs,
-                                                                      const Motion& motion) const {
+std::optional<FlightPhase::Transition> FlightPhase::from_armed(const PhaseInputs& inputs, const Motion& motion) const {
   // The switch is the pad crew's way out. It is obeyed here and in no later phase: a switch that opens under
   // vibration must not end a flight.
   if (!inputs.arm_switch_closed) {
@@ -67,7 +66,7 @@ std::optional<FlightPhase::Transition> FlightPhase::from_armed(const PhaseInputs
 }
 
 std::optional<FlightPhase::Transition> FlightPhase::from_launched(const PhaseInputs& inputs,
-                                                                         const Motion& motion) const {
+                                                                  const Motion& motion) const {
   // Without a rate there is no roll angle, and with a broken clock no height: such a flight is never controlled.
   if (inputs.timing_fault) {
     return Transition{Phase::armed, PhaseReason::timing_fault_before_control};
@@ -89,7 +88,7 @@ std::optional<FlightPhase::Transition> FlightPhase::from_launched(const PhaseInp
 }
 
 std::optional<FlightPhase::Transition> FlightPhase::from_controlling(const PhaseInputs& inputs,
-                                                                            const Motion& motion) const {
+                                                                     const Motion& motion) const {
   // A tick that came late or twice makes every rate and angle doubtful.
   if (inputs.timing_fault) {
     return Transition{Phase::finished, PhaseReason::timing_fault};

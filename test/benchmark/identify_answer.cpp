@@ -16,7 +16,7 @@ std::size_t index_of(double value, const std::vector<double>& axis) {
   return static_cast<std::size_t>(std::ranges::min_element(axis, {}, off) - axis.begin());
 }
 
-double largest_difference_rad(const identify::ErrorMap& found, const identify::ErrorMap& expected) {
+double largest_difference_rad(const identify::model::ErrorMap& found, const identify::model::ErrorMap& expected) {
   double largest = 0.0;
   for (std::size_t j = 0; j < found.beta_m.size(); ++j) {
     const std::size_t row = index_of(found.beta_m[j], expected.beta_m) * expected.alpha_m2.size();
@@ -35,7 +35,7 @@ const IdentifyTask& task_of(const ::benchmark::State& state) {
   return identify_task(SampleRate{static_cast<int>(state.range(0))});
 }
 
-void tell(::benchmark::State& state, const identify::Model& model) {
+void tell(::benchmark::State& state, const identify::model::RollModel& model) {
   state.counters["alpha_m2"] = model.alpha_m2;
   state.counters["beta_m"] = model.beta_m;
   for (std::size_t k = 0; k < model.node_rad.size(); ++k) {
@@ -43,7 +43,7 @@ void tell(::benchmark::State& state, const identify::Model& model) {
   }
 }
 
-void tell_grid(::benchmark::State& state, const identify::GridResult& found) {
+void tell_grid(::benchmark::State& state, const identify::model::GridResult& found) {
   tell(state, found.model);
   state.counters["points"] = static_cast<double>(found.errors.mean_abs_angle_error_rad.size());
   state.counters["largest_difference_deg"] =

@@ -11,10 +11,10 @@ namespace fantail::benchmark {
 [[nodiscard]] const IdentifyTask& task_of(const ::benchmark::State& state);
 
 /// What was found stands beside its time, as counters, so that whoever reads the one can compare the other.
-void tell(::benchmark::State& state, const identify::Model& model);
+void tell(::benchmark::State& state, const identify::model::RollModel& model);
 
 /// Likewise, with the number of points that the time is for, and the largest difference of an error from the expected
 /// one.
-void tell_grid(::benchmark::State& state, const identify::GridResult& found);
+void tell_grid(::benchmark::State& state, const identify::model::GridResult& found);
 
 }  // namespace fantail::benchmark

@@ -5,14 +5,14 @@
 #include <ceres/ceres.h>
 
 #include "benchmark/identify_answer.hpp"
-#include "identify/node_times.hpp"
-#include "identify/ramp_transition.hpp"
-#include "identify/response_basis.hpp"
+#include "identify/model/alpha_fit.hpp"
+#include "identify/model/roll_equation.hpp"
+#include "identify/model/roll_model.hpp"
 
 namespace fantail::benchmark {
 namespace {
 
-using identify::Record;
+using identify::model::Record;
 
 constexpr int node_count = 5;
 
@@ -24,35 +24,32 @@ struct Prepared {
   std::vector<double> dt_s{};
   std::vector<double> damping_per_m2_s{};
   std::vector<double> authority_per_m_s2{};
-  std::vector<identify::NodeShare> share{};
+  std::vector<identify::model::NodeShare> share{};
 };
 
 Prepared::Prepared(const IdentifyTask& task) : record{task.record} {
+  const std::vector<identify::model::RollEquation> equation = identify::model::roll_equations(record, task.airframe);
   for (std::size_t i = 0; i < record.size(); ++i) {
-    const auto damping = [&](std::size_t at) {
-      return identify::damping_per_m2_s(task.airframe, record.density_kg_m3[at], record.speed_m_s[at]);
-    };
     if (i + 1 < record.size()) {
-      dt_s.push_back(identify::step_s(record.time_s[i], record.time_s[i + 1]));
-      damping_per_m2_s.push_back(0.5 * (damping(i) + damping(i + 1)));
+      dt_s.push_back(identify::model::step_s(record.time_s[i], record.time_s[i + 1]));
+      damping_per_m2_s.push_back(0.5 * (equation[i].damping_per_m2_s + equation[i + 1].damping_per_m2_s));
     }
-    authority_per_m_s2.push_back(
-        identify::authority_per_m_s2(task.airframe, record.density_kg_m3[i], record.speed_m_s[i]));
-    share.push_back(identify::node_share(task.node_time_s, record.time_s[i]));
+    authority_per_m_s2.push_back(equation[i].authority_per_m_s2);
+    share.push_back(identify::model::node_share(task.node_time_s, record.time_s[i]));
   }
 }
 
 // The same steps as everybody's; Ceres makes the derivatives itself (dual numbers of five parts).
 struct AngleErrors {
   const Prepared& prepared;
-  const std::vector<identify::RampTransition>& steps;
+  const std::vector<identify::model::RampStep>& steps;
   double beta_m;
 
   template <typename Number>
   bool operator()(const Number* node_rad, Number* error) const {
     const Record& record = prepared.record;
     const auto acceleration = [&](std::size_t i) {
-      const identify::NodeShare& share = prepared.share[i];
+      const identify::model::NodeShare& share = prepared.share[i];
       return prepared.authority_per_m_s2[i] * beta_m *
              (record.canard_rad[i] +
               (node_rad[share.left] + share.right_share * (node_rad[share.right] - node_rad[share.left])));
@@ -62,7 +59,7 @@ struct AngleErrors {
     Number before = acceleration(0);
     error[0] = Number{0.0};
     for (std::size_t i = 0; i < steps.size(); ++i) {
-      const identify::RampTransition& t = steps[i];
+      const identify::model::RampStep& t = steps[i];
       const Number now = acceleration(i + 1);
       angle += t.angle_p * rate + t.angle_0 * before + t.angle_1 * now;
       rate = t.decay * rate + t.rate_0 * before + t.rate_1 * now;
@@ -80,9 +77,9 @@ constexpr double close = 1e-14;
 
 // Fits the nodes at one point, from zero; returns the mean absolute angle error.
 double fit(const Prepared& prepared, double tolerance, double alpha_m2, double beta_m, std::vector<double>& node_rad) {
-  std::vector<identify::RampTransition> steps;
+  std::vector<identify::model::RampStep> steps;
   for (std::size_t i = 0; i < prepared.dt_s.size(); ++i) {
-    steps.push_back(identify::ramp_transition(alpha_m2 * prepared.damping_per_m2_s[i], prepared.dt_s[i]));
+    steps.push_back(identify::model::ramp_step(alpha_m2 * prepared.damping_per_m2_s[i], prepared.dt_s[i]));
   }
   const AngleErrors errors{.prepared = prepared, .steps = steps, .beta_m = beta_m};
   node_rad.assign(node_count, 0.0);
@@ -109,7 +106,7 @@ double fit(const Prepared& prepared, double tolerance, double alpha_m2, double b
 
 void ceres_grid(::benchmark::State& state, double tolerance) {
   const IdentifyTask& task = task_of(state);
-  identify::GridResult found;
+  identify::model::GridResult found;
   for ([[maybe_unused]] auto _ : state) {
     found = {};
     found.errors.alpha_m2 = task.some_points.alpha_m2.values();

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "identify/node_times.hpp"
+#include "identify/model/roll_model.hpp"
 #include "sim/world.hpp"
 
 namespace fantail::benchmark {
@@ -14,7 +14,7 @@ constexpr std::size_t ticks_per_s = 1'000;
 constexpr std::size_t seconds = 9;
 
 sim::Scenario scenario() {
-  sim::Scenario launch = sim::load_scenario("tasha3_launch2", {});
+  sim::Scenario launch = input::load_scenario("tasha3_launch2", {});
   constexpr double degree = 0.017453292519943295;
   // Corners where the nodes will stand: control starts 0.65 s after lift-off.
   launch.disturbance = {{.time_s = 0.65, .angle_rad = -3.0 * degree},
@@ -25,7 +25,8 @@ sim::Scenario scenario() {
   return launch;
 }
 
-void add_sample(identify::Record& record, const core::TickRecord& tick, double time_s, const sim::Atmosphere& air) {
+void add_sample(identify::model::Record& record, const core::TickRecord& tick, double time_s,
+                const sim::Atmosphere& air) {
   record.time_s.push_back(time_s);
   record.roll_angle_rad.push_back(static_cast<double>(tick.motion.roll_angle.radians()));
   record.roll_rate_rad_s.push_back(static_cast<double>(tick.motion.roll_rate_rad_s));
@@ -38,7 +39,7 @@ void add_sample(identify::Record& record, const core::TickRecord& tick, double t
 }
 
 // Every so many values of an axis, so that `through` is one of them.
-identify::Axis thinned(const identify::Axis& axis, double through, double every) {
+identify::model::Axis thinned(const identify::model::Axis& axis, double through, double every) {
   const double step = every * axis.step;
   return {.first = through - step * std::floor((through - axis.first) / step + 1e-9), .last = axis.last, .step = step};
 }
@@ -65,10 +66,10 @@ IdentifyTask fly(SampleRate rate) {
     ++ticks;
   }
   task.record.window = "9 s from control start";
-  task.node_time_s = identify::even_nodes(task.record, 4);
-  const identify::Grid whole;
-  task.expected =
-      identify::search_open_loop_grid(task.record, task.airframe, task.node_time_s, identify::Start::measured, whole);
+  task.node_time_s = identify::model::even_nodes(task.record, 4);
+  const identify::model::Grid whole;
+  task.expected = identify::model::search_open_loop_grid(task.record, task.airframe, task.node_time_s,
+                                                         identify::model::Start::measured, whole);
   task.some_points = {.alpha_m2 = thinned(whole.alpha_m2, task.expected.model.alpha_m2, 6),
                       .beta_m = thinned(whole.beta_m, task.expected.model.beta_m, 4)};
   return task;

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "identify/estimate.hpp"
 #include "identify/identification.hpp"
-#include "identify/open_loop.hpp"
-#include "identify/record.hpp"
+#include "identify/model/open_loop.hpp"
+#include "identify/model/roll_model.hpp"
 
 namespace fantail::benchmark {
 
@@ -12,15 +11,15 @@ namespace fantail::benchmark {
 /// logged them, noise and all. The excitation swings the canards, the speed falls from 80 m/s to a tenth of it, and the
 /// disturbance has corners.
 struct IdentifyTask {
-  identify::Record record;
-  identify::Airframe airframe;
-  identify::ClosedLoop loop;
-  identify::NodeTimes node_time_s;  ///< five
+  identify::model::Record record;
+  identify::model::Airframe airframe;
+  identify::closed_loop::Control loop;
+  identify::model::NodeTimes node_time_s;  ///< five
   /// What the fast search finds over the whole default grid: the others are compared with it.
-  identify::GridResult expected;
+  identify::model::GridResult expected;
   /// Every sixth alpha and every fourth beta of it, the expected winner among them: for solvers that would take
   /// minutes.
-  identify::Grid some_points;
+  identify::model::Grid some_points;
 };
 
 /// The rates that are compared. Each is flown once.

@@ -5,16 +5,17 @@
 #include <stdexcept>
 
 #include "fly/fly_scenario.hpp"
-#include "sim/document.hpp"
-#include "sim/plan_file.hpp"
+#include "input/document.hpp"
+#include "input/plan_file.hpp"
+#include "input/scenario_file.hpp"
 
 namespace fantail::benchmark {
 namespace {
 
 LoggedFlight fly() {
-  const std::array changes{sim::parse_override("run.control_time_s=30")};
+  const std::array changes{input::parse_override("run.control_time_s=30")};
   LoggedFlight logged;
-  logged.bytes = fly::fly_scenario(sim::load_scenario("tunnel_steps", changes), {}, {}, fly::Log::kept).log;
+  logged.bytes = fly::fly_scenario(input::load_scenario("tunnel_steps", changes), {}, {}, fly::Log::kept).log;
   flight_log::LogFile file = flight_log::parse_log(logged.bytes, "benchmark");
   if (file.flights.size() != 1 || !file.flights[0].plan) {
     throw std::runtime_error{"the flight was not recorded"};

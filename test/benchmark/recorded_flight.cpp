@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "avionics/sensor_scaling.hpp"
+#include "input/scenario_file.hpp"
 #include "sim/world.hpp"
 
 namespace fantail::benchmark {
@@ -26,7 +27,7 @@ core::Inputs inputs(const hal::sim::WorldSide& hardware, const core::CanardsPlan
 }
 
 RecordedFlight fly() {
-  RecordedFlight flight{.scenario = sim::load_scenario("tasha3_launch2", {}), .ticks = {}};
+  RecordedFlight flight{.scenario = input::load_scenario("tasha3_launch2", {}), .ticks = {}};
   sim::World world{flight.scenario};
   core::Phase before = core::Phase::safe;
   while (!world.over()) {

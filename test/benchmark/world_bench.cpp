@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <benchmark/benchmark.h>
 
+#include "input/scenario_file.hpp"
 #include "sim/world.hpp"
 
 namespace fantail::benchmark {
@@ -9,7 +10,7 @@ namespace {
 // A whole flight from power-up on the pad to a second after apogee: sensors, avionics, servos, air and rocket. Nothing
 // is written anywhere, and the scenario is loaded beforehand.
 void whole_flight(::benchmark::State& state) {
-  const sim::Scenario scenario = sim::load_scenario("tasha3_launch2", {});
+  const sim::Scenario scenario = input::load_scenario("tasha3_launch2", {});
   double milliseconds = 0.0;
   for ([[maybe_unused]] auto _ : state) {
     sim::World world{scenario};

@@ -17,8 +17,8 @@ int main(int argc, char** argv) {
   }
   const benchmark::IdentifyTask& task =
       benchmark::identify_task(rate == "100" ? benchmark::SampleRate::hz_100 : benchmark::SampleRate::hz_1000);
-  const identify::Record& record = task.record;
-  const identify::Grid grid;
+  const identify::model::Record& record = task.record;
+  const identify::model::Grid grid;
   const nlohmann::json json{{"time_s", record.time_s},
                             {"roll_angle_rad", record.roll_angle_rad},
                             {"roll_rate_rad_s", record.roll_rate_rad_s},

@@ -14,8 +14,8 @@
 #include <string_view>
 
 #include "emulator/images.hpp"
+#include "input/scenario_file.hpp"
 #include "sil/bench_at_world.hpp"
-#include "sim/scenario.hpp"
 #include "sim/world.hpp"
 
 namespace fantail::test {
@@ -75,7 +75,7 @@ using Phases = std::array<Phase, 3>;
 Phases count(hil::Target& target) {
   Phases phases{Phase{"pad"}, Phase{"controlling_with_chirp"}, Phase{"bench_session"}};
   Counter counter{target};
-  const sim::Scenario launch = sim::load_scenario("tasha3_launch2", {});
+  const sim::Scenario launch = input::load_scenario("tasha3_launch2", {});
   sim::World world{launch, sim::World::large_flash, target.maker()};
   while (!world.over()) {
     const core::TickRecord& record = world.tick();

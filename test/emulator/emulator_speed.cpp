@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "emulator/images.hpp"
+#include "input/scenario_file.hpp"
 #include "protocol/tick_digest.hpp"
-#include "sim/scenario.hpp"
 #include "sim/world.hpp"
 
 namespace fantail::test {
@@ -50,7 +50,7 @@ int run(int argc, char** argv) {
     std::printf("%s\n", objection.c_str());
     return 77;
   }
-  const sim::Scenario scenario = sim::load_scenario(argc > 1 ? argv[1] : "tasha3_launch2", {});
+  const sim::Scenario scenario = input::load_scenario(argc > 1 ? argv[1] : "tasha3_launch2", {});
   const Flight host = fly(scenario, sim::simulated_board);
   print("on the host", host, host);
   for (int round = 0; round < 3; ++round) {

@@ -10,10 +10,10 @@
 #include "core/tick_record_fields.hpp"
 #include "emulator/images.hpp"
 #include "fly/fly_scenario.hpp"
+#include "input/scenario_file.hpp"
 #include "protocol/hil_codec.hpp"
 #include "report/csv.hpp"
 #include "report/results.hpp"
-#include "sim/scenario.hpp"
 
 namespace fantail::test {
 namespace {
@@ -65,7 +65,7 @@ TEST_P(Emulated, FlightIsThatOfTheHostTickByTickAndByteByByte) {
   if (const std::string objection = objection_to_images(); !objection.empty()) {
     GTEST_SKIP() << objection;
   }
-  sim::Scenario scenario = sim::load_scenario(GetParam().scenario, {});
+  sim::Scenario scenario = input::load_scenario(GetParam().scenario, {});
   scenario.faults = GetParam().faults;
   hil::Target target{std::make_unique<hil::Emulator>(hil::EmulatorOptions{.image = image("fantail-emulator.elf")})};
   const Flown here = fly(scenario, sim::simulated_board);

@@ -14,8 +14,8 @@
 
 #include "emulator/images.hpp"
 #include "hil/serial_port.hpp"
+#include "input/scenario_file.hpp"
 #include "protocol/tick_digest.hpp"
-#include "sim/scenario.hpp"
 #include "sim/world.hpp"
 
 namespace fantail::test {
@@ -69,7 +69,7 @@ TEST(Serial, TheBoardAtTheEndOfASerialLineFliesAsTheHostDoesAndCanBeFlownAgain) 
   }
   const EmulatedBoard board;
   ASSERT_FALSE(board.device.empty());
-  const sim::Scenario scenario = sim::load_scenario("tasha3_launch2", {});
+  const sim::Scenario scenario = input::load_scenario("tasha3_launch2", {});
   for (int flight = 0; flight < 2; ++flight) {
     hil::Target target{std::make_unique<hil::SerialPort>(board.device)};
     EXPECT_EQ(target.identity().image, "fantail-hil");

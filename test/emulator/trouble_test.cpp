@@ -12,10 +12,10 @@
 #include <gtest/gtest.h>
 
 #include "emulator/images.hpp"
+#include "input/scenario_file.hpp"
 #include "protocol/tick_digest.hpp"
-#include "sim/input_error.hpp"
-#include "sim/scenario.hpp"
 #include "sim/world.hpp"
+#include "text/error.hpp"
 
 namespace fantail::test {
 namespace {
@@ -32,7 +32,7 @@ class EmulatorTrouble : public testing::Test {
   }
 
   static hil::EmulatorOptions options() { return {.image = image("fantail-emulator.elf")}; }
-  sim::Scenario scenario = sim::load_scenario("tasha3_launch2", {});
+  sim::Scenario scenario = input::load_scenario("tasha3_launch2", {});
 };
 
 std::string why(const std::function<void()>& act) {
@@ -102,8 +102,8 @@ TEST(EmulatorImage, ThatIsMissingIsNamed) {
   try {
     const hil::Emulator emulator{{.image = "/nowhere/fantail-emulator.elf"}};
     ADD_FAILURE() << "it was flown";
-  } catch (const sim::InputError& error) {
-    EXPECT_EQ(error.fault(), sim::InputFault::no_such_input);
+  } catch (const text::Error& error) {
+    EXPECT_EQ(error.kind(), text::ErrorKind::no_such_input);
     EXPECT_THAT(error.what(), HasSubstr("/nowhere/fantail-emulator.elf: there is no such image"));
   }
 }

@@ -7,7 +7,7 @@
 
 #include "flight_log/flight_log.hpp"
 #include "flight_log/foreign.hpp"
-#include "sim/input_error.hpp"
+#include "text/error.hpp"
 
 namespace fantail::flight_log {
 namespace {
@@ -45,11 +45,11 @@ class LogFileOnDisk : public testing::Test {
   }
   void TearDown() override { std::filesystem::remove_all(folder_); }
 
-  static std::string refusal(const std::filesystem::path& path, sim::InputFault fault) {
+  static std::string refusal(const std::filesystem::path& path, text::ErrorKind fault) {
     try {
       (void)read_log_file(path);
-    } catch (const sim::InputError& error) {
-      EXPECT_EQ(error.fault(), fault);
+    } catch (const text::Error& error) {
+      EXPECT_EQ(error.kind(), fault);
       return error.what();
     }
     ADD_FAILURE() << "was not refused";
@@ -62,19 +62,19 @@ class LogFileOnDisk : public testing::Test {
 TEST_F(LogFileOnDisk, ThatIsSomethingElseIsRefusedWithWhatItIs) {
   const auto file = folder_ / "flight.csv";
   std::ofstream{file} << "time_s,phase,roll_angle_deg\n";
-  const std::string message = refusal(file, sim::InputFault::bad_data);
+  const std::string message = refusal(file, text::ErrorKind::bad_data);
   EXPECT_NE(message.find(file.string()), std::string::npos);
   EXPECT_NE(message.find("CSV"), std::string::npos);
 }
 
 TEST_F(LogFileOnDisk, ThatDoesNotExistIsNoInput) {
-  EXPECT_NE(refusal(folder_ / "none.ftl", sim::InputFault::no_such_input).find("no such file"), std::string::npos);
+  EXPECT_NE(refusal(folder_ / "none.ftl", text::ErrorKind::no_such_input).find("no such file"), std::string::npos);
 }
 
 TEST_F(LogFileOnDisk, OfAFolderIsTheFlightInIt) {
-  EXPECT_NE(refusal(folder_, sim::InputFault::no_such_input).find("without a flight.ftl"), std::string::npos);
+  EXPECT_NE(refusal(folder_, text::ErrorKind::no_such_input).find("without a flight.ftl"), std::string::npos);
   std::ofstream{folder_ / "flight.ftl"} << "x";
-  EXPECT_NE(refusal(folder_, sim::InputFault::bad_data).find("flight.ftl"), std::string::npos);
+  EXPECT_NE(refusal(folder_, text::ErrorKind::bad_data).find("flight.ftl"), std::string::npos);
 }
 
 }  // namespace

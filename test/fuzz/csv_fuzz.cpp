@@ -6,10 +6,10 @@
 #include <cstdlib>
 #include <string>
 
-#include "identify/make_record.hpp"
+#include "identify/choices.hpp"
 #include "logs/roll_log.hpp"
 #include "logs/table.hpp"
-#include "sim/input_error.hpp"
+#include "text/error.hpp"
 
 namespace {
 
@@ -57,7 +57,7 @@ void check_log(const logs::RollLog& log) {
   }
 }
 
-void check_record(const identify::Record& record) {
+void check_record(const identify::model::Record& record) {
   const std::size_t rows = record.size();
   require(rows >= 3 && record.time_s[0] == 0.0 && record.segment_begin.at(0) == 0);
   for (const auto* list : {&record.roll_angle_rad, &record.roll_rate_rad_s, &record.canard_rad, &record.speed_m_s,
@@ -95,7 +95,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   try {
     read(data[0], std::string(reinterpret_cast<const char*>(data) + 1, size - 1));
-  } catch (const sim::InputError& error) {
+  } catch (const text::Error& error) {
     require(is_sentence(error.what()));
   }
   return 0;

@@ -3,12 +3,16 @@
 
 #include <gtest/gtest.h>
 
-#include "identify/closed_loop_runs.hpp"
+#include "identify/closed_loop/runs.hpp"
 #include "identify/identification.hpp"
-#include "identify/planted.hpp"
+#include "identify/model/planted.hpp"
 
 namespace fantail::identify {
 namespace {
+
+using namespace closed_loop;
+using namespace model;
+using namespace result;
 
 constexpr double degree = paper::radians_per_degree;
 

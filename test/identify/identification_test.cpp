@@ -6,11 +6,14 @@
 
 #include <gtest/gtest.h>
 
-#include "identify/planted.hpp"
-#include "sim/input_error.hpp"
+#include "identify/model/planted.hpp"
+#include "text/error.hpp"
 
 namespace fantail::identify {
 namespace {
+
+using namespace model;
+using namespace result;
 
 constexpr Options quick{.with_error_map = false};
 
@@ -118,7 +121,7 @@ TEST(Identification, TheGridsWinnerIsTheCellNextToThePlantedModel) {
 std::string refusal(const std::function<void()>& action) {
   try {
     action();
-  } catch (const sim::InputError& error) {
+  } catch (const text::Error& error) {
     return error.what();
   }
   return "not refused";

@@ -12,10 +12,12 @@
 namespace fantail::identify {
 namespace {
 
-using sim::InputFault;
+using namespace model;
+
 using test::cut_out;
 using test::expect_refused;
 using test::flown_log;
+using text::ErrorKind;
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
@@ -23,7 +25,7 @@ Window seconds(double from_s, double to_s) { return {from_s, to_s, ""}; }
 
 void expect_bad(const logs::RollLog& log, const Window& window, const RecordOptions& options,
                 std::initializer_list<const char*> words) {
-  expect_refused(InputFault::bad_data, words, [&] { (void)make_record(log, window, options); });
+  expect_refused(ErrorKind::bad_data, words, [&] { (void)make_record(log, window, options); });
 }
 
 TEST(Record, HoldsTheWindowWithTimeFromItsBegin) {
@@ -141,7 +143,7 @@ TEST(Record, OutsideTheDataIsRefused) {
   expect_bad(flown_log(), seconds(5.0, 25.0), {}, {"outside the data"});
   expect_bad(flown_log(), seconds(-5.0, 5.0), {}, {"outside the data"});
   EXPECT_NO_THROW((void)make_record(flown_log(), seconds(-1.05, 10.05), {}));
-  expect_refused(InputFault::bad_configuration, {"window 5:2: begins at 5 s, behind its end at 2 s"},
+  expect_refused(ErrorKind::bad_configuration, {"window 5:2: begins at 5 s, behind its end at 2 s"},
                  [] { (void)make_record(flown_log(), seconds(5.0, 2.0), {}); });
 }
 
@@ -162,6 +164,41 @@ TEST(Record, ACellWithoutANumberIsRefusedWhereItIsNeeded) {
   EXPECT_TRUE(make_record(log, {}, {.density_kg_m3 = 1.2}).reference_rad.empty());
   log.canard_rad.clear();
   expect_bad(log, {}, {}, {"no column canard_deg"});
+}
+
+using sim::DensityModel;
+
+logs::RollLog log_between(double low_m, double high_m) {
+  logs::RollLog log;
+  log.height_m = {low_m, 0.5 * (low_m + high_m), high_m};
+  return log;
+}
+
+TEST(Air, OfALogThatClimbsThinsWithHeight) {
+  const Air air = choose_air(log_between(0.0, 420.0), {});
+  EXPECT_EQ(air.atmosphere.model, DensityModel::exponential);
+  EXPECT_NE(air.words.find("height_m"), std::string::npos);
+}
+
+TEST(Air, OfATunnelIsTheSameThroughout) {
+  for (const logs::RollLog& log : {logs::RollLog{}, log_between(0.0, 0.0), log_between(-3.0, 0.4)}) {
+    const Air air = choose_air(log, {});
+    EXPECT_EQ(air.atmosphere.model, DensityModel::constant);
+    EXPECT_EQ(air.atmosphere.constant_kg_m3, 1.2);
+    EXPECT_NE(air.words.find("1.2 kg/m3"), std::string::npos);
+  }
+}
+
+TEST(Air, IsWhatThePersonSays) {
+  const logs::RollLog log = log_between(0.0, 420.0);
+  EXPECT_EQ(choose_air(log, "1.1").atmosphere.constant_kg_m3, 1.1);
+  EXPECT_EQ(choose_air(log, "1.1").atmosphere.model, DensityModel::constant);
+  EXPECT_EQ(choose_air(log, "isa").atmosphere.model, DensityModel::isa);
+  EXPECT_EQ(choose_air({}, "exponential").atmosphere.model, DensityModel::exponential);
+  for (const char* wrong : {"", "thin", "0", "-1.2", "nan", "1e9"}) {
+    test::expect_refused(text::ErrorKind::bad_configuration, {"--density", wrong, "kg/m3, exponential, isa"},
+                         [&] { (void)choose_air(log, wrong); });
+  }
 }
 
 }  // namespace

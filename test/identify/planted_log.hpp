@@ -6,15 +6,15 @@
 #include <utility>
 #include <vector>
 
-#include "identify/planted.hpp"
+#include "identify/model/planted.hpp"
 #include "identify/study.hpp"
 #include "logs/roll_log.hpp"
 
 namespace fantail::identify {
 
 /// A planted roll as a log whose clock begins at 2 s.
-inline logs::RollLog planted_log(const Planting& planting) {
-  const Record record = planted_record(planting);
+inline logs::RollLog planted_log(const model::Planting& planting) {
+  const model::Record record = model::planted_record(planting);
   logs::RollLog log;
   log.name = "planted.csv";
   for (const double t : record.time_s) {
@@ -44,7 +44,7 @@ inline Question planted_question(std::string nodes = "even:1") {
   Question question;
   question.windows.push_back({.name = "all"});
   question.nodes = std::move(nodes);
-  question.airframe = tasha;
+  question.airframe = model::tasha;
   question.record.density_kg_m3 = 1.2;
   question.options.grid = {.alpha_m2 = {10.0, 30.0, 1.0}, .beta_m = {8.0, 10.0, 0.5}};
   return question;

@@ -4,12 +4,16 @@
 #include <gtest/gtest.h>
 
 #include "core/flight_plan_fields.hpp"
+#include "identify/choices.hpp"
 #include "identify/flown_log.hpp"
 #include "identify/planted_log.hpp"
 #include "logs/refused.hpp"
 
 namespace fantail::identify {
 namespace {
+
+using namespace model;
+using namespace result;
 
 TEST(Study, HasAResultForEachWindowAndMethod) {
   const logs::RollLog log = planted_log({});
@@ -58,8 +62,8 @@ TEST(Study, SaysThatThereAreGaps) {
 
 TEST(Study, OfAClosedLoopNeedsTheReference) {
   Question question = planted_question();
-  question.options.closed_loop = ClosedLoop{.controller = core::default_plan().controller};
-  test::expect_refused(sim::InputFault::bad_data, {"planted.csv", "no column reference_deg", "window all"},
+  question.options.closed_loop = closed_loop::Control{.controller = core::default_plan().controller};
+  test::expect_refused(text::ErrorKind::bad_data, {"planted.csv", "no column reference_deg", "window all"},
                        [&] { (void)study(planted_log({}), question); });
 }
 
@@ -67,6 +71,31 @@ TEST(Study, PassesTheWarningsOfTheLogOn) {
   logs::RollLog log = planted_log({});
   log.warnings = {"a doubt"};
   EXPECT_EQ(study(log, planted_question()).warnings, (std::vector<std::string>{"a doubt"}));
+}
+
+// 500 Hz, so a sample is 2 ms.
+LagFit fitted(int samples_late, const NodeChoice& nodes = EvenNodes{0}) {
+  logs::RollLog log = planted_log({.seconds = 3.0, .sample_hz = 500.0});
+  delay_canards(log, samples_late);
+  const Question question = planted_question();
+  return fit_lag(log, question.windows[0], question.record, tasha, nodes, question.options);
+}
+
+TEST(LagFit, FindsByHowMuchTheCanardsAreLate) {
+  EXPECT_NEAR(fitted(6).lag_s, 0.012, 0.0005);
+  EXPECT_NEAR(fitted(-9).lag_s, -0.018, 0.0005);
+  EXPECT_NEAR(fitted(0).lag_s, 0.0, 0.0005);
+  EXPECT_FALSE(fitted(6).at_the_edge);
+}
+
+TEST(LagFit, TakesOneDisturbanceForAllLagsEvenWhenItsNodesAreAutomatic) {
+  EXPECT_NEAR(fitted(6, AutomaticNodes{2}).lag_s, 0.012, 0.0005);
+}
+
+TEST(LagFit, SaysWhenTheBestLiesAtTheEdge) {
+  const LagFit fit = fitted(40);  // 80 ms
+  EXPECT_TRUE(fit.at_the_edge);
+  EXPECT_NEAR(fit.lag_s, largest_fitted_lag_s, 0.001);
 }
 
 }  // namespace

@@ -15,8 +15,8 @@
 namespace fantail::logs {
 namespace {
 
-using sim::InputFault;
 using test::expect_refused;
+using text::ErrorKind;
 
 constexpr Needs nothing{.roll_angle = false, .roll_rate = false};
 
@@ -60,8 +60,8 @@ TEST(FlightCsv, APageOfIsMadeWithoutInventingAnything) {
   for (const char* invented : {"Safe", "Final phase", "Saturated", "Top speed", "not a number", "seed"}) {
     EXPECT_EQ(page.substr(0, page.find("<script")).find(invented), std::string::npos) << invented;
   }
-  EXPECT_NE(page.find("\"id\":\"roll-angle\""), std::string::npos);
-  EXPECT_EQ(page.find("\"id\":\"speed\""), std::string::npos);
+  EXPECT_NE(page.find("\"title\":\"Roll angle\""), std::string::npos);
+  EXPECT_EQ(page.find("\"title\":\"Speed\""), std::string::npos);
 }
 
 TEST(FlightCsv, OfATableWithPhasesTheTimeUnderControlIsMeasured) {
@@ -76,12 +76,12 @@ TEST(FlightCsv, OfATableWithPhasesTheTimeUnderControlIsMeasured) {
 }
 
 TEST(FlightCsv, ATableWithoutAFlightIsRefusedWithItsPlace) {
-  expect_refused(InputFault::bad_data, {"log.csv", "time_s"}, [] { (void)read("t,roll_angle_deg\n0,1\n"); });
-  expect_refused(InputFault::bad_data, {"log.csv: none of its columns", "roll_rate_deg_s"},
+  expect_refused(ErrorKind::bad_data, {"log.csv", "time_s"}, [] { (void)read("t,roll_angle_deg\n0,1\n"); });
+  expect_refused(ErrorKind::bad_data, {"log.csv: none of its columns", "roll_rate_deg_s"},
                  [] { (void)read("time_s,a,b\n0,1,2\n"); });
-  expect_refused(InputFault::bad_data, {"log.csv:3: time_s is 0 after 1 in line 2: time goes back"},
+  expect_refused(ErrorKind::bad_data, {"log.csv:3: time_s is 0 after 1 in line 2: time goes back"},
                  [] { (void)read("time_s,speed_m_s\n1,1\n0,1\n"); });
-  expect_refused(InputFault::bad_data, {"log.csv: no row behind the header"}, [] { (void)read("time_s,speed_m_s\n"); });
+  expect_refused(ErrorKind::bad_data, {"log.csv: no row behind the header"}, [] { (void)read("time_s,speed_m_s\n"); });
 }
 
 TEST(FlightCsv, WhatWasLeftOutOfATableIsANoteOfTheFlight) {
@@ -97,7 +97,7 @@ TEST(FlightCsv, AnOptionIsAdvisedByTheNameThatTheVerbHasForItOrNotAtAll) {
   const auto message = [](const std::string& options) {
     try {
       (void)read_flight_csv(Table::parse("t,speed_m_s\n0,1\n", "log.csv"), {.options = options}, nothing);
-    } catch (const sim::InputError& error) {
+    } catch (const text::Error& error) {
       return std::string{error.what()};
     }
     return std::string{};

@@ -16,8 +16,8 @@ namespace fantail::logs {
 namespace {
 
 using flight_log::MadeFlight;
-using sim::InputFault;
 using test::expect_refused;
+using text::ErrorKind;
 
 std::string text(const std::vector<std::byte>& bytes) {
   std::string result(bytes.size(), '\0');
@@ -75,11 +75,11 @@ TEST_F(FlightFile, WhatIsLostIsAGapInTimeAndAWarning) {
 
 TEST_F(FlightFile, WhatOnlyATableCanBeAskedIsRefusedOfALog) {
   const auto path = folder_.write("flown.ftl", text(made_.bytes));
-  expect_refused(InputFault::bad_configuration, {"flown.ftl: is a flight log", "holds no truth"},
+  expect_refused(ErrorKind::bad_configuration, {"flown.ftl: is a flight log", "holds no truth"},
                  [&] { (void)read_roll_log(path, {.truth = true}, {}); });
-  expect_refused(InputFault::bad_configuration, {"flown.ftl: is a flight log", "in which unit"},
+  expect_refused(ErrorKind::bad_configuration, {"flown.ftl: is a flight log", "in which unit"},
                  [&] { (void)read_roll_log(path, {.angles = AngleUnit::radians}, {}); });
-  expect_refused(InputFault::bad_configuration, {"flown.ftl: is a flight log", "names its columns itself"},
+  expect_refused(ErrorKind::bad_configuration, {"flown.ftl: is a flight log", "names its columns itself"},
                  [&] { (void)read_roll_log(path, {.columns = {{"roll_angle_deg", "phi"}}}, {}); });
 }
 
@@ -87,7 +87,7 @@ TEST_F(FlightFile, OfSeveralFlightsNoneIsTakenAtRandom) {
   flight_log::MadeFlightOptions second;
   second.flight = 2;
   const auto path = folder_.write("two.ftl", text(made_.bytes) + text(flight_log::make_flight(second).bytes));
-  expect_refused(InputFault::bad_data, {"two.ftl: holds 2 flights", "fantail log export", "--flight"},
+  expect_refused(ErrorKind::bad_data, {"two.ftl: holds 2 flights", "fantail log export", "--flight"},
                  [&] { (void)read_flight(path); });
 }
 
@@ -95,7 +95,7 @@ TEST_F(FlightFile, AFlightThatCannotBeReplayedSaysWhy) {
   // Without its header nobody knows the plan: from the first record on to the last but one thousand.
   const std::string bytes = text(made_.bytes);
   const auto path = folder_.write("tail.ftl", bytes.substr(made_.frame_ends[made_.frame_ends.size() - 100]));
-  expect_refused(InputFault::bad_data, {"tail.ftl: the flight cannot be replayed"}, [&] { (void)read_flight(path); });
+  expect_refused(ErrorKind::bad_data, {"tail.ftl: the flight cannot be replayed"}, [&] { (void)read_flight(path); });
 }
 
 TEST_F(FlightFile, OfAFolderRowsComeFromTheTableReasonsFromTheSummaryAndThePlanFromTheLog) {
@@ -126,7 +126,7 @@ TEST_F(FlightFile, OfAFolderRowsComeFromTheTableReasonsFromTheSummaryAndThePlanF
 TEST_F(FlightFile, ASummaryThatIsNoneIsRefused) {
   folder_.write("flown/flight.csv", "time_s,roll_angle_deg\n0,1\n");
   folder_.write("flown/summary.json", "[1, 2");
-  expect_refused(InputFault::bad_data, {"summary.json: not the JSON of a flight's summary"},
+  expect_refused(ErrorKind::bad_data, {"summary.json: not the JSON of a flight's summary"},
                  [&] { (void)read_flight(folder_.path() / "flown"); });
 }
 

@@ -8,14 +8,14 @@
 #include <gtest/gtest.h>
 
 #include "logs/refused.hpp"
-#include "sim/input_error.hpp"
 #include "system/folder.hpp"
+#include "text/error.hpp"
 
 namespace fantail::logs {
 namespace {
 
-using sim::InputFault;
 using test::expect_refused;
+using text::ErrorKind;
 
 constexpr double degree = std::numbers::pi / 180.0;
 const std::string head = "time_s,roll_angle_deg,roll_rate_deg_s,canard_deg,speed_m_s\n";
@@ -28,7 +28,7 @@ class RollLogFile : public testing::Test {
   }
   void expect_bad(const std::string& text, std::initializer_list<const char*> words, const Reading& reading = {},
                   const Needs& needs = {.canard = true, .speed = true}) {
-    expect_refused(InputFault::bad_data, words, [&] { (void)read(text, reading, needs); });
+    expect_refused(ErrorKind::bad_data, words, [&] { (void)read(text, reading, needs); });
   }
 
   const test::Folder folder_;
@@ -81,7 +81,7 @@ TEST_F(RollLogFile, ColumnsMayHaveOtherNames) {
   EXPECT_DOUBLE_EQ(read(text, reading).roll_angle_rad[0], std::numbers::pi / 2.0);
   expect_bad(head + rows(3), {"no column t"}, reading);
   expect_bad(head + rows(3), {"no column psi", "there are"}, {.columns = {{"phase", "psi"}}});
-  expect_refused(InputFault::bad_configuration,
+  expect_refused(ErrorKind::bad_configuration,
                  {"--column roll_angel_deg=phi", "did you mean roll_angle_deg?", "excitation_deg"},
                  [&] { (void)read(head + rows(3), {.columns = {{"roll_angel_deg", "phi"}}}); });
 }
@@ -191,12 +191,12 @@ TEST_F(RollLogFile, AFolderMayLackASummaryButNotAFlight) {
   EXPECT_EQ(read_roll_log(folder_.path() / "flight", {}, {}).burnout_s, std::nullopt);
   folder_.write("broken/flight.csv", head + rows(3));
   folder_.write("broken/summary.json", "{\"events\": ");
-  expect_refused(InputFault::bad_data, {"summary.json: not the JSON"},
+  expect_refused(ErrorKind::bad_data, {"summary.json: not the JSON"},
                  [&] { (void)read_roll_log(folder_.path() / "broken", {}, {}); });
   folder_.write("empty/other.txt", "");
-  expect_refused(InputFault::no_such_input, {"empty: this folder holds no flight.csv"},
+  expect_refused(ErrorKind::no_such_input, {"empty: this folder holds no flight.csv"},
                  [&] { (void)read_roll_log(folder_.path() / "empty", {}, {}); });
-  expect_refused(InputFault::no_such_input, {"gone.csv: no such file"},
+  expect_refused(ErrorKind::no_such_input, {"gone.csv: no such file"},
                  [&] { (void)read_roll_log(folder_.path() / "gone.csv", {}, {}); });
 }
 

@@ -6,20 +6,20 @@
 #include <gtest/gtest.h>
 
 #include "logs/refused.hpp"
-#include "sim/input_error.hpp"
 #include "system/folder.hpp"
+#include "text/error.hpp"
 #include "text/number.hpp"
 
 namespace fantail::logs {
 namespace {
 
-using sim::InputFault;
 using test::expect_refused;
+using text::ErrorKind;
 
 Table parse(const std::string& text) { return Table::parse(text, "log.csv"); }
 
 void expect_bad(const std::string& text, std::initializer_list<const char*> words) {
-  expect_refused(InputFault::bad_data, words, [&] { (void)parse(text); });
+  expect_refused(ErrorKind::bad_data, words, [&] { (void)parse(text); });
 }
 
 TEST(Table, HasAHeaderAndCellsInRows) {
@@ -98,7 +98,7 @@ TEST(Table, RefusesWhatIsNoText) { expect_bad(std::string{"a,b\n1,\0\n", 8}, {"l
 
 TEST(Table, NamesAMissingColumnAndThoseThatAreThere) {
   const Table table = parse("time_s,roll_angle\n1,2\n");
-  expect_refused(InputFault::bad_data,
+  expect_refused(ErrorKind::bad_data,
                  {"log.csv: no column roll_angle_deg", "did you mean roll_angle?", "there are: time_s, roll_angle"},
                  [&] { (void)table.column("roll_angle_deg"); });
 }
@@ -108,7 +108,7 @@ TEST(Table, AMessageHoldsNoControlCharactersAndStaysShort) {
   try {
     (void)parse("\x1B[31m,b," + name + "\n").column("c");
     ADD_FAILURE();
-  } catch (const sim::InputError& error) {
+  } catch (const text::Error& error) {
     EXPECT_EQ(std::string{error.what()}.find('\x1B'), std::string::npos);
     EXPECT_LT(std::string{error.what()}.size(), 200U);
   }
@@ -117,9 +117,8 @@ TEST(Table, AMessageHoldsNoControlCharactersAndStaysShort) {
 TEST(Table, LoadsAFileAndSaysWhenThereIsNone) {
   const test::Folder folder;
   EXPECT_EQ(Table::load(folder.write("a.csv", "a\n7\n")).number(0, 0), 7.0);
-  expect_refused(InputFault::no_such_input, {"none.csv: no such file"},
-                 [&] { (void)Table::load(folder / "none.csv"); });
-  expect_refused(InputFault::bad_data, {"is a folder"}, [&] { (void)Table::load(folder.path().string()); });
+  expect_refused(ErrorKind::no_such_input, {"none.csv: no such file"}, [&] { (void)Table::load(folder / "none.csv"); });
+  expect_refused(ErrorKind::bad_data, {"is a folder"}, [&] { (void)Table::load(folder.path().string()); });
 }
 
 TEST(Number, IsFiniteAndNothingElse) {

@@ -9,11 +9,11 @@
 
 #include "core/flight_plan_fields.hpp"
 #include "core/launch_detector.hpp"
+#include "input/document.hpp"
+#include "input/plan_file.hpp"
+#include "input/scenario_file.hpp"
+#include "input/shipped.hpp"
 #include "paper/flown_ascent.hpp"
-#include "sim/document.hpp"
-#include "sim/plan_file.hpp"
-#include "sim/scenario.hpp"
-#include "sim/shipped.hpp"
 #include "sim/world.hpp"
 
 namespace fantail::paper {
@@ -48,11 +48,11 @@ struct Start {
 
 // The avionics in the whole simulated world, sensor noise of 0.3 m/s2 included.
 Start fly(const std::string& scenario_name, const std::vector<std::string>& settings, std::uint64_t seed) {
-  std::vector<sim::Override> changes;
+  std::vector<input::Override> changes;
   for (const std::string& setting : settings) {
-    changes.push_back(sim::parse_override(setting));
+    changes.push_back(input::parse_override(setting));
   }
-  sim::Scenario scenario = sim::load_scenario(scenario_name, changes);
+  sim::Scenario scenario = input::load_scenario(scenario_name, changes);
   scenario.seed = seed;
   sim::World world{scenario};
   std::optional<core::Microseconds> detected;
@@ -136,7 +136,7 @@ bool detects_pulse(core::LaunchDetectionPlan plan, double level_g, int duration_
 
 TEST(Oracle, Row15WhichKnocksLookLikeALaunch) {
   const auto rule = [](const char* plan) {
-    return sim::read_plan(sim::Document::load(sim::find_input(sim::Shipped::plan, plan))).launch_detection;
+    return input::read_plan(input::Document::load(input::find_input(input::Shipped::plan, plan))).launch_detection;
   };
   struct Pulse {
     double level_g;

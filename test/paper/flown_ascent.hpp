@@ -5,9 +5,9 @@
 #include <cstddef>
 #include <vector>
 
+#include "input/rasp_file.hpp"
+#include "input/shipped.hpp"
 #include "sim/ascent.hpp"
-#include "sim/rasp_file.hpp"
-#include "sim/shipped.hpp"
 
 namespace fantail::paper {
 
@@ -17,7 +17,7 @@ class FlownAscent {
   explicit FlownAscent(double mass_kg) {
     sim::Ascent ascent{{.mass_kg = mass_kg,
                         .drag_area_m2 = 0.0050,
-                        .motor = sim::load_rasp(sim::find_input(sim::Shipped::motor, "i150_canonical"))}};
+                        .motor = input::load_rasp(input::find_input(input::Shipped::motor, "i150_canonical"))}};
     for (int tick = 0; !ascent.events().apogee_s; ++tick) {
       ascent.advance_to(1e-3 * tick);
       if (ascent.events().liftoff_s) {

@@ -7,9 +7,9 @@
 
 namespace fantail::paper {
 
-identify::Record flown_record(const Loop& loop, double from_s, double to_s, int every_ms) {
+identify::model::Record flown_record(const Loop& loop, double from_s, double to_s, int every_ms) {
   const std::vector<Point> points = run(loop, to_s);
-  identify::Record record;
+  identify::model::Record record;
   record.window = "flown";
   record.window_begin_s = from_s;
   const auto first = static_cast<std::size_t>(std::lround(from_s * 1e3));

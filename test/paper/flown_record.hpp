@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "identify/record.hpp"
+#include "identify/model/roll_model.hpp"
 #include "paper/closed_loop.hpp"
 
 namespace fantail::paper {
 
 /// What a log of this run would hold from `from_s` to `to_s`, a sample every `every_ms`, without noise.
-[[nodiscard]] identify::Record flown_record(const Loop& loop, double from_s, double to_s, int every_ms);
+[[nodiscard]] identify::model::Record flown_record(const Loop& loop, double from_s, double to_s, int every_ms);
 
-[[nodiscard]] inline identify::Airframe airframe(const Loop& loop) {
+[[nodiscard]] inline identify::model::Airframe airframe(const Loop& loop) {
   return {.inertia_kg_m2 = loop.plant.inertia_kg_m2, .reference_area_m2 = loop.plant.reference_area_m2};
 }
 

@@ -8,20 +8,20 @@
 #include <gtest/gtest.h>
 
 #include "core/flight_plan_fields.hpp"
-#include "identify/node_times.hpp"
-#include "identify/sensitivities.hpp"
-#include "identify/uncertainty_of.hpp"
+#include "identify/model/open_loop.hpp"
+#include "identify/model/roll_model.hpp"
+#include "identify/result/uncertainty.hpp"
+#include "input/plan_file.hpp"
+#include "input/shipped.hpp"
 #include "paper/flown_record.hpp"
 #include "paper/published_steps.hpp"
-#include "sim/plan_file.hpp"
-#include "sim/shipped.hpp"
 
 namespace fantail::paper {
 namespace {
 
-using identify::Identification;
-using identify::Method;
-using identify::Record;
+using identify::model::Record;
+using identify::result::Identification;
+using identify::result::Method;
 
 constexpr double degrees(double rad) { return rad / radians_per_degree; }
 
@@ -29,8 +29,8 @@ TEST(Oracle, Row23EveryStepOfTable2ComesBackExactlyOnTheGrid) {
   for (const TunnelStep& row : table_2) {
     const Loop loop = tunnel_loop(row);
     const Record record = flown_record(loop, 0.0, 5.0, 10);
-    const Identification found =
-        identify::identify(record, airframe(loop), {.nodes = identify::NodeTimes{0.0, 5.0}, .method = Method::grid});
+    const Identification found = identify::identify(
+        record, airframe(loop), {.nodes = identify::model::NodeTimes{0.0, 5.0}, .method = Method::grid});
     SCOPED_TRACE(row.step);
     EXPECT_DOUBLE_EQ(found.model.alpha_m2, row.alpha_m2);
     EXPECT_DOUBLE_EQ(found.model.beta_m, row.beta_m);
@@ -44,7 +44,8 @@ TEST(Oracle, TheContinuousMethodFindsTheStepsOfTable2WithoutAGrid) {
   for (const TunnelStep& row : table_2) {
     const Loop loop = tunnel_loop(row);
     const Record record = flown_record(loop, 0.0, 5.0, 10);
-    const Identification found = identify::identify(record, airframe(loop), {.nodes = identify::NodeTimes{0.0, 5.0}});
+    const Identification found =
+        identify::identify(record, airframe(loop), {.nodes = identify::model::NodeTimes{0.0, 5.0}});
     SCOPED_TRACE(row.step);
     EXPECT_NEAR(found.model.alpha_m2, row.alpha_m2, 0.01 * row.alpha_m2);
     EXPECT_NEAR(found.model.beta_m, row.beta_m, 0.01 * row.beta_m);
@@ -70,18 +71,18 @@ Loop second_launch(const core::ExcitationPlan& excitation) {
 double cramer_rao_alpha_m2(const core::ExcitationPlan& excitation) {
   const Loop loop = second_launch(excitation);
   const Record record = flown_record(loop, 0.4, 2.0, 10);
-  const identify::NodeTimes nodes = identify::even_nodes(record, 4);
-  const identify::Model truth{.alpha_m2 = 23,
-                              .beta_m = 9,
-                              .node_time_s = nodes,
-                              .node_rad = std::vector<double>(nodes.size(), -4.9 * radians_per_degree),
-                              .initial = {{record.roll_angle_rad[0], record.roll_rate_rad_s[0]}}};
-  const auto sensitivities = identify::open_loop_sensitivities(record, airframe(loop), truth);
-  return identify::cramer_rao_standard_deviations(sensitivities, 0.3 * radians_per_degree)(0);
+  const identify::model::NodeTimes nodes = identify::model::even_nodes(record, 4);
+  const identify::model::RollModel truth{.alpha_m2 = 23,
+                                         .beta_m = 9,
+                                         .node_time_s = nodes,
+                                         .node_rad = std::vector<double>(nodes.size(), -4.9 * radians_per_degree),
+                                         .initial = {{record.roll_angle_rad[0], record.roll_rate_rad_s[0]}}};
+  const auto sensitivities = identify::model::open_loop_sensitivities(record, airframe(loop), truth);
+  return identify::result::cramer_rao_standard_deviations(sensitivities, 0.3 * radians_per_degree)(0);
 }
 
 TEST(Oracle, Row30OnlyTheChirpMakesTheDampingKnown) {
-  const auto plan = sim::read_plan(sim::Document::load(sim::find_input(sim::Shipped::plan, "tasha3_launch2")));
+  const auto plan = input::read_plan(input::Document::load(input::find_input(input::Shipped::plan, "tasha3_launch2")));
   EXPECT_NEAR(cramer_rao_alpha_m2(plan.excitation), 1.67, 0.15 * 1.67);
   EXPECT_GT(cramer_rao_alpha_m2(core::default_plan().excitation), 50.0);
 }

@@ -9,9 +9,9 @@
 
 #include "core/chirp.hpp"
 #include "core/flight_plan_fields.hpp"
+#include "input/plan_file.hpp"
+#include "input/shipped.hpp"
 #include "paper/closed_loop.hpp"
-#include "sim/plan_file.hpp"
-#include "sim/shipped.hpp"
 
 namespace fantail::paper {
 namespace {
@@ -44,7 +44,7 @@ Loop launch2(double proportional_gain, const core::ExcitationPlan& excitation) {
 }
 
 core::ExcitationPlan published_chirp() {
-  return sim::read_plan(sim::Document::load(sim::find_input(sim::Shipped::plan, "tasha3_launch2"))).excitation;
+  return input::read_plan(input::Document::load(input::find_input(input::Shipped::plan, "tasha3_launch2"))).excitation;
 }
 
 TEST(Oracle, Row16TheFirstLaunchSwingsAsMeasured) {

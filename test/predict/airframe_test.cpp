@@ -6,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include "input/shipped.hpp"
 #include "predict/run.hpp"
-#include "sim/shipped.hpp"
 
 namespace fantail::predict {
 namespace {
@@ -40,7 +40,7 @@ Moments moments(const std::vector<TunnelStep>& steps) {
 }
 
 std::vector<TunnelStep> table2() {
-  return read_tunnel_result(sim::find_input(sim::Shipped::tunnel_result, "tasha3_table2"), {}).steps;
+  return read_tunnel_result(input::find_input(input::Shipped::tunnel_result, "tasha3_table2"), {}).steps;
 }
 
 std::vector<TunnelStep> drawn(const AirframeSpread& spread, std::uint64_t seed, std::size_t count) {

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "fly/fly_scenario.hpp"
+#include "input/scenario_file.hpp"
 #include "report/numbers.hpp"
 
 namespace fantail::predict {
@@ -18,7 +19,7 @@ constexpr double speed_m_s = 81.0;
 // The real avionics, servos and sensors in a steady stream of 81 m/s, all that is not in the linear loop taken away,
 // with the gains of the second launch times a factor.
 sim::Scenario steady_stream(double gain_factor) {
-  sim::Scenario scenario = sim::load_scenario("tunnel_steps", {});
+  sim::Scenario scenario = input::load_scenario("tunnel_steps", {});
   scenario.tunnel = {.fan_rpm = 2700.0, .speed_per_rpm_m_s = speed_m_s / 2700.0};
   scenario.disturbance.clear();
   scenario.vehicle.servo.backlash_rad = 0.0;
@@ -56,7 +57,7 @@ TEST(LoopAtSpeed, TheFlownRocketBeginsToSwingAtTheGainMargin) {
 }
 
 TEST(LoopAtSpeed, HasTheServosOfTheVehicleAndTheGainsOfThePlan) {
-  sim::Scenario scenario = sim::load_scenario("tasha3_launch1", {});
+  sim::Scenario scenario = input::load_scenario("tasha3_launch1", {});
   scenario.vehicle.imu.delay_s = 0.002;
   const RollLoop loop = loop_at_speed(scenario, {.damping_m2 = 7.5, .torque_m = 10.0}, 97.0);
   EXPECT_EQ(loop.proportional_gain, 1.0);

@@ -3,9 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include "input/scenario_file.hpp"
 #include "json/value.hpp"
 #include "predict/results.hpp"
-#include "sim/input_error.hpp"
+#include "text/error.hpp"
 
 namespace fantail::predict {
 namespace {
@@ -15,7 +16,7 @@ using report::degrees;
 const auto look_away = [](std::size_t) {};
 
 Prediction predicted(const std::string& scenario_name, const Options& options) {
-  const sim::Scenario scenario = sim::load_scenario(scenario_name, {});
+  const sim::Scenario scenario = input::load_scenario(scenario_name, {});
   return predict(scenario, read_tunnel_result(scenario.tunnel_result.value(), {}), options, look_away);
 }
 
@@ -95,12 +96,12 @@ TEST(Prediction, AServoThatWasMeasuredTakesThePlaceOfTheVehicles) {
 }
 
 TEST(Prediction, OfATunnelRunIsRefused) {
-  const sim::Scenario tunnel = sim::load_scenario("tunnel_steps", {});
+  const sim::Scenario tunnel = input::load_scenario("tunnel_steps", {});
   try {
     require_launch(tunnel);
     FAIL() << "not refused";
-  } catch (const sim::InputError& error) {
-    EXPECT_EQ(error.fault(), sim::InputFault::bad_configuration);
+  } catch (const text::Error& error) {
+    EXPECT_EQ(error.kind(), text::ErrorKind::bad_configuration);
     EXPECT_NE(std::string{error.what()}.find("tunnel_steps: environment.surroundings"), std::string::npos);
   }
 }

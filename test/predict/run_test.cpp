@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "input/scenario_file.hpp"
 #include "report/numbers.hpp"
 
 namespace fantail::predict {
@@ -41,7 +42,7 @@ TEST(Run, EveryRunHasASeedOfItsOwnThatDoesNotDependOnHowManyThereAre) {
 }
 
 TEST(Run, TheFirstLaunchIsNotHeldAndNobodyKnowsItsRollBeforehand) {
-  const sim::Scenario scenario = sim::load_scenario("tasha3_launch1", {});
+  const sim::Scenario scenario = input::load_scenario("tasha3_launch1", {});
   const auto run = fly_run(scenario, first_launch, 1);
   EXPECT_NEAR(degrees(run.authority_margin_rad), -1.0, 1e-5);
   EXPECT_EQ(run.outcome, report::Outcome::not_held);
@@ -60,13 +61,13 @@ TEST(Run, TheFirstLaunchIsNotHeldAndNobodyKnowsItsRollBeforehand) {
 TEST(Run, TheFirstLaunchSpinsAsItDid) {
   TunnelStep closed_loop = first_launch;
   closed_loop.damping_m2 = 7.5;
-  const auto run = fly_run(sim::load_scenario("tasha3_launch1", {}), closed_loop, 1);
+  const auto run = fly_run(input::load_scenario("tasha3_launch1", {}), closed_loop, 1);
   EXPECT_NEAR(degrees(run.roll_rate_rad_s.at(310)), -73.1 * 1.05, 0.02 * 73.1);
 }
 
 // A loop settles at R + u_d / kp: -20 - 4.9 / 0.5 on the second launch.
 TEST(Run, TheSecondLaunchIsHeldAtItsSettlePoint) {
-  const sim::Scenario scenario = sim::load_scenario("tasha3_launch2", {});
+  const sim::Scenario scenario = input::load_scenario("tasha3_launch2", {});
   const double offset_rad = radians(-4.9);
   const auto run = fly_run(
       scenario, {.damping_m2 = 23.0, .torque_m = 9.0, .offset_begin_rad = offset_rad, .offset_end_rad = offset_rad}, 1);

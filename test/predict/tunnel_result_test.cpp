@@ -3,11 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include "input/scenario_file.hpp"
+#include "input/shipped.hpp"
 #include "report/numbers.hpp"
-#include "sim/input_error.hpp"
-#include "sim/scenario.hpp"
-#include "sim/shipped.hpp"
 #include "system/folder.hpp"
+#include "text/error.hpp"
 
 namespace fantail::predict {
 namespace {
@@ -17,7 +17,7 @@ using report::radians;
 using test::Folder;
 
 TunnelResult shipped(const std::string& name, const std::optional<double>& swirl_rad = {}) {
-  return read_tunnel_result(sim::find_input(sim::Shipped::tunnel_result, name), swirl_rad);
+  return read_tunnel_result(input::find_input(input::Shipped::tunnel_result, name), swirl_rad);
 }
 
 struct Means {
@@ -85,9 +85,9 @@ TEST(TunnelResult, OfTheFirstLaunchSaysThatItIsHindsight) {
 }
 
 TEST(TunnelResult, IsNamedByTheShippedLaunchesAndNobodyElse) {
-  EXPECT_TRUE(sim::load_scenario("tasha3_launch1", {}).tunnel_result->ends_with("/tasha3_launch1_flight.csv"));
-  EXPECT_TRUE(sim::load_scenario("tasha3_launch2", {}).tunnel_result->ends_with("/tasha3_table2.csv"));
-  EXPECT_FALSE(sim::load_scenario("tunnel_steps", {}).tunnel_result);
+  EXPECT_TRUE(input::load_scenario("tasha3_launch1", {}).tunnel_result->ends_with("/tasha3_launch1_flight.csv"));
+  EXPECT_TRUE(input::load_scenario("tasha3_launch2", {}).tunnel_result->ends_with("/tasha3_table2.csv"));
+  EXPECT_FALSE(input::load_scenario("tunnel_steps", {}).tunnel_result);
 }
 
 struct BadFile {
@@ -103,8 +103,8 @@ TEST_P(BadTunnelResult, IsRefusedAndSaysWhere) {
   try {
     (void)read_tunnel_result(file, {});
     FAIL() << "not refused";
-  } catch (const sim::InputError& error) {
-    EXPECT_EQ(error.fault(), sim::InputFault::bad_data);
+  } catch (const text::Error& error) {
+    EXPECT_EQ(error.kind(), text::ErrorKind::bad_data);
     EXPECT_NE(std::string{error.what()}.find(GetParam().said), std::string::npos) << error.what();
   }
 }

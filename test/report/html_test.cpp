@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "json/value.hpp"
-#include "report/escape.hpp"
-#include "report/overview_svg.hpp"
+#include "page/page.hpp"
+#include "report/charts.hpp"
 #include "synthetic_flight.hpp"
 
 namespace fantail::report {
@@ -22,7 +22,7 @@ std::string page_of(const Flight& flight) {
 std::string without_scripts(const std::string& page) { return page.substr(0, page.find("<script")); }
 
 json::Value plot_data_of(const std::string& page) {
-  const std::string tag = "id=\"flight-data\">";
+  const std::string tag = "id=\"live-data\">";
   const std::size_t begin = page.find(tag) + tag.size();
   return json::parse(page.substr(begin, page.find("</script>", begin) - begin));
 }
@@ -62,9 +62,9 @@ TEST(Html, NoLineIsDrawnWhereRowsAreMissing) {
     const auto& times = plot["milliseconds"];
     const auto between =
         std::ranges::find_if(times, [](const json::Value& t) { return t.number() > 2000 && t.number() < 2500; });
-    ASSERT_NE(between, times.end()) << plot["id"];
+    ASSERT_NE(between, times.end()) << plot["title"];
     for (const json::Value& series : plot["series"]) {
-      EXPECT_TRUE(series["hundredths"][static_cast<std::size_t>(between - times.begin())].is_null()) << plot["id"];
+      EXPECT_TRUE(series["hundredths"][static_cast<std::size_t>(between - times.begin())].is_null()) << plot["title"];
     }
   }
 }
@@ -130,7 +130,7 @@ TEST(Html, TextFromFilesStaysText) {
 }
 
 TEST(Html, NoTextCanCloseTheDataScript) {
-  EXPECT_EQ(escape_script_json(R"({"a":"</script><!--"})"), R"({"a":"\u003c/script>\u003c!--"})");
+  EXPECT_EQ(page::escape_script_json(R"({"a":"</script><!--"})"), R"({"a":"\u003c/script>\u003c!--"})");
 }
 
 TEST(Html, PlotDataKeepsAPeakOfOneMillisecondAndTheLimits) {
@@ -143,12 +143,15 @@ TEST(Html, PlotDataKeepsAPeakOfOneMillisecondAndTheLimits) {
   const std::string page = page_of(synthetic.flight);
   EXPECT_LT(page.size(), 1'500'000U);
   const auto data = plot_data_of(page);
-  EXPECT_EQ(data["limits"]["plan"], 9.0);
-  EXPECT_EQ(data["limits"]["hard"], 20.0);
+  const auto& limits = data["plots"][2]["levels"];  // each above and below zero
+  ASSERT_EQ(limits.size(), 6U);
+  EXPECT_EQ(limits[0]["label"], "plan limit 9 deg");
+  EXPECT_EQ(limits[0]["value"], 9.0);
+  EXPECT_EQ(limits[5]["value"], -20.0);
   bool found = false;
   for (const auto& plot : data["plots"]) {
     ASSERT_EQ(plot["milliseconds"].size(), plot["series"][0]["hundredths"].size());
-    if (plot["id"] == "roll-rate") {
+    if (plot["title"] == "Roll rate") {
       EXPECT_LT(plot["milliseconds"].size(), 20'000U);
       for (std::size_t i = 0; i < plot["milliseconds"].size(); ++i) {
         found = found || (plot["series"][1]["hundredths"][i] == 77'777 && plot["milliseconds"][i] == 22'956);
@@ -161,7 +164,8 @@ TEST(Html, PlotDataKeepsAPeakOfOneMillisecondAndTheLimits) {
 TEST(Html, AFlightWithoutARowStillMakesAPage) {
   const std::string page = page_of(Flight{});
   EXPECT_NE(page.find("No control: the rocket was never armed."), std::string::npos);
-  EXPECT_TRUE(plot_data_of(page)["plots"].empty());
+  EXPECT_EQ(page.find("<svg"), std::string::npos);
+  EXPECT_EQ(page.find("<script"), std::string::npos);
 }
 
 TEST(OverviewSvg, IsCompleteInItselfAndHasNoNumberThatIsNone) {
@@ -171,14 +175,16 @@ TEST(OverviewSvg, IsCompleteInItselfAndHasNoNumberThatIsNone) {
       row.truth.reset();
     }
   });
-  const std::string svg = overview_svg(synthetic.flight);
+  const std::string figure = page::live_figure(charts(synthetic.flight), "");
+  const std::string svg = figure.substr(figure.find("<svg"), figure.find("</figure>") - figure.find("<svg"));
   EXPECT_TRUE(svg.starts_with("<svg "));
   EXPECT_TRUE(svg.ends_with("</svg>"));
   EXPECT_NE(svg.find("xmlns=\"http://www.w3.org/2000/svg\""), std::string::npos);
   EXPECT_EQ(svg.find("nan"), std::string::npos);
   EXPECT_EQ(svg.find("inf"), std::string::npos);
   EXPECT_NE(svg.find(">lift-off</text>"), std::string::npos);
-  EXPECT_NE(svg.find("class=\"controlling\""), std::string::npos);
+  EXPECT_NE(svg.find(">Controlling</text>"), std::string::npos);
+  EXPECT_NE(svg.find("class=\"stripe measured\""), std::string::npos);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "avionics/can_frame.hpp"
+#include "input/scenario_file.hpp"
 #include "link/arm_steps.hpp"
 #include "link/words.hpp"
 #include "sil/bench_at_world.hpp"
@@ -57,7 +58,7 @@ TEST(BenchArm, IsToldWhichCanardFailedTheSelfTest) {
 
 // It fails in the very tick in which it begins, so nobody ever hears that it runs; the second time nothing changes.
 TEST(BenchArm, IsToldThatTheGyroIsGoneAndToldAgain) {
-  sim::Scenario scenario = sim::load_scenario("bench_healthy", {});
+  sim::Scenario scenario = input::load_scenario("bench_healthy", {});
   scenario.faults.push_back({.kind = sim::FaultKind::imu_dropout, .canard = 0, .from_s = -1e6, .until_s = 1e6});
   BenchAtWorld place{scenario};
   link::AvionicsLink link{place.bus()};
@@ -98,7 +99,7 @@ TEST(BenchArm, WithoutTheSwitchIsRefusedWithThatReason) {
 
 // A flight begins with the world's own crew: nothing else arms a rocket there either.
 TEST(PadCrew, ARocketWithABrokenCanardIsNotArmedAndTheReasonIsKept) {
-  sim::Scenario scenario = sim::load_scenario("bench_canard3_reversed", {});
+  sim::Scenario scenario = input::load_scenario("bench_canard3_reversed", {});
   sim::World world{scenario};
   while (!world.over()) {
     EXPECT_EQ(world.tick().phase, Phase::safe);

@@ -15,11 +15,11 @@
 #include "hal/sim/console.hpp"
 #include "hal/sim/entropy.hpp"
 #include "hal/sim/flash.hpp"
+#include "input/scenario_file.hpp"
 #include "link/avionics_link.hpp"
 #include "link/place.hpp"
 #include "link/session.hpp"
 #include "sim/flight_computer.hpp"
-#include "sim/scenario.hpp"
 #include "sim/world.hpp"
 
 namespace fantail::sil {
@@ -91,7 +91,7 @@ class BenchAtWorld final : public link::Place {
 
  private:
   static sim::Scenario load(const std::string& name, std::uint64_t seed) {
-    sim::Scenario loaded = sim::load_scenario(name, {});
+    sim::Scenario loaded = input::load_scenario(name, {});
     loaded.seed = seed;
     return loaded;
   }

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "avionics/can_frame.hpp"
+#include "input/scenario_file.hpp"
 #include "link/log_download.hpp"
 #include "link/log_flights.hpp"
 #include "link/log_listing.hpp"
@@ -26,7 +27,7 @@ constexpr std::uint32_t region_begin = 4 * 4096;
 // As a flight lay in the flash when the power was cut early on.
 const Bytes& flown() {
   static const Bytes bytes = [] {
-    const sim::Scenario scenario = sim::load_scenario("tasha3_launch2", {});
+    const sim::Scenario scenario = input::load_scenario("tasha3_launch2", {});
     sim::World world{scenario, sim::World::large_flash};
     for (int ticks = 1; !world.over() && (ticks % 500 != 0 || world.recorded().size() < 60'000); ++ticks) {
       (void)world.tick();

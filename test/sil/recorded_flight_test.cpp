@@ -8,6 +8,7 @@
 #include "avionics/identity.hpp"
 #include "avionics/log_tick_of.hpp"
 #include "core/autopilot.hpp"
+#include "input/scenario_file.hpp"
 #include "protocol/log_frame.hpp"
 #include "protocol/log_header.hpp"
 #include "protocol/log_notes.hpp"
@@ -29,7 +30,7 @@ struct Flown {
 };
 
 Flown fly(const std::string& name) {
-  const sim::Scenario scenario = sim::load_scenario(name, {});
+  const sim::Scenario scenario = input::load_scenario(name, {});
   sim::World world{scenario, sim::World::large_flash};
   Flown flown{.plan = scenario.plan};
   while (!world.over()) {

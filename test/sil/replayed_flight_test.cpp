@@ -9,8 +9,10 @@
 #include "flight_log/integrity.hpp"
 #include "flight_log/regenerate.hpp"
 #include "flight_log/to_report.hpp"
+#include "input/fault_file.hpp"
+#include "input/scenario_file.hpp"
+#include "input/shipped.hpp"
 #include "protocol/tick_digest.hpp"
-#include "sim/shipped.hpp"
 #include "sim/world.hpp"
 
 namespace fantail::sil {
@@ -66,9 +68,9 @@ bool expect_equal_replay(const sim::Scenario& scenario) {
 
 TEST(ReplayedFlight, EveryShippedScenarioGivesTheSameBytesAgain) {
   std::size_t flights = 0;
-  for (const std::string& name : sim::shipped_names(sim::Shipped::scenario)) {
+  for (const std::string& name : input::shipped_names(input::Shipped::scenario)) {
     SCOPED_TRACE(name);
-    flights += expect_equal_replay(sim::load_scenario(name, {})) ? 1 : 0;
+    flights += expect_equal_replay(input::load_scenario(name, {})) ? 1 : 0;
   }
   EXPECT_GE(flights, 3U) << "two launches and the steps in the tunnel";
 }
@@ -79,21 +81,21 @@ TEST(ReplayedFlight, SoDoesAFlightWithEveryKindOfFaultInIt) {
         sim::FaultKind::canard_slipping, sim::FaultKind::canard_reversed, sim::FaultKind::canard_slow,
         sim::FaultKind::canard_wrong_trim, sim::FaultKind::encoder_unplugged, sim::FaultKind::encoder_noisy,
         sim::FaultKind::imu_dropout, sim::FaultKind::accelerometer_dropout}) {
-    SCOPED_TRACE(name(kind));
-    sim::Scenario scenario = sim::load_scenario("tasha3_launch2", {});
+    SCOPED_TRACE(input::name(kind));
+    sim::Scenario scenario = input::load_scenario("tasha3_launch2", {});
     scenario.faults = {{.kind = kind, .canard = 1, .from_s = 2.0, .until_s = 2.3}};
     EXPECT_TRUE(expect_equal_replay(scenario));
   }
 }
 
 TEST(ReplayedFlight, SoDoesAGyroThatFailsWhileTheLaunchIsBeingDetected) {
-  sim::Scenario scenario = sim::load_scenario("tasha3_launch1", {});
+  sim::Scenario scenario = input::load_scenario("tasha3_launch1", {});
   scenario.faults = {{.kind = sim::FaultKind::imu_dropout, .canard = 0, .from_s = 0.05, .until_s = 0.12}};
   (void)expect_equal_replay(scenario);
 }
 
 TEST(ReplayedFlight, AsAReportItHasTheEventsOfTheFlight) {
-  const Flown flown = fly(sim::load_scenario("tasha3_launch2", {}));
+  const Flown flown = fly(input::load_scenario("tasha3_launch2", {}));
   const flight_log::LogFile file = flight_log::parse_log(flown.log, "");
   const flight_log::Flight& flight = file.flights.at(0);
   const report::Flight report = to_report(flight, regenerate(flight, *flight.plan));

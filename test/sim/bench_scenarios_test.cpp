@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "flown_world.hpp"
-#include "sim/shipped.hpp"
+#include "input/shipped.hpp"
 
 namespace fantail::sim {
 namespace {
@@ -59,7 +59,7 @@ TEST(BenchScenarios, AreTheHealthyOneButForTheFaultAndNoneIsForgottenHere) {
     EXPECT_EQ(s.disturbance[0].angle_rad, healthy.disturbance.at(0).angle_rad);
   }
   std::set<std::string> shipped;
-  for (const std::string& name : shipped_names(Shipped::scenario)) {
+  for (const std::string& name : input::shipped_names(input::Shipped::scenario)) {
     if (name.starts_with("bench_")) {
       shipped.insert(name);
     }

@@ -11,7 +11,6 @@
 namespace fantail::sim {
 namespace {
 
-constexpr double radians_per_degree = std::numbers::pi / 180.0;
 constexpr double count_rad = 2.0 * std::numbers::pi / 16384.0;
 constexpr std::uint64_t seed = 9;
 

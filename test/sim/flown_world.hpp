@@ -6,7 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "sim/document.hpp"
+#include "input/document.hpp"
+#include "input/scenario_file.hpp"
 #include "sim/world.hpp"
 
 namespace fantail::sim {
@@ -65,11 +66,11 @@ inline FlownWorld fly(const Scenario& scenario) {
 
 /// A shipped scenario with changes as on the command line.
 inline Scenario scenario(const std::string& name, const std::vector<std::string>& changes = {}) {
-  std::vector<Override> overrides;
+  std::vector<input::Override> overrides;
   for (const std::string& change : changes) {
-    overrides.push_back(parse_override(change));
+    overrides.push_back(input::parse_override(change));
   }
-  return load_scenario(name, overrides);
+  return input::load_scenario(name, overrides);
 }
 
 inline FlownWorld fly(const std::string& name, const std::vector<std::string>& changes = {}) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <stdexcept>
 
 #include <gtest/gtest.h>
@@ -12,8 +11,6 @@
 namespace fantail::sim {
 namespace {
 
-constexpr double radians_per_degree = std::numbers::pi / 180.0;
-constexpr double gravity_m_s2 = 9.80665;
 constexpr std::uint64_t seed = 11;
 
 // No noise: what remains is exact.

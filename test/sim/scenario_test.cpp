@@ -1,126 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "sim/scenario.hpp"
-
 #include <cmath>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
 #include "flown_world.hpp"
-#include "sim/input_error.hpp"
 
 namespace fantail::sim {
 namespace {
-
-const std::string head = "vehicle = \"tasha3_launch2\"\nplan = \"tasha3_launch2\"\n";
-
-struct Rule {
-  const char* name;
-  std::string text;  ///< after the two lines of `head`
-  std::string said;  ///< what follows the file name
-};
-
-class ScenarioFile : public testing::TestWithParam<Rule> {};
-
-TEST_P(ScenarioFile, IsRefusedWithItsLine) {
-  std::string pattern = (std::filesystem::temp_directory_path() / "fantail-XXXXXX").string();
-  const std::filesystem::path folder = mkdtemp(pattern.data());
-  const std::filesystem::path file = folder / "s.toml";
-  std::ofstream{file} << head << GetParam().text;
-  try {
-    (void)load_scenario(file.string(), {});
-    ADD_FAILURE() << "accepted";
-  } catch (const InputError& error) {
-    EXPECT_EQ(error.fault(), InputFault::bad_configuration);
-    EXPECT_EQ(std::string{error.what()}, file.string() + GetParam().said);
-  }
-  std::filesystem::remove_all(folder);
-}
-
-INSTANTIATE_TEST_SUITE_P(
-    Rules, ScenarioFile,
-    testing::Values(
-        Rule{"SeedBelowZero", "seed = -1\n", ":3: seed = -1 is out of range; allowed: 0 to 9e+15"},
-        Rule{"SeedAFraction", "seed = 1.5\n", ":3: seed = 1.5 is not a whole number"},
-        Rule{"Surroundings", "[environment]\nsurroundings = \"space\"\n",
-             ":4: environment.surroundings = 'space'; allowed: flight, tunnel"},
-        Rule{"TunnelForALaunchPlan", "[environment]\nsurroundings = \"tunnel\"\n",
-             ":4: environment.surroundings must be \"flight\": the plan starts with run.start = \"launch\""},
-        Rule{"Density", "[environment]\ndensity = 1.2\n",
-             ":4: environment.density = 1.2; allowed: exponential, isa, constant"},
-        Rule{"DensityValue", "[environment]\ndensity_kg_m3 = 0\n",
-             ":4: environment.density_kg_m3 = 0 is out of range; allowed: 0.01 to 5"},
-        Rule{"Tilt", "[environment]\nguide_tilt_deg = 15.1\n",
-             ":4: environment.guide_tilt_deg = 15.1 is out of range; allowed: 0 to 15"},
-        Rule{"EnvironmentNotASection", "environment = 1\n", ":3: [environment] must be a section"},
-        Rule{"FanSpeed", "[tunnel]\nfan_rpm = 3001\n", ":4: tunnel.fan_rpm = 3001 is out of range; allowed: 0 to 3000"},
-        Rule{"Turbulence", "[tunnel]\nturbulence = true\n",
-             ":4: tunnel.turbulence = true is not a number; allowed: 0 to 0.5"},
-        Rule{"DisturbanceLengths", "[disturbance]\ntimes_s = [0, 1]\nangles_deg = [1]\n",
-             ":4: disturbance.times_s has 2 values and angles_deg has 1; allowed: as many of each"},
-        Rule{"DisturbanceOrder", "[disturbance]\ntimes_s = [0, 0]\nangles_deg = [1, 1]\n",
-             ":4: disturbance.times_s must increase"},
-        Rule{"DisturbanceAngle", "[disturbance]\ntimes_s = [0]\nangles_deg = [46]\n",
-             ":5: disturbance.angles_deg = 46 is out of range; allowed: -45 to 45"},
-        Rule{"DisturbanceNotAList", "[disturbance]\ntimes_s = 0\nangles_deg = 1\n",
-             ":4: disturbance.times_s must be a list, as in [1, 2]"},
-        Rule{"ImposedRollIncomplete", "[imposed_roll]\ntime_s = 1\n",
-             ":3: imposed_roll.angle_deg is missing; allowed: -3600 to 3600"},
-        Rule{"ImposedRollUnknownKey", "[imposed_roll]\ntime_s = 1\nangle_deg = 1\nrate_deg_s = 1\nrate = 1\n",
-             ":7: unknown key imposed_roll.rate; did you mean imposed_roll.rate_deg_s?"},
-        Rule{"ArmAfterIgnition", "[timing]\npad_time_s = 2\narm_time_s = 2\n",
-             ":5: timing.arm_time_s = 2 must be earlier than pad_time_s = 2"},
-        Rule{"PadTimeBeforeArm", "[timing]\n\npad_time_s = 1\n",
-             ":5: timing.pad_time_s = 1 must be later than arm_time_s = 1"},
-        Rule{"TimeAfterEnd", "[timing]\ntime_after_end_s = -1\n",
-             ":4: timing.time_after_end_s = -1 is out of range; allowed: 0 to 3600"},
-        Rule{"LogPeriodBetweenTicks", "[timing]\nlog_period_s = 0.0015\n",
-             ":4: timing.log_period_s = 0.0015 is not a whole number of milliseconds"},
-        Rule{"LogPeriodTooLong", "[timing]\nlog_period_s = 2\n",
-             ":4: timing.log_period_s = 2 is out of range; allowed: 0.001 to 1"},
-        Rule{"FanTimesWithoutSpeeds", "[tunnel]\nfan_times_s = [0, 1]\nfan_rpms = [500]\n",
-             ":4: tunnel.fan_times_s has 2 values and fan_rpms has 1; allowed: as many of each"},
-        Rule{"FanTimesOrder", "[tunnel]\nfan_times_s = [1, 0]\nfan_rpms = [500, 600]\n",
-             ":4: tunnel.fan_times_s must increase"},
-        Rule{"FanBackwards", "[tunnel]\nfan_times_s = [1]\nfan_rpms = [-1]\n",
-             ":5: tunnel.fan_rpms = -1 is out of range; allowed: 0 to 3000"},
-        Rule{"WindSensorTooFast", "[tunnel]\nwind_sensor_period_s = 0\n",
-             ":4: tunnel.wind_sensor_period_s = 0 is out of range; allowed: 0.001 to 600"},
-        Rule{"WindSensorTooCoarse", "[tunnel]\nwind_sensor_resolution_m_s = 6\n",
-             ":4: tunnel.wind_sensor_resolution_m_s = 6 is out of range; allowed: 0 to 5"},
-        Rule{"FaultsNotATable", "faults = [1]\n", ":3: faults must be written as [[faults]]"},
-        Rule{"FaultKindMissing", "[[faults]]\nfrom_s = 1\n", ":3: faults.kind is missing"},
-        Rule{"FaultKindUnknown", "[[faults]]\nkind = \"stuck\"\n",
-             ":4: faults.kind = 'stuck'; allowed: canard_stuck, canard_hardover, canard_dead, canard_slipping, "
-             "canard_reversed, canard_slow, canard_wrong_trim, encoder_unplugged, encoder_noisy, imu_dropout, "
-             "accelerometer_dropout"},
-        Rule{"FaultCanard", "[[faults]]\nkind = \"canard_stuck\"\nfrom_s = 1\ncanard = 5\n",
-             ":6: faults.canard = 5 is out of range; allowed: 1 to 4"},
-        Rule{"SecondFault",
-             "[[faults]]\nkind = \"canard_stuck\"\nfrom_s = 1\ncanard = 1\n[[faults]]\nkind = \"canard_dead\"\n"
-             "from_s = 1\ncanard = 0\n",
-             ":10: faults.canard = 0 is out of range; allowed: 1 to 4"},
-        Rule{"DropoutEndsBeforeItBegins", "[[faults]]\nkind = \"imu_dropout\"\nfrom_s = 2\nuntil_s = 1\n",
-             ":6: faults.until_s = 1 is out of range; allowed: 2 to 600"},
-        Rule{"DropoutOfACanard", "[[faults]]\nkind = \"imu_dropout\"\nfrom_s = 2\nuntil_s = 3\ncanard = 1\n",
-             ":7: unknown key faults.canard"},
-        Rule{"StuckBeyondTheStop", "[[faults]]\nkind = \"canard_stuck\"\nfrom_s = 2\ncanard = 1\nangle_deg = -25.1\n",
-             ":7: faults.angle_deg = -25.1; allowed: within the servo's stop, 25 either way"},
-        Rule{"WrongTrimOfNothing", "[[faults]]\nkind = \"canard_wrong_trim\"\nfrom_s = 2\ncanard = 1\nangle_deg = 0\n",
-             ":7: faults.angle_deg = 0; allowed: -15 to 15, but not 0"},
-        Rule{"WrongTrimTooLarge",
-             "[[faults]]\nkind = \"canard_wrong_trim\"\nfrom_s = 2\ncanard = 1\nangle_deg = 15.1\n",
-             ":7: faults.angle_deg = 15.1 is out of range; allowed: -15 to 15"},
-        Rule{"AngleOfASlowCanard", "[[faults]]\nkind = \"canard_slow\"\nfrom_s = 2\ncanard = 1\nangle_deg = 1\n",
-             ":7: unknown key faults.angle_deg"},
-        Rule{"NoiseOfNothing", "[[faults]]\nkind = \"encoder_noisy\"\nfrom_s = 2\ncanard = 1\nnoise_counts = 0\n",
-             ":7: faults.noise_counts = 0 is out of range; allowed: 1 to 1000"},
-        Rule{"NoiseOfAStuckCanard", "[[faults]]\nkind = \"canard_stuck\"\nfrom_s = 2\ncanard = 1\nnoise_counts = 5\n",
-             ":7: unknown key faults.noise_counts"}),
-    [](const auto& one) { return one.param.name; });
 
 // Whatever a scenario may say, the run ends, and no truth is ever infinite or no number.
 RC_GTEST_PROP(Scenario, AtTheEndsOfItsRangesFliesToAnEndWithFiniteNumbers, ()) {

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "sim/servo_spread.hpp"
-
 #include <algorithm>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include "servo_test_rig.hpp"
+#include "sim/servo.hpp"
 
 namespace fantail::sim {
 namespace {

@@ -45,6 +45,21 @@ TEST(Servo, ThePulseIsLatchedAtTheNextFrameAndActsAfterTheDelay) {
   }
 }
 
+// The example in servo.hpp, from pulse to shaft.
+TEST(Servo, TakesAPulseThroughAllOfItsStages) {
+  ServoRig rig{ServoParameters{}, 1e-6};
+  rig.run(0.001, pulse_us(0.0));
+  rig.run(0.006, pulse_us(20.0));
+  EXPECT_EQ(rig.angle_deg(), 0.0);
+  const double limited_until_s = 1.0 / 333.0 + 0.003 + 8.0 / 600.0;
+  rig.run(limited_until_s, pulse_us(20.0));
+  EXPECT_NEAR(rig.angle_deg(), 8.0 - 0.05, 1e-3);
+  rig.run(limited_until_s + 0.020, pulse_us(20.0));
+  EXPECT_NEAR(rig.angle_deg(), 20.0 - 12.0 / std::exp(1.0) - 0.05, 1e-3);
+  rig.run(1.0, pulse_us(20.0));
+  EXPECT_NEAR(rig.angle_deg(), 19.95, 1e-9);
+}
+
 TEST(Servo, APulseBetweenTwoFramesIsNeverSeen) {
   ServoParameters p = ideal();
   p.frame_period_s = 1.0 / 333.0;

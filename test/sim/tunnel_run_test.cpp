@@ -7,8 +7,8 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/document.hpp"
-#include "sim/scenario.hpp"
+#include "input/document.hpp"
+#include "input/scenario_file.hpp"
 #include "sim/units.hpp"
 #include "sim/world.hpp"
 
@@ -36,11 +36,11 @@ std::vector<Reading> readings(const Scenario& scenario) {
 }
 
 Scenario load(const std::string& name, const std::vector<std::string>& changes) {
-  std::vector<Override> parsed;
+  std::vector<input::Override> parsed;
   for (const std::string& change : changes) {
-    parsed.push_back(parse_override(change));
+    parsed.push_back(input::parse_override(change));
   }
-  return load_scenario(name, parsed);
+  return input::load_scenario(name, parsed);
 }
 
 TEST(WindSensor, ShowsWholeStepsOrWithoutARoundingWhatIs) {

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "fly/fly_scenario.hpp"
+#include "input/document.hpp"
+#include "input/scenario_file.hpp"
 #include "report/results.hpp"
-#include "sim/document.hpp"
-#include "sim/scenario.hpp"
 
 int main(int argc, char** argv) {
   const std::vector<std::string> words{argv + 1, argv + argc};
@@ -17,11 +17,11 @@ int main(int argc, char** argv) {
     return 64;
   }
   try {
-    std::vector<fantail::sim::Override> changes;
+    std::vector<fantail::input::Override> changes;
     for (std::size_t i = 2; i < words.size(); ++i) {
-      changes.push_back(fantail::sim::parse_override(words[i]));
+      changes.push_back(fantail::input::parse_override(words[i]));
     }
-    const fantail::sim::Scenario scenario = fantail::sim::load_scenario(words[0], changes);
+    const fantail::sim::Scenario scenario = fantail::input::load_scenario(words[0], changes);
     const fantail::report::Flight flight = fantail::fly::fly_scenario(scenario, {}, {}, fantail::fly::Log::kept);
     fantail::report::write_results(flight, fantail::report::results(flight), words[1]);
   } catch (const std::exception& error) {

@@ -4,10 +4,10 @@
 #include <gtest/gtest.h>
 
 #include "core/flight_plan_fields.hpp"
+#include "input/document.hpp"
+#include "input/plan_file.hpp"
 #include "json/value.hpp"
 #include "protocol/plan_block.hpp"
-#include "sim/document.hpp"
-#include "sim/plan_file.hpp"
 #include "system/folder.hpp"
 #include "system/process.hpp"
 
@@ -35,8 +35,8 @@ TEST_P(Plan, IsShownAsAPlanThatReadsBack) {
   const Outcome outcome = fantail({"plan", "show", GetParam()});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   const std::string shown = folder.write("shown.toml", outcome.out);
-  const core::FlightPlan expected = sim::read_plan(sim::Document::load(file()));
-  const core::FlightPlan plan = sim::read_plan(sim::Document::load(shown));
+  const core::FlightPlan expected = input::read_plan(input::Document::load(file()));
+  const core::FlightPlan plan = input::read_plan(input::Document::load(shown));
   for (const core::PlanField& field : core::flight_plan_fields()) {
     ASSERT_EQ(field.used_slots(plan), field.used_slots(expected)) << field.key;
     for (std::size_t slot = 0; slot < field.used_slots(plan); ++slot) {
@@ -62,7 +62,7 @@ TEST_P(Plan, IsPackedIntoABlockThatReadsBackBitForBit) {
   const protocol::PlanBlockReading reading =
       protocol::read_plan_block(std::as_bytes(std::span{bytes.data(), bytes.size()}));
   ASSERT_TRUE(reading.plan.has_value());
-  const core::FlightPlan expected = sim::read_plan(sim::Document::load(file()));
+  const core::FlightPlan expected = input::read_plan(input::Document::load(file()));
   for (const core::PlanField& field : core::flight_plan_fields()) {
     ASSERT_EQ(field.used_slots(*reading.plan), field.used_slots(expected)) << field.key;
     for (std::size_t slot = 0; slot < field.used_slots(expected); ++slot) {
@@ -79,7 +79,7 @@ INSTANTIATE_TEST_SUITE_P(Shipped, Plan,
 TEST(PlanShow, ShowsTheDefaultOfEveryFieldWhenNoPlanIsNamed) {
   const Outcome outcome = fantail({"plan", "show"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-  EXPECT_EQ(outcome.out, sim::plan_table(core::default_plan()));
+  EXPECT_EQ(outcome.out, input::plan_table(core::default_plan()));
   const json::Value json = json::parse(fantail({"plan", "show", "--json"}).out);
   EXPECT_EQ(json["controller"]["canard_limit_deg"], 9);
 }

@@ -50,9 +50,9 @@ TEST(WindOf, TruthIsPreferredWhereItIsAskedForAndThere) {
 // On board, the speed in a tunnel is zero or the drift of an integral.
 TEST(WindOf, NobodyKnowingTheSpeedIsRefused) {
   const Folder folder;
-  test::expect_refused(sim::InputFault::bad_data, {"run.csv", "no wind speed", "tunnel.csv"},
+  test::expect_refused(text::ErrorKind::bad_data, {"run.csv", "no wind speed", "tunnel.csv"},
                        [&] { (void)wind_of(roll_log(0.01), folder / "run.csv", "", false); });
-  test::expect_refused(sim::InputFault::bad_data, {"run.csv", "no wind speed", "--speed"},
+  test::expect_refused(text::ErrorKind::bad_data, {"run.csv", "no wind speed", "--speed"},
                        [&] { (void)speed_of_steps(roll_log(0.01), folder / "run.csv", {}); });
 }
 
@@ -69,10 +69,10 @@ TEST(MeanWindSpeed, OfAFanThatChangesOrOutsideTheLogIsRefused) {
   const std::vector<ReferenceStep> steps{{.begin_s = 10.0, .end_s = 20.0}};
   const TunnelLog changing =
       made_tunnel_log(40.0, [](double t) { return t < 15.0 ? 1000.0 : 1250.0; }, [](double) { return 22.0; });
-  test::expect_refused(sim::InputFault::bad_data, {"made.csv", "1000 to 1250 rpm"},
+  test::expect_refused(text::ErrorKind::bad_data, {"made.csv", "1000 to 1250 rpm"},
                        [&] { (void)mean_wind_speed_m_s(changing, steps); });
   const TunnelLog early = made_tunnel_log(8.0, [](double) { return 1000.0; }, [](double) { return 22.0; });
-  test::expect_refused(sim::InputFault::bad_data, {"made.csv", "no wind speed between 10 and 20 s"},
+  test::expect_refused(text::ErrorKind::bad_data, {"made.csv", "no wind speed between 10 and 20 s"},
                        [&] { (void)mean_wind_speed_m_s(early, steps); });
 }
 

@@ -9,7 +9,8 @@
 #include <gtest/gtest.h>
 
 #include "fly/fly_scenario.hpp"
-#include "sim/document.hpp"
+#include "input/document.hpp"
+#include "input/scenario_file.hpp"
 #include "sim/wind_tunnel.hpp"
 #include "tunnel/flow.hpp"
 #include "tunnel/made_logs.hpp"
@@ -20,11 +21,11 @@ namespace fantail::tunnel {
 namespace {
 
 report::Flight flown(const std::string& scenario, const std::vector<std::string>& changes = {}) {
-  std::vector<sim::Override> parsed;
+  std::vector<input::Override> parsed;
   for (const std::string& change : changes) {
-    parsed.push_back(sim::parse_override(change));
+    parsed.push_back(input::parse_override(change));
   }
-  return fly::fly_scenario(sim::load_scenario(scenario, parsed));
+  return fly::fly_scenario(input::load_scenario(scenario, parsed));
 }
 
 TunnelLog wind_log(const report::Flight& flight) {
@@ -79,7 +80,7 @@ TEST(SimulatedTunnel, FlowFindsTheSixSetPointsTheirLineAndTheTurbulence) {
 
 // The tunnel alone, which steps from reading to reading as exactly as from tick to tick.
 TEST(SimulatedTunnel, FlowFindsThemWhateverTheTurbulenceDoes) {
-  const sim::Scenario scenario = sim::load_scenario("tunnel_flow", {});
+  const sim::Scenario scenario = input::load_scenario("tunnel_flow", {});
   int complete = 0;
   constexpr int seeds = 300;
   for (int seed = 0; seed < seeds; ++seed) {

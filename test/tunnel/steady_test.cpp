@@ -117,7 +117,7 @@ TEST(TakeSteady, ALogWithoutAFanHasStretchesToo) {
 TEST(TakeSteady, AStretchOutsideTheLogIsRefused) {
   const TunnelLog log = two_set_points(8.0, 220.0);
   for (const NamedStretch stretch : {NamedStretch{.begin_s = 500.0}, NamedStretch{.begin_s = -50.0, .end_s = -10.0}}) {
-    test::expect_refused(sim::InputFault::bad_configuration, {"made.csv", "0 to 218 s"},
+    test::expect_refused(text::ErrorKind::bad_configuration, {"made.csv", "0 to 218 s"},
                          [&] { (void)take_steady(log, {stretch}, {}); });
   }
 }

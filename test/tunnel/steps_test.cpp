@@ -15,7 +15,7 @@
 namespace fantail::tunnel {
 namespace {
 
-constexpr identify::Airframe tasha{.inertia_kg_m2 = 0.00393, .reference_area_m2 = 5.0265e-5};
+constexpr identify::model::Airframe tasha{.inertia_kg_m2 = 0.00393, .reference_area_m2 = 5.0265e-5};
 
 struct Planted {
   double alpha_m2;
@@ -94,10 +94,10 @@ TEST(FindReferenceSteps, WhatHappensAfterControlIsNoStep) {
 TEST(FindReferenceSteps, ALogWithoutStepsIsRefused) {
   logs::RollLog log = made_run(three_rockets);
   log.reference_rad.assign(log.time_s.size(), 0.0);
-  test::expect_refused(sim::InputFault::bad_data, {"run.csv", "never changes"},
+  test::expect_refused(text::ErrorKind::bad_data, {"run.csv", "never changes"},
                        [&] { (void)find_reference_steps(log); });
   log.reference_rad.clear();
-  test::expect_refused(sim::InputFault::bad_data, {"run.csv", "reference_deg"},
+  test::expect_refused(text::ErrorKind::bad_data, {"run.csv", "reference_deg"},
                        [&] { (void)find_reference_steps(log); });
 }
 
@@ -105,7 +105,7 @@ TEST(IdentifySteps, EachStepGetsItsOwnModel) {
   const StepTable table = identify_steps(made_run(three_rockets), tasha, at_22_m_s());
   ASSERT_EQ(table.steps.size(), 3U);
   for (std::size_t i = 0; i < 3; ++i) {
-    const identify::Model& model = table.steps[i].identified.model;
+    const identify::model::RollModel& model = table.steps[i].identified.model;
     EXPECT_EQ(table.steps[i].number, i + 1);
     EXPECT_NEAR(model.alpha_m2, three_rockets[i].alpha_m2, 0.05) << i;
     EXPECT_NEAR(model.beta_m, three_rockets[i].beta_m, 0.03) << i;
@@ -120,7 +120,7 @@ TEST(IdentifySteps, EachStepGetsItsOwnModel) {
 
 TEST(IdentifySteps, ByTheGridFindsItsNearestCells) {
   StepOptions options = at_22_m_s();
-  options.method = identify::Method::grid;
+  options.method = identify::result::Method::grid;
   const StepTable table = identify_steps(made_run(three_rockets), tasha, options);
   for (std::size_t i = 0; i < 3; ++i) {
     EXPECT_EQ(table.steps[i].identified.model.alpha_m2, three_rockets[i].alpha_m2) << i;
@@ -148,7 +148,7 @@ TEST(IdentifySteps, AShortStepIsTakenAsItIsAndRemarkedOn) {
 TEST(IdentifySteps, WhatIsWrongWithOneStepIsSaidWithItsNumber) {
   StepOptions options = at_22_m_s();
   options.seconds = 0.02;
-  test::expect_refused(sim::InputFault::bad_data, {"step 1 (at 0 s)"},
+  test::expect_refused(text::ErrorKind::bad_data, {"step 1 (at 0 s)"},
                        [&] { (void)identify_steps(made_run(three_rockets), tasha, options); });
 }
 

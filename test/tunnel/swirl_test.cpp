@@ -126,15 +126,15 @@ TEST(Swirl, WhatCannotBeComparedIsRefused) {
   for (double& time_s : elsewhere.roll.time_s) {
     time_s += 1000.0;
   }
-  test::expect_refused(sim::InputFault::bad_data, {"rolls.csv", "no roll rates from 0 to 58 s", "1000"},
+  test::expect_refused(text::ErrorKind::bad_data, {"rolls.csv", "no roll rates from 0 to 58 s", "1000"},
                        [&] { (void)examine_swirl(elsewhere, session, {}); });
   RollSession still = session;
   still.wind.wind_speed_m_s.assign(still.wind.time_s.size(), 0.0);
-  test::expect_refused(sim::InputFault::bad_data, {"mean wind speed 0 m/s"},
+  test::expect_refused(text::ErrorKind::bad_data, {"mean wind speed 0 m/s"},
                        [&] { (void)examine_swirl(session, still, {}); });
   RollSession never = session;
   never.steady.found.clear();
-  test::expect_refused(sim::InputFault::bad_data, {"no set point"}, [&] { (void)examine_swirl(never, session, {}); });
+  test::expect_refused(text::ErrorKind::bad_data, {"no set point"}, [&] { (void)examine_swirl(never, session, {}); });
 }
 
 TEST(SwirlReport, SaysTheSameToPersonScriptAndPage) {

@@ -9,9 +9,9 @@
 namespace fantail::tunnel {
 namespace {
 
-using sim::InputFault;
 using test::expect_refused;
 using test::Folder;
+using text::ErrorKind;
 
 TEST(TunnelLog, IsReadFromAFolderOrAFileInAnyOrderOfColumns) {
   const Folder folder;
@@ -30,8 +30,8 @@ TEST(TunnelLog, ColumnsMayHaveOtherNames) {
   const std::string file = folder.write("k.csv", "t,RPM,WS\n0,570,10\n2,570,10.1\n");
   const TunnelLog log = read_tunnel_log(file, {{"time_s", "t"}, {"fan_rpm", "RPM"}, {"wind_speed_m_s", "WS"}});
   EXPECT_EQ(log.wind_speed_m_s, (std::vector<double>{10.0, 10.1}));
-  expect_refused(InputFault::bad_data, {"k.csv", "no column time_s", "RPM"}, [&] { (void)read_tunnel_log(file, {}); });
-  expect_refused(InputFault::bad_configuration, {"rpm=RPM", "fan_rpm"},
+  expect_refused(ErrorKind::bad_data, {"k.csv", "no column time_s", "RPM"}, [&] { (void)read_tunnel_log(file, {}); });
+  expect_refused(ErrorKind::bad_configuration, {"rpm=RPM", "fan_rpm"},
                  [&] { (void)read_tunnel_log(file, {{"rpm", "RPM"}}); });
 }
 
@@ -40,15 +40,15 @@ TEST(TunnelLog, WhatCannotBeALogIsRefusedWithItsLine) {
   const std::string head = "time_s,fan_rpm,wind_speed_m_s\n";
   const auto refused = [&](const std::string& rows, std::initializer_list<const char*> words) {
     const std::string file = folder.write("bad.csv", head + rows);
-    expect_refused(InputFault::bad_data, words, [&] { (void)read_tunnel_log(file, {}); });
+    expect_refused(ErrorKind::bad_data, words, [&] { (void)read_tunnel_log(file, {}); });
   };
   refused("0,570,10\n2,570,10\n2,570,10\n", {"bad.csv:4", "time_s = 2 after 2", "increase"});
   refused("0,570,10\n2,-1,10\n", {"bad.csv:3", "fan_rpm = -1"});
   refused("0,570,10\n2,570,\n4,570,10\n", {"1 of 3 rows", "more than 1 %"});
   refused("0,570,10\n", {"1 rows", "at least two"});
-  expect_refused(InputFault::no_such_input, {"none.csv"}, [&] { (void)read_tunnel_log(folder / "none.csv", {}); });
+  expect_refused(ErrorKind::no_such_input, {"none.csv"}, [&] { (void)read_tunnel_log(folder / "none.csv", {}); });
   std::filesystem::create_directory(folder / "empty");
-  expect_refused(InputFault::no_such_input, {"empty", "no tunnel.csv"},
+  expect_refused(ErrorKind::no_such_input, {"empty", "no tunnel.csv"},
                  [&] { (void)read_tunnel_log(folder / "empty", {}); });
 }
 

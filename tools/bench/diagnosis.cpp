@@ -7,12 +7,13 @@
 #include <fmt/core.h>
 
 #include "report/numbers.hpp"
+#include "text/number.hpp"
 
 namespace fantail::bench {
 namespace {
 
 using report::degrees;
-using report::fixed;
+using text::fixed;
 
 constexpr double silent = 0.5;        // share of readings without which nothing else can be said
 constexpr double short_share = 0.95;  // of the way; above it a canard is only inexact

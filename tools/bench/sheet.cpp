@@ -9,12 +9,13 @@
 #include "bench/course.hpp"
 #include "core/flight_plan.hpp"
 #include "report/numbers.hpp"
+#include "text/number.hpp"
 
 namespace fantail::bench {
 namespace {
 
 using report::degrees;
-using report::fixed;
+using text::fixed;
 
 constexpr double most_lost = 0.02;    // share of the ticks; beyond it the figures are doubtful
 constexpr double least_whole = 0.95;  // share of the exercise that must have been recorded

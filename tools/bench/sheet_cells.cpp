@@ -6,12 +6,14 @@
 #include <fmt/core.h>
 
 #include "report/numbers.hpp"
+#include "text/number.hpp"
 
 namespace fantail::bench {
 namespace {
 
 using report::degrees;
-using report::fixed;
+using report::in_degrees;
+using text::fixed;
 
 const Check* find(const std::optional<TurnResult>& turn, Measure measure) {
   if (!turn) {
@@ -88,10 +90,6 @@ SheetRow plain_row(const Sheet& sheet, std::string label, std::string unit, int 
     row.cells.push_back(cell);
   }
   return row;
-}
-
-std::optional<double> in_degrees(const std::optional<double>& radians) {
-  return radians ? std::optional{degrees(*radians)} : std::nullopt;
 }
 
 std::optional<double> lag_ms(const Figures& f) { return f.lag_s ? std::optional{1e3 * *f.lag_s} : std::nullopt; }

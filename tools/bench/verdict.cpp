@@ -10,12 +10,9 @@ namespace fantail::bench {
 namespace {
 
 using report::degrees;
+using report::in_degrees;
 
 const double command_resolution_rad = report::radians(0.02);  // two steps of the bus
-
-std::optional<double> in_degrees(const std::optional<double>& radians) {
-  return radians ? std::optional{degrees(*radians)} : std::nullopt;
-}
 
 Check between(Measure measure, const std::optional<double>& value, std::optional<double> lowest,
               std::optional<double> highest) {

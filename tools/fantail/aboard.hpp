@@ -22,7 +22,7 @@ void add_aboard_options(const Verb& verb, AboardOptions& options);
 /// The avionics in this process, in an emulator, or at the end of a serial line.
 class Aboard {
  public:
-  /// Throws hil::TargetError and sim::InputError.
+  /// Throws hil::TargetError and text::Error.
   explicit Aboard(const AboardOptions& options);
 
   [[nodiscard]] sim::MakeFlightComputer maker();

@@ -2,8 +2,8 @@
 #include "fantail/airframe_options.hpp"
 
 #include "fantail/number_option.hpp"
-#include "sim/shipped.hpp"
-#include "sim/vehicle.hpp"
+#include "input/shipped.hpp"
+#include "input/vehicle_file.hpp"
 
 namespace fantail::tool {
 
@@ -24,7 +24,7 @@ NamedAirframe airframe(const AirframeOptions& options) {
     return {"given by hand", {.inertia_kg_m2 = *options.inertia_kg_m2, .reference_area_m2 = *options.area_m2}};
   }
   const sim::Vehicle vehicle =
-      sim::read_vehicle(sim::Document::load(sim::find_input(sim::Shipped::vehicle, options.vehicle)));
+      input::read_vehicle(input::Document::load(input::find_input(input::Shipped::vehicle, options.vehicle)));
   return {vehicle.name,
           {.inertia_kg_m2 = options.inertia_kg_m2.value_or(vehicle.roll_plant.inertia_kg_m2),
            .reference_area_m2 = options.area_m2.value_or(vehicle.roll_plant.reference_area_m2)}};

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "fantail/command_line.hpp"
-#include "identify/record.hpp"
+#include "identify/model/roll_model.hpp"
 
 namespace fantail::tool {
 
@@ -18,13 +18,13 @@ struct AirframeOptions {
 
 struct NamedAirframe {
   std::string name;
-  identify::Airframe airframe{};
+  identify::model::Airframe airframe{};
 };
 
 /// --vehicle, --inertia and --area.
 void add_airframe_options(const Verb& verb, AirframeOptions& options);
 
-/// The vehicle's, but for what is given as a number. Throws sim::InputError.
+/// The vehicle's, but for what is given as a number. Throws text::Error.
 [[nodiscard]] NamedAirframe airframe(const AirframeOptions& options);
 
 }  // namespace fantail::tool

@@ -23,12 +23,12 @@
 #include "fantail/progress.hpp"
 #include "fantail/requirement.hpp"
 #include "fantail/standard_streams.hpp"
+#include "input/plan_file.hpp"
+#include "input/shipped.hpp"
+#include "input/vehicle_file.hpp"
 #include "link/session.hpp"
 #include "protocol/plan_block.hpp"
 #include "report/output_folder.hpp"
-#include "sim/plan_file.hpp"
-#include "sim/shipped.hpp"
-#include "sim/vehicle.hpp"
 
 namespace fantail::tool {
 namespace {
@@ -81,13 +81,13 @@ Desk desk(const ExerciseOptions& options) {
     desk.heading.notes.emplace_back("Tolerances are those of a vehicle that says nothing of them.");
   } else {
     const sim::Vehicle vehicle =
-        sim::read_vehicle(sim::Document::load(sim::find_input(sim::Shipped::vehicle, options.vehicle)));
+        input::read_vehicle(input::Document::load(input::find_input(input::Shipped::vehicle, options.vehicle)));
     desk.heading.vehicle = vehicle.name;
     desk.tolerances = vehicle.canard_tolerances;
   }
   if (!options.plan.empty()) {
     const core::FlightPlan plan =
-        sim::read_plan(sim::Document::load(sim::find_input(sim::Shipped::plan, options.plan)));
+        input::read_plan(input::Document::load(input::find_input(input::Shipped::plan, options.plan)));
     desk.heading.plan = options.plan;
     desk.plan_crc = protocol::plan_crc(plan);
     desk.heading.planned_limit_rad.emplace();

@@ -14,14 +14,14 @@
 #include "fantail/exit_code.hpp"
 #include "fantail/progress.hpp"
 #include "fantail/requirement.hpp"
+#include "input/plan_file.hpp"
+#include "input/shipped.hpp"
 #include "json/value.hpp"
 #include "link/plan_sender.hpp"
 #include "link/session.hpp"
 #include "link/words.hpp"
 #include "protocol/plan_block.hpp"
-#include "sim/input_error.hpp"
-#include "sim/plan_file.hpp"
-#include "sim/shipped.hpp"
+#include "text/error.hpp"
 
 namespace fantail::tool {
 namespace {
@@ -37,12 +37,12 @@ std::vector<std::byte> block_of(const std::string& name) {
   if (std::filesystem::path{name}.extension() == ".ftpl") {
     std::ifstream file{name, std::ios::binary};
     if (!file) {
-      throw sim::InputError{sim::InputFault::no_such_input, name + ": no such file"};
+      throw text::Error{text::ErrorKind::no_such_input, name + ": no such file"};
     }
     const std::string text{std::istreambuf_iterator<char>{file}, {}};
     if (text.size() < 16 || text.size() > protocol::largest_plan_block) {
-      throw sim::InputError{sim::InputFault::bad_data, fmt::format("{}: {} bytes; a plan block has 16 to {}", name,
-                                                                   text.size(), protocol::largest_plan_block)};
+      throw text::Error{text::ErrorKind::bad_data, fmt::format("{}: {} bytes; a plan block has 16 to {}", name,
+                                                               text.size(), protocol::largest_plan_block)};
     }
     std::vector<std::byte> block(text.size());
     for (std::size_t i = 0; i < text.size(); ++i) {
@@ -50,7 +50,7 @@ std::vector<std::byte> block_of(const std::string& name) {
     }
     return block;
   }
-  const core::FlightPlan plan = sim::read_plan(sim::Document::load(sim::find_input(sim::Shipped::plan, name)));
+  const core::FlightPlan plan = input::read_plan(input::Document::load(input::find_input(input::Shipped::plan, name)));
   std::array<std::byte, protocol::largest_plan_block> block{};
   const std::size_t size = protocol::write_plan_block(plan, block);
   return {block.begin(), block.begin() + static_cast<std::ptrdiff_t>(size)};

@@ -8,7 +8,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "sim/document.hpp"
+#include "input/messages.hpp"
 
 namespace fantail::tool {
 namespace {
@@ -38,7 +38,7 @@ std::string complaint(const CLI::App& program, const CLI::ParseError& error) {
   if (word.starts_with('-')) {
     return "unknown option " + word + "; a verb comes first: " + list;
   }
-  const auto meant = sim::suggestion(word, verbs);
+  const auto meant = input::suggestion(word, verbs);
   return "unknown verb \"" + word + '"' + (meant ? "; did you mean " + *meant + "?" : "; allowed: " + list);
 }
 

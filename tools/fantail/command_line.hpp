@@ -3,9 +3,10 @@
 
 #include <functional>
 #include <initializer_list>
-#include <stdexcept>
 #include <string>
 #include <vector>
+
+#include "text/error.hpp"
 
 // CLI11 stands behind this file: its headers take five seconds to compile, and every verb would pay them.
 namespace CLI {
@@ -16,8 +17,9 @@ class Option;
 namespace fantail::tool {
 
 /// What is wrong with the words of a command line. what() names the option, its value and what is allowed.
-class UsageError : public std::runtime_error {
-  using std::runtime_error::runtime_error;
+class UsageError : public text::Error {
+ public:
+  explicit UsageError(const std::string& message) : Error{text::ErrorKind::usage, message + " (see --help)"} {}
 };
 
 /// What is wrong with the text of a value; empty when nothing is.

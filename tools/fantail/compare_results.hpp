@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "logs/compare.hpp"
+#include "logs/roll_log.hpp"
 
 namespace fantail::tool {
 
@@ -29,6 +30,9 @@ struct CompareResults {
 [[nodiscard]] std::string compare_text(const CompareResults& results);
 [[nodiscard]] std::string compare_json(const CompareResults& results);
 [[nodiscard]] std::string compare_html(const CompareResults& results);
+/// A page with two flights on A's clock: what compare_html() draws, and command, canards, speed and height as far as
+/// both logs have them.
+[[nodiscard]] std::string overlay_html(const CompareResults& results, const logs::RollLog& a, const logs::RollLog& b);
 [[nodiscard]] std::string compare_csv(const logs::Comparison& comparison);
 
 /// compare.html, compare.json and differences.csv, all or none.

@@ -9,14 +9,14 @@
 
 #include "fantail/command_line.hpp"
 #include "flight_log/to_report.hpp"
+#include "input/messages.hpp"
 #include "log_export/candump.hpp"
 #include "log_export/csv.hpp"
 #include "log_export/foreign.hpp"
 #include "log_export/json.hpp"
 #include "log_export/lcm.hpp"
 #include "log_export/ulog.hpp"
-#include "sim/document.hpp"
-#include "sim/input_error.hpp"
+#include "text/error.hpp"
 
 namespace fantail::tool {
 namespace {
@@ -24,7 +24,7 @@ namespace {
 [[noreturn]] void refuse_fields(const std::string& complaint) { throw UsageError{"--fields: " + complaint}; }
 
 [[noreturn]] void refuse_log(const ExportQuestion& question, const std::string& complaint) {
-  throw sim::InputError{sim::InputFault::bad_data, question.log + ": " + complaint};
+  throw text::Error{text::ErrorKind::bad_data, question.log + ": " + complaint};
 }
 
 void require_once(std::span<const std::string> names) {
@@ -88,7 +88,7 @@ Exported export_foreign(const ExportQuestion& question, const flight_log::Flight
   }
   for (const std::string& name : question.fields) {
     if (std::ranges::find(all, name) == all.end()) {
-      const auto meant = sim::suggestion(name, all);
+      const auto meant = input::suggestion(name, all);
       refuse_fields(fmt::format("no field \"{}\"{} in this log of another version; there are: {}", name,
                                 meant ? " (did you mean " + *meant + "?)" : "", fmt::join(all, ", ")));
     }

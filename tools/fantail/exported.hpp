@@ -35,7 +35,7 @@ struct Exported {
   std::vector<std::string> notes;  ///< what the log has lost, a sentence each
 };
 
-/// Throws UsageError for fields that there are not, sim::InputError for a log that does not have what is
+/// Throws UsageError for fields that there are not, text::Error for a log that does not have what is
 /// wanted.
 [[nodiscard]] Exported export_flight(const ExportQuestion& question, const flight_log::Flight& flight);
 

@@ -2,7 +2,7 @@
 #include "fantail/identify_options.hpp"
 
 #include "fantail/number_option.hpp"
-#include "identify/axis_text.hpp"
+#include "identify/choices.hpp"
 
 namespace fantail::tool {
 namespace {

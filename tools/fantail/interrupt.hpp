@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <stdexcept>
 #include <string>
+
+#include "text/error.hpp"
 
 namespace fantail::tool {
 
 /// Ctrl-C, a request to terminate, or a terminal that was closed. Work is given up between two steps, never in the
 /// middle of writing results.
-class Interrupted : public std::runtime_error {
+class Interrupted : public text::Error {
  public:
-  explicit Interrupted(const std::string& what = "interrupted; nothing was written") : runtime_error{what} {}
+  explicit Interrupted(const std::string& what = "interrupted; nothing was written")
+      : Error{text::ErrorKind::interrupted, what} {}
 };
 
 /// From here on the signals only set a mark.

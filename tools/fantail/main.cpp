@@ -14,7 +14,7 @@
 #include "fantail/exit_code.hpp"
 #include "fantail/standard_streams.hpp"
 #include "fantail/verb_table.hpp"
-#include "sim/document.hpp"
+#include "input/messages.hpp"
 
 namespace {
 
@@ -108,7 +108,7 @@ ExitCode start(int argc, char** argv) {
     return refuse("unknown option " + word + "; a verb comes first: " + list());
   }
   if (std::ranges::find(verb_table, word, &fantail::tool::VerbEntry::name) == verb_table.end()) {
-    const auto meant = fantail::sim::suggestion(word, names());
+    const auto meant = fantail::input::suggestion(word, names());
     return refuse("unknown verb \"" + word + '"' + (meant ? "; did you mean " + *meant + "?" : "; allowed: " + list()));
   }
   return become(word, argv + 1);

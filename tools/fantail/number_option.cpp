@@ -5,7 +5,7 @@
 
 #include <fmt/core.h>
 
-#include "sim/shown.hpp"
+#include "input/messages.hpp"
 #include "text/number.hpp"
 
 namespace fantail::tool {
@@ -15,7 +15,7 @@ Objection within(double low, double high) {
     const auto value = text::number(text);
     return value && *value >= low && *value <= high
                ? std::string{}
-               : fmt::format("\"{}\": allowed: {} to {}", text, sim::shown(low), sim::shown(high));
+               : fmt::format("\"{}\": allowed: {} to {}", text, input::shown(low), input::shown(high));
   };
 }
 

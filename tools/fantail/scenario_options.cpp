@@ -5,7 +5,8 @@
 #include <cstdint>
 #include <optional>
 
-#include "sim/document.hpp"
+#include "input/document.hpp"
+#include "input/scenario_file.hpp"
 
 namespace fantail::tool {
 namespace {
@@ -42,12 +43,12 @@ void add_scenario_options(const Verb& verb, ScenarioOptions& options) {
 }
 
 sim::Scenario load(const ScenarioOptions& options) {
-  std::vector<sim::Override> changes;
+  std::vector<input::Override> changes;
   changes.reserve(options.changes.size());
   for (const std::string& text : options.changes) {
-    changes.push_back(sim::parse_override(text));
+    changes.push_back(input::parse_override(text));
   }
-  sim::Scenario scenario = sim::load_scenario(options.scenario, changes);
+  sim::Scenario scenario = input::load_scenario(options.scenario, changes);
   scenario.seed = parse_seed(options.seed).value_or(scenario.seed);
   return scenario;
 }

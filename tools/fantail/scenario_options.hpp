@@ -19,7 +19,7 @@ struct ScenarioOptions {
 /// SCENARIO, --seed and --set. A scenario that is already named is the default.
 void add_scenario_options(const Verb& verb, ScenarioOptions& options);
 
-/// Throws sim::InputError.
+/// Throws text::Error.
 [[nodiscard]] sim::Scenario load(const ScenarioOptions& options);
 
 }  // namespace fantail::tool

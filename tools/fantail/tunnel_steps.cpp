@@ -35,7 +35,8 @@ tunnel::StepsHeading heading(const StepsVerbOptions& options, const logs::RollLo
                                .airframe = frame.airframe,
                                .density_kg_m3 = options.density_kg_m3,
                                .options = options.steps};
-  heading.options.method = options.method == "grid" ? identify::Method::grid : identify::Method::continuous;
+  heading.options.method =
+      options.method == "grid" ? identify::result::Method::grid : identify::result::Method::continuous;
   heading.options.direction = options.only.empty()   ? tunnel::Direction::both
                               : options.only == "up" ? tunnel::Direction::up
                                                      : tunnel::Direction::down;

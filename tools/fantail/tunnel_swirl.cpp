@@ -5,7 +5,7 @@
 #include "fantail/log_options.hpp"
 #include "fantail/number_option.hpp"
 #include "fantail/tunnel_options.hpp"
-#include "sim/input_error.hpp"
+#include "text/error.hpp"
 #include "tunnel/session.hpp"
 #include "tunnel/swirl_report.hpp"
 
@@ -34,10 +34,10 @@ tunnel::RollSession read(const SessionOptions& options, const SwirlVerbOptions& 
   session.roll = logs::read_roll_log(options.roll, reading(all.logs), {.roll_angle = false, .roll_rate = true});
   session.wind = tunnel::wind_of(session.roll, options.roll, options.wind, all.logs.truth);
   if (session.wind.fan_rpm.empty() && options.steady.empty()) {
-    throw sim::InputError{sim::InputFault::bad_configuration,
-                          options.roll +
-                              ": the speeds come from the log itself, which does not say what the fan did; "
-                              "say when it was steady with --steady-without and --steady-with"};
+    throw text::Error{text::ErrorKind::bad_configuration,
+                      options.roll +
+                          ": the speeds come from the log itself, which does not say what the fan did; "
+                          "say when it was steady with --steady-without and --steady-with"};
   }
   session.steady = steady_segments(session.wind, options.steady, all.finding);
   return session;

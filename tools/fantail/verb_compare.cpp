@@ -13,7 +13,7 @@
 #include "fantail/log_options.hpp"
 #include "fantail/requirement.hpp"
 #include "fantail/run.hpp"
-#include "identify/window.hpp"
+#include "identify/choices.hpp"
 #include "logs/compare.hpp"
 #include "logs/roll_log.hpp"
 #include "report/numbers.hpp"

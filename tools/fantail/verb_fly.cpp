@@ -139,5 +139,5 @@ void fill(const Verb& verb) {
 
 int main(int argc, char** argv) {
   using namespace fantail;
-  return tool::run("fly", tool::fill, argc, argv, tool::is_one_of<hil::TargetError, telemetry::TelemetryError>);
+  return tool::run("fly", tool::fill, argc, argv);
 }

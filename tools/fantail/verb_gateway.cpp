@@ -130,6 +130,5 @@ void fill(const Verb& verb) {
 
 int main(int argc, char** argv) {
   using namespace fantail;
-  return tool::run("gateway", tool::fill, argc, argv,
-                   tool::is_one_of<hal::on_linux::CanError, link::LinkError, telemetry::TelemetryError>);
+  return tool::run("gateway", tool::fill, argc, argv);
 }

@@ -12,18 +12,16 @@
 #include "fantail/identify_options.hpp"
 #include "fantail/interrupt.hpp"
 #include "fantail/run.hpp"
-#include "identify/air.hpp"
-#include "identify/axis_text.hpp"
-#include "identify/result_json.hpp"
-#include "identify/result_text.hpp"
+#include "identify/choices.hpp"
+#include "identify/make_record.hpp"
+#include "identify/result/outputs.hpp"
 #include "identify/study.hpp"
-#include "identify/write_study.hpp"
+#include "input/document.hpp"
+#include "input/messages.hpp"
+#include "input/plan_file.hpp"
+#include "input/shipped.hpp"
+#include "input/vehicle_file.hpp"
 #include "logs/roll_log.hpp"
-#include "sim/document.hpp"
-#include "sim/plan_file.hpp"
-#include "sim/shipped.hpp"
-#include "sim/shown.hpp"
-#include "sim/vehicle.hpp"
 
 namespace fantail::tool {
 namespace {
@@ -49,7 +47,7 @@ std::vector<identify::Window> windows(const IdentifyOptions& o, const logs::Roll
 }
 
 struct Rocket {
-  identify::Airframe airframe;
+  identify::model::Airframe airframe;
   std::string words;
 };
 
@@ -57,30 +55,30 @@ Rocket rocket(const IdentifyOptions& o) {
   Rocket result;
   if (o.vehicle) {
     const sim::Vehicle vehicle =
-        sim::read_vehicle(sim::Document::load(sim::find_input(sim::Shipped::vehicle, *o.vehicle)));
+        input::read_vehicle(input::Document::load(input::find_input(input::Shipped::vehicle, *o.vehicle)));
     result = {{vehicle.roll_plant.inertia_kg_m2, vehicle.roll_plant.reference_area_m2}, vehicle.name + ", "};
   } else if (!o.inertia_kg_m2 || !o.area_m2) {
     std::string message = "which rocket? --vehicle NAME|FILE, or --inertia and --area; shipped vehicles:";
-    for (const std::string& name : sim::shipped_names(sim::Shipped::vehicle)) {
+    for (const std::string& name : input::shipped_names(input::Shipped::vehicle)) {
       message += " " + name;
     }
     throw UsageError{message};
   }
-  identify::Airframe& airframe = result.airframe;
+  identify::model::Airframe& airframe = result.airframe;
   airframe.inertia_kg_m2 = o.inertia_kg_m2.value_or(airframe.inertia_kg_m2);
   airframe.reference_area_m2 = o.area_m2.value_or(airframe.reference_area_m2);
-  result.words +=
-      fmt::format("I {} kg m2, A {} m2", sim::about(airframe.inertia_kg_m2), sim::about(airframe.reference_area_m2));
+  result.words += fmt::format("I {} kg m2, A {} m2", input::about(airframe.inertia_kg_m2),
+                              input::about(airframe.reference_area_m2));
   return result;
 }
 
-identify::ClosedLoop closed_loop(const IdentifyOptions& o) {
+identify::closed_loop::Control closed_loop(const IdentifyOptions& o) {
   if (o.fit_lag) {
     throw UsageError{"--fit-lag: the closed loop does not use the measured canards; allowed with --loop open"};
   }
   core::ControllerPlan controller = core::default_plan().controller;
   if (o.plan) {
-    controller = sim::read_plan(sim::Document::load(sim::find_input(sim::Shipped::plan, *o.plan))).controller;
+    controller = input::read_plan(input::Document::load(input::find_input(input::Shipped::plan, *o.plan))).controller;
   } else if (!o.proportional_gain || !o.derivative_gain_s || !o.limit_deg) {
     throw UsageError{"--loop closed needs the controller: --plan NAME|FILE, or --kp, --kd and --limit"};
   }
@@ -97,7 +95,7 @@ identify::ClosedLoop closed_loop(const IdentifyOptions& o) {
 }
 
 identify::Question question(const IdentifyOptions& o) {
-  using identify::Method;
+  using identify::result::Method;
   identify::Question q;
   q.nodes = o.nodes;
   q.fit_lag = o.fit_lag;
@@ -106,7 +104,7 @@ identify::Question question(const IdentifyOptions& o) {
                                    : std::vector{Method::continuous};
   q.record.lag_s = o.lag_s;
   q.record.speed_m_s = o.speed_m_s;
-  q.options.start = o.fit_initial ? identify::Start::fitted : identify::Start::measured;
+  q.options.start = o.fit_initial ? identify::model::Start::fitted : identify::model::Start::measured;
   q.options.grid.alpha_m2 = identify::parse_axis(o.grid_alpha).value_or(q.options.grid.alpha_m2);
   q.options.grid.beta_m = identify::parse_axis(o.grid_beta).value_or(q.options.grid.beta_m);
   if (o.loop == "closed") {
@@ -137,10 +135,10 @@ void identify_data(const IdentifyOptions& o) {
   const identify::Air air = identify::choose_air(log, o.density);
   q.record.atmosphere = air.atmosphere;
   q.windows = windows(o, log);
-  identify::Study result = study(log, q);
+  identify::result::Study result = study(log, q);
   result.vehicle = which.words;
   result.density = air.words;
-  result.speed = o.speed_m_s   ? sim::shown(*o.speed_m_s) + " m/s throughout"
+  result.speed = o.speed_m_s   ? input::shown(*o.speed_m_s) + " m/s throughout"
                  : o.log.truth ? "true_speed_m_s"
                                : "speed_m_s";
 
@@ -148,10 +146,10 @@ void identify_data(const IdentifyOptions& o) {
   const std::filesystem::path folder = output_folder(o);
   write_study(result, folder);
   if (o.json) {
-    fmt::print("{}", result_json(result));
+    fmt::print("{}", as_json(result));
     return;
   }
-  fmt::print("{}\n  report  {}\n", result_text(result), (folder / "report.html").string());
+  fmt::print("{}\n  report  {}\n", as_text(result), (folder / "report.html").string());
   for (const std::string& name : model_csv_names(result)) {
     fmt::print("  model   {}\n", (folder / name).string());
   }

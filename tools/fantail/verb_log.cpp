@@ -23,5 +23,5 @@ void fill(const Verb& verb) {
 
 int main(int argc, char** argv) {
   using namespace fantail;
-  return tool::run("log", tool::fill, argc, argv, tool::is_one_of<telemetry::TelemetryError>);
+  return tool::run("log", tool::fill, argc, argv);
 }

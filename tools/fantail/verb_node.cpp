@@ -169,5 +169,5 @@ void fill(const Verb& verb) {
 
 int main(int argc, char** argv) {
   using namespace fantail;
-  return tool::run("node", tool::fill, argc, argv, tool::is_one_of<hal::on_linux::CanError, telemetry::TelemetryError>);
+  return tool::run("node", tool::fill, argc, argv);
 }

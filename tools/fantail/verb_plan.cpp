@@ -11,12 +11,12 @@
 #include "core/flight_plan.hpp"
 #include "core/flight_plan_fields.hpp"
 #include "fantail/run.hpp"
+#include "input/plan_file.hpp"
+#include "input/shipped.hpp"
 #include "json/value.hpp"
 #include "protocol/crc32c.hpp"
 #include "protocol/plan_block.hpp"
 #include "report/output_folder.hpp"
-#include "sim/plan_file.hpp"
-#include "sim/shipped.hpp"
 
 namespace fantail::tool {
 namespace {
@@ -33,8 +33,8 @@ struct NamedPlan {
 };
 
 NamedPlan load(const PlanOptions& options) {
-  const std::filesystem::path file = sim::find_input(sim::Shipped::plan, *options.plan);
-  return {.file = file, .plan = sim::read_plan(sim::Document::load(file))};
+  const std::filesystem::path file = input::find_input(input::Shipped::plan, *options.plan);
+  return {.file = file, .plan = input::read_plan(input::Document::load(file))};
 }
 
 json::Value field_value(const core::PlanField& field, const core::FlightPlan& plan, std::size_t slot) {
@@ -76,7 +76,7 @@ void check(const PlanOptions& options) {
 
 void show(const PlanOptions& options) {
   const core::FlightPlan plan = options.plan ? load(options).plan : core::default_plan();
-  fmt::print("{}", options.json ? plan_json(plan) : sim::plan_table(plan));
+  fmt::print("{}", options.json ? plan_json(plan) : input::plan_table(plan));
 }
 
 void compile(const PlanOptions& options) {

@@ -12,9 +12,9 @@
 #include "fantail/requirement.hpp"
 #include "fantail/run.hpp"
 #include "fantail/scenario_options.hpp"
+#include "input/shipped.hpp"
 #include "predict/results.hpp"
-#include "sim/input_error.hpp"
-#include "sim/shipped.hpp"
+#include "text/error.hpp"
 
 namespace fantail::tool {
 namespace {
@@ -61,15 +61,15 @@ std::string objection_to_folder(const std::string& text) { return text.empty() ?
 
 std::filesystem::path tunnel_file(const sim::Scenario& scenario, const PredictOptions& options) {
   if (options.tunnel) {
-    return sim::find_input(sim::Shipped::tunnel_result, *options.tunnel);
+    return input::find_input(input::Shipped::tunnel_result, *options.tunnel);
   }
   if (scenario.tunnel_result) {
     return *scenario.tunnel_result;
   }
-  throw sim::InputError{sim::InputFault::bad_configuration,
-                        scenario.name +
-                            ": names no tunnel_result; give the steps.csv of the tunnel with --tunnel FILE, "
-                            "or name it in the scenario: tunnel_result = \"steps.csv\""};
+  throw text::Error{text::ErrorKind::bad_configuration,
+                    scenario.name +
+                        ": names no tunnel_result; give the steps.csv of the tunnel with --tunnel FILE, "
+                        "or name it in the scenario: tunnel_result = \"steps.csv\""};
 }
 
 std::optional<double> in_radians(const std::optional<double>& degrees) {

@@ -16,11 +16,11 @@
 #include "fantail/what_if.hpp"
 #include "flight_log/integrity.hpp"
 #include "flight_log/regenerate.hpp"
+#include "input/plan_file.hpp"
 #include "json/value.hpp"
 #include "report/numbers.hpp"
 #include "report/output_folder.hpp"
-#include "sim/changed_plan.hpp"
-#include "sim/input_error.hpp"
+#include "text/error.hpp"
 
 namespace fantail::tool {
 namespace {
@@ -50,7 +50,7 @@ Replayed replay(const flight_log::Flight& flight, const core::FlightPlan& plan) 
 }
 
 [[noreturn]] void refuse(const ReplayOptions& options, const std::string& why) {
-  throw sim::InputError{sim::InputFault::bad_data, fmt::format("{}: cannot be replayed. {}", options.log, why)};
+  throw text::Error{text::ErrorKind::bad_data, fmt::format("{}: cannot be replayed. {}", options.log, why)};
 }
 
 json::Value to_json(const ReplayOptions& options, const flight_log::Flight& flight, const Replayed& replayed) {
@@ -92,12 +92,12 @@ std::filesystem::path folder_of(const ReplayOptions& options) {
 }
 
 void show_what_if(const ReplayOptions& options, const flight_log::Flight& flight, const Replayed& flown) {
-  std::vector<sim::Override> changes;
+  std::vector<input::Override> changes;
   changes.reserve(options.changes.size());
   for (const std::string& text : options.changes) {
-    changes.push_back(sim::parse_override(text));
+    changes.push_back(input::parse_override(text));
   }
-  const core::FlightPlan plan = sim::changed_plan(*flight.plan, changes);
+  const core::FlightPlan plan = input::changed_plan(*flight.plan, changes);
   WhatIf result = what_if(flight, flown.result, flight_log::regenerate(flight, plan));
   result.log = options.log;
   result.changes = options.changes;

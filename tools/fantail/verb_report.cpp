@@ -11,7 +11,6 @@
 #include "fantail/compare_results.hpp"
 #include "fantail/interrupt.hpp"
 #include "fantail/log_file.hpp"
-#include "fantail/overlay_page.hpp"
 #include "fantail/run.hpp"
 #include "logs/compare.hpp"
 #include "logs/flight_file.hpp"

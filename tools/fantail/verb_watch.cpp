@@ -83,5 +83,5 @@ void fill(const Verb& verb) {
 
 int main(int argc, char** argv) {
   using namespace fantail;
-  return tool::run("watch", tool::fill, argc, argv, tool::is_one_of<telemetry::TelemetryError>);
+  return tool::run("watch", tool::fill, argc, argv);
 }

@@ -10,6 +10,7 @@
 #include "core/tick_record.hpp"
 #include "flight_log/to_report.hpp"
 #include "report/numbers.hpp"
+#include "text/number.hpp"
 
 namespace fantail::tool {
 namespace {
@@ -96,10 +97,10 @@ std::string what_if_csv(const WhatIf& result) {
   fmt::format_to(std::back_inserter(text),
                  "time_s,flown_phase,flown_command_deg,what_if_phase,what_if_command_deg,what_if_roll_angle_deg\n");
   for (std::size_t i = 0; i < result.time_s.size(); ++i) {
-    fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{}\n", report::fixed(result.time_s[i], 6),
-                   name(result.flown_phase[i]), report::fixed(degrees(result.flown_rad[i]), 6),
-                   name(result.what_if_phase[i]), report::fixed(degrees(result.what_if_rad[i]), 6),
-                   report::fixed(degrees(result.roll_angle_rad[i]), 6));
+    fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{}\n", text::fixed(result.time_s[i], 6),
+                   name(result.flown_phase[i]), text::fixed(degrees(result.flown_rad[i]), 6),
+                   name(result.what_if_phase[i]), text::fixed(degrees(result.what_if_rad[i]), 6),
+                   text::fixed(degrees(result.roll_angle_rad[i]), 6));
   }
   return fmt::to_string(text);
 }

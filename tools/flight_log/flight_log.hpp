@@ -101,7 +101,7 @@ inline constexpr std::size_t most_flights = 1000;
 /// Whatever bytes it is given: takes memory in proportion to them, and saves what can be saved.
 [[nodiscard]] LogFile parse_log(std::span<const std::byte> bytes, std::string name);
 
-/// A folder stands for the flight.ftl in it. Throws sim::InputError: no_such_input; bad_data for a file that holds no
+/// A folder stands for the flight.ftl in it. Throws text::Error: no_such_input; bad_data for a file that holds no
 /// intact record at all (saying what it looks like instead) or more than most_log_bytes; std::system_error for one that
 /// cannot be read.
 [[nodiscard]] LogFile read_log_file(const std::filesystem::path& path);

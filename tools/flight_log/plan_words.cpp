@@ -6,9 +6,9 @@
 
 #include <fmt/core.h>
 
-#include "sim/input_error.hpp"
-#include "sim/plan_file.hpp"
-#include "sim/shipped.hpp"
+#include "input/plan_file.hpp"
+#include "input/shipped.hpp"
+#include "text/error.hpp"
 
 namespace fantail::flight_log {
 namespace {
@@ -17,11 +17,11 @@ using NamedChecksum = std::pair<std::string, std::uint32_t>;
 
 std::vector<NamedChecksum> shipped_plans() {
   std::vector<NamedChecksum> plans;
-  for (const std::string& name : sim::shipped_names(sim::Shipped::plan)) {
+  for (const std::string& name : input::shipped_names(input::Shipped::plan)) {
     try {
-      const auto file = sim::find_input(sim::Shipped::plan, name);
-      plans.emplace_back(name, protocol::plan_crc(sim::read_plan(sim::Document::load(file))));
-    } catch (const sim::InputError&) {
+      const auto file = input::find_input(input::Shipped::plan, name);
+      plans.emplace_back(name, protocol::plan_crc(input::read_plan(input::Document::load(file))));
+    } catch (const text::Error&) {
       continue;  // somebody is at work on that file; it is not what was asked for
     }
   }

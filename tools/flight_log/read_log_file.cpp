@@ -9,13 +9,13 @@
 
 #include "flight_log/flight_log.hpp"
 #include "flight_log/foreign.hpp"
-#include "sim/input_error.hpp"
+#include "text/error.hpp"
 
 namespace fantail::flight_log {
 namespace {
 
-using sim::InputError;
-using sim::InputFault;
+using text::Error;
+using text::ErrorKind;
 
 // What a vector would first fill with zeros, at a third of the time that the whole reading takes.
 struct Content {
@@ -51,7 +51,7 @@ std::filesystem::path file_of(const std::filesystem::path& path) {
   }
   std::filesystem::path file = path / "flight.ftl";
   if (!std::filesystem::exists(file, ignored)) {
-    throw InputError{InputFault::no_such_input, path.string() + ": a folder without a flight.ftl"};
+    throw Error{ErrorKind::no_such_input, path.string() + ": a folder without a flight.ftl"};
   }
   return file;
 }
@@ -63,7 +63,7 @@ LogFile read_log_file(const std::filesystem::path& path) {
   std::ifstream stream{file, std::ios::binary};
   if (!stream) {
     if (errno == ENOENT || errno == ENOTDIR) {
-      throw InputError{InputFault::no_such_input, file.string() + ": no such file"};
+      throw Error{ErrorKind::no_such_input, file.string() + ": no such file"};
     }
     throw std::system_error{errno, std::generic_category(), file.string()};
   }
@@ -74,14 +74,14 @@ LogFile read_log_file(const std::filesystem::path& path) {
     throw std::system_error{errno, std::generic_category(), file.string()};
   }
   if (content.size > most_log_bytes) {
-    throw InputError{InputFault::bad_data, fmt::format("{}: larger than {} MiB, which no flight log is", file.string(),
-                                                       most_log_bytes >> 20U)};
+    throw Error{ErrorKind::bad_data,
+                fmt::format("{}: larger than {} MiB, which no flight log is", file.string(), most_log_bytes >> 20U)};
   }
   const std::span<const std::byte> bytes{content.bytes.get(), content.size};
   LogFile log = parse_log(bytes, file.string());
   if (log.flights.empty()) {
-    throw InputError{InputFault::bad_data,
-                     fmt::format("{}: holds no record of a flight; it is {}", file.string(), looks_like(bytes))};
+    throw Error{ErrorKind::bad_data,
+                fmt::format("{}: holds no record of a flight; it is {}", file.string(), looks_like(bytes))};
   }
   return log;
 }

@@ -8,6 +8,7 @@
 
 #include <fmt/core.h>
 
+#include "input/fault_file.hpp"
 #include "link/words.hpp"
 #include "sim/units.hpp"
 #include "sim/world.hpp"
@@ -32,7 +33,7 @@ report::Truth to_report(const sim::Truth& truth) {
 
 std::string describe(const sim::Fault& fault, const sim::Scenario& scenario) {
   const std::string_view zero = scenario.surroundings == sim::Surroundings::tunnel ? "the start command" : "ignition";
-  const std::string_view kind = sim::name(fault.kind);
+  const std::string_view kind = input::name(fault.kind);
   const bool always = fault.from_s <= -scenario.pad_time_s;
   if (sim::is_dropout(fault.kind)) {
     const std::string from = always ? "power-up" : fmt::format("{:g}", fault.from_s);

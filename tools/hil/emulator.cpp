@@ -16,7 +16,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "sim/input_error.hpp"
+#include "text/error.hpp"
 
 namespace fantail::hil {
 namespace {
@@ -83,10 +83,10 @@ std::string how_it_ended(int status) {
 
 Emulator::Emulator(const EmulatorOptions& options) {
   if (!std::filesystem::is_regular_file(options.image)) {
-    throw sim::InputError{sim::InputFault::no_such_input,
-                          options.image.string() +
-                              ": there is no such image; ./dev fly --on emulator builds it, or "
-                              "cmake --preset emulator && cmake --build --preset emulator"};
+    throw text::Error{text::ErrorKind::no_such_input,
+                      options.image.string() +
+                          ": there is no such image; ./dev fly --on emulator builds it, or "
+                          "cmake --preset emulator && cmake --build --preset emulator"};
   }
   auto [target_in, to_target] = make_pipe();
   auto [from_target, target_out] = make_pipe();

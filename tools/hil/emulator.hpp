@@ -24,7 +24,7 @@ struct EmulatorOptions {
 /// process whatever happens to it.
 class Emulator final : public Wire {
  public:
-  /// Throws sim::InputError without an image, and TargetError without an emulator.
+  /// Throws text::Error without an image, and TargetError without an emulator.
   explicit Emulator(const EmulatorOptions& options);
   ~Emulator() override;
   Emulator(const Emulator&) = delete;

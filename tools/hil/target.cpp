@@ -5,7 +5,7 @@
 
 #include "hil/remote_board.hpp"
 #include "protocol/hil_codec.hpp"
-#include "sim/input_error.hpp"
+#include "text/error.hpp"
 
 namespace fantail::hil {
 
@@ -30,8 +30,8 @@ Target::Target(std::unique_ptr<Wire> wire, Waiting waiting, const Patience& pati
   reader(identity_.counts);
   const bool understood = answer.head.type == static_cast<std::uint8_t>(HilType::ready) && reader.within();
   if (!understood || version != protocol::hil_version || its_layout != layout) {
-    throw sim::InputError{
-        sim::InputFault::bad_data,
+    throw text::Error{
+        text::ErrorKind::bad_data,
         fmt::format(
             "the flight computer ({} {}, {}) speaks version {} of the link with layout {:08x}, and this program "
             "version {} with layout {:08x}: build and load its image again, from the same sources",

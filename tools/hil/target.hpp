@@ -23,7 +23,7 @@ struct TargetIdentity {
 /// A flight computer at the end of a wire, to be flown by a world.
 class Target {
  public:
-  /// Throws TargetError when nobody answers, and sim::InputError when who answers speaks another language.
+  /// Throws TargetError when nobody answers, and text::Error when who answers speaks another language.
   explicit Target(std::unique_ptr<Wire> wire, Waiting waiting = {}, const Patience& patience = {});
 
   [[nodiscard]] const TargetIdentity& identity() const { return identity_; }

@@ -3,36 +3,33 @@
 
 #include <algorithm>
 #include <numbers>
+#include <utility>
+#include <vector>
 
 #include <fmt/core.h>
 
-#include "identify/alpha_fit.hpp"
-#include "identify/closed_loop_fit.hpp"
-#include "identify/closed_loop_grid.hpp"
-#include "identify/closed_loop_model.hpp"
-#include "identify/node_times.hpp"
-#include "identify/open_loop.hpp"
-#include "identify/response_basis.hpp"
-#include "identify/sensitivities.hpp"
-#include "identify/uncertainty_of.hpp"
-#include "sim/input_error.hpp"
+#include "identify/closed_loop/closed_loop.hpp"
+#include "identify/model/open_loop.hpp"
+#include "identify/result/uncertainty.hpp"
+#include "text/error.hpp"
 
 namespace fantail::identify {
 namespace {
 
-using sim::InputError;
-using sim::InputFault;
+using namespace model;
+using namespace result;
+using text::Error;
+using text::ErrorKind;
 
 void check_record(const Record& record, std::size_t nodes, Start start) {
   const std::size_t unknowns = 2 + nodes + (start == Start::fitted ? 2 * record.segment_begin.size() : std::size_t{0});
   if (record.size() <= unknowns) {
-    throw InputError{InputFault::bad_data, fmt::format("window {}: {} samples for {} unknowns; allowed: more samples",
-                                                       record.window, record.size(), unknowns)};
+    throw Error{ErrorKind::bad_data, fmt::format("window {}: {} samples for {} unknowns; allowed: more samples",
+                                                 record.window, record.size(), unknowns)};
   }
   if (std::ranges::none_of(record.speed_m_s, [](double speed) { return speed > 0.0; })) {
-    throw InputError{
-        InputFault::bad_data,
-        fmt::format("window {}: the speed is nowhere above zero, and still air turns nothing", record.window)};
+    throw Error{ErrorKind::bad_data,
+                fmt::format("window {}: the speed is nowhere above zero, and still air turns nothing", record.window)};
   }
 }
 
@@ -43,7 +40,7 @@ struct Question {
   const Options& options;
 };
 
-Model open_loop_model(const Question& q, const NodeTimes& nodes, std::optional<ErrorMap>& errors) {
+RollModel open_loop_model(const Question& q, const NodeTimes& nodes, std::optional<ErrorMap>& errors) {
   const auto& [record, airframe, options] = q;
   if (options.method == Method::grid || options.with_error_map) {
     GridResult found = search_open_loop_grid(record, airframe, nodes, options.start, options.grid);
@@ -55,53 +52,30 @@ Model open_loop_model(const Question& q, const NodeTimes& nodes, std::optional<E
   return fit_open_loop(record, airframe, nodes, options.start, options.grid);
 }
 
-Model closed_loop_model(const Question& q, const NodeTimes& nodes, std::optional<ErrorMap>& errors) {
+RollModel closed_loop_model(const Question& q, const NodeTimes& nodes, std::optional<ErrorMap>& errors) {
   const auto& [record, airframe, options] = q;
-  std::optional<Model> grid_best;
+  std::optional<RollModel> grid_best;
   if (options.method == Method::grid || options.with_error_map) {
-    ClosedLoopGrid found =
-        search_closed_loop_grid(record, airframe, *options.closed_loop, nodes, options.start, options.grid);
+    closed_loop::GridResult found =
+        closed_loop::search_grid(record, airframe, *options.closed_loop, nodes, options.start, options.grid);
     errors = std::move(found.errors);
     if (options.method == Method::grid) {
       return std::move(found.model);
     }
     grid_best = std::move(found.least_squares);
   }
-  return fit_closed_loop(record, airframe, *options.closed_loop, nodes, options.start, options.grid, grid_best).model;
+  return closed_loop::fit(record, airframe, *options.closed_loop, nodes, options.start, options.grid, grid_best).model;
 }
 
-Model model_with(const Question& q, const NodeTimes& nodes, std::optional<ErrorMap>& errors) {
+RollModel model_with(const Question& q, const NodeTimes& nodes, std::optional<ErrorMap>& errors) {
   check_nodes(q.record, nodes);
   check_record(q.record, nodes.size(), q.options.start);
   return q.options.closed_loop ? closed_loop_model(q, nodes, errors) : open_loop_model(q, nodes, errors);
 }
 
-Simulation simulate(const Question& q, const Model& model) {
-  return q.options.closed_loop ? simulate_closed_loop(q.record, q.airframe, *q.options.closed_loop, model)
+Simulation simulate(const Question& q, const RollModel& model) {
+  return q.options.closed_loop ? closed_loop::simulate(q.record, q.airframe, *q.options.closed_loop, model)
                                : simulate_open_loop(q.record, q.airframe, model);
-}
-
-Uncertainty open_loop_uncertainty(const Question& q, const Model& model, const Simulation& simulation) {
-  const auto& [record, airframe, options] = q;
-  const ResponseBasis basis{record, airframe, model.node_time_s, options.start};
-  return uncertainty_of(record, model, simulation, open_loop_sensitivities(record, airframe, model), options.start,
-                        [&basis](double alpha_m2) { return AlphaFit{basis, alpha_m2}.least_squares_rad2(); });
-}
-
-Uncertainty closed_loop_uncertainty(const Question& q, const Model& model, const Simulation& simulation) {
-  const auto& [record, airframe, options] = q;
-  const ClosedLoop& loop = *options.closed_loop;
-  ClosedLoopDescent descent{record, airframe, loop, model.node_time_s, options.start};
-  const auto profile = [&](double alpha_m2) {
-    Model begin = model;
-    begin.alpha_m2 = alpha_m2;
-    return descent.from(begin, Alpha::held).squares_rad2;
-  };
-  // The model's canards are the commands, whatever the encoders say, if there are any.
-  Record commanded = record;
-  commanded.canard_rad = simulation.canard_rad;
-  return uncertainty_of(commanded, model, simulation, closed_loop_sensitivities(record, airframe, loop, model).angle,
-                        options.start, profile);
 }
 
 // As few intervals as come within a tenth of the least error: the published rule, "until there is no significant
@@ -129,7 +103,7 @@ NodeTimes choose_nodes(const Question& q, std::vector<NodeTrial>& trials) {
   const Question trial_question{q.record, q.airframe, quick};
   for (std::size_t n = 1; n <= std::get<AutomaticNodes>(q.options.nodes).most; ++n) {
     std::optional<ErrorMap> ignored;
-    const Model model = model_with(trial_question, even_nodes(q.record, n), ignored);
+    const RollModel model = model_with(trial_question, even_nodes(q.record, n), ignored);
     trials.push_back({.intervals = n,
                       .model = model,
                       .mean_abs_angle_error_rad = simulate(trial_question, model).mean_abs_angle_error_rad});
@@ -164,8 +138,10 @@ Identification identify(const Record& record, const Airframe& airframe, const Op
   result.simulation = simulate(question, result.model);
   remark_on_edges(result, options.grid);
   if (options.with_uncertainty) {
-    result.uncertainty = options.closed_loop ? closed_loop_uncertainty(question, result.model, result.simulation)
-                                             : open_loop_uncertainty(question, result.model, result.simulation);
+    result.uncertainty = options.closed_loop
+                             ? closed_loop_uncertainty(record, airframe, *options.closed_loop, result.model,
+                                                       result.simulation, options.start)
+                             : open_loop_uncertainty(record, airframe, result.model, result.simulation, options.start);
   }
   return result;
 }

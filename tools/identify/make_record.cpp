@@ -3,27 +3,28 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
+#include <limits>
 #include <vector>
 
 #include <fmt/core.h>
 
-#include "sim/input_error.hpp"
-#include "sim/shown.hpp"
+#include "input/messages.hpp"
+#include "text/error.hpp"
+#include "text/number.hpp"
 
 namespace fantail::identify {
 namespace {
 
+using input::about;
 using logs::RollLog;
-using sim::about;
-using sim::InputError;
-using sim::InputFault;
+using text::Error;
+using text::ErrorKind;
 using Indices = std::vector<std::size_t>;
 
 constexpr std::size_t least_samples = 3;
 
 [[noreturn]] void refuse(const RollLog& log, const std::string& why) {
-  throw InputError{InputFault::bad_data, log.name + ": " + why};
+  throw Error{ErrorKind::bad_data, log.name + ": " + why};
 }
 
 std::string words(const Window& window) {
@@ -53,8 +54,8 @@ Indices samples_inside(const RollLog& log, const Window& window, double longest_
   const double from = window.from_s.value_or(first);
   const double to = window.to_s.value_or(last);
   if (from > to) {
-    throw InputError{InputFault::bad_configuration, fmt::format("window {}: begins at {} s, behind its end at {} s",
-                                                                words(window), about(from), about(to))};
+    throw Error{ErrorKind::bad_configuration, fmt::format("window {}: begins at {} s, behind its end at {} s",
+                                                          words(window), about(from), about(to))};
   }
   if (from < first - longest_gap_s || to > last + longest_gap_s) {
     refuse(log, fmt::format("window {}: {} s to {} s lies outside the data, which goes from {} s to {} s",
@@ -182,9 +183,48 @@ std::vector<double> densities(const RollLog& log, const Indices& samples, const 
   return density;
 }
 
+// In a tunnel the avionics integrates its own noise to a height of metres; over ten of them density changes by 0.1 %.
+bool climbs(const RollLog& log) {
+  constexpr double real_climb_m = 10.0;
+  double low = std::numeric_limits<double>::infinity();
+  double high = -low;
+  for (const double height : log.height_m) {
+    low = std::fmin(low, height);
+    high = std::fmax(high, height);
+  }
+  return high - low > real_climb_m;
+}
+
+Air same_everywhere(double density_kg_m3, const std::string& why) {
+  return {{.model = sim::DensityModel::constant, .constant_kg_m3 = density_kg_m3},
+          fmt::format("{} kg/m3{}", input::shown(density_kg_m3), why)};
+}
+
+Air exponential() {
+  return {{.model = sim::DensityModel::exponential}, "1.225 exp(-h / 8500 m) kg/m3, h from height_m"};
+}
+
 }  // namespace
 
-Record make_record(const RollLog& log, const Window& window, const RecordOptions& options) {
+Air choose_air(const RollLog& log, const std::optional<std::string>& asked) {
+  if (!asked) {
+    return climbs(log) ? exponential() : same_everywhere(1.2, ", as nothing was said and the log does not climb");
+  }
+  if (*asked == "exponential") {
+    return exponential();
+  }
+  if (*asked == "isa") {
+    return {{.model = sim::DensityModel::isa}, "of the standard atmosphere, height from height_m"};
+  }
+  const auto value = text::number(*asked);
+  if (!value || *value <= 0.0 || *value > 100.0) {
+    throw Error{ErrorKind::bad_configuration,
+                "--density " + *asked + ": allowed: above 0 and up to 100 kg/m3, exponential, isa"};
+  }
+  return same_everywhere(*value, "");
+}
+
+model::Record make_record(const RollLog& log, const Window& window, const RecordOptions& options) {
   const double longest_gap_s = gap_s(log, options);
   const bool with_canards = !log.canard_rad.empty();
   if (!with_canards && options.canard_needed) {
@@ -201,7 +241,7 @@ Record make_record(const RollLog& log, const Window& window, const RecordOptions
                             inside.size(), least_samples));
   }
 
-  Record record;
+  model::Record record;
   record.window = words(window);
   record.window_begin_s = log.time_s[samples.front()];
   record.segment_begin = segment_begin;

@@ -2,13 +2,30 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
-#include "identify/record.hpp"
-#include "identify/window.hpp"
+#include "identify/model/roll_model.hpp"
 #include "logs/roll_log.hpp"
 #include "sim/atmosphere.hpp"
 
 namespace fantail::identify {
+
+/// A stretch of a log by its clock, both ends included.
+struct Window {
+  std::optional<double> from_s{};  ///< empty: from the first sample
+  std::optional<double> to_s{};
+  std::string name{};
+};
+
+/// Which air a log was flown in, and in words.
+struct Air {
+  sim::Atmosphere atmosphere{};
+  std::string words{};
+};
+
+/// `asked` is a density in kg/m3, "exponential" or "isa". Empty: exponential when the log climbs, else 1.2 kg/m3.
+/// Throws text::Error (bad_configuration) for anything else.
+[[nodiscard]] Air choose_air(const logs::RollLog& log, const std::optional<std::string>& asked);
 
 struct RecordOptions {
   /// How much later the canard column is than the gyro's: its value at t + lag belongs to t. Of either sign. Samples
@@ -22,9 +39,9 @@ struct RecordOptions {
 };
 
 /// A gap is longer than `longest_gap_s` and than five times the usual distance of the samples. One or two samples alone
-/// between gaps are left out. Throws sim::InputError: bad_configuration for a window that ends before it begins;
+/// between gaps are left out. Throws text::Error: bad_configuration for a window that ends before it begins;
 /// bad_data for a window outside the data, fewer than three samples in it, no speed, no height to take the density
 /// from, a cell without a number in a column that is needed here.
-[[nodiscard]] Record make_record(const logs::RollLog& log, const Window& window, const RecordOptions& options);
+[[nodiscard]] model::Record make_record(const logs::RollLog& log, const Window& window, const RecordOptions& options);
 
 }  // namespace fantail::identify

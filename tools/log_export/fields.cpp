@@ -10,8 +10,8 @@
 #include <fmt/format.h>
 
 #include "core/tick_record_fields.hpp"
+#include "input/messages.hpp"
 #include "report/numbers.hpp"
-#include "sim/document.hpp"
 
 namespace fantail::log_export {
 namespace {
@@ -64,6 +64,7 @@ Value value_of(T value, std::string_view /*unit*/) {
 }
 
 FieldType type_of(bool) { return FieldType::flag; }
+FieldType type_of(float) { return FieldType::number; }
 FieldType type_of(double) { return FieldType::number; }
 FieldType type_of(core::Angle) { return FieldType::number; }
 FieldType type_of(const std::optional<core::Angle>&) { return FieldType::number; }
@@ -163,7 +164,7 @@ std::optional<std::size_t> find_field(std::string_view name) {
 std::string unknown_field(std::string_view name) {
   std::vector<std::string> names;
   std::ranges::transform(fields(), std::back_inserter(names), &Field::name);
-  const auto meant = sim::suggestion(name, names);
+  const auto meant = input::suggestion(name, names);
   return fmt::format("no field \"{}\"{}; there are: {}", name, meant ? " (did you mean " + *meant + "?)" : "",
                      fmt::join(names, ", "));
 }

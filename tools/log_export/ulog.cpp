@@ -15,7 +15,7 @@ namespace {
 
 using protocol::LogEventKind;
 
-enum Topic : std::uint16_t { recorded, replayed, health };
+enum Topic : std::uint8_t { recorded, replayed, health };
 
 constexpr std::string_view health_format =
     "fantail_health:uint64_t timestamp;uint32_t ticks_dropped;uint32_t unsent;uint32_t bus_errors;"

@@ -8,13 +8,13 @@
 
 #include "logs/counterpart.hpp"
 #include "logs/shift.hpp"
-#include "sim/input_error.hpp"
+#include "text/error.hpp"
 
 namespace fantail::logs {
 namespace {
 
-using sim::InputError;
-using sim::InputFault;
+using text::Error;
+using text::ErrorKind;
 
 struct Extent {
   std::size_t begin;
@@ -25,16 +25,15 @@ Extent samples_between(const RollLog& a, const CompareOptions& options) {
   const double from = options.from_s.value_or(a.time_s.front());
   const double to = options.to_s.value_or(a.time_s.back());
   if (options.from_s && options.to_s && from > to) {
-    throw InputError{InputFault::bad_configuration,
-                     fmt::format("window: begins at {:g} s, behind its end at {:g} s", from, to)};
+    throw Error{ErrorKind::bad_configuration,
+                fmt::format("window: begins at {:g} s, behind its end at {:g} s", from, to)};
   }
   const auto begin = std::ranges::lower_bound(a.time_s, from);
   const auto end = std::ranges::upper_bound(a.time_s, to);
   if (begin >= end) {
-    throw InputError{
-        InputFault::bad_data,
-        fmt::format("{}: window {:g} s to {:g} s: there is no sample in it; the data go from {:g} s to {:g} s", a.name,
-                    from, to, a.time_s.front(), a.time_s.back())};
+    throw Error{ErrorKind::bad_data,
+                fmt::format("{}: window {:g} s to {:g} s: there is no sample in it; the data go from {:g} s to {:g} s",
+                            a.name, from, to, a.time_s.front(), a.time_s.back())};
   }
   return {static_cast<std::size_t>(begin - a.time_s.begin()), static_cast<std::size_t>(end - a.time_s.begin())};
 }
@@ -63,10 +62,10 @@ double choose_shift(const RollLog& a, const RollLog& b, const CompareOptions& op
   }
   const auto found = find_shift(a, b, {extent.begin, extent.end, options.most_shift_s, options.longest_gap_s});
   if (!found) {
-    throw InputError{InputFault::bad_data,
-                     fmt::format("{} and {}: no shift within {:g} s can be told from another: the logs do not overlap, "
-                                 "or the roll rates do not change",
-                                 a.name, b.name, options.most_shift_s)};
+    throw Error{ErrorKind::bad_data,
+                fmt::format("{} and {}: no shift within {:g} s can be told from another: the logs do not overlap, "
+                            "or the roll rates do not change",
+                            a.name, b.name, options.most_shift_s)};
   }
   if (found->at_the_edge) {
     warnings.push_back(
@@ -94,12 +93,11 @@ Comparison compare(const RollLog& a, const RollLog& b, const CompareOptions& opt
     }
   }
   if (result.time_s.empty()) {
-    throw InputError{
-        InputFault::bad_data,
-        fmt::format("{} and {}: no overlap: of A's {:g} s to {:g} s nothing lies inside B's {:g} s to {:g} s, "
-                    "shifted by {:g} s, where B has no gap above {:g} s",
-                    a.name, b.name, a.time_s[extent.begin], a.time_s[extent.end - 1], b.time_s.front(), b.time_s.back(),
-                    result.shift_s, options.longest_gap_s)};
+    throw Error{ErrorKind::bad_data,
+                fmt::format("{} and {}: no overlap: of A's {:g} s to {:g} s nothing lies inside B's {:g} s to {:g} s, "
+                            "shifted by {:g} s, where B has no gap above {:g} s",
+                            a.name, b.name, a.time_s[extent.begin], a.time_s[extent.end - 1], b.time_s.front(),
+                            b.time_s.back(), result.shift_s, options.longest_gap_s)};
   }
   if (const std::size_t lost = extent.end - extent.begin - result.time_s.size(); lost > 0) {
     result.warnings.push_back(

@@ -44,7 +44,7 @@ struct Comparison {
   std::vector<std::string> warnings{};  ///< a sentence each
 };
 
-/// B runs straight between two of its samples. Both logs need roll angle and rate. Throws sim::InputError:
+/// B runs straight between two of its samples. Both logs need roll angle and rate. Throws text::Error:
 /// bad_configuration for a window that ends before it begins; bad_data when no sample of A in the window lies inside B,
 /// or when a shift is to be found and no motion tells one from another.
 [[nodiscard]] Comparison compare(const RollLog& a, const RollLog& b, const CompareOptions& options);

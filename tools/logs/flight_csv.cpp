@@ -12,21 +12,21 @@
 
 #include <fmt/core.h>
 
+#include "input/messages.hpp"
 #include "logs/found_columns.hpp"
 #include "logs/words.hpp"
 #include "report/columns.hpp"
 #include "report/numbers.hpp"
-#include "sim/input_error.hpp"
-#include "sim/shown.hpp"
+#include "text/error.hpp"
 
 namespace fantail::logs {
 namespace {
 
 using report::Column;
 using report::Row;
-using sim::InputFault;
+using text::ErrorKind;
 
-[[noreturn]] void refuse(const std::string& message) { throw sim::InputError{InputFault::bad_data, message}; }
+[[noreturn]] void refuse(const std::string& message) { throw text::Error{ErrorKind::bad_data, message}; }
 
 std::optional<core::Phase> phase_named(std::string_view word) {
   for (std::size_t i = 0; i < core::phases; ++i) {
@@ -98,9 +98,9 @@ class Rows {
       return false;
     }
     const Row& before = flight_.rows.back();
-    const std::string times = fmt::format("{}: time_s is {}", table_.where(line), sim::shown(row.time_s));
+    const std::string times = fmt::format("{}: time_s is {}", table_.where(line), input::shown(row.time_s));
     if (row.time_s < before.time_s) {
-      refuse(fmt::format("{} after {} in line {}: time goes back", times, sim::shown(before.time_s), last_line_));
+      refuse(fmt::format("{} after {} in line {}: time goes back", times, input::shown(before.time_s), last_line_));
     }
     for (const FoundColumn& found : columns_) {
       const double now = found.column->get(row);

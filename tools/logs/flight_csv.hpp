@@ -40,7 +40,7 @@ struct Needs {
 /// row that repeats the one before it, time and all, counts once: loggers write a line twice, and the second says
 /// nothing new. A column phase with a word that is no phase is not used. Each of these becomes a note of the flight.
 ///
-/// Throws sim::InputError: bad_configuration for a name in `reading.columns` that Fantail does not know; bad_data for a
+/// Throws text::Error: bad_configuration for a name in `reading.columns` that Fantail does not know; bad_data for a
 /// needed or mapped column that is not there (naming it and listing those that are), for nothing that Fantail knows,
 /// time that goes back, two different rows with one time (nobody knows which is right), more than 1 % of rows without a
 /// number, no row. Messages name file and line.

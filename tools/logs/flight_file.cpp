@@ -7,13 +7,13 @@
 #include "flight_log/to_report.hpp"
 #include "logs/flight_csv.hpp"
 #include "logs/summary.hpp"
-#include "sim/input_error.hpp"
+#include "text/error.hpp"
 
 namespace fantail::logs {
 namespace {
 
-using sim::InputError;
-using sim::InputFault;
+using text::Error;
+using text::ErrorKind;
 
 bool is_there(const std::filesystem::path& path) {
   std::error_code ignored;
@@ -42,7 +42,7 @@ std::filesystem::path flight_file(const std::filesystem::path& path) {
       return path / name;
     }
   }
-  throw InputError{InputFault::no_such_input, path.string() + ": this folder holds no flight.csv or flight.ftl"};
+  throw Error{ErrorKind::no_such_input, path.string() + ": this folder holds no flight.csv or flight.ftl"};
 }
 
 bool is_flight_log(const std::filesystem::path& path) { return path.extension() == ".ftl"; }
@@ -50,7 +50,7 @@ bool is_flight_log(const std::filesystem::path& path) { return path.extension() 
 report::Flight read_flight_log(const std::filesystem::path& file) {
   const flight_log::LogFile log = flight_log::read_log_file(file);
   const auto refuse = [&file](const std::string& complaint) {
-    throw InputError{InputFault::bad_data, file.string() + ": " + complaint};
+    throw Error{ErrorKind::bad_data, file.string() + ": " + complaint};
   };
   if (log.flights.size() > 1) {
     refuse(fmt::format("holds {} flights; take one out: fantail log export {} --to csv --flight 1 to {}",

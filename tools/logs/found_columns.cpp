@@ -7,17 +7,17 @@
 
 #include <fmt/core.h>
 
+#include "input/messages.hpp"
 #include "logs/words.hpp"
-#include "sim/document.hpp"
-#include "sim/input_error.hpp"
+#include "text/error.hpp"
 
 namespace fantail::logs {
 namespace {
 
 using report::Column;
-using sim::InputFault;
+using text::ErrorKind;
 
-[[noreturn]] void refuse(const std::string& message) { throw sim::InputError{InputFault::bad_data, message}; }
+[[noreturn]] void refuse(const std::string& message) { throw text::Error{ErrorKind::bad_data, message}; }
 
 struct NeededColumn {
   std::string_view name;
@@ -49,12 +49,12 @@ void refuse_unknown_names(const Reading& reading) {
     }
     std::string message =
         fmt::format("{}column {}={}: unknown column {}", reading.options, ours, theirs, in_quotes(ours));
-    if (const auto meant = sim::suggestion(ours, names)) {
+    if (const auto meant = input::suggestion(ours, names)) {
       message += "; did you mean " + *meant + "?";
     }
     message += " Fantail's columns:";
     std::ranges::for_each(names, [&](const std::string& name) { message += " " + name; });
-    throw sim::InputError{InputFault::bad_configuration, message};
+    throw text::Error{ErrorKind::bad_configuration, message};
   }
 }
 

@@ -9,7 +9,7 @@
 
 #include <fmt/core.h>
 
-#include "sim/shown.hpp"
+#include "input/messages.hpp"
 #include "sim/units.hpp"
 
 namespace fantail::logs {
@@ -76,11 +76,11 @@ void note_doubtful_units(RollLog& log, const Reading& reading) {
   const double canard_rad = largest(log.canard_rad);
   if (reading.angles == AngleUnit::degrees && looks_like_radians(log)) {
     log.warnings.push_back(fmt::format("angles look like radians: the largest canard angle is {}{}",
-                                       sim::about(canard_rad / sim::radians_per_degree), advice(reading, "rad")));
+                                       input::about(canard_rad / sim::radians_per_degree), advice(reading, "rad")));
   }
   if (reading.angles == AngleUnit::radians && canard_rad > 1.6) {
     log.warnings.push_back(fmt::format("angles look like degrees: the largest canard angle is {} rad{}",
-                                       sim::about(canard_rad), advice(reading, "deg")));
+                                       input::about(canard_rad), advice(reading, "deg")));
   }
   std::vector<double> step_s;
   for (std::size_t i = 1; i < log.time_s.size(); ++i) {
@@ -90,7 +90,7 @@ void note_doubtful_units(RollLog& log, const Reading& reading) {
   std::nth_element(step_s.begin(), middle, step_s.end());
   if (*middle >= 1.0) {
     log.warnings.push_back(
-        fmt::format("samples are {} s apart; time_s is in seconds, not in milliseconds", sim::about(*middle)));
+        fmt::format("samples are {} s apart; time_s is in seconds, not in milliseconds", input::about(*middle)));
   }
 }
 
@@ -107,7 +107,7 @@ void note_doubtful_motion(RollLog& log) {
   if (is_between(off * degrees_per_radian, 0.7, 1.4) || is_between(off / degrees_per_radian, 0.7, 1.4)) {
     log.warnings.push_back(
         fmt::format("the roll angle changes {} times as fast as the roll rate says: one of them seems to be in radians",
-                    sim::about(off)));
+                    input::about(off)));
   } else if (*slope < 0.0) {
     log.warnings.push_back("the roll angle falls where the roll rate is positive: one of them has the wrong sign");
   }

@@ -14,15 +14,15 @@
 #include "logs/summary.hpp"
 #include "logs/table.hpp"
 #include "logs/turns.hpp"
-#include "sim/input_error.hpp"
+#include "text/error.hpp"
 
 namespace fantail::logs {
 namespace {
 
 using report::Row;
 using report::Truth;
-using sim::InputError;
-using sim::InputFault;
+using text::Error;
+using text::ErrorKind;
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
@@ -71,7 +71,7 @@ void refuse_what_only_a_table_has(const std::string& file, const Reading& readin
                           : reading.angles != AngleUnit::degrees ? "it says itself in which unit its angles are"
                                                                  : nullptr;
   if (why != nullptr) {
-    throw InputError{InputFault::bad_configuration, fmt::format("{}: is a flight log: {}", file, why)};
+    throw Error{ErrorKind::bad_configuration, fmt::format("{}: is a flight log: {}", file, why)};
   }
 }
 
@@ -81,8 +81,8 @@ RollLog roll_log(const report::Flight& flight, std::string name, const Reading& 
   RollLog log;
   log.name = std::move(name);
   if (flight.rows.size() < 2) {
-    throw InputError{InputFault::bad_data,
-                     fmt::format("{}: {} rows with numbers; at least two are needed", log.name, flight.rows.size())};
+    throw Error{ErrorKind::bad_data,
+                fmt::format("{}: {} rows with numbers; at least two are needed", log.name, flight.rows.size())};
   }
   for (const Signal& signal : signals) {
     log.*signal.list = values(flight.rows, signal, reading.truth);

@@ -31,12 +31,12 @@ struct RollLog {
   std::vector<std::string> warnings;  ///< a sentence each: the flight's notes, angles that look like radians, ...
 };
 
-/// The roll motion of a flight, measured or true as `reading` says. Throws sim::InputError (bad_data) for fewer than
+/// The roll motion of a flight, measured or true as `reading` says. Throws text::Error (bad_data) for fewer than
 /// two rows.
 [[nodiscard]] RollLog roll_log(const report::Flight& flight, std::string name, const Reading& reading);
 
 /// `path` is a CSV file, a flight log (.ftl), or a folder that holds a flight.csv or else a flight.ftl. Throws
-/// sim::InputError as read_flight_csv and read_flight_log do, and bad_configuration when columns, a unit or a truth are
+/// text::Error as read_flight_csv and read_flight_log do, and bad_configuration when columns, a unit or a truth are
 /// asked of a flight log.
 [[nodiscard]] RollLog read_roll_log(const std::filesystem::path& path, const Reading& reading, const Needs& needs);
 

@@ -9,7 +9,7 @@
 
 #include "json/value.hpp"
 #include "report/numbers.hpp"
-#include "sim/input_error.hpp"
+#include "text/error.hpp"
 
 namespace fantail::logs {
 namespace {
@@ -29,7 +29,7 @@ Json read(const std::filesystem::path& file) {
     }
     return summary;
   } catch (const json::Error&) {
-    throw sim::InputError{sim::InputFault::bad_data, file.string() + ": not the JSON of a flight's summary"};
+    throw text::Error{text::ErrorKind::bad_data, file.string() + ": not the JSON of a flight's summary"};
   }
 }
 

@@ -8,7 +8,7 @@
 namespace fantail::logs {
 
 /// Adds what a folder's summary.json says of its flight beyond flight.csv: names, seed, events, why phases changed,
-/// verdicts on canards, imposed roll, notes. Nothing happens without the file. Throws sim::InputError (bad_data) when
+/// verdicts on canards, imposed roll, notes. Nothing happens without the file. Throws text::Error (bad_data) when
 /// it is no summary.
 void add_summary(report::Flight& flight, const std::filesystem::path& file);
 

@@ -12,14 +12,14 @@
 #include <fmt/core.h>
 
 #include "logs/words.hpp"
-#include "sim/input_error.hpp"
+#include "text/error.hpp"
 #include "text/number.hpp"
 
 namespace fantail::logs {
 namespace {
 
-using sim::InputError;
-using sim::InputFault;
+using text::Error;
+using text::ErrorKind;
 
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
 
@@ -40,12 +40,12 @@ Table Table::parse(std::string text, std::string name) {
 Table Table::load(const std::string& path) {
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored)) {
-    throw InputError{InputFault::bad_data, path + ": is a folder, not a CSV file"};
+    throw Error{ErrorKind::bad_data, path + ": is a folder, not a CSV file"};
   }
   std::ifstream stream{path, std::ios::binary};
   if (!stream) {
     if (errno == ENOENT || errno == ENOTDIR) {
-      throw InputError{InputFault::no_such_input, path + ": no such file"};
+      throw Error{ErrorKind::no_such_input, path + ": no such file"};
     }
     throw std::system_error{errno, std::generic_category(), path};
   }
@@ -65,10 +65,10 @@ Table Table::load(const std::string& path) {
 
 void Table::read_all() {
   if (text_.size() > most_bytes) {
-    throw InputError{InputFault::bad_data, fmt::format("{}: larger than {} MiB", name_, most_bytes >> 20)};
+    throw Error{ErrorKind::bad_data, fmt::format("{}: larger than {} MiB", name_, most_bytes >> 20)};
   }
   if (text_.find('\0') != std::string::npos) {
-    throw InputError{InputFault::bad_data, name_ + ": holds zero bytes, so it is no CSV text in UTF-8"};
+    throw Error{ErrorKind::bad_data, name_ + ": holds zero bytes, so it is no CSV text in UTF-8"};
   }
   std::size_t begin = text_.starts_with("\xEF\xBB\xBF") ? 3 : 0;
   for (std::size_t line = 1; begin < text_.size(); ++line) {
@@ -84,7 +84,7 @@ void Table::read_all() {
     begin = end + 1;
   }
   if (columns_.empty()) {
-    throw InputError{InputFault::bad_data, name_ + ": is empty; a header with the names of the columns is expected"};
+    throw Error{ErrorKind::bad_data, name_ + ": is empty; a header with the names of the columns is expected"};
   }
 }
 
@@ -185,7 +185,7 @@ std::size_t Table::column(std::string_view column) const {
   if (const auto found = find(column); found && !column.empty()) {
     return *found;
   }
-  throw InputError{InputFault::bad_data, fmt::format("{}: {}", name_, missing_column(column, columns_))};
+  throw Error{ErrorKind::bad_data, fmt::format("{}: {}", name_, missing_column(column, columns_))};
 }
 
 std::string_view Table::view(Cell cell) const { return {text_.data() + cell.begin, cell.end - cell.begin}; }
@@ -201,7 +201,7 @@ std::optional<double> Table::number(std::size_t row, std::size_t column) const {
 std::string Table::where(std::size_t row) const { return fmt::format("{}:{}", name_, lines_[row]); }
 
 void Table::refuse(std::size_t line, const std::string& complaint) const {
-  throw InputError{InputFault::bad_data, fmt::format("{}:{}: {}", name_, line, complaint)};
+  throw Error{ErrorKind::bad_data, fmt::format("{}:{}: {}", name_, line, complaint)};
 }
 
 }  // namespace fantail::logs

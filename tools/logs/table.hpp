@@ -18,17 +18,17 @@ class Table {
   /// Half an hour at 1 kHz; a larger file is hardly the log of one flight.
   static constexpr std::size_t most_bytes = std::size_t{1} << 29;
 
-  /// `text` is the content, `name` what messages call it. Throws sim::InputError (bad_data): no header, a name that
+  /// `text` is the content, `name` what messages call it. Throws text::Error (bad_data): no header, a name that
   /// stands twice, a row with another number of cells than the header (naming the line), more than `most_bytes`.
   [[nodiscard]] static Table parse(std::string text, std::string name);
-  /// Throws also InputError (no_such_input), and std::system_error for a file that cannot be read.
+  /// Throws also text::Error (no_such_input), and std::system_error for a file that cannot be read.
   [[nodiscard]] static Table load(const std::string& path);
 
   [[nodiscard]] const std::string& name() const { return name_; }
   [[nodiscard]] const std::vector<std::string>& columns() const { return columns_; }
   [[nodiscard]] std::size_t rows() const { return lines_.size(); }
   [[nodiscard]] std::optional<std::size_t> find(std::string_view column) const;
-  /// Throws sim::InputError (bad_data) that names the column and lists those that are there.
+  /// Throws text::Error (bad_data) that names the column and lists those that are there.
   [[nodiscard]] std::size_t column(std::string_view column) const;
   /// Without quotes and without spaces around it.
   [[nodiscard]] std::string_view cell(std::size_t row, std::size_t column) const;

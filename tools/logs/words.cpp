@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "sim/document.hpp"
+#include "input/messages.hpp"
 
 namespace fantail::logs {
 namespace {
@@ -32,7 +32,7 @@ std::string missing_column(std::string_view wanted, std::span<const std::string>
     names.push_back(harmless(name));
   }
   std::string message = "no column " + std::string{wanted};
-  if (const auto meant = sim::suggestion(wanted, names)) {
+  if (const auto meant = input::suggestion(wanted, names)) {
     message += " (did you mean " + *meant + "?)";
   }
   message += "; there are: ";

@@ -19,9 +19,7 @@ Chapter air_chapter(const Tell& tell) {
                   .introduction =
                       "Six fan speeds, a sensor that reads every two seconds to 0.1 m/s. The readings are not "
                       "published: a simulated fan with 0.3 % turbulence stands in for the tunnel, so what is "
-                      "shown here is the analysis, not their air.",
-                  .claims = {},
-                  .figures_html = {}};
+                      "shown here is the analysis, not their air."};
   const auto largest = std::ranges::max_element(flow.points, {}, &tunnel::FlowPoint::gamma_m_s);
   const std::string simulated = "The readings are not published; ours is a simulated tunnel.";
   chapter.claims.push_back(unpublished("Section 4.1.1", "Correlation of fan speed and wind speed, R2", "0.9999",
@@ -36,13 +34,12 @@ Chapter air_chapter(const Tell& tell) {
       slip("Section 4.1.1", "Unit of the turbulence of Eq 26", "%", "m/s",
            "A variance over a mean is a speed, as the notation says; as a percentage it would be the "
            "standard deviation over the mean, which is much larger."));
-  plot::Chart speed{.label = "Wind speed over time",
+  page::Chart speed{.label = "Wind speed over time",
                     .x_label = "time / s",
                     .y_label = "wind speed / m/s",
-                    .series = {curve(log.time_s, log.wind_speed_m_s, "reading", plot::Role::measured)}};
-  plot::Series means{
-      .name = "mean at a set point", .role = plot::Role::measured, .mark = plot::Mark::points, .x = {}, .y = {}};
-  plot::Series line{.name = "line through them", .role = plot::Role::model, .mark = plot::Mark::line, .x = {}, .y = {}};
+                    .series = {curve(log.time_s, log.wind_speed_m_s, "reading", page::Role::measured)}};
+  page::Series means{.name = "mean at a set point", .role = page::Role::measured, .mark = page::Mark::points};
+  page::Series line{.name = "line through them", .role = page::Role::model};
   for (const tunnel::FlowPoint& point : flow.points) {
     speed.stripes.push_back({.begin = point.segment.begin_s,
                              .end = point.segment.end_s,

@@ -4,13 +4,13 @@
 #include <cmath>
 #include <utility>
 
-#include "report/numbers.hpp"
+#include "text/number.hpp"
 
 namespace fantail::paper {
 namespace {
 
 std::string with_unit(double value, int decimals, const std::string& unit) {
-  return report::fixed(value, decimals) + (unit.empty() ? "" : " " + unit);
+  return text::fixed(value, decimals) + (unit.empty() ? "" : " " + unit);
 }
 
 }  // namespace

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "paper/drawing.hpp"
 
-#include <algorithm>
 #include <limits>
 #include <utility>
 
-#include "plot/page.hpp"
+#include "page/page.hpp"
 #include "report/numbers.hpp"
 
 namespace fantail::paper {
@@ -19,14 +18,14 @@ double true_degrees(const report::Row& row, double report::Truth::* member) {
 
 }  // namespace
 
-std::string half_width_figure(plot::Chart chart, const std::string& caption) {
+std::string half_width_figure(page::Chart chart, const std::string& caption) {
   chart.width = 500.0;
   chart.height = 240.0;
-  return plot::figure(plot::svg(chart), caption);
+  return page::figure(chart, caption);
 }
 
-plot::Series curve(const Run& run, const Stretch& stretch, std::string name, plot::Role role, const RowValue& value) {
-  plot::Series series{.name = std::move(name), .role = role, .mark = plot::Mark::line, .x = {}, .y = {}};
+page::Series curve(const Run& run, const Stretch& stretch, std::string name, page::Role role, const RowValue& value) {
+  page::Series series{.name = std::move(name), .role = role};
   for (const report::Row& row : run.flight.rows) {
     if (row.time_s >= stretch.from_s && row.time_s <= stretch.to_s) {
       series.x.push_back(row.time_s - stretch.zero_s);
@@ -36,14 +35,8 @@ plot::Series curve(const Run& run, const Stretch& stretch, std::string name, plo
   return series;
 }
 
-plot::Series curve(const std::vector<double>& x, std::vector<double> y, std::string name, plot::Role role) {
-  return {.name = std::move(name), .role = role, .mark = plot::Mark::line, .x = x, .y = std::move(y)};
-}
-
-std::vector<double> degrees(const std::vector<double>& radians) {
-  std::vector<double> all(radians.size());
-  std::ranges::transform(radians, all.begin(), report::degrees);
-  return all;
+page::Series curve(const std::vector<double>& x, std::vector<double> y, std::string name, page::Role role) {
+  return {.name = std::move(name), .role = role, .x = x, .y = std::move(y)};
 }
 
 double true_angle_deg(const report::Row& row) { return true_degrees(row, &report::Truth::roll_angle_rad); }

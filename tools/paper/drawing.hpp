@@ -5,14 +5,14 @@
 #include <string>
 #include <vector>
 
+#include "page/chart.hpp"
 #include "paper/runs.hpp"
-#include "plot/chart.hpp"
 #include "report/flight.hpp"
 
 namespace fantail::paper {
 
 /// A chart of a page on which two stand side by side, as a figure.
-[[nodiscard]] std::string half_width_figure(plot::Chart chart, const std::string& caption);
+[[nodiscard]] std::string half_width_figure(page::Chart chart, const std::string& caption);
 
 /// What a row of a flight contributes to a curve; not a number where there is nothing.
 using RowValue = std::function<double(const report::Row&)>;
@@ -23,14 +23,12 @@ struct Stretch {
   double from_s = 0.0;
   double to_s = 0.0;
 };
-[[nodiscard]] plot::Series curve(const Run& run, const Stretch& stretch, std::string name, plot::Role role,
+[[nodiscard]] page::Series curve(const Run& run, const Stretch& stretch, std::string name, page::Role role,
                                  const RowValue& value);
 
 /// A list over another, both as they are.
-[[nodiscard]] plot::Series curve(const std::vector<double>& x, std::vector<double> y, std::string name,
-                                 plot::Role role);
-
-[[nodiscard]] std::vector<double> degrees(const std::vector<double>& radians);
+[[nodiscard]] page::Series curve(const std::vector<double>& x, std::vector<double> y, std::string name,
+                                 page::Role role);
 
 [[nodiscard]] double true_angle_deg(const report::Row& row);
 [[nodiscard]] double true_rate_deg_s(const report::Row& row);

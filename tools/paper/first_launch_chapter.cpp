@@ -5,12 +5,13 @@
 
 #include <fmt/core.h>
 
-#include "identify/closed_loop_model.hpp"
+#include "identify/closed_loop/closed_loop.hpp"
 #include "identify/identification.hpp"
 #include "paper/chapters.hpp"
 #include "paper/drawing.hpp"
 #include "report/numbers.hpp"
 #include "report/results.hpp"
+#include "text/number.hpp"
 
 namespace fantail::paper {
 namespace {
@@ -32,7 +33,7 @@ Moment extreme(const report::Flight& flight, double from_s, double to_s, double 
 }
 
 // "8.52 and 10.03"
-std::string pair(const identify::Model& model) {
+std::string pair(const identify::model::RollModel& model) {
   return fmt::format("{:.2f} and {:.2f}", model.alpha_m2, model.beta_m);
 }
 
@@ -127,18 +128,18 @@ void add_transient(std::vector<Claim>& claims, const report::Flight& flight) {
 // The published model and nothing else: its controller and disturbance, a servo that is a pure lag of 20 ms.
 void add_modelled_drop(std::vector<Claim>& claims, const Run& run) {
   const double from_s = run.scenario.imposed_roll->time_s;
-  const identify::Record record = true_record(run, from_s, from_s + 1.42, 0.001);
-  identify::Model model{.alpha_m2 = run.scenario.vehicle.roll_plant.damping_m2,
-                        .beta_m = run.scenario.vehicle.roll_plant.torque_m,
-                        .node_time_s = {},
-                        .node_rad = {},
-                        .initial = {{.angle_rad = run.scenario.imposed_roll->angle_rad,
-                                     .rate_rad_s = run.scenario.imposed_roll->rate_rad_s}}};
+  const identify::model::Record record = true_record(run, from_s, from_s + 1.42, 0.001);
+  identify::model::RollModel model{.alpha_m2 = run.scenario.vehicle.roll_plant.damping_m2,
+                                   .beta_m = run.scenario.vehicle.roll_plant.torque_m,
+                                   .node_time_s = {},
+                                   .node_rad = {},
+                                   .initial = {{.angle_rad = run.scenario.imposed_roll->angle_rad,
+                                                .rate_rad_s = run.scenario.imposed_roll->rate_rad_s}}};
   for (const sim::DisturbanceNode& node : run.scenario.disturbance) {
     model.node_time_s.push_back(node.time_s - from_s);
     model.node_rad.push_back(node.angle_rad);
   }
-  const identify::Simulation flown = identify::simulate_closed_loop(
+  const identify::model::Simulation flown = identify::closed_loop::simulate(
       record, airframe(run.scenario),
       {.controller = run.scenario.plan.controller, .servo_lag_s = run.scenario.vehicle.servo.lag_s}, model);
   const auto peak = std::ranges::max_element(flown.roll_angle_rad.begin(), flown.roll_angle_rad.begin() + 800);
@@ -169,7 +170,7 @@ void add_limit(std::vector<Claim>& claims, const report::Flight& flight, const r
        .theirs = "yes",
        .ours = lasts && highest_rate_deg_s < 0.0
                    ? fmt::format("yes: from {:.2f} s after lift-off, never above {} deg/s", *figures.at_limit_since_s,
-                                 report::with_minus(report::fixed(highest_rate_deg_s, 1)))
+                                 text::with_minus(text::fixed(highest_rate_deg_s, 1)))
                    : "no",
        .difference = {},
        .finding = lasts && highest_rate_deg_s < 0.0 ? Finding::reproduced : Finding::differs,
@@ -185,9 +186,7 @@ Chapter first_launch_chapter(const Tell& tell) {
   Chapter chapter{.title = "Launch 1",
                   .introduction =
                       "Tasha III, 22 July 2015: gains 1 and 0.1 s, canards limited to 6 degrees, and a fin offset "
-                      "beyond that. Flown here with the printed plan, masses and model.",
-                  .claims = {},
-                  .figures_html = {}};
+                      "beyond that. Flown here with the printed plan, masses and model."};
   add_ascent(chapter.claims, flight, figures);
   add_transient(chapter.claims, flight);
   add_modelled_drop(chapter.claims, run);
@@ -197,15 +196,15 @@ Chapter first_launch_chapter(const Tell& tell) {
   // From launch detection, with two pieces to burn-out and two to the last two seconds before apogee, as published.
   const double from_s = *flight.events.detected_s + 0.01;
   const double to_s = *flight.events.detected_s + 9.0;
-  const identify::Record record = true_record(run, from_s, to_s, 0.01);
+  const identify::model::Record record = true_record(run, from_s, to_s, 0.01);
   const double thrust_s = *flight.events.burnout_s - from_s;
-  const identify::NodeTimes nodes{0.0, 0.5 * thrust_s, thrust_s, 0.5 * (thrust_s + record.time_s.back()),
-                                  record.time_s.back()};
+  const identify::model::NodeTimes nodes{0.0, 0.5 * thrust_s, thrust_s, 0.5 * (thrust_s + record.time_s.back()),
+                                         record.time_s.back()};
   identify::Options options{.nodes = nodes, .with_error_map = false};
-  const identify::Identification open = identify::identify(record, airframe(run.scenario), options);
-  options.closed_loop =
-      identify::ClosedLoop{.controller = run.scenario.plan.controller, .servo_lag_s = run.scenario.vehicle.servo.lag_s};
-  const identify::Identification closed = identify::identify(record, airframe(run.scenario), options);
+  const identify::result::Identification open = identify::identify(record, airframe(run.scenario), options);
+  options.closed_loop = identify::closed_loop::Control{.controller = run.scenario.plan.controller,
+                                                       .servo_lag_s = run.scenario.vehicle.servo.lag_s};
+  const identify::result::Identification closed = identify::identify(record, airframe(run.scenario), options);
   const std::string ours =
       fmt::format("our flight was made with 7.5 and 10; the open loop finds {} in it, the closed {}", pair(open.model),
                   pair(closed.model));
@@ -220,36 +219,37 @@ Chapter first_launch_chapter(const Tell& tell) {
                                        "They measure what the model leaves out of a real flight."));
 
   const Stretch flown{.zero_s = *flight.events.detected_s, .from_s = *flight.events.detected_s - 0.2, .to_s = to_s};
-  const auto figure = [&](const std::string& label, const std::string& unit, std::vector<plot::Series> series,
+  const auto figure = [&](const std::string& label, const std::string& unit, std::vector<page::Series> series,
                           const std::string& caption) {
     chapter.figures_html.push_back(half_width_figure(
         {.label = label, .x_label = "time after launch detection / s", .y_label = unit, .series = std::move(series)},
         caption));
   };
   figure("Roll rate of launch 1", "roll rate / deg/s",
-         {curve(run, flown, "simulated", plot::Role::measured, true_rate_deg_s)}, "As figures 18 and 19a: roll rate.");
+         {curve(run, flown, "simulated", page::Role::measured, true_rate_deg_s)}, "As figures 18 and 19a: roll rate.");
   figure("Canard angle of launch 1", "canard angle / deg",
-         {curve(run, flown, "mean of the canards", plot::Role::measured, true_canard_deg)},
+         {curve(run, flown, "mean of the canards", page::Role::measured, true_canard_deg)},
          "As figure 19b: the canards reach their limit and stay there.");
   std::vector<double> time_s = record.time_s;
   for (double& t : time_s) {
     t += from_s - flown.zero_s;
   }
-  figure(
-      "Roll angle of launch 1", "roll angle / deg",
-      {curve(time_s, degrees(record.roll_angle_rad), "simulated flight", plot::Role::measured),
-       curve(time_s, degrees(open.simulation.roll_angle_rad), "identified, open loop", plot::Role::model),
-       curve(time_s, degrees(closed.simulation.roll_angle_rad), "identified, closed loop", plot::Role::second_model)},
-      "As figures 20a, 21a and 22a: roll angle, and both identified models.");
+  figure("Roll angle of launch 1", "roll angle / deg",
+         {curve(time_s, report::in_degrees(record.roll_angle_rad), "simulated flight", page::Role::measured),
+          curve(time_s, report::in_degrees(open.simulation.roll_angle_rad), "identified, open loop", page::Role::model),
+          curve(time_s, report::in_degrees(closed.simulation.roll_angle_rad), "identified, closed loop",
+                page::Role::second_model)},
+         "As figures 20a, 21a and 22a: roll angle, and both identified models.");
   std::vector<double> node_s = nodes;
   for (double& t : node_s) {
     t += from_s - flown.zero_s;
   }
-  figure("Disturbance of launch 1", "equivalent fin offset / deg",
-         {curve(run, flown, "in the simulated flight", plot::Role::measured, true_disturbance_deg),
-          curve(node_s, degrees(open.model.node_rad), "identified, open loop", plot::Role::model),
-          curve(node_s, degrees(closed.model.node_rad), "identified, closed loop", plot::Role::second_model)},
-         "As figures 21b and 22b: the offset grows with speed until burn-out and stays near \u22127 degrees.");
+  figure(
+      "Disturbance of launch 1", "equivalent fin offset / deg",
+      {curve(run, flown, "in the simulated flight", page::Role::measured, true_disturbance_deg),
+       curve(node_s, report::in_degrees(open.model.node_rad), "identified, open loop", page::Role::model),
+       curve(node_s, report::in_degrees(closed.model.node_rad), "identified, closed loop", page::Role::second_model)},
+      "As figures 21b and 22b: the offset grows with speed until burn-out and stays near \u22127 degrees.");
   return chapter;
 }
 

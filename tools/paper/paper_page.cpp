@@ -6,57 +6,54 @@
 #include <fmt/core.h>
 
 #include "json/value.hpp"
+#include "page/page.hpp"
 #include "paper/printed_figures.hpp"
-#include "plot/page.hpp"
 
 namespace fantail::paper {
 namespace {
 
-plot::Tone tone(Finding finding) {
+page::Tone tone(Finding finding) {
   switch (finding) {
-    case Finding::reproduced: return plot::Tone::good;
-    case Finding::differs: return plot::Tone::bad;
-    case Finding::error_in_print: return plot::Tone::unsure;
+    case Finding::reproduced: return page::Tone::good;
+    case Finding::differs: return page::Tone::bad;
+    case Finding::error_in_print: return page::Tone::unsure;
     case Finding::not_reproducible: break;
   }
-  return plot::Tone::plain;
+  return page::Tone::plain;
 }
 
 std::string claim_table(std::span<const Claim> claims) {
-  static const std::vector<plot::Column> columns{
-      {.heading = "Where"},      {.heading = "What"},    {.heading = "Printed"}, {.heading = "Ours"},
-      {.heading = "Difference"}, {.heading = "Finding"}, {.heading = "Remark"}};
-  std::vector<std::vector<plot::Cell>> rows;
+  static const std::vector<page::Column> columns{{"Where"},      {"What"},    {"Printed"}, {"Ours"},
+                                                 {"Difference"}, {"Finding"}, {"Remark"}};
+  std::vector<std::vector<page::Cell>> rows;
   for (const Claim& claim : claims) {
-    rows.push_back({{.text = claim.place},
-                    {.text = claim.what},
-                    {.text = claim.theirs},
-                    {.text = claim.ours},
-                    {.text = claim.difference},
-                    {.text = std::string{words(claim.finding)}, .tone = tone(claim.finding)},
-                    {.text = claim.why}});
+    rows.push_back({{claim.place},
+                    {claim.what},
+                    {claim.theirs},
+                    {claim.ours},
+                    {claim.difference},
+                    {std::string{words(claim.finding)}, tone(claim.finding)},
+                    {claim.why}});
   }
-  return plot::table(columns, rows);
+  return page::table(columns, rows);
 }
 
 std::string chapter_html(const Chapter& chapter) {
-  return plot::section(chapter.title, plot::paragraph(chapter.introduction) + claim_table(chapter.claims) +
-                                          plot::figures(chapter.figures_html));
+  return page::section(chapter.title, page::paragraph(chapter.introduction) + claim_table(chapter.claims) +
+                                          page::side_by_side(chapter.figures_html));
 }
 
 std::string figure_table() {
-  static const std::vector<plot::Column> columns{
-      {.heading = "Figure"}, {.heading = "Shows"}, {.heading = "On this page"}};
-  std::vector<std::vector<plot::Cell>> rows;
+  static const std::vector<page::Column> columns{{"Figure"}, {"Shows"}, {"On this page"}};
+  std::vector<std::vector<page::Cell>> rows;
+  rows.reserve(std::size(printed_figures));
   for (const PrintedFigure& figure : printed_figures) {
-    rows.push_back({{.text = std::string{figure.number}},
-                    {.text = std::string{figure.shows}},
-                    {.text = std::string{figure.here}}});
+    rows.push_back({{std::string{figure.number}}, {std::string{figure.shows}}, {std::string{figure.here}}});
   }
-  return plot::table(columns, rows);
+  return page::table(columns, rows);
 }
 
-std::vector<plot::Figure> tally_figures(const Tally& count) {
+std::vector<page::Figure> tally_figures(const Tally& count) {
   return {
       {.label = "Reproduced", .value = std::to_string(count.reproduced), .unit = "", .remark = "within the tolerance"},
       {.label = "Different", .value = std::to_string(count.differs), .unit = "", .remark = "with the reason"},
@@ -97,16 +94,16 @@ std::string summary(const Tally& count) {
 
 std::string paper_html(std::span<const Chapter> chapters, const std::string& version) {
   const Tally count = tally(chapters);
-  std::string body = plot::section("How it came out", plot::figure_row(tally_figures(count)));
+  std::string body = page::section("How it came out", page::figure_row(tally_figures(count)));
   for (const Chapter& chapter : chapters) {
     body += chapter_html(chapter);
   }
-  body += plot::section("The printed figures and tables", figure_table());
-  return plot::html({.kind = "Fantail reproduction report",
+  body += page::section("The printed figures and tables", figure_table());
+  return page::html({.kind = "Fantail reproduction report",
                      .title = "Vertical Wind Tunnel for Prediction of Rocket Flight Dynamics",
                      .subtitle = "Bryson et al., Aerospace 2016, 3(2), 10, repeated with Fantail " + version +
                                  ". Every number under \u201cOurs\u201d was worked out when this page was made.",
-                     .tone = count.differs == 0 ? plot::Tone::good : plot::Tone::unsure,
+                     .tone = count.differs == 0 ? page::Tone::good : page::Tone::unsure,
                      .verdict_heading = "Summary",
                      .verdict = summary(count),
                      .body_html = body});

@@ -19,17 +19,14 @@ Claim arithmetic(std::string place, std::string what, double theirs, double ours
                   .decimals = decimals,
                   .tolerance = tolerance,
                   .otherwise = Finding::error_in_print,
-                  .why_otherwise = std::move(why_otherwise),
-                  .remark = {}});
+                  .why_otherwise = std::move(why_otherwise)});
 }
 
 }  // namespace
 
 Chapter print_chapter() {
   Chapter chapter{.title = "The print, held against itself",
-                  .introduction = "Sums, percentages and repeated numbers that need nothing but the publication.",
-                  .claims = {},
-                  .figures_html = {}};
+                  .introduction = "Sums, percentages and repeated numbers that need nothing but the publication."};
   auto& claims = chapter.claims;
   claims.push_back(
       arithmetic("Section 4.1.2", "Reduction of the bare fins' roll rate by the straightener, 87.0 to 25.7 deg/s",

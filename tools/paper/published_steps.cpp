@@ -1,24 +1,25 @@
 // SPDX-License-Identifier: MIT
 #include "paper/published_steps.hpp"
 
+#include "input/shipped.hpp"
 #include "logs/table.hpp"
-#include "sim/input_error.hpp"
-#include "sim/shipped.hpp"
+#include "text/error.hpp"
 
 namespace fantail::paper {
 
 std::vector<PublishedStep> published_steps() {
-  const std::string file = sim::find_input(sim::Shipped::tunnel_result, "tasha3_table2").string();
+  const std::string file = input::find_input(input::Shipped::tunnel_result, "tasha3_table2").string();
   const logs::Table table = logs::Table::load(file);
   const auto number = [&](std::size_t row, std::string_view column) {
     const auto value = table.number(row, table.column(column));
     if (!value) {
-      throw sim::InputError{sim::InputFault::bad_data, file + ":" + std::to_string(table.line(row)) + ": " +
-                                                           std::string{column} + " is no number"};
+      throw text::Error{text::ErrorKind::bad_data,
+                        file + ":" + std::to_string(table.line(row)) + ": " + std::string{column} + " is no number"};
     }
     return *value;
   };
   std::vector<PublishedStep> steps;
+  steps.reserve(table.rows());
   for (std::size_t row = 0; row < table.rows(); ++row) {
     steps.push_back({.step = static_cast<int>(number(row, "step")),
                      .alpha_m2 = number(row, "alpha_m2"),

@@ -17,7 +17,7 @@ struct PublishedStep {
   double mean_abs_rate_error_deg_s;
 };
 
-/// From the shipped tunnel result tasha3_table2, which predictions start from, too. Throws sim::InputError.
+/// From the shipped tunnel result tasha3_table2, which predictions start from, too. Throws text::Error.
 [[nodiscard]] std::vector<PublishedStep> published_steps();
 
 }  // namespace fantail::paper

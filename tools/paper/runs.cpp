@@ -4,23 +4,24 @@
 #include <cmath>
 
 #include "fly/fly_scenario.hpp"
+#include "input/scenario_file.hpp"
 
 namespace fantail::paper {
 
-Run fly(const std::string& scenario, std::span<const sim::Override> changes, const Tell& tell) {
-  Run run{.scenario = sim::load_scenario(scenario, changes), .flight = {}};
+Run fly(const std::string& scenario, std::span<const input::Override> changes, const Tell& tell) {
+  Run run{.scenario = input::load_scenario(scenario, changes), .flight = {}};
   tell("flying " + run.scenario.name);
   run.flight = fly::fly_scenario(run.scenario, [&](double) { tell("flying " + run.scenario.name); });
   return run;
 }
 
-identify::Airframe airframe(const sim::Scenario& scenario) {
+identify::model::Airframe airframe(const sim::Scenario& scenario) {
   const sim::RollPlant& plant = scenario.vehicle.roll_plant;
   return {.inertia_kg_m2 = plant.inertia_kg_m2, .reference_area_m2 = plant.reference_area_m2};
 }
 
-identify::Record true_record(const Run& run, double from_s, double to_s, double every_s) {
-  identify::Record record;
+identify::model::Record true_record(const Run& run, double from_s, double to_s, double every_s) {
+  identify::model::Record record;
   record.window = run.scenario.name;
   record.window_begin_s = from_s;
   double next_s = from_s;

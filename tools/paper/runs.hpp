@@ -5,9 +5,9 @@
 #include <span>
 #include <string>
 
-#include "identify/record.hpp"
+#include "identify/model/roll_model.hpp"
+#include "input/scenario_file.hpp"
 #include "report/flight.hpp"
-#include "sim/scenario.hpp"
 
 namespace fantail::paper {
 
@@ -20,12 +20,12 @@ struct Run {
 /// Says what is going on; what it throws ends the work.
 using Tell = std::function<void(const std::string& what)>;
 
-[[nodiscard]] Run fly(const std::string& scenario, std::span<const sim::Override> changes, const Tell& tell);
+[[nodiscard]] Run fly(const std::string& scenario, std::span<const input::Override> changes, const Tell& tell);
 
 /// The truth of a run from one time of its clock to another, a sample every `every_s`: an ideal log. Excitation and
 /// reference with it, for the closed loop.
-[[nodiscard]] identify::Record true_record(const Run& run, double from_s, double to_s, double every_s);
+[[nodiscard]] identify::model::Record true_record(const Run& run, double from_s, double to_s, double every_s);
 
-[[nodiscard]] identify::Airframe airframe(const sim::Scenario& scenario);
+[[nodiscard]] identify::model::Airframe airframe(const sim::Scenario& scenario);
 
 }  // namespace fantail::paper

@@ -11,6 +11,7 @@
 #include "paper/drawing.hpp"
 #include "report/numbers.hpp"
 #include "report/results.hpp"
+#include "text/number.hpp"
 
 namespace fantail::paper {
 namespace {
@@ -46,9 +47,9 @@ void add_ascent(std::vector<Claim>& claims, const report::Figures& figures) {
 }
 
 // Figure 26: the published chirp by itself.
-plot::Series chirp_curve(const core::ExcitationPlan& plan) {
+page::Series chirp_curve(const core::ExcitationPlan& plan) {
   core::Chirp chirp{plan};
-  plot::Series series{.name = "excitation", .role = plot::Role::measured, .mark = plot::Mark::line, .x = {}, .y = {}};
+  page::Series series{.name = "excitation", .role = page::Role::measured, .mark = page::Mark::line, .x = {}, .y = {}};
   for (int ms = 0; ms <= 7500; ms += 2) {
     series.x.push_back(1e-3 * ms);
     series.y.push_back(static_cast<double>(chirp.update(core::Microseconds{1000 * ms}).degrees()));
@@ -56,10 +57,10 @@ plot::Series chirp_curve(const core::ExcitationPlan& plan) {
   return series;
 }
 
-std::string curve_over_nodes(const std::vector<identify::NodeTrial>& trials) {
+std::string curve_over_nodes(const std::vector<identify::result::NodeTrial>& trials) {
   std::string text;
-  for (const identify::NodeTrial& trial : trials) {
-    text += (text.empty() ? "" : ", ") + report::fixed(report::degrees(trial.mean_abs_angle_error_rad), 2);
+  for (const identify::result::NodeTrial& trial : trials) {
+    text += (text.empty() ? "" : ", ") + text::fixed(report::degrees(trial.mean_abs_angle_error_rad), 2);
   }
   return text + " deg";
 }
@@ -84,17 +85,18 @@ Chapter second_launch_chapter(const Tell& tell) {
   const auto record_of = [&](const Windowed& window) {
     return true_record(run, zero_s + window.from_s, zero_s + window.to_s, 0.01);
   };
-  const identify::Record first = record_of(first_window);
-  const identify::Airframe rocket = airframe(run.scenario);
-  const identify::Identification over_nodes =
+  const identify::model::Record first = record_of(first_window);
+  const identify::model::Airframe rocket = airframe(run.scenario);
+  const identify::result::Identification over_nodes =
       identify::identify(first, rocket, {.nodes = identify::AutomaticNodes{6}, .with_error_map = false});
-  const identify::Identification open = identify::identify(
-      first, rocket, {.nodes = identify::EvenNodes{first_window.intervals}, .method = identify::Method::grid});
-  const identify::Record second = record_of(second_window);
-  const identify::Identification later = identify::identify(
-      second, rocket, {.nodes = identify::EvenNodes{second_window.intervals}, .method = identify::Method::grid});
+  const identify::result::Identification open = identify::identify(
+      first, rocket, {.nodes = identify::EvenNodes{first_window.intervals}, .method = identify::result::Method::grid});
+  const identify::model::Record second = record_of(second_window);
+  const identify::result::Identification later = identify::identify(
+      second, rocket,
+      {.nodes = identify::EvenNodes{second_window.intervals}, .method = identify::result::Method::grid});
 
-  const auto found = [](const identify::Model& model) {
+  const auto found = [](const identify::model::RollModel& model) {
     return fmt::format("our flight was made with 23 and 9; the published search finds {:g} and {:g} in it",
                        model.alpha_m2, model.beta_m);
   };
@@ -114,10 +116,10 @@ Chapter second_launch_chapter(const Tell& tell) {
       unpublished("Figures 29 and 31", "Mean offset of the windows", "\u22124.9 and \u22124.7 deg",
                   "The flight's log is not published.",
                   fmt::format("planted \u22124.9, found {} and {} deg",
-                              report::with_minus(report::fixed(report::degrees(open.model.node_rad.front()), 2)),
-                              report::with_minus(report::fixed(report::degrees(later.model.node_rad.front()), 2)))));
+                              text::with_minus(text::fixed(report::degrees(open.model.node_rad.front()), 2)),
+                              text::with_minus(text::fixed(report::degrees(later.model.node_rad.front()), 2)))));
 
-  const auto figure = [&](plot::Chart chart, const std::string& caption) {
+  const auto figure = [&](const page::Chart& chart, const std::string& caption) {
     chapter.figures_html.push_back(half_width_figure(chart, caption));
   };
   figure({.label = "Excitation",
@@ -131,20 +133,22 @@ Chapter second_launch_chapter(const Tell& tell) {
   figure({.label = "Roll rate of launch 2",
           .x_label = "time after control start / s",
           .y_label = "roll rate / deg/s",
-          .series = {curve(run, flown, "simulated", plot::Role::measured, true_rate_deg_s)}},
+          .series = {curve(run, flown, "simulated", page::Role::measured, true_rate_deg_s)}},
          "As figure 27.");
-  const auto both = [&](const identify::Record& record, const identify::Identification& model, double offset_s,
-                        const std::string& caption) {
+  const auto both = [&](const identify::model::Record& record, const identify::result::Identification& model,
+                        double offset_s, const std::string& caption) {
     std::vector<double> time_s = record.time_s;
     for (double& t : time_s) {
       t += offset_s;
     }
-    figure({.label = "Roll angle and model",
-            .x_label = "time after control start / s",
-            .y_label = "roll angle / deg",
-            .series = {curve(time_s, degrees(record.roll_angle_rad), "simulated flight", plot::Role::measured),
-                       curve(time_s, degrees(model.simulation.roll_angle_rad), "identified", plot::Role::model)}},
-           caption);
+    figure(
+        {.label = "Roll angle and model",
+         .x_label = "time after control start / s",
+         .y_label = "roll angle / deg",
+         .series = {curve(time_s, report::in_degrees(record.roll_angle_rad), "simulated flight", page::Role::measured),
+                    curve(time_s, report::in_degrees(model.simulation.roll_angle_rad), "identified",
+                          page::Role::model)}},
+        caption);
   };
   both(first, open, first_window.from_s, "As figure 28a: the first window and its model.");
   both(second, later, second_window.from_s, "As figure 30a: the second window and its model.");

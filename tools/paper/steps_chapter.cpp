@@ -4,13 +4,15 @@
 
 #include <fmt/core.h>
 
-#include "identify/closed_loop_model.hpp"
+#include "identify/closed_loop/closed_loop.hpp"
 #include "identify/identification.hpp"
+#include "input/scenario_file.hpp"
 #include "paper/chapters.hpp"
 #include "paper/drawing.hpp"
 #include "paper/published_steps.hpp"
 #include "report/numbers.hpp"
 #include "sim/units.hpp"
+#include "text/number.hpp"
 
 namespace fantail::paper {
 namespace {
@@ -20,14 +22,14 @@ using sim::radians_per_degree;
 constexpr double step_s = 5.0;
 
 struct Repeated {
-  identify::Record record;
-  identify::Identification found;
+  identify::model::Record record;
+  identify::result::Identification found;
 };
 
 // The step that a row of the table describes, flown by the real controller without noise and servo lag, and identified
 // from its log at 100 Hz as the published ones were.
 Repeated repeat(const PublishedStep& row, const sim::Scenario& tunnel) {
-  identify::Record record;
+  identify::model::Record record;
   record.window = "step " + std::to_string(row.step);
   for (int i = 0; i <= static_cast<int>(step_s * 100.0); ++i) {
     record.time_s.push_back(0.01 * i);
@@ -41,40 +43,41 @@ Repeated repeat(const PublishedStep& row, const sim::Scenario& tunnel) {
   record.reference_rad.assign(samples, 45.0 * radians_per_degree);
   record.excitation_rad.assign(samples, 0.0);
   record.in_control.assign(samples, true);
-  const identify::Model truth{
+  const identify::model::RollModel truth{
       .alpha_m2 = row.alpha_m2,
       .beta_m = row.beta_m,
       .node_time_s = {0.0, step_s},
       .node_rad = {row.disturbance_begin_deg * radians_per_degree, row.disturbance_end_deg * radians_per_degree},
       .initial = {{.angle_rad = 0.0, .rate_rad_s = 0.0}}};
-  const identify::Airframe rocket = airframe(tunnel);
-  const identify::Simulation flown =
-      identify::simulate_closed_loop(record, rocket, {.controller = tunnel.plan.controller}, truth);
+  const identify::model::Airframe rocket = airframe(tunnel);
+  const identify::model::Simulation flown =
+      identify::closed_loop::simulate(record, rocket, {.controller = tunnel.plan.controller}, truth);
   record.roll_angle_rad = flown.roll_angle_rad;
   record.roll_rate_rad_s = flown.roll_rate_rad_s;
   record.canard_rad = flown.canard_rad;
   return {.record = record,
-          .found = identify::identify(record, rocket,
-                                      {.nodes = identify::NodeTimes{0.0, step_s}, .method = identify::Method::grid})};
+          .found = identify::identify(
+              record, rocket,
+              {.nodes = identify::model::NodeTimes{0.0, step_s}, .method = identify::result::Method::grid})};
 }
 
-Claim row_claim(const PublishedStep& row, const identify::Identification& found) {
-  const identify::Model& model = found.model;
+Claim row_claim(const PublishedStep& row, const identify::result::Identification& found) {
+  const identify::model::RollModel& model = found.model;
   const double begin_deg = report::degrees(model.node_rad.front());
   const double end_deg = report::degrees(model.node_rad.back());
   const bool agrees = model.alpha_m2 == row.alpha_m2 && model.beta_m == row.beta_m &&
                       std::abs(begin_deg - row.disturbance_begin_deg) <= 0.03 &&
                       std::abs(end_deg - row.disturbance_end_deg) <= 0.03;
   const auto numbers = [](double alpha_m2, double beta_m, double from_deg, double to_deg) {
-    return report::with_minus(fmt::format("{:g}, {:g}, {:.2f} to {:.2f} deg", alpha_m2, beta_m, from_deg, to_deg));
+    return text::with_minus(fmt::format("{:g}, {:g}, {:.2f} to {:.2f} deg", alpha_m2, beta_m, from_deg, to_deg));
   };
   return {.place = "Table 2, step " + std::to_string(row.step),
           .what = "Damping, torque constant, offset at the begin and end",
           .theirs = numbers(row.alpha_m2, row.beta_m, row.disturbance_begin_deg, row.disturbance_end_deg),
           .ours = numbers(model.alpha_m2, model.beta_m, begin_deg, end_deg),
-          .difference = report::with_minus(
-              fmt::format("{:g}, {:g}, {:.3f} and {:.3f} deg", model.alpha_m2 - row.alpha_m2, model.beta_m - row.beta_m,
-                          begin_deg - row.disturbance_begin_deg, end_deg - row.disturbance_end_deg)),
+          .difference = text::with_minus(fmt::format("{:g}, {:g}, {:.3f} and {:.3f} deg", model.alpha_m2 - row.alpha_m2,
+                                                     model.beta_m - row.beta_m, begin_deg - row.disturbance_begin_deg,
+                                                     end_deg - row.disturbance_end_deg)),
           .finding = agrees ? Finding::reproduced : Finding::differs,
           .why = agrees ? "The step flown with the printed numbers, identified on the published grid."
                         : "The reason is not known."};
@@ -120,16 +123,14 @@ void add_means(std::vector<Claim>& claims, const std::vector<PublishedStep>& row
 
 Chapter steps_chapter(const Tell& tell) {
   tell("repeating the eight steps of Table 2");
-  const sim::Scenario tunnel = sim::load_scenario("tunnel_steps", {});
+  const sim::Scenario tunnel = input::load_scenario("tunnel_steps", {});
   const std::vector<PublishedStep> rows = published_steps();
   Chapter chapter{.title = "Steps in the wind tunnel",
                   .introduction =
                       "Launch 2's rocket on a string at 22 m/s, eight steps of 45 degrees, gains 0.5 and 0.05 s, "
                       "five seconds of each identified with a disturbance that runs straight. The measured "
                       "steps are not published: each is flown here with the numbers that were printed for it, "
-                      "and the published search must find them again.",
-                  .claims = {},
-                  .figures_html = {}};
+                      "and the published search must find them again."};
   std::optional<Repeated> sixth;
   for (const PublishedStep& row : rows) {
     Repeated repeated = repeat(row, tunnel);
@@ -159,14 +160,14 @@ Chapter steps_chapter(const Tell& tell) {
                                        "They measure what the model leaves out of a real step."));
   const auto figure = [&](const std::string& label, const std::string& unit, const std::vector<double>& flown,
                           const std::vector<double>& model, const std::string& caption) {
-    chapter.figures_html.push_back(
-        half_width_figure({.label = label,
-                           .x_label = "time / s",
-                           .y_label = unit,
-                           .series = {curve(sixth->record.time_s, degrees(flown),
-                                            "step 6, flown with the printed numbers", plot::Role::measured),
-                                      curve(sixth->record.time_s, degrees(model), "identified", plot::Role::model)}},
-                          caption));
+    chapter.figures_html.push_back(half_width_figure(
+        {.label = label,
+         .x_label = "time / s",
+         .y_label = unit,
+         .series = {curve(sixth->record.time_s, report::in_degrees(flown), "step 6, flown with the printed numbers",
+                          page::Role::measured),
+                    curve(sixth->record.time_s, report::in_degrees(model), "identified", page::Role::model)}},
+        caption));
   };
   figure("Roll angle of step 6", "roll angle / deg", sixth->record.roll_angle_rad,
          sixth->found.simulation.roll_angle_rad,

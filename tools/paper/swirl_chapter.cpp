@@ -6,14 +6,15 @@
 #include "paper/drawing.hpp"
 #include "paper/tunnel_sessions.hpp"
 #include "report/numbers.hpp"
+#include "text/number.hpp"
 #include "tunnel/swirl.hpp"
 
 namespace fantail::paper {
 namespace {
 
-plot::Series points(const std::vector<tunnel::OffsetPoint>& list, std::string name, plot::Role role,
+page::Series points(const std::vector<tunnel::OffsetPoint>& list, std::string name, page::Role role,
                     double (*value)(const tunnel::OffsetPoint&)) {
-  plot::Series series{.name = std::move(name), .role = role, .mark = plot::Mark::line_and_points, .x = {}, .y = {}};
+  page::Series series{.name = std::move(name), .role = role, .mark = page::Mark::line_and_points};
   for (const tunnel::OffsetPoint& point : list) {
     series.x.push_back(point.speed_m_s.mean);
     series.y.push_back(value(point));
@@ -32,44 +33,42 @@ Chapter swirl_chapter(const Tell& tell) {
                   .introduction =
                       "The rocket rolls freely with its canards at zero, once without and once with a flow "
                       "straightener; Eq 27 turns the steady roll rates into an equivalent fin offset. The rates "
-                      "are not published: a simulated tunnel with 2 degrees of swirl stands in for theirs.",
-                  .claims = {},
-                  .figures_html = {}};
+                      "are not published: a simulated tunnel with 2 degrees of swirl stands in for theirs."};
   chapter.claims.push_back(unpublished(
       "Section 4.1.2", "Swirl above 20 m/s, as equivalent canard angle", "about 2 deg",
       "The roll rates are not published; ours is a simulated tunnel with 2.0 degrees of it.",
-      swirl.swirl ? fmt::format("{} \u00b1 {} deg",
-                                report::with_minus(report::fixed(report::degrees(swirl.swirl->offset_rad), 2)),
-                                report::fixed(2.0 * report::degrees(swirl.swirl->standard_error_rad), 2))
-                  : "no common speed"));
+      swirl.swirl
+          ? fmt::format("{} \u00b1 {} deg", text::with_minus(text::fixed(report::degrees(swirl.swirl->offset_rad), 2)),
+                        text::fixed(2.0 * report::degrees(swirl.swirl->standard_error_rad), 2))
+          : "no common speed"));
   chapter.claims.push_back(
       unpublished("Section 4.1.2", "Roll rate of the bare fins at 30 m/s, without and with straightener",
                   "87.0 and 25.7 deg/s", "Counted from a video; neither fins nor swirl are described."));
   const auto rate = [](const tunnel::OffsetPoint& point) { return report::degrees(point.rate_rad_s.mean); };
   const auto offset = [](const tunnel::OffsetPoint& point) { return report::degrees(point.offset_rad); };
-  const auto session = [](const tunnel::RollSession& from, std::string name, plot::Role role) {
-    return curve(from.roll.time_s, degrees(from.roll.roll_rate_rad_s), std::move(name), role);
+  const auto session = [](const tunnel::RollSession& from, std::string name, page::Role role) {
+    return curve(from.roll.time_s, report::in_degrees(from.roll.roll_rate_rad_s), std::move(name), role);
   };
-  const auto figure = [&](const plot::Chart& chart, const std::string& caption) {
+  const auto figure = [&](const page::Chart& chart, const std::string& caption) {
     chapter.figures_html.push_back(half_width_figure(chart, caption));
   };
   figure({.label = "Roll rate over time",
           .x_label = "time / s",
           .y_label = "roll rate / deg/s",
-          .series = {session(without, "without straightener", plot::Role::measured),
-                     session(with, "with straightener", plot::Role::model)}},
+          .series = {session(without, "without straightener", page::Role::measured),
+                     session(with, "with straightener", page::Role::model)}},
          "As figure 14a.");
   figure({.label = "Steady roll rate over speed",
           .x_label = "wind speed / m/s",
           .y_label = "mean roll rate / deg/s",
-          .series = {points(swirl.without, "without straightener", plot::Role::measured, rate),
-                     points(swirl.with, "with straightener", plot::Role::model, rate)}},
+          .series = {points(swirl.without, "without straightener", page::Role::measured, rate),
+                     points(swirl.with, "with straightener", page::Role::model, rate)}},
          "As figure 15.");
   figure({.label = "Equivalent fin offset over speed",
           .x_label = "wind speed / m/s",
           .y_label = "equivalent fin offset / deg",
-          .series = {points(swirl.without, "without straightener", plot::Role::measured, offset),
-                     points(swirl.with, "with straightener", plot::Role::model, offset)}},
+          .series = {points(swirl.without, "without straightener", page::Role::measured, offset),
+                     points(swirl.with, "with straightener", page::Role::model, offset)}},
          "As figure 16: the distance of the curves is the swirl. The published swirl grows at low speeds; the "
          "simulated one "
          "does not depend on speed.");

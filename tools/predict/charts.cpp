@@ -7,20 +7,18 @@
 
 #include <fmt/core.h>
 
-#include "plot/chart.hpp"
+#include "text/number.hpp"
 
 namespace fantail::predict {
 namespace {
 
-using plot::Mark;
-using plot::Role;
-using report::brief;
+using page::Mark;
+using page::Role;
 using report::degrees;
+using text::brief;
 
-constexpr double half_page = 428.0;
-
-plot::Area area(const std::vector<double>& x, const std::vector<Spread>& radians) {
-  plot::Area band{.name = "5 to 95 % of the runs", .x = x};
+page::Area area(const std::vector<double>& x, const std::vector<Spread>& radians) {
+  page::Area band{.name = "5 to 95 % of the runs", .x = x};
   for (const Spread& s : radians) {
     band.low.push_back(degrees(s.p5));
     band.high.push_back(degrees(s.p95));
@@ -28,16 +26,16 @@ plot::Area area(const std::vector<double>& x, const std::vector<Spread>& radians
   return band;
 }
 
-plot::Series middle(const std::vector<double>& x, const std::vector<Spread>& radians) {
-  plot::Series line{.name = "middle of the runs", .role = Role::model, .x = x};
+page::Series middle(const std::vector<double>& x, const std::vector<Spread>& radians) {
+  page::Series line{.name = "middle of the runs", .role = Role::model, .x = x};
   for (const Spread& s : radians) {
     line.y.push_back(degrees(s.p50));
   }
   return line;
 }
 
-plot::Series reference(const Prediction& p) {
-  plot::Series line{.name = "reference", .role = Role::reference, .mark = Mark::step, .x = p.band.time_s};
+page::Series reference(const Prediction& p) {
+  page::Series line{.name = "reference", .role = Role::reference, .mark = Mark::step, .x = p.band.time_s};
   const auto flown = std::ranges::max_element(p.runs, {}, [](const Run& run) { return run.reference_rad.size(); });
   for (std::size_t i = 0; i < line.x.size(); ++i) {
     const std::optional<double>& value = flown->reference_rad[i];
@@ -46,41 +44,35 @@ plot::Series reference(const Prediction& p) {
   return line;
 }
 
-plot::Series points(std::string name, Role role) {
+page::Series points(std::string name, Role role) {
   return {.name = std::move(name), .role = role, .mark = Mark::points};
 }
 
-void add(plot::Series& to, const TunnelStep& step) {
+void add(page::Series& to, const TunnelStep& step) {
   to.x.push_back(step.damping_m2);
   to.y.push_back(step.torque_m);
 }
 
 }  // namespace
 
-std::string roll_angle_chart(const Prediction& p) {
-  if (p.band.time_s.empty()) {
-    return {};
-  }
-  return plot::svg({.label = "Predicted roll angle over time",
-                    .x_label = "time after lift-off / s",
-                    .y_label = "roll angle / deg",
-                    .series = {middle(p.band.time_s, p.band.roll_angle_rad), reference(p)},
-                    .areas = {area(p.band.time_s, p.band.roll_angle_rad)}});
+page::Chart roll_angle_chart(const Prediction& p) {
+  return {.label = "Predicted roll angle over time",
+          .x_label = "time after lift-off / s",
+          .y_label = "roll angle / deg",
+          .series = {middle(p.band.time_s, p.band.roll_angle_rad), reference(p)},
+          .areas = {area(p.band.time_s, p.band.roll_angle_rad)}};
 }
 
-std::string roll_rate_chart(const Prediction& p) {
-  if (p.band.time_s.empty()) {
-    return {};
-  }
-  return plot::svg({.label = "Predicted roll rate over time",
-                    .x_label = "time after lift-off / s",
-                    .y_label = "roll rate / (deg/s)",
-                    .series = {middle(p.band.time_s, p.band.roll_rate_rad_s)},
-                    .areas = {area(p.band.time_s, p.band.roll_rate_rad_s)}});
+page::Chart roll_rate_chart(const Prediction& p) {
+  return {.label = "Predicted roll rate over time",
+          .x_label = "time after lift-off / s",
+          .y_label = "roll rate / (deg/s)",
+          .series = {middle(p.band.time_s, p.band.roll_rate_rad_s)},
+          .areas = {area(p.band.time_s, p.band.roll_rate_rad_s)}};
 }
 
-std::string offset_chart(const Prediction& p) {
-  plot::Series share{.name = "share of the runs", .role = Role::model, .mark = Mark::step};
+page::Chart offset_chart(const Prediction& p) {
+  page::Series share{.name = "share of the runs", .role = Role::model, .mark = Mark::step};
   for (const Run& run : p.runs) {
     share.x.push_back(degrees(std::abs(run.offset_rad)));
   }
@@ -93,36 +85,33 @@ std::string offset_chart(const Prediction& p) {
     share.y.push_back(100.0 * static_cast<double>(within) / static_cast<double>(p.runs.size()));
   }
   const double limit_deg = degrees(p.limit_rad);
-  return plot::svg({.label = "Share of the runs whose fin offset is not larger than a size, and the canard limit",
-                    .x_label = "size of the fin offset / deg",
-                    .y_label = "runs with at most that / %",
-                    .width = half_page,
-                    .series = {share},
-                    .levels = {{.value = limit_deg, .label = "canard limit", .upright = true, .role = Role::limit}},
-                    .x_range = plot::Range{0.0, 1.1 * std::max(limit_deg, share.x.back())},
-                    .y_range = plot::Range{0.0, 100.0}});
+  return {.label = "Share of the runs whose fin offset is not larger than a size, and the canard limit",
+          .x_label = "size of the fin offset / deg",
+          .y_label = "runs with at most that / %",
+          .width = page::half_page,
+          .series = {share},
+          .levels = {{.value = limit_deg, .label = "canard limit", .upright = true, .role = Role::limit}},
+          .x_range = page::Range{0.0, 1.1 * std::max(limit_deg, share.x.back())},
+          .y_range = page::Range{0.0, 100.0}};
 }
 
-std::string airframe_chart(const Prediction& p) {
-  plot::Series drawn = points("flown", Role::model);
-  plot::Series tunnel = points("identified", Role::measured);
+page::Chart airframe_chart(const Prediction& p) {
+  page::Series drawn = points("flown", Role::model);
+  page::Series tunnel = points("identified", Role::measured);
   for (const Run& run : p.runs) {
     add(drawn, run.airframe);
   }
   for (const TunnelStep& step : p.tunnel.steps) {
     add(tunnel, step);
   }
-  return plot::svg({.label = "Damping and torque of the airframes flown and of the tunnel's steps",
-                    .x_label = "damping alpha / m2",
-                    .y_label = "torque beta / m",
-                    .width = half_page,
-                    .series = {drawn, tunnel}});
+  return {.label = "Damping and torque of the airframes flown and of the tunnel's steps",
+          .x_label = "damping alpha / m2",
+          .y_label = "torque beta / m",
+          .width = page::half_page,
+          .series = {drawn, tunnel}};
 }
 
-std::string phase_margin_chart(const Prediction& p, const Thresholds& thresholds) {
-  if (p.over_speed.empty()) {
-    return {};
-  }
+page::Chart phase_margin_chart(const Prediction& p, const Thresholds& thresholds) {
   std::vector<double> speed;
   std::vector<Spread> margin;
   for (const MarginsAtSpeed& at : p.over_speed) {
@@ -130,14 +119,14 @@ std::string phase_margin_chart(const Prediction& p, const Thresholds& thresholds
     margin.push_back(at.phase_margin_rad);
   }
   const double asked_deg = degrees(thresholds.phase_margin_rad);
-  return plot::svg({.label = "Phase margin of the roll loop over air speed",
-                    .x_label = "air speed / (m/s)",
-                    .y_label = "phase margin / deg",
-                    .series = {middle(speed, margin)},
-                    .areas = {area(speed, margin)},
-                    .levels = {{.value = asked_deg,
-                                .label = fmt::format("{} degrees asked for", brief(asked_deg, 1)),
-                                .role = Role::limit}}});
+  return {.label = "Phase margin of the roll loop over air speed",
+          .x_label = "air speed / (m/s)",
+          .y_label = "phase margin / deg",
+          .series = {middle(speed, margin)},
+          .areas = {area(speed, margin)},
+          .levels = {{.value = asked_deg,
+                      .label = fmt::format("{} degrees asked for", brief(asked_deg, 1)),
+                      .role = Role::limit}}};
 }
 
 }  // namespace fantail::predict

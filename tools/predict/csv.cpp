@@ -2,12 +2,13 @@
 #include <fmt/core.h>
 
 #include "predict/results.hpp"
+#include "text/number.hpp"
 
 namespace fantail::predict {
 namespace {
 
 using report::degrees;
-using report::fixed;
+using text::fixed;
 
 std::string cell(const std::optional<double>& value) { return value ? fixed(*value, 6) : ""; }
 std::string angle(const std::optional<double>& radians) { return radians ? fixed(degrees(*radians), 6) : ""; }

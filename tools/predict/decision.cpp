@@ -7,13 +7,14 @@
 #include <fmt/core.h>
 
 #include "predict/words.hpp"
+#include "text/number.hpp"
 
 namespace fantail::predict {
 namespace {
 
-using report::brief;
 using report::degrees;
-using report::fixed;
+using text::brief;
+using text::fixed;
 
 Judgement judge(bool met) { return met ? Judgement::met : Judgement::not_met; }
 

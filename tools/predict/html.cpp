@@ -5,35 +5,36 @@
 
 #include <fmt/core.h>
 
-#include "plot/page.hpp"
+#include "page/page.hpp"
 #include "predict/charts.hpp"
 #include "predict/results.hpp"
 #include "predict/words.hpp"
+#include "text/number.hpp"
 
 namespace fantail::predict {
 namespace {
 
-using report::fixed;
+using text::fixed;
 
 constexpr double in_degrees = 180.0 / std::numbers::pi;
 
-plot::Tone tone(Judgement judgement) {
+page::Tone tone(Judgement judgement) {
   switch (judgement) {
-    case Judgement::met: return plot::Tone::good;
-    case Judgement::not_met: return plot::Tone::bad;
+    case Judgement::met: return page::Tone::good;
+    case Judgement::not_met: return page::Tone::bad;
     case Judgement::not_judged: break;
   }
-  return plot::Tone::unsure;
+  return page::Tone::unsure;
 }
 
-plot::Figure figure(std::string label, const Spread& s, double scale, int decimals, std::string unit) {
+page::Figure figure(std::string label, const Spread& s, double scale, int decimals, std::string unit) {
   return {.label = std::move(label),
           .value = fixed(scale * s.p50, decimals),
           .unit = std::move(unit),
           .remark = fmt::format("5 to 95 %: {} to {}", fixed(scale * s.p5, decimals), fixed(scale * s.p95, decimals))};
 }
 
-plot::Figure figure(std::string label, const Share& s) {
+page::Figure figure(std::string label, const Share& s) {
   return {.label = std::move(label),
           .value = fixed(100.0 * s.value, 0),
           .unit = "%",
@@ -41,7 +42,7 @@ plot::Figure figure(std::string label, const Share& s) {
 }
 
 std::string figures(const Prediction& p) {
-  std::vector<plot::Figure> all{figure("authority margin", p.authority_margin_rad, in_degrees, 1, "deg"),
+  std::vector<page::Figure> all{figure("authority margin", p.authority_margin_rad, in_degrees, 1, "deg"),
                                 figure("canards can balance the offset", p.authority)};
   if (p.held.of > 0) {
     all.push_back(figure("roll is held", p.held));
@@ -59,7 +60,7 @@ std::string figures(const Prediction& p) {
   if (p.saturated_share) {
     all.push_back(figure("control time with canards at their limit", *p.saturated_share, 100.0, 0, "%"));
   }
-  return plot::figure_row(all);
+  return page::figure_row(all);
 }
 
 /// The heading says it already.
@@ -70,36 +71,36 @@ std::string without_heading(const Decision& decision) {
 }
 
 std::string criteria(const Decision& decision) {
-  const std::array<plot::Column, 4> columns{{{"criterion"}, {"found"}, {"asked for"}, {""}}};
-  std::vector<std::vector<plot::Cell>> rows;
+  const std::array<page::Column, 4> columns{{{"criterion"}, {"found"}, {"asked for"}, {""}}};
+  std::vector<std::vector<page::Cell>> rows;
   rows.reserve(decision.criteria.size());
   for (const Criterion& c : decision.criteria) {
     rows.push_back({{c.label}, {c.found}, {c.required}, {std::string{words(c.judgement)}, tone(c.judgement)}});
   }
-  return plot::table(columns, rows) + (decision.advice.empty() ? "" : plot::list(decision.advice));
+  return page::table(columns, rows) + (decision.advice.empty() ? "" : page::list(decision.advice));
 }
 
 std::string roll(const Prediction& p) {
   if (p.band.time_s.empty()) {
-    return plot::paragraph("No run left the pad.");
+    return page::paragraph("No run left the pad.");
   }
-  return plot::figure(roll_angle_chart(p),
+  return page::figure(roll_angle_chart(p),
                       "Roll angle of the rocket as it truly would be. A proportional-derivative loop settles at the "
                       "reference plus the fin offset over the gain, not at the reference.") +
-         plot::figure(roll_rate_chart(p),
+         page::figure(roll_rate_chart(p),
                       "How fast it turns. The band is the spread of the runs at each instant, not one run.");
 }
 
 std::string stability(const Prediction& p, const Decision& decision) {
   if (p.over_speed.empty()) {
-    return plot::paragraph(
+    return page::paragraph(
         "There is no loop whose margin could be told: control never begins, or its gains are nought.");
   }
-  const std::array<plot::Column, 4> columns{{{"air speed, m/s", true},
+  const std::array<page::Column, 4> columns{{{"air speed, m/s", true},
                                              {"phase margin, deg", true},
                                              {"crossover, rad/s", true},
                                              {"gain margin, times", true}}};
-  std::vector<std::vector<plot::Cell>> rows;
+  std::vector<std::vector<page::Cell>> rows;
   constexpr std::size_t rows_apart = 4;
   const auto with_ends = [](const Spread& s, double scale, int decimals) {
     return fmt::format("{} ({} to {})", fixed(scale * s.p50, decimals), fixed(scale * s.p5, decimals),
@@ -112,38 +113,38 @@ std::string stability(const Prediction& p, const Decision& decision) {
                     {with_ends(at.crossover_rad_s, 1.0, 1)},
                     {at.gain_margin ? with_ends(*at.gain_margin, 1.0, 1) : "any"}});
   }
-  return plot::figure(
+  return page::figure(
              phase_margin_chart(p, decision.thresholds),
              fmt::format("How far the loop is from swinging by itself, from the speed at which control starts to "
                          "top speed, with a servo lag of {} ms and {} ms of dead time.",
-                         report::brief(1e3 * p.servo_lag_s, 1), report::brief(1e3 * p.delay_s, 1))) +
-         plot::table(columns, rows);
+                         text::brief(1e3 * p.servo_lag_s, 1), text::brief(1e3 * p.delay_s, 1))) +
+         page::table(columns, rows);
 }
 
 std::string airframes(const Prediction& p) {
   const std::array<std::string, 2> pair{
-      plot::figure(offset_chart(p), "The fin offset against what the canards can balance."),
-      plot::figure(airframe_chart(p), "The airframes that were flown, and the identified ones they were drawn from.")};
-  return plot::figures(pair);
+      page::figure(offset_chart(p), "The fin offset against what the canards can balance."),
+      page::figure(airframe_chart(p), "The airframes that were flown, and the identified ones they were drawn from.")};
+  return page::side_by_side(pair);
 }
 
 }  // namespace
 
 std::string prediction_html(const Prediction& p, const Decision& decision, std::string_view version) {
   const std::string heading = decision.go ? "Go" : "No go";
-  return plot::html({.kind = "Fantail launch prediction",
+  return page::html({.kind = "Fantail launch prediction",
                      .title = p.scenario,
                      .subtitle = fmt::format("{}, plan {}; {} runs, seed {}; Fantail {}", p.vehicle, p.plan_name,
                                              p.runs.size(), p.seed, version),
-                     .tone = decision.go ? plot::Tone::good : plot::Tone::bad,
+                     .tone = decision.go ? page::Tone::good : page::Tone::bad,
                      .verdict_heading = heading,
                      .verdict = without_heading(decision),
-                     .body_html = plot::section("In the middle of the runs", figures(p)) +
-                                  plot::section("What a launch must promise", criteria(decision)) +
-                                  plot::section("Predicted roll", roll(p)) +
-                                  plot::section("Fin offset and airframe", airframes(p)) +
-                                  plot::section("Stability over speed", stability(p, decision)) +
-                                  plot::section("How this was found", plot::list(basis(p)))});
+                     .body_html = page::section("In the middle of the runs", figures(p)) +
+                                  page::section("What a launch must promise", criteria(decision)) +
+                                  page::section("Predicted roll", roll(p)) +
+                                  page::section("Fin offset and airframe", airframes(p)) +
+                                  page::section("Stability over speed", stability(p, decision)) +
+                                  page::section("How this was found", page::list(basis(p)))});
 }
 
 }  // namespace fantail::predict

@@ -41,14 +41,16 @@ std::optional<double> gain_margin(const RollLoop& loop) {
   constexpr double step = 1.1;
   const auto above_half_turn = [&loop](double w) { return phase_rad(loop, w) + half_turn_rad; };
   std::optional<double> nearest;
-  for (double w = lowest_rad_s; w < highest_rad_s; w *= step) {
-    if ((above_half_turn(w) < 0.0) == (above_half_turn(step * w) < 0.0)) {
-      continue;
+  double w = lowest_rad_s;
+  while (w < highest_rad_s) {
+    const double next = step * w;
+    if ((above_half_turn(w) < 0.0) != (above_half_turn(next) < 0.0)) {
+      const double logarithm = -logarithm_of_gain(loop, root(above_half_turn, w, next));
+      if (!nearest || std::abs(logarithm) < std::abs(*nearest)) {
+        nearest = logarithm;
+      }
     }
-    const double logarithm = -logarithm_of_gain(loop, root(above_half_turn, w, step * w));
-    if (!nearest || std::abs(logarithm) < std::abs(*nearest)) {
-      nearest = logarithm;
-    }
+    w = next;
   }
   return nearest ? std::optional{std::exp(*nearest)} : std::nullopt;
 }

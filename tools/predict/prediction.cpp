@@ -6,11 +6,12 @@
 
 #include <fmt/core.h>
 
+#include "input/fault_file.hpp"
 #include "predict/loop_at_speed.hpp"
 #include "predict/team.hpp"
 #include "report/flight.hpp"
 #include "report/numbers.hpp"
-#include "sim/input_error.hpp"
+#include "text/error.hpp"
 
 namespace fantail::predict {
 namespace {
@@ -113,7 +114,7 @@ std::vector<std::string> notes(const sim::Scenario& scenario, const TunnelResult
     all.emplace_back("The roll that the scenario imposes is left out: nobody knows it before the flight.");
   }
   for (const sim::Fault& fault : scenario.faults) {
-    all.push_back(fmt::format("Every run has the scenario's fault {}.", sim::name(fault.kind)));
+    all.push_back(fmt::format("Every run has the scenario's fault {}.", input::name(fault.kind)));
   }
   return all;
 }
@@ -122,10 +123,10 @@ std::vector<std::string> notes(const sim::Scenario& scenario, const TunnelResult
 
 void require_launch(const sim::Scenario& scenario) {
   if (scenario.surroundings == sim::Surroundings::tunnel) {
-    throw sim::InputError{sim::InputFault::bad_configuration,
-                          scenario.name +
-                              ": environment.surroundings = \"tunnel\"; allowed: \"flight\", as what is "
-                              "predicted is a launch"};
+    throw text::Error{text::ErrorKind::bad_configuration,
+                      scenario.name +
+                          ": environment.surroundings = \"tunnel\"; allowed: \"flight\", as what is "
+                          "predicted is a launch"};
   }
 }
 

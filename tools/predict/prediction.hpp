@@ -61,7 +61,7 @@ struct Prediction {
   std::optional<MarginsAtSpeed> worst_speed{};  ///< where the median phase margin is least
 };
 
-/// Throws sim::InputError for a scenario that is no launch.
+/// Throws text::Error for a scenario that is no launch.
 void require_launch(const sim::Scenario& scenario);
 
 /// Flies the launch over the spread. `look` is told how many runs are done and may throw to give up. Throws

@@ -3,12 +3,13 @@
 
 #include "predict/results.hpp"
 #include "predict/words.hpp"
+#include "text/number.hpp"
 
 namespace fantail::predict {
 namespace {
 
 using report::degrees;
-using report::fixed;
+using text::fixed;
 
 std::string with_ends(const Spread& s, double scale, int decimals, std::string_view unit) {
   return fmt::format("{} {} ({} to {})", fixed(scale * s.p50, decimals), unit, fixed(scale * s.p5, decimals),

@@ -8,14 +8,15 @@
 
 #include "logs/table.hpp"
 #include "report/numbers.hpp"
-#include "sim/input_error.hpp"
+#include "text/error.hpp"
+#include "text/number.hpp"
 
 namespace fantail::predict {
 namespace {
 
-using report::brief;
 using report::degrees;
 using report::radians;
+using text::brief;
 
 constexpr double largest_angle_deg = 45.0;
 
@@ -33,9 +34,9 @@ class NumberColumn {
   [[nodiscard]] double operator[](std::size_t row) const {
     const std::optional<double> value = table_.number(row, column_);
     if (!value || *value < limits_.minimum || *value > limits_.maximum) {
-      throw sim::InputError{sim::InputFault::bad_data,
-                            fmt::format("{}:{}: {} = \"{}\"; allowed: {:g} to {:g}", table_.name(), table_.line(row),
-                                        name_, table_.cell(row, column_), limits_.minimum, limits_.maximum)};
+      throw text::Error{text::ErrorKind::bad_data,
+                        fmt::format("{}:{}: {} = \"{}\"; allowed: {:g} to {:g}", table_.name(), table_.line(row), name_,
+                                    table_.cell(row, column_), limits_.minimum, limits_.maximum)};
     }
     return *value;
   }
@@ -84,10 +85,10 @@ TunnelResult read_tunnel_result(const std::filesystem::path& file, const std::op
     swirl.emplace(table, "swirl_deg", angle);
   }
   if (table.rows() < 2) {
-    throw sim::InputError{sim::InputFault::bad_data,
-                          fmt::format("{}: has {} of the rows that a spread is made from; allowed: two or more, better "
-                                      "eight, one for each step",
-                                      table.name(), table.rows())};
+    throw text::Error{text::ErrorKind::bad_data,
+                      fmt::format("{}: has {} of the rows that a spread is made from; allowed: two or more, better "
+                                  "eight, one for each step",
+                                  table.name(), table.rows())};
   }
   TunnelResult result;
   result.name = file.filename().string();

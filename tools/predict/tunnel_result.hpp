@@ -27,7 +27,7 @@ struct TunnelResult {
 
 /// Reads the columns alpha_m2, beta_m, disturbance_begin_deg, disturbance_end_deg, and, where they are there, swirl_deg
 /// and source. The swirl that is taken off is `swirl_rad` when given, else what the column swirl_deg says in that row,
-/// else none. Throws sim::InputError (no_such_input, bad_data).
+/// else none. Throws text::Error (no_such_input, bad_data).
 [[nodiscard]] TunnelResult read_tunnel_result(const std::filesystem::path& file,
                                               const std::optional<double>& swirl_rad);
 

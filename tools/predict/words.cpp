@@ -5,11 +5,12 @@
 
 #include <fmt/core.h>
 
+#include "text/number.hpp"
+
 namespace fantail::predict {
 
-using report::brief;
-using report::degrees;
-using report::fixed;
+using text::brief;
+using text::fixed;
 
 std::string percent(double share) {
   const double value = 100.0 * share;
@@ -43,6 +44,7 @@ std::string_view words(Judgement judgement) {
 
 std::vector<std::string> basis(const Prediction& p) {
   std::vector<std::string> all;
+  all.reserve(p.tunnel.sources.size() + 3);
   for (const std::string& source : p.tunnel.sources) {
     all.push_back(fmt::format("Source of {}: {}.", p.tunnel.name, source));
   }

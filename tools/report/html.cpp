@@ -1,98 +1,166 @@
 // SPDX-License-Identifier: MIT
 #include "report/html.hpp"
 
-#include <string>
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <string_view>
+#include <utility>
 #include <vector>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
-#include "report/escape.hpp"
-#include "report/html_tables.hpp"
+#include "page/page.hpp"
+#include "report/charts.hpp"
 #include "report/numbers.hpp"
-#include "report/overview_svg.hpp"
-#include "report/page_assets.hpp"
-#include "report/plot_data.hpp"
 #include "report/words.hpp"
+#include "text/number.hpp"
 
 namespace fantail::report {
 namespace {
 
-std::string head(const Flight& flight) {
-  return fmt::format(
-      "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-      "<meta name=\"color-scheme\" content=\"light dark\">\n<title>{} \u00b7 Fantail flight report</title>\n"
-      "<style>{}</style>\n<style>{}</style>\n</head>\n",
-      escape_html(flight.scenario), uplot_css, page_css);
+using text::fixed;
+using Rows = std::vector<std::vector<page::Cell>>;
+
+std::string figure_list(const Flight& flight, const Figures& f) {
+  std::vector<page::Figure> list;
+  const auto add = [&list](std::string label, const std::optional<double>& value, int decimals, std::string unit,
+                           std::string remark = {}) {
+    if (value) {
+      list.push_back({std::move(label), fixed(*value, decimals), std::move(unit), std::move(remark)});
+    }
+  };
+  add("Apogee", f.apogee_m, 1, "m");
+  add(flight.tunnel ? "Largest air speed" : "Top speed", f.max_speed_m_s, 1, "m/s");
+  add("Control starts", flight.events.control_start_s, 3, "s",
+      f.control_start_height_m ? "at " + fixed(*f.control_start_height_m, 2) + " m" : "");
+  add("Time under control", f.control_time_s, 2, "s");
+  add("Largest hold error", in_degrees(f.largest_hold_error_rad), 1, "deg",
+      f.mean_hold_error_rad ? "mean " + fixed(degrees(*f.mean_hold_error_rad), 2) + " deg" : "");
+  add("Saturated", f.saturated_fraction ? std::optional{100.0 * *f.saturated_fraction} : std::nullopt, 1, "%",
+      "of control time");
+  add("Largest fin offset", in_degrees(f.largest_disturbance_rad), 1, "deg", "true u_d under control");
+  add("Authority margin", in_degrees(f.authority_margin_rad), 1, "deg",
+      flight.known.plan ? "limit " + text::brief(degrees(canard_limit_rad(flight.plan)), 1) + " deg" : "");
+  add("Net roll", f.roll_turns, 2, "turns", "under control");
+  if (flight.known.phase) {
+    list.push_back({"Final phase", std::string{words(f.final_phase)}, "", ""});
+  }
+  std::string html = page::figure_row(list);
+  if (f.largest_hold_error_rad) {
+    html += page::note(
+        fmt::format("A proportional-derivative loop comes to rest at R\u00a0+\u00a0u_d/kp, not at the reference R: an "
+                    "angle error has to balance the fin offset. The hold error is measured from there, without the {} "
+                    "after control start and after each reference step.",
+                    flight.tunnel ? "two seconds" : "second"));
+  }
+  return html;
 }
 
-// A formula does not break across lines.
-std::string with_formula(std::string text) {
-  static constexpr std::string_view formula = "R + u_d/kp";
-  if (const std::size_t at = text.find(formula); at != std::string::npos) {
-    text.replace(at, formula.size(), "<span class=\"formula\">R + u_d/kp</span>");
-  }
-  return text;
+std::vector<page::Cell> row(double time_s, std::string_view what, std::string_view meaning) {
+  return {{fixed(time_s, 3)}, {std::string{what}}, {std::string{meaning}}};
 }
 
-std::string run_words(const Flight& flight) {
-  std::vector<std::string> parts;
-  if (!flight.vehicle.empty()) {
-    parts.push_back(fmt::format("vehicle <b>{}</b>", escape_html(flight.vehicle)));
-  }
-  if (!flight.plan_name.empty()) {
-    parts.push_back(fmt::format("plan <b>{}</b>", escape_html(flight.plan_name)));
-  }
-  if (flight.seed) {
-    parts.push_back(fmt::format("seed {}", *flight.seed));
-  }
-  if (!flight.version.empty()) {
-    parts.push_back("Fantail " + escape_html(flight.version));
-  }
-  std::string words = fmt::format("{}", fmt::join(parts, ", "));
-  if (words.starts_with('v') || words.starts_with('p') || words.starts_with('s')) {
-    words.front() = static_cast<char>(words.front() - 'a' + 'A');
-  }
-  return words;
+std::string table(std::string what, std::string meaning, const Rows& rows) {
+  const std::array<page::Column, 3> columns{{{"Time, s", true}, {std::move(what)}, {std::move(meaning)}}};
+  return page::table(columns, rows);
 }
 
-std::string opening(const Flight& flight, const Verdict& verdict) {
-  const std::string imposed = imposed_roll_words(flight);
-  return fmt::format(
-      "<header>\n<p class=\"kind\">Fantail flight report</p>\n<h1>{}</h1>\n"
-      "<p class=\"run\">{}</p>\n</header>\n"
-      "<section class=\"verdict {}\">\n<h2>{}</h2>\n<p>{}</p>\n{}</section>\n",
-      escape_html(flight.scenario), run_words(flight), name(verdict.outcome), words(verdict.outcome),
-      with_formula(with_minus(escape_html(verdict.text))),
-      imposed.empty() ? "" : "<p class=\"imposed\">" + with_minus(escape_html(imposed)) + "</p>\n");
+std::string event_table(const Flight& flight) {
+  std::vector<double> times_s;
+  Rows rows;  // by time; of two at the same instant the one added first
+  const auto add = [&](const std::optional<double>& time_s, std::string_view event, std::string_view meaning) {
+    if (time_s) {
+      const auto place = std::ranges::upper_bound(times_s, *time_s);
+      rows.insert(rows.begin() + (place - times_s.begin()), row(*time_s, event, meaning));
+      times_s.insert(place, *time_s);
+    }
+  };
+  const Events& e = flight.events;
+  add(e.liftoff_s, "Lift-off",
+      flight.seed ? "first net upward acceleration" : "where the specific force left the pad's 1 g");
+  add(e.detected_s, "Launch detected", "roll angle is zero here");
+  add(e.guide_clear_s, "Off the guide", "truth, not known on board");
+  add(e.control_start_s, "Control starts",
+      flight.tunnel ? "roll angle is zero here, canards leave trim" : "canards leave trim");
+  add(e.burnout_s, "Burn-out", "");
+  add(e.apogee_s, "Apogee", "");
+  add(e.control_end_s, "Control ends", "canards return to trim");
+  if (rows.empty()) {
+    return page::paragraph(flight.known.phase ? "Nothing happened." : "The log does not tell.");
+  }
+  return table("Event", "", rows);
+}
+
+std::string phase_table(const Flight& flight) {
+  if (!flight.known.phase || flight.phase_changes.empty()) {
+    return page::paragraph(flight.known.phase ? "Safe throughout." : "The log does not tell.");
+  }
+  Rows rows;
+  for (const PhaseChange& change : flight.phase_changes) {
+    rows.push_back(row(change.time_s, words(change.phase), change.reason ? words(*change.reason) : ""));
+  }
+  return table("Phase", "Because", rows);
+}
+
+std::string canard_table(const Flight& flight) {
+  Rows rows;
+  for (const CanardVerdictChange& change : flight.canard_verdict_changes) {
+    rows.push_back(row(change.time_s, std::to_string(change.canard + 1), core::name(change.verdict)));
+  }
+  return rows.empty() ? "" : table("Canard", "Monitor says", rows);
+}
+
+std::string about_section(const Flight& flight) {
+  std::vector<std::string> all = flight.notes;
+  if (const std::string imposed = imposed_roll_words(flight); !imposed.empty()) {
+    all.insert(all.begin(), "Imposed: " + imposed);
+  }
+  if (!flight.seed && flight.notes.empty()) {
+    return {};
+  }
+  return page::section(
+      flight.seed ? "What was assumed" : "About the log",
+      all.empty() ? page::paragraph("The scenario names no imposed roll, no faults and no assumptions of its own.")
+                  : page::list(all));
+}
+
+page::Tone tone(Outcome outcome) {
+  switch (outcome) {
+    case Outcome::held: return page::Tone::good;
+    case Outcome::not_held:
+    case Outcome::no_control: return page::Tone::bad;
+    case Outcome::not_judged: break;
+  }
+  return page::Tone::unsure;
 }
 
 }  // namespace
 
 std::string html(const Flight& flight, const Figures& figures, const Verdict& verdict) {
-  std::string page = head(flight);
-  page += "<body>\n<main>\n" + opening(flight, verdict);
-  page += "<section>\n<h2>Figures</h2>\n" + figure_list(flight, figures) + "</section>\n";
-  page += "<section id=\"plots\">\n<h2>The flight</h2>\n" + phase_legend(flight);
-  page +=
-      "<figure id=\"overview\">" + overview_svg(flight) + "<figcaption>Roll angle over time</figcaption></figure>\n";
-  page += "</section>\n<div class=\"columns\">\n";
-  page += "<section>\n<h2>Events</h2>\n" + event_table(flight) + "</section>\n";
-  page += "<section>\n<h2>Phases</h2>\n" + phase_table(flight) + canard_table(flight) + "</section>\n</div>\n";
-  if (flight.seed || !flight.notes.empty()) {
-    page += fmt::format("<section>\n<h2>{}</h2>\n{}</section>\n", flight.seed ? "What was assumed" : "About the log",
-                        assumption_list(flight));
+  page::Page page{.kind = "Fantail flight report",
+                  .title = flight.scenario,
+                  .facts = {{"Vehicle", flight.vehicle},
+                            {"Plan", flight.plan_name},
+                            {"Seed", flight.seed ? std::to_string(*flight.seed) : ""},
+                            {"Fantail", flight.version}},
+                  .tone = tone(verdict.outcome),
+                  .verdict_heading = std::string{words(verdict.outcome)},
+                  .verdict = verdict.text,
+                  .footer =
+                      "Every tick is in flight.csv, every figure in summary.json, beside this page. The plots "
+                      "leave out most samples but no peak. Plots drawn with uPlot (MIT licence, in the source of "
+                      "this page).",
+                  .live = charts(flight)};
+  if (const std::string imposed = imposed_roll_words(flight); !imposed.empty()) {
+    page.findings = {{"", imposed}};
   }
-  page +=
-      "<footer><p>Every tick is in <b>flight.csv</b>, every figure in <b>summary.json</b>, beside this page. The plots "
-      "leave out most samples but no peak. Plots drawn with uPlot (MIT licence, in the source of this "
-      "page).</p></footer>\n"
-      "</main>\n";
-  page +=
-      "<script type=\"application/json\" id=\"flight-data\">" + escape_script_json(plot_data(flight)) + "</script>\n";
-  page += fmt::format("<script>\n/*\n{}*/\n{}</script>\n<script>\n{}</script>\n</body>\n</html>\n", uplot_licence,
-                      uplot_js, page_js);
-  return page;
+  const std::array<std::string, 2> columns{page::section("Events", event_table(flight)),
+                                           page::section("Phases", phase_table(flight) + canard_table(flight))};
+  page.body_html = page::section("Figures", figure_list(flight, figures)) +
+                   page::section("The flight", page::live_figure(page.live, "Roll angle over time")) +
+                   page::side_by_side(columns) + about_section(flight);
+  return page::html(page);
 }
 
 }  // namespace fantail::report

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "report/numbers.hpp"
+#include "text/number.hpp"
 
 namespace fantail::report {
 namespace {
@@ -21,7 +22,8 @@ std::vector<EventMark> reference_steps(const Flight& flight) {
     }
     if (before != nullptr && row.reference_rad != before->reference_rad) {
       const std::string sign = row.reference_rad > 0.0 ? "+" : "";
-      steps.push_back({row.time_s, "step to " + sign + with_minus(brief(degrees(row.reference_rad), 1)) + "\u00b0"});
+      steps.push_back(
+          {row.time_s, "step to " + sign + text::with_minus(text::brief(degrees(row.reference_rad), 1)) + "\u00b0"});
     }
     before = &row;
   }
@@ -90,26 +92,6 @@ std::span<const Row> rows_between(const Flight& flight, double begin_s, double e
   const auto first = std::ranges::lower_bound(flight.rows, begin_s, {}, &Row::time_s);
   const auto last = std::ranges::upper_bound(first, flight.rows.end(), end_s, {}, &Row::time_s);
   return {first, last};
-}
-
-std::vector<std::size_t> gaps(std::span<const Row> rows) {
-  std::vector<double> intervals;
-  for (std::size_t i = 1; i < rows.size(); ++i) {
-    intervals.push_back(rows[i].time_s - rows[i - 1].time_s);
-  }
-  std::vector<std::size_t> found;
-  if (intervals.empty()) {
-    return found;
-  }
-  std::vector<double> sorted = intervals;
-  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
-  std::ranges::nth_element(sorted, middle);
-  for (std::size_t i = 0; i < intervals.size(); ++i) {
-    if (intervals[i] > 5.0 * *middle) {
-      found.push_back(i);
-    }
-  }
-  return found;
 }
 
 }  // namespace fantail::report

@@ -39,7 +39,4 @@ struct Window {
 /// The rows from a time up to and including another.
 [[nodiscard]] std::span<const Row> rows_between(const Flight& flight, double begin_s, double end_s);
 
-/// The rows behind which rows are missing: the next comes five times later than is usual here. Increasing.
-[[nodiscard]] std::vector<std::size_t> gaps(std::span<const Row> rows);
-
 }  // namespace fantail::report

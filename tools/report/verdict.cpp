@@ -8,6 +8,7 @@
 
 #include "report/numbers.hpp"
 #include "report/words.hpp"
+#include "text/number.hpp"
 
 namespace fantail::report {
 namespace {
@@ -15,9 +16,9 @@ namespace {
 // Further from its settle point than this, a roll angle is not what anybody would call held.
 constexpr double held_error_rad = radians(10.0);
 
-std::string degrees_text(double radians) { return fmt::format("{} deg", fixed(degrees(radians), 1)); }
+std::string degrees_text(double radians) { return fmt::format("{} deg", text::fixed(degrees(radians), 1)); }
 std::string signed_limit(double radians) {
-  return fmt::format("{}{} deg", radians > 0.0 ? "+" : "", brief(degrees(radians), 1));
+  return fmt::format("{}{} deg", radians > 0.0 ? "+" : "", text::brief(degrees(radians), 1));
 }
 
 std::string sentence(std::string clause) {
@@ -35,7 +36,7 @@ std::string why_no_control(const Flight& flight) {
   if (!last.reason) {
     return "the log holds no time of it";
   }
-  const std::string when = fixed(last.time_s, 2) + " s";
+  const std::string when = text::fixed(last.time_s, 2) + " s";
   switch (*last.reason) {
     case core::PhaseReason::armed_by_switch_and_command:
       return flight.tunnel ? "the start command never came at rest" : "no launch was detected";
@@ -43,14 +44,14 @@ std::string why_no_control(const Flight& flight) {
       return "the run ended before the guide was clear; launch was detected at " + when;
     case core::PhaseReason::guide_not_cleared_in_time:
       return fmt::format("what looked like a launch did not clear the guide within {} s (at {})",
-                         brief(static_cast<double>(core::seconds(flight.plan.guide.clearance_time)), 2), when);
+                         text::brief(static_cast<double>(core::seconds(flight.plan.guide.clearance_time)), 2), when);
     default: return fmt::format("{} (at {})", words(*last.reason), when);
   }
 }
 
 std::string saturation_and_margin(const Figures& f) {
   std::string text = f.saturated_fraction
-                         ? fmt::format("saturated {} % of control time", fixed(100.0 * *f.saturated_fraction, 0))
+                         ? fmt::format("saturated {} % of control time", text::fixed(100.0 * *f.saturated_fraction, 0))
                          : "saturation is not in the log";
   if (f.authority_margin_rad) {
     text += "; authority margin " + degrees_text(*f.authority_margin_rad);
@@ -60,7 +61,7 @@ std::string saturation_and_margin(const Figures& f) {
 
 std::string at_limit(const Figures& f) {
   return fmt::format("canards at their limit ({}) from {} s to the end of control", signed_limit(f.command_at_end_rad),
-                     fixed(*f.at_limit_since_s, 2));
+                     text::fixed(*f.at_limit_since_s, 2));
 }
 
 std::string why_not_judged(const Flight& flight, const Figures& f) {
@@ -74,7 +75,7 @@ std::string why_not_judged(const Flight& flight, const Figures& f) {
   if (!f.largest_disturbance_rad || controller.proportional_gain == 0.0F) {
     return "the fin offset, and with it where roll should settle, is unknown";
   }
-  return *f.control_time_s < 2.0 ? fmt::format("control lasted only {} s", fixed(*f.control_time_s, 2))
+  return *f.control_time_s < 2.0 ? fmt::format("control lasted only {} s", text::fixed(*f.control_time_s, 2))
                                  : "the reference never stood still for long enough";
 }
 
@@ -108,7 +109,7 @@ std::string early_end(const Flight& flight) {
   if (end.reason == core::PhaseReason::apogee || end.reason == core::PhaseReason::control_time_over) {
     return {};
   }
-  return fmt::format(" Control ended at {} s: {}.", fixed(end.time_s, 2), words(*end.reason));
+  return fmt::format(" Control ended at {} s: {}.", text::fixed(end.time_s, 2), words(*end.reason));
 }
 
 std::string canard_faults(const Flight& flight) {
@@ -118,7 +119,7 @@ std::string canard_faults(const Flight& flight) {
     if (change.verdict != core::CanardVerdict::healthy && !named[change.canard]) {
       named[change.canard] = true;
       text += fmt::format(" Canard {} {} from {} s.", change.canard + 1, core::name(change.verdict),
-                          fixed(change.time_s, 2));
+                          text::fixed(change.time_s, 2));
     }
   }
   return text;

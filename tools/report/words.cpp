@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include "report/numbers.hpp"
+#include "text/number.hpp"
 
 namespace fantail::report {
 
@@ -45,8 +46,9 @@ std::string imposed_roll_words(const Flight& flight) {
     return {};
   }
   const ImposedRoll& imposed = *flight.imposed_roll;
-  return fmt::format("Roll was imposed by the scenario at {} s: angle {} deg, rate {} deg/s.", fixed(imposed.time_s, 2),
-                     fixed(degrees(imposed.angle_rad), 1), fixed(degrees(imposed.rate_rad_s), 1));
+  return fmt::format("Roll was imposed by the scenario at {} s: angle {} deg, rate {} deg/s.",
+                     text::fixed(imposed.time_s, 2), text::fixed(degrees(imposed.angle_rad), 1),
+                     text::fixed(degrees(imposed.rate_rad_s), 1));
 }
 
 }  // namespace fantail::report

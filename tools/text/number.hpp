@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <string_view>
 
 namespace fantail::text {
@@ -11,5 +12,15 @@ namespace fantail::text {
 
 /// The finite number that `text` is, spaces around it allowed; empty for anything else, "nan" and "1,5" too.
 [[nodiscard]] std::optional<double> number(std::string_view text);
+
+/// "-7.30" for (-7.3, 2); never "-0.0". Not a number reads "not a number".
+[[nodiscard]] std::string fixed(double value, int decimals);
+
+/// The same with no trailing zeros after the point: "6", "-7.3".
+[[nodiscard]] std::string brief(double value, int decimals);
+
+/// For print, a number or a sentence with numbers: a hyphen is half as wide as a minus and gets lost before a large
+/// figure.
+[[nodiscard]] std::string with_minus(std::string_view text);
 
 }  // namespace fantail::text

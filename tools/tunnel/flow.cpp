@@ -6,12 +6,12 @@
 
 #include <fmt/core.h>
 
-#include "sim/input_error.hpp"
+#include "text/error.hpp"
 
 namespace fantail::tunnel {
 namespace {
 
-[[noreturn]] void refuse(const std::string& message) { throw sim::InputError{sim::InputFault::bad_data, message}; }
+[[noreturn]] void refuse(const std::string& message) { throw text::Error{text::ErrorKind::bad_data, message}; }
 
 FlowPoint examine(const TunnelLog& log, const SteadySegment& segment, double rounding_m_s) {
   const Moments m = moments(std::span{log.wind_speed_m_s}.subspan(segment.first, segment.count));

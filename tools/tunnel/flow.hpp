@@ -29,7 +29,7 @@ struct Flow {
   std::vector<std::string> remarks{};  ///< a sentence each
 };
 
-/// Throws sim::InputError (bad_data) when no set point became steady, or when air stood still in one.
+/// Throws text::Error (bad_data) when no set point became steady, or when air stood still in one.
 [[nodiscard]] Flow examine_flow(const TunnelLog& log, const SteadySegments& segments);
 
 }  // namespace fantail::tunnel

@@ -5,20 +5,17 @@
 
 #include <fmt/core.h>
 
-#include "plot/chart.hpp"
-#include "plot/page.hpp"
-#include "report/numbers.hpp"
+#include "page/page.hpp"
+#include "text/number.hpp"
 #include "tunnel/flow_report.hpp"
 
 namespace fantail::tunnel {
 namespace {
 
-using plot::Chart;
-using plot::Mark;
-using plot::Role;
-using report::fixed;
-
-constexpr double half_page = 428.0;
+using page::Chart;
+using page::Mark;
+using page::Role;
+using text::fixed;
 
 std::string speed_over_time(const TunnelLog& log, const Flow& flow) {
   Chart chart{.label = "Wind speed over time with the steady stretches shaded",
@@ -28,8 +25,7 @@ std::string speed_over_time(const TunnelLog& log, const Flow& flow) {
   for (const FlowPoint& p : flow.points) {
     chart.stripes.push_back({p.segment.begin_s, p.segment.end_s, fixed(p.segment.fan_rpm.value_or(0.0), 0)});
   }
-  return plot::figure(plot::svg(chart),
-                      "Wind speed over time. Shaded: where it was steady, with the fan's set point in rpm.");
+  return page::figure(chart, "Wind speed over time. Shaded: where it was steady, with the fan's set point in rpm.");
 }
 
 std::vector<double> each(const Flow& flow, double (*value)(const FlowPoint&)) {
@@ -46,7 +42,7 @@ std::string speed_over_fan(const Flow& flow) {
       .label = "Mean wind speed against the fan's set point",
       .x_label = "fan / rpm",
       .y_label = "mean wind speed / m/s",
-      .width = half_page,
+      .width = page::half_page,
       .series = {{.name = "steady means", .mark = Mark::points, .x = each(flow, rpm_of), .y = each(flow, mean_of)}}};
   std::string caption = "Mean wind speed against the fan's set point.";
   if (flow.line) {
@@ -56,20 +52,20 @@ std::string speed_over_fan(const Flow& flow) {
         {.name = "line", .role = Role::model, .x = {slowest, fastest}, .y = {at(slowest), at(fastest)}});
     caption += fmt::format(" R2 = {:.6f}.", flow.line->r_squared);
   }
-  return plot::figure(plot::svg(chart), caption);
+  return page::figure(chart, caption);
 }
 
 std::string distance_from_line(const Flow& flow) {
   Chart chart{.label = "Distance of each mean from the line",
               .x_label = "fan / rpm",
               .y_label = "mean minus line / m/s",
-              .width = half_page,
+              .width = page::half_page,
               .series = {{.name = "steady means", .mark = Mark::points, .x = each(flow, rpm_of), .y = {}}},
               .levels = {{.value = 0.0, .label = "line"}}};
   for (const FlowPoint& p : flow.points) {
     chart.series[0].y.push_back(p.mean_m_s - flow.line->offset - flow.line->slope * rpm_of(p));
   }
-  return plot::figure(plot::svg(chart), "How far each mean lies off the line, which R2 near one hides.");
+  return page::figure(chart, "How far each mean lies off the line, which R2 near one hides.");
 }
 
 // Curves over speed go from slow to fast.
@@ -84,7 +80,7 @@ std::string turbulence(const Flow& flow, const char* label, const char* y_label,
       .label = label,
       .x_label = "mean wind speed / m/s",
       .y_label = y_label,
-      .width = half_page,
+      .width = page::half_page,
       .series = {
           {.name = "measured", .mark = Mark::line_and_points, .x = each(flow, mean_of), .y = each(flow, value)}}};
   if (flow.rounding_m_s > 0.0) {
@@ -92,15 +88,15 @@ std::string turbulence(const Flow& flow, const char* label, const char* y_label,
         {.name = "of rounding alone", .role = Role::neutral, .x = chart.series[0].x, .y = each(flow, of_rounding)});
   }
   const double highest = std::ranges::max(chart.series[0].y);
-  chart.y_range = plot::Range{0.0, highest > 0.0 ? 1.1 * highest : 1.0};
+  chart.y_range = page::Range{0.0, highest > 0.0 ? 1.1 * highest : 1.0};
   if (flow.rounding_m_s > 0.0) {
     chart.y_range->high = std::max(chart.y_range->high, 1.1 * std::ranges::max(chart.series[1].y));
   }
-  return plot::figure(plot::svg(chart), caption);
+  return page::figure(chart, caption);
 }
 
 std::string points_table(const Flow& flow) {
-  static const std::array<plot::Column, 8> columns{{{"fan / rpm", true},
+  static const std::array<page::Column, 8> columns{{{"fan / rpm", true},
                                                     {"steady / s", true},
                                                     {"n", true},
                                                     {"mean / m/s", true},
@@ -108,7 +104,7 @@ std::string points_table(const Flow& flow) {
                                                     {"\u0393 / m/s", true},
                                                     {"\u03c3/mean / %", true},
                                                     {"rounding / %", true}}};
-  std::vector<std::vector<plot::Cell>> rows;
+  std::vector<std::vector<page::Cell>> rows;
   rows.reserve(flow.points.size());
   for (const FlowPoint& p : flow.points) {
     rows.push_back({{fixed(rpm_of(p), 0)},
@@ -120,7 +116,7 @@ std::string points_table(const Flow& flow) {
                     {fixed(100.0 * p.relative_deviation, 3)},
                     {fixed(100.0 * p.rounding_share, 3)}});
   }
-  return plot::table(columns, rows);
+  return page::table(columns, rows);
 }
 
 }  // namespace
@@ -142,21 +138,21 @@ std::string flow_html(const TunnelLog& log, const Flow& unsorted) {
           [](const FlowPoint& p) { return 100.0 * p.relative_deviation; },
           [](const FlowPoint& p) { return 100.0 * p.rounding_share; })};
   std::string body =
-      plot::section("Steady stretches", speed_over_time(log, flow) + points_table(flow) +
-                                            plot::paragraph("n: readings; \u03c3: their standard deviation; \u0393 = "
+      page::section("Steady stretches", speed_over_time(log, flow) + points_table(flow) +
+                                            page::paragraph("n: readings; \u03c3: their standard deviation; \u0393 = "
                                                             "\u03c3\u00b2/mean, the turbulence intensity as published; "
                                                             "rounding: what the sensor's rounding alone makes of "
                                                             "\u03c3/mean."));
-  body += plot::section("Speed and fan", plot::figures(speeds));
-  body += plot::section("Turbulence", plot::figures(turbulences));
+  body += page::section("Speed and fan", page::side_by_side(speeds));
+  body += page::section("Turbulence", page::side_by_side(turbulences));
   if (!flow.remarks.empty()) {
-    body += plot::section("Remarks", plot::list(flow.remarks));
+    body += page::section("Remarks", page::list(flow.remarks));
   }
   std::string subtitle = fmt::format("{} steady set points of the fan", flow.points.size());
   if (flow.line) {
     subtitle += fmt::format("; {:.5f} m/s per rpm, R2 {:.6f}", flow.line->slope, flow.line->r_squared);
   }
-  return plot::html(
+  return page::html(
       {.kind = "Fantail tunnel report: flow", .title = log.name, .subtitle = subtitle, .body_html = body});
 }
 

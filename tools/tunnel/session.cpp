@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/input_error.hpp"
+#include "text/error.hpp"
 #include "tunnel/steps.hpp"
 
 namespace fantail::tunnel {
@@ -31,10 +31,10 @@ TunnelLog wind_of(const logs::RollLog& roll, const std::filesystem::path& roll_p
     return read_tunnel_log(*file, {});
   }
   if (!has_speed(roll)) {
-    throw sim::InputError{sim::InputFault::bad_data,
-                          roll_path.string() +
-                              ": no wind speed: there is no tunnel.csv beside it, and the log itself "
-                              "has no speed_m_s above 0.5 m/s; name the tunnel's log with --wind..."};
+    throw text::Error{text::ErrorKind::bad_data,
+                      roll_path.string() +
+                          ": no wind speed: there is no tunnel.csv beside it, and the log itself "
+                          "has no speed_m_s above 0.5 m/s; name the tunnel's log with --wind..."};
   }
   TunnelLog wind{.name = roll.name};
   for (std::size_t i = 0; i < roll.time_s.size(); ++i) {
@@ -54,10 +54,10 @@ StepSpeed speed_of_steps(const logs::RollLog& roll, const std::filesystem::path&
     return {mean_wind_speed_m_s(read_tunnel_log(*file, {}), find_reference_steps(roll)), "mean of " + file->string()};
   }
   if (!has_speed(roll)) {
-    throw sim::InputError{sim::InputFault::bad_data,
-                          roll_path.string() +
-                              ": no wind speed: there is no tunnel.csv beside it, and the log itself "
-                              "has no speed_m_s above 0.5 m/s; give --speed or --wind"};
+    throw text::Error{text::ErrorKind::bad_data,
+                      roll_path.string() +
+                          ": no wind speed: there is no tunnel.csv beside it, and the log itself "
+                          "has no speed_m_s above 0.5 m/s; give --speed or --wind"};
   }
   return {std::nullopt, "of the log"};
 }

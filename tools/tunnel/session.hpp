@@ -14,7 +14,7 @@ namespace fantail::tunnel {
 
 /// The tunnel's log that belongs to a roll log: the one named, else the tunnel.csv beside it, else the roll log's own
 /// speeds (then without set points of the fan). `truth`: the true speeds of a simulated run come before the tunnel.csv.
-/// Throws sim::InputError (bad_data) when nobody knows the speed.
+/// Throws text::Error (bad_data) when nobody knows the speed.
 [[nodiscard]] TunnelLog wind_of(const logs::RollLog& roll, const std::filesystem::path& roll_path,
                                 const std::string& named, bool truth);
 
@@ -29,7 +29,7 @@ struct StepSpeed {
   std::string source{};
 };
 
-/// By hand, or the mean of the tunnel's log while the steps lasted, or the log's own. Throws sim::InputError (bad_data)
+/// By hand, or the mean of the tunnel's log while the steps lasted, or the log's own. Throws text::Error (bad_data)
 /// as mean_wind_speed_m_s() and wind_of().
 [[nodiscard]] StepSpeed speed_of_steps(const logs::RollLog& roll, const std::filesystem::path& roll_path,
                                        const SpeedChoice& choice);

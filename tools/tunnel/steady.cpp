@@ -8,7 +8,7 @@
 
 #include <fmt/core.h>
 
-#include "sim/input_error.hpp"
+#include "text/error.hpp"
 #include "tunnel/settling.hpp"
 #include "tunnel/statistics.hpp"
 
@@ -110,10 +110,10 @@ SteadySegments take_steady(const TunnelLog& log, const std::vector<NamedStretch>
       last = std::min(last, index_at(stretches[i + 1].begin_s));
     }
     if (last < first + 2) {
-      throw sim::InputError{sim::InputFault::bad_configuration,
-                            fmt::format("{}: fewer than two readings in the steady stretch from {:g} s; the log lasts "
-                                        "from {:g} to {:g} s",
-                                        log.name, stretch.begin_s, log.time_s.front(), log.time_s.back())};
+      throw text::Error{text::ErrorKind::bad_configuration,
+                        fmt::format("{}: fewer than two readings in the steady stretch from {:g} s; the log lasts "
+                                    "from {:g} to {:g} s",
+                                    log.name, stretch.begin_s, log.time_s.front(), log.time_s.back())};
     }
     SteadySegment taken{
         .begin_s = log.time_s[first], .end_s = log.time_s[last - 1], .first = first, .count = last - first};

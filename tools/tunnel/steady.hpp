@@ -42,7 +42,7 @@ struct SteadySegments {
 /// see it. That survives a sensor that rounds to 0.1 m/s and shows the same value for a minute.
 [[nodiscard]] SteadySegments find_steady(const TunnelLog& log, const SteadyOptions& options);
 
-/// The same with times by hand. Throws sim::InputError (bad_configuration) for a stretch with fewer than two readings.
+/// The same with times by hand. Throws text::Error (bad_configuration) for a stretch with fewer than two readings.
 [[nodiscard]] SteadySegments take_steady(const TunnelLog& log, const std::vector<NamedStretch>& stretches,
                                          const SteadyOptions& options);
 

@@ -8,7 +8,7 @@
 #include <fmt/core.h>
 
 #include "report/numbers.hpp"
-#include "sim/input_error.hpp"
+#include "text/error.hpp"
 #include "tunnel/statistics.hpp"
 #include "tunnel/steady.hpp"
 
@@ -21,8 +21,8 @@ bool wanted(const ReferenceStep& step, Direction direction) {
   return direction == Direction::both || (direction == Direction::up) == (step.to_rad > step.from_rad);
 }
 
-StepResult identify_step(const logs::RollLog& log, const identify::Airframe& airframe, const StepOptions& options,
-                         const ReferenceStep& step, std::size_t number) {
+StepResult identify_step(const logs::RollLog& log, const identify::model::Airframe& airframe,
+                         const StepOptions& options, const ReferenceStep& step, std::size_t number) {
   const std::string name = fmt::format("step {}", number);
   StepResult result{.number = number, .step = step};
   try {
@@ -32,8 +32,8 @@ StepResult identify_step(const logs::RollLog& log, const identify::Airframe& air
     result.identified = identify::identify(
         result.record, airframe,
         {.nodes = identify::EvenNodes{options.intervals}, .method = options.method, .with_error_map = false});
-  } catch (const sim::InputError& error) {
-    throw sim::InputError{error.fault(), fmt::format("{} (at {:g} s): {}", name, step.begin_s, error.what())};
+  } catch (const text::Error& error) {
+    throw text::Error{error.kind(), fmt::format("{} (at {:g} s): {}", name, step.begin_s, error.what())};
   }
   return result;
 }
@@ -51,7 +51,7 @@ Spread spread(const std::vector<StepResult>& steps, Value value) {
 }
 
 void summarise(StepTable& table) {
-  using identify::Identification;
+  using identify::result::Identification;
   const std::vector<StepResult>& steps = table.steps;
   table.alpha_m2 = spread(steps, [](const Identification& i) { return i.model.alpha_m2; });
   table.beta_m = spread(steps, [](const Identification& i) { return i.model.beta_m; });
@@ -80,8 +80,8 @@ void remark_on(const StepResult& result, const StepOptions& options, StepTable& 
 
 std::vector<ReferenceStep> find_reference_steps(const logs::RollLog& log) {
   if (log.reference_rad.empty()) {
-    throw sim::InputError{sim::InputFault::bad_data,
-                          log.name + ": no column reference_deg; a run is cut at the changes of the reference"};
+    throw text::Error{text::ErrorKind::bad_data,
+                      log.name + ": no column reference_deg; a run is cut at the changes of the reference"};
   }
   constexpr double same_rad = 1e-6;
   std::vector<ReferenceStep> steps;
@@ -99,13 +99,14 @@ std::vector<ReferenceStep> find_reference_steps(const logs::RollLog& log) {
     }
   }
   if (steps.empty()) {
-    throw sim::InputError{sim::InputFault::bad_data,
-                          log.name + ": reference_deg never changes under control; there is no step to cut out"};
+    throw text::Error{text::ErrorKind::bad_data,
+                      log.name + ": reference_deg never changes under control; there is no step to cut out"};
   }
   return steps;
 }
 
-StepTable identify_steps(const logs::RollLog& log, const identify::Airframe& airframe, const StepOptions& options) {
+StepTable identify_steps(const logs::RollLog& log, const identify::model::Airframe& airframe,
+                         const StepOptions& options) {
   StepTable table;
   const std::vector<ReferenceStep> all = find_reference_steps(log);
   for (std::size_t i = 0; i < all.size(); ++i) {
@@ -115,9 +116,8 @@ StepTable identify_steps(const logs::RollLog& log, const identify::Airframe& air
     }
   }
   if (table.steps.empty()) {
-    throw sim::InputError{sim::InputFault::bad_data,
-                          fmt::format("{}: none of the {} steps goes {}", log.name, all.size(),
-                                      options.direction == Direction::up ? "up" : "down")};
+    throw text::Error{text::ErrorKind::bad_data, fmt::format("{}: none of the {} steps goes {}", log.name, all.size(),
+                                                             options.direction == Direction::up ? "up" : "down")};
   }
   summarise(table);
   table.remarks.insert(table.remarks.end(), log.warnings.begin(), log.warnings.end());
@@ -133,15 +133,15 @@ double mean_wind_speed_m_s(const TunnelLog& wind, const std::vector<ReferenceSte
   const std::size_t first = index(begin_s);
   const std::size_t count = index(end_s) - first;
   if (count == 0) {
-    throw sim::InputError{
-        sim::InputFault::bad_data,
+    throw text::Error{
+        text::ErrorKind::bad_data,
         fmt::format("{}: no wind speed between {:g} and {:g} s, where the steps are", wind.name, begin_s, end_s)};
   }
   const auto [slowest, fastest] = std::ranges::minmax(std::span{wind.fan_rpm}.subspan(first, count));
   if (fastest - slowest > SteadyOptions{}.rpm_tolerance) {
-    throw sim::InputError{sim::InputFault::bad_data,
-                          fmt::format("{}: the fan goes from {:g} to {:g} rpm during the steps, which need one speed",
-                                      wind.name, slowest, fastest)};
+    throw text::Error{text::ErrorKind::bad_data,
+                      fmt::format("{}: the fan goes from {:g} to {:g} rpm during the steps, which need one speed",
+                                  wind.name, slowest, fastest)};
   }
   return moments(std::span{wind.wind_speed_m_s}.subspan(first, count)).mean;
 }
@@ -151,8 +151,8 @@ std::string steps_csv(const StepTable& table) {
       "step,begin_s,alpha_m2,beta_m,disturbance_begin_deg,disturbance_end_deg,mean_abs_angle_error_deg,"
       "mean_abs_rate_error_deg_s\n";
   for (const StepResult& result : table.steps) {
-    const identify::Model& model = result.identified.model;
-    const identify::Simulation& simulation = result.identified.simulation;
+    const identify::model::RollModel& model = result.identified.model;
+    const identify::model::Simulation& simulation = result.identified.simulation;
     text += fmt::format("{},{:.6f},{:.6f},{:.6f},{:.6f},{:.6f},{:.6f},{:.6f}\n", result.number, result.step.begin_s,
                         model.alpha_m2, model.beta_m, degrees(model.node_rad.front()), degrees(model.node_rad.back()),
                         degrees(simulation.mean_abs_angle_error_rad), degrees(simulation.mean_abs_rate_error_rad_s));

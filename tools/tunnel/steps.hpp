@@ -23,7 +23,7 @@ struct ReferenceStep {
 };
 
 /// In order of time. Control that begins with a reference other than the one before it begins with a step. Throws
-/// sim::InputError (bad_data) when the log has no reference or it never changes.
+/// text::Error (bad_data) when the log has no reference or it never changes.
 [[nodiscard]] std::vector<ReferenceStep> find_reference_steps(const logs::RollLog& log);
 
 enum class Direction : std::uint8_t { both, up, down };
@@ -32,15 +32,15 @@ struct StepOptions {
   double seconds = 5.0;       ///< of each step are looked at; a shorter step as long as it lasts
   std::size_t intervals = 1;  ///< between nodes of the disturbance
   Direction direction = Direction::both;
-  identify::Method method = identify::Method::continuous;
+  identify::result::Method method = identify::result::Method::continuous;
   identify::RecordOptions record{};
 };
 
 struct StepResult {
   std::size_t number = 0;  ///< of all changes of the reference, counted from 1
   ReferenceStep step{};
-  identify::Record record{};
-  identify::Identification identified{};
+  identify::model::Record record{};
+  identify::result::Identification identified{};
 };
 
 /// Mean over the steps and standard deviation (divided by one less than their number; zero for a single one).
@@ -62,11 +62,11 @@ struct StepTable {
 };
 
 /// Throws what identify() and make_record() throw, with the number of the step.
-[[nodiscard]] StepTable identify_steps(const logs::RollLog& log, const identify::Airframe& airframe,
+[[nodiscard]] StepTable identify_steps(const logs::RollLog& log, const identify::model::Airframe& airframe,
                                        const StepOptions& options);
 
 /// The mean of the sensor's readings while the steps lasted, because one reading is rounded to more than the air
-/// varies. Throws sim::InputError (bad_data) when there is no reading then, or when the fan got another set point
+/// varies. Throws text::Error (bad_data) when there is no reading then, or when the fan got another set point
 /// meanwhile.
 [[nodiscard]] double mean_wind_speed_m_s(const TunnelLog& wind, const std::vector<ReferenceStep>& steps);
 

@@ -4,19 +4,20 @@
 
 #include <fmt/core.h>
 
-#include "plot/chart.hpp"
-#include "plot/page.hpp"
+#include "page/chart.hpp"
+#include "page/page.hpp"
 #include "report/numbers.hpp"
+#include "text/number.hpp"
 #include "tunnel/steps_report.hpp"
 
 namespace fantail::tunnel {
 namespace {
 
-using plot::Chart;
-using plot::Mark;
-using plot::Role;
+using page::Chart;
+using page::Mark;
+using page::Role;
 using report::degrees;
-using report::fixed;
+using text::fixed;
 
 constexpr double half_page = 428.0;
 constexpr double low_chart = 200.0;
@@ -29,7 +30,7 @@ std::vector<double> in_degrees(const std::vector<double>& radians) {
 
 std::string responses(const StepResult& result) {
   const std::vector<double>& time_s = result.record.time_s;
-  const identify::Simulation& model = result.identified.simulation;
+  const identify::model::Simulation& model = result.identified.simulation;
   const Chart angle{
       .label = fmt::format("Roll angle after step {}, measured and modelled", result.number),
       .x_label = "time after the step / s",
@@ -51,19 +52,19 @@ std::string responses(const StepResult& result) {
       .series = {{.name = "measured", .x = time_s, .y = in_degrees(result.record.roll_rate_rad_s)},
                  {.name = "model", .role = Role::model, .x = time_s, .y = in_degrees(model.roll_rate_rad_s)}}};
   const std::array<std::string, 2> pair{
-      plot::figure(plot::svg(angle),
+      page::figure(page::svg(angle),
                    fmt::format("Step {} at {:g} s, from {} to {} deg.", result.number, result.step.begin_s,
                                fixed(degrees(result.step.from_rad), 0), fixed(degrees(result.step.to_rad), 0))),
-      plot::figure(plot::svg(rate),
+      page::figure(page::svg(rate),
                    fmt::format("alpha {} m2, beta {} m, disturbance {} to {} deg.",
                                fixed(result.identified.model.alpha_m2, 2), fixed(result.identified.model.beta_m, 2),
                                fixed(degrees(result.identified.model.node_rad.front()), 2),
                                fixed(degrees(result.identified.model.node_rad.back()), 2)))};
-  return plot::figures(pair);
+  return page::side_by_side(pair);
 }
 
 std::string over_steps(const StepTable& table, const char* label, const char* y_label, const Spread& spread,
-                       double (*value)(const identify::Model&)) {
+                       double (*value)(const identify::model::RollModel&)) {
   Chart chart{.label = label,
               .x_label = "step",
               .y_label = y_label,
@@ -76,11 +77,11 @@ std::string over_steps(const StepTable& table, const char* label, const char* y_
     chart.series[0].x.push_back(static_cast<double>(result.number));
     chart.series[0].y.push_back(value(result.identified.model));
   }
-  return plot::figure(plot::svg(chart),
+  return page::figure(page::svg(chart),
                       fmt::format("{}: {} \u00b1 {}.", label, fixed(spread.mean, 3), fixed(spread.deviation, 3)));
 }
 
-std::vector<plot::Cell> row(const std::string& first, const std::string& at, double alpha_m2, double beta_m,
+std::vector<page::Cell> row(const std::string& first, const std::string& at, double alpha_m2, double beta_m,
                             double begin_rad, double end_rad, double angle_rad, double rate_rad_s) {
   return {{first},
           {at},
@@ -92,14 +93,14 @@ std::vector<plot::Cell> row(const std::string& first, const std::string& at, dou
           {fixed(degrees(rate_rad_s), 3)}};
 }
 
-std::vector<plot::Cell> row(const std::string& first, const StepTable& table, double Spread::* value) {
+std::vector<page::Cell> row(const std::string& first, const StepTable& table, double Spread::* value) {
   return row(first, "", table.alpha_m2.*value, table.beta_m.*value, table.disturbance_begin_rad.*value,
              table.disturbance_end_rad.*value, table.mean_abs_angle_error_rad.*value,
              table.mean_abs_rate_error_rad_s.*value);
 }
 
 std::string steps_table(const StepTable& table) {
-  static const std::array<plot::Column, 8> columns{{{"step"},
+  static const std::array<page::Column, 8> columns{{{"step"},
                                                     {"at / s", true},
                                                     {"\u03b1 / m\u00b2", true},
                                                     {"\u03b2 / m", true},
@@ -107,49 +108,50 @@ std::string steps_table(const StepTable& table) {
                                                     {"end / deg", true},
                                                     {"angle error / deg", true},
                                                     {"rate error / deg/s", true}}};
-  std::vector<std::vector<plot::Cell>> rows;
+  std::vector<std::vector<page::Cell>> rows;
   for (const StepResult& result : table.steps) {
-    const identify::Model& model = result.identified.model;
-    const identify::Simulation& simulation = result.identified.simulation;
+    const identify::model::RollModel& model = result.identified.model;
+    const identify::model::Simulation& simulation = result.identified.simulation;
     rows.push_back(row(std::to_string(result.number), fmt::format("{:g}", result.step.begin_s), model.alpha_m2,
                        model.beta_m, model.node_rad.front(), model.node_rad.back(), simulation.mean_abs_angle_error_rad,
                        simulation.mean_abs_rate_error_rad_s));
   }
   rows.push_back(row("mean", table, &Spread::mean));
   rows.push_back(row("standard deviation", table, &Spread::deviation));
-  return plot::table(columns, rows);
+  return page::table(columns, rows);
 }
 
 }  // namespace
 
 std::string steps_html(const StepsHeading& heading, const StepTable& table) {
-  const std::array<std::string, 2> parameters{over_steps(table, "Damping alpha", "alpha / m\u00b2", table.alpha_m2,
-                                                         [](const identify::Model& model) { return model.alpha_m2; }),
-                                              over_steps(table, "Torque constant beta", "beta / m", table.beta_m,
-                                                         [](const identify::Model& model) { return model.beta_m; })};
+  const std::array<std::string, 2> parameters{
+      over_steps(table, "Damping alpha", "alpha / m\u00b2", table.alpha_m2,
+                 [](const identify::model::RollModel& model) { return model.alpha_m2; }),
+      over_steps(table, "Torque constant beta", "beta / m", table.beta_m,
+                 [](const identify::model::RollModel& model) { return model.beta_m; })};
   const std::array<std::string, 2> disturbances{
       over_steps(table, "Disturbance at the begin, deg", "disturbance / deg",
                  {degrees(table.disturbance_begin_rad.mean), degrees(table.disturbance_begin_rad.deviation)},
-                 [](const identify::Model& model) { return degrees(model.node_rad.front()); }),
+                 [](const identify::model::RollModel& model) { return degrees(model.node_rad.front()); }),
       over_steps(table, "Disturbance at the end, deg", "disturbance / deg",
                  {degrees(table.disturbance_end_rad.mean), degrees(table.disturbance_end_rad.deviation)},
-                 [](const identify::Model& model) { return degrees(model.node_rad.back()); })};
-  std::string body = plot::section(
+                 [](const identify::model::RollModel& model) { return degrees(model.node_rad.back()); })};
+  std::string body = page::section(
       "Every step identified",
       steps_table(table) +
-          plot::paragraph(
+          page::paragraph(
               "begin, end: the disturbance at both ends of the stretch, as an equivalent fin offset; errors: mean "
               "absolute differences of measured and modelled roll.") +
-          plot::figures(parameters) + plot::figures(disturbances));
+          page::side_by_side(parameters) + page::side_by_side(disturbances));
   std::string all;
   for (const StepResult& result : table.steps) {
     all += responses(result);
   }
-  body += plot::section("Step responses, measured and modelled", all);
+  body += page::section("Step responses, measured and modelled", all);
   if (!table.remarks.empty()) {
-    body += plot::section("Remarks", plot::list(table.remarks));
+    body += page::section("Remarks", page::list(table.remarks));
   }
-  return plot::html({.kind = "Fantail tunnel report: steps",
+  return page::html({.kind = "Fantail tunnel report: steps",
                      .title = heading.log,
                      .subtitle = steps_basis(heading),
                      .body_html = body});

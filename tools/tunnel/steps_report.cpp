@@ -11,11 +11,13 @@ namespace {
 
 using report::degrees;
 
-const char* name(identify::Method method) { return method == identify::Method::grid ? "grid" : "continuous"; }
+const char* name(identify::result::Method method) {
+  return method == identify::result::Method::grid ? "grid" : "continuous";
+}
 
 Json step_json(const StepResult& result) {
-  const identify::Model& model = result.identified.model;
-  const identify::Simulation& simulation = result.identified.simulation;
+  const identify::model::RollModel& model = result.identified.model;
+  const identify::model::Simulation& simulation = result.identified.simulation;
   Json one = {{"step", result.number},
               {"begin_s", rounded(result.step.begin_s)},
               {"from_deg", angle(result.step.from_rad)},
@@ -74,8 +76,8 @@ std::string steps_text(const StepsHeading& heading, const StepTable& table) {
   text += "                        alpha     beta     disturbance / deg     mean abs error of\n";
   text += "step                       m2        m      begin      end    angle/deg  rate/deg/s\n";
   for (const StepResult& result : table.steps) {
-    const identify::Model& model = result.identified.model;
-    const identify::Simulation& simulation = result.identified.simulation;
+    const identify::model::RollModel& model = result.identified.model;
+    const identify::model::Simulation& simulation = result.identified.simulation;
     text += row_text(fmt::format("{:2} at {:g} s", result.number, result.step.begin_s), model.alpha_m2, model.beta_m,
                      model.node_rad.front(), model.node_rad.back(), simulation.mean_abs_angle_error_rad,
                      simulation.mean_abs_rate_error_rad_s);

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "identify/record.hpp"
+#include "identify/model/roll_model.hpp"
 #include "tunnel/steps.hpp"
 
 namespace fantail::tunnel {
@@ -15,7 +15,7 @@ namespace fantail::tunnel {
 struct StepsHeading {
   std::string log{};
   std::string vehicle{};
-  identify::Airframe airframe{};
+  identify::model::Airframe airframe{};
   std::optional<double> speed_m_s{};  ///< empty: the log's own, which varies
   std::string speed_source{};         ///< "tunnel.csv", "--speed", "the log"
   double density_kg_m3 = 0.0;

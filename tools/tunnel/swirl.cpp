@@ -7,7 +7,7 @@
 
 #include <fmt/core.h>
 
-#include "sim/input_error.hpp"
+#include "text/error.hpp"
 
 namespace fantail::tunnel {
 namespace {
@@ -15,7 +15,7 @@ namespace {
 // Set points of two sessions whose speeds differ by less than this share are one and the same.
 constexpr double same_speed = 0.03;
 
-[[noreturn]] void refuse(const std::string& message) { throw sim::InputError{sim::InputFault::bad_data, message}; }
+[[noreturn]] void refuse(const std::string& message) { throw text::Error{text::ErrorKind::bad_data, message}; }
 
 double squared(double value) { return value * value; }
 

@@ -62,7 +62,7 @@ struct Swirl {
   std::vector<std::string> remarks{};
 };
 
-/// Throws sim::InputError (bad_data) when no set point of a session became steady, when the roll log has no samples in
+/// Throws text::Error (bad_data) when no set point of a session became steady, when the roll log has no samples in
 /// one, or when the air stood still.
 [[nodiscard]] Swirl examine_swirl(const RollSession& without, const RollSession& with, const SwirlOptions& options);
 

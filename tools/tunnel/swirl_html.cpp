@@ -4,23 +4,23 @@
 
 #include <fmt/core.h>
 
-#include "plot/chart.hpp"
-#include "plot/page.hpp"
+#include "page/page.hpp"
 #include "report/numbers.hpp"
+#include "text/number.hpp"
 #include "tunnel/swirl_report.hpp"
 
 namespace fantail::tunnel {
 namespace {
 
-using plot::Area;
-using plot::Chart;
-using plot::Mark;
-using plot::Role;
-using plot::Series;
+using page::Area;
+using page::Chart;
+using page::Mark;
+using page::Role;
+using page::Series;
 using report::degrees;
-using report::fixed;
+using report::in_degrees;
+using text::fixed;
 
-constexpr double half_page = 428.0;
 constexpr const char* without_name = "without straightener";
 constexpr const char* with_name = "with straightener";
 
@@ -29,12 +29,6 @@ std::string for_print(std::string sentence) {
     sentence.replace(place, 2, "\u00b1");
   }
   return sentence;
-}
-
-std::vector<double> in_degrees(const std::vector<double>& radians) {
-  std::vector<double> converted(radians.size());
-  std::ranges::transform(radians, converted.begin(), degrees);
-  return converted;
 }
 
 std::string rates_over_time(const SwirlSessions& sessions) {
@@ -46,7 +40,7 @@ std::string rates_over_time(const SwirlSessions& sessions) {
       .y_label = "roll rate / deg/s",
       .series = {{.name = without_name, .x = a.time_s, .y = in_degrees(a.roll_rate_rad_s)},
                  {.name = with_name, .role = Role::second_model, .x = b.time_s, .y = in_degrees(b.roll_rate_rad_s)}}};
-  return plot::figure(plot::svg(chart), "Roll rate over time, the canards at zero.");
+  return page::figure(chart, "Roll rate over time, the canards at zero.");
 }
 
 Series wind_series(const TunnelLog& wind, const char* name, Role role) {
@@ -62,7 +56,7 @@ std::string wind_over_time(const SwirlSessions& sessions) {
   for (const SteadySegment& segment : sessions.without.steady.found) {
     chart.stripes.push_back({segment.begin_s, segment.end_s, segment.fan_rpm ? fixed(*segment.fan_rpm, 0) : ""});
   }
-  return plot::figure(plot::svg(chart),
+  return page::figure(chart,
                       "Wind speed over time. Shaded: where it was steady without the straightener, with the fan's set "
                       "point in rpm.");
 }
@@ -79,12 +73,12 @@ Series over_speed(const std::vector<OffsetPoint>& points, const char* name, Role
 
 std::string against_speed(const Swirl& swirl, const char* label, const char* y_label, const char* caption,
                           double (*value)(const OffsetPoint&)) {
-  return plot::figure(plot::svg({.label = label,
-                                 .x_label = "mean wind speed / m/s",
-                                 .y_label = y_label,
-                                 .width = half_page,
-                                 .series = {over_speed(swirl.without, without_name, Role::measured, value),
-                                            over_speed(swirl.with, with_name, Role::second_model, value)}}),
+  return page::figure({.label = label,
+                       .x_label = "mean wind speed / m/s",
+                       .y_label = y_label,
+                       .width = page::half_page,
+                       .series = {over_speed(swirl.without, without_name, Role::measured, value),
+                                  over_speed(swirl.with, with_name, Role::second_model, value)}},
                       caption);
 }
 
@@ -107,16 +101,16 @@ std::string difference(const Swirl& swirl) {
   if (swirl.swirl) {
     chart.levels.push_back({.value = degrees(swirl.swirl->offset_rad), .label = "mean"});
   }
-  return plot::figure(plot::svg(chart), "What the swirl adds: offset without minus offset with straightener.");
+  return page::figure(chart, "What the swirl adds: offset without minus offset with straightener.");
 }
 
 std::string points_table(const Swirl& swirl) {
-  static const std::array<plot::Column, 5> columns{{{"straightener"},
+  static const std::array<page::Column, 5> columns{{{"straightener"},
                                                     {"fan / rpm", true},
                                                     {"speed / m/s", true},
                                                     {"roll rate / deg/s", true},
                                                     {"offset / deg", true}}};
-  std::vector<std::vector<plot::Cell>> rows;
+  std::vector<std::vector<page::Cell>> rows;
   for (const auto& [points, word] : {std::pair{&swirl.without, "without"}, std::pair{&swirl.with, "with"}}) {
     for (const OffsetPoint& p : *points) {
       rows.push_back(
@@ -128,7 +122,7 @@ std::string points_table(const Swirl& swirl) {
            {fmt::format("{} \u00b1 {}", fixed(degrees(p.offset_rad), 3), fixed(degrees(p.standard_error_rad), 3))}});
     }
   }
-  return plot::table(columns, rows);
+  return page::table(columns, rows);
 }
 
 }  // namespace
@@ -140,23 +134,23 @@ std::string swirl_html(const SwirlSessions& sessions, const Swirl& swirl) {
                     [](const OffsetPoint& p) { return p.rate_rad_s.mean; }),
       against_speed(swirl, "Equivalent fin offset against wind speed", "offset / deg",
                     "Equivalent fin offset against wind speed.", [](const OffsetPoint& p) { return p.offset_rad; })};
-  std::string body = plot::section("Both sessions", rates_over_time(sessions) + wind_over_time(sessions));
-  body += plot::section("Offset", plot::figures(curves) + points_table(swirl));
-  body += plot::section(
+  std::string body = page::section("Both sessions", rates_over_time(sessions) + wind_over_time(sessions));
+  body += page::section("Offset", page::side_by_side(curves) + points_table(swirl));
+  body += page::section(
       "Swirl",
       difference(swirl) +
-          plot::paragraph(fmt::format(
+          page::paragraph(fmt::format(
               "Offsets are alpha p / (beta v) with alpha {:g} m2 and beta {:g} m, less where the canards stood. An "
               "error of these two scales both curves and the difference; standard errors come from the scatter of the "
               "samples and do not hold it.",
               swirl.options.alpha_m2, swirl.options.beta_m)));
   if (!swirl.remarks.empty()) {
-    body += plot::section("Remarks", plot::list(swirl.remarks));
+    body += page::section("Remarks", page::list(swirl.remarks));
   }
-  return plot::html({.kind = "Fantail tunnel report: swirl",
+  return page::html({.kind = "Fantail tunnel report: swirl",
                      .title = "Roll with and without flow straightener",
                      .subtitle = sessions.without.roll.name + " and " + sessions.with.roll.name,
-                     .tone = swirl.swirl ? plot::Tone::plain : plot::Tone::unsure,
+                     .tone = swirl.swirl ? page::Tone::plain : page::Tone::unsure,
                      .verdict_heading = "Swirl",
                      .verdict = for_print(swirl_sentence(swirl)),
                      .body_html = body});

@@ -8,22 +8,22 @@
 #include <fmt/core.h>
 
 #include "logs/table.hpp"
-#include "sim/input_error.hpp"
+#include "text/error.hpp"
 
 namespace fantail::tunnel {
 namespace {
 
-using sim::InputError;
-using sim::InputFault;
+using text::Error;
+using text::ErrorKind;
 
 constexpr std::array<std::string_view, 3> column_names{"time_s", "fan_rpm", "wind_speed_m_s"};
 
 std::array<std::size_t, 3> find_columns(const logs::Table& table, const logs::ColumnNames& columns) {
   for (const auto& [ours, theirs] : columns) {
     if (std::ranges::find(column_names, ours) == column_names.end()) {
-      throw InputError{InputFault::bad_configuration,
-                       fmt::format("{}={}: a tunnel's log has no column {}; it has time_s, fan_rpm, wind_speed_m_s",
-                                   ours, theirs, ours)};
+      throw Error{ErrorKind::bad_configuration,
+                  fmt::format("{}={}: a tunnel's log has no column {}; it has time_s, fan_rpm, wind_speed_m_s", ours,
+                              theirs, ours)};
     }
   }
   std::array<std::size_t, 3> found{};
@@ -34,7 +34,7 @@ std::array<std::size_t, 3> find_columns(const logs::Table& table, const logs::Co
   return found;
 }
 
-void refuse(const std::string& message) { throw InputError{InputFault::bad_data, message}; }
+void refuse(const std::string& message) { throw Error{ErrorKind::bad_data, message}; }
 
 }  // namespace
 
@@ -44,7 +44,7 @@ TunnelLog read_tunnel_log(const std::filesystem::path& path, const logs::ColumnN
   if (std::filesystem::is_directory(path, ignored)) {
     file /= "tunnel.csv";
     if (!std::filesystem::exists(file, ignored)) {
-      throw InputError{InputFault::no_such_input, path.string() + ": this folder holds no tunnel.csv"};
+      throw Error{ErrorKind::no_such_input, path.string() + ": this folder holds no tunnel.csv"};
     }
   }
   const logs::Table table = logs::Table::load(file.string());

@@ -21,7 +21,7 @@ struct TunnelLog {
 };
 
 /// `path` is a CSV file with the columns time_s, fan_rpm and wind_speed_m_s, or a folder with a tunnel.csv. `columns`
-/// says what the file calls them where it has other names. Throws sim::InputError: no_such_input; bad_data for a
+/// says what the file calls them where it has other names. Throws text::Error: no_such_input; bad_data for a
 /// missing column, time that does not increase, a negative set point, more than 1 % of rows without a number, fewer
 /// than two rows.
 [[nodiscard]] TunnelLog read_tunnel_log(const std::filesystem::path& path, const logs::ColumnNames& columns);

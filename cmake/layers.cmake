@@ -1,0 +1,71 @@
+# SPDX-License-Identifier: MIT
+# The layers of the house, from the bottom: each folder and the folders that it may include. This is the one list of them. A
+# library links what stands in its row (fantail_library), check_includes.cmake refuses every other #include and every entry
+# that nobody needs, and the table of docs/architecture.md is printed from it. A folder may only name folders above it here,
+# so that no arrow points up.
+#
+# folder | what it may include, by the folder in the #include | headers of others (regular expressions)
+set(FANTAIL_LAYERS
+  "hal/include/hal||"
+  "hal/linux|hal|fcntl\\.h linux/can net/if poll\\.h sys/ unistd\\.h"
+  "hal/sim|hal|"
+  "hal/stm32f4|hal|"
+  "firmware/core||"
+  "firmware/protocol|core|"
+  "hal/emulator|hal hal/sim protocol|"
+  "firmware/avionics|core protocol hal|"
+  "firmware/boards/cortex_m4|protocol|"
+  "firmware/boards/stm32f405|core protocol hal hal/stm32f4 avionics boards/cortex_m4|"
+  "firmware/boards/emulator|core protocol hal/sim hal/stm32f4 hal/emulator avionics boards/stm32f405|"
+  "sim|core protocol hal hal/sim avionics|"
+  "tools/text||fmt/"
+  "tools/json||fmt/"
+  "tools/page|text json|fmt/"
+  "tools/input|core sim text|"
+  "tools/report|core text json page|fmt/"
+  "tools/flight_log|core protocol avionics text input report|fmt/"
+  "tools/logs|sim text json input report flight_log|fmt/"
+  "tools/identify/model|sim text|Eigen/ fmt/"
+  "tools/identify/closed_loop|core text identify/model|Eigen/ fmt/"
+  "tools/identify/result|text json page report identify/model identify/closed_loop|Eigen/ fmt/"
+  "tools/identify|sim text input logs identify/model identify/closed_loop identify/result|fmt/"
+  "tools/tunnel|text json page report logs identify identify/model|fmt/"
+  "tools/link|core protocol hal avionics report|fmt/"
+  "tools/fly|core sim input report link|fmt/"
+  "tools/hil|core protocol hal/emulator sim text|fmt/ fcntl\\.h poll\\.h sched\\.h sys/ termios\\.h unistd\\.h"
+  "tools/telemetry|core hal avionics json link|fmt/ lcm/ fantail_lcm/ arpa/inet\\.h netinet/in\\.h poll\\.h sys/socket\\.h unistd\\.h"
+  "tools/gateway|hal link telemetry|"
+  "tools/log_export|core protocol json input report flight_log telemetry|fmt/"
+  "tools/bench|core protocol hal avionics sim text json page report link|fmt/"
+  "tools/predict|sim text json page input report logs fly|fmt/"
+  "tools/paper|core sim text json page input report logs identify identify/model identify/closed_loop tunnel fly|fmt/"
+  "tools/fantail|core protocol avionics hal/linux sim text json page input report flight_log logs identify identify/model identify/result tunnel link fly hil telemetry gateway log_export bench predict paper|fmt/ fcntl\\.h poll\\.h sys/ unistd\\.h")
+
+# Single files that may include more of others than their folder does.
+set(FANTAIL_EXCEPTIONS
+  "firmware/boards/cortex_m4/startup.c|stdint\\.h"
+  "firmware/core/motion_estimator.cpp|Eigen/"
+  "firmware/protocol/generated/canard_bus.c|string\\.h"
+  "firmware/protocol/generated/canard_bus.h|stdbool\\.h stddef\\.h stdint\\.h"
+  "tools/input/toml_tree.cpp|toml\\+\\+/"
+  "tools/json/value.cpp|nlohmann/"
+  "tools/report/output_folder.cpp|fcntl\\.h unistd\\.h sys/"
+  "tools/fantail/command_line.cpp|CLI/"
+  "tools/report/sha256.cpp|sha256\\.h")
+
+# Splits a row, or an exception, into <prefix>_0, _1, ... ; the first is a word, the others are lists.
+function(fantail_split row prefix)
+  string(REPLACE "|" ";" cells "${row}")
+  set(i 0)
+  foreach(cell IN LISTS cells)
+    string(REPLACE " " ";" cell "${cell}")
+    set(${prefix}_${i} "${cell}" PARENT_SCOPE)
+    math(EXPR i "${i} + 1")
+  endforeach()
+endfunction()
+
+# What an #include calls a folder: firmware/core is core, hal/sim is hal/sim, tools/identify/model is identify/model.
+function(fantail_include_name folder result)
+  string(REGEX REPLACE "^(firmware|tools|hal/include)/" "" name "${folder}")
+  set(${result} "${name}" PARENT_SCOPE)
+endfunction()

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: MIT
+#include "identify/result/outputs.hpp"
+
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "identify/planted_log.hpp"
+#include "identify/result/words.hpp"
+#include "json/value.hpp"
+#include "system/folder.hpp"
+
+namespace fantail::identify::result {
+namespace {
+
+using namespace model;
+
+bool holds(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+// A planted roll with a little noise, as a person would report it.
+Study example(const std::vector<Method>& methods = {Method::continuous}, const std::string& nodes = "even:1") {
+  Record noisy = planted_record({});
+  add_noise(noisy, {.angle_deg = 0.1}, 1);
+  logs::RollLog log = planted_log({});
+  log.roll_angle_rad = noisy.roll_angle_rad;
+  log.warnings = {"angles look odd"};
+  Question question = planted_question(nodes);
+  question.methods = methods;
+  Study result = study(log, question);
+  result.vehicle = "a rocket";
+  result.density = "1.2 kg/m3";
+  result.speed = "speed_m_s";
+  return result;
+}
+
+// Numbers without a log behind them, so that every word of the output is known.
+Identification known() {
+  Identification result;
+  result.model = {.alpha_m2 = 22.871, .beta_m = 9.05, .node_time_s = {0.0, 2.0}, .node_rad = {-0.1, -0.12}};
+  Uncertainty u;
+  u.standard_deviation = {0.41, 0.052, 0.002, 0.003};
+  u.correlation = Eigen::MatrixXd::Identity(4, 4);
+  u.interval = {{21.9, 23.7}, {8.94, 9.16}, {-0.104, -0.096}, {-0.126, -0.114}};
+  u.alpha_profile_m2 = {22.1, 23.72};
+  u.verdict = "alpha and beta are identifiable from this window";
+  result.uncertainty = u;
+  return result;
+}
+
+TEST(Words, ShowTwoDigitsOfTheDeviation) {
+  EXPECT_EQ(with_deviation(known(), 0), "22.87 +- 0.41");
+  EXPECT_EQ(with_deviation(known(), 1), "9.050 +- 0.052");
+  EXPECT_EQ(with_deviation(known(), 2, 1000.0), "-100.0 +- 2.0");
+}
+
+TEST(Words, ShowTheEndsOfAnInterval) {
+  EXPECT_EQ(words({22.1, 23.72}), "22.10 to 23.72");
+  EXPECT_EQ(words({12.0, {}}), "above 12.00");
+  EXPECT_EQ(words({{}, 30.0}), "below 30.0");
+  EXPECT_EQ(words(Interval{}), "not bounded by this window");
+}
+
+TEST(Words, SayHowWellANumberIsKnown) {
+  Identification result = known();
+  EXPECT_EQ(how_well(result, 0), "Damping alpha lies between 22.10 and 23.72 m2: known to 3.5 % either way.");
+  EXPECT_TRUE(holds(how_well(result, 3), "2 s into the window"));
+  result.uncertainty->alpha_profile_m2 = {4.0, 40.0};
+  EXPECT_TRUE(holds(how_well(result, 0), "too little to predict with"));
+  result.uncertainty->alpha_profile_m2 = {4.0, {}};
+  EXPECT_TRUE(holds(how_well(result, 0), "above 4.00: the data do not tell"));
+}
+
+TEST(ResultJson, OfOneResultIsTheResultItself) {
+  const Study found = example();
+  const auto json = json::parse(as_json(found));
+  for (const char* key : {"alpha_m2",
+                          "beta_m",
+                          "disturbance_deg",
+                          "node_time_s",
+                          "mean_abs_angle_error_deg",
+                          "mean_abs_rate_error_deg_s",
+                          "alpha_sd_m2",
+                          "beta_sd_m",
+                          "disturbance_sd_deg",
+                          "alpha_interval_m2",
+                          "beta_interval_m",
+                          "disturbance_interval_deg",
+                          "correlation",
+                          "alpha_identifiable",
+                          "verdict",
+                          "method",
+                          "loop",
+                          "samples",
+                          "seconds",
+                          "window",
+                          "remarks"}) {
+    EXPECT_TRUE(json.contains(key)) << key;
+  }
+  EXPECT_FALSE(json.contains("node_curve"));
+  EXPECT_EQ(json["method"], "continuous");
+  EXPECT_EQ(json["loop"], "open");
+  EXPECT_EQ(json["samples"], 401);
+  EXPECT_DOUBLE_EQ(json["seconds"].number(), 4.0);
+  EXPECT_NEAR(json["alpha_m2"].number(), found.windows[0].results[0].model.alpha_m2, 1e-6);
+  EXPECT_EQ(json["disturbance_deg"].size(), 2U);
+  EXPECT_NEAR(json["disturbance_deg"][0].number(), -5.0, 0.5);  // planted
+  EXPECT_EQ(json["disturbance_interval_deg"].size(), 2U);
+  EXPECT_EQ(json["correlation"].size(), 4U);
+  EXPECT_EQ(json["correlation"][3].size(), 4U);
+  EXPECT_EQ(json["remarks"][0], "angles look odd");
+}
+
+TEST(ResultJson, OfSeveralIsAListOfThem) {
+  const auto json = json::parse(as_json(example({Method::grid, Method::continuous})));
+  ASSERT_EQ(json["results"].size(), 2U);
+  EXPECT_EQ(json["results"][0]["method"], "grid");
+  EXPECT_EQ(json["results"][1]["method"], "continuous");
+}
+
+TEST(ResultJson, HasNullForAnOpenEnd) {
+  Study found = example();
+  found.windows[0].results[0].uncertainty->alpha_profile_m2 = {.low = 3.0, .high = {}};
+  const auto json = json::parse(as_json(found));
+  EXPECT_EQ(json["alpha_interval_m2"][0], 3.0);
+  EXPECT_TRUE(json["alpha_interval_m2"][1].is_null());
+}
+
+TEST(ResultJson, HasTheCurveOverTheNodesWhenTheyWereChosen) {
+  const auto json = json::parse(as_json(example({Method::continuous}, "auto")));
+  ASSERT_EQ(json["node_curve"].size(), 6U);
+  EXPECT_EQ(json["node_curve"][0]["intervals"], 1);
+  EXPECT_TRUE(json["node_curve"][0].contains("mean_abs_angle_error_deg"));
+}
+
+TEST(ResultText, SetsTheMethodsSideBySideAndSaysWhatTheyAreWorth) {
+  const std::string text = as_text(example({Method::grid, Method::continuous}));
+  EXPECT_TRUE(holds(text, "grid, open loop             continuous, open loop\n")) << text;
+  EXPECT_TRUE(holds(text, "damping alpha / m2")) << text;
+  EXPECT_TRUE(holds(text, "Note: angles look odd")) << text;
+  EXPECT_TRUE(holds(text, "window all: 2 s to 6 s on the log's clock, 401 samples")) << text;
+  EXPECT_TRUE(holds(text, "continuous: alpha and beta are identifiable from this window.")) << text;
+}
+
+TEST(ModelCsv, HasARowASampleOnTheLogsClock) {
+  Record record;
+  record.time_s = {0.0, 1.0};
+  record.window_begin_s = 2.0;
+  record.roll_angle_rad = {0.1, 0.2};
+  record.roll_rate_rad_s = {0.0, 1.0};
+  Simulation simulation;
+  simulation.roll_angle_rad = {0.1, 0.3};
+  simulation.roll_rate_rad_s = {0.0, 2.0};
+  simulation.canard_rad = {0.05, -0.05};
+  const RollModel model{.alpha_m2 = 1.0, .beta_m = 1.0, .node_time_s = {0.0, 2.0}, .node_rad = {0.0, 0.2}};
+  EXPECT_EQ(as_csv(record, model, simulation),
+            "time_s,roll_angle_deg,model_roll_angle_deg,roll_rate_deg_s,model_roll_rate_deg_s,canard_deg,"
+            "disturbance_deg\n"
+            "2.000000,5.729578,5.729578,0.000000,0.000000,2.864789,0.000000\n"
+            "3.000000,11.459156,17.188734,57.295780,114.591559,-2.864789,5.729578\n");
+}
+
+TEST(ResultPage, LoadsNothingAndEscapesNames) {
+  Study found = example({Method::grid, Method::continuous}, "auto");
+  found.data = "<img src=x>";
+  const std::string page = as_html(found);
+  for (const char* way : {"src=x>", "@import", "<link", "href=\"http", "<script", "fetch("}) {
+    EXPECT_FALSE(holds(page, way)) << way;
+  }
+  for (const char* part : {"How well each number is known", "What the model leaves", "The error over alpha and beta",
+                           "How many nodes (grid)", "How many nodes (continuous)", "Alpha and beta are identifiable",
+                           "angles look odd", "95 % of it"}) {
+    EXPECT_TRUE(holds(page, part)) << part;
+  }
+}
+
+TEST(ResultPage, HasAPartForEachWindow) {
+  Study found = example();
+  found.windows.push_back(found.windows[0]);
+  found.windows[1].record.window = "step:2";
+  found.windows[1].results[0].uncertainty->alpha_identifiable = false;
+  const std::string page = as_html(found);
+  EXPECT_TRUE(holds(page, "1 of 2 windows tell damping and torque"));
+  EXPECT_TRUE(holds(page, "<h2>Window all</h2>"));
+  EXPECT_TRUE(holds(page, "<h2>Window step:2</h2>"));
+}
+
+TEST(WrittenStudy, HasOneCsvForEachResult) {
+  const test::Folder folder;
+  write_study(example(), folder.path());
+  EXPECT_EQ(folder.listing(), (std::vector<std::string>{"identification.json", "model.csv", "report.html"}));
+  const test::Folder several;
+  write_study(example({Method::grid, Method::continuous}), several.path());
+  EXPECT_EQ(several.listing(),
+            (std::vector<std::string>{"identification.json", "model_1.csv", "model_2.csv", "report.html"}));
+}
+
+}  // namespace
+}  // namespace fantail::identify::result

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+
+#include <gtest/gtest.h>
+
+#include "input/fault_file.hpp"
+#include "input/messages.hpp"
+#include "input/scenario_file.hpp"
+#include "input/vehicle_file.hpp"
+#include "scratch_file.hpp"
+
+// docs/your_rocket.md is made from the tables of fields wherever it lists fields.
+namespace fantail::input {
+namespace {
+
+std::string range_of(const Allowed& allowed) {
+  std::string each;
+  switch (allowed.kind) {
+    case FieldKind::text: each = allowed.is_list ? "texts" : "a text"; break;
+    case FieldKind::file: each = "a shipped name or a path"; break;
+    case FieldKind::choice:
+      for (const std::string_view word : allowed.words) {
+        each += (each.empty() ? "`" : ", `") + std::string{word} + "`";
+      }
+      break;
+    case FieldKind::number:
+    case FieldKind::integer: each = about(allowed.range.minimum) + " to " + about(allowed.range.maximum); break;
+  }
+  if (allowed.is_list) {
+    return "up to " + std::to_string(allowed.most) + (allowed.is_text() ? " " : ", each ") + each;
+  }
+  return (allowed.most == 4 ? "four, each " : "") + each + (allowed.kind == FieldKind::integer ? ", whole" : "");
+}
+
+template <typename Thing>
+std::string default_of(const Field<Thing>& field, const Thing& usual) {
+  if (field.presence != Presence::may) {
+    return "must be there";
+  }
+  const bool has_one = field.place.get != nullptr && !field.allowed.is_list;
+  const double inside = has_one ? field.place.get(usual, 0) : std::nan("");
+  if (std::isnan(inside)) {
+    return "none";
+  }
+  return field.allowed.kind == FieldKind::choice
+             ? "`" + std::string{field.allowed.words[static_cast<std::size_t>(inside)]} + "`"
+             : about(field.allowed.unit.in_file(inside));
+}
+
+constexpr const char* head = "| key | unit | default | range | meaning |\n|---|---|---|---|---|\n";
+
+template <typename Thing>
+std::string row_of(const Field<Thing>& field, const Thing& usual, const std::string& of = {}) {
+  std::string row = "| `";
+  row.append(field.key).append("`").append(of).append(" | ").append(field.allowed.unit.name).append(" | ");
+  row.append(default_of(field, usual)).append(" | ").append(range_of(field.allowed)).append(" | ");
+  return row.append(field.meaning).append(" |\n");
+}
+
+template <typename Thing>
+std::string tables_of(std::span<const Field<Thing>> fields) {
+  std::string tables;
+  std::string_view section = "none yet";
+  for (const Field<Thing>& field : fields) {
+    if (field.section != section) {
+      section = field.section;
+      tables += section.empty() ? "\nAhead of all sections:\n\n" : "\n`[" + std::string{section} + "]`\n\n";
+      tables += head;
+    }
+    tables += row_of(field, Thing{});
+  }
+  return tables + "\n";
+}
+
+std::vector<sim::FaultKind> kinds_of(const FaultField& row) {
+  std::vector<sim::FaultKind> kinds;
+  for (std::size_t i = 0; i < fault_words().size(); ++i) {
+    if (row.belongs_to(static_cast<sim::FaultKind>(i))) {
+      kinds.push_back(static_cast<sim::FaultKind>(i));
+    }
+  }
+  return kinds;
+}
+
+std::string fault_tables() {
+  std::string tables = "\n`[[faults]]`, as many as wanted\n\n" + std::string{head};
+  std::vector<std::string> own_keys(fault_words().size());
+  for (const FaultField& row : fault_fields()) {
+    const std::vector<sim::FaultKind> kinds = kinds_of(row);
+    const std::string of = kinds.size() == 1 ? " of `" + std::string{name(kinds[0])} + "`" : "";
+    tables += row_of(row.field, usual_fault(kinds[0]), of);
+    for (const sim::FaultKind kind : kinds) {
+      std::string& keys = own_keys[static_cast<std::size_t>(kind)];
+      if (kinds.size() < own_keys.size()) {
+        keys += (keys.empty() ? "`" : ", `") + std::string{row.field.key} + "`";
+      }
+    }
+  }
+  tables += "\n| `kind` | what is broken | its keys beside `kind` and `from_s` |\n|---|---|---|\n";
+  for (std::size_t i = 0; i < own_keys.size(); ++i) {
+    tables.append("| `").append(fault_words()[i].name).append("` | ").append(fault_words()[i].meaning);
+    tables.append(" | ").append(own_keys[i]).append(" |\n");
+  }
+  return tables + "\n";
+}
+
+std::string page() {
+  std::ifstream stream{ROCKET_MANUAL};
+  return {std::istreambuf_iterator<char>{stream}, {}};
+}
+
+// The page with what stands between the two marks of a name replaced.
+std::string with(std::string text, const std::string& name, const std::string& tables) {
+  const std::string begin = "<!-- fields of a " + name + " -->\n";
+  const std::size_t from = text.find(begin) + begin.size();
+  const std::size_t to = text.find("<!-- end of fields -->\n", from);
+  if (from < begin.size() || to == std::string::npos) {
+    throw std::runtime_error{"docs/your_rocket.md has lost its marks of the fields of a " + name};
+  }
+  return text.replace(from, to - from, tables);
+}
+
+TEST(RocketManual, ListsEveryFieldWithUnitDefaultRangeAndMeaning) {
+  const std::string made = with(with(with(page(), "scenario", tables_of(scenario_fields())), "fault", fault_tables()),
+                                "vehicle", tables_of(vehicle_fields()));
+  if (std::getenv("FANTAIL_WRITE_MANUAL") != nullptr) {  // NOLINT(concurrency-mt-unsafe): there is one thread
+    std::ofstream{ROCKET_MANUAL} << made;
+  }
+  EXPECT_TRUE(page() == made)
+      << "the fields have changed; bring docs/your_rocket.md up to date:\n"
+         "  FANTAIL_WRITE_MANUAL=1 build/host/test/sim/input/test_sim_input --gtest_filter='RocketManual*'";
+}
+
+// The text of the n-th block of TOML.
+std::string example(std::size_t n) {
+  const std::string text = page();
+  const std::string begin = "```toml\n";
+  std::size_t from = 0;
+  for (std::size_t i = 0; i <= n; ++i) {
+    from = text.find(begin, from) + begin.size();
+  }
+  return text.substr(from, text.find("```\n", from) - from);
+}
+
+TEST(RocketManual, HasExamplesThatCanBeCopied) {
+  const ScratchFile scenario_file{example(0), "my_scenario.toml"};
+  const std::filesystem::path folder = scenario_file.path().parent_path();
+  std::ofstream{folder / "my_vehicle.toml"} << example(1);
+  std::ofstream{folder / "my_plan.toml"};  // every default
+  const sim::Scenario scenario = load_scenario(scenario_file.path(), {});
+  EXPECT_EQ(scenario.vehicle.name, "My rocket");
+  EXPECT_EQ(scenario.faults.size(), 1U);
+}
+
+}  // namespace
+}  // namespace fantail::input

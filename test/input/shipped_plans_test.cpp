@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+#include <filesystem>
+
+#include <gtest/gtest.h>
+
+#include "input/plan_file.hpp"
+
+namespace fantail::input {
+namespace {
+
+using namespace core::literals;
+using core::Microseconds;
+
+core::FlightPlan shipped(const std::string& name) {
+  return read_plan(Document::load(std::filesystem::path{SHIPPED_PLANS} / (name + ".toml")));
+}
+
+TEST(ShippedPlans, FirstLaunchIsAsPublishedThroughout) {
+  const core::FlightPlan plan = shipped("tasha3_launch1");
+  EXPECT_EQ(plan.run.start, core::Start::launch);
+  EXPECT_FLOAT_EQ(plan.launch_detection.threshold_m_s2, 2.0F * 9.80665F);
+  EXPECT_EQ(plan.launch_detection.hold, Microseconds{200'000});
+  EXPECT_EQ(plan.launch_detection.accelerometers, core::AccelerometerRule::one);
+  EXPECT_FALSE(plan.launch_detection.low_pass);
+  EXPECT_EQ(plan.motion.height_origin, core::HeightOrigin::velocity_only);
+  EXPECT_EQ(plan.guide.length_m, 4.0F);
+  EXPECT_EQ(plan.guide.clearance_m, 2.0F);
+  EXPECT_EQ(plan.guide.minimum_speed_m_s, 0.0F);
+  EXPECT_EQ(plan.controller.proportional_gain, 1.0F);
+  EXPECT_EQ(plan.controller.derivative_gain_s, 0.1F);
+  EXPECT_EQ(plan.controller.canard_limit, 6_deg);
+  EXPECT_EQ(plan.controller.rate_reference, core::RateReference::zero);
+  EXPECT_EQ(plan.excitation.form, core::ExcitationForm::none);
+  // 0 deg, then -15 and +15 in turn, every second.
+  EXPECT_EQ(plan.reference.kind, core::ReferenceKind::square_wave);
+  EXPECT_EQ(plan.reference.initial, 0_deg);
+  EXPECT_EQ(plan.reference.square_wave_begin, Microseconds{1'000'000});
+  EXPECT_EQ(plan.reference.square_wave_first, -15_deg);
+  EXPECT_EQ(plan.reference.square_wave_second, 15_deg);
+  EXPECT_EQ(plan.reference.square_wave_frequency_hz, 0.5F);
+}
+
+TEST(ShippedPlans, SecondLaunchHasTwoAccelerometersOneStepAndTheProductChirp) {
+  const core::FlightPlan plan = shipped("tasha3_launch2");
+  EXPECT_EQ(plan.run.start, core::Start::launch);
+  EXPECT_FLOAT_EQ(plan.launch_detection.threshold_m_s2, 2.5F * 9.80665F);
+  EXPECT_EQ(plan.launch_detection.hold, Microseconds{100'000});
+  EXPECT_EQ(plan.launch_detection.accelerometers, core::AccelerometerRule::two_agree);
+  EXPECT_TRUE(plan.launch_detection.low_pass);
+  EXPECT_EQ(plan.launch_detection.low_pass_hz, 16.0F);
+  EXPECT_EQ(plan.motion.height_origin, core::HeightOrigin::replay);
+  EXPECT_EQ(plan.guide.length_m, 4.0F);
+  EXPECT_EQ(plan.guide.clearance_m, 2.0F);
+  EXPECT_EQ(plan.guide.minimum_speed_m_s, 10.0F);
+  EXPECT_EQ(plan.guide.clearance_time, Microseconds{1'500'000});
+  EXPECT_EQ(plan.controller.proportional_gain, 0.5F);
+  EXPECT_EQ(plan.controller.derivative_gain_s, 0.05F);
+  EXPECT_EQ(plan.controller.canard_limit, 9_deg);
+  EXPECT_EQ(plan.reference.kind, core::ReferenceKind::steps);
+  ASSERT_EQ(plan.reference.step_times_count, 1);
+  EXPECT_EQ(plan.reference.step_times[0], Microseconds{2'000'000});
+  EXPECT_EQ(plan.reference.step_angles[0], -20_deg);
+  EXPECT_EQ(plan.excitation.form, core::ExcitationForm::product);
+  EXPECT_EQ(plan.excitation.amplitude, 4_deg);
+  EXPECT_EQ(plan.excitation.begin, Microseconds{400'000});
+  EXPECT_EQ(plan.excitation.end, Microseconds{7'000'000});
+  EXPECT_EQ(plan.excitation.product_slope_hz_s, 2.0F);
+  EXPECT_EQ(plan.excitation.product_offset_hz, -10.0F);
+  EXPECT_EQ(plan.excitation.amplitude_variation, 0_deg);
+  EXPECT_EQ(plan.excitation.frequency_variation_hz, 0.0F);
+}
+
+TEST(ShippedPlans, TunnelRunsStepBy45DegreesEveryTenSecondsEightTimes) {
+  const core::FlightPlan plan = shipped("tunnel_steps");
+  EXPECT_EQ(plan.run.start, core::Start::tunnel);
+  EXPECT_EQ(plan.run.control_time, Microseconds{80'000'000});
+  EXPECT_EQ(plan.controller.proportional_gain, 0.5F);
+  EXPECT_EQ(plan.controller.derivative_gain_s, 0.05F);
+  EXPECT_EQ(plan.controller.canard_limit, 9_deg);
+  EXPECT_EQ(plan.reference.kind, core::ReferenceKind::square_wave);
+  EXPECT_EQ(plan.reference.square_wave_first, 45_deg);
+  EXPECT_EQ(plan.reference.square_wave_second, 0_deg);
+  EXPECT_EQ(plan.reference.square_wave_frequency_hz, 0.1F);
+  EXPECT_EQ(plan.excitation.form, core::ExcitationForm::none);
+}
+
+TEST(ShippedPlans, AFreelyRollingTunnelRunHasNoGains) {
+  const core::FlightPlan plan = shipped("tunnel_free");
+  EXPECT_EQ(plan.run.start, core::Start::tunnel);
+  EXPECT_EQ(plan.run.control_time, Microseconds{600'000'000});
+  EXPECT_EQ(plan.controller.proportional_gain, 0.0F);
+  EXPECT_EQ(plan.controller.derivative_gain_s, 0.0F);
+  EXPECT_EQ(plan.reference.kind, core::ReferenceKind::hold);
+  EXPECT_EQ(plan.excitation.form, core::ExcitationForm::none);
+}
+
+TEST(ShippedPlans, AreFourAndNoFileIsForgottenHere) {
+  std::size_t count = 0;
+  for (const auto& entry : std::filesystem::directory_iterator{SHIPPED_PLANS}) {
+    EXPECT_NO_THROW((void)read_plan(Document::load(entry.path()))) << entry.path();
+    count += 1;
+  }
+  EXPECT_EQ(count, 4U);
+}
+
+}  // namespace
+}  // namespace fantail::input

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+#include "input/toml_tree.hpp"
+
+#include <gtest/gtest.h>
+
+#include "scratch_file.hpp"
+
+namespace fantail::input {
+namespace {
+
+TomlTree tree_of(std::string_view content) {
+  const ScratchFile file{content};
+  return TomlTree::read(file.path());
+}
+
+using Keys = std::vector<std::string>;
+
+TEST(TomlTree, GivesAValueOnlyAsTheKindThatItIs) {
+  const TomlTree tree = tree_of("flag = true\ninteger = 3\nnumber = 1.5\ntext = \"six\"\nlist = [1, \"two\"]\n");
+  const TomlNode root = tree.root();
+  EXPECT_EQ(root["flag"].flag(), true);
+  EXPECT_EQ(root["integer"].integer(), 3);
+  EXPECT_EQ(root["integer"].number(), 3.0);
+  EXPECT_EQ(root["number"].number(), 1.5);
+  EXPECT_EQ(root["text"].text(), "six");
+  ASSERT_EQ(root["list"].elements().value().size(), 2U);
+  EXPECT_EQ(root["list"].elements()->back().text(), "two");
+
+  EXPECT_EQ(root["integer"].flag(), std::nullopt);
+  EXPECT_EQ(root["flag"].integer(), std::nullopt);
+  EXPECT_EQ(root["number"].integer(), std::nullopt);
+  EXPECT_EQ(root["text"].number(), std::nullopt);
+  EXPECT_EQ(root["number"].text(), std::nullopt);
+  EXPECT_FALSE(root["text"].elements());
+  EXPECT_FALSE(root["list"].is_table());
+}
+
+TEST(TomlTree, HasDatesAndTimesButAsNoKindThatAnybodyAsksFor) {
+  const TomlTree tree = tree_of("a = 2015-12-04\nb = 07:32:00\nc = 2015-12-04T07:32:00Z\n");
+  for (const char* key : {"a", "b", "c"}) {
+    const TomlNode date = tree.root()[key];
+    EXPECT_TRUE(date);
+    EXPECT_FALSE(date.flag() || date.integer() || date.number() || date.text() || date.elements() || date.is_table());
+  }
+  EXPECT_EQ(tree.root()["c"].shown(), "2015-12-04T07:32:00Z");
+}
+
+TEST(TomlTree, HasNothingInsideWhatIsNoTableOrIsNotThere) {
+  const TomlTree tree = tree_of("a = 1\n");
+  for (const TomlNode none : {tree.root()["b"], tree.root()["a"]["x"], tree.root()["b"]["x"], TomlNode{}}) {
+    EXPECT_FALSE(none);
+    EXPECT_FALSE(none.flag() || none.integer() || none.number() || none.text() || none.elements() || none.is_table());
+    EXPECT_TRUE(none.keys().empty());
+    EXPECT_EQ(none.line(), 0U);
+  }
+}
+
+TEST(TomlTree, GivesTheKeysOfATableSortedWhereverTheyStand) {
+  const TomlTree tree = tree_of("[zebra]\n[b]\ny = 1\n\"ä b\" = 2\nX = 3\n[a]\n");
+  EXPECT_EQ(tree.root().keys(), (Keys{"a", "b", "zebra"}));
+  EXPECT_EQ(tree.root()["b"].keys(), (Keys{"X", "y", "ä b"}));
+}
+
+TEST(TomlTree, KnowsTheLineOfEveryValueInItsFile) {
+  const TomlTree tree = tree_of("\n[a]\nx = [\n  1,\n  2]\n[[b]]\n[[b]]\ny = 1\n");
+  EXPECT_EQ(tree.root().line(), 1U);
+  EXPECT_EQ(tree.root()["a"].line(), 2U);
+  EXPECT_EQ(tree.root()["a"]["x"].line(), 3U);
+  EXPECT_EQ(tree.root()["a"]["x"].elements()->back().line(), 5U);
+  EXPECT_EQ(tree.root()["b"].elements()->back()["y"].line(), 8U);
+  EXPECT_EQ(TomlTree{}.root().line(), 0U);
+}
+
+TEST(TomlTree, ShowsEveryValueOnOneLineAndALongOneCutOff) {
+  const TomlTree tree = tree_of(
+      "[a]\ninteger = 1_000\nhex = 0xFF\nnumber = 3.0\ninf = -inf\ntext = \"it's\"\n"
+      "lines = \"\"\"two\nlines\"\"\"\nlist = [1, [2, 3], {x = 1}]\nempty = []\ntable = {y = 1, x.z = 'w'}\n"
+      "long = [100000000, 200000000, 300000000, 400000000, 500000000, 600000000]\n[a.inside]\nx = 1\n[a.inside.it]\n");
+  const TomlNode a = tree.root()["a"];
+  EXPECT_EQ(a["integer"].shown(), "1000");
+  EXPECT_EQ(a["hex"].shown(), "0xFF");
+  EXPECT_EQ(a["number"].shown(), "3.0");
+  EXPECT_EQ(a["inf"].shown(), "-inf");
+  EXPECT_EQ(a["text"].shown(), "\"it's\"");
+  EXPECT_EQ(a["lines"].shown(), "'''two lines'''");
+  EXPECT_EQ(a["list"].shown(), "[ 1, [ 2, 3 ], { x = 1 } ]");
+  EXPECT_EQ(a["empty"].shown(), "[]");
+  EXPECT_EQ(a["table"].shown(), "{ x = { z = 'w' }, y = 1 }");
+  EXPECT_EQ(a["long"].shown(), "[ 100000000, 200000000, 300000000, 400000000, 500000000, 600...");
+  EXPECT_EQ(a["inside"].shown(), "x = 1 [it]");
+}
+
+TEST(TomlTree, TakesAValueAsTomlElseAsAWordIntoATableThatMayBeNew) {
+  TomlTree tree = tree_of("[a]\nx = 1\n");
+  tree.put("a", "x", "2.5");
+  tree.put("a", "y", "[1, 2]");
+  tree.put("b", "x", "product");
+  EXPECT_EQ(tree.root()["a"]["x"].number(), 2.5);
+  EXPECT_EQ(tree.root()["a"]["y"].shown(), "[ 1, 2 ]");
+  EXPECT_EQ(tree.root()["a"]["y"].line(), 0U);
+  EXPECT_EQ(tree.root()["b"]["x"].text(), "product");
+}
+
+TEST(TomlTree, KeepsWhatElseIsInATableOfWhichAValueIsReplaced) {
+  TomlTree tree = tree_of("[a]\nx = 1\ny = 2\n");
+  const TomlNode other = tree.root()["a"]["y"];
+  tree.put("a", "x", "3");
+  EXPECT_EQ(other.integer(), 2);
+  EXPECT_EQ(other.line(), 3U);
+}
+
+}  // namespace
+}  // namespace fantail::input

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#include "input/vehicle_file.hpp"
+
+#include <gtest/gtest.h>
+
+#include "input/scenario_file.hpp"
+#include "scratch_file.hpp"
+
+namespace fantail::input {
+namespace {
+
+sim::Vehicle vehicle(const std::string& scenario, const std::vector<std::string>& changes = {}) {
+  std::vector<Override> overrides;
+  for (const std::string& change : changes) {
+    overrides.push_back(parse_override(change));
+  }
+  return load_scenario(scenario, overrides).vehicle;
+}
+
+std::string refusal(const std::string& change) {
+  const Complaint refused = complaint([&] { (void)vehicle("tasha3_launch2", {change}); });
+  EXPECT_EQ(refused.fault, text::ErrorKind::bad_configuration);
+  return refused.message;
+}
+
+TEST(CanardTolerances, AreTheDefaultsWhereTheVehicleSaysNothing) {
+  const sim::CanardTolerances defaults;
+  for (const char* name : {"tasha3_launch2", "bench_healthy"}) {  // the second writes them out
+    const sim::CanardTolerances t = vehicle(name).canard_tolerances;
+    EXPECT_DOUBLE_EQ(t.reach_rad, defaults.reach_rad);
+    EXPECT_DOUBLE_EQ(t.tracking_rad, defaults.tracking_rad);
+    EXPECT_DOUBLE_EQ(t.centring_rad, defaults.centring_rad);
+    EXPECT_DOUBLE_EQ(t.backlash_rad, defaults.backlash_rad);
+    EXPECT_DOUBLE_EQ(t.slowest_slew_rad_s, defaults.slowest_slew_rad_s);
+    EXPECT_DOUBLE_EQ(t.longest_step_time_s, defaults.longest_step_time_s);
+    EXPECT_DOUBLE_EQ(t.noise_rad, defaults.noise_rad);
+    EXPECT_DOUBLE_EQ(t.dropout_share, defaults.dropout_share);
+  }
+}
+
+TEST(CanardTolerances, AreReadEachIntoItsOwnField) {
+  const sim::CanardTolerances t =
+      vehicle("bench_healthy", {"canard_tolerances.reach_deg=0.1", "canard_tolerances.tracking_deg=0.2",
+                                "canard_tolerances.centring_deg=0.3", "canard_tolerances.backlash_deg=0.4",
+                                "canard_tolerances.slowest_slew_deg_s=200", "canard_tolerances.longest_step_time_s=0.6",
+                                "canard_tolerances.noise_deg=0.7", "canard_tolerances.dropout_percent=8"})
+          .canard_tolerances;
+  EXPECT_DOUBLE_EQ(t.reach_rad / sim::radians_per_degree, 0.1);
+  EXPECT_DOUBLE_EQ(t.tracking_rad / sim::radians_per_degree, 0.2);
+  EXPECT_DOUBLE_EQ(t.centring_rad / sim::radians_per_degree, 0.3);
+  EXPECT_DOUBLE_EQ(t.backlash_rad / sim::radians_per_degree, 0.4);
+  EXPECT_DOUBLE_EQ(t.slowest_slew_rad_s / sim::radians_per_degree, 200.0);
+  EXPECT_DOUBLE_EQ(t.longest_step_time_s, 0.6);
+  EXPECT_DOUBLE_EQ(t.noise_rad / sim::radians_per_degree, 0.7);
+  EXPECT_DOUBLE_EQ(t.dropout_share, 0.08);
+}
+
+TEST(CanardTolerances, AreRefusedOutOfRangeAndByAWrongName) {
+  EXPECT_EQ(
+      refusal("canard_tolerances.reach_deg=0"),
+      "--set canard_tolerances.reach_deg=0: canard_tolerances.reach_deg = 0 is out of range; allowed: 0.05 to 10");
+  EXPECT_EQ(refusal("canard_tolerances.dropout_percent=51"),
+            "--set canard_tolerances.dropout_percent=51: canard_tolerances.dropout_percent = 51 is out of range; "
+            "allowed: 0 to 50");
+  EXPECT_EQ(refusal("canard_tolerances.centering_deg=1"),
+            "--set canard_tolerances.centering_deg=1: unknown key canard_tolerances.centering_deg; did you mean "
+            "canard_tolerances.centring_deg?");
+}
+
+TEST(ServoSpread, IsRefusedOutOfRangeAndBeyondTheStop) {
+  EXPECT_EQ(refusal("servo.spread=0.31"),
+            "--set servo.spread=0.31: servo.spread = 0.31 is out of range; allowed: 0 to 0.3");
+  EXPECT_EQ(refusal("servo.centre_spread_deg=2.1"),
+            "--set servo.centre_spread_deg=2.1: servo.centre_spread_deg = 2.1 is out of range; allowed: 0 to 2");
+  const Complaint refused =
+      complaint([] { (void)vehicle("tasha3_launch2", {"servo.stop_deg=1", "servo.centre_spread_deg=1.5"}); });
+  EXPECT_EQ(refused.message,
+            "--set servo.centre_spread_deg=1.5: servo.centre_spread_deg = 1.5; allowed: at most stop_deg = 1");
+}
+
+TEST(BenchVehicle, IsTheAirframeOfTheSecondLaunch) {
+  const sim::Vehicle bench = vehicle("bench_healthy");
+  const sim::Vehicle launched = vehicle("tasha3_launch2");
+  EXPECT_EQ(bench.mass_kg, launched.mass_kg);
+  EXPECT_EQ(bench.drag_area_m2, launched.drag_area_m2);
+  EXPECT_EQ(bench.roll_plant.inertia_kg_m2, launched.roll_plant.inertia_kg_m2);
+  EXPECT_EQ(bench.roll_plant.reference_area_m2, launched.roll_plant.reference_area_m2);
+  EXPECT_EQ(bench.roll_plant.damping_m2, launched.roll_plant.damping_m2);
+  EXPECT_EQ(bench.roll_plant.torque_m, launched.roll_plant.torque_m);
+  EXPECT_EQ(bench.motor.impulse_n_s(), launched.motor.impulse_n_s());
+  EXPECT_EQ(launched.servo_spread.share, 0.0);
+  EXPECT_EQ(launched.servo_spread.centre_rad, 0.0);
+  EXPECT_EQ(bench.servo_spread.share, 0.1);
+  EXPECT_NEAR(bench.servo_spread.centre_rad, 0.15 * sim::radians_per_degree, 1e-12);
+}
+
+}  // namespace
+}  // namespace fantail::input

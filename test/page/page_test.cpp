@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+#include "page/page.hpp"
+
+#include <gtest/gtest.h>
+
+#include "page/chart.hpp"
+
+namespace fantail::page {
+namespace {
+
+bool holds(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+Page example() {
+  return {.kind = "Fantail <kind>",
+          .title = "a & b",
+          .subtitle = "from \"there\"",
+          .tone = Tone::bad,
+          .verdict_heading = "No <go>",
+          .verdict = "Offset -7 deg",
+          .body_html = section("One", figure(svg(Chart{}), "A caption"))};
+}
+
+TEST(Page, LoadsNothingFromAnywhere) {
+  const std::string page = html(example());
+  for (const char* way : {"src=", "@import", "<link", "url(", "href", "<script", "fetch("}) {
+    EXPECT_FALSE(holds(page, way)) << way;
+  }
+}
+
+TEST(Page, IsWholeAndEscaped) {
+  const std::string page = html(example());
+  EXPECT_EQ(page.find("<!doctype html>"), 0U);
+  EXPECT_TRUE(holds(page, "<title>a &amp; b \u00b7 Fantail &lt;kind&gt;</title>"));
+  EXPECT_TRUE(holds(page, "<h1>a &amp; b</h1>"));
+  EXPECT_TRUE(holds(page, "from &quot;there&quot;"));
+  EXPECT_TRUE(holds(page, "<section class=\"verdict bad\">\n<h2>No &lt;go&gt;</h2>\n<p>Offset \u22127 deg</p>"));
+  EXPECT_TRUE(holds(page, "prefers-color-scheme: dark"));
+  EXPECT_TRUE(holds(page, "@media print"));
+  EXPECT_TRUE(page.ends_with("</html>\n"));
+}
+
+TEST(Page, WithoutAVerdictThereIsNone) {
+  Page page = example();
+  page.verdict_heading.clear();
+  EXPECT_FALSE(holds(html(page), "<section class=\"verdict"));
+}
+
+TEST(Page, FactsAndFindingsStandWithTitleAndVerdict) {
+  Page page = example();
+  page.facts = {{"Plan", "p<1>"}, {"Date", ""}};
+  page.findings = {{"Canard 3:", "told -9"}, {"", "and <so> on"}};
+  page.stamped = true;
+  page.footer = "Made by x & y";
+  const std::string text = html(page);
+  EXPECT_TRUE(holds(text, "<div><dt>Plan</dt><dd>p&lt;1&gt;</dd></div>"));
+  EXPECT_FALSE(holds(text, "Date"));
+  EXPECT_TRUE(holds(text, "<section class=\"verdict bad stamped\">"));
+  EXPECT_TRUE(holds(text, "<li><b>Canard 3:</b> told \u22129</li>\n<li>and &lt;so&gt; on</li>"));
+  EXPECT_TRUE(holds(text, "Made by x &amp; y</footer>\n</main>"));
+}
+
+TEST(Page, ParagraphsListsAndCaptionsAreEscaped) {
+  EXPECT_EQ(paragraph("a < -3"), "<p>a &lt; \u22123</p>\n");
+  const std::vector<std::string> sentences{"<1>", "two"};
+  EXPECT_EQ(list(sentences), "<ul>\n<li>&lt;1&gt;</li>\n<li>two</li>\n</ul>\n");
+  EXPECT_EQ(list(std::vector<Cell>{{"kept", Tone::good}, {"lost", Tone::bad}}),
+            "<ul>\n<li class=\"good\">kept</li>\n<li class=\"bad\">lost</li>\n</ul>\n");
+  EXPECT_TRUE(holds(figure("<svg></svg>", "a & b"), "<figcaption>a &amp; b</figcaption>"));
+  EXPECT_TRUE(holds(section("a & b", ""), "<h2>a &amp; b</h2>"));
+}
+
+TEST(Page, NumbersOfATableStandRightAndTonesAreClasses) {
+  const std::vector<Column> columns{{"what <is>"}, {"value", true}};
+  const std::vector<std::vector<Cell>> rows{{{"a&b"}, {"-1.5", Tone::bad}}, {{"c", Tone::good}, {"2"}}};
+  const std::string text = table(columns, rows);
+  EXPECT_TRUE(holds(text, "<th scope=\"col\">what &lt;is&gt;</th><th scope=\"col\" class=\"number\">value</th>"));
+  EXPECT_TRUE(holds(text, "<tr><td>a&amp;b</td><td class=\"number bad\">\u22121.5</td></tr>"));
+  EXPECT_TRUE(holds(text, "<tr><td class=\"good\">c</td><td class=\"number\">2</td></tr>"));
+  const std::vector<std::vector<Cell>> two_lines{{{"1", Tone::plain, "<2>", Tone::bad}}};
+  EXPECT_TRUE(holds(table(columns, two_lines), "<td>1<small class=\"bad\">&lt;2&gt;</small></td>"));
+}
+
+TEST(Page, FiguresShowLabelValueUnitAndRemark) {
+  const std::vector<Figure> figures{{"Offset", "-7", "deg", "at <burn-out>"}, {"Plain", "1", "", ""}};
+  const std::string text = figure_row(figures);
+  EXPECT_TRUE(holds(text, "<dt>Offset</dt><dd>\u22127 <span>deg</span><small>at &lt;burn-out&gt;</small></dd>"));
+  EXPECT_TRUE(holds(text, "<dt>Plain</dt><dd>1</dd>"));
+}
+
+}  // namespace
+}  // namespace fantail::page

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "identify/closed_loop/closed_loop.hpp"
+
+namespace fantail::identify::closed_loop {
+namespace {
+
+using namespace model;
+
+constexpr std::size_t alpha_starts = 6;
+constexpr std::array<double, 2> beta_starts{0.25, 0.75};  // shares of the range
+
+// Every share of the way from first to last is as near to one of these as to any.
+double share(std::size_t i, std::size_t count) { return (static_cast<double>(i) + 0.5) / static_cast<double>(count); }
+
+// What alpha does goes with its logarithm: from 1 to 2 the motion changes as much as from 20 to 40.
+double alpha_start_m2(const Axis& range, std::size_t i) {
+  const double first = std::clamp(range.first, lowest_alpha_m2, highest_alpha_m2);
+  const double last = std::clamp(range.last, first, highest_alpha_m2);
+  return first * std::pow(last / first, share(i, alpha_starts));
+}
+
+Axis coarse(const Axis& axis, double steps) {
+  if (!(axis.last > axis.first)) {
+    return axis;
+  }
+  return {.first = axis.first, .last = axis.last, .step = std::max(axis.step, (axis.last - axis.first) / steps)};
+}
+
+}  // namespace
+
+Eigen::VectorXd unknown_of(const RollModel& model, Start start) {
+  const std::size_t initial = start == Start::fitted ? 2 * model.initial.size() : 0;
+  Eigen::VectorXd unknown{static_cast<Eigen::Index>(model.node_rad.size() + initial)};
+  Eigen::Index i = 0;
+  for (const double node_rad : model.node_rad) {
+    unknown(i++) = node_rad;
+  }
+  if (start == Start::fitted) {
+    for (const InitialState& state : model.initial) {
+      unknown(i++) = state.angle_rad;
+      unknown(i++) = state.rate_rad_s;
+    }
+  }
+  return unknown;
+}
+
+RollModel model_of(const Record& record, const NodeTimes& node_time_s, Start start, double alpha_m2, double beta_m,
+                   const Eigen::VectorXd& unknown) {
+  RollModel model{.alpha_m2 = alpha_m2,
+                  .beta_m = beta_m,
+                  .node_time_s = node_time_s,
+                  .node_rad = {},
+                  .initial = measured_starts(record)};
+  Eigen::Index i = 0;
+  for (std::size_t k = 0; k < node_time_s.size(); ++k) {
+    model.node_rad.push_back(unknown(i++));
+  }
+  if (start == Start::fitted) {
+    for (InitialState& state : model.initial) {
+      state.angle_rad = unknown(i++);
+      state.rate_rad_s = unknown(i++);
+    }
+  }
+  return model;
+}
+
+FirstGuess::FirstGuess(const Record& record, const Airframe& airframe, const NodeTimes& node_time_s, Start start)
+    : record_{record}, node_time_s_{node_time_s}, start_{start} {
+  if (!record.canard_rad.empty()) {
+    basis_.emplace(record, airframe, node_time_s, start);
+  }
+}
+
+Eigen::VectorXd FirstGuess::at(double alpha_m2, double beta_m) const {
+  if (basis_) {
+    return unknown_of(AlphaFit{*basis_, alpha_m2}.model(beta_m, node_time_s_), start_);
+  }
+  return unknown_of({.alpha_m2 = alpha_m2,
+                     .beta_m = beta_m,
+                     .node_time_s = node_time_s_,
+                     .node_rad = std::vector<double>(node_time_s_.size(), 0.0),
+                     .initial = measured_starts(record_)},
+                    start_);
+}
+
+Descent::Descent(const Record& record, const Airframe& airframe, const Control& control, const NodeTimes& node_time_s,
+                 Start start)
+    : record_{record},
+      node_time_s_{node_time_s},
+      start_{start},
+      course_{make_course(record, airframe, control, node_time_s)},
+      trials_{course_, {.initial = start == Start::fitted, .model = true}} {}
+
+// The unknowns here: log alpha, which cannot leave the positive numbers, then beta and the others.
+NormalEquations Descent::try_out(const Eigen::VectorXd& unknown, Alpha alpha) {
+  const double alpha_m2 = std::exp(unknown(0));
+  if (!(alpha_m2 >= lowest_alpha_m2 && alpha_m2 <= highest_alpha_m2)) {
+    return {.squares = std::numeric_limits<double>::infinity()};
+  }
+  plant_.set_alpha(course_, alpha_m2, Slopes::by_alpha);
+  trials_.set(0, unknown(1), unknown.tail(unknown.size() - 2));
+  trials_.fly_with_derivatives(plant_);
+  NormalEquations result = trials_.equations(0);
+  const double scale = alpha == Alpha::held ? 0.0 : alpha_m2;
+  result.normal.row(0) *= scale;
+  result.normal.col(0) *= scale;
+  result.gradient(0) *= scale;
+  return result;
+}
+
+Fit Descent::from(const RollModel& begin, Alpha alpha) {
+  const Eigen::VectorXd rest = unknown_of(begin, start_);
+  Eigen::VectorXd unknown{rest.size() + 2};
+  unknown << std::log(std::clamp(begin.alpha_m2, lowest_alpha_m2, highest_alpha_m2)), begin.beta_m, rest;
+  LevenbergMarquardt search{unknown,
+                            {.first_damping = 1e-3,
+                             .relative_gain = 1e-9,
+                             .absolute_gain = static_cast<double>(record_.size()) * single_precision_rad2,
+                             .most_trials = 60}};
+  while (!search.finished()) {
+    search.tell(try_out(search.trial(), alpha));
+  }
+  const Eigen::VectorXd& best = search.best();
+  return {.model = model_of(record_, node_time_s_, start_, alpha == Alpha::held ? begin.alpha_m2 : std::exp(best(0)),
+                            best(1), best.tail(rest.size())),
+          .squares_rad2 = search.squares()};
+}
+
+double Descent::squares_rad2(const RollModel& model) {
+  plant_.set_alpha(course_, model.alpha_m2, Slopes::none);
+  trials_.set(0, model.beta_m, unknown_of(model, start_));
+  trials_.fly(plant_);
+  return trials_.errors().squares(0);
+}
+
+Fit fit(const Record& record, const Airframe& airframe, const Control& control, const NodeTimes& node_time_s,
+        Start start, const Grid& range, const std::optional<RollModel>& grid_best) {
+  const auto searched = [&] {
+    const Grid grid{.alpha_m2 = coarse(range.alpha_m2, 12.0), .beta_m = coarse(range.beta_m, 4.0)};
+    return search_grid(record, airframe, control, node_time_s, start, grid).least_squares;
+  };
+  Descent descent{record, airframe, control, node_time_s, start};
+  Fit best = descent.from(grid_best ? *grid_best : searched());
+  const FirstGuess guess{record, airframe, node_time_s, start};
+  for (std::size_t i = 0; i < alpha_starts; ++i) {
+    for (const double beta_share : beta_starts) {
+      const double alpha_m2 = alpha_start_m2(range.alpha_m2, i);
+      const double beta_m = range.beta_m.first + beta_share * (range.beta_m.last - range.beta_m.first);
+      Fit found = descent.from(model_of(record, node_time_s, start, alpha_m2, beta_m, guess.at(alpha_m2, beta_m)));
+      if (found.squares_rad2 < best.squares_rad2) {
+        best = std::move(found);
+      }
+    }
+  }
+  // The steepest way down may have been longer than one descent has steps.
+  Fit further = descent.from(best.model);
+  return further.squares_rad2 < best.squares_rad2 ? std::move(further) : std::move(best);
+}
+
+}  // namespace fantail::identify::closed_loop

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+#include "identify/closed_loop/closed_loop.hpp"
+
+namespace fantail::identify::closed_loop {
+namespace {
+
+using namespace model;
+
+LanePoints<1> one_point(const RollModel& model) {
+  LanePoints<1> point;
+  point.beta_m[0] = model.beta_m;
+  for (const double node_rad : model.node_rad) {
+    point.node_rad.push_back({node_rad});
+  }
+  for (const InitialState& initial : model.initial) {
+    point.angle_rad.push_back({initial.angle_rad});
+    point.rate_rad_s.push_back({initial.rate_rad_s});
+  }
+  return point;
+}
+
+class Recorder {
+ public:
+  explicit Recorder(Simulation& simulation) : simulation_{simulation} {}
+  void at_sample(std::size_t /*sample*/, const Lane<1>& angle_rad, const Lane<1>& rate_rad_s) {
+    simulation_.roll_angle_rad.push_back(angle_rad[0]);
+    simulation_.roll_rate_rad_s.push_back(rate_rad_s[0]);
+  }
+  void at_command(std::size_t /*sample*/, const Lane<1>& command_rad) {
+    simulation_.canard_rad.push_back(command_rad[0]);
+  }
+  void end_segment(std::size_t /*segment*/) {}
+
+ private:
+  Simulation& simulation_;
+};
+
+class TangentRecorder {
+ public:
+  TangentRecorder(const Course& course, const Tangents<1>& tangents) : tangents_{tangents}, course_{course} {
+    const auto rows = static_cast<Eigen::Index>(course.record->size());
+    const auto unknowns = static_cast<Eigen::Index>(tangents.unknowns.count(course.node_count, course.segments()));
+    angle_ = Eigen::MatrixXd::Zero(rows, unknowns);
+    rate_ = angle_;
+  }
+
+  void at_sample(std::size_t sample, const Lane<1>& /*angle_rad*/, const Lane<1>& /*rate_rad_s*/) {
+    const auto row = static_cast<Eigen::Index>(sample);
+    for (std::size_t column = 0; column < tangents_.active; ++column) {
+      const auto place = static_cast<Eigen::Index>(
+          tangents_.unknowns.place(column, tangents_.first_node, course_.node_count, segment_));
+      angle_(row, place) = tangents_.angle[column][0];
+      rate_(row, place) = tangents_.rate[column][0];
+    }
+  }
+  void at_command(std::size_t /*sample*/, const Lane<1>& /*command_rad*/) {}
+  void end_segment(std::size_t segment) { segment_ = segment + 1; }
+
+  [[nodiscard]] StateSensitivities result() const { return {.angle = parts(angle_), .rate = parts(rate_)}; }
+
+ private:
+  [[nodiscard]] Sensitivities parts(const Eigen::MatrixXd& all) const {
+    const auto numbers = static_cast<Eigen::Index>(2 + course_.node_count);
+    const auto segments = static_cast<Eigen::Index>(course_.segments());
+    const Eigen::MatrixXd starts = all.rightCols(2 * segments);
+    return {.numbers = all.leftCols(numbers),
+            .start_angle = starts(Eigen::all, Eigen::seqN(0, segments, 2)),
+            .start_rate = starts(Eigen::all, Eigen::seqN(1, segments, 2))};
+  }
+
+  const Tangents<1>& tangents_;
+  const Course& course_;
+  std::size_t segment_ = 0;
+  Eigen::MatrixXd angle_{};
+  Eigen::MatrixXd rate_{};
+};
+
+}  // namespace
+
+Simulation simulate(const Record& record, const Airframe& airframe, const Control& control, const RollModel& model) {
+  const Course course = make_course(record, airframe, control, model.node_time_s);
+  Plant plant;
+  plant.set_alpha(course, model.alpha_m2, Slopes::none);
+  Simulation result;
+  Recorder recorder{result};
+  fly_lanes<1, false>(course, plant, one_point(model), nullptr, recorder);
+  result.compare_with(record);
+  return result;
+}
+
+StateSensitivities sensitivities(const Record& record, const Airframe& airframe, const Control& control,
+                                 const RollModel& model) {
+  const Course course = make_course(record, airframe, control, model.node_time_s);
+  Plant plant;
+  plant.set_alpha(course, model.alpha_m2, Slopes::by_alpha);
+  Tangents<1> tangents{{.initial = true, .model = true}, course.node_count};
+  TangentRecorder recorder{course, tangents};
+  fly_lanes<1, true>(course, plant, one_point(model), &tangents, recorder);
+  return recorder.result();
+}
+
+}  // namespace fantail::identify::closed_loop

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: MIT
+#include "identify/result/charts.hpp"
+
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include <fmt/core.h>
+
+#include "identify/result/words.hpp"
+#include "report/numbers.hpp"
+
+namespace fantail::identify::result {
+namespace {
+
+using namespace model;
+using page::Chart;
+using page::Role;
+using page::Series;
+using report::degrees;
+
+constexpr double half_width = 428.0;
+
+Role role(std::size_t method) { return method == 0 ? Role::model : Role::second_model; }
+
+std::string model_name(const WindowFindings& window, const Identification& result) {
+  return window.results.size() == 1 ? "model" : fmt::format("model, {}", name(result.method));
+}
+
+// A curve over the samples of a record, interrupted at its gaps.
+Series curve(const Record& record, std::string name, Role role, const std::vector<double>& radians) {
+  Series series{.name = std::move(name), .role = role};
+  std::size_t next_segment = 1;
+  for (std::size_t i = 0; i < record.size(); ++i) {
+    const double t = record.window_begin_s + record.time_s[i];
+    if (next_segment < record.segment_begin.size() && record.segment_begin[next_segment] == i) {
+      series.x.push_back(0.5 * (series.x.back() + t));
+      series.y.push_back(std::numeric_limits<double>::quiet_NaN());
+      ++next_segment;
+    }
+    series.x.push_back(t);
+    series.y.push_back(degrees(radians[i]));
+  }
+  return series;
+}
+
+Chart over_time(const std::string& label, const std::string& y_label) {
+  Chart chart;
+  chart.label = label;
+  chart.x_label = "time / s";
+  chart.y_label = y_label;
+  return chart;
+}
+
+Chart measured_and_modelled(const WindowFindings& window, Chart chart, const std::vector<double>& measured,
+                            std::vector<double> Simulation::* modelled) {
+  chart.series.push_back(curve(window.record, "measured", Role::measured, measured));
+  for (std::size_t k = 0; k < window.results.size(); ++k) {
+    const Identification& result = window.results[k];
+    chart.series.push_back(curve(window.record, model_name(window, result), role(k), result.simulation.*modelled));
+  }
+  return chart;
+}
+
+Chart residuals(const WindowFindings& window, Chart chart, const std::vector<double>& measured,
+                std::vector<double> Simulation::* modelled) {
+  chart.width = half_width;
+  for (std::size_t k = 0; k < window.results.size(); ++k) {
+    const Identification& result = window.results[k];
+    std::vector<double> difference = measured;
+    for (std::size_t i = 0; i < difference.size(); ++i) {
+      difference[i] -= (result.simulation.*modelled)[i];
+    }
+    chart.series.push_back(curve(window.record, model_name(window, result), role(k), difference));
+  }
+  chart.levels.push_back({.value = 0.0});
+  return chart;
+}
+
+struct Estimate {
+  double value_rad;
+  double deviation_rad;
+};
+
+Estimate disturbance_at(const Identification& result, double time_s) {
+  const double value = result.model.disturbance_rad(time_s);
+  if (!result.uncertainty) {
+    return {value, 0.0};
+  }
+  const NodeShare share = node_share(result.model.node_time_s, time_s);
+  const double left = 1.0 - share.right_share;
+  const double right = share.right_share;
+  const Uncertainty& u = *result.uncertainty;
+  const double a = left * u.standard_deviation[share.left + 2];
+  const double b = right * u.standard_deviation[share.right + 2];
+  const double together =
+      u.correlation(static_cast<Eigen::Index>(share.left) + 2, static_cast<Eigen::Index>(share.right) + 2);
+  return {value, std::sqrt(std::fmax(0.0, a * a + b * b + 2.0 * together * a * b))};
+}
+
+}  // namespace
+
+Chart angle_chart(const WindowFindings& window) {
+  return measured_and_modelled(window, over_time("roll angle, measured and modelled", "roll angle / deg"),
+                               window.record.roll_angle_rad, &Simulation::roll_angle_rad);
+}
+
+Chart rate_chart(const WindowFindings& window) {
+  return measured_and_modelled(window, over_time("roll rate, measured and modelled", "roll rate / deg/s"),
+                               window.record.roll_rate_rad_s, &Simulation::roll_rate_rad_s);
+}
+
+Chart angle_residual_chart(const WindowFindings& window) {
+  return residuals(window, over_time("what the model leaves of the roll angle", "angle residual / deg"),
+                   window.record.roll_angle_rad, &Simulation::roll_angle_rad);
+}
+
+Chart rate_residual_chart(const WindowFindings& window) {
+  return residuals(window, over_time("what the model leaves of the roll rate", "rate residual / deg/s"),
+                   window.record.roll_rate_rad_s, &Simulation::roll_rate_rad_s);
+}
+
+Chart canard_chart(const WindowFindings& window) {
+  Chart chart = over_time("canard angle", "canard angle / deg");
+  chart.width = half_width;
+  if (!window.record.canard_rad.empty()) {
+    chart.series.push_back(curve(window.record, "measured", Role::measured, window.record.canard_rad));
+  }
+  for (std::size_t k = 0; k < window.results.size(); ++k) {
+    const Identification& result = window.results[k];
+    if (result.loop == Loop::closed) {
+      chart.series.push_back(curve(window.record, model_name(window, result), role(k), result.simulation.canard_rad));
+    }
+  }
+  return chart;
+}
+
+Chart disturbance_chart(const WindowFindings& window) {
+  constexpr int points = 200;
+  constexpr double normal_975 = 1.96;
+  Chart chart = over_time("disturbance, as an equivalent canard angle", "disturbance / deg");
+  chart.width = half_width;
+  const double length_s = window.record.time_s.back();
+  for (std::size_t k = 0; k < window.results.size(); ++k) {
+    const Identification& result = window.results[k];
+    Series line{.name = model_name(window, result), .role = role(k)};
+    page::Area band{.name = "95 % of it", .role = role(k)};
+    for (int i = 0; i <= points; ++i) {
+      const double t = length_s * i / points;
+      const Estimate there = disturbance_at(result, t);
+      const double reach = normal_975 * there.deviation_rad;
+      line.x.push_back(window.record.window_begin_s + t);
+      line.y.push_back(degrees(there.value_rad));
+      band.x.push_back(line.x.back());
+      band.low.push_back(degrees(there.value_rad - reach));
+      band.high.push_back(degrees(there.value_rad + reach));
+    }
+    if (result.uncertainty) {
+      chart.areas.push_back(std::move(band));
+    }
+    chart.series.push_back(std::move(line));
+  }
+  return chart;
+}
+
+Chart node_curve_chart(const Identification& result) {
+  Chart chart;
+  chart.label = "mean angle error over the number of intervals of the disturbance";
+  chart.x_label = "intervals of the disturbance";
+  chart.y_label = "mean angle error / deg";
+  chart.width = half_width;
+  chart.equal_x_ticks_at_points = true;
+  Series curve{.name = "mean angle error", .role = Role::model, .mark = page::Mark::line_and_points};
+  double most = 0.0;
+  for (const NodeTrial& trial : result.node_trials) {
+    curve.x.push_back(static_cast<double>(trial.intervals));
+    curve.y.push_back(degrees(trial.mean_abs_angle_error_rad));
+    most = std::fmax(most, curve.y.back());
+  }
+  chart.series.push_back(std::move(curve));
+  chart.levels.push_back(
+      {.value = static_cast<double>(result.model.node_rad.size() - 1), .label = "chosen", .upright = true});
+  chart.y_range = page::Range{0.0, 1.1 * most};
+  return chart;
+}
+
+page::HeatMap error_map_chart(const WindowFindings& window, const ErrorMap& errors) {
+  page::HeatMap map;
+  map.label = "mean angle error over alpha and beta";
+  map.x_label = "alpha / m\u00b2";
+  map.y_label = "beta / m";
+  map.value_label = "mean angle error / deg";
+  map.x = errors.alpha_m2;
+  map.y = errors.beta_m;
+  for (const double error_rad : errors.mean_abs_angle_error_rad) {
+    map.value.push_back(degrees(error_rad));
+  }
+  for (const Identification& result : window.results) {
+    const RollModel& model = result.model;
+    if (model.alpha_m2 >= map.x.front() && model.alpha_m2 <= map.x.back() && model.beta_m >= map.y.front() &&
+        model.beta_m <= map.y.back()) {
+      map.spots.push_back({.x = model.alpha_m2, .y = model.beta_m, .label = std::string{name(result.method)}});
+    }
+  }
+  return map;
+}
+
+}  // namespace fantail::identify::result

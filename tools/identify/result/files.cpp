@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: MIT
+#include <charconv>
+#include <cmath>
+#include <iterator>
+
+#include <fmt/format.h>
+
+#include "identify/result/outputs.hpp"
+#include "identify/result/words.hpp"
+#include "json/value.hpp"
+#include "report/numbers.hpp"
+#include "report/output_folder.hpp"
+
+namespace fantail::identify::result {
+namespace {
+
+using namespace model;
+using Json = json::Value;
+using report::degrees;
+
+// Eight digits: more than any of these numbers is known to, and no ...0000001. What is no number becomes null.
+double rounded(double value) {
+  double result = value;
+  const std::string text = fmt::format("{:.8g}", value);
+  std::from_chars(text.data(), text.data() + text.size(), result);
+  return result == 0.0 ? 0.0 : result;
+}
+
+Json list(const std::vector<double>& values, double scale = 1.0) {
+  Json out = Json::array();
+  for (const double value : values) {
+    out.push_back(rounded(scale * value));
+  }
+  return out;
+}
+
+Json pair(const Interval& interval, double scale = 1.0) {
+  const auto end = [&](const std::optional<double>& value) { return value ? rounded(scale * *value) : Json{}; };
+  return Json::array({end(interval.low), end(interval.high)});
+}
+
+void add_uncertainty(Json& json, const Uncertainty& u) {
+  const double degree = degrees(1.0);
+  json["alpha_sd_m2"] = rounded(u.standard_deviation[0]);
+  json["beta_sd_m"] = rounded(u.standard_deviation[1]);
+  json["disturbance_sd_deg"] = list({u.standard_deviation.begin() + 2, u.standard_deviation.end()}, degree);
+  json["alpha_interval_m2"] = pair(u.alpha_profile_m2);
+  json["beta_interval_m"] = pair(u.interval[1]);
+  json["disturbance_interval_deg"] = Json::array();
+  for (std::size_t k = 2; k < u.interval.size(); ++k) {
+    json["disturbance_interval_deg"].push_back(pair(u.interval[k], degree));
+  }
+  json["correlation"] = Json::array();
+  for (Eigen::Index i = 0; i < u.correlation.rows(); ++i) {
+    const Eigen::VectorXd row = u.correlation.row(i);
+    json["correlation"].push_back(list({row.begin(), row.end()}));
+  }
+  json["alpha_identifiable"] = u.alpha_identifiable;
+  json["beta_identifiable"] = u.beta_identifiable;
+  json["verdict"] = u.verdict;
+}
+
+Json object(const Study& study, const WindowFindings& window, const Identification& result) {
+  Json json{{"data", study.data},
+            {"window", window.record.window},
+            {"window_begin_s", rounded(window.record.window_begin_s)},
+            {"method", name(result.method)},
+            {"loop", name(result.loop)},
+            {"samples", result.samples},
+            {"seconds", rounded(result.seconds)},
+            {"alpha_m2", rounded(result.model.alpha_m2)},
+            {"beta_m", rounded(result.model.beta_m)},
+            {"disturbance_deg", list(result.model.node_rad, degrees(1.0))},
+            {"node_time_s", list(result.model.node_time_s)},
+            {"mean_abs_angle_error_deg", rounded(degrees(result.simulation.mean_abs_angle_error_rad))},
+            {"mean_abs_rate_error_deg_s", rounded(degrees(result.simulation.mean_abs_rate_error_rad_s))}};
+  if (result.uncertainty) {
+    add_uncertainty(json, *result.uncertainty);
+  }
+  json["lag_s"] = rounded(window.lag_s);
+  json["lag_fitted"] = window.lag_is_fitted;
+  json["density"] = study.density;
+  json["speed"] = study.speed;
+  json["inertia_kg_m2"] = rounded(study.airframe.inertia_kg_m2);
+  json["reference_area_m2"] = rounded(study.airframe.reference_area_m2);
+  std::vector<std::string> said = study.warnings;
+  const std::vector<std::string> more = remarks(window, result);
+  said.insert(said.end(), more.begin(), more.end());
+  json["remarks"] = said;
+  if (!result.node_trials.empty()) {
+    json["node_curve"] = Json::array();
+    for (const NodeTrial& trial : result.node_trials) {
+      json["node_curve"].push_back({{"intervals", trial.intervals},
+                                    {"mean_abs_angle_error_deg", rounded(degrees(trial.mean_abs_angle_error_rad))},
+                                    {"alpha_m2", rounded(trial.model.alpha_m2)},
+                                    {"beta_m", rounded(trial.model.beta_m)}});
+    }
+  }
+  return json;
+}
+
+}  // namespace
+
+std::string as_json(const Study& study) {
+  Json all = Json::array();
+  for (const WindowFindings& window : study.windows) {
+    for (const Identification& result : window.results) {
+      all.push_back(object(study, window, result));
+    }
+  }
+  const Json& whole = all.size() == 1 ? all[0] : Json{{"results", all}};
+  return whole.pretty();
+}
+
+std::string as_csv(const Record& record, const RollModel& model, const Simulation& simulation) {
+  fmt::memory_buffer out;
+  out.reserve((record.size() + 2) * 90);
+  fmt::format_to(std::back_inserter(out),
+                 "time_s,roll_angle_deg,model_roll_angle_deg,roll_rate_deg_s,model_roll_rate_deg_s,canard_deg,"
+                 "disturbance_deg\n");
+  const auto cell = [&](double value, char behind) {
+    fmt::format_to(std::back_inserter(out), "{:.6f}{}", std::abs(value) < 0.5e-6 ? 0.0 : value, behind);
+  };
+  for (std::size_t i = 0; i < record.size(); ++i) {
+    cell(record.window_begin_s + record.time_s[i], ',');
+    cell(degrees(record.roll_angle_rad[i]), ',');
+    cell(degrees(simulation.roll_angle_rad[i]), ',');
+    cell(degrees(record.roll_rate_rad_s[i]), ',');
+    cell(degrees(simulation.roll_rate_rad_s[i]), ',');
+    cell(degrees(simulation.canard_rad[i]), ',');
+    cell(degrees(model.disturbance_rad(record.time_s[i])), '\n');
+  }
+  return fmt::to_string(out);
+}
+
+std::vector<std::string> model_csv_names(const Study& study) {
+  std::vector<std::string> names;
+  for (const WindowFindings& window : study.windows) {
+    for (std::size_t k = 0; k < window.results.size(); ++k) {
+      names.push_back(fmt::format("model_{}.csv", names.size() + 1));
+    }
+  }
+  return names.size() == 1 ? std::vector<std::string>{"model.csv"} : names;
+}
+
+void write_study(const Study& study, const std::filesystem::path& folder) {
+  std::vector<report::NamedFile> files{{"report.html", as_html(study)}, {"identification.json", as_json(study)}};
+  const std::vector<std::string> names = model_csv_names(study);
+  std::size_t next = 0;
+  for (const WindowFindings& window : study.windows) {
+    for (const Identification& result : window.results) {
+      files.push_back({names[next++], as_csv(window.record, result.model, result.simulation)});
+    }
+  }
+  report::OutputFolder{folder}.write(files);
+}
+
+}  // namespace fantail::identify::result

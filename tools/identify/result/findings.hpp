@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "identify/model/roll_model.hpp"
+
+namespace fantail::identify::result {
+
+enum class Method : std::uint8_t { grid, continuous };
+enum class Loop : std::uint8_t { open, closed };
+
+/// Where a number lies with a probability of 95 %. Empty ends: the data do not bound it there.
+struct Interval {
+  std::optional<double> low;
+  std::optional<double> high;
+};
+
+/// How well each number of a model is known from one record, if the model is right and its residual goes on as it was.
+struct Uncertainty {
+  /// In the order alpha, beta, nodes; in m2, m and radians.
+  std::vector<double> standard_deviation{};
+  Eigen::MatrixXd correlation{};
+  std::vector<Interval> interval{};  ///< 95 %, from the standard deviations
+  Interval alpha_profile_m2{};       ///< 95 %, from the profile of the likelihood: the one to trust for alpha
+  double effective_samples = 0.0;    ///< independent samples that the correlated residual is worth
+  double residual_rms_rad = 0.0;
+  double residual_correlation_s = 0.0;  ///< over which time the residual remembers itself
+  bool alpha_identifiable = false;
+  bool beta_identifiable = false;
+  std::string verdict{};  ///< a sentence: "alpha is not identifiable from this window: no excitation", ...
+};
+
+/// One line of the curve over the number of intervals.
+struct NodeTrial {
+  std::size_t intervals;
+  model::RollModel model;
+  double mean_abs_angle_error_rad;
+};
+
+/// What one method finds in one record.
+struct Identification {
+  Method method = Method::continuous;
+  Loop loop = Loop::open;
+  model::RollModel model{};
+  model::Simulation simulation{};
+  std::optional<Uncertainty> uncertainty{};
+  std::optional<model::ErrorMap> error_map{};
+  std::vector<NodeTrial> node_trials{};  ///< where the number of nodes was chosen automatically
+  std::vector<std::string> remarks{};    ///< the winner lies on the edge of the grid, ...
+  std::size_t samples = 0;
+  double seconds = 0.0;  ///< length of the record
+};
+
+/// What one window of a log says.
+struct WindowFindings {
+  model::Record record{};
+  double lag_s = 0.0;
+  bool lag_is_fitted = false;
+  std::vector<std::string> remarks{};     ///< about the record: gaps, the lag
+  std::vector<Identification> results{};  ///< one a method
+};
+
+/// All there is to report.
+struct Study {
+  std::string data{};     ///< the log, as the person wrote it
+  std::string vehicle{};  ///< in words
+  std::string density{};
+  std::string speed{};
+  model::Airframe airframe{};
+  std::vector<std::string> warnings{};  ///< about the log as a whole
+  std::vector<WindowFindings> windows{};
+};
+
+}  // namespace fantail::identify::result

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <iterator>
+#include <vector>
+
+#include <fmt/core.h>
+
+#include "identify/result/charts.hpp"
+#include "identify/result/outputs.hpp"
+#include "identify/result/residual.hpp"
+#include "identify/result/words.hpp"
+#include "page/page.hpp"
+#include "report/numbers.hpp"
+#include "text/number.hpp"
+
+namespace fantail::identify::result {
+namespace {
+
+using namespace model;
+using report::degrees;
+
+std::string figures(const WindowFindings& window) {
+  const Identification& result = main_result(window);
+  const auto range = [&](std::size_t number) {
+    return result.uncertainty ? "95 %: " + words(interval_of(result, number)) : std::string{};
+  };
+  const std::vector<double>& nodes = result.model.node_rad;
+  const auto [low, high] = std::ranges::minmax(nodes);
+  const std::string least = text::fixed(degrees(low), 1);
+  const std::string most = text::fixed(degrees(high), 1);
+  return page::figure_row(std::vector<page::Figure>{
+      {"damping alpha", text::brief(result.model.alpha_m2, 2), "m\u00b2", range(0)},
+      {"torque constant beta", text::brief(result.model.beta_m, 2), "m", range(1)},
+      {"disturbance", least == most ? least : least + " to " + most, "deg", "as an equivalent canard angle"},
+      {"mean angle error", text::fixed(degrees(result.simulation.mean_abs_angle_error_rad), 2), "deg",
+       fmt::format("rate: {} deg/s", text::fixed(degrees(result.simulation.mean_abs_rate_error_rad_s), 1))}});
+}
+
+std::string numbers_table(const WindowFindings& window) {
+  std::vector<page::Column> columns{{"", false}};
+  std::size_t nodes = 0;
+  for (const Identification& result : window.results) {
+    const std::string who = fmt::format("{}, {} loop", name(result.method), name(result.loop));
+    columns.push_back({who, true});
+    columns.push_back({"95 %", true});
+    nodes = std::max(nodes, result.model.node_rad.size());
+  }
+  std::vector<std::vector<page::Cell>> rows;
+  for (std::size_t k = 0; k < nodes + 2; ++k) {
+    std::vector<page::Cell> row{{k == 0   ? "damping alpha / m\u00b2"
+                                 : k == 1 ? "torque constant beta / m"
+                                          : "disturbance / deg, " + node_label(window, k - 2)}};
+    for (const Identification& result : window.results) {
+      const bool known = k < result.model.node_rad.size() + 2 && result.uncertainty;
+      row.push_back({printable(k < 2 ? with_deviation(result, k) : node_value(window, result, k - 2))});
+      row.push_back({known ? words(interval_of(result, k), k < 2 ? 1.0 : degrees(1.0)) : ""});
+    }
+    rows.push_back(std::move(row));
+  }
+  std::vector<page::Cell> angle{{"mean angle error / deg"}};
+  std::vector<page::Cell> rate{{"mean rate error / deg/s"}};
+  for (const Identification& result : window.results) {
+    angle.insert(angle.end(), {{text::fixed(degrees(result.simulation.mean_abs_angle_error_rad), 3)}, {""}});
+    rate.insert(rate.end(), {{text::fixed(degrees(result.simulation.mean_abs_rate_error_rad_s), 2)}, {""}});
+  }
+  rows.push_back(std::move(angle));
+  rows.push_back(std::move(rate));
+  return page::table(columns, rows);
+}
+
+std::string knowledge(const WindowFindings& window) {
+  const Identification& result = main_result(window);
+  if (!result.uncertainty) {
+    return "";
+  }
+  return page::section(
+      "How well each number is known",
+      page::paragraph("Nineteen times in twenty the truth lies inside the range that is stated, if the "
+                      "model holds and the residual goes on as it was.") +
+          page::list(how_well_sentences(result)));
+}
+
+std::string pictures(const WindowFindings& window) {
+  std::string motion = page::figure(page::svg(angle_chart(window)), "");
+  motion += page::figure(page::svg(rate_chart(window)), "");
+  const std::vector<std::string> left_over{page::figure(page::svg(angle_residual_chart(window)), ""),
+                                           page::figure(page::svg(rate_residual_chart(window)), "")};
+  std::string out = page::section("Measured and modelled", motion);
+  out += page::section(
+      "What the model leaves",
+      page::paragraph("Measured minus modelled. A good model leaves noise without a shape; slow waves mean that the "
+                      "disturbance needs more nodes, spikes at each move of the canards a lag.") +
+          page::side_by_side(left_over));
+  std::vector<std::string> inputs{page::figure(
+      page::svg(disturbance_chart(window)),
+      "The disturbance acts like a canard that is set by this angle; the band is where it lies with 95 %.")};
+  const page::Chart canards = canard_chart(window);
+  if (!canards.series.empty()) {
+    inputs.push_back(page::figure(page::svg(canards), "What drove the rocket on purpose."));
+  }
+  return out + page::section("What turned the rocket", page::side_by_side(inputs));
+}
+
+std::string searches(const WindowFindings& window) {
+  std::string out;
+  const auto mapped =
+      std::ranges::find_if(window.results, [](const Identification& r) { return r.error_map.has_value(); });
+  if (mapped != window.results.end()) {
+    out += page::section(
+        "The error over alpha and beta",
+        page::figure(page::svg(error_map_chart(window, *mapped->error_map)),
+                     "Each cell: the disturbance that fits best, and the mean angle error that is left. A long dark "
+                     "valley means that many pairs explain the log alike."));
+  }
+  for (const Identification& result : window.results) {
+    if (!result.node_trials.empty()) {
+      out += page::section(
+          fmt::format("How many nodes ({})", name(result.method)),
+          page::paragraph("More intervals always fit better. As few are chosen as come within a tenth, or a "
+                          "hundredth of a degree, of the least error.") +
+              page::figure(page::svg(node_curve_chart(result)), ""));
+    }
+  }
+  return out;
+}
+
+std::string remark_list(const Study& study, const WindowFindings& window) {
+  std::vector<std::string> all = study.warnings;
+  all.insert(all.end(), window.remarks.begin(), window.remarks.end());
+  for (const Identification& result : window.results) {
+    for (const std::string& remark : result.remarks) {
+      all.push_back(window.results.size() > 1 ? fmt::format("{}: {}", name(result.method), remark) : remark);
+    }
+  }
+  if (window.lag_is_fitted || window.lag_s != 0.0) {
+    all.push_back(fmt::format("Canard angles are taken {} ms {} than they are logged{}.",
+                              text::brief(1000.0 * std::abs(window.lag_s), 1), window.lag_s < 0.0 ? "earlier" : "later",
+                              window.lag_is_fitted ? ", as fitted" : ""));
+  }
+  return all.empty() ? "" : page::section("Remarks", page::list(all));
+}
+
+std::string part(const Study& study, const WindowFindings& window) {
+  std::string out = figures(window) + numbers_table(window);
+  if (study.windows.size() > 1) {
+    const Identification& result = main_result(window);
+    out = page::section("Window " + window.record.window,
+                        page::paragraph(extent(window.record)) +
+                            (result.uncertainty ? page::paragraph(sentence(result.uncertainty->verdict)) : "") + out);
+  } else {
+    out = page::section("The roll model", out);
+  }
+  return out + knowledge(window) + pictures(window) + searches(window) + remark_list(study, window);
+}
+
+void judge_one(const WindowFindings& window, page::Page& page) {
+  const Identification& result = main_result(window);
+  page.subtitle += fmt::format("; window {}, {}", window.record.window, extent(window.record));
+  const auto doubt = misfit(window.record, result);
+  page.tone = tells(window) && !doubt ? page::Tone::good : page::Tone::unsure;
+  if (!tells(window)) {
+    page.verdict_heading = "This window does not tell both damping and torque";
+    page.verdict = result.uncertainty ? sentence(result.uncertainty->verdict) : "";
+  } else if (doubt) {
+    page.verdict_heading = "Damping and torque, with a doubt";
+    page.verdict = *doubt;
+  } else {
+    page.verdict_heading = "This window tells damping and torque";
+    page.verdict = sentence(result.uncertainty->verdict);
+  }
+}
+
+void judge_several(const Study& study, page::Page& page) {
+  const auto good = std::ranges::count_if(study.windows, tells);
+  const auto doubtful = std::ranges::count_if(study.windows, [](const WindowFindings& window) {
+    return misfit(window.record, main_result(window)).has_value();
+  });
+  const auto all = std::ssize(study.windows);
+  page.tone = good == all && doubtful == 0 ? page::Tone::good : page::Tone::unsure;
+  page.verdict_heading = fmt::format("{} of {} windows tell damping and torque", good, all);
+  for (const WindowFindings& window : study.windows) {
+    const RollModel& model = main_result(window).model;
+    page.verdict += fmt::format("{}: alpha {}, beta {}. ", window.record.window, text::brief(model.alpha_m2, 2),
+                                text::brief(model.beta_m, 2));
+  }
+  if (doubtful > 0) {
+    page.verdict +=
+        fmt::format("In {} of them the model does not follow the log all the way; see the remarks.", doubtful);
+  }
+}
+
+}  // namespace
+
+std::string as_html(const Study& study) {
+  page::Page page;
+  page.kind = "Fantail identification report";
+  page.title = study.data;
+  page.subtitle = printable(fmt::format("{}; density {}; speed {}", study.vehicle, study.density, study.speed));
+  if (study.windows.size() == 1) {
+    judge_one(study.windows.front(), page);
+  } else {
+    judge_several(study, page);
+  }
+  for (const WindowFindings& window : study.windows) {
+    page.body_html += part(study, window);
+  }
+  return page::html(page);
+}
+
+}  // namespace fantail::identify::result

@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: MIT
+#include "identify/result/uncertainty.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include <Eigen/Cholesky>
+#include <fmt/core.h>
+
+#include "identify/closed_loop/closed_loop.hpp"
+#include "identify/model/alpha_fit.hpp"
+#include "identify/model/least_squares.hpp"
+#include "identify/model/open_loop.hpp"
+#include "identify/result/residual.hpp"
+
+namespace fantail::identify::result {
+namespace {
+
+using namespace model;
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+// The inverse of J'J, computed on columns of unit length: alpha, beta and angles differ by orders of magnitude.
+MatrixXd inverse_information(const MatrixXd& columns) {
+  const VectorXd length = columns.colwise().norm().cwiseMax(1e-300);
+  const MatrixXd unit = columns * length.cwiseInverse().asDiagonal();
+  // Numbers that the data do not tell apart must come out as unknown, not as a failed inversion.
+  MatrixXd gram = unit.transpose() * unit;
+  gram.diagonal().array() += 1e-14;
+  const MatrixXd inverse = gram.ldlt().solve(MatrixXd::Identity(gram.rows(), gram.cols()));
+  return length.cwiseInverse().asDiagonal() * inverse * length.cwiseInverse().asDiagonal();
+}
+
+VectorXd residual_of(const std::vector<double>& measured, const std::vector<double>& modelled) {
+  const auto n = static_cast<Index>(measured.size());
+  return Eigen::Map<const VectorXd>(measured.data(), n) - Eigen::Map<const VectorXd>(modelled.data(), n);
+}
+
+MatrixXd beside(const MatrixXd& left, const MatrixXd& right) {
+  MatrixXd both(left.rows(), left.cols() + right.cols());
+  both << left, right;
+  return both;
+}
+
+// The sum of squared angle errors when everything but alpha is fitted.
+using AlphaProfile = std::function<double(double alpha_m2)>;
+
+// Every number of the model is a weighted sum of the measured angles; a row of weights for each.
+struct Weights {
+  MatrixXd of_angles;
+  MatrixXd of_start_rates;
+};
+
+Weights weights(const Record& record, const Sensitivities& s, Start start, const MatrixXd& fitted,
+                const MatrixXd& inverse) {
+  const Index numbers = s.numbers.cols();
+  Weights result;
+  result.of_angles = (inverse * fitted.transpose()).topRows(numbers);
+  if (start == Start::measured) {
+    // An error of the first angle shifts the modelled angle of the whole segment.
+    const MatrixXd shift = result.of_angles * s.start_angle;
+    result.of_start_rates = result.of_angles * s.start_rate;
+    for (std::size_t k = 0; k < record.segment_begin.size(); ++k) {
+      result.of_angles.col(static_cast<Index>(record.segment_begin[k])) -= shift.col(static_cast<Index>(k));
+    }
+  }
+  return result;
+}
+
+// Walks away from the estimate until the profile has risen to `level`, then halves.
+std::optional<double> crossing(const AlphaProfile& profile, double from_m2, double factor, double level) {
+  double inside = from_m2;
+  double outside = from_m2 * factor;
+  while (!(profile(outside) > level)) {
+    inside = outside;
+    outside *= factor;
+    if (outside < lowest_alpha_m2 || outside > highest_alpha_m2) {
+      return std::nullopt;
+    }
+  }
+  constexpr int halvings = 30;
+  for (int i = 0; i < halvings && std::abs(outside - inside) > 1e-6 * from_m2; ++i) {
+    const double middle = 0.5 * (inside + outside);
+    (profile(middle) > level ? outside : inside) = middle;
+  }
+  return 0.5 * (inside + outside);
+}
+
+// Known within a factor of four: less, and the number is of no use to predict a flight.
+bool is_identifiable(const Interval& interval) {
+  constexpr double widest_factor = 4.0;
+  return interval.low && interval.high && *interval.low > 0.0 && *interval.high <= widest_factor * *interval.low;
+}
+
+std::string verdict(const Uncertainty& u, double excitation_rad) {
+  if (u.alpha_identifiable && u.beta_identifiable) {
+    return "alpha and beta are identifiable from this window";
+  }
+  constexpr double no_excitation_rad = 0.5 * 0.017453292519943295;
+  const std::string cause = excitation_rad < no_excitation_rad
+                                ? "no excitation"
+                                : "too little excitation for the noise and length of this window";
+  const std::string who = u.alpha_identifiable ? "beta is" : u.beta_identifiable ? "alpha is" : "alpha and beta are";
+  return who + " not identifiable from this window: " + cause;
+}
+
+Uncertainty uncertainty_of(const Record& record, const RollModel& model, const Simulation& simulation,
+                           const Sensitivities& sensitivities, Start start, const AlphaProfile& profile) {
+  const VectorXd residual = residual_of(record.roll_angle_rad, simulation.roll_angle_rad);
+  const MatrixXd starts = beside(sensitivities.start_angle, sensitivities.start_rate);
+  const MatrixXd everything = beside(sensitivities.numbers, starts);
+  const MatrixXd& fitted = start == Start::fitted ? everything : sensitivities.numbers;
+  const MatrixXd inverse = inverse_information(fitted);
+  const ResidualNoise noise = estimate_noise(record.time_s, residual, everything);
+  const Weights weight = weights(record, sensitivities, start, fitted, inverse);
+
+  MatrixXd covariance = weight.of_angles * noise.covariance_times(record.time_s, weight.of_angles.transpose());
+  if (start == Start::measured) {
+    const double rate_variance = residual_of(record.roll_rate_rad_s, simulation.roll_rate_rad_s).squaredNorm() /
+                                 static_cast<double>(record.size());
+    covariance += rate_variance * weight.of_start_rates * weight.of_start_rates.transpose();
+  }
+
+  Uncertainty result;
+  result.effective_samples = noise.effective_samples(record.time_s);
+  result.residual_rms_rad = std::sqrt(residual.squaredNorm() / static_cast<double>(record.size()));
+  result.residual_correlation_s = (1.0 - noise.white_share) * noise.correlation_s;
+  // Half of the samples go into finding out what the noise is like.
+  const double quantile = student_975(0.5 * (result.effective_samples - static_cast<double>(fitted.cols())));
+  const VectorXd deviation = covariance.diagonal().cwiseMax(0.0).cwiseSqrt();
+  const VectorXd per_deviation = deviation.cwiseMax(1e-300).cwiseInverse();
+  result.correlation = per_deviation.asDiagonal() * covariance * per_deviation.asDiagonal();
+  result.standard_deviation.assign(deviation.begin(), deviation.end());
+  const std::vector<double> value = model.numbers();
+  for (std::size_t k = 0; k < value.size(); ++k) {
+    const double reach = quantile * result.standard_deviation[k];
+    result.interval.push_back({.low = value[k] - reach, .high = value[k] + reach});
+  }
+
+  // Where the profile has risen by as much as it would at that distance if it were a parabola.
+  const double rise = quantile * quantile * covariance(0, 0) / inverse(0, 0);
+  const double level = profile(model.alpha_m2) + rise;
+  constexpr double stride = 1.3;
+  result.alpha_profile_m2 = {.low = crossing(profile, model.alpha_m2, 1.0 / stride, level),
+                             .high = crossing(profile, model.alpha_m2, stride, level)};
+  result.alpha_identifiable = is_identifiable(result.alpha_profile_m2);
+  result.beta_identifiable = is_identifiable(result.interval[1]);
+  result.verdict = verdict(result, excitation_rad(record, model.node_time_s));
+  return result;
+}
+
+}  // namespace
+
+double student_975(double degrees_of_freedom) {
+  // Cornish-Fisher expansion around the normal quantile (Abramowitz and Stegun 26.7.5).
+  constexpr double z = 1.959963984540054;
+  const double z2 = z * z;
+  const double n = std::max(degrees_of_freedom, 2.0);
+  const double g1 = z * (z2 + 1.0) / 4.0;
+  const double g2 = z * ((5.0 * z2 + 16.0) * z2 + 3.0) / 96.0;
+  const double g3 = z * (((3.0 * z2 + 19.0) * z2 + 17.0) * z2 - 15.0) / 384.0;
+  const double g4 = z * ((((79.0 * z2 + 776.0) * z2 + 1482.0) * z2 - 1920.0) * z2 - 945.0) / 92160.0;
+  return z + (g1 + (g2 + (g3 + g4 / n) / n) / n) / n;
+}
+
+VectorXd cramer_rao_standard_deviations(const Sensitivities& sensitivities, double angle_noise_rad) {
+  return angle_noise_rad * inverse_information(sensitivities.numbers).diagonal().cwiseSqrt();
+}
+
+double excitation_rad(const Record& record, const NodeTimes& nodes) {
+  const auto samples = static_cast<Index>(record.size());
+  MatrixXd columns = MatrixXd::Zero(samples, static_cast<Index>(nodes.size()) + 1);
+  for (Index i = 0; i < samples; ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    const NodeShare share = node_share(nodes, record.time_s[at]);
+    columns(i, static_cast<Index>(share.left)) += 1.0 - share.right_share;
+    columns(i, static_cast<Index>(share.right)) += share.right_share;
+    columns(i, columns.cols() - 1) = record.canard_rad[at];
+  }
+  const OrthogonalFit fit{columns, columns.cols() - 1};
+  return columns.rightCols(1).norm() / std::sqrt(static_cast<double>(samples));
+}
+
+Uncertainty open_loop_uncertainty(const Record& record, const Airframe& airframe, const RollModel& model,
+                                  const Simulation& simulation, Start start) {
+  const ResponseBasis basis{record, airframe, model.node_time_s, start};
+  return uncertainty_of(record, model, simulation, open_loop_sensitivities(record, airframe, model), start,
+                        [&basis](double alpha_m2) { return AlphaFit{basis, alpha_m2}.least_squares_rad2(); });
+}
+
+Uncertainty closed_loop_uncertainty(const Record& record, const Airframe& airframe, const closed_loop::Control& control,
+                                    const RollModel& model, const Simulation& simulation, Start start) {
+  closed_loop::Descent descent{record, airframe, control, model.node_time_s, start};
+  const auto profile = [&](double alpha_m2) {
+    RollModel begin = model;
+    begin.alpha_m2 = alpha_m2;
+    return descent.from(begin, closed_loop::Alpha::held).squares_rad2;
+  };
+  Record commanded = record;
+  commanded.canard_rad = simulation.canard_rad;
+  return uncertainty_of(commanded, model, simulation,
+                        closed_loop::sensitivities(record, airframe, control, model).angle, start, profile);
+}
+
+}  // namespace fantail::identify::result

@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: MIT
+#include "identify/result/words.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include <fmt/core.h>
+
+#include "report/numbers.hpp"
+#include "text/number.hpp"
+
+namespace fantail::identify::result {
+namespace {
+
+using namespace model;
+using report::degrees;
+
+constexpr int most_decimals = 4;  // no sensor tells more
+
+// So that two digits of a deviation show.
+int decimals(double deviation) {
+  if (!(deviation > 0.0)) {
+    return most_decimals;
+  }
+  return std::clamp(1 - static_cast<int>(std::floor(std::log10(deviation))), 0, most_decimals);
+}
+
+std::string subject(std::size_t number, const RollModel& model) {
+  if (number < 2) {
+    return number == 0 ? "Damping alpha" : "Torque constant beta";
+  }
+  if (model.node_time_s.size() == 1) {
+    return "The disturbance";
+  }
+  return fmt::format("The disturbance {} s into the window", text::brief(model.node_time_s[number - 2], 2));
+}
+
+std::string percent(double share) { return text::brief(100.0 * share, share < 0.0995 ? 1 : 0) + " %"; }
+
+bool share_nodes(const WindowFindings& window) {
+  const auto& first = window.results.front().model.node_time_s;
+  return std::ranges::all_of(window.results, [&](const Identification& r) { return r.model.node_time_s == first; });
+}
+
+// A sentence a node would bury the rest.
+std::string all_nodes(const Identification& result) {
+  double least = std::numeric_limits<double>::infinity();
+  double most = 0.0;
+  for (std::size_t k = 2; k < result.uncertainty->interval.size(); ++k) {
+    const Interval& interval = result.uncertainty->interval[k];
+    const double half = 0.5 * degrees(*interval.high - *interval.low);
+    least = std::min(least, half);
+    most = std::max(most, half);
+  }
+  return fmt::format("The disturbance at its {} nodes is known to {} to {} deg either way.",
+                     result.model.node_rad.size(), text::brief(least, 3), text::brief(most, 3));
+}
+
+}  // namespace
+
+std::string_view name(Method method) { return method == Method::grid ? "grid" : "continuous"; }
+
+std::string_view name(Loop loop) { return loop == Loop::open ? "open" : "closed"; }
+
+std::string with_deviation(const Identification& result, std::size_t number, double scale) {
+  const double value = scale * result.model.numbers()[number];
+  if (!result.uncertainty) {
+    return text::fixed(value, most_decimals);
+  }
+  const double deviation = scale * result.uncertainty->standard_deviation[number];
+  const int places = decimals(deviation);
+  return text::fixed(value, places) + " +- " + text::fixed(deviation, places);
+}
+
+std::string words(const Interval& interval, double scale) {
+  const double low = scale * interval.low.value_or(0.0);
+  const double high = scale * interval.high.value_or(0.0);
+  const int places = decimals(interval.low && interval.high ? 0.25 * (high - low) : 0.05 * std::abs(low + high));
+  if (interval.low && interval.high) {
+    return text::fixed(low, places) + " to " + text::fixed(high, places);
+  }
+  if (interval.low) {
+    return "above " + text::fixed(low, places);
+  }
+  return interval.high ? "below " + text::fixed(high, places) : "not bounded by this window";
+}
+
+const Interval& interval_of(const Identification& result, std::size_t number) {
+  return number == 0 ? result.uncertainty->alpha_profile_m2 : result.uncertainty->interval[number];
+}
+
+std::string how_well(const Identification& result, std::size_t number) {
+  constexpr double useful = 0.5;
+  const bool angle = number >= 2;
+  const double scale = angle ? report::degrees(1.0) : 1.0;
+  const std::string_view unit = angle ? "deg" : number == 0 ? "m2" : "m";
+  const std::string who = subject(number, result.model);
+  const double value = scale * result.model.numbers()[number];
+  const Interval& interval = interval_of(result, number);
+  if (!interval.low || !interval.high) {
+    return fmt::format("{} is {} {} from this window, but {}: the data do not tell.", who, text::brief(value, 2), unit,
+                       words(interval, scale));
+  }
+  const double half = 0.5 * scale * (*interval.high - *interval.low);
+  const int places = decimals(0.5 * half);
+  const std::string range = fmt::format("between {} and {} {}", text::fixed(scale * *interval.low, places),
+                                        text::fixed(scale * *interval.high, places), unit);
+  if (angle) {
+    return fmt::format("{} lies {}: known to {} deg either way.", who, range,
+                       text::brief(half, std::min(decimals(half), 3)));
+  }
+  const double share = half / std::abs(value);
+  return fmt::format("{} lies {}: {}.", who, range,
+                     share < useful
+                         ? "known to " + percent(share) + " either way"
+                         : "known to " + percent(share) + " either way, which is too little to predict with");
+}
+
+std::string node_label(const WindowFindings& window, std::size_t node) {
+  const auto& times = window.results.front().model.node_time_s;
+  if (!share_nodes(window)) {
+    return fmt::format("node {}", node + 1);
+  }
+  return times.size() == 1 ? "throughout" : fmt::format("{} s in", text::brief(times[node], 2));
+}
+
+std::string node_value(const WindowFindings& window, const Identification& result, std::size_t node) {
+  if (node >= result.model.node_rad.size()) {
+    return "";
+  }
+  const std::string value = with_deviation(result, node + 2, report::degrees(1.0));
+  return share_nodes(window) ? value : fmt::format("{} at {} s", value, text::brief(result.model.node_time_s[node], 2));
+}
+
+std::string extent(const Record& record) {
+  return fmt::format("{} s to {} s on the log's clock, {} samples", text::brief(record.window_begin_s, 3),
+                     text::brief(record.window_begin_s + record.time_s.back(), 3), record.size());
+}
+
+std::vector<std::string> remarks(const WindowFindings& window, const Identification& result) {
+  std::vector<std::string> all = window.remarks;
+  all.insert(all.end(), result.remarks.begin(), result.remarks.end());
+  return all;
+}
+
+const Identification& main_result(const WindowFindings& window) {
+  const auto continuous = std::ranges::find(window.results, Method::continuous, &Identification::method);
+  return continuous == window.results.end() ? window.results.front() : *continuous;
+}
+
+bool tells(const WindowFindings& window) {
+  const auto& u = main_result(window).uncertainty;
+  return u && u->alpha_identifiable && u->beta_identifiable;
+}
+
+std::vector<std::string> how_well_sentences(const Identification& result) {
+  const std::size_t nodes = result.model.node_rad.size();
+  constexpr std::size_t few = 2;
+  const std::size_t told = 2 + (nodes <= few ? nodes : 0);
+  std::vector<std::string> all;
+  all.reserve(told + 1);
+  for (std::size_t k = 0; k < told; ++k) {
+    all.push_back(printable(how_well(result, k)));
+  }
+  if (nodes > few) {
+    all.push_back(all_nodes(result));
+  }
+  const Uncertainty& u = *result.uncertainty;
+  constexpr double tied = 0.9;
+  if (std::abs(u.correlation(0, 1)) > tied) {
+    all.push_back(
+        fmt::format("Alpha and beta go together (correlation {}): a larger alpha with a larger beta explains "
+                    "the log nearly as well, so their ratio is known better than either.",
+                    text::fixed(u.correlation(0, 1), 2)));
+  }
+  const std::string strength = text::brief(degrees(u.residual_rms_rad), 3);
+  const std::string worth = text::fixed(u.effective_samples, 0);
+  if (u.effective_samples > 0.5 * static_cast<double>(result.samples)) {
+    all.push_back(fmt::format("The residual, {} deg, is new in every sample: each of the {} samples counts.", strength,
+                              result.samples));
+  } else {
+    all.push_back(
+        fmt::format("The residual, {} deg, remembers itself for {} s: all {} samples together are worth about {} "
+                    "independent {}. Faster sampling would not help; more time or more motion would.",
+                    strength, text::fixed(u.residual_correlation_s, 2), result.samples, worth == "1" ? "one" : worth,
+                    worth == "1" ? "reading" : "readings"));
+  }
+  return all;
+}
+
+std::string printable(std::string text) {
+  for (const auto& [plain, printed] :
+       {std::pair{"+-", "\u00b1"}, std::pair{" m2", " m\u00b2"}, std::pair{"kg/m3", "kg/m\u00b3"}}) {
+    for (std::size_t at = text.find(plain); at != std::string::npos; at = text.find(plain)) {
+      text.replace(at, std::string_view{plain}.size(), printed);
+    }
+  }
+  return text;
+}
+
+std::string sentence(std::string text) {
+  text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
+  return text + ".";
+}
+
+}  // namespace fantail::identify::result

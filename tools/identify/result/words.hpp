@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "identify/result/findings.hpp"
+
+namespace fantail::identify::result {
+
+// What text and page say alike. A `number` counts as in RollModel::numbers().
+
+[[nodiscard]] std::string_view name(Method method);
+[[nodiscard]] std::string_view name(Loop loop);
+
+/// "22.87 +- 0.41": as many decimals as two digits of the standard deviation need. `scale` turns SI into the unit
+/// shown.
+[[nodiscard]] std::string with_deviation(const Identification& result, std::size_t number, double scale = 1.0);
+
+/// "22.1 to 23.7", "above 22.1", "below 23.7" or "not bounded by this window".
+[[nodiscard]] std::string words(const Interval& interval, double scale = 1.0);
+
+/// The interval to show for one of a model's numbers: alpha's is that of its profile.
+[[nodiscard]] const Interval& interval_of(const Identification& result, std::size_t number);
+
+/// "alpha = 22.87 m2, known to 2 %": whether a number can be built upon, for someone who flies rockets.
+[[nodiscard]] std::string how_well(const Identification& result, std::size_t number);
+
+/// A node of the disturbance in a table with a column for each method: "1.62 s in" (into the window) and "-4.90 +-
+/// 0.02"; where the methods chose different nodes, the time stands with the value. An empty value for a node that a
+/// result has not got.
+[[nodiscard]] std::string node_label(const WindowFindings& window, std::size_t node);
+[[nodiscard]] std::string node_value(const WindowFindings& window, const Identification& result, std::size_t node);
+
+/// "0.64 s to 10.36 s on the log's clock, 9720 samples".
+[[nodiscard]] std::string extent(const model::Record& record);
+
+/// Everything that a reader of one result has to know beside the numbers.
+[[nodiscard]] std::vector<std::string> remarks(const WindowFindings& window, const Identification& result);
+
+/// The one that the summary speaks of: without a grid's steps where there is one.
+[[nodiscard]] const Identification& main_result(const WindowFindings& window);
+
+/// Does it tell damping and torque?
+[[nodiscard]] bool tells(const WindowFindings& window);
+
+/// How well each number of a result with an uncertainty is known, and why, for someone who flies rockets.
+[[nodiscard]] std::vector<std::string> how_well_sentences(const Identification& result);
+
+/// With the signs that a terminal may not have: plus-minus, squares.
+[[nodiscard]] std::string printable(std::string text);
+
+/// "alpha and beta are ..." as a sentence of its own.
+[[nodiscard]] std::string sentence(std::string text);
+
+}  // namespace fantail::identify::result

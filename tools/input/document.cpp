@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#include "input/document.hpp"
+
+#include <filesystem>
+
+#include "text/error.hpp"
+
+namespace fantail::input {
+namespace {
+
+std::string trimmed(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(" \t");
+  return first == std::string_view::npos ? std::string{}
+                                         : std::string{text.substr(first, text.find_last_not_of(" \t") + 1 - first)};
+}
+
+}  // namespace
+
+Override parse_override(std::string_view text) {
+  const std::size_t equals = text.find('=');
+  const std::size_t dot = text.substr(0, equals).find('.');
+  Override change;
+  if (equals != std::string_view::npos && dot != std::string_view::npos) {
+    change = {trimmed(text.substr(0, dot)), trimmed(text.substr(dot + 1, equals - dot - 1)),
+              trimmed(text.substr(equals + 1))};
+  }
+  if (change.section.empty() || change.key.empty() || change.value.empty()) {
+    throw text::Error{
+        text::ErrorKind::bad_configuration,
+        "--set " + std::string{text} + ": expected section.key=value, as in controller.canard_limit_deg=6"};
+  }
+  return change;
+}
+
+Document Document::load(const std::string& file) {
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(file, ignored)) {
+    throw text::Error{text::ErrorKind::no_such_input, file + ": no such file"};
+  }
+  Document document;
+  document.file_ = file;
+  document.tree_ = TomlTree::read(file);
+  return document;
+}
+
+void Document::apply(const Override& change) {
+  const TomlNode section = root()[change.section];
+  if (!section) {
+    replaced_["." + change.section] = change.text();
+  } else if (!section.is_table()) {
+    throw text::Error{text::ErrorKind::bad_configuration, change.text() + ": " + change.section + " is not a section"};
+  }
+  tree_.put(change.section, change.key, change.value);
+  replaced_[change.section + "." + change.key] = change.text();
+}
+
+bool Document::is_replaced(std::string_view section, std::string_view key) const {
+  return replaced_.contains(std::string{section} + "." + std::string{key});
+}
+
+std::string Document::where(std::string_view section, std::string_view key, TomlNode node) const {
+  const auto replaced = replaced_.find(std::string{section} + "." + std::string{key});
+  if (replaced != replaced_.end()) {
+    return replaced->second;
+  }
+  return node.line() > 0 ? file_ + ":" + std::to_string(node.line()) : file_;
+}
+
+}  // namespace fantail::input

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+#include "input/fault_file.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "input/messages.hpp"
+#include "sim/servo.hpp"
+#include "text/error.hpp"
+
+namespace fantail::input {
+namespace {
+
+constexpr auto kinds = std::to_array<FaultWords>({
+    {"canard_stuck", "the shaft is jammed"},
+    {"canard_hardover", "runs to the positive stop and stays there"},
+    {"canard_dead", "torn from its servo: the air turns it back to zero"},
+    {"canard_slipping", "loses a third of every movement"},
+    {"canard_reversed", "turns the other way"},
+    {"canard_slow", "four times the lag, a quarter of the rate limit"},
+    {"canard_wrong_trim", "the horn was fitted off: the shaft stands away from where the servo believes"},
+    {"encoder_unplugged", "does not answer"},
+    {"encoder_noisy", "noise instead of that of the vehicle"},
+    {"imu_dropout", "hangs: its last sample comes again"},
+    {"accelerometer_dropout", "hangs: its last sample comes again"},
+});
+
+constexpr auto kind_names = [] {
+  std::array<std::string_view, kinds.size()> names{};
+  std::ranges::transform(kinds, names.begin(), &FaultWords::name);
+  return names;
+}();
+
+constexpr Unit number_from_one{.first = 1};
+
+template <sim::FaultKind Kind>
+constexpr bool is(sim::FaultKind kind) {
+  return kind == Kind;
+}
+constexpr bool is_any(sim::FaultKind) { return true; }
+constexpr bool is_of_one_canard(sim::FaultKind kind) { return !sim::is_dropout(kind); }
+
+// clang-format off: one field a row reads better than one argument a line
+#define AT(expression) FANTAIL_PLACE(sim::Fault, expression)
+constexpr auto fields = std::to_array<FaultField>({
+  {{"faults", "kind", choice(kind_names), must, AT(it.kind), "One of the table below."}, is_any},
+  {{"faults", "from_s", number("s", {-600, 600}), must, AT(it.from_s), "Begins, after ignition (tunnel: after the start command); below zero on the pad; what begins before power-up, as -600, is there from the first tick."}, is_any},
+  {{"faults", "until_s", number("s", {-600, 600}), must, AT(it.until_s), "Ends, not before `from_s`."}, sim::is_dropout},
+  {{"faults", "canard", integer(number_from_one, {1, 4}), must, AT(it.canard), "Which canard, servo or encoder."}, is_of_one_canard},
+  {{"faults", "angle_deg", number(deg, {-90, 90}), may, AT(it.angle_rad), "Where the shaft is jammed, within the stop of the servo; left out: where it stands."}, is<sim::FaultKind::canard_stuck>},
+  {{"faults", "angle_deg", number(deg, {-15, 15}), may, AT(it.angle_rad), "How far off the shaft stands; not 0."}, is<sim::FaultKind::canard_wrong_trim>},
+  {{"faults", "noise_counts", number("counts", {1, 1000}), may, AT(it.noise_counts), "Standard deviation of the readings; 16384 counts are a turn."}, is<sim::FaultKind::encoder_noisy>},
+});
+// clang-format on
+
+void check(Section& section, const sim::Fault& fault, double servo_stop_rad) {
+  if (sim::is_dropout(fault.kind) && fault.until_s < fault.from_s) {
+    section.refuse("until_s",
+                   "= " + shown(fault.until_s) + " is out of range; allowed: " + shown(fault.from_s) + " to 600");
+  }
+  if (fault.kind == sim::FaultKind::canard_stuck && fault.angle_rad && std::abs(*fault.angle_rad) > servo_stop_rad) {
+    section.refuse("angle_deg", "= " + shown(section.number("angle_deg", {-90, 90})) +
+                                    "; allowed: within the servo's stop, " + about(deg.in_file(servo_stop_rad)) +
+                                    " either way");
+  }
+  if (fault.kind == sim::FaultKind::canard_wrong_trim && *fault.angle_rad == 0.0) {
+    section.refuse("angle_deg", "= 0; allowed: -15 to 15, but not 0");
+  }
+}
+
+sim::Fault read_fault(Section& section, double servo_stop_rad) {
+  sim::Fault read{};
+  read_field(section, fields.front().field, read);
+  sim::Fault fault = usual_fault(read.kind);
+  for (const FaultField& row : fields) {
+    if (row.belongs_to(fault.kind)) {
+      read_field(section, row.field, fault);
+    }
+  }
+  section.finish();
+  check(section, fault, servo_stop_rad);
+  return fault;
+}
+
+}  // namespace
+
+std::span<const FaultWords> fault_words() { return kinds; }
+
+std::span<const FaultField> fault_fields() { return fields; }
+
+sim::Fault usual_fault(sim::FaultKind kind) {
+  sim::Fault fault{.kind = kind, .canard = 0, .from_s = 0.0, .until_s = 0.0};
+  if (kind == sim::FaultKind::canard_wrong_trim) {
+    fault.angle_rad = sim::usual_wrong_trim_rad;
+  }
+  return fault;
+}
+
+std::vector<sim::Fault> read_faults(const Document& document, double servo_stop_rad) {
+  std::vector<sim::Fault> faults;
+  const TomlNode node = document.root()["faults"];
+  if (!node) {
+    return faults;
+  }
+  const auto elements = node.elements();
+  if (!elements || elements->empty() || !std::ranges::all_of(*elements, &TomlNode::is_table)) {
+    throw text::Error{text::ErrorKind::bad_configuration,
+                      document.where("", "faults", node) + ": faults must be written as [[faults]]"};
+  }
+  for (const TomlNode element : *elements) {
+    Section section{document, "faults", element};
+    faults.push_back(read_fault(section, servo_stop_rad));
+  }
+  return faults;
+}
+
+}  // namespace fantail::input

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+#include "input/shipped.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "input/messages.hpp"
+#include "text/error.hpp"
+
+namespace fantail::input {
+namespace {
+
+struct Place {
+  std::string_view noun;
+  std::string_view folder;
+  std::string_view extension;
+};
+
+Place place_of(Shipped kind) {
+  switch (kind) {
+    case Shipped::scenario: return {"scenario", "sim/scenarios", ".toml"};
+    case Shipped::vehicle: return {"vehicle", "sim/vehicles", ".toml"};
+    case Shipped::motor: return {"motor", "sim/motors", ".eng"};
+    case Shipped::tunnel_result: return {"tunnel result", "sim/tunnel_results", ".csv"};
+    case Shipped::plan: break;
+  }
+  return {"flight plan", "firmware/plans", ".toml"};
+}
+
+bool looks_like_path(const std::string& text) {
+  return text.find('/') != std::string::npos || std::filesystem::path{text}.has_extension();
+}
+
+}  // namespace
+
+std::filesystem::path data_folder() {
+  const char* chosen = std::getenv("FANTAIL_DATA");  // NOLINT(concurrency-mt-unsafe): read before any thread exists
+  if (chosen != nullptr) {
+    return chosen;
+  }
+  // An installed program finds them beside itself, under any prefix: PREFIX/libexec/fantail/fantail-fly.
+  std::error_code ignored;
+  const auto program = std::filesystem::read_symlink("/proc/self/exe", ignored);
+  const auto installed = program.parent_path().parent_path().parent_path() / "share" / "fantail";
+  return std::filesystem::is_directory(installed, ignored) ? installed : std::filesystem::path{FANTAIL_SOURCE_FOLDER};
+}
+
+std::vector<std::string> shipped_names(Shipped kind) {
+  const Place place = place_of(kind);
+  std::vector<std::string> names;
+  std::error_code ignored;
+  for (const auto& entry : std::filesystem::directory_iterator{data_folder() / place.folder, ignored}) {
+    if (entry.path().extension() == place.extension) {
+      names.push_back(entry.path().stem().string());
+    }
+  }
+  std::ranges::sort(names);
+  return names;
+}
+
+std::filesystem::path find_input(Shipped kind, const std::string& name_or_path) {
+  const Place place = place_of(kind);
+  std::filesystem::path shipped = data_folder() / place.folder / (name_or_path + std::string{place.extension});
+  std::error_code ignored;
+  if (!looks_like_path(name_or_path) && std::filesystem::is_regular_file(shipped, ignored)) {
+    return shipped;
+  }
+  if (std::filesystem::is_regular_file(name_or_path, ignored)) {
+    return name_or_path;
+  }
+  if (looks_like_path(name_or_path)) {
+    throw text::Error{text::ErrorKind::no_such_input, name_or_path + ": no such file"};
+  }
+  const std::vector<std::string> names = shipped_names(kind);
+  std::string message = "unknown " + std::string{place.noun} + " \"" + name_or_path + "\"";
+  if (const auto meant = suggestion(name_or_path, names)) {
+    message += "; did you mean " + *meant + "?";
+  }
+  message += std::string{message.ends_with('?') ? "" : ";"} + " shipped:";
+  for (const std::string& name : names) {
+    message += " " + name;
+  }
+  throw text::Error{text::ErrorKind::no_such_input, message};
+}
+
+std::filesystem::path find_named_input(Shipped kind, const Document& document, Section& section, std::string_view key) {
+  const std::string name = section.text(key);
+  std::filesystem::path beside = std::filesystem::path{document.file()}.parent_path() / name;
+  std::error_code ignored;
+  if (!section.is_replaced(key) && looks_like_path(name) && std::filesystem::is_regular_file(beside, ignored)) {
+    return beside;
+  }
+  try {
+    return find_input(kind, name);
+  } catch (const text::Error& error) {
+    throw text::Error{error.kind(), section.where(key) + ": " + error.what()};
+  }
+}
+
+}  // namespace fantail::input

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "input/section.hpp"
+
+namespace fantail::input {
+
+/// What kind of file a name stands for, and so in which folder the shipped ones lie.
+enum class Shipped : std::uint8_t { scenario, vehicle, motor, plan, tunnel_result };
+
+/// The file that a person means: a path when it names an existing file or looks like one, else a shipped name. Throws
+/// text::Error (no_such_input) with the shipped names and a suggestion.
+[[nodiscard]] std::filesystem::path find_input(Shipped kind, const std::string& name_or_path);
+
+/// The file that a key of a document names: a shipped name, or a path from the folder of that document, or from the
+/// working folder. A path given with --set counts from the working folder only. The error says where it was named.
+[[nodiscard]] std::filesystem::path find_named_input(Shipped kind, const Document& document, Section& section,
+                                                     std::string_view key);
+
+/// The shipped names of a kind, sorted.
+[[nodiscard]] std::vector<std::string> shipped_names(Shipped kind);
+
+/// Where the shipped files lie: the environment variable FANTAIL_DATA, else the tree this program was built from.
+[[nodiscard]] std::filesystem::path data_folder();
+
+}  // namespace fantail::input

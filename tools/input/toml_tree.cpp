@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+#include "input/toml_tree.hpp"
+
+#include <sstream>
+
+#include <toml++/toml.h>
+
+#include "text/error.hpp"
+
+namespace fantail::input {
+namespace {
+
+const toml::node* node_of(const void* node) { return static_cast<const toml::node*>(node); }
+
+template <typename Kind>
+const auto* as(const void* node) {
+  return node == nullptr ? nullptr : node_of(node)->as<Kind>();
+}
+
+template <typename Value>
+std::optional<Value> value_of(const void* node) {
+  const auto* value = as<Value>(node);
+  return value == nullptr ? std::nullopt : std::optional<Value>{value->get()};
+}
+
+std::string describe(const toml::parse_error& error, const std::string& file) {
+  std::ostringstream text;
+  text << file << ':' << error.source().begin.line << ':' << error.source().begin.column
+       << ": not valid TOML: " << error.description();
+  return text.str();
+}
+
+}  // namespace
+
+TomlNode TomlNode::operator[](std::string_view key) const {
+  const auto* table = as<toml::table>(node_);
+  return TomlNode{table == nullptr ? nullptr : table->get(key)};
+}
+
+bool TomlNode::is_table() const { return as<toml::table>(node_) != nullptr; }
+
+std::vector<std::string> TomlNode::keys() const {
+  std::vector<std::string> keys;
+  if (const auto* table = as<toml::table>(node_)) {
+    for (const auto& [key, node] : *table) {
+      keys.emplace_back(key.str());
+    }
+  }
+  return keys;
+}
+
+std::optional<bool> TomlNode::flag() const { return value_of<bool>(node_); }
+
+std::optional<std::int64_t> TomlNode::integer() const { return value_of<std::int64_t>(node_); }
+
+std::optional<double> TomlNode::number() const {
+  const std::optional<std::int64_t> whole = integer();
+  return whole ? static_cast<double>(*whole) : value_of<double>(node_);
+}
+
+std::optional<std::string> TomlNode::text() const { return value_of<std::string>(node_); }
+
+std::optional<std::vector<TomlNode>> TomlNode::elements() const {
+  const auto* array = as<toml::array>(node_);
+  if (array == nullptr) {
+    return std::nullopt;
+  }
+  std::vector<TomlNode> elements;
+  for (const toml::node& element : *array) {
+    elements.push_back(TomlNode{&element});
+  }
+  return elements;
+}
+
+std::size_t TomlNode::line() const { return node_ == nullptr ? 0 : node_of(node_)->source().begin.line; }
+
+std::string TomlNode::shown() const {
+  std::ostringstream toml;
+  toml << toml::toml_formatter{*node_of(node_)};
+  std::istringstream words{toml.str()};
+  std::string text;
+  for (std::string word; words >> word;) {
+    text += (text.empty() ? "" : " ") + word;
+  }
+  constexpr std::size_t longest = 60;
+  if (text.size() > longest) {
+    text.replace(longest, std::string::npos, "...");
+  }
+  return text;
+}
+
+struct TomlTree::Root {
+  toml::table table;
+};
+
+void TomlTree::Destroy::operator()(Root* root) const { delete root; }
+
+TomlTree::TomlTree() : root_{new Root} {}
+
+TomlTree TomlTree::read(const std::string& file) {
+  TomlTree tree;
+  try {
+    tree.root_->table = toml::parse_file(file);
+  } catch (const toml::parse_error& error) {
+    throw text::Error{text::ErrorKind::bad_data, describe(error, file)};
+  }
+  return tree;
+}
+
+TomlNode TomlTree::root() const { return TomlNode{static_cast<const toml::node*>(&root_->table)}; }
+
+void TomlTree::put(const std::string& table, const std::string& key, const std::string& value) {
+  toml::table parsed;
+  try {
+    parsed = toml::parse("value = " + value);
+  } catch (const toml::parse_error&) {
+    parsed.clear();
+  }
+  if (parsed.size() != 1) {  // not TOML, or a whole document smuggled into one value
+    parsed.insert_or_assign("value", value);
+  }
+  root_->table.insert(table, toml::table{});  // where there is none
+  root_->table[table].as_table()->insert_or_assign(key, *parsed.get("value"));
+}
+
+}  // namespace fantail::input

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#include "input/vehicle_file.hpp"
+
+namespace fantail::input {
+namespace {
+
+constexpr std::array<std::string_view, 2> directions{"normal", "reversed"};
+constexpr Unit hz_of_period{.name = "Hz", .inverted = true};
+constexpr Unit percent{.name = "%", .scale = 0.01};
+constexpr Unit g{.name = "g", .scale = sim::gravity_m_s2};
+constexpr Limits tolerated_deg{0.05, 10};
+
+// clang-format off: one field a row reads better than one argument a line
+#define AT(expression) FANTAIL_PLACE(sim::Vehicle, expression)
+constexpr auto fields = std::to_array<Field<sim::Vehicle>>({
+  {"body", "name", text(), must, AT(it.name), "What reports call it."},
+  {"body", "assumed", list(100, text()), may, AT(grown(it.assumed, i)), "What in this file nobody has measured, a sentence each; reports repeat it."},
+  {"body", "mass_kg", number("kg", {0.1, 1000}), must, AT(it.mass_kg), "At lift-off; more than the propellant of its motor."},
+  {"body", "drag_area_m2", number("m2", {0, 1}), must, AT(it.drag_area_m2), "Drag coefficient times area."},
+  {"body", "roll_inertia_kg_m2", number("kg m2", {1e-6, 10}), must, AT(it.roll_plant.inertia_kg_m2), "Moment of inertia about the long axis."},
+
+  {"aerodynamics", "reference_area_m2", number("m2", {1e-8, 1}), must, AT(it.roll_plant.reference_area_m2), "Area that the next two are multiplied with; matters in transients only."},
+  {"aerodynamics", "damping_m2", number("m2", {0, 1e4}), must, AT(it.roll_plant.damping_m2), "Roll damping, alpha."},
+  {"aerodynamics", "torque_m", number("m", {0, 1e4}), must, AT(it.roll_plant.torque_m), "Roll torque of the canards, beta."},
+
+  {"motor", "file", file(), must, {}, "The motor: a RASP file (`.eng`), as thrustcurve.org has them."},
+
+  {"servo", "lag_s", number("s", {0.0005, 1}), may, AT(it.servo.lag_s), "Time constant with which the gear follows the command."},
+  {"servo", "delay_s", number("s", {0, 0.05}), may, AT(it.servo.delay_s), "From the pulse that is taken over until the servo acts on it."},
+  {"servo", "frame_rate_hz", number(hz_of_period, {40, 1000}), may, AT(it.servo.frame_period_s), "How often the servo takes a pulse over."},
+  {"servo", "rate_limit_deg_s", number(deg_s, {1, 1e5}), may, AT(it.servo.rate_limit_rad_s), "Fastest turn of the shaft."},
+  {"servo", "stop_deg", number(deg, {1, 90}), may, AT(it.servo.stop_rad), "Mechanical stop of the shaft, either way."},
+  {"servo", "backlash_deg", number(deg, {0, 5}), may, AT(it.servo.backlash_rad), "Whole width of the play between gear and shaft."},
+  {"servo", "pulse_centre_us", number("us", {500, 2500}), may, AT(it.servo.pulse_centre_us), "Pulse that commands the centre."},
+  {"servo", "pulse_per_degree_us", number("us/deg", {-40, 40}), may, AT(it.servo.pulse_per_degree_us), "Pulse per degree of the shaft; below zero it turns the other way; at least 0.1 away from zero."},
+  {"servo", "spread", number("", {0, 0.3}), may, AT(it.servo_spread.share), "Lag, delay, rate limit and play of each servo are the numbers above times a factor within 1 +- this, drawn from the seed; 0: four identical servos."},
+  {"servo", "centre_spread_deg", number(deg, {0, 2}), may, AT(it.servo_spread.centre_rad), "The true centre of each servo is off by up to this, drawn from the seed; at most `stop_deg`."},
+
+  {"canard_mounting", "trim_deg", four(number(deg, {-5, 5})), may, AT(it.canards[i].trim_rad), "Shaft angle at which the canard makes no roll moment."},
+  {"canard_mounting", "encoder_zero_deg", four(number(deg, {-180, 180})), may, AT(it.canards[i].encoder_zero_rad), "What the encoder reads at shaft angle zero."},
+  {"canard_mounting", "direction", four(choice(directions)), may, AT(it.canards[i].reversed), "`reversed`: a positive shaft angle rolls the rocket negatively."},
+
+  {"imu", "rate_noise_deg_s", number(deg_s, {0, 100}), may, AT(it.imu.rate_noise_rad_s), "Standard deviation of each sample of the rates, white."},
+  {"imu", "rate_bias_deg_s", number(deg_s, {-50, 50}), may, AT(it.imu.rate_bias_rad_s), "Added to every rate."},
+  {"imu", "full_scale_deg_s", number(deg_s, {50, 4000}), may, AT(it.imu.full_scale_rad_s), "Largest rate that it can show."},
+// Both inertial sensors are described by the same words.
+// NOLINTBEGIN(bugprone-macro-parentheses): as in field.hpp
+#define INERTIAL(section, sensor) \
+  {section, "specific_force_noise_m_s2", number("m/s2", {0, 50}), may, AT(sensor.specific_force_noise_m_s2), "Standard deviation of each sample of the specific force, white."}, \
+  {section, "specific_force_bias_m_s2", number("m/s2", {-5, 5}), may, AT(sensor.specific_force_bias_m_s2), "Added to every axis."}, \
+  {section, "full_scale_g", number(g, {2, 400}), may, AT(sensor.full_scale_m_s2), "Largest specific force that it can show."}, \
+  {section, "misalignment_deg", number(deg, {0, 10}), may, AT(sensor.misalignment_rad), "The package is turned by this about an axis across the rocket that is drawn from the seed."}, \
+  {section, "delay_s", number("s", {0, 0.02}), may, AT(sensor.delay_s), "From measured to delivered."}
+// NOLINTEND(bugprone-macro-parentheses)
+  INERTIAL("imu", it.imu),
+  INERTIAL("accelerometer", it.accelerometer),
+
+  {"encoder", "noise_counts", number("counts", {0, 1000}), may, AT(it.encoder.noise_counts), "Standard deviation of each reading; 16384 counts are a turn."},
+  {"encoder", "resolution_bits", integer({"bits"}, {4, 14}), may, AT(it.encoder.resolution_bits), "What a turn is divided into."},
+
+  {"canard_tolerances", "reach_deg", number(deg, tolerated_deg), may, AT(it.canard_tolerances.reach_rad), "At a limit: encoder against command."},
+  {"canard_tolerances", "tracking_deg", number(deg, tolerated_deg), may, AT(it.canard_tolerances.tracking_rad), "During a slow ramp: encoder against command, servo lag taken off."},
+  {"canard_tolerances", "centring_deg", number(deg, tolerated_deg), may, AT(it.canard_tolerances.centring_rad), "At rest: mean of the approaches from both sides, against command."},
+  {"canard_tolerances", "backlash_deg", number(deg, tolerated_deg), may, AT(it.canard_tolerances.backlash_rad), "At rest: difference of those two."},
+  {"canard_tolerances", "slowest_slew_deg_s", number(deg_s, {1, 1e5}), may, AT(it.canard_tolerances.slowest_slew_rad_s), "From one limit to the other."},
+  {"canard_tolerances", "longest_step_time_s", number("s", {0.001, 5}), may, AT(it.canard_tolerances.longest_step_time_s), "10 to 90 % of a step from the centre to a limit."},
+  {"canard_tolerances", "noise_deg", number(deg, {0.01, 10}), may, AT(it.canard_tolerances.noise_rad), "Standard deviation of the encoder at rest."},
+  {"canard_tolerances", "dropout_percent", number(percent, {0, 50}), may, AT(it.canard_tolerances.dropout_share), "Share of the encoder's readings that were not valid."},
+});
+// clang-format on
+
+}  // namespace
+
+std::span<const Field<sim::Vehicle>> vehicle_fields() { return fields; }
+
+}  // namespace fantail::input

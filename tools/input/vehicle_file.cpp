@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#include "input/vehicle_file.hpp"
+
+#include <cmath>
+
+#include "input/messages.hpp"
+#include "input/rasp_file.hpp"
+#include "input/shipped.hpp"
+
+namespace fantail::input {
+namespace {
+
+// No rocket of this kind comes near; beyond them a flight might last for days, or leave what a double can hold.
+constexpr double longest_burn_s = 600.0;
+constexpr double most_speed_m_s = 3000.0;
+
+void read_motor(const Document& document, sim::Vehicle& vehicle) {
+  Section motor{document, "motor"};
+  vehicle.motor = load_rasp(find_named_input(Shipped::motor, document, motor, "file"));
+  const sim::ThrustCurve& curve = vehicle.motor;
+  const double empty_kg = vehicle.mass_kg - curve.propellant_kg();
+  if (!(empty_kg > 0.0)) {
+    Section{document, "body"}.refuse("mass_kg", "= " + shown(vehicle.mass_kg) +
+                                                    "; allowed: more than the propellant of its motor, " +
+                                                    about(curve.propellant_kg()));
+  }
+  if (curve.burnout_s() > longest_burn_s) {
+    motor.refuse("file",
+                 "burns for " + about(curve.burnout_s()) + " s; allowed: at most " + about(longest_burn_s) + " s");
+  }
+  if (curve.impulse_n_s() > most_speed_m_s * empty_kg) {
+    motor.refuse("file", "gives " + about(curve.impulse_n_s()) + " N s to " + about(empty_kg) +
+                             " kg; allowed: what makes at most " + about(most_speed_m_s) + " m/s");
+  }
+}
+
+void check_servo(const Document& document, const sim::Vehicle& vehicle) {
+  const Section servo{document, "servo"};
+  const sim::ServoParameters& p = vehicle.servo;
+  if (std::abs(p.pulse_per_degree_us) < 0.1) {
+    servo.refuse("pulse_per_degree_us", "= " + shown(p.pulse_per_degree_us) + "; allowed: at least 0.1 away from zero");
+  }
+  if (vehicle.servo_spread.centre_rad > p.stop_rad) {
+    servo.refuse("centre_spread_deg", "= " + shown(deg.in_file(vehicle.servo_spread.centre_rad)) +
+                                          "; allowed: at most stop_deg = " + shown(deg.in_file(p.stop_rad)));
+  }
+}
+
+}  // namespace
+
+sim::Vehicle read_vehicle(const Document& document) {
+  const std::vector<std::string> sections = sections_of(vehicle_fields());
+  refuse_unknown_sections(document, sections);
+  sim::Vehicle vehicle;
+  for (const std::string& section : sections) {
+    read_section(document, section, vehicle_fields(), vehicle);
+  }
+  read_motor(document, vehicle);
+  check_servo(document, vehicle);
+  return vehicle;
+}
+
+}  // namespace fantail::input

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <span>
+
+#include "input/field.hpp"
+#include "sim/vehicle.hpp"
+
+namespace fantail::input {
+
+/// Everything that a vehicle file may say.
+[[nodiscard]] std::span<const Field<sim::Vehicle>> vehicle_fields();
+
+/// Reads a vehicle file, and the motor that it names: a shipped one, or a path. Throws text::Error.
+[[nodiscard]] sim::Vehicle read_vehicle(const Document& document);
+
+}  // namespace fantail::input

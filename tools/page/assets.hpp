@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string_view>
+
+namespace fantail::page {
+
+// The files of assets/ and of third_party/uplot, compiled in by embed.cmake.
+extern const std::string_view chart_css;  ///< the palette and the drawings
+extern const std::string_view page_css;   ///< what stands around them
+extern const std::string_view live_js;
+extern const std::string_view uplot_css;
+extern const std::string_view uplot_js;
+extern const std::string_view uplot_licence;
+
+}  // namespace fantail::page

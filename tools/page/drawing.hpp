@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <iterator>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <fmt/core.h>
+
+#include "page/axis.hpp"
+
+namespace fantail::page {
+
+/// How wide the text stands in the drawing's own units, rather too much than too little: nobody knows the reader's
+/// font.
+[[nodiscard]] double text_width(std::string_view text);
+
+/// As much of the text as fits, with an ellipsis when that is not all.
+[[nodiscard]] std::string shortened(std::string_view text, double width);
+
+/// In the drawing's own units, y downwards.
+struct Pixel {
+  double x;
+  double y;
+};
+struct Box {
+  double left;
+  double top;
+  double right;
+  double bottom;
+
+  [[nodiscard]] double width() const { return right - left; }
+  [[nodiscard]] double height() const { return bottom - top; }
+};
+
+/// Finds places for labels that cover neither each other nor, if possible, what is drawn.
+class LabelPlaces {
+ public:
+  explicit LabelPlaces(Box inside) : inside_{inside} {}
+
+  void keep_free(Box box) { taken_.push_back(box); }
+  void avoid(Pixel point) { drawn_.push_back(point); }
+
+  /// The candidate that covers the least, the first of equals, which is then taken. Empty when none lies inside and
+  /// free.
+  std::optional<Box> take(std::span<const Box> candidates);
+
+ private:
+  Box inside_;
+  std::vector<Box> taken_{};
+  std::vector<Pixel> drawn_{};
+};
+
+/// The text of one SVG with a plot in it: where its frame lies and how values become places.
+class Drawing {
+ public:
+  void place(Box frame, Range x, Range y) {
+    frame_ = frame;
+    x_ = x;
+    y_ = y;
+  }
+
+  [[nodiscard]] const Box& frame() const { return frame_; }
+  [[nodiscard]] double x(double value) const { return far(frame_.left + frame_.width() * part(value, x_)); }
+  [[nodiscard]] double y(double value) const { return far(frame_.bottom - frame_.height() * part(value, y_)); }
+  [[nodiscard]] Range x_range() const { return x_; }
+  [[nodiscard]] Range y_range() const { return y_; }
+
+  template <typename... T>
+  void add(fmt::format_string<T...> format, T&&... values) {
+    fmt::format_to(std::back_inserter(text_), format, std::forward<T>(values)...);
+  }
+
+  void begin(std::string_view kind, std::string_view label, double width, double height);
+  void outline(std::string_view kind);
+  /// Texts below the frame; one without room is left out.
+  void x_axis(const std::vector<Tick>& ticks, std::string_view label);
+  void y_axis(const std::vector<Tick>& ticks, bool grid);
+  /// In the middle of the frame, instead of what is missing.
+  void remark(std::string_view text);
+  [[nodiscard]] std::string end() { return std::exchange(text_, {}) + "</svg>"; }
+
+ private:
+  static double part(double value, Range range) { return (value - range.low) / (range.high - range.low); }
+  // Browsers lose count at coordinates of a million.
+  static double far(double place) { return std::clamp(place, -2e5, 2e5); }
+
+  Box frame_{};
+  Range x_{0.0, 1.0};
+  Range y_{0.0, 1.0};
+  std::string text_{};
+};
+
+constexpr double tick_row = 17.0;   ///< below the frame
+constexpr double label_row = 18.0;  ///< below that
+/// Room that the texts of a y axis need left of the frame.
+[[nodiscard]] double tick_column(const std::vector<Tick>& ticks);
+/// Room right of the frame for half the text of the last tick.
+[[nodiscard]] double end_margin(const std::vector<Tick>& ticks);
+
+}  // namespace fantail::page

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: MIT
+#include "page/page.hpp"
+
+#include <fmt/core.h>
+
+#include "page/assets.hpp"
+#include "text/number.hpp"
+
+namespace fantail::page {
+namespace {
+
+std::string_view class_of(Tone tone) {
+  switch (tone) {
+    case Tone::good: return "good";
+    case Tone::bad: return "bad";
+    case Tone::unsure: return "unsure";
+    case Tone::plain: break;
+  }
+  return "plain";
+}
+
+std::string class_attribute(bool number, Tone tone) {
+  std::string names = number ? "number" : "";
+  if (tone != Tone::plain) {
+    names += names.empty() ? "" : " ";
+    names += class_of(tone);
+  }
+  return names.empty() ? names : fmt::format(" class=\"{}\"", names);
+}
+
+// <tag class="...">text</tag>, or nothing.
+std::string unless_empty(std::string_view tag, std::string_view kind, std::string_view text) {
+  return text.empty() ? "" : fmt::format("<{0} class=\"{1}\">{2}</{0}>\n", tag, kind, printed(text));
+}
+
+std::string header(const Page& page) {
+  const std::string titles = fmt::format("<header>\n{}<h1>{}</h1>\n{}", unless_empty("p", "kind", page.kind),
+                                         escape_html(page.title), unless_empty("p", "subtitle", page.subtitle));
+  std::string facts;
+  for (const Page::Fact& fact : page.facts) {
+    if (!fact.value.empty()) {
+      facts += fmt::format("<div><dt>{}</dt><dd>{}</dd></div>\n", escape_html(fact.label), escape_html(fact.value));
+    }
+  }
+  return titles + (facts.empty() ? "" : "<dl class=\"facts\">\n" + facts + "</dl>\n") + "</header>\n";
+}
+
+std::string verdict(const Page& page) {
+  if (page.verdict_heading.empty()) {
+    return {};
+  }
+  std::string findings;
+  for (const auto& [what, about] : page.findings) {
+    findings +=
+        fmt::format("<li>{}{}</li>\n", what.empty() ? "" : fmt::format("<b>{}</b> ", printed(what)), printed(about));
+  }
+  return fmt::format("<section class=\"verdict {}{}\">\n<h2>{}</h2>\n{}{}</section>\n", class_of(page.tone),
+                     page.stamped ? " stamped" : "", printed(page.verdict_heading),
+                     page.verdict.empty() ? "" : paragraph(page.verdict),
+                     findings.empty() ? "" : "<ul>\n" + findings + "</ul>\n");
+}
+
+}  // namespace
+
+std::string html(const Page& page) {
+  const std::string title = escape_html(page.title);
+  const std::string kind = escape_html(page.kind);
+  return fmt::format(
+      "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+      "<meta name=\"color-scheme\" content=\"light dark\">\n<title>{}{}{}</title>\n<style>{}{}{}</style>\n</head>\n"
+      "<body>\n<main>\n{}{}{}{}</main>\n{}</body>\n</html>\n",
+      title, title.empty() || kind.empty() ? "" : " \u00b7 ", kind, page.live.charts.empty() ? "" : uplot_css,
+      chart_css, page_css, header(page), verdict(page), page.body_html,
+      page.footer.empty() ? "" : fmt::format("<footer>{}</footer>\n", printed(page.footer)), live_scripts(page.live));
+}
+
+std::string escape_html(std::string_view text) {
+  std::string out;
+  out.reserve(text.size());
+  for (const char c : text) {
+    switch (c) {
+      case '&': out += "&amp;"; break;
+      case '<': out += "&lt;"; break;
+      case '>': out += "&gt;"; break;
+      case '"': out += "&quot;"; break;
+      case '\'': out += "&#39;"; break;
+      default: out += c;
+    }
+  }
+  return out;
+}
+
+std::string printed(std::string_view text) { return text::with_minus(escape_html(text)); }
+
+std::string escape_script_json(std::string_view json) {
+  std::string out;
+  out.reserve(json.size());
+  for (const char c : json) {
+    if (c == '<') {
+      out += "\\u003c";
+    } else {
+      out += c;
+    }
+  }
+  return out;
+}
+
+std::string section(std::string_view heading, std::string_view body_html) {
+  return fmt::format("<section>\n<h2>{}</h2>\n{}</section>\n", printed(heading), body_html);
+}
+
+std::string paragraph(std::string_view text) { return fmt::format("<p>{}</p>\n", printed(text)); }
+
+std::string note(std::string_view text) { return unless_empty("p", "note", text); }
+
+std::string figure(std::string_view svg, std::string_view caption) {
+  return caption.empty() ? fmt::format("<figure>{}</figure>\n", svg)
+                         : fmt::format("<figure>{}<figcaption>{}</figcaption></figure>\n", svg, printed(caption));
+}
+
+std::string figure(const Chart& chart, std::string_view caption) { return figure(svg(chart), caption); }
+
+std::string side_by_side(std::span<const std::string> parts_html) {
+  std::string out = "<div class=\"pair\">\n";
+  for (const std::string& one : parts_html) {
+    out += one;
+  }
+  return out + "</div>\n";
+}
+
+std::string table(std::span<const Column> columns, std::span<const std::vector<Cell>> rows) {
+  std::string out = "<div class=\"table\"><table>\n<thead><tr>";
+  for (const Column& column : columns) {
+    out += fmt::format("<th scope=\"col\"{}>{}</th>", class_attribute(column.number, Tone::plain),
+                       printed(column.heading));
+  }
+  out += "</tr></thead>\n<tbody>\n";
+  for (const std::vector<Cell>& row : rows) {
+    out += "<tr>";
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      const auto& [text, tone, below, tone_below] = row[i];
+      out += fmt::format("<td{}>{}", class_attribute(i < columns.size() && columns[i].number, tone), printed(text));
+      out +=
+          below.empty() ? "" : fmt::format("<small{}>{}</small>", class_attribute(false, tone_below), printed(below));
+      out += "</td>";
+    }
+    out += "</tr>\n";
+  }
+  return out + "</tbody>\n</table></div>\n";
+}
+
+std::string figure_row(std::span<const Figure> list) {
+  std::string out = "<dl class=\"figures\">\n";
+  for (const Figure& one : list) {
+    out += fmt::format("<div><dt>{}</dt><dd>{}", printed(one.label), printed(one.value));
+    out += one.unit.empty() ? "" : fmt::format(" <span>{}</span>", printed(one.unit));
+    out += one.remark.empty() ? "" : fmt::format("<small>{}</small>", printed(one.remark));
+    out += "</dd></div>\n";
+  }
+  return out + "</dl>\n";
+}
+
+std::string list(std::span<const Cell> sentences) {
+  std::string out = "<ul>\n";
+  for (const Cell& sentence : sentences) {
+    out += fmt::format("<li{}>{}</li>\n", class_attribute(false, sentence.tone), printed(sentence.text));
+  }
+  return out + "</ul>\n";
+}
+
+std::string list(std::span<const std::string> sentences) {
+  std::vector<Cell> plain;
+  for (const std::string& sentence : sentences) {
+    plain.push_back({sentence});
+  }
+  return list(plain);
+}
+
+}  // namespace fantail::page

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "page/live.hpp"
+
+namespace fantail::page {
+
+enum class Tone : std::uint8_t { plain, good, bad, unsure };
+
+/// A whole page that loads nothing and prints well. Text is escaped, parts named _html are not.
+struct Page {
+  struct Fact {
+    std::string label{};
+    std::string value{};
+  };
+  struct Finding {
+    std::string what{};  ///< in bold; may be empty
+    std::string about{};
+  };
+  std::string kind{};  ///< "Fantail identification report", small above the title
+  std::string title{};
+  std::string subtitle{};
+  std::vector<Fact> facts{};  ///< one without a value is left out
+  Tone tone = Tone::plain;
+  std::string verdict_heading{};  ///< empty: no verdict
+  std::string verdict{};
+  std::vector<Finding> findings{};  ///< below the verdict
+  bool stamped = false;             ///< the verdict's heading is large: PASS
+  std::string body_html{};
+  std::string footer{};
+  LiveCharts live{};  ///< of a live_figure() in the body
+};
+
+[[nodiscard]] std::string html(const Page& page);
+
+/// Text for HTML or SVG, between tags or inside a quoted attribute.
+[[nodiscard]] std::string escape_html(std::string_view text);
+/// The same, with real minus signs.
+[[nodiscard]] std::string printed(std::string_view text);
+/// JSON for the inside of a <script> element: no "<" survives, so no text can close the element.
+[[nodiscard]] std::string escape_script_json(std::string_view json);
+
+/// <section> with a heading.
+[[nodiscard]] std::string section(std::string_view heading, std::string_view body_html);
+/// <p>, escaped, hyphens before numbers as minus signs.
+[[nodiscard]] std::string paragraph(std::string_view text);
+/// Small print below a table or figures, likewise.
+[[nodiscard]] std::string note(std::string_view text);
+/// <figure> around an svg, the caption escaped.
+[[nodiscard]] std::string figure(std::string_view svg, std::string_view caption);
+[[nodiscard]] std::string figure(const Chart& chart, std::string_view caption = {});
+/// Figures or sections, two beside each other where there is room.
+[[nodiscard]] std::string side_by_side(std::span<const std::string> parts_html);
+
+struct Column {
+  std::string heading;
+  bool number = false;  ///< aligned right
+};
+struct Cell {
+  std::string text{};
+  Tone tone = Tone::plain;
+  std::string below{};  ///< a second, smaller line
+  Tone tone_below = Tone::plain;
+};
+[[nodiscard]] std::string table(std::span<const Column> columns, std::span<const std::vector<Cell>> rows);
+
+/// Large numbers in a row: label, value with its unit, and a remark below (may be empty).
+struct Figure {
+  std::string label;
+  std::string value;
+  std::string unit;
+  std::string remark;
+};
+[[nodiscard]] std::string figure_row(std::span<const Figure> list);
+/// <ul>, escaped. Sentences that are good or bad get a tick or a cross.
+[[nodiscard]] std::string list(std::span<const std::string> sentences);
+[[nodiscard]] std::string list(std::span<const Cell> sentences);
+
+}  // namespace fantail::page

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: MIT
+#include "report/charts.hpp"
+
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/core.h>
+
+#include "report/numbers.hpp"
+#include "report/timeline.hpp"
+#include "report/words.hpp"
+#include "text/number.hpp"
+
+namespace fantail::report {
+namespace {
+
+using page::Chart;
+using page::Mark;
+using page::Role;
+using Value = std::function<double(const Row&)>;
+
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+constexpr double tall = 300.0;
+constexpr double flat = 200.0;
+constexpr double small = 150.0;
+
+double degrees_or_gap(const std::optional<double>& radians) { return radians ? degrees(*radians) : unknown; }
+
+Value truth(double Truth::* member) {
+  return [member](const Row& row) { return row.truth ? (*row.truth).*member : unknown; };
+}
+Value truth_degrees(double Truth::* member) {
+  return [member](const Row& row) { return row.truth ? degrees((*row.truth).*member) : unknown; };
+}
+Value own(double Row::* member) {
+  return [member](const Row& row) { return row.*member; };
+}
+Value own_degrees(double Row::* member) {
+  return [member](const Row& row) { return degrees(row.*member); };
+}
+
+Role role_of(core::Phase phase) {
+  switch (phase) {
+    case core::Phase::launched: return Role::target;
+    case core::Phase::controlling: return Role::measured;
+    default: return Role::neutral;
+  }
+}
+
+class Drawer {
+ public:
+  explicit Drawer(const Flight& flight)
+      : flight_{flight}, rows_{rows_between(flight, plot_window(flight).begin_s, std::numeric_limits<double>::max())} {
+    for (const Row& row : rows_) {
+      time_s_.push_back(row.time_s);
+    }
+  }
+
+  [[nodiscard]] Chart chart(std::string label, std::string unit, double width, double height,
+                            std::vector<page::Series> series) const {
+    return {.label = std::move(label),
+            .x_label = "time / s",
+            .y_label = std::move(unit),
+            .width = width,
+            .height = height,
+            .series = std::move(series),
+            .sampled = true};
+  }
+  [[nodiscard]] page::Series line(std::string name, Role role, const Value& value, Mark mark = Mark::line) const {
+    page::Series series{.name = std::move(name), .role = role, .mark = mark, .x = time_s_};
+    std::ranges::transform(rows_, std::back_inserter(series.y), value);
+    return series;
+  }
+  // References and commands mean something only while somebody follows them.
+  [[nodiscard]] Value in_control(const Value& value) const {
+    return [value, always = !flight_.known.phase](const Row& row) {
+      return always || row.phase == core::Phase::controlling ? value(row) : unknown;
+    };
+  }
+  // The plan limit and a strip beyond it are always in sight.
+  [[nodiscard]] Chart with_limits(Chart chart) const {
+    if (!flight_.known.plan) {
+      return chart;
+    }
+    core::Angle stop = flight_.plan.canards.each.front().mechanical_stop;
+    for (const core::CanardPlan& canard : flight_.plan.canards.each) {
+      stop = std::min(stop, canard.mechanical_stop);
+    }
+    const core::Angle plan = flight_.plan.controller.canard_limit;
+    for (const auto& [name, angle] :
+         {std::pair{"plan limit", plan}, {"mechanical stop", stop}, {"hard limit", core::hard_canard_limit}}) {
+      const double limit_deg = static_cast<double>(angle.degrees());
+      const std::string label = fmt::format("{} {} deg", name, text::brief(limit_deg, 3));
+      chart.levels.push_back({.value = limit_deg, .label = label, .role = Role::limit});
+      chart.levels.push_back({.value = -limit_deg, .role = Role::limit});
+    }
+    const double sight_deg = 1.35 * static_cast<double>(plan.degrees());
+    chart.y_range = page::Range{-sight_deg, sight_deg};
+    return chart;
+  }
+
+ private:
+  const Flight& flight_;
+  std::span<const Row> rows_;
+  std::vector<double> time_s_{};
+};
+
+Chart roll_angle(const Flight& flight, const Drawer& drawer) {
+  const Value settle = [&flight](const Row& row) { return degrees_or_gap(settle_point_rad(row, flight)); };
+  Chart chart = drawer.chart(
+      "Roll angle", "deg", page::full_page, tall,
+      {drawer.line("reference R", Role::reference, drawer.in_control(own_degrees(&Row::reference_rad)), Mark::step),
+       drawer.line("settles at R + u_d/kp", Role::second_model, drawer.in_control(settle), Mark::step),
+       drawer.line("true", Role::target, truth_degrees(&Truth::roll_angle_rad)),
+       drawer.line("estimate", Role::measured, own_degrees(&Row::roll_angle_rad))});
+  if (flight.known.phase) {
+    for (const PhaseBand& band : phase_bands(flight)) {
+      chart.stripes.push_back({band.begin_s, band.end_s, std::string{words(band.phase)}, role_of(band.phase)});
+    }
+  }
+  for (const EventMark& mark : event_marks(flight)) {
+    chart.levels.push_back({.value = mark.time_s, .label = mark.label, .upright = true});
+  }
+  return chart;
+}
+
+std::vector<Chart> all_charts(const Flight& flight) {
+  const Drawer drawer{flight};
+  const bool excites = flight.known.plan && flight.plan.excitation.form != core::ExcitationForm::none;
+  const Value excitation = [excites](const Row& row) { return excites ? degrees(row.excitation_rad) : unknown; };
+  const auto encoders = [](const Row& row) { return degrees_or_gap(row.canard_rad); };
+  std::vector<Chart> all{
+      roll_angle(flight, drawer),
+      drawer.chart("Roll rate", "deg/s", page::full_page, flat,
+                   {drawer.line("true", Role::target, truth_degrees(&Truth::roll_rate_rad_s)),
+                    drawer.line("estimate", Role::measured, own_degrees(&Row::roll_rate_rad_s))}),
+      drawer.with_limits(drawer.chart("Command and canards", "deg", page::full_page, flat,
+                                      {drawer.line("excitation", Role::neutral, drawer.in_control(excitation)),
+                                       drawer.line("command", Role::target, own_degrees(&Row::command_rad)),
+                                       drawer.line("encoder mean", Role::measured, encoders)})),
+      drawer.with_limits(drawer.chart("True disturbance (equivalent fin offset u_d)", "deg", page::full_page, flat,
+                                      {drawer.line("u_d", Role::target, truth_degrees(&Truth::disturbance_rad))}))};
+  for (std::size_t i = 0; i < core::canard_count; ++i) {
+    const auto command = [i](const Row& row) { return degrees_or_gap(row.commands_rad[i]); };
+    const auto encoder = [i](const Row& row) { return degrees_or_gap(row.encoders_rad[i]); };
+    all.push_back(drawer.with_limits(drawer.chart(
+        "Canard " + std::to_string(i + 1), "deg", page::half_page, small,
+        {drawer.line("command", Role::target, command), drawer.line("encoder", Role::measured, encoder)})));
+  }
+  const page::Series true_speed = drawer.line("true", Role::target, truth(&Truth::speed_m_s));
+  if (flight.tunnel) {  // on a string nothing accelerates, so there is no estimate
+    all.push_back(drawer.chart("Air speed", "m/s", page::half_page, small, {true_speed}));
+  } else {
+    all.push_back(drawer.chart("Height", "m", page::half_page, small,
+                               {drawer.line("true", Role::target, truth(&Truth::height_m)),
+                                drawer.line("estimate", Role::measured, own(&Row::height_m))}));
+    all.push_back(drawer.chart("Speed", "m/s", page::half_page, small,
+                               {true_speed, drawer.line("estimate", Role::measured, own(&Row::speed_m_s))}));
+  }
+  return all;
+}
+
+std::vector<page::LiveCharts::View> views(const Flight& flight) {
+  const Window window = plot_window(flight);
+  const Events& e = flight.events;
+  std::vector<page::LiveCharts::View> all{{flight.tunnel ? "Run" : "Flight", window.begin_s, window.end_s}};
+  if (!flight.tunnel && e.liftoff_s && e.control_start_s) {
+    all.push_back({"Launch", *e.liftoff_s - 0.2, *e.control_start_s + 1.5});
+  }
+  if (!flight.tunnel && e.control_start_s && e.control_end_s) {
+    all.push_back({"Control", *e.control_start_s - 0.1, *e.control_end_s + 0.1});
+  }
+  if (flight.rows.back().time_s > window.end_s) {
+    all.push_back({flight.tunnel ? "All" : "With descent", window.begin_s, flight.rows.back().time_s});
+  }
+  return all;
+}
+
+}  // namespace
+
+page::LiveCharts charts(const Flight& flight) {
+  return flight.rows.empty() ? page::LiveCharts{} : page::LiveCharts{all_charts(flight), views(flight)};
+}
+
+}  // namespace fantail::report
