@@ -25,9 +25,9 @@ std::uint64_t how_many_frames() {
 constexpr std::uint32_t usual_seed = 20'261'121;
 
 // Random frames, and good ones with something wrong in them: those come further.
-class Vandal {
+class FrameMutator {
  public:
-  explicit Vandal(std::uint32_t seed) : random_{seed} {}
+  explicit FrameMutator(std::uint32_t seed) : random_{seed} {}
 
   hal::CanFrame frame() {
     hal::CanFrame frame = below(2) == 0 ? anything() : sensible();
@@ -98,14 +98,14 @@ class Vandal {
 TEST(BusFrames, RandomAndMutatedOnesMoveNoCanardOutsideItsRightAndNeverBreakALimit) {
   const std::uint64_t frames = how_many_frames();
   std::cout << "frames: " << frames << "\n";
-  Vandal vandal{test::seed(usual_seed)};
+  FrameMutator mutator{test::seed(usual_seed)};
   BoardRig rig;
   rig.run(3 * second);
   constexpr double limit_deg = 9.0;  // of the default plan
   std::uint64_t moved_by_right = 0;
   for (std::uint64_t sent = 0; sent < frames;) {
     for (int i = 0; i < 20; ++i, ++sent) {
-      (void)rig.pc_bus.send(vandal.frame());
+      (void)rig.pc_bus.send(mutator.frame());
     }
     rig.arm_switch.is_closed = sent % 100'000 >= 50'000;
     const core::TickRecord& record = rig.tick();
@@ -144,14 +144,14 @@ TEST(BusFrames, RandomAndMutatedOnesMoveNoCanardOutsideItsRightAndNeverBreakALim
 TEST(BusFrames, RandomAndMutatedOnesNeitherMoveACanardOfAnArmedRocketNorEndThePhase) {
   const std::uint64_t frames = how_many_frames() / 10;
   std::cout << "frames: " << frames << "\n";
-  Vandal vandal{test::seed(usual_seed)};
+  FrameMutator mutator{test::seed(usual_seed)};
   core::FlightPlan plan = core::default_plan();
   plan.run.start = core::Start::tunnel;
   BoardRig rig{plan};
   ASSERT_EQ(rig.arm().phase, Phase::armed);
   for (std::uint64_t sent = 0; sent < frames; sent += 20) {
     for (int i = 0; i < 20; ++i) {
-      (void)rig.pc_bus.send(vandal.frame());
+      (void)rig.pc_bus.send(mutator.frame());
     }
     ASSERT_EQ(rig.tick().phase, Phase::armed) << "after " << sent;
     ASSERT_TRUE(rig.all_pulses_are(0.0)) << "after " << sent;
@@ -162,7 +162,7 @@ TEST(BusFrames, RandomAndMutatedOnesNeitherMoveACanardOfAnArmedRocketNorEndThePh
 TEST(BusFrames, NoneBreaksALimitWhileABenchWorks) {
   const std::uint64_t frames = how_many_frames() / 10;
   std::cout << "frames: " << frames << "\n";
-  Vandal vandal{test::seed(usual_seed)};
+  FrameMutator mutator{test::seed(usual_seed)};
   BoardRig rig;
   rig.run(3 * second);
   std::uint64_t moved = 0;
@@ -171,8 +171,8 @@ TEST(BusFrames, NoneBreaksALimitWhileABenchWorks) {
       rig.say(protocol::BenchSession{.action = protocol::SessionAction::open, .session = 7});
     }
     rig.say(protocol::BenchRequest{{core::Angle::from_degrees(20.0F), core::Angle::from_degrees(-20.0F), {}, {}}});
-    (void)rig.pc_bus.send(vandal.frame());
-    (void)rig.pc_bus.send(vandal.frame());
+    (void)rig.pc_bus.send(mutator.frame());
+    (void)rig.pc_bus.send(mutator.frame());
     ASSERT_EQ(rig.tick().phase, Phase::safe) << "after " << sent;
     for (std::size_t i = 0; i < 4; ++i) {
       ASSERT_LE(std::abs(rig.commanded_deg(i)), 9.0 + 1e-3) << "after " << sent;

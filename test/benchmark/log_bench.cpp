@@ -6,11 +6,11 @@
 #include "avionics/log_tick_of.hpp"
 #include "avionics/recorder.hpp"
 #include "benchmark/logged_flight.hpp"
+#include "flight/write_csv.hpp"
 #include "flight_log/to_report.hpp"
 #include "hal/sim/can_bus.hpp"
 #include "hal/sim/flash.hpp"
 #include "protocol/log_frame.hpp"
-#include "report/csv.hpp"
 
 namespace fantail::benchmark {
 namespace {
@@ -59,7 +59,7 @@ void log_to_csv(::benchmark::State& state) {
     const flight_log::LogFile file = flight_log::parse_log(logged.bytes, "benchmark");
     const flight_log::Flight& flight = file.flights[0];
     ::benchmark::DoNotOptimize(
-        report::csv(flight_log::to_report(flight, flight_log::regenerate(flight, *flight.plan))));
+        flight::csv(flight_log::to_report(flight, flight_log::regenerate(flight, *flight.plan))));
   }
   state.counters["time_per_flight"] = {1.0, Counter::kIsIterationInvariantRate | Counter::kInvert};
 }

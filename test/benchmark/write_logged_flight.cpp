@@ -19,7 +19,7 @@ int main(int count, char** arguments) {
   }
   try {
     const benchmark::LoggedFlight& logged = benchmark::logged_flight();
-    const report::Flight report = flight_log::to_report(logged.flight, logged.regeneration);
+    const flight::Flight report = flight_log::to_report(logged.flight, logged.regeneration);
     const log_export::Source source{logged.flight, logged.regeneration, report};
     std::string own(logged.bytes.size(), '\0');
     for (std::size_t i = 0; i < own.size(); ++i) {

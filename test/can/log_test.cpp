@@ -128,7 +128,7 @@ TEST_F(FlownRocket, OneFlightIsDownloadedAloneAndEraseDownloadsAllFirstAndLeaves
 
   const Outcome unasked = fantail_bench(command({"--erase"}));  // its standard input is empty
   EXPECT_EQ(unasked.exit_code, 1);
-  EXPECT_PRED2(contains, unasked.err, "nobody typed ERASE; the flight record is kept");
+  EXPECT_PRED2(contains, unasked.err, "ERASE was not typed; the flight record is kept");
   expect_both_flights();  // which had come before the question
   const Outcome erased = fantail_bench(command({"--erase", "--yes", "--json"}));
   ASSERT_EQ(erased.exit_code, 0) << erased.err;

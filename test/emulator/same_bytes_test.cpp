@@ -9,10 +9,10 @@
 
 #include "core/tick_record_fields.hpp"
 #include "emulator/images.hpp"
+#include "flight/write_csv.hpp"
 #include "fly/fly_scenario.hpp"
 #include "input/scenario_file.hpp"
 #include "protocol/hil_codec.hpp"
-#include "report/csv.hpp"
 #include "report/results.hpp"
 
 namespace fantail::test {
@@ -48,7 +48,7 @@ class Records {
 };
 
 struct Flown {
-  report::Flight flight;
+  flight::Flight flight;
   Records records;
 };
 
@@ -76,7 +76,7 @@ TEST_P(Emulated, FlightIsThatOfTheHostTickByTickAndByteByByte) {
   EXPECT_EQ(there.records.first_difference(here.records), here.records.ticks()) << "the first tick that differs";
   EXPECT_FALSE(here.flight.log.empty());
   EXPECT_TRUE(there.flight.log == here.flight.log) << "flight.ftl";
-  EXPECT_TRUE(report::csv(there.flight) == report::csv(here.flight)) << "flight.csv";
+  EXPECT_TRUE(flight::csv(there.flight) == flight::csv(here.flight)) << "flight.csv";
   EXPECT_EQ(report::results(there.flight).summary, report::results(here.flight).summary);
   EXPECT_EQ(target.times().overruns, 0U);
   EXPECT_EQ(target.link().damaged(), 0U);

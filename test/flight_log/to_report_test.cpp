@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "flight/write_csv.hpp"
 #include "flight_log/made_flight.hpp"
-#include "report/csv.hpp"
 
 namespace fantail::flight_log {
 namespace {
@@ -23,7 +23,7 @@ constexpr double pad_s = 0.5;
 
 TEST(ToReport, HasARowForEveryTickWithTimeZeroAtTheStartOfTheReplayedWindow) {
   const Read read;
-  const report::Flight flight = to_report(read.flight, read.regeneration);
+  const flight::Flight flight = to_report(read.flight, read.regeneration);
   ASSERT_EQ(flight.rows.size(), 3000U);
   EXPECT_NEAR(flight.rows.front().time_s, -pad_s, 0.005);
   EXPECT_NEAR(flight.rows[1].time_s - flight.rows[0].time_s, 0.001, 1e-9);
@@ -37,7 +37,7 @@ TEST(ToReport, HasARowForEveryTickWithTimeZeroAtTheStartOfTheReplayedWindow) {
 
 TEST(ToReport, KnowsWhoFlewWhat) {
   const Read read;
-  const report::Flight flight = to_report(read.flight, read.regeneration);
+  const flight::Flight flight = to_report(read.flight, read.regeneration);
   EXPECT_EQ(flight.vehicle, "paper dart");
   EXPECT_EQ(flight.version, "0.1.0");
   EXPECT_NE(flight.plan_name.find("plan "), std::string::npos) << "the default plan is not one of the shipped ones";
@@ -46,7 +46,7 @@ TEST(ToReport, KnowsWhoFlewWhat) {
 
 TEST(ToReport, HasThePhasesWithTheirReasonsAndTheEvents) {
   const Read read;
-  const report::Flight flight = to_report(read.flight, read.regeneration);
+  const flight::Flight flight = to_report(read.flight, read.regeneration);
   ASSERT_GE(flight.phase_changes.size(), 3U);
   EXPECT_EQ(flight.phase_changes[0].phase, core::Phase::armed);
   EXPECT_EQ(flight.phase_changes[1].reason, core::PhaseReason::launch_detected);
@@ -76,7 +76,7 @@ TEST(ToReport, AFlightThatCannotBeReplayedHasNoRowsAndSaysWhy) {
   const Read read;
   Flight flight = read.flight;
   flight.checkpoints.clear();
-  const report::Flight result = to_report(flight, regenerate(flight, *flight.plan));
+  const flight::Flight result = to_report(flight, regenerate(flight, *flight.plan));
   EXPECT_TRUE(result.rows.empty());
   ASSERT_EQ(result.notes.size(), 1U);
   EXPECT_NE(result.notes[0].find("no checkpoint"), std::string::npos);

@@ -89,7 +89,7 @@ void check_replay(const flight_log::Flight& flight) {
   require(replay.first_difference.has_value() == (replay.differing > 0));
   require(!replay.first_difference || !replay.first_difference->field.empty());
   require(is_sentence(flight_log::replay_words(flight, replay)));
-  const report::Flight report = flight_log::to_report(flight, replay);
+  const flight::Flight report = flight_log::to_report(flight, replay);
   require(report.rows.size() == replay.compared);
   require(std::ranges::all_of(report.notes, is_sentence));
 }

@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "flight/write_csv.hpp"
 #include "made_flight.hpp"
-#include "report/csv.hpp"
 
 namespace fantail::log_export {
 namespace {
@@ -31,7 +31,7 @@ std::vector<std::string> lines(const std::string& text) {
 
 TEST(CsvExport, WithoutAChoiceItIsFlightCsvByteForByte) {
   const MadeFlight made;
-  EXPECT_EQ(flight_csv(made.source(), made.report), report::csv(made.report));
+  EXPECT_EQ(flight_csv(made.source(), made.report), flight::csv(made.report));
 }
 
 TEST(CsvExport, OfAWindowTheRowsAtBothEndsAreThereAndNoOthers) {

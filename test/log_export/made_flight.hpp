@@ -22,7 +22,7 @@ struct MadeFlight {
 
   flight_log::Flight flight;
   flight_log::Regeneration regeneration;
-  report::Flight report;
+  flight::Flight report;
 
   MadeFlight() {
     make_header();
@@ -113,7 +113,7 @@ struct MadeFlight {
     } else {
       regeneration.records.emplace_back(record);
       ++regeneration.compared;
-      report::add_tick(report, record, static_cast<double>(i - 100) / 1000.0, std::nullopt);
+      flight::add_tick(report, record, static_cast<double>(i - 100) / 1000.0, std::nullopt);
     }
   }
 };

@@ -78,7 +78,7 @@ TEST_F(FlightFile, WhatOnlyATableCanBeAskedIsRefusedOfALog) {
   expect_refused(ErrorKind::bad_configuration, {"flown.ftl: is a flight log", "holds no truth"},
                  [&] { (void)read_roll_log(path, {.truth = true}, {}); });
   expect_refused(ErrorKind::bad_configuration, {"flown.ftl: is a flight log", "in which unit"},
-                 [&] { (void)read_roll_log(path, {.angles = AngleUnit::radians}, {}); });
+                 [&] { (void)read_roll_log(path, {.angles = flight::AngleUnit::radians}, {}); });
   expect_refused(ErrorKind::bad_configuration, {"flown.ftl: is a flight log", "names its columns itself"},
                  [&] { (void)read_roll_log(path, {.columns = {{"roll_angle_deg", "phi"}}}, {}); });
 }
@@ -107,7 +107,7 @@ TEST_F(FlightFile, OfAFolderRowsComeFromTheTableReasonsFromTheSummaryAndThePlanF
                 R"("phase_changes":[{"time_s":1,"phase":"launched","reason":"launch_detected"}],)"
                 R"("canard_verdicts":[{"time_s":1.5,"canard":4,"verdict":"dead"}],)"
                 R"("imposed_roll":{"time_s":1,"angle_deg":180,"rate_deg_s":0},"notes":["A note."]})");
-  const report::Flight flight = read_flight(folder_.path() / "flown");
+  const flight::Flight flight = read_flight(folder_.path() / "flown");
   EXPECT_EQ(flight.rows.size(), 3U);
   EXPECT_TRUE(flight.rows[0].truth);
   EXPECT_TRUE(flight.known.plan);

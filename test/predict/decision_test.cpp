@@ -10,7 +10,7 @@
 namespace fantail::predict {
 namespace {
 
-using report::radians;
+using text::radians;
 
 /// 200 runs that leave nothing to be desired.
 Prediction good() {

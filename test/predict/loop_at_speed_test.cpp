@@ -9,7 +9,7 @@
 
 #include "fly/fly_scenario.hpp"
 #include "input/scenario_file.hpp"
-#include "report/numbers.hpp"
+#include "text/degrees.hpp"
 
 namespace fantail::predict {
 namespace {
@@ -39,9 +39,9 @@ TunnelStep airframe(const sim::Vehicle& vehicle) {
 /// Largest roll rate from 8 s after control start on: noise, or a loop that swings.
 double late_roll_rate_deg_s(const sim::Scenario& scenario) {
   double largest = 0.0;
-  for (const report::Row& row : fly::fly_scenario(scenario).rows) {
+  for (const flight::Row& row : fly::fly_scenario(scenario).rows) {
     if (row.time_s > 8.0 && row.phase == core::Phase::controlling) {
-      largest = std::max(largest, std::abs(report::degrees(row.truth->roll_rate_rad_s)));
+      largest = std::max(largest, std::abs(text::degrees(row.truth->roll_rate_rad_s)));
     }
   }
   return largest;

@@ -6,13 +6,13 @@
 
 #include <gtest/gtest.h>
 
-#include "report/numbers.hpp"
 #include "sim/roll_plant.hpp"
+#include "text/degrees.hpp"
 
 namespace fantail::predict {
 namespace {
 
-using report::degrees;
+using text::degrees;
 
 // The first launch at its top speed, as published: alpha 7.5, beta 10, gains 1 and 0.1 s, in air of 1.2 kg/m3.
 RollLoop launch1_at_97_m_s(double servo_lag_s, double delay_s) {

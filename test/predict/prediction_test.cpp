@@ -11,7 +11,7 @@
 namespace fantail::predict {
 namespace {
 
-using report::degrees;
+using text::degrees;
 
 const auto look_away = [](std::size_t) {};
 

@@ -6,13 +6,13 @@
 #include <gtest/gtest.h>
 
 #include "input/scenario_file.hpp"
-#include "report/numbers.hpp"
+#include "text/degrees.hpp"
 
 namespace fantail::predict {
 namespace {
 
-using report::degrees;
-using report::radians;
+using text::degrees;
+using text::radians;
 
 // The offset of the first launch, with the damping and torque that were identified from it.
 const TunnelStep first_launch{

@@ -5,16 +5,16 @@
 
 #include "input/scenario_file.hpp"
 #include "input/shipped.hpp"
-#include "report/numbers.hpp"
 #include "system/folder.hpp"
+#include "text/degrees.hpp"
 #include "text/error.hpp"
 
 namespace fantail::predict {
 namespace {
 
-using report::degrees;
-using report::radians;
 using test::Folder;
+using text::degrees;
+using text::radians;
 
 TunnelResult shipped(const std::string& name, const std::optional<double>& swirl_rad = {}) {
   return read_tunnel_result(input::find_input(input::Shipped::tunnel_result, name), swirl_rad);

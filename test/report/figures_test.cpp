@@ -13,35 +13,36 @@ namespace {
 TEST(Figures, ARollAngleAtItsSettlePointHasNoHoldErrorThoughItIsTenDegreesFromTheReference) {
   const SyntheticFlight synthetic;
   const Figures f = figures(synthetic.flight);
-  EXPECT_NEAR(degrees(f.largest_hold_error_rad.value()), 0.0, 1e-5);
-  EXPECT_NEAR(degrees(f.mean_hold_error_rad.value()), 0.0, 1e-5);
+  EXPECT_NEAR(text::degrees(f.largest_hold_error_rad.value()), 0.0, 1e-5);
+  EXPECT_NEAR(text::degrees(f.mean_hold_error_rad.value()), 0.0, 1e-5);
 }
 
 TEST(Figures, ADecayingStepResponseIsJudgedFromOneSecondAfterControlStart) {
   SyntheticFlight synthetic;
   synthetic.each_controlled(
-      [](Row& row) { row.roll_angle_rad += radians(10.0) * std::exp(-(row.time_s - 0.6) / 0.5); });
-  EXPECT_NEAR(degrees(figures(synthetic.flight).largest_hold_error_rad.value()), 10.0 * std::exp(-2.0), 1e-4);
+      [](flight::Row& row) { row.roll_angle_rad += text::radians(10.0) * std::exp(-(row.time_s - 0.6) / 0.5); });
+  EXPECT_NEAR(text::degrees(figures(synthetic.flight).largest_hold_error_rad.value()), 10.0 * std::exp(-2.0), 1e-4);
 }
 
 TEST(Figures, TheSecondAfterAReferenceStepDoesNotCount) {
   SyntheticFlight synthetic;
-  synthetic.each_controlled([](Row& row) {
+  synthetic.each_controlled([](flight::Row& row) {
     if (row.time_s >= 2.6) {
-      row.reference_rad = radians(-20.0);
+      row.reference_rad = text::radians(-20.0);
       // Arrives 0.9 s late, then stays 1.5 deg short of its settle point of -30 deg.
-      row.roll_angle_rad = radians(row.time_s < 3.5 ? -10.0 : -28.5);
+      row.roll_angle_rad = text::radians(row.time_s < 3.5 ? -10.0 : -28.5);
     }
   });
-  EXPECT_NEAR(degrees(figures(synthetic.flight).largest_hold_error_rad.value()), 1.5, 1e-4);
+  EXPECT_NEAR(text::degrees(figures(synthetic.flight).largest_hold_error_rad.value()), 1.5, 1e-4);
 }
 
 TEST(Figures, InTheTunnelTwoSecondsDoNotCount) {
   SyntheticFlight synthetic;
   synthetic.flight.tunnel = true;
-  synthetic.each_controlled([](Row& row) { row.roll_angle_rad += radians(row.time_s < 2.59 ? 25.0 : 2.0); });
+  synthetic.each_controlled(
+      [](flight::Row& row) { row.roll_angle_rad += text::radians(row.time_s < 2.59 ? 25.0 : 2.0); });
   const Figures f = figures(synthetic.flight);
-  EXPECT_NEAR(degrees(f.largest_hold_error_rad.value()), 2.0, 1e-4);
+  EXPECT_NEAR(text::degrees(f.largest_hold_error_rad.value()), 2.0, 1e-4);
   EXPECT_FALSE(f.apogee_m);
   EXPECT_FALSE(f.control_start_height_m);
 }
@@ -49,56 +50,58 @@ TEST(Figures, InTheTunnelTwoSecondsDoNotCount) {
 TEST(Figures, MeanHoldErrorIsTheMeanOfTheSettledPart) {
   SyntheticFlight synthetic;
   // Settled are 1.6 to 4.5 s, 2901 ticks; 1450 of them lie before 3.05 s.
-  synthetic.each_controlled([](Row& row) { row.roll_angle_rad += radians(row.time_s < 3.0495 ? 3.0 : 1.0); });
-  EXPECT_NEAR(degrees(figures(synthetic.flight).mean_hold_error_rad.value()), (1450 * 3.0 + 1451 * 1.0) / 2901, 1e-4);
+  synthetic.each_controlled(
+      [](flight::Row& row) { row.roll_angle_rad += text::radians(row.time_s < 3.0495 ? 3.0 : 1.0); });
+  EXPECT_NEAR(text::degrees(figures(synthetic.flight).mean_hold_error_rad.value()), (1450 * 3.0 + 1451 * 1.0) / 2901,
+              1e-4);
 }
 
 TEST(Figures, SaturatedFractionCountsControlledTicksOnly) {
   SyntheticFlight synthetic;
   synthetic.flight.rows.front().saturated = true;
   int count = 0;
-  synthetic.each_controlled([&count](Row& row) { row.saturated = count++ < 390; });
+  synthetic.each_controlled([&count](flight::Row& row) { row.saturated = count++ < 390; });
   EXPECT_DOUBLE_EQ(figures(synthetic.flight).saturated_fraction.value(), 390.0 / 3901.0);
 }
 
 TEST(Figures, AuthorityMarginIsTheLimitLessTheLargestOffsetUnderControl) {
   SyntheticFlight synthetic;
-  synthetic.flight.rows.front().truth->disturbance_rad = radians(-15.0);  // on the pad it does not matter
-  synthetic.flight.rows[3000].truth->disturbance_rad = radians(-7.25);
+  synthetic.flight.rows.front().truth->disturbance_rad = text::radians(-15.0);  // on the pad it does not matter
+  synthetic.flight.rows[3000].truth->disturbance_rad = text::radians(-7.25);
   const Figures f = figures(synthetic.flight);
-  EXPECT_NEAR(degrees(f.authority_margin_rad.value()), 1.75, 1e-5);
-  EXPECT_NEAR(degrees(f.largest_disturbance_rad.value()), -7.25, 1e-9);
+  EXPECT_NEAR(text::degrees(f.authority_margin_rad.value()), 1.75, 1e-5);
+  EXPECT_NEAR(text::degrees(f.largest_disturbance_rad.value()), -7.25, 1e-9);
 }
 
 TEST(Figures, NoPlanHasMoreAuthorityThanTheHardLimit) {
   SyntheticFlight synthetic;
   synthetic.flight.plan.controller.canard_limit = core::Angle::from_degrees(30.0F);
-  EXPECT_NEAR(degrees(figures(synthetic.flight).authority_margin_rad.value()), 15.0, 1e-5);
+  EXPECT_NEAR(text::degrees(figures(synthetic.flight).authority_margin_rad.value()), 15.0, 1e-5);
 }
 
 TEST(Figures, SaturationToTheEndIsSeenFromItsFirstTick) {
   SyntheticFlight synthetic;
-  synthetic.each_controlled([](Row& row) {
+  synthetic.each_controlled([](flight::Row& row) {
     row.saturated = row.time_s >= 1.4795;
-    row.command_rad = radians(9.0);
-    row.truth->disturbance_rad = radians(row.time_s < 3.0 ? -9.5 : -9.2);
+    row.command_rad = text::radians(9.0);
+    row.truth->disturbance_rad = text::radians(row.time_s < 3.0 ? -9.5 : -9.2);
   });
   const Figures f = figures(synthetic.flight);
   EXPECT_NEAR(f.at_limit_since_s.value(), 1.48, 1e-9);
   EXPECT_TRUE(f.offset_beyond_limit);
-  EXPECT_NEAR(degrees(f.offset_at_limit_rad.value()), -9.5, 1e-9);
+  EXPECT_NEAR(text::degrees(f.offset_at_limit_rad.value()), -9.5, 1e-9);
 }
 
 TEST(Figures, AShortSaturationAtTheEndIsNotALastingOne) {
   SyntheticFlight synthetic;
-  synthetic.each_controlled([](Row& row) { row.saturated = row.time_s > 4.1; });
+  synthetic.each_controlled([](flight::Row& row) { row.saturated = row.time_s > 4.1; });
   EXPECT_FALSE(figures(synthetic.flight).at_limit_since_s);
 }
 
 TEST(Figures, HeightsAndSpeedsAreTrueOnesWhereTruthExists) {
   SyntheticFlight synthetic;
   synthetic.flight.events.apogee_s = 4.0;
-  for (Row& row : synthetic.flight.rows) {
+  for (flight::Row& row : synthetic.flight.rows) {
     row.height_m = 1000.0;
     row.speed_m_s = 1000.0;
     row.truth->height_m = 100.0 * row.time_s;
@@ -108,7 +111,7 @@ TEST(Figures, HeightsAndSpeedsAreTrueOnesWhereTruthExists) {
   EXPECT_NEAR(f.apogee_m.value(), 450.0, 1e-9);
   EXPECT_NEAR(f.max_speed_m_s.value(), 50.5, 1e-9);
   EXPECT_NEAR(f.control_start_height_m.value(), 60.0, 1e-9);
-  for (Row& row : synthetic.flight.rows) {
+  for (flight::Row& row : synthetic.flight.rows) {
     row.truth.reset();
   }
   f = figures(synthetic.flight);
@@ -123,8 +126,9 @@ TEST(Figures, AFlightThatEndsBeforeApogeeHasNone) { EXPECT_FALSE(figures(Synthet
 
 TEST(Figures, NetRollIsCountedInTurnsUnderControl) {
   SyntheticFlight synthetic;
-  synthetic.flight.rows.front().truth->roll_angle_rad = radians(3600.0);
-  synthetic.each_controlled([](Row& row) { row.truth->roll_angle_rad = radians(-180.0 * (row.time_s - 0.6)); });
+  synthetic.flight.rows.front().truth->roll_angle_rad = text::radians(3600.0);
+  synthetic.each_controlled(
+      [](flight::Row& row) { row.truth->roll_angle_rad = text::radians(-180.0 * (row.time_s - 0.6)); });
   EXPECT_NEAR(figures(synthetic.flight).roll_turns.value(), -1.95, 1e-9);
 }
 
@@ -134,7 +138,7 @@ TEST(Figures, WithoutControlThereAreNoFiguresOfControl) {
   const Figures f = figures(synthetic.flight);
   EXPECT_FALSE(f.control_time_s || f.saturated_fraction || f.roll_turns || f.authority_margin_rad);
   EXPECT_EQ(f.final_phase, core::Phase::armed);
-  EXPECT_FALSE(figures(Flight{}).max_speed_m_s);
+  EXPECT_FALSE(figures(flight::Flight{}).max_speed_m_s);
 }
 
 }  // namespace

@@ -13,7 +13,7 @@
 namespace fantail::report {
 namespace {
 
-std::string page_of(const Flight& flight) {
+std::string page_of(const flight::Flight& flight) {
   const Figures f = figures(flight);
   return html(flight, f, verdict(flight, f));
 }
@@ -44,7 +44,7 @@ TEST(Html, CarriesTheLicenceOfThePlotLibrary) {
 
 TEST(Html, SaysVerdictFiguresEventsAndPhasesWithoutScripts) {
   SyntheticFlight synthetic;
-  synthetic.each_controlled([](Row& row) { row.roll_angle_rad += radians(2.1); });
+  synthetic.each_controlled([](flight::Row& row) { row.roll_angle_rad += text::radians(2.1); });
   const std::string text = without_scripts(page_of(synthetic.flight));
   EXPECT_NE(text.find("Roll held within 2.1 deg of"), std::string::npos);
   EXPECT_NE(text.find("<dt>Authority margin</dt><dd>4.0"), std::string::npos);
@@ -56,7 +56,7 @@ TEST(Html, SaysVerdictFiguresEventsAndPhasesWithoutScripts) {
 
 TEST(Html, NoLineIsDrawnWhereRowsAreMissing) {
   SyntheticFlight synthetic;
-  std::erase_if(synthetic.flight.rows, [](const Row& row) { return row.time_s > 2.0 && row.time_s < 2.5; });
+  std::erase_if(synthetic.flight.rows, [](const flight::Row& row) { return row.time_s > 2.0 && row.time_s < 2.5; });
   const json::Value data = plot_data_of(page_of(synthetic.flight));
   for (const json::Value& plot : data["plots"]) {
     const auto& times = plot["milliseconds"];
@@ -100,7 +100,7 @@ TEST(Html, ListsWhatWasAssumedAndCallsAnImposedRollImposed) {
   EXPECT_NE(without_scripts(page_of(synthetic.flight)).find("no imposed roll, no faults and no assumptions"),
             std::string::npos);
   synthetic.flight.notes = {"Canard 3 is stuck from 2 s on."};
-  synthetic.flight.imposed_roll = ImposedRoll{0.21, radians(-0.6), radians(51.8)};
+  synthetic.flight.imposed_roll = flight::ImposedRoll{0.21, text::radians(-0.6), text::radians(51.8)};
   const std::string text = without_scripts(page_of(synthetic.flight));
   EXPECT_NE(text.find("Roll was imposed by the scenario at 0.21 s: angle \u22120.6 deg, rate 51.8 deg/s."),
             std::string::npos);
@@ -109,10 +109,10 @@ TEST(Html, ListsWhatWasAssumedAndCallsAnImposedRollImposed) {
 
 TEST(Html, WritesNegativeNumbersInSentencesWithTheMinusOfItsFigures) {
   SyntheticFlight synthetic;
-  synthetic.each_controlled([](Row& row) {
-    row.truth->disturbance_rad = radians(-12.0);
+  synthetic.each_controlled([](flight::Row& row) {
+    row.truth->disturbance_rad = text::radians(-12.0);
     row.saturated = true;
-    row.command_rad = radians(-9.0);
+    row.command_rad = text::radians(-9.0);
   });
   const std::string text = without_scripts(page_of(synthetic.flight));
   EXPECT_NE(text.find("at their limit (\u22129 deg)"), std::string::npos) << text.substr(0, text.find("<dl"));
@@ -139,7 +139,7 @@ TEST(Html, PlotDataKeepsAPeakOfOneMillisecondAndTheLimits) {
     synthetic.flight.rows.push_back(synthetic.flight.rows.back());
     synthetic.flight.rows.back().time_s += 0.001;
   }
-  synthetic.flight.rows[23'456].roll_rate_rad_s = radians(777.77);
+  synthetic.flight.rows[23'456].roll_rate_rad_s = text::radians(777.77);
   const std::string page = page_of(synthetic.flight);
   EXPECT_LT(page.size(), 1'500'000U);
   const auto data = plot_data_of(page);
@@ -162,7 +162,7 @@ TEST(Html, PlotDataKeepsAPeakOfOneMillisecondAndTheLimits) {
 }
 
 TEST(Html, AFlightWithoutARowStillMakesAPage) {
-  const std::string page = page_of(Flight{});
+  const std::string page = page_of(flight::Flight{});
   EXPECT_NE(page.find("No control: the rocket was never armed."), std::string::npos);
   EXPECT_EQ(page.find("<svg"), std::string::npos);
   EXPECT_EQ(page.find("<script"), std::string::npos);
@@ -170,7 +170,7 @@ TEST(Html, AFlightWithoutARowStillMakesAPage) {
 
 TEST(OverviewSvg, IsCompleteInItselfAndHasNoNumberThatIsNone) {
   SyntheticFlight synthetic;
-  synthetic.each_controlled([](Row& row) {
+  synthetic.each_controlled([](flight::Row& row) {
     if (row.time_s > 3.0) {
       row.truth.reset();
     }

@@ -11,7 +11,7 @@
 namespace fantail::report {
 namespace {
 
-json::Value summary_of(const Flight& flight) {
+json::Value summary_of(const flight::Flight& flight) {
   const Figures f = figures(flight);
   return json::parse(summary_json(flight, f, verdict(flight, f)));
 }
@@ -57,7 +57,7 @@ TEST(SummaryJson, HasTheDigestOfWhatTheAvionicsRecorded) {
 
 TEST(SummaryJson, AnImposedRollIsCalledImposed) {
   SyntheticFlight synthetic;
-  synthetic.flight.imposed_roll = ImposedRoll{0.21, radians(-0.6), radians(51.8)};
+  synthetic.flight.imposed_roll = flight::ImposedRoll{0.21, text::radians(-0.6), text::radians(51.8)};
   const auto imposed = summary_of(synthetic.flight)["imposed_roll"];
   EXPECT_EQ(imposed["time_s"], 0.21);
   EXPECT_EQ(imposed["angle_deg"], -0.6);

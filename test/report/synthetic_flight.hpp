@@ -4,8 +4,8 @@
 #include <functional>
 
 #include "core/flight_plan_fields.hpp"
-#include "report/flight.hpp"
-#include "report/numbers.hpp"
+#include "flight/flight.hpp"
+#include "text/degrees.hpp"
 
 namespace fantail::report {
 
@@ -28,17 +28,17 @@ class SyntheticFlight {
                             {0.2, core::Phase::launched, core::PhaseReason::launch_detected},
                             {0.6, core::Phase::controlling, core::PhaseReason::guide_clear}};
     for (int tick = 0; tick <= 5000; ++tick) {
-      Row row;
+      flight::Row row;
       row.time_s = (tick - 500) / 1000.0;
       row.phase = tick < 700 ? core::Phase::armed : tick < 1100 ? core::Phase::launched : core::Phase::controlling;
-      row.roll_angle_rad = radians(tick < 1100 ? 0.0 : -10.0);
-      row.truth = Truth{.roll_angle_rad = row.roll_angle_rad, .disturbance_rad = radians(-5.0)};
+      row.roll_angle_rad = text::radians(tick < 1100 ? 0.0 : -10.0);
+      row.truth = flight::Truth{.roll_angle_rad = row.roll_angle_rad, .disturbance_rad = text::radians(-5.0)};
       flight.rows.push_back(row);
     }
   }
 
-  void each_controlled(const std::function<void(Row&)>& change) {
-    for (Row& row : flight.rows) {
+  void each_controlled(const std::function<void(flight::Row&)>& change) {
+    for (flight::Row& row : flight.rows) {
       if (row.phase == core::Phase::controlling) {
         change(row);
       }
@@ -47,7 +47,7 @@ class SyntheticFlight {
 
   /// The flight as if control had ended at a time.
   void end_control(double time_s, core::PhaseReason reason) {
-    each_controlled([time_s](Row& row) {
+    each_controlled([time_s](flight::Row& row) {
       if (row.time_s >= time_s) {
         row.phase = core::Phase::finished;
       }
@@ -58,12 +58,12 @@ class SyntheticFlight {
 
   /// The flight as if it had stayed in one phase since a change for this reason.
   void never_controlled(double time_s, core::Phase phase, core::PhaseReason reason) {
-    each_controlled([phase](Row& row) { row.phase = phase; });
+    each_controlled([phase](flight::Row& row) { row.phase = phase; });
     flight.events.control_start_s.reset();
     flight.phase_changes.back() = {time_s, phase, reason};
   }
 
-  Flight flight;
+  flight::Flight flight;
 };
 
 }  // namespace fantail::report

@@ -8,14 +8,14 @@
 namespace fantail::report {
 namespace {
 
-Verdict verdict_of(const Flight& flight) { return verdict(flight, figures(flight)); }
+Verdict verdict_of(const flight::Flight& flight) { return verdict(flight, figures(flight)); }
 
 TEST(Verdict, AHeldFlightNamesErrorSaturationAndMargin) {
   SyntheticFlight synthetic;
   int count = 0;
-  synthetic.each_controlled([&count](Row& row) {
+  synthetic.each_controlled([&count](flight::Row& row) {
     row.saturated = count++ < 234;  // 234 of 3901: 6.0 %
-    row.roll_angle_rad += radians(2.1);
+    row.roll_angle_rad += text::radians(2.1);
   });
   const Verdict v = verdict_of(synthetic.flight);
   EXPECT_EQ(v.outcome, Outcome::held);
@@ -24,7 +24,7 @@ TEST(Verdict, AHeldFlightNamesErrorSaturationAndMargin) {
 
 TEST(Verdict, ALargeErrorIsNotCalledHeld) {
   SyntheticFlight synthetic;
-  synthetic.each_controlled([](Row& row) { row.roll_angle_rad += radians(-24.0); });
+  synthetic.each_controlled([](flight::Row& row) { row.roll_angle_rad += text::radians(-24.0); });
   const Verdict v = verdict_of(synthetic.flight);
   EXPECT_EQ(v.outcome, Outcome::not_held);
   EXPECT_EQ(v.text,
@@ -34,9 +34,9 @@ TEST(Verdict, ALargeErrorIsNotCalledHeld) {
 TEST(Verdict, AnOffsetBeyondTheCanardsIsSaidPlainly) {
   SyntheticFlight synthetic;
   synthetic.flight.plan.controller.canard_limit = core::Angle::from_degrees(6.0F);
-  synthetic.each_controlled([](Row& row) {
-    row.truth->disturbance_rad = radians(row.time_s < 1.6 ? -5.0 : -7.3);
-    row.command_rad = radians(6.0);
+  synthetic.each_controlled([](flight::Row& row) {
+    row.truth->disturbance_rad = text::radians(row.time_s < 1.6 ? -5.0 : -7.3);
+    row.command_rad = text::radians(6.0);
     row.saturated = row.time_s >= 1.6795;
   });
   synthetic.end_control(4.4, core::PhaseReason::apogee);
@@ -51,9 +51,9 @@ TEST(Verdict, AnOffsetBeyondTheCanardsIsSaidPlainly) {
 
 TEST(Verdict, CanardsAtTheirLimitForAnotherReasonAreNotBlamedOnTheOffset) {
   SyntheticFlight synthetic;
-  synthetic.each_controlled([](Row& row) {
+  synthetic.each_controlled([](flight::Row& row) {
     row.saturated = row.time_s > 3.4995;
-    row.command_rad = radians(-9.0);
+    row.command_rad = text::radians(-9.0);
   });
   EXPECT_EQ(verdict_of(synthetic.flight).text,
             "Roll held within 0.0 deg of R + u_d/kp; saturated 26 % of control time; authority margin 4.0 deg. Canards "
@@ -69,7 +69,7 @@ TEST(Verdict, WithoutALaunchThereIsNoControl) {
 }
 
 TEST(Verdict, EveryOtherWayToNoControlIsNamed) {
-  Flight never_armed = SyntheticFlight{}.flight;
+  flight::Flight never_armed = SyntheticFlight{}.flight;
   never_armed.rows.clear();
   never_armed.phase_changes.clear();
   EXPECT_EQ(verdict_of(never_armed).text, "No control: the rocket was never armed.");
@@ -102,13 +102,13 @@ TEST(Verdict, ControlThatNeverSettledIsNotJudged) {
 
   SyntheticFlight restless;
   restless.each_controlled(
-      [](Row& row) { row.reference_rad = static_cast<int>(row.time_s * 2.0) % 2 == 0 ? 0.1 : -0.1; });
+      [](flight::Row& row) { row.reference_rad = static_cast<int>(row.time_s * 2.0) % 2 == 0 ? 0.1 : -0.1; });
   EXPECT_TRUE(verdict_of(restless.flight).text.starts_with("Roll not judged: the reference never stood still"));
 }
 
 TEST(Verdict, WithoutTruthTheSettlePointIsUnknown) {
   SyntheticFlight synthetic;
-  synthetic.each_controlled([](Row& row) { row.truth.reset(); });
+  synthetic.each_controlled([](flight::Row& row) { row.truth.reset(); });
   EXPECT_EQ(
       verdict_of(synthetic.flight).text,
       "Roll not judged: the fin offset, and with it where roll should settle, is unknown; saturated 0 % of control "

@@ -98,7 +98,7 @@ TEST(ReplayedFlight, AsAReportItHasTheEventsOfTheFlight) {
   const Flown flown = fly(input::load_scenario("tasha3_launch2", {}));
   const flight_log::LogFile file = flight_log::parse_log(flown.log, "");
   const flight_log::Flight& flight = file.flights.at(0);
-  const report::Flight report = to_report(flight, regenerate(flight, *flight.plan));
+  const flight::Flight report = to_report(flight, regenerate(flight, *flight.plan));
   EXPECT_EQ(report.plan_name, "tasha3_launch2");
   const auto begin = [&](core::Phase phase) {
     const auto first = std::ranges::find(flown.records, phase, &core::TickRecord::phase);

@@ -22,7 +22,7 @@ int main(int argc, char** argv) {
       changes.push_back(fantail::input::parse_override(words[i]));
     }
     const fantail::sim::Scenario scenario = fantail::input::load_scenario(words[0], changes);
-    const fantail::report::Flight flight = fantail::fly::fly_scenario(scenario, {}, {}, fantail::fly::Log::kept);
+    const fantail::flight::Flight flight = fantail::fly::fly_scenario(scenario, {}, {}, fantail::fly::Log::kept);
     fantail::report::write_results(flight, fantail::report::results(flight), words[1]);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "fly_alone: %s\n", error.what());

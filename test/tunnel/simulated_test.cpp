@@ -20,7 +20,7 @@
 namespace fantail::tunnel {
 namespace {
 
-report::Flight flown(const std::string& scenario, const std::vector<std::string>& changes = {}) {
+flight::Flight flown(const std::string& scenario, const std::vector<std::string>& changes = {}) {
   std::vector<input::Override> parsed;
   for (const std::string& change : changes) {
     parsed.push_back(input::parse_override(change));
@@ -28,9 +28,9 @@ report::Flight flown(const std::string& scenario, const std::vector<std::string>
   return fly::fly_scenario(input::load_scenario(scenario, parsed));
 }
 
-TunnelLog wind_log(const report::Flight& flight) {
+TunnelLog wind_log(const flight::Flight& flight) {
   TunnelLog log{.name = flight.scenario};
-  for (const report::TunnelReading& reading : flight.tunnel_readings) {
+  for (const flight::TunnelReading& reading : flight.tunnel_readings) {
     log.time_s.push_back(reading.time_s);
     log.fan_rpm.push_back(reading.fan_rpm);
     log.wind_speed_m_s.push_back(reading.wind_speed_m_s);
@@ -38,10 +38,10 @@ TunnelLog wind_log(const report::Flight& flight) {
   return log;
 }
 
-logs::RollLog roll_log(const report::Flight& flight) {
+logs::RollLog roll_log(const flight::Flight& flight) {
   logs::RollLog log;
   log.name = flight.scenario;
-  for (const report::Row& row : flight.rows) {
+  for (const flight::Row& row : flight.rows) {
     log.time_s.push_back(row.time_s);
     log.roll_angle_rad.push_back(row.roll_angle_rad);
     log.roll_rate_rad_s.push_back(row.roll_rate_rad_s);
@@ -106,7 +106,7 @@ TEST(SimulatedTunnel, FlowFindsThemWhateverTheTurbulenceDoes) {
 
 TEST(SimulatedTunnel, SwirlOfTwoDegreesComesBackFromTheTwoSessions) {
   const auto session = [](const std::string& scenario) {
-    const report::Flight flight = flown(scenario);
+    const flight::Flight flight = flown(scenario);
     RollSession made{.roll = roll_log(flight), .wind = wind_log(flight), .steady = {}};
     made.steady = find_steady(made.wind, {});
     return made;
@@ -125,7 +125,7 @@ TEST(SimulatedTunnel, SwirlOfTwoDegreesComesBackFromTheTwoSessions) {
 }
 
 TEST(SimulatedTunnel, StepsGiveBackThePlantedRollModel) {
-  const report::Flight flight = flown("tunnel_steps");
+  const flight::Flight flight = flown("tunnel_steps");
   const logs::RollLog log = roll_log(flight);
   StepOptions options;
   options.record.density_kg_m3 = 1.2;

@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "report/numbers.hpp"
+#include "text/degrees.hpp"
 
 namespace fantail::bench {
 namespace {
 
-const double same_command_rad = report::radians(0.015);  // one step of the bus, and a little
+const double same_command_rad = text::radians(0.015);  // one step of the bus, and a little
 constexpr std::size_t time_to_settle = 180;
 constexpr std::size_t mark_slack = 100;  // a mark is set when a tick is received, some milliseconds off
 

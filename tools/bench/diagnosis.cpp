@@ -6,20 +6,20 @@
 
 #include <fmt/core.h>
 
-#include "report/numbers.hpp"
+#include "text/degrees.hpp"
 #include "text/number.hpp"
 
 namespace fantail::bench {
 namespace {
 
-using report::degrees;
+using text::degrees;
 using text::fixed;
 
 constexpr double silent = 0.5;        // share of readings without which nothing else can be said
 constexpr double short_share = 0.95;  // of the way; above it a canard is only inexact
 constexpr double same_share = 0.15;   // slipping takes about as much from one side as from the other
 constexpr double right_share = 0.07;  // off by no more than this, the way is right and only its place is wrong
-const double still_rad_s = report::radians(3.0);
+const double still_rad_s = text::radians(3.0);
 
 std::string signed_degrees(const std::optional<double>& angle_rad) {
   if (!angle_rad) {
@@ -206,7 +206,7 @@ class Doctor {
                                 check.value && !about.unit.empty() ? fmt::format(" {}", about.unit) : "");
       if (check.value && check.measure != Measure::limit_reported) {
         const bool reach = check.measure == Measure::reached_positive || check.measure == Measure::reached_negative;
-        text += reach && beyond_bus(report::radians(*check.value)) ? " or farther" : "";
+        text += reach && beyond_bus(text::radians(*check.value)) ? " or farther" : "";
         text += allowed(check, about.decimals);
       }
     }

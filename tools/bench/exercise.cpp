@@ -6,7 +6,7 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "report/numbers.hpp"
+#include "text/degrees.hpp"
 
 namespace fantail::bench {
 namespace {
@@ -15,7 +15,7 @@ namespace {
 // measure.
 constexpr double longest_stride_s = 0.02;
 
-using report::radians;
+using text::radians;
 
 const double widest_rad = radians(20.47);  // on the bus
 const double beyond_rad = radians(3.0);    // how far past its limit a canard is asked

@@ -8,7 +8,7 @@
 #include "bench/lag_fit.hpp"
 #include "bench/signal.hpp"
 #include "bench/turn_figures.hpp"
-#include "report/numbers.hpp"
+#include "text/degrees.hpp"
 
 namespace fantail::bench {
 namespace {
@@ -45,7 +45,7 @@ std::vector<double> follow(const Course& course, const Window& window, Figures& 
 
 }  // namespace
 
-bool beyond_bus(double angle_rad) { return std::abs(angle_rad) > report::radians(20.46); }
+bool beyond_bus(double angle_rad) { return std::abs(angle_rad) > text::radians(20.46); }
 
 Figures measure(const link::Recording& recording, const Exercise& exercise, const Turn& turn, std::size_t canard) {
   Figures f;

@@ -8,18 +8,18 @@
 
 #include "bench/course.hpp"
 #include "core/flight_plan.hpp"
-#include "report/numbers.hpp"
+#include "text/degrees.hpp"
 #include "text/number.hpp"
 
 namespace fantail::bench {
 namespace {
 
-using report::degrees;
+using text::degrees;
 using text::fixed;
 
 constexpr double most_lost = 0.02;    // share of the ticks; beyond it the figures are doubtful
 constexpr double least_whole = 0.95;  // share of the exercise that must have been recorded
-const double resolution_rad = report::radians(0.01);
+const double resolution_rad = text::radians(0.01);
 
 bool all_passed(const std::vector<Check>& checks) {
   return std::ranges::all_of(checks, [](const Check& check) { return check.passed; });

@@ -5,15 +5,15 @@
 
 #include <fmt/core.h>
 
-#include "report/numbers.hpp"
+#include "text/degrees.hpp"
 #include "text/number.hpp"
 
 namespace fantail::bench {
 namespace {
 
-using report::degrees;
-using report::in_degrees;
+using text::degrees;
 using text::fixed;
+using text::in_degrees;
 
 const Check* find(const std::optional<TurnResult>& turn, Measure measure) {
   if (!turn) {

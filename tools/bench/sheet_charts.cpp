@@ -10,7 +10,7 @@
 
 #include "bench/course.hpp"
 #include "page/page.hpp"
-#include "report/numbers.hpp"
+#include "text/degrees.hpp"
 #include "text/number.hpp"
 
 namespace fantail::bench {
@@ -18,7 +18,7 @@ namespace {
 
 using page::Chart;
 using page::Role;
-using report::degrees;
+using text::degrees;
 
 constexpr std::size_t before_step = 20;
 constexpr std::size_t after_step = 200;
@@ -109,7 +109,7 @@ std::string canard_charts(const CanardResult& result, const Sheet& sheet, const 
              sheet.kind == ExerciseKind::step
                  ? step_detail(own, Part::step_home, result.canard, "Step back")
                  : step_detail(own, Part::step_across, result.canard,
-                               with_value("Limit to limit: at most", report::in_degrees(f.slew_rad_s), 0, "deg/s"))};
+                               with_value("Limit to limit: at most", text::in_degrees(f.slew_rad_s), 0, "deg/s"))};
   }
   if (sheet.kind != ExerciseKind::limits) {
     return (turns.empty() ? "" : turns.front()) + page::side_by_side(steps);

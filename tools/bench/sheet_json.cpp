@@ -3,7 +3,7 @@
 #include "core/flight_plan.hpp"
 #include "core/tick_record.hpp"
 #include "json/value.hpp"
-#include "report/numbers.hpp"
+#include "text/degrees.hpp"
 
 namespace fantail::bench {
 namespace {
@@ -11,7 +11,7 @@ namespace {
 using Json = json::Value;
 using json::rounded;
 using json::text_or_null;
-using report::degrees;
+using text::degrees;
 
 Json angle(const std::optional<double>& radians) { return radians ? rounded(degrees(*radians)) : Json{}; }
 

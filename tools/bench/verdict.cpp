@@ -4,15 +4,15 @@
 #include <algorithm>
 #include <cmath>
 
-#include "report/numbers.hpp"
+#include "text/degrees.hpp"
 
 namespace fantail::bench {
 namespace {
 
-using report::degrees;
-using report::in_degrees;
+using text::degrees;
+using text::in_degrees;
 
-const double command_resolution_rad = report::radians(0.02);  // two steps of the bus
+const double command_resolution_rad = text::radians(0.02);  // two steps of the bus
 
 Check between(Measure measure, const std::optional<double>& value, std::optional<double> lowest,
               std::optional<double> highest) {
@@ -69,7 +69,7 @@ double required_slew_rad_s(double way_rad, const sim::CanardTolerances& toleranc
   return std::min(tolerances.slowest_slew_rad_s, reachable_rad_s);
 }
 
-double most_others_move_rad() { return report::radians(0.5); }
+double most_others_move_rad() { return text::radians(0.5); }
 
 std::vector<Check> check(const Figures& f, const Bounds& bounds, std::size_t canard, bool alone,
                          const sim::CanardTolerances& t) {

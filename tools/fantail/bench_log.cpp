@@ -165,7 +165,7 @@ void await_consent(Visit& visit) {
   std::optional<std::string> line;
   while (!(line = input.next())) {
     if (input.ended()) {
-      throw RequirementNotMet{"nobody typed ERASE; the flight record is kept"};
+      throw RequirementNotMet{"ERASE was not typed; the flight record is kept"};
     }
     visit.place.wait(hal::Microseconds{50'000});
     visit.link.listen(visit.place.now());

@@ -7,14 +7,14 @@
 
 #include "fantail/compare_results.hpp"
 #include "page/page.hpp"
-#include "report/numbers.hpp"
+#include "text/degrees.hpp"
 
 namespace fantail::tool {
 namespace {
 
 using page::Role;
-using report::degrees;
-using report::in_degrees;
+using text::degrees;
+using text::in_degrees;
 
 page::Series curve(std::string name, Role role, const std::vector<double>& time_s, std::vector<double> values) {
   return {.name = std::move(name), .role = role, .x = time_s, .y = std::move(values)};

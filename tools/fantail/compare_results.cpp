@@ -7,14 +7,14 @@
 #include <fmt/format.h>
 
 #include "json/value.hpp"
-#include "report/numbers.hpp"
 #include "report/output_folder.hpp"
+#include "text/degrees.hpp"
 
 namespace fantail::tool {
 namespace {
 
 using json::rounded;
-using report::degrees;
+using text::degrees;
 
 std::string too_large(std::string_view what, double mean_rad, double required_rad, std::string_view unit) {
   return fmt::format("mean {} difference {:.3g} {} is larger than the {:.3g} {} required", what, degrees(mean_rad),

@@ -62,7 +62,7 @@ flight_log::Regeneration replay_of(const flight_log::Flight& flight) {
   return none;
 }
 
-std::string content(const ExportQuestion& question, const log_export::Source& source, const report::Flight& report,
+std::string content(const ExportQuestion& question, const log_export::Source& source, const flight::Flight& report,
                     const std::optional<log_export::Selection>& chosen) {
   if (question.format->name == "csv") {
     return chosen ? log_export::csv(source, *chosen) : log_export::flight_csv(source, report);
@@ -122,7 +122,7 @@ Exported export_flight(const ExportQuestion& question, const flight_log::Flight&
                                      "time_us,phase,command_deg,rate_x_count,encoder_1_count",
                                      replay.obstacle.empty() ? "No tick of it can be replayed." : replay.obstacle));
   }
-  const report::Flight report = flight_log::to_report(flight, replay);
+  const flight::Flight report = flight_log::to_report(flight, replay);
   const log_export::Source source{flight, replay, report, question.window};
   if (std::ranges::none_of(flight.ticks, [&](const auto& t) { return source.inside(t.tick.time); })) {
     refuse_log(question, fmt::format("no tick between --from and --until; the log goes from {:.6f} s to {:.6f} s",

@@ -22,7 +22,7 @@ void add_reading(const Verb& verb, IdentifyOptions& o) {
 
 void add_windows(const Verb& verb, IdentifyOptions& o) {
   auto from =
-      verb.option("--from", o.from_s, "Begin of the window on the log's clock, in seconds").check(within(-1e6, 1e6));
+      verb.option("--from", o.from_s, "Start of the window on the log's clock, in seconds").check(within(-1e6, 1e6));
   auto to = verb.option("--to", o.to_s, "End of the window, in seconds").check(within(-1e6, 1e6));
   verb.option("--window", o.windows,
               "control, thrust, coast, step:N or A:B in seconds; several, each by itself [control, or all of a log "

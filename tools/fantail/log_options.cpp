@@ -25,8 +25,8 @@ void add_log_options(const Verb& verb, LogOptions& options) {
   verb.flag("--truth", options.truth, "Read the true_ columns of a simulated run instead of the measured ones");
 }
 
-logs::ColumnNames column_names(const std::vector<std::string>& columns) {
-  logs::ColumnNames names;
+flight::ColumnNames column_names(const std::vector<std::string>& columns) {
+  flight::ColumnNames names;
   for (const std::string& text : columns) {
     const std::size_t equals = text.find('=');
     names[text.substr(0, equals)] = text.substr(equals + 1);
@@ -34,9 +34,9 @@ logs::ColumnNames column_names(const std::vector<std::string>& columns) {
   return names;
 }
 
-logs::Reading reading(const LogOptions& options) {
+flight::Reading reading(const LogOptions& options) {
   return {.columns = column_names(options.columns),
-          .angles = options.units == "rad" ? logs::AngleUnit::radians : logs::AngleUnit::degrees,
+          .angles = options.units == "rad" ? flight::AngleUnit::radians : flight::AngleUnit::degrees,
           .truth = options.truth};
 }
 

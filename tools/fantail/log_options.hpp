@@ -23,7 +23,7 @@ void add_log_options(const Verb& verb, LogOptions& options);
 
 /// Empty for OURS=THEIRS.
 [[nodiscard]] std::string objection_to_column(const std::string& text);
-[[nodiscard]] logs::ColumnNames column_names(const std::vector<std::string>& columns);
-[[nodiscard]] logs::Reading reading(const LogOptions& options);
+[[nodiscard]] flight::ColumnNames column_names(const std::vector<std::string>& columns);
+[[nodiscard]] flight::Reading reading(const LogOptions& options);
 
 }  // namespace fantail::tool

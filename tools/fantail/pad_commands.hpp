@@ -9,7 +9,7 @@
 
 namespace fantail::tool {
 
-/// What the hands at a simulated pad can do.
+/// The commands at a simulated pad.
 enum class PadCommand : std::uint8_t { close_switch, open_switch, ignite, help, quit };
 
 /// Words on standard input, one command a line.

@@ -40,7 +40,7 @@ void add_tunnel_flow(const Verb& tunnel) {
   add_steady_option(verb, "--steady", options->steady,
                     "When it was steady, instead of finding out: begins in seconds, each until the fan's next set "
                     "point, or begin:end");
-  verb.option("--shortest", options->finding.shortest_s, "A steady stretch that is shorter is none")
+  verb.option("--shortest", options->finding.shortest_s, "Shortest stretch that counts as steady")
       .check(within(0.0, 1e6))
       .value_name("S")
       .show_default();

@@ -16,7 +16,7 @@
 #include "identify/choices.hpp"
 #include "logs/compare.hpp"
 #include "logs/roll_log.hpp"
-#include "report/numbers.hpp"
+#include "text/degrees.hpp"
 #include "text/number.hpp"
 
 namespace fantail::tool {
@@ -55,10 +55,11 @@ std::string objection_to_requirement(const std::string& text) {
 }
 
 logs::RollLog read(const LogChoice& choice, const char* options) {
-  const logs::Reading reading{.columns = column_names(choice.columns),
-                              .angles = choice.units == "rad" ? logs::AngleUnit::radians : logs::AngleUnit::degrees,
-                              .truth = choice.motion == "true",
-                              .options = options};
+  const flight::Reading reading{
+      .columns = column_names(choice.columns),
+      .angles = choice.units == "rad" ? flight::AngleUnit::radians : flight::AngleUnit::degrees,
+      .truth = choice.motion == "true",
+      .options = options};
   return logs::read_roll_log(choice.path, reading, {});
 }
 
@@ -76,7 +77,7 @@ logs::CompareOptions question(const CompareVerbOptions& options, const logs::Rol
 }
 
 std::optional<double> in_radians(const std::optional<double>& degrees) {
-  return degrees ? std::optional{report::radians(*degrees)} : std::nullopt;
+  return degrees ? std::optional{text::radians(*degrees)} : std::nullopt;
 }
 
 void compare_logs(const CompareVerbOptions& options) {

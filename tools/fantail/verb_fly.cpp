@@ -8,17 +8,17 @@
 
 #include <fmt/format.h>
 
-#include "fantail/aboard.hpp"
+#include "fantail/flight_computer_option.hpp"
 #include "fantail/interrupt.hpp"
 #include "fantail/lcm_output.hpp"
 #include "fantail/progress.hpp"
 #include "fantail/run.hpp"
 #include "fantail/scenario_options.hpp"
 #include "fantail/wall_clock.hpp"
+#include "flight/phase_names.hpp"
 #include "fly/fly_scenario.hpp"
 #include "hil/wire.hpp"
 #include "report/results.hpp"
-#include "report/words.hpp"
 
 namespace fantail::tool {
 namespace {
@@ -27,7 +27,7 @@ struct FlyOptions {
   ScenarioOptions scenario{.scenario = "tasha3_launch2", .seed = {}, .changes = {}};
   std::string out;
   std::string lcm;
-  AboardOptions aboard;
+  FlightComputerOptions computer;
   bool realtime = false;
   bool json = false;
 };
@@ -40,10 +40,10 @@ void print_figure(std::string_view label, const std::optional<double>& value, st
   }
 }
 
-void print_summary(const report::Flight& flight, const report::Results& results) {
+void print_summary(const flight::Flight& flight, const report::Results& results) {
   fmt::print("{} ({}), seed {}\n{}\n", flight.scenario, flight.vehicle, flight.seed.value_or(0), results.verdict.text);
   std::vector<std::string> assumed = flight.notes;
-  if (const std::string imposed = report::imposed_roll_words(flight); !imposed.empty()) {
+  if (const std::string imposed = flight::imposed_roll_words(flight); !imposed.empty()) {
     assumed.insert(assumed.begin(), imposed);
   }
   fmt::print("{}", assumed.empty() ? "" : "\nWhat was assumed:\n");
@@ -51,7 +51,7 @@ void print_summary(const report::Flight& flight, const report::Results& results)
     fmt::print("  {}\n", sentence);
   }
   fmt::print("\n");
-  const report::Events& events = flight.events;
+  const flight::Events& events = flight.events;
   const auto percent = results.figures.saturated_fraction;
   print_figure("launch detected", events.detected_s, "{:.3f} s after lift-off");
   print_figure("control starts", flight.tunnel ? std::nullopt : events.control_start_s, "{:.3f} s after lift-off");
@@ -63,7 +63,8 @@ void print_summary(const report::Flight& flight, const report::Results& results)
   print_figure("saturated", percent ? std::optional{100.0 * *percent} : std::nullopt, "{:.1f} % of control time");
 }
 
-report::Flight fly_and_show(const sim::Scenario& scenario, Aboard& aboard, LcmOutput& lcm, bool realtime) {
+flight::Flight fly_and_show(const sim::Scenario& scenario, FlightComputerOption& computer, LcmOutput& lcm,
+                            bool realtime) {
   Progress progress{"flying " + scenario.name,
                     {.unit = "s", .rate = " x real time", .total = fly::expected_length_s(scenario)}};
   const auto look = [&progress](double simulated_s) {
@@ -71,7 +72,7 @@ report::Flight fly_and_show(const sim::Scenario& scenario, Aboard& aboard, LcmOu
     progress.show(simulated_s);
   };
   if (!lcm.is_on() && !realtime) {
-    return fly::fly_scenario(scenario, look, {}, fly::Log::kept, aboard.maker());
+    return fly::fly_scenario(scenario, look, {}, fly::Log::kept, computer.maker());
   }
   WallClock wall_clock;
   const telemetry::Surroundings surroundings{.limits_rad = telemetry::limits_of(scenario.plan)};
@@ -81,15 +82,15 @@ report::Flight fly_and_show(const sim::Scenario& scenario, Aboard& aboard, LcmOu
     }
     lcm.report(record, surroundings);
   };
-  return fly::fly_scenario(scenario, look, observe, fly::Log::kept, aboard.maker());
+  return fly::fly_scenario(scenario, look, observe, fly::Log::kept, computer.maker());
 }
 
 void fly_and_report(const FlyOptions& options) {
   const sim::Scenario scenario = load(options.scenario);
   LcmOutput lcm{options.lcm};
-  Aboard aboard{options.aboard};
-  report::Flight flight = fly_and_show(scenario, aboard, lcm, options.realtime);
-  std::ranges::copy(aboard.notes(), std::back_inserter(flight.notes));
+  FlightComputerOption computer{options.computer};
+  flight::Flight flight = fly_and_show(scenario, computer, lcm, options.realtime);
+  std::ranges::copy(computer.notes(), std::back_inserter(flight.notes));
   const report::Results results = report::results(flight);
   const std::filesystem::path folder =
       options.out.empty() ? std::filesystem::path{"out"} / scenario.name : std::filesystem::path{options.out};
@@ -117,7 +118,7 @@ void fill(const Verb& verb) {
               "Folder for flight.csv, summary.json, report.html, flight.ftl (what the avionics recorded itself) and, "
               "of a tunnel run, tunnel.csv [out/SCENARIO]")
       .check(objection_to_folder);
-  add_aboard_options(verb, options->aboard);
+  add_flight_computer_options(verb, options->computer);
   add_lcm_option(verb, options->lcm, "Publish the flight as LCM messages");
   verb.flag("--realtime", options->realtime, "Fly no faster than the clock on the wall; the files are the same");
   verb.flag("--json", options->json, "Print summary.json instead of the text");

@@ -29,10 +29,10 @@ constexpr hal::Microseconds longest_silence{2'000'000};
 constexpr hal::Microseconds between_words{1'000'000};
 
 /// Says on standard error what a person should know while it happens.
-class Herald {
+class StatusPrinter {
  public:
-  Herald(std::string interface, const gateway::Gateway& gateway, const telemetry::Publisher& publisher,
-         hal::Microseconds now)
+  StatusPrinter(std::string interface, const gateway::Gateway& gateway, const telemetry::Publisher& publisher,
+                hal::Microseconds now)
       : interface_{std::move(interface)}, gateway_{gateway}, publisher_{publisher}, silence_{longest_silence, now} {}
 
   void look(hal::Microseconds now) {
@@ -90,7 +90,7 @@ void run(const GatewayOptions& options) {
   CanPlace place{options.interface};
   telemetry::Publisher publisher{telemetry::open_outlet(telemetry::Url{options.url})};
   gateway::Gateway gateway{place.bus(), publisher};
-  Herald herald{options.interface, gateway, publisher, place.now()};
+  StatusPrinter printer{options.interface, gateway, publisher, place.now()};
   fmt::print("{} to {}; Ctrl-C ends\n", options.interface, options.url);
   std::fflush(stdout);
   const hal::Microseconds end = options.seconds
@@ -100,7 +100,7 @@ void run(const GatewayOptions& options) {
     while (place.now() < end) {
       place.wait(std::min(longest_wait, end - place.now()));
       gateway.listen(place.now());
-      herald.look(place.now());
+      printer.look(place.now());
     }
   } catch (const Interrupted&) {  // NOLINT(bugprone-empty-catch): the way to end it
   }

@@ -115,7 +115,7 @@ void run_node(const NodeOptions& options) {
   telemetry::LimitTap tap{bus};
   hal::CanBus& port = lcm.is_on() ? static_cast<hal::CanBus&>(tap) : bus;
   Node node{scenario, {.can_bus = port, .flash = *flash, .console = console, .entropy = entropy}};
-  fmt::print("{} ({}) on {}; type help for what the hands at the pad can do, Ctrl-C ends\n", scenario.name,
+  fmt::print("{} ({}) on {}; type help for the commands at the pad, Ctrl-C ends\n", scenario.name,
              scenario.vehicle.name, options.interface);
   std::fflush(stdout);
   if (lcm.is_on()) {
@@ -135,7 +135,7 @@ void run_node(const NodeOptions& options) {
   fmt::print(
       "ended after {:.1f} s of the rocket's time; {} of {} ticks ended later than a millisecond after they were due, "
       "{:.1f} s were left "
-      "out; frames: {} sent, {} received, {} found no room\n",
+      "out; frames: {} sent, {} received, {} dropped\n",
       1e-3 * static_cast<double>(node.ticks()), node.pace().late(), node.ticks(),
       std::chrono::duration<double>{node.pace().left_out()}.count(), counters.sent, counters.received, counters.unsent);
   if (const std::string sent = lcm.finish(); !sent.empty()) {

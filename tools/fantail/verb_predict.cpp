@@ -73,7 +73,7 @@ std::filesystem::path tunnel_file(const sim::Scenario& scenario, const PredictOp
 }
 
 std::optional<double> in_radians(const std::optional<double>& degrees) {
-  return degrees ? std::optional{report::radians(*degrees)} : std::nullopt;
+  return degrees ? std::optional{text::radians(*degrees)} : std::nullopt;
 }
 
 predict::Prediction fly_the_spread(const sim::Scenario& scenario, const PredictOptions& options) {
@@ -100,7 +100,7 @@ void predict_launch(const PredictOptions& options) {
   const predict::Decision decision =
       predict::decide(prediction, {.authority_share = 0.01 * options.authority_percent,
                                    .held_share = 0.01 * options.held_percent,
-                                   .phase_margin_rad = report::radians(options.phase_margin_deg)});
+                                   .phase_margin_rad = text::radians(options.phase_margin_deg)});
   const std::filesystem::path folder = options.out.empty() ? std::filesystem::path{"out"} / "predict" / scenario.name
                                                            : std::filesystem::path{options.out};
   predict::write_prediction(prediction, decision, FANTAIL_VERSION, folder);

@@ -18,8 +18,8 @@
 #include "flight_log/regenerate.hpp"
 #include "input/plan_file.hpp"
 #include "json/value.hpp"
-#include "report/numbers.hpp"
 #include "report/output_folder.hpp"
+#include "text/degrees.hpp"
 #include "text/error.hpp"
 
 namespace fantail::tool {
@@ -113,7 +113,7 @@ void show_what_if(const ReplayOptions& options, const flight_log::Flight& flight
                            {"ticks", result.time_s.size()},
                            {"differing", result.differing},
                            {"first_difference_s", result.first_difference_s},
-                           {"largest_difference_deg", report::degrees(result.largest_difference_rad)},
+                           {"largest_difference_deg", text::degrees(result.largest_difference_rad)},
                            {"largest_difference_s", result.largest_difference_s},
                            {"flown_saturated_fraction", result.flown_saturated},
                            {"what_if_saturated_fraction", result.what_if_saturated}};

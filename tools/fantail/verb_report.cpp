@@ -43,7 +43,7 @@ std::string objection_to_time(const std::string& text) {
 std::filesystem::path default_folder(const std::string& name) { return std::filesystem::path{"out"} / "report" / name; }
 
 void report_one(const ReportOptions& options) {
-  const report::Flight flight = logs::read_flight(options.a);
+  const flight::Flight flight = logs::read_flight(options.a);
   give_up_if_interrupted();
   const report::Results results = report::results(flight);
   const std::filesystem::path folder =

@@ -9,13 +9,13 @@
 
 #include "core/tick_record.hpp"
 #include "flight_log/to_report.hpp"
-#include "report/numbers.hpp"
+#include "text/degrees.hpp"
 #include "text/number.hpp"
 
 namespace fantail::tool {
 namespace {
 
-using report::degrees;
+using text::degrees;
 
 double command_rad(const core::TickRecord& record) { return static_cast<double>(record.command.radians()); }
 

@@ -7,7 +7,7 @@
 
 #include "fantail/what_if.hpp"
 #include "page/page.hpp"
-#include "report/numbers.hpp"
+#include "text/degrees.hpp"
 #include "text/number.hpp"
 
 namespace fantail::tool {
@@ -16,7 +16,7 @@ namespace {
 using page::Role;
 
 page::Series curve(const WhatIf& result, std::string name, Role role, const std::vector<double>& values_rad) {
-  return {.name = std::move(name), .role = role, .x = result.time_s, .y = report::in_degrees(values_rad)};
+  return {.name = std::move(name), .role = role, .x = result.time_s, .y = text::in_degrees(values_rad)};
 }
 
 // Where ticks could not be replayed the curves have a gap.
@@ -34,7 +34,7 @@ std::vector<page::Figure> figures(const WhatIf& result) {
   const auto share = [](double value) { return fmt::format("{:.1f}", 100.0 * value); };
   const std::string first = result.first_difference_s ? text::fixed(*result.first_difference_s, 3) : "none";
   return {{"First difference", first, result.first_difference_s ? "s" : "", "after lift-off or control start"},
-          {"Largest difference", fmt::format("{:.2f}", report::degrees(result.largest_difference_rad)), "deg",
+          {"Largest difference", fmt::format("{:.2f}", text::degrees(result.largest_difference_rad)), "deg",
            fmt::format("at {:.3f} s", result.largest_difference_s)},
           {"Other commands", std::to_string(result.differing), "ticks",
            fmt::format("of {} replayed", result.time_s.size())},

@@ -17,10 +17,10 @@ using protocol::LogEventKind;
 double in_seconds(core::Microseconds time) { return 1e-6 * static_cast<double>(time.count()); }
 
 // A row that follows a hole shows a phase, but not when it began. The recorder's own events do, where they are left.
-void set_events(report::Flight& result, const Flight& flight, const std::vector<double>& after_hole_s) {
-  for (const report::PhaseChange& change : result.phase_changes) {
+void set_events(flight::Flight& result, const Flight& flight, const std::vector<double>& after_hole_s) {
+  for (const flight::PhaseChange& change : result.phase_changes) {
     if (std::ranges::find(after_hole_s, change.time_s) != after_hole_s.end()) {
-      if (auto* event = report::event_of(result.events, change.phase)) {
+      if (auto* event = flight::event_of(result.events, change.phase)) {
         event->reset();
       }
     }
@@ -29,7 +29,7 @@ void set_events(report::Flight& result, const Flight& flight, const std::vector<
     if (event.kind != LogEventKind::phase) {
       continue;
     }
-    if (auto* known = report::event_of(result.events, static_cast<core::Phase>(event.value))) {
+    if (auto* known = flight::event_of(result.events, static_cast<core::Phase>(event.value))) {
       *known = in_seconds(event.time);
     }
   }
@@ -70,7 +70,7 @@ std::optional<core::Microseconds> lift_off(const Regeneration& regeneration) {
   return result;
 }
 
-void add_notes(report::Flight& result, const Flight& flight, const Regeneration& regeneration) {
+void add_notes(flight::Flight& result, const Flight& flight, const Regeneration& regeneration) {
   const auto note = [&result](std::string sentence) { result.notes.push_back(std::move(sentence)); };
   if (!intact(flight)) {
     note(fmt::format("The log is {}.", integrity_words(flight)));
@@ -103,8 +103,8 @@ core::Microseconds time_zero(const Flight& flight, const Regeneration& regenerat
   return flight.ticks.empty() ? flight.first_time : flight.ticks.front().tick.time;
 }
 
-report::Flight to_report(const Flight& flight, const Regeneration& regeneration) {
-  report::Flight result;
+flight::Flight to_report(const Flight& flight, const Regeneration& regeneration) {
+  flight::Flight result;
   result.scenario = fmt::format("flight {} of power-up {}", flight.flight, flight.power_up);
   result.vehicle = flight.vehicle;
   result.plan_name = plan_name(flight);
@@ -125,14 +125,14 @@ report::Flight to_report(const Flight& flight, const Regeneration& regeneration)
       after_hole_s.push_back(time_s);
       hole = false;
     }
-    report::add_tick(result, *record, time_s, std::nullopt);
+    flight::add_tick(result, *record, time_s, std::nullopt);
   }
   set_events(result, flight, after_hole_s);
   if (const auto begin = result.tunnel ? std::nullopt : lift_off(regeneration)) {
     result.events.liftoff_s = in_seconds(*begin);
   }
   add_notes(result, flight, regeneration);
-  report::set_time_zero(result, in_seconds(time_zero(flight, regeneration)));
+  flight::set_time_zero(result, in_seconds(time_zero(flight, regeneration)));
   return result;
 }
 

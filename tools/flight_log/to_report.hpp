@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "flight/flight.hpp"
 #include "flight_log/flight_log.hpp"
 #include "flight_log/regenerate.hpp"
-#include "report/flight.hpp"
 
 namespace fantail::flight_log {
 
@@ -13,6 +13,6 @@ namespace fantail::flight_log {
 
 /// A logged flight as the reports, exports and analyses know a flight: a row for each regenerated tick, without truth.
 /// A default-made `regeneration`, where there is no plan to replay with, gives no rows.
-[[nodiscard]] report::Flight to_report(const Flight& flight, const Regeneration& regeneration);
+[[nodiscard]] flight::Flight to_report(const Flight& flight, const Regeneration& regeneration);
 
 }  // namespace fantail::flight_log

@@ -22,7 +22,7 @@ std::optional<double> in_seconds(const std::optional<core::Microseconds>& time) 
   return time ? std::optional{in_seconds(*time)} : std::nullopt;
 }
 
-report::Truth to_report(const sim::Truth& truth) {
+flight::Truth to_report(const sim::Truth& truth) {
   return {.roll_angle_rad = truth.roll_angle_rad,
           .roll_rate_rad_s = truth.roll_rate_rad_s,
           .canard_rad = truth.canard_rad,
@@ -51,8 +51,8 @@ std::string describe(const sim::Fault& fault, const sim::Scenario& scenario) {
   return fmt::format("Fault: {}, canard {}{}, from {}.", kind, fault.canard + 1, number, from);
 }
 
-report::Flight describe(const sim::Scenario& scenario) {
-  report::Flight flight;
+flight::Flight describe(const sim::Scenario& scenario) {
+  flight::Flight flight;
   flight.scenario = scenario.name;
   flight.vehicle = scenario.vehicle.name;
   flight.plan_name = scenario.plan_name;
@@ -87,7 +87,7 @@ std::string why_not_armed(const sim::World& world, bool was_armed) {
          ".";
 }
 
-void keep_log(report::Flight& flight, const sim::World& world, bool was_armed) {
+void keep_log(flight::Flight& flight, const sim::World& world, bool was_armed) {
   const std::span<const std::byte> recorded = world.recorded();
   flight.log.assign(recorded.begin(), recorded.end());
   if (flight.log.empty()) {
@@ -109,11 +109,11 @@ std::optional<double> expected_length_s(const sim::Scenario& scenario) {
   return scenario.pad_time_s + in_seconds(scenario.plan.run.control_time) + scenario.time_after_end_s;
 }
 
-report::Flight fly_scenario(const sim::Scenario& scenario, const Look& look, const Observe& observe, Log log,
+flight::Flight fly_scenario(const sim::Scenario& scenario, const Look& look, const Observe& observe, Log log,
                             const sim::MakeFlightComputer& make) {
   constexpr std::int64_t ticks_between_looks = 1024;
   const std::int64_t ticks_per_row = std::llround(scenario.log_period_s * 1e3);
-  report::Flight flight = describe(scenario);
+  flight::Flight flight = describe(scenario);
   sim::World world{scenario, log == Log::kept ? sim::World::large_flash : sim::World::small_flash, make};
   bool was_armed = false;
   for (std::int64_t ticks = 0; !world.over(); ++ticks) {
@@ -124,9 +124,9 @@ report::Flight fly_scenario(const sim::Scenario& scenario, const Look& look, con
     was_armed = was_armed || record.phase != core::Phase::safe;
     const double time_s = in_seconds(world.now());
     if (ticks % ticks_per_row == 0) {
-      report::add_tick(flight, record, time_s, to_report(world.truth()));
+      flight::add_tick(flight, record, time_s, to_report(world.truth()));
     } else {
-      report::note_tick(flight, record, time_s);
+      flight::note_tick(flight, record, time_s);
     }
     if (const auto reading = world.wind_reading()) {
       flight.tunnel_readings.push_back({time_s, reading->fan_rpm, reading->wind_speed_m_s});
@@ -157,7 +157,7 @@ report::Flight fly_scenario(const sim::Scenario& scenario, const Look& look, con
                            .angle_rad = scenario.imposed_roll->angle_rad,
                            .rate_rad_s = scenario.imposed_roll->rate_rad_s};
   }
-  report::set_time_zero(flight, zero_s);
+  flight::set_time_zero(flight, zero_s);
   return flight;
 }
 

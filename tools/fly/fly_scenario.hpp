@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "core/tick_record.hpp"
-#include "report/flight.hpp"
+#include "flight/flight.hpp"
 #include "sim/flight_computer.hpp"
 #include "sim/scenario.hpp"
 
@@ -18,12 +18,12 @@ using Look = std::function<void(double simulated_s)>;
 /// Called with every tick, in order, for who wants more than the flight keeps.
 using Observe = std::function<void(const core::TickRecord& record)>;
 
-/// Of what the avionics records itself, report::Flight::log: nobody wants it, or all that its flash can hold.
+/// Of what the avionics records itself, flight::Flight::log: nobody wants it, or all that its flash can hold.
 enum class Log : std::uint8_t { dropped, kept };
 
 /// Flies a scenario to its end and keeps every tick, or as many as it says. Safe to call from several threads, each
 /// with flight computers of its own.
-[[nodiscard]] report::Flight fly_scenario(const sim::Scenario& scenario, const Look& look = {},
+[[nodiscard]] flight::Flight fly_scenario(const sim::Scenario& scenario, const Look& look = {},
                                           const Observe& observe = {}, Log log = Log::dropped,
                                           const sim::MakeFlightComputer& make = sim::simulated_board);
 

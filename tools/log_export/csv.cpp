@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
-#include "report/csv.hpp"
-#include "report/six_decimals.hpp"
+#include "flight/six_decimals.hpp"
+#include "flight/write_csv.hpp"
 
 namespace fantail::log_export {
 namespace {
@@ -17,7 +17,7 @@ struct Cell {
   fmt::memory_buffer& out;
 
   void operator()(std::monostate) const {}
-  void operator()(double value) const { out.append(report::SixDecimals{value}.text()); }
+  void operator()(double value) const { out.append(flight::SixDecimals{value}.text()); }
   void operator()(std::int64_t value) const {
     const fmt::format_int digits{value};
     out.append(digits.data(), digits.data() + digits.size());
@@ -28,10 +28,10 @@ struct Cell {
 
 }  // namespace
 
-std::string flight_csv(const Source& source, const report::Flight& report) {
-  report::Flight part = report;
-  std::erase_if(part.rows, [&source](const report::Row& row) { return !source.inside(row.time_s); });
-  return report::csv(part);
+std::string flight_csv(const Source& source, const flight::Flight& report) {
+  flight::Flight part = report;
+  std::erase_if(part.rows, [&source](const flight::Row& row) { return !source.inside(row.time_s); });
+  return flight::csv(part);
 }
 
 std::string csv(const Source& source, const Selection& selection) {

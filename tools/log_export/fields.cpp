@@ -11,7 +11,7 @@
 
 #include "core/tick_record_fields.hpp"
 #include "input/messages.hpp"
-#include "report/numbers.hpp"
+#include "text/degrees.hpp"
 
 namespace fantail::log_export {
 namespace {
@@ -45,7 +45,7 @@ Value value_of(double value, std::string_view unit) {
   if (!std::isfinite(value)) {
     return {};
   }
-  return unit == "rad_s" || unit == "rad" ? report::degrees(value) : value;
+  return unit == "rad_s" || unit == "rad" ? text::degrees(value) : value;
 }
 Value value_of(float value, std::string_view unit) { return value_of(static_cast<double>(value), unit); }
 Value value_of(core::Angle value, std::string_view unit) { return value_of(value.radians(), unit); }

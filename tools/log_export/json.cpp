@@ -8,9 +8,9 @@
 
 #include "core/flight_plan_fields.hpp"
 #include "core/tick_record.hpp"
+#include "flight/six_decimals.hpp"
 #include "json/value.hpp"
 #include "log_export/event_words.hpp"
-#include "report/six_decimals.hpp"
 
 namespace fantail::log_export {
 namespace {
@@ -102,7 +102,7 @@ struct Element {
   fmt::memory_buffer& out;
 
   void operator()(std::monostate) const { out.append(std::string_view{"null"}); }
-  void operator()(double value) const { out.append(report::SixDecimals{value}.brief()); }
+  void operator()(double value) const { out.append(flight::SixDecimals{value}.brief()); }
   void operator()(std::int64_t value) const {
     const fmt::format_int digits{value};
     out.append(digits.data(), digits.data() + digits.size());

@@ -9,7 +9,7 @@ namespace {
 
 // The rows belong to the replayed ticks, in their order; without any the log's own first tick has to do.
 core::Microseconds clock_zero(const flight_log::Flight& flight, const flight_log::Regeneration& regeneration,
-                              const report::Flight& report) {
+                              const flight::Flight& report) {
   const auto first = std::ranges::find_if(regeneration.records, [](const auto& record) { return record.has_value(); });
   if (first != regeneration.records.end() && !report.rows.empty()) {
     return (*first)->time - core::Microseconds{std::llround(report.rows.front().time_s * 1e6)};
@@ -20,7 +20,7 @@ core::Microseconds clock_zero(const flight_log::Flight& flight, const flight_log
 }  // namespace
 
 Source::Source(const flight_log::Flight& flight, const flight_log::Regeneration& regeneration,
-               const report::Flight& report, Window window)
+               const flight::Flight& report, Window window)
     : flight_{flight}, regeneration_{regeneration}, zero_{clock_zero(flight, regeneration, report)}, window_{window} {}
 
 const core::TickRecord* Source::record(std::size_t tick) const {

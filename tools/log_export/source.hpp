@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "core/time.hpp"
+#include "flight/flight.hpp"
 #include "flight_log/flight_log.hpp"
 #include "flight_log/regenerate.hpp"
-#include "report/flight.hpp"
 
 namespace fantail::log_export {
 
@@ -22,7 +22,7 @@ struct Window {
 class Source {
  public:
   /// Both outlive this object. `report` is to_report() of the two, for its clock.
-  Source(const flight_log::Flight& flight, const flight_log::Regeneration& regeneration, const report::Flight& report,
+  Source(const flight_log::Flight& flight, const flight_log::Regeneration& regeneration, const flight::Flight& report,
          Window window = {});
 
   [[nodiscard]] const flight_log::Flight& flight() const { return flight_; }

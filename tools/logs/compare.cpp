@@ -6,7 +6,7 @@
 
 #include <fmt/core.h>
 
-#include "logs/counterpart.hpp"
+#include "logs/interpolator.hpp"
 #include "logs/shift.hpp"
 #include "text/error.hpp"
 
@@ -82,9 +82,9 @@ Comparison compare(const RollLog& a, const RollLog& b, const CompareOptions& opt
   const Extent extent = samples_between(a, options);
   Comparison result;
   result.shift_s = choose_shift(a, b, options, extent, result.warnings);
-  Counterpart counterpart{b.time_s, options.longest_gap_s};
+  Interpolator interpolator{b.time_s, options.longest_gap_s};
   for (std::size_t i = extent.begin; i < extent.end; ++i) {
-    if (const auto place = counterpart.at(a.time_s[i] + result.shift_s)) {
+    if (const auto place = interpolator.at(a.time_s[i] + result.shift_s)) {
       result.time_s.push_back(a.time_s[i]);
       result.a_angle_rad.push_back(a.roll_angle_rad[i]);
       result.b_angle_rad.push_back(place->of(b.roll_angle_rad));

@@ -3,9 +3,9 @@
 
 #include <fmt/core.h>
 
+#include "flight/read_csv.hpp"
 #include "flight_log/integrity.hpp"
 #include "flight_log/to_report.hpp"
-#include "logs/flight_csv.hpp"
 #include "logs/summary.hpp"
 #include "text/error.hpp"
 
@@ -21,7 +21,7 @@ bool is_there(const std::filesystem::path& path) {
 }
 
 // The log beside a table knows the plan; a run in the tunnel shows in it too.
-void add_plan(report::Flight& flight, const std::filesystem::path& log) {
+void add_plan(flight::Flight& flight, const std::filesystem::path& log) {
   const flight_log::LogFile file = flight_log::read_log_file(log);
   if (file.flights.size() == 1 && file.flights.front().plan) {
     flight.plan = *file.flights.front().plan;
@@ -47,7 +47,7 @@ std::filesystem::path flight_file(const std::filesystem::path& path) {
 
 bool is_flight_log(const std::filesystem::path& path) { return path.extension() == ".ftl"; }
 
-report::Flight read_flight_log(const std::filesystem::path& file) {
+flight::Flight read_flight_log(const std::filesystem::path& file) {
   const flight_log::LogFile log = flight_log::read_log_file(file);
   const auto refuse = [&file](const std::string& complaint) {
     throw Error{ErrorKind::bad_data, file.string() + ": " + complaint};
@@ -65,20 +65,20 @@ report::Flight read_flight_log(const std::filesystem::path& file) {
   if (replay.compared == 0) {
     refuse("the flight cannot be replayed. " + replay.obstacle);
   }
-  report::Flight result = flight_log::to_report(flight, replay);
+  flight::Flight result = flight_log::to_report(flight, replay);
   if (const std::string foreign = flight_log::foreign_words(log); !foreign.empty()) {
     result.notes.push_back("Of the log, " + foreign + ".");
   }
   return result;
 }
 
-report::Flight read_flight(const std::filesystem::path& path) {
+flight::Flight read_flight(const std::filesystem::path& path) {
   const std::filesystem::path file = flight_file(path);
   if (is_flight_log(file)) {
     return read_flight_log(file);
   }
-  report::Flight flight =
-      read_flight_csv(Table::load(file.string()), {.options = ""}, {.roll_angle = false, .roll_rate = false});
+  flight::Flight flight = flight::read_flight_csv(flight::Table::load(file.string()), {.options = ""},
+                                                  {.roll_angle = false, .roll_rate = false});
   if (file == path) {
     flight.scenario = path.filename().string();
     return flight;

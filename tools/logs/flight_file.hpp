@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "report/flight.hpp"
+#include "flight/flight.hpp"
 
 namespace fantail::logs {
 
@@ -16,10 +16,10 @@ namespace fantail::logs {
 
 /// The one flight in a log, replayed. Throws text::Error: no_such_input; bad_data when it holds no flight, several,
 /// or none that can be replayed, saying what can be done about it.
-[[nodiscard]] report::Flight read_flight_log(const std::filesystem::path& file);
+[[nodiscard]] flight::Flight read_flight_log(const std::filesystem::path& file);
 
 /// A log (.ftl), a table with the columns of flight.csv, or a folder of fantail fly: its flight.csv (which has the
 /// truth too) with what summary.json says and with the plan of flight.ftl, or that log alone. Throws text::Error.
-[[nodiscard]] report::Flight read_flight(const std::filesystem::path& path);
+[[nodiscard]] flight::Flight read_flight(const std::filesystem::path& path);
 
 }  // namespace fantail::logs

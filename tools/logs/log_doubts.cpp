@@ -36,7 +36,7 @@ bool looks_like_radians(const RollLog& log) {
 }
 
 // "; if they are: --units rad", for a verb that has the option.
-std::string advice(const Reading& reading, std::string_view unit) {
+std::string advice(const flight::Reading& reading, std::string_view unit) {
   return reading.options.empty() ? "" : fmt::format("; if they are: {}units {}", reading.options, unit);
 }
 
@@ -72,13 +72,13 @@ std::optional<double> angle_over_rate(const RollLog& log) {
 
 }  // namespace
 
-void note_doubtful_units(RollLog& log, const Reading& reading) {
+void note_doubtful_units(RollLog& log, const flight::Reading& reading) {
   const double canard_rad = largest(log.canard_rad);
-  if (reading.angles == AngleUnit::degrees && looks_like_radians(log)) {
+  if (reading.angles == flight::AngleUnit::degrees && looks_like_radians(log)) {
     log.warnings.push_back(fmt::format("angles look like radians: the largest canard angle is {}{}",
                                        input::about(canard_rad / sim::radians_per_degree), advice(reading, "rad")));
   }
-  if (reading.angles == AngleUnit::radians && canard_rad > 1.6) {
+  if (reading.angles == flight::AngleUnit::radians && canard_rad > 1.6) {
     log.warnings.push_back(fmt::format("angles look like degrees: the largest canard angle is {} rad{}",
                                        input::about(canard_rad), advice(reading, "deg")));
   }

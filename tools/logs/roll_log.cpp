@@ -9,18 +9,18 @@
 
 #include <fmt/core.h>
 
+#include "flight/table.hpp"
 #include "logs/flight_file.hpp"
 #include "logs/log_doubts.hpp"
 #include "logs/summary.hpp"
-#include "logs/table.hpp"
 #include "logs/turns.hpp"
 #include "text/error.hpp"
 
 namespace fantail::logs {
 namespace {
 
-using report::Row;
-using report::Truth;
+using flight::Row;
+using flight::Truth;
 using text::Error;
 using text::ErrorKind;
 
@@ -28,32 +28,32 @@ constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 struct Signal {
   std::vector<double> RollLog::* list;
-  double (*measured)(const Row& row);
-  double Truth::* truth = nullptr;
+  double (*measured)(const flight::Row& row);
+  double flight::Truth::* truth = nullptr;
 };
 
-template <double Row::* member>
-double measured(const Row& row) {
+template <double flight::Row::* member>
+double measured(const flight::Row& row) {
   return row.*member;
 }
-double measured_canard_rad(const Row& row) { return row.canard_rad.value_or(unknown); }
+double measured_canard_rad(const flight::Row& row) { return row.canard_rad.value_or(unknown); }
 
 constexpr std::array signals{
-    Signal{&RollLog::time_s, measured<&Row::time_s>},
-    Signal{&RollLog::roll_angle_rad, measured<&Row::roll_angle_rad>, &Truth::roll_angle_rad},
-    Signal{&RollLog::roll_rate_rad_s, measured<&Row::roll_rate_rad_s>, &Truth::roll_rate_rad_s},
-    Signal{&RollLog::canard_rad, measured_canard_rad, &Truth::canard_rad},
-    Signal{&RollLog::speed_m_s, measured<&Row::speed_m_s>, &Truth::speed_m_s},
-    Signal{&RollLog::command_rad, measured<&Row::command_rad>},
-    Signal{&RollLog::reference_rad, measured<&Row::reference_rad>},
-    Signal{&RollLog::excitation_rad, measured<&Row::excitation_rad>},
-    Signal{&RollLog::height_m, measured<&Row::height_m>, &Truth::height_m},
-    Signal{&RollLog::specific_force_m_s2, measured<&Row::specific_force_m_s2>},
+    Signal{&RollLog::time_s, measured<&flight::Row::time_s>},
+    Signal{&RollLog::roll_angle_rad, measured<&flight::Row::roll_angle_rad>, &flight::Truth::roll_angle_rad},
+    Signal{&RollLog::roll_rate_rad_s, measured<&flight::Row::roll_rate_rad_s>, &flight::Truth::roll_rate_rad_s},
+    Signal{&RollLog::canard_rad, measured_canard_rad, &flight::Truth::canard_rad},
+    Signal{&RollLog::speed_m_s, measured<&flight::Row::speed_m_s>, &flight::Truth::speed_m_s},
+    Signal{&RollLog::command_rad, measured<&flight::Row::command_rad>},
+    Signal{&RollLog::reference_rad, measured<&flight::Row::reference_rad>},
+    Signal{&RollLog::excitation_rad, measured<&flight::Row::excitation_rad>},
+    Signal{&RollLog::height_m, measured<&flight::Row::height_m>, &flight::Truth::height_m},
+    Signal{&RollLog::specific_force_m_s2, measured<&flight::Row::specific_force_m_s2>},
 };
 
-std::vector<double> values(const std::vector<Row>& rows, const Signal& signal, bool of_truth) {
+std::vector<double> values(const std::vector<flight::Row>& rows, const Signal& signal, bool of_truth) {
   std::vector<double> list(rows.size());
-  std::ranges::transform(rows, list.begin(), [&](const Row& row) {
+  std::ranges::transform(rows, list.begin(), [&](const flight::Row& row) {
     if (!of_truth || signal.truth == nullptr) {
       return signal.measured(row);
     }
@@ -65,11 +65,11 @@ std::vector<double> values(const std::vector<Row>& rows, const Signal& signal, b
   return list;
 }
 
-void refuse_what_only_a_table_has(const std::string& file, const Reading& reading) {
-  const char* const why = reading.truth                          ? "it holds no truth, only what was measured"
-                          : !reading.columns.empty()             ? "it names its columns itself"
-                          : reading.angles != AngleUnit::degrees ? "it says itself in which unit its angles are"
-                                                                 : nullptr;
+void refuse_what_only_a_table_has(const std::string& file, const flight::Reading& reading) {
+  const char* const why = reading.truth                                  ? "it holds no truth, only what was measured"
+                          : !reading.columns.empty()                     ? "it names its columns itself"
+                          : reading.angles != flight::AngleUnit::degrees ? "it says itself in which unit its angles are"
+                                                                         : nullptr;
   if (why != nullptr) {
     throw Error{ErrorKind::bad_configuration, fmt::format("{}: is a flight log: {}", file, why)};
   }
@@ -77,7 +77,7 @@ void refuse_what_only_a_table_has(const std::string& file, const Reading& readin
 
 }  // namespace
 
-RollLog roll_log(const report::Flight& flight, std::string name, const Reading& reading) {
+RollLog roll_log(const flight::Flight& flight, std::string name, const flight::Reading& reading) {
   RollLog log;
   log.name = std::move(name);
   if (flight.rows.size() < 2) {
@@ -89,7 +89,7 @@ RollLog roll_log(const report::Flight& flight, std::string name, const Reading& 
   }
   if (flight.known.phase) {
     log.phase.resize(flight.rows.size());
-    std::ranges::transform(flight.rows, log.phase.begin(), &Row::phase);
+    std::ranges::transform(flight.rows, log.phase.begin(), &flight::Row::phase);
   }
   log.burnout_s = flight.events.burnout_s;
   log.apogee_s = flight.events.apogee_s;
@@ -103,15 +103,15 @@ RollLog roll_log(const report::Flight& flight, std::string name, const Reading& 
   return log;
 }
 
-RollLog read_roll_log(const std::filesystem::path& path, const Reading& reading, const Needs& needs) {
+RollLog read_roll_log(const std::filesystem::path& path, const flight::Reading& reading, const flight::Needs& needs) {
   const std::filesystem::path file = flight_file(path);
   if (is_flight_log(file)) {
     refuse_what_only_a_table_has(file.string(), reading);
     return roll_log(read_flight_log(file), file.string(), reading);
   }
-  report::Flight flight = read_flight_csv(Table::load(file.string()), reading, needs);
+  flight::Flight flight = flight::read_flight_csv(flight::Table::load(file.string()), reading, needs);
   if (file != path) {
-    const report::Events events = summary_events(path / "summary.json");
+    const flight::Events events = summary_events(path / "summary.json");
     flight.events.burnout_s = events.burnout_s;
     flight.events.apogee_s = events.apogee_s;
   }

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "logs/flight_csv.hpp"
-#include "report/flight.hpp"
+#include "flight/flight.hpp"
+#include "flight/read_csv.hpp"
 
 namespace fantail::logs {
 
@@ -33,11 +33,12 @@ struct RollLog {
 
 /// The roll motion of a flight, measured or true as `reading` says. Throws text::Error (bad_data) for fewer than
 /// two rows.
-[[nodiscard]] RollLog roll_log(const report::Flight& flight, std::string name, const Reading& reading);
+[[nodiscard]] RollLog roll_log(const flight::Flight& flight, std::string name, const flight::Reading& reading);
 
 /// `path` is a CSV file, a flight log (.ftl), or a folder that holds a flight.csv or else a flight.ftl. Throws
 /// text::Error as read_flight_csv and read_flight_log do, and bad_configuration when columns, a unit or a truth are
 /// asked of a flight log.
-[[nodiscard]] RollLog read_roll_log(const std::filesystem::path& path, const Reading& reading, const Needs& needs);
+[[nodiscard]] RollLog read_roll_log(const std::filesystem::path& path, const flight::Reading& reading,
+                                    const flight::Needs& needs);
 
 }  // namespace fantail::logs

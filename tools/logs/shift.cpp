@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "logs/counterpart.hpp"
+#include "logs/interpolator.hpp"
 
 namespace fantail::logs {
 namespace {
@@ -21,10 +21,10 @@ struct Trial {
 };
 
 Trial try_shift(const RollLog& a, const RollLog& b, const ShiftSearch& search, double shift_s) {
-  Counterpart counterpart{b.time_s, search.longest_gap_s};
+  Interpolator interpolator{b.time_s, search.longest_gap_s};
   Trial trial;
   for (std::size_t i = search.begin; i < search.end; ++i) {
-    if (const auto place = counterpart.at(a.time_s[i] + shift_s)) {
+    if (const auto place = interpolator.at(a.time_s[i] + shift_s)) {
       const double difference = a.roll_rate_rad_s[i] - place->of(b.roll_rate_rad_s);
       trial.mean_square += difference * difference;
       ++trial.samples;

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "json/value.hpp"
-#include "report/numbers.hpp"
+#include "text/degrees.hpp"
 #include "text/error.hpp"
 
 namespace fantail::logs {
@@ -61,7 +61,7 @@ std::optional<Enum> named(const std::string& word, std::size_t count) {
   return {};
 }
 
-void read_events(report::Events& events, const Json& json) {
+void read_events(flight::Events& events, const Json& json) {
   const auto read = [&json](std::optional<double>& event, const char* name) {
     if (const auto value = number(json, name)) {
       event = value;
@@ -76,7 +76,7 @@ void read_events(report::Events& events, const Json& json) {
   read(events.apogee_s, "apogee_s");
 }
 
-void read_phase_changes(report::Flight& flight, const Json& list) {
+void read_phase_changes(flight::Flight& flight, const Json& list) {
   if (!list.is_array()) {
     return;
   }
@@ -91,7 +91,7 @@ void read_phase_changes(report::Flight& flight, const Json& list) {
   }
 }
 
-void read_canard_verdicts(report::Flight& flight, const Json& list) {
+void read_canard_verdicts(flight::Flight& flight, const Json& list) {
   for (const Json& change : list) {
     const auto verdict = named<core::CanardVerdict>(text(change, "verdict"), core::canard_verdicts);
     const auto canard = number(change, "canard");
@@ -104,13 +104,13 @@ void read_canard_verdicts(report::Flight& flight, const Json& list) {
 
 }  // namespace
 
-report::Events summary_events(const std::filesystem::path& file) {
-  report::Events events;
+flight::Events summary_events(const std::filesystem::path& file) {
+  flight::Events events;
   read_events(events, member(read(file), "events"));
   return events;
 }
 
-void add_summary(report::Flight& flight, const std::filesystem::path& file) {
+void add_summary(flight::Flight& flight, const std::filesystem::path& file) {
   const Json summary = read(file);
   if (summary.is_null()) {
     return;
@@ -128,8 +128,8 @@ void add_summary(report::Flight& flight, const std::filesystem::path& file) {
   const Json& imposed = member(summary, "imposed_roll");
   if (const auto time_s = number(imposed, "time_s")) {
     flight.imposed_roll = {.time_s = *time_s,
-                           .angle_rad = report::radians(number(imposed, "angle_deg").value_or(0.0)),
-                           .rate_rad_s = report::radians(number(imposed, "rate_deg_s").value_or(0.0))};
+                           .angle_rad = text::radians(number(imposed, "angle_deg").value_or(0.0)),
+                           .rate_rad_s = text::radians(number(imposed, "rate_deg_s").value_or(0.0))};
   }
   for (const Json& note : member(summary, "notes")) {
     if (note.is_text()) {

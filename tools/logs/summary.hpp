@@ -3,16 +3,16 @@
 
 #include <filesystem>
 
-#include "report/flight.hpp"
+#include "flight/flight.hpp"
 
 namespace fantail::logs {
 
 /// Adds what a folder's summary.json says of its flight beyond flight.csv: names, seed, events, why phases changed,
 /// verdicts on canards, imposed roll, notes. Nothing happens without the file. Throws text::Error (bad_data) when
 /// it is no summary.
-void add_summary(report::Flight& flight, const std::filesystem::path& file);
+void add_summary(flight::Flight& flight, const std::filesystem::path& file);
 
 /// Its events alone, in the same way.
-[[nodiscard]] report::Events summary_events(const std::filesystem::path& file);
+[[nodiscard]] flight::Events summary_events(const std::filesystem::path& file);
 
 }  // namespace fantail::logs

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "flight/flight.hpp"
 #include "page/chart.hpp"
 #include "paper/runs.hpp"
-#include "report/flight.hpp"
 
 namespace fantail::paper {
 
@@ -15,7 +15,7 @@ namespace fantail::paper {
 [[nodiscard]] std::string half_width_figure(page::Chart chart, const std::string& caption);
 
 /// What a row of a flight contributes to a curve; not a number where there is nothing.
-using RowValue = std::function<double(const report::Row&)>;
+using RowValue = std::function<double(const flight::Row&)>;
 
 /// A curve of a run over its clock (minus `zero_s`) between two times of that clock.
 struct Stretch {
@@ -30,9 +30,9 @@ struct Stretch {
 [[nodiscard]] page::Series curve(const std::vector<double>& x, std::vector<double> y, std::string name,
                                  page::Role role);
 
-[[nodiscard]] double true_angle_deg(const report::Row& row);
-[[nodiscard]] double true_rate_deg_s(const report::Row& row);
-[[nodiscard]] double true_canard_deg(const report::Row& row);
-[[nodiscard]] double true_disturbance_deg(const report::Row& row);
+[[nodiscard]] double true_angle_deg(const flight::Row& row);
+[[nodiscard]] double true_rate_deg_s(const flight::Row& row);
+[[nodiscard]] double true_canard_deg(const flight::Row& row);
+[[nodiscard]] double true_disturbance_deg(const flight::Row& row);
 
 }  // namespace fantail::paper

@@ -9,8 +9,8 @@
 #include "identify/identification.hpp"
 #include "paper/chapters.hpp"
 #include "paper/drawing.hpp"
-#include "report/numbers.hpp"
 #include "report/results.hpp"
+#include "text/degrees.hpp"
 #include "text/number.hpp"
 
 namespace fantail::paper {
@@ -22,9 +22,9 @@ struct Moment {
 };
 
 // The largest (or, with sign -1, smallest) true roll angle between two times of the flight's clock.
-Moment extreme(const report::Flight& flight, double from_s, double to_s, double sign) {
+Moment extreme(const flight::Flight& flight, double from_s, double to_s, double sign) {
   Moment best{.time_s = from_s, .angle_deg = -sign * 1e9};
-  for (const report::Row& row : flight.rows) {
+  for (const flight::Row& row : flight.rows) {
     if (row.time_s >= from_s && row.time_s <= to_s && sign * true_angle_deg(row) > sign * best.angle_deg) {
       best = {.time_s = row.time_s, .angle_deg = true_angle_deg(row)};
     }
@@ -37,7 +37,7 @@ std::string pair(const identify::model::RollModel& model) {
   return fmt::format("{:.2f} and {:.2f}", model.alpha_m2, model.beta_m);
 }
 
-void add_ascent(std::vector<Claim>& claims, const report::Flight& flight, const report::Figures& figures) {
+void add_ascent(std::vector<Claim>& claims, const flight::Flight& flight, const report::Figures& figures) {
   const std::string motor =
       "With a motor of the I150 class and the drag area that fits both launches; the motor is not named.";
   const std::string place = "Section 4.2";
@@ -91,7 +91,7 @@ void add_ascent(std::vector<Claim>& claims, const report::Flight& flight, const 
                             .tolerance = 0.015}));
 }
 
-void add_transient(std::vector<Claim>& claims, const report::Flight& flight) {
+void add_transient(std::vector<Claim>& claims, const flight::Flight& flight) {
   const double zero_s = *flight.events.detected_s;
   const Moment peak = extreme(flight, zero_s, zero_s + 0.8, 1.0);
   const Moment trough = extreme(flight, peak.time_s, zero_s + 1.42, -1.0);
@@ -148,7 +148,7 @@ void add_modelled_drop(std::vector<Claim>& claims, const Run& run) {
       compare({.place = "Figure 21a",
                .what = "Drop between them, modelled",
                .theirs = 26.15,
-               .ours = report::degrees(drop_rad),
+               .ours = text::degrees(drop_rad),
                .unit = "deg",
                .decimals = 2,
                .tolerance = 1.05,
@@ -156,10 +156,10 @@ void add_modelled_drop(std::vector<Claim>& claims, const Run& run) {
                          "servo lag of 20 ms, which is assumed."}));
 }
 
-void add_limit(std::vector<Claim>& claims, const report::Flight& flight, const report::Figures& figures) {
+void add_limit(std::vector<Claim>& claims, const flight::Flight& flight, const report::Figures& figures) {
   const bool lasts = figures.at_limit_since_s.has_value();
   double highest_rate_deg_s = -1e9;
-  for (const report::Row& row : flight.rows) {
+  for (const flight::Row& row : flight.rows) {
     if (lasts && row.truth && row.time_s > *figures.at_limit_since_s + 0.3 && row.time_s < *flight.events.apogee_s) {
       highest_rate_deg_s = std::max(highest_rate_deg_s, true_rate_deg_s(row));
     }
@@ -181,7 +181,7 @@ void add_limit(std::vector<Claim>& claims, const report::Flight& flight, const r
 
 Chapter first_launch_chapter(const Tell& tell) {
   const Run run = fly("tasha3_launch1", {}, tell);
-  const report::Flight& flight = run.flight;
+  const flight::Flight& flight = run.flight;
   const report::Figures figures = report::figures(flight);
   Chapter chapter{.title = "Launch 1",
                   .introduction =
@@ -235,21 +235,20 @@ Chapter first_launch_chapter(const Tell& tell) {
     t += from_s - flown.zero_s;
   }
   figure("Roll angle of launch 1", "roll angle / deg",
-         {curve(time_s, report::in_degrees(record.roll_angle_rad), "simulated flight", page::Role::measured),
-          curve(time_s, report::in_degrees(open.simulation.roll_angle_rad), "identified, open loop", page::Role::model),
-          curve(time_s, report::in_degrees(closed.simulation.roll_angle_rad), "identified, closed loop",
+         {curve(time_s, text::in_degrees(record.roll_angle_rad), "simulated flight", page::Role::measured),
+          curve(time_s, text::in_degrees(open.simulation.roll_angle_rad), "identified, open loop", page::Role::model),
+          curve(time_s, text::in_degrees(closed.simulation.roll_angle_rad), "identified, closed loop",
                 page::Role::second_model)},
          "As figures 20a, 21a and 22a: roll angle, and both identified models.");
   std::vector<double> node_s = nodes;
   for (double& t : node_s) {
     t += from_s - flown.zero_s;
   }
-  figure(
-      "Disturbance of launch 1", "equivalent fin offset / deg",
-      {curve(run, flown, "in the simulated flight", page::Role::measured, true_disturbance_deg),
-       curve(node_s, report::in_degrees(open.model.node_rad), "identified, open loop", page::Role::model),
-       curve(node_s, report::in_degrees(closed.model.node_rad), "identified, closed loop", page::Role::second_model)},
-      "As figures 21b and 22b: the offset grows with speed until burn-out and stays near \u22127 degrees.");
+  figure("Disturbance of launch 1", "equivalent fin offset / deg",
+         {curve(run, flown, "in the simulated flight", page::Role::measured, true_disturbance_deg),
+          curve(node_s, text::in_degrees(open.model.node_rad), "identified, open loop", page::Role::model),
+          curve(node_s, text::in_degrees(closed.model.node_rad), "identified, closed loop", page::Role::second_model)},
+         "As figures 21b and 22b: the offset grows with speed until burn-out and stays near \u22127 degrees.");
   return chapter;
 }
 

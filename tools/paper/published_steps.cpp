@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "paper/published_steps.hpp"
 
+#include "flight/table.hpp"
 #include "input/shipped.hpp"
-#include "logs/table.hpp"
 #include "text/error.hpp"
 
 namespace fantail::paper {
 
 std::vector<PublishedStep> published_steps() {
   const std::string file = input::find_input(input::Shipped::tunnel_result, "tasha3_table2").string();
-  const logs::Table table = logs::Table::load(file);
+  const flight::Table table = flight::Table::load(file);
   const auto number = [&](std::size_t row, std::string_view column) {
     const auto value = table.number(row, table.column(column));
     if (!value) {

@@ -28,7 +28,7 @@ identify::model::Record true_record(const Run& run, double from_s, double to_s, 
   const auto density = [&run](double height_m) {
     return run.flight.tunnel ? run.scenario.tunnel.density_kg_m3 : run.scenario.atmosphere.density_kg_m3(height_m);
   };
-  for (const report::Row& row : run.flight.rows) {
+  for (const flight::Row& row : run.flight.rows) {
     if (!row.truth || row.time_s < next_s - 1e-9 || row.time_s > to_s + 1e-9) {
       continue;
     }

@@ -5,16 +5,16 @@
 #include <span>
 #include <string>
 
+#include "flight/flight.hpp"
 #include "identify/model/roll_model.hpp"
 #include "input/scenario_file.hpp"
-#include "report/flight.hpp"
 
 namespace fantail::paper {
 
 /// One of the published runs, flown in the simulated world.
 struct Run {
   sim::Scenario scenario;
-  report::Flight flight;
+  flight::Flight flight;
 };
 
 /// Says what is going on; what it throws ends the work.

@@ -9,8 +9,8 @@
 #include "identify/identification.hpp"
 #include "paper/chapters.hpp"
 #include "paper/drawing.hpp"
-#include "report/numbers.hpp"
 #include "report/results.hpp"
+#include "text/degrees.hpp"
 #include "text/number.hpp"
 
 namespace fantail::paper {
@@ -60,7 +60,7 @@ page::Series chirp_curve(const core::ExcitationPlan& plan) {
 std::string curve_over_nodes(const std::vector<identify::result::NodeTrial>& trials) {
   std::string text;
   for (const identify::result::NodeTrial& trial : trials) {
-    text += (text.empty() ? "" : ", ") + text::fixed(report::degrees(trial.mean_abs_angle_error_rad), 2);
+    text += (text.empty() ? "" : ", ") + text::fixed(text::degrees(trial.mean_abs_angle_error_rad), 2);
   }
   return text + " deg";
 }
@@ -69,7 +69,7 @@ std::string curve_over_nodes(const std::vector<identify::result::NodeTrial>& tri
 
 Chapter second_launch_chapter(const Tell& tell) {
   const Run run = fly("tasha3_launch2", {}, tell);
-  const report::Flight& flight = run.flight;
+  const flight::Flight& flight = run.flight;
   Chapter chapter{.title = "Launch 2",
                   .introduction =
                       "Tasha III, 4 December 2015: canards limited to 9 degrees, 0 degrees held, then \u221220 from "
@@ -116,8 +116,8 @@ Chapter second_launch_chapter(const Tell& tell) {
       unpublished("Figures 29 and 31", "Mean offset of the windows", "\u22124.9 and \u22124.7 deg",
                   "The flight's log is not published.",
                   fmt::format("planted \u22124.9, found {} and {} deg",
-                              text::with_minus(text::fixed(report::degrees(open.model.node_rad.front()), 2)),
-                              text::with_minus(text::fixed(report::degrees(later.model.node_rad.front()), 2)))));
+                              text::with_minus(text::fixed(text::degrees(open.model.node_rad.front()), 2)),
+                              text::with_minus(text::fixed(text::degrees(later.model.node_rad.front()), 2)))));
 
   const auto figure = [&](const page::Chart& chart, const std::string& caption) {
     chapter.figures_html.push_back(half_width_figure(chart, caption));
@@ -145,9 +145,8 @@ Chapter second_launch_chapter(const Tell& tell) {
         {.label = "Roll angle and model",
          .x_label = "time after control start / s",
          .y_label = "roll angle / deg",
-         .series = {curve(time_s, report::in_degrees(record.roll_angle_rad), "simulated flight", page::Role::measured),
-                    curve(time_s, report::in_degrees(model.simulation.roll_angle_rad), "identified",
-                          page::Role::model)}},
+         .series = {curve(time_s, text::in_degrees(record.roll_angle_rad), "simulated flight", page::Role::measured),
+                    curve(time_s, text::in_degrees(model.simulation.roll_angle_rad), "identified", page::Role::model)}},
         caption);
   };
   both(first, open, first_window.from_s, "As figure 28a: the first window and its model.");

@@ -10,8 +10,8 @@
 #include "paper/chapters.hpp"
 #include "paper/drawing.hpp"
 #include "paper/published_steps.hpp"
-#include "report/numbers.hpp"
 #include "sim/units.hpp"
+#include "text/degrees.hpp"
 #include "text/number.hpp"
 
 namespace fantail::paper {
@@ -63,8 +63,8 @@ Repeated repeat(const PublishedStep& row, const sim::Scenario& tunnel) {
 
 Claim row_claim(const PublishedStep& row, const identify::result::Identification& found) {
   const identify::model::RollModel& model = found.model;
-  const double begin_deg = report::degrees(model.node_rad.front());
-  const double end_deg = report::degrees(model.node_rad.back());
+  const double begin_deg = text::degrees(model.node_rad.front());
+  const double end_deg = text::degrees(model.node_rad.back());
   const bool agrees = model.alpha_m2 == row.alpha_m2 && model.beta_m == row.beta_m &&
                       std::abs(begin_deg - row.disturbance_begin_deg) <= 0.03 &&
                       std::abs(end_deg - row.disturbance_end_deg) <= 0.03;
@@ -164,9 +164,9 @@ Chapter steps_chapter(const Tell& tell) {
         {.label = label,
          .x_label = "time / s",
          .y_label = unit,
-         .series = {curve(sixth->record.time_s, report::in_degrees(flown), "step 6, flown with the printed numbers",
+         .series = {curve(sixth->record.time_s, text::in_degrees(flown), "step 6, flown with the printed numbers",
                           page::Role::measured),
-                    curve(sixth->record.time_s, report::in_degrees(model), "identified", page::Role::model)}},
+                    curve(sixth->record.time_s, text::in_degrees(model), "identified", page::Role::model)}},
         caption));
   };
   figure("Roll angle of step 6", "roll angle / deg", sixth->record.roll_angle_rad,

@@ -5,7 +5,7 @@
 #include "paper/chapters.hpp"
 #include "paper/drawing.hpp"
 #include "paper/tunnel_sessions.hpp"
-#include "report/numbers.hpp"
+#include "text/degrees.hpp"
 #include "text/number.hpp"
 #include "tunnel/swirl.hpp"
 
@@ -38,16 +38,16 @@ Chapter swirl_chapter(const Tell& tell) {
       "Section 4.1.2", "Swirl above 20 m/s, as equivalent canard angle", "about 2 deg",
       "The roll rates are not published; ours is a simulated tunnel with 2.0 degrees of it.",
       swirl.swirl
-          ? fmt::format("{} \u00b1 {} deg", text::with_minus(text::fixed(report::degrees(swirl.swirl->offset_rad), 2)),
-                        text::fixed(2.0 * report::degrees(swirl.swirl->standard_error_rad), 2))
+          ? fmt::format("{} \u00b1 {} deg", text::with_minus(text::fixed(text::degrees(swirl.swirl->offset_rad), 2)),
+                        text::fixed(2.0 * text::degrees(swirl.swirl->standard_error_rad), 2))
           : "no common speed"));
   chapter.claims.push_back(
       unpublished("Section 4.1.2", "Roll rate of the bare fins at 30 m/s, without and with straightener",
                   "87.0 and 25.7 deg/s", "Counted from a video; neither fins nor swirl are described."));
-  const auto rate = [](const tunnel::OffsetPoint& point) { return report::degrees(point.rate_rad_s.mean); };
-  const auto offset = [](const tunnel::OffsetPoint& point) { return report::degrees(point.offset_rad); };
+  const auto rate = [](const tunnel::OffsetPoint& point) { return text::degrees(point.rate_rad_s.mean); };
+  const auto offset = [](const tunnel::OffsetPoint& point) { return text::degrees(point.offset_rad); };
   const auto session = [](const tunnel::RollSession& from, std::string name, page::Role role) {
-    return curve(from.roll.time_s, report::in_degrees(from.roll.roll_rate_rad_s), std::move(name), role);
+    return curve(from.roll.time_s, text::in_degrees(from.roll.roll_rate_rad_s), std::move(name), role);
   };
   const auto figure = [&](const page::Chart& chart, const std::string& caption) {
     chapter.figures_html.push_back(half_width_figure(chart, caption));

@@ -8,7 +8,7 @@ namespace fantail::paper {
 tunnel::TunnelLog wind_log(const Run& run) {
   tunnel::TunnelLog log{
       .name = run.scenario.name, .time_s = {}, .fan_rpm = {}, .wind_speed_m_s = {}, .rows_left_out = 0};
-  for (const report::TunnelReading& reading : run.flight.tunnel_readings) {
+  for (const flight::TunnelReading& reading : run.flight.tunnel_readings) {
     log.time_s.push_back(reading.time_s);
     log.fan_rpm.push_back(reading.fan_rpm);
     log.wind_speed_m_s.push_back(reading.wind_speed_m_s);
@@ -19,7 +19,7 @@ tunnel::TunnelLog wind_log(const Run& run) {
 tunnel::RollSession roll_session(const Run& run) {
   tunnel::RollSession session;
   session.roll.name = run.scenario.name;
-  for (const report::Row& row : run.flight.rows) {
+  for (const flight::Row& row : run.flight.rows) {
     if (row.time_s >= 0.0) {
       session.roll.time_s.push_back(row.time_s);
       session.roll.roll_angle_rad.push_back(row.roll_angle_rad);

@@ -14,8 +14,8 @@ namespace {
 
 using page::Mark;
 using page::Role;
-using report::degrees;
 using text::brief;
+using text::degrees;
 
 page::Area area(const std::vector<double>& x, const std::vector<Spread>& radians) {
   page::Area band{.name = "5 to 95 % of the runs", .x = x};

@@ -7,7 +7,7 @@
 namespace fantail::predict {
 namespace {
 
-using report::degrees;
+using text::degrees;
 using text::fixed;
 
 std::string cell(const std::optional<double>& value) { return value ? fixed(*value, 6) : ""; }

@@ -12,8 +12,8 @@
 namespace fantail::predict {
 namespace {
 
-using report::degrees;
 using text::brief;
+using text::degrees;
 using text::fixed;
 
 Judgement judge(bool met) { return met ? Judgement::met : Judgement::not_met; }

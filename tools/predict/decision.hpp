@@ -6,15 +6,15 @@
 #include <vector>
 
 #include "predict/prediction.hpp"
-#include "report/numbers.hpp"
+#include "text/degrees.hpp"
 
 namespace fantail::predict {
 
 /// What a launch must promise.
 struct Thresholds {
-  double authority_share = 0.95;                    ///< of the runs whose canards can balance the offset
-  double held_share = 0.90;                         ///< of the runs that hold their roll
-  double phase_margin_rad = report::radians(30.0);  ///< in the median, at the worst speed flown
+  double authority_share = 0.95;                  ///< of the runs whose canards can balance the offset
+  double held_share = 0.90;                       ///< of the runs that hold their roll
+  double phase_margin_rad = text::radians(30.0);  ///< in the median, at the worst speed flown
 };
 
 enum class Judgement : std::uint8_t { met, not_met, not_judged };

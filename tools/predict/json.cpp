@@ -8,7 +8,7 @@ namespace {
 
 using Json = json::Value;
 using json::rounded;
-using report::degrees;
+using text::degrees;
 
 Json json(const Spread& s, double scale = 1.0) {
   return {{"mean", rounded(scale * s.mean)},

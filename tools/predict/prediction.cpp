@@ -6,11 +6,11 @@
 
 #include <fmt/core.h>
 
+#include "flight/flight.hpp"
 #include "input/fault_file.hpp"
 #include "predict/loop_at_speed.hpp"
-#include "predict/team.hpp"
-#include "report/flight.hpp"
-#include "report/numbers.hpp"
+#include "predict/parallel_for.hpp"
+#include "text/degrees.hpp"
 #include "text/error.hpp"
 
 namespace fantail::predict {
@@ -141,12 +141,12 @@ Prediction predict(const sim::Scenario& scenario, const TunnelResult& tunnel, co
                .tunnel = tunnel,
                .damping = options.damping,
                .notes = notes(scenario, tunnel),
-               .limit_rad = report::canard_limit_rad(scenario.plan),
+               .limit_rad = flight::canard_limit_rad(scenario.plan),
                .servo_lag_s = flown.vehicle.servo.lag_s,
                .delay_s = loop_delay_s(flown.vehicle),
                .runs = std::vector<Run>(options.runs)};
   const AirframeSpread airframes{tunnel.steps, options.damping};
-  share_out(
+  parallel_for(
       options.runs, options.threads,
       [&](std::size_t i) {
         const std::uint64_t seed = seed_of_run(scenario.seed, i);

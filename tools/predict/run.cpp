@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "flight/flight.hpp"
 #include "fly/fly_scenario.hpp"
 #include "report/figures.hpp"
-#include "report/flight.hpp"
 #include "sim/random.hpp"
 
 namespace fantail::predict {
@@ -25,9 +25,9 @@ sim::Scenario with_airframe(const sim::Scenario& scenario, const TunnelStep& air
   return changed;
 }
 
-void keep_roll(Run& run, const report::Flight& flight) {
+void keep_roll(Run& run, const flight::Flight& flight) {
   const double end_s = flight.events.apogee_s.value_or(flight.rows.back().time_s);
-  for (const report::Row& row : flight.rows) {
+  for (const flight::Row& row : flight.rows) {
     const double next_s = track_step_s * static_cast<double>(run.roll_angle_rad.size());
     if (row.truth && row.time_s <= end_s && row.time_s >= next_s - clock_tolerance_s) {
       run.roll_angle_rad.push_back(row.truth->roll_angle_rad);
@@ -38,8 +38,8 @@ void keep_roll(Run& run, const report::Flight& flight) {
   }
 }
 
-void look_at_control(Run& run, const report::Flight& flight) {
-  const auto is_control = [](const report::Row& row) { return row.phase == core::Phase::controlling; };
+void look_at_control(Run& run, const flight::Flight& flight) {
+  const auto is_control = [](const flight::Row& row) { return row.phase == core::Phase::controlling; };
   const auto first = std::ranges::find_if(flight.rows, is_control);
   if (first == flight.rows.end()) {
     return;
@@ -47,7 +47,7 @@ void look_at_control(Run& run, const report::Flight& flight) {
   const auto last = std::find_if(flight.rows.rbegin(), flight.rows.rend(), is_control);
   run.speed_at_control_start_m_s = first->truth->speed_m_s;
   if (run.authority_margin_rad > 0.0) {
-    run.settle_rad = report::settle_point_rad(*last, flight.plan);
+    run.settle_rad = flight::settle_point_rad(*last, flight.plan);
   }
 }
 
@@ -67,9 +67,9 @@ std::optional<double> spin_rate_rad_s(const TunnelStep& airframe, double offset_
 }
 
 Run fly_run(const sim::Scenario& scenario, const TunnelStep& airframe, std::uint64_t seed) {
-  const report::Flight flight = fly::fly_scenario(with_airframe(scenario, airframe, seed));
+  const flight::Flight flight = fly::fly_scenario(with_airframe(scenario, airframe, seed));
   const report::Figures figures = report::figures(flight);
-  const double limit_rad = report::canard_limit_rad(scenario.plan);
+  const double limit_rad = flight::canard_limit_rad(scenario.plan);
   Run run;
   run.seed = seed;
   run.airframe = airframe;

@@ -8,7 +8,7 @@
 namespace fantail::predict {
 namespace {
 
-using report::degrees;
+using text::degrees;
 using text::fixed;
 
 std::string with_ends(const Spread& s, double scale, int decimals, std::string_view unit) {

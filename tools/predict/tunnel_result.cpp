@@ -6,17 +6,17 @@
 
 #include <fmt/core.h>
 
-#include "logs/table.hpp"
-#include "report/numbers.hpp"
+#include "flight/table.hpp"
+#include "text/degrees.hpp"
 #include "text/error.hpp"
 #include "text/number.hpp"
 
 namespace fantail::predict {
 namespace {
 
-using report::degrees;
-using report::radians;
 using text::brief;
+using text::degrees;
+using text::radians;
 
 constexpr double largest_angle_deg = 45.0;
 
@@ -28,7 +28,7 @@ struct Limits {
 /// A column whose every cell must be a number within limits.
 class NumberColumn {
  public:
-  NumberColumn(const logs::Table& table, std::string_view name, Limits limits)
+  NumberColumn(const flight::Table& table, std::string_view name, Limits limits)
       : table_{table}, name_{name}, column_{table.column(name)}, limits_{limits} {}
 
   [[nodiscard]] double operator[](std::size_t row) const {
@@ -42,7 +42,7 @@ class NumberColumn {
   }
 
  private:
-  const logs::Table& table_;
+  const flight::Table& table_;
   std::string name_;
   std::size_t column_;
   Limits limits_;
@@ -59,7 +59,7 @@ std::string describe_swirl(const TunnelResult& result, bool given, bool in_file)
   return fmt::format("Swirl taken off: none, as {} has no column swirl_deg and --swirl was not given.", result.name);
 }
 
-std::vector<std::string> sources(const logs::Table& table) {
+std::vector<std::string> sources(const flight::Table& table) {
   std::vector<std::string> found;
   const std::optional<std::size_t> column = table.find("source");
   for (std::size_t row = 0; column && row < table.rows(); ++row) {
@@ -74,7 +74,7 @@ std::vector<std::string> sources(const logs::Table& table) {
 }  // namespace
 
 TunnelResult read_tunnel_result(const std::filesystem::path& file, const std::optional<double>& swirl_rad) {
-  const logs::Table table = logs::Table::load(file.string());
+  const flight::Table table = flight::Table::load(file.string());
   constexpr Limits angle{-largest_angle_deg, largest_angle_deg};
   const NumberColumn damping{table, "alpha_m2", {1e-3, 1e4}};
   const NumberColumn torque{table, "beta_m", {1e-3, 1e4}};

@@ -12,9 +12,9 @@
 
 #include <fmt/core.h>
 
-#include "report/numbers.hpp"
+#include "flight/phase_names.hpp"
 #include "report/timeline.hpp"
-#include "report/words.hpp"
+#include "text/degrees.hpp"
 #include "text/number.hpp"
 
 namespace fantail::report {
@@ -23,26 +23,26 @@ namespace {
 using page::Chart;
 using page::Mark;
 using page::Role;
-using Value = std::function<double(const Row&)>;
+using Value = std::function<double(const flight::Row&)>;
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 constexpr double tall = 300.0;
 constexpr double flat = 200.0;
 constexpr double small = 150.0;
 
-double degrees_or_gap(const std::optional<double>& radians) { return radians ? degrees(*radians) : unknown; }
+double degrees_or_gap(const std::optional<double>& radians) { return radians ? text::degrees(*radians) : unknown; }
 
-Value truth(double Truth::* member) {
-  return [member](const Row& row) { return row.truth ? (*row.truth).*member : unknown; };
+Value truth(double flight::Truth::* member) {
+  return [member](const flight::Row& row) { return row.truth ? (*row.truth).*member : unknown; };
 }
-Value truth_degrees(double Truth::* member) {
-  return [member](const Row& row) { return row.truth ? degrees((*row.truth).*member) : unknown; };
+Value truth_degrees(double flight::Truth::* member) {
+  return [member](const flight::Row& row) { return row.truth ? text::degrees((*row.truth).*member) : unknown; };
 }
-Value own(double Row::* member) {
-  return [member](const Row& row) { return row.*member; };
+Value own(double flight::Row::* member) {
+  return [member](const flight::Row& row) { return row.*member; };
 }
-Value own_degrees(double Row::* member) {
-  return [member](const Row& row) { return degrees(row.*member); };
+Value own_degrees(double flight::Row::* member) {
+  return [member](const flight::Row& row) { return text::degrees(row.*member); };
 }
 
 Role role_of(core::Phase phase) {
@@ -55,9 +55,9 @@ Role role_of(core::Phase phase) {
 
 class Drawer {
  public:
-  explicit Drawer(const Flight& flight)
+  explicit Drawer(const flight::Flight& flight)
       : flight_{flight}, rows_{rows_between(flight, plot_window(flight).begin_s, std::numeric_limits<double>::max())} {
-    for (const Row& row : rows_) {
+    for (const flight::Row& row : rows_) {
       time_s_.push_back(row.time_s);
     }
   }
@@ -79,7 +79,7 @@ class Drawer {
   }
   // References and commands mean something only while somebody follows them.
   [[nodiscard]] Value in_control(const Value& value) const {
-    return [value, always = !flight_.known.phase](const Row& row) {
+    return [value, always = !flight_.known.phase](const flight::Row& row) {
       return always || row.phase == core::Phase::controlling ? value(row) : unknown;
     };
   }
@@ -106,22 +106,25 @@ class Drawer {
   }
 
  private:
-  const Flight& flight_;
-  std::span<const Row> rows_;
+  const flight::Flight& flight_;
+  std::span<const flight::Row> rows_;
   std::vector<double> time_s_{};
 };
 
-Chart roll_angle(const Flight& flight, const Drawer& drawer) {
-  const Value settle = [&flight](const Row& row) { return degrees_or_gap(settle_point_rad(row, flight)); };
-  Chart chart = drawer.chart(
-      "Roll angle", "deg", page::full_page, tall,
-      {drawer.line("reference R", Role::reference, drawer.in_control(own_degrees(&Row::reference_rad)), Mark::step),
-       drawer.line("settles at R + u_d/kp", Role::second_model, drawer.in_control(settle), Mark::step),
-       drawer.line("true", Role::target, truth_degrees(&Truth::roll_angle_rad)),
-       drawer.line("estimate", Role::measured, own_degrees(&Row::roll_angle_rad))});
+Chart roll_angle(const flight::Flight& flight, const Drawer& drawer) {
+  const Value settle = [&flight](const flight::Row& row) {
+    return degrees_or_gap(flight::settle_point_rad(row, flight));
+  };
+  Chart chart =
+      drawer.chart("Roll angle", "deg", page::full_page, tall,
+                   {drawer.line("reference R", Role::reference,
+                                drawer.in_control(own_degrees(&flight::Row::reference_rad)), Mark::step),
+                    drawer.line("settles at R + u_d/kp", Role::second_model, drawer.in_control(settle), Mark::step),
+                    drawer.line("true", Role::target, truth_degrees(&flight::Truth::roll_angle_rad)),
+                    drawer.line("estimate", Role::measured, own_degrees(&flight::Row::roll_angle_rad))});
   if (flight.known.phase) {
     for (const PhaseBand& band : phase_bands(flight)) {
-      chart.stripes.push_back({band.begin_s, band.end_s, std::string{words(band.phase)}, role_of(band.phase)});
+      chart.stripes.push_back({band.begin_s, band.end_s, std::string{flight::words(band.phase)}, role_of(band.phase)});
     }
   }
   for (const EventMark& mark : event_marks(flight)) {
@@ -130,45 +133,48 @@ Chart roll_angle(const Flight& flight, const Drawer& drawer) {
   return chart;
 }
 
-std::vector<Chart> all_charts(const Flight& flight) {
+std::vector<Chart> all_charts(const flight::Flight& flight) {
   const Drawer drawer{flight};
   const bool excites = flight.known.plan && flight.plan.excitation.form != core::ExcitationForm::none;
-  const Value excitation = [excites](const Row& row) { return excites ? degrees(row.excitation_rad) : unknown; };
-  const auto encoders = [](const Row& row) { return degrees_or_gap(row.canard_rad); };
+  const Value excitation = [excites](const flight::Row& row) {
+    return excites ? text::degrees(row.excitation_rad) : unknown;
+  };
+  const auto encoders = [](const flight::Row& row) { return degrees_or_gap(row.canard_rad); };
   std::vector<Chart> all{
       roll_angle(flight, drawer),
       drawer.chart("Roll rate", "deg/s", page::full_page, flat,
-                   {drawer.line("true", Role::target, truth_degrees(&Truth::roll_rate_rad_s)),
-                    drawer.line("estimate", Role::measured, own_degrees(&Row::roll_rate_rad_s))}),
+                   {drawer.line("true", Role::target, truth_degrees(&flight::Truth::roll_rate_rad_s)),
+                    drawer.line("estimate", Role::measured, own_degrees(&flight::Row::roll_rate_rad_s))}),
       drawer.with_limits(drawer.chart("Command and canards", "deg", page::full_page, flat,
                                       {drawer.line("excitation", Role::neutral, drawer.in_control(excitation)),
-                                       drawer.line("command", Role::target, own_degrees(&Row::command_rad)),
+                                       drawer.line("command", Role::target, own_degrees(&flight::Row::command_rad)),
                                        drawer.line("encoder mean", Role::measured, encoders)})),
-      drawer.with_limits(drawer.chart("True disturbance (equivalent fin offset u_d)", "deg", page::full_page, flat,
-                                      {drawer.line("u_d", Role::target, truth_degrees(&Truth::disturbance_rad))}))};
+      drawer.with_limits(
+          drawer.chart("True disturbance (equivalent fin offset u_d)", "deg", page::full_page, flat,
+                       {drawer.line("u_d", Role::target, truth_degrees(&flight::Truth::disturbance_rad))}))};
   for (std::size_t i = 0; i < core::canard_count; ++i) {
-    const auto command = [i](const Row& row) { return degrees_or_gap(row.commands_rad[i]); };
-    const auto encoder = [i](const Row& row) { return degrees_or_gap(row.encoders_rad[i]); };
+    const auto command = [i](const flight::Row& row) { return degrees_or_gap(row.commands_rad[i]); };
+    const auto encoder = [i](const flight::Row& row) { return degrees_or_gap(row.encoders_rad[i]); };
     all.push_back(drawer.with_limits(drawer.chart(
         "Canard " + std::to_string(i + 1), "deg", page::half_page, small,
         {drawer.line("command", Role::target, command), drawer.line("encoder", Role::measured, encoder)})));
   }
-  const page::Series true_speed = drawer.line("true", Role::target, truth(&Truth::speed_m_s));
+  const page::Series true_speed = drawer.line("true", Role::target, truth(&flight::Truth::speed_m_s));
   if (flight.tunnel) {  // on a string nothing accelerates, so there is no estimate
     all.push_back(drawer.chart("Air speed", "m/s", page::half_page, small, {true_speed}));
   } else {
     all.push_back(drawer.chart("Height", "m", page::half_page, small,
-                               {drawer.line("true", Role::target, truth(&Truth::height_m)),
-                                drawer.line("estimate", Role::measured, own(&Row::height_m))}));
+                               {drawer.line("true", Role::target, truth(&flight::Truth::height_m)),
+                                drawer.line("estimate", Role::measured, own(&flight::Row::height_m))}));
     all.push_back(drawer.chart("Speed", "m/s", page::half_page, small,
-                               {true_speed, drawer.line("estimate", Role::measured, own(&Row::speed_m_s))}));
+                               {true_speed, drawer.line("estimate", Role::measured, own(&flight::Row::speed_m_s))}));
   }
   return all;
 }
 
-std::vector<page::LiveCharts::View> views(const Flight& flight) {
+std::vector<page::LiveCharts::View> views(const flight::Flight& flight) {
   const Window window = plot_window(flight);
-  const Events& e = flight.events;
+  const flight::Events& e = flight.events;
   std::vector<page::LiveCharts::View> all{{flight.tunnel ? "Run" : "Flight", window.begin_s, window.end_s}};
   if (!flight.tunnel && e.liftoff_s && e.control_start_s) {
     all.push_back({"Launch", *e.liftoff_s - 0.2, *e.control_start_s + 1.5});
@@ -184,7 +190,7 @@ std::vector<page::LiveCharts::View> views(const Flight& flight) {
 
 }  // namespace
 
-page::LiveCharts charts(const Flight& flight) {
+page::LiveCharts charts(const flight::Flight& flight) {
   return flight.rows.empty() ? page::LiveCharts{} : page::LiveCharts{all_charts(flight), views(flight)};
 }
 

@@ -18,18 +18,20 @@ constexpr double lasting_saturation_s = 0.5;
 constexpr double clock_tolerance_s = 1e-6;
 
 // The truth where it is known.
-double better(const Row& row, double Truth::* truth, double estimate) {
+double better(const flight::Row& row, double flight::Truth::* truth, double estimate) {
   return row.truth && std::isfinite((*row.truth).*truth) ? (*row.truth).*truth : estimate;
 }
-double height_m(const Row& row) { return better(row, &Truth::height_m, row.height_m); }
-double speed_m_s(const Row& row) { return better(row, &Truth::speed_m_s, row.speed_m_s); }
-double roll_angle_rad(const Row& row) { return better(row, &Truth::roll_angle_rad, row.roll_angle_rad); }
+double height_m(const flight::Row& row) { return better(row, &flight::Truth::height_m, row.height_m); }
+double speed_m_s(const flight::Row& row) { return better(row, &flight::Truth::speed_m_s, row.speed_m_s); }
+double roll_angle_rad(const flight::Row& row) {
+  return better(row, &flight::Truth::roll_angle_rad, row.roll_angle_rad);
+}
 
 std::optional<double> known(double value) { return std::isfinite(value) ? std::optional{value} : std::nullopt; }
 
-std::optional<double> largest(const Flight& flight, double (*value)(const Row&)) {
+std::optional<double> largest(const flight::Flight& flight, double (*value)(const flight::Row&)) {
   std::optional<double> result;
-  for (const Row& row : flight.rows) {
+  for (const flight::Row& row : flight.rows) {
     if (const double one = value(row); std::isfinite(one) && (!result || one > *result)) {
       result = one;
     }
@@ -37,24 +39,24 @@ std::optional<double> largest(const Flight& flight, double (*value)(const Row&))
   return result;
 }
 
-std::span<const Row> under_control(const Flight& flight) {
-  const auto is_control = [](const Row& row) { return row.phase == core::Phase::controlling; };
+std::span<const flight::Row> under_control(const flight::Flight& flight) {
+  const auto is_control = [](const flight::Row& row) { return row.phase == core::Phase::controlling; };
   const auto first = std::ranges::find_if(flight.rows, is_control);
   return {first, std::find_if_not(first, flight.rows.end(), is_control)};
 }
 
-void judge_hold(Figures& f, std::span<const Row> control, const Flight& flight) {
+void judge_hold(Figures& f, std::span<const flight::Row> control, const flight::Flight& flight) {
   const double settling_time_s = flight.tunnel ? settling_time_in_tunnel_s : settling_time_in_flight_s;
   double settles_at_s = control.front().time_s + settling_time_s;
   double reference_rad = control.front().reference_rad;
   double sum_rad = 0.0;
   std::size_t count = 0;
-  for (const Row& row : control) {
+  for (const flight::Row& row : control) {
     if (row.reference_rad != reference_rad) {
       reference_rad = row.reference_rad;
       settles_at_s = row.time_s + settling_time_s;
     }
-    const std::optional<double> settle_point = settle_point_rad(row, flight);
+    const std::optional<double> settle_point = flight::settle_point_rad(row, flight);
     if (!settle_point || row.time_s < settles_at_s - clock_tolerance_s) {
       continue;
     }
@@ -74,38 +76,40 @@ void keep_larger(std::optional<double>& kept, double value) {
   }
 }
 
-void judge_authority(Figures& f, std::span<const Row> control, const Flight& flight) {
-  for (const Row& row : control) {
+void judge_authority(Figures& f, std::span<const flight::Row> control, const flight::Flight& flight) {
+  for (const flight::Row& row : control) {
     if (row.truth) {
       keep_larger(f.largest_disturbance_rad, row.truth->disturbance_rad);
     }
   }
   if (f.largest_disturbance_rad && flight.known.plan) {
-    f.authority_margin_rad = canard_limit_rad(flight.plan) - std::abs(*f.largest_disturbance_rad);
+    f.authority_margin_rad = flight::canard_limit_rad(flight.plan) - std::abs(*f.largest_disturbance_rad);
   }
 }
 
-void judge_saturation(Figures& f, std::span<const Row> control, const Flight& flight) {
-  const auto saturated = std::ranges::count_if(control, &Row::saturated);
+void judge_saturation(Figures& f, std::span<const flight::Row> control, const flight::Flight& flight) {
+  const auto saturated = std::ranges::count_if(control, &flight::Row::saturated);
   f.saturated_fraction = static_cast<double>(saturated) / static_cast<double>(control.size());
 
-  const auto last_free = std::find_if_not(control.rbegin(), control.rend(), [](const Row& r) { return r.saturated; });
-  const std::span<const Row> run = control.last(static_cast<std::size_t>(last_free - control.rbegin()));
+  const auto last_free =
+      std::find_if_not(control.rbegin(), control.rend(), [](const flight::Row& r) { return r.saturated; });
+  const std::span<const flight::Row> run = control.last(static_cast<std::size_t>(last_free - control.rbegin()));
   if (run.empty() || run.back().time_s - run.front().time_s < lasting_saturation_s) {
     return;
   }
   f.at_limit_since_s = run.front().time_s;
-  for (const Row& row : run) {
+  for (const flight::Row& row : run) {
     if (row.truth) {
       keep_larger(f.offset_at_limit_rad, row.truth->disturbance_rad);
-      f.offset_beyond_limit = flight.known.plan && std::abs(row.truth->disturbance_rad) > canard_limit_rad(flight.plan);
+      f.offset_beyond_limit =
+          flight.known.plan && std::abs(row.truth->disturbance_rad) > flight::canard_limit_rad(flight.plan);
     }
   }
 }
 
 }  // namespace
 
-Figures figures(const Flight& flight) {
+Figures figures(const flight::Flight& flight) {
   Figures f;
   if (flight.rows.empty()) {
     return f;
@@ -115,7 +119,7 @@ Figures figures(const Flight& flight) {
   if (!flight.tunnel && flight.events.apogee_s) {
     f.apogee_m = largest(flight, height_m);
   }
-  const std::span<const Row> control = under_control(flight);
+  const std::span<const flight::Row> control = under_control(flight);
   if (control.empty()) {
     return f;
   }

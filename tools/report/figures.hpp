@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "report/flight.hpp"
+#include "flight/flight.hpp"
 
 namespace fantail::report {
 
@@ -31,6 +31,6 @@ struct Figures {
   core::Phase final_phase = core::Phase::safe;
 };
 
-[[nodiscard]] Figures figures(const Flight& flight);
+[[nodiscard]] Figures figures(const flight::Flight& flight);
 
 }  // namespace fantail::report

@@ -10,10 +10,10 @@
 
 #include <fmt/core.h>
 
+#include "flight/phase_names.hpp"
 #include "page/page.hpp"
 #include "report/charts.hpp"
-#include "report/numbers.hpp"
-#include "report/words.hpp"
+#include "text/degrees.hpp"
 #include "text/number.hpp"
 
 namespace fantail::report {
@@ -22,7 +22,7 @@ namespace {
 using text::fixed;
 using Rows = std::vector<std::vector<page::Cell>>;
 
-std::string figure_list(const Flight& flight, const Figures& f) {
+std::string figure_list(const flight::Flight& flight, const Figures& f) {
   std::vector<page::Figure> list;
   const auto add = [&list](std::string label, const std::optional<double>& value, int decimals, std::string unit,
                            std::string remark = {}) {
@@ -35,16 +35,17 @@ std::string figure_list(const Flight& flight, const Figures& f) {
   add("Control starts", flight.events.control_start_s, 3, "s",
       f.control_start_height_m ? "at " + fixed(*f.control_start_height_m, 2) + " m" : "");
   add("Time under control", f.control_time_s, 2, "s");
-  add("Largest hold error", in_degrees(f.largest_hold_error_rad), 1, "deg",
-      f.mean_hold_error_rad ? "mean " + fixed(degrees(*f.mean_hold_error_rad), 2) + " deg" : "");
+  add("Largest hold error", text::in_degrees(f.largest_hold_error_rad), 1, "deg",
+      f.mean_hold_error_rad ? "mean " + fixed(text::degrees(*f.mean_hold_error_rad), 2) + " deg" : "");
   add("Saturated", f.saturated_fraction ? std::optional{100.0 * *f.saturated_fraction} : std::nullopt, 1, "%",
       "of control time");
-  add("Largest fin offset", in_degrees(f.largest_disturbance_rad), 1, "deg", "true u_d under control");
-  add("Authority margin", in_degrees(f.authority_margin_rad), 1, "deg",
-      flight.known.plan ? "limit " + text::brief(degrees(canard_limit_rad(flight.plan)), 1) + " deg" : "");
+  add("Largest fin offset", text::in_degrees(f.largest_disturbance_rad), 1, "deg", "true u_d under control");
+  add("Authority margin", text::in_degrees(f.authority_margin_rad), 1, "deg",
+      flight.known.plan ? "limit " + text::brief(text::degrees(flight::canard_limit_rad(flight.plan)), 1) + " deg"
+                        : "");
   add("Net roll", f.roll_turns, 2, "turns", "under control");
   if (flight.known.phase) {
-    list.push_back({"Final phase", std::string{words(f.final_phase)}, "", ""});
+    list.push_back({"Final phase", std::string{flight::words(f.final_phase)}, "", ""});
   }
   std::string html = page::figure_row(list);
   if (f.largest_hold_error_rad) {
@@ -66,7 +67,7 @@ std::string table(std::string what, std::string meaning, const Rows& rows) {
   return page::table(columns, rows);
 }
 
-std::string event_table(const Flight& flight) {
+std::string event_table(const flight::Flight& flight) {
   std::vector<double> times_s;
   Rows rows;  // by time; of two at the same instant the one added first
   const auto add = [&](const std::optional<double>& time_s, std::string_view event, std::string_view meaning) {
@@ -76,7 +77,7 @@ std::string event_table(const Flight& flight) {
       times_s.insert(place, *time_s);
     }
   };
-  const Events& e = flight.events;
+  const flight::Events& e = flight.events;
   add(e.liftoff_s, "Lift-off",
       flight.seed ? "first net upward acceleration" : "where the specific force left the pad's 1 g");
   add(e.detected_s, "Launch detected", "roll angle is zero here");
@@ -92,28 +93,28 @@ std::string event_table(const Flight& flight) {
   return table("Event", "", rows);
 }
 
-std::string phase_table(const Flight& flight) {
+std::string phase_table(const flight::Flight& flight) {
   if (!flight.known.phase || flight.phase_changes.empty()) {
     return page::paragraph(flight.known.phase ? "Safe throughout." : "The log does not tell.");
   }
   Rows rows;
-  for (const PhaseChange& change : flight.phase_changes) {
-    rows.push_back(row(change.time_s, words(change.phase), change.reason ? words(*change.reason) : ""));
+  for (const flight::PhaseChange& change : flight.phase_changes) {
+    rows.push_back(row(change.time_s, flight::words(change.phase), change.reason ? flight::words(*change.reason) : ""));
   }
   return table("Phase", "Because", rows);
 }
 
-std::string canard_table(const Flight& flight) {
+std::string canard_table(const flight::Flight& flight) {
   Rows rows;
-  for (const CanardVerdictChange& change : flight.canard_verdict_changes) {
+  for (const flight::CanardVerdictChange& change : flight.canard_verdict_changes) {
     rows.push_back(row(change.time_s, std::to_string(change.canard + 1), core::name(change.verdict)));
   }
   return rows.empty() ? "" : table("Canard", "Monitor says", rows);
 }
 
-std::string about_section(const Flight& flight) {
+std::string about_section(const flight::Flight& flight) {
   std::vector<std::string> all = flight.notes;
-  if (const std::string imposed = imposed_roll_words(flight); !imposed.empty()) {
+  if (const std::string imposed = flight::imposed_roll_words(flight); !imposed.empty()) {
     all.insert(all.begin(), "Imposed: " + imposed);
   }
   if (!flight.seed && flight.notes.empty()) {
@@ -137,7 +138,7 @@ page::Tone tone(Outcome outcome) {
 
 }  // namespace
 
-std::string html(const Flight& flight, const Figures& figures, const Verdict& verdict) {
+std::string html(const flight::Flight& flight, const Figures& figures, const Verdict& verdict) {
   page::Page page{.kind = "Fantail flight report",
                   .title = flight.scenario,
                   .facts = {{"Vehicle", flight.vehicle},
@@ -152,7 +153,7 @@ std::string html(const Flight& flight, const Figures& figures, const Verdict& ve
                       "leave out most samples but no peak. Plots drawn with uPlot (MIT licence, in the source of "
                       "this page).",
                   .live = charts(flight)};
-  if (const std::string imposed = imposed_roll_words(flight); !imposed.empty()) {
+  if (const std::string imposed = flight::imposed_roll_words(flight); !imposed.empty()) {
     page.findings = {{"", imposed}};
   }
   const std::array<std::string, 2> columns{page::section("Events", event_table(flight)),

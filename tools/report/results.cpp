@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "report/csv.hpp"
+#include "flight/write_csv.hpp"
 #include "report/html.hpp"
 #include "report/output_folder.hpp"
 #include "report/summary_json.hpp"
@@ -22,7 +22,7 @@ std::string text(std::span<const std::byte> bytes) {
 
 }  // namespace
 
-Results results(const Flight& flight) {
+Results results(const flight::Flight& flight) {
   Results r;
   r.figures = figures(flight);
   r.verdict = verdict(flight, r.figures);
@@ -30,7 +30,7 @@ Results results(const Flight& flight) {
   return r;
 }
 
-void write_results(const Flight& flight, const Results& results, const std::filesystem::path& folder) {
+void write_results(const flight::Flight& flight, const Results& results, const std::filesystem::path& folder) {
   std::vector<NamedFile> files{{"flight.csv", csv(flight)},
                                {"summary.json", results.summary},
                                {"report.html", html(flight, results.figures, results.verdict)}};
@@ -43,7 +43,7 @@ void write_results(const Flight& flight, const Results& results, const std::file
     }
   };
   add("flight.ftl", !flight.log.empty(), [&] { return text(flight.log); });
-  add("tunnel.csv", !flight.tunnel_readings.empty(), [&] { return tunnel_csv(flight); });
+  add("tunnel.csv", !flight.tunnel_readings.empty(), [&] { return flight::tunnel_csv(flight); });
   OutputFolder{folder}.write(files, of_others);
 }
 

@@ -3,8 +3,8 @@
 
 #include <filesystem>
 
+#include "flight/flight.hpp"
 #include "report/figures.hpp"
-#include "report/flight.hpp"
 #include "report/verdict.hpp"
 
 namespace fantail::report {
@@ -16,11 +16,11 @@ struct Results {
   std::string summary;
 };
 
-[[nodiscard]] Results results(const Flight& flight);
+[[nodiscard]] Results results(const flight::Flight& flight);
 
 /// Writes flight.csv, summary.json, report.html, flight.ftl when something was recorded and, of a run in a tunnel,
 /// tunnel.csv into a folder, all or none; see OutputFolder. What an earlier run left there under one of these names
 /// does not stay. Throws OutputError.
-void write_results(const Flight& flight, const Results& results, const std::filesystem::path& folder);
+void write_results(const flight::Flight& flight, const Results& results, const std::filesystem::path& folder);
 
 }  // namespace fantail::report

@@ -2,8 +2,8 @@
 #include "report/summary_json.hpp"
 
 #include "json/value.hpp"
-#include "report/numbers.hpp"
 #include "report/sha256.hpp"
+#include "text/degrees.hpp"
 
 namespace fantail::report {
 namespace {
@@ -12,9 +12,9 @@ using Json = json::Value;
 using json::rounded;
 using json::text_or_null;
 
-Json angle(const std::optional<double>& radians) { return radians ? rounded(degrees(*radians)) : Json{}; }
+Json angle(const std::optional<double>& radians) { return radians ? rounded(text::degrees(*radians)) : Json{}; }
 
-Json events(const Events& e) {
+Json events(const flight::Events& e) {
   return {{"liftoff_s", rounded(e.liftoff_s)},
           {"detected_s", rounded(e.detected_s)},
           {"guide_clear_s", rounded(e.guide_clear_s)},
@@ -24,9 +24,9 @@ Json events(const Events& e) {
           {"apogee_s", rounded(e.apogee_s)}};
 }
 
-Json phase_changes(const Flight& flight) {
+Json phase_changes(const flight::Flight& flight) {
   Json all = Json::array();
-  for (const PhaseChange& change : flight.phase_changes) {
+  for (const flight::PhaseChange& change : flight.phase_changes) {
     all.push_back({{"time_s", rounded(change.time_s)},
                    {"phase", core::name(change.phase)},
                    {"reason", change.reason ? Json(core::name(*change.reason)) : Json{}}});
@@ -34,27 +34,27 @@ Json phase_changes(const Flight& flight) {
   return all;
 }
 
-Json canard_verdicts(const Flight& flight) {
+Json canard_verdicts(const flight::Flight& flight) {
   Json all = Json::array();
-  for (const CanardVerdictChange& change : flight.canard_verdict_changes) {
+  for (const flight::CanardVerdictChange& change : flight.canard_verdict_changes) {
     all.push_back(
         {{"time_s", rounded(change.time_s)}, {"canard", change.canard + 1}, {"verdict", core::name(change.verdict)}});
   }
   return all;
 }
 
-Json imposed_roll(const Flight& flight) {
+Json imposed_roll(const flight::Flight& flight) {
   if (!flight.imposed_roll) {
     return {};
   }
   return {{"time_s", rounded(flight.imposed_roll->time_s)},
-          {"angle_deg", rounded(degrees(flight.imposed_roll->angle_rad))},
-          {"rate_deg_s", rounded(degrees(flight.imposed_roll->rate_rad_s))}};
+          {"angle_deg", rounded(text::degrees(flight.imposed_roll->angle_rad))},
+          {"rate_deg_s", rounded(text::degrees(flight.imposed_roll->rate_rad_s))}};
 }
 
 }  // namespace
 
-std::string summary_json(const Flight& flight, const Figures& figures, const Verdict& verdict) {
+std::string summary_json(const flight::Flight& flight, const Figures& figures, const Verdict& verdict) {
   const Json summary = {{"scenario", flight.scenario},
                         {"vehicle", text_or_null(flight.vehicle)},
                         {"plan", text_or_null(flight.plan_name)},

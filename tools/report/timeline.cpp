@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "report/numbers.hpp"
+#include "text/degrees.hpp"
 #include "text/number.hpp"
 
 namespace fantail::report {
@@ -13,17 +13,17 @@ namespace {
 // More labelled steps than this would hide each other.
 constexpr std::size_t most_step_labels = 3;
 
-std::vector<EventMark> reference_steps(const Flight& flight) {
+std::vector<EventMark> reference_steps(const flight::Flight& flight) {
   std::vector<EventMark> steps;
-  const Row* before = nullptr;
-  for (const Row& row : flight.rows) {
+  const flight::Row* before = nullptr;
+  for (const flight::Row& row : flight.rows) {
     if (row.phase != core::Phase::controlling || !std::isfinite(row.reference_rad)) {
       continue;
     }
     if (before != nullptr && row.reference_rad != before->reference_rad) {
       const std::string sign = row.reference_rad > 0.0 ? "+" : "";
-      steps.push_back(
-          {row.time_s, "step to " + sign + text::with_minus(text::brief(degrees(row.reference_rad), 1)) + "\u00b0"});
+      steps.push_back({row.time_s, "step to " + sign +
+                                       text::with_minus(text::brief(text::degrees(row.reference_rad), 1)) + "\u00b0"});
     }
     before = &row;
   }
@@ -38,9 +38,9 @@ std::vector<EventMark> reference_steps(const Flight& flight) {
 
 }  // namespace
 
-std::vector<PhaseBand> phase_bands(const Flight& flight) {
+std::vector<PhaseBand> phase_bands(const flight::Flight& flight) {
   std::vector<PhaseBand> bands;
-  for (const Row& row : flight.rows) {
+  for (const flight::Row& row : flight.rows) {
     if (bands.empty() || bands.back().phase != row.phase) {
       if (!bands.empty()) {
         bands.back().end_s = row.time_s;
@@ -52,9 +52,9 @@ std::vector<PhaseBand> phase_bands(const Flight& flight) {
   return bands;
 }
 
-std::vector<EventMark> event_marks(const Flight& flight) {
+std::vector<EventMark> event_marks(const flight::Flight& flight) {
   std::vector<EventMark> marks = reference_steps(flight);  // by time, and kept so
-  const Events& e = flight.events;
+  const flight::Events& e = flight.events;
   const auto mark = [&marks](const std::optional<double>& time_s, const char* label) {
     if (time_s) {
       marks.insert(std::ranges::upper_bound(marks, *time_s, {}, &EventMark::time_s), {*time_s, label});
@@ -72,12 +72,12 @@ std::vector<EventMark> event_marks(const Flight& flight) {
   return marks;
 }
 
-Window plot_window(const Flight& flight) {
+Window plot_window(const flight::Flight& flight) {
   if (flight.rows.empty()) {
     return {};
   }
   Window window{flight.rows.front().time_s, flight.rows.back().time_s};
-  const Events& e = flight.events;
+  const flight::Events& e = flight.events;
   if (const auto start = e.liftoff_s ? e.liftoff_s : e.control_start_s) {
     window.begin_s = std::max(window.begin_s, *start - 1.0);
   }
@@ -88,9 +88,9 @@ Window plot_window(const Flight& flight) {
   return window;
 }
 
-std::span<const Row> rows_between(const Flight& flight, double begin_s, double end_s) {
-  const auto first = std::ranges::lower_bound(flight.rows, begin_s, {}, &Row::time_s);
-  const auto last = std::ranges::upper_bound(first, flight.rows.end(), end_s, {}, &Row::time_s);
+std::span<const flight::Row> rows_between(const flight::Flight& flight, double begin_s, double end_s) {
+  const auto first = std::ranges::lower_bound(flight.rows, begin_s, {}, &flight::Row::time_s);
+  const auto last = std::ranges::upper_bound(first, flight.rows.end(), end_s, {}, &flight::Row::time_s);
   return {first, last};
 }
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "report/flight.hpp"
+#include "flight/flight.hpp"
 
 namespace fantail::report {
 
@@ -23,10 +23,10 @@ struct EventMark {
   std::string label;
 };
 
-[[nodiscard]] std::vector<PhaseBand> phase_bands(const Flight& flight);
+[[nodiscard]] std::vector<PhaseBand> phase_bands(const flight::Flight& flight);
 
 /// In order of time.
-[[nodiscard]] std::vector<EventMark> event_marks(const Flight& flight);
+[[nodiscard]] std::vector<EventMark> event_marks(const flight::Flight& flight);
 
 /// What the plots show at first: from a second before lift-off or control start to half a second after control and
 /// apogee, so that neither minutes on the pad nor a tumbling descent squeeze the flight. flight.csv has everything.
@@ -34,9 +34,9 @@ struct Window {
   double begin_s = 0.0;
   double end_s = 0.0;
 };
-[[nodiscard]] Window plot_window(const Flight& flight);
+[[nodiscard]] Window plot_window(const flight::Flight& flight);
 
 /// The rows from a time up to and including another.
-[[nodiscard]] std::span<const Row> rows_between(const Flight& flight, double begin_s, double end_s);
+[[nodiscard]] std::span<const flight::Row> rows_between(const flight::Flight& flight, double begin_s, double end_s);
 
 }  // namespace fantail::report

@@ -6,19 +6,19 @@
 
 #include <fmt/format.h>
 
-#include "report/numbers.hpp"
-#include "report/words.hpp"
+#include "flight/phase_names.hpp"
+#include "text/degrees.hpp"
 #include "text/number.hpp"
 
 namespace fantail::report {
 namespace {
 
 // Further from its settle point than this, a roll angle is not what anybody would call held.
-constexpr double held_error_rad = radians(10.0);
+constexpr double held_error_rad = text::radians(10.0);
 
-std::string degrees_text(double radians) { return fmt::format("{} deg", text::fixed(degrees(radians), 1)); }
+std::string degrees_text(double radians) { return fmt::format("{} deg", text::fixed(text::degrees(radians), 1)); }
 std::string signed_limit(double radians) {
-  return fmt::format("{}{} deg", radians > 0.0 ? "+" : "", text::brief(degrees(radians), 1));
+  return fmt::format("{}{} deg", radians > 0.0 ? "+" : "", text::brief(text::degrees(radians), 1));
 }
 
 std::string sentence(std::string clause) {
@@ -28,11 +28,11 @@ std::string sentence(std::string clause) {
   return clause + ".";
 }
 
-std::string why_no_control(const Flight& flight) {
+std::string why_no_control(const flight::Flight& flight) {
   if (flight.phase_changes.empty()) {
     return "the rocket was never armed";
   }
-  const PhaseChange& last = flight.phase_changes.back();
+  const flight::PhaseChange& last = flight.phase_changes.back();
   if (!last.reason) {
     return "the log holds no time of it";
   }
@@ -45,7 +45,7 @@ std::string why_no_control(const Flight& flight) {
     case core::PhaseReason::guide_not_cleared_in_time:
       return fmt::format("what looked like a launch did not clear the guide within {} s (at {})",
                          text::brief(static_cast<double>(core::seconds(flight.plan.guide.clearance_time)), 2), when);
-    default: return fmt::format("{} (at {})", words(*last.reason), when);
+    default: return fmt::format("{} (at {})", flight::words(*last.reason), when);
   }
 }
 
@@ -64,7 +64,7 @@ std::string at_limit(const Figures& f) {
                      text::fixed(*f.at_limit_since_s, 2));
 }
 
-std::string why_not_judged(const Flight& flight, const Figures& f) {
+std::string why_not_judged(const flight::Flight& flight, const Figures& f) {
   if (!flight.known.plan) {
     return "the plan, and with it where roll should settle, is unknown";
   }
@@ -79,7 +79,7 @@ std::string why_not_judged(const Flight& flight, const Figures& f) {
                                  : "the reference never stood still for long enough";
 }
 
-Verdict judge_control(const Flight& flight, const Figures& f) {
+Verdict judge_control(const flight::Flight& flight, const Figures& f) {
   const std::string rest = saturation_and_margin(f);
   if (f.at_limit_since_s && f.offset_beyond_limit) {
     const std::string cause = fmt::format("{}: the fin offset of {} is more than they can balance; roll not held",
@@ -98,24 +98,24 @@ Verdict judge_control(const Flight& flight, const Figures& f) {
           sentence(fmt::format("roll not judged: {}; {}", why_not_judged(flight, f), rest)) + ended_at_limit};
 }
 
-std::string early_end(const Flight& flight) {
+std::string early_end(const flight::Flight& flight) {
   if (flight.phase_changes.empty() || flight.phase_changes.back().phase != core::Phase::finished) {
     return {};
   }
-  const PhaseChange& end = flight.phase_changes.back();
+  const flight::PhaseChange& end = flight.phase_changes.back();
   if (!end.reason) {
     return {};
   }
   if (end.reason == core::PhaseReason::apogee || end.reason == core::PhaseReason::control_time_over) {
     return {};
   }
-  return fmt::format(" Control ended at {} s: {}.", text::fixed(end.time_s, 2), words(*end.reason));
+  return fmt::format(" Control ended at {} s: {}.", text::fixed(end.time_s, 2), flight::words(*end.reason));
 }
 
-std::string canard_faults(const Flight& flight) {
+std::string canard_faults(const flight::Flight& flight) {
   std::string text;
   std::array<bool, core::canard_count> named{};
-  for (const CanardVerdictChange& change : flight.canard_verdict_changes) {
+  for (const flight::CanardVerdictChange& change : flight.canard_verdict_changes) {
     if (change.verdict != core::CanardVerdict::healthy && !named[change.canard]) {
       named[change.canard] = true;
       text += fmt::format(" Canard {} {} from {} s.", change.canard + 1, core::name(change.verdict),
@@ -127,7 +127,7 @@ std::string canard_faults(const Flight& flight) {
 
 }  // namespace
 
-Verdict verdict(const Flight& flight, const Figures& figures) {
+Verdict verdict(const flight::Flight& flight, const Figures& figures) {
   if (!flight.known.phase) {
     return {Outcome::not_judged, "Roll not judged: the log does not tell when it was under control."};
   }

@@ -5,8 +5,8 @@
 #include <string>
 #include <string_view>
 
+#include "flight/flight.hpp"
 #include "report/figures.hpp"
-#include "report/flight.hpp"
 
 namespace fantail::report {
 
@@ -22,7 +22,7 @@ struct Verdict {
   std::string text;  ///< one to four plain sentences
 };
 
-[[nodiscard]] Verdict verdict(const Flight& flight, const Figures& figures);
+[[nodiscard]] Verdict verdict(const flight::Flight& flight, const Figures& figures);
 
 [[nodiscard]] std::string_view name(Outcome outcome);   ///< for files: "held"
 [[nodiscard]] std::string_view words(Outcome outcome);  ///< for readers: "Held"

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "json/value.hpp"
-#include "report/numbers.hpp"
+#include "text/degrees.hpp"
 
 namespace fantail::tunnel {
 
@@ -13,6 +13,6 @@ using Json = json::Value;
 /// Eight significant decimals behind the point: turbulence in m/s has four zeros of its own.
 inline double rounded(double value) { return json::rounded(value, 8); }
 inline std::optional<double> rounded(const std::optional<double>& value) { return json::rounded(value, 8); }
-inline double angle(double radians) { return rounded(report::degrees(radians)); }
+inline double angle(double radians) { return rounded(text::degrees(radians)); }
 
 }  // namespace fantail::tunnel

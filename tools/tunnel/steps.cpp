@@ -7,7 +7,7 @@
 
 #include <fmt/core.h>
 
-#include "report/numbers.hpp"
+#include "text/degrees.hpp"
 #include "text/error.hpp"
 #include "tunnel/statistics.hpp"
 #include "tunnel/steady.hpp"
@@ -15,7 +15,7 @@
 namespace fantail::tunnel {
 namespace {
 
-using report::degrees;
+using text::degrees;
 
 bool wanted(const ReferenceStep& step, Direction direction) {
   return direction == Direction::both || (direction == Direction::up) == (step.to_rad > step.from_rad);

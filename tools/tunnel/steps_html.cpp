@@ -6,7 +6,7 @@
 
 #include "page/chart.hpp"
 #include "page/page.hpp"
-#include "report/numbers.hpp"
+#include "text/degrees.hpp"
 #include "text/number.hpp"
 #include "tunnel/steps_report.hpp"
 
@@ -16,7 +16,7 @@ namespace {
 using page::Chart;
 using page::Mark;
 using page::Role;
-using report::degrees;
+using text::degrees;
 using text::fixed;
 
 constexpr double half_page = 428.0;

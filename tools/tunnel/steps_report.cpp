@@ -3,13 +3,13 @@
 
 #include <fmt/core.h>
 
-#include "report/numbers.hpp"
+#include "text/degrees.hpp"
 #include "tunnel/json.hpp"
 
 namespace fantail::tunnel {
 namespace {
 
-using report::degrees;
+using text::degrees;
 
 const char* name(identify::result::Method method) {
   return method == identify::result::Method::grid ? "grid" : "continuous";

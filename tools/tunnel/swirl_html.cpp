@@ -5,7 +5,7 @@
 #include <fmt/core.h>
 
 #include "page/page.hpp"
-#include "report/numbers.hpp"
+#include "text/degrees.hpp"
 #include "text/number.hpp"
 #include "tunnel/swirl_report.hpp"
 
@@ -17,9 +17,9 @@ using page::Chart;
 using page::Mark;
 using page::Role;
 using page::Series;
-using report::degrees;
-using report::in_degrees;
+using text::degrees;
 using text::fixed;
+using text::in_degrees;
 
 constexpr const char* without_name = "without straightener";
 constexpr const char* with_name = "with straightener";

@@ -3,13 +3,13 @@
 
 #include <fmt/core.h>
 
-#include "report/numbers.hpp"
+#include "text/degrees.hpp"
 #include "tunnel/json.hpp"
 
 namespace fantail::tunnel {
 namespace {
 
-using report::degrees;
+using text::degrees;
 
 Json session(const RollSession& session, const std::vector<OffsetPoint>& points) {
   Json all = Json::array();

@@ -7,7 +7,7 @@
 
 #include <fmt/core.h>
 
-#include "logs/table.hpp"
+#include "flight/table.hpp"
 #include "text/error.hpp"
 
 namespace fantail::tunnel {
@@ -18,7 +18,7 @@ using text::ErrorKind;
 
 constexpr std::array<std::string_view, 3> column_names{"time_s", "fan_rpm", "wind_speed_m_s"};
 
-std::array<std::size_t, 3> find_columns(const logs::Table& table, const logs::ColumnNames& columns) {
+std::array<std::size_t, 3> find_columns(const flight::Table& table, const flight::ColumnNames& columns) {
   for (const auto& [ours, theirs] : columns) {
     if (std::ranges::find(column_names, ours) == column_names.end()) {
       throw Error{ErrorKind::bad_configuration,
@@ -38,7 +38,7 @@ void refuse(const std::string& message) { throw Error{ErrorKind::bad_data, messa
 
 }  // namespace
 
-TunnelLog read_tunnel_log(const std::filesystem::path& path, const logs::ColumnNames& columns) {
+TunnelLog read_tunnel_log(const std::filesystem::path& path, const flight::ColumnNames& columns) {
   std::error_code ignored;
   std::filesystem::path file = path;
   if (std::filesystem::is_directory(path, ignored)) {
@@ -47,7 +47,7 @@ TunnelLog read_tunnel_log(const std::filesystem::path& path, const logs::ColumnN
       throw Error{ErrorKind::no_such_input, path.string() + ": this folder holds no tunnel.csv"};
     }
   }
-  const logs::Table table = logs::Table::load(file.string());
+  const flight::Table table = flight::Table::load(file.string());
   const auto [time, fan, wind] = find_columns(table, columns);
   TunnelLog log{.name = path.string()};
   for (std::size_t row = 0; row < table.rows(); ++row) {

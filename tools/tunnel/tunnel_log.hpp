@@ -24,7 +24,7 @@ struct TunnelLog {
 /// says what the file calls them where it has other names. Throws text::Error: no_such_input; bad_data for a
 /// missing column, time that does not increase, a negative set point, more than 1 % of rows without a number, fewer
 /// than two rows.
-[[nodiscard]] TunnelLog read_tunnel_log(const std::filesystem::path& path, const logs::ColumnNames& columns);
+[[nodiscard]] TunnelLog read_tunnel_log(const std::filesystem::path& path, const flight::ColumnNames& columns);
 
 /// The tunnel.csv that lies in a flight folder, or beside a CSV file. Empty when there is none.
 [[nodiscard]] std::optional<std::filesystem::path> tunnel_log_beside(const std::filesystem::path& log);

@@ -8,7 +8,7 @@
 #include <fmt/core.h>
 
 #include "identify/result/words.hpp"
-#include "report/numbers.hpp"
+#include "text/degrees.hpp"
 
 namespace fantail::identify::result {
 namespace {
@@ -17,7 +17,7 @@ using namespace model;
 using page::Chart;
 using page::Role;
 using page::Series;
-using report::degrees;
+using text::degrees;
 
 constexpr double half_width = 428.0;
 

@@ -8,15 +8,15 @@
 #include "identify/result/outputs.hpp"
 #include "identify/result/words.hpp"
 #include "json/value.hpp"
-#include "report/numbers.hpp"
 #include "report/output_folder.hpp"
+#include "text/degrees.hpp"
 
 namespace fantail::identify::result {
 namespace {
 
 using namespace model;
 using Json = json::Value;
-using report::degrees;
+using text::degrees;
 
 // Eight digits: more than any of these numbers is known to, and no ...0000001. What is no number becomes null.
 double rounded(double value) {

@@ -10,14 +10,14 @@
 #include "identify/result/residual.hpp"
 #include "identify/result/words.hpp"
 #include "page/page.hpp"
-#include "report/numbers.hpp"
+#include "text/degrees.hpp"
 #include "text/number.hpp"
 
 namespace fantail::identify::result {
 namespace {
 
 using namespace model;
-using report::degrees;
+using text::degrees;
 
 std::string figures(const WindowFindings& window) {
   const Identification& result = main_result(window);

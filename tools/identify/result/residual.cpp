@@ -11,7 +11,7 @@
 #include <fmt/core.h>
 
 #include "identify/model/least_squares.hpp"
-#include "report/numbers.hpp"
+#include "text/degrees.hpp"
 #include "text/number.hpp"
 
 namespace fantail::identify::result {
@@ -197,7 +197,7 @@ std::optional<std::string> misfit(const Record& record, const Identification& re
       "The model does not follow this log all the way: what it leaves of the rate, {} deg/s, is motion and not noise. "
       "The "
       "intervals do not cover that. More nodes, another window or {} may help.",
-      text::brief(report::degrees(strength), 2), result.loop == Loop::open ? "--fit-lag" : "--servo-lag");
+      text::brief(text::degrees(strength), 2), result.loop == Loop::open ? "--fit-lag" : "--servo-lag");
 }
 
 }  // namespace fantail::identify::result

@@ -5,7 +5,7 @@
 
 #include "identify/result/outputs.hpp"
 #include "identify/result/words.hpp"
-#include "report/numbers.hpp"
+#include "text/degrees.hpp"
 #include "text/number.hpp"
 
 namespace fantail::identify::result {
@@ -72,10 +72,9 @@ class Text {
       row(window, "  " + node_label(window, k), [&](const Identification& r) { return node_value(window, r, k); });
     }
     row(window, "mean angle error / deg",
-        [](const Identification& r) { return text::fixed(report::degrees(r.simulation.mean_abs_angle_error_rad), 3); });
-    row(window, "mean rate error / deg/s", [](const Identification& r) {
-      return text::fixed(report::degrees(r.simulation.mean_abs_rate_error_rad_s), 2);
-    });
+        [](const Identification& r) { return text::fixed(text::degrees(r.simulation.mean_abs_angle_error_rad), 3); });
+    row(window, "mean rate error / deg/s",
+        [](const Identification& r) { return text::fixed(text::degrees(r.simulation.mean_abs_rate_error_rad_s), 2); });
     for (const Identification& result : window.results) {
       node_curve(result);
     }
@@ -93,7 +92,7 @@ class Text {
     }
     line("  intervals of the disturbance, and the mean angle error ({}):", name(result.method));
     for (const NodeTrial& trial : result.node_trials) {
-      line("    {}  {} deg{}", trial.intervals, text::fixed(report::degrees(trial.mean_abs_angle_error_rad), 3),
+      line("    {}  {} deg{}", trial.intervals, text::fixed(text::degrees(trial.mean_abs_angle_error_rad), 3),
            trial.intervals + 1 == result.model.node_rad.size() ? "  chosen" : "");
     }
   }

@@ -9,14 +9,14 @@
 
 #include <fmt/core.h>
 
-#include "report/numbers.hpp"
+#include "text/degrees.hpp"
 #include "text/number.hpp"
 
 namespace fantail::identify::result {
 namespace {
 
 using namespace model;
-using report::degrees;
+using text::degrees;
 
 constexpr int most_decimals = 4;  // no sensor tells more
 
@@ -95,7 +95,7 @@ const Interval& interval_of(const Identification& result, std::size_t number) {
 std::string how_well(const Identification& result, std::size_t number) {
   constexpr double useful = 0.5;
   const bool angle = number >= 2;
-  const double scale = angle ? report::degrees(1.0) : 1.0;
+  const double scale = angle ? text::degrees(1.0) : 1.0;
   const std::string_view unit = angle ? "deg" : number == 0 ? "m2" : "m";
   const std::string who = subject(number, result.model);
   const double value = scale * result.model.numbers()[number];
@@ -131,7 +131,7 @@ std::string node_value(const WindowFindings& window, const Identification& resul
   if (node >= result.model.node_rad.size()) {
     return "";
   }
-  const std::string value = with_deviation(result, node + 2, report::degrees(1.0));
+  const std::string value = with_deviation(result, node + 2, text::degrees(1.0));
   return share_nodes(window) ? value : fmt::format("{} at {} s", value, text::brief(result.model.node_time_s[node], 2));
 }
 

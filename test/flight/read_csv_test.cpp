@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+#include "flight/read_csv.hpp"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "flight/write_csv.hpp"
+#include "logs/refused.hpp"
+#include "report/figures.hpp"
+#include "report/html.hpp"
+#include "report/verdict.hpp"
+#include "text/degrees.hpp"
+
+namespace fantail::flight {
+namespace {
+
+using test::expect_refused;
+using text::ErrorKind;
+
+constexpr Needs nothing{.roll_angle = false, .roll_rate = false};
+
+Flight read(const std::string& text) { return read_flight_csv(Table::parse(text, "log.csv"), {}, nothing); }
+
+TEST(FlightCsv, ColumnsBecomeRowsInRadiansAndPhasesTheEvents) {
+  const Flight flight = read(
+      "time_s,phase,roll_angle_deg,command_2_deg,true_roll_angle_deg\n"
+      "-0.1,armed,1,2,3\n0,launched,180,,90\n0.5,controlling,0,4,0\n9,finished,0,0,0\n");
+  ASSERT_EQ(flight.rows.size(), 4U);
+  EXPECT_NEAR(flight.rows[1].roll_angle_rad, 3.14159265358979, 1e-12);
+  EXPECT_NEAR(flight.rows[1].truth.value().roll_angle_rad, 1.570796326794897, 1e-12);
+  EXPECT_FALSE(flight.rows[1].commands_rad[1]);
+  EXPECT_NEAR(flight.rows[2].commands_rad[1].value(), text::radians(4.0), 1e-12);
+  EXPECT_EQ(flight.events.detected_s, 0.0);
+  EXPECT_EQ(flight.events.control_start_s, 0.5);
+  EXPECT_EQ(flight.events.control_end_s, 9.0);
+  ASSERT_EQ(flight.phase_changes.size(), 4U);
+  EXPECT_FALSE(flight.phase_changes[1].reason);
+}
+
+TEST(FlightCsv, WhatTheTableDoesNotHaveIsNotKnown) {
+  const Flight flight = read("time_s,roll_angle_deg\n0,1\n1,2\n");
+  EXPECT_FALSE(flight.known.plan);
+  EXPECT_FALSE(flight.known.phase);
+  EXPECT_FALSE(flight.known.saturation);
+  EXPECT_TRUE(std::isnan(flight.rows[0].speed_m_s));
+  EXPECT_FALSE(flight.rows[0].truth);
+  EXPECT_TRUE(flight.phase_changes.empty());
+  const report::Figures figures = report::figures(flight);
+  EXPECT_FALSE(figures.max_speed_m_s);
+  EXPECT_FALSE(figures.saturated_fraction);
+}
+
+TEST(FlightCsv, APageOfIsMadeWithoutInventingAnything) {
+  const Flight flight = read("time_s,roll_angle_deg\n0,1\n1,2\n");
+  const report::Figures figures = report::figures(flight);
+  const report::Verdict verdict = report::verdict(flight, figures);
+  EXPECT_EQ(verdict.outcome, report::Outcome::not_judged);
+  const std::string page = report::html(flight, figures, verdict);
+  for (const char* invented : {"Safe", "Final phase", "Saturated", "Top speed", "not a number", "seed"}) {
+    EXPECT_EQ(page.substr(0, page.find("<script")).find(invented), std::string::npos) << invented;
+  }
+  EXPECT_NE(page.find("\"title\":\"Roll angle\""), std::string::npos);
+  EXPECT_EQ(page.find("\"title\":\"Speed\""), std::string::npos);
+}
+
+TEST(FlightCsv, OfATableWithPhasesTheTimeUnderControlIsMeasured) {
+  const Flight flight = read(
+      "time_s,phase,roll_angle_deg,saturated\n0,armed,0,0\n1,controlling,0,1\n2,controlling,720,0\n3,finished,0,0\n");
+  const report::Figures figures = report::figures(flight);
+  EXPECT_NEAR(figures.control_time_s.value(), 1.0, 1e-12);
+  EXPECT_NEAR(figures.roll_turns.value(), 2.0, 1e-12);
+  EXPECT_NEAR(figures.saturated_fraction.value(), 0.5, 1e-12);
+  EXPECT_NE(report::verdict(flight, figures).text.find("the plan, and with it where roll should settle, is unknown"),
+            std::string::npos);
+}
+
+TEST(FlightCsv, ATableWithoutAFlightIsRefusedWithItsPlace) {
+  expect_refused(ErrorKind::bad_data, {"log.csv", "time_s"}, [] { (void)read("t,roll_angle_deg\n0,1\n"); });
+  expect_refused(ErrorKind::bad_data, {"log.csv: none of its columns", "roll_rate_deg_s"},
+                 [] { (void)read("time_s,a,b\n0,1,2\n"); });
+  expect_refused(ErrorKind::bad_data, {"log.csv:3: time_s is 0 after 1 in line 2: time goes back"},
+                 [] { (void)read("time_s,speed_m_s\n1,1\n0,1\n"); });
+  expect_refused(ErrorKind::bad_data, {"log.csv: no row behind the header"}, [] { (void)read("time_s,speed_m_s\n"); });
+}
+
+TEST(FlightCsv, WhatWasLeftOutOfATableIsANoteOfTheFlight) {
+  const Flight flight = read("time_s,phase,speed_m_s\n0,armed,1\n0,armed,1\n1,gliding,1\n");
+  ASSERT_EQ(flight.notes.size(), 2U);
+  EXPECT_EQ(flight.notes[0], "log.csv:4: \"gliding\" is no flight phase; the column is not used.");
+  EXPECT_EQ(flight.notes[1], "1 of 3 rows repeat the one before them; they are left out.");
+  EXPECT_FALSE(flight.known.phase);
+  EXPECT_TRUE(flight.phase_changes.empty());
+}
+
+TEST(FlightCsv, AnOptionIsAdvisedByTheNameThatTheVerbHasForItOrNotAtAll) {
+  const auto message = [](const std::string& options) {
+    try {
+      (void)read_flight_csv(Table::parse("t,speed_m_s\n0,1\n", "log.csv"), {.options = options}, nothing);
+    } catch (const text::Error& error) {
+      return std::string{error.what()};
+    }
+    return std::string{};
+  };
+  EXPECT_NE(message("--b-").find("; if it is called otherwise: --b-column time_s=NAME"), std::string::npos);
+  EXPECT_EQ(message("").find("--"), std::string::npos) << message("");
+}
+
+TEST(FlightCsv, AFlightThatWasWrittenComesBack) {
+  const std::string text =
+      "time_s,phase,roll_angle_deg,roll_rate_deg_s,reference_deg,excitation_deg,command_deg,saturated,command_1_deg,"
+      "command_2_deg,command_3_deg,command_4_deg,encoder_1_deg,encoder_2_deg,encoder_3_deg,encoder_4_deg,canard_deg,"
+      "specific_force_m_s2,height_m,speed_m_s\n"
+      "-0.001000,armed,0.100000,2.000000,0.000000,0.000000,0.000000,0,1.000000,,3.000000,4.000000,5.000000,6.000000,,"
+      "8.000000,,9.806650,1.000000,2.000000\n"
+      "0.000000,launched,0.100000,2.000000,0.000000,0.000000,0.000000,1,1.000000,,3.000000,4.000000,5.000000,6.000000,,"
+      "8.000000,7.000000,9.806650,1.000000,2.000000\n";
+  EXPECT_EQ(csv(read(text)), text);
+}
+
+}  // namespace
+}  // namespace fantail::flight

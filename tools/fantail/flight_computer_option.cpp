@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#include "fantail/flight_computer_option.hpp"
+
+#include <filesystem>
+#include <string_view>
+
+#include <fmt/core.h>
+
+#include "avionics/identity.hpp"
+#include "fantail/interrupt.hpp"
+#include "hil/emulator.hpp"
+#include "hil/serial_port.hpp"
+
+namespace fantail::tool {
+namespace {
+
+constexpr std::string_view serial = "serial:";
+
+std::string objection_to_place(const std::string& text) {
+  const bool device = text.starts_with(serial) && text.size() > serial.size();
+  return text == "host" || text == "emulator" || device
+             ? ""
+             : '"' + text + "\" is no place to fly; allowed: host, emulator, serial:DEVICE";
+}
+
+std::unique_ptr<hil::Wire> wire(const FlightComputerOptions& options) {
+  if (options.on.starts_with(serial)) {
+    return std::make_unique<hil::SerialPort>(options.on.substr(serial.size()));
+  }
+  hil::EmulatorOptions emulator;
+  emulator.image = options.image.empty() ? hil::built_image() : std::filesystem::path{options.image};
+  return std::make_unique<hil::Emulator>(emulator);
+}
+
+}  // namespace
+
+void add_flight_computer_options(const Verb& verb, FlightComputerOptions& options) {
+  verb.option("--on", options.on,
+              "Where the avionics runs: host (in this program), emulator (the ARM image on an emulated Cortex-M4), "
+              "serial:DEVICE (a board on a serial line) [host]")
+      .check(objection_to_place)
+      .value_name("PLACE");
+  verb.option("--image", options.image, "The image for the emulator [fantail-emulator.elf of the last build]")
+      .value_name("FILE");
+}
+
+FlightComputerOption::FlightComputerOption(const FlightComputerOptions& options) {
+  if (options.on == "host") {
+    return;
+  }
+  where_ = options.on == "emulator" ? "an emulated Cortex-M4" : "the board at " + options.on.substr(serial.size());
+  target_.emplace(wire(options), give_up_if_interrupted);
+}
+
+sim::MakeFlightComputer FlightComputerOption::maker() { return target_ ? target_->maker() : sim::simulated_board; }
+
+std::vector<std::string> FlightComputerOption::notes() const {
+  if (!target_) {
+    return {};
+  }
+  const hil::TargetIdentity& identity = target_->identity();
+  std::vector<std::string> notes{
+      fmt::format("Flown on {}: {} {}, {}.", where_, identity.image, identity.version, identity.git_hash)};
+  if (identity.git_hash != avionics::git_hash()) {
+    notes.push_back(
+        fmt::format("That image was built from other sources than this program, {}.", avionics::git_hash()));
+  }
+  if (const std::uint32_t overruns = target_->times().overruns; overruns != 0) {
+    notes.push_back(fmt::format("{} ticks took the flight computer longer than their millisecond.", overruns));
+  }
+  if (const std::uint32_t again = target_->link().asked_again(); again != 0) {
+    notes.push_back(fmt::format("{} messages were lost or damaged on the line, and sent again.", again));
+  }
+  return notes;
+}
+
+}  // namespace fantail::tool

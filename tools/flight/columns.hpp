@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+#include "flight/flight.hpp"
+
+namespace fantail::flight {
+
+/// A column of flight.csv that holds numbers, and its place in a row. Written and read by this one description.
+struct Column {
+  enum class Unit : std::uint8_t {
+    as_named,  ///< the file holds what the row holds: seconds, metres, ...
+    degrees,   ///< the row holds radians
+    flag,      ///< 0 or 1
+  };
+
+  std::string_view name;
+  Unit unit;
+  bool is_true;                     ///< of the true_ columns, which only a simulated flight has
+  double (*get)(const Row& row);    ///< not a number: unknown at this tick
+  void (*set)(Row& row, double v);  ///< a true_ column makes Row::truth, where what is not set is not a number
+};
+
+/// Word for word and in the order of the file. The column phase, which holds words, is the second of them: it stands
+/// behind time_s, which comes first here.
+[[nodiscard]] std::span<const Column> columns();
+inline constexpr std::string_view phase_column = "phase";
+
+/// A row of which nothing is known but what its type must hold.
+[[nodiscard]] Row unknown_row();
+
+}  // namespace fantail::flight

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+#include "flight/flight.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fantail::flight {
+namespace {
+
+std::optional<double> finite_angle(const std::optional<core::Angle>& angle) {
+  if (!angle || !std::isfinite(angle->radians())) {
+    return std::nullopt;
+  }
+  return static_cast<double>(angle->radians());
+}
+
+void note_phase(Flight& flight, const core::TickRecord& record, double time_s) {
+  const core::Phase before = flight.phase_changes.empty() ? core::Phase::safe : flight.phase_changes.back().phase;
+  if (record.phase == before) {
+    return;
+  }
+  flight.phase_changes.push_back({time_s, record.phase, record.reason});
+  if (auto* event = event_of(flight.events, record.phase)) {
+    *event = time_s;
+  }
+}
+
+void note_canards(Flight& flight, const core::TickRecord& record, double time_s) {
+  for (std::size_t i = 0; i < core::canard_count; ++i) {
+    auto& changes = flight.canard_verdict_changes;
+    const auto last = std::find_if(changes.rbegin(), changes.rend(), [i](const auto& c) { return c.canard == i; });
+    const core::CanardVerdict before = last == changes.rend() ? core::CanardVerdict::healthy : last->verdict;
+    if (record.verdicts[i] != before) {
+      changes.push_back({time_s, i, record.verdicts[i]});
+    }
+  }
+}
+
+}  // namespace
+
+std::optional<double>* event_of(Events& events, core::Phase phase) {
+  switch (phase) {
+    case core::Phase::launched: return &events.detected_s;
+    case core::Phase::controlling: return &events.control_start_s;
+    case core::Phase::finished: return &events.control_end_s;
+    case core::Phase::safe:
+    case core::Phase::armed: break;
+  }
+  return nullptr;
+}
+
+Row row(const core::TickRecord& record, double time_s) {
+  Row r;
+  r.time_s = time_s;
+  r.phase = record.phase;
+  r.roll_angle_rad = static_cast<double>(record.motion.roll_angle.radians());
+  r.roll_rate_rad_s = static_cast<double>(record.motion.roll_rate_rad_s);
+  r.reference_rad = static_cast<double>(record.reference.radians());
+  r.excitation_rad = static_cast<double>(record.excitation.radians());
+  r.command_rad = static_cast<double>(record.command.radians());
+  r.saturated = record.saturated;
+  for (std::size_t i = 0; i < core::canard_count; ++i) {
+    if (record.canards[i].driven) {
+      r.commands_rad[i] = static_cast<double>(record.canards[i].angle.radians());
+    }
+    r.encoders_rad[i] = finite_angle(record.encoders[i]);
+  }
+  r.canard_rad = finite_angle(record.canard_angle);
+  r.specific_force_m_s2 = static_cast<double>(record.motion.specific_force_m_s2.x);
+  r.height_m = static_cast<double>(record.motion.height_m);
+  r.speed_m_s = static_cast<double>(record.motion.speed_m_s);
+  return r;
+}
+
+void note_tick(Flight& flight, const core::TickRecord& record, double time_s) {
+  note_phase(flight, record, time_s);
+  note_canards(flight, record, time_s);
+}
+
+void add_tick(Flight& flight, const core::TickRecord& record, double time_s, const std::optional<Truth>& truth) {
+  note_tick(flight, record, time_s);
+  flight.rows.push_back(row(record, time_s));
+  flight.rows.back().truth = truth;
+}
+
+void set_time_zero(Flight& flight, double zero_s) {
+  const auto move = [zero_s](double& time_s) { time_s = std::round((time_s - zero_s) * 1e6) / 1e6; };
+  Events& e = flight.events;
+  for (std::optional<double>* event : {&e.liftoff_s, &e.detected_s, &e.guide_clear_s, &e.control_start_s,
+                                       &e.control_end_s, &e.burnout_s, &e.apogee_s}) {
+    if (*event) {
+      move(**event);
+    }
+  }
+  if (flight.imposed_roll) {
+    move(flight.imposed_roll->time_s);
+  }
+  std::ranges::for_each(flight.phase_changes, [&](auto& change) { move(change.time_s); });
+  std::ranges::for_each(flight.canard_verdict_changes, [&](auto& change) { move(change.time_s); });
+  std::ranges::for_each(flight.rows, [&](auto& r) { move(r.time_s); });
+  std::ranges::for_each(flight.tunnel_readings, [&](auto& reading) { move(reading.time_s); });
+}
+
+double canard_limit_rad(const core::FlightPlan& plan) {
+  return static_cast<double>(std::min(plan.controller.canard_limit, core::hard_canard_limit).radians());
+}
+
+std::optional<double> settle_point_rad(const Row& row, const core::FlightPlan& plan) {
+  const auto gain = static_cast<double>(plan.controller.proportional_gain);
+  if (!row.truth || gain == 0.0) {
+    return std::nullopt;
+  }
+  const double point_rad = row.reference_rad + row.truth->disturbance_rad / gain;
+  return std::isfinite(point_rad) ? std::optional{point_rad} : std::nullopt;
+}
+
+std::optional<double> settle_point_rad(const Row& row, const Flight& flight) {
+  return flight.known.plan ? settle_point_rad(row, flight.plan) : std::nullopt;
+}
+
+}  // namespace fantail::flight

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/flight_plan.hpp"
+#include "core/tick_record.hpp"
+
+namespace fantail::flight {
+
+/// What only a simulator knows.
+struct Truth {
+  double roll_angle_rad = 0.0;
+  double roll_rate_rad_s = 0.0;
+  double canard_rad = 0.0;  ///< mean of the four, as the air sees them
+  double height_m = 0.0;
+  double speed_m_s = 0.0;
+  double disturbance_rad = 0.0;  ///< equivalent fin offset u_d
+};
+
+/// One tick as it stands in flight.csv, in SI and radians. Empty, or not a number: nobody knew it at that tick.
+struct Row {
+  double time_s = 0.0;  ///< 0 at lift-off (tunnel: at control start); pad rows are negative
+  core::Phase phase = core::Phase::safe;
+  double roll_angle_rad = 0.0;
+  double roll_rate_rad_s = 0.0;
+  double reference_rad = 0.0;
+  double excitation_rad = 0.0;
+  double command_rad = 0.0;
+  bool saturated = false;
+  std::array<std::optional<double>, core::canard_count> commands_rad{};  ///< shaft angles; empty: servo output off
+  std::array<std::optional<double>, core::canard_count> encoders_rad{};
+  std::optional<double> canard_rad{};  ///< encoder mean
+  double specific_force_m_s2 = 0.0;    ///< axial
+  double height_m = 0.0;
+  double speed_m_s = 0.0;
+  std::optional<Truth> truth{};
+};
+
+/// What the instruments of a wind tunnel read.
+struct TunnelReading {
+  double time_s = 0.0;  ///< on the rows' clock
+  double fan_rpm = 0.0;
+  double wind_speed_m_s = 0.0;
+};
+
+/// Times on the rows' clock. Empty: it did not happen, or nobody could see it.
+struct Events {
+  std::optional<double> liftoff_s{};
+  std::optional<double> detected_s{};
+  std::optional<double> guide_clear_s{};  ///< the rocket truly left the guide; control starts some way above it
+  std::optional<double> control_start_s{};
+  std::optional<double> control_end_s{};
+  std::optional<double> burnout_s{};
+  std::optional<double> apogee_s{};
+};
+
+/// Of those that begin a phase; null for a phase that no event begins.
+[[nodiscard]] std::optional<double>* event_of(Events& events, core::Phase phase);
+
+/// A roll state that the scenario set by hand, because no model explains it.
+struct ImposedRoll {
+  double time_s = 0.0;
+  double angle_rad = 0.0;
+  double rate_rad_s = 0.0;
+};
+
+struct PhaseChange {
+  double time_s = 0.0;
+  core::Phase phase = core::Phase::safe;
+  std::optional<core::PhaseReason> reason = core::PhaseReason::power_on;  ///< empty: a table does not tell
+};
+
+struct CanardVerdictChange {
+  double time_s = 0.0;
+  std::size_t canard = 0;  ///< 0 to 3; people count from 1
+  core::CanardVerdict verdict = core::CanardVerdict::healthy;
+};
+
+/// What a table from elsewhere may leave out. Whoever flies or replays a flight knows all of it.
+struct Known {
+  bool plan = true;
+  bool phase = true;
+  bool saturation = true;
+};
+
+/// One flown flight: all that flight.csv, summary.json and report.html are made from.
+struct Flight {
+  std::string scenario;
+  std::string vehicle;
+  std::string plan_name;
+  std::string version;                ///< of the program that flew it
+  std::optional<std::uint64_t> seed;  ///< of a simulated one
+  bool tunnel = false;
+  core::FlightPlan plan{};
+  std::optional<ImposedRoll> imposed_roll;
+  std::vector<std::string> notes;  ///< faults and assumptions, a sentence each
+  Events events;
+  std::vector<PhaseChange> phase_changes;
+  std::vector<CanardVerdictChange> canard_verdict_changes;
+  std::vector<Row> rows;
+  std::vector<TunnelReading> tunnel_readings;  ///< empty in flight
+  std::vector<std::byte> log;                  ///< what the avionics recorded itself; empty: nothing
+  Known known;
+};
+
+/// A tick as a row, without truth. An encoder angle that is not finite counts as missing.
+[[nodiscard]] Row row(const core::TickRecord& record, double time_s);
+
+/// Notes what can be seen from records alone: phase changes, canard verdicts, and the events detected, control start
+/// and control end. The other events and everything else are the caller's to fill in.
+void note_tick(Flight& flight, const core::TickRecord& record, double time_s);
+
+/// Notes a tick and appends its row.
+void add_tick(Flight& flight, const core::TickRecord& record, double time_s, const std::optional<Truth>& truth);
+
+/// Moves the clock so that `zero_s` becomes 0, to the microsecond: lift-off is known only after the pad rows.
+void set_time_zero(Flight& flight, double zero_s);
+
+/// The largest roll command this plan allows: the plan limit, or the hard limit where that is smaller.
+[[nodiscard]] double canard_limit_rad(const core::FlightPlan& plan);
+
+/// Where a proportional-derivative loop comes to rest: R + u_d / kp. Empty without truth, and for a gain of zero.
+[[nodiscard]] std::optional<double> settle_point_rad(const Row& row, const core::FlightPlan& plan);
+/// Likewise, and empty for a flight whose plan is not known.
+[[nodiscard]] std::optional<double> settle_point_rad(const Row& row, const Flight& flight);
+
+}  // namespace fantail::flight

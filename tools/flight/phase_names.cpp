@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#include "flight/phase_names.hpp"
+
+#include <fmt/core.h>
+
+#include "text/degrees.hpp"
+#include "text/number.hpp"
+
+namespace fantail::flight {
+
+std::string_view words(core::Phase phase) {
+  switch (phase) {
+    case core::Phase::safe: return "Safe";
+    case core::Phase::armed: return "Armed";
+    case core::Phase::launched: return "Launched";
+    case core::Phase::controlling: return "Controlling";
+    case core::Phase::finished: return "Finished";
+  }
+  return "Unknown";
+}
+
+std::string_view words(core::PhaseReason reason) {
+  using core::PhaseReason;
+  switch (reason) {
+    case PhaseReason::power_on: return "power on";
+    case PhaseReason::armed_by_switch_and_command: return "armed by switch and command";
+    case PhaseReason::disarmed_by_switch: return "disarmed by the switch";
+    case PhaseReason::launch_detected: return "launch detected";
+    case PhaseReason::guide_clear: return "guide clear and fast enough";
+    case PhaseReason::tunnel_start_command: return "start command in the tunnel";
+    case PhaseReason::guide_not_cleared_in_time: return "the guide was not cleared in time";
+    case PhaseReason::gyro_failed_before_control: return "the gyro failed before control";
+    case PhaseReason::timing_fault_before_control: return "a timing fault before control";
+    case PhaseReason::control_time_over: return "control time over";
+    case PhaseReason::apogee: return "apogee";
+    case PhaseReason::tilted_too_far: return "the rocket tilted too far";
+    case PhaseReason::gyro_failed: return "the gyro failed";
+    case PhaseReason::timing_fault: return "a timing fault";
+    case PhaseReason::canard_fault: return "a canard fault";
+  }
+  return "unknown";
+}
+
+std::string imposed_roll_words(const flight::Flight& flight) {
+  if (!flight.imposed_roll) {
+    return {};
+  }
+  const flight::ImposedRoll& imposed = *flight.imposed_roll;
+  return fmt::format("Roll was imposed by the scenario at {} s: angle {} deg, rate {} deg/s.",
+                     text::fixed(imposed.time_s, 2), text::fixed(text::degrees(imposed.angle_rad), 1),
+                     text::fixed(text::degrees(imposed.rate_rad_s), 1));
+}
+
+}  // namespace fantail::flight

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: MIT
+#include "flight/read_csv.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <fmt/core.h>
+
+#include "flight/columns.hpp"
+#include "flight/found_columns.hpp"
+#include "flight/messages.hpp"
+#include "input/messages.hpp"
+#include "text/degrees.hpp"
+#include "text/error.hpp"
+
+namespace fantail::flight {
+namespace {
+
+using text::ErrorKind;
+
+[[noreturn]] void refuse(const std::string& message) { throw text::Error{ErrorKind::bad_data, message}; }
+
+std::optional<core::Phase> phase_named(std::string_view word) {
+  for (std::size_t i = 0; i < core::phases; ++i) {
+    if (core::name(static_cast<core::Phase>(i)) == word) {
+      return static_cast<core::Phase>(i);
+    }
+  }
+  return {};
+}
+
+class Rows {
+ public:
+  Rows(const Table& table, const FoundColumns& columns, AngleUnit angles, Flight& flight)
+      : table_{table}, columns_{columns.found()}, phase_{columns.phase()}, angles_{angles}, flight_{flight} {}
+
+  void read_all() {
+    flight_.rows.reserve(table_.rows());
+    for (std::size_t line = 0; line < table_.rows(); ++line) {
+      if (const auto row = read(line); !row) {
+        ++left_out_;
+      } else if (repeats(*row, line)) {
+        ++repeated_;
+      } else {
+        flight_.rows.push_back(*row);
+        last_line_ = table_.line(line);
+      }
+    }
+    judge_count();
+    flight_.known.phase = phase_.has_value();
+  }
+
+ private:
+  std::optional<Row> read(std::size_t line) {
+    Row row = unknown_row();
+    for (const auto& [index, column, needed] : columns_) {
+      const auto value = table_.number(line, index);
+      if (value) {
+        const bool is_degrees = column->unit == Column::Unit::degrees && angles_ == AngleUnit::degrees;
+        column->set(row, is_degrees ? text::radians(*value) : *value);
+      } else if (needed) {
+        if (first_left_out_.empty()) {
+          first_left_out_ =
+              fmt::format("line {}, {} {}", table_.line(line), column->name, in_quotes(table_.cell(line, index)));
+        }
+        return {};
+      }
+    }
+    read_phase(row, line);
+    return row;
+  }
+
+  void read_phase(Row& row, std::size_t line) {
+    if (!phase_) {
+      return;
+    }
+    const std::string_view word = table_.cell(line, *phase_);
+    if (const auto phase = phase_named(word)) {
+      row.phase = *phase;
+      return;
+    }
+    flight_.notes.push_back(
+        fmt::format("{}: {} is no flight phase; the column is not used.", table_.where(line), in_quotes(word)));
+    std::ranges::for_each(flight_.rows, [](Row& read) { read.phase = Row{}.phase; });
+    phase_.reset();
+  }
+
+  [[nodiscard]] bool repeats(const Row& row, std::size_t line) const {
+    if (flight_.rows.empty() || row.time_s > flight_.rows.back().time_s) {
+      return false;
+    }
+    const Row& before = flight_.rows.back();
+    const std::string times = fmt::format("{}: time_s is {}", table_.where(line), input::shown(row.time_s));
+    if (row.time_s < before.time_s) {
+      refuse(fmt::format("{} after {} in line {}: time goes back", times, input::shown(before.time_s), last_line_));
+    }
+    for (const FoundColumn& found : columns_) {
+      const double now = found.column->get(row);
+      const double then = found.column->get(before);
+      if (now != then && !(std::isnan(now) && std::isnan(then))) {
+        refuse(fmt::format("{} as in line {}, but {} is another: two rows may share a time only when they are the same",
+                           times, last_line_, found.column->name));
+      }
+    }
+    return true;
+  }
+
+  void judge_count() const {
+    const std::size_t rows = table_.rows();
+    if (left_out_ > 0) {
+      const std::string said =
+          fmt::format("{} of {} rows have no number where one is needed (first: {})", left_out_, rows, first_left_out_);
+      if (left_out_ * 100 > rows) {
+        refuse(fmt::format("{}: {}; more than 1 % is too many", table_.name(), said));
+      }
+      flight_.notes.push_back(said + "; they are left out.");
+    }
+    if (repeated_ > 0) {
+      flight_.notes.push_back(
+          fmt::format("{} of {} rows repeat the one before them; they are left out.", repeated_, rows));
+    }
+    if (flight_.rows.empty()) {
+      refuse(table_.name() + ": no row behind the header");
+    }
+  }
+
+  const Table& table_;
+  std::span<const FoundColumn> columns_;
+  std::optional<std::size_t> phase_;
+  AngleUnit angles_;
+  Flight& flight_;
+  std::size_t left_out_ = 0;
+  std::size_t repeated_ = 0;
+  std::string first_left_out_;
+  std::size_t last_line_ = 0;
+};
+
+// What the phases of the rows tell; why they changed stands in no table.
+void note_phases(Flight& flight) {
+  for (std::size_t i = 0; i < flight.rows.size(); ++i) {
+    const auto [time_s, phase] = std::pair{flight.rows[i].time_s, flight.rows[i].phase};
+    const core::Phase before = i == 0 ? core::Phase::safe : flight.rows[i - 1].phase;
+    if (phase == before) {
+      continue;
+    }
+    flight.phase_changes.push_back({time_s, phase, {}});
+    if (i > 0) {  // one that was there in the first row began before it
+      if (auto* event = event_of(flight.events, phase)) {
+        *event = time_s;
+      }
+    }
+  }
+}
+
+}  // namespace
+
+Flight read_flight_csv(const Table& table, const Reading& reading, const Needs& needs) {
+  const FoundColumns columns{table, reading, needs};
+  Flight flight;
+  flight.known = {.plan = false, .saturation = columns.has("saturated")};
+  Rows{table, columns, reading.angles, flight}.read_all();
+  if (flight.known.phase) {
+    note_phases(flight);
+  }
+  return flight;
+}
+
+}  // namespace fantail::flight

@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: MIT
+#include "flight/table.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <system_error>
+
+#include <fmt/core.h>
+
+#include "flight/messages.hpp"
+#include "text/error.hpp"
+#include "text/number.hpp"
+
+namespace fantail::flight {
+namespace {
+
+using text::Error;
+using text::ErrorKind;
+
+bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
+
+bool says_nothing(std::string_view line) {
+  const std::size_t first = line.find_first_not_of(" \t\r");
+  return first == std::string_view::npos || line[first] == '#' ||
+         line.find_first_not_of(" \t\r,") == std::string_view::npos;
+}
+
+}  // namespace
+
+Table Table::parse(std::string text, std::string name) {
+  Table table{std::move(text), std::move(name)};
+  table.read_all();
+  return table;
+}
+
+Table Table::load(const std::string& path) {
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored)) {
+    throw Error{ErrorKind::bad_data, path + ": is a folder, not a CSV file"};
+  }
+  std::ifstream stream{path, std::ios::binary};
+  if (!stream) {
+    if (errno == ENOENT || errno == ENOTDIR) {
+      throw Error{ErrorKind::no_such_input, path + ": no such file"};
+    }
+    throw std::system_error{errno, std::generic_category(), path};
+  }
+  std::string text;
+  // One byte too many is enough to know; a device would never end. A pipe has no size to ask for beforehand.
+  for (std::size_t size = 0; stream && size <= most_bytes; size = text.size()) {
+    const std::size_t more = std::min(std::max<std::size_t>(size, std::size_t{1} << 20), most_bytes + 1 - size);
+    text.resize(size + more);
+    stream.read(text.data() + size, static_cast<std::streamsize>(more));
+    text.resize(size + static_cast<std::size_t>(stream.gcount()));
+  }
+  if (stream.bad()) {
+    throw std::system_error{errno, std::generic_category(), path};
+  }
+  return parse(std::move(text), path);
+}
+
+void Table::read_all() {
+  if (text_.size() > most_bytes) {
+    throw Error{ErrorKind::bad_data, fmt::format("{}: larger than {} MiB", name_, most_bytes >> 20)};
+  }
+  if (text_.find('\0') != std::string::npos) {
+    throw Error{ErrorKind::bad_data, name_ + ": holds zero bytes, so it is no CSV text in UTF-8"};
+  }
+  std::size_t begin = text_.starts_with("\xEF\xBB\xBF") ? 3 : 0;
+  for (std::size_t line = 1; begin < text_.size(); ++line) {
+    const std::size_t end = std::min(text_.find('\n', begin), text_.size());
+    if (!says_nothing(std::string_view{text_}.substr(begin, end - begin))) {
+      read_line(begin, end, line);
+      if (columns_.empty()) {
+        read_header(line);
+      } else {
+        lines_.push_back(line);
+      }
+    }
+    begin = end + 1;
+  }
+  if (columns_.empty()) {
+    throw Error{ErrorKind::bad_data, name_ + ": is empty; a header with the names of the columns is expected"};
+  }
+}
+
+void Table::read_header(std::size_t line) {
+  std::set<std::string_view> seen;
+  bool all_numbers = true;
+  for (const Cell cell : cells_) {
+    const std::string_view name = view(cell);
+    if (!name.empty() && !seen.insert(name).second) {
+      refuse(line, fmt::format("the column {} stands twice", in_quotes(name)));
+    }
+    all_numbers = all_numbers && (name.empty() || text::number(name));
+    columns_.emplace_back(name);
+  }
+  if (all_numbers) {
+    refuse(line, "only numbers; a header with the names of the columns is expected first");
+  }
+  for (const char separator : {';', '\t'}) {
+    if (columns_.size() == 1 && columns_[0].find(separator) != std::string::npos) {
+      refuse(line, fmt::format("the columns seem to be separated by {}; commas are expected",
+                               separator == ';' ? "semicolons" : "tabs"));
+    }
+  }
+  cells_.clear();
+}
+
+// Puts the cells of one line at the end of cells_.
+void Table::read_line(std::size_t begin, std::size_t end, std::size_t line) {
+  const std::size_t before = cells_.size();
+  while (true) {
+    while (begin < end && is_blank(text_[begin])) {
+      ++begin;
+    }
+    if (begin < end && text_[begin] == '"') {
+      begin = read_quoted(begin, end, line);
+    } else {
+      const void* comma = std::memchr(text_.data() + begin, ',', end - begin);
+      const std::size_t stop =
+          comma == nullptr ? end : static_cast<std::size_t>(static_cast<const char*>(comma) - text_.data());
+      std::size_t last = stop;
+      while (last > begin && is_blank(text_[last - 1])) {
+        --last;
+      }
+      cells_.push_back({static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(last)});
+      begin = stop;
+    }
+    if (begin == end) {
+      break;
+    }
+    ++begin;  // behind the comma
+  }
+  const std::size_t count = cells_.size() - before;
+  if (!columns_.empty() && count != columns_.size()) {
+    const bool last_line = end == text_.size();
+    refuse(line, fmt::format("{} {} where the header has {}{}", count, count == 1 ? "cell" : "cells", columns_.size(),
+                             last_line && count < columns_.size() ? "; the last line seems to be cut off" : ""));
+  }
+}
+
+// Takes the quotes out in place, where the text only gets shorter. Returns where the comma or the end of the line is.
+std::size_t Table::read_quoted(std::size_t begin, std::size_t end, std::size_t line) {
+  const std::size_t first = begin + 1;
+  std::size_t out = first;
+  std::size_t in = first;
+  for (; in < end; ++in) {
+    if (text_[in] == '"') {
+      if (in + 1 < end && text_[in + 1] == '"') {
+        ++in;
+      } else {
+        break;
+      }
+    }
+    text_[out++] = text_[in];
+  }
+  if (in == end) {
+    refuse(line, "a quote that does not end on its line");
+  }
+  ++in;
+  while (in < end && is_blank(text_[in])) {
+    ++in;
+  }
+  if (in < end && text_[in] != ',') {
+    refuse(line, "text behind a closing quote");
+  }
+  const std::string_view inside = text::trimmed(std::string_view{text_}.substr(first, out - first));
+  const std::size_t start = inside.empty() ? first : static_cast<std::size_t>(inside.data() - text_.data());
+  const auto from = static_cast<std::uint32_t>(start);
+  cells_.push_back({from, static_cast<std::uint32_t>(from + inside.size())});
+  return in;
+}
+
+std::optional<std::size_t> Table::find(std::string_view column) const {
+  const auto found = std::ranges::find(columns_, column);
+  return found == columns_.end() ? std::nullopt : std::optional{static_cast<std::size_t>(found - columns_.begin())};
+}
+
+std::size_t Table::column(std::string_view column) const {
+  if (const auto found = find(column); found && !column.empty()) {
+    return *found;
+  }
+  throw Error{ErrorKind::bad_data, fmt::format("{}: {}", name_, missing_column(column, columns_))};
+}
+
+std::string_view Table::view(Cell cell) const { return {text_.data() + cell.begin, cell.end - cell.begin}; }
+
+std::string_view Table::cell(std::size_t row, std::size_t column) const {
+  return view(cells_[row * columns_.size() + column]);
+}
+
+std::optional<double> Table::number(std::size_t row, std::size_t column) const {
+  return text::number(cell(row, column));
+}
+
+std::string Table::where(std::size_t row) const { return fmt::format("{}:{}", name_, lines_[row]); }
+
+void Table::refuse(std::size_t line, const std::string& complaint) const {
+  throw Error{ErrorKind::bad_data, fmt::format("{}:{}: {}", name_, line, complaint)};
+}
+
+}  // namespace fantail::flight

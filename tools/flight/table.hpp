@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace fantail::flight {
+
+/// A CSV file: a header of names, then rows of cells. Commas; CRLF or LF; a byte-order mark and quoted cells are
+/// understood; lines that begin with '#' and lines that hold nothing but commas and spaces are skipped. A cell ends
+/// with its line, in quotes too: one stray quote must not swallow the rest of a log.
+class Table {
+ public:
+  /// Half an hour at 1 kHz; a larger file is hardly the log of one flight.
+  static constexpr std::size_t most_bytes = std::size_t{1} << 29;
+
+  /// `text` is the content, `name` what messages call it. Throws text::Error (bad_data): no header, a name that
+  /// stands twice, a row with another number of cells than the header (naming the line), more than `most_bytes`.
+  [[nodiscard]] static Table parse(std::string text, std::string name);
+  /// Throws also text::Error (no_such_input), and std::system_error for a file that cannot be read.
+  [[nodiscard]] static Table load(const std::string& path);
+
+  [[nodiscard]] const std::string& name() const { return name_; }
+  [[nodiscard]] const std::vector<std::string>& columns() const { return columns_; }
+  [[nodiscard]] std::size_t rows() const { return lines_.size(); }
+  [[nodiscard]] std::optional<std::size_t> find(std::string_view column) const;
+  /// Throws text::Error (bad_data) that names the column and lists those that are there.
+  [[nodiscard]] std::size_t column(std::string_view column) const;
+  /// Without quotes and without spaces around it.
+  [[nodiscard]] std::string_view cell(std::size_t row, std::size_t column) const;
+  /// Of a cell; empty unless it is a finite number and nothing else.
+  [[nodiscard]] std::optional<double> number(std::size_t row, std::size_t column) const;
+  [[nodiscard]] std::size_t line(std::size_t row) const { return lines_[row]; }  ///< counted from 1
+  /// "file:line", for messages.
+  [[nodiscard]] std::string where(std::size_t row) const;
+
+ private:
+  struct Cell {
+    std::uint32_t begin;
+    std::uint32_t end;
+  };
+
+  Table(std::string text, std::string name) : name_{std::move(name)}, text_{std::move(text)} {}
+  void read_all();
+  void read_header(std::size_t line);
+  void read_line(std::size_t begin, std::size_t end, std::size_t line);
+  std::size_t read_quoted(std::size_t begin, std::size_t end, std::size_t line);
+  [[nodiscard]] std::string_view view(Cell cell) const;
+  [[noreturn]] void refuse(std::size_t line, const std::string& complaint) const;
+
+  std::string name_;
+  std::string text_;
+  std::vector<std::string> columns_;
+  std::vector<Cell> cells_;  ///< row by row, without the header's
+  std::vector<std::size_t> lines_;
+};
+
+}  // namespace fantail::flight

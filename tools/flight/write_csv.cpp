@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#include "flight/write_csv.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "flight/columns.hpp"
+#include "flight/six_decimals.hpp"
+#include "text/degrees.hpp"
+
+namespace fantail::flight {
+namespace {
+
+void write_number(std::string& out, double value) {
+  if (std::isnan(value)) {
+    return;  // unknown: an empty cell
+  }
+  const SixDecimals decimals{value};
+  out += decimals.text();
+}
+
+void write_cell(std::string& out, const Column& column, const Row& row) {
+  const double value = column.get(row);
+  switch (column.unit) {
+    case Column::Unit::as_named: return write_number(out, value);
+    case Column::Unit::degrees: return write_number(out, text::degrees(value));
+    case Column::Unit::flag: out.push_back(value != 0.0 ? '1' : '0');
+  }
+}
+
+}  // namespace
+
+std::string csv(const Flight& flight) {
+  std::span<const Column> written = columns();
+  if (std::ranges::none_of(flight.rows, [](const Row& row) { return row.truth.has_value(); })) {
+    written =
+        written.first(static_cast<std::size_t>(std::ranges::find(written, true, &Column::is_true) - written.begin()));
+  }
+  const Column& time = written.front();
+  std::string out;
+  out.reserve((flight.rows.size() + 1) * 320);
+  out.append(time.name).append(",").append(phase_column);
+  for (const Column& column : written.subspan(1)) {
+    out.append(",").append(column.name);
+  }
+  out.push_back('\n');
+  for (const Row& row : flight.rows) {
+    write_cell(out, time, row);
+    out.append(",").append(core::name(row.phase));
+    for (const Column& column : written.subspan(1)) {
+      out.push_back(',');
+      write_cell(out, column, row);
+    }
+    out.push_back('\n');
+  }
+  return out;
+}
+
+std::string tunnel_csv(const Flight& flight) {
+  std::string out = "time_s,fan_rpm,wind_speed_m_s\n";
+  for (const TunnelReading& reading : flight.tunnel_readings) {
+    write_number(out, reading.time_s);
+    for (const double value : {reading.fan_rpm, reading.wind_speed_m_s}) {
+      out.push_back(',');
+      write_number(out, value);
+    }
+    out.push_back('\n');
+  }
+  return out;
+}
+
+}  // namespace fantail::flight

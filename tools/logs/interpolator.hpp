@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace fantail::logs {
+
+/// Where a time lies between two samples of a log: `part` of the way from sample `before` to the next.
+struct Between {
+  std::size_t before;
+  double part;
+
+  [[nodiscard]] double of(const std::vector<double>& values) const {
+    return part == 0.0 ? values[before] : values[before] + part * (values[before + 1] - values[before]);
+  }
+};
+
+/// Finds the places of times that are asked for in increasing order. Empty outside the log and between samples farther
+/// apart than the longest gap: nothing is extrapolated or bridged.
+class Interpolator {
+ public:
+  Interpolator(std::span<const double> time_s, double longest_gap_s)
+      : time_s_{time_s}, longest_gap_s_{longest_gap_s * (1.0 + 1e-9)} {}  // a log every 0.1 s has no gaps of 0.1 s
+
+  [[nodiscard]] std::optional<Between> at(double t_s);
+
+ private:
+  std::span<const double> time_s_;
+  double longest_gap_s_;
+  std::size_t next_ = 0;  ///< first sample behind the last time that was asked for
+};
+
+}  // namespace fantail::logs
