@@ -19,7 +19,9 @@ TEST(Verdict, AHeldFlightNamesErrorSaturationAndMargin) {
   });
   const Verdict v = verdict_of(synthetic.flight);
   EXPECT_EQ(v.outcome, Outcome::held);
-  EXPECT_EQ(v.text, "Roll held within 2.1 deg of R + u_d/kp; saturated 6 % of control time; authority margin 4.0 deg.");
+  EXPECT_EQ(
+      v.text,
+      "Roll stayed within 2.1 deg of where this law settles; saturated 6 % of control time; authority margin 4.0 deg.");
 }
 
 TEST(Verdict, ALargeErrorIsNotCalledHeld) {
@@ -28,7 +30,8 @@ TEST(Verdict, ALargeErrorIsNotCalledHeld) {
   const Verdict v = verdict_of(synthetic.flight);
   EXPECT_EQ(v.outcome, Outcome::not_held);
   EXPECT_EQ(v.text,
-            "Roll not held: up to 24.0 deg from R + u_d/kp; saturated 0 % of control time; authority margin 4.0 deg.");
+            "Roll not held: up to 24.0 deg from where this law settles; saturated 0 % of control time; authority "
+            "margin 4.0 deg.");
 }
 
 TEST(Verdict, AnOffsetBeyondTheCanardsIsSaidPlainly) {
@@ -56,7 +59,8 @@ TEST(Verdict, CanardsAtTheirLimitForAnotherReasonAreNotBlamedOnTheOffset) {
     row.command_rad = text::radians(-9.0);
   });
   EXPECT_EQ(verdict_of(synthetic.flight).text,
-            "Roll held within 0.0 deg of R + u_d/kp; saturated 26 % of control time; authority margin 4.0 deg. Canards "
+            "Roll stayed within 0.0 deg of where this law settles; saturated 26 % of control time; authority margin "
+            "4.0 deg. Canards "
             "at their limit (-9 deg) from 3.50 s to the end of control.");
 }
 

@@ -10,6 +10,7 @@
 #include "bench/sheet_charts.hpp"
 #include "core/tick_record.hpp"
 #include "page/page.hpp"
+#include "text/number.hpp"
 
 namespace fantail::bench {
 namespace {
@@ -37,7 +38,7 @@ page::Page opening(const Sheet& sheet) {
 }
 
 std::string shown(const std::string& text, bool passed) {
-  return (passed ? "" : "\u2717\u00a0") + (text == "none" ? "\u2013" : text == "-" ? "\u2212" : text);
+  return (passed ? "" : "\u2717\u00a0") + (text == "none" ? "\u2013" : text == "-" ? "\u2212" : text::with_minus(text));
 }
 
 std::string figures(const Sheet& sheet) {

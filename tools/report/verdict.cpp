@@ -89,9 +89,9 @@ Verdict judge_control(const flight::Flight& flight, const Figures& f) {
   const std::string ended_at_limit = f.at_limit_since_s ? fmt::format(" {}", sentence(at_limit(f))) : "";
   if (f.largest_hold_error_rad) {
     const bool held = *f.largest_hold_error_rad <= held_error_rad;
-    const std::string hold = fmt::format(
-        fmt::runtime(held ? "roll held within {} of R + u_d/kp; {}" : "roll not held: up to {} from R + u_d/kp; {}"),
-        degrees_text(*f.largest_hold_error_rad), rest);
+    const std::string hold = fmt::format(fmt::runtime(held ? "roll stayed within {} of where this law settles; {}"
+                                                           : "roll not held: up to {} from where this law settles; {}"),
+                                         degrees_text(*f.largest_hold_error_rad), rest);
     return {held ? Outcome::held : Outcome::not_held, sentence(hold) + ended_at_limit};
   }
   return {Outcome::not_judged,

@@ -94,16 +94,26 @@
 
   function drawLevels(chart, levels) {
     const {ctx, bbox} = chart;
-    const right = bbox.left + bbox.width;
+    for (const level of levels) {
+      const y = chart.valToPos(level.value, "y", true);
+      ctx.strokeStyle = color(level.role);
+      line(ctx, bbox.left, y, bbox.left + bbox.width, y);
+    }
+  }
+
+  // Last of all: the grid would go through the words.
+  function nameLevels(chart, levels) {
+    const {ctx, bbox} = chart;
+    ctx.save();
     ctx.font = 11 * devicePixelRatio + "px system-ui, sans-serif";
     ctx.textAlign = "right";
     ctx.textBaseline = "bottom";
     for (const level of levels) {
-      const y = chart.valToPos(level.value, "y", true);
-      ctx.strokeStyle = ctx.fillStyle = color(level.role);
-      line(ctx, bbox.left, y, right, y);
-      ctx.fillText(level.label, right - 4 * devicePixelRatio, y - devicePixelRatio);
+      ctx.fillStyle = color(level.role);
+      ctx.fillText(level.label, bbox.left + bbox.width - 4 * devicePixelRatio,
+                   chart.valToPos(level.value, "y", true) - 2 * devicePixelRatio);
     }
+    ctx.restore();
   }
 
   // Room around the lines, and around what must be in sight.
@@ -145,6 +155,7 @@
       ],
       hooks: {
         drawClear: [(chart) => drawBackground(chart, plot)],
+        draw: [(chart) => nameLevels(chart, plot.levels)],
         setScale: [(chart, key) => {
           if (key !== "x" || spreading || !charts.includes(chart)) return;
           const {min, max} = chart.scales.x;
