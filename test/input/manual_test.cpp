@@ -132,7 +132,7 @@ TEST(RocketManual, ListsEveryFieldWithUnitDefaultRangeAndMeaning) {
   }
   EXPECT_TRUE(page() == made)
       << "the fields have changed; bring docs/your_rocket.md up to date:\n"
-         "  FANTAIL_WRITE_MANUAL=1 build/host/test/sim/input/test_sim_input --gtest_filter='RocketManual*'";
+         "  FANTAIL_WRITE_MANUAL=1 build/host/test/input/test_input --gtest_filter='RocketManual*'";
 }
 
 // The text of the n-th block of TOML.
