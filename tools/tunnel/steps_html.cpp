@@ -18,15 +18,9 @@ using page::Mark;
 using page::Role;
 using text::degrees;
 using text::fixed;
+using text::in_degrees;
 
-constexpr double half_page = 428.0;
 constexpr double low_chart = 200.0;
-
-std::vector<double> in_degrees(const std::vector<double>& radians) {
-  std::vector<double> converted(radians.size());
-  std::ranges::transform(radians, converted.begin(), degrees);
-  return converted;
-}
 
 std::string responses(const StepResult& result) {
   const std::vector<double>& time_s = result.record.time_s;
@@ -35,7 +29,7 @@ std::string responses(const StepResult& result) {
       .label = fmt::format("Roll angle after step {}, measured and modelled", result.number),
       .x_label = "time after the step / s",
       .y_label = "roll angle / deg",
-      .width = half_page,
+      .width = page::half_page,
       .height = low_chart,
       .series = {{.name = "measured", .x = time_s, .y = in_degrees(result.record.roll_angle_rad)},
                  {.name = "model", .role = Role::model, .x = time_s, .y = in_degrees(model.roll_angle_rad)},
@@ -47,15 +41,14 @@ std::string responses(const StepResult& result) {
       .label = fmt::format("Roll rate after step {}, measured and modelled", result.number),
       .x_label = "time after the step / s",
       .y_label = "roll rate / deg/s",
-      .width = half_page,
+      .width = page::half_page,
       .height = low_chart,
       .series = {{.name = "measured", .x = time_s, .y = in_degrees(result.record.roll_rate_rad_s)},
                  {.name = "model", .role = Role::model, .x = time_s, .y = in_degrees(model.roll_rate_rad_s)}}};
   const std::array<std::string, 2> pair{
-      page::figure(page::svg(angle),
-                   fmt::format("Step {} at {:g} s, from {} to {} deg.", result.number, result.step.begin_s,
-                               fixed(degrees(result.step.from_rad), 0), fixed(degrees(result.step.to_rad), 0))),
-      page::figure(page::svg(rate),
+      page::figure(angle, fmt::format("Step {} at {:g} s, from {} to {} deg.", result.number, result.step.begin_s,
+                                      fixed(degrees(result.step.from_rad), 0), fixed(degrees(result.step.to_rad), 0))),
+      page::figure(rate,
                    fmt::format("alpha {} m2, beta {} m, disturbance {} to {} deg.",
                                fixed(result.identified.model.alpha_m2, 2), fixed(result.identified.model.beta_m, 2),
                                fixed(degrees(result.identified.model.node_rad.front()), 2),
@@ -68,7 +61,7 @@ std::string over_steps(const StepTable& table, const char* label, const char* y_
   Chart chart{.label = label,
               .x_label = "step",
               .y_label = y_label,
-              .width = half_page,
+              .width = page::half_page,
               .height = low_chart,
               .series = {{.name = "identified", .mark = Mark::points}},
               .levels = {{.value = spread.mean, .label = "mean"}},
@@ -77,7 +70,7 @@ std::string over_steps(const StepTable& table, const char* label, const char* y_
     chart.series[0].x.push_back(static_cast<double>(result.number));
     chart.series[0].y.push_back(value(result.identified.model));
   }
-  return page::figure(page::svg(chart),
+  return page::figure(chart,
                       fmt::format("{}: {} \u00b1 {}.", label, fixed(spread.mean, 3), fixed(spread.deviation, 3)));
 }
 

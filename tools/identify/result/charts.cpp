@@ -19,8 +19,6 @@ using page::Role;
 using page::Series;
 using text::degrees;
 
-constexpr double half_width = 428.0;
-
 Role role(std::size_t method) { return method == 0 ? Role::model : Role::second_model; }
 
 std::string model_name(const WindowFindings& window, const Identification& result) {
@@ -64,7 +62,7 @@ Chart measured_and_modelled(const WindowFindings& window, Chart chart, const std
 
 Chart residuals(const WindowFindings& window, Chart chart, const std::vector<double>& measured,
                 std::vector<double> Simulation::* modelled) {
-  chart.width = half_width;
+  chart.width = page::half_page;
   for (std::size_t k = 0; k < window.results.size(); ++k) {
     const Identification& result = window.results[k];
     std::vector<double> difference = measured;
@@ -122,7 +120,7 @@ Chart rate_residual_chart(const WindowFindings& window) {
 
 Chart canard_chart(const WindowFindings& window) {
   Chart chart = over_time("canard angle", "canard angle / deg");
-  chart.width = half_width;
+  chart.width = page::half_page;
   if (!window.record.canard_rad.empty()) {
     chart.series.push_back(curve(window.record, "measured", Role::measured, window.record.canard_rad));
   }
@@ -139,7 +137,7 @@ Chart disturbance_chart(const WindowFindings& window) {
   constexpr int points = 200;
   constexpr double normal_975 = 1.96;
   Chart chart = over_time("disturbance, as an equivalent canard angle", "disturbance / deg");
-  chart.width = half_width;
+  chart.width = page::half_page;
   const double length_s = window.record.time_s.back();
   for (std::size_t k = 0; k < window.results.size(); ++k) {
     const Identification& result = window.results[k];
@@ -168,7 +166,7 @@ Chart node_curve_chart(const Identification& result) {
   chart.label = "mean angle error over the number of intervals of the disturbance";
   chart.x_label = "intervals of the disturbance";
   chart.y_label = "mean angle error / deg";
-  chart.width = half_width;
+  chart.width = page::half_page;
   chart.equal_x_ticks_at_points = true;
   Series curve{.name = "mean angle error", .role = Role::model, .mark = page::Mark::line_and_points};
   double most = 0.0;

@@ -81,10 +81,10 @@ std::string knowledge(const WindowFindings& window) {
 }
 
 std::string pictures(const WindowFindings& window) {
-  std::string motion = page::figure(page::svg(angle_chart(window)), "");
-  motion += page::figure(page::svg(rate_chart(window)), "");
-  const std::vector<std::string> left_over{page::figure(page::svg(angle_residual_chart(window)), ""),
-                                           page::figure(page::svg(rate_residual_chart(window)), "")};
+  std::string motion = page::figure(angle_chart(window));
+  motion += page::figure(rate_chart(window));
+  const std::vector<std::string> left_over{page::figure(angle_residual_chart(window)),
+                                           page::figure(rate_residual_chart(window))};
   std::string out = page::section("Measured and modelled", motion);
   out += page::section(
       "What the model leaves",
@@ -96,7 +96,7 @@ std::string pictures(const WindowFindings& window) {
       "The disturbance acts like a canard that is set by this angle; the band is where it lies with 95 %.")};
   const page::Chart canards = canard_chart(window);
   if (!canards.series.empty()) {
-    inputs.push_back(page::figure(page::svg(canards), "What drove the rocket on purpose."));
+    inputs.push_back(page::figure(canards, "What drove the rocket on purpose."));
   }
   return out + page::section("What turned the rocket", page::side_by_side(inputs));
 }
@@ -118,7 +118,7 @@ std::string searches(const WindowFindings& window) {
           fmt::format("How many nodes ({})", name(result.method)),
           page::paragraph("More intervals always fit better. As few are chosen as come within a tenth, or a "
                           "hundredth of a degree, of the least error.") +
-              page::figure(page::svg(node_curve_chart(result)), ""));
+              page::figure(node_curve_chart(result)));
     }
   }
   return out;
