@@ -12,11 +12,12 @@ set(FANTAIL_LAYERS
   "hal/stm32f4|hal|"
   "firmware/core||"
   "firmware/protocol|core|"
-  "hal/emulator|hal hal/sim protocol|"
+  "hal/emulator|hal|"
+  "firmware/world_link|protocol hal hal/sim hal/emulator|"
   "firmware/avionics|core protocol hal|"
   "firmware/boards/cortex_m4|protocol|"
   "firmware/boards/stm32f405|core protocol hal hal/stm32f4 avionics boards/cortex_m4|"
-  "firmware/boards/emulator|core protocol hal/sim hal/stm32f4 hal/emulator avionics boards/stm32f405|"
+  "firmware/boards/emulator|core protocol hal/sim hal/stm32f4 hal/emulator world_link avionics boards/stm32f405|"
   "sim|core protocol hal hal/sim avionics|"
   "tools/text||fmt/"
   "tools/json||fmt/"
@@ -28,19 +29,20 @@ set(FANTAIL_LAYERS
   "tools/logs|sim text json input flight flight_log|fmt/"
   "tools/identify/model|sim text|Eigen/ fmt/"
   "tools/identify/closed_loop|core text identify/model|Eigen/ fmt/"
-  "tools/identify/result|text json page report identify/model identify/closed_loop|Eigen/ fmt/"
+  "tools/identify/result|text json page identify/model identify/closed_loop|Eigen/ fmt/"
   "tools/identify|sim text input logs identify/model identify/closed_loop identify/result|fmt/"
   "tools/tunnel|text json page flight logs identify identify/model|fmt/"
-  "tools/link|core protocol hal avionics report|fmt/"
-  "tools/fly|core sim input flight link|fmt/"
-  "tools/hil|core protocol hal/emulator sim text|fmt/ fcntl\\.h poll\\.h sched\\.h sys/ termios\\.h unistd\\.h"
-  "tools/telemetry|core hal avionics json link|fmt/ lcm/ fantail_lcm/ arpa/inet\\.h netinet/in\\.h poll\\.h sys/socket\\.h unistd\\.h"
+  "tools/replies|core protocol hal|"
+  "tools/link|core protocol hal avionics text replies|fmt/"
+  "tools/fly|core sim input flight replies|fmt/"
+  "tools/hil|core protocol world_link sim text|fmt/ fcntl\\.h poll\\.h sched\\.h sys/ termios\\.h unistd\\.h"
+  "tools/telemetry|core hal avionics json replies|fmt/ lcm/ fantail_lcm/ arpa/inet\\.h netinet/in\\.h poll\\.h sys/socket\\.h unistd\\.h"
   "tools/gateway|hal link telemetry|"
   "tools/log_export|core protocol text json input flight flight_log telemetry|fmt/"
-  "tools/bench|core protocol hal avionics sim text json page link|fmt/"
+  "tools/bench|core protocol hal avionics sim text json page replies link|fmt/"
   "tools/predict|sim text json page input flight report fly|fmt/"
   "tools/paper|core sim text json page input flight report identify identify/model identify/closed_loop tunnel fly|fmt/"
-  "tools/fantail|core protocol avionics hal/linux sim text json page input flight report flight_log logs identify identify/model identify/result tunnel link fly hil telemetry gateway log_export bench predict paper|fmt/ fcntl\\.h poll\\.h sys/ unistd\\.h")
+  "tools/fantail|core protocol avionics hal/linux sim text json page input flight report flight_log logs identify identify/model identify/result tunnel replies link fly hil telemetry gateway log_export bench predict paper|fmt/ fcntl\\.h poll\\.h sys/ unistd\\.h")
 
 # Single files that may include more of others than their folder does.
 set(FANTAIL_EXCEPTIONS
@@ -50,7 +52,7 @@ set(FANTAIL_EXCEPTIONS
   "firmware/protocol/generated/canard_bus.h|stdbool\\.h stddef\\.h stdint\\.h"
   "tools/input/toml_tree.cpp|toml\\+\\+/"
   "tools/json/value.cpp|nlohmann/"
-  "tools/report/output_folder.cpp|fcntl\\.h unistd\\.h sys/"
+  "tools/text/output_folder.cpp|fcntl\\.h unistd\\.h sys/"
   "tools/fantail/command_line.cpp|CLI/"
   "tools/report/sha256.cpp|sha256\\.h")
 

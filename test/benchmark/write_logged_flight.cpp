@@ -9,7 +9,7 @@
 #include "flight_log/to_report.hpp"
 #include "log_export/lcm.hpp"
 #include "log_export/ulog.hpp"
-#include "report/output_folder.hpp"
+#include "text/output_folder.hpp"
 
 int main(int count, char** arguments) {
   using namespace fantail;
@@ -25,10 +25,10 @@ int main(int count, char** arguments) {
     for (std::size_t i = 0; i < own.size(); ++i) {
       own[i] = static_cast<char>(logged.bytes[i]);
     }
-    report::OutputFolder{arguments[1]}.write(
-        std::array<report::NamedFile, 3>{{{"flight.ftl", own},
-                                          {"flight.ulg", log_export::ulog(source, log_export::every_field())},
-                                          {"flight.lcmlog", log_export::lcm(source)}}});
+    text::OutputFolder{arguments[1]}.write(
+        std::array<text::NamedFile, 3>{{{"flight.ftl", own},
+                                        {"flight.ulg", log_export::ulog(source, log_export::every_field())},
+                                        {"flight.lcmlog", log_export::lcm(source)}}});
   } catch (const std::exception& error) {
     std::fprintf(stderr, "write_logged_flight: %s\n", error.what());
     return 70;

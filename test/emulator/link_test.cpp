@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "hal/emulator/link.hpp"
+#include "world_link/link.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -10,19 +10,19 @@
 #include <gtest/gtest.h>
 
 #include "core/tick_record_fields.hpp"
-#include "hal/emulator/world_link.hpp"
 #include "protocol/hil_codec.hpp"
 #include "protocol/hil_frame.hpp"
+#include "world_link/exchange.hpp"
 
 namespace fantail::test {
 namespace {
 
-using hal::emulator::Link;
 using protocol::HilFrameIn;
 using protocol::HilFrameOut;
 using protocol::HilReader;
 using protocol::HilType;
 using protocol::HilWriter;
+using world_link::Link;
 
 using Bytes = std::vector<std::byte>;
 
@@ -192,7 +192,7 @@ TEST(HilLayout, ChangesWithASignalsNameAndWidth) {
   EXPECT_NE(hash("roll", 0.0F), hash("role", 0.0F));
   EXPECT_NE(hash("roll", 0.0F), hash("roll", true));
   EXPECT_NE(hash("roll", std::uint32_t{0}), hash("roll", std::optional<std::uint32_t>{}));
-  EXPECT_EQ(hal::emulator::layout(), hal::emulator::layout());
+  EXPECT_EQ(world_link::layout(), world_link::layout());
 }
 
 }  // namespace

@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "report/output_folder.hpp"
 #include "system/folder.hpp"
+#include "text/output_folder.hpp"
 
 namespace fantail::link {
 namespace {
@@ -31,7 +31,7 @@ TEST(LogPart, GoesOnWhereTheOneBeforeItEndedAndGoesAwayWhenItIsDone) {
   EXPECT_EQ(part.size(), 400U);
   EXPECT_EQ(part.read(0, 300), bytes(300, 1));
   EXPECT_EQ(part.read(300, 100), bytes(100, 7));
-  EXPECT_THROW((void)part.read(301, 100), report::OutputError);
+  EXPECT_THROW((void)part.read(301, 100), text::OutputError);
   part.start_anew();
   EXPECT_EQ(part.size(), 0U);
   part.append(bytes(5, 9));
@@ -43,13 +43,13 @@ TEST(LogPart, GoesOnWhereTheOneBeforeItEndedAndGoesAwayWhenItIsDone) {
 TEST(LogPart, AFolderThatCannotBeMadeAndADiskThatIsFullAreNamed) {
   const test::Folder folder;
   (void)folder.write("file", "");
-  EXPECT_THROW(LogPart{folder / "file/record.part"}, report::OutputError);
+  EXPECT_THROW(LogPart{folder / "file/record.part"}, text::OutputError);
   if (std::filesystem::exists("/dev/full")) {
     LogPart full{"/dev/full"};
     try {
       full.append(bytes(10, 0));
       FAIL() << "a full disk took it";
-    } catch (const report::OutputError& error) {
+    } catch (const text::OutputError& error) {
       EXPECT_EQ(std::string{error.what()}, "/dev/full: No space left on device");
     }
   }

@@ -4,7 +4,7 @@
 #include "avionics/can_frame.hpp"
 #include "input/scenario_file.hpp"
 #include "link/arm_steps.hpp"
-#include "link/words.hpp"
+#include "replies/sentence.hpp"
 #include "sil/bench_at_world.hpp"
 
 namespace fantail::sil {
@@ -21,7 +21,7 @@ Phase arm(BenchAtWorld& place, bool start = false) {
   place.world->set_arm_switch(true);
   place.wait(10 * millisecond);
   const protocol::ArmReply reply = steps.ask_for_nonce();
-  EXPECT_TRUE(reply.nonce) << link::words(reply.refusal);
+  EXPECT_TRUE(reply.nonce) << replies::sentence(reply.refusal);
   EXPECT_TRUE(steps.confirm(reply.nonce.value_or(0)));
   if (start) {
     EXPECT_TRUE(steps.start_control(reply.nonce.value_or(0)));
@@ -53,7 +53,7 @@ TEST(BenchArm, IsToldWhichCanardFailedTheSelfTest) {
   link::ArmSteps steps{place, link};
   const protocol::ArmReply reply = steps.run_self_test([](const auto&) {});
   EXPECT_EQ(reply.self_test, protocol::SelfTestState::failed);
-  EXPECT_EQ(link::words(reply.failure, reply.canard), "canard 3 does not stand where it was told to");
+  EXPECT_EQ(replies::sentence(reply.failure, reply.canard), "canard 3 does not stand where it was told to");
 }
 
 // It fails in the very tick in which it begins, so nobody ever hears that it runs; the second time nothing changes.
@@ -94,7 +94,7 @@ TEST(BenchArm, WithoutTheSwitchIsRefusedWithThatReason) {
   (void)steps.run_self_test([](const auto&) {});
   const protocol::ArmReply reply = steps.ask_for_nonce();
   EXPECT_FALSE(reply.nonce);
-  EXPECT_EQ(link::words(reply.refusal), "the arm switch is open");
+  EXPECT_EQ(replies::sentence(reply.refusal), "the arm switch is open");
 }
 
 // A flight begins with the world's own crew: nothing else arms a rocket there either.

@@ -4,7 +4,7 @@
 #include "avionics/can_frame.hpp"
 #include "core/flight_plan_fields.hpp"
 #include "link/plan_sender.hpp"
-#include "link/words.hpp"
+#include "replies/sentence.hpp"
 #include "sil/bench_at_world.hpp"
 
 namespace fantail::sil {
@@ -76,7 +76,7 @@ TEST(BenchPlan, ARefusedFieldIsNamed) {
   BenchAtWorld place{"bench_healthy"};
   const protocol::PlanReply reply = send(place, block_of(plan_with_limit(25.0F)));
   EXPECT_EQ(reply.state, TransferState::refused);
-  EXPECT_EQ(link::words(reply), "controller.canard_limit_deg is out of range");
+  EXPECT_EQ(replies::sentence(reply), "controller.canard_limit_deg is out of range");
   EXPECT_NEAR(limit_in_force_deg(place), 9.0F, 0.001F);
 }
 

@@ -9,7 +9,7 @@
 #include "bench/board_words.hpp"
 #include "core/tick_record.hpp"
 #include "json/value.hpp"
-#include "link/words.hpp"
+#include "replies/sentence.hpp"
 
 namespace fantail::bench {
 namespace {
@@ -87,7 +87,7 @@ std::string Watch::link_words() const {
   const link::LinkFigures& heard = link_.figures();
   const hal::CanCounters counters = bus_.counters();
   return fmt::format("{} {}, load {:.1f} %, {} frames, {} lost, {} damaged, {} foreign, {} overrun, {} bus errors",
-                     interface_, link::words(bus_.state()), load_percent_, heard.frames, heard.lost, heard.damaged,
+                     interface_, replies::name(bus_.state()), load_percent_, heard.frames, heard.lost, heard.damaged,
                      heard.foreign, counters.overrun, counters.errors);
 }
 
@@ -96,14 +96,14 @@ std::string Watch::answer_words() const {
   std::string text;
   const auto session = known<protocol::SessionReply>();
   if (session && session->reason != protocol::SessionReason::none_yet) {
-    text += "bench session: " + link::words(session->reason) + "\n";
+    text += "bench session: " + replies::sentence(session->reason) + "\n";
   }
   const auto arming = known<protocol::ArmReply>();
   if (arming && arming->self_test == protocol::SelfTestState::failed) {
-    text += "self-test: " + link::words(arming->failure, arming->canard) + "\n";
+    text += "self-test: " + replies::sentence(arming->failure, arming->canard) + "\n";
   }
   if (arming && arming->refusal != protocol::ArmRefusal::none) {
-    text += "arming: " + link::words(arming->refusal) + "\n";
+    text += "arming: " + replies::sentence(arming->refusal) + "\n";
   }
   return text;
 }
@@ -128,8 +128,8 @@ std::string Watch::table() const {
   if (health) {
     text += fmt::format(
         "avionics' bus: {}, {} frames unsent, {} overrun, {} bus errors, frames refused: {} (counts are modulo 256)\n",
-        link::words(static_cast<hal::CanState>(health->bus_state)), health->unsent, health->overrun, health->bus_errors,
-        refused());
+        replies::name(static_cast<hal::CanState>(health->bus_state)), health->unsent, health->overrun,
+        health->bus_errors, refused());
   }
   if (const auto board = known<protocol::BoardReport>()) {
     text += board_lines(*board);
@@ -175,7 +175,7 @@ std::string Watch::json() const {
   const hal::CanCounters counters = bus_.counters();
   Json json;
   json["interface"] = interface_;
-  json["bus_state"] = link::words(bus_.state());
+  json["bus_state"] = replies::name(bus_.state());
   json["bus_load_percent"] = rounded(load_percent_);
   json["frames"] = heard.frames;
   json["frames_lost"] = heard.lost;
@@ -192,17 +192,17 @@ std::string Watch::json() const {
   json["uptime_s"] = heartbeat ? rounded(1e-3 * heartbeat->uptime_ms) : Json{};
   json["plan_crc"] = heartbeat ? Json(fmt::format("{:08x}", heartbeat->plan_crc)) : Json{};
   json["longest_tick_us"] = health ? Json(health->longest_tick_us) : Json{};
-  json["avionics_bus_state"] = health ? Json(link::words(static_cast<hal::CanState>(health->bus_state))) : Json{};
+  json["avionics_bus_state"] = health ? Json(replies::name(static_cast<hal::CanState>(health->bus_state))) : Json{};
   json["avionics_unsent"] = health ? Json(health->unsent) : Json{};
   json["avionics_overrun"] = health ? Json(health->overrun) : Json{};
   json["avionics_bus_errors"] = health ? Json(health->bus_errors) : Json{};
   json["frames_refused_by_avionics"] = rejections ? by_cause(*rejections) : Json{};
-  json["bench_session"] = session ? Json(link::words(session->reason)) : Json{};
+  json["bench_session"] = session ? Json(replies::sentence(session->reason)) : Json{};
   json["self_test_failure"] = arming && arming->self_test == protocol::SelfTestState::failed
-                                  ? Json(link::words(arming->failure, arming->canard))
+                                  ? Json(replies::sentence(arming->failure, arming->canard))
                                   : Json{};
   json["arm_refusal"] =
-      arming && arming->refusal != protocol::ArmRefusal::none ? Json(link::words(arming->refusal)) : Json{};
+      arming && arming->refusal != protocol::ArmRefusal::none ? Json(replies::sentence(arming->refusal)) : Json{};
   const auto board = known<protocol::BoardReport>();
   json["board_faults"] = board ? Json(fault_names(board->faults)) : Json{};
   json["reset_cause"] = board ? Json(reset_cause_name(*board)) : Json{};

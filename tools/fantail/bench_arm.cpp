@@ -15,7 +15,7 @@
 #include "json/value.hpp"
 #include "link/arm_steps.hpp"
 #include "link/session.hpp"
-#include "link/words.hpp"
+#include "replies/sentence.hpp"
 
 namespace fantail::tool {
 namespace {
@@ -56,7 +56,7 @@ void test(const ArmOptions& options, link::ArmSteps& steps) {
     }
   });
   if (reply.self_test != protocol::SelfTestState::passed) {
-    throw RequirementNotMet{"the self-test failed: " + link::words(reply.failure, reply.canard)};
+    throw RequirementNotMet{"the self-test failed: " + replies::sentence(reply.failure, reply.canard)};
   }
   tell(options, "  passed");
 }
@@ -104,17 +104,17 @@ void arm(const ArmOptions& options) {
   await_consent(options, place, link);
   const protocol::ArmReply answer = steps.ask_for_nonce();
   if (!answer.nonce) {
-    throw RequirementNotMet{"the avionics refuses to be armed: " + link::words(answer.refusal)};
+    throw RequirementNotMet{"the avionics refuses to be armed: " + replies::sentence(answer.refusal)};
   }
   if (!steps.confirm(*answer.nonce)) {
     throw RequirementNotMet{"the avionics refuses to be armed: " +
-                            link::words(link.newest<protocol::ArmReply>()->message.refusal)};
+                            replies::sentence(link.newest<protocol::ArmReply>()->message.refusal)};
   }
   tell(options, "ARMED. Opening the arm switch makes the rocket safe again.");
   if (options.start) {
     if (!steps.start_control(*answer.nonce)) {
       throw RequirementNotMet{"control does not start: " +
-                              link::words(link.newest<protocol::ArmReply>()->message.refusal)};
+                              replies::sentence(link.newest<protocol::ArmReply>()->message.refusal)};
     }
     tell(options, "Control has started.");
   }

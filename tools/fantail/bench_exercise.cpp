@@ -28,7 +28,7 @@
 #include "input/vehicle_file.hpp"
 #include "link/session.hpp"
 #include "protocol/plan_block.hpp"
-#include "report/output_folder.hpp"
+#include "text/output_folder.hpp"
 
 namespace fantail::tool {
 namespace {
@@ -135,11 +135,11 @@ void expect_room_for_sheet(const std::filesystem::path& folder) {
     there = there.parent_path();
   }
   if (!std::filesystem::is_directory(there, ignored)) {
-    throw report::OutputError{there.string() + ": not a folder; choose another one for the sheet with --out"};
+    throw text::OutputError{there.string() + ": not a folder; choose another one for the sheet with --out"};
   }
   if (::access(there.c_str(), W_OK | X_OK) != 0) {
-    throw report::OutputError{there.string() + ": " + std::strerror(errno) +
-                              "; choose another folder for the sheet with --out"};
+    throw text::OutputError{there.string() + ": " + std::strerror(errno) +
+                            "; choose another folder for the sheet with --out"};
   }
 }
 
@@ -170,9 +170,9 @@ void exercise(const ExerciseOptions& options, const MakeExercise& make) {
   const bench::Sheet sheet = bench::examine(recording, what, on_desk.tolerances, on_desk.heading);
   const std::string json = bench::sheet_json(sheet);
 
-  const std::array<report::NamedFile, 2> files{
+  const std::array<text::NamedFile, 2> files{
       {{"sheet.html", bench::sheet_html(sheet, recording, what)}, {"sheet.json", json}}};
-  report::OutputFolder{folder}.write(files);
+  text::OutputFolder{folder}.write(files);
   if (options.bench.json) {
     fmt::print("{}", json);
   } else {

@@ -19,8 +19,8 @@
 #include "json/value.hpp"
 #include "link/plan_sender.hpp"
 #include "link/session.hpp"
-#include "link/words.hpp"
 #include "protocol/plan_block.hpp"
+#include "replies/sentence.hpp"
 #include "text/error.hpp"
 
 namespace fantail::tool {
@@ -72,13 +72,13 @@ void send(const PlanOptions& options) {
     const json::Value json{{"plan", options.plan},
                            {"bytes", block.size()},
                            {"stored", stored},
-                           {"refused_because", stored ? json::Value{} : json::Value(link::words(reply))}};
+                           {"refused_because", stored ? json::Value{} : json::Value(replies::sentence(reply))}};
     fmt::print("{}\n", json.dump());
   } else if (stored) {
     fmt::print("{}: {} bytes sent, checked, stored and read back; it is in force\n", options.plan, block.size());
   }
   if (!stored) {
-    throw RequirementNotMet{"the avionics refuses " + options.plan + ": " + link::words(reply) +
+    throw RequirementNotMet{"the avionics refuses " + options.plan + ": " + replies::sentence(reply) +
                             "; its old plan stays in force"};
   }
 }

@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 
 #include "json/value.hpp"
-#include "report/output_folder.hpp"
 #include "text/degrees.hpp"
+#include "text/output_folder.hpp"
 
 namespace fantail::tool {
 namespace {
@@ -102,10 +102,10 @@ std::string compare_csv(const logs::Comparison& c) {
 }
 
 void write_compare_results(const CompareResults& results, const std::filesystem::path& folder) {
-  const std::array<report::NamedFile, 3> files{{{"compare.html", compare_html(results)},
-                                                {"compare.json", compare_json(results)},
-                                                {"differences.csv", compare_csv(results.comparison)}}};
-  report::OutputFolder{folder}.write(files);
+  const std::array<text::NamedFile, 3> files{{{"compare.html", compare_html(results)},
+                                              {"compare.json", compare_json(results)},
+                                              {"differences.csv", compare_csv(results.comparison)}}};
+  text::OutputFolder{folder}.write(files);
 }
 
 }  // namespace fantail::tool

@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "report/output_folder.hpp"
+#include "text/output_folder.hpp"
 
 namespace fantail::tool {
 namespace {
@@ -33,7 +33,7 @@ bool holds(const std::filesystem::path& path, const std::string& content) {
 std::vector<FlightFile> write_flights(const std::filesystem::path& folder, std::span<const std::byte> record,
                                       std::size_t first) {
   std::vector<FlightFile> files;
-  std::vector<report::NamedFile> contents;
+  std::vector<text::NamedFile> contents;
   std::set<std::string> taken;
   // Either the name is free, or the file of that name is this one.
   const auto usable = [&](const std::string& name, const std::string& content) {
@@ -57,7 +57,7 @@ std::vector<FlightFile> write_flights(const std::filesystem::path& folder, std::
   if (flights.empty()) {
     add({.begin = 0, .end = record.size(), .damaged_bytes = record.size()}, first, "unreadable_{:03}.bin");
   }
-  report::OutputFolder{folder}.write(contents);
+  text::OutputFolder{folder}.write(contents);
   return files;
 }
 

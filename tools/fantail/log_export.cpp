@@ -15,8 +15,8 @@
 #include "fantail/log_verbs.hpp"
 #include "fantail/standard_streams.hpp"
 #include "flight_log/integrity.hpp"
-#include "report/output_folder.hpp"
 #include "text/number.hpp"
+#include "text/output_folder.hpp"
 
 namespace fantail::tool {
 namespace {
@@ -70,8 +70,8 @@ void export_log(const ExportOptions& options) {
     return;
   }
   const std::filesystem::path target = output_file(options, format);
-  report::OutputFolder{target.parent_path()}.write(
-      std::array{report::NamedFile{target.filename().string(), exported.bytes}});
+  text::OutputFolder{target.parent_path()}.write(
+      std::array{text::NamedFile{target.filename().string(), exported.bytes}});
   fmt::print("{}\n", target.string());
 }
 

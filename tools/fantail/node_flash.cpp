@@ -3,7 +3,7 @@
 
 #include <stdexcept>
 
-#include "report/output_folder.hpp"
+#include "text/output_folder.hpp"
 
 namespace fantail::tool {
 
@@ -15,7 +15,7 @@ std::unique_ptr<hal::on_linux::FileFlash> open_node_flash(const std::filesystem:
   try {
     return std::make_unique<hal::on_linux::FileFlash>(file);
   } catch (const std::runtime_error& error) {
-    throw report::OutputError{error.what()};
+    throw text::OutputError{error.what()};
   }
 }
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "fantail/command_line.hpp"
-#include "report/output_folder.hpp"
+#include "text/output_folder.hpp"
 #include "tunnel/steady.hpp"
 
 namespace fantail::tool {
@@ -22,7 +22,7 @@ void add_tunnel_output(const Verb& verb, TunnelOutput& output, const std::string
 
 /// Writes the files, and prints the text with the folder's page, or the JSON.
 void write_tunnel_output(const TunnelOutput& output, const std::string& default_folder,
-                         const std::vector<report::NamedFile>& files, const std::string& text, const std::string& json);
+                         const std::vector<text::NamedFile>& files, const std::string& text, const std::string& json);
 
 /// A list of steady stretches by hand.
 void add_steady_option(const Verb& verb, const std::string& name, std::string& stretches, const std::string& meaning);

@@ -13,7 +13,7 @@
 #include "gateway/gateway.hpp"
 #include "link/patience.hpp"
 #include "link/session.hpp"
-#include "link/words.hpp"
+#include "replies/sentence.hpp"
 
 namespace fantail::tool {
 namespace {
@@ -38,7 +38,7 @@ class StatusPrinter {
   void look(hal::Microseconds now) {
     if (gateway_.bus_state() != state_) {
       state_ = gateway_.bus_state();
-      tell(fmt::format("bus: {}", link::words(state_)));
+      tell(fmt::format("bus: {}", replies::name(state_)));
     }
     const bool spoken = gateway_.heard().frames != frames_;
     if (spoken) {

@@ -12,7 +12,7 @@
 #include "fantail/run.hpp"
 #include "paper/chapters.hpp"
 #include "paper/paper_page.hpp"
-#include "report/output_folder.hpp"
+#include "text/output_folder.hpp"
 
 namespace fantail::tool {
 namespace {
@@ -59,9 +59,9 @@ void repeat_the_paper(const PaperOptions& options) {
   const std::string json = paper::paper_json(chapters, FANTAIL_VERSION);
   const std::filesystem::path folder{options.out};
   give_up_if_interrupted();
-  report::OutputFolder{folder}.write(
-      std::array{report::NamedFile{.name = "paper.html", .content = paper::paper_html(chapters, FANTAIL_VERSION)},
-                 report::NamedFile{.name = "paper.json", .content = json}});
+  text::OutputFolder{folder}.write(
+      std::array{text::NamedFile{.name = "paper.html", .content = paper::paper_html(chapters, FANTAIL_VERSION)},
+                 text::NamedFile{.name = "paper.json", .content = json}});
   if (options.json) {
     fmt::print("{}", json);
     return;

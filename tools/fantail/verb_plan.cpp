@@ -16,7 +16,7 @@
 #include "json/value.hpp"
 #include "protocol/crc32c.hpp"
 #include "protocol/plan_block.hpp"
-#include "report/output_folder.hpp"
+#include "text/output_folder.hpp"
 
 namespace fantail::tool {
 namespace {
@@ -87,8 +87,8 @@ void compile(const PlanOptions& options) {
 
   const std::filesystem::path file{options.out.empty() ? named.file.stem().string() + ".ftpl" : options.out};
   const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : std::filesystem::path{"."};
-  const std::array<report::NamedFile, 1> files{{{file.filename().string(), content}}};
-  report::OutputFolder{folder}.write(files);
+  const std::array<text::NamedFile, 1> files{{{file.filename().string(), content}}};
+  text::OutputFolder{folder}.write(files);
   if (options.json) {
     fmt::print("{}\n", json::Value{{"plan", named.file.string()},
                                    {"block", file.string()},

@@ -18,9 +18,9 @@
 #include "flight_log/regenerate.hpp"
 #include "input/plan_file.hpp"
 #include "json/value.hpp"
-#include "report/output_folder.hpp"
 #include "text/degrees.hpp"
 #include "text/error.hpp"
+#include "text/output_folder.hpp"
 
 namespace fantail::tool {
 namespace {
@@ -103,9 +103,9 @@ void show_what_if(const ReplayOptions& options, const flight_log::Flight& flight
   result.changes = options.changes;
   give_up_if_interrupted();
   const std::filesystem::path folder = folder_of(options);
-  const std::array<report::NamedFile, 2> files{
+  const std::array<text::NamedFile, 2> files{
       {{"what_if.html", what_if_html(result)}, {"what_if.csv", what_if_csv(result)}}};
-  report::OutputFolder{folder}.write(files);
+  text::OutputFolder{folder}.write(files);
   if (options.json) {
     const json::Value json{{"log", options.log},
                            {"open_loop", true},

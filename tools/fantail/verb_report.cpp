@@ -15,9 +15,9 @@
 #include "logs/compare.hpp"
 #include "logs/flight_file.hpp"
 #include "logs/roll_log.hpp"
-#include "report/output_folder.hpp"
 #include "report/results.hpp"
 #include "text/number.hpp"
+#include "text/output_folder.hpp"
 
 namespace fantail::tool {
 namespace {
@@ -81,10 +81,10 @@ void report_two(const ReportOptions& options) {
   const std::filesystem::path folder = options.out.empty()
                                            ? default_folder(name_of_log(options.a) + "_and_" + name_of_log(options.b))
                                            : std::filesystem::path{options.out};
-  report::OutputFolder{folder}.write(
-      std::array<report::NamedFile, 3>{{{"report.html", overlay_html(results, a, b)},
-                                        {"compare.json", compare_json(results)},
-                                        {"differences.csv", compare_csv(results.comparison)}}});
+  text::OutputFolder{folder}.write(
+      std::array<text::NamedFile, 3>{{{"report.html", overlay_html(results, a, b)},
+                                      {"compare.json", compare_json(results)},
+                                      {"differences.csv", compare_csv(results.comparison)}}});
   if (options.json) {
     fmt::print("{}", compare_json(results));
   } else {

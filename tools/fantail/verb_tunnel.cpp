@@ -13,10 +13,9 @@ void add_tunnel_output(const Verb& verb, TunnelOutput& output, const std::string
 }
 
 void write_tunnel_output(const TunnelOutput& output, const std::string& default_folder,
-                         const std::vector<report::NamedFile>& files, const std::string& text,
-                         const std::string& json) {
+                         const std::vector<text::NamedFile>& files, const std::string& text, const std::string& json) {
   const std::filesystem::path folder = output.out.empty() ? default_folder : output.out;
-  report::OutputFolder{folder}.write(files);
+  text::OutputFolder{folder}.write(files);
   if (output.json) {
     fmt::print("{}", json);
   } else {

@@ -9,7 +9,7 @@
 #include <fmt/core.h>
 
 #include "input/fault_file.hpp"
-#include "link/words.hpp"
+#include "replies/sentence.hpp"
 #include "sim/units.hpp"
 #include "sim/world.hpp"
 
@@ -82,8 +82,8 @@ std::string why_not_armed(const sim::World& world, bool was_armed) {
     return "The avionics was not armed: its self-test, which takes about seven seconds, had not ended.";
   }
   return "The avionics refused to be armed: " +
-         (refusal->refusal != protocol::ArmRefusal::none ? link::words(refusal->refusal)
-                                                         : link::words(refusal->failure, refusal->canard)) +
+         (refusal->refusal != protocol::ArmRefusal::none ? replies::sentence(refusal->refusal)
+                                                         : replies::sentence(refusal->failure, refusal->canard)) +
          ".";
 }
 

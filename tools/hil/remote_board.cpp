@@ -5,17 +5,17 @@
 #include <utility>
 
 #include "core/tick_record_fields.hpp"
-#include "hal/emulator/flash_call.hpp"
 #include "protocol/hil_codec.hpp"
 #include "protocol/plan_block.hpp"
+#include "world_link/flash_call.hpp"
 
 namespace fantail::hil {
 
-using hal::emulator::FlashCall;
 using protocol::HilReader;
 using protocol::HilType;
 using protocol::HilWriter;
 using protocol::LogFrame;
+using world_link::FlashCall;
 
 namespace {
 
@@ -36,26 +36,26 @@ const core::TickRecord& RemoteBoard::tick() {
     frames_.push_back(*frame);
   }
   HilWriter writer{target_.link_.payload()};
-  hal::emulator::visit_inputs(hardware_, writer);
+  world_link::visit_inputs(hardware_, writer);
   writer(ports_.entropy.draw());
   writer(ports_.can_bus.state());
   writer(static_cast<std::uint8_t>(frames_.size()));
   for (const hal::CanFrame& frame : frames_) {
-    hal::emulator::visit_frame(frame, writer);
+    world_link::visit_frame(frame, writer);
   }
   expect(writer.ok() && frames_.size() < 256);
 
   const LogFrame done = ask(HilType::tick, writer.size(), HilType::done);
   HilReader reader{done.payload};
   core::visit_signals(record_, reader);
-  hal::emulator::visit_outputs(hardware_, reader);
-  hal::emulator::visit_times(target_.times_, reader);
+  world_link::visit_outputs(hardware_, reader);
+  world_link::visit_times(target_.times_, reader);
   if (const auto text = reader.text(); !text.empty()) {
     ports_.console.write(text);
   }
   for (bool more = false; reader(more), more;) {
     hal::CanFrame frame;
-    hal::emulator::visit_frame(frame, reader);
+    world_link::visit_frame(frame, reader);
     (void)ports_.can_bus.send(frame);
   }
   expect(reader.ok());
@@ -68,8 +68,8 @@ void RemoteBoard::begin() {
   HilWriter writer{target_.link_.payload()};
   writer.bytes(std::span{block}.first(size));
   const hal::FlashGeometry geometry = ports_.flash.geometry();
-  hal::emulator::visit_geometry(geometry, writer);
-  hal::emulator::visit_scales(hardware_, writer);
+  world_link::visit_geometry(geometry, writer);
+  world_link::visit_scales(hardware_, writer);
   writer.text(vehicle_);
   writer.text(sensors_);
   expect(writer.ok());

@@ -14,7 +14,7 @@ using protocol::HilType;
 Target::Target(std::unique_ptr<Wire> wire, Waiting waiting, const Patience& patience)
     : link_{std::move(wire), std::move(waiting), patience} {
   protocol::HilWriter writer{link_.payload()};
-  const std::uint32_t layout = hal::emulator::layout();
+  const std::uint32_t layout = world_link::layout();
   writer(protocol::hil_version);
   writer(layout);
   const protocol::LogFrame answer = link_.ask(HilType::hello, writer.size());

@@ -5,9 +5,9 @@
 #include <memory>
 #include <string>
 
-#include "hal/emulator/world_link.hpp"
 #include "hil/link.hpp"
 #include "sim/flight_computer.hpp"
+#include "world_link/exchange.hpp"
 
 namespace fantail::hil {
 
@@ -31,7 +31,7 @@ class Target {
   [[nodiscard]] sim::MakeFlightComputer maker();
 
   /// Of the last tick.
-  [[nodiscard]] const hal::emulator::TickTimes& times() const { return times_; }
+  [[nodiscard]] const world_link::TickTimes& times() const { return times_; }
   [[nodiscard]] const Link& link() const { return link_; }
 
  private:
@@ -39,7 +39,7 @@ class Target {
 
   Link link_;
   TargetIdentity identity_;
-  hal::emulator::TickTimes times_;
+  world_link::TickTimes times_;
 };
 
 }  // namespace fantail::hil

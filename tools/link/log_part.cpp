@@ -6,7 +6,7 @@
 #include <cstring>
 #include <system_error>
 
-#include "report/output_folder.hpp"
+#include "text/output_folder.hpp"
 
 namespace fantail::link {
 
@@ -16,7 +16,7 @@ LogPart::LogPart(std::filesystem::path path) : path_{std::move(path)} {
     std::filesystem::create_directories(path_.parent_path(), error);
   }
   if (error) {
-    throw report::OutputError{path_.parent_path().string() + ": " + error.message()};
+    throw text::OutputError{path_.parent_path().string() + ": " + error.message()};
   }
   open(std::ios::app);
   const std::streamoff end = file_.seekp(0, std::ios::end).tellp();
@@ -26,7 +26,7 @@ LogPart::LogPart(std::filesystem::path path) : path_{std::move(path)} {
   size_ = static_cast<std::uint32_t>(end);
 }
 
-void LogPart::fail() const { throw report::OutputError{path_.string() + ": " + std::strerror(errno)}; }
+void LogPart::fail() const { throw text::OutputError{path_.string() + ": " + std::strerror(errno)}; }
 
 void LogPart::open(std::ios::openmode mode) {
   file_.close();
@@ -43,7 +43,7 @@ std::vector<std::byte> LogPart::read(std::uint32_t offset, std::uint32_t size) c
   std::ifstream file{path_, std::ios::binary};
   file.seekg(offset);
   if (!file.read(text.data(), static_cast<std::streamsize>(size))) {
-    throw report::OutputError{path_.string() + ": what was downloaded cannot be read back"};
+    throw text::OutputError{path_.string() + ": what was downloaded cannot be read back"};
   }
   std::vector<std::byte> bytes(size);
   std::ranges::transform(text, bytes.begin(), [](char c) { return static_cast<std::byte>(c); });

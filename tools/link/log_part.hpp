@@ -11,7 +11,7 @@
 namespace fantail::link {
 
 /// What has been downloaded so far, in a file that outlives this program. It holds whole, verified bytes only, in
-/// order; a program that is killed can leave it shorter, and never wrong. Every call throws report::OutputError with
+/// order; a program that is killed can leave it shorter, and never wrong. Every call throws text::OutputError with
 /// the path and the system's reason.
 class LogPart {
  public:

@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "avionics/can_frame.hpp"
-#include "link/words.hpp"
 #include "protocol/crc32c.hpp"
+#include "replies/sentence.hpp"
 
 namespace fantail::link {
 namespace {
@@ -29,7 +29,7 @@ constexpr Microseconds look_time{15'000'000};
 constexpr Microseconds erase_time{3'000'000};
 
 [[noreturn]] void refuse(LogFault fault) {
-  throw LinkError{"the avionics does not give its flight record: " + words(fault)};
+  throw LinkError{"the avionics does not give its flight record: " + replies::sentence(fault)};
 }
 
 [[noreturn]] void silent() { throw LinkError{"the avionics does not answer when asked for its flight record"}; }
@@ -161,7 +161,7 @@ void LogReader::erase(Session& session, const std::function<void(std::uint32_t)>
         return;
       }
       if (reply->state == LogState::refused && reply->fault != LogFault::busy) {
-        throw LinkError{"the avionics does not erase its flight record: " + words(reply->fault)};
+        throw LinkError{"the avionics does not erase its flight record: " + replies::sentence(reply->fault)};
       }
       progress(reply->number);
     }

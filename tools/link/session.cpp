@@ -7,7 +7,7 @@
 #include <fmt/core.h>
 
 #include "avionics/can_frame.hpp"
-#include "link/words.hpp"
+#include "replies/sentence.hpp"
 
 namespace fantail::link {
 namespace {
@@ -95,7 +95,7 @@ void Session::open() {
     link_.listen(place_.now());
   }
   if (answer->state != protocol::SessionState::open) {
-    throw LinkError{"the avionics refuses a bench session: " + words(answer->reason)};
+    throw LinkError{"the avionics refuses a bench session: " + replies::sentence(answer->reason)};
   }
   open_ = true;
   last_look_ = place_.now();
@@ -178,7 +178,7 @@ void Session::check_still_open() const {
   if (reply.session == number_ && reply.state == protocol::SessionState::closed) {
     const bool by_pc = reply.reason == protocol::SessionReason::heartbeat_lost && longest_gap_ > longest_pause;
     throw LinkError{
-        "the avionics has ended the bench session: " + words(reply.reason) +
+        "the avionics has ended the bench session: " + replies::sentence(reply.reason) +
         (by_pc ? ", and this PC, asleep or too busy, had held the bench up for " + tenths(longest_gap_) : "")};
   }
   // Whoever was stopped for a while may find somebody else at work, and must not speak into that.

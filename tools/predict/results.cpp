@@ -3,17 +3,17 @@
 
 #include <array>
 
-#include "report/output_folder.hpp"
+#include "text/output_folder.hpp"
 
 namespace fantail::predict {
 
 void write_prediction(const Prediction& prediction, const Decision& decision, std::string_view version,
                       const std::filesystem::path& folder) {
-  const std::array<report::NamedFile, 4> files{{{"predict.html", prediction_html(prediction, decision, version)},
-                                                {"predict.json", prediction_json(prediction, decision, version)},
-                                                {"runs.csv", runs_csv(prediction)},
-                                                {"band.csv", band_csv(prediction)}}};
-  report::OutputFolder{folder}.write(files);
+  const std::array<text::NamedFile, 4> files{{{"predict.html", prediction_html(prediction, decision, version)},
+                                              {"predict.json", prediction_json(prediction, decision, version)},
+                                              {"runs.csv", runs_csv(prediction)},
+                                              {"band.csv", band_csv(prediction)}}};
+  text::OutputFolder{folder}.write(files);
 }
 
 }  // namespace fantail::predict

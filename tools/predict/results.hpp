@@ -26,7 +26,7 @@ namespace fantail::predict {
 [[nodiscard]] std::string prediction_html(const Prediction& prediction, const Decision& decision,
                                           std::string_view version);
 
-/// Writes predict.html, predict.json, runs.csv and band.csv into a folder, all or none. Throws report::OutputError.
+/// Writes predict.html, predict.json, runs.csv and band.csv into a folder, all or none. Throws text::OutputError.
 void write_prediction(const Prediction& prediction, const Decision& decision, std::string_view version,
                       const std::filesystem::path& folder);
 

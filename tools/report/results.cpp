@@ -8,8 +8,8 @@
 
 #include "flight/write_csv.hpp"
 #include "report/html.hpp"
-#include "report/output_folder.hpp"
 #include "report/summary_json.hpp"
+#include "text/output_folder.hpp"
 
 namespace fantail::report {
 namespace {
@@ -31,9 +31,9 @@ Results results(const flight::Flight& flight) {
 }
 
 void write_results(const flight::Flight& flight, const Results& results, const std::filesystem::path& folder) {
-  std::vector<NamedFile> files{{"flight.csv", csv(flight)},
-                               {"summary.json", results.summary},
-                               {"report.html", html(flight, results.figures, results.verdict)}};
+  std::vector<text::NamedFile> files{{"flight.csv", csv(flight)},
+                                     {"summary.json", results.summary},
+                                     {"report.html", html(flight, results.figures, results.verdict)}};
   std::vector<std::string> of_others;
   const auto add = [&](const char* name, bool there, const auto& content) {
     if (there) {
@@ -44,7 +44,7 @@ void write_results(const flight::Flight& flight, const Results& results, const s
   };
   add("flight.ftl", !flight.log.empty(), [&] { return text(flight.log); });
   add("tunnel.csv", !flight.tunnel_readings.empty(), [&] { return flight::tunnel_csv(flight); });
-  OutputFolder{folder}.write(files, of_others);
+  text::OutputFolder{folder}.write(files, of_others);
 }
 
 }  // namespace fantail::report

@@ -3,7 +3,7 @@
 
 #include <fmt/core.h>
 
-#include "link/words.hpp"
+#include "replies/sentence.hpp"
 #include "telemetry/panel_values.hpp"
 #include "telemetry/words.hpp"
 
@@ -113,11 +113,11 @@ std::string Panel::health_text() const {
   text += "\n";
   if (health.bus) {
     text += fmt::format("  avionics' CAN bus: {}, {} unsent, {} overrun, {} bus errors\n",
-                        link::words(health.bus->state), health.bus->unsent, health.bus->overrun, health.bus->errors);
+                        replies::name(health.bus->state), health.bus->unsent, health.bus->overrun, health.bus->errors);
   }
   if (health.gateway) {
     text += fmt::format("  gateway's CAN bus: {}, {} frames, {} lost, {} damaged, {} foreign, {} overrun\n",
-                        link::words(health.gateway->state), health.gateway->frames, health.gateway->lost,
+                        replies::name(health.gateway->state), health.gateway->frames, health.gateway->lost,
                         health.gateway->damaged, health.gateway->foreign, health.gateway->overrun);
   }
   return text;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "json/value.hpp"
-#include "link/words.hpp"
+#include "replies/sentence.hpp"
 #include "telemetry/panel.hpp"
 #include "telemetry/panel_values.hpp"
 #include "telemetry/words.hpp"
@@ -73,14 +73,14 @@ Json health_json(const std::optional<Heard<Health>>& heard, hal::Microseconds no
   json["late_ticks"] = health.late_ticks;
   json["bus"] = Json{};
   if (health.bus) {
-    json["bus"] = {{"state", link::words(health.bus->state)},
+    json["bus"] = {{"state", replies::name(health.bus->state)},
                    {"unsent", health.bus->unsent},
                    {"overrun", health.bus->overrun},
                    {"errors", health.bus->errors}};
   }
   json["gateway"] = Json{};
   if (health.gateway) {
-    json["gateway"] = {{"state", link::words(health.gateway->state)},
+    json["gateway"] = {{"state", replies::name(health.gateway->state)},
                        {"frames", health.gateway->frames},
                        {"lost", health.gateway->lost},
                        {"damaged", health.gateway->damaged},

@@ -43,7 +43,7 @@ void Target::serve(std::uint32_t late) {
 void Target::present() {
   HilWriter writer{link_.payload()};
   writer(protocol::hil_version);
-  const std::uint32_t layout = hal::emulator::layout();
+  const std::uint32_t layout = world_link::layout();
   writer(layout);
   writer.text(name_);
   writer.text(avionics::firmware_version());
@@ -57,9 +57,9 @@ void Target::begin(std::span<const std::byte> payload) {
   HilReader reader{payload};
   const auto plan = protocol::read_plan_block(reader.bytes());
   hal::FlashGeometry geometry;
-  hal::emulator::visit_geometry(geometry, reader);
+  world_link::visit_geometry(geometry, reader);
   world_ = {};
-  hal::emulator::visit_scales(world_, reader);
+  world_link::visit_scales(world_, reader);
   const std::string_view vehicle = keep(reader.text(), vehicle_);
   const std::string_view sensors = keep(reader.text(), sensors_);
   if (!reader.ok() || !plan.plan) {
@@ -96,7 +96,7 @@ void Target::begin(std::span<const std::byte> payload) {
 
 void Target::tick(std::span<const std::byte> payload) {
   HilReader reader{payload};
-  hal::emulator::visit_inputs(world_, reader);
+  world_link::visit_inputs(world_, reader);
   std::uint32_t random = 0;
   reader(random);
   entropy_.set(random);
@@ -112,12 +112,12 @@ void Target::tick(std::span<const std::byte> payload) {
   ticked_ = true;
   stopwatch_.begin();
   const core::TickRecord& record = avionics_->tick();
-  const hal::emulator::TickTimes times{
+  const world_link::TickTimes times{
       .tick = stopwatch_.end(), .step = measured_.step != nullptr ? *measured_.step : 0, .overruns = overruns_};
   HilWriter writer{link_.payload()};
   core::visit_signals(record, writer);
-  hal::emulator::visit_outputs(world_, writer);
-  hal::emulator::visit_times(times, writer);
+  world_link::visit_outputs(world_, writer);
+  world_link::visit_times(times, writer);
   writer.text(console_.text());
   console_.clear();
   give_frames(writer);
@@ -139,7 +139,7 @@ void Target::take_frames(HilReader& reader) {
   wire_.set_state(hal::CanState::error_active);
   for (std::uint8_t i = 0; i < count && reader.within(); ++i) {
     hal::CanFrame frame;
-    hal::emulator::visit_frame(frame, reader);
+    world_link::visit_frame(frame, reader);
     world_bus_->send(frame);
   }
   wire_.set_state(state);
@@ -148,7 +148,7 @@ void Target::take_frames(HilReader& reader) {
 void Target::give_frames(HilWriter& writer) {
   while (const auto frame = world_bus_->receive()) {
     writer(true);
-    hal::emulator::visit_frame(*frame, writer);
+    world_link::visit_frame(*frame, writer);
   }
   writer(false);
 }

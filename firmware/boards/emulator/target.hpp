@@ -12,10 +12,7 @@
 #include "hal/emulator/channel.hpp"
 #include "hal/emulator/console.hpp"
 #include "hal/emulator/entropy.hpp"
-#include "hal/emulator/flash.hpp"
-#include "hal/emulator/link.hpp"
 #include "hal/emulator/stopwatch.hpp"
-#include "hal/emulator/world_link.hpp"
 #include "hal/sim/accelerometer.hpp"
 #include "hal/sim/arm_switch.hpp"
 #include "hal/sim/backup_memory.hpp"
@@ -28,6 +25,9 @@
 #include "hal/sim/watchdog.hpp"
 #include "hal/sim/world_side.hpp"
 #include "protocol/hil_codec.hpp"
+#include "world_link/exchange.hpp"
+#include "world_link/flash.hpp"
+#include "world_link/link.hpp"
 
 namespace fantail::boards::emulator {
 
@@ -52,7 +52,7 @@ class Target {
   hal::emulator::Stopwatch& stopwatch_;
   std::string_view name_;
   const Measured& measured_;
-  hal::emulator::Link link_;
+  world_link::Link link_;
   hal::sim::WorldSide world_;
   hal::sim::Clock clock_{world_};
   hal::sim::Imu imu_{world_};
@@ -66,7 +66,7 @@ class Target {
   hal::sim::CanWire wire_;
   std::optional<hal::sim::CanBus> can_bus_;    ///< the avionics' node, new with every beginning
   std::optional<hal::sim::CanBus> world_bus_;  ///< all other nodes
-  hal::emulator::Flash flash_;
+  world_link::Flash flash_;
   hal::emulator::Console console_;
   hal::emulator::Entropy entropy_;
   std::array<char, 32> vehicle_{};

@@ -8,8 +8,8 @@
 #include "identify/result/outputs.hpp"
 #include "identify/result/words.hpp"
 #include "json/value.hpp"
-#include "report/output_folder.hpp"
 #include "text/degrees.hpp"
+#include "text/output_folder.hpp"
 
 namespace fantail::identify::result {
 namespace {
@@ -144,7 +144,7 @@ std::vector<std::string> model_csv_names(const Study& study) {
 }
 
 void write_study(const Study& study, const std::filesystem::path& folder) {
-  std::vector<report::NamedFile> files{{"report.html", as_html(study)}, {"identification.json", as_json(study)}};
+  std::vector<text::NamedFile> files{{"report.html", as_html(study)}, {"identification.json", as_json(study)}};
   const std::vector<std::string> names = model_csv_names(study);
   std::size_t next = 0;
   for (const WindowFindings& window : study.windows) {
@@ -152,7 +152,7 @@ void write_study(const Study& study, const std::filesystem::path& folder) {
       files.push_back({names[next++], as_csv(window.record, result.model, result.simulation)});
     }
   }
-  report::OutputFolder{folder}.write(files);
+  text::OutputFolder{folder}.write(files);
 }
 
 }  // namespace fantail::identify::result

@@ -10,7 +10,7 @@
 #include "hal/flash.hpp"
 #include "hal/sim/world_side.hpp"
 
-namespace fantail::hal::emulator {
+namespace fantail::world_link {
 
 // What the world and the devices tell each other in one tick: one list for the writer and the reader of each message.
 
@@ -43,9 +43,9 @@ void visit_inputs(World& world, Visitor& visit) {
   visit(faults);
   if constexpr (!std::is_const_v<World>) {
     world.board.faults = {};
-    for (std::size_t i = 0; i < board_faults; ++i) {
+    for (std::size_t i = 0; i < hal::board_faults; ++i) {
       if ((faults >> i & 1U) != 0) {
-        world.board.faults.add(static_cast<BoardFault>(i));
+        world.board.faults.add(static_cast<hal::BoardFault>(i));
       }
     }
   }
@@ -63,7 +63,7 @@ void visit_outputs(World& world, Visitor& visit) {
 }
 
 template <typename Frame, typename Visitor>
-  requires std::is_same_v<std::remove_const_t<Frame>, CanFrame>
+  requires std::is_same_v<std::remove_const_t<Frame>, hal::CanFrame>
 void visit_frame(Frame& frame, Visitor& visit) {
   visit(frame.id);
   visit(frame.extended);
@@ -97,4 +97,4 @@ void visit_times(Times& times, Visitor& visit) {
 /// What all of this is known by, the record's signals included: two programs that agree in it understand each other.
 [[nodiscard]] std::uint32_t layout();
 
-}  // namespace fantail::hal::emulator
+}  // namespace fantail::world_link

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "hal/emulator/link.hpp"
+#include "world_link/link.hpp"
 
 #include <utility>
 
-namespace fantail::hal::emulator {
+namespace fantail::world_link {
 
 using protocol::HilType;
 using protocol::LogFrame;
@@ -35,7 +35,7 @@ bool Link::is_news(const LogFrame& frame) {
   return true;
 }
 
-void Link::answer(HilType type, std::size_t payload_size, Microseconds time) {
+void Link::answer(HilType type, std::size_t payload_size, hal::Microseconds time) {
   if (!begins_anew_) {
     channel_.write(out_.seal(type, last_ ? last_->sequence : 0, payload_size, time));
   }
@@ -51,4 +51,4 @@ std::optional<LogFrame> Link::ask(HilType type, std::size_t payload_size) {
   return frame;
 }
 
-}  // namespace fantail::hal::emulator
+}  // namespace fantail::world_link

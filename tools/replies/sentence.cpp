@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "link/words.hpp"
+#include "replies/sentence.hpp"
 
 #include "core/flight_plan_fields.hpp"
 
-namespace fantail::link {
+namespace fantail::replies {
 namespace {
 
-std::string words(protocol::PlanBlockFault fault) {
+std::string sentence(protocol::PlanBlockFault fault) {
   using Fault = protocol::PlanBlockFault;
   switch (fault) {
     case Fault::too_short: return "it is too short to be a plan";
@@ -26,7 +26,7 @@ std::string words(protocol::PlanBlockFault fault) {
 
 }  // namespace
 
-std::string_view words(hal::CanState state) {
+std::string_view name(hal::CanState state) {
   switch (state) {
     case hal::CanState::error_active: return "error active";
     case hal::CanState::error_warning: return "error warning";
@@ -37,7 +37,7 @@ std::string_view words(hal::CanState state) {
   return "unknown";
 }
 
-std::string words(protocol::SessionReason reason) {
+std::string sentence(protocol::SessionReason reason) {
   using Reason = protocol::SessionReason;
   switch (reason) {
     case Reason::none_yet: return "there was none yet";
@@ -53,7 +53,7 @@ std::string words(protocol::SessionReason reason) {
   return "for an unknown reason";
 }
 
-std::string words(protocol::SelfTestFailure failure, const std::optional<std::size_t>& canard) {
+std::string sentence(protocol::SelfTestFailure failure, const std::optional<std::size_t>& canard) {
   using Failure = protocol::SelfTestFailure;
   const std::string which = canard ? "canard " + std::to_string(*canard + 1) : "a canard";
   switch (failure) {
@@ -81,7 +81,7 @@ std::string words(protocol::SelfTestFailure failure, const std::optional<std::si
   return "for an unknown reason";
 }
 
-std::string words(protocol::ArmRefusal refusal) {
+std::string sentence(protocol::ArmRefusal refusal) {
   using Refusal = protocol::ArmRefusal;
   switch (refusal) {
     case Refusal::none: return "nothing";
@@ -101,7 +101,7 @@ std::string words(protocol::ArmRefusal refusal) {
   return "for an unknown reason";
 }
 
-std::string words(protocol::LogFault fault) {
+std::string sentence(protocol::LogFault fault) {
   using Fault = protocol::LogFault;
   switch (fault) {
     case Fault::none: return "nothing";
@@ -116,7 +116,7 @@ std::string words(protocol::LogFault fault) {
   return "for an unknown reason";
 }
 
-std::string words(const protocol::PlanReply& reply) {
+std::string sentence(const protocol::PlanReply& reply) {
   using Fault = protocol::TransferFault;
   switch (reply.fault) {
     case Fault::none: return "nothing";
@@ -132,7 +132,7 @@ std::string words(const protocol::PlanReply& reply) {
     const core::PlanField& field = core::flight_plan_fields()[*reply.field];
     return std::string{field.section} + "." + std::string{field.key} + " is out of range";
   }
-  return reply.block_fault ? words(*reply.block_fault) : "for an unknown reason";
+  return reply.block_fault ? sentence(*reply.block_fault) : "for an unknown reason";
 }
 
-}  // namespace fantail::link
+}  // namespace fantail::replies

@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace fantail::report {
+namespace fantail::text {
 
 /// The folder or a file in it could not be written. what() names the path and the system's reason.
 class OutputError : public std::runtime_error {
@@ -33,4 +33,4 @@ class OutputFolder {
   std::filesystem::path folder_;
 };
 
-}  // namespace fantail::report
+}  // namespace fantail::text

@@ -3,9 +3,9 @@
 
 #include <cstdint>
 
-namespace fantail::hal::emulator {
+namespace fantail::world_link {
 
 /// What a flight computer asks of the world's flash.
 enum class FlashCall : std::uint8_t { read, program, erase, busy };
 
-}  // namespace fantail::hal::emulator
+}  // namespace fantail::world_link

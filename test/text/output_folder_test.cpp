@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "report/output_folder.hpp"
+#include "text/output_folder.hpp"
 
 #include <array>
 #include <csignal>
@@ -13,7 +13,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-namespace fantail::report {
+namespace fantail::text {
 namespace {
 
 namespace fs = std::filesystem;
@@ -182,4 +182,4 @@ TEST_F(OutputFolderTest, AFailureBringsBackWhatWasToBeRemoved) {
 }
 
 }  // namespace
-}  // namespace fantail::report
+}  // namespace fantail::text

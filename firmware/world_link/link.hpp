@@ -10,13 +10,13 @@
 #include "hal/emulator/channel.hpp"
 #include "protocol/hil_frame.hpp"
 
-namespace fantail::hal::emulator {
+namespace fantail::world_link {
 
 /// The flight computer's side of the link (protocol/hil_frame.hpp): it is asked, and answers.
 class Link {
  public:
   /// The channel outlives this object.
-  explicit Link(Channel& channel) : channel_{channel} {}
+  explicit Link(hal::emulator::Channel& channel) : channel_{channel} {}
   Link(const Link&) = delete;
   Link& operator=(const Link&) = delete;
 
@@ -26,7 +26,7 @@ class Link {
 
   /// Where the payload of the answer goes.
   [[nodiscard]] std::span<std::byte> payload() { return out_.payload(); }
-  void answer(protocol::HilType type, std::size_t payload_size, Microseconds time = {});
+  void answer(protocol::HilType type, std::size_t payload_size, hal::Microseconds time = {});
 
   /// Instead of an answer a question of this side, in the middle of its work. Empty when a world has begun anew
   /// instead: then this work is for nobody, and its answer will not be sent.
@@ -35,11 +35,11 @@ class Link {
  private:
   [[nodiscard]] bool is_news(const protocol::LogFrame& frame);
 
-  Channel& channel_;
+  hal::emulator::Channel& channel_;
   protocol::HilFrameIn in_;
   protocol::HilFrameOut out_;
   std::optional<protocol::LogFrameHead> last_;     ///< the question that was taken last
   std::optional<protocol::LogFrame> begins_anew_;  ///< a hello that came in the middle of work
 };
 
-}  // namespace fantail::hal::emulator
+}  // namespace fantail::world_link

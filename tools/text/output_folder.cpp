@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "report/output_folder.hpp"
+#include "text/output_folder.hpp"
 
 #include <cerrno>
 #include <csignal>
@@ -12,7 +12,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-namespace fantail::report {
+namespace fantail::text {
 namespace {
 
 namespace fs = std::filesystem;
@@ -193,4 +193,4 @@ void OutputFolder::write(std::span<const NamedFile> files, std::span<const std::
   transaction.commit();
 }
 
-}  // namespace fantail::report
+}  // namespace fantail::text

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "hal/can_bus.hpp"
+#include "protocol/bus_messages.hpp"
+
+namespace fantail::replies {
+
+// What the avionics answers with one word, as a sentence for whoever has to do something about it.
+
+[[nodiscard]] std::string sentence(protocol::SessionReason reason);
+[[nodiscard]] std::string sentence(protocol::SelfTestFailure failure, const std::optional<std::size_t>& canard);
+[[nodiscard]] std::string sentence(protocol::ArmRefusal refusal);
+[[nodiscard]] std::string sentence(protocol::LogFault fault);
+/// Names the refused field of the plan where there is one.
+[[nodiscard]] std::string sentence(const protocol::PlanReply& reply);
+
+/// "error active", "bus off", ...
+[[nodiscard]] std::string_view name(hal::CanState state);
+
+}  // namespace fantail::replies
