@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <string_view>
 
-#include "avionics/board_words.hpp"
+#include "avionics/board_text.hpp"
 
 namespace fantail::avionics {
 
@@ -53,7 +53,7 @@ bool BoardWatch::tell(core::Microseconds now, core::Phase phase, const FlashFact
   }
   const std::string_view so = phase == core::Phase::safe ? not_armed : "it goes on";
   if (!told_at_) {
-    console.write(words(status_.reset_cause));
+    console.write(text(status_.reset_cause));
     console.write("\n");
   }
   if (!told_at_ || news.faults != told_.faults) {
@@ -64,7 +64,7 @@ bool BoardWatch::tell(core::Microseconds now, core::Phase phase, const FlashFact
   }
   if (news.plan && news.plan != told_.plan) {
     console.write("plan: ");
-    console.write(words(*news.plan));
+    console.write(text(*news.plan));
     console.write("\n");
   }
   if (news.flash_failed && !told_.flash_failed) {

@@ -3,10 +3,10 @@
 #include <cstdint>
 #include <optional>
 
+#include "protocol/bus_choices.hpp"
 #include "protocol/bus_codec.hpp"
 #include "protocol/bus_frames.hpp"
-#include "protocol/bus_log_words.hpp"
-#include "protocol/bus_words.hpp"
+#include "protocol/bus_log_choices.hpp"
 
 namespace fantail::protocol {
 namespace {

@@ -3,10 +3,10 @@
 #include <cstdint>
 #include <optional>
 
+#include "protocol/bus_choices.hpp"
 #include "protocol/bus_codec.hpp"
 #include "protocol/bus_frames.hpp"
-#include "protocol/bus_log_words.hpp"
-#include "protocol/bus_words.hpp"
+#include "protocol/bus_log_choices.hpp"
 
 namespace fantail::protocol {
 namespace {
@@ -36,7 +36,7 @@ std::optional<ArmRequest> read_arm(const ArmRequestFrame::Raw& raw) {
   return action ? std::optional{ArmRequest{.action = *action, .nonce = raw.nonce}} : std::nullopt;
 }
 
-// Of any size and index: what a transfer cannot use it refuses with a word of its own.
+// Of any size and index: what a transfer cannot use it refuses with a reason of its own.
 std::optional<PlanBegin> read_begin(const PlanBeginFrame::Raw& raw) {
   return PlanBegin{.size = raw.size, .block_crc = raw.block_crc};
 }

@@ -53,31 +53,23 @@ BusFrame protect(typename Frame::Raw raw, std::uint8_t counter) {
   return frame;
 }
 
-/// Everything that can be said against a frame before its values are looked at. `strict` refuses bits that no signal of
-/// the database covers unless they are zero; a bench that listens to newer avionics lets them pass.
-template <typename Frame, bool strict>
-std::optional<Rejection> refusal_of(const BusFrame& frame) {
-  if (frame.length != Frame::length) {
-    return Rejection::wrong_length;
-  }
-  if constexpr (Frame::is_protected) {
-    if (Frame::unpack(frame).crc != protection_of(frame)) {
-      return Rejection::wrong_crc;
-    }
-  }
-  if (strict && Frame::pack(Frame::unpack(frame)).data != frame.data) {
-    return Rejection::out_of_range;
-  }
-  return std::nullopt;
-}
-
-/// `read` makes a message of the raw signals, or nothing when one of them is out of its range.
+/// Refuses a wrong length, then a wrong CRC, then values. `strict` also refuses bits that no signal of the database
+/// covers unless they are zero; a bench that listens to newer avionics lets them pass. `read` makes a message of the
+/// raw signals, or nothing when one of them is out of its range.
 template <typename Message, typename Frame, bool strict, typename Read>
 Decoded<Message> decode_as(const BusFrame& frame, Read read) {
-  if (const auto refusal = refusal_of<Frame, strict>(frame)) {
-    return {.rejection = *refusal};
+  if (frame.length != Frame::length) {
+    return {.rejection = Rejection::wrong_length};
+  }
+  if constexpr (Frame::is_protected) {
+    if (frame.data.back() != protection_of(frame)) {
+      return {.rejection = Rejection::wrong_crc};
+    }
   }
   const typename Frame::Raw raw = Frame::unpack(frame);
+  if (strict && Frame::pack(raw).data != frame.data) {
+    return {.rejection = Rejection::out_of_range};
+  }
   const auto message = read(raw);
   if (!message) {
     return {.rejection = Rejection::out_of_range};

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "avionics/board_words.hpp"
+#include "avionics/board_text.hpp"
 #include "hal/board.hpp"
 
 namespace fantail::bench {
@@ -50,9 +50,9 @@ std::string board_lines(const protocol::BoardReport& report) {
   const std::string battery =
       report.battery_mv ? fmt::format("{:.2f} V", 1e-3 * *report.battery_mv) : std::string{"not measured"};
   std::string text =
-      fmt::format("board: {}; {}, battery {}, {}{} control ticks missed\n", faults, avionics::words(cause_of(report)),
+      fmt::format("board: {}; {}, battery {}, {}{} control ticks missed\n", faults, avionics::text(cause_of(report)),
                   battery, report.overruns, report.overruns == most_overruns ? " or more" : "");
-  text += fmt::format("plan: {}\n", avionics::words(report.plan));
+  text += fmt::format("plan: {}\n", avionics::text(report.plan));
   if (report.flash_failed) {
     text += "flash: it does not answer, or does not keep what is written; with that it is not armed\n";
   }

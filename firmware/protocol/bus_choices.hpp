@@ -9,12 +9,13 @@
 
 namespace fantail::protocol {
 
-// Inside the codec only. Each enumerator beside its word in the database: a new enumerator that the database does not
-// know is a warning of the compiler (a case is missing), and one that stands elsewhere fails the assertion below.
+// Inside the codec only. Each enumerator beside its choice (a named value of a signal) in the database: a new
+// enumerator that the database does not know is a warning of the compiler (a case is missing), and one that stands
+// elsewhere fails the assertion below.
 
-inline constexpr unsigned no_word = 256;
+inline constexpr unsigned no_choice = 256;
 
-constexpr unsigned word(core::Phase value) {
+constexpr unsigned choice(core::Phase value) {
   switch (value) {
     using enum core::Phase;
     case safe: return CANARD_BUS_STATUS_REPORT_PHASE_SAFE_CHOICE;
@@ -23,10 +24,10 @@ constexpr unsigned word(core::Phase value) {
     case controlling: return CANARD_BUS_STATUS_REPORT_PHASE_CONTROLLING_CHOICE;
     case finished: return CANARD_BUS_STATUS_REPORT_PHASE_FINISHED_CHOICE;
   }
-  return no_word;
+  return no_choice;
 }
 
-constexpr unsigned word(core::PhaseReason value) {
+constexpr unsigned choice(core::PhaseReason value) {
   switch (value) {
     using enum core::PhaseReason;
     case power_on: return CANARD_BUS_STATUS_REPORT_REASON_POWER_ON_CHOICE;
@@ -45,10 +46,10 @@ constexpr unsigned word(core::PhaseReason value) {
     case timing_fault: return CANARD_BUS_STATUS_REPORT_REASON_TIMING_FAULT_CHOICE;
     case canard_fault: return CANARD_BUS_STATUS_REPORT_REASON_CANARD_FAULT_CHOICE;
   }
-  return no_word;
+  return no_choice;
 }
 
-constexpr unsigned word(core::CommandStatus value) {
+constexpr unsigned choice(core::CommandStatus value) {
   switch (value) {
     using enum core::CommandStatus;
     case outside_control: return CANARD_BUS_STATUS_REPORT_COMMAND_STATUS_OUTSIDE_CONTROL_CHOICE;
@@ -56,20 +57,20 @@ constexpr unsigned word(core::CommandStatus value) {
     case gyro_lost: return CANARD_BUS_STATUS_REPORT_COMMAND_STATUS_GYRO_LOST_CHOICE;
     case not_finite: return CANARD_BUS_STATUS_REPORT_COMMAND_STATUS_NOT_FINITE_CHOICE;
   }
-  return no_word;
+  return no_choice;
 }
 
-constexpr unsigned word(SessionAction value) {
+constexpr unsigned choice(SessionAction value) {
   switch (value) {
     using enum SessionAction;
     case keep: return CANARD_BUS_BENCH_SESSION_ACTION_KEEP_CHOICE;
     case open: return CANARD_BUS_BENCH_SESSION_ACTION_OPEN_CHOICE;
     case close: return CANARD_BUS_BENCH_SESSION_ACTION_CLOSE_CHOICE;
   }
-  return no_word;
+  return no_choice;
 }
 
-constexpr unsigned word(ArmAction value) {
+constexpr unsigned choice(ArmAction value) {
   switch (value) {
     using enum ArmAction;
     case self_test: return CANARD_BUS_ARM_REQUEST_ACTION_SELF_TEST_CHOICE;
@@ -77,19 +78,19 @@ constexpr unsigned word(ArmAction value) {
     case confirm: return CANARD_BUS_ARM_REQUEST_ACTION_CONFIRM_CHOICE;
     case start: return CANARD_BUS_ARM_REQUEST_ACTION_START_CHOICE;
   }
-  return no_word;
+  return no_choice;
 }
 
-constexpr unsigned word(SessionState value) {
+constexpr unsigned choice(SessionState value) {
   switch (value) {
     using enum SessionState;
     case closed: return CANARD_BUS_SESSION_REPLY_STATE_CLOSED_CHOICE;
     case open: return CANARD_BUS_SESSION_REPLY_STATE_OPEN_CHOICE;
   }
-  return no_word;
+  return no_choice;
 }
 
-constexpr unsigned word(SessionReason value) {
+constexpr unsigned choice(SessionReason value) {
   switch (value) {
     using enum SessionReason;
     case none_yet: return CANARD_BUS_SESSION_REPLY_REASON_NONE_YET_CHOICE;
@@ -101,10 +102,10 @@ constexpr unsigned word(SessionReason value) {
     case self_test_runs: return CANARD_BUS_SESSION_REPLY_REASON_SELF_TEST_RUNS_CHOICE;
     case other_session: return CANARD_BUS_SESSION_REPLY_REASON_OTHER_SESSION_CHOICE;
   }
-  return no_word;
+  return no_choice;
 }
 
-constexpr unsigned word(SelfTestState value) {
+constexpr unsigned choice(SelfTestState value) {
   switch (value) {
     using enum SelfTestState;
     case not_run: return CANARD_BUS_ARM_REPLY_SELF_TEST_NOT_RUN_CHOICE;
@@ -112,10 +113,10 @@ constexpr unsigned word(SelfTestState value) {
     case passed: return CANARD_BUS_ARM_REPLY_SELF_TEST_PASSED_CHOICE;
     case failed: return CANARD_BUS_ARM_REPLY_SELF_TEST_FAILED_CHOICE;
   }
-  return no_word;
+  return no_choice;
 }
 
-constexpr unsigned word(SelfTestFailure value) {
+constexpr unsigned choice(SelfTestFailure value) {
   switch (value) {
     using enum SelfTestFailure;
     case none: return CANARD_BUS_ARM_REPLY_FAILURE_NONE_CHOICE;
@@ -136,10 +137,10 @@ constexpr unsigned word(SelfTestFailure value) {
     case board_fault: return CANARD_BUS_ARM_REPLY_FAILURE_BOARD_FAULT_CHOICE;
     case newer_plan: return CANARD_BUS_ARM_REPLY_FAILURE_NEWER_PLAN_CHOICE;
   }
-  return no_word;
+  return no_choice;
 }
 
-constexpr unsigned word(ArmRefusal value) {
+constexpr unsigned choice(ArmRefusal value) {
   switch (value) {
     using enum ArmRefusal;
     case none: return CANARD_BUS_ARM_REPLY_REFUSAL_NONE_CHOICE;
@@ -156,10 +157,10 @@ constexpr unsigned word(ArmRefusal value) {
     case not_armed: return CANARD_BUS_ARM_REPLY_REFUSAL_NOT_ARMED_CHOICE;
     case board_fault: return CANARD_BUS_ARM_REPLY_REFUSAL_BOARD_FAULT_CHOICE;
   }
-  return no_word;
+  return no_choice;
 }
 
-constexpr unsigned word(TransferState value) {
+constexpr unsigned choice(TransferState value) {
   switch (value) {
     using enum TransferState;
     case idle: return CANARD_BUS_PLAN_REPLY_STATE_IDLE_CHOICE;
@@ -168,10 +169,10 @@ constexpr unsigned word(TransferState value) {
     case stored: return CANARD_BUS_PLAN_REPLY_STATE_STORED_CHOICE;
     case refused: return CANARD_BUS_PLAN_REPLY_STATE_REFUSED_CHOICE;
   }
-  return no_word;
+  return no_choice;
 }
 
-constexpr unsigned word(TransferFault value) {
+constexpr unsigned choice(TransferFault value) {
   switch (value) {
     using enum TransferFault;
     case none: return CANARD_BUS_PLAN_REPLY_FAULT_NONE_CHOICE;
@@ -183,11 +184,11 @@ constexpr unsigned word(TransferFault value) {
     case flash_failed: return CANARD_BUS_PLAN_REPLY_FAULT_FLASH_FAILED_CHOICE;
     case read_back_differs: return CANARD_BUS_PLAN_REPLY_FAULT_READ_BACK_DIFFERS_CHOICE;
   }
-  return no_word;
+  return no_choice;
 }
 
 /// On the bus zero is the absence of a fault, so every fault stands one higher.
-constexpr unsigned word(PlanBlockFault value) {
+constexpr unsigned choice(PlanBlockFault value) {
   switch (value) {
     using enum PlanBlockFault;
     case too_short: return CANARD_BUS_PLAN_REPLY_BLOCK_FAULT_TOO_SHORT_CHOICE - 1;
@@ -199,10 +200,10 @@ constexpr unsigned word(PlanBlockFault value) {
     case refused: return CANARD_BUS_PLAN_REPLY_BLOCK_FAULT_REFUSED_CHOICE - 1;
     case newer_version: return CANARD_BUS_PLAN_REPLY_BLOCK_FAULT_NEWER_VERSION_CHOICE - 1;
   }
-  return no_word;
+  return no_choice;
 }
 
-constexpr unsigned word(PlanSource value) {
+constexpr unsigned choice(PlanSource value) {
   switch (value) {
     using enum PlanSource;
     case built_in: return CANARD_BUS_BOARD_REPORT_PLAN_BUILT_IN_CHOICE;
@@ -211,10 +212,10 @@ constexpr unsigned word(PlanSource value) {
     case stored_is_newer: return CANARD_BUS_BOARD_REPORT_PLAN_STORED_IS_NEWER_CHOICE;
     case flash_unreadable: return CANARD_BUS_BOARD_REPORT_PLAN_FLASH_UNREADABLE_CHOICE;
   }
-  return no_word;
+  return no_choice;
 }
 
-constexpr unsigned word(core::CanardVerdict value) {
+constexpr unsigned choice(core::CanardVerdict value) {
   switch (value) {
     using enum core::CanardVerdict;
     case healthy: return CANARD_BUS_HEALTH_REPORT_VERDICT_1_HEALTHY_CHOICE;
@@ -223,10 +224,10 @@ constexpr unsigned word(core::CanardVerdict value) {
     case slipping: return CANARD_BUS_HEALTH_REPORT_VERDICT_1_SLIPPING_CHOICE;
     case disagreeing: return CANARD_BUS_HEALTH_REPORT_VERDICT_1_DISAGREEING_CHOICE;
   }
-  return no_word;
+  return no_choice;
 }
 
-constexpr unsigned word(core::SensorState value) {
+constexpr unsigned choice(core::SensorState value) {
   switch (value) {
     using enum core::SensorState;
     case fresh: return CANARD_BUS_HEALTH_REPORT_GYRO_FRESH_CHOICE;
@@ -234,36 +235,36 @@ constexpr unsigned word(core::SensorState value) {
     case lost: return CANARD_BUS_HEALTH_REPORT_GYRO_LOST_CHOICE;
     case failed: return CANARD_BUS_HEALTH_REPORT_GYRO_FAILED_CHOICE;
   }
-  return no_word;
+  return no_choice;
 }
 
 template <typename Enum>
-consteval bool words_agree() {
-  for (unsigned value = 0; value < no_word; ++value) {
-    const unsigned found = word(static_cast<Enum>(value));
-    if (found != value && found != no_word) {
+consteval bool choices_agree() {
+  for (unsigned value = 0; value < no_choice; ++value) {
+    const unsigned found = choice(static_cast<Enum>(value));
+    if (found != value && found != no_choice) {
       return false;
     }
   }
   return true;
 }
 
-static_assert(words_agree<core::Phase>());
-static_assert(words_agree<core::PhaseReason>());
-static_assert(words_agree<core::CommandStatus>());
-static_assert(words_agree<SessionAction>());
-static_assert(words_agree<ArmAction>());
-static_assert(words_agree<SessionState>());
-static_assert(words_agree<SessionReason>());
-static_assert(words_agree<SelfTestState>());
-static_assert(words_agree<SelfTestFailure>());
-static_assert(words_agree<ArmRefusal>());
-static_assert(words_agree<TransferState>());
-static_assert(words_agree<TransferFault>());
-static_assert(words_agree<PlanBlockFault>());
-static_assert(words_agree<PlanSource>());
-static_assert(words_agree<core::CanardVerdict>());
-static_assert(words_agree<core::SensorState>());
+static_assert(choices_agree<core::Phase>());
+static_assert(choices_agree<core::PhaseReason>());
+static_assert(choices_agree<core::CommandStatus>());
+static_assert(choices_agree<SessionAction>());
+static_assert(choices_agree<ArmAction>());
+static_assert(choices_agree<SessionState>());
+static_assert(choices_agree<SessionReason>());
+static_assert(choices_agree<SelfTestState>());
+static_assert(choices_agree<SelfTestFailure>());
+static_assert(choices_agree<ArmRefusal>());
+static_assert(choices_agree<TransferState>());
+static_assert(choices_agree<TransferFault>());
+static_assert(choices_agree<PlanBlockFault>());
+static_assert(choices_agree<PlanSource>());
+static_assert(choices_agree<core::CanardVerdict>());
+static_assert(choices_agree<core::SensorState>());
 static_assert(CANARD_BUS_HEALTH_REPORT_BUS_STATE_ERROR_ACTIVE_CHOICE == 0);
 static_assert(CANARD_BUS_HEALTH_REPORT_BUS_STATE_ERROR_WARNING_CHOICE == 1);
 static_assert(CANARD_BUS_HEALTH_REPORT_BUS_STATE_ERROR_PASSIVE_CHOICE == 2);
@@ -275,11 +276,11 @@ static_assert(CANARD_BUS_BOARD_REPORT_RESET_CAUSE_PIN_CHOICE == 2);
 static_assert(CANARD_BUS_BOARD_REPORT_RESET_CAUSE_SOFTWARE_CHOICE == 3);
 static_assert(CANARD_BUS_BOARD_REPORT_RESET_CAUSE_WATCHDOG_CHOICE == 4);
 
-/// Empty for a value that has no word.
+/// Empty for a value that is no choice.
 template <typename Enum>
 [[nodiscard]] constexpr std::optional<Enum> known(std::uint8_t raw) {
   const auto value = static_cast<Enum>(raw);
-  return word(value) == no_word ? std::nullopt : std::optional{value};
+  return choice(value) == no_choice ? std::nullopt : std::optional{value};
 }
 
 template <typename Enum>

@@ -8,10 +8,10 @@
 
 namespace fantail::avionics {
 
-// For a person, at the console or at a bench; no word that a program would look for.
+// For a person, at the console or at a bench; no program parses it.
 
 /// "reset by the watchdog"
-[[nodiscard]] constexpr std::string_view words(hal::ResetCause cause) {
+[[nodiscard]] constexpr std::string_view text(hal::ResetCause cause) {
   switch (cause) {
     case hal::ResetCause::power_on: return "reset by power-on";
     case hal::ResetCause::brown_out: return "reset by a supply that was too low";
@@ -23,7 +23,7 @@ namespace fantail::avionics {
 }
 
 /// Which one is in force, and what to do where that is not the stored one.
-[[nodiscard]] constexpr std::string_view words(protocol::PlanSource plan) {
+[[nodiscard]] constexpr std::string_view text(protocol::PlanSource plan) {
   using protocol::PlanSource;
   switch (plan) {
     case PlanSource::built_in: return "the built-in one; none is stored";

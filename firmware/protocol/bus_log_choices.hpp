@@ -1,23 +1,23 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "protocol/bus_words.hpp"
+#include "protocol/bus_choices.hpp"
 
 namespace fantail::protocol {
 
-// Inside the codec only: the words of the frames that download and erase the flight record.
+// Inside the codec only: the choices of the frames that download and erase the flight record.
 
-constexpr unsigned word(LogAction value) {
+constexpr unsigned choice(LogAction value) {
   switch (value) {
     using enum LogAction;
     case info: return CANARD_BUS_LOG_REQUEST_ACTION_INFO_CHOICE;
     case read: return CANARD_BUS_LOG_REQUEST_ACTION_READ_CHOICE;
     case erase: return CANARD_BUS_LOG_REQUEST_ACTION_ERASE_CHOICE;
   }
-  return no_word;
+  return no_choice;
 }
 
-constexpr unsigned word(LogState value) {
+constexpr unsigned choice(LogState value) {
   switch (value) {
     using enum LogState;
     case ready: return CANARD_BUS_LOG_REPLY_STATE_READY_CHOICE;
@@ -26,10 +26,10 @@ constexpr unsigned word(LogState value) {
     case erased: return CANARD_BUS_LOG_REPLY_STATE_ERASED_CHOICE;
     case refused: return CANARD_BUS_LOG_REPLY_STATE_REFUSED_CHOICE;
   }
-  return no_word;
+  return no_choice;
 }
 
-constexpr unsigned word(LogFault value) {
+constexpr unsigned choice(LogFault value) {
   switch (value) {
     using enum LogFault;
     case none: return CANARD_BUS_LOG_REPLY_FAULT_NONE_CHOICE;
@@ -40,11 +40,11 @@ constexpr unsigned word(LogFault value) {
     case out_of_range: return CANARD_BUS_LOG_REPLY_FAULT_OUT_OF_RANGE_CHOICE;
     case flash_failed: return CANARD_BUS_LOG_REPLY_FAULT_FLASH_FAILED_CHOICE;
   }
-  return no_word;
+  return no_choice;
 }
 
-static_assert(words_agree<LogAction>());
-static_assert(words_agree<LogState>());
-static_assert(words_agree<LogFault>());
+static_assert(choices_agree<LogAction>());
+static_assert(choices_agree<LogState>());
+static_assert(choices_agree<LogFault>());
 
 }  // namespace fantail::protocol
