@@ -54,9 +54,9 @@ TEST(Avionics, TellsThePersonAtTheConsoleEveryPhaseAndItsReason) {
 TEST(Avionics, APositiveRollRateTurnsTheCanardsAgainstIt) {
   BoardRig rig{tunnel_plan()};
   ASSERT_EQ(rig.arm().phase, Phase::armed);
-  rig.say(protocol::ArmAction::start, rig.armed_with);
+  rig.pc.say(protocol::ArmAction::start, rig.armed_with);
   ASSERT_EQ(rig.tick().phase, Phase::controlling);
-  rig.imu.sample.rate = {1000, 0, 0};  // 1 rad/s times 0.05 s
+  rig.hardware.imu.rate = {1000, 0, 0};  // 1 rad/s times 0.05 s
   rig.tick();
   const core::TickRecord& record = rig.tick();
   EXPECT_NEAR(record.command.radians(), -0.05F, 0.005F);
@@ -81,7 +81,7 @@ TEST(Avionics, ABusThatIsGoneChangesNothingElse) {
   EXPECT_EQ(rig.watchdog.fed, 5000);
   rig.wire.set_state(hal::CanState::error_active);
   rig.run(200 * millisecond);
-  EXPECT_GT(rig.heard<protocol::HealthReport>()->unsent, 0);
+  EXPECT_GT(rig.pc.heard<protocol::HealthReport>()->unsent, 0);
 }
 
 }  // namespace

@@ -40,39 +40,40 @@ void expect_no_arming(BoardRig& rig, SelfTestFailure failure) {
     for (Microseconds t{}; t < duration; t += millisecond) {
       ASSERT_EQ(rig.tick().phase, Phase::safe);
       for (std::size_t i = 0; i < hal::canards; ++i) {
-        ASSERT_TRUE(!rig.servo.written[i] || std::abs(rig.commanded_deg(i)) < 0.01) << "at " << rig.clock.time.count();
+        ASSERT_TRUE(!rig.servo.written[i] || std::abs(rig.commanded_deg(i)) < 0.01)
+            << "at " << rig.hardware.time.count();
       }
     }
   };
-  rig.say(ArmAction::self_test);
+  rig.pc.say(ArmAction::self_test);
   watch(13 * second);
-  EXPECT_EQ(rig.heard<ArmReply>()->failure, failure);
-  rig.arm_switch.is_closed = true;
+  EXPECT_EQ(rig.pc.heard<ArmReply>()->failure, failure);
+  rig.hardware.arm_switch_closed = true;
   watch(millisecond);
-  rig.say(ArmAction::begin);
+  rig.pc.say(ArmAction::begin);
   watch(millisecond);
-  EXPECT_EQ(rig.heard<ArmReply>()->refusal, ArmRefusal::self_test_not_passed);
-  EXPECT_FALSE(rig.heard<ArmReply>()->nonce);
-  rig.say(ArmAction::confirm, 0);
+  EXPECT_EQ(rig.pc.heard<ArmReply>()->refusal, ArmRefusal::self_test_not_passed);
+  EXPECT_FALSE(rig.pc.heard<ArmReply>()->nonce);
+  rig.pc.say(ArmAction::confirm, 0);
   watch(second);
 }
 
 TEST(BadBoot, WithoutAnImuTheReportsGoOnTheCanardsStandAtTrimAndNobodyArms) {
   BoardRig rig;
-  rig.imu.sample.status = hal::Status::no_reading;
+  rig.hardware.imu.status = hal::Status::no_reading;
   boot(rig);
   expect_no_arming(rig, SelfTestFailure::gyro_failed);
   EXPECT_TRUE(rig.all_pulses_are(0.0));
-  EXPECT_EQ(rig.heard<protocol::HealthReport>()->gyro, core::SensorState::failed);
-  const int before = rig.count<protocol::StatusReport>();
+  EXPECT_EQ(rig.pc.heard<protocol::HealthReport>()->gyro, core::SensorState::failed);
+  const int before = rig.pc.count<protocol::StatusReport>();
   rig.run(second);
-  EXPECT_EQ(rig.count<protocol::StatusReport>() - before, 100);
-  EXPECT_EQ(rig.watchdog.fed, static_cast<int>(rig.clock.time / millisecond));
+  EXPECT_EQ(rig.pc.count<protocol::StatusReport>() - before, 100);
+  EXPECT_EQ(rig.watchdog.fed, static_cast<int>(rig.hardware.time / millisecond));
 }
 
 TEST(BadBoot, WithoutTheSecondAccelerometerNobodyArms) {
   BoardRig rig;
-  rig.accelerometer.sample.status = hal::Status::no_reading;
+  rig.hardware.accelerometer.status = hal::Status::no_reading;
   boot(rig);
   expect_no_arming(rig, SelfTestFailure::accelerometer_failed);
 }
@@ -91,10 +92,10 @@ TEST(BadBoot, AFlashThatStaysBusyIsNamedAndNobodyArms) {
   rig.flash.set_stays_busy(true);
   boot(rig);
   rig.run(5 * second);
-  EXPECT_TRUE(rig.heard<BoardReport>()->flash_failed);
-  EXPECT_EQ(rig.heard<BoardReport>()->plan, PlanSource::flash_unreadable);
+  EXPECT_TRUE(rig.pc.heard<BoardReport>()->flash_failed);
+  EXPECT_EQ(rig.pc.heard<BoardReport>()->plan, PlanSource::flash_unreadable);
   EXPECT_TRUE(says(rig, "plan: the built-in one; the flash cannot be read, and it will not be armed\n"));
-  EXPECT_EQ(rig.board.shown, hal::Signal::faulty);
+  EXPECT_EQ(rig.hardware.shown, hal::Signal::faulty);
   expect_no_arming(rig, SelfTestFailure::flash_failed);
 }
 
@@ -106,7 +107,7 @@ TEST(BadBoot, AFlashThatIsBusyForASecondIsWaitedForAndItsPlanIsFlown) {
   EXPECT_FALSE(says(rig, "plan:"));
   rig.flash.set_stays_busy(false);
   rig.run(second);
-  EXPECT_EQ(rig.heard<BoardReport>()->plan, PlanSource::stored);
+  EXPECT_EQ(rig.pc.heard<BoardReport>()->plan, PlanSource::stored);
   EXPECT_TRUE(says(rig, "plan: the one in the flash\n"));
   EXPECT_FALSE(says(rig, "will not be armed"));
 }
@@ -118,7 +119,7 @@ TEST(BadBoot, AFlashThatFallsSilentIsNamedAtTheConsoleToo) {
   rig.tick();
   rig.flash.set_answers(false);
   rig.run(5 * second);
-  EXPECT_TRUE(rig.heard<BoardReport>()->flash_failed);
+  EXPECT_TRUE(rig.pc.heard<BoardReport>()->flash_failed);
   EXPECT_TRUE(says(rig, "flash: it does not answer, or does not keep what is written; it will not be armed\n"));
   expect_no_arming(rig, SelfTestFailure::flash_failed);
 }
@@ -129,10 +130,10 @@ TEST(BadBoot, ABrokenPlanInTheFlashIsNamedAndNobodyArms) {
   cells[256 + 100] ^= std::byte{0x04};  // one bit of the block
   boot_with(rig, cells);
   rig.run(second);
-  EXPECT_EQ(rig.heard<BoardReport>()->plan, PlanSource::stored_is_broken);
-  EXPECT_EQ(rig.heard<HeartbeatReport>()->plan_crc, protocol::plan_crc(core::default_plan()));
+  EXPECT_EQ(rig.pc.heard<BoardReport>()->plan, PlanSource::stored_is_broken);
+  EXPECT_EQ(rig.pc.heard<HeartbeatReport>()->plan_crc, protocol::plan_crc(core::default_plan()));
   EXPECT_TRUE(says(rig, "the stored one is broken, and until another is sent it will not be armed\n"));
-  EXPECT_EQ(rig.board.shown, hal::Signal::faulty);
+  EXPECT_EQ(rig.hardware.shown, hal::Signal::faulty);
   expect_no_arming(rig, SelfTestFailure::no_valid_plan);
 }
 
@@ -154,10 +155,10 @@ TEST(BadBoot, APlanFromANewerVersionHasANameOfItsOwnAndNobodyArms) {
   BoardRig rig;
   boot_with(rig, flash_with_newer_plan({}));
   rig.run(second);
-  EXPECT_EQ(rig.heard<BoardReport>()->plan, PlanSource::stored_is_newer);
-  EXPECT_EQ(rig.heard<HeartbeatReport>()->plan_crc, protocol::plan_crc(core::default_plan()));
+  EXPECT_EQ(rig.pc.heard<BoardReport>()->plan, PlanSource::stored_is_newer);
+  EXPECT_EQ(rig.pc.heard<HeartbeatReport>()->plan_crc, protocol::plan_crc(core::default_plan()));
   EXPECT_TRUE(says(rig, "the stored one is from a newer version of the firmware"));
-  EXPECT_EQ(rig.board.shown, hal::Signal::faulty);
+  EXPECT_EQ(rig.hardware.shown, hal::Signal::faulty);
   expect_no_arming(rig, SelfTestFailure::newer_plan);
 }
 
@@ -166,8 +167,8 @@ TEST(BadBoot, AnOlderPlanIsNotFlownInThePlaceOfOneFromANewerVersion) {
   BoardRig rig;
   boot_with(rig, flash_with_newer_plan({3}));
   rig.run(second);
-  EXPECT_EQ(rig.heard<BoardReport>()->plan, PlanSource::stored_is_newer);
-  EXPECT_EQ(rig.heard<HeartbeatReport>()->plan_crc, protocol::plan_crc(core::default_plan()));
+  EXPECT_EQ(rig.pc.heard<BoardReport>()->plan, PlanSource::stored_is_newer);
+  EXPECT_EQ(rig.pc.heard<HeartbeatReport>()->plan_crc, protocol::plan_crc(core::default_plan()));
   expect_no_arming(rig, SelfTestFailure::newer_plan);
 }
 
@@ -198,13 +199,13 @@ TEST(BadBoot, AfterABrownOutInTheMiddleOfAWriteTheOldPlanIsInForceAndTheCauseIsN
     writing.write(block, ticks);
     writing.flash.cut_power(static_cast<std::uint64_t>(ticks));
     BoardRig rig;
-    rig.board.now.reset_cause = hal::ResetCause::brown_out;
+    rig.hardware.board.reset_cause = hal::ResetCause::brown_out;
     boot_with(rig, writing.cells());
     rig.run(second);
-    const std::uint32_t crc = rig.heard<HeartbeatReport>()->plan_crc;
+    const std::uint32_t crc = rig.pc.heard<HeartbeatReport>()->plan_crc;
     EXPECT_TRUE(crc == protocol::plan_crc(numbered_plan(1)) || crc == protocol::plan_crc(numbered_plan(2))) << ticks;
-    EXPECT_EQ(rig.heard<BoardReport>()->plan, PlanSource::stored) << ticks;
-    EXPECT_EQ(rig.heard<BoardReport>()->reset_cause, static_cast<int>(hal::ResetCause::brown_out));
+    EXPECT_EQ(rig.pc.heard<BoardReport>()->plan, PlanSource::stored) << ticks;
+    EXPECT_EQ(rig.pc.heard<BoardReport>()->reset_cause, static_cast<int>(hal::ResetCause::brown_out));
     EXPECT_EQ(rig.console.text, "reset by a supply that was too low\nboard: no fault\nplan: the one in the flash\n");
     EXPECT_EQ(rig.run(millisecond)->phase, Phase::safe);
   }
@@ -219,7 +220,7 @@ TEST(BadBoot, AfterABrownOutInTheMiddleOfTheFirstWriteThereIsNoPlanAndThatHasANa
   BoardRig rig;
   boot_with(rig, cells);
   rig.run(second);
-  EXPECT_EQ(rig.heard<BoardReport>()->plan, PlanSource::stored_is_broken);
+  EXPECT_EQ(rig.pc.heard<BoardReport>()->plan, PlanSource::stored_is_broken);
   expect_no_arming(rig, SelfTestFailure::no_valid_plan);
 }
 

@@ -16,8 +16,8 @@ protocol::BenchRequest ask(core::Angle angle) { return {.angle = {angle, angle, 
 TEST(BenchMode, AnOpenSessionMovesTheCanardsWhereItAsks) {
   BoardRig rig;
   rig.open_session();
-  ASSERT_EQ(rig.heard<protocol::SessionReply>()->state, SessionState::open);
-  rig.say(protocol::BenchRequest{.angle = {5_deg, std::nullopt, -4_deg, std::nullopt}});
+  ASSERT_EQ(rig.pc.heard<protocol::SessionReply>()->state, SessionState::open);
+  rig.pc.say(protocol::BenchRequest{.angle = {5_deg, std::nullopt, -4_deg, std::nullopt}});
   rig.run(second);
   EXPECT_NEAR(rig.commanded_deg(0), 5.0, 0.01);
   EXPECT_NEAR(rig.commanded_deg(1), 0.0, 0.01);
@@ -30,7 +30,7 @@ TEST(BenchMode, ACanardThatIsNotAskedStaysAtItsTrim) {
   plan.canards.each[1].trim = 1.5_deg;
   BoardRig rig{plan};
   rig.open_session();
-  rig.say(protocol::BenchRequest{.angle = {5_deg, std::nullopt, std::nullopt, std::nullopt}});
+  rig.pc.say(protocol::BenchRequest{.angle = {5_deg, std::nullopt, std::nullopt, std::nullopt}});
   rig.run(second);
   EXPECT_NEAR(rig.commanded_deg(1), 1.5, 0.01);
 }
@@ -38,7 +38,7 @@ TEST(BenchMode, ACanardThatIsNotAskedStaysAtItsTrim) {
 TEST(BenchMode, WithoutASessionARequestMovesNothingAndIsCountedAsStale) {
   BoardRig rig;
   rig.run(3 * second);
-  rig.say(ask(5_deg));
+  rig.pc.say(ask(5_deg));
   rig.run(100 * millisecond);
   EXPECT_TRUE(rig.all_pulses_are(0.0));
   EXPECT_EQ(rig.rejected(protocol::Rejection::stale), 1);
@@ -47,12 +47,12 @@ TEST(BenchMode, WithoutASessionARequestMovesNothingAndIsCountedAsStale) {
 TEST(BenchMode, ARequestBeyondThePlanLimitIsClampedAndReportedForThatCanard) {
   BoardRig rig;  // the default plan's limit is 9 degrees
   rig.open_session();
-  rig.say(protocol::BenchRequest{.angle = {12_deg, 8_deg, std::nullopt, std::nullopt}});
+  rig.pc.say(protocol::BenchRequest{.angle = {12_deg, 8_deg, std::nullopt, std::nullopt}});
   rig.run(second);
   EXPECT_NEAR(rig.commanded_deg(0), 9.0, 0.01);
   EXPECT_NEAR(rig.commanded_deg(1), 8.0, 0.01);
   const std::array<bool, 4> limited{true, false, false, false};
-  EXPECT_EQ(rig.heard<protocol::StatusReport>()->limited, limited);
+  EXPECT_EQ(rig.pc.heard<protocol::StatusReport>()->limited, limited);
 }
 
 TEST(BenchMode, TheFirstMotionGoesSlowlyFromWhereTheEncoderSaysTheCanardIs) {
@@ -67,33 +67,33 @@ TEST(BenchMode, TheFirstMotionGoesSlowlyFromWhereTheEncoderSaysTheCanardIs) {
 TEST(BenchMode, ItIsRefusedToARocketThatMoves) {
   BoardRig rig;
   rig.run(3 * second);
-  rig.imu.sample.rate = {500, 0, 0};
+  rig.hardware.imu.rate = {500, 0, 0};
   rig.run(10 * millisecond);
-  rig.say(protocol::BenchSession{.action = SessionAction::open, .session = 3});
+  rig.pc.say(protocol::BenchSession{.action = SessionAction::open, .session = 3});
   rig.tick();
-  EXPECT_EQ(rig.heard<protocol::SessionReply>()->state, SessionState::closed);
-  EXPECT_EQ(rig.heard<protocol::SessionReply>()->reason, SessionReason::not_at_rest);
-  EXPECT_EQ(rig.heard<protocol::SessionReply>()->session, 3);
+  EXPECT_EQ(rig.pc.heard<protocol::SessionReply>()->state, SessionState::closed);
+  EXPECT_EQ(rig.pc.heard<protocol::SessionReply>()->reason, SessionReason::not_at_rest);
+  EXPECT_EQ(rig.pc.heard<protocol::SessionReply>()->session, 3);
 }
 
 TEST(BenchMode, ItEndsWhenTheRocketIsPickedUpAndTheCanardsCentre) {
   BoardRig rig;
   rig.open_session();
-  rig.say(ask(5_deg));
+  rig.pc.say(ask(5_deg));
   rig.run(second);
-  rig.imu.sample.rate = {500, 0, 0};
+  rig.hardware.imu.rate = {500, 0, 0};
   rig.run(3 * millisecond);
-  EXPECT_EQ(rig.heard<protocol::SessionReply>()->reason, SessionReason::not_at_rest);
+  EXPECT_EQ(rig.pc.heard<protocol::SessionReply>()->reason, SessionReason::not_at_rest);
   EXPECT_TRUE(rig.all_pulses_are(0.0));
 }
 
 TEST(BenchMode, ItIsRefusedToAnArmedRocket) {
   BoardRig rig;
   ASSERT_EQ(rig.arm().phase, core::Phase::armed);
-  rig.say(protocol::BenchSession{.action = SessionAction::open, .session = 3});
+  rig.pc.say(protocol::BenchSession{.action = SessionAction::open, .session = 3});
   rig.tick();
-  EXPECT_EQ(rig.heard<protocol::SessionReply>()->reason, SessionReason::not_safe);
-  rig.say(ask(5_deg));
+  EXPECT_EQ(rig.pc.heard<protocol::SessionReply>()->reason, SessionReason::not_safe);
+  rig.pc.say(ask(5_deg));
   rig.run(second);
   EXPECT_TRUE(rig.all_pulses_are(0.0));
 }
@@ -101,17 +101,17 @@ TEST(BenchMode, ItIsRefusedToAnArmedRocket) {
 TEST(BenchMode, TheRightIsLostAHundredMillisecondsAfterTheLastHeartbeat) {
   BoardRig rig;
   rig.open_session();
-  rig.say(ask(5_deg));
+  rig.pc.say(ask(5_deg));
   rig.run(second);
-  const Microseconds last_heartbeat = rig.clock.time - Microseconds{(rig.clock.time.count() - 1'000) % 20'000};
+  const Microseconds last_heartbeat = rig.hardware.time - Microseconds{(rig.hardware.time.count() - 1'000) % 20'000};
   rig.heartbeat.reset();
-  while (rig.clock.time < last_heartbeat + 100 * millisecond) {
+  while (rig.hardware.time < last_heartbeat + 100 * millisecond) {
     rig.tick();
-    ASSERT_TRUE(rig.all_pulses_are(5.0)) << rig.clock.time.count();
+    ASSERT_TRUE(rig.all_pulses_are(5.0)) << rig.hardware.time.count();
   }
   rig.tick();
   EXPECT_TRUE(rig.all_pulses_are(0.0));
-  EXPECT_EQ(rig.heard<protocol::SessionReply>()->reason, SessionReason::heartbeat_lost);
+  EXPECT_EQ(rig.pc.heard<protocol::SessionReply>()->reason, SessionReason::heartbeat_lost);
 }
 
 TEST(BenchMode, ARequestIsNoHeartbeat) {
@@ -119,7 +119,7 @@ TEST(BenchMode, ARequestIsNoHeartbeat) {
   rig.open_session();
   rig.heartbeat.reset();
   for (int i = 0; i < 50; ++i) {
-    rig.say(ask(5_deg));
+    rig.pc.say(ask(5_deg));
     rig.run(10 * millisecond);
   }
   EXPECT_TRUE(rig.all_pulses_are(0.0));
@@ -128,27 +128,27 @@ TEST(BenchMode, ARequestIsNoHeartbeat) {
 TEST(BenchMode, ClosingCentresTheCanards) {
   BoardRig rig;
   rig.open_session(9);
-  rig.say(ask(5_deg));
+  rig.pc.say(ask(5_deg));
   rig.run(second);
   rig.heartbeat.reset();
-  rig.say(protocol::BenchSession{.action = SessionAction::close, .session = 9});
+  rig.pc.say(protocol::BenchSession{.action = SessionAction::close, .session = 9});
   rig.tick();
   EXPECT_TRUE(rig.all_pulses_are(0.0));
-  EXPECT_EQ(rig.heard<protocol::SessionReply>()->reason, SessionReason::closed_by_bench);
+  EXPECT_EQ(rig.pc.heard<protocol::SessionReply>()->reason, SessionReason::closed_by_bench);
 }
 
 TEST(BenchMode, ASecondBenchIsRefusedAndTheFirstKeepsItsSession) {
   BoardRig rig;
   rig.open_session(7);
-  rig.say(ask(5_deg));
-  rig.say(protocol::BenchSession{.action = SessionAction::open, .session = 8});
+  rig.pc.say(ask(5_deg));
+  rig.pc.say(protocol::BenchSession{.action = SessionAction::open, .session = 8});
   rig.tick();
-  EXPECT_EQ(rig.heard<protocol::SessionReply>()->reason, SessionReason::other_session);
-  EXPECT_EQ(rig.heard<protocol::SessionReply>()->session, 8);
+  EXPECT_EQ(rig.pc.heard<protocol::SessionReply>()->reason, SessionReason::other_session);
+  EXPECT_EQ(rig.pc.heard<protocol::SessionReply>()->session, 8);
   rig.run(second);
   EXPECT_TRUE(rig.all_pulses_are(5.0));
-  EXPECT_EQ(rig.heard<protocol::SessionReply>()->state, SessionState::open);
-  EXPECT_EQ(rig.heard<protocol::SessionReply>()->session, 7);
+  EXPECT_EQ(rig.pc.heard<protocol::SessionReply>()->state, SessionState::open);
+  EXPECT_EQ(rig.pc.heard<protocol::SessionReply>()->session, 7);
 }
 
 TEST(BenchMode, AHeartbeatOfAnotherSessionKeepsNothingAliveAndIsCountedAsStale) {
@@ -156,7 +156,7 @@ TEST(BenchMode, AHeartbeatOfAnotherSessionKeepsNothingAliveAndIsCountedAsStale) 
   rig.open_session(7);
   rig.heartbeat = 8;
   rig.run(300 * millisecond);
-  EXPECT_EQ(rig.heard<protocol::SessionReply>()->reason, SessionReason::heartbeat_lost);
+  EXPECT_EQ(rig.pc.heard<protocol::SessionReply>()->reason, SessionReason::heartbeat_lost);
   rig.heartbeat.reset();
   EXPECT_EQ(rig.rejected(protocol::Rejection::stale), 15);
 }
@@ -166,7 +166,7 @@ TEST(BenchMode, AFrameWithABadChecksumIsCountedAndMovesNothing) {
   rig.open_session();
   protocol::BusFrame frame = encode(ask(5_deg), 0);
   frame.data[0] ^= 1U;
-  rig.send(frame);
+  rig.pc.send(frame);
   rig.run(second);
   EXPECT_TRUE(rig.all_pulses_are(0.0));
   EXPECT_EQ(rig.rejected(protocol::Rejection::wrong_crc), 1);
@@ -175,12 +175,12 @@ TEST(BenchMode, AFrameWithABadChecksumIsCountedAndMovesNothing) {
 TEST(BenchMode, AfterALostFrameTheNextOneIsRefusedAndTheOneAfterThatObeyed) {
   BoardRig rig;
   rig.open_session();
-  rig.send(encode(ask(1_deg), 4));
+  rig.pc.send(encode(ask(1_deg), 4));
   rig.tick();
-  rig.send(encode(ask(2_deg), 6));
+  rig.pc.send(encode(ask(2_deg), 6));
   rig.tick();
   EXPECT_TRUE(rig.all_pulses_are(1.0));
-  rig.send(encode(ask(3_deg), 7));
+  rig.pc.send(encode(ask(3_deg), 7));
   rig.tick();
   EXPECT_TRUE(rig.all_pulses_are(3.0));
   EXPECT_EQ(rig.rejected(protocol::Rejection::wrong_counter), 1);
@@ -189,8 +189,8 @@ TEST(BenchMode, AfterALostFrameTheNextOneIsRefusedAndTheOneAfterThatObeyed) {
 TEST(BenchMode, ARepeatedFrameIsRefused) {
   BoardRig rig;
   rig.open_session();
-  rig.send(encode(ask(1_deg), 4));
-  rig.send(encode(ask(2_deg), 4));
+  rig.pc.send(encode(ask(1_deg), 4));
+  rig.pc.send(encode(ask(2_deg), 4));
   rig.tick();
   EXPECT_TRUE(rig.all_pulses_are(1.0));
 }
@@ -198,9 +198,9 @@ TEST(BenchMode, ARepeatedFrameIsRefused) {
 TEST(BenchMode, ABenchThatBeginsAnewAfterATenthOfASecondIsHeardAtOnce) {
   BoardRig rig;
   rig.open_session();
-  rig.send(encode(ask(1_deg), 4));
+  rig.pc.send(encode(ask(1_deg), 4));
   rig.run(150 * millisecond);
-  rig.send(encode(ask(2_deg), 11));
+  rig.pc.send(encode(ask(2_deg), 11));
   rig.tick();
   EXPECT_TRUE(rig.all_pulses_are(2.0));
 }
@@ -209,10 +209,10 @@ TEST(BenchMode, AFullFrameQueueCannotMakeATickEndless) {
   BoardRig rig;
   rig.run(second);
   for (int i = 0; i < 60; ++i) {
-    rig.send({.id = 0x7FF, .length = 0, .data = {}});
+    rig.pc.send({.id = 0x7FF, .length = 0, .data = {}});
   }
   rig.tick();
-  rig.say(ask(1_deg));  // waits behind the others
+  rig.pc.say(ask(1_deg));  // waits behind the others
   rig.run(3 * millisecond);
   EXPECT_EQ(rig.rejected(protocol::Rejection::unknown_id), 60);
   EXPECT_EQ(rig.rejected(protocol::Rejection::stale), 1);

@@ -24,9 +24,9 @@ using protocol::SelfTestState;
 bool says(const BoardRig& rig, std::string_view words) { return rig.console.text.find(words) != std::string::npos; }
 
 void boot_with(BoardRig& rig, std::initializer_list<BoardFault> faults) {
-  rig.board.now.faults = {};
+  rig.hardware.board.faults = {};
   for (const BoardFault fault : faults) {
-    rig.board.now.faults.add(fault);
+    rig.hardware.board.faults.add(fault);
   }
   rig.console.text.clear();
   rig.power_cycle();
@@ -40,22 +40,22 @@ class EachBoardFault : public testing::TestWithParam<std::size_t> {
 TEST_P(EachBoardFault, KeepsTheRocketFromBeingArmedAndHasItsNameOnBusAndConsole) {
   BoardRig rig;
   boot_with(rig, {fault()});
-  rig.say(ArmAction::self_test);
+  rig.pc.say(ArmAction::self_test);
   for (Microseconds t{}; t < 8 * second; t += millisecond) {
     ASSERT_EQ(rig.tick().phase, Phase::safe);
     ASSERT_TRUE(rig.all_pulses_are(0.0));
   }
-  EXPECT_EQ(rig.heard<ArmReply>()->self_test, SelfTestState::failed);
-  EXPECT_EQ(rig.heard<ArmReply>()->failure, SelfTestFailure::board_fault);
-  rig.arm_switch.is_closed = true;
+  EXPECT_EQ(rig.pc.heard<ArmReply>()->self_test, SelfTestState::failed);
+  EXPECT_EQ(rig.pc.heard<ArmReply>()->failure, SelfTestFailure::board_fault);
+  rig.hardware.arm_switch_closed = true;
   rig.tick();
-  rig.say(ArmAction::begin);
+  rig.pc.say(ArmAction::begin);
   EXPECT_EQ(rig.tick().phase, Phase::safe);
-  EXPECT_EQ(rig.heard<ArmReply>()->refusal, ArmRefusal::board_fault);
-  EXPECT_FALSE(rig.heard<ArmReply>()->nonce);
-  EXPECT_EQ(rig.heard<BoardReport>()->faults, 1U << GetParam());
+  EXPECT_EQ(rig.pc.heard<ArmReply>()->refusal, ArmRefusal::board_fault);
+  EXPECT_FALSE(rig.pc.heard<ArmReply>()->nonce);
+  EXPECT_EQ(rig.pc.heard<BoardReport>()->faults, 1U << GetParam());
   EXPECT_TRUE(says(rig, "board: " + std::string{name(fault())} + "; it will not be armed\n")) << rig.console.text;
-  EXPECT_EQ(rig.board.shown, Signal::faulty);
+  EXPECT_EQ(rig.hardware.shown, Signal::faulty);
 }
 
 INSTANTIATE_TEST_SUITE_P(Faults, EachBoardFault, testing::Range(std::size_t{0}, hal::board_faults),
@@ -63,25 +63,25 @@ INSTANTIATE_TEST_SUITE_P(Faults, EachBoardFault, testing::Range(std::size_t{0}, 
 
 TEST(BoardWatch, TheFirstTickTellsWhyTheProcessorBeganEveryFaultAndThePlan) {
   BoardRig rig;
-  rig.board.now.reset_cause = hal::ResetCause::watchdog;
+  rig.hardware.board.reset_cause = hal::ResetCause::watchdog;
   boot_with(rig, {BoardFault::flash_silent, BoardFault::imu_silent});
   rig.tick();
   EXPECT_EQ(rig.console.text,
             "reset by the watchdog\n"
             "board: imu_silent, flash_silent; it will not be armed\n"
             "plan: the built-in one; none is stored\n");
-  EXPECT_EQ(rig.heard<BoardReport>()->reset_cause, static_cast<int>(hal::ResetCause::watchdog));
+  EXPECT_EQ(rig.pc.heard<BoardReport>()->reset_cause, static_cast<int>(hal::ResetCause::watchdog));
 }
 
 TEST(BoardWatch, EveryCauseOfAResetHasWordsOfItsOwn) {
   std::set<std::string> words;
   for (std::size_t i = 0; i < hal::reset_causes; ++i) {
     BoardRig rig;
-    rig.board.now.reset_cause = static_cast<hal::ResetCause>(i);
+    rig.hardware.board.reset_cause = static_cast<hal::ResetCause>(i);
     boot_with(rig, {});
     rig.tick();
     words.insert(rig.console.text.substr(0, rig.console.text.find('\n')));
-    EXPECT_EQ(rig.heard<BoardReport>()->reset_cause, i);
+    EXPECT_EQ(rig.pc.heard<BoardReport>()->reset_cause, i);
   }
   EXPECT_EQ(words.size(), hal::reset_causes);
 }
@@ -90,10 +90,10 @@ TEST(BoardWatch, ASoundBoardIsReportedOnceASecondAndNamedOnce) {
   BoardRig rig;
   rig.tick();
   const std::string text = rig.console.text;
-  const int before = rig.count<BoardReport>();
+  const int before = rig.pc.count<BoardReport>();
   rig.run(10 * second);
-  EXPECT_EQ(rig.count<BoardReport>() - before, 10);
-  EXPECT_EQ(rig.heard<BoardReport>()->faults, 0U);
+  EXPECT_EQ(rig.pc.count<BoardReport>() - before, 10);
+  EXPECT_EQ(rig.pc.heard<BoardReport>()->faults, 0U);
   EXPECT_EQ(rig.console.text, text);
 }
 
@@ -101,9 +101,9 @@ TEST(BoardWatch, AFaultIsReportedInTheTickInWhichItCame) {
   BoardRig rig;
   rig.run(second + 500 * millisecond);
   rig.console.text.clear();
-  rig.board.now.faults.add(BoardFault::flash_stuck);
+  rig.hardware.board.faults.add(BoardFault::flash_stuck);
   rig.tick();
-  EXPECT_EQ(rig.heard<BoardReport>()->faults, 1U << static_cast<unsigned>(BoardFault::flash_stuck));
+  EXPECT_EQ(rig.pc.heard<BoardReport>()->faults, 1U << static_cast<unsigned>(BoardFault::flash_stuck));
   EXPECT_EQ(rig.console.text, "board: flash_stuck; it will not be armed\n");
 }
 
@@ -111,61 +111,61 @@ TEST(BoardWatch, AFaultIsReportedInTheTickInWhichItCame) {
 TEST(BoardWatch, AFaultThatComesAndGoesIsToldTenTimesASecondAtMost) {
   BoardRig rig;
   rig.run(second);
-  const int before = rig.count<BoardReport>();
+  const int before = rig.pc.count<BoardReport>();
   for (int i = 0; i < 10'000; ++i) {
-    rig.board.now.faults = {};
+    rig.hardware.board.faults = {};
     if (i % 2 == 0) {
-      rig.board.now.faults.add(BoardFault::imu_silent);
+      rig.hardware.board.faults.add(BoardFault::imu_silent);
     }
     rig.tick();
   }
-  EXPECT_LE(rig.count<BoardReport>() - before, 100 + 10);
-  EXPECT_GT(rig.count<BoardReport>() - before, 50);
+  EXPECT_LE(rig.pc.count<BoardReport>() - before, 100 + 10);
+  EXPECT_GT(rig.pc.count<BoardReport>() - before, 50);
 }
 
 TEST(BoardWatch, BatteryAndOverrunsAreReported) {
   BoardRig rig;
   rig.run(second);
-  EXPECT_EQ(rig.heard<BoardReport>()->battery_mv, std::nullopt);
-  rig.board.now.battery_mv = 7912;
-  rig.board.now.overruns = 7;
+  EXPECT_EQ(rig.pc.heard<BoardReport>()->battery_mv, std::nullopt);
+  rig.hardware.board.battery_mv = 7912;
+  rig.hardware.board.overruns = 7;
   rig.run(second);
-  EXPECT_EQ(rig.heard<BoardReport>()->battery_mv, 7912);
-  EXPECT_EQ(rig.heard<BoardReport>()->overruns, 7);
-  rig.board.now.overruns = 100'000;
+  EXPECT_EQ(rig.pc.heard<BoardReport>()->battery_mv, 7912);
+  EXPECT_EQ(rig.pc.heard<BoardReport>()->overruns, 7);
+  rig.hardware.board.overruns = 100'000;
   rig.run(second);
-  EXPECT_EQ(rig.heard<BoardReport>()->overruns, 255) << "it saturates";
+  EXPECT_EQ(rig.pc.heard<BoardReport>()->overruns, 255) << "it saturates";
 }
 
 TEST(BoardWatch, AFaultInTheMiddleOfASelfTestEndsItAndTheCanardsGoToTrim) {
   BoardRig rig;
-  rig.say(ArmAction::self_test);
+  rig.pc.say(ArmAction::self_test);
   rig.run(4 * second);
-  ASSERT_EQ(rig.heard<ArmReply>()->self_test, SelfTestState::running);
-  rig.board.now.faults.add(BoardFault::encoder_silent);
+  ASSERT_EQ(rig.pc.heard<ArmReply>()->self_test, SelfTestState::running);
+  rig.hardware.board.faults.add(BoardFault::encoder_silent);
   rig.run(500 * millisecond);
-  EXPECT_EQ(rig.heard<ArmReply>()->failure, SelfTestFailure::board_fault);
+  EXPECT_EQ(rig.pc.heard<ArmReply>()->failure, SelfTestFailure::board_fault);
   EXPECT_TRUE(rig.all_pulses_are(0.0));
 }
 
 TEST(BoardWatch, AFaultBetweenTheTwoStepsOfTheCommandRefusesTheSecond) {
   BoardRig rig;
   const std::uint32_t nonce = rig.begin_arming().value();
-  rig.board.now.faults.add(BoardFault::battery_unmeasured);
+  rig.hardware.board.faults.add(BoardFault::battery_unmeasured);
   rig.tick();
-  rig.say(ArmAction::confirm, nonce);
+  rig.pc.say(ArmAction::confirm, nonce);
   EXPECT_EQ(rig.run(100 * millisecond)->phase, Phase::safe);
-  EXPECT_EQ(rig.heard<ArmReply>()->refusal, ArmRefusal::board_fault);
+  EXPECT_EQ(rig.pc.heard<ArmReply>()->refusal, ArmRefusal::board_fault);
 }
 
 TEST(BoardWatch, AFaultOfAnArmedRocketIsToldAndDoesNotDisarmIt) {
   BoardRig rig;
   ASSERT_EQ(rig.arm().phase, Phase::armed);
   rig.console.text.clear();
-  rig.board.now.faults.add(BoardFault::accelerometer_silent);
+  rig.hardware.board.faults.add(BoardFault::accelerometer_silent);
   EXPECT_EQ(rig.run(second)->phase, Phase::armed);
   EXPECT_EQ(rig.console.text, "board: accelerometer_silent; it goes on\n");
-  EXPECT_EQ(rig.board.shown, Signal::armed);
+  EXPECT_EQ(rig.hardware.shown, Signal::armed);
 }
 
 // 6 ticks that come 5 ms after the one before: 4 are missing each time.
@@ -175,30 +175,30 @@ TEST(BoardWatch, ALoopThatMissesMoreTicksThanThePlanAllowsKeepsTheRocketFromBein
   BoardRig rig{plan};
   const auto be_late = [&rig](int times) {
     for (int i = 0; i < times; ++i) {
-      rig.clock.time += 4 * millisecond;
+      rig.hardware.time += 4 * millisecond;
       rig.run(100 * millisecond);
     }
     rig.run(second);
   };
   rig.tick();
   be_late(5);
-  EXPECT_EQ(rig.heard<BoardReport>()->overruns, 20);
-  EXPECT_EQ(rig.heard<BoardReport>()->faults, 0U);
+  EXPECT_EQ(rig.pc.heard<BoardReport>()->overruns, 20);
+  EXPECT_EQ(rig.pc.heard<BoardReport>()->faults, 0U);
   be_late(1);
-  EXPECT_EQ(rig.heard<BoardReport>()->overruns, 24);
-  EXPECT_EQ(rig.heard<BoardReport>()->faults, 1U << static_cast<unsigned>(BoardFault::loop_overrun));
+  EXPECT_EQ(rig.pc.heard<BoardReport>()->overruns, 24);
+  EXPECT_EQ(rig.pc.heard<BoardReport>()->faults, 1U << static_cast<unsigned>(BoardFault::loop_overrun));
   EXPECT_FALSE(rig.begin_arming());
-  EXPECT_EQ(rig.heard<ArmReply>()->refusal, ArmRefusal::board_fault);
+  EXPECT_EQ(rig.pc.heard<ArmReply>()->refusal, ArmRefusal::board_fault);
 }
 
 TEST(BoardWatch, TheBoardsOwnCountOfOverrunsCountsToo) {
   BoardRig rig;
-  rig.board.now.overruns = core::default_plan().run.overrun_limit;
+  rig.hardware.board.overruns = core::default_plan().run.overrun_limit;
   rig.tick();
-  EXPECT_EQ(rig.heard<BoardReport>()->faults, 0U);
-  rig.board.now.overruns += 1U;
+  EXPECT_EQ(rig.pc.heard<BoardReport>()->faults, 0U);
+  rig.hardware.board.overruns += 1U;
   rig.run(second);
-  EXPECT_EQ(rig.heard<BoardReport>()->faults, 1U << static_cast<unsigned>(BoardFault::loop_overrun));
+  EXPECT_EQ(rig.pc.heard<BoardReport>()->faults, 1U << static_cast<unsigned>(BoardFault::loop_overrun));
 }
 
 TEST(BoardWatch, LampAndBuzzerShowWhatItDoes) {
@@ -207,19 +207,19 @@ TEST(BoardWatch, LampAndBuzzerShowWhatItDoes) {
   plan.run.control_time = second;
   BoardRig rig{plan};
   rig.tick();
-  EXPECT_EQ(rig.board.shown, Signal::safe);
-  rig.say(ArmAction::self_test);
+  EXPECT_EQ(rig.hardware.shown, Signal::safe);
+  rig.pc.say(ArmAction::self_test);
   rig.run(second);
-  EXPECT_EQ(rig.board.shown, Signal::self_test);
+  EXPECT_EQ(rig.hardware.shown, Signal::self_test);
   rig.run(8 * second);
-  EXPECT_EQ(rig.board.shown, Signal::safe);
+  EXPECT_EQ(rig.hardware.shown, Signal::safe);
   ASSERT_EQ(rig.arm().phase, Phase::armed);
-  EXPECT_EQ(rig.board.shown, Signal::armed);
-  rig.say(ArmAction::start, rig.armed_with);
+  EXPECT_EQ(rig.hardware.shown, Signal::armed);
+  rig.pc.say(ArmAction::start, rig.armed_with);
   ASSERT_EQ(rig.tick().phase, Phase::controlling);
-  EXPECT_EQ(rig.board.shown, Signal::flying);
+  EXPECT_EQ(rig.hardware.shown, Signal::flying);
   ASSERT_EQ(rig.run(2 * second)->phase, Phase::finished);
-  EXPECT_EQ(rig.board.shown, Signal::finished);
+  EXPECT_EQ(rig.hardware.shown, Signal::finished);
 }
 
 TEST(BoardWatch, ALaunchedRocketFlies) { EXPECT_EQ(signal_of(Phase::launched, false, true), Signal::flying); }

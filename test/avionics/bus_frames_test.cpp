@@ -105,12 +105,12 @@ TEST(BusFrames, RandomAndMutatedOnesMoveNoCanardOutsideItsRightAndNeverBreakALim
   std::uint64_t moved_by_right = 0;
   for (std::uint64_t sent = 0; sent < frames;) {
     for (int i = 0; i < 20; ++i, ++sent) {
-      (void)rig.pc_bus.send(mutator.frame());
+      (void)rig.pc.bus.send(mutator.frame());
     }
-    rig.arm_switch.is_closed = sent % 100'000 >= 50'000;
+    rig.hardware.arm_switch_closed = sent % 100'000 >= 50'000;
     const core::TickRecord& record = rig.tick();
     ASSERT_EQ(record.phase, Phase::safe) << "after " << sent;
-    const auto& status = rig.heard<protocol::StatusReport>();
+    const auto& status = rig.pc.heard<protocol::StatusReport>();
     const bool has_right = status->session_open || status->self_test_running;
     for (std::size_t i = 0; i < 4; ++i) {
       ASSERT_TRUE(rig.servo.written[i]) << "after " << sent;
@@ -123,8 +123,9 @@ TEST(BusFrames, RandomAndMutatedOnesMoveNoCanardOutsideItsRightAndNeverBreakALim
           for (int wait = 0; wait < 10; ++wait) {
             rig.tick();
           }
-          ASSERT_TRUE(rig.heard<protocol::StatusReport>()->session_open ||
-                      rig.heard<protocol::StatusReport>()->self_test_running || std::abs(rig.commanded_deg(i)) < 0.01)
+          ASSERT_TRUE(rig.pc.heard<protocol::StatusReport>()->session_open ||
+                      rig.pc.heard<protocol::StatusReport>()->self_test_running ||
+                      std::abs(rig.commanded_deg(i)) < 0.01)
               << "after " << sent;
         }
       }
@@ -133,7 +134,7 @@ TEST(BusFrames, RandomAndMutatedOnesMoveNoCanardOutsideItsRightAndNeverBreakALim
   std::cout << "canard ticks in a session or self-test that chance had opened: " << moved_by_right << "\n";
   // All of them were looked at, and the causes were told apart.
   rig.run(second);
-  const auto& rejected = rig.heard<protocol::RejectionReport>();
+  const auto& rejected = rig.pc.heard<protocol::RejectionReport>();
   ASSERT_TRUE(rejected);
   for (std::size_t cause = 0; cause < protocol::rejection_count; ++cause) {
     std::cout << "refused, cause " << cause << ": " << int{rejected->count[cause]} << " (modulo 256)\n";
@@ -151,7 +152,7 @@ TEST(BusFrames, RandomAndMutatedOnesNeitherMoveACanardOfAnArmedRocketNorEndThePh
   ASSERT_EQ(rig.arm().phase, Phase::armed);
   for (std::uint64_t sent = 0; sent < frames; sent += 20) {
     for (int i = 0; i < 20; ++i) {
-      (void)rig.pc_bus.send(mutator.frame());
+      (void)rig.pc.bus.send(mutator.frame());
     }
     ASSERT_EQ(rig.tick().phase, Phase::armed) << "after " << sent;
     ASSERT_TRUE(rig.all_pulses_are(0.0)) << "after " << sent;
@@ -167,12 +168,12 @@ TEST(BusFrames, NoneBreaksALimitWhileABenchWorks) {
   rig.run(3 * second);
   std::uint64_t moved = 0;
   for (std::uint64_t sent = 0; sent < frames; sent += 2) {
-    if (rig.clock.time.count() % 20'000 == 0) {
-      rig.say(protocol::BenchSession{.action = protocol::SessionAction::open, .session = 7});
+    if (rig.hardware.time.count() % 20'000 == 0) {
+      rig.pc.say(protocol::BenchSession{.action = protocol::SessionAction::open, .session = 7});
     }
-    rig.say(protocol::BenchRequest{{core::Angle::from_degrees(20.0F), core::Angle::from_degrees(-20.0F), {}, {}}});
-    (void)rig.pc_bus.send(mutator.frame());
-    (void)rig.pc_bus.send(mutator.frame());
+    rig.pc.say(protocol::BenchRequest{{core::Angle::from_degrees(20.0F), core::Angle::from_degrees(-20.0F), {}, {}}});
+    (void)rig.pc.bus.send(mutator.frame());
+    (void)rig.pc.bus.send(mutator.frame());
     ASSERT_EQ(rig.tick().phase, Phase::safe) << "after " << sent;
     for (std::size_t i = 0; i < 4; ++i) {
       ASSERT_LE(std::abs(rig.commanded_deg(i)), 9.0 + 1e-3) << "after " << sent;

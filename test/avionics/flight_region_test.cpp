@@ -159,7 +159,7 @@ TEST(FlightRegion, AnEraseThatWasCutOffLeavesWholeFlightsAndAPlaceForTheNext) {
 
 // Through the bus, as a bench asks for it.
 void ask_for_erase(BoardRig& rig) {
-  rig.send(encode(protocol::LogRequest{.action = protocol::LogAction::erase, .tag = 1}, 0));
+  rig.pc.send(encode(protocol::LogRequest{.action = protocol::LogAction::erase, .tag = 1}, 0));
   rig.tick();
 }
 
@@ -184,16 +184,16 @@ TEST(FlightRegion, WhileTheFlightsAreErasedARocketIsNotArmed) {
   rig.open_session();
   rig.flash.set_stays_busy(true);
   ask_for_erase(rig);
-  rig.say(protocol::ArmAction::begin);
+  rig.pc.say(protocol::ArmAction::begin);
   rig.tick();
-  EXPECT_EQ(rig.heard<protocol::ArmReply>()->nonce, std::nullopt);
+  EXPECT_EQ(rig.pc.heard<protocol::ArmReply>()->nonce, std::nullopt);
   rig.flash.set_stays_busy(false);
-  rig.say(protocol::BenchSession{.action = protocol::SessionAction::close, .session = 7});
+  rig.pc.say(protocol::BenchSession{.action = protocol::SessionAction::close, .session = 7});
   rig.heartbeat.reset();
   rig.run(second / 2);
-  rig.say(protocol::ArmAction::begin);
+  rig.pc.say(protocol::ArmAction::begin);
   rig.tick();
-  EXPECT_TRUE(rig.heard<protocol::ArmReply>()->nonce.has_value()) << "when it has ended";
+  EXPECT_TRUE(rig.pc.heard<protocol::ArmReply>()->nonce.has_value()) << "when it has ended";
 }
 
 }  // namespace

@@ -64,8 +64,8 @@ struct FlyingRig : BoardRig {
     for (Microseconds end = true_time + gap; true_time < end;) {
       move();
     }
-    board.now.reset_cause = cause;
-    clock.time = clock_after_reset(backup_memory.bytes(), cause, nominal_gap).value_or(Microseconds{0});
+    hardware.board.reset_cause = cause;
+    hardware.time = clock_after_reset(backup_memory.bytes(), cause, nominal_gap).value_or(Microseconds{0});
     reset_processor();
   }
 
@@ -84,8 +84,8 @@ struct FlyingRig : BoardRig {
     }
     const bool burns = flies && true_time <= *lit + 3 * second;
     const auto axial = static_cast<std::int16_t>(burns ? 6000 : flies ? -300 : 1000);
-    imu.sample.rate = {static_cast<std::int16_t>(std::lround(rate_rad_s * 1000.0)), 0, 0};
-    imu.sample.specific_force = accelerometer.sample.specific_force = {axial, 0, 0};
+    hardware.imu.rate = {static_cast<std::int16_t>(std::lround(rate_rad_s * 1000.0)), 0, 0};
+    hardware.imu.specific_force = hardware.accelerometer.specific_force = {axial, 0, 0};
   }
 };
 

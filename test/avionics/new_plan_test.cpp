@@ -27,27 +27,27 @@ core::FlightPlan plan_with_trim() {
 void send_plan(BoardRig& rig, const core::FlightPlan& plan) {
   std::array<std::byte, protocol::largest_plan_block> buffer{};
   const auto block = std::span{buffer}.first(protocol::write_plan_block(plan, buffer));
-  rig.say(protocol::PlanBegin{.size = static_cast<std::uint16_t>(block.size()),
-                              .block_crc = protocol::plan_block_crc(block)});
+  rig.pc.say(protocol::PlanBegin{.size = static_cast<std::uint16_t>(block.size()),
+                                 .block_crc = protocol::plan_block_crc(block)});
   rig.tick();
   for (std::size_t at = 0; at < block.size(); at += 7) {
     protocol::PlanData data{.index = static_cast<std::uint8_t>(at / 7)};
     std::ranges::copy(block.subspan(at, std::min<std::size_t>(7, block.size() - at)), data.bytes.begin());
-    rig.say(data);
+    rig.pc.say(data);
     rig.tick();
   }
 }
 
 TransferFault answer_to_begin(BoardRig& rig) {
-  rig.say(protocol::PlanBegin{.size = 500, .block_crc = 1});
+  rig.pc.say(protocol::PlanBegin{.size = 500, .block_crc = 1});
   rig.tick();
-  return rig.heard<PlanReply>()->fault;
+  return rig.pc.heard<PlanReply>()->fault;
 }
 
 TEST(NewPlan, IsRefusedWhileANonceWaitsForItsConfirmation) {
   BoardRig rig;
   rig.make_ready();
-  rig.say(ArmAction::begin);
+  rig.pc.say(ArmAction::begin);
   rig.tick();
   EXPECT_EQ(answer_to_begin(rig), TransferFault::not_safe);
 }
@@ -55,7 +55,7 @@ TEST(NewPlan, IsRefusedWhileANonceWaitsForItsConfirmation) {
 TEST(NewPlan, IsRefusedWhileTheSelfTestRuns) {
   BoardRig rig;
   rig.run(3 * second);  // at rest, so it is the self-test that is in the way
-  rig.say(ArmAction::self_test);
+  rig.pc.say(ArmAction::self_test);
   rig.run(second);
   EXPECT_EQ(answer_to_begin(rig), TransferFault::not_safe);
 }
@@ -65,11 +65,11 @@ TEST(NewPlan, ARocketIsNotArmedWhileOneIsBeingWritten) {
   rig.make_ready();
   rig.flash.set_stays_busy(true);
   send_plan(rig, plan_with_trim());
-  ASSERT_EQ(rig.heard<PlanReply>()->state, TransferState::writing);
-  rig.say(ArmAction::begin);
+  ASSERT_EQ(rig.pc.heard<PlanReply>()->state, TransferState::writing);
+  rig.pc.say(ArmAction::begin);
   rig.tick();
-  EXPECT_FALSE(rig.heard<ArmReply>()->nonce);
-  EXPECT_EQ(rig.heard<ArmReply>()->refusal, ArmRefusal::self_test_not_passed);
+  EXPECT_FALSE(rig.pc.heard<ArmReply>()->nonce);
+  EXPECT_EQ(rig.pc.heard<ArmReply>()->refusal, ArmRefusal::self_test_not_passed);
 }
 
 TEST(NewPlan, WantsASelfTestOfItsOwnWithItsOwnTrims) {
@@ -77,14 +77,14 @@ TEST(NewPlan, WantsASelfTestOfItsOwnWithItsOwnTrims) {
   rig.make_ready();
   send_plan(rig, plan_with_trim());
   rig.run(second);
-  ASSERT_EQ(rig.heard<PlanReply>()->state, TransferState::stored);
+  ASSERT_EQ(rig.pc.heard<PlanReply>()->state, TransferState::stored);
   rig.run(3 * second);
-  rig.say(ArmAction::begin);
+  rig.pc.say(ArmAction::begin);
   rig.tick();
-  EXPECT_EQ(rig.heard<ArmReply>()->refusal, ArmRefusal::self_test_not_passed);
-  EXPECT_EQ(rig.heard<ArmReply>()->self_test, SelfTestState::not_run);
+  EXPECT_EQ(rig.pc.heard<ArmReply>()->refusal, ArmRefusal::self_test_not_passed);
+  EXPECT_EQ(rig.pc.heard<ArmReply>()->self_test, SelfTestState::not_run);
   rig.make_ready();
-  EXPECT_EQ(rig.heard<ArmReply>()->self_test, SelfTestState::passed);
+  EXPECT_EQ(rig.pc.heard<ArmReply>()->self_test, SelfTestState::passed);
 }
 
 TEST(NewPlan, TheHeartbeatNamesItFromThenOn) {
@@ -92,7 +92,7 @@ TEST(NewPlan, TheHeartbeatNamesItFromThenOn) {
   rig.run(3 * second);
   send_plan(rig, plan_with_trim());
   rig.run(second);
-  EXPECT_EQ(rig.heard<protocol::HeartbeatReport>()->plan_crc, protocol::plan_crc(plan_with_trim()));
+  EXPECT_EQ(rig.pc.heard<protocol::HeartbeatReport>()->plan_crc, protocol::plan_crc(plan_with_trim()));
 }
 
 }  // namespace

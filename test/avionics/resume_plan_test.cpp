@@ -177,7 +177,7 @@ TEST(ResumePlan, TheRestOfTheFlightIsARecordOfItsOwnThatIsReplayed) {
   rig.launch_to_control();
   rig.fly_for(200 * millisecond);
   rig.reset(ResetCause::watchdog);
-  const Microseconds again = rig.clock.time;
+  const Microseconds again = rig.hardware.time;
   rig.fly_for(600 * millisecond);
   const auto flights = replay_flights(rig.flash, core::default_plan());
   ASSERT_EQ(flights.size(), 2U);

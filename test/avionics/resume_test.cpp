@@ -68,7 +68,7 @@ TEST(Resume, AtAnyTickTheRollAngleStaysWithinItsBoundAndTheCommandsWithinTheirs)
       const core::TickRecord* before = rig.fly_for(between(1, 3000) * millisecond);
       ASSERT_EQ(before->phase, Phase::controlling);
       const double off_before = static_cast<double>(before->motion.roll_angle.radians()) - rig.angle_rad;
-      const Microseconds board_before = rig.clock.time;
+      const Microseconds board_before = rig.hardware.time;
       const Microseconds true_before = rig.true_time;
       // The firmware counts on 60 ms from the seal on; this is what it really may be.
       rig.reset(ResetCause::watchdog, between(45, 75) * millisecond);
@@ -78,7 +78,7 @@ TEST(Resume, AtAnyTickTheRollAngleStaysWithinItsBoundAndTheCommandsWithinTheirs)
       ASSERT_TRUE(within_limits(rig, record));
       const double clock_off_s =
           1e-6 *
-          std::abs(static_cast<double>(((rig.clock.time - board_before) - (rig.true_time - true_before)).count()));
+          std::abs(static_cast<double>(((rig.hardware.time - board_before) - (rig.true_time - true_before)).count()));
       ASSERT_LE(clock_off_s, 0.026);
       const double gap_s = 1e-6 * static_cast<double>((rig.true_time - true_before).count()) + 0.010;
       const double rate = std::max(rig.largest_rate, std::abs(rig.rate_rad_s));
@@ -147,7 +147,7 @@ TEST(Resume, AnyOtherResetBootsSafeAndBreaksTheSeal) {
     rig.launch_to_control();
     rig.fly_for(second);
     rig.reset(cause);
-    EXPECT_EQ(rig.clock.time, Microseconds{0});
+    EXPECT_EQ(rig.hardware.time, Microseconds{0});
     EXPECT_EQ(rig.fly_for(100 * millisecond)->phase, Phase::safe);
     rig.reset(ResetCause::watchdog);
     EXPECT_EQ(rig.fly_for(100 * millisecond)->phase, Phase::safe) << "what lay there is gone";
@@ -220,14 +220,14 @@ TEST(Resume, TheCountOfOneFlightIsNotThatOfTheNext) {
   FlyingRig rig{plan};
   for (int run = 0; run < 3; ++run) {
     ASSERT_EQ(rig.arm().phase, Phase::armed) << run;
-    rig.say(protocol::ArmAction::start, rig.armed_with);
+    rig.pc.say(protocol::ArmAction::start, rig.armed_with);
     ASSERT_EQ(rig.fly_to(Phase::controlling)->phase, Phase::controlling);
     rig.fly_for(100 * millisecond);
     for (int i = 0; i < 2; ++i) {
       rig.reset(ResetCause::watchdog);
       ASSERT_EQ(rig.fly_for(100 * millisecond)->phase, Phase::controlling) << run;
     }
-    rig.arm_switch.is_closed = false;
+    rig.hardware.arm_switch_closed = false;
     std::ranges::fill(rig.flash.cells(), std::byte{0xFF});  // it has room for one run
     rig.reset(ResetCause::pin);
     rig.fly_for(3 * second);

@@ -21,29 +21,29 @@ using protocol::SessionReason;
 TEST(RightToMove, ASessionIsRefusedUntilTheRocketHasStoodForTheRestTime) {
   BoardRig rig;
   rig.run(1'900 * millisecond);  // of the default plan's 2 s
-  rig.say(protocol::BenchSession{.action = SessionAction::open, .session = 3});
+  rig.pc.say(protocol::BenchSession{.action = SessionAction::open, .session = 3});
   rig.tick();
-  EXPECT_EQ(rig.heard<protocol::SessionReply>()->reason, SessionReason::not_at_rest);
+  EXPECT_EQ(rig.pc.heard<protocol::SessionReply>()->reason, SessionReason::not_at_rest);
 }
 
 TEST(RightToMove, ASessionIsRefusedWhileTheSelfTestRuns) {
   BoardRig rig;
   rig.run(3 * second);
-  rig.say(ArmAction::self_test);
+  rig.pc.say(ArmAction::self_test);
   rig.run(second);
-  rig.say(protocol::BenchSession{.action = SessionAction::open, .session = 3});
+  rig.pc.say(protocol::BenchSession{.action = SessionAction::open, .session = 3});
   rig.tick();
-  EXPECT_EQ(rig.heard<protocol::SessionReply>()->reason, SessionReason::self_test_runs);
+  EXPECT_EQ(rig.pc.heard<protocol::SessionReply>()->reason, SessionReason::self_test_runs);
   rig.run(6 * second);
-  EXPECT_EQ(rig.heard<ArmReply>()->self_test, SelfTestState::passed) << "and the test goes on";
+  EXPECT_EQ(rig.pc.heard<ArmReply>()->self_test, SelfTestState::passed) << "and the test goes on";
 }
 
 TEST(RightToMove, ANewSessionDoesNotGoOnWithWhatTheLastOneAskedFor) {
   BoardRig rig;
   rig.open_session(7);
-  rig.say(protocol::BenchRequest{.angle = {5_deg, 5_deg, 5_deg, 5_deg}});
+  rig.pc.say(protocol::BenchRequest{.angle = {5_deg, 5_deg, 5_deg, 5_deg}});
   rig.run(second);
-  rig.say(protocol::BenchSession{.action = SessionAction::close, .session = 7});
+  rig.pc.say(protocol::BenchSession{.action = SessionAction::close, .session = 7});
   rig.heartbeat.reset();
   rig.run(second);
   rig.open_session(8);
@@ -53,22 +53,22 @@ TEST(RightToMove, ANewSessionDoesNotGoOnWithWhatTheLastOneAskedFor) {
 
 TEST(RightToMove, ASessionThatIsOpenedInTheTickOfTheConfirmationMovesNothing) {
   BoardRig rig;
-  rig.say(ArmAction::confirm, rig.begin_arming().value());
-  rig.say(protocol::BenchSession{.action = SessionAction::open, .session = 3});
-  rig.say(protocol::BenchRequest{.angle = {5_deg, 5_deg, 5_deg, 5_deg}});
+  rig.pc.say(ArmAction::confirm, rig.begin_arming().value());
+  rig.pc.say(protocol::BenchSession{.action = SessionAction::open, .session = 3});
+  rig.pc.say(protocol::BenchRequest{.angle = {5_deg, 5_deg, 5_deg, 5_deg}});
   EXPECT_EQ(rig.tick().phase, Phase::armed);
   EXPECT_TRUE(rig.all_pulses_are(0.0));
   rig.tick();
-  EXPECT_EQ(rig.heard<protocol::SessionReply>()->reason, SessionReason::not_safe);
+  EXPECT_EQ(rig.pc.heard<protocol::SessionReply>()->reason, SessionReason::not_safe);
   EXPECT_TRUE(rig.all_pulses_are(0.0));
 }
 
 TEST(RightToMove, ASelfTestThatIsAskedForInTheTickOfTheConfirmationDoesNotRun) {
   BoardRig rig;
-  rig.say(ArmAction::confirm, rig.begin_arming().value());
-  rig.say(ArmAction::self_test);
+  rig.pc.say(ArmAction::confirm, rig.begin_arming().value());
+  rig.pc.say(ArmAction::self_test);
   EXPECT_EQ(rig.tick().phase, Phase::armed);
-  EXPECT_EQ(rig.heard<ArmReply>()->failure, protocol::SelfTestFailure::not_safe);
+  EXPECT_EQ(rig.pc.heard<ArmReply>()->failure, protocol::SelfTestFailure::not_safe);
 }
 
 TEST(RightToMove, APlanWithALongRestTimeIsNotArmedBeforeIt) {
@@ -76,8 +76,8 @@ TEST(RightToMove, APlanWithALongRestTimeIsNotArmedBeforeIt) {
   plan.motion.rest_time = 10 * second;
   BoardRig rig{plan};
   rig.arm();  // eight seconds after power-up
-  EXPECT_EQ(rig.heard<ArmReply>()->self_test, SelfTestState::passed);
-  EXPECT_EQ(rig.heard<ArmReply>()->refusal, ArmRefusal::not_at_rest);
+  EXPECT_EQ(rig.pc.heard<ArmReply>()->self_test, SelfTestState::passed);
+  EXPECT_EQ(rig.pc.heard<ArmReply>()->refusal, ArmRefusal::not_at_rest);
 }
 
 TEST(RightToMove, ControlInTheTunnelDoesNotStartWhileTheRocketMoves) {
@@ -85,11 +85,11 @@ TEST(RightToMove, ControlInTheTunnelDoesNotStartWhileTheRocketMoves) {
   plan.run.start = core::Start::tunnel;
   BoardRig rig{plan};
   ASSERT_EQ(rig.arm().phase, Phase::armed);
-  rig.imu.sample.rate = {500, 0, 0};
+  rig.hardware.imu.rate = {500, 0, 0};
   rig.run(10 * millisecond);
-  rig.say(ArmAction::start, rig.armed_with);
+  rig.pc.say(ArmAction::start, rig.armed_with);
   EXPECT_EQ(rig.tick().phase, Phase::armed);
-  EXPECT_EQ(rig.heard<ArmReply>()->refusal, ArmRefusal::not_at_rest);
+  EXPECT_EQ(rig.pc.heard<ArmReply>()->refusal, ArmRefusal::not_at_rest);
 }
 
 TEST(RightToMove, ThereIsNoNonceBeforeThisPowerUpIsCounted) {

@@ -18,15 +18,15 @@ using protocol::SelfTestState;
 
 // Until it has ended one way or the other.
 ArmReply outcome(BoardRig& rig, Microseconds patience = 20 * second) {
-  rig.say(ArmAction::self_test);
+  rig.pc.say(ArmAction::self_test);
   rig.run(2 * millisecond);
   for (Microseconds waited{}; waited < patience; waited += millisecond) {
-    if (rig.heard<ArmReply>() && rig.heard<ArmReply>()->self_test != SelfTestState::running) {
+    if (rig.pc.heard<ArmReply>() && rig.pc.heard<ArmReply>()->self_test != SelfTestState::running) {
       break;
     }
     rig.tick();
   }
-  return rig.heard<ArmReply>().value_or(ArmReply{});
+  return rig.pc.heard<ArmReply>().value_or(ArmReply{});
 }
 
 void expect_failure(BoardRig& rig, SelfTestFailure failure, std::optional<std::size_t> canard = {}) {
@@ -40,12 +40,12 @@ void expect_failure(BoardRig& rig, SelfTestFailure failure, std::optional<std::s
 TEST(SelfTest, ASoundRocketPassesWithinTenSecondsOfPowerUp) {
   BoardRig rig;
   EXPECT_EQ(outcome(rig).self_test, SelfTestState::passed);
-  EXPECT_LT(rig.clock.time, 10 * second);
+  EXPECT_LT(rig.hardware.time, 10 * second);
 }
 
 TEST(SelfTest, EachCanardAloneMovesThreeDegreesOutAndBack) {
   BoardRig rig;
-  rig.say(ArmAction::self_test);
+  rig.pc.say(ArmAction::self_test);
   std::array<double, 4> highest{};
   std::size_t most_at_once = 0;
   for (Microseconds t{}; t < 9 * second; t += millisecond) {
@@ -70,40 +70,40 @@ TEST(SelfTest, ASmallPlanLimitIsNeverExceeded) {
   plan.controller.canard_limit = 2_deg;
   plan.canards.each[0].trim = 1.5_deg;
   BoardRig rig{plan};
-  rig.say(ArmAction::self_test);
+  rig.pc.say(ArmAction::self_test);
   for (Microseconds t{}; t < 9 * second; t += millisecond) {
     rig.tick();
     for (std::size_t i = 0; i < 4 && rig.servo.written[0]; ++i) {
       ASSERT_LE(std::abs(rig.commanded_deg(i)), 2.001);
     }
   }
-  EXPECT_EQ(rig.heard<ArmReply>()->self_test, SelfTestState::passed);
+  EXPECT_EQ(rig.pc.heard<ArmReply>()->self_test, SelfTestState::passed);
 }
 
 TEST(SelfTest, FailsWhenTheRocketMovesAllTheTime) {
   BoardRig rig;
-  rig.imu.sample.rate = {500, 0, 0};
+  rig.hardware.imu.rate = {500, 0, 0};
   expect_failure(rig, SelfTestFailure::moved);
 }
 
 TEST(SelfTest, WaitsForAHandToLetGo) {
   BoardRig rig;
-  rig.imu.sample.rate = {500, 0, 0};
-  rig.say(ArmAction::self_test);
+  rig.hardware.imu.rate = {500, 0, 0};
+  rig.pc.say(ArmAction::self_test);
   rig.run(4 * second);
-  rig.imu.sample.rate = {};
+  rig.hardware.imu.rate = {};
   rig.run(8 * second);
-  EXPECT_EQ(rig.heard<ArmReply>()->self_test, SelfTestState::passed);
+  EXPECT_EQ(rig.pc.heard<ArmReply>()->self_test, SelfTestState::passed);
 }
 
 TEST(SelfTest, FailsWhenTheRocketMovesWhileTheCanardsDo) {
   BoardRig rig;
-  rig.say(ArmAction::self_test);
+  rig.pc.say(ArmAction::self_test);
   rig.run(4 * second);
-  ASSERT_EQ(rig.heard<ArmReply>()->canard, 0U);
-  rig.imu.sample.rate = {0, 500, 0};
+  ASSERT_EQ(rig.pc.heard<ArmReply>()->canard, 0U);
+  rig.hardware.imu.rate = {0, 500, 0};
   rig.run(100 * millisecond);
-  EXPECT_EQ(rig.heard<ArmReply>()->failure, SelfTestFailure::moved);
+  EXPECT_EQ(rig.pc.heard<ArmReply>()->failure, SelfTestFailure::moved);
 }
 
 TEST(SelfTest, FailsWithoutAGyro) {
@@ -116,7 +116,7 @@ TEST(SelfTest, FailsWithoutAGyro) {
 
 TEST(SelfTest, FailsWhenTheSecondAccelerometerIsSilent) {
   BoardRig rig;
-  rig.accelerometer.sample.status = hal::Status::no_reading;
+  rig.hardware.accelerometer.status = hal::Status::no_reading;
   expect_failure(rig, SelfTestFailure::accelerometer_failed);
 }
 
@@ -124,26 +124,26 @@ TEST(SelfTest, APlanForOneAccelerometerDoesNotAskTheOther) {
   core::FlightPlan plan = core::default_plan();
   plan.launch_detection.accelerometers = core::AccelerometerRule::one;
   BoardRig rig{plan};
-  rig.accelerometer.sample.status = hal::Status::no_reading;
+  rig.hardware.accelerometer.status = hal::Status::no_reading;
   EXPECT_EQ(outcome(rig).self_test, SelfTestState::passed);
 }
 
 TEST(SelfTest, FailsWhenAnAccelerometerIsOffByMoreThanATenthOfOneG) {
   for (const std::int16_t counts : {std::int16_t{890}, std::int16_t{1110}}) {
     BoardRig rig;
-    rig.accelerometer.sample.specific_force = {counts, 0, 0};
+    rig.hardware.accelerometer.specific_force = {counts, 0, 0};
     expect_failure(rig, SelfTestFailure::specific_force_not_one_g);
   }
   for (const std::int16_t counts : {std::int16_t{910}, std::int16_t{1090}}) {
     BoardRig rig;
-    rig.accelerometer.sample.specific_force = {counts, 0, 0};
+    rig.hardware.accelerometer.specific_force = {counts, 0, 0};
     EXPECT_EQ(outcome(rig).self_test, SelfTestState::passed) << counts;
   }
 }
 
 TEST(SelfTest, FailsWhenTheRocketLiesOnItsSide) {
   BoardRig rig;
-  rig.imu.sample.specific_force = rig.accelerometer.sample.specific_force = {0, 1000, 0};
+  rig.hardware.imu.specific_force = rig.hardware.accelerometer.specific_force = {0, 1000, 0};
   expect_failure(rig, SelfTestFailure::specific_force_not_one_g);
 }
 
@@ -152,8 +152,8 @@ TEST(SelfTest, FailsWhenTheAccelerometersDisagreeByMoreThanThePlanAllows) {
   plan.launch_detection.disagreement_m_s2 = 0.15F * core::standard_gravity_m_s2;
   for (const bool disagree : {true, false}) {
     BoardRig rig{plan};
-    rig.imu.sample.specific_force = {1080, 0, 0};
-    rig.accelerometer.sample.specific_force = {static_cast<std::int16_t>(disagree ? 920 : 940), 0, 0};
+    rig.hardware.imu.specific_force = {1080, 0, 0};
+    rig.hardware.accelerometer.specific_force = {static_cast<std::int16_t>(disagree ? 920 : 940), 0, 0};
     EXPECT_EQ(outcome(rig).failure, disagree ? SelfTestFailure::accelerometers_disagree : SelfTestFailure::none);
   }
 }
@@ -224,9 +224,9 @@ TEST(SelfTest, IsRefusedWhileTheBenchHoldsTheCanards) {
 TEST(SelfTest, IsRefusedToAnArmedRocket) {
   BoardRig rig;
   ASSERT_EQ(rig.arm().phase, core::Phase::armed);
-  rig.say(ArmAction::self_test);
+  rig.pc.say(ArmAction::self_test);
   rig.run(second);
-  EXPECT_EQ(rig.heard<ArmReply>()->failure, SelfTestFailure::not_safe);
+  EXPECT_EQ(rig.pc.heard<ArmReply>()->failure, SelfTestFailure::not_safe);
   EXPECT_TRUE(rig.all_pulses_are(0.0));
 }
 

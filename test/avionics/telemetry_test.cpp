@@ -19,10 +19,10 @@ struct Rates {
 
 Rates heard_in_a_second(BoardRig& rig) {
   const auto now = [&rig] {
-    return Rates{.commands = rig.count<protocol::CommandReport>(),
-                 .encoders = rig.count<protocol::EncoderReport>(),
-                 .status = rig.count<protocol::StatusReport>(),
-                 .motion = rig.count<protocol::MotionReport>()};
+    return Rates{.commands = rig.pc.count<protocol::CommandReport>(),
+                 .encoders = rig.pc.count<protocol::EncoderReport>(),
+                 .status = rig.pc.count<protocol::StatusReport>(),
+                 .motion = rig.pc.count<protocol::MotionReport>()};
   };
   const Rates before = now();
   rig.run(second);
@@ -55,7 +55,7 @@ TEST(Telemetry, ReportsCanardsEveryMillisecondInABenchSession) {
 TEST(Telemetry, ReportsCanardsEveryMillisecondInTheSelfTest) {
   BoardRig rig;
   rig.run(second);
-  rig.say(protocol::ArmAction::self_test);
+  rig.pc.say(protocol::ArmAction::self_test);
   rig.tick();
   expect_rate(rig, 1000);
 }
@@ -71,7 +71,7 @@ TEST(Telemetry, ReportsCanardsEveryMillisecondInControl) {
   plan.run.start = core::Start::tunnel;
   BoardRig rig{plan};
   rig.arm();
-  rig.say(protocol::ArmAction::start, rig.armed_with);
+  rig.pc.say(protocol::ArmAction::start, rig.armed_with);
   ASSERT_EQ(rig.tick().phase, core::Phase::controlling);
   expect_rate(rig, 1000);
 }
@@ -79,13 +79,13 @@ TEST(Telemetry, ReportsCanardsEveryMillisecondInControl) {
 TEST(Telemetry, ReportsCanardsEveryMillisecondWhileTheRocketLeavesItsGuide) {
   BoardRig rig;
   ASSERT_EQ(rig.arm().phase, core::Phase::armed);
-  rig.imu.sample.specific_force = rig.accelerometer.sample.specific_force = {5000, 0, 0};
+  rig.hardware.imu.specific_force = rig.hardware.accelerometer.specific_force = {5000, 0, 0};
   int ticks = 0;
   while (rig.tick().phase == core::Phase::armed && ++ticks < 1000) {
   }
-  const int before = rig.count<protocol::CommandReport>();
+  const int before = rig.pc.count<protocol::CommandReport>();
   ASSERT_EQ(rig.run(50 * millisecond)->phase, core::Phase::launched);
-  EXPECT_EQ(rig.count<protocol::CommandReport>() - before, 50);
+  EXPECT_EQ(rig.pc.count<protocol::CommandReport>() - before, 50);
 }
 
 TEST(Telemetry, TheLongestTickOfATenthOfASecondIsReported) {
@@ -113,15 +113,15 @@ TEST(Telemetry, TheReportsSayWhatTheServosAreToldAndWhatTheEncodersRead) {
   BoardRig rig;
   rig.unplugged[3] = true;
   rig.open_session();
-  rig.say(protocol::BenchRequest{.angle = {5_deg, std::nullopt, std::nullopt, std::nullopt}});
+  rig.pc.say(protocol::BenchRequest{.angle = {5_deg, std::nullopt, std::nullopt, std::nullopt}});
   rig.run(second);
-  const auto& commands = *rig.heard<protocol::CommandReport>();
-  const auto& encoders = *rig.heard<protocol::EncoderReport>();
+  const auto& commands = *rig.pc.heard<protocol::CommandReport>();
+  const auto& encoders = *rig.pc.heard<protocol::EncoderReport>();
   EXPECT_NEAR(commands.angle[0]->degrees(), 5.0F, 0.006F);
   EXPECT_NEAR(encoders.angle[0]->degrees(), 5.0F, 0.02F);
   EXPECT_NEAR(encoders.angle[1]->degrees(), 0.0F, 0.02F);
   EXPECT_FALSE(encoders.angle[3]);
-  EXPECT_EQ(rig.heard<protocol::HealthReport>()->verdicts[3], core::CanardVerdict::dead);
+  EXPECT_EQ(rig.pc.heard<protocol::HealthReport>()->verdicts[3], core::CanardVerdict::dead);
 }
 
 TEST(Telemetry, TheLimitsAreThoseOfThePlan) {
@@ -130,7 +130,7 @@ TEST(Telemetry, TheLimitsAreThoseOfThePlan) {
   plan.controller.canard_limit = 9_deg;
   BoardRig rig{plan};
   rig.run(second);
-  EXPECT_NEAR(rig.heard<protocol::LimitReport>()->limit[2].degrees(), 9.0F, 0.001F);
+  EXPECT_NEAR(rig.pc.heard<protocol::LimitReport>()->limit[2].degrees(), 9.0F, 0.001F);
 }
 
 TEST(Telemetry, TheHeartbeatNamesThePlanByItsChecksum) {
@@ -145,8 +145,8 @@ TEST(Telemetry, TheHeartbeatNamesThePlanByItsChecksum) {
   for (std::size_t i = 0; i < 4; ++i) {
     checksum |= static_cast<std::uint32_t>(block[size - 4 + i]) << (8U * i);
   }
-  EXPECT_EQ(rig.heard<protocol::HeartbeatReport>()->plan_crc, checksum);
-  EXPECT_EQ(rig.heard<protocol::HeartbeatReport>()->version, protocol::bus_protocol_version);
+  EXPECT_EQ(rig.pc.heard<protocol::HeartbeatReport>()->plan_crc, checksum);
+  EXPECT_EQ(rig.pc.heard<protocol::HeartbeatReport>()->version, protocol::bus_protocol_version);
 }
 
 TEST(Telemetry, EvenTheWorstMillisecondFitsOnTheBus) {
@@ -156,10 +156,10 @@ TEST(Telemetry, EvenTheWorstMillisecondFitsOnTheBus) {
   int most_bits = 0;
   for (int i = 0; i < 3000; ++i) {
     if (i % 20 == 0) {
-      rig.say(protocol::BenchSession{.action = protocol::SessionAction::keep, .session = 7});
+      rig.pc.say(protocol::BenchSession{.action = protocol::SessionAction::keep, .session = 7});
     }
     if (i % 5 == 0) {
-      rig.say(protocol::BenchRequest{.angle = {5_deg, 5_deg, 5_deg, 5_deg}});
+      rig.pc.say(protocol::BenchRequest{.angle = {5_deg, 5_deg, 5_deg, 5_deg}});
     }
     while (tap.receive()) {
     }
