@@ -26,7 +26,7 @@ set(FANTAIL_LAYERS
   "tools/flight|core text input|fmt/"
   "tools/report|text json page flight|fmt/"
   "tools/flight_log|core protocol avionics text input flight|fmt/"
-  "tools/logs|sim text json input flight flight_log|fmt/"
+  "tools/logs|sim text input flight report flight_log|fmt/"
   "tools/identify/model|sim text|Eigen/ fmt/"
   "tools/identify/closed_loop|core text identify/model|Eigen/ fmt/"
   "tools/identify/result|text json page identify/model identify/closed_loop|Eigen/ fmt/"
@@ -54,7 +54,7 @@ set(FANTAIL_EXCEPTIONS
   "tools/json/value.cpp|nlohmann/"
   "tools/text/output_folder.cpp|fcntl\\.h unistd\\.h sys/"
   "tools/fantail/command_line.cpp|CLI/"
-  "tools/report/sha256.cpp|sha256\\.h")
+  "tools/report/summary_json.cpp|sha256\\.h")
 
 # Splits a row, or an exception, into <prefix>_0, _1, ... ; the first is a word, the others are lists.
 function(fantail_split row prefix)

@@ -177,7 +177,7 @@ logs::RollLog log_between(double low_m, double high_m) {
 TEST(Air, OfALogThatClimbsThinsWithHeight) {
   const Air air = choose_air(log_between(0.0, 420.0), {});
   EXPECT_EQ(air.atmosphere.model, DensityModel::exponential);
-  EXPECT_NE(air.words.find("height_m"), std::string::npos);
+  EXPECT_NE(air.description.find("height_m"), std::string::npos);
 }
 
 TEST(Air, OfATunnelIsTheSameThroughout) {
@@ -185,7 +185,7 @@ TEST(Air, OfATunnelIsTheSameThroughout) {
     const Air air = choose_air(log, {});
     EXPECT_EQ(air.atmosphere.model, DensityModel::constant);
     EXPECT_EQ(air.atmosphere.constant_kg_m3, 1.2);
-    EXPECT_NE(air.words.find("1.2 kg/m3"), std::string::npos);
+    EXPECT_NE(air.description.find("1.2 kg/m3"), std::string::npos);
   }
 }
 

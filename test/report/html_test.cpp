@@ -7,7 +7,6 @@
 
 #include "json/value.hpp"
 #include "page/page.hpp"
-#include "report/charts.hpp"
 #include "synthetic_flight.hpp"
 
 namespace fantail::report {

@@ -5,7 +5,6 @@
 
 #include "json/value.hpp"
 #include "logs/refused.hpp"
-#include "tunnel/flow_report.hpp"
 #include "tunnel/made_logs.hpp"
 
 namespace fantail::tunnel {

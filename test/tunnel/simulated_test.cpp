@@ -139,9 +139,9 @@ TEST(SimulatedTunnel, StepsGiveBackThePlantedRollModel) {
     EXPECT_NEAR(step.identified.model.node_rad.front() / degree, -6.1, 0.1) << step.number;
     EXPECT_NEAR(step.identified.model.node_rad.back() / degree, -6.1, 0.1) << step.number;
   }
-  EXPECT_NEAR(table.alpha_m2.mean, 19.4, 0.15);
-  EXPECT_NEAR(table.beta_m.mean, 9.6, 0.08);
-  EXPECT_LT(table.mean_abs_angle_error_rad.mean / degree, 0.05);
+  EXPECT_NEAR(table.mean.alpha_m2, 19.4, 0.15);
+  EXPECT_NEAR(table.mean.beta_m, 9.6, 0.08);
+  EXPECT_LT(table.mean.mean_abs_angle_error_rad / degree, 0.05);
 }
 
 }  // namespace

@@ -7,7 +7,6 @@
 
 #include "logs/refused.hpp"
 #include "tunnel/made_logs.hpp"
-#include "tunnel/settling.hpp"
 
 namespace fantail::tunnel {
 namespace {

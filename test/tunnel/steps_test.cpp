@@ -10,7 +10,6 @@
 #include "logs/refused.hpp"
 #include "sim/roll_plant.hpp"
 #include "tunnel/made_logs.hpp"
-#include "tunnel/steps_report.hpp"
 
 namespace fantail::tunnel {
 namespace {
@@ -113,9 +112,9 @@ TEST(IdentifySteps, EachStepGetsItsOwnModel) {
     EXPECT_NEAR(model.node_rad.back() / degree, three_rockets[i].offset_deg, 0.03) << i;
     EXPECT_NEAR(table.steps[i].record.time_s.back(), 5.0, 1e-6) << i;
   }
-  EXPECT_NEAR(table.alpha_m2.mean, 20.0, 0.05);
-  EXPECT_NEAR(table.alpha_m2.deviation, std::sqrt(39.0), 0.05);  // of 13, 22 and 25: (49 + 4 + 25) / 2
-  EXPECT_NEAR(table.disturbance_begin_rad.deviation / degree, 1.0, 0.05);
+  EXPECT_NEAR(table.mean.alpha_m2, 20.0, 0.05);
+  EXPECT_NEAR(table.standard_deviation.alpha_m2, std::sqrt(39.0), 0.05);  // of 13, 22 and 25: (49 + 4 + 25) / 2
+  EXPECT_NEAR(table.standard_deviation.disturbance_begin_rad / degree, 1.0, 0.05);
 }
 
 TEST(IdentifySteps, ByTheGridFindsItsNearestCells) {
@@ -134,7 +133,7 @@ TEST(IdentifySteps, OneDirectionKeepsTheNumbersOfTheSteps) {
   const StepTable table = identify_steps(made_run(three_rockets), tasha, options);
   ASSERT_EQ(table.steps.size(), 1U);
   EXPECT_EQ(table.steps[0].number, 2U);
-  EXPECT_EQ(table.alpha_m2.deviation, 0.0);
+  EXPECT_EQ(table.standard_deviation.alpha_m2, 0.0);
 }
 
 TEST(IdentifySteps, AShortStepIsTakenAsItIsAndRemarkedOn) {

@@ -9,7 +9,6 @@
 #include "json/value.hpp"
 #include "logs/refused.hpp"
 #include "tunnel/made_logs.hpp"
-#include "tunnel/swirl_report.hpp"
 
 namespace fantail::tunnel {
 namespace {

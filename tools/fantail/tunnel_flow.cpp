@@ -6,7 +6,7 @@
 #include "fantail/log_options.hpp"
 #include "fantail/number_option.hpp"
 #include "fantail/tunnel_options.hpp"
-#include "tunnel/flow_report.hpp"
+#include "tunnel/flow.hpp"
 
 namespace fantail::tool {
 namespace {

@@ -8,7 +8,7 @@
 #include "fantail/number_option.hpp"
 #include "fantail/tunnel_options.hpp"
 #include "tunnel/session.hpp"
-#include "tunnel/steps_report.hpp"
+#include "tunnel/steps.hpp"
 
 namespace fantail::tool {
 namespace {

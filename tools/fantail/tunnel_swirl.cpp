@@ -7,7 +7,7 @@
 #include "fantail/tunnel_options.hpp"
 #include "text/error.hpp"
 #include "tunnel/session.hpp"
-#include "tunnel/swirl_report.hpp"
+#include "tunnel/swirl.hpp"
 
 namespace fantail::tool {
 namespace {

@@ -43,7 +43,7 @@ void print_figure(std::string_view label, const std::optional<double>& value, st
 void print_summary(const flight::Flight& flight, const report::Results& results) {
   fmt::print("{} ({}), seed {}\n{}\n", flight.scenario, flight.vehicle, flight.seed.value_or(0), results.verdict.text);
   std::vector<std::string> assumed = flight.notes;
-  if (const std::string imposed = flight::imposed_roll_words(flight); !imposed.empty()) {
+  if (const std::string imposed = flight::imposed_roll_sentence(flight); !imposed.empty()) {
     assumed.insert(assumed.begin(), imposed);
   }
   fmt::print("{}", assumed.empty() ? "" : "\nWhat was assumed:\n");

@@ -137,7 +137,7 @@ void identify_data(const IdentifyOptions& o) {
   q.windows = windows(o, log);
   identify::result::Study result = study(log, q);
   result.vehicle = which.words;
-  result.density = air.words;
+  result.density = air.description;
   result.speed = o.speed_m_s   ? input::shown(*o.speed_m_s) + " m/s throughout"
                  : o.log.truth ? "true_speed_m_s"
                                : "speed_m_s";

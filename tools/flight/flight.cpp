@@ -85,11 +85,9 @@ void add_tick(Flight& flight, const core::TickRecord& record, double time_s, con
 
 void set_time_zero(Flight& flight, double zero_s) {
   const auto move = [zero_s](double& time_s) { time_s = std::round((time_s - zero_s) * 1e6) / 1e6; };
-  Events& e = flight.events;
-  for (std::optional<double>* event : {&e.liftoff_s, &e.detected_s, &e.guide_clear_s, &e.control_start_s,
-                                       &e.control_end_s, &e.burnout_s, &e.apogee_s}) {
-    if (*event) {
-      move(**event);
+  for (const NamedEvent& event : named_events) {
+    if (auto& time_s = flight.events.*event.time_s) {
+      move(*time_s);
     }
   }
   if (flight.imposed_roll) {

@@ -7,7 +7,6 @@
 
 #include <fmt/core.h>
 
-#include "flight/messages.hpp"
 #include "input/messages.hpp"
 #include "text/error.hpp"
 

@@ -8,18 +8,13 @@
 
 namespace fantail::flight {
 
-std::string_view words(core::Phase phase) {
-  switch (phase) {
-    case core::Phase::safe: return "Safe";
-    case core::Phase::armed: return "Armed";
-    case core::Phase::launched: return "Launched";
-    case core::Phase::controlling: return "Controlling";
-    case core::Phase::finished: return "Finished";
-  }
-  return "Unknown";
+std::string display_name(core::Phase phase) {
+  std::string name{core::name(phase)};
+  name.front() = static_cast<char>(name.front() - 'a' + 'A');
+  return name;
 }
 
-std::string_view words(core::PhaseReason reason) {
+std::string_view display_name(core::PhaseReason reason) {
   using core::PhaseReason;
   switch (reason) {
     case PhaseReason::power_on: return "power on";
@@ -41,11 +36,11 @@ std::string_view words(core::PhaseReason reason) {
   return "unknown";
 }
 
-std::string imposed_roll_words(const flight::Flight& flight) {
+std::string imposed_roll_sentence(const Flight& flight) {
   if (!flight.imposed_roll) {
     return {};
   }
-  const flight::ImposedRoll& imposed = *flight.imposed_roll;
+  const ImposedRoll& imposed = *flight.imposed_roll;
   return fmt::format("Roll was imposed by the scenario at {} s: angle {} deg, rate {} deg/s.",
                      text::fixed(imposed.time_s, 2), text::fixed(text::degrees(imposed.angle_rad), 1),
                      text::fixed(text::degrees(imposed.rate_rad_s), 1));

@@ -14,7 +14,6 @@
 
 #include "flight/columns.hpp"
 #include "flight/found_columns.hpp"
-#include "flight/messages.hpp"
 #include "input/messages.hpp"
 #include "text/degrees.hpp"
 #include "text/error.hpp"

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -58,5 +59,11 @@ class Table {
   std::vector<Cell> cells_;  ///< row by row, without the header's
   std::vector<std::size_t> lines_;
 };
+
+/// A piece of a file for a message: in quotes, of bearable length, without the characters that move a terminal.
+[[nodiscard]] std::string in_quotes(std::string_view text);
+
+/// "no column roll_angle_deg (did you mean roll_deg?); there are: time_s, roll_deg".
+[[nodiscard]] std::string missing_column(std::string_view wanted, std::span<const std::string> there);
 
 }  // namespace fantail::flight

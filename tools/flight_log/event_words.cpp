@@ -41,8 +41,8 @@ std::string words(const protocol::LogEvent& event) {
     case Kind::recording_ended:
       return fmt::format("recording ended: {}", words(static_cast<protocol::LogEnd>(event.value)));
     case Kind::phase:
-      return fmt::format("{}: {}", flight::words(static_cast<core::Phase>(event.value)),
-                         flight::words(static_cast<core::PhaseReason>(event.detail)));
+      return fmt::format("{}: {}", flight::display_name(static_cast<core::Phase>(event.value)),
+                         flight::display_name(static_cast<core::PhaseReason>(event.detail)));
     case Kind::canard_verdict:
       return fmt::format("canard {} {}", event.index + 1, name(static_cast<core::CanardVerdict>(event.value)));
     case Kind::gyro_state: return sensor("gyro", event.value);

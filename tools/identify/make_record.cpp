@@ -9,6 +9,7 @@
 #include <fmt/core.h>
 
 #include "input/messages.hpp"
+#include "logs/interpolator.hpp"
 #include "text/error.hpp"
 #include "text/number.hpp"
 
@@ -27,7 +28,7 @@ constexpr std::size_t least_samples = 3;
   throw Error{ErrorKind::bad_data, log.name + ": " + why};
 }
 
-std::string words(const Window& window) {
+std::string label(const Window& window) {
   if (!window.name.empty()) {
     return window.name;
   }
@@ -55,11 +56,11 @@ Indices samples_inside(const RollLog& log, const Window& window, double longest_
   const double to = window.to_s.value_or(last);
   if (from > to) {
     throw Error{ErrorKind::bad_configuration, fmt::format("window {}: begins at {} s, behind its end at {} s",
-                                                          words(window), about(from), about(to))};
+                                                          label(window), about(from), about(to))};
   }
   if (from < first - longest_gap_s || to > last + longest_gap_s) {
     refuse(log, fmt::format("window {}: {} s to {} s lies outside the data, which goes from {} s to {} s",
-                            words(window), about(from), about(to), about(first), about(last)));
+                            label(window), about(from), about(to), about(first), about(last)));
   }
   Indices inside;
   for (std::size_t i = 0; i < log.time_s.size(); ++i) {
@@ -69,39 +70,6 @@ Indices samples_inside(const RollLog& log, const Window& window, double longest_
   }
   return inside;
 }
-
-// A column at another time than that of its samples; empty outside the log and inside a gap.
-class ShiftedColumn {
- public:
-  ShiftedColumn(const std::vector<double>& time_s, const std::vector<double>& value, double shift_s, double gap_s)
-      : time_s_{time_s}, value_{value}, shift_s_{shift_s}, gap_s_{gap_s} {}
-
-  [[nodiscard]] std::optional<double> at(std::size_t sample) const {
-    if (shift_s_ == 0.0) {
-      return value_[sample];
-    }
-    const double t = time_s_[sample] + shift_s_;
-    if (t < time_s_.front() || t > time_s_.back()) {
-      return {};
-    }
-    const auto above = std::ranges::lower_bound(time_s_, t);
-    const auto i = static_cast<std::size_t>(above - time_s_.begin());
-    if (*above == t) {
-      return value_[i];
-    }
-    const double step_s = time_s_[i] - time_s_[i - 1];
-    if (step_s > gap_s_) {
-      return {};
-    }
-    return value_[i - 1] + (value_[i] - value_[i - 1]) * ((t - time_s_[i - 1]) / step_s);
-  }
-
- private:
-  const std::vector<double>& time_s_;
-  const std::vector<double>& value_;
-  double shift_s_;
-  double gap_s_;
-};
 
 // Where the stretches without a gap begin, and only those long enough to say something.
 struct Kept {
@@ -230,19 +198,24 @@ model::Record make_record(const RollLog& log, const Window& window, const Record
   if (!with_canards && options.canard_needed) {
     refuse(log, "no column canard_deg with numbers in it");
   }
-  const ShiftedColumn canard{log.time_s, log.canard_rad, options.lag_s, longest_gap_s};
   Indices inside = samples_inside(log, window, longest_gap_s);
-  if (with_canards) {
-    std::erase_if(inside, [&](std::size_t i) { return !canard.at(i); });
+  std::vector<double> canard_rad = log.canard_rad;
+  if (with_canards && options.lag_s != 0.0) {
+    logs::Interpolator interpolator{log.time_s, longest_gap_s};
+    std::erase_if(inside, [&](std::size_t i) {
+      const auto place = interpolator.at(log.time_s[i] + options.lag_s);
+      canard_rad[i] = place ? place->of(log.canard_rad) : 0.0;
+      return !place;
+    });
   }
   const auto [samples, segment_begin] = without_crumbs(log, inside, longest_gap_s);
   if (samples.size() < least_samples) {
-    refuse(log, fmt::format("window {}: {} samples without a gap between them; at least {} are needed", words(window),
+    refuse(log, fmt::format("window {}: {} samples without a gap between them; at least {} are needed", label(window),
                             inside.size(), least_samples));
   }
 
   model::Record record;
-  record.window = words(window);
+  record.window = label(window);
   record.window_begin_s = log.time_s[samples.front()];
   record.segment_begin = segment_begin;
   for (const std::size_t i : samples) {
@@ -251,7 +224,7 @@ model::Record make_record(const RollLog& log, const Window& window, const Record
     if (!with_canards) {
       continue;
     }
-    record.canard_rad.push_back(*canard.at(i));
+    record.canard_rad.push_back(canard_rad[i]);
     if (std::isnan(record.canard_rad.back())) {
       refuse(log, fmt::format("canard_deg has no number at {} s", about(log.time_s[i])));
     }

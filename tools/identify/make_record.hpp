@@ -17,10 +17,10 @@ struct Window {
   std::string name{};
 };
 
-/// Which air a log was flown in, and in words.
+/// Which air a log was flown in.
 struct Air {
   sim::Atmosphere atmosphere{};
-  std::string words{};
+  std::string description{};
 };
 
 /// `asked` is a density in kg/m3, "exponential" or "isa". Empty: exponential when the log climbs, else 1.2 kg/m3.

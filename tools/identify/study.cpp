@@ -3,13 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 #include <variant>
 
 #include <fmt/core.h>
 
 #include "identify/choices.hpp"
+#include "identify/model/least_squares.hpp"
 #include "identify/result/residual.hpp"
 #include "input/messages.hpp"
 #include "text/error.hpp"
@@ -20,8 +20,9 @@ namespace {
 using namespace model;
 using namespace result;
 
-constexpr double stride_s = 0.005;
-constexpr double fine_enough_s = 0.0001;
+// Lags that are tried first, 5 ms apart, so that a side valley is not taken for the deepest.
+constexpr int places = 21;
+constexpr double stride_s = 2.0 * largest_fitted_lag_s / (places - 1);
 
 // The same samples for every lag that is tried, or the comparison would favour the shortest record.
 Window with_room(const logs::RollLog& log, Window window) {
@@ -107,41 +108,8 @@ LagFit fit_lag(const logs::RollLog& log, const Window& window, const RecordOptio
     return identify(make_record(log, inside, shifted), airframe, quick).simulation.rms_angle_error_rad;
   };
 
-  double best_s = 0.0;
-  double least = error(0.0);
-  for (int i = 1; i * stride_s < largest_fitted_lag_s + 0.5 * stride_s; ++i) {
-    for (const double lag_s : {-i * stride_s, i * stride_s}) {
-      if (const double e = error(lag_s); e < least) {
-        least = e;
-        best_s = lag_s;
-      }
-    }
-  }
-  const bool at_the_edge = std::abs(best_s) > largest_fitted_lag_s - 0.5 * stride_s;
-  // Golden section between the neighbours of the best.
-  constexpr double golden = std::numbers::phi - 1.0;
-  double low = std::max(best_s - stride_s, -largest_fitted_lag_s);
-  double high = std::min(best_s + stride_s, largest_fitted_lag_s);
-  double left = high - golden * (high - low);
-  double right = low + golden * (high - low);
-  double left_error = error(left);
-  double right_error = error(right);
-  while (high - low > fine_enough_s) {
-    if (left_error < right_error) {
-      high = right;
-      right = left;
-      right_error = left_error;
-      left = high - golden * (high - low);
-      left_error = error(left);
-    } else {
-      low = left;
-      left = right;
-      left_error = right_error;
-      right = low + golden * (high - low);
-      right_error = error(right);
-    }
-  }
-  return {.lag_s = 0.5 * (low + high), .at_the_edge = at_the_edge};
+  const double lag_s = least_over(error, {.low = -largest_fitted_lag_s, .high = largest_fitted_lag_s}, places, 1e-3);
+  return {.lag_s = lag_s, .at_the_edge = std::abs(lag_s) > largest_fitted_lag_s - 0.5 * stride_s};
 }
 
 Study study(const logs::RollLog& log, const Question& question) {

@@ -6,7 +6,7 @@
 #include "flight/read_csv.hpp"
 #include "flight_log/integrity.hpp"
 #include "flight_log/to_report.hpp"
-#include "logs/summary.hpp"
+#include "report/summary_json.hpp"
 #include "text/error.hpp"
 
 namespace fantail::logs {
@@ -83,7 +83,7 @@ flight::Flight read_flight(const std::filesystem::path& path) {
     flight.scenario = path.filename().string();
     return flight;
   }
-  add_summary(flight, path / "summary.json");
+  report::add_summary(flight, path / "summary.json");
   if (is_there(path / "flight.ftl")) {
     add_plan(flight, path / "flight.ftl");
   }

@@ -25,7 +25,22 @@ class Interpolator {
   Interpolator(std::span<const double> time_s, double longest_gap_s)
       : time_s_{time_s}, longest_gap_s_{longest_gap_s * (1.0 + 1e-9)} {}  // a log every 0.1 s has no gaps of 0.1 s
 
-  [[nodiscard]] std::optional<Between> at(double t_s);
+  [[nodiscard]] std::optional<Between> at(double t_s) {
+    while (next_ < time_s_.size() && time_s_[next_] <= t_s) {
+      ++next_;
+    }
+    if (next_ == 0) {
+      return std::nullopt;
+    }
+    const std::size_t before = next_ - 1;
+    if (time_s_[before] == t_s) {
+      return Between{before, 0.0};
+    }
+    if (next_ == time_s_.size() || time_s_[next_] - time_s_[before] > longest_gap_s_) {
+      return std::nullopt;
+    }
+    return Between{before, (t_s - time_s_[before]) / (time_s_[next_] - time_s_[before])};
+  }
 
  private:
   std::span<const double> time_s_;

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <utility>
 
 #include <fmt/core.h>
@@ -12,8 +13,7 @@
 #include "flight/table.hpp"
 #include "logs/flight_file.hpp"
 #include "logs/log_doubts.hpp"
-#include "logs/summary.hpp"
-#include "logs/turns.hpp"
+#include "report/summary_json.hpp"
 #include "text/error.hpp"
 
 namespace fantail::logs {
@@ -65,6 +65,36 @@ std::vector<double> values(const std::vector<flight::Row>& rows, const Signal& s
   return list;
 }
 
+// Takes whole turns out of a roll angle that is kept between two limits one turn apart, with the roll rate as witness.
+// Returns how many jumps there were.
+std::size_t continue_over_turns(RollLog& log) {
+  constexpr double turn = 2.0 * std::numbers::pi;
+  std::vector<double>& angle = log.roll_angle_rad;
+  const std::vector<double>& rate = log.roll_rate_rad_s;
+  if (angle.empty() || rate.empty() || std::ranges::any_of(angle, [](double a) { return std::isnan(a); })) {
+    return 0;
+  }
+  const auto [low, high] = std::ranges::minmax_element(angle);
+  if (*high - *low > 1.01 * turn) {  // an angle that goes on already
+    return 0;
+  }
+  std::size_t jumps = 0;
+  double added = 0.0;
+  double before = angle[0];
+  for (std::size_t i = 1; i < angle.size(); ++i) {
+    const double expected = 0.5 * (rate[i - 1] + rate[i]) * (log.time_s[i] - log.time_s[i - 1]);
+    const double surprise = angle[i] - before - expected;
+    before = angle[i];
+    // Behind a long gap the rate is no witness any more, and the model starts anew there.
+    if (std::abs(expected) < 0.5 && std::abs(std::abs(surprise) - turn) < 1.0) {
+      added -= std::copysign(turn, surprise);
+      ++jumps;
+    }
+    angle[i] += added;
+  }
+  return jumps;
+}
+
 void refuse_what_only_a_table_has(const std::string& file, const flight::Reading& reading) {
   const char* const why = reading.truth                                  ? "it holds no truth, only what was measured"
                           : !reading.columns.empty()                     ? "it names its columns itself"
@@ -111,7 +141,7 @@ RollLog read_roll_log(const std::filesystem::path& path, const flight::Reading& 
   }
   flight::Flight flight = flight::read_flight_csv(flight::Table::load(file.string()), reading, needs);
   if (file != path) {
-    const flight::Events events = summary_events(path / "summary.json");
+    const flight::Events events = report::summary_events(path / "summary.json");
     flight.events.burnout_s = events.burnout_s;
     flight.events.apogee_s = events.apogee_s;
   }

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "report/charts.hpp"
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <functional>
 #include <limits>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -13,7 +14,7 @@
 #include <fmt/core.h>
 
 #include "flight/phase_names.hpp"
-#include "report/timeline.hpp"
+#include "report/html.hpp"
 #include "text/degrees.hpp"
 #include "text/number.hpp"
 
@@ -53,10 +54,98 @@ Role role_of(core::Phase phase) {
   }
 }
 
+std::vector<page::Stripe> phase_stripes(const flight::Flight& flight) {
+  std::vector<page::Stripe> stripes;
+  const flight::Row* before = nullptr;
+  for (const flight::Row& row : flight.rows) {
+    if (!stripes.empty()) {
+      stripes.back().end = row.time_s;
+    }
+    if (before == nullptr || before->phase != row.phase) {
+      stripes.push_back({row.time_s, row.time_s, flight::display_name(row.phase), role_of(row.phase)});
+    }
+    before = &row;
+  }
+  return stripes;
+}
+
+// More labelled steps than this would hide each other.
+constexpr std::size_t most_step_labels = 3;
+
+std::vector<page::Level> reference_steps(const flight::Flight& flight) {
+  std::vector<page::Level> steps;
+  const flight::Row* before = nullptr;
+  for (const flight::Row& row : flight.rows) {
+    if (row.phase != core::Phase::controlling || !std::isfinite(row.reference_rad)) {
+      continue;
+    }
+    if (before != nullptr && row.reference_rad != before->reference_rad) {
+      const std::string sign = row.reference_rad > 0.0 ? "+" : "";
+      const std::string angle = text::with_minus(text::brief(text::degrees(row.reference_rad), 1));
+      steps.push_back({.value = row.time_s, .label = "step to " + sign + angle + "\u00b0", .upright = true});
+    }
+    before = &row;
+  }
+  if (steps.size() > most_step_labels) {
+    for (std::size_t i = 1; i < steps.size(); ++i) {
+      steps[i].label.clear();
+    }
+    steps.front().label = "steps";
+  }
+  return steps;
+}
+
+// In order of time.
+std::vector<page::Level> event_marks(const flight::Flight& flight) {
+  std::vector<page::Level> marks = reference_steps(flight);  // by time, and kept so
+  const flight::Events& e = flight.events;
+  const auto mark = [&marks](const std::optional<double>& time_s, const char* label) {
+    if (time_s) {
+      marks.insert(std::ranges::upper_bound(marks, *time_s, {}, &page::Level::value),
+                   {.value = *time_s, .label = label, .upright = true});
+    }
+  };
+  mark(e.liftoff_s, "lift-off");
+  mark(e.detected_s, "detected");
+  mark(e.guide_clear_s, "off the guide");
+  mark(e.control_start_s, "control");
+  mark(e.burnout_s, "burn-out");
+  mark(e.apogee_s, "apogee");
+  if (!e.apogee_s || (e.control_end_s && *e.control_end_s < *e.apogee_s - 0.2)) {
+    mark(e.control_end_s, "control ends");
+  }
+  return marks;
+}
+
+// What the plots show at first: from a second before lift-off or control start to half a second after control and
+// apogee, so that neither minutes on the pad nor a tumbling descent squeeze the flight. flight.csv has everything.
+struct Window {
+  double begin_s = 0.0;
+  double end_s = 0.0;
+};
+
+Window plot_window(const flight::Flight& flight) {
+  if (flight.rows.empty()) {
+    return {};
+  }
+  Window window{flight.rows.front().time_s, flight.rows.back().time_s};
+  const flight::Events& e = flight.events;
+  if (const auto start = e.liftoff_s ? e.liftoff_s : e.control_start_s) {
+    window.begin_s = std::max(window.begin_s, *start - 1.0);
+  }
+  if (e.control_end_s || e.apogee_s) {
+    const double over_s = std::max(e.control_end_s.value_or(window.begin_s), e.apogee_s.value_or(window.begin_s));
+    window.end_s = std::min(window.end_s, over_s + 0.5);
+  }
+  return window;
+}
+
 class Drawer {
  public:
   explicit Drawer(const flight::Flight& flight)
-      : flight_{flight}, rows_{rows_between(flight, plot_window(flight).begin_s, std::numeric_limits<double>::max())} {
+      : flight_{flight},
+        rows_{std::ranges::lower_bound(flight.rows, plot_window(flight).begin_s, {}, &flight::Row::time_s),
+              flight.rows.end()} {
     for (const flight::Row& row : rows_) {
       time_s_.push_back(row.time_s);
     }
@@ -123,13 +212,9 @@ Chart roll_angle(const flight::Flight& flight, const Drawer& drawer) {
                     drawer.line("true", Role::target, truth_degrees(&flight::Truth::roll_angle_rad)),
                     drawer.line("estimate", Role::measured, own_degrees(&flight::Row::roll_angle_rad))});
   if (flight.known.phase) {
-    for (const PhaseBand& band : phase_bands(flight)) {
-      chart.stripes.push_back({band.begin_s, band.end_s, std::string{flight::words(band.phase)}, role_of(band.phase)});
-    }
+    chart.stripes = phase_stripes(flight);
   }
-  for (const EventMark& mark : event_marks(flight)) {
-    chart.levels.push_back({.value = mark.time_s, .label = mark.label, .upright = true});
-  }
+  chart.levels = event_marks(flight);
   return chart;
 }
 

@@ -12,7 +12,6 @@
 
 #include "flight/phase_names.hpp"
 #include "page/page.hpp"
-#include "report/charts.hpp"
 #include "text/degrees.hpp"
 #include "text/number.hpp"
 
@@ -45,7 +44,7 @@ std::string figure_list(const flight::Flight& flight, const Figures& f) {
                         : "");
   add("Net roll", f.roll_turns, 2, "turns", "under control");
   if (flight.known.phase) {
-    list.push_back({"Final phase", std::string{flight::words(f.final_phase)}, "", ""});
+    list.push_back({"Final phase", flight::display_name(f.final_phase), "", ""});
   }
   std::string html = page::figure_row(list);
   if (f.largest_hold_error_rad) {
@@ -99,7 +98,8 @@ std::string phase_table(const flight::Flight& flight) {
   }
   Rows rows;
   for (const flight::PhaseChange& change : flight.phase_changes) {
-    rows.push_back(row(change.time_s, flight::words(change.phase), change.reason ? flight::words(*change.reason) : ""));
+    rows.push_back(row(change.time_s, flight::display_name(change.phase),
+                       change.reason ? flight::display_name(*change.reason) : ""));
   }
   return table("Phase", "Because", rows);
 }
@@ -114,7 +114,7 @@ std::string canard_table(const flight::Flight& flight) {
 
 std::string about_section(const flight::Flight& flight) {
   std::vector<std::string> all = flight.notes;
-  if (const std::string imposed = flight::imposed_roll_words(flight); !imposed.empty()) {
+  if (const std::string imposed = flight::imposed_roll_sentence(flight); !imposed.empty()) {
     all.insert(all.begin(), "Imposed: " + imposed);
   }
   if (!flight.seed && flight.notes.empty()) {
@@ -146,14 +146,14 @@ std::string html(const flight::Flight& flight, const Figures& figures, const Ver
                             {"Seed", flight.seed ? std::to_string(*flight.seed) : ""},
                             {"Fantail", flight.version}},
                   .tone = tone(verdict.outcome),
-                  .verdict_heading = std::string{words(verdict.outcome)},
+                  .verdict_heading = std::string{display_name(verdict.outcome)},
                   .verdict = verdict.text,
                   .footer =
                       "Every tick is in flight.csv, every figure in summary.json, beside this page. The plots "
                       "leave out most samples but no peak. Plots drawn with uPlot (MIT licence, in the source of "
                       "this page).",
                   .live = charts(flight)};
-  if (const std::string imposed = flight::imposed_roll_words(flight); !imposed.empty()) {
+  if (const std::string imposed = flight::imposed_roll_sentence(flight); !imposed.empty()) {
     page.findings = {{"", imposed}};
   }
   const std::array<std::string, 2> columns{page::section("Events", event_table(flight)),

@@ -4,10 +4,15 @@
 #include <string>
 
 #include "flight/flight.hpp"
+#include "page/live.hpp"
 #include "report/figures.hpp"
 #include "report/verdict.hpp"
 
 namespace fantail::report {
+
+/// What the report shows of a flight over time: phases as stripes, events as upright levels, and in degrees, metres and
+/// seconds what was known on board and what was true. The first is the roll angle. Empty without a row.
+[[nodiscard]] page::LiveCharts charts(const flight::Flight& flight);
 
 /// report.html: one page that loads nothing. Verdict, figures, tables and a picture of the roll angle are plain HTML;
 /// where scripts run, plots with a common cursor take the picture's place.

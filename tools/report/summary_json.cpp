@@ -1,9 +1,20 @@
 // SPDX-License-Identifier: MIT
 #include "report/summary_json.hpp"
 
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <fstream>
+#include <iterator>
+#include <optional>
+#include <span>
+#include <string>
+
+#include <sha256.h>
+
 #include "json/value.hpp"
-#include "report/sha256.hpp"
 #include "text/degrees.hpp"
+#include "text/error.hpp"
 
 namespace fantail::report {
 namespace {
@@ -14,14 +25,12 @@ using json::text_or_null;
 
 Json angle(const std::optional<double>& radians) { return radians ? rounded(text::degrees(*radians)) : Json{}; }
 
-Json events(const flight::Events& e) {
-  return {{"liftoff_s", rounded(e.liftoff_s)},
-          {"detected_s", rounded(e.detected_s)},
-          {"guide_clear_s", rounded(e.guide_clear_s)},
-          {"control_start_s", rounded(e.control_start_s)},
-          {"burnout_s", rounded(e.burnout_s)},
-          {"control_end_s", rounded(e.control_end_s)},
-          {"apogee_s", rounded(e.apogee_s)}};
+Json events(const flight::Events& events) {
+  Json all;
+  for (const auto& [name, time_s] : flight::named_events) {
+    all[name] = rounded(events.*time_s);
+  }
+  return all;
 }
 
 Json phase_changes(const flight::Flight& flight) {
@@ -50,6 +59,95 @@ Json imposed_roll(const flight::Flight& flight) {
   return {{"time_s", rounded(flight.imposed_roll->time_s)},
           {"angle_deg", rounded(text::degrees(flight.imposed_roll->angle_rad))},
           {"rate_deg_s", rounded(text::degrees(flight.imposed_roll->rate_rad_s))}};
+}
+
+std::string sha256(std::span<const std::byte> bytes) {
+  SHA2_CTX context;
+  SHA256Init(&context);
+  SHA256Update(&context, reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());  // NOLINT: bytes as bytes
+  std::array<char, SHA256_DIGEST_STRING_LENGTH> text{};
+  return SHA256End(&context, text.data());
+}
+
+// Reading it back.
+
+// Null without the file: a folder may hold nothing but the CSV.
+Json read(const std::filesystem::path& file) {
+  std::ifstream stream{file};
+  if (!stream) {
+    return {};
+  }
+  try {
+    Json summary = json::parse(std::string{std::istreambuf_iterator<char>{stream}, {}});
+    if (!summary.is_object()) {
+      throw json::Error{"no object"};
+    }
+    return summary;
+  } catch (const json::Error&) {
+    throw text::Error{text::ErrorKind::bad_data, file.string() + ": not the JSON of a flight's summary"};
+  }
+}
+
+// The member of an object, or null.
+const Json& member(const Json& object, const char* name) {
+  static const Json null;
+  const Json* found = object.find(name);
+  return found != nullptr ? *found : null;
+}
+
+std::string text(const Json& object, const char* name) {
+  const Json& value = member(object, name);
+  return value.is_text() ? value.text() : std::string{};
+}
+
+std::optional<double> number(const Json& object, const char* name) {
+  const Json& value = member(object, name);
+  return value.is_number() ? std::optional{value.number()} : std::nullopt;
+}
+
+// The value of an enumeration that has this name.
+template <typename Enum>
+std::optional<Enum> named(const std::string& word, std::size_t count) {
+  for (std::size_t i = 0; i < count; ++i) {
+    if (core::name(static_cast<Enum>(i)) == word) {
+      return static_cast<Enum>(i);
+    }
+  }
+  return {};
+}
+
+void read_events(flight::Events& events, const Json& json) {
+  for (const auto& [name, time_s] : flight::named_events) {
+    if (const auto value = number(json, name)) {
+      events.*time_s = value;
+    }
+  }
+}
+
+void read_phase_changes(flight::Flight& flight, const Json& list) {
+  if (!list.is_array()) {
+    return;
+  }
+  flight.phase_changes.clear();
+  for (const Json& change : list) {
+    const auto phase = named<core::Phase>(text(change, "phase"), core::phases);
+    const auto time_s = number(change, "time_s");
+    if (phase && time_s) {
+      flight.phase_changes.push_back(
+          {*time_s, *phase, named<core::PhaseReason>(text(change, "reason"), core::phase_reasons)});
+    }
+  }
+}
+
+void read_canard_verdicts(flight::Flight& flight, const Json& list) {
+  for (const Json& change : list) {
+    const auto verdict = named<core::CanardVerdict>(text(change, "verdict"), core::canard_verdicts);
+    const auto canard = number(change, "canard");
+    const auto time_s = number(change, "time_s");
+    if (verdict && canard && time_s && *canard >= 1.0 && *canard <= core::canard_count) {
+      flight.canard_verdict_changes.push_back({*time_s, static_cast<std::size_t>(*canard) - 1, *verdict});
+    }
+  }
 }
 
 }  // namespace
@@ -81,6 +179,40 @@ std::string summary_json(const flight::Flight& flight, const Figures& figures, c
                         {"log_sha256", flight.log.empty() ? Json{} : Json(sha256(flight.log))},
                         {"version", text_or_null(flight.version)}};
   return summary.pretty();
+}
+
+flight::Events summary_events(const std::filesystem::path& file) {
+  flight::Events events;
+  read_events(events, member(read(file), "events"));
+  return events;
+}
+
+void add_summary(flight::Flight& flight, const std::filesystem::path& file) {
+  const Json summary = read(file);
+  if (summary.is_null()) {
+    return;
+  }
+  flight.scenario = text(summary, "scenario");
+  flight.vehicle = text(summary, "vehicle");
+  flight.plan_name = text(summary, "plan");
+  flight.version = text(summary, "version");
+  if (const Json& seed = member(summary, "seed"); seed.is_count()) {
+    flight.seed = seed.count();
+  }
+  read_events(flight.events, member(summary, "events"));
+  read_phase_changes(flight, member(summary, "phase_changes"));
+  read_canard_verdicts(flight, member(summary, "canard_verdicts"));
+  const Json& imposed = member(summary, "imposed_roll");
+  if (const auto time_s = number(imposed, "time_s")) {
+    flight.imposed_roll = {.time_s = *time_s,
+                           .angle_rad = text::radians(number(imposed, "angle_deg").value_or(0.0)),
+                           .rate_rad_s = text::radians(number(imposed, "rate_deg_s").value_or(0.0))};
+  }
+  for (const Json& note : member(summary, "notes")) {
+    if (note.is_text()) {
+      flight.notes.push_back(note.text());
+    }
+  }
 }
 
 }  // namespace fantail::report

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <filesystem>
 #include <string>
 
 #include "flight/flight.hpp"
@@ -11,5 +12,13 @@ namespace fantail::report {
 
 /// summary.json: every key is always there; what does not exist is null. Angles in degrees, ends with a newline.
 [[nodiscard]] std::string summary_json(const flight::Flight& flight, const Figures& figures, const Verdict& verdict);
+
+/// Adds what a folder's summary.json says of its flight beyond flight.csv: names, seed, events, why phases changed,
+/// verdicts on canards, imposed roll, notes. Nothing happens without the file. Throws text::Error (bad_data) when
+/// it is no summary.
+void add_summary(flight::Flight& flight, const std::filesystem::path& file);
+
+/// Its events alone, in the same way.
+[[nodiscard]] flight::Events summary_events(const std::filesystem::path& file);
 
 }  // namespace fantail::report

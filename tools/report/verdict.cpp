@@ -45,7 +45,7 @@ std::string why_no_control(const flight::Flight& flight) {
     case core::PhaseReason::guide_not_cleared_in_time:
       return fmt::format("what looked like a launch did not clear the guide within {} s (at {})",
                          text::brief(static_cast<double>(core::seconds(flight.plan.guide.clearance_time)), 2), when);
-    default: return fmt::format("{} (at {})", flight::words(*last.reason), when);
+    default: return fmt::format("{} (at {})", flight::display_name(*last.reason), when);
   }
 }
 
@@ -109,7 +109,7 @@ std::string early_end(const flight::Flight& flight) {
   if (end.reason == core::PhaseReason::apogee || end.reason == core::PhaseReason::control_time_over) {
     return {};
   }
-  return fmt::format(" Control ended at {} s: {}.", text::fixed(end.time_s, 2), flight::words(*end.reason));
+  return fmt::format(" Control ended at {} s: {}.", text::fixed(end.time_s, 2), flight::display_name(*end.reason));
 }
 
 std::string canard_faults(const flight::Flight& flight) {
@@ -148,7 +148,7 @@ std::string_view name(Outcome outcome) {
   return "unknown";
 }
 
-std::string_view words(Outcome outcome) {
+std::string_view display_name(Outcome outcome) {
   switch (outcome) {
     case Outcome::held: return "Held";
     case Outcome::not_held: return "Not held";

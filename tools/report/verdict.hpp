@@ -24,7 +24,7 @@ struct Verdict {
 
 [[nodiscard]] Verdict verdict(const flight::Flight& flight, const Figures& figures);
 
-[[nodiscard]] std::string_view name(Outcome outcome);   ///< for files: "held"
-[[nodiscard]] std::string_view words(Outcome outcome);  ///< for readers: "Held"
+[[nodiscard]] std::string_view name(Outcome outcome);          ///< for files: "held"
+[[nodiscard]] std::string_view display_name(Outcome outcome);  ///< for readers: "Held"
 
 }  // namespace fantail::report

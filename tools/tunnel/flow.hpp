@@ -32,4 +32,9 @@ struct Flow {
 /// Throws text::Error (bad_data) when no set point became steady, or when air stood still in one.
 [[nodiscard]] Flow examine_flow(const TunnelLog& log, const SteadySegments& segments);
 
+// What `fantail tunnel flow` prints, its flow.json, and its page.
+[[nodiscard]] std::string flow_text(const TunnelLog& log, const Flow& flow);
+[[nodiscard]] std::string flow_json(const TunnelLog& log, const Flow& flow);
+[[nodiscard]] std::string flow_html(const TunnelLog& log, const Flow& flow);
+
 }  // namespace fantail::tunnel

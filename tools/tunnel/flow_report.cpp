@@ -1,19 +1,129 @@
 // SPDX-License-Identifier: MIT
-#include "tunnel/flow_report.hpp"
-
-#include <iterator>
+#include <algorithm>
+#include <array>
+#include <cmath>
 
 #include <fmt/format.h>
 
+#include "page/page.hpp"
+#include "text/number.hpp"
+#include "tunnel/flow.hpp"
 #include "tunnel/json.hpp"
 
 namespace fantail::tunnel {
 namespace {
 
+using page::Chart;
+using page::Mark;
+using page::Role;
+using text::fixed;
+
 Json line(const Line& line) {
   return {{"slope_m_s_per_rpm", rounded(line.slope)},
           {"offset_m_s", rounded(line.offset)},
           {"r_squared", rounded(line.r_squared)}};
+}
+
+std::string speed_over_time(const TunnelLog& log, const Flow& flow) {
+  Chart chart{.label = "Wind speed over time with the steady stretches shaded",
+              .x_label = "time / s",
+              .y_label = "wind speed / m/s",
+              .series = {{.name = "sensor", .x = log.time_s, .y = log.wind_speed_m_s}}};
+  for (const FlowPoint& p : flow.points) {
+    chart.stripes.push_back({p.segment.begin_s, p.segment.end_s, fixed(p.segment.fan_rpm.value_or(0.0), 0)});
+  }
+  return page::figure(chart, "Wind speed over time. Shaded: where it was steady, with the fan's set point in rpm.");
+}
+
+std::vector<double> each(const Flow& flow, double (*value)(const FlowPoint&)) {
+  std::vector<double> values(flow.points.size());
+  std::ranges::transform(flow.points, values.begin(), value);
+  return values;
+}
+
+double mean_of(const FlowPoint& p) { return p.mean_m_s; }
+double rpm_of(const FlowPoint& p) { return p.segment.fan_rpm.value_or(0.0); }
+
+std::string speed_over_fan(const Flow& flow) {
+  Chart chart{
+      .label = "Mean wind speed against the fan's set point",
+      .x_label = "fan / rpm",
+      .y_label = "mean wind speed / m/s",
+      .width = page::half_page,
+      .series = {{.name = "steady means", .mark = Mark::points, .x = each(flow, rpm_of), .y = each(flow, mean_of)}}};
+  std::string caption = "Mean wind speed against the fan's set point.";
+  if (flow.line) {
+    const auto [slowest, fastest] = std::ranges::minmax(chart.series[0].x);
+    const auto at = [&](double rpm) { return flow.line->offset + flow.line->slope * rpm; };
+    chart.series.push_back(
+        {.name = "line", .role = Role::model, .x = {slowest, fastest}, .y = {at(slowest), at(fastest)}});
+    caption += fmt::format(" R2 = {:.6f}.", flow.line->r_squared);
+  }
+  return page::figure(chart, caption);
+}
+
+std::string distance_from_line(const Flow& flow) {
+  Chart chart{.label = "Distance of each mean from the line",
+              .x_label = "fan / rpm",
+              .y_label = "mean minus line / m/s",
+              .width = page::half_page,
+              .series = {{.name = "steady means", .mark = Mark::points, .x = each(flow, rpm_of), .y = {}}},
+              .levels = {{.value = 0.0, .label = "line"}}};
+  for (const FlowPoint& p : flow.points) {
+    chart.series[0].y.push_back(p.mean_m_s - flow.line->offset - flow.line->slope * rpm_of(p));
+  }
+  return page::figure(chart, "How far each mean lies off the line, which R2 near one hides.");
+}
+
+// Curves over speed go from slow to fast.
+Flow by_speed(Flow flow) {
+  std::ranges::sort(flow.points, {}, mean_of);
+  return flow;
+}
+
+std::string turbulence(const Flow& flow, const char* label, const char* y_label, const char* caption,
+                       double (*value)(const FlowPoint&), double (*of_rounding)(const FlowPoint&)) {
+  Chart chart{
+      .label = label,
+      .x_label = "mean wind speed / m/s",
+      .y_label = y_label,
+      .width = page::half_page,
+      .series = {
+          {.name = "measured", .mark = Mark::line_and_points, .x = each(flow, mean_of), .y = each(flow, value)}}};
+  if (flow.rounding_m_s > 0.0) {
+    chart.series.push_back(
+        {.name = "of rounding alone", .role = Role::neutral, .x = chart.series[0].x, .y = each(flow, of_rounding)});
+  }
+  const double highest = std::ranges::max(chart.series[0].y);
+  chart.y_range = page::Range{0.0, highest > 0.0 ? 1.1 * highest : 1.0};
+  if (flow.rounding_m_s > 0.0) {
+    chart.y_range->high = std::max(chart.y_range->high, 1.1 * std::ranges::max(chart.series[1].y));
+  }
+  return page::figure(chart, caption);
+}
+
+std::string points_table(const Flow& flow) {
+  static const std::array<page::Column, 8> columns{{{"fan / rpm", true},
+                                                    {"steady / s", true},
+                                                    {"n", true},
+                                                    {"mean / m/s", true},
+                                                    {"\u03c3 / m/s", true},
+                                                    {"\u0393 / m/s", true},
+                                                    {"\u03c3/mean / %", true},
+                                                    {"rounding / %", true}}};
+  std::vector<std::vector<page::Cell>> rows;
+  rows.reserve(flow.points.size());
+  for (const FlowPoint& p : flow.points) {
+    rows.push_back({{fixed(rpm_of(p), 0)},
+                    {fmt::format("{:g} to {:g}", p.segment.begin_s, p.segment.end_s)},
+                    {std::to_string(p.segment.count)},
+                    {fixed(p.mean_m_s, 3)},
+                    {fixed(p.deviation_m_s, 3)},
+                    {fixed(p.gamma_m_s, 5)},
+                    {fixed(100.0 * p.relative_deviation, 3)},
+                    {fixed(100.0 * p.rounding_share, 3)}});
+  }
+  return page::table(columns, rows);
 }
 
 }  // namespace
@@ -59,6 +169,41 @@ std::string flow_json(const TunnelLog& log, const Flow& flow) {
                     {"rounding_deviation_m_s", rounded(rounding_deviation(flow.rounding_m_s))},
                     {"remarks", flow.remarks}};
   return all.pretty();
+}
+
+std::string flow_html(const TunnelLog& log, const Flow& unsorted) {
+  const Flow flow = by_speed(unsorted);
+  std::vector<std::string> speeds{speed_over_fan(flow)};
+  if (flow.line) {
+    speeds.push_back(distance_from_line(flow));
+  }
+  const std::array<std::string, 2> turbulences{
+      turbulence(
+          flow, "Turbulence intensity as published against wind speed", "Gamma / m/s",
+          "Turbulence intensity as published: variance over mean.", [](const FlowPoint& p) { return p.gamma_m_s; },
+          [](const FlowPoint& p) { return p.rounding_share * p.rounding_share * p.mean_m_s; }),
+      turbulence(
+          flow, "Standard deviation over mean against wind speed", "sigma/mean / %",
+          "The usual turbulence intensity: standard deviation over mean.",
+          [](const FlowPoint& p) { return 100.0 * p.relative_deviation; },
+          [](const FlowPoint& p) { return 100.0 * p.rounding_share; })};
+  std::string body =
+      page::section("Steady stretches", speed_over_time(log, flow) + points_table(flow) +
+                                            page::paragraph("n: readings; \u03c3: their standard deviation; \u0393 = "
+                                                            "\u03c3\u00b2/mean, the turbulence intensity as published; "
+                                                            "rounding: what the sensor's rounding alone makes of "
+                                                            "\u03c3/mean."));
+  body += page::section("Speed and fan", page::side_by_side(speeds));
+  body += page::section("Turbulence", page::side_by_side(turbulences));
+  if (!flow.remarks.empty()) {
+    body += page::section("Remarks", page::list(flow.remarks));
+  }
+  std::string subtitle = fmt::format("{} steady set points of the fan", flow.points.size());
+  if (flow.line) {
+    subtitle += fmt::format("; {:.5f} m/s per rpm, R2 {:.6f}", flow.line->slope, flow.line->r_squared);
+  }
+  return page::html(
+      {.kind = "Fantail tunnel report: flow", .title = log.name, .subtitle = subtitle, .body_html = body});
 }
 
 }  // namespace fantail::tunnel

@@ -23,6 +23,16 @@ std::optional<std::filesystem::path> wind_file(const logs::RollLog& roll, const 
   return truth && has_speed(roll) ? std::nullopt : tunnel_log_beside(roll_path);
 }
 
+void need_speed(const logs::RollLog& roll, const std::filesystem::path& roll_path, const char* advice) {
+  if (!has_speed(roll)) {
+    throw text::Error{text::ErrorKind::bad_data,
+                      roll_path.string() +
+                          ": no wind speed: there is no tunnel.csv beside it, and the log itself has "
+                          "no speed_m_s above 0.5 m/s; " +
+                          advice};
+  }
+}
+
 }  // namespace
 
 TunnelLog wind_of(const logs::RollLog& roll, const std::filesystem::path& roll_path, const std::string& named,
@@ -30,12 +40,7 @@ TunnelLog wind_of(const logs::RollLog& roll, const std::filesystem::path& roll_p
   if (const auto file = wind_file(roll, roll_path, named, truth)) {
     return read_tunnel_log(*file, {});
   }
-  if (!has_speed(roll)) {
-    throw text::Error{text::ErrorKind::bad_data,
-                      roll_path.string() +
-                          ": no wind speed: there is no tunnel.csv beside it, and the log itself "
-                          "has no speed_m_s above 0.5 m/s; name the tunnel's log with --wind..."};
-  }
+  need_speed(roll, roll_path, "name the tunnel's log with --wind...");
   TunnelLog wind{.name = roll.name};
   for (std::size_t i = 0; i < roll.time_s.size(); ++i) {
     if (std::isfinite(roll.speed_m_s[i])) {
@@ -53,12 +58,7 @@ StepSpeed speed_of_steps(const logs::RollLog& roll, const std::filesystem::path&
   if (const auto file = wind_file(roll, roll_path, choice.wind, choice.truth)) {
     return {mean_wind_speed_m_s(read_tunnel_log(*file, {}), find_reference_steps(roll)), "mean of " + file->string()};
   }
-  if (!has_speed(roll)) {
-    throw text::Error{text::ErrorKind::bad_data,
-                      roll_path.string() +
-                          ": no wind speed: there is no tunnel.csv beside it, and the log itself "
-                          "has no speed_m_s above 0.5 m/s; give --speed or --wind"};
-  }
+  need_speed(roll, roll_path, "give --speed or --wind");
   return {std::nullopt, "of the log"};
 }
 

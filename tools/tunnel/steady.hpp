@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -45,6 +46,12 @@ struct SteadySegments {
 /// The same with times by hand. Throws text::Error (bad_configuration) for a stretch with fewer than two readings.
 [[nodiscard]] SteadySegments take_steady(const TunnelLog& log, const std::vector<NamedStretch>& stretches,
                                          const SteadyOptions& options);
+
+/// From which sample on a value that follows a new set point has settled: what is left of the change is below a quarter
+/// of its scatter. The last half of the change is fitted with an exponential, because scatter hides its end. The number
+/// of samples when it never settles. `least_scatter` is what the sensor's rounding makes; lists of the same length.
+[[nodiscard]] std::size_t settled_from(std::span<const double> time_s, std::span<const double> value,
+                                       double least_scatter);
 
 /// "100,230:300,390": begins, or begin and end. Empty: not such a list, or times that do not increase.
 [[nodiscard]] std::optional<std::vector<NamedStretch>> parse_stretches(std::string_view text);

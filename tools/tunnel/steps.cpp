@@ -2,8 +2,10 @@
 #include "tunnel/steps.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <span>
+#include <tuple>
 
 #include <fmt/core.h>
 
@@ -14,8 +16,6 @@
 
 namespace fantail::tunnel {
 namespace {
-
-using text::degrees;
 
 bool wanted(const ReferenceStep& step, Direction direction) {
   return direction == Direction::both || (direction == Direction::up) == (step.to_rad > step.from_rad);
@@ -38,29 +38,27 @@ StepResult identify_step(const logs::RollLog& log, const identify::model::Airfra
   return result;
 }
 
-template <typename Value>
-Spread spread(const std::vector<StepResult>& steps, Value value) {
-  std::vector<double> values;
-  values.reserve(steps.size());
-  for (const StepResult& step : steps) {
-    values.push_back(value(step.identified));
-  }
-  const Moments m = moments(values);
-  const auto count = static_cast<double>(values.size());
-  return {.mean = m.mean, .deviation = count > 1.0 ? m.standard_deviation * std::sqrt(count / (count - 1.0)) : 0.0};
-}
+constexpr std::array columns{
+    StepColumn{"alpha_m2", "\u03b1 / m\u00b2", &StepFigures::alpha_m2, false},
+    StepColumn{"beta_m", "\u03b2 / m", &StepFigures::beta_m, false},
+    StepColumn{"disturbance_begin_deg", "begin / deg", &StepFigures::disturbance_begin_rad, true},
+    StepColumn{"disturbance_end_deg", "end / deg", &StepFigures::disturbance_end_rad, true},
+    StepColumn{"mean_abs_angle_error_deg", "angle error / deg", &StepFigures::mean_abs_angle_error_rad, true},
+    StepColumn{"mean_abs_rate_error_deg_s", "rate error / deg/s", &StepFigures::mean_abs_rate_error_rad_s, true},
+};
 
 void summarise(StepTable& table) {
-  using identify::result::Identification;
-  const std::vector<StepResult>& steps = table.steps;
-  table.alpha_m2 = spread(steps, [](const Identification& i) { return i.model.alpha_m2; });
-  table.beta_m = spread(steps, [](const Identification& i) { return i.model.beta_m; });
-  table.disturbance_begin_rad = spread(steps, [](const Identification& i) { return i.model.node_rad.front(); });
-  table.disturbance_end_rad = spread(steps, [](const Identification& i) { return i.model.node_rad.back(); });
-  table.mean_abs_angle_error_rad =
-      spread(steps, [](const Identification& i) { return i.simulation.mean_abs_angle_error_rad; });
-  table.mean_abs_rate_error_rad_s =
-      spread(steps, [](const Identification& i) { return i.simulation.mean_abs_rate_error_rad_s; });
+  const auto count = static_cast<double>(table.steps.size());
+  for (const StepColumn& column : columns) {
+    std::vector<double> values;
+    for (const StepResult& step : table.steps) {
+      values.push_back(figures_of(step).*column.figure);
+    }
+    const Moments m = moments(values);
+    table.mean.*column.figure = m.mean;
+    table.standard_deviation.*column.figure =
+        count > 1.0 ? m.standard_deviation * std::sqrt(count / (count - 1.0)) : 0.0;
+  }
 }
 
 void remark_on(const StepResult& result, const StepOptions& options, StepTable& table) {
@@ -77,6 +75,22 @@ void remark_on(const StepResult& result, const StepOptions& options, StepTable& 
 }
 
 }  // namespace
+
+StepFigures figures_of(const StepResult& result) {
+  const auto& [model, simulation] = std::tie(result.identified.model, result.identified.simulation);
+  return {.alpha_m2 = model.alpha_m2,
+          .beta_m = model.beta_m,
+          .disturbance_begin_rad = model.node_rad.front(),
+          .disturbance_end_rad = model.node_rad.back(),
+          .mean_abs_angle_error_rad = simulation.mean_abs_angle_error_rad,
+          .mean_abs_rate_error_rad_s = simulation.mean_abs_rate_error_rad_s};
+}
+
+double StepColumn::printed(const StepFigures& figures) const {
+  return is_angle ? text::degrees(figures.*figure) : figures.*figure;
+}
+
+std::span<const StepColumn> step_columns() { return columns; }
 
 std::vector<ReferenceStep> find_reference_steps(const logs::RollLog& log) {
   if (log.reference_rad.empty()) {
@@ -147,17 +161,17 @@ double mean_wind_speed_m_s(const TunnelLog& wind, const std::vector<ReferenceSte
 }
 
 std::string steps_csv(const StepTable& table) {
-  std::string text =
-      "step,begin_s,alpha_m2,beta_m,disturbance_begin_deg,disturbance_end_deg,mean_abs_angle_error_deg,"
-      "mean_abs_rate_error_deg_s\n";
-  for (const StepResult& result : table.steps) {
-    const identify::model::RollModel& model = result.identified.model;
-    const identify::model::Simulation& simulation = result.identified.simulation;
-    text += fmt::format("{},{:.6f},{:.6f},{:.6f},{:.6f},{:.6f},{:.6f},{:.6f}\n", result.number, result.step.begin_s,
-                        model.alpha_m2, model.beta_m, degrees(model.node_rad.front()), degrees(model.node_rad.back()),
-                        degrees(simulation.mean_abs_angle_error_rad), degrees(simulation.mean_abs_rate_error_rad_s));
+  std::string text = "step,begin_s";
+  for (const StepColumn& column : columns) {
+    text += fmt::format(",{}", column.name);
   }
-  return text;
+  for (const StepResult& result : table.steps) {
+    text += fmt::format("\n{},{:.6f}", result.number, result.step.begin_s);
+    for (const StepColumn& column : columns) {
+      text += fmt::format(",{:.6f}", column.printed(figures_of(result)));
+    }
+  }
+  return text + "\n";
 }
 
 }  // namespace fantail::tunnel

@@ -4,11 +4,13 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "identify/identification.hpp"
 #include "identify/make_record.hpp"
+#include "identify/model/roll_model.hpp"
 #include "logs/roll_log.hpp"
 #include "tunnel/tunnel_log.hpp"
 
@@ -43,21 +45,33 @@ struct StepResult {
   identify::result::Identification identified{};
 };
 
-/// Mean over the steps and standard deviation (divided by one less than their number; zero for a single one).
-struct Spread {
-  double mean = 0.0;
-  double deviation = 0.0;
+/// What one step tells.
+struct StepFigures {
+  double alpha_m2 = 0.0;
+  double beta_m = 0.0;
+  double disturbance_begin_rad = 0.0;
+  double disturbance_end_rad = 0.0;
+  double mean_abs_angle_error_rad = 0.0;
+  double mean_abs_rate_error_rad_s = 0.0;
 };
+[[nodiscard]] StepFigures figures_of(const StepResult& result);
+
+/// A figure as every table has it: steps.csv, steps.json, the terminal and the page.
+struct StepColumn {
+  const char* name;     ///< in the files
+  const char* heading;  ///< on the page
+  double StepFigures::* figure;
+  bool is_angle;  ///< printed in degrees
+
+  [[nodiscard]] double printed(const StepFigures& figures) const;
+};
+[[nodiscard]] std::span<const StepColumn> step_columns();
 
 /// One run's own Table 2.
 struct StepTable {
   std::vector<StepResult> steps{};
-  Spread alpha_m2{};
-  Spread beta_m{};
-  Spread disturbance_begin_rad{};
-  Spread disturbance_end_rad{};
-  Spread mean_abs_angle_error_rad{};
-  Spread mean_abs_rate_error_rad_s{};
+  StepFigures mean{};
+  StepFigures standard_deviation{};  ///< over the steps, divided by one less than their number; zero for a single one
   std::vector<std::string> remarks{};
 };
 
@@ -70,8 +84,23 @@ struct StepTable {
 /// meanwhile.
 [[nodiscard]] double mean_wind_speed_m_s(const TunnelLog& wind, const std::vector<ReferenceStep>& steps);
 
-/// steps.csv: step, begin_s, alpha_m2, beta_m, disturbance_begin_deg, disturbance_end_deg, mean_abs_angle_error_deg,
-/// mean_abs_rate_error_deg_s; one row a step.
+/// What a table of steps was made from.
+struct StepsHeading {
+  std::string log{};
+  std::string vehicle{};
+  identify::model::Airframe airframe{};
+  std::optional<double> speed_m_s{};  ///< empty: the log's own, which varies
+  std::string speed_source{};         ///< "tunnel.csv", "--speed", "the log"
+  double density_kg_m3 = 0.0;
+  StepOptions options{};
+};
+
+// What `fantail tunnel steps` prints, its steps.json, and its page.
+[[nodiscard]] std::string steps_text(const StepsHeading& heading, const StepTable& table);
+[[nodiscard]] std::string steps_json(const StepsHeading& heading, const StepTable& table);
+[[nodiscard]] std::string steps_html(const StepsHeading& heading, const StepTable& table);
+
+/// steps.csv: step, begin_s and the columns of step_columns(); one row a step.
 [[nodiscard]] std::string steps_csv(const StepTable& table);
 
 }  // namespace fantail::tunnel

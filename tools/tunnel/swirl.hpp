@@ -66,4 +66,17 @@ struct Swirl {
 /// one, or when the air stood still.
 [[nodiscard]] Swirl examine_swirl(const RollSession& without, const RollSession& with, const SwirlOptions& options);
 
+struct SwirlSessions {
+  RollSession without;  ///< flow straightener
+  RollSession with;
+};
+
+/// One sentence: what the swirl is worth.
+[[nodiscard]] std::string swirl_sentence(const Swirl& swirl);
+
+// What `fantail tunnel swirl` prints, its swirl.json, and its page.
+[[nodiscard]] std::string swirl_text(const SwirlSessions& sessions, const Swirl& swirl);
+[[nodiscard]] std::string swirl_json(const SwirlSessions& sessions, const Swirl& swirl);
+[[nodiscard]] std::string swirl_html(const SwirlSessions& sessions, const Swirl& swirl);
+
 }  // namespace fantail::tunnel

@@ -1,15 +1,25 @@
 // SPDX-License-Identifier: MIT
-#include "tunnel/swirl_report.hpp"
+#include <algorithm>
+#include <array>
 
 #include <fmt/core.h>
 
+#include "page/page.hpp"
 #include "text/degrees.hpp"
+#include "text/number.hpp"
 #include "tunnel/json.hpp"
+#include "tunnel/swirl.hpp"
 
 namespace fantail::tunnel {
 namespace {
 
+using page::Chart;
+using page::Mark;
+using page::Role;
+using page::Series;
 using text::degrees;
+using text::fixed;
+using text::in_degrees;
 
 Json session(const RollSession& session, const std::vector<OffsetPoint>& points) {
   Json all = Json::array();
@@ -38,6 +48,110 @@ std::string curve(const char* title, const RollSession& session, const std::vect
                         degrees(p.standard_error_rad));
   }
   return text + "\n";
+}
+
+constexpr const char* without_name = "without straightener";
+constexpr const char* with_name = "with straightener";
+
+std::string for_print(std::string sentence) {
+  if (const std::size_t place = sentence.find("+-"); place != std::string::npos) {
+    sentence.replace(place, 2, "\u00b1");
+  }
+  return sentence;
+}
+
+std::string rates_over_time(const SwirlSessions& sessions) {
+  const auto& a = sessions.without.roll;
+  const auto& b = sessions.with.roll;
+  const Chart chart{
+      .label = "Roll rate over time, with and without flow straightener",
+      .x_label = "time / s",
+      .y_label = "roll rate / deg/s",
+      .series = {{.name = without_name, .x = a.time_s, .y = in_degrees(a.roll_rate_rad_s)},
+                 {.name = with_name, .role = Role::second_model, .x = b.time_s, .y = in_degrees(b.roll_rate_rad_s)}}};
+  return page::figure(chart, "Roll rate over time, the canards at zero.");
+}
+
+Series wind_series(const TunnelLog& wind, const char* name, Role role) {
+  return {.name = name, .role = role, .x = wind.time_s, .y = wind.wind_speed_m_s};
+}
+
+std::string wind_over_time(const SwirlSessions& sessions) {
+  Chart chart{.label = "Wind speed over time in both sessions",
+              .x_label = "time / s",
+              .y_label = "wind speed / m/s",
+              .series = {wind_series(sessions.without.wind, without_name, Role::measured),
+                         wind_series(sessions.with.wind, with_name, Role::second_model)}};
+  for (const SteadySegment& segment : sessions.without.steady.found) {
+    chart.stripes.push_back({segment.begin_s, segment.end_s, segment.fan_rpm ? fixed(*segment.fan_rpm, 0) : ""});
+  }
+  return page::figure(chart,
+                      "Wind speed over time. Shaded: where it was steady without the straightener, with the fan's set "
+                      "point in rpm.");
+}
+
+Series over_speed(const std::vector<OffsetPoint>& points, const char* name, Role role,
+                  double (*value)(const OffsetPoint&)) {
+  Series series{.name = name, .role = role, .mark = Mark::line_and_points};
+  for (const OffsetPoint& p : points) {
+    series.x.push_back(p.speed_m_s.mean);
+    series.y.push_back(degrees(value(p)));
+  }
+  return series;
+}
+
+std::string against_speed(const Swirl& swirl, const char* label, const char* y_label, const char* caption,
+                          double (*value)(const OffsetPoint&)) {
+  return page::figure({.label = label,
+                       .x_label = "mean wind speed / m/s",
+                       .y_label = y_label,
+                       .width = page::half_page,
+                       .series = {over_speed(swirl.without, without_name, Role::measured, value),
+                                  over_speed(swirl.with, with_name, Role::second_model, value)}},
+                      caption);
+}
+
+std::string difference(const Swirl& swirl) {
+  Series series{.name = "difference", .mark = Mark::line_and_points};
+  page::Area area{.name = "two standard errors", .role = Role::measured};
+  for (const OffsetDifference& d : swirl.differences) {
+    series.x.push_back(d.speed_m_s);
+    series.y.push_back(degrees(d.difference_rad));
+    area.x.push_back(d.speed_m_s);
+    area.low.push_back(degrees(d.difference_rad - 2.0 * d.standard_error_rad));
+    area.high.push_back(degrees(d.difference_rad + 2.0 * d.standard_error_rad));
+  }
+  Chart chart{.label = "Difference of the two offsets against wind speed",
+              .x_label = "mean wind speed / m/s",
+              .y_label = "offset of the swirl / deg",
+              .series = {series},
+              .areas = {area},
+              .levels = {{.value = swirl.options.from_speed_m_s, .label = "counted from here on", .upright = true}}};
+  if (swirl.swirl) {
+    chart.levels.push_back({.value = degrees(swirl.swirl->offset_rad), .label = "mean"});
+  }
+  return page::figure(chart, "What the swirl adds: offset without minus offset with straightener.");
+}
+
+std::string points_table(const Swirl& swirl) {
+  static const std::array<page::Column, 5> columns{{{"straightener"},
+                                                    {"fan / rpm", true},
+                                                    {"speed / m/s", true},
+                                                    {"roll rate / deg/s", true},
+                                                    {"offset / deg", true}}};
+  std::vector<std::vector<page::Cell>> rows;
+  for (const auto& [points, word] : {std::pair{&swirl.without, "without"}, std::pair{&swirl.with, "with"}}) {
+    for (const OffsetPoint& p : *points) {
+      rows.push_back(
+          {{word},
+           {p.segment.fan_rpm ? fixed(*p.segment.fan_rpm, 0) : "-"},
+           {fixed(p.speed_m_s.mean, 2)},
+           {fmt::format("{} \u00b1 {}", fixed(degrees(p.rate_rad_s.mean), 2),
+                        fixed(degrees(p.rate_rad_s.standard_error), 2))},
+           {fmt::format("{} \u00b1 {}", fixed(degrees(p.offset_rad), 3), fixed(degrees(p.standard_error_rad), 3))}});
+    }
+  }
+  return page::table(columns, rows);
 }
 
 }  // namespace
@@ -95,6 +209,35 @@ std::string swirl_json(const SwirlSessions& sessions, const Swirl& swirl) {
                     {"differences", differences},
                     {"remarks", swirl.remarks}};
   return all.pretty();
+}
+
+std::string swirl_html(const SwirlSessions& sessions, const Swirl& swirl) {
+  const std::array<std::string, 2> curves{
+      against_speed(swirl, "Mean steady roll rate against wind speed", "roll rate / deg/s",
+                    "Mean steady roll rate against wind speed.",
+                    [](const OffsetPoint& p) { return p.rate_rad_s.mean; }),
+      against_speed(swirl, "Equivalent fin offset against wind speed", "offset / deg",
+                    "Equivalent fin offset against wind speed.", [](const OffsetPoint& p) { return p.offset_rad; })};
+  std::string body = page::section("Both sessions", rates_over_time(sessions) + wind_over_time(sessions));
+  body += page::section("Offset", page::side_by_side(curves) + points_table(swirl));
+  body += page::section(
+      "Swirl",
+      difference(swirl) +
+          page::paragraph(fmt::format(
+              "Offsets are alpha p / (beta v) with alpha {:g} m2 and beta {:g} m, less where the canards stood. An "
+              "error of these two scales both curves and the difference; standard errors come from the scatter of the "
+              "samples and do not hold it.",
+              swirl.options.alpha_m2, swirl.options.beta_m)));
+  if (!swirl.remarks.empty()) {
+    body += page::section("Remarks", page::list(swirl.remarks));
+  }
+  return page::html({.kind = "Fantail tunnel report: swirl",
+                     .title = "Roll with and without flow straightener",
+                     .subtitle = sessions.without.roll.name + " and " + sessions.with.roll.name,
+                     .tone = swirl.swirl ? page::Tone::plain : page::Tone::unsure,
+                     .verdict_heading = "Swirl",
+                     .verdict = for_print(swirl_sentence(swirl)),
+                     .body_html = body});
 }
 
 }  // namespace fantail::tunnel

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "identify/planted_log.hpp"
-#include "identify/result/words.hpp"
+#include "identify/result/formatting.hpp"
 #include "json/value.hpp"
 #include "system/folder.hpp"
 
@@ -55,20 +55,20 @@ TEST(Words, ShowTwoDigitsOfTheDeviation) {
 }
 
 TEST(Words, ShowTheEndsOfAnInterval) {
-  EXPECT_EQ(words({22.1, 23.72}), "22.10 to 23.72");
-  EXPECT_EQ(words({12.0, {}}), "above 12.00");
-  EXPECT_EQ(words({{}, 30.0}), "below 30.0");
-  EXPECT_EQ(words(Interval{}), "not bounded by this window");
+  EXPECT_EQ(interval_text({22.1, 23.72}), "22.10 to 23.72");
+  EXPECT_EQ(interval_text({12.0, {}}), "above 12.00");
+  EXPECT_EQ(interval_text({{}, 30.0}), "below 30.0");
+  EXPECT_EQ(interval_text(Interval{}), "not bounded by this window");
 }
 
 TEST(Words, SayHowWellANumberIsKnown) {
   Identification result = known();
-  EXPECT_EQ(how_well(result, 0), "Damping alpha lies between 22.10 and 23.72 m2: known to 3.5 % either way.");
-  EXPECT_TRUE(holds(how_well(result, 3), "2 s into the window"));
+  EXPECT_EQ(precision_sentence(result, 0), "Damping alpha lies between 22.10 and 23.72 m2: known to 3.5 % either way.");
+  EXPECT_TRUE(holds(precision_sentence(result, 3), "2 s into the window"));
   result.uncertainty->alpha_profile_m2 = {4.0, 40.0};
-  EXPECT_TRUE(holds(how_well(result, 0), "too little to predict with"));
+  EXPECT_TRUE(holds(precision_sentence(result, 0), "too little to predict with"));
   result.uncertainty->alpha_profile_m2 = {4.0, {}};
-  EXPECT_TRUE(holds(how_well(result, 0), "above 4.00: the data do not tell"));
+  EXPECT_TRUE(holds(precision_sentence(result, 0), "above 4.00: the data do not tell"));
 }
 
 TEST(ResultJson, OfOneResultIsTheResultItself) {

@@ -16,14 +16,10 @@ namespace fantail::identify::closed_loop {
 [[nodiscard]] model::Simulation simulate(const model::Record& record, const model::Airframe& airframe,
                                          const Control& control, const model::RollModel& model);
 
-/// How much angle and rate move with the numbers of the model and with the states at the begin of the segments, carried
+/// How much the angle moves with the numbers of the model and with the states at the begin of the segments, carried
 /// along through plant, servo and controller: while a command is at its limit it does not depend on anything.
-struct StateSensitivities {
-  model::Sensitivities angle{};
-  model::Sensitivities rate{};
-};
-[[nodiscard]] StateSensitivities sensitivities(const model::Record& record, const model::Airframe& airframe,
-                                               const Control& control, const model::RollModel& model);
+[[nodiscard]] model::Sensitivities sensitivities(const model::Record& record, const model::Airframe& airframe,
+                                                 const Control& control, const model::RollModel& model);
 
 /// What besides alpha and beta is looked for: nodes and, with Start::fitted, angle and rate at the begin of each
 /// segment.

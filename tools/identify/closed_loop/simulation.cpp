@@ -41,7 +41,6 @@ class TangentRecorder {
     const auto rows = static_cast<Eigen::Index>(course.record->size());
     const auto unknowns = static_cast<Eigen::Index>(tangents.unknowns.count(course.node_count, course.segments()));
     angle_ = Eigen::MatrixXd::Zero(rows, unknowns);
-    rate_ = angle_;
   }
 
   void at_sample(std::size_t sample, const Lane<1>& /*angle_rad*/, const Lane<1>& /*rate_rad_s*/) {
@@ -50,29 +49,25 @@ class TangentRecorder {
       const auto place = static_cast<Eigen::Index>(
           tangents_.unknowns.place(column, tangents_.first_node, course_.node_count, segment_));
       angle_(row, place) = tangents_.angle[column][0];
-      rate_(row, place) = tangents_.rate[column][0];
     }
   }
   void at_command(std::size_t /*sample*/, const Lane<1>& /*command_rad*/) {}
   void end_segment(std::size_t segment) { segment_ = segment + 1; }
 
-  [[nodiscard]] StateSensitivities result() const { return {.angle = parts(angle_), .rate = parts(rate_)}; }
-
- private:
-  [[nodiscard]] Sensitivities parts(const Eigen::MatrixXd& all) const {
+  [[nodiscard]] Sensitivities result() const {
     const auto numbers = static_cast<Eigen::Index>(2 + course_.node_count);
     const auto segments = static_cast<Eigen::Index>(course_.segments());
-    const Eigen::MatrixXd starts = all.rightCols(2 * segments);
-    return {.numbers = all.leftCols(numbers),
+    const Eigen::MatrixXd starts = angle_.rightCols(2 * segments);
+    return {.numbers = angle_.leftCols(numbers),
             .start_angle = starts(Eigen::all, Eigen::seqN(0, segments, 2)),
             .start_rate = starts(Eigen::all, Eigen::seqN(1, segments, 2))};
   }
 
+ private:
   const Tangents<1>& tangents_;
   const Course& course_;
   std::size_t segment_ = 0;
   Eigen::MatrixXd angle_{};
-  Eigen::MatrixXd rate_{};
 };
 
 }  // namespace
@@ -88,8 +83,8 @@ Simulation simulate(const Record& record, const Airframe& airframe, const Contro
   return result;
 }
 
-StateSensitivities sensitivities(const Record& record, const Airframe& airframe, const Control& control,
-                                 const RollModel& model) {
+Sensitivities sensitivities(const Record& record, const Airframe& airframe, const Control& control,
+                            const RollModel& model) {
   const Course course = make_course(record, airframe, control, model.node_time_s);
   Plant plant;
   plant.set_alpha(course, model.alpha_m2, Slopes::by_alpha);

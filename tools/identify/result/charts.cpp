@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "identify/result/charts.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <string>
 
 #include <fmt/core.h>
 
-#include "identify/result/words.hpp"
+#include "identify/result/formatting.hpp"
 #include "text/degrees.hpp"
 
 namespace fantail::identify::result {
@@ -50,29 +52,16 @@ Chart over_time(const std::string& label, const std::string& y_label) {
   return chart;
 }
 
-Chart measured_and_modelled(const WindowFindings& window, Chart chart, const std::vector<double>& measured,
-                            std::vector<double> Simulation::* modelled) {
-  chart.series.push_back(curve(window.record, "measured", Role::measured, measured));
-  for (std::size_t k = 0; k < window.results.size(); ++k) {
-    const Identification& result = window.results[k];
-    chart.series.push_back(curve(window.record, model_name(window, result), role(k), result.simulation.*modelled));
-  }
-  return chart;
-}
+struct Signal {
+  const char* name;
+  const char* unit;
+  std::vector<double> Record::* measured;
+  std::vector<double> Simulation::* modelled;
+};
 
-Chart residuals(const WindowFindings& window, Chart chart, const std::vector<double>& measured,
-                std::vector<double> Simulation::* modelled) {
-  chart.width = page::half_page;
-  for (std::size_t k = 0; k < window.results.size(); ++k) {
-    const Identification& result = window.results[k];
-    std::vector<double> difference = measured;
-    for (std::size_t i = 0; i < difference.size(); ++i) {
-      difference[i] -= (result.simulation.*modelled)[i];
-    }
-    chart.series.push_back(curve(window.record, model_name(window, result), role(k), difference));
-  }
-  chart.levels.push_back({.value = 0.0});
-  return chart;
+Signal signal(Motion motion) {
+  return motion == Motion::angle ? Signal{"angle", "deg", &Record::roll_angle_rad, &Simulation::roll_angle_rad}
+                                 : Signal{"rate", "deg/s", &Record::roll_rate_rad_s, &Simulation::roll_rate_rad_s};
 }
 
 struct Estimate {
@@ -98,24 +87,30 @@ Estimate disturbance_at(const Identification& result, double time_s) {
 
 }  // namespace
 
-Chart angle_chart(const WindowFindings& window) {
-  return measured_and_modelled(window, over_time("roll angle, measured and modelled", "roll angle / deg"),
-                               window.record.roll_angle_rad, &Simulation::roll_angle_rad);
+Chart motion_chart(const WindowFindings& window, Motion motion) {
+  const auto [name, unit, measured, modelled] = signal(motion);
+  Chart chart = over_time(fmt::format("roll {}, measured and modelled", name), fmt::format("roll {} / {}", name, unit));
+  chart.series.push_back(curve(window.record, "measured", Role::measured, window.record.*measured));
+  for (std::size_t k = 0; k < window.results.size(); ++k) {
+    const Identification& result = window.results[k];
+    chart.series.push_back(curve(window.record, model_name(window, result), role(k), result.simulation.*modelled));
+  }
+  return chart;
 }
 
-Chart rate_chart(const WindowFindings& window) {
-  return measured_and_modelled(window, over_time("roll rate, measured and modelled", "roll rate / deg/s"),
-                               window.record.roll_rate_rad_s, &Simulation::roll_rate_rad_s);
-}
-
-Chart angle_residual_chart(const WindowFindings& window) {
-  return residuals(window, over_time("what the model leaves of the roll angle", "angle residual / deg"),
-                   window.record.roll_angle_rad, &Simulation::roll_angle_rad);
-}
-
-Chart rate_residual_chart(const WindowFindings& window) {
-  return residuals(window, over_time("what the model leaves of the roll rate", "rate residual / deg/s"),
-                   window.record.roll_rate_rad_s, &Simulation::roll_rate_rad_s);
+Chart residual_chart(const WindowFindings& window, Motion motion) {
+  const auto [name, unit, measured, modelled] = signal(motion);
+  Chart chart =
+      over_time(fmt::format("what the model leaves of the roll {}", name), fmt::format("{} residual / {}", name, unit));
+  chart.width = page::half_page;
+  for (std::size_t k = 0; k < window.results.size(); ++k) {
+    const Identification& result = window.results[k];
+    std::vector<double> difference = window.record.*measured;
+    std::ranges::transform(difference, result.simulation.*modelled, difference.begin(), std::minus{});
+    chart.series.push_back(curve(window.record, model_name(window, result), role(k), difference));
+  }
+  chart.levels.push_back({.value = 0.0});
+  return chart;
 }
 
 Chart canard_chart(const WindowFindings& window) {

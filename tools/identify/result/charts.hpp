@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
+
 #include "identify/result/findings.hpp"
 #include "page/chart.hpp"
 #include "page/heat_map.hpp"
@@ -9,11 +11,11 @@ namespace fantail::identify::result {
 
 // The pictures of one window, all methods in each. Time is that of the log.
 
-[[nodiscard]] page::Chart angle_chart(const WindowFindings& window);
-[[nodiscard]] page::Chart rate_chart(const WindowFindings& window);
+enum class Motion : std::uint8_t { angle, rate };
+
+[[nodiscard]] page::Chart motion_chart(const WindowFindings& window, Motion motion);
 /// Measured minus modelled.
-[[nodiscard]] page::Chart angle_residual_chart(const WindowFindings& window);
-[[nodiscard]] page::Chart rate_residual_chart(const WindowFindings& window);
+[[nodiscard]] page::Chart residual_chart(const WindowFindings& window, Motion motion);
 /// As measured; in the closed loop also as the model commands.
 [[nodiscard]] page::Chart canard_chart(const WindowFindings& window);
 /// With the band in which it lies with a probability of 95 %, every instant taken by itself.

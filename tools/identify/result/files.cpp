@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "identify/result/formatting.hpp"
 #include "identify/result/outputs.hpp"
-#include "identify/result/words.hpp"
 #include "json/value.hpp"
 #include "text/degrees.hpp"
 #include "text/output_folder.hpp"

@@ -6,9 +6,9 @@
 #include <fmt/core.h>
 
 #include "identify/result/charts.hpp"
+#include "identify/result/formatting.hpp"
 #include "identify/result/outputs.hpp"
 #include "identify/result/residual.hpp"
-#include "identify/result/words.hpp"
 #include "page/page.hpp"
 #include "text/degrees.hpp"
 #include "text/number.hpp"
@@ -22,7 +22,7 @@ using text::degrees;
 std::string figures(const WindowFindings& window) {
   const Identification& result = main_result(window);
   const auto range = [&](std::size_t number) {
-    return result.uncertainty ? "95 %: " + words(interval_of(result, number)) : std::string{};
+    return result.uncertainty ? "95 %: " + interval_text(interval_of(result, number)) : std::string{};
   };
   const std::vector<double>& nodes = result.model.node_rad;
   const auto [low, high] = std::ranges::minmax(nodes);
@@ -53,7 +53,7 @@ std::string numbers_table(const WindowFindings& window) {
     for (const Identification& result : window.results) {
       const bool known = k < result.model.node_rad.size() + 2 && result.uncertainty;
       row.push_back({printable(k < 2 ? with_deviation(result, k) : node_value(window, result, k - 2))});
-      row.push_back({known ? words(interval_of(result, k), k < 2 ? 1.0 : degrees(1.0)) : ""});
+      row.push_back({known ? interval_text(interval_of(result, k), k < 2 ? 1.0 : degrees(1.0)) : ""});
     }
     rows.push_back(std::move(row));
   }
@@ -77,14 +77,14 @@ std::string knowledge(const WindowFindings& window) {
       "How well each number is known",
       page::paragraph("Nineteen times in twenty the truth lies inside the range that is stated, if the "
                       "model holds and the residual goes on as it was.") +
-          page::list(how_well_sentences(result)));
+          page::list(precision_sentences(result)));
 }
 
 std::string pictures(const WindowFindings& window) {
-  std::string motion = page::figure(angle_chart(window));
-  motion += page::figure(rate_chart(window));
-  const std::vector<std::string> left_over{page::figure(angle_residual_chart(window)),
-                                           page::figure(rate_residual_chart(window))};
+  std::string motion = page::figure(motion_chart(window, Motion::angle));
+  motion += page::figure(motion_chart(window, Motion::rate));
+  const std::vector<std::string> left_over{page::figure(residual_chart(window, Motion::angle)),
+                                           page::figure(residual_chart(window, Motion::rate))};
   std::string out = page::section("Measured and modelled", motion);
   out += page::section(
       "What the model leaves",
@@ -157,8 +157,8 @@ void judge_one(const WindowFindings& window, page::Page& page) {
   const Identification& result = main_result(window);
   page.subtitle += fmt::format("; window {}, {}", window.record.window, extent(window.record));
   const auto doubt = misfit(window.record, result);
-  page.tone = tells(window) && !doubt ? page::Tone::good : page::Tone::unsure;
-  if (!tells(window)) {
+  page.tone = determines_both(window) && !doubt ? page::Tone::good : page::Tone::unsure;
+  if (!determines_both(window)) {
     page.verdict_heading = "This window does not tell both damping and torque";
     page.verdict = result.uncertainty ? sentence(result.uncertainty->verdict) : "";
   } else if (doubt) {
@@ -171,7 +171,7 @@ void judge_one(const WindowFindings& window, page::Page& page) {
 }
 
 void judge_several(const Study& study, page::Page& page) {
-  const auto good = std::ranges::count_if(study.windows, tells);
+  const auto good = std::ranges::count_if(study.windows, determines_both);
   const auto doubtful = std::ranges::count_if(study.windows, [](const WindowFindings& window) {
     return misfit(window.record, main_result(window)).has_value();
   });

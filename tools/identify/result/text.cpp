@@ -3,8 +3,8 @@
 
 #include <fmt/core.h>
 
+#include "identify/result/formatting.hpp"
 #include "identify/result/outputs.hpp"
-#include "identify/result/words.hpp"
 #include "text/degrees.hpp"
 #include "text/number.hpp"
 
@@ -82,8 +82,9 @@ class Text {
 
   void number(const WindowFindings& window, const std::string& label, std::size_t which, double scale) {
     row(window, label, [&](const Identification& r) { return with_deviation(r, which, scale); });
-    row(window, "  95 %",
-        [&](const Identification& r) { return r.uncertainty ? words(interval_of(r, which), scale) : std::string{}; });
+    row(window, "  95 %", [&](const Identification& r) {
+      return r.uncertainty ? interval_text(interval_of(r, which), scale) : std::string{};
+    });
   }
 
   void node_curve(const Identification& result) {

@@ -13,6 +13,7 @@
 #include "identify/model/least_squares.hpp"
 #include "identify/model/open_loop.hpp"
 #include "identify/result/residual.hpp"
+#include "text/degrees.hpp"
 
 namespace fantail::identify::result {
 namespace {
@@ -98,7 +99,7 @@ std::string verdict(const Uncertainty& u, double excitation_rad) {
   if (u.alpha_identifiable && u.beta_identifiable) {
     return "alpha and beta are identifiable from this window";
   }
-  constexpr double no_excitation_rad = 0.5 * 0.017453292519943295;
+  constexpr double no_excitation_rad = text::radians(0.5);
   const std::string cause = excitation_rad < no_excitation_rad
                                 ? "no excitation"
                                 : "too little excitation for the noise and length of this window";
@@ -200,8 +201,8 @@ Uncertainty closed_loop_uncertainty(const Record& record, const Airframe& airfra
   };
   Record commanded = record;
   commanded.canard_rad = simulation.canard_rad;
-  return uncertainty_of(commanded, model, simulation,
-                        closed_loop::sensitivities(record, airframe, control, model).angle, start, profile);
+  return uncertainty_of(commanded, model, simulation, closed_loop::sensitivities(record, airframe, control, model),
+                        start, profile);
 }
 
 }  // namespace fantail::identify::result

@@ -19,13 +19,13 @@ namespace fantail::identify::result {
 [[nodiscard]] std::string with_deviation(const Identification& result, std::size_t number, double scale = 1.0);
 
 /// "22.1 to 23.7", "above 22.1", "below 23.7" or "not bounded by this window".
-[[nodiscard]] std::string words(const Interval& interval, double scale = 1.0);
+[[nodiscard]] std::string interval_text(const Interval& interval, double scale = 1.0);
 
 /// The interval to show for one of a model's numbers: alpha's is that of its profile.
 [[nodiscard]] const Interval& interval_of(const Identification& result, std::size_t number);
 
 /// "alpha = 22.87 m2, known to 2 %": whether a number can be built upon, for someone who flies rockets.
-[[nodiscard]] std::string how_well(const Identification& result, std::size_t number);
+[[nodiscard]] std::string precision_sentence(const Identification& result, std::size_t number);
 
 /// A node of the disturbance in a table with a column for each method: "1.62 s in" (into the window) and "-4.90 +-
 /// 0.02"; where the methods chose different nodes, the time stands with the value. An empty value for a node that a
@@ -43,10 +43,10 @@ namespace fantail::identify::result {
 [[nodiscard]] const Identification& main_result(const WindowFindings& window);
 
 /// Does it tell damping and torque?
-[[nodiscard]] bool tells(const WindowFindings& window);
+[[nodiscard]] bool determines_both(const WindowFindings& window);
 
 /// How well each number of a result with an uncertainty is known, and why, for someone who flies rockets.
-[[nodiscard]] std::vector<std::string> how_well_sentences(const Identification& result);
+[[nodiscard]] std::vector<std::string> precision_sentences(const Identification& result);
 
 /// With the signs that a terminal may not have: plus-minus, squares.
 [[nodiscard]] std::string printable(std::string text);

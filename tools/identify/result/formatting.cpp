@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "identify/result/words.hpp"
+#include "identify/result/formatting.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -75,7 +75,7 @@ std::string with_deviation(const Identification& result, std::size_t number, dou
   return text::fixed(value, places) + " +- " + text::fixed(deviation, places);
 }
 
-std::string words(const Interval& interval, double scale) {
+std::string interval_text(const Interval& interval, double scale) {
   const double low = scale * interval.low.value_or(0.0);
   const double high = scale * interval.high.value_or(0.0);
   const int places = decimals(interval.low && interval.high ? 0.25 * (high - low) : 0.05 * std::abs(low + high));
@@ -92,7 +92,7 @@ const Interval& interval_of(const Identification& result, std::size_t number) {
   return number == 0 ? result.uncertainty->alpha_profile_m2 : result.uncertainty->interval[number];
 }
 
-std::string how_well(const Identification& result, std::size_t number) {
+std::string precision_sentence(const Identification& result, std::size_t number) {
   constexpr double useful = 0.5;
   const bool angle = number >= 2;
   const double scale = angle ? text::degrees(1.0) : 1.0;
@@ -102,7 +102,7 @@ std::string how_well(const Identification& result, std::size_t number) {
   const Interval& interval = interval_of(result, number);
   if (!interval.low || !interval.high) {
     return fmt::format("{} is {} {} from this window, but {}: the data do not tell.", who, text::brief(value, 2), unit,
-                       words(interval, scale));
+                       interval_text(interval, scale));
   }
   const double half = 0.5 * scale * (*interval.high - *interval.low);
   const int places = decimals(0.5 * half);
@@ -151,19 +151,19 @@ const Identification& main_result(const WindowFindings& window) {
   return continuous == window.results.end() ? window.results.front() : *continuous;
 }
 
-bool tells(const WindowFindings& window) {
+bool determines_both(const WindowFindings& window) {
   const auto& u = main_result(window).uncertainty;
   return u && u->alpha_identifiable && u->beta_identifiable;
 }
 
-std::vector<std::string> how_well_sentences(const Identification& result) {
+std::vector<std::string> precision_sentences(const Identification& result) {
   const std::size_t nodes = result.model.node_rad.size();
   constexpr std::size_t few = 2;
   const std::size_t told = 2 + (nodes <= few ? nodes : 0);
   std::vector<std::string> all;
   all.reserve(told + 1);
   for (std::size_t k = 0; k < told; ++k) {
-    all.push_back(printable(how_well(result, k)));
+    all.push_back(printable(precision_sentence(result, k)));
   }
   if (nodes > few) {
     all.push_back(all_nodes(result));
