@@ -77,17 +77,17 @@ TEST(FlightCsv, OfATableWithPhasesTheTimeUnderControlIsMeasured) {
 
 TEST(FlightCsv, ATableWithoutAFlightIsRefusedWithItsPlace) {
   expect_refused(ErrorKind::bad_data, {"log.csv", "time_s"}, [] { (void)read("t,roll_angle_deg\n0,1\n"); });
-  expect_refused(ErrorKind::bad_data, {"log.csv: none of its columns", "roll_rate_deg_s"},
+  expect_refused(ErrorKind::bad_data, {"log.csv: no column besides time_s is known", "roll_rate_deg_s"},
                  [] { (void)read("time_s,a,b\n0,1,2\n"); });
-  expect_refused(ErrorKind::bad_data, {"log.csv:3: time_s is 0 after 1 in line 2: time goes back"},
+  expect_refused(ErrorKind::bad_data, {"log.csv:3: time_s is 0 after 1 in line 2: time must increase"},
                  [] { (void)read("time_s,speed_m_s\n1,1\n0,1\n"); });
-  expect_refused(ErrorKind::bad_data, {"log.csv: no row behind the header"}, [] { (void)read("time_s,speed_m_s\n"); });
+  expect_refused(ErrorKind::bad_data, {"log.csv: no rows after the header"}, [] { (void)read("time_s,speed_m_s\n"); });
 }
 
 TEST(FlightCsv, WhatWasLeftOutOfATableIsANoteOfTheFlight) {
   const Flight flight = read("time_s,phase,speed_m_s\n0,armed,1\n0,armed,1\n1,gliding,1\n");
   ASSERT_EQ(flight.notes.size(), 2U);
-  EXPECT_EQ(flight.notes[0], "log.csv:4: \"gliding\" is no flight phase; the column is not used.");
+  EXPECT_EQ(flight.notes[0], "log.csv:4: \"gliding\" is not a flight phase; the column phase is ignored.");
   EXPECT_EQ(flight.notes[1], "1 of 3 rows repeat the one before them; they are left out.");
   EXPECT_FALSE(flight.known.phase);
   EXPECT_TRUE(flight.phase_changes.empty());
@@ -102,7 +102,7 @@ TEST(FlightCsv, AnOptionIsAdvisedByTheNameThatTheVerbHasForItOrNotAtAll) {
     }
     return std::string{};
   };
-  EXPECT_NE(message("--b-").find("; if it is called otherwise: --b-column time_s=NAME"), std::string::npos);
+  EXPECT_NE(message("--b-").find("; if it has another name: --b-column time_s=NAME"), std::string::npos);
   EXPECT_EQ(message("").find("--"), std::string::npos) << message("");
 }
 

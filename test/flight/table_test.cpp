@@ -80,7 +80,7 @@ TEST(Table, RefusesAFileWithoutAHeader) {
 }
 
 TEST(Table, RefusesANameThatStandsTwice) {
-  expect_bad("a,b,a\n", {"log.csv:1: ", "\"a\" stands twice"});
+  expect_bad("a,b,a\n", {"log.csv:1: ", "\"a\" appears twice"});
   EXPECT_NO_THROW((void)parse("a,,\n1,,\n"));  // spreadsheets add columns without a name
 }
 
@@ -90,17 +90,18 @@ TEST(Table, RefusesOtherSeparatorsInWords) {
 }
 
 TEST(Table, RefusesAQuoteThatSwallowsTheRest) {
-  expect_bad("a,b\n\"1,2\n3,4\n", {"log.csv:2: ", "quote that does not end"});
-  expect_bad("a,b\n\"1\"0,2\n", {"log.csv:2: ", "behind a closing quote"});
+  expect_bad("a,b\n\"1,2\n3,4\n", {"log.csv:2: ", "a quoted cell does not end"});
+  expect_bad("a,b\n\"1\"0,2\n", {"log.csv:2: ", "after a closing quote"});
 }
 
 TEST(Table, RefusesWhatIsNoText) { expect_bad(std::string{"a,b\n1,\0\n", 8}, {"log.csv: ", "zero bytes"}); }
 
 TEST(Table, NamesAMissingColumnAndThoseThatAreThere) {
   const Table table = parse("time_s,roll_angle\n1,2\n");
-  expect_refused(ErrorKind::bad_data,
-                 {"log.csv: no column roll_angle_deg", "did you mean roll_angle?", "there are: time_s, roll_angle"},
-                 [&] { (void)table.column("roll_angle_deg"); });
+  expect_refused(
+      ErrorKind::bad_data,
+      {"log.csv: no column roll_angle_deg", "did you mean roll_angle?", "the columns are: time_s, roll_angle"},
+      [&] { (void)table.column("roll_angle_deg"); });
 }
 
 TEST(Table, AMessageHoldsNoControlCharactersAndStaysShort) {

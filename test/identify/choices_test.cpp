@@ -104,14 +104,14 @@ TEST(Window, AWordThatIsNoneIsRefusedWithThoseThatAre) {
 
 TEST(Window, WhatTheLogDoesNotSayIsRefused) {
   logs::RollLog log = flown_log();
-  expect_refused(ErrorKind::bad_data, {"flown.csv: --window step:3", "changes 2 times under control"},
+  expect_refused(ErrorKind::bad_data, {"flown.csv: --window step:3", "changes of the reference under control: 2"},
                  [&] { (void)find_window(log, "step:3"); });
   log.reference_rad.clear();
   expect_refused(ErrorKind::bad_data, {"no column reference_deg"}, [&] { (void)find_window(log, "step:1"); });
   log.specific_force_m_s2.clear();
   expect_refused(ErrorKind::bad_data, {"when the motor burnt out"}, [&] { (void)find_window(log, "coast"); });
   log.burnout_s = 0.5;
-  expect_refused(ErrorKind::bad_data, {"burnt out at 0.5 s, control was from 1 s to 9 s"},
+  expect_refused(ErrorKind::bad_data, {"burnt out at 0.5 s, which is not inside control, 1 s to 9 s"},
                  [&] { (void)find_window(log, "thrust"); });
   log.phase.assign(log.time_s.size(), core::Phase::armed);
   expect_refused(ErrorKind::bad_data, {"never \"controlling\""}, [&] { (void)find_window(log, "control"); });

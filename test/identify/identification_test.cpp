@@ -130,13 +130,13 @@ std::string refusal(const std::function<void()>& action) {
 TEST(Identification, FewerSamplesThanUnknownsAreRefused) {
   const Record record = planted_record({.seconds = 0.03});
   EXPECT_EQ(refusal([&] { (void)identify(record, tasha, {.nodes = EvenNodes{3}}); }),
-            "window planted: 4 samples for 6 unknowns; allowed: more samples");
+            "window planted: 4 samples for 6 unknowns; there must be more samples than unknowns");
 }
 
 TEST(Identification, StillAirIsRefused) {
   const Record record = planted_record({.speed_begin_m_s = 0.0, .speed_end_m_s = 0.0});
   EXPECT_EQ(refusal([&] { (void)identify(record, tasha, {}); }),
-            "window planted: the speed is nowhere above zero, and still air turns nothing");
+            "window planted: the speed is never above zero, so nothing can be identified");
 }
 
 }  // namespace

@@ -135,7 +135,7 @@ TEST(Record, WithoutASpeedIsRefused) {
   log.speed_m_s.assign(log.time_s.size(), 0.03);
   expect_bad(log, {}, {}, {"flown.csv: no speed", "never above 0.03 m/s", "--speed", "--truth"});
   log.speed_m_s.clear();
-  expect_bad(log, {}, {}, {"flown.csv: no speed", "no column speed_m_s", "--speed"});
+  expect_bad(log, {}, {}, {"flown.csv: no speed", "the column speed_m_s is missing", "--speed"});
 }
 
 TEST(Record, OutsideTheDataIsRefused) {
@@ -143,7 +143,7 @@ TEST(Record, OutsideTheDataIsRefused) {
   expect_bad(flown_log(), seconds(5.0, 25.0), {}, {"outside the data"});
   expect_bad(flown_log(), seconds(-5.0, 5.0), {}, {"outside the data"});
   EXPECT_NO_THROW((void)make_record(flown_log(), seconds(-1.05, 10.05), {}));
-  expect_refused(ErrorKind::bad_configuration, {"window 5:2: begins at 5 s, behind its end at 2 s"},
+  expect_refused(ErrorKind::bad_configuration, {"window 5:2: begins at 5 s, after its end at 2 s"},
                  [] { (void)make_record(flown_log(), seconds(5.0, 2.0), {}); });
 }
 
@@ -163,7 +163,7 @@ TEST(Record, ACellWithoutANumberIsRefusedWhereItIsNeeded) {
   log.reference_rad[350] = not_a_number;
   EXPECT_TRUE(make_record(log, {}, {.density_kg_m3 = 1.2}).reference_rad.empty());
   log.canard_rad.clear();
-  expect_bad(log, {}, {}, {"no column canard_deg"});
+  expect_bad(log, {}, {}, {"the column canard_deg is missing"});
 }
 
 using sim::DensityModel;

@@ -168,13 +168,13 @@ TEST(Compare, AShiftBeyondTheSearchIsSaidToBeAtItsEdge) {
   const Comparison result = compare(a, b, {.find_shift = true});
   EXPECT_NEAR(result.shift_s, 2.0, 1e-9);
   ASSERT_FALSE(result.warnings.empty());
-  EXPECT_NE(result.warnings[0].find("edge"), std::string::npos);
+  EXPECT_NE(result.warnings[0].find("end of the search range"), std::string::npos);
 }
 
 TEST(Compare, LogsWithoutOverlapAreRefused) {
   test::expect_refused(text::ErrorKind::bad_data, {"no overlap", "0 s to 5 s", "6 s to 9 s"},
                        [] { (void)compare(sine({0, 5, 0.01}), sine({6, 9, 0.01}), {}); });
-  test::expect_refused(text::ErrorKind::bad_data, {"no overlap", "no gap above 0.1 s"},
+  test::expect_refused(text::ErrorKind::bad_data, {"no overlap", "at most 0.1 s apart"},
                        [] { (void)compare(sine({0.1, 5, 0.5}), sine({0, 9, 0.25}), {}); });
   test::expect_refused(text::ErrorKind::bad_data, {"do not overlap"},
                        [] { (void)compare(sine({0, 5, 0.01}), sine({20, 25, 0.01}), {.find_shift = true}); });
@@ -190,7 +190,7 @@ TEST(Compare, WindowsOutsideTheDataAreRefused) {
   const RollLog log = sine({0, 5, 0.01});
   test::expect_refused(text::ErrorKind::bad_data, {"window 7 s to 8 s", "0 s to 5 s"},
                        [&] { (void)compare(log, log, {.from_s = 7.0, .to_s = 8.0}); });
-  test::expect_refused(text::ErrorKind::bad_configuration, {"begins at 3 s, behind its end at 2 s"},
+  test::expect_refused(text::ErrorKind::bad_configuration, {"begins at 3 s, after its end at 2 s"},
                        [&] { (void)compare(log, log, {.from_s = 3.0, .to_s = 2.0}); });
 }
 

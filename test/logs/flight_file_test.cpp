@@ -75,11 +75,11 @@ TEST_F(FlightFile, WhatIsLostIsAGapInTimeAndAWarning) {
 
 TEST_F(FlightFile, WhatOnlyATableCanBeAskedIsRefusedOfALog) {
   const auto path = folder_.write("flown.ftl", text(made_.bytes));
-  expect_refused(ErrorKind::bad_configuration, {"flown.ftl: is a flight log", "holds no truth"},
+  expect_refused(ErrorKind::bad_configuration, {"flown.ftl: is a flight log", "no true values"},
                  [&] { (void)read_roll_log(path, {.truth = true}, {}); });
-  expect_refused(ErrorKind::bad_configuration, {"flown.ftl: is a flight log", "in which unit"},
+  expect_refused(ErrorKind::bad_configuration, {"flown.ftl: is a flight log", "angle unit is fixed"},
                  [&] { (void)read_roll_log(path, {.angles = flight::AngleUnit::radians}, {}); });
-  expect_refused(ErrorKind::bad_configuration, {"flown.ftl: is a flight log", "names its columns itself"},
+  expect_refused(ErrorKind::bad_configuration, {"flown.ftl: is a flight log", "its column names are fixed"},
                  [&] { (void)read_roll_log(path, {.columns = {{"roll_angle_deg", "phi"}}}, {}); });
 }
 
@@ -87,7 +87,7 @@ TEST_F(FlightFile, OfSeveralFlightsNoneIsTakenAtRandom) {
   flight_log::MadeFlightOptions second;
   second.flight = 2;
   const auto path = folder_.write("two.ftl", text(made_.bytes) + text(flight_log::make_flight(second).bytes));
-  expect_refused(ErrorKind::bad_data, {"two.ftl: holds 2 flights", "fantail log export", "--flight"},
+  expect_refused(ErrorKind::bad_data, {"two.ftl: contains 2 flights", "fantail log export", "--flight"},
                  [&] { (void)read_flight(path); });
 }
 
@@ -126,7 +126,7 @@ TEST_F(FlightFile, OfAFolderRowsComeFromTheTableReasonsFromTheSummaryAndThePlanF
 TEST_F(FlightFile, ASummaryThatIsNoneIsRefused) {
   folder_.write("flown/flight.csv", "time_s,roll_angle_deg\n0,1\n");
   folder_.write("flown/summary.json", "[1, 2");
-  expect_refused(ErrorKind::bad_data, {"summary.json: not the JSON of a flight's summary"},
+  expect_refused(ErrorKind::bad_data, {"summary.json: is not the summary of a flight"},
                  [&] { (void)read_flight(folder_.path() / "flown"); });
 }
 

@@ -67,9 +67,10 @@ TEST_F(RollLogFile, HasEveryColumnThatFantailKnows) {
 }
 
 TEST_F(RollLogFile, AColumnThatIsMissingIsNamedAndTheOthersListed) {
-  expect_bad("time_s,roll_angle,roll_rate_deg_s,canard_deg,speed_m_s\n" + rows(3),
-             {"log.csv: no column roll_angle_deg", "did you mean roll_angle?",
-              "there are: time_s, roll_angle, roll_rate_deg_s, canard_deg, speed_m_s", "--column roll_angle_deg=NAME"});
+  expect_bad(
+      "time_s,roll_angle,roll_rate_deg_s,canard_deg,speed_m_s\n" + rows(3),
+      {"log.csv: no column roll_angle_deg", "did you mean roll_angle?",
+       "the columns are: time_s, roll_angle, roll_rate_deg_s, canard_deg, speed_m_s", "--column roll_angle_deg=NAME"});
   expect_bad("time,roll_angle_deg\n1,2\n", {"no column time_s", "did you mean time?"});
   expect_bad("time_s,roll_angle_deg,roll_rate_deg_s,canard_deg\n1,2,3,4\n", {"no column speed_m_s", "--speed"});
   EXPECT_NO_THROW((void)read("time_s,roll_angle_deg\n0,1\n1,2\n", {}, {.roll_rate = false}));
@@ -80,7 +81,7 @@ TEST_F(RollLogFile, ColumnsMayHaveOtherNames) {
   const std::string text = "t,phi,roll_rate_deg_s,canard_deg,speed_m_s\n0,90,0,0,1\n1,0,0,0,1\n";
   EXPECT_DOUBLE_EQ(read(text, reading).roll_angle_rad[0], std::numbers::pi / 2.0);
   expect_bad(head + rows(3), {"no column t"}, reading);
-  expect_bad(head + rows(3), {"no column psi", "there are"}, {.columns = {{"phase", "psi"}}});
+  expect_bad(head + rows(3), {"no column psi", "the columns are"}, {.columns = {{"phase", "psi"}}});
   expect_refused(ErrorKind::bad_configuration,
                  {"--column roll_angel_deg=phi", "did you mean roll_angle_deg?", "excitation_deg"},
                  [&] { (void)read(head + rows(3), {.columns = {{"roll_angel_deg", "phi"}}}); });
@@ -109,7 +110,7 @@ TEST_F(RollLogFile, OfASimulatedFlightMayBeTheTruth) {
 
 TEST_F(RollLogFile, TimeThatGoesBackIsRefusedWithBothLines) {
   expect_bad(head + "0.1,1,0,0,22\n\n0.3,1,0,0,22\n0.2,1,0,0,22\n",
-             {"log.csv:5: time_s is 0.2 after 0.3 in line 4: time goes back"});
+             {"log.csv:5: time_s is 0.2 after 0.3 in line 4: time must increase"});
 }
 
 TEST_F(RollLogFile, ARowThatIsRepeatedCountsOnce) {
@@ -127,7 +128,7 @@ TEST_F(RollLogFile, AFewRowsWithoutNumbersAreLeftOutAndCounted) {
   const RollLog log = read(head + rows(100) + "1,nan,0,5,22\n1.5,1,0,5,22\n");
   EXPECT_EQ(log.time_s.size(), 101U);
   ASSERT_EQ(log.warnings.size(), 1U);
-  EXPECT_NE(log.warnings[0].find("1 of 102 rows have no number where one is needed (first: line 102, roll_angle_deg "
+  EXPECT_NE(log.warnings[0].find("1 of 102 rows have no number in a required column (first: line 102, roll_angle_deg "
                                  "\"nan\"); they are left out"),
             std::string::npos)
       << log.warnings[0];
@@ -173,7 +174,7 @@ TEST_F(RollLogFile, AnAngleThatIsWrappedIntoOneTurnIsContinued) {
 }
 
 TEST_F(RollLogFile, TooFewRowsAreRefused) {
-  expect_bad(head, {"log.csv: no row behind the header"});
+  expect_bad(head, {"log.csv: no rows after the header"});
   expect_bad(head + rows(1), {"log.csv: 1 rows"});
 }
 
@@ -191,7 +192,7 @@ TEST_F(RollLogFile, AFolderMayLackASummaryButNotAFlight) {
   EXPECT_EQ(read_roll_log(folder_.path() / "flight", {}, {}).burnout_s, std::nullopt);
   folder_.write("broken/flight.csv", head + rows(3));
   folder_.write("broken/summary.json", "{\"events\": ");
-  expect_refused(ErrorKind::bad_data, {"summary.json: not the JSON"},
+  expect_refused(ErrorKind::bad_data, {"summary.json: is not the summary of a flight"},
                  [&] { (void)read_roll_log(folder_.path() / "broken", {}, {}); });
   folder_.write("empty/other.txt", "");
   expect_refused(ErrorKind::no_such_input, {"empty: this folder holds no flight.csv"},

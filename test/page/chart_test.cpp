@@ -134,7 +134,7 @@ TEST(Chart, AnAreaRunsAlongItsUpperEdgeAndBackAlongTheLower) {
 
 TEST(Chart, AStripeIsCutToTheAxis) {
   Chart chart = with_ranges(line({0, 1}, {0, 0}));
-  chart.stripes = {{2.0, 4.0, "thrust"}, {9.0, 1e9, "coast"}, {50.0, 60.0, "later"}};
+  chart.shaded_ranges = {{2.0, 4.0, "thrust"}, {9.0, 1e9, "coast"}, {50.0, 60.0, "later"}};
   const SvgReader read{svg(chart)};
   const auto stripes = read.tags("rect", "stripe");
   ASSERT_EQ(stripes.size(), 2U);

@@ -21,7 +21,7 @@ TEST(ChartWords, EverythingThatIsTextIsEscaped) {
   const std::string good = "&lt;script&gt;&amp;&quot;&#39;";
   Chart chart{.label = bad, .x_label = bad, .y_label = bad, .series = {named(bad), named("b")}};
   chart.areas = {{bad + "area", Role::model, {0, 1}, {0, 0}, {1, 1}}};
-  chart.stripes = {{0.0, 1.0, bad + "stripe"}};
+  chart.shaded_ranges = {{0.0, 1.0, bad + "stripe"}};
   chart.levels = {{.value = 0.5, .label = bad + "level"}, {.value = 0.5, .label = bad + "upright", .upright = true}};
   const SvgReader read{svg(chart)};
   EXPECT_FALSE(read.holds("<script"));
@@ -56,7 +56,8 @@ TEST(ChartWords, TwoNamesOfOneRoleAreDashedDifferently) {
 
 TEST(ChartWords, AColouredStripeIsNamedInTheLegendAndAGreyOneAboveItself) {
   Chart chart{.series = {named("measured")}};
-  chart.stripes = {{0.0, 0.3, "pad"}, {0.3, 0.5, "control", Role::measured}, {0.6, 0.9, "control", Role::measured}};
+  chart.shaded_ranges = {
+      {0.0, 0.3, "pad"}, {0.3, 0.5, "control", Role::measured}, {0.6, 0.9, "control", Role::measured}};
   const SvgReader read{svg(chart)};
   EXPECT_EQ(std::ranges::count(read.texts(), "control"), 1);
   EXPECT_EQ(read.tags("path", "stripe measured").size(), 1U);
@@ -164,7 +165,7 @@ TEST(ChartWords, DegenerateDataGiveFiniteDrawings) {
       for (const auto& y : values) {
         Chart chart{.series = {{"a", Role::measured, mark, x, y}, {"b", Role::model, mark, y, x}}};
         chart.areas = {{"c", Role::model, x, y, x}};
-        chart.stripes = {{gone, 1.0, "s"}, {-endless, endless, "t"}};
+        chart.shaded_ranges = {{gone, 1.0, "s"}, {-endless, endless, "t"}};
         chart.levels = {{.value = gone, .label = "l"}, {.value = endless, .label = "u", .upright = true}};
         const SvgReader read{svg(chart)};
         ASSERT_TRUE(read.finite()) << svg(chart);

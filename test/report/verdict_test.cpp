@@ -107,7 +107,7 @@ TEST(Verdict, ControlThatNeverSettledIsNotJudged) {
   SyntheticFlight restless;
   restless.each_controlled(
       [](flight::Row& row) { row.reference_rad = static_cast<int>(row.time_s * 2.0) % 2 == 0 ? 0.1 : -0.1; });
-  EXPECT_TRUE(verdict_of(restless.flight).text.starts_with("Roll not judged: the reference never stood still"));
+  EXPECT_TRUE(verdict_of(restless.flight).text.starts_with("Roll not judged: the reference was never constant"));
 }
 
 TEST(Verdict, WithoutTruthTheSettlePointIsUnknown) {

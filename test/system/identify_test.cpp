@@ -204,9 +204,9 @@ TEST(Identify, RefusesWhatIsNoLog) {
   Refusal({{"folder/other", ""}}, identify("folder"), 66, {"folder: this folder holds no flight.csv"});
   Refusal({{"a.csv", ""}}, identify("a.csv"), 65, {"a.csv: is empty"});
   Refusal({{"a.csv", "time_s,roll_angle,roll_rate_deg_s,canard_deg,speed_m_s\n1,2,3,4,5\n"}}, identify("a.csv"), 65,
-          {"a.csv: no column roll_angle_deg", "did you mean roll_angle?", "there are: time_s, roll_angle"});
+          {"a.csv: no column roll_angle_deg", "did you mean roll_angle?", "the columns are: time_s, roll_angle"});
   Refusal({{"a.csv", head + "0,1,2,3,22\n0.2,1,2,3,22\n0.1,1,2,3,22\n"}}, identify("a.csv"), 65,
-          {"a.csv:4: time_s is 0.1 after 0.2 in line 3: time goes back"});
+          {"a.csv:4: time_s is 0.1 after 0.2 in line 3: time must increase"});
   Refusal({{"a.csv", good + "6,nan,2,3,22\n7,nan,2,3,22\n8,,2,3,22\n9,1,2,,22\n10,1,2,,22\n11,1,2,,22\n"}},
           identify("a.csv"), 65, {"a.csv: 6 of 507 rows", "line 503, roll_angle_deg \"nan\"", "1 %"});
   Refusal({{"a.csv", head + "0,1,2,3\n"}}, identify("a.csv"), 65, {"a.csv:2: 4 cells where the header has 5"});
@@ -218,7 +218,7 @@ TEST(Identify, RefusesAWindowThatCannotBe) {
   Refusal({{"a.csv", good}}, identify("a.csv", {"--from", "2", "--to", "2.035"}), 65, {"4 samples for 4 unknowns"});
   Refusal({{"a.csv", good}}, identify("a.csv", {"--window", "boost"}), 78, {"--window boost", "control, thrust"});
   Refusal({{"a.csv", good}}, identify("a.csv", {"--window", "control"}), 65, {"no column phase"});
-  Refusal({{"a.csv", good}}, identify("a.csv", {"--from", "3", "--to", "2"}), 78, {"behind its end"});
+  Refusal({{"a.csv", good}}, identify("a.csv", {"--from", "3", "--to", "2"}), 78, {"after its end"});
   Refusal({{"a.csv", good}}, identify("a.csv", {"--nodes", "5,0"}), 78, {"--nodes 5,0", "auto"});
 }
 

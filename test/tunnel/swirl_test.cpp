@@ -82,7 +82,7 @@ TEST(Swirl, WithoutACommonSpeedThatIsFastEnoughThereIsNone) {
   const Swirl swirl = examine_swirl(made_session({10.0}, -6.0), made_session({10.0}, -4.0), {});
   EXPECT_FALSE(swirl.swirl.has_value());
   EXPECT_EQ(swirl.remarks.size(), 1U);
-  EXPECT_NE(swirl_sentence(swirl).find("not known"), std::string::npos);
+  EXPECT_NE(swirl_sentence(swirl).find("unknown"), std::string::npos);
 }
 
 // Speeds that scatter by a twentieth of a step of the sensor all read alike: the mean is not known better than that.
@@ -133,13 +133,14 @@ TEST(Swirl, WhatCannotBeComparedIsRefused) {
                        [&] { (void)examine_swirl(session, still, {}); });
   RollSession never = session;
   never.steady.found.clear();
-  test::expect_refused(text::ErrorKind::bad_data, {"no set point"}, [&] { (void)examine_swirl(never, session, {}); });
+  test::expect_refused(text::ErrorKind::bad_data, {"did not become steady"},
+                       [&] { (void)examine_swirl(never, session, {}); });
 }
 
 TEST(SwirlReport, SaysTheSameToPersonScriptAndPage) {
   const SwirlSessions sessions{made_session({22.0, 30.0}, -6.1), made_session({22.0, 30.0}, -4.1)};
   const Swirl swirl = examine_swirl(sessions.without, sessions.with, {});
-  EXPECT_NE(swirl_text(sessions, swirl).find("worth -2.000 +-"), std::string::npos) << swirl_text(sessions, swirl);
+  EXPECT_NE(swirl_text(sessions, swirl).find("equals -2.000 +-"), std::string::npos) << swirl_text(sessions, swirl);
   const json::Value json = json::parse(swirl_json(sessions, swirl));
   EXPECT_NEAR(json["swirl_deg"].number(), -2.0, 1e-6);
   EXPECT_NEAR(json["without"]["set_points"][0]["offset_deg"].number(), -6.1, 1e-6);

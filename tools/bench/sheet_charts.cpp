@@ -60,7 +60,7 @@ std::string whole_turn(const Course& course, const Sheet& sheet, std::size_t can
                                                                {Part::centre_from_below, "from below"}}};
   for (const auto& [part, name] : shown) {
     if (const Window rest = at_rest(course, part); rest.size() > 0) {
-      chart.stripes.push_back({static_cast<double>(rest.begin) * tick_s, static_cast<double>(rest.end) * tick_s, name});
+      chart.shaded_ranges.push_back({static_cast<double>(rest.begin) * tick_s, static_cast<double>(rest.end) * tick_s, name});
     }
   }
   return page::figure(chart, caption);

@@ -79,7 +79,7 @@ FoundColumns::FoundColumns(const Table& table, const Reading& reading, const Nee
     }
   }
   if (found_.size() == 1) {
-    std::string message = fmt::format("{}: none of its columns is one of a flight;", table.name());
+    std::string message = fmt::format("{}: no column besides time_s is known; known columns are:", table.name());
     std::ranges::for_each(all.subspan(1), [&](const Column& column) { message += fmt::format(" {}", column.name); });
     refuse(message);
   }
@@ -123,8 +123,8 @@ void FoundColumns::refuse_missing(const Column& column, const std::string& name)
   std::string message = fmt::format("{}: {}", table_.name(), missing_column(name, table_.columns()));
   if (!reading_.options.empty()) {
     const std::string_view ours = column.is_true ? column.name.substr(5) : column.name;
-    message += fmt::format("; if it is called otherwise: {}column {}=NAME", reading_.options, ours);
-    message += ours == "speed_m_s" ? "; if nobody measured it: --speed" : "";
+    message += fmt::format("; if it has another name: {}column {}=NAME", reading_.options, ours);
+    message += ours == "speed_m_s" ? "; if it was not measured: --speed" : "";
   }
   refuse(message);
 }

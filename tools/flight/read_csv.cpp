@@ -85,7 +85,7 @@ class Rows {
       return;
     }
     flight_.notes.push_back(
-        fmt::format("{}: {} is no flight phase; the column is not used.", table_.where(line), in_quotes(word)));
+        fmt::format("{}: {} is not a flight phase; the column phase is ignored.", table_.where(line), in_quotes(word)));
     std::ranges::for_each(flight_.rows, [](Row& read) { read.phase = Row{}.phase; });
     phase_.reset();
   }
@@ -97,14 +97,14 @@ class Rows {
     const Row& before = flight_.rows.back();
     const std::string times = fmt::format("{}: time_s is {}", table_.where(line), input::shown(row.time_s));
     if (row.time_s < before.time_s) {
-      refuse(fmt::format("{} after {} in line {}: time goes back", times, input::shown(before.time_s), last_line_));
+      refuse(fmt::format("{} after {} in line {}: time must increase", times, input::shown(before.time_s), last_line_));
     }
     for (const FoundColumn& found : columns_) {
       const double now = found.column->get(row);
       const double then = found.column->get(before);
       if (now != then && !(std::isnan(now) && std::isnan(then))) {
-        refuse(fmt::format("{} as in line {}, but {} is another: two rows may share a time only when they are the same",
-                           times, last_line_, found.column->name));
+        refuse(fmt::format("{} as in line {}, but {} differs: rows with the same time must be identical", times,
+                           last_line_, found.column->name));
       }
     }
     return true;
@@ -113,8 +113,8 @@ class Rows {
   void judge_count() const {
     const std::size_t rows = table_.rows();
     if (left_out_ > 0) {
-      const std::string said =
-          fmt::format("{} of {} rows have no number where one is needed (first: {})", left_out_, rows, first_left_out_);
+      const std::string said = fmt::format("{} of {} rows have no number in a required column (first: {})", left_out_,
+                                           rows, first_left_out_);
       if (left_out_ * 100 > rows) {
         refuse(fmt::format("{}: {}; more than 1 % is too many", table_.name(), said));
       }
@@ -125,7 +125,7 @@ class Rows {
           fmt::format("{} of {} rows repeat the one before them; they are left out.", repeated_, rows));
     }
     if (flight_.rows.empty()) {
-      refuse(table_.name() + ": no row behind the header");
+      refuse(table_.name() + ": no rows after the header");
     }
   }
 

@@ -16,13 +16,13 @@ constexpr double most_millionths = 4e15;
 }  // namespace
 
 SixDecimals::SixDecimals(double value) {
-  // Written so that a number that is none goes the slow way.
+  // Written so that not-a-number goes the slow way.
   if (std::abs(value) * millionths < most_millionths) {
     const double product = value * millionths;
     const double lost = std::fma(value, millionths, -product);  // product + lost is exact
     double nearest = std::nearbyint(product);
     const double rest = (product - nearest) + lost;
-    if (std::abs(rest) != 0.5) {  // a tie is decided by whoever is asked below
+    if (std::abs(rest) != 0.5) {  // std::to_chars below decides a tie
       nearest += rest > 0.5 ? 1.0 : rest < -0.5 ? -1.0 : 0.0;
       const auto whole = static_cast<std::int64_t>(nearest);
       auto digits = static_cast<std::uint64_t>(whole < 0 ? -whole : whole);

@@ -55,7 +55,7 @@ std::string missing_column(std::string_view wanted, std::span<const std::string>
   if (const auto meant = input::suggestion(wanted, names)) {
     message += " (did you mean " + *meant + "?)";
   }
-  message += "; there are: ";
+  message += "; the columns are: ";
   for (const std::string& name : names) {
     message += name + ", ";
   }
@@ -99,7 +99,7 @@ void Table::read_all() {
     throw Error{ErrorKind::bad_data, fmt::format("{}: larger than {} MiB", name_, most_bytes >> 20)};
   }
   if (text_.find('\0') != std::string::npos) {
-    throw Error{ErrorKind::bad_data, name_ + ": holds zero bytes, so it is no CSV text in UTF-8"};
+    throw Error{ErrorKind::bad_data, name_ + ": contains zero bytes, so it is not CSV text in UTF-8"};
   }
   std::size_t begin = text_.starts_with("\xEF\xBB\xBF") ? 3 : 0;
   for (std::size_t line = 1; begin < text_.size(); ++line) {
@@ -115,7 +115,7 @@ void Table::read_all() {
     begin = end + 1;
   }
   if (columns_.empty()) {
-    throw Error{ErrorKind::bad_data, name_ + ": is empty; a header with the names of the columns is expected"};
+    throw Error{ErrorKind::bad_data, name_ + ": is empty; a header with the column names is needed"};
   }
 }
 
@@ -125,13 +125,13 @@ void Table::read_header(std::size_t line) {
   for (const Cell cell : cells_) {
     const std::string_view name = view(cell);
     if (!name.empty() && !seen.insert(name).second) {
-      refuse(line, fmt::format("the column {} stands twice", in_quotes(name)));
+      refuse(line, fmt::format("the column {} appears twice", in_quotes(name)));
     }
     all_numbers = all_numbers && (name.empty() || text::number(name));
     columns_.emplace_back(name);
   }
   if (all_numbers) {
-    refuse(line, "only numbers; a header with the names of the columns is expected first");
+    refuse(line, "only numbers; the first line must be a header with the column names");
   }
   for (const char separator : {';', '\t'}) {
     if (columns_.size() == 1 && columns_[0].find(separator) != std::string::npos) {
@@ -191,14 +191,14 @@ std::size_t Table::read_quoted(std::size_t begin, std::size_t end, std::size_t l
     text_[out++] = text_[in];
   }
   if (in == end) {
-    refuse(line, "a quote that does not end on its line");
+    refuse(line, "a quoted cell does not end on its line");
   }
   ++in;
   while (in < end && is_blank(text_[in])) {
     ++in;
   }
   if (in < end && text_[in] != ',') {
-    refuse(line, "text behind a closing quote");
+    refuse(line, "text after a closing quote");
   }
   const std::string_view inside = text::trimmed(std::string_view{text_}.substr(first, out - first));
   const std::size_t start = inside.empty() ? first : static_cast<std::size_t>(inside.data() - text_.data());

@@ -52,20 +52,20 @@ std::vector<std::string> parts(const std::string& text, char between) {
   return list;
 }
 
-struct Stretch {
+struct SampleRange {
   std::size_t first;
   std::size_t last;  // included
 };
 
-Stretch control(const RollLog& log, const std::string& text) {
+SampleRange control(const RollLog& log, const std::string& text) {
   if (log.phase.empty()) {
     refuse(log, "--window", text,
-           "there is no column phase that says when control was; give seconds instead, as in --window 0.4:2");
+           "no column phase, so the time under control is unknown; give seconds instead, as in --window 0.4:2");
   }
-  std::optional<Stretch> found;
+  std::optional<SampleRange> found;
   for (std::size_t i = 0; i < log.phase.size(); ++i) {
     if (log.phase[i] == core::Phase::controlling) {
-      found = Stretch{found ? found->first : i, i};
+      found = SampleRange{found ? found->first : i, i};
     }
   }
   if (!found) {
@@ -74,14 +74,14 @@ Stretch control(const RollLog& log, const std::string& text) {
   return *found;
 }
 
-Window between(const RollLog& log, Stretch stretch, const std::string& text) {
-  return {log.time_s[stretch.first], log.time_s[stretch.last], text};
+Window between(const RollLog& log, SampleRange range, const std::string& text) {
+  return {log.time_s[range.first], log.time_s[range.last], text};
 }
 
 double known_burnout_s(const RollLog& log, const std::string& option, const std::string& text) {
   const auto burnout = burnout_s(log);
   if (!burnout) {
-    refuse(log, option, text, "neither a summary nor the specific force says when the motor burnt out");
+    refuse(log, option, text, "neither a summary nor the specific force shows when the motor burnt out");
   }
   return *burnout;
 }
@@ -91,7 +91,7 @@ Window thrust_or_coast(const RollLog& log, const std::string& text) {
   const double end_s = known_burnout_s(log, "--window", text);
   if (end_s <= *window.from_s || end_s >= *window.to_s) {
     refuse(log, "--window", text,
-           fmt::format("the motor burnt out at {} s, control was from {} s to {} s", about(end_s),
+           fmt::format("the motor burnt out at {} s, which is not inside control, {} s to {} s", about(end_s),
                        about(*window.from_s), about(*window.to_s)));
   }
   (text == "thrust" ? window.to_s : window.from_s) = end_s;
@@ -99,9 +99,9 @@ Window thrust_or_coast(const RollLog& log, const std::string& text) {
 }
 
 Window step(const RollLog& log, const std::string& text, std::size_t number) {
-  const Stretch all = control(log, text);
+  const SampleRange all = control(log, text);
   if (log.reference_rad.empty()) {
-    refuse(log, "--window", text, "there is no column reference_deg that steps");
+    refuse(log, "--window", text, "no column reference_deg");
   }
   std::vector<std::size_t> changes;
   for (std::size_t i = all.first + 1; i <= all.last; ++i) {
@@ -110,7 +110,8 @@ Window step(const RollLog& log, const std::string& text, std::size_t number) {
     }
   }
   if (number > changes.size()) {
-    refuse(log, "--window", text, fmt::format("the reference changes {} times under control", changes.size()));
+    refuse(log, "--window", text,
+           fmt::format("there is no such step; changes of the reference under control: {}", changes.size()));
   }
   return between(log, {changes[number - 1], number < changes.size() ? changes[number] - 1 : all.last}, text);
 }

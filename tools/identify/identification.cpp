@@ -24,12 +24,13 @@ using text::ErrorKind;
 void check_record(const Record& record, std::size_t nodes, Start start) {
   const std::size_t unknowns = 2 + nodes + (start == Start::fitted ? 2 * record.segment_begin.size() : std::size_t{0});
   if (record.size() <= unknowns) {
-    throw Error{ErrorKind::bad_data, fmt::format("window {}: {} samples for {} unknowns; allowed: more samples",
-                                                 record.window, record.size(), unknowns)};
+    throw Error{ErrorKind::bad_data,
+                fmt::format("window {}: {} samples for {} unknowns; there must be more samples than unknowns",
+                            record.window, record.size(), unknowns)};
   }
   if (std::ranges::none_of(record.speed_m_s, [](double speed) { return speed > 0.0; })) {
     throw Error{ErrorKind::bad_data,
-                fmt::format("window {}: the speed is nowhere above zero, and still air turns nothing", record.window)};
+                fmt::format("window {}: the speed is never above zero, so nothing can be identified", record.window)};
   }
 }
 
@@ -120,7 +121,7 @@ void remark_on_edges(Identification& result, const Grid& grid) {
     return values.size() > 1 && (value == values.front() || value == values.back());
   };
   if (on_edge(result.model.alpha_m2, grid.alpha_m2) || on_edge(result.model.beta_m, grid.beta_m)) {
-    result.remarks.emplace_back("The winner lies on the edge of the grid: the best may lie beyond it.");
+    result.remarks.emplace_back("The best grid point is on the edge of the grid; a better one may lie outside it.");
   }
 }
 

@@ -37,16 +37,8 @@ std::string label(const Window& window) {
 
 // Distance from which on two samples have a gap between them.
 double gap_s(const RollLog& log, const RecordOptions& options) {
-  std::vector<double> step_s;
-  for (std::size_t i = 1; i < log.time_s.size(); ++i) {
-    step_s.push_back(log.time_s[i] - log.time_s[i - 1]);
-  }
-  if (step_s.empty()) {
-    return options.longest_gap_s;
-  }
-  const auto middle = step_s.begin() + static_cast<std::ptrdiff_t>(step_s.size() / 2);
-  std::nth_element(step_s.begin(), middle, step_s.end());
-  return std::max(options.longest_gap_s, 5.0 * *middle);
+  return log.time_s.size() < 2 ? options.longest_gap_s
+                               : std::max(options.longest_gap_s, 5.0 * logs::usual_interval_s(log.time_s));
 }
 
 Indices samples_inside(const RollLog& log, const Window& window, double longest_gap_s) {
@@ -55,12 +47,12 @@ Indices samples_inside(const RollLog& log, const Window& window, double longest_
   const double from = window.from_s.value_or(first);
   const double to = window.to_s.value_or(last);
   if (from > to) {
-    throw Error{ErrorKind::bad_configuration, fmt::format("window {}: begins at {} s, behind its end at {} s",
-                                                          label(window), about(from), about(to))};
+    throw Error{ErrorKind::bad_configuration,
+                fmt::format("window {}: begins at {} s, after its end at {} s", label(window), about(from), about(to))};
   }
   if (from < first - longest_gap_s || to > last + longest_gap_s) {
-    refuse(log, fmt::format("window {}: {} s to {} s lies outside the data, which goes from {} s to {} s",
-                            label(window), about(from), about(to), about(first), about(last)));
+    refuse(log, fmt::format("window {}: {} s to {} s is outside the data, which run from {} s to {} s", label(window),
+                            about(from), about(to), about(first), about(last)));
   }
   Indices inside;
   for (std::size_t i = 0; i < log.time_s.size(); ++i) {
@@ -97,7 +89,7 @@ Kept without_crumbs(const RollLog& log, const Indices& samples, double longest_g
 std::vector<double> picked(const RollLog& log, const std::vector<double>& column, const Indices& samples,
                            const char* name) {
   if (column.empty()) {
-    refuse(log, fmt::format("no column {} with numbers in it", name));
+    refuse(log, fmt::format("the column {} is missing or has no numbers", name));
   }
   std::vector<double> out;
   for (const std::size_t i : samples) {
@@ -123,7 +115,7 @@ std::vector<double> speeds(const RollLog& log, const Indices& samples, const Rec
     return std::vector<double>(samples.size(), *options.speed_m_s);
   }
   if (log.speed_m_s.empty()) {
-    refuse(log, "no speed: there is no column speed_m_s with numbers in it; if nobody measured it: --speed");
+    refuse(log, "no speed: the column speed_m_s is missing or has no numbers; if it was not measured: --speed");
   }
   std::vector<double> speed = picked(log, log.speed_m_s, samples, "speed_m_s");
   // On board, speed is the integral of acceleration; in a tunnel there is none, and it drifts about zero.
@@ -142,7 +134,7 @@ std::vector<double> densities(const RollLog& log, const Indices& samples, const 
     return std::vector<double>(samples.size(), options.density_kg_m3.value_or(options.atmosphere.constant_kg_m3));
   }
   if (log.height_m.empty()) {
-    refuse(log, "no column height_m to take the density of the air from; give it: --density 1.2");
+    refuse(log, "no column height_m to compute the air density from; give the density, as in --density 1.2");
   }
   std::vector<double> density = picked(log, log.height_m, samples, "height_m");
   for (double& value : density) {
@@ -176,13 +168,13 @@ Air exponential() {
 
 Air choose_air(const RollLog& log, const std::optional<std::string>& asked) {
   if (!asked) {
-    return climbs(log) ? exponential() : same_everywhere(1.2, ", as nothing was said and the log does not climb");
+    return climbs(log) ? exponential() : same_everywhere(1.2, ", the default for a log that does not climb");
   }
   if (*asked == "exponential") {
     return exponential();
   }
   if (*asked == "isa") {
-    return {{.model = sim::DensityModel::isa}, "of the standard atmosphere, height from height_m"};
+    return {{.model = sim::DensityModel::isa}, "standard atmosphere, height from height_m"};
   }
   const auto value = text::number(*asked);
   if (!value || *value <= 0.0 || *value > 100.0) {
@@ -196,7 +188,7 @@ model::Record make_record(const RollLog& log, const Window& window, const Record
   const double longest_gap_s = gap_s(log, options);
   const bool with_canards = !log.canard_rad.empty();
   if (!with_canards && options.canard_needed) {
-    refuse(log, "no column canard_deg with numbers in it");
+    refuse(log, "the column canard_deg is missing or has no numbers");
   }
   Indices inside = samples_inside(log, window, longest_gap_s);
   std::vector<double> canard_rad = log.canard_rad;
@@ -210,8 +202,8 @@ model::Record make_record(const RollLog& log, const Window& window, const Record
   }
   const auto [samples, segment_begin] = without_crumbs(log, inside, longest_gap_s);
   if (samples.size() < least_samples) {
-    refuse(log, fmt::format("window {}: {} samples without a gap between them; at least {} are needed", label(window),
-                            inside.size(), least_samples));
+    refuse(log, fmt::format("window {}: at least {} samples without a gap between them are needed; it has {} samples",
+                            label(window), least_samples, inside.size()));
   }
 
   model::Record record;

@@ -37,8 +37,7 @@ std::vector<std::string> remarks_on(const Record& record) {
   std::vector<std::string> remarks;
   if (const std::size_t gaps = record.segment_begin.size() - 1; gaps > 0) {
     remarks.push_back(
-        fmt::format("{} {} in the window; behind each the model starts anew from what was measured there.", gaps,
-                    gaps == 1 ? "gap" : "gaps"));
+        fmt::format("{} {} in the window; the model restarts after each.", gaps, gaps == 1 ? "gap" : "gaps"));
   }
   return remarks;
 }
@@ -47,13 +46,13 @@ std::vector<std::string> remarks_on(const Record& record) {
 void prepare_closed_loop(const logs::RollLog& log, WindowFindings& found) {
   Record& record = found.record;
   if (record.reference_rad.empty()) {
-    throw text::Error{text::ErrorKind::bad_data,
-                      log.name + ": no column reference_deg with a number in every row of window " + record.window +
-                          "; the closed loop needs what the controller was asked for"};
+    throw text::Error{text::ErrorKind::bad_data, log.name +
+                                                     ": no column reference_deg with a number in every row of window " +
+                                                     record.window + "; the closed loop needs it"};
   }
   if (record.excitation_rad.empty()) {
     record.excitation_rad.assign(record.size(), 0.0);
-    found.remarks.emplace_back("The log has no excitation; the closed loop was computed without one.");
+    found.remarks.emplace_back("The log has no excitation; the closed loop is simulated without one.");
   }
 }
 
@@ -68,8 +67,9 @@ WindowFindings look_at(const logs::RollLog& log, const Window& window, const Que
     how.lag_s = fit.lag_s;
     found.record = make_record(log, window, how);
     if (fit.at_the_edge) {
-      found.remarks.push_back(fmt::format("The fitted lag lies at the edge of what is tried, {} ms; it may be longer.",
-                                          input::shown(1000.0 * largest_fitted_lag_s)));
+      found.remarks.push_back(
+          fmt::format("The fitted lag is at the end of the search range, {} ms; the true lag may be larger.",
+                      input::shown(1000.0 * largest_fitted_lag_s)));
     }
   }
   found.lag_s = how.lag_s;

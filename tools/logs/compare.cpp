@@ -26,13 +26,13 @@ Extent samples_between(const RollLog& a, const CompareOptions& options) {
   const double to = options.to_s.value_or(a.time_s.back());
   if (options.from_s && options.to_s && from > to) {
     throw Error{ErrorKind::bad_configuration,
-                fmt::format("window: begins at {:g} s, behind its end at {:g} s", from, to)};
+                fmt::format("window: begins at {:g} s, after its end at {:g} s", from, to)};
   }
   const auto begin = std::ranges::lower_bound(a.time_s, from);
   const auto end = std::ranges::upper_bound(a.time_s, to);
   if (begin >= end) {
     throw Error{ErrorKind::bad_data,
-                fmt::format("{}: window {:g} s to {:g} s: there is no sample in it; the data go from {:g} s to {:g} s",
+                fmt::format("{}: window {:g} s to {:g} s: it contains no samples; the data run from {:g} s to {:g} s",
                             a.name, from, to, a.time_s.front(), a.time_s.back())};
   }
   return {static_cast<std::size_t>(begin - a.time_s.begin()), static_cast<std::size_t>(end - a.time_s.begin())};
@@ -92,23 +92,13 @@ Trial try_shift(const RollLog& a, const RollLog& b, const ShiftSearch& search, d
   return trial;
 }
 
-double usual_interval(const std::vector<double>& time_s) {
-  std::vector<double> intervals;
-  for (std::size_t i = 1; i < time_s.size(); ++i) {
-    intervals.push_back(time_s[i] - time_s[i - 1]);
-  }
-  const auto middle = intervals.begin() + static_cast<std::ptrdiff_t>(intervals.size() / 2);
-  std::ranges::nth_element(intervals, middle);
-  return *middle;
-}
-
 // The shift (of CompareOptions) with the smallest rms difference of the roll rates, much finer than the samples. Only
 // shifts count that leave at least half as many samples to compare as the best of them do: a short piece of calm
 // always agrees. Empty when nothing can be compared, or when all shifts agree equally well.
 std::optional<FoundShift> find_shift(const RollLog& a, const RollLog& b, const ShiftSearch& search) {
   // Between two samples of B noise is averaged, and a shift of half an interval looks better than it is. In steps of
   // whole intervals every trial meets B's samples alike, and the trough between them is found by a parabola.
-  const double interval_s = usual_interval(b.time_s);
+  const double interval_s = usual_interval_s(b.time_s);
   const double step_s = interval_s * std::max(std::round(coarse_step_s / interval_s), 1.0);
   const auto reach = static_cast<std::ptrdiff_t>(search.most_shift_s / step_s + 1e-9);
   std::vector<Trial> trials;
@@ -151,15 +141,14 @@ double choose_shift(const RollLog& a, const RollLog& b, const CompareOptions& op
   }
   const auto found = find_shift(a, b, {extent, options.most_shift_s, options.longest_gap_s});
   if (!found) {
-    throw Error{ErrorKind::bad_data,
-                fmt::format("{} and {}: no shift within {:g} s can be told from another: the logs do not overlap, "
-                            "or the roll rates do not change",
-                            a.name, b.name, options.most_shift_s)};
+    throw Error{ErrorKind::bad_data, fmt::format("{} and {}: no time shift within {:g} s can be determined: the logs "
+                                                 "do not overlap, or the roll rates do not change",
+                                                 a.name, b.name, options.most_shift_s)};
   }
   if (found->at_the_edge) {
     warnings.push_back(
-        fmt::format("The best shift, {:.3f} s, lies at the edge of what was searched: the logs may be "
-                    "farther apart, or show different motions.",
+        fmt::format("The best shift, {:.3f} s, is at the end of the search range: the true shift may be larger, or the "
+                    "logs may show different motions.",
                     found->shift_s));
   }
   return found->shift_s;
@@ -183,10 +172,10 @@ Comparison compare(const RollLog& a, const RollLog& b, const CompareOptions& opt
   }
   if (result.time_s.empty()) {
     throw Error{ErrorKind::bad_data,
-                fmt::format("{} and {}: no overlap: of A's {:g} s to {:g} s nothing lies inside B's {:g} s to {:g} s, "
-                            "shifted by {:g} s, where B has no gap above {:g} s",
-                            a.name, b.name, a.time_s[extent.begin], a.time_s[extent.end - 1], b.time_s.front(),
-                            b.time_s.back(), result.shift_s, options.longest_gap_s)};
+                fmt::format("{} and {}: no overlap: no sample of A from {:g} s to {:g} s, shifted by {:g} s, lies "
+                            "between samples of B ({:g} s to {:g} s) that are at most {:g} s apart",
+                            a.name, b.name, a.time_s[extent.begin], a.time_s[extent.end - 1], result.shift_s,
+                            b.time_s.front(), b.time_s.back(), options.longest_gap_s)};
   }
   if (const std::size_t lost = extent.end - extent.begin - result.time_s.size(); lost > 0) {
     result.warnings.push_back(

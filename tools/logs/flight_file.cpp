@@ -53,13 +53,14 @@ flight::Flight read_flight_log(const std::filesystem::path& file) {
     throw Error{ErrorKind::bad_data, file.string() + ": " + complaint};
   };
   if (log.flights.size() > 1) {
-    refuse(fmt::format("holds {} flights; take one out: fantail log export {} --to csv --flight 1 to {}",
-                       log.flights.size(), file.string(), log.flights.size()));
+    refuse(
+        fmt::format("contains {} flights; extract one with fantail log export {} --to csv --flight N, N from 1 to {}",
+                    log.flights.size(), file.string(), log.flights.size()));
   }
   const flight_log::Flight& flight = log.flights.front();
   if (!flight.plan) {
     refuse("the flight cannot be replayed: " +
-           (flight.plan_fault.empty() ? std::string{"its plan is not there"} : flight.plan_fault));
+           (flight.plan_fault.empty() ? std::string{"its plan is missing"} : flight.plan_fault));
   }
   const flight_log::Regeneration replay = flight_log::regenerate(flight, *flight.plan);
   if (replay.compared == 0) {

@@ -1,12 +1,24 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <span>
 #include <vector>
 
 namespace fantail::logs {
+
+/// The median distance of two samples; at least two samples.
+[[nodiscard]] inline double usual_interval_s(std::span<const double> time_s) {
+  std::vector<double> interval_s;
+  for (std::size_t i = 1; i < time_s.size(); ++i) {
+    interval_s.push_back(time_s[i] - time_s[i - 1]);
+  }
+  const auto middle = interval_s.begin() + static_cast<std::ptrdiff_t>(interval_s.size() / 2);
+  std::ranges::nth_element(interval_s, middle);
+  return *middle;
+}
 
 /// Where a time lies between two samples of a log: `part` of the way from sample `before` to the next.
 struct Between {

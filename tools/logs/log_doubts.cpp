@@ -10,6 +10,7 @@
 #include <fmt/core.h>
 
 #include "input/messages.hpp"
+#include "logs/interpolator.hpp"
 #include "sim/units.hpp"
 
 namespace fantail::logs {
@@ -82,15 +83,10 @@ void note_doubtful_units(RollLog& log, const flight::Reading& reading) {
     log.warnings.push_back(fmt::format("angles look like degrees: the largest canard angle is {} rad{}",
                                        input::about(canard_rad), advice(reading, "deg")));
   }
-  std::vector<double> step_s;
-  for (std::size_t i = 1; i < log.time_s.size(); ++i) {
-    step_s.push_back(log.time_s[i] - log.time_s[i - 1]);
-  }
-  const auto middle = step_s.begin() + static_cast<std::ptrdiff_t>(step_s.size() / 2);
-  std::nth_element(step_s.begin(), middle, step_s.end());
-  if (*middle >= 1.0) {
-    log.warnings.push_back(
-        fmt::format("samples are {} s apart; time_s is in seconds, not in milliseconds", input::about(*middle)));
+  const double interval_s = usual_interval_s(log.time_s);
+  if (interval_s >= 1.0) {
+    log.warnings.push_back(fmt::format(
+        "samples are {} s apart: time_s must be in seconds and may be in milliseconds here", input::about(interval_s)));
   }
 }
 
@@ -105,11 +101,11 @@ void note_doubtful_motion(RollLog& log) {
   const double off = std::abs(*slope);
   constexpr double degrees_per_radian = 1.0 / sim::radians_per_degree;
   if (is_between(off * degrees_per_radian, 0.7, 1.4) || is_between(off / degrees_per_radian, 0.7, 1.4)) {
-    log.warnings.push_back(
-        fmt::format("the roll angle changes {} times as fast as the roll rate says: one of them seems to be in radians",
-                    input::about(off)));
+    log.warnings.push_back(fmt::format(
+        "the roll angle changes {} times as fast as the roll rate indicates: one of them seems to be in radians",
+        input::about(off)));
   } else if (*slope < 0.0) {
-    log.warnings.push_back("the roll angle falls where the roll rate is positive: one of them has the wrong sign");
+    log.warnings.push_back("the roll angle falls while the roll rate is positive: one of them has the wrong sign");
   }
 }
 

@@ -96,9 +96,9 @@ std::size_t continue_over_turns(RollLog& log) {
 }
 
 void refuse_what_only_a_table_has(const std::string& file, const flight::Reading& reading) {
-  const char* const why = reading.truth                                  ? "it holds no truth, only what was measured"
-                          : !reading.columns.empty()                     ? "it names its columns itself"
-                          : reading.angles != flight::AngleUnit::degrees ? "it says itself in which unit its angles are"
+  const char* const why = reading.truth              ? "it contains measurements only, no true values"
+                          : !reading.columns.empty() ? "its column names are fixed"
+                          : reading.angles != flight::AngleUnit::degrees ? "its angle unit is fixed"
                                                                          : nullptr;
   if (why != nullptr) {
     throw Error{ErrorKind::bad_configuration, fmt::format("{}: is a flight log: {}", file, why)};
@@ -126,8 +126,8 @@ RollLog roll_log(const flight::Flight& flight, std::string name, const flight::R
   log.warnings = flight.notes;
   note_doubtful_units(log, reading);
   if (const std::size_t turns = continue_over_turns(log); turns > 0) {
-    log.warnings.push_back(
-        fmt::format("the roll angle jumps by a whole turn {} times; it is read as one that goes on", turns));
+    log.warnings.push_back(fmt::format("the roll angle jumps by a whole turn {} {}; the jumps are removed", turns,
+                                       turns == 1 ? "time" : "times"));
   }
   note_doubtful_motion(log);
   return log;

@@ -27,7 +27,7 @@ Range x_range(const Chart& chart) {
   for (const Area& area : chart.areas) {
     std::ranges::for_each(area.x, [&](double x) { include(range, x); });
   }
-  for (const Stripe& stripe : chart.stripes) {
+  for (const ShadedRange& stripe : chart.shaded_ranges) {
     include(range, stripe.begin);
     include(range, stripe.end);
   }
@@ -40,11 +40,11 @@ Range x_range(const Chart& chart) {
   return dots ? with_margin(all, 0.03) : all;  // half a dot would stand outside
 }
 
-Range y_range(const Chart& chart, Range shown) {
+Range y_range(const Chart& chart, Range x_visible) {
   std::optional<Range> range;
   const auto include_all = [&](const std::vector<double>& x, const std::vector<double>& y) {
     for (std::size_t i = 0; i < std::min(x.size(), y.size()); ++i) {
-      if (x[i] >= shown.low && x[i] <= shown.high) {
+      if (x[i] >= x_visible.low && x[i] <= x_visible.high) {
         include(range, y[i]);
       }
     }
@@ -102,27 +102,27 @@ int depth(Role role) {
   }
 }
 
-void draw_curves(Drawing& drawing, LabelPlaces& places, const Chart& chart, const std::vector<std::string>& style) {
-  const Box frame = drawing.frame();
+void draw_curves(SvgPlot& plot, LabelPlacer& places, const Chart& chart, const std::vector<std::string>& style) {
+  const Box frame = plot.frame();
   const bool cut = chart.x_range || chart.y_range;  // an inner svg cuts off what lies outside, and needs no name for it
   if (cut) {
-    drawing.add(
+    plot.add(
         "<svg x=\"{0:.1f}\" y=\"{1:.1f}\" width=\"{2:.1f}\" height=\"{3:.1f}\" viewBox=\"{0:.1f} {1:.1f} {2:.1f} "
         "{3:.1f}\">",
         frame.left, frame.top, frame.width(), frame.height());
   }
   for (const Area& area : chart.areas) {
-    draw(drawing, area, chart.sampled);
+    draw(plot, area, chart.sampled);
   }
   for (int level = 0; level <= deepest; ++level) {
     for (std::size_t i = 0; i < chart.series.size(); ++i) {
       if (depth(chart.series[i].role) == level) {
-        draw(drawing, places, chart.series[i], style[i], chart.sampled);
+        draw(plot, places, chart.series[i], style[i], chart.sampled);
       }
     }
   }
   if (cut) {
-    drawing.add("</svg>");
+    plot.add("</svg>");
   }
 }
 
@@ -143,32 +143,32 @@ std::string svg(const Chart& chart) {
           : even_ticks(x, (chart.width - left) / 75.0);
   const double right = std::max(chart.width - end_margin(x_ticks), left + 40.0);
 
-  Drawing drawing;
-  drawing.place({left, 0.0, right, 1.0}, x, y);
-  const TopLabels top_labels{chart, drawing};
+  SvgPlot plot;
+  plot.place({left, 0.0, right, 1.0}, x, y);
+  const TopLabels top_labels{chart, plot};
   const double top =
       6.0 + legend_row * static_cast<double>(legend.rows()) + top_label_row * static_cast<double>(top_labels.rows());
   const double height = std::max(chart.height, top + least_frame_height + below);
   const Box frame{left, top, right, height - below};
-  drawing.place(frame, x, y);
+  plot.place(frame, x, y);
 
-  drawing.begin("chart", chart.label, chart.width, height);
+  plot.begin("chart", chart.label, chart.width, height);
   const bool anything = std::ranges::any_of(chart.series, [](const Series& one) { return anything_in(one); }) ||
                         std::ranges::any_of(chart.areas, [](const Area& one) { return anything_in(one); });
-  drawing.outline(anything ? "frame" : "frame empty");
-  draw_stripes(drawing, chart);
-  drawing.x_axis(anything || chart.x_range || !chart.stripes.empty() ? x_ticks : std::vector<Tick>{}, chart.x_label);
-  drawing.y_axis(anything || chart.y_range ? y_ticks : std::vector<Tick>{}, true);
-  LabelPlaces places{frame};
-  draw_levels(drawing, chart);
-  draw_curves(drawing, places, chart, style);
-  top_labels.draw(drawing);
-  label_levels(drawing, places, chart);
-  legend.draw(drawing);
+  plot.outline(anything ? "frame" : "frame empty");
+  draw_shaded_ranges(plot, chart);
+  plot.x_axis(anything || chart.x_range || !chart.shaded_ranges.empty() ? x_ticks : std::vector<Tick>{}, chart.x_label);
+  plot.y_axis(anything || chart.y_range ? y_ticks : std::vector<Tick>{}, true);
+  LabelPlacer places{frame};
+  draw_levels(plot, chart);
+  draw_curves(plot, places, chart, style);
+  top_labels.draw(plot);
+  label_levels(plot, places, chart);
+  legend.draw(plot);
   if (!anything) {
-    drawing.remark("no data");
+    plot.remark("no data");
   }
-  return drawing.end();
+  return plot.end();
 }
 
 std::string standalone(std::string svg) {

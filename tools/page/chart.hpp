@@ -33,7 +33,7 @@ struct Area {
 };
 
 /// A shaded stretch of the x axis. The name of a neutral one stands above it, that of a coloured one in the legend.
-struct Stripe {
+struct ShadedRange {
   double begin = 0.0;
   double end = 0.0;
   std::string label{};
@@ -48,12 +48,12 @@ struct Level {
   Role role = Role::neutral;
 };
 
-constexpr double full_page = 880.0;  ///< widths, in a drawing's own units; text is 12 of them high
+constexpr double full_page = 880.0;  ///< widths, in a plot's own units; text is 12 of them high
 constexpr double half_page = 428.0;
 
 /// One plot as an SVG that takes its colours from chart.css (light and dark), with axes, units and a legend when it has
 /// more than one name. Long series are thinned without losing a peak. What cannot be drawn (empty, not a number) is
-/// said in the drawing.
+/// said in the plot.
 struct Chart {
   std::string label{};    ///< what it shows, for those who do not see it
   std::string x_label{};  ///< "time / s"
@@ -62,7 +62,7 @@ struct Chart {
   double height = 280.0;  ///< more when legend and labels need it
   std::vector<Series> series{};
   std::vector<Area> areas{};
-  std::vector<Stripe> stripes{};
+  std::vector<ShadedRange> shaded_ranges{};
   std::vector<Level> levels{};
   std::optional<Range> x_range{};  ///< else all that is drawn
   std::optional<Range> y_range{};
@@ -73,7 +73,7 @@ struct Chart {
 
 [[nodiscard]] std::string svg(const Chart& chart);
 
-/// The same drawing, or a heat map's, as a file of its own: with its style inside.
+/// The same plot, or a heat map's, as a file of its own: with its style inside.
 [[nodiscard]] std::string standalone(std::string svg);
 
 }  // namespace fantail::page

@@ -13,7 +13,7 @@ namespace {
 
 using Columns = std::span<const std::vector<double>>;
 
-struct Stretch {
+struct IndexRange {
   std::size_t begin;
   std::size_t end;
 };
@@ -27,7 +27,7 @@ bool any_pair(const std::vector<double>& x, const std::vector<double>& y) {
   return false;
 }
 
-Stretch within(const std::vector<double>& x, std::size_t count, Range range) {
+IndexRange within(const std::vector<double>& x, std::size_t count, Range range) {
   const auto end = x.begin() + static_cast<std::ptrdiff_t>(count);
   if (!std::is_sorted(x.begin(), end)) {
     return {0, count};
@@ -37,22 +37,22 @@ Stretch within(const std::vector<double>& x, std::size_t count, Range range) {
   return {first > 0 ? first - 1 : 0, std::min(last + 1, count)};
 }
 
-std::vector<std::size_t> thinned(Columns columns, Stretch stretch, std::size_t buckets) {
+std::vector<std::size_t> thinned(Columns columns, IndexRange part, std::size_t buckets) {
   std::vector<std::vector<double>> parts;
   for (const std::vector<double>& column : columns) {
-    parts.emplace_back(column.begin() + static_cast<std::ptrdiff_t>(stretch.begin),
-                       column.begin() + static_cast<std::ptrdiff_t>(stretch.end));
+    parts.emplace_back(column.begin() + static_cast<std::ptrdiff_t>(part.begin),
+                       column.begin() + static_cast<std::ptrdiff_t>(part.end));
   }
   std::vector<std::size_t> kept = keep_extremes(parts, buckets);
   for (std::size_t& i : kept) {
-    i += stretch.begin;
+    i += part.begin;
   }
   return kept;
 }
 
-// Which samples to draw of columns over x: stretches without a gap.
-std::vector<std::vector<std::size_t>> stretches(const std::vector<double>& x, Columns columns, const Drawing& drawing,
-                                                bool sampled) {
+// Which samples to draw of columns over x: gapless_parts without a gap.
+std::vector<std::vector<std::size_t>> gapless_parts(const std::vector<double>& x, Columns columns, const SvgPlot& plot,
+                                                    bool sampled) {
   std::size_t count = x.size();
   for (const std::vector<double>& column : columns) {
     count = std::min(count, column.size());
@@ -64,19 +64,19 @@ std::vector<std::vector<std::size_t>> stretches(const std::vector<double>& x, Co
   for (const std::size_t i : sampled ? gaps({x.data(), count}) : std::vector<std::size_t>{}) {
     after_gap[i] = true;
   }
-  const Stretch shown = within(x, count, drawing.x_range());
-  const double buckets = std::max(drawing.frame().width() / 2.0, 10.0);
+  const IndexRange visible = within(x, count, plot.x_range());
+  const double buckets = std::max(plot.frame().width() / 2.0, 10.0);
   std::vector<std::vector<std::size_t>> result;
-  for (std::size_t begin = shown.begin; begin < shown.end;) {
+  for (std::size_t begin = visible.begin; begin < visible.end;) {
     std::size_t end = begin;
-    while (end < shown.end && drawable_at(end) && (end == begin || !after_gap[end])) {
+    while (end < visible.end && drawable_at(end) && (end == begin || !after_gap[end])) {
       ++end;
     }
     if (end == begin) {
       ++begin;
       continue;
     }
-    const double share = static_cast<double>(end - begin) / static_cast<double>(shown.end - shown.begin);
+    const double share = static_cast<double>(end - begin) / static_cast<double>(visible.end - visible.begin);
     result.push_back(thinned(columns, {begin, end}, static_cast<std::size_t>(std::ceil(share * buckets))));
     begin = end;
   }
@@ -84,7 +84,7 @@ std::vector<std::vector<std::size_t>> stretches(const std::vector<double>& x, Co
 }
 
 // Labels know a curve by points on it, close enough together that none slips between two.
-void tell(LabelPlaces& places, Pixel from, Pixel to) {
+void avoid_line(LabelPlacer& places, Pixel from, Pixel to) {
   constexpr double apart = 5.0;
   const int parts = static_cast<int>(std::min(std::ceil(std::hypot(to.x - from.x, to.y - from.y) / apart), 500.0));
   for (int i = 0; i <= parts; ++i) {
@@ -113,14 +113,14 @@ std::string path_of(const std::vector<Pixel>& line, bool step) {
   return path + waiting;
 }
 
-void draw_line(Drawing& drawing, LabelPlaces& places, const Series& series, std::string_view style, bool sampled) {
+void draw_line(SvgPlot& plot, LabelPlacer& places, const Series& series, std::string_view style, bool sampled) {
   std::string path;
   std::string lone;  // a sample between two gaps would have no length
-  for (const std::vector<std::size_t>& stretch : stretches(series.x, std::span{&series.y, 1}, drawing, sampled)) {
+  for (const std::vector<std::size_t>& part : gapless_parts(series.x, std::span{&series.y, 1}, plot, sampled)) {
     std::vector<Pixel> line;
-    for (const std::size_t i : stretch) {
-      line.push_back({drawing.x(series.x[i]), drawing.y(series.y[i])});
-      tell(places, line.size() > 1 ? line[line.size() - 2] : line.back(), line.back());
+    for (const std::size_t i : part) {
+      line.push_back({plot.x(series.x[i]), plot.y(series.y[i])});
+      avoid_line(places, line.size() > 1 ? line[line.size() - 2] : line.back(), line.back());
     }
     if (line.size() == 1) {
       lone += fmt::format("M{:.1f} {:.1f}h0", line.front().x, line.front().y);
@@ -129,23 +129,23 @@ void draw_line(Drawing& drawing, LabelPlaces& places, const Series& series, std:
     }
   }
   if (!path.empty()) {
-    drawing.add("<path class=\"line {}{}\" d=\"{}\"/>", class_of(series.role), style, path);
+    plot.add("<path class=\"line {}{}\" d=\"{}\"/>", class_of(series.role), style, path);
   }
   if (!lone.empty()) {
-    drawing.add("<path class=\"dots lone {}\" d=\"{}\"/>", class_of(series.role), lone);
+    plot.add("<path class=\"dots lone {}\" d=\"{}\"/>", class_of(series.role), lone);
   }
 }
 
 // Dots that would hide each other wholly are drawn once; dots outside the axes would stand in the texts.
-void draw_dots(Drawing& drawing, LabelPlaces& places, const Series& series) {
-  const Box frame = drawing.frame();
+void draw_dots(SvgPlot& plot, LabelPlacer& places, const Series& series) {
+  const Box frame = plot.frame();
   std::set<std::pair<long, long>> drawn;
   std::string path;
   for (std::size_t i = 0; i < std::min(series.x.size(), series.y.size()); ++i) {
     if (!std::isfinite(series.x[i]) || !std::isfinite(series.y[i])) {
       continue;
     }
-    const Pixel p{drawing.x(series.x[i]), drawing.y(series.y[i])};
+    const Pixel p{plot.x(series.x[i]), plot.y(series.y[i])};
     const bool seen =
         p.x >= frame.left - 0.1 && p.x <= frame.right + 0.1 && p.y >= frame.top - 0.1 && p.y <= frame.bottom + 0.1;
     if (seen && drawn.emplace(std::lround(2.0 * p.x), std::lround(2.0 * p.y)).second) {
@@ -154,7 +154,7 @@ void draw_dots(Drawing& drawing, LabelPlaces& places, const Series& series) {
     }
   }
   if (!path.empty()) {
-    drawing.add("<path class=\"dots{} {}\" d=\"{}\"/>", drawn.size() > 120 ? " many" : "", class_of(series.role), path);
+    plot.add("<path class=\"dots{} {}\" d=\"{}\"/>", drawn.size() > 120 ? " many" : "", class_of(series.role), path);
   }
 }
 
@@ -176,31 +176,31 @@ std::string_view class_of(Role role) {
 bool anything_in(const Series& series) { return any_pair(series.x, series.y); }
 bool anything_in(const Area& area) { return any_pair(area.x, area.low) && any_pair(area.x, area.high); }
 
-void draw(Drawing& drawing, LabelPlaces& places, const Series& series, std::string_view style, bool sampled) {
+void draw(SvgPlot& plot, LabelPlacer& places, const Series& series, std::string_view style, bool sampled) {
   if (series.mark != Mark::points) {
-    draw_line(drawing, places, series, style, sampled);
+    draw_line(plot, places, series, style, sampled);
   }
   if (series.mark == Mark::points || series.mark == Mark::line_and_points) {
-    draw_dots(drawing, places, series);
+    draw_dots(plot, places, series);
   }
 }
 
-void draw(Drawing& drawing, const Area& area, bool sampled) {
+void draw(SvgPlot& plot, const Area& area, bool sampled) {
   const std::vector<std::vector<double>> edges{area.low, area.high};
   std::string path;
-  for (const std::vector<std::size_t>& stretch : stretches(area.x, edges, drawing, sampled)) {
-    const double least = stretch.size() == 1 ? 1.5 : 0.0;  // one sample alone is still seen
-    for (const std::size_t i : stretch) {
-      path += fmt::format("{}{:.1f} {:.1f}", i == stretch.front() ? 'M' : 'L', drawing.x(area.x[i]) - least,
-                          drawing.y(area.high[i]));
+  for (const std::vector<std::size_t>& part : gapless_parts(area.x, edges, plot, sampled)) {
+    const double least = part.size() == 1 ? 1.5 : 0.0;  // one sample alone is still seen
+    for (const std::size_t i : part) {
+      path += fmt::format("{}{:.1f} {:.1f}", i == part.front() ? 'M' : 'L', plot.x(area.x[i]) - least,
+                          plot.y(area.high[i]));
     }
-    for (std::size_t i = stretch.size(); i-- > 0;) {
-      path += fmt::format("L{:.1f} {:.1f}", drawing.x(area.x[stretch[i]]) + least, drawing.y(area.low[stretch[i]]));
+    for (std::size_t i = part.size(); i-- > 0;) {
+      path += fmt::format("L{:.1f} {:.1f}", plot.x(area.x[part[i]]) + least, plot.y(area.low[part[i]]));
     }
     path += 'Z';
   }
   if (!path.empty()) {
-    drawing.add("<path class=\"area {}\" d=\"{}\"/>", class_of(area.role), path);
+    plot.add("<path class=\"area {}\" d=\"{}\"/>", class_of(area.role), path);
   }
 }
 

@@ -8,8 +8,8 @@
 #include <optional>
 #include <string_view>
 
-#include "page/drawing.hpp"
 #include "page/page.hpp"
+#include "page/svg_plot.hpp"
 
 namespace fantail::page {
 namespace {
@@ -31,7 +31,7 @@ std::uint8_t between(std::uint8_t a, std::uint8_t b, double part) {
 
 constexpr double most_ratio = 1000.0;  // of a logarithmic key: below that all is alike
 
-struct Shades {
+struct ColourScale {
   Range range;
   bool logarithmic;
   bool cut = false;  ///< there are values below the range
@@ -45,7 +45,7 @@ struct Shades {
 };
 
 // Empty: nothing to draw.
-std::optional<Shades> shades(const HeatMap& map) {
+std::optional<ColourScale> colour_scale(const HeatMap& map) {
   std::optional<Range> all;
   std::optional<Range> above_zero;
   for (const double value : map.value) {
@@ -58,14 +58,14 @@ std::optional<Shades> shades(const HeatMap& map) {
     return std::nullopt;
   }
   if (!map.logarithmic || !above_zero) {
-    return Shades{drawable(*all), false};
+    return ColourScale{drawable(*all), false};
   }
   const double low = std::max(above_zero->low, above_zero->high / most_ratio);
   Range range{low, above_zero->high};
   if (range.high / range.low < 1.0 + 1e-9) {
     range = {0.9 * low, 1.1 * low};
   }
-  return Shades{range, true, all->low < low};
+  return ColourScale{range, true, all->low < low};
 }
 
 // Cells reach half way to their neighbours.
@@ -85,10 +85,10 @@ double edge(double from, double to, std::size_t i, std::size_t count) {
 }
 
 // Neighbours of the same colour in a row are one rectangle.
-void draw_cells(Drawing& drawing, const HeatMap& map, const Shades& shade) {
-  const Box frame = drawing.frame();
+void draw_cells(SvgPlot& plot, const HeatMap& map, const ColourScale& shade) {
+  const Box frame = plot.frame();
   const std::size_t columns = map.x.size();
-  drawing.add("<g class=\"cells\">");
+  plot.add("<g class=\"cells\">");
   for (std::size_t j = 0; j < map.y.size(); ++j) {
     const double bottom = edge(frame.bottom, frame.top, j, map.y.size());
     const double top = edge(frame.bottom, frame.top, j + 1, map.y.size());
@@ -104,33 +104,33 @@ void draw_cells(Drawing& drawing, const HeatMap& map, const Shades& shade) {
         ++i;
       }
       const double left = edge(frame.left, frame.right, begin, columns);
-      drawing.add("<rect x=\"{:.2f}\" y=\"{:.2f}\" width=\"{:.2f}\" height=\"{:.2f}\" fill=\"{}\"/>", left, top,
-                  edge(frame.left, frame.right, i, columns) - left, bottom - top, hex(colour));
+      plot.add("<rect x=\"{:.2f}\" y=\"{:.2f}\" width=\"{:.2f}\" height=\"{:.2f}\" fill=\"{}\"/>", left, top,
+               edge(frame.left, frame.right, i, columns) - left, bottom - top, hex(colour));
     }
   }
-  drawing.add("</g>");
+  plot.add("</g>");
 }
 
-void draw_key(Drawing& drawing, const std::vector<Tick>& ticks, const Shades& shade, double left) {
+void draw_key(SvgPlot& plot, const std::vector<Tick>& ticks, const ColourScale& shade, double left) {
   constexpr std::size_t steps = 96;
   constexpr double width = 14.0;
-  const Box frame = drawing.frame();
-  drawing.add("<g class=\"key\">");
+  const Box frame = plot.frame();
+  plot.add("<g class=\"key\">");
   for (std::size_t i = 0; i < steps; ++i) {
     const double top = edge(frame.bottom, frame.top, i + 1, steps);
-    drawing.add("<rect x=\"{:.1f}\" y=\"{:.2f}\" width=\"{}\" height=\"{:.2f}\" fill=\"{}\"/>", left, top, width,
-                edge(frame.bottom, frame.top, i, steps) - top,
-                hex(colour_at(static_cast<double>(i) / static_cast<double>(steps - 1))));
+    plot.add("<rect x=\"{:.1f}\" y=\"{:.2f}\" width=\"{}\" height=\"{:.2f}\" fill=\"{}\"/>", left, top, width,
+             edge(frame.bottom, frame.top, i, steps) - top,
+             hex(colour_at(static_cast<double>(i) / static_cast<double>(steps - 1))));
   }
-  drawing.add("</g><rect class=\"edge\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{}\" height=\"{:.1f}\"/>", left, frame.top,
-              width, frame.height());
+  plot.add("</g><rect class=\"edge\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{}\" height=\"{:.1f}\"/>", left, frame.top,
+           width, frame.height());
   for (const Tick& tick : ticks) {
     const double y = frame.bottom - frame.height() * shade.part(tick.value);
-    drawing.add("<path class=\"tick\" d=\"M{:.1f} {:.1f}h4\"/><text x=\"{:.1f}\" y=\"{:.1f}\">{}</text>", left + width,
-                y, left + width + 8.0, y + 4.2, tick.text);
+    plot.add("<path class=\"tick\" d=\"M{:.1f} {:.1f}h4\"/><text x=\"{:.1f}\" y=\"{:.1f}\">{}</text>", left + width, y,
+             left + width + 8.0, y + 4.2, tick.text);
   }
   if (shade.cut) {
-    drawing.add("<text x=\"{:.1f}\" y=\"{:.1f}\">and less</text>", left, frame.bottom + tick_row);
+    plot.add("<text x=\"{:.1f}\" y=\"{:.1f}\">and below</text>", left, frame.bottom + tick_row);
   }
 }
 
@@ -161,22 +161,22 @@ std::vector<Box> candidates(Pixel at, double width) {
 
 // Rings with labels that cover neither each other nor a ring; a label that had to move away is tied to its ring by a
 // line. Spots outside the axes are left out.
-void draw_spots(Drawing& drawing, const std::vector<HeatMap::Spot>& spots) {
-  LabelPlaces places{drawing.frame()};
-  struct Shown {
+void draw_spots(SvgPlot& plot, const std::vector<HeatMap::Spot>& spots) {
+  LabelPlacer places{plot.frame()};
+  struct VisibleSpot {
     Pixel at;
     std::string text;
   };
-  std::vector<Shown> shown;
+  std::vector<VisibleSpot> visible;
   for (const HeatMap::Spot& spot : spots) {
-    if (spot.x >= drawing.x_range().low && spot.x <= drawing.x_range().high && spot.y >= drawing.y_range().low &&
-        spot.y <= drawing.y_range().high) {
-      const Pixel at{drawing.x(spot.x), drawing.y(spot.y)};
-      shown.push_back({at, shortened(spot.label, 0.7 * drawing.frame().width())});
+    if (spot.x >= plot.x_range().low && spot.x <= plot.x_range().high && spot.y >= plot.y_range().low &&
+        spot.y <= plot.y_range().high) {
+      const Pixel at{plot.x(spot.x), plot.y(spot.y)};
+      visible.push_back({at, shortened(spot.label, 0.7 * plot.frame().width())});
       places.keep_free({at.x - ring, at.y - ring, at.x + ring, at.y + ring});
     }
   }
-  for (const Shown& spot : shown) {
+  for (const VisibleSpot& spot : visible) {
     const double width = text_width(spot.text) + 10.0;
     const auto box = spot.text.empty() ? std::nullopt : places.take(candidates(spot.at, width));
     if (box) {
@@ -184,18 +184,18 @@ void draw_spots(Drawing& drawing, const std::vector<HeatMap::Spot>& spots) {
       const double y = std::clamp(spot.at.y, box->top, box->bottom);
       if (std::hypot(x - spot.at.x, y - spot.at.y) > ring + gap + 1.0) {
         for (const std::string_view part : {"halo", "leader"}) {
-          drawing.add("<path class=\"{}\" d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\"/>", part, spot.at.x, spot.at.y, x, y);
+          plot.add("<path class=\"{}\" d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\"/>", part, spot.at.x, spot.at.y, x, y);
         }
       }
-      drawing.add(
+      plot.add(
           "<rect class=\"tag\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" rx=\"3\"/>"
           "<text class=\"tag\" x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\">{}</text>",
           box->left, box->top, box->width(), box->height(), 0.5 * (box->left + box->right), box->bottom - 5.0,
           printed(spot.text));
     }
   }
-  for (const Shown& spot : shown) {
-    drawing.add(
+  for (const VisibleSpot& spot : visible) {
+    plot.add(
         "<circle class=\"halo\" cx=\"{0:.1f}\" cy=\"{1:.1f}\" r=\"{2}\"/>"
         "<circle class=\"spot\" cx=\"{0:.1f}\" cy=\"{1:.1f}\" r=\"{2}\"/>",
         spot.at.x, spot.at.y, ring - 1.0);
@@ -213,7 +213,7 @@ Colour colour_at(double part) {
 }
 
 std::string svg(const HeatMap& map) {
-  const std::optional<Shades> shade = shades(map);
+  const std::optional<ColourScale> shade = colour_scale(map);
   const Range x = edges(map.x);
   const Range y = edges(map.y);
   const double below = tick_row + (map.x_label.empty() ? 0.0 : label_row) + 7.0;
@@ -230,27 +230,27 @@ std::string svg(const HeatMap& map) {
   const double key = shade ? std::max(26.0 + tick_column(key_ticks), shade->cut ? 68.0 : 0.0) : 0.0;
   const Box frame{left, top, std::max(map.width - end_margin({}) - key, left + 40.0), height - below};
 
-  Drawing drawing;
-  drawing.place(frame, x, y);
-  drawing.begin("map", map.label, map.width, height);
-  drawing.outline("frame");
-  drawing.add("<text class=\"axis\" x=\"0\" y=\"{}\">{}</text>", two_rows ? 30 : 13,
-              printed(shortened(map.y_label, map.width)));
+  SvgPlot plot;
+  plot.place(frame, x, y);
+  plot.begin("map", map.label, map.width, height);
+  plot.outline("frame");
+  plot.add("<text class=\"axis\" x=\"0\" y=\"{}\">{}</text>", two_rows ? 30 : 13,
+           printed(shortened(map.y_label, map.width)));
   if (shade) {
-    drawing.add("<text class=\"axis\" x=\"{:.1f}\" y=\"13\" text-anchor=\"end\">{}</text>", map.width,
-                printed(shortened(map.value_label, map.width)));
-    draw_cells(drawing, map, *shade);
-    draw_key(drawing, key_ticks, *shade, frame.right + 16.0);
+    plot.add("<text class=\"axis\" x=\"{:.1f}\" y=\"13\" text-anchor=\"end\">{}</text>", map.width,
+             printed(shortened(map.value_label, map.width)));
+    draw_cells(plot, map, *shade);
+    draw_key(plot, key_ticks, *shade, frame.right + 16.0);
   }
-  drawing.outline("edge");
-  drawing.x_axis(map.x.empty() ? std::vector<Tick>{} : even_ticks(x, frame.width() / 75.0), map.x_label);
-  drawing.y_axis(map.y.empty() ? std::vector<Tick>{} : y_ticks, false);
+  plot.outline("edge");
+  plot.x_axis(map.x.empty() ? std::vector<Tick>{} : even_ticks(x, frame.width() / 75.0), map.x_label);
+  plot.y_axis(map.y.empty() ? std::vector<Tick>{} : y_ticks, false);
   if (shade) {
-    draw_spots(drawing, map.spots);
+    draw_spots(plot, map.spots);
   } else {
-    drawing.remark("no data");
+    plot.remark("no data");
   }
-  return drawing.end();
+  return plot.end();
 }
 
 }  // namespace fantail::page

@@ -21,13 +21,13 @@ struct Extent {
   double to;
 };
 
-std::optional<Extent> shown(const Stripe& stripe, const Drawing& drawing) {
-  const double begin = std::max(std::min(stripe.begin, stripe.end), drawing.x_range().low);
-  const double end = std::min(std::max(stripe.begin, stripe.end), drawing.x_range().high);
+std::optional<Extent> visible_extent(const ShadedRange& stripe, const SvgPlot& plot) {
+  const double begin = std::max(std::min(stripe.begin, stripe.end), plot.x_range().low);
+  const double end = std::min(std::max(stripe.begin, stripe.end), plot.x_range().high);
   if (!(begin <= end)) {
     return std::nullopt;
   }
-  return Extent{drawing.x(begin), drawing.x(end)};
+  return Extent{plot.x(begin), plot.x(end)};
 }
 
 }  // namespace
@@ -61,7 +61,7 @@ Legend::Legend(const Chart& chart, const std::vector<std::string>& styles) : cha
   for (const Area& area : chart.areas) {
     add_swatch(area.name, "area", area.role);
   }
-  for (const Stripe& stripe : chart.stripes) {
+  for (const ShadedRange& stripe : chart.shaded_ranges) {
     if (stripe.role != Role::neutral) {
       add_swatch(stripe.label, "stripe", stripe.role);
     }
@@ -86,9 +86,9 @@ Legend::Legend(const Chart& chart, const std::vector<std::string>& styles) : cha
   }
 }
 
-void Legend::draw(Drawing& drawing) const {
+void Legend::draw(SvgPlot& plot) const {
   if (!chart_.y_label.empty()) {
-    drawing.add("<text class=\"axis\" x=\"0\" y=\"13\">{}</text>", printed(shortened(chart_.y_label, chart_.width)));
+    plot.add("<text class=\"axis\" x=\"0\" y=\"13\">{}</text>", printed(shortened(chart_.y_label, chart_.width)));
   }
   double y = 13.0;
   for (const std::vector<Entry>& row : rows_) {
@@ -97,30 +97,31 @@ void Legend::draw(Drawing& drawing) const {
       x -= entry.width;
     }
     for (const Entry& entry : row) {
-      drawing.add("<g transform=\"translate({:.1f} {:.1f})\">{}{}<text x=\"{}\">{}</text></g>", x, y, entry.swatch,
-                  entry.line, sample, printed(entry.name));
+      plot.add("<g transform=\"translate({:.1f} {:.1f})\">{}{}<text x=\"{}\">{}</text></g>", x, y, entry.swatch,
+               entry.line, sample, printed(entry.name));
       x += entry.width;
     }
     y += legend_row;
   }
 }
 
-TopLabels::TopLabels(const Chart& chart, const Drawing& drawing) {
+TopLabels::TopLabels(const Chart& chart, const SvgPlot& plot) {
   constexpr double beside = 4.0;  // a level's label stands right of its line, at the right edge left of it
-  const Box frame = drawing.frame();
+  const Box frame = plot.frame();
   std::vector<Label> wanted;
-  for (const Stripe& stripe : chart.stripes) {
-    if (const auto extent = shown(stripe, drawing); extent && !stripe.label.empty() && stripe.role == Role::neutral) {
+  for (const ShadedRange& stripe : chart.shaded_ranges) {
+    if (const auto extent = visible_extent(stripe, plot);
+        extent && !stripe.label.empty() && stripe.role == Role::neutral) {
       const std::string text = shortened(stripe.label, frame.width());
       const double left = 0.5 * (extent->from + extent->to - text_width(text));
       wanted.push_back({std::max(std::min(left, frame.right - text_width(text)), frame.left), text});
     }
   }
   for (const Level& level : chart.levels) {
-    if (level.upright && !level.label.empty() && within(level.value, drawing.x_range())) {
+    if (level.upright && !level.label.empty() && within(level.value, plot.x_range())) {
       const std::string text = shortened(level.label, frame.width());
-      const double right = drawing.x(level.value) + beside;
-      const double left = drawing.x(level.value) - beside - text_width(text);
+      const double right = plot.x(level.value) + beside;
+      const double left = plot.x(level.value) - beside - text_width(text);
       wanted.push_back({right + text_width(text) <= chart.width ? right : std::max(left, frame.left), text, &level});
     }
   }
@@ -142,64 +143,64 @@ TopLabels::TopLabels(const Chart& chart, const Drawing& drawing) {
   }
 }
 
-void TopLabels::draw(Drawing& drawing) const {
-  const double top = drawing.frame().top;
+void TopLabels::draw(SvgPlot& plot) const {
+  const double top = plot.frame().top;
   for (const Label& label : labels_) {
     const double y = top - 5.0 - top_label_row * static_cast<double>(label.row);
     if (label.level != nullptr) {
-      drawing.add("<path class=\"level {}\" d=\"M{:.1f} {:.1f}V{:.1f}\"/>", class_of(label.level->role),
-                  drawing.x(label.level->value), top, y - 9.0);
+      plot.add("<path class=\"level {}\" d=\"M{:.1f} {:.1f}V{:.1f}\"/>", class_of(label.level->role),
+               plot.x(label.level->value), top, y - 9.0);
     }
-    drawing.add("<text class=\"mark\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>", label.left, y, printed(label.text));
+    plot.add("<text class=\"mark\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>", label.left, y, printed(label.text));
   }
 }
 
-void draw_stripes(Drawing& drawing, const Chart& chart) {
-  for (const Stripe& stripe : chart.stripes) {
-    if (const auto extent = shown(stripe, drawing)) {
-      drawing.add(
+void draw_shaded_ranges(SvgPlot& plot, const Chart& chart) {
+  for (const ShadedRange& stripe : chart.shaded_ranges) {
+    if (const auto extent = visible_extent(stripe, plot)) {
+      plot.add(
           "<rect class=\"stripe {}\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" "
           "height=\"{:.1f}\"><title>{}</title></rect>",
-          class_of(stripe.role), extent->from, drawing.frame().top, std::max(extent->to - extent->from, 1.0),
-          drawing.frame().height(), printed(stripe.label));
+          class_of(stripe.role), extent->from, plot.frame().top, std::max(extent->to - extent->from, 1.0),
+          plot.frame().height(), printed(stripe.label));
     }
   }
 }
 
-void draw_levels(Drawing& drawing, const Chart& chart) {
-  const Box frame = drawing.frame();
+void draw_levels(SvgPlot& plot, const Chart& chart) {
+  const Box frame = plot.frame();
   for (const Level& level : chart.levels) {
-    if (!within(level.value, level.upright ? drawing.x_range() : drawing.y_range())) {
+    if (!within(level.value, level.upright ? plot.x_range() : plot.y_range())) {
       continue;
     }
-    drawing.add("<path class=\"level {}\" d=\"", class_of(level.role));
+    plot.add("<path class=\"level {}\" d=\"", class_of(level.role));
     if (level.upright) {
-      drawing.add("M{:.1f} {:.1f}V{:.1f}", drawing.x(level.value), frame.top, frame.bottom);
+      plot.add("M{:.1f} {:.1f}V{:.1f}", plot.x(level.value), frame.top, frame.bottom);
     } else {
-      drawing.add("M{:.1f} {:.1f}H{:.1f}", frame.left, drawing.y(level.value), frame.right);
+      plot.add("M{:.1f} {:.1f}H{:.1f}", frame.left, plot.y(level.value), frame.right);
     }
-    drawing.add("\"><title>{}</title></path>", printed(level.label));
+    plot.add("\"><title>{}</title></path>", printed(level.label));
   }
 }
 
-void label_levels(Drawing& drawing, LabelPlaces& places, const Chart& chart) {
-  const Box frame = drawing.frame();
+void label_levels(SvgPlot& plot, LabelPlacer& places, const Chart& chart) {
+  const Box frame = plot.frame();
   for (const Level& level : chart.levels) {
-    if (!level.upright && within(level.value, drawing.y_range())) {
+    if (!level.upright && within(level.value, plot.y_range())) {
       const int points = static_cast<int>(frame.width() / 3.0);
       for (int i = 0; i <= points; ++i) {
-        places.avoid({frame.left + 3.0 * i, drawing.y(level.value)});
+        places.avoid({frame.left + 3.0 * i, plot.y(level.value)});
       }
     }
   }
   for (const Level& level : chart.levels) {
-    if (level.upright || level.label.empty() || !within(level.value, drawing.y_range())) {
+    if (level.upright || level.label.empty() || !within(level.value, plot.y_range())) {
       continue;
     }
     constexpr double letters = 15.0;
     const std::string text = shortened(level.label, frame.width() - 12.0);
     const double width = text_width(text);
-    const double y = drawing.y(level.value);
+    const double y = plot.y(level.value);
     std::vector<Box> candidates;
     for (const double share : {1.0, 0.0, 0.5, 0.25, 0.75}) {
       const double left = frame.left + 5.0 + share * (frame.width() - 10.0 - width);
@@ -208,8 +209,8 @@ void label_levels(Drawing& drawing, LabelPlaces& places, const Chart& chart) {
       }
     }
     if (const auto place = places.take(candidates)) {
-      drawing.add("<text class=\"mark {}\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>", class_of(level.role), place->left,
-                  place->bottom - 3.5, printed(text));
+      plot.add("<text class=\"mark {}\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>", class_of(level.role), place->left,
+               place->bottom - 3.5, printed(text));
     }
   }
 }

@@ -101,7 +101,7 @@ std::string data_of(const LiveCharts& live) {
     views.push_back({{"label", view.label}, {"begin", view.begin_s}, {"end", view.end_s}});
   }
   Json stripes = Json::array();
-  for (const Stripe& stripe : live.charts.front().stripes) {
+  for (const ShadedRange& stripe : live.charts.front().shaded_ranges) {
     stripes.push_back(
         {{"label", stripe.label}, {"role", class_of(stripe.role)}, {"begin", stripe.begin}, {"end", stripe.end}});
   }

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "page/chart.hpp"
-#include "page/drawing.hpp"
+#include "page/svg_plot.hpp"
 
 namespace fantail::page {
 
@@ -19,16 +19,16 @@ namespace fantail::page {
 [[nodiscard]] bool anything_in(const Series& series);
 [[nodiscard]] bool anything_in(const Area& area);
 
-/// `style` is added to the class. Labels are told to keep away from the curve. Only what lies in the drawing's x range
+/// `style` is added to the class. Labels are told to keep away from the curve. Only what lies in the plot's x range
 /// is looked at, and of each stretch without a gap not much more than one smallest and one largest value per two units
-/// of the drawing is drawn. `sampled`: as in Chart.
-void draw(Drawing& drawing, LabelPlaces& places, const Series& series, std::string_view style, bool sampled);
-void draw(Drawing& drawing, const Area& area, bool sampled);
+/// of the plot is drawn. `sampled`: as in Chart.
+void draw(SvgPlot& plot, LabelPlacer& places, const Series& series, std::string_view style, bool sampled);
+void draw(SvgPlot& plot, const Area& area, bool sampled);
 
-void draw_stripes(Drawing& drawing, const Chart& chart);
-void draw_levels(Drawing& drawing, const Chart& chart);
+void draw_shaded_ranges(SvgPlot& plot, const Chart& chart);
+void draw_levels(SvgPlot& plot, const Chart& chart);
 /// Of those that are not upright; after the curves, which they keep away from.
-void label_levels(Drawing& drawing, LabelPlaces& places, const Chart& chart);
+void label_levels(SvgPlot& plot, LabelPlacer& places, const Chart& chart);
 
 constexpr double legend_row = 17.0;
 constexpr double top_label_row = 15.0;
@@ -41,7 +41,7 @@ class Legend {
 
   /// 0 when there is neither a label nor more than one name.
   [[nodiscard]] std::size_t rows() const { return rows_.size(); }
-  void draw(Drawing& drawing) const;
+  void draw(SvgPlot& plot) const;
 
  private:
   struct Entry {
@@ -59,11 +59,11 @@ class Legend {
 /// still shows under a mouse.
 class TopLabels {
  public:
-  /// Only the drawing's x is used.
-  TopLabels(const Chart& chart, const Drawing& drawing);
+  /// Only the plot's x is used.
+  TopLabels(const Chart& chart, const SvgPlot& plot);
 
   [[nodiscard]] std::size_t rows() const { return rows_; }
-  void draw(Drawing& drawing) const;
+  void draw(SvgPlot& plot) const;
 
  private:
   struct Label {

@@ -41,7 +41,7 @@ Chapter air_chapter(const Tell& tell) {
   page::Series means{.name = "mean at a set point", .role = page::Role::measured, .mark = page::Mark::points};
   page::Series line{.name = "line through them", .role = page::Role::model};
   for (const tunnel::FlowPoint& point : flow.points) {
-    speed.stripes.push_back({.begin = point.segment.begin_s,
+    speed.shaded_ranges.push_back({.begin = point.segment.begin_s,
                              .end = point.segment.end_s,
                              .label = fmt::format("{:.0f} rpm", point.segment.fan_rpm.value_or(0.0))});
     means.x.push_back(point.segment.fan_rpm.value_or(0.0));

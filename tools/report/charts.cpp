@@ -54,8 +54,8 @@ Role role_of(core::Phase phase) {
   }
 }
 
-std::vector<page::Stripe> phase_stripes(const flight::Flight& flight) {
-  std::vector<page::Stripe> stripes;
+std::vector<page::ShadedRange> phase_ranges(const flight::Flight& flight) {
+  std::vector<page::ShadedRange> stripes;
   const flight::Row* before = nullptr;
   for (const flight::Row& row : flight.rows) {
     if (!stripes.empty()) {
@@ -212,7 +212,7 @@ Chart roll_angle(const flight::Flight& flight, const Drawer& drawer) {
                     drawer.line("true", Role::target, truth_degrees(&flight::Truth::roll_angle_rad)),
                     drawer.line("estimate", Role::measured, own_degrees(&flight::Row::roll_angle_rad))});
   if (flight.known.phase) {
-    chart.stripes = phase_stripes(flight);
+    chart.shaded_ranges = phase_ranges(flight);
   }
   chart.levels = event_marks(flight);
   return chart;

@@ -80,28 +80,28 @@ std::string event_table(const flight::Flight& flight) {
   add(e.liftoff_s, "Lift-off",
       flight.seed ? "first net upward acceleration" : "where the specific force left the pad's 1 g");
   add(e.detected_s, "Launch detected", "roll angle is zero here");
-  add(e.guide_clear_s, "Off the guide", "truth, not known on board");
+  add(e.guide_clear_s, "Off the guide", "true time, not known on board");
   add(e.control_start_s, "Control starts",
       flight.tunnel ? "roll angle is zero here, canards leave trim" : "canards leave trim");
   add(e.burnout_s, "Burn-out", "");
   add(e.apogee_s, "Apogee", "");
   add(e.control_end_s, "Control ends", "canards return to trim");
   if (rows.empty()) {
-    return page::paragraph(flight.known.phase ? "Nothing happened." : "The log does not tell.");
+    return page::paragraph(flight.known.phase ? "No events." : "Not in the log.");
   }
   return table("Event", "", rows);
 }
 
 std::string phase_table(const flight::Flight& flight) {
   if (!flight.known.phase || flight.phase_changes.empty()) {
-    return page::paragraph(flight.known.phase ? "Safe throughout." : "The log does not tell.");
+    return page::paragraph(flight.known.phase ? "Safe throughout." : "Not in the log.");
   }
   Rows rows;
   for (const flight::PhaseChange& change : flight.phase_changes) {
     rows.push_back(row(change.time_s, flight::display_name(change.phase),
                        change.reason ? flight::display_name(*change.reason) : ""));
   }
-  return table("Phase", "Because", rows);
+  return table("Phase", "Reason", rows);
 }
 
 std::string canard_table(const flight::Flight& flight) {
@@ -109,7 +109,7 @@ std::string canard_table(const flight::Flight& flight) {
   for (const flight::CanardVerdictChange& change : flight.canard_verdict_changes) {
     rows.push_back(row(change.time_s, std::to_string(change.canard + 1), core::name(change.verdict)));
   }
-  return rows.empty() ? "" : table("Canard", "Monitor says", rows);
+  return rows.empty() ? "" : table("Canard", "Monitor verdict", rows);
 }
 
 std::string about_section(const flight::Flight& flight) {

@@ -84,7 +84,7 @@ Json read(const std::filesystem::path& file) {
     }
     return summary;
   } catch (const json::Error&) {
-    throw text::Error{text::ErrorKind::bad_data, file.string() + ": not the JSON of a flight's summary"};
+    throw text::Error{text::ErrorKind::bad_data, file.string() + ": is not the summary of a flight"};
   }
 }
 

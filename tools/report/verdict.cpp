@@ -34,7 +34,7 @@ std::string why_no_control(const flight::Flight& flight) {
   }
   const flight::PhaseChange& last = flight.phase_changes.back();
   if (!last.reason) {
-    return "the log holds no time of it";
+    return "the log does not say why";
   }
   const std::string when = text::fixed(last.time_s, 2) + " s";
   switch (*last.reason) {
@@ -70,13 +70,13 @@ std::string why_not_judged(const flight::Flight& flight, const Figures& f) {
   }
   const core::ControllerPlan& controller = flight.plan.controller;
   if (controller.proportional_gain == 0.0F && controller.derivative_gain_s == 0.0F) {
-    return "the plan's gains are zero, so that it rolls freely";
+    return "the plan's gains are zero, so the roll is free";
   }
   if (!f.largest_disturbance_rad || controller.proportional_gain == 0.0F) {
     return "the fin offset, and with it where roll should settle, is unknown";
   }
   return *f.control_time_s < 2.0 ? fmt::format("control lasted only {} s", text::fixed(*f.control_time_s, 2))
-                                 : "the reference never stood still for long enough";
+                                 : "the reference was never constant for long enough";
 }
 
 Verdict judge_control(const flight::Flight& flight, const Figures& f) {
@@ -129,7 +129,7 @@ std::string canard_faults(const flight::Flight& flight) {
 
 Verdict verdict(const flight::Flight& flight, const Figures& figures) {
   if (!flight.known.phase) {
-    return {Outcome::not_judged, "Roll not judged: the log does not tell when it was under control."};
+    return {Outcome::not_judged, "Roll not judged: the log does not say when control was active."};
   }
   Verdict v = figures.control_time_s
                   ? judge_control(flight, figures)

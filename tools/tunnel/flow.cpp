@@ -16,8 +16,8 @@ namespace {
 FlowPoint examine(const TunnelLog& log, const SteadySegment& segment, double rounding_m_s) {
   const Moments m = moments(std::span{log.wind_speed_m_s}.subspan(segment.first, segment.count));
   if (m.mean <= 0.0) {
-    refuse(fmt::format("{}: mean wind speed {:g} m/s from {:g} to {:g} s; turbulence needs air that moves", log.name,
-                       m.mean, segment.begin_s, segment.end_s));
+    refuse(fmt::format("{}: mean wind speed {:g} m/s from {:g} to {:g} s; turbulence intensity needs moving air",
+                       log.name, m.mean, segment.begin_s, segment.end_s));
   }
   return {.segment = segment,
           .mean_m_s = m.mean,
@@ -43,7 +43,7 @@ std::optional<Line> line_through(const std::vector<FlowPoint>& points) {
 Flow examine_flow(const TunnelLog& log, const SteadySegments& segments) {
   Flow flow{.rounding_m_s = rounding_of(log.wind_speed_m_s), .remarks = segments.left_out};
   if (segments.found.empty()) {
-    std::string message = log.name + ": no set point of the fan became steady";
+    std::string message = log.name + ": the air did not become steady at any set point of the fan";
     for (const std::string& sentence : segments.left_out) {
       message += "; " + sentence;
     }
@@ -54,16 +54,15 @@ Flow examine_flow(const TunnelLog& log, const SteadySegments& segments) {
   }
   flow.line = line_through(flow.points);
   if (log.rows_left_out > 0) {
-    flow.remarks.push_back(fmt::format("{} rows without a number are left out.", log.rows_left_out));
+    flow.remarks.push_back(fmt::format("Rows left out because of a cell without a number: {}.", log.rows_left_out));
   }
   if (flow.line && flow.points.size() == 2) {
-    flow.remarks.emplace_back("Two points always lie on a line: R2 says nothing here.");
+    flow.remarks.emplace_back("Two points always lie on a line, so R2 has no meaning here.");
   }
   if (flow.rounding_m_s > 0.0) {
     flow.remarks.push_back(
-        fmt::format("The sensor shows steps of {:g} m/s. Rounding alone makes a standard deviation of about {:.3f} "
-                    "m/s, which is part "
-                    "of every turbulence here: the air itself is steadier.",
+        fmt::format("The sensor has a resolution of {:g} m/s. Rounding alone gives a standard deviation of about "
+                    "{:.3f} m/s, which every turbulence figure here includes.",
                     flow.rounding_m_s, rounding_deviation(flow.rounding_m_s)));
   }
   return flow;

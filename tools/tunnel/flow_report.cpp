@@ -25,12 +25,12 @@ Json line(const Line& line) {
 }
 
 std::string speed_over_time(const TunnelLog& log, const Flow& flow) {
-  Chart chart{.label = "Wind speed over time with the steady stretches shaded",
+  Chart chart{.label = "Wind speed over time with the steady segments shaded",
               .x_label = "time / s",
               .y_label = "wind speed / m/s",
               .series = {{.name = "sensor", .x = log.time_s, .y = log.wind_speed_m_s}}};
   for (const FlowPoint& p : flow.points) {
-    chart.stripes.push_back({p.segment.begin_s, p.segment.end_s, fixed(p.segment.fan_rpm.value_or(0.0), 0)});
+    chart.shaded_ranges.push_back({p.segment.begin_s, p.segment.end_s, fixed(p.segment.fan_rpm.value_or(0.0), 0)});
   }
   return page::figure(chart, "Wind speed over time. Shaded: where it was steady, with the fan's set point in rpm.");
 }
@@ -72,7 +72,7 @@ std::string distance_from_line(const Flow& flow) {
   for (const FlowPoint& p : flow.points) {
     chart.series[0].y.push_back(p.mean_m_s - flow.line->offset - flow.line->slope * rpm_of(p));
   }
-  return page::figure(chart, "How far each mean lies off the line, which R2 near one hides.");
+  return page::figure(chart, "Distance of each mean from the line.");
 }
 
 // Curves over speed go from slow to fast.
@@ -92,7 +92,7 @@ std::string turbulence(const Flow& flow, const char* label, const char* y_label,
           {.name = "measured", .mark = Mark::line_and_points, .x = each(flow, mean_of), .y = each(flow, value)}}};
   if (flow.rounding_m_s > 0.0) {
     chart.series.push_back(
-        {.name = "of rounding alone", .role = Role::neutral, .x = chart.series[0].x, .y = each(flow, of_rounding)});
+        {.name = "rounding alone", .role = Role::neutral, .x = chart.series[0].x, .y = each(flow, of_rounding)});
   }
   const double highest = std::ranges::max(chart.series[0].y);
   chart.y_range = page::Range{0.0, highest > 0.0 ? 1.1 * highest : 1.0};
@@ -187,18 +187,17 @@ std::string flow_html(const TunnelLog& log, const Flow& unsorted) {
           "The usual turbulence intensity: standard deviation over mean.",
           [](const FlowPoint& p) { return 100.0 * p.relative_deviation; },
           [](const FlowPoint& p) { return 100.0 * p.rounding_share; })};
-  std::string body =
-      page::section("Steady stretches", speed_over_time(log, flow) + points_table(flow) +
-                                            page::paragraph("n: readings; \u03c3: their standard deviation; \u0393 = "
-                                                            "\u03c3\u00b2/mean, the turbulence intensity as published; "
-                                                            "rounding: what the sensor's rounding alone makes of "
-                                                            "\u03c3/mean."));
+  std::string body = page::section("Steady segments",
+                                   speed_over_time(log, flow) + points_table(flow) +
+                                       page::paragraph("n: readings; \u03c3: their standard deviation; \u0393 = "
+                                                       "\u03c3\u00b2/mean, the turbulence intensity as published; "
+                                                       "rounding: \u03c3/mean due to the sensor's rounding alone."));
   body += page::section("Speed and fan", page::side_by_side(speeds));
   body += page::section("Turbulence", page::side_by_side(turbulences));
   if (!flow.remarks.empty()) {
     body += page::section("Remarks", page::list(flow.remarks));
   }
-  std::string subtitle = fmt::format("{} steady set points of the fan", flow.points.size());
+  std::string subtitle = fmt::format("{} steady fan set points", flow.points.size());
   if (flow.line) {
     subtitle += fmt::format("; {:.5f} m/s per rpm, R2 {:.6f}", flow.line->slope, flow.line->r_squared);
   }

@@ -40,7 +40,7 @@ TunnelLog wind_of(const logs::RollLog& roll, const std::filesystem::path& roll_p
   if (const auto file = wind_file(roll, roll_path, named, truth)) {
     return read_tunnel_log(*file, {});
   }
-  need_speed(roll, roll_path, "name the tunnel's log with --wind...");
+  need_speed(roll, roll_path, "name the tunnel's log with --wind-without or --wind-with");
   TunnelLog wind{.name = roll.name};
   for (std::size_t i = 0; i < roll.time_s.size(); ++i) {
     if (std::isfinite(roll.speed_m_s[i])) {

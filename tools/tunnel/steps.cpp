@@ -95,7 +95,7 @@ std::span<const StepColumn> step_columns() { return columns; }
 std::vector<ReferenceStep> find_reference_steps(const logs::RollLog& log) {
   if (log.reference_rad.empty()) {
     throw text::Error{text::ErrorKind::bad_data,
-                      log.name + ": no column reference_deg; a run is cut at the changes of the reference"};
+                      log.name + ": no column reference_deg; a run is split at the changes of the reference"};
   }
   constexpr double same_rad = 1e-6;
   std::vector<ReferenceStep> steps;
@@ -114,7 +114,7 @@ std::vector<ReferenceStep> find_reference_steps(const logs::RollLog& log) {
   }
   if (steps.empty()) {
     throw text::Error{text::ErrorKind::bad_data,
-                      log.name + ": reference_deg never changes under control; there is no step to cut out"};
+                      log.name + ": reference_deg never changes under control, so there are no steps"};
   }
   return steps;
 }
@@ -149,13 +149,14 @@ double mean_wind_speed_m_s(const TunnelLog& wind, const std::vector<ReferenceSte
   if (count == 0) {
     throw text::Error{
         text::ErrorKind::bad_data,
-        fmt::format("{}: no wind speed between {:g} and {:g} s, where the steps are", wind.name, begin_s, end_s)};
+        fmt::format("{}: no wind speed between {:g} and {:g} s, the time of the steps", wind.name, begin_s, end_s)};
   }
   const auto [slowest, fastest] = std::ranges::minmax(std::span{wind.fan_rpm}.subspan(first, count));
   if (fastest - slowest > SteadyOptions{}.rpm_tolerance) {
-    throw text::Error{text::ErrorKind::bad_data,
-                      fmt::format("{}: the fan goes from {:g} to {:g} rpm during the steps, which need one speed",
-                                  wind.name, slowest, fastest)};
+    throw text::Error{
+        text::ErrorKind::bad_data,
+        fmt::format("{}: the fan changes from {:g} to {:g} rpm during the steps; they need a constant wind speed",
+                    wind.name, slowest, fastest)};
   }
   return moments(std::span{wind.wind_speed_m_s}.subspan(first, count)).mean;
 }

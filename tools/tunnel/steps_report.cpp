@@ -188,14 +188,13 @@ std::string steps_html(const StepsHeading& heading, const StepTable& table) {
   const std::array<std::string, 2> parameters{over_steps(table, 0, "Damping alpha", "alpha / m\u00b2"),
                                               over_steps(table, 1, "Torque constant beta", "beta / m")};
   const std::array<std::string, 2> disturbances{
-      over_steps(table, 2, "Disturbance at the begin, deg", "disturbance / deg"),
+      over_steps(table, 2, "Disturbance at the beginning, deg", "disturbance / deg"),
       over_steps(table, 3, "Disturbance at the end, deg", "disturbance / deg")};
   std::string body = page::section(
       "Every step identified",
       table_html(table) +
-          page::paragraph(
-              "begin, end: the disturbance at both ends of the stretch, as an equivalent fin offset; errors: mean "
-              "absolute differences of measured and modelled roll.") +
+          page::paragraph("begin, end: the disturbance at the beginning and end of each step, as an equivalent fin "
+                          "offset; errors: mean absolute differences of measured and modelled roll.") +
           page::side_by_side(parameters) + page::side_by_side(disturbances));
   std::string all;
   for (const StepResult& result : table.steps) {

@@ -43,7 +43,7 @@ OffsetPoint examine(const RollSession& session, const SteadySegment& segment, co
   OffsetPoint point{.segment = segment, .speed_m_s = mean_speed(session, segment)};
   const auto at = fmt::format("from {:g} to {:g} s", segment.begin_s, segment.end_s);
   if (point.speed_m_s.mean <= 0.0) {
-    refuse(fmt::format("{}: mean wind speed {:g} m/s {}; an offset shows only in air that moves", session.wind.name,
+    refuse(fmt::format("{}: mean wind speed {:g} m/s {}; an offset needs moving air", session.wind.name,
                        point.speed_m_s.mean, at));
   }
   const std::span<const double> rate = between(session.roll.roll_rate_rad_s, session.roll.time_s, segment);
@@ -69,7 +69,7 @@ OffsetPoint examine(const RollSession& session, const SteadySegment& segment, co
 
 std::vector<OffsetPoint> examine(const RollSession& session, const SwirlOptions& options, Swirl& swirl) {
   if (session.steady.found.empty()) {
-    refuse(session.wind.name + ": no set point of the fan became steady" +
+    refuse(session.wind.name + ": the air did not become steady at any set point of the fan" +
            (session.steady.left_out.empty() ? "" : "; " + session.steady.left_out.front()));
   }
   std::vector<OffsetPoint> points;
@@ -155,8 +155,8 @@ Swirl examine_swirl(const RollSession& without, const RollSession& with, const S
   swirl.differences = subtract(swirl);
   swirl.swirl = mean_of(swirl.differences);
   if (!swirl.swirl) {
-    swirl.remarks.push_back(fmt::format("No speed from {:g} m/s on is in both sessions: there is no swirl to give.",
-                                        options.from_speed_m_s));
+    swirl.remarks.push_back(
+        fmt::format("The sessions share no speed of {:g} m/s or more: the swirl is unknown.", options.from_speed_m_s));
   }
   return swirl;
 }

@@ -83,7 +83,7 @@ std::string wind_over_time(const SwirlSessions& sessions) {
               .series = {wind_series(sessions.without.wind, without_name, Role::measured),
                          wind_series(sessions.with.wind, with_name, Role::second_model)}};
   for (const SteadySegment& segment : sessions.without.steady.found) {
-    chart.stripes.push_back({segment.begin_s, segment.end_s, segment.fan_rpm ? fixed(*segment.fan_rpm, 0) : ""});
+    chart.shaded_ranges.push_back({segment.begin_s, segment.end_s, segment.fan_rpm ? fixed(*segment.fan_rpm, 0) : ""});
   }
   return page::figure(chart,
                       "Wind speed over time. Shaded: where it was steady without the straightener, with the fan's set "
@@ -126,11 +126,11 @@ std::string difference(const Swirl& swirl) {
               .y_label = "offset of the swirl / deg",
               .series = {series},
               .areas = {area},
-              .levels = {{.value = swirl.options.from_speed_m_s, .label = "counted from here on", .upright = true}}};
+              .levels = {{.value = swirl.options.from_speed_m_s, .label = "counted from here", .upright = true}}};
   if (swirl.swirl) {
     chart.levels.push_back({.value = degrees(swirl.swirl->offset_rad), .label = "mean"});
   }
-  return page::figure(chart, "What the swirl adds: offset without minus offset with straightener.");
+  return page::figure(chart, "Offset due to swirl: without minus with straightener.");
 }
 
 std::string points_table(const Swirl& swirl) {
@@ -158,10 +158,10 @@ std::string points_table(const Swirl& swirl) {
 
 std::string swirl_sentence(const Swirl& swirl) {
   if (!swirl.swirl) {
-    return fmt::format("The sessions share no speed from {:g} m/s on: the swirl is not known.",
+    return fmt::format("The sessions share no speed of {:g} m/s or more: the swirl is unknown.",
                        swirl.options.from_speed_m_s);
   }
-  return fmt::format("The swirl is worth {:.3f} +- {:.3f} deg of canard (mean of {} speeds from {:g} m/s on).",
+  return fmt::format("The swirl equals {:.3f} +- {:.3f} deg of canard angle (mean over {} speeds from {:g} m/s on).",
                      degrees(swirl.swirl->offset_rad), degrees(swirl.swirl->standard_error_rad), swirl.swirl->speeds,
                      swirl.options.from_speed_m_s);
 }
@@ -170,14 +170,14 @@ std::string swirl_text(const SwirlSessions& sessions, const Swirl& swirl) {
   std::string text = swirl_sentence(swirl) + "\n\n";
   text += curve("without flow straightener", sessions.without, swirl.without);
   text += curve("with flow straightener", sessions.with, swirl.with);
-  text += "difference: what the swirl adds\n";
+  text += "difference: offset due to the swirl\n";
   for (const OffsetDifference& d : swirl.differences) {
     text += fmt::format("  {:6.2f} m/s  {:7.3f} +- {:.3f} deg{}\n", d.speed_m_s, degrees(d.difference_rad),
                         degrees(d.standard_error_rad), d.counted ? "" : "   not counted");
   }
   text += fmt::format(
-      "\nOffsets are alpha p / (beta v) with alpha {:g} m2 and beta {:g} m, less where the canards stood. An error of\n"
-      "these two scales both curves and the difference; the +- are standard errors and do not hold it.\n",
+      "\nOffsets are alpha p / (beta v) with alpha {:g} m2 and beta {:g} m, minus the mean canard angle. An error of\n"
+      "these two scales both curves and the difference; the +- are standard errors and do not include it.\n",
       swirl.options.alpha_m2, swirl.options.beta_m);
   for (const std::string& remark : swirl.remarks) {
     text += "  " + remark + "\n";
@@ -224,9 +224,9 @@ std::string swirl_html(const SwirlSessions& sessions, const Swirl& swirl) {
       "Swirl",
       difference(swirl) +
           page::paragraph(fmt::format(
-              "Offsets are alpha p / (beta v) with alpha {:g} m2 and beta {:g} m, less where the canards stood. An "
+              "Offsets are alpha p / (beta v) with alpha {:g} m2 and beta {:g} m, minus the mean canard angle. An "
               "error of these two scales both curves and the difference; standard errors come from the scatter of the "
-              "samples and do not hold it.",
+              "samples and do not include it.",
               swirl.options.alpha_m2, swirl.options.beta_m)));
   if (!swirl.remarks.empty()) {
     body += page::section("Remarks", page::list(swirl.remarks));

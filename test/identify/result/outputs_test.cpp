@@ -63,12 +63,12 @@ TEST(Words, ShowTheEndsOfAnInterval) {
 
 TEST(Words, SayHowWellANumberIsKnown) {
   Identification result = known();
-  EXPECT_EQ(precision_sentence(result, 0), "Damping alpha lies between 22.10 and 23.72 m2: known to 3.5 % either way.");
+  EXPECT_EQ(precision_sentence(result, 0), "Damping alpha lies between 22.10 and 23.72 m2 (\u00b13.5 %).");
   EXPECT_TRUE(holds(precision_sentence(result, 3), "2 s into the window"));
   result.uncertainty->alpha_profile_m2 = {4.0, 40.0};
-  EXPECT_TRUE(holds(precision_sentence(result, 0), "too little to predict with"));
+  EXPECT_TRUE(holds(precision_sentence(result, 0), "too uncertain for a prediction"));
   result.uncertainty->alpha_profile_m2 = {4.0, {}};
-  EXPECT_TRUE(holds(precision_sentence(result, 0), "above 4.00: the data do not tell"));
+  EXPECT_TRUE(holds(precision_sentence(result, 0), "the data do not bound it on both sides: above 4.00"));
 }
 
 TEST(ResultJson, OfOneResultIsTheResultItself) {
@@ -167,9 +167,9 @@ TEST(ResultPage, LoadsNothingAndEscapesNames) {
   for (const char* way : {"src=x>", "@import", "<link", "href=\"http", "<script", "fetch("}) {
     EXPECT_FALSE(holds(page, way)) << way;
   }
-  for (const char* part : {"How well each number is known", "What the model leaves", "The error over alpha and beta",
-                           "How many nodes (grid)", "How many nodes (continuous)", "Alpha and beta are identifiable",
-                           "angles look odd", "95 % of it"}) {
+  for (const char* part :
+       {"How well each number is known", "Residuals", "The error over alpha and beta", "How many nodes (grid)",
+        "How many nodes (continuous)", "Alpha and beta are identifiable", "angles look odd", "95 % interval"}) {
     EXPECT_TRUE(holds(page, part)) << part;
   }
 }
@@ -180,7 +180,7 @@ TEST(ResultPage, HasAPartForEachWindow) {
   found.windows[1].record.window = "step:2";
   found.windows[1].results[0].uncertainty->alpha_identifiable = false;
   const std::string page = as_html(found);
-  EXPECT_TRUE(holds(page, "1 of 2 windows tell damping and torque"));
+  EXPECT_TRUE(holds(page, "1 of 2 windows determine damping and torque"));
   EXPECT_TRUE(holds(page, "<h2>Window all</h2>"));
   EXPECT_TRUE(holds(page, "<h2>Window step:2</h2>"));
 }

@@ -140,8 +140,7 @@ Course make_course(const Record& record, const Airframe& airframe, const Control
   using text::ErrorKind;
   if (record.reference_rad.size() != record.size()) {
     throw Error{ErrorKind::bad_data,
-                fmt::format("window {}: reference_deg is missing, and without it nobody knows what the controller "
-                            "wanted; the open loop needs none",
+                fmt::format("window {}: reference_deg is missing; the closed loop needs it, the open loop does not",
                             record.window)};
   }
   if (!(control.controller_period_s > 0.0)) {

@@ -32,7 +32,7 @@ void check_nodes(const Record& record, const NodeTimes& nodes) {
   using text::Error;
   using text::ErrorKind;
   if (nodes.empty()) {
-    throw Error{ErrorKind::bad_configuration, "nodes: there is none; allowed: one or more"};
+    throw Error{ErrorKind::bad_configuration, "nodes: none given; at least one is needed"};
   }
   std::vector<double> weight(nodes.size(), 0.0);
   for (std::size_t k = 1; k < nodes.size(); ++k) {
@@ -49,7 +49,7 @@ void check_nodes(const Record& record, const NodeTimes& nodes) {
   for (std::size_t k = 0; k < nodes.size(); ++k) {
     if (weight[k] <= 0.0) {
       throw Error{ErrorKind::bad_configuration,
-                  fmt::format("nodes: no sample of window {} tells the one at {:g} s; allowed: 0 to {:g} s",
+                  fmt::format("nodes: no sample of window {} determines the node at {:g} s; allowed: 0 to {:g} s",
                               record.window, nodes[k], record.time_s.back())};
     }
   }

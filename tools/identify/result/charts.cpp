@@ -100,8 +100,7 @@ Chart motion_chart(const WindowFindings& window, Motion motion) {
 
 Chart residual_chart(const WindowFindings& window, Motion motion) {
   const auto [name, unit, measured, modelled] = signal(motion);
-  Chart chart =
-      over_time(fmt::format("what the model leaves of the roll {}", name), fmt::format("{} residual / {}", name, unit));
+  Chart chart = over_time(fmt::format("residual of the roll {}", name), fmt::format("{} residual / {}", name, unit));
   chart.width = page::half_page;
   for (std::size_t k = 0; k < window.results.size(); ++k) {
     const Identification& result = window.results[k];
@@ -137,7 +136,7 @@ Chart disturbance_chart(const WindowFindings& window) {
   for (std::size_t k = 0; k < window.results.size(); ++k) {
     const Identification& result = window.results[k];
     Series line{.name = model_name(window, result), .role = role(k)};
-    page::Area band{.name = "95 % of it", .role = role(k)};
+    page::Area band{.name = "95 % interval", .role = role(k)};
     for (int i = 0; i <= points; ++i) {
       const double t = length_s * i / points;
       const Estimate there = disturbance_at(result, t);

@@ -55,8 +55,8 @@ std::string all_nodes(const Identification& result) {
     least = std::min(least, half);
     most = std::max(most, half);
   }
-  return fmt::format("The disturbance at its {} nodes is known to {} to {} deg either way.",
-                     result.model.node_rad.size(), text::brief(least, 3), text::brief(most, 3));
+  return fmt::format("The disturbance is known to \u00b1{} to \u00b1{} deg at its {} nodes.", text::brief(least, 3),
+                     text::brief(most, 3), result.model.node_rad.size());
 }
 
 }  // namespace
@@ -101,22 +101,20 @@ std::string precision_sentence(const Identification& result, std::size_t number)
   const double value = scale * result.model.numbers()[number];
   const Interval& interval = interval_of(result, number);
   if (!interval.low || !interval.high) {
-    return fmt::format("{} is {} {} from this window, but {}: the data do not tell.", who, text::brief(value, 2), unit,
-                       interval_text(interval, scale));
+    return fmt::format("{} is estimated at {} {}, but the data do not bound it on both sides: {}.", who,
+                       text::brief(value, 2), unit, interval_text(interval, scale));
   }
   const double half = 0.5 * scale * (*interval.high - *interval.low);
   const int places = decimals(0.5 * half);
   const std::string range = fmt::format("between {} and {} {}", text::fixed(scale * *interval.low, places),
                                         text::fixed(scale * *interval.high, places), unit);
   if (angle) {
-    return fmt::format("{} lies {}: known to {} deg either way.", who, range,
-                       text::brief(half, std::min(decimals(half), 3)));
+    return fmt::format("{} lies {} (\u00b1{} deg).", who, range, text::brief(half, std::min(decimals(half), 3)));
   }
   const double share = half / std::abs(value);
-  return fmt::format("{} lies {}: {}.", who, range,
-                     share < useful
-                         ? "known to " + percent(share) + " either way"
-                         : "known to " + percent(share) + " either way, which is too little to predict with");
+  return fmt::format(
+      "{} lies {} ({}).", who, range,
+      share < useful ? "\u00b1" + percent(share) : "\u00b1" + percent(share) + ", too uncertain for a prediction");
 }
 
 std::string node_label(const WindowFindings& window, std::size_t node) {
@@ -124,7 +122,7 @@ std::string node_label(const WindowFindings& window, std::size_t node) {
   if (!share_nodes(window)) {
     return fmt::format("node {}", node + 1);
   }
-  return times.size() == 1 ? "throughout" : fmt::format("{} s in", text::brief(times[node], 2));
+  return times.size() == 1 ? "throughout" : fmt::format("at {} s", text::brief(times[node], 2));
 }
 
 std::string node_value(const WindowFindings& window, const Identification& result, std::size_t node) {
@@ -172,19 +170,20 @@ std::vector<std::string> precision_sentences(const Identification& result) {
   constexpr double tied = 0.9;
   if (std::abs(u.correlation(0, 1)) > tied) {
     all.push_back(
-        fmt::format("Alpha and beta go together (correlation {}): a larger alpha with a larger beta explains "
-                    "the log nearly as well, so their ratio is known better than either.",
+        fmt::format("Alpha and beta are strongly correlated ({}): the log determines a combination of the two better "
+                    "than either alone.",
                     text::fixed(u.correlation(0, 1), 2)));
   }
   const std::string strength = text::brief(degrees(u.residual_rms_rad), 3);
   const std::string worth = text::fixed(u.effective_samples, 0);
   if (u.effective_samples > 0.5 * static_cast<double>(result.samples)) {
-    all.push_back(fmt::format("The residual, {} deg, is new in every sample: each of the {} samples counts.", strength,
-                              result.samples));
+    all.push_back(fmt::format(
+        "The residual, {} deg RMS, is hardly correlated: the {} samples are worth about {} independent ones.", strength,
+        result.samples, worth));
   } else {
     all.push_back(
-        fmt::format("The residual, {} deg, remembers itself for {} s: all {} samples together are worth about {} "
-                    "independent {}. Faster sampling would not help; more time or more motion would.",
+        fmt::format("The residual, {} deg RMS, is correlated over {} s: the {} samples are worth about {} independent "
+                    "{}. Faster sampling would not help; a longer window or more canard motion would.",
                     strength, text::fixed(u.residual_correlation_s, 2), result.samples, worth == "1" ? "one" : worth,
                     worth == "1" ? "reading" : "readings"));
   }

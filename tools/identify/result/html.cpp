@@ -73,11 +73,10 @@ std::string knowledge(const WindowFindings& window) {
   if (!result.uncertainty) {
     return "";
   }
-  return page::section(
-      "How well each number is known",
-      page::paragraph("Nineteen times in twenty the truth lies inside the range that is stated, if the "
-                      "model holds and the residual goes on as it was.") +
-          page::list(precision_sentences(result)));
+  return page::section("How well each number is known",
+                       page::paragraph("Each range contains the true value with a probability of 95 %, if the model is "
+                                       "right and the residual is typical.") +
+                           page::list(precision_sentences(result)));
 }
 
 std::string pictures(const WindowFindings& window) {
@@ -86,19 +85,18 @@ std::string pictures(const WindowFindings& window) {
   const std::vector<std::string> left_over{page::figure(residual_chart(window, Motion::angle)),
                                            page::figure(residual_chart(window, Motion::rate))};
   std::string out = page::section("Measured and modelled", motion);
-  out += page::section(
-      "What the model leaves",
-      page::paragraph("Measured minus modelled. A good model leaves noise without a shape; slow waves mean that the "
-                      "disturbance needs more nodes, spikes at each move of the canards a lag.") +
-          page::side_by_side(left_over));
-  std::vector<std::string> inputs{page::figure(
-      page::svg(disturbance_chart(window)),
-      "The disturbance acts like a canard that is set by this angle; the band is where it lies with 95 %.")};
+  out += page::section("Residuals",
+                       page::paragraph("Measured minus modelled. A good model leaves only noise. Slow waves mean that "
+                                       "the disturbance needs more nodes; spikes at each canard motion mean a lag.") +
+                           page::side_by_side(left_over));
+  std::vector<std::string> inputs{
+      page::figure(page::svg(disturbance_chart(window)),
+                   "The disturbance as an equivalent canard angle; the band is its 95 % interval.")};
   const page::Chart canards = canard_chart(window);
   if (!canards.series.empty()) {
-    inputs.push_back(page::figure(canards, "What drove the rocket on purpose."));
+    inputs.push_back(page::figure(canards, "The mean canard angle."));
   }
-  return out + page::section("What turned the rocket", page::side_by_side(inputs));
+  return out + page::section("Disturbance and canards", page::side_by_side(inputs));
 }
 
 std::string searches(const WindowFindings& window) {
@@ -109,16 +107,15 @@ std::string searches(const WindowFindings& window) {
     out += page::section(
         "The error over alpha and beta",
         page::figure(page::svg(error_map_chart(window, *mapped->error_map)),
-                     "Each cell: the disturbance that fits best, and the mean angle error that is left. A long dark "
-                     "valley means that many pairs explain the log alike."));
+                     "Each cell shows the mean angle error with the disturbance that fits best. A long dark valley "
+                     "means that many pairs of alpha and beta fit the log almost equally well."));
   }
   for (const Identification& result : window.results) {
     if (!result.node_trials.empty()) {
-      out += page::section(
-          fmt::format("How many nodes ({})", name(result.method)),
-          page::paragraph("More intervals always fit better. As few are chosen as come within a tenth, or a "
-                          "hundredth of a degree, of the least error.") +
-              page::figure(node_curve_chart(result)));
+      out += page::section(fmt::format("How many nodes ({})", name(result.method)),
+                           page::paragraph("More intervals always fit better. The fewest are chosen whose error is "
+                                           "within 10 % or 0.01 deg of the least error.") +
+                               page::figure(node_curve_chart(result)));
     }
   }
   return out;
@@ -133,7 +130,7 @@ std::string remark_list(const Study& study, const WindowFindings& window) {
     }
   }
   if (window.lag_is_fitted || window.lag_s != 0.0) {
-    all.push_back(fmt::format("Canard angles are taken {} ms {} than they are logged{}.",
+    all.push_back(fmt::format("Canard angles are used {} ms {} than they are logged{}.",
                               text::brief(1000.0 * std::abs(window.lag_s), 1), window.lag_s < 0.0 ? "earlier" : "later",
                               window.lag_is_fitted ? ", as fitted" : ""));
   }
@@ -159,13 +156,13 @@ void judge_one(const WindowFindings& window, page::Page& page) {
   const auto doubt = misfit(window.record, result);
   page.tone = determines_both(window) && !doubt ? page::Tone::good : page::Tone::unsure;
   if (!determines_both(window)) {
-    page.verdict_heading = "This window does not tell both damping and torque";
+    page.verdict_heading = "This window does not determine both damping and torque";
     page.verdict = result.uncertainty ? sentence(result.uncertainty->verdict) : "";
   } else if (doubt) {
-    page.verdict_heading = "Damping and torque, with a doubt";
+    page.verdict_heading = "Damping and torque, but the model does not fit well";
     page.verdict = *doubt;
   } else {
-    page.verdict_heading = "This window tells damping and torque";
+    page.verdict_heading = "This window determines damping and torque";
     page.verdict = sentence(result.uncertainty->verdict);
   }
 }
@@ -177,15 +174,14 @@ void judge_several(const Study& study, page::Page& page) {
   });
   const auto all = std::ssize(study.windows);
   page.tone = good == all && doubtful == 0 ? page::Tone::good : page::Tone::unsure;
-  page.verdict_heading = fmt::format("{} of {} windows tell damping and torque", good, all);
+  page.verdict_heading = fmt::format("{} of {} windows determine damping and torque", good, all);
   for (const WindowFindings& window : study.windows) {
     const RollModel& model = main_result(window).model;
     page.verdict += fmt::format("{}: alpha {}, beta {}. ", window.record.window, text::brief(model.alpha_m2, 2),
                                 text::brief(model.beta_m, 2));
   }
   if (doubtful > 0) {
-    page.verdict +=
-        fmt::format("In {} of them the model does not follow the log all the way; see the remarks.", doubtful);
+    page.verdict += fmt::format("In {} of them the model does not fit the log well; see the remarks.", doubtful);
   }
 }
 

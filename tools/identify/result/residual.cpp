@@ -194,9 +194,8 @@ std::optional<std::string> misfit(const Record& record, const Identification& re
     return {};
   }
   return fmt::format(
-      "The model does not follow this log all the way: what it leaves of the rate, {} deg/s, is motion and not noise. "
-      "The "
-      "intervals do not cover that. More nodes, another window or {} may help.",
+      "The model does not fit this log well: the residual of the roll rate, {} deg/s RMS, is motion and not noise. The "
+      "intervals do not include this error. More nodes, another window or {} may help.",
       text::brief(text::degrees(strength), 2), result.loop == Loop::open ? "--fit-lag" : "--servo-lag");
 }
 

@@ -16,14 +16,14 @@
 
 namespace fantail::page {
 
-/// How wide the text stands in the drawing's own units, rather too much than too little: nobody knows the reader's
+/// How wide the text stands in the plot's own units, rather too much than too little: nobody knows the reader's
 /// font.
 [[nodiscard]] double text_width(std::string_view text);
 
 /// As much of the text as fits, with an ellipsis when that is not all.
 [[nodiscard]] std::string shortened(std::string_view text, double width);
 
-/// In the drawing's own units, y downwards.
+/// In the plot's own units, y downwards.
 struct Pixel {
   double x;
   double y;
@@ -39,9 +39,9 @@ struct Box {
 };
 
 /// Finds places for labels that cover neither each other nor, if possible, what is drawn.
-class LabelPlaces {
+class LabelPlacer {
  public:
-  explicit LabelPlaces(Box inside) : inside_{inside} {}
+  explicit LabelPlacer(Box inside) : inside_{inside} {}
 
   void keep_free(Box box) { taken_.push_back(box); }
   void avoid(Pixel point) { drawn_.push_back(point); }
@@ -57,7 +57,7 @@ class LabelPlaces {
 };
 
 /// The text of one SVG with a plot in it: where its frame lies and how values become places.
-class Drawing {
+class SvgPlot {
  public:
   void place(Box frame, Range x, Range y) {
     frame_ = frame;
@@ -66,8 +66,8 @@ class Drawing {
   }
 
   [[nodiscard]] const Box& frame() const { return frame_; }
-  [[nodiscard]] double x(double value) const { return far(frame_.left + frame_.width() * part(value, x_)); }
-  [[nodiscard]] double y(double value) const { return far(frame_.bottom - frame_.height() * part(value, y_)); }
+  [[nodiscard]] double x(double value) const { return clamped(frame_.left + frame_.width() * part(value, x_)); }
+  [[nodiscard]] double y(double value) const { return clamped(frame_.bottom - frame_.height() * part(value, y_)); }
   [[nodiscard]] Range x_range() const { return x_; }
   [[nodiscard]] Range y_range() const { return y_; }
 
@@ -88,7 +88,7 @@ class Drawing {
  private:
   static double part(double value, Range range) { return (value - range.low) / (range.high - range.low); }
   // Browsers lose count at coordinates of a million.
-  static double far(double place) { return std::clamp(place, -2e5, 2e5); }
+  static double clamped(double place) { return std::clamp(place, -2e5, 2e5); }
 
   Box frame_{};
   Range x_{0.0, 1.0};

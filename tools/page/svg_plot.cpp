@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "page/drawing.hpp"
+#include "page/svg_plot.hpp"
 
 #include "page/page.hpp"
 
@@ -54,7 +54,7 @@ std::string shortened(std::string_view text, double width) {
   return std::string{text.substr(0, end)} + "\u2026";
 }
 
-std::optional<Box> LabelPlaces::take(std::span<const Box> candidates) {
+std::optional<Box> LabelPlacer::take(std::span<const Box> candidates) {
   std::optional<Box> best;
   std::ptrdiff_t least = 0;
   for (const Box box : candidates) {
@@ -75,18 +75,18 @@ std::optional<Box> LabelPlaces::take(std::span<const Box> candidates) {
   return best;
 }
 
-void Drawing::begin(std::string_view kind, std::string_view label, double width, double height) {
+void SvgPlot::begin(std::string_view kind, std::string_view label, double width, double height) {
   add("<svg class=\"{0}\" xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {1} {2}\" style=\"--w:{1}\" role=\"img\" "
       "aria-label=\"{3}\">",
       kind, width, height, printed(label));
 }
 
-void Drawing::outline(std::string_view kind) {
+void SvgPlot::outline(std::string_view kind) {
   add("<rect class=\"{}\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\"/>", kind, frame_.left,
       frame_.top, frame_.width(), frame_.height());
 }
 
-void Drawing::x_axis(const std::vector<Tick>& ticks, std::string_view label) {
+void SvgPlot::x_axis(const std::vector<Tick>& ticks, std::string_view label) {
   add("<path class=\"base\" d=\"M{:.1f} {:.1f}H{:.1f}\"/>", frame_.left, frame_.bottom, frame_.right);
   double taken = -1e9;
   for (const Tick& tick : ticks) {
@@ -104,7 +104,7 @@ void Drawing::x_axis(const std::vector<Tick>& ticks, std::string_view label) {
   }
 }
 
-void Drawing::y_axis(const std::vector<Tick>& ticks, bool grid) {
+void SvgPlot::y_axis(const std::vector<Tick>& ticks, bool grid) {
   for (const Tick& tick : ticks) {
     const double at = y(tick.value);
     if (grid) {
@@ -117,7 +117,7 @@ void Drawing::y_axis(const std::vector<Tick>& ticks, bool grid) {
   }
 }
 
-void Drawing::remark(std::string_view text) {
+void SvgPlot::remark(std::string_view text) {
   add("<text class=\"remark\" x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\">{}</text>",
       0.5 * (frame_.left + frame_.right), 0.5 * (frame_.top + frame_.bottom) + 4.0, printed(text));
 }
