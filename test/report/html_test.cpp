@@ -96,7 +96,7 @@ TEST(Html, ListsEventsInTheOrderInWhichTheyHappened) {
 
 TEST(Html, ListsWhatWasAssumedAndCallsAnImposedRollImposed) {
   SyntheticFlight synthetic;
-  EXPECT_NE(without_scripts(page_of(synthetic.flight)).find("no imposed roll, no faults and no assumptions"),
+  EXPECT_NE(without_scripts(page_of(synthetic.flight)).find("no imposed roll, no faults and no further assumptions"),
             std::string::npos);
   synthetic.flight.notes = {"Canard 3 is stuck from 2 s on."};
   synthetic.flight.imposed_roll = flight::ImposedRoll{0.21, text::radians(-0.6), text::radians(51.8)};

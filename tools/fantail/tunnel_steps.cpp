@@ -7,7 +7,6 @@
 #include "fantail/log_options.hpp"
 #include "fantail/number_option.hpp"
 #include "fantail/tunnel_options.hpp"
-#include "tunnel/session.hpp"
 #include "tunnel/steps.hpp"
 
 namespace fantail::tool {

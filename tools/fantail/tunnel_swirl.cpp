@@ -6,7 +6,6 @@
 #include "fantail/number_option.hpp"
 #include "fantail/tunnel_options.hpp"
 #include "text/error.hpp"
-#include "tunnel/session.hpp"
 #include "tunnel/swirl.hpp"
 
 namespace fantail::tool {

@@ -82,7 +82,7 @@ Simulation simulate(const Question& q, const RollModel& model) {
 // As few intervals as come within a tenth of the least error: the published rule, "until there is no significant
 // further improvement", with a number. The error need not fall evenly: it may take three intervals before any of them
 // helps. A hundredth of a degree is less than any sensor shows, so it is no improvement either.
-std::size_t worth_it(const std::vector<NodeTrial>& trials) {
+std::size_t fewest_sufficient(const std::vector<NodeTrial>& trials) {
   constexpr double close_enough = 1.1;
   constexpr double unseen_rad = 0.01 * std::numbers::pi / 180.0;
   const auto error = [](const NodeTrial& trial) { return trial.mean_abs_angle_error_rad; };
@@ -109,7 +109,7 @@ NodeTimes choose_nodes(const Question& q, std::vector<NodeTrial>& trials) {
                       .model = model,
                       .mean_abs_angle_error_rad = simulate(trial_question, model).mean_abs_angle_error_rad});
   }
-  return even_nodes(q.record, worth_it(trials));
+  return even_nodes(q.record, fewest_sufficient(trials));
 }
 
 void remark_on_edges(Identification& result, const Grid& grid) {

@@ -64,13 +64,13 @@ Indices samples_inside(const RollLog& log, const Window& window, double longest_
 }
 
 // Where the stretches without a gap begin, and only those long enough to say something.
-struct Kept {
+struct Segments {
   Indices samples;
   Indices segment_begin;
 };
 
-Kept without_crumbs(const RollLog& log, const Indices& samples, double longest_gap_s) {
-  Kept kept;
+Segments long_segments(const RollLog& log, const Indices& samples, double longest_gap_s) {
+  Segments kept;
   for (std::size_t begin = 0, end = 0; begin < samples.size(); begin = end) {
     for (end = begin + 1; end < samples.size(); ++end) {
       if (log.time_s[samples[end]] - log.time_s[samples[end - 1]] > longest_gap_s) {
@@ -86,8 +86,8 @@ Kept without_crumbs(const RollLog& log, const Indices& samples, double longest_g
   return kept;
 }
 
-std::vector<double> picked(const RollLog& log, const std::vector<double>& column, const Indices& samples,
-                           const char* name) {
+std::vector<double> column_at(const RollLog& log, const std::vector<double>& column, const Indices& samples,
+                              const char* name) {
   if (column.empty()) {
     refuse(log, fmt::format("the column {} is missing or has no numbers", name));
   }
@@ -102,7 +102,7 @@ std::vector<double> picked(const RollLog& log, const std::vector<double>& column
 }
 
 // For columns that only some need: all or nothing.
-std::vector<double> picked_if_whole(const std::vector<double>& column, const Indices& samples) {
+std::vector<double> column_if_complete(const std::vector<double>& column, const Indices& samples) {
   std::vector<double> out;
   if (!column.empty()) {
     std::ranges::for_each(samples, [&](std::size_t i) { out.push_back(column[i]); });
@@ -117,7 +117,7 @@ std::vector<double> speeds(const RollLog& log, const Indices& samples, const Rec
   if (log.speed_m_s.empty()) {
     refuse(log, "no speed: the column speed_m_s is missing or has no numbers; if it was not measured: --speed");
   }
-  std::vector<double> speed = picked(log, log.speed_m_s, samples, "speed_m_s");
+  std::vector<double> speed = column_at(log, log.speed_m_s, samples, "speed_m_s");
   // On board, speed is the integral of acceleration; in a tunnel there is none, and it drifts about zero.
   constexpr double standing_m_s = 1.0;
   if (std::ranges::max(speed) < standing_m_s) {
@@ -136,7 +136,7 @@ std::vector<double> densities(const RollLog& log, const Indices& samples, const 
   if (log.height_m.empty()) {
     refuse(log, "no column height_m to compute the air density from; give the density, as in --density 1.2");
   }
-  std::vector<double> density = picked(log, log.height_m, samples, "height_m");
+  std::vector<double> density = column_at(log, log.height_m, samples, "height_m");
   for (double& value : density) {
     value = options.atmosphere.density_kg_m3(value);
   }
@@ -155,12 +155,12 @@ bool climbs(const RollLog& log) {
   return high - low > real_climb_m;
 }
 
-Air same_everywhere(double density_kg_m3, const std::string& why) {
+Air constant_air(double density_kg_m3, const std::string& why) {
   return {{.model = sim::DensityModel::constant, .constant_kg_m3 = density_kg_m3},
           fmt::format("{} kg/m3{}", input::shown(density_kg_m3), why)};
 }
 
-Air exponential() {
+Air exponential_air() {
   return {{.model = sim::DensityModel::exponential}, "1.225 exp(-h / 8500 m) kg/m3, h from height_m"};
 }
 
@@ -168,10 +168,10 @@ Air exponential() {
 
 Air choose_air(const RollLog& log, const std::optional<std::string>& asked) {
   if (!asked) {
-    return climbs(log) ? exponential() : same_everywhere(1.2, ", the default for a log that does not climb");
+    return climbs(log) ? exponential_air() : constant_air(1.2, ", the default for a log that does not climb");
   }
   if (*asked == "exponential") {
-    return exponential();
+    return exponential_air();
   }
   if (*asked == "isa") {
     return {{.model = sim::DensityModel::isa}, "standard atmosphere, height from height_m"};
@@ -181,7 +181,7 @@ Air choose_air(const RollLog& log, const std::optional<std::string>& asked) {
     throw Error{ErrorKind::bad_configuration,
                 "--density " + *asked + ": allowed: above 0 and up to 100 kg/m3, exponential, isa"};
   }
-  return same_everywhere(*value, "");
+  return constant_air(*value, "");
 }
 
 model::Record make_record(const RollLog& log, const Window& window, const RecordOptions& options) {
@@ -200,7 +200,7 @@ model::Record make_record(const RollLog& log, const Window& window, const Record
       return !place;
     });
   }
-  const auto [samples, segment_begin] = without_crumbs(log, inside, longest_gap_s);
+  const auto [samples, segment_begin] = long_segments(log, inside, longest_gap_s);
   if (samples.size() < least_samples) {
     refuse(log, fmt::format("window {}: at least {} samples without a gap between them are needed; it has {} samples",
                             label(window), least_samples, inside.size()));
@@ -221,12 +221,12 @@ model::Record make_record(const RollLog& log, const Window& window, const Record
       refuse(log, fmt::format("canard_deg has no number at {} s", about(log.time_s[i])));
     }
   }
-  record.roll_angle_rad = picked(log, log.roll_angle_rad, samples, "roll_angle_deg");
-  record.roll_rate_rad_s = picked(log, log.roll_rate_rad_s, samples, "roll_rate_deg_s");
+  record.roll_angle_rad = column_at(log, log.roll_angle_rad, samples, "roll_angle_deg");
+  record.roll_rate_rad_s = column_at(log, log.roll_rate_rad_s, samples, "roll_rate_deg_s");
   record.speed_m_s = speeds(log, samples, options);
   record.density_kg_m3 = densities(log, samples, options);
-  record.reference_rad = picked_if_whole(log.reference_rad, samples);
-  record.excitation_rad = picked_if_whole(log.excitation_rad, samples);
+  record.reference_rad = column_if_complete(log.reference_rad, samples);
+  record.excitation_rad = column_if_complete(log.excitation_rad, samples);
   return record;
 }
 

@@ -56,7 +56,7 @@ void prepare_closed_loop(const logs::RollLog& log, WindowFindings& found) {
   }
 }
 
-WindowFindings look_at(const logs::RollLog& log, const Window& window, const Question& question) {
+WindowFindings identify_window(const logs::RollLog& log, const Window& window, const Question& question) {
   WindowFindings found;
   RecordOptions how = question.record;
   found.record = make_record(log, window, how);
@@ -118,7 +118,7 @@ Study study(const logs::RollLog& log, const Question& question) {
   result.airframe = question.airframe;
   result.warnings = log.warnings;
   for (const Window& window : question.windows) {
-    result.windows.push_back(look_at(log, window, question));
+    result.windows.push_back(identify_window(log, window, question));
   }
   return result;
 }

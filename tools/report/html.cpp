@@ -120,10 +120,10 @@ std::string about_section(const flight::Flight& flight) {
   if (!flight.seed && flight.notes.empty()) {
     return {};
   }
-  return page::section(
-      flight.seed ? "What was assumed" : "About the log",
-      all.empty() ? page::paragraph("The scenario names no imposed roll, no faults and no assumptions of its own.")
-                  : page::list(all));
+  return page::section(flight.seed ? "What was assumed" : "About the log",
+                       all.empty()
+                           ? page::paragraph("The scenario has no imposed roll, no faults and no further assumptions.")
+                           : page::list(all));
 }
 
 page::Tone tone(Outcome outcome) {

@@ -161,6 +161,16 @@ double mean_wind_speed_m_s(const TunnelLog& wind, const std::vector<ReferenceSte
   return moments(std::span{wind.wind_speed_m_s}.subspan(first, count)).mean;
 }
 
+StepSpeed speed_of_steps(const logs::RollLog& roll, const std::filesystem::path& roll_path, const SpeedChoice& choice) {
+  if (choice.speed_m_s) {
+    return {choice.speed_m_s, "given by hand"};
+  }
+  if (const auto wind = find_tunnel_log(roll, roll_path, choice.wind, choice.truth, "give --speed or --wind")) {
+    return {mean_wind_speed_m_s(*wind, find_reference_steps(roll)), "mean of " + wind->name};
+  }
+  return {std::nullopt, "of the log"};
+}
+
 std::string steps_csv(const StepTable& table) {
   std::string text = "step,begin_s";
   for (const StepColumn& column : columns) {

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <span>
 #include <string>
@@ -83,6 +84,20 @@ struct StepTable {
 /// varies. Throws text::Error (bad_data) when there is no reading then, or when the fan got another set point
 /// meanwhile.
 [[nodiscard]] double mean_wind_speed_m_s(const TunnelLog& wind, const std::vector<ReferenceStep>& steps);
+
+struct SpeedChoice {
+  std::optional<double> speed_m_s{};  ///< by hand
+  std::string wind{};                 ///< the tunnel's log by name
+  bool truth = false;
+};
+struct StepSpeed {
+  std::optional<double> speed_m_s{};  ///< empty: each row of the log has its own
+  std::string source{};
+};
+/// By hand, or the mean of the tunnel's log while the steps lasted, or the log's own. Throws text::Error (bad_data)
+/// as mean_wind_speed_m_s() and find_tunnel_log().
+[[nodiscard]] StepSpeed speed_of_steps(const logs::RollLog& roll, const std::filesystem::path& roll_path,
+                                       const SpeedChoice& choice);
 
 /// What a table of steps was made from.
 struct StepsHeading {

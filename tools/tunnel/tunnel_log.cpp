@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string_view>
+#include <utility>
 
 #include <fmt/core.h>
 
@@ -85,6 +87,41 @@ std::optional<std::filesystem::path> tunnel_log_beside(const std::filesystem::pa
   const std::filesystem::path folder = std::filesystem::is_directory(log, ignored) ? log : log.parent_path();
   const std::filesystem::path file = folder / "tunnel.csv";
   return std::filesystem::is_regular_file(file, ignored) ? std::optional{file} : std::nullopt;
+}
+
+std::optional<TunnelLog> find_tunnel_log(const logs::RollLog& roll, const std::filesystem::path& roll_path,
+                                         const std::string& named, bool truth, const char* advice) {
+  if (!named.empty()) {
+    return read_tunnel_log(named, {});
+  }
+  constexpr double standing_m_s = 0.5;
+  const bool own_speed = std::ranges::any_of(roll.speed_m_s, [](double speed_m_s) { return speed_m_s > standing_m_s; });
+  if (const auto beside = tunnel_log_beside(roll_path); beside && !(truth && own_speed)) {
+    return read_tunnel_log(*beside, {});
+  }
+  if (!own_speed) {
+    refuse(
+        fmt::format("{}: no wind speed: there is no tunnel.csv beside it, and the log itself has no speed_m_s above "
+                    "0.5 m/s; {}",
+                    roll_path.string(), advice));
+  }
+  return std::nullopt;
+}
+
+TunnelLog wind_of(const logs::RollLog& roll, const std::filesystem::path& roll_path, const std::string& named,
+                  bool truth) {
+  if (auto log =
+          find_tunnel_log(roll, roll_path, named, truth, "name the tunnel's log with --wind-without or --wind-with")) {
+    return std::move(*log);
+  }
+  TunnelLog wind{.name = roll.name};
+  for (std::size_t i = 0; i < roll.time_s.size(); ++i) {
+    if (std::isfinite(roll.speed_m_s[i])) {
+      wind.time_s.push_back(roll.time_s[i]);
+      wind.wind_speed_m_s.push_back(roll.speed_m_s[i]);
+    }
+  }
+  return wind;
 }
 
 }  // namespace fantail::tunnel

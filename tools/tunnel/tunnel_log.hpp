@@ -29,4 +29,15 @@ struct TunnelLog {
 /// The tunnel.csv that lies in a flight folder, or beside a CSV file. Empty when there is none.
 [[nodiscard]] std::optional<std::filesystem::path> tunnel_log_beside(const std::filesystem::path& log);
 
+/// The tunnel's log that belongs to a roll log: the one named, else the tunnel.csv beside it. Empty: take the roll
+/// log's own speeds; `truth` prefers those of a simulated run to the tunnel.csv. Throws text::Error (bad_data), which
+/// ends with `advice`, when there is no wind speed at all: on board it is not known, because the rocket hangs still.
+[[nodiscard]] std::optional<TunnelLog> find_tunnel_log(const logs::RollLog& roll,
+                                                       const std::filesystem::path& roll_path, const std::string& named,
+                                                       bool truth, const char* advice);
+
+/// The same; for the roll log's own speeds a log without set points of the fan.
+[[nodiscard]] TunnelLog wind_of(const logs::RollLog& roll, const std::filesystem::path& roll_path,
+                                const std::string& named, bool truth);
+
 }  // namespace fantail::tunnel

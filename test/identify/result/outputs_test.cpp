@@ -48,20 +48,20 @@ Identification known() {
   return result;
 }
 
-TEST(Words, ShowTwoDigitsOfTheDeviation) {
+TEST(Formatting, ShowTwoDigitsOfTheDeviation) {
   EXPECT_EQ(with_deviation(known(), 0), "22.87 +- 0.41");
   EXPECT_EQ(with_deviation(known(), 1), "9.050 +- 0.052");
   EXPECT_EQ(with_deviation(known(), 2, 1000.0), "-100.0 +- 2.0");
 }
 
-TEST(Words, ShowTheEndsOfAnInterval) {
+TEST(Formatting, ShowTheEndsOfAnInterval) {
   EXPECT_EQ(interval_text({22.1, 23.72}), "22.10 to 23.72");
   EXPECT_EQ(interval_text({12.0, {}}), "above 12.00");
   EXPECT_EQ(interval_text({{}, 30.0}), "below 30.0");
   EXPECT_EQ(interval_text(Interval{}), "not bounded by this window");
 }
 
-TEST(Words, SayHowWellANumberIsKnown) {
+TEST(Formatting, SayHowWellANumberIsKnown) {
   Identification result = known();
   EXPECT_EQ(precision_sentence(result, 0), "Damping alpha lies between 22.10 and 23.72 m2 (\u00b13.5 %).");
   EXPECT_TRUE(holds(precision_sentence(result, 3), "2 s into the window"));

@@ -82,7 +82,7 @@ class Descent {
   [[nodiscard]] double squares_rad2(const model::RollModel& model);
 
  private:
-  [[nodiscard]] model::NormalEquations try_out(const Eigen::VectorXd& unknown, Alpha alpha);
+  [[nodiscard]] model::NormalEquations evaluate(const Eigen::VectorXd& unknown, Alpha alpha);
 
   const model::Record& record_;
   model::NodeTimes node_time_s_;

@@ -97,7 +97,7 @@ Descent::Descent(const Record& record, const Airframe& airframe, const Control& 
       trials_{course_, {.initial = start == Start::fitted, .model = true}} {}
 
 // The unknowns here: log alpha, which cannot leave the positive numbers, then beta and the others.
-NormalEquations Descent::try_out(const Eigen::VectorXd& unknown, Alpha alpha) {
+NormalEquations Descent::evaluate(const Eigen::VectorXd& unknown, Alpha alpha) {
   const double alpha_m2 = std::exp(unknown(0));
   if (!(alpha_m2 >= lowest_alpha_m2 && alpha_m2 <= highest_alpha_m2)) {
     return {.squares = std::numeric_limits<double>::infinity()};
@@ -123,7 +123,7 @@ Fit Descent::from(const RollModel& begin, Alpha alpha) {
                              .absolute_gain = static_cast<double>(record_.size()) * single_precision_rad2,
                              .most_trials = 60}};
   while (!search.finished()) {
-    search.tell(try_out(search.trial(), alpha));
+    search.tell(evaluate(search.trial(), alpha));
   }
   const Eigen::VectorXd& best = search.best();
   return {.model = model_of(record_, node_time_s_, start_, alpha == Alpha::held ? begin.alpha_m2 : std::exp(best(0)),

@@ -124,7 +124,9 @@ struct Tangents {
   }
 
   /// From here on this node, and those before it, count.
-  void feel(std::size_t node) { active = std::max(active, unknowns.columns_before_nodes() + node + 1 - first_node); }
+  void activate(std::size_t node) {
+    active = std::max(active, unknowns.columns_before_nodes() + node + 1 - first_node);
+  }
 
   /// Without a servo and with a new command: two numbers a column, by one matrix.
   void advance_direct(const model::HeldStep& plant, const Lane<lanes>& beta_m, const LaneState<lanes>& state) {
@@ -234,7 +236,7 @@ void fly_lanes(const Course& course, const Plant& plant, const LanePoints<lanes>
         }
         state.move_canards(step, servo, points);
         if constexpr (with_tangents) {
-          tangents->feel(step.next_node);
+          tangents->activate(step.next_node);
           if (direct) {
             tangents->advance_direct(plant.step[i], points.beta_m, state);
           } else {

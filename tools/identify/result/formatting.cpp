@@ -38,7 +38,12 @@ std::string subject(std::size_t number, const RollModel& model) {
   return fmt::format("The disturbance {} s into the window", text::brief(model.node_time_s[number - 2], 2));
 }
 
-std::string percent(double share) { return text::brief(100.0 * share, share < 0.0995 ? 1 : 0) + " %"; }
+// "\u00b13.5 %"; never "\u00b10 %".
+std::string plus_minus(double half, int places, std::string_view unit) {
+  const std::string number = text::brief(half, places);
+  return number == "0" ? fmt::format("better than \u00b1{} {}", text::brief(std::pow(10.0, -places), places), unit)
+                       : fmt::format("\u00b1{} {}", number, unit);
+}
 
 bool share_nodes(const WindowFindings& window) {
   const auto& first = window.results.front().model.node_time_s;
@@ -109,12 +114,11 @@ std::string precision_sentence(const Identification& result, std::size_t number)
   const std::string range = fmt::format("between {} and {} {}", text::fixed(scale * *interval.low, places),
                                         text::fixed(scale * *interval.high, places), unit);
   if (angle) {
-    return fmt::format("{} lies {} (\u00b1{} deg).", who, range, text::brief(half, std::min(decimals(half), 3)));
+    return fmt::format("{} lies {} ({}).", who, range, plus_minus(half, std::min(decimals(half), 3), unit));
   }
   const double share = half / std::abs(value);
-  return fmt::format(
-      "{} lies {} ({}).", who, range,
-      share < useful ? "\u00b1" + percent(share) : "\u00b1" + percent(share) + ", too uncertain for a prediction");
+  return fmt::format("{} lies {} ({}{}).", who, range, plus_minus(100.0 * share, share < 0.0995 ? 1 : 0, "%"),
+                     share < useful ? "" : ", too uncertain for a prediction");
 }
 
 std::string node_label(const WindowFindings& window, std::size_t node) {

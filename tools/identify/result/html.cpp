@@ -68,7 +68,7 @@ std::string numbers_table(const WindowFindings& window) {
   return page::table(columns, rows);
 }
 
-std::string knowledge(const WindowFindings& window) {
+std::string precision_section(const WindowFindings& window) {
   const Identification& result = main_result(window);
   if (!result.uncertainty) {
     return "";
@@ -79,7 +79,7 @@ std::string knowledge(const WindowFindings& window) {
                            page::list(precision_sentences(result)));
 }
 
-std::string pictures(const WindowFindings& window) {
+std::string chart_sections(const WindowFindings& window) {
   std::string motion = page::figure(motion_chart(window, Motion::angle));
   motion += page::figure(motion_chart(window, Motion::rate));
   const std::vector<std::string> left_over{page::figure(residual_chart(window, Motion::angle)),
@@ -99,7 +99,7 @@ std::string pictures(const WindowFindings& window) {
   return out + page::section("Disturbance and canards", page::side_by_side(inputs));
 }
 
-std::string searches(const WindowFindings& window) {
+std::string search_sections(const WindowFindings& window) {
   std::string out;
   const auto mapped =
       std::ranges::find_if(window.results, [](const Identification& r) { return r.error_map.has_value(); });
@@ -137,7 +137,7 @@ std::string remark_list(const Study& study, const WindowFindings& window) {
   return all.empty() ? "" : page::section("Remarks", page::list(all));
 }
 
-std::string part(const Study& study, const WindowFindings& window) {
+std::string window_section(const Study& study, const WindowFindings& window) {
   std::string out = figures(window) + numbers_table(window);
   if (study.windows.size() > 1) {
     const Identification& result = main_result(window);
@@ -147,10 +147,11 @@ std::string part(const Study& study, const WindowFindings& window) {
   } else {
     out = page::section("The roll model", out);
   }
-  return out + knowledge(window) + pictures(window) + searches(window) + remark_list(study, window);
+  return out + precision_section(window) + chart_sections(window) + search_sections(window) +
+         remark_list(study, window);
 }
 
-void judge_one(const WindowFindings& window, page::Page& page) {
+void set_verdict(const WindowFindings& window, page::Page& page) {
   const Identification& result = main_result(window);
   page.subtitle += fmt::format("; window {}, {}", window.record.window, extent(window.record));
   const auto doubt = misfit(window.record, result);
@@ -167,7 +168,7 @@ void judge_one(const WindowFindings& window, page::Page& page) {
   }
 }
 
-void judge_several(const Study& study, page::Page& page) {
+void set_verdict_of_several(const Study& study, page::Page& page) {
   const auto good = std::ranges::count_if(study.windows, determines_both);
   const auto doubtful = std::ranges::count_if(study.windows, [](const WindowFindings& window) {
     return misfit(window.record, main_result(window)).has_value();
@@ -193,12 +194,12 @@ std::string as_html(const Study& study) {
   page.title = study.data;
   page.subtitle = printable(fmt::format("{}; density {}; speed {}", study.vehicle, study.density, study.speed));
   if (study.windows.size() == 1) {
-    judge_one(study.windows.front(), page);
+    set_verdict(study.windows.front(), page);
   } else {
-    judge_several(study, page);
+    set_verdict_of_several(study, page);
   }
   for (const WindowFindings& window : study.windows) {
-    page.body_html += part(study, window);
+    page.body_html += window_section(study, window);
   }
   return page::html(page);
 }

@@ -20,7 +20,7 @@ namespace {
 using namespace model;
 using Eigen::Index;
 
-double memory(std::span<const double> time_s, std::size_t i, double correlation_s) {
+double correlation_after(std::span<const double> time_s, std::size_t i, double correlation_s) {
   return correlation_s > 0.0 ? std::exp(-(time_s[i] - time_s[i - 1]) / correlation_s) : 0.0;
 }
 
@@ -59,7 +59,7 @@ class Likelihood {
     double log_determinant = 0.0;
     for (Index i = 0; i < rows_.rows(); ++i) {
       if (i > 0) {
-        const double kept = memory(time_s_, static_cast<std::size_t>(i), shape.correlation_s);
+        const double kept = correlation_after(time_s_, static_cast<std::size_t>(i), shape.correlation_s);
         expected *= kept;
         spread = kept * kept * spread + coloured * (1.0 - kept * kept);
       }
@@ -95,7 +95,7 @@ double mean_square(const std::vector<double>& list) {
 }
 
 // Of the residual with itself, 10 ms or a sample later. No mean is taken away: it is a lack of the model, too.
-double likeness(const Record& record, const std::vector<double>& residual) {
+double autocorrelation(const Record& record, const std::vector<double>& residual) {
   constexpr double later_s = 0.01;
   constexpr double too_late_s = 0.2;
   double together = 0.0;
@@ -121,10 +121,11 @@ Eigen::MatrixXd ResidualNoise::covariance_times(std::span<const double> time_s, 
   Eigen::RowVectorXd past = Eigen::RowVectorXd::Zero(columns.cols());
   Eigen::RowVectorXd future = past;
   for (Index i = 1; i < samples; ++i) {
-    past = memory(time_s, static_cast<std::size_t>(i), correlation_s) * (past + columns.row(i - 1));
+    past = correlation_after(time_s, static_cast<std::size_t>(i), correlation_s) * (past + columns.row(i - 1));
     coloured.row(i) += past;
     const Index back = samples - 1 - i;
-    future = memory(time_s, static_cast<std::size_t>(back + 1), correlation_s) * (future + columns.row(back + 1));
+    future =
+        correlation_after(time_s, static_cast<std::size_t>(back + 1), correlation_s) * (future + columns.row(back + 1));
     coloured.row(back) += future;
   }
   return variance_rad2 * (white_share * columns + (1.0 - white_share) * coloured);
@@ -190,7 +191,8 @@ std::optional<std::string> misfit(const Record& record, const Identification& re
     residual[i] -= result.simulation.roll_rate_rad_s[i];
   }
   const double strength = std::sqrt(mean_square(residual));
-  if (strength < negligible * std::sqrt(mean_square(record.roll_rate_rad_s)) || likeness(record, residual) < motion) {
+  if (strength < negligible * std::sqrt(mean_square(record.roll_rate_rad_s)) ||
+      autocorrelation(record, residual) < motion) {
     return {};
   }
   return fmt::format(

@@ -56,7 +56,7 @@ class Text {
     line("");
     line("window {}: {}", window.record.window, extent(window.record));
     if (window.lag_is_fitted || window.lag_s != 0.0) {
-      line("  canard angles taken {} ms {}{}", text::brief(1000.0 * std::abs(window.lag_s), 1),
+      line("  canard angles used {} ms {}{}", text::brief(1000.0 * std::abs(window.lag_s), 1),
            window.lag_s < 0.0 ? "earlier" : "later", window.lag_is_fitted ? " (fitted)" : "");
     }
     row(window, "", [](const Identification& r) { return fmt::format("{}, {} loop", name(r.method), name(r.loop)); });

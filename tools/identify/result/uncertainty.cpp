@@ -39,7 +39,7 @@ VectorXd residual_of(const std::vector<double>& measured, const std::vector<doub
   return Eigen::Map<const VectorXd>(measured.data(), n) - Eigen::Map<const VectorXd>(modelled.data(), n);
 }
 
-MatrixXd beside(const MatrixXd& left, const MatrixXd& right) {
+MatrixXd joined_columns(const MatrixXd& left, const MatrixXd& right) {
   MatrixXd both(left.rows(), left.cols() + right.cols());
   both << left, right;
   return both;
@@ -110,8 +110,8 @@ std::string verdict(const Uncertainty& u, double excitation_rad) {
 Uncertainty uncertainty_of(const Record& record, const RollModel& model, const Simulation& simulation,
                            const Sensitivities& sensitivities, Start start, const AlphaProfile& profile) {
   const VectorXd residual = residual_of(record.roll_angle_rad, simulation.roll_angle_rad);
-  const MatrixXd starts = beside(sensitivities.start_angle, sensitivities.start_rate);
-  const MatrixXd everything = beside(sensitivities.numbers, starts);
+  const MatrixXd starts = joined_columns(sensitivities.start_angle, sensitivities.start_rate);
+  const MatrixXd everything = joined_columns(sensitivities.numbers, starts);
   const MatrixXd& fitted = start == Start::fitted ? everything : sensitivities.numbers;
   const MatrixXd inverse = inverse_information(fitted);
   const ResidualNoise noise = estimate_noise(record.time_s, residual, everything);

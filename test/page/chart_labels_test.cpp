@@ -16,7 +16,7 @@ Series named(std::string name, Role role = Role::measured) {
   return {std::move(name), role, Mark::line, {0, 1}, {0, 1}};
 }
 
-TEST(ChartWords, EverythingThatIsTextIsEscaped) {
+TEST(ChartLabels, EverythingThatIsTextIsEscaped) {
   const std::string bad = "<script>&\"'";
   const std::string good = "&lt;script&gt;&amp;&quot;&#39;";
   Chart chart{.label = bad, .x_label = bad, .y_label = bad, .series = {named(bad), named("b")}};
@@ -31,7 +31,7 @@ TEST(ChartWords, EverythingThatIsTextIsEscaped) {
   }
 }
 
-TEST(ChartWords, OneNameNeedsNoLegendAndTwoDo) {
+TEST(ChartLabels, OneNameNeedsNoLegendAndTwoDo) {
   EXPECT_FALSE(SvgReader{svg({.series = {named("alone")}})}.has_text("alone"));
   const SvgReader two{svg({.series = {named("measured"), named("model", Role::model), named("")}})};
   EXPECT_TRUE(two.has_text("measured"));
@@ -39,7 +39,7 @@ TEST(ChartWords, OneNameNeedsNoLegendAndTwoDo) {
   EXPECT_EQ(two.tags("path", "line").size(), 3U + 2U);  // the curves and two pieces in the legend
 }
 
-TEST(ChartWords, ACurveAndItsAreaShareALineOfTheLegend) {
+TEST(ChartLabels, ACurveAndItsAreaShareALineOfTheLegend) {
   Chart chart{.series = {named("measured"), named("model", Role::model)}};
   chart.areas = {{"model", Role::model, {0, 1}, {0, 0}, {1, 1}}};
   const SvgReader read{svg(chart)};
@@ -47,14 +47,14 @@ TEST(ChartWords, ACurveAndItsAreaShareALineOfTheLegend) {
   EXPECT_EQ(read.tags("path", "area model").size(), 2U);
 }
 
-TEST(ChartWords, TwoNamesOfOneRoleAreDashedDifferently) {
+TEST(ChartLabels, TwoNamesOfOneRoleAreDashedDifferently) {
   const SvgReader read{svg({.series = {named("first"), named("second"), named("third")}})};
   EXPECT_EQ(read.tags("path", "line measured\"").size(), 2U);
   EXPECT_EQ(read.tags("path", "line measured dash1\"").size(), 2U);
   EXPECT_EQ(read.tags("path", "line measured dash2\"").size(), 2U);
 }
 
-TEST(ChartWords, AColouredStripeIsNamedInTheLegendAndAGreyOneAboveItself) {
+TEST(ChartLabels, AColouredStripeIsNamedInTheLegendAndAGreyOneAboveItself) {
   Chart chart{.series = {named("measured")}};
   chart.shaded_ranges = {
       {0.0, 0.3, "pad"}, {0.3, 0.5, "control", Role::measured}, {0.6, 0.9, "control", Role::measured}};
@@ -65,13 +65,13 @@ TEST(ChartWords, AColouredStripeIsNamedInTheLegendAndAGreyOneAboveItself) {
   EXPECT_TRUE(read.has_text("pad"));
 }
 
-TEST(ChartWords, WhatWasMeasuredIsBroadUnderAModelUnlessATargetIs) {
+TEST(ChartLabels, WhatWasMeasuredIsBroadUnderAModelUnlessATargetIs) {
   const Series model = named("model", Role::model);
   EXPECT_TRUE(SvgReader{svg({.series = {named("measured"), model}})}.holds("line measured beneath"));
   EXPECT_FALSE(SvgReader{svg({.series = {named("measured"), model, named("true", Role::target)}})}.holds("beneath"));
 }
 
-TEST(ChartWords, TheLineOfAnEventReachesUpToItsLabelAndCrossesNoEarlierOne) {
+TEST(ChartLabels, TheLineOfAnEventReachesUpToItsLabelAndCrossesNoEarlierOne) {
   Chart chart{.series = {named("")}};
   for (const char* label : {"first event", "second event", "third event"}) {
     chart.levels.push_back(
@@ -90,7 +90,7 @@ TEST(ChartWords, TheLineOfAnEventReachesUpToItsLabelAndCrossesNoEarlierOne) {
   }
 }
 
-TEST(ChartWords, LegendsThatDoNotFitOneRowTakeMore) {
+TEST(ChartLabels, LegendsThatDoNotFitOneRowTakeMore) {
   Chart chart{.width = 428.0};
   for (int i = 0; i < 12; ++i) {
     chart.series.push_back(named("a run with a long name " + std::to_string(i)));
@@ -102,14 +102,14 @@ TEST(ChartWords, LegendsThatDoNotFitOneRowTakeMore) {
   EXPECT_GE(SvgReader::number(read.frame(), "height"), 80.0);
 }
 
-TEST(ChartWords, ANameOfAnyLengthStaysInsideTheDrawing) {
+TEST(ChartLabels, ANameOfAnyLengthStaysInsideTheDrawing) {
   const SvgReader read{svg({.series = {named(std::string(5000, 'x')), named("b")}})};
   for (const std::string& text : read.texts()) {
     EXPECT_LT(text.size(), 200U);
   }
 }
 
-TEST(ChartWords, ALabelInUtf8IsNeverCutInsideALetter) {
+TEST(ChartLabels, ALabelInUtf8IsNeverCutInsideALetter) {
   std::string name;
   for (int i = 0; i < 400; ++i) {
     name += "\u00b0";
@@ -122,7 +122,7 @@ TEST(ChartWords, ALabelInUtf8IsNeverCutInsideALetter) {
   }
 }
 
-TEST(ChartWords, NegativeTicksHaveMinusSignsNotHyphens) {
+TEST(ChartLabels, NegativeTicksHaveMinusSignsNotHyphens) {
   const SvgReader read{svg({.x_range = Range{-5, 5}, .y_range = Range{-10, 10}})};
   EXPECT_TRUE(read.has_text("\u221210"));
   EXPECT_TRUE(read.has_text("\u22124") || read.has_text("\u22122"));
@@ -131,7 +131,7 @@ TEST(ChartWords, NegativeTicksHaveMinusSignsNotHyphens) {
   }
 }
 
-TEST(ChartWords, TicksCanStandAtTheCountsOfTheFirstSeries) {
+TEST(ChartLabels, TicksCanStandAtTheCountsOfTheFirstSeries) {
   Chart chart{.series = {{"", Role::model, Mark::line_and_points, {1, 2, 3, 6}, {4, 3, 2, 1}}},
               .equal_x_ticks_at_points = true};
   chart.y_range = Range{100, 200};
@@ -142,19 +142,19 @@ TEST(ChartWords, TicksCanStandAtTheCountsOfTheFirstSeries) {
   EXPECT_FALSE(read.has_text("4"));
 }
 
-TEST(ChartWords, ADrawingWithoutDataSaysSo) {
+TEST(ChartLabels, ADrawingWithoutDataSaysSo) {
   EXPECT_TRUE(SvgReader{svg(Chart{})}.has_text("no data"));
   EXPECT_TRUE(SvgReader{svg({.series = {{"", Role::measured, Mark::line, {0, 1}, {gone, gone}}}})}.has_text("no data"));
   EXPECT_FALSE(SvgReader{svg({.series = {named("")}})}.has_text("no data"));
 }
 
-TEST(ChartWords, TheLegendSaysWhichOfTwoHasNoData) {
+TEST(ChartLabels, TheLegendSaysWhichOfTwoHasNoData) {
   const SvgReader read{svg({.series = {named("here"), {"gone", Role::model, Mark::line, {0}, {gone}}}})};
   EXPECT_TRUE(read.has_text("here"));
   EXPECT_TRUE(read.has_text("gone (no data)"));
 }
 
-TEST(ChartWords, DegenerateDataGiveFiniteDrawings) {
+TEST(ChartLabels, DegenerateDataGiveFiniteDrawings) {
   constexpr double endless = std::numeric_limits<double>::infinity();
   constexpr double most = std::numeric_limits<double>::max();
   const std::vector<std::vector<double>> values{{},         {5},       {5, 5, 5},       {gone},        {gone, 1, gone},
@@ -174,14 +174,14 @@ TEST(ChartWords, DegenerateDataGiveFiniteDrawings) {
   }
 }
 
-TEST(ChartWords, ChartsBelowEachOtherCanLineUp) {
+TEST(ChartLabels, ChartsBelowEachOtherCanLineUp) {
   Chart wide{.series = {{"", Role::measured, Mark::line, {0, 1}, {100'000, 200'000}}}, .least_left = 90.0};
   Chart slim{.series = {{"", Role::measured, Mark::line, {0, 1}, {0, 1}}}, .least_left = 90.0};
   EXPECT_EQ(SvgReader::number(SvgReader{svg(wide)}.frame(), "x"), 90.0);
   EXPECT_EQ(SvgReader::number(SvgReader{svg(slim)}.frame(), "x"), 90.0);
 }
 
-TEST(ChartWords, AFileOfItsOwnBringsItsStyle) {
+TEST(ChartLabels, AFileOfItsOwnBringsItsStyle) {
   const std::string text = standalone(svg({.series = {named("")}}));
   EXPECT_EQ(text.find("<svg"), 0U);
   EXPECT_NE(text.find("<style>"), std::string::npos);

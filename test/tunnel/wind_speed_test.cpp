@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "tunnel/session.hpp"
 
 #include <gtest/gtest.h>
 
