@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "flight/columns.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <limits>
+
+#include "text/degrees.hpp"
 
 namespace fantail::flight {
 namespace {
@@ -66,7 +69,14 @@ constexpr std::array all{
 
 }  // namespace
 
+double Column::written(const Row& row) const { return unit == Unit::degrees ? text::degrees(get(row)) : get(row); }
+
 std::span<const Column> columns() { return all; }
+
+const Column* find_column(std::string_view name) {
+  const auto found = std::ranges::find(all, name, &Column::name);
+  return found == all.end() ? nullptr : &*found;
+}
 
 Row unknown_row() {
   Row row;

@@ -22,12 +22,18 @@ struct Column {
   bool is_true;                     ///< of the true_ columns, which only a simulated flight has
   double (*get)(const Row& row);    ///< not a number: unknown at this tick
   void (*set)(Row& row, double v);  ///< a true_ column makes Row::truth, where what is not set is not a number
+
+  /// As the file has it: get(), angles in degrees.
+  [[nodiscard]] double written(const Row& row) const;
 };
 
 /// Word for word and in the order of the file. The column phase, which holds words, is the second of them: it stands
 /// behind time_s, which comes first here.
 [[nodiscard]] std::span<const Column> columns();
 inline constexpr std::string_view phase_column = "phase";
+
+/// Null for a name that is none of these.
+[[nodiscard]] const Column* find_column(std::string_view name);
 
 /// A row of which nothing is known but what its type must hold.
 [[nodiscard]] Row unknown_row();

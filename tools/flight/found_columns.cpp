@@ -29,11 +29,6 @@ bool is_needed(std::string_view name, const Needs& needs) {
   return std::ranges::any_of(needed_columns, [&](const auto& c) { return c.name == name && needs.*c.need; });
 }
 
-const Column* column_named(std::string_view name) {
-  const auto found = std::ranges::find(columns(), name, &Column::name);
-  return found == columns().end() ? nullptr : &*found;
-}
-
 void refuse_unknown_names(const Reading& reading) {
   std::vector<std::string> names{std::string{phase_column}};
   for (const Column& column : columns()) {
@@ -96,7 +91,7 @@ std::optional<std::size_t> FoundColumns::phase() const {
 
 // Where the truth is asked for, a column with a name that the person has given is the true one.
 void FoundColumns::find(const Column& measured, bool needed) {
-  const Column* const truth = reading_.truth ? column_named(fmt::format("true_{}", measured.name)) : nullptr;
+  const Column* const truth = reading_.truth ? find_column(fmt::format("true_{}", measured.name)) : nullptr;
   const Column& column = truth != nullptr ? *truth : measured;
   if (const auto named = reading_.columns.find(std::string{measured.name}); named != reading_.columns.end()) {
     add(column, named->second, true, needed);

@@ -7,7 +7,6 @@
 
 #include "flight/columns.hpp"
 #include "flight/six_decimals.hpp"
-#include "text/degrees.hpp"
 
 namespace fantail::flight {
 namespace {
@@ -21,11 +20,11 @@ void write_number(std::string& out, double value) {
 }
 
 void write_cell(std::string& out, const Column& column, const Row& row) {
-  const double value = column.get(row);
-  switch (column.unit) {
-    case Column::Unit::as_named: return write_number(out, value);
-    case Column::Unit::degrees: return write_number(out, text::degrees(value));
-    case Column::Unit::flag: out.push_back(value != 0.0 ? '1' : '0');
+  const double value = column.written(row);
+  if (column.unit == Column::Unit::flag) {
+    out.push_back(value != 0.0 ? '1' : '0');
+  } else {
+    write_number(out, value);
   }
 }
 

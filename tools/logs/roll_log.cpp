@@ -4,12 +4,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numbers>
+#include <string_view>
 #include <utility>
 
 #include <fmt/core.h>
 
+#include "flight/columns.hpp"
 #include "flight/table.hpp"
 #include "logs/flight_file.hpp"
 #include "logs/log_doubts.hpp"
@@ -19,46 +20,35 @@
 namespace fantail::logs {
 namespace {
 
-using flight::Row;
-using flight::Truth;
 using text::Error;
 using text::ErrorKind;
 
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-
 struct Signal {
   std::vector<double> RollLog::* list;
-  double (*measured)(const flight::Row& row);
-  double flight::Truth::* truth = nullptr;
+  std::string_view column;  // of flight.csv
 };
-
-template <double flight::Row::* member>
-double measured(const flight::Row& row) {
-  return row.*member;
-}
-double measured_canard_rad(const flight::Row& row) { return row.canard_rad.value_or(unknown); }
 
 constexpr std::array signals{
-    Signal{&RollLog::time_s, measured<&flight::Row::time_s>},
-    Signal{&RollLog::roll_angle_rad, measured<&flight::Row::roll_angle_rad>, &flight::Truth::roll_angle_rad},
-    Signal{&RollLog::roll_rate_rad_s, measured<&flight::Row::roll_rate_rad_s>, &flight::Truth::roll_rate_rad_s},
-    Signal{&RollLog::canard_rad, measured_canard_rad, &flight::Truth::canard_rad},
-    Signal{&RollLog::speed_m_s, measured<&flight::Row::speed_m_s>, &flight::Truth::speed_m_s},
-    Signal{&RollLog::command_rad, measured<&flight::Row::command_rad>},
-    Signal{&RollLog::reference_rad, measured<&flight::Row::reference_rad>},
-    Signal{&RollLog::excitation_rad, measured<&flight::Row::excitation_rad>},
-    Signal{&RollLog::height_m, measured<&flight::Row::height_m>, &flight::Truth::height_m},
-    Signal{&RollLog::specific_force_m_s2, measured<&flight::Row::specific_force_m_s2>},
+    Signal{&RollLog::time_s, "time_s"},
+    Signal{&RollLog::roll_angle_rad, "roll_angle_deg"},
+    Signal{&RollLog::roll_rate_rad_s, "roll_rate_deg_s"},
+    Signal{&RollLog::canard_rad, "canard_deg"},
+    Signal{&RollLog::speed_m_s, "speed_m_s"},
+    Signal{&RollLog::command_rad, "command_deg"},
+    Signal{&RollLog::reference_rad, "reference_deg"},
+    Signal{&RollLog::excitation_rad, "excitation_deg"},
+    Signal{&RollLog::height_m, "height_m"},
+    Signal{&RollLog::specific_force_m_s2, "specific_force_m_s2"},
 };
 
-std::vector<double> values(const std::vector<flight::Row>& rows, const Signal& signal, bool of_truth) {
+// In SI and radians; of the truth, where it is wanted and the column has one.
+std::vector<double> values(const std::vector<flight::Row>& rows, std::string_view name, bool of_truth) {
+  const flight::Column* column = of_truth ? flight::find_column(fmt::format("true_{}", name)) : nullptr;
+  if (column == nullptr) {
+    column = flight::find_column(name);
+  }
   std::vector<double> list(rows.size());
-  std::ranges::transform(rows, list.begin(), [&](const flight::Row& row) {
-    if (!of_truth || signal.truth == nullptr) {
-      return signal.measured(row);
-    }
-    return row.truth ? (*row.truth).*signal.truth : unknown;
-  });
+  std::ranges::transform(rows, list.begin(), column->get);
   if (std::ranges::all_of(list, [](double value) { return std::isnan(value); })) {
     list.clear();
   }
@@ -115,7 +105,7 @@ RollLog roll_log(const flight::Flight& flight, std::string name, const flight::R
                 fmt::format("{}: {} rows with numbers; at least two are needed", log.name, flight.rows.size())};
   }
   for (const Signal& signal : signals) {
-    log.*signal.list = values(flight.rows, signal, reading.truth);
+    log.*signal.list = values(flight.rows, signal.column, reading.truth);
   }
   if (flight.known.phase) {
     log.phase.resize(flight.rows.size());

@@ -8,11 +8,13 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include <fmt/core.h>
 
+#include "flight/columns.hpp"
 #include "flight/phase_names.hpp"
 #include "report/html.hpp"
 #include "text/degrees.hpp"
@@ -31,19 +33,9 @@ constexpr double tall = 300.0;
 constexpr double flat = 200.0;
 constexpr double small = 150.0;
 
-double degrees_or_gap(const std::optional<double>& radians) { return radians ? text::degrees(*radians) : unknown; }
-
-Value truth(double flight::Truth::* member) {
-  return [member](const flight::Row& row) { return row.truth ? (*row.truth).*member : unknown; };
-}
-Value truth_degrees(double flight::Truth::* member) {
-  return [member](const flight::Row& row) { return row.truth ? text::degrees((*row.truth).*member) : unknown; };
-}
-Value own(double flight::Row::* member) {
-  return [member](const flight::Row& row) { return row.*member; };
-}
-Value own_degrees(double flight::Row::* member) {
-  return [member](const flight::Row& row) { return text::degrees(row.*member); };
+// A column of flight.csv.
+Value column(std::string_view name) {
+  return [found = flight::find_column(name)](const flight::Row& row) { return found->written(row); };
 }
 
 Role role_of(core::Phase phase) {
@@ -202,15 +194,14 @@ class Drawer {
 
 Chart roll_angle(const flight::Flight& flight, const Drawer& drawer) {
   const Value settle = [&flight](const flight::Row& row) {
-    return degrees_or_gap(flight::settle_point_rad(row, flight));
+    return text::in_degrees(flight::settle_point_rad(row, flight)).value_or(unknown);
   };
   Chart chart =
       drawer.chart("Roll angle", "deg", page::full_page, tall,
-                   {drawer.line("reference R", Role::reference,
-                                drawer.in_control(own_degrees(&flight::Row::reference_rad)), Mark::step),
+                   {drawer.line("reference R", Role::reference, drawer.in_control(column("reference_deg")), Mark::step),
                     drawer.line("settles at R + u_d/kp", Role::second_model, drawer.in_control(settle), Mark::step),
-                    drawer.line("true", Role::target, truth_degrees(&flight::Truth::roll_angle_rad)),
-                    drawer.line("estimate", Role::measured, own_degrees(&flight::Row::roll_angle_rad))});
+                    drawer.line("true", Role::target, column("true_roll_angle_deg")),
+                    drawer.line("estimate", Role::measured, column("roll_angle_deg"))});
   if (flight.known.phase) {
     chart.shaded_ranges = phase_ranges(flight);
   }
@@ -221,38 +212,33 @@ Chart roll_angle(const flight::Flight& flight, const Drawer& drawer) {
 std::vector<Chart> all_charts(const flight::Flight& flight) {
   const Drawer drawer{flight};
   const bool excites = flight.known.plan && flight.plan.excitation.form != core::ExcitationForm::none;
-  const Value excitation = [excites](const flight::Row& row) {
-    return excites ? text::degrees(row.excitation_rad) : unknown;
-  };
-  const auto encoders = [](const flight::Row& row) { return degrees_or_gap(row.canard_rad); };
+  const Value excitation = excites ? column("excitation_deg") : [](const flight::Row&) { return unknown; };
   std::vector<Chart> all{
       roll_angle(flight, drawer),
       drawer.chart("Roll rate", "deg/s", page::full_page, flat,
-                   {drawer.line("true", Role::target, truth_degrees(&flight::Truth::roll_rate_rad_s)),
-                    drawer.line("estimate", Role::measured, own_degrees(&flight::Row::roll_rate_rad_s))}),
+                   {drawer.line("true", Role::target, column("true_roll_rate_deg_s")),
+                    drawer.line("estimate", Role::measured, column("roll_rate_deg_s"))}),
       drawer.with_limits(drawer.chart("Command and canards", "deg", page::full_page, flat,
                                       {drawer.line("excitation", Role::neutral, drawer.in_control(excitation)),
-                                       drawer.line("command", Role::target, own_degrees(&flight::Row::command_rad)),
-                                       drawer.line("encoder mean", Role::measured, encoders)})),
-      drawer.with_limits(
-          drawer.chart("True disturbance (equivalent fin offset u_d)", "deg", page::full_page, flat,
-                       {drawer.line("u_d", Role::target, truth_degrees(&flight::Truth::disturbance_rad))}))};
-  for (std::size_t i = 0; i < core::canard_count; ++i) {
-    const auto command = [i](const flight::Row& row) { return degrees_or_gap(row.commands_rad[i]); };
-    const auto encoder = [i](const flight::Row& row) { return degrees_or_gap(row.encoders_rad[i]); };
-    all.push_back(drawer.with_limits(drawer.chart(
-        "Canard " + std::to_string(i + 1), "deg", page::half_page, small,
-        {drawer.line("command", Role::target, command), drawer.line("encoder", Role::measured, encoder)})));
+                                       drawer.line("command", Role::target, column("command_deg")),
+                                       drawer.line("encoder mean", Role::measured, column("canard_deg"))})),
+      drawer.with_limits(drawer.chart("True disturbance (equivalent fin offset u_d)", "deg", page::full_page, flat,
+                                      {drawer.line("u_d", Role::target, column("true_disturbance_deg"))}))};
+  for (std::size_t i = 1; i <= core::canard_count; ++i) {
+    all.push_back(drawer.with_limits(
+        drawer.chart(fmt::format("Canard {}", i), "deg", page::half_page, small,
+                     {drawer.line("command", Role::target, column(fmt::format("command_{}_deg", i))),
+                      drawer.line("encoder", Role::measured, column(fmt::format("encoder_{}_deg", i)))})));
   }
-  const page::Series true_speed = drawer.line("true", Role::target, truth(&flight::Truth::speed_m_s));
+  const page::Series true_speed = drawer.line("true", Role::target, column("true_speed_m_s"));
   if (flight.tunnel) {  // on a string nothing accelerates, so there is no estimate
     all.push_back(drawer.chart("Air speed", "m/s", page::half_page, small, {true_speed}));
   } else {
     all.push_back(drawer.chart("Height", "m", page::half_page, small,
-                               {drawer.line("true", Role::target, truth(&flight::Truth::height_m)),
-                                drawer.line("estimate", Role::measured, own(&flight::Row::height_m))}));
+                               {drawer.line("true", Role::target, column("true_height_m")),
+                                drawer.line("estimate", Role::measured, column("height_m"))}));
     all.push_back(drawer.chart("Speed", "m/s", page::half_page, small,
-                               {true_speed, drawer.line("estimate", Role::measured, own(&flight::Row::speed_m_s))}));
+                               {true_speed, drawer.line("estimate", Role::measured, column("speed_m_s"))}));
   }
   return all;
 }
