@@ -74,7 +74,7 @@ std::vector<page::Level> reference_steps(const flight::Flight& flight) {
     if (before != nullptr && row.reference_rad != before->reference_rad) {
       const std::string sign = row.reference_rad > 0.0 ? "+" : "";
       const std::string angle = text::with_minus(text::brief(text::degrees(row.reference_rad), 1));
-      steps.push_back({.value = row.time_s, .label = "step to " + sign + angle + "\u00b0", .upright = true});
+      steps.push_back({.value = row.time_s, .label = fmt::format("step to {}{}\u00b0", sign, angle), .upright = true});
     }
     before = &row;
   }

@@ -51,6 +51,7 @@ void summarise(StepTable& table) {
   const auto count = static_cast<double>(table.steps.size());
   for (const StepColumn& column : columns) {
     std::vector<double> values;
+    values.reserve(table.steps.size());
     for (const StepResult& step : table.steps) {
       values.push_back(figures_of(step).*column.figure);
     }

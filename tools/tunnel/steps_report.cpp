@@ -87,6 +87,7 @@ std::string table_html(const StepTable& table) {
     columns.push_back({column.heading, true});
   }
   std::vector<std::vector<page::Cell>> rows;
+  rows.reserve(table.steps.size() + 2);
   for (const StepResult& result : table.steps) {
     rows.push_back(row(std::to_string(result.number), fmt::format("{:g}", result.step.begin_s), figures_of(result)));
   }

@@ -24,10 +24,10 @@ namespace fantail::identify::result {
 /// The interval to show for one of a model's numbers: alpha's is that of its profile.
 [[nodiscard]] const Interval& interval_of(const Identification& result, std::size_t number);
 
-/// "alpha = 22.87 m2, known to 2 %": whether a number can be built upon, for someone who flies rockets.
+/// "Damping alpha lies between 22.10 and 23.72 m2 (±3.5 %).", for someone who flies rockets.
 [[nodiscard]] std::string precision_sentence(const Identification& result, std::size_t number);
 
-/// A node of the disturbance in a table with a column for each method: "1.62 s in" (into the window) and "-4.90 +-
+/// A node of the disturbance in a table with a column for each method: "at 1.62 s" (of the window) and "-4.90 +-
 /// 0.02"; where the methods chose different nodes, the time stands with the value. An empty value for a node that a
 /// result has not got.
 [[nodiscard]] std::string node_label(const WindowFindings& window, std::size_t node);
@@ -42,10 +42,10 @@ namespace fantail::identify::result {
 /// The one that the summary speaks of: without a grid's steps where there is one.
 [[nodiscard]] const Identification& main_result(const WindowFindings& window);
 
-/// Does it tell damping and torque?
+/// Are damping and torque both identifiable in it?
 [[nodiscard]] bool determines_both(const WindowFindings& window);
 
-/// How well each number of a result with an uncertainty is known, and why, for someone who flies rockets.
+/// The same for each number of a result with an uncertainty, and why it is not known better.
 [[nodiscard]] std::vector<std::string> precision_sentences(const Identification& result);
 
 /// With the signs that a terminal may not have: plus-minus, squares.

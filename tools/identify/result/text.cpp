@@ -60,8 +60,8 @@ class Text {
            window.lag_s < 0.0 ? "earlier" : "later", window.lag_is_fitted ? " (fitted)" : "");
     }
     row(window, "", [](const Identification& r) { return fmt::format("{}, {} loop", name(r.method), name(r.loop)); });
-    number(window, "damping alpha / m2", 0, 1.0);
-    number(window, "torque constant beta / m", 1, 1.0);
+    number(window, "damping alpha / m2", 0);
+    number(window, "torque constant beta / m", 1);
     line("  disturbance / deg");
     // Methods may choose different numbers of nodes.
     std::size_t nodes = 0;
@@ -80,11 +80,10 @@ class Text {
     }
   }
 
-  void number(const WindowFindings& window, const std::string& label, std::size_t which, double scale) {
-    row(window, label, [&](const Identification& r) { return with_deviation(r, which, scale); });
-    row(window, "  95 %", [&](const Identification& r) {
-      return r.uncertainty ? interval_text(interval_of(r, which), scale) : std::string{};
-    });
+  void number(const WindowFindings& window, const std::string& label, std::size_t which) {
+    row(window, label, [&](const Identification& r) { return with_deviation(r, which); });
+    row(window, "  95 %",
+        [&](const Identification& r) { return r.uncertainty ? interval_text(interval_of(r, which)) : std::string{}; });
   }
 
   void node_curve(const Identification& result) {
