@@ -18,7 +18,7 @@ gates() {
     build "everything under the sanitizers" build/host-asan 3000 sanitized_commands all
     host_build "what the linter reads" all
     LD_PRELOAD="" ctest --preset host-asan # the sanitizer wants to be loaded before anything else
-    set -- firmware hal sim tools
+    set -- firmware hal sim tools test
   else
     for folder in "$@"; do
       tests="test_$(basename "$folder")"
