@@ -53,7 +53,7 @@ TEST_F(TheArmSwitch, OneTickAtTheOldLevelBeginsAllOver) {
 }
 
 TEST_F(TheArmSwitch, ABouncingContactIsNeitherClosedNorOpened) {
-  std::mt19937 random{test::seed(7)};
+  std::mt19937 random{fantail::test::seed(7)};
   const auto bounce = [&] {
     for (int spike = 0; spike < 200; ++spike) {
       ticks(static_cast<int>(random() % 50), true);

@@ -68,7 +68,7 @@ TEST_F(TheClock, IsRightWhileItsInterruptHasToWait) {
 }
 
 TEST(TheSlowClock, NeverGoesBackwardsWhicheverCountItIsReadAt) {
-  std::mt19937 random{test::seed(20'260'301)};
+  std::mt19937 random{fantail::test::seed(20'260'301)};
   RegisterWorld world;
   FakeSysTick systick{world};
   Clock clock{systick.timer, systick.system, 16'000'000};
