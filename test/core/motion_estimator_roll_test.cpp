@@ -9,7 +9,6 @@
 #include "core/motion_estimator.hpp"
 #include "motion_rig.hpp"
 #include "random_stream.hpp"
-#include "seed.hpp"
 
 namespace fantail::core {
 namespace {
@@ -106,7 +105,7 @@ TEST(RollAngle, TheFastestAdmissibleRatesLeaveTheAttitudeARotation) {
   MotionEstimator estimator{plan};
   estimator.begin_flight(ms(0));  // on the pad the attitude would begin anew with every sample
   estimator.leave_guide();
-  RandomStream random{test::seed(1)};
+  RandomStream random{1};
   const auto fastest = [&] { return random.chance(0.5) ? largest_rate_rad_s : -largest_rate_rad_s; };
   Inputs inputs;
   for (int step = 0; step < 1000; ++step) {
