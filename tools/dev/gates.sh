@@ -31,7 +31,7 @@ gates() {
   # What is compiled for this PC: the commands of a board's own files are for the other compiler. One file a process, so that it
   # is seen how far it is. The options behind --quiet: what is for GCC in the commands, and its own stable_sort.
   lint="clang-tidy-19 -p build/host --quiet --extra-arg=-Wno-ignored-gch --extra-arg=-Wno-unknown-warning-option"
-  lint="$lint --extra-arg=-Wno-deprecated-declarations"
+  lint="$lint --extra-arg=-Wno-unused-command-line-argument --extra-arg=-Wno-deprecated-declarations"
   files=$(sources "*.cpp" "$@" | sort -u | while read -r file; do
     ! grep -qF "/$file\"" build/host/compile_commands.json || echo "$file"
   done)
