@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "fantail/airframe_options.hpp"
 
-#include "fantail/number_option.hpp"
+#include "fantail/command_line.hpp"
 #include "input/shipped.hpp"
 #include "input/vehicle_file.hpp"
 

@@ -10,7 +10,7 @@
 #include "fantail/bench_options.hpp"
 #include "fantail/can_place.hpp"
 #include "fantail/line_input.hpp"
-#include "fantail/requirement.hpp"
+#include "fantail/run.hpp"
 #include "fantail/standard_streams.hpp"
 #include "json/value.hpp"
 #include "link/arm_steps.hpp"

@@ -21,7 +21,7 @@
 #include "fantail/can_place.hpp"
 #include "fantail/interrupt.hpp"
 #include "fantail/progress.hpp"
-#include "fantail/requirement.hpp"
+#include "fantail/run.hpp"
 #include "fantail/standard_streams.hpp"
 #include "input/plan_file.hpp"
 #include "input/shipped.hpp"

@@ -16,7 +16,7 @@
 #include "fantail/interrupt.hpp"
 #include "fantail/line_input.hpp"
 #include "fantail/progress.hpp"
-#include "fantail/requirement.hpp"
+#include "fantail/run.hpp"
 #include "fantail/standard_streams.hpp"
 #include "json/value.hpp"
 #include "link/log_download.hpp"

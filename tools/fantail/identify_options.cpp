@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "fantail/identify_options.hpp"
 
-#include "fantail/number_option.hpp"
+#include "fantail/command_line.hpp"
 #include "identify/choices.hpp"
 
 namespace fantail::tool {

@@ -12,7 +12,6 @@
 #include "fantail/exported.hpp"
 #include "fantail/interrupt.hpp"
 #include "fantail/log_file.hpp"
-#include "fantail/log_verbs.hpp"
 #include "fantail/standard_streams.hpp"
 #include "flight_log/integrity.hpp"
 #include "text/number.hpp"

@@ -8,8 +8,7 @@
 
 #include "fantail/interrupt.hpp"
 #include "fantail/log_file.hpp"
-#include "fantail/log_verbs.hpp"
-#include "fantail/requirement.hpp"
+#include "fantail/run.hpp"
 #include "flight_log/integrity.hpp"
 #include "flight_log/plan_words.hpp"
 #include "flight_log/to_report.hpp"

@@ -4,8 +4,8 @@
 #include <string>
 
 #include "fantail/airframe_options.hpp"
+#include "fantail/command_line.hpp"
 #include "fantail/log_options.hpp"
-#include "fantail/number_option.hpp"
 #include "fantail/tunnel_options.hpp"
 #include "tunnel/session.hpp"
 #include "tunnel/steps_report.hpp"

@@ -2,8 +2,8 @@
 #include <memory>
 #include <string>
 
+#include "fantail/command_line.hpp"
 #include "fantail/log_options.hpp"
-#include "fantail/number_option.hpp"
 #include "fantail/tunnel_options.hpp"
 #include "text/error.hpp"
 #include "tunnel/session.hpp"

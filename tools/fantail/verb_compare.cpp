@@ -11,7 +11,6 @@
 #include "fantail/compare_results.hpp"
 #include "fantail/interrupt.hpp"
 #include "fantail/log_options.hpp"
-#include "fantail/requirement.hpp"
 #include "fantail/run.hpp"
 #include "identify/choices.hpp"
 #include "logs/compare.hpp"

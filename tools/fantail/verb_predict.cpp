@@ -9,7 +9,6 @@
 
 #include "fantail/interrupt.hpp"
 #include "fantail/progress.hpp"
-#include "fantail/requirement.hpp"
 #include "fantail/run.hpp"
 #include "fantail/scenario_options.hpp"
 #include "input/shipped.hpp"

@@ -11,7 +11,6 @@
 
 #include "fantail/interrupt.hpp"
 #include "fantail/log_file.hpp"
-#include "fantail/requirement.hpp"
 #include "fantail/run.hpp"
 #include "fantail/what_if.hpp"
 #include "flight_log/integrity.hpp"

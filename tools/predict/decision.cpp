@@ -6,7 +6,7 @@
 
 #include <fmt/core.h>
 
-#include "predict/words.hpp"
+#include "predict/sentences.hpp"
 #include "text/number.hpp"
 
 namespace fantail::predict {

@@ -8,7 +8,7 @@
 #include "page/page.hpp"
 #include "predict/charts.hpp"
 #include "predict/results.hpp"
-#include "predict/words.hpp"
+#include "predict/sentences.hpp"
 #include "text/number.hpp"
 
 namespace fantail::predict {
@@ -75,7 +75,7 @@ std::string criteria(const Decision& decision) {
   std::vector<std::vector<page::Cell>> rows;
   rows.reserve(decision.criteria.size());
   for (const Criterion& c : decision.criteria) {
-    rows.push_back({{c.label}, {c.found}, {c.required}, {std::string{words(c.judgement)}, tone(c.judgement)}});
+    rows.push_back({{c.label}, {c.found}, {c.required}, {std::string{label(c.judgement)}, tone(c.judgement)}});
   }
   return page::table(columns, rows) + (decision.advice.empty() ? "" : page::list(decision.advice));
 }

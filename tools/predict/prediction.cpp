@@ -8,7 +8,7 @@
 
 #include "flight/flight.hpp"
 #include "input/fault_file.hpp"
-#include "predict/loop_at_speed.hpp"
+#include "predict/margins.hpp"
 #include "predict/parallel_for.hpp"
 #include "text/degrees.hpp"
 #include "text/error.hpp"

@@ -2,7 +2,7 @@
 #include <fmt/core.h>
 
 #include "predict/results.hpp"
-#include "predict/words.hpp"
+#include "predict/sentences.hpp"
 #include "text/number.hpp"
 
 namespace fantail::predict {
@@ -48,7 +48,7 @@ std::string prediction_text(const Prediction& p, const Decision& decision) {
   std::string text =
       fmt::format("{} ({}), {} runs, seed {}\n{}\n\n", p.scenario, p.vehicle, p.runs.size(), p.seed, decision.text);
   for (const Criterion& c : decision.criteria) {
-    text += fmt::format("  {:<11}{}: {}; asked for: {}\n", words(c.judgement), c.label, c.found, c.required);
+    text += fmt::format("  {:<11}{}: {}; asked for: {}\n", label(c.judgement), c.label, c.found, c.required);
   }
   for (const std::string& sentence : decision.advice) {
     text += fmt::format("  {}\n", sentence);

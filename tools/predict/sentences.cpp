@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "predict/words.hpp"
+#include "predict/sentences.hpp"
 
 #include <algorithm>
 
@@ -33,7 +33,7 @@ std::string_view name(Judgement judgement) {
   return "not_judged";
 }
 
-std::string_view words(Judgement judgement) {
+std::string_view label(Judgement judgement) {
   switch (judgement) {
     case Judgement::met: return "met";
     case Judgement::not_met: return "not met";
