@@ -159,4 +159,10 @@ Objection within(double low, double high) {
   };
 }
 
+std::string objection_to_time(const std::string& text) {
+  return text::number(text) ? "" : '"' + text + "\" is not a number of seconds";
+}
+
+std::string objection_to_folder(const std::string& text) { return text.empty() ? "the name of a folder is empty" : ""; }
+
 }  // namespace fantail::tool

@@ -77,7 +77,11 @@ class Verb {
 void read_command_line(const std::string& name, const std::string& meaning, void (*fill)(const Verb& verb),
                        std::vector<std::string> words);
 
+// What options of several verbs object to.
+
 /// Both ends included. The library's own range would take "nan".
 [[nodiscard]] Objection within(double low, double high);
+[[nodiscard]] std::string objection_to_time(const std::string& text);
+[[nodiscard]] std::string objection_to_folder(const std::string& text);
 
 }  // namespace fantail::tool

@@ -29,10 +29,6 @@ struct ExportOptions {
   std::optional<std::size_t> flight;
 };
 
-std::string objection_to_time(const std::string& text) {
-  return text::number(text) ? "" : '"' + text + "\" is not a number of seconds";
-}
-
 std::string objection_to_file(const std::string& text) {
   return text.empty() || text.back() == '/' ? '"' + text + "\" is not the name of a file" : "";
 }

@@ -162,7 +162,7 @@ void fill(const Verb& verb) {
   add_scenario_options(verb, options->scenario);
   verb.option("--can", options->interface, "CAN interface, for example vcan0 or can0").required().value_name("IF");
   verb.option("--flash", options->flash,
-              "What the board keeps when it is switched off: its plan and the count of its power-ups "
+              "What the board keeps when it is switched off: plan, power-up count, flights "
               "[out/SCENARIO/flash.bin]")
       .value_name("FILE");
   add_lcm_option(verb, options->lcm, "Publish the flight as LCM messages");

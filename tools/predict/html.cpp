@@ -93,7 +93,7 @@ std::string roll(const Prediction& p) {
 
 std::string stability(const Prediction& p, const Decision& decision) {
   if (p.over_speed.empty()) {
-    return page::paragraph("There is no loop whose margin could be told: control never begins, or its gains are zero.");
+    return page::paragraph("No phase margin could be computed: control never begins, or its gains are zero.");
   }
   const std::array<page::Column, 4> columns{{{"air speed, m/s", true},
                                              {"phase margin, deg", true},

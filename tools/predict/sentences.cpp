@@ -49,9 +49,8 @@ std::vector<std::string> basis(const Prediction& p) {
     all.push_back(fmt::format("Source of {}: {}.", p.tunnel.name, source));
   }
   all.push_back(
-      fmt::format("{} airframes drawn from a normal law through the {} rows of {}, damping, torque and offset together "
-                  "as they come "
-                  "in the rows; each flown with sensor noise of its own.",
+      fmt::format("{} airframes drawn from a normal distribution fitted to the {} rows of {}, with the correlation of "
+                  "damping, torque and offset; each flown with sensor noise of its own.",
                   p.runs.size(), p.tunnel.steps.size(), p.tunnel.name));
   all.push_back(p.tunnel.swirl_words);
   if (p.damping.low != 1.0 || p.damping.high != 1.0) {

@@ -25,7 +25,7 @@ std::string line(std::string_view label, const std::optional<Spread>& s, double 
 
 std::string figures(const Prediction& p) {
   const double in_degrees = degrees(1.0);
-  std::string text = "Middle of the runs (5 to 95 % of them):\n";
+  std::string text = "Median of the runs (5 to 95 % of them):\n";
   text += line("size of the fin offset", p.offset_size_rad, in_degrees, 1, "deg");
   text += line("authority margin", p.authority_margin_rad, in_degrees, 1, "deg");
   text += line("roll settles at", p.settle_rad, in_degrees, 1, "deg");

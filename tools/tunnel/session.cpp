@@ -48,7 +48,7 @@ TunnelLog wind_of(const logs::RollLog& roll, const std::filesystem::path& roll_p
 
 StepSpeed speed_of_steps(const logs::RollLog& roll, const std::filesystem::path& roll_path, const SpeedChoice& choice) {
   if (choice.speed_m_s) {
-    return {choice.speed_m_s, "given by hand"};
+    return {choice.speed_m_s, "from the command line"};
   }
   if (const auto file = wind_file(roll, roll_path, choice.wind, choice.truth)) {
     return {mean_wind_speed_m_s(read_tunnel_log(*file, {}), find_reference_steps(roll)), "mean of " + file->string()};
