@@ -44,8 +44,8 @@ set(FANTAIL_LAYERS
   "tools/paper|core sim text json page input flight report identify identify/model identify/closed_loop tunnel fly|fmt/"
   "tools/fantail|core protocol avionics hal/linux sim text json page input flight report flight_log logs identify identify/model identify/result tunnel replies link fly hil telemetry gateway log_export bench predict paper|fmt/ fcntl\\.h poll\\.h sys/ unistd\\.h")
 
-# Single files that may include more of others than their folder does.
-set(FANTAIL_EXCEPTIONS
+# Headers of others that only one file of a folder includes, behind a header of ours. Of our own folders there is no exception.
+set(FANTAIL_SINGLE_FILES
   "firmware/boards/cortex_m4/startup.c|stdint\\.h"
   "firmware/core/motion_estimator.cpp|Eigen/"
   "firmware/protocol/generated/canard_bus.c|string\\.h"
@@ -56,7 +56,7 @@ set(FANTAIL_EXCEPTIONS
   "tools/fantail/command_line.cpp|CLI/"
   "tools/report/summary_json.cpp|sha256\\.h")
 
-# Splits a row, or an exception, into <prefix>_0, _1, ... ; the first is a word, the others are lists.
+# Splits a row of either list into <prefix>_0, _1, ... ; the first is a word, the others are lists.
 function(fantail_split row prefix)
   string(REPLACE "|" ";" cells "${row}")
   set(i 0)

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "cut_flight.hpp"
+#include "seed.hpp"
 
 namespace fantail::avionics {
 namespace {
@@ -56,11 +57,10 @@ TEST(BitFlip, EveryOneInAFlightOfAHundredRecordsCostsItsRecordAndNoOther) {
 }
 
 TEST(BitFlip, SeededOnesInAWholeFlightCostTheirRecordsAndNoOthers) {
-  constexpr std::uint32_t seed = 20'261'121;
   const CutFlight flight{500, 10'500};
   Flipper flipper{flight};
   const std::size_t bits = 8 * flight.log().size();
-  core::RandomStream random{seed};
+  core::RandomStream random{test::seed(20'261'121)};
   const std::size_t flips = everything_is_tried() ? bits : 2000;
   std::size_t noticed = 0;
   for (std::size_t i = 0; i < flips; ++i) {
@@ -69,7 +69,7 @@ TEST(BitFlip, SeededOnesInAWholeFlightCostTheirRecordsAndNoOthers) {
     noticed += flipper.noticed(bit) ? 1 : 0;
   }
   EXPECT_EQ(noticed, flips);
-  std::cout << "flight of 11 s (seed " << seed << "): " << flips << " bits flipped, " << noticed << " noticed\n";
+  std::cout << "flight of 11 s: " << flips << " bits flipped, " << noticed << " noticed\n";
 }
 
 }  // namespace

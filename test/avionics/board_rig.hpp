@@ -10,15 +10,9 @@
 #include "avionics/avionics.hpp"
 #include "avionics/pc_on_bus.hpp"
 #include "core/flight_plan_fields.hpp"
-#include "hal/sim/accelerometer.hpp"
-#include "hal/sim/arm_switch.hpp"
 #include "hal/sim/backup_memory.hpp"
-#include "hal/sim/board.hpp"
-#include "hal/sim/clock.hpp"
-#include "hal/sim/encoder.hpp"
+#include "hal/sim/devices.hpp"
 #include "hal/sim/flash.hpp"
-#include "hal/sim/imu.hpp"
-#include "hal/sim/world_side.hpp"
 
 namespace fantail::avionics {
 
@@ -73,9 +67,10 @@ class BoardRig {
   void reset_processor() {
     avionics_.reset();
     servo.written = {};
-    avionics_.emplace(Devices{clock_, imu_, accelerometer_, servo, encoder_, arm_switch_, board_bus_, flash, console,
-                              watchdog, entropy, board_, backup_memory},
-                      plan_);
+    avionics_.emplace(
+        Devices{devices_.clock, devices_.imu, devices_.accelerometer, servo, devices_.encoder, devices_.arm_switch,
+                board_bus_, flash, console, watchdog, entropy, devices_.board, backup_memory},
+        plan_);
   }
 
   const core::TickRecord& tick() {
@@ -154,7 +149,11 @@ class BoardRig {
     return true;
   }
 
-  hal::sim::WorldSide hardware;
+ private:
+  hal::sim::Devices devices_;
+
+ public:
+  hal::sim::WorldSide& hardware{devices_.world};
   CountedServo servo;
   CountedWatchdog watchdog;
   ReadConsole console;
@@ -191,12 +190,6 @@ class BoardRig {
   }
 
   core::FlightPlan plan_;
-  hal::sim::Clock clock_{hardware};
-  hal::sim::Imu imu_{hardware};
-  hal::sim::Accelerometer accelerometer_{hardware};
-  hal::sim::Encoder encoder_{hardware};
-  hal::sim::ArmSwitch arm_switch_{hardware};
-  hal::sim::Board board_{hardware};
   std::optional<Avionics> avionics_;
 };
 

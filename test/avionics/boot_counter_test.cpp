@@ -46,7 +46,7 @@ Bytes flash_after(std::uint32_t boots) {
     if (slot == 0) {
       std::fill_n(cells.begin() + static_cast<std::ptrdiff_t>(sector), 4096, std::byte{0xFF});
     }
-    put_record(cells, sector + 8 * slot, count);
+    put_record(cells, sector + std::size_t{8} * slot, count);
   }
   return cells;
 }
@@ -133,7 +133,8 @@ RC_GTEST_PROP(BootCounter, ALifeOfPowerCutsNeverRepeatsACount, (std::uint32_t se
 TEST(BootCounter, AnySingleBitThatFlipsInItsSectorsRepeatsNoCount) {
   for (const std::uint32_t before : {1U, 5U, 512U, 513U, 514U}) {
     const Bytes cells = flash_after(before);
-    const std::size_t newest = ((before - 1) / 512 % 2 == 0 ? second_sector : first_sector) + 8 * ((before - 1) % 512);
+    const std::size_t newest =
+        ((before - 1) / 512 % 2 == 0 ? second_sector : first_sector) + std::size_t{8} * ((before - 1) % 512);
     for (std::size_t byte = first_sector; byte < first_sector + 8192;
          byte += (byte + 24 >= newest && byte < newest + 24) ? 1 : 61) {
       for (unsigned bit = 0; bit < 8; ++bit) {

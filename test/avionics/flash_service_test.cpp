@@ -86,7 +86,7 @@ TEST(FlashService, AsksOneThingATickWhileEverythingIsWanted) {
 
 TEST(FlashService, APlanThatComesDuringTheLookForRoomIsWrittenAndTheLookGoesOn) {
   TransferRig rig;
-  Fresh other{rig.cells()};
+  const Fresh other{rig.cells()};
   rig.send(block_of(numbered_plan(5)));
   rig.run(100);
   EXPECT_EQ(rig.state(), protocol::TransferState::stored);

@@ -163,12 +163,12 @@ TEST(FlightMemory, EverySingleBitThatFlipsBreaksItsHalfAndTheOtherOneIsTaken) {
 }
 
 TEST(FlightMemory, WithBothHalvesSpoiltThereIsNothingToResume) {
-  Kept rig;
+  const Kept rig;
   std::mt19937 random{test::seed()};
   for (int i = 0; i < 500; ++i) {
     Memory memory = rig.memory;
     for (const std::size_t half : {std::size_t{0}, std::size_t{1}}) {
-      const std::size_t bit = random() % (8 * 600);
+      const std::size_t bit = random() % 4800;
       flight_half(memory, half)[bit / 8] ^= std::byte{1} << (bit % 8);
     }
     ASSERT_FALSE(resume(memory, rig.after(60 * millisecond), rig.plan));
@@ -177,8 +177,8 @@ TEST(FlightMemory, WithBothHalvesSpoiltThereIsNothingToResume) {
 }
 
 TEST(FlightMemory, MemoryThatIsAnythingIsNoFlight) {
-  Kept rig;
-  std::mt19937 random{7};
+  const Kept rig;
+  std::mt19937 random{test::seed(7)};
   Memory memory{};
   for (int i = 0; i < 200; ++i) {
     std::ranges::generate(memory, [&] { return std::byte{static_cast<std::uint8_t>(random())}; });
@@ -220,7 +220,7 @@ TEST(FlightMemory, AResetInTheMiddleOfASealLeavesTheOtherHalf) {
 }
 
 TEST(FlightMemory, AnotherPlanOrAnotherLawIsNotGivenTheState) {
-  Kept rig;
+  const Kept rig;
   const core::Inputs first = rig.after(60 * millisecond);
   Memory memory = rig.memory;
   EXPECT_FALSE(resume(memory, first, rig.plan, plan_crc + 1));
@@ -228,7 +228,7 @@ TEST(FlightMemory, AnotherPlanOrAnotherLawIsNotGivenTheState) {
 }
 
 TEST(FlightMemory, OnlyAResetThatTheWatchdogOrTheFirmwareAskedForIsOneToGoOnAfter) {
-  Kept rig;
+  const Kept rig;
   for (const ResetCause cause :
        {ResetCause::power_on, ResetCause::brown_out, ResetCause::pin, ResetCause::software, ResetCause::watchdog}) {
     Memory memory = rig.memory;
@@ -277,7 +277,7 @@ TEST(FlightMemory, TheRoomOfTheCrashRecordIsNeverTouched) {
   std::ranges::fill(crash_place(rig.memory), std::byte{0x5A});
   rig.run(100);
   (void)resume(rig.memory, rig.after(60 * millisecond), rig.plan);
-  FlightMemory forgets{rig.memory, ResetCause::pin};
+  const FlightMemory forgets{rig.memory, ResetCause::pin};
   EXPECT_TRUE(std::ranges::all_of(crash_place(rig.memory), [](std::byte b) { return b == std::byte{0x5A}; }));
 }
 

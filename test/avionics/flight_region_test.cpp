@@ -9,8 +9,8 @@
 namespace fantail::avionics {
 namespace {
 
-constexpr std::uint32_t sector = 4096;
-constexpr std::uint32_t sectors = 12;  // of small_flash
+constexpr std::size_t sector = 4096;
+constexpr std::size_t sectors = 12;  // of small_flash
 
 struct Looked {
   FlashAccess access;

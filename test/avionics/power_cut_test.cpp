@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "cut_flight.hpp"
+#include "seed.hpp"
 
 namespace fantail::avionics {
 namespace {
@@ -148,7 +149,6 @@ TEST(PowerCut, AtEveryByteOfAFlightOfAHundredRecordsLosesNoneThatWasComplete) {
 }
 
 TEST(PowerCut, AtSeededPlacesOfAWholeFlightLosesNoRecordThatWasComplete) {
-  constexpr std::uint32_t seed = 20'261'121;
   CutFlight flight{500, 10'500};
   ASSERT_GT(flight.records().size(), 11'000U);
   std::vector<std::size_t> places;
@@ -157,8 +157,7 @@ TEST(PowerCut, AtSeededPlacesOfAWholeFlightLosesNoRecordThatWasComplete) {
       places.push_back(byte);
     }
   } else {
-    std::cout << "seed " << seed << "\n";
-    core::RandomStream random{seed};
+    core::RandomStream random{test::seed(20'261'121)};
     for (int i = 0; i < 2000; ++i) {
       places.push_back(static_cast<std::size_t>(random.whole(0, static_cast<int>(flight.log().size()) - 1)));
     }

@@ -132,7 +132,6 @@ TEST_F(RecorderTest, TheNextPowerUpRecordsBehindTheLastFlight) {
 }
 
 TEST(Recorder, AFullFlashEndsTheRecordWithAWholeOneThatSaysSo) {
-  hal::sim::Flash flash;
   for (std::uint32_t extra = 0; extra < 40; ++extra) {
     hal::sim::Flash small{small_flash};
     RecorderRig rig{small, extra};

@@ -93,7 +93,7 @@ TEST(Telemetry, TheLongestTickOfATenthOfASecondIsReported) {
   hal::sim::CanWire wire;
   hal::sim::CanBus board{wire};
   hal::sim::CanBus pc{wire};
-  core::TickRecord record{};
+  const core::TickRecord record{};
   std::vector<int> longest_us;
   for (int tick = 0; tick < 300; ++tick) {
     Report report{};

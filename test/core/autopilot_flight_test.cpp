@@ -10,7 +10,6 @@
 namespace fantail::core {
 namespace {
 
-constexpr double degree = MotionRig::degree;
 constexpr double g = 9.80665;
 
 FlightPlan launch_2_plan() { return default_plan(); }

@@ -38,7 +38,7 @@ TEST(LaunchDetector, OneOfTwoAccelerometersAloneIsRefusedUnlessThePlanAllowsIt) 
       Bench bench{plan};
       std::optional<Microseconds> fired;
       for (int t = 0; t < 300; ++t) {
-        AccelerometerSample good = sample(ms(t), 3.0F);
+        const AccelerometerSample good = sample(ms(t), 3.0F);
         const auto state = first_is_lost ? bench.feed(ms(t), {}, good) : bench.feed(ms(t), good, {});
         if (state == DetectionState::detected && !fired) {
           fired = ms(t);

@@ -25,7 +25,7 @@ class NaiveChannel {
   explicit NaiveChannel(const LaunchDetectionPlan& plan) : plan_{plan} {}
 
   bool accept(Microseconds now, const AccelerometerSample& sample) {
-    const double value = sample.specific_force_m_s2.x;
+    const auto value = static_cast<double>(sample.specific_force_m_s2.x);
     const bool usable = sample.quality == SampleQuality::valid || sample.quality == SampleQuality::saturated;
     const std::int64_t age_us = now.count() - sample.time.count();
     if (!usable || age_us < 0 || age_us > stale_time.count() || !(std::abs(value) <= 1e4) ||

@@ -14,7 +14,8 @@ constexpr Microseconds one_ms{1'000};
 constexpr double tau_16_hz_s = 1.0 / (2.0 * std::numbers::pi * 16.0);
 
 TEST(LagFraction, FollowsTheExponentialForTheStepsOfAControlLoop) {
-  for (double x = 0.0; x <= 0.5; x += 0.01) {
+  for (int i = 0; i <= 50; ++i) {
+    const double x = 0.01 * i;
     EXPECT_NEAR(lag_fraction(static_cast<float>(x)), 1.0 - std::exp(-x), x * x * x * x / 24.0 + 2e-7) << x;
   }
 }

@@ -60,7 +60,7 @@ TEST(RollReference, SquareWaveTurnsAtExactMultiplesOfTheHalfPeriodForAHundredSec
   for (const std::int64_t millihertz : {100, 300, 500, 700, 900, 1000, 3000, 7000, 9999, 10000}) {
     const Microseconds begin{1'000'000};
     const ReferencePlan plan = square_wave(static_cast<float>(millihertz) / 1000.0F, begin);
-    const std::int64_t half_waves = 100 * 2 * millihertz / 1000;
+    const std::int64_t half_waves = millihertz / 5;
     for (std::int64_t k = 0; k <= half_waves; ++k) {
       const Microseconds turn{(k * 500'000'000 + millihertz - 1) / millihertz};
       const Angle here = k % 2 == 0 ? 45_deg : -10_deg;

@@ -64,7 +64,7 @@ stand_in apt-get 'case "$*" in *install*) exit 100 ;; esac'
 stand_in df 'echo "Filesystem 1048576-blocks Used Available Capacity Mounted"; echo "/dev/sda 10 9 3 99% /"'
 expect 69 "only 3 MB are free" fly
 ln -sf "$(command -v df)" "$work/bin/df"
-expect 69 "its reason stands above" fly
+expect 69 "see its message above" fly
 
 # All packages are there.
 stand_in dpkg-query 'echo "install ok installed"'
@@ -74,7 +74,7 @@ stand_in cmake 'echo "[1 9] Building"; echo "FAILED: a.o"; echo "a.cpp:1: error:
 expect 70 "a.cpp:1: error: such a thing" fly
 stand_in cmake 'echo "CMake Error: no such preset"; exit 1'
 expect 70 "CMake Error: no such preset" fly
-expect 70 "rm -rf build/host, and it begins anew" fly
+expect 70 "try again: rm -rf build/host" fly
 # A first configuration that failed is not to spoil the second.
 stand_in cmake 'case "$*" in --fresh*) echo "forgotten" ;; esac; exit 1'
 expect 70 "forgotten" fly

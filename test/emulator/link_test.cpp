@@ -185,7 +185,7 @@ TEST(HilLink, AnotherWorldInTheMiddleOfWorkEndsItAndIsGreetedNext) {
 
 TEST(HilLayout, ChangesWithASignalsNameAndWidth) {
   const auto hash = [](std::string_view name, auto value) {
-    protocol::HilLayout layout;
+    protocol::HilLayout layout;  // NOLINT(misc-const-correctness): in a generic function the linter cannot know
     layout(core::SignalName{name, "rad"}, value);
     return layout.hash();
   };

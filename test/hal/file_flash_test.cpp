@@ -35,7 +35,7 @@ struct FileFlashTest : testing::Test {
     try {
       const FileFlash flash{folder / name, geometry};
     } catch (const std::runtime_error& error) {
-      std::string message = error.what();
+      const std::string message = error.what();
       EXPECT_EQ(message.find(folder.string()), 0U);
       return message.substr(std::min(message.size(), folder.string().size() + 1));
     }

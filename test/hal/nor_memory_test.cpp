@@ -106,7 +106,7 @@ RC_GTEST_PROP(NorMemory, EveryBitIsZeroExactlyWhenItWasProgrammedSinceItsLastEra
     RC_ASSERT(ok == (address < 32 && address / 8 == (address + values.size() - 1) / 8));
     for (std::size_t bit = 0; ok && bit < 8 * values.size(); ++bit) {
       if ((values[bit / 8] >> (bit % 8) & 1) == 0) {
-        cleared[8 * address + bit] = true;
+        cleared[std::size_t{8} * address + bit] = true;
       }
     }
   }

@@ -138,7 +138,7 @@ TEST_F(LinuxCanInterface, WaitsWithoutTurningTheProcessorWhileItIsDown) {
 }
 
 TEST_F(LinuxCanInterface, TheDescriptorBecomesReadableWithAFrame) {
-  CanBus bus{"vcan0"};
+  const CanBus bus{"vcan0"};
   pollfd listening{.fd = bus.descriptor(), .events = POLLIN, .revents = 0};
   EXPECT_EQ(poll(&listening, 1, 0), 0);
   must("cansend vcan0 123#11");

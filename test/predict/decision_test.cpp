@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "predict/words.hpp"
+#include "predict/sentences.hpp"
 
 namespace fantail::predict {
 namespace {

@@ -53,13 +53,13 @@ TEST(TunnelResult, TakesOffTheSwirlThatItsFileNames) {
   EXPECT_NEAR(degrees(result.swirl_rad), -2.0, 1e-12);
   const Means m = means(result);
   EXPECT_NEAR(0.5 * (m.begin_deg + m.end_deg), -4.1, 0.05);
-  EXPECT_EQ(result.swirl_words, "Swirl taken off: -2 degrees, as the column swirl_deg of tasha3_table2.csv says.");
+  EXPECT_EQ(result.swirl_words, "Swirl subtracted: -2 degrees (column swirl_deg of tasha3_table2.csv).");
 }
 
 TEST(TunnelResult, SwirlThatIsGivenCountsInsteadOfTheFiles) {
   const TunnelResult result = shipped("tasha3_table2", radians(-1.0));
   EXPECT_NEAR(degrees(result.steps.front().offset_begin_rad), -4.59, 1e-12);
-  EXPECT_EQ(result.swirl_words, "Swirl taken off: -1 degrees, as --swirl says.");
+  EXPECT_EQ(result.swirl_words, "Swirl subtracted: -1 degrees (from --swirl).");
 }
 
 TEST(TunnelResult, WhatNobodySaysOfSwirlIsNotTakenOffAndThatIsSaid) {
@@ -70,8 +70,7 @@ TEST(TunnelResult, WhatNobodySaysOfSwirlIsNotTakenOffAndThatIsSaid) {
           "step,begin_s,alpha_m2,beta_m,disturbance_begin_deg,disturbance_end_deg\n1,0,20,9,-5,-6\n2,5,18,8,-4,-7\n"),
       {});
   EXPECT_NEAR(degrees(result.steps[1].offset_end_rad), -7.0, 1e-12);
-  EXPECT_EQ(result.swirl_words,
-            "Swirl taken off: none, as steps.csv has no column swirl_deg and --swirl was not given.");
+  EXPECT_EQ(result.swirl_words, "No swirl subtracted: steps.csv has no column swirl_deg, and --swirl was not given.");
   EXPECT_TRUE(result.sources.empty());
 }
 

@@ -151,7 +151,7 @@ RC_GTEST_PROP(LogTick, WhatUnpacksPacksToTheSameBytes, ()) {
   SampleTimes packing = unpacking;
   const auto tick = unpack_tick(now, bytes, unpacking);
   RC_PRE(tick.has_value());
-  PackedTick again = pack(*tick, packing);
+  const PackedTick again = pack(*tick, packing);
   put<2>(bytes, 0, get<2>(bytes, 0) & 0x3FFFU);  // the two bits that mean nothing
   RC_ASSERT(again == bytes);
 }

@@ -13,7 +13,7 @@ namespace {
 // Every signal by itself, so that none is left out of the list which the digest goes by.
 TEST(TickDigest, ChangesWithEverySignal) {
   using core::TickRecord;
-  std::vector<void (*)(TickRecord&)> changes{
+  const std::vector<void (*)(TickRecord&)> changes{
       [](TickRecord& r) { r.time = core::Microseconds{1}; },
       [](TickRecord& r) { r.time = core::Microseconds{std::int64_t{1} << 40U}; },
       [](TickRecord& r) { r.phase = core::Phase::armed; },

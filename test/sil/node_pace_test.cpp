@@ -74,8 +74,9 @@ TEST(NodePace, ALongStandstillIsToldOnce) {
   pc.run_for(seconds{2}, microseconds{100});
   pc.now += seconds{40};
   pc.run_for(seconds{30}, microseconds{100});
-  EXPECT_EQ(pc.words,
-            "the rocket stood still for 40.0 s, because this PC slept or was busy; its time goes on from here\n");
+  EXPECT_EQ(
+      pc.words,
+      "the rocket stood still for 40.0 s, because this PC slept or was busy; simulated time continues from here\n");
 }
 
 TEST(NodePace, APcThatIsTooSlowIsToldHowSlowTheRocketLivesAndWhatItSaysIsSo) {
@@ -86,7 +87,7 @@ TEST(NodePace, APcThatIsTooSlowIsToldHowSlowTheRocketLivesAndWhatItSaysIsSo) {
       pc.run_for(microseconds{1}, microseconds{cost_us});
     }
     const double passed_s = std::chrono::duration<double>{pc.now - power_up}.count() - 1e-6 * cost_us;
-    EXPECT_EQ(pc.words, fmt::format("this PC is too busy: of the last {:.1f} s the rocket has lived through {:.1f} s\n",
+    EXPECT_EQ(pc.words, fmt::format("this PC is too busy: of the last {:.1f} s only {:.1f} s were simulated\n",
                                     passed_s, pc.lived_s()));
     pc.words.clear();
     pc.run_for(seconds{20}, microseconds{700});

@@ -101,10 +101,10 @@ TEST(Ascent, VacuumFlightIsThatOfTheSchoolBook) {
 
 TEST(Ascent, MassFallsInProportionToImpulseAsInTsiolkovskysFormula) {
   // Without weight along the line (a guide that lies almost flat) the speed is that of the rocket equation.
-  AscentParameters parameters{.mass_kg = 3.0,
-                              .drag_area_m2 = 0.0,
-                              .guide_tilt_rad = 0.5 * std::numbers::pi - 1e-12,
-                              .motor = ThrustCurve{{{0.0, 100.0}, {1.0, 200.0}, {2.0, 0.0}}, 1.0}};
+  const AscentParameters parameters{.mass_kg = 3.0,
+                                    .drag_area_m2 = 0.0,
+                                    .guide_tilt_rad = 0.5 * std::numbers::pi - 1e-12,
+                                    .motor = ThrustCurve{{{0.0, 100.0}, {1.0, 200.0}, {2.0, 0.0}}, 1.0}};
   Ascent ascent{parameters};
   for (int tick = 0; tick <= 2500; ++tick) {
     ascent.advance_to(tick * 0.001);

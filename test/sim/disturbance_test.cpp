@@ -8,6 +8,8 @@
 
 #include <gtest/gtest.h>
 
+#include "seed.hpp"
+
 namespace fantail::sim {
 namespace {
 
@@ -49,8 +51,7 @@ TEST(Disturbance, RunsStraightBetweenNodesAndStaysConstantOutside) {
 }
 
 TEST(Disturbance, IsRightForAnyOrderOfQuestionsAndAnySpacingOfNodes) {
-  const unsigned seed = 4711;
-  std::mt19937_64 random{seed};
+  std::mt19937_64 random{test::seed(4711)};
   const auto unit = [&] { return static_cast<double>(random() >> 11) * 0x1p-53; };
   for (int run = 0; run < 100; ++run) {
     std::vector<DisturbanceNode> nodes;
@@ -64,10 +65,10 @@ TEST(Disturbance, IsRightForAnyOrderOfQuestionsAndAnySpacingOfNodes) {
     const double span_s = nodes.back().time_s - nodes.front().time_s;
     for (int i = 0; i < 300; ++i) {
       const double when_s = nodes.front().time_s + span_s * (1.2 * unit() - 0.1);
-      ASSERT_NEAR(disturbance.at(when_s), naive(nodes, when_s), 1e-9) << "seed " << seed << " run " << run;
+      ASSERT_NEAR(disturbance.at(when_s), naive(nodes, when_s), 1e-9) << "run " << run;
     }
     for (const DisturbanceNode& node : nodes) {
-      ASSERT_EQ(disturbance.at(node.time_s), node.angle_rad) << "seed " << seed << " run " << run;
+      ASSERT_EQ(disturbance.at(node.time_s), node.angle_rad) << "run " << run;
     }
   }
 }

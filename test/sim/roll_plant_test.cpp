@@ -8,6 +8,8 @@
 
 #include <gtest/gtest.h>
 
+#include "seed.hpp"
+
 namespace fantail::sim {
 namespace {
 
@@ -106,8 +108,7 @@ TEST(RollPlant, NothingCancelsWhenTheDampingOfOneStepIsTiny) {
 }
 
 TEST(RollPlant, TwoHalfStepsAreOneWholeStep) {
-  const unsigned seed = 20160703;
-  std::mt19937_64 random{seed};
+  std::mt19937_64 random{test::seed(20160703)};
   const auto between = [&](double low, double high) {
     return low + (high - low) * static_cast<double>(random() >> 11) * 0x1p-53;
   };
@@ -121,8 +122,8 @@ TEST(RollPlant, TwoHalfStepsAreOneWholeStep) {
     const RollState whole = plant.step(start, density_kg_m3, speed_m_s, deflection_rad, dt_s);
     const RollState half = plant.step(start, density_kg_m3, speed_m_s, deflection_rad, 0.5 * dt_s);
     const RollState twice = plant.step(half, density_kg_m3, speed_m_s, deflection_rad, 0.5 * dt_s);
-    ASSERT_NEAR(twice.rate_rad_s, whole.rate_rad_s, 1e-13 * (1.0 + std::abs(whole.rate_rad_s))) << "seed " << seed;
-    ASSERT_NEAR(twice.angle_rad, whole.angle_rad, 1e-13 * (1.0 + std::abs(whole.angle_rad))) << "seed " << seed;
+    ASSERT_NEAR(twice.rate_rad_s, whole.rate_rad_s, 1e-13 * (1.0 + std::abs(whole.rate_rad_s)));
+    ASSERT_NEAR(twice.angle_rad, whole.angle_rad, 1e-13 * (1.0 + std::abs(whole.angle_rad)));
   }
 }
 

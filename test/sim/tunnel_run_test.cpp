@@ -76,7 +76,7 @@ TEST(TunnelRun, AFlightHasNoWindSensor) {
 
 // The paper's session: set points by their speed, and each is steady when it says so.
 TEST(TunnelRun, TheFlowSessionIsSteadyAtTheSixPublishedTimes) {
-  Scenario scenario = load("tunnel_flow", {"tunnel.turbulence=0", "tunnel.wind_sensor_resolution_m_s=0"});
+  const Scenario scenario = load("tunnel_flow", {"tunnel.turbulence=0", "tunnel.wind_sensor_resolution_m_s=0"});
   const std::vector<std::pair<double, double>> published{{100, 570},  {230, 870},  {390, 1100},
                                                          {550, 1400}, {718, 1650}, {858, 1700}};
   const std::vector<Reading> log = readings(scenario);

@@ -11,7 +11,6 @@ namespace fantail::sim {
 namespace {
 
 using core::Phase;
-using core::PhaseReason;
 
 const std::vector<std::string> calm_tunnel{"disturbance.angles_deg=[0]", "tunnel.swirl_deg=0", "reference.kind=hold",
                                            "run.control_time_s=6"};

@@ -78,7 +78,7 @@ TEST(Tunnel, StepsWritesTheTableThatAPredictionReads) {
   const Outcome by_hand = in(folder, {"tunnel", "steps", "run", "--speed", "22", "--inertia", "0.00393", "--area",
                                       "5.0265e-5", "--only", "up", "--method", "grid"});
   EXPECT_EQ(by_hand.exit_code, 0) << by_hand.err;
-  EXPECT_NE(by_hand.out.find("given by hand"), std::string::npos) << by_hand.out;
+  EXPECT_NE(by_hand.out.find("from the command line"), std::string::npos) << by_hand.out;
   EXPECT_NE(by_hand.out.find(": 2 steps"), std::string::npos) << by_hand.out;
 }
 

@@ -123,7 +123,7 @@ TEST_F(GatewaySystem, ANetworkThatGoesAwayDoesNotEndAFlight) {
   EXPECT_TRUE(Ear{"vcan0"}.at_rest());
   node.signal(SIGTERM);
   EXPECT_EQ(node.outcome().exit_code, 74);
-  EXPECT_PRED2(contains, node.outcome().err, " messages could not be sent: is the network gone?");
+  EXPECT_PRED2(contains, node.outcome().err, " messages could not be sent: is the network down?");
   EXPECT_PRED2(contains, node.outcome().out, "ended after ");
 }
 

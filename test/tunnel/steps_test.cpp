@@ -166,7 +166,7 @@ TEST(StepsReport, SaysTheSameToPersonScriptAndPage) {
                              .vehicle = "dart",
                              .airframe = tasha,
                              .speed_m_s = 22.0,
-                             .speed_source = "given by hand",
+                             .speed_source = "from the command line",
                              .density_kg_m3 = 1.2,
                              .options = at_22_m_s()};
   const json::Value json = json::parse(steps_json(heading, table));

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 # shellcheck shell=dash
-# The image for the board, and getting it there. Part of ./dev.
+# Building, flashing and debugging the image for the board. Part of ./dev.
 
 firmware() {
   [ $# -eq 0 ] || usage

@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: MIT
 # shellcheck shell=dash
-# Building, one at a time and not in silence. Part of ./dev, which has set $root and stands in it.
+# Building: one build at a time, with progress. Part of ./dev, which has set $root and runs in that folder.
 
-# One build a folder: a node and a bench are often started together. Held until leave_turn, or the end of this script.
+# Takes the lock of this folder: a node and a bench are often started together. Held until leave_turn, or the end of this script.
 take_turn() {
   mkdir -p build 2>/dev/null && (: >>build/lock) 2>/dev/null || cannot_write build
   exec 9>>build/lock
-  flock -w 1 9 || { # a person who waits for less need not know
-    [ $? -eq 1 ] || refuse "flock does not work here, which keeps two builds apart; it comes with the package util-linux"
-    echo "dev: waiting for another ./dev in this folder: $(cat build/lock.owner 2>/dev/null || echo "it has just begun")" >&2
+  flock -w 1 9 || { # a shorter wait needs no message
+    [ $? -eq 1 ] || refuse "flock does not work here; it keeps two builds apart and is part of the package util-linux"
+    echo "dev: waiting for another ./dev in this folder: $(cat build/lock.owner 2>/dev/null || echo "it has just started")" >&2
     flock 9
   }
   (echo "./dev $verb, process $$" >build/lock.owner) 2>/dev/null || cannot_write build
@@ -23,22 +23,22 @@ free_mb() {
   df -Pm . | awk 'NR == 2 { print $4 }'
 }
 
-# cannot_write FOLDER: why, and the end.
+# cannot_write FOLDER: prints why, and exits.
 cannot_write() {
   [ "$(free_mb)" -ge 20 ] || out_of_room 900
-  echo "dev: this user cannot write into $root/$1 or what is in it. Built by root before? Then, as root:" \
-    "chown -R $(id -un) $root/build. Or copy the project to a folder of your own." >&2
+  echo "dev: this user cannot write into $root/$1 or its contents. If root built it before, run as root:" \
+    "chown -R $(id -un) $root/build. Or copy the project into a folder of your own." >&2
   exit 73
 }
 
 out_of_room() {
-  echo "dev: the disk is full: $(free_mb) MB are free where build/ is, and a build takes up to $1 MB." \
-    "Make room, then this command again; what has been built stays." >&2
+  echo "dev: the disk is full: $(free_mb) MB are free on the disk of build/, and a build takes up to $1 MB." \
+    "Free some space and run this command again; what has been built is kept." >&2
   exit 74
 }
 
-# build WHAT FOLDER ROOM_MB COMMAND...: runs COMMAND, a build by ninja in FOLDER, and says how far WHAT is: on a terminal
-# all the time, in a pipe every ten seconds. Silent when there is nothing to build. What failed is printed whole.
+# build WHAT FOLDER ROOM_MB COMMAND...: runs COMMAND, a build by ninja in FOLDER, and shows the progress of WHAT: on a
+# terminal all the time, in a pipe every ten seconds. Silent when there is nothing to build. Errors are printed in full.
 build() {
   local what="$1" folder="$2" room_mb="$3" status ticker="" code
   shift 3
@@ -46,32 +46,32 @@ build() {
   status=$folder/progress
   rm -f "$status"
   if [ ! -t 2 ]; then
-    # Ends with this script, however that ends.
+    # Ends when this script ends, even if it is killed.
     (while sleep 10 && kill -0 "$$" 2>/dev/null; do [ ! -s "$status" ] || cat "$status" >&2; done) 9>&- &
     ticker=$!
   elif [ ! -e "$folder/build.ninja" ]; then
-    printf 'building %s: looking at this machine' "$what" >&2
+    printf 'building %s: configuring' "$what" >&2
   fi
-  # The exit code goes round the pipe: a missing one is a failure too.
+  # The exit code bypasses the pipe; a missing one is a failure too.
   code=$({ { NINJA_STATUS='[%f %t] ' "$@" 3>&- 9>&- 2>&1 && echo 0 >&3; } | tee "$folder/build.log" 2>/dev/null |
     follow_build "$what" "$status" 9>&-; } 3>&1) || :
   [ -z "$ticker" ] || kill "$ticker" 2>/dev/null
   [ ! -t 2 ] || printf '\r\033[K' >&2
   rm -f "$status"
   [ "$code" != 0 ] || return 0
-  # From the first failure on; all of it when it is not the compiler that failed.
+  # From the first compiler error on; the whole log if no compiler failed.
   sed -n '/^FAILED: /,$p' "$folder/build.log" | grep -v '^\[[0-9]* [0-9]*\] ' >&2 || :
   grep -q '^FAILED: ' "$folder/build.log" || cat "$folder/build.log" >&2
   ! grep -q 'No space left on device' "$folder/build.log" && [ "$(free_mb)" -ge 20 ] || out_of_room "$room_mb"
-  # A source that cannot be read says "Permission denied" too.
+  # An unreadable source gives "Permission denied" too.
   ! grep -q 'Permission denied' "$folder/build.log" || [ -z "$(find "$folder" ! -writable -print -quit)" ] ||
     cannot_write "$folder"
-  echo "dev: $what could not be built; the reasons stand above, all of the build in $folder/build.log." \
-    "Where the sources are not to blame: rm -rf $folder, and it begins anew" >&2
+  echo "dev: building $what failed; see the reasons above, and the whole log in $folder/build.log." \
+    "If the sources are not the cause, delete the build and try again: rm -rf $folder" >&2
   exit 70
 }
 
-# follow_build WHAT STATUS_FILE: reads what ninja says and keeps the line that tells how far it is.
+# follow_build WHAT STATUS_FILE: reads the output of ninja and keeps a line with the progress.
 follow_build() {
   local begun line count done total spent left text
   begun=$(date +%s)
@@ -81,22 +81,22 @@ follow_build() {
         count=${line%%]*}
         count=${count#[}
         done=${count% *} total=${count#* }
-        # Asking for the clock in every line of ninja's would start a program each.
+        # Asking for the time on every line would start a program each time.
         [ "$((done % 4))" -ne 0 ] && [ "$done" -ne "$total" ] && [ -s "$2" ] && continue
         spent=$(($(date +%s) - begun))
         left=""
         [ "$spent" -lt 3 ] || [ "$done" -eq 0 ] || left=$((spent * (total - done) / done))
         [ "${left:-0}" -lt 1 ] && left="" || left=", about $left s to go"
         text="building $1: $done of $total ($((100 * done / total)) %)$left"
-        (echo "$text" >"$2") 2>/dev/null || : # on a full disk the build says so itself
+        (echo "$text" >"$2") 2>/dev/null || : # the build itself reports a full disk
         [ ! -t 2 ] || printf '\r\033[K%s' "$text" >&2
         ;;
     esac
   done
 }
 
-# configured FOLDER PRESET [OPTION...]: with these options on. CMake runs again by itself when one of its files changes,
-# but not when a preset does.
+# configured FOLDER PRESET [OPTION...]: configures with these options on, if needed. CMake runs again by itself when one of
+# its files changes, but not when a preset does.
 configured() {
   local build_folder="$1" preset="$2" wanted="" fresh=yes option
   shift 2
@@ -109,21 +109,21 @@ configured() {
   configure "$build_folder" "$preset" $wanted
 }
 
-# A project that was copied or moved together with its build has another one's: it would build and run the original.
+# The build folder of a copied or moved project still points to the original, and would build and run that.
 was_configured_here() {
   [ -s "$1/build.ninja" ] && grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$1/CMakeCache.txt" 2>/dev/null
 }
 
-# configure FOLDER PRESET [ARGUMENT...]: forgets what another place, or a first configuration that failed, has found out.
+# configure FOLDER PRESET [ARGUMENT...]: discards the cache of another folder, or of a first configuration that failed.
 configure() {
   local build_folder="$1" forget="" preset="$2"
   shift 2
   was_configured_here "$build_folder" || forget=--fresh
-  # shellcheck disable=SC2086 # a word or none
+  # shellcheck disable=SC2086 # one word or nothing
   cmake $forget --preset "$preset" "$@"
 }
 
-# host_build WHAT TARGET...: of the programs for this PC, with the options that $host_options names.
+# host_build WHAT TARGET...: builds programs for this PC, with the options in $host_options.
 host_options=""
 host_build() {
   local what="$1"
@@ -137,12 +137,12 @@ host_commands() {
   configured build/host host $host_options && cmake --build --preset host --target "$@"
 }
 
-# arm_build WHAT TARGET: an image for the processor, or all of them with the tests that run there.
+# arm_build WHAT TARGET: builds an image for the board's processor, or all images and the tests that run on it.
 arm_build() {
   build "$1" build/arm 200 arm_commands "$2"
 }
 
 arm_commands() {
-  # Always, because the tests are left out where the package googletest was missing the last time.
+  # Always configured: the tests are left out if the package googletest was missing the last time.
   configure build/arm stm32f405 && cmake --build build/arm --target "$1"
 }

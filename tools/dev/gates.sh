@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: MIT
 # shellcheck shell=dash
-# What costs too much for every change: sanitizers on everything, the linter, long soaks, benchmarks. Part of ./dev.
+# What takes too long for every change: sanitizers on everything, the linter, soak tests, benchmarks. Part of ./dev.
 
-# gates [FOLDER...]: the tests of everything, or of the folders named, under the sanitizers; then clang-tidy.
+# gates [FOLDER...]: all tests, or those of the folders named, under the sanitizers; then clang-tidy.
 gates() {
   for folder in "$@"; do
     case "$folder" in [a-z]*) ;; *) false ;; esac && [ -d "$folder" ] || {
-      echo "dev: gates: no folder $folder in the sources; for example firmware/core" >&2
+      echo "dev: gates: there is no source folder $folder; an example is firmware/core" >&2
       exit 64
     }
   done
@@ -17,21 +17,21 @@ gates() {
   if [ $# -eq 0 ]; then
     build "everything under the sanitizers" build/host-asan 3000 sanitized_commands all
     host_build "what the linter reads" all
-    LD_PRELOAD="" ctest --preset host-asan # the sanitizer wants to be loaded before anything else
-    set -- firmware hal sim tools
+    LD_PRELOAD="" ctest --preset host-asan # the sanitizer must be loaded first
+    set -- firmware hal sim tools test
   else
     for folder in "$@"; do
       tests="test_$(basename "$folder")"
-      [ -d "test/$(basename "$folder")" ] || { echo "dev: no tests of $folder by itself" >&2 && continue; }
+      [ -d "test/$(basename "$folder")" ] || { echo "dev: $folder has no test program of its own" >&2 && continue; }
       build "$tests under the sanitizers" build/host-asan 3000 sanitized_commands "$tests"
       LD_PRELOAD="" "build/host-asan/test/$(basename "$folder")/$tests" --gtest_brief=1
     done
     host_build "what the linter reads" check_includes
   fi
-  # What is compiled for this PC: the commands of a board's own files are for the other compiler. One file a process, so that it
-  # is seen how far it is. The options behind --quiet: what is for GCC in the commands, and its own stable_sort.
+  # Only what is compiled for this PC: the board's own files are compiled by the ARM compiler. One file a process, to show the
+  # progress. The options after --quiet: GCC's own options in the commands, and its stable_sort.
   lint="clang-tidy-19 -p build/host --quiet --extra-arg=-Wno-ignored-gch --extra-arg=-Wno-unknown-warning-option"
-  lint="$lint --extra-arg=-Wno-deprecated-declarations"
+  lint="$lint --extra-arg=-Wno-unused-command-line-argument --extra-arg=-Wno-deprecated-declarations"
   files=$(sources "*.cpp" "$@" | sort -u | while read -r file; do
     ! grep -qF "/$file\"" build/host/compile_commands.json || echo "$file"
   done)
@@ -44,7 +44,7 @@ sanitized_commands() {
   configured build/host-asan host-asan && cmake --build --preset host-asan --target "$@"
 }
 
-# soak [--short]: --short is a thousandth of it, to see that it works.
+# soak [--short]: --short is a thousandth of the runs, to check that it works.
 soak() {
   frames=100000000 csv_runs=1000000 log_runs=1000000 cuts=1
   case "$*" in
@@ -62,15 +62,15 @@ soak() {
   FANTAIL_FRAMES=$frames FANTAIL_SEED=$(od -An -N3 -tu4 /dev/urandom | tr -d ' ') \
     build/host/test/avionics/test_avionics --gtest_filter='BusFrames.*'
   [ -z "$cuts" ] || FANTAIL_ALL_CUTS=1 build/host/test/avionics/test_avionics --gtest_filter='PowerCut.*:BitFlip.*'
-  # What it finds new goes into the build folder, not between the sources.
+  # New findings go into the build folder, not into the sources.
   mkdir -p build/fuzz/csv_found build/fuzz/log_found
   build/fuzz/test/fuzz/csv_fuzz -runs=$csv_runs -max_len=4096 -print_final_stats=1 -dict=test/fuzz/csv.dict \
     -artifact_prefix=build/fuzz/ build/fuzz/csv_found test/fuzz/csv_corpus
   build/fuzz/test/fuzz/write_log_seeds build/fuzz/log_seeds
   build/fuzz/test/fuzz/log_fuzz -runs=$log_runs -max_len=8192 -print_final_stats=1 -dict=test/fuzz/log.dict \
     -artifact_prefix=build/fuzz/ build/fuzz/log_found build/fuzz/log_seeds
-  echo "soak: nothing was found by $frames frames at the avionics, $csv_runs CSV files and $log_runs flight logs" \
-    "${cuts:+and by cutting the power at every byte}"
+  echo "soak: no failure in $frames frames to the avionics, $csv_runs CSV files and $log_runs flight logs" \
+    "${cuts:+and with the power cut at every byte}"
 }
 
 fuzz_commands() {
@@ -81,7 +81,7 @@ bench_speed() {
   take_turn
   # shellcheck disable=SC2086
   need $bench_packages
-  # In a folder of its own: what it needs is not needed by ./dev test.
+  # In its own folder: ./dev test does not need these packages.
   build "the benchmarks" build/bench 300 bench_commands
   if ! cmp -s test/benchmark/requirements.txt build/bench-venv/requirements.txt; then
     rm -rf build/bench-venv
@@ -110,8 +110,8 @@ format() {
   sources "*.[ch]pp" firmware hal sim tools test | xargs clang-format-19 $how
 }
 
-# sources PATTERN FOLDER...: the files of that name. Not git's list: it is empty without an error where git does not like
-# the owner of the folder.
+# sources PATTERN FOLDER...: the files whose names match. Not git's list: that is empty, without an error, if git does not
+# trust the owner of the folder.
 sources() {
   local pattern="$1"
   shift

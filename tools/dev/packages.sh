@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 # shellcheck shell=dash
-# What must be installed, and installing it. Part of ./dev, which has set $root.
+# The Debian packages that are needed, and installing them. Part of ./dev, which has set $root.
 
 fly_packages="g++ cmake ninja-build libeigen3-dev libtomlplusplus-dev libcli11-dev libfmt-dev nlohmann-json3-dev libmd-dev liblcm-dev liblcm-bin"
 can_packages="user-mode-linux busybox-static can-utils iproute2"
@@ -12,7 +12,7 @@ format_packages="clang-format-19"
 gate_packages="$test_packages clang-19 clang-tidy-19"
 soak_packages="$test_packages clang-19 libclang-rt-19-dev"
 bench_packages="$fly_packages libbenchmark-dev libceres-dev python3-venv"
-# With --all nothing may be skipped, and the verbs of this script are called, but for those that take hours.
+# With --all no test may be skipped, and the tests call the verbs of this script, except those that take hours.
 all_packages="$test_packages $arm_packages $gate_packages $format_packages"
 
 system_name() {
@@ -24,7 +24,7 @@ is_installed() {
   dpkg-query -W -f '${Status}' "$1" 2>/dev/null | grep -q 'install ok installed'
 }
 
-# refuse TEXT...: one message, and the exit code for what is not there.
+# refuse TEXT...: prints the message and exits with the code for something missing.
 refuse() {
   printf 'dev: %s\n' "$@" >&2
   exit 69
@@ -33,7 +33,7 @@ refuse() {
 # need PACKAGE...: asks dpkg about each, and touches the network only when one is missing.
 need() {
   command -v dpkg-query >/dev/null ||
-    refuse "$(system_name) has no dpkg, and this script knows the packages of Debian 12 only. Install what answers to" \
+    refuse "$(system_name) has no dpkg, and this script knows only the packages of Debian 12. Install the equivalents of" \
       "  $*" "and build with: cmake --preset host && cmake --build --preset host"
   missing=""
   for package in "$@"; do
@@ -42,7 +42,7 @@ need() {
   [ -n "$missing" ] || return 0
   as_root=""
   if [ "$(id -u)" -ne 0 ]; then
-    command -v sudo >/dev/null || refuse "not root, and there is no sudo; let root run this, then try again:" \
+    command -v sudo >/dev/null || refuse "this user is not root, and there is no sudo. Run this as root, then try again:" \
       "  apt-get update && apt-get install --no-install-recommends$missing"
     as_root="sudo"
   fi
@@ -50,7 +50,7 @@ need() {
   install_packages
 }
 
-# apt as this script calls it: no questions, and in turn with others.
+# apt without questions; waits for other package managers.
 apt() {
   $as_root env DEBIAN_FRONTEND=noninteractive apt-get -q -o DPkg::Lock::Timeout=600 "$@" >&2
 }
@@ -58,9 +58,9 @@ apt() {
 install_packages() {
   interrupted=$(dpkg --audit 2>/dev/null)
   [ -z "$interrupted" ] || refuse "an earlier installation was interrupted; as root:" \
-    "  dpkg --configure -a && apt-get --fix-broken install" "and then this command again. What dpkg says:" "$interrupted"
+    "  dpkg --configure -a && apt-get --fix-broken install" "and then this command again. The message of dpkg:" "$interrupted"
   if [ -n "$as_root" ] && ! sudo true; then
-    refuse "sudo did not let this user; let root run this, then try again:" \
+    refuse "sudo did not let this user run it. Run this as root, then try again:" \
       "  apt-get update && apt-get install --no-install-recommends$missing"
   fi
   reached=yes
@@ -71,18 +71,18 @@ install_packages() {
   done
   if [ -n "$unknown" ] && [ -z "$reached" ]; then
     refuse "the package servers could not be reached (see above), and without them these are unknown:$unknown" \
-      "Is there a network, and a proxy if you need one? Then this command again."
+      "Check the network, and the proxy if you need one, then run this command again."
   fi
   [ -z "$unknown" ] || refuse "$(system_name) has no package$unknown; Fantail is built and tested on Debian 12." \
-    "What is there can be installed by hand, and the build says what it still misses:" \
+    "Install what is available by hand; the build then names what is still missing:" \
     "  cmake --preset host && cmake --build --preset host"
   # shellcheck disable=SC2086 # a list of words
   apt -y --no-install-recommends install $missing && return 0
   free_mb=$(df -Pm /var/cache/apt / 2>/dev/null | awk 'NR > 1 && (least == "" || $4 < least) { least = $4 } END { print least }')
   [ -n "$reached" ] || refuse "the packages could not be fetched: the package servers could not be reached (see above)." \
-    "Is there a network, and a proxy if you need one? Then this command again; what is installed stays."
+    "Check the network, and the proxy if you need one, then run this command again; what is installed stays."
   [ "${free_mb:-1000}" -ge 500 ] || refuse "the packages could not be installed: only $free_mb MB are free on the disk of / or /var." \
-    "Make room, then: apt-get clean && dpkg --configure -a, and this command again."
-  refuse "apt could not install the packages; its reason stands above. When it is mended, this command again:" \
-    "what is installed stays."
+    "Free some space, run apt-get clean && dpkg --configure -a, and then this command again."
+  refuse "apt could not install the packages; see its message above. Correct the cause and run this command again." \
+    "What is installed stays."
 }

@@ -1,25 +1,25 @@
 # SPDX-License-Identifier: MIT
 # shellcheck shell=dash
-# The tests, and where their time goes. Part of ./dev.
+# Running the tests, and timing them. Part of ./dev.
 
-# The Python packages that tests hold Fantail's files and frames against. Those tests are skipped without them, and with
-# --all nothing may be.
+# The Python packages that some tests compare Fantail's files and frames with. Without them those tests are skipped, which
+# --all does not allow.
 python_tools() {
-  # Only what is pinned: another version may read or generate other text.
+  # Only the pinned versions: others may read or generate different text.
   cat test/protocol/requirements.txt test/log_export/requirements.txt >build/test-requirements.txt
   cmp -s build/test-requirements.txt build/test-venv/requirements.txt && return 0
   rm -rf build/test-venv
-  # Debian's Python, whatever else stands first in PATH: its modules are those of the package list.
+  # Debian's Python, not the first in PATH: the package list provides its modules.
   if /usr/bin/python3 -m venv build/test-venv &&
     build/test-venv/bin/pip -q --disable-pip-version-check install --no-deps -r build/test-requirements.txt; then
     cp build/test-requirements.txt build/test-venv/requirements.txt
   else
     rm -rf build/test-venv
-    echo "dev: pip could not install cantools, pyulog and lcm (no network?): the tests with them are SKIPPED" >&2
+    echo "dev: pip could not install cantools, pyulog and lcm (no network?): the tests that need them are SKIPPED" >&2
   fi
 }
 
-# stage NAME COMMAND...: what the table of --times has a line for.
+# stage NAME COMMAND...: runs a command; --times prints one line for it.
 stage() {
   local name="$1" begun code=0
   begun=$(date +%s)
@@ -43,27 +43,27 @@ run_tests() {
   # shellcheck disable=SC2086
   if [ -n "$all" ]; then stage packages need $all_packages; else stage packages need $test_packages; fi
   stage python python_tools
-  # Without the ARM tier the tests on the emulated processor are skipped.
+  # Without --all the tests on the emulated processor are skipped.
   [ -z "$all" ] || stage build_arm arm_build "the images for the emulated processor" all
   host_options=FANTAIL_TESTS
   stage build_host host_build "the tests" all
   leave_turn
   failed=""
   stage tests host_tests || failed=yes
-  # A skipped test says nothing; where everything has been installed it is a failure.
+  # A skipped test proves nothing; if everything is installed it is a failure.
   if ! grep -q 'skipped="0"' build/host/test-results.xml; then
     if [ -n "$all" ]; then
-      echo "dev: tests were skipped, and with --all nothing may be" >&2
+      echo "dev: tests were skipped, which --all does not allow" >&2
       failed=yes
     else
-      echo "dev: the tests that were skipped need more than was installed; ./dev test --all installs it and skips none" >&2
+      echo "dev: the skipped tests need packages that are not installed; ./dev test --all installs them and skips none" >&2
     fi
   fi
   [ -z "$times" ] || /usr/bin/python3 tools/dev/times.py build
   [ -z "$failed" ]
 }
 
-# test/build/declared_packages.py wants to know which files of which packages the tests read.
+# test/build/declared_packages.py checks which files of which packages the tests read.
 host_tests() {
   : >build/host/read_log.txt
   rm -rf build/host/test-times

@@ -10,7 +10,7 @@
 #include "fantail/bench_options.hpp"
 #include "fantail/can_place.hpp"
 #include "fantail/line_input.hpp"
-#include "fantail/requirement.hpp"
+#include "fantail/run.hpp"
 #include "fantail/standard_streams.hpp"
 #include "json/value.hpp"
 #include "link/arm_steps.hpp"
@@ -42,13 +42,13 @@ void look(link::Place& place, link::AvionicsLink& link) {
   place.wait(glance);
   link.listen(place.now());
   if (link.has_fallen_silent()) {
-    throw link::LinkError{"the avionics has fallen silent"};
+    throw link::LinkError{"the avionics has stopped answering"};
   }
 }
 
 void test(const ArmOptions& options, link::ArmSteps& steps) {
   std::optional<std::size_t> moving;
-  tell(options, "Self-test: three still seconds, then each canard moves. Keep hands off.");
+  tell(options, "Self-test: keep the rocket still for three seconds; then each canard moves. Keep hands off.");
   const protocol::ArmReply reply = steps.run_self_test([&](const protocol::ArmReply& now) {
     if (now.self_test == protocol::SelfTestState::running && now.canard != moving) {
       moving = now.canard;
@@ -85,7 +85,7 @@ void await_consent(const ArmOptions& options, link::Place& place, link::Avionics
   std::optional<std::string> line;
   while (!(line = input.next())) {
     if (input.ended()) {
-      throw RequirementNotMet{"nobody typed ARM; the rocket is safe"};
+      throw RequirementNotMet{"ARM was not typed; the rocket is safe"};
     }
     look(place, link);
   }

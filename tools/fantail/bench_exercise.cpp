@@ -21,7 +21,7 @@
 #include "fantail/can_place.hpp"
 #include "fantail/interrupt.hpp"
 #include "fantail/progress.hpp"
-#include "fantail/requirement.hpp"
+#include "fantail/run.hpp"
 #include "fantail/standard_streams.hpp"
 #include "input/plan_file.hpp"
 #include "input/shipped.hpp"
@@ -78,7 +78,7 @@ Desk desk(const ExerciseOptions& options) {
       "{:%Y-%m-%d %H:%M}", fmt::localtime(std::chrono::system_clock::to_time_t(std::chrono::system_clock::now())));
   if (options.vehicle.empty()) {
     desk.heading.vehicle = "not named";
-    desk.heading.notes.emplace_back("Tolerances are those of a vehicle that says nothing of them.");
+    desk.heading.notes.emplace_back("No vehicle was named: the default tolerances are used.");
   } else {
     const sim::Vehicle vehicle =
         input::read_vehicle(input::Document::load(input::find_input(input::Shipped::vehicle, options.vehicle)));
@@ -188,7 +188,7 @@ Verb add(const Verb& bench, const char* name, const char* meaning, const std::sh
   const Verb verb = bench.verb(name, meaning);
   add_bench_options(verb, options->bench, "Print sheet.json instead of the text");
   verb.option("--vehicle", options->vehicle,
-              "Whose tolerances count: a shipped vehicle or a path; without it, this program's own")
+              "Vehicle whose tolerances are used: a shipped name or a path [default tolerances]")
       .value_name("FILE");
   verb.option("--plan", options->plan, "The plan that must be in force: a shipped name or a path").value_name("PLAN");
   verb.option("--out", options->out, "Folder for sheet.html and sheet.json [out/bench]");

@@ -16,7 +16,7 @@
 #include "fantail/interrupt.hpp"
 #include "fantail/line_input.hpp"
 #include "fantail/progress.hpp"
-#include "fantail/requirement.hpp"
+#include "fantail/run.hpp"
 #include "fantail/standard_streams.hpp"
 #include "json/value.hpp"
 #include "link/log_download.hpp"
@@ -211,13 +211,13 @@ void log(const LogOptions& options) {
 }  // namespace
 
 void add_bench_log(const Verb& bench) {
-  auto verb = bench.verb("log", "Download the recorded flights, and erase them when that is asked");
+  auto verb = bench.verb("log", "Download the recorded flights, and erase them if asked to");
   auto options = std::make_shared<LogOptions>();
   add_bench_options(verb, options->bench, "Print one JSON object; the question goes to standard error");
   verb.option("--out", options->out, "Folder for flight_001.ftl and so on [out/bench_log]").value_name("DIR");
   auto flight =
-      verb.option("--flight", options->flight, "Only this one, counted as --list does").range(1, 9999).value_name("N");
-  auto list_flag = verb.flag("--list", options->list, "Say what is recorded, and download nothing");
+      verb.option("--flight", options->flight, "Only this one, numbered as in --list").range(1, 9999).value_name("N");
+  auto list_flag = verb.flag("--list", options->list, "List what is recorded, and download nothing");
   auto erase_flag =
       verb.flag("--erase", options->erase, "Then erase the record; everything is downloaded and verified before that");
   verb.flag("--discard", options->discard, "Erase without downloading").needs(erase_flag);
@@ -225,7 +225,7 @@ void add_bench_log(const Verb& bench) {
   erase_flag.excludes(flight).excludes(list_flag);
   flight.excludes(list_flag);
   verb.examples(
-      "A download that was interrupted goes on where it was when the command is given again.\n"
+      "An interrupted download resumes when the same command is given again.\n"
       "Examples:\n"
       "  fantail bench log --can can0 --out launch_day    every flight into a file of its own\n"
       "  fantail bench log --can can0 --list              what the rocket holds\n"

@@ -11,9 +11,8 @@
 
 #include "fantail/bench_options.hpp"
 #include "fantail/can_place.hpp"
-#include "fantail/exit_code.hpp"
 #include "fantail/progress.hpp"
-#include "fantail/requirement.hpp"
+#include "fantail/run.hpp"
 #include "input/plan_file.hpp"
 #include "input/shipped.hpp"
 #include "json/value.hpp"

@@ -12,7 +12,7 @@
 #include "fantail/bench_options.hpp"
 #include "fantail/can_place.hpp"
 #include "fantail/interrupt.hpp"
-#include "fantail/live_output.hpp"
+#include "fantail/standard_streams.hpp"
 
 namespace fantail::tool {
 namespace {
@@ -49,7 +49,7 @@ void watch(const WatchOptions& options) {
       watch.look(place.now());
       const std::string text =
           screen ? "\033[H\033[J" + watch.table() : (options.bench.json ? watch.json() : watch.line());
-      if (!shown(text) || place.now() >= end) {
+      if (!show_live(text) || place.now() >= end) {
         return;
       }
     }

@@ -3,12 +3,15 @@
 
 #include <algorithm>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include <CLI/CLI.hpp>
+#include <fmt/core.h>
 
 #include "input/messages.hpp"
+#include "text/number.hpp"
 
 namespace fantail::tool {
 namespace {
@@ -146,5 +149,20 @@ Option Verb::flag(const std::string& name, bool& value, const std::string& meani
 void Verb::examples(const std::string& text) const { app_->footer(text); }
 
 void Verb::action(const std::function<void()>& action) const { app_->callback(action); }
+
+Objection within(double low, double high) {
+  return [low, high](const std::string& text) {
+    const auto value = text::number(text);
+    return value && *value >= low && *value <= high
+               ? std::string{}
+               : fmt::format("\"{}\": allowed: {} to {}", text, input::shown(low), input::shown(high));
+  };
+}
+
+std::string objection_to_time(const std::string& text) {
+  return text::number(text) ? "" : '"' + text + "\" is not a number of seconds";
+}
+
+std::string objection_to_folder(const std::string& text) { return text.empty() ? "the name of a folder is empty" : ""; }
 
 }  // namespace fantail::tool

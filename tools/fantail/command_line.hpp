@@ -13,7 +13,6 @@ namespace CLI {
 class App;
 class Option;
 }  // namespace CLI
-
 namespace fantail::tool {
 
 /// What is wrong with the words of a command line. what() names the option, its value and what is allowed.
@@ -77,5 +76,12 @@ class Verb {
 /// and what the verb's action throws.
 void read_command_line(const std::string& name, const std::string& meaning, void (*fill)(const Verb& verb),
                        std::vector<std::string> words);
+
+// What options of several verbs object to.
+
+/// Both ends included. The library's own range would take "nan".
+[[nodiscard]] Objection within(double low, double high);
+[[nodiscard]] std::string objection_to_time(const std::string& text);
+[[nodiscard]] std::string objection_to_folder(const std::string& text);
 
 }  // namespace fantail::tool

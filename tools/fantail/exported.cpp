@@ -58,7 +58,7 @@ flight_log::Regeneration replay_of(const flight_log::Flight& flight) {
   none.records.resize(flight.ticks.size());
   none.unreachable = flight.ticks.size();
   none.obstacle = flight.has_header ? fmt::format("Its plan cannot be used: {}.", flight.plan_fault)
-                                    : "None of its headers is left, and so no plan.";
+                                    : "No intact header is left, and so no plan.";
   return none;
 }
 
@@ -79,7 +79,7 @@ std::string content(const ExportQuestion& question, const log_export::Source& so
 
 Exported export_foreign(const ExportQuestion& question, const flight_log::Flight& flight) {
   const std::vector<std::string> all = log_export::foreign_fields(flight);
-  constexpr std::string_view what = "its ticks are laid out as in another version of Fantail";
+  constexpr std::string_view what = "its ticks have the layout of another version of Fantail";
   if (all.empty()) {
     refuse_log(question, fmt::format("{}, and its schema does not say how", what));
   }
@@ -95,7 +95,7 @@ Exported export_foreign(const ExportQuestion& question, const flight_log::Flight
   }
   return {
       .bytes = log_export::foreign_csv(flight, question.fields.empty() ? all : question.fields, question.window),
-      .notes = {fmt::format("Written by Fantail {}: {}. The table holds what stands in the log; nothing was replayed.",
+      .notes = {fmt::format("Written by Fantail {}: {}. The table holds what the log contains; nothing was replayed.",
                             flight.firmware_version, what)}};
 }
 
@@ -118,7 +118,7 @@ Exported export_flight(const ExportQuestion& question, const flight_log::Flight&
   const bool shows_recorded = chosen || question.format->name == "ulog" || question.format->name == "json";
   if (!shows_recorded && replay.compared == 0) {
     // A file of nothing but headers would look like a success.
-    refuse_log(question, fmt::format("{} What stands in the log itself can be exported: --to csv --fields "
+    refuse_log(question, fmt::format("{} What the log itself contains can be exported: --to csv --fields "
                                      "time_us,phase,command_deg,rate_x_count,encoder_1_count",
                                      replay.obstacle.empty() ? "No tick of it can be replayed." : replay.obstacle));
   }

@@ -20,7 +20,7 @@ std::string objection_to_place(const std::string& text) {
   const bool device = text.starts_with(serial) && text.size() > serial.size();
   return text == "host" || text == "emulator" || device
              ? ""
-             : '"' + text + "\" is no place to fly; allowed: host, emulator, serial:DEVICE";
+             : '"' + text + "\" is not a flight computer; allowed: host, emulator, serial:DEVICE";
 }
 
 std::unique_ptr<hil::Wire> wire(const FlightComputerOptions& options) {
@@ -66,7 +66,7 @@ std::vector<std::string> FlightComputerOption::notes() const {
         fmt::format("That image was built from other sources than this program, {}.", avionics::git_hash()));
   }
   if (const std::uint32_t overruns = target_->times().overruns; overruns != 0) {
-    notes.push_back(fmt::format("{} ticks took the flight computer longer than their millisecond.", overruns));
+    notes.push_back(fmt::format("{} ticks took the flight computer longer than a millisecond.", overruns));
   }
   if (const std::uint32_t again = target_->link().asked_again(); again != 0) {
     notes.push_back(fmt::format("{} messages were lost or damaged on the line, and sent again.", again));

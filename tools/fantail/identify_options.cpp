@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "fantail/identify_options.hpp"
 
-#include "fantail/number_option.hpp"
+#include "fantail/command_line.hpp"
 #include "identify/choices.hpp"
 
 namespace fantail::tool {
@@ -12,8 +12,6 @@ std::string objection_to_axis(const std::string& text) {
              ? ""
              : '"' + text + "\": expected FIRST:LAST:STEP above 0, as in 1:60:1, with at most 1000 values";
 }
-
-std::string objection_to_folder(const std::string& text) { return text.empty() ? "the name of a folder is empty" : ""; }
 
 void add_reading(const Verb& verb, IdentifyOptions& o) {
   verb.option("DATA", o.data, "A CSV file, a flight log (.ftl), or a folder that `fantail fly` wrote").required();
@@ -30,10 +28,10 @@ void add_windows(const Verb& verb, IdentifyOptions& o) {
       .one_word_each_time()
       .excludes(from)
       .excludes(to);
-  auto lag = verb.option("--lag", o.lag_s, "By how many seconds the canard column is later than the gyro's")
+  auto lag = verb.option("--lag", o.lag_s, "Seconds by which the canard column lags the gyro's")
                  .check(within(-1.0, 1.0))
                  .show_default();
-  verb.flag("--fit-lag", o.fit_lag, "Find that lag, within 50 ms").excludes(lag);
+  verb.flag("--fit-lag", o.fit_lag, "Find that lag, up to 50 ms either way").excludes(lag);
   verb.flag("--fit-initial", o.fit_initial, "Fit the first angle and rate, too, instead of taking them as measured");
 }
 

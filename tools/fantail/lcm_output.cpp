@@ -24,8 +24,8 @@ std::string report_of(const telemetry::PublisherFigures& figures, const std::str
   }
   if (figures.failed > 0) {
     throw telemetry::TelemetryError{
-        fmt::format("{}: {} of {} messages could not be sent: is the network gone? What does not go through LCM is "
-                    "whole",
+        fmt::format("{}: {} of {} messages could not be sent: is the network down? What does not go through LCM is "
+                    "complete",
                     url, figures.failed, figures.failed + figures.published)};
   }
   const std::string dropped =

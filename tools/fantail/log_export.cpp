@@ -12,7 +12,6 @@
 #include "fantail/exported.hpp"
 #include "fantail/interrupt.hpp"
 #include "fantail/log_file.hpp"
-#include "fantail/log_verbs.hpp"
 #include "fantail/standard_streams.hpp"
 #include "flight_log/integrity.hpp"
 #include "text/number.hpp"
@@ -29,10 +28,6 @@ struct ExportOptions {
   log_export::Window window;
   std::optional<std::size_t> flight;
 };
-
-std::string objection_to_time(const std::string& text) {
-  return text::number(text) ? "" : '"' + text + "\" is not a number of seconds";
-}
 
 std::string objection_to_file(const std::string& text) {
   return text.empty() || text.back() == '/' ? '"' + text + "\" is not the name of a file" : "";

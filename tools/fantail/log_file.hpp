@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "fantail/command_line.hpp"
 #include "flight_log/flight_log.hpp"
 
 namespace fantail::tool {
@@ -17,5 +18,10 @@ namespace fantail::tool {
 /// What a log, or a folder with one, is called where its results are named: "flown" for flown.ftl, the folder for
 /// flight.ftl and flight.csv.
 [[nodiscard]] std::string name_of_log(const std::filesystem::path& path);
+
+// What fantail log can do, each in its own file.
+
+void add_log_export(const Verb& log);
+void add_log_info(const Verb& log);
 
 }  // namespace fantail::tool

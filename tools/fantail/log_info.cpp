@@ -8,8 +8,7 @@
 
 #include "fantail/interrupt.hpp"
 #include "fantail/log_file.hpp"
-#include "fantail/log_verbs.hpp"
-#include "fantail/requirement.hpp"
+#include "fantail/run.hpp"
 #include "flight_log/integrity.hpp"
 #include "flight_log/plan_words.hpp"
 #include "flight_log/to_report.hpp"
@@ -72,7 +71,7 @@ FlightInfo flight_info(const flight_log::Flight& flight, std::size_t number) {
   } else {
     replay.unreachable = flight.ticks.size();
     replay.obstacle = flight.has_header ? "Its flight plan cannot be used: " + flight.plan_fault + "."
-                                        : "None of its headers is left, and so no flight plan.";
+                                        : "No intact header is left, and so no flight plan.";
   }
   const core::Microseconds zero = flight_log::time_zero(flight, replay);
   return {.number = number,

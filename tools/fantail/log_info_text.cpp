@@ -38,7 +38,7 @@ std::string extent_words(const FlightInfo& info) {
 
 std::string duration_words(const flight_log::LoopTimes& loop) {
   if (loop.longest_us == 0.0) {
-    return "no tick took any time: a simulated clock stands still while the flight law works";
+    return "no tick durations: the simulated clock does not advance during a tick";
   }
   return fmt::format("a tick takes {:.1f} us in the mean, 99 of 100 at most {:.0f} us, the longest {:.0f} us; {}",
                      loop.mean_us, loop.p99_us, loop.longest_us,

@@ -11,7 +11,7 @@
 #include <fmt/core.h>
 #include <unistd.h>
 
-#include "fantail/exit_code.hpp"
+#include "fantail/run.hpp"
 #include "fantail/standard_streams.hpp"
 #include "fantail/verb_table.hpp"
 #include "input/messages.hpp"

@@ -17,11 +17,11 @@ struct Word {
   std::string_view meaning;
 };
 constexpr std::array<Word, 5> words{{
-    {"switch close", PadCommand::close_switch, "a hand closes the arm switch"},
-    {"switch open", PadCommand::open_switch, "and opens it again"},
-    {"ignite", PadCommand::ignite, "the motor burns"},
-    {"help", PadCommand::help, "these words"},
-    {"quit", PadCommand::quit, "end"},
+    {"switch close", PadCommand::close_switch, "close the arm switch"},
+    {"switch open", PadCommand::open_switch, "open the arm switch"},
+    {"ignite", PadCommand::ignite, "ignite the motor"},
+    {"help", PadCommand::help, "list these commands"},
+    {"quit", PadCommand::quit, "end the program"},
 }};
 
 }  // namespace
@@ -42,7 +42,7 @@ std::optional<PadCommand> PadCommands::next() {
       }
     }
     if (!line->empty()) {
-      say(fmt::format("\"{}\" is no command; there are:\n{}", *line, help()));
+      say(fmt::format("\"{}\" is not a command; there are:\n{}", *line, help()));
     }
   }
   return std::nullopt;

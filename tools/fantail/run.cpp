@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "fantail/exit_code.hpp"
 #include "fantail/interrupt.hpp"
 #include "fantail/standard_streams.hpp"
 #include "fantail/verb_table.hpp"

@@ -35,7 +35,7 @@ void add_scenario_options(const Verb& verb, ScenarioOptions& options) {
   } else {
     scenario.show_default();
   }
-  verb.option("--seed", options.seed, "Of all random streams, instead of the scenario's own")
+  verb.option("--seed", options.seed, "Seed of all random streams, instead of the scenario's")
       .check(objection_to_seed)
       .value_name("NUMBER");
   verb.option("--set", options.changes, "section.key=value: change one value of plan, vehicle or scenario")

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "fantail/standard_streams.hpp"
 
+#include <cerrno>
 #include <csignal>
 #include <cstdio>
 #include <iostream>
@@ -28,6 +29,18 @@ void say(std::string_view text) {
 bool output_was_taken() {
   std::cout.flush();
   return std::fflush(stdout) == 0 && std::ferror(stdout) == 0 && std::cout.good();
+}
+
+bool show_live(const std::string& text) {
+  errno = 0;
+  std::fwrite(text.data(), 1, text.size(), stdout);
+  if (std::fflush(stdout) == 0) {
+    return true;
+  }
+  if (errno == EPIPE && std::freopen("/dev/null", "w", stdout) == nullptr) {
+    errno = EIO;  // the end of the program will say that standard output was not taken
+  }
+  return false;
 }
 
 }  // namespace fantail::tool

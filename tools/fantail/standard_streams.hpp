@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <string>
 #include <string_view>
 
 namespace fantail::tool {
@@ -15,5 +16,9 @@ void say(std::string_view text);
 
 /// False when standard output has lost anything of what was printed.
 [[nodiscard]] bool output_was_taken();
+
+/// Writes what a person is watching to standard output, at once. False: there is no use in going on. A reader that has
+/// left has seen enough; that is no fault, and a full disk is one, which the end of the program will say.
+[[nodiscard]] bool show_live(const std::string& text);
 
 }  // namespace fantail::tool

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "fantail/command_line.hpp"
 #include "fantail/log_options.hpp"
-#include "fantail/number_option.hpp"
 #include "fantail/tunnel_options.hpp"
 #include "tunnel/flow.hpp"
 

@@ -4,8 +4,8 @@
 #include <string>
 
 #include "fantail/airframe_options.hpp"
+#include "fantail/command_line.hpp"
 #include "fantail/log_options.hpp"
-#include "fantail/number_option.hpp"
 #include "fantail/tunnel_options.hpp"
 #include "tunnel/steps.hpp"
 
@@ -87,7 +87,7 @@ void add_method_options(const Verb& verb, StepsVerbOptions& options) {
       .value_name("continuous|grid")
       .show_default();
   verb.option("--only", options.only, "Steps in one direction only").one_of({"up", "down"}).value_name("up|down");
-  verb.option("--lag", options.steps.record.lag_s, "How much later the canard column is than the gyro's")
+  verb.option("--lag", options.steps.record.lag_s, "Time by which the canard column lags the gyro's")
       .check(within(-1.0, 1.0))
       .value_name("S")
       .show_default();

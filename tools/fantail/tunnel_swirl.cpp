@@ -2,8 +2,8 @@
 #include <memory>
 #include <string>
 
+#include "fantail/command_line.hpp"
 #include "fantail/log_options.hpp"
-#include "fantail/number_option.hpp"
 #include "fantail/tunnel_options.hpp"
 #include "text/error.hpp"
 #include "tunnel/swirl.hpp"
@@ -35,7 +35,7 @@ tunnel::RollSession read(const SessionOptions& options, const SwirlVerbOptions& 
   if (session.wind.fan_rpm.empty() && options.steady.empty()) {
     throw text::Error{text::ErrorKind::bad_configuration,
                       options.roll +
-                          ": the speeds come from the log itself, which does not say what the fan did; "
+                          ": the speeds come from the log itself, which does not contain the fan speed; "
                           "say when it was steady with --steady-without and --steady-with"};
   }
   session.steady = steady_segments(session.wind, options.steady, all.finding);
@@ -70,15 +70,15 @@ void add_tunnel_swirl(const Verb& tunnel) {
   verb.option("WITH", options->with.roll, "Roll log with flow straightener").required();
   add_session(verb, "without", options->without);
   add_session(verb, "with", options->with);
-  verb.option("--alpha", options->swirl.alpha_m2, "Damping; the default is the mean of the published tunnel steps")
+  verb.option("--alpha", options->swirl.alpha_m2, "Damping [mean of the published tunnel steps]")
       .check(within(1e-6, 1e6))
       .value_name("M2")
       .show_default();
-  verb.option("--beta", options->swirl.beta_m, "Torque constant; the default likewise")
+  verb.option("--beta", options->swirl.beta_m, "Torque constant [mean of the published tunnel steps]")
       .check(within(1e-6, 1e6))
       .value_name("M")
       .show_default();
-  verb.option("--from-speed", options->swirl.from_speed_m_s, "The swirl is the mean difference from here on")
+  verb.option("--from-speed", options->swirl.from_speed_m_s, "The swirl is the mean difference above this speed")
       .check(within(0.0, 1e4))
       .value_name("M/S")
       .show_default();

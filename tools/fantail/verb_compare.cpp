@@ -11,7 +11,6 @@
 #include "fantail/compare_results.hpp"
 #include "fantail/interrupt.hpp"
 #include "fantail/log_options.hpp"
-#include "fantail/requirement.hpp"
 #include "fantail/run.hpp"
 #include "identify/choices.hpp"
 #include "logs/compare.hpp"
@@ -43,12 +42,6 @@ struct CompareVerbOptions {
   std::string out = "out/compare";
   bool json = false;
 };
-
-std::string objection_to_folder(const std::string& text) { return text.empty() ? "the name of a folder is empty" : ""; }
-
-std::string objection_to_time(const std::string& text) {
-  return text::number(text) ? "" : '"' + text + "\" is not a number of seconds";
-}
 
 std::string objection_to_requirement(const std::string& text) {
   return text::number(text).value_or(-1.0) >= 0.0 ? "" : '"' + text + "\" is not a number of 0 or more";
@@ -131,7 +124,7 @@ void add_log(const Verb& verb, const std::string& name, const std::string& capit
 
 void add_alignment(const Verb& verb, CompareVerbOptions& options) {
   auto window = verb.option("--window", options.window, "By A's events: control, thrust, coast, step:N, or FROM:TO");
-  verb.option("--from", options.from_s, "Begin on A's clock, s").check(objection_to_time).excludes(window);
+  verb.option("--from", options.from_s, "Start on A's clock, s").check(objection_to_time).excludes(window);
   verb.option("--to", options.to_s, "End on A's clock, s").check(objection_to_time).excludes(window);
   auto align = verb.option("--align", options.align,
                            "none: the clocks as they are. angle: look up to 2 s to both sides for the shift at which "
@@ -165,7 +158,7 @@ void fill(const Verb& verb) {
       "  fantail compare out/tasha3_launch2 out/tasha3_launch2 --b true --window control\n"
       "                                                      how well the avionics knew its own roll\n"
       "  fantail compare flown.csv out/tasha3_launch2 --align angle --remove-offset --from 0.5 --to 8\n"
-      "                                                      a logger whose clock and zero nobody set\n"
+      "                                                      a logger whose clock and zero were not set\n"
       "  fantail compare new.csv old.csv --b-column roll_angle_deg=phi --b-units rad --require-angle 0.5 --json\n"
       "                                                      a check for a script: exit code 1 when farther apart");
   verb.action([options] { compare_logs(*options); });

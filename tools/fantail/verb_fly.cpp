@@ -32,8 +32,6 @@ struct FlyOptions {
   bool json = false;
 };
 
-std::string objection_to_folder(const std::string& text) { return text.empty() ? "the name of a folder is empty" : ""; }
-
 void print_figure(std::string_view label, const std::optional<double>& value, std::string_view format) {
   if (value) {
     fmt::print("  {:<22}{}\n", label, fmt::format(fmt::runtime(format), *value));
@@ -120,7 +118,7 @@ void fill(const Verb& verb) {
       .check(objection_to_folder);
   add_flight_computer_options(verb, options->computer);
   add_lcm_option(verb, options->lcm, "Publish the flight as LCM messages");
-  verb.flag("--realtime", options->realtime, "Fly no faster than the clock on the wall; the files are the same");
+  verb.flag("--realtime", options->realtime, "Fly no faster than real time; the files are the same");
   verb.flag("--json", options->json, "Print summary.json instead of the text");
   verb.examples(
       "Examples:\n"

@@ -66,7 +66,7 @@ class StatusPrinter {
     const std::uint64_t failed = publisher_.figures().failed;
     if (failed > 0 && !failure_told_) {
       failure_told_ = true;
-      tell("LCM does not take the messages: is the network gone?");
+      tell("LCM does not take the messages: is the network down?");
     }
   }
 

@@ -58,7 +58,7 @@ Rocket rocket(const IdentifyOptions& o) {
         input::read_vehicle(input::Document::load(input::find_input(input::Shipped::vehicle, *o.vehicle)));
     result = {{vehicle.roll_plant.inertia_kg_m2, vehicle.roll_plant.reference_area_m2}, vehicle.name + ", "};
   } else if (!o.inertia_kg_m2 || !o.area_m2) {
-    std::string message = "which rocket? --vehicle NAME|FILE, or --inertia and --area; shipped vehicles:";
+    std::string message = "no rocket given: use --vehicle NAME|FILE, or --inertia and --area; shipped vehicles:";
     for (const std::string& name : input::shipped_names(input::Shipped::vehicle)) {
       message += " " + name;
     }

@@ -12,7 +12,6 @@
 
 #include "fantail/interrupt.hpp"
 #include "fantail/lcm_output.hpp"
-#include "fantail/node_flash.hpp"
 #include "fantail/pad_commands.hpp"
 #include "fantail/run.hpp"
 #include "fantail/scenario_options.hpp"
@@ -21,12 +20,27 @@
 #include "hal/linux/can_bus.hpp"
 #include "hal/linux/console.hpp"
 #include "hal/linux/entropy.hpp"
+#include "hal/linux/file_flash.hpp"
 #include "sim/scenario.hpp"
 #include "sim/world.hpp"
 #include "telemetry/limit_tap.hpp"
+#include "text/output_folder.hpp"
 
 namespace fantail::tool {
 namespace {
+
+// The flash of a board that is simulated on this PC; made, with its folder, when it is not there.
+std::unique_ptr<hal::on_linux::FileFlash> open_node_flash(const std::filesystem::path& file) {
+  if (file.has_parent_path()) {
+    std::error_code ignored;  // the file itself says what is wrong
+    std::filesystem::create_directories(file.parent_path(), ignored);
+  }
+  try {
+    return std::make_unique<hal::on_linux::FileFlash>(file);
+  } catch (const std::runtime_error& error) {
+    throw text::OutputError{error.what()};
+  }
+}
 
 using SteadyClock = std::chrono::steady_clock;
 
@@ -148,7 +162,7 @@ void fill(const Verb& verb) {
   add_scenario_options(verb, options->scenario);
   verb.option("--can", options->interface, "CAN interface, for example vcan0 or can0").required().value_name("IF");
   verb.option("--flash", options->flash,
-              "What the board keeps when it is switched off: its plan and the count of its power-ups "
+              "What the board keeps when it is switched off: plan, power-up count, flights "
               "[out/SCENARIO/flash.bin]")
       .value_name("FILE");
   add_lcm_option(verb, options->lcm, "Publish the flight as LCM messages");

@@ -9,7 +9,6 @@
 
 #include "fantail/interrupt.hpp"
 #include "fantail/progress.hpp"
-#include "fantail/requirement.hpp"
 #include "fantail/run.hpp"
 #include "fantail/scenario_options.hpp"
 #include "input/shipped.hpp"
@@ -54,10 +53,8 @@ std::optional<predict::DampingFactor> parse_damping_factor(std::string_view text
 }
 
 std::string objection_to_damping_factor(const std::string& text) {
-  return parse_damping_factor(text) ? "" : '"' + text + "\" is no range; allowed: LOW:HIGH, 0.1 to 10, as 1:1.6";
+  return parse_damping_factor(text) ? "" : '"' + text + "\" is not a range; allowed: LOW:HIGH, 0.1 to 10, as 1:1.6";
 }
-
-std::string objection_to_folder(const std::string& text) { return text.empty() ? "the name of a folder is empty" : ""; }
 
 std::filesystem::path tunnel_file(const sim::Scenario& scenario, const PredictOptions& options) {
   if (options.tunnel) {
@@ -136,10 +133,10 @@ void fill(const Verb& verb) {
               "steps.csv of fantail tunnel steps, or a shipped name [tunnel_result of the scenario]")
       .value_name("FILE");
   verb.option("--swirl", options->swirl_deg,
-              "Swirl of the tunnel as a fin offset in degrees, to be taken off [column swirl_deg of the file, or 0]")
+              "Swirl of the tunnel as a fin offset in degrees, to be subtracted [column swirl_deg of the file, or 0]")
       .range(-45.0, 45.0);
   verb.option("--damping-factor", options->damping_factor,
-              "LOW:HIGH, damping in flight over damping in the tunnel, evenly drawn")
+              "LOW:HIGH, damping in flight over damping in the tunnel, drawn from a uniform distribution")
       .check(objection_to_damping_factor)
       .value_name("RANGE")
       .show_default();

@@ -11,7 +11,6 @@
 
 #include "fantail/interrupt.hpp"
 #include "fantail/log_file.hpp"
-#include "fantail/requirement.hpp"
 #include "fantail/run.hpp"
 #include "fantail/what_if.hpp"
 #include "flight_log/integrity.hpp"
@@ -32,8 +31,6 @@ struct ReplayOptions {
   std::string out;
   bool json = false;
 };
-
-std::string objection_to_folder(const std::string& text) { return text.empty() ? "the name of a folder is empty" : ""; }
 
 struct Replayed {
   flight_log::Regeneration result;
@@ -129,7 +126,7 @@ void run(const ReplayOptions& options) {
   const flight_log::Flight flight = take_flight(file, options.flight);
   if (!flight.plan) {
     refuse(options, flight.has_header ? "Its flight plan cannot be used: " + flight.plan_fault + "."
-                                      : "None of its headers is left, and so no flight plan.");
+                                      : "No intact header is left, and so no flight plan.");
   }
   const Replayed flown = replay(flight, *flight.plan);
   if (!flown.result.obstacle.empty()) {

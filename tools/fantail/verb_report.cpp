@@ -34,12 +34,6 @@ struct ReportOptions {
   bool json = false;
 };
 
-std::string objection_to_folder(const std::string& text) { return text.empty() ? "the name of a folder is empty" : ""; }
-
-std::string objection_to_time(const std::string& text) {
-  return text::number(text) ? "" : '"' + text + "\" is not a number of seconds";
-}
-
 std::filesystem::path default_folder(const std::string& name) { return std::filesystem::path{"out"} / "report" / name; }
 
 void report_one(const ReportOptions& options) {
@@ -97,11 +91,11 @@ void fill(const Verb& verb) {
   auto options = std::make_shared<ReportOptions>();
   constexpr const char* what = "a flight log (.ftl), a CSV with columns of flight.csv, or a flight folder";
   verb.option("A", options->a, fmt::format("The flight: {}", what)).required();
-  auto b = verb.option("B", options->b, "A second flight to lay over it, likewise");
+  auto b = verb.option("B", options->b, "A second flight to draw over it: the same kinds of file");
   verb.option("--out", options->out,
               "Folder for report.html and the data behind it [out/report/A or out/report/A_and_B]")
       .check(objection_to_folder);
-  verb.option("--from", options->from_s, "Of two flights: begin on A's clock, s").check(objection_to_time).needs(b);
+  verb.option("--from", options->from_s, "Of two flights: start on A's clock, s").check(objection_to_time).needs(b);
   verb.option("--to", options->to_s, "Of two flights: end on A's clock, s").check(objection_to_time).needs(b);
   auto align = verb.option("--align", options->align,
                            "none: the clocks as they are. angle: the shift of up to 2 s at which the rolls agree "

@@ -8,8 +8,8 @@
 
 #include "fantail/interrupt.hpp"
 #include "fantail/lcm_output.hpp"
-#include "fantail/live_output.hpp"
 #include "fantail/run.hpp"
+#include "fantail/standard_streams.hpp"
 #include "hal/linux/clock.hpp"
 #include "telemetry/panel.hpp"
 #include "telemetry/subscription.hpp"
@@ -57,7 +57,7 @@ void watch(const WatchOptions& options) {
     more = listen_until(next, clock, subscription, receiver) && next < end;
     panel.look(clock.now());
     const std::string text = screen ? "\033[H\033[J" + panel.table() : (options.json ? panel.json() : panel.lines());
-    if (!shown(text)) {
+    if (!show_live(text)) {
       return;
     }
   }

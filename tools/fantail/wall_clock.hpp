@@ -9,7 +9,7 @@
 
 namespace fantail::tool {
 
-/// Holds a simulated flight back to the pace of the clock on the wall; the flight's bytes are the same as without it.
+/// Holds a simulated flight back to real time; the flight's bytes are the same as without it.
 class WallClock {
  public:
   /// Returns when as much time has passed since the first call as between the two simulated times. A PC that was a

@@ -41,8 +41,8 @@ struct WhatIf {
 
 /// What must stand beside every figure of it.
 inline constexpr const char* open_loop_sentence =
-    "Open loop: the sensors read what they read in the flight that was flown, whatever these commands would have done "
-    "to the rocket. The commands are right for the first moments after they begin to differ; later ones show what the "
+    "Open loop: the recorded sensor readings do not respond to these commands. The commands are right for the first "
+    "moments after they begin to differ; later ones show what the "
     "flight law would have asked for, not how the rocket would have rolled.";
 
 }  // namespace fantail::tool

@@ -93,7 +93,7 @@ void keep_log(flight::Flight& flight, const sim::World& world, bool was_armed) {
   if (flight.log.empty()) {
     flight.notes.push_back(fmt::format("The avionics recorded nothing, so there is no flight.ftl: it was never {}.",
                                        !was_armed      ? "armed"
-                                       : flight.tunnel ? "told to begin"
+                                       : flight.tunnel ? "started"
                                                        : "launched, as far as it could tell"));
   } else if (world.record_is_full()) {
     flight.notes.emplace_back("flight.ftl ends before the run does: the flash of the avionics was full.");

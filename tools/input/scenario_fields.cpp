@@ -18,7 +18,7 @@ constexpr auto fields = std::to_array<Field<sim::Scenario>>({
   {"", "vehicle", file(), must, AT(it.vehicle_name), "The vehicle that flies."},
   {"", "plan", file(), must, AT(it.plan_name), "The flight plan that its avionics is told."},
   {"", "seed", integer({}, {0, 9e15}), may, AT(it.seed), "Of every random stream."},
-  {"", "assumed", list(100, text()), may, AT(grown(it.assumed, i)), "What in this file nobody has measured, a sentence each; reports repeat it, and that of the vehicle."},
+  {"", "assumed", list(100, text()), may, AT(grown(it.assumed, i)), "What in this file was assumed and not measured, a sentence each; reports repeat it, and that of the vehicle."},
   {"", "tunnel_result", file(), may, {}, "What `predict` starts from ([Predicting a launch](predict.md)); a flight makes no use of it."},
 
   {"environment", "surroundings", choice(surroundings), may, AT(it.surroundings), "`tunnel` for plans with `run.start = \"tunnel\"`, and only for them."},

@@ -14,7 +14,7 @@ constexpr Limits tolerated_deg{0.05, 10};
 #define AT(expression) FANTAIL_PLACE(sim::Vehicle, expression)
 constexpr auto fields = std::to_array<Field<sim::Vehicle>>({
   {"body", "name", text(), must, AT(it.name), "What reports call it."},
-  {"body", "assumed", list(100, text()), may, AT(grown(it.assumed, i)), "What in this file nobody has measured, a sentence each; reports repeat it."},
+  {"body", "assumed", list(100, text()), may, AT(grown(it.assumed, i)), "What in this file was assumed and not measured, a sentence each; reports repeat it."},
   {"body", "mass_kg", number("kg", {0.1, 1000}), must, AT(it.mass_kg), "At lift-off; more than the propellant of its motor."},
   {"body", "drag_area_m2", number("m2", {0, 1}), must, AT(it.drag_area_m2), "Drag coefficient times area."},
   {"body", "roll_inertia_kg_m2", number("kg m2", {1e-6, 10}), must, AT(it.roll_plant.inertia_kg_m2), "Moment of inertia about the long axis."},

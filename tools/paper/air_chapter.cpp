@@ -6,7 +6,7 @@
 
 #include "paper/chapters.hpp"
 #include "paper/drawing.hpp"
-#include "paper/tunnel_sessions.hpp"
+#include "paper/runs.hpp"
 #include "tunnel/flow.hpp"
 
 namespace fantail::paper {

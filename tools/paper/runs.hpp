@@ -8,6 +8,9 @@
 #include "flight/flight.hpp"
 #include "identify/model/roll_model.hpp"
 #include "input/scenario_file.hpp"
+#include "paper/runs.hpp"
+#include "tunnel/swirl.hpp"
+#include "tunnel/tunnel_log.hpp"
 
 namespace fantail::paper {
 
@@ -27,5 +30,11 @@ using Tell = std::function<void(const std::string& what)>;
 [[nodiscard]] identify::model::Record true_record(const Run& run, double from_s, double to_s, double every_s);
 
 [[nodiscard]] identify::model::Airframe airframe(const sim::Scenario& scenario);
+
+/// What the tunnel's own instruments would have logged in this run.
+[[nodiscard]] tunnel::TunnelLog wind_log(const Run& run);
+
+/// A run in which the rocket rolled freely, as its log would show it.
+[[nodiscard]] tunnel::RollSession roll_session(const Run& run);
 
 }  // namespace fantail::paper

@@ -4,7 +4,7 @@
 
 #include "paper/chapters.hpp"
 #include "paper/drawing.hpp"
-#include "paper/tunnel_sessions.hpp"
+#include "paper/runs.hpp"
 #include "text/degrees.hpp"
 #include "text/number.hpp"
 #include "tunnel/swirl.hpp"

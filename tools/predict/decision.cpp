@@ -6,7 +6,7 @@
 
 #include <fmt/core.h>
 
-#include "predict/words.hpp"
+#include "predict/sentences.hpp"
 #include "text/number.hpp"
 
 namespace fantail::predict {
@@ -55,7 +55,7 @@ Criterion held(const Prediction& p, double threshold) {
   if (share.of == 0) {
     c.found = "could not be judged";
     c.clause =
-        "whether roll is held, as the reference never stands still for long enough or there is no proportional gain";
+        "whether roll is held: the reference is never constant for long enough, or the proportional gain is zero";
     return c;
   }
   c.found = found_share(share);

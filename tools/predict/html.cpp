@@ -8,7 +8,7 @@
 #include "page/page.hpp"
 #include "predict/charts.hpp"
 #include "predict/results.hpp"
-#include "predict/words.hpp"
+#include "predict/sentences.hpp"
 #include "text/number.hpp"
 
 namespace fantail::predict {
@@ -75,7 +75,7 @@ std::string criteria(const Decision& decision) {
   std::vector<std::vector<page::Cell>> rows;
   rows.reserve(decision.criteria.size());
   for (const Criterion& c : decision.criteria) {
-    rows.push_back({{c.label}, {c.found}, {c.required}, {std::string{words(c.judgement)}, tone(c.judgement)}});
+    rows.push_back({{c.label}, {c.found}, {c.required}, {std::string{label(c.judgement)}, tone(c.judgement)}});
   }
   return page::table(columns, rows) + (decision.advice.empty() ? "" : page::list(decision.advice));
 }
@@ -93,7 +93,7 @@ std::string roll(const Prediction& p) {
 
 std::string stability(const Prediction& p, const Decision& decision) {
   if (p.over_speed.empty()) {
-    return page::paragraph("There is no loop whose margin could be told: control never begins, or its gains are zero.");
+    return page::paragraph("No phase margin could be computed: control never begins, or its gains are zero.");
   }
   const std::array<page::Column, 4> columns{{{"air speed, m/s", true},
                                              {"phase margin, deg", true},

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "json/value.hpp"
 #include "predict/results.hpp"
-#include "predict/words.hpp"
+#include "predict/sentences.hpp"
 
 namespace fantail::predict {
 namespace {

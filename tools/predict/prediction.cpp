@@ -8,7 +8,7 @@
 
 #include "flight/flight.hpp"
 #include "input/fault_file.hpp"
-#include "predict/loop_at_speed.hpp"
+#include "predict/margins.hpp"
 #include "predict/parallel_for.hpp"
 #include "text/degrees.hpp"
 #include "text/error.hpp"
@@ -111,7 +111,7 @@ std::vector<std::string> notes(const sim::Scenario& scenario, const TunnelResult
     all.push_back(fmt::format("{} rows say little about how different the next one can be.", tunnel.steps.size()));
   }
   if (scenario.imposed_roll) {
-    all.emplace_back("The roll that the scenario imposes is left out: nobody knows it before the flight.");
+    all.emplace_back("The roll that the scenario imposes is left out: it is unknown before the flight.");
   }
   for (const sim::Fault& fault : scenario.faults) {
     all.push_back(fmt::format("Every run has the scenario's fault {}.", input::name(fault.kind)));

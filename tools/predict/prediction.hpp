@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "predict/airframe.hpp"
-#include "predict/loop_at_speed.hpp"
+#include "predict/margins.hpp"
 #include "predict/run.hpp"
 #include "predict/share.hpp"
 #include "predict/tunnel_result.hpp"

@@ -2,7 +2,7 @@
 #include <fmt/core.h>
 
 #include "predict/results.hpp"
-#include "predict/words.hpp"
+#include "predict/sentences.hpp"
 #include "text/number.hpp"
 
 namespace fantail::predict {
@@ -25,7 +25,7 @@ std::string line(std::string_view label, const std::optional<Spread>& s, double 
 
 std::string figures(const Prediction& p) {
   const double in_degrees = degrees(1.0);
-  std::string text = "Middle of the runs (5 to 95 % of them):\n";
+  std::string text = "Median of the runs (5 to 95 % of them):\n";
   text += line("size of the fin offset", p.offset_size_rad, in_degrees, 1, "deg");
   text += line("authority margin", p.authority_margin_rad, in_degrees, 1, "deg");
   text += line("roll settles at", p.settle_rad, in_degrees, 1, "deg");
@@ -48,7 +48,7 @@ std::string prediction_text(const Prediction& p, const Decision& decision) {
   std::string text =
       fmt::format("{} ({}), {} runs, seed {}\n{}\n\n", p.scenario, p.vehicle, p.runs.size(), p.seed, decision.text);
   for (const Criterion& c : decision.criteria) {
-    text += fmt::format("  {:<11}{}: {}; asked for: {}\n", words(c.judgement), c.label, c.found, c.required);
+    text += fmt::format("  {:<11}{}: {}; asked for: {}\n", label(c.judgement), c.label, c.found, c.required);
   }
   for (const std::string& sentence : decision.advice) {
     text += fmt::format("  {}\n", sentence);

@@ -50,13 +50,13 @@ class NumberColumn {
 
 std::string describe_swirl(const TunnelResult& result, bool given, bool in_file) {
   if (given) {
-    return fmt::format("Swirl taken off: {} degrees, as --swirl says.", brief(degrees(result.swirl_rad), 2));
+    return fmt::format("Swirl subtracted: {} degrees (from --swirl).", brief(degrees(result.swirl_rad), 2));
   }
   if (in_file) {
-    return fmt::format("Swirl taken off: {} degrees, as the column swirl_deg of {} says.",
-                       brief(degrees(result.swirl_rad), 2), result.name);
+    return fmt::format("Swirl subtracted: {} degrees (column swirl_deg of {}).", brief(degrees(result.swirl_rad), 2),
+                       result.name);
   }
-  return fmt::format("Swirl taken off: none, as {} has no column swirl_deg and --swirl was not given.", result.name);
+  return fmt::format("No swirl subtracted: {} has no column swirl_deg, and --swirl was not given.", result.name);
 }
 
 std::vector<std::string> sources(const flight::Table& table) {

@@ -164,7 +164,7 @@ double mean_wind_speed_m_s(const TunnelLog& wind, const std::vector<ReferenceSte
 
 StepSpeed speed_of_steps(const logs::RollLog& roll, const std::filesystem::path& roll_path, const SpeedChoice& choice) {
   if (choice.speed_m_s) {
-    return {choice.speed_m_s, "given by hand"};
+    return {choice.speed_m_s, "from the command line"};
   }
   if (const auto wind = find_tunnel_log(roll, roll_path, choice.wind, choice.truth, "give --speed or --wind")) {
     return {mean_wind_speed_m_s(*wind, find_reference_steps(roll)), "mean of " + wind->name};

@@ -58,8 +58,8 @@ void Target::begin(std::span<const std::byte> payload) {
   const auto plan = protocol::read_plan_block(reader.bytes());
   hal::FlashGeometry geometry;
   world_link::visit_geometry(geometry, reader);
-  world_ = {};
-  world_link::visit_scales(world_, reader);
+  devices_.world = {};
+  world_link::visit_scales(devices_.world, reader);
   const std::string_view vehicle = keep(reader.text(), vehicle_);
   const std::string_view sensors = keep(reader.text(), sensors_);
   if (!reader.ok() || !plan.plan) {
@@ -73,18 +73,18 @@ void Target::begin(std::span<const std::byte> payload) {
   world_bus_.emplace(wire_);
   ticked_ = false;
   overruns_ = 0;
-  avionics_.emplace(avionics::Devices{.clock = clock_,
-                                      .imu = imu_,
-                                      .accelerometer = accelerometer_,
-                                      .servo = servo_,
-                                      .encoder = encoder_,
-                                      .arm_switch = arm_switch_,
+  avionics_.emplace(avionics::Devices{.clock = devices_.clock,
+                                      .imu = devices_.imu,
+                                      .accelerometer = devices_.accelerometer,
+                                      .servo = devices_.servo,
+                                      .encoder = devices_.encoder,
+                                      .arm_switch = devices_.arm_switch,
                                       .can_bus = *can_bus_,
                                       .flash = flash_,
                                       .console = console_,
-                                      .watchdog = watchdog_,
+                                      .watchdog = devices_.watchdog,
                                       .entropy = entropy_,
-                                      .board = board_,
+                                      .board = devices_.board,
                                       .backup_memory = backup_memory_},
                     *plan.plan,
                     avionics::Identity{.firmware_version = avionics::firmware_version(),
@@ -96,7 +96,7 @@ void Target::begin(std::span<const std::byte> payload) {
 
 void Target::tick(std::span<const std::byte> payload) {
   HilReader reader{payload};
-  world_link::visit_inputs(world_, reader);
+  world_link::visit_inputs(devices_.world, reader);
   std::uint32_t random = 0;
   reader(random);
   entropy_.set(random);
@@ -116,12 +116,12 @@ void Target::tick(std::span<const std::byte> payload) {
       .tick = stopwatch_.end(), .step = measured_.step != nullptr ? *measured_.step : 0, .overruns = overruns_};
   HilWriter writer{link_.payload()};
   core::visit_signals(record, writer);
-  world_link::visit_outputs(world_, writer);
+  world_link::visit_outputs(devices_.world, writer);
   world_link::visit_times(times, writer);
   writer.text(console_.text());
   console_.clear();
   give_frames(writer);
-  link_.answer(HilType::done, writer.size(), world_.time);
+  link_.answer(HilType::done, writer.size(), devices_.world.time);
 }
 
 void Target::refuse(std::string_view why) {

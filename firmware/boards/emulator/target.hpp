@@ -13,17 +13,9 @@
 #include "hal/emulator/console.hpp"
 #include "hal/emulator/entropy.hpp"
 #include "hal/emulator/stopwatch.hpp"
-#include "hal/sim/accelerometer.hpp"
-#include "hal/sim/arm_switch.hpp"
 #include "hal/sim/backup_memory.hpp"
-#include "hal/sim/board.hpp"
 #include "hal/sim/can_bus.hpp"
-#include "hal/sim/clock.hpp"
-#include "hal/sim/encoder.hpp"
-#include "hal/sim/imu.hpp"
-#include "hal/sim/servo.hpp"
-#include "hal/sim/watchdog.hpp"
-#include "hal/sim/world_side.hpp"
+#include "hal/sim/devices.hpp"
 #include "protocol/hil_codec.hpp"
 #include "world_link/exchange.hpp"
 #include "world_link/flash.hpp"
@@ -53,15 +45,7 @@ class Target {
   std::string_view name_;
   const Measured& measured_;
   world_link::Link link_;
-  hal::sim::WorldSide world_;
-  hal::sim::Clock clock_{world_};
-  hal::sim::Imu imu_{world_};
-  hal::sim::Accelerometer accelerometer_{world_};
-  hal::sim::Servo servo_{world_};
-  hal::sim::Encoder encoder_{world_};
-  hal::sim::ArmSwitch arm_switch_{world_};
-  hal::sim::Watchdog watchdog_{world_};
-  hal::sim::Board board_{world_};
+  hal::sim::Devices devices_;
   hal::sim::NoBackupMemory backup_memory_;
   hal::sim::CanWire wire_;
   std::optional<hal::sim::CanBus> can_bus_;    ///< the avionics' node, new with every beginning

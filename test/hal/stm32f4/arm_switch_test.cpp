@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "register_world.hpp"
+#include "seed.hpp"
 
 namespace fantail::hal::stm32f4 {
 namespace {
@@ -52,9 +53,7 @@ TEST_F(TheArmSwitch, OneTickAtTheOldLevelBeginsAllOver) {
 }
 
 TEST_F(TheArmSwitch, ABouncingContactIsNeitherClosedNorOpened) {
-  constexpr std::uint32_t seed = 7;
-  SCOPED_TRACE(testing::Message() << "seed " << seed);
-  std::mt19937 random{seed};
+  std::mt19937 random{fantail::test::seed(7)};
   const auto bounce = [&] {
     for (int spike = 0; spike < 200; ++spike) {
       ticks(static_cast<int>(random() % 50), true);

@@ -7,6 +7,7 @@
 
 #include "fake_systick.hpp"
 #include "register_world.hpp"
+#include "seed.hpp"
 
 namespace fantail::hal::stm32f4 {
 namespace {
@@ -67,9 +68,7 @@ TEST_F(TheClock, IsRightWhileItsInterruptHasToWait) {
 }
 
 TEST(TheSlowClock, NeverGoesBackwardsWhicheverCountItIsReadAt) {
-  constexpr std::uint32_t seed = 20'260'301;
-  SCOPED_TRACE(testing::Message() << "seed " << seed);
-  std::mt19937 random{seed};
+  std::mt19937 random{fantail::test::seed(20'260'301)};
   RegisterWorld world;
   FakeSysTick systick{world};
   Clock clock{systick.timer, systick.system, 16'000'000};

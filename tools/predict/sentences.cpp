@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "predict/words.hpp"
+#include "predict/sentences.hpp"
 
 #include <algorithm>
 
@@ -33,7 +33,7 @@ std::string_view name(Judgement judgement) {
   return "not_judged";
 }
 
-std::string_view words(Judgement judgement) {
+std::string_view label(Judgement judgement) {
   switch (judgement) {
     case Judgement::met: return "met";
     case Judgement::not_met: return "not met";
@@ -49,9 +49,8 @@ std::vector<std::string> basis(const Prediction& p) {
     all.push_back(fmt::format("Source of {}: {}.", p.tunnel.name, source));
   }
   all.push_back(
-      fmt::format("{} airframes drawn from a normal law through the {} rows of {}, damping, torque and offset together "
-                  "as they come "
-                  "in the rows; each flown with sensor noise of its own.",
+      fmt::format("{} airframes drawn from a normal distribution fitted to the {} rows of {}, with the correlation of "
+                  "damping, torque and offset; each flown with sensor noise of its own.",
                   p.runs.size(), p.tunnel.steps.size(), p.tunnel.name));
   all.push_back(p.tunnel.swirl_words);
   if (p.damping.low != 1.0 || p.damping.high != 1.0) {

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "predict/loop_at_speed.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -9,6 +7,7 @@
 
 #include "fly/fly_scenario.hpp"
 #include "input/scenario_file.hpp"
+#include "predict/margins.hpp"
 #include "text/degrees.hpp"
 
 namespace fantail::predict {

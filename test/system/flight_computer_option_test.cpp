@@ -7,7 +7,8 @@ namespace fantail::test {
 namespace {
 
 TEST(FlyOn, APlaceThatDoesNotExistIsRefused) {
-  Refusal{{}, {"fly", "--on", "moon"}, 64, {"\"moon\" is no place to fly; allowed: host, emulator, serial:DEVICE"}};
+  Refusal{
+      {}, {"fly", "--on", "moon"}, 64, {"\"moon\" is not a flight computer; allowed: host, emulator, serial:DEVICE"}};
   Refusal{{}, {"fly", "--on", "serial:"}, 64, {"\"serial:\" is no place to fly"}};
 }
 

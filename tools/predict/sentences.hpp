@@ -16,7 +16,7 @@ namespace fantail::predict {
 [[nodiscard]] std::string of_the_runs(double share);
 
 [[nodiscard]] std::string_view name(Judgement judgement);   ///< for files: "not_met"
-[[nodiscard]] std::string_view words(Judgement judgement);  ///< for readers: "not met"
+[[nodiscard]] std::string_view label(Judgement judgement);  ///< for readers: "not met"
 
 /// How the runs were made: the airframes, the swirl, the servo, what was left out. A sentence each.
 [[nodiscard]] std::vector<std::string> basis(const Prediction& prediction);
