@@ -30,7 +30,7 @@ TEST(ChangedPlan, EveryOtherValueKeepsItsBits) {
 }
 
 TEST(ChangedPlan, RulesThatSpanSeveralValuesSeeThoseOfThePlan) {
-  core::FlightPlan plan = shipped("tunnel_steps");
+  const core::FlightPlan plan = shipped("tunnel_steps");
   // Steps are allowed because the plan has some; the default plan has none.
   EXPECT_NO_THROW((void)changed(plan, "controller.canard_limit_deg=4"));
 }

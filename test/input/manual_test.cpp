@@ -150,7 +150,7 @@ TEST(RocketManual, HasExamplesThatCanBeCopied) {
   const ScratchFile scenario_file{example(0), "my_scenario.toml"};
   const std::filesystem::path folder = scenario_file.path().parent_path();
   std::ofstream{folder / "my_vehicle.toml"} << example(1);
-  std::ofstream{folder / "my_plan.toml"};  // every default
+  const std::ofstream every_default{folder / "my_plan.toml"};
   const sim::Scenario scenario = load_scenario(scenario_file.path(), {});
   EXPECT_EQ(scenario.vehicle.name, "My rocket");
   EXPECT_EQ(scenario.faults.size(), 1U);

@@ -18,7 +18,7 @@ using core::FieldKind;
 using core::Microseconds;
 using core::PlanField;
 
-core::FlightPlan plan_of(std::string_view content, std::vector<std::string> changes = {}) {
+core::FlightPlan plan_of(std::string_view content, const std::vector<std::string>& changes = {}) {
   const ScratchFile file{content};
   Document document = Document::load(file.path());
   for (const std::string& change : changes) {
@@ -27,7 +27,7 @@ core::FlightPlan plan_of(std::string_view content, std::vector<std::string> chan
   return read_plan(document);
 }
 
-std::string refusal(std::string_view content, std::vector<std::string> changes = {}) {
+std::string refusal(std::string_view content, const std::vector<std::string>& changes = {}) {
   const Complaint refused = complaint([&] { (void)plan_of(content, changes); });
   EXPECT_EQ(refused.fault, text::ErrorKind::bad_configuration);
   return refused.message;
@@ -184,7 +184,7 @@ TEST(PlanFile, OverridesWinAndAreNamedInEveryRefusal) {
 TEST(PlanFile, EveryMillisecondOfTenMinutesIsKeptExactly) {
   const ScratchFile file{""};
   Document document = Document::load(file.path());
-  for (std::int64_t ms : {1L, 700L, 8001L, 77'800L, 123'457L, 300'001L, 599'999L, 600'000L}) {
+  for (const std::int64_t ms : {1L, 700L, 8001L, 77'800L, 123'457L, 300'001L, 599'999L, 600'000L}) {
     document.apply({"reference", "square_wave_begin_s", std::to_string(static_cast<double>(ms) / 1000.0)});
     EXPECT_EQ(read_plan(document).reference.square_wave_begin, Microseconds{ms * 1000});
   }

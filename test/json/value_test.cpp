@@ -86,7 +86,7 @@ TEST(Value, NullBecomesWhatIsBuiltOfIt) {
 
 TEST(Value, BracesAroundAValueAreNoArray) {
   const Value text{"a"};
-  const Value same{text};
+  const Value same{text};  // NOLINT(performance-unnecessary-copy-initialization): the copy is what is tested
   EXPECT_EQ(same.dump(), R"("a")");
 }
 

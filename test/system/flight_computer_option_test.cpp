@@ -9,7 +9,7 @@ namespace {
 TEST(FlyOn, APlaceThatDoesNotExistIsRefused) {
   Refusal{
       {}, {"fly", "--on", "moon"}, 64, {"\"moon\" is not a flight computer; allowed: host, emulator, serial:DEVICE"}};
-  Refusal{{}, {"fly", "--on", "serial:"}, 64, {"\"serial:\" is no place to fly"}};
+  Refusal{{}, {"fly", "--on", "serial:"}, 64, {"\"serial:\" is not a flight computer"}};
 }
 
 TEST(FlyOn, AnImageThatIsMissingIsNamed) {

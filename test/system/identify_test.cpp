@@ -234,8 +234,8 @@ TEST(Identify, RefusesToGuessASpeed) {
 
 TEST(Identify, AsksWhichRocket) {
   const std::string good = text(tunnel_rows(shaken));
-  Refusal({{"a.csv", good}}, {"identify", "a.csv"}, 64, {"which rocket?", "--inertia", "tasha3_launch2", "smokey"});
-  Refusal({{"a.csv", good}}, {"identify", "a.csv", "--inertia", "0.004"}, 64, {"which rocket?"});
+  Refusal({{"a.csv", good}}, {"identify", "a.csv"}, 64, {"no rocket given", "--inertia", "tasha3_launch2", "smokey"});
+  Refusal({{"a.csv", good}}, {"identify", "a.csv", "--inertia", "0.004"}, 64, {"no rocket given"});
   Refusal({{"a.csv", good}}, {"identify", "a.csv", "--vehicle", "tasha"}, 66, {"unknown vehicle", "did you mean"});
 }
 
