@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "logs/refused.hpp"
+#include "seed.hpp"
 
 namespace fantail::logs {
 namespace {
@@ -133,9 +134,7 @@ INSTANTIATE_TEST_SUITE_P(AtIntervals, CompareShift, testing::Values(0.001, 0.01,
 // Where B is read between two samples its noise is halved, which makes such shifts look better than they are. The mean
 // of many draws shows a bias and not chance.
 TEST(Compare, NoiseDoesNotPullTheShiftToTheMiddleOfASample) {
-  constexpr unsigned seed = 11;
-  SCOPED_TRACE(seed);
-  std::mt19937 random{seed};
+  std::mt19937 random{test::seed(11)};
   std::normal_distribution<double> noise{0.0, 0.05};
   for (const double ahead : {0.0, 0.003, 0.005, 0.0075}) {
     double sum = 0.0;

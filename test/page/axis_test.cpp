@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include "seed.hpp"
+
 namespace fantail::page {
 namespace {
 
@@ -26,9 +28,7 @@ TEST(Axis, TicksAreRoundNumbersWithRealMinusSigns) {
 }
 
 TEST(Axis, TicksStayInsideTheRangeAndAreNearTheNumberWanted) {
-  constexpr unsigned seed = 5;
-  SCOPED_TRACE(seed);
-  std::mt19937 random{seed};
+  std::mt19937 random{test::seed(5)};
   std::uniform_real_distribution<double> exponent{-8.0, 8.0};
   for (int i = 0; i < 2000; ++i) {
     const double size = std::pow(10.0, exponent(random));

@@ -175,8 +175,8 @@ TEST(ChartLabels, DegenerateDataGiveFiniteDrawings) {
 }
 
 TEST(ChartLabels, ChartsBelowEachOtherCanLineUp) {
-  Chart wide{.series = {{"", Role::measured, Mark::line, {0, 1}, {100'000, 200'000}}}, .least_left = 90.0};
-  Chart slim{.series = {{"", Role::measured, Mark::line, {0, 1}, {0, 1}}}, .least_left = 90.0};
+  const Chart wide{.series = {{"", Role::measured, Mark::line, {0, 1}, {100'000, 200'000}}}, .least_left = 90.0};
+  const Chart slim{.series = {{"", Role::measured, Mark::line, {0, 1}, {0, 1}}}, .least_left = 90.0};
   EXPECT_EQ(SvgReader::number(SvgReader{svg(wide)}.frame(), "x"), 90.0);
   EXPECT_EQ(SvgReader::number(SvgReader{svg(slim)}.frame(), "x"), 90.0);
 }

@@ -64,7 +64,7 @@ TEST(Chart, WhereSamplesAreMissingASampledLineBreaksAndOthersDoNot) {
 }
 
 TEST(Chart, TheHeightOfARangeIsThatOfWhatIsSeen) {
-  Chart chart{.series = {line({0, 1, 2, 3}, {0, 1, 0, 1000})}, .x_range = Range{0, 2}};
+  const Chart chart{.series = {line({0, 1, 2, 3}, {0, 1, 0, 1000})}, .x_range = Range{0, 2}};
   EXPECT_TRUE(SvgReader{svg(chart)}.has_text("1"));
   EXPECT_FALSE(SvgReader{svg(chart)}.has_text("1000"));
 }

@@ -97,7 +97,7 @@ TEST(HeatMap, LabelsOfSpotsAtOnePlaceDoNotCoverEachOtherOrARing) {
   for (int j = 0; j < 20; ++j) {
     map.y.push_back(j);
   }
-  for (std::size_t i = 0; i < 60 * 20; ++i) {
+  for (std::size_t i = 0; i < 1200; ++i) {
     map.value.push_back(1.0 + static_cast<double>(i));
   }
   for (int i = 0; i < 7; ++i) {

@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include "seed.hpp"
+
 namespace fantail::page {
 namespace {
 
@@ -49,9 +51,7 @@ TEST(Thinning, SkipsWhatIsNotANumber) {
 }
 
 TEST(Thinning, EveryStretchKeepsItsSmallestAndLargestValueOfNoise) {
-  constexpr unsigned seed = 20'151'204;
-  SCOPED_TRACE(seed);
-  std::mt19937 random{seed};
+  std::mt19937 random{test::seed(20'151'204)};
   std::vector<std::vector<double>> series(3, std::vector<double>(10'000));
   for (auto& values : series) {
     std::ranges::generate(values, [&] { return static_cast<double>(random()); });

@@ -225,7 +225,7 @@ TEST(ClosedLoopSensitivities, AreThoseOfFiniteDifferencesBehindAGapAndWithASlowC
   compare_with_differences(loop, controller, record, model, 1e-3, 1e-4);
 }
 
-void expect_refused(Record record, const Control& controller, text::ErrorKind fault, const std::string& word) {
+void expect_refused(const Record& record, const Control& controller, text::ErrorKind fault, const std::string& word) {
   const paper::Loop loop = second_launch();
   try {
     (void)simulate(record, paper::airframe(loop), controller, truth(loop, {0.0}));

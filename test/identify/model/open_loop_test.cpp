@@ -15,7 +15,7 @@ namespace {
 
 // Row 24 of the oracle table. The record is noisy, so that no cell is better than the rest by more than it should be.
 TEST(OpenLoopGrid, ItsTableIsThatOfBruteForceAndSoIsItsWinner) {
-  Planting planting{.node_time_s = {0.0, 2.0, 9.0}, .node_deg = {-1.0, -6.0, -5.0}, .seconds = 9.0};
+  const Planting planting{.node_time_s = {0.0, 2.0, 9.0}, .node_deg = {-1.0, -6.0, -5.0}, .seconds = 9.0};
   Record record = planted_record(planting);
   const std::uint64_t seed = 24;
   add_noise(record, {}, seed);

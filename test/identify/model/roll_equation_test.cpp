@@ -64,7 +64,7 @@ TEST(HeldStep, ItsSlopeIsThatOfDifferences) {
     const HeldStep more = held_step(equation, alpha_m2 + change_m2, dt_s);
     const HeldStep less = held_step(equation, alpha_m2 - change_m2, dt_s);
     const auto [step, by_alpha] = held_step_and_slope(equation, alpha_m2, dt_s);
-    for (double HeldStep::* number :
+    for (double HeldStep::* const number :
          {&HeldStep::decay, &HeldStep::angle_p_s, &HeldStep::rate_gain, &HeldStep::angle_gain}) {
       EXPECT_EQ(step.*number, held_step(equation, alpha_m2, dt_s).*number);
       EXPECT_NEAR(by_alpha.*number, (more.*number - less.*number) / (2.0 * change_m2), 1e-9);
@@ -84,13 +84,14 @@ TEST(RampStep, WithoutDampingItIsTheIntegralOfARamp) {
 
 TEST(RampStep, ItIsTheClosedFormForEveryDamping) {
   constexpr double dt = 0.5;
+  constexpr long double exact_dt = 0.5L;
   for (const double x : {1e-12, 1e-6, 1e-3, 0.1, 0.2499999, 0.25, 1.0, 5.0, 40.0}) {
     // Textbook integrals in extended precision; they cancel for small x, so the bound is loose there.
-    const long double a = static_cast<long double>(x) / dt;
+    const long double a = static_cast<long double>(x) / exact_dt;
     const long double e = std::exp(-static_cast<long double>(x));
     const long double c1 = (1.0L - e) / a;
-    const long double c2 = (dt - c1) / a;
-    const long double c3 = (0.5L * dt * dt - c2) / a;
+    const long double c2 = (exact_dt - c1) / a;
+    const long double c3 = (0.5L * exact_dt * exact_dt - c2) / a;
     const RampStep t = ramp_step(x / dt, dt);
     const double bound = 1e-13 + 1e-18 / (x * x * x);
     if (bound > 1e-3) {
@@ -98,11 +99,11 @@ TEST(RampStep, ItIsTheClosedFormForEveryDamping) {
     }
     SCOPED_TRACE(x);
     EXPECT_NEAR(t.decay, static_cast<double>(e), bound);
-    EXPECT_NEAR(t.rate_0, static_cast<double>(c1 - c2 / dt), bound);
-    EXPECT_NEAR(t.rate_1, static_cast<double>(c2 / dt), bound);
+    EXPECT_NEAR(t.rate_0, static_cast<double>(c1 - c2 / exact_dt), bound);
+    EXPECT_NEAR(t.rate_1, static_cast<double>(c2 / exact_dt), bound);
     EXPECT_NEAR(t.angle_p, static_cast<double>(c1), bound);
-    EXPECT_NEAR(t.angle_0, static_cast<double>(c2 - c3 / dt), bound);
-    EXPECT_NEAR(t.angle_1, static_cast<double>(c3 / dt), bound);
+    EXPECT_NEAR(t.angle_0, static_cast<double>(c2 - c3 / exact_dt), bound);
+    EXPECT_NEAR(t.angle_1, static_cast<double>(c3 / exact_dt), bound);
   }
 }
 
