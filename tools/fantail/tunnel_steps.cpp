@@ -105,7 +105,7 @@ void add_run_options(const Verb& verb, StepsVerbOptions& options) {
       .check(within(0.1, 1000.0))
       .value_name("M/S");
   verb.option("--wind", options.wind, "The tunnel's log, instead of the tunnel.csv beside the run").value_name("FILE");
-  verb.option("--density", options.density_kg_m3, "Of the air")
+  verb.option("--density", options.density_kg_m3, "Air density")
       .check(within(0.01, 5.0))
       .value_name("KG/M3")
       .show_default();
@@ -113,11 +113,12 @@ void add_run_options(const Verb& verb, StepsVerbOptions& options) {
 }
 
 void add_method_options(const Verb& verb, StepsVerbOptions& options) {
-  verb.option("--seconds", options.steps.seconds, "Of each step are looked at")
+  verb.option("--seconds", options.steps.seconds, "Time from the start of each step that is identified")
       .check(within(0.05, 600.0))
       .value_name("S")
       .show_default();
-  verb.option("--intervals", options.steps.intervals, "Of the disturbance in each step; 0: it is constant")
+  verb.option("--intervals", options.steps.intervals,
+              "Number of intervals of the disturbance in each step; 0: it is constant")
       .check(within(0, 20))
       .show_default();
   verb.option("--method", options.method, "continuous, or the published search on a grid")
