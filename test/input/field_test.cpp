@@ -44,7 +44,7 @@ Override given(const Field<Thing>& field, double file_value) {
   const Allowed& allowed = field.allowed;
   std::string text = allowed.kind == FieldKind::choice
                          ? '"' + std::string{allowed.words[static_cast<std::size_t>(file_value)]} + '"'
-                         : shown(file_value);
+                         : plain_number(file_value);
   if (allowed.is_list) {
     text = "[" + text + "]";
   } else if (allowed.most == 4) {
@@ -77,10 +77,9 @@ void expect_each_field_in_its_place(const Table<Thing>& table) {
     const double beyond = 0.01 * (range.maximum - range.minimum);
     for (const double outside : {range.minimum - beyond, range.maximum + beyond}) {
       if (field.allowed.kind == FieldKind::number) {
-        EXPECT_TRUE(
-            complaint([&] {
-              (void)table.read(given(field, outside));
-            }).message.ends_with(" is out of range; allowed: " + shown(range.minimum) + " to " + shown(range.maximum)))
+        EXPECT_TRUE(complaint([&] { (void)table.read(given(field, outside)); })
+                        .message.ends_with(" is out of range; allowed: " + plain_number(range.minimum) + " to " +
+                                           plain_number(range.maximum)))
             << field.key;
       }
     }

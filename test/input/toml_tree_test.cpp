@@ -42,7 +42,7 @@ TEST(TomlTree, HasDatesAndTimesButAsNoKindThatAnybodyAsksFor) {
     EXPECT_TRUE(date);
     EXPECT_FALSE(date.flag() || date.integer() || date.number() || date.text() || date.elements() || date.is_table());
   }
-  EXPECT_EQ(tree.root()["c"].shown(), "2015-12-04T07:32:00Z");
+  EXPECT_EQ(tree.root()["c"].as_text(), "2015-12-04T07:32:00Z");
 }
 
 TEST(TomlTree, HasNothingInsideWhatIsNoTableOrIsNotThere) {
@@ -77,17 +77,17 @@ TEST(TomlTree, ShowsEveryValueOnOneLineAndALongOneCutOff) {
       "lines = \"\"\"two\nlines\"\"\"\nlist = [1, [2, 3], {x = 1}]\nempty = []\ntable = {y = 1, x.z = 'w'}\n"
       "long = [100000000, 200000000, 300000000, 400000000, 500000000, 600000000]\n[a.inside]\nx = 1\n[a.inside.it]\n");
   const TomlNode a = tree.root()["a"];
-  EXPECT_EQ(a["integer"].shown(), "1000");
-  EXPECT_EQ(a["hex"].shown(), "0xFF");
-  EXPECT_EQ(a["number"].shown(), "3.0");
-  EXPECT_EQ(a["inf"].shown(), "-inf");
-  EXPECT_EQ(a["text"].shown(), "\"it's\"");
-  EXPECT_EQ(a["lines"].shown(), "'''two lines'''");
-  EXPECT_EQ(a["list"].shown(), "[ 1, [ 2, 3 ], { x = 1 } ]");
-  EXPECT_EQ(a["empty"].shown(), "[]");
-  EXPECT_EQ(a["table"].shown(), "{ x = { z = 'w' }, y = 1 }");
-  EXPECT_EQ(a["long"].shown(), "[ 100000000, 200000000, 300000000, 400000000, 500000000, 600...");
-  EXPECT_EQ(a["inside"].shown(), "x = 1 [it]");
+  EXPECT_EQ(a["integer"].as_text(), "1000");
+  EXPECT_EQ(a["hex"].as_text(), "0xFF");
+  EXPECT_EQ(a["number"].as_text(), "3.0");
+  EXPECT_EQ(a["inf"].as_text(), "-inf");
+  EXPECT_EQ(a["text"].as_text(), "\"it's\"");
+  EXPECT_EQ(a["lines"].as_text(), "'''two lines'''");
+  EXPECT_EQ(a["list"].as_text(), "[ 1, [ 2, 3 ], { x = 1 } ]");
+  EXPECT_EQ(a["empty"].as_text(), "[]");
+  EXPECT_EQ(a["table"].as_text(), "{ x = { z = 'w' }, y = 1 }");
+  EXPECT_EQ(a["long"].as_text(), "[ 100000000, 200000000, 300000000, 400000000, 500000000, 600...");
+  EXPECT_EQ(a["inside"].as_text(), "x = 1 [it]");
 }
 
 TEST(TomlTree, TakesAValueAsTomlElseAsAWordIntoATableThatMayBeNew) {
@@ -96,7 +96,7 @@ TEST(TomlTree, TakesAValueAsTomlElseAsAWordIntoATableThatMayBeNew) {
   tree.put("a", "y", "[1, 2]");
   tree.put("b", "x", "product");
   EXPECT_EQ(tree.root()["a"]["x"].number(), 2.5);
-  EXPECT_EQ(tree.root()["a"]["y"].shown(), "[ 1, 2 ]");
+  EXPECT_EQ(tree.root()["a"]["y"].as_text(), "[ 1, 2 ]");
   EXPECT_EQ(tree.root()["a"]["y"].line(), 0U);
   EXPECT_EQ(tree.root()["b"]["x"].text(), "product");
 }

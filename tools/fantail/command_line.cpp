@@ -155,7 +155,7 @@ Objection within(double low, double high) {
     const auto value = text::number(text);
     return value && *value >= low && *value <= high
                ? std::string{}
-               : fmt::format("\"{}\": allowed: {} to {}", text, input::shown(low), input::shown(high));
+               : fmt::format("\"{}\": allowed: {} to {}", text, input::plain_number(low), input::plain_number(high));
   };
 }
 

@@ -40,7 +40,7 @@ void add_rocket(const Verb& verb, IdentifyOptions& o) {
   verb.option("--inertia", o.inertia_kg_m2, "Roll moment of inertia in kg m2").check(within(1e-9, 1e6));
   verb.option("--area", o.area_m2, "Reference area in m2").check(within(1e-9, 1e6));
   verb.option("--density", o.density,
-              "Of the air: kg/m3, exponential or isa [exponential if the log climbs, else 1.2]");
+              "Air density: kg/m3, exponential or isa [exponential if the log climbs, else 1.2]");
   verb.option("--speed", o.speed_m_s, "In m/s, the same throughout, instead of the log's").check(within(0.1, 1e4));
 }
 

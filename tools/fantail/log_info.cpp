@@ -87,7 +87,7 @@ void add_log_info(const Verb& log) {
   auto verb = log.verb("info", "What a flight log holds, whether it is intact, and whether a replay agrees");
   auto options = std::make_shared<InfoOptions>();
   verb.option("LOG", options->log, "A flight log (.ftl), or a folder with a flight.ftl").required();
-  verb.option("--flight", options->flight, "Of several flights in one file, counted from 1 [all]");
+  verb.option("--flight", options->flight, "Which flight in a file with several, counted from 1 [all]");
   verb.flag("--json", options->json, "Print one JSON object");
   verb.examples(
       "Times count from lift-off, in the tunnel from control start.\n"

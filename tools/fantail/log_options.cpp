@@ -10,7 +10,7 @@ std::string objection_to_column(const std::string& text) {
 }
 
 void add_column_option(const Verb& verb, std::vector<std::string>& columns) {
-  verb.option("--column", columns, "A column that the file calls otherwise, as roll_rate_deg_s=gyro_x; repeatable")
+  verb.option("--column", columns, "A column that has another name in the file, as roll_rate_deg_s=gyro_x; repeatable")
       .check(objection_to_column)
       .value_name("OURS=THEIRS")
       .one_word_each_time();
@@ -18,7 +18,7 @@ void add_column_option(const Verb& verb, std::vector<std::string>& columns) {
 
 void add_log_options(const Verb& verb, LogOptions& options) {
   add_column_option(verb, options.columns);
-  verb.option("--units", options.units, "Of every angle and rate in the file")
+  verb.option("--units", options.units, "Unit of every angle and rate in the file")
       .one_of({"deg", "rad"})
       .value_name("deg|rad")
       .show_default();

@@ -3,16 +3,54 @@
 #include <optional>
 #include <string>
 
-#include "fantail/airframe_options.hpp"
 #include "fantail/command_line.hpp"
 #include "fantail/log_options.hpp"
 #include "fantail/tunnel_options.hpp"
+#include "identify/model/roll_model.hpp"
+#include "input/shipped.hpp"
+#include "input/vehicle_file.hpp"
 #include "tunnel/steps.hpp"
 
 namespace fantail::tool {
 namespace {
 
 constexpr const char* default_folder = "out/tunnel/steps";
+
+// Whose inertia and reference area a roll model is identified with.
+struct AirframeOptions {
+  std::string vehicle;
+  std::optional<double> inertia_kg_m2{};
+  std::optional<double> area_m2{};
+};
+
+struct NamedAirframe {
+  std::string name;
+  identify::model::Airframe airframe{};
+};
+
+void add_airframe_options(const Verb& verb, AirframeOptions& options) {
+  verb.option("--vehicle", options.vehicle, "Vehicle with the inertia and reference area: a shipped name or a path")
+      .value_name("FILE")
+      .show_default();
+  verb.option("--inertia", options.inertia_kg_m2, "Roll inertia, instead of the vehicle's")
+      .check(within(1e-9, 1e6))
+      .value_name("KG_M2");
+  verb.option("--area", options.area_m2, "Reference area, instead of the vehicle's")
+      .check(within(1e-9, 1e6))
+      .value_name("M2");
+}
+
+// The vehicle's, except what is given as a number.
+NamedAirframe airframe(const AirframeOptions& options) {
+  if (options.inertia_kg_m2 && options.area_m2) {
+    return {"from the command line", {.inertia_kg_m2 = *options.inertia_kg_m2, .reference_area_m2 = *options.area_m2}};
+  }
+  const sim::Vehicle vehicle =
+      input::read_vehicle(input::Document::load(input::find_input(input::Shipped::vehicle, options.vehicle)));
+  return {vehicle.name,
+          {.inertia_kg_m2 = options.inertia_kg_m2.value_or(vehicle.roll_plant.inertia_kg_m2),
+           .reference_area_m2 = options.area_m2.value_or(vehicle.roll_plant.reference_area_m2)}};
+}
 
 struct StepsVerbOptions {
   std::string run;
@@ -67,7 +105,7 @@ void add_run_options(const Verb& verb, StepsVerbOptions& options) {
       .check(within(0.1, 1000.0))
       .value_name("M/S");
   verb.option("--wind", options.wind, "The tunnel's log, instead of the tunnel.csv beside the run").value_name("FILE");
-  verb.option("--density", options.density_kg_m3, "Of the air")
+  verb.option("--density", options.density_kg_m3, "Air density")
       .check(within(0.01, 5.0))
       .value_name("KG/M3")
       .show_default();
@@ -75,11 +113,12 @@ void add_run_options(const Verb& verb, StepsVerbOptions& options) {
 }
 
 void add_method_options(const Verb& verb, StepsVerbOptions& options) {
-  verb.option("--seconds", options.steps.seconds, "Of each step are looked at")
+  verb.option("--seconds", options.steps.seconds, "Time from the start of each step that is identified")
       .check(within(0.05, 600.0))
       .value_name("S")
       .show_default();
-  verb.option("--intervals", options.steps.intervals, "Of the disturbance in each step; 0: it is constant")
+  verb.option("--intervals", options.steps.intervals,
+              "Number of intervals of the disturbance in each step; 0: it is constant")
       .check(within(0, 20))
       .show_default();
   verb.option("--method", options.method, "continuous, or the published search on a grid")

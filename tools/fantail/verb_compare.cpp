@@ -116,7 +116,7 @@ void add_log(const Verb& verb, const std::string& name, const std::string& capit
       .check(objection_to_column)
       .value_name("OURS=THEIRS")
       .one_word_each_time();
-  verb.option("--" + name + "-units", choice.units, "Of every angle and rate in " + capital)
+  verb.option("--" + name + "-units", choice.units, "Unit of every angle and rate in " + capital)
       .one_of({"deg", "rad"})
       .value_name("deg|rad")
       .show_default();

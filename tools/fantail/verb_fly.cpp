@@ -1,20 +1,23 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <chrono>
 #include <filesystem>
 #include <iterator>
 #include <memory>
+#include <optional>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include <fmt/format.h>
 
+#include "core/time.hpp"
 #include "fantail/flight_computer_option.hpp"
 #include "fantail/interrupt.hpp"
 #include "fantail/lcm_output.hpp"
 #include "fantail/progress.hpp"
 #include "fantail/run.hpp"
 #include "fantail/scenario_options.hpp"
-#include "fantail/wall_clock.hpp"
 #include "flight/phase_names.hpp"
 #include "fly/fly_scenario.hpp"
 #include "hil/wire.hpp"
@@ -22,6 +25,25 @@
 
 namespace fantail::tool {
 namespace {
+
+/// Holds a simulated flight back to real time; the flight's bytes are the same as without it.
+class WallClock {
+ public:
+  /// Returns when as much time has passed since the first call as between the two simulated times. A PC that was a
+  /// little late catches up; one that has slept does not make up for it.
+  void wait_for(core::Microseconds simulated) {
+    using Clock = std::chrono::steady_clock;
+    constexpr std::chrono::seconds most_debt{1};
+    const auto now = Clock::now();
+    if (!zero_ || now > *zero_ + simulated + most_debt) {
+      zero_ = now - simulated;
+    }
+    std::this_thread::sleep_until(*zero_ + simulated);
+  }
+
+ private:
+  std::optional<std::chrono::steady_clock::time_point> zero_;
+};
 
 struct FlyOptions {
   ScenarioOptions scenario{.scenario = "tasha3_launch2", .seed = {}, .changes = {}};

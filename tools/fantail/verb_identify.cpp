@@ -138,7 +138,7 @@ void identify_data(const IdentifyOptions& o) {
   identify::result::Study result = study(log, q);
   result.vehicle = which.words;
   result.density = air.description;
-  result.speed = o.speed_m_s   ? input::shown(*o.speed_m_s) + " m/s throughout"
+  result.speed = o.speed_m_s   ? input::plain_number(*o.speed_m_s) + " m/s throughout"
                  : o.log.truth ? "true_speed_m_s"
                                : "speed_m_s";
 

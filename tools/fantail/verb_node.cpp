@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
+#include <array>
 #include <chrono>
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <thread>
 #include <vector>
 
@@ -12,7 +15,7 @@
 
 #include "fantail/interrupt.hpp"
 #include "fantail/lcm_output.hpp"
-#include "fantail/pad_commands.hpp"
+#include "fantail/line_input.hpp"
 #include "fantail/run.hpp"
 #include "fantail/scenario_options.hpp"
 #include "fantail/standard_streams.hpp"
@@ -61,6 +64,44 @@ std::filesystem::path flash_file(const NodeOptions& options, const sim::Scenario
                                : std::filesystem::path{options.flash};
 }
 
+enum class PadCommand : std::uint8_t { close_switch, open_switch, ignite, help, quit };
+
+struct PadCommandEntry {
+  std::string_view text;
+  PadCommand command;
+  std::string_view meaning;
+};
+constexpr std::array<PadCommandEntry, 5> pad_commands{{
+    {"switch close", PadCommand::close_switch, "close the arm switch"},
+    {"switch open", PadCommand::open_switch, "open the arm switch"},
+    {"ignite", PadCommand::ignite, "ignite the motor"},
+    {"help", PadCommand::help, "list these commands"},
+    {"quit", PadCommand::quit, "end the program"},
+}};
+
+std::string pad_commands_help() {
+  std::string text;
+  for (const PadCommandEntry& entry : pad_commands) {
+    text += fmt::format("  {:<14}{}\n", entry.text, entry.meaning);
+  }
+  return text;
+}
+
+// The next command on standard input, one a line. Reports on standard error what is not a command.
+std::optional<PadCommand> next_pad_command(LineInput& input) {
+  while (const auto line = input.next()) {
+    for (const PadCommandEntry& entry : pad_commands) {
+      if (*line == entry.text) {
+        return entry.command;
+      }
+    }
+    if (!line->empty()) {
+      say(fmt::format("\"{}\" is not a command; there are:\n{}", *line, pad_commands_help()));
+    }
+  }
+  return std::nullopt;
+}
+
 /// The avionics in real time, with a simulated rocket behind it.
 class Node {
  public:
@@ -74,8 +115,8 @@ class Node {
     const auto begin = SteadyClock::now();
     pace_ = fly::Pace{begin};
     for (auto now = begin;; now = SteadyClock::now()) {
-      if (ticks_ % ticks_between_looks == 0 &&
-          (!obey_hands() || take_interrupt() || (seconds && now - begin >= std::chrono::duration<double>{*seconds}))) {
+      if (ticks_ % ticks_between_looks == 0 && (!obey_pad_commands() || take_interrupt() ||
+                                                (seconds && now - begin >= std::chrono::duration<double>{*seconds}))) {
         break;
       }
       if (const auto due = pace_.next(now); now < due) {
@@ -98,14 +139,14 @@ class Node {
   [[nodiscard]] const fly::Pace& pace() const { return pace_; }
 
  private:
-  // False: the person has had enough.
-  bool obey_hands() {
-    while (const auto command = hands_.next()) {
+  // False after "quit".
+  bool obey_pad_commands() {
+    while (const auto command = next_pad_command(input_)) {
       switch (*command) {
         case PadCommand::close_switch: world_.set_arm_switch(true); break;
         case PadCommand::open_switch: world_.set_arm_switch(false); break;
         case PadCommand::ignite: world_.ignite(); break;
-        case PadCommand::help: say(PadCommands::help()); break;
+        case PadCommand::help: say(pad_commands_help()); break;
         case PadCommand::quit: return false;
       }
     }
@@ -113,7 +154,7 @@ class Node {
   }
 
   sim::World world_;
-  PadCommands hands_;
+  LineInput input_;
   Observe observe_;
   fly::Pace pace_{SteadyClock::now()};
   std::int64_t ticks_ = 0;

@@ -95,9 +95,10 @@ class Rows {
       return false;
     }
     const Row& before = flight_.rows.back();
-    const std::string times = fmt::format("{}: time_s is {}", table_.where(line), input::shown(row.time_s));
+    const std::string times = fmt::format("{}: time_s is {}", table_.where(line), input::plain_number(row.time_s));
     if (row.time_s < before.time_s) {
-      refuse(fmt::format("{} after {} in line {}: time must increase", times, input::shown(before.time_s), last_line_));
+      refuse(fmt::format("{} after {} in line {}: time must increase", times, input::plain_number(before.time_s),
+                         last_line_));
     }
     for (const FoundColumn& found : columns_) {
       const double now = found.column->get(row);

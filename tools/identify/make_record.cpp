@@ -157,7 +157,7 @@ bool climbs(const RollLog& log) {
 
 Air constant_air(double density_kg_m3, const std::string& why) {
   return {{.model = sim::DensityModel::constant, .constant_kg_m3 = density_kg_m3},
-          fmt::format("{} kg/m3{}", input::shown(density_kg_m3), why)};
+          fmt::format("{} kg/m3{}", input::plain_number(density_kg_m3), why)};
 }
 
 Air exponential_air() {

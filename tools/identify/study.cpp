@@ -69,7 +69,7 @@ WindowFindings identify_window(const logs::RollLog& log, const Window& window, c
     if (fit.at_the_edge) {
       found.remarks.push_back(
           fmt::format("The fitted lag is at the end of the search range, {} ms; the true lag may be larger.",
-                      input::shown(1000.0 * largest_fitted_lag_s)));
+                      input::plain_number(1000.0 * largest_fitted_lag_s)));
     }
   }
   found.lag_s = how.lag_s;

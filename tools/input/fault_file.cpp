@@ -55,11 +55,11 @@ constexpr auto fields = std::to_array<FaultField>({
 
 void check(Section& section, const sim::Fault& fault, double servo_stop_rad) {
   if (sim::is_dropout(fault.kind) && fault.until_s < fault.from_s) {
-    section.refuse("until_s",
-                   "= " + shown(fault.until_s) + " is out of range; allowed: " + shown(fault.from_s) + " to 600");
+    section.refuse("until_s", "= " + plain_number(fault.until_s) +
+                                  " is out of range; allowed: " + plain_number(fault.from_s) + " to 600");
   }
   if (fault.kind == sim::FaultKind::canard_stuck && fault.angle_rad && std::abs(*fault.angle_rad) > servo_stop_rad) {
-    section.refuse("angle_deg", "= " + shown(section.number("angle_deg", {-90, 90})) +
+    section.refuse("angle_deg", "= " + plain_number(section.number("angle_deg", {-90, 90})) +
                                     "; allowed: within the servo's stop, " + about(deg.in_file(servo_stop_rad)) +
                                     " either way");
   }

@@ -12,7 +12,7 @@ namespace fantail::input {
 
 /// What a person wrote: the shortest decimal that is this value, so that a number just beyond a limit does not look
 /// like the limit.
-[[nodiscard]] std::string shown(double value);
+[[nodiscard]] std::string plain_number(double value);
 
 /// What was calculated, to six digits.
 [[nodiscard]] std::string about(double value);

@@ -56,7 +56,7 @@ class RaspReader {
       refuse("no thrust points after this header");
     }
     if (points.back().thrust_n != 0.0) {
-      refuse("the last thrust is " + shown(points.back().thrust_n) + " N; allowed: zero, which ends the motor");
+      refuse("the last thrust is " + plain_number(points.back().thrust_n) + " N; allowed: zero, which ends the motor");
     }
     return checked_curve(std::move(points), propellant_kg, header_line);
   }
@@ -124,12 +124,12 @@ class RaspReader {
                                  const sim::ThrustPoint& next) const {
     switch (fault) {
       case sim::PointFault::time:
-        refuse("time " + shown(next.time_s) + " s; allowed: a finite number, not before ignition");
+        refuse("time " + plain_number(next.time_s) + " s; allowed: a finite number, not before ignition");
       case sim::PointFault::thrust:
-        refuse("thrust " + shown(next.thrust_n) + " N; allowed: a finite number, not negative");
+        refuse("thrust " + plain_number(next.thrust_n) + " N; allowed: a finite number, not negative");
       case sim::PointFault::order: break;
     }
-    refuse("time " + shown(next.time_s) + " s comes after " + shown(points.back().time_s) +
+    refuse("time " + plain_number(next.time_s) + " s comes after " + plain_number(points.back().time_s) +
            " s; allowed: only forwards");
   }
 

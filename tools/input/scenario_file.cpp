@@ -37,11 +37,12 @@ void check_points(const Document& document, std::string_view section_name, std::
 void check_timing(const Document& document, const sim::Scenario& scenario) {
   Section timing{document, "timing"};
   if (std::abs(scenario.log_period_s * 1e3 - std::round(scenario.log_period_s * 1e3)) > 1e-9) {
-    timing.refuse("log_period_s", "= " + shown(scenario.log_period_s) + " is not a whole number of milliseconds");
+    timing.refuse("log_period_s",
+                  "= " + plain_number(scenario.log_period_s) + " is not a whole number of milliseconds");
   }
   if (scenario.arm_time_s >= scenario.pad_time_s) {
-    const std::string arm = shown(scenario.arm_time_s);
-    const std::string pad = shown(scenario.pad_time_s);
+    const std::string arm = plain_number(scenario.arm_time_s);
+    const std::string pad = plain_number(scenario.pad_time_s);
     if (timing.has("arm_time_s")) {
       timing.refuse("arm_time_s", "= " + arm + " must be earlier than pad_time_s = " + pad);
     }

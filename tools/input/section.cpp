@@ -11,7 +11,7 @@
 namespace fantail::input {
 namespace {
 
-std::string range(Limits limits) { return shown(limits.minimum) + " to " + shown(limits.maximum); }
+std::string range(Limits limits) { return plain_number(limits.minimum) + " to " + plain_number(limits.maximum); }
 
 }  // namespace
 
@@ -62,10 +62,10 @@ double Section::checked_number(std::string_view key, TomlNode node, Limits limit
   const std::string allowed = "; allowed: " + range(limits);
   const std::optional<double> value = node.number();
   if (!value) {
-    refuse(key, "= " + node.shown() + " is not a number" + allowed);
+    refuse(key, "= " + node.as_text() + " is not a number" + allowed);
   }
   if (!std::isfinite(*value) || *value < limits.minimum || *value > limits.maximum) {
-    refuse(key, "= " + shown(*value) + " is out of range" + allowed);
+    refuse(key, "= " + plain_number(*value) + " is out of range" + allowed);
   }
   return *value;
 }
@@ -77,7 +77,7 @@ double Section::number(std::string_view key, Limits limits) {
 std::int64_t Section::integer(std::string_view key, Limits limits) {
   const TomlNode node = require(key, range(limits));
   if (!node.integer()) {
-    refuse(key, "= " + node.shown() + " is not a whole number");
+    refuse(key, "= " + node.as_text() + " is not a whole number");
   }
   return static_cast<std::int64_t>(checked_number(key, node, limits));
 }
@@ -86,7 +86,7 @@ bool Section::flag(std::string_view key) {
   const TomlNode node = require(key, "true or false");
   const std::optional<bool> value = node.flag();
   if (!value) {
-    refuse(key, "= " + node.shown() + "; allowed: true or false");
+    refuse(key, "= " + node.as_text() + "; allowed: true or false");
   }
   return *value;
 }
@@ -94,7 +94,7 @@ bool Section::flag(std::string_view key) {
 std::string Section::checked_text(std::string_view key, TomlNode node) const {
   const std::optional<std::string> text = node.text();
   if (!text) {
-    refuse(key, "= " + node.shown() + " is not a text");
+    refuse(key, "= " + node.as_text() + " is not a text");
   }
   return *text;
 }
@@ -113,7 +113,7 @@ std::size_t Section::checked_choice(std::string_view key, TomlNode node,
   for (const std::string_view word : words) {
     allowed += (allowed.empty() ? "" : ", ") + std::string{word};
   }
-  refuse(key, "= " + node.shown() + "; allowed: " + allowed);
+  refuse(key, "= " + node.as_text() + "; allowed: " + allowed);
 }
 
 std::size_t Section::choice(std::string_view key, std::span<const std::string_view> words) {

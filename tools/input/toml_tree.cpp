@@ -74,7 +74,7 @@ std::optional<std::vector<TomlNode>> TomlNode::elements() const {
 
 std::size_t TomlNode::line() const { return node_ == nullptr ? 0 : node_of(node_)->source().begin.line; }
 
-std::string TomlNode::shown() const {
+std::string TomlNode::as_text() const {
   std::ostringstream toml;
   toml << toml::toml_formatter{*node_of(node_)};
   std::istringstream words{toml.str()};

@@ -35,7 +35,7 @@ class TomlNode {
   [[nodiscard]] std::size_t line() const;
 
   /// As TOML, on one line whatever it is, and not longer than a message can bear. There must be a value.
-  [[nodiscard]] std::string shown() const;
+  [[nodiscard]] std::string as_text() const;
 
  private:
   friend class TomlTree;

@@ -20,7 +20,7 @@ void read_motor(const Document& document, sim::Vehicle& vehicle) {
   const sim::ThrustCurve& curve = vehicle.motor;
   const double empty_kg = vehicle.mass_kg - curve.propellant_kg();
   if (!(empty_kg > 0.0)) {
-    Section{document, "body"}.refuse("mass_kg", "= " + shown(vehicle.mass_kg) +
+    Section{document, "body"}.refuse("mass_kg", "= " + plain_number(vehicle.mass_kg) +
                                                     "; allowed: more than the propellant of its motor, " +
                                                     about(curve.propellant_kg()));
   }
@@ -38,11 +38,12 @@ void check_servo(const Document& document, const sim::Vehicle& vehicle) {
   const Section servo{document, "servo"};
   const sim::ServoParameters& p = vehicle.servo;
   if (std::abs(p.pulse_per_degree_us) < 0.1) {
-    servo.refuse("pulse_per_degree_us", "= " + shown(p.pulse_per_degree_us) + "; allowed: at least 0.1 away from zero");
+    servo.refuse("pulse_per_degree_us",
+                 "= " + plain_number(p.pulse_per_degree_us) + "; allowed: at least 0.1 away from zero");
   }
   if (vehicle.servo_spread.centre_rad > p.stop_rad) {
-    servo.refuse("centre_spread_deg", "= " + shown(deg.in_file(vehicle.servo_spread.centre_rad)) +
-                                          "; allowed: at most stop_deg = " + shown(deg.in_file(p.stop_rad)));
+    servo.refuse("centre_spread_deg", "= " + plain_number(deg.in_file(vehicle.servo_spread.centre_rad)) +
+                                          "; allowed: at most stop_deg = " + plain_number(deg.in_file(p.stop_rad)));
   }
 }
 
