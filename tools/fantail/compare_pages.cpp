@@ -55,12 +55,12 @@ std::string both_motions(const logs::Comparison& c) {
 }
 
 std::vector<page::Figure> differences(const logs::Comparison& c) {
-  const auto shown = [](double value_rad) { return fmt::format("{:.3g}", degrees(value_rad)); };
+  const auto angle_text = [](double value_rad) { return fmt::format("{:.3g}", degrees(value_rad)); };
   const auto at = [](const logs::Difference& d) { return fmt::format("at {:.3f} s", d.max_at_s); };
-  return {{"Angle, mean difference", shown(c.angle.mean_abs), "deg", "rms " + shown(c.angle.rms) + " deg"},
-          {"Angle, largest", shown(c.angle.max_abs), "deg", at(c.angle)},
-          {"Rate, mean difference", shown(c.rate.mean_abs), "deg/s", "rms " + shown(c.rate.rms) + " deg/s"},
-          {"Rate, largest", shown(c.rate.max_abs), "deg/s", at(c.rate)}};
+  return {{"Angle, mean difference", angle_text(c.angle.mean_abs), "deg", "rms " + angle_text(c.angle.rms) + " deg"},
+          {"Angle, largest", angle_text(c.angle.max_abs), "deg", at(c.angle)},
+          {"Rate, mean difference", angle_text(c.rate.mean_abs), "deg/s", "rms " + angle_text(c.rate.rms) + " deg/s"},
+          {"Rate, largest", angle_text(c.rate.max_abs), "deg/s", at(c.rate)}};
 }
 
 std::string how(const CompareResults& results) {
