@@ -3,7 +3,6 @@
 
 #include <string>
 
-#include "hil/descriptor.hpp"
 #include "hil/wire.hpp"
 
 namespace fantail::hil {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "hil/descriptor.hpp"
+#include "hil/wire.hpp"
 
 #include <array>
 #include <cerrno>
