@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include "avionics/can_frame.hpp"
-#include "bench/board_words.hpp"
 #include "hal/board.hpp"
 #include "hal/sim/can_bus.hpp"
 #include "json/value.hpp"
@@ -78,7 +77,7 @@ TEST_F(WatchTest, APlanFromANewerVersionSaysWhatToDo) {
   EXPECT_EQ(json::parse(watch.json())["plan"], "stored_is_newer");
 }
 
-TEST(BoardWords, ABitThatOnlyNewerAvionicsKnowsIsShownByItsNumber) {
+TEST(FaultNames, ABitThatOnlyNewerAvionicsKnowsIsShownByItsNumber) {
   EXPECT_EQ(fault_names(1U << 31U | 1U), (std::vector<std::string>{"crystal_failed", "bit_31"}));
 }
 

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "link/arm_steps.hpp"
-#include "link/patience.hpp"
+#include "link/place.hpp"
 #include "link/plan_sender.hpp"
 #include "protocol/plan_block.hpp"
 #include "sil/bench_at_world.hpp"
@@ -11,7 +11,7 @@
 namespace fantail::sil {
 namespace {
 
-using link::Patience;
+using link::Timeout;
 
 /// With the node on the same PC both sleep; a rocket on a real bus lives on, and the PC's socket keeps what it said.
 enum class Asleep : std::uint8_t { both, bench_alone };
@@ -104,17 +104,17 @@ TEST(ABusyPc, ARocketThatDiesIsSilentAfterTwoSecondsOfListening) {
   EXPECT_NEAR(1e-6 * static_cast<double>((place.now() - dead).count()), 2.0, 0.05);
 }
 
-TEST(Patience, CountsAQuarterOfASecondBetweenTwoLooksAtTheMost) {
-  Patience patience{2 * second, 10 * second};
+TEST(Timeout, CountsAQuarterOfASecondBetweenTwoLooksAtTheMost) {
+  Timeout timeout{2 * second, 10 * second};
   hal::Microseconds now = 10 * second;
   int looks = 0;
   do {
     now += 60 * second;
     looks += 1;
-  } while (!patience.ends(now));
+  } while (!timeout.expired(now));
   EXPECT_EQ(looks, 8);
-  patience.begin_again();
-  for (looks = 0; !patience.ends(now); now += 100 * millisecond) {
+  timeout.restart();
+  for (looks = 0; !timeout.expired(now); now += 100 * millisecond) {
     looks += 1;
   }
   EXPECT_EQ(looks, 20);

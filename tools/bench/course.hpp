@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "bench/exercise.hpp"
-#include "link/recording.hpp"
+#include "link/avionics_link.hpp"
 
 namespace fantail::bench {
 

@@ -7,12 +7,10 @@
 #include <functional>
 #include <optional>
 #include <span>
-#include <string_view>
 #include <vector>
 
 #include "core/inputs.hpp"
 #include "link/avionics_link.hpp"
-#include "link/recording.hpp"
 #include "link/session.hpp"
 #include "protocol/bus_messages.hpp"
 
@@ -47,7 +45,6 @@ enum class Part : std::uint8_t {
   step_home,    ///< back to the centre
   sine,
 };
-[[nodiscard]] std::string_view name(Part part);
 
 /// A piece of an exercise in which every angle asked changes evenly.
 struct Stretch {

@@ -2,8 +2,9 @@
 #include "bench/lag_fit.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+
+#include "bench/signal.hpp"
 
 namespace fantail::bench {
 namespace {
@@ -117,34 +118,12 @@ std::optional<LagFit> fit_lag(const Course& course, const Window& window) {
 }
 
 std::optional<LagFit> regress(const std::vector<double>& lagged_rad, const Course& course, const Window& window) {
-  double n = 0.0;
-  double sum_m = 0.0;
-  double sum_e = 0.0;
-  for (std::size_t i = window.begin; i < std::min(window.end, lagged_rad.size()); ++i) {
-    if (!std::isnan(course.encoder_rad[i])) {
-      n += 1.0;
-      sum_m += lagged_rad[i];
-      sum_e += course.encoder_rad[i];
-    }
-  }
-  if (n < fewest_readings) {
+  const Window both{window.begin, std::min(window.end, lagged_rad.size())};
+  const LineFit line = fit_line(course, both, [&](std::size_t i) { return lagged_rad[i]; });
+  if (line.readings < fewest_readings || line.variance < least_variance_rad2) {
     return std::nullopt;
   }
-  double mm = 0.0;
-  double me = 0.0;
-  double ee = 0.0;
-  for (std::size_t i = window.begin; i < std::min(window.end, lagged_rad.size()); ++i) {
-    if (const double e = course.encoder_rad[i] - sum_e / n; !std::isnan(e)) {
-      const double m = lagged_rad[i] - sum_m / n;
-      mm += m * m;
-      me += m * e;
-      ee += e * e;
-    }
-  }
-  if (mm / n < least_variance_rad2) {
-    return std::nullopt;
-  }
-  return LagFit{.slope = me / mm, .spread = (ee - me * me / mm) / n};
+  return LagFit{.slope = line.slope, .spread = line.left_over / line.readings};
 }
 
 }  // namespace fantail::bench

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "bench/exercise.hpp"
-#include "link/recording.hpp"
+#include "link/avionics_link.hpp"
 
 namespace fantail::bench {
 

@@ -11,7 +11,7 @@
 #include "bench/measurement.hpp"
 #include "bench/verdict.hpp"
 #include "core/canard_monitor.hpp"
-#include "link/recording.hpp"
+#include "link/avionics_link.hpp"
 #include "sim/canard_tolerances.hpp"
 
 namespace fantail::bench {

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "bench/sheet_charts.hpp"
-
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -9,6 +7,7 @@
 #include <fmt/core.h>
 
 #include "bench/course.hpp"
+#include "bench/sheet_parts.hpp"
 #include "page/page.hpp"
 #include "text/degrees.hpp"
 #include "text/number.hpp"

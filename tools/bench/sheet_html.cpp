@@ -6,8 +6,7 @@
 #include <fmt/core.h>
 
 #include "bench/sheet.hpp"
-#include "bench/sheet_cells.hpp"
-#include "bench/sheet_charts.hpp"
+#include "bench/sheet_parts.hpp"
 #include "core/tick_record.hpp"
 #include "page/page.hpp"
 #include "text/number.hpp"

@@ -5,7 +5,7 @@
 #include <fmt/core.h>
 
 #include "bench/sheet.hpp"
-#include "bench/sheet_cells.hpp"
+#include "bench/sheet_parts.hpp"
 #include "core/tick_record.hpp"
 
 namespace fantail::bench {

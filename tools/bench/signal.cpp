@@ -26,36 +26,8 @@ std::optional<double> mean_around(const Course& course, std::size_t at, std::siz
   return n > 0.0 ? std::optional{sum / n} : std::nullopt;
 }
 
-struct LineFit {
-  double slope = 0.0;  // per second
-  double left_over = 0.0;
-  double n = 0.0;
-};
-
-LineFit line_through(const Course& course, const Window& window) {
-  double n = 0.0;
-  double sum_t = 0.0;
-  double sum_e = 0.0;
-  for (std::size_t i = window.begin; i < window.end; ++i) {
-    if (!std::isnan(course.encoder_rad[i])) {
-      n += 1.0;
-      sum_t += tick_s * static_cast<double>(i - window.begin);
-      sum_e += course.encoder_rad[i];
-    }
-  }
-  double tt = 0.0;
-  double te = 0.0;
-  double ee = 0.0;
-  for (std::size_t i = window.begin; i < window.end; ++i) {
-    if (!std::isnan(course.encoder_rad[i])) {
-      const double t = tick_s * static_cast<double>(i - window.begin) - sum_t / n;
-      const double e = course.encoder_rad[i] - sum_e / n;
-      tt += t * t;
-      te += t * e;
-      ee += e * e;
-    }
-  }
-  return tt > 0.0 ? LineFit{.slope = te / tt, .left_over = std::max(ee - te * te / tt, 0.0), .n = n} : LineFit{};
+LineFit line_over_time(const Course& course, const Window& window) {
+  return fit_line(course, window, [&](std::size_t i) { return tick_s * static_cast<double>(i - window.begin); });
 }
 
 }  // namespace
@@ -77,18 +49,20 @@ std::optional<double> level_rad(const Course& course, const Window& window) {
 }
 
 std::optional<Rest> rest_of(const Course& course, const Window& window) {
-  const LineFit line = line_through(course, window);
-  if (line.n < fewest_at_rest) {
+  const LineFit line = line_over_time(course, window);
+  if (line.readings < fewest_at_rest) {
     return std::nullopt;
   }
-  return Rest{.drift_rad_s = line.slope, .variance_rad2 = line.left_over / (line.n - 2.0), .readings = line.n};
+  return Rest{.drift_rad_s = line.slope,
+              .variance_rad2 = std::max(line.left_over, 0.0) / (line.readings - 2.0),
+              .readings = line.readings};
 }
 
 std::optional<double> fastest_rad_s(const Course& course, const Window& window) {
   std::optional<double> fastest;
   for (std::size_t begin = window.begin; begin + slope_ticks <= window.end; ++begin) {
-    const LineFit line = line_through(course, {begin, begin + slope_ticks});
-    if (line.n >= fewest_for_slope) {
+    const LineFit line = line_over_time(course, {begin, begin + slope_ticks});
+    if (line.readings >= fewest_for_slope) {
       fastest = std::max(fastest.value_or(0.0), std::abs(line.slope));
     }
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -13,7 +14,40 @@ namespace fantail::bench {
 /// Mean of the middle four fifths: a few wild readings do not move it.
 [[nodiscard]] std::optional<double> level_rad(const Course& course, const Window& window);
 
-/// A straight line through the readings, and what they do around it.
+/// A straight line through the readings of a window, over x(i): least squares.
+struct LineFit {
+  double slope = 0.0;
+  double variance = 0.0;   ///< of x
+  double left_over = 0.0;  ///< sum of the squares that the line does not explain
+  double readings = 0.0;
+};
+[[nodiscard]] LineFit fit_line(const Course& course, const Window& window, auto x) {
+  double n = 0.0;
+  double sum_x = 0.0;
+  double sum_e = 0.0;
+  for (std::size_t i = window.begin; i < window.end; ++i) {
+    if (!std::isnan(course.encoder_rad[i])) {
+      n += 1.0;
+      sum_x += x(i);
+      sum_e += course.encoder_rad[i];
+    }
+  }
+  double xx = 0.0;
+  double xe = 0.0;
+  double ee = 0.0;
+  for (std::size_t i = window.begin; i < window.end; ++i) {
+    if (const double e = course.encoder_rad[i] - sum_e / n; !std::isnan(e)) {
+      const double centred = x(i) - sum_x / n;
+      xx += centred * centred;
+      xe += centred * e;
+      ee += e * e;
+    }
+  }
+  return xx > 0.0 ? LineFit{.slope = xe / xx, .variance = xx / n, .left_over = ee - xe * xe / xx, .readings = n}
+                  : LineFit{};
+}
+
+/// Drift and noise around a straight line over time.
 struct Rest {
   double drift_rad_s = 0.0;
   double variance_rad2 = 0.0;

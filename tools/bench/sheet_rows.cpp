@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "bench/sheet_cells.hpp"
-
 #include <algorithm>
 
 #include <fmt/core.h>
 
+#include "bench/sheet_parts.hpp"
 #include "text/degrees.hpp"
 #include "text/number.hpp"
 

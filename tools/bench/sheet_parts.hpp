@@ -31,4 +31,8 @@ struct SheetRow {
 /// "Bench sheet: canard limits".
 [[nodiscard]] std::string sheet_title(ExerciseKind kind);
 
+/// The plots of one canard: its turn alone, its turn with the others, and its steps in detail. HTML figures.
+[[nodiscard]] std::string canard_charts(const CanardResult& result, const Sheet& sheet,
+                                        const link::Recording& recording, const Exercise& exercise);
+
 }  // namespace fantail::bench
