@@ -23,7 +23,7 @@
 #include "hal/linux/entropy.hpp"
 #include "sim/scenario.hpp"
 #include "sim/world.hpp"
-#include "telemetry/limit_tap.hpp"
+#include "telemetry/tick_reporter.hpp"
 
 namespace fantail::tool {
 namespace {

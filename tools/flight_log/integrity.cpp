@@ -42,7 +42,7 @@ bool intact(const LogFile& file) {
          std::ranges::all_of(file.flights, [](const Flight& flight) { return intact(flight); });
 }
 
-std::string integrity_words(const Flight& flight) {
+std::string integrity_text(const Flight& flight) {
   std::string text;
   if (const std::uint64_t lost = lost_records(flight); lost > 0) {
     const auto gaps = std::ranges::count_if(flight.gaps, [](const Gap& gap) { return gap.dropped < gap.count; });
@@ -67,7 +67,7 @@ std::string integrity_words(const Flight& flight) {
   return text;
 }
 
-std::string foreign_words(const LogFile& file) {
+std::string foreign_bytes_text(const LogFile& file) {
   if (file.foreign_bytes == 0) {
     return {};
   }
@@ -79,7 +79,7 @@ std::string foreign_words(const LogFile& file) {
   return text;
 }
 
-std::string replay_words(const Flight& flight, const Regeneration& regeneration) {
+std::string replay_text(const Flight& flight, const Regeneration& regeneration) {
   if (!regeneration.obstacle.empty()) {
     return "not possible: " + regeneration.obstacle;
   }

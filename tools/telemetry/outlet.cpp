@@ -2,15 +2,29 @@
 #include "telemetry/outlet.hpp"
 
 #include <cerrno>
+#include <cstdio>
+#include <cstdlib>
 #include <cstring>
+#include <new>
 #include <string>
 
 #include <lcm/lcm.h>
 
-#include "telemetry/event_log.hpp"
-
 namespace fantail::telemetry {
 namespace {
+
+// Appends a packet to an LCM log, with the avionics' clock. False: it was not written.
+bool write_event(lcm_eventlog_t& log, const Packet& packet) {
+  std::string channel{name(packet.channel)};
+  auto bytes = packet.bytes;
+  lcm_eventlog_event_t event{.eventnum = 0,
+                             .timestamp = packet.time.count(),
+                             .channellen = static_cast<std::int32_t>(channel.size()),
+                             .datalen = static_cast<std::int32_t>(packet.size),
+                             .channel = channel.data(),
+                             .data = bytes.data()};
+  return lcm_eventlog_write_event(&log, &event) == 0;
+}
 
 class NetworkOutlet final : public Outlet {
  public:
@@ -64,6 +78,45 @@ std::unique_ptr<Outlet> open_outlet(const Url& url) {
     return std::make_unique<FileOutlet>(url.path());
   }
   return std::make_unique<NetworkOutlet>(url);
+}
+
+struct MemoryLog::Stream {
+  char* text = nullptr;
+  std::size_t size = 0;
+  lcm_eventlog_t log{};
+
+  void close() {
+    if (log.f != nullptr && std::fclose(log.f) != 0) {
+      log.f = nullptr;
+      throw std::bad_alloc{};  // the only way in which memory does not take what is written
+    }
+    log.f = nullptr;
+  }
+};
+
+MemoryLog::MemoryLog() : stream_{std::make_unique<Stream>()} {
+  stream_->log.f = open_memstream(&stream_->text, &stream_->size);
+  if (stream_->log.f == nullptr) {
+    throw std::bad_alloc{};
+  }
+}
+
+MemoryLog::~MemoryLog() {
+  if (stream_->log.f != nullptr) {
+    (void)std::fclose(stream_->log.f);
+  }
+  std::free(stream_->text);  // NOLINT: open_memstream's
+}
+
+void MemoryLog::send(const Packet& packet) {
+  if (!write_event(stream_->log, packet)) {
+    throw std::bad_alloc{};
+  }
+}
+
+std::string MemoryLog::take() {
+  stream_->close();
+  return {stream_->text, stream_->size};
 }
 
 }  // namespace fantail::telemetry

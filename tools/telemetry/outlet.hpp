@@ -2,8 +2,10 @@
 #pragma once
 
 #include <memory>
+#include <string>
 
-#include "telemetry/packet.hpp"
+#include "telemetry/messages.hpp"
+#include "telemetry/sender.hpp"
 #include "telemetry/url.hpp"
 
 namespace fantail::telemetry {
@@ -23,5 +25,23 @@ class Outlet {
 /// The network, or a log file for lcm-logplayer whose clock is that of the avionics. An old file of that name is
 /// overwritten. Throws TelemetryError.
 [[nodiscard]] std::unique_ptr<Outlet> open_outlet(const Url& url);
+
+/// An LCM log in memory, for what is to be written as a whole or not at all. Its clock is that of the avionics.
+class MemoryLog final : public Sink {
+ public:
+  MemoryLog();
+  ~MemoryLog() override;
+  MemoryLog(const MemoryLog&) = delete;
+  MemoryLog& operator=(const MemoryLog&) = delete;
+
+  void send(const Packet& packet) override;
+
+  /// All that was sent, as the content of a file; to be called once, at the end.
+  [[nodiscard]] std::string take();
+
+ private:
+  struct Stream;
+  std::unique_ptr<Stream> stream_;
+};
 
 }  // namespace fantail::telemetry

@@ -31,8 +31,8 @@ class Panel {
     return !heard || now_ - heard->came > Receiver::stale_after;
   }
   template <typename Content>
-  [[nodiscard]] std::string age_words(const std::optional<Heard<Content>>& heard) const;
-  [[nodiscard]] std::string link_word() const;
+  [[nodiscard]] std::string age_text(const std::optional<Heard<Content>>& heard) const;
+  [[nodiscard]] std::string link_state() const;
   [[nodiscard]] std::string motion_text() const;
   [[nodiscard]] std::string canards_text() const;
   [[nodiscard]] std::string health_text() const;

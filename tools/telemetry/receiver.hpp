@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "hal/clock.hpp"
-#include "telemetry/packet.hpp"
+#include "telemetry/messages.hpp"
 #include "telemetry/sequence_watch.hpp"
 
 namespace fantail::telemetry {

@@ -19,11 +19,11 @@ struct Window {
 };
 
 /// What every export is made from: one flight of a log and its replay.
-class Source {
+class ReplayedFlight {
  public:
   /// Both outlive this object. `report` is to_report() of the two, for its clock.
-  Source(const flight_log::Flight& flight, const flight_log::Regeneration& regeneration, const flight::Flight& report,
-         Window window = {});
+  ReplayedFlight(const flight_log::Flight& flight, const flight_log::Regeneration& regeneration,
+                 const flight::Flight& report, Window window = {});
 
   [[nodiscard]] const flight_log::Flight& flight() const { return flight_; }
   [[nodiscard]] const flight_log::Regeneration& regeneration() const { return regeneration_; }

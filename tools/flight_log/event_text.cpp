@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "flight_log/event_words.hpp"
+#include "flight_log/event_text.hpp"
 
 #include <fmt/core.h>
 
@@ -8,7 +8,7 @@
 namespace fantail::flight_log {
 namespace {
 
-std::string_view words(protocol::LogEnd end) {
+std::string_view text(protocol::LogEnd end) {
   switch (end) {
     case protocol::LogEnd::flight_over: return "the flight is over";
     case protocol::LogEnd::returned_to_pad: return "it was no launch";
@@ -18,7 +18,7 @@ std::string_view words(protocol::LogEnd end) {
   return "unknown";
 }
 
-std::string_view words(core::CommandStatus status) {
+std::string_view text(core::CommandStatus status) {
   switch (status) {
     case core::CommandStatus::outside_control: return "the roll command is zero: no control";
     case core::CommandStatus::controlling: return "the roll command follows the flight law";
@@ -34,12 +34,12 @@ std::string sensor(std::string_view which, std::uint8_t state) {
 
 }  // namespace
 
-std::string words(const protocol::LogEvent& event) {
+std::string event_text(const protocol::LogEvent& event) {
   using Kind = protocol::LogEventKind;
   switch (event.kind) {
     case Kind::recording_began: return fmt::format("recording of flight {} began", event.number);
     case Kind::recording_ended:
-      return fmt::format("recording ended: {}", words(static_cast<protocol::LogEnd>(event.value)));
+      return fmt::format("recording ended: {}", text(static_cast<protocol::LogEnd>(event.value)));
     case Kind::phase:
       return fmt::format("{}: {}", flight::words(static_cast<core::Phase>(event.value)),
                          flight::words(static_cast<core::PhaseReason>(event.detail)));
@@ -47,7 +47,7 @@ std::string words(const protocol::LogEvent& event) {
       return fmt::format("canard {} {}", event.index + 1, name(static_cast<core::CanardVerdict>(event.value)));
     case Kind::gyro_state: return sensor("gyro", event.value);
     case Kind::accelerometer_state: return sensor("accelerometer", event.value);
-    case Kind::command_status: return std::string{words(static_cast<core::CommandStatus>(event.value))};
+    case Kind::command_status: return std::string{text(static_cast<core::CommandStatus>(event.value))};
     case Kind::records_dropped:
       return fmt::format("{} records were not written, because the flash was too slow", event.number);
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "log_export/source.hpp"
+#include "log_export/replayed_flight.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -19,16 +19,16 @@ core::Microseconds clock_zero(const flight_log::Flight& flight, const flight_log
 
 }  // namespace
 
-Source::Source(const flight_log::Flight& flight, const flight_log::Regeneration& regeneration,
-               const flight::Flight& report, Window window)
+ReplayedFlight::ReplayedFlight(const flight_log::Flight& flight, const flight_log::Regeneration& regeneration,
+                               const flight::Flight& report, Window window)
     : flight_{flight}, regeneration_{regeneration}, zero_{clock_zero(flight, regeneration, report)}, window_{window} {}
 
-const core::TickRecord* Source::record(std::size_t tick) const {
+const core::TickRecord* ReplayedFlight::record(std::size_t tick) const {
   const auto& records = regeneration_.records;
   return tick < records.size() && records[tick] ? &*records[tick] : nullptr;
 }
 
-bool Source::inside(double time_s) const {
+bool ReplayedFlight::inside(double time_s) const {
   constexpr double tolerance_s = 0.5e-6;  // the clock counts microseconds
   return (!window_.from_s || time_s >= *window_.from_s - tolerance_s) &&
          (!window_.until_s || time_s <= *window_.until_s + tolerance_s);

@@ -8,6 +8,6 @@
 namespace fantail::flight_log {
 
 /// "Controlling: guide clear and fast enough", "canard 2 stalled".
-[[nodiscard]] std::string words(const protocol::LogEvent& event);
+[[nodiscard]] std::string event_text(const protocol::LogEvent& event);
 
 }  // namespace fantail::flight_log
