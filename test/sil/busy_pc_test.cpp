@@ -84,8 +84,8 @@ TEST(ABusyPc, ThatHoldsTheBenchUpIsNamedWhenTheSessionIsLost) {
   } catch (const link::LinkError& error) {
     EXPECT_STREQ(
         error.what(),
-        "the avionics has ended the bench session: it heard no heartbeat for 0.1 s, and this PC, asleep or too "
-        "busy, had held the bench up for 3.0 s");
+        "the avionics has ended the bench session: it heard no heartbeat for 0.1 s, and this PC, suspended or too "
+        "busy, sent no heartbeat for 3.0 s");
   }
 }
 
@@ -99,7 +99,7 @@ TEST(ABusyPc, ARocketThatDiesIsSilentAfterTwoSecondsOfListening) {
     session.wait(20 * second);
     FAIL() << "nobody noticed";
   } catch (const link::LinkError& error) {
-    EXPECT_STREQ(error.what(), "the avionics has fallen silent; it centres the canards by itself");
+    EXPECT_STREQ(error.what(), "the avionics has stopped reporting; it centres the canards by itself");
   }
   EXPECT_NEAR(1e-6 * static_cast<double>((place.now() - dead).count()), 2.0, 0.05);
 }

@@ -44,6 +44,11 @@ Bounds bounds(const protocol::LimitReport& limits, const Each<core::Angle>& trim
   return result;
 }
 
+std::string_view name(ExerciseKind kind) {
+  constexpr std::array<std::string_view, 3> names{"limits", "step", "sine"};
+  return names[static_cast<std::size_t>(kind)];
+}
+
 Exercise Exercise::limits(const Bounds& bounds) {
   Exercise exercise{ExerciseKind::limits, bounds};
   for (std::size_t canard = 0; canard < core::canard_count; ++canard) {

@@ -7,6 +7,7 @@
 #include <functional>
 #include <optional>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "core/inputs.hpp"
@@ -28,6 +29,7 @@ struct Bounds {
 [[nodiscard]] Bounds bounds(const protocol::LimitReport& limits, const Each<core::Angle>& trims);
 
 enum class ExerciseKind : std::uint8_t { limits, step, sine };
+[[nodiscard]] std::string_view name(ExerciseKind kind);
 
 /// What a stretch of an exercise is for.
 enum class Part : std::uint8_t {

@@ -21,15 +21,12 @@ struct Cell {
 struct SheetRow {
   std::string label{};
   std::string unit{};
-  std::string allowed{};  ///< "at most 0.50", "5.50 to 6.50"; "each its own" when canards differ
+  std::string allowed{};  ///< "at most 0.50", "5.50 to 6.50"; "per canard" when canards differ
   std::vector<Cell> cells{};
 };
 
 /// In the order of Sheet::canards.
 [[nodiscard]] std::vector<SheetRow> sheet_rows(const Sheet& sheet);
-
-/// "Bench sheet: canard limits".
-[[nodiscard]] std::string sheet_title(ExerciseKind kind);
 
 /// The plots of one canard: its turn alone, its turn with the others, and its steps in detail. HTML figures.
 [[nodiscard]] std::string canard_charts(const CanardResult& result, const Sheet& sheet,

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 
-#include <fmt/core.h>
-
 #include "bench/sheet_parts.hpp"
 #include "text/degrees.hpp"
 #include "text/number.hpp"
@@ -10,7 +8,6 @@
 namespace fantail::bench {
 namespace {
 
-using text::degrees;
 using text::fixed;
 using text::in_degrees;
 
@@ -35,23 +32,8 @@ std::string shown(const Check& check, int decimals) {
   return fixed(*check.value, decimals);
 }
 
-std::string allowed(const Check& check, int decimals) {
-  if (check.measure == Measure::sign) {
-    return "+";
-  }
-  if (check.measure == Measure::limit_reported) {
-    return "yes";
-  }
-  if (check.lowest && check.highest) {
-    return fixed(*check.lowest, decimals) + " to " + fixed(*check.highest, decimals);
-  }
-  return check.lowest    ? "at least " + fixed(*check.lowest, decimals)
-         : check.highest ? "at most " + fixed(*check.highest, decimals)
-                         : std::string{};
-}
-
 std::optional<SheetRow> row_of(const Sheet& sheet, Measure measure) {
-  const MeasureWords about = words(measure);
+  const MeasureText& about = text_of(measure);
   SheetRow row{.label = std::string{about.label}, .unit = std::string{about.unit}};
   bool any = false;
   for (const CanardResult& result : sheet.canards) {
@@ -63,8 +45,8 @@ std::optional<SheetRow> row_of(const Sheet& sheet, Measure measure) {
       any = true;
       cell.alone = shown(*first, about.decimals);
       cell.alone_passed = first->passed;
-      const std::string here = allowed(*first, about.decimals);
-      row.allowed = row.allowed.empty() || row.allowed == here ? here : "each its own";
+      const std::string here = allowed_text(*first);
+      row.allowed = row.allowed.empty() || row.allowed == here ? here : "per canard";
     }
     if (alone && together) {
       cell.together = shown(*together, about.decimals);
@@ -91,49 +73,30 @@ SheetRow plain_row(const Sheet& sheet, std::string label, std::string unit, int 
   return row;
 }
 
-std::optional<double> lag_ms(const Figures& f) { return f.lag_s ? std::optional{1e3 * *f.lag_s} : std::nullopt; }
-
 }  // namespace
 
 std::vector<SheetRow> sheet_rows(const Sheet& sheet) {
   std::vector<SheetRow> rows;
-  for (const Measure measure :
-       {Measure::sign, Measure::reached_positive, Measure::reached_negative, Measure::limit_kept,
-        Measure::limit_reported, Measure::tracking_error, Measure::centring_error, Measure::backlash, Measure::slew,
-        Measure::step_time, Measure::noise, Measure::dropouts, Measure::others_moved}) {
-    if (auto row = row_of(sheet, measure)) {
+  for (int measure = 0; measure <= static_cast<int>(Measure::others_moved); ++measure) {
+    if (auto row = row_of(sheet, static_cast<Measure>(measure))) {
       rows.push_back(std::move(*row));
     }
   }
-  switch (sheet.kind) {
-    case ExerciseKind::limits: rows.push_back(plain_row(sheet, "Lag and delay", "ms", 0, lag_ms)); break;
-    case ExerciseKind::step:
-      rows.push_back(
-          plain_row(sheet, "Told", "deg", 2, [](const Figures& f) { return in_degrees(f.told_positive_rad); }));
-      rows.push_back(
-          plain_row(sheet, "Reached", "deg", 2, [](const Figures& f) { return in_degrees(f.reached_positive_rad); }));
-      rows.push_back(
-          plain_row(sheet, "Overshoot", "deg", 2, [](const Figures& f) { return in_degrees(f.overshoot_rad); }));
-      rows.push_back(plain_row(sheet, "Lag and delay", "ms", 0, lag_ms));
-      break;
-    case ExerciseKind::sine:
-      rows.push_back(
-          plain_row(sheet, "Amplitude, of the command's", "", 3, [](const Figures& f) { return f.amplitude_ratio; }));
-      rows.push_back(plain_row(sheet, "Behind the command", "deg of the wave", 1,
-                               [](const Figures& f) { return in_degrees(f.phase_lag_rad); }));
-      rows.push_back(plain_row(sheet, "Lag and delay", "ms", 0, lag_ms));
-      break;
+  const auto add = [&](std::string label, std::string unit, int decimals,
+                       std::optional<double> (*value)(const Figures&)) {
+    rows.push_back(plain_row(sheet, std::move(label), std::move(unit), decimals, value));
+  };
+  if (sheet.kind == ExerciseKind::step) {
+    add("Commanded", "deg", 2, [](const Figures& f) { return in_degrees(f.told_positive_rad); });
+    add("Reached", "deg", 2, [](const Figures& f) { return in_degrees(f.reached_positive_rad); });
+    add("Overshoot", "deg", 2, [](const Figures& f) { return in_degrees(f.overshoot_rad); });
+  } else if (sheet.kind == ExerciseKind::sine) {
+    add("Amplitude ratio", "", 3, [](const Figures& f) { return f.amplitude_ratio; });
+    add("Phase lag", "deg", 1, [](const Figures& f) { return in_degrees(f.phase_lag_rad); });
   }
+  add("Lag and delay", "ms", 0,
+      [](const Figures& f) { return f.lag_s ? std::optional{1e3 * *f.lag_s} : std::nullopt; });
   return rows;
-}
-
-std::string sheet_title(ExerciseKind kind) {
-  switch (kind) {
-    case ExerciseKind::limits: return "Canard limits";
-    case ExerciseKind::step: return "Canard step";
-    case ExerciseKind::sine: return "Canard sine";
-  }
-  return "Canards";
 }
 
 }  // namespace fantail::bench

@@ -6,14 +6,14 @@
 #include <cmath>
 #include <numbers>
 
-#include "bench/signal.hpp"
+#include "bench/readings.hpp"
 
 namespace fantail::bench {
 namespace {
 
-bool reported_in(const Course& course, const Window& window) {
+bool reported_in(const CanardTrace& trace, const Window& window) {
   for (std::size_t i = window.begin; i < window.end; ++i) {
-    if (course.limited[i]) {
+    if (trace.limited[i]) {
       return true;
     }
   }
@@ -39,13 +39,13 @@ Window settled(const Window& hold) {
   return hold.size() > time_to_settle + before_step ? Window{hold.begin + time_to_settle, hold.end} : hold;
 }
 
-double overshoot_rad(const Course& course, const Window& hold, double from_rad, double to_rad) {
+double overshoot_rad(const CanardTrace& trace, const Window& hold, double from_rad, double to_rad) {
   constexpr std::size_t length = 5;
   double farthest = 0.0;
   for (std::size_t begin = hold.begin; begin + length <= hold.end; ++begin) {
     double sum = 0.0;
     for (std::size_t i = begin; i < begin + length; ++i) {
-      sum += course.encoder_rad[i];
+      sum += trace.encoder_rad[i];
     }
     const double beyond = (sum / static_cast<double>(length) - to_rad) * (to_rad > from_rad ? 1.0 : -1.0);
     farthest = beyond > farthest ? beyond : farthest;  // false for what was not read
@@ -101,35 +101,35 @@ std::optional<Phasor> phasor(const std::vector<double>& values, const Window& wi
 
 }  // namespace
 
-void add_ends(const Course& course, Figures& f) {
-  const Window above = at_rest(course, Part::hold_positive);
-  const Window below = at_rest(course, Part::hold_negative);
-  f.reached_positive_rad = level_rad(course, above);
-  f.reached_negative_rad = level_rad(course, below);
+void add_ends(const CanardTrace& trace, Figures& f) {
+  const Window above = at_rest(trace, Part::hold_positive);
+  const Window below = at_rest(trace, Part::hold_negative);
+  f.reached_positive_rad = level_rad(trace, above);
+  f.reached_negative_rad = level_rad(trace, below);
   f.saturated = beyond_bus(f.reached_positive_rad.value_or(0.0)) || beyond_bus(f.reached_negative_rad.value_or(0.0));
   if (above.size() == 0 || below.size() == 0) {
     return;
   }
-  f.limit_reported = reported_in(course, above) && reported_in(course, below);
-  f.told_positive_rad = course.command_rad[above.end - 1];
-  f.told_negative_rad = course.command_rad[below.end - 1];
+  f.limit_reported = reported_in(trace, above) && reported_in(trace, below);
+  f.told_positive_rad = trace.command_rad[above.end - 1];
+  f.told_negative_rad = trace.command_rad[below.end - 1];
   const double told_rad = *f.told_positive_rad - *f.told_negative_rad;
   if (f.reached_positive_rad && f.reached_negative_rad && told_rad > 0.0) {
     f.gain = (*f.reached_positive_rad - *f.reached_negative_rad) / told_rad;
   }
 }
 
-void add_centre(const Course& course, Figures& f) {
-  const Window above = at_rest(course, Part::centre_from_above);
-  const Window below = at_rest(course, Part::centre_from_below);
-  const auto from_above = level_rad(course, above);
-  const auto from_below = level_rad(course, below);
+void add_centre(const CanardTrace& trace, Figures& f) {
+  const Window above = at_rest(trace, Part::centre_from_above);
+  const Window below = at_rest(trace, Part::centre_from_below);
+  const auto from_above = level_rad(trace, above);
+  const auto from_below = level_rad(trace, below);
   if (!from_above || !from_below) {
     return;
   }
-  const double told_rad = course.command_rad[above.end - 1];
+  const double told_rad = trace.command_rad[above.end - 1];
   f.from_above_rad = *from_above - told_rad;
-  f.from_below_rad = *from_below - course.command_rad[below.end - 1];
+  f.from_below_rad = *from_below - trace.command_rad[below.end - 1];
   f.centring_error_rad = 0.5 * (*f.from_above_rad + *f.from_below_rad);
   f.backlash_rad = std::abs(*f.from_above_rad - *f.from_below_rad);
   const double centre_rad = told_rad + *f.centring_error_rad;
@@ -137,20 +137,20 @@ void add_centre(const Course& course, Figures& f) {
   f.negative_share = share(f.reached_negative_rad, f.told_negative_rad, centre_rad, told_rad);
 }
 
-void add_rest(const Course& course, Figures& f) {
+void add_rest(const CanardTrace& trace, Figures& f) {
   double squares = 0.0;
   double readings = 0.0;
   double levels = 0.0;
   double counted = 0.0;
   for (const Part part : {Part::settle, Part::hold_positive, Part::centre_from_above, Part::hold_negative,
                           Part::centre_from_below, Part::step_out, Part::step_home}) {
-    const Window window = at_rest(course, part);
-    if (const auto rest = rest_of(course, window)) {
+    const Window window = at_rest(trace, part);
+    if (const auto rest = rest_of(trace, window)) {
       squares += rest->variance_rad2 * (rest->readings - 2.0);
       readings += rest->readings - 2.0;
       f.drift_rad_s = std::max(f.drift_rad_s.value_or(0.0), std::abs(rest->drift_rad_s));
     }
-    if (const auto level = level_rad(course, window)) {
+    if (const auto level = level_rad(trace, window)) {
       levels += *level;
       counted += 1.0;
     }
@@ -163,36 +163,36 @@ void add_rest(const Course& course, Figures& f) {
   }
 }
 
-void add_steps(const Course& course, Part widest, Figures& f) {
-  if (const std::size_t begin = step_begin(course, Part::step_out); begin < course.size()) {
-    const Window hold = while_command_stands(course, begin);
-    const auto from = level_rad(course, {begin > before_step ? begin - before_step : 0, begin});
-    const auto to = level_rad(course, settled(hold));
-    const double told_rad = course.command_rad[begin] - course.command_rad[begin - 1];
+void add_steps(const CanardTrace& trace, Part widest, Figures& f) {
+  if (const std::size_t begin = step_begin(trace, Part::step_out); begin < trace.size()) {
+    const Window hold = while_command_stands(trace, begin);
+    const auto from = level_rad(trace, {begin > before_step ? begin - before_step : 0, begin});
+    const auto to = level_rad(trace, settled(hold));
+    const double told_rad = trace.command_rad[begin] - trace.command_rad[begin - 1];
     if (from && to && std::abs(*to - *from) > least_share * std::abs(told_rad)) {
-      f.step_time_s = rise_time_s(course, hold, *from, *to);
-      f.overshoot_rad = overshoot_rad(course, hold, *from, *to);
+      f.step_time_s = rise_time_s(trace, hold, *from, *to);
+      f.overshoot_rad = overshoot_rad(trace, hold, *from, *to);
     }
     if (widest == Part::step_out) {
-      f.told_positive_rad = course.command_rad[begin];
+      f.told_positive_rad = trace.command_rad[begin];
       f.reached_positive_rad = to;
     }
   }
-  const std::size_t across = step_begin(course, widest);
-  if (across < course.size() && f.sign.value_or(0) != 0) {
-    f.slew_rad_s = fastest_rad_s(course, while_command_stands(course, across));
-    f.slew_way_rad = std::abs(course.command_rad[across] - course.command_rad[across - 1]);
+  const std::size_t across = step_begin(trace, widest);
+  if (across < trace.size() && f.sign.value_or(0) != 0) {
+    f.slew_rad_s = fastest_rad_s(trace, while_command_stands(trace, across));
+    f.slew_way_rad = std::abs(trace.command_rad[across] - trace.command_rad[across - 1]);
   }
 }
 
-void add_wave(const Course& course, double frequency_hz, Figures& f) {
-  const auto first = std::ranges::find(course.part, Part::sine);
-  const auto last = std::find_if(first, course.part.end(), [](Part part) { return part != Part::sine; });
-  Window window{static_cast<std::size_t>(first - course.part.begin()),
-                static_cast<std::size_t>(last - course.part.begin())};
+void add_wave(const CanardTrace& trace, double frequency_hz, Figures& f) {
+  const auto first = std::ranges::find(trace.part, Part::sine);
+  const auto last = std::find_if(first, trace.part.end(), [](Part part) { return part != Part::sine; });
+  Window window{static_cast<std::size_t>(first - trace.part.begin()),
+                static_cast<std::size_t>(last - trace.part.begin())};
   window.begin += std::min(window.size() / 3, swing_in);  // the servo takes some time constants to swing in
-  const auto command = phasor(course.command_rad, window, frequency_hz);
-  const auto encoder = phasor(course.encoder_rad, window, frequency_hz);
+  const auto command = phasor(trace.command_rad, window, frequency_hz);
+  const auto encoder = phasor(trace.encoder_rad, window, frequency_hz);
   if (!command || !encoder) {
     return;
   }

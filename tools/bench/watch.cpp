@@ -82,9 +82,9 @@ std::string_view name(protocol::PlanSource plan) {
 
 // Two or three lines, each with its end.
 std::string board_lines(const protocol::BoardReport& report) {
-  const std::string faults =
-      report.faults == 0 ? "no fault"
-                         : fmt::format("{}; with that it is not armed", fmt::join(fault_names(report.faults), ", "));
+  const std::string faults = report.faults == 0
+                                 ? "no fault"
+                                 : fmt::format("{} (it cannot be armed)", fmt::join(fault_names(report.faults), ", "));
   const std::string battery =
       report.battery_mv ? fmt::format("{:.2f} V", 1e-3 * *report.battery_mv) : std::string{"not measured"};
   std::string text = fmt::format("board: {}; {}, battery {}, {}{} control ticks missed\n", faults,
@@ -92,7 +92,7 @@ std::string board_lines(const protocol::BoardReport& report) {
                                  report.overruns, report.overruns == most_overruns ? " or more" : "");
   text += fmt::format("plan: {}\n", avionics::text(report.plan));
   if (report.flash_failed) {
-    text += "flash: it does not answer, or does not keep what is written; with that it is not armed\n";
+    text += "flash: it does not answer, or does not keep what is written; the rocket cannot be armed\n";
   }
   return text;
 }
@@ -196,7 +196,7 @@ std::string Watch::line() const {
   std::string text = fmt::format("{} ({});", core::name(status->phase), core::name(status->reason));
   const auto canards = rows(link_, now_);
   for (std::size_t i = 0; i < canards.size(); ++i) {
-    text += fmt::format(" canard {} {} deg told, {} read, {};", i + 1, cell(canards[i].command_deg),
+    text += fmt::format(" canard {} command {} deg, encoder {}, {};", i + 1, cell(canards[i].command_deg),
                         cell(canards[i].encoder_deg), canards[i].verdict);
   }
   const auto board = known<protocol::BoardReport>();

@@ -11,7 +11,7 @@ namespace {
 std::string_view text(protocol::LogEnd end) {
   switch (end) {
     case protocol::LogEnd::flight_over: return "the flight is over";
-    case protocol::LogEnd::returned_to_pad: return "it was no launch";
+    case protocol::LogEnd::returned_to_pad: return "false launch detection";
     case protocol::LogEnd::flash_full: return "the flash is full";
     case protocol::LogEnd::flash_failed: return "the flash failed";
   }
@@ -20,10 +20,11 @@ std::string_view text(protocol::LogEnd end) {
 
 std::string_view text(core::CommandStatus status) {
   switch (status) {
-    case core::CommandStatus::outside_control: return "the roll command is zero: no control";
+    case core::CommandStatus::outside_control: return "the roll command is zero: outside control";
     case core::CommandStatus::controlling: return "the roll command follows the flight law";
     case core::CommandStatus::gyro_lost: return "the roll command is zero: no usable rate";
-    case core::CommandStatus::not_finite: return "the roll command is zero: the flight law gave no number";
+    case core::CommandStatus::not_finite:
+      return "the roll command is zero: the flight law's result was not a finite number";
   }
   return "unknown";
 }

@@ -53,7 +53,7 @@ std::string integrity_text(const Flight& flight) {
                        counted(flight.records, "record"));
   }
   if (!flight.has_header) {
-    text += "; no header, and so neither plan nor scales";
+    text += "; no header, so the plan and the sensor scales are not known";
   }
   if (const std::uint64_t dropped = dropped_records(flight); dropped > 0) {
     text += fmt::format("; {} never written, because the flash was too slow", counted(dropped, "record"));
@@ -71,8 +71,8 @@ std::string foreign_bytes_text(const LogFile& file) {
   if (file.foreign_bytes == 0) {
     return {};
   }
-  std::string text = fmt::format("{} in {} belong to no intact record", counted(file.foreign_bytes, "byte"),
-                                 counted(file.foreign_places, "place"));
+  std::string text = fmt::format("{} in {} {} outside the intact records", counted(file.foreign_bytes, "byte"),
+                                 counted(file.foreign_places, "place"), file.foreign_bytes == 1 ? "lies" : "lie");
   if (file.cut_off_bytes > 0) {
     text += fmt::format("; {} of them at the end, where the last record was cut off", file.cut_off_bytes);
   }

@@ -28,7 +28,7 @@ constexpr std::array beginnings{
     Beginning{"\x7F"
               "ELF"sv,
               "a program (ELF)"},
-    Beginning{"\xA3\x95"sv, "a log of ArduPilot"},
+    Beginning{"\xA3\x95"sv, "an ArduPilot log"},
     Beginning{"\x1F\x8B"sv, "a file compressed with gzip"},
     Beginning{"PK\x03\x04"sv, "a ZIP archive"},
     Beginning{"\x28\xB5\x2F\xFD"sv, "a file compressed with zstd"},
@@ -64,7 +64,7 @@ std::string kind_of_text(std::string_view text) {
   const char first =
       text.find_first_not_of(" \t\r\n") == std::string_view::npos ? '\0' : text[text.find_first_not_of(" \t\r\n")];
   if (is_candump(line)) {
-    return "what candump wrote";
+    return "a candump log";
   }
   if (first == '{') {
     return "JSON";
@@ -138,7 +138,7 @@ std::string looks_like(std::span<const std::byte> bytes) {
     return "erased flash, in which nothing was ever recorded";
   }
   if (all(0)) {
-    return "nothing but zeros";
+    return "only zeros";
   }
   constexpr std::size_t enough = 4096;
   const std::string_view text = view(bytes.first(std::min(bytes.size(), enough)));

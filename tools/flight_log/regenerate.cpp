@@ -47,7 +47,7 @@ std::string obstacle_before(const Flight& flight) {
     return "Its ticks are laid out as in another version of Fantail, whose flight law this program does not have.";
   }
   if (!flight.has_header) {
-    return "None of its headers is left, and so neither the plan nor what a count of a sensor stands for.";
+    return "It has no intact header, so the plan and the scales of the sensor counts are not known.";
   }
   if (flight.ticks.empty()) {
     return "It holds no tick.";
@@ -55,7 +55,7 @@ std::string obstacle_before(const Flight& flight) {
   if (flight.state_layout != state_layout()) {
     return "It was flown by another version of the flight law.";
   }
-  return flight.checkpoints.empty() ? "It holds no checkpoint from which the flight law could go on." : "";
+  return flight.checkpoints.empty() ? "It holds no checkpoint from which a replay could start." : "";
 }
 
 // The first value that differs, in the order of the schema.
@@ -197,7 +197,7 @@ Regeneration regenerate(const Flight& flight, const core::FlightPlan& plan) {
   }
   result.unreachable = flight.ticks.size() - result.compared;
   if (result.compared == 0) {
-    result.obstacle = "None of its checkpoints is one that this flight law can have written.";
+    result.obstacle = "None of its checkpoints fits this program's flight law.";
   }
   return result;
 }

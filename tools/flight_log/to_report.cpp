@@ -87,12 +87,12 @@ void add_notes(flight::Flight& result, const Flight& flight, const Regeneration&
     note("The flight could not be replayed. " + regeneration.obstacle);
   } else if (regeneration.unreachable > 0) {
     note(
-        fmt::format("{} ticks between a gap and the next checkpoint are left out: what the flight law knew of the "
-                    "rocket there is lost.",
+        fmt::format("{} ticks between a gap and the next checkpoint are left out: the state of the flight law there "
+                    "is lost.",
                     regeneration.unreachable));
   }
   if (regeneration.differing > 0) {
-    note(fmt::format("{} ticks are not what this program's flight law makes of the recorded inputs.",
+    note(fmt::format("{} ticks differ from what this program's flight law computes from the recorded inputs.",
                      regeneration.differing));
   }
 }

@@ -101,10 +101,9 @@ OneProcessor::~OneProcessor() {
 
 Emulator::Emulator(const EmulatorOptions& options) {
   if (!std::filesystem::is_regular_file(options.image)) {
-    throw text::Error{text::ErrorKind::no_such_input,
-                      options.image.string() +
-                          ": there is no such image; ./dev fly --on emulator builds it, or "
-                          "cmake --preset emulator && cmake --build --preset emulator"};
+    throw text::Error{text::ErrorKind::no_such_input, options.image.string() +
+                                                          ": no such file; ./dev fly --on emulator builds it, or "
+                                                          "cmake --preset emulator && cmake --build --preset emulator"};
   }
   auto [target_in, to_target] = make_pipe();
   auto [from_target, target_out] = make_pipe();

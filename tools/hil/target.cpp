@@ -2,6 +2,7 @@
 #include "hil/target.hpp"
 
 #include <array>
+#include <optional>
 #include <utility>
 
 #include <fmt/core.h>
@@ -14,10 +15,52 @@
 
 namespace fantail::hil {
 
+using Clock = std::chrono::steady_clock;
+
+protocol::LogFrame Link::ask(protocol::HilType type, std::size_t payload_size, core::Microseconds time) {
+  sequence_ += 1;
+  const auto question = out_.seal(type, sequence_, payload_size, time);
+  wire_->write(question);
+  const std::uint32_t damaged_before = damaged();
+  std::optional<Clock::time_point> silent_since;
+  for (;;) {
+    while (const auto frame = in_.next()) {
+      if (frame->head.sequence == sequence_) {  // else the answer to a question that was asked twice
+        return *frame;
+      }
+    }
+    const std::size_t count = wire_->read(in_.room(), timeouts_.send_again);
+    in_.arrived(count);
+    if (count != 0) {
+      continue;
+    }
+    if (waiting_) {
+      waiting_();
+    }
+    const auto now = Clock::now();
+    silent_since = silent_since.value_or(now - timeouts_.send_again);
+    if (now - *silent_since >= timeouts_.give_up) {
+      give_up(damaged() - damaged_before);
+    }
+    asked_again_ += 1;
+    wire_->write(question);
+  }
+}
+
+void Link::give_up(std::uint32_t damaged_frames) const {
+  const double seconds = 1e-3 * static_cast<double>(timeouts_.give_up.count());
+  throw TargetError{
+      damaged_frames == 0
+          ? fmt::format("the flight computer has sent nothing for {:g} s", seconds)
+          : fmt::format("frames from the flight computer arrive damaged, {} of them in {:g} s: does it use "
+                        "another baud rate, or run another program?",
+                        damaged_frames, seconds)};
+}
+
 using protocol::HilType;
 
-Target::Target(std::unique_ptr<Wire> wire, Waiting waiting, const Patience& patience)
-    : link_{std::move(wire), std::move(waiting), patience} {
+Target::Target(std::unique_ptr<Wire> wire, Waiting waiting, const Timeouts& timeouts)
+    : link_{std::move(wire), std::move(waiting), timeouts} {
   protocol::HilWriter writer{link_.payload()};
   const std::uint32_t layout = world_link::layout();
   writer(protocol::hil_version);
@@ -59,9 +102,9 @@ using world_link::FlashCall;
 
 namespace {
 
-void expect(bool understood) {
+void expect(bool understood, const char* otherwise = "the flight computer sent a message that cannot be read") {
   if (!understood) {
-    throw TargetError{"the flight computer's message is not one"};
+    throw TargetError{otherwise};
   }
 }
 
@@ -83,7 +126,7 @@ const core::TickRecord& RemoteBoard::tick() {
   for (const hal::CanFrame& frame : frames_) {
     world_link::visit_frame(frame, writer);
   }
-  expect(writer.ok() && frames_.size() < 256);
+  expect(writer.ok() && frames_.size() < 256, "more CAN frames came in one tick than the link can carry");
 
   const LogFrame done = ask(HilType::tick, writer.size(), HilType::done);
   HilReader reader{done.payload};
@@ -112,7 +155,7 @@ void RemoteBoard::begin() {
   world_link::visit_scales(hardware_, writer);
   writer.text(vehicle_);
   writer.text(sensors_);
-  expect(writer.ok());
+  expect(writer.ok(), "the plan and the names are longer than the link can carry");
   (void)ask(HilType::begin, writer.size(), HilType::begun);
 }
 

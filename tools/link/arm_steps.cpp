@@ -37,7 +37,7 @@ ArmReply ArmSteps::run_self_test(const std::function<void(const ArmReply&)>& pro
     look();
     const bool answered = until_answered.expired(place_.now());
     if (!begun && until_begun.expired(place_.now())) {
-      throw LinkError{"the avionics does not begin its self-test"};
+      throw LinkError{"the avionics does not start its self-test"};
     }
     if (link_.count<ArmReply>() == seen) {
       continue;
@@ -91,7 +91,7 @@ void ArmSteps::look() {
   place_.wait(glance);
   link_.listen(place_.now());
   if (link_.has_fallen_silent()) {
-    throw LinkError{"the avionics has fallen silent"};
+    throw LinkError{"the avionics has stopped reporting"};
   }
 }
 

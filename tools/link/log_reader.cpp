@@ -29,7 +29,7 @@ constexpr Microseconds look_time{15'000'000};
 constexpr Microseconds erase_time{3'000'000};
 
 [[noreturn]] void refuse(LogFault fault) {
-  throw LinkError{"the avionics does not give its flight record: " + replies::sentence(fault)};
+  throw LinkError{"the flight record of the avionics cannot be read: " + replies::sentence(fault)};
 }
 
 [[noreturn]] void silent() { throw LinkError{"the avionics does not answer when asked for its flight record"}; }
@@ -173,7 +173,7 @@ void LogReader::erase(Session& session, const std::function<void(std::uint32_t)>
     const bool no_answer = any_answer.expired(now);
     const bool no_sector = next_sector.expired(now);
     if (waits ? no_sector : no_answer) {
-      throw LinkError{"the avionics has fallen silent while it erased its flight record; ask again"};
+      throw LinkError{"the avionics stopped answering while it erased its flight record; try again"};
     }
   }
 }

@@ -79,7 +79,8 @@ protocol::PlanReply send_plan(Place& place, AvionicsLink& link, std::span<const 
     }
     if (writing && writing->expired(place.now())) {
       throw LinkError{
-          "the avionics keeps a written plan back: it comes into force when the phase is Safe and no bench session or "
+          "the avionics has written the plan but does not use it yet: it comes into force when the phase is Safe and "
+          "no bench session or "
           "self-test goes on"};
     }
     if (answer.expired(place.now())) {

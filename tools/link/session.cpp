@@ -45,14 +45,16 @@ void await_avionics(Place& place, AvionicsLink& link) {
       throw LinkError{link.figures().frames == 0
                           ? "the avionics is silent: is it powered (its node running), is the bus terminated at both "
                             "ends, and does it run at 1 Mbit/s?"
-                          : "the avionics speaks, but its heartbeat does not come: is the bus overloaded?"};
+                          : "the avionics sends frames, but its heartbeat or its canard limits are missing: is the bus "
+                            "overloaded?"};
     }
     place.wait(glance);
   }
   const int version = link.newest<protocol::HeartbeatReport>()->message.version;
   if (version != protocol::bus_protocol_version) {
-    throw LinkError{"the avionics speaks version " + std::to_string(version) +
-                    " of the bus protocol; this program knows " + std::to_string(int{protocol::bus_protocol_version})};
+    throw LinkError{"the avionics uses version " + std::to_string(version) +
+                    " of the bus protocol; this program uses version " +
+                    std::to_string(int{protocol::bus_protocol_version})};
   }
 }
 
@@ -173,14 +175,14 @@ void Session::check_still_open() const {
     const bool by_pc = reply.reason == protocol::SessionReason::heartbeat_lost && longest_gap_ > longest_pause;
     throw LinkError{
         "the avionics has ended the bench session: " + replies::sentence(reply.reason) +
-        (by_pc ? ", and this PC, asleep or too busy, had held the bench up for " + tenths(longest_gap_) : "")};
+        (by_pc ? ", and this PC, suspended or too busy, sent no heartbeat for " + tenths(longest_gap_) : "")};
   }
   // Whoever was stopped for a while may find somebody else at work, and must not speak into that.
   if (reply.session != number_ && reply.state == protocol::SessionState::open) {
     throw LinkError{"the bench session has ended, and another bench has opened one"};
   }
   if (link_.has_fallen_silent()) {
-    throw LinkError{"the avionics has fallen silent; it centres the canards by itself"};
+    throw LinkError{"the avionics has stopped reporting; it centres the canards by itself"};
   }
 }
 

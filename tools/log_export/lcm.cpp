@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "log_export/formats.hpp"
-#include "telemetry/outlet.hpp"
+#include "telemetry/publisher.hpp"
 #include "telemetry/sender.hpp"
 #include "telemetry/tick_reporter.hpp"
 

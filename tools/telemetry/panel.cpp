@@ -4,7 +4,6 @@
 #include <fmt/core.h>
 
 #include "replies/sentence.hpp"
-#include "telemetry/panel_values.hpp"
 
 namespace fantail::telemetry {
 namespace {
@@ -47,7 +46,7 @@ void Panel::look(hal::Microseconds now) {
 template <typename Content>
 std::string Panel::age_text(const std::optional<Heard<Content>>& heard) const {
   if (!heard) {
-    return "never heard";
+    return "never received";
   }
   return is_stale(heard) ? fmt::format("STALE, {:.1f} s old", in_seconds(now_ - heard->came)) : "live";
 }
@@ -125,11 +124,11 @@ std::string Panel::health_text() const {
 std::string Panel::channels_text() const {
   const double span_s = in_seconds(receiver_.recent_span());
   std::string text =
-      fmt::format("link, last {:.0f} s     per s  received    lost    late   twice  ignored  unreadable\n", span_s);
+      fmt::format("link, last {:.0f} s     per s  received    lost    late  duplicate  ignored  unreadable\n", span_s);
   for (std::size_t i = 0; i < channel_count; ++i) {
     const auto channel = static_cast<Channel>(i);
     const ChannelFigures recent = receiver_.recent(channel);
-    text += fmt::format("  {:<17} {:>7.1f}  {:>8}  {:>6}  {:>6}  {:>6}  {:>7}  {:>10}\n", name(channel),
+    text += fmt::format("  {:<17} {:>7.1f}  {:>8}  {:>6}  {:>6}  {:>9}  {:>7}  {:>10}\n", name(channel),
                         span_s > 0.0 ? static_cast<double>(recent.received) / span_s : 0.0, recent.received,
                         lost_lately(recent), recent.late, recent.duplicate, recent.ignored, recent.unreadable);
   }
@@ -139,7 +138,7 @@ std::string Panel::channels_text() const {
 std::string Panel::table() const {
   std::string text = fmt::format("{}  {}", url_, link_state());
   if (!receiver_.state()) {
-    return text + ": nobody has spoken yet\n" + channels_text();
+    return text + ": nothing received yet\n" + channels_text();
   }
   text += fmt::format(", {:.2f} s since power-up\n", in_seconds(receiver_.state()->stamp.time));
   text += motion_text() + canards_text() + health_text() + channels_text();
@@ -167,9 +166,9 @@ std::string Panel::lines() const {
   const std::string odd = recent.ignored + recent.unreadable > 0
                               ? fmt::format(", {} ignored, {} unreadable", recent.ignored, recent.unreadable)
                               : "";
-  const std::string link =
-      fmt::format("link: {}, {} received, {} lost, {} late, {} twice{} in {:.0f} s\n", link_state(), recent.received,
-                  recent.lost, recent.late, recent.duplicate, odd, in_seconds(receiver_.recent_span()));
+  const std::string link = fmt::format("link: {}, {} received, {} lost, {} late, {} duplicate{} in {:.0f} s\n",
+                                       link_state(), recent.received, recent.lost, recent.late, recent.duplicate, odd,
+                                       in_seconds(receiver_.recent_span()));
   if (!receiver_.state()) {
     return text + link;
   }

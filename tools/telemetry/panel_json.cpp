@@ -2,7 +2,6 @@
 #include "json/value.hpp"
 #include "replies/sentence.hpp"
 #include "telemetry/panel.hpp"
-#include "telemetry/panel_values.hpp"
 
 namespace fantail::telemetry {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "bench/course.hpp"
+#include "bench/trace.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,16 +13,16 @@ const double same_command_rad = text::radians(0.015);  // one step of the bus, a
 constexpr std::size_t time_to_settle = 180;
 constexpr std::size_t mark_slack = 100;  // a mark is set when a tick is received, some milliseconds off
 
-Window window_of(const Course& course, Part part) {
-  const auto first = std::ranges::find(course.part, part);
-  const auto end = std::find_if(first, course.part.end(), [part](Part other) { return other != part; });
-  return {static_cast<std::size_t>(first - course.part.begin()), static_cast<std::size_t>(end - course.part.begin())};
+Window window_of(const CanardTrace& trace, Part part) {
+  const auto first = std::ranges::find(trace.part, part);
+  const auto end = std::find_if(first, trace.part.end(), [part](Part other) { return other != part; });
+  return {static_cast<std::size_t>(first - trace.part.begin()), static_cast<std::size_t>(end - trace.part.begin())};
 }
 
 }  // namespace
 
-Course course(const link::Recording& recording, const Exercise& exercise, const Turn& turn, std::size_t canard) {
-  Course result;
+CanardTrace trace_of(const link::Recording& recording, const Exercise& exercise, const Turn& turn, std::size_t canard) {
+  CanardTrace result;
   for (const link::Tick& tick : recording.ticks()) {
     if (tick.stretch < turn.first || tick.stretch > turn.last) {
       continue;
@@ -52,7 +52,7 @@ Course course(const link::Recording& recording, const Exercise& exercise, const 
   }
   const auto known = std::ranges::find_if(result.command_rad, [](double value) { return std::isfinite(value); });
   if (known == result.command_rad.end()) {
-    Course never_driven;
+    CanardTrace never_driven;
     never_driven.received = result.received;
     never_driven.dropouts = result.dropouts;
     never_driven.undriven = result.undriven;
@@ -62,13 +62,13 @@ Course course(const link::Recording& recording, const Exercise& exercise, const 
   return result;
 }
 
-Window at_rest(const Course& course, Part part) {
-  const Window all = window_of(course, part);
+Window at_rest(const CanardTrace& trace, Part part) {
+  const Window all = window_of(trace, part);
   const std::size_t first = all.begin > time_to_settle ? all.begin - time_to_settle : 0;
   std::size_t since = first;  // the command has stood
   Window longest{all.end, all.end};
   for (std::size_t i = first; i < all.end; ++i) {
-    if (std::abs(course.command_rad[i] - course.command_rad[since]) > same_command_rad) {
+    if (std::abs(trace.command_rad[i] - trace.command_rad[since]) > same_command_rad) {
       since = i;
     }
     const std::size_t rest = std::max(since + time_to_settle, all.begin);
@@ -79,14 +79,14 @@ Window at_rest(const Course& course, Part part) {
   return longest;
 }
 
-std::size_t step_begin(const Course& course, Part part) {
-  const Window all = window_of(course, part);
+std::size_t step_begin(const CanardTrace& trace, Part part) {
+  const Window all = window_of(trace, part);
   const std::size_t first = all.begin > mark_slack ? all.begin - mark_slack : 1;
   const std::size_t last = std::min(all.end, all.begin + mark_slack);
-  std::size_t largest = course.size();
+  std::size_t largest = trace.size();
   double change = same_command_rad;
   for (std::size_t i = std::max<std::size_t>(first, 1); i < last; ++i) {
-    if (const double here = std::abs(course.command_rad[i] - course.command_rad[i - 1]); here > change) {
+    if (const double here = std::abs(trace.command_rad[i] - trace.command_rad[i - 1]); here > change) {
       change = here;
       largest = i;
     }
@@ -94,9 +94,9 @@ std::size_t step_begin(const Course& course, Part part) {
   return largest;
 }
 
-Window while_command_stands(const Course& course, std::size_t begin) {
+Window while_command_stands(const CanardTrace& trace, std::size_t begin) {
   std::size_t end = begin;
-  while (end < course.size() && std::abs(course.command_rad[end] - course.command_rad[begin]) <= same_command_rad) {
+  while (end < trace.size() && std::abs(trace.command_rad[end] - trace.command_rad[begin]) <= same_command_rad) {
     ++end;
   }
   return {begin, end};

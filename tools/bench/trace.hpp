@@ -16,7 +16,7 @@ inline constexpr double tick_s = 0.001;
 inline constexpr double no_reading = std::numeric_limits<double>::quiet_NaN();
 
 /// One canard through one turn, one entry a millisecond: lost ticks have their place too, so an index is a time.
-struct Course {
+struct CanardTrace {
   std::int64_t first_tick = 0;
   std::vector<double> command_rad;  ///< where it is not known, the last one known
   std::vector<double> encoder_rad;  ///< no_reading where there was none
@@ -30,10 +30,10 @@ struct Course {
 };
 
 /// Empty when the turn was not recorded, or the canard never driven in it.
-[[nodiscard]] Course course(const link::Recording& recording, const Exercise& exercise, const Turn& turn,
-                            std::size_t canard);
+[[nodiscard]] CanardTrace trace_of(const link::Recording& recording, const Exercise& exercise, const Turn& turn,
+                                   std::size_t canard);
 
-/// Indices [begin, end) of a course.
+/// Indices [begin, end) of a trace.
 struct Window {
   std::size_t begin = 0;
   std::size_t end = 0;
@@ -41,12 +41,12 @@ struct Window {
 };
 
 /// Where in this part the command had stood still long enough for the canard to stand too; empty when nowhere.
-[[nodiscard]] Window at_rest(const Course& course, Part part);
+[[nodiscard]] Window at_rest(const CanardTrace& trace, Part part);
 
 /// Index of the first tick with the new command of a step, near the beginning of this part; size() when there is none.
-[[nodiscard]] std::size_t step_begin(const Course& course, Part part);
+[[nodiscard]] std::size_t step_begin(const CanardTrace& trace, Part part);
 
 /// From `begin` to where the command changes next.
-[[nodiscard]] Window while_command_stands(const Course& course, std::size_t begin);
+[[nodiscard]] Window while_command_stands(const CanardTrace& trace, std::size_t begin);
 
 }  // namespace fantail::bench
