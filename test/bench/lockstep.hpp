@@ -9,7 +9,7 @@
 #include "bench/exercise.hpp"
 #include "core/canard_mixer.hpp"
 #include "core/flight_plan_fields.hpp"
-#include "link/recording.hpp"
+#include "link/avionics_link.hpp"
 #include "sim/random.hpp"
 #include "sim/sensor_models.hpp"
 #include "sim/servo.hpp"

@@ -203,7 +203,7 @@ TEST(Sheet, TextIsPlainAndAligned) {
   for (const char c : text) {
     EXPECT_TRUE(c == '\n' || (c >= ' ' && c <= '~'));
   }
-  EXPECT_NE(text.find("FAIL\n  Canard 3 is reversed: told +6.00 deg, it went to -6.00 deg."), std::string::npos)
+  EXPECT_NE(text.find("FAIL\n  Canard 3 is reversed: commanded to +6.00 deg, it went to -6.00 deg."), std::string::npos)
       << text;
   EXPECT_NE(text.find("Reached, positive, deg      5.50 to 6.50        6.00      6.00     -6.00 !    6.00\n"),
             std::string::npos)
@@ -260,7 +260,7 @@ TEST_F(Page, ShowsAStepAndASineTheSameWay) {
       Exercise::sine(six_degrees(), 1, {.amplitude_rad = 3.0 * degree, .frequency_hz = 2.0, .cycles = 4});
   for (const Exercise& exercise : {Exercise::step(six_degrees(), 1, 3.0 * degree), sine}) {
     const std::string html = page({}, exercise);
-    EXPECT_NE(html.find("Canard 2 follows, within its limits."), std::string::npos);
+    EXPECT_NE(html.find("Canard 2 follows its command within the tolerances."), std::string::npos);
     EXPECT_LT(html.size(), 60'000U);
   }
 }

@@ -10,7 +10,7 @@
 
 #include "../core/random_stream.hpp"
 #include "bench/exercise.hpp"
-#include "link/recording.hpp"
+#include "link/avionics_link.hpp"
 
 namespace fantail::bench {
 

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include "avionics/can_frame.hpp"
-#include "bench/board_words.hpp"
 #include "hal/board.hpp"
 #include "hal/sim/can_bus.hpp"
 #include "json/value.hpp"
@@ -41,7 +40,7 @@ TEST_F(WatchTest, EveryFaultOfTheBoardIsNamed) {
         .battery_mv = std::uint16_t{7'912},
         .overruns = 3});
   EXPECT_TRUE(
-      table_says("board: imu_silent, flash_wrong_id; with that it is not armed; reset by the watchdog, battery 7.91 V, "
+      table_says("board: imu_silent, flash_wrong_id (it cannot be armed); reset by the watchdog, battery 7.91 V, "
                  "3 control ticks missed\nplan: the one in the flash\n"))
       << watch.table();
   EXPECT_NE(watch.line().find("board: imu_silent, flash_wrong_id;"), std::string::npos) << watch.line();
@@ -78,7 +77,7 @@ TEST_F(WatchTest, APlanFromANewerVersionSaysWhatToDo) {
   EXPECT_EQ(json::parse(watch.json())["plan"], "stored_is_newer");
 }
 
-TEST(BoardWords, ABitThatOnlyNewerAvionicsKnowsIsShownByItsNumber) {
+TEST(FaultNames, ABitThatOnlyNewerAvionicsKnowsIsShownByItsNumber) {
   EXPECT_EQ(fault_names(1U << 31U | 1U), (std::vector<std::string>{"crystal_failed", "bit_31"}));
 }
 

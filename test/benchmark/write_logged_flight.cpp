@@ -7,8 +7,7 @@
 
 #include "benchmark/logged_flight.hpp"
 #include "flight_log/to_report.hpp"
-#include "log_export/lcm.hpp"
-#include "log_export/ulog.hpp"
+#include "log_export/formats.hpp"
 #include "text/output_folder.hpp"
 
 int main(int count, char** arguments) {
@@ -20,7 +19,7 @@ int main(int count, char** arguments) {
   try {
     const benchmark::LoggedFlight& logged = benchmark::logged_flight();
     const flight::Flight report = flight_log::to_report(logged.flight, logged.regeneration);
-    const log_export::Source source{logged.flight, logged.regeneration, report};
+    const log_export::ReplayedFlight source{logged.flight, logged.regeneration, report};
     std::string own(logged.bytes.size(), '\0');
     for (std::size_t i = 0; i < own.size(); ++i) {
       own[i] = static_cast<char>(logged.bytes[i]);

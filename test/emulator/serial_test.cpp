@@ -13,7 +13,7 @@
 #include <unistd.h>
 
 #include "emulator/images.hpp"
-#include "hil/serial_port.hpp"
+#include "hil/wire.hpp"
 #include "input/scenario_file.hpp"
 #include "protocol/tick_digest.hpp"
 #include "sim/world.hpp"
@@ -103,7 +103,7 @@ TEST(Serial, ADeviceThatIsMissingIsNoPortOrIsInUseIsNamed) {
   ASSERT_EQ(::openpty(&master, &slave, name, nullptr, nullptr), 0);
   {
     const hil::SerialPort first{name};
-    EXPECT_THAT(why_not(name), HasSubstr("another program has it"));
+    EXPECT_THAT(why_not(name), HasSubstr("another program is using it"));
   }
   EXPECT_EQ(why_not(name), "it was opened");
   ::close(slave);
@@ -124,7 +124,7 @@ TEST(Serial, ALineOnWhichNobodyAnswersIsGivenUp) {
     begin();
     ADD_FAILURE() << "somebody answered";
   } catch (const hil::TargetError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("has said nothing for 0.1 s"));
+    EXPECT_THAT(error.what(), HasSubstr("has sent nothing for 0.1 s"));
   }
   ::close(slave);
   ::close(master);

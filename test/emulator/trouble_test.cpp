@@ -69,7 +69,7 @@ TEST_F(EmulatorTrouble, AFlightComputerThatSaysNothingIsGivenUp) {
   world.tick();
   world.advance();
   ::kill(process, SIGSTOP);
-  EXPECT_THAT(why([&] { world.tick(); }), HasSubstr("has said nothing for 0.5 s"));
+  EXPECT_THAT(why([&] { world.tick(); }), HasSubstr("has sent nothing for 0.5 s"));
 }
 
 TEST_F(EmulatorTrouble, TheProcessEndsWithItsOwner) {
@@ -104,7 +104,7 @@ TEST(EmulatorImage, ThatIsMissingIsNamed) {
     ADD_FAILURE() << "it was flown";
   } catch (const text::Error& error) {
     EXPECT_EQ(error.kind(), text::ErrorKind::no_such_input);
-    EXPECT_THAT(error.what(), HasSubstr("/nowhere/fantail-emulator.elf: there is no such image"));
+    EXPECT_THAT(error.what(), HasSubstr("/nowhere/fantail-emulator.elf: no such file"));
   }
 }
 

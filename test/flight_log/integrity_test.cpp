@@ -16,9 +16,9 @@ TEST(Integrity, AWholeLogIsIntact) {
   const MadeFlight made = make_flight();
   const LogFile file = parse_log(made.bytes, "");
   EXPECT_TRUE(intact(file));
-  EXPECT_EQ(integrity_words(file.flights[0]),
+  EXPECT_EQ(integrity_text(file.flights[0]),
             "intact: " + std::to_string(made.frame_ends.size()) + " records, none missing");
-  EXPECT_EQ(foreign_words(file), "");
+  EXPECT_EQ(foreign_bytes_text(file), "");
 }
 
 TEST(Integrity, ALogThatWasCutOffIsIntactAsFarAsItGoesAndSaysSo) {
@@ -26,8 +26,8 @@ TEST(Integrity, ALogThatWasCutOffIsIntactAsFarAsItGoesAndSaysSo) {
   const LogFile file = parse_log(std::span{made.bytes}.first(made.frame_ends[50] + 20), "");
   EXPECT_TRUE(intact(file));
   EXPECT_FALSE(has_end(file.flights[0]));
-  EXPECT_TRUE(says(integrity_words(file.flights[0]), "51 records, none missing; the recording breaks off"));
-  EXPECT_TRUE(says(foreign_words(file), "at the end, where the last record was cut off"));
+  EXPECT_TRUE(says(integrity_text(file.flights[0]), "51 records, none missing; the recording breaks off"));
+  EXPECT_TRUE(says(foreign_bytes_text(file), "at the end, where the last record was cut off"));
 }
 
 TEST(Integrity, ATurnedBitIsDamageAndCountedInRecordsGapsAndBytes) {
@@ -36,15 +36,15 @@ TEST(Integrity, ATurnedBitIsDamageAndCountedInRecordsGapsAndBytes) {
   made.bytes[made.frame_ends[60] + 20] ^= std::byte{1};
   const LogFile file = parse_log(made.bytes, "");
   EXPECT_FALSE(intact(file));
-  EXPECT_TRUE(says(integrity_words(file.flights[0]), "damaged: 2 records lost in 2 gaps"));
-  EXPECT_TRUE(says(foreign_words(file), "in 2 places"));
+  EXPECT_TRUE(says(integrity_text(file.flights[0]), "damaged: 2 records lost in 2 gaps"));
+  EXPECT_TRUE(says(foreign_bytes_text(file), "in 2 places"));
 }
 
 TEST(Integrity, WithoutAHeaderALogIsDamaged) {
   Flight flight;
   flight.records = 1;
   EXPECT_FALSE(intact(flight));
-  EXPECT_TRUE(says(integrity_words(flight), "1 record, none missing; no header"));
+  EXPECT_TRUE(says(integrity_text(flight), "1 record, none missing; no header"));
 }
 
 TEST(Integrity, RecordsThatWereNeverWrittenAreAddedUp) {
@@ -58,14 +58,14 @@ TEST(Integrity, RecordsThatWereNeverWrittenAreAddedUp) {
 TEST(Integrity, TheReplayIsSaidInWords) {
   LogFile file = parse_log(make_flight().bytes, "");
   Flight& flight = file.flights[0];
-  EXPECT_EQ(replay_words(flight, regenerate(flight, *flight.plan)),
+  EXPECT_EQ(replay_text(flight, regenerate(flight, *flight.plan)),
             "equal: 3000 ticks replayed, every output byte as recorded");
   flight.ticks[700].tick.command = core::Angle::from_radians(0.25F);
   // The 701st tick is 0.7 s after the first, at 5.5 s.
-  EXPECT_TRUE(says(replay_words(flight, regenerate(flight, *flight.plan)),
+  EXPECT_TRUE(says(replay_text(flight, regenerate(flight, *flight.plan)),
                    "differs: 1 tick of 3000; first at 6.200000 s (tick 700): command was 0.25 rad, replayed"));
   flight.checkpoints.clear();
-  EXPECT_TRUE(says(replay_words(flight, regenerate(flight, *flight.plan)), "not possible: It holds no checkpoint"));
+  EXPECT_TRUE(says(replay_text(flight, regenerate(flight, *flight.plan)), "not possible: It holds no checkpoint"));
 }
 
 }  // namespace

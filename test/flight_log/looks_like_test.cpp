@@ -6,7 +6,6 @@
 #include <gtest/gtest.h>
 
 #include "flight_log/flight_log.hpp"
-#include "flight_log/foreign.hpp"
 #include "text/error.hpp"
 
 namespace fantail::flight_log {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "flight_log/loop_times.hpp"
-
 #include <gtest/gtest.h>
+
+#include "flight_log/flight_figures.hpp"
 
 namespace fantail::flight_log {
 namespace {

@@ -173,7 +173,7 @@ TEST(Regenerate, WhatMakesAReplayImpossibleIsSaid) {
     return result.obstacle;
   };
   const auto says = [](const std::string& text, const char* word) { return text.find(word) != std::string::npos; };
-  EXPECT_TRUE(says(obstacle([](Flight& f) { f.has_header = false; }), "headers"));
+  EXPECT_TRUE(says(obstacle([](Flight& f) { f.has_header = false; }), "header"));
   EXPECT_TRUE(says(obstacle([](Flight& f) { f.state_layout += 1; }), "another version of the flight law"));
   EXPECT_TRUE(says(obstacle([](Flight& f) { f.checkpoints.clear(); }), "no checkpoint"));
   EXPECT_TRUE(says(obstacle([](Flight& f) { f.ticks.clear(); }), "no tick"));

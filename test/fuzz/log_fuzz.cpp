@@ -8,11 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "flight_log/event_words.hpp"
-#include "flight_log/foreign.hpp"
-#include "flight_log/health_figures.hpp"
+#include "flight_log/event_text.hpp"
+#include "flight_log/flight_figures.hpp"
+#include "flight_log/flight_log.hpp"
 #include "flight_log/integrity.hpp"
-#include "flight_log/loop_times.hpp"
 #include "flight_log/schema.hpp"
 #include "flight_log/to_report.hpp"
 #include "protocol/crc32c.hpp"
@@ -88,7 +87,7 @@ void check_replay(const flight_log::Flight& flight) {
   require(replay.compared > 0 || !replay.obstacle.empty());
   require(replay.first_difference.has_value() == (replay.differing > 0));
   require(!replay.first_difference || !replay.first_difference->field.empty());
-  require(is_sentence(flight_log::replay_words(flight, replay)));
+  require(is_sentence(flight_log::replay_text(flight, replay)));
   const flight::Flight report = flight_log::to_report(flight, replay);
   require(report.rows.size() == replay.compared);
   require(std::ranges::all_of(report.notes, is_sentence));
@@ -98,9 +97,9 @@ void check_flight(const flight_log::Flight& flight) {
   check_order(flight);
   check_schema(flight);
   check_replay(flight);
-  require(is_sentence(flight_log::integrity_words(flight)));
+  require(is_sentence(flight_log::integrity_text(flight)));
   for (const protocol::LogEvent& event : flight.events) {
-    require(is_sentence(flight_log::words(event)));
+    require(is_sentence(flight_log::event_text(event)));
   }
   const auto loop = flight_log::loop_times(flight);
   require(!loop || (loop->mean_us <= loop->longest_us && loop->p99_us <= loop->longest_us));

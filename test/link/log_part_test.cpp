@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "link/log_part.hpp"
-
 #include <gtest/gtest.h>
 
+#include "link/log_download.hpp"
 #include "system/folder.hpp"
 #include "text/output_folder.hpp"
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "link/recording.hpp"
-
 #include <limits>
 
 #include <gtest/gtest.h>
+
+#include "link/avionics_link.hpp"
 
 namespace fantail::link {
 namespace {

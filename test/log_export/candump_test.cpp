@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "log_export/candump.hpp"
-
 #include <algorithm>
 #include <cstdio>
 #include <iterator>
@@ -8,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "log_export/formats.hpp"
 #include "made_flight.hpp"
 #include "protocol/bus_codec.hpp"
 

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "log_export/csv.hpp"
-
 #include <algorithm>
 
 #include <gtest/gtest.h>
 
 #include "flight/write_csv.hpp"
+#include "log_export/formats.hpp"
 #include "made_flight.hpp"
 
 namespace fantail::log_export {

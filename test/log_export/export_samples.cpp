@@ -3,11 +3,7 @@
 #include <fstream>
 #include <string>
 
-#include "log_export/candump.hpp"
-#include "log_export/csv.hpp"
-#include "log_export/json.hpp"
-#include "log_export/lcm.hpp"
-#include "log_export/ulog.hpp"
+#include "log_export/formats.hpp"
 #include "made_flight.hpp"
 
 int main(int argc, char** argv) {
@@ -16,7 +12,7 @@ int main(int argc, char** argv) {
     return 64;
   }
   const MadeFlight made;
-  const Source source = made.source();
+  const ReplayedFlight source = made.source();
   const auto write = [&](const char* name, const std::string& content) {
     std::ofstream{std::string{argv[1]} + "/" + name, std::ios::binary} << content;
   };

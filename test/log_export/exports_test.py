@@ -78,8 +78,8 @@ class UlogByPyulog(unittest.TestCase):
 
     def test_events_gaps_plan_and_health_are_there(self):
         texts = [(m.timestamp, m.log_level_str(), m.message) for m in self.log.logged_messages]
-        self.assertEqual(texts, [(10_100_000, "INFO", "phase: launched (launch_detected)"),
-                                 (10_700_000, "WARNING", "canard_verdict: canard 3 stalled")])
+        self.assertEqual(texts, [(10_100_000, "INFO", "Launched: launch detected"),
+                                 (10_700_000, "WARNING", "canard 3 stalled")])
         self.assertEqual([d.duration for d in self.log.dropouts], [51])
         plan = self.log.initial_parameters
         self.assertEqual(plan["launch_detection.threshold_g"], 2.5)

@@ -49,7 +49,7 @@ TEST(ExportFields, AnUnknownOneIsNamedWithTheNearestAndAllThatThereAre) {
 
 TEST(ExportFields, ATickHasItsRecordedAndItsReplayedValuesInDegrees) {
   const MadeFlight made;
-  const Source source = made.source();
+  const ReplayedFlight source = made.source();
   TickReader reader{source};
   const auto values = reader.read(400);
   ASSERT_EQ(values.size(), fields().size());
@@ -69,7 +69,7 @@ TEST(ExportFields, ATickHasItsRecordedAndItsReplayedValuesInDegrees) {
 
 TEST(ExportFields, ACanardThatIsNotDrivenHasNoCommandAndASilentEncoderNoAngle) {
   const MadeFlight made;
-  const Source source = made.source();
+  const ReplayedFlight source = made.source();
   TickReader reader{source};
   const auto values = reader.read(400);
   EXPECT_TRUE(std::holds_alternative<std::monostate>(value(values, "command_4_deg")));
@@ -78,7 +78,7 @@ TEST(ExportFields, ACanardThatIsNotDrivenHasNoCommandAndASilentEncoderNoAngle) {
 
 TEST(ExportFields, WhereTheReplayCouldNotComeWhatStandsInTheLogIsStillThere) {
   const MadeFlight made;
-  const Source source = made.source();
+  const ReplayedFlight source = made.source();
   TickReader reader{source};
   const auto values = reader.read(502);  // tick 552: fifty are missing before it
   EXPECT_NEAR(number(values, "time_s"), 0.452, 1e-12);
@@ -93,7 +93,7 @@ TEST(ExportFields, WithoutAnyReplayTheClockBeginsWithTheFirstTick) {
   MadeFlight made;
   made.regeneration = {};
   made.report = {};
-  const Source source = made.source();
+  const ReplayedFlight source = made.source();
   EXPECT_EQ(source.record(0), nullptr);
   EXPECT_EQ(source.time_s(MadeFlight::time(0)), 0.0);
 }

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "log_export/foreign.hpp"
-
 #include <bit>
 
 #include <gtest/gtest.h>
 
+#include "log_export/formats.hpp"
 #include "protocol/little_endian.hpp"
 
 namespace fantail::log_export {

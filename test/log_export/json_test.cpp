@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "log_export/json.hpp"
-
 #include <gtest/gtest.h>
 
 #include "json/value.hpp"
+#include "log_export/formats.hpp"
 #include "made_flight.hpp"
 
 namespace fantail::log_export {

@@ -7,7 +7,7 @@
 #include "core/flight_plan_fields.hpp"
 #include "flight_log/flight_log.hpp"
 #include "flight_log/regenerate.hpp"
-#include "log_export/source.hpp"
+#include "log_export/replayed_flight.hpp"
 #include "protocol/plan_block.hpp"
 
 namespace fantail::log_export {
@@ -48,7 +48,7 @@ struct MadeFlight {
     }
   }
 
-  [[nodiscard]] Source source(Window window = {}) const { return {flight, regeneration, report, window}; }
+  [[nodiscard]] ReplayedFlight source(Window window = {}) const { return {flight, regeneration, report, window}; }
   [[nodiscard]] static core::Microseconds time(int tick) { return core::Microseconds{begin_us + 1000 * tick}; }
   [[nodiscard]] static float command_deg(int tick, int canard) {
     return static_cast<float>(tick) / 100.0F + static_cast<float>(canard);

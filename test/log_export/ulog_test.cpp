@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "log_export/ulog.hpp"
-
 #include <algorithm>
 #include <cstring>
 
 #include <gtest/gtest.h>
 
+#include "log_export/formats.hpp"
 #include "made_flight.hpp"
 
 namespace fantail::log_export {
@@ -74,8 +73,7 @@ TEST(UlogExport, EventsAreTextsAndTheGapADropoutOfItsLength) {
       EXPECT_EQ(number<std::uint16_t>(message.content, 0), 51U);  // ms from the tick before it to the one behind it
     }
   }
-  EXPECT_EQ(texts,
-            (std::vector<std::string>{"6phase: launched (launch_detected)", "4canard_verdict: canard 3 stalled"}));
+  EXPECT_EQ(texts, (std::vector<std::string>{"6Launched: launch detected", "4canard 3 stalled"}));
   EXPECT_EQ(count(all, 'O'), 1U);
 }
 

@@ -53,7 +53,7 @@ TEST(BenchArm, IsToldWhichCanardFailedTheSelfTest) {
   link::ArmSteps steps{place, link};
   const protocol::ArmReply reply = steps.run_self_test([](const auto&) {});
   EXPECT_EQ(reply.self_test, protocol::SelfTestState::failed);
-  EXPECT_EQ(replies::sentence(reply.failure, reply.canard), "canard 3 does not stand where it was told to");
+  EXPECT_EQ(replies::sentence(reply.failure, reply.canard), "canard 3 is not at the angle it was commanded to");
 }
 
 // It fails in the very tick in which it begins, so nobody ever hears that it runs; the second time nothing changes.

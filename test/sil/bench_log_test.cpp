@@ -10,7 +10,6 @@
 #include "input/scenario_file.hpp"
 #include "link/log_download.hpp"
 #include "link/log_flights.hpp"
-#include "link/log_listing.hpp"
 #include "random_stream.hpp"
 #include "sil/bench_at_world.hpp"
 #include "system/folder.hpp"

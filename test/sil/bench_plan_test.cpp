@@ -146,7 +146,8 @@ TEST(BenchPlan, WhileTheAvionicsKeepsAWrittenPlanBackThatIsSaidAndNothingPromise
     FAIL() << "the session came too late";
   } catch (const link::LinkError& error) {
     EXPECT_EQ(std::string{error.what()},
-              "the avionics keeps a written plan back: it comes into force when the phase is Safe and no bench session "
+              "the avionics has written the plan but does not use it yet: it comes into force when the phase is Safe "
+              "and no bench session "
               "or self-test goes on");
   }
   place.after_tick = nullptr;

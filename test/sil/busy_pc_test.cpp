@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "link/arm_steps.hpp"
-#include "link/patience.hpp"
+#include "link/place.hpp"
 #include "link/plan_sender.hpp"
 #include "protocol/plan_block.hpp"
 #include "sil/bench_at_world.hpp"
@@ -11,7 +11,7 @@
 namespace fantail::sil {
 namespace {
 
-using link::Patience;
+using link::Timeout;
 
 /// With the node on the same PC both sleep; a rocket on a real bus lives on, and the PC's socket keeps what it said.
 enum class Asleep : std::uint8_t { both, bench_alone };
@@ -84,8 +84,8 @@ TEST(ABusyPc, ThatHoldsTheBenchUpIsNamedWhenTheSessionIsLost) {
   } catch (const link::LinkError& error) {
     EXPECT_STREQ(
         error.what(),
-        "the avionics has ended the bench session: it heard no heartbeat for 0.1 s, and this PC, asleep or too "
-        "busy, had held the bench up for 3.0 s");
+        "the avionics has ended the bench session: it heard no heartbeat for 0.1 s, and this PC, suspended or too "
+        "busy, sent no heartbeat for 3.0 s");
   }
 }
 
@@ -99,22 +99,22 @@ TEST(ABusyPc, ARocketThatDiesIsSilentAfterTwoSecondsOfListening) {
     session.wait(20 * second);
     FAIL() << "nobody noticed";
   } catch (const link::LinkError& error) {
-    EXPECT_STREQ(error.what(), "the avionics has fallen silent; it centres the canards by itself");
+    EXPECT_STREQ(error.what(), "the avionics has stopped reporting; it centres the canards by itself");
   }
   EXPECT_NEAR(1e-6 * static_cast<double>((place.now() - dead).count()), 2.0, 0.05);
 }
 
-TEST(Patience, CountsAQuarterOfASecondBetweenTwoLooksAtTheMost) {
-  Patience patience{2 * second, 10 * second};
+TEST(Timeout, CountsAQuarterOfASecondBetweenTwoLooksAtTheMost) {
+  Timeout timeout{2 * second, 10 * second};
   hal::Microseconds now = 10 * second;
   int looks = 0;
   do {
     now += 60 * second;
     looks += 1;
-  } while (!patience.ends(now));
+  } while (!timeout.expired(now));
   EXPECT_EQ(looks, 8);
-  patience.begin_again();
-  for (looks = 0; !patience.ends(now); now += 100 * millisecond) {
+  timeout.restart();
+  for (looks = 0; !timeout.expired(now); now += 100 * millisecond) {
     looks += 1;
   }
   EXPECT_EQ(looks, 20);

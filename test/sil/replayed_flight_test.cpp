@@ -52,7 +52,7 @@ bool expect_equal_replay(const sim::Scenario& scenario) {
   EXPECT_FALSE(file.flights.empty());
   for (const flight_log::Flight& flight : file.flights) {
     const flight_log::Regeneration replay = flight_log::regenerate(flight, *flight.plan);
-    EXPECT_TRUE(replay.complete_and_equal()) << flight_log::replay_words(flight, replay);
+    EXPECT_TRUE(replay.complete_and_equal()) << flight_log::replay_text(flight, replay);
     // What is made again is what the flight law made then, every signal of it.
     auto then = flown.records.begin();
     for (const auto& record : replay.records) {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "telemetry/avionics_clock.hpp"
-
 #include <gtest/gtest.h>
 
-namespace fantail::telemetry {
+#include "gateway/gateway.hpp"
+
+namespace fantail::gateway {
 namespace {
 
 using hal::Microseconds;
@@ -51,4 +51,4 @@ TEST(AvionicsClock, AnAvionicsThatWasSwitchedOnAgainBeginsAnew) {
 }
 
 }  // namespace
-}  // namespace fantail::telemetry
+}  // namespace fantail::gateway

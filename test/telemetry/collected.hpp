@@ -4,7 +4,7 @@
 #include <variant>
 #include <vector>
 
-#include "telemetry/sink.hpp"
+#include "telemetry/sender.hpp"
 
 namespace fantail::test {
 

@@ -7,7 +7,7 @@
 
 #include "avionics/can_frame.hpp"
 #include "telemetry/collected.hpp"
-#include "telemetry/limit_tap.hpp"
+#include "telemetry/tick_reporter.hpp"
 
 namespace fantail::telemetry {
 namespace {

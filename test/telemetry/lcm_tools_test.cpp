@@ -82,7 +82,7 @@ TEST_F(LcmTools, WithoutARouteTheMessageSaysWhichCommandMendsIt) {
 TEST_F(LcmTools, AUrlThatIsNoneIsAUsageError) {
   const Outcome outcome = fantail({"fly", "--out", folder / "out", "--lcm", "udpm://10.0.0.1:7667"});
   EXPECT_EQ(outcome.exit_code, 64);
-  EXPECT_PRED2(contains, outcome.err, "\"10.0.0.1\" is no multicast address; allowed: udpm://ADDRESS:PORT");
+  EXPECT_PRED2(contains, outcome.err, "\"10.0.0.1\" is not a multicast address; allowed: udpm://ADDRESS:PORT");
   EXPECT_EQ(fantail({"watch"}).exit_code, 64);
   EXPECT_EQ(fantail({"gateway", "--can", "vcan0"}).exit_code, 64);
 }
@@ -185,7 +185,7 @@ TEST_F(LcmTools, AFullDiskIsAnErrorOfTheTelemetryAndNotOfTheFlight) {
 TEST_F(LcmTools, WatchEndsWithItsReaderAndAfterItsTime) {
   const Outcome outcome =
       run("sh", {"-c", "{ \"$0\" watch --lcm \"$1\"; echo code $? >&2; } | head -n 1", fantail_path(), url});
-  EXPECT_EQ(outcome.out, "link: SILENT, 0 received, 0 lost, 0 late, 0 twice in 1 s\n");
+  EXPECT_EQ(outcome.out, "link: SILENT, 0 received, 0 lost, 0 late, 0 duplicate in 1 s\n");
   EXPECT_EQ(outcome.err, "code 0\n");
   EXPECT_EQ(fantail({"watch", "--lcm", url, "--for", "0.1"}).exit_code, 0);
   EXPECT_EQ(fantail({"watch", "--lcm", "file://" + (folder / "none")}).exit_code, 74);

@@ -8,8 +8,8 @@
 #include <lcm/lcm.h>
 
 #include "linux/shell.hpp"
+#include "telemetry/messages.hpp"
 #include "telemetry/multicast.hpp"
-#include "telemetry/packet.hpp"
 
 namespace fantail::test {
 namespace {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "telemetry/packet.hpp"
-
 #include <random>
 
 #include <gtest/gtest.h>
+
+#include "telemetry/messages.hpp"
 
 namespace fantail::telemetry {
 namespace {

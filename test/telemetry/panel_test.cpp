@@ -46,7 +46,7 @@ class PanelTest : public ::testing::Test {
 
 TEST_F(PanelTest, SaysThatNobodySpeaks) {
   panel.look(Microseconds{5});
-  EXPECT_PRED2(contains, panel.table(), "udpm://  SILENT: nobody has spoken yet");
+  EXPECT_PRED2(contains, panel.table(), "udpm://  SILENT: nothing received yet");
   EXPECT_PRED2(contains, panel.lines(), "link: SILENT");
   const Json object = json::parse(panel.json());
   EXPECT_EQ(object["link"], "silent");
@@ -119,8 +119,8 @@ TEST_F(PanelTest, TheLinkIsShownChannelByChannel) {
   }
   panel.look(Microseconds{1'000'000});
   EXPECT_PRED2(contains, panel.table(),
-               "  FANTAIL_STATE         5.0         5       2       1       1        0           0\n");
-  EXPECT_PRED2(contains, panel.lines(), "link: live, 5 received, 2 lost, 1 late, 1 twice in 1 s");
+               "  FANTAIL_STATE         5.0         5       2       1          1        0           0\n");
+  EXPECT_PRED2(contains, panel.lines(), "link: live, 5 received, 2 lost, 1 late, 1 duplicate in 1 s");
   const Json total = json::parse(panel.json())["channels"]["FANTAIL_STATE"]["total"];
   EXPECT_EQ(total["received"], 5);
   EXPECT_EQ(total["lost"], 2);

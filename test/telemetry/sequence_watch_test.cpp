@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "telemetry/sequence_watch.hpp"
-
 #include <algorithm>
 #include <cstdio>
 #include <random>
@@ -8,6 +6,8 @@
 #include <vector>
 
 #include <gtest/gtest.h>
+
+#include "telemetry/receiver.hpp"
 
 namespace fantail::telemetry {
 namespace {

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "system/folder.hpp"
-#include "telemetry/outlet.hpp"
+#include "telemetry/publisher.hpp"
 
 namespace fantail::telemetry {
 namespace {

@@ -59,11 +59,12 @@ TEST(Url, TheEndsOfEveryRange) {
 }
 
 TEST(Url, AnObjectionNamesWhatIsWrongAndWhatIsAllowed) {
-  EXPECT_EQ(objection_to_url("udpm://10.0.0.1:7667"),
-            "\"10.0.0.1\" is no multicast address; allowed: udpm://ADDRESS:PORT with a multicast address (224.0.0.0 to "
-            "239.255.255.255), or file:///PATH");
+  EXPECT_EQ(
+      objection_to_url("udpm://10.0.0.1:7667"),
+      "\"10.0.0.1\" is not a multicast address; allowed: udpm://ADDRESS:PORT with a multicast address (224.0.0.0 to "
+      "239.255.255.255), or file:///PATH");
   EXPECT_EQ(objection_to_url("udpm://?tll=1"),
-            "\"tll=1\" is no option of \"udpm://?tll=1\"; allowed: ttl=HOPS (0 to 255, 0: this computer only), "
+            "\"tll=1\" is not an option of \"udpm://?tll=1\"; allowed: ttl=HOPS (0 to 255, 0: this computer only), "
             "recv_buf_size=BYTES");
 }
 

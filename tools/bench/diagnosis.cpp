@@ -2,7 +2,9 @@
 #include "bench/diagnosis.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
 #include <fmt/core.h>
 
@@ -21,6 +23,22 @@ constexpr double same_share = 0.15;   // slipping takes about as much from one s
 constexpr double right_share = 0.07;  // off by no more than this, the way is right and only its place is wrong
 const double still_rad_s = text::radians(3.0);
 
+// In the order of Cause.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 12> causes{
+    {{"healthy", "is healthy"},
+     {"stuck", "is stuck"},
+     {"dead", "is dead"},
+     {"reversed", "is reversed"},
+     {"slipping", "slips"},
+     {"slow", "is slow"},
+     {"encoder_unplugged", "has no usable encoder reading"},
+     {"encoder_noisy", "has a noisy encoder"},
+     {"wrong_trim", "has a wrong trim"},
+     {"wrong_canard_moves", "moves another canard"},
+     {"out_of_tolerance", "is out of tolerance"},
+     {"limit_not_kept", "was commanded beyond its limit"}}};
+static_assert(static_cast<std::size_t>(Cause::limit_not_kept) + 1 == causes.size());
+
 std::string signed_degrees(const std::optional<double>& angle_rad) {
   if (!angle_rad) {
     return "an unknown angle";
@@ -29,10 +47,10 @@ std::string signed_degrees(const std::optional<double>& angle_rad) {
   return (number.front() == '-' ? number : "+" + number) + " deg";
 }
 
-class Doctor {
+class Diagnoser {
  public:
-  Doctor(const Figures& figures, std::span<const Check> checks, const Bounds& bounds, std::size_t canard,
-         const sim::CanardTolerances& tolerances)
+  Diagnoser(const Figures& figures, std::span<const Check> checks, const Bounds& bounds, std::size_t canard,
+            const sim::CanardTolerances& tolerances)
       : f_{figures},
         checks_{checks},
         t_{tolerances},
@@ -44,8 +62,8 @@ class Doctor {
     // First what is dangerous, whatever else is wrong.
     if (beyond_limit(f_, limit_rad_)) {
       return {Cause::limit_not_kept,
-              fmt::format("it was told to go to {} deg; its limit is {} deg",
-                          fixed(degrees(*f_.largest_command_rad), 2), fixed(degrees(limit_rad_), 2)),
+              fmt::format("it was commanded to {} deg; its limit is {} deg", fixed(degrees(*f_.largest_command_rad), 2),
+                          fixed(degrees(limit_rad_), 2)),
               "Do not fly this avionics. Keep this sheet and its JSON file, and find out why before anything else."};
     }
     if (f_.received_ticks == 0 || f_.undriven == f_.received_ticks) {
@@ -77,19 +95,19 @@ class Doctor {
     }
     if (f_.sign == -1) {
       return {Cause::reversed,
-              fmt::format("told {}, it went to {}", signed_degrees(f_.told_positive_rad),
+              fmt::format("commanded to {}, it went to {}", signed_degrees(f_.told_positive_rad),
                           signed_degrees(f_.reached_positive_rad)),
               "Check the sign of its pulse width per degree in the plan, its servo's direction, and whether horn, "
               "linkage and encoder magnet are mounted the right way round."};
     }
     // Before slipping, backlash and tracking: a late canard has not arrived when these are looked at.
-    if (const std::string late = lateness(); !late.empty()) {
+    if (const std::string late = slowness(); !late.empty()) {
       return {Cause::slow, late, "Check the servo's supply voltage under load, friction in the linkage, and its gear."};
     }
     // Before trim: it leaves both sides short; a trim moves both the same way.
     if (slips()) {
       return {Cause::slipping,
-              fmt::format("it moves the right way but only {} % as far: told {} and {}, it reached {} and {}",
+              fmt::format("it moves the right way but only {} % as far: commanded to {} and {}, it reached {} and {}",
                           fixed(100.0 * *f_.gain, 0), signed_degrees(f_.told_positive_rad),
                           signed_degrees(f_.told_negative_rad), signed_degrees(f_.reached_positive_rad),
                           signed_degrees(f_.reached_negative_rad)),
@@ -98,10 +116,11 @@ class Doctor {
     }
     if (stands_off()) {
       return {Cause::wrong_trim,
-              fmt::format("it moves right but stands {} off everywhere", signed_degrees(f_.centring_error_rad)),
+              fmt::format("it follows the command, but with an offset of {} everywhere",
+                          signed_degrees(f_.centring_error_rad)),
               "Check its pulse centre, trim and encoder zero in the plan, and that the horn sits on the right tooth."};
     }
-    return leftovers();
+    return failed_checks();
   }
 
  private:
@@ -116,7 +135,7 @@ class Doctor {
                           other)};
     }
     return {Cause::wrong_canard_moves,
-            fmt::format("while only it was asked, canard {} moved too, by {} deg", other,
+            fmt::format("canard {} moved too, by {} deg, although only this one was commanded", other,
                         fixed(degrees(*f_.others_moved_rad), 2)),
             fmt::format("Check for a shared or shorted servo signal and a linkage that touches canard {}.", other)};
   }
@@ -124,7 +143,7 @@ class Doctor {
   // At the shaft's zero too: a servo without power does not know the trim.
   [[nodiscard]] Diagnosis does_not_move() const {
     const double stands_rad = f_.stands_at_rad.value_or(centre_rad_);
-    const std::string where = fmt::format("it did not move when told to go to {} and {}, and stands at {}",
+    const std::string where = fmt::format("it did not move when commanded to {} and {}, and stands at {}",
                                           signed_degrees(f_.told_positive_rad), signed_degrees(f_.told_negative_rad),
                                           signed_degrees(f_.stands_at_rad));
     const double off_rad = std::min(std::abs(stands_rad - centre_rad_), std::abs(stands_rad));
@@ -137,28 +156,28 @@ class Doctor {
 
   // Empty when it is fast enough. A canard that moves less far has less far to go, so its speed is held against its
   // own way.
-  [[nodiscard]] std::string lateness() const {
+  [[nodiscard]] std::string slowness() const {
     const bool late = f_.step_time_s && *f_.step_time_s > t_.longest_step_time_s;
     const double gain = std::clamp(std::abs(f_.gain.value_or(1.0)), 0.1, 1.0);
     const double required_rad_s = required_slew_rad_s(f_.slew_way_rad.value_or(0.0), t_);
     const bool weak = f_.slew_rad_s && *f_.slew_rad_s / gain < required_rad_s;
-    const bool creeping = f_.drift_rad_s && *f_.drift_rad_s > still_rad_s;
-    if (!late && !weak && !creeping) {
+    const bool drifting = f_.drift_rad_s && *f_.drift_rad_s > still_rad_s;
+    if (!late && !weak && !drifting) {
       return {};
     }
     std::string text;
     if (f_.step_time_s) {
-      text += fmt::format("10 to 90 % of a step took it {} s (allowed {})", fixed(*f_.step_time_s, 3),
+      text += fmt::format("10 to 90 % of a step took {} s (allowed {})", fixed(*f_.step_time_s, 3),
                           fixed(t_.longest_step_time_s, 3));
     } else {
-      text += "it did not finish a step";
+      text += "the time of a step could not be measured";
     }
     if (f_.slew_rad_s) {
       text += fmt::format(", at most {} deg/s (required {})", fixed(degrees(*f_.slew_rad_s), 0),
                           fixed(degrees(required_rad_s), 0));
     }
-    if (creeping) {
-      text += ", and it still moved when it should have stood";
+    if (drifting) {
+      text += ", and it was still moving when it should have been at rest";
     }
     return text;
   }
@@ -190,13 +209,13 @@ class Doctor {
     return std::ranges::any_of(checks_, [measure](const Check& c) { return c.measure == measure && !c.passed; });
   }
 
-  [[nodiscard]] Diagnosis leftovers() const {
+  [[nodiscard]] Diagnosis failed_checks() const {
     std::string text;
     for (const Check& check : checks_) {
       if (check.passed) {
         continue;
       }
-      const MeasureWords about = words(check.measure);
+      const MeasureText& about = text_of(check.measure);
       std::string label{about.label};
       label.front() = static_cast<char>(label.front() | 0x20);  // in the middle of a sentence
       text += text.empty() ? "" : "; ";
@@ -207,7 +226,7 @@ class Doctor {
       if (check.value && check.measure != Measure::limit_reported) {
         const bool reach = check.measure == Measure::reached_positive || check.measure == Measure::reached_negative;
         text += reach && beyond_bus(text::radians(*check.value)) ? " or farther" : "";
-        text += allowed(check, about.decimals);
+        text += fmt::format(" (must be {})", allowed_text(check));
       }
     }
     if (text.empty()) {
@@ -215,15 +234,6 @@ class Doctor {
     }
     return {Cause::out_of_tolerance, text,
             "Look at its plots: no single fault explains these figures. Check linkage, play and cable, and run again."};
-  }
-
-  static std::string allowed(const Check& check, int decimals) {
-    if (check.lowest && check.highest) {
-      return fmt::format(" (allowed {} to {})", fixed(*check.lowest, decimals), fixed(*check.highest, decimals));
-    }
-    return check.highest  ? fmt::format(" (allowed {})", fixed(*check.highest, decimals))
-           : check.lowest ? fmt::format(" (required {})", fixed(*check.lowest, decimals))
-                          : "";
   }
 
   const Figures& f_;
@@ -235,49 +245,17 @@ class Doctor {
 
 }  // namespace
 
-std::string_view name(Cause cause) {
-  switch (cause) {
-    case Cause::healthy: return "healthy";
-    case Cause::stuck: return "stuck";
-    case Cause::dead: return "dead";
-    case Cause::reversed: return "reversed";
-    case Cause::slipping: return "slipping";
-    case Cause::slow: return "slow";
-    case Cause::encoder_unplugged: return "encoder_unplugged";
-    case Cause::encoder_noisy: return "encoder_noisy";
-    case Cause::wrong_trim: return "wrong_trim";
-    case Cause::wrong_canard_moves: return "wrong_canard_moves";
-    case Cause::out_of_tolerance: return "out_of_tolerance";
-    case Cause::limit_not_kept: return "limit_not_kept";
-  }
-  return "unknown";
-}
+std::string_view name(Cause cause) { return causes[static_cast<std::size_t>(cause)].first; }
 
-std::string_view words(Cause cause) {
-  switch (cause) {
-    case Cause::healthy: return "is healthy";
-    case Cause::stuck: return "is stuck";
-    case Cause::dead: return "is dead";
-    case Cause::reversed: return "is reversed";
-    case Cause::slipping: return "slips";
-    case Cause::slow: return "is slow";
-    case Cause::encoder_unplugged: return "has its encoder unplugged";
-    case Cause::encoder_noisy: return "has a noisy encoder";
-    case Cause::wrong_trim: return "has a wrong trim";
-    case Cause::wrong_canard_moves: return "moves another canard";
-    case Cause::out_of_tolerance: return "is out of tolerance";
-    case Cause::limit_not_kept: return "was commanded beyond its limit";
-  }
-  return "is unknown";
-}
+std::string_view cause_text(Cause cause) { return causes[static_cast<std::size_t>(cause)].second; }
 
 Diagnosis diagnose(const Figures& figures, std::span<const Check> checks, const Bounds& bounds, std::size_t canard,
                    const sim::CanardTolerances& tolerances) {
-  return Doctor{figures, checks, bounds, canard, tolerances}.diagnose();
+  return Diagnoser{figures, checks, bounds, canard, tolerances}.diagnose();
 }
 
 std::string sentence(std::size_t canard, const Diagnosis& diagnosis) {
-  return fmt::format("Canard {} {}: {}.{}{}", canard + 1, words(diagnosis.cause), diagnosis.seen,
+  return fmt::format("Canard {} {}: {}.{}{}", canard + 1, cause_text(diagnosis.cause), diagnosis.seen,
                      diagnosis.look_at.empty() ? "" : " ", diagnosis.look_at);
 }
 

@@ -28,12 +28,12 @@ enum class Cause : std::uint8_t {
   out_of_tolerance,    ///< some figure fails, with no pattern
   limit_not_kept,      ///< commanded beyond its limit
 };
-[[nodiscard]] std::string_view name(Cause cause);   ///< for files: "reversed", as the faults of a scenario
-[[nodiscard]] std::string_view words(Cause cause);  ///< for readers: "is reversed"
+[[nodiscard]] std::string_view name(Cause cause);        ///< for files: "reversed", as the faults of a scenario
+[[nodiscard]] std::string_view cause_text(Cause cause);  ///< for readers: "is reversed"
 
 struct Diagnosis {
   Cause cause = Cause::healthy;
-  std::string seen;     ///< a sentence with numbers, without the canard: "told +6.0 deg, it went to -6.0 deg"
+  std::string seen;     ///< a sentence with numbers, without the canard: "commanded to +6.0 deg, it went to -6.0 deg"
   std::string look_at;  ///< a sentence for the person at the bench; empty when healthy
 };
 

@@ -44,23 +44,9 @@ Bounds bounds(const protocol::LimitReport& limits, const Each<core::Angle>& trim
   return result;
 }
 
-std::string_view name(Part part) {
-  switch (part) {
-    case Part::settle: return "settle";
-    case Part::ramp_positive: return "ramp_positive";
-    case Part::hold_positive: return "hold_positive";
-    case Part::return_from_positive: return "return_from_positive";
-    case Part::centre_from_above: return "centre_from_above";
-    case Part::ramp_negative: return "ramp_negative";
-    case Part::hold_negative: return "hold_negative";
-    case Part::return_from_negative: return "return_from_negative";
-    case Part::centre_from_below: return "centre_from_below";
-    case Part::step_out: return "step_out";
-    case Part::step_across: return "step_across";
-    case Part::step_home: return "step_home";
-    case Part::sine: return "sine";
-  }
-  return "unknown";
+std::string_view name(ExerciseKind kind) {
+  constexpr std::array<std::string_view, 3> names{"limits", "step", "sine"};
+  return names[static_cast<std::size_t>(kind)];
 }
 
 Exercise Exercise::limits(const Bounds& bounds) {

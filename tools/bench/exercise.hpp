@@ -12,7 +12,6 @@
 
 #include "core/inputs.hpp"
 #include "link/avionics_link.hpp"
-#include "link/recording.hpp"
 #include "link/session.hpp"
 #include "protocol/bus_messages.hpp"
 
@@ -30,6 +29,7 @@ struct Bounds {
 [[nodiscard]] Bounds bounds(const protocol::LimitReport& limits, const Each<core::Angle>& trims);
 
 enum class ExerciseKind : std::uint8_t { limits, step, sine };
+[[nodiscard]] std::string_view name(ExerciseKind kind);
 
 /// What a stretch of an exercise is for.
 enum class Part : std::uint8_t {
@@ -47,7 +47,6 @@ enum class Part : std::uint8_t {
   step_home,    ///< back to the centre
   sine,
 };
-[[nodiscard]] std::string_view name(Part part);
 
 /// A piece of an exercise in which every angle asked changes evenly.
 struct Stretch {

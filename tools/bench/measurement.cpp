@@ -4,9 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bench/course.hpp"
-#include "bench/lag_fit.hpp"
-#include "bench/signal.hpp"
+#include "bench/readings.hpp"
+#include "bench/trace.hpp"
 #include "bench/turn_figures.hpp"
 #include "text/degrees.hpp"
 
@@ -23,17 +22,17 @@ bool ramp(Part part) {
 }
 
 // Everything slow, before the first step: at a step a rate limit bends the answer, which a lag alone cannot explain.
-Window before_steps(const Course& course) {
-  const auto step = std::ranges::find(course.part, Part::step_out);
-  return {0, static_cast<std::size_t>(step - course.part.begin())};
+Window before_steps(const CanardTrace& trace) {
+  const auto step = std::ranges::find(trace.part, Part::step_out);
+  return {0, static_cast<std::size_t>(step - trace.part.begin())};
 }
 
 // The command as this canard follows it; as a usual servo would when it follows nothing.
-std::vector<double> follow(const Course& course, const Window& window, Figures& f) {
-  const std::optional<LagFit> fit = fit_lag(course, window);
-  std::vector<double> model = fit ? lagged(course.command_rad, fit->delay_ticks, fit->lag_s)
-                                  : lagged(course.command_rad, usual_delay, usual_lag_s);
-  if (const auto line = regress(model, course, window)) {
+std::vector<double> follow(const CanardTrace& trace, const Window& window, Figures& f) {
+  const std::optional<LagFit> fit = fit_lag(trace, window);
+  std::vector<double> model = fit ? lagged(trace.command_rad, fit->delay_ticks, fit->lag_s)
+                                  : lagged(trace.command_rad, usual_delay, usual_lag_s);
+  if (const auto line = regress(model, trace, window)) {
     f.slope = line->slope;
     f.sign = line->slope > moves ? 1 : line->slope < -moves ? -1 : 0;
     if (fit && f.sign != 0) {
@@ -49,7 +48,7 @@ bool beyond_bus(double angle_rad) { return std::abs(angle_rad) > text::radians(2
 
 Figures measure(const link::Recording& recording, const Exercise& exercise, const Turn& turn, std::size_t canard) {
   Figures f;
-  const Course own = course(recording, exercise, turn, canard);
+  const CanardTrace own = trace_of(recording, exercise, turn, canard);
   f.received_ticks = own.received;
   f.dropouts = own.dropouts;
   f.undriven = own.undriven;
@@ -84,7 +83,7 @@ Figures measure(const link::Recording& recording, const Exercise& exercise, cons
   // Another canard that moves with this one's command, and by how much over this one's whole way to one side. A slope,
   // and not the distance it moved: noise has distance, and its slope is nothing.
   for (std::size_t other = 0; other < core::canard_count; ++other) {
-    const Course others = other == canard ? Course{} : course(recording, exercise, turn, other);
+    const CanardTrace others = other == canard ? CanardTrace{} : trace_of(recording, exercise, turn, other);
     const auto line = others.size() == own.size() ? regress(model, others, window) : std::nullopt;
     if (!line) {
       continue;
@@ -93,7 +92,6 @@ Figures measure(const link::Recording& recording, const Exercise& exercise, cons
     if (!f.others_moved_rad || way_rad > *f.others_moved_rad) {
       f.others_moved_rad = way_rad;
       f.other_canard = other;
-      f.other_slope = line->slope;
     }
   }
   return f;

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "bench/exercise.hpp"
-#include "link/recording.hpp"
+#include "link/avionics_link.hpp"
 
 namespace fantail::bench {
 
@@ -50,7 +50,6 @@ struct Figures {
 
   std::optional<double> others_moved_rad;   ///< alone only: how far another canard went along at most
   std::optional<std::size_t> other_canard;  ///< which one went farthest
-  std::optional<double> other_slope;        ///< its encoder against this canard's command
 
   [[nodiscard]] double dropout_share() const {
     return received_ticks == 0 ? 1.0 : static_cast<double>(dropouts) / static_cast<double>(received_ticks);

@@ -6,7 +6,7 @@
 
 #include <fmt/core.h>
 
-#include "bench/course.hpp"
+#include "bench/trace.hpp"
 #include "core/flight_plan.hpp"
 #include "text/degrees.hpp"
 #include "text/number.hpp"
@@ -107,7 +107,7 @@ class Examination {
     result.diagnosis = from_together ? result.together->diagnosis : result.alone->diagnosis;
     if (from_together && result.alone && result.diagnosis.cause != Cause::healthy) {
       result.diagnosis.seen = "healthy alone, but with all four moving " + result.diagnosis.seen;
-      result.diagnosis.look_at += " What only shows with all four may be the servos' common supply.";
+      result.diagnosis.look_at += " A fault that shows only with all four moving may be in their common supply.";
     }
   }
 
@@ -119,12 +119,12 @@ class Examination {
         fixed(degrees(widest_rad), 2), fixed(degrees(hard_rad), 0));
     for (std::size_t i = 0; i < limits_rad.size(); ++i) {
       if (largest_rad_[i] > limits_rad[i] + 2.0 * resolution_rad) {
-        add(false, "Canard {} was told to go to {} deg, beyond its limit of {} deg.", i + 1,
+        add(false, "Canard {} was commanded to {} deg, beyond its limit of {} deg.", i + 1,
             fixed(degrees(largest_rad_[i]), 2), fixed(degrees(limits_rad[i]), 2));
       }
       if (sheet_.heading.planned_limit_rad &&
           std::abs((*sheet_.heading.planned_limit_rad)[i] - limits_rad[i]) > resolution_rad) {
-        add(false, "Canard {}: the avionics reports a limit of {} deg, the plan on this desk gives {} deg.", i + 1,
+        add(false, "Canard {}: the avionics reports a limit of {} deg, the plan given here has {} deg.", i + 1,
             fixed(degrees(limits_rad[i]), 2), fixed(degrees((*sheet_.heading.planned_limit_rad)[i]), 2));
       }
     }
@@ -183,7 +183,7 @@ std::vector<std::string> conclusions(const Sheet& sheet) {
                       ? "All four canards move the right way, to their limits and no further, and their encoders agree."
                       : "The canard moves the right way, to its limits and no further, and its encoder agrees.");
   } else if (all.empty()) {
-    all.push_back(fmt::format("Canard {} follows, within its limits.",
+    all.push_back(fmt::format("Canard {} follows its command within the tolerances.",
                               sheet.canards.empty() ? 0 : sheet.canards.front().canard + 1));
   }
   return all;

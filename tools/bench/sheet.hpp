@@ -11,7 +11,7 @@
 #include "bench/measurement.hpp"
 #include "bench/verdict.hpp"
 #include "core/canard_monitor.hpp"
-#include "link/recording.hpp"
+#include "link/avionics_link.hpp"
 #include "sim/canard_tolerances.hpp"
 
 namespace fantail::bench {
@@ -25,7 +25,7 @@ struct Heading {
   std::string avionics{};  ///< what answered, and where: "can0, protocol 1"
   std::string version{};   ///< of Fantail
   std::vector<std::string> notes{};
-  /// Limits that the plan on this desk gives; the avionics must report the same.
+  /// Limits that the plan given here has; the avionics must report the same.
   std::optional<Each<double>> planned_limit_rad{};
   /// The last verdict of the avionics' own monitor; shown and not judged.
   Each<std::optional<core::CanardVerdict>> monitor{};

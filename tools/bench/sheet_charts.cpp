@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "bench/sheet_charts.hpp"
-
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -8,7 +6,8 @@
 
 #include <fmt/core.h>
 
-#include "bench/course.hpp"
+#include "bench/sheet_parts.hpp"
+#include "bench/trace.hpp"
 #include "page/page.hpp"
 #include "text/degrees.hpp"
 #include "text/number.hpp"
@@ -23,7 +22,7 @@ using text::degrees;
 constexpr std::size_t before_step = 20;
 constexpr std::size_t after_step = 200;
 
-Chart chart_of(const Course& course, const Window& window, std::size_t zero, double ticks_per_unit) {
+Chart chart_of(const CanardTrace& trace, const Window& window, std::size_t zero, double ticks_per_unit) {
   Chart chart{.y_label = "deg",
               .width = page::half_page,
               .height = 180.0,
@@ -34,14 +33,14 @@ Chart chart_of(const Course& course, const Window& window, std::size_t zero, dou
     for (page::Series& series : chart.series) {
       series.x.push_back(time);
     }
-    chart.series[0].y.push_back(degrees(course.command_rad[i]));
-    chart.series[1].y.push_back(degrees(course.encoder_rad[i]));
+    chart.series[0].y.push_back(degrees(trace.command_rad[i]));
+    chart.series[1].y.push_back(degrees(trace.encoder_rad[i]));
   }
   return chart;
 }
 
-std::string whole_turn(const Course& course, const Sheet& sheet, std::size_t canard, const std::string& caption) {
-  Chart chart = chart_of(course, {0, course.size()}, 0, 1.0 / tick_s);
+std::string whole_turn(const CanardTrace& trace, const Sheet& sheet, std::size_t canard, const std::string& caption) {
+  Chart chart = chart_of(trace, {0, trace.size()}, 0, 1.0 / tick_s);
   chart.label = fmt::format("Canard {}: command and encoder over time, {}", canard + 1, caption);
   chart.x_label = "time / s";
   chart.height = 215.0;  // three sheets of A4 for four canards
@@ -59,29 +58,29 @@ std::string whole_turn(const Course& course, const Sheet& sheet, std::size_t can
                                                                {Part::hold_negative, "at \u2212 limit"},
                                                                {Part::centre_from_below, "from below"}}};
   for (const auto& [part, name] : shown) {
-    if (const Window rest = at_rest(course, part); rest.size() > 0) {
+    if (const Window rest = at_rest(trace, part); rest.size() > 0) {
       chart.shaded_ranges.push_back({static_cast<double>(rest.begin) * tick_s, static_cast<double>(rest.end) * tick_s, name});
     }
   }
   return page::figure(chart, caption);
 }
 
-std::string step_detail(const Course& course, Part part, std::size_t canard, const std::string& caption) {
-  const std::size_t begin = step_begin(course, part);
-  if (begin >= course.size()) {
+std::string step_detail(const CanardTrace& trace, Part part, std::size_t canard, const std::string& caption) {
+  const std::size_t begin = step_begin(trace, part);
+  if (begin >= trace.size()) {
     return {};
   }
   Chart chart = chart_of(
-      course, {begin > before_step ? begin - before_step : 0, std::min(begin + after_step, course.size())}, begin, 1.0);
+      trace, {begin > before_step ? begin - before_step : 0, std::min(begin + after_step, trace.size())}, begin, 1.0);
   chart.label = fmt::format("Canard {}: a step in detail", canard + 1);
   chart.x_label = "time / ms";
   return page::figure(chart, caption);
 }
 
-std::string with_value(std::string_view words, const std::optional<double>& value, int decimals,
+std::string with_value(std::string_view what, std::string_view of, const std::optional<double>& value,
                        std::string_view unit) {
-  return value ? fmt::format("{} {} {}", words, text::fixed(*value, decimals), unit)
-               : fmt::format("{}, not measured", words);
+  return value ? fmt::format("{}: {} {} {}", what, of, text::fixed(*value, 0), unit)
+               : fmt::format("{}: not measured", what);
 }
 
 }  // namespace
@@ -94,7 +93,7 @@ std::string canard_charts(const CanardResult& result, const Sheet& sheet, const 
     if (turn.canard && *turn.canard != result.canard) {
       continue;
     }
-    const Course own = course(recording, exercise, turn, result.canard);
+    const CanardTrace own = trace_of(recording, exercise, turn, result.canard);
     if (own.size() == 0) {
       continue;
     }
@@ -105,11 +104,11 @@ std::string canard_charts(const CanardResult& result, const Sheet& sheet, const 
     const Figures& f = result.alone->figures;
     const auto step_ms = f.step_time_s ? std::optional{1e3 * *f.step_time_s} : std::nullopt;
     steps = {step_detail(own, Part::step_out, result.canard,
-                         with_value("Step from the centre: 10 to 90 % in", step_ms, 0, "ms")),
+                         with_value("Step from the centre", "10 to 90 % in", step_ms, "ms")),
              sheet.kind == ExerciseKind::step
                  ? step_detail(own, Part::step_home, result.canard, "Step back")
                  : step_detail(own, Part::step_across, result.canard,
-                               with_value("Limit to limit: at most", text::in_degrees(f.slew_rad_s), 0, "deg/s"))};
+                               with_value("Limit to limit", "at most", text::in_degrees(f.slew_rad_s), "deg/s"))};
   }
   if (sheet.kind != ExerciseKind::limits) {
     return (turns.empty() ? "" : turns.front()) + page::side_by_side(steps);

@@ -6,8 +6,7 @@
 #include <fmt/core.h>
 
 #include "bench/sheet.hpp"
-#include "bench/sheet_cells.hpp"
-#include "bench/sheet_charts.hpp"
+#include "bench/sheet_parts.hpp"
 #include "core/tick_record.hpp"
 #include "page/page.hpp"
 #include "text/number.hpp"
@@ -19,7 +18,7 @@ using page::Tone;
 
 page::Page opening(const Sheet& sheet) {
   const Heading& h = sheet.heading;
-  page::Page page{.kind = "Fantail bench \u00b7 " + sheet_title(sheet.kind),
+  page::Page page{.kind = fmt::format("Fantail bench \u00b7 Canard {}", name(sheet.kind)),
                   .title = h.vehicle.empty() ? "Unnamed rocket" : h.vehicle,
                   .facts = {{"Plan", h.plan}, {"Plan CRC-32C", h.plan_crc}, {"Date", h.date}, {"Avionics", h.avionics}},
                   .tone = sheet.passed() ? Tone::good : Tone::bad,
@@ -88,7 +87,7 @@ std::string sheet_html(const Sheet& sheet, const link::Recording& recording, con
   page::Page page = opening(sheet);
   page.body_html = figures(sheet);
   for (const CanardResult& result : sheet.canards) {
-    page.body_html += page::section(fmt::format("Canard {} {}", result.canard + 1, words(result.diagnosis.cause)),
+    page.body_html += page::section(fmt::format("Canard {} {}", result.canard + 1, cause_text(result.diagnosis.cause)),
                                     canard_charts(result, sheet, recording, exercise));
   }
   if (!sheet.heading.notes.empty()) {

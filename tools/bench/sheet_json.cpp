@@ -49,7 +49,7 @@ void add_figures(Json& to, const TurnResult& turn) {
   Json failed = Json::array();
   for (const Check& check : turn.checks) {
     if (!check.passed) {
-      failed.push_back(words(check.measure).key);
+      failed.push_back(text_of(check.measure).key);
     }
   }
   to["failed"] = failed;
@@ -81,15 +81,6 @@ Json tolerances(const sim::CanardTolerances& t) {
           {"noise_deg", rounded(degrees(t.noise_rad))},
           {"dropout_share", rounded(t.dropout_share)},
           {"others_moved_deg", rounded(degrees(most_others_move_rad()))}};
-}
-
-std::string_view name(ExerciseKind kind) {
-  switch (kind) {
-    case ExerciseKind::limits: return "limits";
-    case ExerciseKind::step: return "step";
-    case ExerciseKind::sine: return "sine";
-  }
-  return "unknown";
 }
 
 }  // namespace

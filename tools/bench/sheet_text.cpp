@@ -5,7 +5,7 @@
 #include <fmt/core.h>
 
 #include "bench/sheet.hpp"
-#include "bench/sheet_cells.hpp"
+#include "bench/sheet_parts.hpp"
 #include "core/tick_record.hpp"
 
 namespace fantail::bench {
@@ -20,8 +20,6 @@ std::string printable(std::string text) {
   std::ranges::replace_if(text, [](char c) { return c < ' ' || c > '~'; }, '?');
   return text;
 }
-
-std::string cell(const std::string& text, bool passed) { return passed ? text : text + " !"; }
 
 class Page {
  public:
@@ -51,7 +49,7 @@ class Page {
 
   void heading() {
     const Heading& h = sheet_.heading;
-    line("{}", sheet_title(sheet_.kind));
+    line("Canard {}", name(sheet_.kind));
     for (const auto& [label, value] : {std::pair{"vehicle", h.vehicle},
                                        {"plan", h.plan},
                                        {"plan CRC", h.plan_crc},
@@ -77,41 +75,35 @@ class Page {
 
   void table() {
     std::vector<std::string> cells;
-    cells.reserve(sheet_.canards.size());
     for (const CanardResult& result : sheet_.canards) {
       cells.push_back(fmt::format("canard {}", result.canard + 1));
     }
     row("", "allowed", cells);
     const std::vector<SheetRow> rows = sheet_rows(sheet_);
-    const bool two_turns = std::ranges::any_of(rows, [](const SheetRow& r) {
-      return std::ranges::any_of(r.cells, [](const Cell& c) { return !c.together.empty(); });
-    });
-    for (const SheetRow& r : rows) {
-      cells.clear();
-      for (const Cell& one : r.cells) {
-        cells.push_back(cell(one.alone, one.alone_passed));
-      }
-      row(r.unit.empty() ? r.label : fmt::format("{}, {}", r.label, r.unit), r.allowed, cells);
-    }
+    write(rows, &Cell::alone, &Cell::alone_passed);
     monitor();
-    if (!two_turns) {
-      line("");
-      return;
-    }
     line("");
-    line("All four together");
+    if (std::ranges::any_of(rows, [](const SheetRow& r) { return has(r, &Cell::together); })) {
+      line("All four together");
+      write(rows, &Cell::together, &Cell::together_passed);
+      line("");
+    }
+  }
+
+  static bool has(const SheetRow& row, std::string Cell::* text) {
+    return std::ranges::any_of(row.cells, [text](const Cell& cell) { return !(cell.*text).empty(); });
+  }
+
+  void write(const std::vector<SheetRow>& rows, std::string Cell::* text, bool Cell::* passed) {
     for (const SheetRow& r : rows) {
-      cells.clear();
-      bool any = false;
+      std::vector<std::string> cells;
       for (const Cell& one : r.cells) {
-        any = any || !one.together.empty();
-        cells.push_back(cell(one.together, one.together_passed));
+        cells.push_back(one.*text + (one.*passed ? "" : " !"));
       }
-      if (any) {
+      if (has(r, text)) {
         row(r.unit.empty() ? r.label : fmt::format("{}, {}", r.label, r.unit), r.allowed, cells);
       }
     }
-    line("");
   }
 
   void monitor() {

@@ -2,14 +2,17 @@
 #include "bench/verdict.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "text/degrees.hpp"
+#include "text/number.hpp"
 
 namespace fantail::bench {
 namespace {
 
 using text::degrees;
+using text::fixed;
 using text::in_degrees;
 
 const double command_resolution_rad = text::radians(0.02);  // two steps of the bus
@@ -39,23 +42,39 @@ Check reached(Measure measure, const std::optional<double>& radians, double limi
 
 }  // namespace
 
-MeasureWords words(Measure measure) {
-  switch (measure) {
-    case Measure::sign: return {"sign", "Sign", "", 0};
-    case Measure::reached_positive: return {"reached_positive_deg", "Reached, positive", "deg", 2};
-    case Measure::reached_negative: return {"reached_negative_deg", "Reached, negative", "deg", 2};
-    case Measure::limit_kept: return {"largest_command_deg", "Largest command", "deg", 2};
-    case Measure::limit_reported: return {"limit_reported", "Clamping reported", "", 0};
-    case Measure::tracking_error: return {"tracking_error_deg", "Tracking error", "deg", 2};
-    case Measure::centring_error: return {"centring_error_deg", "Centring error", "deg", 2};
-    case Measure::backlash: return {"backlash_deg", "Backlash", "deg", 2};
-    case Measure::slew: return {"slew_deg_s", "Slew rate", "deg/s", 0};
-    case Measure::step_time: return {"step_time_s", "Step, 10 to 90 %", "s", 3};
-    case Measure::noise: return {"noise_deg", "Encoder noise", "deg", 3};
-    case Measure::dropouts: return {"dropout_percent", "Encoder dropouts", "%", 2};
-    case Measure::others_moved: return {"others_moved_deg", "Others moved", "deg", 2};
+const MeasureText& text_of(Measure measure) {
+  // In the order of Measure.
+  static constexpr std::array<MeasureText, 13> texts{{{"sign", "Sign", "", 0},
+                                                      {"reached_positive_deg", "Reached, positive", "deg", 2},
+                                                      {"reached_negative_deg", "Reached, negative", "deg", 2},
+                                                      {"largest_command_deg", "Largest command", "deg", 2},
+                                                      {"limit_reported", "Clamping reported", "", 0},
+                                                      {"tracking_error_deg", "Tracking error", "deg", 2},
+                                                      {"centring_error_deg", "Centring error", "deg", 2},
+                                                      {"backlash_deg", "Backlash", "deg", 2},
+                                                      {"slew_deg_s", "Slew rate", "deg/s", 0},
+                                                      {"step_time_s", "Step, 10 to 90 %", "s", 3},
+                                                      {"noise_deg", "Encoder noise", "deg", 3},
+                                                      {"dropout_percent", "Encoder dropouts", "%", 2},
+                                                      {"others_moved_deg", "Others moved", "deg", 2}}};
+  static_assert(static_cast<std::size_t>(Measure::others_moved) + 1 == texts.size());
+  return texts[static_cast<std::size_t>(measure)];
+}
+
+std::string allowed_text(const Check& check) {
+  const int decimals = text_of(check.measure).decimals;
+  if (check.measure == Measure::sign) {
+    return "+";
   }
-  return {"unknown", "Unknown", "", 2};
+  if (check.measure == Measure::limit_reported) {
+    return "yes";
+  }
+  if (check.lowest && check.highest) {
+    return fixed(*check.lowest, decimals) + " to " + fixed(*check.highest, decimals);
+  }
+  return check.lowest    ? "at least " + fixed(*check.lowest, decimals)
+         : check.highest ? "at most " + fixed(*check.highest, decimals)
+                         : std::string{};
 }
 
 bool beyond_limit(const Figures& figures, double limit_rad) {

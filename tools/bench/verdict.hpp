@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -37,13 +38,15 @@ struct Check {
   bool passed = false;
 };
 
-struct MeasureWords {
+struct MeasureText {
   std::string_view key;  ///< in JSON
   std::string_view label;
   std::string_view unit;  ///< "deg", "deg/s", "s", "%", or empty
   int decimals;
 };
-[[nodiscard]] MeasureWords words(Measure measure);
+[[nodiscard]] const MeasureText& text_of(Measure measure);
+/// "at most 0.50", "5.50 to 6.50", "yes".
+[[nodiscard]] std::string allowed_text(const Check& check);
 
 /// Every figure of one turn of `limits`.
 [[nodiscard]] std::vector<Check> check(const Figures& figures, const Bounds& bounds, std::size_t canard, bool alone,

@@ -6,13 +6,16 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "bench/board_words.hpp"
+#include "avionics/board_text.hpp"
 #include "core/tick_record.hpp"
+#include "hal/board.hpp"
 #include "json/value.hpp"
 #include "replies/sentence.hpp"
 
 namespace fantail::bench {
 namespace {
+
+constexpr unsigned most_overruns = 0xFF;  // the report counts no further
 
 using Json = json::Value;
 
@@ -66,7 +69,46 @@ link::Each<CanardRow> rows(const link::AvionicsLink& link, hal::Microseconds now
   return rows;
 }
 
+std::string_view name(protocol::PlanSource plan) {
+  switch (plan) {
+    case protocol::PlanSource::built_in: return "built_in";
+    case protocol::PlanSource::stored: return "stored";
+    case protocol::PlanSource::stored_is_broken: return "stored_is_broken";
+    case protocol::PlanSource::stored_is_newer: return "stored_is_newer";
+    case protocol::PlanSource::flash_unreadable: return "flash_unreadable";
+  }
+  return "unknown";
+}
+
+// Two or three lines, each with its end.
+std::string board_lines(const protocol::BoardReport& report) {
+  const std::string faults = report.faults == 0
+                                 ? "no fault"
+                                 : fmt::format("{} (it cannot be armed)", fmt::join(fault_names(report.faults), ", "));
+  const std::string battery =
+      report.battery_mv ? fmt::format("{:.2f} V", 1e-3 * *report.battery_mv) : std::string{"not measured"};
+  std::string text = fmt::format("board: {}; {}, battery {}, {}{} control ticks missed\n", faults,
+                                 avionics::text(static_cast<hal::ResetCause>(report.reset_cause)), battery,
+                                 report.overruns, report.overruns == most_overruns ? " or more" : "");
+  text += fmt::format("plan: {}\n", avionics::text(report.plan));
+  if (report.flash_failed) {
+    text += "flash: it does not answer, or does not keep what is written; the rocket cannot be armed\n";
+  }
+  return text;
+}
+
 }  // namespace
+
+std::vector<std::string> fault_names(std::uint32_t faults) {
+  std::vector<std::string> names;
+  for (unsigned bit = 0; bit < 32; ++bit) {
+    if ((faults >> bit & 1U) != 0) {
+      names.push_back(bit < hal::board_faults ? std::string{name(static_cast<hal::BoardFault>(bit))}
+                                              : fmt::format("bit_{}", bit));
+    }
+  }
+  return names;
+}
 
 template <typename Message>
 std::optional<Message> Watch::known() const {
@@ -83,7 +125,7 @@ void Watch::look(hal::Microseconds now) {
   last_look_ = now_ = now;
 }
 
-std::string Watch::link_words() const {
+std::string Watch::bus_text() const {
   const link::LinkFigures& heard = link_.figures();
   const hal::CanCounters counters = bus_.counters();
   return fmt::format("{} {}, load {:.1f} %, {} frames, {} lost, {} damaged, {} foreign, {} overrun, {} bus errors",
@@ -92,7 +134,7 @@ std::string Watch::link_words() const {
 }
 
 // What the ground was last told, and why; empty when there is nothing to tell.
-std::string Watch::answer_words() const {
+std::string Watch::replies_text() const {
   std::string text;
   const auto session = known<protocol::SessionReply>();
   if (session && session->reason != protocol::SessionReason::none_yet) {
@@ -117,7 +159,7 @@ std::string Watch::refused() const {
 std::string Watch::table() const {
   const auto status = known<protocol::StatusReport>();
   const auto health = known<protocol::HealthReport>();
-  std::string text = link_words() + "\n";
+  std::string text = bus_text() + "\n";
   if (!status) {
     return text + "the avionics is silent\n";
   }
@@ -143,25 +185,25 @@ std::string Watch::table() const {
                     cell(row.difference_deg()), row.limit_deg ? fmt::format("{:.2f}", *row.limit_deg) : "-",
                     row.verdict, row.limited ? ", limited" : "");
   }
-  return text + answer_words();
+  return text + replies_text();
 }
 
 std::string Watch::line() const {
   const auto status = known<protocol::StatusReport>();
   if (!status) {
-    return link_words() + "; the avionics is silent\n";
+    return bus_text() + "; the avionics is silent\n";
   }
   std::string text = fmt::format("{} ({});", core::name(status->phase), core::name(status->reason));
   const auto canards = rows(link_, now_);
   for (std::size_t i = 0; i < canards.size(); ++i) {
-    text += fmt::format(" canard {} {} deg told, {} read, {};", i + 1, cell(canards[i].command_deg),
+    text += fmt::format(" canard {} command {} deg, encoder {}, {};", i + 1, cell(canards[i].command_deg),
                         cell(canards[i].encoder_deg), canards[i].verdict);
   }
   const auto board = known<protocol::BoardReport>();
   if (board && board->faults != 0) {
     text += fmt::format(" board: {};", fmt::join(fault_names(board->faults), ", "));
   }
-  return text + " " + link_words() + "\n";
+  return text + " " + bus_text() + "\n";
 }
 
 std::string Watch::json() const {
@@ -205,7 +247,7 @@ std::string Watch::json() const {
       arming && arming->refusal != protocol::ArmRefusal::none ? Json(replies::sentence(arming->refusal)) : Json{};
   const auto board = known<protocol::BoardReport>();
   json["board_faults"] = board ? Json(fault_names(board->faults)) : Json{};
-  json["reset_cause"] = board ? Json(reset_cause_name(*board)) : Json{};
+  json["reset_cause"] = board ? Json(hal::name(static_cast<hal::ResetCause>(board->reset_cause))) : Json{};
   json["battery_v"] = board && board->battery_mv ? rounded(1e-3 * *board->battery_mv) : Json{};
   json["ticks_missed"] = board ? Json(board->overruns) : Json{};  // 255: or more
   json["plan"] = board ? Json(name(board->plan)) : Json{};

@@ -3,11 +3,15 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "hal/can_bus.hpp"
 #include "link/avionics_link.hpp"
 
 namespace fantail::bench {
+
+/// The names of docs/can.md; "bit_20" for one that only newer avionics knows.
+[[nodiscard]] std::vector<std::string> fault_names(std::uint32_t faults);
 
 /// What is known about the bus and whoever speaks on it, made once a look.
 class Watch {
@@ -28,8 +32,8 @@ class Watch {
  private:
   template <typename Message>
   [[nodiscard]] std::optional<Message> known() const;
-  [[nodiscard]] std::string link_words() const;
-  [[nodiscard]] std::string answer_words() const;
+  [[nodiscard]] std::string bus_text() const;
+  [[nodiscard]] std::string replies_text() const;
   [[nodiscard]] std::string refused() const;
 
   std::string interface_;

@@ -20,7 +20,6 @@
 #include "fantail/standard_streams.hpp"
 #include "json/value.hpp"
 #include "link/log_download.hpp"
-#include "link/log_listing.hpp"
 
 namespace fantail::tool {
 namespace {

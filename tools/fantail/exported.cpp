@@ -10,12 +10,7 @@
 #include "fantail/command_line.hpp"
 #include "flight_log/to_report.hpp"
 #include "input/messages.hpp"
-#include "log_export/candump.hpp"
-#include "log_export/csv.hpp"
-#include "log_export/foreign.hpp"
-#include "log_export/json.hpp"
-#include "log_export/lcm.hpp"
-#include "log_export/ulog.hpp"
+#include "log_export/formats.hpp"
 #include "text/error.hpp"
 
 namespace fantail::tool {
@@ -62,8 +57,8 @@ flight_log::Regeneration replay_of(const flight_log::Flight& flight) {
   return none;
 }
 
-std::string content(const ExportQuestion& question, const log_export::Source& source, const flight::Flight& report,
-                    const std::optional<log_export::Selection>& chosen) {
+std::string content(const ExportQuestion& question, const log_export::ReplayedFlight& source,
+                    const flight::Flight& report, const std::optional<log_export::Selection>& chosen) {
   if (question.format->name == "csv") {
     return chosen ? log_export::csv(source, *chosen) : log_export::flight_csv(source, report);
   }
@@ -123,7 +118,7 @@ Exported export_flight(const ExportQuestion& question, const flight_log::Flight&
                                      replay.obstacle.empty() ? "No tick of it can be replayed." : replay.obstacle));
   }
   const flight::Flight report = flight_log::to_report(flight, replay);
-  const log_export::Source source{flight, replay, report, question.window};
+  const log_export::ReplayedFlight source{flight, replay, report, question.window};
   if (std::ranges::none_of(flight.ticks, [&](const auto& t) { return source.inside(t.tick.time); })) {
     refuse_log(question, fmt::format("no tick between --from and --until; the log goes from {:.6f} s to {:.6f} s",
                                      source.time_s(flight.ticks.front().tick.time),

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "flight_log/flight_log.hpp"
-#include "log_export/source.hpp"
+#include "log_export/replayed_flight.hpp"
 
 namespace fantail::tool {
 

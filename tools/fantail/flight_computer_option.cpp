@@ -9,7 +9,7 @@
 #include "avionics/identity.hpp"
 #include "fantail/interrupt.hpp"
 #include "hil/emulator.hpp"
-#include "hil/serial_port.hpp"
+#include "hil/wire.hpp"
 
 namespace fantail::tool {
 namespace {

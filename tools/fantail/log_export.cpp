@@ -48,7 +48,7 @@ void export_log(const ExportOptions& options) {
   }
   const ExportFormat& format = *std::ranges::find(export_formats, options.format, &ExportFormat::name);
   flight_log::LogFile file = flight_log::read_log_file(options.log);
-  const std::string foreign = flight_log::foreign_words(file);
+  const std::string foreign = flight_log::foreign_bytes_text(file);
   const flight_log::Flight flight = take_flight(file, options.flight);
   give_up_if_interrupted();
   const Exported exported = export_flight(

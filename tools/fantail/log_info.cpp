@@ -10,7 +10,6 @@
 #include "fantail/log_file.hpp"
 #include "fantail/run.hpp"
 #include "flight_log/integrity.hpp"
-#include "flight_log/plan_words.hpp"
 #include "flight_log/to_report.hpp"
 
 namespace fantail::tool {
@@ -26,7 +25,7 @@ std::string heading(const flight_log::LogFile& file) {
   std::string text =
       fmt::format("{}: {} bytes, {}\n", file.name, file.bytes,
                   file.flights.size() == 1 ? "one flight" : fmt::format("{} flights", file.flights.size()));
-  if (const std::string foreign = flight_log::foreign_words(file); !foreign.empty()) {
+  if (const std::string foreign = flight_log::foreign_bytes_text(file); !foreign.empty()) {
     text += foreign + "\n";
   }
   if (file.records_left_out > 0) {

@@ -6,9 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "flight_log/flight_figures.hpp"
 #include "flight_log/flight_log.hpp"
-#include "flight_log/health_figures.hpp"
-#include "flight_log/loop_times.hpp"
 #include "flight_log/regenerate.hpp"
 
 namespace fantail::tool {

@@ -2,7 +2,7 @@
 #include <fmt/core.h>
 
 #include "fantail/log_info.hpp"
-#include "flight_log/event_words.hpp"
+#include "flight_log/event_text.hpp"
 #include "flight_log/integrity.hpp"
 #include "json/value.hpp"
 #include "protocol/plan_block.hpp"
@@ -35,7 +35,7 @@ Json integrity(const FlightInfo& info) {
                     {"from_s", info.seconds(gap.before)},
                     {"to_s", info.seconds(gap.after)}});
   }
-  return {{"verdict", flight_log::integrity_words(flight)},
+  return {{"verdict", flight_log::integrity_text(flight)},
           {"intact", flight_log::intact(flight)},
           {"records", flight.records},
           {"unknown_records", flight.unknown_records},
@@ -46,7 +46,7 @@ Json integrity(const FlightInfo& info) {
 }
 
 Json replay(const FlightInfo& info) {
-  Json json{{"verdict", flight_log::replay_words(info.flight, info.replay)},
+  Json json{{"verdict", flight_log::replay_text(info.flight, info.replay)},
             {"compared", info.replay.compared},
             {"differing", info.replay.differing},
             {"unreachable", info.replay.unreachable},
@@ -85,7 +85,8 @@ Json health(const FlightInfo& info) {
 Json events(const FlightInfo& info) {
   Json list = Json::array();
   for (const protocol::LogEvent& event : info.flight.events) {
-    Json one{{"time_s", info.seconds(event.time)}, {"kind", name(event.kind)}, {"words", flight_log::words(event)}};
+    Json one{
+        {"time_s", info.seconds(event.time)}, {"kind", name(event.kind)}, {"words", flight_log::event_text(event)}};
     if (event.kind == protocol::LogEventKind::phase) {
       one["phase"] = name(static_cast<core::Phase>(event.value));
       one["reason"] = name(static_cast<core::PhaseReason>(event.detail));

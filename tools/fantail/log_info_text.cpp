@@ -4,7 +4,7 @@
 #include <fmt/core.h>
 
 #include "fantail/log_info.hpp"
-#include "flight_log/event_words.hpp"
+#include "flight_log/event_text.hpp"
 #include "flight_log/integrity.hpp"
 #include "protocol/plan_block.hpp"
 
@@ -59,7 +59,7 @@ std::string event_list(const FlightInfo& info) {
   const auto& events = info.flight.events;
   std::string text = events.empty() ? "" : "\n  time / s   what happened\n";
   for (std::size_t i = 0; i < std::min(events.size(), most_events_shown); ++i) {
-    text += fmt::format("  {:>9.3f}  {}\n", info.seconds(events[i].time), flight_log::words(events[i]));
+    text += fmt::format("  {:>9.3f}  {}\n", info.seconds(events[i].time), flight_log::event_text(events[i]));
   }
   if (events.size() > most_events_shown) {
     text += fmt::format("  and {} more, which --json lists\n", events.size() - most_events_shown);
@@ -79,8 +79,8 @@ std::string log_info_text(const FlightInfo& info) {
   text += line("plan", plan_words(info));
   text += line("sensors", or_unknown(flight.sensors));
   text += line("recorded", extent_words(info));
-  text += line("integrity", flight_log::integrity_words(flight));
-  text += line("replay", flight_log::replay_words(flight, info.replay));
+  text += line("integrity", flight_log::integrity_text(flight));
+  text += line("replay", flight_log::replay_text(flight, info.replay));
   if (info.loop) {
     text += line("loop", loop_words(*info.loop));
   }

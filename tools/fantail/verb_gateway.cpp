@@ -11,7 +11,7 @@
 #include "fantail/run.hpp"
 #include "fantail/standard_streams.hpp"
 #include "gateway/gateway.hpp"
-#include "link/patience.hpp"
+#include "link/place.hpp"
 #include "link/session.hpp"
 #include "replies/sentence.hpp"
 
@@ -43,9 +43,9 @@ class StatusPrinter {
     const bool spoken = gateway_.heard().frames != frames_;
     if (spoken) {
       frames_ = gateway_.heard().frames;
-      silence_.begin_again();
+      silence_.restart();
     }
-    const bool silent = !spoken && silence_.ends(now);
+    const bool silent = !spoken && silence_.expired(now);
     if (silent != silent_) {
       silent_ = silent;
       tell(silent ? "the avionics is silent" : "the avionics speaks again");
@@ -76,7 +76,7 @@ class StatusPrinter {
   std::string interface_;
   const gateway::Gateway& gateway_;
   const telemetry::Publisher& publisher_;
-  link::Patience silence_;
+  link::Timeout silence_;
   std::uint64_t frames_ = 0;
   hal::CanState state_ = hal::CanState::error_active;
   hal::Microseconds next_count_{};

@@ -26,7 +26,7 @@
 #include "hal/linux/file_flash.hpp"
 #include "sim/scenario.hpp"
 #include "sim/world.hpp"
-#include "telemetry/limit_tap.hpp"
+#include "telemetry/tick_reporter.hpp"
 #include "text/output_folder.hpp"
 
 namespace fantail::tool {

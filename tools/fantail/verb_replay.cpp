@@ -76,7 +76,7 @@ void verify(const ReplayOptions& options, const flight_log::Flight& flight, cons
     fmt::print("{}", to_json(options, flight, replayed).pretty());
   } else {
     fmt::print("{}: {}\n  {:.0f} ticks a second, {:.0f} times as fast as the flight\n", options.log,
-               flight_log::replay_words(flight, replayed.result), replayed.ticks_per_s, replayed.ticks_per_s / 1000.0);
+               flight_log::replay_text(flight, replayed.result), replayed.ticks_per_s, replayed.ticks_per_s / 1000.0);
   }
   if (replayed.result.differing > 0) {
     throw RequirementNotMet{""};

@@ -106,4 +106,8 @@ inline constexpr std::size_t most_flights = 1000;
 /// cannot be read.
 [[nodiscard]] LogFile read_log_file(const std::filesystem::path& path);
 
+/// What bytes without a single record are, as the end of a sentence: "a CSV file". People take the wrong file more
+/// often than a log is damaged beyond reading.
+[[nodiscard]] std::string looks_like(std::span<const std::byte> bytes);
+
 }  // namespace fantail::flight_log

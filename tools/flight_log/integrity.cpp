@@ -42,7 +42,7 @@ bool intact(const LogFile& file) {
          std::ranges::all_of(file.flights, [](const Flight& flight) { return intact(flight); });
 }
 
-std::string integrity_words(const Flight& flight) {
+std::string integrity_text(const Flight& flight) {
   std::string text;
   if (const std::uint64_t lost = lost_records(flight); lost > 0) {
     const auto gaps = std::ranges::count_if(flight.gaps, [](const Gap& gap) { return gap.dropped < gap.count; });
@@ -53,7 +53,7 @@ std::string integrity_words(const Flight& flight) {
                        counted(flight.records, "record"));
   }
   if (!flight.has_header) {
-    text += "; no header, and so neither plan nor scales";
+    text += "; no header, so the plan and the sensor scales are not known";
   }
   if (const std::uint64_t dropped = dropped_records(flight); dropped > 0) {
     text += fmt::format("; {} never written, because the flash was too slow", counted(dropped, "record"));
@@ -67,19 +67,19 @@ std::string integrity_words(const Flight& flight) {
   return text;
 }
 
-std::string foreign_words(const LogFile& file) {
+std::string foreign_bytes_text(const LogFile& file) {
   if (file.foreign_bytes == 0) {
     return {};
   }
-  std::string text = fmt::format("{} in {} belong to no intact record", counted(file.foreign_bytes, "byte"),
-                                 counted(file.foreign_places, "place"));
+  std::string text = fmt::format("{} in {} {} outside the intact records", counted(file.foreign_bytes, "byte"),
+                                 counted(file.foreign_places, "place"), file.foreign_bytes == 1 ? "lies" : "lie");
   if (file.cut_off_bytes > 0) {
     text += fmt::format("; {} of them at the end, where the last record was cut off", file.cut_off_bytes);
   }
   return text;
 }
 
-std::string replay_words(const Flight& flight, const Regeneration& regeneration) {
+std::string replay_text(const Flight& flight, const Regeneration& regeneration) {
   if (!regeneration.obstacle.empty()) {
     return "not possible: " + regeneration.obstacle;
   }

@@ -23,10 +23,10 @@ namespace fantail::flight_log {
 [[nodiscard]] bool intact(const LogFile& file);
 
 /// "intact: 31 250 records, none missing".
-[[nodiscard]] std::string integrity_words(const Flight& flight);
-/// "342 bytes in 3 places belong to no intact record". Empty when there are none.
-[[nodiscard]] std::string foreign_words(const LogFile& file);
+[[nodiscard]] std::string integrity_text(const Flight& flight);
+/// "342 bytes in 3 places lie outside the intact records". Empty when there are none.
+[[nodiscard]] std::string foreign_bytes_text(const LogFile& file);
 /// "equal: all 30 000 ticks replayed, every output byte as recorded".
-[[nodiscard]] std::string replay_words(const Flight& flight, const Regeneration& regeneration);
+[[nodiscard]] std::string replay_text(const Flight& flight, const Regeneration& regeneration);
 
 }  // namespace fantail::flight_log

@@ -2,22 +2,52 @@
 #include "flight_log/regenerate.hpp"
 
 #include <algorithm>
+#include <cmath>
+
+#include <fmt/core.h>
 
 #include "avionics/log_tick_of.hpp"
 #include "core/autopilot.hpp"
 #include "core/flight_plan_fields.hpp"
-#include "flight_log/outcome.hpp"
+#include "core/tick_record.hpp"
+#include "flight_log/schema.hpp"
+#include "protocol/log_schema.hpp"
 #include "protocol/state_block.hpp"
 
 namespace fantail::flight_log {
 namespace {
+
+// Only the bytes matter here; ages that say "as before" are the same on both sides.
+protocol::PackedTick packed(const protocol::LogTick& tick) {
+  protocol::SampleTimes not_needed;
+  return protocol::pack(tick, not_needed);
+}
+
+std::string text(const SchemaField& field, double value) {
+  if (field.name == "phase" && value < static_cast<double>(core::phases)) {
+    return std::string{core::name(static_cast<core::Phase>(value))};
+  }
+  if (field.name == "command_status" && value < static_cast<double>(core::command_statuses)) {
+    return std::string{core::name(static_cast<core::CommandStatus>(value))};
+  }
+  if (field.unit == "mdeg") {
+    return value == -32768.0 ? "not driven" : fmt::format("{:.3f} deg", value / 1000.0);
+  }
+  if (field.name == "digest") {
+    return fmt::format("{:08x}", static_cast<std::uint32_t>(value));
+  }
+  if (field.type == FieldType::real_number) {
+    return fmt::format("{:.9g} {}", value, field.unit);  // nine digits tell any two floats apart
+  }
+  return fmt::format("{:g}{}{}", value, field.unit.empty() ? "" : " ", field.unit);
+}
 
 std::string obstacle_before(const Flight& flight) {
   if (!flight.foreign_ticks.empty()) {
     return "Its ticks are laid out as in another version of Fantail, whose flight law this program does not have.";
   }
   if (!flight.has_header) {
-    return "None of its headers is left, and so neither the plan nor what a count of a sensor stands for.";
+    return "It has no intact header, so the plan and the scales of the sensor counts are not known.";
   }
   if (flight.ticks.empty()) {
     return "It holds no tick.";
@@ -25,7 +55,32 @@ std::string obstacle_before(const Flight& flight) {
   if (flight.state_layout != state_layout()) {
     return "It was flown by another version of the flight law.";
   }
-  return flight.checkpoints.empty() ? "It holds no checkpoint from which the flight law could go on." : "";
+  return flight.checkpoints.empty() ? "It holds no checkpoint from which a replay could start." : "";
+}
+
+// The first value that differs, in the order of the schema.
+Difference first_difference(std::size_t tick, const protocol::LogTick& recorded, const protocol::LogTick& replayed) {
+  static const std::vector<SchemaRecord> schema = parse_schema(protocol::log_schema());
+  const protocol::PackedTick a = packed(recorded);
+  const protocol::PackedTick b = packed(replayed);
+  for (const SchemaField& field : find_record(schema, "tick")->fields) {
+    const double was = *value(field, a);
+    const double is = *value(field, b);
+    if (was != is) {
+      return {.tick = tick, .field = field.name, .recorded = text(field, was), .replayed = text(field, is)};
+    }
+    if (field.name == "command" && recorded.command.radians() == 0.0F && a != b) {
+      // -0 and 0 are equal numbers and other bytes.
+      const bool was_negative = std::signbit(recorded.command.radians());
+      if (was_negative != std::signbit(replayed.command.radians())) {
+        return {.tick = tick,
+                .field = field.name,
+                .recorded = was_negative ? "-0 rad" : "0 rad",
+                .replayed = was_negative ? "0 rad" : "-0 rad"};
+      }
+    }
+  }
+  return {.tick = tick};
 }
 
 /// Walks along a flight and knows where the flight law can be followed.
@@ -132,21 +187,17 @@ Regeneration regenerate(const Flight& flight, const core::FlightPlan& plan) {
         avionics::log_tick_of(record, avionics::raw_samples_of(tick), inputs, tick.duration_before);
     result.records[i] = record;
     result.compared += 1;
-    if (same_bytes(tick, replayed)) {
+    if (packed(tick) == packed(replayed)) {
       continue;
     }
     result.differing += 1;
     if (!result.first_difference) {
-      const auto difference = first_difference(tick, replayed);
-      result.first_difference = {.tick = i,
-                                 .field = difference ? difference->field : "",
-                                 .recorded = difference ? difference->recorded : "",
-                                 .replayed = difference ? difference->replayed : ""};
+      result.first_difference = first_difference(i, tick, replayed);
     }
   }
   result.unreachable = flight.ticks.size() - result.compared;
   if (result.compared == 0) {
-    result.obstacle = "None of its checkpoints is one that this flight law can have written.";
+    result.obstacle = "None of its checkpoints fits this program's flight law.";
   }
   return result;
 }

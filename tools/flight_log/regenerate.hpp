@@ -16,9 +16,9 @@ namespace fantail::flight_log {
 /// The first place where a replay does not give what was recorded.
 struct Difference {
   std::size_t tick = 0;  ///< index in Flight::ticks
-  std::string field;     ///< as in the schema; "digest" when only a signal differs that the log leaves out
-  std::string recorded;
-  std::string replayed;
+  std::string field{};   ///< as in the schema; "digest" when only a signal differs that the log leaves out
+  std::string recorded{};
+  std::string replayed{};
 };
 
 struct Regeneration {

@@ -7,7 +7,10 @@
 
 #include "core/flight_plan_fields.hpp"
 #include "flight_log/integrity.hpp"
-#include "flight_log/plan_words.hpp"
+#include "input/plan_file.hpp"
+#include "input/shipped.hpp"
+#include "protocol/plan_block.hpp"
+#include "text/error.hpp"
 
 namespace fantail::flight_log {
 namespace {
@@ -73,7 +76,7 @@ std::optional<core::Microseconds> lift_off(const Regeneration& regeneration) {
 void add_notes(flight::Flight& result, const Flight& flight, const Regeneration& regeneration) {
   const auto note = [&result](std::string sentence) { result.notes.push_back(std::move(sentence)); };
   if (!intact(flight)) {
-    note(fmt::format("The log is {}.", integrity_words(flight)));
+    note(fmt::format("The log is {}.", integrity_text(flight)));
   } else if (!has_end(flight)) {
     note("The recording breaks off: power was lost, or the run ended.");
   }
@@ -84,17 +87,42 @@ void add_notes(flight::Flight& result, const Flight& flight, const Regeneration&
     note("The flight could not be replayed. " + regeneration.obstacle);
   } else if (regeneration.unreachable > 0) {
     note(
-        fmt::format("{} ticks between a gap and the next checkpoint are left out: what the flight law knew of the "
-                    "rocket there is lost.",
+        fmt::format("{} ticks between a gap and the next checkpoint are left out: the state of the flight law there "
+                    "is lost.",
                     regeneration.unreachable));
   }
   if (regeneration.differing > 0) {
-    note(fmt::format("{} ticks are not what this program's flight law makes of the recorded inputs.",
+    note(fmt::format("{} ticks differ from what this program's flight law computes from the recorded inputs.",
                      regeneration.differing));
   }
 }
 
+using NamedChecksum = std::pair<std::string, std::uint32_t>;
+
+std::vector<NamedChecksum> shipped_plans() {
+  std::vector<NamedChecksum> plans;
+  for (const std::string& name : input::shipped_names(input::Shipped::plan)) {
+    try {
+      const auto file = input::find_input(input::Shipped::plan, name);
+      plans.emplace_back(name, protocol::plan_crc(input::read_plan(input::Document::load(file))));
+    } catch (const text::Error&) {
+      continue;  // somebody is at work on that file; it is not what was asked for
+    }
+  }
+  return plans;
+}
+
 }  // namespace
+
+std::string plan_name(const Flight& flight) {
+  if (flight.plan_block.empty()) {
+    return {};
+  }
+  const std::uint32_t checksum = protocol::plan_block_crc(flight.plan_block);
+  static const std::vector<NamedChecksum> shipped = shipped_plans();
+  const auto found = std::ranges::find(shipped, checksum, &NamedChecksum::second);
+  return found == shipped.end() ? fmt::format("plan {:08x}", checksum) : found->first;
+}
 
 core::Microseconds time_zero(const Flight& flight, const Regeneration& regeneration) {
   if (const auto begin = is_tunnel(flight) ? control_start(flight) : lift_off(regeneration)) {

@@ -5,11 +5,28 @@
 #include <optional>
 
 #include "hal/can_bus.hpp"
+#include "hal/clock.hpp"
 #include "link/avionics_link.hpp"
-#include "telemetry/avionics_clock.hpp"
-#include "telemetry/changes.hpp"
+#include "telemetry/sender.hpp"
 
 namespace fantail::gateway {
+
+/// The avionics' clock, as far as its heartbeats let a listener know it: ten a second, in milliseconds, and a frame may
+/// be held up on its way. Never goes backwards, except when the avionics has been switched on again.
+class AvionicsClock {
+ public:
+  /// A heartbeat came. True: the avionics has been switched on again since the one before.
+  bool hear(std::uint32_t uptime_ms, hal::Microseconds now);
+
+  /// Empty before the first heartbeat.
+  [[nodiscard]] std::optional<hal::Microseconds> at(hal::Microseconds now);
+
+ private:
+  std::optional<std::uint32_t> last_uptime_ms_;
+  hal::Microseconds uptime_{};  ///< of the last heartbeat, over the wraps of its counter
+  hal::Microseconds ahead_{};   ///< what the avionics' clock is before ours
+  hal::Microseconds told_{};
+};
 
 /// A bus on which nothing can be said.
 class ListenOnlyBus final : public hal::CanBus {
@@ -58,7 +75,7 @@ class Gateway {
   ListenOnlyBus bus_;
   telemetry::Sink& sink_;
   link::AvionicsLink link_{bus_};
-  telemetry::AvionicsClock clock_;
+  AvionicsClock clock_;
   std::optional<telemetry::Sender> sender_;  ///< empty until the avionics' time is known
   telemetry::Changes changes_;
   int restarts_ = 0;

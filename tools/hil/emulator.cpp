@@ -5,6 +5,7 @@
 #include <array>
 #include <cerrno>
 #include <csignal>
+#include <cstddef>
 #include <cstring>
 #include <system_error>
 #include <thread>
@@ -81,12 +82,28 @@ std::string how_it_ended(int status) {
 
 }  // namespace
 
+OneProcessor::OneProcessor() : thread_{::gettid()} {
+  const int here = ::sched_getcpu();
+  if (here < 0 || ::sched_getaffinity(thread_, sizeof before_, &before_) != 0) {
+    return;  // it is only about speed
+  }
+  cpu_set_t one;
+  CPU_ZERO(&one);
+  CPU_SET(static_cast<std::size_t>(here), &one);
+  bound_ = ::sched_setaffinity(thread_, sizeof one, &one) == 0;
+}
+
+OneProcessor::~OneProcessor() {
+  if (bound_) {
+    (void)::sched_setaffinity(thread_, sizeof before_, &before_);
+  }
+}
+
 Emulator::Emulator(const EmulatorOptions& options) {
   if (!std::filesystem::is_regular_file(options.image)) {
-    throw text::Error{text::ErrorKind::no_such_input,
-                      options.image.string() +
-                          ": there is no such image; ./dev fly --on emulator builds it, or "
-                          "cmake --preset emulator && cmake --build --preset emulator"};
+    throw text::Error{text::ErrorKind::no_such_input, options.image.string() +
+                                                          ": no such file; ./dev fly --on emulator builds it, or "
+                                                          "cmake --preset emulator && cmake --build --preset emulator"};
   }
   auto [target_in, to_target] = make_pipe();
   auto [from_target, target_out] = make_pipe();

@@ -30,19 +30,19 @@ bool refused(const ArmReply& reply) {
 
 ArmReply ArmSteps::run_self_test(const std::function<void(const ArmReply&)>& progress) {
   send(ArmAction::self_test);
-  Patience until_answered{answer_time, place_.now()};
-  Patience until_begun{time_to_begin, place_.now()};
+  Timeout until_answered{answer_time, place_.now()};
+  Timeout until_begun{time_to_begin, place_.now()};
   bool begun = false;  // an answer to an earlier test must not be mistaken for this one's
-  for (std::uint64_t seen = replies();;) {
+  for (std::uint64_t seen = link_.count<ArmReply>();;) {
     look();
-    const bool answered = until_answered.ends(place_.now());
-    if (!begun && until_begun.ends(place_.now())) {
-      throw LinkError{"the avionics does not begin its self-test"};
+    const bool answered = until_answered.expired(place_.now());
+    if (!begun && until_begun.expired(place_.now())) {
+      throw LinkError{"the avionics does not start its self-test"};
     }
-    if (replies() == seen) {
+    if (link_.count<ArmReply>() == seen) {
       continue;
     }
-    seen = replies();
+    seen = link_.count<ArmReply>();
     const ArmReply reply = link_.newest<ArmReply>()->message;
     // A test can fail in the tick in which it begins (no gyro), and then nobody hears that it ran.
     const bool failed = reply.self_test == SelfTestState::failed && answered;
@@ -57,16 +57,16 @@ ArmReply ArmSteps::run_self_test(const std::function<void(const ArmReply&)>& pro
 }
 
 ArmReply ArmSteps::ask_for_nonce() {
-  const std::uint64_t before = replies();
+  const std::uint64_t before = link_.count<ArmReply>();
   send(ArmAction::begin);
-  for (Patience patience{step_time, place_.now()}; !patience.ends(place_.now());) {
+  for (Timeout timeout{step_time, place_.now()}; !timeout.expired(place_.now());) {
     look();
-    if (replies() > before && link_.newest<ArmReply>()->message.nonce) {
+    if (link_.count<ArmReply>() > before && link_.newest<ArmReply>()->message.nonce) {
       return link_.newest<ArmReply>()->message;
     }
   }
   // Only now: a refusal that was on its way before this request would be an old one.
-  if (replies() > before && link_.newest<ArmReply>()->message.refusal != protocol::ArmRefusal::none) {
+  if (link_.count<ArmReply>() > before && link_.newest<ArmReply>()->message.refusal != protocol::ArmRefusal::none) {
     return link_.newest<ArmReply>()->message;
   }
   throw LinkError{"the avionics does not answer the request to arm"};
@@ -87,22 +87,17 @@ void ArmSteps::send(ArmAction action, std::uint32_t nonce) {
   (void)place_.bus().send(avionics::can_frame(frame));
 }
 
-std::uint64_t ArmSteps::replies() const {
-  const auto& heard = link_.newest<ArmReply>();
-  return heard ? heard->count : 0;
-}
-
 void ArmSteps::look() {
   place_.wait(glance);
   link_.listen(place_.now());
   if (link_.has_fallen_silent()) {
-    throw LinkError{"the avionics has fallen silent"};
+    throw LinkError{"the avionics has stopped reporting"};
   }
 }
 
 // The status comes every 10 ms.
 bool ArmSteps::reaches(core::Phase phase) {
-  for (Patience patience{step_time, place_.now()}; !patience.ends(place_.now());) {
+  for (Timeout timeout{step_time, place_.now()}; !timeout.expired(place_.now());) {
     look();
     if (link_.newest<protocol::StatusReport>()->message.phase == phase) {
       return true;

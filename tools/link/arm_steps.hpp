@@ -28,7 +28,6 @@ class ArmSteps {
 
  private:
   void send(protocol::ArmAction action, std::uint32_t nonce = 0);
-  [[nodiscard]] std::uint64_t replies() const;
   void look();
   [[nodiscard]] bool reaches(core::Phase phase);
 

@@ -25,7 +25,7 @@ Each<std::optional<double>> radians(const protocol::PerCanard& angles) {
 }  // namespace
 
 bool AvionicsLink::listen(hal::Microseconds now, int most_frames) {
-  silent_ = silence_ && silence_->ends(now);
+  silent_ = silence_ && silence_->expired(now);
   for (int i = 0; i < most_frames; ++i) {
     const auto frame = bus_.receive();
     if (!frame) {
@@ -63,9 +63,8 @@ bool AvionicsLink::listen(hal::Microseconds now, int most_frames) {
 
 template <typename Message>
 void AvionicsLink::keep(const Message& message, hal::Microseconds now) {
-  auto& heard = std::get<std::optional<Heard<Message>>>(heard_);
-  const std::uint64_t before = heard ? heard->count : 0;
-  heard = Heard<Message>{.message = message, .time = now, .count = before + 1};
+  std::get<std::optional<Heard<Message>>>(heard_) =
+      Heard<Message>{.message = message, .time = now, .count = count<Message>() + 1};
 }
 
 void AvionicsLink::take(const protocol::CommandReport& report, std::uint8_t counter) {
@@ -119,6 +118,30 @@ std::optional<protocol::LogData> AvionicsLink::take_log_data() {
   const protocol::LogData data = log_data_.front();
   log_data_.pop_front();
   return data;
+}
+
+bool Recording::add(const Tick& tick) {
+  if (!ticks_.empty()) {
+    // Unsigned: the difference of two far numbers must not overflow.
+    const auto since_first =
+        static_cast<std::uint64_t>(tick.number) - static_cast<std::uint64_t>(ticks_.front().number);
+    if (tick.number <= ticks_.back().number || since_first >= longest_) {
+      ++refused_;
+      return false;
+    }
+  } else if (longest_ == 0) {
+    ++refused_;
+    return false;
+  }
+  ticks_.push_back(tick);
+  return true;
+}
+
+std::size_t Recording::lost_ticks() const {
+  if (ticks_.empty()) {
+    return 0;
+  }
+  return static_cast<std::size_t>(ticks_.back().number - ticks_.front().number) + 1 - ticks_.size();
 }
 
 }  // namespace fantail::link

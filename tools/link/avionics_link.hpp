@@ -1,20 +1,62 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <deque>
 #include <optional>
+#include <span>
 #include <tuple>
 #include <variant>
+#include <vector>
 
+#include "core/inputs.hpp"
 #include "hal/can_bus.hpp"
 #include "hal/clock.hpp"
-#include "link/patience.hpp"
-#include "link/recording.hpp"
+#include "link/place.hpp"
 #include "protocol/bus_codec.hpp"
 
 namespace fantail::link {
+
+template <typename T>
+using Each = std::array<T, core::canard_count>;
+
+/// What the avionics reported of one millisecond.
+struct Tick {
+  std::int64_t number = 0;                    ///< milliseconds by the frames' own counter
+  Each<std::optional<double>> command_rad{};  ///< empty: not driven
+  Each<std::optional<double>> encoder_rad{};  ///< empty: no valid reading
+  Each<bool> limited{};                       ///< as last reported
+  std::size_t stretch = 0;                    ///< of the exercise, when it was received; may be some milliseconds off
+};
+
+/// The ticks of one exercise, in order. Bounded: it holds no more than `longest` and spans no more than that many
+/// milliseconds, whatever numbers come in.
+class Recording {
+ public:
+  static constexpr std::size_t two_minutes = 120'000;
+  /// Takes its memory here: to move what is recorded takes longer, on a slow PC, than the avionics waits for a
+  /// heartbeat.
+  explicit Recording(std::size_t longest = two_minutes) : longest_{longest} {
+    ticks_.reserve(std::min(longest, two_minutes));
+  }
+
+  /// False, and nothing kept: not after the last one, or beyond the longest span.
+  bool add(const Tick& tick);
+
+  [[nodiscard]] std::span<const Tick> ticks() const { return ticks_; }
+  /// Numbers between the first and the last tick that never came.
+  [[nodiscard]] std::size_t lost_ticks() const;
+  /// Ticks that came out of order, twice, or too late to be kept.
+  [[nodiscard]] std::size_t refused_ticks() const { return refused_; }
+
+ private:
+  std::size_t longest_;
+  std::size_t refused_ = 0;
+  std::vector<Tick> ticks_;
+};
 
 /// How well the bench hears.
 struct LinkFigures {
@@ -47,6 +89,11 @@ class AvionicsLink {
   template <typename Message>
   [[nodiscard]] const std::optional<Heard<Message>>& newest() const {
     return std::get<std::optional<Heard<Message>>>(heard_);
+  }
+  /// How many there have been.
+  template <typename Message>
+  [[nodiscard]] std::uint64_t count() const {
+    return newest<Message>() ? newest<Message>()->count : 0;
   }
   /// The newest message, when it is not older than `age`.
   template <typename Message>
@@ -83,7 +130,7 @@ class AvionicsLink {
   hal::CanBus& bus_;
   OneOfEach<protocol::FromAvionics>::Tuple heard_{};
   LinkFigures figures_{};
-  std::optional<Patience> silence_;
+  std::optional<Timeout> silence_;
   bool silent_ = false;
   std::int64_t last_command_ = -1;
   std::int64_t last_encoder_ = -1;

@@ -1,13 +1,44 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <filesystem>
+#include <fstream>
 #include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
 
-#include "link/log_part.hpp"
 #include "link/log_reader.hpp"
 
 namespace fantail::link {
+
+/// What has been downloaded so far, in a file that outlives this program. It holds whole, verified bytes only, in
+/// order; a program that is killed can leave it shorter, and never wrong. Every call throws text::OutputError with
+/// the path and the system's reason.
+class LogPart {
+ public:
+  /// Goes on with the file that is there; makes its folder.
+  explicit LogPart(std::filesystem::path path);
+
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+  [[nodiscard]] std::uint32_t size() const { return size_; }
+  [[nodiscard]] std::vector<std::byte> read(std::uint32_t offset, std::uint32_t size) const;
+  void append(std::span<const std::byte> bytes);
+  void start_anew();
+  /// When it is no longer needed.
+  void remove();
+
+ private:
+  void open(std::ios::openmode mode);
+  [[noreturn]] void fail() const;
+
+  std::filesystem::path path_;
+  std::ofstream file_;
+  std::uint32_t size_ = 0;
+};
 
 /// A stretch of the record, from `offset` on.
 struct LogStretch {
@@ -21,5 +52,18 @@ struct LogStretch {
 /// the part stays.
 std::uint32_t download(LogReader& reader, const LogStretch& stretch, LogPart& part,
                        const std::function<void(std::uint32_t)>& progress);
+
+/// A flight in the avionics' record, of which only the beginning has been read.
+struct ListedFlight {
+  LogStretch stretch{};  ///< up to the next one, or to the end of the record
+  std::string vehicle{};
+  std::uint32_t power_up = 0;
+};
+
+/// Looks where flights begin. Each begins on a fresh sector with its header, so the first bytes of every sector are
+/// asked for: 3 MB take some 20 s. A flight whose first header is damaged is taken for a part of the one before it.
+/// `progress` is told the bytes looked through.
+[[nodiscard]] std::vector<ListedFlight> list_flights(LogReader& reader, std::uint32_t used_bytes,
+                                                     const std::function<void(std::uint32_t)>& progress);
 
 }  // namespace fantail::link

@@ -29,7 +29,7 @@ constexpr Microseconds look_time{15'000'000};
 constexpr Microseconds erase_time{3'000'000};
 
 [[noreturn]] void refuse(LogFault fault) {
-  throw LinkError{"the avionics does not give its flight record: " + replies::sentence(fault)};
+  throw LinkError{"the flight record of the avionics cannot be read: " + replies::sentence(fault)};
 }
 
 [[noreturn]] void silent() { throw LinkError{"the avionics does not answer when asked for its flight record"}; }
@@ -40,21 +40,20 @@ void LogReader::ask(LogAction action, std::uint32_t offset, std::uint16_t size) 
   link_.listen(place_.now());
   link_.forget_log_data();
   tag_ = (tag_ + 1U) & 0x0FU;
-  const auto& newest = link_.newest<protocol::LogReply>();
-  heard_before_ = newest ? newest->count : 0;
+  heard_before_ = link_.count<protocol::LogReply>();
   const protocol::LogRequest request{.action = action, .tag = tag_, .offset = offset, .size = size};
   (void)place_.bus().send(avionics::can_frame(encode(request, counter_.next())));
 }
 
 std::optional<protocol::LogReply> LogReader::answer() const {
   const auto& newest = link_.newest<protocol::LogReply>();
-  return newest && newest->count > heard_before_ && newest->message.tag == tag_ ? std::optional{newest->message}
-                                                                                : std::nullopt;
+  const bool is_new = newest && newest->count > heard_before_ && newest->message.tag == tag_;
+  return is_new ? std::optional{newest->message} : std::nullopt;
 }
 
 LogInfo LogReader::info() {
-  Patience look{look_time, place_.now()};
-  Patience any_answer{answer_time, place_.now()};
+  Timeout look{look_time, place_.now()};
+  Timeout any_answer{answer_time, place_.now()};
   while (true) {
     ask(LogAction::info, 0, 0);
     std::optional<protocol::LogReply> reply;
@@ -69,21 +68,21 @@ LogInfo LogReader::info() {
     if (reply && reply->state == LogState::refused && reply->fault != LogFault::not_counted_yet) {
       refuse(reply->fault);
     }
-    const bool too_long = look.ends(place_.now());
+    const bool too_long = look.expired(place_.now());
     if (reply) {
       if (too_long) {
         refuse(reply->state == LogState::refused ? reply->fault : LogFault::busy);
       }
-      any_answer.begin_again();
+      any_answer.restart();
       place_.wait(repeat_after);
-    } else if (any_answer.ends(place_.now())) {
+    } else if (any_answer.expired(place_.now())) {
       silent();
     }
   }
 }
 
 std::vector<std::byte> LogReader::read(std::uint32_t offset, std::uint32_t size) {
-  Patience patience{answer_time, place_.now()};
+  Timeout timeout{answer_time, place_.now()};
   while (true) {
     const auto now_size = static_cast<std::uint16_t>(std::min<std::size_t>(size, frames_at_once_ * bytes_a_frame));
     if (auto bytes = try_to_read(offset, now_size)) {
@@ -92,7 +91,7 @@ std::vector<std::byte> LogReader::read(std::uint32_t offset, std::uint32_t size)
     }
     repeated_ += 1;
     frames_at_once_ = std::max(frames_at_once_ / 2, fewest_frames);
-    if (patience.ends(place_.now())) {
+    if (timeout.expired(place_.now())) {
       silent();
     }
   }
@@ -145,18 +144,18 @@ bool LogReader::take_data(std::vector<std::byte>& bytes) {
 void LogReader::erase(Session& session, const std::function<void(std::uint32_t)>& progress) {
   ask(LogAction::erase, 0, 0);
   Microseconds asked = place_.now();
-  Patience any_answer{answer_time, asked};
-  Patience next_sector{erase_time, asked};
+  Timeout any_answer{answer_time, asked};
+  Timeout next_sector{erase_time, asked};
   std::uint64_t seen = heard_before_;
   while (true) {
     session.wait();
     const Microseconds now = place_.now();
     const auto reply = answer();
-    const std::uint64_t count = reply ? link_.newest<protocol::LogReply>()->count : seen;
+    const std::uint64_t count = reply ? link_.count<protocol::LogReply>() : seen;
     if (reply && count != seen) {
       seen = count;
-      any_answer.begin_again();
-      next_sector.begin_again();
+      any_answer.restart();
+      next_sector.restart();
       if (reply->state == LogState::erased) {
         return;
       }
@@ -171,10 +170,10 @@ void LogReader::erase(Session& session, const std::function<void(std::uint32_t)>
       asked = now;
       seen = heard_before_;
     }
-    const bool no_answer = any_answer.ends(now);
-    const bool no_sector = next_sector.ends(now);
+    const bool no_answer = any_answer.expired(now);
+    const bool no_sector = next_sector.expired(now);
     if (waits ? no_sector : no_answer) {
-      throw LinkError{"the avionics has fallen silent while it erased its flight record; ask again"};
+      throw LinkError{"the avionics stopped answering while it erased its flight record; try again"};
     }
   }
 }

@@ -38,15 +38,14 @@ protocol::PlanReply send_plan(Place& place, AvionicsLink& link, std::span<const 
                               const std::function<void(std::size_t)>& progress) {
   const auto heard = [&] {
     link.listen(place.now());
-    const auto& newest = link.newest<protocol::PlanReply>();
-    return newest ? newest->count : 0;
+    return link.count<protocol::PlanReply>();
   };
   const protocol::PlanBegin begin{.size = static_cast<std::uint16_t>(block.size()), .block_crc = own_checksum(block)};
   std::uint64_t seen = heard();
   protocol::FrameCounter counter;
   std::optional<std::size_t> next;  // empty: it has not yet answered the beginning
-  std::optional<Patience> writing;
-  Patience answer{answer_time, place.now()};
+  std::optional<Timeout> writing;
+  Timeout answer{answer_time, place.now()};
   Microseconds send_at = place.now();
   while (true) {
     if (place.now() >= send_at) {
@@ -60,7 +59,7 @@ protocol::PlanReply send_plan(Place& place, AvionicsLink& link, std::span<const 
     place.wait(Microseconds{2'000});
     if (const std::uint64_t now_seen = heard(); now_seen != seen) {
       seen = now_seen;
-      answer.begin_again();
+      answer.restart();
       const protocol::PlanReply reply = link.newest<protocol::PlanReply>()->message;
       // Until it has taken this beginning, what it writes and stores is the plan of a bench that was here before.
       const bool stored_this = reply.state == TransferState::stored && next;
@@ -78,12 +77,13 @@ protocol::PlanReply send_plan(Place& place, AvionicsLink& link, std::span<const 
         progress(std::min(*next * bytes_per_frame, block.size()));
       }
     }
-    if (writing && writing->ends(place.now())) {
+    if (writing && writing->expired(place.now())) {
       throw LinkError{
-          "the avionics keeps a written plan back: it comes into force when the phase is Safe and no bench session or "
+          "the avionics has written the plan but does not use it yet: it comes into force when the phase is Safe and "
+          "no bench session or "
           "self-test goes on"};
     }
-    if (answer.ends(place.now())) {
+    if (answer.expired(place.now())) {
       throw LinkError{"the avionics does not answer; its old plan stays in force"};
     }
   }

@@ -26,12 +26,6 @@ constexpr Microseconds answer_time{2'000'000};
 constexpr Microseconds centring_look{500'000};
 constexpr Microseconds centring_time{10'000'000};
 
-template <typename Message>
-std::uint64_t count(const AvionicsLink& link) {
-  const auto& heard = link.newest<Message>();
-  return heard ? heard->count : 0;
-}
-
 std::string tenths(Microseconds time) { return fmt::format("{:.1f} s", 1e-6 * static_cast<double>(time.count())); }
 
 void send(Place& place, const protocol::BusFrame& frame) {
@@ -42,23 +36,25 @@ void send(Place& place, const protocol::BusFrame& frame) {
 }  // namespace
 
 void await_avionics(Place& place, AvionicsLink& link) {
-  Patience patience{answer_time, place.now()};
+  Timeout timeout{answer_time, place.now()};
   const auto complete = [&] {
-    return count<protocol::HeartbeatReport>(link) > 0 && count<protocol::LimitReport>(link) > 0;
+    return link.count<protocol::HeartbeatReport>() > 0 && link.count<protocol::LimitReport>() > 0;
   };
   for (link.listen(place.now()); !complete(); link.listen(place.now())) {
-    if (patience.ends(place.now())) {
+    if (timeout.expired(place.now())) {
       throw LinkError{link.figures().frames == 0
                           ? "the avionics is silent: is it powered (its node running), is the bus terminated at both "
                             "ends, and does it run at 1 Mbit/s?"
-                          : "the avionics speaks, but its heartbeat does not come: is the bus overloaded?"};
+                          : "the avionics sends frames, but its heartbeat or its canard limits are missing: is the bus "
+                            "overloaded?"};
     }
     place.wait(glance);
   }
   const int version = link.newest<protocol::HeartbeatReport>()->message.version;
   if (version != protocol::bus_protocol_version) {
-    throw LinkError{"the avionics speaks version " + std::to_string(version) +
-                    " of the bus protocol; this program knows " + std::to_string(int{protocol::bus_protocol_version})};
+    throw LinkError{"the avionics uses version " + std::to_string(version) +
+                    " of the bus protocol; this program uses version " +
+                    std::to_string(int{protocol::bus_protocol_version})};
   }
 }
 
@@ -80,11 +76,11 @@ Session::~Session() {
 }
 
 void Session::open() {
-  const std::uint64_t before = count<protocol::SessionReply>(link_);
-  Patience patience{answer_time, place_.now()};
+  const std::uint64_t before = link_.count<protocol::SessionReply>();
+  Timeout timeout{answer_time, place_.now()};
   std::optional<protocol::SessionReply> answer;
   while (!(answer = answer_since(before))) {
-    if (patience.ends(place_.now())) {
+    if (timeout.expired(place_.now())) {
       throw LinkError{"the avionics did not answer the request for a bench session"};
     }
     if (place_.now() >= next_heartbeat_) {
@@ -104,7 +100,7 @@ void Session::open() {
 // By what they are told when nobody asks for anything, once that stands still.
 void Session::learn_trims() {
   std::optional<protocol::PerCanard> before;
-  for (Patience patience{centring_time, place_.now()}; !patience.ends(place_.now());) {
+  for (Timeout timeout{centring_time, place_.now()}; !timeout.expired(place_.now());) {
     wait(centring_look);
     const auto& report = link_.newest<protocol::CommandReport>();
     if (report && before == report->message.angle) {
@@ -143,7 +139,7 @@ void Session::speak() {
     // This process stood still for so long that the session may be over, and another bench at work: a request waits
     // until the avionics has named this session once more.
     (void)link_.listen(now);
-    unsure_since_ = count<protocol::SessionReply>(link_);
+    unsure_since_ = link_.count<protocol::SessionReply>();
   }
   if (now >= next_heartbeat_) {
     next_heartbeat_ = now + heartbeat_period;
@@ -179,14 +175,14 @@ void Session::check_still_open() const {
     const bool by_pc = reply.reason == protocol::SessionReason::heartbeat_lost && longest_gap_ > longest_pause;
     throw LinkError{
         "the avionics has ended the bench session: " + replies::sentence(reply.reason) +
-        (by_pc ? ", and this PC, asleep or too busy, had held the bench up for " + tenths(longest_gap_) : "")};
+        (by_pc ? ", and this PC, suspended or too busy, sent no heartbeat for " + tenths(longest_gap_) : "")};
   }
   // Whoever was stopped for a while may find somebody else at work, and must not speak into that.
   if (reply.session != number_ && reply.state == protocol::SessionState::open) {
     throw LinkError{"the bench session has ended, and another bench has opened one"};
   }
   if (link_.has_fallen_silent()) {
-    throw LinkError{"the avionics has fallen silent; it centres the canards by itself"};
+    throw LinkError{"the avionics has stopped reporting; it centres the canards by itself"};
   }
 }
 
@@ -194,8 +190,8 @@ bool Session::close() {
   if (!open_) {
     return true;
   }
-  const std::uint64_t before = count<protocol::CommandReport>(link_);
-  Patience patience{answer_time, place_.now()};
+  const std::uint64_t before = link_.count<protocol::CommandReport>();
+  Timeout timeout{answer_time, place_.now()};
   const auto at_trims = [&] {
     const auto& report = link_.newest<protocol::CommandReport>();
     const auto& reply = link_.newest<protocol::SessionReply>();
@@ -210,7 +206,7 @@ bool Session::close() {
     return true;
   };
   for (int i = 0; !at_trims(); ++i) {
-    if (patience.ends(place_.now())) {
+    if (timeout.expired(place_.now())) {
       open_ = false;  // nothing more can be done from here
       return false;
     }

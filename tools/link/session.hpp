@@ -7,7 +7,6 @@
 
 #include "link/avionics_link.hpp"
 #include "link/place.hpp"
-#include "link/recording.hpp"
 
 namespace fantail::link {
 

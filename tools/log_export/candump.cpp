@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "log_export/candump.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -9,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "core/canard_mixer.hpp"
+#include "log_export/formats.hpp"
 #include "protocol/bus_codec.hpp"
 
 namespace fantail::log_export {
@@ -31,7 +30,7 @@ protocol::PerCanard driven_angles(const core::CanardCommands& commands) {
 // Follows the order and the periods of the avionics' telemetry.
 class Bus {
  public:
-  explicit Bus(const Source& source) : source_{source} {
+  explicit Bus(const ReplayedFlight& source) : source_{source} {
     const flight_log::Flight& flight = source.flight();
     if (flight.plan) {
       const core::CanardMixer mixer{flight.plan->canards, flight.plan->controller.canard_limit};
@@ -129,7 +128,7 @@ class Bus {
     }
   }
 
-  const Source& source_;
+  const ReplayedFlight& source_;
   std::optional<protocol::LimitReport> limits_;
   protocol::FrameCounter command_counter_;
   protocol::FrameCounter encoder_counter_;
@@ -139,6 +138,6 @@ class Bus {
 
 }  // namespace
 
-std::string candump(const Source& source) { return Bus{source}.text(); }
+std::string candump(const ReplayedFlight& source) { return Bus{source}.text(); }
 
 }  // namespace fantail::log_export

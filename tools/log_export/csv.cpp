@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
-#include "log_export/csv.hpp"
-
 #include <algorithm>
+#include <cmath>
 #include <iterator>
+#include <optional>
 
 #include <fmt/format.h>
 
 #include "flight/six_decimals.hpp"
 #include "flight/write_csv.hpp"
+#include "flight_log/schema.hpp"
+#include "log_export/formats.hpp"
 
 namespace fantail::log_export {
 namespace {
@@ -26,15 +28,27 @@ struct Cell {
   void operator()(const Word& word) const { out.append(word.text); }
 };
 
+using flight_log::SchemaField;
+
+std::string column_name(const SchemaField& field) {
+  return field.unit.empty() ? field.name : fmt::format("{}_{}", field.name, field.unit);
+}
+
+std::vector<SchemaField> tick_fields(const flight_log::Flight& flight) {
+  const auto schema = flight_log::parse_schema(flight.schema);
+  const flight_log::SchemaRecord* tick = flight_log::find_record(schema, "tick");
+  return tick != nullptr ? tick->fields : std::vector<SchemaField>{};
+}
+
 }  // namespace
 
-std::string flight_csv(const Source& source, const flight::Flight& report) {
+std::string flight_csv(const ReplayedFlight& source, const flight::Flight& report) {
   flight::Flight part = report;
   std::erase_if(part.rows, [&source](const flight::Row& row) { return !source.inside(row.time_s); });
   return flight::csv(part);
 }
 
-std::string csv(const Source& source, const Selection& selection) {
+std::string csv(const ReplayedFlight& source, const Selection& selection) {
   fmt::memory_buffer out;
   for (std::size_t i = 0; i < selection.size(); ++i) {
     fmt::format_to(std::back_inserter(out), "{}{}", i == 0 ? "" : ",", fields()[selection[i]].name);
@@ -52,6 +66,50 @@ std::string csv(const Source& source, const Selection& selection) {
         out.push_back(',');
       }
       std::visit(Cell{out}, values[selection[i]]);
+    }
+    out.push_back('\n');
+  }
+  return fmt::to_string(out);
+}
+
+std::vector<std::string> foreign_fields(const flight_log::Flight& flight) {
+  std::vector<std::string> names;
+  for (const SchemaField& field : tick_fields(flight)) {
+    names.push_back(column_name(field));
+  }
+  if (!names.empty()) {
+    names.insert(names.begin(), {"time_s", "time_us", "sequence"});
+  }
+  return names;
+}
+
+std::string foreign_csv(const flight_log::Flight& flight, std::span<const std::string> names, const Window& window) {
+  const std::vector<SchemaField> fields = tick_fields(flight);
+  std::vector<const SchemaField*> columns;  // null: of the clock
+  for (const std::string& name : names) {
+    const auto found = std::ranges::find(fields, name, column_name);
+    columns.push_back(found == fields.end() ? nullptr : &*found);
+  }
+  fmt::memory_buffer out;
+  fmt::format_to(std::back_inserter(out), "{}\n", fmt::join(names, ","));
+  for (const flight_log::RawRecord& tick : flight.foreign_ticks) {
+    const double time_s = 1e-6 * static_cast<double>((tick.time - flight.foreign_ticks.front().time).count());
+    if (time_s < window.from_s.value_or(time_s) || time_s > window.until_s.value_or(time_s)) {
+      continue;
+    }
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      fmt::format_to(std::back_inserter(out), "{}", i == 0 ? "" : ",");
+      if (columns[i] != nullptr) {
+        // The shortest digits that give the number again.
+        if (const auto value = flight_log::value(*columns[i], tick.payload); value && std::isfinite(*value)) {
+          fmt::format_to(std::back_inserter(out), "{}", *value);
+        }
+      } else if (names[i] == "time_s") {
+        fmt::format_to(std::back_inserter(out), "{:.6f}", time_s);
+      } else {
+        fmt::format_to(std::back_inserter(out), "{}",
+                       names[i] == "time_us" ? tick.time.count() : static_cast<std::int64_t>(tick.sequence));
+      }
     }
     out.push_back('\n');
   }

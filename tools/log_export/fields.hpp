@@ -10,7 +10,7 @@
 #include <variant>
 #include <vector>
 
-#include "log_export/source.hpp"
+#include "log_export/replayed_flight.hpp"
 
 namespace fantail::log_export {
 
@@ -50,13 +50,13 @@ using Selection = std::vector<std::size_t>;
 class TickReader {
  public:
   /// `source` outlives this object.
-  explicit TickReader(const Source& source) : source_{source} {}
+  explicit TickReader(const ReplayedFlight& source) : source_{source} {}
 
   /// As many as fields(), until the next call.
   [[nodiscard]] std::span<const Value> read(std::size_t tick);
 
  private:
-  const Source& source_;
+  const ReplayedFlight& source_;
   std::vector<Value> values_;
 };
 

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "log_export/json.hpp"
-
 #include <iterator>
 #include <vector>
 
@@ -10,11 +8,12 @@
 #include "core/tick_record.hpp"
 #include "flight/six_decimals.hpp"
 #include "json/value.hpp"
-#include "log_export/event_words.hpp"
+#include "log_export/formats.hpp"
 
 namespace fantail::log_export {
 namespace {
 
+using protocol::LogEventKind;
 using Json = json::Value;
 using json::rounded;
 using json::text_or_null;
@@ -48,15 +47,34 @@ Json plan(const flight_log::Flight& flight) {
   return all;
 }
 
-Json events(const Source& source) {
+// An event's value and its reason; empty where its kind has none.
+std::string_view value_name(const protocol::LogEvent& event) {
+  switch (event.kind) {
+    case LogEventKind::recording_ended: return name(static_cast<protocol::LogEnd>(event.value));
+    case LogEventKind::phase: return name(static_cast<core::Phase>(event.value));
+    case LogEventKind::canard_verdict: return name(static_cast<core::CanardVerdict>(event.value));
+    case LogEventKind::gyro_state:
+    case LogEventKind::accelerometer_state: return name(static_cast<core::SensorState>(event.value));
+    case LogEventKind::command_status: return name(static_cast<core::CommandStatus>(event.value));
+    case LogEventKind::recording_began:
+    case LogEventKind::records_dropped: break;
+  }
+  return {};
+}
+
+std::string_view reason_name(const protocol::LogEvent& event) {
+  return event.kind == LogEventKind::phase ? name(static_cast<core::PhaseReason>(event.detail)) : std::string_view{};
+}
+
+Json events(const ReplayedFlight& source) {
   Json all = Json::array();
   for (const protocol::LogEvent& event : source.flight().events) {
     if (source.inside(event.time)) {
-      const bool of_a_canard = event.kind == protocol::LogEventKind::canard_verdict;
+      const bool of_a_canard = event.kind == LogEventKind::canard_verdict;
       all.push_back({{"time_s", rounded(source.time_s(event.time))},
                      {"kind", name(event.kind)},
-                     {"value", text_or_null(value_word(event))},
-                     {"reason", text_or_null(detail_word(event))},
+                     {"value", text_or_null(value_name(event))},
+                     {"reason", text_or_null(reason_name(event))},
                      {"canard", of_a_canard ? Json(event.index + 1) : Json{}},
                      {"number", event.number}});
     }
@@ -64,7 +82,7 @@ Json events(const Source& source) {
   return all;
 }
 
-Json health(const Source& source) {
+Json health(const ReplayedFlight& source) {
   Json all = Json::array();
   for (const protocol::LogHealth& record : source.flight().health) {
     if (!source.inside(record.time)) {
@@ -88,7 +106,7 @@ Json health(const Source& source) {
   return all;
 }
 
-Json gaps(const Source& source) {
+Json gaps(const ReplayedFlight& source) {
   Json all = Json::array();
   for (const flight_log::Gap& gap : source.flight().gaps) {
     all.push_back({{"after_s", rounded(source.time_s(gap.before))},
@@ -115,7 +133,7 @@ struct Element {
   }
 };
 
-std::string ticks(const Source& source, const Selection& selection) {
+std::string ticks(const ReplayedFlight& source, const Selection& selection) {
   std::vector<fmt::memory_buffer> lists(selection.size());
   TickReader reader{source};
   const auto& all = source.flight().ticks;
@@ -142,7 +160,7 @@ std::string ticks(const Source& source, const Selection& selection) {
 
 }  // namespace
 
-std::string json(const Source& source, const Selection& selection) {
+std::string json(const ReplayedFlight& source, const Selection& selection) {
   const flight_log::Flight& flight = source.flight();
   const Json head = {{"flight", flight.flight},
                      {"power_up", flight.power_up},

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "log_export/lcm.hpp"
-
 #include <algorithm>
 
-#include "telemetry/changes.hpp"
-#include "telemetry/memory_log.hpp"
+#include "log_export/formats.hpp"
+#include "telemetry/publisher.hpp"
 #include "telemetry/sender.hpp"
 #include "telemetry/tick_reporter.hpp"
 
@@ -33,7 +31,7 @@ telemetry::Health health_of(const protocol::LogHealth& record, bool timing_fault
 
 }  // namespace
 
-std::string lcm(const Source& source) {
+std::string lcm(const ReplayedFlight& source) {
   const flight_log::Flight& flight = source.flight();
   telemetry::MemoryLog log;
   telemetry::Sender sender{log, run_of(flight)};

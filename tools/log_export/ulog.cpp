@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "log_export/ulog.hpp"
-
 #include <array>
 #include <limits>
 
 #include <fmt/core.h>
 
 #include "core/flight_plan_fields.hpp"
-#include "log_export/event_words.hpp"
+#include "flight_log/event_text.hpp"
+#include "log_export/formats.hpp"
 #include "log_export/ulog_writer.hpp"
 
 namespace fantail::log_export {
@@ -84,7 +83,7 @@ UlogLevel level_of(const protocol::LogEvent& event) {
 
 class File {
  public:
-  File(const Source& source, const Selection& selection)
+  File(const ReplayedFlight& source, const Selection& selection)
       : source_{source}, writer_{source.flight().ticks.empty() ? 0 : us(source.flight().ticks.front().tick.time)} {
     for (const std::size_t field : selection) {
       topics_[fields()[field].replayed ? replayed : recorded].push_back(field);
@@ -187,7 +186,7 @@ class File {
     for (; next_event_ < flight.events.size() && flight.events[next_event_].time <= until; ++next_event_) {
       const protocol::LogEvent& event = flight.events[next_event_];
       if (source_.inside(event.time)) {
-        writer_.text(level_of(event), us(event.time), sentence(event));
+        writer_.text(level_of(event), us(event.time), flight_log::event_text(event));
       }
     }
     for (; next_health_ < flight.health.size() && flight.health[next_health_].time <= until; ++next_health_) {
@@ -208,7 +207,7 @@ class File {
     writer_.data(health, bytes_);
   }
 
-  const Source& source_;
+  const ReplayedFlight& source_;
   UlogWriter writer_;
   std::array<Selection, 2> topics_{};
   UlogBytes bytes_;
@@ -219,6 +218,6 @@ class File {
 
 }  // namespace
 
-std::string ulog(const Source& source, const Selection& selection) { return File{source, selection}.write(); }
+std::string ulog(const ReplayedFlight& source, const Selection& selection) { return File{source, selection}.write(); }
 
 }  // namespace fantail::log_export

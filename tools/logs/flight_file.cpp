@@ -67,7 +67,7 @@ flight::Flight read_flight_log(const std::filesystem::path& file) {
     refuse("the flight cannot be replayed. " + replay.obstacle);
   }
   flight::Flight result = flight_log::to_report(flight, replay);
-  if (const std::string foreign = flight_log::foreign_words(log); !foreign.empty()) {
+  if (const std::string foreign = flight_log::foreign_bytes_text(log); !foreign.empty()) {
     result.notes.push_back("Of the log, " + foreign + ".");
   }
   return result;

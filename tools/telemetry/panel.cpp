@@ -4,8 +4,6 @@
 #include <fmt/core.h>
 
 #include "replies/sentence.hpp"
-#include "telemetry/panel_values.hpp"
-#include "telemetry/words.hpp"
 
 namespace fantail::telemetry {
 namespace {
@@ -46,14 +44,14 @@ void Panel::look(hal::Microseconds now) {
 }
 
 template <typename Content>
-std::string Panel::age_words(const std::optional<Heard<Content>>& heard) const {
+std::string Panel::age_text(const std::optional<Heard<Content>>& heard) const {
   if (!heard) {
-    return "never heard";
+    return "never received";
   }
   return is_stale(heard) ? fmt::format("STALE, {:.1f} s old", in_seconds(now_ - heard->came)) : "live";
 }
 
-std::string Panel::link_word() const {
+std::string Panel::link_state() const {
   const auto& state = receiver_.state();
   if (!state) {
     return "SILENT";
@@ -71,7 +69,7 @@ std::string Panel::motion_text() const {
       "  roll {} deg, rate {} deg/s; reference {} deg, excitation {} deg\n"
       "  command {} of {} deg{}\n"
       "  height {} m, speed {} m/s, specific force {} m/s2\n",
-      age_words(receiver_.state()), core::name(state.phase), core::name(state.reason),
+      age_text(receiver_.state()), core::name(state.phase), core::name(state.reason),
       state.timing_fault ? ", TIMING FAULT" : "", cell(degrees(state.roll_angle_rad)),
       cell(degrees(state.roll_rate_rad_s)), cell(degrees(state.reference_rad)), cell(degrees(state.excitation_rad)),
       cell(degrees(state.command_rad)), unsigned_cell(degrees(limit_rad)), state.saturated ? ", SATURATED" : "",
@@ -79,7 +77,7 @@ std::string Panel::motion_text() const {
 }
 
 std::string Panel::canards_text() const {
-  std::string text = fmt::format("canards  {}\n", age_words(receiver_.canards()));
+  std::string text = fmt::format("canards  {}\n", age_text(receiver_.canards()));
   if (!receiver_.canards()) {
     return text;
   }
@@ -98,7 +96,7 @@ std::string Panel::canards_text() const {
 }
 
 std::string Panel::health_text() const {
-  std::string text = fmt::format("health  {}\n", age_words(receiver_.health()));
+  std::string text = fmt::format("health  {}\n", age_text(receiver_.health()));
   if (!receiver_.health()) {
     return text;
   }
@@ -126,11 +124,11 @@ std::string Panel::health_text() const {
 std::string Panel::channels_text() const {
   const double span_s = in_seconds(receiver_.recent_span());
   std::string text =
-      fmt::format("link, last {:.0f} s     per s  received    lost    late   twice  ignored  unreadable\n", span_s);
+      fmt::format("link, last {:.0f} s     per s  received    lost    late  duplicate  ignored  unreadable\n", span_s);
   for (std::size_t i = 0; i < channel_count; ++i) {
     const auto channel = static_cast<Channel>(i);
     const ChannelFigures recent = receiver_.recent(channel);
-    text += fmt::format("  {:<17} {:>7.1f}  {:>8}  {:>6}  {:>6}  {:>6}  {:>7}  {:>10}\n", name(channel),
+    text += fmt::format("  {:<17} {:>7.1f}  {:>8}  {:>6}  {:>6}  {:>9}  {:>7}  {:>10}\n", name(channel),
                         span_s > 0.0 ? static_cast<double>(recent.received) / span_s : 0.0, recent.received,
                         lost_lately(recent), recent.late, recent.duplicate, recent.ignored, recent.unreadable);
   }
@@ -138,14 +136,14 @@ std::string Panel::channels_text() const {
 }
 
 std::string Panel::table() const {
-  std::string text = fmt::format("{}  {}", url_, link_word());
+  std::string text = fmt::format("{}  {}", url_, link_state());
   if (!receiver_.state()) {
-    return text + ": nobody has spoken yet\n" + channels_text();
+    return text + ": nothing received yet\n" + channels_text();
   }
   text += fmt::format(", {:.2f} s since power-up\n", in_seconds(receiver_.state()->stamp.time));
   text += motion_text() + canards_text() + health_text() + channels_text();
   for (const Heard<Event>& event : newest_events_) {
-    text += fmt::format("event  {:.3f} s  {}\n", in_seconds(event.stamp.time), words(event.content));
+    text += fmt::format("event  {:.3f} s  {}\n", in_seconds(event.stamp.time), event_text(event.content));
   }
   return text;
 }
@@ -153,7 +151,7 @@ std::string Panel::table() const {
 std::string Panel::lines() const {
   std::string text;
   for (const Heard<Event>& event : news_) {
-    text += fmt::format("{:.3f} s  event: {}\n", in_seconds(event.stamp.time), words(event.content));
+    text += fmt::format("{:.3f} s  event: {}\n", in_seconds(event.stamp.time), event_text(event.content));
   }
   ChannelFigures recent;
   for (std::size_t i = 0; i < channel_count; ++i) {
@@ -168,9 +166,9 @@ std::string Panel::lines() const {
   const std::string odd = recent.ignored + recent.unreadable > 0
                               ? fmt::format(", {} ignored, {} unreadable", recent.ignored, recent.unreadable)
                               : "";
-  const std::string link =
-      fmt::format("link: {}, {} received, {} lost, {} late, {} twice{} in {:.0f} s\n", link_word(), recent.received,
-                  recent.lost, recent.late, recent.duplicate, odd, in_seconds(receiver_.recent_span()));
+  const std::string link = fmt::format("link: {}, {} received, {} lost, {} late, {} duplicate{} in {:.0f} s\n",
+                                       link_state(), recent.received, recent.lost, recent.late, recent.duplicate, odd,
+                                       in_seconds(receiver_.recent_span()));
   if (!receiver_.state()) {
     return text + link;
   }

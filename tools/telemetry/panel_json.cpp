@@ -2,8 +2,6 @@
 #include "json/value.hpp"
 #include "replies/sentence.hpp"
 #include "telemetry/panel.hpp"
-#include "telemetry/panel_values.hpp"
-#include "telemetry/words.hpp"
 
 namespace fantail::telemetry {
 namespace {
@@ -118,7 +116,7 @@ std::string Panel::json() const {
   }
   json["events"] = Json::array();
   for (const Heard<Event>& event : news_) {
-    json["events"].push_back({{"time_s", in_seconds(event.stamp.time)}, {"text", words(event.content)}});
+    json["events"].push_back({{"time_s", in_seconds(event.stamp.time)}, {"text", event_text(event.content)}});
   }
   return json.dump() + "\n";
 }

@@ -15,6 +15,49 @@ constexpr std::size_t most_events = 1'000;
 
 }  // namespace
 
+ChannelFigures difference(const ChannelFigures& now, const ChannelFigures& before) {
+  return {.received = now.received - before.received,
+          .lost = now.lost - before.lost,
+          .late = now.late - before.late,
+          .duplicate = now.duplicate - before.duplicate,
+          .ignored = now.ignored - before.ignored,
+          .unreadable = now.unreadable - before.unreadable};
+}
+
+Arrival SequenceWatch::take(std::int64_t sequence, ChannelFigures& figures) {
+  if (!first_) {
+    first_ = highest_ = sequence;
+    seen_.set(0);
+    figures.received += 1;
+    return Arrival::newest;
+  }
+  // Numbers are not negative, so their difference has a number too.
+  const std::int64_t ahead = sequence - highest_;
+  if (ahead > longest_gap || ahead <= -window) {
+    return Arrival::far_off;
+  }
+  if (ahead > 0) {
+    seen_ = ahead < window ? seen_ << static_cast<std::size_t>(ahead) : std::bitset<window>{};
+    seen_.set(0);
+    highest_ = sequence;
+    figures.received += 1;
+    figures.lost += ahead - 1;
+    return Arrival::newest;
+  }
+  const auto place = static_cast<std::size_t>(-ahead);
+  if (seen_.test(place)) {
+    figures.duplicate += 1;
+    return Arrival::duplicate;
+  }
+  seen_.set(place);
+  figures.late += 1;
+  if (sequence > *first_) {  // from before we listened, it was never counted as lost
+    figures.received += 1;
+    figures.lost -= 1;
+  }
+  return Arrival::late;
+}
+
 void Receiver::take(std::string_view channel, std::span<const std::byte> bytes, hal::Microseconds now) {
   const auto ours = channel_named(channel);
   if (!ours) {
@@ -73,9 +116,7 @@ void Receiver::begin_anew(std::int64_t run) {
     sequence.begin_anew();
   }
   suspects_ = {};
-  state_.reset();
-  canards_.reset();
-  health_.reset();
+  heard_ = {};
 }
 
 void Receiver::keep(const Decoded& message, Arrival arrival, hal::Microseconds now) {
@@ -87,13 +128,11 @@ void Receiver::keep(const Decoded& message, Arrival arrival, hal::Microseconds n
   if (arrival != Arrival::newest) {
     return;
   }
-  if (const auto* state = std::get_if<State>(&message.content)) {
-    state_ = {.content = *state, .stamp = message.stamp, .came = now};
-  } else if (const auto* canards = std::get_if<Canards>(&message.content)) {
-    canards_ = {.content = *canards, .stamp = message.stamp, .came = now};
-  } else if (const auto* health = std::get_if<Health>(&message.content)) {
-    health_ = {.content = *health, .stamp = message.stamp, .came = now};
-  }
+  std::visit(
+      [&]<typename Content>(const Content& content) {
+        std::get<std::optional<Heard<Content>>>(heard_) = {.content = content, .stamp = message.stamp, .came = now};
+      },
+      message.content);
 }
 
 std::vector<Heard<Event>> Receiver::take_events() {

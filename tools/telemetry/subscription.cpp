@@ -48,8 +48,8 @@ Subscription::Subscription(const Url& url) : lcm_{std::make_unique<Lcm>()} {
   lcm_subscription_t* const heard =
       lcm_->handle == nullptr ? nullptr : lcm_subscribe(lcm_->handle, "FANTAIL_.*", Lcm::hand_over, lcm_.get());
   if (heard == nullptr) {
-    throw TelemetryError{url.text() + (url.is_file() ? ": is no log of LCM, or an empty one"
-                                                     : ": LCM cannot listen there; its own words stand above")};
+    throw TelemetryError{url.text() + (url.is_file() ? ": not an LCM log, or an empty one"
+                                                     : ": LCM cannot listen there; see its own message above")};
   }
   lcm_subscription_set_queue_capacity(heard, most_waiting);
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "avionics/can_frame.hpp"
 #include "core/canard_mixer.hpp"
 
 namespace fantail::telemetry {
@@ -81,6 +82,18 @@ void TickReporter::report(const core::TickRecord& record, const Surroundings& su
     longest_tick_s_.reset();
   }
   ticks_ += 1;
+}
+
+bool LimitTap::send(const hal::CanFrame& frame) {
+  const auto decoded = protocol::decode_from_avionics(avionics::bus_frame(frame));
+  if (decoded.message) {
+    if (const auto* limits = std::get_if<protocol::LimitReport>(&*decoded.message)) {
+      for (std::size_t i = 0; i < limits_rad_.size(); ++i) {
+        limits_rad_[i] = static_cast<double>(limits->limit[i].radians());
+      }
+    }
+  }
+  return bus_.send(frame);
 }
 
 }  // namespace fantail::telemetry

@@ -44,10 +44,10 @@ Url::Url(std::string text) : text_{std::move(text)} {
   } else if (place.starts_with(file_scheme)) {
     path_ = place.substr(file_scheme.size());
     if (path_.empty()) {
-      refuse('"' + text_ + "\" names no file");
+      refuse('"' + text_ + "\" does not name a file");
     }
   } else {
-    refuse('"' + text_ + "\" is no LCM URL that Fantail knows");
+    refuse('"' + text_ + "\" is not an LCM URL that Fantail can use");
   }
   if (question != std::string::npos) {
     read_options(text_.substr(question + 1));
@@ -61,12 +61,12 @@ void Url::read_network(const std::string& place) {
     address_ = place.substr(0, colon);
   }
   if (!is_multicast(address_)) {
-    refuse('"' + address_ + "\" is no multicast address");
+    refuse('"' + address_ + "\" is not a multicast address");
   }
   if (colon != std::string::npos) {
     const auto port = number<std::uint16_t>(std::string_view{place}.substr(colon + 1));
     if (!port || *port == 0) {
-      refuse('"' + place.substr(colon + 1) + "\" is no port (1 to 65535)");
+      refuse('"' + place.substr(colon + 1) + "\" is not a port (1 to 65535)");
     }
     port_ = *port;
   }
@@ -85,7 +85,7 @@ void Url::read_options(const std::string& options) const {
                                 : (key == "ttl" && whole && *whole >= 0 && *whole <= 255) ||
                                       (key == "recv_buf_size" && whole && *whole > 0 && *whole <= 1L << 30);
     if (!good) {
-      throw std::invalid_argument{'"' + option + "\" is no option of \"" + text_ + "\"; allowed: " +
+      throw std::invalid_argument{'"' + option + "\" is not an option of \"" + text_ + "\"; allowed: " +
                                   (is_file() ? "speed=FACTOR (when it is read; 0: as fast as it goes)"
                                              : "ttl=HOPS (0 to 255, 0: this computer only), recv_buf_size=BYTES")};
     }

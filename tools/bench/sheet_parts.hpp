@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bench/sheet.hpp"
+
+namespace fantail::bench {
+
+// What the terminal table and the page both show: one row a figure, one column a canard.
+
+struct Cell {
+  std::string alone{};     ///< or what there is, when there is only one turn
+  std::string together{};  ///< empty when there is only one
+  bool alone_passed = true;
+  bool together_passed = true;
+};
+
+struct SheetRow {
+  std::string label{};
+  std::string unit{};
+  std::string allowed{};  ///< "at most 0.50", "5.50 to 6.50"; "per canard" when canards differ
+  std::vector<Cell> cells{};
+};
+
+/// In the order of Sheet::canards.
+[[nodiscard]] std::vector<SheetRow> sheet_rows(const Sheet& sheet);
+
+/// The plots of one canard: its turn alone, its turn with the others, and its steps in detail. HTML figures.
+[[nodiscard]] std::string canard_charts(const CanardResult& result, const Sheet& sheet,
+                                        const link::Recording& recording, const Exercise& exercise);
+
+}  // namespace fantail::bench

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#include "flight_log/event_text.hpp"
+
+#include <fmt/core.h>
+
+#include "flight/phase_names.hpp"
+
+namespace fantail::flight_log {
+namespace {
+
+std::string_view text(protocol::LogEnd end) {
+  switch (end) {
+    case protocol::LogEnd::flight_over: return "the flight is over";
+    case protocol::LogEnd::returned_to_pad: return "false launch detection";
+    case protocol::LogEnd::flash_full: return "the flash is full";
+    case protocol::LogEnd::flash_failed: return "the flash failed";
+  }
+  return "unknown";
+}
+
+std::string_view text(core::CommandStatus status) {
+  switch (status) {
+    case core::CommandStatus::outside_control: return "the roll command is zero: outside control";
+    case core::CommandStatus::controlling: return "the roll command follows the flight law";
+    case core::CommandStatus::gyro_lost: return "the roll command is zero: no usable rate";
+    case core::CommandStatus::not_finite:
+      return "the roll command is zero: the flight law's result was not a finite number";
+  }
+  return "unknown";
+}
+
+std::string sensor(std::string_view which, std::uint8_t state) {
+  return fmt::format("{} {}", which, name(static_cast<core::SensorState>(state)));
+}
+
+}  // namespace
+
+std::string event_text(const protocol::LogEvent& event) {
+  using Kind = protocol::LogEventKind;
+  switch (event.kind) {
+    case Kind::recording_began: return fmt::format("recording of flight {} began", event.number);
+    case Kind::recording_ended:
+      return fmt::format("recording ended: {}", text(static_cast<protocol::LogEnd>(event.value)));
+    case Kind::phase:
+      return fmt::format("{}: {}", flight::display_name(static_cast<core::Phase>(event.value)),
+                         flight::display_name(static_cast<core::PhaseReason>(event.detail)));
+    case Kind::canard_verdict:
+      return fmt::format("canard {} {}", event.index + 1, name(static_cast<core::CanardVerdict>(event.value)));
+    case Kind::gyro_state: return sensor("gyro", event.value);
+    case Kind::accelerometer_state: return sensor("accelerometer", event.value);
+    case Kind::command_status: return std::string{text(static_cast<core::CommandStatus>(event.value))};
+    case Kind::records_dropped:
+      return fmt::format("{} records were not written, because the flash was too slow", event.number);
+  }
+  return "unknown";
+}
+
+}  // namespace fantail::flight_log

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "flight_log/flight_log.hpp"
+#include "log_export/fields.hpp"
+#include "log_export/replayed_flight.hpp"
+
+namespace fantail::log_export {
+
+/// flight.csv: its columns, one row for each tick that was replayed.
+[[nodiscard]] std::string flight_csv(const ReplayedFlight& source, const flight::Flight& report);
+
+/// The chosen fields, one row for each tick of the log. What is unknown is an empty cell.
+[[nodiscard]] std::string csv(const ReplayedFlight& source, const Selection& selection);
+
+/// The columns of a log whose ticks are laid out as in another version of Fantail: its clock, then what its own schema
+/// names, with the units as they stand there. Empty when the schema does not describe ticks.
+[[nodiscard]] std::vector<std::string> foreign_fields(const flight_log::Flight& flight);
+
+/// Such a log as a table; `names` are some of foreign_fields(). time_s is 0 at the first tick: what happened in the
+/// flight only the other version knows. A value that a record is too short for is an empty cell.
+[[nodiscard]] std::string foreign_csv(const flight_log::Flight& flight, std::span<const std::string> names,
+                                      const Window& window);
+
+/// One object: what the header says, the plan, events, health, gaps, and under "ticks" a list for each chosen field,
+/// all of one length. Null: unknown. pandas.DataFrame(json.load(open(FILE))["ticks"]) makes a table of it.
+[[nodiscard]] std::string json(const ReplayedFlight& source, const Selection& selection);
+
+/// A ULog file, version 1, with the board's clock:
+///   fantail_recorded  of the chosen fields those that stand in the log, every tick
+///   fantail_replayed  those that the replay made again, every tick that it reached; a float that is not a number:
+///   unknown fantail_health    ten times a second
+/// Events are logged messages, the flight plan the parameters, vehicle and versions the information, gaps are dropouts.
+/// Enumerations are numbers.
+[[nodiscard]] std::string ulog(const ReplayedFlight& source, const Selection& selection);
+
+/// An LCM log for lcm-logplayer, with the board's clock: the messages of a live flight, but state and canards of every
+/// replayed tick. Health and events are those that stand in the log.
+[[nodiscard]] std::string lcm(const ReplayedFlight& source);
+
+/// What the avionics would have put on the bus, as `candump -l` writes it down: "(12.345678) can0
+/// 0A0#0011223344556677", with the board's time. Commands, encoders, status, motion, health, limits and heartbeat, as
+/// often as the avionics sends them; answers to a bench are not in a flight log, and so not here. What only the bus
+/// knew is zero.
+[[nodiscard]] std::string candump(const ReplayedFlight& source);
+
+}  // namespace fantail::log_export
