@@ -16,7 +16,7 @@ TEST(FlyOn, AnImageThatIsMissingIsNamed) {
   Refusal{{},
           {"fly", "--on", "emulator", "--image", "/nowhere/fantail-emulator.elf"},
           66,
-          {"/nowhere/fantail-emulator.elf: there is no such image", "./dev fly --on emulator builds it"}};
+          {"/nowhere/fantail-emulator.elf: no such file", "./dev fly --on emulator builds it"}};
 }
 
 TEST(FlyOn, ASerialDeviceThatIsMissingOrNoneIsNamed) {

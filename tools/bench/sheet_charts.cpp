@@ -59,7 +59,8 @@ std::string whole_turn(const CanardTrace& trace, const Sheet& sheet, std::size_t
                                                                {Part::centre_from_below, "from below"}}};
   for (const auto& [part, name] : shown) {
     if (const Window rest = at_rest(trace, part); rest.size() > 0) {
-      chart.shaded_ranges.push_back({static_cast<double>(rest.begin) * tick_s, static_cast<double>(rest.end) * tick_s, name});
+      chart.shaded_ranges.push_back(
+          {static_cast<double>(rest.begin) * tick_s, static_cast<double>(rest.end) * tick_s, name});
     }
   }
   return page::figure(chart, caption);
