@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,8 +10,9 @@
 
 #include "core/flight_plan.hpp"
 #include "core/flight_plan_fields.hpp"
-#include "fantail/identify_options.hpp"
+#include "fantail/command_line.hpp"
 #include "fantail/interrupt.hpp"
+#include "fantail/log_options.hpp"
 #include "fantail/run.hpp"
 #include "identify/choices.hpp"
 #include "identify/make_record.hpp"
@@ -25,6 +27,108 @@
 
 namespace fantail::tool {
 namespace {
+
+/// What a person may say to `fantail identify`, as typed.
+struct IdentifyOptions {
+  std::string data;
+  LogOptions log;
+
+  std::optional<double> from_s;
+  std::optional<double> to_s;
+  std::vector<std::string> windows;
+  double lag_s = 0.0;
+  bool fit_lag = false;
+  bool fit_initial = false;
+
+  std::optional<std::string> vehicle;
+  std::optional<double> inertia_kg_m2;
+  std::optional<double> area_m2;
+  std::optional<std::string> density;
+  std::optional<double> speed_m_s;
+
+  std::string nodes = "even:1";
+  std::string method = "continuous";
+  std::string grid_alpha;  ///< A:B:STEP, empty: as published
+  std::string grid_beta;
+
+  std::string loop = "open";
+  std::optional<std::string> plan;
+  std::optional<double> proportional_gain;
+  std::optional<double> derivative_gain_s;
+  std::optional<double> limit_deg;
+  double servo_lag_s = 0.0;
+
+  bool json = false;
+  std::string out;
+};
+
+std::string objection_to_axis(const std::string& text) {
+  return identify::parse_axis(text)
+             ? ""
+             : '"' + text + "\": expected FIRST:LAST:STEP above 0, as in 1:60:1, with at most 1000 values";
+}
+
+void add_reading(const Verb& verb, IdentifyOptions& o) {
+  verb.option("DATA", o.data, "A CSV file, a flight log (.ftl), or a folder that `fantail fly` wrote").required();
+  add_log_options(verb, o.log);
+}
+
+void add_windows(const Verb& verb, IdentifyOptions& o) {
+  auto from =
+      verb.option("--from", o.from_s, "Start of the window on the log's clock, in seconds").check(within(-1e6, 1e6));
+  auto to = verb.option("--to", o.to_s, "End of the window, in seconds").check(within(-1e6, 1e6));
+  verb.option("--window", o.windows,
+              "control, thrust, coast, step:N or A:B in seconds; several, each by itself [control, or all of a log "
+              "without phases]")
+      .one_word_each_time()
+      .excludes(from)
+      .excludes(to);
+  auto lag = verb.option("--lag", o.lag_s, "Seconds by which the canard column lags the gyro's")
+                 .check(within(-1.0, 1.0))
+                 .show_default();
+  verb.flag("--fit-lag", o.fit_lag, "Find that lag, up to 50 ms either way").excludes(lag);
+  verb.flag("--fit-initial", o.fit_initial, "Fit the first angle and rate, too, instead of taking them as measured");
+}
+
+void add_rocket(const Verb& verb, IdentifyOptions& o) {
+  verb.option("--vehicle", o.vehicle, "A shipped name (tasha3_launch2, tasha3_tunnel, smokey, ...) or a path");
+  verb.option("--inertia", o.inertia_kg_m2, "Roll moment of inertia in kg m2").check(within(1e-9, 1e6));
+  verb.option("--area", o.area_m2, "Reference area in m2").check(within(1e-9, 1e6));
+  verb.option("--density", o.density,
+              "Air density: kg/m3, exponential or isa [exponential if the log climbs, else 1.2]");
+  verb.option("--speed", o.speed_m_s, "In m/s, the same throughout, instead of the log's").check(within(0.1, 1e4));
+}
+
+void add_method(const Verb& verb, IdentifyOptions& o) {
+  verb.option("--nodes", o.nodes,
+              "Of the disturbance: seconds from the window's begin as in 0,5; even:N; thrust:N,coast:M; auto")
+      .show_default();
+  verb.option("--method", o.method, "grid (as published), continuous or both")
+      .one_of({"grid", "continuous", "both"})
+      .show_default();
+  verb.option("--grid-alpha", o.grid_alpha, "FIRST:LAST:STEP in m2 [1:60:1]").check(objection_to_axis);
+  verb.option("--grid-beta", o.grid_beta, "FIRST:LAST:STEP in m [5:15:0.5]").check(objection_to_axis);
+  verb.option("--loop", o.loop, "open: canards as measured; closed: as the controller commands in the model")
+      .one_of({"open", "closed"})
+      .show_default();
+  verb.option("--plan", o.plan, "Closed loop: gains and limit of a shipped plan or a path");
+  verb.option("--kp", o.proportional_gain, "Closed loop: canard angle per roll angle error").check(within(0, 100));
+  verb.option("--kd", o.derivative_gain_s, "Closed loop: canard angle per roll rate, in s").check(within(0, 100));
+  verb.option("--limit", o.limit_deg, "Closed loop: canard limit in degrees").check(within(0.01, 90));
+  verb.option("--servo-lag", o.servo_lag_s, "Closed loop: first-order lag of the servos in s")
+      .check(within(0, 1))
+      .show_default();
+}
+
+void add_identify_options(const Verb& verb, IdentifyOptions& options) {
+  add_reading(verb, options);
+  add_windows(verb, options);
+  add_rocket(verb, options);
+  add_method(verb, options);
+  verb.flag("--json", options.json, "Print one JSON object instead of the text");
+  verb.option("--out", options.out, "Folder for report.html, model.csv and identification.json [out/identify/DATA]")
+      .check(objection_to_folder);
+}
 
 logs::RollLog read(const IdentifyOptions& o) {
   return logs::read_roll_log(o.data, reading(o.log), {.canard = o.loop == "open", .speed = !o.speed_m_s});
