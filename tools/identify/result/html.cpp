@@ -73,10 +73,11 @@ std::string precision_section(const WindowFindings& window) {
   if (!result.uncertainty) {
     return "";
   }
-  return page::section("How well each number is known",
-                       page::paragraph("Each range contains the true value with a probability of 95 %, if the model is "
-                                       "right and the residual is typical.") +
-                           page::list(precision_sentences(result)));
+  return page::section(
+      "How well each number is known",
+      page::paragraph("If the model is right and the residual is typical, such a range contains the true value in "
+                      "95 of 100 cases.") +
+          page::list(precision_sentences(result)));
 }
 
 std::string chart_sections(const WindowFindings& window) {
