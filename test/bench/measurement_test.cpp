@@ -209,7 +209,7 @@ TEST(Measurement, OfASineAFirstOrderLagKeepsAmplitudeAndPhase) {
 }
 
 TEST(Measurement, AStepToAnAngleIsMeasuredLikeTheOneToTheLimit) {
-  Bench bench;
+  const Bench bench;
   const Figures f = measured(bench, Exercise::step(six_degrees(), 1, -4.0 * degree));
   EXPECT_NEAR(deg(f.reached_positive_rad), -4.0, 0.01);
   EXPECT_NEAR(f.step_time_s.value(), 0.02 * std::log(9.0), 0.001);

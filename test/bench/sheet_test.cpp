@@ -166,7 +166,7 @@ TEST(Sheet, FailsWhenItWasCutShortOrTheBusLostTooMuch) {
 TEST(Sheet, JsonNamesFiguresWithTheirUnits) {
   Bench bench;
   bench.canards[2].gain = -1.0;
-  Heading heading{.vehicle = "Tasha \xff", .plan = "p", .plan_crc = "00ff", .date = "today"};
+  const Heading heading{.vehicle = "Tasha \xff", .plan = "p", .plan_crc = "00ff", .date = "today"};
   const auto json = json::parse(sheet_json(sheet_of(bench, Exercise::limits(six_degrees()), heading)));
   EXPECT_EQ(json["passed"], false);
   EXPECT_EQ(json["limit_deg"][0], 6.0);

@@ -179,7 +179,7 @@ TEST_F(InOthersWords, FramesOfCantoolsAreObeyedWhenTheirChecksumIsRightAndOnlyTh
   EXPECT_TRUE(ear.until([&] { return wrong_crc() == (1 + 500) % 256; })) << int{wrong_crc()};
 
   {
-    Program player{"canplayer", {"-I", right}};
+    const Program player{"canplayer", {"-I", right}};
     EXPECT_TRUE(ear.until([&] { return stands(3.0F); }));
     EXPECT_EQ(ear.newest<protocol::SessionReply>().session, 4711);
     EXPECT_TRUE(ear.until([&] { return !ear.newest<protocol::StatusReport>().session_open && stands(0.0F); }));

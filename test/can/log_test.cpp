@@ -65,7 +65,7 @@ class FlownRocket : public CanSystem {
 };
 
 TEST_F(FlownRocket, ADownloadThatWasKilledGoesOnAndEndsWithAFileForEveryFlight) {
-  Node node{"vcan0", "bench_healthy", flash};
+  const Node node{"vcan0", "bench_healthy", flash};
   const std::filesystem::path part = folder / "out/record.part";
   const auto has_grown_to = [&](std::uintmax_t size) {
     // A rocket looks through its flash for four seconds before it says anything about it.

@@ -47,7 +47,7 @@ TEST_F(CanSystem, ABusFullOfOthersFramesNeitherMovesACanardNorDisturbsTheBench) 
   const Json object = json::parse(said.substr(last == std::string::npos ? 0 : last + 1));
   EXPECT_GT(object["frames_foreign"].number(), 1000);
   EXPECT_GT(object["frames_damaged"].number(), 0);
-  const auto rejected = object["frames_refused_by_avionics"];
+  const auto& rejected = object["frames_refused_by_avionics"];
   EXPECT_GT(rejected["unknown_id"].number(), 0);
   EXPECT_GT(rejected["wrong_length"].number(), 0);
 

@@ -92,7 +92,7 @@ TEST_F(EmulatorTrouble, AFileThatIsNoImageEndsTheEmulatorWithItsOwnWords) {
   hil::EmulatorOptions no_image = options();
   no_image.image = __FILE__;  // a text
   const auto begin = [&] {
-    hil::Target target{
+    const hil::Target target{
         std::make_unique<hil::Emulator>(no_image), {}, {.send_again = milliseconds{50}, .give_up = milliseconds{500}}};
   };
   EXPECT_THAT(why(begin), testing::Not(HasSubstr("nothing was the matter")));

@@ -89,7 +89,6 @@ TEST(ParseLog, ASampleThatCameBeforeKeepsItsTimeHoweverOld) {
 
 TEST(ParseLog, FlightsBehindEachOtherAreToldApart) {
   std::vector<std::byte> bytes = make_flight({.flight = 1}).bytes;
-  protocol::SampleTimes not_needed;
   const MadeFlight second = make_flight({.flight = 2, .length = Microseconds{1'000'000}});
   bytes.insert(bytes.end(), 1000, std::byte{0xFF});  // the rest of a page of flash
   bytes.insert(bytes.end(), second.bytes.begin(), second.bytes.end());

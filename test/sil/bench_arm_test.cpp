@@ -99,7 +99,7 @@ TEST(BenchArm, WithoutTheSwitchIsRefusedWithThatReason) {
 
 // A flight begins with the world's own crew: nothing else arms a rocket there either.
 TEST(PadCrew, ARocketWithABrokenCanardIsNotArmedAndTheReasonIsKept) {
-  sim::Scenario scenario = input::load_scenario("bench_canard3_reversed", {});
+  const sim::Scenario scenario = input::load_scenario("bench_canard3_reversed", {});
   sim::World world{scenario};
   while (!world.over()) {
     EXPECT_EQ(world.tick().phase, Phase::safe);

@@ -162,7 +162,7 @@ TEST(BenchLimits, ARocketThatMovesIsRefused) {
   link::AvionicsLink link{place.bus()};
   link::await_avionics(place, link);  // within two seconds of power-up: it has not yet been seen at rest
   try {
-    link::Session session{place, link, 5};
+    const link::Session session{place, link, 5};
     FAIL();
   } catch (const link::LinkError& error) {
     EXPECT_NE(std::string{error.what()}.find("must stand still"), std::string::npos);

@@ -91,7 +91,7 @@ TEST_F(GatewaySystem, ABusThatGoesDownAndComesBackIsToldAndSoIsSilence) {
   must("ip link set vcan0 up");
   EXPECT_TRUE(gateway.says("vcan0: bus: error active\n"));
   EXPECT_TRUE(gateway.says("vcan0: the avionics is silent\n"));
-  Node node{"vcan0"};
+  const Node node{"vcan0"};
   EXPECT_TRUE(gateway.says("vcan0: the avionics speaks again\n"));
   gateway.signal(SIGTERM);
   EXPECT_EQ(gateway.outcome().exit_code, 0);

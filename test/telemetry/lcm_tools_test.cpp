@@ -35,7 +35,9 @@ bool is_part_of(const std::vector<std::string>& some, const std::vector<std::str
   auto next = all.begin();
   return std::ranges::all_of(some, [&](const std::string& one) {
     next = std::find(next, all.end(), one);
-    return next != all.end() && next++ != all.end();
+    const bool found = next != all.end();
+    next += found ? 1 : 0;
+    return found;
   });
 }
 

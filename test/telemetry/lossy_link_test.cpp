@@ -8,6 +8,7 @@
 #include <lcm/lcm.h>
 
 #include "linux/shell.hpp"
+#include "seed.hpp"
 #include "telemetry/messages.hpp"
 #include "telemetry/multicast.hpp"
 
@@ -45,9 +46,7 @@ class BadLink {
 // message come in order.
 TEST(LossyLink, IsShownAsLinkQualityAndNeverAsWrongData) {
   follow_the_advice();
-  constexpr unsigned seed = 11;
-  std::printf("seed %u\n", seed);
-  std::mt19937 random{seed};
+  std::mt19937 random{test::seed(11)};
   Watcher watcher{url};
   BadLink link;
   constexpr std::int64_t sent = 4'000;

@@ -42,8 +42,8 @@ Chapter air_chapter(const Tell& tell) {
   page::Series line{.name = "line through them", .role = page::Role::model};
   for (const tunnel::FlowPoint& point : flow.points) {
     speed.shaded_ranges.push_back({.begin = point.segment.begin_s,
-                             .end = point.segment.end_s,
-                             .label = fmt::format("{:.0f} rpm", point.segment.fan_rpm.value_or(0.0))});
+                                   .end = point.segment.end_s,
+                                   .label = fmt::format("{:.0f} rpm", point.segment.fan_rpm.value_or(0.0))});
     means.x.push_back(point.segment.fan_rpm.value_or(0.0));
     means.y.push_back(point.mean_m_s);
     if (flow.line) {

@@ -44,9 +44,7 @@ struct Writer {
     wire = value.value_or(std::numeric_limits<double>::quiet_NaN());
   }
   void operator()(std::int64_t& wire, std::int64_t value) { wire = value; }
-  void operator()(std::int64_t& wire, const std::optional<std::int64_t>& value) {
-    wire = value.value_or(unknown);
-  }
+  void operator()(std::int64_t& wire, const std::optional<std::int64_t>& value) { wire = value.value_or(unknown); }
   template <typename T>
   void operator()(std::int8_t& wire, T value) {
     wire = static_cast<std::int8_t>(value);
