@@ -78,7 +78,7 @@ std::string tables_of(std::span<const Field<Thing>> fields) {
 
 std::vector<sim::FaultKind> kinds_of(const FaultField& row) {
   std::vector<sim::FaultKind> kinds;
-  for (std::size_t i = 0; i < fault_words().size(); ++i) {
+  for (std::size_t i = 0; i < fault_texts().size(); ++i) {
     if (row.belongs_to(static_cast<sim::FaultKind>(i))) {
       kinds.push_back(static_cast<sim::FaultKind>(i));
     }
@@ -88,7 +88,7 @@ std::vector<sim::FaultKind> kinds_of(const FaultField& row) {
 
 std::string fault_tables() {
   std::string tables = "\n`[[faults]]`, as many as wanted\n\n" + std::string{head};
-  std::vector<std::string> own_keys(fault_words().size());
+  std::vector<std::string> own_keys(fault_texts().size());
   for (const FaultField& row : fault_fields()) {
     const std::vector<sim::FaultKind> kinds = kinds_of(row);
     const std::string of = kinds.size() == 1 ? " of `" + std::string{name(kinds[0])} + "`" : "";
@@ -102,7 +102,7 @@ std::string fault_tables() {
   }
   tables += "\n| `kind` | what is broken | its keys beside `kind` and `from_s` |\n|---|---|---|\n";
   for (std::size_t i = 0; i < own_keys.size(); ++i) {
-    tables.append("| `").append(fault_words()[i].name).append("` | ").append(fault_words()[i].meaning);
+    tables.append("| `").append(fault_texts()[i].name).append("` | ").append(fault_texts()[i].meaning);
     tables.append(" | ").append(own_keys[i]).append(" |\n");
   }
   return tables + "\n";

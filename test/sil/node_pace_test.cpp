@@ -15,17 +15,17 @@ using std::chrono::seconds;
 
 const Pace::Time power_up{seconds{100}};
 
-/// A PC that needs `cost` for each tick; the words of its node, and how many ticks it had gone through by then.
+/// A PC that needs `cost` for each tick; the messages of its node, and how many ticks it had gone through by then.
 struct Pc {
   Pace pace{power_up};
   Pace::Time now = power_up;
   int ticks = 0;
-  std::string words;
+  std::string messages;
 
   void run_for(Pace::Duration time, Pace::Duration cost) {
     for (const Pace::Time end = now + time; now < end; ++ticks) {
       now = std::max(now, pace.next(now)) + cost;
-      words += pace.take_words();
+      messages += pace.take_messages();
     }
   }
   [[nodiscard]] double lived_s() const { return 1e-3 * ticks; }
@@ -37,7 +37,7 @@ TEST(NodePace, OnAPcThatKeepsUpATickBeginsEveryMillisecond) {
   EXPECT_NEAR(pc.ticks, 20'000, 1);
   EXPECT_EQ(pc.pace.late(), 0);
   EXPECT_EQ(pc.pace.left_out().count(), 0);
-  EXPECT_EQ(pc.words, "");
+  EXPECT_EQ(pc.messages, "");
 }
 
 TEST(NodePace, TenMillisecondsAreMadeUpForAndMoreIsLeftOut) {
@@ -53,7 +53,7 @@ TEST(NodePace, TenMillisecondsAreMadeUpForAndMoreIsLeftOut) {
   EXPECT_NEAR(pc.lived_s(), 0.310, 0.0025);
   EXPECT_GE(pc.pace.left_out(), milliseconds{49});
   EXPECT_LE(pc.pace.left_out(), milliseconds{52});
-  EXPECT_EQ(pc.words, "");
+  EXPECT_EQ(pc.messages, "");
 }
 
 // A hundred ticks without a pause would be the end of a bench session whose heartbeats could not come.
@@ -75,7 +75,7 @@ TEST(NodePace, ALongStandstillIsToldOnce) {
   pc.now += seconds{40};
   pc.run_for(seconds{30}, microseconds{100});
   EXPECT_EQ(
-      pc.words,
+      pc.messages,
       "the rocket stood still for 40.0 s, because this PC slept or was busy; simulated time continues from here\n");
 }
 
@@ -83,15 +83,15 @@ TEST(NodePace, APcThatIsTooSlowIsToldHowSlowTheRocketLivesAndWhatItSaysIsSo) {
   for (const int cost_us : {2'300, 4'000, 30'000, 200'000}) {
     Pc pc;
     pc.run_for(seconds{5}, microseconds{cost_us});
-    while (pc.words.empty() && pc.ticks < 100'000) {
+    while (pc.messages.empty() && pc.ticks < 100'000) {
       pc.run_for(microseconds{1}, microseconds{cost_us});
     }
     const double passed_s = std::chrono::duration<double>{pc.now - power_up}.count() - 1e-6 * cost_us;
-    EXPECT_EQ(pc.words, fmt::format("this PC is too busy: of the last {:.1f} s only {:.1f} s were simulated\n",
-                                    passed_s, pc.lived_s()));
-    pc.words.clear();
+    EXPECT_EQ(pc.messages, fmt::format("this PC is too busy: of the last {:.1f} s only {:.1f} s were simulated\n",
+                                       passed_s, pc.lived_s()));
+    pc.messages.clear();
     pc.run_for(seconds{20}, microseconds{700});
-    EXPECT_EQ(pc.words, "") << "it has caught up";
+    EXPECT_EQ(pc.messages, "") << "it has caught up";
   }
 }
 
@@ -101,14 +101,14 @@ TEST(NodePace, StandstillsThatComeAgainAndAgainAreAMatterOfPace) {
     pc.now += milliseconds{1'200};
     pc.run_for(milliseconds{300}, microseconds{100});
   }
-  EXPECT_NE(pc.words.find("the rocket stood still for 1.2 s"), std::string::npos) << pc.words;
-  EXPECT_NE(pc.words.find("too busy: of the last 5"), std::string::npos) << pc.words;
+  EXPECT_NE(pc.messages.find("the rocket stood still for 1.2 s"), std::string::npos) << pc.messages;
+  EXPECT_NE(pc.messages.find("too busy: of the last 5"), std::string::npos) << pc.messages;
 }
 
 TEST(NodePace, APcThatIsALittleTooSlowIsNotWorthAWord) {
   Pc pc;
   pc.run_for(seconds{30}, microseconds{1'800});
-  EXPECT_EQ(pc.words, "");
+  EXPECT_EQ(pc.messages, "");
   EXPECT_GT(pc.pace.left_out(), seconds{10});
 }
 

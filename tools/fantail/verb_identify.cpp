@@ -152,7 +152,7 @@ std::vector<identify::Window> windows(const IdentifyOptions& o, const logs::Roll
 
 struct Rocket {
   identify::model::Airframe airframe;
-  std::string words;
+  std::string text;
 };
 
 Rocket rocket(const IdentifyOptions& o) {
@@ -171,7 +171,7 @@ Rocket rocket(const IdentifyOptions& o) {
   identify::model::Airframe& airframe = result.airframe;
   airframe.inertia_kg_m2 = o.inertia_kg_m2.value_or(airframe.inertia_kg_m2);
   airframe.reference_area_m2 = o.area_m2.value_or(airframe.reference_area_m2);
-  result.words += fmt::format("I {} kg m2, A {} m2", input::about(airframe.inertia_kg_m2),
+  result.text += fmt::format("I {} kg m2, A {} m2", input::about(airframe.inertia_kg_m2),
                               input::about(airframe.reference_area_m2));
   return result;
 }
@@ -240,7 +240,7 @@ void identify_data(const IdentifyOptions& o) {
   q.record.atmosphere = air.atmosphere;
   q.windows = windows(o, log);
   identify::result::Study result = study(log, q);
-  result.vehicle = which.words;
+  result.vehicle = which.text;
   result.density = air.description;
   result.speed = o.speed_m_s   ? input::plain_number(*o.speed_m_s) + " m/s throughout"
                  : o.log.truth ? "true_speed_m_s"

@@ -122,8 +122,8 @@ class Node {
       if (const auto due = pace_.next(now); now < due) {
         std::this_thread::sleep_until(due);
       }
-      if (const std::string words = pace_.take_words(); !words.empty()) {
-        say(words);
+      if (const std::string messages = pace_.take_messages(); !messages.empty()) {
+        say(messages);
       }
       const auto tick_begin = SteadyClock::now();
       const core::TickRecord& record = world_.tick();

@@ -37,7 +37,7 @@ Pace::Time Pace::next(Time now) {
 void Pace::leave_out(Duration time) {
   left_out_ += time;
   if (time > worth_a_word) {
-    words_ += fmt::format(
+    messages_ += fmt::format(
         "the rocket stood still for {:.1f} s, because this PC slept or was busy; simulated time continues from here\n",
         seconds(time));
   }
@@ -52,13 +52,13 @@ void Pace::leave_out(Duration time) {
 void Pace::close_window(Time now) {
   const Duration passed = now - window_begin_;
   if (2 * left_out_in_window_ > passed) {
-    words_ += fmt::format("this PC is too busy: of the last {:.1f} s only {:.1f} s were simulated\n", seconds(passed),
-                          seconds(passed - left_out_in_window_));
+    messages_ += fmt::format("this PC is too busy: of the last {:.1f} s only {:.1f} s were simulated\n",
+                             seconds(passed), seconds(passed - left_out_in_window_));
   }
   window_begin_ = now;
   left_out_in_window_ = {};
 }
 
-std::string Pace::take_words() { return std::exchange(words_, {}); }
+std::string Pace::take_messages() { return std::exchange(messages_, {}); }
 
 }  // namespace fantail::fly

@@ -23,7 +23,7 @@ class Pace {
 
   /// What a person should know by now of a PC that does not keep pace; empty most of the time. To be asked after
   /// next().
-  [[nodiscard]] std::string take_words();
+  [[nodiscard]] std::string take_messages();
 
   /// Ticks that ended after the next one was due.
   [[nodiscard]] std::int64_t late() const { return late_; }
@@ -38,7 +38,7 @@ class Pace {
   Duration left_out_{};
   Time window_begin_;
   Duration left_out_in_window_{};
-  std::string words_;
+  std::string messages_;
 };
 
 }  // namespace fantail::fly

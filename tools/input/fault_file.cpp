@@ -11,7 +11,7 @@
 namespace fantail::input {
 namespace {
 
-constexpr auto kinds = std::to_array<FaultWords>({
+constexpr auto kinds = std::to_array<FaultText>({
     {"canard_stuck", "the shaft is jammed"},
     {"canard_hardover", "runs to the positive stop and stays there"},
     {"canard_dead", "torn from its servo: the air turns it back to zero"},
@@ -27,7 +27,7 @@ constexpr auto kinds = std::to_array<FaultWords>({
 
 constexpr auto kind_names = [] {
   std::array<std::string_view, kinds.size()> names{};
-  std::ranges::transform(kinds, names.begin(), &FaultWords::name);
+  std::ranges::transform(kinds, names.begin(), &FaultText::name);
   return names;
 }();
 
@@ -84,7 +84,7 @@ sim::Fault read_fault(Section& section, double servo_stop_rad) {
 
 }  // namespace
 
-std::span<const FaultWords> fault_words() { return kinds; }
+std::span<const FaultText> fault_texts() { return kinds; }
 
 std::span<const FaultField> fault_fields() { return fields; }
 

@@ -11,15 +11,15 @@
 namespace fantail::input {
 
 /// What a kind of fault is called in scenario files, and what is broken then.
-struct FaultWords {
+struct FaultText {
   std::string_view name;
   std::string_view meaning;
 };
 
 /// In the order of FaultKind.
-[[nodiscard]] std::span<const FaultWords> fault_words();
+[[nodiscard]] std::span<const FaultText> fault_texts();
 [[nodiscard]] inline std::string_view name(sim::FaultKind kind) {
-  return fault_words()[static_cast<std::size_t>(kind)].name;
+  return fault_texts()[static_cast<std::size_t>(kind)].name;
 }
 
 /// A key of [[faults]], and the kinds that have it.
