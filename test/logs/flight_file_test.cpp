@@ -98,6 +98,13 @@ TEST_F(FlightFile, AFlightThatCannotBeReplayedSaysWhy) {
   expect_refused(ErrorKind::bad_data, {"tail.ftl: the flight cannot be replayed"}, [&] { (void)read_flight(path); });
 }
 
+TEST_F(FlightFile, AFolderWhoseSummaryNamesNoScenarioIsCalledByItsOwnName) {
+  folder_.write("flown/flight.csv", "time_s,roll_angle_deg,roll_rate_deg_s\n0,1,2\n1,3,2\n");
+  EXPECT_EQ(read_flight(folder_.path() / "flown/").scenario, "flown");
+  folder_.write("flown/summary.json", R"({"vehicle":"v"})");
+  EXPECT_EQ(read_flight(folder_.path() / "flown").scenario, "flown");
+}
+
 TEST_F(FlightFile, OfAFolderRowsComeFromTheTableReasonsFromTheSummaryAndThePlanFromTheLog) {
   folder_.write("flown/flight.ftl", text(made_.bytes));
   folder_.write("flown/flight.csv",

@@ -85,6 +85,9 @@ flight::Flight read_flight(const std::filesystem::path& path) {
     return flight;
   }
   report::add_summary(flight, path / "summary.json");
+  if (flight.scenario.empty()) {  // no summary, or one that names none
+    flight.scenario = std::filesystem::absolute(file).lexically_normal().parent_path().filename().string();
+  }
   if (is_there(path / "flight.ftl")) {
     add_plan(flight, path / "flight.ftl");
   }

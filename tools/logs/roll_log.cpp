@@ -101,8 +101,7 @@ RollLog roll_log(const flight::Flight& flight, std::string name, const flight::R
   RollLog log;
   log.name = std::move(name);
   if (flight.rows.size() < 2) {
-    throw Error{ErrorKind::bad_data,
-                fmt::format("{}: {} rows with numbers; at least two are needed", log.name, flight.rows.size())};
+    throw Error{ErrorKind::bad_data, log.name + ": fewer than two rows with numbers"};
   }
   for (const Signal& signal : signals) {
     log.*signal.list = values(flight.rows, signal.column, reading.truth);
