@@ -175,7 +175,7 @@ TEST_F(RollLogFile, AnAngleThatIsWrappedIntoOneTurnIsContinued) {
 
 TEST_F(RollLogFile, TooFewRowsAreRefused) {
   expect_bad(head, {"log.csv: no rows after the header"});
-  expect_bad(head + rows(1), {"log.csv: 1 rows"});
+  expect_bad(head + rows(1), {"log.csv: fewer than two rows"});
 }
 
 TEST_F(RollLogFile, AFlightFolderKnowsWhenTheMotorBurntOut) {

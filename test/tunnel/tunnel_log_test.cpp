@@ -45,7 +45,7 @@ TEST(TunnelLog, WhatCannotBeALogIsRefusedWithItsLine) {
   refused("0,570,10\n2,570,10\n2,570,10\n", {"bad.csv:4", "time_s = 2 after 2", "increase"});
   refused("0,570,10\n2,-1,10\n", {"bad.csv:3", "fan_rpm = -1"});
   refused("0,570,10\n2,570,\n4,570,10\n", {"1 of 3 rows", "more than 1 %"});
-  refused("0,570,10\n", {"1 rows", "at least two"});
+  refused("0,570,10\n", {"fewer than two rows"});
   expect_refused(ErrorKind::no_such_input, {"none.csv"}, [&] { (void)read_tunnel_log(folder / "none.csv", {}); });
   std::filesystem::create_directory(folder / "empty");
   expect_refused(ErrorKind::no_such_input, {"empty", "no tunnel.csv"},
