@@ -34,7 +34,7 @@ TEST(Decision, IsGoWhenEveryCriterionIsMetAndSaysWithWhat) {
   EXPECT_EQ(
       d.text,
       "Go: the fin offset of about 4.1 degrees is within the 9 degree canard limit in all runs; roll is held in all "
-      "runs; the loop keeps a phase margin of at least 45 degrees.");
+      "runs; the median phase margin is at least 45 degrees at every speed.");
   for (const Criterion& c : d.criteria) {
     EXPECT_EQ(c.judgement, Judgement::met) << c.key;
   }
@@ -58,7 +58,7 @@ TEST(Decision, IsNoGoWhenTheLoopIsTooNearToSwinging) {
   p.worst_speed->phase_margin_rad.p50 = radians(22.6);
   const Decision d = decide(p, {});
   EXPECT_FALSE(d.go);
-  EXPECT_EQ(d.text, "No go: at 82 m/s the loop has a phase margin of 23 degrees, less than the 30 asked for.");
+  EXPECT_EQ(d.text, "No go: at 82 m/s the median phase margin is 23 degrees, less than the 30 asked for.");
   EXPECT_TRUE(decide(p, {.phase_margin_rad = radians(20.0)}).go);
 }
 

@@ -17,9 +17,9 @@ void fill(const Verb& bench) {
   bench.needs_verb();
   bench.examples(
       "Examples:\n"
-      "  fantail bench watch --can can0                         what the rocket says, live\n"
-      "  fantail bench limits --can can0 --vehicle my_rocket    every canard to its limits; a sheet to sign\n"
-      "  fantail bench arm --can can0                           self-test, switch, command");
+      "  fantail bench watch --can can0                            what the rocket reports, live\n"
+      "  fantail bench limits --can can0 --vehicle my_rocket.toml  every canard to its limits; a sheet to sign\n"
+      "  fantail bench arm --can can0                              self-test, switch, command");
   add_bench_watch(bench);
   add_bench_limits(bench);
   add_bench_step(bench);

@@ -66,7 +66,7 @@ void print_summary(const flight::Flight& flight, const report::Results& results)
   if (const std::string imposed = flight::imposed_roll_sentence(flight); !imposed.empty()) {
     assumed.insert(assumed.begin(), imposed);
   }
-  fmt::print("{}", assumed.empty() ? "" : "\nWhat was assumed:\n");
+  fmt::print("{}", assumed.empty() ? "" : "\nAssumptions and notes:\n");
   for (const std::string& sentence : assumed) {
     fmt::print("  {}\n", sentence);
   }

@@ -172,7 +172,7 @@ Rocket rocket(const IdentifyOptions& o) {
   airframe.inertia_kg_m2 = o.inertia_kg_m2.value_or(airframe.inertia_kg_m2);
   airframe.reference_area_m2 = o.area_m2.value_or(airframe.reference_area_m2);
   result.text += fmt::format("I {} kg m2, A {} m2", input::about(airframe.inertia_kg_m2),
-                              input::about(airframe.reference_area_m2));
+                             input::about(airframe.reference_area_m2));
   return result;
 }
 

@@ -19,7 +19,11 @@ void write_tunnel_output(const TunnelOutput& output, const std::string& default_
   if (output.json) {
     fmt::print("{}", json);
   } else {
-    fmt::print("{}\n  report  {}\n", text, (folder / "report.html").string());
+    fmt::print("{}\n", text);
+    for (const text::NamedFile& file : files) {
+      const bool is_page = file.name.ends_with(".html");
+      fmt::print("  {}  {}\n", is_page ? "report" : "data  ", (folder / file.name).string());
+    }
   }
 }
 

@@ -91,8 +91,8 @@ Criterion phase_margin(const Prediction& p, double threshold_rad) {
   c.found = fmt::format("{} degrees at {} m/s", fixed(degrees(found_rad), 0), fixed(worst.speed_m_s, 0));
   c.clause =
       c.judgement == Judgement::met
-          ? fmt::format("the loop keeps a phase margin of at least {} degrees", fixed(degrees(found_rad), 0))
-          : fmt::format("at {} m/s the loop has a phase margin of {} degrees, less than the {} asked for",
+          ? fmt::format("the median phase margin is at least {} degrees at every speed", fixed(degrees(found_rad), 0))
+          : fmt::format("at {} m/s the median phase margin is {} degrees, less than the {} asked for",
                         fixed(worst.speed_m_s, 0), fixed(degrees(found_rad), 0), brief(degrees(threshold_rad), 1));
   return c;
 }

@@ -10,7 +10,7 @@
 
 namespace fantail::predict {
 
-/// What a launch must promise.
+/// What is required of a launch.
 struct Thresholds {
   double authority_share = 0.95;                  ///< of the runs whose canards can balance the offset
   double held_share = 0.90;                       ///< of the runs that hold their roll

@@ -112,11 +112,10 @@ std::string stability(const Prediction& p, const Decision& decision) {
                     {with_ends(at.crossover_rad_s, 1.0, 1)},
                     {at.gain_margin ? with_ends(*at.gain_margin, 1.0, 1) : "any"}});
   }
-  return page::figure(
-             phase_margin_chart(p, decision.thresholds),
-             fmt::format("How far the loop is from swinging by itself, from the speed at which control starts to "
-                         "top speed, with a servo lag of {} ms and {} ms of dead time.",
-                         text::brief(1e3 * p.servo_lag_s, 1), text::brief(1e3 * p.delay_s, 1))) +
+  return page::figure(phase_margin_chart(p, decision.thresholds),
+                      fmt::format("How far the loop is from oscillating, from the speed at which control starts to "
+                                  "top speed, with a servo lag of {} ms and {} ms of dead time.",
+                                  text::brief(1e3 * p.servo_lag_s, 1), text::brief(1e3 * p.delay_s, 1))) +
          page::table(columns, rows);
 }
 
@@ -138,8 +137,8 @@ std::string prediction_html(const Prediction& p, const Decision& decision, std::
                      .tone = decision.go ? page::Tone::good : page::Tone::bad,
                      .verdict_heading = heading,
                      .verdict = without_heading(decision),
-                     .body_html = page::section("In the middle of the runs", figures(p)) +
-                                  page::section("What a launch must promise", criteria(decision)) +
+                     .body_html = page::section("Median of the runs", figures(p)) +
+                                  page::section("Requirements", criteria(decision)) +
                                   page::section("Predicted roll", roll(p)) +
                                   page::section("Fin offset and airframe", airframes(p)) +
                                   page::section("Stability over speed", stability(p, decision)) +

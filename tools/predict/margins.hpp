@@ -21,7 +21,7 @@ struct RollLoop {
   double delay_s = 0.0;
 };
 
-/// How far a loop is from swinging by itself.
+/// How far a loop is from oscillating.
 struct Margins {
   double phase_margin_rad;            ///< below zero: it swings
   double crossover_rad_s;             ///< where the loop's gain is one

@@ -120,7 +120,7 @@ std::string about_section(const flight::Flight& flight) {
   if (!flight.seed && flight.notes.empty()) {
     return {};
   }
-  return page::section(flight.seed ? "What was assumed" : "About the log",
+  return page::section(flight.seed ? "Assumptions and notes" : "About the log",
                        all.empty()
                            ? page::paragraph("The scenario has no imposed roll, no faults and no further assumptions.")
                            : page::list(all));
