@@ -96,7 +96,7 @@ struct Reader {
   template <typename Part>
   bool has(std::int8_t wire, std::optional<Part>& part) {
     if (wire != unknown) {
-      (*this)(wire, part.emplace().state);
+      (*this)(wire, part.emplace(Part{}).state);
     }
     return part.has_value();
   }
@@ -190,12 +190,12 @@ void visit(Writer& write, fantail_lcm::event_t& message, const Event& event) {
 void visit(Reader& read, const fantail_lcm::event_t& message, Event& event) {
   const bool is_canard = message.canard >= 1 && message.canard <= static_cast<int>(core::canard_count);
   if (message.kind == fantail_lcm::event_t::KIND_PHASE) {
-    auto& change = event.phase.emplace();
+    auto& change = event.phase.emplace(Event::PhaseChange{});
     read(message.phase_before, change.before);
     read(message.phase, change.phase);
     read(message.reason, change.reason);
   } else if (message.kind == fantail_lcm::event_t::KIND_CANARD && is_canard) {
-    auto& change = event.verdict.emplace();
+    auto& change = event.verdict.emplace(Event::VerdictChange{});
     change.canard = static_cast<std::size_t>(message.canard - 1);
     read(message.verdict_before, change.before);
     read(message.verdict, change.verdict);
