@@ -3,6 +3,7 @@
 
 #include <array>
 #include <atomic>
+#include <chrono>
 #include <stdexcept>
 #include <thread>
 
@@ -48,6 +49,8 @@ TEST(ParallelFor, TroubleInOnePieceEndsAllAndComesOut) {
                      if (i == 3) {
                        throw std::runtime_error{"a wing fell off"};
                      }
+                     // Long enough that the others cannot be through before they are told, however late that is.
+                     std::this_thread::sleep_for(std::chrono::milliseconds{1});
                    },
                    look_away),
                std::runtime_error);
