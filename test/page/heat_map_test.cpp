@@ -76,7 +76,7 @@ TEST(HeatMap, AZeroAmongErrorsDoesNotWashOutTheRest) {
   const std::string text = svg(HeatMap{.x = {1, 2, 3}, .y = {1}, .value = {0.0, 1.0, 10.0}});
   const auto cells = fills(text, "cells");
   ASSERT_EQ(cells.size(), 2U);  // zero and the smallest of the others are both at the low end
-  EXPECT_NE(text.find("and below"), std::string::npos);
+  EXPECT_NE(text.find("text-anchor=\"end\">and below"), std::string::npos);  // ends inside the drawing
   const auto tiny = fills(svg(HeatMap{.x = {1, 2, 3}, .y = {1}, .value = {1e-12, 1.0, 10.0}}), "cells");
   ASSERT_EQ(tiny.size(), 3U);
   // Three decades are shown: 1 lies at two thirds of them below 10.

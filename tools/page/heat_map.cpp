@@ -111,7 +111,7 @@ void draw_cells(SvgPlot& plot, const HeatMap& map, const ColourScale& shade) {
   plot.add("</g>");
 }
 
-void draw_key(SvgPlot& plot, const std::vector<Tick>& ticks, const ColourScale& shade, double left) {
+void draw_key(SvgPlot& plot, const std::vector<Tick>& ticks, const ColourScale& shade, double left, double right) {
   constexpr std::size_t steps = 96;
   constexpr double width = 14.0;
   const Box frame = plot.frame();
@@ -130,7 +130,7 @@ void draw_key(SvgPlot& plot, const std::vector<Tick>& ticks, const ColourScale& 
              left + width + 8.0, y + 4.2, tick.text);
   }
   if (shade.cut) {
-    plot.add("<text x=\"{:.1f}\" y=\"{:.1f}\">and below</text>", left, frame.bottom + tick_row);
+    plot.add("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"end\">and below</text>", right, frame.bottom + tick_row);
   }
 }
 
@@ -240,7 +240,7 @@ std::string svg(const HeatMap& map) {
     plot.add("<text class=\"axis\" x=\"{:.1f}\" y=\"13\" text-anchor=\"end\">{}</text>", map.width,
              printed(shortened(map.value_label, map.width)));
     draw_cells(plot, map, *shade);
-    draw_key(plot, key_ticks, *shade, frame.right + 16.0);
+    draw_key(plot, key_ticks, *shade, frame.right + 16.0, map.width);
   }
   plot.outline("edge");
   plot.x_axis(map.x.empty() ? std::vector<Tick>{} : even_ticks(x, frame.width() / 75.0), map.x_label);
