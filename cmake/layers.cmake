@@ -34,13 +34,14 @@ set(FANTAIL_LAYERS
   "tools/tunnel|text json page flight logs identify identify/model|fmt/"
   "tools/replies|core protocol hal|"
   "tools/link|core protocol hal avionics text replies|fmt/"
+  "tools/stability|sim|"
   "tools/fly|core sim input flight replies|fmt/"
   "tools/hil|core protocol world_link sim text|fmt/ fcntl\\.h poll\\.h sched\\.h sys/ termios\\.h unistd\\.h"
   "tools/telemetry|core hal avionics json replies|fmt/ lcm/ fantail_lcm/ arpa/inet\\.h netinet/in\\.h poll\\.h sys/socket\\.h unistd\\.h"
   "tools/gateway|hal link telemetry|"
   "tools/log_export|core protocol text json input flight flight_log telemetry|fmt/"
   "tools/bench|core protocol hal avionics sim text json page replies link|fmt/"
-  "tools/predict|sim text json page input flight report fly|fmt/"
+  "tools/predict|sim text json page input flight report stability fly|fmt/"
   "tools/paper|core sim text json page input flight report identify identify/model identify/closed_loop tunnel fly|fmt/"
   "tools/fantail|core protocol avionics hal/linux sim text json page input flight report flight_log logs identify identify/model identify/result tunnel replies link fly hil telemetry gateway log_export bench predict paper|fmt/ fcntl\\.h poll\\.h sys/ unistd\\.h")
 

@@ -1,69 +1,22 @@
 // SPDX-License-Identifier: MIT
 #include "predict/margins.hpp"
 
-#include <cmath>
-#include <numbers>
+#include "stability/roll_loop.hpp"
 
 namespace fantail::predict {
 namespace {
 
-// Far beyond what a rocket or a servo does at either end.
-constexpr double lowest_rad_s = 1e-6;
-constexpr double highest_rad_s = 1e7;
-constexpr double half_turn_rad = std::numbers::pi;
-
-double logarithm_of_gain(const RollLoop& loop, double w) {
-  return std::log(loop.authority_per_s2) + std::log(std::hypot(loop.proportional_gain, loop.derivative_gain_s * w)) -
-         std::log(w) - std::log(std::hypot(w, loop.damping_rate_per_s)) -
-         0.5 * std::log1p(std::pow(loop.servo_lag_s * w, 2));
-}
-
-/// Followed from frequency zero on, not wrapped.
-double phase_rad(const RollLoop& loop, double w) {
-  return std::atan2(loop.derivative_gain_s * w, loop.proportional_gain) - 0.5 * half_turn_rad -
-         std::atan2(w, loop.damping_rate_per_s) - std::atan(loop.servo_lag_s * w) - loop.delay_s * w;
-}
-
-/// Where a function of the frequency changes its sign between two frequencies, which it does.
-template <typename Function>
-double root(const Function& function, double low, double high) {
-  const bool rises = function(low) < 0.0;
-  while (high / low > 1.0 + 1e-13) {
-    const double middle = std::sqrt(low * high);
-    ((function(middle) < 0.0) == rises ? low : high) = middle;
-  }
-  return std::sqrt(low * high);
-}
-
-/// Gain falls with frequency, so where the phase passes half a turn more than once, the pass at the gain nearest to one
-/// is where a change of gain first makes it swing.
-std::optional<double> gain_margin(const RollLoop& loop) {
-  constexpr double step = 1.1;
-  const auto above_half_turn = [&loop](double w) { return phase_rad(loop, w) + half_turn_rad; };
-  std::optional<double> nearest;
-  double w = lowest_rad_s;
-  while (w < highest_rad_s) {
-    const double next = step * w;
-    if ((above_half_turn(w) < 0.0) != (above_half_turn(next) < 0.0)) {
-      const double logarithm = -logarithm_of_gain(loop, root(above_half_turn, w, next));
-      if (!nearest || std::abs(logarithm) < std::abs(*nearest)) {
-        nearest = logarithm;
-      }
-    }
-    w = next;
-  }
-  return nearest ? std::optional{std::exp(*nearest)} : std::nullopt;
-}
-
 constexpr int speeds = 33;
-constexpr double tick_s = 1e-3;
 
 std::optional<MarginsAtSpeed> at_speed(const sim::Scenario& scenario, const std::vector<Run>& runs, double speed_m_s) {
   std::vector<double> phase_margins;
   std::vector<double> crossovers;
   std::vector<double> gain_margins;
+  sim::Scenario flown = scenario;
   for (const Run& run : runs) {
-    const std::optional<Margins> found = margins(loop_at_speed(scenario, run.airframe, speed_m_s));
+    flown.vehicle.roll_plant.damping_m2 = run.airframe.damping_m2;
+    flown.vehicle.roll_plant.torque_m = run.airframe.torque_m;
+    const auto found = stability::margins(stability::loop_at_speed(flown, speed_m_s));
     if (!found) {
       return std::nullopt;
     }
@@ -83,35 +36,6 @@ std::optional<MarginsAtSpeed> at_speed(const sim::Scenario& scenario, const std:
 }
 
 }  // namespace
-
-std::optional<Margins> margins(const RollLoop& loop) {
-  const bool has_gain = loop.authority_per_s2 > 0.0 && (loop.proportional_gain > 0.0 || loop.derivative_gain_s > 0.0);
-  if (!has_gain || logarithm_of_gain(loop, lowest_rad_s) < 0.0) {
-    return std::nullopt;
-  }
-  const double crossover = root([&loop](double w) { return logarithm_of_gain(loop, w); }, lowest_rad_s, highest_rad_s);
-  return Margins{.phase_margin_rad = half_turn_rad + phase_rad(loop, crossover),
-                 .crossover_rad_s = crossover,
-                 .gain_margin = gain_margin(loop)};
-}
-
-double loop_delay_s(const sim::Vehicle& vehicle) {
-  // A pulse is as old as half a tick when its frame begins, in the mean, and then stands for a frame: half of it late.
-  return vehicle.imu.delay_s + 0.5 * tick_s + 0.5 * vehicle.servo.frame_period_s + vehicle.servo.delay_s;
-}
-
-RollLoop loop_at_speed(const sim::Scenario& scenario, const TunnelStep& airframe, double speed_m_s) {
-  sim::RollPlant plant = scenario.vehicle.roll_plant;
-  plant.damping_m2 = airframe.damping_m2;
-  plant.torque_m = airframe.torque_m;
-  const double density_kg_m3 = scenario.atmosphere.density_kg_m3(0.0);
-  return {.proportional_gain = static_cast<double>(scenario.plan.controller.proportional_gain),
-          .derivative_gain_s = static_cast<double>(scenario.plan.controller.derivative_gain_s),
-          .damping_rate_per_s = plant.damping_rate_per_s(density_kg_m3, speed_m_s),
-          .authority_per_s2 = plant.authority_per_s2(density_kg_m3, speed_m_s),
-          .servo_lag_s = scenario.vehicle.servo.lag_s,
-          .delay_s = loop_delay_s(scenario.vehicle)};
-}
 
 std::vector<MarginsAtSpeed> margins_over_speed(const sim::Scenario& scenario, const std::vector<Run>& runs,
                                                double from_m_s, double to_m_s) {

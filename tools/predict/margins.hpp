@@ -10,27 +10,6 @@
 
 namespace fantail::predict {
 
-/// The roll loop at one air speed, opened at the servo command:
-///   L(s) = (kp + kd s) b / (s (s + a)) e^(-delay s) / (1 + lag s).
-struct RollLoop {
-  double proportional_gain = 0.0;   ///< kp, not negative
-  double derivative_gain_s = 0.0;   ///< kd, not negative
-  double damping_rate_per_s = 0.0;  ///< a: how fast the air ends a roll rate
-  double authority_per_s2 = 0.0;    ///< b: roll acceleration per radian of canard
-  double servo_lag_s = 0.0;
-  double delay_s = 0.0;
-};
-
-/// How far a loop is from oscillating.
-struct Margins {
-  double phase_margin_rad;            ///< below zero: it swings
-  double crossover_rad_s;             ///< where the loop's gain is one
-  std::optional<double> gain_margin;  ///< the factor on the gains at which it begins to swing; empty: no factor does
-};
-
-/// Empty when the gain never reaches one, as with gains of zero: nothing can swing then.
-[[nodiscard]] std::optional<Margins> margins(const RollLoop& loop);
-
 /// The loop's margins at one air speed, over the airframes of the runs.
 struct MarginsAtSpeed {
   double speed_m_s = 0.0;
@@ -38,13 +17,6 @@ struct MarginsAtSpeed {
   Spread crossover_rad_s{};
   std::optional<Spread> gain_margin{};  ///< empty when some airframe has none: no gain makes it swing
 };
-
-/// All dead time between a roll rate and the canard that answers it: the gyro's, the wait for the next pulse frame and
-/// its hold, and the servo's own.
-[[nodiscard]] double loop_delay_s(const sim::Vehicle& vehicle);
-
-/// The loop of a scenario with this airframe, in the air at the launch site.
-[[nodiscard]] RollLoop loop_at_speed(const sim::Scenario& scenario, const TunnelStep& airframe, double speed_m_s);
 
 /// Over the airframes of the runs, from one speed to another. Empty where a gain never reaches one.
 [[nodiscard]] std::vector<MarginsAtSpeed> margins_over_speed(const sim::Scenario& scenario,

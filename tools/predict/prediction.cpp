@@ -10,6 +10,7 @@
 #include "input/fault_file.hpp"
 #include "predict/margins.hpp"
 #include "predict/parallel_for.hpp"
+#include "stability/roll_loop.hpp"
 #include "text/degrees.hpp"
 #include "text/error.hpp"
 
@@ -25,7 +26,7 @@ sim::Scenario with_servo(const sim::Scenario& scenario, const Options& options) 
   servo.lag_s = options.servo_lag_s.value_or(servo.lag_s);
   if (options.servo_delay_s) {
     // A delay from command to canard holds the wait for the pulse frame, which the simulated servo adds by itself.
-    const double waiting_s = loop_delay_s(changed.vehicle) - changed.vehicle.imu.delay_s - servo.delay_s;
+    const double waiting_s = stability::loop_delay_s(changed.vehicle) - changed.vehicle.imu.delay_s - servo.delay_s;
     servo.delay_s = std::max(0.0, *options.servo_delay_s - waiting_s);
   }
   return changed;
@@ -143,7 +144,7 @@ Prediction predict(const sim::Scenario& scenario, const TunnelResult& tunnel, co
                .notes = notes(scenario, tunnel),
                .limit_rad = flight::canard_limit_rad(scenario.plan),
                .servo_lag_s = flown.vehicle.servo.lag_s,
-               .delay_s = loop_delay_s(flown.vehicle),
+               .delay_s = stability::loop_delay_s(flown.vehicle),
                .runs = std::vector<Run>(options.runs)};
   const AirframeSpread airframes{tunnel.steps, options.damping};
   parallel_for(

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "predict/margins.hpp"
+#include "stability/roll_loop.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -9,7 +9,7 @@
 #include "sim/roll_plant.hpp"
 #include "text/degrees.hpp"
 
-namespace fantail::predict {
+namespace fantail::stability {
 namespace {
 
 using text::degrees;
@@ -73,4 +73,4 @@ TEST(Margins, ALoopWhoseGainNeverReachesOneHasNone) {
 }
 
 }  // namespace
-}  // namespace fantail::predict
+}  // namespace fantail::stability

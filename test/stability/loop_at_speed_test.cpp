@@ -7,10 +7,10 @@
 
 #include "fly/fly_scenario.hpp"
 #include "input/scenario_file.hpp"
-#include "predict/margins.hpp"
+#include "stability/roll_loop.hpp"
 #include "text/degrees.hpp"
 
-namespace fantail::predict {
+namespace fantail::stability {
 namespace {
 
 constexpr double speed_m_s = 81.0;
@@ -31,10 +31,6 @@ sim::Scenario steady_stream(double gain_factor) {
   return scenario;
 }
 
-TunnelStep airframe(const sim::Vehicle& vehicle) {
-  return {.damping_m2 = vehicle.roll_plant.damping_m2, .torque_m = vehicle.roll_plant.torque_m};
-}
-
 /// Largest roll rate from 8 s after control start on: noise, or a loop that swings.
 double late_roll_rate_deg_s(const sim::Scenario& scenario) {
   double largest = 0.0;
@@ -49,7 +45,7 @@ double late_roll_rate_deg_s(const sim::Scenario& scenario) {
 // The dead time of the loop is an assumption about pulses, frames and ticks; the flown rocket knows nothing of it.
 TEST(LoopAtSpeed, TheFlownRocketBeginsToSwingAtTheGainMargin) {
   const sim::Scenario usual = steady_stream(1.0);
-  const auto found = margins(loop_at_speed(usual, airframe(usual.vehicle), speed_m_s));
+  const auto found = margins(loop_at_speed(usual, speed_m_s));
   ASSERT_TRUE(found && found->gain_margin);
   EXPECT_LT(late_roll_rate_deg_s(steady_stream(0.93 * *found->gain_margin)), 5.0);
   EXPECT_GT(late_roll_rate_deg_s(steady_stream(1.07 * *found->gain_margin)), 30.0);
@@ -58,7 +54,9 @@ TEST(LoopAtSpeed, TheFlownRocketBeginsToSwingAtTheGainMargin) {
 TEST(LoopAtSpeed, HasTheServosOfTheVehicleAndTheGainsOfThePlan) {
   sim::Scenario scenario = input::load_scenario("tasha3_launch1", {});
   scenario.vehicle.imu.delay_s = 0.002;
-  const RollLoop loop = loop_at_speed(scenario, {.damping_m2 = 7.5, .torque_m = 10.0}, 97.0);
+  scenario.vehicle.roll_plant.damping_m2 = 7.5;
+  scenario.vehicle.roll_plant.torque_m = 10.0;
+  const RollLoop loop = loop_at_speed(scenario, 97.0);
   EXPECT_EQ(loop.proportional_gain, 1.0);
   EXPECT_NEAR(loop.derivative_gain_s, 0.1, 1e-6);
   EXPECT_EQ(loop.servo_lag_s, 0.020);
@@ -69,4 +67,4 @@ TEST(LoopAtSpeed, HasTheServosOfTheVehicleAndTheGainsOfThePlan) {
 }
 
 }  // namespace
-}  // namespace fantail::predict
+}  // namespace fantail::stability
