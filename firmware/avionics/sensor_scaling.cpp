@@ -30,8 +30,11 @@ bool at_an_end(std::int16_t count) { return count == CountLimits::max() || count
 core::GyroSample gyro_sample(const hal::ImuSample& raw, const hal::ImuScale& scale) {
   core::GyroSample sample{
       .time = raw.time, .rate_rad_s = scaled(raw.rate, scale.rate_rad_s), .quality = quality(raw.status)};
-  if (sample.quality == core::SampleQuality::valid && std::ranges::any_of(raw.rate, at_an_end)) {
+  // Across the rocket nothing turns that fast, and an IMU that has not measured yet holds the lower end on every axis.
+  if (sample.quality == core::SampleQuality::valid && (at_an_end(raw.rate[1]) || at_an_end(raw.rate[2]))) {
     sample.quality = core::SampleQuality::invalid;
+  } else if (sample.quality == core::SampleQuality::valid && at_an_end(raw.rate[0])) {
+    sample.quality = core::SampleQuality::saturated;
   }
   return sample;
 }
@@ -42,6 +45,10 @@ core::AccelerometerSample accelerometer_sample(hal::Microseconds time, const hal
       .time = time, .specific_force_m_s2 = scaled(counts, scale_m_s2), .quality = quality(status)};
   if (sample.quality == core::SampleQuality::valid && counts[0] == CountLimits::max()) {
     sample.quality = core::SampleQuality::saturated;
+  }
+  // No bound that anybody could use: a shock, or a device that has not measured yet.
+  if (sample.quality == core::SampleQuality::valid && counts[0] == CountLimits::min()) {
+    sample.quality = core::SampleQuality::invalid;
   }
   return sample;
 }

@@ -75,7 +75,8 @@ std::optional<FlightPhase::Transition> FlightPhase::from_launched(const PhaseInp
     return Transition{Phase::armed, PhaseReason::gyro_failed_before_control};
   }
   // Canards that move inside the guide can jam the rocket in it. Both figures must say that it has left: a knock
-  // gives speed without distance, a drifting accelerometer distance without speed.
+  // gives speed without distance, a drifting accelerometer distance without speed. Lower bounds serve as well: what is
+  // at least beyond the guide is beyond it, and at the end of any range a motor clears it within clearance_time.
   const bool beyond_guide = motion.distance_along_guide_m >= guide_.length_m + guide_.clearance_m;
   if (beyond_guide && motion.speed_m_s > guide_.minimum_speed_m_s) {
     return Transition{Phase::controlling, PhaseReason::guide_clear};
@@ -93,7 +94,7 @@ std::optional<FlightPhase::Transition> FlightPhase::from_controlling(const Phase
   if (inputs.timing_fault) {
     return Transition{Phase::finished, PhaseReason::timing_fault};
   }
-  // The last rate may be used for a few milliseconds only; then roll is unknown.
+  // Without a rate the canards are at trim; for how long that can be bridged is in the plan.
   if (motion.gyro == SensorState::failed) {
     return Transition{Phase::finished, PhaseReason::gyro_failed};
   }
@@ -107,7 +108,8 @@ std::optional<FlightPhase::Transition> FlightPhase::from_controlling(const Phase
       return Transition{Phase::finished, PhaseReason::tilted_too_far};
     }
     // Near apogee there is no flow over the canards, and after it the recovery system works.
-    if (motion.vertical_speed_m_s < 0.0F) {
+    // A speed that is a lower bound comes to zero too early: then time and tilt end control.
+    if (motion.vertical_speed_m_s < 0.0F && !motion.speed_is_lower_bound) {
       return Transition{Phase::finished, PhaseReason::apogee};
     }
   }

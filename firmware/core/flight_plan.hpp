@@ -51,10 +51,11 @@ enum class HeightOrigin : std::uint8_t { replay, velocity_only, from_detection }
 
 struct MotionPlan {
   HeightOrigin height_origin;
-  Microseconds stale_time;    ///< a sample older than this is no sample
-  float rest_tolerance_m_s2;  ///< at rest: specific force within 1 g of this ...
-  float quiet_rate_rad_s;     ///< ... and no component of the angular rate beyond this
-  Microseconds rest_time;     ///< at rest for this long before a launch can be detected again
+  Microseconds stale_time;        ///< a sample older than this is no sample
+  Microseconds longest_gyro_gap;  ///< in flight, control waits this long for a gyro that is silent
+  float rest_tolerance_m_s2;      ///< at rest: specific force within 1 g of this ...
+  float quiet_rate_rad_s;         ///< ... and no component of the angular rate beyond this
+  Microseconds rest_time;         ///< at rest for this long before a launch can be detected again
 };
 
 enum class RateReference : std::uint8_t { zero, paper_literal };

@@ -51,7 +51,7 @@ struct PlanField {
 [[nodiscard]] std::string_view meaning(const PlanField& field);
 
 /// The slots of all fields, and a length for each list.
-inline constexpr std::size_t flight_plan_words = 90;
+inline constexpr std::size_t flight_plan_words = 91;
 
 [[nodiscard]] FlightPlan default_plan();
 

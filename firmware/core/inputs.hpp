@@ -23,7 +23,8 @@ inline constexpr float largest_rate_rad_s = 100.0F;
 /// What the hardware layer knows about a sample before anybody looks at its value.
 enum class SampleQuality : std::uint8_t {
   valid,
-  saturated,  ///< the axial channel stands at its positive end; the true value is at least this
+  saturated,  ///< the axial channel stands at the end of its range, the true value is beyond it: an accelerometer's at
+              ///< its positive end, a gyro's at either
   invalid,    ///< the device answered, but with an error
   absent,     ///< nothing has been read yet, or the device does not answer
 };

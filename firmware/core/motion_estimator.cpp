@@ -56,28 +56,9 @@ Quaternionf upright(const Vector3f& up) {
   return q.normalized();
 }
 
-// A repeated time is a sample seen before, not a bad one.
-SensorState classify(Microseconds now, Microseconds time, SampleQuality quality, bool usable_value,
-                     const std::optional<Microseconds>& last, Microseconds stale_time) {
-  const bool usable = quality == SampleQuality::valid && usable_value && time <= now && time >= now - stale_time;
-  if (usable && (!last || time > *last)) {
-    return SensorState::fresh;
-  }
-  if (!last || now - *last > stale_time) {
-    return SensorState::failed;
-  }
-  return usable && time == *last ? SensorState::coasting : SensorState::lost;
-}
-
-// A saturated accelerometer reads less than there is: integrating its full scale gives a height that is too low, so
-// control starts late, which is safe.
-SampleQuality integrable(SampleQuality quality) {
-  return quality == SampleQuality::saturated ? SampleQuality::valid : quality;
-}
-
 }  // namespace
 
-MotionEstimator::MotionEstimator(const MotionPlan& plan) : plan_{plan}, pad_window_{plan} {
+MotionEstimator::MotionEstimator(const MotionPlan& plan) : plan_{plan}, gyro_gate_{plan}, pad_window_{plan} {
   trajectory_ = pad_ = at_rest();
 }
 
@@ -90,18 +71,23 @@ void MotionEstimator::update(const Inputs& inputs) {
 }
 
 void MotionEstimator::follow_gyro(Microseconds now, const GyroSample& sample) {
-  gyro_ = classify(now, sample.time, sample.quality, is_within(sample.rate_rad_s, largest_rate_rad_s), gyro_time_,
-                   plan_.stale_time);
+  const bool flies = place_ != Place::pad;
+  const std::optional<Microseconds> last_time = gyro_gate_.last_time();
+  gyro_ = gyro_gate_.update(now, sample, flies, rate_rad_s_.x);
   if (gyro_ != SensorState::fresh) {
     return;
   }
   const Vector3 rate = without_bias(sample.rate_rad_s);
-  if (gyro_time_) {
-    const float dt_s = seconds(up_to(plan_.stale_time, sample.time - *gyro_time_));
-    turn(dt_s, rate_rad_s_, rate);
+  const Microseconds gap = last_time ? sample.time - *last_time : Microseconds{0};
+  const bool was_silent = gap > plan_.stale_time;
+  if (was_silent && flies) {
+    turn_evenly(gap, rate);
+  } else if (last_time) {
+    turn(seconds(up_to(plan_.stale_time, gap)), rate_rad_s_, rate);
   }
   rate_rad_s_ = rate;
-  gyro_time_ = sample.time;
+  rate_is_lower_bound_ = sample.quality == SampleQuality::saturated;
+  roll_is_bridged_ = roll_is_bridged_ || was_silent || rate_is_lower_bound_;
 }
 
 void MotionEstimator::turn(float dt_s, const Vector3& first_rate_rad_s, const Vector3& last_rate_rad_s) {
@@ -115,17 +101,24 @@ void MotionEstimator::turn(float dt_s, const Vector3& first_rate_rad_s, const Ve
 void MotionEstimator::bridge(Microseconds now, const GyroSample& gyro) {
   // Nobody saw whether the rocket still stood.
   supported_since_.reset();
-  if (!gyro_time_) {
+  if (!gyro_gate_.last_time()) {
     return;
   }
-  const bool usable = classify(now, gyro.time, gyro.quality, is_within(gyro.rate_rad_s, largest_rate_rad_s), gyro_time_,
-                               plan_.stale_time) == SensorState::fresh;
+  const Microseconds last_time = *gyro_gate_.last_time();
+  const bool usable = gyro.time > last_time && gyro_gate_.is_usable(now, gyro, rate_rad_s_.x);
   const Microseconds end = usable ? gyro.time : now;
   const Vector3 last = usable ? without_bias(gyro.rate_rad_s) : rate_rad_s_;
-  const Microseconds gap = std::clamp(end - *gyro_time_, Microseconds{0}, longest_bridge);
-  // As many steps as there would have been ticks: a rotation in one is exact for small angles only.
+  turn_evenly(end - last_time, last);
+  rate_rad_s_ = last;
+  roll_is_bridged_ = true;
+  gyro_gate_.skip_to(end);
+}
+
+// As many steps as there would have been ticks: a rotation in one is exact for small angles only.
+void MotionEstimator::turn_evenly(Microseconds time, const Vector3& last_rate_rad_s) {
+  const Microseconds gap = std::clamp(time, Microseconds{0}, longest_bridge);
   const auto steps = static_cast<int>(gap / bridge_step + 1);
-  const Vector3 change = minus(last, rate_rad_s_);
+  const Vector3 change = minus(last_rate_rad_s, rate_rad_s_);
   const auto rate_after = [&](int step) {
     const float share = static_cast<float>(step) / static_cast<float>(steps);
     return Vector3{rate_rad_s_.x + share * change.x, rate_rad_s_.y + share * change.y,
@@ -135,23 +128,33 @@ void MotionEstimator::bridge(Microseconds now, const GyroSample& gyro) {
   for (int step = 0; step < steps; ++step) {
     turn(dt_s, rate_after(step), rate_after(step + 1));
   }
-  rate_rad_s_ = last;
-  gyro_time_ = end;
 }
 
+// The second accelerometer stands in, tick by tick, when the first has nothing usable. One that is merely slower, its
+// sample older than the last, is waited for rather than a saturated one taken: it measures again before it is stale.
 void MotionEstimator::follow_accelerometer(const Inputs& inputs) {
-  // The second accelerometer stands in, tick by tick, when the first has nothing usable.
-  for (const AccelerometerSample& sample : inputs.accelerometers) {
-    accelerometer_ = classify(inputs.time, sample.time, integrable(sample.quality),
-                              is_within(sample.specific_force_m_s2, largest_specific_force_m_s2), accelerometer_time_,
-                              plan_.stale_time);
-    if (accelerometer_ == SensorState::fresh) {
-      specific_force_m_s2_ = sample.specific_force_m_s2;
-      integrate(sample.time);
-      break;
+  const std::optional<Microseconds> last = accelerometer_time_;
+  accelerometer_ = !last || inputs.time - *last > plan_.stale_time ? SensorState::failed : SensorState::lost;
+  for (const SampleQuality quality : {SampleQuality::valid, SampleQuality::saturated}) {
+    for (const AccelerometerSample& sample : inputs.accelerometers) {
+      const bool usable = sample.quality == quality && is_current(inputs.time, sample.time, plan_.stale_time) &&
+                          is_within(sample.specific_force_m_s2, largest_specific_force_m_s2);
+      if (usable && (!last || sample.time > *last)) {
+        accelerometer_ = SensorState::fresh;
+        specific_force_m_s2_ = sample.specific_force_m_s2;
+        integrate(sample.time);
+        trajectory_.is_lower_bound = trajectory_.is_lower_bound || quality == SampleQuality::saturated;
+        return;
+      }
+      if (usable) {
+        accelerometer_ = SensorState::coasting;
+      }
+      if (usable && sample.time == *last) {
+        return;
+      }
     }
     if (accelerometer_ == SensorState::coasting) {
-      break;
+      return;
     }
   }
 }
@@ -240,10 +243,12 @@ void MotionEstimator::begin_tunnel_run(Microseconds now) {
 void MotionEstimator::return_to_pad() { place_ = Place::pad; }
 
 float MotionEstimator::bridged_roll_rad(Microseconds now) const {
-  return gyro_time_ ? seconds(up_to(plan_.stale_time, now - *gyro_time_)) * rate_rad_s_.x : 0.0F;
+  const std::optional<Microseconds> last_time = gyro_gate_.last_time();
+  return last_time ? seconds(up_to(plan_.stale_time, now - *last_time)) * rate_rad_s_.x : 0.0F;
 }
 
 void MotionEstimator::zero_roll(Microseconds now) {
+  roll_is_bridged_ = false;
   roll_angle_rad_.reset();
   roll_angle_rad_.add(-bridged_roll_rad(now));
 }
@@ -262,6 +267,9 @@ Motion MotionEstimator::motion(Microseconds now) const {
   result.tilt = atan2(std::sqrt(axis.x() * axis.x() + axis.y() * axis.y()), axis.z());
   result.gyro = gyro_;
   result.accelerometer = accelerometer_;
+  result.rate_is_lower_bound = rate_is_lower_bound_;
+  result.roll_is_bridged = roll_is_bridged_;
+  result.speed_is_lower_bound = trajectory_.is_lower_bound;
   result.at_rest_for = pad_window_.at_rest_for(now);
   result.thrust_since = trajectory_.since;
   return result;

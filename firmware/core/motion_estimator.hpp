@@ -7,20 +7,13 @@
 
 #include "core/compensated_sum.hpp"
 #include "core/flight_plan.hpp"
+#include "core/gyro_gate.hpp"
 #include "core/inputs.hpp"
 #include "core/low_pass.hpp"
 #include "core/pad_window.hpp"
 #include "core/vector3.hpp"
 
 namespace fantail::core {
-
-enum class SensorState : std::uint8_t {
-  fresh,     ///< a new, usable sample
-  coasting,  ///< no new sample yet; the last one is young enough to go on with
-  lost,      ///< this tick's sample cannot be used
-  failed,    ///< no usable sample for longer than the plan's stale time
-};
-inline constexpr std::size_t sensor_states = 4;
 
 struct Motion {
   Angle roll_angle;              ///< zero at launch detection (tunnel: at control start); not wrapped
@@ -33,6 +26,14 @@ struct Motion {
   Angle tilt;                       ///< of the rocket's axis from the vertical
   SensorState gyro = SensorState::failed;
   SensorState accelerometer = SensorState::failed;
+  /// The gyro stood at the end of its range: the rocket turns faster than this, in this sense.
+  bool rate_is_lower_bound = false;
+  /// Since its zero the roll angle has gone through rates that nobody measured: a gap longer than the plan's stale
+  /// time, or a gyro at the end of its range.
+  bool roll_is_bridged = false;
+  /// Since lift-off an accelerometer stood at the end of its range while no other measured: height and speed are at
+  /// least these.
+  bool speed_is_lower_bound = false;
   Microseconds at_rest_for{};
   /// Start of the integrated window: where the specific force left the pad's 1 g.
   Microseconds thrust_since{};
@@ -51,6 +52,12 @@ struct Motion {
 ///   replay         keeps height and speed of the window
 ///   velocity_only  keeps its speed and counts height from detection (what the published flight did)
 ///   from_detection keeps neither
+///
+/// Of two accelerometers the first that measures is integrated. One at the end of its range reads too little: it is
+/// integrated only while no other measures, and from then on height and speed are lower bounds.
+///
+/// Which samples of the gyro are believed is said in gyro_gate.hpp. Over a gap in flight the rate is taken to have gone
+/// evenly from the last sample to the next.
 ///
 /// Between detection and guide clearance a rocket that reads 1 g again stands: nothing flies at 1 g, so height and
 /// speed start over. Without that a knock would leave a speed behind, and the speed would in time become a cleared
@@ -85,8 +92,8 @@ class MotionEstimator {
   /// See core/state_visitor.hpp.
   template <typename Visitor>
   void visit_state(Visitor& visit) {
-    visit(pad_window_, axial_, supported_since_, gyro_time_, rate_rad_s_, roll_angle_rad_, accelerometer_time_,
-          specific_force_m_s2_, pad_, trajectory_);
+    visit(pad_window_, axial_, supported_since_, gyro_gate_, rate_rad_s_, rate_is_lower_bound_, roll_angle_rad_,
+          roll_is_bridged_, accelerometer_time_, specific_force_m_s2_, pad_, trajectory_);
     visit.below(places, place_);
     visit.below(sensor_states, gyro_, accelerometer_);
   }
@@ -111,15 +118,17 @@ class MotionEstimator {
     Vector3 position_m;
     Vector3 acceleration_m_s2;  ///< of the last sample, gravity removed
     Microseconds since{};
+    bool is_lower_bound = false;  ///< velocity and position
 
     template <typename Visitor>
     void visit_state(Visitor& visit) {
-      visit(attitude, guide_axis, velocity_m_s, position_m, acceleration_m_s2, since);
+      visit(attitude, guide_axis, velocity_m_s, position_m, acceleration_m_s2, since, is_lower_bound);
     }
   };
 
   void follow_gyro(Microseconds now, const GyroSample& sample);
   void follow_accelerometer(const Inputs& inputs);
+  void turn_evenly(Microseconds gap, const Vector3& last_rate_rad_s);
   void turn(float dt_s, const Vector3& first_rate_rad_s, const Vector3& last_rate_rad_s);
   void watch_pad(Microseconds now, const GyroSample& gyro);
   void integrate(Microseconds time);
@@ -136,9 +145,11 @@ class MotionEstimator {
   Place place_ = Place::pad;
 
   SensorState gyro_ = SensorState::failed;
-  std::optional<Microseconds> gyro_time_;
+  GyroGate gyro_gate_;
   Vector3 rate_rad_s_;  ///< bias taken off
+  bool rate_is_lower_bound_ = false;
   CompensatedSum roll_angle_rad_;
+  bool roll_is_bridged_ = false;
 
   SensorState accelerometer_ = SensorState::failed;
   std::optional<Microseconds> accelerometer_time_;

@@ -44,6 +44,9 @@ void visit_signals(Record& record, Visitor&& visit) {
   visit(SignalName{"tilt", "rad"}, motion.tilt);
   visit(SignalName{"gyro_state", ""}, motion.gyro);
   visit(SignalName{"accelerometer_state", ""}, motion.accelerometer);
+  visit(SignalName{"rate_is_lower_bound", ""}, motion.rate_is_lower_bound);
+  visit(SignalName{"roll_is_bridged", ""}, motion.roll_is_bridged);
+  visit(SignalName{"speed_is_lower_bound", ""}, motion.speed_is_lower_bound);
   visit(SignalName{"at_rest_for", "us"}, motion.at_rest_for);
   visit(SignalName{"thrust_since", "us"}, motion.thrust_since);
 

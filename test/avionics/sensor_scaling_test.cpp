@@ -51,21 +51,22 @@ TEST(SensorScaling, CountsBecomeSiUnitsWithTheirSignAxisAndTime) {
   EXPECT_EQ(force.quality, SampleQuality::valid);
 }
 
-TEST(SensorScaling, AGyroAtEitherEndOfAnyAxisIsInvalid) {
+TEST(SensorScaling, AGyroAtAnEndOfItsRollAxisIsSaturatedAndOfAnotherInvalid) {
   for (const std::int16_t end : {lowest, highest}) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      hal::Counts counts{};
-      counts[axis] = end;
-      EXPECT_EQ(gyro_sample(imu_with(counts), scale).quality, SampleQuality::invalid);
-    }
+    EXPECT_EQ(gyro_sample(imu_with({end, 0, 0}), scale).quality, SampleQuality::saturated);
+    EXPECT_EQ(gyro_sample(imu_with({0, end, 0}), scale).quality, SampleQuality::invalid);
+    EXPECT_EQ(gyro_sample(imu_with({0, 0, end}), scale).quality, SampleQuality::invalid);
+    EXPECT_EQ(gyro_sample(imu_with({end, 0, end}), scale).quality, SampleQuality::invalid);
   }
+  EXPECT_EQ(gyro_sample(imu_with({lowest, lowest, lowest}), scale).quality, SampleQuality::invalid)
+      << "what an IMU holds before its first sample";
   EXPECT_EQ(gyro_sample(imu_with({32766, -32767, 0}), scale).quality, SampleQuality::valid);
 }
 
 TEST(SensorScaling, AnAccelerometerIsSaturatedAtItsAxialPositiveEndOnly) {
   EXPECT_EQ(axial_quality(highest), SampleQuality::saturated);
   EXPECT_EQ(axial_quality(highest - 1), SampleQuality::valid);
-  EXPECT_EQ(axial_quality(lowest), SampleQuality::valid);
+  EXPECT_EQ(axial_quality(lowest), SampleQuality::invalid) << "a bound of no use";
   EXPECT_FLOAT_EQ(accelerometer_sample({}, {highest, 0, 0}, Status::ok, 0.005F).specific_force_m_s2.x, 163.835F)
       << "full scale is what gets integrated";
 }

@@ -104,13 +104,15 @@ TEST(AutopilotFlight, KnockDoesNotPassTheRuleWithoutASpeedGateEither) {
   rocket.expect(Phase::armed, PhaseReason::guide_not_cleared_in_time);
 }
 
-TEST(AutopilotFlight, GyroThatIsLostGivesANeutralCommandForFiveMillisecondsThenEndsControl) {
-  Rocket rocket{launch_2_plan()};
+TEST(AutopilotFlight, GyroThatIsLostGivesANeutralCommandForAsLongAsThePlanSaysThenEndsControl) {
+  FlightPlan plan = launch_2_plan();
+  plan.motion.longest_gyro_gap = ms(80);
+  Rocket rocket{plan};
   rocket.fly_to_control(0.5);
   rocket.run(ms(100), 40.0, 0.5);
   EXPECT_NE(rocket.record().command, Angle{});
   rocket.inputs_changed_by([](Inputs& inputs) { inputs.gyro.quality = SampleQuality::invalid; });
-  for (int i = 1; i <= 5; ++i) {
+  for (int i = 1; i <= 80; ++i) {
     const TickRecord& record = rocket.tick(40.0, 0.5);
     EXPECT_EQ(record.phase, Phase::controlling);
     EXPECT_EQ(record.command_status, CommandStatus::gyro_lost);
@@ -128,6 +130,49 @@ TEST(AutopilotFlight, CommandReturnsAfterAShortLossOfTheGyro) {
   rocket.inputs_changed_by([](Inputs&) {});
   EXPECT_EQ(rocket.tick(40.0, 0.5).command_status, CommandStatus::controlling);
   EXPECT_NE(rocket.record().command, Angle{});
+}
+
+TEST(AutopilotFlight, AfterASilenceOfTheGyroControlGoesOnWithTheAngleThatARateGoneEvenlyGives) {
+  Rocket rocket{launch_2_plan()};
+  rocket.fly_to_control(0.5);
+  rocket.run(ms(100), 40.0, 0.5);
+  EXPECT_FALSE(rocket.record().motion.roll_is_bridged);
+  const double zero_rad = rocket.rig.roll_rad() - static_cast<double>(rocket.record().motion.roll_angle.radians());
+  rocket.inputs_changed_by([](Inputs& inputs) { inputs.gyro = {}; });
+  for (int i = 0; i < 100; ++i) {  // from 0.5 to 2.5 rad/s, evenly
+    rocket.tick(40.0, 0.5 + 0.02 * i);
+  }
+  rocket.inputs_changed_by([](Inputs&) {});
+  for (int i = 1; i < 5; ++i) {
+    EXPECT_EQ(rocket.tick(40.0, 2.5).command_status, CommandStatus::gyro_lost) << i;
+  }
+  const TickRecord& back = rocket.tick(40.0, 2.5);
+  EXPECT_EQ(back.phase, Phase::controlling);
+  EXPECT_EQ(back.command_status, CommandStatus::controlling);
+  EXPECT_TRUE(back.motion.roll_is_bridged);
+  // The five samples that were waited for count as part of the gap: 5 ms of at most 1 rad/s.
+  EXPECT_NEAR(back.motion.roll_angle.radians(), rocket.rig.roll_rad() - zero_rad, 0.006);
+}
+
+TEST(AutopilotFlight, AGyroAtTheEndOfItsRangeIsARateToActAgainst) {
+  Rocket rocket{launch_2_plan()};
+  rocket.fly_to_control(0.5);
+  rocket.inputs_changed_by([](Inputs& inputs) {
+    constexpr float end_rad_s = 30.0F;
+    if (inputs.gyro.rate_rad_s.x > end_rad_s) {
+      inputs.gyro.rate_rad_s.x = end_rad_s;
+      inputs.gyro.quality = SampleQuality::saturated;
+    }
+  });
+  for (int i = 0; i < 400; ++i) {
+    rocket.tick(40.0, 0.5 + 0.1 * i);
+  }
+  const TickRecord& record = rocket.record();
+  EXPECT_EQ(record.phase, Phase::controlling);
+  EXPECT_TRUE(record.motion.rate_is_lower_bound);
+  EXPECT_TRUE(record.motion.roll_is_bridged);
+  EXPECT_EQ(record.motion.roll_rate_rad_s, 30.0F);
+  EXPECT_EQ(record.command, -launch_2_plan().controller.canard_limit);
 }
 
 TEST(AutopilotFlight, TickThatComesTwiceOrSixMillisecondsLateEndsControl) {

@@ -62,6 +62,8 @@ RC_GTEST_PROP(Autopilot, WhateverComesInTheCommandsKeepTheirLimits, (std::uint32
   Phase phase = Phase::safe;
   Angle roll_angle;
   float largest_rate = 0.0F;
+  float silent_s = 0.0F;  // since the gyro was last believed
+  float rate_before_silence = 0.0F;
   std::optional<Microseconds> last_time;
   bool controlled = false;
   bool returned = false;
@@ -95,13 +97,23 @@ RC_GTEST_PROP(Autopilot, WhateverComesInTheCommandsKeepTheirLimits, (std::uint32
     // The angle may only move as fast as the gyro has said, over this tick and what was left to bridge before it, but
     // for the two instants that define its zero.
     largest_rate = std::max(0.98F * largest_rate, std::abs(record.motion.roll_rate_rad_s));
+    const bool fresh = record.motion.gyro == SensorState::fresh;
+    silent_s += elapsed_s;
+    const bool bridged = fresh && silent_s > seconds(plan.motion.stale_time);
+    const float gap_rate = std::max(rate_before_silence, std::abs(record.motion.roll_rate_rad_s));
+    const float gap_rad = bridged ? gap_rate * (silent_s + 0.002F) : 0.0F;
+    if (fresh) {
+      silent_s = 0.0F;
+      rate_before_silence = std::abs(record.motion.roll_rate_rad_s);
+    }
     const bool zeroed = record.phase != phase && (record.phase == Phase::launched ||
                                                   (phase == Phase::armed && record.phase == Phase::controlling));
     if (zeroed) {
       RC_ASSERT(record.motion.roll_angle == Angle{});
     } else {
       const float bridge_s = 2.0F * seconds(plan.motion.stale_time) + 0.002F;
-      RC_ASSERT(abs(record.motion.roll_angle - roll_angle).radians() <= largest_rate * bridge_s * 1.3F + 1e-3F);
+      RC_ASSERT(abs(record.motion.roll_angle - roll_angle).radians() <=
+                largest_rate * bridge_s * 1.3F + gap_rad + 1e-3F);
     }
 
     controlled = controlled || record.phase == Phase::controlling;

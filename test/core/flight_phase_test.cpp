@@ -182,6 +182,17 @@ TEST(FlightPhase, ControlEndsForEachOfItsReasonsAndStaysEnded) {
   }
 }
 
+TEST(FlightPhase, ASpeedThatIsALowerBoundIsNoSignOfApogee) {
+  Sequence sequence;
+  sequence.arm().launch().clear_guide();
+  sequence.next.motion.vertical_speed_m_s = -1.0F;
+  sequence.next.motion.speed_is_lower_bound = true;
+  EXPECT_FALSE(sequence.tick());
+  sequence.next.motion.speed_is_lower_bound = false;
+  EXPECT_TRUE(sequence.tick());
+  sequence.expect(Phase::finished, PhaseReason::apogee);
+}
+
 TEST(FlightPhase, CanardFaultEndsControlOnlyWhenThePlanSaysSo) {
   for (const CanardFaultPolicy policy : {CanardFaultPolicy::continue_control, CanardFaultPolicy::end_control}) {
     FlightPlan plan = default_plan();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <vector>
 
@@ -188,17 +189,56 @@ TEST(MotionEstimator, ReturnToThePadStartsOverAtRest) {
   EXPECT_EQ(flight.motion().height_m, 0.0F);
 }
 
-TEST(MotionEstimator, SaturatedAccelerometerIsIntegratedAtFullScale) {
+void saturate_at_16_g(AccelerometerSample& sample) {
+  sample.specific_force_m_s2.x = 16.0F * g;
+  sample.quality = SampleQuality::saturated;
+}
+
+// 19 g upwards for 0.2 s, with one or both of the accelerometers at the end of their range.
+Motion pushed_beyond_the_range(std::size_t saturated, const std::function<void(Inputs&)>& change = [](Inputs&) {}) {
   Flight flight;
   flight.stand();
   for (int i = 0; i < 200; ++i) {
     flight.rig.advance(one_ms, 19.0 * static_cast<double>(g), 0.0);
     Inputs inputs = flight.rig.inputs();
-    inputs.accelerometers[0].specific_force_m_s2.x = 16.0F * g;
-    inputs.accelerometers[0].quality = SampleQuality::saturated;
+    for (std::size_t k = 0; k < saturated; ++k) {
+      saturate_at_16_g(inputs.accelerometers[k]);
+    }
+    change(inputs);
     flight.estimator.update(inputs);
   }
-  EXPECT_NEAR(flight.motion().speed_m_s, 15.0F * g * 0.2F, 15.0F * g * 0.001F);
+  return flight.motion();
+}
+
+TEST(MotionEstimator, AnAccelerometerThatMeasuresGoesBeforeOneAtTheEndOfItsRange) {
+  const Motion motion = pushed_beyond_the_range(1);
+  EXPECT_NEAR(motion.speed_m_s, 19.0F * g * 0.2F, 19.0F * g * 0.001F);
+  EXPECT_FALSE(motion.speed_is_lower_bound);
+}
+
+TEST(MotionEstimator, ASlowerAccelerometerThatMeasuresIsWaitedForRatherThanASaturatedOneTaken) {
+  const Motion motion = pushed_beyond_the_range(1, [](Inputs& inputs) { inputs.accelerometers[1].time -= 2 * one_ms; });
+  EXPECT_NEAR(motion.speed_m_s, 19.0F * g * 0.198F, 19.0F * g * 0.001F);
+  EXPECT_FALSE(motion.speed_is_lower_bound);
+}
+
+TEST(MotionEstimator, WithAllAtTheEndOfTheirRangeHeightAndSpeedAreLowerBoundsUntilTheRocketStandsAgain) {
+  const Motion motion = pushed_beyond_the_range(2);
+  EXPECT_NEAR(motion.speed_m_s, 15.0F * g * 0.2F, 15.0F * g * 0.001F);
+  EXPECT_TRUE(motion.speed_is_lower_bound);
+
+  Flight flight;
+  flight.stand();
+  flight.rig.advance(one_ms, 19.0 * static_cast<double>(g), 0.0);
+  Inputs inputs = flight.rig.inputs();
+  std::ranges::for_each(inputs.accelerometers, saturate_at_16_g);
+  flight.estimator.update(inputs);
+  flight.estimator.begin_flight(flight.rig.time());
+  flight.run(ms(50), 40.0, 0.0);
+  EXPECT_TRUE(flight.motion().speed_is_lower_bound) << "one such sample is enough";
+  flight.estimator.return_to_pad();
+  flight.run(ms(100), 0.0, 0.0);
+  EXPECT_FALSE(flight.motion().speed_is_lower_bound);
 }
 
 TEST(MotionEstimator, SecondAccelerometerStandsInForTheFirst) {

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#include "core/gyro_gate.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/finite.hpp"
+
+namespace fantail::core {
+namespace {
+
+constexpr std::uint32_t agreeing_samples = 5;
+// Between two samples of a rocket: 1000 rad/s2 at 1 kHz, ten times what canards do.
+constexpr float largest_change_rad_s = 1.0F;
+// Of the end of the range, what the last rate must have come to.
+constexpr float on_its_way = 0.75F;
+
+bool agree(const Vector3& a, const Vector3& b) {
+  return is_within({a.x - b.x, a.y - b.y, a.z - b.z}, largest_change_rad_s);
+}
+
+}  // namespace
+
+SensorState GyroGate::update(Microseconds now, const GyroSample& sample, bool flies, float roll_rate_rad_s) {
+  const Microseconds patience = flies ? std::max(plan_.stale_time, plan_.longest_gyro_gap) : plan_.stale_time;
+  const SensorState missing = !last_time_ || now - *last_time_ > patience ? SensorState::failed : SensorState::lost;
+  if (!is_usable(now, sample, roll_rate_rad_s)) {
+    return missing;
+  }
+  // A repeated time is a sample seen before, not a bad one.
+  if (last_time_ && sample.time <= *last_time_) {
+    return sample.time == *last_time_ ? SensorState::coasting : missing;
+  }
+  const bool was_silent = last_time_ && sample.time - *last_time_ > plan_.stale_time;
+  if (flies && was_silent && !is_back(sample)) {
+    return missing;
+  }
+  last_time_ = sample.time;
+  agreeing_ = 0;
+  return SensorState::fresh;
+}
+
+bool GyroGate::is_usable(Microseconds now, const GyroSample& sample, float roll_rate_rad_s) const {
+  if (!is_current(now, sample.time, plan_.stale_time) || !is_within(sample.rate_rad_s, largest_rate_rad_s)) {
+    return false;
+  }
+  const float end_rad_s = sample.rate_rad_s.x;
+  const float reached_rad_s = std::copysign(1.0F, end_rad_s) * roll_rate_rad_s;
+  return sample.quality == SampleQuality::valid ||
+         (sample.quality == SampleQuality::saturated && reached_rad_s >= on_its_way * std::abs(end_rad_s));
+}
+
+bool GyroGate::is_back(const GyroSample& sample) {
+  if (agreeing_ > 0 && sample.time <= returning_time_) {
+    return false;
+  }
+  agreeing_ = agreeing_ > 0 && agree(sample.rate_rad_s, returning_rate_rad_s_) ? agreeing_ + 1 : 1;
+  returning_time_ = sample.time;
+  returning_rate_rad_s_ = sample.rate_rad_s;
+  return agreeing_ >= agreeing_samples;
+}
+
+}  // namespace fantail::core
