@@ -8,6 +8,7 @@
 
 #include <fmt/core.h>
 
+#include "fly/model_limits.hpp"
 #include "input/fault_file.hpp"
 #include "replies/sentence.hpp"
 #include "sim/units.hpp"
@@ -60,6 +61,7 @@ flight::Flight describe(const sim::Scenario& scenario) {
   flight.seed = scenario.seed;
   flight.tunnel = scenario.surroundings == sim::Surroundings::tunnel;
   flight.plan = scenario.plan;
+  flight.servo_stop_rad = scenario.vehicle.servo.stop_rad;
   for (const auto* assumed : {&scenario.vehicle.assumed, &scenario.assumed}) {
     flight.notes.insert(flight.notes.end(), assumed->begin(), assumed->end());
   }
@@ -158,6 +160,10 @@ flight::Flight fly_scenario(const sim::Scenario& scenario, const Look& look, con
                            .rate_rad_s = scenario.imposed_roll->rate_rad_s};
   }
   flight::set_time_zero(flight, zero_s);
+  flight.loop_margins = loop_margins(scenario, flight);
+  for (std::string& sentence : beyond_the_model(scenario, flight)) {
+    flight.notes.push_back(std::move(sentence));
+  }
   return flight;
 }
 
