@@ -137,6 +137,7 @@ struct Flight {
   std::vector<LoopMargin> loop_margins;  ///< at the lowest, median and top speed under control; empty: not computed
   std::optional<double> servo_stop_rad;  ///< of the simulated servos; empty: nobody knows
   std::vector<Row> rows;
+  std::size_t rows_per_line = 1;               ///< flight.csv has the first of so many rows
   std::vector<TunnelReading> tunnel_readings;  ///< empty in flight
   std::vector<std::byte> log;                  ///< what the avionics recorded itself; empty: nothing
   Known known;

@@ -69,8 +69,9 @@ flight::Flight describe(const sim::Scenario& scenario) {
     flight.notes.push_back(describe(fault, scenario));
   }
   if (scenario.log_period_s > 0.001) {
-    flight.notes.push_back(
-        fmt::format("flight.csv has a row every {:g} s instead of every millisecond.", scenario.log_period_s));
+    flight.notes.push_back(fmt::format("flight.csv has a row every {:g} s instead of every millisecond{}.",
+                                       scenario.log_period_s,
+                                       flight.tunnel ? ", and the figures are made of these rows" : ""));
   }
   return flight;
 }
@@ -114,8 +115,11 @@ std::optional<double> expected_length_s(const sim::Scenario& scenario) {
 flight::Flight fly_scenario(const sim::Scenario& scenario, const Look& look, const Observe& observe, Log log,
                             const sim::MakeFlightComputer& make) {
   constexpr std::int64_t ticks_between_looks = 1024;
-  const std::int64_t ticks_per_row = std::llround(scenario.log_period_s * 1e3);
   flight::Flight flight = describe(scenario);
+  // A launch is judged by every tick. In the tunnel a run of a quarter of an hour would fill the memory.
+  const std::int64_t ticks_per_line = std::llround(scenario.log_period_s * 1e3);
+  const std::int64_t ticks_per_row = flight.tunnel ? ticks_per_line : 1;
+  flight.rows_per_line = static_cast<std::size_t>(ticks_per_line / ticks_per_row);
   sim::World world{scenario, log == Log::kept ? sim::World::large_flash : sim::World::small_flash, make};
   bool was_armed = false;
   for (std::int64_t ticks = 0; !world.over(); ++ticks) {
