@@ -185,6 +185,15 @@ TEST(Verdict, CanardsThatKeepSwingingAreNotCalledHeld) {
       << v.text;
 }
 
+TEST(Verdict, ALoopThatIsUnstableAtASpeedThatWasFlownIsNotCalledHeld) {
+  SyntheticFlight synthetic;
+  synthetic.flight.loop_margins = {{20.0, text::radians(55.0), 12.0}, {47.0, text::radians(-10.0), 0.7}};
+  const Verdict v = verdict_of(synthetic.flight);
+  EXPECT_EQ(v.outcome, Outcome::oscillates);
+  EXPECT_TRUE(v.text.starts_with("The loop is unstable: at 47 m/s its phase margin is -10.0 deg. Roll stayed"))
+      << v.text;
+}
+
 TEST(Verdict, ControlThatNeverSettledIsNotJudged) {
   SyntheticFlight synthetic;
   synthetic.end_control(1.1, core::PhaseReason::control_time_over);

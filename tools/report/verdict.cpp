@@ -32,7 +32,7 @@ std::string sentence(std::string clause) {
 
 std::string why_no_control(const flight::Flight& flight) {
   if (flight.phase_changes.empty()) {
-    return "the rocket was never armed";
+    return "the rocket was never armed" + (flight.why_not_armed.empty() ? "" : ", because " + flight.why_not_armed);
   }
   const flight::PhaseChange& last = flight.phase_changes.back();
   if (!last.reason) {
@@ -143,6 +143,13 @@ Verdict judge_flight(const flight::Flight& flight, const Figures& f) {
                  "excites them. ",
                  text::brief(o.frequency_hz, 2), text::fixed(text::degrees(o.lowest_rad), 1),
                  text::fixed(text::degrees(o.highest_rad), 1), text::fixed(o.from_s, 2)) +
+             v.text;
+  }
+  const auto worst = std::ranges::min_element(flight.loop_margins, {}, &flight::LoopMargin::phase_margin_rad);
+  if (worst != flight.loop_margins.end() && worst->phase_margin_rad <= 0.0) {
+    v.outcome = v.outcome == Outcome::held ? Outcome::oscillates : v.outcome;
+    v.text = fmt::format("The loop is unstable: at {} m/s its phase margin is {}. ", text::fixed(worst->speed_m_s, 0),
+                         degrees_text(worst->phase_margin_rad)) +
              v.text;
   }
   if (const flight::Unmeasured& u = flight.unmeasured; u.spin_from_s) {
