@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <optional>
 #include <string>
@@ -44,7 +45,7 @@ class BenchAtWorld final : public link::Place {
   [[nodiscard]] hal::CanBus& bus() override { return pc_bus; }
   [[nodiscard]] hal::Microseconds now() const override { return now_; }
   void wait(hal::Microseconds at_most) override {
-    for (hal::Microseconds waited{}; waited < at_most; waited += millisecond) {
+    for (hal::Microseconds waited{}; waited < std::max(at_most, between_looks); waited += millisecond) {
       if (world) {
         record = world->tick();
         world->advance();
@@ -88,6 +89,7 @@ class BenchAtWorld final : public link::Place {
   std::optional<sim::World> world;
   core::TickRecord record;
   std::function<void()> after_tick;
+  hal::Microseconds between_looks{};  ///< of a PC that is slow: at least this long between two looks at the bus
 
  private:
   static sim::Scenario load(const std::string& name, std::uint64_t seed) {

@@ -24,7 +24,7 @@ constexpr double right_share = 0.07;  // off by no more than this, the way is ri
 const double still_rad_s = text::radians(3.0);
 
 // In the order of Cause.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 12> causes{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 13> causes{
     {{"healthy", "is healthy"},
      {"stuck", "is stuck"},
      {"dead", "is dead"},
@@ -36,8 +36,9 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 12> causes{
      {"wrong_trim", "has a wrong trim"},
      {"wrong_canard_moves", "moves another canard"},
      {"out_of_tolerance", "is out of tolerance"},
-     {"limit_not_kept", "was commanded beyond its limit"}}};
-static_assert(static_cast<std::size_t>(Cause::limit_not_kept) + 1 == causes.size());
+     {"limit_not_kept", "was commanded beyond its limit"},
+     {"not_measured", "could not be measured"}}};
+static_assert(static_cast<std::size_t>(Cause::not_measured) + 1 == causes.size());
 
 std::string signed_degrees(const std::optional<double>& angle_rad) {
   if (!angle_rad) {
@@ -66,9 +67,11 @@ class Diagnoser {
                           fixed(degrees(limit_rad_), 2)),
               "Do not fly this avionics. Keep this sheet and its JSON file, and find out why before anything else."};
     }
-    if (f_.received_ticks == 0 || f_.undriven == f_.received_ticks) {
-      return {Cause::out_of_tolerance,
-              f_.received_ticks == 0 ? "the avionics reported nothing about it" : "the avionics never drove its servo",
+    if (f_.received_ticks == 0) {
+      return {Cause::not_measured, "nothing about it was received", "Check the bus, and run again."};
+    }
+    if (f_.undriven == f_.received_ticks) {
+      return {Cause::out_of_tolerance, "the avionics never drove its servo",
               "Check the bus and that the bench session stayed open, and run again."};
     }
     // Without an encoder, and then with one that jumps about, no other figure means anything.
@@ -231,6 +234,10 @@ class Diagnoser {
     }
     if (text.empty()) {
       return {Cause::healthy, "every figure is within its tolerance", ""};
+    }
+    // What nobody measured accuses nobody.
+    if (std::ranges::none_of(checks_, [](const Check& check) { return !check.passed && check.value; })) {
+      return {Cause::not_measured, text, "Run again with nothing else running on this PC."};
     }
     return {Cause::out_of_tolerance, text,
             "Look at its plots: no single fault explains these figures. Check linkage, play and cable, and run again."};

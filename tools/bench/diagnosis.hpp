@@ -27,6 +27,7 @@ enum class Cause : std::uint8_t {
   wrong_canard_moves,  ///< another canard answers, alone or too
   out_of_tolerance,    ///< some figure fails, with no pattern
   limit_not_kept,      ///< commanded beyond its limit
+  not_measured,        ///< nothing it showed fails, but some figure could not be measured
 };
 [[nodiscard]] std::string_view name(Cause cause);        ///< for files: "reversed", as the faults of a scenario
 [[nodiscard]] std::string_view cause_text(Cause cause);  ///< for readers: "is reversed"

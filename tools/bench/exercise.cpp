@@ -174,6 +174,7 @@ link::Recording perform(const Exercise& exercise, link::Session& session, link::
                         const std::function<void(double)>& progress) {
   link::Recording recording;
   link.forget_ticks();
+  const std::uint64_t overrun_before = link.figures().overrun;
   std::optional<std::int64_t> last;
   double done_s = 0.0;
   session.request(exercise.asked(0.0));
@@ -189,6 +190,7 @@ link::Recording perform(const Exercise& exercise, link::Session& session, link::
     session.request(exercise.asked(done_s));
     progress(done_s);
   }
+  recording.overrun = link.figures().overrun - overrun_before;
   return recording;
 }
 

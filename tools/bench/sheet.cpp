@@ -2,6 +2,7 @@
 #include "bench/sheet.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 #include <fmt/core.h>
@@ -78,9 +79,21 @@ class Examination {
     const auto spanned = static_cast<double>(sheet_.ticks + sheet_.lost_ticks);
     const double lost = sheet_.ticks == 0 ? 1.0 : static_cast<double>(sheet_.lost_ticks) / spanned;
     add(lost <= most_lost, "{} of {} ticks were lost on the way.", sheet_.lost_ticks, fixed(spanned, 0));
+    if (lost > most_lost) {
+      doubt("{} of {} ticks were lost on the way", sheet_.lost_ticks, fixed(spanned, 0));
+    }
     if (spanned < least_whole * expected) {
-      add(false, "Only {} s of the {} s of the exercise were recorded.", fixed(spanned * tick_s, 1),
-          fixed(exercise_.duration_s(), 1));
+      doubt("only {} s of the {} s of the exercise were recorded", fixed(spanned * tick_s, 1),
+            fixed(exercise_.duration_s(), 1));
+    }
+    // Their number is known and not which: the counters of the frames come round after sixteen.
+    if (recording_.overrun > 0) {
+      doubt("this PC was too slow: {} frames were lost before they were read", recording_.overrun);
+    }
+    for (const CanardResult& result : sheet_.canards) {
+      if (result.diagnosis.cause == Cause::not_measured) {
+        doubt("canard {} could not be measured ({})", result.canard + 1, result.diagnosis.seen);
+      }
     }
   }
 
@@ -88,6 +101,11 @@ class Examination {
   template <typename... T>
   void add(bool passed, fmt::format_string<T...> format, T&&... values) {
     sheet_.general.push_back({.text = fmt::format(format, std::forward<T>(values)...), .passed = passed});
+  }
+
+  template <typename... T>
+  void doubt(fmt::format_string<T...> format, T&&... values) {
+    sheet_.doubts.push_back(fmt::format(format, std::forward<T>(values)...));
   }
 
   [[nodiscard]] TurnResult turn_result(const Turn& turn, std::size_t canard) const {
@@ -144,9 +162,35 @@ bool CanardResult::passed() const {
   return (!alone || alone->passed()) && (!together || together->passed()) && diagnosis.cause == Cause::healthy;
 }
 
-bool Sheet::passed() const {
-  return !canards.empty() && std::ranges::all_of(canards, [](const CanardResult& c) { return c.passed(); }) &&
-         std::ranges::all_of(general, [](const GeneralCheck& c) { return c.passed; });
+Judgement Sheet::judgement() const {
+  if (std::ranges::any_of(canards, [](const auto& c) { return c.diagnosis.cause == Cause::limit_not_kept; })) {
+    return Judgement::fail;
+  }
+  if (!doubts.empty()) {
+    return Judgement::none;
+  }
+  const bool all_well = !canards.empty() &&
+                        std::ranges::all_of(canards, [](const CanardResult& c) { return c.passed(); }) &&
+                        std::ranges::all_of(general, [](const GeneralCheck& c) { return c.passed; });
+  return all_well ? Judgement::pass : Judgement::fail;
+}
+
+std::string_view name(Judgement judgement) {
+  switch (judgement) {
+    case Judgement::pass: return "pass";
+    case Judgement::fail: return "fail";
+    case Judgement::none: break;
+  }
+  return "none";
+}
+
+std::string_view display_name(Judgement judgement) {
+  switch (judgement) {
+    case Judgement::pass: return "PASS";
+    case Judgement::fail: return "FAIL";
+    case Judgement::none: break;
+  }
+  return "NO VERDICT";
 }
 
 Sheet examine(const link::Recording& recording, const Exercise& exercise, const sim::CanardTolerances& tolerances,
@@ -168,6 +212,15 @@ Sheet examine(const link::Recording& recording, const Exercise& exercise, const 
 
 std::vector<std::string> conclusions(const Sheet& sheet) {
   std::vector<std::string> all;
+  if (sheet.judgement() == Judgement::none) {
+    for (const std::string& doubt : sheet.doubts) {
+      all.push_back(fmt::format("{}{}.", static_cast<char>(std::toupper(static_cast<unsigned char>(doubt.front()))),
+                                doubt.substr(1)));
+    }
+    all.emplace_back(
+        "Nothing is said of the canards. End other programs on this PC, check the adapter and the bus, and run again.");
+    return all;
+  }
   for (const CanardResult& result : sheet.canards) {
     if (!result.passed()) {
       all.push_back(sentence(result.canard, result.diagnosis));

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "bench/diagnosis.hpp"
@@ -52,6 +54,12 @@ struct GeneralCheck {
   bool passed = false;
 };
 
+enum class Judgement : std::uint8_t {
+  pass,
+  fail,
+  none,  ///< the recording has holes: nothing is said of the canards
+};
+
 struct Sheet {
   ExerciseKind kind{};
   Heading heading{};
@@ -62,8 +70,14 @@ struct Sheet {
   double duration_s = 0.0;  ///< between the first and the last tick
   std::vector<CanardResult> canards{};
   std::vector<GeneralCheck> general{};
-  [[nodiscard]] bool passed() const;
+  std::vector<std::string> doubts{};  ///< why the recording is no basis for a judgement, a clause each
+  /// A canard that was commanded beyond its limit fails whatever else is doubtful.
+  [[nodiscard]] Judgement judgement() const;
+  [[nodiscard]] bool passed() const { return judgement() == Judgement::pass; }
 };
+
+[[nodiscard]] std::string_view name(Judgement judgement);          ///< for files: "pass"
+[[nodiscard]] std::string_view display_name(Judgement judgement);  ///< "PASS", "FAIL", "NO VERDICT"
 
 /// Measures, judges and names the causes. Some 10 ms for `limits` of four canards.
 [[nodiscard]] Sheet examine(const link::Recording& recording, const Exercise& exercise,

@@ -16,13 +16,22 @@ namespace {
 
 using page::Tone;
 
+Tone tone(Judgement judgement) {
+  switch (judgement) {
+    case Judgement::pass: return Tone::good;
+    case Judgement::fail: return Tone::bad;
+    case Judgement::none: break;
+  }
+  return Tone::unsure;
+}
+
 page::Page opening(const Sheet& sheet) {
   const Heading& h = sheet.heading;
   page::Page page{.kind = fmt::format("Fantail bench \u00b7 Canard {}", name(sheet.kind)),
                   .title = h.vehicle.empty() ? "Unnamed rocket" : h.vehicle,
                   .facts = {{"Plan", h.plan}, {"Plan CRC-32C", h.plan_crc}, {"Date", h.date}, {"Avionics", h.avionics}},
-                  .tone = sheet.passed() ? Tone::good : Tone::bad,
-                  .verdict_heading = sheet.passed() ? "PASS" : "FAIL",
+                  .tone = tone(sheet.judgement()),
+                  .verdict_heading = std::string{display_name(sheet.judgement())},
                   .stamped = true,
                   .footer = "Fantail " + h.version};
   for (const std::string& text : conclusions(sheet)) {
@@ -44,6 +53,7 @@ std::string figures(const Sheet& sheet) {
   std::vector<page::Column> columns{{""}, {"Allowed", true}};
   std::vector<std::vector<page::Cell>> rows{{{"Finding"}, {}}};
   std::vector<page::Cell> monitors{{"Avionics\u2019 own verdict"}, {"not judged"}};
+  const bool judged = sheet.judgement() != Judgement::none;
   bool two_turns = false;
   bool monitored = false;
   for (const CanardResult& result : sheet.canards) {
@@ -51,7 +61,8 @@ std::string figures(const Sheet& sheet) {
     two_turns = two_turns || (result.alone && result.together);
     std::string cause{name(result.diagnosis.cause)};
     std::ranges::replace(cause, '_', ' ');
-    rows.front().push_back({cause, result.passed() ? Tone::good : Tone::bad});
+    rows.front().push_back(judged ? page::Cell{cause, result.passed() ? Tone::good : Tone::bad}
+                                  : page::Cell{"not judged"});
     const auto& verdict = sheet.heading.monitor[result.canard];
     monitored = monitored || verdict;
     monitors.push_back({verdict ? std::string{core::name(*verdict)} : ""});
@@ -87,7 +98,9 @@ std::string sheet_html(const Sheet& sheet, const link::Recording& recording, con
   page::Page page = opening(sheet);
   page.body_html = figures(sheet);
   for (const CanardResult& result : sheet.canards) {
-    page.body_html += page::section(fmt::format("Canard {} {}", result.canard + 1, cause_text(result.diagnosis.cause)),
+    const std::string_view found =
+        sheet.judgement() == Judgement::none ? "is not judged" : cause_text(result.diagnosis.cause);
+    page.body_html += page::section(fmt::format("Canard {} {}", result.canard + 1, found),
                                     canard_charts(result, sheet, recording, exercise));
   }
   if (!sheet.heading.notes.empty()) {

@@ -97,6 +97,8 @@ std::string sheet_json(const Sheet& sheet) {
   }
   const Json all = {{"exercise", name(sheet.kind)},
                     {"passed", sheet.passed()},
+                    {"judgement", name(sheet.judgement())},
+                    {"doubts", sheet.doubts},
                     {"conclusions", conclusions(sheet)},
                     {"vehicle", text_or_null(heading.vehicle)},
                     {"plan", text_or_null(heading.plan)},

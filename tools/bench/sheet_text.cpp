@@ -32,7 +32,7 @@ class Page {
       line("{} {}", check.passed ? " " : "!", check.text);
     }
     line("");
-    line("{}", sheet_.passed() ? "PASS" : "FAIL");
+    line("{}", display_name(sheet_.judgement()));
     for (const std::string& conclusion : conclusions(sheet_)) {
       line("  {}", conclusion);
     }

@@ -11,7 +11,9 @@ namespace {
 
 const double same_command_rad = text::radians(0.015);  // one step of the bus, and a little
 constexpr std::size_t time_to_settle = 180;
-constexpr std::size_t mark_slack = 100;  // a mark is set when a tick is received, some milliseconds off
+// A mark is set when a tick is received, and the command that belongs to it may already be there; or it comes late,
+// when bench or node were held up.
+constexpr std::size_t mark_slack = 100;
 
 Window window_of(const CanardTrace& trace, Part part) {
   const auto first = std::ranges::find(trace.part, part);
@@ -82,10 +84,9 @@ Window at_rest(const CanardTrace& trace, Part part) {
 std::size_t step_begin(const CanardTrace& trace, Part part) {
   const Window all = window_of(trace, part);
   const std::size_t first = all.begin > mark_slack ? all.begin - mark_slack : 1;
-  const std::size_t last = std::min(all.end, all.begin + mark_slack);
   std::size_t largest = trace.size();
   double change = same_command_rad;
-  for (std::size_t i = std::max<std::size_t>(first, 1); i < last; ++i) {
+  for (std::size_t i = std::max<std::size_t>(first, 1); i < all.end; ++i) {
     if (const double here = std::abs(trace.command_rad[i] - trace.command_rad[i - 1]); here > change) {
       change = here;
       largest = i;

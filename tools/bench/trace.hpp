@@ -43,7 +43,8 @@ struct Window {
 /// Where in this part the command had stood still long enough for the canard to stand too; empty when nowhere.
 [[nodiscard]] Window at_rest(const CanardTrace& trace, Part part);
 
-/// Index of the first tick with the new command of a step, near the beginning of this part; size() when there is none.
+/// Index of the first tick with the new command of a step, in this part or shortly before it; size() when there is
+/// none.
 [[nodiscard]] std::size_t step_begin(const CanardTrace& trace, Part part);
 
 /// From `begin` to where the command changes next.

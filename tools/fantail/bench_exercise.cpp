@@ -178,6 +178,9 @@ void exercise(const ExerciseOptions& options, const MakeExercise& make) {
   } else {
     fmt::print("{}\n  sheet  {}\n", bench::sheet_text(sheet), (folder / "sheet.html").string());
   }
+  if (sheet.judgement() == bench::Judgement::none) {
+    throw link::LinkError{"no verdict: " + sheet.doubts.front()};
+  }
   if (!sheet.passed()) {
     throw RequirementNotMet{""};
   }
