@@ -22,32 +22,31 @@ bool agree(const Vector3& a, const Vector3& b) {
 }  // namespace
 
 SensorState GyroGate::update(Microseconds now, const GyroSample& sample, bool flies, float roll_rate_rad_s) {
+  if (is_usable(now, sample, roll_rate_rad_s)) {
+    if (!last_time_ || sample.time > *last_time_) {
+      const bool was_silent = last_time_ && sample.time - *last_time_ > plan_.stale_time;
+      if (!was_silent || !flies || is_back(sample)) {
+        last_time_ = sample.time;
+        agreeing_ = 0;
+        return SensorState::fresh;
+      }
+    } else if (sample.time == *last_time_) {
+      return SensorState::coasting;  // a repeated time is a sample seen before, not a bad one
+    }
+  }
   const Microseconds patience = flies ? std::max(plan_.stale_time, plan_.longest_gyro_gap) : plan_.stale_time;
-  const SensorState missing = !last_time_ || now - *last_time_ > patience ? SensorState::failed : SensorState::lost;
-  if (!is_usable(now, sample, roll_rate_rad_s)) {
-    return missing;
-  }
-  // A repeated time is a sample seen before, not a bad one.
-  if (last_time_ && sample.time <= *last_time_) {
-    return sample.time == *last_time_ ? SensorState::coasting : missing;
-  }
-  const bool was_silent = last_time_ && sample.time - *last_time_ > plan_.stale_time;
-  if (flies && was_silent && !is_back(sample)) {
-    return missing;
-  }
-  last_time_ = sample.time;
-  agreeing_ = 0;
-  return SensorState::fresh;
+  return !last_time_ || now - *last_time_ > patience ? SensorState::failed : SensorState::lost;
 }
 
 bool GyroGate::is_usable(Microseconds now, const GyroSample& sample, float roll_rate_rad_s) const {
   if (!is_current(now, sample.time, plan_.stale_time) || !is_within(sample.rate_rad_s, largest_rate_rad_s)) {
     return false;
   }
+  if (sample.quality != SampleQuality::saturated) {
+    return sample.quality == SampleQuality::valid;
+  }
   const float end_rad_s = sample.rate_rad_s.x;
-  const float reached_rad_s = std::copysign(1.0F, end_rad_s) * roll_rate_rad_s;
-  return sample.quality == SampleQuality::valid ||
-         (sample.quality == SampleQuality::saturated && reached_rad_s >= on_its_way * std::abs(end_rad_s));
+  return std::copysign(1.0F, end_rad_s) * roll_rate_rad_s >= on_its_way * std::abs(end_rad_s);
 }
 
 bool GyroGate::is_back(const GyroSample& sample) {

@@ -133,30 +133,37 @@ void MotionEstimator::turn_evenly(Microseconds time, const Vector3& last_rate_ra
 // The second accelerometer stands in, tick by tick, when the first has nothing usable. One that is merely slower, its
 // sample older than the last, is waited for rather than a saturated one taken: it measures again before it is stale.
 void MotionEstimator::follow_accelerometer(const Inputs& inputs) {
-  const std::optional<Microseconds> last = accelerometer_time_;
-  accelerometer_ = !last || inputs.time - *last > plan_.stale_time ? SensorState::failed : SensorState::lost;
-  for (const SampleQuality quality : {SampleQuality::valid, SampleQuality::saturated}) {
-    for (const AccelerometerSample& sample : inputs.accelerometers) {
-      const bool usable = sample.quality == quality && is_current(inputs.time, sample.time, plan_.stale_time) &&
-                          is_within(sample.specific_force_m_s2, largest_specific_force_m_s2);
-      if (usable && (!last || sample.time > *last)) {
-        accelerometer_ = SensorState::fresh;
-        specific_force_m_s2_ = sample.specific_force_m_s2;
-        integrate(sample.time);
-        trajectory_.is_lower_bound = trajectory_.is_lower_bound || quality == SampleQuality::saturated;
-        return;
-      }
-      if (usable) {
-        accelerometer_ = SensorState::coasting;
-      }
-      if (usable && sample.time == *last) {
-        return;
-      }
+  if (follow_accelerometers_that_are(SampleQuality::valid, inputs)) {
+    return;
+  }
+  if (follow_accelerometers_that_are(SampleQuality::saturated, inputs)) {
+    trajectory_.is_lower_bound = trajectory_.is_lower_bound || accelerometer_ == SensorState::fresh;
+    return;
+  }
+  const bool failed = !accelerometer_time_ || inputs.time - *accelerometer_time_ > plan_.stale_time;
+  accelerometer_ = failed ? SensorState::failed : SensorState::lost;
+}
+
+bool MotionEstimator::follow_accelerometers_that_are(SampleQuality quality, const Inputs& inputs) {
+  bool waits = false;
+  for (const AccelerometerSample& sample : inputs.accelerometers) {
+    if (sample.quality != quality || !is_current(inputs.time, sample.time, plan_.stale_time) ||
+        !is_within(sample.specific_force_m_s2, largest_specific_force_m_s2)) {
+      continue;
     }
-    if (accelerometer_ == SensorState::coasting) {
-      return;
+    if (!accelerometer_time_ || sample.time > *accelerometer_time_) {
+      accelerometer_ = SensorState::fresh;
+      specific_force_m_s2_ = sample.specific_force_m_s2;
+      integrate(sample.time);
+      return true;
+    }
+    accelerometer_ = SensorState::coasting;
+    waits = true;
+    if (sample.time == *accelerometer_time_) {
+      break;
     }
   }
+  return waits;
 }
 
 // One lost sample is not motion; a sensor that stays silent might hide some.

@@ -128,6 +128,7 @@ class MotionEstimator {
 
   void follow_gyro(Microseconds now, const GyroSample& sample);
   void follow_accelerometer(const Inputs& inputs);
+  [[nodiscard]] bool follow_accelerometers_that_are(SampleQuality quality, const Inputs& inputs);
   void turn_evenly(Microseconds gap, const Vector3& last_rate_rad_s);
   void turn(float dt_s, const Vector3& first_rate_rad_s, const Vector3& last_rate_rad_s);
   void watch_pad(Microseconds now, const GyroSample& gyro);
