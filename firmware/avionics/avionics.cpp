@@ -96,7 +96,7 @@ void Avionics::adopt(const core::FlightPlan& plan) {
 void Avionics::listen(core::Microseconds now) {
   situation_.time = now;
   receiver_.begin_tick();
-  while (const auto message = receiver_.next(now, devices_.can_bus)) {
+  while (const auto message = receiver_.next(now, devices_.can_bus, bench_mode_.session())) {
     if (const auto* session = std::get_if<protocol::BenchSession>(&*message)) {
       obey(*session);
     } else if (const auto* request = std::get_if<protocol::BenchRequest>(&*message)) {
@@ -148,7 +148,7 @@ bool Avionics::plan_may_change() const {
 }
 
 LogTransfer::Right Avionics::right_to_log() const {
-  return {.safe = situation_.phase == core::Phase::safe, .session_open = bench_mode_.open()};
+  return {.safe = situation_.phase == core::Phase::safe, .session = bench_mode_.session()};
 }
 
 core::Inputs Avionics::read_devices(core::Microseconds now) {

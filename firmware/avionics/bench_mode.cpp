@@ -3,6 +3,8 @@
 
 #include <utility>
 
+#include "protocol/bus_codec.hpp"
+
 namespace fantail::avionics {
 
 using protocol::SessionAction;
@@ -26,21 +28,36 @@ bool BenchMode::receive(const Situation& now, bool self_test_runs, const protoco
   if (own) {  // the bench repeats itself until it has seen the answer
     last_heard_ = now.time;
     answer(SessionReason::opened, message.session);
-  } else if (session_) {
-    // Refused, and the other session goes on: the answer names the one that was refused.
-    answer(SessionReason::other_session, message.session);
-  } else if (now.phase != core::Phase::safe) {
-    answer(SessionReason::not_safe, message.session);
-  } else if (!now.at_rest) {
-    answer(SessionReason::not_at_rest, message.session);
-  } else if (self_test_runs) {
-    answer(SessionReason::self_test_runs, message.session);
+  } else if (const auto reason = objection(now, self_test_runs, message.session)) {
+    // Refused, and a session of another bench goes on: the answer names the one that was refused.
+    answer(*reason, message.session);
   } else {
     session_ = message.session;
     last_heard_ = now.time;
     answer(SessionReason::opened, message.session);
   }
   return true;
+}
+
+std::optional<SessionReason> BenchMode::objection(const Situation& now, bool self_test_runs,
+                                                  std::uint16_t session) const {
+  if (session_) {
+    return SessionReason::other_session;
+  }
+  if (now.phase != core::Phase::safe) {
+    return SessionReason::not_safe;
+  }
+  if (!now.at_rest) {
+    return SessionReason::not_at_rest;
+  }
+  if (self_test_runs) {
+    return SessionReason::self_test_runs;
+  }
+  // The same number is the same bench, which has begun anew.
+  if (before_ && *before_ != session && !protocol::told_apart(*before_, session)) {
+    return SessionReason::number_too_similar;
+  }
+  return std::nullopt;
 }
 
 bool BenchMode::receive(const protocol::BenchRequest& message) {
@@ -93,6 +110,7 @@ void BenchMode::answer(SessionReason reason, std::uint16_t session) {
 void BenchMode::close(SessionReason reason) {
   const std::uint16_t session = *session_;
   session_.reset();
+  before_ = session;
   request_.reset();
   answer(reason, session);
 }

@@ -47,7 +47,7 @@ void LogTransfer::receive(const protocol::LogRequest& request, const Right& righ
       sent_ = 0;
       index_ = 0;
       break;
-    case LogAction::erase: begin_erase(right); break;
+    case LogAction::erase: begin_erase(request, right); break;
   }
 }
 
@@ -55,7 +55,7 @@ std::optional<LogFault> LogTransfer::refusal(const protocol::LogRequest& request
   if (!right.safe) {
     return LogFault::not_safe;
   }
-  if (request.action == LogAction::erase && !right.session_open) {
+  if (request.action == LogAction::erase && right.session != request.offset) {
     return LogFault::no_session;
   }
   if (flights_.failed()) {
@@ -76,7 +76,7 @@ std::optional<LogFault> LogTransfer::refusal(const protocol::LogRequest& request
   return is_there ? std::nullopt : std::optional{LogFault::out_of_range};
 }
 
-void LogTransfer::begin_erase(const Right& right) {
+void LogTransfer::begin_erase(const protocol::LogRequest& request, const Right& right) {
   const bool busy = right.flash_in_use || flights_.erasing();  // also with the last sector of an erase that was stopped
   if (erasing_) {
     answer(LogState::erasing, flights_.used_bytes());
@@ -84,6 +84,7 @@ void LogTransfer::begin_erase(const Right& right) {
     answer(LogState::erased, 0, free_kib());
   } else if (!busy && flights_.begin_erase()) {
     erasing_ = true;
+    eraser_ = request.offset;
     answer(LogState::erasing, flights_.used_bytes());
   } else {
     refuse(LogFault::busy);
@@ -101,7 +102,7 @@ void LogTransfer::update(core::Microseconds now, const Right& right) {
 }
 
 void LogTransfer::follow_erase(core::Microseconds now, const Right& right) {
-  if (!right.safe || !right.session_open) {
+  if (!right.safe || right.session != eraser_) {
     flights_.stop_erase();
     erasing_ = false;
     refuse(right.safe ? LogFault::no_session : LogFault::not_safe);
@@ -135,7 +136,7 @@ bool LogTransfer::read(core::Microseconds now) {
 }
 
 void LogTransfer::send(core::Microseconds now, const Right& right, hal::CanBus& bus) {
-  const std::size_t most = right.session_open ? frames_a_tick_in_session : frames_a_tick;
+  const std::size_t most = right.session ? frames_a_tick_in_session : frames_a_tick;
   for (std::size_t i = 0; i < most && size_ > 0 && sent_ < buffered_; ++i) {
     if (!send_data(bus)) {
       return;  // nor is there room for the answer

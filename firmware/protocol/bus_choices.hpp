@@ -101,6 +101,7 @@ constexpr unsigned choice(SessionReason value) {
     case not_at_rest: return CANARD_BUS_SESSION_REPLY_REASON_NOT_AT_REST_CHOICE;
     case self_test_runs: return CANARD_BUS_SESSION_REPLY_REASON_SELF_TEST_RUNS_CHOICE;
     case other_session: return CANARD_BUS_SESSION_REPLY_REASON_OTHER_SESSION_CHOICE;
+    case number_too_similar: return CANARD_BUS_SESSION_REPLY_REASON_NUMBER_TOO_SIMILAR_CHOICE;
   }
   return no_choice;
 }

@@ -61,7 +61,7 @@ TEST(LogTransfer, ATickHasOneReadOfThirtyFiveBytesAndFiveFramesAndThreeInASessio
   LogRig rig{9000};
   rig.power_up();
   for (const bool session : {false, true}) {
-    rig.right.session_open = session;
+    rig.right.session = session ? std::optional{LogRig::session} : std::nullopt;
     rig.ask(LogAction::read, 0, 1792);
     int ticks = 0;
     std::size_t frames = 0;
@@ -149,9 +149,9 @@ TEST(LogTransfer, WhatIsNotThereIsRefused) {
 
 TEST(LogTransfer, BeforeTheLookThroughTheFlashHasEndedNothingIsSaid) {
   LogRig rig{9000};
-  rig.right.session_open = true;
+  rig.right.session = LogRig::session;
   for (const auto action : {LogAction::info, LogAction::read, LogAction::erase}) {
-    rig.ask(action, 0, 10);
+    rig.ask(action, LogRig::session, 10);
     rig.step();
     rig.world.time += LogTransfer::reply_gap;
     ASSERT_FALSE(rig.bus.sent.empty());
@@ -173,7 +173,7 @@ TEST(LogTransfer, AFlashThatDoesNotAnswerIsSaidSo) {
 TEST(LogTransfer, OutsideSafeEverythingIsRefusedAndAReadUnderWayEnds) {
   LogRig rig{9000};
   rig.power_up();
-  rig.right.session_open = true;
+  rig.right.session = LogRig::session;
   rig.ask(LogAction::read, 0, 1792);
   EXPECT_FALSE(rig.reply(5));
   rig.right.safe = false;

@@ -183,6 +183,7 @@ extern "C" {
 #define CANARD_BUS_SESSION_REPLY_REASON_NOT_AT_REST_CHOICE (5u)
 #define CANARD_BUS_SESSION_REPLY_REASON_SELF_TEST_RUNS_CHOICE (6u)
 #define CANARD_BUS_SESSION_REPLY_REASON_OTHER_SESSION_CHOICE (7u)
+#define CANARD_BUS_SESSION_REPLY_REASON_NUMBER_TOO_SIMILAR_CHOICE (8u)
 
 #define CANARD_BUS_ARM_REPLY_SELF_TEST_NOT_RUN_CHOICE (0u)
 #define CANARD_BUS_ARM_REPLY_SELF_TEST_RUNNING_CHOICE (1u)
@@ -479,7 +480,7 @@ extern "C" {
 /**
  * Signals in message BenchRequest.
  *
- * Shaft angles for an open bench session, held until the next request or the end of the session. A canard that is not asked stays at its trim, and its angle is zero here.
+ * Shaft angles for an open bench session, held until the next request or the end of the session. A canard that is not asked stays at its trim, and its angle is zero here. The CRC covers the number of the session.
  *
  * All signal values are as on the CAN bus.
  */
@@ -558,7 +559,7 @@ struct canard_bus_bench_request_t {
 /**
  * Signals in message BenchSession.
  *
- * Opens, keeps and closes a bench session. Closing one, or 100 ms without this frame, centres the canards.
+ * Opens, keeps and closes a bench session, under a number that the bench drew at random. One session is one sender: while one is open, no other is opened. Closing one, or 100 ms without this frame, centres the canards.
  *
  * All signal values are as on the CAN bus.
  */
@@ -734,7 +735,7 @@ struct canard_bus_plan_data_t {
 /**
  * Signals in message LogRequest.
  *
- * Asks for the state of the flight record, for up to 1792 bytes of it, or for its erase. Moves nothing, but can erase, so it is protected.
+ * Asks for the state of the flight record, for up to 1792 bytes of it, or for its erase (offset: the number of the open session). Moves nothing, but can erase, so it is protected.
  *
  * All signal values are as on the CAN bus.
  */
@@ -1107,7 +1108,7 @@ struct canard_bus_session_reply_t {
     uint8_t state;
 
     /**
-     * Range: 0..7 (0..7 -)
+     * Range: 0..8 (0..8 -)
      * Scale: 1
      * Offset: 0
      */
