@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "avionics/bench_mode.hpp"
 
-#include <utility>
-
 #include "protocol/bus_codec.hpp"
 
 namespace fantail::avionics {
 
 using protocol::SessionAction;
 using protocol::SessionReason;
+using protocol::SessionState;
 
 bool BenchMode::receive(const Situation& now, bool self_test_runs, const protocol::BenchSession& message) {
   const bool own = session_ == message.session;
@@ -27,14 +26,14 @@ bool BenchMode::receive(const Situation& now, bool self_test_runs, const protoco
   }
   if (own) {  // the bench repeats itself until it has seen the answer
     last_heard_ = now.time;
-    answer(SessionReason::opened, message.session);
+    become(SessionState::open, SessionReason::opened, message.session);
   } else if (const auto reason = objection(now, self_test_runs, message.session)) {
-    // Refused, and a session of another bench goes on: the answer names the one that was refused.
-    answer(*reason, message.session);
+    // A bench whose session has just ended must hear that, so this does not take the place of the state.
+    refusal_ = {.state = SessionState::closed, .reason = *reason, .session = message.session};
   } else {
     session_ = message.session;
     last_heard_ = now.time;
-    answer(SessionReason::opened, message.session);
+    become(SessionState::open, SessionReason::opened, message.session);
   }
   return true;
 }
@@ -92,18 +91,8 @@ void BenchMode::update(const Situation& now) {
   }
 }
 
-bool BenchMode::take_news() {
-  const bool news = std::exchange(news_, false);
-  if (session_ && reply_.session != *session_) {
-    reply_ = {.state = protocol::SessionState::open, .reason = SessionReason::opened, .session = *session_};
-  }
-  return news;
-}
-
-void BenchMode::answer(SessionReason reason, std::uint16_t session) {
-  reply_ = {.state = session_ == session ? protocol::SessionState::open : protocol::SessionState::closed,
-            .reason = reason,
-            .session = session};
+void BenchMode::become(SessionState state, SessionReason reason, std::uint16_t session) {
+  reply_ = {.state = state, .reason = reason, .session = session};
   news_ = true;
 }
 
@@ -112,7 +101,7 @@ void BenchMode::close(SessionReason reason) {
   session_.reset();
   before_ = session;
   request_.reset();
-  answer(reason, session);
+  become(SessionState::closed, reason, session);
 }
 
 }  // namespace fantail::avionics

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <utility>
 
 #include "avionics/situation.hpp"
 #include "core/flight_plan.hpp"
@@ -38,13 +39,15 @@ class BenchMode {
 
   /// The state and why.
   [[nodiscard]] const protocol::SessionReply& reply() const { return reply_; }
-  /// True once, when that is an answer which nobody has seen. From then on the reply is about the open session again.
-  [[nodiscard]] bool take_news();
+  /// True once, when that is an answer which nobody has seen.
+  [[nodiscard]] bool take_news() { return std::exchange(news_, false); }
+  /// The answer to an `open` that was refused, once: the state has not changed by it.
+  [[nodiscard]] std::optional<protocol::SessionReply> take_refusal() { return std::exchange(refusal_, std::nullopt); }
 
  private:
   [[nodiscard]] std::optional<protocol::SessionReason> objection(const Situation& now, bool self_test_runs,
                                                                  std::uint16_t session) const;
-  void answer(protocol::SessionReason reason, std::uint16_t session);
+  void become(protocol::SessionState state, protocol::SessionReason reason, std::uint16_t session);
   void close(protocol::SessionReason reason);
 
   std::optional<std::uint16_t> session_;
@@ -52,6 +55,7 @@ class BenchMode {
   core::Microseconds last_heard_{};
   std::optional<protocol::BenchRequest> request_;
   protocol::SessionReply reply_{};
+  std::optional<protocol::SessionReply> refusal_;
   bool news_ = false;
 };
 

@@ -122,7 +122,6 @@ constexpr unsigned choice(SelfTestFailure value) {
     using enum SelfTestFailure;
     case none: return CANARD_BUS_ARM_REPLY_FAILURE_NONE_CHOICE;
     case not_safe: return CANARD_BUS_ARM_REPLY_FAILURE_NOT_SAFE_CHOICE;
-    case session_open: return CANARD_BUS_ARM_REPLY_FAILURE_SESSION_OPEN_CHOICE;
     case moved: return CANARD_BUS_ARM_REPLY_FAILURE_MOVED_CHOICE;
     case gyro_failed: return CANARD_BUS_ARM_REPLY_FAILURE_GYRO_FAILED_CHOICE;
     case accelerometer_failed: return CANARD_BUS_ARM_REPLY_FAILURE_ACCELEROMETER_FAILED_CHOICE;

@@ -133,8 +133,7 @@ enum class SelfTestState : std::uint8_t { not_run, running, passed, failed };
 
 enum class SelfTestFailure : std::uint8_t {
   none,
-  not_safe,                  ///< refused: the phase is not Safe
-  session_open,              ///< refused: the bench holds the canards
+  not_safe,                  ///< the phase has changed
   moved,                     ///< not still for the whole test
   gyro_failed,               ///< no usable gyro
   accelerometer_failed,      ///< one that the plan needs is not usable
@@ -147,10 +146,12 @@ enum class SelfTestFailure : std::uint8_t {
   flash_failed,
   flash_too_full,
   timed_out,
-  board_fault,  ///< or refused: BoardReport names it
+  board_fault,  ///< BoardReport names it
   newer_plan,   ///< the stored plan was made for a newer version of the firmware
 };
 
+/// Of the last ArmRequest, whatever it asked for. What is refused changes nothing; only a wrong nonce voids the right
+/// one.
 enum class ArmRefusal : std::uint8_t {
   none,
   not_safe,

@@ -76,6 +76,29 @@ TEST_F(LogErase, IsRefusedInTheSessionOfAnotherBenchAndStopsWhenTheNextOneIsAnot
   EXPECT_GT(rig.bytes_in_flash(), 0U);
 }
 
+TEST_F(LogErase, ARefusedRequestDoesNotStopItAndItsEndIsToldUnderItsOwnTag) {
+  rig.ask_to_erase();
+  std::optional<protocol::LogReply> reply;
+  int refusals = 0;
+  for (int i = 0; i < 5'000 && !(reply && reply->state == LogState::erased); ++i) {
+    if (i % 21 == 0) {
+      rig.ask(LogAction::erase, LogRig::session + 1, 0, 9);
+    }
+    const auto next = rig.reply(1);
+    reply = next ? next : reply;
+    if (next && next->state == LogState::refused) {
+      EXPECT_EQ(next->tag, 9);
+      EXPECT_EQ(next->fault, LogFault::no_session);
+      refusals += 1;
+    } else if (next) {
+      EXPECT_EQ(next->tag, 3);
+    }
+  }
+  EXPECT_TRUE(reply && reply->state == LogState::erased);
+  EXPECT_GE(refusals, 3);
+  EXPECT_EQ(rig.bytes_in_flash(), 0U);
+}
+
 TEST_F(LogErase, NothingIsReadMeanwhile) {
   rig.ask_to_erase();
   rig.step();

@@ -77,6 +77,23 @@ TEST(LogTransfer, ATickHasOneReadOfThirtyFiveBytesAndFiveFramesAndThreeInASessio
   }
 }
 
+TEST(LogTransfer, ARefusedRequestLeavesTheReadThatIsUnderWay) {
+  LogRig rig{9000};
+  rig.power_up();
+  rig.ask(LogAction::read, 0, 1792, 3);
+  rig.step();
+  rig.ask(LogAction::erase, LogRig::session, 0, 9);
+  rig.ask(LogAction::read, 1'000'000, 10, 9);
+  const auto refusal = rig.reply();
+  ASSERT_TRUE(refusal && refusal->state == LogState::refused);
+  EXPECT_EQ(refusal->tag, 9);
+  EXPECT_EQ(refusal->fault, LogFault::out_of_range) << "of the newest one";
+  const auto reply = rig.reply();
+  ASSERT_TRUE(reply && reply->state == LogState::read);
+  EXPECT_EQ(reply->tag, 3);
+  EXPECT_EQ(reply->extra, 1792);
+}
+
 TEST(LogTransfer, AFrameThatFindsNoRoomOnTheBusComesAgain) {
   for (std::uint32_t seed = 1; seed <= 20; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);

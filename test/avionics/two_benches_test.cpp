@@ -113,6 +113,28 @@ TEST_P(AtEveryRate, TheRequestsOfABenchWhoseSessionHasEndedAreNotObeyedInsideThe
   }
 }
 
+// The first one has to learn that its session is over, whatever is said to the second.
+TEST(TwoBenches, ARefusalDoesNotTakeThePlaceOfTheEndOfASession) {
+  TwoBenches both{0};
+  hal::sim::CanBus ear{both.rig.wire};
+  both.rig.hardware.imu.rate = {500, 0, 0};
+  std::vector<SessionReply> of_the_first;
+  for (int i = 0; i < 300; ++i) {
+    both.second.say(protocol::BenchSession{.action = SessionAction::open, .session = second_session});
+    both.rig.tick();
+    while (const auto frame = ear.receive()) {
+      const auto decoded = protocol::decode_from_avionics(bus_frame(*frame));
+      const auto* reply = decoded.message ? std::get_if<SessionReply>(&*decoded.message) : nullptr;
+      if (reply != nullptr && reply->session == first_session) {
+        of_the_first.push_back(*reply);
+      }
+    }
+  }
+  ASSERT_GE(of_the_first.size(), 3U) << "at once, and ten times a second";
+  EXPECT_EQ(of_the_first.back().state, protocol::SessionState::closed);
+  EXPECT_EQ(of_the_first.back().reason, SessionReason::not_at_rest);
+}
+
 INSTANTIATE_TEST_SUITE_P(Milliseconds, AtEveryRate, testing::Values(1, 3, 5, 20, 50, 90));
 
 }  // namespace

@@ -71,6 +71,26 @@ TEST(BenchArm, IsToldThatTheGyroIsGoneAndToldAgain) {
   }
 }
 
+TEST(BenchArm, ARefusedSelfTestIsSaidSoAndTheEarlierPassStillArms) {
+  BenchAtWorld place{"bench_healthy"};
+  link::AvionicsLink link{place.bus()};
+  link::await_avionics(place, link);
+  link::ArmSteps steps{place, link};
+  ASSERT_EQ(steps.run_self_test([](const auto&) {}).self_test, protocol::SelfTestState::passed);
+  for (int time = 0; time < 2; ++time) {  // the second time the reason is not new
+    link::Session session{place, link, 5};
+    try {
+      (void)link::ArmSteps{place, link}.run_self_test([](const auto&) {});
+      ADD_FAILURE() << "it ran inside a session";
+    } catch (const link::SelfTestRefused& refusal) {
+      EXPECT_EQ(std::string{refusal.what()}, "a bench session is open");
+    }
+  }
+  place.world->set_arm_switch(true);
+  place.wait(300 * millisecond);
+  EXPECT_TRUE(steps.ask_for_nonce().nonce);
+}
+
 /// A PC that hears the rocket and whose own frames are lost.
 class MutePc final : public link::Place, private hal::CanBus {
  public:

@@ -60,7 +60,6 @@ std::string sentence(protocol::SelfTestFailure failure, const std::optional<std:
   switch (failure) {
     case Failure::none: return "no reason given";
     case Failure::not_safe: return "the rocket is not in phase safe";
-    case Failure::session_open: return "a bench session is open";
     case Failure::moved: return "the rocket did not stand still";
     case Failure::gyro_failed: return "the gyro gives no usable rate";
     case Failure::accelerometer_failed: return "an accelerometer that the plan needs gives no usable sample";
