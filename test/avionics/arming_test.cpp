@@ -258,21 +258,6 @@ TEST(Arming, TheSwitchDisarmsAndTheNonceIsNotGoodForASecondTime) {
   EXPECT_EQ(phase_after(rig, ArmAction::confirm, nonce), Phase::safe);
 }
 
-// A rocket that is touched for a moment: whoever asks again then is refused, and the first may still confirm.
-TEST(Arming, ARefusedBeginLeavesTheNonceThatWasGivenBefore) {
-  BoardRig rig;
-  const std::uint32_t nonce = rig.begin_arming().value();
-  rig.hardware.arm_switch_closed = false;
-  rig.tick();
-  rig.pc.say(ArmAction::begin);
-  rig.tick();
-  EXPECT_EQ(rig.pc.heard<ArmReply>()->refusal, ArmRefusal::switch_open);
-  EXPECT_EQ(rig.pc.heard<ArmReply>()->nonce, nonce);
-  rig.hardware.arm_switch_closed = true;
-  rig.tick();
-  EXPECT_EQ(phase_after(rig, ArmAction::confirm, nonce), Phase::armed);
-}
-
 core::FlightPlan tunnel_plan() {
   core::FlightPlan plan = core::default_plan();
   plan.run.start = core::Start::tunnel;
@@ -288,14 +273,6 @@ TEST(Arming, InTheTunnelControlStartsWithTheNonceThatArmed) {
   EXPECT_EQ(phase_after(rig, ArmAction::start, nonce + 1), Phase::armed);
   EXPECT_EQ(rig.pc.heard<ArmReply>()->refusal, ArmRefusal::wrong_nonce);
   EXPECT_EQ(phase_after(rig, ArmAction::start, nonce), Phase::controlling);
-}
-
-TEST(Arming, ARefusedStartDoesNotTakeBackOneThatWasAcceptedInTheSameTick) {
-  BoardRig rig{tunnel_plan()};
-  const std::uint32_t nonce = rig.begin_arming().value();
-  ASSERT_EQ(phase_after(rig, ArmAction::confirm, nonce), Phase::armed);
-  rig.pc.say(ArmAction::start, nonce);
-  EXPECT_EQ(phase_after(rig, ArmAction::start, nonce + 1), Phase::controlling);
 }
 
 TEST(Arming, ALaunchPlanIsNeverStartedByCommand) {
