@@ -284,7 +284,8 @@ struct BoardReport {
   PlanSource plan = PlanSource::built_in;
   bool flash_failed = false;  ///< it does not answer, or does not keep what is written
   std::optional<std::uint16_t> battery_mv{};
-  std::uint8_t overruns = 0;  ///< control ticks that were due and did not come, since power-up; saturates
+  std::uint8_t overruns = 0;  ///< control ticks that were due and did not come, since power-up; saturates. Also those
+                              ///< that a simulated board left out, which are no fault
 };
 
 struct HeartbeatReport {
