@@ -632,7 +632,7 @@ struct canard_bus_arm_request_t {
 /**
  * Signals in message PlanBegin.
  *
- * A plan block is about to come. A plan that is stored can have other trims, to which the canards then go.
+ * A plan block is about to come; block_crc is the CRC-32C of all but its last four bytes. A plan that is stored can have other trims, to which the canards then go.
  *
  * All signal values are as on the CAN bus.
  */
@@ -1502,7 +1502,7 @@ struct canard_bus_board_report_t {
 /**
  * Signals in message HeartbeatReport.
  *
- * Version of this protocol, time since power-up, CRC-32C of the plan in force.
+ * Version of this protocol, time since power-up (begins again at 0 after 2^24 ms), block_crc of the plan in force.
  *
  * All signal values are as on the CAN bus.
  */
