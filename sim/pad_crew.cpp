@@ -12,7 +12,7 @@ using protocol::SelfTestState;
 void PadCrew::act(hal::Microseconds now) {
   const std::optional<ArmReply> reply = newest_reply();
   const bool failed = stage_ == Stage::testing && reply && reply->self_test == SelfTestState::failed;
-  const bool refused = stage_ != Stage::testing && reply && reply->refusal != protocol::ArmRefusal::none;
+  const bool refused = reply && reply->refusal != protocol::ArmRefusal::none;
   if (stage_ == Stage::waiting && now >= arm_time_) {
     stage_ = Stage::testing;
     send(ArmAction::self_test);

@@ -72,6 +72,10 @@ class World {
 
   void set_arm_switch(bool closed) { hardware_.arm_switch_closed = closed; }
 
+  /// Milliseconds by which this world fell behind a clock outside of it, since power-up: the board tells them on the
+  /// bus.
+  void set_ticks_left_out(std::uint32_t ticks) { hardware_.board.ticks_left_out = ticks; }
+
   /// The motor burns from the next millisecond on; in the tunnel nothing happens. Only the first time counts.
   void ignite();
 

@@ -30,12 +30,11 @@ void Arming::receive(const Situation& now, const Permission& permission, const p
   switch (request.action) {
     case ArmAction::self_test: return;
     case ArmAction::begin:
-      issued_.reset();
-      expired_ = false;
       refusal_ = objection(now, permission);
       if (refusal_ == ArmRefusal::none) {
         if (const auto nonce = fresh_nonce(permission)) {
           issued_ = Issued{.nonce = *nonce, .time = now.time};
+          expired_ = false;
         } else {
           refusal_ = ArmRefusal::no_nonce;
         }
@@ -55,7 +54,7 @@ void Arming::receive(const Situation& now, const Permission& permission, const p
       return;
     case ArmAction::start:
       refusal_ = objection_to_start(now, permission, request.nonce);
-      start_command_ = refusal_ == ArmRefusal::none;
+      start_command_ = start_command_ || refusal_ == ArmRefusal::none;
       return;
   }
 }

@@ -29,8 +29,10 @@ class Arming {
     std::uint32_t random = 0;  ///< fresh with every request
   };
 
-  /// begin, confirm or start; a self_test is not its business.
+  /// begin, confirm or start; a self_test is not its business. A refused begin leaves a nonce that was given before.
   void receive(const Situation& now, const Permission& permission, const protocol::ArmRequest& request);
+  /// To a self_test.
+  void answer(protocol::ArmRefusal refusal) { refusal_ = refusal; }
 
   /// Once a tick, when the switch has been read.
   void update(const Situation& now);

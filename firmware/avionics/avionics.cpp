@@ -96,7 +96,7 @@ void Avionics::adopt(const core::FlightPlan& plan) {
 void Avionics::listen(core::Microseconds now) {
   situation_.time = now;
   receiver_.begin_tick();
-  while (const auto message = receiver_.next(now, devices_.can_bus)) {
+  while (const auto message = receiver_.next(now, devices_.can_bus, bench_mode_.session())) {
     if (const auto* session = std::get_if<protocol::BenchSession>(&*message)) {
       obey(*session);
     } else if (const auto* request = std::get_if<protocol::BenchRequest>(&*message)) {
@@ -128,7 +128,7 @@ void Avionics::obey(const protocol::BenchRequest& message) {
 
 void Avionics::obey(const protocol::ArmRequest& message) {
   if (message.action == protocol::ArmAction::self_test) {
-    self_test_.start(situation_, bench_mode_.open());
+    arming_.answer(self_test_.start(situation_, bench_mode_.open()));
   } else {
     // A plan that is being written will want a self-test of its own, and a flight wants its room in the flash.
     const bool flash_is_ready = !flash_.transfer().writing() && !flash_.flights().erasing();
@@ -148,7 +148,7 @@ bool Avionics::plan_may_change() const {
 }
 
 LogTransfer::Right Avionics::right_to_log() const {
-  return {.safe = situation_.phase == core::Phase::safe, .session_open = bench_mode_.open()};
+  return {.safe = situation_.phase == core::Phase::safe, .session = bench_mode_.session()};
 }
 
 core::Inputs Avionics::read_devices(core::Microseconds now) {
@@ -185,6 +185,8 @@ void Avionics::report(const core::TickRecord& record) {
                 .self_test_running = self_test_.running(),
                 .session_open = bench_mode_.open(),
                 .session = bench_mode_.reply(),
+                .session_is_news = bench_mode_.take_news(),
+                .session_refusal = bench_mode_.take_refusal(),
                 .arming = {.self_test = self_test_.state(),
                            .failure = self_test_.failure(),
                            .canard = self_test_.canard(),
@@ -196,7 +198,6 @@ void Avionics::report(const core::TickRecord& record) {
                 .board_is_news = board_is_news_,
                 .plan_crc = plan_crc_,
                 .tick_duration = tick_duration_};
-  report.session_is_news = bench_mode_.take_news();
   for (std::size_t i = 0; i < core::canard_count; ++i) {
     report.limits.limit[i] = autopilot_->canard_limit(i);
   }

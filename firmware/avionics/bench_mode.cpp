@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "avionics/bench_mode.hpp"
 
-#include <utility>
+#include "protocol/bus_codec.hpp"
 
 namespace fantail::avionics {
 
 using protocol::SessionAction;
 using protocol::SessionReason;
+using protocol::SessionState;
 
 bool BenchMode::receive(const Situation& now, bool self_test_runs, const protocol::BenchSession& message) {
   const bool own = session_ == message.session;
@@ -25,22 +26,37 @@ bool BenchMode::receive(const Situation& now, bool self_test_runs, const protoco
   }
   if (own) {  // the bench repeats itself until it has seen the answer
     last_heard_ = now.time;
-    answer(SessionReason::opened, message.session);
-  } else if (session_) {
-    // Refused, and the other session goes on: the answer names the one that was refused.
-    answer(SessionReason::other_session, message.session);
-  } else if (now.phase != core::Phase::safe) {
-    answer(SessionReason::not_safe, message.session);
-  } else if (!now.at_rest) {
-    answer(SessionReason::not_at_rest, message.session);
-  } else if (self_test_runs) {
-    answer(SessionReason::self_test_runs, message.session);
+    become(SessionState::open, SessionReason::opened, message.session);
+  } else if (const auto reason = objection(now, self_test_runs, message.session)) {
+    // A bench whose session has just ended must hear that, so this does not take the place of the state.
+    refusal_ = {.state = SessionState::closed, .reason = *reason, .session = message.session};
   } else {
     session_ = message.session;
     last_heard_ = now.time;
-    answer(SessionReason::opened, message.session);
+    become(SessionState::open, SessionReason::opened, message.session);
   }
   return true;
+}
+
+std::optional<SessionReason> BenchMode::objection(const Situation& now, bool self_test_runs,
+                                                  std::uint16_t session) const {
+  if (session_) {
+    return SessionReason::other_session;
+  }
+  if (now.phase != core::Phase::safe) {
+    return SessionReason::not_safe;
+  }
+  if (!now.at_rest) {
+    return SessionReason::not_at_rest;
+  }
+  if (self_test_runs) {
+    return SessionReason::self_test_runs;
+  }
+  // The same number is the same bench, which has begun anew.
+  if (before_ && *before_ != session && !protocol::told_apart(*before_, session)) {
+    return SessionReason::number_too_similar;
+  }
+  return std::nullopt;
 }
 
 bool BenchMode::receive(const protocol::BenchRequest& message) {
@@ -75,26 +91,17 @@ void BenchMode::update(const Situation& now) {
   }
 }
 
-bool BenchMode::take_news() {
-  const bool news = std::exchange(news_, false);
-  if (session_ && reply_.session != *session_) {
-    reply_ = {.state = protocol::SessionState::open, .reason = SessionReason::opened, .session = *session_};
-  }
-  return news;
-}
-
-void BenchMode::answer(SessionReason reason, std::uint16_t session) {
-  reply_ = {.state = session_ == session ? protocol::SessionState::open : protocol::SessionState::closed,
-            .reason = reason,
-            .session = session};
+void BenchMode::become(SessionState state, SessionReason reason, std::uint16_t session) {
+  reply_ = {.state = state, .reason = reason, .session = session};
   news_ = true;
 }
 
 void BenchMode::close(SessionReason reason) {
   const std::uint16_t session = *session_;
   session_.reset();
+  before_ = session;
   request_.reset();
-  answer(reason, session);
+  become(SessionState::closed, reason, session);
 }
 
 }  // namespace fantail::avionics

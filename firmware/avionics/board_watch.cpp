@@ -38,12 +38,14 @@ void BoardWatch::look(const hal::BoardStatus& status, std::uint32_t missed_ticks
 
 protocol::BoardReport BoardWatch::report(const FlashFacts& flash) const {
   constexpr std::uint32_t most_overruns = 0xFF;
+  const std::uint32_t missed =
+      std::min(status_.overruns, most_overruns) + std::min(status_.ticks_left_out, most_overruns);
   return {.faults = status_.faults.bits(),
           .reset_cause = static_cast<std::uint8_t>(status_.reset_cause),
           .plan = flash.plan.value_or(PlanSource::built_in),
           .flash_failed = flash.failed,
           .battery_mv = status_.battery_mv,
-          .overruns = static_cast<std::uint8_t>(std::min(status_.overruns, most_overruns))};
+          .overruns = static_cast<std::uint8_t>(std::min(missed, most_overruns))};
 }
 
 bool BoardWatch::tell(core::Microseconds now, core::Phase phase, const FlashFacts& flash, hal::Console& console) {

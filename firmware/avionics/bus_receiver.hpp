@@ -18,8 +18,9 @@ class BusReceiver {
   /// More than a bus of 1 Mbit/s can deliver in a millisecond: a babbling node cannot make a tick long.
   static constexpr int most_frames_per_tick = 24;
 
-  /// The next message; empty when none waits or this tick has had its share.
-  std::optional<protocol::FromBench> next(core::Microseconds now, hal::CanBus& bus);
+  /// The next message; empty when none waits or this tick has had its share. `session`: the one that is open now.
+  std::optional<protocol::FromBench> next(core::Microseconds now, hal::CanBus& bus,
+                                          std::optional<std::uint16_t> session);
 
   void begin_tick() { frames_ = 0; }
 
@@ -30,18 +31,27 @@ class BusReceiver {
   [[nodiscard]] const protocol::RejectionReport& rejections() const { return rejections_; }
 
  private:
-  /// A bench that begins anew does not know how far the one before it had counted. Long enough for a lost frame or two,
-  /// too short for a person.
+  /// Long enough for a frame that the bus has doubled, too short for a person.
   static constexpr core::Microseconds memory{100'000};
 
-  struct Kind {
-    protocol::Sequence sequence;
-    core::Microseconds last{};
+  struct Received {
+    protocol::BusFrame frame{};
+    core::Microseconds time{};
   };
 
-  [[nodiscard]] bool follows_on(core::Microseconds now, std::size_t kind, std::uint8_t counter);
+  /// The counters of the open session, which begin with it and which no other bench's frames touch.
+  struct SessionCounters {
+    std::optional<std::uint16_t> session{};
+    protocol::Sequence heartbeats{};
+    protocol::Sequence requests{};
+  };
 
-  std::array<Kind, std::variant_size_v<protocol::FromBench>> kinds_{};
+  [[nodiscard]] bool follows_on(core::Microseconds now, const protocol::BusFrame& frame,
+                                const protocol::FromBench& message, std::uint8_t counter);
+  [[nodiscard]] bool is_repeated(core::Microseconds now, const protocol::BusFrame& frame, std::size_t kind);
+
+  SessionCounters counters_{};
+  std::array<std::optional<Received>, std::variant_size_v<protocol::FromBench>> last_{};  ///< outside of sessions
   protocol::RejectionReport rejections_{};
   int frames_ = 0;
 };

@@ -20,19 +20,20 @@ void LogTransfer::answer(LogState state, std::uint32_t number, std::uint16_t ext
   reply_due_ = true;
 }
 
-void LogTransfer::refuse(LogFault fault) {
+void LogTransfer::give_up(LogFault fault) {
   answer(LogState::refused);
   reply_.fault = fault;
 }
 
 void LogTransfer::receive(const protocol::LogRequest& request, const Right& right) {
+  if (const auto fault = refusal(request, right)) {
+    refusal_ = {.state = LogState::refused, .fault = *fault, .tag = request.tag};
+    return;
+  }
+  refusal_.reset();
   tag_ = request.tag;
   size_ = 0;
   reply_due_ = false;
-  if (const auto fault = refusal(request, right)) {
-    refuse(*fault);
-    return;
-  }
   switch (request.action) {
     case LogAction::info:
       erasing_ ? answer(LogState::erasing, flights_.used_bytes())
@@ -47,7 +48,7 @@ void LogTransfer::receive(const protocol::LogRequest& request, const Right& righ
       sent_ = 0;
       index_ = 0;
       break;
-    case LogAction::erase: begin_erase(right); break;
+    case LogAction::erase: begin_erase(request); break;
   }
 }
 
@@ -55,7 +56,7 @@ std::optional<LogFault> LogTransfer::refusal(const protocol::LogRequest& request
   if (!right.safe) {
     return LogFault::not_safe;
   }
-  if (request.action == LogAction::erase && !right.session_open) {
+  if (request.action == LogAction::erase && right.session != request.offset) {
     return LogFault::no_session;
   }
   if (flights_.failed()) {
@@ -64,7 +65,10 @@ std::optional<LogFault> LogTransfer::refusal(const protocol::LogRequest& request
   if (!flights_.finished()) {
     return LogFault::not_counted_yet;
   }
-  if (request.action != LogAction::read) {
+  if (request.action == LogAction::erase) {
+    return refusal_of_erase(request, right);
+  }
+  if (request.action == LogAction::info) {
     return std::nullopt;
   }
   if (flights_.erasing()) {
@@ -76,17 +80,21 @@ std::optional<LogFault> LogTransfer::refusal(const protocol::LogRequest& request
   return is_there ? std::nullopt : std::optional{LogFault::out_of_range};
 }
 
-void LogTransfer::begin_erase(const Right& right) {
+std::optional<LogFault> LogTransfer::refusal_of_erase(const protocol::LogRequest& request, const Right& right) const {
+  const bool goes_on = erasing_ && eraser_ == request.offset;
   const bool busy = right.flash_in_use || flights_.erasing();  // also with the last sector of an erase that was stopped
-  if (erasing_) {
-    answer(LogState::erasing, flights_.used_bytes());
-  } else if (!busy && flights_.used_bytes() == 0) {
+  return !goes_on && busy ? std::optional{LogFault::busy} : std::nullopt;
+}
+
+void LogTransfer::begin_erase(const protocol::LogRequest& request) {
+  if (!erasing_ && flights_.used_bytes() == 0) {
     answer(LogState::erased, 0, free_kib());
-  } else if (!busy && flights_.begin_erase()) {
+  } else if (erasing_ || flights_.begin_erase()) {
     erasing_ = true;
+    eraser_ = request.offset;
     answer(LogState::erasing, flights_.used_bytes());
   } else {
-    refuse(LogFault::busy);
+    give_up(LogFault::busy);
   }
 }
 
@@ -96,18 +104,18 @@ void LogTransfer::update(core::Microseconds now, const Right& right) {
   }
   if (size_ > 0 && !right.safe) {
     size_ = 0;
-    refuse(LogFault::not_safe);
+    give_up(LogFault::not_safe);
   }
 }
 
 void LogTransfer::follow_erase(core::Microseconds now, const Right& right) {
-  if (!right.safe || !right.session_open) {
+  if (!right.safe || right.session != eraser_) {
     flights_.stop_erase();
     erasing_ = false;
-    refuse(right.safe ? LogFault::no_session : LogFault::not_safe);
+    give_up(right.safe ? LogFault::no_session : LogFault::not_safe);
   } else if (flights_.failed()) {
     erasing_ = false;
-    refuse(LogFault::flash_failed);
+    give_up(LogFault::flash_failed);
   } else if (!flights_.erasing()) {
     erasing_ = false;
     answer(LogState::erased, flights_.used_bytes(), free_kib());
@@ -124,7 +132,7 @@ bool LogTransfer::read(core::Microseconds now) {
   const Access access = flights_.read(now, offset_ + read_, bytes);
   if (access == Access::failed) {
     size_ = 0;
-    refuse(LogFault::flash_failed);
+    give_up(LogFault::flash_failed);
   } else if (access == Access::done) {
     crc_ = protocol::crc32c(crc_, bytes);
     read_ = static_cast<std::uint16_t>(read_ + bytes.size());
@@ -135,7 +143,7 @@ bool LogTransfer::read(core::Microseconds now) {
 }
 
 void LogTransfer::send(core::Microseconds now, const Right& right, hal::CanBus& bus) {
-  const std::size_t most = right.session_open ? frames_a_tick_in_session : frames_a_tick;
+  const std::size_t most = right.session ? frames_a_tick_in_session : frames_a_tick;
   for (std::size_t i = 0; i < most && size_ > 0 && sent_ < buffered_; ++i) {
     if (!send_data(bus)) {
       return;  // nor is there room for the answer
@@ -145,11 +153,17 @@ void LogTransfer::send(core::Microseconds now, const Right& right, hal::CanBus& 
     answer(LogState::read, crc_, size_);
     size_ = 0;
   }
-  if (reply_due_ && (!last_reply_ || now - *last_reply_ >= reply_gap) && bus.send(can_frame(encode(reply_)))) {
+  if (refusal_ && may_reply(now) && bus.send(can_frame(encode(*refusal_)))) {
+    refusal_.reset();
+    last_reply_ = now;
+  }
+  if (reply_due_ && may_reply(now) && bus.send(can_frame(encode(reply_)))) {
     reply_due_ = false;
     last_reply_ = now;
   }
 }
+
+bool LogTransfer::may_reply(core::Microseconds now) const { return !last_reply_ || now - *last_reply_ >= reply_gap; }
 
 bool LogTransfer::send_data(hal::CanBus& bus) {
   const auto rest = std::span{buffer_}.first(buffered_).subspan(sent_);

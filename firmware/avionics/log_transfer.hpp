@@ -16,8 +16,9 @@ namespace fantail::avionics {
 /// The flight record on its way to the bench, one chunk at a time, and its erase on the bench's word.
 ///
 /// A chunk is read from the flash five frames at a time and sent as fast as the bus takes it; its CRC-32C comes last.
-/// A new request takes the place of the one before. An erase begins, and goes on, only in Safe while a bench session is
-/// open: without one it stops after the sector that it is at, which leaves a record whose beginning is whole.
+/// A new request takes the place of the one before, unless it is refused: then the one before goes on. An erase begins,
+/// and goes on, only in Safe while the session of the bench that asked is open: without it the erase stops after the
+/// sector that it is at, which leaves a record whose beginning is whole.
 class LogTransfer {
  public:
   /// With all other frames of a millisecond in Safe, the bus carries so many; every millisecond of an open bench
@@ -29,9 +30,9 @@ class LogTransfer {
   static constexpr core::Microseconds reply_gap{20'000};
 
   struct Right {
-    bool safe = false;          ///< the phase is Safe
-    bool session_open = false;  ///< of a bench
-    bool flash_in_use = false;  ///< by somebody who goes first
+    bool safe = false;                       ///< the phase is Safe
+    std::optional<std::uint16_t> session{};  ///< of a bench
+    bool flash_in_use = false;               ///< by somebody who goes first
   };
 
   /// The region outlives this object and is updated by its owner.
@@ -50,10 +51,13 @@ class LogTransfer {
   static constexpr std::size_t bytes_a_frame = std::tuple_size_v<decltype(protocol::LogData::bytes)>;
 
   void answer(protocol::LogState state, std::uint32_t number = 0, std::uint16_t extra = 0);
-  void refuse(protocol::LogFault fault);
+  void give_up(protocol::LogFault fault);
   [[nodiscard]] std::optional<protocol::LogFault> refusal(const protocol::LogRequest& request,
                                                           const Right& right) const;
-  void begin_erase(const Right& right);
+  [[nodiscard]] std::optional<protocol::LogFault> refusal_of_erase(const protocol::LogRequest& request,
+                                                                   const Right& right) const;
+  void begin_erase(const protocol::LogRequest& request);
+  [[nodiscard]] bool may_reply(core::Microseconds now) const;
   void follow_erase(core::Microseconds now, const Right& right);
   [[nodiscard]] bool send_data(hal::CanBus& bus);
   [[nodiscard]] std::uint16_t free_kib() const;
@@ -61,10 +65,12 @@ class LogTransfer {
   FlightRegion& flights_;
   protocol::LogReply reply_{};
   bool reply_due_ = false;
+  std::optional<protocol::LogReply> refusal_;  ///< of a request, beside what goes on
   std::optional<core::Microseconds> last_reply_;
-  std::uint8_t tag_ = 0;  ///< of the newest request
+  std::uint8_t tag_ = 0;  ///< of the newest request that was not refused
 
   bool erasing_ = false;
+  std::uint32_t eraser_ = 0;  ///< the session of the bench that asked for it
 
   std::uint32_t offset_ = 0;                                       ///< of the chunk that is being sent
   std::uint16_t size_ = 0;                                         ///< of it; 0: none

@@ -125,6 +125,12 @@ void PlanStore::update(core::Microseconds now) {
       }
       break;
     case Step::check_header: check(now, slot, header()); break;
+    case Step::make_void:
+      if (done(flash_.erase_sector(now, slot))) {
+        step_ = Step::check_void;
+      }
+      break;
+    case Step::check_void: check_void(now, slot); break;
   }
 }
 
@@ -147,13 +153,21 @@ void PlanStore::check(core::Microseconds now, std::uint32_t address, std::span<c
     return;
   }
   if (!std::ranges::equal(bytes, expected)) {
-    write_ = PlanWrite::read_back_differs;
+    // It may be the reading that was wrong, and the slot as good as new: the next power-up would find it.
+    step_ = Step::make_void;
   } else if (step_ == Step::check_header) {
     write_ = PlanWrite::stored;
     in_force_ = target_;
     sequence_ += 1;
   } else if (at_ += expected.size(); at_ == block_.size()) {
     step_ = Step::header;
+  }
+}
+
+void PlanStore::check_void(core::Microseconds now, std::uint32_t slot) {
+  std::array<std::byte, sealed_size<header_words>> bytes{};
+  if (done(flash_.read(now, slot, bytes))) {
+    write_ = unseal<header_words>(bytes) ? PlanWrite::flash_failed : PlanWrite::read_back_differs;
   }
 }
 

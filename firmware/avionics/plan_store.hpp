@@ -43,7 +43,8 @@ enum class PlanWrite : std::uint8_t {
   stored,             ///< read back, and taken at the next power-up
   flash_failed,       ///< it does not answer, or has been busy for more than 2 s. When that happens at the very end,
                       ///< nobody knows which plan the next power-up will find; it is an intact one
-  read_back_differs,  ///< it does not hold what was written
+  read_back_differs,  ///< it does not hold what was written, and its slot has been made void: the plan in the other
+                      ///< one is taken at the next power-up too
 };
 
 /// The flight plan in flash, in two slots of which the older one is written. A slot is a page that begins with a header
@@ -72,7 +73,7 @@ class PlanStore {
   [[nodiscard]] PlanWrite write() const { return write_; }
 
  private:
-  enum class Step : std::uint8_t { erase, block, check_block, header, check_header };
+  enum class Step : std::uint8_t { erase, block, check_block, header, check_header, make_void, check_void };
   struct Slot {
     std::uint32_t sequence;
     std::uint32_t size;
@@ -85,6 +86,7 @@ class PlanStore {
   [[nodiscard]] std::array<std::byte, 16> header() const;
   void program_page(core::Microseconds now, std::uint32_t address);
   void check(core::Microseconds now, std::uint32_t address, std::span<const std::byte> expected);
+  void check_void(core::Microseconds now, std::uint32_t slot);
 
   FlashAccess& flash_;
   std::array<std::optional<Slot>, 2> slots_{};  ///< those whose header is intact, at power-up

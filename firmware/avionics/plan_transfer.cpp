@@ -26,16 +26,21 @@ void PlanTransfer::receive(core::Microseconds now, const protocol::PlanBegin& be
     reply_due_ = true;
     return;
   }
-  next_index_ = 0;
-  if (!safe) {
-    become(TransferState::refused, TransferFault::not_safe);
-  } else if (begin.size == 0 || begin.size > protocol::largest_plan_block) {
-    become(TransferState::refused, TransferFault::wrong_size);
-  } else {
-    begin_ = begin;
-    last_progress_ = now;
-    become(TransferState::receiving);
+  const bool wrong_size = begin.size == 0 || begin.size > protocol::largest_plan_block;
+  if (!safe || wrong_size) {
+    const TransferFault fault = safe ? TransferFault::wrong_size : TransferFault::not_safe;
+    if (state_ == TransferState::receiving) {
+      refusal_ = {.state = TransferState::refused, .fault = fault};
+    } else {
+      next_index_ = 0;
+      become(TransferState::refused, fault);
+    }
+    return;
   }
+  next_index_ = 0;
+  begin_ = begin;
+  last_progress_ = now;
+  become(TransferState::receiving);
 }
 
 void PlanTransfer::receive(core::Microseconds now, const protocol::PlanData& data, bool safe) {
@@ -120,6 +125,9 @@ void PlanTransfer::follow_write(bool safe) {
 }
 
 std::optional<protocol::PlanReply> PlanTransfer::reply() {
+  if (auto refusal = std::exchange(refusal_, std::nullopt)) {
+    return refusal;
+  }
   if (!std::exchange(reply_due_, false)) {
     return std::nullopt;
   }

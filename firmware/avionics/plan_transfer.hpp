@@ -16,7 +16,8 @@ namespace fantail::avionics {
 
 /// A flight plan from the bench, seven bytes a frame, each answered before the next one is sent. The block is checked
 /// as a whole, stored and read back before its plan comes into force, and until then nothing has happened to the old
-/// one. A frame that was lost, doubled or overtaken is answered with the index that is waited for, and spoils nothing.
+/// one. A frame that was lost, doubled or overtaken is answered with the index that is waited for, and spoils nothing;
+/// nor does a beginning that is refused.
 ///
 /// `safe`: the phase is Safe. When it ends, so does a transfer of which nothing has been written; one that is being
 /// written goes on to its end, and its plan is kept back until the phase is Safe again.
@@ -60,6 +61,7 @@ class PlanTransfer {
   std::optional<protocol::PlanBlockFault> block_fault_;
   std::optional<std::uint8_t> field_;
   bool reply_due_ = false;
+  std::optional<protocol::PlanReply> refusal_;  ///< of a beginning, while another transfer goes on
 
   protocol::PlanBegin begin_{};
   std::uint8_t next_index_ = 0;

@@ -33,24 +33,27 @@ std::uint32_t SelfTest::record_bytes(const core::FlightPlan& plan) {
   return static_cast<std::uint32_t>(record_bytes_per_s * recorded_s);
 }
 
-void SelfTest::start(const Situation& now, bool session_open) {
+protocol::ArmRefusal SelfTest::start(const Situation& now, bool session_open) {
+  using protocol::ArmRefusal;
   if (running()) {
-    return;
+    return ArmRefusal::none;
   }
   if (now.phase != core::Phase::safe) {
-    fail(now.time, SelfTestFailure::not_safe);
-  } else if (session_open) {
-    fail(now.time, SelfTestFailure::session_open);
-  } else if (now.board_faulty) {
-    fail(now.time, SelfTestFailure::board_fault);
-  } else {
-    state_ = SelfTestState::running;
-    failure_ = SelfTestFailure::none;
-    canard_.reset();
-    started_ = now.time;
-    stage_ = Stage::still;
-    restart_averages(now.time);
+    return ArmRefusal::not_safe;
   }
+  if (session_open) {
+    return ArmRefusal::session_open;
+  }
+  if (now.board_faulty) {
+    return ArmRefusal::board_fault;
+  }
+  state_ = SelfTestState::running;
+  failure_ = SelfTestFailure::none;
+  canard_.reset();
+  started_ = now.time;
+  stage_ = Stage::still;
+  restart_averages(now.time);
+  return ArmRefusal::none;
 }
 
 void SelfTest::update(const core::Inputs& inputs, const core::TickRecord& record, const FlashFacts& flash,

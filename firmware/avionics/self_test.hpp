@@ -25,8 +25,8 @@ class SelfTest {
   /// The plan outlives this object; when it is another one, so is its test.
   explicit SelfTest(const core::FlightPlan& plan) : plan_{&plan} {}
 
-  /// Begins, or refuses with a reason.
-  void start(const Situation& now, bool session_open);
+  /// Begins, unless it is under way; or refuses, and then what an earlier test has shown stays as it is.
+  [[nodiscard]] protocol::ArmRefusal start(const Situation& now, bool session_open);
 
   /// Once a tick, with what the autopilot was given and what it made of it.
   void update(const core::Inputs& inputs, const core::TickRecord& record, const FlashFacts& flash, bool board_faulty);

@@ -75,6 +75,9 @@ void Telemetry::send(const core::TickRecord& record, const Report& report, hal::
   if (report.session_is_news || ticks_ % health_period == 11) {
     put(encode(report.session), bus);
   }
+  if (report.session_refusal) {
+    put(encode(*report.session_refusal), bus);
+  }
   if (report.arming != last_arming_ || ticks_ % health_period == 22) {
     last_arming_ = report.arming;
     put(encode(report.arming), bus);

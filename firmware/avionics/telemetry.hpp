@@ -17,8 +17,9 @@ struct Report {
   Situation situation{};
   bool self_test_running = false;
   bool session_open = false;
-  protocol::SessionReply session{};  ///< of that one, or of one that was refused
+  protocol::SessionReply session{};  ///< of that one, or of the last
   bool session_is_news = false;
+  std::optional<protocol::SessionReply> session_refusal{};
   protocol::ArmReply arming{};
   std::optional<protocol::PlanReply> plan{};
   protocol::RejectionReport rejections{};

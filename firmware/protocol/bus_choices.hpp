@@ -101,6 +101,7 @@ constexpr unsigned choice(SessionReason value) {
     case not_at_rest: return CANARD_BUS_SESSION_REPLY_REASON_NOT_AT_REST_CHOICE;
     case self_test_runs: return CANARD_BUS_SESSION_REPLY_REASON_SELF_TEST_RUNS_CHOICE;
     case other_session: return CANARD_BUS_SESSION_REPLY_REASON_OTHER_SESSION_CHOICE;
+    case number_too_similar: return CANARD_BUS_SESSION_REPLY_REASON_NUMBER_TOO_SIMILAR_CHOICE;
   }
   return no_choice;
 }
@@ -121,7 +122,6 @@ constexpr unsigned choice(SelfTestFailure value) {
     using enum SelfTestFailure;
     case none: return CANARD_BUS_ARM_REPLY_FAILURE_NONE_CHOICE;
     case not_safe: return CANARD_BUS_ARM_REPLY_FAILURE_NOT_SAFE_CHOICE;
-    case session_open: return CANARD_BUS_ARM_REPLY_FAILURE_SESSION_OPEN_CHOICE;
     case moved: return CANARD_BUS_ARM_REPLY_FAILURE_MOVED_CHOICE;
     case gyro_failed: return CANARD_BUS_ARM_REPLY_FAILURE_GYRO_FAILED_CHOICE;
     case accelerometer_failed: return CANARD_BUS_ARM_REPLY_FAILURE_ACCELEROMETER_FAILED_CHOICE;

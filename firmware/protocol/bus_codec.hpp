@@ -22,7 +22,8 @@ struct BusFrame {
 // zero (in a canard's angle: an absent one). The counter of a frame that has one is its sender's, 0 to 15, one more
 // with every frame of that kind.
 
-[[nodiscard]] BusFrame encode(const BenchRequest& message, std::uint8_t counter);
+/// `session`: the sender's own.
+[[nodiscard]] BusFrame encode(const BenchRequest& message, std::uint8_t counter, std::uint16_t session);
 [[nodiscard]] BusFrame encode(const BenchSession& message, std::uint8_t counter);
 [[nodiscard]] BusFrame encode(const ArmRequest& message, std::uint8_t counter);
 [[nodiscard]] BusFrame encode(const PlanBegin& message, std::uint8_t counter);
@@ -57,8 +58,13 @@ struct Decoded {
 };
 
 /// What the avionics may be told. Every bit is looked at: identifier, length, CRC-8, and every value against the range
-/// that the database states.
-[[nodiscard]] Decoded<FromBench> decode_from_bench(const BusFrame& frame);
+/// that the database states. `session`: the one that is open; a request for another one has a wrong CRC-8, and while
+/// none is open every request is stale.
+[[nodiscard]] Decoded<FromBench> decode_from_bench(const BusFrame& frame, std::optional<std::uint16_t> session);
+
+/// A request for one of the two sessions is never taken for one of the other. A CRC-8 cannot do that for all pairs of
+/// numbers: of 256 it takes one for the same.
+[[nodiscard]] bool told_apart(std::uint16_t session, std::uint16_t other);
 
 /// What a bench may hear.
 [[nodiscard]] Decoded<FromAvionics> decode_from_avionics(const BusFrame& frame);
@@ -78,9 +84,6 @@ class Sequence {
   /// How many frames were lost just before this one, 0 to 14, or empty when it is a repetition of the last one. The
   /// first frame follows on by definition; every frame becomes the new last one.
   std::optional<std::uint8_t> lost_before(std::uint8_t counter);
-
-  /// The next frame will be a first one.
-  void forget() { last_.reset(); }
 
  private:
   std::optional<std::uint8_t> last_;

@@ -58,10 +58,14 @@ std::optional<LogRequest> read_log(const LogRequestFrame::Raw& raw) {
 
 }  // namespace
 
-Decoded<FromBench> decode_from_bench(const BusFrame& frame) {
+Decoded<FromBench> decode_from_bench(const BusFrame& frame, std::optional<std::uint16_t> session) {
   constexpr bool strict = true;
   switch (frame.id) {
-    case BenchRequestFrame::id: return decode_as<FromBench, BenchRequestFrame, strict>(frame, read_request);
+    case BenchRequestFrame::id:
+      if (!session && frame.length == BenchRequestFrame::length) {
+        return {.rejection = Rejection::stale};
+      }
+      return decode_as<FromBench, BenchRequestFrame, strict>(frame, read_request, session);
     case BenchSessionFrame::id: return decode_as<FromBench, BenchSessionFrame, strict>(frame, read_session);
     case ArmRequestFrame::id: return decode_as<FromBench, ArmRequestFrame, strict>(frame, read_arm);
     case PlanBeginFrame::id: return decode_as<FromBench, PlanBeginFrame, strict>(frame, read_begin);

@@ -24,8 +24,8 @@ BusFrame pack_data(const auto& message) {
 
 }  // namespace
 
-BusFrame encode(const BenchRequest& message, std::uint8_t counter) {
-  return protect<BenchRequestFrame>(signals::asked.raw(message.angle), counter);
+BusFrame encode(const BenchRequest& message, std::uint8_t counter, std::uint16_t session) {
+  return protect<BenchRequestFrame>(signals::asked.raw(message.angle), counter, session);
 }
 
 BusFrame encode(const BenchSession& message, std::uint8_t counter) {

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 
 #include "protocol/bus_codec.hpp"
 #include "protocol/crc8.hpp"
@@ -36,20 +37,30 @@ struct Layout {
   }
 };
 
-/// Over the identifier too, so that the bytes of one message are not taken for another's. The CRC itself is the last
-/// byte of each frame that has one.
-inline std::uint8_t protection_of(const BusFrame& frame) {
-  std::array<std::uint8_t, 9> bytes{static_cast<std::uint8_t>(frame.id & 0xFFU),
-                                    static_cast<std::uint8_t>(frame.id >> 8U)};
-  std::copy_n(frame.data.begin(), 7, bytes.begin() + 2);
-  return crc8_autosar(bytes);
+/// Of a frame that belongs to a bench session and does not name it.
+using SessionOfFrame = std::optional<std::uint16_t>;
+
+/// Over the identifier too, so that the bytes of one message are not taken for another's, and over the session, so that
+/// those of one bench are not taken for another's. The CRC itself is the last byte of each frame that has one.
+inline std::uint8_t protection_of(const BusFrame& frame, SessionOfFrame session) {
+  std::array<std::uint8_t, 11> bytes{};
+  std::size_t size = 0;
+  const auto put = [&](unsigned byte) { bytes[size++] = static_cast<std::uint8_t>(byte & 0xFFU); };
+  put(frame.id);
+  put(frame.id >> 8U);
+  if (session) {
+    put(*session);
+    put(*session >> 8U);
+  }
+  std::for_each_n(frame.data.begin(), 7, put);
+  return crc8_autosar(std::span{bytes}.first(size));
 }
 
 template <typename Frame>
-BusFrame protect(typename Frame::Raw raw, std::uint8_t counter) {
+BusFrame protect(typename Frame::Raw raw, std::uint8_t counter, SessionOfFrame session = {}) {
   raw.counter = counter & 0x0FU;
   BusFrame frame = Frame::pack(raw);
-  frame.data.back() = protection_of(frame);
+  frame.data.back() = protection_of(frame, session);
   return frame;
 }
 
@@ -57,12 +68,12 @@ BusFrame protect(typename Frame::Raw raw, std::uint8_t counter) {
 /// covers unless they are zero; a bench that listens to newer avionics lets them pass. `read` makes a message of the
 /// raw signals, or nothing when one of them is out of its range.
 template <typename Message, typename Frame, bool strict, typename Read>
-Decoded<Message> decode_as(const BusFrame& frame, Read read) {
+Decoded<Message> decode_as(const BusFrame& frame, Read read, SessionOfFrame session = {}) {
   if (frame.length != Frame::length) {
     return {.rejection = Rejection::wrong_length};
   }
   if constexpr (Frame::is_protected) {
-    if (frame.data.back() != protection_of(frame)) {
+    if (frame.data.back() != protection_of(frame, session)) {
       return {.rejection = Rejection::wrong_crc};
     }
   }

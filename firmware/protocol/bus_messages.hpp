@@ -16,13 +16,14 @@ namespace fantail::protocol {
 // Every message of the bus, in the words of the program. How each one lies in its eight bytes stands in canard_bus.dbc;
 // bus_codec turns one into the other.
 
-inline constexpr std::uint8_t bus_protocol_version = 1;
+inline constexpr std::uint8_t bus_protocol_version = 2;
 
 using PerCanard = std::array<std::optional<core::Angle>, core::canard_count>;
 
 // ---- from the bench PC: the only frames that can move something, each with a counter and a CRC-8 ----
 
 /// Shaft angles, held until the next request or the end of the session; a canard that is not asked stays at its trim.
+/// Its CRC-8 covers the number of the sender's session too, for which the frame has no room.
 struct BenchRequest {
   PerCanard angle{};
 };
@@ -35,7 +36,7 @@ enum class SessionAction : std::uint8_t {
 
 struct BenchSession {
   SessionAction action = SessionAction::keep;
-  std::uint16_t session = 0;  ///< chosen by the bench
+  std::uint16_t session = 0;  ///< drawn by the bench at random: one session is one sender's
 };
 
 enum class ArmAction : std::uint8_t { self_test, begin, confirm, start };
@@ -62,14 +63,14 @@ struct PlanData {
 enum class LogAction : std::uint8_t {
   info,
   read,
-  erase,  ///< in Safe, in an open bench session
+  erase,  ///< in Safe, by the bench that has the session
 };
 
 /// Of the flight record: the used part of the flash's flight region. Moves nothing; protected because it can erase.
 struct LogRequest {
   LogAction action = LogAction::info;
   std::uint8_t tag = 0;      ///< 0 to 15, chosen by the bench; the answer carries it
-  std::uint32_t offset = 0;  ///< read: from the beginning of the record
+  std::uint32_t offset = 0;  ///< read: from the beginning of the record; erase: the number of the open session
   std::uint16_t size = 0;    ///< read: 1 to largest_log_chunk; 12 bits
 };
 
@@ -114,11 +115,12 @@ enum class SessionReason : std::uint8_t {
   none_yet,
   opened,
   closed_by_bench,
-  heartbeat_lost,  ///< 100 ms without one
-  not_safe,        ///< refused or ended: the phase is not Safe
-  not_at_rest,     ///< refused or ended: the rocket moves
-  self_test_runs,  ///< refused
-  other_session,   ///< refused: another bench holds one
+  heartbeat_lost,      ///< 100 ms without one
+  not_safe,            ///< refused or ended: the phase is not Safe
+  not_at_rest,         ///< refused or ended: the rocket moves
+  self_test_runs,      ///< refused
+  other_session,       ///< refused: another bench holds one
+  number_too_similar,  ///< refused: not told_apart() from the session before
 };
 
 struct SessionReply {
@@ -131,8 +133,7 @@ enum class SelfTestState : std::uint8_t { not_run, running, passed, failed };
 
 enum class SelfTestFailure : std::uint8_t {
   none,
-  not_safe,                  ///< refused: the phase is not Safe
-  session_open,              ///< refused: the bench holds the canards
+  not_safe,                  ///< the phase has changed
   moved,                     ///< not still for the whole test
   gyro_failed,               ///< no usable gyro
   accelerometer_failed,      ///< one that the plan needs is not usable
@@ -145,10 +146,12 @@ enum class SelfTestFailure : std::uint8_t {
   flash_failed,
   flash_too_full,
   timed_out,
-  board_fault,  ///< or refused: BoardReport names it
+  board_fault,  ///< BoardReport names it
   newer_plan,   ///< the stored plan was made for a newer version of the firmware
 };
 
+/// Of the last ArmRequest, whatever it asked for. What is refused changes nothing; only a wrong nonce voids the right
+/// one.
 enum class ArmRefusal : std::uint8_t {
   none,
   not_safe,
@@ -212,7 +215,7 @@ enum class LogState : std::uint8_t {
 enum class LogFault : std::uint8_t {
   none,
   not_safe,
-  no_session,       ///< erase: not open, or closed before the end
+  no_session,       ///< erase: it is not open, or another bench's, or was closed before the end
   busy,             ///< it is being erased, or the flash has something more urgent to do
   not_counted_yet,  ///< what is used is still being looked for, some seconds after power-up
   out_of_range,     ///< nothing, too much, or beyond the end
@@ -239,8 +242,8 @@ inline constexpr std::uint16_t largest_log_chunk = 256 * 7;
 /// Why a received frame was not acted upon.
 enum class Rejection : std::uint8_t {
   unknown_id,
-  wrong_length,  ///< also remote frames
-  wrong_crc,
+  wrong_length,   ///< also remote frames
+  wrong_crc,      ///< also a request for another session than the open one
   wrong_counter,  ///< repeated, or frames before it were lost
   out_of_range,
   stale,  ///< heartbeat or request of a session that is not open
@@ -281,7 +284,8 @@ struct BoardReport {
   PlanSource plan = PlanSource::built_in;
   bool flash_failed = false;  ///< it does not answer, or does not keep what is written
   std::optional<std::uint16_t> battery_mv{};
-  std::uint8_t overruns = 0;  ///< control ticks that were due and did not come, since power-up; saturates
+  std::uint8_t overruns = 0;  ///< control ticks that were due and did not come, since power-up; saturates. Also those
+                              ///< that a simulated board left out, which are no fault
 };
 
 struct HeartbeatReport {

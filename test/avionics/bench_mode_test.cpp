@@ -164,7 +164,7 @@ TEST(BenchMode, AHeartbeatOfAnotherSessionKeepsNothingAliveAndIsCountedAsStale) 
 TEST(BenchMode, AFrameWithABadChecksumIsCountedAndMovesNothing) {
   BoardRig rig;
   rig.open_session();
-  protocol::BusFrame frame = encode(ask(5_deg), 0);
+  protocol::BusFrame frame = encode(ask(5_deg), 0, rig.pc.session);
   frame.data[0] ^= 1U;
   rig.pc.send(frame);
   rig.run(second);
@@ -175,12 +175,12 @@ TEST(BenchMode, AFrameWithABadChecksumIsCountedAndMovesNothing) {
 TEST(BenchMode, AfterALostFrameTheNextOneIsRefusedAndTheOneAfterThatObeyed) {
   BoardRig rig;
   rig.open_session();
-  rig.pc.send(encode(ask(1_deg), 4));
+  rig.pc.send(encode(ask(1_deg), 4, rig.pc.session));
   rig.tick();
-  rig.pc.send(encode(ask(2_deg), 6));
+  rig.pc.send(encode(ask(2_deg), 6, rig.pc.session));
   rig.tick();
   EXPECT_TRUE(rig.all_pulses_are(1.0));
-  rig.pc.send(encode(ask(3_deg), 7));
+  rig.pc.send(encode(ask(3_deg), 7, rig.pc.session));
   rig.tick();
   EXPECT_TRUE(rig.all_pulses_are(3.0));
   EXPECT_EQ(rig.rejected(protocol::Rejection::wrong_counter), 1);
@@ -189,20 +189,41 @@ TEST(BenchMode, AfterALostFrameTheNextOneIsRefusedAndTheOneAfterThatObeyed) {
 TEST(BenchMode, ARepeatedFrameIsRefused) {
   BoardRig rig;
   rig.open_session();
-  rig.pc.send(encode(ask(1_deg), 4));
-  rig.pc.send(encode(ask(2_deg), 4));
+  rig.pc.send(encode(ask(1_deg), 4, rig.pc.session));
+  rig.pc.send(encode(ask(2_deg), 4, rig.pc.session));
   rig.tick();
   EXPECT_TRUE(rig.all_pulses_are(1.0));
 }
 
-TEST(BenchMode, ABenchThatBeginsAnewAfterATenthOfASecondIsHeardAtOnce) {
+TEST(BenchMode, ABenchThatBeginsAnewWithAnotherSessionIsHeardAtOnceWhateverItsCounters) {
   BoardRig rig;
-  rig.open_session();
-  rig.pc.send(encode(ask(1_deg), 4));
-  rig.run(150 * millisecond);
-  rig.pc.send(encode(ask(2_deg), 11));
+  rig.open_session(7);
+  rig.pc.send(encode(ask(1_deg), 4, 7));
+  rig.tick();
+  rig.pc.say(protocol::BenchSession{.action = SessionAction::close, .session = 7});
+  rig.pc.send(encode(protocol::BenchSession{.action = SessionAction::open, .session = 8}, 13));
+  rig.pc.send(encode(ask(2_deg), 11, 8));
   rig.tick();
   EXPECT_TRUE(rig.all_pulses_are(2.0));
+}
+
+// The last number that CRC-8 does not tell from 7 is found by trying; it stands for one of 256.
+TEST(BenchMode, ANumberThatIsTooSimilarToTheOneBeforeIsRefusedAndTheSameOneIsNot) {
+  std::uint16_t similar = 8;
+  while (protocol::told_apart(7, similar)) {
+    similar += 1;
+  }
+  BoardRig rig;
+  rig.open_session(7);
+  rig.heartbeat.reset();
+  rig.pc.say(protocol::BenchSession{.action = SessionAction::close, .session = 7});
+  rig.pc.say(protocol::BenchSession{.action = SessionAction::open, .session = similar});
+  rig.tick();
+  EXPECT_EQ(rig.pc.heard<protocol::SessionReply>()->reason, SessionReason::number_too_similar);
+  EXPECT_EQ(rig.pc.heard<protocol::SessionReply>()->state, SessionState::closed);
+  rig.pc.say(protocol::BenchSession{.action = SessionAction::open, .session = 7});
+  rig.tick();
+  EXPECT_EQ(rig.pc.heard<protocol::SessionReply>()->state, SessionState::open);
 }
 
 TEST(BenchMode, AFullFrameQueueCannotMakeATickEndless) {

@@ -137,6 +137,19 @@ TEST(BoardWatch, BatteryAndOverrunsAreReported) {
   EXPECT_EQ(rig.pc.heard<BoardReport>()->overruns, 255) << "it saturates";
 }
 
+TEST(BoardWatch, TicksThatASlowPcLeavesOutAreReportedAndAreNoFault) {
+  BoardRig rig;
+  rig.hardware.board.overruns = 7;
+  rig.hardware.board.ticks_left_out = 100;
+  rig.run(second);
+  EXPECT_EQ(rig.pc.heard<BoardReport>()->overruns, 107);
+  rig.hardware.board.ticks_left_out = 0xFFFF'FFFF;
+  rig.run(second);
+  EXPECT_EQ(rig.pc.heard<BoardReport>()->overruns, 255) << "it saturates";
+  EXPECT_EQ(rig.pc.heard<BoardReport>()->faults, 0U);
+  EXPECT_EQ(rig.arm().phase, Phase::armed);
+}
+
 TEST(BoardWatch, AFaultInTheMiddleOfASelfTestEndsItAndTheCanardsGoToTrim) {
   BoardRig rig;
   rig.pc.say(ArmAction::self_test);

@@ -57,6 +57,7 @@ class FrameMutator {
     return frame;
   }
 
+  std::uint16_t session() { return static_cast<std::uint16_t>(below(4)); }
   core::Angle angle() { return core::Angle::from_degrees((static_cast<float>(below(4095)) - 2047.0F) * 0.01F); }
 
   hal::CanFrame sensible() {
@@ -64,11 +65,11 @@ class FrameMutator {
     protocol::BusFrame frame;
     switch (below(6)) {
       case 0:
-      case 1: frame = encode(protocol::BenchRequest{{angle(), angle(), angle(), angle()}}, counter); break;
+      case 1: frame = encode(protocol::BenchRequest{{angle(), angle(), angle(), angle()}}, counter, session()); break;
       case 2:
-        frame = encode(protocol::BenchSession{.action = static_cast<protocol::SessionAction>(below(3)),
-                                              .session = static_cast<std::uint16_t>(below(4))},
-                       counter);
+        frame = encode(
+            protocol::BenchSession{.action = static_cast<protocol::SessionAction>(below(3)), .session = session()},
+            counter);
         break;
       case 3:
         frame = encode(

@@ -19,7 +19,7 @@ class Receiver : public testing::Test {
   int messages_of_a_tick() {
     int messages = 0;
     receiver.begin_tick();
-    while (receiver.next({}, board)) {
+    while (receiver.next(now, board, session)) {
       messages += 1;
     }
     return messages;
@@ -30,6 +30,8 @@ class Receiver : public testing::Test {
   hal::sim::CanBus board{wire};
   hal::sim::CanBus pc{wire};
   BusReceiver receiver;
+  core::Microseconds now{};
+  std::optional<std::uint16_t> session = 7;
 };
 
 TEST_F(Receiver, AnExtendedFrameWithTheIdentifierOfABenchIsUnknown) {
@@ -54,6 +56,34 @@ TEST_F(Receiver, GoodFramesTooHaveAShareOfTheTickAndTheRestComesInTheNext) {
   }
   EXPECT_EQ(messages_of_a_tick(), BusReceiver::most_frames_per_tick);
   EXPECT_EQ(messages_of_a_tick(), 30 - BusReceiver::most_frames_per_tick);
+}
+
+TEST_F(Receiver, AFrameOutsideOfSessionsIsRefusedOnlyWhenTheSameHasJustCome) {
+  const auto begin = [](std::uint8_t counter) {
+    return can_frame(encode(protocol::ArmRequest{.action = protocol::ArmAction::begin}, counter));
+  };
+  for (const auto counter : std::to_array<std::uint8_t>({3, 9, 2, 3})) {  // as two benches count
+    (void)pc.send(begin(counter));
+    EXPECT_EQ(messages_of_a_tick(), 1) << int{counter};
+  }
+  (void)pc.send(begin(3));
+  EXPECT_EQ(messages_of_a_tick(), 0);
+  EXPECT_EQ(rejected(Rejection::wrong_counter), 1);
+  now += core::Microseconds{100'001};
+  (void)pc.send(begin(3));
+  EXPECT_EQ(messages_of_a_tick(), 1);
+}
+
+TEST_F(Receiver, ARequestWithoutASessionIsStaleAndForAnotherOneItHasAWrongChecksum) {
+  const auto request = can_frame(encode(protocol::BenchRequest{}, 0, 7));
+  session.reset();
+  (void)pc.send(request);
+  EXPECT_EQ(messages_of_a_tick(), 0);
+  EXPECT_EQ(rejected(Rejection::stale), 1);
+  session = 8;
+  (void)pc.send(request);
+  EXPECT_EQ(messages_of_a_tick(), 0);
+  EXPECT_EQ(rejected(Rejection::wrong_crc), 1);
 }
 
 }  // namespace

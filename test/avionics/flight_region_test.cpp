@@ -159,7 +159,8 @@ TEST(FlightRegion, AnEraseThatWasCutOffLeavesWholeFlightsAndAPlaceForTheNext) {
 
 // Through the bus, as a bench asks for it.
 void ask_for_erase(BoardRig& rig) {
-  rig.pc.send(encode(protocol::LogRequest{.action = protocol::LogAction::erase, .tag = 1}, 0));
+  rig.pc.send(
+      encode(protocol::LogRequest{.action = protocol::LogAction::erase, .tag = 1, .offset = rig.pc.session}, 0));
   rig.tick();
 }
 

@@ -41,6 +41,7 @@ class NarrowBus final : public hal::CanBus {
 struct LogRig : FlashRig {
   static constexpr std::uint32_t region_begin = 4 * 4096;
   static constexpr std::uint32_t region_end = 16 * 4096;
+  static constexpr std::uint16_t session = 4711;  ///< of the bench that asks
 
   WatchedFlash watched{flash};
   FlashAccess access{watched};
@@ -83,6 +84,7 @@ struct LogRig : FlashRig {
   void ask(protocol::LogAction action, std::uint32_t offset = 0, std::uint16_t size = 0, std::uint8_t tag = 3) {
     log.receive({.action = action, .tag = tag, .offset = offset, .size = size}, right);
   }
+  void ask_to_erase() { ask(protocol::LogAction::erase, session); }
   /// Steps until there is a reply, at most for so many ticks. Data on the way there are collected.
   std::optional<protocol::LogReply> reply(int ticks = 1000) {
     for (int i = 0; i < ticks; ++i) {

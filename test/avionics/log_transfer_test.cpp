@@ -61,7 +61,7 @@ TEST(LogTransfer, ATickHasOneReadOfThirtyFiveBytesAndFiveFramesAndThreeInASessio
   LogRig rig{9000};
   rig.power_up();
   for (const bool session : {false, true}) {
-    rig.right.session_open = session;
+    rig.right.session = session ? std::optional{LogRig::session} : std::nullopt;
     rig.ask(LogAction::read, 0, 1792);
     int ticks = 0;
     std::size_t frames = 0;
@@ -75,6 +75,23 @@ TEST(LogTransfer, ATickHasOneReadOfThirtyFiveBytesAndFiveFramesAndThreeInASessio
     EXPECT_EQ(frames, 257U);
     EXPECT_LE(ticks, session ? 104 : 52);
   }
+}
+
+TEST(LogTransfer, ARefusedRequestLeavesTheReadThatIsUnderWay) {
+  LogRig rig{9000};
+  rig.power_up();
+  rig.ask(LogAction::read, 0, 1792, 3);
+  rig.step();
+  rig.ask(LogAction::erase, LogRig::session, 0, 9);
+  rig.ask(LogAction::read, 1'000'000, 10, 9);
+  const auto refusal = rig.reply();
+  ASSERT_TRUE(refusal && refusal->state == LogState::refused);
+  EXPECT_EQ(refusal->tag, 9);
+  EXPECT_EQ(refusal->fault, LogFault::out_of_range) << "of the newest one";
+  const auto reply = rig.reply();
+  ASSERT_TRUE(reply && reply->state == LogState::read);
+  EXPECT_EQ(reply->tag, 3);
+  EXPECT_EQ(reply->extra, 1792);
 }
 
 TEST(LogTransfer, AFrameThatFindsNoRoomOnTheBusComesAgain) {
@@ -149,9 +166,9 @@ TEST(LogTransfer, WhatIsNotThereIsRefused) {
 
 TEST(LogTransfer, BeforeTheLookThroughTheFlashHasEndedNothingIsSaid) {
   LogRig rig{9000};
-  rig.right.session_open = true;
+  rig.right.session = LogRig::session;
   for (const auto action : {LogAction::info, LogAction::read, LogAction::erase}) {
-    rig.ask(action, 0, 10);
+    rig.ask(action, LogRig::session, 10);
     rig.step();
     rig.world.time += LogTransfer::reply_gap;
     ASSERT_FALSE(rig.bus.sent.empty());
@@ -173,7 +190,7 @@ TEST(LogTransfer, AFlashThatDoesNotAnswerIsSaidSo) {
 TEST(LogTransfer, OutsideSafeEverythingIsRefusedAndAReadUnderWayEnds) {
   LogRig rig{9000};
   rig.power_up();
-  rig.right.session_open = true;
+  rig.right.session = LogRig::session;
   rig.ask(LogAction::read, 0, 1792);
   EXPECT_FALSE(rig.reply(5));
   rig.right.safe = false;

@@ -19,13 +19,23 @@ class PcOnBus {
   explicit PcOnBus(hal::sim::CanWire& wire) : bus{wire} {}
 
   void send(const protocol::BusFrame& frame) { (void)bus.send(can_frame(frame)); }
-  void say(const protocol::BenchRequest& message) { send(encode(message, counters_[0].next())); }
-  void say(const protocol::BenchSession& message) { send(encode(message, counters_[1].next())); }
+  void say(const protocol::BenchRequest& message) { send(encode(message, counters_[0].next(), session)); }
+  void say(const protocol::BenchSession& message) {
+    session = message.session;
+    send(encode(message, counters_[1].next()));
+  }
   void say(const protocol::ArmRequest& message) { send(encode(message, counters_[2].next())); }
   void say(const protocol::PlanBegin& message) { send(encode(message, counters_[3].next())); }
   void say(const protocol::PlanData& message) { send(encode(message)); }
   void say(protocol::ArmAction action, std::uint32_t nonce = 0) {
     say(protocol::ArmRequest{.action = action, .nonce = nonce});
+  }
+
+  /// As if it had said one thing more of every kind, which nobody heard.
+  void skip_a_counter() {
+    for (protocol::FrameCounter& counter : counters_) {
+      (void)counter.next();
+    }
   }
 
   /// Takes what has come.
@@ -51,6 +61,7 @@ class PcOnBus {
   }
 
   hal::sim::CanBus bus;
+  std::uint16_t session = 7;  ///< for which it asks: the one that it has named last
 
  private:
   template <typename... Messages>

@@ -160,6 +160,62 @@ TEST(PlanStore, AFlashThatDoesNotKeepWhatItWasToldIsFoundOutBeforeTheOldPlanIsLo
   }
 }
 
+/// Reads the beginning of the second slot wrongly, as often as it is told; the cells are right.
+class DisturbedFlash final : public hal::Flash {
+ public:
+  DisturbedFlash(hal::Flash& flash, int reads) : flash_{flash}, reads_{reads} {}
+  [[nodiscard]] hal::FlashGeometry geometry() const override { return flash_.geometry(); }
+  hal::FlashResult read(std::uint32_t address, std::span<std::byte> out) override {
+    const hal::FlashResult result = flash_.read(address, out);
+    if (result == hal::FlashResult::ok && loaded && address == 4096 && reads_ > 0) {
+      reads_ -= 1;
+      out[0] ^= std::byte{1};
+    }
+    return result;
+  }
+  hal::FlashResult program(std::uint32_t address, std::span<const std::byte> bytes) override {
+    return flash_.program(address, bytes);
+  }
+  hal::FlashResult erase_sector(std::uint32_t address) override { return flash_.erase_sector(address); }
+  [[nodiscard]] bool busy() override { return flash_.busy(); }
+
+  bool loaded = false;
+
+ private:
+  hal::Flash& flash_;
+  int reads_;
+};
+
+// The bus was told that the old plan stays in force, so that is the one of the next power-up.
+TEST(PlanStore, AHeaderThatWasReadBackWronglyDoesNotWinAtTheNextPowerUp) {
+  for (const int wrong_reads : {1, 1000}) {
+    FlashRig rig{flash_with({1})};
+    DisturbedFlash disturbed{rig.flash, wrong_reads};
+    FlashAccess access{disturbed};
+    PlanStore store{access};
+    ASSERT_TRUE(store.load(rig.world.time).has_value());
+    disturbed.loaded = true;
+    const Bytes block = block_of(numbered_plan(2));
+    store.begin_write(block);
+    for (int ticks = 0; store.write() == PlanWrite::under_way && ticks < 1'000; ++ticks) {
+      store.update(rig.world.time);
+      rig.world.time += tick;
+    }
+    EXPECT_EQ(store.write(), PlanWrite::read_back_differs);
+    EXPECT_EQ((PlanBoard{rig.cells()}.number()), 1) << wrong_reads;
+
+    // And a write after it is as good as ever.
+    disturbed.loaded = false;
+    store.begin_write(block);
+    for (int ticks = 0; store.write() == PlanWrite::under_way && ticks < 1'000; ++ticks) {
+      store.update(rig.world.time);
+      rig.world.time += tick;
+    }
+    EXPECT_EQ(store.write(), PlanWrite::stored);
+    EXPECT_EQ((PlanBoard{rig.cells()}.number()), 2) << wrong_reads;
+  }
+}
+
 // Headers with their right checksum, as only another program could have written them.
 TEST(PlanStore, AnIntactHeaderThatDoesNotFitItsBlockIsBroken) {
   const Bytes block = block_of(numbered_plan(7));

@@ -57,6 +57,25 @@ TEST_F(PlanTransferTest, APlanThatMustNotFlyIsRefusedByTheNameOfItsField) {
   EXPECT_FALSE(rig.reply->block_fault.has_value());
 }
 
+TEST_F(PlanTransferTest, ABeginningThatIsRefusedLeavesTheTransferThatIsUnderWay) {
+  rig.begin(eight);
+  rig.step();
+  for (std::size_t index = 0; 7 * index < eight.size(); ++index) {
+    for (const std::size_t size : {std::size_t{0}, protocol::largest_plan_block + 1}) {
+      rig.begin(static_cast<std::uint16_t>(size), 0);
+      rig.step();
+      ASSERT_EQ(rig.state(), TransferState::refused);
+      ASSERT_EQ(rig.fault(), TransferFault::wrong_size);
+    }
+    rig.data(eight, index);
+    ASSERT_TRUE(rig.step());
+    ASSERT_NE(rig.state(), TransferState::refused) << index;
+  }
+  rig.run(100);
+  EXPECT_EQ(rig.state(), TransferState::stored);
+  EXPECT_EQ(rig.stored_number(), 8);
+}
+
 TEST_F(PlanTransferTest, NothingBeginsOutsideSafe) {
   rig.safe = false;
   rig.begin(eight);

@@ -68,6 +68,7 @@ TEST(RightToMove, ASelfTestThatIsAskedForInTheTickOfTheConfirmationDoesNotRun) {
   rig.pc.say(ArmAction::confirm, rig.begin_arming().value());
   rig.pc.say(ArmAction::self_test);
   EXPECT_EQ(rig.tick().phase, Phase::armed);
+  EXPECT_EQ(rig.pc.heard<ArmReply>()->self_test, SelfTestState::failed) << "it was not refused: it had begun";
   EXPECT_EQ(rig.pc.heard<ArmReply>()->failure, protocol::SelfTestFailure::not_safe);
 }
 

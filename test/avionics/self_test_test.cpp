@@ -215,19 +215,53 @@ TEST(SelfTest, AFlightNeedsRoomForItsControlTimeAndThirtySecondsMore) {
   EXPECT_EQ(SelfTest::record_bytes(plan), 80'000U * 61U);
 }
 
+/// A self-test that is asked for is refused, and the result of the last one stays what it was.
+void expect_refusal(BoardRig& rig, protocol::ArmRefusal refusal) {
+  const ArmReply before = rig.pc.heard<ArmReply>().value_or(ArmReply{});
+  rig.pc.say(ArmAction::self_test);
+  rig.run(second);
+  const ArmReply after = rig.pc.heard<ArmReply>().value();
+  EXPECT_EQ(after.refusal, refusal);
+  EXPECT_EQ(after.self_test, before.self_test);
+  EXPECT_EQ(after.failure, before.failure);
+  EXPECT_EQ(after.canard, before.canard);
+  EXPECT_TRUE(rig.all_pulses_are(0.0));
+}
+
 TEST(SelfTest, IsRefusedWhileTheBenchHoldsTheCanards) {
   BoardRig rig;
   rig.open_session();
-  expect_failure(rig, SelfTestFailure::session_open);
+  expect_refusal(rig, protocol::ArmRefusal::session_open);
+  EXPECT_EQ(rig.pc.heard<ArmReply>()->self_test, SelfTestState::not_run);
 }
 
 TEST(SelfTest, IsRefusedToAnArmedRocket) {
   BoardRig rig;
   ASSERT_EQ(rig.arm().phase, core::Phase::armed);
-  rig.pc.say(ArmAction::self_test);
-  rig.run(second);
-  EXPECT_EQ(rig.pc.heard<ArmReply>()->failure, SelfTestFailure::not_safe);
-  EXPECT_TRUE(rig.all_pulses_are(0.0));
+  expect_refusal(rig, protocol::ArmRefusal::not_safe);
+  EXPECT_EQ(rig.pc.heard<ArmReply>()->self_test, SelfTestState::passed);
+}
+
+TEST(SelfTest, ARefusedRequestDoesNotVoidAPassThatStillArms) {
+  BoardRig rig;
+  rig.make_ready();
+  rig.open_session();
+  expect_refusal(rig, protocol::ArmRefusal::session_open);
+  rig.heartbeat.reset();
+  rig.run(200 * millisecond);
+  rig.pc.say(ArmAction::begin);
+  rig.tick();
+  EXPECT_TRUE(rig.pc.heard<ArmReply>()->nonce);
+  EXPECT_EQ(rig.pc.heard<ArmReply>()->refusal, protocol::ArmRefusal::none);
+}
+
+TEST(SelfTest, ARefusedRequestDoesNotHideWhichCanardFailed) {
+  BoardRig rig;
+  rig.jammed[2] = true;
+  expect_failure(rig, SelfTestFailure::canard_did_not_follow, 2);
+  rig.hardware.board.faults.add(hal::BoardFault::encoder_silent);
+  rig.run(10 * millisecond);
+  expect_refusal(rig, protocol::ArmRefusal::board_fault);
 }
 
 TEST(SelfTest, CanBeAskedForAgainAfterItFailed) {

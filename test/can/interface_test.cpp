@@ -41,5 +41,18 @@ TEST_F(CanSystem, AnInterfaceThatGoesDownAndComesBackIsNoticedAndNothingHasToBeS
   EXPECT_EQ(node.program.outcome().exit_code, 0) << node.program.outcome().err;
 }
 
+TEST_F(CanSystem, ANodeThatAPcHeldUpSaysSoOnTheBusAndCanStillBeArmed) {
+  Node node{"vcan0"};
+  node.await_rest();
+  Ear ear{"vcan0"};
+  node.program.signal(SIGSTOP);
+  std::this_thread::sleep_for(std::chrono::seconds{1});
+  node.program.signal(SIGCONT);
+  EXPECT_TRUE(ear.until([&] { return ear.newest<protocol::BoardReport>().overruns == 255; }));
+  EXPECT_EQ(ear.newest<protocol::BoardReport>().faults, 0U);
+  node.program.type("quit");
+  EXPECT_EQ(node.program.outcome().exit_code, 0) << node.program.outcome().err;
+}
+
 }  // namespace
 }  // namespace fantail::test

@@ -44,5 +44,40 @@ TEST_F(CanSystem, APlanIsStoredAndABrokenOneIsRefused) {
   EXPECT_EQ(node.program.outcome().exit_code, 0);
 }
 
+/// A client that was written from the manual and the database, with python-can and cantools.
+Outcome load_by_the_manual(const std::string& plan) {
+  const std::string source = FANTAIL_TEST_SOURCE;
+  return run(source + "/test/with_python.sh", {source + "/test/can/plan_client.py", source + "/docs",
+                                               source + "/firmware/protocol/canard_bus.dbc", plan, "--can", "vcan0"});
+}
+
+TEST_F(CanSystem, AClientWrittenFromTheManualAloneLoadsAPlan) {
+  if (!have_cantools()) {
+    GTEST_SKIP() << "no cantools in build/test-venv; run ./dev test with a network once";
+  }
+  const std::string plan = std::string{FANTAIL_TEST_SOURCE} + "/test/can/every_field.toml";
+  const Folder folder;
+  ASSERT_EQ(fantail({"plan", "compile", plan, "--out", folder / "plan.ftpl"}).exit_code, 0);
+  const std::string wanted = checksum_of(content(folder / "plan.ftpl"));
+  Node node{"vcan0"};
+  node.await_rest();
+  Ear ear{"vcan0"};
+
+  const std::string too_wide = folder.write("too_wide.toml", "[controller]\ncanard_limit_deg = 25\n");
+  const Outcome refused = load_by_the_manual(too_wide);
+  EXPECT_EQ(refused.exit_code, 1) << refused.err;
+  EXPECT_EQ(refused.out, "refused: bad_block, refused, controller.canard_limit_deg\n");
+
+  const Outcome stored = load_by_the_manual(plan);
+  EXPECT_EQ(stored.exit_code, 0) << stored.err;
+  EXPECT_EQ(stored.out, "in force: " + wanted + "\n");
+  EXPECT_TRUE(ear.until([&] {
+    return fmt::format("{:08x}", ear.newest<protocol::HeartbeatReport>().plan_crc) == wanted &&
+           ear.newest<protocol::BoardReport>().plan == protocol::PlanSource::stored;
+  }));
+  node.program.type("quit");
+  EXPECT_EQ(node.program.outcome().exit_code, 0);
+}
+
 }  // namespace
 }  // namespace fantail::test

@@ -18,7 +18,7 @@ std::vector<BusFrame> protected_frames() {
   BenchRequest request;
   request.angle = {core::Angle::from_degrees(1.0F), core::Angle::from_degrees(-20.0F), std::nullopt,
                    core::Angle::from_degrees(9.99F)};
-  return {encode(request, 7),
+  return {encode(request, 7, open_session),
           encode(BenchSession{.action = SessionAction::open, .session = 0xBEEF}, 15),
           encode(ArmRequest{.action = ArmAction::confirm, .nonce = 0x12345678}, 0),
           encode(PlanBegin{.size = 900, .block_crc = 0xE3069283}, 3),
@@ -28,7 +28,7 @@ std::vector<BusFrame> protected_frames() {
 }
 
 std::optional<Rejection> rejection_of(const BusFrame& frame) {
-  const auto bench = decode_from_bench(frame);
+  const auto bench = decode_from_bench(frame, open_session);
   const auto avionics = decode_from_avionics(frame);
   EXPECT_FALSE(bench.message && avionics.message);
   if (bench.message || avionics.message) {
@@ -87,6 +87,34 @@ TEST(BusCodecBadFrame, AProtectedFrameUnderAnotherProtectedIdentifierIsRefused) 
   }
 }
 
+// By the number of the session itself where a frame has it, by the CRC-8 where it has not: of each pair that is told
+// apart, no request is taken for one of the other session, and of the rest every one would be.
+TEST(BusCodecBadFrame, ARequestForAnotherSessionIsFoundByItsChecksumUnlessTheTwoAreNotToldApart) {
+  core::RandomStream random{20261123};
+  BenchRequest request;
+  request.angle.fill(core::Angle::from_degrees(-3.21F));
+  unsigned alike = 0;
+  for (unsigned other = 0; other <= 0xFFFF; ++other) {
+    const auto session = static_cast<std::uint16_t>(random.whole(0, 0xFFFF));
+    const BusFrame frame = encode(request, static_cast<std::uint8_t>(other % 16), static_cast<std::uint16_t>(other));
+    const auto decoded = decode_from_bench(frame, session);
+    ASSERT_EQ(!decoded.message, told_apart(static_cast<std::uint16_t>(other), session)) << other << " " << session;
+    alike += decoded.message ? 1 : 0;
+    ASSERT_TRUE(decode_from_bench(frame, static_cast<std::uint16_t>(other)).message);
+    for (unsigned bit = 0; bit < 16; ++bit) {
+      ASSERT_TRUE(told_apart(session, static_cast<std::uint16_t>(session ^ (1U << bit))));
+    }
+  }
+  EXPECT_NEAR(alike, 256.0, 80.0);  // one of 256, five standard deviations
+}
+
+TEST(BusCodecBadFrame, WhileNoSessionIsOpenARequestIsStaleAndOfWrongLengthAllTheSame) {
+  BusFrame frame = encode(BenchRequest{}, 0, 3);
+  EXPECT_EQ(decode_from_bench(frame, std::nullopt).rejection, Rejection::stale);
+  frame.length = 7;
+  EXPECT_EQ(decode_from_bench(frame, std::nullopt).rejection, Rejection::wrong_length);
+}
+
 TEST(BusCodecBadFrame, EveryLengthButTheRightOneIsRefused) {
   for (const BusFrameKind& kind : bus_catalogue()) {
     for (unsigned length = 0; length < 256; ++length) {
@@ -101,7 +129,7 @@ TEST(BusCodecBadFrame, EveryIdentifierIsKnownToAtMostOneSide) {
   for (unsigned id = 0; id <= 0xFFFF; ++id) {
     const BusFrame frame = FrameBuilder{static_cast<std::uint16_t>(id)}.done();
     const BusFrameKind* kind = find_bus_frame(frame.id);
-    const auto bench = decode_from_bench(frame);
+    const auto bench = decode_from_bench(frame, open_session);
     const auto avionics = decode_from_avionics(frame);
     ASSERT_EQ(bench.message.has_value(), kind != nullptr && kind->sender == BusNode::bench) << id;
     ASSERT_EQ(avionics.message.has_value(), kind != nullptr && kind->sender == BusNode::avionics) << id;
@@ -122,8 +150,8 @@ TEST(BusCodecBadFrame, ACounterComesWithExactlyTheMessagesThatHaveOne) {
         builder.put(52, 4, counter);
       }
       const BusFrame frame = builder.done();
-      const auto found =
-          kind.sender == BusNode::bench ? decode_from_bench(frame).counter : decode_from_avionics(frame).counter;
+      const auto found = kind.sender == BusNode::bench ? decode_from_bench(frame, open_session).counter
+                                                       : decode_from_avionics(frame).counter;
       EXPECT_EQ(found, kind.has_counter ? std::optional{counter} : std::nullopt);
     }
   }

@@ -59,10 +59,10 @@ const std::vector<Frame>& frames() {
         whole(46, 1)},
        {}},
       {"MotionReport", 0x111, {symmetric(0, 16), symmetric(16, 16), symmetric(32, 16), symmetric(48, 16)}, {}},
-      {"SessionReply", 0x120, {choice(0, 8, 2), choice(8, 8, 8), whole(16, 16)}, {}},
+      {"SessionReply", 0x120, {choice(0, 8, 2), choice(8, 8, 9), whole(16, 16)}, {}},
       {"ArmReply",
        0x121,
-       {choice(0, 8, 4), choice(8, 8, 17), choice(16, 4, 5), choice(24, 8, 13), whole(32, 32)},
+       {choice(0, 8, 4), choice(8, 8, 16), choice(16, 4, 5), choice(24, 8, 13), whole(32, 32)},
        {20}},
       {"PlanReply", 0x122, {choice(0, 8, 5), choice(8, 8, 8), whole(16, 8), choice(24, 8, 9), whole(32, 8)}, {40}},
       {"LogReply", 0x123, {choice(0, 4, 5), choice(4, 4, 7), whole(8, 4), whole(16, 32), whole(48, 16)}, {}},
@@ -151,7 +151,7 @@ TEST(BusCodecFlags, EachFlagOfFourAnglesIsItsOwnCanard) {
       const BusFrame frame = FrameBuilder{id}.put(48, 4, flags).put(52, 4, 9).with_crc();
       PerCanard angles{};
       if (id == 0x010) {
-        angles = std::get<BenchRequest>(decode_from_bench(frame).message.value()).angle;
+        angles = std::get<BenchRequest>(decode_from_bench(frame, open_session).message.value()).angle;
       } else if (id == 0x100) {
         angles = std::get<CommandReport>(decode_from_avionics(frame).message.value()).angle;
       } else {

@@ -33,16 +33,16 @@ BenchRequest one(std::size_t canard, float degrees) {
 }
 
 int counts(std::size_t canard, float degrees) {
-  return signed_bits(encode(one(canard, degrees), 0), static_cast<unsigned>(12 * canard), 12);
+  return signed_bits(encode(one(canard, degrees), 0, open_session), static_cast<unsigned>(12 * canard), 12);
 }
 
 TEST(BusCodecValue, EveryHundredthOfADegreeIsKeptExactlyForEveryCanard) {
   for (std::size_t canard = 0; canard < core::canard_count; ++canard) {
     for (int k = -2047; k <= 2047; ++k) {
       const auto degrees = static_cast<float>(k * 0.01);
-      const BusFrame frame = encode(one(canard, degrees), 5);
+      const BusFrame frame = encode(one(canard, degrees), 5, open_session);
       ASSERT_EQ(signed_bits(frame, static_cast<unsigned>(12 * canard), 12), k);
-      const auto decoded = decode_from_bench(frame);
+      const auto decoded = decode_from_bench(frame, open_session);
       ASSERT_TRUE(decoded.message);
       const auto& request = std::get<BenchRequest>(*decoded.message);
       for (std::size_t i = 0; i < core::canard_count; ++i) {
@@ -97,7 +97,7 @@ TEST(BusCodecValue, ACanardAngleThatIsNotANumberIsAbsent) {
     BenchRequest request;
     request.angle.fill(core::Angle::from_degrees(3.0F));
     request.angle[2] = core::Angle::from_radians(wrong);
-    const auto decoded = decode_from_bench(encode(request, 0));
+    const auto decoded = decode_from_bench(encode(request, 0, open_session), open_session);
     ASSERT_TRUE(decoded.message);
     const auto& angles = std::get<BenchRequest>(*decoded.message).angle;
     EXPECT_TRUE(angles[0] && angles[1] && angles[3]);

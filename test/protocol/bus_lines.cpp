@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 // For dbc_test.py. `bus_lines catalogue` prints every frame of the bus with its worst latency. Without arguments each
 // line of standard input is a frame (010#0011223344556677); the answer is the message in the words of the database with
-// the frame that it encodes to, or why it was refused.
+// the frame that it encodes to, or why it was refused. `bus_lines session` prints the number of the session that is
+// open.
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
 #include <iostream>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <variant>
 #include <vector>
@@ -184,7 +186,11 @@ void answer(const auto& decoded) {
 
 }  // namespace
 
-int main(int count, char** /*arguments*/) {
+int main(int count, char** arguments) {
+  if (count > 1 && std::string_view{arguments[1]} == "session") {
+    std::printf("%u\n", unsigned{open_session});
+    return 0;
+  }
   if (count > 1) {
     std::vector<PeriodicFrame> fastest;
     for (const BusFrameKind& kind : bus_catalogue()) {
@@ -205,6 +211,6 @@ int main(int count, char** /*arguments*/) {
     for (std::size_t i = 0; i < frame.length && i < frame.data.size(); ++i) {
       frame.data[i] = static_cast<std::uint8_t>(std::stoul(line.substr(4 + 2 * i, 2), nullptr, 16));
     }
-    frame.id < 0x100 ? answer(decode_from_bench(frame)) : answer(decode_from_avionics(frame));
+    frame.id < 0x100 ? answer(decode_from_bench(frame, open_session)) : answer(decode_from_avionics(frame));
   }
 }

@@ -25,6 +25,9 @@ inline std::uint8_t naive_crc8(const std::vector<std::uint8_t>& bytes) {
   return static_cast<std::uint8_t>(remainder ^ 0xFFU);
 }
 
+/// The one that is open.
+inline constexpr std::uint16_t open_session = 0xA55E;
+
 /// A frame put together bit by bit, without the codec: bit n is bit n % 8 of byte n / 8.
 class FrameBuilder {
  public:
@@ -45,6 +48,9 @@ class FrameBuilder {
   [[nodiscard]] BusFrame with_crc() const {
     std::vector<std::uint8_t> covered{static_cast<std::uint8_t>(frame_.id & 0xFFU),
                                       static_cast<std::uint8_t>(frame_.id >> 8U)};
+    if (frame_.id == 0x010) {
+      covered.insert(covered.end(), {open_session & 0xFFU, open_session >> 8U});
+    }
     covered.insert(covered.end(), frame_.data.begin(), frame_.data.begin() + 7);
     BusFrame frame = frame_;
     frame.data[7] = naive_crc8(covered);
@@ -62,7 +68,9 @@ class FrameBuilder {
 
 template <typename Message>
 BusFrame encode_any(const Message& message, std::uint8_t counter) {
-  if constexpr (requires { encode(message, counter); }) {
+  if constexpr (requires { encode(message, counter, open_session); }) {
+    return encode(message, counter, open_session);
+  } else if constexpr (requires { encode(message, counter); }) {
     return encode(message, counter);
   } else {
     return encode(message);
@@ -78,7 +86,7 @@ inline std::variant<BusFrame, Rejection> there_and_back(const BusFrame& frame) {
     return std::visit([&](const auto& message) { return encode_any(message, decoded.counter.value_or(0)); },
                       *decoded.message);
   };
-  return frame.id < 0x100 ? again(decode_from_bench(frame)) : again(decode_from_avionics(frame));
+  return frame.id < 0x100 ? again(decode_from_bench(frame, open_session)) : again(decode_from_avionics(frame));
 }
 
 }  // namespace fantail::protocol

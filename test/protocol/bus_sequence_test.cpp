@@ -39,12 +39,5 @@ TEST(BusSequence, EveryFrameBecomesTheNewLastOne) {
   EXPECT_EQ(sequence.lost_before(9), 0);
 }
 
-TEST(BusSequence, AfterForgettingTheNextFrameIsAFirstOne) {
-  Sequence sequence;
-  sequence.lost_before(3);
-  sequence.forget();
-  EXPECT_EQ(sequence.lost_before(3), 0);
-}
-
 }  // namespace
 }  // namespace fantail::protocol

@@ -16,6 +16,7 @@ PROJECT = pathlib.Path(sys.argv[2])
 DATABASE = cantools.database.load_file(PROJECT / "firmware/protocol/canard_bus.dbc")  # strict: no overlaps
 MESSAGES = sorted(DATABASE.messages, key=lambda message: message.frame_id)
 SEED = 20260101
+OPEN_SESSION = int(subprocess.run([PROGRAM, "session"], capture_output=True, text=True, check=True).stdout)
 OUT_OF_RANGE = 4
 WORST_BITS = 135
 GIVEN_BY = {"nonce": "nonce_given", "field": "field_given", "battery": "battery_given"}  # a value, and the bit that says whether it is there
@@ -27,10 +28,17 @@ def protected(message):
     return "crc" in message.signal_tree
 
 
+def attribute(message, name):
+    """Whether the database says yes."""
+    found = message.dbc.attributes.get(name)
+    return found is not None and found.value in (1, "yes")
+
+
 def with_crc(message, data):
     data = bytearray(data)
     if protected(message):
-        data[7] = Crc8Autosar.calc(message.frame_id.to_bytes(2, "little") + data[:7])
+        session = OPEN_SESSION.to_bytes(2, "little") if attribute(message, "InSession") else b""
+        data[7] = Crc8Autosar.calc(message.frame_id.to_bytes(2, "little") + session + data[:7])
     return bytes(data)
 
 
@@ -159,8 +167,7 @@ class Database(unittest.TestCase):
 
 
 def can_move(message):
-    attribute = message.dbc.attributes.get("CanMove")
-    return attribute is not None and attribute.value in (1, "yes")
+    return attribute(message, "CanMove")
 
 
 def bound_us(message):

@@ -185,7 +185,7 @@ TEST_F(BenchLog, IsErasedInASessionOnlyAndGoneAfterTheNextPowerUpToo) {
   EXPECT_EQ(reader.info().used_bytes, 0U);
 }
 
-TEST_F(BenchLog, AnEraseWithoutASessionIsRefused) {
+TEST_F(BenchLog, AnEraseWithoutASessionIsRefusedAndSoIsOneInTheSessionOfAnotherBench) {
   const std::uint32_t used = reader.info().used_bytes;
   const auto listen = [&](int milliseconds) {
     for (int i = 0; i < milliseconds; ++i) {
@@ -194,12 +194,20 @@ TEST_F(BenchLog, AnEraseWithoutASessionIsRefused) {
     }
   };
   listen(3'000);
-  const protocol::LogRequest request{.action = protocol::LogAction::erase, .tag = 12};
-  (void)place.bus().send(avionics::can_frame(encode(request, 0)));
-  listen(50);
-  const auto reply = link.newest<protocol::LogReply>()->message;
-  EXPECT_EQ(reply.tag, 12);
-  EXPECT_EQ(reply.fault, protocol::LogFault::no_session);
+  const auto expect_refused = [&](std::uint8_t tag, std::uint32_t session) {
+    const protocol::LogRequest request{.action = protocol::LogAction::erase, .tag = tag, .offset = session};
+    (void)place.bus().send(avionics::can_frame(encode(request, 0)));
+    listen(50);
+    const auto reply = link.newest<protocol::LogReply>()->message;
+    EXPECT_EQ(reply.tag, tag);
+    EXPECT_EQ(reply.fault, protocol::LogFault::no_session);
+  };
+  expect_refused(12, 0);
+  expect_refused(13, 5);
+  const link::Session session = place.open_session(link);
+  ASSERT_EQ(session.number(), 5);
+  expect_refused(14, 0);
+  expect_refused(15, 6);
   EXPECT_EQ(reader.info().used_bytes, used);
 }
 

@@ -53,6 +53,7 @@ TEST(NodePace, TenMillisecondsAreMadeUpForAndMoreIsLeftOut) {
   EXPECT_NEAR(pc.lived_s(), 0.310, 0.0025);
   EXPECT_GE(pc.pace.left_out(), milliseconds{49});
   EXPECT_LE(pc.pace.left_out(), milliseconds{52});
+  EXPECT_EQ(pc.pace.ticks_left_out(), pc.pace.left_out() / milliseconds{1});
   EXPECT_EQ(pc.messages, "");
 }
 

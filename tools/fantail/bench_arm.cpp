@@ -49,12 +49,18 @@ void look(link::Place& place, link::AvionicsLink& link) {
 void test(const ArmOptions& options, link::ArmSteps& steps) {
   std::optional<std::size_t> moving;
   tell(options, "Self-test: keep the rocket still for three seconds; then each canard moves. Keep hands off.");
-  const protocol::ArmReply reply = steps.run_self_test([&](const protocol::ArmReply& now) {
+  const auto show = [&](const protocol::ArmReply& now) {
     if (now.self_test == protocol::SelfTestState::running && now.canard != moving) {
       moving = now.canard;
       tell(options, fmt::format("  canard {}", *moving + 1));
     }
-  });
+  };
+  protocol::ArmReply reply;
+  try {
+    reply = steps.run_self_test(show);
+  } catch (const link::SelfTestRefused& refusal) {
+    throw RequirementNotMet{std::string{"the avionics refuses the self-test: "} + refusal.what()};
+  }
   if (reply.self_test != protocol::SelfTestState::passed) {
     throw RequirementNotMet{"the self-test failed: " + replies::sentence(reply.failure, reply.canard)};
   }

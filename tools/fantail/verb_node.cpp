@@ -125,6 +125,7 @@ class Node {
       if (const std::string messages = pace_.take_messages(); !messages.empty()) {
         say(messages);
       }
+      world_.set_ticks_left_out(pace_.ticks_left_out());
       const auto tick_begin = SteadyClock::now();
       const core::TickRecord& record = world_.tick();
       if (observe_) {

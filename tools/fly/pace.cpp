@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "fly/pace.hpp"
 
+#include <algorithm>
+#include <limits>
 #include <utility>
 
 #include <fmt/core.h>
@@ -46,6 +48,11 @@ void Pace::leave_out(Duration time) {
   } else {
     left_out_in_window_ += time;
   }
+}
+
+std::uint32_t Pace::ticks_left_out() const {
+  constexpr std::int64_t most = std::numeric_limits<std::uint32_t>::max();
+  return static_cast<std::uint32_t>(std::min<std::int64_t>(left_out_ / tick, most));
 }
 
 // Less than half of the time was lived through: whoever waits for the rocket waits more than twice as long.

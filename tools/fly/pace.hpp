@@ -28,6 +28,7 @@ class Pace {
   /// Ticks that ended after the next one was due.
   [[nodiscard]] std::int64_t late() const { return late_; }
   [[nodiscard]] Duration left_out() const { return left_out_; }
+  [[nodiscard]] std::uint32_t ticks_left_out() const;
 
  private:
   void leave_out(Duration time);

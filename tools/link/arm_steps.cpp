@@ -3,14 +3,15 @@
 
 #include "avionics/can_frame.hpp"
 #include "link/session.hpp"
+#include "replies/sentence.hpp"
 
 namespace fantail::link {
 namespace {
 
 using hal::Microseconds;
 using protocol::ArmAction;
+using protocol::ArmRefusal;
 using protocol::ArmReply;
-using protocol::SelfTestFailure;
 using protocol::SelfTestState;
 
 constexpr Microseconds glance{2'000};
@@ -21,14 +22,11 @@ constexpr Microseconds step_time{1'000'000};
 // a busy PC slept through the beginning.
 constexpr Microseconds answer_time{600'000};
 
-bool refused(const ArmReply& reply) {
-  return reply.self_test == SelfTestState::failed &&
-         (reply.failure == SelfTestFailure::not_safe || reply.failure == SelfTestFailure::session_open);
-}
-
 }  // namespace
 
 ArmReply ArmSteps::run_self_test(const std::function<void(const ArmReply&)>& progress) {
+  const auto& earlier = link_.newest<ArmReply>();
+  const ArmRefusal before = earlier ? earlier->message.refusal : ArmRefusal::none;
   send(ArmAction::self_test);
   Timeout until_answered{answer_time, place_.now()};
   Timeout until_begun{time_to_begin, place_.now()};
@@ -44,13 +42,17 @@ ArmReply ArmSteps::run_self_test(const std::function<void(const ArmReply&)>& pro
     }
     seen = link_.count<ArmReply>();
     const ArmReply reply = link_.newest<ArmReply>()->message;
+    const bool runs = reply.self_test == SelfTestState::running;
+    if (!begun && !runs && reply.refusal != ArmRefusal::none && (reply.refusal != before || answered)) {
+      throw SelfTestRefused{replies::sentence(reply.refusal)};
+    }
     // A test can fail in the tick in which it begins (no gyro), and then nobody hears that it ran.
     const bool failed = reply.self_test == SelfTestState::failed && answered;
-    begun = begun || reply.self_test == SelfTestState::running || refused(reply) || failed;
+    begun = begun || runs || failed;
     if (begun) {
       progress(reply);
     }
-    if (begun && reply.self_test != SelfTestState::running) {
+    if (begun && !runs) {
       return reply;
     }
   }

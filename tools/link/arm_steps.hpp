@@ -3,18 +3,24 @@
 
 #include <cstdint>
 #include <functional>
+#include <stdexcept>
 
 #include "link/avionics_link.hpp"
 #include "link/place.hpp"
 
 namespace fantail::link {
 
+/// The avionics did not begin the self-test. what() is the reason; an earlier test is as good as it was.
+class SelfTestRefused : public std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
 /// The steps of arming. All throw LinkError when nobody answers for two seconds.
 class ArmSteps {
  public:
   ArmSteps(Place& place, AvionicsLink& link) : place_{place}, link_{link} {}
 
-  /// Until the self-test has passed or failed. `progress` is told every new state.
+  /// Until the self-test has passed or failed. `progress` is told every new state. Throws SelfTestRefused.
   [[nodiscard]] protocol::ArmReply run_self_test(const std::function<void(const protocol::ArmReply&)>& progress);
 
   /// The answer to `begin`: a nonce or a refusal.

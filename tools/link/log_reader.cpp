@@ -142,7 +142,7 @@ bool LogReader::take_data(std::vector<std::byte>& bytes) {
 }
 
 void LogReader::erase(Session& session, const std::function<void(std::uint32_t)>& progress) {
-  ask(LogAction::erase, 0, 0);
+  ask(LogAction::erase, session.number(), 0);
   Microseconds asked = place_.now();
   Timeout any_answer{answer_time, asked};
   Timeout next_sector{erase_time, asked};
@@ -166,7 +166,7 @@ void LogReader::erase(Session& session, const std::function<void(std::uint32_t)>
     }
     const bool waits = reply && reply->state == LogState::erasing;
     if (!waits && now - asked > repeat_after) {
-      ask(LogAction::erase, 0, 0);
+      ask(LogAction::erase, session.number(), 0);
       asked = now;
       seen = heard_before_;
     }

@@ -33,6 +33,10 @@ void send(Place& place, const protocol::BusFrame& frame) {
   (void)place.bus().send(avionics::can_frame(frame));
 }
 
+LinkError another_bench() {
+  return LinkError{"another bench has the session; end that one, or wait until it has ended"};
+}
+
 }  // namespace
 
 void await_avionics(Place& place, AvionicsLink& link) {
@@ -59,6 +63,7 @@ void await_avionics(Place& place, AvionicsLink& link) {
 }
 
 Session::Session(Place& place, AvionicsLink& link, std::uint16_t number) : place_{place}, link_{link}, number_{number} {
+  look_for_another_bench();
   open();
   try {
     learn_trims();
@@ -75,7 +80,38 @@ Session::~Session() {
   }
 }
 
+// The status comes every 10 ms. Who asks while another bench is at work is refused; a look asks for nothing.
+void Session::look_for_another_bench() {
+  link_.listen(place_.now());
+  const std::uint64_t before = link_.count<protocol::StatusReport>();
+  for (Timeout timeout{answer_time, place_.now()}; link_.count<protocol::StatusReport>() == before;) {
+    if (timeout.expired(place_.now())) {
+      throw LinkError{"the avionics has stopped reporting"};
+    }
+    place_.wait(glance);
+    link_.listen(place_.now());
+  }
+  if (link_.newest<protocol::StatusReport>()->message.session_open) {
+    throw another_bench();
+  }
+}
+
 void Session::open() {
+  protocol::SessionReply answer = ask_to_open();
+  if (answer.reason == protocol::SessionReason::number_too_similar) {
+    number_ ^= 1U;  // a single bit always makes another CRC-8
+    answer = ask_to_open();
+  }
+  if (answer.state != protocol::SessionState::open) {
+    throw answer.reason == protocol::SessionReason::other_session
+        ? another_bench()
+        : LinkError{"the avionics refuses a bench session: " + replies::sentence(answer.reason)};
+  }
+  open_ = true;
+  last_look_ = place_.now();
+}
+
+protocol::SessionReply Session::ask_to_open() {
   const std::uint64_t before = link_.count<protocol::SessionReply>();
   Timeout timeout{answer_time, place_.now()};
   std::optional<protocol::SessionReply> answer;
@@ -90,11 +126,7 @@ void Session::open() {
     place_.wait(glance);
     link_.listen(place_.now());
   }
-  if (answer->state != protocol::SessionState::open) {
-    throw LinkError{"the avionics refuses a bench session: " + replies::sentence(answer->reason)};
-  }
-  open_ = true;
-  last_look_ = place_.now();
+  return *answer;
 }
 
 // By what they are told when nobody asks for anything, once that stands still.
@@ -151,7 +183,7 @@ void Session::speak() {
   }
   if (wanted_ && !unsure_since_ && now >= next_request_) {
     next_request_ = now + request_period;
-    send(place_, encode(protocol::BenchRequest{*wanted_}, request_counter_.next()));
+    send(place_, encode(protocol::BenchRequest{*wanted_}, request_counter_.next(), number_));
   }
 }
 

@@ -23,7 +23,8 @@ void await_avionics(Place& place, AvionicsLink& link);
 /// waits; however the object ends, by the end of its work or by an exception, the canards are centred.
 class Session {
  public:
-  /// Throws LinkError with the reason when the avionics refuses.
+  /// Asks for nothing while another bench has a session. Throws LinkError then, and with the reason when the avionics
+  /// refuses. `number`: drawn at random, because it is what tells the frames of this bench from those of another.
   Session(Place& place, AvionicsLink& link, std::uint16_t number);
   ~Session();
   Session(const Session&) = delete;
@@ -41,11 +42,15 @@ class Session {
   /// their trims by command.
   bool close();
 
+  [[nodiscard]] std::uint16_t number() const { return number_; }
+
   /// Where the canards stand when nothing is asked.
   [[nodiscard]] const Each<core::Angle>& trims() const { return trims_; }
 
  private:
+  void look_for_another_bench();
   void open();
+  [[nodiscard]] protocol::SessionReply ask_to_open();
   void learn_trims();
   void speak();
   void say(protocol::SessionAction action);

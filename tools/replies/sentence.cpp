@@ -48,7 +48,8 @@ std::string sentence(protocol::SessionReason reason) {
     case Reason::not_at_rest:
       return "the rocket is moving; it must stand still for the plan's rest time (2 s unless changed)";
     case Reason::self_test_runs: return "the self-test is running";
-    case Reason::other_session: return "another bench has a session open";
+    case Reason::other_session: return "another bench has the session";
+    case Reason::number_too_similar: return "its number is too similar to that of the session before";
   }
   return "unknown reason";
 }
@@ -59,7 +60,6 @@ std::string sentence(protocol::SelfTestFailure failure, const std::optional<std:
   switch (failure) {
     case Failure::none: return "no reason given";
     case Failure::not_safe: return "the rocket is not in phase safe";
-    case Failure::session_open: return "a bench session is open";
     case Failure::moved: return "the rocket did not stand still";
     case Failure::gyro_failed: return "the gyro gives no usable rate";
     case Failure::accelerometer_failed: return "an accelerometer that the plan needs gives no usable sample";

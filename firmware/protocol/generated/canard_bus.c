@@ -2460,12 +2460,12 @@ float canard_bus_session_reply_reason_decode(uint8_t value)
 
 bool canard_bus_session_reply_reason_is_in_range(uint8_t value)
 {
-    return (value <= 7u);
+    return (value <= 8u);
 }
 
 bool canard_bus_session_reply_reason_is_in_phys_range(float value)
 {
-    return ((value >= 0.0f) && (value <= 7.0f));
+    return ((value >= 0.0f) && (value <= 8.0f));
 }
 
 uint16_t canard_bus_session_reply_session_encode(float value)
@@ -2577,12 +2577,12 @@ float canard_bus_arm_reply_failure_decode(uint8_t value)
 
 bool canard_bus_arm_reply_failure_is_in_range(uint8_t value)
 {
-    return (value <= 16u);
+    return (value <= 15u);
 }
 
 bool canard_bus_arm_reply_failure_is_in_phys_range(float value)
 {
-    return ((value >= 0.0f) && (value <= 16.0f));
+    return ((value >= 0.0f) && (value <= 15.0f));
 }
 
 uint8_t canard_bus_arm_reply_canard_encode(float value)

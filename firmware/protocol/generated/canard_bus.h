@@ -183,6 +183,7 @@ extern "C" {
 #define CANARD_BUS_SESSION_REPLY_REASON_NOT_AT_REST_CHOICE (5u)
 #define CANARD_BUS_SESSION_REPLY_REASON_SELF_TEST_RUNS_CHOICE (6u)
 #define CANARD_BUS_SESSION_REPLY_REASON_OTHER_SESSION_CHOICE (7u)
+#define CANARD_BUS_SESSION_REPLY_REASON_NUMBER_TOO_SIMILAR_CHOICE (8u)
 
 #define CANARD_BUS_ARM_REPLY_SELF_TEST_NOT_RUN_CHOICE (0u)
 #define CANARD_BUS_ARM_REPLY_SELF_TEST_RUNNING_CHOICE (1u)
@@ -191,21 +192,20 @@ extern "C" {
 
 #define CANARD_BUS_ARM_REPLY_FAILURE_NONE_CHOICE (0u)
 #define CANARD_BUS_ARM_REPLY_FAILURE_NOT_SAFE_CHOICE (1u)
-#define CANARD_BUS_ARM_REPLY_FAILURE_SESSION_OPEN_CHOICE (2u)
-#define CANARD_BUS_ARM_REPLY_FAILURE_MOVED_CHOICE (3u)
-#define CANARD_BUS_ARM_REPLY_FAILURE_GYRO_FAILED_CHOICE (4u)
-#define CANARD_BUS_ARM_REPLY_FAILURE_ACCELEROMETER_FAILED_CHOICE (5u)
-#define CANARD_BUS_ARM_REPLY_FAILURE_SPECIFIC_FORCE_NOT_ONE_G_CHOICE (6u)
-#define CANARD_BUS_ARM_REPLY_FAILURE_ACCELEROMETERS_DISAGREE_CHOICE (7u)
-#define CANARD_BUS_ARM_REPLY_FAILURE_ENCODER_SILENT_CHOICE (8u)
-#define CANARD_BUS_ARM_REPLY_FAILURE_CANARD_DID_NOT_FOLLOW_CHOICE (9u)
-#define CANARD_BUS_ARM_REPLY_FAILURE_ANOTHER_CANARD_MOVED_CHOICE (10u)
-#define CANARD_BUS_ARM_REPLY_FAILURE_NO_VALID_PLAN_CHOICE (11u)
-#define CANARD_BUS_ARM_REPLY_FAILURE_FLASH_FAILED_CHOICE (12u)
-#define CANARD_BUS_ARM_REPLY_FAILURE_FLASH_TOO_FULL_CHOICE (13u)
-#define CANARD_BUS_ARM_REPLY_FAILURE_TIMED_OUT_CHOICE (14u)
-#define CANARD_BUS_ARM_REPLY_FAILURE_BOARD_FAULT_CHOICE (15u)
-#define CANARD_BUS_ARM_REPLY_FAILURE_NEWER_PLAN_CHOICE (16u)
+#define CANARD_BUS_ARM_REPLY_FAILURE_MOVED_CHOICE (2u)
+#define CANARD_BUS_ARM_REPLY_FAILURE_GYRO_FAILED_CHOICE (3u)
+#define CANARD_BUS_ARM_REPLY_FAILURE_ACCELEROMETER_FAILED_CHOICE (4u)
+#define CANARD_BUS_ARM_REPLY_FAILURE_SPECIFIC_FORCE_NOT_ONE_G_CHOICE (5u)
+#define CANARD_BUS_ARM_REPLY_FAILURE_ACCELEROMETERS_DISAGREE_CHOICE (6u)
+#define CANARD_BUS_ARM_REPLY_FAILURE_ENCODER_SILENT_CHOICE (7u)
+#define CANARD_BUS_ARM_REPLY_FAILURE_CANARD_DID_NOT_FOLLOW_CHOICE (8u)
+#define CANARD_BUS_ARM_REPLY_FAILURE_ANOTHER_CANARD_MOVED_CHOICE (9u)
+#define CANARD_BUS_ARM_REPLY_FAILURE_NO_VALID_PLAN_CHOICE (10u)
+#define CANARD_BUS_ARM_REPLY_FAILURE_FLASH_FAILED_CHOICE (11u)
+#define CANARD_BUS_ARM_REPLY_FAILURE_FLASH_TOO_FULL_CHOICE (12u)
+#define CANARD_BUS_ARM_REPLY_FAILURE_TIMED_OUT_CHOICE (13u)
+#define CANARD_BUS_ARM_REPLY_FAILURE_BOARD_FAULT_CHOICE (14u)
+#define CANARD_BUS_ARM_REPLY_FAILURE_NEWER_PLAN_CHOICE (15u)
 
 #define CANARD_BUS_ARM_REPLY_CANARD_NONE_CHOICE (0u)
 #define CANARD_BUS_ARM_REPLY_CANARD_CANARD_1_CHOICE (1u)
@@ -479,7 +479,7 @@ extern "C" {
 /**
  * Signals in message BenchRequest.
  *
- * Shaft angles for an open bench session, held until the next request or the end of the session. A canard that is not asked stays at its trim, and its angle is zero here.
+ * Shaft angles for an open bench session, held until the next request or the end of the session. A canard that is not asked stays at its trim, and its angle is zero here. The CRC covers the number of the session.
  *
  * All signal values are as on the CAN bus.
  */
@@ -558,7 +558,7 @@ struct canard_bus_bench_request_t {
 /**
  * Signals in message BenchSession.
  *
- * Opens, keeps and closes a bench session. Closing one, or 100 ms without this frame, centres the canards.
+ * Opens, keeps and closes a bench session, under a number that the bench drew at random. One session is one sender: while one is open, no other is opened. Closing one, or 100 ms without this frame, centres the canards.
  *
  * All signal values are as on the CAN bus.
  */
@@ -632,7 +632,7 @@ struct canard_bus_arm_request_t {
 /**
  * Signals in message PlanBegin.
  *
- * A plan block is about to come. A plan that is stored can have other trims, to which the canards then go.
+ * A plan block is about to come; block_crc is the CRC-32C of all but its last four bytes. A plan that is stored can have other trims, to which the canards then go.
  *
  * All signal values are as on the CAN bus.
  */
@@ -734,7 +734,7 @@ struct canard_bus_plan_data_t {
 /**
  * Signals in message LogRequest.
  *
- * Asks for the state of the flight record, for up to 1792 bytes of it, or for its erase. Moves nothing, but can erase, so it is protected.
+ * Asks for the state of the flight record, for up to 1792 bytes of it, or for its erase (offset: the number of the open session). Moves nothing, but can erase, so it is protected.
  *
  * All signal values are as on the CAN bus.
  */
@@ -1107,7 +1107,7 @@ struct canard_bus_session_reply_t {
     uint8_t state;
 
     /**
-     * Range: 0..7 (0..7 -)
+     * Range: 0..8 (0..8 -)
      * Scale: 1
      * Offset: 0
      */
@@ -1124,7 +1124,7 @@ struct canard_bus_session_reply_t {
 /**
  * Signals in message ArmReply.
  *
- * How self-test and arming stand.
+ * How self-test and arming stand. refusal is of the last ArmRequest; a refused one changes nothing else.
  *
  * All signal values are as on the CAN bus.
  */
@@ -1137,7 +1137,7 @@ struct canard_bus_arm_reply_t {
     uint8_t self_test;
 
     /**
-     * Range: 0..16 (0..16 -)
+     * Range: 0..15 (0..15 -)
      * Scale: 1
      * Offset: 0
      */
@@ -1444,7 +1444,7 @@ struct canard_bus_limit_report_t {
 /**
  * Signals in message BoardReport.
  *
- * What the board says about itself: with any fault the rocket is not armed. The bits of faults, from the lowest: crystal_failed, clock_failed, image_broken, imu_silent, imu_wrong_id, imu_self_test_failed, accelerometer_silent, accelerometer_wrong_id, encoder_silent, flash_silent, flash_wrong_id, flash_stuck, can_failed, entropy_failed, battery_unmeasured, loop_overrun, crashed. overruns: control ticks that were due and did not come since power-up, 255 for that many or more. plan: which one is in force, and what is wrong with the stored one.
+ * What the board says about itself: with any fault the rocket is not armed. The bits of faults, from the lowest: crystal_failed, clock_failed, image_broken, imu_silent, imu_wrong_id, imu_self_test_failed, accelerometer_silent, accelerometer_wrong_id, encoder_silent, flash_silent, flash_wrong_id, flash_stuck, can_failed, entropy_failed, battery_unmeasured, loop_overrun, crashed. overruns: control ticks that were due and did not come since power-up, 255 for that many or more; of a simulated board also the milliseconds that its PC left out, which are no fault. plan: which one is in force, and what is wrong with the stored one.
  *
  * All signal values are as on the CAN bus.
  */
@@ -1502,7 +1502,7 @@ struct canard_bus_board_report_t {
 /**
  * Signals in message HeartbeatReport.
  *
- * Version of this protocol, time since power-up, CRC-32C of the plan in force.
+ * Version of this protocol, time since power-up (begins again at 0 after 2^24 ms), block_crc of the plan in force.
  *
  * All signal values are as on the CAN bus.
  */

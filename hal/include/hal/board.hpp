@@ -76,6 +76,9 @@ struct BoardStatus {
   ResetCause reset_cause = ResetCause::power_on;
   std::optional<std::uint16_t> battery_mv{};
   std::uint32_t overruns = 0;  ///< control ticks that were due and did not come, since power-up
+  /// Those that a simulated board left out, with the time of the world around it, because its PC was too slow. For the
+  /// rocket no time has passed, so they are told and are no fault.
+  std::uint32_t ticks_left_out = 0;
 };
 
 /// Lights and tones: what a person at the pad sees and hears.
