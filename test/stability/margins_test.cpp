@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "stability/roll_loop.hpp"
-
 #include <cmath>
 #include <numbers>
 
 #include <gtest/gtest.h>
 
 #include "sim/roll_plant.hpp"
+#include "stability/roll_loop.hpp"
 #include "text/degrees.hpp"
 
 namespace fantail::stability {

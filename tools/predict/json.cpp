@@ -79,7 +79,7 @@ std::string prediction_json(const Prediction& p, const Decision& decision, std::
                     {"criteria", criteria(decision)},
                     {"advice", decision.advice},
                     {"tunnel", tunnel(p)},
-                    {"canard_limit_deg", rounded(degrees(p.limit_rad))},
+                    {"canard_limit_deg", rounded(degrees(p.reach.angle_rad))},
                     {"offset_size_deg", json(p.offset_size_rad, in_degrees)},
                     {"authority_margin_deg", json(p.authority_margin_rad, in_degrees)},
                     {"authority", json(p.authority)},

@@ -6,7 +6,6 @@
 
 #include <fmt/core.h>
 
-#include "flight/flight.hpp"
 #include "input/fault_file.hpp"
 #include "predict/margins.hpp"
 #include "predict/parallel_for.hpp"
@@ -62,7 +61,7 @@ void count(Prediction& p) {
   p.authority = share(number([](const Run& run) { return run.authority_margin_rad > 0.0; }), p.runs.size());
   p.not_judged = came_to(report::Outcome::not_judged);
   p.without_control = came_to(report::Outcome::no_control);
-  p.held = share(came_to(report::Outcome::held), p.runs.size() - p.not_judged);
+  p.held = share(came_to(report::Outcome::held), p.runs.size());
 }
 
 Band band(const std::vector<Run>& runs) {
@@ -91,13 +90,28 @@ Band band(const std::vector<Run>& runs) {
   return all;
 }
 
-void find_margins(Prediction& p, const sim::Scenario& scenario) {
-  const auto start = spread_where_known(p.runs, [](const Run& run) { return run.speed_at_control_start_m_s; });
-  if (!start) {
-    return;
+/// Of all runs; evenly spaced.
+std::vector<double> speeds_flown(const std::vector<Run>& runs) {
+  constexpr int speeds = 33;
+  std::optional<double> lowest;
+  double highest = 0.0;
+  for (const Run& run : runs) {
+    if (const auto start = run.speed_at_control_start_m_s) {
+      lowest = std::min(lowest.value_or(*start), *start);
+      highest = std::max(highest, run.top_speed_m_s);
+    }
   }
-  p.over_speed = margins_over_speed(scenario, p.runs, start->p50, p.top_speed_m_s.p50);
-  const auto worst = std::ranges::min_element(p.over_speed, {}, [](const auto& at) { return at.phase_margin_rad.p50; });
+  std::vector<double> all;
+  for (int i = 0; lowest && i < speeds; ++i) {
+    all.push_back(*lowest + (highest - *lowest) * i / (speeds - 1));
+  }
+  return all;
+}
+
+void find_margins(Prediction& p) {
+  p.speeds_m_s = speeds_flown(p.runs);
+  p.over_speed = margins_over_speed(p.flown, p.runs, p.speeds_m_s);
+  const auto worst = std::ranges::min_element(p.over_speed, {}, [](const auto& at) { return at.phase_margin_rad.p5; });
   if (worst != p.over_speed.end()) {
     p.worst_speed = *worst;
   }
@@ -134,7 +148,6 @@ void require_launch(const sim::Scenario& scenario) {
 Prediction predict(const sim::Scenario& scenario, const TunnelResult& tunnel, const Options& options,
                    const std::function<void(std::size_t)>& look) {
   require_launch(scenario);
-  const sim::Scenario flown = with_servo(scenario, options);
   Prediction p{.scenario = scenario.name,
                .vehicle = scenario.vehicle.name,
                .plan_name = scenario.plan_name,
@@ -142,16 +155,17 @@ Prediction predict(const sim::Scenario& scenario, const TunnelResult& tunnel, co
                .tunnel = tunnel,
                .damping = options.damping,
                .notes = notes(scenario, tunnel),
-               .limit_rad = flight::canard_limit_rad(scenario.plan),
-               .servo_lag_s = flown.vehicle.servo.lag_s,
-               .delay_s = stability::loop_delay_s(flown.vehicle),
+               .reach = canard_reach(scenario),
+               .flown = with_servo(scenario, options),
                .runs = std::vector<Run>(options.runs)};
+  p.servo_lag_s = p.flown.vehicle.servo.lag_s;
+  p.delay_s = stability::loop_delay_s(p.flown.vehicle);
   const AirframeSpread airframes{tunnel.steps, options.damping};
   parallel_for(
       options.runs, options.threads,
       [&](std::size_t i) {
         const std::uint64_t seed = seed_of_run(scenario.seed, i);
-        p.runs[i] = fly_run(flown, airframes.draw(seed), seed);
+        p.runs[i] = fly_run(p.flown, airframes.draw(seed), seed);
       },
       look);
   count(p);
@@ -162,7 +176,7 @@ Prediction predict(const sim::Scenario& scenario, const TunnelResult& tunnel, co
   p.saturated_share = spread_where_known(p.runs, [](const Run& run) { return run.saturated_share; });
   p.spin_rate_rad_s = spread_where_known(p.runs, [](const Run& run) { return size_of(run.spin_rate_rad_s); });
   p.band = band(p.runs);
-  find_margins(p, flown);
+  find_margins(p);
   return p;
 }
 

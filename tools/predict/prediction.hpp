@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "predict/airframe.hpp"
+#include "predict/canard_reach.hpp"
 #include "predict/margins.hpp"
 #include "predict/run.hpp"
 #include "predict/share.hpp"
@@ -41,24 +42,26 @@ struct Prediction {
   TunnelResult tunnel{};
   DampingFactor damping{};
   std::vector<std::string> notes{};  ///< what was assumed, a sentence each
-  double limit_rad = 0.0;
+  CanardReach reach{};
+  sim::Scenario flown{};  ///< with the servo that was measured; every run has an airframe of its own
   double servo_lag_s = 0.0;
   double delay_s = 0.0;  ///< all dead time of the loop
   std::vector<Run> runs{};
 
   Spread offset_size_rad{};  ///< |offset|
   Spread authority_margin_rad{};
-  Share authority{};           ///< runs with a margin above zero
-  Share held{};                ///< of those that could be judged
-  std::size_t not_judged = 0;  ///< their reference never stands still, or they have no proportional gain
+  Share authority{};  ///< runs with a margin above zero
+  Share held{};       ///< of all runs: what cannot be judged was not seen to hold
+  std::size_t not_judged = 0;
   std::size_t without_control = 0;
   Spread top_speed_m_s{};
   std::optional<Spread> settle_rad{};
   std::optional<Spread> saturated_share{};
   std::optional<Spread> spin_rate_rad_s{};  ///< size; of the runs without authority
   Band band{};
-  std::vector<MarginsAtSpeed> over_speed{};     ///< from the speed at control start to top speed; empty without a loop
-  std::optional<MarginsAtSpeed> worst_speed{};  ///< where the median phase margin is least
+  std::vector<double> speeds_m_s{};  ///< from the lowest at control start to the highest flown; empty without control
+  std::vector<MarginsAtSpeed> over_speed{};     ///< at those of them where the loop can swing
+  std::optional<MarginsAtSpeed> worst_speed{};  ///< where the low end of the phase margin is least
 };
 
 /// Throws text::Error for a scenario that is no launch.

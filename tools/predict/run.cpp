@@ -6,6 +6,7 @@
 
 #include "flight/flight.hpp"
 #include "fly/fly_scenario.hpp"
+#include "predict/canard_reach.hpp"
 #include "report/figures.hpp"
 #include "sim/random.hpp"
 
@@ -69,14 +70,16 @@ std::optional<double> spin_rate_rad_s(const TunnelStep& airframe, double offset_
 Run fly_run(const sim::Scenario& scenario, const TunnelStep& airframe, std::uint64_t seed) {
   const flight::Flight flight = fly::fly_scenario(with_airframe(scenario, airframe, seed));
   const report::Figures figures = report::figures(flight);
-  const double limit_rad = flight::canard_limit_rad(scenario.plan);
+  const report::Verdict verdict = report::verdict(flight, figures);
+  const double limit_rad = canard_reach(scenario).angle_rad;
   Run run;
   run.seed = seed;
   run.airframe = airframe;
   run.offset_rad = std::abs(airframe.offset_begin_rad) > std::abs(airframe.offset_end_rad) ? airframe.offset_begin_rad
                                                                                            : airframe.offset_end_rad;
   run.authority_margin_rad = limit_rad - std::abs(run.offset_rad);
-  run.outcome = report::verdict(flight, figures).outcome;
+  run.outcome = verdict.outcome;
+  run.verdict = verdict.text;
   run.largest_hold_error_rad = figures.largest_hold_error_rad;
   run.saturated_share = figures.saturated_fraction;
   run.top_speed_m_s = figures.max_speed_m_s.value_or(0.0);

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "predict/tunnel_result.hpp"
@@ -20,19 +21,20 @@ struct Run {
   std::uint64_t seed = 0;
   TunnelStep airframe{};
   double offset_rad = 0.0;            ///< the larger of the airframe's two
-  double authority_margin_rad = 0.0;  ///< canard limit less |offset|
+  double authority_margin_rad = 0.0;  ///< canard_reach() less |offset|
   report::Outcome outcome = report::Outcome::no_control;
-  std::optional<double> largest_hold_error_rad;
-  std::optional<double> saturated_share;
-  std::optional<double> settle_rad;  ///< R + u_d / kp as control ends, where the canards reach it
-  std::optional<double> speed_at_control_start_m_s;
+  std::string verdict{};  ///< what the flight report says of it
+  std::optional<double> largest_hold_error_rad{};
+  std::optional<double> saturated_share{};
+  std::optional<double> settle_rad{};  ///< R + u_d / kp as control ends, where the canards reach it
+  std::optional<double> speed_at_control_start_m_s{};
   double top_speed_m_s = 0.0;
-  std::optional<double> apogee_m;
+  std::optional<double> apogee_m{};
   /// At top speed, the canards at their limit against an offset that is larger: where the roll rate ends.
-  std::optional<double> spin_rate_rad_s;
-  std::vector<double> roll_angle_rad;  ///< from lift-off to apogee, what truly was; every track_step_s
-  std::vector<double> roll_rate_rad_s;
-  std::vector<std::optional<double>> reference_rad;  ///< at the same times, under control
+  std::optional<double> spin_rate_rad_s{};
+  std::vector<double> roll_angle_rad{};  ///< from lift-off to apogee, what truly was; every track_step_s
+  std::vector<double> roll_rate_rad_s{};
+  std::vector<std::optional<double>> reference_rad{};  ///< at the same times, under control
 };
 
 /// The seed of a run: another for every run, the same for the same number however many there are.

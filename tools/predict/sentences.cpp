@@ -2,6 +2,7 @@
 #include "predict/sentences.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/core.h>
 
@@ -18,6 +19,21 @@ std::string percent(double share) {
     return fixed(std::max(value, 0.1), 1) + " %";
   }
   return (value > 99.0 && value < 100.0 ? fixed(std::min(value, 99.9), 1) : fixed(value, 0)) + " %";
+}
+
+std::string percent_at_least(double share) { return fixed(std::floor(100.0 * share), 0) + " %"; }
+
+std::string runs(std::size_t count) { return fmt::format("{} run{}", count, count == 1 ? "" : "s"); }
+
+std::string cause(const Run& run) {
+  std::string_view text = run.verdict;
+  for (const std::string_view heading : {"No control: ", "Roll not judged: "}) {
+    if (text.starts_with(heading)) {
+      text.remove_prefix(heading.size());
+    }
+  }
+  text = text.substr(0, std::min(text.find(". "), text.find("; ")));
+  return std::string{text.ends_with('.') ? text.substr(0, text.size() - 1) : text};
 }
 
 std::string of_the_runs(double share) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,6 +12,15 @@ namespace fantail::predict {
 
 /// "95 %" for 0.95. One digit after the point where less than one per cent would look like none, or 99.6 like all.
 [[nodiscard]] std::string percent(double share);
+
+/// The same for what is at least so: 94.9 is not "95 %".
+[[nodiscard]] std::string percent_at_least(double share);
+
+/// "1 run", "200 runs".
+[[nodiscard]] std::string runs(std::size_t count);
+
+/// Why the roll of this run was not judged, or not controlled: the first sentence of its flight report, as a clause.
+[[nodiscard]] std::string cause(const Run& run);
 
 /// "95 % of the runs", "all runs", "none of the runs".
 [[nodiscard]] std::string of_the_runs(double share);

@@ -46,7 +46,7 @@ std::string figures(const Prediction& p) {
 
 std::string prediction_text(const Prediction& p, const Decision& decision) {
   std::string text =
-      fmt::format("{} ({}), {} runs, seed {}\n{}\n\n", p.scenario, p.vehicle, p.runs.size(), p.seed, decision.text);
+      fmt::format("{} ({}), {}, seed {}\n{}\n\n", p.scenario, p.vehicle, runs(p.runs.size()), p.seed, decision.text);
   for (const Criterion& c : decision.criteria) {
     text += fmt::format("  {:<11}{}: {}; asked for: {}\n", label(c.judgement), c.label, c.found, c.required);
   }
