@@ -35,7 +35,7 @@ set(FANTAIL_LAYERS
   "tools/replies|core protocol hal|"
   "tools/link|core protocol hal avionics text replies|fmt/"
   "tools/stability|sim|"
-  "tools/fly|core sim input flight replies|fmt/"
+  "tools/fly|core sim input flight replies stability|fmt/"
   "tools/hil|core protocol world_link sim text|fmt/ fcntl\\.h poll\\.h sched\\.h sys/ termios\\.h unistd\\.h"
   "tools/telemetry|core hal avionics json replies|fmt/ lcm/ fantail_lcm/ arpa/inet\\.h netinet/in\\.h poll\\.h sys/socket\\.h unistd\\.h"
   "tools/gateway|hal link telemetry|"

@@ -42,6 +42,7 @@ struct Scenario {
   Surroundings surroundings = Surroundings::flight;
   Atmosphere atmosphere{};
   double guide_tilt_rad = 0.0;
+  double wind_m_s = 0.0;          ///< stated, not flown: to say where the simulation does not hold
   double pad_time_s = 10.0;       ///< from power-up to ignition, or to the start command
   double arm_time_s = 1.0;        ///< after power-up
   double time_after_end_s = 1.0;  ///< goes on this long after apogee, or after control has ended in the tunnel

@@ -20,7 +20,7 @@ TEST(Figures, ARollAngleAtItsSettlePointHasNoHoldErrorThoughItIsTenDegreesFromTh
 TEST(Figures, ADecayingStepResponseIsJudgedFromOneSecondAfterControlStart) {
   SyntheticFlight synthetic;
   synthetic.each_controlled(
-      [](flight::Row& row) { row.roll_angle_rad += text::radians(10.0) * std::exp(-(row.time_s - 0.6) / 0.5); });
+      [](flight::Row& row) { row.truth->roll_angle_rad += text::radians(10.0) * std::exp(-(row.time_s - 0.6) / 0.5); });
   EXPECT_NEAR(text::degrees(figures(synthetic.flight).largest_hold_error_rad.value()), 10.0 * std::exp(-2.0), 1e-4);
 }
 
@@ -30,7 +30,7 @@ TEST(Figures, TheSecondAfterAReferenceStepDoesNotCount) {
     if (row.time_s >= 2.6) {
       row.reference_rad = text::radians(-20.0);
       // Arrives 0.9 s late, then stays 1.5 deg short of its settle point of -30 deg.
-      row.roll_angle_rad = text::radians(row.time_s < 3.5 ? -10.0 : -28.5);
+      row.truth->roll_angle_rad = text::radians(row.time_s < 3.5 ? -10.0 : -28.5);
     }
   });
   EXPECT_NEAR(text::degrees(figures(synthetic.flight).largest_hold_error_rad.value()), 1.5, 1e-4);
@@ -39,8 +39,9 @@ TEST(Figures, TheSecondAfterAReferenceStepDoesNotCount) {
 TEST(Figures, InTheTunnelTwoSecondsDoNotCount) {
   SyntheticFlight synthetic;
   synthetic.flight.tunnel = true;
+  synthetic.flight.events.control_start_s = 0.599;  // the roll is still zero there
   synthetic.each_controlled(
-      [](flight::Row& row) { row.roll_angle_rad += text::radians(row.time_s < 2.59 ? 25.0 : 2.0); });
+      [](flight::Row& row) { row.truth->roll_angle_rad += text::radians(row.time_s < 2.59 ? 25.0 : 2.0); });
   const Figures f = figures(synthetic.flight);
   EXPECT_NEAR(text::degrees(f.largest_hold_error_rad.value()), 2.0, 1e-4);
   EXPECT_FALSE(f.apogee_m);
@@ -51,7 +52,7 @@ TEST(Figures, MeanHoldErrorIsTheMeanOfTheSettledPart) {
   SyntheticFlight synthetic;
   // Settled are 1.6 to 4.5 s, 2901 ticks; 1450 of them lie before 3.05 s.
   synthetic.each_controlled(
-      [](flight::Row& row) { row.roll_angle_rad += text::radians(row.time_s < 3.0495 ? 3.0 : 1.0); });
+      [](flight::Row& row) { row.truth->roll_angle_rad += text::radians(row.time_s < 3.0495 ? 3.0 : 1.0); });
   EXPECT_NEAR(text::degrees(figures(synthetic.flight).mean_hold_error_rad.value()), (1450 * 3.0 + 1451 * 1.0) / 2901,
               1e-4);
 }
@@ -77,6 +78,32 @@ TEST(Figures, NoPlanHasMoreAuthorityThanTheHardLimit) {
   SyntheticFlight synthetic;
   synthetic.flight.plan.controller.canard_limit = core::Angle::from_degrees(30.0F);
   EXPECT_NEAR(text::degrees(figures(synthetic.flight).authority_margin_rad.value()), 15.0, 1e-5);
+}
+
+TEST(Figures, TheSmallestStopOfPlanAndWorldIsTheAuthority) {
+  SyntheticFlight plan_stop;
+  plan_stop.flight.plan.canards.each.fill({.direction = core::Direction::reversed,
+                                           .trim = core::Angle::from_degrees(0.0F),
+                                           .pulse_centre_us = 1500.0F,
+                                           .pulse_per_radian_us = 570.0F,
+                                           .encoder_zero = {},
+                                           .mechanical_stop = core::Angle::from_degrees(7.0F)});
+  EXPECT_NEAR(text::degrees(figures(plan_stop.flight).authority_margin_rad.value()), 2.0, 1e-5);
+  SyntheticFlight servo_stop;
+  servo_stop.flight.servo_stop_rad = text::radians(4.5);
+  EXPECT_NEAR(text::degrees(figures(servo_stop.flight).authority_margin_rad.value()), -0.5, 1e-5);
+  // A trim of 2 degrees towards the side that is needed leaves 7 of 9 degrees; away from it no more than the command.
+  SyntheticFlight trimmed;
+  trimmed.flight.plan.canards.each[0].trim = core::Angle::from_degrees(2.0F);
+  EXPECT_NEAR(text::degrees(figures(trimmed.flight).authority_margin_rad.value()), (7.0 + 3 * 9.0) / 4.0 - 5.0, 1e-5);
+  trimmed.flight.plan.canards.each[0].trim = core::Angle::from_degrees(-2.0F);
+  EXPECT_NEAR(text::degrees(figures(trimmed.flight).authority_margin_rad.value()), 4.0, 1e-5);
+}
+
+TEST(Figures, TheHoldErrorIsThatOfTheTrueRollAngleAndNotOfWhatTheAvionicsBelieves) {
+  SyntheticFlight synthetic;
+  synthetic.each_controlled([](flight::Row& row) { row.truth->roll_angle_rad += text::radians(30.0); });
+  EXPECT_NEAR(text::degrees(figures(synthetic.flight).largest_hold_error_rad.value()), 30.0, 1e-4);
 }
 
 TEST(Figures, SaturationToTheEndIsSeenFromItsFirstTick) {

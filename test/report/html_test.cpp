@@ -43,7 +43,7 @@ TEST(Html, CarriesTheLicenceOfThePlotLibrary) {
 
 TEST(Html, SaysVerdictFiguresEventsAndPhasesWithoutScripts) {
   SyntheticFlight synthetic;
-  synthetic.each_controlled([](flight::Row& row) { row.roll_angle_rad += text::radians(2.1); });
+  synthetic.each_controlled([](flight::Row& row) { row.truth->roll_angle_rad += text::radians(2.1); });
   const std::string text = without_scripts(page_of(synthetic.flight));
   EXPECT_NE(text.find("Roll stayed within 2.1 deg of"), std::string::npos);
   EXPECT_NE(text.find("<dt>Authority margin</dt><dd>4.0"), std::string::npos);

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "report/verdict.hpp"
 
+#include <cmath>
+#include <numbers>
+#include <string>
+
 #include <gtest/gtest.h>
 
 #include "synthetic_flight.hpp"
@@ -15,22 +19,22 @@ TEST(Verdict, AHeldFlightNamesErrorSaturationAndMargin) {
   int count = 0;
   synthetic.each_controlled([&count](flight::Row& row) {
     row.saturated = count++ < 234;  // 234 of 3901: 6.0 %
-    row.roll_angle_rad += text::radians(2.1);
+    row.truth->roll_angle_rad += text::radians(2.1);
   });
   const Verdict v = verdict_of(synthetic.flight);
   EXPECT_EQ(v.outcome, Outcome::held);
-  EXPECT_EQ(
-      v.text,
-      "Roll stayed within 2.1 deg of where this law settles; saturated 6 % of control time; authority margin 4.0 deg.");
+  EXPECT_EQ(v.text,
+            "Roll stayed within 2.1 deg of where this law settles; saturated 6.0 % of control time; authority margin "
+            "4.0 deg.");
 }
 
 TEST(Verdict, ALargeErrorIsNotCalledHeld) {
   SyntheticFlight synthetic;
-  synthetic.each_controlled([](flight::Row& row) { row.roll_angle_rad += text::radians(-24.0); });
+  synthetic.each_controlled([](flight::Row& row) { row.truth->roll_angle_rad += text::radians(-24.0); });
   const Verdict v = verdict_of(synthetic.flight);
   EXPECT_EQ(v.outcome, Outcome::not_held);
   EXPECT_EQ(v.text,
-            "Roll not held: up to 24.0 deg from where this law settles; saturated 0 % of control time; authority "
+            "Roll not held: up to 24.0 deg from where this law settles; saturated 0.0 % of control time; authority "
             "margin 4.0 deg.");
 }
 
@@ -49,7 +53,7 @@ TEST(Verdict, AnOffsetBeyondTheCanardsIsSaidPlainly) {
   EXPECT_EQ(
       v.text,
       "Canards at their limit (+6 deg) from 1.68 s to the end of control: the fin offset of -7.3 deg is more than "
-      "they can balance; roll not held. Saturated 72 % of control time; authority margin -1.3 deg.");
+      "they can balance; roll not held. Saturated 71.6 % of control time; authority margin -1.3 deg.");
 }
 
 TEST(Verdict, CanardsAtTheirLimitForAnotherReasonAreNotBlamedOnTheOffset) {
@@ -59,7 +63,7 @@ TEST(Verdict, CanardsAtTheirLimitForAnotherReasonAreNotBlamedOnTheOffset) {
     row.command_rad = text::radians(-9.0);
   });
   EXPECT_EQ(verdict_of(synthetic.flight).text,
-            "Roll stayed within 0.0 deg of where this law settles; saturated 26 % of control time; authority margin "
+            "Roll stayed within 0.0 deg of where this law settles; saturated 25.7 % of control time; authority margin "
             "4.0 deg. Canards "
             "at their limit (-9 deg) from 3.50 s to the end of control.");
 }
@@ -89,20 +93,104 @@ TEST(Verdict, EveryOtherWayToNoControlIsNamed) {
   EXPECT_EQ(verdict_of(deaf.flight).text, "No control: the gyro failed before control (at 0.30 s).");
 }
 
-TEST(Verdict, ALostGyroThatEndsControlIsNamed) {
+TEST(Verdict, ControlThatAFaultEndedBeforeApogeeIsCutShort) {
   SyntheticFlight synthetic;
+  synthetic.flight.events.apogee_s = 4.4;
   synthetic.end_control(3.0, core::PhaseReason::gyro_failed);
   const Verdict v = verdict_of(synthetic.flight);
+  EXPECT_EQ(v.outcome, Outcome::cut_short);
+  EXPECT_EQ(v.text,
+            "Control ended at 3.00 s, 1.40 s before apogee: the gyro failed. After that the rocket turned by up to 0.0 "
+            "deg until apogee. Until then: roll stayed within 0.0 deg of where this law settles; saturated 0.0 % of "
+            "control time; authority margin 4.0 deg.");
+}
+
+TEST(Verdict, WhatTheRocketTurnsAfterAnEarlyEndOfControlCounts) {
+  SyntheticFlight synthetic;
+  synthetic.flight.events.apogee_s = 4.4;
+  synthetic.end_control(3.0, core::PhaseReason::gyro_failed);
+  for (flight::Row& row : synthetic.flight.rows) {
+    row.truth->roll_angle_rad += row.time_s > 3.0 ? text::radians(100.0 * (row.time_s - 3.0)) : 0.0;
+  }
+  const Verdict v = verdict_of(synthetic.flight);
+  EXPECT_EQ(v.outcome, Outcome::not_held);
+  EXPECT_TRUE(v.text.find("turned by up to 140.0 deg until apogee") != std::string::npos) << v.text;
+}
+
+TEST(Verdict, AnApogeeThatTheAvionicsImaginedIsAnEarlyEndToo) {
+  SyntheticFlight synthetic;
+  synthetic.flight.events.apogee_s = 4.4;
+  synthetic.end_control(3.0, core::PhaseReason::apogee);
+  const Verdict v = verdict_of(synthetic.flight);
+  EXPECT_EQ(v.outcome, Outcome::cut_short);
+  EXPECT_TRUE(
+      v.text.starts_with("Control ended at 3.00 s, 1.40 s before apogee: the avionics took it for apogee. After"))
+      << v.text;
+
+  SyntheticFlight in_time;
+  in_time.flight.events.apogee_s = 4.4;
+  in_time.end_control(4.35, core::PhaseReason::apogee);
+  EXPECT_EQ(verdict_of(in_time.flight).outcome, Outcome::held);
+}
+
+TEST(Verdict, ControlThatEndsByThePlansOwnTimeIsNotCutShort) {
+  SyntheticFlight synthetic;
+  synthetic.flight.events.apogee_s = 4.4;
+  synthetic.end_control(3.0, core::PhaseReason::control_time_over);
+  EXPECT_EQ(verdict_of(synthetic.flight).outcome, Outcome::held);
+}
+
+TEST(Verdict, ControlThatGoesOnLongAfterApogeeIsSaid) {
+  SyntheticFlight synthetic;
+  synthetic.flight.events.apogee_s = 3.0;
+  synthetic.end_control(4.0, core::PhaseReason::control_time_over);
+  EXPECT_TRUE(verdict_of(synthetic.flight).text.ends_with(" Control went on for 1.00 s after apogee."));
+}
+
+TEST(Verdict, ASpinBeyondTheGyrosRangeIsNoMissingSensor) {
+  SyntheticFlight synthetic;
+  synthetic.flight.unmeasured = {.spin_from_s = 0.8, .spin_for_s = 0.4, .spin_rad_s = text::radians(-2000.0)};
+  synthetic.end_control(1.2, core::PhaseReason::gyro_failed);
+  const Verdict v = verdict_of(synthetic.flight);
+  EXPECT_EQ(v.outcome, Outcome::not_held);
+  EXPECT_NE(
+      v.text.find("the rocket turned faster than the gyro's range of 2000 deg/s, negatively, for 0.40 s from 0.80 "
+                  "s on. Roll not judged: control lasted only 0.60 s"),
+      std::string::npos)
+      << v.text;
+}
+
+TEST(Verdict, WhatWasBridgedOrIsALowerBoundIsSaid) {
+  SyntheticFlight synthetic;
+  synthetic.flight.unmeasured = {.silent_from_s = 2.0, .silent_for_s = 0.012, .speed_bound_from_s = 0.3};
+  const Verdict v = verdict_of(synthetic.flight);
   EXPECT_EQ(v.outcome, Outcome::held);
-  EXPECT_TRUE(v.text.ends_with(" Control ended at 3.00 s: the gyro failed.")) << v.text;
+  EXPECT_TRUE(v.text.ends_with(
+      " The gyro gave no usable rate for 0.012 s from 2.00 s on; the canards stood at trim meanwhile. From 0.30 s on "
+      "the "
+      "avionics knew only lower bounds of height and speed, because every accelerometer was at the end of its range."))
+      << v.text;
+}
+
+TEST(Verdict, CanardsThatKeepSwingingAreNotCalledHeld) {
+  SyntheticFlight synthetic;
+  synthetic.each_controlled([](flight::Row& row) {
+    row.canard_rad = text::radians(3.5 + 4.8 * std::sin(2.0 * std::numbers::pi * 13.0 * row.time_s));
+  });
+  const Verdict v = verdict_of(synthetic.flight);
+  EXPECT_EQ(v.outcome, Outcome::oscillates);
+  EXPECT_TRUE(
+      v.text.starts_with("The canards oscillate at 13 Hz between -1.3 and 8.3 deg, seen from 1.60 s on, with "
+                         "nothing that excites them. Roll stayed within 0.0 deg"))
+      << v.text;
 }
 
 TEST(Verdict, ControlThatNeverSettledIsNotJudged) {
   SyntheticFlight synthetic;
-  synthetic.end_control(1.1, core::PhaseReason::gyro_failed);
+  synthetic.end_control(1.1, core::PhaseReason::control_time_over);
   const Verdict v = verdict_of(synthetic.flight);
   EXPECT_EQ(v.outcome, Outcome::not_judged);
-  EXPECT_TRUE(v.text.starts_with("Roll not judged: control lasted only 0.50 s; saturated 0 %")) << v.text;
+  EXPECT_TRUE(v.text.starts_with("Roll not judged: control lasted only 0.50 s; saturated 0.0 %")) << v.text;
 
   SyntheticFlight restless;
   restless.each_controlled(
@@ -115,8 +203,15 @@ TEST(Verdict, WithoutTruthTheSettlePointIsUnknown) {
   synthetic.each_controlled([](flight::Row& row) { row.truth.reset(); });
   EXPECT_EQ(
       verdict_of(synthetic.flight).text,
-      "Roll not judged: the fin offset, and with it where roll should settle, is unknown; saturated 0 % of control "
+      "Roll not judged: the fin offset, and with it where roll should settle, is unknown; saturated 0.0 % of control "
       "time.");
+}
+
+TEST(Verdict, WithoutProportionalGainTheOffsetIsNotCalledUnknown) {
+  SyntheticFlight synthetic;
+  synthetic.flight.plan.controller.proportional_gain = 0.0F;
+  EXPECT_TRUE(verdict_of(synthetic.flight)
+                  .text.starts_with("Roll not judged: without proportional gain nothing holds an angle; saturated"));
 }
 
 TEST(Verdict, AFaultyCanardIsNamedOnceWithItsNumber) {

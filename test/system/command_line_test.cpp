@@ -100,5 +100,13 @@ TEST(Seed, TheLargestIsTaken) {
   EXPECT_NE(outcome.out.find("\"seed\": 18446744073709551615"), std::string::npos);
 }
 
+TEST(CommandLine, ANumberThatIsNoneIsOutsideEveryRange) {
+  for (const char* option : {"--servo-lag", "--servo-delay", "--swirl", "--phase-margin", "--held-percent"}) {
+    const Outcome outcome = fantail({"predict", option, "nan"});
+    EXPECT_EQ(outcome.exit_code, 64) << option;
+    EXPECT_NE(outcome.err.find(std::string{option} + ": \"nan\": allowed: "), std::string::npos) << outcome.err;
+  }
+}
+
 }  // namespace
 }  // namespace fantail::test

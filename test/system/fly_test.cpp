@@ -285,5 +285,18 @@ TEST(Fly, FindsFilesBesideTheOneThatNamesThem) {
   EXPECT_EQ(content(folder / "beside/flight.csv"), content(folder / "plain/flight.csv"));
 }
 
+TEST(Fly, HowManyRowsALaunchKeepsChangesNoFigure) {
+  const Folder folder;
+  const auto summary = [&folder](const char* period) {
+    const Outcome outcome = fantail({"fly", "--json", "--set", std::string{"timing.log_period_s="} + period},
+                                    {.working_folder = folder.path()});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    json::Value all = json::parse(outcome.out);
+    all["notes"] = nullptr;
+    return all.pretty();
+  };
+  EXPECT_EQ(summary("0.001"), summary("1"));
+}
+
 }  // namespace
 }  // namespace fantail::test

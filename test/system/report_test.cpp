@@ -57,6 +57,24 @@ TEST(Report, OfAFlightLogIsThePageAndTheDataThatFlyWrites) {
   EXPECT_EQ(content(folder / "out/report/flown/flight.csv"), table.out);
 }
 
+// A board's log cannot be made again.
+TEST(Report, NeverReplacesOrRemovesAFlightsOwnFiles) {
+  const Folder folder;
+  folder.write("day/flight.ftl", made_log());
+  folder.write("other.ftl", made_log());
+  for (const char* input : {"day/flight.ftl", "day", "other.ftl"}) {
+    const Outcome outcome = fantail({"report", input, "--out", "day"}, {.working_folder = folder.path()});
+    EXPECT_EQ(outcome.exit_code, 74) << input;
+    EXPECT_NE(outcome.err.find("day/flight.ftl: a flight keeps its own files here"), std::string::npos) << outcome.err;
+    EXPECT_EQ(content(folder / "day/flight.ftl"), made_log());
+    EXPECT_EQ(content(folder / "day/flight.csv"), "");
+  }
+  const Outcome exported = fantail({"log", "export", "day/flight.ftl", "--to", "json", "--out", "day/flight.ftl"},
+                                   {.working_folder = folder.path()});
+  EXPECT_EQ(exported.exit_code, 74) << exported.err;
+  EXPECT_EQ(content(folder / "day/flight.ftl"), made_log());
+}
+
 TEST(Report, OfATableFromElsewhereShowsWhatItHasAndNoMore) {
   const Folder folder;
   folder.write("old.csv", line(5.0, 36.0));

@@ -181,5 +181,21 @@ TEST_F(OutputFolderTest, AFailureBringsBackWhatWasToBeRemoved) {
   EXPECT_EQ(read(folder_ / "flight.ftl"), "four");
 }
 
+TEST_F(OutputFolderTest, WhatTheResultsAreMadeFromIsNeitherReplacedNorRemovedNorWrittenInto) {
+  OutputFolder{folder_}.write(first);
+  fs::create_hard_link(folder_ / "flight.csv", folder_ / "another_name.csv");
+  const std::array<NamedFile, 1> page{{{"page.html", "new"}}};
+  const std::array<std::string, 1> csv{"flight.csv"};
+  const std::vector<fs::path> inputs{folder_ / "another_name.csv"};
+  EXPECT_THROW(OutputFolder(folder_, inputs).write(second), OutputError);
+  EXPECT_THROW(OutputFolder(folder_, inputs).write(page, csv), OutputError);
+  EXPECT_THROW(OutputFolder(folder_, {folder_}).write(page), OutputError);
+  EXPECT_EQ(read(folder_ / "flight.csv"), "one");
+  EXPECT_FALSE(fs::exists(folder_ / "page.html"));
+  OutputFolder(folder_, inputs).write(page);
+  EXPECT_EQ(read(folder_ / "page.html"), "new");
+  OutputFolder(folder_ / "apart", {folder_, folder_ / "no such file"}).write(page);
+}
+
 }  // namespace
 }  // namespace fantail::text

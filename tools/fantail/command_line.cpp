@@ -75,13 +75,10 @@ Option& Option::check(const Objection& objection) {
   return *this;
 }
 
-Option& Option::range(int low, int high) {
-  option_->check(CLI::Range(low, high));
-  return *this;
-}
-
+// CLI11's own Range lets NaN through.
 Option& Option::range(double low, double high) {
-  option_->check(CLI::Range(low, high));
+  option_->check(CLI::Validator{within(low, high),
+                                fmt::format("from {} to {}", input::plain_number(low), input::plain_number(high))});
   return *this;
 }
 

@@ -31,7 +31,6 @@ class Option {
 
   Option& required(bool is = true);
   Option& check(const Objection& objection);
-  Option& range(int low, int high);
   Option& range(double low, double high);
   Option& one_of(std::initializer_list<const char*> words);
   /// What stands for the value in the help: KG_M2.

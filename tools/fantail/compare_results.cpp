@@ -105,7 +105,7 @@ void write_compare_results(const CompareResults& results, const std::filesystem:
   const std::array<text::NamedFile, 3> files{{{"compare.html", compare_html(results)},
                                               {"compare.json", compare_json(results)},
                                               {"differences.csv", compare_csv(results.comparison)}}};
-  text::OutputFolder{folder}.write(files);
+  text::OutputFolder{folder, {results.a, results.b}}.write(files);
 }
 
 }  // namespace fantail::tool

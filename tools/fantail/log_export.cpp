@@ -207,7 +207,9 @@ void export_log(const ExportOptions& options) {
     return;
   }
   const std::filesystem::path target = output_file(options, format);
-  text::OutputFolder{target.parent_path()}.write(
+  const std::filesystem::path log{options.log};
+  const std::filesystem::path the_file = std::filesystem::is_directory(log) ? log / "flight.ftl" : log;
+  text::OutputFolder{target.parent_path(), {the_file}}.write(
       std::array{text::NamedFile{target.filename().string(), exported.bytes}});
   fmt::print("{}\n", target.string());
 }

@@ -88,7 +88,7 @@ void compile(const PlanOptions& options) {
   const std::filesystem::path file{options.out.empty() ? named.file.stem().string() + ".ftpl" : options.out};
   const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : std::filesystem::path{"."};
   const std::array<text::NamedFile, 1> files{{{file.filename().string(), content}}};
-  text::OutputFolder{folder}.write(files);
+  text::OutputFolder{folder, {named.file}}.write(files);
   if (options.json) {
     fmt::print("{}\n", json::Value{{"plan", named.file.string()},
                                    {"block", file.string()},

@@ -102,7 +102,7 @@ void show_what_if(const ReplayOptions& options, const flight_log::Flight& flight
   const std::filesystem::path folder = folder_of(options);
   const std::array<text::NamedFile, 2> files{
       {{"what_if.html", what_if_html(result)}, {"what_if.csv", what_if_csv(result)}}};
-  text::OutputFolder{folder}.write(files);
+  text::OutputFolder{folder, {options.log}}.write(files);
   if (options.json) {
     const json::Value json{{"log", options.log},
                            {"open_loop", true},

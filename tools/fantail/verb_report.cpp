@@ -42,7 +42,7 @@ void report_one(const ReportOptions& options) {
   const report::Results results = report::results(flight);
   const std::filesystem::path folder =
       options.out.empty() ? default_folder(name_of_log(options.a)) : std::filesystem::path{options.out};
-  report::write_results(flight, results, folder);
+  report::write_report(flight, results, folder, options.a);
   if (options.json) {
     fmt::print("{}", results.summary);
     return;
@@ -75,7 +75,7 @@ void report_two(const ReportOptions& options) {
   const std::filesystem::path folder = options.out.empty()
                                            ? default_folder(name_of_log(options.a) + "_and_" + name_of_log(options.b))
                                            : std::filesystem::path{options.out};
-  text::OutputFolder{folder}.write(
+  text::OutputFolder{folder, {options.a, options.b}}.write(
       std::array<text::NamedFile, 3>{{{"report.html", overlay_html(results, a, b)},
                                       {"compare.json", compare_json(results)},
                                       {"differences.csv", compare_csv(results.comparison)}}});

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace fantail::flight {
 namespace {
@@ -33,6 +34,26 @@ void note_canards(Flight& flight, const core::TickRecord& record, double time_s)
     if (record.verdicts[i] != before) {
       changes.push_back({time_s, i, record.verdicts[i]});
     }
+  }
+}
+
+void note_unmeasured(Flight& flight, const core::TickRecord& record, double time_s) {
+  constexpr double tick_s = 1e-3;
+  Unmeasured& u = flight.unmeasured;
+  const bool flies = record.phase == core::Phase::launched || record.phase == core::Phase::controlling;
+  const auto add = [time_s](std::optional<double>& from_s, double& for_s) {
+    from_s = from_s.value_or(time_s);
+    for_s += tick_s;
+  };
+  if (flies && record.motion.rate_is_lower_bound) {
+    add(u.spin_from_s, u.spin_for_s);
+    u.spin_rad_s = static_cast<double>(record.motion.roll_rate_rad_s);
+  }
+  if (record.command_status == core::CommandStatus::gyro_lost) {
+    add(u.silent_from_s, u.silent_for_s);
+  }
+  if (flies && record.motion.speed_is_lower_bound) {
+    u.speed_bound_from_s = u.speed_bound_from_s.value_or(time_s);
   }
 }
 
@@ -75,6 +96,7 @@ Row row(const core::TickRecord& record, double time_s) {
 void note_tick(Flight& flight, const core::TickRecord& record, double time_s) {
   note_phase(flight, record, time_s);
   note_canards(flight, record, time_s);
+  note_unmeasured(flight, record, time_s);
 }
 
 void add_tick(Flight& flight, const core::TickRecord& record, double time_s, const std::optional<Truth>& truth) {
@@ -90,6 +112,12 @@ void set_time_zero(Flight& flight, double zero_s) {
       move(*time_s);
     }
   }
+  Unmeasured& u = flight.unmeasured;
+  for (std::optional<double>* time_s : {&u.spin_from_s, &u.silent_from_s, &u.speed_bound_from_s}) {
+    if (*time_s) {
+      move(**time_s);
+    }
+  }
   if (flight.imposed_roll) {
     move(flight.imposed_roll->time_s);
   }
@@ -101,6 +129,19 @@ void set_time_zero(Flight& flight, double zero_s) {
 
 double canard_limit_rad(const core::FlightPlan& plan) {
   return static_cast<double>(std::min(plan.controller.canard_limit, core::hard_canard_limit).radians());
+}
+
+double authority_rad(const core::FlightPlan& plan, const std::optional<double>& servo_stop_rad, double sense) {
+  const double command_rad = std::copysign(canard_limit_rad(plan), sense);
+  double sum_rad = 0.0;
+  for (const core::CanardPlan& canard : plan.canards.each) {
+    const double limit_rad = std::min({canard_limit_rad(plan), static_cast<double>(canard.mechanical_stop.radians()),
+                                       servo_stop_rad.value_or(std::numeric_limits<double>::infinity())});
+    const double turned = canard.direction == core::Direction::reversed ? -1.0 : 1.0;
+    const auto trim_rad = static_cast<double>(canard.trim.radians());
+    sum_rad += turned * (std::clamp(turned * command_rad + trim_rad, -limit_rad, limit_rad) - trim_rad);
+  }
+  return std::abs(sum_rad) / static_cast<double>(core::canard_count);
 }
 
 std::optional<double> settle_point_rad(const Row& row, const core::FlightPlan& plan) {

@@ -89,6 +89,23 @@ struct PhaseChange {
   std::optional<core::PhaseReason> reason = core::PhaseReason::power_on;  ///< empty: a table does not tell
 };
 
+/// What the sensors could not measure of a flight. Times are the first of each; empty: it did not happen.
+struct Unmeasured {
+  std::optional<double> spin_from_s{};         ///< after detection the rocket turned faster than the gyro's range
+  double spin_for_s = 0.0;                     ///< in all
+  double spin_rad_s = 0.0;                     ///< the end of the range, with the sense of the turn
+  std::optional<double> silent_from_s{};       ///< under control, canards at trim because no rate was known
+  double silent_for_s = 0.0;                   ///< in all
+  std::optional<double> speed_bound_from_s{};  ///< from here on the estimates of height and speed are lower bounds
+};
+
+/// How far the roll loop is from oscillating at one air speed; see stability::Margins.
+struct LoopMargin {
+  double speed_m_s = 0.0;
+  double phase_margin_rad = 0.0;
+  std::optional<double> gain_margin{};
+};
+
 struct CanardVerdictChange {
   double time_s = 0.0;
   std::size_t canard = 0;  ///< 0 to 3; people count from 1
@@ -116,7 +133,11 @@ struct Flight {
   Events events;
   std::vector<PhaseChange> phase_changes;
   std::vector<CanardVerdictChange> canard_verdict_changes;
+  Unmeasured unmeasured;
+  std::vector<LoopMargin> loop_margins;  ///< at the lowest, median and top speed under control; empty: not computed
+  std::optional<double> servo_stop_rad;  ///< of the simulated servos; empty: nobody knows
   std::vector<Row> rows;
+  std::size_t rows_per_line = 1;               ///< flight.csv has the first of so many rows
   std::vector<TunnelReading> tunnel_readings;  ///< empty in flight
   std::vector<std::byte> log;                  ///< what the avionics recorded itself; empty: nothing
   Known known;
@@ -125,8 +146,8 @@ struct Flight {
 /// A tick as a row, without truth. An encoder angle that is not finite counts as missing.
 [[nodiscard]] Row row(const core::TickRecord& record, double time_s);
 
-/// Notes what can be seen from records alone: phase changes, canard verdicts, and the events detected, control start
-/// and control end. The other events and everything else are the caller's to fill in.
+/// Notes what can be seen from records alone: phase changes, canard verdicts, what was not measured, and the events
+/// detected, control start and control end. The other events and everything else are the caller's to fill in.
 void note_tick(Flight& flight, const core::TickRecord& record, double time_s);
 
 /// Notes a tick and appends its row.
@@ -137,6 +158,11 @@ void set_time_zero(Flight& flight, double zero_s);
 
 /// The largest roll command this plan allows: the plan limit, or the hard limit where that is smaller.
 [[nodiscard]] double canard_limit_rad(const core::FlightPlan& plan);
+
+/// How far the canards can deflect in one sense of roll (the sign of `sense`), mean of the four: each as far as the
+/// smallest of plan limit, hard limit, its mechanical stop in the plan and the servo's own stop lets it, from its trim.
+[[nodiscard]] double authority_rad(const core::FlightPlan& plan, const std::optional<double>& servo_stop_rad,
+                                   double sense);
 
 /// Where a proportional-derivative loop comes to rest: R + u_d / kp. Empty without truth, and for a gain of zero.
 [[nodiscard]] std::optional<double> settle_point_rad(const Row& row, const core::FlightPlan& plan);

@@ -38,13 +38,14 @@ std::string csv(const Flight& flight) {
   }
   const Column& time = written.front();
   std::string out;
-  out.reserve((flight.rows.size() + 1) * 320);
+  out.reserve((flight.rows.size() / flight.rows_per_line + 1) * 320);
   out.append(time.name).append(",").append(phase_column);
   for (const Column& column : written.subspan(1)) {
     out.append(",").append(column.name);
   }
   out.push_back('\n');
-  for (const Row& row : flight.rows) {
+  for (std::size_t i = 0; i < flight.rows.size(); i += flight.rows_per_line) {
+    const Row& row = flight.rows[i];
     write_cell(out, time, row);
     out.append(",").append(core::name(row.phase));
     for (const Column& column : written.subspan(1)) {

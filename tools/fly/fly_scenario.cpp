@@ -8,6 +8,7 @@
 
 #include <fmt/core.h>
 
+#include "fly/model_limits.hpp"
 #include "input/fault_file.hpp"
 #include "replies/sentence.hpp"
 #include "sim/units.hpp"
@@ -60,6 +61,7 @@ flight::Flight describe(const sim::Scenario& scenario) {
   flight.seed = scenario.seed;
   flight.tunnel = scenario.surroundings == sim::Surroundings::tunnel;
   flight.plan = scenario.plan;
+  flight.servo_stop_rad = scenario.vehicle.servo.stop_rad;
   for (const auto* assumed : {&scenario.vehicle.assumed, &scenario.assumed}) {
     flight.notes.insert(flight.notes.end(), assumed->begin(), assumed->end());
   }
@@ -67,8 +69,9 @@ flight::Flight describe(const sim::Scenario& scenario) {
     flight.notes.push_back(describe(fault, scenario));
   }
   if (scenario.log_period_s > 0.001) {
-    flight.notes.push_back(
-        fmt::format("flight.csv has a row every {:g} s instead of every millisecond.", scenario.log_period_s));
+    flight.notes.push_back(fmt::format("flight.csv has a row every {:g} s instead of every millisecond{}.",
+                                       scenario.log_period_s,
+                                       flight.tunnel ? ", and the figures are made of these rows" : ""));
   }
   return flight;
 }
@@ -112,8 +115,11 @@ std::optional<double> expected_length_s(const sim::Scenario& scenario) {
 flight::Flight fly_scenario(const sim::Scenario& scenario, const Look& look, const Observe& observe, Log log,
                             const sim::MakeFlightComputer& make) {
   constexpr std::int64_t ticks_between_looks = 1024;
-  const std::int64_t ticks_per_row = std::llround(scenario.log_period_s * 1e3);
   flight::Flight flight = describe(scenario);
+  // A launch is judged by every tick. In the tunnel a run of a quarter of an hour would fill the memory.
+  const std::int64_t ticks_per_line = std::llround(scenario.log_period_s * 1e3);
+  const std::int64_t ticks_per_row = flight.tunnel ? ticks_per_line : 1;
+  flight.rows_per_line = static_cast<std::size_t>(ticks_per_line / ticks_per_row);
   sim::World world{scenario, log == Log::kept ? sim::World::large_flash : sim::World::small_flash, make};
   bool was_armed = false;
   for (std::int64_t ticks = 0; !world.over(); ++ticks) {
@@ -158,6 +164,10 @@ flight::Flight fly_scenario(const sim::Scenario& scenario, const Look& look, con
                            .rate_rad_s = scenario.imposed_roll->rate_rad_s};
   }
   flight::set_time_zero(flight, zero_s);
+  flight.loop_margins = loop_margins(scenario, flight);
+  for (std::string& sentence : beyond_the_model(scenario, flight)) {
+    flight.notes.push_back(std::move(sentence));
+  }
   return flight;
 }
 

@@ -25,6 +25,7 @@ constexpr auto fields = std::to_array<Field<sim::Scenario>>({
   {"environment", "density", choice(densities), may, AT(it.atmosphere.model), "Air over height: 1.225 kg/m3 exp(-h / 8500 m), the International Standard Atmosphere, or the same everywhere."},
   {"environment", "density_kg_m3", number("kg/m3", {0.01, 5}), may, AT(it.atmosphere.constant_kg_m3), "For `constant`."},
   {"environment", "guide_tilt_deg", number(deg, {0, 15}), may, AT(it.guide_tilt_rad), "Launch guide against the vertical."},
+  {"environment", "wind_m_s", number("m/s", {0, 30}), may, AT(it.wind_m_s), "Wind across the launch site. It is not simulated: reports say where it matters."},
 
   {"tunnel", "fan_rpm", number("rpm", {0, 3000}), may, AT(it.tunnel.fan_rpm), "Fan speed until the first of `fan_times_s`."},
   {"tunnel", "speed_per_rpm_m_s", number("m/s per rpm", {0.001, 0.1}), may, AT(it.tunnel.speed_per_rpm_m_s), "Air speed over fan speed; 0.0176 makes 22 m/s of 1250 rpm."},

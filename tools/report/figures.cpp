@@ -45,8 +45,19 @@ std::span<const flight::Row> under_control(const flight::Flight& flight) {
   return {first, std::find_if_not(first, flight.rows.end(), is_control)};
 }
 
+// The law counts roll from where the rocket stood at launch detection (tunnel: at control start), the truth from the
+// pad.
+double true_zero_rad(const flight::Flight& flight) {
+  const std::optional<double>& zero_s = flight.tunnel ? flight.events.control_start_s : flight.events.detected_s;
+  const auto at = std::ranges::find_if(
+      flight.rows, [&](const flight::Row& row) { return zero_s && row.time_s >= *zero_s - clock_tolerance_s; });
+  const bool known = at != flight.rows.end() && at->truth && std::isfinite(at->truth->roll_angle_rad);
+  return known ? at->truth->roll_angle_rad : 0.0;
+}
+
 void judge_hold(Figures& f, std::span<const flight::Row> control, const flight::Flight& flight) {
   const double settling_time_s = flight.tunnel ? settling_time_in_tunnel_s : settling_time_in_flight_s;
+  const double zero_rad = true_zero_rad(flight);
   double settles_at_s = control.front().time_s + settling_time_s;
   double reference_rad = control.front().reference_rad;
   double sum_rad = 0.0;
@@ -60,7 +71,9 @@ void judge_hold(Figures& f, std::span<const flight::Row> control, const flight::
     if (!settle_point || row.time_s < settles_at_s - clock_tolerance_s) {
       continue;
     }
-    const double error_rad = std::abs(row.roll_angle_rad - *settle_point);
+    const double roll_rad =
+        std::isfinite(row.truth->roll_angle_rad) ? row.truth->roll_angle_rad - zero_rad : row.roll_angle_rad;
+    const double error_rad = std::abs(roll_rad - *settle_point);
     f.largest_hold_error_rad = std::max(f.largest_hold_error_rad.value_or(0.0), error_rad);
     sum_rad += error_rad;
     ++count;
@@ -83,11 +96,12 @@ void judge_authority(Figures& f, std::span<const flight::Row> control, const fli
     }
   }
   if (f.largest_disturbance_rad && flight.known.plan) {
-    f.authority_margin_rad = flight::canard_limit_rad(flight.plan) - std::abs(*f.largest_disturbance_rad);
+    f.authority_rad = flight::authority_rad(flight.plan, flight.servo_stop_rad, -*f.largest_disturbance_rad);
+    f.authority_margin_rad = *f.authority_rad - std::abs(*f.largest_disturbance_rad);
   }
 }
 
-void judge_saturation(Figures& f, std::span<const flight::Row> control, const flight::Flight& flight) {
+void judge_saturation(Figures& f, std::span<const flight::Row> control) {
   const auto saturated = std::ranges::count_if(control, &flight::Row::saturated);
   f.saturated_fraction = static_cast<double>(saturated) / static_cast<double>(control.size());
 
@@ -101,8 +115,22 @@ void judge_saturation(Figures& f, std::span<const flight::Row> control, const fl
   for (const flight::Row& row : run) {
     if (row.truth) {
       keep_larger(f.offset_at_limit_rad, row.truth->disturbance_rad);
-      f.offset_beyond_limit =
-          flight.known.plan && std::abs(row.truth->disturbance_rad) > flight::canard_limit_rad(flight.plan);
+      f.offset_beyond_limit = f.authority_rad && std::abs(row.truth->disturbance_rad) > *f.authority_rad;
+    }
+  }
+}
+
+void judge_end(Figures& f, std::span<const flight::Row> control, const flight::Flight& flight) {
+  const std::optional<double>& apogee_s = flight.events.apogee_s;
+  if (!apogee_s || !flight.events.control_end_s) {
+    return;
+  }
+  f.ended_before_apogee_s = *apogee_s - *flight.events.control_end_s;
+  const double end_rad = roll_angle_rad(control.back());
+  for (const flight::Row& row : flight.rows) {
+    if (row.time_s > control.back().time_s && row.time_s <= *apogee_s) {
+      const double rolled_rad = std::abs(roll_angle_rad(row) - end_rad);
+      f.roll_after_end_rad = std::max(f.roll_after_end_rad.value_or(0.0), rolled_rad);
     }
   }
 }
@@ -131,8 +159,10 @@ Figures figures(const flight::Flight& flight) {
   f.roll_turns = known((roll_angle_rad(control.back()) - roll_angle_rad(control.front())) / (2.0 * std::numbers::pi));
   judge_hold(f, control, flight);
   judge_authority(f, control, flight);
+  judge_end(f, control, flight);
+  f.oscillation = find_oscillation(control, flight.tunnel ? settling_time_in_tunnel_s : settling_time_in_flight_s);
   if (flight.known.saturation) {
-    judge_saturation(f, control, flight);
+    judge_saturation(f, control);
   }
   return f;
 }

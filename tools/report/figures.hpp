@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "flight/flight.hpp"
+#include "report/activity.hpp"
 
 namespace fantail::report {
 
@@ -18,16 +19,20 @@ struct Figures {
   std::optional<double> control_start_height_m;   ///< likewise
   std::optional<double> control_time_s;           ///< first to last tick under control
   std::optional<double> saturated_fraction;       ///< of the ticks under control
-  std::optional<double> largest_hold_error_rad;   ///< largest |roll angle - (R + u_d / kp)| over the settled part
+  std::optional<double> largest_hold_error_rad;   ///< largest |true roll angle - (R + u_d / kp)| over the settled part
   std::optional<double> mean_hold_error_rad;      ///< mean of the same
   std::optional<double> largest_disturbance_rad;  ///< u_d of largest magnitude under control, with its sign
-  std::optional<double> authority_margin_rad;     ///< limit - |u_d|, the least under control; negative: not enough
+  std::optional<double> authority_rad;            ///< what the canards can balance against that u_d
+  std::optional<double> authority_margin_rad;     ///< authority - |u_d|, the least under control; negative: not enough
   std::optional<double> roll_turns;               ///< net turns from control start to its end
   /// First tick of the saturation that lasts to the end of control, when that is at least half a second.
   std::optional<double> at_limit_since_s;
-  double command_at_end_rad = 0.0;            ///< last command under control
-  bool offset_beyond_limit = false;           ///< |u_d| exceeded the limit at the end of that saturation
-  std::optional<double> offset_at_limit_rad;  ///< u_d of largest magnitude during it
+  double command_at_end_rad = 0.0;              ///< last command under control
+  bool offset_beyond_limit = false;             ///< |u_d| exceeded the limit at the end of that saturation
+  std::optional<double> offset_at_limit_rad;    ///< u_d of largest magnitude during it
+  std::optional<double> ended_before_apogee_s;  ///< control ended this long before apogee; negative: after it
+  std::optional<double> roll_after_end_rad;     ///< largest |roll angle - that at the end of control| until apogee
+  std::optional<Oscillation> oscillation;
   core::Phase final_phase = core::Phase::safe;
 };
 

@@ -40,8 +40,12 @@ std::string figure_list(const flight::Flight& flight, const Figures& f) {
       "of control time");
   add("Largest fin offset", text::in_degrees(f.largest_disturbance_rad), 1, "deg", "true u_d under control");
   add("Authority margin", text::in_degrees(f.authority_margin_rad), 1, "deg",
-      flight.known.plan ? "limit " + text::brief(text::degrees(flight::canard_limit_rad(flight.plan)), 1) + " deg"
-                        : "");
+      f.authority_rad ? "of " + text::brief(text::degrees(*f.authority_rad), 1) + " deg" : "");
+  for (const flight::LoopMargin& margin : flight.loop_margins) {
+    list.push_back({"Phase margin", fixed(text::degrees(margin.phase_margin_rad), 0), "deg",
+                    fmt::format("at {} m/s; gain margin {}", fixed(margin.speed_m_s, 0),
+                                margin.gain_margin ? text::brief(*margin.gain_margin, 1) : "any")});
+  }
   add("Net roll", f.roll_turns, 2, "turns", "under control");
   if (flight.known.phase) {
     list.push_back({"Final phase", flight::display_name(f.final_phase), "", ""});
@@ -130,6 +134,8 @@ page::Tone tone(Outcome outcome) {
   switch (outcome) {
     case Outcome::held: return page::Tone::good;
     case Outcome::not_held:
+    case Outcome::oscillates:
+    case Outcome::cut_short:
     case Outcome::no_control: return page::Tone::bad;
     case Outcome::not_judged: break;
   }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <span>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "flight/write_csv.hpp"
@@ -20,6 +21,15 @@ std::string text(std::span<const std::byte> bytes) {
   return out;
 }
 
+constexpr const char* own_log = "flight.ftl";
+constexpr const char* own_readings = "tunnel.csv";
+
+std::vector<text::NamedFile> result_files(const flight::Flight& flight, const Results& results) {
+  return {{"flight.csv", csv(flight)},
+          {"summary.json", results.summary},
+          {"report.html", html(flight, results.figures, results.verdict)}};
+}
+
 }  // namespace
 
 Results results(const flight::Flight& flight) {
@@ -31,9 +41,7 @@ Results results(const flight::Flight& flight) {
 }
 
 void write_results(const flight::Flight& flight, const Results& results, const std::filesystem::path& folder) {
-  std::vector<text::NamedFile> files{{"flight.csv", csv(flight)},
-                                     {"summary.json", results.summary},
-                                     {"report.html", html(flight, results.figures, results.verdict)}};
+  std::vector<text::NamedFile> files = result_files(flight, results);
   std::vector<std::string> of_others;
   const auto add = [&](const char* name, bool there, const auto& content) {
     if (there) {
@@ -42,9 +50,22 @@ void write_results(const flight::Flight& flight, const Results& results, const s
       of_others.emplace_back(name);
     }
   };
-  add("flight.ftl", !flight.log.empty(), [&] { return text(flight.log); });
-  add("tunnel.csv", !flight.tunnel_readings.empty(), [&] { return flight::tunnel_csv(flight); });
+  add(own_log, !flight.log.empty(), [&] { return text(flight.log); });
+  add(own_readings, !flight.tunnel_readings.empty(), [&] { return flight::tunnel_csv(flight); });
   text::OutputFolder{folder}.write(files, of_others);
+}
+
+void write_report(const flight::Flight& flight, const Results& results, const std::filesystem::path& folder,
+                  const std::filesystem::path& input) {
+  for (const char* name : {own_log, own_readings}) {
+    std::error_code not_there;
+    if (std::filesystem::exists(folder / name, not_there)) {
+      throw text::OutputError{(folder / name).string() +
+                              ": a flight keeps its own files here, which a report does not mix with its own; choose "
+                              "another folder"};
+    }
+  }
+  text::OutputFolder{folder, {input}}.write(result_files(flight, results));
 }
 
 }  // namespace fantail::report

@@ -23,4 +23,10 @@ struct Results {
 /// does not stay. Throws OutputError.
 void write_results(const flight::Flight& flight, const Results& results, const std::filesystem::path& folder);
 
+/// Writes flight.csv, summary.json and report.html of a flight that was read from `input`. A folder that holds the
+/// files of a flight, flight.ftl or tunnel.csv, is refused: a report replaces nothing that cannot be made again. Throws
+/// OutputError.
+void write_report(const flight::Flight& flight, const Results& results, const std::filesystem::path& folder,
+                  const std::filesystem::path& input);
+
 }  // namespace fantail::report

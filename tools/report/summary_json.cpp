@@ -61,6 +61,35 @@ Json imposed_roll(const flight::Flight& flight) {
           {"rate_deg_s", rounded(text::degrees(flight.imposed_roll->rate_rad_s))}};
 }
 
+Json oscillation(const std::optional<Oscillation>& found) {
+  if (!found) {
+    return {};
+  }
+  return {{"from_s", rounded(found->from_s)},
+          {"frequency_hz", rounded(found->frequency_hz)},
+          {"lowest_deg", rounded(text::degrees(found->lowest_rad))},
+          {"highest_deg", rounded(text::degrees(found->highest_rad))}};
+}
+
+Json loop_margins(const flight::Flight& flight) {
+  Json all = Json::array();
+  for (const flight::LoopMargin& margin : flight.loop_margins) {
+    all.push_back({{"speed_m_s", rounded(margin.speed_m_s)},
+                   {"phase_margin_deg", rounded(text::degrees(margin.phase_margin_rad))},
+                   {"gain_margin", rounded(margin.gain_margin)}});
+  }
+  return all;
+}
+
+Json unmeasured(const flight::Unmeasured& u) {
+  return {{"spin_from_s", rounded(u.spin_from_s)},
+          {"spin_for_s", rounded(u.spin_for_s)},
+          {"spin_deg_s", rounded(text::degrees(u.spin_rad_s))},
+          {"silent_from_s", rounded(u.silent_from_s)},
+          {"silent_for_s", rounded(u.silent_for_s)},
+          {"speed_bound_from_s", rounded(u.speed_bound_from_s)}};
+}
+
 std::string sha256(std::span<const std::byte> bytes) {
   SHA2_CTX context;
   SHA256Init(&context);
@@ -150,6 +179,25 @@ void read_canard_verdicts(flight::Flight& flight, const Json& list) {
   }
 }
 
+void read_unmeasured(flight::Unmeasured& u, const Json& json) {
+  u.spin_from_s = number(json, "spin_from_s");
+  u.spin_for_s = number(json, "spin_for_s").value_or(0.0);
+  u.spin_rad_s = text::radians(number(json, "spin_deg_s").value_or(0.0));
+  u.silent_from_s = number(json, "silent_from_s");
+  u.silent_for_s = number(json, "silent_for_s").value_or(0.0);
+  u.speed_bound_from_s = number(json, "speed_bound_from_s");
+}
+
+void read_loop_margins(flight::Flight& flight, const Json& list) {
+  for (const Json& margin : list) {
+    const auto speed_m_s = number(margin, "speed_m_s");
+    const auto phase_margin_deg = number(margin, "phase_margin_deg");
+    if (speed_m_s && phase_margin_deg) {
+      flight.loop_margins.push_back({*speed_m_s, text::radians(*phase_margin_deg), number(margin, "gain_margin")});
+    }
+  }
+}
+
 }  // namespace
 
 std::string summary_json(const flight::Flight& flight, const Figures& figures, const Verdict& verdict) {
@@ -168,7 +216,14 @@ std::string summary_json(const flight::Flight& flight, const Figures& figures, c
                         {"largest_hold_error_deg", angle(figures.largest_hold_error_rad)},
                         {"mean_hold_error_deg", angle(figures.mean_hold_error_rad)},
                         {"largest_disturbance_deg", angle(figures.largest_disturbance_rad)},
+                        {"authority_deg", angle(figures.authority_rad)},
                         {"authority_margin_deg", angle(figures.authority_margin_rad)},
+                        {"ended_before_apogee_s", rounded(figures.ended_before_apogee_s)},
+                        {"roll_after_end_deg", angle(figures.roll_after_end_rad)},
+                        {"oscillation", oscillation(figures.oscillation)},
+                        {"loop_margins", loop_margins(flight)},
+                        {"servo_stop_deg", angle(flight.servo_stop_rad)},
+                        {"unmeasured", unmeasured(flight.unmeasured)},
                         {"roll_turns", rounded(figures.roll_turns)},
                         {"at_limit_since_s", rounded(figures.at_limit_since_s)},
                         {"final_phase", flight.known.phase ? Json(core::name(figures.final_phase)) : Json{}},
@@ -202,6 +257,11 @@ void add_summary(flight::Flight& flight, const std::filesystem::path& file) {
   read_events(flight.events, member(summary, "events"));
   read_phase_changes(flight, member(summary, "phase_changes"));
   read_canard_verdicts(flight, member(summary, "canard_verdicts"));
+  read_unmeasured(flight.unmeasured, member(summary, "unmeasured"));
+  read_loop_margins(flight, member(summary, "loop_margins"));
+  if (const auto stop_deg = number(summary, "servo_stop_deg")) {
+    flight.servo_stop_rad = text::radians(*stop_deg);
+  }
   const Json& imposed = member(summary, "imposed_roll");
   if (const auto time_s = number(imposed, "time_s")) {
     flight.imposed_roll = {.time_s = *time_s,

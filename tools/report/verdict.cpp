@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -51,7 +53,7 @@ std::string why_no_control(const flight::Flight& flight) {
 
 std::string saturation_and_margin(const Figures& f) {
   std::string text = f.saturated_fraction
-                         ? fmt::format("saturated {} % of control time", text::fixed(100.0 * *f.saturated_fraction, 0))
+                         ? fmt::format("saturated {} % of control time", text::fixed(100.0 * *f.saturated_fraction, 1))
                          : "saturation is not in the log";
   if (f.authority_margin_rad) {
     text += "; authority margin " + degrees_text(*f.authority_margin_rad);
@@ -72,7 +74,10 @@ std::string why_not_judged(const flight::Flight& flight, const Figures& f) {
   if (controller.proportional_gain == 0.0F && controller.derivative_gain_s == 0.0F) {
     return "the plan's gains are zero, so the roll is free";
   }
-  if (!f.largest_disturbance_rad || controller.proportional_gain == 0.0F) {
+  if (controller.proportional_gain == 0.0F) {
+    return "without proportional gain nothing holds an angle";
+  }
+  if (!f.largest_disturbance_rad) {
     return "the fin offset, and with it where roll should settle, is unknown";
   }
   return *f.control_time_s < 2.0 ? fmt::format("control lasted only {} s", text::fixed(*f.control_time_s, 2))
@@ -98,18 +103,81 @@ Verdict judge_control(const flight::Flight& flight, const Figures& f) {
           sentence(fmt::format("roll not judged: {}; {}", why_not_judged(flight, f), rest)) + ended_at_limit};
 }
 
-std::string early_end(const flight::Flight& flight) {
+// Nobody minds the last half second: near apogee there is no flow over the canards.
+constexpr double near_apogee_s = 0.5;
+
+/// Did control end before its time? The plan's own end of control is none; apogee is one when it was imagined.
+bool ended_early(const flight::Flight& flight, const Figures& f) {
   if (flight.phase_changes.empty() || flight.phase_changes.back().phase != core::Phase::finished) {
-    return {};
+    return false;
   }
+  const auto reason = flight.phase_changes.back().reason;
+  if (!reason || reason == core::PhaseReason::control_time_over) {
+    return false;
+  }
+  return f.ended_before_apogee_s ? *f.ended_before_apogee_s > near_apogee_s : reason != core::PhaseReason::apogee;
+}
+
+std::string early_end(const flight::Flight& flight, const Figures& f) {
   const flight::PhaseChange& end = flight.phase_changes.back();
-  if (!end.reason) {
-    return {};
+  std::string text = fmt::format("Control ended at {} s", text::fixed(end.time_s, 2));
+  if (f.ended_before_apogee_s) {
+    text += fmt::format(", {} s before apogee", text::fixed(*f.ended_before_apogee_s, 2));
   }
-  if (end.reason == core::PhaseReason::apogee || end.reason == core::PhaseReason::control_time_over) {
-    return {};
+  text += end.reason == core::PhaseReason::apogee ? ": the avionics took it for apogee."
+                                                  : fmt::format(": {}.", flight::display_name(*end.reason));
+  if (f.roll_after_end_rad) {
+    text += fmt::format(" After that the rocket turned by up to {} until apogee.", degrees_text(*f.roll_after_end_rad));
   }
-  return fmt::format(" Control ended at {} s: {}.", text::fixed(end.time_s, 2), flight::display_name(*end.reason));
+  return text;
+}
+
+/// The verdict on the whole flight from the one on the time under control.
+Verdict judge_flight(const flight::Flight& flight, const Figures& f) {
+  Verdict v = judge_control(flight, f);
+  if (f.oscillation) {
+    const Oscillation& o = *f.oscillation;
+    v.outcome = v.outcome == Outcome::held ? Outcome::oscillates : v.outcome;
+    v.text = fmt::format(
+                 "The canards oscillate at {} Hz between {} and {} deg, seen from {} s on, with nothing that "
+                 "excites them. ",
+                 text::brief(o.frequency_hz, 2), text::fixed(text::degrees(o.lowest_rad), 1),
+                 text::fixed(text::degrees(o.highest_rad), 1), text::fixed(o.from_s, 2)) +
+             v.text;
+  }
+  if (const flight::Unmeasured& u = flight.unmeasured; u.spin_from_s) {
+    v.outcome = Outcome::not_held;
+    v.text = fmt::format("The rocket turned faster than the gyro's range of {} deg/s, {}, for {} s from {} s on. ",
+                         text::fixed(std::abs(text::degrees(u.spin_rad_s)), 0),
+                         u.spin_rad_s > 0.0 ? "positively" : "negatively", text::fixed(u.spin_for_s, 2),
+                         text::fixed(*u.spin_from_s, 2)) +
+             v.text;
+  }
+  if (ended_early(flight, f)) {
+    const bool rolled_away = f.roll_after_end_rad.value_or(0.0) > held_error_rad;
+    v.outcome = rolled_away || v.outcome == Outcome::not_held ? Outcome::not_held : Outcome::cut_short;
+    v.text.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(v.text.front())));
+    v.text = fmt::format("{} Until then: {}", early_end(flight, f), v.text);
+  } else if (f.ended_before_apogee_s.value_or(0.0) < -near_apogee_s) {
+    v.text += fmt::format(" Control went on for {} s after apogee.", text::fixed(-*f.ended_before_apogee_s, 2));
+  }
+  return v;
+}
+
+std::string unmeasured(const flight::Flight& flight) {
+  const flight::Unmeasured& u = flight.unmeasured;
+  std::string text;
+  if (u.silent_from_s) {
+    text += fmt::format(" The gyro gave no usable rate for {} s from {} s on; the canards stood at trim meanwhile.",
+                        text::fixed(u.silent_for_s, 3), text::fixed(*u.silent_from_s, 2));
+  }
+  if (u.speed_bound_from_s) {
+    text += fmt::format(
+        " From {} s on the avionics knew only lower bounds of height and speed, because every "
+        "accelerometer was at the end of its range.",
+        text::fixed(*u.speed_bound_from_s, 2));
+  }
+  return text;
 }
 
 std::string canard_faults(const flight::Flight& flight) {
@@ -132,9 +200,9 @@ Verdict verdict(const flight::Flight& flight, const Figures& figures) {
     return {Outcome::not_judged, "Roll not judged: the log does not say when control was active."};
   }
   Verdict v = figures.control_time_s
-                  ? judge_control(flight, figures)
+                  ? judge_flight(flight, figures)
                   : Verdict{Outcome::no_control, fmt::format("No control: {}.", why_no_control(flight))};
-  v.text += early_end(flight) + canard_faults(flight);
+  v.text += unmeasured(flight) + canard_faults(flight);
   return v;
 }
 
@@ -142,6 +210,8 @@ std::string_view name(Outcome outcome) {
   switch (outcome) {
     case Outcome::held: return "held";
     case Outcome::not_held: return "not_held";
+    case Outcome::oscillates: return "oscillates";
+    case Outcome::cut_short: return "cut_short";
     case Outcome::not_judged: return "not_judged";
     case Outcome::no_control: return "no_control";
   }
@@ -152,6 +222,8 @@ std::string_view display_name(Outcome outcome) {
   switch (outcome) {
     case Outcome::held: return "Held";
     case Outcome::not_held: return "Not held";
+    case Outcome::oscillates: return "Oscillates";
+    case Outcome::cut_short: return "Cut short";
     case Outcome::not_judged: return "Not judged";
     case Outcome::no_control: return "No control";
   }

@@ -11,15 +11,18 @@
 namespace fantail::report {
 
 enum class Outcome : std::uint8_t {
-  held,        ///< the largest hold error is at most 10 deg
-  not_held,    ///< it is more, or the canards ended at a limit smaller than the fin offset
+  held,        ///< the largest hold error is at most 10 deg, from the second after control start to apogee
+  not_held,    ///< it is more, before or after the end of control, or the canards ended at a limit smaller than the
+               ///< fin offset, or the rocket turned faster than the gyro's range
+  oscillates,  ///< within 10 deg, but the canards keep swinging with nothing that excites them
+  cut_short,   ///< control ended before its time
   not_judged,  ///< under control, but never settled, or without a known disturbance
   no_control,  ///< Controlling was never reached
 };
 
 struct Verdict {
   Outcome outcome = Outcome::no_control;
-  std::string text;  ///< one to four plain sentences
+  std::string text;  ///< one to six plain sentences
 };
 
 [[nodiscard]] Verdict verdict(const flight::Flight& flight, const Figures& figures);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "text/output_folder.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
@@ -178,11 +179,24 @@ class Transaction {
   bool committed_ = false;
 };
 
+void spare(const fs::path& input, const fs::path& target) {
+  std::error_code not_there;
+  if (fs::equivalent(input, target, not_there)) {
+    throw OutputError{target.string() + ": is what these results are made from; choose another place for them"};
+  }
+}
+
 }  // namespace
 
 void OutputFolder::write(std::span<const NamedFile> files, std::span<const std::string> removed) const {
   const IgnoreFileSizeSignal ignore;
-  Transaction transaction{folder_.empty() ? fs::path{"."} : folder_};
+  const fs::path folder = folder_.empty() ? fs::path{"."} : folder_;
+  for (const fs::path& input : inputs_) {
+    spare(input, folder);
+    std::ranges::for_each(files, [&](const NamedFile& file) { spare(input, folder / file.name); });
+    std::ranges::for_each(removed, [&](const std::string& name) { spare(input, folder / name); });
+  }
+  Transaction transaction{folder};
   transaction.create_folder();
   for (const NamedFile& file : files) {
     transaction.stage(file);

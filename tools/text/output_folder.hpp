@@ -5,6 +5,7 @@
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace fantail::text {
 
@@ -21,7 +22,10 @@ struct NamedFile {
 /// A folder whose files appear together or not at all.
 class OutputFolder {
  public:
-  explicit OutputFolder(std::filesystem::path folder) : folder_{std::move(folder)} {}
+  /// `inputs`: what the results were made from; write() refuses to replace or remove such a file, or to write into such
+  /// a folder.
+  explicit OutputFolder(std::filesystem::path folder, std::vector<std::filesystem::path> inputs = {})
+      : folder_{std::move(folder)}, inputs_{std::move(inputs)} {}
 
   /// Writes all files under temporary names, brings them to the disk, and only then gives them their names. Creates the
   /// folder. On any failure the temporaries and the folders it made are removed, an earlier result stays or comes back
@@ -31,6 +35,7 @@ class OutputFolder {
 
  private:
   std::filesystem::path folder_;
+  std::vector<std::filesystem::path> inputs_;
 };
 
 }  // namespace fantail::text

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#include "report/activity.hpp"
+
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "text/degrees.hpp"
+
+namespace fantail::report {
+namespace {
+
+constexpr double settling_s = 1.0;
+
+/// Five seconds under control at 1 kHz, the canards at an angle in degrees that is a function of time.
+std::vector<flight::Row> canards_at(const std::function<double(double time_s)>& angle_deg) {
+  std::vector<flight::Row> rows(5000);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    rows[i].time_s = static_cast<double>(i) / 1000.0;
+    rows[i].canard_rad = text::radians(angle_deg(rows[i].time_s));
+  }
+  return rows;
+}
+
+double sine(double frequency_hz, double time_s) { return std::sin(2.0 * std::numbers::pi * frequency_hz * time_s); }
+
+TEST(Oscillation, HasTheFrequencyAndTheEndsOfTheSwing) {
+  for (const double frequency_hz : {4.0, 13.0, 40.0}) {
+    const auto rows = canards_at([&](double t) { return 3.5 + 4.8 * sine(frequency_hz, t); });
+    const auto found = find_oscillation(rows, settling_s);
+    ASSERT_TRUE(found) << frequency_hz;
+    EXPECT_NEAR(found->frequency_hz, frequency_hz, 0.05 * frequency_hz);
+    EXPECT_NEAR(text::degrees(found->lowest_rad), -1.3, 0.1);
+    EXPECT_NEAR(text::degrees(found->highest_rad), 8.3, 0.1);
+    EXPECT_NEAR(found->from_s, 1.0, 1e-6);
+  }
+}
+
+TEST(Oscillation, IsNoneWhereTheCanardsStandCreepOrTremble) {
+  EXPECT_FALSE(find_oscillation({}, settling_s));
+  EXPECT_FALSE(find_oscillation(canards_at([](double) { return 5.0; }), settling_s));
+  EXPECT_FALSE(find_oscillation(canards_at([](double t) { return 3.0 * t; }), settling_s));
+  EXPECT_FALSE(find_oscillation(canards_at([](double t) { return 5.0 + 0.9 * sine(13.0, t); }), settling_s));
+  EXPECT_FALSE(find_oscillation(canards_at([](double t) { return 5.0 * sine(1.0, t); }), settling_s))
+      << "slower than three swings a second";
+}
+
+TEST(Oscillation, IsNoneWhereASwingDiesAway) {
+  EXPECT_FALSE(
+      find_oscillation(canards_at([](double t) { return 40.0 * std::exp(-t / 0.5) * sine(8.0, t); }), settling_s));
+}
+
+TEST(Oscillation, DuringExcitationAndWhileAStepSettlesIsNotJudged) {
+  auto rows = canards_at([](double t) { return 5.0 * sine(8.0, t); });
+  for (flight::Row& row : rows) {
+    row.excitation_rad = row.time_s < 3.6 ? 0.01 : 0.0;  // then 0.4 s are left
+  }
+  EXPECT_FALSE(find_oscillation(rows, settling_s));
+  for (flight::Row& row : rows) {
+    row.excitation_rad = row.time_s < 2.5 ? 0.01 : 0.0;
+  }
+  EXPECT_TRUE(find_oscillation(rows, settling_s));
+  for (flight::Row& row : rows) {
+    row.excitation_rad = 0.0;
+    row.reference_rad = std::floor(row.time_s / 0.9);
+  }
+  EXPECT_FALSE(find_oscillation(rows, settling_s));
+}
+
+TEST(Oscillation, IsThatOfTheCommandWhereNoEncoderIsKnown) {
+  auto rows = canards_at([](double) { return 0.0; });
+  for (flight::Row& row : rows) {
+    row.canard_rad.reset();
+    row.command_rad = text::radians(3.0) * sine(10.0, row.time_s);
+  }
+  EXPECT_TRUE(find_oscillation(rows, settling_s));
+}
+
+}  // namespace
+}  // namespace fantail::report

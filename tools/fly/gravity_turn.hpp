@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+
+#include "sim/scenario.hpp"
+
+namespace fantail::fly {
+
+/// What a point mass does that points along its path as soon as it has left the guide.
+struct GravityTurn {
+  double apogee_m = 0.0;
+  std::optional<double>
+      tilt_limit_s{};  ///< after lift-off, before apogee: the path leans more than the plan's tilt limit
+};
+
+/// A launch without wind and without lift: m dv/dt = (thrust - drag) along the path + m g down. On the guide the path
+/// is that of the guide.
+[[nodiscard]] GravityTurn gravity_turn(const sim::Scenario& scenario);
+
+}  // namespace fantail::fly

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "flight/flight.hpp"
+#include "sim/scenario.hpp"
+
+namespace fantail::fly {
+
+/// Where a simulated flight went beyond what the model holds for, a sentence each: a guide that leans (the simulated
+/// rocket keeps to the line of its guide), speeds near that of sound (coefficients are constant), a thrust beyond the
+/// range of the accelerometers, and wind at the end of the guide.
+[[nodiscard]] std::vector<std::string> beyond_the_model(const sim::Scenario& scenario, const flight::Flight& flight);
+
+/// The margins of the roll loop at the lowest, the median and the top speed under control. Empty without control and
+/// where the gain of the loop never reaches one.
+[[nodiscard]] std::vector<flight::LoopMargin> loop_margins(const sim::Scenario& scenario, const flight::Flight& flight);
+
+}  // namespace fantail::fly
