@@ -13,25 +13,30 @@ namespace {
 using text::degrees;
 using text::radians;
 
-TEST(CanardReach, IsTheSmallestOfAllThatEndsACanard) {
+TEST(CanardReach, IsWhatAllCanardsReachAndNamesWhatEndsThem) {
   sim::Scenario scenario = input::load_scenario("tasha3_launch2", {});
   EXPECT_NEAR(degrees(canard_reach(scenario).angle_rad), 9.0, 1e-5);
-  EXPECT_EQ(canard_reach(scenario).set_by, "canard limit");
+  EXPECT_EQ(canard_reach(scenario).text(), "9 degree canard limit");
   EXPECT_NEAR(degrees(farthest_reach(scenario).angle_rad), 20.0, 1e-5);
 
   scenario.vehicle.servo.stop_rad = radians(8.0);
   EXPECT_NEAR(degrees(canard_reach(scenario).angle_rad), 8.0, 1e-12);
-  EXPECT_EQ(canard_reach(scenario).set_by, "servo stop");
+  EXPECT_EQ(canard_reach(scenario).text(), "8 degrees that the canards reach (servo stop)");
 
   scenario.plan.canards.each[1].mechanical_stop = core::Angle::from_degrees(7.0F);
-  EXPECT_NEAR(degrees(canard_reach(scenario).angle_rad), 7.0, 1e-5);
+  EXPECT_NEAR(degrees(canard_reach(scenario).angle_rad), 0.25 * (3.0 * 8.0 + 7.0), 1e-5);
   EXPECT_EQ(canard_reach(scenario).set_by, "mechanical stop of canard 2 in the plan");
-  EXPECT_NEAR(degrees(farthest_reach(scenario).angle_rad), 7.0, 1e-5);
+  EXPECT_NEAR(degrees(farthest_reach(scenario).angle_rad), 0.25 * (3.0 * 8.0 + 7.0), 1e-5);
 
   scenario.plan.controller.canard_limit = core::Angle::from_degrees(30.0F);
   scenario.plan.canards.each[1].mechanical_stop = core::Angle::from_degrees(25.0F);
   scenario.vehicle.servo.stop_rad = radians(25.0);
   EXPECT_EQ(canard_reach(scenario).set_by, "hard limit");
+
+  scenario.plan.controller.canard_limit = core::Angle::from_degrees(9.0F);
+  scenario.plan.canards.each[0].trim = core::Angle::from_degrees(2.0F);
+  EXPECT_NEAR(degrees(canard_reach(scenario).angle_rad), 0.25 * (3.0 * 9.0 + 7.0), 1e-5);
+  EXPECT_EQ(canard_reach(scenario).set_by, "canard limit less the trim of the canards");
 }
 
 // The margin used to be that of the plan, 4.1 degrees, while the servos end at 4.5.

@@ -118,7 +118,7 @@ TEST(Decision, ALaunchThatCannotBeJudgedAtAllIsNoGoAndSaysWhy) {
   p.not_judged = 200;
   EXPECT_EQ(
       decide(p, {}).text,
-      "No go: the roll could not be judged in any run (run 0: the reference was never constant for long enough).");
+      "No go: the roll could not be judged in all runs (run 0: the reference was never constant for long enough).");
 }
 
 TEST(Decision, ARocketThatNeverComesUnderControlIsNoGoAndTheCauseIsSaidOnce) {
@@ -128,7 +128,7 @@ TEST(Decision, ARocketThatNeverComesUnderControlIsNoGoAndTheCauseIsSaidOnce) {
   p.without_control = 200;
   p.worst_speed.reset();
   p.speeds_m_s.clear();
-  const std::string said = "No go: control does not begin in any run (run 0: no launch was detected).";
+  const std::string said = "No go: control does not begin in all runs (run 0: no launch was detected).";
   EXPECT_EQ(decide(p, {}).text, said);
   EXPECT_EQ(decide(p, {.held_share = 0.0}).text, said);
 }

@@ -78,7 +78,8 @@ std::string advice_on_canard_limit(const Prediction& p, double asked) {
   return fmt::format(
       "No canard limit would balance the offset in {} of the runs: the canards end at {} degrees ({}), "
       "and that is enough in {}. Straighter fins would.",
-      percent(asked), brief(farthest_deg, 1), farthest.set_by, of_the_runs(within(p, farthest.angle_rad).value));
+      percent(asked), brief(farthest_deg, 1), farthest.set_by.empty() ? "a plan has no larger limit" : farthest.set_by,
+      of_the_runs(within(p, farthest.angle_rad).value));
 }
 
 std::string advice_on_gains(const Prediction& p, double phase_margin_rad) {

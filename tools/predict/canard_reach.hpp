@@ -7,15 +7,16 @@
 
 namespace fantail::predict {
 
-/// How far all canards of a rocket can turn, either way, and what ends it.
+/// The fin offset that all canards together can balance, whichever its sense, and what ends it.
 struct CanardReach {
   double angle_rad = 0.0;
-  std::string set_by =
-      "canard limit";  ///< "canard limit", "mechanical stop of canard 2 in the plan", "servo stop", ...
+  std::string set_by{};  ///< "servo stop", "mechanical stop of canard 2 in the plan", ...; empty: the plan's own limit
+
+  /// "9 degree canard limit", "4.5 degrees that the canards reach (servo stop)".
+  [[nodiscard]] std::string text() const;
 };
 
-/// The smallest of plan limit, hard limit, mechanical stop of each canard in the plan, and stop of the servo in the
-/// world.
+/// As flight::authority_rad(), with the stop that the servos of this vehicle have.
 [[nodiscard]] CanardReach canard_reach(const sim::Scenario& scenario);
 
 /// The same if the plan limit were as large as a plan may have it.

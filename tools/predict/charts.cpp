@@ -90,7 +90,10 @@ page::Chart offset_chart(const Prediction& p) {
           .y_label = "runs with at most that / %",
           .width = page::half_page,
           .series = {share},
-          .levels = {{.value = limit_deg, .label = p.reach.set_by, .upright = true, .role = Role::limit}},
+          .levels = {{.value = limit_deg,
+                      .label = p.reach.set_by.empty() ? "canard limit" : p.reach.set_by,
+                      .upright = true,
+                      .role = Role::limit}},
           .x_range = page::Range{0.0, 1.1 * std::max(limit_deg, share.x.back())},
           .y_range = page::Range{0.0, 100.0}};
 }

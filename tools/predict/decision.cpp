@@ -2,6 +2,7 @@
 #include "predict/decision.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string_view>
 
@@ -45,9 +46,8 @@ Criterion authority(const Prediction& p, double threshold) {
               .required = required_share(threshold),
               .judgement = judge(share.low >= threshold)};
   const bool within = c.judgement == Judgement::met || too_few_runs(share, threshold);
-  c.clause = fmt::format("the fin offset of about {} degrees is {} the {} degree {} in {}",
-                         fixed(degrees(p.offset_size_rad.p50), 1), within ? "within" : "larger than",
-                         brief(degrees(p.reach.angle_rad), 1), p.reach.set_by,
+  c.clause = fmt::format("the fin offset of about {} degrees is {} the {} in {}",
+                         fixed(degrees(p.offset_size_rad.p50), 1), within ? "within" : "larger than", p.reach.text(),
                          of_the_runs(within ? share.value : 1.0 - share.value));
   if (too_few_runs(share, threshold)) {
     c.clause += more_runs(share, threshold);
@@ -55,12 +55,27 @@ Criterion authority(const Prediction& p, double threshold) {
   return c;
 }
 
-/// "control never begins in 3 of 200 runs (run 17: no launch was detected)", for the first run with this outcome.
-std::string first_with(const Prediction& p, report::Outcome outcome, std::size_t count, std::string_view what) {
-  const auto first = std::ranges::find(p.runs, outcome, &Run::outcome);
-  const std::string many = count == p.runs.size() ? (count == 1 ? "in the run" : "in any run")
-                                                  : fmt::format("in {} of {}", count, runs(p.runs.size()));
-  return fmt::format("{} {} (run {}: {})", what, many, first - p.runs.begin(), cause(*first));
+/// What a run that is not held came to, as a clause.
+struct NotHeld {
+  report::Outcome outcome;
+  std::string_view clause;
+};
+constexpr std::array ways_not_to_hold{NotHeld{report::Outcome::oscillates, "the canards oscillate"},
+                                      NotHeld{report::Outcome::cut_short, "control ends early"},
+                                      NotHeld{report::Outcome::no_control, "control does not begin"},
+                                      NotHeld{report::Outcome::not_judged, "the roll could not be judged"}};
+
+/// "control does not begin in 3 of 200 runs (run 17: no launch was detected)"; empty where no run came to it.
+std::string first_with(const Prediction& p, const NotHeld& what) {
+  const auto count = static_cast<std::size_t>(std::ranges::count(p.runs, what.outcome, &Run::outcome));
+  if (count == 0) {
+    return {};
+  }
+  const auto first = std::ranges::find(p.runs, what.outcome, &Run::outcome);
+  const std::string many = count < p.runs.size() ? fmt::format("in {} of {}", count, runs(p.runs.size()))
+                           : count == 1          ? "in the run"
+                                                 : "in all runs";
+  return fmt::format("{} {} (run {}: {})", what.clause, many, first - p.runs.begin(), cause(*first));
 }
 
 Criterion held(const Prediction& p, double threshold) {
@@ -73,14 +88,15 @@ Criterion held(const Prediction& p, double threshold) {
   if (p.not_judged > 0) {
     c.found += fmt::format(", {} of {} not judged", p.not_judged, runs(p.runs.size()));
   }
-  const auto all = p.runs.size();
-  if (p.without_control == all) {
-    c.clause = first_with(p, report::Outcome::no_control, all, "control does not begin");
-    c.judgement = Judgement::not_met;  // also where no share is asked for
-    return c;
+  std::string others;
+  for (const NotHeld& what : ways_not_to_hold) {
+    if (const std::string text = first_with(p, what); !text.empty()) {
+      others += (others.empty() ? "" : ", ") + text;
+    }
   }
-  if (p.not_judged == all) {
-    c.clause = first_with(p, report::Outcome::not_judged, all, "the roll could not be judged");
+  if (p.without_control == p.runs.size() || p.not_judged == p.runs.size()) {
+    c.clause = others;
+    c.judgement = p.without_control > 0 ? Judgement::not_met : c.judgement;  // also where no share is asked for
     return c;
   }
   c.clause = fmt::format("roll is held in {}{}", share.value >= threshold || share.count == 0 ? "" : "only ",
@@ -91,12 +107,7 @@ Criterion held(const Prediction& p, double threshold) {
     c.clause += fmt::format(" (without authority it turns at about {} degrees a second at top speed)",
                             fixed(degrees(p.spin_rate_rad_s->p50), 0));
   }
-  if (p.without_control > 0) {
-    c.clause += ", " + first_with(p, report::Outcome::no_control, p.without_control, "control does not begin");
-  }
-  if (p.not_judged > 0) {
-    c.clause += ", " + first_with(p, report::Outcome::not_judged, p.not_judged, "the roll could not be judged");
-  }
+  c.clause += others.empty() ? "" : ", " + others;
   return c;
 }
 
