@@ -95,6 +95,70 @@ TEST(Prediction, AServoThatWasMeasuredTakesThePlaceOfTheVehicles) {
   EXPECT_NE(slow.runs[0].roll_angle_rad, usual.runs[0].roll_angle_rad);  // it is flown, too
 }
 
+TunnelResult three_rows() {
+  const TunnelStep step{.damping_m2 = 19.0, .torque_m = 9.0, .offset_begin_rad = -0.05, .offset_end_rad = -0.06};
+  return {.name = "steps.csv", .steps = {step, step, step}, .swirl_words = ""};
+}
+
+TEST(Prediction, OfAnotherVehiclesStepsIsRefusedUnlessItIsMeant) {
+  const sim::Scenario scenario = input::load_scenario("tasha3_launch2", {});
+  TunnelResult other = three_rows();
+  other.vehicle = "Dart";
+  try {
+    (void)predict(scenario, other, {.runs = 1}, look_away);
+    FAIL() << "not refused";
+  } catch (const text::Error& error) {
+    EXPECT_EQ(error.kind(), text::ErrorKind::bad_configuration);
+    EXPECT_STREQ(error.what(),
+                 "steps.csv: its rows are of the vehicle \"Dart\", and tasha3_launch2 flies \"Tasha III, launch 2\"; "
+                 "allowed: rows of that vehicle, or --other-vehicle to take these on purpose");
+  }
+  const Prediction p = predict(scenario, other, {.runs = 1, .other_vehicle = true}, look_away);
+  EXPECT_NE(std::ranges::find(p.notes,
+                              "The rows of steps.csv are of another vehicle, Dart, and were accepted for Tasha III, "
+                              "launch 2 on purpose."),
+            p.notes.end());
+}
+
+// What was identified is the product of the area with damping and torque.
+TEST(Prediction, StepsOfAnotherReferenceAreaAreConverted) {
+  sim::Scenario scenario = input::load_scenario("tasha3_launch2", {});
+  TunnelResult tunnel = three_rows();
+  tunnel.reference_area_m2 = 100.0 * scenario.vehicle.roll_plant.reference_area_m2;
+  const Prediction p = predict(scenario, tunnel, {.runs = 2}, look_away);
+  EXPECT_NEAR(p.runs[1].airframe.damping_m2, 1900.0, 1e-6);
+  EXPECT_NEAR(p.runs[1].airframe.torque_m, 900.0, 1e-6);
+  EXPECT_FALSE(p.area);
+}
+
+TEST(Prediction, AReferenceAreaThatIsNotKnownWellIsInTheSpread) {
+  sim::Scenario scenario = input::load_scenario("tasha3_launch2", {});
+  const Prediction wide = predict(scenario, three_rows(), {.runs = 20}, look_away);
+  ASSERT_TRUE(wide.area);
+  EXPECT_NEAR(wide.area->low, 3.2 / 5.0265, 1e-9);
+  EXPECT_NEAR(wide.area->high, 7.7 / 5.0265, 1e-9);
+  EXPECT_NE(wide.runs[0].airframe.damping_m2, wide.runs[1].airframe.damping_m2);
+  scenario.vehicle.reference_area_range_m2.clear();
+  const Prediction narrow = predict(scenario, three_rows(), {.runs = 20}, look_away);
+  EXPECT_NEAR(narrow.runs[0].airframe.damping_m2, narrow.runs[1].airframe.damping_m2, 1e-9);
+  EXPECT_LT(wide.worst_speed->phase_margin_rad.p5, narrow.worst_speed->phase_margin_rad.p5 - text::radians(1.0));
+}
+
+TEST(Prediction, SaysWhereItHasNoSpread) {
+  const sim::Scenario scenario = input::load_scenario("tasha3_launch2", {});
+  TunnelResult tunnel = three_rows();
+  const auto text = [&](std::size_t runs) {
+    return decide(predict(scenario, tunnel, {.runs = runs}, look_away), {}).text;
+  };
+  EXPECT_NE(text(2).find(". All rows of steps.csv are the same, so every run has the same airframe"), std::string::npos)
+      << text(2);
+  tunnel.steps[1].damping_m2 = 20.0;
+  EXPECT_NE(text(2).find(". All rows of steps.csv have the same fin offset"), std::string::npos) << text(2);
+  EXPECT_NE(text(1).find(". A single run shows no spread."), std::string::npos) << text(1);
+  tunnel.steps[1].offset_end_rad = -0.05;
+  EXPECT_EQ(text(2).find("All rows"), std::string::npos) << text(2);
+}
+
 TEST(Prediction, OfATunnelRunIsRefused) {
   const sim::Scenario tunnel = input::load_scenario("tunnel_steps", {});
   try {

@@ -33,6 +33,7 @@ struct PredictOptions {
   double held_percent = 90.0;
   double phase_margin_deg = 30.0;
   std::string out;
+  bool other_vehicle = false;
   bool json = false;
 };
 
@@ -82,6 +83,7 @@ predict::Prediction fly_the_spread(const sim::Scenario& scenario, const PredictO
                           {.runs = options.runs,
                            .threads = options.threads,
                            .damping = *parse_damping_factor(options.damping_factor),
+                           .other_vehicle = options.other_vehicle,
                            .servo_lag_s = options.servo_lag_s,
                            .servo_delay_s = options.servo_delay_s},
                           [&progress](std::size_t done) {
@@ -132,6 +134,8 @@ void fill(const Verb& verb) {
   verb.option("--tunnel", options->tunnel,
               "steps.csv of fantail tunnel steps, or a shipped name [tunnel_result of the scenario]")
       .value_name("FILE");
+  verb.flag("--other-vehicle", options->other_vehicle,
+            "Take tunnel results that say they are of another vehicle than the scenario's");
   verb.option("--swirl", options->swirl_deg,
               "Swirl of the tunnel as a fin offset in degrees, to be subtracted [column swirl_deg of the file, or 0]")
       .range(-45.0, 45.0);

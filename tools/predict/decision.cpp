@@ -181,6 +181,9 @@ Decision decide(const Prediction& prediction, const Thresholds& thresholds) {
                 phase_margin(prediction, thresholds.phase_margin_rad)};
   d.go = std::ranges::all_of(d.criteria, [](const Criterion& c) { return c.judgement == Judgement::met; });
   d.text = fmt::format("{}: {}.", d.go ? "Go" : "No go", joined(d.criteria, d.go));
+  if (const std::string missing = missing_spread(prediction); !missing.empty()) {
+    d.text += " " + missing;
+  }
   d.advice = advice(d, prediction);
   return d;
 }

@@ -62,6 +62,9 @@ Json tunnel(const Prediction& p) {
           {"steps", p.tunnel.steps.size()},
           {"swirl_deg", rounded(degrees(p.tunnel.swirl_rad))},
           {"sources", p.tunnel.sources},
+          {"vehicle", p.tunnel.vehicle ? Json{*p.tunnel.vehicle} : Json{}},
+          {"reference_area_m2", p.tunnel.reference_area_m2 ? Json{*p.tunnel.reference_area_m2} : Json{}},
+          {"area_factor", p.area ? Json::array({rounded(p.area->low), rounded(p.area->high)}) : Json{}},
           {"damping_factor", Json::array({p.damping.low, p.damping.high})}};
 }
 

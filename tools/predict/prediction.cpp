@@ -117,14 +117,65 @@ void find_margins(Prediction& p) {
   }
 }
 
+std::string whose_rows(const sim::Scenario& scenario, const TunnelResult& tunnel) {
+  if (!tunnel.vehicle) {
+    return fmt::format("{} does not say which vehicle its rows are of; they are taken for those of {}.", tunnel.name,
+                       scenario.vehicle.name);
+  }
+  return *tunnel.vehicle == scenario.vehicle.name
+             ? fmt::format("The rows of {} are of this vehicle, {}.", tunnel.name, *tunnel.vehicle)
+             : fmt::format("The rows of {} are of another vehicle, {}, and were accepted for {} on purpose.",
+                           tunnel.name, *tunnel.vehicle, scenario.vehicle.name);
+}
+
+/// What is identified is the product of an area with damping and torque.
+std::string which_area(const sim::Scenario& scenario, const TunnelResult& tunnel) {
+  const double area_m2 = scenario.vehicle.roll_plant.reference_area_m2;
+  if (tunnel.reference_area_m2) {
+    return *tunnel.reference_area_m2 == area_m2
+               ? fmt::format("The rows of {} were identified with the reference area of this vehicle, {:.4g} m2.",
+                             tunnel.name, area_m2)
+               : fmt::format(
+                     "Damping and torque of {} were identified with a reference area of {:.4g} m2 and are "
+                     "converted to that of this vehicle, {:.4g} m2.",
+                     tunnel.name, *tunnel.reference_area_m2, area_m2);
+  }
+  const std::vector<double>& range = scenario.vehicle.reference_area_range_m2;
+  const std::string unknown = fmt::format(
+      "{} does not say which reference area its rows were identified with; it is taken for that of this "
+      "vehicle, {:.4g} m2",
+      tunnel.name, area_m2);
+  return range.empty() ? unknown + ", as if that were exact."
+                       : fmt::format(
+                             "{}, of which 95 % lie between {:.2g} and {:.2g} m2, as the vehicle file says: "
+                             "damping and torque of each run are multiplied by a factor drawn from that.",
+                             unknown, range[0], range[1]);
+}
+
+std::optional<AreaFactor> area_factor(const sim::Scenario& scenario, const TunnelResult& tunnel) {
+  const std::vector<double>& range = scenario.vehicle.reference_area_range_m2;
+  const double area_m2 = scenario.vehicle.roll_plant.reference_area_m2;
+  return tunnel.reference_area_m2 || range.empty()
+             ? std::nullopt
+             : std::optional{AreaFactor{.low = range[0] / area_m2, .high = range[1] / area_m2}};
+}
+
+/// Damping and torque scale inversely with the area that they are multiplied with.
+TunnelResult for_vehicle(const sim::Scenario& scenario, TunnelResult tunnel) {
+  const double area_m2 = scenario.vehicle.roll_plant.reference_area_m2;
+  const double factor = tunnel.reference_area_m2.value_or(area_m2) / area_m2;
+  for (TunnelStep& step : tunnel.steps) {
+    step.damping_m2 *= factor;
+    step.torque_m *= factor;
+  }
+  return tunnel;
+}
+
 std::vector<std::string> notes(const sim::Scenario& scenario, const TunnelResult& tunnel) {
   std::vector<std::string> all = scenario.vehicle.assumed;
   all.insert(all.end(), scenario.assumed.begin(), scenario.assumed.end());
-  all.push_back(fmt::format("The tunnel steps were identified with the reference area of this vehicle, {:.4g} m2.",
-                            scenario.vehicle.roll_plant.reference_area_m2));
-  if (tunnel.steps.size() < 5) {
-    all.push_back(fmt::format("{} rows say little about how different the next one can be.", tunnel.steps.size()));
-  }
+  all.push_back(whose_rows(scenario, tunnel));
+  all.push_back(which_area(scenario, tunnel));
   if (scenario.imposed_roll) {
     all.emplace_back("The roll that the scenario imposes is left out: it is unknown before the flight.");
   }
@@ -145,22 +196,36 @@ void require_launch(const sim::Scenario& scenario) {
   }
 }
 
+void require_same_vehicle(const sim::Scenario& scenario, const TunnelResult& tunnel) {
+  if (tunnel.vehicle && *tunnel.vehicle != scenario.vehicle.name) {
+    throw text::Error{
+        text::ErrorKind::bad_configuration,
+        fmt::format("{}: its rows are of the vehicle \"{}\", and {} flies \"{}\"; allowed: rows of that vehicle, or "
+                    "--other-vehicle to take these on purpose",
+                    tunnel.name, *tunnel.vehicle, scenario.name, scenario.vehicle.name)};
+  }
+}
+
 Prediction predict(const sim::Scenario& scenario, const TunnelResult& tunnel, const Options& options,
                    const std::function<void(std::size_t)>& look) {
   require_launch(scenario);
+  if (!options.other_vehicle) {
+    require_same_vehicle(scenario, tunnel);
+  }
   Prediction p{.scenario = scenario.name,
                .vehicle = scenario.vehicle.name,
                .plan_name = scenario.plan_name,
                .seed = scenario.seed,
-               .tunnel = tunnel,
+               .tunnel = for_vehicle(scenario, tunnel),
                .damping = options.damping,
+               .area = area_factor(scenario, tunnel),
                .notes = notes(scenario, tunnel),
                .reach = canard_reach(scenario),
                .flown = with_servo(scenario, options),
                .runs = std::vector<Run>(options.runs)};
   p.servo_lag_s = p.flown.vehicle.servo.lag_s;
   p.delay_s = stability::loop_delay_s(p.flown.vehicle);
-  const AirframeSpread airframes{tunnel.steps, options.damping};
+  const AirframeSpread airframes{p.tunnel.steps, options.damping, p.area};
   parallel_for(
       options.runs, options.threads,
       [&](std::size_t i) {

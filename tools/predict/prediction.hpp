@@ -22,6 +22,7 @@ struct Options {
   std::size_t runs = 200;
   unsigned threads = 0;  ///< 0: as many as the machine has; no figure depends on it
   DampingFactor damping{};
+  bool other_vehicle = false;             ///< take tunnel steps that say they are of another vehicle
   std::optional<double> servo_lag_s{};    ///< measured; else the vehicle's
   std::optional<double> servo_delay_s{};  ///< measured, from command to canard, lag apart; else what the vehicle says
 };
@@ -39,8 +40,9 @@ struct Prediction {
   std::string vehicle{};
   std::string plan_name{};
   std::uint64_t seed = 0;
-  TunnelResult tunnel{};
+  TunnelResult tunnel{};  ///< damping and torque for the reference area of the vehicle
   DampingFactor damping{};
+  std::optional<AreaFactor> area{};  ///< empty: the reference area is not in the spread
   std::vector<std::string> notes{};  ///< what was assumed, a sentence each
   CanardReach reach{};
   sim::Scenario flown{};  ///< with the servo that was measured; every run has an airframe of its own
@@ -67,8 +69,12 @@ struct Prediction {
 /// Throws text::Error for a scenario that is no launch.
 void require_launch(const sim::Scenario& scenario);
 
+/// Throws text::Error for tunnel steps of a vehicle with another name than the scenario's. A file that does not say
+/// whose they are is taken.
+void require_same_vehicle(const sim::Scenario& scenario, const TunnelResult& tunnel);
+
 /// Flies the launch over the spread. `look` is told how many runs are done and may throw to give up. Throws
-/// what require_launch() throws.
+/// what require_launch() throws and, unless another vehicle is allowed, what require_same_vehicle() throws.
 [[nodiscard]] Prediction predict(const sim::Scenario& scenario, const TunnelResult& tunnel, const Options& options,
                                  const std::function<void(std::size_t done)>& look);
 

@@ -40,6 +40,29 @@ std::string of_the_runs(double share) {
   return share == 0.0 ? "none of the runs" : share == 1.0 ? "all runs" : percent(share) + " of the runs";
 }
 
+std::string missing_spread(const Prediction& p) {
+  if (p.runs.size() == 1) {
+    return "A single run shows no spread.";
+  }
+  const auto same = [&p](auto... members) {
+    return std::ranges::all_of(p.tunnel.steps, [&](const TunnelStep& step) {
+      return ((step.*members == p.tunnel.steps.front().*members) && ...);
+    });
+  };
+  if (p.tunnel.steps.empty() || !same(&TunnelStep::offset_begin_rad, &TunnelStep::offset_end_rad)) {
+    return {};
+  }
+  return same(&TunnelStep::damping_m2, &TunnelStep::torque_m)
+             ? fmt::format(
+                   "All rows of {} are the same, so every run has the same airframe: nothing here shows how "
+                   "airframes differ.",
+                   p.tunnel.name)
+             : fmt::format(
+                   "All rows of {} have the same fin offset, so every run has it: nothing here shows how offsets "
+                   "differ.",
+                   p.tunnel.name);
+}
+
 std::string_view name(Judgement judgement) {
   switch (judgement) {
     case Judgement::met: return "met";
@@ -64,10 +87,11 @@ std::vector<std::string> basis(const Prediction& p) {
   for (const std::string& source : p.tunnel.sources) {
     all.push_back(fmt::format("Source of {}: {}.", p.tunnel.name, source));
   }
-  all.push_back(
-      fmt::format("{} airframes drawn from a normal distribution fitted to the {} rows of {}, with the correlation of "
-                  "damping, torque and offset; each flown with sensor noise of its own.",
-                  p.runs.size(), p.tunnel.steps.size(), p.tunnel.name));
+  all.push_back(fmt::format(
+      "{} drawn from Student's t distribution with {} degrees of freedom, fitted to the {} rows of {}, with "
+      "the correlation of damping, torque and offset; each flown with sensor noise of its own.",
+      p.runs.size() == 1 ? "1 airframe" : fmt::format("{} airframes", p.runs.size()), p.tunnel.steps.size() - 1,
+      p.tunnel.steps.size(), p.tunnel.name));
   all.push_back(p.tunnel.swirl_words);
   if (p.damping.low != 1.0 || p.damping.high != 1.0) {
     all.push_back(fmt::format("Damping times a factor between {} and {}, as --damping-factor says.",

@@ -25,6 +25,9 @@ namespace fantail::predict {
 /// "95 % of the runs", "all runs", "none of the runs".
 [[nodiscard]] std::string of_the_runs(double share);
 
+/// What the runs cannot show because there is no spread in them, a sentence; empty where there is one.
+[[nodiscard]] std::string missing_spread(const Prediction& prediction);
+
 [[nodiscard]] std::string_view name(Judgement judgement);   ///< for files: "not_met"
 [[nodiscard]] std::string_view label(Judgement judgement);  ///< for readers: "not met"
 
