@@ -144,6 +144,31 @@ TEST(Prediction, AReferenceAreaThatIsNotKnownWellIsInTheSpread) {
   EXPECT_LT(wide.worst_speed->phase_margin_rad.p5, narrow.worst_speed->phase_margin_rad.p5 - text::radians(1.0));
 }
 
+TEST(Prediction, OneRunIsTheSameWhenItIsRepeatedAlone) {
+  const sim::Scenario scenario = input::load_scenario("tasha3_launch2", {});
+  const TunnelResult tunnel = read_tunnel_result(scenario.tunnel_result.value(), {});
+  const Options options{.runs = 3, .damping = {.low = 1.0, .high = 1.6}, .servo_lag_s = 0.03, .servo_delay_s = 0.01};
+  const Prediction p = predict(scenario, tunnel, options, look_away);
+  const RepeatedRun repeated = repeat_run(scenario, tunnel, options, 2);
+  EXPECT_EQ(repeated.run.seed, p.runs[2].seed);
+  EXPECT_EQ(repeated.run.airframe.damping_m2, p.runs[2].airframe.damping_m2);
+  EXPECT_EQ(repeated.run.largest_hold_error_rad, p.runs[2].largest_hold_error_rad);
+  EXPECT_EQ(repeated.run.roll_angle_rad, p.runs[2].roll_angle_rad);
+  EXPECT_EQ(repeated.run.verdict, p.runs[2].verdict);
+  EXPECT_FALSE(repeated.flight.log.empty());
+  EXPECT_TRUE(repeated.flight.notes.front().starts_with("Run 2 of the prediction with seed 1: damping "))
+      << repeated.flight.notes.front();
+}
+
+TEST(Prediction, RepeatsWhatTheFlightsRemark) {
+  sim::Scenario scenario = input::load_scenario("tasha3_launch2", {});
+  EXPECT_TRUE(predict(scenario, three_rows(), {.runs = 2}, look_away).flight_notes.empty());
+  scenario.guide_tilt_rad = text::radians(8.0);
+  const Prediction leaning = predict(scenario, three_rows(), {.runs = 2}, look_away);
+  ASSERT_EQ(leaning.flight_notes.size(), 1U);
+  EXPECT_TRUE(leaning.flight_notes[0].starts_with("The guide leans by 8 deg")) << leaning.flight_notes[0];
+}
+
 TEST(Prediction, SaysWhereItHasNoSpread) {
   const sim::Scenario scenario = input::load_scenario("tasha3_launch2", {});
   TunnelResult tunnel = three_rows();

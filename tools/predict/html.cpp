@@ -126,23 +126,33 @@ std::string airframes(const Prediction& p) {
   return page::side_by_side(pair);
 }
 
+std::string repetition(const Prediction& p) {
+  return page::paragraph(fmt::format(
+      "runs.csv has a row for each run. This command flies one of them again, the first in this case, and writes its "
+      "flight report: {}",
+      repeat_command(p, "0")));
+}
+
 }  // namespace
 
 std::string prediction_html(const Prediction& p, const Decision& decision, std::string_view version) {
   const std::string heading = decision.go ? "Go" : "No go";
-  return page::html({.kind = "Fantail launch prediction",
-                     .title = p.scenario,
-                     .subtitle = fmt::format("{}, plan {}; {}, seed {}; Fantail {}", p.vehicle, p.plan_name,
-                                             runs(p.runs.size()), p.seed, version),
-                     .tone = decision.go ? page::Tone::good : page::Tone::bad,
-                     .verdict_heading = heading,
-                     .verdict = without_heading(decision),
-                     .body_html = page::section("Median of the runs", figures(p)) +
-                                  page::section("Requirements", criteria(decision)) +
-                                  page::section("Predicted roll", roll(p)) +
-                                  page::section("Fin offset and airframe", airframes(p)) +
-                                  page::section("Stability over speed", stability(p, decision)) +
-                                  page::section("How this was found", page::list(basis(p)))});
+  const std::string changes = p.request.changes.empty() ? "" : ". " + changes_sentence(p);
+  const std::string notes =
+      p.flight_notes.empty() ? "" : page::section("Notes of the flights", page::list(p.flight_notes));
+  return page::html(
+      {.kind = "Fantail launch prediction",
+       .title = p.scenario,
+       .subtitle = fmt::format("{}, plan {}; {}, seed {}; Fantail {}{}", p.vehicle, p.plan_name, runs(p.runs.size()),
+                               p.seed, version, changes),
+       .tone = decision.go ? page::Tone::good : page::Tone::bad,
+       .verdict_heading = heading,
+       .verdict = without_heading(decision),
+       .body_html =
+           page::section("Median of the runs", figures(p)) + page::section("Requirements", criteria(decision)) +
+           page::section("Predicted roll", roll(p)) + page::section("Fin offset and airframe", airframes(p)) +
+           page::section("Stability over speed", stability(p, decision)) + notes +
+           page::section("How this was found", page::list(basis(p))) + page::section("Any run again", repetition(p))});
 }
 
 }  // namespace fantail::predict

@@ -76,6 +76,8 @@ std::string prediction_json(const Prediction& p, const Decision& decision, std::
                     {"vehicle", p.vehicle},
                     {"plan", p.plan_name},
                     {"seed", p.seed},
+                    {"changes", p.request.changes},
+                    {"repeat_run", repeat_command(p, "RUN")},
                     {"runs", p.runs.size()},
                     {"go", decision.go},
                     {"verdict", decision.text},
@@ -94,6 +96,7 @@ std::string prediction_json(const Prediction& p, const Decision& decision, std::
                     {"spin_rate_deg_s", json(p.spin_rate_rad_s, in_degrees)},
                     {"top_speed_m_s", json(p.top_speed_m_s)},
                     {"stability", stability(p)},
+                    {"flight_notes", p.flight_notes},
                     {"basis", basis(p)},
                     {"version", version}};
   return all.pretty();

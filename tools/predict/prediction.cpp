@@ -6,16 +6,19 @@
 
 #include <fmt/core.h>
 
-#include "input/fault_file.hpp"
 #include "predict/margins.hpp"
 #include "predict/parallel_for.hpp"
+#include "predict/run_notes.hpp"
+#include "predict/tunnel_use.hpp"
 #include "stability/roll_loop.hpp"
 #include "text/degrees.hpp"
 #include "text/error.hpp"
+#include "text/number.hpp"
 
 namespace fantail::predict {
 namespace {
 
+using text::fixed;
 using Track = std::vector<double> Run::*;
 
 /// The scenario with the servo that was measured.
@@ -117,60 +120,6 @@ void find_margins(Prediction& p) {
   }
 }
 
-std::string whose_rows(const sim::Scenario& scenario, const TunnelResult& tunnel) {
-  if (!tunnel.vehicle) {
-    return fmt::format("{} does not say which vehicle its rows are of; they are taken for those of {}.", tunnel.name,
-                       scenario.vehicle.name);
-  }
-  return *tunnel.vehicle == scenario.vehicle.name
-             ? fmt::format("The rows of {} are of this vehicle, {}.", tunnel.name, *tunnel.vehicle)
-             : fmt::format("The rows of {} are of another vehicle, {}, and were accepted for {} on purpose.",
-                           tunnel.name, *tunnel.vehicle, scenario.vehicle.name);
-}
-
-/// What is identified is the product of an area with damping and torque.
-std::string which_area(const sim::Scenario& scenario, const TunnelResult& tunnel) {
-  const double area_m2 = scenario.vehicle.roll_plant.reference_area_m2;
-  if (tunnel.reference_area_m2) {
-    return *tunnel.reference_area_m2 == area_m2
-               ? fmt::format("The rows of {} were identified with the reference area of this vehicle, {:.4g} m2.",
-                             tunnel.name, area_m2)
-               : fmt::format(
-                     "Damping and torque of {} were identified with a reference area of {:.4g} m2 and are "
-                     "converted to that of this vehicle, {:.4g} m2.",
-                     tunnel.name, *tunnel.reference_area_m2, area_m2);
-  }
-  const std::vector<double>& range = scenario.vehicle.reference_area_range_m2;
-  const std::string unknown = fmt::format(
-      "{} does not say which reference area its rows were identified with; it is taken for that of this "
-      "vehicle, {:.4g} m2",
-      tunnel.name, area_m2);
-  return range.empty() ? unknown + ", as if that were exact."
-                       : fmt::format(
-                             "{}, of which 95 % lie between {:.2g} and {:.2g} m2, as the vehicle file says: "
-                             "damping and torque of each run are multiplied by a factor drawn from that.",
-                             unknown, range[0], range[1]);
-}
-
-std::optional<AreaFactor> area_factor(const sim::Scenario& scenario, const TunnelResult& tunnel) {
-  const std::vector<double>& range = scenario.vehicle.reference_area_range_m2;
-  const double area_m2 = scenario.vehicle.roll_plant.reference_area_m2;
-  return tunnel.reference_area_m2 || range.empty()
-             ? std::nullopt
-             : std::optional{AreaFactor{.low = range[0] / area_m2, .high = range[1] / area_m2}};
-}
-
-/// Damping and torque scale inversely with the area that they are multiplied with.
-TunnelResult for_vehicle(const sim::Scenario& scenario, TunnelResult tunnel) {
-  const double area_m2 = scenario.vehicle.roll_plant.reference_area_m2;
-  const double factor = tunnel.reference_area_m2.value_or(area_m2) / area_m2;
-  for (TunnelStep& step : tunnel.steps) {
-    step.damping_m2 *= factor;
-    step.torque_m *= factor;
-  }
-  return tunnel;
-}
-
 std::vector<std::string> notes(const sim::Scenario& scenario, const TunnelResult& tunnel) {
   std::vector<std::string> all = scenario.vehicle.assumed;
   all.insert(all.end(), scenario.assumed.begin(), scenario.assumed.end());
@@ -179,10 +128,25 @@ std::vector<std::string> notes(const sim::Scenario& scenario, const TunnelResult
   if (scenario.imposed_roll) {
     all.emplace_back("The roll that the scenario imposes is left out: it is unknown before the flight.");
   }
-  for (const sim::Fault& fault : scenario.faults) {
-    all.push_back(fmt::format("Every run has the scenario's fault {}.", input::name(fault.kind)));
-  }
   return all;
+}
+
+void require(const sim::Scenario& scenario, const TunnelResult& tunnel, const Options& options) {
+  require_launch(scenario);
+  if (!options.other_vehicle) {
+    require_same_vehicle(scenario, tunnel);
+  }
+}
+
+AirframeSpread spread_of_airframes(const sim::Scenario& scenario, const TunnelResult& tunnel, const Options& options) {
+  return {for_vehicle(scenario, tunnel).steps, options.damping, area_factor(scenario, tunnel)};
+}
+
+std::string airframe_sentence(std::size_t number, std::uint64_t seed, const TunnelStep& airframe) {
+  return fmt::format("Run {} of the prediction with seed {}: damping {} m2, torque {} m, fin offset from {} to {} deg.",
+                     number, seed, fixed(airframe.damping_m2, 3), fixed(airframe.torque_m, 3),
+                     fixed(text::degrees(airframe.offset_begin_rad), 2),
+                     fixed(text::degrees(airframe.offset_end_rad), 2));
 }
 
 }  // namespace
@@ -196,27 +160,26 @@ void require_launch(const sim::Scenario& scenario) {
   }
 }
 
-void require_same_vehicle(const sim::Scenario& scenario, const TunnelResult& tunnel) {
-  if (tunnel.vehicle && *tunnel.vehicle != scenario.vehicle.name) {
-    throw text::Error{
-        text::ErrorKind::bad_configuration,
-        fmt::format("{}: its rows are of the vehicle \"{}\", and {} flies \"{}\"; allowed: rows of that vehicle, or "
-                    "--other-vehicle to take these on purpose",
-                    tunnel.name, *tunnel.vehicle, scenario.name, scenario.vehicle.name)};
-  }
+RepeatedRun repeat_run(const sim::Scenario& scenario, const TunnelResult& tunnel, const Options& options,
+                       std::size_t number) {
+  require(scenario, tunnel, options);
+  const sim::Scenario flown = with_servo(scenario, options);
+  const std::uint64_t seed = seed_of_run(scenario.seed, number);
+  const TunnelStep airframe = spread_of_airframes(scenario, tunnel, options).draw(seed);
+  flight::Flight flight = fly_airframe(flown, airframe, seed, fly::Log::kept);
+  flight.notes.insert(flight.notes.begin(), airframe_sentence(number, scenario.seed, airframe));
+  return {.run = run_of(flight, flown, airframe), .flight = std::move(flight)};
 }
 
 Prediction predict(const sim::Scenario& scenario, const TunnelResult& tunnel, const Options& options,
                    const std::function<void(std::size_t)>& look) {
-  require_launch(scenario);
-  if (!options.other_vehicle) {
-    require_same_vehicle(scenario, tunnel);
-  }
+  require(scenario, tunnel, options);
   Prediction p{.scenario = scenario.name,
                .vehicle = scenario.vehicle.name,
                .plan_name = scenario.plan_name,
                .seed = scenario.seed,
                .tunnel = for_vehicle(scenario, tunnel),
+               .request = options.request,
                .damping = options.damping,
                .area = area_factor(scenario, tunnel),
                .notes = notes(scenario, tunnel),
@@ -225,7 +188,7 @@ Prediction predict(const sim::Scenario& scenario, const TunnelResult& tunnel, co
                .runs = std::vector<Run>(options.runs)};
   p.servo_lag_s = p.flown.vehicle.servo.lag_s;
   p.delay_s = stability::loop_delay_s(p.flown.vehicle);
-  const AirframeSpread airframes{p.tunnel.steps, options.damping, p.area};
+  const AirframeSpread airframes = spread_of_airframes(scenario, tunnel, options);
   parallel_for(
       options.runs, options.threads,
       [&](std::size_t i) {
@@ -241,6 +204,7 @@ Prediction predict(const sim::Scenario& scenario, const TunnelResult& tunnel, co
   p.saturated_share = spread_where_known(p.runs, [](const Run& run) { return run.saturated_share; });
   p.spin_rate_rad_s = spread_where_known(p.runs, [](const Run& run) { return size_of(run.spin_rate_rad_s); });
   p.band = band(p.runs);
+  p.flight_notes = notes_of(p.runs);
   find_margins(p);
   return p;
 }

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "flight/flight.hpp"
 #include "predict/airframe.hpp"
 #include "predict/canard_reach.hpp"
 #include "predict/margins.hpp"
@@ -18,6 +19,12 @@
 
 namespace fantail::predict {
 
+/// What a person asked for, for the results to repeat.
+struct Request {
+  std::vector<std::string> changes{};  ///< of the scenario, as on the command line: "controller.canard_limit_deg=9"
+  std::string command{};               ///< with "--run 17" behind it, it flies run 17 alone
+};
+
 struct Options {
   std::size_t runs = 200;
   unsigned threads = 0;  ///< 0: as many as the machine has; no figure depends on it
@@ -25,6 +32,7 @@ struct Options {
   bool other_vehicle = false;             ///< take tunnel steps that say they are of another vehicle
   std::optional<double> servo_lag_s{};    ///< measured; else the vehicle's
   std::optional<double> servo_delay_s{};  ///< measured, from command to canard, lag apart; else what the vehicle says
+  Request request{};
 };
 
 /// Roll over time, over all runs that left the pad.
@@ -41,9 +49,11 @@ struct Prediction {
   std::string plan_name{};
   std::uint64_t seed = 0;
   TunnelResult tunnel{};  ///< damping and torque for the reference area of the vehicle
+  Request request{};
   DampingFactor damping{};
-  std::optional<AreaFactor> area{};  ///< empty: the reference area is not in the spread
-  std::vector<std::string> notes{};  ///< what was assumed, a sentence each
+  std::optional<AreaFactor> area{};         ///< empty: the reference area is not in the spread
+  std::vector<std::string> notes{};         ///< what was assumed, a sentence each
+  std::vector<std::string> flight_notes{};  ///< what the flights of the runs remark, a sentence each
   CanardReach reach{};
   sim::Scenario flown{};  ///< with the servo that was measured; every run has an airframe of its own
   double servo_lag_s = 0.0;
@@ -69,9 +79,15 @@ struct Prediction {
 /// Throws text::Error for a scenario that is no launch.
 void require_launch(const sim::Scenario& scenario);
 
-/// Throws text::Error for tunnel steps of a vehicle with another name than the scenario's. A file that does not say
-/// whose they are is taken.
-void require_same_vehicle(const sim::Scenario& scenario, const TunnelResult& tunnel);
+/// One run of a prediction, with all that a flight report is made from.
+struct RepeatedRun {
+  Run run{};
+  flight::Flight flight{};
+};
+
+/// Flies one run of predict() alone: it is the same with every number of runs. Throws what predict() throws.
+[[nodiscard]] RepeatedRun repeat_run(const sim::Scenario& scenario, const TunnelResult& tunnel, const Options& options,
+                                     std::size_t number);
 
 /// Flies the launch over the spread. `look` is told how many runs are done and may throw to give up. Throws
 /// what require_launch() throws and, unless another vehicle is allowed, what require_same_vehicle() throws.

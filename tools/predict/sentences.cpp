@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include "text/number.hpp"
 
@@ -79,6 +79,16 @@ std::string_view label(Judgement judgement) {
     case Judgement::not_judged: break;
   }
   return "not judged";
+}
+
+std::string changes_sentence(const Prediction& p) {
+  return p.request.changes.empty()
+             ? ""
+             : fmt::format("Changed on the command line: {}.", fmt::join(p.request.changes, ", "));
+}
+
+std::string repeat_command(const Prediction& p, std::string_view run) {
+  return fmt::format("{} --run {}", p.request.command, run);
 }
 
 std::vector<std::string> basis(const Prediction& p) {

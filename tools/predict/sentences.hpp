@@ -31,6 +31,12 @@ namespace fantail::predict {
 [[nodiscard]] std::string_view name(Judgement judgement);   ///< for files: "not_met"
 [[nodiscard]] std::string_view label(Judgement judgement);  ///< for readers: "not met"
 
+/// "Changed on the command line: controller.canard_limit_deg=9, seed=7."; empty where nothing was.
+[[nodiscard]] std::string changes_sentence(const Prediction& prediction);
+
+/// The command that flies a run alone and writes its flight report.
+[[nodiscard]] std::string repeat_command(const Prediction& prediction, std::string_view run);
+
 /// How the runs were made: the airframes, the swirl, the servo, what was left out. A sentence each.
 [[nodiscard]] std::vector<std::string> basis(const Prediction& prediction);
 
