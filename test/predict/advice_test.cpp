@@ -46,7 +46,7 @@ double number_after(const std::string& text, const std::string& words) {
 // of 200 do not prove 95 %.
 TEST(AdviceOnCanardLimit, MeetsTheDemandThatTheDecisionMakes) {
   const Prediction p = with_offsets(spread_over(4.6, 0.02, 200));
-  const std::string advice = advice_on_canard_limit(p, 0.95);
+  const std::string advice = advice_on_canard_limit(p, 0.95).sentence;
   const double limit_deg = number_after(advice, "A canard limit of ");
   const auto within = [&p](double deg) {
     return static_cast<std::size_t>(
@@ -58,19 +58,22 @@ TEST(AdviceOnCanardLimit, MeetsTheDemandThatTheDecisionMakes) {
 
 TEST(AdviceOnCanardLimit, EndsWhereTheCanardsEndAndSaysWhatEndsThem) {
   Prediction p = with_offsets(spread_over(11.0, 0.01, 200));
-  EXPECT_NE(advice_on_canard_limit(p, 0.95).find("A canard limit of 13 degrees would balance the offset in all runs"),
+  EXPECT_NE(advice_on_canard_limit(p, 0.95).sentence.find(
+                "A canard limit of 13 degrees would balance the offset in all runs"),
             std::string::npos);
   p.flown.vehicle.servo.stop_rad = radians(12.5);
-  EXPECT_NE(advice_on_canard_limit(p, 0.95).find("the canards end at 12.5 degrees (servo stop), and that is enough in "
-                                                 "75 % of the runs"),
+  EXPECT_NE(advice_on_canard_limit(p, 0.95).sentence.find(
+                "the canards end at 12.5 degrees (servo stop), and that is enough in "
+                "75 % of the runs"),
             std::string::npos)
-      << advice_on_canard_limit(p, 0.95);
+      << advice_on_canard_limit(p, 0.95).sentence;
   p.flown.plan.canards.each[2].mechanical_stop = core::Angle::from_degrees(11.5F);
-  EXPECT_NE(advice_on_canard_limit(p, 0.95).find("(mechanical stop of canard 3 in the plan)"), std::string::npos);
+  EXPECT_NE(advice_on_canard_limit(p, 0.95).sentence.find("(mechanical stop of canard 3 in the plan)"),
+            std::string::npos);
 }
 
 TEST(AdviceOnCanardLimit, NoneIsMoreThanAPlanMayHave) {
-  const std::string advice = advice_on_canard_limit(with_offsets(std::vector(200, -20.5)), 0.95);
+  const std::string advice = advice_on_canard_limit(with_offsets(std::vector(200, -20.5)), 0.95).sentence;
   EXPECT_TRUE(
       advice.starts_with("No canard limit would balance the offset in 95 % of the runs: the canards end at 20 "
                          "degrees"))
@@ -79,7 +82,7 @@ TEST(AdviceOnCanardLimit, NoneIsMoreThanAPlanMayHave) {
 
 TEST(AdviceOnCanardLimit, OfTooFewRunsIsNone) {
   EXPECT_TRUE(advice_on_canard_limit(with_offsets(std::vector(20, 10.0)), 0.95)
-                  .starts_with("20 runs are too few to advise a canard limit"));
+                  .sentence.starts_with("20 runs are too few to advise a canard limit"));
 }
 
 // The same airframes, the gains of the sentence: it must be true when it is tried.
@@ -90,7 +93,7 @@ TEST(AdviceOnGains, ReachesItsPhaseMarginWhenItIsFlown) {
     const TunnelResult tunnel = read_tunnel_result(scenario.tunnel_result.value(), {});
     const Prediction p = predict(scenario, tunnel, {.runs = 12}, look_away);
     ASSERT_LT(p.worst_speed->phase_margin_rad.p5, radians(30.0)) << kd;
-    const std::string advice = advice_on_gains(p, radians(45.0));
+    const std::string advice = advice_on_gains(p, radians(45.0)).sentence;
     scenario.plan.controller.proportional_gain = static_cast<float>(number_after(advice, "gains of "));
     scenario.plan.controller.derivative_gain_s = static_cast<float>(number_after(advice, " and "));
     const Prediction tried = predict(scenario, tunnel, {.runs = 12}, look_away);
@@ -104,11 +107,29 @@ TEST(AdviceOnGains, SaysThatNoneReachesIt) {
   sim::Scenario scenario = input::load_scenario("tasha3_launch1", {});
   const TunnelResult tunnel = read_tunnel_result(scenario.tunnel_result.value(), {});
   const Prediction p = predict(scenario, tunnel, {.runs = 3}, look_away);
-  const std::string advice = advice_on_gains(p, radians(170.0));
+  const std::string advice = advice_on_gains(p, radians(170.0)).sentence;
   EXPECT_TRUE(
       advice.starts_with("No gains that a plan may have (up to 10 and 2 s) reach a phase margin of 170 degrees"))
       << advice;
   EXPECT_NE(advice.find("no servo lag does, not even one of 0.5 ms"), std::string::npos) << advice;
+}
+
+// Straight through: the advised limit and gains put into the scenario, the same runs flown again.
+TEST(Trial, SaysHowManyRunsHoldTheirRollWithTheAdvice) {
+  sim::Scenario scenario = input::load_scenario("tasha3_launch1", {});
+  scenario.plan.reference.kind = core::ReferenceKind::hold;
+  const TunnelResult tunnel = read_tunnel_result(scenario.tunnel_result.value(), {});
+  const Prediction p = predict(scenario, tunnel, {.runs = 80}, look_away);
+  const LimitAdvice limit = advice_on_canard_limit(p, 0.95);
+  const GainAdvice gains = advice_on_gains(p, radians(45.0));
+  scenario.plan.controller.canard_limit = core::Angle::from_degrees(static_cast<float>(limit.limit_deg.value()));
+  scenario.plan.controller.proportional_gain = static_cast<float>(gains.gains.value().proportional);
+  scenario.plan.controller.derivative_gain_s = static_cast<float>(gains.gains.value().derivative_s);
+  const Prediction tried = predict(scenario, tunnel, {.runs = 20}, look_away);
+  EXPECT_EQ(trial(p, limit, gains), "Flown with this advice, the roll is held in " + std::to_string(tried.held.count) +
+                                        " of the first 20 runs.");
+  EXPECT_GT(tried.held.count, p.held.count);
+  EXPECT_EQ(trial(p, {}, {}), "");
 }
 
 }  // namespace

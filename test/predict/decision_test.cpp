@@ -105,7 +105,7 @@ TEST(Decision, WhatCannotBeJudgedCountsAgainstALaunch) {
   const Decision d = decide(p, {});
   EXPECT_FALSE(d.go);
   EXPECT_EQ(d.text,
-            "No go: roll is held in only 75 % of the runs, the roll could not be judged in 50 of 200 runs (run 150: "
+            "No go: roll is held in only 75 % of the runs, in 50 of 200 runs the roll could not be judged (run 150: "
             "control lasted only 0.63 s).");
   EXPECT_EQ(criterion(d, "held").found, "75 % of the runs (68 to 80 %), 50 of 200 runs not judged");
 }
@@ -118,7 +118,7 @@ TEST(Decision, ALaunchThatCannotBeJudgedAtAllIsNoGoAndSaysWhy) {
   p.not_judged = 200;
   EXPECT_EQ(
       decide(p, {}).text,
-      "No go: the roll could not be judged in all runs (run 0: the reference was never constant for long enough).");
+      "No go: in all runs the roll could not be judged (run 0: the reference was never constant for long enough).");
 }
 
 TEST(Decision, ARocketThatNeverComesUnderControlIsNoGoAndTheCauseIsSaidOnce) {
@@ -128,7 +128,7 @@ TEST(Decision, ARocketThatNeverComesUnderControlIsNoGoAndTheCauseIsSaidOnce) {
   p.without_control = 200;
   p.worst_speed.reset();
   p.speeds_m_s.clear();
-  const std::string said = "No go: control does not begin in all runs (run 0: no launch was detected).";
+  const std::string said = "No go: in all runs control does not begin (run 0: no launch was detected).";
   EXPECT_EQ(decide(p, {}).text, said);
   EXPECT_EQ(decide(p, {.held_share = 0.0}).text, said);
 }

@@ -60,12 +60,13 @@ struct NotHeld {
   report::Outcome outcome;
   std::string_view clause;
 };
+constexpr NotHeld simply_not_held{report::Outcome::not_held, "it is not"};
 constexpr std::array ways_not_to_hold{NotHeld{report::Outcome::oscillates, "the canards oscillate"},
                                       NotHeld{report::Outcome::cut_short, "control ends early"},
                                       NotHeld{report::Outcome::no_control, "control does not begin"},
                                       NotHeld{report::Outcome::not_judged, "the roll could not be judged"}};
 
-/// "control does not begin in 3 of 200 runs (run 17: no launch was detected)"; empty where no run came to it.
+/// "in 3 of 200 runs control does not begin (run 17: no launch was detected)"; empty where no run came to it.
 std::string first_with(const Prediction& p, const NotHeld& what) {
   const auto count = static_cast<std::size_t>(std::ranges::count(p.runs, what.outcome, &Run::outcome));
   if (count == 0) {
@@ -75,7 +76,7 @@ std::string first_with(const Prediction& p, const NotHeld& what) {
   const std::string many = count < p.runs.size() ? fmt::format("in {} of {}", count, runs(p.runs.size()))
                            : count == 1          ? "in the run"
                                                  : "in all runs";
-  return fmt::format("{} {} (run {}: {})", what.clause, many, first - p.runs.begin(), cause(*first));
+  return fmt::format("{} {} (run {}: {})", many, what.clause, first - p.runs.begin(), cause(*first));
 }
 
 Criterion held(const Prediction& p, double threshold) {
@@ -107,7 +108,8 @@ Criterion held(const Prediction& p, double threshold) {
     c.clause += fmt::format(" (without authority it turns at about {} degrees a second at top speed)",
                             fixed(degrees(p.spin_rate_rad_s->p50), 0));
   }
-  c.clause += others.empty() ? "" : ", " + others;
+  const std::string simply = p.spin_rate_rad_s ? "" : first_with(p, simply_not_held);
+  c.clause += (simply.empty() ? "" : ", " + simply) + (others.empty() ? "" : ", " + others);
   return c;
 }
 
@@ -149,17 +151,20 @@ Criterion phase_margin(const Prediction& p, double threshold_rad) {
 }
 
 std::vector<std::string> advice(const Decision& d, const Prediction& p) {
-  std::vector<std::string> all;
+  LimitAdvice limit;
+  GainAdvice gains;
   for (const Criterion& c : d.criteria) {
     if (c.judgement != Judgement::not_met) {
       continue;
     }
     if (c.key == "authority" && !too_few_runs(p.authority, d.thresholds.authority_share)) {
-      all.push_back(advice_on_canard_limit(p, d.thresholds.authority_share));
+      limit = advice_on_canard_limit(p, d.thresholds.authority_share);
     } else if (c.key == "phase_margin" && p.worst_speed) {
-      all.push_back(advice_on_gains(p, std::max(comfortable_phase_margin_rad, d.thresholds.phase_margin_rad)));
+      gains = advice_on_gains(p, std::max(comfortable_phase_margin_rad, d.thresholds.phase_margin_rad));
     }
   }
+  std::vector<std::string> all{limit.sentence, gains.sentence, trial(p, limit, gains)};
+  std::erase(all, "");
   return all;
 }
 

@@ -27,7 +27,7 @@ std::string runs(std::size_t count) { return fmt::format("{} run{}", count, coun
 
 std::string cause(const Run& run) {
   std::string_view text = run.verdict;
-  for (const std::string_view heading : {"No control: ", "Roll not judged: "}) {
+  for (const std::string_view heading : {"No control: ", "Roll not judged: ", "Roll not held: "}) {
     if (text.starts_with(heading)) {
       text.remove_prefix(heading.size());
     }
