@@ -185,6 +185,15 @@ TEST(Verdict, CanardsThatKeepSwingingAreNotCalledHeld) {
       << v.text;
 }
 
+TEST(Verdict, ALoopThatIsUnstableAtASpeedThatWasFlownIsNotCalledHeld) {
+  SyntheticFlight synthetic;
+  synthetic.flight.loop_margins = {{20.0, text::radians(55.0), 12.0}, {47.0, text::radians(-10.0), 0.7}};
+  const Verdict v = verdict_of(synthetic.flight);
+  EXPECT_EQ(v.outcome, Outcome::oscillates);
+  EXPECT_TRUE(v.text.starts_with("The loop is unstable: at 47 m/s its phase margin is -10.0 deg. Roll stayed"))
+      << v.text;
+}
+
 TEST(Verdict, ControlThatNeverSettledIsNotJudged) {
   SyntheticFlight synthetic;
   synthetic.end_control(1.1, core::PhaseReason::control_time_over);
@@ -214,12 +223,18 @@ TEST(Verdict, WithoutProportionalGainTheOffsetIsNotCalledUnknown) {
                   .text.starts_with("Roll not judged: without proportional gain nothing holds an angle; saturated"));
 }
 
-TEST(Verdict, AFaultyCanardIsNamedOnceWithItsNumber) {
+TEST(Verdict, AFaultyCanardIsNamedOnceWithItsNumberAndWhatBecameOfIt) {
   SyntheticFlight synthetic;
   synthetic.flight.canard_verdict_changes = {{3.1, 1, core::CanardVerdict::stalled},
                                              {3.3, 1, core::CanardVerdict::healthy},
                                              {3.4, 1, core::CanardVerdict::slipping}};
-  EXPECT_TRUE(verdict_of(synthetic.flight).text.ends_with("4.0 deg. Canard 2 stalled from 3.10 s."));
+  EXPECT_TRUE(
+      verdict_of(synthetic.flight)
+          .text.ends_with("4.0 deg. Canard 2 stalled from 3.10 s to 3.30 s, slipping at the end after 2 changes."));
+  synthetic.flight.canard_verdict_changes.pop_back();
+  EXPECT_TRUE(verdict_of(synthetic.flight).text.ends_with(" Canard 2 stalled from 3.10 s to 3.30 s, then healthy."));
+  synthetic.flight.canard_verdict_changes.pop_back();
+  EXPECT_TRUE(verdict_of(synthetic.flight).text.ends_with(" Canard 2 stalled from 3.10 s to the end."));
 }
 
 }  // namespace

@@ -22,6 +22,8 @@
 #include "fly/fly_scenario.hpp"
 #include "hil/wire.hpp"
 #include "report/results.hpp"
+#include "text/degrees.hpp"
+#include "text/number.hpp"
 
 namespace fantail::tool {
 namespace {
@@ -80,6 +82,11 @@ void print_summary(const flight::Flight& flight, const report::Results& results)
   print_figure("top speed", results.figures.max_speed_m_s, "{:.1f} m/s");
   print_figure("apogee", results.figures.apogee_m, "{:.1f} m");
   print_figure("  at time", events.apogee_s, "{:.2f} s");
+  for (const flight::LoopMargin& margin : flight.loop_margins) {
+    fmt::print("  {:<22}{:.0f} deg at {:.0f} m/s, gain margin {}\n", "phase margin",
+               text::degrees(margin.phase_margin_rad), margin.speed_m_s,
+               margin.gain_margin ? text::brief(*margin.gain_margin, 1) : "any");
+  }
   print_figure("saturated", percent ? std::optional{100.0 * *percent} : std::nullopt, "{:.1f} % of control time");
 }
 

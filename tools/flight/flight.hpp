@@ -129,12 +129,13 @@ struct Flight {
   bool tunnel = false;
   core::FlightPlan plan{};
   std::optional<ImposedRoll> imposed_roll;
+  std::string why_not_armed;       ///< a clause; empty: it was armed, or nobody knows
   std::vector<std::string> notes;  ///< faults and assumptions, a sentence each
   Events events;
   std::vector<PhaseChange> phase_changes;
   std::vector<CanardVerdictChange> canard_verdict_changes;
   Unmeasured unmeasured;
-  std::vector<LoopMargin> loop_margins;  ///< at the lowest, median and top speed under control; empty: not computed
+  std::vector<LoopMargin> loop_margins;  ///< at some speeds under control, the worst among them; empty: not computed
   std::optional<double> servo_stop_rad;  ///< of the simulated servos; empty: nobody knows
   std::vector<Row> rows;
   std::size_t rows_per_line = 1;               ///< flight.csv has the first of so many rows

@@ -76,18 +76,20 @@ flight::Flight describe(const sim::Scenario& scenario) {
   return flight;
 }
 
-std::string why_not_armed(const sim::World& world, bool was_armed) {
-  if (was_armed) {
-    return {};
-  }
+std::string why_not_armed(const sim::World& world, const sim::Scenario& scenario) {
+  constexpr double self_test_s = 7.5;
   const auto refusal = world.refusal_to_arm();
-  if (!refusal) {
-    return "The avionics was not armed: its self-test, which takes about seven seconds, had not ended.";
+  const double left_s = scenario.pad_time_s - scenario.arm_time_s;
+  // A self-test that the launch interrupts fails because the rocket does not stand still.
+  if (!refusal || (left_s < self_test_s && refusal->failure == protocol::SelfTestFailure::moved)) {
+    return fmt::format(
+        "its self-test takes about seven seconds, and {:g} s after it began {} (timing.arm_time_s, timing.pad_time_s)",
+        left_s,
+        scenario.surroundings == sim::Surroundings::tunnel ? "came the start command" : "the motor was ignited");
   }
-  return "The avionics refused to be armed: " +
-         (refusal->refusal != protocol::ArmRefusal::none ? replies::sentence(refusal->refusal)
-                                                         : replies::sentence(refusal->failure, refusal->canard)) +
-         ".";
+  return "the avionics refused to be armed: " + (refusal->refusal != protocol::ArmRefusal::none
+                                                     ? replies::sentence(refusal->refusal)
+                                                     : replies::sentence(refusal->failure, refusal->canard));
 }
 
 void keep_log(flight::Flight& flight, const sim::World& world, bool was_armed) {
@@ -147,8 +149,8 @@ flight::Flight fly_scenario(const sim::Scenario& scenario, const Look& look, con
   flight.events.guide_clear_s = in_seconds(events.guide_clear);
   flight.events.burnout_s = in_seconds(events.burnout);
   flight.events.apogee_s = in_seconds(events.apogee);
-  if (const std::string why = why_not_armed(world, was_armed); !why.empty()) {
-    flight.notes.push_back(why);
+  if (!was_armed) {
+    flight.why_not_armed = why_not_armed(world, scenario);
   }
   if (log == Log::kept) {
     keep_log(flight, world, was_armed);

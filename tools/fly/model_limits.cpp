@@ -115,21 +115,36 @@ std::vector<flight::LoopMargin> loop_margins(const sim::Scenario& scenario, cons
       speeds_m_s.push_back(row.truth->speed_m_s);
     }
   }
-  std::vector<flight::LoopMargin> all;
   if (speeds_m_s.empty()) {
-    return all;
+    return {};
   }
   std::ranges::sort(speeds_m_s);
   // Near apogee nothing flows: the lowest speed that counts is that at which the plan lets control begin.
   const auto gate_m_s = static_cast<double>(scenario.plan.guide.minimum_speed_m_s);
   const auto first = std::ranges::lower_bound(speeds_m_s, std::min(gate_m_s, speeds_m_s.back()));
-  const auto middle = first + (speeds_m_s.end() - first) / 2;
-  for (const double speed_m_s : {*first, *middle, speeds_m_s.back()}) {
-    const bool known = !all.empty() && speed_m_s <= all.back().speed_m_s;
-    if (const auto found = stability::margins(stability::loop_at_speed(scenario, speed_m_s)); found && !known) {
-      all.push_back({speed_m_s, found->phase_margin_rad, found->gain_margin});
+  const double lowest_m_s = *first;
+  const double median_m_s = *(first + (speeds_m_s.end() - first) / 2);
+  const double top_m_s = speeds_m_s.back();
+
+  const auto at = [&scenario](double speed_m_s) -> std::optional<flight::LoopMargin> {
+    const auto found = stability::margins(stability::loop_at_speed(scenario, speed_m_s));
+    return found ? std::optional{flight::LoopMargin{speed_m_s, found->phase_margin_rad, found->gain_margin}}
+                 : std::nullopt;
+  };
+  std::optional<flight::LoopMargin> worst;
+  constexpr int steps = 32;
+  for (int i = 0; i <= steps; ++i) {
+    const auto found = at(lowest_m_s + (top_m_s - lowest_m_s) * i / steps);
+    worst = found && (!worst || found->phase_margin_rad < worst->phase_margin_rad) ? found : worst;
+  }
+  std::vector<flight::LoopMargin> all;
+  for (const auto& found : {at(lowest_m_s), at(median_m_s), at(top_m_s), worst}) {
+    const auto known = [&](const flight::LoopMargin& other) { return other.speed_m_s == found->speed_m_s; };
+    if (found && std::ranges::none_of(all, known)) {
+      all.push_back(*found);
     }
   }
+  std::ranges::sort(all, {}, &flight::LoopMargin::speed_m_s);
   return all;
 }
 

@@ -230,6 +230,7 @@ std::string summary_json(const flight::Flight& flight, const Figures& figures, c
                         {"phase_changes", phase_changes(flight)},
                         {"canard_verdicts", canard_verdicts(flight)},
                         {"imposed_roll", imposed_roll(flight)},
+                        {"why_not_armed", text_or_null(flight.why_not_armed)},
                         {"notes", flight.notes},
                         {"log_sha256", flight.log.empty() ? Json{} : Json(sha256(flight.log))},
                         {"version", text_or_null(flight.version)}};
@@ -257,6 +258,7 @@ void add_summary(flight::Flight& flight, const std::filesystem::path& file) {
   read_events(flight.events, member(summary, "events"));
   read_phase_changes(flight, member(summary, "phase_changes"));
   read_canard_verdicts(flight, member(summary, "canard_verdicts"));
+  flight.why_not_armed = text(summary, "why_not_armed");
   read_unmeasured(flight.unmeasured, member(summary, "unmeasured"));
   read_loop_margins(flight, member(summary, "loop_margins"));
   if (const auto stop_deg = number(summary, "servo_stop_deg")) {

@@ -2,9 +2,10 @@
 #include "report/verdict.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <cmath>
+#include <iterator>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -32,7 +33,7 @@ std::string sentence(std::string clause) {
 
 std::string why_no_control(const flight::Flight& flight) {
   if (flight.phase_changes.empty()) {
-    return "the rocket was never armed";
+    return "the rocket was never armed" + (flight.why_not_armed.empty() ? "" : ", because " + flight.why_not_armed);
   }
   const flight::PhaseChange& last = flight.phase_changes.back();
   if (!last.reason) {
@@ -145,6 +146,13 @@ Verdict judge_flight(const flight::Flight& flight, const Figures& f) {
                  text::fixed(text::degrees(o.highest_rad), 1), text::fixed(o.from_s, 2)) +
              v.text;
   }
+  const auto worst = std::ranges::min_element(flight.loop_margins, {}, &flight::LoopMargin::phase_margin_rad);
+  if (worst != flight.loop_margins.end() && worst->phase_margin_rad <= 0.0) {
+    v.outcome = v.outcome == Outcome::held ? Outcome::oscillates : v.outcome;
+    v.text = fmt::format("The loop is unstable: at {} m/s its phase margin is {}. ", text::fixed(worst->speed_m_s, 0),
+                         degrees_text(worst->phase_margin_rad)) +
+             v.text;
+  }
   if (const flight::Unmeasured& u = flight.unmeasured; u.spin_from_s) {
     v.outcome = Outcome::not_held;
     v.text = fmt::format("The rocket turned faster than the gyro's range of {} deg/s, {}, for {} s from {} s on. ",
@@ -180,15 +188,31 @@ std::string unmeasured(const flight::Flight& flight) {
   return text;
 }
 
+/// The first finding of the monitor about each canard, how long it lasted, and what became of it.
 std::string canard_faults(const flight::Flight& flight) {
   std::string text;
-  std::array<bool, core::canard_count> named{};
-  for (const flight::CanardVerdictChange& change : flight.canard_verdict_changes) {
-    if (change.verdict != core::CanardVerdict::healthy && !named[change.canard]) {
-      named[change.canard] = true;
-      text += fmt::format(" Canard {} {} from {} s.", change.canard + 1, core::name(change.verdict),
-                          text::fixed(change.time_s, 2));
+  for (std::size_t canard = 0; canard < core::canard_count; ++canard) {
+    std::vector<flight::CanardVerdictChange> changes;
+    std::ranges::copy_if(flight.canard_verdict_changes, std::back_inserter(changes),
+                         [canard](const auto& change) { return change.canard == canard; });
+    const auto healthy = [](const auto& change) { return change.verdict == core::CanardVerdict::healthy; };
+    changes.erase(changes.begin(), std::ranges::find_if_not(changes, healthy));
+    if (changes.empty()) {
+      continue;
     }
+    text += fmt::format(" Canard {} {} from {} s", canard + 1, core::name(changes[0].verdict),
+                        text::fixed(changes[0].time_s, 2));
+    if (changes.size() == 1) {
+      text += " to the end.";
+      continue;
+    }
+    text += fmt::format(" to {} s", text::fixed(changes[1].time_s, 2));
+    if (changes.size() > 2) {
+      text += fmt::format(", {} at the end after {} changes", core::name(changes.back().verdict), changes.size() - 1);
+    } else {
+      text += fmt::format(", then {}", core::name(changes.back().verdict));
+    }
+    text += ".";
   }
   return text;
 }

@@ -14,7 +14,8 @@ enum class Outcome : std::uint8_t {
   held,        ///< the largest hold error is at most 10 deg, from the second after control start to apogee
   not_held,    ///< it is more, before or after the end of control, or the canards ended at a limit smaller than the
                ///< fin offset, or the rocket turned faster than the gyro's range
-  oscillates,  ///< within 10 deg, but the canards keep swinging with nothing that excites them
+  oscillates,  ///< within 10 deg, but the canards keep swinging with nothing that excites them, or the linear loop is
+               ///< unstable at some speed under control
   cut_short,   ///< control ended before its time
   not_judged,  ///< under control, but never settled, or without a known disturbance
   no_control,  ///< Controlling was never reached

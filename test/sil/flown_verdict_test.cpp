@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: MIT
+// Verdicts on flights that once misled: what the report says of a simulated flight, against the truth of the world.
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "fly/fly_scenario.hpp"
+#include "input/scenario_file.hpp"
+#include "report/verdict.hpp"
+#include "text/degrees.hpp"
+
+namespace fantail::sil {
+namespace {
+
+using report::Outcome;
+
+struct Judged {
+  flight::Flight flight;
+  report::Figures figures;
+  report::Verdict verdict;
+  [[nodiscard]] bool says(const std::string& words) const { return verdict.text.find(words) != std::string::npos; }
+  [[nodiscard]] bool notes(const std::string& words) const {
+    return std::ranges::any_of(flight.notes, [&](const auto& note) { return note.find(words) != std::string::npos; });
+  }
+};
+
+Judged fly(const sim::Scenario& scenario) {
+  Judged judged{.flight = fly::fly_scenario(scenario), .figures = {}, .verdict = {}};
+  judged.figures = report::figures(judged.flight);
+  judged.verdict = report::verdict(judged.flight, judged.figures);
+  return judged;
+}
+
+sim::Scenario launch2(const std::vector<std::string>& changes = {}) {
+  std::vector<input::Override> overrides;
+  for (const std::string& change : changes) {
+    overrides.push_back(input::parse_override(change));
+  }
+  return input::load_scenario("tasha3_launch2", overrides);
+}
+
+// 850 N for half a second, 22 g: as much impulse as the usual motor.
+sim::Scenario strong_motor(double second_range_g) {
+  sim::Scenario scenario = launch2();
+  scenario.vehicle.motor = sim::ThrustCurve{{{0.0, 0.0}, {0.01, 850.0}, {0.54, 850.0}, {0.55, 0.0}}, 0.124};
+  scenario.vehicle.accelerometer.full_scale_m_s2 = second_range_g * sim::gravity_m_s2;
+  return scenario;
+}
+
+TEST(FlownVerdict, AMotorBeyondTheRangeOfOneAccelerometerIsFlownByTheOther) {
+  const Judged flown = fly(strong_motor(32.0));
+  EXPECT_EQ(flown.verdict.outcome, Outcome::held) << flown.verdict.text;
+  EXPECT_NEAR(*flown.figures.ended_before_apogee_s, 0.0, 0.1);
+  EXPECT_FALSE(flown.says("lower bounds"));
+  EXPECT_TRUE(flown.notes("The motor pushes with")) << "beyond the range of the IMU";
+}
+
+TEST(FlownVerdict, AMotorBeyondTheRangeOfBothIsNotFlownToAnImaginedApogee) {
+  const Judged flown = fly(strong_motor(16.0));
+  EXPECT_LT(*flown.figures.ended_before_apogee_s, 0.5) << flown.verdict.text;
+  EXPECT_TRUE(flown.says("knew only lower bounds of height and speed"));
+}
+
+TEST(FlownVerdict, AnOutageOfSevenMillisecondsNeitherEndsControlNorGoesUnsaid) {
+  sim::Scenario scenario = launch2();
+  scenario.faults = {{.kind = sim::FaultKind::imu_dropout, .canard = 0, .from_s = 3.0, .until_s = 3.007}};
+  const Judged flown = fly(scenario);
+  EXPECT_EQ(flown.verdict.outcome, Outcome::held);
+  EXPECT_TRUE(flown.says("The gyro gave no usable rate for 0.006 s from 2.99 s on")) << flown.verdict.text;
+}
+
+TEST(FlownVerdict, ControlThatADeadGyroEndedIsJudgedUpToApogee) {
+  sim::Scenario scenario = launch2();
+  scenario.faults = {{.kind = sim::FaultKind::imu_dropout, .canard = 0, .from_s = 3.0, .until_s = 20.0}};
+  const Judged flown = fly(scenario);
+  EXPECT_EQ(flown.verdict.outcome, Outcome::not_held);
+  EXPECT_TRUE(
+      flown.says("Control ended at 3.24 s, 7.12 s before apogee: the gyro failed. After that the rocket turned"))
+      << flown.verdict.text;
+  EXPECT_GT(text::degrees(*flown.figures.roll_after_end_rad), 360.0);
+}
+
+TEST(FlownVerdict, ALimitCycleIsNotCalledHeld) {
+  const std::vector<std::string> gains{"controller.proportional_gain=10", "controller.derivative_gain_s=2"};
+  const Judged excited = fly(launch2(gains));
+  EXPECT_EQ(excited.verdict.outcome, Outcome::oscillates) << excited.verdict.text;
+  EXPECT_TRUE(excited.says("The loop is unstable"));
+  std::vector<std::string> quiet = gains;
+  quiet.emplace_back("excitation.form=none");
+  const Judged unexcited = fly(launch2(quiet));
+  EXPECT_EQ(unexcited.verdict.outcome, Outcome::oscillates);
+  EXPECT_TRUE(unexcited.says("The canards oscillate at")) << unexcited.verdict.text;
+}
+
+TEST(FlownVerdict, TheShippedLaunchIsStableAtEverySpeed) {
+  const Judged flown = fly(launch2());
+  ASSERT_GE(flown.flight.loop_margins.size(), 3U);
+  for (const flight::LoopMargin& margin : flown.flight.loop_margins) {
+    EXPECT_GT(text::degrees(margin.phase_margin_rad), 45.0);
+  }
+  EXPECT_FALSE(flown.figures.oscillation);
+}
+
+TEST(FlownVerdict, TheAuthorityMarginKnowsTheStopOfTheServo) {
+  const Judged flown = fly(launch2({"servo.stop_deg=4.5"}));
+  EXPECT_NEAR(text::degrees(*flown.figures.authority_margin_rad), 4.5 - 4.9, 1e-6);
+  EXPECT_EQ(flown.verdict.outcome, Outcome::not_held);
+}
+
+// Fins so crooked that the rocket turns faster than any gyro can measure.
+TEST(FlownVerdict, ASpinBeyondTheGyroIsNamedWithItsSense) {
+  for (const double offset_deg : {-30.0, 30.0}) {
+    sim::Scenario scenario = launch2();
+    scenario.disturbance = {{.time_s = 0.0, .angle_rad = text::radians(offset_deg)}};
+    scenario.vehicle.imu.full_scale_rad_s = text::radians(500.0);
+    const Judged flown = fly(scenario);
+    EXPECT_EQ(flown.verdict.outcome, Outcome::not_held);
+    EXPECT_TRUE(flown.says(offset_deg > 0.0 ? "gyro's range of 500 deg/s, positively" : "500 deg/s, negatively"))
+        << flown.verdict.text;
+    EXPECT_NEAR(*flown.figures.ended_before_apogee_s, 0.0, 0.5) << "control went on against the spin";
+  }
+}
+
+// 369 m and 8.0 s are those of an independent point mass that turns with gravity.
+TEST(FlownVerdict, AGuideThatLeansIsSaidWithWhatAPointMassWouldDo) {
+  const Judged flown = fly(launch2({"environment.guide_tilt_deg=15"}));
+  EXPECT_TRUE(flown.notes("would reach 369 m and pass the plan's tilt limit of 60 deg 8.0 s after lift-off"));
+  EXPECT_FALSE(fly(launch2()).notes("leans"));
+}
+
+TEST(FlownVerdict, WindAcrossTheGuideAndSpeedsNearSoundAreSaid) {
+  EXPECT_TRUE(fly(launch2({"environment.wind_m_s=8"})).notes("the canards leave the linear range"));
+  EXPECT_FALSE(fly(launch2({"environment.wind_m_s=0.5"})).notes("leave the linear range"));
+  EXPECT_TRUE(fly(launch2({"body.mass_kg=0.9", "body.drag_area_m2=0.0005"}))
+                  .notes("drag, damping and torque are no longer constant"));
+}
+
+TEST(FlownVerdict, WhyTheRocketWasNotArmedIsPartOfTheVerdict) {
+  EXPECT_EQ(fly(launch2({"timing.pad_time_s=5"})).verdict.text,
+            "No control: the rocket was never armed, because its self-test takes about seven seconds, and 4 s after it "
+            "began the motor was ignited (timing.arm_time_s, timing.pad_time_s).");
+  sim::Scenario biased = launch2();
+  biased.vehicle.imu.specific_force_bias_m_s2 = 2.0;
+  EXPECT_TRUE(fly(biased).says("the rocket was never armed, because the avionics refused to be armed: the "))
+      << fly(biased).verdict.text;
+}
+
+}  // namespace
+}  // namespace fantail::sil
