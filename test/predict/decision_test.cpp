@@ -133,6 +133,18 @@ TEST(Decision, ARocketThatNeverComesUnderControlIsNoGoAndTheCauseIsSaidOnce) {
   EXPECT_EQ(decide(p, {.held_share = 0.0}).text, said);
 }
 
+TEST(Decision, SaysWhatTheFirstRunThatIsNotHeldCameTo) {
+  Prediction p = good();
+  end_with(p, 7, 50, report::Outcome::not_held,
+           "Roll not held: up to 28.2 deg from where this law settles; saturated 29.0 % of control time.");
+  end_with(p, 50, 60, report::Outcome::oscillates, "The canards oscillate at 13 Hz between -1.3 and 8.3 deg. Roll.");
+  p.held = share(147, 200);
+  EXPECT_EQ(
+      decide(p, {}).text,
+      "No go: roll is held in only 74 % of the runs (not in run 7: up to 28.2 deg from where this law settles), in "
+      "10 of 200 runs the canards oscillate (run 50: The canards oscillate at 13 Hz between -1.3 and 8.3 deg).");
+}
+
 TEST(Decision, NumbersAreNotRoundedToWhatIsAskedFor) {
   Prediction p = good();
   p.worst_speed->phase_margin_rad.p5 = radians(29.96);

@@ -135,6 +135,12 @@ std::string trial(const Prediction& p, const LimitAdvice& limit, const GainAdvic
     held += outcome == report::Outcome::held ? 1 : 0;
     not_judged += outcome == report::Outcome::not_judged ? 1 : 0;
   }
+  if (not_judged == tried) {
+    return fmt::format("Flown with this advice, none of the first {} can be judged.", runs(tried));
+  }
+  if (held == 0) {
+    return fmt::format("Flown with this advice, none of the first {} holds its roll: it is not enough.", runs(tried));
+  }
   return fmt::format("Flown with this advice, the roll is held in {} of the first {}{}.", held, runs(tried),
                      not_judged > 0 ? fmt::format(" and not judged in {} of them", not_judged) : "");
 }

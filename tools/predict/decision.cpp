@@ -60,7 +60,6 @@ struct NotHeld {
   report::Outcome outcome;
   std::string_view clause;
 };
-constexpr NotHeld simply_not_held{report::Outcome::not_held, "it is not"};
 constexpr std::array ways_not_to_hold{NotHeld{report::Outcome::oscillates, "the canards oscillate"},
                                       NotHeld{report::Outcome::cut_short, "control ends early"},
                                       NotHeld{report::Outcome::no_control, "control does not begin"},
@@ -108,8 +107,11 @@ Criterion held(const Prediction& p, double threshold) {
     c.clause += fmt::format(" (without authority it turns at about {} degrees a second at top speed)",
                             fixed(degrees(p.spin_rate_rad_s->p50), 0));
   }
-  const std::string simply = p.spin_rate_rad_s ? "" : first_with(p, simply_not_held);
-  c.clause += (simply.empty() ? "" : ", " + simply) + (others.empty() ? "" : ", " + others);
+  const auto not_held = std::ranges::find(p.runs, report::Outcome::not_held, &Run::outcome);
+  if (not_held != p.runs.end() && !p.spin_rate_rad_s) {
+    c.clause += fmt::format(" (not in run {}: {})", not_held - p.runs.begin(), cause(*not_held));
+  }
+  c.clause += others.empty() ? "" : ", " + others;
   return c;
 }
 
