@@ -41,7 +41,7 @@ set(FANTAIL_LAYERS
   "tools/gateway|hal link telemetry|"
   "tools/log_export|core protocol text json input flight flight_log telemetry|fmt/"
   "tools/bench|core protocol hal avionics sim text json page replies link|fmt/"
-  "tools/predict|sim text json page input flight report stability fly|fmt/"
+  "tools/predict|core sim text json page flight report stability fly|fmt/"
   "tools/paper|core sim text json page input flight report identify identify/model identify/closed_loop tunnel fly|fmt/"
   "tools/fantail|core protocol avionics hal/linux sim text json page input flight report flight_log logs identify identify/model identify/result tunnel replies link fly hil telemetry gateway log_export bench predict paper|fmt/ fcntl\\.h poll\\.h sys/ unistd\\.h")
 

@@ -29,6 +29,8 @@ struct Vehicle {
   double mass_kg = 0.0;              ///< at lift-off, propellant included
   double drag_area_m2 = 0.0;
   RollPlant roll_plant{};
+  /// 95 % of what the reference area may truly be, from and to; empty: nothing is said of it. For predictions.
+  std::vector<double> reference_area_range_m2;
   ThrustCurve motor;
   ServoParameters servo{};  ///< of a typical one
   ServoSpread servo_spread{};

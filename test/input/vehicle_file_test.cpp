@@ -78,6 +78,17 @@ TEST(ServoSpread, IsRefusedOutOfRangeAndBeyondTheStop) {
             "--set servo.centre_spread_deg=1.5: servo.centre_spread_deg = 1.5; allowed: at most stop_deg = 1");
 }
 
+TEST(VehicleFile, ARangeOfTheReferenceAreaIsTwoAreasAroundIt) {
+  EXPECT_EQ(vehicle("tasha3_launch2", {}).reference_area_range_m2, (std::vector{3.2e-5, 7.7e-5}));
+  for (const char* range : {"[3.2e-5]", "[6e-5, 7.7e-5]", "[7.7e-5, 3.2e-5]", "[3.2e-5, 4e-5]"}) {
+    const Complaint said = complaint(
+        [&] { (void)vehicle("tasha3_launch2", {std::string{"aerodynamics.reference_area_range_m2="} + range}); });
+    EXPECT_NE(said.message.find("must be two areas, one below and one above reference_area_m2 = 5.0265e-05"),
+              std::string::npos)
+        << said.message;
+  }
+}
+
 TEST(BenchVehicle, IsTheAirframeOfTheSecondLaunch) {
   const sim::Vehicle bench = vehicle("bench_healthy");
   const sim::Vehicle launched = vehicle("tasha3_launch2");

@@ -51,16 +51,26 @@ std::vector<TunnelStep> drawn(const AirframeSpread& spread, std::uint64_t seed, 
   return all;
 }
 
-// Variance and correlation of one more step: those of the eight, and an eighth for the doubt about their mean. Of Table
-// 2 hardly one airframe in a thousand has to be drawn again, which moves the moments by less than these tolerances.
+/// Table 2 so far from zero that nothing is drawn again.
+std::vector<TunnelStep> table2_far_from_zero() {
+  std::vector<TunnelStep> steps = table2();
+  for (TunnelStep& step : steps) {
+    step.damping_m2 += 1000.0;
+    step.torque_m += 1000.0;
+  }
+  return steps;
+}
+
+// Variance and correlation of one more step: those of the eight, an eighth for the doubt about their mean, and 7 / 5
+// for the doubt about their spread, the variance of Student's t distribution with 7 degrees of freedom.
 TEST(AirframeSpread, HasTheMeanAndTheCorrelationsOfTheSteps) {
   constexpr std::uint64_t seed = 20260701;
   SCOPED_TRACE("seed " + std::to_string(seed));
   constexpr std::size_t count = 40000;
-  const Moments expected = moments(table2());
-  const Moments found = moments(drawn(AirframeSpread{table2(), {}}, seed, count));
+  const Moments expected = moments(table2_far_from_zero());
+  const Moments found = moments(drawn(AirframeSpread{table2_far_from_zero(), {}}, seed, count));
   for (std::size_t i = 0; i < 4; ++i) {
-    const double variance = expected.covariance[i][i] * 9.0 / 8.0;
+    const double variance = expected.covariance[i][i] * 9.0 / 8.0 * 7.0 / 5.0;
     EXPECT_NEAR(found.mean[i], expected.mean[i], 5.0 * std::sqrt(variance / count)) << i;
     EXPECT_NEAR(found.covariance[i][i] / variance, 1.0, 0.04) << i;
     for (std::size_t j = 0; j < i; ++j) {
@@ -72,8 +82,64 @@ TEST(AirframeSpread, HasTheMeanAndTheCorrelationsOfTheSteps) {
   }
 }
 
+/// Closed forms (Shaw, Journal of Computational Finance 9, 2006).
+double t_quantile_of_2(double q) { return (2.0 * q - 1.0) / std::sqrt(2.0 * q * (1.0 - q)); }
+double t_quantile_of_4(double q) {
+  const double a = 4.0 * q * (1.0 - q);
+  return std::copysign(2.0, q - 0.5) * std::sqrt(std::cos(std::acos(std::sqrt(a)) / 3.0) / std::sqrt(a) - 1.0);
+}
+
+// One more step lies below mean + s sqrt(1 + 1/n) t(q) with probability q.
+TEST(AirframeSpread, HasTheQuantilesOfStudentsDistribution) {
+  constexpr std::uint64_t seed = 20260702;
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  constexpr std::size_t count = 40000;
+  std::vector<TunnelStep> steps{{.damping_m2 = 900.0, .torque_m = 1010.0, .offset_begin_rad = -0.05},
+                                {.damping_m2 = 1010.0, .torque_m = 1000.0, .offset_begin_rad = -0.02},
+                                {.damping_m2 = 1000.0, .torque_m = 990.0, .offset_begin_rad = -0.04}};
+  for (double (*quantile)(double) : {t_quantile_of_2, t_quantile_of_4}) {
+    const Moments m = moments(steps);
+    const auto n = static_cast<double>(steps.size());
+    const auto all = drawn(AirframeSpread{steps, {}}, seed, count);
+    for (const double q : {0.025, 0.05, 0.25, 0.75, 0.95, 0.975}) {
+      for (const std::size_t i : {0U, 1U, 2U}) {
+        const double below = m.mean[i] + std::sqrt(m.covariance[i][i] * (1.0 + 1.0 / n)) * quantile(q);
+        const auto found = std::ranges::count_if(all, [&](const TunnelStep& step) { return numbers(step)[i] < below; });
+        EXPECT_NEAR(static_cast<double>(found) / count, q, 5.0 * std::sqrt(q * (1.0 - q) / count))
+            << n << " steps, number " << i;
+      }
+    }
+    steps.push_back({.damping_m2 = 1100.0, .torque_m = 1020.0, .offset_begin_rad = -0.03});
+    steps.push_back({.damping_m2 = 1050.0, .torque_m = 1003.0, .offset_begin_rad = -0.035});
+  }
+}
+
+// 95 % of a log-normal law between the two, and its middle at their geometric mean.
+TEST(AirframeSpread, AnAreaThatIsNotKnownMovesDampingAndTorqueTogether) {
+  constexpr std::size_t count = 20000;
+  const TunnelStep step{.damping_m2 = 19.0, .torque_m = 9.0, .offset_begin_rad = -0.05, .offset_end_rad = -0.06};
+  std::size_t below = 0;
+  std::size_t above = 0;
+  std::size_t below_middle = 0;
+  for (const TunnelStep& one :
+       drawn(AirframeSpread{{step, step, step}, {}, AreaFactor{.low = 0.64, .high = 1.53}}, 7, count)) {
+    const double factor = one.damping_m2 / step.damping_m2;
+    ASSERT_NEAR(one.torque_m / step.torque_m, factor, 1e-12);
+    ASSERT_NEAR(one.offset_end_rad, step.offset_end_rad, 1e-12);
+    below += factor < 0.64 ? 1 : 0;
+    above += factor > 1.53 ? 1 : 0;
+    below_middle += factor < std::sqrt(0.64 * 1.53) ? 1 : 0;
+  }
+  const double tolerance = 5.0 * std::sqrt(0.025 / count);
+  EXPECT_NEAR(static_cast<double>(below) / count, 0.025, tolerance);
+  EXPECT_NEAR(static_cast<double>(above) / count, 0.025, tolerance);
+  EXPECT_NEAR(static_cast<double>(below_middle) / count, 0.5, 5.0 * std::sqrt(0.25 / count));
+}
+
 TEST(AirframeSpread, NeverHasADampingOrTorqueOfZeroOrLess) {
-  const std::vector<TunnelStep> wide{{.damping_m2 = 0.5, .torque_m = 11.0}, {.damping_m2 = 12.0, .torque_m = 0.1}};
+  const std::vector<TunnelStep> wide{{.damping_m2 = 0.5, .torque_m = 11.0},
+                                     {.damping_m2 = 12.0, .torque_m = 0.1},
+                                     {.damping_m2 = 5.0, .torque_m = 5.0}};
   for (const TunnelStep& one : drawn(AirframeSpread{wide, {}}, 3, 2000)) {
     ASSERT_GT(one.damping_m2, 0.0);
     ASSERT_GT(one.torque_m, 0.0);

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "input/scenario_file.hpp"
 #include "predict/sentences.hpp"
 
 namespace fantail::predict {
@@ -15,12 +16,14 @@ using text::radians;
 /// 200 runs that leave nothing to be desired.
 Prediction good() {
   Prediction p;
-  p.limit_rad = radians(9.0);
-  p.runs.resize(200);
+  p.reach.angle_rad = radians(9.0);
+  p.flown = input::load_scenario("tasha3_launch2", {});
+  p.runs.resize(200, {.airframe = {.damping_m2 = 19.4, .torque_m = 9.6}, .outcome = report::Outcome::held});
   p.authority = share(200, 200);
   p.held = share(200, 200);
   p.offset_size_rad = {.mean = radians(4.1), .p5 = radians(3.0), .p50 = radians(4.1), .p95 = radians(5.2)};
-  p.worst_speed = MarginsAtSpeed{.speed_m_s = 81.6, .phase_margin_rad = {.p50 = radians(45.4)}};
+  p.worst_speed = MarginsAtSpeed{.speed_m_s = 81.6, .phase_margin_rad = {.p5 = radians(45.4), .p50 = radians(57.0)}};
+  p.speeds_m_s = {20.0, 81.6};
   return p;
 }
 
@@ -34,7 +37,7 @@ TEST(Decision, IsGoWhenEveryCriterionIsMetAndSaysWithWhat) {
   EXPECT_EQ(
       d.text,
       "Go: the fin offset of about 4.1 degrees is within the 9 degree canard limit in all runs; roll is held in all "
-      "runs; the median phase margin is at least 45 degrees at every speed.");
+      "runs; 95 % of the runs have a phase margin of 45 degrees or more at every speed.");
   for (const Criterion& c : d.criteria) {
     EXPECT_EQ(c.judgement, Judgement::met) << c.key;
   }
@@ -42,7 +45,7 @@ TEST(Decision, IsGoWhenEveryCriterionIsMetAndSaysWithWhat) {
 
 TEST(Decision, IsNoGoWhenTheOffsetIsLargerThanTheLimit) {
   Prediction p = good();
-  p.limit_rad = radians(6.0);
+  p.reach.angle_rad = radians(6.0);
   p.authority = share(4, 200);
   p.offset_size_rad.p50 = radians(7.14);
   const Decision d = decide(p, {});
@@ -55,10 +58,11 @@ TEST(Decision, IsNoGoWhenTheOffsetIsLargerThanTheLimit) {
 
 TEST(Decision, IsNoGoWhenTheLoopIsTooNearToSwinging) {
   Prediction p = good();
-  p.worst_speed->phase_margin_rad.p50 = radians(22.6);
+  p.worst_speed->phase_margin_rad.p5 = radians(22.6);  // the median is 57
   const Decision d = decide(p, {});
   EXPECT_FALSE(d.go);
-  EXPECT_EQ(d.text, "No go: at 82 m/s the median phase margin is 23 degrees, less than the 30 asked for.");
+  EXPECT_EQ(d.text,
+            "No go: at 82 m/s 5 % of the runs have a phase margin of 22 degrees or less, where 30 is asked for.");
   EXPECT_TRUE(decide(p, {.phase_margin_rad = radians(20.0)}).go);
 }
 
@@ -85,23 +89,69 @@ TEST(Decision, RunsThatAreTooFewToTellAreNoGo) {
   EXPECT_TRUE(decide(p, {}).go);
 }
 
-TEST(Decision, WhatCannotBeJudgedIsSaidAndDoesNotCount) {
-  Prediction p = good();
-  p.held = share(0, 0);
-  p.not_judged = 200;
-  const Decision d = decide(p, {});
-  EXPECT_TRUE(d.go);
-  EXPECT_EQ(criterion(d, "held").judgement, Judgement::not_judged);
-  EXPECT_NE(d.text.find("Not judged: whether roll is held"), std::string::npos) << d.text;
+void end_with(Prediction& p, std::size_t from, std::size_t to, report::Outcome outcome, const std::string& verdict) {
+  for (std::size_t i = from; i < to; ++i) {
+    p.runs[i].outcome = outcome;
+    p.runs[i].verdict = verdict;
+  }
 }
 
-TEST(Decision, ARocketThatNeverComesUnderControlIsNoGo) {
+// It used to be "Go": 150 of the 150 that could be judged.
+TEST(Decision, WhatCannotBeJudgedCountsAgainstALaunch) {
   Prediction p = good();
+  end_with(p, 150, 200, report::Outcome::not_judged, "Roll not judged: control lasted only 0.63 s; saturated 0 %.");
+  p.held = share(150, 200);
+  p.not_judged = 50;
+  const Decision d = decide(p, {});
+  EXPECT_FALSE(d.go);
+  EXPECT_EQ(d.text,
+            "No go: roll is held in only 75 % of the runs, in 50 of 200 runs the roll could not be judged (run 150: "
+            "control lasted only 0.63 s).");
+  EXPECT_EQ(criterion(d, "held").found, "75 % of the runs (68 to 80 %), 50 of 200 runs not judged");
+}
+
+TEST(Decision, ALaunchThatCannotBeJudgedAtAllIsNoGoAndSaysWhy) {
+  Prediction p = good();
+  end_with(p, 0, 200, report::Outcome::not_judged,
+           "Roll not judged: the reference was never constant for long enough.");
+  p.held = share(0, 200);
+  p.not_judged = 200;
+  EXPECT_EQ(
+      decide(p, {}).text,
+      "No go: in all runs the roll could not be judged (run 0: the reference was never constant for long enough).");
+}
+
+TEST(Decision, ARocketThatNeverComesUnderControlIsNoGoAndTheCauseIsSaidOnce) {
+  Prediction p = good();
+  end_with(p, 0, 200, report::Outcome::no_control, "No control: no launch was detected. Canard 1 dead from 2.00 s.");
   p.held = share(0, 200);
   p.without_control = 200;
   p.worst_speed.reset();
-  EXPECT_EQ(decide(p, {}).text,
-            "No go: roll is held in none of the runs (control never began in 200 of 200); control never begins.");
+  p.speeds_m_s.clear();
+  const std::string said = "No go: in all runs control does not begin (run 0: no launch was detected).";
+  EXPECT_EQ(decide(p, {}).text, said);
+  EXPECT_EQ(decide(p, {.held_share = 0.0}).text, said);
+}
+
+TEST(Decision, SaysWhatTheFirstRunThatIsNotHeldCameTo) {
+  Prediction p = good();
+  end_with(p, 7, 50, report::Outcome::not_held,
+           "Roll not held: up to 28.2 deg from where this law settles; saturated 29.0 % of control time.");
+  end_with(p, 50, 60, report::Outcome::oscillates, "The canards oscillate at 13 Hz between -1.3 and 8.3 deg. Roll.");
+  p.held = share(147, 200);
+  EXPECT_EQ(
+      decide(p, {}).text,
+      "No go: roll is held in only 74 % of the runs (not in run 7: up to 28.2 deg from where this law settles), in "
+      "10 of 200 runs the canards oscillate (run 50: The canards oscillate at 13 Hz between -1.3 and 8.3 deg).");
+}
+
+TEST(Decision, NumbersAreNotRoundedToWhatIsAskedFor) {
+  Prediction p = good();
+  p.worst_speed->phase_margin_rad.p5 = radians(29.96);
+  EXPECT_NE(decide(p, {}).text.find("a phase margin of 29.9 degrees or less, where 30 is asked for"),
+            std::string::npos);
+  p.held = share(189, 200);  // the low end is 90.42 %
+  EXPECT_NE(criterion(decide(p, {.held_share = 0.905}), "held").found.find("(90 to"), std::string::npos);
 }
 
 TEST(Decision, GainsThatHoldNothingAreNoGo) {

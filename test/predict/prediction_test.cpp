@@ -91,8 +91,97 @@ TEST(Prediction, AServoThatWasMeasuredTakesThePlaceOfTheVehicles) {
   EXPECT_NEAR(usual.delay_s, 0.003 + 0.5 / 333.0 + 0.0005, 1e-12);
   EXPECT_NEAR(slow.servo_lag_s, 0.06, 1e-12);
   EXPECT_NEAR(slow.delay_s, 0.02, 1e-12);
-  EXPECT_LT(slow.worst_speed->phase_margin_rad.p50, usual.worst_speed->phase_margin_rad.p50);
+  EXPECT_LT(slow.worst_speed->phase_margin_rad.p5, usual.worst_speed->phase_margin_rad.p5);
   EXPECT_NE(slow.runs[0].roll_angle_rad, usual.runs[0].roll_angle_rad);  // it is flown, too
+}
+
+TunnelResult three_rows() {
+  const TunnelStep step{.damping_m2 = 19.0, .torque_m = 9.0, .offset_begin_rad = -0.05, .offset_end_rad = -0.06};
+  return {.name = "steps.csv", .steps = {step, step, step}, .swirl_words = ""};
+}
+
+TEST(Prediction, OfAnotherVehiclesStepsIsRefusedUnlessItIsMeant) {
+  const sim::Scenario scenario = input::load_scenario("tasha3_launch2", {});
+  TunnelResult other = three_rows();
+  other.vehicle = "Dart";
+  try {
+    (void)predict(scenario, other, {.runs = 1}, look_away);
+    FAIL() << "not refused";
+  } catch (const text::Error& error) {
+    EXPECT_EQ(error.kind(), text::ErrorKind::bad_configuration);
+    EXPECT_STREQ(error.what(),
+                 "steps.csv: its rows are of the vehicle \"Dart\", and tasha3_launch2 flies \"Tasha III, launch 2\"; "
+                 "allowed: rows of that vehicle, or --other-vehicle to take these on purpose");
+  }
+  const Prediction p = predict(scenario, other, {.runs = 1, .other_vehicle = true}, look_away);
+  EXPECT_NE(std::ranges::find(p.notes,
+                              "The rows of steps.csv are of another vehicle, Dart, and were accepted for Tasha III, "
+                              "launch 2 on purpose."),
+            p.notes.end());
+}
+
+// What was identified is the product of the area with damping and torque.
+TEST(Prediction, StepsOfAnotherReferenceAreaAreConverted) {
+  sim::Scenario scenario = input::load_scenario("tasha3_launch2", {});
+  TunnelResult tunnel = three_rows();
+  tunnel.reference_area_m2 = 100.0 * scenario.vehicle.roll_plant.reference_area_m2;
+  const Prediction p = predict(scenario, tunnel, {.runs = 2}, look_away);
+  EXPECT_NEAR(p.runs[1].airframe.damping_m2, 1900.0, 1e-6);
+  EXPECT_NEAR(p.runs[1].airframe.torque_m, 900.0, 1e-6);
+  EXPECT_FALSE(p.area);
+}
+
+TEST(Prediction, AReferenceAreaThatIsNotKnownWellIsInTheSpread) {
+  sim::Scenario scenario = input::load_scenario("tasha3_launch2", {});
+  const Prediction wide = predict(scenario, three_rows(), {.runs = 20}, look_away);
+  ASSERT_TRUE(wide.area);
+  EXPECT_NEAR(wide.area->low, 3.2 / 5.0265, 1e-9);
+  EXPECT_NEAR(wide.area->high, 7.7 / 5.0265, 1e-9);
+  EXPECT_NE(wide.runs[0].airframe.damping_m2, wide.runs[1].airframe.damping_m2);
+  scenario.vehicle.reference_area_range_m2.clear();
+  const Prediction narrow = predict(scenario, three_rows(), {.runs = 20}, look_away);
+  EXPECT_NEAR(narrow.runs[0].airframe.damping_m2, narrow.runs[1].airframe.damping_m2, 1e-9);
+  EXPECT_LT(wide.worst_speed->phase_margin_rad.p5, narrow.worst_speed->phase_margin_rad.p5 - text::radians(1.0));
+}
+
+TEST(Prediction, OneRunIsTheSameWhenItIsRepeatedAlone) {
+  const sim::Scenario scenario = input::load_scenario("tasha3_launch2", {});
+  const TunnelResult tunnel = read_tunnel_result(scenario.tunnel_result.value(), {});
+  const Options options{.runs = 3, .damping = {.low = 1.0, .high = 1.6}, .servo_lag_s = 0.03, .servo_delay_s = 0.01};
+  const Prediction p = predict(scenario, tunnel, options, look_away);
+  const RepeatedRun repeated = repeat_run(scenario, tunnel, options, 2);
+  EXPECT_EQ(repeated.run.seed, p.runs[2].seed);
+  EXPECT_EQ(repeated.run.airframe.damping_m2, p.runs[2].airframe.damping_m2);
+  EXPECT_EQ(repeated.run.largest_hold_error_rad, p.runs[2].largest_hold_error_rad);
+  EXPECT_EQ(repeated.run.roll_angle_rad, p.runs[2].roll_angle_rad);
+  EXPECT_EQ(repeated.run.verdict, p.runs[2].verdict);
+  EXPECT_FALSE(repeated.flight.log.empty());
+  EXPECT_TRUE(repeated.flight.notes.front().starts_with("Run 2 of the prediction with seed 1: damping "))
+      << repeated.flight.notes.front();
+}
+
+TEST(Prediction, RepeatsWhatTheFlightsRemark) {
+  sim::Scenario scenario = input::load_scenario("tasha3_launch2", {});
+  EXPECT_TRUE(predict(scenario, three_rows(), {.runs = 2}, look_away).flight_notes.empty());
+  scenario.guide_tilt_rad = text::radians(8.0);
+  const Prediction leaning = predict(scenario, three_rows(), {.runs = 2}, look_away);
+  ASSERT_EQ(leaning.flight_notes.size(), 1U);
+  EXPECT_TRUE(leaning.flight_notes[0].starts_with("The guide leans by 8 deg")) << leaning.flight_notes[0];
+}
+
+TEST(Prediction, SaysWhereItHasNoSpread) {
+  const sim::Scenario scenario = input::load_scenario("tasha3_launch2", {});
+  TunnelResult tunnel = three_rows();
+  const auto text = [&](std::size_t runs) {
+    return decide(predict(scenario, tunnel, {.runs = runs}, look_away), {}).text;
+  };
+  EXPECT_NE(text(2).find(". All rows of steps.csv are the same, so every run has the same airframe"), std::string::npos)
+      << text(2);
+  tunnel.steps[1].damping_m2 = 20.0;
+  EXPECT_NE(text(2).find(". All rows of steps.csv have the same fin offset"), std::string::npos) << text(2);
+  EXPECT_NE(text(1).find(". A single run shows no spread."), std::string::npos) << text(1);
+  tunnel.steps[1].offset_end_rad = -0.05;
+  EXPECT_EQ(text(2).find("All rows"), std::string::npos) << text(2);
 }
 
 TEST(Prediction, OfATunnelRunIsRefused) {

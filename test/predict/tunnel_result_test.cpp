@@ -64,11 +64,11 @@ TEST(TunnelResult, SwirlThatIsGivenCountsInsteadOfTheFiles) {
 
 TEST(TunnelResult, WhatNobodySaysOfSwirlIsNotTakenOffAndThatIsSaid) {
   const Folder folder;
-  const TunnelResult result = read_tunnel_result(
-      folder.write(
-          "steps.csv",
-          "step,begin_s,alpha_m2,beta_m,disturbance_begin_deg,disturbance_end_deg\n1,0,20,9,-5,-6\n2,5,18,8,-4,-7\n"),
-      {});
+  const TunnelResult result =
+      read_tunnel_result(folder.write("steps.csv",
+                                      "step,begin_s,alpha_m2,beta_m,disturbance_begin_deg,disturbance_end_deg\n1,0,20,"
+                                      "9,-5,-6\n2,5,18,8,-4,-7\n3,9,18,8,-4,-7\n"),
+                         {});
   EXPECT_NEAR(degrees(result.steps[1].offset_end_rad), -7.0, 1e-12);
   EXPECT_EQ(result.swirl_words, "No swirl subtracted: steps.csv has no column swirl_deg, and --swirl was not given.");
   EXPECT_TRUE(result.sources.empty());
@@ -81,6 +81,20 @@ TEST(TunnelResult, OfTheFirstLaunchSaysThatItIsHindsight) {
   EXPECT_NE(result.sources[0].find("hindsight"), std::string::npos);
   EXPECT_NEAR(means(result).damping_m2, 8.0, 1e-12);
   EXPECT_NEAR(means(result).end_deg, -7.15, 1e-12);
+}
+
+TEST(TunnelResult, SaysWhoseItIsWhereItsFileDoes) {
+  EXPECT_EQ(shipped("tasha3_table2").vehicle, "Tasha III, launch 2");
+  EXPECT_EQ(shipped("tasha3_launch1_flight").vehicle, "Tasha III, launch 1");
+  EXPECT_FALSE(shipped("tasha3_table2").reference_area_m2);  // not printed
+  const Folder folder;
+  const TunnelResult own = read_tunnel_result(
+      folder.write("steps.csv",
+                   "alpha_m2,beta_m,disturbance_begin_deg,disturbance_end_deg,vehicle,reference_area_m2\n"
+                   "20,9,-5,-6,\"A, B\",5e-3\n18,8,-4,-7,\"A, B\",5e-3\n18,8,-4,-7,\"A, B\",5e-3\n"),
+      {});
+  EXPECT_EQ(own.vehicle, "A, B");
+  EXPECT_EQ(own.reference_area_m2, 5e-3);
 }
 
 TEST(TunnelResult, IsNamedByTheShippedLaunchesAndNobodyElse) {
@@ -111,14 +125,23 @@ TEST_P(BadTunnelResult, IsRefusedAndSaysWhere) {
 INSTANTIATE_TEST_SUITE_P(
     Each, BadTunnelResult,
     testing::Values(
-        BadFile{"alpha_m2,beta_m,disturbance_begin_deg\n1,1,1\n1,1,1\n", "disturbance_end_deg"},
-        BadFile{"alpha_m2,beta_m,disturbance_begin_deg,disturbance_end_deg\n19,9,-5,-6\n-19,9,-5,-6\n",
+        BadFile{"alpha_m2,beta_m,disturbance_begin_deg\n1,1,1\n1,1,1\n1,1,1\n", "disturbance_end_deg"},
+        BadFile{"alpha_m2,beta_m,disturbance_begin_deg,disturbance_end_deg\n19,9,-5,-6\n-19,9,-5,-6\n19,9,-5,-6\n",
                 "steps.csv:3: alpha_m2 = \"-19\"; allowed: 0.001 to 10000"},
-        BadFile{"alpha_m2,beta_m,disturbance_begin_deg,disturbance_end_deg\n19,nan,-5,-6\n19,9,-5,-6\n",
+        BadFile{"alpha_m2,beta_m,disturbance_begin_deg,disturbance_end_deg\n19,nan,-5,-6\n19,9,-5,-6\n19,9,-5,-6\n",
                 "steps.csv:2: beta_m = \"nan\""},
-        BadFile{"alpha_m2,beta_m,disturbance_begin_deg,disturbance_end_deg,swirl_deg\n19,9,-5,-6,\n19,9,-5,-6,0\n",
+        BadFile{"alpha_m2,beta_m,disturbance_begin_deg,disturbance_end_deg,swirl_deg\n19,9,-5,-6,\n19,9,-5,-6,0\n19,9,-"
+                "5,-6,0\n",
                 "steps.csv:2: swirl_deg = \"\""},
-        BadFile{"alpha_m2,beta_m,disturbance_begin_deg,disturbance_end_deg\n19,9,-5,-6\n", "has 1 of the rows"}),
+        BadFile{"alpha_m2,beta_m,disturbance_begin_deg,disturbance_end_deg\n19,9,-5,-6\n", "has 1 of the rows"},
+        BadFile{"alpha_m2,beta_m,disturbance_begin_deg,disturbance_end_deg\n19,9,-5,-6\n20,9,-5,-6\n",
+                "has 2 of the rows that a spread is made from, one for each step; allowed: 3 or more"},
+        BadFile{"alpha_m2,beta_m,disturbance_begin_deg,disturbance_end_deg,vehicle\n19,9,-5,-6,A\n20,9,-5,-6,B\n"
+                "19,9,-5,-6,A\n",
+                "steps.csv:3: vehicle = \"B\", and \"A\" in the first row"},
+        BadFile{"alpha_m2,beta_m,disturbance_begin_deg,disturbance_end_deg,reference_area_m2\n19,9,-5,-6,0\n"
+                "20,9,-5,-6,0\n19,9,-5,-6,0\n",
+                "steps.csv:2: reference_area_m2 = \"0\"; allowed: 1e-08 to 1"}),
     [](const auto& one) { return "Number" + std::to_string(one.index); });
 
 }  // namespace

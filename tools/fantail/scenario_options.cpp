@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "fantail/scenario_options.hpp"
 
+#include <algorithm>
 #include <charconv>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
+
+#include <fmt/core.h>
 
 #include "input/document.hpp"
 #include "input/scenario_file.hpp"
@@ -23,6 +27,21 @@ std::string objection_to_seed(const std::string& text) {
   return parse_seed(text) ? "" : '"' + text + "\" is not a seed; allowed: a whole number, 0 to 18446744073709551615";
 }
 
+// Of what a change may contain: neither a folder nor what a shell or another operating system takes for its own.
+bool is_unsafe(char c) {
+  const bool is_plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+  return !is_plain && std::string_view{"._-+="}.find(c) == std::string_view::npos;
+}
+
+/// FNV-1a: two changes of the same scenario hardly ever have the same.
+std::uint32_t hash(std::string_view text) {
+  std::uint32_t value = 2166136261U;
+  for (const char c : text) {
+    value = (value ^ static_cast<unsigned char>(c)) * 16777619U;
+  }
+  return value;
+}
+
 }  // namespace
 
 void add_scenario_options(const Verb& verb, ScenarioOptions& options) {
@@ -40,6 +59,28 @@ void add_scenario_options(const Verb& verb, ScenarioOptions& options) {
       .value_name("NUMBER");
   verb.option("--set", options.changes, "section.key=value: change one value of plan, vehicle or scenario")
       .one_word_each_time();
+}
+
+std::vector<std::string> changes_of(const ScenarioOptions& options) {
+  std::vector<std::string> changes = options.changes;
+  if (!options.seed.empty()) {
+    changes.push_back("seed=" + options.seed);
+  }
+  return changes;
+}
+
+std::string variant_name(std::string_view scenario, std::span<const std::string> changes) {
+  constexpr std::size_t longest = 100;  // a file system takes 255 bytes, and a person reads less
+  std::string name{scenario};
+  for (const std::string& change : changes) {
+    name += '+' + change;
+  }
+  std::string safe = name;
+  std::ranges::replace_if(safe.begin() + static_cast<std::ptrdiff_t>(scenario.size()), safe.end(), is_unsafe, '_');
+  if (safe == name && safe.size() <= longest) {
+    return name;
+  }
+  return safe.substr(0, std::max(longest, scenario.size())) + fmt::format("+{:08x}", hash(name));
 }
 
 sim::Scenario load(const ScenarioOptions& options) {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "fantail/command_line.hpp"
@@ -18,6 +20,14 @@ struct ScenarioOptions {
 
 /// SCENARIO, --seed and --set. A scenario that is already named is the default.
 void add_scenario_options(const Verb& verb, ScenarioOptions& options);
+
+/// What the command line changes of the scenario: "controller.canard_limit_deg=9", "seed=7". Empty: nothing.
+[[nodiscard]] std::vector<std::string> changes_of(const ScenarioOptions& options);
+
+/// A name for the results of a changed scenario, so that they never replace those of the unchanged one:
+/// "tasha3_launch1+controller.canard_limit_deg=9+seed=7". It can be the name of a file. Where characters had to be
+/// replaced for that, or the name to be cut, it ends with a hash of all changes.
+[[nodiscard]] std::string variant_name(std::string_view scenario, std::span<const std::string> changes);
 
 /// Throws text::Error.
 [[nodiscard]] sim::Scenario load(const ScenarioOptions& options);

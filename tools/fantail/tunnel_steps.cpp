@@ -43,7 +43,7 @@ void add_airframe_options(const Verb& verb, AirframeOptions& options) {
 // The vehicle's, except what is given as a number.
 NamedAirframe airframe(const AirframeOptions& options) {
   if (options.inertia_kg_m2 && options.area_m2) {
-    return {"from the command line", {.inertia_kg_m2 = *options.inertia_kg_m2, .reference_area_m2 = *options.area_m2}};
+    return {"", {.inertia_kg_m2 = *options.inertia_kg_m2, .reference_area_m2 = *options.area_m2}};
   }
   const sim::Vehicle vehicle =
       input::read_vehicle(input::Document::load(input::find_input(input::Shipped::vehicle, options.vehicle)));
@@ -91,10 +91,11 @@ void steps(const StepsVerbOptions& options) {
   const tunnel::StepsHeading head = heading(options, log);
   const tunnel::StepTable table = tunnel::identify_steps(log, head.airframe, head.options);
   const std::string json = tunnel::steps_json(head, table);
-  write_tunnel_output(
-      options.output, default_folder,
-      {{"steps.csv", tunnel::steps_csv(table)}, {"steps.json", json}, {"report.html", tunnel::steps_html(head, table)}},
-      tunnel::steps_text(head, table), json);
+  write_tunnel_output(options.output, default_folder,
+                      {{"steps.csv", tunnel::steps_csv(head, table)},
+                       {"steps.json", json},
+                       {"report.html", tunnel::steps_html(head, table)}},
+                      tunnel::steps_text(head, table), json);
 }
 
 void add_run_options(const Verb& verb, StepsVerbOptions& options) {

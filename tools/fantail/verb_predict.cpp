@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <tuple>
+#include <utility>
+#include <vector>
 
 #include <fmt/core.h>
 
@@ -13,6 +19,7 @@
 #include "fantail/scenario_options.hpp"
 #include "input/shipped.hpp"
 #include "predict/results.hpp"
+#include "report/results.hpp"
 #include "text/error.hpp"
 
 namespace fantail::tool {
@@ -33,6 +40,8 @@ struct PredictOptions {
   double held_percent = 90.0;
   double phase_margin_deg = 30.0;
   std::string out;
+  bool other_vehicle = false;
+  std::optional<std::size_t> run;
   bool json = false;
 };
 
@@ -73,33 +82,131 @@ std::optional<double> in_radians(const std::optional<double>& degrees) {
   return degrees ? std::optional{text::radians(*degrees)} : std::nullopt;
 }
 
-predict::Prediction fly_the_spread(const sim::Scenario& scenario, const PredictOptions& options) {
-  const predict::TunnelResult tunnel =
-      predict::read_tunnel_result(tunnel_file(scenario, options), in_radians(options.swirl_deg));
+/// A word as a shell takes it for one.
+std::string quoted(const std::string& word) {
+  const auto is_plain = [](unsigned char c) {
+    return std::isalnum(c) != 0 || std::string_view{"._-+=:/,"}.find(static_cast<char>(c)) != std::string_view::npos;
+  };
+  if (!word.empty() && std::ranges::all_of(word, is_plain)) {
+    return word;
+  }
+  std::string all = "'";
+  for (const char c : word) {
+    all += c == '\'' ? "'\\''" : std::string(1, c);
+  }
+  return all + "'";
+}
+
+/// What makes the answer another one than that of the scenario as it stands, beside --set and --seed.
+std::vector<std::pair<std::string, std::string>> further_changes(const PredictOptions& options) {
+  std::vector<std::pair<std::string, std::string>> all;
+  const auto add = [&all](const char* name, const std::optional<double>& value) {
+    if (value) {
+      all.emplace_back(name, fmt::format("{}", *value));
+    }
+  };
+  if (options.tunnel) {
+    all.emplace_back("tunnel", *options.tunnel);
+  }
+  add("swirl", options.swirl_deg);
+  if (options.damping_factor != PredictOptions{}.damping_factor) {
+    all.emplace_back("damping-factor", options.damping_factor);
+  }
+  add("servo-lag", options.servo_lag_s);
+  add("servo-delay", options.servo_delay_s);
+  const PredictOptions usual;
+  for (const auto& [name, value, usual_value] :
+       {std::tuple{"authority-percent", options.authority_percent, usual.authority_percent},
+        {"held-percent", options.held_percent, usual.held_percent},
+        {"phase-margin", options.phase_margin_deg, usual.phase_margin_deg}}) {
+    if (value != usual_value) {
+      add(name, value);
+    }
+  }
+  return all;
+}
+
+predict::Request request(const PredictOptions& options) {
+  predict::Request asked{.changes = changes_of(options.scenario),
+                         .command = "fantail predict " + quoted(options.scenario.scenario)};
+  for (const std::string& change : options.scenario.changes) {
+    asked.command += " --set " + quoted(change);
+  }
+  if (!options.scenario.seed.empty()) {
+    asked.command += " --seed " + options.scenario.seed;
+  }
+  for (const auto& [name, value] : further_changes(options)) {
+    asked.changes.push_back(name + "=" + value);
+    asked.command += " --" + name + " " + quoted(value);
+  }
+  if (options.other_vehicle) {
+    asked.command += " --other-vehicle";
+  }
+  return asked;
+}
+
+predict::Options prediction_options(const PredictOptions& options) {
+  return {.runs = options.runs,
+          .threads = options.threads,
+          .damping = *parse_damping_factor(options.damping_factor),
+          .other_vehicle = options.other_vehicle,
+          .servo_lag_s = options.servo_lag_s,
+          .servo_delay_s = options.servo_delay_s,
+          .request = request(options)};
+}
+
+std::filesystem::path folder_of(const sim::Scenario& scenario, const PredictOptions& options) {
+  if (!options.out.empty()) {
+    return options.out;
+  }
+  const std::filesystem::path all =
+      std::filesystem::path{"out"} / "predict" / variant_name(scenario.name, request(options).changes);
+  return options.run ? all / fmt::format("run_{}", *options.run) : all;
+}
+
+predict::Prediction fly_the_spread(const sim::Scenario& scenario, const predict::TunnelResult& tunnel,
+                                   const PredictOptions& options) {
   Progress progress{"predicting " + scenario.name,
                     {.unit = "runs", .rate = " a second", .total = static_cast<double>(options.runs)}};
-  return predict::predict(scenario, tunnel,
-                          {.runs = options.runs,
-                           .threads = options.threads,
-                           .damping = *parse_damping_factor(options.damping_factor),
-                           .servo_lag_s = options.servo_lag_s,
-                           .servo_delay_s = options.servo_delay_s},
-                          [&progress](std::size_t done) {
-                            give_up_if_interrupted();
-                            progress.show(static_cast<double>(done));
-                          });
+  return predict::predict(scenario, tunnel, prediction_options(options), [&progress](std::size_t done) {
+    give_up_if_interrupted();
+    progress.show(static_cast<double>(done));
+  });
+}
+
+/// One run alone, with the report that `fantail fly` writes of a flight.
+void fly_one_run(const sim::Scenario& scenario, const predict::TunnelResult& tunnel, const PredictOptions& options) {
+  const predict::RepeatedRun repeated =
+      predict::repeat_run(scenario, tunnel, prediction_options(options), *options.run);
+  const report::Results results = report::results(repeated.flight);
+  const std::filesystem::path folder = folder_of(scenario, options);
+  report::write_results(repeated.flight, results, folder);
+  if (options.json) {
+    fmt::print("{}", results.summary);
+    return;
+  }
+  fmt::print("{} ({})\n{}\n", repeated.flight.scenario, repeated.flight.vehicle, results.verdict.text);
+  for (const std::string& note : repeated.flight.notes) {
+    fmt::print("  {}\n", note);
+  }
+  fmt::print("\n  report  {}\n", (folder / "report.html").string());
 }
 
 void predict_launch(const PredictOptions& options) {
   const sim::Scenario scenario = load(options.scenario);
   predict::require_launch(scenario);
-  const predict::Prediction prediction = fly_the_spread(scenario, options);
+  const predict::TunnelResult tunnel =
+      predict::read_tunnel_result(tunnel_file(scenario, options), in_radians(options.swirl_deg));
+  if (options.run) {
+    fly_one_run(scenario, tunnel, options);
+    return;
+  }
+  const predict::Prediction prediction = fly_the_spread(scenario, tunnel, options);
   const predict::Decision decision =
       predict::decide(prediction, {.authority_share = 0.01 * options.authority_percent,
                                    .held_share = 0.01 * options.held_percent,
                                    .phase_margin_rad = text::radians(options.phase_margin_deg)});
-  const std::filesystem::path folder = options.out.empty() ? std::filesystem::path{"out"} / "predict" / scenario.name
-                                                           : std::filesystem::path{options.out};
+  const std::filesystem::path folder = folder_of(scenario, options);
   predict::write_prediction(prediction, decision, FANTAIL_VERSION, folder);
   if (options.json) {
     fmt::print("{}", predict::prediction_json(prediction, decision, FANTAIL_VERSION));
@@ -132,6 +239,8 @@ void fill(const Verb& verb) {
   verb.option("--tunnel", options->tunnel,
               "steps.csv of fantail tunnel steps, or a shipped name [tunnel_result of the scenario]")
       .value_name("FILE");
+  verb.flag("--other-vehicle", options->other_vehicle,
+            "Take tunnel results that say they are of another vehicle than the scenario's");
   verb.option("--swirl", options->swirl_deg,
               "Swirl of the tunnel as a fin offset in degrees, to be subtracted [column swirl_deg of the file, or 0]")
       .range(-45.0, 45.0);
@@ -148,7 +257,12 @@ void fill(const Verb& verb) {
   verb.option("--runs", options->runs, "How many airframes to fly").range(1.0, most_runs).show_default();
   verb.option("--threads", options->threads, "How many to fly at once [as many as the machine can]").range(1, 1024);
   add_thresholds(verb, *options);
-  verb.option("--out", options->out, "Folder for predict.html, predict.json, runs.csv, band.csv [out/predict/SCENARIO]")
+  verb.option("--run", options->run, "Fly only this row of runs.csv, counted from 0, and write its flight report")
+      .range(0.0, most_runs - 1.0)
+      .value_name("NUMBER");
+  verb.option("--out", options->out,
+              "Folder for predict.html, predict.json, runs.csv, band.csv [out/predict/SCENARIO, with what was changed "
+              "in the name]")
       .check(objection_to_folder);
   verb.flag("--json", options->json, "Print predict.json instead of the text");
   verb.examples(
@@ -158,7 +272,8 @@ void fill(const Verb& verb) {
       "  fantail predict tasha3_launch2 --damping-factor 1:1.6 --runs 1000\n"
       "                                                      damping that the tunnel may have shown too low\n"
       "  fantail predict my_rocket.toml --tunnel out/tunnel/steps/steps.csv --swirl -2 --servo-lag 0.018 --json\n"
-      "                                                      your own rocket, after its tunnel run and its bench");
+      "                                                      your own rocket, after its tunnel run and its bench\n"
+      "  fantail predict tasha3_launch2 --run 17             the run of row 17 again, with its flight report");
   verb.action([options] { predict_launch(*options); });
 }
 

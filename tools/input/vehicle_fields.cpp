@@ -20,6 +20,7 @@ constexpr auto fields = std::to_array<Field<sim::Vehicle>>({
   {"body", "roll_inertia_kg_m2", number("kg m2", {1e-6, 10}), must, AT(it.roll_plant.inertia_kg_m2), "Moment of inertia about the long axis."},
 
   {"aerodynamics", "reference_area_m2", number("m2", {1e-8, 1}), must, AT(it.roll_plant.reference_area_m2), "Area that the next two are multiplied with; matters in transients only."},
+  {"aerodynamics", "reference_area_range_m2", list(2, number("m2", {1e-8, 1})), may, AT(grown(it.reference_area_range_m2, i)), "Where the true area lies with a probability of 95 %: from and to, with `reference_area_m2` between. `predict` takes it into its spread."},
   {"aerodynamics", "damping_m2", number("m2", {0, 1e4}), must, AT(it.roll_plant.damping_m2), "Roll damping, alpha."},
   {"aerodynamics", "torque_m", number("m", {0, 1e4}), must, AT(it.roll_plant.torque_m), "Roll torque of the canards, beta."},
 

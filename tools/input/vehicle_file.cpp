@@ -34,6 +34,16 @@ void read_motor(const Document& document, sim::Vehicle& vehicle) {
   }
 }
 
+void check_reference_area(const Document& document, const sim::Vehicle& vehicle) {
+  const std::vector<double>& range = vehicle.reference_area_range_m2;
+  const double area_m2 = vehicle.roll_plant.reference_area_m2;
+  if (!range.empty() && (range.size() != 2 || !(range[0] < area_m2 && area_m2 < range[1]))) {
+    Section{document, "aerodynamics"}.refuse(
+        "reference_area_range_m2",
+        "must be two areas, one below and one above reference_area_m2 = " + plain_number(area_m2));
+  }
+}
+
 void check_servo(const Document& document, const sim::Vehicle& vehicle) {
   const Section servo{document, "servo"};
   const sim::ServoParameters& p = vehicle.servo;
@@ -57,6 +67,7 @@ sim::Vehicle read_vehicle(const Document& document) {
     read_section(document, section, vehicle_fields(), vehicle);
   }
   read_motor(document, vehicle);
+  check_reference_area(document, vehicle);
   check_servo(document, vehicle);
   return vehicle;
 }

@@ -84,13 +84,16 @@ page::Chart offset_chart(const Prediction& p) {
         p.runs, [size_deg](const Run& run) { return degrees(std::abs(run.offset_rad)) <= size_deg; });
     share.y.push_back(100.0 * static_cast<double>(within) / static_cast<double>(p.runs.size()));
   }
-  const double limit_deg = degrees(p.limit_rad);
+  const double limit_deg = degrees(p.reach.angle_rad);
   return {.label = "Share of the runs whose fin offset is not larger than a size, and the canard limit",
           .x_label = "size of the fin offset / deg",
           .y_label = "runs with at most that / %",
           .width = page::half_page,
           .series = {share},
-          .levels = {{.value = limit_deg, .label = "canard limit", .upright = true, .role = Role::limit}},
+          .levels = {{.value = limit_deg,
+                      .label = p.reach.set_by.empty() ? "canard limit" : p.reach.set_by,
+                      .upright = true,
+                      .role = Role::limit}},
           .x_range = page::Range{0.0, 1.1 * std::max(limit_deg, share.x.back())},
           .y_range = page::Range{0.0, 100.0}};
 }

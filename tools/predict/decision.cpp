@@ -2,10 +2,13 @@
 #include "predict/decision.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <string_view>
 
 #include <fmt/core.h>
 
+#include "predict/advice.hpp"
 #include "predict/sentences.hpp"
 #include "text/number.hpp"
 
@@ -16,18 +19,23 @@ using text::brief;
 using text::degrees;
 using text::fixed;
 
+// What control engineers call comfortable; advice aims at it, or at what is asked for where that is more.
+constexpr double comfortable_phase_margin_rad = text::radians(45.0);
+
 Judgement judge(bool met) { return met ? Judgement::met : Judgement::not_met; }
 
 std::string required_share(double share) { return "at least " + percent(share) + " of the runs"; }
 
 std::string found_share(const Share& share) {
-  return fmt::format("{} ({} to {})", of_the_runs(share.value), fixed(100.0 * share.low, 0), percent(share.high));
+  return fmt::format("{} ({} to {})", of_the_runs(share.value), fixed(std::floor(100.0 * share.low), 0),
+                     percent(share.high));
 }
 
 bool too_few_runs(const Share& share, double threshold) { return share.value >= threshold && share.low < threshold; }
 
 std::string more_runs(const Share& share, double threshold) {
-  return fmt::format(", but {} runs are too few to be sure of {}: take more with --runs", share.of, percent(threshold));
+  return fmt::format(", but {} too few to be sure of {}: take more with --runs",
+                     share.of == 1 ? "1 run is" : fmt::format("{} runs are", share.of), percent(threshold));
 }
 
 Criterion authority(const Prediction& p, double threshold) {
@@ -37,95 +45,135 @@ Criterion authority(const Prediction& p, double threshold) {
               .found = found_share(share),
               .required = required_share(threshold),
               .judgement = judge(share.low >= threshold)};
-  const std::string offset = fixed(degrees(p.offset_size_rad.p50), 1);
-  const std::string limit = brief(degrees(p.limit_rad), 1);
   const bool within = c.judgement == Judgement::met || too_few_runs(share, threshold);
-  c.clause =
-      fmt::format("the fin offset of about {} degrees is {} the {} degree canard limit in {}", offset,
-                  within ? "within" : "larger than", limit, of_the_runs(within ? share.value : 1.0 - share.value));
+  c.clause = fmt::format("the fin offset of about {} degrees is {} the {} in {}",
+                         fixed(degrees(p.offset_size_rad.p50), 1), within ? "within" : "larger than", p.reach.text(),
+                         of_the_runs(within ? share.value : 1.0 - share.value));
   if (too_few_runs(share, threshold)) {
     c.clause += more_runs(share, threshold);
   }
   return c;
 }
 
+/// What a run that is not held came to, as a clause.
+struct NotHeld {
+  report::Outcome outcome;
+  std::string_view clause;
+};
+constexpr std::array ways_not_to_hold{NotHeld{report::Outcome::oscillates, "the canards oscillate"},
+                                      NotHeld{report::Outcome::cut_short, "control ends early"},
+                                      NotHeld{report::Outcome::no_control, "control does not begin"},
+                                      NotHeld{report::Outcome::not_judged, "the roll could not be judged"}};
+
+/// "in 3 of 200 runs control does not begin (run 17: no launch was detected)"; empty where no run came to it.
+std::string first_with(const Prediction& p, const NotHeld& what) {
+  const auto count = static_cast<std::size_t>(std::ranges::count(p.runs, what.outcome, &Run::outcome));
+  if (count == 0) {
+    return {};
+  }
+  const auto first = std::ranges::find(p.runs, what.outcome, &Run::outcome);
+  const std::string many = count < p.runs.size() ? fmt::format("in {} of {}", count, runs(p.runs.size()))
+                           : count == 1          ? "in the run"
+                                                 : "in all runs";
+  return fmt::format("{} {} (run {}: {})", many, what.clause, first - p.runs.begin(), cause(*first));
+}
+
 Criterion held(const Prediction& p, double threshold) {
   const Share& share = p.held;
-  Criterion c{.key = "held", .label = "Roll is held", .required = required_share(threshold)};
-  if (share.of == 0) {
-    c.found = "could not be judged";
-    c.clause =
-        "whether roll is held: the reference is never constant for long enough, or the proportional gain is zero";
+  Criterion c{.key = "held",
+              .label = "Roll is held",
+              .found = found_share(share),
+              .required = required_share(threshold),
+              .judgement = judge(share.low >= threshold)};
+  if (p.not_judged > 0) {
+    c.found += fmt::format(", {} of {} not judged", p.not_judged, runs(p.runs.size()));
+  }
+  std::string others;
+  for (const NotHeld& what : ways_not_to_hold) {
+    if (const std::string text = first_with(p, what); !text.empty()) {
+      others += (others.empty() ? "" : ", ") + text;
+    }
+  }
+  if (p.without_control == p.runs.size() || p.not_judged == p.runs.size()) {
+    c.clause = others;
+    c.judgement = p.without_control > 0 ? Judgement::not_met : c.judgement;  // also where no share is asked for
     return c;
   }
-  c.found = found_share(share);
-  c.judgement = judge(share.low >= threshold);
   c.clause = fmt::format("roll is held in {}{}", share.value >= threshold || share.count == 0 ? "" : "only ",
                          of_the_runs(share.value));
-  if (p.without_control > 0) {
-    c.clause += fmt::format(" (control never began in {} of {})", p.without_control, p.runs.size());
-  }
   if (too_few_runs(share, threshold)) {
     c.clause += more_runs(share, threshold);
   } else if (c.judgement == Judgement::not_met && p.spin_rate_rad_s) {
     c.clause += fmt::format(" (without authority it turns at about {} degrees a second at top speed)",
                             fixed(degrees(p.spin_rate_rad_s->p50), 0));
   }
+  const auto not_held = std::ranges::find(p.runs, report::Outcome::not_held, &Run::outcome);
+  if (not_held != p.runs.end() && !p.spin_rate_rad_s) {
+    c.clause += fmt::format(" (not in run {}: {})", not_held - p.runs.begin(), cause(*not_held));
+  }
+  c.clause += others.empty() ? "" : ", " + others;
   return c;
+}
+
+/// With a digit more where the whole number would hide on which side of the threshold it is.
+std::string phase_margin_text(double found_rad, double threshold_rad) {
+  const int decimals = found_rad < threshold_rad && fixed(degrees(found_rad), 0) == fixed(degrees(threshold_rad), 0);
+  return decimals == 0 ? fixed(std::floor(degrees(found_rad)), 0)
+                       : fixed(std::floor(10.0 * degrees(found_rad)) / 10.0, 1);
 }
 
 Criterion phase_margin(const Prediction& p, double threshold_rad) {
   Criterion c{.key = "phase_margin",
-              .label = "Phase margin at the worst speed, median",
+              .label = "Phase margin at the worst speed, low end (5 %) of the runs",
               .required = fmt::format("at least {} degrees", brief(degrees(threshold_rad), 1))};
+  if (p.without_control == p.runs.size()) {
+    c.found = "not judged: no run was under control";
+    return c;
+  }
   if (!p.worst_speed) {
-    const bool no_control = p.without_control == p.runs.size();
-    c.found = no_control ? "control never begins" : "the loop has no gain";
-    c.clause = no_control ? "control never begins" : "the gains are too small to hold anything";
+    c.found = "the loop has no gain";
+    c.clause = "the gains are too small to hold anything";
     c.judgement = Judgement::not_met;
     return c;
   }
   const MarginsAtSpeed& worst = *p.worst_speed;
-  const double found_rad = worst.phase_margin_rad.p50;
+  const double found_rad = worst.phase_margin_rad.p5;
+  const std::string found = phase_margin_text(found_rad, threshold_rad);
+  const std::string speed = fixed(worst.speed_m_s, 0);
   c.judgement = judge(found_rad >= threshold_rad);
-  c.found = fmt::format("{} degrees at {} m/s", fixed(degrees(found_rad), 0), fixed(worst.speed_m_s, 0));
-  c.clause =
-      c.judgement == Judgement::met
-          ? fmt::format("the median phase margin is at least {} degrees at every speed", fixed(degrees(found_rad), 0))
-          : fmt::format("at {} m/s the median phase margin is {} degrees, less than the {} asked for",
-                        fixed(worst.speed_m_s, 0), fixed(degrees(found_rad), 0), brief(degrees(threshold_rad), 1));
+  c.found =
+      fmt::format("{} degrees at {} m/s (median {})", found, speed, fixed(degrees(worst.phase_margin_rad.p50), 0));
+  c.clause = c.judgement == Judgement::met
+                 ? fmt::format("95 % of the runs have a phase margin of {} degrees or more at every speed", found)
+                 : fmt::format(
+                       "at {} m/s 5 % of the runs have a phase margin of {} degrees or less, where {} is asked "
+                       "for",
+                       speed, found, brief(degrees(threshold_rad), 1));
   return c;
 }
 
-std::string advice_on_authority(const Prediction& p, double share) {
-  std::vector<double> sizes(p.runs.size());
-  std::ranges::transform(p.runs, sizes.begin(), [](const Run& run) { return std::abs(run.offset_rad); });
-  constexpr double step_deg = 0.5;
-  const double enough_deg = step_deg * std::ceil(degrees(point_above(std::move(sizes), share)) / step_deg);
-  return fmt::format(
-      "A canard limit of {} degrees would balance the offset in {} of the runs; so would straighter fins.",
-      brief(enough_deg, 1), percent(share));
-}
-
 std::vector<std::string> advice(const Decision& d, const Prediction& p) {
-  std::vector<std::string> all;
+  LimitAdvice limit;
+  GainAdvice gains;
   for (const Criterion& c : d.criteria) {
     if (c.judgement != Judgement::not_met) {
       continue;
     }
     if (c.key == "authority" && !too_few_runs(p.authority, d.thresholds.authority_share)) {
-      all.push_back(advice_on_authority(p, d.thresholds.authority_share));
+      limit = advice_on_canard_limit(p, d.thresholds.authority_share);
     } else if (c.key == "phase_margin" && p.worst_speed) {
-      all.emplace_back("Smaller gains or a faster servo give the loop more phase margin.");
+      gains = advice_on_gains(p, std::max(comfortable_phase_margin_rad, d.thresholds.phase_margin_rad));
     }
   }
+  std::vector<std::string> all{limit.sentence, gains.sentence, trial(p, limit, gains)};
+  std::erase(all, "");
   return all;
 }
 
-std::string joined(const std::vector<Criterion>& criteria, Judgement judgement) {
+std::string joined(const std::vector<Criterion>& criteria, bool met) {
   std::string text;
   for (const Criterion& c : criteria) {
-    if (c.judgement == judgement) {
+    if ((c.judgement == Judgement::met) == met && !c.clause.empty()) {
       text += (text.empty() ? "" : "; ") + c.clause;
     }
   }
@@ -138,11 +186,10 @@ Decision decide(const Prediction& prediction, const Thresholds& thresholds) {
   Decision d{.thresholds = thresholds};
   d.criteria = {authority(prediction, thresholds.authority_share), held(prediction, thresholds.held_share),
                 phase_margin(prediction, thresholds.phase_margin_rad)};
-  const std::string wrong = joined(d.criteria, Judgement::not_met);
-  d.go = wrong.empty();
-  d.text = d.go ? "Go: " + joined(d.criteria, Judgement::met) + "." : "No go: " + wrong + ".";
-  if (const std::string open = joined(d.criteria, Judgement::not_judged); !open.empty()) {
-    d.text += " Not judged: " + open + ".";
+  d.go = std::ranges::all_of(d.criteria, [](const Criterion& c) { return c.judgement == Judgement::met; });
+  d.text = fmt::format("{}: {}.", d.go ? "Go" : "No go", joined(d.criteria, d.go));
+  if (const std::string missing = missing_spread(prediction); !missing.empty()) {
+    d.text += " " + missing;
   }
   d.advice = advice(d, prediction);
   return d;

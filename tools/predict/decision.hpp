@@ -14,7 +14,7 @@ namespace fantail::predict {
 struct Thresholds {
   double authority_share = 0.95;                  ///< of the runs whose canards can balance the offset
   double held_share = 0.90;                       ///< of the runs that hold their roll
-  double phase_margin_rad = text::radians(30.0);  ///< in the median, at the worst speed flown
+  double phase_margin_rad = text::radians(30.0);  ///< of 95 % of the runs, at the worst speed flown
 };
 
 enum class Judgement : std::uint8_t { met, not_met, not_judged };
@@ -25,19 +25,20 @@ struct Criterion {
   std::string found{};     ///< "100 % of the runs (98 to 100 %)"
   std::string required{};  ///< "at least 95 % of the runs"
   Judgement judgement = Judgement::not_judged;
-  std::string clause{};  ///< says what was found and, when it is not met, what is wrong; no full stop
+  std::string clause{};  ///< says what was found and, when it is not met, what is wrong; no full stop; empty where
+                         ///< another criterion says the same
 };
 
 struct Decision {
   bool go = false;
   std::vector<Criterion> criteria{};
-  std::string text{};                 ///< "Go: ..." or "No go: ...", and a sentence more for what could not be judged
+  std::string text{};                 ///< "Go: ..." or "No go: ..."
   std::vector<std::string> advice{};  ///< what would have to change, a sentence each; empty for go
   Thresholds thresholds{};
 };
 
-/// Go when no criterion is not met. Shares must reach their threshold with the low end of their interval: runs that are
-/// too few to tell are no go.
+/// Go when every criterion is met: what could not be judged is no go. Shares must reach their threshold with the low
+/// end of their interval: runs that are too few to tell are no go.
 [[nodiscard]] Decision decide(const Prediction& prediction, const Thresholds& thresholds);
 
 }  // namespace fantail::predict

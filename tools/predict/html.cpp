@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <array>
 #include <cctype>
+#include <cmath>
 #include <numbers>
 
 #include <fmt/core.h>
@@ -38,15 +39,14 @@ page::Figure figure(std::string label, const Share& s) {
   return {.label = std::move(label),
           .value = fixed(100.0 * s.value, 0),
           .unit = "%",
-          .remark = fmt::format("of {} runs; 95 % interval {} to {}", s.of, fixed(100.0 * s.low, 0), percent(s.high))};
+          .remark = fmt::format("of {}; 95 % interval {} to {}", runs(s.of), fixed(std::floor(100.0 * s.low), 0),
+                                percent(s.high))};
 }
 
 std::string figures(const Prediction& p) {
   std::vector<page::Figure> all{figure("authority margin", p.authority_margin_rad, in_degrees, 1, "deg"),
                                 figure("canards can balance the offset", p.authority)};
-  if (p.held.of > 0) {
-    all.push_back(figure("roll is held", p.held));
-  }
+  all.push_back(figure("roll is held", p.held));
   if (p.worst_speed) {
     all.push_back(figure(fmt::format("phase margin at {} m/s, the worst speed", fixed(p.worst_speed->speed_m_s, 0)),
                          p.worst_speed->phase_margin_rad, in_degrees, 0, "deg"));
@@ -109,7 +109,7 @@ std::string stability(const Prediction& p, const Decision& decision) {
     const MarginsAtSpeed& at = p.over_speed[i];
     rows.push_back({{fixed(at.speed_m_s, 0)},
                     {with_ends(at.phase_margin_rad, in_degrees, 0)},
-                    {with_ends(at.crossover_rad_s, 1.0, 1)},
+                    {at.crossover_rad_s ? with_ends(*at.crossover_rad_s, 1.0, 1) : "none"},
                     {at.gain_margin ? with_ends(*at.gain_margin, 1.0, 1) : "any"}});
   }
   return page::figure(phase_margin_chart(p, decision.thresholds),
@@ -126,23 +126,33 @@ std::string airframes(const Prediction& p) {
   return page::side_by_side(pair);
 }
 
+std::string repetition(const Prediction& p) {
+  return page::paragraph(fmt::format(
+      "runs.csv has a row for each run. This command flies one of them again, the first in this case, and writes its "
+      "flight report: {}",
+      repeat_command(p, "0")));
+}
+
 }  // namespace
 
 std::string prediction_html(const Prediction& p, const Decision& decision, std::string_view version) {
   const std::string heading = decision.go ? "Go" : "No go";
-  return page::html({.kind = "Fantail launch prediction",
-                     .title = p.scenario,
-                     .subtitle = fmt::format("{}, plan {}; {} runs, seed {}; Fantail {}", p.vehicle, p.plan_name,
-                                             p.runs.size(), p.seed, version),
-                     .tone = decision.go ? page::Tone::good : page::Tone::bad,
-                     .verdict_heading = heading,
-                     .verdict = without_heading(decision),
-                     .body_html = page::section("Median of the runs", figures(p)) +
-                                  page::section("Requirements", criteria(decision)) +
-                                  page::section("Predicted roll", roll(p)) +
-                                  page::section("Fin offset and airframe", airframes(p)) +
-                                  page::section("Stability over speed", stability(p, decision)) +
-                                  page::section("How this was found", page::list(basis(p)))});
+  const std::string changes = p.request.changes.empty() ? "" : ". " + changes_sentence(p);
+  const std::string notes =
+      p.flight_notes.empty() ? "" : page::section("Notes of the flights", page::list(p.flight_notes));
+  return page::html(
+      {.kind = "Fantail launch prediction",
+       .title = p.scenario,
+       .subtitle = fmt::format("{}, plan {}; {}, seed {}; Fantail {}{}", p.vehicle, p.plan_name, runs(p.runs.size()),
+                               p.seed, version, changes),
+       .tone = decision.go ? page::Tone::good : page::Tone::bad,
+       .verdict_heading = heading,
+       .verdict = without_heading(decision),
+       .body_html =
+           page::section("Median of the runs", figures(p)) + page::section("Requirements", criteria(decision)) +
+           page::section("Predicted roll", roll(p)) + page::section("Fin offset and airframe", airframes(p)) +
+           page::section("Stability over speed", stability(p, decision)) + notes +
+           page::section("How this was found", page::list(basis(p))) + page::section("Any run again", repetition(p))});
 }
 
 }  // namespace fantail::predict

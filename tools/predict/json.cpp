@@ -62,6 +62,9 @@ Json tunnel(const Prediction& p) {
           {"steps", p.tunnel.steps.size()},
           {"swirl_deg", rounded(degrees(p.tunnel.swirl_rad))},
           {"sources", p.tunnel.sources},
+          {"vehicle", p.tunnel.vehicle ? Json{*p.tunnel.vehicle} : Json{}},
+          {"reference_area_m2", p.tunnel.reference_area_m2 ? Json{*p.tunnel.reference_area_m2} : Json{}},
+          {"area_factor", p.area ? Json::array({rounded(p.area->low), rounded(p.area->high)}) : Json{}},
           {"damping_factor", Json::array({p.damping.low, p.damping.high})}};
 }
 
@@ -73,13 +76,15 @@ std::string prediction_json(const Prediction& p, const Decision& decision, std::
                     {"vehicle", p.vehicle},
                     {"plan", p.plan_name},
                     {"seed", p.seed},
+                    {"changes", p.request.changes},
+                    {"repeat_run", repeat_command(p, "RUN")},
                     {"runs", p.runs.size()},
                     {"go", decision.go},
                     {"verdict", decision.text},
                     {"criteria", criteria(decision)},
                     {"advice", decision.advice},
                     {"tunnel", tunnel(p)},
-                    {"canard_limit_deg", rounded(degrees(p.limit_rad))},
+                    {"canard_limit_deg", rounded(degrees(p.reach.angle_rad))},
                     {"offset_size_deg", json(p.offset_size_rad, in_degrees)},
                     {"authority_margin_deg", json(p.authority_margin_rad, in_degrees)},
                     {"authority", json(p.authority)},
@@ -91,6 +96,7 @@ std::string prediction_json(const Prediction& p, const Decision& decision, std::
                     {"spin_rate_deg_s", json(p.spin_rate_rad_s, in_degrees)},
                     {"top_speed_m_s", json(p.top_speed_m_s)},
                     {"stability", stability(p)},
+                    {"flight_notes", p.flight_notes},
                     {"basis", basis(p)},
                     {"version", version}};
   return all.pretty();

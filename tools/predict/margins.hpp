@@ -7,20 +7,26 @@
 #include "predict/run.hpp"
 #include "predict/share.hpp"
 #include "sim/scenario.hpp"
+#include "stability/gain_choice.hpp"
 
 namespace fantail::predict {
 
-/// The loop's margins at one air speed, over the airframes of the runs.
+/// The loop's margins at one air speed, over the airframes of the runs. A loop whose gain never reaches one cannot
+/// swing: it counts as a phase margin of half a turn.
 struct MarginsAtSpeed {
   double speed_m_s = 0.0;
   Spread phase_margin_rad{};
-  Spread crossover_rad_s{};
-  std::optional<Spread> gain_margin{};  ///< empty when some airframe has none: no gain makes it swing
+  std::optional<Spread> crossover_rad_s{};  ///< empty, as the next, when some airframe has none
+  std::optional<Spread> gain_margin{};      ///< no gain makes such an airframe swing
 };
 
-/// Over the airframes of the runs, from one speed to another. Empty where a gain never reaches one.
+/// The loops of the airframes of the runs at each of these speeds.
+[[nodiscard]] stability::LoopsAtSpeeds loops_at_speeds(const sim::Scenario& scenario, const std::vector<Run>& runs,
+                                                       const std::vector<double>& speeds_m_s);
+
+/// Without the speeds at which no airframe can swing.
 [[nodiscard]] std::vector<MarginsAtSpeed> margins_over_speed(const sim::Scenario& scenario,
-                                                             const std::vector<Run>& runs, double from_m_s,
-                                                             double to_m_s);
+                                                             const std::vector<Run>& runs,
+                                                             const std::vector<double>& speeds_m_s);
 
 }  // namespace fantail::predict

@@ -6,17 +6,19 @@
 
 #include <fmt/core.h>
 
-#include "flight/flight.hpp"
-#include "input/fault_file.hpp"
 #include "predict/margins.hpp"
 #include "predict/parallel_for.hpp"
+#include "predict/run_notes.hpp"
+#include "predict/tunnel_use.hpp"
 #include "stability/roll_loop.hpp"
 #include "text/degrees.hpp"
 #include "text/error.hpp"
+#include "text/number.hpp"
 
 namespace fantail::predict {
 namespace {
 
+using text::fixed;
 using Track = std::vector<double> Run::*;
 
 /// The scenario with the servo that was measured.
@@ -62,7 +64,7 @@ void count(Prediction& p) {
   p.authority = share(number([](const Run& run) { return run.authority_margin_rad > 0.0; }), p.runs.size());
   p.not_judged = came_to(report::Outcome::not_judged);
   p.without_control = came_to(report::Outcome::no_control);
-  p.held = share(came_to(report::Outcome::held), p.runs.size() - p.not_judged);
+  p.held = share(came_to(report::Outcome::held), p.runs.size());
 }
 
 Band band(const std::vector<Run>& runs) {
@@ -91,13 +93,28 @@ Band band(const std::vector<Run>& runs) {
   return all;
 }
 
-void find_margins(Prediction& p, const sim::Scenario& scenario) {
-  const auto start = spread_where_known(p.runs, [](const Run& run) { return run.speed_at_control_start_m_s; });
-  if (!start) {
-    return;
+/// Of all runs; evenly spaced.
+std::vector<double> speeds_flown(const std::vector<Run>& runs) {
+  constexpr int speeds = 33;
+  std::optional<double> lowest;
+  double highest = 0.0;
+  for (const Run& run : runs) {
+    if (const auto start = run.speed_at_control_start_m_s) {
+      lowest = std::min(lowest.value_or(*start), *start);
+      highest = std::max(highest, run.top_speed_m_s);
+    }
   }
-  p.over_speed = margins_over_speed(scenario, p.runs, start->p50, p.top_speed_m_s.p50);
-  const auto worst = std::ranges::min_element(p.over_speed, {}, [](const auto& at) { return at.phase_margin_rad.p50; });
+  std::vector<double> all;
+  for (int i = 0; lowest && i < speeds; ++i) {
+    all.push_back(*lowest + (highest - *lowest) * i / (speeds - 1));
+  }
+  return all;
+}
+
+void find_margins(Prediction& p) {
+  p.speeds_m_s = speeds_flown(p.runs);
+  p.over_speed = margins_over_speed(p.flown, p.runs, p.speeds_m_s);
+  const auto worst = std::ranges::min_element(p.over_speed, {}, [](const auto& at) { return at.phase_margin_rad.p5; });
   if (worst != p.over_speed.end()) {
     p.worst_speed = *worst;
   }
@@ -106,18 +123,30 @@ void find_margins(Prediction& p, const sim::Scenario& scenario) {
 std::vector<std::string> notes(const sim::Scenario& scenario, const TunnelResult& tunnel) {
   std::vector<std::string> all = scenario.vehicle.assumed;
   all.insert(all.end(), scenario.assumed.begin(), scenario.assumed.end());
-  all.push_back(fmt::format("The tunnel steps were identified with the reference area of this vehicle, {:.4g} m2.",
-                            scenario.vehicle.roll_plant.reference_area_m2));
-  if (tunnel.steps.size() < 5) {
-    all.push_back(fmt::format("{} rows say little about how different the next one can be.", tunnel.steps.size()));
-  }
+  all.push_back(whose_rows(scenario, tunnel));
+  all.push_back(which_area(scenario, tunnel));
   if (scenario.imposed_roll) {
     all.emplace_back("The roll that the scenario imposes is left out: it is unknown before the flight.");
   }
-  for (const sim::Fault& fault : scenario.faults) {
-    all.push_back(fmt::format("Every run has the scenario's fault {}.", input::name(fault.kind)));
-  }
   return all;
+}
+
+void require(const sim::Scenario& scenario, const TunnelResult& tunnel, const Options& options) {
+  require_launch(scenario);
+  if (!options.other_vehicle) {
+    require_same_vehicle(scenario, tunnel);
+  }
+}
+
+AirframeSpread spread_of_airframes(const sim::Scenario& scenario, const TunnelResult& tunnel, const Options& options) {
+  return {for_vehicle(scenario, tunnel).steps, options.damping, area_factor(scenario, tunnel)};
+}
+
+std::string airframe_sentence(std::size_t number, std::uint64_t seed, const TunnelStep& airframe) {
+  return fmt::format("Run {} of the prediction with seed {}: damping {} m2, torque {} m, fin offset from {} to {} deg.",
+                     number, seed, fixed(airframe.damping_m2, 3), fixed(airframe.torque_m, 3),
+                     fixed(text::degrees(airframe.offset_begin_rad), 2),
+                     fixed(text::degrees(airframe.offset_end_rad), 2));
 }
 
 }  // namespace
@@ -131,27 +160,40 @@ void require_launch(const sim::Scenario& scenario) {
   }
 }
 
+RepeatedRun repeat_run(const sim::Scenario& scenario, const TunnelResult& tunnel, const Options& options,
+                       std::size_t number) {
+  require(scenario, tunnel, options);
+  const sim::Scenario flown = with_servo(scenario, options);
+  const std::uint64_t seed = seed_of_run(scenario.seed, number);
+  const TunnelStep airframe = spread_of_airframes(scenario, tunnel, options).draw(seed);
+  flight::Flight flight = fly_airframe(flown, airframe, seed, fly::Log::kept);
+  flight.notes.insert(flight.notes.begin(), airframe_sentence(number, scenario.seed, airframe));
+  return {.run = run_of(flight, flown, airframe), .flight = std::move(flight)};
+}
+
 Prediction predict(const sim::Scenario& scenario, const TunnelResult& tunnel, const Options& options,
                    const std::function<void(std::size_t)>& look) {
-  require_launch(scenario);
-  const sim::Scenario flown = with_servo(scenario, options);
+  require(scenario, tunnel, options);
   Prediction p{.scenario = scenario.name,
                .vehicle = scenario.vehicle.name,
                .plan_name = scenario.plan_name,
                .seed = scenario.seed,
-               .tunnel = tunnel,
+               .tunnel = for_vehicle(scenario, tunnel),
+               .request = options.request,
                .damping = options.damping,
+               .area = area_factor(scenario, tunnel),
                .notes = notes(scenario, tunnel),
-               .limit_rad = flight::canard_limit_rad(scenario.plan),
-               .servo_lag_s = flown.vehicle.servo.lag_s,
-               .delay_s = stability::loop_delay_s(flown.vehicle),
+               .reach = canard_reach(scenario),
+               .flown = with_servo(scenario, options),
                .runs = std::vector<Run>(options.runs)};
-  const AirframeSpread airframes{tunnel.steps, options.damping};
+  p.servo_lag_s = p.flown.vehicle.servo.lag_s;
+  p.delay_s = stability::loop_delay_s(p.flown.vehicle);
+  const AirframeSpread airframes = spread_of_airframes(scenario, tunnel, options);
   parallel_for(
       options.runs, options.threads,
       [&](std::size_t i) {
         const std::uint64_t seed = seed_of_run(scenario.seed, i);
-        p.runs[i] = fly_run(flown, airframes.draw(seed), seed);
+        p.runs[i] = fly_run(p.flown, airframes.draw(seed), seed);
       },
       look);
   count(p);
@@ -162,7 +204,8 @@ Prediction predict(const sim::Scenario& scenario, const TunnelResult& tunnel, co
   p.saturated_share = spread_where_known(p.runs, [](const Run& run) { return run.saturated_share; });
   p.spin_rate_rad_s = spread_where_known(p.runs, [](const Run& run) { return size_of(run.spin_rate_rad_s); });
   p.band = band(p.runs);
-  find_margins(p, flown);
+  p.flight_notes = notes_of(p.runs);
+  find_margins(p);
   return p;
 }
 

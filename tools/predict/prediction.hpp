@@ -8,7 +8,9 @@
 #include <string>
 #include <vector>
 
+#include "flight/flight.hpp"
 #include "predict/airframe.hpp"
+#include "predict/canard_reach.hpp"
 #include "predict/margins.hpp"
 #include "predict/run.hpp"
 #include "predict/share.hpp"
@@ -17,12 +19,20 @@
 
 namespace fantail::predict {
 
+/// What a person asked for, for the results to repeat.
+struct Request {
+  std::vector<std::string> changes{};  ///< of the scenario, as on the command line: "controller.canard_limit_deg=9"
+  std::string command{};               ///< with "--run 17" behind it, it flies run 17 alone
+};
+
 struct Options {
   std::size_t runs = 200;
   unsigned threads = 0;  ///< 0: as many as the machine has; no figure depends on it
   DampingFactor damping{};
+  bool other_vehicle = false;             ///< take tunnel steps that say they are of another vehicle
   std::optional<double> servo_lag_s{};    ///< measured; else the vehicle's
   std::optional<double> servo_delay_s{};  ///< measured, from command to canard, lag apart; else what the vehicle says
+  Request request{};
 };
 
 /// Roll over time, over all runs that left the pad.
@@ -38,34 +48,49 @@ struct Prediction {
   std::string vehicle{};
   std::string plan_name{};
   std::uint64_t seed = 0;
-  TunnelResult tunnel{};
+  TunnelResult tunnel{};  ///< damping and torque for the reference area of the vehicle
+  Request request{};
   DampingFactor damping{};
-  std::vector<std::string> notes{};  ///< what was assumed, a sentence each
-  double limit_rad = 0.0;
+  std::optional<AreaFactor> area{};         ///< empty: the reference area is not in the spread
+  std::vector<std::string> notes{};         ///< what was assumed, a sentence each
+  std::vector<std::string> flight_notes{};  ///< what the flights of the runs remark, a sentence each
+  CanardReach reach{};
+  sim::Scenario flown{};  ///< with the servo that was measured; every run has an airframe of its own
   double servo_lag_s = 0.0;
   double delay_s = 0.0;  ///< all dead time of the loop
   std::vector<Run> runs{};
 
   Spread offset_size_rad{};  ///< |offset|
   Spread authority_margin_rad{};
-  Share authority{};           ///< runs with a margin above zero
-  Share held{};                ///< of those that could be judged
-  std::size_t not_judged = 0;  ///< their reference never stands still, or they have no proportional gain
+  Share authority{};  ///< runs with a margin above zero
+  Share held{};       ///< of all runs: what cannot be judged was not seen to hold
+  std::size_t not_judged = 0;
   std::size_t without_control = 0;
   Spread top_speed_m_s{};
   std::optional<Spread> settle_rad{};
   std::optional<Spread> saturated_share{};
   std::optional<Spread> spin_rate_rad_s{};  ///< size; of the runs without authority
   Band band{};
-  std::vector<MarginsAtSpeed> over_speed{};     ///< from the speed at control start to top speed; empty without a loop
-  std::optional<MarginsAtSpeed> worst_speed{};  ///< where the median phase margin is least
+  std::vector<double> speeds_m_s{};  ///< from the lowest at control start to the highest flown; empty without control
+  std::vector<MarginsAtSpeed> over_speed{};     ///< at those of them where the loop can swing
+  std::optional<MarginsAtSpeed> worst_speed{};  ///< where the low end of the phase margin is least
 };
 
 /// Throws text::Error for a scenario that is no launch.
 void require_launch(const sim::Scenario& scenario);
 
+/// One run of a prediction, with all that a flight report is made from.
+struct RepeatedRun {
+  Run run{};
+  flight::Flight flight{};
+};
+
+/// Flies one run of predict() alone: it is the same with every number of runs. Throws what predict() throws.
+[[nodiscard]] RepeatedRun repeat_run(const sim::Scenario& scenario, const TunnelResult& tunnel, const Options& options,
+                                     std::size_t number);
+
 /// Flies the launch over the spread. `look` is told how many runs are done and may throw to give up. Throws
-/// what require_launch() throws.
+/// what require_launch() throws and, unless another vehicle is allowed, what require_same_vehicle() throws.
 [[nodiscard]] Prediction predict(const sim::Scenario& scenario, const TunnelResult& tunnel, const Options& options,
                                  const std::function<void(std::size_t done)>& look);
 

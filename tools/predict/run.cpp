@@ -4,8 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "flight/flight.hpp"
-#include "fly/fly_scenario.hpp"
+#include "predict/canard_reach.hpp"
 #include "report/figures.hpp"
 #include "sim/random.hpp"
 
@@ -38,6 +37,17 @@ void keep_roll(Run& run, const flight::Flight& flight) {
   }
 }
 
+void keep_notes(Run& run, const flight::Flight& flight, const sim::Scenario& scenario) {
+  const auto is_in = [](const std::vector<std::string>& all, const std::string& one) {
+    return std::ranges::find(all, one) != all.end();
+  };
+  for (const std::string& note : flight.notes) {
+    if (!is_in(scenario.assumed, note) && !is_in(scenario.vehicle.assumed, note)) {
+      run.notes.push_back(note);
+    }
+  }
+}
+
 void look_at_control(Run& run, const flight::Flight& flight) {
   const auto is_control = [](const flight::Row& row) { return row.phase == core::Phase::controlling; };
   const auto first = std::ranges::find_if(flight.rows, is_control);
@@ -66,17 +76,28 @@ std::optional<double> spin_rate_rad_s(const TunnelStep& airframe, double offset_
   return speed_m_s * airframe.torque_m * left_rad / airframe.damping_m2;
 }
 
+flight::Flight fly_airframe(const sim::Scenario& scenario, const TunnelStep& airframe, std::uint64_t seed,
+                            fly::Log log) {
+  return fly::fly_scenario(with_airframe(scenario, airframe, seed), {}, {}, log);
+}
+
 Run fly_run(const sim::Scenario& scenario, const TunnelStep& airframe, std::uint64_t seed) {
-  const flight::Flight flight = fly::fly_scenario(with_airframe(scenario, airframe, seed));
+  return run_of(fly_airframe(scenario, airframe, seed, fly::Log::dropped), scenario, airframe);
+}
+
+Run run_of(const flight::Flight& flight, const sim::Scenario& scenario, const TunnelStep& airframe) {
   const report::Figures figures = report::figures(flight);
-  const double limit_rad = flight::canard_limit_rad(scenario.plan);
+  const report::Verdict verdict = report::verdict(flight, figures);
+  const double limit_rad = canard_reach(scenario).angle_rad;
   Run run;
-  run.seed = seed;
+  run.seed = flight.seed.value_or(0);
   run.airframe = airframe;
   run.offset_rad = std::abs(airframe.offset_begin_rad) > std::abs(airframe.offset_end_rad) ? airframe.offset_begin_rad
                                                                                            : airframe.offset_end_rad;
   run.authority_margin_rad = limit_rad - std::abs(run.offset_rad);
-  run.outcome = report::verdict(flight, figures).outcome;
+  run.outcome = verdict.outcome;
+  run.verdict = verdict.text;
+  keep_notes(run, flight, scenario);
   run.largest_hold_error_rad = figures.largest_hold_error_rad;
   run.saturated_share = figures.saturated_fraction;
   run.top_speed_m_s = figures.max_speed_m_s.value_or(0.0);

@@ -4,8 +4,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
+#include "flight/flight.hpp"
+#include "fly/fly_scenario.hpp"
 #include "predict/tunnel_result.hpp"
 #include "report/verdict.hpp"
 #include "sim/scenario.hpp"
@@ -20,19 +23,21 @@ struct Run {
   std::uint64_t seed = 0;
   TunnelStep airframe{};
   double offset_rad = 0.0;            ///< the larger of the airframe's two
-  double authority_margin_rad = 0.0;  ///< canard limit less |offset|
+  double authority_margin_rad = 0.0;  ///< canard_reach() less |offset|
   report::Outcome outcome = report::Outcome::no_control;
-  std::optional<double> largest_hold_error_rad;
-  std::optional<double> saturated_share;
-  std::optional<double> settle_rad;  ///< R + u_d / kp as control ends, where the canards reach it
-  std::optional<double> speed_at_control_start_m_s;
+  std::string verdict{};             ///< what the flight report says of it
+  std::vector<std::string> notes{};  ///< likewise, without what was assumed beforehand, a sentence each
+  std::optional<double> largest_hold_error_rad{};
+  std::optional<double> saturated_share{};
+  std::optional<double> settle_rad{};  ///< R + u_d / kp as control ends, where the canards reach it
+  std::optional<double> speed_at_control_start_m_s{};
   double top_speed_m_s = 0.0;
-  std::optional<double> apogee_m;
+  std::optional<double> apogee_m{};
   /// At top speed, the canards at their limit against an offset that is larger: where the roll rate ends.
-  std::optional<double> spin_rate_rad_s;
-  std::vector<double> roll_angle_rad;  ///< from lift-off to apogee, what truly was; every track_step_s
-  std::vector<double> roll_rate_rad_s;
-  std::vector<std::optional<double>> reference_rad;  ///< at the same times, under control
+  std::optional<double> spin_rate_rad_s{};
+  std::vector<double> roll_angle_rad{};  ///< from lift-off to apogee, what truly was; every track_step_s
+  std::vector<double> roll_rate_rad_s{};
+  std::vector<std::optional<double>> reference_rad{};  ///< at the same times, under control
 };
 
 /// The seed of a run: another for every run, the same for the same number however many there are.
@@ -42,6 +47,13 @@ struct Run {
 /// disturbance. The offset goes from its begin value at lift-off to its end value 1.7 s later and stays: on the first
 /// launch, the one flight where it was seen to rise, it took from detection to then. A roll that the scenario imposes
 /// is left out: nobody knows it beforehand.
+[[nodiscard]] flight::Flight fly_airframe(const sim::Scenario& scenario, const TunnelStep& airframe, std::uint64_t seed,
+                                          fly::Log log);
+
+/// What such a flight came to.
+[[nodiscard]] Run run_of(const flight::Flight& flight, const sim::Scenario& scenario, const TunnelStep& airframe);
+
+/// Both.
 [[nodiscard]] Run fly_run(const sim::Scenario& scenario, const TunnelStep& airframe, std::uint64_t seed);
 
 /// Where a roll rate ends at this speed with the canards held at their limit against the offset; empty when they can

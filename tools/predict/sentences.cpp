@@ -2,8 +2,9 @@
 #include "predict/sentences.hpp"
 
 #include <algorithm>
+#include <cmath>
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include "text/number.hpp"
 
@@ -20,8 +21,46 @@ std::string percent(double share) {
   return (value > 99.0 && value < 100.0 ? fixed(std::min(value, 99.9), 1) : fixed(value, 0)) + " %";
 }
 
+std::string percent_at_least(double share) { return fixed(std::floor(100.0 * share), 0) + " %"; }
+
+std::string runs(std::size_t count) { return fmt::format("{} run{}", count, count == 1 ? "" : "s"); }
+
+std::string cause(const Run& run) {
+  std::string_view text = run.verdict;
+  for (const std::string_view heading : {"No control: ", "Roll not judged: ", "Roll not held: "}) {
+    if (text.starts_with(heading)) {
+      text.remove_prefix(heading.size());
+    }
+  }
+  text = text.substr(0, std::min(text.find(". "), text.find("; ")));
+  return std::string{text.ends_with('.') ? text.substr(0, text.size() - 1) : text};
+}
+
 std::string of_the_runs(double share) {
   return share == 0.0 ? "none of the runs" : share == 1.0 ? "all runs" : percent(share) + " of the runs";
+}
+
+std::string missing_spread(const Prediction& p) {
+  if (p.runs.size() == 1) {
+    return "A single run shows no spread.";
+  }
+  const auto same = [&p](auto... members) {
+    return std::ranges::all_of(p.tunnel.steps, [&](const TunnelStep& step) {
+      return ((step.*members == p.tunnel.steps.front().*members) && ...);
+    });
+  };
+  if (p.tunnel.steps.empty() || !same(&TunnelStep::offset_begin_rad, &TunnelStep::offset_end_rad)) {
+    return {};
+  }
+  return same(&TunnelStep::damping_m2, &TunnelStep::torque_m)
+             ? fmt::format(
+                   "All rows of {} are the same, so every run has the same airframe: nothing here shows how "
+                   "airframes differ.",
+                   p.tunnel.name)
+             : fmt::format(
+                   "All rows of {} have the same fin offset, so every run has it: nothing here shows how offsets "
+                   "differ.",
+                   p.tunnel.name);
 }
 
 std::string_view name(Judgement judgement) {
@@ -42,16 +81,27 @@ std::string_view label(Judgement judgement) {
   return "not judged";
 }
 
+std::string changes_sentence(const Prediction& p) {
+  return p.request.changes.empty()
+             ? ""
+             : fmt::format("Changed on the command line: {}.", fmt::join(p.request.changes, ", "));
+}
+
+std::string repeat_command(const Prediction& p, std::string_view run) {
+  return fmt::format("{} --run {}", p.request.command, run);
+}
+
 std::vector<std::string> basis(const Prediction& p) {
   std::vector<std::string> all;
   all.reserve(p.tunnel.sources.size() + 3);
   for (const std::string& source : p.tunnel.sources) {
     all.push_back(fmt::format("Source of {}: {}.", p.tunnel.name, source));
   }
-  all.push_back(
-      fmt::format("{} airframes drawn from a normal distribution fitted to the {} rows of {}, with the correlation of "
-                  "damping, torque and offset; each flown with sensor noise of its own.",
-                  p.runs.size(), p.tunnel.steps.size(), p.tunnel.name));
+  all.push_back(fmt::format(
+      "{} drawn from Student's t distribution with {} degrees of freedom, fitted to the {} rows of {}, with "
+      "the correlation of damping, torque and offset; each flown with sensor noise of its own.",
+      p.runs.size() == 1 ? "1 airframe" : fmt::format("{} airframes", p.runs.size()), p.tunnel.steps.size() - 1,
+      p.tunnel.steps.size(), p.tunnel.name));
   all.push_back(p.tunnel.swirl_words);
   if (p.damping.low != 1.0 || p.damping.high != 1.0) {
     all.push_back(fmt::format("Damping times a factor between {} and {}, as --damping-factor says.",

@@ -46,7 +46,10 @@ std::string figures(const Prediction& p) {
 
 std::string prediction_text(const Prediction& p, const Decision& decision) {
   std::string text =
-      fmt::format("{} ({}), {} runs, seed {}\n{}\n\n", p.scenario, p.vehicle, p.runs.size(), p.seed, decision.text);
+      fmt::format("{} ({}), {}, seed {}\n{}\n\n", p.scenario, p.vehicle, runs(p.runs.size()), p.seed, decision.text);
+  if (const std::string changes = changes_sentence(p); !changes.empty()) {
+    text.insert(text.find('\n') + 1, changes + "\n");
+  }
   for (const Criterion& c : decision.criteria) {
     text += fmt::format("  {:<11}{}: {}; asked for: {}\n", label(c.judgement), c.label, c.found, c.required);
   }
@@ -57,7 +60,13 @@ std::string prediction_text(const Prediction& p, const Decision& decision) {
   for (const std::string& sentence : basis(p)) {
     text += fmt::format("  {}\n", sentence);
   }
-  return text;
+  if (!p.flight_notes.empty()) {
+    text += "\nNotes of the flights:\n";
+    for (const std::string& sentence : p.flight_notes) {
+      text += fmt::format("  {}\n", sentence);
+    }
+  }
+  return text + fmt::format("\n  any run again, with its flight report: {}\n", repeat_command(p, "RUN"));
 }
 
 }  // namespace fantail::predict

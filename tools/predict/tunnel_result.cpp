@@ -59,6 +59,31 @@ std::string describe_swirl(const TunnelResult& result, bool given, bool in_file)
   return fmt::format("No swirl subtracted: {} has no column swirl_deg, and --swirl was not given.", result.name);
 }
 
+/// What a column says in every row; empty where it is absent or its cells are.
+std::optional<std::string> same_in_all_rows(const flight::Table& table, std::string_view name) {
+  const std::optional<std::size_t> column = table.find(name);
+  if (!column) {
+    return std::nullopt;
+  }
+  const std::string first{table.cell(0, *column)};
+  for (std::size_t row = 1; row < table.rows(); ++row) {
+    if (table.cell(row, *column) != first) {
+      throw text::Error{text::ErrorKind::bad_data,
+                        fmt::format("{}: {} = \"{}\", and \"{}\" in the first row; allowed: the same in all rows",
+                                    table.where(row), name, table.cell(row, *column), first)};
+    }
+  }
+  return first.empty() ? std::nullopt : std::optional{first};
+}
+
+std::optional<double> reference_area_m2(const flight::Table& table) {
+  constexpr std::string_view name = "reference_area_m2";
+  if (!same_in_all_rows(table, name)) {
+    return std::nullopt;
+  }
+  return NumberColumn{table, name, {1e-8, 1.0}}[0];
+}
+
 std::vector<std::string> sources(const flight::Table& table) {
   std::vector<std::string> found;
   const std::optional<std::size_t> column = table.find("source");
@@ -84,15 +109,18 @@ TunnelResult read_tunnel_result(const std::filesystem::path& file, const std::op
   if (!swirl_rad && table.find("swirl_deg")) {
     swirl.emplace(table, "swirl_deg", angle);
   }
-  if (table.rows() < 2) {
-    throw text::Error{text::ErrorKind::bad_data,
-                      fmt::format("{}: has {} of the rows that a spread is made from; allowed: two or more, better "
-                                  "eight, one for each step",
-                                  table.name(), table.rows())};
+  if (table.rows() < fewest_tunnel_steps) {
+    throw text::Error{
+        text::ErrorKind::bad_data,
+        fmt::format("{}: has {} of the rows that a spread is made from, one for each step; allowed: {} or "
+                    "more, better eight, because fewer say next to nothing of how the next one differs",
+                    table.name(), table.rows(), fewest_tunnel_steps)};
   }
   TunnelResult result;
   result.name = file.filename().string();
   result.sources = sources(table);
+  result.vehicle = same_in_all_rows(table, "vehicle");
+  result.reference_area_m2 = reference_area_m2(table);
   for (std::size_t row = 0; row < table.rows(); ++row) {
     const double off_rad = swirl_rad ? *swirl_rad : swirl ? radians((*swirl)[row]) : 0.0;
     result.swirl_rad += off_rad / static_cast<double>(table.rows());

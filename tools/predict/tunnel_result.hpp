@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -16,18 +17,24 @@ struct TunnelStep {
   double offset_end_rad = 0.0;    ///< five seconds later
 };
 
+/// Two steps lie on a line: damping, torque and offset would seem to depend on each other exactly, and Student's t
+/// distribution with one degree of freedom has no mean.
+inline constexpr std::size_t fewest_tunnel_steps = 3;
+
 /// A file of tunnel steps, as `fantail tunnel steps` writes them.
 struct TunnelResult {
-  std::string name;                  ///< of the file, without folder
-  std::vector<std::string> sources;  ///< what the file says of where its rows are from
-  std::vector<TunnelStep> steps;     ///< two or more
-  double swirl_rad = 0.0;            ///< the mean of what was taken off
-  std::string swirl_words;           ///< a sentence: how much was taken off, and who said so
+  std::string name;                           ///< of the file, without folder
+  std::vector<std::string> sources{};         ///< what the file says of where its rows are from
+  std::vector<TunnelStep> steps{};            ///< `fewest_tunnel_steps` or more
+  std::optional<std::string> vehicle{};       ///< whose rows they are; empty: the file does not say
+  std::optional<double> reference_area_m2{};  ///< that damping and torque were identified with; likewise
+  double swirl_rad = 0.0;                     ///< the mean of what was taken off
+  std::string swirl_words;                    ///< a sentence: how much was taken off, and who said so
 };
 
-/// Reads the columns alpha_m2, beta_m, disturbance_begin_deg, disturbance_end_deg, and, where they are there, swirl_deg
-/// and source. The swirl that is taken off is `swirl_rad` when given, else what the column swirl_deg says in that row,
-/// else none. Throws text::Error (no_such_input, bad_data).
+/// Reads the columns alpha_m2, beta_m, disturbance_begin_deg, disturbance_end_deg, and, where they are there,
+/// swirl_deg, source, vehicle and reference_area_m2. The swirl that is taken off is `swirl_rad` when given, else what
+/// the column swirl_deg says in that row, else none. Throws text::Error (no_such_input, bad_data).
 [[nodiscard]] TunnelResult read_tunnel_result(const std::filesystem::path& file,
                                               const std::optional<double>& swirl_rad);
 

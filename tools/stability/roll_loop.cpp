@@ -57,17 +57,29 @@ std::optional<double> gain_margin(const RollLoop& loop) {
 
 constexpr double tick_s = 1e-3;
 
-}  // namespace
-
-std::optional<Margins> margins(const RollLoop& loop) {
+std::optional<double> crossover_rad_s(const RollLoop& loop) {
   const bool has_gain = loop.authority_per_s2 > 0.0 && (loop.proportional_gain > 0.0 || loop.derivative_gain_s > 0.0);
   if (!has_gain || logarithm_of_gain(loop, lowest_rad_s) < 0.0) {
     return std::nullopt;
   }
-  const double crossover = root([&loop](double w) { return logarithm_of_gain(loop, w); }, lowest_rad_s, highest_rad_s);
-  return Margins{.phase_margin_rad = half_turn_rad + phase_rad(loop, crossover),
-                 .crossover_rad_s = crossover,
+  return root([&loop](double w) { return logarithm_of_gain(loop, w); }, lowest_rad_s, highest_rad_s);
+}
+
+}  // namespace
+
+std::optional<Margins> margins(const RollLoop& loop) {
+  const auto crossover = crossover_rad_s(loop);
+  if (!crossover) {
+    return std::nullopt;
+  }
+  return Margins{.phase_margin_rad = half_turn_rad + phase_rad(loop, *crossover),
+                 .crossover_rad_s = *crossover,
                  .gain_margin = gain_margin(loop)};
+}
+
+std::optional<double> phase_margin_rad(const RollLoop& loop) {
+  const auto crossover = crossover_rad_s(loop);
+  return crossover ? std::optional{half_turn_rad + phase_rad(loop, *crossover)} : std::nullopt;
 }
 
 double loop_delay_s(const sim::Vehicle& vehicle) {

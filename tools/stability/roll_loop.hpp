@@ -28,6 +28,9 @@ struct Margins {
 /// Empty when the gain never reaches one, as with gains of zero: nothing can swing then.
 [[nodiscard]] std::optional<Margins> margins(const RollLoop& loop);
 
+/// Of the two the phase margin alone: cheap enough to try thousands of gains with.
+[[nodiscard]] std::optional<double> phase_margin_rad(const RollLoop& loop);
+
 /// All dead time between a roll rate and the canard that answers it: the gyro's, the wait for the next pulse frame and
 /// its hold, and the servo's own.
 [[nodiscard]] double loop_delay_s(const sim::Vehicle& vehicle);

@@ -75,6 +75,18 @@ void remark_on(const StepResult& result, const StepOptions& options, StepTable& 
   }
 }
 
+/// In quotes where a table would take it for several cells.
+std::string in_csv(const std::string& text) {
+  if (text.find_first_of(",\"\n\r#") == std::string::npos) {
+    return text;
+  }
+  std::string quoted = "\"";
+  for (const char c : text) {
+    quoted += c == '"' ? "\"\"" : std::string(1, c == '\n' || c == '\r' ? ' ' : c);
+  }
+  return quoted + '"';
+}
+
 }  // namespace
 
 StepFigures figures_of(const StepResult& result) {
@@ -172,16 +184,19 @@ StepSpeed speed_of_steps(const logs::RollLog& roll, const std::filesystem::path&
   return {std::nullopt, "of the log"};
 }
 
-std::string steps_csv(const StepTable& table) {
+std::string steps_csv(const StepsHeading& heading, const StepTable& table) {
+  const std::string whose = fmt::format(",{},{}", in_csv(heading.vehicle), heading.airframe.reference_area_m2);
   std::string text = "step,begin_s";
   for (const StepColumn& column : columns) {
     text += fmt::format(",{}", column.name);
   }
+  text += ",vehicle,reference_area_m2";
   for (const StepResult& result : table.steps) {
     text += fmt::format("\n{},{:.6f}", result.number, result.step.begin_s);
     for (const StepColumn& column : columns) {
       text += fmt::format(",{:.6f}", column.printed(figures_of(result)));
     }
+    text += whose;
   }
   return text + "\n";
 }

@@ -102,7 +102,7 @@ struct StepSpeed {
 /// What a table of steps was made from.
 struct StepsHeading {
   std::string log{};
-  std::string vehicle{};
+  std::string vehicle{};  ///< empty: inertia and area were given by hand
   identify::model::Airframe airframe{};
   std::optional<double> speed_m_s{};  ///< empty: the log's own, which varies
   std::string speed_source{};         ///< "tunnel.csv", "--speed", "the log"
@@ -115,7 +115,8 @@ struct StepsHeading {
 [[nodiscard]] std::string steps_json(const StepsHeading& heading, const StepTable& table);
 [[nodiscard]] std::string steps_html(const StepsHeading& heading, const StepTable& table);
 
-/// steps.csv: step, begin_s and the columns of step_columns(); one row a step.
-[[nodiscard]] std::string steps_csv(const StepTable& table);
+/// steps.csv: step, begin_s, the columns of step_columns(), and whose rows they are: vehicle, which is empty where
+/// nobody said, and reference_area_m2. One row a step.
+[[nodiscard]] std::string steps_csv(const StepsHeading& heading, const StepTable& table);
 
 }  // namespace fantail::tunnel

@@ -25,13 +25,17 @@ const char* name(identify::result::Method method) {
   return method == identify::result::Method::grid ? "grid" : "continuous";
 }
 
+std::string vehicle(const StepsHeading& heading) {
+  return heading.vehicle.empty() ? "from the command line" : heading.vehicle;
+}
+
 // Vehicle, air and method in a sentence.
 std::string basis(const StepsHeading& heading) {
   const std::string speed = heading.speed_m_s ? fmt::format("{:.3f} m/s", *heading.speed_m_s) : "the speed of each row";
   return fmt::format(
       "{}: inertia {:g} kg m2, reference area {:g} m2; {} ({}), density {:g} kg/m3; the first {:g} s of each step, "
       "method {}.",
-      heading.vehicle, heading.airframe.inertia_kg_m2, heading.airframe.reference_area_m2, speed, heading.speed_source,
+      vehicle(heading), heading.airframe.inertia_kg_m2, heading.airframe.reference_area_m2, speed, heading.speed_source,
       heading.density_kg_m3, heading.options.seconds, name(heading.options.method));
 }
 
@@ -170,7 +174,7 @@ std::string steps_json(const StepsHeading& heading, const StepTable& table) {
     steps.push_back(json_of(result));
   }
   const Json all = {{"log", heading.log},
-                    {"vehicle", heading.vehicle},
+                    {"vehicle", vehicle(heading)},
                     {"inertia_kg_m2", rounded(heading.airframe.inertia_kg_m2)},
                     {"reference_area_m2", heading.airframe.reference_area_m2},
                     {"speed_m_s", rounded(heading.speed_m_s)},

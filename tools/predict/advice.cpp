@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+#include "predict/advice.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string_view>
+
+#include <fmt/core.h>
+
+#include "predict/plan_ranges.hpp"
+#include "predict/sentences.hpp"
+#include "text/degrees.hpp"
+#include "text/number.hpp"
+
+namespace fantail::predict {
+namespace {
+
+using text::brief;
+using text::degrees;
+using text::fixed;
+
+// The low end of the phase margin that decide() looks at leaves out 5 % of the runs.
+constexpr double share_of_runs = 0.95;
+// As the vehicle file and --servo-lag have it.
+constexpr double shortest_servo_lag_s = 0.0005;
+
+Share within(const Prediction& p, double limit_rad) {
+  const auto count =
+      std::ranges::count_if(p.runs, [limit_rad](const Run& run) { return std::abs(run.offset_rad) < limit_rad; });
+  return share(static_cast<std::size_t>(count), p.runs.size());
+}
+
+/// In half degrees. The tolerance: a plan's 20 degrees are a float, a little less than the number that a person types.
+std::optional<double> enough_limit_deg(const Prediction& p, double share, double farthest_deg) {
+  constexpr double step_deg = 0.5;
+  for (double limit_deg = step_deg; limit_deg < farthest_deg + 1e-3; limit_deg += step_deg) {
+    if (within(p, text::radians(limit_deg)).low >= share) {
+      return limit_deg;
+    }
+  }
+  return std::nullopt;
+}
+
+std::string_view compared(double value, double present) {
+  return value < present ? "smaller" : value > present ? "larger" : "as it is";
+}
+
+/// The loop settles at the reference plus the offset over the gain.
+std::string settles(const Prediction& p, const stability::Gains& gains) {
+  const auto present = static_cast<double>(p.flown.plan.controller.proportional_gain);
+  if (gains.proportional == present || gains.proportional == 0.0) {
+    return {};
+  }
+  const auto off = [&](double gain) { return fixed(degrees(p.offset_size_rad.p50) / gain, 1); };
+  return fmt::format(" The roll then settles {} degrees from its reference instead of {} (median of the runs).",
+                     off(gains.proportional), off(present));
+}
+
+}  // namespace
+
+LimitAdvice advice_on_canard_limit(const Prediction& p, double asked) {
+  if (share(p.runs.size(), p.runs.size()).low < asked) {
+    return {fmt::format("{} are too few to advise a canard limit: even if it were enough in all of them, that would "
+                        "not prove {}.",
+                        runs(p.runs.size()), percent(asked)),
+            {}};
+  }
+  const CanardReach farthest = farthest_reach(p.flown);
+  const double farthest_deg = degrees(farthest.angle_rad);
+  if (const auto limit_deg = enough_limit_deg(p, asked, farthest_deg)) {
+    const Share found = within(p, text::radians(*limit_deg));
+    return {
+        fmt::format("A canard limit of {} degrees would balance the offset in {} (at least {}, as far as {} can "
+                    "tell); so would straighter fins.",
+                    brief(*limit_deg, 1), of_the_runs(found.value), percent_at_least(found.low), runs(p.runs.size())),
+        limit_deg};
+  }
+  return {fmt::format("No canard limit would balance the offset in {} of the runs: the canards end at {} degrees ({}), "
+                      "and that is enough in {}. Straighter fins would.",
+                      percent(asked), brief(farthest_deg, 1),
+                      farthest.set_by.empty() ? "a plan has no larger limit" : farthest.set_by,
+                      of_the_runs(within(p, farthest.angle_rad).value)),
+          {}};
+}
+
+GainAdvice advice_on_gains(const Prediction& p, double phase_margin_rad) {
+  const core::ControllerPlan& plan = p.flown.plan.controller;
+  const stability::Gains present{.proportional = static_cast<double>(plan.proportional_gain),
+                                 .derivative_s = static_cast<double>(plan.derivative_gain_s)};
+  const stability::Gains largest{.proportional = plan_range("proportional_gain").maximum,
+                                 .derivative_s = plan_range("derivative_gain_s").maximum};
+  const stability::PhaseMarginDemand demand{.phase_margin_rad = phase_margin_rad, .share = share_of_runs};
+  const stability::LoopsAtSpeeds loops = loops_at_speeds(p.flown, p.runs, p.speeds_m_s);
+  const std::string aim = fmt::format("a phase margin of {} degrees in {} of the runs at every speed flown",
+                                      brief(degrees(phase_margin_rad), 1), percent(share_of_runs));
+  if (const auto gains = stability::nearest_gains(loops, present, largest, demand)) {
+    return {fmt::format("In the loop model, gains of {} and {} s reach {}: proportional gain {}, derivative gain {} "
+                        "(the plan has {} and {} s).{}",
+                        brief(gains->proportional, 4), brief(gains->derivative_s, 4), aim,
+                        compared(gains->proportional, present.proportional),
+                        compared(gains->derivative_s, present.derivative_s), brief(present.proportional, 4),
+                        brief(present.derivative_s, 4), settles(p, *gains)),
+            gains};
+  }
+  const std::string none = fmt::format("No gains that a plan may have (up to {} and {} s) reach {}",
+                                       brief(largest.proportional, 4), brief(largest.derivative_s, 4), aim);
+  const auto lag_s = stability::longest_servo_lag_s(loops, present, shortest_servo_lag_s, demand);
+  return {lag_s ? fmt::format("{}. With the plan's gains a servo lag of {} ms or less would ({} ms was assumed).", none,
+                              brief(1e3 * *lag_s, 1), brief(1e3 * p.servo_lag_s, 1))
+                : fmt::format("{}, and with the plan's gains no servo lag does, not even one of {} ms.", none,
+                              brief(1e3 * shortest_servo_lag_s, 1)),
+          {}};
+}
+
+std::string trial(const Prediction& p, const LimitAdvice& limit, const GainAdvice& gains) {
+  constexpr std::size_t most_runs = 20;
+  if (!limit.limit_deg && !gains.gains) {
+    return {};
+  }
+  sim::Scenario changed = p.flown;
+  core::ControllerPlan& plan = changed.plan.controller;
+  if (limit.limit_deg) {
+    plan.canard_limit = core::Angle::from_degrees(static_cast<float>(*limit.limit_deg));
+  }
+  if (gains.gains) {
+    plan.proportional_gain = static_cast<float>(gains.gains->proportional);
+    plan.derivative_gain_s = static_cast<float>(gains.gains->derivative_s);
+  }
+  const std::size_t tried = std::min(most_runs, p.runs.size());
+  std::size_t held = 0;
+  std::size_t not_judged = 0;
+  for (std::size_t i = 0; i < tried; ++i) {
+    const report::Outcome outcome = fly_run(changed, p.runs[i].airframe, p.runs[i].seed).outcome;
+    held += outcome == report::Outcome::held ? 1 : 0;
+    not_judged += outcome == report::Outcome::not_judged ? 1 : 0;
+  }
+  if (not_judged == tried) {
+    return fmt::format("Flown with this advice, none of the first {} can be judged.", runs(tried));
+  }
+  if (held == 0) {
+    return fmt::format("Flown with this advice, none of the first {} holds its roll: it is not enough.", runs(tried));
+  }
+  return fmt::format("Flown with this advice, the roll is held in {} of the first {}{}.", held, runs(tried),
+                     not_judged > 0 ? fmt::format(" and not judged in {} of them", not_judged) : "");
+}
+
+}  // namespace fantail::predict

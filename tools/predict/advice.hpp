@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "predict/prediction.hpp"
+#include "stability/gain_choice.hpp"
+
+// What would have to change, tried on the runs before it is said.
+namespace fantail::predict {
+
+struct LimitAdvice {
+  std::string sentence{};
+  std::optional<double> limit_deg{};  ///< empty: no limit is advised
+};
+
+struct GainAdvice {
+  std::string sentence{};
+  std::optional<stability::Gains> gains{};  ///< empty: no gains are advised
+};
+
+/// Of those that a plan may have and the canards can reach, the smallest canard limit in half degrees that meets the
+/// demand of decide() on the share of runs whose offset can be balanced; or that none does, and why.
+[[nodiscard]] LimitAdvice advice_on_canard_limit(const Prediction& prediction, double share);
+
+/// Of the gains that a plan may have, the pair nearest to the plan's that gives the loop this phase margin in 95 % of
+/// the runs at every speed flown; or that none does, and what servo lag would.
+[[nodiscard]] GainAdvice advice_on_gains(const Prediction& prediction, double phase_margin_rad);
+
+/// Flies the first runs again with what is advised and says how many hold their roll, a sentence; empty where nothing
+/// is advised.
+[[nodiscard]] std::string trial(const Prediction& prediction, const LimitAdvice& limit, const GainAdvice& gains);
+
+}  // namespace fantail::predict

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#include "predict/canard_reach.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+
+#include <fmt/core.h>
+
+#include "core/flight_plan.hpp"
+#include "flight/flight.hpp"
+#include "predict/plan_ranges.hpp"
+#include "text/degrees.hpp"
+#include "text/number.hpp"
+
+namespace fantail::predict {
+namespace {
+
+/// More than floats differ by.
+constexpr double same_angle_rad = 1e-6;
+
+/// The first of all limits that ends a canard before the plan's own does; empty: none does.
+std::string stopped_by(const sim::Scenario& scenario) {
+  double least_rad = static_cast<double>(scenario.plan.controller.canard_limit.radians()) - same_angle_rad;
+  std::string name;
+  const auto keep_smaller = [&](double limit_rad, std::string what) {
+    if (limit_rad < least_rad) {
+      least_rad = limit_rad;
+      name = std::move(what);
+    }
+  };
+  keep_smaller(static_cast<double>(core::hard_canard_limit.radians()), "hard limit");
+  const auto& canards = scenario.plan.canards.each;
+  for (std::size_t i = 0; i < canards.size(); ++i) {
+    keep_smaller(static_cast<double>(canards[i].mechanical_stop.radians()),
+                 fmt::format("mechanical stop of canard {} in the plan", i + 1));
+  }
+  keep_smaller(scenario.vehicle.servo.stop_rad, "servo stop");
+  return name;
+}
+
+}  // namespace
+
+std::string CanardReach::text() const {
+  const std::string angle = text::brief(text::degrees(angle_rad), 1);
+  return set_by.empty() ? angle + " degree canard limit"
+                        : fmt::format("{} degrees that the canards reach ({})", angle, set_by);
+}
+
+CanardReach canard_reach(const sim::Scenario& scenario) {
+  const auto reach = [&](double sense) {
+    return flight::authority_rad(scenario.plan, scenario.vehicle.servo.stop_rad, sense);
+  };
+  CanardReach found{.angle_rad = std::min(reach(1.0), reach(-1.0)), .set_by = stopped_by(scenario)};
+  const double limit_rad = flight::canard_limit_rad(scenario.plan);
+  if (found.set_by.empty() && found.angle_rad < limit_rad - same_angle_rad) {
+    found.set_by = "canard limit less the trim of the canards";
+  }
+  return found;
+}
+
+CanardReach farthest_reach(const sim::Scenario& scenario) {
+  sim::Scenario widest = scenario;
+  widest.plan.controller.canard_limit =
+      core::Angle::from_radians(static_cast<float>(plan_range("canard_limit_deg").maximum));
+  return canard_reach(widest);
+}
+
+}  // namespace fantail::predict

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string_view>
+
+namespace fantail::predict {
+
+/// What a plan may say, in SI and radians.
+struct PlanRange {
+  double minimum = 0.0;
+  double maximum = 0.0;
+};
+
+/// Of a key in the plan's section `controller`. Throws std::logic_error for a key that is not there.
+[[nodiscard]] PlanRange plan_range(std::string_view key);
+
+}  // namespace fantail::predict

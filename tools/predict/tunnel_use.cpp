@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#include "predict/tunnel_use.hpp"
+
+#include <fmt/core.h>
+
+#include "text/error.hpp"
+
+namespace fantail::predict {
+
+void require_same_vehicle(const sim::Scenario& scenario, const TunnelResult& tunnel) {
+  if (tunnel.vehicle && *tunnel.vehicle != scenario.vehicle.name) {
+    throw text::Error{
+        text::ErrorKind::bad_configuration,
+        fmt::format("{}: its rows are of the vehicle \"{}\", and {} flies \"{}\"; allowed: rows of that vehicle, or "
+                    "--other-vehicle to take these on purpose",
+                    tunnel.name, *tunnel.vehicle, scenario.name, scenario.vehicle.name)};
+  }
+}
+
+std::string whose_rows(const sim::Scenario& scenario, const TunnelResult& tunnel) {
+  if (!tunnel.vehicle) {
+    return fmt::format("{} does not say which vehicle its rows are of; they are taken for those of {}.", tunnel.name,
+                       scenario.vehicle.name);
+  }
+  return *tunnel.vehicle == scenario.vehicle.name
+             ? fmt::format("The rows of {} are of this vehicle, {}.", tunnel.name, *tunnel.vehicle)
+             : fmt::format("The rows of {} are of another vehicle, {}, and were accepted for {} on purpose.",
+                           tunnel.name, *tunnel.vehicle, scenario.vehicle.name);
+}
+
+std::string which_area(const sim::Scenario& scenario, const TunnelResult& tunnel) {
+  const double area_m2 = scenario.vehicle.roll_plant.reference_area_m2;
+  if (tunnel.reference_area_m2) {
+    return *tunnel.reference_area_m2 == area_m2
+               ? fmt::format("The rows of {} were identified with the reference area of this vehicle, {:.4g} m2.",
+                             tunnel.name, area_m2)
+               : fmt::format(
+                     "Damping and torque of {} were identified with a reference area of {:.4g} m2 and are "
+                     "converted to that of this vehicle, {:.4g} m2.",
+                     tunnel.name, *tunnel.reference_area_m2, area_m2);
+  }
+  const std::vector<double>& range = scenario.vehicle.reference_area_range_m2;
+  const std::string unknown = fmt::format(
+      "{} does not say which reference area its rows were identified with; it is taken for that of this "
+      "vehicle, {:.4g} m2",
+      tunnel.name, area_m2);
+  return range.empty() ? unknown + ", as if that were exact."
+                       : fmt::format(
+                             "{}, of which 95 % lie between {:.2g} and {:.2g} m2, as the vehicle file says: "
+                             "damping and torque of each run are multiplied by a factor drawn from that.",
+                             unknown, range[0], range[1]);
+}
+
+std::optional<AreaFactor> area_factor(const sim::Scenario& scenario, const TunnelResult& tunnel) {
+  const std::vector<double>& range = scenario.vehicle.reference_area_range_m2;
+  const double area_m2 = scenario.vehicle.roll_plant.reference_area_m2;
+  return tunnel.reference_area_m2 || range.empty()
+             ? std::nullopt
+             : std::optional{AreaFactor{.low = range[0] / area_m2, .high = range[1] / area_m2}};
+}
+
+TunnelResult for_vehicle(const sim::Scenario& scenario, TunnelResult tunnel) {
+  const double area_m2 = scenario.vehicle.roll_plant.reference_area_m2;
+  const double factor = tunnel.reference_area_m2.value_or(area_m2) / area_m2;
+  for (TunnelStep& step : tunnel.steps) {
+    step.damping_m2 *= factor;
+    step.torque_m *= factor;
+  }
+  return tunnel;
+}
+
+}  // namespace fantail::predict

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "stability/roll_loop.hpp"
+
+namespace fantail::stability {
+
+struct Gains {
+  double proportional = 0.0;  ///< kp
+  double derivative_s = 0.0;  ///< kd
+};
+
+/// What gains must give: this phase margin in this share of the airframes at every air speed. A loop whose gain never
+/// reaches one cannot swing and has it.
+struct PhaseMarginDemand {
+  double phase_margin_rad = 0.0;
+  double share = 1.0;  ///< of the airframes, above zero
+};
+
+/// The loops of all airframes at each air speed; their own gains are not looked at.
+using LoopsAtSpeeds = std::vector<std::vector<RollLoop>>;
+
+[[nodiscard]] bool meets(const LoopsAtSpeeds& loops, const Gains& gains, const PhaseMarginDemand& demand);
+
+/// Of the gains from the least to the largest allowed, those that are fewest times larger or smaller than the present
+/// ones. They are round numbers, 24 in a decade, or one of the present ones kept. A proportional gain of zero is kept,
+/// and no other one becomes zero: it would leave the angle alone. Empty when no pair meets the demand.
+[[nodiscard]] std::optional<Gains> nearest_gains(const LoopsAtSpeeds& loops, const Gains& present, const Gains& largest,
+                                                 const PhaseMarginDemand& demand);
+
+/// The longest servo lag with which these gains meet the demand, in whole tenths of a millisecond, from the shortest
+/// that is asked for to that of the loops. Empty when not even the shortest does.
+[[nodiscard]] std::optional<double> longest_servo_lag_s(const LoopsAtSpeeds& loops, const Gains& gains,
+                                                        double shortest_s, const PhaseMarginDemand& demand);
+
+}  // namespace fantail::stability
