@@ -74,6 +74,20 @@ TEST(TunnelResult, WhatNobodySaysOfSwirlIsNotTakenOffAndThatIsSaid) {
   EXPECT_TRUE(result.sources.empty());
 }
 
+TEST(TunnelResult, ReadsTheStandardErrorsOfTheSteps) {
+  const Folder folder;
+  const std::string head = "alpha_m2,beta_m,disturbance_begin_deg,disturbance_end_deg";
+  const std::string errors =
+      ",alpha_standard_error_m2,beta_standard_error_m,disturbance_begin_standard_error_deg,"
+      "disturbance_end_standard_error_deg";
+  const TunnelResult result = read_tunnel_result(
+      folder.write("steps.csv", head + errors + "\n20,9,-5,-6,0.4,0.1,0.02,0.03\n18,8,-4,-7,0.5,0.1,0.02,0.03\n"), {});
+  ASSERT_EQ(result.standard_errors.size(), 2U);
+  EXPECT_EQ(result.standard_errors[1].damping_m2, 0.5);
+  EXPECT_NEAR(degrees(result.standard_errors[0].offset_end_rad), 0.03, 1e-12);
+  EXPECT_TRUE(shipped("tasha3_table2").standard_errors.empty());
+}
+
 TEST(TunnelResult, OfTheFirstLaunchSaysThatItIsHindsight) {
   const TunnelResult result = shipped("tasha3_launch1_flight");
   ASSERT_EQ(result.sources.size(), 1U);
@@ -118,6 +132,9 @@ INSTANTIATE_TEST_SUITE_P(
                 "steps.csv:2: beta_m = \"nan\""},
         BadFile{"alpha_m2,beta_m,disturbance_begin_deg,disturbance_end_deg,swirl_deg\n19,9,-5,-6,\n19,9,-5,-6,0\n",
                 "steps.csv:2: swirl_deg = \"\""},
+        BadFile{"alpha_m2,beta_m,disturbance_begin_deg,disturbance_end_deg,alpha_standard_error_m2\n19,9,-5,-6,1\n"
+                "19,9,-5,-6,1\n",
+                "no column beta_standard_error_m"},
         BadFile{"alpha_m2,beta_m,disturbance_begin_deg,disturbance_end_deg\n19,9,-5,-6\n", "has 1 of the rows"}),
     [](const auto& one) { return "Number" + std::to_string(one.index); });
 

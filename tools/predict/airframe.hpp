@@ -17,12 +17,15 @@ struct DampingFactor {
 };
 
 /// Airframes as the rocket on the pad may be one: a normal law through the tunnel's steps, with the correlation of
-/// damping, torque and both offsets that the steps have among themselves. It is wider than the steps by the doubt that
-/// so few leave about their mean. What has a damping or torque of zero or less is drawn again.
+/// damping, torque and both offsets that the steps have among themselves. The variance of measurement, as far as the
+/// tunnel states standard errors, is taken off: it is no property of the airframe. It stays in the doubt that so few
+/// steps leave about their mean, by which the law is wider. What has a damping or torque of zero or less is drawn
+/// again.
 class AirframeSpread {
  public:
-  /// Takes two or more steps.
-  AirframeSpread(const std::vector<TunnelStep>& steps, const DampingFactor& damping);
+  /// Takes two or more steps, and a standard error for each number of each, or none at all.
+  AirframeSpread(const std::vector<TunnelStep>& steps, const DampingFactor& damping,
+                 const std::vector<TunnelStep>& standard_errors = {});
 
   /// The same seed gives the same airframe.
   [[nodiscard]] TunnelStep draw(std::uint64_t seed) const;

@@ -146,7 +146,7 @@ Prediction predict(const sim::Scenario& scenario, const TunnelResult& tunnel, co
                .servo_lag_s = flown.vehicle.servo.lag_s,
                .delay_s = stability::loop_delay_s(flown.vehicle),
                .runs = std::vector<Run>(options.runs)};
-  const AirframeSpread airframes{tunnel.steps, options.damping};
+  const AirframeSpread airframes{tunnel.steps, options.damping, tunnel.standard_errors};
   parallel_for(
       options.runs, options.threads,
       [&](std::size_t i) {

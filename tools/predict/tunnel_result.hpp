@@ -21,13 +21,15 @@ struct TunnelResult {
   std::string name;                  ///< of the file, without folder
   std::vector<std::string> sources;  ///< what the file says of where its rows are from
   std::vector<TunnelStep> steps;     ///< two or more
-  double swirl_rad = 0.0;            ///< the mean of what was taken off
-  std::string swirl_words;           ///< a sentence: how much was taken off, and who said so
+  /// Of each number of each step, from its measurement; none in a file that does not say.
+  std::vector<TunnelStep> standard_errors;
+  double swirl_rad = 0.0;   ///< the mean of what was taken off
+  std::string swirl_words;  ///< a sentence: how much was taken off, and who said so
 };
 
-/// Reads the columns alpha_m2, beta_m, disturbance_begin_deg, disturbance_end_deg, and, where they are there, swirl_deg
-/// and source. The swirl that is taken off is `swirl_rad` when given, else what the column swirl_deg says in that row,
-/// else none. Throws text::Error (no_such_input, bad_data).
+/// Reads the columns alpha_m2, beta_m, disturbance_begin_deg, disturbance_end_deg, and, where they are there,
+/// swirl_deg, source and the standard errors of the four. The swirl that is taken off is `swirl_rad` when given, else
+/// what the column swirl_deg says in that row, else none. Throws text::Error (no_such_input, bad_data).
 [[nodiscard]] TunnelResult read_tunnel_result(const std::filesystem::path& file,
                                               const std::optional<double>& swirl_rad);
 
