@@ -72,7 +72,7 @@ TEST(Tunnel, StepsWritesTheTableThatAPredictionReads) {
   const std::string csv = content(folder / "out/tunnel/steps/steps.csv");
   EXPECT_TRUE(
       csv.starts_with("step,begin_s,alpha_m2,beta_m,disturbance_begin_deg,disturbance_end_deg,"
-                      "mean_abs_angle_error_deg,mean_abs_rate_error_deg_s\n"))
+                      "mean_abs_angle_error_deg,mean_abs_rate_error_deg_s,alpha_standard_error_m2,"))
       << csv;
   EXPECT_EQ(std::ranges::count(csv, '\n'), 5);
   const Outcome by_hand = in(folder, {"tunnel", "steps", "run", "--speed", "22", "--inertia", "0.00393", "--area",

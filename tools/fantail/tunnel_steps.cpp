@@ -60,6 +60,7 @@ struct StepsVerbOptions {
   std::string wind;
   double density_kg_m3 = 1.2;
   std::string method = "continuous";
+  std::string initial = "fitted";
   std::string only;
   tunnel::StepOptions steps;
   TunnelOutput output;
@@ -74,6 +75,8 @@ tunnel::StepsHeading heading(const StepsVerbOptions& options, const logs::RollLo
                                .options = options.steps};
   heading.options.method =
       options.method == "grid" ? identify::result::Method::grid : identify::result::Method::continuous;
+  heading.options.start =
+      options.initial == "fitted" ? identify::model::Start::fitted : identify::model::Start::measured;
   heading.options.direction = options.only.empty()   ? tunnel::Direction::both
                               : options.only == "up" ? tunnel::Direction::up
                                                      : tunnel::Direction::down;
@@ -124,6 +127,11 @@ void add_method_options(const Verb& verb, StepsVerbOptions& options) {
   verb.option("--method", options.method, "continuous, or the published search on a grid")
       .one_of({"continuous", "grid"})
       .value_name("continuous|grid")
+      .show_default();
+  verb.option("--initial", options.initial,
+              "Angle and rate at the start of each step: fitted, or taken as measured, as published")
+      .one_of({"fitted", "measured"})
+      .value_name("fitted|measured")
       .show_default();
   verb.option("--only", options.only, "Steps in one direction only").one_of({"up", "down"}).value_name("up|down");
   verb.option("--lag", options.steps.record.lag_s, "Time by which the canard column lags the gyro's")
