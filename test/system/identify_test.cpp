@@ -114,6 +114,37 @@ TEST_F(IdentifiedFlight, GivesItVeryNearlyFromTheTruth) {
   EXPECT_NEAR(json["results"][1]["disturbance_deg"][1].number(), -4.9, 0.001);
 }
 
+// The summary says what flew, and with what it was changed; nobody has to remember it.
+TEST_F(IdentifiedFlight, BringsItsVehicleAlong) {
+  const auto json = identified(*folder_, {"identify", "out/tasha3_launch2", "--json", "--out", "own"});
+  EXPECT_EQ(json, identified(*folder_, identify("out/tasha3_launch2", {"--json", "--out", "named"})));
+  const Outcome text =
+      fantail({"identify", "out/tasha3_launch2/flight.ftl", "--out", "log"}, {.working_folder = folder_->path()});
+  EXPECT_EQ(text.exit_code, 0) << text.err;
+  EXPECT_NE(text.out.find("tasha3_launch2 (summary.json), I 0.00393 kg m2"), std::string::npos) << text.out;
+}
+
+TEST_F(IdentifiedFlight, AnotherVehicleThanTheOneThatFlewIsUsedAndNamed) {
+  const Outcome outcome = fantail({"identify", "out/tasha3_launch2", "--area", "1e-4", "--out", "other"},
+                                  {.working_folder = folder_->path()});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  for (const char* part : {"tasha3_launch2 (summary.json), I 0.00393 kg m2, A 0.0001 m2",
+                           "was simulated with the vehicle tasha3_launch2", "A 5.0265e-05 m2"}) {
+    EXPECT_NE(outcome.out.find(part), std::string::npos) << part << "\n" << outcome.out;
+  }
+}
+
+TEST(Identify, TakesTheVehicleAsItFlewNotAsItsFileSays) {
+  const Folder folder;
+  ASSERT_EQ(fantail({"fly", "tasha3_launch2", "--set", "body.roll_inertia_kg_m2=0.005", "--out", "heavy"},
+                    {.working_folder = folder.path()})
+                .exit_code,
+            0);
+  const auto json = identified(folder, {"identify", "heavy", "--json"});
+  EXPECT_EQ(json["inertia_kg_m2"].number(), 0.005);
+  EXPECT_NEAR(json["alpha_m2"].number(), 23.0, 0.5);
+}
+
 TEST_F(IdentifiedFlight, HasWindowsByItsEvents) {
   const auto json = identified(*folder_, identify("out/tasha3_launch2", {"--json", "--window", "thrust", "--window",
                                                                          "step:1", "--window", "1:2", "--out", "w"}));

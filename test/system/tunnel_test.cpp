@@ -96,7 +96,9 @@ TEST(Tunnel, WhatIsNoLogOfATunnelIsRefusedAndNothingIsWritten) {
           {"a.csv", "--steady-without"});
   Refusal({{"a.csv", roll}}, {"tunnel", "steps", "a.csv"}, 65, {"a.csv", "roll_angle_deg"});
   Refusal({{"a.csv", "time_s,roll_angle_deg,roll_rate_deg_s,canard_deg\n0,0,0,0\n1,0,0,0\n"}},
-          {"tunnel", "steps", "a.csv", "--speed", "22"}, 65, {"a.csv", "reference_deg"});
+          {"tunnel", "steps", "a.csv", "--speed", "22", "--vehicle", "tasha3_tunnel"}, 65, {"a.csv", "reference_deg"});
+  Refusal({{"a.csv", "time_s,roll_angle_deg,roll_rate_deg_s,canard_deg,reference_deg\n0,0,0,0,0\n1,0,0,0,45\n"}},
+          {"tunnel", "steps", "a.csv", "--speed", "22"}, 64, {"no rocket given", "--vehicle", "tasha3_tunnel"});
   Refusal({}, {"tunnel", "steps", "none", "--vehicle", "nobody"}, 66, {"none"});
 }
 

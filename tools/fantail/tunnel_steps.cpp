@@ -3,12 +3,10 @@
 #include <optional>
 #include <string>
 
+#include "fantail/airframe_options.hpp"
 #include "fantail/command_line.hpp"
 #include "fantail/log_options.hpp"
 #include "fantail/tunnel_options.hpp"
-#include "identify/model/roll_model.hpp"
-#include "input/shipped.hpp"
-#include "input/vehicle_file.hpp"
 #include "tunnel/steps.hpp"
 
 namespace fantail::tool {
@@ -16,46 +14,10 @@ namespace {
 
 constexpr const char* default_folder = "out/tunnel/steps";
 
-// Whose inertia and reference area a roll model is identified with.
-struct AirframeOptions {
-  std::string vehicle;
-  std::optional<double> inertia_kg_m2{};
-  std::optional<double> area_m2{};
-};
-
-struct NamedAirframe {
-  std::string name;
-  identify::model::Airframe airframe{};
-};
-
-void add_airframe_options(const Verb& verb, AirframeOptions& options) {
-  verb.option("--vehicle", options.vehicle, "Vehicle with the inertia and reference area: a shipped name or a path")
-      .value_name("FILE")
-      .show_default();
-  verb.option("--inertia", options.inertia_kg_m2, "Roll inertia, instead of the vehicle's")
-      .check(within(1e-9, 1e6))
-      .value_name("KG_M2");
-  verb.option("--area", options.area_m2, "Reference area, instead of the vehicle's")
-      .check(within(1e-9, 1e6))
-      .value_name("M2");
-}
-
-// The vehicle's, except what is given as a number.
-NamedAirframe airframe(const AirframeOptions& options) {
-  if (options.inertia_kg_m2 && options.area_m2) {
-    return {"from the command line", {.inertia_kg_m2 = *options.inertia_kg_m2, .reference_area_m2 = *options.area_m2}};
-  }
-  const sim::Vehicle vehicle =
-      input::read_vehicle(input::Document::load(input::find_input(input::Shipped::vehicle, options.vehicle)));
-  return {vehicle.name,
-          {.inertia_kg_m2 = options.inertia_kg_m2.value_or(vehicle.roll_plant.inertia_kg_m2),
-           .reference_area_m2 = options.area_m2.value_or(vehicle.roll_plant.reference_area_m2)}};
-}
-
 struct StepsVerbOptions {
   std::string run;
   LogOptions logs;
-  AirframeOptions airframe{.vehicle = "tasha3_tunnel"};
+  AirframeOptions airframe;
   std::optional<double> speed_m_s;
   std::string wind;
   double density_kg_m3 = 1.2;
@@ -66,8 +28,7 @@ struct StepsVerbOptions {
   TunnelOutput output;
 };
 
-tunnel::StepsHeading heading(const StepsVerbOptions& options, const logs::RollLog& log) {
-  const NamedAirframe frame = airframe(options.airframe);
+tunnel::StepsHeading heading(const StepsVerbOptions& options, const logs::RollLog& log, const NamedAirframe& frame) {
   tunnel::StepsHeading heading{.log = log.name,
                                .vehicle = frame.name,
                                .airframe = frame.airframe,
@@ -90,8 +51,10 @@ tunnel::StepsHeading heading(const StepsVerbOptions& options, const logs::RollLo
 }
 
 void steps(const StepsVerbOptions& options) {
-  const logs::RollLog log = logs::read_roll_log(options.run, reading(options.logs), {.canard = true});
-  const tunnel::StepsHeading head = heading(options, log);
+  logs::RollLog log = logs::read_roll_log(options.run, reading(options.logs), {.canard = true});
+  const NamedAirframe frame = named_airframe(options.airframe, options.run);
+  log.warnings.insert(log.warnings.end(), frame.warnings.begin(), frame.warnings.end());
+  const tunnel::StepsHeading head = heading(options, log, frame);
   const tunnel::StepTable table = tunnel::identify_steps(log, head.airframe, head.options);
   const std::string json = tunnel::steps_json(head, table);
   write_tunnel_output(

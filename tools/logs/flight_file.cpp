@@ -45,6 +45,15 @@ std::filesystem::path flight_file(const std::filesystem::path& path) {
   throw Error{ErrorKind::no_such_input, path.string() + ": this folder holds no flight.csv or flight.ftl"};
 }
 
+std::optional<flight::FlownAirframe> flown_airframe(const std::filesystem::path& path) {
+  std::error_code ignored;
+  const bool is_folder = std::filesystem::is_directory(path, ignored);
+  if (!is_folder && path.filename() != "flight.csv" && path.filename() != "flight.ftl") {
+    return {};
+  }
+  return report::summary_airframe((is_folder ? path : path.parent_path()) / "summary.json");
+}
+
 bool is_flight_log(const std::filesystem::path& path) { return path.extension() == ".ftl"; }
 
 flight::Flight read_flight_log(const std::filesystem::path& file) {
