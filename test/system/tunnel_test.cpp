@@ -94,7 +94,7 @@ TEST(Tunnel, WhatIsNoLogOfATunnelIsRefusedAndNothingIsWritten) {
   Refusal({{"a.csv", roll}, {"b.csv", roll}}, {"tunnel", "swirl", "a.csv", "b.csv"}, 65, {"a.csv", "no wind speed"});
   Refusal({{"a.csv", "time_s,speed_m_s,roll_rate_deg_s\n0,9,1\n2,9,1\n"}}, {"tunnel", "swirl", "a.csv", "a.csv"}, 78,
           {"a.csv", "--steady-without"});
-  Refusal({{"a.csv", roll}}, {"tunnel", "steps", "a.csv"}, 65, {"a.csv", "roll_angle_deg"});
+  Refusal({{"a.csv", roll}}, {"tunnel", "steps", "a.csv"}, 65, {"a.csv", "canard_deg"});
   Refusal({{"a.csv", "time_s,roll_angle_deg,roll_rate_deg_s,canard_deg\n0,0,0,0\n1,0,0,0\n"}},
           {"tunnel", "steps", "a.csv", "--speed", "22", "--vehicle", "tasha3_tunnel"}, 65, {"a.csv", "reference_deg"});
   Refusal({{"a.csv", "time_s,roll_angle_deg,roll_rate_deg_s,canard_deg,reference_deg\n0,0,0,0,0\n1,0,0,0,45\n"}},

@@ -3,10 +3,14 @@
 #include <optional>
 #include <string>
 
+#include <fmt/core.h>
+
 #include "fantail/airframe_options.hpp"
 #include "fantail/command_line.hpp"
 #include "fantail/log_options.hpp"
 #include "fantail/tunnel_options.hpp"
+#include "input/messages.hpp"
+#include "sim/atmosphere.hpp"
 #include "tunnel/steps.hpp"
 
 namespace fantail::tool {
@@ -20,7 +24,8 @@ struct StepsVerbOptions {
   AirframeOptions airframe;
   std::optional<double> speed_m_s;
   std::string wind;
-  double density_kg_m3 = 1.2;
+  std::optional<double> density_kg_m3;
+  std::optional<double> elevation_m;
   std::string method = "continuous";
   std::string initial = "fitted";
   std::string only;
@@ -32,7 +37,8 @@ tunnel::StepsHeading heading(const StepsVerbOptions& options, const logs::RollLo
   tunnel::StepsHeading heading{.log = log.name,
                                .vehicle = frame.name,
                                .airframe = frame.airframe,
-                               .density_kg_m3 = options.density_kg_m3,
+                               .density_kg_m3 = options.density_kg_m3.value_or(1.2),
+                               .density_source = options.density_kg_m3 ? "--density" : "the default",
                                .options = options.steps};
   heading.options.method =
       options.method == "grid" ? identify::result::Method::grid : identify::result::Method::continuous;
@@ -46,12 +52,20 @@ tunnel::StepsHeading heading(const StepsVerbOptions& options, const logs::RollLo
   heading.speed_m_s = speed.speed_m_s;
   heading.speed_source = speed.source;
   heading.options.record.speed_m_s = speed.speed_m_s;
-  heading.options.record.density_kg_m3 = options.density_kg_m3;
+  if (options.elevation_m) {
+    heading.density_kg_m3 = sim::Atmosphere{.model = sim::DensityModel::isa}.density_kg_m3(*options.elevation_m);
+    heading.density_source =
+        fmt::format("standard atmosphere at {} m above the sea", input::plain_number(*options.elevation_m));
+  }
+  heading.options.record.density_kg_m3 = heading.density_kg_m3;
   return heading;
 }
 
 void steps(const StepsVerbOptions& options) {
   logs::RollLog log = logs::read_roll_log(options.run, reading(options.logs), {.canard = true});
+  if (options.logs.save_map) {
+    save_column_map(options.logs.map, options.run, "--columns");
+  }
   const NamedAirframe frame = named_airframe(options.airframe, options.run);
   log.warnings.insert(log.warnings.end(), frame.warnings.begin(), frame.warnings.end());
   const tunnel::StepsHeading head = heading(options, log, frame);
@@ -71,10 +85,13 @@ void add_run_options(const Verb& verb, StepsVerbOptions& options) {
       .check(within(0.1, 1000.0))
       .value_name("M/S");
   verb.option("--wind", options.wind, "The tunnel's log, instead of the tunnel.csv beside the run").value_name("FILE");
-  verb.option("--density", options.density_kg_m3, "Air density")
-      .check(within(0.01, 5.0))
-      .value_name("KG/M3")
-      .show_default();
+  auto density =
+      verb.option("--density", options.density_kg_m3, "Air density [1.2]").check(within(0.01, 5.0)).value_name("KG/M3");
+  verb.option("--elevation", options.elevation_m,
+              "Of the tunnel above the sea: density of the standard atmosphere there")
+      .check(within(-500, 9000))
+      .value_name("M")
+      .excludes(density);
   add_log_options(verb, options.logs);
 }
 

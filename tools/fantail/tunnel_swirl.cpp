@@ -31,6 +31,9 @@ struct SwirlVerbOptions {
 tunnel::RollSession read(const SessionOptions& options, const SwirlVerbOptions& all) {
   tunnel::RollSession session;
   session.roll = logs::read_roll_log(options.roll, reading(all.logs), {.roll_angle = false, .roll_rate = true});
+  if (all.logs.save_map) {
+    save_column_map(all.logs.map, options.roll, "--columns");
+  }
   session.wind = tunnel::wind_of(session.roll, options.roll, options.wind, all.logs.truth);
   if (session.wind.fan_rpm.empty() && options.steady.empty()) {
     throw text::Error{text::ErrorKind::bad_configuration,

@@ -42,6 +42,7 @@ struct IdentifyOptions {
 
   AirframeOptions airframe;
   std::optional<std::string> density;
+  std::optional<double> elevation_m;
   std::optional<double> speed_m_s;
 
   std::string nodes = "even:1";
@@ -92,6 +93,9 @@ void add_rocket(const Verb& verb, IdentifyOptions& o) {
   add_airframe_options(verb, o.airframe);
   verb.option("--density", o.density,
               "Air density: kg/m3, exponential or isa [exponential if the log climbs, else 1.2]");
+  verb.option("--elevation", o.elevation_m, "Of the site above the sea, for the standard atmosphere")
+      .check(within(-500, 9000))
+      .value_name("M");
   verb.option("--speed", o.speed_m_s, "In m/s, the same throughout, instead of the log's").check(within(0.1, 1e4));
 }
 
@@ -206,12 +210,20 @@ void identify_data(const IdentifyOptions& o) {
   const NamedAirframe rocket = named_airframe(o.airframe, o.data);
   q.airframe = rocket.airframe;
   const logs::RollLog log = read(o);
-  const identify::Air air = identify::choose_air(log, o.density);
+  if (o.log.save_map) {
+    save_column_map(o.log.map, o.data, "--columns");
+  }
+  const identify::Air air = identify::choose_air(log, o.density, o.elevation_m);
   q.record.atmosphere = air.atmosphere;
+  q.record.site_elevation_m = o.elevation_m.value_or(0.0);
   q.windows = windows(o, log);
   identify::result::Study result = study(log, q);
   result.vehicle = fmt::format("{}, I {} kg m2, A {} m2", rocket.name, input::about(rocket.airframe.inertia_kg_m2),
                                input::about(rocket.airframe.reference_area_m2));
+  if (o.windows.empty() && log.phase.empty() && !o.from_s && !o.to_s) {
+    result.warnings.emplace_back(
+        "The log has no phases, so the window is the whole log, with what came before and after control.");
+  }
   result.warnings.insert(result.warnings.end(), rocket.warnings.begin(), rocket.warnings.end());
   result.density = air.description;
   result.speed = o.speed_m_s   ? input::plain_number(*o.speed_m_s) + " m/s throughout"
@@ -238,8 +250,8 @@ void fill(const Verb& verb) {
       "Examples:\n"
       "  fantail identify out/tasha3_launch2 --method both\n"
       "                                          a simulated flight: the published grid beside the search without one\n"
-      "  fantail identify run7.csv --column roll_angle_deg=phi --column canard_deg=fin --units rad --speed 22\n"
-      "      --inertia 0.00393 --area 5.0265e-5 --window 0:5 --window 5:10\n"
+      "  fantail identify run7.csv --columns time=t:ms,roll_rate=p:rad/s,canard=fin:deg --save-columns --speed 22\n"
+      "      --inertia 0.00393 --area 5.0265e-5 --elevation 1400 --window 0:5 --window 5:10\n"
       "                                          another logger's tunnel run, two steps of it, each by itself\n"
       "  fantail identify out/tasha3_launch1 --nodes thrust:2,coast:2 --loop closed\n"
       "      --plan tasha3_launch1 --json        canards as the controller commands them, for a script");

@@ -128,6 +128,7 @@ struct StepsHeading {
   std::optional<double> speed_m_s{};  ///< empty: the log's own, which varies
   std::string speed_source{};         ///< "tunnel.csv", "--speed", "the log"
   double density_kg_m3 = 0.0;
+  std::string density_source{};  ///< "standard atmosphere at 1400 m above the sea"
   StepOptions options{};
 };
 

@@ -36,10 +36,12 @@ const char* name(identify::model::Start start) {
 std::string basis(const StepsHeading& heading) {
   const std::string speed = heading.speed_m_s ? fmt::format("{:.3f} m/s", *heading.speed_m_s) : "the speed of each row";
   return fmt::format(
-      "{}: inertia {:g} kg m2, reference area {:g} m2; {} ({}), density {:g} kg/m3; the first {:g} s of each step, "
+      "{}: inertia {:g} kg m2, reference area {:g} m2; {} ({}), density {:g} kg/m3 ({}); the first {:g} s of each "
+      "step, "
       "method {}, initial angle and rate {}.",
       heading.vehicle, heading.airframe.inertia_kg_m2, heading.airframe.reference_area_m2, speed, heading.speed_source,
-      heading.density_kg_m3, heading.options.seconds, name(heading.options.method), name(heading.options.start));
+      heading.density_kg_m3, heading.density_source, heading.options.seconds, name(heading.options.method),
+      name(heading.options.start));
 }
 
 void add_figures(Json& json, const StepFigures& figures) {
@@ -256,6 +258,7 @@ std::string steps_json(const StepsHeading& heading, const StepTable& table) {
                     {"speed_m_s", rounded(heading.speed_m_s)},
                     {"speed_source", heading.speed_source},
                     {"density_kg_m3", rounded(heading.density_kg_m3)},
+                    {"density_source", heading.density_source},
                     {"method", name(heading.options.method)},
                     {"initial_state", name(heading.options.start)},
                     {"seconds", rounded(heading.options.seconds)},
