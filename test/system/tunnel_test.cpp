@@ -102,6 +102,19 @@ TEST(Tunnel, WhatIsNoLogOfATunnelIsRefusedAndNothingIsWritten) {
   Refusal({}, {"tunnel", "steps", "none", "--vehicle", "nobody"}, 66, {"none"});
 }
 
+TEST(Tunnel, NothingIsWrittenOverTheRunItIsMadeFrom) {
+  const Folder folder;
+  ASSERT_EQ(in(folder, {"fly", "tunnel_steps", "--set", "run.control_time_s=10", "--out", "run"}).exit_code, 0);
+  const std::string page = content(folder / "run/report.html");
+  for (const char* verb : {"steps", "flow"}) {
+    const Outcome outcome = in(folder, {"tunnel", verb, "run", "--out", "run"});
+    EXPECT_EQ(outcome.exit_code, 74) << outcome.out;
+    EXPECT_NE(outcome.err.find("run: is what these results are made from"), std::string::npos) << outcome.err;
+  }
+  EXPECT_EQ(in(folder, {"identify", "run", "--speed", "22", "--out", "run"}).exit_code, 74);
+  EXPECT_EQ(content(folder / "run/report.html"), page);
+}
+
 TEST(Tunnel, AWrongWordIsAUsageError) {
   Refusal({}, {"tunnel"}, 64, {"--help"});
   Refusal({}, {"tunnel", "flow"}, 64, {"LOG"});

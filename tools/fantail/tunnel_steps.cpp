@@ -71,10 +71,13 @@ void steps(const StepsVerbOptions& options) {
   const tunnel::StepsHeading head = heading(options, log, frame);
   const tunnel::StepTable table = tunnel::identify_steps(log, head.airframe, head.options);
   const std::string json = tunnel::steps_json(head, table);
-  write_tunnel_output(
-      options.output, default_folder,
-      {{"steps.csv", tunnel::steps_csv(table)}, {"steps.json", json}, {"report.html", tunnel::steps_html(head, table)}},
-      tunnel::steps_text(head, table), json);
+  write_tunnel_output(options.output, default_folder,
+                      {.files = {{"steps.csv", tunnel::steps_csv(table)},
+                                 {"steps.json", json},
+                                 {"report.html", tunnel::steps_html(head, table)}},
+                       .text = tunnel::steps_text(head, table),
+                       .json = json,
+                       .made_from = {options.run}});
 }
 
 void add_run_options(const Verb& verb, StepsVerbOptions& options) {

@@ -50,8 +50,10 @@ void swirl(const SwirlVerbOptions& options) {
   const tunnel::Swirl swirl = tunnel::examine_swirl(sessions.without, sessions.with, options.swirl);
   const std::string json = tunnel::swirl_json(sessions, swirl);
   write_tunnel_output(options.output, default_folder,
-                      {{"swirl.json", json}, {"report.html", tunnel::swirl_html(sessions, swirl)}},
-                      tunnel::swirl_text(sessions, swirl), json);
+                      {.files = {{"swirl.json", json}, {"report.html", tunnel::swirl_html(sessions, swirl)}},
+                       .text = tunnel::swirl_text(sessions, swirl),
+                       .json = json,
+                       .made_from = {options.without.roll, options.with.roll}});
 }
 
 void add_session(const Verb& verb, const std::string& word, SessionOptions& options) {
