@@ -38,6 +38,42 @@ TEST(FlightCsv, ColumnsBecomeRowsInRadiansAndPhasesTheEvents) {
   EXPECT_FALSE(flight.phase_changes[1].reason);
 }
 
+std::string joined(const std::vector<std::string>& sentences) {
+  std::string all;
+  for (const std::string& sentence : sentences) {
+    all += sentence + "\n";
+  }
+  return all;
+}
+
+TEST(FlightCsv, ColumnsAreReadInTheUnitsThatAreStatedForThem) {
+  const Reading reading{
+      .columns = {{"time_s", "t"}, {"roll_rate_deg_s", "p"}, {"speed_m_s", "v"}},
+      .units = {
+          {"time_s", *find_unit("ms")}, {"roll_rate_deg_s", *find_unit("rpm")}, {"speed_m_s", *find_unit("km/h")}}};
+  const Flight flight =
+      read_flight_csv(Table::parse("t,p,v,canard_deg\n1500,60,36,9\n2500,0,72,9\n", "log.csv"), reading, nothing);
+  EXPECT_DOUBLE_EQ(flight.rows[0].time_s, 1.5);
+  EXPECT_DOUBLE_EQ(flight.rows[0].roll_rate_rad_s, 2.0 * 3.14159265358979323846);
+  EXPECT_DOUBLE_EQ(flight.rows[1].speed_m_s, 20.0);
+  EXPECT_DOUBLE_EQ(flight.rows[1].canard_rad.value(), text::radians(9.0));
+  EXPECT_TRUE(flight.notes.empty()) << joined(flight.notes);
+}
+
+TEST(FlightCsv, WhatIsUnusualIsSaid) {
+  const Reading reading{.columns = {{"roll_rate_deg_s", "gyro_x"}}};
+  const Flight flight = read_flight_csv(
+      Table::parse("time_s,gyro_x,speed_m_s,battery,comment\n0,1,-,7,a\n1,2,22,7,b\n2,3,,7,c\n", "log.csv"), reading,
+      nothing);
+  const std::string notes = joined(flight.notes);
+  for (const char* said :
+       {"No unit was stated for gyro_x; it is read in deg/s.", "Columns that are not used: \"battery\", \"comment\".",
+        "1 of 3 cells of speed_m_s hold something that is no number"}) {
+    EXPECT_NE(notes.find(said), std::string::npos) << said << "\n" << notes;
+  }
+  EXPECT_TRUE(std::isnan(flight.rows[2].speed_m_s)) << "an empty cell is usual where a value is not known";
+}
+
 TEST(FlightCsv, WhatTheTableDoesNotHaveIsNotKnown) {
   const Flight flight = read("time_s,roll_angle_deg\n0,1\n1,2\n");
   EXPECT_FALSE(flight.known.plan);
@@ -102,7 +138,7 @@ TEST(FlightCsv, AnOptionIsAdvisedByTheNameThatTheVerbHasForItOrNotAtAll) {
     }
     return std::string{};
   };
-  EXPECT_NE(message("--b-").find("; if it has another name: --b-column time_s=NAME"), std::string::npos);
+  EXPECT_NE(message("--b-").find("; if it has another name: --b-columns time=NAME:UNIT"), std::string::npos);
   EXPECT_EQ(message("").find("--"), std::string::npos) << message("");
 }
 

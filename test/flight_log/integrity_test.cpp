@@ -30,6 +30,17 @@ TEST(Integrity, ALogThatWasCutOffIsIntactAsFarAsItGoesAndSaysSo) {
   EXPECT_TRUE(says(foreign_bytes_text(file), "at the end, where the last record was cut off"));
 }
 
+// Of a simulated rocket nobody cuts the power.
+TEST(Integrity, WhyARecordingBreaksOffDependsOnWhatRecordedIt) {
+  Flight flight;
+  flight.has_header = true;
+  flight.sensors = "ICM-42688-P, KX134-1211";
+  EXPECT_TRUE(says(integrity_text(flight), "breaks off: power was lost, or the log was read before it ended"));
+  flight.sensors = "simulated";
+  EXPECT_TRUE(says(integrity_text(flight), "breaks off: the simulation ended first, or the file was cut off"));
+  EXPECT_FALSE(says(integrity_text(flight), "power"));
+}
+
 TEST(Integrity, ATurnedBitIsDamageAndCountedInRecordsGapsAndBytes) {
   MadeFlight made = make_flight();
   made.bytes[made.frame_ends[50] + 20] ^= std::byte{1};

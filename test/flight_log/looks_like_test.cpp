@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "flight_log/flight_log.hpp"
+#include "flight_log/made_flight.hpp"
 #include "text/error.hpp"
 
 namespace fantail::flight_log {
@@ -32,6 +33,21 @@ TEST(LooksLike, KindsOfFilesThatPeopleTakeForALogAreNamed) {
   EXPECT_NE(looks("\xFF\xFF\xFF\xFF").find("erased flash"), std::string::npos);
   EXPECT_NE(looks("\0\0\0"sv).find("zeros"), std::string::npos);
   EXPECT_NE(looks("\x01\x02\x03\x04"sv).find("another kind"), std::string::npos);
+}
+
+// A log whose power was cut, or whose download was broken off, before a single record was whole.
+TEST(LooksLike, ALogCutInItsFirstRecordSaysWhatIsLeftOfIt) {
+  const MadeFlight made = make_flight();
+  const std::size_t whole = made.frame_ends[0];
+  const auto cut = [&](std::size_t bytes) { return looks_like(std::span{made.bytes}.first(bytes)); };
+  EXPECT_EQ(cut(3), "cut off in its first record: 3 bytes, if it is a flight log at all");
+  EXPECT_EQ(cut(100), "a flight log that is cut off in its first record, after 100 of " + std::to_string(whole) +
+                          " bytes; too little is left to read its header");
+  EXPECT_NE(cut(whole - 1).find("its header reads, unchecked: log format 1, firmware 0.1"), std::string::npos)
+      << cut(whole - 1);
+  std::vector<std::byte> turned{made.bytes.begin(), made.bytes.begin() + static_cast<std::ptrdiff_t>(whole)};
+  turned[40] ^= std::byte{1};
+  EXPECT_EQ(looks_like(turned), "a flight log of " + std::to_string(whole) + " bytes in which no record is intact");
 }
 
 class LogFileOnDisk : public testing::Test {

@@ -35,6 +35,18 @@ TEST(ToReport, HasARowForEveryTickWithTimeZeroAtTheStartOfTheReplayedWindow) {
   }
 }
 
+// As log info calls it, and not after its place in the flash.
+TEST(ToReport, IsCalledByItsNumberInTheFile) {
+  MadeFlight two = make_flight();
+  const MadeFlight second = make_flight({.flight = 0x40000});
+  two.bytes.insert(two.bytes.end(), second.bytes.begin(), second.bytes.end());
+  const LogFile file = parse_log(two.bytes, "");
+  ASSERT_EQ(file.flights.size(), 2U);
+  const Flight& flight = file.flights[1];
+  EXPECT_EQ(flight.flight, 0x40000U);
+  EXPECT_TRUE(to_report(flight, regenerate(flight, *flight.plan)).scenario.starts_with("flight 2, power-up"));
+}
+
 TEST(ToReport, KnowsWhoFlewWhat) {
   const Read read;
   const flight::Flight flight = to_report(read.flight, read.regeneration);

@@ -189,6 +189,32 @@ TEST(Air, OfATunnelIsTheSameThroughout) {
   }
 }
 
+// ISO 2533, over geopotential height: 1.11164 kg/m3 at 1000 m, 1.00649 at 2000 m.
+TEST(Air, OfASiteIsThatOfTheStandardAtmosphereThere) {
+  const Air tunnel = choose_air({}, {}, 1000.0);
+  EXPECT_EQ(tunnel.atmosphere.model, DensityModel::constant);
+  EXPECT_NEAR(tunnel.atmosphere.constant_kg_m3, 1.11164, 1e-5);
+  EXPECT_NE(tunnel.description.find(" kg/m3, standard atmosphere at 1000 m above the sea"), std::string::npos)
+      << tunnel.description;
+  EXPECT_EQ(choose_air(log_between(0.0, 1000.0), "isa", 1000.0).atmosphere.model, DensityModel::isa);
+  EXPECT_EQ(choose_air(log_between(0.0, 1000.0), {}, 1000.0).atmosphere.model, DensityModel::isa);
+  test::expect_refused(text::ErrorKind::bad_configuration, {"--density 1.1", "--elevation"},
+                       [&] { (void)choose_air({}, "1.1", 1000.0); });
+}
+
+TEST(Record, CountsHeightsFromTheSite) {
+  logs::RollLog log = flown_log();
+  log.height_m.assign(log.time_s.size(), 1000.0);
+  RecordOptions options;
+  options.atmosphere.model = DensityModel::isa;
+  options.site_elevation_m = 1000.0;
+  EXPECT_NEAR(make_record(log, {}, options).density_kg_m3[0], 1.00649, 1e-5);
+}
+
+TEST(Air, OfALogWithoutHeightsIsNotSaidToStandStill) {
+  EXPECT_NE(choose_air({}, {}).description.find("without heights"), std::string::npos);
+}
+
 TEST(Air, IsWhatThePersonSays) {
   const logs::RollLog log = log_between(0.0, 420.0);
   EXPECT_EQ(choose_air(log, "1.1").atmosphere.constant_kg_m3, 1.1);

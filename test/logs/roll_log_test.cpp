@@ -67,10 +67,10 @@ TEST_F(RollLogFile, HasEveryColumnThatFantailKnows) {
 }
 
 TEST_F(RollLogFile, AColumnThatIsMissingIsNamedAndTheOthersListed) {
-  expect_bad(
-      "time_s,roll_angle,roll_rate_deg_s,canard_deg,speed_m_s\n" + rows(3),
-      {"log.csv: no column roll_angle_deg", "did you mean roll_angle?",
-       "the columns are: time_s, roll_angle, roll_rate_deg_s, canard_deg, speed_m_s", "--column roll_angle_deg=NAME"});
+  expect_bad("time_s,roll_angle,roll_rate_deg_s,canard_deg,speed_m_s\n" + rows(3),
+             {"log.csv: no column roll_angle_deg", "did you mean roll_angle?",
+              "the columns are: time_s, roll_angle, roll_rate_deg_s, canard_deg, speed_m_s",
+              "--columns roll_angle=NAME:UNIT"});
   expect_bad("time,roll_angle_deg\n1,2\n", {"no column time_s", "did you mean time?"});
   expect_bad("time_s,roll_angle_deg,roll_rate_deg_s,canard_deg\n1,2,3,4\n", {"no column speed_m_s", "--speed"});
   EXPECT_NO_THROW((void)read("time_s,roll_angle_deg\n0,1\n1,2\n", {}, {.roll_rate = false}));

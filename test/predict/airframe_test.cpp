@@ -136,6 +136,25 @@ TEST(AirframeSpread, AnAreaThatIsNotKnownMovesDampingAndTorqueTogether) {
   EXPECT_NEAR(static_cast<double>(below_middle) / count, 0.5, 5.0 * std::sqrt(0.25 / count));
 }
 
+// Of 19.4 +- 0.5, measured with an error of 0.4: 0.3 is the airframe's, and 0.5 over the root of the number is the
+// doubt about the mean. A torque that scatters by less than its error leaves that doubt alone.
+TEST(AirframeSpread, IsWithoutTheVarianceOfMeasurement) {
+  constexpr std::uint64_t seed = 16;
+  constexpr std::size_t steps = 20;
+  const double apart = std::sqrt((steps - 1.0) / steps);  // in turns above and below: a sample deviation of one
+  std::vector<TunnelStep> measured;
+  for (std::size_t i = 0; i < steps; ++i) {
+    const double up = i % 2 == 0 ? apart : -apart;
+    const double other = i % 4 < 2 ? apart : -apart;
+    measured.push_back({.damping_m2 = 19.4 + 0.5 * up, .torque_m = 9.6 + 0.1 * other});
+  }
+  const std::vector<TunnelStep> errors(steps, {.damping_m2 = 0.4, .torque_m = 0.3});
+  const Moments found = moments(drawn(AirframeSpread{measured, {}, {}, errors}, seed, 40000));
+  constexpr double of_student = (steps - 1.0) / (steps - 3.0);  // variance of t with 19 degrees of freedom
+  EXPECT_NEAR(found.covariance[0][0], of_student * (0.09 + 0.25 / steps), 0.04 * 0.1) << "seed " << seed;
+  EXPECT_NEAR(found.covariance[1][1], of_student * 0.01 / steps, 0.04 * 0.0005) << "seed " << seed;
+}
+
 TEST(AirframeSpread, NeverHasADampingOrTorqueOfZeroOrLess) {
   const std::vector<TunnelStep> wide{{.damping_m2 = 0.5, .torque_m = 11.0},
                                      {.damping_m2 = 12.0, .torque_m = 0.1},

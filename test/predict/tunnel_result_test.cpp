@@ -74,6 +74,20 @@ TEST(TunnelResult, WhatNobodySaysOfSwirlIsNotTakenOffAndThatIsSaid) {
   EXPECT_TRUE(result.sources.empty());
 }
 
+TEST(TunnelResult, ReadsTheStandardErrorsOfTheSteps) {
+  const Folder folder;
+  const std::string head = "alpha_m2,beta_m,disturbance_begin_deg,disturbance_end_deg";
+  const std::string errors =
+      ",alpha_standard_error_m2,beta_standard_error_m,disturbance_begin_standard_error_deg,"
+      "disturbance_end_standard_error_deg";
+  const TunnelResult result = read_tunnel_result(
+      folder.write("steps.csv", head + errors + "\n20,9,-5,-6,0.4,0.1,0.02,0.03\n18,8,-4,-7,0.5,0.1,0.02,0.03\n"), {});
+  ASSERT_EQ(result.standard_errors.size(), 2U);
+  EXPECT_EQ(result.standard_errors[1].damping_m2, 0.5);
+  EXPECT_NEAR(degrees(result.standard_errors[0].offset_end_rad), 0.03, 1e-12);
+  EXPECT_TRUE(shipped("tasha3_table2").standard_errors.empty());
+}
+
 TEST(TunnelResult, OfTheFirstLaunchSaysThatItIsHindsight) {
   const TunnelResult result = shipped("tasha3_launch1_flight");
   ASSERT_EQ(result.sources.size(), 1U);
@@ -141,7 +155,10 @@ INSTANTIATE_TEST_SUITE_P(
                 "steps.csv:3: vehicle = \"B\", and \"A\" in the first row"},
         BadFile{"alpha_m2,beta_m,disturbance_begin_deg,disturbance_end_deg,reference_area_m2\n19,9,-5,-6,0\n"
                 "20,9,-5,-6,0\n19,9,-5,-6,0\n",
-                "steps.csv:2: reference_area_m2 = \"0\"; allowed: 1e-08 to 1"}),
+                "steps.csv:2: reference_area_m2 = \"0\"; allowed: 1e-08 to 1"},
+        BadFile{"alpha_m2,beta_m,disturbance_begin_deg,disturbance_end_deg,alpha_standard_error_m2\n19,9,-5,-6,1\n"
+                "19,9,-5,-6,1\n19,9,-5,-6,1\n",
+                "no column beta_standard_error_m"}),
     [](const auto& one) { return "Number" + std::to_string(one.index); });
 
 }  // namespace

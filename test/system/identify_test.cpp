@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
 #include <functional>
+#include <iterator>
+#include <sstream>
 
+#include <fmt/core.h>
 #include <gtest/gtest.h>
 
 #include "json/value.hpp"
@@ -114,6 +117,37 @@ TEST_F(IdentifiedFlight, GivesItVeryNearlyFromTheTruth) {
   EXPECT_NEAR(json["results"][1]["disturbance_deg"][1].number(), -4.9, 0.001);
 }
 
+// The summary says what flew, and with what it was changed; nobody has to remember it.
+TEST_F(IdentifiedFlight, BringsItsVehicleAlong) {
+  const auto json = identified(*folder_, {"identify", "out/tasha3_launch2", "--json", "--out", "own"});
+  EXPECT_EQ(json, identified(*folder_, identify("out/tasha3_launch2", {"--json", "--out", "named"})));
+  const Outcome text =
+      fantail({"identify", "out/tasha3_launch2/flight.ftl", "--out", "log"}, {.working_folder = folder_->path()});
+  EXPECT_EQ(text.exit_code, 0) << text.err;
+  EXPECT_NE(text.out.find("tasha3_launch2 (summary.json), I 0.00393 kg m2"), std::string::npos) << text.out;
+}
+
+TEST_F(IdentifiedFlight, AnotherVehicleThanTheOneThatFlewIsUsedAndNamed) {
+  const Outcome outcome = fantail({"identify", "out/tasha3_launch2", "--area", "1e-4", "--out", "other"},
+                                  {.working_folder = folder_->path()});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  for (const char* part : {"tasha3_launch2 (summary.json), I 0.00393 kg m2, A 0.0001 m2",
+                           "was simulated with the vehicle tasha3_launch2", "A 5.0265e-05 m2"}) {
+    EXPECT_NE(outcome.out.find(part), std::string::npos) << part << "\n" << outcome.out;
+  }
+}
+
+TEST(Identify, TakesTheVehicleAsItFlewNotAsItsFileSays) {
+  const Folder folder;
+  ASSERT_EQ(fantail({"fly", "tasha3_launch2", "--set", "body.roll_inertia_kg_m2=0.005", "--out", "heavy"},
+                    {.working_folder = folder.path()})
+                .exit_code,
+            0);
+  const auto json = identified(folder, {"identify", "heavy", "--json"});
+  EXPECT_EQ(json["inertia_kg_m2"].number(), 0.005);
+  EXPECT_NEAR(json["alpha_m2"].number(), 23.0, 0.5);
+}
+
 TEST_F(IdentifiedFlight, HasWindowsByItsEvents) {
   const auto json = identified(*folder_, identify("out/tasha3_launch2", {"--json", "--window", "thrust", "--window",
                                                                          "step:1", "--window", "1:2", "--out", "w"}));
@@ -153,8 +187,78 @@ TEST(Identify, ReadsAnotherLoggersNamesAndUnits) {
   EXPECT_NEAR(json["alpha_m2"].number(), 20.0, 0.1);
   EXPECT_NEAR(json["beta_m"].number(), 9.0, 0.05);
   EXPECT_NEAR(json["disturbance_deg"][0].number(), -5.0, 0.02);
-  EXPECT_TRUE(json["remarks"].empty()) << json["remarks"];
+  const std::string remarks = json["remarks"].dump();
+  EXPECT_NE(remarks.find("No unit was stated for t; it is read in s."), std::string::npos) << remarks;
+  EXPECT_EQ(remarks.find("stated for phi"), std::string::npos) << "--units states it: " << remarks;
   EXPECT_FALSE(content(folder / "out/identify/run/report.html").empty());
+}
+
+// The example of docs/identification.md: in the order of that page the first lines of the log, the command, what it
+// prints, and what it keeps.
+std::vector<std::string> blocks_of_the_example() {
+  const std::string page = content(std::string{FANTAIL_TEST_SOURCE} + "/docs/identification.md");
+  std::vector<std::string> blocks;
+  const std::string fence = "```\n";
+  std::size_t at = page.find("## A log of another logger");
+  while (blocks.size() < 4 && (at = page.find("```", at)) != std::string::npos) {
+    const std::size_t begin = page.find('\n', at) + 1;
+    const std::size_t end = page.find(fence, begin);
+    blocks.push_back(page.substr(begin, end - begin));
+    at = end + fence.size();
+  }
+  return blocks;
+}
+
+std::vector<std::string> lines(const std::string& text) {
+  std::vector<std::string> all;
+  std::istringstream stream{text};
+  for (std::string line; std::getline(stream, line);) {
+    all.push_back(line);
+  }
+  return all;
+}
+
+TEST(Identify, TheManualsLogOfAnotherLoggerGivesWhatTheManualSays) {
+  const std::vector<std::string> blocks = blocks_of_the_example();
+  ASSERT_EQ(blocks.size(), 4U);
+  const Folder folder;
+  std::string log = "t,p,u,battery\n";
+  for (const Row& r : tunnel_rows(shaken)) {
+    log += fmt::format("{:.0f},{:.6f},{:.4f},7.9\n", 1000.0 * r.time_s, r.rate_deg_s / degrees, r.canard_deg);
+  }
+  EXPECT_TRUE(log.starts_with(blocks[0])) << log.substr(0, 100);
+  folder.write("run7.csv", log);
+  std::istringstream command{blocks[1]};
+  Words words{std::istream_iterator<std::string>{command}, {}};
+  ASSERT_EQ(words.front(), "./dev");
+  words.erase(words.begin());
+  std::erase(words, "\\");  // at the end of a line
+  const Outcome outcome = fantail(words, {.working_folder = folder.path()});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  for (const std::string& line : lines(blocks[2])) {
+    EXPECT_TRUE(line == "..." || outcome.out.find(line) != std::string::npos) << line << "\n" << outcome.out;
+  }
+  EXPECT_EQ(content(folder / "run7.csv.columns.toml"), blocks[3]);
+  const Outcome again = fantail(
+      {"identify", "run7.csv", "--speed", "22", "--inertia", "0.00393", "--area", "5.0265e-5", "--elevation", "1400"},
+      {.working_folder = folder.path()});
+  EXPECT_EQ(again.exit_code, 0) << again.err;
+  EXPECT_NE(again.out.find("Columns as run7.csv.columns.toml says"), std::string::npos) << again.out;
+}
+
+TEST(Identify, RefusesAMapThatItWouldHaveToGuessAt) {
+  const Words rocket{"--speed", "22", "--vehicle", "tasha3_tunnel"};
+  const auto refuse = [&](Words more, int code, const std::vector<std::string>& said) {
+    Words words{"identify", "a.csv"};
+    words.insert(words.end(), rocket.begin(), rocket.end());
+    words.insert(words.end(), more.begin(), more.end());
+    Refusal({{"a.csv", "t,p,u\n0,1,2\n1,1,2\n"}}, words, code, said);
+  };
+  refuse({"--columns", "time=t:sec"}, 78, {"\"sec\" is no unit of time", "s, ms, us"});
+  refuse({"--columns", "time=t:s", "--column", "time_s=t"}, 64, {"time_s", "--column"});
+  refuse({"--columns", "time=tt:s,roll_rate=p:rad/s,canard=u:deg"}, 65, {"no column tt", "t, p, u"});
+  refuse({"--save-columns"}, 64, {"--save-columns"});
+  refuse({"--columns", "time=t:s,roll_rate=p:rad/s,canard=u:deg", "--elevation", "20000"}, 64, {"--elevation"});
 }
 
 TEST(Identify, PrintsATableForPeople) {

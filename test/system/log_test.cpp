@@ -106,7 +106,18 @@ TEST_F(FlownLog, OneThatWasCutOffIsIntactAsFarAsItGoes) {
   folder.write("a.ftl", flown_log().substr(0, flown_log().size() / 2));
   const Outcome outcome = run({"log", "info", "a.ftl"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-  EXPECT_NE(outcome.out.find("the recording breaks off"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("the recording breaks off: the simulation ended"), std::string::npos) << outcome.out;
+  EXPECT_EQ(outcome.out.find("power was lost"), std::string::npos) << outcome.out;
+}
+
+TEST_F(FlownLog, IsCalledTheSameByInfoEventsAndReport) {
+  folder.write("a.ftl", flown_log());
+  const Outcome info = run({"log", "info", "a.ftl"});
+  EXPECT_NE(info.out.find("Flight 1: at 0x0 in the flash"), std::string::npos) << info.out;
+  EXPECT_NE(info.out.find("recording began, at 0x0 in the flash"), std::string::npos) << info.out;
+  const Outcome report = run({"report", "a.ftl"});
+  EXPECT_TRUE(report.out.starts_with("flight 1, power-up 1\n")) << report.out;
+  EXPECT_EQ((info.out + report.out).find("flight 0"), std::string::npos) << info.out << report.out;
 }
 
 TEST_F(FlownLog, OfTwoFlightsInOneFileEachCanBeChosen) {

@@ -72,7 +72,7 @@ TEST(Tunnel, StepsWritesTheTableThatAPredictionReads) {
   const std::string csv = content(folder / "out/tunnel/steps/steps.csv");
   EXPECT_TRUE(
       csv.starts_with("step,begin_s,alpha_m2,beta_m,disturbance_begin_deg,disturbance_end_deg,"
-                      "mean_abs_angle_error_deg,mean_abs_rate_error_deg_s,vehicle,reference_area_m2\n"))
+                      "mean_abs_angle_error_deg,mean_abs_rate_error_deg_s,alpha_standard_error_m2,"))
       << csv;
   EXPECT_EQ(std::ranges::count(csv, '\n'), 5);
   const Outcome by_hand = in(folder, {"tunnel", "steps", "run", "--speed", "22", "--inertia", "0.00393", "--area",
@@ -94,10 +94,25 @@ TEST(Tunnel, WhatIsNoLogOfATunnelIsRefusedAndNothingIsWritten) {
   Refusal({{"a.csv", roll}, {"b.csv", roll}}, {"tunnel", "swirl", "a.csv", "b.csv"}, 65, {"a.csv", "no wind speed"});
   Refusal({{"a.csv", "time_s,speed_m_s,roll_rate_deg_s\n0,9,1\n2,9,1\n"}}, {"tunnel", "swirl", "a.csv", "a.csv"}, 78,
           {"a.csv", "--steady-without"});
-  Refusal({{"a.csv", roll}}, {"tunnel", "steps", "a.csv"}, 65, {"a.csv", "roll_angle_deg"});
+  Refusal({{"a.csv", roll}}, {"tunnel", "steps", "a.csv"}, 65, {"a.csv", "canard_deg"});
   Refusal({{"a.csv", "time_s,roll_angle_deg,roll_rate_deg_s,canard_deg\n0,0,0,0\n1,0,0,0\n"}},
-          {"tunnel", "steps", "a.csv", "--speed", "22"}, 65, {"a.csv", "reference_deg"});
+          {"tunnel", "steps", "a.csv", "--speed", "22", "--vehicle", "tasha3_tunnel"}, 65, {"a.csv", "reference_deg"});
+  Refusal({{"a.csv", "time_s,roll_angle_deg,roll_rate_deg_s,canard_deg,reference_deg\n0,0,0,0,0\n1,0,0,0,45\n"}},
+          {"tunnel", "steps", "a.csv", "--speed", "22"}, 64, {"no rocket given", "--vehicle", "tasha3_tunnel"});
   Refusal({}, {"tunnel", "steps", "none", "--vehicle", "nobody"}, 66, {"none"});
+}
+
+TEST(Tunnel, NothingIsWrittenOverTheRunItIsMadeFrom) {
+  const Folder folder;
+  ASSERT_EQ(in(folder, {"fly", "tunnel_steps", "--set", "run.control_time_s=10", "--out", "run"}).exit_code, 0);
+  const std::string page = content(folder / "run/report.html");
+  for (const char* verb : {"steps", "flow"}) {
+    const Outcome outcome = in(folder, {"tunnel", verb, "run", "--out", "run"});
+    EXPECT_EQ(outcome.exit_code, 74) << outcome.out;
+    EXPECT_NE(outcome.err.find("run: is what these results are made from"), std::string::npos) << outcome.err;
+  }
+  EXPECT_EQ(in(folder, {"identify", "run", "--speed", "22", "--out", "run"}).exit_code, 74);
+  EXPECT_EQ(content(folder / "run/report.html"), page);
 }
 
 TEST(Tunnel, AWrongWordIsAUsageError) {

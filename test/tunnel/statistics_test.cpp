@@ -10,10 +10,10 @@
 namespace fantail::tunnel {
 namespace {
 
-TEST(Moments, AreThoseOfTheSamplesThemselves) {
+TEST(Moments, AreThoseOfASample) {
   const std::vector<double> values{1.0, 2.0, 3.0, 6.0};
   EXPECT_DOUBLE_EQ(moments(values).mean, 3.0);
-  EXPECT_DOUBLE_EQ(moments(values).standard_deviation, std::sqrt(14.0 / 4.0));
+  EXPECT_DOUBLE_EQ(moments(values).standard_deviation, std::sqrt(14.0 / 3.0));
 }
 
 TEST(KnownMean, ConstantSamplesHaveNoError) {

@@ -74,7 +74,7 @@ TEST(Swirl, SpeedsOfOneSessionOnlyAreInterpolatedOrLeftOut) {
   EXPECT_NEAR(swirl.differences[1].difference_rad / degree, 1.5, 1e-9);
   EXPECT_NEAR(swirl.differences[2].difference_rad / degree, 1.0, 1e-9);
   EXPECT_NEAR(swirl.swirl->offset_rad / degree, 1.25, 1e-9);
-  EXPECT_NEAR(swirl.swirl->deviation_rad / degree, 0.5 / std::sqrt(2.0), 1e-9);
+  EXPECT_NEAR(swirl.swirl->deviation_rad.value() / degree, 0.5 / std::sqrt(2.0), 1e-9);
 }
 
 // Without a common speed there is nothing to subtract, and that is a result.

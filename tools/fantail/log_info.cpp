@@ -46,7 +46,7 @@ void show(const InfoOptions& options) {
   std::vector<FlightInfo> flights;
   for (std::size_t i = 0; i < file.flights.size(); ++i) {
     give_up_if_interrupted();
-    flights.push_back(flight_info(file.flights[i], options.flight.value_or(i + 1)));
+    flights.push_back(flight_info(file.flights[i]));
   }
   if (options.json) {
     fmt::print("{}", log_info_json(file, flights));
@@ -63,7 +63,7 @@ void show(const InfoOptions& options) {
 
 }  // namespace
 
-FlightInfo flight_info(const flight_log::Flight& flight, std::size_t number) {
+FlightInfo flight_info(const flight_log::Flight& flight) {
   flight_log::Regeneration replay;
   if (flight.plan) {
     replay = flight_log::regenerate(flight, *flight.plan);
@@ -73,8 +73,7 @@ FlightInfo flight_info(const flight_log::Flight& flight, std::size_t number) {
                                         : "No intact header is left, and so no flight plan.";
   }
   const core::Microseconds zero = flight_log::time_zero(flight, replay);
-  return {.number = number,
-          .flight = flight,
+  return {.flight = flight,
           .replay = std::move(replay),
           .loop = flight_log::loop_times(flight),
           .health = flight_log::health_figures(flight),
@@ -90,7 +89,7 @@ void add_log_info(const Verb& log) {
   verb.flag("--json", options->json, "Print one JSON object");
   verb.examples(
       "Times count from lift-off, in the tunnel from control start.\n"
-      "Exit code 0: intact, also when cut off by a loss of power; 1: records are missing or bytes damaged.\n"
+      "Exit code 0: intact, also when the recording breaks off; 1: records are missing or bytes damaged.\n"
       "Examples:\n"
       "  fantail log info out/tasha3_launch2    who flew what, is it intact, does a replay give the same\n"
       "  fantail log info flash.ftl --flight 2  one of several flights that a board's flash held\n"

@@ -14,7 +14,6 @@ namespace fantail::tool {
 
 /// What fantail log info says of one flight.
 struct FlightInfo {
-  std::size_t number = 0;  ///< in the file, from 1
   const flight_log::Flight& flight;
   flight_log::Regeneration replay;
   std::optional<flight_log::LoopTimes> loop;
@@ -28,7 +27,7 @@ struct FlightInfo {
 };
 
 /// The flight outlives what is returned.
-[[nodiscard]] FlightInfo flight_info(const flight_log::Flight& flight, std::size_t number);
+[[nodiscard]] FlightInfo flight_info(const flight_log::Flight& flight);
 
 [[nodiscard]] std::string log_info_text(const FlightInfo& info);
 [[nodiscard]] std::string log_info_json(const flight_log::LogFile& file, const std::vector<FlightInfo>& flights);

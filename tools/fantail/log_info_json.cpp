@@ -98,7 +98,7 @@ Json events(const FlightInfo& info) {
 
 Json flight(const FlightInfo& info) {
   const flight_log::Flight& f = info.flight;
-  return {{"number", info.number},
+  return {{"number", info.flight.number},
           {"flight", f.flight},
           {"power_up", f.power_up},
           {"vehicle", text_or_null(f.vehicle)},

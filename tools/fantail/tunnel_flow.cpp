@@ -26,8 +26,10 @@ void flow(const FlowOptions& options) {
   const tunnel::Flow flow = tunnel::examine_flow(log, steady_segments(log, options.steady, options.finding));
   const std::string json = tunnel::flow_json(log, flow);
   write_tunnel_output(options.output, default_folder,
-                      {{"flow.json", json}, {"report.html", tunnel::flow_html(log, flow)}},
-                      tunnel::flow_text(log, flow), json);
+                      {.files = {{"flow.json", json}, {"report.html", tunnel::flow_html(log, flow)}},
+                       .text = tunnel::flow_text(log, flow),
+                       .json = json,
+                       .made_from = {options.log}});
 }
 
 }  // namespace

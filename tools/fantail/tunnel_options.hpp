@@ -20,9 +20,15 @@ struct TunnelOutput {
 /// --out and --json.
 void add_tunnel_output(const Verb& verb, TunnelOutput& output, const std::string& default_folder);
 
+struct TunnelResults {
+  std::vector<text::NamedFile> files;
+  std::string text;
+  std::string json;
+  std::vector<std::filesystem::path> made_from;  ///< logs that must not be overwritten, nor written into
+};
+
 /// Writes the files, and prints the text with the folder's page, or the JSON.
-void write_tunnel_output(const TunnelOutput& output, const std::string& default_folder,
-                         const std::vector<text::NamedFile>& files, const std::string& text, const std::string& json);
+void write_tunnel_output(const TunnelOutput& output, const std::string& default_folder, const TunnelResults& results);
 
 /// A list of steady stretches by hand.
 void add_steady_option(const Verb& verb, const std::string& name, std::string& stretches, const std::string& meaning);

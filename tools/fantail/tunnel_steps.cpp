@@ -3,12 +3,14 @@
 #include <optional>
 #include <string>
 
+#include <fmt/core.h>
+
+#include "fantail/airframe_options.hpp"
 #include "fantail/command_line.hpp"
 #include "fantail/log_options.hpp"
 #include "fantail/tunnel_options.hpp"
-#include "identify/model/roll_model.hpp"
-#include "input/shipped.hpp"
-#include "input/vehicle_file.hpp"
+#include "input/messages.hpp"
+#include "sim/atmosphere.hpp"
 #include "tunnel/steps.hpp"
 
 namespace fantail::tool {
@@ -16,64 +18,33 @@ namespace {
 
 constexpr const char* default_folder = "out/tunnel/steps";
 
-// Whose inertia and reference area a roll model is identified with.
-struct AirframeOptions {
-  std::string vehicle;
-  std::optional<double> inertia_kg_m2{};
-  std::optional<double> area_m2{};
-};
-
-struct NamedAirframe {
-  std::string name;
-  identify::model::Airframe airframe{};
-};
-
-void add_airframe_options(const Verb& verb, AirframeOptions& options) {
-  verb.option("--vehicle", options.vehicle, "Vehicle with the inertia and reference area: a shipped name or a path")
-      .value_name("FILE")
-      .show_default();
-  verb.option("--inertia", options.inertia_kg_m2, "Roll inertia, instead of the vehicle's")
-      .check(within(1e-9, 1e6))
-      .value_name("KG_M2");
-  verb.option("--area", options.area_m2, "Reference area, instead of the vehicle's")
-      .check(within(1e-9, 1e6))
-      .value_name("M2");
-}
-
-// The vehicle's, except what is given as a number.
-NamedAirframe airframe(const AirframeOptions& options) {
-  if (options.inertia_kg_m2 && options.area_m2) {
-    return {"", {.inertia_kg_m2 = *options.inertia_kg_m2, .reference_area_m2 = *options.area_m2}};
-  }
-  const sim::Vehicle vehicle =
-      input::read_vehicle(input::Document::load(input::find_input(input::Shipped::vehicle, options.vehicle)));
-  return {vehicle.name,
-          {.inertia_kg_m2 = options.inertia_kg_m2.value_or(vehicle.roll_plant.inertia_kg_m2),
-           .reference_area_m2 = options.area_m2.value_or(vehicle.roll_plant.reference_area_m2)}};
-}
-
 struct StepsVerbOptions {
   std::string run;
   LogOptions logs;
-  AirframeOptions airframe{.vehicle = "tasha3_tunnel"};
+  AirframeOptions airframe;
   std::optional<double> speed_m_s;
   std::string wind;
-  double density_kg_m3 = 1.2;
+  std::optional<double> density_kg_m3;
+  std::optional<double> elevation_m;
   std::string method = "continuous";
+  std::string initial = "fitted";
   std::string only;
   tunnel::StepOptions steps;
   TunnelOutput output;
 };
 
-tunnel::StepsHeading heading(const StepsVerbOptions& options, const logs::RollLog& log) {
-  const NamedAirframe frame = airframe(options.airframe);
+tunnel::StepsHeading heading(const StepsVerbOptions& options, const logs::RollLog& log, const NamedAirframe& frame) {
   tunnel::StepsHeading heading{.log = log.name,
-                               .vehicle = frame.name,
+                               .vehicle = frame.vehicle,
+                               .airframe_source = frame.name,
                                .airframe = frame.airframe,
-                               .density_kg_m3 = options.density_kg_m3,
+                               .density_kg_m3 = options.density_kg_m3.value_or(1.2),
+                               .density_source = options.density_kg_m3 ? "--density" : "the default",
                                .options = options.steps};
   heading.options.method =
       options.method == "grid" ? identify::result::Method::grid : identify::result::Method::continuous;
+  heading.options.start =
+      options.initial == "fitted" ? identify::model::Start::fitted : identify::model::Start::measured;
   heading.options.direction = options.only.empty()   ? tunnel::Direction::both
                               : options.only == "up" ? tunnel::Direction::up
                                                      : tunnel::Direction::down;
@@ -82,20 +53,32 @@ tunnel::StepsHeading heading(const StepsVerbOptions& options, const logs::RollLo
   heading.speed_m_s = speed.speed_m_s;
   heading.speed_source = speed.source;
   heading.options.record.speed_m_s = speed.speed_m_s;
-  heading.options.record.density_kg_m3 = options.density_kg_m3;
+  if (options.elevation_m) {
+    heading.density_kg_m3 = sim::Atmosphere{.model = sim::DensityModel::isa}.density_kg_m3(*options.elevation_m);
+    heading.density_source =
+        fmt::format("standard atmosphere at {} m above the sea", input::plain_number(*options.elevation_m));
+  }
+  heading.options.record.density_kg_m3 = heading.density_kg_m3;
   return heading;
 }
 
 void steps(const StepsVerbOptions& options) {
-  const logs::RollLog log = logs::read_roll_log(options.run, reading(options.logs), {.canard = true});
-  const tunnel::StepsHeading head = heading(options, log);
+  logs::RollLog log = logs::read_roll_log(options.run, reading(options.logs), {.canard = true});
+  if (options.logs.save_map) {
+    save_column_map(options.logs.map, options.run, "--columns");
+  }
+  const NamedAirframe frame = named_airframe(options.airframe, options.run);
+  log.warnings.insert(log.warnings.end(), frame.warnings.begin(), frame.warnings.end());
+  const tunnel::StepsHeading head = heading(options, log, frame);
   const tunnel::StepTable table = tunnel::identify_steps(log, head.airframe, head.options);
   const std::string json = tunnel::steps_json(head, table);
   write_tunnel_output(options.output, default_folder,
-                      {{"steps.csv", tunnel::steps_csv(head, table)},
-                       {"steps.json", json},
-                       {"report.html", tunnel::steps_html(head, table)}},
-                      tunnel::steps_text(head, table), json);
+                      {.files = {{"steps.csv", tunnel::steps_csv(head, table)},
+                                 {"steps.json", json},
+                                 {"report.html", tunnel::steps_html(head, table)}},
+                       .text = tunnel::steps_text(head, table),
+                       .json = json,
+                       .made_from = {options.run}});
 }
 
 void add_run_options(const Verb& verb, StepsVerbOptions& options) {
@@ -106,10 +89,13 @@ void add_run_options(const Verb& verb, StepsVerbOptions& options) {
       .check(within(0.1, 1000.0))
       .value_name("M/S");
   verb.option("--wind", options.wind, "The tunnel's log, instead of the tunnel.csv beside the run").value_name("FILE");
-  verb.option("--density", options.density_kg_m3, "Air density")
-      .check(within(0.01, 5.0))
-      .value_name("KG/M3")
-      .show_default();
+  auto density =
+      verb.option("--density", options.density_kg_m3, "Air density [1.2]").check(within(0.01, 5.0)).value_name("KG/M3");
+  verb.option("--elevation", options.elevation_m,
+              "Of the tunnel above the sea: density of the standard atmosphere there")
+      .check(within(-500, 9000))
+      .value_name("M")
+      .excludes(density);
   add_log_options(verb, options.logs);
 }
 
@@ -125,6 +111,11 @@ void add_method_options(const Verb& verb, StepsVerbOptions& options) {
   verb.option("--method", options.method, "continuous, or the published search on a grid")
       .one_of({"continuous", "grid"})
       .value_name("continuous|grid")
+      .show_default();
+  verb.option("--initial", options.initial,
+              "Angle and rate at the start of each step: fitted, or taken as measured, as published")
+      .one_of({"fitted", "measured"})
+      .value_name("fitted|measured")
       .show_default();
   verb.option("--only", options.only, "Steps in one direction only").one_of({"up", "down"}).value_name("up|down");
   verb.option("--lag", options.steps.record.lag_s, "Time by which the canard column lags the gyro's")

@@ -31,6 +31,9 @@ struct SwirlVerbOptions {
 tunnel::RollSession read(const SessionOptions& options, const SwirlVerbOptions& all) {
   tunnel::RollSession session;
   session.roll = logs::read_roll_log(options.roll, reading(all.logs), {.roll_angle = false, .roll_rate = true});
+  if (all.logs.save_map) {
+    save_column_map(all.logs.map, options.roll, "--columns");
+  }
   session.wind = tunnel::wind_of(session.roll, options.roll, options.wind, all.logs.truth);
   if (session.wind.fan_rpm.empty() && options.steady.empty()) {
     throw text::Error{text::ErrorKind::bad_configuration,
@@ -47,8 +50,10 @@ void swirl(const SwirlVerbOptions& options) {
   const tunnel::Swirl swirl = tunnel::examine_swirl(sessions.without, sessions.with, options.swirl);
   const std::string json = tunnel::swirl_json(sessions, swirl);
   write_tunnel_output(options.output, default_folder,
-                      {{"swirl.json", json}, {"report.html", tunnel::swirl_html(sessions, swirl)}},
-                      tunnel::swirl_text(sessions, swirl), json);
+                      {.files = {{"swirl.json", json}, {"report.html", tunnel::swirl_html(sessions, swirl)}},
+                       .text = tunnel::swirl_text(sessions, swirl),
+                       .json = json,
+                       .made_from = {options.without.roll, options.with.roll}});
 }
 
 void add_session(const Verb& verb, const std::string& word, SessionOptions& options) {

@@ -26,6 +26,7 @@ struct LogChoice {
   std::string motion = "measured";
   std::string units = "deg";
   std::vector<std::string> columns;
+  std::string map;
 };
 
 struct CompareVerbOptions {
@@ -41,6 +42,7 @@ struct CompareVerbOptions {
   std::optional<double> most_rate_deg_s;
   std::string out = "out/compare";
   bool json = false;
+  bool save_maps = false;
 };
 
 std::string objection_to_requirement(const std::string& text) {
@@ -48,12 +50,20 @@ std::string objection_to_requirement(const std::string& text) {
 }
 
 logs::RollLog read(const LogChoice& choice, const char* options) {
-  const flight::Reading reading{
-      .columns = column_names(choice.columns),
-      .angles = choice.units == "rad" ? flight::AngleUnit::radians : flight::AngleUnit::degrees,
-      .truth = choice.motion == "true",
-      .options = options};
+  flight::Reading reading{.columns = column_names(choice.columns),
+                          .angles = choice.units == "rad" ? flight::AngleUnit::radians : flight::AngleUnit::degrees,
+                          .truth = choice.motion == "true",
+                          .options = options};
+  apply_typed_map(choice.map, fmt::format("{}columns", options), reading);
   return logs::read_roll_log(choice.path, reading, {});
+}
+
+void save_maps(const CompareVerbOptions& options) {
+  for (const auto& [choice, option] : {std::pair{&options.a, "--a-columns"}, std::pair{&options.b, "--b-columns"}}) {
+    if (!choice->map.empty()) {
+      save_column_map(choice->map, choice->path, option);
+    }
+  }
 }
 
 logs::CompareOptions question(const CompareVerbOptions& options, const logs::RollLog& a) {
@@ -74,8 +84,14 @@ std::optional<double> in_radians(const std::optional<double>& degrees) {
 }
 
 void compare_logs(const CompareVerbOptions& options) {
+  if (options.save_maps && options.a.map.empty() && options.b.map.empty()) {
+    throw UsageError{"--save-columns: there is nothing to keep without --a-columns or --b-columns"};
+  }
   const logs::RollLog a = read(options.a, "--a-");
   const logs::RollLog b = read(options.b, "--b-");
+  if (options.save_maps) {
+    save_maps(options);
+  }
   give_up_if_interrupted();
   CompareResults results{.a = fmt::format("{} ({})", options.a.path, options.a.motion),
                          .b = fmt::format("{} ({})", options.b.path, options.b.motion),
@@ -116,6 +132,7 @@ void add_log(const Verb& verb, const std::string& name, const std::string& capit
       .check(objection_to_column)
       .value_name("OURS=THEIRS")
       .one_word_each_time();
+  add_column_map_option(verb, "--" + name + "-columns", choice.map);
   verb.option("--" + name + "-units", choice.units, "Unit of every angle and rate in " + capital)
       .one_of({"deg", "rad"})
       .value_name("deg|rad")
@@ -143,6 +160,7 @@ void fill(const Verb& verb) {
   auto options = std::make_shared<CompareVerbOptions>();
   add_log(verb, "a", "A", options->a);
   add_log(verb, "b", "B", options->b);
+  add_save_columns_option(verb, options->save_maps);
   add_alignment(verb, *options);
   verb.option("--require-angle", options->most_angle_deg, "Largest mean difference of the angle, deg; else exit code 1")
       .check(objection_to_requirement);

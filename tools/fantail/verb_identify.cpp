@@ -10,6 +10,7 @@
 
 #include "core/flight_plan.hpp"
 #include "core/flight_plan_fields.hpp"
+#include "fantail/airframe_options.hpp"
 #include "fantail/command_line.hpp"
 #include "fantail/interrupt.hpp"
 #include "fantail/log_options.hpp"
@@ -22,7 +23,6 @@
 #include "input/messages.hpp"
 #include "input/plan_file.hpp"
 #include "input/shipped.hpp"
-#include "input/vehicle_file.hpp"
 #include "logs/roll_log.hpp"
 
 namespace fantail::tool {
@@ -40,10 +40,9 @@ struct IdentifyOptions {
   bool fit_lag = false;
   bool fit_initial = false;
 
-  std::optional<std::string> vehicle;
-  std::optional<double> inertia_kg_m2;
-  std::optional<double> area_m2;
+  AirframeOptions airframe;
   std::optional<std::string> density;
+  std::optional<double> elevation_m;
   std::optional<double> speed_m_s;
 
   std::string nodes = "even:1";
@@ -91,11 +90,12 @@ void add_windows(const Verb& verb, IdentifyOptions& o) {
 }
 
 void add_rocket(const Verb& verb, IdentifyOptions& o) {
-  verb.option("--vehicle", o.vehicle, "A shipped name (tasha3_launch2, tasha3_tunnel, smokey, ...) or a path");
-  verb.option("--inertia", o.inertia_kg_m2, "Roll moment of inertia in kg m2").check(within(1e-9, 1e6));
-  verb.option("--area", o.area_m2, "Reference area in m2").check(within(1e-9, 1e6));
+  add_airframe_options(verb, o.airframe);
   verb.option("--density", o.density,
               "Air density: kg/m3, exponential or isa [exponential if the log climbs, else 1.2]");
+  verb.option("--elevation", o.elevation_m, "Of the site above the sea, for the standard atmosphere")
+      .check(within(-500, 9000))
+      .value_name("M");
   verb.option("--speed", o.speed_m_s, "In m/s, the same throughout, instead of the log's").check(within(0.1, 1e4));
 }
 
@@ -148,32 +148,6 @@ std::vector<identify::Window> windows(const IdentifyOptions& o, const logs::Roll
     all.push_back(controlled ? identify::find_window(log, "control") : identify::Window{.name = "all"});
   }
   return all;
-}
-
-struct Rocket {
-  identify::model::Airframe airframe;
-  std::string text;
-};
-
-Rocket rocket(const IdentifyOptions& o) {
-  Rocket result;
-  if (o.vehicle) {
-    const sim::Vehicle vehicle =
-        input::read_vehicle(input::Document::load(input::find_input(input::Shipped::vehicle, *o.vehicle)));
-    result = {{vehicle.roll_plant.inertia_kg_m2, vehicle.roll_plant.reference_area_m2}, vehicle.name + ", "};
-  } else if (!o.inertia_kg_m2 || !o.area_m2) {
-    std::string message = "no rocket given: use --vehicle NAME|FILE, or --inertia and --area; shipped vehicles:";
-    for (const std::string& name : input::shipped_names(input::Shipped::vehicle)) {
-      message += " " + name;
-    }
-    throw UsageError{message};
-  }
-  identify::model::Airframe& airframe = result.airframe;
-  airframe.inertia_kg_m2 = o.inertia_kg_m2.value_or(airframe.inertia_kg_m2);
-  airframe.reference_area_m2 = o.area_m2.value_or(airframe.reference_area_m2);
-  result.text += fmt::format("I {} kg m2, A {} m2", input::about(airframe.inertia_kg_m2),
-                             input::about(airframe.reference_area_m2));
-  return result;
 }
 
 identify::closed_loop::Control closed_loop(const IdentifyOptions& o) {
@@ -233,14 +207,24 @@ std::filesystem::path output_folder(const IdentifyOptions& o) {
 
 void identify_data(const IdentifyOptions& o) {
   identify::Question q = question(o);
-  const Rocket which = rocket(o);
-  q.airframe = which.airframe;
+  const NamedAirframe rocket = named_airframe(o.airframe, o.data);
+  q.airframe = rocket.airframe;
   const logs::RollLog log = read(o);
-  const identify::Air air = identify::choose_air(log, o.density);
+  if (o.log.save_map) {
+    save_column_map(o.log.map, o.data, "--columns");
+  }
+  const identify::Air air = identify::choose_air(log, o.density, o.elevation_m);
   q.record.atmosphere = air.atmosphere;
+  q.record.site_elevation_m = o.elevation_m.value_or(0.0);
   q.windows = windows(o, log);
   identify::result::Study result = study(log, q);
-  result.vehicle = which.text;
+  result.vehicle = fmt::format("{}, I {} kg m2, A {} m2", rocket.name, input::about(rocket.airframe.inertia_kg_m2),
+                               input::about(rocket.airframe.reference_area_m2));
+  if (o.windows.empty() && log.phase.empty() && !o.from_s && !o.to_s) {
+    result.warnings.emplace_back(
+        "The log has no phases, so the window is the whole log, with what came before and after control.");
+  }
+  result.warnings.insert(result.warnings.end(), rocket.warnings.begin(), rocket.warnings.end());
   result.density = air.description;
   result.speed = o.speed_m_s   ? input::plain_number(*o.speed_m_s) + " m/s throughout"
                  : o.log.truth ? "true_speed_m_s"
@@ -264,12 +248,12 @@ void fill(const Verb& verb) {
   add_identify_options(verb, *options);
   verb.examples(
       "Examples:\n"
-      "  fantail identify out/tasha3_launch2 --vehicle tasha3_launch2 --method both\n"
+      "  fantail identify out/tasha3_launch2 --method both\n"
       "                                          a simulated flight: the published grid beside the search without one\n"
-      "  fantail identify run7.csv --column roll_angle_deg=phi --column canard_deg=fin --units rad --speed 22\n"
-      "      --inertia 0.00393 --area 5.0265e-5 --window 0:5 --window 5:10\n"
+      "  fantail identify run7.csv --columns time=t:ms,roll_rate=p:rad/s,canard=fin:deg --save-columns --speed 22\n"
+      "      --inertia 0.00393 --area 5.0265e-5 --elevation 1400 --window 0:5 --window 5:10\n"
       "                                          another logger's tunnel run, two steps of it, each by itself\n"
-      "  fantail identify out/tasha3_launch1 --vehicle tasha3_launch1 --nodes thrust:2,coast:2 --loop closed\n"
+      "  fantail identify out/tasha3_launch1 --nodes thrust:2,coast:2 --loop closed\n"
       "      --plan tasha3_launch1 --json        canards as the controller commands them, for a script");
   verb.action([options] { identify_data(*options); });
 }

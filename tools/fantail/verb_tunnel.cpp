@@ -12,15 +12,14 @@ void add_tunnel_output(const Verb& verb, TunnelOutput& output, const std::string
   verb.flag("--json", output.json, "Print the JSON instead of the text");
 }
 
-void write_tunnel_output(const TunnelOutput& output, const std::string& default_folder,
-                         const std::vector<text::NamedFile>& files, const std::string& text, const std::string& json) {
+void write_tunnel_output(const TunnelOutput& output, const std::string& default_folder, const TunnelResults& results) {
   const std::filesystem::path folder = output.out.empty() ? default_folder : output.out;
-  text::OutputFolder{folder}.write(files);
+  text::OutputFolder{folder, results.made_from}.write(results.files);
   if (output.json) {
-    fmt::print("{}", json);
+    fmt::print("{}", results.json);
   } else {
-    fmt::print("{}\n", text);
-    for (const text::NamedFile& file : files) {
+    fmt::print("{}\n", results.text);
+    for (const text::NamedFile& file : results.files) {
       const bool is_page = file.name.ends_with(".html");
       fmt::print("  {}  {}\n", is_page ? "report" : "data  ", (folder / file.name).string());
     }

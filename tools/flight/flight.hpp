@@ -119,10 +119,19 @@ struct Known {
   bool saturation = true;
 };
 
+/// What a roll model of the flight is identified with: of the vehicle as it flew, every --set included.
+struct FlownAirframe {
+  std::string vehicle;       ///< its name
+  std::string vehicle_file;  ///< as the scenario names it: a shipped name or a path
+  double roll_inertia_kg_m2 = 0.0;
+  double reference_area_m2 = 0.0;
+};
+
 /// One flown flight: all that flight.csv, summary.json and report.html are made from.
 struct Flight {
   std::string scenario;
   std::string vehicle;
+  std::optional<FlownAirframe> airframe;  ///< of a simulated one
   std::string plan_name;
   std::string version;                ///< of the program that flew it
   std::optional<std::uint64_t> seed;  ///< of a simulated one

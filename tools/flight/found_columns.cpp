@@ -8,6 +8,7 @@
 #include <fmt/core.h>
 
 #include "input/messages.hpp"
+#include "text/degrees.hpp"
 #include "text/error.hpp"
 
 namespace fantail::flight {
@@ -49,6 +50,14 @@ void refuse_unknown_names(const Reading& reading) {
     std::ranges::for_each(names, [&](const std::string& name) { message += " " + name; });
     throw text::Error{ErrorKind::bad_configuration, message};
   }
+}
+
+constexpr std::string_view true_prefix = "true_";
+constexpr std::size_t most_unused_shown = 8;
+
+// What flight.csv has it in: the first unit of a dimension.
+std::string_view base_unit(Dimension dimension) {
+  return std::ranges::find(units(), dimension, &Unit::dimension)->name;
 }
 
 // What the file itself would call a column in radians.
@@ -108,17 +117,53 @@ void FoundColumns::add(const Column& column, std::string name, bool must_be_ther
     name = in_radians(name);
   }
   if (const auto index = table_.find(name)) {
-    found_.push_back({*index, &column, needed});
+    found_.push_back({*index, &column, needed, si_of(column)});
   } else if (must_be_there) {
     refuse_missing(column, name);
   }
 }
 
+// A true_ column is measured in the unit of the column that it is the truth of.
+double FoundColumns::si_of(const Column& column) const {
+  const std::string_view measured = column.is_true ? column.name.substr(true_prefix.size()) : column.name;
+  if (const auto unit = reading_.units.find(std::string{measured}); unit != reading_.units.end()) {
+    return unit->second.si;
+  }
+  return column.unit == Column::Unit::degrees && reading_.angles == AngleUnit::degrees ? text::radians(1.0) : 1.0;
+}
+
+std::vector<std::string> FoundColumns::notes() const {
+  std::vector<std::string> sentences;
+  for (const auto& [ours, theirs] : reading_.columns) {
+    const Quantity quantity = quantity_of(ours);
+    const bool by_option = ours.find("_deg") != std::string::npos && reading_.angles == AngleUnit::radians;
+    if (quantity.dimension && !by_option && !reading_.units.contains(ours)) {
+      sentences.push_back(
+          fmt::format("No unit was stated for {}; it is read in {}.", theirs, base_unit(*quantity.dimension)));
+    }
+  }
+  std::string unused;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < table_.columns().size(); ++i) {
+    const bool used = phase() == i || std::ranges::find(found_, i, &FoundColumn::index) != found_.end();
+    if (!used && !table_.columns()[i].empty() && ++count <= most_unused_shown) {
+      unused += (unused.empty() ? "" : ", ") + in_quotes(table_.columns()[i]);
+    }
+  }
+  if (count > 0) {
+    sentences.push_back(fmt::format(
+        "Columns that are not used: {}{}.", unused,
+        count > most_unused_shown ? fmt::format(" and {} more", count - most_unused_shown) : std::string{}));
+  }
+  return sentences;
+}
+
 void FoundColumns::refuse_missing(const Column& column, const std::string& name) const {
   std::string message = fmt::format("{}: {}", table_.name(), missing_column(name, table_.columns()));
   if (!reading_.options.empty()) {
-    const std::string_view ours = column.is_true ? column.name.substr(5) : column.name;
-    message += fmt::format("; if it has another name: {}column {}=NAME", reading_.options, ours);
+    const std::string_view ours = column.is_true ? column.name.substr(true_prefix.size()) : column.name;
+    message +=
+        fmt::format("; if it has another name: {}columns {}=NAME:UNIT", reading_.options, quantity_of(ours).name);
     message += ours == "speed_m_s" ? "; if it was not measured: --speed" : "";
   }
   refuse(message);

@@ -18,6 +18,7 @@ struct FoundColumn {
   std::size_t index;
   const Column* column;
   bool needed;
+  double si;  ///< one of the file's unit in SI and radians
 };
 
 /// Which columns of a table are those of a flight. Throws as read_flight_csv does.
@@ -29,10 +30,13 @@ class FoundColumns {
   [[nodiscard]] bool has(std::string_view name) const;
   /// Where the words of the flight phase stand, if the file has them.
   [[nodiscard]] std::optional<std::size_t> phase() const;
+  /// What a person may not expect: a sentence each.
+  [[nodiscard]] std::vector<std::string> notes() const;
 
  private:
   void find(const Column& measured, bool needed);
   void add(const Column& column, std::string name, bool must_be_there, bool needed);
+  [[nodiscard]] double si_of(const Column& column) const;
   [[noreturn]] void refuse_missing(const Column& column, const std::string& name) const;
 
   const Table& table_;

@@ -15,7 +15,6 @@
 #include "flight/columns.hpp"
 #include "flight/found_columns.hpp"
 #include "input/messages.hpp"
-#include "text/degrees.hpp"
 #include "text/error.hpp"
 
 namespace fantail::flight {
@@ -36,8 +35,8 @@ std::optional<core::Phase> phase_named(std::string_view word) {
 
 class Rows {
  public:
-  Rows(const Table& table, const FoundColumns& columns, AngleUnit angles, Flight& flight)
-      : table_{table}, columns_{columns.found()}, phase_{columns.phase()}, angles_{angles}, flight_{flight} {}
+  Rows(const Table& table, const FoundColumns& columns, Flight& flight)
+      : table_{table}, columns_{columns.found()}, phase_{columns.phase()}, wrong_(columns_.size()), flight_{flight} {}
 
   void read_all() {
     flight_.rows.reserve(table_.rows());
@@ -52,18 +51,27 @@ class Rows {
       }
     }
     judge_count();
+    for (std::size_t i = 0; i < columns_.size(); ++i) {
+      if (wrong_[i] > 0) {
+        flight_.notes.push_back(
+            fmt::format("{} of {} cells of {} hold something that is no number; they are taken as not "
+                        "known.",
+                        wrong_[i], table_.rows(), table_.columns()[columns_[i].index]));
+      }
+    }
     flight_.known.phase = phase_.has_value();
   }
 
  private:
   std::optional<Row> read(std::size_t line) {
     Row row = unknown_row();
-    for (const auto& [index, column, needed] : columns_) {
-      const auto value = table_.number(line, index);
-      if (value) {
-        const bool is_degrees = column->unit == Column::Unit::degrees && angles_ == AngleUnit::degrees;
-        column->set(row, is_degrees ? text::radians(*value) : *value);
-      } else if (needed) {
+    for (std::size_t i = 0; i < columns_.size(); ++i) {
+      const auto& [index, column, needed, si] = columns_[i];
+      if (const auto value = table_.number(line, index)) {
+        column->set(row, *value * si);
+      } else if (!needed) {
+        wrong_[i] += table_.cell(line, index).empty() ? 0 : 1;
+      } else {
         if (first_left_out_.empty()) {
           first_left_out_ =
               fmt::format("line {}, {} {}", table_.line(line), column->name, in_quotes(table_.cell(line, index)));
@@ -133,7 +141,7 @@ class Rows {
   const Table& table_;
   std::span<const FoundColumn> columns_;
   std::optional<std::size_t> phase_;
-  AngleUnit angles_;
+  std::vector<std::size_t> wrong_;  ///< cells of a column that nobody needs, with something that is no number
   Flight& flight_;
   std::size_t left_out_ = 0;
   std::size_t repeated_ = 0;
@@ -164,7 +172,8 @@ Flight read_flight_csv(const Table& table, const Reading& reading, const Needs& 
   const FoundColumns columns{table, reading, needs};
   Flight flight;
   flight.known = {.plan = false, .saturation = columns.has("saturated")};
-  Rows{table, columns, reading.angles, flight}.read_all();
+  flight.notes = columns.notes();
+  Rows{table, columns, flight}.read_all();
   if (flight.known.phase) {
     note_phases(flight);
   }

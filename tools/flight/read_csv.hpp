@@ -7,6 +7,7 @@
 
 #include "flight/flight.hpp"
 #include "flight/table.hpp"
+#include "flight/units.hpp"
 
 namespace fantail::flight {
 
@@ -16,10 +17,14 @@ using ColumnNames = std::map<std::string, std::string>;
 
 enum class AngleUnit : std::uint8_t { degrees, radians };
 
+/// Fantail's name of a column and the unit that the file has it in.
+using ColumnUnits = std::map<std::string, Unit>;
+
 /// How a table is to be read.
 struct Reading {
   ColumnNames columns{};                  ///< those that the file names differently
-  AngleUnit angles = AngleUnit::degrees;  ///< of every angle and rate in the file
+  ColumnUnits units{};                    ///< those that are in a unit of their own
+  AngleUnit angles = AngleUnit::degrees;  ///< of every other angle and rate in the file
   bool truth = false;  ///< of a simulated flight the true_ columns are asked for, where there are any
   /// How the options of the verb begin, for advice: --column, or --a-column. Empty: it has none.
   std::string options = "--";
@@ -38,7 +43,8 @@ struct Needs {
 ///
 /// A row with a cell that is no number in a needed column is left out; such a cell of any other column is unknown. A
 /// row that repeats the one before it, time and all, counts once: loggers write a line twice, and the second says
-/// nothing new. A column phase with a word that is no phase is not used. Each of these becomes a note of the flight.
+/// nothing new. A column phase with a word that is no phase is not used. Each of these becomes a note of the flight,
+/// and so do columns that Fantail does not know, and a unit that nobody stated for a column with another name.
 ///
 /// Throws text::Error: bad_configuration for a name in `reading.columns` that Fantail does not know; bad_data for a
 /// needed or mapped column that is not there (naming it and listing those that are), for nothing that Fantail knows,

@@ -38,7 +38,7 @@ std::string sensor(std::string_view which, std::uint8_t state) {
 std::string event_text(const protocol::LogEvent& event) {
   using Kind = protocol::LogEventKind;
   switch (event.kind) {
-    case Kind::recording_began: return fmt::format("recording of flight {} began", event.number);
+    case Kind::recording_began: return fmt::format("recording began, at {:#x} in the flash", event.number);
     case Kind::recording_ended:
       return fmt::format("recording ended: {}", text(static_cast<protocol::LogEnd>(event.value)));
     case Kind::phase:

@@ -46,10 +46,12 @@ struct Gap {
 
 /// One flight, as far as its log could be read.
 struct Flight {
+  std::size_t number = 1;  ///< in its file, counted from 1, as people call it
+
   // Of the first header that is intact; empty texts and zeros without one.
   bool has_header = false;
   std::uint16_t format_version = 0;
-  std::uint32_t flight = 0;
+  std::uint32_t flight = 0;  ///< the place in the flash where it begins
   std::uint32_t power_up = 0;
   std::uint32_t state_layout = 0;
   float rate_scale_rad_s = 0.0F;

@@ -35,6 +35,11 @@ bool has_end(const Flight& flight) {
                              [](const auto& e) { return e.kind == protocol::LogEventKind::recording_ended; });
 }
 
+std::string break_off_text(const Flight& flight) {
+  return flight.sensors == "simulated" ? "the simulation ended first, or the file was cut off"
+                                       : "power was lost, or the log was read before it ended";
+}
+
 bool intact(const Flight& flight) { return lost_records(flight) == 0 && flight.has_header; }
 
 bool intact(const LogFile& file) {
@@ -59,7 +64,7 @@ std::string integrity_text(const Flight& flight) {
     text += fmt::format("; {} never written, because the flash was too slow", counted(dropped, "record"));
   }
   if (!has_end(flight)) {
-    text += "; the recording breaks off: power was lost, or the run ended";
+    text += "; the recording breaks off: " + break_off_text(flight);
   }
   if (flight.unknown_records > 0) {
     text += fmt::format("; {} of a kind that this version does not know", counted(flight.unknown_records, "record"));

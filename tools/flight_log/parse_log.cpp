@@ -243,11 +243,15 @@ LogFile parse_log(std::span<const std::byte> bytes, std::string name) {
   FlightBuilder builder;
   bool begun = false;
   std::size_t foreign_before = 0;
+  const auto keep = [&file](Flight flight) {
+    flight.number = file.flights.size() + 1;
+    file.flights.push_back(std::move(flight));
+  };
   while (const auto frame = reader.next()) {
     file.foreign_places += reader.foreign_bytes() > foreign_before ? 1 : 0;
     foreign_before = reader.foreign_bytes();
     if (builder.begins_another(*frame)) {
-      file.flights.push_back(builder.take());
+      keep(builder.take());
       builder = {};
       begun = false;
     }
@@ -259,7 +263,7 @@ LogFile parse_log(std::span<const std::byte> bytes, std::string name) {
     begun = true;
   }
   if (begun) {
-    file.flights.push_back(builder.take());
+    keep(builder.take());
   }
   file.foreign_bytes = reader.foreign_bytes();
   file.cut_off_bytes = file.foreign_bytes - foreign_before;

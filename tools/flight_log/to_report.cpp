@@ -78,7 +78,7 @@ void add_notes(flight::Flight& result, const Flight& flight, const Regeneration&
   if (!intact(flight)) {
     note(fmt::format("The log is {}.", integrity_text(flight)));
   } else if (!has_end(flight)) {
-    note("The recording breaks off: power was lost, or the run ended.");
+    note(fmt::format("The recording breaks off: {}.", break_off_text(flight)));
   }
   if (const std::uint64_t dropped = dropped_records(flight); dropped > 0) {
     note(fmt::format("{} records were never written, because the flash was too slow.", dropped));
@@ -133,7 +133,7 @@ core::Microseconds time_zero(const Flight& flight, const Regeneration& regenerat
 
 flight::Flight to_report(const Flight& flight, const Regeneration& regeneration) {
   flight::Flight result;
-  result.scenario = fmt::format("flight {} of power-up {}", flight.flight, flight.power_up);
+  result.scenario = fmt::format("flight {}, power-up {}", flight.number, flight.power_up);
   result.vehicle = flight.vehicle;
   result.plan_name = plan_name(flight);
   result.version = flight.firmware_version;

@@ -56,6 +56,10 @@ flight::Flight describe(const sim::Scenario& scenario) {
   flight::Flight flight;
   flight.scenario = scenario.name;
   flight.vehicle = scenario.vehicle.name;
+  flight.airframe = {.vehicle = scenario.vehicle.name,
+                     .vehicle_file = scenario.vehicle_name,
+                     .roll_inertia_kg_m2 = scenario.vehicle.roll_plant.inertia_kg_m2,
+                     .reference_area_m2 = scenario.vehicle.roll_plant.reference_area_m2};
   flight.plan_name = scenario.plan_name;
   flight.version = FANTAIL_VERSION;
   flight.seed = scenario.seed;

@@ -138,7 +138,7 @@ std::vector<double> densities(const RollLog& log, const Indices& samples, const 
   }
   std::vector<double> density = column_at(log, log.height_m, samples, "height_m");
   for (double& value : density) {
-    value = options.atmosphere.density_kg_m3(value);
+    value = options.atmosphere.density_kg_m3(value + options.site_elevation_m);
   }
   return density;
 }
@@ -161,20 +161,43 @@ Air constant_air(double density_kg_m3, const std::string& why) {
 }
 
 Air exponential_air() {
-  return {{.model = sim::DensityModel::exponential}, "1.225 exp(-h / 8500 m) kg/m3, h from height_m"};
+  return {{.model = sim::DensityModel::exponential},
+          "1.225 exp(-h / 8500 m) kg/m3, h from height_m, for a site at sea level"};
+}
+
+Air standard_air(const RollLog& log, double site_elevation_m) {
+  const sim::Atmosphere standard{.model = sim::DensityModel::isa};
+  const double at_site_kg_m3 = standard.density_kg_m3(site_elevation_m);
+  const std::string site =
+      fmt::format("standard atmosphere at {} m above the sea", input::plain_number(site_elevation_m));
+  if (!climbs(log)) {
+    return {{.model = sim::DensityModel::constant, .constant_kg_m3 = at_site_kg_m3},
+            fmt::format("{:.4f} kg/m3, {}", at_site_kg_m3, site)};
+  }
+  return {standard, fmt::format("{}, {:.4f} kg/m3, and above it by height_m", site, at_site_kg_m3)};
 }
 
 }  // namespace
 
-Air choose_air(const RollLog& log, const std::optional<std::string>& asked) {
+Air choose_air(const RollLog& log, const std::optional<std::string>& asked,
+               const std::optional<double>& site_elevation_m) {
+  if (site_elevation_m) {
+    if (asked && *asked != "isa") {
+      throw Error{ErrorKind::bad_configuration,
+                  "--density " + *asked + ": --elevation means the standard atmosphere; give one of the two"};
+    }
+    return standard_air(log, *site_elevation_m);
+  }
   if (!asked) {
-    return climbs(log) ? exponential_air() : constant_air(1.2, ", the default for a log that does not climb");
+    return climbs(log) ? exponential_air()
+                       : constant_air(1.2, log.height_m.empty() ? ", the default for a log without heights"
+                                                                : ", the default for a log that does not climb");
   }
   if (*asked == "exponential") {
     return exponential_air();
   }
   if (*asked == "isa") {
-    return {{.model = sim::DensityModel::isa}, "standard atmosphere, height from height_m"};
+    return {{.model = sim::DensityModel::isa}, "standard atmosphere, height from height_m, for a site at sea level"};
   }
   const auto value = text::number(*asked);
   if (!value || *value <= 0.0 || *value > 100.0) {

@@ -23,9 +23,11 @@ struct Air {
   std::string description{};
 };
 
-/// `asked` is a density in kg/m3, "exponential" or "isa". Empty: exponential when the log climbs, else 1.2 kg/m3.
-/// Throws text::Error (bad_configuration) for anything else.
-[[nodiscard]] Air choose_air(const logs::RollLog& log, const std::optional<std::string>& asked);
+/// `asked` is a density in kg/m3, "exponential" or "isa". Empty: exponential when the log climbs, else 1.2 kg/m3. With
+/// the elevation of a site it is the standard atmosphere, from there on over the height of a log that climbs. Throws
+/// text::Error (bad_configuration) for anything else, and for an elevation beside another atmosphere.
+[[nodiscard]] Air choose_air(const logs::RollLog& log, const std::optional<std::string>& asked,
+                             const std::optional<double>& site_elevation_m = {});
 
 struct RecordOptions {
   /// How much later the canard column is than the gyro's: its value at t + lag belongs to t. Of either sign. Samples
@@ -33,6 +35,7 @@ struct RecordOptions {
   double lag_s = 0.0;
   std::optional<double> density_kg_m3{};  ///< the same everywhere; empty: from the height by `atmosphere`
   sim::Atmosphere atmosphere{};
+  double site_elevation_m = 0.0;      ///< heights of the log count from here
   std::optional<double> speed_m_s{};  ///< for a log without speeds, or instead of them
   bool canard_needed = true;          ///< false: a log without canard angles gives a record without them
   double longest_gap_s = 0.1;         ///< samples farther apart have a gap between them (but see below)

@@ -6,6 +6,7 @@
 #include "flight/read_csv.hpp"
 #include "flight_log/integrity.hpp"
 #include "flight_log/to_report.hpp"
+#include "logs/column_map.hpp"
 #include "report/summary_json.hpp"
 #include "text/error.hpp"
 
@@ -45,6 +46,15 @@ std::filesystem::path flight_file(const std::filesystem::path& path) {
   throw Error{ErrorKind::no_such_input, path.string() + ": this folder holds no flight.csv or flight.ftl"};
 }
 
+std::optional<flight::FlownAirframe> flown_airframe(const std::filesystem::path& path) {
+  std::error_code ignored;
+  const bool is_folder = std::filesystem::is_directory(path, ignored);
+  if (!is_folder && path.filename() != "flight.csv" && path.filename() != "flight.ftl") {
+    return {};
+  }
+  return report::summary_airframe((is_folder ? path : path.parent_path()) / "summary.json");
+}
+
 bool is_flight_log(const std::filesystem::path& path) { return path.extension() == ".ftl"; }
 
 flight::Flight read_flight_log(const std::filesystem::path& file) {
@@ -78,8 +88,13 @@ flight::Flight read_flight(const std::filesystem::path& path) {
   if (is_flight_log(file)) {
     return read_flight_log(file);
   }
-  flight::Flight flight = flight::read_flight_csv(flight::Table::load(file.string()), {.options = ""},
-                                                  {.roll_angle = false, .roll_rate = false});
+  flight::Reading reading{.options = ""};
+  const std::string mapped = apply_map_beside(file, reading);
+  flight::Flight flight =
+      flight::read_flight_csv(flight::Table::load(file.string()), reading, {.roll_angle = false, .roll_rate = false});
+  if (!mapped.empty()) {
+    flight.notes.insert(flight.notes.begin(), mapped);
+  }
   if (file == path) {
     flight.scenario = path.filename().string();
     return flight;

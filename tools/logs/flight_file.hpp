@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 
 #include "flight/flight.hpp"
 
@@ -10,6 +11,10 @@ namespace fantail::logs {
 /// `path` itself, or of a folder its flight.csv, or else its flight.ftl. Throws text::Error (no_such_input) for a
 /// folder without either.
 [[nodiscard]] std::filesystem::path flight_file(const std::filesystem::path& path);
+
+/// Which airframe a flight of fantail fly was flown with, as the summary.json beside it says; `path` is its folder, or
+/// flight.csv or flight.ftl in it. Empty for every other log. Throws text::Error (bad_data) for a damaged summary.
+[[nodiscard]] std::optional<flight::FlownAirframe> flown_airframe(const std::filesystem::path& path);
 
 /// A flight log (.ftl) by its name.
 [[nodiscard]] bool is_flight_log(const std::filesystem::path& path);

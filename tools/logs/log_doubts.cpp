@@ -75,16 +75,27 @@ std::optional<double> angle_over_rate(const RollLog& log) {
 
 void note_doubtful_units(RollLog& log, const flight::Reading& reading) {
   const double canard_rad = largest(log.canard_rad);
-  if (reading.angles == flight::AngleUnit::degrees && looks_like_radians(log)) {
+  const bool angles_are_stated = reading.units.contains("canard_deg");
+  if (angles_are_stated && canard_rad > 1.6) {
+    log.warnings.push_back(
+        fmt::format("canard angles reach {} degrees with the unit that is stated for them: no canard "
+                    "turns so far",
+                    input::about(canard_rad / sim::radians_per_degree)));
+  }
+  if (!angles_are_stated && reading.angles == flight::AngleUnit::degrees && looks_like_radians(log)) {
     log.warnings.push_back(fmt::format("angles look like radians: the largest canard angle is {}{}",
                                        input::about(canard_rad / sim::radians_per_degree), advice(reading, "rad")));
   }
-  if (reading.angles == flight::AngleUnit::radians && canard_rad > 1.6) {
+  if (!angles_are_stated && reading.angles == flight::AngleUnit::radians && canard_rad > 1.6) {
     log.warnings.push_back(fmt::format("angles look like degrees: the largest canard angle is {} rad{}",
                                        input::about(canard_rad), advice(reading, "deg")));
   }
   const double interval_s = usual_interval_s(log.time_s);
-  if (interval_s >= 1.0) {
+  constexpr double fastest_logger_s = 2e-5;
+  if (reading.units.contains("time_s") && (interval_s >= 1.0 || interval_s < fastest_logger_s)) {
+    log.warnings.push_back(
+        fmt::format("samples are {} s apart with the unit that is stated for time", input::about(interval_s)));
+  } else if (interval_s >= 1.0) {
     log.warnings.push_back(fmt::format(
         "samples are {} s apart: time_s must be in seconds and may be in milliseconds here", input::about(interval_s)));
   }

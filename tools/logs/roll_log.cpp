@@ -12,7 +12,9 @@
 
 #include "flight/columns.hpp"
 #include "flight/table.hpp"
+#include "logs/column_map.hpp"
 #include "logs/flight_file.hpp"
+#include "logs/integrated_angle.hpp"
 #include "logs/log_doubts.hpp"
 #include "report/summary_json.hpp"
 #include "text/error.hpp"
@@ -128,13 +130,25 @@ RollLog read_roll_log(const std::filesystem::path& path, const flight::Reading& 
     refuse_what_only_a_table_has(file.string(), reading);
     return roll_log(read_flight_log(file), file.string(), reading);
   }
-  flight::Flight flight = flight::read_flight_csv(flight::Table::load(file.string()), reading, needs);
+  flight::Reading mapped = reading;
+  const std::string said = apply_map_beside(file, mapped);
+  const flight::Table table = flight::Table::load(file.string());
+  flight::Needs present = needs;
+  present.roll_angle = needs.roll_angle && (!needs.roll_rate || may_have_roll_angle(table, mapped));
+  flight::Flight flight = flight::read_flight_csv(table, mapped, present);
+  if (!said.empty()) {
+    flight.notes.insert(flight.notes.begin(), said);
+  }
   if (file != path) {
     const flight::Events events = report::summary_events(path / "summary.json");
     flight.events.burnout_s = events.burnout_s;
     flight.events.apogee_s = events.apogee_s;
   }
-  return roll_log(flight, path.string(), reading);
+  RollLog log = roll_log(flight, path.string(), mapped);
+  if (needs.roll_angle && !present.roll_angle) {
+    integrate_roll_rate(log, mapped);
+  }
+  return log;
 }
 
 }  // namespace fantail::logs

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "predict/airframe.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 
@@ -30,23 +31,41 @@ double draw_factor(const AreaFactor& area, std::uint64_t seed) {
   return std::exp(middle + deviation * random.gaussian());
 }
 
+std::array<double, 4> numbers(const TunnelStep& step) {
+  return {step.damping_m2, step.torque_m, step.offset_begin_rad, step.offset_end_rad};
+}
+
 }  // namespace
 
 AirframeSpread::AirframeSpread(const std::vector<TunnelStep>& steps, const DampingFactor& damping,
-                               const std::optional<AreaFactor>& area)
+                               const std::optional<AreaFactor>& area, const std::vector<TunnelStep>& standard_errors)
     : degrees_of_freedom_{steps.size() - 1}, damping_{damping}, area_{area} {
   const auto count = static_cast<double>(steps.size());
   for (const TunnelStep& step : steps) {
-    deviations_.push_back({step.damping_m2, step.torque_m, step.offset_begin_rad, step.offset_end_rad});
+    deviations_.push_back(numbers(step));
     for (std::size_t i = 0; i < mean_.size(); ++i) {
       mean_[i] += deviations_.back()[i] / count;
     }
   }
-  // Variance of one more step: that of the steps, and that of their mean.
-  const double scale = std::sqrt((1.0 + 1.0 / count) / (count - 1.0));
+  Numbers seen{};  // variance
   for (Numbers& deviation : deviations_) {
     for (std::size_t i = 0; i < mean_.size(); ++i) {
-      deviation[i] = scale * (deviation[i] - mean_[i]);
+      deviation[i] -= mean_[i];
+      seen[i] += deviation[i] * deviation[i] / (count - 1.0);
+    }
+  }
+  Numbers of_measurement{};
+  for (const TunnelStep& error : standard_errors) {
+    for (std::size_t i = 0; i < mean_.size(); ++i) {
+      of_measurement[i] += numbers(error)[i] * numbers(error)[i] / count;
+    }
+  }
+  for (std::size_t i = 0; i < mean_.size(); ++i) {
+    // Variance of one more airframe: what the steps have beyond measurement, and all that makes their mean uncertain.
+    const double between = seen[i] > 0.0 ? std::max(1.0 - of_measurement[i] / seen[i], 0.0) : 1.0;
+    const double scale = std::sqrt((between + 1.0 / count) / (count - 1.0));
+    for (Numbers& deviation : deviations_) {
+      deviation[i] *= scale;
     }
   }
 }

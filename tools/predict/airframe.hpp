@@ -27,12 +27,14 @@ struct AreaFactor {
 /// Airframes as the rocket on the pad may be one: Student's t distribution with one degree of freedom less than there
 /// are steps, with the correlation of damping, torque and both offsets that the steps have among themselves. For each
 /// of the four numbers that is the predictive distribution of one more step: a normal law would take the spread of a
-/// few steps for the true one. What has a damping or torque of zero or less is drawn again.
+/// few steps for the true one. The variance of measurement, as far as the tunnel states standard errors, is taken off:
+/// it is no property of the airframe. It stays in the doubt that so few steps leave about their mean. What has a
+/// damping or torque of zero or less is drawn again.
 class AirframeSpread {
  public:
-  /// Takes `fewest_tunnel_steps` or more.
+  /// Takes `fewest_tunnel_steps` or more, and a standard error for each number of each, or none at all.
   AirframeSpread(const std::vector<TunnelStep>& steps, const DampingFactor& damping,
-                 const std::optional<AreaFactor>& area = {});
+                 const std::optional<AreaFactor>& area = {}, const std::vector<TunnelStep>& standard_errors = {});
 
   /// The same seed gives the same airframe.
   [[nodiscard]] TunnelStep draw(std::uint64_t seed) const;

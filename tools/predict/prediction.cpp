@@ -139,7 +139,8 @@ void require(const sim::Scenario& scenario, const TunnelResult& tunnel, const Op
 }
 
 AirframeSpread spread_of_airframes(const sim::Scenario& scenario, const TunnelResult& tunnel, const Options& options) {
-  return {for_vehicle(scenario, tunnel).steps, options.damping, area_factor(scenario, tunnel)};
+  const TunnelResult own = for_vehicle(scenario, tunnel);
+  return {own.steps, options.damping, area_factor(scenario, tunnel), own.standard_errors};
 }
 
 std::string airframe_sentence(std::size_t number, std::uint64_t seed, const TunnelStep& airframe) {

@@ -93,7 +93,7 @@ std::string repeat_command(const Prediction& p, std::string_view run) {
 
 std::vector<std::string> basis(const Prediction& p) {
   std::vector<std::string> all;
-  all.reserve(p.tunnel.sources.size() + 3);
+  all.reserve(p.tunnel.sources.size() + 4);
   for (const std::string& source : p.tunnel.sources) {
     all.push_back(fmt::format("Source of {}: {}.", p.tunnel.name, source));
   }
@@ -102,6 +102,12 @@ std::vector<std::string> basis(const Prediction& p) {
       "the correlation of damping, torque and offset; each flown with sensor noise of its own.",
       p.runs.size() == 1 ? "1 airframe" : fmt::format("{} airframes", p.runs.size()), p.tunnel.steps.size() - 1,
       p.tunnel.steps.size(), p.tunnel.name));
+  all.push_back(
+      p.tunnel.standard_errors.empty()
+          ? fmt::format("{} states no standard errors, so all scatter of its rows counts as the airframe's.",
+                        p.tunnel.name)
+          : fmt::format("The variance of measurement, from the standard errors in {}, is taken off the spread.",
+                        p.tunnel.name));
   all.push_back(p.tunnel.swirl_words);
   if (p.damping.low != 1.0 || p.damping.high != 1.0) {
     all.push_back(fmt::format("Damping times a factor between {} and {}, as --damping-factor says.",

@@ -84,6 +84,27 @@ std::optional<double> reference_area_m2(const flight::Table& table) {
   return NumberColumn{table, name, {1e-8, 1.0}}[0];
 }
 
+// All four or none: a spread of which one part lacks its error would look wider than it is, beside the others.
+std::vector<TunnelStep> read_standard_errors(const flight::Table& table) {
+  if (!table.find("alpha_standard_error_m2")) {
+    return {};
+  }
+  constexpr Limits damping_error{0.0, 1e4};
+  constexpr Limits angle_error{0.0, largest_angle_deg};
+  const NumberColumn damping{table, "alpha_standard_error_m2", damping_error};
+  const NumberColumn torque{table, "beta_standard_error_m", damping_error};
+  const NumberColumn begin{table, "disturbance_begin_standard_error_deg", angle_error};
+  const NumberColumn end{table, "disturbance_end_standard_error_deg", angle_error};
+  std::vector<TunnelStep> errors;
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    errors.push_back({.damping_m2 = damping[row],
+                      .torque_m = torque[row],
+                      .offset_begin_rad = radians(begin[row]),
+                      .offset_end_rad = radians(end[row])});
+  }
+  return errors;
+}
+
 std::vector<std::string> sources(const flight::Table& table) {
   std::vector<std::string> found;
   const std::optional<std::size_t> column = table.find("source");
@@ -121,6 +142,7 @@ TunnelResult read_tunnel_result(const std::filesystem::path& file, const std::op
   result.sources = sources(table);
   result.vehicle = same_in_all_rows(table, "vehicle");
   result.reference_area_m2 = reference_area_m2(table);
+  result.standard_errors = read_standard_errors(table);
   for (std::size_t row = 0; row < table.rows(); ++row) {
     const double off_rad = swirl_rad ? *swirl_rad : swirl ? radians((*swirl)[row]) : 0.0;
     result.swirl_rad += off_rad / static_cast<double>(table.rows());

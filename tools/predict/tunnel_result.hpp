@@ -26,6 +26,7 @@ struct TunnelResult {
   std::string name;                           ///< of the file, without folder
   std::vector<std::string> sources{};         ///< what the file says of where its rows are from
   std::vector<TunnelStep> steps{};            ///< `fewest_tunnel_steps` or more
+  std::vector<TunnelStep> standard_errors{};  ///< of each number of each step; none where the file does not say
   std::optional<std::string> vehicle{};       ///< whose rows they are; empty: the file does not say
   std::optional<double> reference_area_m2{};  ///< that damping and torque were identified with; likewise
   double swirl_rad = 0.0;                     ///< the mean of what was taken off
@@ -33,8 +34,9 @@ struct TunnelResult {
 };
 
 /// Reads the columns alpha_m2, beta_m, disturbance_begin_deg, disturbance_end_deg, and, where they are there,
-/// swirl_deg, source, vehicle and reference_area_m2. The swirl that is taken off is `swirl_rad` when given, else what
-/// the column swirl_deg says in that row, else none. Throws text::Error (no_such_input, bad_data).
+/// swirl_deg, source, vehicle, reference_area_m2 and the standard errors of the four. The swirl that is taken off is
+/// `swirl_rad` when given, else what the column swirl_deg says in that row, else none. Throws text::Error
+/// (no_such_input, bad_data).
 [[nodiscard]] TunnelResult read_tunnel_result(const std::filesystem::path& file,
                                               const std::optional<double>& swirl_rad);
 

@@ -66,6 +66,10 @@ TunnelResult for_vehicle(const sim::Scenario& scenario, TunnelResult tunnel) {
     step.damping_m2 *= factor;
     step.torque_m *= factor;
   }
+  for (TunnelStep& error : tunnel.standard_errors) {
+    error.damping_m2 *= factor;
+    error.torque_m *= factor;
+  }
   return tunnel;
 }
 

@@ -145,6 +145,18 @@ std::optional<Enum> named(const std::string& word, std::size_t count) {
   return {};
 }
 
+std::optional<flight::FlownAirframe> airframe(const Json& summary) {
+  const auto inertia_kg_m2 = number(summary, "roll_inertia_kg_m2");
+  const auto area_m2 = number(summary, "reference_area_m2");
+  if (!inertia_kg_m2 || !area_m2 || *inertia_kg_m2 <= 0.0 || *area_m2 <= 0.0) {
+    return {};
+  }
+  return flight::FlownAirframe{.vehicle = text(summary, "vehicle"),
+                               .vehicle_file = text(summary, "vehicle_file"),
+                               .roll_inertia_kg_m2 = *inertia_kg_m2,
+                               .reference_area_m2 = *area_m2};
+}
+
 void read_events(flight::Events& events, const Json& json) {
   for (const auto& [name, time_s] : flight::named_events) {
     if (const auto value = number(json, name)) {
@@ -203,6 +215,9 @@ void read_loop_margins(flight::Flight& flight, const Json& list) {
 std::string summary_json(const flight::Flight& flight, const Figures& figures, const Verdict& verdict) {
   const Json summary = {{"scenario", flight.scenario},
                         {"vehicle", text_or_null(flight.vehicle)},
+                        {"vehicle_file", flight.airframe ? Json(flight.airframe->vehicle_file) : Json{}},
+                        {"roll_inertia_kg_m2", flight.airframe ? Json(flight.airframe->roll_inertia_kg_m2) : Json{}},
+                        {"reference_area_m2", flight.airframe ? Json(flight.airframe->reference_area_m2) : Json{}},
                         {"plan", text_or_null(flight.plan_name)},
                         {"seed", flight.seed},
                         {"verdict", verdict.text},
@@ -243,6 +258,10 @@ flight::Events summary_events(const std::filesystem::path& file) {
   return events;
 }
 
+std::optional<flight::FlownAirframe> summary_airframe(const std::filesystem::path& file) {
+  return airframe(read(file));
+}
+
 void add_summary(flight::Flight& flight, const std::filesystem::path& file) {
   const Json summary = read(file);
   if (summary.is_null()) {
@@ -250,6 +269,7 @@ void add_summary(flight::Flight& flight, const std::filesystem::path& file) {
   }
   flight.scenario = text(summary, "scenario");
   flight.vehicle = text(summary, "vehicle");
+  flight.airframe = airframe(summary);
   flight.plan_name = text(summary, "plan");
   flight.version = text(summary, "version");
   if (const Json& seed = member(summary, "seed"); seed.is_count()) {

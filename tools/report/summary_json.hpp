@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include "flight/flight.hpp"
@@ -20,5 +21,9 @@ void add_summary(flight::Flight& flight, const std::filesystem::path& file);
 
 /// Its events alone, in the same way.
 [[nodiscard]] flight::Events summary_events(const std::filesystem::path& file);
+
+/// Which airframe flew. Empty without the file, and for a summary of an older version, which does not say. Throws as
+/// add_summary does.
+[[nodiscard]] std::optional<flight::FlownAirframe> summary_airframe(const std::filesystem::path& file);
 
 }  // namespace fantail::report

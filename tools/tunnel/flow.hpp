@@ -16,7 +16,7 @@ namespace fantail::tunnel {
 struct FlowPoint {
   SteadySegment segment{};
   double mean_m_s = 0.0;
-  double deviation_m_s = 0.0;       ///< standard deviation, divided by the number of readings
+  double deviation_m_s = 0.0;       ///< standard deviation of a sample of readings
   double gamma_m_s = 0.0;           ///< deviation^2 / mean, the turbulence intensity as published (Eq 26)
   double relative_deviation = 0.0;  ///< deviation / mean, the usual turbulence intensity
   double rounding_share = 0.0;      ///< deviation / mean that the sensor's rounding makes alone

@@ -6,12 +6,15 @@
 
 namespace fantail::tunnel {
 
+/// At least one value.
+[[nodiscard]] double mean(std::span<const double> values);
+
 struct Moments {
   double mean = 0.0;
-  double standard_deviation = 0.0;  ///< of the samples themselves, divided by their number
+  double standard_deviation = 0.0;  ///< of a sample: squares over one less than the number of values
 };
 
-/// At least one value.
+/// At least two values: one says nothing of a deviation.
 [[nodiscard]] Moments moments(std::span<const double> values);
 
 /// A mean and how well it is known.

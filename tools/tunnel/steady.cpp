@@ -178,7 +178,7 @@ SteadySegments take_steady(const TunnelLog& log, const std::vector<NamedStretch>
     SteadySegment taken{
         .begin_s = log.time_s[first], .end_s = log.time_s[last - 1], .first = first, .count = last - first};
     if (!log.fan_rpm.empty()) {
-      taken.fan_rpm = moments(std::span{log.fan_rpm}.subspan(first, last - first)).mean;
+      taken.fan_rpm = mean(std::span{log.fan_rpm}.subspan(first, last - first));
     }
     segments.found.push_back(taken);
   }

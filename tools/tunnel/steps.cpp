@@ -4,15 +4,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <span>
 #include <tuple>
+#include <utility>
 
 #include <fmt/core.h>
 
 #include "text/degrees.hpp"
 #include "text/error.hpp"
 #include "tunnel/statistics.hpp"
-#include "tunnel/steady.hpp"
 
 namespace fantail::tunnel {
 namespace {
@@ -23,42 +22,84 @@ bool wanted(const ReferenceStep& step, Direction direction) {
 
 StepResult identify_step(const logs::RollLog& log, const identify::model::Airframe& airframe,
                          const StepOptions& options, const ReferenceStep& step, std::size_t number) {
-  const std::string name = fmt::format("step {}", number);
   StepResult result{.number = number, .step = step};
-  try {
-    result.record = identify::make_record(
-        log, {.from_s = step.begin_s, .to_s = std::min(step.end_s, step.begin_s + options.seconds), .name = name},
-        options.record);
-    result.identified = identify::identify(
-        result.record, airframe,
-        {.nodes = identify::EvenNodes{options.intervals}, .method = options.method, .with_error_map = false});
-  } catch (const text::Error& error) {
-    throw text::Error{error.kind(), fmt::format("{} (at {:g} s): {}", name, step.begin_s, error.what())};
-  }
+  result.record = identify::make_record(log,
+                                        {.from_s = step.begin_s,
+                                         .to_s = std::min(step.end_s, step.begin_s + options.seconds),
+                                         .name = fmt::format("step {}", number)},
+                                        options.record);
+  result.identified = identify::identify(result.record, airframe,
+                                         {.nodes = identify::EvenNodes{options.intervals},
+                                          .method = options.method,
+                                          .start = options.start,
+                                          .with_error_map = false});
   return result;
 }
 
+// Numbers that the step does not tell would move the mean and widen the spread by whatever they happen to be.
+std::string why_useless(const StepResult& result) {
+  const auto& known = result.identified.uncertainty;
+  return known && !(known->alpha_identifiable && known->beta_identifiable) ? known->verdict : std::string{};
+}
+
 constexpr std::array columns{
-    StepColumn{"alpha_m2", "\u03b1 / m\u00b2", &StepFigures::alpha_m2, false},
-    StepColumn{"beta_m", "\u03b2 / m", &StepFigures::beta_m, false},
-    StepColumn{"disturbance_begin_deg", "begin / deg", &StepFigures::disturbance_begin_rad, true},
-    StepColumn{"disturbance_end_deg", "end / deg", &StepFigures::disturbance_end_rad, true},
-    StepColumn{"mean_abs_angle_error_deg", "angle error / deg", &StepFigures::mean_abs_angle_error_rad, true},
-    StepColumn{"mean_abs_rate_error_deg_s", "rate error / deg/s", &StepFigures::mean_abs_rate_error_rad_s, true},
+    StepColumn{.name = "alpha_m2",
+               .heading = "\u03b1 / m\u00b2",
+               .figure = &StepFigures::alpha_m2,
+               .error_name = "alpha_standard_error_m2",
+               .words = "alpha",
+               .unit = "m2"},
+    StepColumn{.name = "beta_m",
+               .heading = "\u03b2 / m",
+               .figure = &StepFigures::beta_m,
+               .error_name = "beta_standard_error_m",
+               .words = "beta",
+               .unit = "m"},
+    StepColumn{.name = "disturbance_begin_deg",
+               .heading = "begin / deg",
+               .figure = &StepFigures::disturbance_begin_rad,
+               .is_angle = true,
+               .error_name = "disturbance_begin_standard_error_deg",
+               .words = "the disturbance at the beginning",
+               .unit = "deg"},
+    StepColumn{.name = "disturbance_end_deg",
+               .heading = "end / deg",
+               .figure = &StepFigures::disturbance_end_rad,
+               .is_angle = true,
+               .error_name = "disturbance_end_standard_error_deg",
+               .words = "the disturbance at the end",
+               .unit = "deg"},
+    StepColumn{.name = "mean_abs_angle_error_deg",
+               .heading = "angle error / deg",
+               .figure = &StepFigures::mean_abs_angle_error_rad,
+               .is_angle = true},
+    StepColumn{.name = "mean_abs_rate_error_deg_s",
+               .heading = "rate error / deg/s",
+               .figure = &StepFigures::mean_abs_rate_error_rad_s,
+               .is_angle = true},
 };
 
+std::vector<double> values(const StepTable& table, double StepFigures::* figure,
+                           StepFigures (*of)(const StepResult& result)) {
+  std::vector<double> all(table.steps.size());
+  std::ranges::transform(table.steps, all.begin(), [=](const StepResult& step) { return of(step).*figure; });
+  return all;
+}
+
 void summarise(StepTable& table) {
-  const auto count = static_cast<double>(table.steps.size());
+  if (table.steps.size() > 1) {
+    table.standard_deviation.emplace();
+  }
   for (const StepColumn& column : columns) {
-    std::vector<double> values;
-    values.reserve(table.steps.size());
-    for (const StepResult& step : table.steps) {
-      values.push_back(figures_of(step).*column.figure);
+    const std::vector<double> found = values(table, column.figure, figures_of);
+    table.mean.*column.figure = mean(found);
+    if (!table.standard_deviation) {
+      continue;
     }
-    const Moments m = moments(values);
-    table.mean.*column.figure = m.mean;
-    table.standard_deviation.*column.figure =
-        count > 1.0 ? m.standard_deviation * std::sqrt(count / (count - 1.0)) : 0.0;
+    (*table.standard_deviation).*column.figure = moments(found).standard_deviation;
+    if (column.has_error()) {
+      table.spreads.push_back({&column, between_values(found, values(table, column.figure, standard_errors_of))});
+    }
   }
 }
 
@@ -70,9 +111,19 @@ void remark_on(const StepResult& result, const StepOptions& options, StepTable& 
   for (const std::string& remark : result.identified.remarks) {
     table.remarks.push_back(fmt::format("Step {}: {}", result.number, remark));
   }
-  if (result.identified.uncertainty && !result.identified.uncertainty->alpha_identifiable) {
-    table.remarks.push_back(fmt::format("Step {}: {}", result.number, result.identified.uncertainty->verdict));
-  }
+}
+
+std::string place(const ReferenceStep& step, std::size_t number) {
+  return fmt::format("step {} (at {:g} s, {:.2f} s long)", number, step.begin_s, step.end_s - step.begin_s);
+}
+
+[[noreturn]] void refuse_without_steps(const logs::RollLog& log, const StepOptions& options, std::size_t steps,
+                                       const std::vector<std::string>& left_out) {
+  const std::string why =
+      left_out.empty()
+          ? fmt::format("none of its {} steps goes {}", steps, options.direction == Direction::up ? "up" : "down")
+          : fmt::format("none of its steps tells a roll model; left out: {}", left_out.front());
+  throw text::Error{text::ErrorKind::bad_data, log.name + ": " + why};
 }
 
 /// In quotes where a table would take it for several cells.
@@ -99,9 +150,16 @@ StepFigures figures_of(const StepResult& result) {
           .mean_abs_rate_error_rad_s = simulation.mean_abs_rate_error_rad_s};
 }
 
-double StepColumn::printed(const StepFigures& figures) const {
-  return is_angle ? text::degrees(figures.*figure) : figures.*figure;
+StepFigures standard_errors_of(const StepResult& result) {
+  const std::vector<double>& known = result.identified.uncertainty.value().standard_deviation;
+  constexpr std::size_t first_node = 2;
+  return {.alpha_m2 = known[0],
+          .beta_m = known[1],
+          .disturbance_begin_rad = known[first_node],
+          .disturbance_end_rad = known.back()};
 }
+
+double StepColumn::printed(double value) const { return is_angle ? text::degrees(value) : value; }
 
 std::span<const StepColumn> step_columns() { return columns; }
 
@@ -136,52 +194,33 @@ StepTable identify_steps(const logs::RollLog& log, const identify::model::Airfra
                          const StepOptions& options) {
   StepTable table;
   const std::vector<ReferenceStep> all = find_reference_steps(log);
+  std::vector<std::string> left_out;
   for (std::size_t i = 0; i < all.size(); ++i) {
-    if (wanted(all[i], options.direction)) {
-      table.steps.push_back(identify_step(log, airframe, options, all[i], i + 1));
-      remark_on(table.steps.back(), options, table);
+    if (!wanted(all[i], options.direction)) {
+      continue;
+    }
+    std::string why;
+    try {
+      StepResult result = identify_step(log, airframe, options, all[i], i + 1);
+      why = why_useless(result);
+      if (why.empty()) {
+        table.steps.push_back(std::move(result));
+        remark_on(table.steps.back(), options, table);
+      }
+    } catch (const text::Error& error) {
+      why = error.what();
+    }
+    if (!why.empty()) {
+      left_out.push_back(fmt::format("{}: {}", place(all[i], i + 1), why));
+      table.remarks.push_back(fmt::format("Left out: {}.", left_out.back()));
     }
   }
   if (table.steps.empty()) {
-    throw text::Error{text::ErrorKind::bad_data, fmt::format("{}: none of the {} steps goes {}", log.name, all.size(),
-                                                             options.direction == Direction::up ? "up" : "down")};
+    refuse_without_steps(log, options, all.size(), left_out);
   }
   summarise(table);
   table.remarks.insert(table.remarks.end(), log.warnings.begin(), log.warnings.end());
   return table;
-}
-
-double mean_wind_speed_m_s(const TunnelLog& wind, const std::vector<ReferenceStep>& steps) {
-  const double begin_s = steps.front().begin_s;
-  const double end_s = steps.back().end_s;
-  const auto index = [&wind](double time_s) {
-    return static_cast<std::size_t>(std::ranges::lower_bound(wind.time_s, time_s) - wind.time_s.begin());
-  };
-  const std::size_t first = index(begin_s);
-  const std::size_t count = index(end_s) - first;
-  if (count == 0) {
-    throw text::Error{
-        text::ErrorKind::bad_data,
-        fmt::format("{}: no wind speed between {:g} and {:g} s, the time of the steps", wind.name, begin_s, end_s)};
-  }
-  const auto [slowest, fastest] = std::ranges::minmax(std::span{wind.fan_rpm}.subspan(first, count));
-  if (fastest - slowest > SteadyOptions{}.rpm_tolerance) {
-    throw text::Error{
-        text::ErrorKind::bad_data,
-        fmt::format("{}: the fan changes from {:g} to {:g} rpm during the steps; they need a constant wind speed",
-                    wind.name, slowest, fastest)};
-  }
-  return moments(std::span{wind.wind_speed_m_s}.subspan(first, count)).mean;
-}
-
-StepSpeed speed_of_steps(const logs::RollLog& roll, const std::filesystem::path& roll_path, const SpeedChoice& choice) {
-  if (choice.speed_m_s) {
-    return {choice.speed_m_s, "from the command line"};
-  }
-  if (const auto wind = find_tunnel_log(roll, roll_path, choice.wind, choice.truth, "give --speed or --wind")) {
-    return {mean_wind_speed_m_s(*wind, find_reference_steps(roll)), "mean of " + wind->name};
-  }
-  return {std::nullopt, "of the log"};
 }
 
 std::string steps_csv(const StepsHeading& heading, const StepTable& table) {
@@ -190,11 +229,17 @@ std::string steps_csv(const StepsHeading& heading, const StepTable& table) {
   for (const StepColumn& column : columns) {
     text += fmt::format(",{}", column.name);
   }
+  for (const StepColumn& column : columns) {
+    text += column.has_error() ? fmt::format(",{}", column.error_name) : "";
+  }
   text += ",vehicle,reference_area_m2";
   for (const StepResult& result : table.steps) {
     text += fmt::format("\n{},{:.6f}", result.number, result.step.begin_s);
     for (const StepColumn& column : columns) {
       text += fmt::format(",{:.6f}", column.printed(figures_of(result)));
+    }
+    for (const StepColumn& column : columns) {
+      text += column.has_error() ? fmt::format(",{:.6f}", column.printed(standard_errors_of(result))) : "";
     }
     text += whose;
   }

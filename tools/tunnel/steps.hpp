@@ -7,12 +7,14 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "identify/identification.hpp"
 #include "identify/make_record.hpp"
 #include "identify/model/roll_model.hpp"
 #include "logs/roll_log.hpp"
+#include "tunnel/between.hpp"
 #include "tunnel/tunnel_log.hpp"
 
 namespace fantail::tunnel {
@@ -36,6 +38,8 @@ struct StepOptions {
   std::size_t intervals = 1;  ///< between nodes of the disturbance
   Direction direction = Direction::both;
   identify::result::Method method = identify::result::Method::continuous;
+  /// Of each step. One noisy sample taken as exact turns the whole step: an error of 1 deg/s is 5 degrees at its end.
+  identify::model::Start start = identify::model::Start::fitted;
   identify::RecordOptions record{};
 };
 
@@ -56,27 +60,44 @@ struct StepFigures {
   double mean_abs_rate_error_rad_s = 0.0;
 };
 [[nodiscard]] StepFigures figures_of(const StepResult& result);
+/// How well it tells them; of the two mean errors, which are no estimates, zero.
+[[nodiscard]] StepFigures standard_errors_of(const StepResult& result);
 
 /// A figure as every table has it: steps.csv, steps.json, the terminal and the page.
 struct StepColumn {
-  const char* name;     ///< in the files
-  const char* heading;  ///< on the page
+  std::string_view name;     ///< in the files
+  std::string_view heading;  ///< on the page
   double StepFigures::* figure;
-  bool is_angle;  ///< printed in degrees
+  bool is_angle = false;  ///< printed in degrees
+  // Of an estimate, which has a standard error:
+  std::string_view error_name{};  ///< the error's name in the files
+  std::string_view words{};       ///< in a sentence
+  std::string_view unit{};
 
-  [[nodiscard]] double printed(const StepFigures& figures) const;
+  [[nodiscard]] bool has_error() const { return !error_name.empty(); }
+  [[nodiscard]] double printed(double value) const;
+  [[nodiscard]] double printed(const StepFigures& figures) const { return printed(figures.*figure); }
 };
 [[nodiscard]] std::span<const StepColumn> step_columns();
+
+/// How one figure differs from step to step.
+struct StepSpread {
+  const StepColumn* column;
+  Between spread;
+};
 
 /// One run's own Table 2.
 struct StepTable {
   std::vector<StepResult> steps{};
   StepFigures mean{};
-  StepFigures standard_deviation{};  ///< over the steps, divided by one less than their number; zero for a single one
+  // Over the steps; nothing for a single one.
+  std::optional<StepFigures> standard_deviation{};  ///< of a sample
+  std::vector<StepSpread> spreads{};                ///< of the figures that have a standard error
   std::vector<std::string> remarks{};
 };
 
-/// Throws what identify() and make_record() throw, with the number of the step.
+/// A step that cannot be identified, because it is too short for one, or that does not tell alpha and beta is left out,
+/// and a remark says why. Throws text::Error (bad_data) when none is left.
 [[nodiscard]] StepTable identify_steps(const logs::RollLog& log, const identify::model::Airframe& airframe,
                                        const StepOptions& options);
 
@@ -102,11 +123,13 @@ struct StepSpeed {
 /// What a table of steps was made from.
 struct StepsHeading {
   std::string log{};
-  std::string vehicle{};  ///< empty: inertia and area were given by hand
+  std::string vehicle{};          ///< its name; empty: inertia and area were given by hand
+  std::string airframe_source{};  ///< "tasha3_tunnel (summary.json)"; empty: the vehicle's name
   identify::model::Airframe airframe{};
   std::optional<double> speed_m_s{};  ///< empty: the log's own, which varies
   std::string speed_source{};         ///< "tunnel.csv", "--speed", "the log"
   double density_kg_m3 = 0.0;
+  std::string density_source{};  ///< "standard atmosphere at 1400 m above the sea"
   StepOptions options{};
 };
 
@@ -115,8 +138,11 @@ struct StepsHeading {
 [[nodiscard]] std::string steps_json(const StepsHeading& heading, const StepTable& table);
 [[nodiscard]] std::string steps_html(const StepsHeading& heading, const StepTable& table);
 
-/// steps.csv: step, begin_s, the columns of step_columns(), and whose rows they are: vehicle, which is empty where
-/// nobody said, and reference_area_m2. One row a step.
+/// "Between the steps alpha varies by 0.05 m2 ...": for each figure of `spreads` what is airframe and what measurement.
+[[nodiscard]] std::vector<std::string> spread_sentences(const StepTable& table);
+
+/// steps.csv: step, begin_s, the columns of step_columns(), their standard errors, and whose rows they are: vehicle,
+/// which is empty where nobody said, and reference_area_m2. One row a step.
 [[nodiscard]] std::string steps_csv(const StepsHeading& heading, const StepTable& table);
 
 }  // namespace fantail::tunnel

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <array>
+#include <functional>
+#include <iterator>
 
 #include <fmt/core.h>
 
@@ -25,23 +28,30 @@ const char* name(identify::result::Method method) {
   return method == identify::result::Method::grid ? "grid" : "continuous";
 }
 
-std::string vehicle(const StepsHeading& heading) {
-  return heading.vehicle.empty() ? "from the command line" : heading.vehicle;
+std::string airframe_source(const StepsHeading& heading) {
+  const std::string& source = heading.airframe_source.empty() ? heading.vehicle : heading.airframe_source;
+  return source.empty() ? "from the command line" : source;
+}
+
+const char* name(identify::model::Start start) {
+  return start == identify::model::Start::fitted ? "fitted" : "as measured";
 }
 
 // Vehicle, air and method in a sentence.
 std::string basis(const StepsHeading& heading) {
   const std::string speed = heading.speed_m_s ? fmt::format("{:.3f} m/s", *heading.speed_m_s) : "the speed of each row";
   return fmt::format(
-      "{}: inertia {:g} kg m2, reference area {:g} m2; {} ({}), density {:g} kg/m3; the first {:g} s of each step, "
-      "method {}.",
-      vehicle(heading), heading.airframe.inertia_kg_m2, heading.airframe.reference_area_m2, speed, heading.speed_source,
-      heading.density_kg_m3, heading.options.seconds, name(heading.options.method));
+      "{}: inertia {:g} kg m2, reference area {:g} m2; {} ({}), density {:g} kg/m3 ({}); the first {:g} s of each "
+      "step, "
+      "method {}, initial angle and rate {}.",
+      airframe_source(heading), heading.airframe.inertia_kg_m2, heading.airframe.reference_area_m2, speed,
+      heading.speed_source, heading.density_kg_m3, heading.density_source, heading.options.seconds,
+      name(heading.options.method), name(heading.options.start));
 }
 
 void add_figures(Json& json, const StepFigures& figures) {
   for (const StepColumn& column : step_columns()) {
-    json[column.name] = rounded(column.printed(figures));
+    json[std::string{column.name}] = rounded(column.printed(figures));
   }
 }
 
@@ -59,28 +69,71 @@ Json json_of(const StepResult& result) {
   add_figures(one, figures_of(result));
   one["samples"] = result.identified.samples;
   one["seconds"] = rounded(result.identified.seconds);
-  if (const auto& known = result.identified.uncertainty; known && known->standard_deviation.size() >= 2) {
-    one["alpha_standard_deviation_m2"] = rounded(known->standard_deviation[0]);
-    one["beta_standard_deviation_m"] = rounded(known->standard_deviation[1]);
-    one["alpha_identifiable"] = known->alpha_identifiable;
+  for (const StepColumn& column : step_columns()) {
+    if (column.has_error()) {
+      one[std::string{column.error_name}] = rounded(column.printed(standard_errors_of(result)));
+    }
   }
   return one;
 }
 
-std::string row_text(const std::string& first, const StepFigures& figures) {
+Json json_of(const std::vector<StepSpread>& spreads) {
+  Json all;
+  for (const auto& [column, spread] : spreads) {
+    const Json interval{std::vector<Json>{rounded(column->printed(spread.low)), rounded(column->printed(spread.high))}};
+    all[std::string{column->name}] = Json{{"seen", rounded(column->printed(spread.seen))},
+                                          {"measurement", rounded(column->printed(spread.measurement))},
+                                          {"between", rounded(column->printed(spread.between))},
+                                          {"interval", interval}};
+  }
+  return all;
+}
+
+using Print = std::function<std::string(const StepColumn& column)>;
+
+Print printed(const StepFigures& figures) {
+  return [&figures](const StepColumn& column) { return fixed(column.printed(figures), 3); };
+}
+
+// Of the figures that have one.
+Print printed(const StepTable& table, double Between::* part) {
+  return [&table, part](const StepColumn& column) {
+    const auto found = std::ranges::find(table.spreads, column.name, [](const auto& one) { return one.column->name; });
+    return found == table.spreads.end() ? std::string{} : fixed(column.printed(found->spread.*part), 3);
+  };
+}
+
+struct Line {
+  std::string label;
+  Print print;
+};
+
+// What stands below the steps.
+std::vector<Line> summary(const StepTable& table) {
+  std::vector<Line> lines{{"mean", printed(table.mean)}};
+  if (table.standard_deviation) {
+    lines.push_back({"standard deviation", printed(*table.standard_deviation)});
+    lines.push_back({"  of measurement", printed(table, &Between::measurement)});
+    lines.push_back({"  between the steps", printed(table, &Between::between)});
+  }
+  return lines;
+}
+
+std::string row_text(const std::string& first, const Print& print) {
   std::string text = fmt::format("{:<21}", first);
   for (const StepColumn& column : step_columns()) {
     const bool begins_group =
         column.figure == &StepFigures::disturbance_begin_rad || column.figure == &StepFigures::mean_abs_angle_error_rad;
-    text += fmt::format("{}{:8.3f}", begins_group ? "   " : " ", column.printed(figures));
+    text += fmt::format("{}{:>8}", begins_group ? "   " : " ", print(column));
   }
+  text.erase(text.find_last_not_of(' ') + 1);
   return text + "\n";
 }
 
-std::vector<page::Cell> row(const std::string& first, const std::string& at, const StepFigures& figures) {
+std::vector<page::Cell> row(const std::string& first, const std::string& at, const Print& print) {
   std::vector<page::Cell> cells{{first}, {at}};
   for (const StepColumn& column : step_columns()) {
-    cells.push_back({fixed(column.printed(figures), 3)});
+    cells.push_back({print(column)});
   }
   return cells;
 }
@@ -88,15 +141,16 @@ std::vector<page::Cell> row(const std::string& first, const std::string& at, con
 std::string table_html(const StepTable& table) {
   std::vector<page::Column> columns{{"step"}, {"at / s", true}};
   for (const StepColumn& column : step_columns()) {
-    columns.push_back({column.heading, true});
+    columns.push_back({std::string{column.heading}, true});
   }
   std::vector<std::vector<page::Cell>> rows;
-  rows.reserve(table.steps.size() + 2);
   for (const StepResult& result : table.steps) {
-    rows.push_back(row(std::to_string(result.number), fmt::format("{:g}", result.step.begin_s), figures_of(result)));
+    const StepFigures figures = figures_of(result);
+    rows.push_back(row(std::to_string(result.number), fmt::format("{:g}", result.step.begin_s), printed(figures)));
   }
-  rows.push_back(row("mean", "", table.mean));
-  rows.push_back(row("standard deviation", "", table.standard_deviation));
+  for (const Line& line : summary(table)) {
+    rows.push_back(row(line.label, "", line.print));
+  }
   return page::table(columns, rows);
 }
 
@@ -146,22 +200,51 @@ std::string over_steps(const StepTable& table, std::size_t place, const char* la
     chart.series[0].x.push_back(static_cast<double>(result.number));
     chart.series[0].y.push_back(column.printed(figures_of(result)));
   }
-  return page::figure(chart, fmt::format("{}: {} \u00b1 {}.", label, fixed(mean, 3),
-                                         fixed(column.printed(table.standard_deviation), 3)));
+  const std::string spread =
+      table.standard_deviation ? fmt::format(" \u00b1 {}", fixed(column.printed(*table.standard_deviation), 3)) : "";
+  return page::figure(chart, fmt::format("{}: {}{}.", label, fixed(mean, 3), spread));
+}
+
+std::string sentence(const StepSpread& one) {
+  const auto& [column, spread] = one;
+  const auto number = [&](double value) { return fixed(column->printed(value), 3); };
+  if (spread.between == 0.0) {
+    return fmt::format(
+        "Between the steps {} varies by no more than measurement explains (95 %: at most {} {}): the "
+        "estimates scatter by {}, their errors of measurement by {}.",
+        column->words, number(spread.high), column->unit, number(spread.seen), number(spread.measurement));
+  }
+  return fmt::format(
+      "Between the steps {} varies by {} {} (95 %: {} to {}); the estimates scatter by {}, their errors "
+      "of measurement by {}.",
+      column->words, number(spread.between), column->unit, number(spread.low), number(spread.high), number(spread.seen),
+      number(spread.measurement));
 }
 
 }  // namespace
 
+std::vector<std::string> spread_sentences(const StepTable& table) {
+  std::vector<std::string> all;
+  std::ranges::transform(table.spreads, std::back_inserter(all), sentence);
+  return all;
+}
+
 std::string steps_text(const StepsHeading& heading, const StepTable& table) {
-  std::string text = fmt::format("{}: {} steps\n{}\n\n", heading.log, table.steps.size(), basis(heading));
+  std::string text = fmt::format("{}: {} {}\n{}\n\n", heading.log, table.steps.size(),
+                                 table.steps.size() == 1 ? "step" : "steps", basis(heading));
   text += "                        alpha     beta     disturbance / deg     mean abs error of\n";
   text += "step                       m2        m      begin      end    angle/deg  rate/deg/s\n";
   for (const StepResult& result : table.steps) {
-    text += row_text(fmt::format("{:2} at {:g} s", result.number, result.step.begin_s), figures_of(result));
+    const StepFigures figures = figures_of(result);
+    text += row_text(fmt::format("{:2} at {:g} s", result.number, result.step.begin_s), printed(figures));
   }
-  text += row_text("mean", table.mean);
-  text += row_text("standard deviation", table.standard_deviation);
-  text += table.remarks.empty() ? "" : "\n";
+  for (const Line& line : summary(table)) {
+    text += row_text(line.label, line.print);
+  }
+  text += "\n";
+  for (const std::string& sentence : spread_sentences(table)) {
+    text += sentence + "\n";
+  }
   for (const std::string& remark : table.remarks) {
     text += "  " + remark + "\n";
   }
@@ -174,17 +257,20 @@ std::string steps_json(const StepsHeading& heading, const StepTable& table) {
     steps.push_back(json_of(result));
   }
   const Json all = {{"log", heading.log},
-                    {"vehicle", vehicle(heading)},
+                    {"vehicle", airframe_source(heading)},
                     {"inertia_kg_m2", rounded(heading.airframe.inertia_kg_m2)},
                     {"reference_area_m2", heading.airframe.reference_area_m2},
                     {"speed_m_s", rounded(heading.speed_m_s)},
                     {"speed_source", heading.speed_source},
                     {"density_kg_m3", rounded(heading.density_kg_m3)},
+                    {"density_source", heading.density_source},
                     {"method", name(heading.options.method)},
+                    {"initial_state", name(heading.options.start)},
                     {"seconds", rounded(heading.options.seconds)},
                     {"steps", steps},
                     {"mean", json_of(table.mean)},
-                    {"standard_deviation", json_of(table.standard_deviation)},
+                    {"standard_deviation", table.standard_deviation ? json_of(*table.standard_deviation) : Json{}},
+                    {"between_steps", json_of(table.spreads)},
                     {"remarks", table.remarks}};
   return all.pretty();
 }
@@ -200,7 +286,7 @@ std::string steps_html(const StepsHeading& heading, const StepTable& table) {
       table_html(table) +
           page::paragraph("begin, end: the disturbance at the beginning and end of each step, as an equivalent fin "
                           "offset; errors: mean absolute differences of measured and modelled roll.") +
-          page::side_by_side(parameters) + page::side_by_side(disturbances));
+          page::list(spread_sentences(table)) + page::side_by_side(parameters) + page::side_by_side(disturbances));
   std::string all;
   for (const StepResult& result : table.steps) {
     all += responses(result);

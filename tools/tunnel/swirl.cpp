@@ -137,11 +137,11 @@ std::optional<SwirlOffset> mean_of(const std::vector<OffsetDifference>& differen
     return std::nullopt;
   }
   const auto count = static_cast<double>(counted.size());
-  const Moments m = moments(counted);
-  SwirlOffset swirl{.offset_rad = m.mean, .standard_error_rad = std::sqrt(squares) / count, .speeds = counted.size()};
+  SwirlOffset swirl{
+      .offset_rad = mean(counted), .standard_error_rad = std::sqrt(squares) / count, .speeds = counted.size()};
   if (counted.size() > 1) {
-    swirl.deviation_rad = m.standard_deviation * std::sqrt(count / (count - 1.0));
-    swirl.standard_error_rad = std::max(swirl.standard_error_rad, swirl.deviation_rad / std::sqrt(count));
+    swirl.deviation_rad = moments(counted).standard_deviation;
+    swirl.standard_error_rad = std::max(swirl.standard_error_rad, *swirl.deviation_rad / std::sqrt(count));
   }
   return swirl;
 }

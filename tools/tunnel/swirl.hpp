@@ -48,8 +48,8 @@ struct OffsetDifference {
 /// The mean difference.
 struct SwirlOffset {
   double offset_rad = 0.0;
-  double standard_error_rad = 0.0;  ///< of the points, or of their scatter over speed where that is larger
-  double deviation_rad = 0.0;       ///< standard deviation over the speeds
+  double standard_error_rad = 0.0;        ///< of the points, or of their scatter over speed where that is larger
+  std::optional<double> deviation_rad{};  ///< standard deviation over the speeds; empty for a single one
   std::size_t speeds = 0;
 };
 

@@ -198,9 +198,10 @@ std::string swirl_json(const SwirlSessions& sessions, const Swirl& swirl) {
   const auto of_mean = [&swirl](double SwirlOffset::* value) {
     return swirl.swirl ? angle(*swirl.swirl.*value) : Json{};
   };
+  const bool has_deviation = swirl.swirl && swirl.swirl->deviation_rad;
   const Json all = {{"swirl_deg", of_mean(&SwirlOffset::offset_rad)},
                     {"swirl_standard_error_deg", of_mean(&SwirlOffset::standard_error_rad)},
-                    {"swirl_deviation_deg", of_mean(&SwirlOffset::deviation_rad)},
+                    {"swirl_deviation_deg", has_deviation ? angle(*swirl.swirl->deviation_rad) : Json{}},
                     {"from_speed_m_s", rounded(swirl.options.from_speed_m_s)},
                     {"alpha_m2", rounded(swirl.options.alpha_m2)},
                     {"beta_m", rounded(swirl.options.beta_m)},

@@ -152,7 +152,7 @@ void write_study(const Study& study, const std::filesystem::path& folder) {
       files.push_back({names[next++], as_csv(window.record, result.model, result.simulation)});
     }
   }
-  text::OutputFolder{folder}.write(files);
+  text::OutputFolder{folder, {study.data}}.write(files);
 }
 
 }  // namespace fantail::identify::result
