@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
+#include "text/degrees.hpp"
 #include "text/number.hpp"
 
 namespace fantail::predict {
@@ -44,23 +46,31 @@ std::string missing_spread(const Prediction& p) {
   if (p.runs.size() == 1) {
     return "A single run shows no spread.";
   }
-  const auto same = [&p](auto... members) {
-    return std::ranges::all_of(p.tunnel.steps, [&](const TunnelStep& step) {
-      return ((step.*members == p.tunnel.steps.front().*members) && ...);
-    });
+  // What a table prints as the same, and what the noise of identical steps comes to.
+  constexpr double same_offset_rad = text::radians(0.1);
+  constexpr double same_share = 0.02;
+  const auto range = [&p](double TunnelStep::* member) {
+    const auto [least, most] = std::ranges::minmax(p.tunnel.steps, {}, member);
+    return std::pair{least.*member, most.*member};
   };
-  if (p.tunnel.steps.empty() || !same(&TunnelStep::offset_begin_rad, &TunnelStep::offset_end_rad)) {
+  const auto within = [&range](double TunnelStep::* member, double tolerance) {
+    const auto [least, most] = range(member);
+    return most - least < tolerance;
+  };
+  const auto alike = [&range](double TunnelStep::* member) {
+    const auto [least, most] = range(member);
+    return most - least < same_share * most;
+  };
+  if (p.tunnel.steps.empty() || !within(&TunnelStep::offset_begin_rad, same_offset_rad) ||
+      !within(&TunnelStep::offset_end_rad, same_offset_rad)) {
     return {};
   }
-  return same(&TunnelStep::damping_m2, &TunnelStep::torque_m)
-             ? fmt::format(
-                   "All rows of {} are the same, so every run has the same airframe: nothing here shows how "
-                   "airframes differ.",
-                   p.tunnel.name)
-             : fmt::format(
-                   "All rows of {} have the same fin offset, so every run has it: nothing here shows how offsets "
-                   "differ.",
-                   p.tunnel.name);
+  const std::string offset = fmt::format("The fin offset is the same to 0.1 degrees in all rows of {}", p.tunnel.name);
+  return alike(&TunnelStep::damping_m2) && alike(&TunnelStep::torque_m)
+             ? offset +
+                   ", damping and torque to 2 %: this is one airframe measured several times, and nothing here "
+                   "shows how airframes differ."
+             : offset + ": nothing here shows how offsets differ.";
 }
 
 std::string_view name(Judgement judgement) {
