@@ -59,6 +59,20 @@ void check_surroundings(const Document& document, const sim::Scenario& scenario)
   }
 }
 
+// A tunnel has air of its own, the same at every height.
+void settle_density(const Document& document, sim::Scenario& scenario) {
+  if (scenario.surroundings != sim::Surroundings::tunnel) {
+    return;
+  }
+  Section environment{document, "environment"};
+  for (const char* key : {"density", "density_kg_m3"}) {
+    if (environment.has(key)) {
+      environment.refuse(key, "plays no part in the tunnel; allowed: tunnel.density_kg_m3 instead");
+    }
+  }
+  scenario.atmosphere = {.model = sim::DensityModel::constant, .constant_kg_m3 = scenario.tunnel.density_kg_m3};
+}
+
 // The three files of a run. A section's name is in one of them only.
 struct Documents {
   Document scenario;
@@ -123,6 +137,7 @@ sim::Scenario load_scenario(const std::string& name_or_path, std::span<const Ove
   check_timing(documents.scenario, scenario);
   scenario.faults = read_faults(documents.scenario, scenario.vehicle.servo.stop_rad);
   check_surroundings(documents.scenario, scenario);
+  settle_density(documents.scenario, scenario);
   return scenario;
 }
 

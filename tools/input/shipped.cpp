@@ -84,7 +84,11 @@ std::filesystem::path find_input(Shipped kind, const std::string& name_or_path) 
 }
 
 std::filesystem::path find_named_input(Shipped kind, const Document& document, Section& section, std::string_view key) {
-  const std::string name = section.text(key);
+  return find_named_input(kind, document, section, key, section.text(key));
+}
+
+std::filesystem::path find_named_input(Shipped kind, const Document& document, const Section& section,
+                                       std::string_view key, const std::string& name) {
   std::filesystem::path beside = std::filesystem::path{document.file()}.parent_path() / name;
   std::error_code ignored;
   if (!section.is_replaced(key) && looks_like_path(name) && std::filesystem::is_regular_file(beside, ignored)) {
