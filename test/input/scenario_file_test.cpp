@@ -112,7 +112,7 @@ INSTANTIATE_TEST_SUITE_P(
         Rule{"DisturbanceLaterThanAnyRun", "[disturbance]\ntimes_s = [3601]\nangles_deg = [1]\n",
              ":4: disturbance.times_s = 3601 is out of range; allowed: 0 to 3600"},
         Rule{"DropoutOfACanard", "[[faults]]\nkind = \"imu_dropout\"\nfrom_s = 2\nuntil_s = 3\ncanard = 1\n",
-             ":7: unknown key faults.canard"},
+             ":7: unknown key faults.canard; allowed: kind, from_s, until_s"},
         Rule{"StuckBeyondTheStop", "[[faults]]\nkind = \"canard_stuck\"\nfrom_s = 2\ncanard = 1\nangle_deg = -25.1\n",
              ":7: faults.angle_deg = -25.1; allowed: within the servo's stop, 25 either way"},
         Rule{"WrongTrimOfNothing", "[[faults]]\nkind = \"canard_wrong_trim\"\nfrom_s = 2\ncanard = 1\nangle_deg = 0\n",
@@ -121,11 +121,11 @@ INSTANTIATE_TEST_SUITE_P(
              "[[faults]]\nkind = \"canard_wrong_trim\"\nfrom_s = 2\ncanard = 1\nangle_deg = 15.1\n",
              ":7: faults.angle_deg = 15.1 is out of range; allowed: -15 to 15"},
         Rule{"AngleOfASlowCanard", "[[faults]]\nkind = \"canard_slow\"\nfrom_s = 2\ncanard = 1\nangle_deg = 1\n",
-             ":7: unknown key faults.angle_deg"},
+             ":7: unknown key faults.angle_deg; allowed: kind, from_s, canard"},
         Rule{"NoiseOfNothing", "[[faults]]\nkind = \"encoder_noisy\"\nfrom_s = 2\ncanard = 1\nnoise_counts = 0\n",
              ":7: faults.noise_counts = 0 is out of range; allowed: 1 to 1000"},
         Rule{"NoiseOfAStuckCanard", "[[faults]]\nkind = \"canard_stuck\"\nfrom_s = 2\ncanard = 1\nnoise_counts = 5\n",
-             ":7: unknown key faults.noise_counts"}),
+             ":7: unknown key faults.noise_counts; allowed: kind, from_s, canard, angle_deg"}),
     [](const auto& one) { return one.param.name; });
 
 std::vector<Override> changes(std::initializer_list<const char*> texts) {

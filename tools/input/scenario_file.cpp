@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "input/copied.hpp"
 #include "input/fault_file.hpp"
+#include "input/file_kind.hpp"
 #include "input/messages.hpp"
 #include "input/plan_file.hpp"
 #include "input/shipped.hpp"
@@ -114,6 +116,7 @@ void refuse_unknown_words_at_the_top(const Document& document) {
 sim::Scenario load_scenario(const std::string& name_or_path, std::span<const Override> changes) {
   const std::filesystem::path file = find_input(Shipped::scenario, name_or_path);
   Documents documents{.scenario = Document::load(file), .plan = {}, .vehicle = {}};
+  refuse_other_kind(documents.scenario, Shipped::scenario);
   sim::Scenario scenario;
   scenario.name = file.stem().string();
   read_section(documents.scenario, "", scenario_fields(), scenario);
@@ -138,6 +141,7 @@ sim::Scenario load_scenario(const std::string& name_or_path, std::span<const Ove
   scenario.faults = read_faults(documents.scenario, scenario.vehicle.servo.stop_rad);
   check_surroundings(documents.scenario, scenario);
   settle_density(documents.scenario, scenario);
+  scenario.warnings = questions_about_scenario(documents.scenario, documents.vehicle, scenario);
   return scenario;
 }
 

@@ -6,6 +6,8 @@
 #include <string>
 #include <utility>
 
+#include "input/copied.hpp"
+#include "input/file_kind.hpp"
 #include "input/messages.hpp"
 #include "input/rasp_file.hpp"
 #include "input/shipped.hpp"
@@ -73,6 +75,7 @@ void check_trim(const Document& document, const sim::Vehicle& vehicle) {
 }  // namespace
 
 sim::Vehicle read_vehicle(const Document& document) {
+  refuse_other_kind(document, Shipped::vehicle);
   const std::vector<std::string> sections = sections_of(vehicle_fields());
   refuse_unknown_sections(document, sections);
   sim::Vehicle vehicle;
@@ -82,6 +85,9 @@ sim::Vehicle read_vehicle(const Document& document) {
   read_motor(document, vehicle);
   check_servo(document, vehicle);
   check_trim(document, vehicle);
+  if (auto question = question_about_vehicle(document, vehicle)) {
+    vehicle.warnings.push_back(std::move(*question));
+  }
   return vehicle;
 }
 
