@@ -36,7 +36,8 @@ struct Scenario {
   std::string plan_name;
   std::string vehicle_name;
   std::uint64_t seed = 1;
-  std::vector<std::string> assumed;  ///< beside what the vehicle's file assumes, a sentence each
+  std::vector<std::string> assumed;   ///< beside what the vehicle's file assumes, a sentence each
+  std::vector<std::string> warnings;  ///< what is doubtful in its files, beside those of the vehicle, a sentence each
   core::FlightPlan plan{};
   Vehicle vehicle;
   Surroundings surroundings = Surroundings::flight;

@@ -25,8 +25,9 @@ struct CanardMounting {
 /// One rocket as it stands on the pad.
 struct Vehicle {
   std::string name;
-  std::vector<std::string> assumed;  ///< what in this file nobody has measured, a sentence each
-  double mass_kg = 0.0;              ///< at lift-off, propellant included
+  std::vector<std::string> assumed;   ///< what in this file nobody has measured, a sentence each
+  std::vector<std::string> warnings;  ///< what is doubtful in its files, a sentence each
+  double mass_kg = 0.0;               ///< at lift-off, propellant included
   double drag_area_m2 = 0.0;
   RollPlant roll_plant{};
   /// 95 % of what the reference area may truly be, from and to; empty: nothing is said of it. For predictions.

@@ -146,7 +146,9 @@ TEST(PlanFile, UnknownKeysAndSectionsAreRefusedWithASuggestion) {
   EXPECT_EQ(refusal("[controller]\ncanard_limit = 6"),
             "plan.toml:2: unknown key controller.canard_limit; did you mean controller.canard_limit_deg?");
   EXPECT_EQ(refusal("\n[controler]\n"), "plan.toml:2: unknown section [controler]; did you mean controller?");
-  EXPECT_EQ(refusal("kp = 1"), "plan.toml:1: unknown key kp");
+  EXPECT_EQ(refusal("kp = 1"),
+            "plan.toml:1: unknown key kp; allowed: run, launch_detection, guide, motion, controller, reference, "
+            "excitation, canards, monitor");
 }
 
 TEST(PlanFile, RulesAcrossFieldsNameTheFieldItsLineAndTheRule) {
@@ -170,7 +172,9 @@ TEST(PlanFile, OverridesWinAndAreNamedInEveryRefusal) {
   EXPECT_EQ(
       refusal("[controller]\ncanard_limit_deg = 6", {"controller.canard_limit_deg=30"}),
       "--set controller.canard_limit_deg=30: controller.canard_limit_deg = 30 is out of range; allowed: 0.5 to 20");
-  EXPECT_EQ(refusal("", {"controller.kp=1"}), "--set controller.kp=1: unknown key controller.kp");
+  EXPECT_EQ(refusal("", {"controller.kp=1"}),
+            "--set controller.kp=1: unknown key controller.kp; allowed: proportional_gain, derivative_gain_s, "
+            "rate_reference, canard_limit_deg");
   EXPECT_EQ(refusal("", {"contoller.x=1"}),
             "--set contoller.x=1: unknown section [contoller]; did you mean controller?");
   EXPECT_EQ(refusal("", {"excitation.form=chirp"}),

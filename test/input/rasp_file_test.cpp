@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <fstream>
 #include <initializer_list>
+#include <optional>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -20,15 +21,16 @@ class RaspFile : public testing::Test {
  protected:
   void TearDown() override { std::filesystem::remove(file_); }
 
-  sim::ThrustCurve load(const std::string& content) {
+  sim::ThrustCurve load(const std::string& content, const std::optional<std::string>& motor = {}) {
     std::ofstream{file_, std::ios::binary} << content;
-    return load_rasp(file_);
+    return load_rasp(file_, motor).curve;
   }
 
   // Expects bad data at a line, with all the words that a person needs.
-  void expect_refused(const std::string& content, int line, std::initializer_list<const char*> words) {
+  void expect_refused(const std::string& content, int line, std::initializer_list<const char*> words,
+                      const std::optional<std::string>& motor = {}) {
     try {
-      (void)load(content);
+      (void)load(content, motor);
       ADD_FAILURE() << "accepted: " << content;
     } catch (const text::Error& error) {
       const std::string message = error.what();
@@ -45,7 +47,7 @@ class RaspFile : public testing::Test {
 };
 
 TEST_F(RaspFile, CanonicalMotorHasThePublishedImpulse) {
-  const sim::ThrustCurve motor = load_rasp(std::filesystem::path{FANTAIL_TEST_MOTORS} / "i150_canonical.eng");
+  const sim::ThrustCurve motor = load_rasp(std::filesystem::path{FANTAIL_TEST_MOTORS} / "i150_canonical.eng").curve;
   EXPECT_NEAR(motor.impulse_n_s(), 465.4, 0.05);
   EXPECT_DOUBLE_EQ(motor.propellant_kg(), 0.226);
   EXPECT_DOUBLE_EQ(motor.burnout_s(), 3.2);
@@ -68,8 +70,30 @@ TEST_F(RaspFile, ReadsWindowsLineEndsAndAByteOrderMark) {
   EXPECT_DOUBLE_EQ(load("\xEF\xBB\xBF; x\r\nK1 54 400 0 0.5 1.2 maker\r\n0.5 10\r\n1.0 0\r\n").impulse_n_s(), 5.0);
 }
 
-TEST_F(RaspFile, ReadsTheFirstMotorOnly) {
-  EXPECT_DOUBLE_EQ(load(header + "0.5 10\n1.0 0\n;\nK2 54 400 0 nonsense 1.2 maker\n0.5 99\n").impulse_n_s(), 5.0);
+const std::string several = header + "0.5 10\n1.0 0\n;\nK2 54 400 0 0.5 1.2 maker\n0.5 20\n1.0 0\n";
+
+TEST_F(RaspFile, OfSeveralMotorsOneIsChosenByName) {
+  EXPECT_DOUBLE_EQ(load(several, "K1").impulse_n_s(), 5.0);
+  EXPECT_DOUBLE_EQ(load(several, "K2").impulse_n_s(), 10.0);
+}
+
+TEST_F(RaspFile, SeveralMotorsAreRefusedWithTheirNamesAndTheWayToChoose) {
+  expect_refused(several, 5, {"second motor", "K1, K2", "#K1\""});
+}
+
+TEST_F(RaspFile, AMotorThatIsNotInTheFileIsRefusedWithThoseThatAre) {
+  expect_refused(several, 1, {"\"K3\"", "did you mean K1?", "allowed: K1, K2"}, "K3");
+  expect_refused(header + "0.5 10\n1.0 0\n", 1, {"\"M1\"", "allowed: K1"}, "M1");
+}
+
+TEST_F(RaspFile, TwoMotorsOfOneNameCannotBeToldApart) {
+  expect_refused(header + "0.5 10\n1.0 0\n" + header + "0.5 20\n1.0 0\n", 4, {"second motor called \"K1\""}, "K1");
+}
+
+TEST_F(RaspFile, OnlyTheChosenMotorIsJudged) {
+  const std::string broken = header + "0.5 10\n1.0 0\nK2 54 400 0 nonsense 1.2 maker\n0.5 99\n";
+  EXPECT_DOUBLE_EQ(load(broken, "K1").impulse_n_s(), 5.0);
+  expect_refused(broken, 4, {"propellant mass", "nonsense"}, "K2");
 }
 
 TEST_F(RaspFile, AMakerMayHaveTwoWords) {
@@ -130,9 +154,24 @@ TEST_F(RaspFile, RefusesPropellantThatIsNotThereOrOutweighsTheMotor) {
   expect_refused("K1 wide 400 0 0.5 1.2 maker\n0.5 10\n1.0 0\n", 1, {"diameter", "wide"});
 }
 
-TEST_F(RaspFile, RefusesACurveThatDoesNotEndAtZero) {
-  expect_refused(header + "0.5 10\n1.0 3\n; the end\n", 3, {"3 N", "zero"});
-  expect_refused(header + "0.5 10\n1.0 3\n" + header + "0.5 10\n1.0 0\n", 3, {"3 N", "zero"});
+TEST_F(RaspFile, AThrustThatIsLeftAtTheEndIsCutOffWithAWarning) {
+  std::ofstream{file_, std::ios::binary} << header + "0.5 10\n1.0 4\n; the end\n";
+  const RaspMotor motor = load_rasp(file_);
+  // Two pieces of straight line, and a millisecond from 4 N to nothing.
+  EXPECT_NEAR(motor.curve.impulse_n_s(), 2.5 + 3.5 + 0.002, 1e-12);
+  EXPECT_DOUBLE_EQ(motor.curve.burnout_s(), 1.001);
+  EXPECT_EQ(motor.warning, file_.string() +
+                               ":3: the last thrust is 4 N at 1 s, not zero; assumed: the motor is out one "
+                               "millisecond later.");
+}
+
+TEST_F(RaspFile, ACurveThatEndsAtZeroHasNoWarning) {
+  std::ofstream{file_, std::ios::binary} << header + "0.5 10\n1.0 0\n";
+  EXPECT_EQ(load_rasp(file_).warning, std::nullopt);
+}
+
+TEST_F(RaspFile, AThrustThatIsLeftAtATimeTooLargeForAMillisecondIsRefused) {
+  expect_refused(header + "0.5 10\n1e18 4\n", 3, {"4 N", "zero"});
 }
 
 }  // namespace

@@ -4,9 +4,12 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <initializer_list>
+#include <vector>
 
 #include <gtest/gtest.h>
 
+#include "scratch_file.hpp"
 #include "text/error.hpp"
 
 namespace fantail::input {
@@ -101,9 +104,15 @@ INSTANTIATE_TEST_SUITE_P(
              "from_s = 1\ncanard = 0\n",
              ":10: faults.canard = 0 is out of range; allowed: 1 to 4"},
         Rule{"DropoutEndsBeforeItBegins", "[[faults]]\nkind = \"imu_dropout\"\nfrom_s = 2\nuntil_s = 1\n",
-             ":6: faults.until_s = 1 is out of range; allowed: 2 to 600"},
+             ":6: faults.until_s = 1 is out of range; allowed: later than from_s = 2, up to 3600"},
+        Rule{"DropoutOfNoTime", "[[faults]]\nkind = \"imu_dropout\"\nfrom_s = 2\nuntil_s = 2\n",
+             ":6: faults.until_s = 2 is out of range; allowed: later than from_s = 2, up to 3600"},
+        Rule{"FaultLaterThanAnyRun", "[[faults]]\nkind = \"canard_dead\"\nfrom_s = 3601\ncanard = 1\n",
+             ":5: faults.from_s = 3601 is out of range; allowed: -600 to 3600"},
+        Rule{"DisturbanceLaterThanAnyRun", "[disturbance]\ntimes_s = [3601]\nangles_deg = [1]\n",
+             ":4: disturbance.times_s = 3601 is out of range; allowed: 0 to 3600"},
         Rule{"DropoutOfACanard", "[[faults]]\nkind = \"imu_dropout\"\nfrom_s = 2\nuntil_s = 3\ncanard = 1\n",
-             ":7: unknown key faults.canard"},
+             ":7: unknown key faults.canard; allowed: kind, from_s, until_s"},
         Rule{"StuckBeyondTheStop", "[[faults]]\nkind = \"canard_stuck\"\nfrom_s = 2\ncanard = 1\nangle_deg = -25.1\n",
              ":7: faults.angle_deg = -25.1; allowed: within the servo's stop, 25 either way"},
         Rule{"WrongTrimOfNothing", "[[faults]]\nkind = \"canard_wrong_trim\"\nfrom_s = 2\ncanard = 1\nangle_deg = 0\n",
@@ -112,12 +121,50 @@ INSTANTIATE_TEST_SUITE_P(
              "[[faults]]\nkind = \"canard_wrong_trim\"\nfrom_s = 2\ncanard = 1\nangle_deg = 15.1\n",
              ":7: faults.angle_deg = 15.1 is out of range; allowed: -15 to 15"},
         Rule{"AngleOfASlowCanard", "[[faults]]\nkind = \"canard_slow\"\nfrom_s = 2\ncanard = 1\nangle_deg = 1\n",
-             ":7: unknown key faults.angle_deg"},
+             ":7: unknown key faults.angle_deg; allowed: kind, from_s, canard"},
         Rule{"NoiseOfNothing", "[[faults]]\nkind = \"encoder_noisy\"\nfrom_s = 2\ncanard = 1\nnoise_counts = 0\n",
              ":7: faults.noise_counts = 0 is out of range; allowed: 1 to 1000"},
         Rule{"NoiseOfAStuckCanard", "[[faults]]\nkind = \"canard_stuck\"\nfrom_s = 2\ncanard = 1\nnoise_counts = 5\n",
-             ":7: unknown key faults.noise_counts"}),
+             ":7: unknown key faults.noise_counts; allowed: kind, from_s, canard, angle_deg"}),
     [](const auto& one) { return one.param.name; });
+
+std::vector<Override> changes(std::initializer_list<const char*> texts) {
+  std::vector<Override> all;
+  for (const char* text : texts) {
+    all.push_back(parse_override(text));
+  }
+  return all;
+}
+
+TEST(TunnelAir, IsTheTunnelsAndTheSameForEveryReader) {
+  const sim::Scenario scenario = load_scenario("tunnel_steps", changes({"tunnel.density_kg_m3=1.1"}));
+  EXPECT_DOUBLE_EQ(scenario.atmosphere.density_kg_m3(0.0), 1.1);
+  EXPECT_DOUBLE_EQ(scenario.atmosphere.density_kg_m3(500.0), 1.1);
+}
+
+TEST(TunnelAir, CannotBeSetAsThatOfAFlight) {
+  for (const char* change : {"environment.density=isa", "environment.density_kg_m3=1.1"}) {
+    const Complaint refused = complaint([&] { (void)load_scenario("tunnel_steps", changes({change})); });
+    EXPECT_EQ(refused.fault, text::ErrorKind::bad_configuration);
+    EXPECT_NE(refused.message.find("plays no part in the tunnel; allowed: tunnel.density_kg_m3 instead"),
+              std::string::npos)
+        << refused.message;
+    EXPECT_TRUE(refused.message.starts_with(std::string{"--set "} + change)) << refused.message;
+  }
+}
+
+TEST(WrongTrim, IsRefusedBeyondTheStop) {
+  const ScratchFile file{head + "[[faults]]\nkind = \"canard_wrong_trim\"\nfrom_s = 2\ncanard = 1\nangle_deg = 7\n"};
+  const Complaint refused =
+      complaint([&] { (void)load_scenario(file.path().string(), changes({"servo.stop_deg=6"})); });
+  EXPECT_EQ(refused.message, "plan.toml:7: faults.angle_deg = 7; allowed: within the servo's stop, 6 either way");
+  // What is not in the file is held to the same rule.
+  const ScratchFile usual{head + "[[faults]]\nkind = \"canard_wrong_trim\"\nfrom_s = 2\ncanard = 1\n"};
+  EXPECT_NE(complaint([&] {
+              (void)load_scenario(usual.path().string(), changes({"servo.stop_deg=2"}));
+            }).message.find("faults.angle_deg = 2.5"),
+            std::string::npos);
+}
 
 }  // namespace
 }  // namespace fantail::input

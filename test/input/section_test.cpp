@@ -112,7 +112,7 @@ TEST_F(ASection, RefusesAKeyNobodyAskedForAndSuggestsOne) {
   };
   EXPECT_EQ(refusal("[s]\ncanard_limit = 6", read),
             "plan.toml:2: unknown key s.canard_limit; did you mean s.canard_limit_deg?");
-  EXPECT_EQ(refusal("[s]\nzebra = 6", read), "plan.toml:2: unknown key s.zebra");
+  EXPECT_EQ(refusal("[s]\nzebra = 6", read), "plan.toml:2: unknown key s.zebra; allowed: canard_limit_deg");
 }
 
 TEST_F(ASection, MustBeATable) {
@@ -131,7 +131,7 @@ TEST_F(ASection, NamesTheOverrideInsteadOfTheFile) {
               (void)section.has("a");
               section.finish();
             }).message,
-            "--set s.zebra=1: unknown key s.zebra");
+            "--set s.zebra=1: unknown key s.zebra; allowed: a");
 }
 
 }  // namespace

@@ -105,5 +105,25 @@ TEST(BenchVehicle, IsTheAirframeOfTheSecondLaunch) {
   EXPECT_NEAR(bench.servo_spread.centre_rad, 0.15 * sim::radians_per_degree, 1e-12);
 }
 
+TEST(Trim, IsRefusedBeyondTheStop) {
+  const Complaint refused = complaint(
+      [] { (void)vehicle("tasha3_launch2", {"canard_mounting.trim_deg=[0, -4.5, 0, 0]", "servo.stop_deg=4"}); });
+  EXPECT_EQ(refused.fault, text::ErrorKind::bad_configuration);
+  EXPECT_EQ(refused.message,
+            "--set canard_mounting.trim_deg=[0, -4.5, 0, 0]: canard_mounting.trim_deg = -4.5 is out of range; allowed: "
+            "within servo.stop_deg, 4 either way");
+}
+
+TEST(Motor, IsChosenByItsNameInAFileOfSeveral) {
+  const ScratchFile file{"A 54 400 0 0.2 0.5 x\n0.5 300\n3 0\nB 54 400 0 0.3 0.5 x\n0.5 300\n3 2\n", "several.eng"};
+  const sim::Vehicle chosen = vehicle("tasha3_launch2", {"motor.file=" + file.path().string() + "#B"});
+  EXPECT_DOUBLE_EQ(chosen.motor.propellant_kg(), 0.3);
+  ASSERT_EQ(chosen.warnings.size(), 1U);
+  EXPECT_NE(chosen.warnings[0].find("several.eng:6: the last thrust is 2 N"), std::string::npos) << chosen.warnings[0];
+  const Complaint refused = complaint([&] { (void)vehicle("tasha3_launch2", {"motor.file=" + file.path().string()}); });
+  EXPECT_EQ(refused.fault, text::ErrorKind::bad_data);
+  EXPECT_NE(refused.message.find("choose one of A, B"), std::string::npos) << refused.message;
+}
+
 }  // namespace
 }  // namespace fantail::input

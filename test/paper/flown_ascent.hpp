@@ -17,7 +17,7 @@ class FlownAscent {
   explicit FlownAscent(double mass_kg) {
     sim::Ascent ascent{{.mass_kg = mass_kg,
                         .drag_area_m2 = 0.0050,
-                        .motor = input::load_rasp(input::find_input(input::Shipped::motor, "i150_canonical"))}};
+                        .motor = input::load_rasp(input::find_input(input::Shipped::motor, "i150_canonical")).curve}};
     for (int tick = 0; !ascent.events().apogee_s; ++tick) {
       ascent.advance_to(1e-3 * tick);
       if (ascent.events().liftoff_s) {

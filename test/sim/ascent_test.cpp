@@ -18,7 +18,7 @@ constexpr double degree = std::numbers::pi / 180.0;
 AscentParameters tasha(double mass_kg) {
   return {.mass_kg = mass_kg,
           .drag_area_m2 = 0.0050,
-          .motor = input::load_rasp(std::filesystem::path{FANTAIL_TEST_MOTORS} / "i150_canonical.eng")};
+          .motor = input::load_rasp(std::filesystem::path{FANTAIL_TEST_MOTORS} / "i150_canonical.eng").curve};
 }
 
 // Full thrust from ignition to `burn_s`, next to no propellant, no air: the closed forms of school.

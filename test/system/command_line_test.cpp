@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <cctype>
+#include <filesystem>
+#include <fstream>
 
 #include <gtest/gtest.h>
 
@@ -106,6 +108,37 @@ TEST(CommandLine, ANumberThatIsNoneIsOutsideEveryRange) {
     EXPECT_EQ(outcome.exit_code, 64) << option;
     EXPECT_NE(outcome.err.find(std::string{option} + ": \"nan\": allowed: "), std::string::npos) << outcome.err;
   }
+}
+
+TEST(CommandLine, AnUnknownOptionLeadsToTheNearest) {
+  const Outcome near = fantail({"fly", "--sed", "3"});
+  EXPECT_EQ(near.exit_code, 64);
+  EXPECT_NE(near.err.find("unknown option --sed; did you mean --seed?"), std::string::npos) << near.err;
+  const Outcome far = fantail({"fly", "--frobnicate"});
+  EXPECT_NE(far.err.find("unknown option --frobnicate; allowed: "), std::string::npos) << far.err;
+}
+
+TEST(CommandLine, AFolderIsNoScenario) {
+  const Folder folder;
+  std::filesystem::create_directory(folder.path() / "tasha3_launch1_mine");
+  const Outcome outcome = fantail({"fly", "tasha3_launch1_mine"}, {.working_folder = folder.path()});
+  EXPECT_EQ(outcome.exit_code, 66);
+  EXPECT_NE(outcome.err.find("tasha3_launch1_mine: a folder; allowed: a scenario file or a shipped name"),
+            std::string::npos)
+      << outcome.err;
+}
+
+TEST(Copy, IsFlownByItsNameWithoutExtensionAndItsQuestionIsOnStandardErrorAndInTheNotes) {
+  const Folder folder;
+  std::filesystem::copy_file(std::filesystem::path{FANTAIL_TEST_SOURCE} / "sim/vehicles/tasha3_launch2.toml",
+                             folder.path() / "mine.toml");
+  std::ofstream{folder.path() / "my_scenario.toml"} << "vehicle = \"mine.toml\"\nplan = \"tasha3_launch2\"\n";
+  const Outcome outcome = fantail({"fly", "my_scenario"}, {.working_folder = folder.path()});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  const std::string question = "is that of the shipped vehicle tasha3_launch2; is it true of this rocket?";
+  EXPECT_NE(outcome.err.find("fantail: warning: "), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find(question), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.out.find(question), std::string::npos) << outcome.out;
 }
 
 }  // namespace

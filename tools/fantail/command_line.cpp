@@ -21,6 +21,24 @@ const CLI::App& innermost(const CLI::App& app) {
   return parsed.empty() ? app : innermost(*parsed.front());
 }
 
+std::string complaint_about_surplus(const CLI::App& verb, const std::vector<std::string>& surplus) {
+  const auto option = std::ranges::find_if(surplus, [](const std::string& word) { return word.starts_with('-'); });
+  if (option == surplus.end()) {
+    return "\"" + surplus.front() + "\" is one word too many for " + verb.get_name();
+  }
+  const std::string word = option->substr(0, option->find('='));
+  std::vector<std::string> names;
+  std::string list;
+  for (const CLI::Option* known : verb.get_options()) {
+    for (const std::string& name : known->get_lnames()) {
+      names.push_back("--" + name);
+      list += (list.empty() ? "" : ", ") + names.back();
+    }
+  }
+  const auto meant = input::suggestion(word, names);
+  return "unknown option " + word + (meant ? "; did you mean " + *meant + "?" : "; allowed: " + list);
+}
+
 // One line on what is wrong with the words, naming the one that is.
 std::string complaint(const CLI::App& program, const CLI::ParseError& error) {
   std::vector<std::string> verbs;
@@ -28,6 +46,10 @@ std::string complaint(const CLI::App& program, const CLI::ParseError& error) {
   for (const CLI::App* verb : innermost(program).get_subcommands(nullptr)) {
     verbs.push_back(verb->get_name());
     list += (list.empty() ? "" : ", ") + verbs.back();
+  }
+  const std::vector<std::string> surplus = program.remaining(true);
+  if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr && !surplus.empty()) {
+    return complaint_about_surplus(innermost(program), surplus);
   }
   // CLI11 says only that something is required, whatever stands in its place.
   if (verbs.empty() || dynamic_cast<const CLI::RequiredError*>(&error) == nullptr) {

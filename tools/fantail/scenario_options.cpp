@@ -9,6 +9,7 @@
 
 #include <fmt/core.h>
 
+#include "fantail/standard_streams.hpp"
 #include "input/document.hpp"
 #include "input/scenario_file.hpp"
 
@@ -90,6 +91,11 @@ sim::Scenario load(const ScenarioOptions& options) {
     changes.push_back(input::parse_override(text));
   }
   sim::Scenario scenario = input::load_scenario(options.scenario, changes);
+  for (const auto* warnings : {&scenario.vehicle.warnings, &scenario.warnings}) {
+    for (const std::string& warning : *warnings) {
+      say("fantail: warning: " + warning + "\n");
+    }
+  }
   scenario.seed = parse_seed(options.seed).value_or(scenario.seed);
   return scenario;
 }

@@ -47,7 +47,8 @@ void print_chapters(const std::vector<paper::Chapter>& chapters) {
   for (const paper::Chapter& chapter : chapters) {
     fmt::print("{}\n", chapter.title);
     for (const paper::Claim& claim : chapter.claims) {
-      fmt::print("  {:<33} {}: {}\n", paper::words(claim.finding), claim.place, claim.what);
+      fmt::print("  {:<33} {}: {} ({})\n", paper::words(claim.finding), claim.place, claim.what,
+                 paper::words(claim.basis));
       fmt::print("  {:<33}   printed {}{}{}\n", "", claim.theirs, claim.ours.empty() ? "" : "; ours ", claim.ours);
     }
     fmt::print("\n");

@@ -66,8 +66,9 @@ flight::Flight describe(const sim::Scenario& scenario) {
   flight.tunnel = scenario.surroundings == sim::Surroundings::tunnel;
   flight.plan = scenario.plan;
   flight.servo_stop_rad = scenario.vehicle.servo.stop_rad;
-  for (const auto* assumed : {&scenario.vehicle.assumed, &scenario.assumed}) {
-    flight.notes.insert(flight.notes.end(), assumed->begin(), assumed->end());
+  for (const auto* sentences :
+       {&scenario.vehicle.warnings, &scenario.warnings, &scenario.vehicle.assumed, &scenario.assumed}) {
+    flight.notes.insert(flight.notes.end(), sentences->begin(), sentences->end());
   }
   for (const sim::Fault& fault : scenario.faults) {
     flight.notes.push_back(describe(fault, scenario));

@@ -44,22 +44,22 @@ constexpr bool is_of_one_canard(sim::FaultKind kind) { return !sim::is_dropout(k
 #define AT(expression) FANTAIL_PLACE(sim::Fault, expression)
 constexpr auto fields = std::to_array<FaultField>({
   {{"faults", "kind", choice(kind_names), must, AT(it.kind), "One of the table below."}, is_any},
-  {{"faults", "from_s", number("s", {-600, 600}), must, AT(it.from_s), "Begins, after ignition (tunnel: after the start command); below zero on the pad; what begins before power-up, as -600, is there from the first tick."}, is_any},
-  {{"faults", "until_s", number("s", {-600, 600}), must, AT(it.until_s), "Ends, not before `from_s`."}, sim::is_dropout},
+  {{"faults", "from_s", number("s", {-600, 3600}), must, AT(it.from_s), "Begins, after ignition (tunnel: after the start command); below zero on the pad; what begins before power-up, as -600, is there from the first tick."}, is_any},
+  {{"faults", "until_s", number("s", {-600, 3600}), must, AT(it.until_s), "Ends, after `from_s`."}, sim::is_dropout},
   {{"faults", "canard", integer(number_from_one, {1, 4}), must, AT(it.canard), "Which canard, servo or encoder."}, is_of_one_canard},
   {{"faults", "angle_deg", number(deg, {-90, 90}), may, AT(it.angle_rad), "Where the shaft is jammed, within the stop of the servo; left out: where it stands."}, is<sim::FaultKind::canard_stuck>},
-  {{"faults", "angle_deg", number(deg, {-15, 15}), may, AT(it.angle_rad), "How far off the shaft stands; not 0."}, is<sim::FaultKind::canard_wrong_trim>},
+  {{"faults", "angle_deg", number(deg, {-15, 15}), may, AT(it.angle_rad), "How far off the shaft stands, within the stop of the servo; not 0."}, is<sim::FaultKind::canard_wrong_trim>},
   {{"faults", "noise_counts", number("counts", {1, 1000}), may, AT(it.noise_counts), "Standard deviation of the readings; 16384 counts are a turn."}, is<sim::FaultKind::encoder_noisy>},
 });
 // clang-format on
 
 void check(Section& section, const sim::Fault& fault, double servo_stop_rad) {
-  if (sim::is_dropout(fault.kind) && fault.until_s < fault.from_s) {
-    section.refuse("until_s", "= " + plain_number(fault.until_s) +
-                                  " is out of range; allowed: " + plain_number(fault.from_s) + " to 600");
+  if (sim::is_dropout(fault.kind) && fault.until_s <= fault.from_s) {
+    section.refuse("until_s", "= " + plain_number(fault.until_s) + " is out of range; allowed: later than from_s = " +
+                                  plain_number(fault.from_s) + ", up to 3600");
   }
-  if (fault.kind == sim::FaultKind::canard_stuck && fault.angle_rad && std::abs(*fault.angle_rad) > servo_stop_rad) {
-    section.refuse("angle_deg", "= " + plain_number(section.number("angle_deg", {-90, 90})) +
+  if (fault.angle_rad && std::abs(*fault.angle_rad) > servo_stop_rad) {
+    section.refuse("angle_deg", "= " + plain_number(deg.in_file(*fault.angle_rad)) +
                                     "; allowed: within the servo's stop, " + about(deg.in_file(servo_stop_rad)) +
                                     " either way");
   }

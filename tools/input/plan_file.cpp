@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "core/flight_plan_fields.hpp"
+#include "input/file_kind.hpp"
 #include "input/section.hpp"
 #include "text/error.hpp"
 
@@ -146,6 +147,7 @@ std::vector<std::string> plan_sections() {
 }
 
 core::FlightPlan read_plan(const Document& document) {
+  refuse_other_kind(document, Shipped::plan);
   const std::vector<std::string> sections = plan_sections();
   refuse_unknown_sections(document, sections);
   core::FlightPlan plan = core::default_plan();

@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 #include <fstream>
+#include <iterator>
 #include <optional>
 #include <sstream>
 #include <stdexcept>
@@ -21,6 +22,18 @@ namespace {
 
 constexpr std::size_t header_words = 7;
 
+struct Line {
+  std::size_t number;
+  std::vector<std::string> words;
+};
+
+struct Block {
+  Line header;
+  std::vector<Line> points;
+
+  [[nodiscard]] const std::string& name() const { return header.words.front(); }
+};
+
 class RaspReader {
  public:
   explicit RaspReader(const std::filesystem::path& file) : name_{file.string()}, stream_{file, std::ios::binary} {
@@ -30,38 +43,92 @@ class RaspReader {
     }
   }
 
-  sim::ThrustCurve read() {
-    std::optional<std::vector<std::string>> words = next_words();
-    if (!words) {
-      refuse("no motor in this file; allowed: a header line and thrust points");
-    }
-    const double propellant_kg = read_header(*words);
-    const std::size_t header_line = line_;
-
-    std::vector<sim::ThrustPoint> points;
-    std::size_t last_line = line_;
-    while ((words = next_words())) {
-      // Names of motors may be numbers, so only the count of words tells the next motor's header from a broken point.
-      if (words->size() >= header_words && !points.empty()) {
-        break;
-      }
-      add_point(*words, points);
-      last_line = line_;
-    }
-    line_ = last_line;
-    if (stream_.bad()) {
-      refuse("cannot be read any further");
-    }
-    if (points.empty()) {
+  RaspMotor read(const std::optional<std::string>& wanted) {
+    const std::vector<Block> blocks = split();
+    const Block& block = chosen(blocks, wanted);
+    line_ = block.header.number;
+    const double propellant_kg = read_header(block.header.words);
+    if (block.points.empty()) {
       refuse("no thrust points after this header");
     }
-    if (points.back().thrust_n != 0.0) {
-      refuse("the last thrust is " + plain_number(points.back().thrust_n) + " N; allowed: zero, which ends the motor");
+    std::vector<sim::ThrustPoint> points;
+    for (const Line& line : block.points) {
+      line_ = line.number;
+      add_point(line.words, points);
     }
-    return checked_curve(std::move(points), propellant_kg, header_line);
+    RaspMotor motor;
+    motor.warning = end_at_zero(points);
+    motor.curve = checked_curve(std::move(points), propellant_kg, block.header.number);
+    return motor;
   }
 
  private:
+  // The motors of the file, not yet judged. Names of motors may be numbers, so only the count of words tells the next
+  // motor's header from a broken point.
+  std::vector<Block> split() {
+    std::vector<Block> blocks;
+    while (auto words = next_words()) {
+      if (blocks.empty() || (words->size() >= header_words && !blocks.back().points.empty())) {
+        blocks.push_back({.header = {line_, std::move(*words)}, .points = {}});
+      } else {
+        blocks.back().points.push_back({line_, std::move(*words)});
+      }
+    }
+    if (stream_.bad()) {
+      refuse("cannot be read any further");
+    }
+    if (blocks.empty()) {
+      refuse("no motor in this file; allowed: a header line and thrust points");
+    }
+    return blocks;
+  }
+
+  const Block& chosen(const std::vector<Block>& blocks, const std::optional<std::string>& wanted) {
+    if (!wanted && blocks.size() == 1) {
+      return blocks.front();
+    }
+    std::vector<std::string> names;
+    std::string list;
+    for (const Block& block : blocks) {
+      names.push_back(block.name());
+      list += (list.empty() ? "" : ", ") + block.name();
+    }
+    if (!wanted) {
+      line_ = blocks[1].header.number;
+      refuse("a second motor begins here; choose one of " + list + ", as in file = \"" +
+             std::filesystem::path{name_}.filename().string() + "#" + names.front() + "\"");
+    }
+    const auto found = std::ranges::find(blocks, *wanted, &Block::name);
+    if (found == blocks.end()) {
+      line_ = blocks.front().header.number;
+      const auto meant = suggestion(*wanted, names);
+      refuse("no motor \"" + *wanted + "\" in this file; " + (meant ? "did you mean " + *meant + "? " : "") +
+             "allowed: " + list);
+    }
+    if (const auto second = std::ranges::find(std::next(found), blocks.end(), *wanted, &Block::name);
+        second != blocks.end()) {
+      line_ = second->header.number;
+      refuse("a second motor called \"" + *wanted + "\"; allowed: one of each name to choose from");
+    }
+    return *found;
+  }
+
+  // Most published files end with the last measured thrust. Ends the curve and says so.
+  std::optional<std::string> end_at_zero(std::vector<sim::ThrustPoint>& points) const {
+    const sim::ThrustPoint last = points.back();
+    if (last.thrust_n == 0.0) {
+      return std::nullopt;
+    }
+    constexpr double fall_s = 0.001;
+    const sim::ThrustPoint end{.time_s = last.time_s + fall_s, .thrust_n = 0.0};
+    if (sim::ThrustCurve::fault(&last, end)) {
+      refuse("the last thrust is " + plain_number(last.thrust_n) + " N; allowed: zero, which ends the motor");
+    }
+    points.push_back(end);
+    return name_ + ":" + std::to_string(line_) + ": the last thrust is " + plain_number(last.thrust_n) + " N at " +
+           plain_number(last.time_s) + " s, not zero; assumed: the motor is out one millisecond later.";
+  }
+
   [[noreturn]] void refuse(const std::string& complaint) const {
     throw text::Error{text::ErrorKind::bad_data,
                       name_ + ":" + std::to_string(std::max<std::size_t>(line_, 1)) + ": " + complaint};
@@ -165,6 +232,8 @@ class RaspReader {
 
 }  // namespace
 
-sim::ThrustCurve load_rasp(const std::filesystem::path& file) { return RaspReader{file}.read(); }
+RaspMotor load_rasp(const std::filesystem::path& file, const std::optional<std::string>& motor) {
+  return RaspReader{file}.read(motor);
+}
 
 }  // namespace fantail::input

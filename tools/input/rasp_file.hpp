@@ -2,16 +2,24 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
+#include <string>
 
 #include "sim/thrust_curve.hpp"
 
 namespace fantail::input {
 
+struct RaspMotor {
+  sim::ThrustCurve curve;
+  std::optional<std::string> warning;  ///< what was assumed to make sense of the file
+};
+
 /// Reads a motor from a RASP file (.eng): comment lines (;), then
 ///   name diameter_mm length_mm delays propellant_kg total_kg maker
-/// and one "seconds newtons" pair a line, the last one with thrust zero. A first point after ignition means that thrust
-/// rises from zero at ignition. Reads the FIRST motor of a file; what follows it is not looked at. Lines may end as on
-/// Windows. Throws text::Error: no_such_input, or bad_data as "file:line: value; rule".
-[[nodiscard]] sim::ThrustCurve load_rasp(const std::filesystem::path& file);
+/// and one "seconds newtons" pair a line. A first point after ignition means that thrust rises from zero at ignition; a
+/// last one with thrust, that it ends there, with a warning. Of several motors in one file `motor` names one, which is
+/// then the only one that is judged; without it they are refused. Lines may end as on Windows. Throws text::Error:
+/// no_such_input, or bad_data as "file:line: value; rule".
+[[nodiscard]] RaspMotor load_rasp(const std::filesystem::path& file, const std::optional<std::string>& motor = {});
 
 }  // namespace fantail::input

@@ -22,8 +22,8 @@ constexpr auto fields = std::to_array<Field<sim::Scenario>>({
   {"", "tunnel_result", file(), may, {}, "What `predict` starts from ([Predicting a launch](predict.md)); a flight makes no use of it."},
 
   {"environment", "surroundings", choice(surroundings), may, AT(it.surroundings), "`tunnel` for plans with `run.start = \"tunnel\"`, and only for them."},
-  {"environment", "density", choice(densities), may, AT(it.atmosphere.model), "Air over height: 1.225 kg/m3 exp(-h / 8500 m), the International Standard Atmosphere, or the same everywhere."},
-  {"environment", "density_kg_m3", number("kg/m3", {0.01, 5}), may, AT(it.atmosphere.constant_kg_m3), "For `constant`."},
+  {"environment", "density", choice(densities), may, AT(it.atmosphere.model), "Air over height: 1.225 kg/m3 exp(-h / 8500 m), the International Standard Atmosphere, or the same everywhere. Not in the tunnel, which has its own."},
+  {"environment", "density_kg_m3", number("kg/m3", {0.01, 5}), may, AT(it.atmosphere.constant_kg_m3), "For `constant`, in flight."},
   {"environment", "guide_tilt_deg", number(deg, {0, 15}), may, AT(it.guide_tilt_rad), "Launch guide against the vertical."},
   {"environment", "wind_m_s", number("m/s", {0, 30}), may, AT(it.wind_m_s), "Wind across the launch site. It is not simulated: reports say where it matters."},
 
@@ -39,10 +39,10 @@ constexpr auto fields = std::to_array<Field<sim::Scenario>>({
   {"tunnel", "wind_sensor_period_s", number("s", {0.001, 600}), may, AT(it.wind_sensor.period_s), "Between two readings in `tunnel.csv`."},
   {"tunnel", "wind_sensor_resolution_m_s", number("m/s", {0, 5}), may, AT(it.wind_sensor.resolution_m_s), "What the readings are rounded to; 0: not at all."},
 
-  {"disturbance", "times_s", list(most_points, number("s", {0, 600})), may, AT(grown(it.disturbance, i).time_s), "Equivalent fin offset: times of its points after lift-off (tunnel: after control start), increasing."},
+  {"disturbance", "times_s", list(most_points, number("s", {0, 3600})), may, AT(grown(it.disturbance, i).time_s), "Equivalent fin offset: times of its points after lift-off (tunnel: after control start), increasing."},
   {"disturbance", "angles_deg", list(most_points, number(deg, {-45, 45})), may, AT(grown(it.disturbance, i).angle_rad), "Equivalent fin offset: its angle at each of those times; straight lines between them, constant beyond them."},
 
-  {"imposed_roll", "time_s", number("s", {0, 600}), must_in_its_section, AT(made(it.imposed_roll).time_s), "When angle and rate are set, once, for a transient that no model explains; after lift-off. The report says so."},
+  {"imposed_roll", "time_s", number("s", {0, 3600}), must_in_its_section, AT(made(it.imposed_roll).time_s), "When angle and rate are set, once, for a transient that no model explains; after lift-off. The report says so."},
   {"imposed_roll", "angle_deg", number(deg, {-3600, 3600}), must_in_its_section, AT(made(it.imposed_roll).angle_rad), "Roll angle from then on."},
   {"imposed_roll", "rate_deg_s", number(deg_s, {-3600, 3600}), must_in_its_section, AT(made(it.imposed_roll).rate_rad_s), "Roll rate from then on."},
 

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "input/copied.hpp"
 #include "input/fault_file.hpp"
+#include "input/file_kind.hpp"
 #include "input/messages.hpp"
 #include "input/plan_file.hpp"
 #include "input/shipped.hpp"
@@ -59,6 +61,20 @@ void check_surroundings(const Document& document, const sim::Scenario& scenario)
   }
 }
 
+// A tunnel has air of its own, the same at every height.
+void settle_density(const Document& document, sim::Scenario& scenario) {
+  if (scenario.surroundings != sim::Surroundings::tunnel) {
+    return;
+  }
+  Section environment{document, "environment"};
+  for (const char* key : {"density", "density_kg_m3"}) {
+    if (environment.has(key)) {
+      environment.refuse(key, "plays no part in the tunnel; allowed: tunnel.density_kg_m3 instead");
+    }
+  }
+  scenario.atmosphere = {.model = sim::DensityModel::constant, .constant_kg_m3 = scenario.tunnel.density_kg_m3};
+}
+
 // The three files of a run. A section's name is in one of them only.
 struct Documents {
   Document scenario;
@@ -100,6 +116,7 @@ void refuse_unknown_words_at_the_top(const Document& document) {
 sim::Scenario load_scenario(const std::string& name_or_path, std::span<const Override> changes) {
   const std::filesystem::path file = find_input(Shipped::scenario, name_or_path);
   Documents documents{.scenario = Document::load(file), .plan = {}, .vehicle = {}};
+  refuse_other_kind(documents.scenario, Shipped::scenario);
   sim::Scenario scenario;
   scenario.name = file.stem().string();
   read_section(documents.scenario, "", scenario_fields(), scenario);
@@ -123,6 +140,8 @@ sim::Scenario load_scenario(const std::string& name_or_path, std::span<const Ove
   check_timing(documents.scenario, scenario);
   scenario.faults = read_faults(documents.scenario, scenario.vehicle.servo.stop_rad);
   check_surroundings(documents.scenario, scenario);
+  settle_density(documents.scenario, scenario);
+  scenario.warnings = questions_about_scenario(documents.scenario, documents.vehicle, scenario);
   return scenario;
 }
 

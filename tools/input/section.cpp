@@ -11,6 +11,22 @@
 namespace fantail::input {
 namespace {
 
+// "; did you mean x?", or all that may stand there.
+std::string help(const std::string& wrong, std::span<const std::string> known, const std::string& prefix) {
+  if (const auto meant = suggestion(wrong, known)) {
+    return "; did you mean " + prefix + *meant + "?";
+  }
+  std::vector<std::string> listed;
+  std::string list;
+  for (const std::string& word : known) {
+    if (std::ranges::find(listed, word) == listed.end()) {
+      listed.push_back(word);
+      list += (list.empty() ? "" : ", ") + word;
+    }
+  }
+  return list.empty() ? list : "; allowed: " + list;
+}
+
 std::string range(Limits limits) { return plain_number(limits.minimum) + " to " + plain_number(limits.maximum); }
 
 }  // namespace
@@ -53,7 +69,10 @@ bool Section::has(std::string_view key) { return static_cast<bool>(find(key)); }
 TomlNode Section::require(std::string_view key, const std::string& allowed) {
   const TomlNode node = find(key);
   if (!node) {
-    refuse(key, "is missing" + (allowed.empty() ? "" : "; allowed: " + allowed));
+    const std::vector<std::string> there = table_.keys();
+    const auto meant = suggestion(key, there);
+    refuse(key, "is missing" + (meant ? " (is " + label(*meant) + " meant to be it?)" : "") +
+                    (allowed.empty() ? "" : "; allowed: " + allowed));
   }
   return node;
 }
@@ -164,11 +183,8 @@ void Section::finish() const {
     if (std::ranges::find(known_, name) != known_.end()) {
       continue;
     }
-    std::string message = where(name) + ": unknown key " + label(name);
-    if (const auto meant = suggestion(name, known_)) {
-      message += "; did you mean " + label(*meant) + "?";
-    }
-    throw text::Error{text::ErrorKind::bad_configuration, message};
+    throw text::Error{text::ErrorKind::bad_configuration, where(name) + ": unknown key " + label(name) +
+                                                              help(name, known_, name_.empty() ? "" : name_ + ".")};
   }
 }
 
@@ -178,12 +194,9 @@ void refuse_unknown_sections(const Document& document, std::span<const std::stri
       continue;
     }
     const TomlNode node = document.root()[name];
-    std::string message =
-        document.where("", name, node) + ": unknown " + (node.is_table() ? "section [" + name + "]" : "key " + name);
-    if (const auto meant = suggestion(name, known)) {
-      message += "; did you mean " + *meant + "?";
-    }
-    throw text::Error{text::ErrorKind::bad_configuration, message};
+    throw text::Error{text::ErrorKind::bad_configuration,
+                      document.where("", name, node) + ": unknown " +
+                          (node.is_table() ? "section [" + name + "]" : "key " + name) + help(name, known, "")};
   }
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <optional>
 
 #include "input/messages.hpp"
 #include "text/error.hpp"
@@ -29,6 +30,44 @@ Place place_of(Shipped kind) {
 
 bool looks_like_path(const std::string& text) {
   return text.find('/') != std::string::npos || std::filesystem::path{text}.has_extension();
+}
+
+// The names of the files in a folder that end as this kind of file does.
+std::vector<std::string> files_in(const std::filesystem::path& folder, std::string_view extension) {
+  std::vector<std::string> names;
+  std::error_code ignored;
+  for (const auto& entry : std::filesystem::directory_iterator{folder, ignored}) {
+    if (entry.path().extension() == extension) {
+      names.push_back(entry.path().filename().string());
+    }
+  }
+  std::ranges::sort(names);
+  return names;
+}
+
+std::optional<std::string> near_file(const std::filesystem::path& missing, std::string_view extension) {
+  const std::filesystem::path folder = missing.has_parent_path() ? missing.parent_path() : ".";
+  const auto name = suggestion(missing.filename().string(), files_in(folder, extension));
+  return name ? std::optional{(missing.parent_path() / *name).string()} : std::nullopt;
+}
+
+[[noreturn]] void refuse_folder(Shipped kind, const std::filesystem::path& folder) {
+  const Place place = place_of(kind);
+  std::string message =
+      folder.string() + ": a folder; allowed: a " + std::string{place.noun} + " file or a shipped name";
+  if (const std::vector<std::string> names = files_in(folder, place.extension); !names.empty()) {
+    message += "; files in it: " + names.front();
+    for (std::size_t i = 1; i < names.size(); ++i) {
+      message += ", " + names[i];
+    }
+  }
+  // The results of a shipped scenario are in a folder of its name.
+  const std::filesystem::path named = folder.has_filename() ? folder : folder.parent_path();
+  const std::vector<std::string> shipped = shipped_names(kind);
+  if (const auto meant = suggestion(named.filename().string(), shipped)) {
+    message += "; did you mean " + *meant + "?";
+  }
+  throw text::Error{text::ErrorKind::no_such_input, message};
 }
 
 }  // namespace
@@ -68,10 +107,18 @@ std::filesystem::path find_input(Shipped kind, const std::string& name_or_path) 
   if (std::filesystem::is_regular_file(name_or_path, ignored)) {
     return name_or_path;
   }
-  if (looks_like_path(name_or_path)) {
-    throw text::Error{text::ErrorKind::no_such_input, name_or_path + ": no such file"};
+  if (std::filesystem::is_directory(name_or_path, ignored)) {
+    refuse_folder(kind, name_or_path);
+  }
+  if (std::filesystem::is_regular_file(name_or_path + std::string{place.extension}, ignored)) {
+    return name_or_path + std::string{place.extension};
   }
   const std::vector<std::string> names = shipped_names(kind);
+  if (looks_like_path(name_or_path)) {
+    const auto near = near_file(name_or_path, place.extension);
+    throw text::Error{text::ErrorKind::no_such_input,
+                      name_or_path + ": no such file" + (near ? "; did you mean " + *near + "?" : "")};
+  }
   std::string message = "unknown " + std::string{place.noun} + " \"" + name_or_path + "\"";
   if (const auto meant = suggestion(name_or_path, names)) {
     message += "; did you mean " + *meant + "?";
@@ -84,7 +131,11 @@ std::filesystem::path find_input(Shipped kind, const std::string& name_or_path) 
 }
 
 std::filesystem::path find_named_input(Shipped kind, const Document& document, Section& section, std::string_view key) {
-  const std::string name = section.text(key);
+  return find_named_input(kind, document, section, key, section.text(key));
+}
+
+std::filesystem::path find_named_input(Shipped kind, const Document& document, const Section& section,
+                                       std::string_view key, const std::string& name) {
   std::filesystem::path beside = std::filesystem::path{document.file()}.parent_path() / name;
   std::error_code ignored;
   if (!section.is_replaced(key) && looks_like_path(name) && std::filesystem::is_regular_file(beside, ignored)) {

@@ -22,6 +22,9 @@ enum class Shipped : std::uint8_t { scenario, vehicle, motor, plan, tunnel_resul
 /// working folder. A path given with --set counts from the working folder only. The error says where it was named.
 [[nodiscard]] std::filesystem::path find_named_input(Shipped kind, const Document& document, Section& section,
                                                      std::string_view key);
+/// The same where `name` is only a part of what the key says.
+[[nodiscard]] std::filesystem::path find_named_input(Shipped kind, const Document& document, const Section& section,
+                                                     std::string_view key, const std::string& name);
 
 /// The shipped names of a kind, sorted.
 [[nodiscard]] std::vector<std::string> shipped_names(Shipped kind);

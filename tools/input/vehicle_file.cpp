@@ -2,7 +2,12 @@
 #include "input/vehicle_file.hpp"
 
 #include <cmath>
+#include <optional>
+#include <string>
+#include <utility>
 
+#include "input/copied.hpp"
+#include "input/file_kind.hpp"
 #include "input/messages.hpp"
 #include "input/rasp_file.hpp"
 #include "input/shipped.hpp"
@@ -16,7 +21,15 @@ constexpr double most_speed_m_s = 3000.0;
 
 void read_motor(const Document& document, sim::Vehicle& vehicle) {
   Section motor{document, "motor"};
-  vehicle.motor = load_rasp(find_named_input(Shipped::motor, document, motor, "file"));
+  // "motors.eng#K550": one of several motors in a file.
+  const std::string named = motor.text("file");
+  const std::size_t mark = named.rfind('#');
+  const auto name = mark == std::string::npos ? std::nullopt : std::optional{named.substr(mark + 1)};
+  RaspMotor read = load_rasp(find_named_input(Shipped::motor, document, motor, "file", named.substr(0, mark)), name);
+  vehicle.motor = std::move(read.curve);
+  if (read.warning) {
+    vehicle.warnings.push_back(std::move(*read.warning));
+  }
   const sim::ThrustCurve& curve = vehicle.motor;
   const double empty_kg = vehicle.mass_kg - curve.propellant_kg();
   if (!(empty_kg > 0.0)) {
@@ -57,9 +70,22 @@ void check_servo(const Document& document, const sim::Vehicle& vehicle) {
   }
 }
 
+// A canard whose trim is beyond the stop of its servo never stands there.
+void check_trim(const Document& document, const sim::Vehicle& vehicle) {
+  const double stop_rad = vehicle.servo.stop_rad;
+  for (const sim::CanardMounting& canard : vehicle.canards) {
+    if (std::abs(canard.trim_rad) > stop_rad) {
+      Section{document, "canard_mounting"}.refuse("trim_deg", "= " + about(deg.in_file(canard.trim_rad)) +
+                                                                  " is out of range; allowed: within servo.stop_deg, " +
+                                                                  about(deg.in_file(stop_rad)) + " either way");
+    }
+  }
+}
+
 }  // namespace
 
 sim::Vehicle read_vehicle(const Document& document) {
+  refuse_other_kind(document, Shipped::vehicle);
   const std::vector<std::string> sections = sections_of(vehicle_fields());
   refuse_unknown_sections(document, sections);
   sim::Vehicle vehicle;
@@ -69,6 +95,10 @@ sim::Vehicle read_vehicle(const Document& document) {
   read_motor(document, vehicle);
   check_reference_area(document, vehicle);
   check_servo(document, vehicle);
+  check_trim(document, vehicle);
+  if (auto question = question_about_vehicle(document, vehicle)) {
+    vehicle.warnings.push_back(std::move(*question));
+  }
   return vehicle;
 }
 

@@ -35,6 +35,26 @@ std::string_view words(Finding finding) {
   return "error in print";
 }
 
+std::string_view name(Basis basis) {
+  switch (basis) {
+    case Basis::derived: return "derived";
+    case Basis::fitted: return "fitted";
+    case Basis::round_trip: return "round_trip";
+    case Basis::none: break;
+  }
+  return "none";
+}
+
+std::string_view words(Basis basis) {
+  switch (basis) {
+    case Basis::derived: return "derived from the print";
+    case Basis::fitted: return "fitted to the print";
+    case Basis::round_trip: return "round trip";
+    case Basis::none: break;
+  }
+  return "not computed";
+}
+
 Claim compare(const Numbers& n) {
   const double difference = n.ours - n.theirs;
   // A tolerance of exactly a printed digit must not fail on the last bit of a decimal fraction.
@@ -45,6 +65,7 @@ Claim compare(const Numbers& n) {
               .ours = with_unit(n.ours, n.decimals, n.unit),
               .difference = with_unit(difference, n.decimals, n.unit),
               .finding = agrees ? Finding::reproduced : n.otherwise,
+              .basis = n.basis,
               .why = agrees ? n.remark : n.why_otherwise};
   if (claim.why.empty() && !agrees) {
     claim.why = "The reason is not known.";
@@ -53,12 +74,14 @@ Claim compare(const Numbers& n) {
 }
 
 Claim unpublished(std::string place, std::string what, std::string theirs, std::string why, std::string ours) {
+  const Basis basis = ours.empty() ? Basis::none : Basis::round_trip;
   return {.place = std::move(place),
           .what = std::move(what),
           .theirs = std::move(theirs),
           .ours = std::move(ours),
           .difference = {},
           .finding = Finding::not_reproducible,
+          .basis = basis,
           .why = std::move(why)};
 }
 
@@ -69,6 +92,7 @@ Claim slip(std::string place, std::string what, std::string printed, std::string
           .ours = std::move(must_be),
           .difference = {},
           .finding = Finding::error_in_print,
+          .basis = Basis::derived,
           .why = std::move(why)};
 }
 

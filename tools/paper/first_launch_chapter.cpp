@@ -9,6 +9,7 @@
 #include "identify/identification.hpp"
 #include "paper/chapters.hpp"
 #include "paper/drawing.hpp"
+#include "paper/first_launch_ascent.hpp"
 #include "report/results.hpp"
 #include "text/degrees.hpp"
 #include "text/number.hpp"
@@ -37,65 +38,13 @@ std::string pair(const identify::model::RollModel& model) {
   return fmt::format("{:.2f} and {:.2f}", model.alpha_m2, model.beta_m);
 }
 
-void add_ascent(std::vector<Claim>& claims, const flight::Flight& flight, const report::Figures& figures) {
-  const std::string motor =
-      "With a motor of the I150 class and the drag area that fits both launches; the motor is not named.";
-  const std::string place = "Section 4.2";
-  claims.push_back(compare({.place = place,
-                            .what = "Apogee",
-                            .theirs = 522,
-                            .ours = *figures.apogee_m,
-                            .unit = "m",
-                            .decimals = 1,
-                            .tolerance = 0.02 * 522,
-                            .remark = motor}));
-  claims.push_back(compare({.place = place,
-                            .what = "Highest speed",
-                            .theirs = 97,
-                            .ours = *figures.max_speed_m_s,
-                            .unit = "m/s",
-                            .decimals = 1,
-                            .tolerance = 0.02 * 97,
-                            .remark = motor}));
-  claims.push_back(compare({.place = place,
-                            .what = "Time to apogee",
-                            .theirs = 10.2,
-                            .ours = *flight.events.apogee_s,
-                            .unit = "s",
-                            .decimals = 2,
-                            .tolerance = 0.1,
-                            .otherwise = Finding::error_in_print,
-                            .why_otherwise = "No motor gives that height and that speed in so short a time."}));
-  claims.push_back(compare({.place = place,
-                            .what = "Control starts, after lift-off",
-                            .theirs = 0.63,
-                            .ours = *flight.events.control_start_s,
-                            .unit = "s",
-                            .decimals = 3,
-                            .tolerance = 0.015}));
-  claims.push_back(
-      compare({.place = place,
-               .what = "Height at control start",
-               .theirs = 7.0,
-               .ours = *figures.control_start_height_m,
-               .unit = "m",
-               .decimals = 2,
-               .tolerance = 0.35,
-               .remark = "One metre above the rule's six: the height is counted from launch detection only."}));
-  claims.push_back(compare({.place = "Eq 31",
-                            .what = "T_PD: from launch detection to control start",
-                            .theirs = 0.42,
-                            .ours = *flight.events.control_start_s - *flight.events.detected_s,
-                            .unit = "s",
-                            .decimals = 3,
-                            .tolerance = 0.015}));
-}
-
 void add_transient(std::vector<Claim>& claims, const flight::Flight& flight) {
   const double zero_s = *flight.events.detected_s;
   const Moment peak = extreme(flight, zero_s, zero_s + 0.8, 1.0);
   const Moment trough = extreme(flight, peak.time_s, zero_s + 1.42, -1.0);
-  const std::string how = "The roll state before control is set to the one that the printed curves begin with.";
+  const std::string how =
+      "The reference area was fitted to this transient, and the roll state before control is set to the one that the "
+      "printed curves begin with.";
   claims.push_back(compare({.place = "Figure 21a",
                             .what = "Local maximum of the roll angle, after detection",
                             .theirs = 0.49,
@@ -103,6 +52,7 @@ void add_transient(std::vector<Claim>& claims, const flight::Flight& flight) {
                             .unit = "s",
                             .decimals = 3,
                             .tolerance = 0.02,
+                            .basis = Basis::fitted,
                             .remark = how}));
   claims.push_back(compare({.place = "Figure 21a",
                             .what = "Local minimum",
@@ -111,6 +61,7 @@ void add_transient(std::vector<Claim>& claims, const flight::Flight& flight) {
                             .unit = "s",
                             .decimals = 3,
                             .tolerance = 0.03,
+                            .basis = Basis::fitted,
                             .remark = how}));
   const double drop_deg = peak.angle_deg - trough.angle_deg;
   claims.push_back(
@@ -121,6 +72,7 @@ void add_transient(std::vector<Claim>& claims, const flight::Flight& flight) {
                .unit = "deg",
                .decimals = 2,
                .tolerance = 1.05,
+               .basis = Basis::fitted,
                .why_otherwise = "The simulated servos answer later than a pure 20 ms lag (pulse frames, delay, "
                                 "play), and so the roll swings further. What the real ones did is not printed."}));
 }
@@ -144,16 +96,17 @@ void add_modelled_drop(std::vector<Claim>& claims, const Run& run) {
       {.controller = run.scenario.plan.controller, .servo_lag_s = run.scenario.vehicle.servo.lag_s}, model);
   const auto peak = std::ranges::max_element(flown.roll_angle_rad.begin(), flown.roll_angle_rad.begin() + 800);
   const double drop_rad = *peak - *std::min_element(peak, flown.roll_angle_rad.end());
-  claims.push_back(
-      compare({.place = "Figure 21a",
-               .what = "Drop between them, modelled",
-               .theirs = 26.15,
-               .ours = text::degrees(drop_rad),
-               .unit = "deg",
-               .decimals = 2,
-               .tolerance = 1.05,
-               .remark = "Within the published model's own error, 27.2 \u2212 26.15 deg. Closed loop with a "
-                         "servo lag of 20 ms, which is assumed."}));
+  claims.push_back(compare(
+      {.place = "Figure 21a",
+       .what = "Drop between them, modelled",
+       .theirs = 26.15,
+       .ours = text::degrees(drop_rad),
+       .unit = "deg",
+       .decimals = 2,
+       .tolerance = 1.05,
+       .basis = Basis::fitted,
+       .remark = "Within the published model's own error, 27.2 \u2212 26.15 deg. Closed loop with a servo lag of "
+                 "20 ms, which is assumed; the reference area was fitted to this drop."}));
 }
 
 void add_limit(std::vector<Claim>& claims, const flight::Flight& flight, const report::Figures& figures) {
@@ -186,8 +139,9 @@ Chapter first_launch_chapter(const Tell& tell) {
   Chapter chapter{.title = "Launch 1",
                   .introduction =
                       "Tasha III, 22 July 2015: gains 1 and 0.1 s, canards limited to 6 degrees, and a fin offset "
-                      "beyond that. Flown here with the printed plan, masses and model."};
-  add_ascent(chapter.claims, flight, figures);
+                      "beyond that. Flown here with the printed plan, masses and model.",
+                  .claims = first_launch_ascent(run, figures),
+                  .figures_html = {}};
   add_transient(chapter.claims, flight);
   add_modelled_drop(chapter.claims, run);
   add_limit(chapter.claims, flight, figures);
@@ -215,6 +169,10 @@ Chapter first_launch_chapter(const Tell& tell) {
   chapter.claims.push_back(unpublished("Section 4.2", "Mean absolute errors of roll rate and angle, open loop",
                                        "9.82 deg/s, 1.51 deg",
                                        "They measure what the model leaves out of a real flight."));
+  chapter.claims.push_back(unpublished("Section 4.2", "Longer simulation of the closed loop than of the open",
+                                       "about 50 %", "It measures their program on their computer."));
+  chapter.claims.push_back(unpublished("Section 4.2", "Gain in the roll angle from two to six thrust intervals",
+                                       "less than 0.1 deg", "The flight's log is not published."));
   chapter.claims.push_back(unpublished("Section 4.2", "The same, closed loop", "9.76 deg/s, 1.50 deg",
                                        "They measure what the model leaves out of a real flight."));
 
