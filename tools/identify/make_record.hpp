@@ -31,6 +31,7 @@ struct RecordOptions {
   /// How much later the canard column is than the gyro's: its value at t + lag belongs to t. Of either sign. Samples
   /// whose canard angle would lie outside the log or inside a gap are left out.
   double lag_s = 0.0;
+  bool lag_is_fitted = false;             ///< fill in canard_rate_rad_s, too
   std::optional<double> density_kg_m3{};  ///< the same everywhere; empty: from the height by `atmosphere`
   sim::Atmosphere atmosphere{};
   std::optional<double> speed_m_s{};  ///< for a log without speeds, or instead of them

@@ -133,7 +133,7 @@ std::string remark_list(const Study& study, const WindowFindings& window) {
   if (window.lag_is_fitted || window.lag_s != 0.0) {
     all.push_back(fmt::format("Canard angles are used {} ms {} than they are logged{}.",
                               text::brief(1000.0 * std::abs(window.lag_s), 1), window.lag_s < 0.0 ? "earlier" : "later",
-                              window.lag_is_fitted ? ", as fitted" : ""));
+                              fitted_lag(window)));
   }
   return all.empty() ? "" : page::section("Remarks", page::list(all));
 }
