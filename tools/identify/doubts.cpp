@@ -155,8 +155,17 @@ std::optional<std::string> nodes(const Case& c) {
 
 std::optional<std::string> unexplained(const Case& c) {
   constexpr double worth_a_word = 0.2;
+  constexpr double negligible = 0.01;
   const auto& tests = c.found.residual_tests;
-  if (!tests || std::abs(tests->own_correlation) < std::max(tests->chance, worth_a_word)) {
+  double left = 0.0;
+  double motion = 0.0;
+  for (std::size_t i = 0; i < c.record.size(); ++i) {
+    const double rate_rad_s = c.record.roll_rate_rad_s[i];
+    left += std::pow(rate_rad_s - c.found.simulation.roll_rate_rad_s[i], 2);
+    motion += rate_rad_s * rate_rad_s;
+  }
+  if (left < negligible * negligible * motion || !tests ||
+      std::abs(tests->own_correlation) < std::max(tests->chance, worth_a_word)) {
     return {};
   }
   return fmt::format(

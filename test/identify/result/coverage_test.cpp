@@ -51,6 +51,10 @@ TEST_P(Coverage, PlantedNumbersLieInsideTheStatedIntervals) {
                           ? 1
                           : 0;
   }
+  for (std::size_t k = 0; k < truth.size(); ++k) {
+    RecordProperty("inside_" + std::to_string(k), inside[k]);
+  }
+  RecordProperty("inside_profile", inside_profile);
   SCOPED_TRACE("seeds from " + std::to_string(first_seed));
   for (std::size_t k = 0; k < truth.size(); ++k) {
     EXPECT_GE(inside[k], least_inside) << "number " << k << " of alpha, beta, nodes";

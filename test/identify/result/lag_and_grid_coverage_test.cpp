@@ -8,6 +8,7 @@
 
 #include "identify/planted_log.hpp"
 #include "identify/study.hpp"
+#include "seed.hpp"
 
 namespace fantail::identify::result {
 namespace {
@@ -16,7 +17,6 @@ using namespace model;
 
 constexpr int records = 300;
 constexpr int least_inside = 276;  // 92 %: 95 % less two and a half standard deviations of the count
-constexpr std::uint64_t first_seed = 20160102;
 
 struct Inside {
   int alpha = 0;
@@ -29,14 +29,15 @@ bool holds(const Interval& interval, double truth) {
   return interval.low.value_or(truth) <= truth && truth <= interval.high.value_or(truth);
 }
 
-Inside count(const Planting& planting, const Question& question, int samples_late) {
+Inside count(const Planting& planting, const Question& question, int samples_late, double correlation_s = 0.0) {
   const Record clean = planted_record(planting);
   logs::RollLog log = planted_log(planting);
   delay_canards(log, samples_late);
   Inside inside;
+  const std::uint64_t first_seed = test::seed(20160102);
   for (int i = 0; i < records; ++i) {
     Record noisy = clean;
-    add_noise(noisy, {.angle_deg = 0.3}, first_seed + static_cast<std::uint64_t>(i));
+    add_noise(noisy, {.angle_deg = 0.3, .correlation_s = correlation_s}, first_seed + static_cast<std::uint64_t>(i));
     log.roll_angle_rad = noisy.roll_angle_rad;
     log.roll_rate_rad_s = noisy.roll_rate_rad_s;
     const WindowFindings window = study(log, question).windows[0];
@@ -50,17 +51,18 @@ Inside count(const Planting& planting, const Question& question, int samples_lat
   return inside;
 }
 
-TEST(LagCoverage, IntervalsHoldTheTruthWhenTheLagIsFitted) {
+class LagCoverage : public testing::TestWithParam<double> {};  // correlation time of the noise, s
+
+TEST_P(LagCoverage, IntervalsHoldTheTruthWhenTheLagIsFitted) {
   const Planting planting{.seconds = 3.0, .sample_hz = 200.0};
   Question question = planted_question("0");
   question.options.with_error_map = false;
   question.options.start = Start::fitted;
   question.fit_lag = true;
-  const Inside inside = count(planting, question, 3);
+  const Inside inside = count(planting, question, 3, GetParam());
   RecordProperty("inside", "alpha " + std::to_string(inside.alpha) + ", profile " +
                                std::to_string(inside.alpha_profile) + ", beta " + std::to_string(inside.beta) +
                                ", lag " + std::to_string(inside.lag));
-  SCOPED_TRACE("seeds from " + std::to_string(first_seed));
   EXPECT_GE(inside.alpha, least_inside);
   EXPECT_GE(inside.alpha_profile, least_inside);
   EXPECT_GE(inside.beta, least_inside);
@@ -68,6 +70,8 @@ TEST(LagCoverage, IntervalsHoldTheTruthWhenTheLagIsFitted) {
   EXPECT_LT(inside.alpha, records);
   EXPECT_LT(inside.lag, records);
 }
+
+INSTANTIATE_TEST_SUITE_P(Noises, LagCoverage, testing::Values(0.0, 0.03));
 
 TEST(GridCoverage, IntervalsHoldTheTruthBetweenTheGridsPoints) {
   const Planting planting{.alpha_m2 = 20.47, .beta_m = 9.22, .seconds = 3.0};
@@ -77,7 +81,6 @@ TEST(GridCoverage, IntervalsHoldTheTruthBetweenTheGridsPoints) {
   RecordProperty("inside", "alpha " + std::to_string(inside.alpha) + ", profile " +
                                std::to_string(inside.alpha_profile) + ", beta " + std::to_string(inside.beta) +
                                ", lag " + std::to_string(inside.lag));
-  SCOPED_TRACE("seeds from " + std::to_string(first_seed));
   EXPECT_GE(inside.alpha, least_inside);
   EXPECT_GE(inside.alpha_profile, least_inside);
   EXPECT_GE(inside.beta, least_inside);

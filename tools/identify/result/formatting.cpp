@@ -151,15 +151,20 @@ std::string fitted_lag(const WindowFindings& window) {
   }
   constexpr double ms = 1000.0;
   return fmt::format(
-      " (fitted; 95 %: {} ms later)",
+      " (fitted; 95 %: {} ms)",
       interval_text({.low = window.lag_s - known->lag_s->reach, .high = window.lag_s + known->lag_s->reach}, ms));
 }
 
-std::string residual_text(const Identification& result) {
+std::string residual_text(const Identification& result, double ResidualTests::* which) {
   const auto& tests = result.residual_tests;
-  return tests ? fmt::format("self {}, canard {} ({})", text::fixed(tests->own_correlation, 2),
-                             text::fixed(tests->canard_correlation, 2), text::fixed(tests->chance, 2))
+  return tests ? fmt::format("{} (chance {})", text::fixed((*tests).*which, 2), text::fixed(tests->chance, 2))
                : std::string{};
+}
+
+std::string effective_text(const Identification& result) {
+  return result.uncertainty
+             ? fmt::format("{} of {}", text::fixed(result.uncertainty->effective_samples, 0), result.samples)
+             : std::string{};
 }
 
 std::string extent(const Record& record) {
@@ -210,12 +215,20 @@ std::vector<std::string> precision_sentences(const Identification& result) {
         fmt::format("The residual, {} deg RMS, is hardly correlated: the {} samples tell alpha and beta as well as "
                     "about {} independent ones.",
                     strength, result.samples, worth));
+  } else if (u.effective_samples < 2.0 * static_cast<double>(u.interval.size())) {
+    all.push_back(
+        fmt::format("The residual, {} deg RMS, is correlated over {} s: the {} samples average hardly anything out and "
+                    "determine alpha "
+                    "and beta only as well as {} independent {}. The intervals include that; they are as narrow as "
+                    "they are because "
+                    "the residual is small beside the motion.",
+                    strength, text::fixed(u.residual_correlation_s, 2), result.samples, worth == "1" ? "one" : worth,
+                    worth == "1" ? "sample would" : "samples would"));
   } else {
     all.push_back(fmt::format(
-        "The residual, {} deg RMS, is correlated over {} s: the {} samples tell alpha and beta as well as about {} "
-        "independent {}. Faster sampling would not help; a longer window or more canard motion would.",
-        strength, text::fixed(u.residual_correlation_s, 2), result.samples, worth == "1" ? "one" : worth,
-        worth == "1" ? "one would" : "ones would"));
+        "The residual, {} deg RMS, is correlated over {} s: the {} samples determine alpha and beta as well as {} "
+        "independent samples would. Faster sampling would not help; a longer window or more canard motion would.",
+        strength, text::fixed(u.residual_correlation_s, 2), result.samples, worth));
   }
   return all;
 }

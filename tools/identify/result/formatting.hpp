@@ -33,11 +33,14 @@ namespace fantail::identify::result {
 [[nodiscard]] std::string node_label(const WindowFindings& window, std::size_t node);
 [[nodiscard]] std::string node_value(const WindowFindings& window, const Identification& result, std::size_t node);
 
-/// " (fitted; 95 %: 18.2 to 21.4 ms later)" behind a lag that was fitted, else nothing.
+/// " (fitted; 95 %: 18.2 to 21.4 ms)" behind a lag that was fitted, else nothing.
 [[nodiscard]] std::string fitted_lag(const WindowFindings& window);
 
-/// "self 0.12, canard 0.05 (0.17)": the strongest correlations of the rate's residual, and what chance gives.
-[[nodiscard]] std::string residual_text(const Identification& result);
+/// "0.12 (chance 0.17)": the strongest correlation of the rate's residual with itself or with the canards.
+[[nodiscard]] std::string residual_text(const Identification& result, double ResidualTests::* which);
+
+/// "310 of 9719".
+[[nodiscard]] std::string effective_text(const Identification& result);
 
 /// "0.64 s to 10.36 s on the log's clock, 9720 samples".
 [[nodiscard]] std::string extent(const model::Record& record);

@@ -75,10 +75,12 @@ class Text {
         [](const Identification& r) { return text::fixed(text::degrees(r.simulation.mean_abs_angle_error_rad), 3); });
     row(window, "mean rate error / deg/s",
         [](const Identification& r) { return text::fixed(text::degrees(r.simulation.mean_abs_rate_error_rad_s), 2); });
-    row(window, "residual of the rate", [](const Identification& r) { return residual_text(r); });
-    row(window, "effective samples", [](const Identification& r) {
-      return r.uncertainty ? text::fixed(r.uncertainty->effective_samples, 0) : std::string{};
-    });
+    line("  residual of the rate: its correlation with");
+    row(window, "  itself, up to 0.2 s later",
+        [](const Identification& r) { return residual_text(r, &ResidualTests::own_correlation); });
+    row(window, "  the canards",
+        [](const Identification& r) { return residual_text(r, &ResidualTests::canard_correlation); });
+    row(window, "effective samples", effective_text);
     for (const Identification& result : window.results) {
       node_curve(result);
     }
