@@ -102,6 +102,14 @@ TEST(Mistakes, ALagIsNotNamedWhereThereIsNone) {
   EXPECT_LE(named, 2);  // one of a hundred is expected
 }
 
+TEST(Mistakes, AFewSamplesThatCarryTheCostAreNamed) {
+  logs::RollLog log = noisy_log({}, {.angle_deg = 0.1}, 3);
+  log.roll_angle_rad[200] += 20.0 * radians_per_degree;
+  log.roll_angle_rad[300] += 20.0 * radians_per_degree;
+  const std::string text = said(study(log, asked()).windows[0]);
+  EXPECT_NE(text.find("of the 401 samples carry"), std::string::npos) << text;
+}
+
 TEST(Mistakes, MissingNodesAreNamed) {
   const Planting bent{.node_time_s = {0.0, 2.0, 4.0}, .node_deg = {-4.0, -6.0, -4.5}};
   const std::string text = said(study(noisy_log(bent, {.angle_deg = 0.1}, 3), asked()).windows[0]);

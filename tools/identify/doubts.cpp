@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <optional>
 
@@ -176,6 +177,31 @@ std::optional<std::string> unexplained(const Case& c) {
       text::fixed(tests->own_correlation, 2), text::fixed(tests->chance, 2));
 }
 
+// A hundredth of Gauss' samples carries a twelfth of the squares.
+std::optional<std::string> outliers(const Case& c) {
+  constexpr double most = 0.5;
+  std::vector<double> squares;
+  double all = 0.0;
+  for (std::size_t i = 0; i < c.record.size(); ++i) {
+    squares.push_back(std::pow(c.record.roll_angle_rad[i] - c.found.simulation.roll_angle_rad[i], 2));
+    all += squares.back();
+  }
+  std::ranges::sort(squares, std::greater{});
+  const std::size_t few = (squares.size() + 99) / 100;
+  double of_few = 0.0;
+  for (std::size_t i = 0; i < few; ++i) {
+    of_few += squares[i];
+  }
+  if (of_few <= most * all) {
+    return {};
+  }
+  return fmt::format(
+      "{} of the {} samples carry {} % of the squared angle error: they look like outliers, and the least squares "
+      "follow "
+      "them. Look at the residual in the report, and take them out of the log if they are no motion of the rocket.",
+      few, squares.size(), text::fixed(100.0 * of_few / all, 0));
+}
+
 bool can_be_judged(const Case& c) {
   const auto& u = c.found.uncertainty;
   return c.found.loop == Loop::open && u && *u->interval[1].low > 0.0;
@@ -190,13 +216,14 @@ std::vector<std::string> doubts(const Record& record, const Airframe& airframe, 
     return {};
   }
   std::vector<std::string> all;
-  const auto add = [&all](std::optional<std::string> sentence) {
+  const auto add = [&all](const std::optional<std::string>& sentence) {
     if (sentence) {
-      all.push_back(std::move(*sentence));
+      all.push_back(*sentence);
     }
-    return !all.empty();
+    return sentence.has_value();
   };
   add(wrong_unit(c));
+  add(outliers(c));
   if ((record.canard_rate_rad_s.empty() && add(lag(c))) || add(nodes(c))) {
     return all;
   }
