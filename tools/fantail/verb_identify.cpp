@@ -85,7 +85,7 @@ void add_windows(const Verb& verb, IdentifyOptions& o) {
   auto lag = verb.option("--lag", o.lag_s, "Seconds by which the canard column lags the gyro's")
                  .check(within(-1.0, 1.0))
                  .show_default();
-  verb.flag("--fit-lag", o.fit_lag, "Find that lag, up to 50 ms either way").excludes(lag);
+  verb.flag("--fit-lag", o.fit_lag, "Find that lag, up to 50 ms either way, with its interval").excludes(lag);
   verb.flag("--fit-initial", o.fit_initial, "Fit the first angle and rate, too, instead of taking them as measured");
 }
 
@@ -101,13 +101,16 @@ void add_rocket(const Verb& verb, IdentifyOptions& o) {
 
 void add_method(const Verb& verb, IdentifyOptions& o) {
   verb.option("--nodes", o.nodes,
-              "Of the disturbance: seconds from the window's begin as in 0,5; even:N; thrust:N,coast:M; auto")
+              "Of the disturbance: seconds on the log's clock as in 0,5; even:N; thrust:N,coast:M; auto")
       .show_default();
-  verb.option("--method", o.method, "grid (as published), continuous or both")
+  verb.option("--method", o.method,
+              "grid (as published; its intervals include the rounding to the grid), continuous or both")
       .one_of({"grid", "continuous", "both"})
       .show_default();
-  verb.option("--grid-alpha", o.grid_alpha, "FIRST:LAST:STEP in m2 [1:60:1]").check(objection_to_axis);
-  verb.option("--grid-beta", o.grid_beta, "FIRST:LAST:STEP in m [5:15:0.5]").check(objection_to_axis);
+  verb.option("--grid-alpha", o.grid_alpha,
+              "FIRST:LAST:STEP in m2 [1:60:1 for an area of 5.03e-5 m2, else in inverse proportion]")
+      .check(objection_to_axis);
+  verb.option("--grid-beta", o.grid_beta, "FIRST:LAST:STEP in m [5:15:0.5, likewise]").check(objection_to_axis);
   verb.option("--loop", o.loop, "open: canards as measured; closed: as the controller commands in the model")
       .one_of({"open", "closed"})
       .show_default();
@@ -183,8 +186,6 @@ identify::Question question(const IdentifyOptions& o) {
   q.record.lag_s = o.lag_s;
   q.record.speed_m_s = o.speed_m_s;
   q.options.start = o.fit_initial ? identify::model::Start::fitted : identify::model::Start::measured;
-  q.options.grid.alpha_m2 = identify::parse_axis(o.grid_alpha).value_or(q.options.grid.alpha_m2);
-  q.options.grid.beta_m = identify::parse_axis(o.grid_beta).value_or(q.options.grid.beta_m);
   if (o.loop == "closed") {
     q.options.closed_loop = closed_loop(o);
     q.record.canard_needed = false;
@@ -209,6 +210,9 @@ void identify_data(const IdentifyOptions& o) {
   identify::Question q = question(o);
   const NamedAirframe rocket = named_airframe(o.airframe, o.data);
   q.airframe = rocket.airframe;
+  const identify::model::Grid published = identify::model::published_grid(q.airframe);
+  q.options.grid.alpha_m2 = identify::parse_axis(o.grid_alpha).value_or(published.alpha_m2);
+  q.options.grid.beta_m = identify::parse_axis(o.grid_beta).value_or(published.beta_m);
   const logs::RollLog log = read(o);
   if (o.log.save_map) {
     save_column_map(o.log.map, o.data, "--columns");

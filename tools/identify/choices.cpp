@@ -143,10 +143,10 @@ NodeTimes thrust_and_coast(const RollLog& log, const model::Record& record, cons
   }
   NodeTimes times;
   for (std::size_t k = 0; k < thrust; ++k) {
-    times.push_back(middle_s * static_cast<double>(k) / static_cast<double>(thrust));
+    times.push_back(record.window_begin_s + middle_s * static_cast<double>(k) / static_cast<double>(thrust));
   }
   for (std::size_t k = 0; k <= coast; ++k) {
-    times.push_back(middle_s + (end_s - middle_s) * static_cast<double>(k) / static_cast<double>(coast));
+    times.push_back(burnout + (end_s - middle_s) * static_cast<double>(k) / static_cast<double>(coast));
   }
   return times;
 }
@@ -230,10 +230,22 @@ NodeChoice find_nodes(const RollLog& log, const model::Record& record, const std
   if (auto times = increasing_times(text)) {
     return *times;
   }
-  throw Error{ErrorKind::bad_configuration,
-              fmt::format("--nodes {}: allowed: increasing seconds as in 0,5; even:N; thrust:N,coast:M; auto; with "
-                          "at most {} intervals",
-                          text, most_intervals)};
+  throw Error{
+      ErrorKind::bad_configuration,
+      fmt::format(
+          "--nodes {}: allowed: increasing seconds on the log's clock as in 0,5; even:N; thrust:N,coast:M; auto; with "
+          "at most {} intervals",
+          text, most_intervals)};
+}
+
+NodeChoice nodes_in(const model::Record& record, const NodeChoice& on_clock) {
+  NodeChoice choice = on_clock;
+  if (auto* times = std::get_if<NodeTimes>(&choice)) {
+    for (double& time_s : *times) {
+      time_s -= record.window_begin_s;
+    }
+  }
+  return choice;
 }
 
 std::optional<model::Axis> parse_axis(const std::string& text) {

@@ -21,10 +21,14 @@ namespace fantail::identify {
 /// When the motor burnt out: from the log's summary, or where the axial specific force falls below zero for good.
 [[nodiscard]] std::optional<double> burnout_s(const logs::RollLog& log);
 
-/// Reads "0,5" (seconds from the begin of the record), "even:N" (N intervals), "thrust:N,coast:M" (N even intervals
-/// until burn-out, M behind it) or "auto". Throws text::Error: bad_configuration for anything else; bad_data when
-/// burn-out does not lie inside the record, or the log does not know it.
+/// Reads "0,5" (seconds), "even:N" (N intervals), "thrust:N,coast:M" (N even intervals until burn-out, M behind it) or
+/// "auto". Times of what it returns are on the log's clock: nodes_in() puts them into a record. Throws text::Error:
+/// bad_configuration for anything else; bad_data when burn-out does not lie inside the record, or the log does not know
+/// it.
 [[nodiscard]] NodeChoice find_nodes(const logs::RollLog& log, const model::Record& record, const std::string& text);
+
+/// Nodes on the log's clock as identify() takes them: their times count from the begin of the record.
+[[nodiscard]] NodeChoice nodes_in(const model::Record& record, const NodeChoice& on_clock);
 
 /// Reads "FIRST:LAST:STEP": all above zero, last not below first, at most 1000 values. Empty for anything else.
 [[nodiscard]] std::optional<model::Axis> parse_axis(const std::string& text);

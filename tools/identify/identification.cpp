@@ -2,6 +2,7 @@
 #include "identify/identification.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 #include <utility>
 #include <vector>
@@ -125,6 +126,36 @@ void remark_on_edges(Identification& result, const Grid& grid) {
   }
 }
 
+Uncertainty uncertainty(const Question& q, const RollModel& model, const Simulation& simulation) {
+  return q.options.closed_loop
+             ? closed_loop_uncertainty(q.record, q.airframe, *q.options.closed_loop, model, simulation, q.options.start)
+             : open_loop_uncertainty(q.record, q.airframe, model, simulation, q.options.start);
+}
+
+// A grid's winner is a rounded answer. Noise is judged around the answer without rounding, and what is stated reaches
+// from there to the grid's point.
+Uncertainty uncertainty_with_grid(const Question& q, const RollModel& on_grid) {
+  const auto& [record, airframe, options] = q;
+  const NodeTimes& nodes = on_grid.node_time_s;
+  const RollModel refined =
+      options.closed_loop
+          ? closed_loop::fit(record, airframe, *options.closed_loop, nodes, options.start, options.grid, on_grid).model
+          : fit_open_loop(record, airframe, nodes, options.start, options.grid);
+  Uncertainty result = uncertainty(q, refined, simulate(q, refined));
+  const std::vector<double> rounded = on_grid.numbers();
+  const std::vector<double> exact = refined.numbers();
+  const auto reach_out = [](Interval& interval, double value) {
+    interval.low = interval.low ? std::optional{std::min(*interval.low, value)} : std::nullopt;
+    interval.high = interval.high ? std::optional{std::max(*interval.high, value)} : std::nullopt;
+  };
+  for (std::size_t k = 0; k < rounded.size(); ++k) {
+    reach_out(result.interval[k], rounded[k]);
+    result.standard_deviation[k] = std::hypot(result.standard_deviation[k], rounded[k] - exact[k]);
+  }
+  reach_out(result.alpha_profile_m2, on_grid.alpha_m2);
+  return result;
+}
+
 }  // namespace
 
 Identification identify(const Record& record, const Airframe& airframe, const Options& options) {
@@ -139,10 +170,8 @@ Identification identify(const Record& record, const Airframe& airframe, const Op
   result.simulation = simulate(question, result.model);
   remark_on_edges(result, options.grid);
   if (options.with_uncertainty) {
-    result.uncertainty = options.closed_loop
-                             ? closed_loop_uncertainty(record, airframe, *options.closed_loop, result.model,
-                                                       result.simulation, options.start)
-                             : open_loop_uncertainty(record, airframe, result.model, result.simulation, options.start);
+    result.uncertainty = options.method == Method::grid ? uncertainty_with_grid(question, result.model)
+                                                        : uncertainty(question, result.model, result.simulation);
   }
   return result;
 }

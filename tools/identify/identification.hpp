@@ -19,11 +19,11 @@ struct EvenNodes {
 struct AutomaticNodes {
   std::size_t most = 6;
 };
-/// Times in seconds from the begin of the record, one table of them, or even ones, or as many as it takes.
+/// Times in seconds, one table of them, or even ones, or as many as it takes.
 using NodeChoice = std::variant<model::NodeTimes, EvenNodes, AutomaticNodes>;
 
 struct Options {
-  NodeChoice nodes = EvenNodes{1};
+  NodeChoice nodes = EvenNodes{1};  ///< times count from the begin of the record
   result::Method method = result::Method::continuous;
   std::optional<closed_loop::Control> closed_loop{};  ///< empty: open loop
   model::Grid grid{};

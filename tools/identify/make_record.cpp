@@ -177,6 +177,29 @@ Air standard_air(const RollLog& log, double site_elevation_m) {
   return {standard, fmt::format("{}, {:.4f} kg/m3, and above it by height_m", site, at_site_kg_m3)};
 }
 
+// The canards' column `lag_s` later; samples for which there is none are left out.
+void take_later(const RollLog& log, double lag_s, double longest_gap_s, Indices& samples,
+                std::vector<double>& canard_rad) {
+  logs::Interpolator interpolator{log.time_s, longest_gap_s};
+  std::erase_if(samples, [&](std::size_t i) {
+    const auto place = interpolator.at(log.time_s[i] + lag_s);
+    canard_rad[i] = place ? place->of(log.canard_rad) : 0.0;
+    return !place;
+  });
+}
+
+// Over a sample either way: how the canards' angle changes when the lag does.
+void differentiate(const RollLog& log, double lag_s, double longest_gap_s, Indices& samples,
+                   std::vector<double>& rate_rad_s) {
+  const double reach_s = logs::usual_interval_s(log.time_s);
+  std::vector<double> before = log.canard_rad;
+  take_later(log, lag_s - reach_s, longest_gap_s, samples, before);
+  take_later(log, lag_s + reach_s, longest_gap_s, samples, rate_rad_s);
+  for (const std::size_t i : samples) {
+    rate_rad_s[i] = (rate_rad_s[i] - before[i]) / (2.0 * reach_s);
+  }
+}
+
 }  // namespace
 
 Air choose_air(const RollLog& log, const std::optional<std::string>& asked,
@@ -215,13 +238,12 @@ model::Record make_record(const RollLog& log, const Window& window, const Record
   }
   Indices inside = samples_inside(log, window, longest_gap_s);
   std::vector<double> canard_rad = log.canard_rad;
+  std::vector<double> canard_rate_rad_s(options.lag_is_fitted ? log.canard_rad.size() : 0);
   if (with_canards && options.lag_s != 0.0) {
-    logs::Interpolator interpolator{log.time_s, longest_gap_s};
-    std::erase_if(inside, [&](std::size_t i) {
-      const auto place = interpolator.at(log.time_s[i] + options.lag_s);
-      canard_rad[i] = place ? place->of(log.canard_rad) : 0.0;
-      return !place;
-    });
+    take_later(log, options.lag_s, longest_gap_s, inside, canard_rad);
+  }
+  if (with_canards && options.lag_is_fitted) {
+    differentiate(log, options.lag_s, longest_gap_s, inside, canard_rate_rad_s);
   }
   const auto [samples, segment_begin] = long_segments(log, inside, longest_gap_s);
   if (samples.size() < least_samples) {
@@ -240,6 +262,9 @@ model::Record make_record(const RollLog& log, const Window& window, const Record
       continue;
     }
     record.canard_rad.push_back(canard_rad[i]);
+    if (options.lag_is_fitted) {
+      record.canard_rate_rad_s.push_back(canard_rate_rad_s[i]);
+    }
     if (std::isnan(record.canard_rad.back())) {
       refuse(log, fmt::format("canard_deg has no number at {} s", about(log.time_s[i])));
     }

@@ -33,6 +33,7 @@ struct RecordOptions {
   /// How much later the canard column is than the gyro's: its value at t + lag belongs to t. Of either sign. Samples
   /// whose canard angle would lie outside the log or inside a gap are left out.
   double lag_s = 0.0;
+  bool lag_is_fitted = false;             ///< fill in canard_rate_rad_s, too
   std::optional<double> density_kg_m3{};  ///< the same everywhere; empty: from the height by `atmosphere`
   sim::Atmosphere atmosphere{};
   double site_elevation_m = 0.0;      ///< heights of the log count from here

@@ -9,8 +9,10 @@
 #include <fmt/core.h>
 
 #include "identify/choices.hpp"
+#include "identify/doubts.hpp"
 #include "identify/model/least_squares.hpp"
 #include "identify/result/residual.hpp"
+#include "identify/result/residual_tests.hpp"
 #include "input/messages.hpp"
 #include "text/error.hpp"
 
@@ -31,6 +33,22 @@ Window with_room(const logs::RollLog& log, Window window) {
   window.from_s = std::max(window.from_s.value_or(first), first);
   window.to_s = std::min(window.to_s.value_or(last), last);
   return window;
+}
+
+// Even nodes divide the window as it was asked for, whatever a lag takes off its ends: they are times, too.
+NodeChoice nodes_on_clock(const logs::RollLog& log, const Window& window, const Question& question) {
+  RecordOptions as_logged = question.record;
+  as_logged.lag_s = 0.0;
+  const Record whole = make_record(log, window, as_logged);
+  NodeChoice nodes = find_nodes(log, whole, question.nodes);
+  if (const auto* even = std::get_if<EvenNodes>(&nodes)) {
+    NodeTimes times = even_nodes(whole, even->intervals);
+    for (double& time_s : times) {
+      time_s += whole.window_begin_s;
+    }
+    return times;
+  }
+  return nodes;
 }
 
 std::vector<std::string> remarks_on(const Record& record) {
@@ -59,19 +77,22 @@ void prepare_closed_loop(const logs::RollLog& log, WindowFindings& found) {
 WindowFindings identify_window(const logs::RollLog& log, const Window& window, const Question& question) {
   WindowFindings found;
   RecordOptions how = question.record;
-  found.record = make_record(log, window, how);
-  found.remarks = remarks_on(found.record);
-  const NodeChoice nodes = find_nodes(log, found.record, question.nodes);
+  const NodeChoice nodes = nodes_on_clock(log, window, question);
+  Window inside = window;
   if (question.fit_lag) {
     const LagFit fit = fit_lag(log, window, how, question.airframe, nodes, question.options);
     how.lag_s = fit.lag_s;
-    found.record = make_record(log, window, how);
+    how.lag_is_fitted = true;
+    inside = with_room(log, window);
     if (fit.at_the_edge) {
       found.remarks.push_back(
           fmt::format("The fitted lag is at the end of the search range, {} ms; the true lag may be larger.",
                       input::plain_number(1000.0 * largest_fitted_lag_s)));
     }
   }
+  found.record = make_record(log, inside, how);
+  const std::vector<std::string> of_record = remarks_on(found.record);
+  found.remarks.insert(found.remarks.begin(), of_record.begin(), of_record.end());
   found.lag_s = how.lag_s;
   found.lag_is_fitted = question.fit_lag;
   if (question.options.closed_loop) {
@@ -80,10 +101,15 @@ WindowFindings identify_window(const logs::RollLog& log, const Window& window, c
   for (const Method method : question.methods) {
     Options options = question.options;
     options.method = method;
-    options.nodes = nodes;
+    options.nodes = nodes_in(found.record, nodes);
     found.results.push_back(identify(found.record, question.airframe, options));
-    if (auto doubt = misfit(found.record, found.results.back())) {
-      found.results.back().remarks.push_back(std::move(*doubt));
+    Identification& result = found.results.back();
+    result.residual_tests = test_residual(found.record, result.simulation);
+    if (auto doubt = misfit(found.record, result)) {
+      result.remarks.push_back(std::move(*doubt));
+    }
+    for (std::string& doubt : doubts(found.record, question.airframe, options.start, result)) {
+      result.remarks.push_back(std::move(doubt));
     }
   }
   return found;
@@ -105,7 +131,10 @@ LagFit fit_lag(const logs::RollLog& log, const Window& window, const RecordOptio
   const auto error = [&](double lag_s) {
     RecordOptions shifted = record_options;
     shifted.lag_s = lag_s;
-    return identify(make_record(log, inside, shifted), airframe, quick).simulation.rms_angle_error_rad;
+    const Record record = make_record(log, inside, shifted);
+    Options here = quick;
+    here.nodes = nodes_in(record, quick.nodes);
+    return identify(record, airframe, here).simulation.rms_angle_error_rad;
   };
 
   const double lag_s = least_over(error, {.low = -largest_fitted_lag_s, .high = largest_fitted_lag_s}, places, 1e-3);

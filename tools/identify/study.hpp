@@ -19,7 +19,8 @@ struct LagFit {
 inline constexpr double largest_fitted_lag_s = 0.05;
 
 /// The lag of the canard column, within 50 ms, with which the open loop explains the measured angle best: least squared
-/// error of the continuous fit, to a tenth of a millisecond. Throws as make_record and identify do.
+/// error of the continuous fit, to a tenth of a millisecond. `nodes` are on the log's clock. Throws as make_record and
+/// identify do.
 [[nodiscard]] LagFit fit_lag(const logs::RollLog& log, const Window& window, const RecordOptions& record_options,
                              const model::Airframe& airframe, const NodeChoice& nodes, const Options& options);
 

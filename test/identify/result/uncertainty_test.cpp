@@ -41,7 +41,9 @@ TEST(Uncertainty, CanardsThatStandStillAreSaidToExciteNothing) {
   const Identification found = of({.canard_amplitude_deg = 0.02, .start_rate_deg_s = -90.0}, {.angle_deg = 0.3}, 4);
   EXPECT_FALSE(found.uncertainty->alpha_identifiable);
   EXPECT_FALSE(found.uncertainty->beta_identifiable);
-  EXPECT_EQ(found.uncertainty->verdict, "alpha and beta are not identifiable from this window: no excitation");
+  EXPECT_EQ(found.uncertainty->verdict,
+            "alpha and beta are not identifiable from this window: too little excitation for the noise and length of "
+            "this window");
 }
 
 TEST(Uncertainty, MoreNoiseMeansWiderIntervalsInProportion) {

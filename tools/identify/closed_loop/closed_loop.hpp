@@ -87,6 +87,7 @@ class Descent {
   const model::Record& record_;
   model::NodeTimes node_time_s_;
   model::Start start_;
+  model::AlphaRange alpha_range_;
   Course course_;
   LaneTrials<1> trials_;
   Plant plant_{};

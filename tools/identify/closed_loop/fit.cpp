@@ -18,9 +18,9 @@ constexpr std::array<double, 2> beta_starts{0.25, 0.75};  // shares of the range
 double share(std::size_t i, std::size_t count) { return (static_cast<double>(i) + 0.5) / static_cast<double>(count); }
 
 // What alpha does goes with its logarithm: from 1 to 2 the motion changes as much as from 20 to 40.
-double alpha_start_m2(const Axis& range, std::size_t i) {
-  const double first = std::clamp(range.first, lowest_alpha_m2, highest_alpha_m2);
-  const double last = std::clamp(range.last, first, highest_alpha_m2);
+double alpha_start_m2(const Axis& range, const AlphaRange& allowed, std::size_t i) {
+  const double first = std::clamp(range.first, allowed.lowest_m2, allowed.highest_m2);
+  const double last = std::clamp(range.last, first, allowed.highest_m2);
   return first * std::pow(last / first, share(i, alpha_starts));
 }
 
@@ -93,13 +93,14 @@ Descent::Descent(const Record& record, const Airframe& airframe, const Control& 
     : record_{record},
       node_time_s_{node_time_s},
       start_{start},
+      alpha_range_{alpha_range(airframe)},
       course_{make_course(record, airframe, control, node_time_s)},
       trials_{course_, {.initial = start == Start::fitted, .model = true}} {}
 
 // The unknowns here: log alpha, which cannot leave the positive numbers, then beta and the others.
 NormalEquations Descent::evaluate(const Eigen::VectorXd& unknown, Alpha alpha) {
   const double alpha_m2 = std::exp(unknown(0));
-  if (!(alpha_m2 >= lowest_alpha_m2 && alpha_m2 <= highest_alpha_m2)) {
+  if (!alpha_range_.contains(alpha_m2)) {
     return {.squares = std::numeric_limits<double>::infinity()};
   }
   plant_.set_alpha(course_, alpha_m2, Slopes::by_alpha);
@@ -116,7 +117,7 @@ NormalEquations Descent::evaluate(const Eigen::VectorXd& unknown, Alpha alpha) {
 Fit Descent::from(const RollModel& begin, Alpha alpha) {
   const Eigen::VectorXd rest = unknown_of(begin, start_);
   Eigen::VectorXd unknown{rest.size() + 2};
-  unknown << std::log(std::clamp(begin.alpha_m2, lowest_alpha_m2, highest_alpha_m2)), begin.beta_m, rest;
+  unknown << std::log(std::clamp(begin.alpha_m2, alpha_range_.lowest_m2, alpha_range_.highest_m2)), begin.beta_m, rest;
   LevenbergMarquardt search{unknown,
                             {.first_damping = 1e-3,
                              .relative_gain = 1e-9,
@@ -149,7 +150,7 @@ Fit fit(const Record& record, const Airframe& airframe, const Control& control, 
   const FirstGuess guess{record, airframe, node_time_s, start};
   for (std::size_t i = 0; i < alpha_starts; ++i) {
     for (const double beta_share : beta_starts) {
-      const double alpha_m2 = alpha_start_m2(range.alpha_m2, i);
+      const double alpha_m2 = alpha_start_m2(range.alpha_m2, alpha_range(airframe), i);
       const double beta_m = range.beta_m.first + beta_share * (range.beta_m.last - range.beta_m.first);
       Fit found = descent.from(model_of(record, node_time_s, start, alpha_m2, beta_m, guess.at(alpha_m2, beta_m)));
       if (found.squares_rad2 < best.squares_rad2) {

@@ -52,7 +52,8 @@ double step_s(double from_s, double to_s) { return 1e-9 * std::round((to_s - fro
 ResponseBasis::ResponseBasis(const Record& record, const Airframe& airframe, const NodeTimes& nodes, Start start)
     : samples_{record.size()},
       nodes_{nodes.size()},
-      initial_columns_{start == Start::fitted ? 2 * record.segment_begin.size() : 0} {
+      initial_columns_{start == Start::fitted ? 2 * record.segment_begin.size() : 0},
+      lag_columns_{record.canard_rate_rad_s.empty() ? 0U : 1U} {
   measured_rad_ = Eigen::Map<const Eigen::VectorXd>(record.roll_angle_rad.data(), static_cast<Eigen::Index>(samples_));
   const std::vector<RollEquation> equation = roll_equations(record, airframe);
   for (std::size_t i = 0; i + 1 < samples_; ++i) {
@@ -70,6 +71,9 @@ ResponseBasis::ResponseBasis(const Record& record, const Airframe& airframe, con
     input(i, share.left) += authority * (1.0 - share.right_share);
     input(i, share.right) += authority * share.right_share;
     input(i, canard_column()) = authority * record.canard_rad[i];
+    if (lag_columns_ > 0) {
+      input(i, lag_column()) = authority * record.canard_rate_rad_s[i];
+    }
   }
 
   for (std::size_t s = 0; s < record.segment_begin.size(); ++s) {
@@ -137,6 +141,7 @@ void ResponseBasis::advance(std::size_t pass, std::size_t first, std::span<const
 AlphaFit::AlphaFit(const ResponseBasis& basis, double alpha_m2)
     : alpha_m2_{alpha_m2},
       nodes_{static_cast<Eigen::Index>(basis.nodes())},
+      lag_column_{static_cast<Eigen::Index>(basis.lag_column())},
       angles_{responses(basis, alpha_m2)},
       fit_{angles_, static_cast<Eigen::Index>(basis.canard_column())} {}
 
@@ -187,10 +192,14 @@ RollModel AlphaFit::model(double beta_m, const NodeTimes& node_time_s) const {
   for (Eigen::Index k = 0; k < nodes_; ++k) {
     model.node_rad.push_back(all(k) / beta_m);
   }
-  for (Eigen::Index k = nodes_; k < all.size(); k += 2) {
+  for (Eigen::Index k = nodes_; k < lag_column_; k += 2) {
     model.initial.push_back({.angle_rad = all(k), .rate_rad_s = all(k + 1)});
   }
   return model;
+}
+
+double AlphaFit::further_lag_s(double beta_m) const {
+  return fit_.coefficients(measured_side)(lag_column_) / beta_m - fit_.coefficients(canard_side)(lag_column_);
 }
 
 }  // namespace fantail::identify::model

@@ -27,9 +27,12 @@ class ResponseBasis {
   [[nodiscard]] std::size_t nodes() const { return nodes_; }  ///< angle per beta u_k
   /// Angle per initial angle and per initial rate of each segment in turn; none with Start::measured.
   [[nodiscard]] std::size_t initial_columns() const { return initial_columns_; }
-  [[nodiscard]] std::size_t canard_column() const { return nodes_ + initial_columns_; }     ///< angle per beta
-  [[nodiscard]] std::size_t free_column() const { return nodes_ + initial_columns_ + 1U; }  ///< from measured starts
-  [[nodiscard]] std::size_t columns() const { return nodes_ + initial_columns_ + 2U; }
+  /// Angle per beta and second of lag; none unless the record has the canards' rate.
+  [[nodiscard]] std::size_t lag_columns() const { return lag_columns_; }
+  [[nodiscard]] std::size_t lag_column() const { return nodes_ + initial_columns_; }
+  [[nodiscard]] std::size_t canard_column() const { return lag_column() + lag_columns_; }  ///< angle per beta
+  [[nodiscard]] std::size_t free_column() const { return canard_column() + 1U; }           ///< from measured starts
+  [[nodiscard]] std::size_t columns() const { return canard_column() + 2U; }
   [[nodiscard]] std::size_t samples() const { return samples_; }
 
   /// Roll angles in radians, a row a sample. `angles` is resized when it has another size.
@@ -57,6 +60,7 @@ class ResponseBasis {
   std::size_t samples_;
   std::size_t nodes_;
   std::size_t initial_columns_;
+  std::size_t lag_columns_;
   Eigen::VectorXd measured_rad_;
   std::vector<double> dt_s_;              // to the next sample
   std::vector<double> damping_per_m2_s_;  // mean over that step
@@ -83,12 +87,16 @@ class AlphaFit {
   /// beta_m not zero. Initial states are in the model only if the basis has columns for them.
   [[nodiscard]] RollModel model(double beta_m, const NodeTimes& node_time_s) const;
 
+  /// How much later than the record has it the canard column should be taken; only where the lag is fitted.
+  [[nodiscard]] double further_lag_s(double beta_m) const;
+
  private:
   [[nodiscard]] auto rest() const { return angles_.col(angles_.cols() - 1); }
   [[nodiscard]] auto canard_rest() const { return angles_.col(angles_.cols() - 2); }
 
   double alpha_m2_;
   Eigen::Index nodes_;
+  Eigen::Index lag_column_;
   Eigen::MatrixXd angles_;
   OrthogonalFit fit_;
 };

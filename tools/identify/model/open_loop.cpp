@@ -79,9 +79,10 @@ GridResult search_open_loop_grid(const Record& record, const Airframe& airframe,
 RollModel fit_open_loop(const Record& record, const Airframe& airframe, const NodeTimes& nodes, Start start,
                         const Grid& grid) {
   const ResponseBasis basis{record, airframe, nodes, start};
+  const AlphaRange range = alpha_range(airframe);
   const double log_alpha =
       least_over([&basis](double x) { return AlphaFit{basis, std::exp(x)}.least_squares_rad2(); },
-                 {.low = std::log(lowest_alpha_m2), .high = std::log(highest_alpha_m2)}, /*places=*/12);
+                 {.low = std::log(range.lowest_m2), .high = std::log(range.highest_m2)}, /*places=*/12);
   const AlphaFit fit{basis, std::exp(log_alpha)};
   RollModel model = fit.model(fit.best_beta_m().value_or(0.5 * (grid.beta_m.first + grid.beta_m.last)), nodes);
   add_starts(model, record);
@@ -124,6 +125,8 @@ Sensitivities open_loop_sensitivities(const Record& record, const Airframe& airf
     result.start_angle.col(s) = angles.col(nodes + 2 * s);
     result.start_rate.col(s) = angles.col(nodes + 2 * s + 1);
   }
+  result.lag =
+      model.beta_m * angles.middleCols(static_cast<Index>(basis.lag_column()), static_cast<Index>(basis.lag_columns()));
   return result;
 }
 

@@ -20,7 +20,7 @@ struct GridResult {
                                                Start start, const Grid& grid);
 
 /// The same model by least squares alone, without a grid: for each alpha everything else is linear, so only alpha is
-/// searched, from 0.01 to 1000 m2. Where the canards moved no more than the nodes can explain, beta is the middle of
+/// searched, within alpha_range(). Where the canards moved no more than the nodes can explain, beta is the middle of
 /// `grid`, and the uncertainty says so.
 [[nodiscard]] RollModel fit_open_loop(const Record& record, const Airframe& airframe, const NodeTimes& nodes,
                                       Start start, const Grid& grid);

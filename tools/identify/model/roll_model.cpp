@@ -38,7 +38,8 @@ void check_nodes(const Record& record, const NodeTimes& nodes) {
   for (std::size_t k = 1; k < nodes.size(); ++k) {
     if (!(nodes[k] > nodes[k - 1])) {
       throw Error{ErrorKind::bad_configuration,
-                  fmt::format("nodes: {:g} s after {:g} s; the times must increase", nodes[k], nodes[k - 1])};
+                  fmt::format("nodes: {:g} s after {:g} s; the times must increase", record.window_begin_s + nodes[k],
+                              record.window_begin_s + nodes[k - 1])};
     }
   }
   for (const double time_s : record.time_s) {
@@ -48,9 +49,13 @@ void check_nodes(const Record& record, const NodeTimes& nodes) {
   }
   for (std::size_t k = 0; k < nodes.size(); ++k) {
     if (weight[k] <= 0.0) {
-      throw Error{ErrorKind::bad_configuration,
-                  fmt::format("nodes: no sample of window {} determines the node at {:g} s; allowed: 0 to {:g} s",
-                              record.window, nodes[k], record.time_s.back())};
+      throw Error{
+          ErrorKind::bad_configuration,
+          fmt::format(
+              "nodes: no sample of window {} determines the node at {:g} s; allowed on the log's clock: {:g} to "
+              "{:g} s",
+              record.window, record.window_begin_s + nodes[k], record.window_begin_s,
+              record.window_begin_s + record.time_s.back())};
     }
   }
 }
@@ -87,6 +92,21 @@ std::vector<double> RollModel::numbers() const {
   std::vector<double> all{alpha_m2, beta_m};
   all.insert(all.end(), node_rad.begin(), node_rad.end());
   return all;
+}
+
+AlphaRange alpha_range(const Airframe& airframe) {
+  const double scale = published_area_m2 / airframe.reference_area_m2;
+  return {.lowest_m2 = 0.01 * scale, .highest_m2 = 1000.0 * scale};
+}
+
+Grid published_grid(const Airframe& airframe) {
+  const double exact = published_area_m2 / airframe.reference_area_m2;
+  const double digit = std::pow(10.0, std::floor(std::log10(exact)) - 1.0);
+  const double scale = digit * std::round(exact / digit);
+  const auto scaled = [scale](const Axis& axis) {
+    return Axis{.first = scale * axis.first, .last = scale * axis.last, .step = scale * axis.step};
+  };
+  return {.alpha_m2 = scaled(Grid{}.alpha_m2), .beta_m = scaled(Grid{}.beta_m)};
 }
 
 std::vector<double> Axis::values() const {

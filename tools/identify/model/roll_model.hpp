@@ -19,6 +19,7 @@ struct Record {
   std::vector<double> roll_angle_rad;
   std::vector<double> roll_rate_rad_s;
   std::vector<double> canard_rad;
+  std::vector<double> canard_rate_rad_s;  ///< d canard_rad / d lag; empty unless the canard column's lag is fitted, too
   std::vector<double> speed_m_s;
   std::vector<double> density_kg_m3;
   std::vector<double> reference_rad;   ///< empty where nobody needs it: closed loop only
@@ -83,10 +84,18 @@ struct RollModel {
   [[nodiscard]] std::vector<double> numbers() const;
 };
 
-/// Where a damping constant is looked for. At 0.01 a roll rate outlasts every flight; at 1000 it is gone within a
-/// sample.
-inline constexpr double lowest_alpha_m2 = 0.01;
-inline constexpr double highest_alpha_m2 = 1000.0;
+/// The area that the published constants count with. Only area times alpha and area times beta show in a motion, so
+/// ranges of search are stated for this area and divided by a rocket's own.
+inline constexpr double published_area_m2 = 5.0265e-5;
+
+/// Where a damping constant is looked for. At the published area a roll rate outlasts every flight with 0.01 m2; with
+/// 1000 m2 it is gone within a sample.
+struct AlphaRange {
+  double lowest_m2;
+  double highest_m2;
+  [[nodiscard]] bool contains(double alpha_m2) const { return alpha_m2 >= lowest_m2 && alpha_m2 <= highest_m2; }
+};
+[[nodiscard]] AlphaRange alpha_range(const Airframe& airframe);
 
 /// Values that a grid search tries.
 struct Axis {
@@ -99,6 +108,9 @@ struct Grid {
   Axis alpha_m2{1.0, 60.0, 1.0};
   Axis beta_m{5.0, 15.0, 0.5};
 };
+
+/// The published grid for a rocket's own area; the factor is rounded to two digits, so that the values stay readable.
+[[nodiscard]] Grid published_grid(const Airframe& airframe);
 
 /// The mean absolute angle error of every cell of a grid.
 struct ErrorMap {
@@ -125,6 +137,7 @@ struct Sensitivities {
   Eigen::MatrixXd numbers;      ///< columns: alpha, beta, nodes
   Eigen::MatrixXd start_angle;  ///< a column a segment
   Eigen::MatrixXd start_rate;   ///< likewise
+  Eigen::MatrixXd lag{};        ///< of the canard column: one column where it is fitted, else none
 };
 
 }  // namespace fantail::identify::model

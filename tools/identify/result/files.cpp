@@ -34,6 +34,13 @@ Json list(const std::vector<double>& values, double scale = 1.0) {
   return out;
 }
 
+std::vector<double> on_clock(const Record& record, std::vector<double> time_s) {
+  for (double& each : time_s) {
+    each += record.window_begin_s;
+  }
+  return time_s;
+}
+
 Json pair(const Interval& interval, double scale = 1.0) {
   const auto end = [&](const std::optional<double>& value) { return value ? rounded(scale * *value) : Json{}; };
   return Json::array({end(interval.low), end(interval.high)});
@@ -55,6 +62,7 @@ void add_uncertainty(Json& json, const Uncertainty& u) {
     const Eigen::VectorXd row = u.correlation.row(i);
     json["correlation"].push_back(list({row.begin(), row.end()}));
   }
+  json["effective_samples"] = rounded(u.effective_samples);
   json["alpha_identifiable"] = u.alpha_identifiable;
   json["beta_identifiable"] = u.beta_identifiable;
   json["verdict"] = u.verdict;
@@ -71,7 +79,7 @@ Json object(const Study& study, const WindowFindings& window, const Identificati
             {"alpha_m2", rounded(result.model.alpha_m2)},
             {"beta_m", rounded(result.model.beta_m)},
             {"disturbance_deg", list(result.model.node_rad, degrees(1.0))},
-            {"node_time_s", list(result.model.node_time_s)},
+            {"node_time_s", list(on_clock(window.record, result.model.node_time_s))},
             {"mean_abs_angle_error_deg", rounded(degrees(result.simulation.mean_abs_angle_error_rad))},
             {"mean_abs_rate_error_deg_s", rounded(degrees(result.simulation.mean_abs_rate_error_rad_s))}};
   if (result.uncertainty) {
@@ -79,6 +87,16 @@ Json object(const Study& study, const WindowFindings& window, const Identificati
   }
   json["lag_s"] = rounded(window.lag_s);
   json["lag_fitted"] = window.lag_is_fitted;
+  if (result.uncertainty && result.uncertainty->lag_s) {
+    const Spread& spread = *result.uncertainty->lag_s;
+    json["lag_sd_s"] = rounded(spread.standard_deviation);
+    json["lag_interval_s"] = pair({.low = window.lag_s - spread.reach, .high = window.lag_s + spread.reach});
+  }
+  if (const auto& tests = result.residual_tests) {
+    json["residual_own_correlation"] = rounded(tests->own_correlation);
+    json["residual_canard_correlation"] = rounded(tests->canard_correlation);
+    json["residual_correlation_by_chance"] = rounded(tests->chance);
+  }
   json["density"] = study.density;
   json["speed"] = study.speed;
   json["inertia_kg_m2"] = rounded(study.airframe.inertia_kg_m2);

@@ -22,6 +22,12 @@ struct Interval {
   std::optional<double> high;
 };
 
+/// Of a number that was fitted beside a model's own.
+struct Spread {
+  double standard_deviation;
+  double reach;  ///< from the estimate to either end of its 95 % interval
+};
+
 /// How well each number of a model is known from one record, if the model is right and its residual goes on as it was.
 struct Uncertainty {
   /// In the order alpha, beta, nodes; in m2, m and radians.
@@ -29,12 +35,20 @@ struct Uncertainty {
   Eigen::MatrixXd correlation{};
   std::vector<Interval> interval{};  ///< 95 %, from the standard deviations
   Interval alpha_profile_m2{};       ///< 95 %, from the profile of the likelihood: the one to trust for alpha
-  double effective_samples = 0.0;    ///< independent samples that the correlated residual is worth
+  std::optional<Spread> lag_s{};     ///< where the lag of the canards was fitted, too
+  double effective_samples = 0.0;    ///< independent samples that would tell alpha and beta as well as these do
   double residual_rms_rad = 0.0;
   double residual_correlation_s = 0.0;  ///< over which time the residual remembers itself
   bool alpha_identifiable = false;
   bool beta_identifiable = false;
   std::string verdict{};  ///< a sentence: "alpha is not identifiable from this window: no excitation", ...
+};
+
+/// What is left in the roll rate, in bins of 10 ms or a sample. The fit asks only for the angle.
+struct ResidualTests {
+  double own_correlation = 0.0;     ///< the strongest with itself, 2 to 20 bins later
+  double canard_correlation = 0.0;  ///< the strongest with the canards, up to 20 bins earlier
+  double chance = 0.0;              ///< white noise is beyond it in one record of a hundred
 };
 
 /// One line of the curve over the number of intervals.
@@ -51,6 +65,7 @@ struct Identification {
   model::RollModel model{};
   model::Simulation simulation{};
   std::optional<Uncertainty> uncertainty{};
+  std::optional<ResidualTests> residual_tests{};
   std::optional<model::ErrorMap> error_map{};
   std::vector<NodeTrial> node_trials{};  ///< where the number of nodes was chosen automatically
   std::vector<std::string> remarks{};    ///< the winner lies on the edge of the grid, ...

@@ -126,7 +126,8 @@ std::string node_label(const WindowFindings& window, std::size_t node) {
   if (!share_nodes(window)) {
     return fmt::format("node {}", node + 1);
   }
-  return times.size() == 1 ? "throughout" : fmt::format("at {} s", text::brief(times[node], 2));
+  return times.size() == 1 ? "throughout"
+                           : fmt::format("at {} s", text::brief(window.record.window_begin_s + times[node], 2));
 }
 
 std::string node_value(const WindowFindings& window, const Identification& result, std::size_t node) {
@@ -134,7 +135,36 @@ std::string node_value(const WindowFindings& window, const Identification& resul
     return "";
   }
   const std::string value = with_deviation(result, node + 2, text::degrees(1.0));
-  return share_nodes(window) ? value : fmt::format("{} at {} s", value, text::brief(result.model.node_time_s[node], 2));
+  return share_nodes(window)
+             ? value
+             : fmt::format("{} at {} s", value,
+                           text::brief(window.record.window_begin_s + result.model.node_time_s[node], 2));
+}
+
+std::string fitted_lag(const WindowFindings& window) {
+  if (!window.lag_is_fitted) {
+    return "";
+  }
+  const auto& known = main_result(window).uncertainty;
+  if (!known || !known->lag_s) {
+    return " (fitted)";
+  }
+  constexpr double ms = 1000.0;
+  return fmt::format(
+      " (fitted; 95 %: {} ms)",
+      interval_text({.low = window.lag_s - known->lag_s->reach, .high = window.lag_s + known->lag_s->reach}, ms));
+}
+
+std::string residual_text(const Identification& result, double ResidualTests::* which) {
+  const auto& tests = result.residual_tests;
+  return tests ? fmt::format("{} (chance {})", text::fixed((*tests).*which, 2), text::fixed(tests->chance, 2))
+               : std::string{};
+}
+
+std::string effective_text(const Identification& result) {
+  return result.uncertainty
+             ? fmt::format("{} of {}", text::fixed(result.uncertainty->effective_samples, 0), result.samples)
+             : std::string{};
 }
 
 std::string extent(const Record& record) {
@@ -181,15 +211,24 @@ std::vector<std::string> precision_sentences(const Identification& result) {
   const std::string strength = text::brief(degrees(u.residual_rms_rad), 3);
   const std::string worth = text::fixed(u.effective_samples, 0);
   if (u.effective_samples > 0.5 * static_cast<double>(result.samples)) {
-    all.push_back(fmt::format(
-        "The residual, {} deg RMS, is hardly correlated: the {} samples are worth about {} independent ones.", strength,
-        result.samples, worth));
-  } else {
     all.push_back(
-        fmt::format("The residual, {} deg RMS, is correlated over {} s: the {} samples are worth about {} independent "
-                    "{}. Faster sampling would not help; a longer window or more canard motion would.",
+        fmt::format("The residual, {} deg RMS, is hardly correlated: the {} samples tell alpha and beta as well as "
+                    "about {} independent ones.",
+                    strength, result.samples, worth));
+  } else if (u.effective_samples < 2.0 * static_cast<double>(u.interval.size())) {
+    all.push_back(
+        fmt::format("The residual, {} deg RMS, is correlated over {} s: the {} samples average hardly anything out and "
+                    "determine alpha "
+                    "and beta only as well as {} independent {}. The intervals include that; they are as narrow as "
+                    "they are because "
+                    "the residual is small beside the motion.",
                     strength, text::fixed(u.residual_correlation_s, 2), result.samples, worth == "1" ? "one" : worth,
-                    worth == "1" ? "reading" : "readings"));
+                    worth == "1" ? "sample would" : "samples would"));
+  } else {
+    all.push_back(fmt::format(
+        "The residual, {} deg RMS, is correlated over {} s: the {} samples determine alpha and beta as well as {} "
+        "independent samples would. Faster sampling would not help; a longer window or more canard motion would.",
+        strength, text::fixed(u.residual_correlation_s, 2), result.samples, worth));
   }
   return all;
 }

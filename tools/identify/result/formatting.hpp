@@ -27,11 +27,20 @@ namespace fantail::identify::result {
 /// "Damping alpha lies between 22.10 and 23.72 m2 (±3.5 %).", for someone who flies rockets.
 [[nodiscard]] std::string precision_sentence(const Identification& result, std::size_t number);
 
-/// A node of the disturbance in a table with a column for each method: "at 1.62 s" (of the window) and "-4.90 +-
+/// A node of the disturbance in a table with a column for each method: "at 1.62 s" (on the log's clock) and "-4.90 +-
 /// 0.02"; where the methods chose different nodes, the time stands with the value. An empty value for a node that a
 /// result has not got.
 [[nodiscard]] std::string node_label(const WindowFindings& window, std::size_t node);
 [[nodiscard]] std::string node_value(const WindowFindings& window, const Identification& result, std::size_t node);
+
+/// " (fitted; 95 %: 18.2 to 21.4 ms)" behind a lag that was fitted, else nothing.
+[[nodiscard]] std::string fitted_lag(const WindowFindings& window);
+
+/// "0.12 (chance 0.17)": the strongest correlation of the rate's residual with itself or with the canards.
+[[nodiscard]] std::string residual_text(const Identification& result, double ResidualTests::* which);
+
+/// "310 of 9719".
+[[nodiscard]] std::string effective_text(const Identification& result);
 
 /// "0.64 s to 10.36 s on the log's clock, 9720 samples".
 [[nodiscard]] std::string extent(const model::Record& record);

@@ -59,12 +59,21 @@ std::string numbers_table(const WindowFindings& window) {
   }
   std::vector<page::Cell> angle{{"mean angle error / deg"}};
   std::vector<page::Cell> rate{{"mean rate error / deg/s"}};
+  std::vector<page::Cell> own{{"rate residual, correlation with itself"}};
+  std::vector<page::Cell> canards{{"rate residual, correlation with the canards"}};
+  std::vector<page::Cell> worth{{"effective samples"}};
   for (const Identification& result : window.results) {
+    own.insert(own.end(), {{residual_text(result, &ResidualTests::own_correlation)}, {""}});
+    canards.insert(canards.end(), {{residual_text(result, &ResidualTests::canard_correlation)}, {""}});
+    worth.insert(worth.end(), {{effective_text(result)}, {""}});
     angle.insert(angle.end(), {{text::fixed(degrees(result.simulation.mean_abs_angle_error_rad), 3)}, {""}});
     rate.insert(rate.end(), {{text::fixed(degrees(result.simulation.mean_abs_rate_error_rad_s), 2)}, {""}});
   }
   rows.push_back(std::move(angle));
   rows.push_back(std::move(rate));
+  rows.push_back(std::move(own));
+  rows.push_back(std::move(canards));
+  rows.push_back(std::move(worth));
   return page::table(columns, rows);
 }
 
@@ -133,7 +142,7 @@ std::string remark_list(const Study& study, const WindowFindings& window) {
   if (window.lag_is_fitted || window.lag_s != 0.0) {
     all.push_back(fmt::format("Canard angles are used {} ms {} than they are logged{}.",
                               text::brief(1000.0 * std::abs(window.lag_s), 1), window.lag_s < 0.0 ? "earlier" : "later",
-                              window.lag_is_fitted ? ", as fitted" : ""));
+                              fitted_lag(window)));
   }
   return all.empty() ? "" : page::section("Remarks", page::list(all));
 }

@@ -57,7 +57,7 @@ class Text {
     line("window {}: {}", window.record.window, extent(window.record));
     if (window.lag_is_fitted || window.lag_s != 0.0) {
       line("  canard angles used {} ms {}{}", text::brief(1000.0 * std::abs(window.lag_s), 1),
-           window.lag_s < 0.0 ? "earlier" : "later", window.lag_is_fitted ? " (fitted)" : "");
+           window.lag_s < 0.0 ? "earlier" : "later", fitted_lag(window));
     }
     row(window, "", [](const Identification& r) { return fmt::format("{}, {} loop", name(r.method), name(r.loop)); });
     number(window, "damping alpha / m2", 0);
@@ -75,6 +75,12 @@ class Text {
         [](const Identification& r) { return text::fixed(text::degrees(r.simulation.mean_abs_angle_error_rad), 3); });
     row(window, "mean rate error / deg/s",
         [](const Identification& r) { return text::fixed(text::degrees(r.simulation.mean_abs_rate_error_rad_s), 2); });
+    line("  residual of the rate: its correlation with");
+    row(window, "  itself, up to 0.2 s later",
+        [](const Identification& r) { return residual_text(r, &ResidualTests::own_correlation); });
+    row(window, "  the canards",
+        [](const Identification& r) { return residual_text(r, &ResidualTests::canard_correlation); });
+    row(window, "effective samples", effective_text);
     for (const Identification& result : window.results) {
       node_curve(result);
     }

@@ -13,7 +13,7 @@
 #include "identify/model/least_squares.hpp"
 #include "identify/model/open_loop.hpp"
 #include "identify/result/residual.hpp"
-#include "text/degrees.hpp"
+#include "text/number.hpp"
 
 namespace fantail::identify::result {
 namespace {
@@ -40,6 +40,9 @@ VectorXd residual_of(const std::vector<double>& measured, const std::vector<doub
 }
 
 MatrixXd joined_columns(const MatrixXd& left, const MatrixXd& right) {
+  if (right.cols() == 0) {
+    return left;
+  }
   MatrixXd both(left.rows(), left.cols() + right.cols());
   both << left, right;
   return both;
@@ -56,7 +59,7 @@ struct Weights {
 
 Weights weights(const Record& record, const Sensitivities& s, Start start, const MatrixXd& fitted,
                 const MatrixXd& inverse) {
-  const Index numbers = s.numbers.cols();
+  const Index numbers = s.numbers.cols() + s.lag.cols();
   Weights result;
   result.of_angles = (inverse * fitted.transpose()).topRows(numbers);
   if (start == Start::measured) {
@@ -71,13 +74,14 @@ Weights weights(const Record& record, const Sensitivities& s, Start start, const
 }
 
 // Walks away from the estimate until the profile has risen to `level`, then halves.
-std::optional<double> crossing(const AlphaProfile& profile, double from_m2, double factor, double level) {
+std::optional<double> crossing(const AlphaProfile& profile, const AlphaRange& range, double from_m2, double factor,
+                               double level) {
   double inside = from_m2;
   double outside = from_m2 * factor;
   while (!(profile(outside) > level)) {
     inside = outside;
     outside *= factor;
-    if (outside < lowest_alpha_m2 || outside > highest_alpha_m2) {
+    if (!range.contains(outside)) {
       return std::nullopt;
     }
   }
@@ -95,24 +99,38 @@ bool is_identifiable(const Interval& interval) {
   return interval.low && interval.high && *interval.low > 0.0 && *interval.high <= widest_factor * *interval.low;
 }
 
-std::string verdict(const Uncertainty& u, double excitation_rad) {
+std::string verdict(const Uncertainty& u, const RollModel& model, bool excited) {
   if (u.alpha_identifiable && u.beta_identifiable) {
     return "alpha and beta are identifiable from this window";
   }
-  constexpr double no_excitation_rad = text::radians(0.5);
-  const std::string cause = excitation_rad < no_excitation_rad
-                                ? "no excitation"
-                                : "too little excitation for the noise and length of this window";
+  if (*u.interval[1].high < 0.0) {
+    return fmt::format(
+        "beta is negative, {} m, with a 95 % interval of {} to {} m: positive canard angles turn this rocket in the "
+        "negative direction, so the canard column most likely has the opposite sign; change its sign, and check that "
+        "of the roll rate",
+        text::brief(model.beta_m, 2), text::brief(*u.interval[1].low, 2), text::brief(*u.interval[1].high, 2));
+  }
+  const std::string cause =
+      excited ? "too little excitation for the noise and length of this window"
+              : "no excitation, the canards did no more than the nodes of the disturbance could have done";
   const std::string who = u.alpha_identifiable ? "beta is" : u.beta_identifiable ? "alpha is" : "alpha and beta are";
   return who + " not identifiable from this window: " + cause;
 }
 
+// How many independent samples would have told alpha and beta to the same deviation: of the two, what is known worse.
+double worth(double samples, double variance_rad2, const MatrixXd& inverse, const MatrixXd& covariance) {
+  const auto share = [&](Index k) { return variance_rad2 * inverse(k, k) / std::max(covariance(k, k), 1e-300); };
+  return samples * std::min({1.0, share(0), share(1)});
+}
+
 Uncertainty uncertainty_of(const Record& record, const RollModel& model, const Simulation& simulation,
-                           const Sensitivities& sensitivities, Start start, const AlphaProfile& profile) {
+                           const Sensitivities& sensitivities, Start start, const AlphaRange& range,
+                           const AlphaProfile& profile) {
   const VectorXd residual = residual_of(record.roll_angle_rad, simulation.roll_angle_rad);
   const MatrixXd starts = joined_columns(sensitivities.start_angle, sensitivities.start_rate);
-  const MatrixXd everything = joined_columns(sensitivities.numbers, starts);
-  const MatrixXd& fitted = start == Start::fitted ? everything : sensitivities.numbers;
+  const MatrixXd numbers = joined_columns(sensitivities.numbers, sensitivities.lag);
+  const MatrixXd everything = joined_columns(numbers, starts);
+  const MatrixXd& fitted = start == Start::fitted ? everything : numbers;
   const MatrixXd inverse = inverse_information(fitted);
   const ResidualNoise noise = estimate_noise(record.time_s, residual, everything);
   const Weights weight = weights(record, sensitivities, start, fitted, inverse);
@@ -125,14 +143,20 @@ Uncertainty uncertainty_of(const Record& record, const RollModel& model, const S
   }
 
   Uncertainty result;
-  result.effective_samples = noise.effective_samples(record.time_s);
+  result.effective_samples = worth(static_cast<double>(record.size()), noise.variance_rad2, inverse, covariance);
   result.residual_rms_rad = std::sqrt(residual.squaredNorm() / static_cast<double>(record.size()));
   result.residual_correlation_s = (1.0 - noise.white_share) * noise.correlation_s;
   // Half of the samples go into finding out what the noise is like.
-  const double quantile = student_975(0.5 * (result.effective_samples - static_cast<double>(fitted.cols())));
-  const VectorXd deviation = covariance.diagonal().cwiseMax(0.0).cwiseSqrt();
+  const double quantile =
+      student_975(0.5 * (noise.effective_samples(record.time_s) - static_cast<double>(fitted.cols())));
+  const Index own = sensitivities.numbers.cols();
+  const VectorXd all_deviations = covariance.diagonal().cwiseMax(0.0).cwiseSqrt();
+  const VectorXd deviation = all_deviations.head(own);
   const VectorXd per_deviation = deviation.cwiseMax(1e-300).cwiseInverse();
-  result.correlation = per_deviation.asDiagonal() * covariance * per_deviation.asDiagonal();
+  result.correlation = per_deviation.asDiagonal() * covariance.topLeftCorner(own, own) * per_deviation.asDiagonal();
+  if (sensitivities.lag.cols() > 0) {
+    result.lag_s = {.standard_deviation = all_deviations(own), .reach = quantile * all_deviations(own)};
+  }
   result.standard_deviation.assign(deviation.begin(), deviation.end());
   const std::vector<double> value = model.numbers();
   for (std::size_t k = 0; k < value.size(); ++k) {
@@ -144,11 +168,12 @@ Uncertainty uncertainty_of(const Record& record, const RollModel& model, const S
   const double rise = quantile * quantile * covariance(0, 0) / inverse(0, 0);
   const double level = profile(model.alpha_m2) + rise;
   constexpr double stride = 1.3;
-  result.alpha_profile_m2 = {.low = crossing(profile, model.alpha_m2, 1.0 / stride, level),
-                             .high = crossing(profile, model.alpha_m2, stride, level)};
+  result.alpha_profile_m2 = {.low = crossing(profile, range, model.alpha_m2, 1.0 / stride, level),
+                             .high = crossing(profile, range, model.alpha_m2, stride, level)};
   result.alpha_identifiable = is_identifiable(result.alpha_profile_m2);
   result.beta_identifiable = is_identifiable(result.interval[1]);
-  result.verdict = verdict(result, excitation_rad(record, model.node_time_s));
+  constexpr double none_rad = 1e-9;
+  result.verdict = verdict(result, model, excitation_rad(record, model.node_time_s) > none_rad);
   return result;
 }
 
@@ -188,6 +213,7 @@ Uncertainty open_loop_uncertainty(const Record& record, const Airframe& airframe
                                   const Simulation& simulation, Start start) {
   const ResponseBasis basis{record, airframe, model.node_time_s, start};
   return uncertainty_of(record, model, simulation, open_loop_sensitivities(record, airframe, model), start,
+                        alpha_range(airframe),
                         [&basis](double alpha_m2) { return AlphaFit{basis, alpha_m2}.least_squares_rad2(); });
 }
 
@@ -202,7 +228,7 @@ Uncertainty closed_loop_uncertainty(const Record& record, const Airframe& airfra
   Record commanded = record;
   commanded.canard_rad = simulation.canard_rad;
   return uncertainty_of(commanded, model, simulation, closed_loop::sensitivities(record, airframe, control, model),
-                        start, profile);
+                        start, alpha_range(airframe), profile);
 }
 
 }  // namespace fantail::identify::result

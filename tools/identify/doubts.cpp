@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: MIT
+#include "identify/doubts.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <optional>
+
+#include <fmt/core.h>
+
+#include "identify/model/alpha_fit.hpp"
+#include "identify/model/open_loop.hpp"
+#include "identify/result/uncertainty.hpp"
+#include "text/degrees.hpp"
+#include "text/number.hpp"
+
+namespace fantail::identify {
+namespace {
+
+using namespace model;
+using namespace result;
+
+constexpr double degrees_per_radian = 180.0 / std::numbers::pi;
+// Of the reach of a 95 % interval: beyond it lies one estimate of a hundred. A doubt is raised no more often.
+constexpr double one_of_hundred = 1.31;
+
+// Everything that every alternative is held against.
+struct Case {
+  const Record& record;
+  const Airframe& airframe;
+  Start start;
+  const Identification& found;
+};
+
+double largest(const std::vector<double>& list) {
+  double most = 0.0;
+  for (const double value : list) {
+    most = std::max(most, std::abs(value));
+  }
+  return most;
+}
+
+// The published rocket has a beta of 5 to 15 m; one beyond a tenth or ten times that is a matter for a word only when
+// the canards' own angles speak for it.
+std::optional<std::string> wrong_unit(const Case& c) {
+  constexpr double most_radians = 0.7;  // 40 deg: no canard turns farther
+  const double beta_m = c.found.model.beta_m;
+  const Axis usual = published_grid(c.airframe).beta_m;
+  const double canard_deg = text::degrees(largest(c.record.canard_rad));
+  if (canard_deg <= most_radians && beta_m > 10.0 * usual.last) {
+    return fmt::format(
+        "beta is {} m and no canard angle exceeds {} deg: the canard column seems to be in radians. If it is, say so "
+        "(--units, or the unit of that column); beta would then be about {} m.",
+        text::brief(beta_m, 0), text::brief(canard_deg, 2), text::brief(beta_m / degrees_per_radian, 1));
+  }
+  if (canard_deg > 90.0 && beta_m > 0.0 && beta_m < 0.1 * usual.first) {
+    return fmt::format(
+        "beta is {} m and the canards would reach {} deg: the canard column seems to be in degrees but is read as "
+        "radians. If so, say it (--units, or the unit of that column); beta would then be about {} m.",
+        text::brief(beta_m, 3), text::brief(canard_deg, 0), text::brief(beta_m * degrees_per_radian, 1));
+  }
+  return {};
+}
+
+// Another alpha or beta by more than they are said to be known.
+bool matters(const Case& c, const RollModel& other) {
+  const Uncertainty& u = *c.found.uncertainty;
+  return std::abs(other.alpha_m2 - c.found.model.alpha_m2) > u.standard_deviation[0] ||
+         std::abs(other.beta_m - c.found.model.beta_m) > u.standard_deviation[1];
+}
+
+std::string change(const RollModel& from, const RollModel& to) {
+  return fmt::format("alpha {} m2 instead of {}, beta {} m instead of {}", text::brief(to.alpha_m2, 2),
+                     text::brief(from.alpha_m2, 2), text::brief(to.beta_m, 2), text::brief(from.beta_m, 2));
+}
+
+std::vector<double> canard_rate_rad_s(const Record& record) {
+  std::vector<double> rate(record.size(), 0.0);
+  for (std::size_t s = 0; s < record.segment_begin.size(); ++s) {
+    const std::size_t first = record.segment_begin[s];
+    const std::size_t last = (s + 1 < record.segment_begin.size() ? record.segment_begin[s + 1] : record.size()) - 1;
+    for (std::size_t i = first; i <= last; ++i) {
+      const std::size_t before = std::max(i, first + 1) - 1;
+      const std::size_t after = std::min(i + 1, last);
+      rate[i] = (record.canard_rad[after] - record.canard_rad[before]) / (record.time_s[after] - record.time_s[before]);
+    }
+  }
+  return rate;
+}
+
+std::optional<std::string> lag(const Case& c) {
+  Record other = c.record;
+  other.canard_rate_rad_s = canard_rate_rad_s(c.record);
+  const RollModel& found = c.found.model;
+  const RollModel model = fit_open_loop(other, c.airframe, found.node_time_s, c.start, published_grid(c.airframe));
+  const ResponseBasis basis{other, c.airframe, found.node_time_s, c.start};
+  const double lag_s = AlphaFit{basis, model.alpha_m2}.further_lag_s(model.beta_m);
+  for (std::size_t i = 0; i < other.size(); ++i) {
+    other.canard_rad[i] += lag_s * other.canard_rate_rad_s[i];
+  }
+  const Uncertainty known =
+      open_loop_uncertainty(other, c.airframe, model, simulate_open_loop(other, c.airframe, model), c.start);
+  if (!matters(c, model) || std::abs(lag_s) < one_of_hundred * known.lag_s->reach) {
+    return {};
+  }
+  return fmt::format(
+      "The canard column seems to be about {} ms {} (95 %: {} to {} ms). With that lag the fit gives {}. Use "
+      "--fit-lag, "
+      "or --lag if it is known.",
+      text::brief(1000.0 * std::abs(lag_s), 1), lag_s > 0.0 ? "late" : "early",
+      text::brief(1000.0 * (std::abs(lag_s) - known.lag_s->reach), 1),
+      text::brief(1000.0 * (std::abs(lag_s) + known.lag_s->reach), 1), change(found, model));
+}
+
+// A node between each two, and for a constant one at either end.
+NodeTimes twice_as_many(const Record& record, const NodeTimes& nodes) {
+  if (nodes.size() == 1) {
+    return even_nodes(record, 2);
+  }
+  NodeTimes all{nodes.front()};
+  for (std::size_t k = 1; k < nodes.size(); ++k) {
+    all.push_back(0.5 * (nodes[k - 1] + nodes[k]));
+    all.push_back(nodes[k]);
+  }
+  return all;
+}
+
+// What a model with fewer unknowns knows better it should also know right: of a right one, the differences of the
+// estimates have the differences of the variances (Hausman 1978).
+std::optional<std::string> nodes(const Case& c) {
+  const RollModel& found = c.found.model;
+  const NodeTimes more = twice_as_many(c.record, found.node_time_s);
+  if (c.record.size() < 20 * more.size()) {
+    return {};
+  }
+  const RollModel model = fit_open_loop(c.record, c.airframe, more, c.start, published_grid(c.airframe));
+  const Uncertainty known =
+      open_loop_uncertainty(c.record, c.airframe, model, simulate_open_loop(c.record, c.airframe, model), c.start);
+  const auto differs = [&](std::size_t k) {
+    const double scale = known.interval[k].high.value() - known.interval[k].low.value();
+    const double reach = 0.5 * scale / known.standard_deviation[k];
+    const double variance = known.standard_deviation[k] * known.standard_deviation[k];
+    const double base = c.found.uncertainty->standard_deviation[k];
+    const double spread = std::sqrt(std::max(variance - base * base, 0.1 * variance));
+    return std::abs(model.numbers()[k] - found.numbers()[k]) > one_of_hundred * reach * spread;
+  };
+  if (!matters(c, model) || (!differs(0) && !differs(1))) {
+    return {};
+  }
+  return fmt::format(
+      "With more nodes of the disturbance ({} instead of {}) the fit gives {}: these nodes do not suffice. Use more "
+      "nodes, as in --nodes even:{}.",
+      more.size(), found.node_time_s.size(), change(found, model), more.size() - 1);
+}
+
+std::optional<std::string> unexplained(const Case& c) {
+  constexpr double worth_a_word = 0.2;
+  constexpr double negligible = 0.01;
+  const auto& tests = c.found.residual_tests;
+  double left = 0.0;
+  double motion = 0.0;
+  for (std::size_t i = 0; i < c.record.size(); ++i) {
+    const double rate_rad_s = c.record.roll_rate_rad_s[i];
+    left += std::pow(rate_rad_s - c.found.simulation.roll_rate_rad_s[i], 2);
+    motion += rate_rad_s * rate_rad_s;
+  }
+  if (left < negligible * negligible * motion || !tests ||
+      std::abs(tests->own_correlation) < std::max(tests->chance, worth_a_word)) {
+    return {};
+  }
+  return fmt::format(
+      "The residual of the roll rate is not white: its correlation with itself reaches {}, where chance gives up to "
+      "{}. "
+      "Neither a lag nor more nodes explain it, so the model lacks something else: a speed or density that is wrong in "
+      "part of the window, canards that do not act in proportion to their angle.",
+      text::fixed(tests->own_correlation, 2), text::fixed(tests->chance, 2));
+}
+
+// A hundredth of Gauss' samples carries a twelfth of the squares.
+std::optional<std::string> outliers(const Case& c) {
+  constexpr double most = 0.5;
+  std::vector<double> squares;
+  double all = 0.0;
+  for (std::size_t i = 0; i < c.record.size(); ++i) {
+    squares.push_back(std::pow(c.record.roll_angle_rad[i] - c.found.simulation.roll_angle_rad[i], 2));
+    all += squares.back();
+  }
+  std::ranges::sort(squares, std::greater{});
+  const std::size_t few = (squares.size() + 99) / 100;
+  double of_few = 0.0;
+  for (std::size_t i = 0; i < few; ++i) {
+    of_few += squares[i];
+  }
+  if (of_few <= most * all) {
+    return {};
+  }
+  return fmt::format(
+      "{} of the {} samples carry {} % of the squared angle error: they look like outliers, and the least squares "
+      "follow "
+      "them. Look at the residual in the report, and take them out of the log if they are no motion of the rocket.",
+      few, squares.size(), text::fixed(100.0 * of_few / all, 0));
+}
+
+bool can_be_judged(const Case& c) {
+  const auto& u = c.found.uncertainty;
+  return c.found.loop == Loop::open && u && *u->interval[1].low > 0.0;
+}
+
+}  // namespace
+
+std::vector<std::string> doubts(const Record& record, const Airframe& airframe, Start start,
+                                const Identification& found) {
+  const Case c{record, airframe, start, found};
+  if (!can_be_judged(c)) {
+    return {};
+  }
+  std::vector<std::string> all;
+  const auto add = [&all](const std::optional<std::string>& sentence) {
+    if (sentence) {
+      all.push_back(*sentence);
+    }
+    return sentence.has_value();
+  };
+  add(wrong_unit(c));
+  add(outliers(c));
+  if ((record.canard_rate_rad_s.empty() && add(lag(c))) || add(nodes(c))) {
+    return all;
+  }
+  // misfit() has said it already where the residual is almost all motion.
+  if (found.remarks.empty()) {
+    add(unexplained(c));
+  }
+  return all;
+}
+
+}  // namespace fantail::identify
