@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "bench/exercise.hpp"
+#include "bench/perform.hpp"
 #include "bench/sheet.hpp"
 #include "hal/sim/can_bus.hpp"
 #include "hal/sim/console.hpp"

@@ -16,6 +16,7 @@
 #include <unistd.h>
 
 #include "bench/exercise.hpp"
+#include "bench/perform.hpp"
 #include "bench/sheet.hpp"
 #include "fantail/bench_options.hpp"
 #include "fantail/can_place.hpp"
