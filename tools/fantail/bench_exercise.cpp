@@ -158,7 +158,7 @@ void exercise(const ExerciseOptions& options, const MakeExercise& make) {
   expect_room_for_sheet(folder);
   CanPlace place{options.bench.interface};
   link::AvionicsLink link{place.bus()};
-  link::await_avionics(place, link);
+  await_rocket(options.bench, place, link);
   if (on_desk.plan_crc && *on_desk.plan_crc != link.newest<protocol::HeartbeatReport>()->message.plan_crc) {
     throw RequirementNotMet{"the rocket does not hold " + options.plan + "; send it with fantail bench plan " +
                             options.plan + " --can " + options.bench.interface};

@@ -35,8 +35,8 @@ void send(Place& place, const protocol::BusFrame& frame) {
 
 }  // namespace
 
-void await_avionics(Place& place, AvionicsLink& link) {
-  Timeout timeout{answer_time, place.now()};
+void await_avionics(Place& place, AvionicsLink& link, Microseconds longest) {
+  Timeout timeout{longest, place.now()};
   const auto complete = [&] {
     return link.count<protocol::HeartbeatReport>() > 0 && link.count<protocol::LimitReport>() > 0;
   };
