@@ -61,6 +61,7 @@ TEST(BenchOptions, OutOfRangeAreUsageErrors) {
   Refusal({}, {"bench", "step", "--can", nowhere, "--canard", "5"}, 64, {"--canard"});
   Refusal({}, {"bench", "step", "--can", nowhere, "--canard", "1", "--to", "21"}, 64, {"--to"});
   Refusal({}, {"bench", "sine", "--can", nowhere, "--canard", "1", "--frequency", "0"}, 64, {"--frequency"});
+  Refusal({}, {"bench", "limits", "--can", nowhere, "--canard", "0"}, 64, {"--canard"});
   Refusal({}, {"bench", "watch", "--can", nowhere, "--for", "-1"}, 64, {"--for"});
   Refusal({}, {"bench", "arm", "--can", nowhere, "--wait", "-1"}, 64, {"--wait"});
   Refusal({}, {"bench"}, 64, {"a verb is missing; allowed: watch, limits, step, sine, arm, plan"});
