@@ -273,5 +273,21 @@ TEST_F(Page, IsMadeOfAnEmptyRecordingToo) {
   EXPECT_EQ(json::parse(sheet_json(sheet))["passed"], false);
 }
 
+TEST(SheetCsv, HasARowForEveryTickReceivedWithTurnPartAndAngles) {
+  const Exercise exercise = Exercise::limits_of(six_degrees(), 2);
+  link::Recording recording;
+  link::Tick first{.number = 100};
+  first.command_rad[2] = 1.5 * degree;
+  first.encoder_rad[2] = -0.25 * degree;
+  first.limited[2] = true;
+  ASSERT_TRUE(recording.add(first));
+  ASSERT_TRUE(recording.add({.number = 103, .stretch = exercise.turns()[0].last}));
+  EXPECT_EQ(sheet_csv(recording, exercise),
+            "time_s,turn,part,command_1_deg,encoder_1_deg,limited_1,command_2_deg,encoder_2_deg,limited_2,"
+            "command_3_deg,encoder_3_deg,limited_3,command_4_deg,encoder_4_deg,limited_4\n"
+            "0.000,canard_3,settle,,,0,,,0,1.50,-0.25,1,,,0\n"
+            "0.003,canard_3,step_home,,,0,,,0,,,0,,,0\n");
+}
+
 }  // namespace
 }  // namespace fantail::bench

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <algorithm>
 #include <functional>
 #include <optional>
 #include <string>
@@ -11,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "bench/exercise.hpp"
+#include "bench/perform.hpp"
 #include "bench/sheet.hpp"
 #include "hal/sim/can_bus.hpp"
 #include "hal/sim/console.hpp"
@@ -45,7 +45,7 @@ class BenchAtWorld final : public link::Place {
   [[nodiscard]] hal::CanBus& bus() override { return pc_bus; }
   [[nodiscard]] hal::Microseconds now() const override { return now_; }
   void wait(hal::Microseconds at_most) override {
-    for (hal::Microseconds waited{}; waited < std::max(at_most, between_looks); waited += millisecond) {
+    for (hal::Microseconds waited{}; waited < at_most; waited += millisecond) {
       if (world) {
         record = world->tick();
         world->advance();
@@ -89,7 +89,6 @@ class BenchAtWorld final : public link::Place {
   std::optional<sim::World> world;
   core::TickRecord record;
   std::function<void()> after_tick;
-  hal::Microseconds between_looks{};  ///< of a PC that is slow: at least this long between two looks at the bus
 
  private:
   static sim::Scenario load(const std::string& name, std::uint64_t seed) {

@@ -11,10 +11,6 @@
 namespace fantail::bench {
 namespace {
 
-// What a busy PC slept through is not asked for all at once: a hold that nobody saw begin would be too short to
-// measure.
-constexpr double longest_stride_s = 0.02;
-
 using text::radians;
 
 const double widest_rad = radians(20.47);  // on the bus
@@ -168,30 +164,6 @@ void Exercise::limits_turn(std::optional<std::size_t> canard) {
   jump(Part::step_out, hold_s, positive);
   jump(Part::step_across, across_s, negative);
   jump(Part::step_home, hold_s, centre);
-}
-
-link::Recording perform(const Exercise& exercise, link::Session& session, link::AvionicsLink& link,
-                        const std::function<void(double)>& progress) {
-  link::Recording recording;
-  link.forget_ticks();
-  const std::uint64_t overrun_before = link.figures().overrun;
-  std::optional<std::int64_t> last;
-  double done_s = 0.0;
-  session.request(exercise.asked(0.0));
-  while (done_s < exercise.duration_s()) {
-    session.wait();
-    const double latest_s = done_s + longest_stride_s;
-    while (auto tick = link.take_tick()) {
-      done_s = std::min(done_s + 1e-3 * static_cast<double>(tick->number - last.value_or(tick->number)), latest_s);
-      last = tick->number;
-      tick->stretch = exercise.stretch_at(done_s);
-      (void)recording.add(*tick);
-    }
-    session.request(exercise.asked(done_s));
-    progress(done_s);
-  }
-  recording.overrun = link.figures().overrun - overrun_before;
-  return recording;
 }
 
 }  // namespace fantail::bench

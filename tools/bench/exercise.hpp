@@ -4,7 +4,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -12,7 +11,6 @@
 
 #include "core/inputs.hpp"
 #include "link/avionics_link.hpp"
-#include "link/session.hpp"
 #include "protocol/bus_messages.hpp"
 
 namespace fantail::bench {
@@ -112,9 +110,5 @@ class Exercise {
   Each<bool> asked_{};
   Each<double> now_rad_{};
 };
-
-/// Goes through an exercise and records it. `progress` is told the seconds done; it may throw to give up.
-[[nodiscard]] link::Recording perform(const Exercise& exercise, link::Session& session, link::AvionicsLink& link,
-                                      const std::function<void(double)>& progress);
 
 }  // namespace fantail::bench

@@ -86,10 +86,6 @@ class Examination {
       doubt("only {} s of the {} s of the exercise were recorded", fixed(spanned * tick_s, 1),
             fixed(exercise_.duration_s(), 1));
     }
-    // Their number is known and not which: the counters of the frames come round after sixteen.
-    if (recording_.overrun > 0) {
-      doubt("this PC was too slow: {} frames were lost before they were read", recording_.overrun);
-    }
     for (const CanardResult& result : sheet_.canards) {
       if (result.diagnosis.cause == Cause::not_measured) {
         doubt("canard {} could not be measured ({})", result.canard + 1, result.diagnosis.seen);

@@ -89,6 +89,9 @@ struct Sheet {
 /// One object; every figure with its unit in its name.
 [[nodiscard]] std::string sheet_json(const Sheet& sheet);
 
+/// The series behind the sheet, one row a tick that was received. Empty: not driven, or no valid reading.
+[[nodiscard]] std::string sheet_csv(const link::Recording& recording, const Exercise& exercise);
+
 /// For a terminal: plain ASCII, aligned, at most 100 columns but for sentences.
 [[nodiscard]] std::string sheet_text(const Sheet& sheet);
 

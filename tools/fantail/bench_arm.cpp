@@ -103,7 +103,7 @@ void await_consent(const ArmOptions& options, link::Place& place, link::Avionics
 void arm(const ArmOptions& options) {
   CanPlace place{options.bench.interface};
   link::AvionicsLink link{place.bus()};
-  link::await_avionics(place, link);
+  await_rocket(options.bench, place, link);
   link::ArmSteps steps{place, link};
   test(options, steps);
   await_switch(options, place, link);

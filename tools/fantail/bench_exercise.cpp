@@ -16,6 +16,7 @@
 #include <unistd.h>
 
 #include "bench/exercise.hpp"
+#include "bench/perform.hpp"
 #include "bench/sheet.hpp"
 #include "fantail/bench_options.hpp"
 #include "fantail/can_place.hpp"
@@ -40,7 +41,7 @@ struct ExerciseOptions {
   std::string vehicle;
   std::string plan;
   std::string out;
-  int canard = 1;
+  std::optional<int> canard;  ///< from 1; empty: every one
   double to_deg = 5.0;
   double amplitude_deg = 3.0;
   double frequency_hz = 2.0;
@@ -49,16 +50,18 @@ struct ExerciseOptions {
 
 using MakeExercise = std::function<bench::Exercise(const bench::Bounds&, const ExerciseOptions&)>;
 
-bench::Exercise limits(const bench::Bounds& bounds, const ExerciseOptions& /*options*/) {
-  return bench::Exercise::limits(bounds);
+std::size_t index(const ExerciseOptions& options) { return static_cast<std::size_t>(options.canard.value_or(1) - 1); }
+
+bench::Exercise limits(const bench::Bounds& bounds, const ExerciseOptions& options) {
+  return options.canard ? bench::Exercise::limits_of(bounds, index(options)) : bench::Exercise::limits(bounds);
 }
 
 bench::Exercise step(const bench::Bounds& bounds, const ExerciseOptions& options) {
-  return bench::Exercise::step(bounds, static_cast<std::size_t>(options.canard - 1), degree * options.to_deg);
+  return bench::Exercise::step(bounds, index(options), degree * options.to_deg);
 }
 
 bench::Exercise sine(const bench::Bounds& bounds, const ExerciseOptions& options) {
-  return bench::Exercise::sine(bounds, static_cast<std::size_t>(options.canard - 1),
+  return bench::Exercise::sine(bounds, index(options),
                                {.amplitude_rad = degree * options.amplitude_deg,
                                 .frequency_hz = options.frequency_hz,
                                 .cycles = options.cycles});
@@ -157,7 +160,7 @@ void exercise(const ExerciseOptions& options, const MakeExercise& make) {
   expect_room_for_sheet(folder);
   CanPlace place{options.bench.interface};
   link::AvionicsLink link{place.bus()};
-  link::await_avionics(place, link);
+  await_rocket(options.bench, place, link);
   if (on_desk.plan_crc && *on_desk.plan_crc != link.newest<protocol::HeartbeatReport>()->message.plan_crc) {
     throw RequirementNotMet{"the rocket does not hold " + options.plan + "; send it with fantail bench plan " +
                             options.plan + " --can " + options.bench.interface};
@@ -170,8 +173,9 @@ void exercise(const ExerciseOptions& options, const MakeExercise& make) {
   const bench::Sheet sheet = bench::examine(recording, what, on_desk.tolerances, on_desk.heading);
   const std::string json = bench::sheet_json(sheet);
 
-  const std::array<text::NamedFile, 2> files{
-      {{"sheet.html", bench::sheet_html(sheet, recording, what)}, {"sheet.json", json}}};
+  const std::array<text::NamedFile, 3> files{{{"sheet.html", bench::sheet_html(sheet, recording, what)},
+                                              {"sheet.json", json},
+                                              {"sheet.csv", bench::sheet_csv(recording, what)}}};
   text::OutputFolder{folder}.write(files);
   if (options.bench.json) {
     fmt::print("{}", json);
@@ -194,7 +198,7 @@ Verb add(const Verb& bench, const char* name, const char* meaning, const std::sh
               "Vehicle whose tolerances are used: a shipped name or a path [default tolerances]")
       .value_name("FILE");
   verb.option("--plan", options->plan, "The plan that must be in force: a shipped name or a path").value_name("PLAN");
-  verb.option("--out", options->out, "Folder for sheet.html and sheet.json [out/bench]");
+  verb.option("--out", options->out, "Folder for sheet.html, sheet.json and sheet.csv [out/bench]");
   verb.action([options, make] { exercise(*options, make); });
   return verb;
 }
@@ -207,13 +211,18 @@ void add_canard(const Verb& verb, ExerciseOptions& options) {
 
 void add_bench_limits(const Verb& bench) {
   auto options = std::make_shared<ExerciseOptions>();
-  add(bench, "limits", "Every canard to both limits, alone and all together; a pass/fail sheet", options, limits)
-      .examples(
-          "Examples:\n"
-          "  fantail bench limits --can can0 --vehicle my_rocket.toml   half a minute; exit code 1 when something "
-          "fails\n"
-          "  fantail bench limits --can can0 --plan tasha3_launch2      refused when the rocket holds another plan\n"
-          "  fantail bench limits --can vcan0 --json --out out/rehearsal  for a script");
+  const Verb verb =
+      add(bench, "limits", "Every canard to both limits, alone and all together; a pass/fail sheet", options, limits);
+  verb.option("--canard", options->canard, "This one alone, for example after a repair [every one]")
+      .range(1, 4)
+      .value_name("1..4");
+  verb.examples(
+      "Examples:\n"
+      "  fantail bench limits --can can0 --vehicle my_rocket.toml   half a minute; exit code 1 when something "
+      "fails\n"
+      "  fantail bench limits --can can0 --canard 3                 one canard alone, in a few seconds\n"
+      "  fantail bench limits --can can0 --plan tasha3_launch2      refused when the rocket holds another plan\n"
+      "  fantail bench limits --can vcan0 --json --out out/rehearsal  for a script");
 }
 
 void add_bench_step(const Verb& bench) {

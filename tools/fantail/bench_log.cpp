@@ -40,7 +40,7 @@ struct LogOptions {
 /// At one rocket, for one run of the verb.
 struct Visit {
   explicit Visit(const LogOptions& chosen) : options{chosen}, place{chosen.bench.interface}, link{place.bus()} {
-    link::await_avionics(place, link);
+    await_rocket(chosen.bench, place, link);
     info = reader.info();
     json["used_bytes"] = info.used_bytes;
     json["free_bytes"] = info.free_bytes;

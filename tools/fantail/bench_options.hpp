@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "fantail/command_line.hpp"
+#include "link/avionics_link.hpp"
+#include "link/place.hpp"
 
 namespace fantail::tool {
 
@@ -11,9 +14,14 @@ namespace fantail::tool {
 struct BenchOptions {
   std::string interface;
   bool json = false;
+  std::optional<double> wait_s;
 };
 
-/// --can and --json.
+/// Until the avionics has been heard. With --wait also until the rocket is at rest, or that time is over: then the
+/// avionics itself says what it refuses. Throws link::LinkError.
+void await_rocket(const BenchOptions& options, link::Place& place, link::AvionicsLink& link);
+
+/// --can, --wait and --json.
 void add_bench_options(const Verb& verb, BenchOptions& options, const std::string& json_meaning);
 
 // Each verb of the bench in a file of its own.
@@ -21,6 +29,7 @@ void add_bench_watch(const Verb& bench);
 void add_bench_limits(const Verb& bench);
 void add_bench_step(const Verb& bench);
 void add_bench_sine(const Verb& bench);
+void add_bench_hold(const Verb& bench);
 void add_bench_arm(const Verb& bench);
 void add_bench_plan(const Verb& bench);
 void add_bench_log(const Verb& bench);

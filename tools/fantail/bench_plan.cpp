@@ -59,7 +59,7 @@ void send(const PlanOptions& options) {
   const std::vector<std::byte> block = block_of(options.plan);
   CanPlace place{options.bench.interface};
   link::AvionicsLink link{place.bus()};
-  link::await_avionics(place, link);
+  await_rocket(options.bench, place, link);
   protocol::PlanReply reply;
   {
     Progress progress{"sending " + options.plan,

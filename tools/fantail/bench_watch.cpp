@@ -30,6 +30,13 @@ void watch(const WatchOptions& options) {
   CanPlace place{options.bench.interface};
   link::AvionicsLink link{place.bus()};
   bench::Watch watch{options.bench.interface, link, place.bus()};
+  if (options.bench.wait_s) {
+    try {
+      await_rocket(options.bench, place, link);
+    } catch (const Interrupted&) {  // the way to end it
+      return;
+    }
+  }
   const bool screen = !options.bench.json && ::isatty(STDOUT_FILENO) == 1;
   const hal::Microseconds period = screen ? screen_period : line_period;
   const hal::Microseconds end = options.seconds

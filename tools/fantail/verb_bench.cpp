@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <cstdint>
+
 #include "fantail/bench_options.hpp"
 #include "fantail/run.hpp"
 #include "hal/linux/can_error.hpp"
@@ -8,7 +10,28 @@ namespace fantail::tool {
 
 void add_bench_options(const Verb& verb, BenchOptions& options, const std::string& json_meaning) {
   verb.option("--can", options.interface, "CAN interface, for example vcan0 or can0").required().value_name("IF");
+  verb.option("--wait", options.wait_s, "Wait so long for the avionics to speak and the rocket to be at rest")
+      .range(0.0, 3600.0)
+      .value_name("SECONDS");
   verb.flag("--json", options.json, json_meaning);
+}
+
+void await_rocket(const BenchOptions& options, link::Place& place, link::AvionicsLink& link) {
+  if (!options.wait_s) {
+    link::await_avionics(place, link);
+    return;
+  }
+  const hal::Microseconds longest{static_cast<std::int64_t>(1e6 * *options.wait_s)};
+  link::Timeout timeout{longest, place.now()};
+  link::await_avionics(place, link, longest);
+  const auto at_rest = [&] {
+    const auto& status = link.newest<protocol::StatusReport>();
+    return status && status->message.at_rest;
+  };
+  while (!at_rest() && !timeout.expired(place.now()) && !link.has_fallen_silent()) {
+    place.wait(hal::Microseconds{10'000});
+    link.listen(place.now());
+  }
 }
 
 namespace {
@@ -24,6 +47,7 @@ void fill(const Verb& bench) {
   add_bench_limits(bench);
   add_bench_step(bench);
   add_bench_sine(bench);
+  add_bench_hold(bench);
   add_bench_arm(bench);
   add_bench_plan(bench);
   add_bench_log(bench);

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <array>
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
@@ -7,7 +6,6 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <thread>
 #include <vector>
 
@@ -15,7 +13,7 @@
 
 #include "fantail/interrupt.hpp"
 #include "fantail/lcm_output.hpp"
-#include "fantail/line_input.hpp"
+#include "fantail/pad_script.hpp"
 #include "fantail/run.hpp"
 #include "fantail/scenario_options.hpp"
 #include "fantail/standard_streams.hpp"
@@ -64,48 +62,11 @@ std::filesystem::path flash_file(const NodeOptions& options, const sim::Scenario
                                : std::filesystem::path{options.flash};
 }
 
-enum class PadCommand : std::uint8_t { close_switch, open_switch, ignite, help, quit };
-
-struct PadCommandEntry {
-  std::string_view text;
-  PadCommand command;
-  std::string_view meaning;
-};
-constexpr std::array<PadCommandEntry, 5> pad_commands{{
-    {"switch close", PadCommand::close_switch, "close the arm switch"},
-    {"switch open", PadCommand::open_switch, "open the arm switch"},
-    {"ignite", PadCommand::ignite, "ignite the motor"},
-    {"help", PadCommand::help, "list these commands"},
-    {"quit", PadCommand::quit, "end the program"},
-}};
-
-std::string pad_commands_help() {
-  std::string text;
-  for (const PadCommandEntry& entry : pad_commands) {
-    text += fmt::format("  {:<14}{}\n", entry.text, entry.meaning);
-  }
-  return text;
-}
-
-// The next command on standard input, one a line. Reports on standard error what is not a command.
-std::optional<PadCommand> next_pad_command(LineInput& input) {
-  while (const auto line = input.next()) {
-    for (const PadCommandEntry& entry : pad_commands) {
-      if (*line == entry.text) {
-        return entry.command;
-      }
-    }
-    if (!line->empty()) {
-      say(fmt::format("\"{}\" is not a command; there are:\n{}", *line, pad_commands_help()));
-    }
-  }
-  return std::nullopt;
-}
-
 /// The avionics in real time, with a simulated rocket behind it.
 class Node {
  public:
-  Node(const sim::Scenario& scenario, const sim::BoardPorts& ports) : world_{scenario, ports} {}
+  Node(const sim::Scenario& scenario, const sim::BoardPorts& ports, const PadEar& ear)
+      : world_{scenario, ports}, script_{ear} {}
 
   /// Called after every tick, with the time that it took.
   using Observe = std::function<void(const core::TickRecord& record, SteadyClock::duration took)>;
@@ -142,20 +103,22 @@ class Node {
  private:
   // False after "quit".
   bool obey_pad_commands() {
-    while (const auto command = next_pad_command(input_)) {
+    while (const auto command = script_.next()) {
       switch (*command) {
         case PadCommand::close_switch: world_.set_arm_switch(true); break;
         case PadCommand::open_switch: world_.set_arm_switch(false); break;
         case PadCommand::ignite: world_.ignite(); break;
         case PadCommand::help: say(pad_commands_help()); break;
         case PadCommand::quit: return false;
+        case PadCommand::await_session:
+        case PadCommand::await_self_test: break;  // done by the script itself
       }
     }
     return true;
   }
 
   sim::World world_;
-  LineInput input_;
+  PadScript script_;
   Observe observe_;
   fly::Pace pace_{SteadyClock::now()};
   std::int64_t ticks_ = 0;
@@ -169,8 +132,8 @@ void run_node(const NodeOptions& options) {
   hal::on_linux::Entropy entropy;
   LcmOutput lcm{options.lcm};
   telemetry::LimitTap tap{bus};
-  hal::CanBus& port = lcm.is_on() ? static_cast<hal::CanBus&>(tap) : bus;
-  Node node{scenario, {.can_bus = port, .flash = *flash, .console = console, .entropy = entropy}};
+  PadEar ear{lcm.is_on() ? static_cast<hal::CanBus&>(tap) : bus};
+  Node node{scenario, {.can_bus = ear, .flash = *flash, .console = console, .entropy = entropy}, ear};
   fmt::print("{} ({}) on {}; type help for the commands at the pad, Ctrl-C ends\n", scenario.name,
              scenario.vehicle.name, options.interface);
   std::fflush(stdout);

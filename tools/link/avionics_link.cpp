@@ -54,6 +54,8 @@ bool AvionicsLink::listen(hal::Microseconds now, int most_frames) {
         log_data_.pop_front();
       }
       log_data_.push_back(*data);
+    } else if (const auto* heartbeat = std::get_if<protocol::HeartbeatReport>(&*decoded.message)) {
+      uncounted_ms_ = static_cast<std::int64_t>(heartbeat->uptime_ms) - last_command_;
     } else if (std::holds_alternative<protocol::StatusReport>(*decoded.message)) {
       silence_.emplace(longest_silence, now);
       silent_ = false;

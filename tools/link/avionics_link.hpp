@@ -29,7 +29,7 @@ struct Tick {
   Each<std::optional<double>> command_rad{};  ///< empty: not driven
   Each<std::optional<double>> encoder_rad{};  ///< empty: no valid reading
   Each<bool> limited{};                       ///< as last reported
-  std::size_t stretch = 0;                    ///< of the exercise, when it was received; may be some milliseconds off
+  std::size_t stretch = 0;                    ///< of the exercise; may begin some milliseconds early
 };
 
 /// The ticks of one exercise, in order. Bounded: it holds no more than `longest` and spans no more than that many
@@ -115,6 +115,11 @@ class AvionicsLink {
   void forget_log_data() { log_data_.clear(); }
 
   [[nodiscard]] const LinkFigures& figures() const { return figures_; }
+  /// Frames that reached this PC and were lost there, because nobody read them in time.
+  [[nodiscard]] std::uint32_t overrun() const { return bus_.counters().overrun; }
+  /// The rocket's own clock less our count of its ticks, by the newest heartbeat. While every tick is reported it
+  /// changes only when ticks were lost that their counter, modulo 16, could not show.
+  [[nodiscard]] std::optional<std::int64_t> uncounted_ms() const { return uncounted_ms_; }
 
  private:
   template <typename Variant>
@@ -137,6 +142,7 @@ class AvionicsLink {
   bool silent_ = false;
   std::int64_t last_command_ = -1;
   std::int64_t last_encoder_ = -1;
+  std::optional<std::int64_t> uncounted_ms_;
   protocol::CommandReport command_{};
   std::deque<Tick> ticks_;
   std::deque<protocol::LogData> log_data_;

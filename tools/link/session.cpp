@@ -39,8 +39,8 @@ LinkError another_bench() {
 
 }  // namespace
 
-void await_avionics(Place& place, AvionicsLink& link) {
-  Timeout timeout{answer_time, place.now()};
+void await_avionics(Place& place, AvionicsLink& link, Microseconds longest) {
+  Timeout timeout{longest, place.now()};
   const auto complete = [&] {
     return link.count<protocol::HeartbeatReport>() > 0 && link.count<protocol::LimitReport>() > 0;
   };

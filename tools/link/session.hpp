@@ -15,9 +15,9 @@ class LinkError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Waits until the avionics has been heard. Throws LinkError with what to look at when it stays silent for two seconds,
-/// or speaks another version of the protocol.
-void await_avionics(Place& place, AvionicsLink& link);
+/// Waits until the avionics has been heard. Throws LinkError with what to look at when it stays silent for so long, or
+/// speaks another version of the protocol.
+void await_avionics(Place& place, AvionicsLink& link, hal::Microseconds longest = hal::Microseconds{2'000'000});
 
 /// The right to move the canards. It opens with the object and lives on heartbeats, which are sent while the bench
 /// waits; however the object ends, by the end of its work or by an exception, the canards are centred.

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#include "bench/perform.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <optional>
+
+#include "bench/punctuality.hpp"
+
+namespace fantail::bench {
+namespace {
+
+// What a busy PC slept through is not asked for all at once: a hold that nobody saw begin would be too short to
+// measure.
+constexpr double longest_stride_s = 0.02;
+
+}  // namespace
+
+link::Recording perform(const Exercise& exercise, link::Session& session, link::AvionicsLink& link,
+                        const std::function<void(double)>& progress) {
+  link::Recording recording;
+  link.forget_ticks();
+  Punctuality punctuality{link};
+  std::optional<std::int64_t> last;
+  double done_s = 0.0;
+  session.request(exercise.asked(0.0));
+  while (done_s < exercise.duration_s()) {
+    session.wait();
+    // What has come since the last look was done under the request of that look, however long ago it was.
+    const std::size_t stretch = exercise.stretch_at(done_s);
+    const double latest_s = done_s + longest_stride_s;
+    while (auto tick = link.take_tick()) {
+      done_s = std::min(done_s + 1e-3 * static_cast<double>(tick->number - last.value_or(tick->number)), latest_s);
+      last = tick->number;
+      tick->stretch = stretch;
+      punctuality.note(*tick);
+      (void)recording.add(*tick);
+    }
+    punctuality.end_look();
+    session.request(exercise.asked(done_s));
+    progress(done_s);
+  }
+  punctuality.end();
+  return recording;
+}
+
+}  // namespace fantail::bench
