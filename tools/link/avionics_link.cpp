@@ -26,7 +26,6 @@ Each<std::optional<double>> radians(const protocol::PerCanard& angles) {
 
 bool AvionicsLink::listen(hal::Microseconds now, int most_frames) {
   silent_ = silence_ && silence_->expired(now);
-  figures_.overrun = bus_.counters().overrun;
   for (int i = 0; i < most_frames; ++i) {
     const auto frame = bus_.receive();
     if (!frame) {

@@ -49,8 +49,6 @@ class Recording {
   [[nodiscard]] std::span<const Tick> ticks() const { return ticks_; }
   /// Numbers between the first and the last tick that never came.
   [[nodiscard]] std::size_t lost_ticks() const;
-  std::uint64_t overrun =
-      0;  ///< frames of any kind that arrived while it was made, and were lost before they were read
   /// Ticks that came out of order, twice, or too late to be kept.
   [[nodiscard]] std::size_t refused_ticks() const { return refused_; }
 
@@ -66,7 +64,6 @@ struct LinkFigures {
   std::uint64_t foreign = 0;    ///< with an identifier of nobody we know, or of another bench
   std::uint64_t damaged = 0;    ///< of the avionics, but not understood: length, CRC-8 or range
   std::uint64_t lost = 0;       ///< command and encoder frames that never came, by their counters
-  std::uint64_t overrun = 0;    ///< of any kind, arrived and lost before they were read
   std::uint64_t wire_bits = 0;  ///< of all frames, stuff bits included
 };
 
