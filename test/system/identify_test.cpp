@@ -1,80 +1,17 @@
 // SPDX-License-Identifier: MIT
-#include <cmath>
-#include <functional>
-#include <iterator>
-#include <sstream>
+#include <memory>
+#include <string>
 
-#include <fmt/core.h>
 #include <gtest/gtest.h>
 
 #include "json/value.hpp"
-#include "sim/roll_plant.hpp"
-#include "sim/units.hpp"
 #include "system/folder.hpp"
+#include "system/made_tunnel_log.hpp"
 #include "system/process.hpp"
 #include "system/refusal.hpp"
 
 namespace fantail::test {
 namespace {
-
-constexpr double degrees = 1.0 / sim::radians_per_degree;
-const Words tasha{"--vehicle", "tasha3_launch2"};
-
-Words identify(const std::string& data, const Words& more = {}) {
-  Words words{"identify", data};
-  words.insert(words.end(), tasha.begin(), tasha.end());
-  words.insert(words.end(), more.begin(), more.end());
-  return words;
-}
-
-struct Row {
-  double time_s;
-  double angle_deg;
-  double rate_deg_s;
-  double canard_deg;
-};
-
-std::string cells(const Row& r) {
-  return std::to_string(r.time_s) + "," + std::to_string(r.angle_deg) + "," + std::to_string(r.rate_deg_s) + "," +
-         std::to_string(r.canard_deg) + ",22\n";
-}
-
-const std::string head = "time_s,roll_angle_deg,roll_rate_deg_s,canard_deg,speed_m_s\n";
-
-// Five seconds in a tunnel at 100 Hz: alpha 20, beta 9, offset -5 degrees.
-std::vector<Row> tunnel_rows(const std::function<double(double)>& canard_deg) {
-  const sim::RollPlant plant{
-      .inertia_kg_m2 = 0.00393, .reference_area_m2 = 5.0265e-5, .damping_m2 = 20.0, .torque_m = 9.0};
-  sim::RollState state{};
-  std::vector<Row> rows;
-  for (int i = 0; i <= 500; ++i) {
-    const double t = 0.01 * i;
-    rows.push_back({t, degrees * state.angle_rad, degrees * state.rate_rad_s, canard_deg(t)});
-    constexpr int steps = 20;  // the canards move between samples, too
-    for (int k = 0; k < steps; ++k) {
-      const double between = t + 0.01 * (k + 0.5) / steps;
-      state = plant.step(state, 1.2, 22.0, (canard_deg(between) - 5.0) / degrees, 0.01 / steps);
-    }
-  }
-  return rows;
-}
-
-double shaken(double t) { return 5.0 + 4.0 * std::sin(6.0 * t) + std::sin(17.0 * t); }
-
-std::string text(const std::vector<Row>& rows) {
-  std::string all = head;
-  for (const Row& row : rows) {
-    all += cells(row);
-  }
-  return all;
-}
-
-json::Value identified(const Folder& folder, const Words& words) {
-  const Outcome outcome = fantail(words, {.working_folder = folder.path()});
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-  EXPECT_EQ(outcome.err, "");
-  return json::parse(outcome.out);
-}
 
 void expect_inside(double truth, const json::Value& interval) {
   EXPECT_LE(interval[0].number(), truth);
@@ -170,95 +107,6 @@ TEST_F(IdentifiedFlight, MayBeLeftToTheController) {
   EXPECT_NEAR(json["alpha_m2"].number(), 23.0, 0.2 * 23.0);
   EXPECT_NEAR(json["beta_m"].number(), 9.0, 0.2 * 9.0);
   EXPECT_NEAR(json["disturbance_deg"][0].number(), -4.9, 0.2);
-}
-
-TEST(Identify, ReadsAnotherLoggersNamesAndUnits) {
-  const Folder folder;
-  std::string log = "t,phi,p,fin\n";
-  for (const Row& r : tunnel_rows(shaken)) {
-    log += std::to_string(r.time_s) + "," + std::to_string(r.angle_deg / degrees) + "," +
-           std::to_string(r.rate_deg_s / degrees) + "," + std::to_string(r.canard_deg / degrees) + "\r\n";
-  }
-  folder.write("run.csv", log);
-  const auto json = identified(folder, {"identify", "run.csv", "--column", "time_s=t", "--column", "roll_angle_deg=phi",
-                                        "--column", "roll_rate_deg_s=p", "--column", "canard_deg=fin", "--units", "rad",
-                                        "--speed", "22", "--inertia", "0.00393", "--area", "5.0265e-5", "--json"});
-  EXPECT_EQ(json["window"], "all");
-  EXPECT_NEAR(json["alpha_m2"].number(), 20.0, 0.1);
-  EXPECT_NEAR(json["beta_m"].number(), 9.0, 0.05);
-  EXPECT_NEAR(json["disturbance_deg"][0].number(), -5.0, 0.02);
-  const std::string remarks = json["remarks"].dump();
-  EXPECT_NE(remarks.find("No unit was stated for t; it is read in s."), std::string::npos) << remarks;
-  EXPECT_EQ(remarks.find("stated for phi"), std::string::npos) << "--units states it: " << remarks;
-  EXPECT_FALSE(content(folder / "out/identify/run/report.html").empty());
-}
-
-// The example of docs/identification.md: in the order of that page the first lines of the log, the command, what it
-// prints, and what it keeps.
-std::vector<std::string> blocks_of_the_example() {
-  const std::string page = content(std::string{FANTAIL_TEST_SOURCE} + "/docs/identification.md");
-  std::vector<std::string> blocks;
-  const std::string fence = "```\n";
-  std::size_t at = page.find("## A log of another logger");
-  while (blocks.size() < 4 && (at = page.find("```", at)) != std::string::npos) {
-    const std::size_t begin = page.find('\n', at) + 1;
-    const std::size_t end = page.find(fence, begin);
-    blocks.push_back(page.substr(begin, end - begin));
-    at = end + fence.size();
-  }
-  return blocks;
-}
-
-std::vector<std::string> lines(const std::string& text) {
-  std::vector<std::string> all;
-  std::istringstream stream{text};
-  for (std::string line; std::getline(stream, line);) {
-    all.push_back(line);
-  }
-  return all;
-}
-
-TEST(Identify, TheManualsLogOfAnotherLoggerGivesWhatTheManualSays) {
-  const std::vector<std::string> blocks = blocks_of_the_example();
-  ASSERT_EQ(blocks.size(), 4U);
-  const Folder folder;
-  std::string log = "t,p,u,battery\n";
-  for (const Row& r : tunnel_rows(shaken)) {
-    log += fmt::format("{:.0f},{:.6f},{:.4f},7.9\n", 1000.0 * r.time_s, r.rate_deg_s / degrees, r.canard_deg);
-  }
-  EXPECT_TRUE(log.starts_with(blocks[0])) << log.substr(0, 100);
-  folder.write("run7.csv", log);
-  std::istringstream command{blocks[1]};
-  Words words{std::istream_iterator<std::string>{command}, {}};
-  ASSERT_EQ(words.front(), "./dev");
-  words.erase(words.begin());
-  std::erase(words, "\\");  // at the end of a line
-  const Outcome outcome = fantail(words, {.working_folder = folder.path()});
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-  for (const std::string& line : lines(blocks[2])) {
-    EXPECT_TRUE(line == "..." || outcome.out.find(line) != std::string::npos) << line << "\n" << outcome.out;
-  }
-  EXPECT_EQ(content(folder / "run7.csv.columns.toml"), blocks[3]);
-  const Outcome again = fantail(
-      {"identify", "run7.csv", "--speed", "22", "--inertia", "0.00393", "--area", "5.0265e-5", "--elevation", "1400"},
-      {.working_folder = folder.path()});
-  EXPECT_EQ(again.exit_code, 0) << again.err;
-  EXPECT_NE(again.out.find("Columns as run7.csv.columns.toml says"), std::string::npos) << again.out;
-}
-
-TEST(Identify, RefusesAMapThatItWouldHaveToGuessAt) {
-  const Words rocket{"--speed", "22", "--vehicle", "tasha3_tunnel"};
-  const auto refuse = [&](Words more, int code, const std::vector<std::string>& said) {
-    Words words{"identify", "a.csv"};
-    words.insert(words.end(), rocket.begin(), rocket.end());
-    words.insert(words.end(), more.begin(), more.end());
-    Refusal({{"a.csv", "t,p,u\n0,1,2\n1,1,2\n"}}, words, code, said);
-  };
-  refuse({"--columns", "time=t:sec"}, 78, {"\"sec\" is no unit of time", "s, ms, us"});
-  refuse({"--columns", "time=t:s", "--column", "time_s=t"}, 64, {"time_s", "--column"});
-  refuse({"--columns", "time=tt:s,roll_rate=p:rad/s,canard=u:deg"}, 65, {"no column tt", "t, p, u"});
-  refuse({"--save-columns"}, 64, {"--save-columns"});
-  refuse({"--columns", "time=t:s,roll_rate=p:rad/s,canard=u:deg", "--elevation", "20000"}, 64, {"--elevation"});
 }
 
 TEST(Identify, PrintsATableForPeople) {

@@ -64,6 +64,9 @@ void print_figure(std::string_view label, const std::optional<double>& value, st
 
 void print_summary(const flight::Flight& flight, const report::Results& results) {
   fmt::print("{} ({}), seed {}\n{}\n", flight.scenario, flight.vehicle, flight.seed.value_or(0), results.verdict.text);
+  if (!flight.changes.empty()) {
+    fmt::print("Changed on the command line: {}.\n", fmt::join(flight.changes, ", "));
+  }
   std::vector<std::string> assumed = flight.notes;
   if (const std::string imposed = flight::imposed_roll_sentence(flight); !imposed.empty()) {
     assumed.insert(assumed.begin(), imposed);
@@ -117,10 +120,12 @@ void fly_and_report(const FlyOptions& options) {
   LcmOutput lcm{options.lcm};
   FlightComputerOption computer{options.computer};
   flight::Flight flight = fly_and_show(scenario, computer, lcm, options.realtime);
+  flight.changes = changes_of(options.scenario);
   std::ranges::copy(computer.notes(), std::back_inserter(flight.notes));
   const report::Results results = report::results(flight);
-  const std::filesystem::path folder =
-      options.out.empty() ? std::filesystem::path{"out"} / scenario.name : std::filesystem::path{options.out};
+  const std::filesystem::path folder = options.out.empty()
+                                           ? std::filesystem::path{"out"} / variant_name(scenario.name, flight.changes)
+                                           : std::filesystem::path{options.out};
   give_up_if_interrupted();
   report::write_results(flight, results, folder);
   if (options.json) {
@@ -143,7 +148,7 @@ void fill(const Verb& verb) {
   add_scenario_options(verb, options->scenario);
   verb.option("--out", options->out,
               "Folder for flight.csv, summary.json, report.html, flight.ftl (what the avionics recorded itself) and, "
-              "of a tunnel run, tunnel.csv [out/SCENARIO]")
+              "of a tunnel run, tunnel.csv [out/SCENARIO, with what --set and --seed change: out/SCENARIO+CHANGES]")
       .check(objection_to_folder);
   add_flight_computer_options(verb, options->computer);
   add_lcm_option(verb, options->lcm, "Publish the flight as LCM messages");

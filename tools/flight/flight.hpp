@@ -135,6 +135,7 @@ struct Flight {
   std::string plan_name;
   std::string version;                ///< of the program that flew it
   std::optional<std::uint64_t> seed;  ///< of a simulated one
+  std::vector<std::string> changes;   ///< of the scenario, on the command line: "controller.canard_limit_deg=9"
   bool tunnel = false;
   core::FlightPlan plan{};
   std::optional<ImposedRoll> imposed_roll;

@@ -118,10 +118,10 @@ std::vector<flight::LoopMargin> loop_margins(const sim::Scenario& scenario, cons
   if (speeds_m_s.empty()) {
     return {};
   }
+  // Near apogee nothing flows: the lowest speed that counts is that at which control began.
+  const double begin_m_s = speeds_m_s.front();
   std::ranges::sort(speeds_m_s);
-  // Near apogee nothing flows: the lowest speed that counts is that at which the plan lets control begin.
-  const auto gate_m_s = static_cast<double>(scenario.plan.guide.minimum_speed_m_s);
-  const auto first = std::ranges::lower_bound(speeds_m_s, std::min(gate_m_s, speeds_m_s.back()));
+  const auto first = std::ranges::lower_bound(speeds_m_s, begin_m_s);
   const double lowest_m_s = *first;
   const double median_m_s = *(first + (speeds_m_s.end() - first) / 2);
   const double top_m_s = speeds_m_s.back();

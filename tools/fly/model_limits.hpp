@@ -14,8 +14,8 @@ namespace fantail::fly {
 /// range of the accelerometers, and wind at the end of the guide.
 [[nodiscard]] std::vector<std::string> beyond_the_model(const sim::Scenario& scenario, const flight::Flight& flight);
 
-/// The margins of the roll loop at the lowest, the median, the top and the worst speed under control, by speed. Empty
-/// without control and where the gain of the loop never reaches one.
+/// The margins of the roll loop at the speed at which control begins, and at the median, the top and the worst speed
+/// from there on, by speed. Empty without control and where the gain of the loop never reaches one.
 [[nodiscard]] std::vector<flight::LoopMargin> loop_margins(const sim::Scenario& scenario, const flight::Flight& flight);
 
 }  // namespace fantail::fly

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include "flight/phase_names.hpp"
 #include "page/page.hpp"
@@ -159,8 +159,11 @@ std::string html(const flight::Flight& flight, const Figures& figures, const Ver
                       "leave out most samples but no peak. Plots drawn with uPlot (MIT licence, in the source of "
                       "this page).",
                   .live = charts(flight)};
+  if (!flight.changes.empty()) {
+    page.findings.push_back({"", fmt::format("Changed on the command line: {}.", fmt::join(flight.changes, ", "))});
+  }
   if (const std::string imposed = flight::imposed_roll_sentence(flight); !imposed.empty()) {
-    page.findings = {{"", imposed}};
+    page.findings.push_back({"", imposed});
   }
   const std::array<std::string, 2> columns{page::section("Events", event_table(flight)),
                                            page::section("Phases", phase_table(flight) + canard_table(flight))};

@@ -4,8 +4,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <fstream>
-#include <iterator>
 #include <optional>
 #include <span>
 #include <string>
@@ -14,7 +12,6 @@
 
 #include "json/value.hpp"
 #include "text/degrees.hpp"
-#include "text/error.hpp"
 
 namespace fantail::report {
 namespace {
@@ -98,118 +95,6 @@ std::string sha256(std::span<const std::byte> bytes) {
   return SHA256End(&context, text.data());
 }
 
-// Reading it back.
-
-// Null without the file: a folder may hold nothing but the CSV.
-Json read(const std::filesystem::path& file) {
-  std::ifstream stream{file};
-  if (!stream) {
-    return {};
-  }
-  try {
-    Json summary = json::parse(std::string{std::istreambuf_iterator<char>{stream}, {}});
-    if (!summary.is_object()) {
-      throw json::Error{"no object"};
-    }
-    return summary;
-  } catch (const json::Error&) {
-    throw text::Error{text::ErrorKind::bad_data, file.string() + ": is not the summary of a flight"};
-  }
-}
-
-// The member of an object, or null.
-const Json& member(const Json& object, const char* name) {
-  static const Json null;
-  const Json* found = object.find(name);
-  return found != nullptr ? *found : null;
-}
-
-std::string text(const Json& object, const char* name) {
-  const Json& value = member(object, name);
-  return value.is_text() ? value.text() : std::string{};
-}
-
-std::optional<double> number(const Json& object, const char* name) {
-  const Json& value = member(object, name);
-  return value.is_number() ? std::optional{value.number()} : std::nullopt;
-}
-
-// The value of an enumeration that has this name.
-template <typename Enum>
-std::optional<Enum> named(const std::string& word, std::size_t count) {
-  for (std::size_t i = 0; i < count; ++i) {
-    if (core::name(static_cast<Enum>(i)) == word) {
-      return static_cast<Enum>(i);
-    }
-  }
-  return {};
-}
-
-std::optional<flight::FlownAirframe> airframe(const Json& summary) {
-  const auto inertia_kg_m2 = number(summary, "roll_inertia_kg_m2");
-  const auto area_m2 = number(summary, "reference_area_m2");
-  if (!inertia_kg_m2 || !area_m2 || *inertia_kg_m2 <= 0.0 || *area_m2 <= 0.0) {
-    return {};
-  }
-  return flight::FlownAirframe{.vehicle = text(summary, "vehicle"),
-                               .vehicle_file = text(summary, "vehicle_file"),
-                               .roll_inertia_kg_m2 = *inertia_kg_m2,
-                               .reference_area_m2 = *area_m2};
-}
-
-void read_events(flight::Events& events, const Json& json) {
-  for (const auto& [name, time_s] : flight::named_events) {
-    if (const auto value = number(json, name)) {
-      events.*time_s = value;
-    }
-  }
-}
-
-void read_phase_changes(flight::Flight& flight, const Json& list) {
-  if (!list.is_array()) {
-    return;
-  }
-  flight.phase_changes.clear();
-  for (const Json& change : list) {
-    const auto phase = named<core::Phase>(text(change, "phase"), core::phases);
-    const auto time_s = number(change, "time_s");
-    if (phase && time_s) {
-      flight.phase_changes.push_back(
-          {*time_s, *phase, named<core::PhaseReason>(text(change, "reason"), core::phase_reasons)});
-    }
-  }
-}
-
-void read_canard_verdicts(flight::Flight& flight, const Json& list) {
-  for (const Json& change : list) {
-    const auto verdict = named<core::CanardVerdict>(text(change, "verdict"), core::canard_verdicts);
-    const auto canard = number(change, "canard");
-    const auto time_s = number(change, "time_s");
-    if (verdict && canard && time_s && *canard >= 1.0 && *canard <= core::canard_count) {
-      flight.canard_verdict_changes.push_back({*time_s, static_cast<std::size_t>(*canard) - 1, *verdict});
-    }
-  }
-}
-
-void read_unmeasured(flight::Unmeasured& u, const Json& json) {
-  u.spin_from_s = number(json, "spin_from_s");
-  u.spin_for_s = number(json, "spin_for_s").value_or(0.0);
-  u.spin_rad_s = text::radians(number(json, "spin_deg_s").value_or(0.0));
-  u.silent_from_s = number(json, "silent_from_s");
-  u.silent_for_s = number(json, "silent_for_s").value_or(0.0);
-  u.speed_bound_from_s = number(json, "speed_bound_from_s");
-}
-
-void read_loop_margins(flight::Flight& flight, const Json& list) {
-  for (const Json& margin : list) {
-    const auto speed_m_s = number(margin, "speed_m_s");
-    const auto phase_margin_deg = number(margin, "phase_margin_deg");
-    if (speed_m_s && phase_margin_deg) {
-      flight.loop_margins.push_back({*speed_m_s, text::radians(*phase_margin_deg), number(margin, "gain_margin")});
-    }
-  }
-}
-
 }  // namespace
 
 std::string summary_json(const flight::Flight& flight, const Figures& figures, const Verdict& verdict) {
@@ -220,6 +105,7 @@ std::string summary_json(const flight::Flight& flight, const Figures& figures, c
                         {"reference_area_m2", flight.airframe ? Json(flight.airframe->reference_area_m2) : Json{}},
                         {"plan", text_or_null(flight.plan_name)},
                         {"seed", flight.seed},
+                        {"changes", flight.changes},
                         {"verdict", verdict.text},
                         {"outcome", name(verdict.outcome)},
                         {"events", events(flight.events)},
@@ -250,51 +136,6 @@ std::string summary_json(const flight::Flight& flight, const Figures& figures, c
                         {"log_sha256", flight.log.empty() ? Json{} : Json(sha256(flight.log))},
                         {"version", text_or_null(flight.version)}};
   return summary.pretty();
-}
-
-flight::Events summary_events(const std::filesystem::path& file) {
-  flight::Events events;
-  read_events(events, member(read(file), "events"));
-  return events;
-}
-
-std::optional<flight::FlownAirframe> summary_airframe(const std::filesystem::path& file) {
-  return airframe(read(file));
-}
-
-void add_summary(flight::Flight& flight, const std::filesystem::path& file) {
-  const Json summary = read(file);
-  if (summary.is_null()) {
-    return;
-  }
-  flight.scenario = text(summary, "scenario");
-  flight.vehicle = text(summary, "vehicle");
-  flight.airframe = airframe(summary);
-  flight.plan_name = text(summary, "plan");
-  flight.version = text(summary, "version");
-  if (const Json& seed = member(summary, "seed"); seed.is_count()) {
-    flight.seed = seed.count();
-  }
-  read_events(flight.events, member(summary, "events"));
-  read_phase_changes(flight, member(summary, "phase_changes"));
-  read_canard_verdicts(flight, member(summary, "canard_verdicts"));
-  flight.why_not_armed = text(summary, "why_not_armed");
-  read_unmeasured(flight.unmeasured, member(summary, "unmeasured"));
-  read_loop_margins(flight, member(summary, "loop_margins"));
-  if (const auto stop_deg = number(summary, "servo_stop_deg")) {
-    flight.servo_stop_rad = text::radians(*stop_deg);
-  }
-  const Json& imposed = member(summary, "imposed_roll");
-  if (const auto time_s = number(imposed, "time_s")) {
-    flight.imposed_roll = {.time_s = *time_s,
-                           .angle_rad = text::radians(number(imposed, "angle_deg").value_or(0.0)),
-                           .rate_rad_s = text::radians(number(imposed, "rate_deg_s").value_or(0.0))};
-  }
-  for (const Json& note : member(summary, "notes")) {
-    if (note.is_text()) {
-      flight.notes.push_back(note.text());
-    }
-  }
 }
 
 }  // namespace fantail::report

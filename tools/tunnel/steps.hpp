@@ -124,7 +124,7 @@ struct StepSpeed {
 struct StepsHeading {
   std::string log{};
   std::string vehicle{};          ///< its name; empty: inertia and area were given by hand
-  std::string airframe_source{};  ///< "tasha3_tunnel (summary.json)"; empty: the vehicle's name
+  std::string airframe_source{};  ///< "tasha3_tunnel (summary.json)"; empty: what `vehicle` says
   identify::model::Airframe airframe{};
   std::optional<double> speed_m_s{};  ///< empty: the log's own, which varies
   std::string speed_source{};         ///< "tunnel.csv", "--speed", "the log"

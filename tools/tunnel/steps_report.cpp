@@ -29,8 +29,7 @@ const char* name(identify::result::Method method) {
 }
 
 std::string airframe_source(const StepsHeading& heading) {
-  const std::string& source = heading.airframe_source.empty() ? heading.vehicle : heading.airframe_source;
-  return source.empty() ? "from the command line" : source;
+  return heading.airframe_source.empty() ? heading.vehicle : heading.airframe_source;
 }
 
 const char* name(identify::model::Start start) {
@@ -292,9 +291,7 @@ std::string steps_html(const StepsHeading& heading, const StepTable& table) {
     all += responses(result);
   }
   body += page::section("Step responses, measured and modelled", all);
-  if (!table.remarks.empty()) {
-    body += page::section("Remarks", page::list(table.remarks));
-  }
+  body += table.remarks.empty() ? "" : page::section("Remarks", page::list(table.remarks));
   return page::html(
       {.kind = "Fantail tunnel report: steps", .title = heading.log, .subtitle = basis(heading), .body_html = body});
 }
