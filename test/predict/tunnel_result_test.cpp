@@ -80,9 +80,12 @@ TEST(TunnelResult, ReadsTheStandardErrorsOfTheSteps) {
   const std::string errors =
       ",alpha_standard_error_m2,beta_standard_error_m,disturbance_begin_standard_error_deg,"
       "disturbance_end_standard_error_deg";
-  const TunnelResult result = read_tunnel_result(
-      folder.write("steps.csv", head + errors + "\n20,9,-5,-6,0.4,0.1,0.02,0.03\n18,8,-4,-7,0.5,0.1,0.02,0.03\n"), {});
-  ASSERT_EQ(result.standard_errors.size(), 2U);
+  const TunnelResult result =
+      read_tunnel_result(folder.write("steps.csv", head + errors +
+                                                       "\n20,9,-5,-6,0.4,0.1,0.02,0.03\n18,8,-4,-7,0.5,0.1,0.02,0.03\n"
+                                                       "19,9,-5,-6,0.4,0.1,0.02,0.03\n"),
+                         {});
+  ASSERT_EQ(result.standard_errors.size(), 3U);
   EXPECT_EQ(result.standard_errors[1].damping_m2, 0.5);
   EXPECT_NEAR(degrees(result.standard_errors[0].offset_end_rad), 0.03, 1e-12);
   EXPECT_TRUE(shipped("tasha3_table2").standard_errors.empty());

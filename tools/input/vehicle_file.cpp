@@ -51,9 +51,9 @@ void check_reference_area(const Document& document, const sim::Vehicle& vehicle)
   const std::vector<double>& range = vehicle.reference_area_range_m2;
   const double area_m2 = vehicle.roll_plant.reference_area_m2;
   if (!range.empty() && (range.size() != 2 || !(range[0] < area_m2 && area_m2 < range[1]))) {
-    Section{document, "aerodynamics"}.refuse(
-        "reference_area_range_m2",
-        "must be two areas, one below and one above reference_area_m2 = " + plain_number(area_m2));
+    Section{document, "aerodynamics"}.refuse("reference_area_range_m2",
+                                             "must be two areas, one below and one above reference_area_m2 = " +
+                                                 plain_number(area_m2) + ", or [] where nobody knows");
   }
 }
 
