@@ -24,6 +24,7 @@ class Punctuality {
 
  private:
   const link::AvionicsLink& link_;
+  int long_looks_ = 0;
   std::uint32_t overrun_before_;
   std::optional<std::int64_t> uncounted_before_ms_;
   std::optional<std::int64_t> first_;
