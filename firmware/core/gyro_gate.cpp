@@ -10,7 +10,7 @@ namespace fantail::core {
 namespace {
 
 constexpr std::uint32_t agreeing_samples = 5;
-// Between two samples of a rocket: 1000 rad/s2 at 1 kHz, ten times what canards do.
+// Between two samples: 1000 rad/s2 at 1 kHz, some nine times what canards and fins did to the second published launch.
 constexpr float largest_change_rad_s = 1.0F;
 // Of the end of the range, what the last rate must have come to.
 constexpr float on_its_way = 0.75F;
@@ -24,7 +24,7 @@ bool agree(const Vector3& a, const Vector3& b) {
 SensorState GyroGate::update(Microseconds now, const GyroSample& sample, bool flies, float roll_rate_rad_s) {
   if (is_usable(now, sample, roll_rate_rad_s)) {
     if (!last_time_ || sample.time > *last_time_) {
-      const bool was_silent = last_time_ && sample.time - *last_time_ > plan_.stale_time;
+      const bool was_silent = last_time_ && sample.time - *last_time_ > stale_time_;
       if (!was_silent || !flies || is_back(sample)) {
         last_time_ = sample.time;
         agreeing_ = 0;
@@ -34,12 +34,12 @@ SensorState GyroGate::update(Microseconds now, const GyroSample& sample, bool fl
       return SensorState::coasting;  // a repeated time is a sample seen before, not a bad one
     }
   }
-  const Microseconds patience = flies ? std::max(plan_.stale_time, plan_.longest_gyro_gap) : plan_.stale_time;
+  const Microseconds patience = flies ? std::max(stale_time_, longest_gap_) : stale_time_;
   return !last_time_ || now - *last_time_ > patience ? SensorState::failed : SensorState::lost;
 }
 
 bool GyroGate::is_usable(Microseconds now, const GyroSample& sample, float roll_rate_rad_s) const {
-  if (!is_current(now, sample.time, plan_.stale_time) || !is_within(sample.rate_rad_s, largest_rate_rad_s)) {
+  if (!is_current(now, sample.time, stale_time_) || !is_within(sample.rate_rad_s, largest_rate_rad_s)) {
     return false;
   }
   if (sample.quality != SampleQuality::saturated) {

@@ -35,7 +35,7 @@ inline constexpr std::size_t sensor_states = 4;
 /// when the rate was on its way there; what jumps there is a fault.
 class GyroGate {
  public:
-  explicit GyroGate(const MotionPlan& plan) : plan_{plan} {}
+  explicit GyroGate(const MotionPlan& plan) : stale_time_{plan.stale_time}, longest_gap_{plan.longest_gyro_gap} {}
 
   /// fresh: the sample is believed. `roll_rate_rad_s`: of the last one that was.
   SensorState update(Microseconds now, const GyroSample& sample, bool flies, float roll_rate_rad_s);
@@ -58,7 +58,8 @@ class GyroGate {
  private:
   [[nodiscard]] bool is_back(const GyroSample& sample);
 
-  MotionPlan plan_;
+  Microseconds stale_time_;
+  Microseconds longest_gap_;
   std::optional<Microseconds> last_time_;
 
   // Of a gyro that was silent: its last sample, and how many up to it agree.

@@ -14,15 +14,7 @@ namespace {
 
 using Json = json::Value;
 
-class InOthersWords : public CanSystem {
- protected:
-  void SetUp() override {
-    if (!have_cantools()) {
-      GTEST_SKIP() << "no cantools in build/test-venv; run ./dev test with a network once";
-    }
-    CanSystem::SetUp();
-  }
-};
+class InOthersWords : public WithCantools {};
 
 /// Signals of one kind of message, numbers as the watch shows them.
 std::vector<std::vector<std::string>> spoken_values(const std::vector<Spoken>& all, const std::string& name,

@@ -25,6 +25,19 @@ class CanSystem : public ::testing::Test {
   void SetUp() override { restore_virtual_buses(); }
 };
 
+[[nodiscard]] bool have_cantools();
+
+/// For tests that need cantools, which comes with a network; where a skipped test counts as a failure, so does this.
+class WithCantools : public CanSystem {
+ protected:
+  void SetUp() override {
+    if (!have_cantools()) {
+      GTEST_SKIP() << "no cantools in build/test-venv; run ./dev test with a network once";
+    }
+    CanSystem::SetUp();
+  }
+};
+
 /// Hears the avionics as a bench does.
 class Ear {
  public:
@@ -113,9 +126,6 @@ struct Spoken {
 
 /// Lines "TIME_S MESSAGE [wrong_crc] SIGNAL=VALUE ...", made by cantools into a candump log.
 [[nodiscard]] std::string encoded_by_cantools(const std::string& lines, const std::string& interface);
-
-/// False, and then the reason is said: there is no cantools here.
-[[nodiscard]] bool have_cantools();
 
 /// The message of a frame; empty when it is none of the avionics.
 template <typename Message>
