@@ -40,16 +40,23 @@ std::string refusal_of_a_session(link::Place& place, link::AvionicsLink& link, s
   return "it was opened";
 }
 
-TEST(TwoBenches, TheSecondLooksBeforeItAsksAndSaysThatAnotherHasTheSession) {
+/// A rocket at rest, and a second bench that has heard it.
+class TwoBenches : public testing::Test {
+ protected:
+  void SetUp() override {
+    place.wait(4 * second);
+    link::await_avionics(beside, link);
+  }
+
   BenchAtWorld place{"bench_healthy"};
-  place.wait(4 * second);
   BesideIt beside{place};
   link::AvionicsLink link{beside.bus()};
-  link::await_avionics(beside, link);
+  protocol::FrameCounter counter;
+};
 
+TEST_F(TwoBenches, TheSecondLooksBeforeItAsksAndSaysThatAnotherHasTheSession) {
   // The first one, which lives while the second one waits.
   hal::sim::CanBus first{place.wire};
-  protocol::FrameCounter counter;
   int ticks = 0;
   place.after_tick = [&] {
     if (ticks++ % 20 == 0) {
@@ -69,15 +76,9 @@ TEST(TwoBenches, TheSecondLooksBeforeItAsksAndSaysThatAnotherHasTheSession) {
   EXPECT_EQ(refusal_of_a_session(beside, link, 6), "it was opened");
 }
 
-TEST(TwoBenches, OfTwoThatAskInTheSameMillisecondOneGetsTheSessionAndTheOtherIsToldSo) {
-  BenchAtWorld place{"bench_healthy"};
-  place.wait(4 * second);
-  BesideIt beside{place};
-  link::AvionicsLink link{beside.bus()};
-  link::await_avionics(beside, link);
+TEST_F(TwoBenches, OfTwoThatAskInTheSameMillisecondOneGetsTheSessionAndTheOtherIsToldSo) {
   hal::sim::CanBus rival{place.wire};
   hal::sim::CanBus ear{place.wire};
-  protocol::FrameCounter counter;
   int since_the_look = 0;
   place.after_tick = [&] {
     while (const auto frame = ear.receive()) {
@@ -93,7 +94,7 @@ TEST(TwoBenches, OfTwoThatAskInTheSameMillisecondOneGetsTheSessionAndTheOtherIsT
             "another bench has the session; end that one, or wait until it has ended");
 }
 
-TEST(TwoBenches, ANumberThatIsTooSimilarToTheOneBeforeIsReplacedByTheBenchItself) {
+TEST(TwoSessions, ANumberThatIsTooSimilarToTheOneBeforeIsReplacedByTheBenchItself) {
   std::uint16_t similar = 6;
   while (protocol::told_apart(5, similar)) {
     similar += 1;

@@ -7,6 +7,7 @@
 #include <fmt/core.h>
 
 #include "bench/too_slow.hpp"
+#include "bench/trace.hpp"
 
 namespace fantail::bench {
 namespace {
@@ -18,7 +19,6 @@ constexpr std::int64_t longest_look_ms = 60;
 constexpr int most_long_looks = 10;
 // A gap hides how a canard moved, and a step could lie in it.
 constexpr std::int64_t longest_gap_ms = 20;
-constexpr double most_lost = 0.02;  // share of all ticks; single ones hide nothing
 // Ticks lost unseen come in sixteens; heartbeats are a tick early or late.
 constexpr std::int64_t unseen_ms = 8;
 
@@ -61,7 +61,8 @@ void Punctuality::end() const {
     return;
   }
   const std::int64_t all = *last_ - *first_ + 1;
-  if (const std::int64_t lost = all - received_; static_cast<double>(lost) > most_lost * static_cast<double>(all)) {
+  if (const std::int64_t lost = all - received_;
+      static_cast<double>(lost) > most_lost_share * static_cast<double>(all)) {
     give_up(fmt::format("{} of {} ms of the rocket's reports are missing", lost, all));
   }
 }

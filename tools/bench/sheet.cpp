@@ -18,7 +18,6 @@ namespace {
 using text::degrees;
 using text::fixed;
 
-constexpr double most_lost = 0.02;    // share of the ticks; beyond it the figures are doubtful
 constexpr double least_whole = 0.95;  // share of the exercise that must have been recorded
 const double resolution_rad = text::radians(0.01);
 
@@ -78,8 +77,8 @@ class Examination {
     const double expected = exercise_.duration_s() / tick_s;
     const auto spanned = static_cast<double>(sheet_.ticks + sheet_.lost_ticks);
     const double lost = sheet_.ticks == 0 ? 1.0 : static_cast<double>(sheet_.lost_ticks) / spanned;
-    add(lost <= most_lost, "{} of {} ticks were lost on the way.", sheet_.lost_ticks, fixed(spanned, 0));
-    if (lost > most_lost) {
+    add(lost <= most_lost_share, "{} of {} ticks were lost on the way.", sheet_.lost_ticks, fixed(spanned, 0));
+    if (lost > most_lost_share) {
       doubt("{} of {} ticks were lost on the way", sheet_.lost_ticks, fixed(spanned, 0));
     }
     if (spanned < least_whole * expected) {

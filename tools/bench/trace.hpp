@@ -13,6 +13,8 @@
 namespace fantail::bench {
 
 inline constexpr double tick_s = 0.001;
+/// Of all ticks of an exercise, what may be missing: single ones hide nothing, more make the figures doubtful.
+inline constexpr double most_lost_share = 0.02;
 inline constexpr double no_reading = std::numeric_limits<double>::quiet_NaN();
 
 /// One canard through one turn, one entry a millisecond: lost ticks have their place too, so an index is a time.

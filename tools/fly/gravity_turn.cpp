@@ -37,13 +37,12 @@ class Flight {
     const double drag_n =
         0.5 * scenario_.atmosphere.density_kg_m3(s.z_m) * vehicle.drag_area_m2 * speed_m_s * speed_m_s;
     const double along_m_s2 = (burn.thrust_n - drag_n) / mass_kg;
-    const bool guided = on_guide(s);
-    const double x = guided || speed_m_s <= 0.0 ? guide_x_ : s.vx_m_s / speed_m_s;
-    const double z = guided || speed_m_s <= 0.0 ? guide_z_ : s.vz_m_s / speed_m_s;
-    if (guided) {
+    if (on_guide(s)) {
       const double net_m_s2 = std::max(0.0, along_m_s2 - sim::gravity_m_s2 * guide_z_);
       return {s.vx_m_s, s.vz_m_s, net_m_s2 * guide_x_, net_m_s2 * guide_z_};
     }
+    const double x = speed_m_s > 0.0 ? s.vx_m_s / speed_m_s : guide_x_;
+    const double z = speed_m_s > 0.0 ? s.vz_m_s / speed_m_s : guide_z_;
     return {s.vx_m_s, s.vz_m_s, along_m_s2 * x, along_m_s2 * z - sim::gravity_m_s2};
   }
 

@@ -106,8 +106,7 @@ std::optional<std::string> lag(const Case& c) {
   }
   return fmt::format(
       "The canard column seems to be about {} ms {} (95 %: {} to {} ms). With that lag the fit gives {}. Use "
-      "--fit-lag, "
-      "or --lag if it is known.",
+      "--fit-lag, or --lag if it is known.",
       text::brief(1000.0 * std::abs(lag_s), 1), lag_s > 0.0 ? "late" : "early",
       text::brief(1000.0 * (std::abs(lag_s) - known.lag_s->reach), 1),
       text::brief(1000.0 * (std::abs(lag_s) + known.lag_s->reach), 1), change(found, model));
@@ -171,8 +170,8 @@ std::optional<std::string> unexplained(const Case& c) {
   }
   return fmt::format(
       "The residual of the roll rate is not white: its correlation with itself reaches {}, where chance gives up to "
-      "{}. "
-      "Neither a lag nor more nodes explain it, so the model lacks something else: a speed or density that is wrong in "
+      "{}. Neither a lag nor more nodes explain it, so the model lacks something else: a speed or density that is "
+      "wrong in "
       "part of the window, canards that do not act in proportion to their angle.",
       text::fixed(tests->own_correlation, 2), text::fixed(tests->chance, 2));
 }
@@ -197,8 +196,8 @@ std::optional<std::string> outliers(const Case& c) {
   }
   return fmt::format(
       "{} of the {} samples carry {} % of the squared angle error: they look like outliers, and the least squares "
-      "follow "
-      "them. Look at the residual in the report, and take them out of the log if they are no motion of the rocket.",
+      "follow them. Look at the residual in the report, and take them out of the log if they are no motion of the "
+      "rocket.",
       few, squares.size(), text::fixed(100.0 * of_few / all, 0));
 }
 

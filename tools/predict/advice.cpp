@@ -10,6 +10,7 @@
 
 #include "predict/plan_ranges.hpp"
 #include "predict/sentences.hpp"
+#include "sim/servo.hpp"
 #include "text/degrees.hpp"
 #include "text/number.hpp"
 
@@ -22,8 +23,6 @@ using text::fixed;
 
 // The low end of the phase margin that decide() looks at leaves out 5 % of the runs.
 constexpr double share_of_runs = 0.95;
-// As the vehicle file and --servo-lag have it.
-constexpr double shortest_servo_lag_s = 0.0005;
 
 Share within(const Prediction& p, double limit_rad) {
   const auto count =
@@ -105,11 +104,11 @@ GainAdvice advice_on_gains(const Prediction& p, double phase_margin_rad) {
   }
   const std::string none = fmt::format("No gains that a plan may have (up to {} and {} s) reach {}",
                                        brief(largest.proportional, 4), brief(largest.derivative_s, 4), aim);
-  const auto lag_s = stability::longest_servo_lag_s(loops, present, shortest_servo_lag_s, demand);
+  const auto lag_s = stability::longest_servo_lag_s(loops, present, sim::shortest_lag_s, demand);
   return {lag_s ? fmt::format("{}. With the plan's gains a servo lag of {} ms or less would ({} ms was assumed).", none,
                               brief(1e3 * *lag_s, 1), brief(1e3 * p.servo_lag_s, 1))
                 : fmt::format("{}, and with the plan's gains no servo lag does, not even one of {} ms.", none,
-                              brief(1e3 * shortest_servo_lag_s, 1)),
+                              brief(1e3 * sim::shortest_lag_s, 1)),
           {}};
 }
 

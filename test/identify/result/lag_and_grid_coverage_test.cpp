@@ -48,6 +48,9 @@ Inside count(const Planting& planting, const Question& question, int samples_lat
     const double late_s = samples_late / planting.sample_hz;
     inside.lag += known.lag_s && std::abs(window.lag_s - late_s) <= known.lag_s->reach ? 1 : 0;
   }
+  testing::Test::RecordProperty("inside", "alpha " + std::to_string(inside.alpha) + ", profile " +
+                                              std::to_string(inside.alpha_profile) + ", beta " +
+                                              std::to_string(inside.beta) + ", lag " + std::to_string(inside.lag));
   return inside;
 }
 
@@ -60,9 +63,6 @@ TEST_P(LagCoverage, IntervalsHoldTheTruthWhenTheLagIsFitted) {
   question.options.start = Start::fitted;
   question.fit_lag = true;
   const Inside inside = count(planting, question, 3, GetParam());
-  RecordProperty("inside", "alpha " + std::to_string(inside.alpha) + ", profile " +
-                               std::to_string(inside.alpha_profile) + ", beta " + std::to_string(inside.beta) +
-                               ", lag " + std::to_string(inside.lag));
   EXPECT_GE(inside.alpha, least_inside);
   EXPECT_GE(inside.alpha_profile, least_inside);
   EXPECT_GE(inside.beta, least_inside);
@@ -78,9 +78,6 @@ TEST(GridCoverage, IntervalsHoldTheTruthBetweenTheGridsPoints) {
   Question question = planted_question("0");
   question.methods = {Method::grid};
   const Inside inside = count(planting, question, 0);
-  RecordProperty("inside", "alpha " + std::to_string(inside.alpha) + ", profile " +
-                               std::to_string(inside.alpha_profile) + ", beta " + std::to_string(inside.beta) +
-                               ", lag " + std::to_string(inside.lag));
   EXPECT_GE(inside.alpha, least_inside);
   EXPECT_GE(inside.alpha_profile, least_inside);
   EXPECT_GE(inside.beta, least_inside);
