@@ -86,24 +86,24 @@ TEST_F(NorMemoryTest, AGeometryThatDoesNotDivideOrIsNotTheSizeOfTheCellsDoesNoth
 
 // Each bit by itself: a one until it is programmed to zero, then zero until its sector is erased.
 RC_GTEST_PROP(NorMemory, EveryBitIsZeroExactlyWhenItWasProgrammedSinceItsLastErase, ()) {
-  constexpr FlashGeometry small{.size = 32, .sector_size = 16, .page_size = 8};
+  constexpr FlashGeometry small{.size = 64, .sector_size = 32, .page_size = 16};
   Bytes cells(small.size, std::byte{0xFF});
   NorMemory memory{cells, small};
   std::vector<bool> cleared(8 * std::size_t{small.size}, false);
   const int calls = *rc::gen::inRange(0, 60);
   for (int call = 0; call < calls; ++call) {
-    const auto address = *rc::gen::inRange<std::uint32_t>(0, 36);
+    const auto address = *rc::gen::inRange<std::uint32_t>(0, 70);
     if (*rc::gen::inRange(0, 4) == 0) {
       if (memory.erase_sector(address) == FlashResult::ok) {
-        RC_ASSERT(address == 0 || address == 16);
-        std::fill_n(cleared.begin() + 8 * static_cast<std::ptrdiff_t>(address), 128, false);
+        RC_ASSERT(address == 0 || address == 32);
+        std::fill_n(cleared.begin() + 8 * static_cast<std::ptrdiff_t>(address), 256, false);
       }
       continue;
     }
-    const auto values = *rc::gen::container<std::vector<std::uint8_t>>(*rc::gen::inRange<std::size_t>(1, 10),
+    const auto values = *rc::gen::container<std::vector<std::uint8_t>>(*rc::gen::inRange<std::size_t>(1, 20),
                                                                        rc::gen::arbitrary<std::uint8_t>());
     const bool ok = memory.program(address, std::as_bytes(std::span{values})) == FlashResult::ok;
-    RC_ASSERT(ok == (address < 32 && address / 8 == (address + values.size() - 1) / 8));
+    RC_ASSERT(ok == (address < 64 && address / 16 == (address + values.size() - 1) / 16));
     for (std::size_t bit = 0; ok && bit < 8 * values.size(); ++bit) {
       if ((values[bit / 8] >> (bit % 8) & 1) == 0) {
         cleared[std::size_t{8} * address + bit] = true;
