@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+#include "sil/random_launch.hpp"
+
+#include "input/scenario_file.hpp"
+#include "sim/units.hpp"
+
+namespace fantail::sil {
+namespace {
+
+constexpr double degree = 3.14159265358979323846 / 180.0;
+
+void draw_plan(core::FlightPlan& plan, Draw& draw) {
+  plan.controller.proportional_gain = draw.chance(0.1) ? 0.0F : static_cast<float>(draw.between(0.1, 3.0));
+  plan.controller.derivative_gain_s = static_cast<float>(draw.between(0.0, draw.chance(0.2) ? 2.0 : 0.2));
+  plan.controller.canard_limit = core::Angle::from_degrees(static_cast<float>(draw.between(2.0, 15.0)));
+  plan.run.control_time = core::from_seconds(static_cast<float>(draw.between(1.0, 15.0)));
+  plan.motion.longest_gyro_gap = core::from_seconds(static_cast<float>(draw.chance(0.5) ? 0.0 : 0.25));
+  if (draw.chance(0.5)) {
+    plan.excitation.form = core::ExcitationForm::none;
+  }
+  if (draw.chance(0.2)) {
+    plan.run.canard_fault = core::CanardFaultPolicy::end_control;
+  }
+}
+
+void draw_vehicle(sim::Vehicle& vehicle, Draw& draw) {
+  vehicle.mass_kg = draw.between(1.5, 5.0);
+  vehicle.roll_plant.damping_m2 = draw.between(5.0, 40.0);
+  vehicle.roll_plant.torque_m = draw.between(3.0, 15.0);
+  vehicle.servo.lag_s = draw.between(0.005, 0.06);
+  vehicle.servo.stop_rad = draw.between(3.5, 25.0) * degree;
+  vehicle.imu.full_scale_rad_s = draw.between(200.0, 2000.0) * degree;
+  vehicle.imu.full_scale_m_s2 = draw.between(6.0, 16.0) * sim::gravity_m_s2;
+  vehicle.accelerometer.full_scale_m_s2 = draw.between(6.0, 32.0) * sim::gravity_m_s2;
+  vehicle.imu.specific_force_bias_m_s2 = draw.between(-0.4, 0.4);
+  vehicle.imu.misalignment_rad = draw.between(0.0, 2.0) * degree;
+}
+
+}  // namespace
+
+void draw_fault(sim::Scenario& scenario, Draw& draw) {
+  constexpr std::size_t kinds = 11;
+  sim::Fault fault{.kind = static_cast<sim::FaultKind>(draw.below(kinds)),
+                   .canard = draw.below(4),
+                   .from_s = draw.between(0.0, 9.0),
+                   .until_s = 0.0};
+  fault.until_s = fault.from_s + (draw.chance(0.7) ? draw.between(0.001, 0.4) : 30.0);
+  if (fault.kind == sim::FaultKind::canard_stuck || fault.kind == sim::FaultKind::canard_wrong_trim) {
+    fault.angle_rad = draw.between(-2.9, 2.9) * degree;
+  }
+  scenario.faults.push_back(fault);
+}
+
+sim::Scenario random_rocket(Draw& draw) {
+  static const sim::Scenario usual = input::load_scenario("tasha3_launch2", {});
+  sim::Scenario scenario = usual;
+  draw_plan(scenario.plan, draw);
+  draw_vehicle(scenario.vehicle, draw);
+  return scenario;
+}
+
+}  // namespace fantail::sil

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#include "sil/truth_oracle.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace fantail::sil {
+namespace {
+
+constexpr double degree = 3.14159265358979323846 / 180.0;
+
+}  // namespace
+
+bool Oracle::lasted(const flight::Flight& flight) const {
+  const bool planned_end =
+      !flight.phase_changes.empty() && flight.phase_changes.back().reason == core::PhaseReason::control_time_over;
+  return planned_end || end_before_apogee_s < 0.51;
+}
+
+bool Oracle::held(const flight::Flight& flight) const {
+  return judged && largest_error_deg <= promised_deg + rounding_deg && lasted(flight);
+}
+
+Oracle look(const flight::Flight& flight) {
+  Oracle o;
+  const double kp = static_cast<double>(flight.plan.controller.proportional_gain);
+  std::optional<double> zero_rad;
+  std::optional<double> end_rad;
+  double counts_from_s = 0.0;
+  double reference_rad = 0.0;
+  double end_s = 0.0;
+  for (const flight::Row& row : flight.rows) {
+    const bool control = row.phase == core::Phase::controlling;
+    if (row.phase == core::Phase::launched && !zero_rad) {
+      zero_rad = row.truth->roll_angle_rad;
+    }
+    if (row.phase == core::Phase::armed) {
+      zero_rad.reset();  // that was no launch
+    }
+    if (control && (!o.controlled || row.reference_rad != reference_rad)) {
+      counts_from_s = row.time_s + 1.0;
+      reference_rad = row.reference_rad;
+    }
+    if (control) {
+      o.controlled = true;
+      end_rad = row.truth->roll_angle_rad;
+      end_s = row.time_s;
+      o.largest_offset_deg = std::max(o.largest_offset_deg, std::abs(row.truth->disturbance_rad) / degree);
+      if (kp > 0.0 && row.time_s >= counts_from_s - 1e-6) {
+        const double away_rad =
+            row.truth->roll_angle_rad - *zero_rad - row.reference_rad - row.truth->disturbance_rad / kp;
+        o.largest_error_deg = std::max(o.largest_error_deg, std::abs(away_rad) / degree);
+        o.judged = true;
+      }
+    } else if (o.controlled && row.time_s <= flight.events.apogee_s.value_or(0.0)) {
+      o.turned_after_deg = std::max(o.turned_after_deg, std::abs(row.truth->roll_angle_rad - *end_rad) / degree);
+    }
+  }
+  o.end_before_apogee_s = flight.events.apogee_s.value_or(end_s) - end_s;
+  return o;
+}
+
+}  // namespace fantail::sil

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "flight/flight.hpp"
+
+// Looks at the rows of a flight and shares no code with the report.
+namespace fantail::sil {
+
+/// What truly was, from the rows alone.
+struct Oracle {
+  bool controlled = false;
+  double largest_error_deg = 0.0;  ///< from the settle point, a second after control start and after each step
+  bool judged = false;             ///< some row counted for it
+  double turned_after_deg = 0.0;   ///< from the end of control to apogee
+  double end_before_apogee_s = 0.0;
+  double largest_offset_deg = 0.0;  ///< under control
+
+  /// Whether control lasted to the end that the plan gives it, or to apogee.
+  [[nodiscard]] bool lasted(const flight::Flight& flight) const;
+  /// Whether the roll was held from the settling to there.
+  [[nodiscard]] bool held(const flight::Flight& flight) const;
+};
+
+/// The verdict promises to stay within ten degrees, and prints two decimals of them.
+inline constexpr double promised_deg = 10.0;
+inline constexpr double rounding_deg = 0.01;
+
+Oracle look(const flight::Flight& flight);
+
+}  // namespace fantail::sil
