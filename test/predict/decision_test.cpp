@@ -2,6 +2,7 @@
 #include "predict/decision.hpp"
 
 #include <algorithm>
+#include <cstdio>
 
 #include <gtest/gtest.h>
 
@@ -74,6 +75,41 @@ TEST(Decision, IsNoGoWhenRollIsNotHeldAndSaysHowFastItSpins) {
       decide(p, {}).text,
       "No go: roll is held in only 50 % of the runs (without authority it turns at about 129 degrees a second at top "
       "speed).");
+}
+
+/// Under control from 0.6 to 9.8 s after lift-off.
+Prediction on_a_leaning_guide(double tilt_deg) {
+  Prediction p = good();
+  p.flown.guide_tilt_rad = radians(tilt_deg);
+  p.runs[7].reference_rad.resize(30);
+  p.runs[7].reference_rad.resize(491, 0.0);
+  p.runs[7].reference_rad.resize(520);
+  return p;
+}
+
+// 8.0 s: a point mass, integrated apart from Fantail.
+TEST(Decision, IsNoGoWhenTheTiltLimitWouldEndControlEarlyWhichTheStraightLineDoesNotShow) {
+  const Decision d = decide(on_a_leaning_guide(15.0), {});
+  EXPECT_FALSE(d.go);
+  EXPECT_EQ(d.text,
+            "No go: the guide leans by 15 degrees: a point mass passes the plan's tilt limit of 60 degrees 8.0 s after "
+            "lift-off, and control ends there; the simulated rocket keeps to the line of its guide and does not show "
+            "it.");
+  EXPECT_EQ(criterion(d, "tilt_limit").found.substr(0, 10), "passed 8.0");
+}
+
+TEST(Decision, AdvisesATiltWithWhichTheTiltLimitIsNotPassedEarly) {
+  const Prediction p = on_a_leaning_guide(15.0);
+  const Decision d = decide(p, {});
+  ASSERT_EQ(d.advice.size(), 1U);
+  double advised_deg = 0.0;
+  ASSERT_EQ(std::sscanf(d.advice[0].c_str(), "With a guide that leans by %lf degrees", &advised_deg), 1);
+  EXPECT_TRUE(decide(on_a_leaning_guide(advised_deg), {}).go);
+  EXPECT_FALSE(decide(on_a_leaning_guide(advised_deg + 0.5), {}).go);
+}
+
+TEST(Decision, AGuideThatHardlyLeansIsNoCriterion) {
+  EXPECT_EQ(decide(on_a_leaning_guide(2.9), {}).criteria.size(), 3U);
 }
 
 // 73 of 73 is the least that can promise 95 %: 73 / (73 + 1.96^2) = 0.950.

@@ -78,10 +78,11 @@ GravityTurn gravity_turn(const sim::Scenario& scenario) {
       }
       continue;
     }
-    result.apogee_m = std::max(result.apogee_m, s.z_m);
     if (s.vz_m_s < 0.0) {
       break;
     }
+    result.apogee_m = s.z_m;
+    result.apogee_s = time_s - *liftoff_s;
     if (!result.tilt_limit_s && std::atan2(s.vx_m_s, s.vz_m_s) > limit_rad) {
       result.tilt_limit_s = time_s - *liftoff_s;
     }

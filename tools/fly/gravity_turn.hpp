@@ -4,12 +4,17 @@
 #include <optional>
 
 #include "sim/scenario.hpp"
+#include "sim/units.hpp"
 
 namespace fantail::fly {
+
+/// A guide that leans less costs a straight line less than two in a hundred of its height.
+inline constexpr double slight_tilt_rad = 3.0 * sim::radians_per_degree;
 
 /// What a point mass does that points along its path as soon as it has left the guide.
 struct GravityTurn {
   double apogee_m = 0.0;
+  double apogee_s = 0.0;  ///< after lift-off
   std::optional<double>
       tilt_limit_s{};  ///< after lift-off, before apogee: the path leans more than the plan's tilt limit
 };

@@ -16,8 +16,6 @@ namespace {
 
 constexpr double speed_of_sound_m_s = 340.3;  // at 15 degrees Celsius; at 5 km it is 320
 constexpr double largest_mach = 0.7;
-// A guide that leans less costs a straight line less than two in a hundred of its height.
-constexpr double slight_tilt_rad = 3.0 * sim::radians_per_degree;
 // Canards stall at about 15 degrees to the flow, of which the plan's limit is a part.
 constexpr double linear_angle_rad = 15.0 * sim::radians_per_degree;
 

@@ -9,6 +9,7 @@
 #include <fmt/core.h>
 
 #include "predict/advice.hpp"
+#include "predict/leaning_guide.hpp"
 #include "predict/sentences.hpp"
 #include "text/number.hpp"
 
@@ -155,6 +156,7 @@ Criterion phase_margin(const Prediction& p, double threshold_rad) {
 std::vector<std::string> advice(const Decision& d, const Prediction& p) {
   LimitAdvice limit;
   GainAdvice gains;
+  std::string tilt;
   for (const Criterion& c : d.criteria) {
     if (c.judgement != Judgement::not_met) {
       continue;
@@ -163,9 +165,11 @@ std::vector<std::string> advice(const Decision& d, const Prediction& p) {
       limit = advice_on_canard_limit(p, d.thresholds.authority_share);
     } else if (c.key == "phase_margin" && p.worst_speed) {
       gains = advice_on_gains(p, std::max(comfortable_phase_margin_rad, d.thresholds.phase_margin_rad));
+    } else if (c.key == "tilt_limit") {
+      tilt = advice_on_tilt(p);
     }
   }
-  std::vector<std::string> all{limit.sentence, gains.sentence, trial(p, limit, gains)};
+  std::vector<std::string> all{limit.sentence, gains.sentence, trial(p, limit, gains), tilt};
   std::erase(all, "");
   return all;
 }
@@ -186,6 +190,9 @@ Decision decide(const Prediction& prediction, const Thresholds& thresholds) {
   Decision d{.thresholds = thresholds};
   d.criteria = {authority(prediction, thresholds.authority_share), held(prediction, thresholds.held_share),
                 phase_margin(prediction, thresholds.phase_margin_rad)};
+  if (const auto tilt = tilt_limit(prediction)) {
+    d.criteria.push_back(*tilt);
+  }
   d.go = std::ranges::all_of(d.criteria, [](const Criterion& c) { return c.judgement == Judgement::met; });
   d.text = fmt::format("{}: {}.", d.go ? "Go" : "No go", joined(d.criteria, d.go));
   if (const std::string missing = missing_spread(prediction); !missing.empty()) {

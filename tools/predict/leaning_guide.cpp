@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+#include "predict/leaning_guide.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/core.h>
+
+#include "fly/gravity_turn.hpp"
+#include "text/degrees.hpp"
+#include "text/number.hpp"
+
+namespace fantail::predict {
+namespace {
+
+using text::brief;
+using text::degrees;
+using text::fixed;
+
+// So shortly before apogee the air is slow and turns nothing much: a guide of five degrees, which is usual, is no
+// reason for a no go.
+constexpr double shortly_s = 1.0;
+
+/// After lift-off, of the run in which it ends last.
+std::optional<double> end_of_control_s(const Prediction& p) {
+  std::optional<double> last_s;
+  for (const Run& run : p.runs) {
+    for (std::size_t i = run.reference_rad.size(); i > 0; --i) {
+      if (run.reference_rad[i - 1]) {
+        last_s = std::max(last_s.value_or(0.0), track_step_s * static_cast<double>(i - 1));
+        break;
+      }
+    }
+  }
+  return last_s;
+}
+
+/// When it has to be, and when it is.
+struct Passing {
+  double not_before_s = 0.0;
+  std::optional<double> at_s{};
+
+  [[nodiscard]] bool too_early() const { return at_s && *at_s < not_before_s; }
+};
+
+Passing passing(const sim::Scenario& scenario, double end_of_control_s) {
+  const fly::GravityTurn turn = fly::gravity_turn(scenario);
+  return {.not_before_s = std::min(end_of_control_s, turn.apogee_s - shortly_s), .at_s = turn.tilt_limit_s};
+}
+
+}  // namespace
+
+std::optional<Criterion> tilt_limit(const Prediction& p) {
+  const auto end_s = end_of_control_s(p);
+  if (p.flown.guide_tilt_rad < fly::slight_tilt_rad || !end_s) {
+    return std::nullopt;
+  }
+  const Passing pass = passing(p.flown, *end_s);
+  const std::string limit = brief(degrees(static_cast<double>(p.flown.plan.run.tilt_limit.radians())), 1);
+  Criterion c{.key = "tilt_limit",
+              .label = fmt::format("Tilt limit of {} degrees under control, point mass", limit),
+              .found = pass.at_s ? fmt::format("passed {} s after lift-off", fixed(*pass.at_s, 2)) : "not passed",
+              .required = fmt::format("not before {} s", fixed(pass.not_before_s, 2)),
+              .judgement = pass.too_early() ? Judgement::not_met : Judgement::met};
+  if (pass.too_early()) {
+    c.clause = fmt::format(
+        "the guide leans by {} degrees: a point mass passes the plan's tilt limit of {} degrees {} s after lift-off, "
+        "and "
+        "control ends there; the simulated rocket keeps to the line of its guide and does not show it",
+        brief(degrees(p.flown.guide_tilt_rad), 1), limit, fixed(*pass.at_s, 1));
+  }
+  return c;
+}
+
+std::string advice_on_tilt(const Prediction& p) {
+  sim::Scenario scenario = p.flown;
+  for (double tilt_deg = std::floor(2.0 * degrees(p.flown.guide_tilt_rad)) / 2.0;
+       text::radians(tilt_deg) >= fly::slight_tilt_rad; tilt_deg -= 0.5) {
+    scenario.guide_tilt_rad = text::radians(tilt_deg);
+    if (!passing(scenario, end_of_control_s(p).value_or(0.0)).too_early()) {
+      return fmt::format("With a guide that leans by {} degrees a point mass would not pass the tilt limit too early.",
+                         brief(tilt_deg, 1));
+    }
+  }
+  return {};
+}
+
+}  // namespace fantail::predict
