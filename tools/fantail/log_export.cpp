@@ -237,7 +237,7 @@ void add_log_export(const Verb& log) {
   verb.option("--from", options->window.from_s, "Begin, s on the clock of time_s").check(objection_to_time);
   verb.option("--until", options->window.until_s, "End, s on the clock of time_s (--to is the format)")
       .check(objection_to_time);
-  verb.option("--flight", options->flight, "Which flight in a file with several, counted from 1");
+  add_flight_choice(verb, options->flight);
   verb.examples(
       "Examples:\n"
       "  fantail log export out/tasha3_launch2 --to ulog      for PlotJuggler: out/export/tasha3_launch2.ulg\n"

@@ -22,6 +22,12 @@ flight_log::Flight take_flight(flight_log::LogFile& file, const std::optional<st
   return std::move(file.flights[choice.value_or(1) - 1]);
 }
 
+void add_flight_choice(const Verb& verb, std::optional<std::size_t>& choice, const std::string& without) {
+  verb.option("--flight", choice, "Which flight in a file with several, counted from 1" + without)
+      .range(1, static_cast<double>(flight_log::most_flights))
+      .value_name("N");
+}
+
 std::string name_of_log(const std::filesystem::path& path) {
   std::filesystem::path whole = std::filesystem::absolute(path).lexically_normal();
   if (!whole.has_filename()) {  // it ended in a slash

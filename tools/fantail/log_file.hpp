@@ -15,6 +15,9 @@ namespace fantail::tool {
 /// of the file, the rest stays. Throws UsageError that says how many there are.
 [[nodiscard]] flight_log::Flight take_flight(flight_log::LogFile& file, const std::optional<std::size_t>& choice);
 
+/// Adds --flight N, of which take_flight() says how many there are.
+void add_flight_choice(const Verb& verb, std::optional<std::size_t>& choice, const std::string& without = "");
+
 /// What a log, or a folder with one, is called where its results are named: "flown" for flown.ftl, the folder for
 /// flight.ftl and flight.csv.
 [[nodiscard]] std::string name_of_log(const std::filesystem::path& path);

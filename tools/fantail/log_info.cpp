@@ -29,7 +29,7 @@ std::string heading(const flight_log::LogFile& file) {
     text += foreign + "\n";
   }
   if (file.records_left_out > 0) {
-    text += fmt::format("{} records behind flight {} are left out: no log has so many flights\n", file.records_left_out,
+    text += fmt::format("{} records behind flight {} are left out: no more flights are read\n", file.records_left_out,
                         file.flights.size());
   }
   return text;
@@ -85,7 +85,7 @@ void add_log_info(const Verb& log) {
   auto verb = log.verb("info", "What a flight log holds, whether it is intact, and whether a replay agrees");
   auto options = std::make_shared<InfoOptions>();
   verb.option("LOG", options->log, "A flight log (.ftl), or a folder with a flight.ftl").required();
-  verb.option("--flight", options->flight, "Which flight in a file with several, counted from 1 [all]");
+  add_flight_choice(verb, options->flight, " [all]");
   verb.flag("--json", options->json, "Print one JSON object");
   verb.examples(
       "Times count from lift-off, in the tunnel from control start.\n"

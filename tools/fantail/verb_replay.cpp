@@ -147,7 +147,7 @@ void fill(const Verb& verb) {
               "section.key=value: change one value of the plan and see which commands it would have given, in "
               "open loop; repeatable")
       .one_word_each_time();
-  verb.option("--flight", options->flight, "Which flight in a file with several, counted from 1");
+  add_flight_choice(verb, options->flight);
   verb.option("--out", options->out, "With --set: folder for what_if.html and what_if.csv [out/replay/NAME]")
       .check(objection_to_folder);
   verb.flag("--json", options->json, "Print one JSON object");
