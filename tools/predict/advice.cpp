@@ -129,16 +129,21 @@ std::string trial(const Prediction& p, const LimitAdvice& limit, const GainAdvic
   const std::size_t tried = std::min(most_runs, p.runs.size());
   std::size_t held = 0;
   std::size_t not_judged = 0;
+  std::string first_cause;
   for (std::size_t i = 0; i < tried; ++i) {
-    const report::Outcome outcome = fly_run(changed, p.runs[i].airframe, p.runs[i].seed).outcome;
-    held += outcome == report::Outcome::held ? 1 : 0;
-    not_judged += outcome == report::Outcome::not_judged ? 1 : 0;
+    const Run run = fly_run(changed, p.runs[i].airframe, p.runs[i].seed);
+    held += run.outcome == report::Outcome::held ? 1 : 0;
+    not_judged += run.outcome == report::Outcome::not_judged ? 1 : 0;
+    if (first_cause.empty() && run.outcome != report::Outcome::held) {
+      first_cause = fmt::format("run {}: {}", i, cause(run));
+    }
   }
   if (not_judged == tried) {
-    return fmt::format("Flown with this advice, none of the first {} can be judged.", runs(tried));
+    return fmt::format("Flown with this advice, none of the first {} can be judged ({}).", runs(tried), first_cause);
   }
   if (held == 0) {
-    return fmt::format("Flown with this advice, none of the first {} holds its roll: it is not enough.", runs(tried));
+    return fmt::format("Flown with this advice, none of the first {} holds its roll ({}): it is not enough.",
+                       runs(tried), first_cause);
   }
   return fmt::format("Flown with this advice, the roll is held in {} of the first {}{}.", held, runs(tried),
                      not_judged > 0 ? fmt::format(" and not judged in {} of them", not_judged) : "");
