@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "identify/result/uncertainty.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -44,6 +45,24 @@ TEST(Uncertainty, CanardsThatStandStillAreSaidToExciteNothing) {
   EXPECT_EQ(found.uncertainty->verdict,
             "alpha and beta are not identifiable from this window: too little excitation for the noise and length of "
             "this window");
+}
+
+// The beta that is written then is none that was found.
+TEST(Uncertainty, CanardsThatDidWhatTheNodesCouldHaveDoneLeaveBetaUnknownHoweverTheRocketRolled) {
+  for (const double trim_deg : {0.0, 2.0}) {
+    for (const bool start_fitted : {false, true}) {
+      Record record = planted_record({.node_deg = {3.0}, .canard_amplitude_deg = 0.0});
+      std::ranges::fill(record.canard_rad, radians_per_degree * trim_deg);
+      add_noise(record, {.angle_deg = 0.3}, 1);
+      const Identification found = identify(
+          record, tasha,
+          {.nodes = NodeTimes{0.0}, .start = start_fitted ? Start::fitted : Start::measured, .with_error_map = false});
+      EXPECT_FALSE(found.uncertainty->beta_identifiable) << found.uncertainty->standard_deviation[1];
+      EXPECT_NE(found.uncertainty->verdict.find("beta is not identifiable from this window: no excitation"),
+                std::string::npos)
+          << found.uncertainty->verdict;
+    }
+  }
 }
 
 TEST(Uncertainty, MoreNoiseMeansWiderIntervalsInProportion) {

@@ -37,6 +37,7 @@ struct Uncertainty {
   Interval alpha_profile_m2{};       ///< 95 %, from the profile of the likelihood: the one to trust for alpha
   std::optional<Spread> lag_s{};     ///< where the lag of the canards was fitted, too
   double effective_samples = 0.0;    ///< independent samples that would tell alpha and beta as well as these do
+  double degrees_of_freedom = 0.0;   ///< of Student's distribution behind the intervals
   double residual_rms_rad = 0.0;
   double residual_correlation_s = 0.0;  ///< over which time the residual remembers itself
   bool alpha_identifiable = false;

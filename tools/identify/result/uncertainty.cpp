@@ -6,6 +6,7 @@
 #include <functional>
 
 #include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 #include <fmt/core.h>
 
 #include "identify/closed_loop/closed_loop.hpp"
@@ -32,6 +33,23 @@ MatrixXd inverse_information(const MatrixXd& columns) {
   gram.diagonal().array() += 1e-14;
   const MatrixXd inverse = gram.ldlt().solve(MatrixXd::Identity(gram.rows(), gram.cols()));
   return length.cwiseInverse().asDiagonal() * inverse * length.cwiseInverse().asDiagonal();
+}
+
+// What the data do not tell apart at all, as variance of the numbers: along these directions they may be a thousand
+// times what they are. The inverse knows nothing of it, because what has no effect has no weight.
+MatrixXd undetermined(const MatrixXd& columns, const VectorXd& size) {
+  constexpr double nothing = 1e-12;  // of an eigenvalue: two columns differ by a millionth of their length
+  constexpr double times = 1e3;
+  const VectorXd length = columns.colwise().norm().cwiseMax(1e-300);
+  const MatrixXd unit = columns * length.cwiseInverse().asDiagonal();
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> gram{unit.transpose() * unit};
+  MatrixXd covariance = MatrixXd::Zero(columns.cols(), columns.cols());
+  for (Index k = 0; k < columns.cols() && gram.eigenvalues()(k) < nothing; ++k) {
+    const VectorXd direction = gram.eigenvectors().col(k).cwiseQuotient(length);
+    const VectorXd scaled = times / direction.cwiseQuotient(size).cwiseAbs().maxCoeff() * direction;
+    covariance += scaled * scaled.transpose();
+  }
+  return covariance;
 }
 
 VectorXd residual_of(const std::vector<double>& measured, const std::vector<double>& modelled) {
@@ -93,12 +111,6 @@ std::optional<double> crossing(const AlphaProfile& profile, const AlphaRange& ra
   return 0.5 * (inside + outside);
 }
 
-// Known within a factor of four: less, and the number is of no use to predict a flight.
-bool is_identifiable(const Interval& interval) {
-  constexpr double widest_factor = 4.0;
-  return interval.low && interval.high && *interval.low > 0.0 && *interval.high <= widest_factor * *interval.low;
-}
-
 std::string verdict(const Uncertainty& u, const RollModel& model, bool excited) {
   if (u.alpha_identifiable && u.beta_identifiable) {
     return "alpha and beta are identifiable from this window";
@@ -141,14 +153,21 @@ Uncertainty uncertainty_of(const Record& record, const RollModel& model, const S
                                  static_cast<double>(record.size());
     covariance += rate_variance * weight.of_start_rates * weight.of_start_rates.transpose();
   }
+  VectorXd size = VectorXd::Ones(fitted.cols());
+  const std::vector<double> found = model.numbers();
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    size(static_cast<Index>(k)) = std::max(std::abs(found[k]), 1e-6);
+  }
+  covariance += undetermined(fitted, size).topLeftCorner(covariance.rows(), covariance.cols());
 
   Uncertainty result;
   result.effective_samples = worth(static_cast<double>(record.size()), noise.variance_rad2, inverse, covariance);
   result.residual_rms_rad = std::sqrt(residual.squaredNorm() / static_cast<double>(record.size()));
   result.residual_correlation_s = (1.0 - noise.white_share) * noise.correlation_s;
   // Half of the samples go into finding out what the noise is like.
-  const double quantile =
-      student_975(0.5 * (noise.effective_samples(record.time_s) - static_cast<double>(fitted.cols())));
+  result.degrees_of_freedom =
+      std::max(0.5 * (noise.effective_samples(record.time_s) - static_cast<double>(fitted.cols())), 2.0);
+  const double quantile = student_975(result.degrees_of_freedom);
   const Index own = sensitivities.numbers.cols();
   const VectorXd all_deviations = covariance.diagonal().cwiseMax(0.0).cwiseSqrt();
   const VectorXd deviation = all_deviations.head(own);
@@ -158,10 +177,9 @@ Uncertainty uncertainty_of(const Record& record, const RollModel& model, const S
     result.lag_s = {.standard_deviation = all_deviations(own), .reach = quantile * all_deviations(own)};
   }
   result.standard_deviation.assign(deviation.begin(), deviation.end());
-  const std::vector<double> value = model.numbers();
-  for (std::size_t k = 0; k < value.size(); ++k) {
+  for (std::size_t k = 0; k < found.size(); ++k) {
     const double reach = quantile * result.standard_deviation[k];
-    result.interval.push_back({.low = value[k] - reach, .high = value[k] + reach});
+    result.interval.push_back({.low = found[k] - reach, .high = found[k] + reach});
   }
 
   // Where the profile has risen by as much as it would at that distance if it were a parabola.
@@ -178,6 +196,11 @@ Uncertainty uncertainty_of(const Record& record, const RollModel& model, const S
 }
 
 }  // namespace
+
+bool is_identifiable(const Interval& interval) {
+  constexpr double widest_factor = 4.0;
+  return interval.low && interval.high && *interval.low > 0.0 && *interval.high <= widest_factor * *interval.low;
+}
 
 double student_975(double degrees_of_freedom) {
   // Cornish-Fisher expansion around the normal quantile (Abramowitz and Stegun 26.7.5).

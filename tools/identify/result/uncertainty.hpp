@@ -19,6 +19,9 @@ namespace fantail::identify::result {
                                                   const closed_loop::Control& control, const model::RollModel& model,
                                                   const model::Simulation& simulation, model::Start start);
 
+/// Known within a factor of four: less, and the number is of no use to predict a flight.
+[[nodiscard]] bool is_identifiable(const Interval& interval);
+
 /// The least standard deviations that any unbiased method could reach (Cramer-Rao) with white angle noise and exactly
 /// known starts; in the order alpha, beta, nodes.
 [[nodiscard]] Eigen::VectorXd cramer_rao_standard_deviations(const model::Sensitivities& sensitivities,
