@@ -30,7 +30,7 @@ set(FANTAIL_LAYERS
   "tools/identify/model|sim text|Eigen/ fmt/"
   "tools/identify/closed_loop|core text identify/model|Eigen/ fmt/"
   "tools/identify/result|text json page identify/model identify/closed_loop|Eigen/ fmt/"
-  "tools/identify|sim text input logs identify/model identify/closed_loop identify/result|fmt/"
+  "tools/identify|sim text input logs identify/model identify/closed_loop identify/result|Eigen/ fmt/"
   "tools/tunnel|text json page flight logs identify identify/model|fmt/"
   "tools/replies|core protocol hal|"
   "tools/link|core protocol hal avionics text replies|fmt/"

@@ -159,6 +159,10 @@ double AlphaFit::least_squares_rad2() const {
   return (rest() - beta_m.value_or(0.0) * canard_rest()).squaredNorm();
 }
 
+SquaresOverBeta AlphaFit::squares_over_beta() const {
+  return {.measured = rest().squaredNorm(), .both = rest().dot(canard_rest()), .canards = canard_rest().squaredNorm()};
+}
+
 std::vector<double> AlphaFit::mean_abs_error_rad(const Axis& beta_m) const {
   // A few rows at a time stay in registers while they go along the axis.
   constexpr Eigen::Index together = 8;

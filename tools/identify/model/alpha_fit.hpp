@@ -68,6 +68,13 @@ class ResponseBasis {
   std::vector<Reset> resets_;
 };
 
+/// The sum of squared angle errors at one alpha, the nodes fitted: measured - 2 beta both + beta^2 canards, in rad2.
+struct SquaresOverBeta {
+  double measured = 0.0;
+  double both = 0.0;
+  double canards = 0.0;
+};
+
 /// The open-loop fit at one alpha. The best nodes for a beta leave the error  rest - beta canard_rest,  where both
 /// parts are what the nodes cannot explain: so one factorisation serves every beta.
 class AlphaFit {
@@ -80,6 +87,8 @@ class AlphaFit {
 
   /// The sum of squared angle errors at the best beta, or at any when there is no best.
   [[nodiscard]] double least_squares_rad2() const;
+
+  [[nodiscard]] SquaresOverBeta squares_over_beta() const;
 
   /// The mean absolute angle error at each value of the axis.
   [[nodiscard]] std::vector<double> mean_abs_error_rad(const Axis& beta_m) const;

@@ -89,6 +89,13 @@ RollModel fit_open_loop(const Record& record, const Airframe& airframe, const No
   return model;
 }
 
+RollModel fit_open_loop_with(double alpha_m2, double beta_m, const Record& record, const Airframe& airframe,
+                             const NodeTimes& nodes, Start start) {
+  RollModel model = AlphaFit{ResponseBasis{record, airframe, nodes, start}, alpha_m2}.model(beta_m, nodes);
+  add_starts(model, record);
+  return model;
+}
+
 Sensitivities open_loop_sensitivities(const Record& record, const Airframe& airframe, const RollModel& model) {
   const ResponseBasis basis{record, airframe, model.node_time_s, Start::fitted};
   const auto nodes = static_cast<Index>(basis.nodes());

@@ -25,6 +25,11 @@ struct GridResult {
 [[nodiscard]] RollModel fit_open_loop(const Record& record, const Airframe& airframe, const NodeTimes& nodes,
                                       Start start, const Grid& grid);
 
+/// The same with an alpha and a beta (not zero) that are known: only the disturbance, and starts that are to be fitted,
+/// are found by least squares.
+[[nodiscard]] RollModel fit_open_loop_with(double alpha_m2, double beta_m, const Record& record,
+                                           const Airframe& airframe, const NodeTimes& nodes, Start start);
+
 /// Of the open loop's angle. Exact but for alpha, which takes a central difference good to about 1e-8.
 [[nodiscard]] Sensitivities open_loop_sensitivities(const Record& record, const Airframe& airframe,
                                                     const RollModel& model);

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#include "identify/result/agreement.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <Eigen/LU>
+
+#include "identify/result/uncertainty.hpp"
+
+namespace fantail::identify::result {
+
+Constants constants_of(const Identification& result) {
+  const Uncertainty& u = *result.uncertainty;
+  const Eigen::Vector2d deviation{u.standard_deviation[0], u.standard_deviation[1]};
+  return {.value = {result.model.alpha_m2, result.model.beta_m},
+          .covariance = deviation.asDiagonal() * u.correlation.topLeftCorner<2, 2>() * deviation.asDiagonal(),
+          .degrees_of_freedom = u.degrees_of_freedom};
+}
+
+Interval interval_of(const Constants& constants, Eigen::Index which) {
+  const double reach = student_975(constants.degrees_of_freedom) * std::sqrt(constants.covariance(which, which));
+  return {.low = constants.value(which) - reach, .high = constants.value(which) + reach};
+}
+
+Agreement agreement(const std::vector<Constants>& estimates) {
+  Eigen::Matrix2d information = Eigen::Matrix2d::Zero();
+  Eigen::Vector2d weighted = Eigen::Vector2d::Zero();
+  double fewest = std::numeric_limits<double>::infinity();
+  for (const Constants& one : estimates) {
+    const Eigen::Matrix2d inverse = one.covariance.inverse();
+    information += inverse;
+    weighted += inverse * one.value;
+    fewest = std::min(fewest, one.degrees_of_freedom);
+  }
+  const Eigen::Vector2d mean = information.inverse() * weighted;
+  Agreement result;
+  for (const Constants& one : estimates) {
+    const Eigen::Vector2d away = one.value - mean;
+    result.chi_square += away.dot(one.covariance.inverse() * away);
+  }
+  const double widening = student_975(fewest) / student_975(1e9);
+  result.limit = widening * widening * chi_square_95(2.0 * static_cast<double>(estimates.size() - 1));
+  return result;
+}
+
+double chi_square_95(double degrees_of_freedom) {
+  constexpr double z = 1.6448536269514722;
+  const double share = 2.0 / (9.0 * degrees_of_freedom);
+  const double root = 1.0 - share + z * std::sqrt(share);
+  return degrees_of_freedom * root * root * root;
+}
+
+}  // namespace fantail::identify::result
