@@ -12,13 +12,18 @@
 #include "core/flight_plan_fields.hpp"
 #include "fantail/airframe_options.hpp"
 #include "fantail/command_line.hpp"
+#include "fantail/identify_options.hpp"
 #include "fantail/interrupt.hpp"
 #include "fantail/log_options.hpp"
 #include "fantail/run.hpp"
 #include "identify/choices.hpp"
+#include "identify/joint_fit.hpp"
 #include "identify/make_record.hpp"
+#include "identify/result/joint_outputs.hpp"
 #include "identify/result/outputs.hpp"
+#include "identify/result/validation_outputs.hpp"
 #include "identify/study.hpp"
+#include "identify/validate.hpp"
 #include "input/document.hpp"
 #include "input/messages.hpp"
 #include "input/plan_file.hpp"
@@ -28,113 +33,8 @@
 namespace fantail::tool {
 namespace {
 
-/// What a person may say to `fantail identify`, as typed.
-struct IdentifyOptions {
-  std::string data;
-  LogOptions log;
-
-  std::optional<double> from_s;
-  std::optional<double> to_s;
-  std::vector<std::string> windows;
-  double lag_s = 0.0;
-  bool fit_lag = false;
-  bool fit_initial = false;
-
-  AirframeOptions airframe;
-  std::optional<std::string> density;
-  std::optional<double> elevation_m;
-  std::optional<double> speed_m_s;
-
-  std::string nodes = "even:1";
-  std::string method = "continuous";
-  std::string grid_alpha;  ///< A:B:STEP, empty: as published
-  std::string grid_beta;
-
-  std::string loop = "open";
-  std::optional<std::string> plan;
-  std::optional<double> proportional_gain;
-  std::optional<double> derivative_gain_s;
-  std::optional<double> limit_deg;
-  double servo_lag_s = 0.0;
-
-  bool json = false;
-  std::string out;
-};
-
-std::string objection_to_axis(const std::string& text) {
-  return identify::parse_axis(text)
-             ? ""
-             : '"' + text + "\": expected FIRST:LAST:STEP above 0, as in 1:60:1, with at most 1000 values";
-}
-
-void add_reading(const Verb& verb, IdentifyOptions& o) {
-  verb.option("DATA", o.data, "A CSV file, a flight log (.ftl), or a folder that `fantail fly` wrote").required();
-  add_log_options(verb, o.log);
-}
-
-void add_windows(const Verb& verb, IdentifyOptions& o) {
-  auto from =
-      verb.option("--from", o.from_s, "Start of the window on the log's clock, in seconds").check(within(-1e6, 1e6));
-  auto to = verb.option("--to", o.to_s, "End of the window, in seconds").check(within(-1e6, 1e6));
-  verb.option("--window", o.windows,
-              "control, thrust, coast, step:N or A:B in seconds; several, each by itself [control, or all of a log "
-              "without phases]")
-      .one_word_each_time()
-      .excludes(from)
-      .excludes(to);
-  auto lag = verb.option("--lag", o.lag_s, "Seconds by which the canard column lags the gyro's")
-                 .check(within(-1.0, 1.0))
-                 .show_default();
-  verb.flag("--fit-lag", o.fit_lag, "Find that lag, up to 50 ms either way, with its interval").excludes(lag);
-  verb.flag("--fit-initial", o.fit_initial, "Fit the first angle and rate, too, instead of taking them as measured");
-}
-
-void add_rocket(const Verb& verb, IdentifyOptions& o) {
-  add_airframe_options(verb, o.airframe);
-  verb.option("--density", o.density,
-              "Air density: kg/m3, exponential or isa [exponential if the log climbs, else 1.2]");
-  verb.option("--elevation", o.elevation_m, "Of the site above the sea, for the standard atmosphere")
-      .check(within(-500, 9000))
-      .value_name("M");
-  verb.option("--speed", o.speed_m_s, "In m/s, the same throughout, instead of the log's").check(within(0.1, 1e4));
-}
-
-void add_method(const Verb& verb, IdentifyOptions& o) {
-  verb.option("--nodes", o.nodes,
-              "Of the disturbance: seconds on the log's clock as in 0,5; even:N; thrust:N,coast:M; auto")
-      .show_default();
-  verb.option("--method", o.method,
-              "grid (as published; its intervals include the rounding to the grid), continuous or both")
-      .one_of({"grid", "continuous", "both"})
-      .show_default();
-  verb.option("--grid-alpha", o.grid_alpha,
-              "FIRST:LAST:STEP in m2 [1:60:1 for an area of 5.03e-5 m2, else in inverse proportion]")
-      .check(objection_to_axis);
-  verb.option("--grid-beta", o.grid_beta, "FIRST:LAST:STEP in m [5:15:0.5, likewise]").check(objection_to_axis);
-  verb.option("--loop", o.loop, "open: canards as measured; closed: as the controller commands in the model")
-      .one_of({"open", "closed"})
-      .show_default();
-  verb.option("--plan", o.plan, "Closed loop: gains and limit of a shipped plan or a path");
-  verb.option("--kp", o.proportional_gain, "Closed loop: canard angle per roll angle error").check(within(0, 100));
-  verb.option("--kd", o.derivative_gain_s, "Closed loop: canard angle per roll rate, in s").check(within(0, 100));
-  verb.option("--limit", o.limit_deg, "Closed loop: canard limit in degrees").check(within(0.01, 90));
-  verb.option("--servo-lag", o.servo_lag_s, "Closed loop: first-order lag of the servos in s")
-      .check(within(0, 1))
-      .show_default();
-}
-
-void add_identify_options(const Verb& verb, IdentifyOptions& options) {
-  add_reading(verb, options);
-  add_windows(verb, options);
-  add_rocket(verb, options);
-  add_method(verb, options);
-  verb.flag("--json", options.json, "Print one JSON object instead of the text");
-  verb.option("--out", options.out, "Folder for report.html, model.csv and identification.json [out/identify/DATA]")
-      .check(objection_to_folder);
-}
-
-logs::RollLog read(const IdentifyOptions& o) {
-  return logs::read_roll_log(o.data, reading(o.log), {.canard = o.loop == "open", .speed = !o.speed_m_s});
+logs::RollLog read(const IdentifyOptions& o, const std::string& data) {
+  return logs::read_roll_log(data, reading(o.log), {.canard = o.loop == "open", .speed = !o.speed_m_s});
 }
 
 std::vector<identify::Window> windows(const IdentifyOptions& o, const logs::RollLog& log) {
@@ -193,29 +93,38 @@ identify::Question question(const IdentifyOptions& o) {
   return q;
 }
 
-// "out/identify/tasha3_launch2" for a folder, ".../log" for log.csv.
-std::filesystem::path output_folder(const IdentifyOptions& o) {
-  if (!o.out.empty()) {
-    return o.out;
-  }
-  std::filesystem::path data = std::filesystem::absolute(o.data).lexically_normal();
+// "tasha3_launch2" for a folder, "log" for log.csv.
+std::string name_of_data(const std::string& text) {
+  std::filesystem::path data = std::filesystem::absolute(text).lexically_normal();
   if (!data.has_filename()) {  // it ended in a slash
     data = data.parent_path();
   }
   const bool is_file = data.extension() == ".csv" || data.extension() == ".ftl";
-  return std::filesystem::path{"out"} / "identify" / (is_file ? data.stem() : data.filename());
+  return (is_file ? data.stem() : data.filename()).string();
 }
 
-void identify_data(const IdentifyOptions& o) {
+std::filesystem::path output_folder(const IdentifyOptions& o) {
+  if (!o.out.empty()) {
+    return o.out;
+  }
+  constexpr std::size_t longest = 100;  // a file system takes 255 bytes, and a person reads less
+  std::string name;
+  for (const std::string& data : o.data) {
+    name += fmt::format("{}{}", name.empty() ? "" : "+", name_of_data(data));
+  }
+  return std::filesystem::path{"out"} / (o.validate ? "validate" : "identify") / name.substr(0, longest);
+}
+
+identify::result::Study study_of(const IdentifyOptions& o, const std::string& data) {
   identify::Question q = question(o);
-  const NamedAirframe rocket = named_airframe(o.airframe, o.data);
+  const NamedAirframe rocket = named_airframe(o.airframe, data);
   q.airframe = rocket.airframe;
   const identify::model::Grid published = identify::model::published_grid(q.airframe);
   q.options.grid.alpha_m2 = identify::parse_axis(o.grid_alpha).value_or(published.alpha_m2);
   q.options.grid.beta_m = identify::parse_axis(o.grid_beta).value_or(published.beta_m);
-  const logs::RollLog log = read(o);
+  const logs::RollLog log = read(o, data);
   if (o.log.save_map) {
-    save_column_map(o.log.map, o.data, "--columns");
+    save_column_map(o.log.map, data, "--columns");
   }
   const identify::Air air = identify::choose_air(log, o.density, o.elevation_m);
   q.record.atmosphere = air.atmosphere;
@@ -233,17 +142,126 @@ void identify_data(const IdentifyOptions& o) {
   result.speed = o.speed_m_s   ? input::plain_number(*o.speed_m_s) + " m/s throughout"
                  : o.log.truth ? "true_speed_m_s"
                                : "speed_m_s";
+  return result;
+}
 
+void print(const std::string& text, const std::filesystem::path& folder, const std::vector<std::string>& models) {
+  fmt::print("{}\n  report  {}\n", text, (folder / "report.html").string());
+  for (const std::string& name : models) {
+    fmt::print("  model   {}\n", (folder / name).string());
+  }
+}
+
+void identify_one(const IdentifyOptions& o) {
+  const identify::result::Study result = study_of(o, o.data.front());
   give_up_if_interrupted();
   const std::filesystem::path folder = output_folder(o);
   write_study(result, folder);
   if (o.json) {
     fmt::print("{}", as_json(result));
-    return;
+  } else {
+    print(as_text(result), folder, model_csv_names(result));
   }
-  fmt::print("{}\n  report  {}\n", as_text(result), (folder / "report.html").string());
-  for (const std::string& name : model_csv_names(result)) {
-    fmt::print("  model   {}\n", (folder / name).string());
+}
+
+void require_one_open_loop_fit(const IdentifyOptions& o, const std::string& option) {
+  if (o.loop == "closed") {
+    throw UsageError{option + " is for the open loop only; allowed with --loop open"};
+  }
+  if (o.method != "continuous") {
+    throw UsageError{option + " has no use for a grid; allowed with --method continuous"};
+  }
+}
+
+/// What is the same for all stands once, what is not is named with its log.
+std::string of_all(const std::vector<identify::result::Study>& studies, std::string identify::result::Study::* what) {
+  std::string all;
+  for (const auto& study : studies) {
+    if (study.*what != studies.front().*what) {
+      for (const auto& each : studies) {
+        all += fmt::format("{}{}: {}", all.empty() ? "" : "; ", each.data, each.*what);
+      }
+      return all;
+    }
+  }
+  return studies.front().*what;
+}
+
+void identify_together(const IdentifyOptions& asked) {
+  require_one_open_loop_fit(asked, "--shared");
+  IdentifyOptions o = asked;
+  o.fit_initial = true;
+  std::vector<identify::result::Study> studies;
+  std::size_t windows = 0;
+  for (const std::string& data : o.data) {
+    studies.push_back(study_of(o, data));
+    windows += studies.back().windows.size();
+    give_up_if_interrupted();
+  }
+  if (windows < 2) {
+    throw UsageError{"--shared: one window has nothing to share with; give several logs, or several times --window"};
+  }
+  identify::result::JointFindings result = identify::fit_jointly(studies);
+  result.vehicle = of_all(studies, &identify::result::Study::vehicle);
+  result.density = of_all(studies, &identify::result::Study::density);
+  result.speed = of_all(studies, &identify::result::Study::speed);
+  for (const auto& study : studies) {
+    for (const std::string& warning : study.warnings) {
+      result.warnings.push_back(study.data + ": " + warning);
+    }
+  }
+  if (result.vehicle != studies.front().vehicle) {
+    result.warnings.emplace_back("The vehicles differ, and one damping and one torque is looked for all the same.");
+  }
+  give_up_if_interrupted();
+  const std::filesystem::path folder = output_folder(o);
+  write_joint(result, folder);
+  if (o.json) {
+    fmt::print("{}", as_json(result));
+  } else {
+    print(as_text(result), folder, model_csv_names(result));
+  }
+}
+
+void validate_model(const IdentifyOptions& o) {
+  require_one_open_loop_fit(o, "--validate");
+  const identify::result::KnownModel model = identify::result::read_model(*o.validate);
+  const identify::result::Study studied = study_of(o, o.data.front());
+  identify::result::Validation result = identify::validate(
+      model, studied, o.fit_initial ? identify::model::Start::fitted : identify::model::Start::measured);
+  result.data = studied.data;
+  result.vehicle = studied.vehicle;
+  result.density = studied.density;
+  result.speed = studied.speed;
+  result.warnings = studied.warnings;
+  if (model.reference_area_m2 != studied.airframe.reference_area_m2) {
+    result.warnings.push_back(fmt::format("The model counts with a reference area of {} m2; it was converted to {} m2.",
+                                          input::about(model.reference_area_m2),
+                                          input::about(studied.airframe.reference_area_m2)));
+  }
+  give_up_if_interrupted();
+  const std::filesystem::path folder = output_folder(o);
+  write_validation(result, folder);
+  if (o.json) {
+    fmt::print("{}", as_json(result));
+  } else {
+    print(as_text(result), folder, model_csv_names(result));
+  }
+}
+
+void identify_data(const IdentifyOptions& o) {
+  if (o.validate) {
+    if (o.data.size() > 1) {
+      throw UsageError{"--validate: a model is held against one log at a time"};
+    }
+    validate_model(o);
+  } else if (!o.shared.empty()) {
+    identify_together(o);
+  } else if (o.data.size() == 1) {
+    identify_one(o);
+  } else {
+    throw UsageError{fmt::format(
+        "{} logs: name what they have in common with --shared alpha,beta, or identify each by itself", o.data.size())};
   }
 }
 
@@ -257,6 +275,11 @@ void fill(const Verb& verb) {
       "  fantail identify run7.csv --columns time=t:ms,roll_rate=p:rad/s,canard=fin:deg --save-columns --speed 22\n"
       "      --inertia 0.00393 --area 5.0265e-5 --elevation 1400 --window 0:5 --window 5:10\n"
       "                                          another logger's tunnel run, two steps of it, each by itself\n"
+      "  fantail identify flight1 flight2 --shared alpha,beta\n"
+      "                                          one roll model of several flights of one rocket, and whether they "
+      "agree\n"
+      "  fantail identify flight3 --validate out/identify/flight1+flight2\n"
+      "                                          does the model that was found there hold in another flight?\n"
       "  fantail identify out/tasha3_launch1 --nodes thrust:2,coast:2 --loop closed\n"
       "      --plan tasha3_launch1 --json        canards as the controller commands them, for a script");
   verb.action([options] { identify_data(*options); });

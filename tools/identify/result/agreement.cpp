@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 
 #include <Eigen/LU>
@@ -10,6 +11,14 @@
 #include "identify/result/uncertainty.hpp"
 
 namespace fantail::identify::result {
+namespace {
+
+double limit(std::size_t numbers, double fewest_degrees_of_freedom) {
+  const double widening = student_975(fewest_degrees_of_freedom) / student_975(1e9);
+  return widening * widening * chi_square_95(static_cast<double>(numbers));
+}
+
+}  // namespace
 
 Constants constants_of(const Identification& result) {
   const Uncertainty& u = *result.uncertainty;
@@ -40,9 +49,15 @@ Agreement agreement(const std::vector<Constants>& estimates) {
     const Eigen::Vector2d away = one.value - mean;
     result.chi_square += away.dot(one.covariance.inverse() * away);
   }
-  const double widening = student_975(fewest) / student_975(1e9);
-  result.limit = widening * widening * chi_square_95(2.0 * static_cast<double>(estimates.size() - 1));
+  result.limit = limit(2 * (estimates.size() - 1), fewest);
   return result;
+}
+
+Agreement difference(const Constants& a, const Constants& b) {
+  const Eigen::Vector2d away = a.value - b.value;
+  const Eigen::Matrix2d covariance = a.covariance + b.covariance;
+  return {.chi_square = away.dot(covariance.inverse() * away),
+          .limit = limit(2, std::min(a.degrees_of_freedom, b.degrees_of_freedom))};
 }
 
 double chi_square_95(double degrees_of_freedom) {

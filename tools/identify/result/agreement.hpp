@@ -31,9 +31,15 @@ struct Agreement {
   [[nodiscard]] bool agree() const { return chi_square <= limit; }
 };
 
+/// Differences of alpha and beta that are no larger, as a share of them, do not matter: a prediction has larger errors.
+inline constexpr double no_matter = 0.02;
+
 /// Of two or more. The limit is the quantile of the chi-square distribution, and wider where a covariance rests on few
 /// degrees of freedom.
 [[nodiscard]] Agreement agreement(const std::vector<Constants>& estimates);
+
+/// Of two estimates, of which one may be exact: no covariance and endless degrees of freedom.
+[[nodiscard]] Agreement difference(const Constants& a, const Constants& b);
 
 /// 95 % of the chi-square distribution lie below (Wilson and Hilferty, 1931): to 1 % from 2 degrees of freedom on.
 [[nodiscard]] double chi_square_95(double degrees_of_freedom);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include <charconv>
 #include <cmath>
 #include <iterator>
 
 #include <fmt/format.h>
 
 #include "identify/result/formatting.hpp"
+#include "identify/result/json_numbers.hpp"
 #include "identify/result/outputs.hpp"
 #include "json/value.hpp"
 #include "text/degrees.hpp"
@@ -18,32 +18,11 @@ using namespace model;
 using Json = json::Value;
 using text::degrees;
 
-// Eight digits: more than any of these numbers is known to, and no ...0000001. What is no number becomes null.
-double rounded(double value) {
-  double result = value;
-  const std::string text = fmt::format("{:.8g}", value);
-  std::from_chars(text.data(), text.data() + text.size(), result);
-  return result == 0.0 ? 0.0 : result;
-}
-
-Json list(const std::vector<double>& values, double scale = 1.0) {
-  Json out = Json::array();
-  for (const double value : values) {
-    out.push_back(rounded(scale * value));
-  }
-  return out;
-}
-
 std::vector<double> on_clock(const Record& record, std::vector<double> time_s) {
   for (double& each : time_s) {
     each += record.window_begin_s;
   }
   return time_s;
-}
-
-Json pair(const Interval& interval, double scale = 1.0) {
-  const auto end = [&](const std::optional<double>& value) { return value ? rounded(scale * *value) : Json{}; };
-  return Json::array({end(interval.low), end(interval.high)});
 }
 
 void add_uncertainty(Json& json, const Uncertainty& u) {
@@ -63,6 +42,7 @@ void add_uncertainty(Json& json, const Uncertainty& u) {
     json["correlation"].push_back(list({row.begin(), row.end()}));
   }
   json["effective_samples"] = rounded(u.effective_samples);
+  json["degrees_of_freedom"] = rounded(u.degrees_of_freedom);
   json["alpha_identifiable"] = u.alpha_identifiable;
   json["beta_identifiable"] = u.beta_identifiable;
   json["verdict"] = u.verdict;

@@ -75,7 +75,10 @@ std::string with_deviation(const Identification& result, std::size_t number, dou
   if (!result.uncertainty) {
     return text::fixed(value, most_decimals);
   }
-  const double deviation = scale * result.uncertainty->standard_deviation[number];
+  return value_with_deviation(value, scale * result.uncertainty->standard_deviation[number]);
+}
+
+std::string value_with_deviation(double value, double deviation) {
   const int places = decimals(deviation);
   return text::fixed(value, places) + " +- " + text::fixed(deviation, places);
 }

@@ -18,6 +18,9 @@ namespace fantail::identify::result {
 /// shown.
 [[nodiscard]] std::string with_deviation(const Identification& result, std::size_t number, double scale = 1.0);
 
+/// The same for numbers that are no Identification's.
+[[nodiscard]] std::string value_with_deviation(double value, double deviation);
+
 /// "22.1 to 23.7", "above 22.1", "below 23.7" or "not bounded by this window".
 [[nodiscard]] std::string interval_text(const Interval& interval, double scale = 1.0);
 

@@ -28,6 +28,12 @@ struct JointFindings {
   std::string density{};
   std::string speed{};
   std::vector<std::string> warnings{};
+
+  [[nodiscard]] bool determines_both() const;
+  /// Of any window's own alpha or beta from the common one, as a share of that; of windows that determine both.
+  [[nodiscard]] double largest_difference() const;
+  /// No more than their noise explains, or too little to matter.
+  [[nodiscard]] bool are_of_one_rocket() const;
 };
 
 }  // namespace fantail::identify::result

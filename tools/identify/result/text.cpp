@@ -76,7 +76,7 @@ class Text {
     row(window, "mean rate error / deg/s",
         [](const Identification& r) { return text::fixed(text::degrees(r.simulation.mean_abs_rate_error_rad_s), 2); });
     line("  residual of the rate: its correlation with");
-    row(window, "  itself, up to 0.2 s later",
+    row(window, "  itself, within 0.2 s",
         [](const Identification& r) { return residual_text(r, &ResidualTests::own_correlation); });
     row(window, "  the canards",
         [](const Identification& r) { return residual_text(r, &ResidualTests::canard_correlation); });

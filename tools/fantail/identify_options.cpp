@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+#include "fantail/identify_options.hpp"
+
+#include "identify/choices.hpp"
+
+namespace fantail::tool {
+namespace {
+
+std::string objection_to_axis(const std::string& text) {
+  return identify::parse_axis(text)
+             ? ""
+             : '"' + text + "\": expected FIRST:LAST:STEP above 0, as in 1:60:1, with at most 1000 values";
+}
+
+void add_reading(const Verb& verb, IdentifyOptions& o) {
+  verb.option("DATA", o.data,
+              "A CSV file, a flight log (.ftl), or a folder that `fantail fly` wrote; several with --shared")
+      .required();
+  auto shared =
+      verb.option(
+              "--shared", o.shared,
+              "alpha,beta: one pair of them for all logs and windows, each with a disturbance and a start of its own")
+          .one_of({"alpha,beta"});
+  verb.option("--validate", o.validate,
+              "Hold the model of an earlier identification against this log: its alpha and beta, a disturbance of this "
+              "log's own [into out/validate/DATA]")
+      .value_name("FOLDER|FILE")
+      .excludes(shared);
+  add_log_options(verb, o.log);
+}
+
+void add_windows(const Verb& verb, IdentifyOptions& o) {
+  auto from =
+      verb.option("--from", o.from_s, "Start of the window on the log's clock, in seconds").check(within(-1e6, 1e6));
+  auto to = verb.option("--to", o.to_s, "End of the window, in seconds").check(within(-1e6, 1e6));
+  verb.option("--window", o.windows,
+              "control, thrust, coast, step:N or A:B in seconds; several, each by itself [control, or all of a log "
+              "without phases]")
+      .one_word_each_time()
+      .excludes(from)
+      .excludes(to);
+  auto lag = verb.option("--lag", o.lag_s, "Seconds by which the canard column lags the gyro's")
+                 .check(within(-1.0, 1.0))
+                 .show_default();
+  verb.flag("--fit-lag", o.fit_lag, "Find that lag, up to 50 ms either way, with its interval").excludes(lag);
+  verb.flag("--fit-initial", o.fit_initial, "Fit the first angle and rate, too, instead of taking them as measured");
+}
+
+void add_rocket(const Verb& verb, IdentifyOptions& o) {
+  add_airframe_options(verb, o.airframe);
+  verb.option("--density", o.density,
+              "Air density: kg/m3, exponential or isa [exponential if the log climbs, else 1.2]");
+  verb.option("--elevation", o.elevation_m, "Of the site above the sea, for the standard atmosphere")
+      .check(within(-500, 9000))
+      .value_name("M");
+  verb.option("--speed", o.speed_m_s, "In m/s, the same throughout, instead of the log's").check(within(0.1, 1e4));
+}
+
+void add_method(const Verb& verb, IdentifyOptions& o) {
+  verb.option("--nodes", o.nodes,
+              "Of the disturbance: seconds on the log's clock as in 0,5; even:N; thrust:N,coast:M; auto")
+      .show_default();
+  verb.option("--method", o.method,
+              "grid (as published; its intervals include the rounding to the grid), continuous or both")
+      .one_of({"grid", "continuous", "both"})
+      .show_default();
+  verb.option("--grid-alpha", o.grid_alpha,
+              "FIRST:LAST:STEP in m2 [1:60:1 for an area of 5.03e-5 m2, else in inverse proportion]")
+      .check(objection_to_axis);
+  verb.option("--grid-beta", o.grid_beta, "FIRST:LAST:STEP in m [5:15:0.5, likewise]").check(objection_to_axis);
+  verb.option("--loop", o.loop, "open: canards as measured; closed: as the controller commands in the model")
+      .one_of({"open", "closed"})
+      .show_default();
+  verb.option("--plan", o.plan, "Closed loop: gains and limit of a shipped plan or a path");
+  verb.option("--kp", o.proportional_gain, "Closed loop: canard angle per roll angle error").check(within(0, 100));
+  verb.option("--kd", o.derivative_gain_s, "Closed loop: canard angle per roll rate, in s").check(within(0, 100));
+  verb.option("--limit", o.limit_deg, "Closed loop: canard limit in degrees").check(within(0.01, 90));
+  verb.option("--servo-lag", o.servo_lag_s, "Closed loop: first-order lag of the servos in s")
+      .check(within(0, 1))
+      .show_default();
+}
+
+}  // namespace
+
+void add_identify_options(const Verb& verb, IdentifyOptions& options) {
+  add_reading(verb, options);
+  add_windows(verb, options);
+  add_rocket(verb, options);
+  add_method(verb, options);
+  verb.flag("--json", options.json, "Print one JSON object instead of the text");
+  verb.option("--out", options.out,
+              "Folder for report.html, model.csv and identification.json [out/identify/DATA, with "
+              "several A+B]")
+      .check(objection_to_folder);
+}
+
+}  // namespace fantail::tool

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "fantail/airframe_options.hpp"
+#include "fantail/command_line.hpp"
+#include "fantail/log_options.hpp"
+
+namespace fantail::tool {
+
+/// What a person may say to `fantail identify`, as typed.
+struct IdentifyOptions {
+  std::vector<std::string> data;
+  std::string shared;                   ///< "alpha,beta"; empty: each log by itself
+  std::optional<std::string> validate;  ///< an identification.json, or its folder
+  LogOptions log;
+
+  std::optional<double> from_s;
+  std::optional<double> to_s;
+  std::vector<std::string> windows;
+  double lag_s = 0.0;
+  bool fit_lag = false;
+  bool fit_initial = false;
+
+  AirframeOptions airframe;
+  std::optional<std::string> density;
+  std::optional<double> elevation_m;
+  std::optional<double> speed_m_s;
+
+  std::string nodes = "even:1";
+  std::string method = "continuous";
+  std::string grid_alpha;  ///< A:B:STEP, empty: as published
+  std::string grid_beta;
+
+  std::string loop = "open";
+  std::optional<std::string> plan;
+  std::optional<double> proportional_gain;
+  std::optional<double> derivative_gain_s;
+  std::optional<double> limit_deg;
+  double servo_lag_s = 0.0;
+
+  bool json = false;
+  std::string out;
+};
+
+void add_identify_options(const Verb& verb, IdentifyOptions& options);
+
+}  // namespace fantail::tool

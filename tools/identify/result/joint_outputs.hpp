@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "identify/result/joint_findings.hpp"
+
+namespace fantail::identify::result {
+
+/// "out/a, control": a window where there are several logs.
+[[nodiscard]] std::string name(const JointWindow& window);
+
+/// What the windows say together, as far as they agree: a heading for it, and sentences.
+[[nodiscard]] std::string heading_of(const JointFindings& findings);
+[[nodiscard]] std::vector<std::string> conclusions(const JointFindings& findings);
+
+/// For a terminal: a row a window, what it says by itself, and all of them together.
+[[nodiscard]] std::string as_text(const JointFindings& findings);
+/// report.html, with alpha and beta of each window beside those of all.
+[[nodiscard]] std::string as_html(const JointFindings& findings);
+/// One object: alpha and beta with sd, correlation and interval, the chi-square, and a list "windows".
+[[nodiscard]] std::string as_json(const JointFindings& findings);
+
+/// model_1.csv, model_2.csv, ... in the order of the windows.
+[[nodiscard]] std::vector<std::string> model_csv_names(const JointFindings& findings);
+
+/// Writes report.html, identification.json and the CSVs, all or none. Throws text::OutputError.
+void write_joint(const JointFindings& findings, const std::filesystem::path& folder);
+
+}  // namespace fantail::identify::result
