@@ -32,6 +32,7 @@ void add_bench_watch(const Verb& bench);
 void add_bench_limits(const Verb& bench);
 void add_bench_step(const Verb& bench);
 void add_bench_sine(const Verb& bench);
+void add_bench_cycle(const Verb& bench);
 void add_bench_hold(const Verb& bench);
 void add_bench_arm(const Verb& bench);
 void add_bench_plan(const Verb& bench);

@@ -47,6 +47,7 @@ void fill(const Verb& bench) {
   add_bench_limits(bench);
   add_bench_step(bench);
   add_bench_sine(bench);
+  add_bench_cycle(bench);
   add_bench_hold(bench);
   add_bench_arm(bench);
   add_bench_plan(bench);
