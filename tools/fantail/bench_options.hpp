@@ -37,5 +37,6 @@ void add_bench_hold(const Verb& bench);
 void add_bench_arm(const Verb& bench);
 void add_bench_plan(const Verb& bench);
 void add_bench_log(const Verb& bench);
+void add_bench_zero(const Verb& bench);
 
 }  // namespace fantail::tool
