@@ -94,6 +94,12 @@ TEST(Cycle, WithoutABatteryVoltageThereIsNoColumnForIt) {
   EXPECT_EQ(conclusions(cycle).back(), "The avionics does not report a battery voltage, so nothing is said of it.");
 }
 
+TEST(Cycle, ANameFromAFileDoesNotCommandTheTerminal) {
+  Cycle cycle = rising(2);
+  cycle.heading.vehicle = "a\x1b[2J\nb";
+  EXPECT_NE(cycle_text(cycle).find("  vehicle   a?[2J?b\n"), std::string::npos);
+}
+
 // Against the record itself: a canard that stands off by a quarter of a degree has that error in every tick.
 TEST(Cycle, TheErrorOfALapIsThatOfTheRamps) {
   const Exercise lap = Exercise::limits_together(six_degrees());

@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include "bench/cycle.hpp"
+#include "bench/sheet_parts.hpp"
 #include "text/degrees.hpp"
 #include "text/number.hpp"
 
@@ -41,7 +42,7 @@ class Page {
                                        {"date", h.date},
                                        {"avionics", h.avionics}}) {
       if (!value.empty()) {
-        out_ += fmt::format("  {:<10}{}\n", label, value);
+        out_ += fmt::format("  {:<10}{}\n", label, printable(value));
       }
     }
   }
