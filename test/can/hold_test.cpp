@@ -81,15 +81,22 @@ TEST_F(AtARocket, HoldGoesOnUntilASignalEndsItWithTheCanardsCentred) {
 
 TEST_F(AtARocket, HoldIsRefusedWhileAnotherBenchHoldsACanard) {
   Ear ear{"vcan0"};
-  Program first{{"bench", "hold", "3", "4", "--can", "vcan0"}};
-  ASSERT_TRUE(first.says("canard 3: asked +4.00 deg"));
-  const Outcome second = fantail({"bench", "hold", "3", "-4", "--can", "vcan0", "--for", "1"});
-  EXPECT_EQ(second.exit_code, 74);
-  EXPECT_PRED2(contains, second.err, "another bench has the session");
-  EXPECT_TRUE(ear.until([&] { return farthest_deg(ear.newest<CommandReport>().angle) > 3.9F; })) << "still held";
-  first.signal(SIGTERM);
-  EXPECT_EQ(first.outcome().exit_code, 0) << first.outcome().err;
-  EXPECT_TRUE(centred(ear));
+  for (int attempt = 0; attempt < 5; ++attempt) {
+    Program first{{"bench", "hold", "3", "4", "--can", "vcan0"}};
+    EXPECT_TRUE(first.says("canard 3: asked +4.00 deg") || first.ended());
+    const Outcome second = fantail({"bench", "hold", "3", "-4", "--can", "vcan0", "--for", "1"});
+    if (first.ended() && starved(first.outcome())) {
+      continue;
+    }
+    EXPECT_EQ(second.exit_code, 74);
+    EXPECT_PRED2(contains, second.err, "another bench has the session");
+    EXPECT_TRUE(ear.until([&] { return farthest_deg(ear.newest<CommandReport>().angle) > 3.9F; })) << "still held";
+    first.signal(SIGTERM);
+    EXPECT_EQ(first.outcome().exit_code, 0) << first.outcome().err;
+    EXPECT_TRUE(centred(ear));
+    return;
+  }
+  ADD_FAILURE() << "this machine is too busy";
 }
 
 }  // namespace

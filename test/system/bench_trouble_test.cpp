@@ -51,6 +51,8 @@ TEST(BenchSheet, ThatCannotBeWrittenIsSaidBeforeTheBusIsTouched) {
   for (const std::string& in_the_way : {file, std::string{"/dev/full"}}) {
     for (const std::string& out : {in_the_way, in_the_way + "/x"}) {
       Refusal({}, {"bench", "limits", "--can", nowhere, "--out", out}, 74, {in_the_way + ": not a folder"});
+      Refusal({}, {"bench", "zero", "--can", nowhere, "--write", out + "/plan.toml"}, 74,
+              {in_the_way + ": not a folder; choose another one for the plan with --write"});
     }
   }
   EXPECT_EQ(content(file), "mine");

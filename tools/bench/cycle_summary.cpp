@@ -124,8 +124,8 @@ std::vector<std::string> conclusions(const Cycle& cycle) {
         fmt::format("{} could not be measured and {} left out.", laps_text(left_out), left_out == 1 ? "is" : "are"));
   }
   if (!cycle.ended_because.empty()) {
-    all.push_back(fmt::format("It ended after {} of {}: {}.", laps_text(cycle.laps.size()),
-                              laps_text(cycle.planned_laps), cycle.ended_because));
+    all.push_back(fmt::format("It ended after {} of {}: {}.", cycle.laps.size(), laps_text(cycle.planned_laps),
+                              cycle.ended_because));
   }
   if (!laps.empty() && !knows_battery(cycle)) {
     all.emplace_back("The avionics does not report a battery voltage, so nothing is said of it.");

@@ -96,7 +96,7 @@ void run_laps(bench::Cycle& cycle, const bench::Exercise& lap, link::Session& se
 void cycle(const CycleOptions& options) {
   Desk on_desk = desk(options.vehicle, options.plan);
   const std::filesystem::path folder = options.out.empty() ? std::string{"out/cycle"} : options.out;
-  expect_room_for_sheet(folder);
+  expect_room(folder, "the figures with --out");
   CanPlace place{options.bench.interface};
   link::AvionicsLink link{place.bus()};
   await_rocket(options.bench, place, link);

@@ -68,18 +68,17 @@ void complete(bench::Heading& heading, const BenchOptions& options, const link::
   }
 }
 
-void expect_room_for_sheet(const std::filesystem::path& folder) {
+void expect_room(const std::filesystem::path& folder, const std::string& for_what) {
   std::error_code ignored;
   std::filesystem::path there = std::filesystem::absolute(folder, ignored);
   while (!std::filesystem::exists(there, ignored) && there.has_relative_path()) {
     there = there.parent_path();
   }
   if (!std::filesystem::is_directory(there, ignored)) {
-    throw text::OutputError{there.string() + ": not a folder; choose another one for the sheet with --out"};
+    throw text::OutputError{there.string() + ": not a folder; choose another one for " + for_what};
   }
   if (::access(there.c_str(), W_OK | X_OK) != 0) {
-    throw text::OutputError{there.string() + ": " + std::strerror(errno) +
-                            "; choose another folder for the sheet with --out"};
+    throw text::OutputError{there.string() + ": " + std::strerror(errno) + "; choose another folder for " + for_what};
   }
 }
 

@@ -29,8 +29,9 @@ struct Desk {
 /// Throws RequirementNotMet when the desk has a plan and the rocket holds another one.
 void expect_plan_in_force(const Desk& desk, const BenchOptions& options, const link::AvionicsLink& link);
 
-/// A folder that cannot be made is said now, and not after the work with the canards.
-void expect_room_for_sheet(const std::filesystem::path& folder);
+/// A folder that cannot be made is said now, and not after the work with the canards. `for_what`: "the sheet with
+/// --out".
+void expect_room(const std::filesystem::path& folder, const std::string& for_what);
 
 [[nodiscard]] std::unique_ptr<link::Session> open_session(link::Place& place, link::AvionicsLink& link);
 

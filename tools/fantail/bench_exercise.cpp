@@ -76,7 +76,7 @@ link::Recording perform(const bench::Exercise& exercise, const ExerciseOptions& 
 void exercise(const ExerciseOptions& options, const MakeExercise& make) {
   Desk on_desk = desk(options.vehicle, options.plan);
   const std::filesystem::path folder = options.out.empty() ? std::string{"out/bench"} : options.out;
-  expect_room_for_sheet(folder);
+  expect_room(folder, "the sheet with --out");
   CanPlace place{options.bench.interface};
   link::AvionicsLink link{place.bus()};
   await_rocket(options.bench, place, link);

@@ -83,7 +83,11 @@ core::FlightPlan with_zeros(const core::FlightPlan& plan, std::span<const bench:
       trusted == bench::Trusted::encoder
           ? input::Override{"canards", "pulse_centre_us", list(fields, &bench::ZeroFields::pulse_centre_us, 2)}
           : input::Override{"canards", "encoder_zero_deg", list(fields, &bench::ZeroFields::encoder_zero_deg, 3)});
-  return input::changed_plan(plan, changes);
+  try {
+    return input::changed_plan(plan, changes);
+  } catch (const text::Error& error) {
+    throw RequirementNotMet{std::string{"no plan can have the measured values, so none was written: "} + error.what()};
+  }
 }
 
 // Before any canard moves.
@@ -94,7 +98,7 @@ void expect_new_file(const std::string& file) {
   }
   if (!file.empty()) {
     const std::filesystem::path folder = std::filesystem::path{file}.parent_path();
-    expect_room_for_sheet(folder.empty() ? std::filesystem::path{"."} : folder);
+    expect_room(folder.empty() ? std::filesystem::path{"."} : folder, "the plan with --write");
   }
 }
 
@@ -129,13 +133,13 @@ void zero(const ZeroOptions& options) {
       say("fantail: " + options.bench.interface + ": the avionics did not say that the canards are centred\n");
     }
   }
-  if (!options.write.empty()) {
-    write_plan(options.write, with_zeros(plan, zeros, trusted));
-  }
   fmt::print("{}", options.bench.json ? bench::zero_json(zeros, plan.canards, trusted)
                                       : bench::zero_text(zeros, plan.canards, trusted));
-  if (!options.bench.json && !options.write.empty()) {
-    fmt::print("\n  plan  {}\n", options.write);
+  if (!options.write.empty()) {
+    write_plan(options.write, with_zeros(plan, zeros, trusted));
+    if (!options.bench.json) {
+      fmt::print("\n  plan  {}\n", options.write);
+    }
   }
 }
 
