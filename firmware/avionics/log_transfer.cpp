@@ -40,21 +40,32 @@ void LogTransfer::receive(const protocol::LogRequest& request, const Right& righ
                : answer(LogState::ready, flights_.used_bytes(), free_kib());
       break;
     case LogAction::read:
-      offset_ = request.offset;
-      size_ = request.size;
-      read_ = 0;
-      crc_ = 0;
-      buffered_ = 0;
-      sent_ = 0;
-      index_ = 0;
-      break;
+    case LogAction::plan: begin_read(request); break;
     case LogAction::erase: begin_erase(request); break;
   }
+}
+
+void LogTransfer::begin_read(const protocol::LogRequest& request) {
+  of_plan_ = request.action == LogAction::plan;
+  offset_ = request.offset;
+  size_ = request.size;
+  read_ = 0;
+  crc_ = 0;
+  buffered_ = 0;
+  sent_ = 0;
+  index_ = 0;
 }
 
 std::optional<LogFault> LogTransfer::refusal(const protocol::LogRequest& request, const Right& right) const {
   if (!right.safe) {
     return LogFault::not_safe;
+  }
+  const auto is_within = [&request](std::size_t bytes) {
+    return request.size > 0 && request.size <= protocol::largest_log_chunk && request.size <= bytes &&
+           request.offset <= bytes - request.size;
+  };
+  if (request.action == LogAction::plan) {
+    return is_within(plan_block_.size()) ? std::nullopt : std::optional{LogFault::out_of_range};
   }
   if (request.action == LogAction::erase && right.session != request.offset) {
     return LogFault::no_session;
@@ -74,10 +85,7 @@ std::optional<LogFault> LogTransfer::refusal(const protocol::LogRequest& request
   if (flights_.erasing()) {
     return LogFault::busy;
   }
-  const std::uint32_t used = flights_.used_bytes();
-  const bool is_there = request.size > 0 && request.size <= protocol::largest_log_chunk && request.size <= used &&
-                        request.offset <= used - request.size;
-  return is_there ? std::nullopt : std::optional{LogFault::out_of_range};
+  return is_within(flights_.used_bytes()) ? std::nullopt : std::optional{LogFault::out_of_range};
 }
 
 std::optional<LogFault> LogTransfer::refusal_of_erase(const protocol::LogRequest& request, const Right& right) const {
@@ -125,24 +133,42 @@ void LogTransfer::follow_erase(core::Microseconds now, const Right& right) {
 }
 
 bool LogTransfer::read(core::Microseconds now) {
-  if (read_ >= size_ || sent_ < buffered_) {
+  if (read_ >= size_ || sent_ < buffered_ || of_plan_) {
     return false;
   }
-  const auto bytes = std::span{buffer_}.first(std::min<std::size_t>(buffer_.size(), size_ - read_));
+  const auto bytes = room_for_next_bytes();
   const Access access = flights_.read(now, offset_ + read_, bytes);
   if (access == Access::failed) {
     size_ = 0;
     give_up(LogFault::flash_failed);
   } else if (access == Access::done) {
-    crc_ = protocol::crc32c(crc_, bytes);
-    read_ = static_cast<std::uint16_t>(read_ + bytes.size());
-    buffered_ = bytes.size();
-    sent_ = 0;
+    keep_to_send(bytes);
   }
   return true;
 }
 
+void LogTransfer::read_plan() {
+  const auto bytes = room_for_next_bytes();
+  std::ranges::copy(plan_block_.subspan(offset_ + read_, bytes.size()), bytes.begin());
+  keep_to_send(bytes);
+}
+
+std::span<std::byte> LogTransfer::room_for_next_bytes() {
+  return std::span{buffer_}.first(std::min<std::size_t>(buffer_.size(), size_ - read_));
+}
+
+// They stand at the beginning of the buffer.
+void LogTransfer::keep_to_send(std::span<const std::byte> bytes) {
+  crc_ = protocol::crc32c(crc_, bytes);
+  read_ = static_cast<std::uint16_t>(read_ + bytes.size());
+  buffered_ = bytes.size();
+  sent_ = 0;
+}
+
 void LogTransfer::send(core::Microseconds now, const Right& right, hal::CanBus& bus) {
+  if (of_plan_ && read_ < size_ && sent_ == buffered_) {
+    read_plan();
+  }
   const std::size_t most = right.session ? frames_a_tick_in_session : frames_a_tick;
   for (std::size_t i = 0; i < most && size_ > 0 && sent_ < buffered_; ++i) {
     if (!send_data(bus)) {

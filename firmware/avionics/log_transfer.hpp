@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 
 #include "avionics/flight_region.hpp"
 #include "core/time.hpp"
@@ -13,9 +14,11 @@
 
 namespace fantail::avionics {
 
-/// The flight record on its way to the bench, one chunk at a time, and its erase on the bench's word.
+/// The flight record on its way to the bench, one chunk at a time, and its erase on the bench's word; and, by the same
+/// frames, the block of the plan in force.
 ///
-/// A chunk is read from the flash five frames at a time and sent as fast as the bus takes it; its CRC-32C comes last.
+/// A chunk is read from the flash five frames at a time and sent as fast as the bus takes it; its CRC-32C comes last. A
+/// chunk of the plan needs no flash.
 /// A new request takes the place of the one before, unless it is refused: then the one before goes on. An erase begins,
 /// and goes on, only in Safe while the session of the bench that asked is open: without it the erase stops after the
 /// sector that it is at, which leaves a record whose beginning is whole.
@@ -35,8 +38,9 @@ class LogTransfer {
     bool flash_in_use = false;               ///< by somebody who goes first
   };
 
-  /// The region outlives this object and is updated by its owner.
-  explicit LogTransfer(FlightRegion& flights) : flights_{flights} {}
+  /// The region outlives this object and is updated by its owner; so does the block, which keeps its size.
+  explicit LogTransfer(FlightRegion& flights, std::span<const std::byte> plan_block = {})
+      : flights_{flights}, plan_block_{plan_block} {}
 
   void receive(const protocol::LogRequest& request, const Right& right);
 
@@ -56,13 +60,18 @@ class LogTransfer {
                                                           const Right& right) const;
   [[nodiscard]] std::optional<protocol::LogFault> refusal_of_erase(const protocol::LogRequest& request,
                                                                    const Right& right) const;
+  void begin_read(const protocol::LogRequest& request);
   void begin_erase(const protocol::LogRequest& request);
+  void read_plan();
+  void keep_to_send(std::span<const std::byte> bytes);
+  [[nodiscard]] std::span<std::byte> room_for_next_bytes();
   [[nodiscard]] bool may_reply(core::Microseconds now) const;
   void follow_erase(core::Microseconds now, const Right& right);
   [[nodiscard]] bool send_data(hal::CanBus& bus);
   [[nodiscard]] std::uint16_t free_kib() const;
 
   FlightRegion& flights_;
+  std::span<const std::byte> plan_block_;
   protocol::LogReply reply_{};
   bool reply_due_ = false;
   std::optional<protocol::LogReply> refusal_;  ///< of a request, beside what goes on
@@ -72,7 +81,8 @@ class LogTransfer {
   bool erasing_ = false;
   std::uint32_t eraser_ = 0;  ///< the session of the bench that asked for it
 
-  std::uint32_t offset_ = 0;                                       ///< of the chunk that is being sent
+  bool of_plan_ = false;                                           ///< the chunk that is being sent
+  std::uint32_t offset_ = 0;                                       ///< of it
   std::uint16_t size_ = 0;                                         ///< of it; 0: none
   std::uint16_t read_ = 0;                                         ///< bytes of it that have been read
   std::uint32_t crc_ = 0;                                          ///< of these

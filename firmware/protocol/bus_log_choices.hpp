@@ -13,6 +13,7 @@ constexpr unsigned choice(LogAction value) {
     case info: return CANARD_BUS_LOG_REQUEST_ACTION_INFO_CHOICE;
     case read: return CANARD_BUS_LOG_REQUEST_ACTION_READ_CHOICE;
     case erase: return CANARD_BUS_LOG_REQUEST_ACTION_ERASE_CHOICE;
+    case plan: return CANARD_BUS_LOG_REQUEST_ACTION_PLAN_CHOICE;
   }
   return no_choice;
 }

@@ -64,14 +64,16 @@ enum class LogAction : std::uint8_t {
   info,
   read,
   erase,  ///< in Safe, by the bench that has the session
+  plan,   ///< bytes of the block of the plan in force, as read gives those of the record
 };
 
-/// Of the flight record: the used part of the flash's flight region. Moves nothing; protected because it can erase.
+/// Of the flight record, which is the used part of the flash's flight region, or of the plan in force. Moves nothing;
+/// protected because it can erase.
 struct LogRequest {
   LogAction action = LogAction::info;
   std::uint8_t tag = 0;      ///< 0 to 15, chosen by the bench; the answer carries it
-  std::uint32_t offset = 0;  ///< read: from the beginning of the record; erase: the number of the open session
-  std::uint16_t size = 0;    ///< read: 1 to largest_log_chunk; 12 bits
+  std::uint32_t offset = 0;  ///< read, plan: of the first byte; erase: the number of the open session
+  std::uint16_t size = 0;    ///< read, plan: 1 to largest_log_chunk; 12 bits
 };
 
 // ---- from the avionics: reports, which move nothing ----

@@ -12,7 +12,7 @@ namespace fantail::protocol {
 namespace {
 
 constexpr std::array<std::byte, 4> magic{std::byte{'F'}, std::byte{'T'}, std::byte{'P'}, std::byte{'L'}};
-constexpr std::size_t header_size = 12;
+constexpr std::size_t header_size = plan_block_header_size;
 constexpr std::size_t checksum_size = 4;
 
 // FNV-1a.
@@ -74,7 +74,16 @@ std::uint32_t plan_block_crc(std::span<const std::byte> block) {
 
 std::uint32_t plan_crc(const core::FlightPlan& plan) {
   std::array<std::byte, plan_block_size> block;
-  return static_cast<std::uint32_t>(get<4>(block, write_plan_block(plan, block) - checksum_size));
+  (void)write_plan_block(plan, block);
+  return plan_block_checksum(block);
+}
+
+std::size_t announced_plan_block_size(std::span<const std::byte> header) {
+  return header_size + static_cast<std::size_t>(get<2>(header, 6)) + checksum_size;
+}
+
+std::uint32_t plan_block_checksum(std::span<const std::byte> block) {
+  return static_cast<std::uint32_t>(get<4>(block, block.size() - checksum_size));
 }
 
 PlanBlockReading read_plan_block(std::span<const std::byte> block) {
@@ -87,8 +96,7 @@ PlanBlockReading read_plan_block(std::span<const std::byte> block) {
     }
   }
   // The length first, because a block that was cut off also has a wrong checksum, which would say less.
-  const auto payload = static_cast<std::size_t>(get<2>(block, 6));
-  if (block.size() != header_size + payload + checksum_size) {
+  if (block.size() != announced_plan_block_size(block)) {
     return refuse(PlanBlockFault::wrong_length);
   }
   if (get<4>(block, block.size() - checksum_size) != crc32c(block.first(block.size() - checksum_size))) {
@@ -101,7 +109,7 @@ PlanBlockReading read_plan_block(std::span<const std::byte> block) {
   if (get<4>(block, 8) != plan_schema_hash()) {
     return refuse(PlanBlockFault::other_schema);
   }
-  if (payload != payload_size) {
+  if (block.size() != plan_block_size) {
     return refuse(PlanBlockFault::wrong_length);
   }
 

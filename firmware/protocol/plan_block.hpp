@@ -21,7 +21,8 @@ namespace fantail::protocol {
 //   n  u32      CRC-32C of everything before it
 
 inline constexpr std::uint16_t plan_block_version = 2;
-inline constexpr std::size_t plan_block_size = 12 + 4 * core::flight_plan_words + 4;
+inline constexpr std::size_t plan_block_header_size = 12;
+inline constexpr std::size_t plan_block_size = plan_block_header_size + 4 * core::flight_plan_words + 4;
 /// Room for those of other versions too, so that what is stored or sent can be called by its name.
 inline constexpr std::size_t largest_plan_block = 1024;
 static_assert(plan_block_size <= largest_plan_block);
@@ -55,6 +56,12 @@ struct PlanBlockReading {
 /// What a block is known by: CRC-32C of all but its last four bytes, which is what an intact block has in those. Of the
 /// whole block it would be 0x48674BC7 for every plan, because a CRC over its own end is a constant.
 [[nodiscard]] std::uint32_t plan_block_crc(std::span<const std::byte> block);
+
+/// How long a block is by what its first plan_block_header_size bytes say.
+[[nodiscard]] std::size_t announced_plan_block_size(std::span<const std::byte> header);
+
+/// What stands in its last four bytes: of an intact block, its plan_block_crc().
+[[nodiscard]] std::uint32_t plan_block_checksum(std::span<const std::byte> block);
 
 [[nodiscard]] std::uint32_t plan_schema_hash();
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -46,7 +47,8 @@ struct LogRig : FlashRig {
   WatchedFlash watched{flash};
   FlashAccess access{watched};
   FlightRegion flights{access};
-  LogTransfer log{flights};
+  std::array<std::byte, 380> plan_block{};
+  LogTransfer log{flights, plan_block};
   LogTransfer::Right right{.safe = true};
   NarrowBus bus{};
   int room_a_tick = 100;
@@ -56,6 +58,9 @@ struct LogRig : FlashRig {
     core::RandomStream random{seed};
     for (std::size_t i = 0; i < bytes; ++i) {
       record.push_back(std::byte{static_cast<std::uint8_t>(random.whole(0, 254))});
+    }
+    for (std::byte& byte : plan_block) {
+      byte = std::byte{static_cast<std::uint8_t>(random.whole(0, 255))};
     }
     std::ranges::copy(record, flash.cells().begin() + region_begin);
     std::ranges::fill(flash.cells().first(region_begin), std::byte{0x5A});  // what else is kept in the flash

@@ -17,16 +17,18 @@ using protocol::LogFault;
 using protocol::LogState;
 
 /// The chunk whole, in order, each frame once.
-void expect_chunk(LogRig& rig, std::uint32_t offset, std::uint16_t size) {
+void expect_chunk(LogRig& rig, std::uint32_t offset, std::uint16_t size, LogAction what = LogAction::read) {
   rig.data.clear();
-  rig.ask(LogAction::read, offset, size, 9);
+  rig.ask(what, offset, size, 9);
   const auto reply = rig.reply();
   ASSERT_TRUE(reply);
   EXPECT_EQ(reply->state, LogState::read);
   EXPECT_EQ(reply->fault, LogFault::none);
   EXPECT_EQ(reply->tag, 9);
   EXPECT_EQ(reply->extra, size);
-  const auto wanted = std::span{rig.record}.subspan(offset, size);
+  const std::span<const std::byte> whole =
+      what == LogAction::plan ? std::span<const std::byte>{rig.plan_block} : rig.record;
+  const auto wanted = whole.subspan(offset, size);
   EXPECT_EQ(reply->number, protocol::crc32c(wanted));
   ASSERT_EQ(rig.data.size(), (size + 6U) / 7U);
   for (std::size_t i = 0; i < 7 * rig.data.size(); ++i) {
@@ -75,6 +77,50 @@ TEST(LogTransfer, ATickHasOneReadOfThirtyFiveBytesAndFiveFramesAndThreeInASessio
     EXPECT_EQ(frames, 257U);
     EXPECT_LE(ticks, session ? 104 : 52);
   }
+}
+
+TEST(LogTransfer, TheBlockOfThePlanIsReadLikeTheRecord) {
+  LogRig rig{9000};
+  rig.power_up();
+  constexpr std::uint16_t sizes[] = {1, 7, 12, 35, 36, 380};
+  for (const std::uint16_t size : sizes) {
+    for (const std::uint32_t offset : {0U, 1U, 200U, 380U - size}) {
+      if (offset + size <= 380) {
+        expect_chunk(rig, offset, size, LogAction::plan);
+        expect_chunk(rig, offset, size, LogAction::read);
+      }
+    }
+  }
+  EXPECT_EQ(rig.refusal(LogAction::plan, 0, 0), LogFault::out_of_range);
+  EXPECT_EQ(rig.refusal(LogAction::plan, 0, 381), LogFault::out_of_range);
+  EXPECT_EQ(rig.refusal(LogAction::plan, 380, 1), LogFault::out_of_range);
+  EXPECT_EQ(rig.refusal(LogAction::plan, 0xFFFFFFFF, 1), LogFault::out_of_range);
+}
+
+TEST(LogTransfer, TheBlockOfThePlanNeedsNoFlash) {
+  LogRig rig{9000};  // not yet looked through
+  rig.right.flash_in_use = true;
+  rig.ask(LogAction::plan, 0, 380);
+  for (int i = 0; i < 11; ++i) {
+    rig.step();
+    EXPECT_EQ(rig.watched.calls, 0);
+    EXPECT_LE(rig.bus.sent.size(), 6U);
+  }
+  EXPECT_TRUE(std::holds_alternative<protocol::LogReply>(rig.bus.sent.back())) << "55 frames, five a tick";
+}
+
+TEST(LogTransfer, ThePlanIsReadInSafeOnly) {
+  LogRig rig{9000};
+  rig.power_up();
+  rig.right.safe = false;
+  EXPECT_EQ(rig.refusal(LogAction::plan, 0, 12), LogFault::not_safe);
+  rig.right.safe = true;
+  rig.ask(LogAction::plan, 0, 380);
+  rig.step();
+  rig.right.safe = false;
+  const auto reply = rig.reply();
+  ASSERT_TRUE(reply);
+  EXPECT_EQ(reply->fault, LogFault::not_safe);
 }
 
 TEST(LogTransfer, ARefusedRequestLeavesTheReadThatIsUnderWay) {

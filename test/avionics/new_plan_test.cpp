@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "avionics/board_rig.hpp"
+#include "protocol/little_endian.hpp"
 #include "protocol/plan_block.hpp"
 
 namespace fantail::avionics {
@@ -50,6 +51,22 @@ TEST(NewPlan, IsRefusedWhileANonceWaitsForItsConfirmation) {
   rig.pc.say(ArmAction::begin);
   rig.tick();
   EXPECT_EQ(answer_to_begin(rig), TransferFault::not_safe);
+}
+
+TEST(NewPlan, IsTheOneThatTheBenchReadsBack) {
+  BoardRig rig;
+  rig.run(3 * second);
+  const auto checksum_read_back = [&rig] {
+    rig.pc.say(protocol::LogRequest{
+        .action = protocol::LogAction::plan, .tag = 5, .offset = protocol::plan_block_size - 4, .size = 4});
+    rig.run(core::Microseconds{30'000});
+    const auto& part = rig.pc.heard<protocol::LogData>();
+    return part ? static_cast<std::uint32_t>(protocol::get<4>(part->bytes, 0)) : 0U;
+  };
+  EXPECT_EQ(checksum_read_back(), protocol::plan_crc(core::default_plan()));
+  send_plan(rig, plan_with_trim());
+  rig.run(second);
+  EXPECT_EQ(checksum_read_back(), protocol::plan_crc(plan_with_trim()));
 }
 
 TEST(NewPlan, IsRefusedWhileTheSelfTestRuns) {

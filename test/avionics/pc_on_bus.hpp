@@ -27,6 +27,7 @@ class PcOnBus {
   void say(const protocol::ArmRequest& message) { send(encode(message, counters_[2].next())); }
   void say(const protocol::PlanBegin& message) { send(encode(message, counters_[3].next())); }
   void say(const protocol::PlanData& message) { send(encode(message)); }
+  void say(const protocol::LogRequest& message) { send(encode(message, counters_[4].next())); }
   void say(protocol::ArmAction action, std::uint32_t nonce = 0) {
     say(protocol::ArmRequest{.action = action, .nonce = nonce});
   }
@@ -67,7 +68,7 @@ class PcOnBus {
   template <typename... Messages>
   static std::tuple<std::optional<Messages>...> one_of_each(const std::variant<Messages...>&);
 
-  std::array<protocol::FrameCounter, 4> counters_{};
+  std::array<protocol::FrameCounter, 5> counters_{};
   decltype(one_of_each(protocol::FromAvionics{})) heard_{};
   std::array<int, std::variant_size_v<protocol::FromAvionics>> counts_{};
 };

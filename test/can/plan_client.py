@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Loads a flight plan into the avionics as a stranger would: from the manual and the database alone.
 
-plan_client.py MANUAL DATABASE PLAN --can INTERFACE   sends the plan and waits until it is in force
+plan_client.py MANUAL DATABASE PLAN --can INTERFACE   sends the plan, waits until it is in force, and reads it back
 plan_client.py MANUAL DATABASE PLAN --write FILE      writes the block instead
 
 MANUAL is the folder with can.md and flight_plan.md, PLAN a TOML file; what it does not mention has the manual's default.
@@ -91,6 +91,7 @@ class Avionics:
         self.database = cantools.database.load_file(database)
         self.bus = can.Bus(interface="socketcan", channel=interface)
         self.counter = 0
+        self.tag = 0
 
     def send(self, name, signals):
         message = self.database.get_message_by_name(name)
@@ -149,6 +150,39 @@ class Avionics:
             self.await_("HeartbeatReport", lambda heartbeat: heartbeat["plan_crc"] == block_crc)
         return reply
 
+    def read_back(self):
+        """The block of the plan in force."""
+        header = self.read(0, 12)
+        return self.read(0, 12 + struct.unpack_from("<H", header, 6)[0] + 4)
+
+    def read(self, offset, size):
+        frames = -(-size // 7)
+        end = time.monotonic() + PATIENCE_S
+        while time.monotonic() < end:
+            self.tag = (self.tag + 1) % 16
+            self.send("LogRequest", {"action": "plan", "tag": self.tag, "offset": offset, "size": size})
+            parts = {}
+            while (part := self.hear_either("LogData", "LogReply")) is not None:
+                if "index" in part:
+                    parts[part["index"]] = bytes(part[f"byte_{i}"] for i in range(7))
+                elif part["tag"] == self.tag:
+                    if part["state"] == "refused":
+                        raise SystemExit(f"not read: {part['fault']}")
+                    data = b"".join(parts.get(index, b"") for index in range(frames))[:size]
+                    if len(data) == part["extra"] and Crc32C.calc(data) == part["number"]:
+                        return data
+                    break
+        raise SystemExit("the plan does not arrive")
+
+    def hear_either(self, *names):
+        messages = {self.database.get_message_by_name(name).frame_id: name for name in names}
+        end = time.monotonic() + 10 * REPEAT_AFTER_S
+        while (left_s := end - time.monotonic()) > 0:
+            frame = self.bus.recv(left_s)
+            if frame is not None and frame.arbitration_id in messages and not frame.is_extended_id:
+                return self.database.decode_message(frame.arbitration_id, frame.data, decode_choices=True)
+        return None
+
 
 def main():
     parser = argparse.ArgumentParser()
@@ -163,9 +197,14 @@ def main():
     if options.write:
         options.write.write_bytes(block)
         return 0
-    reply = Avionics(options.database, options.can).load(block)
+    avionics = Avionics(options.database, options.can)
+    reply = avionics.load(block)
     if reply["state"] == "stored":
         print(f"in force: {Crc32C.calc(block[:-4]):08x}")
+        if avionics.read_back() != block:
+            print("read back: other bytes")
+            return 1
+        print(f"read back: the same {len(block)} bytes")
         return 0
     field = manual.name_of(reply["field"]) if reply["field_given"] else "no field"
     print(f"refused: {reply['fault']}, {reply['block_fault']}, {field}")

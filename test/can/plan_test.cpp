@@ -44,6 +44,36 @@ TEST_F(CanSystem, APlanIsStoredAndABrokenOneIsRefused) {
   EXPECT_EQ(node.program.outcome().exit_code, 0);
 }
 
+TEST_F(CanSystem, ThePlanInForceIsShownAsAFileThatGivesItAgain) {
+  const std::string plan = std::string{FANTAIL_TEST_SOURCE} + "/test/can/every_field.toml";
+  const Folder folder;
+  Node node{"vcan0"};
+  node.await_rest();
+  const Outcome before = fantail_bench({"plan", "show", "--can", "vcan0"});
+  ASSERT_EQ(before.exit_code, 0) << before.err;
+  EXPECT_PRED2(contains, before.err, "the plan in force is the built-in one; none is stored; block_crc ");
+  EXPECT_EQ(before.out, fantail({"plan", "show", "tasha3_launch2"}).out);
+
+  ASSERT_EQ(fantail_bench({"plan", plan, "--can", "vcan0"}).exit_code, 0);
+  const Outcome after = fantail_bench({"plan", "show", "--can", "vcan0"});
+  ASSERT_EQ(after.exit_code, 0) << after.err;
+  EXPECT_EQ(after.out, fantail({"plan", "show", plan}).out);
+  ASSERT_EQ(fantail({"plan", "compile", plan, "--out", folder / "sent.ftpl"}).exit_code, 0);
+  const std::string shown = folder.write("shown.toml", after.out);
+  ASSERT_EQ(fantail({"plan", "compile", shown, "--out", folder / "shown.ftpl"}).exit_code, 0);
+  EXPECT_EQ(content(folder / "shown.ftpl"), content(folder / "sent.ftpl"));
+  const std::string crc = checksum_of(content(folder / "sent.ftpl"));
+  EXPECT_PRED2(contains, after.err, "vcan0: the plan in force is the one in the flash; block_crc " + crc + "\n");
+
+  const Outcome in_json = fantail_bench({"plan", "show", "--can", "vcan0", "--json"});
+  const json::Value read = json::parse(in_json.out);
+  EXPECT_EQ(read["origin"], "stored");
+  EXPECT_EQ(read["block_crc"], crc);
+  EXPECT_EQ(read["plan"].pretty(), json::parse(fantail({"plan", "show", plan, "--json"}).out).pretty());
+  node.program.type("quit");
+  EXPECT_EQ(node.program.outcome().exit_code, 0);
+}
+
 /// A client that was written from the manual and the database, with python-can and cantools.
 Outcome load_by_the_manual(const std::string& plan) {
   const std::string source = FANTAIL_TEST_SOURCE;
@@ -67,7 +97,7 @@ TEST_F(WithCantools, AClientWrittenFromTheManualAloneLoadsAPlan) {
 
   const Outcome stored = load_by_the_manual(plan);
   EXPECT_EQ(stored.exit_code, 0) << stored.err;
-  EXPECT_EQ(stored.out, "in force: " + wanted + "\n");
+  EXPECT_EQ(stored.out, "in force: " + wanted + "\nread back: the same 380 bytes\n");
   EXPECT_TRUE(ear.until([&] {
     return fmt::format("{:08x}", ear.newest<protocol::HeartbeatReport>().plan_crc) == wanted &&
            ear.newest<protocol::BoardReport>().plan == protocol::PlanSource::stored;

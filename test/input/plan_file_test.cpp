@@ -2,14 +2,19 @@
 #include "input/plan_file.hpp"
 
 #include <charconv>
+#include <cmath>
 #include <fstream>
+#include <iomanip>
 #include <iterator>
+#include <optional>
+#include <random>
 #include <sstream>
 
 #include <gtest/gtest.h>
 
 #include "core/flight_plan_fields.hpp"
 #include "scratch_file.hpp"
+#include "seed.hpp"
 
 namespace fantail::input {
 namespace {
@@ -202,6 +207,54 @@ TEST(PlanFile, TheTableOfAPlanReadsBackAsThePlan) {
       "300.001]\nstep_angles_deg = [-20, 33.3]\n[excitation]\nvariation_seed = 16777215\n");
   EXPECT_TRUE(same(plan_of(plan_table(plan)), plan)) << plan_table(plan);
   EXPECT_TRUE(same(plan_of(plan_table(core::default_plan())), core::default_plan()));
+}
+
+// One random value of a field, in the digits that a person might write.
+std::string random_value(const PlanField& field, std::mt19937& random) {
+  if (field.kind != FieldKind::number) {
+    std::uniform_int_distribution<int> whole{static_cast<int>(field.minimum), static_cast<int>(field.maximum)};
+    return text_of(field, static_cast<float>(whole(random)));
+  }
+  std::uniform_real_distribution<double> within{field.minimum, field.maximum};
+  std::ostringstream text;
+  text << std::setprecision(std::uniform_int_distribution<int>{1, 12}(random)) << within(random);
+  return text.str();
+}
+
+TEST(PlanFile, EveryValueOfAFileIsShownSoThatItReadsBackBitForBit) {
+  std::mt19937 random{test::seed()};
+  int read = 0;
+  for (const PlanField& field : core::flight_plan_fields()) {
+    for (int i = 0; i < 200; ++i) {
+      const std::string text = line(field, random_value(field, random));
+      std::optional<core::FlightPlan> plan;
+      try {
+        plan = plan_of(text);
+      } catch (const text::Error&) {  // rounded out of its range, or against a rule across fields
+        continue;
+      }
+      ++read;
+      ASSERT_TRUE(same(plan_of(plan_table(*plan)), *plan)) << text;
+      ASSERT_TRUE(table_says_all(*plan)) << text;
+    }
+  }
+  EXPECT_GT(read, 2000);
+}
+
+// Half a degree, as no file gives it: between two singles in degrees there can be two in radians.
+TEST(PlanFile, AValueThatNoFileGivesIsNoticed) {
+  int noticed = 0;
+  for (int i = 0; i < 1000; ++i) {
+    core::FlightPlan plan = core::default_plan();
+    float limit = core::Angle::from_degrees(1.0F).radians();
+    for (int step = 0; step < i; ++step) {
+      limit = std::nextafter(limit, 1.0F);
+    }
+    plan.controller.canard_limit = core::Angle::from_radians(limit);
+    ASSERT_EQ(table_says_all(plan), same(plan_of(plan_table(plan)), plan));
+    noticed += table_says_all(plan) ? 0 : 1;
+  }
+  EXPECT_GT(noticed, 0);
 }
 
 // The manual is made from the table of fields like everything else.

@@ -49,7 +49,7 @@ const std::vector<Frame>& frames() {
       {"ArmRequest", 0x030, {choice(0, 8, 4), whole(16, 32), whole(52, 4)}, {}},
       {"PlanBegin", 0x040, {whole(0, 16), whole(16, 32), whole(52, 4)}, {}},
       {"PlanData", 0x041, all_bytes(), {}},
-      {"LogRequest", 0x050, {choice(0, 4, 3), whole(4, 4), whole(8, 32), whole(40, 12), whole(52, 4)}, {}},
+      {"LogRequest", 0x050, {choice(0, 4, 4), whole(4, 4), whole(8, 32), whole(40, 12), whole(52, 4)}, {}},
       {"CommandReport", 0x100, four_angles(), {48, 49, 50, 51}},
       {"EncoderReport", 0x101, four_angles(), {48, 49, 50, 51}},
       {"StatusReport",

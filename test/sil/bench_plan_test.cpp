@@ -3,6 +3,8 @@
 
 #include "avionics/can_frame.hpp"
 #include "core/flight_plan_fields.hpp"
+#include "link/arm_steps.hpp"
+#include "link/plan_reader.hpp"
 #include "link/plan_sender.hpp"
 #include "replies/sentence.hpp"
 #include "sil/bench_at_world.hpp"
@@ -167,6 +169,114 @@ TEST(BenchPlan, FramesThatAreLostAreSentAgain) {
     }
   };
   EXPECT_EQ(send(place, block_of(plan_with_limit(4.0F))).state, TransferState::stored);
+}
+
+link::PlanInForce read_back(BenchAtWorld& place) {
+  link::AvionicsLink link{place.bus()};
+  link::await_avionics(place, link);
+  return link::read_plan_in_force(place, link);
+}
+
+TEST(BenchPlan, IsReadBackAsItIsInForce) {
+  BenchAtWorld place{"bench_healthy"};
+  const link::PlanInForce built_in = read_back(place);
+  EXPECT_EQ(built_in.source, protocol::PlanSource::built_in);
+  EXPECT_EQ(block_of(built_in.plan), block_of(place.scenario.plan));
+  const std::vector<std::byte> block = block_of(plan_with_limit(4.0F));
+  ASSERT_EQ(send(place, block).state, TransferState::stored);
+  place.wait(second);
+  const link::PlanInForce stored = read_back(place);
+  EXPECT_EQ(stored.source, protocol::PlanSource::stored);
+  EXPECT_EQ(stored.block_crc, protocol::plan_block_crc(block));
+  EXPECT_EQ(block_of(stored.plan), block);
+}
+
+TEST(BenchPlan, WhatIsLostOnTheWayBackIsAskedForAgain) {
+  BenchAtWorld place{"bench_healthy"};
+  place.wait(4 * second);
+  int ticks = 0;
+  place.after_tick = [&] {
+    ticks += 1;
+    if (ticks % 7 == 0) {
+      (void)place.board_bus.receive();
+    }
+    if (ticks % 11 == 0) {
+      (void)place.pc_bus.receive();
+    }
+  };
+  EXPECT_EQ(block_of(read_back(place).plan), block_of(place.scenario.plan));
+}
+
+/// The same bench behind a wire that changes data of the plan.
+class Damage final : public link::Place, public hal::CanBus {
+ public:
+  explicit Damage(BenchAtWorld& place) : place_{place} {}
+  [[nodiscard]] hal::CanBus& bus() override { return *this; }
+  [[nodiscard]] hal::Microseconds now() const override { return place_.now(); }
+  void wait(hal::Microseconds at_most) override { place_.wait(at_most); }
+  bool send(const hal::CanFrame& frame) override { return place_.bus().send(frame); }
+  std::optional<hal::CanFrame> receive() override {
+    auto frame = place_.bus().receive();
+    if (frame && frame->id == 0x180 && left_ > 0) {
+      left_ -= 1;
+      frame->data[3] ^= 0x10;
+    }
+    return frame;
+  }
+  [[nodiscard]] hal::CanState state() const override { return place_.pc_bus.state(); }
+  [[nodiscard]] hal::CanCounters counters() const override { return place_.pc_bus.counters(); }
+  void damage(int frames) { left_ = frames; }
+
+ private:
+  BenchAtWorld& place_;
+  int left_ = 0;
+};
+
+TEST(BenchPlan, ADamagedPlanIsAskedForAgainAndNeverTakenForThePlan) {
+  BenchAtWorld world{"bench_healthy"};
+  Damage place{world};
+  link::AvionicsLink link{place.bus()};
+  link::await_avionics(place, link);
+  place.damage(3);
+  EXPECT_EQ(block_of(link::read_plan_in_force(place, link).plan), block_of(world.scenario.plan));
+  place.damage(1'000'000);
+  try {
+    (void)link::read_plan_in_force(place, link);
+    FAIL() << "a damaged plan was taken";
+  } catch (const link::LinkError& error) {
+    EXPECT_EQ(std::string{error.what()},
+              "what the avionics sends of its plan does not arrive whole: is the bus disturbed?");
+  }
+}
+
+// A wrong plan in whole frames: the heartbeat is of another plan than the one that was read.
+TEST(BenchPlan, APlanThatIsNotThatOfTheHeartbeatIsAnError) {
+  BenchAtWorld place{"bench_healthy"};
+  place.wait(4 * second);
+  hal::sim::CanBus liar{place.wire};
+  place.after_tick = [&] {
+    (void)liar.send(avionics::can_frame(encode(protocol::HeartbeatReport{.uptime_ms = 1, .plan_crc = 0x12345678})));
+  };
+  EXPECT_THROW((void)read_back(place), link::LinkError);
+}
+
+TEST(BenchPlan, IsNotReadBackFromAnArmedRocket) {
+  BenchAtWorld place{"bench_healthy"};
+  link::AvionicsLink link{place.bus()};
+  link::await_avionics(place, link);
+  link::ArmSteps steps{place, link};
+  ASSERT_EQ(steps.run_self_test([](const auto&) {}).self_test, protocol::SelfTestState::passed);
+  place.world->set_arm_switch(true);
+  place.wait(10 * millisecond);
+  ASSERT_TRUE(steps.confirm(steps.ask_for_nonce().nonce.value_or(0)));
+  try {
+    (void)link::read_plan_in_force(place, link);
+    FAIL() << "in phase " << core::name(place.record.phase);
+  } catch (const link::LinkError& error) {
+    EXPECT_EQ(std::string{error.what()},
+              "the plan of the avionics cannot be read: the rocket is not in phase safe; open the arm switch, and "
+              "after a flight switch it off and on");
+  }
 }
 
 TEST(BenchPlan, ABusThatGoesAwayIsSaidSo) {

@@ -30,7 +30,8 @@ INSTANTIATE_TEST_SUITE_P(All, EachVerbOnTheBus,
                          testing::Values(Words{"node", "bench_healthy"}, Words{"bench", "watch"},
                                          Words{"bench", "limits"}, Words{"bench", "step", "--canard", "1"},
                                          Words{"bench", "sine", "--canard", "1"}, Words{"bench", "hold", "2", "-5"},
-                                         Words{"bench", "arm"}, Words{"bench", "plan", "tasha3_launch2"}),
+                                         Words{"bench", "cycle"}, Words{"bench", "zero"}, Words{"bench", "arm"},
+                                         Words{"bench", "plan", "tasha3_launch2"}),
                          [](const auto& one) { return one.param[0] == "node" ? "node" : one.param[1]; });
 
 // Files come first, so that nothing has moved when one is wrong: here the bus, which is not there, is not even asked.
@@ -50,6 +51,8 @@ TEST(BenchSheet, ThatCannotBeWrittenIsSaidBeforeTheBusIsTouched) {
   for (const std::string& in_the_way : {file, std::string{"/dev/full"}}) {
     for (const std::string& out : {in_the_way, in_the_way + "/x"}) {
       Refusal({}, {"bench", "limits", "--can", nowhere, "--out", out}, 74, {in_the_way + ": not a folder"});
+      Refusal({}, {"bench", "zero", "--can", nowhere, "--write", out + "/plan.toml"}, 74,
+              {in_the_way + ": not a folder; choose another one for the plan with --write"});
     }
   }
   EXPECT_EQ(content(file), "mine");
@@ -63,10 +66,12 @@ TEST(BenchOptions, OutOfRangeAreUsageErrors) {
   Refusal({}, {"bench", "sine", "--can", nowhere, "--canard", "1", "--frequency", "0"}, 64, {"--frequency"});
   Refusal({}, {"bench", "limits", "--can", nowhere, "--canard", "0"}, 64, {"--canard"});
   Refusal({}, {"bench", "watch", "--can", nowhere, "--for", "-1"}, 64, {"--for"});
+  Refusal({}, {"bench", "zero", "--can", nowhere, "--trust", "me"}, 64, {"--trust"});
+  Refusal({}, {"bench", "cycle", "--can", nowhere, "--for", "0"}, 64, {"--for"});
   Refusal({}, {"bench", "hold", "5", "0", "--can", nowhere}, 64, {"CANARD"});
   Refusal({}, {"bench", "hold", "1", "-21", "--can", nowhere}, 64, {"DEG"});
   Refusal({}, {"bench", "arm", "--can", nowhere, "--wait", "-1"}, 64, {"--wait"});
-  Refusal({}, {"bench"}, 64, {"a verb is missing; allowed: watch, limits, step, sine, hold, arm, plan"});
+  Refusal({}, {"bench"}, 64, {"a verb is missing; allowed: watch, limits, step, sine, hold, cycle, zero, arm, plan"});
 }
 
 }  // namespace

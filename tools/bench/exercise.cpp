@@ -54,6 +54,12 @@ Exercise Exercise::limits(const Bounds& bounds) {
   return exercise;
 }
 
+Exercise Exercise::limits_together(const Bounds& bounds) {
+  Exercise exercise{ExerciseKind::limits, bounds};
+  exercise.limits_turn(std::nullopt);
+  return exercise;
+}
+
 Exercise Exercise::limits_of(const Bounds& bounds, std::size_t canard) {
   Exercise exercise{ExerciseKind::limits, bounds};
   exercise.limits_turn(canard);

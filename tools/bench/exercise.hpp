@@ -70,6 +70,8 @@ class Exercise {
   /// Each canard alone and then all together: beyond both limits and back at 20 deg/s, then at once to the positive
   /// limit, the negative one, and home. 22 s for limits of 6 deg, 36 s for 20 deg.
   [[nodiscard]] static Exercise limits(const Bounds& bounds);
+  /// The same of all four together, without the turns alone.
+  [[nodiscard]] static Exercise limits_together(const Bounds& bounds);
   /// The same of one canard alone.
   [[nodiscard]] static Exercise limits_of(const Bounds& bounds, std::size_t canard);
   /// To an angle at once, and home after half a second. Throws std::invalid_argument when it is beyond what the bus

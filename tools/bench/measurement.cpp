@@ -70,6 +70,7 @@ Figures measure(const link::Recording& recording, const Exercise& exercise, cons
   switch (exercise.kind()) {
     case ExerciseKind::limits:
       f.tracking_error_rad = largest_difference_rad(own, model, ramp);
+      f.tracking_rms_rad = rms_difference_rad(own, model, ramp);
       add_ends(own, f);
       add_centre(own, f);
       add_steps(own, Part::step_across, f);

@@ -32,7 +32,8 @@ struct Figures {
 
   std::optional<double> lag_s;  ///< delay and lag together
   std::optional<double> tracking_error_rad;
-  std::optional<double> from_above_rad;  ///< encoder - command at the centre
+  std::optional<double> tracking_rms_rad;  ///< of the same difference, tick by tick
+  std::optional<double> from_above_rad;    ///< encoder - command at the centre
   std::optional<double> from_below_rad;
   std::optional<double> centring_error_rad;  ///< mean of the two
   std::optional<double> backlash_rad;        ///< difference of the two, without sign

@@ -170,6 +170,19 @@ std::optional<double> largest_difference_rad(const CanardTrace& trace, const std
   return largest;
 }
 
+std::optional<double> rms_difference_rad(const CanardTrace& trace, const std::vector<double>& expected_rad,
+                                         bool (*wanted)(Part)) {
+  double squares = 0.0;
+  double readings = 0.0;
+  for (std::size_t i = 0; i < trace.size(); ++i) {
+    if (const double d = trace.encoder_rad[i] - expected_rad[i]; !std::isnan(d) && wanted(trace.part[i])) {
+      squares += d * d;
+      readings += 1.0;
+    }
+  }
+  return readings > 0.0 ? std::optional{std::sqrt(squares / readings)} : std::nullopt;
+}
+
 std::vector<double> lagged(const std::vector<double>& command_rad, std::size_t delay_ticks, double lag_s) {
   const double factor = hold_factor(lag_s);
   std::vector<double> result;

@@ -68,6 +68,10 @@ struct Rest {
                                                            const std::vector<double>& expected_rad,
                                                            bool (*wanted)(Part));
 
+/// Root mean square of (encoder - expected) over all ticks that were read and whose part passes `wanted`.
+[[nodiscard]] std::optional<double> rms_difference_rad(const CanardTrace& trace,
+                                                       const std::vector<double>& expected_rad, bool (*wanted)(Part));
+
 /// How an encoder follows a command: slope * lagged(command) + offset, where the command is held back by a delay and a
 /// first-order lag.
 struct LagFit {

@@ -28,6 +28,9 @@ struct SheetRow {
 /// In the order of Sheet::canards.
 [[nodiscard]] std::vector<SheetRow> sheet_rows(const Sheet& sheet);
 
+/// A name from a file, which must neither move the columns nor command the terminal.
+[[nodiscard]] std::string printable(std::string text);
+
 /// The plots of one canard: its turn alone, its turn with the others, and its steps in detail. HTML figures.
 [[nodiscard]] std::string canard_charts(const CanardResult& result, const Sheet& sheet,
                                         const link::Recording& recording, const Exercise& exercise);

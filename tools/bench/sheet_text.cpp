@@ -15,12 +15,6 @@ constexpr std::size_t label_width = 28;
 constexpr std::size_t allowed_width = 16;
 constexpr std::size_t cell_width = 10;
 
-// A name from a file must neither move the columns nor command the terminal.
-std::string printable(std::string text) {
-  std::ranges::replace_if(text, [](char c) { return c < ' ' || c > '~'; }, '?');
-  return text;
-}
-
 class Page {
  public:
   explicit Page(const Sheet& sheet) : sheet_{sheet} {}
@@ -124,6 +118,11 @@ class Page {
 };
 
 }  // namespace
+
+std::string printable(std::string text) {
+  std::ranges::replace_if(text, [](char c) { return c < ' ' || c > '~'; }, '?');
+  return text;
+}
 
 std::string sheet_text(const Sheet& sheet) { return Page{sheet}.write(); }
 

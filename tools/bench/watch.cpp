@@ -69,17 +69,6 @@ link::Each<CanardRow> rows(const link::AvionicsLink& link, hal::Microseconds now
   return rows;
 }
 
-std::string_view name(protocol::PlanSource plan) {
-  switch (plan) {
-    case protocol::PlanSource::built_in: return "built_in";
-    case protocol::PlanSource::stored: return "stored";
-    case protocol::PlanSource::stored_is_broken: return "stored_is_broken";
-    case protocol::PlanSource::stored_is_newer: return "stored_is_newer";
-    case protocol::PlanSource::flash_unreadable: return "flash_unreadable";
-  }
-  return "unknown";
-}
-
 // Two or three lines, each with its end.
 std::string board_lines(const protocol::BoardReport& report) {
   const std::string faults = report.faults == 0
@@ -250,7 +239,7 @@ std::string Watch::json() const {
   json["reset_cause"] = board ? Json(hal::name(static_cast<hal::ResetCause>(board->reset_cause))) : Json{};
   json["battery_v"] = board && board->battery_mv ? rounded(1e-3 * *board->battery_mv) : Json{};
   json["ticks_missed"] = board ? Json(board->overruns) : Json{};  // 255: or more
-  json["plan"] = board ? Json(name(board->plan)) : Json{};
+  json["plan"] = board ? Json(replies::name(board->plan)) : Json{};
   json["flash_failed"] = board ? Json(board->flash_failed) : Json{};
   json["canards"] = Json::array();
   for (const CanardRow& row : rows(link_, now_)) {

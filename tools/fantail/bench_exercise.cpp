@@ -1,34 +1,25 @@
 // SPDX-License-Identifier: MIT
 #include <array>
-#include <cerrno>
-#include <chrono>
-#include <cstring>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <numbers>
 #include <optional>
-#include <random>
-#include <stdexcept>
 #include <string>
 
-#include <fmt/chrono.h>
 #include <fmt/core.h>
-#include <unistd.h>
 
 #include "bench/exercise.hpp"
 #include "bench/perform.hpp"
 #include "bench/sheet.hpp"
+#include "fantail/bench_desk.hpp"
 #include "fantail/bench_options.hpp"
 #include "fantail/can_place.hpp"
 #include "fantail/interrupt.hpp"
 #include "fantail/progress.hpp"
 #include "fantail/run.hpp"
 #include "fantail/standard_streams.hpp"
-#include "input/plan_file.hpp"
-#include "input/shipped.hpp"
-#include "input/vehicle_file.hpp"
 #include "link/session.hpp"
-#include "protocol/plan_block.hpp"
 #include "text/output_folder.hpp"
 
 namespace fantail::tool {
@@ -67,41 +58,6 @@ bench::Exercise sine(const bench::Bounds& bounds, const ExerciseOptions& options
                                 .cycles = options.cycles});
 }
 
-// Whatever is wrong with a file is said before anything moves.
-struct Desk {
-  sim::CanardTolerances tolerances{};
-  bench::Heading heading{};
-  std::optional<std::uint32_t> plan_crc;  ///< of the plan on this desk
-};
-
-Desk desk(const ExerciseOptions& options) {
-  Desk desk;
-  desk.heading.version = FANTAIL_VERSION;
-  desk.heading.date = fmt::format(
-      "{:%Y-%m-%d %H:%M}", fmt::localtime(std::chrono::system_clock::to_time_t(std::chrono::system_clock::now())));
-  if (options.vehicle.empty()) {
-    desk.heading.vehicle = "not named";
-    desk.heading.notes.emplace_back("No vehicle was named: the default tolerances are used.");
-  } else {
-    const sim::Vehicle vehicle =
-        input::read_vehicle(input::Document::load(input::find_input(input::Shipped::vehicle, options.vehicle)));
-    desk.heading.vehicle = vehicle.name;
-    desk.tolerances = vehicle.canard_tolerances;
-  }
-  if (!options.plan.empty()) {
-    const core::FlightPlan plan =
-        input::read_plan(input::Document::load(input::find_input(input::Shipped::plan, options.plan)));
-    desk.heading.plan = options.plan;
-    desk.plan_crc = protocol::plan_crc(plan);
-    desk.heading.planned_limit_rad.emplace();
-    for (std::size_t i = 0; i < core::canard_count; ++i) {
-      const core::Angle limit = std::min(plan.controller.canard_limit, plan.canards.each[i].mechanical_stop);
-      (*desk.heading.planned_limit_rad)[i] = static_cast<double>(limit.radians());
-    }
-  }
-  return desk;
-}
-
 // After the exercise the canards are centred before anything else happens, and after an interrupt too.
 link::Recording perform(const bench::Exercise& exercise, const ExerciseOptions& options, link::Session& session,
                         link::AvionicsLink& link) {
@@ -113,63 +69,23 @@ link::Recording perform(const bench::Exercise& exercise, const ExerciseOptions& 
     }
     return recording;
   } catch (const Interrupted&) {
-    throw Interrupted{session.close() ? "interrupted; the canards are centred"
-                                      : "interrupted; the avionics did not answer, and centres the canards by itself "
-                                        "0.1 s after the last heartbeat"};
-  }
-}
-
-void complete(bench::Heading& heading, const ExerciseOptions& options, const link::AvionicsLink& link) {
-  const protocol::HeartbeatReport heartbeat = link.newest<protocol::HeartbeatReport>()->message;
-  heading.plan_crc = fmt::format("{:08x}", heartbeat.plan_crc);
-  heading.avionics = fmt::format("{}, bus protocol {}", options.bench.interface, heartbeat.version);
-  if (const auto& health = link.newest<protocol::HealthReport>()) {
-    for (std::size_t i = 0; i < heading.monitor.size(); ++i) {
-      heading.monitor[i] = health->message.verdicts[i];
-    }
-  }
-}
-
-// A folder that cannot be made is said now, and not after half a minute of work with the canards.
-void expect_room_for_sheet(const std::filesystem::path& folder) {
-  std::error_code ignored;
-  std::filesystem::path there = std::filesystem::absolute(folder, ignored);
-  while (!std::filesystem::exists(there, ignored) && there.has_relative_path()) {
-    there = there.parent_path();
-  }
-  if (!std::filesystem::is_directory(there, ignored)) {
-    throw text::OutputError{there.string() + ": not a folder; choose another one for the sheet with --out"};
-  }
-  if (::access(there.c_str(), W_OK | X_OK) != 0) {
-    throw text::OutputError{there.string() + ": " + std::strerror(errno) +
-                            "; choose another folder for the sheet with --out"};
-  }
-}
-
-std::unique_ptr<link::Session> open_session(link::Place& place, link::AvionicsLink& link) {
-  try {
-    return std::make_unique<link::Session>(place, link, static_cast<std::uint16_t>(std::random_device{}()));
-  } catch (const Interrupted&) {
-    throw Interrupted{"interrupted before any canard was asked to move"};
+    throw Interrupted{centre_after_interrupt(session)};
   }
 }
 
 void exercise(const ExerciseOptions& options, const MakeExercise& make) {
-  Desk on_desk = desk(options);
+  Desk on_desk = desk(options.vehicle, options.plan);
   const std::filesystem::path folder = options.out.empty() ? std::string{"out/bench"} : options.out;
-  expect_room_for_sheet(folder);
+  expect_room(folder, "the sheet with --out");
   CanPlace place{options.bench.interface};
   link::AvionicsLink link{place.bus()};
   await_rocket(options.bench, place, link);
-  if (on_desk.plan_crc && *on_desk.plan_crc != link.newest<protocol::HeartbeatReport>()->message.plan_crc) {
-    throw RequirementNotMet{"the rocket does not hold " + options.plan + "; send it with fantail bench plan " +
-                            options.plan + " --can " + options.bench.interface};
-  }
+  expect_plan_in_force(on_desk, options.bench, link);
   const auto session = open_session(place, link);
   const bench::Bounds bounds = bench::bounds(link.newest<protocol::LimitReport>()->message, session->trims());
   const bench::Exercise what = make(bounds, options);
   const link::Recording recording = perform(what, options, *session, link);
-  complete(on_desk.heading, options, link);
+  complete(on_desk.heading, options.bench, link);
   const bench::Sheet sheet = bench::examine(recording, what, on_desk.tolerances, on_desk.heading);
   const std::string json = bench::sheet_json(sheet);
 

@@ -24,14 +24,19 @@ void await_rocket(const BenchOptions& options, link::Place& place, link::Avionic
 /// --can, --wait and --json.
 void add_bench_options(const Verb& verb, BenchOptions& options, const std::string& json_meaning);
 
+/// `bench plan show`: the plan in force, read back, as a plan file.
+void show_plan_in_force(const BenchOptions& options);
+
 // Each verb of the bench in a file of its own.
 void add_bench_watch(const Verb& bench);
 void add_bench_limits(const Verb& bench);
 void add_bench_step(const Verb& bench);
 void add_bench_sine(const Verb& bench);
+void add_bench_cycle(const Verb& bench);
 void add_bench_hold(const Verb& bench);
 void add_bench_arm(const Verb& bench);
 void add_bench_plan(const Verb& bench);
 void add_bench_log(const Verb& bench);
+void add_bench_zero(const Verb& bench);
 
 }  // namespace fantail::tool

@@ -85,17 +85,22 @@ void send(const PlanOptions& options) {
 }  // namespace
 
 void add_bench_plan(const Verb& bench) {
-  auto verb = bench.verb("plan", "Send a flight plan to the rocket, which checks and keeps it");
+  auto verb =
+      bench.verb("plan", "Send a flight plan to the rocket, which checks and keeps it; or show the one in force");
   auto options = std::make_shared<PlanOptions>();
-  verb.option("PLAN", options->plan, "A shipped name, a plan file, or a block made by fantail plan compile (.ftpl)")
+  verb.option(
+          "PLAN", options->plan,
+          "A shipped name, a plan file, or a block made by fantail plan compile (.ftpl); or the word show, which reads "
+          "the plan in force back and prints it as a plan file")
       .required();
   add_bench_options(verb, options->bench, "Print one JSON object");
   verb.examples(
       "Examples:\n"
       "  fantail bench plan tasha3_launch2 --can can0   a shipped plan\n"
       "  fantail bench plan my_plan.toml --can can0     your own; it is checked here first\n"
-      "  fantail bench plan p.ftpl --can can0 --json    a compiled block, for a script");
-  verb.action([options] { send(*options); });
+      "  fantail bench plan p.ftpl --can can0 --json    a compiled block, for a script\n"
+      "  fantail bench plan show --can can0 > now.toml  the plan in force, as a plan file");
+  verb.action([options] { options->plan == "show" ? show_plan_in_force(options->bench) : send(*options); });
 }
 
 }  // namespace fantail::tool

@@ -221,4 +221,15 @@ core::FlightPlan changed_plan(const core::FlightPlan& plan, std::span<const Over
   return result;
 }
 
+bool table_says_all(const core::FlightPlan& plan) {
+  const core::FlightPlan read = read_plan(document_of(plan));
+  return std::ranges::all_of(core::flight_plan_fields(), [&](const PlanField& field) {
+    bool same = field.used_slots(read) == field.used_slots(plan);
+    for (std::size_t slot = 0; same && slot < field.used_slots(plan); ++slot) {
+      same = field.get_bits(read, slot) == field.get_bits(plan, slot);
+    }
+    return same;
+  });
+}
+
 }  // namespace fantail::input

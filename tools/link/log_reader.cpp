@@ -2,6 +2,7 @@
 #include "link/log_reader.hpp"
 
 #include <algorithm>
+#include <string>
 
 #include "avionics/can_frame.hpp"
 #include "protocol/crc32c.hpp"
@@ -28,11 +29,16 @@ constexpr Microseconds look_time{15'000'000};
 // An erase of one sector may take 400 ms.
 constexpr Microseconds erase_time{3'000'000};
 
-[[noreturn]] void refuse(LogFault fault) {
-  throw LinkError{"the flight record of the avionics cannot be read: " + replies::sentence(fault)};
+std::string name(LogAction what) { return what == LogAction::plan ? "plan" : "flight record"; }
+
+[[noreturn]] void refuse(LogAction what, LogFault fault) {
+  throw LinkError{"the " + name(what) + " of the avionics cannot be read: " + replies::sentence(fault)};
 }
 
-[[noreturn]] void silent() { throw LinkError{"the avionics does not answer when asked for its flight record"}; }
+[[noreturn]] void silent(LogAction what) {
+  throw LinkError{"the avionics does not answer when asked for its " + name(what) +
+                  (what == LogAction::plan ? "; is its firmware older than this program?" : "")};
+}
 
 }  // namespace
 
@@ -66,42 +72,62 @@ LogInfo LogReader::info() {
     }
     // Another bench may be erasing, which is not waited for either.
     if (reply && reply->state == LogState::refused && reply->fault != LogFault::not_counted_yet) {
-      refuse(reply->fault);
+      refuse(LogAction::info, reply->fault);
     }
     const bool too_long = look.expired(place_.now());
     if (reply) {
       if (too_long) {
-        refuse(reply->state == LogState::refused ? reply->fault : LogFault::busy);
+        refuse(LogAction::info, reply->state == LogState::refused ? reply->fault : LogFault::busy);
       }
       any_answer.restart();
       place_.wait(repeat_after);
     } else if (any_answer.expired(place_.now())) {
-      silent();
+      silent(LogAction::info);
     }
   }
 }
 
 std::vector<std::byte> LogReader::read(std::uint32_t offset, std::uint32_t size) {
+  return read(LogAction::read, offset, size);
+}
+
+std::vector<std::byte> LogReader::plan_block() {
+  const std::vector<std::byte> header = read(LogAction::plan, 0, protocol::plan_block_header_size);
+  const std::size_t size = protocol::announced_plan_block_size(header);
+  std::vector<std::byte> block;
+  while (block.size() < size) {
+    const auto begin = static_cast<std::uint32_t>(block.size());
+    const std::vector<std::byte> part = read(LogAction::plan, begin, static_cast<std::uint32_t>(size) - begin);
+    block.insert(block.end(), part.begin(), part.end());
+  }
+  return block;
+}
+
+std::vector<std::byte> LogReader::read(LogAction what, std::uint32_t offset, std::uint32_t size) {
+  const std::uint64_t answers_before = link_.count<protocol::LogReply>();
   Timeout timeout{answer_time, place_.now()};
   while (true) {
     const auto now_size = static_cast<std::uint16_t>(std::min<std::size_t>(size, frames_at_once_ * bytes_a_frame));
-    if (auto bytes = try_to_read(offset, now_size)) {
+    if (auto bytes = try_to_read(what, offset, now_size)) {
       frames_at_once_ = std::min(2 * frames_at_once_, most_frames);
       return *bytes;
     }
     repeated_ += 1;
     frames_at_once_ = std::max(frames_at_once_ / 2, fewest_frames);
     if (timeout.expired(place_.now())) {
-      silent();
+      if (link_.count<protocol::LogReply>() == answers_before) {
+        silent(what);
+      }
+      throw LinkError{"what the avionics sends of its " + name(what) + " does not arrive whole: is the bus disturbed?"};
     }
   }
 }
 
 // Empty: something was lost or damaged on the way.
-std::optional<std::vector<std::byte>> LogReader::try_to_read(std::uint32_t offset, std::uint16_t size) {
+std::optional<std::vector<std::byte>> LogReader::try_to_read(LogAction what, std::uint32_t offset, std::uint16_t size) {
   std::vector<std::byte> bytes((size + bytes_a_frame - 1) / bytes_a_frame * bytes_a_frame);
   arrived_.assign(bytes.size() / bytes_a_frame, false);
-  ask(LogAction::read, offset, size);
+  ask(what, offset, size);
   Microseconds last_heard = place_.now();
   std::optional<Microseconds> answered;
   while (true) {
@@ -114,7 +140,7 @@ std::optional<std::vector<std::byte>> LogReader::try_to_read(std::uint32_t offse
         place_.wait(repeat_after);
         return std::nullopt;
       }
-      refuse(reply->fault);
+      refuse(what, reply->fault);
     }
     const bool complete = std::ranges::find(arrived_, false) == arrived_.end();
     if (reply && complete) {

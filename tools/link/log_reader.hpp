@@ -18,8 +18,9 @@ struct LogInfo {
   std::uint32_t free_bytes = 0;  ///< in whole KiB
 };
 
-/// Asks the avionics about its flight record. Whatever is lost on the way is asked for again; what comes back is whole.
-/// Every call throws LinkError when the avionics refuses, with the reason, or is silent for five seconds.
+/// Asks the avionics about its flight record, and for the plan in force. Whatever is lost on the way is asked for
+/// again; what comes back is whole. Every call throws LinkError when the avionics refuses, with the reason, or when for
+/// five seconds it is silent or what it sends does not arrive whole.
 class LogReader {
  public:
   LogReader(Place& place, AvionicsLink& link) : place_{place}, link_{link} {}
@@ -31,6 +32,9 @@ class LogReader {
   /// the CRC-32C that the avionics gave. On a bus that loses frames they become fewer.
   [[nodiscard]] std::vector<std::byte> read(std::uint32_t offset, std::uint32_t size);
 
+  /// The block of the plan in force, as long as its header says it is; it is not looked into further.
+  [[nodiscard]] std::vector<std::byte> plan_block();
+
   /// Erases the record. `progress` is told the bytes that are left. Throws LinkError when the session ends.
   void erase(Session& session, const std::function<void(std::uint32_t)>& progress);
 
@@ -39,8 +43,10 @@ class LogReader {
 
  private:
   void ask(protocol::LogAction action, std::uint32_t offset, std::uint16_t size);
+  [[nodiscard]] std::vector<std::byte> read(protocol::LogAction what, std::uint32_t offset, std::uint32_t size);
   [[nodiscard]] std::optional<protocol::LogReply> answer() const;
-  [[nodiscard]] std::optional<std::vector<std::byte>> try_to_read(std::uint32_t offset, std::uint16_t size);
+  [[nodiscard]] std::optional<std::vector<std::byte>> try_to_read(protocol::LogAction what, std::uint32_t offset,
+                                                                  std::uint16_t size);
   [[nodiscard]] bool take_data(std::vector<std::byte>& bytes);
 
   Place& place_;

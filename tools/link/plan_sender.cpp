@@ -5,7 +5,7 @@
 
 #include "avionics/can_frame.hpp"
 #include "link/session.hpp"
-#include "protocol/little_endian.hpp"
+#include "protocol/plan_block.hpp"
 
 namespace fantail::link {
 namespace {
@@ -28,10 +28,6 @@ protocol::BusFrame data_frame(std::span<const std::byte> block, std::size_t inde
   return encode(data);
 }
 
-std::uint32_t own_checksum(std::span<const std::byte> block) {
-  return static_cast<std::uint32_t>(protocol::get<4>(block, block.size() - 4));
-}
-
 }  // namespace
 
 protocol::PlanReply send_plan(Place& place, AvionicsLink& link, std::span<const std::byte> block,
@@ -40,7 +36,8 @@ protocol::PlanReply send_plan(Place& place, AvionicsLink& link, std::span<const 
     link.listen(place.now());
     return link.count<protocol::PlanReply>();
   };
-  const protocol::PlanBegin begin{.size = static_cast<std::uint16_t>(block.size()), .block_crc = own_checksum(block)};
+  const protocol::PlanBegin begin{.size = static_cast<std::uint16_t>(block.size()),
+                                  .block_crc = protocol::plan_block_checksum(block)};
   std::uint64_t seen = heard();
   protocol::FrameCounter counter;
   std::optional<std::size_t> next;  // empty: it has not yet answered the beginning

@@ -135,4 +135,15 @@ std::string sentence(const protocol::PlanReply& reply) {
   return reply.block_fault ? sentence(*reply.block_fault) : "unknown reason";
 }
 
+std::string_view name(protocol::PlanSource source) {
+  switch (source) {
+    case protocol::PlanSource::built_in: return "built_in";
+    case protocol::PlanSource::stored: return "stored";
+    case protocol::PlanSource::stored_is_broken: return "stored_is_broken";
+    case protocol::PlanSource::stored_is_newer: return "stored_is_newer";
+    case protocol::PlanSource::flash_unreadable: return "flash_unreadable";
+  }
+  return "unknown";
+}
+
 }  // namespace fantail::replies

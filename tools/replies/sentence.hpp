@@ -19,6 +19,8 @@ namespace fantail::replies {
 /// Names the refused field of the plan where there is one.
 [[nodiscard]] std::string sentence(const protocol::PlanReply& reply);
 
+/// "built_in", "stored_is_broken", ...
+[[nodiscard]] std::string_view name(protocol::PlanSource source);
 /// "error active", "bus off", ...
 [[nodiscard]] std::string_view name(hal::CanState state);
 

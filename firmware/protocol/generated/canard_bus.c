@@ -1130,12 +1130,12 @@ float canard_bus_log_request_action_decode(uint8_t value)
 
 bool canard_bus_log_request_action_is_in_range(uint8_t value)
 {
-    return (value <= 2u);
+    return (value <= 3u);
 }
 
 bool canard_bus_log_request_action_is_in_phys_range(float value)
 {
-    return ((value >= 0.0f) && (value <= 2.0f));
+    return ((value >= 0.0f) && (value <= 3.0f));
 }
 
 uint8_t canard_bus_log_request_tag_encode(float value)

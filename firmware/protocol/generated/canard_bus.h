@@ -144,6 +144,7 @@ extern "C" {
 #define CANARD_BUS_LOG_REQUEST_ACTION_INFO_CHOICE (0u)
 #define CANARD_BUS_LOG_REQUEST_ACTION_READ_CHOICE (1u)
 #define CANARD_BUS_LOG_REQUEST_ACTION_ERASE_CHOICE (2u)
+#define CANARD_BUS_LOG_REQUEST_ACTION_PLAN_CHOICE (3u)
 
 #define CANARD_BUS_STATUS_REPORT_PHASE_SAFE_CHOICE (0u)
 #define CANARD_BUS_STATUS_REPORT_PHASE_ARMED_CHOICE (1u)
@@ -734,13 +735,13 @@ struct canard_bus_plan_data_t {
 /**
  * Signals in message LogRequest.
  *
- * Asks for the state of the flight record, for up to 1792 bytes of it, or for its erase (offset: the number of the open session). Moves nothing, but can erase, so it is protected.
+ * Asks for the state of the flight record, for up to 1792 bytes of it, for its erase (offset: the number of the open session), or for bytes of the block of the plan in force. Moves nothing, but can erase, so it is protected.
  *
  * All signal values are as on the CAN bus.
  */
 struct canard_bus_log_request_t {
     /**
-     * Range: 0..2 (0..2 -)
+     * Range: 0..3 (0..3 -)
      * Scale: 1
      * Offset: 0
      */
@@ -1226,7 +1227,7 @@ struct canard_bus_plan_reply_t {
 /**
  * Signals in message LogReply.
  *
- * The answer to the LogRequest with this tag. number and extra are, when ready or erased: bytes in use, KiB still free; read: CRC-32C of the bytes just sent, how many; erasing: bytes still to erase, zero; refused: zero.
+ * The answer to the LogRequest with this tag. number and extra are, when ready or erased: bytes in use, KiB still free; read (also the answer to plan): CRC-32C of the bytes just sent, how many; erasing: bytes still to erase, zero; refused: zero.
  *
  * All signal values are as on the CAN bus.
  */

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bench/exercise.hpp"
+#include "bench/sheet.hpp"
+#include "link/avionics_link.hpp"
+#include "link/session.hpp"
+#include "sim/canard_tolerances.hpp"
+
+namespace fantail::bench {
+
+/// What one canard showed in one lap, which is one turn of the `limits` exercise with all four together.
+struct CanardLap {
+  std::optional<double> lag_s{};
+  std::optional<double> tracking_rms_rad{};
+  std::optional<double> tracking_error_rad{};  ///< the largest, as on the sheet
+  bool passed = false;                         ///< every figure of the sheet
+};
+
+struct Lap {
+  double begin_s = 0.0;  ///< by the rocket's clock, since the first lap began
+  std::string doubt{};   ///< why nothing is said of this lap; empty: it was measured
+  Each<CanardLap> canards{};
+  std::optional<double> battery_v{};  ///< lowest that was reported in it
+  bool passed = false;
+  std::vector<std::string> conclusions{};  ///< a sentence for each thing that failed
+
+  [[nodiscard]] bool measured() const { return doubt.empty(); }
+};
+
+/// An endurance run: the same lap again and again.
+struct Cycle {
+  Heading heading{};
+  sim::CanardTolerances tolerances{};
+  double lap_s = 0.0;
+  std::size_t planned_laps = 0;
+  std::vector<Lap> laps{};
+  std::string ended_because{};  ///< empty: it went on to its end
+};
+
+/// Laps that fail one behind the other before the run ends by itself, to spare the servos.
+inline constexpr std::size_t most_failing_laps = 3;
+/// Of all planned laps, the share that may be left out because this PC was too slow for them.
+inline constexpr double most_void_share = 0.05;
+
+/// Adds lap by lap to `cycle` until all that are planned are done, so whatever ends it, what has been measured is
+/// there. `progress` is told the seconds done after each lap and in between; it may throw to give up. Throws TooSlow
+/// when more laps had to be left out than may be.
+void perform_laps(Cycle& cycle, const Exercise& lap, link::Session& session, link::AvionicsLink& link,
+                  const std::function<void(double)>& progress);
+
+/// The sheet of one lap, as an entry of a cycle.
+[[nodiscard]] Lap lap_of(const Sheet& sheet);
+
+/// Pass or fail of the laps that were measured; none when there is none.
+[[nodiscard]] Judgement judgement(const Cycle& cycle);
+/// A sentence or more: how many laps, what failed first, what was left out, what ended it.
+[[nodiscard]] std::vector<std::string> conclusions(const Cycle& cycle);
+
+/// One figure over the run. Empty values: in no lap of that time could it be measured.
+struct Course {
+  std::optional<double> first{};  ///< lap
+  std::optional<double> last{};
+  std::optional<double> worst{};
+  std::vector<std::optional<double>> tenths{};  ///< of the laps; fewer than ten when there are fewer laps
+};
+
+/// In rad, s and V.
+[[nodiscard]] Course lag_course(const Cycle& cycle, std::size_t canard);             ///< a tenth: the mean
+[[nodiscard]] Course tracking_rms_course(const Cycle& cycle, std::size_t canard);    ///< root mean square
+[[nodiscard]] Course tracking_error_course(const Cycle& cycle, std::size_t canard);  ///< the largest
+[[nodiscard]] Course battery_course(const Cycle& cycle);                             ///< the lowest
+/// The battery voltage was on the bus.
+[[nodiscard]] bool knows_battery(const Cycle& cycle);
+
+/// For a terminal: plain ASCII, aligned, at most 100 columns but for sentences.
+[[nodiscard]] std::string cycle_text(const Cycle& cycle);
+/// One object; every figure with its unit in its name.
+[[nodiscard]] std::string cycle_json(const Cycle& cycle);
+/// One row a lap. Empty cells: not measured.
+[[nodiscard]] std::string cycle_csv(const Cycle& cycle);
+
+}  // namespace fantail::bench

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+#include "fantail/bench_desk.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <cstring>
+#include <random>
+
+#include <fmt/chrono.h>
+#include <fmt/core.h>
+#include <unistd.h>
+
+#include "fantail/interrupt.hpp"
+#include "fantail/run.hpp"
+#include "input/plan_file.hpp"
+#include "input/shipped.hpp"
+#include "input/vehicle_file.hpp"
+#include "protocol/plan_block.hpp"
+#include "text/output_folder.hpp"
+
+namespace fantail::tool {
+
+Desk desk(const std::string& vehicle_name, const std::string& plan_name) {
+  Desk desk;
+  desk.heading.version = FANTAIL_VERSION;
+  desk.heading.date = fmt::format(
+      "{:%Y-%m-%d %H:%M}", fmt::localtime(std::chrono::system_clock::to_time_t(std::chrono::system_clock::now())));
+  if (vehicle_name.empty()) {
+    desk.heading.vehicle = "not named";
+    desk.heading.notes.emplace_back("No vehicle was named: the default tolerances are used.");
+  } else {
+    const sim::Vehicle vehicle =
+        input::read_vehicle(input::Document::load(input::find_input(input::Shipped::vehicle, vehicle_name)));
+    desk.heading.vehicle = vehicle.name;
+    desk.tolerances = vehicle.canard_tolerances;
+  }
+  if (!plan_name.empty()) {
+    const core::FlightPlan plan =
+        input::read_plan(input::Document::load(input::find_input(input::Shipped::plan, plan_name)));
+    desk.heading.plan = plan_name;
+    desk.plan_crc = protocol::plan_crc(plan);
+    desk.heading.planned_limit_rad.emplace();
+    for (std::size_t i = 0; i < core::canard_count; ++i) {
+      const core::Angle limit = std::min(plan.controller.canard_limit, plan.canards.each[i].mechanical_stop);
+      (*desk.heading.planned_limit_rad)[i] = static_cast<double>(limit.radians());
+    }
+  }
+  return desk;
+}
+
+void expect_plan_in_force(const Desk& desk, const BenchOptions& options, const link::AvionicsLink& link) {
+  const std::string& plan = desk.heading.plan;
+  if (desk.plan_crc && *desk.plan_crc != link.newest<protocol::HeartbeatReport>()->message.plan_crc) {
+    throw RequirementNotMet{"the rocket does not hold " + plan + "; send it with fantail bench plan " + plan +
+                            " --can " + options.interface};
+  }
+}
+
+void complete(bench::Heading& heading, const BenchOptions& options, const link::AvionicsLink& link) {
+  const protocol::HeartbeatReport heartbeat = link.newest<protocol::HeartbeatReport>()->message;
+  heading.plan_crc = fmt::format("{:08x}", heartbeat.plan_crc);
+  heading.avionics = fmt::format("{}, bus protocol {}", options.interface, heartbeat.version);
+  if (const auto& health = link.newest<protocol::HealthReport>()) {
+    for (std::size_t i = 0; i < heading.monitor.size(); ++i) {
+      heading.monitor[i] = health->message.verdicts[i];
+    }
+  }
+}
+
+void expect_room(const std::filesystem::path& folder, const std::string& for_what) {
+  std::error_code ignored;
+  std::filesystem::path there = std::filesystem::absolute(folder, ignored);
+  while (!std::filesystem::exists(there, ignored) && there.has_relative_path()) {
+    there = there.parent_path();
+  }
+  if (!std::filesystem::is_directory(there, ignored)) {
+    throw text::OutputError{there.string() + ": not a folder; choose another one for " + for_what};
+  }
+  if (::access(there.c_str(), W_OK | X_OK) != 0) {
+    throw text::OutputError{there.string() + ": " + std::strerror(errno) + "; choose another folder for " + for_what};
+  }
+}
+
+std::unique_ptr<link::Session> open_session(link::Place& place, link::AvionicsLink& link) {
+  try {
+    return std::make_unique<link::Session>(place, link, static_cast<std::uint16_t>(std::random_device{}()));
+  } catch (const Interrupted&) {
+    throw Interrupted{"interrupted before any canard was asked to move"};
+  }
+}
+
+std::string centre_after_interrupt(link::Session& session) {
+  return session.close()
+             ? "interrupted; the canards are centred"
+             : "interrupted; the avionics did not answer, and centres the canards by itself 0.1 s after the "
+               "last heartbeat";
+}
+
+}  // namespace fantail::tool

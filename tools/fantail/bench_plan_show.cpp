@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#include <string>
+
+#include <fmt/core.h>
+
+#include "avionics/board_text.hpp"
+#include "fantail/bench_options.hpp"
+#include "fantail/can_place.hpp"
+#include "fantail/plan_json.hpp"
+#include "fantail/run.hpp"
+#include "fantail/standard_streams.hpp"
+#include "input/plan_file.hpp"
+#include "json/value.hpp"
+#include "link/plan_reader.hpp"
+#include "replies/sentence.hpp"
+
+namespace fantail::tool {
+void show_plan_in_force(const BenchOptions& options) {
+  CanPlace place{options.interface};
+  link::AvionicsLink link{place.bus()};
+  await_rocket(options, place, link);
+  const link::PlanInForce read = link::read_plan_in_force(place, link);
+  if (!input::table_says_all(read.plan)) {
+    throw RequirementNotMet{"the plan in force has a value that no plan file gives, so it cannot be printed as one"};
+  }
+  const std::string block_crc = fmt::format("{:08x}", read.block_crc);
+  if (options.json) {
+    fmt::print(
+        "{}",
+        json::Value{{"origin", replies::name(read.source)}, {"block_crc", block_crc}, {"plan", plan_json(read.plan)}}
+            .pretty());
+    return;
+  }
+  fmt::print("{}", input::plan_table(read.plan));
+  // Beside the file, so that what is printed is the file and nothing else.
+  say(fmt::format("fantail: {}: the plan in force is {}; block_crc {}\n", options.interface,
+                  avionics::text(read.source), block_crc));
+}
+
+}  // namespace fantail::tool
