@@ -47,6 +47,7 @@ struct IdentifyOptions {
 
   std::string nodes = "even:1";
   std::string method = "continuous";
+  std::string loss = "squares";
   std::string grid_alpha;  ///< A:B:STEP, empty: as published
   std::string grid_beta;
 
@@ -106,6 +107,11 @@ void add_method(const Verb& verb, IdentifyOptions& o) {
   verb.option("--method", o.method,
               "grid (as published; its intervals include the rounding to the grid), continuous or both")
       .one_of({"grid", "continuous", "both"})
+      .show_default();
+  verb.option("--loss", o.loss,
+              "Of the angle errors: squares, or huber for a log with outliers, on which those have little influence "
+              "(continuous method, open loop; fits the first angle and rate, too)")
+      .one_of({"squares", "huber"})
       .show_default();
   verb.option("--grid-alpha", o.grid_alpha,
               "FIRST:LAST:STEP in m2 [1:60:1 for an area of 5.03e-5 m2, else in inverse proportion]")
@@ -175,6 +181,16 @@ identify::closed_loop::Control closed_loop(const IdentifyOptions& o) {
   return {.controller = controller, .servo_lag_s = o.servo_lag_s};
 }
 
+void use_huber_loss(const IdentifyOptions& o, identify::Options& options) {
+  if (o.method != "continuous" || o.loop != "open" || o.fit_lag) {
+    throw UsageError{
+        "--loss huber: allowed with --method continuous and --loop open, and without --fit-lag (find the lag first, "
+        "then give it with --lag)"};
+  }
+  options.loss = identify::model::Loss::huber;
+  options.start = identify::model::Start::fitted;
+}
+
 identify::Question question(const IdentifyOptions& o) {
   using identify::result::Method;
   identify::Question q;
@@ -186,6 +202,9 @@ identify::Question question(const IdentifyOptions& o) {
   q.record.lag_s = o.lag_s;
   q.record.speed_m_s = o.speed_m_s;
   q.options.start = o.fit_initial ? identify::model::Start::fitted : identify::model::Start::measured;
+  if (o.loss == "huber") {
+    use_huber_loss(o, q.options);
+  }
   if (o.loop == "closed") {
     q.options.closed_loop = closed_loop(o);
     q.record.canard_needed = false;

@@ -74,6 +74,7 @@ Json object(const Study& study, const WindowFindings& window, const Identificati
             {"window_begin_s", rounded(window.record.window_begin_s)},
             {"method", name(result.method)},
             {"loop", name(result.loop)},
+            {"loss", result.robust ? "huber" : "squares"},
             {"samples", result.samples},
             {"seconds", rounded(result.seconds)},
             {"alpha_m2", rounded(result.model.alpha_m2)},
@@ -82,6 +83,10 @@ Json object(const Study& study, const WindowFindings& window, const Identificati
             {"node_time_s", list(on_clock(window.record, result.model.node_time_s))},
             {"mean_abs_angle_error_deg", rounded(degrees(result.simulation.mean_abs_angle_error_rad))},
             {"mean_abs_rate_error_deg_s", rounded(degrees(result.simulation.mean_abs_rate_error_rad_s))}};
+  if (result.robust) {
+    json["huber_threshold_deg"] = rounded(degrees(result.robust->threshold_rad));
+    json["huber_samples_beyond"] = result.robust->beyond;
+  }
   if (result.uncertainty) {
     add_uncertainty(json, *result.uncertainty);
   }
