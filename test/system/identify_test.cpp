@@ -39,6 +39,12 @@ TEST_F(IdentifiedFlight, GivesWhatItWasFlownWith) {
   expect_inside(23.0, json["alpha_interval_m2"]);
   expect_inside(9.0, json["beta_interval_m"]);
   EXPECT_NEAR(json["disturbance_deg"][0].number(), -4.9, 0.02);
+  // The flight plan's chirp, up to 18 Hz.
+  const auto& response = json["frequency_response"];
+  EXPECT_EQ(response["instrument"], "excitation");
+  EXPECT_GE(response["lines"].size(), 40U);
+  EXPECT_NEAR(response["lines"][3]["gain_per_s"].number() / response["lines"][3]["model_gain_per_s"].number(), 1.0,
+              0.02);
   for (const char* name : {"report.html", "model.csv", "identification.json"}) {
     EXPECT_GT(content(*folder_ / (std::string{"out/identify/tasha3_launch2/"} + name)).size(), 500U) << name;
   }

@@ -114,6 +114,9 @@ WindowFindings identify_window(const logs::RollLog& log, const Window& window, c
     found.results.push_back(identify(found.record, question.airframe, options));
     Identification& result = found.results.back();
     result.residual_tests = test_residual(found.record, result.simulation);
+    if (result.loop == Loop::open) {
+      result.frequency_response = frequency_response(found.record, result.simulation);
+    }
     if (auto doubt = misfit(found.record, result)) {
       result.remarks.push_back(std::move(*doubt));
     }
