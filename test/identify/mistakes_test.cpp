@@ -110,6 +110,24 @@ TEST(Mistakes, AFewSamplesThatCarryTheCostAreNamed) {
   EXPECT_NE(text.find("of the 401 samples carry"), std::string::npos) << text;
 }
 
+TEST(Mistakes, HubersLossIsRecommendedForOutliersWithWhatItGives) {
+  logs::RollLog log = noisy_log({}, {.angle_deg = 0.1}, 3);
+  log.roll_angle_rad[200] += 20.0 * radians_per_degree;
+  log.roll_angle_rad[300] += 20.0 * radians_per_degree;
+  Question question = asked();
+  const std::string advice = said(study(log, question).windows[0]);
+  question.options.loss = Loss::huber;
+  question.options.start = Start::fitted;
+  const WindowFindings followed = study(log, question).windows[0];
+  const Identification& robust = followed.results[0];
+  EXPECT_NE(advice.find("--loss huber"), std::string::npos) << advice;
+  EXPECT_NE(advice.find("it gives alpha " + with_deviation(robust, 0) + " m2 instead of"), std::string::npos)
+      << advice << "\n"
+      << with_deviation(robust, 0);
+  EXPECT_EQ(said(followed).find("outliers"), std::string::npos) << said(followed);
+  EXPECT_NE(said(followed).find("Huber's loss: angle errors beyond"), std::string::npos) << said(followed);
+}
+
 TEST(Mistakes, MissingNodesAreNamed) {
   const Planting bent{.node_time_s = {0.0, 2.0, 4.0}, .node_deg = {-4.0, -6.0, -4.5}};
   const std::string text = said(study(noisy_log(bent, {.angle_deg = 0.1}, 3), asked()).windows[0]);

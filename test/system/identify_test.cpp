@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <memory>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -38,6 +39,12 @@ TEST_F(IdentifiedFlight, GivesWhatItWasFlownWith) {
   expect_inside(23.0, json["alpha_interval_m2"]);
   expect_inside(9.0, json["beta_interval_m"]);
   EXPECT_NEAR(json["disturbance_deg"][0].number(), -4.9, 0.02);
+  // The flight plan's chirp, up to 18 Hz.
+  const auto& response = json["frequency_response"];
+  EXPECT_EQ(response["instrument"], "excitation");
+  EXPECT_GE(response["lines"].size(), 40U);
+  EXPECT_NEAR(response["lines"][3]["gain_per_s"].number() / response["lines"][3]["model_gain_per_s"].number(), 1.0,
+              0.02);
   for (const char* name : {"report.html", "model.csv", "identification.json"}) {
     EXPECT_GT(content(*folder_ / (std::string{"out/identify/tasha3_launch2/"} + name)).size(), 500U) << name;
   }
@@ -83,6 +90,23 @@ TEST(Identify, TakesTheVehicleAsItFlewNotAsItsFileSays) {
   const auto json = identified(folder, {"identify", "heavy", "--json"});
   EXPECT_EQ(json["inertia_kg_m2"].number(), 0.005);
   EXPECT_NEAR(json["alpha_m2"].number(), 23.0, 0.5);
+}
+
+TEST_F(IdentifiedFlight, HasHubersLossForOneContinuousFitOfTheOpenLoop) {
+  const auto json =
+      identified(*folder_, identify("out/tasha3_launch2", {"--json", "--loss", "huber", "--out", "huber"}));
+  EXPECT_EQ(json["loss"], "huber");
+  EXPECT_NEAR(json["alpha_m2"].number(), 23.0, 0.5);
+  EXPECT_GT(json["huber_threshold_deg"].number(), 0.0);
+  for (const std::vector<std::string>& other : {std::vector<std::string>{"--method", "both"},
+                                                {"--loop", "closed", "--plan", "tasha3_launch2"},
+                                                {"--fit-lag"}}) {
+    std::vector<std::string> words{"--loss", "huber", "--out", "refused"};
+    words.insert(words.end(), other.begin(), other.end());
+    const Outcome outcome = fantail(identify("out/tasha3_launch2", words), {.working_folder = folder_->path()});
+    EXPECT_EQ(outcome.exit_code, 64) << other[0];
+    EXPECT_NE(outcome.err.find("--loss huber: allowed with"), std::string::npos) << outcome.err;
+  }
 }
 
 TEST_F(IdentifiedFlight, HasWindowsByItsEvents) {

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "fantail/identify_options.hpp"
 
+#include "core/flight_plan_fields.hpp"
 #include "identify/choices.hpp"
+#include "input/document.hpp"
+#include "input/plan_file.hpp"
+#include "input/shipped.hpp"
 
 namespace fantail::tool {
 namespace {
@@ -64,6 +68,11 @@ void add_method(const Verb& verb, IdentifyOptions& o) {
               "grid (as published; its intervals include the rounding to the grid), continuous or both")
       .one_of({"grid", "continuous", "both"})
       .show_default();
+  verb.option("--loss", o.loss,
+              "Of the angle errors: squares, or huber for a log with outliers, on which those have little influence "
+              "(continuous method, open loop; fits the first angle and rate, too)")
+      .one_of({"squares", "huber"})
+      .show_default();
   verb.option("--grid-alpha", o.grid_alpha,
               "FIRST:LAST:STEP in m2 [1:60:1 for an area of 5.03e-5 m2, else in inverse proportion]")
       .check(objection_to_axis);
@@ -80,6 +89,38 @@ void add_method(const Verb& verb, IdentifyOptions& o) {
       .show_default();
 }
 
+identify::closed_loop::Control closed_loop(const IdentifyOptions& o) {
+  if (o.fit_lag) {
+    throw UsageError{"--fit-lag: the closed loop does not use the measured canards; allowed with --loop open"};
+  }
+  core::ControllerPlan controller = core::default_plan().controller;
+  if (o.plan) {
+    controller = input::read_plan(input::Document::load(input::find_input(input::Shipped::plan, *o.plan))).controller;
+  } else if (!o.proportional_gain || !o.derivative_gain_s || !o.limit_deg) {
+    throw UsageError{"--loop closed needs the controller: --plan NAME|FILE, or --kp, --kd and --limit"};
+  }
+  if (o.proportional_gain) {
+    controller.proportional_gain = static_cast<float>(*o.proportional_gain);
+  }
+  if (o.derivative_gain_s) {
+    controller.derivative_gain_s = static_cast<float>(*o.derivative_gain_s);
+  }
+  if (o.limit_deg) {
+    controller.canard_limit = core::Angle::from_degrees(static_cast<float>(*o.limit_deg));
+  }
+  return {.controller = controller, .servo_lag_s = o.servo_lag_s};
+}
+
+void use_huber_loss(const IdentifyOptions& o, identify::Options& options) {
+  if (o.method != "continuous" || o.loop != "open" || o.fit_lag) {
+    throw UsageError{
+        "--loss huber: allowed with --method continuous and --loop open, and without --fit-lag (find the lag first, "
+        "then give it with --lag)"};
+  }
+  options.loss = identify::model::Loss::huber;
+  options.start = identify::model::Start::fitted;
+}
+
 }  // namespace
 
 void add_identify_options(const Verb& verb, IdentifyOptions& options) {
@@ -92,6 +133,27 @@ void add_identify_options(const Verb& verb, IdentifyOptions& options) {
               "Folder for report.html, model.csv and identification.json [out/identify/DATA, with "
               "several A+B]")
       .check(objection_to_folder);
+}
+
+identify::Question question(const IdentifyOptions& o) {
+  using identify::result::Method;
+  identify::Question q;
+  q.nodes = o.nodes;
+  q.fit_lag = o.fit_lag;
+  q.methods = o.method == "both"   ? std::vector{Method::grid, Method::continuous}
+              : o.method == "grid" ? std::vector{Method::grid}
+                                   : std::vector{Method::continuous};
+  q.record.lag_s = o.lag_s;
+  q.record.speed_m_s = o.speed_m_s;
+  q.options.start = o.fit_initial ? identify::model::Start::fitted : identify::model::Start::measured;
+  if (o.loss == "huber") {
+    use_huber_loss(o, q.options);
+  }
+  if (o.loop == "closed") {
+    q.options.closed_loop = closed_loop(o);
+    q.record.canard_needed = false;
+  }
+  return q;
 }
 
 }  // namespace fantail::tool

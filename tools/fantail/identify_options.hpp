@@ -8,6 +8,7 @@
 #include "fantail/airframe_options.hpp"
 #include "fantail/command_line.hpp"
 #include "fantail/log_options.hpp"
+#include "identify/study.hpp"
 
 namespace fantail::tool {
 
@@ -32,6 +33,7 @@ struct IdentifyOptions {
 
   std::string nodes = "even:1";
   std::string method = "continuous";
+  std::string loss = "squares";
   std::string grid_alpha;  ///< A:B:STEP, empty: as published
   std::string grid_beta;
 
@@ -47,5 +49,8 @@ struct IdentifyOptions {
 };
 
 void add_identify_options(const Verb& verb, IdentifyOptions& options);
+
+/// What they ask of the log, without the rocket and its windows. Options that exclude each other are a UsageError.
+identify::Question question(const IdentifyOptions& options);
 
 }  // namespace fantail::tool

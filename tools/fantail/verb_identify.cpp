@@ -8,8 +8,6 @@
 
 #include <fmt/core.h>
 
-#include "core/flight_plan.hpp"
-#include "core/flight_plan_fields.hpp"
 #include "fantail/airframe_options.hpp"
 #include "fantail/command_line.hpp"
 #include "fantail/identify_options.hpp"
@@ -24,10 +22,7 @@
 #include "identify/result/validation_outputs.hpp"
 #include "identify/study.hpp"
 #include "identify/validate.hpp"
-#include "input/document.hpp"
 #include "input/messages.hpp"
-#include "input/plan_file.hpp"
-#include "input/shipped.hpp"
 #include "logs/roll_log.hpp"
 
 namespace fantail::tool {
@@ -51,46 +46,6 @@ std::vector<identify::Window> windows(const IdentifyOptions& o, const logs::Roll
     all.push_back(controlled ? identify::find_window(log, "control") : identify::Window{.name = "all"});
   }
   return all;
-}
-
-identify::closed_loop::Control closed_loop(const IdentifyOptions& o) {
-  if (o.fit_lag) {
-    throw UsageError{"--fit-lag: the closed loop does not use the measured canards; allowed with --loop open"};
-  }
-  core::ControllerPlan controller = core::default_plan().controller;
-  if (o.plan) {
-    controller = input::read_plan(input::Document::load(input::find_input(input::Shipped::plan, *o.plan))).controller;
-  } else if (!o.proportional_gain || !o.derivative_gain_s || !o.limit_deg) {
-    throw UsageError{"--loop closed needs the controller: --plan NAME|FILE, or --kp, --kd and --limit"};
-  }
-  if (o.proportional_gain) {
-    controller.proportional_gain = static_cast<float>(*o.proportional_gain);
-  }
-  if (o.derivative_gain_s) {
-    controller.derivative_gain_s = static_cast<float>(*o.derivative_gain_s);
-  }
-  if (o.limit_deg) {
-    controller.canard_limit = core::Angle::from_degrees(static_cast<float>(*o.limit_deg));
-  }
-  return {.controller = controller, .servo_lag_s = o.servo_lag_s};
-}
-
-identify::Question question(const IdentifyOptions& o) {
-  using identify::result::Method;
-  identify::Question q;
-  q.nodes = o.nodes;
-  q.fit_lag = o.fit_lag;
-  q.methods = o.method == "both"   ? std::vector{Method::grid, Method::continuous}
-              : o.method == "grid" ? std::vector{Method::grid}
-                                   : std::vector{Method::continuous};
-  q.record.lag_s = o.lag_s;
-  q.record.speed_m_s = o.speed_m_s;
-  q.options.start = o.fit_initial ? identify::model::Start::fitted : identify::model::Start::measured;
-  if (o.loop == "closed") {
-    q.options.closed_loop = closed_loop(o);
-    q.record.canard_needed = false;
-  }
-  return q;
 }
 
 // "tasha3_launch2" for a folder, "log" for log.csv.
@@ -170,6 +125,9 @@ void require_one_open_loop_fit(const IdentifyOptions& o, const std::string& opti
   }
   if (o.method != "continuous") {
     throw UsageError{option + " has no use for a grid; allowed with --method continuous"};
+  }
+  if (o.loss != "squares") {
+    throw UsageError{option + " weighs each window by its least squares; allowed with --loss squares"};
   }
 }
 

@@ -11,6 +11,8 @@
 
 #include "identify/model/alpha_fit.hpp"
 #include "identify/model/open_loop.hpp"
+#include "identify/model/robust_fit.hpp"
+#include "identify/result/formatting.hpp"
 #include "identify/result/uncertainty.hpp"
 #include "text/degrees.hpp"
 #include "text/number.hpp"
@@ -176,6 +178,29 @@ std::optional<std::string> unexplained(const Case& c) {
       text::fixed(tests->own_correlation, 2), text::fixed(tests->chance, 2));
 }
 
+// Only where it was tried and tells both numbers better; Huber's loss knows no fitted lag.
+std::string advice_on_loss(const Case& c) {
+  if (!c.record.canard_rate_rad_s.empty()) {
+    return {};
+  }
+  const RollModel& found = c.found.model;
+  const RobustFit robust = fit_open_loop_robustly(c.record, c.airframe, found.node_time_s, published_grid(c.airframe));
+  const Uncertainty known =
+      open_loop_uncertainty(robust.pseudo_record, c.airframe, robust.model,
+                            simulate_open_loop(c.record, c.airframe, robust.model), Start::fitted);
+  const std::vector<double>& before = c.found.uncertainty->standard_deviation;
+  const std::vector<double>& after = known.standard_deviation;
+  if (!robust.settled || after[0] >= before[0] || after[1] >= before[1]) {
+    return {};
+  }
+  const Identification other{.model = robust.model, .uncertainty = known};
+  return fmt::format(
+      " Or use {}--loss huber, on which they have little influence: it gives alpha {} m2 instead of {}, beta {} m "
+      "instead of {}.",
+      c.found.method == Method::grid ? "--method continuous " : "", with_deviation(other, 0),
+      with_deviation(c.found, 0), with_deviation(other, 1), with_deviation(c.found, 1));
+}
+
 // A hundredth of Gauss' samples carries a twelfth of the squares.
 std::optional<std::string> outliers(const Case& c) {
   constexpr double most = 0.5;
@@ -197,8 +222,8 @@ std::optional<std::string> outliers(const Case& c) {
   return fmt::format(
       "{} of the {} samples carry {} % of the squared angle error: they look like outliers, and the least squares "
       "follow them. Look at the residual in the report, and take them out of the log if they are no motion of the "
-      "rocket.",
-      few, squares.size(), text::fixed(100.0 * of_few / all, 0));
+      "rocket.{}",
+      few, squares.size(), text::fixed(100.0 * of_few / all, 0), advice_on_loss(c));
 }
 
 bool can_be_judged(const Case& c) {

@@ -156,6 +156,17 @@ Uncertainty uncertainty_with_grid(const Question& q, const RollModel& on_grid) {
   return result;
 }
 
+// Chooses between nodes as least squares would, then takes the weight from what lies far off.
+void add_robust_fit(const Question& q, Identification& result) {
+  result.robust = fit_open_loop_robustly(q.record, q.airframe, result.model.node_time_s, q.options.grid);
+  result.model = result.robust->model;
+  result.simulation = simulate(q, result.model);
+  if (q.options.with_uncertainty) {
+    result.uncertainty =
+        open_loop_uncertainty(result.robust->pseudo_record, q.airframe, result.model, result.simulation, Start::fitted);
+  }
+}
+
 }  // namespace
 
 Identification identify(const Record& record, const Airframe& airframe, const Options& options) {
@@ -169,6 +180,10 @@ Identification identify(const Record& record, const Airframe& airframe, const Op
   result.model = model_with(question, nodes, result.error_map);
   result.simulation = simulate(question, result.model);
   remark_on_edges(result, options.grid);
+  if (options.loss == Loss::huber) {
+    add_robust_fit(question, result);
+    return result;
+  }
   if (options.with_uncertainty) {
     result.uncertainty = options.method == Method::grid ? uncertainty_with_grid(question, result.model)
                                                         : uncertainty(question, result.model, result.simulation);

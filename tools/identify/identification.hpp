@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "identify/closed_loop/loop.hpp"
+#include "identify/model/robust_fit.hpp"
 #include "identify/model/roll_model.hpp"
 #include "identify/result/findings.hpp"
 
@@ -28,6 +29,7 @@ struct Options {
   std::optional<closed_loop::Control> closed_loop{};  ///< empty: open loop
   model::Grid grid{};
   model::Start start = model::Start::measured;
+  model::Loss loss = model::Loss::squares;  ///< Huber's: continuous, open loop, a lag that is known, Start::fitted
   bool with_uncertainty = true;
   bool with_error_map = true;  ///< also for the continuous method, for the picture
 };

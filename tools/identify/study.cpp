@@ -14,6 +14,7 @@
 #include "identify/result/residual.hpp"
 #include "identify/result/residual_tests.hpp"
 #include "input/messages.hpp"
+#include "text/degrees.hpp"
 #include "text/error.hpp"
 
 namespace fantail::identify {
@@ -58,6 +59,14 @@ std::vector<std::string> remarks_on(const Record& record) {
         fmt::format("{} {} in the window; the model restarts after each.", gaps, gaps == 1 ? "gap" : "gaps"));
   }
   return remarks;
+}
+
+std::string remark_on_loss(const RobustFit& fit, std::size_t samples) {
+  return fmt::format(
+      "Huber's loss: angle errors beyond {:.2g} deg ({} of {} samples) count in proportion to their size, "
+      "not to its square; the initial values are fitted.{}",
+      text::degrees(fit.threshold_rad), fit.beyond, samples,
+      fit.settled ? "" : " The search was ended before it settled, so the result may be off.");
 }
 
 // The control law needs its reference; an excitation that nobody logged was most likely not there.
@@ -105,11 +114,18 @@ WindowFindings identify_window(const logs::RollLog& log, const Window& window, c
     found.results.push_back(identify(found.record, question.airframe, options));
     Identification& result = found.results.back();
     result.residual_tests = test_residual(found.record, result.simulation);
+    if (result.loop == Loop::open) {
+      result.frequency_response = frequency_response(found.record, result.simulation);
+    }
     if (auto doubt = misfit(found.record, result)) {
       result.remarks.push_back(std::move(*doubt));
     }
-    for (std::string& doubt : doubts(found.record, question.airframe, options.start, result)) {
+    const Record& judged = result.robust ? result.robust->pseudo_record : found.record;
+    for (std::string& doubt : doubts(judged, question.airframe, options.start, result)) {
       result.remarks.push_back(std::move(doubt));
+    }
+    if (result.robust) {
+      result.remarks.push_back(remark_on_loss(*result.robust, found.record.size()));
     }
   }
   return found;

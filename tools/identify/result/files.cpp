@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "identify/result/formatting.hpp"
+#include "identify/result/frequency_page.hpp"
 #include "identify/result/json_numbers.hpp"
 #include "identify/result/outputs.hpp"
 #include "json/value.hpp"
@@ -48,12 +49,36 @@ void add_uncertainty(Json& json, const Uncertainty& u) {
   json["verdict"] = u.verdict;
 }
 
+Json frequency_json(const FrequencyResponse& response) {
+  if (!response.obstacle.empty()) {
+    return Json{{"obstacle", response.obstacle}};
+  }
+  Json lines = Json::array();
+  for (const FrequencyLine& each : response.lines) {
+    Json line{{"frequency_hz", rounded(each.frequency_hz)}, {"coherence", rounded(each.coherence)}};
+    if (each.estimate) {
+      line["gain_per_s"] = rounded(each.estimate->gain_per_s);
+      line["gain_reach_per_s"] = rounded(each.estimate->reach_per_s);
+      line["phase_deg"] = rounded(degrees(each.estimate->phase_rad));
+      line["model_gain_per_s"] = rounded(each.estimate->model_gain_per_s);
+      line["model_phase_deg"] = rounded(degrees(each.estimate->model_phase_rad));
+    }
+    lines.push_back(line);
+  }
+  return Json{{"instrument", name(response.instrument)},
+              {"segments", response.segments},
+              {"segment_s", rounded(response.segment_s)},
+              {"least_coherence", least_coherence},
+              {"lines", lines}};
+}
+
 Json object(const Study& study, const WindowFindings& window, const Identification& result) {
   Json json{{"data", study.data},
             {"window", window.record.window},
             {"window_begin_s", rounded(window.record.window_begin_s)},
             {"method", name(result.method)},
             {"loop", name(result.loop)},
+            {"loss", result.robust ? "huber" : "squares"},
             {"samples", result.samples},
             {"seconds", rounded(result.seconds)},
             {"alpha_m2", rounded(result.model.alpha_m2)},
@@ -62,6 +87,10 @@ Json object(const Study& study, const WindowFindings& window, const Identificati
             {"node_time_s", list(on_clock(window.record, result.model.node_time_s))},
             {"mean_abs_angle_error_deg", rounded(degrees(result.simulation.mean_abs_angle_error_rad))},
             {"mean_abs_rate_error_deg_s", rounded(degrees(result.simulation.mean_abs_rate_error_rad_s))}};
+  if (result.robust) {
+    json["huber_threshold_deg"] = rounded(degrees(result.robust->threshold_rad));
+    json["huber_samples_beyond"] = result.robust->beyond;
+  }
   if (result.uncertainty) {
     add_uncertainty(json, *result.uncertainty);
   }
@@ -76,6 +105,9 @@ Json object(const Study& study, const WindowFindings& window, const Identificati
     json["residual_own_correlation"] = rounded(tests->own_correlation);
     json["residual_canard_correlation"] = rounded(tests->canard_correlation);
     json["residual_correlation_by_chance"] = rounded(tests->chance);
+  }
+  if (result.frequency_response) {
+    json["frequency_response"] = frequency_json(*result.frequency_response);
   }
   json["density"] = study.density;
   json["speed"] = study.speed;

@@ -9,7 +9,9 @@
 
 #include <Eigen/Core>
 
+#include "identify/model/robust_fit.hpp"
 #include "identify/model/roll_model.hpp"
+#include "identify/result/frequency_response.hpp"
 
 namespace fantail::identify::result {
 
@@ -67,6 +69,8 @@ struct Identification {
   model::Simulation simulation{};
   std::optional<Uncertainty> uncertainty{};
   std::optional<ResidualTests> residual_tests{};
+  std::optional<FrequencyResponse> frequency_response{};  ///< open loop only: the measured canards drive the model
+  std::optional<model::RobustFit> robust{};               ///< where Huber's loss was asked for
   std::optional<model::ErrorMap> error_map{};
   std::vector<NodeTrial> node_trials{};  ///< where the number of nodes was chosen automatically
   std::vector<std::string> remarks{};    ///< the winner lies on the edge of the grid, ...

@@ -7,6 +7,7 @@
 
 #include "identify/result/charts.hpp"
 #include "identify/result/formatting.hpp"
+#include "identify/result/frequency_page.hpp"
 #include "identify/result/outputs.hpp"
 #include "identify/result/residual.hpp"
 #include "page/page.hpp"
@@ -157,8 +158,9 @@ std::string window_section(const Study& study, const WindowFindings& window) {
   } else {
     out = page::section("The roll model", out);
   }
-  return out + precision_section(window) + chart_sections(window) + search_sections(window) +
-         remark_list(study, window);
+  const auto& response = main_result(window).frequency_response;
+  return out + precision_section(window) + chart_sections(window) + (response ? frequency_section(*response) : "") +
+         search_sections(window) + remark_list(study, window);
 }
 
 void set_verdict(const WindowFindings& window, page::Page& page) {

@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include "identify/result/formatting.hpp"
+#include "identify/result/frequency_page.hpp"
 #include "identify/result/outputs.hpp"
 #include "text/degrees.hpp"
 #include "text/number.hpp"
@@ -115,6 +116,9 @@ class Text {
     }
     for (const std::string& remark : window.remarks) {
       line("  {}", remark);
+    }
+    if (const auto& response = main_result(window).frequency_response) {
+      line("  {}", frequency_sentence(*response));
     }
   }
 
