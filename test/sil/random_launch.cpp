@@ -8,6 +8,7 @@ namespace fantail::sil {
 namespace {
 
 constexpr double degree = 3.14159265358979323846 / 180.0;
+constexpr double before_power_up_s = -1000.0;
 
 void draw_plan(core::FlightPlan& plan, Draw& draw) {
   plan.controller.proportional_gain = draw.chance(0.1) ? 0.0F : static_cast<float>(draw.between(0.1, 3.0));
@@ -42,7 +43,7 @@ void draw_fault(sim::Scenario& scenario, Draw& draw) {
   constexpr std::size_t kinds = 11;
   sim::Fault fault{.kind = static_cast<sim::FaultKind>(draw.below(kinds)),
                    .canard = draw.below(4),
-                   .from_s = draw.between(0.0, 9.0),
+                   .from_s = draw.chance(0.1) ? before_power_up_s : draw.between(0.0, 9.0),
                    .until_s = 0.0};
   fault.until_s = fault.from_s + (draw.chance(0.7) ? draw.between(0.001, 0.4) : 30.0);
   if (fault.kind == sim::FaultKind::canard_stuck || fault.kind == sim::FaultKind::canard_wrong_trim) {

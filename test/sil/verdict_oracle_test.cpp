@@ -22,13 +22,26 @@ using report::Outcome;
 
 constexpr double degree = 3.14159265358979323846 / 180.0;
 
+/// The IMU of a rocket with good fins dies late: control is cut short and little comes of it.
+void draw_a_quiet_end(sim::Scenario& scenario, Draw& draw) {
+  scenario.faults.push_back(
+      {.kind = sim::FaultKind::imu_dropout, .canard = 0, .from_s = draw.between(5.0, 9.0), .until_s = 40.0});
+}
+
 sim::Scenario random_launch(std::uint32_t seed) {
   Draw draw{seed};
   sim::Scenario scenario = random_rocket(draw);
   scenario.seed = seed;
-  const double offset_rad = draw.between(-12.0, 12.0) * degree;
+  const bool ends_quietly = draw.chance(0.05);
+  const double largest_offset_rad = (ends_quietly ? 0.5 : 12.0) * degree;
+  const double offset_rad = draw.between(-largest_offset_rad, largest_offset_rad);
   scenario.disturbance = {{.time_s = 0.0, .angle_rad = offset_rad},
                           {.time_s = 1.7, .angle_rad = offset_rad + draw.between(-2.0, 2.0) * degree}};
+  if (ends_quietly) {
+    scenario.disturbance[1].angle_rad = offset_rad;
+    draw_a_quiet_end(scenario, draw);
+    return scenario;
+  }
   for (double more = 0.5; draw.chance(more); more *= 0.5) {
     draw_fault(scenario, draw);
   }
@@ -78,7 +91,9 @@ TEST(VerdictOracle, NoRandomFlightIsCalledWhatItWasNot) {
   for (const auto& [name, count] : outcomes) {
     fmt::print("{:5} {}\n", count, name);
   }
-  EXPECT_GE(outcomes.size(), 5U) << "the draw has become one-sided";
+  if (flights() >= 500) {  // of all six the rarest is one in fifty
+    EXPECT_GE(outcomes.size(), 5U) << "the draw has become one-sided";
+  }
 }
 
 }  // namespace
