@@ -8,7 +8,7 @@ namespace fantail::avionics {
 
 Avionics::Avionics(Devices devices, const core::FlightPlan& built_in, const Identity& identity)
     : devices_{devices},
-      flash_{devices.flash, plan_block_},
+      flash_{devices.flash},
       flight_memory_{devices.backup_memory.bytes(), devices.board.status().reset_cause},
       plan_{built_in},
       self_test_{plan_} {
@@ -87,10 +87,9 @@ void Avionics::resume_flight(const core::Inputs& first) {
 // yet to see the rocket at rest, so nobody who was allowed to move them by the old plan still is.
 void Avionics::adopt(const core::FlightPlan& plan) {
   plan_ = plan;
-  (void)protocol::write_plan_block(plan, plan_block_);
-  plan_crc_ = protocol::plan_block_checksum(plan_block_);
   autopilot_.emplace(plan);
   flash_.recorder().take_plan(plan);
+  plan_crc_ = protocol::plan_block_checksum(flash_.recorder().plan_block());
   self_test_ = SelfTest{plan_};
 }
 

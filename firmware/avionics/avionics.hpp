@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <array>
-#include <cstddef>
 #include <optional>
 
 #include "avionics/arming.hpp"
@@ -31,7 +29,6 @@
 #include "hal/imu.hpp"
 #include "hal/servo.hpp"
 #include "hal/watchdog.hpp"
-#include "protocol/plan_block.hpp"
 
 namespace fantail::avionics {
 
@@ -81,7 +78,6 @@ class Avionics {
   [[nodiscard]] LogTransfer::Right right_to_log() const;
 
   Devices devices_;
-  std::array<std::byte, protocol::plan_block_size> plan_block_{};  ///< of the plan in force, for whoever asks
   FlashService flash_;
   FlightMemory flight_memory_;
   bool flash_was_read_ = false;

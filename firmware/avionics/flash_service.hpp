@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstddef>
 #include <optional>
-#include <span>
 
 #include "avionics/boot_counter.hpp"
 #include "avionics/flash_access.hpp"
@@ -23,9 +21,8 @@ namespace fantail::avionics {
 /// are read for the bench, or their region is looked through or erased.
 class FlashService {
  public:
-  /// The flash outlives this object, and so does the block of the plan in force, which the bench may read.
-  explicit FlashService(hal::Flash& flash, std::span<const std::byte> plan_block = {})
-      : access_{flash}, log_{flights_, plan_block} {}
+  /// The flash outlives this object.
+  explicit FlashService(hal::Flash& flash) : access_{flash} {}
   FlashService(const FlashService&) = delete;  // its users refer to its access
   FlashService& operator=(const FlashService&) = delete;
 
@@ -104,7 +101,7 @@ class FlashService {
   PlanStore store_{access_};
   FlightRegion flights_{access_};
   Recorder recorder_{flights_};
-  LogTransfer log_;
+  LogTransfer log_{flights_, recorder_.plan_block()};
   PlanTransfer transfer_{store_};
   std::optional<protocol::PlanSource> plan_source_{};  ///< empty until the flash has been asked
 };

@@ -51,6 +51,8 @@ class Recorder {
 
   /// In Safe, while nothing is busy().
   void take_plan(const core::FlightPlan& plan);
+  /// Of the plan that was taken, for whoever asks.
+  [[nodiscard]] std::span<const std::byte> plan_block() const { return plan_block_; }
   void introduce(const Identity& identity) { identity_ = identity; }
 
   /// The rocket flies already: a record begins as soon as the flash can take one, with what the law then remembers.
