@@ -69,6 +69,7 @@ class Page {
 
   void table() {
     std::vector<std::string> cells;
+    cells.reserve(sheet_.canards.size());
     for (const CanardResult& result : sheet_.canards) {
       cells.push_back(fmt::format("canard {}", result.canard + 1));
     }
@@ -91,6 +92,7 @@ class Page {
   void write(const std::vector<SheetRow>& rows, std::string Cell::* text, bool Cell::* passed) {
     for (const SheetRow& r : rows) {
       std::vector<std::string> cells;
+      cells.reserve(r.cells.size());
       for (const Cell& one : r.cells) {
         cells.push_back(one.*text + (one.*passed ? "" : " !"));
       }

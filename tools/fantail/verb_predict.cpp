@@ -136,8 +136,8 @@ predict::Request request(const PredictOptions& options) {
     asked.command += " --seed " + options.scenario.seed;
   }
   for (const auto& [name, value] : further_changes(options)) {
-    asked.changes.push_back(name + "=" + value);
-    asked.command += " --" + name + " " + quoted(value);
+    asked.changes.push_back(fmt::format("{}={}", name, value));
+    asked.command += fmt::format(" --{} {}", name, quoted(value));
   }
   if (options.other_vehicle) {
     asked.command += " --other-vehicle";
