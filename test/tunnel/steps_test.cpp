@@ -239,6 +239,23 @@ TEST(IdentifySteps, WhatIsWrongWithOneStepIsSaidWithItsNumber) {
                        [&] { (void)identify_steps(made_run(three_rockets), tasha, options); });
 }
 
+TEST(IdentifySteps, ASpeedThatChangesIsNoTunnels) {
+  logs::RollLog run = made_run(three_rockets);
+  StepOptions options = at_22_m_s();
+  options.record.speed_m_s.reset();
+  run.speed_m_s.assign(run.time_s.size(), 22.0);
+  EXPECT_TRUE(identify_steps(run, tasha, options).remarks.empty());
+  for (std::size_t i = 0; i < run.time_s.size(); ++i) {
+    run.speed_m_s[i] = 40.0 - 2.0 * run.time_s[i];
+  }
+  const StepTable table = identify_steps(run, tasha, options);
+  const bool said = std::ranges::any_of(table.remarks, [](const std::string& remark) {
+    return remark.find("Step 1: the speed changes from 40 to 30 m/s") == 0 &&
+           remark.find("fantail identify") != std::string::npos;
+  });
+  EXPECT_TRUE(said);
+}
+
 TEST(StepsCsv, HasTheColumnsThatAPredictionReads) {
   const std::string csv = steps_csv({.vehicle = "Dart, \"blue\"", .airframe = {.reference_area_m2 = 5.0265e-5}},
                                     identify_steps(made_run(three_rockets), tasha, at_22_m_s()));

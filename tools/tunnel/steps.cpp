@@ -103,10 +103,27 @@ void summarise(StepTable& table) {
   }
 }
 
+// A launch is split at its steps as readily.
+std::string remark_on_speed(const StepResult& result) {
+  constexpr double steady_share = 0.2;
+  const std::vector<double>& speed_m_s = result.record.speed_m_s;
+  const auto [least, most] = std::ranges::minmax(speed_m_s);
+  if (most - least <= steady_share * most) {
+    return {};
+  }
+  return fmt::format(
+      "Step {}: the speed changes from {:.0f} to {:.0f} m/s, so this was no steady wind, and the density is not that "
+      "of each height. For a flight use fantail identify.",
+      result.number, speed_m_s.front(), speed_m_s.back());
+}
+
 void remark_on(const StepResult& result, const StepOptions& options, StepTable& table) {
   if (result.step.end_s - result.step.begin_s < options.seconds - 0.1) {
     table.remarks.push_back(
         fmt::format("Step {} lasts only {:.2f} s.", result.number, result.step.end_s - result.step.begin_s));
+  }
+  if (const std::string remark = remark_on_speed(result); !remark.empty()) {
+    table.remarks.push_back(remark);
   }
   for (const std::string& remark : result.identified.remarks) {
     table.remarks.push_back(fmt::format("Step {}: {}", result.number, remark));
