@@ -205,6 +205,10 @@ void validate_model(const IdentifyOptions& o) {
   } else {
     print(as_text(result), folder, model_csv_names(result));
   }
+  const auto holds = [](const identify::result::ValidatedWindow& w) { return w.can_tell() && w.holds(); };
+  if (!std::ranges::all_of(result.windows, holds)) {
+    throw RequirementNotMet{""};
+  }
 }
 
 void identify_data(const IdentifyOptions& o) {
