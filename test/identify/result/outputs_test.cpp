@@ -193,6 +193,18 @@ TEST(WrittenStudy, HasOneCsvForEachResult) {
   write_study(example({Method::grid, Method::continuous}), several.path());
   EXPECT_EQ(several.listing(),
             (std::vector<std::string>{"identification.json", "model_1.csv", "model_2.csv", "report.html"}));
+  write_study(example(), several.path());
+  EXPECT_EQ(several.listing(), (std::vector<std::string>{"identification.json", "model.csv", "report.html"}))
+      << "nothing of the earlier result stays";
+}
+
+TEST(WrittenStudy, LeavesTheFilesOfOthers) {
+  const test::Folder folder;
+  folder.write("model_1.csv", "mine");
+  write_study(example(), folder.path());
+  write_study(example(), folder.path());
+  EXPECT_EQ(folder.listing(),
+            (std::vector<std::string>{"identification.json", "model.csv", "model_1.csv", "report.html"}));
 }
 
 }  // namespace

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <iterator>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -18,6 +21,9 @@ namespace {
 using namespace model;
 using Json = json::Value;
 using text::degrees;
+
+constexpr std::string_view csv_header =
+    "time_s,roll_angle_deg,model_roll_angle_deg,roll_rate_deg_s,model_roll_rate_deg_s,canard_deg,disturbance_deg";
 
 std::vector<double> on_clock(const Record& record, std::vector<double> time_s) {
   for (double& each : time_s) {
@@ -145,9 +151,7 @@ std::string as_json(const Study& study) {
 std::string as_csv(const Record& record, const RollModel& model, const Simulation& simulation) {
   fmt::memory_buffer out;
   out.reserve((record.size() + 2) * 90);
-  fmt::format_to(std::back_inserter(out),
-                 "time_s,roll_angle_deg,model_roll_angle_deg,roll_rate_deg_s,model_roll_rate_deg_s,canard_deg,"
-                 "disturbance_deg\n");
+  fmt::format_to(std::back_inserter(out), "{}\n", csv_header);
   const auto cell = [&](double value, char behind) {
     fmt::format_to(std::back_inserter(out), "{:.6f}{}", std::abs(value) < 0.5e-6 ? 0.0 : value, behind);
   };
@@ -173,6 +177,22 @@ std::vector<std::string> model_csv_names(const Study& study) {
   return names.size() == 1 ? std::vector<std::string>{"model.csv"} : names;
 }
 
+std::vector<std::string> stale_models(const std::filesystem::path& folder, const std::vector<std::string>& names) {
+  const auto is_ours = [&folder](const std::string& name) {
+    std::string first_line;
+    std::ifstream file{folder / name};
+    std::getline(file, first_line);
+    return first_line == csv_header;
+  };
+  std::vector<std::string> stale{"model.csv"};
+  for (std::size_t i = 1; i < 3 || is_ours(stale.back()); ++i) {
+    stale.push_back(fmt::format("model_{}.csv", i));
+  }
+  std::erase_if(
+      stale, [&](const std::string& name) { return std::ranges::find(names, name) != names.end() || !is_ours(name); });
+  return stale;
+}
+
 void write_study(const Study& study, const std::filesystem::path& folder) {
   std::vector<text::NamedFile> files{{"report.html", as_html(study)}, {"identification.json", as_json(study)}};
   const std::vector<std::string> names = model_csv_names(study);
@@ -182,7 +202,7 @@ void write_study(const Study& study, const std::filesystem::path& folder) {
       files.push_back({names[next++], as_csv(window.record, result.model, result.simulation)});
     }
   }
-  text::OutputFolder{folder, {study.data}}.write(files);
+  text::OutputFolder{folder, {study.data}}.write(files, stale_models(folder, names));
 }
 
 }  // namespace fantail::identify::result

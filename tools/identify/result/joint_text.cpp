@@ -203,7 +203,7 @@ void write_joint(const JointFindings& f, const std::filesystem::path& folder) {
     files.push_back({names[i], as_csv(f.windows[i].window.record, result.model, result.simulation)});
     inputs.emplace_back(f.windows[i].data);
   }
-  text::OutputFolder{folder, inputs}.write(files);
+  text::OutputFolder{folder, inputs}.write(files, stale_models(folder, names));
 }
 
 }  // namespace fantail::identify::result

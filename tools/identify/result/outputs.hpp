@@ -27,7 +27,13 @@ namespace fantail::identify::result {
 /// Names of the CSVs, in the order of windows and methods: model.csv, or model_1.csv, model_2.csv, ...
 [[nodiscard]] std::vector<std::string> model_csv_names(const Study& study);
 
-/// Writes report.html, identification.json and the CSVs, all or none. Throws text::OutputError.
+/// The CSVs that an earlier result left in the folder and a new one with `names` does not replace. A file with such a
+/// name but another header is not one of them.
+[[nodiscard]] std::vector<std::string> stale_models(const std::filesystem::path& folder,
+                                                    const std::vector<std::string>& names);
+
+/// Writes report.html, identification.json and the CSVs, all or none; stale_models() are gone. Throws
+/// text::OutputError.
 void write_study(const Study& study, const std::filesystem::path& folder);
 
 }  // namespace fantail::identify::result

@@ -239,7 +239,7 @@ void write_validation(const Validation& v, const std::filesystem::path& folder) 
     const ValidatedWindow& window = v.windows[i];
     files.push_back({names[i], as_csv(window.window.record, held(window).model, held(window).simulation)});
   }
-  text::OutputFolder{folder, {v.data, v.model.source}}.write(files);
+  text::OutputFolder{folder, {v.data, v.model.source}}.write(files, stale_models(folder, names));
 }
 
 }  // namespace fantail::identify::result
