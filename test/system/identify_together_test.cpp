@@ -78,6 +78,7 @@ TEST_F(Flights, ThatAreAskedForTogetherMustSayWhatTheyShare) {
   expect_usage_error({"first", "--shared", "alpha,beta"}, "one window has nothing to share with");
   expect_usage_error({"first", "second", "--shared", "alpha"}, "--shared: alpha not in {alpha,beta}");
   expect_usage_error({"first", "second", "--shared", "alpha,beta", "--method", "both"}, "--method continuous");
+  expect_usage_error({"first", "second", "--shared", "alpha,beta", "--loss", "huber"}, "--loss squares");
   expect_usage_error({"first", "second", "--validate", "model"}, "one log at a time");
   expect_usage_error({"first", "--validate", "model", "--shared", "alpha,beta"}, "--shared");
 }
