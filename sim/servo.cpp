@@ -10,8 +10,6 @@ namespace {
 
 constexpr double shortest_pulse_us = 500.0;
 constexpr double longest_pulse_us = 2500.0;
-constexpr double slipping_grip = 2.0 / 3.0;
-constexpr double slow_times = 4.0;
 
 // Written so that a NaN is refused too.
 void require(bool allowed, const char* what) {

@@ -55,6 +55,10 @@ enum class ServoFault : std::uint8_t {
 /// Wrong enough to spin a rocket, and small enough to be overlooked by eye. (A whole tooth of a horn is 14 degrees.)
 inline constexpr double usual_wrong_trim_rad = 2.5 * radians_per_degree;
 
+/// What is left of a movement of a slipping horn, and how much longer a slow servo takes.
+inline constexpr double slipping_grip = 2.0 / 3.0;
+inline constexpr double slow_times = 4.0;
+
 /// One canard servo, from the pulse on the wire to the angle of the canard shaft (on which the encoder sits).
 ///
 /// What happens to a pulse, in this order:

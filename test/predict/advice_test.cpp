@@ -126,10 +126,11 @@ TEST(Trial, SaysHowManyRunsHoldTheirRollWithTheAdvice) {
   scenario.plan.controller.proportional_gain = static_cast<float>(gains.gains.value().proportional);
   scenario.plan.controller.derivative_gain_s = static_cast<float>(gains.gains.value().derivative_s);
   const Prediction tried = predict(scenario, tunnel, {.runs = 20}, look_away);
-  EXPECT_EQ(trial(p, limit, gains), "Flown with this advice, the roll is held in " + std::to_string(tried.held.count) +
-                                        " of the first 20 runs.");
+  EXPECT_EQ(trial(p, limit, gains).sentence, "Flown with this advice, the roll is held in " +
+                                                 std::to_string(tried.held.count) + " of the first 20 runs.");
   EXPECT_GT(tried.held.count, p.held.count);
-  EXPECT_EQ(trial(p, {}, {}), "");
+  EXPECT_TRUE(trial(p, limit, gains).helps);
+  EXPECT_EQ(trial(p, {}, {}).sentence, "");
 }
 
 }  // namespace

@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "predict/canard_reach.hpp"
 
+#include <algorithm>
+#include <optional>
+#include <string>
+
 #include <gtest/gtest.h>
 
+#include "fly/fly_scenario.hpp"
 #include "input/scenario_file.hpp"
 #include "predict/run.hpp"
 #include "text/degrees.hpp"
@@ -15,29 +20,96 @@ using text::radians;
 
 TEST(CanardReach, IsWhatAllCanardsReachAndNamesWhatEndsThem) {
   sim::Scenario scenario = input::load_scenario("tasha3_launch2", {});
-  EXPECT_NEAR(degrees(canard_reach(scenario).angle_rad), 9.0, 1e-5);
-  EXPECT_EQ(canard_reach(scenario).text(), "9 degree canard limit");
-  EXPECT_NEAR(degrees(farthest_reach(scenario).angle_rad), 20.0, 1e-5);
+  const double offset_rad = radians(4.9);
+  EXPECT_NEAR(degrees(canard_reach(scenario, offset_rad).angle_rad), 9.0, 1e-5);
+  EXPECT_EQ(canard_reach(scenario, offset_rad).text(), "9 degree canard limit");
+  EXPECT_NEAR(degrees(farthest_reach(scenario, offset_rad).angle_rad), 20.0, 1e-5);
 
   scenario.vehicle.servo.stop_rad = radians(8.0);
-  EXPECT_NEAR(degrees(canard_reach(scenario).angle_rad), 8.0, 1e-12);
-  EXPECT_EQ(canard_reach(scenario).text(), "8 degrees that the canards reach (servo stop)");
+  EXPECT_NEAR(degrees(canard_reach(scenario, offset_rad).angle_rad), 8.0, 1e-12);
+  EXPECT_EQ(canard_reach(scenario, offset_rad).text(), "8 degrees that the canards reach (servo stop)");
 
   scenario.plan.canards.each[1].mechanical_stop = core::Angle::from_degrees(7.0F);
-  EXPECT_NEAR(degrees(canard_reach(scenario).angle_rad), 0.25 * (3.0 * 8.0 + 7.0), 1e-5);
-  EXPECT_EQ(canard_reach(scenario).set_by, "mechanical stop of canard 2 in the plan");
-  EXPECT_NEAR(degrees(farthest_reach(scenario).angle_rad), 0.25 * (3.0 * 8.0 + 7.0), 1e-5);
+  EXPECT_NEAR(degrees(canard_reach(scenario, offset_rad).angle_rad), 0.25 * (3.0 * 8.0 + 7.0), 1e-5);
+  EXPECT_EQ(canard_reach(scenario, offset_rad).set_by, "mechanical stop of canard 2 in the plan");
+  EXPECT_NEAR(degrees(farthest_reach(scenario, offset_rad).angle_rad), 0.25 * (3.0 * 8.0 + 7.0), 1e-5);
 
   scenario.plan.controller.canard_limit = core::Angle::from_degrees(30.0F);
   scenario.plan.canards.each[1].mechanical_stop = core::Angle::from_degrees(25.0F);
   scenario.vehicle.servo.stop_rad = radians(25.0);
-  EXPECT_EQ(canard_reach(scenario).set_by, "hard limit");
+  EXPECT_EQ(canard_reach(scenario, offset_rad).set_by, "hard limit");
 
   scenario.plan.controller.canard_limit = core::Angle::from_degrees(9.0F);
   scenario.plan.canards.each[0].trim = core::Angle::from_degrees(2.0F);
-  EXPECT_NEAR(degrees(canard_reach(scenario).angle_rad), 0.25 * (3.0 * 9.0 + 7.0), 1e-5);
-  EXPECT_EQ(canard_reach(scenario).set_by, "canard limit less the trim of the canards");
+  EXPECT_NEAR(degrees(canard_reach(scenario, offset_rad).angle_rad), 0.25 * (3.0 * 9.0 + 7.0), 1e-5);
+  EXPECT_EQ(canard_reach(scenario, offset_rad).set_by, "canard limit and the trim of the canards");
+  EXPECT_NEAR(degrees(canard_reach(scenario, -offset_rad).angle_rad), 9.0, 1e-5) << "of the other sense";
 }
+
+TEST(CanardReach, IsThatOfTheCanardsThatWorkWhereTheScenarioBreaksSome) {
+  sim::Scenario scenario = input::load_scenario("tasha3_launch2", {});
+  for (const std::size_t canard : {0U, 1U}) {
+    scenario.faults.push_back({.kind = sim::FaultKind::canard_dead, .canard = canard, .from_s = 0.0, .until_s = 0.0});
+  }
+  EXPECT_NEAR(degrees(canard_reach(scenario, radians(-4.9)).angle_rad), 4.5, 1e-5);
+  EXPECT_EQ(canard_reach(scenario, radians(-4.9)).text(),
+            "4.5 degrees that the canards reach (canard faults of the scenario)");
+}
+
+struct Mismatch {
+  const char* name;
+  void (*make)(sim::Scenario& scenario);
+};
+
+class CanardReachInFlight : public testing::TestWithParam<Mismatch> {};
+
+// Against an offset that overpowers it the canards of a flight go as far as they can.
+TEST_P(CanardReachInFlight, IsWhereTheTrueCanardsEnd) {
+  for (const double offset_deg : {-18.0, 18.0}) {
+    sim::Scenario scenario = input::load_scenario("tasha3_launch2", {});
+    scenario.disturbance = {{.time_s = 0.0, .angle_rad = radians(offset_deg)}};
+    scenario.plan.excitation.form = core::ExcitationForm::none;
+    scenario.vehicle.servo.backlash_rad = 0.0;
+    scenario.vehicle.imu.full_scale_rad_s = radians(20000.0);
+    GetParam().make(scenario);
+    const flight::Flight flight = fly::fly_scenario(scenario);
+    const auto row = std::ranges::find_if(flight.rows, [](const flight::Row& each) { return each.time_s >= 3.0; });
+    ASSERT_EQ(row->phase, core::Phase::controlling);
+    ASSERT_TRUE(row->saturated);
+    EXPECT_NEAR(degrees(canard_reach(scenario, radians(offset_deg)).angle_rad),
+                degrees(row->truth->canard_rad) * (offset_deg > 0.0 ? -1.0 : 1.0), 0.02)
+        << offset_deg;
+  }
+}
+
+void breaks(sim::Scenario& scenario, sim::FaultKind kind, std::size_t canard, std::optional<double> angle_rad = {}) {
+  scenario.faults.push_back({.kind = kind, .canard = canard, .from_s = 0.0, .until_s = 0.0, .angle_rad = angle_rad});
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Mismatches, CanardReachInFlight,
+    testing::Values(
+        Mismatch{"none", [](sim::Scenario&) {}},
+        Mismatch{"servo_stop", [](sim::Scenario& s) { s.vehicle.servo.stop_rad = radians(4.0); }},
+        Mismatch{"trim_of_the_plan_alone",
+                 [](sim::Scenario& s) {
+                   for (core::CanardPlan& canard : s.plan.canards.each) {
+                     canard.trim = core::Angle::from_degrees(-3.0F);
+                   }
+                 }},
+        Mismatch{"trim_of_the_rocket_alone", [](sim::Scenario& s) { s.vehicle.canards[1].trim_rad = radians(3.0); }},
+        Mismatch{"two_dead",
+                 [](sim::Scenario& s) {
+                   breaks(s, sim::FaultKind::canard_dead, 0);
+                   breaks(s, sim::FaultKind::canard_dead, 2);
+                 }},
+        Mismatch{"one_hard_over", [](sim::Scenario& s) { breaks(s, sim::FaultKind::canard_hardover, 1); }},
+        Mismatch{"one_stuck", [](sim::Scenario& s) { breaks(s, sim::FaultKind::canard_stuck, 1, radians(2.0)); }},
+        Mismatch{"one_reversed", [](sim::Scenario& s) { breaks(s, sim::FaultKind::canard_reversed, 3); }},
+        Mismatch{"one_off_its_trim", [](sim::Scenario& s) { breaks(s, sim::FaultKind::canard_wrong_trim, 3); }},
+        Mismatch{"one_slow", [](sim::Scenario& s) { breaks(s, sim::FaultKind::canard_slow, 0); }},
+        Mismatch{"another_pulse_scale", [](sim::Scenario& s) { s.vehicle.servo.pulse_per_degree_us = 9.0; }}),
+    [](const auto& each) { return std::string{each.param.name}; });
 
 // The margin used to be that of the plan, 4.1 degrees, while the servos end at 4.5.
 TEST(CanardReach, IsWhatTheAuthorityMarginOfARunIsMadeFrom) {

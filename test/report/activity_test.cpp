@@ -21,6 +21,7 @@ std::vector<flight::Row> canards_at(const std::function<double(double time_s)>& 
   for (std::size_t i = 0; i < rows.size(); ++i) {
     rows[i].time_s = static_cast<double>(i) / 1000.0;
     rows[i].canard_rad = text::radians(angle_deg(rows[i].time_s));
+    rows[i].command_rad = *rows[i].canard_rad;
   }
   return rows;
 }
@@ -68,6 +69,27 @@ TEST(Oscillation, DuringExcitationAndWhileAStepSettlesIsNotJudged) {
     row.reference_rad = std::floor(row.time_s / 0.9);
   }
   EXPECT_FALSE(find_oscillation(rows, settling_s));
+}
+
+TEST(Oscillation, IsNoneOfEncodersThatAreNoisy) {
+  auto noisy = canards_at([](double t) { return 5.0 + 2.0 * sine(24.0, t); });
+  for (flight::Row& row : noisy) {
+    row.command_rad = text::radians(5.0);
+  }
+  EXPECT_FALSE(find_oscillation(noisy, settling_s)) << "nothing commands it";
+  auto known = canards_at([](double t) { return 5.0 + 2.0 * sine(24.0, t); });
+  for (flight::Row& row : known) {
+    row.truth = flight::Truth{.canard_rad = text::radians(5.0)};
+  }
+  EXPECT_FALSE(find_oscillation(known, settling_s)) << "the true canards stand still";
+}
+
+TEST(Oscillation, IsThatOfTheTrueCanardsWhereTheyAreKnown) {
+  auto rows = canards_at([](double) { return 5.0; });
+  for (flight::Row& row : rows) {
+    row.truth = flight::Truth{.canard_rad = text::radians(5.0 + 2.0 * sine(8.0, row.time_s))};
+  }
+  EXPECT_TRUE(find_oscillation(rows, settling_s));
 }
 
 TEST(Oscillation, IsThatOfTheCommandWhereNoEncoderIsKnown) {

@@ -89,9 +89,10 @@ TEST(Figures, TheSmallestStopOfPlanAndWorldIsTheAuthority) {
                                            .encoder_zero = {},
                                            .mechanical_stop = core::Angle::from_degrees(7.0F)});
   EXPECT_NEAR(text::degrees(figures(plan_stop.flight).authority_margin_rad.value()), 2.0, 1e-5);
-  SyntheticFlight servo_stop;
-  servo_stop.flight.servo_stop_rad = text::radians(4.5);
-  EXPECT_NEAR(text::degrees(figures(servo_stop.flight).authority_margin_rad.value()), -0.5, 1e-5);
+  // What the simulation knows of its canards goes before what the plan says; the offset is negative.
+  SyntheticFlight simulated;
+  simulated.flight.canard_reach = {.lowest_rad = text::radians(-14.0), .highest_rad = text::radians(4.5)};
+  EXPECT_NEAR(text::degrees(figures(simulated.flight).authority_margin_rad.value()), -0.5, 1e-5);
   // A trim of 2 degrees towards the side that is needed leaves 7 of 9 degrees; away from it no more than the command.
   SyntheticFlight trimmed;
   trimmed.flight.plan.canards.each[0].trim = core::Angle::from_degrees(2.0F);

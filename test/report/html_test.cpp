@@ -114,7 +114,7 @@ TEST(Html, WritesNegativeNumbersInSentencesWithTheMinusOfItsFigures) {
     row.command_rad = text::radians(-9.0);
   });
   const std::string text = without_scripts(page_of(synthetic.flight));
-  EXPECT_NE(text.find("at their limit (\u22129 deg)"), std::string::npos) << text.substr(0, text.find("<dl"));
+  EXPECT_NE(text.find("commanded to their limit (\u22129 deg)"), std::string::npos) << text.substr(0, text.find("<dl"));
   EXPECT_NE(text.find("authority margin \u22123.0 deg"), std::string::npos);
 }
 

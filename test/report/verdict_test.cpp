@@ -50,10 +50,10 @@ TEST(Verdict, AnOffsetBeyondTheCanardsIsSaidPlainly) {
   const Verdict v = verdict_of(synthetic.flight);
   EXPECT_EQ(v.outcome, Outcome::not_held);
   // Saturated 1.68 .. 4.399 s: 2720 of 3800 ticks.
-  EXPECT_EQ(
-      v.text,
-      "Canards at their limit (+6 deg) from 1.68 s to the end of control: the fin offset of -7.3 deg is more than "
-      "they can balance; roll not held. Saturated 71.6 % of control time; authority margin -1.3 deg.");
+  EXPECT_EQ(v.text,
+            "Canards commanded to their limit (+6 deg) from 1.68 s to the end of control: the fin offset of -7.3 deg "
+            "is more than "
+            "they can balance; roll not held. Saturated 71.6 % of control time; authority margin -1.3 deg.");
 }
 
 TEST(Verdict, CanardsAtTheirLimitForAnotherReasonAreNotBlamedOnTheOffset) {
@@ -65,7 +65,7 @@ TEST(Verdict, CanardsAtTheirLimitForAnotherReasonAreNotBlamedOnTheOffset) {
   EXPECT_EQ(verdict_of(synthetic.flight).text,
             "Roll stayed within 0.0 deg of where this law settles; saturated 25.7 % of control time; authority margin "
             "4.0 deg. Canards "
-            "at their limit (-9 deg) from 3.50 s to the end of control.");
+            "commanded to their limit (-9 deg) from 3.50 s to the end of control.");
 }
 
 TEST(Verdict, WithoutALaunchThereIsNoControl) {
@@ -154,8 +154,8 @@ TEST(Verdict, ASpinBeyondTheGyrosRangeIsNoMissingSensor) {
   const Verdict v = verdict_of(synthetic.flight);
   EXPECT_EQ(v.outcome, Outcome::not_held);
   EXPECT_NE(
-      v.text.find("the rocket turned faster than the gyro's range of 2000 deg/s, negatively, for 0.40 s from 0.80 "
-                  "s on. Roll not judged: control lasted only 0.60 s"),
+      v.text.find("the rocket turned faster than the gyro's range of 2000 deg/s, negatively, for 0.40 s in all, first "
+                  "at 0.80 s. Roll not judged: control lasted only 0.60 s"),
       std::string::npos)
       << v.text;
 }
@@ -166,7 +166,8 @@ TEST(Verdict, WhatWasBridgedOrIsALowerBoundIsSaid) {
   const Verdict v = verdict_of(synthetic.flight);
   EXPECT_EQ(v.outcome, Outcome::held);
   EXPECT_TRUE(v.text.ends_with(
-      " The gyro gave no usable rate for 0.012 s from 2.00 s on; the canards stood at trim meanwhile. From 0.30 s on "
+      " The gyro gave no usable rate for 0.012 s in all, first at 2.00 s; the canards stood at trim meanwhile. From "
+      "0.30 s on "
       "the "
       "avionics knew only lower bounds of height and speed, because every accelerometer was at the end of its range."))
       << v.text;
@@ -175,7 +176,7 @@ TEST(Verdict, WhatWasBridgedOrIsALowerBoundIsSaid) {
 TEST(Verdict, CanardsThatKeepSwingingAreNotCalledHeld) {
   SyntheticFlight synthetic;
   synthetic.each_controlled([](flight::Row& row) {
-    row.canard_rad = text::radians(3.5 + 4.8 * std::sin(2.0 * std::numbers::pi * 13.0 * row.time_s));
+    row.truth->canard_rad = text::radians(3.5 + 4.8 * std::sin(2.0 * std::numbers::pi * 13.0 * row.time_s));
   });
   const Verdict v = verdict_of(synthetic.flight);
   EXPECT_EQ(v.outcome, Outcome::oscillates);

@@ -46,6 +46,8 @@ Oracle look(const flight::Flight& flight) {
       o.controlled = true;
       end_rad = row.truth->roll_angle_rad;
       end_s = row.time_s;
+      o.unbalanced_deg = std::copysign(1.0, row.truth->disturbance_rad) *
+                         (row.truth->disturbance_rad + row.truth->canard_rad) / degree;
       o.largest_offset_deg = std::max(o.largest_offset_deg, std::abs(row.truth->disturbance_rad) / degree);
       if (kp > 0.0 && row.time_s >= counts_from_s - 1e-6) {
         const double away_rad =

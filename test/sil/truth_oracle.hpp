@@ -14,6 +14,7 @@ struct Oracle {
   double turned_after_deg = 0.0;   ///< from the end of control to apogee
   double end_before_apogee_s = 0.0;
   double largest_offset_deg = 0.0;  ///< under control
+  double unbalanced_deg = 0.0;      ///< of the offset, by where the canards stand as control ends
 
   /// Whether control lasted to the end that the plan gives it, or to apogee.
   [[nodiscard]] bool lasted(const flight::Flight& flight) const;

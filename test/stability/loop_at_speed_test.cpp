@@ -63,7 +63,37 @@ TEST(LoopAtSpeed, HasTheServosOfTheVehicleAndTheGainsOfThePlan) {
   EXPECT_NEAR(loop.delay_s, 0.002 + 0.003 + 0.5 / 333.0 + 0.0005, 1e-12);
   // 1.225 kg/m3 at the launch site: rho v A alpha / (2 I) and rho v^2 A beta / (2 I).
   EXPECT_NEAR(loop.damping_rate_per_s, 1.225 * 97.0 * 5.0265e-5 * 7.5 / (2.0 * 0.00361), 1e-9);
-  EXPECT_NEAR(loop.authority_per_s2, 1.225 * 97.0 * 97.0 * 5.0265e-5 * 10.0 / (2.0 * 0.00361), 1e-6);
+  EXPECT_NEAR(loop.authority_per_s2, 1.225 * 97.0 * 97.0 * 5.0265e-5 * 10.0 / (2.0 * 0.00361), 1e-4);
+}
+
+// Four slow servos are servos with four times the lag; of a mixture the loop has the sum of both.
+TEST(LoopAtSpeed, HasTheCanardFaultsThatAreThereAtLiftOff) {
+  const auto margin_deg = [](const sim::Scenario& scenario) {
+    return text::degrees(phase_margin_rad(loop_at_speed(scenario, 82.0)).value());
+  };
+  sim::Scenario slow = input::load_scenario("tasha3_launch2", {});
+  const double healthy_deg = margin_deg(slow);
+  sim::Scenario lagging = slow;
+  lagging.vehicle.servo.lag_s *= 4.0;
+  sim::Scenario weak = slow;
+  weak.plan.controller.proportional_gain *= 0.75F;
+  weak.plan.controller.derivative_gain_s *= 0.75F;
+  const auto breaks = [](sim::FaultKind kind, std::size_t canard, double from_s) {
+    return sim::Fault{.kind = kind, .canard = canard, .from_s = from_s, .until_s = 0.0};
+  };
+  sim::Scenario dead = slow;
+  dead.faults.push_back(breaks(sim::FaultKind::canard_dead, 2, -1.0));
+  EXPECT_NEAR(margin_deg(dead), margin_deg(weak), 1e-3) << "a quarter of the gain is gone";
+  double before_deg = healthy_deg;
+  for (std::size_t canard = 0; canard < 4; ++canard) {
+    slow.faults.push_back(breaks(sim::FaultKind::canard_slow, canard, 0.0));
+    EXPECT_LT(margin_deg(slow), before_deg);
+    before_deg = margin_deg(slow);
+  }
+  EXPECT_NEAR(margin_deg(slow), margin_deg(lagging), 1e-6);
+  sim::Scenario later = input::load_scenario("tasha3_launch2", {});
+  later.faults.push_back(breaks(sim::FaultKind::canard_dead, 2, 3.0));
+  EXPECT_EQ(margin_deg(later), healthy_deg) << "the flight says that it is not in the margins";
 }
 
 }  // namespace

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace fantail::flight {
 namespace {
@@ -131,12 +130,15 @@ double canard_limit_rad(const core::FlightPlan& plan) {
   return static_cast<double>(std::min(plan.controller.canard_limit, core::hard_canard_limit).radians());
 }
 
-double authority_rad(const core::FlightPlan& plan, const std::optional<double>& servo_stop_rad, double sense) {
+double authority_rad(const Flight& flight, double sense) {
+  if (flight.canard_reach) {
+    return sense > 0.0 ? flight.canard_reach->highest_rad : -flight.canard_reach->lowest_rad;
+  }
+  const core::FlightPlan& plan = flight.plan;
   const double command_rad = std::copysign(canard_limit_rad(plan), sense);
   double sum_rad = 0.0;
   for (const core::CanardPlan& canard : plan.canards.each) {
-    const double limit_rad = std::min({canard_limit_rad(plan), static_cast<double>(canard.mechanical_stop.radians()),
-                                       servo_stop_rad.value_or(std::numeric_limits<double>::infinity())});
+    const double limit_rad = std::min(canard_limit_rad(plan), static_cast<double>(canard.mechanical_stop.radians()));
     const double turned = canard.direction == core::Direction::reversed ? -1.0 : 1.0;
     const auto trim_rad = static_cast<double>(canard.trim.radians());
     sum_rad += turned * (std::clamp(turned * command_rad + trim_rad, -limit_rad, limit_rad) - trim_rad);

@@ -106,6 +106,12 @@ struct LoopMargin {
   std::optional<double> gain_margin{};
 };
 
+/// How far the canards deflect together, as the air sees them, at the largest roll commands; see sim::DeflectionRange.
+struct CanardReach {
+  double lowest_rad = 0.0;
+  double highest_rad = 0.0;
+};
+
 struct CanardVerdictChange {
   double time_s = 0.0;
   std::size_t canard = 0;  ///< 0 to 3; people count from 1
@@ -145,8 +151,8 @@ struct Flight {
   std::vector<PhaseChange> phase_changes;
   std::vector<CanardVerdictChange> canard_verdict_changes;
   Unmeasured unmeasured;
-  std::vector<LoopMargin> loop_margins;  ///< at some speeds under control, the worst among them; empty: not computed
-  std::optional<double> servo_stop_rad;  ///< of the simulated servos; empty: nobody knows
+  std::vector<LoopMargin> loop_margins;     ///< at some speeds under control, the worst among them; empty: not computed
+  std::optional<CanardReach> canard_reach;  ///< of the simulated canards; empty: nobody knows
   std::vector<Row> rows;
   std::size_t rows_per_line = 1;               ///< flight.csv has the first of so many rows
   std::vector<TunnelReading> tunnel_readings;  ///< empty in flight
@@ -170,10 +176,10 @@ void set_time_zero(Flight& flight, double zero_s);
 /// The largest roll command this plan allows: the plan limit, or the hard limit where that is smaller.
 [[nodiscard]] double canard_limit_rad(const core::FlightPlan& plan);
 
-/// How far the canards can deflect in one sense of roll (the sign of `sense`), mean of the four: each as far as the
-/// smallest of plan limit, hard limit, its mechanical stop in the plan and the servo's own stop lets it, from its trim.
-[[nodiscard]] double authority_rad(const core::FlightPlan& plan, const std::optional<double>& servo_stop_rad,
-                                   double sense);
+/// How far the canards can deflect in one sense of roll (the sign of `sense`), mean of the four: what the simulation
+/// says, or else each as far as the smallest of plan limit, hard limit and its mechanical stop in the plan lets it,
+/// from its trim. Below zero: not even at the largest command is it in that sense.
+[[nodiscard]] double authority_rad(const Flight& flight, double sense);
 
 /// Where a proportional-derivative loop comes to rest: R + u_d / kp. Empty without truth, and for a gain of zero.
 [[nodiscard]] std::optional<double> settle_point_rad(const Row& row, const core::FlightPlan& plan);

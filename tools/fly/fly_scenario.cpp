@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "fly/fly_scenario.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -11,6 +12,7 @@
 #include "fly/model_limits.hpp"
 #include "input/fault_file.hpp"
 #include "replies/sentence.hpp"
+#include "sim/deflection_range.hpp"
 #include "sim/units.hpp"
 #include "sim/world.hpp"
 
@@ -65,13 +67,21 @@ flight::Flight describe(const sim::Scenario& scenario) {
   flight.seed = scenario.seed;
   flight.tunnel = scenario.surroundings == sim::Surroundings::tunnel;
   flight.plan = scenario.plan;
-  flight.servo_stop_rad = scenario.vehicle.servo.stop_rad;
+  const sim::DeflectionRange reach = sim::deflection_range(scenario);
+  flight.canard_reach = {.lowest_rad = reach.lowest_rad, .highest_rad = reach.highest_rad};
   for (const auto* sentences :
        {&scenario.vehicle.warnings, &scenario.warnings, &scenario.vehicle.assumed, &scenario.assumed}) {
     flight.notes.insert(flight.notes.end(), sentences->begin(), sentences->end());
   }
   for (const sim::Fault& fault : scenario.faults) {
     flight.notes.push_back(describe(fault, scenario));
+  }
+  if (std::ranges::any_of(scenario.faults, [](const sim::Fault& fault) {
+        return sim::is_of_canard(fault.kind) && !sim::is_there_at_liftoff(fault);
+      })) {
+    flight.notes.emplace_back(
+        "Authority and stability margins are those at lift-off, without the canard faults that "
+        "began later.");
   }
   if (scenario.log_period_s > 0.001) {
     flight.notes.push_back(fmt::format("flight.csv has a row every {:g} s instead of every millisecond{}.",

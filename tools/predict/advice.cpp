@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <span>
 #include <string_view>
 
 #include <fmt/core.h>
@@ -65,7 +66,7 @@ LimitAdvice advice_on_canard_limit(const Prediction& p, double asked) {
                         runs(p.runs.size()), percent(asked)),
             {}};
   }
-  const CanardReach farthest = farthest_reach(p.flown);
+  const CanardReach farthest = farthest_reach(p.flown, usual_offset_rad(p.runs));
   const double farthest_deg = degrees(farthest.angle_rad);
   if (const auto limit_deg = enough_limit_deg(p, asked, farthest_deg)) {
     const Share found = within(p, text::radians(*limit_deg));
@@ -112,7 +113,7 @@ GainAdvice advice_on_gains(const Prediction& p, double phase_margin_rad) {
           {}};
 }
 
-std::string trial(const Prediction& p, const LimitAdvice& limit, const GainAdvice& gains) {
+Trial trial(const Prediction& p, const LimitAdvice& limit, const GainAdvice& gains) {
   constexpr std::size_t most_runs = 20;
   if (!limit.limit_deg && !gains.gains) {
     return {};
@@ -127,6 +128,8 @@ std::string trial(const Prediction& p, const LimitAdvice& limit, const GainAdvic
     plan.derivative_gain_s = static_cast<float>(gains.gains->derivative_s);
   }
   const std::size_t tried = std::min(most_runs, p.runs.size());
+  const auto planned = static_cast<std::size_t>(
+      std::ranges::count(std::span{p.runs}.first(tried), report::Outcome::held, &Run::outcome));
   std::size_t held = 0;
   std::size_t not_judged = 0;
   std::string first_cause;
@@ -139,14 +142,21 @@ std::string trial(const Prediction& p, const LimitAdvice& limit, const GainAdvic
     }
   }
   if (not_judged == tried) {
-    return fmt::format("Flown with this advice, none of the first {} can be judged ({}).", runs(tried), first_cause);
+    return {fmt::format("Flown with this advice, none of the first {} can be judged ({}).", runs(tried), first_cause)};
+  }
+  if (held < planned) {
+    return {
+        fmt::format("Flown with this advice, the roll is held in only {} of the first {} ({}), as planned in {}: do "
+                    "not follow it.",
+                    held, runs(tried), first_cause, planned),
+        false};
   }
   if (held == 0) {
-    return fmt::format("Flown with this advice, none of the first {} holds its roll ({}): it is not enough.",
-                       runs(tried), first_cause);
+    return {fmt::format("Flown with this advice, none of the first {} holds its roll ({}): it is not enough.",
+                        runs(tried), first_cause)};
   }
-  return fmt::format("Flown with this advice, the roll is held in {} of the first {}{}.", held, runs(tried),
-                     not_judged > 0 ? fmt::format(" and not judged in {} of them", not_judged) : "");
+  return {fmt::format("Flown with this advice, the roll is held in {} of the first {}{}.", held, runs(tried),
+                      not_judged > 0 ? fmt::format(" and not judged in {} of them", not_judged) : "")};
 }
 
 }  // namespace fantail::predict

@@ -28,8 +28,12 @@ struct GainAdvice {
 /// the runs at every speed flown; or that none does, and what servo lag would.
 [[nodiscard]] GainAdvice advice_on_gains(const Prediction& prediction, double phase_margin_rad);
 
-/// Flies the first runs again with what is advised and says how many hold their roll, a sentence; empty where nothing
-/// is advised.
-[[nodiscard]] std::string trial(const Prediction& prediction, const LimitAdvice& limit, const GainAdvice& gains);
+struct Trial {
+  std::string sentence{};  ///< how many of the first runs hold their roll with the advice; empty where none is given
+  bool helps = true;       ///< no fewer than without it
+};
+
+/// Flies the first runs again with what is advised.
+[[nodiscard]] Trial trial(const Prediction& prediction, const LimitAdvice& limit, const GainAdvice& gains);
 
 }  // namespace fantail::predict

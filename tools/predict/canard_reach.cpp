@@ -2,6 +2,7 @@
 #include "predict/canard_reach.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <utility>
 
@@ -10,6 +11,7 @@
 #include "core/flight_plan.hpp"
 #include "flight/flight.hpp"
 #include "predict/plan_ranges.hpp"
+#include "sim/deflection_range.hpp"
 #include "text/degrees.hpp"
 #include "text/number.hpp"
 
@@ -47,23 +49,27 @@ std::string CanardReach::text() const {
                         : fmt::format("{} degrees that the canards reach ({})", angle, set_by);
 }
 
-CanardReach canard_reach(const sim::Scenario& scenario) {
-  const auto reach = [&](double sense) {
-    return flight::authority_rad(scenario.plan, scenario.vehicle.servo.stop_rad, sense);
-  };
-  CanardReach found{.angle_rad = std::min(reach(1.0), reach(-1.0)), .set_by = stopped_by(scenario)};
+CanardReach canard_reach(const sim::Scenario& scenario, double offset_rad) {
+  const sim::DeflectionRange range = sim::deflection_range(scenario);
+  CanardReach found{.angle_rad = offset_rad > 0.0 ? -range.lowest_rad : range.highest_rad,
+                    .set_by = stopped_by(scenario)};
+  const bool broken = std::ranges::any_of(scenario.faults, [](const sim::Fault& fault) {
+    return sim::is_of_canard(fault.kind) && sim::is_there_at_liftoff(fault);
+  });
   const double limit_rad = flight::canard_limit_rad(scenario.plan);
-  if (found.set_by.empty() && found.angle_rad < limit_rad - same_angle_rad) {
-    found.set_by = "canard limit less the trim of the canards";
+  if (broken) {
+    found.set_by = "canard faults of the scenario";
+  } else if (found.set_by.empty() && std::abs(found.angle_rad - limit_rad) > same_angle_rad) {
+    found.set_by = "canard limit and the trim of the canards";
   }
   return found;
 }
 
-CanardReach farthest_reach(const sim::Scenario& scenario) {
+CanardReach farthest_reach(const sim::Scenario& scenario, double offset_rad) {
   sim::Scenario widest = scenario;
   widest.plan.controller.canard_limit =
       core::Angle::from_radians(static_cast<float>(plan_range("canard_limit_deg").maximum));
-  return canard_reach(widest);
+  return canard_reach(widest, offset_rad);
 }
 
 }  // namespace fantail::predict

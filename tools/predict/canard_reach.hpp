@@ -7,7 +7,7 @@
 
 namespace fantail::predict {
 
-/// The fin offset that all canards together can balance, whichever its sense, and what ends it.
+/// The fin offset of one sense that all canards together can balance, and what ends it.
 struct CanardReach {
   double angle_rad = 0.0;
   std::string set_by{};  ///< "servo stop", "mechanical stop of canard 2 in the plan", ...; empty: the plan's own limit
@@ -16,10 +16,10 @@ struct CanardReach {
   [[nodiscard]] std::string text() const;
 };
 
-/// As flight::authority_rad(), with the stop that the servos of this vehicle have.
-[[nodiscard]] CanardReach canard_reach(const sim::Scenario& scenario);
+/// Against an offset with this sign, with sim::deflection_range().
+[[nodiscard]] CanardReach canard_reach(const sim::Scenario& scenario, double offset_rad);
 
 /// The same if the plan limit were as large as a plan may have it.
-[[nodiscard]] CanardReach farthest_reach(const sim::Scenario& scenario);
+[[nodiscard]] CanardReach farthest_reach(const sim::Scenario& scenario, double offset_rad);
 
 }  // namespace fantail::predict

@@ -153,9 +153,29 @@ Criterion phase_margin(const Prediction& p, double threshold_rad) {
   return c;
 }
 
+struct TriedGains {
+  GainAdvice gains{};
+  Trial trial{};
+};
+
+/// For a comfortable margin, or for the one that is asked for where comfort costs runs that would hold.
+TriedGains try_gains(const Prediction& p, const LimitAdvice& limit, double asked_rad) {
+  const auto tried = [&](double aim_rad) {
+    GainAdvice gains = advice_on_gains(p, aim_rad);
+    Trial flown = trial(p, limit, gains);
+    return TriedGains{.gains = std::move(gains), .trial = std::move(flown)};
+  };
+  TriedGains comfortable = tried(std::max(comfortable_phase_margin_rad, asked_rad));
+  if ((comfortable.gains.gains && comfortable.trial.helps) || asked_rad >= comfortable_phase_margin_rad) {
+    return comfortable;
+  }
+  TriedGains enough = tried(asked_rad);
+  return enough.gains.gains && enough.trial.helps ? enough : comfortable;
+}
+
 std::vector<std::string> advice(const Decision& d, const Prediction& p) {
   LimitAdvice limit;
-  GainAdvice gains;
+  bool loop_swings = false;
   std::string tilt;
   for (const Criterion& c : d.criteria) {
     if (c.judgement != Judgement::not_met) {
@@ -164,12 +184,14 @@ std::vector<std::string> advice(const Decision& d, const Prediction& p) {
     if (c.key == "authority" && !too_few_runs(p.authority, d.thresholds.authority_share)) {
       limit = advice_on_canard_limit(p, d.thresholds.authority_share);
     } else if (c.key == "phase_margin" && p.worst_speed) {
-      gains = advice_on_gains(p, std::max(comfortable_phase_margin_rad, d.thresholds.phase_margin_rad));
+      loop_swings = true;
     } else if (c.key == "tilt_limit") {
       tilt = advice_on_tilt(p);
     }
   }
-  std::vector<std::string> all{limit.sentence, gains.sentence, trial(p, limit, gains), tilt};
+  const TriedGains tried =
+      loop_swings ? try_gains(p, limit, d.thresholds.phase_margin_rad) : TriedGains{.trial = trial(p, limit, {})};
+  std::vector<std::string> all{limit.sentence, tried.gains.sentence, tried.trial.sentence, tilt};
   std::erase(all, "");
   return all;
 }

@@ -152,6 +152,10 @@ std::string airframe_sentence(std::size_t number, std::uint64_t seed, const Tunn
 
 }  // namespace
 
+double usual_offset_rad(const std::vector<Run>& runs) {
+  return spread_of(runs, [](const Run& run) { return run.offset_rad; }).p50;
+}
+
 void require_launch(const sim::Scenario& scenario) {
   if (scenario.surroundings == sim::Surroundings::tunnel) {
     throw text::Error{text::ErrorKind::bad_configuration,
@@ -184,7 +188,6 @@ Prediction predict(const sim::Scenario& scenario, const TunnelResult& tunnel, co
                .damping = options.damping,
                .area = area_factor(scenario, tunnel),
                .notes = notes(scenario, tunnel),
-               .reach = canard_reach(scenario),
                .flown = with_servo(scenario, options),
                .runs = std::vector<Run>(options.runs)};
   p.servo_lag_s = p.flown.vehicle.servo.lag_s;
@@ -197,6 +200,7 @@ Prediction predict(const sim::Scenario& scenario, const TunnelResult& tunnel, co
         p.runs[i] = fly_run(p.flown, airframes.draw(seed), seed);
       },
       look);
+  p.reach = canard_reach(scenario, usual_offset_rad(p.runs));
   count(p);
   p.offset_size_rad = spread_of(p.runs, [](const Run& run) { return std::abs(run.offset_rad); });
   p.authority_margin_rad = spread_of(p.runs, [](const Run& run) { return run.authority_margin_rad; });

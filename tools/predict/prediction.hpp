@@ -54,8 +54,8 @@ struct Prediction {
   std::optional<AreaFactor> area{};         ///< empty: the reference area is not in the spread
   std::vector<std::string> notes{};         ///< what was assumed, a sentence each
   std::vector<std::string> flight_notes{};  ///< what the flights of the runs remark, a sentence each
-  CanardReach reach{};
-  sim::Scenario flown{};  ///< with the servo that was measured; every run has an airframe of its own
+  CanardReach reach{};                      ///< against an offset of the sense of usual_offset_rad()
+  sim::Scenario flown{};                    ///< with the servo that was measured; every run has an airframe of its own
   double servo_lag_s = 0.0;
   double delay_s = 0.0;  ///< all dead time of the loop
   std::vector<Run> runs{};
@@ -75,6 +75,9 @@ struct Prediction {
   std::vector<MarginsAtSpeed> over_speed{};     ///< at those of them where the loop can swing
   std::optional<MarginsAtSpeed> worst_speed{};  ///< where the low end of the phase margin is least
 };
+
+/// The median of the runs; its sense is that of most.
+[[nodiscard]] double usual_offset_rad(const std::vector<Run>& runs);
 
 /// Throws text::Error for a scenario that is no launch.
 void require_launch(const sim::Scenario& scenario);

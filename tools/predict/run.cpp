@@ -88,12 +88,12 @@ Run fly_run(const sim::Scenario& scenario, const TunnelStep& airframe, std::uint
 Run run_of(const flight::Flight& flight, const sim::Scenario& scenario, const TunnelStep& airframe) {
   const report::Figures figures = report::figures(flight);
   const report::Verdict verdict = report::verdict(flight, figures);
-  const double limit_rad = canard_reach(scenario).angle_rad;
   Run run;
   run.seed = flight.seed.value_or(0);
   run.airframe = airframe;
   run.offset_rad = std::abs(airframe.offset_begin_rad) > std::abs(airframe.offset_end_rad) ? airframe.offset_begin_rad
                                                                                            : airframe.offset_end_rad;
+  const double limit_rad = canard_reach(scenario, run.offset_rad).angle_rad;
   run.authority_margin_rad = limit_rad - std::abs(run.offset_rad);
   run.outcome = verdict.outcome;
   run.verdict = verdict.text;

@@ -37,8 +37,10 @@ std::string told(const Note& note, std::size_t runs) {
 std::vector<std::string> notes_of(const std::vector<Run>& runs) {
   std::vector<Note> notes;
   for (std::size_t i = 0; i < runs.size(); ++i) {
+    std::vector<std::string> keys;  // of this run: two sentences that differ in figures only are two notes
     for (const std::string& sentence : runs[i].notes) {
-      const std::string key = without_figures(sentence);
+      keys.push_back(without_figures(sentence));
+      const std::string key = fmt::format("{}{}", keys.back(), std::ranges::count(keys, keys.back()));
       auto note = std::ranges::find(notes, key, &Note::without_figures);
       if (note == notes.end()) {
         note = notes.insert(note, {.without_figures = key, .sentence = sentence, .first_run = i});

@@ -48,13 +48,21 @@ class NumberColumn {
   Limits limits_;
 };
 
-std::string describe_swirl(const TunnelResult& result, bool given, bool in_file) {
+std::string describe_swirl(const TunnelResult& result, bool given, const std::optional<NumberColumn>& column) {
   if (given) {
     return fmt::format("Swirl subtracted: {} degrees (from --swirl).", brief(degrees(result.swirl_rad), 2));
   }
-  if (in_file) {
-    return fmt::format("Swirl subtracted: {} degrees (column swirl_deg of {}).", brief(degrees(result.swirl_rad), 2),
-                       result.name);
+  if (column) {
+    double lowest_deg = (*column)[0];
+    double highest_deg = lowest_deg;
+    for (std::size_t row = 1; row < result.steps.size(); ++row) {
+      lowest_deg = std::min(lowest_deg, (*column)[row]);
+      highest_deg = std::max(highest_deg, (*column)[row]);
+    }
+    const std::string what = lowest_deg == highest_deg ? fmt::format("{} degrees", brief(lowest_deg, 2))
+                                                       : fmt::format("from each row its own, {} to {} degrees",
+                                                                     brief(lowest_deg, 2), brief(highest_deg, 2));
+    return fmt::format("Swirl subtracted: {} (column swirl_deg of {}).", what, result.name);
   }
   return fmt::format("No swirl subtracted: {} has no column swirl_deg, and --swirl was not given.", result.name);
 }
@@ -76,12 +84,11 @@ std::optional<std::string> same_in_all_rows(const flight::Table& table, std::str
   return first.empty() ? std::nullopt : std::optional{first};
 }
 
-std::optional<double> reference_area_m2(const flight::Table& table) {
-  constexpr std::string_view name = "reference_area_m2";
+std::optional<double> same_number_in_all_rows(const flight::Table& table, std::string_view name, const Limits& limits) {
   if (!same_in_all_rows(table, name)) {
     return std::nullopt;
   }
-  return NumberColumn{table, name, {1e-8, 1.0}}[0];
+  return NumberColumn{table, name, limits}[0];
 }
 
 // All four or none: a spread of which one part lacks its error would look wider than it is, beside the others.
@@ -141,7 +148,8 @@ TunnelResult read_tunnel_result(const std::filesystem::path& file, const std::op
   result.name = file.filename().string();
   result.sources = sources(table);
   result.vehicle = same_in_all_rows(table, "vehicle");
-  result.reference_area_m2 = reference_area_m2(table);
+  result.reference_area_m2 = same_number_in_all_rows(table, "reference_area_m2", {1e-8, 1.0});
+  result.inertia_kg_m2 = same_number_in_all_rows(table, "inertia_kg_m2", {1e-6, 1e3});
   result.standard_errors = read_standard_errors(table);
   for (std::size_t row = 0; row < table.rows(); ++row) {
     const double off_rad = swirl_rad ? *swirl_rad : swirl ? radians((*swirl)[row]) : 0.0;
@@ -151,7 +159,7 @@ TunnelResult read_tunnel_result(const std::filesystem::path& file, const std::op
                             .offset_begin_rad = radians(begin[row]) - off_rad,
                             .offset_end_rad = radians(end[row]) - off_rad});
   }
-  result.swirl_words = describe_swirl(result, swirl_rad.has_value(), swirl.has_value());
+  result.swirl_words = describe_swirl(result, swirl_rad.has_value(), swirl);
   return result;
 }
 

@@ -29,13 +29,14 @@ struct TunnelResult {
   std::vector<TunnelStep> standard_errors{};  ///< of each number of each step; none where the file does not say
   std::optional<std::string> vehicle{};       ///< whose rows they are; empty: the file does not say
   std::optional<double> reference_area_m2{};  ///< that damping and torque were identified with; likewise
+  std::optional<double> inertia_kg_m2{};      ///< likewise
   double swirl_rad = 0.0;                     ///< the mean of what was taken off
   std::string swirl_words;                    ///< a sentence: how much was taken off, and who said so
 };
 
 /// Reads the columns alpha_m2, beta_m, disturbance_begin_deg, disturbance_end_deg, and, where they are there,
-/// swirl_deg, source, vehicle, reference_area_m2 and the standard errors of the four. The swirl that is taken off is
-/// `swirl_rad` when given, else what the column swirl_deg says in that row, else none. Throws text::Error
+/// swirl_deg, source, vehicle, reference_area_m2, inertia_kg_m2 and the standard errors of the four. The swirl that is
+/// taken off is `swirl_rad` when given, else what the column swirl_deg says in that row, else none. Throws text::Error
 /// (no_such_input, bad_data).
 [[nodiscard]] TunnelResult read_tunnel_result(const std::filesystem::path& file,
                                               const std::optional<double>& swirl_rad);

@@ -1,11 +1,24 @@
 // SPDX-License-Identifier: MIT
 #include "predict/tunnel_use.hpp"
 
+#include <cmath>
+#include <string>
+
 #include <fmt/core.h>
 
 #include "text/error.hpp"
 
 namespace fantail::predict {
+
+namespace {
+
+/// Written with six digits.
+bool same_inertia(double one, double other) {
+  constexpr double rounding = 1e-4;
+  return std::abs(one / other - 1.0) < rounding;
+}
+
+}  // namespace
 
 void require_same_vehicle(const sim::Scenario& scenario, const TunnelResult& tunnel) {
   if (tunnel.vehicle && *tunnel.vehicle != scenario.vehicle.name) {
@@ -22,8 +35,18 @@ std::string whose_rows(const sim::Scenario& scenario, const TunnelResult& tunnel
     return fmt::format("{} does not say which vehicle its rows are of; they are taken for those of {}.", tunnel.name,
                        scenario.vehicle.name);
   }
+  const double own_kg_m2 = scenario.vehicle.roll_plant.inertia_kg_m2;
+  const std::string inertia =
+      !tunnel.inertia_kg_m2 ? "with which roll inertia they were identified they do not say"
+      : same_inertia(*tunnel.inertia_kg_m2, own_kg_m2)
+          ? "they were identified with its roll inertia"
+          : fmt::format(
+                "they were identified with a roll inertia of {:.4g} kg m2, where this vehicle has {:.4g}: damping "
+                "and torque are right only if it hung in the tunnel with the former",
+                *tunnel.inertia_kg_m2, own_kg_m2);
   return *tunnel.vehicle == scenario.vehicle.name
-             ? fmt::format("The rows of {} are of this vehicle, {}.", tunnel.name, *tunnel.vehicle)
+             ? fmt::format("The rows of {} say that they are of {}, as this vehicle is called; {}.", tunnel.name,
+                           *tunnel.vehicle, inertia)
              : fmt::format("The rows of {} are of another vehicle, {}, and were accepted for {} on purpose.",
                            tunnel.name, *tunnel.vehicle, scenario.vehicle.name);
 }

@@ -19,7 +19,12 @@ constexpr int least_swings = 3;
 constexpr double lasts = 0.7;
 constexpr double clock_tolerance_s = 1e-6;
 
-double angle_rad(const flight::Row& row) { return row.canard_rad.value_or(row.command_rad); }
+double angle_rad(const flight::Row& row) {
+  return row.truth && std::isfinite(row.truth->canard_rad) ? row.truth->canard_rad
+                                                           : row.canard_rad.value_or(row.command_rad);
+}
+double command_rad(const flight::Row& row) { return row.command_rad; }
+using AngleOf = double (*)(const flight::Row& row);
 
 struct Ends {
   double lowest_rad;
@@ -28,11 +33,11 @@ struct Ends {
   [[nodiscard]] double swing_rad() const { return 0.5 * (highest_rad - lowest_rad); }
 };
 
-Ends ends(Rows rows) {
-  Ends e{angle_rad(rows.front()), angle_rad(rows.front())};
+Ends ends(Rows rows, AngleOf angle = angle_rad) {
+  Ends e{angle(rows.front()), angle(rows.front())};
   for (const flight::Row& row : rows) {
-    e.lowest_rad = std::min(e.lowest_rad, angle_rad(row));
-    e.highest_rad = std::max(e.highest_rad, angle_rad(row));
+    e.lowest_rad = std::min(e.lowest_rad, angle(row));
+    e.highest_rad = std::max(e.highest_rad, angle(row));
   }
   return e;
 }
@@ -66,6 +71,10 @@ std::optional<Oscillation> look_at(Rows rows) {
   const double before_rad = ends(rows.first(rows.size() / 2)).swing_rad();
   const double after_rad = ends(rows.last(rows.size() / 2)).swing_rad();
   if (std::min(before_rad, after_rad) < least_swing_rad || after_rad < lasts * before_rad) {
+    return std::nullopt;
+  }
+  // Encoders can be noisy. A loop that oscillates does so in what it commands, too.
+  if (!rows.front().truth && ends(rows, command_rad).swing_rad() < least_swing_rad) {
     return std::nullopt;
   }
   const std::optional<double> frequency_hz = swing_frequency_hz(rows, all);

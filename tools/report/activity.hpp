@@ -16,9 +16,10 @@ struct Oscillation {
   double highest_rad = 0.0;
 };
 
-/// Looks at the encoders' mean (at the command where there is none), a second at a time: three or more swings of a
-/// degree to either side, that do not die away. Left out are the excitation and what settles after control start, after
-/// a step of the reference and after the excitation, for `settling_time_s` each.
+/// Looks at the true canards, a second at a time: three or more swings of a degree to either side, that do not die
+/// away. Where no truth is known, at the encoders' mean, and the command must swing as far; where that is unknown, too,
+/// at the command alone. Left out are the excitation and what settles after control start, after a step of the
+/// reference and after the excitation, for `settling_time_s` each.
 [[nodiscard]] std::optional<Oscillation> find_oscillation(std::span<const flight::Row> control, double settling_time_s);
 
 }  // namespace fantail::report

@@ -96,7 +96,7 @@ void judge_authority(Figures& f, std::span<const flight::Row> control, const fli
     }
   }
   if (f.largest_disturbance_rad && flight.known.plan) {
-    f.authority_rad = flight::authority_rad(flight.plan, flight.servo_stop_rad, -*f.largest_disturbance_rad);
+    f.authority_rad = flight::authority_rad(flight, -*f.largest_disturbance_rad);
     f.authority_margin_rad = *f.authority_rad - std::abs(*f.largest_disturbance_rad);
   }
 }

@@ -156,8 +156,10 @@ void add_summary(flight::Flight& flight, const std::filesystem::path& file) {
   flight.why_not_armed = text(summary, "why_not_armed");
   read_unmeasured(flight.unmeasured, member(summary, "unmeasured"));
   read_loop_margins(flight, member(summary, "loop_margins"));
-  if (const auto stop_deg = number(summary, "servo_stop_deg")) {
-    flight.servo_stop_rad = text::radians(*stop_deg);
+  const Json& reach = member(summary, "canard_reach_deg");
+  if (const auto lowest_deg = number(reach, "lowest"), highest_deg = number(reach, "highest");
+      lowest_deg && highest_deg) {
+    flight.canard_reach = {.lowest_rad = text::radians(*lowest_deg), .highest_rad = text::radians(*highest_deg)};
   }
   const Json& imposed = member(summary, "imposed_roll");
   if (const auto time_s = number(imposed, "time_s")) {

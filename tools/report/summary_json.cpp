@@ -78,6 +78,13 @@ Json loop_margins(const flight::Flight& flight) {
   return all;
 }
 
+Json canard_reach(const flight::Flight& flight) {
+  const auto& reach = flight.canard_reach;
+  return reach ? Json{{"lowest", rounded(text::degrees(reach->lowest_rad))},
+                      {"highest", rounded(text::degrees(reach->highest_rad))}}
+               : Json{};
+}
+
 Json unmeasured(const flight::Unmeasured& u) {
   return {{"spin_from_s", rounded(u.spin_from_s)},
           {"spin_for_s", rounded(u.spin_for_s)},
@@ -123,7 +130,7 @@ std::string summary_json(const flight::Flight& flight, const Figures& figures, c
                         {"roll_after_end_deg", angle(figures.roll_after_end_rad)},
                         {"oscillation", oscillation(figures.oscillation)},
                         {"loop_margins", loop_margins(flight)},
-                        {"servo_stop_deg", angle(flight.servo_stop_rad)},
+                        {"canard_reach_deg", canard_reach(flight)},
                         {"unmeasured", unmeasured(flight.unmeasured)},
                         {"roll_turns", rounded(figures.roll_turns)},
                         {"at_limit_since_s", rounded(figures.at_limit_since_s)},

@@ -63,8 +63,8 @@ std::string saturation_and_margin(const Figures& f) {
 }
 
 std::string at_limit(const Figures& f) {
-  return fmt::format("canards at their limit ({}) from {} s to the end of control", signed_limit(f.command_at_end_rad),
-                     text::fixed(*f.at_limit_since_s, 2));
+  return fmt::format("canards commanded to their limit ({}) from {} s to the end of control",
+                     signed_limit(f.command_at_end_rad), text::fixed(*f.at_limit_since_s, 2));
 }
 
 std::string why_not_judged(const flight::Flight& flight, const Figures& f) {
@@ -155,11 +155,12 @@ Verdict judge_flight(const flight::Flight& flight, const Figures& f) {
   }
   if (const flight::Unmeasured& u = flight.unmeasured; u.spin_from_s) {
     v.outcome = Outcome::not_held;
-    v.text = fmt::format("The rocket turned faster than the gyro's range of {} deg/s, {}, for {} s from {} s on. ",
-                         text::fixed(std::abs(text::degrees(u.spin_rad_s)), 0),
-                         u.spin_rad_s > 0.0 ? "positively" : "negatively", text::fixed(u.spin_for_s, 2),
-                         text::fixed(*u.spin_from_s, 2)) +
-             v.text;
+    v.text =
+        fmt::format("The rocket turned faster than the gyro's range of {} deg/s, {}, for {} s in all, first at {} s. ",
+                    text::fixed(std::abs(text::degrees(u.spin_rad_s)), 0),
+                    u.spin_rad_s > 0.0 ? "positively" : "negatively", text::fixed(u.spin_for_s, 2),
+                    text::fixed(*u.spin_from_s, 2)) +
+        v.text;
   }
   if (ended_early(flight, f)) {
     const bool rolled_away = f.roll_after_end_rad.value_or(0.0) > held_error_rad;
@@ -176,8 +177,9 @@ std::string unmeasured(const flight::Flight& flight) {
   const flight::Unmeasured& u = flight.unmeasured;
   std::string text;
   if (u.silent_from_s) {
-    text += fmt::format(" The gyro gave no usable rate for {} s from {} s on; the canards stood at trim meanwhile.",
-                        text::fixed(u.silent_for_s, 3), text::fixed(*u.silent_from_s, 2));
+    text += fmt::format(
+        " The gyro gave no usable rate for {} s in all, first at {} s; the canards stood at trim meanwhile.",
+        text::fixed(u.silent_for_s, 3), text::fixed(*u.silent_from_s, 2));
   }
   if (u.speed_bound_from_s) {
     text += fmt::format(

@@ -2,7 +2,11 @@
 #include "stability/roll_loop.hpp"
 
 #include <cmath>
+#include <complex>
 #include <numbers>
+
+#include "sim/deflection_range.hpp"
+#include "sim/servo.hpp"
 
 namespace fantail::stability {
 namespace {
@@ -12,16 +16,20 @@ constexpr double lowest_rad_s = 1e-6;
 constexpr double highest_rad_s = 1e7;
 constexpr double half_turn_rad = std::numbers::pi;
 
+std::complex<double> servos(const RollLoop& loop, double w) {
+  return (1.0 - loop.slow_share) / std::complex{1.0, loop.servo_lag_s * w} +
+         loop.slow_share / std::complex{1.0, sim::slow_times * loop.servo_lag_s * w};
+}
+
 double logarithm_of_gain(const RollLoop& loop, double w) {
   return std::log(loop.authority_per_s2) + std::log(std::hypot(loop.proportional_gain, loop.derivative_gain_s * w)) -
-         std::log(w) - std::log(std::hypot(w, loop.damping_rate_per_s)) -
-         0.5 * std::log1p(std::pow(loop.servo_lag_s * w, 2));
+         std::log(w) - std::log(std::hypot(w, loop.damping_rate_per_s)) + std::log(std::abs(servos(loop, w)));
 }
 
 /// Followed from frequency zero on, not wrapped.
 double phase_rad(const RollLoop& loop, double w) {
   return std::atan2(loop.derivative_gain_s * w, loop.proportional_gain) - 0.5 * half_turn_rad -
-         std::atan2(w, loop.damping_rate_per_s) - std::atan(loop.servo_lag_s * w) - loop.delay_s * w;
+         std::atan2(w, loop.damping_rate_per_s) + std::arg(servos(loop, w)) - loop.delay_s * w;
 }
 
 /// Where a function of the frequency changes its sign between two frequencies, which it does.
@@ -90,12 +98,14 @@ double loop_delay_s(const sim::Vehicle& vehicle) {
 RollLoop loop_at_speed(const sim::Scenario& scenario, double speed_m_s) {
   const sim::RollPlant& plant = scenario.vehicle.roll_plant;
   const double density_kg_m3 = scenario.atmosphere.density_kg_m3(0.0);
+  const sim::CanardResponse canards = sim::canard_response(scenario);
   return {.proportional_gain = static_cast<double>(scenario.plan.controller.proportional_gain),
           .derivative_gain_s = static_cast<double>(scenario.plan.controller.derivative_gain_s),
           .damping_rate_per_s = plant.damping_rate_per_s(density_kg_m3, speed_m_s),
-          .authority_per_s2 = plant.authority_per_s2(density_kg_m3, speed_m_s),
+          .authority_per_s2 = canards.effectiveness * plant.authority_per_s2(density_kg_m3, speed_m_s),
           .servo_lag_s = scenario.vehicle.servo.lag_s,
-          .delay_s = loop_delay_s(scenario.vehicle)};
+          .delay_s = loop_delay_s(scenario.vehicle),
+          .slow_share = canards.slow_share};
 }
 
 }  // namespace fantail::stability

@@ -16,6 +16,7 @@ struct RollLoop {
   double authority_per_s2 = 0.0;    ///< b: roll acceleration per radian of canard
   double servo_lag_s = 0.0;
   double delay_s = 0.0;
+  double slow_share = 0.0;  ///< of the canards: their lag is sim::slow_times as long
 };
 
 /// How far a loop is from oscillating.
@@ -35,7 +36,8 @@ struct Margins {
 /// its hold, and the servo's own.
 [[nodiscard]] double loop_delay_s(const sim::Vehicle& vehicle);
 
-/// The loop of a scenario with its own airframe, in the air at the launch site.
+/// The loop of a scenario with its own airframe, in the air at the launch site, and with the canard faults that are
+/// there at lift-off.
 [[nodiscard]] RollLoop loop_at_speed(const sim::Scenario& scenario, double speed_m_s);
 
 }  // namespace fantail::stability

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+#include "sim/deflection_range.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "core/flight_plan.hpp"
+#include "sim/servo.hpp"
+
+namespace fantail::sim {
+namespace {
+
+constexpr std::size_t canards = core::canard_count;
+
+/// The one that is in force at lift-off: a later fault of a canard takes the place of an earlier one.
+std::optional<Fault> fault_of(const Scenario& scenario, std::size_t canard) {
+  std::optional<Fault> last;
+  for (const Fault& fault : scenario.faults) {
+    if (fault.canard == canard && is_of_canard(fault.kind) && is_there_at_liftoff(fault) &&
+        (!last || fault.from_s >= last->from_s)) {
+      last = fault;
+    }
+  }
+  return last;
+}
+
+/// What the pulse of the plan makes of a healthy servo.
+double commanded_shaft_rad(const core::FlightPlan& plan, const ServoParameters& servo, std::size_t canard,
+                           double command_rad) {
+  const core::CanardPlan& own = plan.canards.each[canard];
+  const auto limit_rad = static_cast<double>(
+      std::min({plan.controller.canard_limit, core::hard_canard_limit, own.mechanical_stop}).radians());
+  const double turned = own.direction == core::Direction::reversed ? -1.0 : 1.0;
+  const double asked_rad =
+      std::clamp(turned * command_rad + static_cast<double>(own.trim.radians()), -limit_rad, limit_rad);
+  const double pulse_us =
+      static_cast<double>(own.pulse_centre_us) + static_cast<double>(own.pulse_per_radian_us) * asked_rad;
+  return servo.centre_rad + radians_per_degree * (pulse_us - servo.pulse_centre_us) / servo.pulse_per_degree_us;
+}
+
+double shaft_rad(const Scenario& scenario, std::size_t canard, double command_rad) {
+  const ServoParameters& servo = scenario.vehicle.servo;
+  const double at_rest_rad = commanded_shaft_rad(scenario.plan, servo, canard, 0.0);
+  double angle_rad = commanded_shaft_rad(scenario.plan, servo, canard, command_rad);
+  if (const auto fault = fault_of(scenario, canard)) {
+    switch (fault->kind) {
+      case FaultKind::canard_stuck: angle_rad = fault->angle_rad.value_or(at_rest_rad); break;
+      case FaultKind::canard_hardover: angle_rad = servo.stop_rad; break;
+      case FaultKind::canard_dead: angle_rad = 0.0; break;
+      case FaultKind::canard_slipping: angle_rad = at_rest_rad + slipping_grip * (angle_rad - at_rest_rad); break;
+      case FaultKind::canard_reversed: angle_rad = 2.0 * servo.centre_rad - angle_rad; break;
+      case FaultKind::canard_wrong_trim: angle_rad += fault->angle_rad.value_or(usual_wrong_trim_rad); break;
+      default: break;  // a slow one gets there, too
+    }
+  }
+  return std::clamp(angle_rad, -servo.stop_rad, servo.stop_rad);
+}
+
+double deflection_rad(const Scenario& scenario, double command_rad) {
+  double sum_rad = 0.0;
+  for (std::size_t i = 0; i < canards; ++i) {
+    const CanardMounting& mounting = scenario.vehicle.canards[i];
+    const double from_trim_rad = shaft_rad(scenario, i, command_rad) - mounting.trim_rad;
+    sum_rad += mounting.reversed ? -from_trim_rad : from_trim_rad;
+  }
+  return sum_rad / static_cast<double>(canards);
+}
+
+}  // namespace
+
+DeflectionRange deflection_range(const Scenario& scenario) {
+  const auto largest_rad =
+      static_cast<double>(std::min(scenario.plan.controller.canard_limit, core::hard_canard_limit).radians());
+  return {.lowest_rad = deflection_rad(scenario, -largest_rad), .highest_rad = deflection_rad(scenario, largest_rad)};
+}
+
+CanardResponse canard_response(const Scenario& scenario) {
+  // Where nothing ends at a stop or a limit.
+  constexpr double small_rad = 0.001 * radians_per_degree;
+  CanardResponse response;
+  response.effectiveness =
+      (deflection_rad(scenario, small_rad) - deflection_rad(scenario, -small_rad)) / (2.0 * small_rad);
+  double follow = 0.0;
+  double slow = 0.0;
+  for (std::size_t i = 0; i < canards; ++i) {
+    const auto fault = fault_of(scenario, i);
+    const auto is = [&fault](FaultKind kind) { return fault && fault->kind == kind; };
+    follow += is(FaultKind::canard_stuck) || is(FaultKind::canard_hardover) || is(FaultKind::canard_dead) ? 0.0 : 1.0;
+    slow += is(FaultKind::canard_slow) ? 1.0 : 0.0;
+  }
+  response.slow_share = follow > 0.0 ? slow / follow : 0.0;
+  return response;
+}
+
+bool is_of_canard(FaultKind kind) {
+  return !is_dropout(kind) && kind != FaultKind::encoder_unplugged && kind != FaultKind::encoder_noisy;
+}
+
+bool is_there_at_liftoff(const Fault& fault) { return fault.from_s <= 0.0; }
+
+}  // namespace fantail::sim
