@@ -146,14 +146,33 @@ std::string example(std::size_t n) {
   return text.substr(from, text.find("```\n", from) - from);
 }
 
+// What is to be copied together goes together: mounting as the plan has it without a word, no fault, no leaning guide.
 TEST(RocketManual, HasExamplesThatCanBeCopied) {
   const ScratchFile scenario_file{example(0), "my_scenario.toml"};
   const std::filesystem::path folder = scenario_file.path().parent_path();
-  std::ofstream{folder / "my_vehicle.toml"} << example(1);
+  std::ofstream{folder / "my_vehicle.toml"} << example(2);
   const std::ofstream every_default{folder / "my_plan.toml"};
   const sim::Scenario scenario = load_scenario(scenario_file.path(), {});
   EXPECT_EQ(scenario.vehicle.name, "My rocket");
+  EXPECT_TRUE(scenario.faults.empty());
+  EXPECT_EQ(scenario.guide_tilt_rad, 0.0);
+  for (std::size_t i = 0; i < scenario.vehicle.canards.size(); ++i) {
+    const core::CanardPlan& planned = scenario.plan.canards.each[i];
+    const sim::CanardMounting& built = scenario.vehicle.canards[i];
+    EXPECT_EQ(built.reversed, planned.direction == core::Direction::reversed);
+    EXPECT_EQ(built.trim_rad, static_cast<double>(planned.trim.radians()));
+    EXPECT_EQ(built.encoder_zero_rad, static_cast<double>(planned.encoder_zero.radians()));
+  }
+}
+
+TEST(RocketManual, HasAFaultAndAMountingThatCanBeAdded) {
+  const ScratchFile scenario_file{example(0) + example(1), "my_scenario.toml"};
+  const std::filesystem::path folder = scenario_file.path().parent_path();
+  std::ofstream{folder / "my_vehicle.toml"} << example(2) << example(3);
+  const std::ofstream every_default{folder / "my_plan.toml"};
+  const sim::Scenario scenario = load_scenario(scenario_file.path(), {});
   EXPECT_EQ(scenario.faults.size(), 1U);
+  EXPECT_TRUE(scenario.vehicle.canards[2].reversed);
 }
 
 }  // namespace
