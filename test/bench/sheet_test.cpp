@@ -69,6 +69,14 @@ TEST(Diagnosis, AnEncoderThatSometimesFailsIsNotUnplugged) {
   EXPECT_NE(sheet.canards[2].diagnosis.seen.find("encoder dropouts"), std::string::npos);
 }
 
+// Four servos and four encoders that are all mounted the other way round agree with each other.
+TEST(Diagnosis, APassSaysWhatNoEncoderShows) {
+  const std::vector<std::string> said = conclusions(sheet_of(Bench{}));
+  ASSERT_EQ(said.size(), 2U);
+  EXPECT_TRUE(said[0].starts_with("By their encoders all four canards follow their commands")) << said[0];
+  EXPECT_TRUE(said[1].starts_with("No encoder shows which way a canard rolls the rocket.")) << said[1];
+}
+
 TEST(Diagnosis, ClampingThatIsNotReportedFails) {
   Bench bench;
   bench.reports_limited = false;

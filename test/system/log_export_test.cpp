@@ -60,6 +60,23 @@ TEST_F(LogExport, WritesEachFormatUnderTheNameOfTheLogAndSaysWhere) {
   }
 }
 
+// The true columns of a simulated flight are in no log.
+TEST_F(LogExport, LeavesWhatAFlightPutBesideItsLog) {
+  folder_.write("flight/flight.ftl", made_log());
+  folder_.write("flight/flight.csv", "the truth");
+  folder_.write("flight/summary.json", "{}");
+  for (const char* file : {"flight.ftl", "flight.csv", "summary.json"}) {
+    const Outcome outcome = fantail({"log", "export", "flight", "--to", "csv", "--out", std::string{"flight/"} + file},
+                                    {.working_folder = folder_.path()});
+    EXPECT_EQ(outcome.exit_code, 74) << outcome.err;
+  }
+  EXPECT_EQ(content(folder_ / "flight/flight.csv"), "the truth");
+  EXPECT_EQ(
+      fantail({"log", "export", "flight", "--to", "csv", "--out", "flight/own.csv"}, {.working_folder = folder_.path()})
+          .exit_code,
+      0);
+}
+
 TEST_F(LogExport, TheSameLogGivesTheSameBytes) {
   for (const char* format : {"csv", "ulog", "lcm", "candump", "json"}) {
     EXPECT_EQ(run({"--to", format, "--out", "-"}).out, run({"--to", format, "--out", "-"}).out) << format;

@@ -1,10 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "telemetry/publisher.hpp"
 
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <latch>
+#include <string>
 #include <vector>
 
+#include <fmt/core.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
+
+#include "telemetry/url.hpp"
 
 namespace fantail::telemetry {
 namespace {
@@ -41,6 +49,27 @@ class TestOutlet final : public Outlet {
  private:
   Network& network_;
 };
+
+// A flight log or a table with the name that was meant for another folder.
+TEST(Publisher, AFileThatIsNoLcmLogStaysAsItWas) {
+  const std::filesystem::path file = std::filesystem::temp_directory_path() / fmt::format("fantail_{}.ftl", getpid());
+  const auto content = [&file] {
+    std::ifstream stream{file, std::ios::binary};
+    return std::string{std::istreambuf_iterator<char>{stream}, {}};
+  };
+  std::ofstream{file} << "FTL, not LCM";
+  const Url url{"file://" + file.string()};
+  EXPECT_THROW((void)open_outlet(url), TelemetryError);
+  EXPECT_EQ(content(), "FTL, not LCM");
+  std::ofstream{file, std::ios::trunc}.flush();
+  for (int i = 0; i < 2; ++i) {  // into an empty file, and over the log that this makes
+    const auto outlet = open_outlet(url);
+    EXPECT_TRUE(outlet->put(packet(1)));
+    EXPECT_TRUE(outlet->close());
+  }
+  EXPECT_GT(content().size(), 20U);
+  std::filesystem::remove(file);
+}
 
 TEST(Publisher, WhatIsSentGoesOutInOrder) {
   Network network;

@@ -228,8 +228,14 @@ std::vector<std::string> conclusions(const Sheet& sheet) {
   }
   if (all.empty() && sheet.kind == ExerciseKind::limits) {
     all.push_back(sheet.canards.size() == core::canard_count
-                      ? "All four canards move the right way, to their limits and no further, and their encoders agree."
-                      : "The canard moves the right way, to its limits and no further, and its encoder agrees.");
+                      ? "By their encoders all four canards follow their commands, to their limits and no further."
+                      : "By its encoder the canard follows its command, to its limits and no further.");
+    // An encoder that is mounted the other way round agrees with a servo that is: both can be wrong together.
+    all.emplace_back(
+        "No encoder shows which way a canard rolls the rocket. Look at each (fantail bench hold N 5): seen from "
+        "outside, "
+        "nose up, its leading edge turns to the right where the plan's direction is normal, to the left where it is "
+        "reversed.");
   } else if (all.empty()) {
     all.push_back(fmt::format("Canard {} follows its command within the tolerances.",
                               sheet.canards.empty() ? 0 : sheet.canards.front().canard + 1));

@@ -183,6 +183,19 @@ std::filesystem::path output_file(const ExportOptions& options, const ExportForm
   return std::filesystem::path{"out"} / "export" / (name_of_log(options.log) + flight + std::string{format.ending});
 }
 
+/// The log, and what a flight left beside it: its flight.csv has columns that no log can give back.
+std::vector<std::filesystem::path> files_to_spare(const std::filesystem::path& log) {
+  const bool in_folder = std::filesystem::is_directory(log);
+  const std::filesystem::path folder = in_folder ? log : log.parent_path();
+  std::vector<std::filesystem::path> all{in_folder ? folder / "flight.ftl" : log};
+  if (std::filesystem::exists(folder / "summary.json")) {
+    for (const char* name : {"flight.csv", "summary.json", "report.html"}) {
+      all.push_back(folder / name);
+    }
+  }
+  return all;
+}
+
 void export_log(const ExportOptions& options) {
   const auto& [from_s, until_s] = options.window;
   if (from_s && until_s && *from_s > *until_s) {
@@ -207,9 +220,7 @@ void export_log(const ExportOptions& options) {
     return;
   }
   const std::filesystem::path target = output_file(options, format);
-  const std::filesystem::path log{options.log};
-  const std::filesystem::path the_file = std::filesystem::is_directory(log) ? log / "flight.ftl" : log;
-  text::OutputFolder{target.parent_path(), {the_file}}.write(
+  text::OutputFolder{target.parent_path(), files_to_spare(options.log)}.write(
       std::array{text::NamedFile{target.filename().string(), exported.bytes}});
   fmt::print("{}\n", target.string());
 }

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "telemetry/publisher.hpp"
 
+#include <array>
 #include <cerrno>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <filesystem>
+#include <fstream>
 #include <limits>
 #include <new>
 #include <string>
@@ -58,7 +61,9 @@ class NetworkOutlet final : public Outlet {
 // simulated flight is over in a moment.
 class FileOutlet final : public Outlet {
  public:
-  explicit FileOutlet(const std::string& path) : log_{lcm_eventlog_create(path.c_str(), "w")} {
+  explicit FileOutlet(const std::string& path) {
+    spare_other_files(path);
+    log_.reset(lcm_eventlog_create(path.c_str(), "w"));
     if (!log_) {
       throw TelemetryError{path + ": " + std::strerror(errno)};
     }
@@ -68,6 +73,20 @@ class FileOutlet final : public Outlet {
   [[nodiscard]] std::optional<int> most_per_second() const override { return std::nullopt; }
 
  private:
+  /// An event begins with this word, in network order. An empty file may be replaced, too.
+  static void spare_other_files(const std::string& path) {
+    constexpr std::array<unsigned char, 4> sync{0xED, 0xA1, 0xDA, 0x01};
+    std::array<unsigned char, 4> first{};
+    std::ifstream file{path, std::ios::binary};
+    if (!std::filesystem::is_regular_file(path) || file.peek() == std::ifstream::traits_type::eof()) {
+      return;
+    }
+    file.read(reinterpret_cast<char*>(first.data()), first.size());  // NOLINT: bytes as bytes
+    if (first != sync) {
+      throw TelemetryError{path + ": exists and is no LCM log; allowed: a new name, or an LCM log to be replaced"};
+    }
+  }
+
   struct Destroy {
     void operator()(lcm_eventlog_t* log) const { lcm_eventlog_destroy(log); }
   };

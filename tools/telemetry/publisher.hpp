@@ -27,8 +27,8 @@ class Outlet {
   [[nodiscard]] virtual std::optional<int> most_per_second() const = 0;
 };
 
-/// The network, or a log file for lcm-logplayer whose clock is that of the avionics. An old file of that name is
-/// overwritten. Throws TelemetryError.
+/// The network, or a log file for lcm-logplayer whose clock is that of the avionics. An LCM log of that name
+/// is overwritten, no other file. Throws TelemetryError.
 [[nodiscard]] std::unique_ptr<Outlet> open_outlet(const Url& url);
 
 /// An LCM log in memory, for what is to be written as a whole or not at all. Its clock is that of the avionics.
