@@ -10,6 +10,7 @@
 #include "identify/result/formatting.hpp"
 #include "identify/study.hpp"
 #include "seed.hpp"
+#include "text/error.hpp"
 
 namespace fantail::identify {
 namespace {
@@ -73,6 +74,47 @@ TEST(Mistakes, ACanardColumnInDegreesThatIsReadAsRadiansIsNamed) {
 TEST(Mistakes, NothingIsNamedInAGoodLog) {
   const WindowFindings found = study(noisy_log({}, {}, 3), asked()).windows[0];
   EXPECT_EQ(said(found), "alpha and beta are identifiable from this window");
+}
+
+TEST(Mistakes, ALagBeyondThatWhichIsFittedIsNamedWithItsOption) {
+  logs::RollLog log = noisy_log({.sample_hz = 500.0}, {.angle_deg = 0.3, .rate_deg_s = 0.3}, 8);
+  delay_canards(log, 40);
+  const std::string text = said(study(log, asked()).windows[0]);
+  EXPECT_NE(text.find(" ms late, more than --fit-lag looks for"), std::string::npos) << text;
+  EXPECT_NE(text.find("or use --lag 0.0"), std::string::npos) << text;
+}
+
+TEST(Mistakes, WithOtherCanardsThanThoseThatFlewNoLagIsNamed) {
+  Question question = asked();
+  for (const double hz : {0.6, 1.7, 2.9}) {
+    logs::RollLog log = noisy_log({.sample_hz = 500.0}, {.angle_deg = 0.3, .rate_deg_s = 1.0}, 9);
+    for (std::size_t i = 0; i < log.time_s.size(); ++i) {
+      log.canard_rad[i] += radians_per_degree * 4.0 * std::sin(6.283 * hz * log.time_s[i]);
+    }
+    const std::string text = said(study(log, question).windows[0]);
+    EXPECT_EQ(text.find("more than --fit-lag looks for"), std::string::npos) << hz << text;
+  }
+}
+
+TEST(Mistakes, AnotherFitThatPrintsTheSameNumbersIsNoDoubt) {
+  const Planting planting{.node_time_s = {0.0, 2.0, 4.0}, .node_deg = {-5.0, -5.002, -5.0}, .sample_hz = 500.0};
+  const std::string text =
+      said(study(noisy_log(planting, {.angle_deg = 1e-4, .rate_deg_s = 1e-3}, 4), asked()).windows[0]);
+  EXPECT_EQ(text.find("With more nodes"), std::string::npos) << text;
+}
+
+TEST(Mistakes, ARollThatNeverMovesIsRefused) {
+  logs::RollLog log = planted_log({});
+  log.roll_angle_rad.assign(log.time_s.size(), 0.0);
+  log.roll_rate_rad_s.assign(log.time_s.size(), 0.0);
+  try {
+    (void)study(log, asked());
+    FAIL() << "not refused";
+  } catch (const text::Error& error) {
+    EXPECT_EQ(error.kind(), text::ErrorKind::bad_data);
+    EXPECT_NE(std::string{error.what()}.find("roll angle and roll rate are the same in all samples"),
+              std::string::npos);
+  }
 }
 
 TEST(Mistakes, ALagOfTwentyMillisecondsIsNamedUnderANoisyGyro) {

@@ -120,6 +120,24 @@ TEST(Prediction, OfAnotherVehiclesStepsIsRefusedUnlessItIsMeant) {
             p.notes.end());
 }
 
+TEST(Prediction, SaysWithWhichInertiaTheStepsWereIdentified) {
+  const sim::Scenario scenario = input::load_scenario("tasha3_launch2", {});
+  const auto said = [&scenario](const std::optional<double>& inertia_kg_m2) {
+    TunnelResult tunnel = three_rows();
+    tunnel.vehicle = scenario.vehicle.name;
+    tunnel.inertia_kg_m2 = inertia_kg_m2;
+    std::string all;
+    for (const std::string& note : predict(scenario, tunnel, {.runs = 1}, look_away).notes) {
+      all += note + '\n';
+    }
+    return all;
+  };
+  EXPECT_NE(said({}).find("as this vehicle is called; with which roll inertia they were identified they do not say."),
+            std::string::npos);
+  EXPECT_NE(said(0.00393).find("they were identified with its roll inertia."), std::string::npos);
+  EXPECT_NE(said(0.01).find("with a roll inertia of 0.01 kg m2, where this vehicle has 0.00393"), std::string::npos);
+}
+
 // What was identified is the product of the area with damping and torque.
 TEST(Prediction, StepsOfAnotherReferenceAreaAreConverted) {
   sim::Scenario scenario = input::load_scenario("tasha3_launch2", {});

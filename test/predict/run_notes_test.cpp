@@ -26,6 +26,9 @@ TEST(RunNotes, SaysInHowManyRunsAndWhoseTheFiguresAre) {
             (Notes{"Fault.", "In 2 of 3 runs (figures of run 1): At 250.0 m/s, Mach 0.73."}));
   EXPECT_EQ(notes_of_runs({{"At 250 m/s."}, {"At 251 m/s."}}),
             Notes{"In all of 2 runs (figures of run 0): At 250 m/s."});
+  EXPECT_EQ(notes_of_runs({{"Fault of canard 1.", "Fault of canard 2."}, {"Fault of canard 1.", "Fault of canard 2."}}),
+            (Notes{"Fault of canard 1.", "Fault of canard 2."}))
+      << "two notes, in two runs and not in four";
   EXPECT_EQ(notes_of_runs({{}, {"Weak."}}), Notes{"In 1 of 2 runs: Weak."});
 }
 

@@ -257,18 +257,20 @@ TEST(IdentifySteps, ASpeedThatChangesIsNoTunnels) {
 }
 
 TEST(StepsCsv, HasTheColumnsThatAPredictionReads) {
-  const std::string csv = steps_csv({.vehicle = "Dart, \"blue\"", .airframe = {.reference_area_m2 = 5.0265e-5}},
-                                    identify_steps(made_run(three_rockets), tasha, at_22_m_s()));
+  const std::string csv =
+      steps_csv({.vehicle = "Dart, \"blue\"", .airframe = {.inertia_kg_m2 = 0.00393, .reference_area_m2 = 5.0265e-5}},
+                identify_steps(made_run(three_rockets), tasha, at_22_m_s()));
   EXPECT_TRUE(
       csv.starts_with("step,begin_s,alpha_m2,beta_m,disturbance_begin_deg,disturbance_end_deg,mean_abs_angle_error_deg,"
                       "mean_abs_rate_error_deg_s,alpha_standard_error_m2,beta_standard_error_m,"
                       "disturbance_begin_standard_error_deg,disturbance_end_standard_error_deg,vehicle,reference_area_"
-                      "m2\n1,0.000000,1"))
+                      "m2,inertia_kg_m2\n1,0.000000,1"))
       << csv;
   EXPECT_EQ(std::ranges::count(csv, '\n'), 4);
   const flight::Table table = flight::Table::parse(csv, "steps.csv");
   EXPECT_EQ(table.cell(2, table.column("vehicle")), "Dart, \"blue\"");
   EXPECT_EQ(table.number(2, table.column("reference_area_m2")), 5.0265e-5);
+  EXPECT_EQ(table.number(2, table.column("inertia_kg_m2")), 0.00393);
 }
 
 TEST(StepsReport, SaysTheSameToPersonScriptAndPage) {

@@ -9,7 +9,7 @@
 
 #include <fmt/core.h>
 
-#include "identify/model/alpha_fit.hpp"
+#include "identify/lag_doubt.hpp"
 #include "identify/model/open_loop.hpp"
 #include "identify/model/robust_fit.hpp"
 #include "identify/result/formatting.hpp"
@@ -24,17 +24,6 @@ using namespace model;
 using namespace result;
 
 constexpr double degrees_per_radian = 180.0 / std::numbers::pi;
-// Of the reach of a 95 % interval: beyond it lies one estimate of a hundred. A doubt is raised no more often.
-constexpr double one_of_hundred = 1.31;
-
-// Everything that every alternative is held against.
-struct Case {
-  const Record& record;
-  const Airframe& airframe;
-  Start start;
-  const Identification& found;
-};
-
 double largest(const std::vector<double>& list) {
   double most = 0.0;
   for (const double value : list) {
@@ -45,7 +34,7 @@ double largest(const std::vector<double>& list) {
 
 // The published rocket has a beta of 5 to 15 m; one beyond a tenth or ten times that is a matter for a word only when
 // the canards' own angles speak for it.
-std::optional<std::string> wrong_unit(const Case& c) {
+std::optional<std::string> wrong_unit(const DoubtCase& c) {
   constexpr double most_radians = 0.7;  // 40 deg: no canard turns farther
   const double beta_m = c.found.model.beta_m;
   const Axis usual = published_grid(c.airframe).beta_m;
@@ -65,55 +54,6 @@ std::optional<std::string> wrong_unit(const Case& c) {
   return {};
 }
 
-// Another alpha or beta by more than they are said to be known.
-bool matters(const Case& c, const RollModel& other) {
-  const Uncertainty& u = *c.found.uncertainty;
-  return std::abs(other.alpha_m2 - c.found.model.alpha_m2) > u.standard_deviation[0] ||
-         std::abs(other.beta_m - c.found.model.beta_m) > u.standard_deviation[1];
-}
-
-std::string change(const RollModel& from, const RollModel& to) {
-  return fmt::format("alpha {} m2 instead of {}, beta {} m instead of {}", text::brief(to.alpha_m2, 2),
-                     text::brief(from.alpha_m2, 2), text::brief(to.beta_m, 2), text::brief(from.beta_m, 2));
-}
-
-std::vector<double> canard_rate_rad_s(const Record& record) {
-  std::vector<double> rate(record.size(), 0.0);
-  for (std::size_t s = 0; s < record.segment_begin.size(); ++s) {
-    const std::size_t first = record.segment_begin[s];
-    const std::size_t last = (s + 1 < record.segment_begin.size() ? record.segment_begin[s + 1] : record.size()) - 1;
-    for (std::size_t i = first; i <= last; ++i) {
-      const std::size_t before = std::max(i, first + 1) - 1;
-      const std::size_t after = std::min(i + 1, last);
-      rate[i] = (record.canard_rad[after] - record.canard_rad[before]) / (record.time_s[after] - record.time_s[before]);
-    }
-  }
-  return rate;
-}
-
-std::optional<std::string> lag(const Case& c) {
-  Record other = c.record;
-  other.canard_rate_rad_s = canard_rate_rad_s(c.record);
-  const RollModel& found = c.found.model;
-  const RollModel model = fit_open_loop(other, c.airframe, found.node_time_s, c.start, published_grid(c.airframe));
-  const ResponseBasis basis{other, c.airframe, found.node_time_s, c.start};
-  const double lag_s = AlphaFit{basis, model.alpha_m2}.further_lag_s(model.beta_m);
-  for (std::size_t i = 0; i < other.size(); ++i) {
-    other.canard_rad[i] += lag_s * other.canard_rate_rad_s[i];
-  }
-  const Uncertainty known =
-      open_loop_uncertainty(other, c.airframe, model, simulate_open_loop(other, c.airframe, model), c.start);
-  if (!matters(c, model) || std::abs(lag_s) < one_of_hundred * known.lag_s->reach) {
-    return {};
-  }
-  return fmt::format(
-      "The canard column seems to be about {} ms {} (95 %: {} to {} ms). With that lag the fit gives {}. Use "
-      "--fit-lag, or --lag if it is known.",
-      text::brief(1000.0 * std::abs(lag_s), 1), lag_s > 0.0 ? "late" : "early",
-      text::brief(1000.0 * (std::abs(lag_s) - known.lag_s->reach), 1),
-      text::brief(1000.0 * (std::abs(lag_s) + known.lag_s->reach), 1), change(found, model));
-}
-
 // A node between each two, and for a constant one at either end.
 NodeTimes twice_as_many(const Record& record, const NodeTimes& nodes) {
   if (nodes.size() == 1) {
@@ -129,7 +69,7 @@ NodeTimes twice_as_many(const Record& record, const NodeTimes& nodes) {
 
 // What a model with fewer unknowns knows better it should also know right: of a right one, the differences of the
 // estimates have the differences of the variances (Hausman 1978).
-std::optional<std::string> nodes(const Case& c) {
+std::optional<std::string> nodes(const DoubtCase& c) {
   const RollModel& found = c.found.model;
   const NodeTimes more = twice_as_many(c.record, found.node_time_s);
   if (c.record.size() < 20 * more.size()) {
@@ -155,7 +95,7 @@ std::optional<std::string> nodes(const Case& c) {
       more.size(), found.node_time_s.size(), change(found, model), more.size() - 1);
 }
 
-std::optional<std::string> unexplained(const Case& c) {
+std::optional<std::string> unexplained(const DoubtCase& c) {
   constexpr double worth_a_word = 0.2;
   constexpr double negligible = 0.01;
   const auto& tests = c.found.residual_tests;
@@ -179,7 +119,7 @@ std::optional<std::string> unexplained(const Case& c) {
 }
 
 // Only where it was tried and tells both numbers better; Huber's loss knows no fitted lag.
-std::string advice_on_loss(const Case& c) {
+std::string advice_on_loss(const DoubtCase& c) {
   if (!c.record.canard_rate_rad_s.empty()) {
     return {};
   }
@@ -202,7 +142,7 @@ std::string advice_on_loss(const Case& c) {
 }
 
 // A hundredth of Gauss' samples carries a twelfth of the squares.
-std::optional<std::string> outliers(const Case& c) {
+std::optional<std::string> outliers(const DoubtCase& c) {
   constexpr double most = 0.5;
   std::vector<double> squares;
   double all = 0.0;
@@ -226,7 +166,7 @@ std::optional<std::string> outliers(const Case& c) {
       few, squares.size(), text::fixed(100.0 * of_few / all, 0), advice_on_loss(c));
 }
 
-bool can_be_judged(const Case& c) {
+bool can_be_judged(const DoubtCase& c) {
   const auto& u = c.found.uncertainty;
   return c.found.loop == Loop::open && u && *u->interval[1].low > 0.0;
 }
@@ -235,11 +175,13 @@ bool can_be_judged(const Case& c) {
 
 std::vector<std::string> doubts(const Record& record, const Airframe& airframe, Start start,
                                 const Identification& found) {
-  const Case c{record, airframe, start, found};
-  if (!can_be_judged(c)) {
-    return {};
-  }
+  const DoubtCase c{record, airframe, start, found};
   std::vector<std::string> all;
+  if (!can_be_judged(c)) {
+    // A model that a far too late column has spoilt tells nothing; misfit() has seen that it does not fit.
+    const auto late = found.loop == Loop::open && !found.remarks.empty() ? long_lag_doubt(c) : std::nullopt;
+    return late ? std::vector{*late} : all;
+  }
   const auto add = [&all](const std::optional<std::string>& sentence) {
     if (sentence) {
       all.push_back(*sentence);
@@ -248,7 +190,7 @@ std::vector<std::string> doubts(const Record& record, const Airframe& airframe, 
   };
   add(wrong_unit(c));
   add(outliers(c));
-  if ((record.canard_rate_rad_s.empty() && add(lag(c))) || add(nodes(c))) {
+  if ((record.canard_rate_rad_s.empty() && add(lag_doubt(c))) || add(nodes(c))) {
     return all;
   }
   // misfit() has said it already where the residual is almost all motion.

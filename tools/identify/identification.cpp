@@ -29,6 +29,15 @@ void check_record(const Record& record, std::size_t nodes, Start start) {
                 fmt::format("window {}: {} samples for {} unknowns; there must be more samples than unknowns",
                             record.window, record.size(), unknowns)};
   }
+  const auto still = [](const std::vector<double>& values) {
+    return std::ranges::all_of(values, [&values](double value) { return value == values.front(); });
+  };
+  if (still(record.roll_angle_rad) && still(record.roll_rate_rad_s)) {
+    throw Error{ErrorKind::bad_data,
+                fmt::format("window {}: roll angle and roll rate are the same in all samples, so nothing can be "
+                            "identified; even a rocket at rest shows the noise of its gyro",
+                            record.window)};
+  }
   if (std::ranges::none_of(record.speed_m_s, [](double speed) { return speed > 0.0; })) {
     throw Error{ErrorKind::bad_data,
                 fmt::format("window {}: the speed is never above zero, so nothing can be identified", record.window)};

@@ -241,7 +241,8 @@ StepTable identify_steps(const logs::RollLog& log, const identify::model::Airfra
 }
 
 std::string steps_csv(const StepsHeading& heading, const StepTable& table) {
-  const std::string whose = fmt::format(",{},{}", in_csv(heading.vehicle), heading.airframe.reference_area_m2);
+  const std::string whose = fmt::format(",{},{},{}", in_csv(heading.vehicle), heading.airframe.reference_area_m2,
+                                        heading.airframe.inertia_kg_m2);
   std::string text = "step,begin_s";
   for (const StepColumn& column : columns) {
     text += fmt::format(",{}", column.name);
@@ -249,7 +250,7 @@ std::string steps_csv(const StepsHeading& heading, const StepTable& table) {
   for (const StepColumn& column : columns) {
     text += column.has_error() ? fmt::format(",{}", column.error_name) : "";
   }
-  text += ",vehicle,reference_area_m2";
+  text += ",vehicle,reference_area_m2,inertia_kg_m2";
   for (const StepResult& result : table.steps) {
     text += fmt::format("\n{},{:.6f}", result.number, result.step.begin_s);
     for (const StepColumn& column : columns) {

@@ -142,7 +142,7 @@ struct StepsHeading {
 [[nodiscard]] std::vector<std::string> spread_sentences(const StepTable& table);
 
 /// steps.csv: step, begin_s, the columns of step_columns(), their standard errors, and whose rows they are: vehicle,
-/// which is empty where nobody said, and reference_area_m2. One row a step.
+/// which is empty where nobody said, reference_area_m2 and inertia_kg_m2. One row a step.
 [[nodiscard]] std::string steps_csv(const StepsHeading& heading, const StepTable& table);
 
 }  // namespace fantail::tunnel

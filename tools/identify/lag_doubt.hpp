@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "identify/result/findings.hpp"
+
+namespace fantail::identify {
+
+/// Everything that an alternative to what was found is held against.
+struct DoubtCase {
+  const model::Record& record;
+  const model::Airframe& airframe;
+  model::Start start;
+  const result::Identification& found;
+};
+
+/// Of the reach of a 95 % interval: beyond it lies one estimate of a hundred. A doubt is raised no more often.
+inline constexpr double one_of_hundred = 1.31;
+
+/// Whether a model has another alpha or beta by more than they are said to be known, and by more than anybody needs to
+/// know them.
+[[nodiscard]] bool matters(const DoubtCase& c, const model::RollModel& other);
+
+/// "alpha 22.9 m2 instead of 20.1, beta 9 m instead of 8.2".
+[[nodiscard]] std::string change(const model::RollModel& from, const model::RollModel& to);
+
+/// A sentence where the canard column seems to come at another time than the gyro's.
+[[nodiscard]] std::optional<std::string> lag_doubt(const DoubtCase& c);
+
+/// The same for a lag beyond that which --fit-lag finds, up to 0.2 s. So far away the estimate from the slopes of the
+/// canards tells nothing: each lag is tried, and one has to halve the error of the roll rate.
+[[nodiscard]] std::optional<std::string> long_lag_doubt(const DoubtCase& c);
+
+}  // namespace fantail::identify
