@@ -115,7 +115,10 @@ void judge_saturation(Figures& f, std::span<const flight::Row> control) {
   for (const flight::Row& row : run) {
     if (row.truth) {
       keep_larger(f.offset_at_limit_rad, row.truth->disturbance_rad);
-      f.offset_beyond_limit = f.authority_rad && std::abs(row.truth->disturbance_rad) > *f.authority_rad;
+      // A canard that broke in flight can happen to help.
+      const bool unbalanced =
+          std::copysign(1.0, row.truth->disturbance_rad) * (row.truth->disturbance_rad + row.truth->canard_rad) > 0.0;
+      f.offset_beyond_limit = f.authority_rad && std::abs(row.truth->disturbance_rad) > *f.authority_rad && unbalanced;
     }
   }
 }
