@@ -96,7 +96,7 @@ TEST(Zero, AReversedOneIsRefused) {
 
 TEST(Zero, OneThatSlipsIsNoScale) {
   EXPECT_PRED2(begins, refusal({.gain = 0.66, .noise_rad = 0.022 * degree}),
-               "Canard 2 is not measured: it moves 0.66 deg for each degree commanded");
+               "Canard 2 is not measured: it moves 0.6603 deg for each degree commanded");
 }
 
 TEST(Zero, AnUnpluggedEncoderIsRefused) {

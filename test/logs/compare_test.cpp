@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "logs/compare.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -168,6 +169,26 @@ TEST(Compare, AShiftBeyondTheSearchIsSaidToBeAtItsEdge) {
   EXPECT_NEAR(result.shift_s, 2.0, 1e-9);
   ASSERT_FALSE(result.warnings.empty());
   EXPECT_NE(result.warnings[0].find("end of the search range"), std::string::npos);
+}
+
+// Two swings a second apart, 3 s later in B: within 2 s the second meets the first, which is not the shift.
+TEST(Compare, AShiftThatLeavesMuchOfTheMotionIsDoubted) {
+  RollLog a = sine({0, 20, 0.01});
+  RollLog b = a;
+  const auto swings = [](double t) { return std::exp(-8.0 * t * t) + 2.0 * std::exp(-8.0 * (t - 1.2) * (t - 1.2)); };
+  for (std::size_t i = 0; i < a.time_s.size(); ++i) {
+    a.roll_rate_rad_s[i] = swings(a.time_s[i] - 8.0);
+    b.roll_rate_rad_s[i] = swings(a.time_s[i] - 11.0);
+  }
+  const auto doubts = [](const Comparison& comparison) {
+    return std::ranges::count_if(comparison.warnings, [](const std::string& warning) {
+      return warning.find("the clocks differ by more") != std::string::npos;
+    });
+  };
+  EXPECT_EQ(doubts(compare(a, b, {.find_shift = true})), 1);
+  const Comparison right = compare(a, b, {.find_shift = true, .most_shift_s = 4.0});
+  EXPECT_NEAR(right.shift_s, 3.0, 1e-3);
+  EXPECT_EQ(doubts(right), 0);
 }
 
 TEST(Compare, LogsWithoutOverlapAreRefused) {

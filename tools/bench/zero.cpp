@@ -111,7 +111,7 @@ ZeroReading zero_reading(const Sheet& sheet, std::size_t canard) {
     return {.refusal =
                 refused(canard, fmt::format("it moves {} deg for each degree commanded; from {} to {} that is a "
                                             "scale, beyond it a horn that slips, a stop, or a wrong linkage",
-                                            fixed(scale, 2), fixed(smallest_scale, 2), fixed(largest_scale, 2)))};
+                                            fixed(scale, 4), fixed(smallest_scale, 2), fixed(largest_scale, 2)))};
   }
   const double trim_rad = sheet.bounds.centre_rad[canard];
   const double at_trim_rad = trim_rad + *f.centring_error_rad;

@@ -63,7 +63,8 @@ struct ShiftSearch {
 
 struct FoundShift {
   double shift_s;
-  bool at_the_edge;  ///< of the search: the best may lie beyond
+  bool at_the_edge;    ///< of the search: the best may lie beyond
+  double mean_square;  ///< what is left of the difference of the rates
 };
 
 constexpr double coarse_step_s = 0.005;  // a tenth of a turn of a motion of 20 Hz
@@ -124,14 +125,28 @@ std::optional<FoundShift> find_shift(const RollLog& a, const RollLog& b, const S
   const auto beside = static_cast<std::size_t>(std::max(std::round(reach_of_trough_s / step_s), 1.0));
   if (*best < beside || *best + beside >= trials.size() || !counts(trials[*best - beside]) ||
       !counts(trials[*best + beside])) {
-    return FoundShift{coarse_s, true};
+    return FoundShift{coarse_s, true, trials[*best].mean_square};
   }
   const double left = trials[*best - beside].mean_square;
   const double middle = trials[*best].mean_square;
   const double right = trials[*best + beside].mean_square;
   const double bend = left - 2.0 * middle + right;
   const double half_width_s = 0.5 * static_cast<double>(beside) * step_s;
-  return FoundShift{coarse_s + (bend > 0.0 ? half_width_s * (left - right) / bend : 0.0), false};
+  return FoundShift{coarse_s + (bend > 0.0 ? half_width_s * (left - right) / bend : 0.0), false, middle};
+}
+
+/// About its mean.
+double mean_square_of_rate(const RollLog& log, Extent extent) {
+  const auto count = static_cast<double>(extent.end - extent.begin);
+  double mean = 0.0;
+  for (std::size_t i = extent.begin; i < extent.end; ++i) {
+    mean += log.roll_rate_rad_s[i] / count;
+  }
+  double square = 0.0;
+  for (std::size_t i = extent.begin; i < extent.end; ++i) {
+    square += (log.roll_rate_rad_s[i] - mean) * (log.roll_rate_rad_s[i] - mean) / count;
+  }
+  return square;
 }
 
 double choose_shift(const RollLog& a, const RollLog& b, const CompareOptions& options, Extent extent,
@@ -150,6 +165,14 @@ double choose_shift(const RollLog& a, const RollLog& b, const CompareOptions& op
         fmt::format("The best shift, {:.3f} s, is at the end of the search range: the true shift may be larger, or the "
                     "logs may show different motions.",
                     found->shift_s));
+  }
+  constexpr double poor = 0.25;  // of the motion itself: half of it in amplitude
+  if (const double motion = mean_square_of_rate(a, extent); found->mean_square > poor * motion) {
+    warnings.push_back(
+        fmt::format("Even at the best shift within {:g} s, {:.3f} s, the roll rates differ by {:.0f} % of A's motion "
+                    "(rms): the clocks "
+                    "differ by more (then give it with --shift), or the logs show different motions.",
+                    options.most_shift_s, found->shift_s, 100.0 * std::sqrt(found->mean_square / motion)));
   }
   return found->shift_s;
 }
