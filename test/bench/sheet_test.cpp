@@ -73,7 +73,6 @@ TEST(Diagnosis, AnEncoderThatSometimesFailsIsNotUnplugged) {
 TEST(Diagnosis, APassSaysWhatNoEncoderShows) {
   const std::vector<std::string> said = conclusions(sheet_of(Bench{}));
   ASSERT_EQ(said.size(), 2U);
-  EXPECT_TRUE(said[0].starts_with("By their encoders all four canards follow their commands")) << said[0];
   EXPECT_TRUE(said[1].starts_with("No encoder shows which way a canard rolls the rocket.")) << said[1];
 }
 

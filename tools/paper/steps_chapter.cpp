@@ -104,17 +104,17 @@ void add_means(std::vector<Claim>& claims, const std::vector<PublishedStep>& row
     const char* what;
     double PublishedStep::* member;
     double printed;
-    int decimals;
     const char* unit;
+    int decimals;
     bool minus_lost = false;
   };
   static constexpr Mean means[] = {
-      {"Mean damping", &PublishedStep::alpha_m2, 19.4, 1, "m2"},
-      {"Mean torque constant", &PublishedStep::beta_m, 9.6, 1, "m"},
-      {"Mean offset at the begin", &PublishedStep::disturbance_begin_deg, -5.47, 2, "deg"},
-      {"Mean offset at the end", &PublishedStep::disturbance_end_deg, -6.62, 2, "deg", true},
-      {"Mean angle error", &PublishedStep::mean_abs_angle_error_deg, 0.88, 2, "deg"},
-      {"Mean rate error", &PublishedStep::mean_abs_rate_error_deg_s, 3.52, 2, "deg/s"}};
+      {"Mean damping", &PublishedStep::alpha_m2, 19.4, "m2", 1},
+      {"Mean torque constant", &PublishedStep::beta_m, 9.6, "m", 1},
+      {"Mean offset at the begin", &PublishedStep::disturbance_begin_deg, -5.47, "deg", 2},
+      {"Mean offset at the end", &PublishedStep::disturbance_end_deg, -6.62, "deg", 2, true},
+      {"Mean angle error", &PublishedStep::mean_abs_angle_error_deg, 0.88, "deg", 2},
+      {"Mean rate error", &PublishedStep::mean_abs_rate_error_deg_s, 3.52, "deg/s", 2}};
   for (const Mean& mean : means) {
     claims.push_back(compare({.place = "Table 2, mean",
                               .what = mean.what,

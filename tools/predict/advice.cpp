@@ -33,8 +33,9 @@ Share within(const Prediction& p, double limit_rad) {
 
 /// In half degrees. The tolerance: a plan's 20 degrees are a float, a little less than the number that a person types.
 std::optional<double> enough_limit_deg(const Prediction& p, double share, double farthest_deg) {
-  constexpr double step_deg = 0.5;
-  for (double limit_deg = step_deg; limit_deg < farthest_deg + 1e-3; limit_deg += step_deg) {
+  const auto last = static_cast<int>(std::floor(2.0 * (farthest_deg + 1e-3)));
+  for (int half_degrees = 1; half_degrees <= last; ++half_degrees) {
+    const double limit_deg = 0.5 * half_degrees;
     if (within(p, text::radians(limit_deg)).low >= share) {
       return limit_deg;
     }

@@ -169,7 +169,7 @@ TriedGains try_gains(const Prediction& p, const LimitAdvice& limit, double asked
   if ((comfortable.gains.gains && comfortable.trial.helps) || asked_rad >= comfortable_phase_margin_rad) {
     return comfortable;
   }
-  TriedGains enough = tried(asked_rad);
+  const TriedGains enough = tried(asked_rad);
   return enough.gains.gains && enough.trial.helps ? enough : comfortable;
 }
 

@@ -74,8 +74,9 @@ std::optional<Criterion> tilt_limit(const Prediction& p) {
 
 std::string advice_on_tilt(const Prediction& p) {
   sim::Scenario scenario = p.flown;
-  for (double tilt_deg = std::floor(2.0 * degrees(p.flown.guide_tilt_rad)) / 2.0;
-       text::radians(tilt_deg) >= fly::slight_tilt_rad; tilt_deg -= 0.5) {
+  for (int half_degrees = static_cast<int>(std::floor(2.0 * degrees(p.flown.guide_tilt_rad)));
+       text::radians(0.5 * half_degrees) >= fly::slight_tilt_rad; --half_degrees) {
+    const double tilt_deg = 0.5 * half_degrees;
     scenario.guide_tilt_rad = text::radians(tilt_deg);
     if (!passing(scenario, end_of_control_s(p).value_or(0.0)).too_early()) {
       return fmt::format("With a guide that leans by {} degrees a point mass would not pass the tilt limit too early.",

@@ -50,6 +50,7 @@ std::vector<std::string> notes_of(const std::vector<Run>& runs) {
     }
   }
   std::vector<std::string> all;
+  all.reserve(notes.size());
   for (const Note& note : notes) {
     all.push_back(told(note, runs.size()));
   }

@@ -103,6 +103,7 @@ std::vector<TunnelStep> read_standard_errors(const flight::Table& table) {
   const NumberColumn begin{table, "disturbance_begin_standard_error_deg", angle_error};
   const NumberColumn end{table, "disturbance_end_standard_error_deg", angle_error};
   std::vector<TunnelStep> errors;
+  errors.reserve(table.rows());
   for (std::size_t row = 0; row < table.rows(); ++row) {
     errors.push_back({.damping_m2 = damping[row],
                       .torque_m = torque[row],

@@ -15,7 +15,7 @@ double chi_square_probability(double value, double degrees_of_freedom) {
   const double x = 0.5 * value;
   double term = std::exp(a * std::log(x) - x - std::lgamma(a + 1.0));
   double sum = term;
-  for (double k = 1.0; term > 1e-16 * sum || k < x; k += 1.0) {
+  for (int k = 1; term > 1e-16 * sum || k < x; ++k) {
     term *= x / (a + k);
     sum += term;
   }

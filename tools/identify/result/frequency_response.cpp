@@ -47,6 +47,7 @@ struct Part {
 
 std::vector<Part> parts(const Record& record) {
   std::vector<Part> all;
+  all.reserve(record.segment_begin.size());
   for (std::size_t s = 0; s < record.segment_begin.size(); ++s) {
     all.push_back(
         {record.segment_begin[s], s + 1 < record.segment_begin.size() ? record.segment_begin[s + 1] : record.size()});

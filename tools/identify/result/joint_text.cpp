@@ -87,7 +87,9 @@ std::string heading_of(const JointFindings& f) {
                                : "These windows disagree about damping and torque";
 }
 
-static std::string difference_sentence(const JointFindings& f) {
+namespace {
+
+std::string difference_sentence(const JointFindings& f) {
   const std::string figures = fmt::format("chi-square {}; of windows of one rocket 95 in 100 stay below {}",
                                           fixed(f.agreement.chi_square, 1), fixed(f.agreement.limit, 1));
   if (f.agreement.agree()) {
@@ -104,6 +106,8 @@ static std::string difference_sentence(const JointFindings& f) {
                    ": the rocket, the air or a sensor was not the same, or the model lacks something. The common "
                    "intervals do not cover that.";
 }
+
+}  // namespace
 
 std::vector<std::string> conclusions(const JointFindings& f) {
   constexpr double nearly_all = 0.9;

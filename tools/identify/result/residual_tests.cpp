@@ -18,10 +18,10 @@ constexpr std::size_t farthest = 20;  // bins
 // Means over bins: what a gyro's filter spreads over a few milliseconds is noise, not memory. A bin that lies in a gap
 // is empty.
 Bins binned(const Record& record, const std::vector<double>& values, double width_s) {
-  Bins bins(static_cast<std::size_t>(record.time_s.back() / width_s + 0.5) + 1);
+  Bins bins(static_cast<std::size_t>(std::lround(record.time_s.back() / width_s)) + 1);
   std::vector<double> count(bins.size(), 0.0);
   for (std::size_t i = 0; i < values.size(); ++i) {
-    const auto at = static_cast<std::size_t>(record.time_s[i] / width_s + 0.5);
+    const auto at = static_cast<std::size_t>(std::lround(record.time_s[i] / width_s));
     bins[at] = bins[at].value_or(0.0) + values[i];
     count[at] += 1.0;
   }
