@@ -12,14 +12,14 @@ constexpr double degree = 3.14159265358979323846 / 180.0;
 
 }  // namespace
 
-bool Oracle::lasted(const flight::Flight& flight) const {
+bool Oracle::lasted(const flight::Flight& flight, double margin_s) const {
   const bool planned_end =
       !flight.phase_changes.empty() && flight.phase_changes.back().reason == core::PhaseReason::control_time_over;
-  return planned_end || end_before_apogee_s < 0.51;
+  return planned_end || end_before_apogee_s < margin_s;
 }
 
 bool Oracle::held(const flight::Flight& flight) const {
-  return judged && largest_error_deg <= promised_deg + rounding_deg && lasted(flight);
+  return judged && largest_error_deg <= promised_deg + rounding_deg && lasted(flight, early_s + rounding_s);
 }
 
 Oracle look(const flight::Flight& flight) {

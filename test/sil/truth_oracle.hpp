@@ -16,8 +16,8 @@ struct Oracle {
   double largest_offset_deg = 0.0;  ///< under control
   double unbalanced_deg = 0.0;      ///< of the offset, by where the canards stand as control ends
 
-  /// Whether control lasted to the end that the plan gives it, or to apogee.
-  [[nodiscard]] bool lasted(const flight::Flight& flight) const;
+  /// Whether control lasted to the end that the plan gives it, or to less than `margin_s` before apogee.
+  [[nodiscard]] bool lasted(const flight::Flight& flight, double margin_s) const;
   /// Whether the roll was held from the settling to there.
   [[nodiscard]] bool held(const flight::Flight& flight) const;
 };
@@ -25,6 +25,10 @@ struct Oracle {
 /// The verdict promises to stay within ten degrees, and prints two decimals of them.
 inline constexpr double promised_deg = 10.0;
 inline constexpr double rounding_deg = 0.01;
+
+/// Control that ends less than half a second before apogee counts as a full flight; the rows are milliseconds apart.
+inline constexpr double early_s = 0.5;
+inline constexpr double rounding_s = 0.01;
 
 Oracle look(const flight::Flight& flight);
 

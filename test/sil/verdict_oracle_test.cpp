@@ -70,7 +70,7 @@ TEST(VerdictOracle, NoRandomFlightIsCalledWhatItWasNot) {
       EXPECT_TRUE(truth.held(flight)) << truth.largest_error_deg << ' ' << truth.end_before_apogee_s << ' ' << which;
     }
     if (verdict.outcome == Outcome::cut_short) {
-      EXPECT_FALSE(truth.lasted(flight)) << which;
+      EXPECT_FALSE(truth.lasted(flight, early_s - rounding_s)) << which;
       EXPECT_LE(truth.turned_after_deg, promised_deg + rounding_deg) << which;
     }
     if (verdict.outcome == Outcome::not_judged) {
@@ -78,8 +78,9 @@ TEST(VerdictOracle, NoRandomFlightIsCalledWhatItWasNot) {
     }
     if (verdict.outcome == Outcome::not_held) {
       const bool spun = flight.unmeasured.spin_from_s.has_value();
-      const bool left_later = !truth.lasted(flight) && truth.turned_after_deg > promised_deg - rounding_deg;
-      const bool overpowered = verdict.text.find("more than they can balance") != std::string::npos;
+      const bool left_later =
+          !truth.lasted(flight, early_s - rounding_s) && truth.turned_after_deg > promised_deg - rounding_deg;
+      const bool overpowered = verdict.text.find("beyond what they can balance") != std::string::npos;
       EXPECT_TRUE(truth.largest_error_deg > promised_deg - rounding_deg || left_later || spun || overpowered) << which;
       if (overpowered) {
         constexpr double play_deg = 0.1;
