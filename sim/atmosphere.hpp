@@ -16,10 +16,12 @@ enum class DensityModel : std::uint8_t {
 struct Atmosphere {
   DensityModel model = DensityModel::exponential;
   double constant_kg_m3 = 1.2;  ///< for DensityModel::constant only
+  double elevation_m = 0.0;     ///< of the launch site above the sea; heights count from the site
 
-  /// Height is geopotential height in the ISA (0.24 % below the geometric one at 15 km). The ISA holds up to 20 km;
-  /// above, its isothermal layer is carried on.
-  [[nodiscard]] double density_kg_m3(double height_m) const {
+  /// Above the sea, height is geopotential height in the ISA (0.24 % below the geometric one at 15 km). The ISA holds
+  /// up to 20 km; above, its isothermal layer is carried on.
+  [[nodiscard]] double density_kg_m3(double height_above_site_m) const {
+    const double height_m = height_above_site_m + elevation_m;
     switch (model) {
       case DensityModel::constant: return constant_kg_m3;
       case DensityModel::isa: return isa_density_kg_m3(height_m);

@@ -6,13 +6,20 @@
 namespace fantail::sim {
 namespace {
 
-// The elements of a list in braces are made from first to last.
 std::array<Servo, hal::canards> make_servos(const Vehicle& vehicle, Random random) {
-  const auto next = [&] { return Servo{one_of_the_spread(vehicle.servo, vehicle.servo_spread, random)}; };
-  return {next(), next(), next(), next()};
+  const auto drawn = drawn_servos(vehicle, random);
+  return {Servo{drawn[0]}, Servo{drawn[1]}, Servo{drawn[2]}, Servo{drawn[3]}};
 }
 
 }  // namespace
+
+std::array<ServoParameters, hal::canards> drawn_servos(const Vehicle& vehicle, Random servo_spread) {
+  std::array<ServoParameters, hal::canards> servos{};
+  for (ServoParameters& servo : servos) {
+    servo = one_of_the_spread(vehicle.servo, vehicle.servo_spread, servo_spread);
+  }
+  return servos;
+}
 
 CanardSet::CanardSet(const Vehicle& vehicle, Random encoder_noise, Random servo_spread)
     : mounting_{vehicle.canards},

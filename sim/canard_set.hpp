@@ -13,6 +13,9 @@
 
 namespace fantail::sim {
 
+/// Four servos of a batch, as the stream draws them.
+[[nodiscard]] std::array<ServoParameters, hal::canards> drawn_servos(const Vehicle& vehicle, Random servo_spread);
+
 /// The four canards as built into one vehicle: servo pulses in, roll deflection and encoder counts out.
 class CanardSet {
  public:

@@ -7,6 +7,8 @@
 #include <optional>
 
 #include "core/flight_plan.hpp"
+#include "sim/canard_set.hpp"
+#include "sim/random_streams.hpp"
 #include "sim/servo.hpp"
 
 namespace fantail::sim {
@@ -40,8 +42,10 @@ double commanded_shaft_rad(const core::FlightPlan& plan, const ServoParameters& 
   return servo.centre_rad + radians_per_degree * (pulse_us - servo.pulse_centre_us) / servo.pulse_per_degree_us;
 }
 
-double shaft_rad(const Scenario& scenario, std::size_t canard, double command_rad) {
-  const ServoParameters& servo = scenario.vehicle.servo;
+using Servos = std::array<ServoParameters, canards>;
+
+double shaft_rad(const Scenario& scenario, const Servos& servos, std::size_t canard, double command_rad) {
+  const ServoParameters& servo = servos[canard];
   const double at_rest_rad = commanded_shaft_rad(scenario.plan, servo, canard, 0.0);
   double angle_rad = commanded_shaft_rad(scenario.plan, servo, canard, command_rad);
   if (const auto fault = fault_of(scenario, canard)) {
@@ -58,14 +62,19 @@ double shaft_rad(const Scenario& scenario, std::size_t canard, double command_ra
   return std::clamp(angle_rad, -servo.stop_rad, servo.stop_rad);
 }
 
-double deflection_rad(const Scenario& scenario, double command_rad) {
+double deflection_rad(const Scenario& scenario, const Servos& servos, double command_rad) {
   double sum_rad = 0.0;
   for (std::size_t i = 0; i < canards; ++i) {
     const CanardMounting& mounting = scenario.vehicle.canards[i];
-    const double from_trim_rad = shaft_rad(scenario, i, command_rad) - mounting.trim_rad;
+    const double from_trim_rad = shaft_rad(scenario, servos, i, command_rad) - mounting.trim_rad;
     sum_rad += mounting.reversed ? -from_trim_rad : from_trim_rad;
   }
   return sum_rad / static_cast<double>(canards);
+}
+
+/// As the world draws them.
+Servos servos_of(const Scenario& scenario) {
+  return drawn_servos(scenario.vehicle, Random{scenario.seed, RandomStream::servo_spread});
 }
 
 }  // namespace
@@ -73,15 +82,18 @@ double deflection_rad(const Scenario& scenario, double command_rad) {
 DeflectionRange deflection_range(const Scenario& scenario) {
   const auto largest_rad =
       static_cast<double>(std::min(scenario.plan.controller.canard_limit, core::hard_canard_limit).radians());
-  return {.lowest_rad = deflection_rad(scenario, -largest_rad), .highest_rad = deflection_rad(scenario, largest_rad)};
+  const Servos servos = servos_of(scenario);
+  return {.lowest_rad = deflection_rad(scenario, servos, -largest_rad),
+          .highest_rad = deflection_rad(scenario, servos, largest_rad)};
 }
 
 CanardResponse canard_response(const Scenario& scenario) {
   // Where nothing ends at a stop or a limit.
   constexpr double small_rad = 0.001 * radians_per_degree;
+  const Servos servos = servos_of(scenario);
   CanardResponse response;
   response.effectiveness =
-      (deflection_rad(scenario, small_rad) - deflection_rad(scenario, -small_rad)) / (2.0 * small_rad);
+      (deflection_rad(scenario, servos, small_rad) - deflection_rad(scenario, servos, -small_rad)) / (2.0 * small_rad);
   double follow = 0.0;
   double slow = 0.0;
   for (std::size_t i = 0; i < canards; ++i) {

@@ -6,28 +6,62 @@
 namespace fantail::sim {
 
 Environment::Environment(const Scenario& scenario, Random turbulence)
-    : turbulence_{turbulence}, time_s_{-scenario.pad_time_s} {
+    : guide_length_m_{scenario.guide.length_m.value_or(static_cast<double>(scenario.plan.guide.length_m))},
+      turbulence_{turbulence},
+      time_s_{-scenario.pad_time_s} {
+  const Vehicle& vehicle = scenario.vehicle;
   if (scenario.surroundings == Surroundings::tunnel) {
     fan_to_come_ = scenario.fan_programme;
     fan_rpm_ = scenario.tunnel.fan_rpm;
     tunnel_.emplace(scenario.tunnel, turbulence_.gaussian());
+    if (scenario.pin) {
+      pinned_.emplace(*scenario.pin, *vehicle.airframe, vehicle.mass_kg);
+    }
+  } else if (scenario.surroundings == Surroundings::gimbal) {
+    tunnel_.emplace(WindTunnelParameters{.fan_rpm = 0.0});
+    gimbal_.emplace(scenario.hand_turns);
+  } else if (scenario.motion == FlightMotion::six_dof) {
+    flight_.emplace(RigidFlightParameters{.mass_kg = vehicle.mass_kg,
+                                          .drag_area_m2 = vehicle.drag_area_m2,
+                                          .roll_inertia_kg_m2 = vehicle.roll_plant.inertia_kg_m2,
+                                          .airframe = vehicle.airframe.value(),
+                                          .guide = scenario.guide,
+                                          .guide_length_m = guide_length_m_,
+                                          .atmosphere = scenario.atmosphere,
+                                          .motor = vehicle.motor,
+                                          .recovery = vehicle.recovery});
+    wind_.emplace(scenario.wind, turbulence_);
   } else {
-    ascent_.emplace(AscentParameters{.mass_kg = scenario.vehicle.mass_kg,
-                                     .drag_area_m2 = scenario.vehicle.drag_area_m2,
-                                     .guide_tilt_rad = scenario.guide_tilt_rad,
+    ascent_.emplace(AscentParameters{.mass_kg = vehicle.mass_kg,
+                                     .drag_area_m2 = vehicle.drag_area_m2,
+                                     .guide_tilt_rad = scenario.guide.tilt_rad,
                                      .atmosphere = scenario.atmosphere,
-                                     .motor = scenario.vehicle.motor});
+                                     .motor = vehicle.motor});
   }
 }
 
-void Environment::advance_to(double time_s) {
+void Environment::advance_to(double time_s, double roll_rate_rad_s) {
   if (ascent_) {
     ascent_->advance_to(time_s);
+  } else if (flight_) {
+    flight_->advance_to(time_s, roll_rate_rad_s,
+                        wind_->step(time_s, time_s - time_s_, flight_->height_m(), length(flight_->air_speed_m_s())));
   } else if (time_s > time_s_) {
     follow_fan_programme();
-    tunnel_->step(time_s - time_s_, turbulence_.gaussian());
+    const double speed_m_s = tunnel_->step(time_s - time_s_, turbulence_.gaussian());
+    if (pinned_) {
+      pinned_->step(time_s, time_s - time_s_, tunnel_->density_kg_m3(), speed_m_s);
+    }
   }
   time_s_ = time_s;
+}
+
+std::optional<RollState> Environment::turn_by_hand(double since_power_up_s, double dt_s) {
+  if (!gimbal_) {
+    return std::nullopt;
+  }
+  gimbal_->step(since_power_up_s, dt_s);
+  return RollState{.angle_rad = gimbal_->roll_angle_rad(), .rate_rad_s = gimbal_->motion().rate_rad_s.x};
 }
 
 void Environment::follow_fan_programme() {
@@ -39,18 +73,82 @@ void Environment::follow_fan_programme() {
   }
 }
 
-Vector3 Environment::specific_force_m_s2(double roll_angle_rad) const {
-  if (!ascent_) {
-    return {.x = gravity_m_s2};
+double Environment::density_kg_m3() const {
+  return ascent_ ? ascent_->density_kg_m3() : flight_ ? flight_->density_kg_m3() : tunnel_->density_kg_m3();
+}
+
+double Environment::speed_m_s() const {
+  return ascent_ ? ascent_->speed_m_s() : flight_ ? flight_->air_speed_m_s().x : tunnel_->speed_m_s();
+}
+
+double Environment::height_m() const { return ascent_ ? ascent_->height_m() : flight_ ? flight_->height_m() : 0.0; }
+
+bool Environment::is_clear_of_guide() const {
+  return flight_ ? flight_->is_clear_of_guide() : ascent_ && ascent_->distance_m() >= guide_length_m_;
+}
+
+bool Environment::is_on_ground() const {
+  return flight_ ? flight_->is_on_ground() : ascent_ && ascent_->distance_m() <= 0.0;
+}
+
+bool Environment::can_roll() const { return flight_ ? !flight_->guide_holds_roll() : !pinned_ && !gimbal_; }
+
+std::optional<Path> Environment::path() const {
+  if (!flight_) {
+    return std::nullopt;
   }
-  const double lateral_m_s2 = ascent_->lateral_specific_force_m_s2();
-  if (lateral_m_s2 == 0.0) {
-    return {.x = ascent_->axial_specific_force_m_s2()};
+  return Path{.position_m = flight_->state().position_m,
+              .velocity_m_s = flight_->state().velocity_m_s,
+              .tilt_rad = flight_->tilt_rad(),
+              .angle_of_attack_rad = angle_of_attack_rad(flight_->air_speed_m_s())};
+}
+
+std::optional<double> Environment::roll_inertia_kg_m2() const {
+  return flight_ ? std::optional{flight_->roll_inertia_kg_m2()} : std::nullopt;
+}
+
+std::optional<double> Environment::centre_of_gravity_m() const {
+  // The pins are what a pinned rocket turns about.
+  return flight_   ? std::optional{flight_->centre_of_gravity_m()}
+         : pinned_ ? std::optional{pinned_->pin_position_m()}
+                   : std::nullopt;
+}
+
+BodyMotion Environment::motion(const RollState& roll, double roll_acceleration_rad_s2) const {
+  if (pinned_) {
+    return pinned_->motion();
   }
-  // The guide leans towards one side of the rocket; rolling turns that side away from where the sensor's axes point.
-  return {.x = ascent_->axial_specific_force_m_s2(),
-          .y = lateral_m_s2 * std::cos(roll_angle_rad),
-          .z = -lateral_m_s2 * std::sin(roll_angle_rad)};
+  if (gimbal_) {
+    return gimbal_->motion();
+  }
+  BodyMotion motion{.specific_force_m_s2 = {.x = gravity_m_s2},
+                    .rate_rad_s = {.x = roll.rate_rad_s},
+                    .angular_acceleration_rad_s2 = {.x = roll_acceleration_rad_s2}};
+  if (flight_) {
+    const auto [sine, cosine] = sine_cosine(roll.angle_rad);
+    // The body is turned against the frame that does not roll.
+    const auto in_body = [&](const Vector3& v) {
+      return Vector3{v.x, cosine * v.y + sine * v.z, cosine * v.z - sine * v.y};
+    };
+    motion.specific_force_m_s2 = in_body(flight_->specific_force_m_s2());
+    const Vector3 across = in_body(flight_->state().rate_rad_s);
+    motion.rate_rad_s = {.x = roll.rate_rad_s, .y = across.y, .z = across.z};
+    const Vector3 turning = in_body(flight_->angular_acceleration_rad_s2());
+    // The body sees the rates of the frame turn backwards as it rolls.
+    motion.angular_acceleration_rad_s2 = {.x = roll_acceleration_rad_s2,
+                                          .y = turning.y + roll.rate_rad_s * across.z,
+                                          .z = turning.z - roll.rate_rad_s * across.y};
+  } else if (ascent_) {
+    const double lateral_m_s2 = ascent_->lateral_specific_force_m_s2();
+    motion.specific_force_m_s2 = {.x = ascent_->axial_specific_force_m_s2()};
+    if (lateral_m_s2 != 0.0) {
+      // The guide leans towards one side of the rocket; rolling turns that side away from where the sensor's axes
+      // point.
+      motion.specific_force_m_s2.y = lateral_m_s2 * std::cos(roll.angle_rad);
+      motion.specific_force_m_s2.z = -lateral_m_s2 * std::sin(roll.angle_rad);
+    }
+  }
+  return motion;
 }
 
 }  // namespace fantail::sim

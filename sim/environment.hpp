@@ -5,39 +5,70 @@
 #include <span>
 
 #include "sim/ascent.hpp"
+#include "sim/felt_motion.hpp"
 #include "sim/random.hpp"
+#include "sim/rigid_flight.hpp"
+#include "sim/roll_plant.hpp"
 #include "sim/scenario.hpp"
+#include "sim/wind.hpp"
 #include "sim/wind_tunnel.hpp"
 
 namespace fantail::sim {
 
-/// What surrounds the rocket: a flight or the wind tunnel, seen the same way by plant and sensors.
+/// Where the rocket is in six degrees of freedom.
+struct Path {
+  Vector3 position_m;  ///< earth: north, west, up; from the foot of the guide
+  Vector3 velocity_m_s;
+  double tilt_rad;             ///< of the axis, from the vertical
+  double angle_of_attack_rad;  ///< between the axis and the way through the air
+};
+
+/// What surrounds the rocket: a flight along a straight line or in six degrees of freedom, the wind tunnel or the
+/// gimbal, seen the same way by plant and sensors.
 class Environment {
  public:
   /// The scenario outlives it.
   Environment(const Scenario& scenario, Random turbulence);
 
   /// Seconds after ignition (negative before it), or after the start command in the tunnel. Times increase.
-  void advance_to(double time_s);
+  void advance_to(double time_s, double roll_rate_rad_s);
 
-  [[nodiscard]] double density_kg_m3() const { return ascent_ ? ascent_->density_kg_m3() : tunnel_->density_kg_m3(); }
-  [[nodiscard]] double speed_m_s() const { return ascent_ ? ascent_->speed_m_s() : tunnel_->speed_m_s(); }
-  [[nodiscard]] double height_m() const { return ascent_ ? ascent_->height_m() : 0.0; }
-  [[nodiscard]] double distance_m() const { return ascent_ ? ascent_->distance_m() : 0.0; }
+  /// On the gimbal, whose hands count from power-up: its roll at the end of this step; else empty.
+  [[nodiscard]] std::optional<RollState> turn_by_hand(double since_power_up_s, double dt_s);
+
+  [[nodiscard]] double density_kg_m3() const;
+  [[nodiscard]] double speed_m_s() const;  ///< through the air, along the axis
+  [[nodiscard]] double height_m() const;
+  /// In flight only: the rocket is past the end of its guide; it stands on the pad or on the ground.
+  [[nodiscard]] bool is_clear_of_guide() const;
+  [[nodiscard]] bool is_on_ground() const;
+  [[nodiscard]] bool can_roll() const;                       ///< no guide holds it
   [[nodiscard]] double fan_rpm() const { return fan_rpm_; }  ///< the set point in force; zero in flight
   [[nodiscard]] double swirl_rad() const { return tunnel_ ? tunnel_->swirl_rad() : 0.0; }
-  [[nodiscard]] const AscentEvents& ascent_events() const { return ascent_->events(); }  ///< in flight only
+  [[nodiscard]] const AscentEvents& ascent_events() const {  ///< in flight only
+    return flight_ ? flight_->events() : ascent_->events();
+  }
+  [[nodiscard]] std::optional<Path> path() const;  ///< empty along a straight line and in the tunnel
+  /// It follows the propellant; empty where it does not change.
+  [[nodiscard]] std::optional<double> roll_inertia_kg_m2() const;
 
-  /// Body frame. Hanging in the tunnel the string carries the rocket: 1 g along the axis.
-  [[nodiscard]] Vector3 specific_force_m_s2(double roll_angle_rad) const;
+  [[nodiscard]] std::optional<double> centre_of_gravity_m() const;  ///< from the tip of the nose; empty: not known
+
+  /// At the centre of gravity. Hanging in the tunnel the string carries the rocket: 1 g along the axis.
+  [[nodiscard]] BodyMotion motion(const RollState& roll, double roll_acceleration_rad_s2) const;
 
  private:
   void follow_fan_programme();
 
   std::span<const FanSetPoint> fan_to_come_;
   double fan_rpm_ = 0.0;
+  double guide_length_m_;
   std::optional<Ascent> ascent_;
+  std::optional<RigidFlight> flight_;
+  std::optional<Wind> wind_;  ///< with the flight
   std::optional<WindTunnel> tunnel_;
+  std::optional<PinnedRocket> pinned_;  ///< in the tunnel
+  std::optional<Gimbal> gimbal_;        ///< in a tunnel whose fan stands
   Random turbulence_;
   double time_s_ = 0.0;
 };

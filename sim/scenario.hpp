@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -10,12 +11,21 @@
 #include "sim/atmosphere.hpp"
 #include "sim/disturbance.hpp"
 #include "sim/fault.hpp"
+#include "sim/gimbal.hpp"
+#include "sim/launch_guide.hpp"
+#include "sim/pinned_rocket.hpp"
 #include "sim/vehicle.hpp"
+#include "sim/wind.hpp"
 #include "sim/wind_tunnel.hpp"
 
 namespace fantail::sim {
 
-enum class Surroundings : std::uint8_t { flight, tunnel };
+enum class Surroundings : std::uint8_t { flight, tunnel, gimbal };
+
+enum class FlightMotion : std::uint8_t {
+  straight,  ///< along the line of the guide, whatever gravity and wind would do
+  six_dof,   ///< six degrees of freedom; needs the vehicle's airframe
+};
 
 /// Roll angle and rate put on the rocket once, for a transient whose cause no model explains.
 struct ImposedRoll {
@@ -36,14 +46,16 @@ struct Scenario {
   std::string plan_name;
   std::string vehicle_name;
   std::uint64_t seed = 1;
+  std::size_t changed_values = 0;     ///< on the command line, after its files were read; the flight's record says it
   std::vector<std::string> assumed;   ///< beside what the vehicle's file assumes, a sentence each
   std::vector<std::string> warnings;  ///< what is doubtful in its files, beside those of the vehicle, a sentence each
   core::FlightPlan plan{};
   Vehicle vehicle;
   Surroundings surroundings = Surroundings::flight;
   Atmosphere atmosphere{};
-  double guide_tilt_rad = 0.0;
-  double wind_m_s = 0.0;          ///< stated, not flown: to say where the simulation does not hold
+  FlightMotion motion = FlightMotion::straight;
+  LaunchGuide guide{};            ///< as it truly stands
+  WindParameters wind{};          ///< flown in six degrees of freedom; along a straight line it is only stated
   double pad_time_s = 10.0;       ///< from power-up to ignition, or to the start command
   double arm_time_s = 1.0;        ///< after power-up
   double time_after_end_s = 1.0;  ///< goes on this long after apogee, or after control has ended in the tunnel
@@ -51,6 +63,8 @@ struct Scenario {
   WindTunnelParameters tunnel{};
   std::vector<FanSetPoint> fan_programme;  ///< after tunnel.fan_rpm, which holds until the first of them
   WindSensor wind_sensor{};
+  std::optional<PinParameters> pin;  ///< in the tunnel, instead of a string at the nose: free in pitch, held in roll
+  std::vector<HandTurn> hand_turns;  ///< on the gimbal
   std::vector<DisturbanceNode> disturbance;  ///< times after lift-off, or after control start in the tunnel
   std::optional<ImposedRoll> imposed_roll;
   std::vector<Fault> faults;

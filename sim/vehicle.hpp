@@ -3,15 +3,20 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "sim/airframe.hpp"
 #include "sim/canard_tolerances.hpp"
+#include "sim/felt_motion.hpp"
+#include "sim/recovery.hpp"
 #include "sim/roll_plant.hpp"
 #include "sim/sensor_models.hpp"
 #include "sim/servo.hpp"
 #include "sim/thrust_curve.hpp"
 #include "sim/units.hpp"
+#include "sim/vibration.hpp"
 
 namespace fantail::sim {
 
@@ -33,11 +38,17 @@ struct Vehicle {
   /// 95 % of what the reference area may truly be, from and to; empty: nothing is said of it. For predictions.
   std::vector<double> reference_area_range_m2;
   ThrustCurve motor;
-  ServoParameters servo{};  ///< of a typical one
+  std::optional<Airframe> airframe;           ///< empty: the rocket moves along straight lines only
+  std::vector<std::string> airframe_assumed;  ///< of the airframe, a sentence each
+  std::optional<Recovery> recovery;           ///< empty: it falls as it flew
+  ServoParameters servo{};                    ///< of a typical one
   ServoSpread servo_spread{};
   std::array<CanardMounting, 4> canards{};
   InertialParameters imu{};
   InertialParameters accelerometer{.full_scale_m_s2 = 32.0 * gravity_m_s2};
+  VibrationParameters vibration{};
+  FeltMotionParameters imu_feels{};
+  FeltMotionParameters accelerometer_feels{};
   EncoderParameters encoder{};
   CanardTolerances canard_tolerances{};  ///< for the bench; nothing in the simulation follows from them
 };

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <utility>
 
 #include "avionics/flash_map.hpp"
@@ -10,6 +11,7 @@
 #include "hal/sim/entropy.hpp"
 #include "hal/sim/flash.hpp"
 #include "protocol/log_frame.hpp"
+#include "sim/random_streams.hpp"
 
 namespace fantail::sim {
 namespace {
@@ -18,10 +20,6 @@ using core::Microseconds;
 
 constexpr Microseconds tick_time{1'000};
 constexpr double tick_time_s = 1e-3;
-// A start command that the avionics has not followed by then was refused.
-constexpr Microseconds start_patience{1'000'000};
-
-enum Stream : std::uint8_t { imu_noise = 1, accelerometer_noise, encoder_noise, turbulence, servo_spread };
 
 Microseconds nearest_tick(double time_s) { return std::llround(time_s / tick_time_s) * tick_time; }
 
@@ -38,6 +36,12 @@ ServoFault servo_fault(FaultKind kind) {
     case FaultKind::canard_wrong_trim: return ServoFault::wrong_trim;
     default: return ServoFault::none;
   }
+}
+
+std::string sensors_in_record(std::size_t changed_values) {
+  return changed_values == 0   ? "simulated"
+         : changed_values == 1 ? "simulated, 1 value changed"
+                               : "simulated, " + std::to_string(changed_values) + " values changed";
 }
 
 }  // namespace
@@ -73,19 +77,25 @@ World::World(const Scenario& scenario, const BoardPorts& ports, std::unique_ptr<
       waits_for_ignition_{pad == nullptr},
       time_after_end_{nearest_tick(scenario.time_after_end_s)},
       wind_sensor_period_{nearest_tick(scenario.wind_sensor.period_s)},
-      environment_{scenario, Random{scenario.seed, turbulence}},
+      environment_{scenario, Random{scenario.seed, RandomStream::turbulence}},
+      roll_plant_{scenario.vehicle.roll_plant},
       disturbance_{scenario.disturbance},
       disturbance_rad_{disturbance_now_rad()},
-      canards_{scenario.vehicle, Random{scenario.seed, encoder_noise}, Random{scenario.seed, servo_spread}},
-      imu_model_{scenario.vehicle.imu, Random{scenario.seed, imu_noise}},
-      accelerometer_model_{scenario.vehicle.accelerometer, Random{scenario.seed, accelerometer_noise}},
+      canards_{scenario.vehicle, Random{scenario.seed, RandomStream::encoder_noise},
+               Random{scenario.seed, RandomStream::servo_spread}},
+      vibration_{scenario.vehicle.vibration, Random{scenario.seed, RandomStream::shaking}},
+      imu_feels_{scenario.vehicle.imu_feels},
+      accelerometer_feels_{scenario.vehicle.accelerometer_feels},
+      imu_model_{scenario.vehicle.imu, Random{scenario.seed, RandomStream::imu_noise}},
+      accelerometer_model_{scenario.vehicle.accelerometer, Random{scenario.seed, RandomStream::accelerometer_noise}},
       fault_is_applied_(scenario.faults.size(), false),
       pad_{std::move(pad)},
+      sensors_{sensors_in_record(scenario.changed_values)},
       board_{make(scenario.plan, ports,
                   {.firmware_version = avionics::firmware_version(),
                    .git_hash = avionics::git_hash(),
                    .vehicle = scenario.vehicle.name,
-                   .sensors = "simulated"})},
+                   .sensors = sensors_})},
       hardware_{board_->hardware()} {
   hardware_.imu_scale = imu_model_.scale();
   hardware_.accelerometer_scale_m_s2 = accelerometer_model_.scale();
@@ -120,16 +130,21 @@ void World::advance() {
   const double density_before = environment_.density_kg_m3();
   const double speed_before = environment_.speed_m_s();
   const double disturbance_before = disturbance_rad_;
-  environment_.advance_to(from_ignition_s + tick_time_s);
+  environment_.advance_to(from_ignition_s + tick_time_s, roll_.rate_rad_s);
   now_ += tick_time;
   disturbance_rad_ = disturbance_now_rad();
 
   // A rocket on the pad cannot roll, and one in the tunnel is held by hand until control starts.
-  if (events_.liftoff) {
+  roll_acceleration_rad_s2_ = 0.0;
+  if (events_.liftoff && environment_.can_roll()) {
+    const double rate_before_rad_s = roll_.rate_rad_s;
+    roll_plant_.inertia_kg_m2 = environment_.roll_inertia_kg_m2().value_or(roll_plant_.inertia_kg_m2);
     const double deflection_rad = canards_.mean_deflection_rad() + 0.5 * (disturbance_before + disturbance_rad_);
-    roll_ =
-        scenario_.vehicle.roll_plant.step(roll_, 0.5 * (density_before + environment_.density_kg_m3()),
-                                          0.5 * (speed_before + environment_.speed_m_s()), deflection_rad, tick_time_s);
+    roll_ = roll_plant_.step(roll_, 0.5 * (density_before + environment_.density_kg_m3()),
+                             0.5 * (speed_before + environment_.speed_m_s()), deflection_rad, tick_time_s);
+    roll_acceleration_rad_s2_ = (roll_.rate_rad_s - rate_before_rad_s) / tick_time_s;
+  } else if (const auto by_hand = environment_.turn_by_hand(in_seconds(now_), tick_time_s)) {
+    roll_ = *by_hand;
   }
 }
 
@@ -199,11 +214,23 @@ void World::impose_roll() {
 }
 
 void World::fill_hardware() {
-  const Vector3 specific_force_m_s2 = environment_.specific_force_m_s2(roll_.angle_rad);
+  const BodyMotion motion = environment_.motion(roll_, roll_acceleration_rad_s2_);
+  const bool shakes = vibration_.is_there() && motor_burns();
+  const Shaking shaking = shakes ? vibration_.next() : Shaking{};
+  // Empty where that is the motion itself, as by default: copying it for each sensor costs every tick.
+  const auto felt_by = [&](const FeltMotion& sensor) {
+    return sensor.is_ideal() && !shakes
+               ? std::nullopt
+               : std::optional{sensor.felt(motion, shaking, environment_.centre_of_gravity_m(), in_seconds(now_))};
+  };
+  const std::optional<BodyMotion> by_imu = felt_by(imu_feels_);
+  const std::optional<BodyMotion> by_accelerometer = felt_by(accelerometer_feels_);
+  const BodyMotion& at_imu = by_imu ? *by_imu : motion;
+  const BodyMotion& at_accelerometer = by_accelerometer ? *by_accelerometer : motion;
   const hal::EncoderReading encoders = canards_.read_encoders(now_);
-  const hal::ImuSample& imu = imu_model_.sample(now_, {.x = roll_.rate_rad_s}, specific_force_m_s2, imu_hangs_);
+  const hal::ImuSample& imu = imu_model_.sample(now_, at_imu.rate_rad_s, at_imu.specific_force_m_s2, imu_hangs_);
   const hal::AccelerometerSample& accelerometer =
-      accelerometer_model_.sample(now_, specific_force_m_s2, accelerometer_hangs_);
+      accelerometer_model_.sample(now_, at_accelerometer.specific_force_m_s2, accelerometer_hangs_);
   // All are measured before any is copied: a copy of freshly written counts makes the processor wait, and so it waits
   // once instead of three times.
   hardware_.time = now_;
@@ -215,7 +242,7 @@ void World::fill_hardware() {
 void World::let_crew_act() {
   pad_->crew.act(now_);
   hardware_.arm_switch_closed = pad_->crew.switch_closed();
-  if (now_ == ignition_ && scenario_.surroundings == Surroundings::tunnel) {
+  if (now_ == ignition_ && scenario_.surroundings != Surroundings::flight) {
     pad_->crew.start_tunnel();
   }
 }
@@ -245,47 +272,6 @@ std::span<const std::byte> World::recorded() const {
 bool World::record_is_full() const {
   const auto map = pad_ ? avionics::flash_map(pad_->flash.geometry()) : std::nullopt;
   return map && recorded().size() + map->sector_size > map->flight_end - map->flight_begin;
-}
-
-void World::follow_events() {
-  if (scenario_.surroundings == Surroundings::tunnel) {
-    follow_tunnel();
-  } else {
-    follow_flight();
-  }
-}
-
-void World::follow_tunnel() {
-  if (!events_.liftoff && phase_ == core::Phase::controlling) {
-    events_.liftoff = now_;
-  }
-  const bool refused = !events_.liftoff && now_ >= ignition_ + start_patience;
-  if (!end_ && (phase_ == core::Phase::finished || refused)) {
-    end_ = now_ + time_after_end_;
-  }
-}
-
-void World::follow_flight() {
-  const auto note = [this](std::optional<Microseconds>& event, bool happened) {
-    if (!event && happened) {
-      event = now_;
-    }
-  };
-  const AscentEvents& ascent = environment_.ascent_events();
-  note(events_.liftoff, ascent.liftoff_s.has_value());
-  note(events_.guide_clear, environment_.distance_m() >= static_cast<double>(scenario_.plan.guide.length_m));
-  note(events_.burnout, ascent.burnout_s.has_value());
-  note(events_.apogee, ascent.apogee_s.has_value());
-  if (!ascent.apogee_s) {
-    events_.apogee.reset();  // it was only a hop, and the rocket stands on the pad again
-  }
-  // A motor too weak for its rocket burns out on the pad.
-  const bool nothing_more_to_come = events_.apogee || (events_.burnout && environment_.distance_m() <= 0.0);
-  if (!nothing_more_to_come) {
-    end_.reset();
-  } else if (!end_) {
-    end_ = now_ + time_after_end_;
-  }
 }
 
 }  // namespace fantail::sim

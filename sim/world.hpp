@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "core/tick_record.hpp"
@@ -18,6 +19,7 @@
 #include "sim/pad_crew.hpp"
 #include "sim/scenario.hpp"
 #include "sim/sensor_models.hpp"
+#include "sim/vibration.hpp"
 
 namespace fantail::sim {
 
@@ -27,7 +29,7 @@ struct Truth {
   double roll_rate_rad_s;
   double canard_rad;  ///< mean of the four, in the sense of positive roll moment
   double height_m;
-  double speed_m_s;
+  double speed_m_s;        ///< through the air, along the axis
   double disturbance_rad;  ///< equivalent fin offset, swirl included
 };
 
@@ -60,6 +62,9 @@ class World {
 
   /// The truth that belongs to the last tick.
   [[nodiscard]] Truth truth() const;
+
+  /// Where the rocket is at the last tick, in six degrees of freedom; else empty.
+  [[nodiscard]] std::optional<Path> path() const { return environment_.path(); }
 
   /// What the tunnel's own instruments read at the last tick; empty in flight and between two readings.
   [[nodiscard]] std::optional<WindReading> wind_reading() const;
@@ -116,6 +121,9 @@ class World {
   void follow_flight();
   void impose_roll();
   [[nodiscard]] double disturbance_now_rad() const;
+  [[nodiscard]] bool motor_burns() const {
+    return scenario_.surroundings == Surroundings::flight && now_ > ignition_ && !events_.burnout;
+  }
 
   const Scenario& scenario_;
   core::Microseconds now_{};
@@ -128,10 +136,15 @@ class World {
   Events events_;
 
   Environment environment_;
+  RollPlant roll_plant_;
   Disturbance disturbance_;
   double disturbance_rad_;  ///< at now_
   RollState roll_;
+  double roll_acceleration_rad_s2_ = 0.0;
   CanardSet canards_;
+  Vibration vibration_;
+  FeltMotion imu_feels_;
+  FeltMotion accelerometer_feels_;
   ImuModel imu_model_;
   AccelerometerModel accelerometer_model_;
   bool imu_hangs_ = false;
@@ -140,6 +153,7 @@ class World {
   std::vector<bool> fault_is_applied_;  ///< in the scenario's order; not of dropouts, which come and go
 
   std::unique_ptr<LonePad> pad_;  ///< empty when somebody else is there
+  std::string sensors_;           ///< as the record's header has it; outlives the board
   std::unique_ptr<FlightComputer> board_;
   hal::sim::WorldSide& hardware_;  ///< of the board
   core::Phase phase_ = core::Phase::safe;

@@ -48,7 +48,17 @@ TEST(Copied, AVehicleThatKeepsAnothersAssumptionsIsAskedAbout) {
   const sim::Vehicle shipped = load_scenario("tasha3_launch2", {}).vehicle;
   EXPECT_THAT(vehicle_warnings(
                   with(content(Shipped::vehicle, "tasha3_launch2"), "\"" + shipped.name + "\"", "\"My own rocket\"")),
-              ElementsAre(AllOf(HasSubstr("body.assumed"), HasSubstr("is an assumption of the shipped vehicle"))));
+              ElementsAre(AllOf(HasSubstr("body.assumed"),
+                                HasSubstr("is an assumption of the shipped vehicle tasha3_launch2;"))));
+}
+
+TEST(Copied, AVehicleThatKeepsAnothersRollModelIsAskedAbout) {
+  const std::string own =
+      "[body]\nname = \"Mine\"\nmass_kg = 4\ndrag_area_m2 = 0.005\nroll_inertia_kg_m2 = 0.004\n"
+      "[aerodynamics]\nreference_area_m2 = 5e-5\ndamping_m2 = 23\ntorque_m = 9\n[motor]\nfile = \"i150_canonical\"\n";
+  EXPECT_THAT(vehicle_warnings(own),
+              ElementsAre(AllOf(HasSubstr("aerodynamics.damping_m2 and torque_m are those of the shipped vehicle"),
+                                HasSubstr("; were they found for this rocket?"))));
 }
 
 TEST(Copied, AVehicleOfItsOwnIsNotAskedAbout) {

@@ -155,7 +155,7 @@ TEST(RocketManual, HasExamplesThatCanBeCopied) {
   const sim::Scenario scenario = load_scenario(scenario_file.path(), {});
   EXPECT_EQ(scenario.vehicle.name, "My rocket");
   EXPECT_TRUE(scenario.faults.empty());
-  EXPECT_EQ(scenario.guide_tilt_rad, 0.0);
+  EXPECT_EQ(scenario.guide.tilt_rad, 0.0);
   for (std::size_t i = 0; i < scenario.vehicle.canards.size(); ++i) {
     const core::CanardPlan& planned = scenario.plan.canards.each[i];
     const sim::CanardMounting& built = scenario.vehicle.canards[i];

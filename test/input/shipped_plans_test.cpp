@@ -94,13 +94,28 @@ TEST(ShippedPlans, AFreelyRollingTunnelRunHasNoGains) {
   EXPECT_EQ(plan.excitation.form, core::ExcitationForm::none);
 }
 
-TEST(ShippedPlans, AreFourAndNoFileIsForgottenHere) {
+TEST(ShippedPlans, OfTheStabilityCheckControlsNothingForAsLongAsTheRecordLasts) {
+  const core::FlightPlan plan = shipped("tunnel_stability");
+  EXPECT_EQ(plan.run.start, core::Start::tunnel);
+  EXPECT_EQ(plan.controller.proportional_gain, 0.0F);
+  EXPECT_EQ(plan.controller.derivative_gain_s, 0.0F);
+  EXPECT_LE(plan.run.control_time, Microseconds{110'000'000});
+}
+
+TEST(ShippedPlans, OfTheGimbalHoldsTheRollOnCommand) {
+  const core::FlightPlan plan = shipped("gimbal");
+  EXPECT_EQ(plan.run.start, core::Start::tunnel);
+  EXPECT_EQ(plan.run.control_time, Microseconds{30'000'000});
+  EXPECT_EQ(plan.reference.kind, core::ReferenceKind::hold);
+}
+
+TEST(ShippedPlans, AreSixAndNoFileIsForgottenHere) {
   std::size_t count = 0;
   for (const auto& entry : std::filesystem::directory_iterator{SHIPPED_PLANS}) {
     EXPECT_NO_THROW((void)read_plan(Document::load(entry.path()))) << entry.path();
     count += 1;
   }
-  EXPECT_EQ(count, 4U);
+  EXPECT_EQ(count, 6U);
 }
 
 }  // namespace

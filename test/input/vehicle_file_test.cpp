@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "input/vehicle_file.hpp"
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "input/scenario_file.hpp"
@@ -87,6 +89,46 @@ TEST(VehicleFile, ARangeOfTheReferenceAreaIsTwoAreasAroundIt) {
               std::string::npos)
         << said.message;
   }
+}
+
+TEST(VehicleFile, ASensorSitsInItsRocket) {
+  const std::vector<std::string> airframe{"airframe.diameter_m=0.1",
+                                          "airframe.length_m=1.7",
+                                          "airframe.normal_force_slope_per_rad=10",
+                                          "airframe.centre_of_pressure_m=1.2",
+                                          "airframe.parts_spread_m=0.3",
+                                          "airframe.centre_of_gravity_m=1",
+                                          "airframe.centre_of_gravity_after_burnout_m=0.9",
+                                          "airframe.transverse_inertia_kg_m2=0.6",
+                                          "airframe.transverse_inertia_after_burnout_kg_m2=0.5"};
+  const auto refused = [&](const std::string& change) {
+    std::vector<std::string> changes = airframe;
+    changes.push_back(change);
+    return complaint([&] { (void)vehicle("tasha3_launch2", changes); }).message;
+  };
+  for (const std::string sensor : {"imu", "accelerometer"}) {
+    EXPECT_EQ(refused(sensor + ".position_m=1.8"),
+              "--set " + sensor + ".position_m=1.8: " + sensor +
+                  ".position_m = 1.8 is behind the tail; allowed: at most airframe.length_m = 1.7");
+    EXPECT_EQ(
+        refused(sensor + ".across_m=-0.06"),
+        "--set " + sensor + ".across_m=-0.06: " + sensor +
+            ".across_m = -0.06 is outside the body; allowed: within half of airframe.diameter_m, 0.05 either way");
+  }
+}
+
+// A unit that leaves out what it is per is a wrong figure by a factor of ten, or of sixty.
+TEST(VehicleFile, AGyroHasItsUnitsInFull) {
+  for (const auto& [key, unit] :
+       {std::pair{"rate_per_g_deg_s", "deg/s per g"}, std::pair{"rate_drift_deg_s_per_min", "deg/s per min"}}) {
+    const auto found = std::ranges::find(vehicle_fields(), std::string_view{key}, &Field<sim::Vehicle>::key);
+    ASSERT_NE(found, vehicle_fields().end());
+    EXPECT_EQ(found->allowed.unit.name, unit);
+  }
+  const sim::FeltMotionParameters feels =
+      vehicle("tasha3_launch2", {"imu.rate_per_g_deg_s=0.05", "imu.rate_drift_deg_s_per_min=3"}).imu_feels;
+  EXPECT_NEAR(feels.rate_per_specific_force_s_m * 9.80665, 0.05 * sim::radians_per_degree, 1e-9);
+  EXPECT_NEAR(feels.rate_drift_rad_s2 * 60.0, 3.0 * sim::radians_per_degree, 1e-12);
 }
 
 TEST(BenchVehicle, IsTheAirframeOfTheSecondLaunch) {

@@ -52,7 +52,7 @@ TEST(Verdict, AnOffsetBeyondTheCanardsIsSaidPlainly) {
   // Saturated 1.68 .. 4.399 s: 2720 of 3800 ticks.
   EXPECT_EQ(v.text,
             "Canards commanded to their limit (+6 deg) from 1.68 s to the end of control: the fin offset of -7.3 deg "
-            "is more than "
+            "is beyond what "
             "they can balance; roll not held. Saturated 71.6 % of control time; authority margin -1.3 deg.");
 }
 
@@ -66,6 +66,19 @@ TEST(Verdict, CanardsAtTheirLimitForAnotherReasonAreNotBlamedOnTheOffset) {
             "Roll stayed within 0.0 deg of where this law settles; saturated 25.7 % of control time; authority margin "
             "4.0 deg. Canards "
             "commanded to their limit (-9 deg) from 3.50 s to the end of control.");
+}
+
+TEST(Verdict, WhatHandsTurnInStillAirIsNotJudged) {
+  SyntheticFlight synthetic;
+  synthetic.flight.tunnel = true;
+  for (flight::Row& row : synthetic.flight.rows) {
+    row.truth->speed_m_s = 0.0;
+    row.truth->roll_angle_rad += text::radians(20.0);
+  }
+  const Verdict v = verdict_of(synthetic.flight);
+  EXPECT_EQ(v.outcome, Outcome::not_judged);
+  EXPECT_TRUE(v.text.starts_with("Roll not judged: the air stands still, so the canards cannot turn the rocket"))
+      << v.text;
 }
 
 TEST(Verdict, WithoutALaunchThereIsNoControl) {

@@ -47,7 +47,7 @@ TEST(BenchScenarios, BreakOneCanardFromPowerUpAsTheirNamesSay) {
 TEST(BenchScenarios, AreTheHealthyOneButForTheFaultAndNoneIsForgottenHere) {
   const Scenario healthy = scenario("bench_healthy");
   EXPECT_TRUE(healthy.faults.empty());
-  std::set<std::string> expected{"bench_healthy"};
+  std::set<std::string> expected{"bench_healthy", "bench_axes"};  // the latter hangs in a gimbal, without a fault
   for (const Rehearsal& rehearsal : rehearsals) {
     SCOPED_TRACE(rehearsal.name);
     expected.insert(rehearsal.name);

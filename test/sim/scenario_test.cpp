@@ -24,7 +24,7 @@ RC_GTEST_PROP(Scenario, AtTheEndsOfItsRangesFliesToAnEndWithFiniteNumbers, ()) {
       {"aerodynamics.torque_m", {"0", "1e4"}},
       {"environment.density", {"exponential", "isa", "constant"}},
       {"environment.density_kg_m3", {"0.01", "5"}},
-      {"environment.guide_tilt_deg", {"0", "15"}},
+      {"launch_guide.tilt_deg", {"0", "15"}},
       {"servo.lag_s", {"0.0005", "1"}},
       {"servo.delay_s", {"0", "0.05"}},
       {"servo.frame_rate_hz", {"40", "1000"}},

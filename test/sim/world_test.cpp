@@ -63,7 +63,7 @@ class GuideClearance : public testing::TestWithParam<Lean> {};
 // 16 m/s is 1.6 cm; the rest is sensor noise, integrated twice.
 TEST_P(GuideClearance, IsFoundWithinCentimetresOfSixMetres) {
   for (const std::uint64_t seed : {1U, 2U, 3U}) {
-    Scenario s = scenario("tasha3_launch2", {"environment.guide_tilt_deg=" + std::to_string(GetParam().tilt_deg)});
+    Scenario s = scenario("tasha3_launch2", {"launch_guide.tilt_deg=" + std::to_string(GetParam().tilt_deg)});
     s.seed = seed;
     s.imposed_roll = {.time_s = 0.0, .angle_rad = 0.0, .rate_rad_s = GetParam().spin_deg_s * degree};
     const FlownWorld flown = fly(s);

@@ -123,6 +123,7 @@ void set_time_zero(Flight& flight, double zero_s) {
   std::ranges::for_each(flight.phase_changes, [&](auto& change) { move(change.time_s); });
   std::ranges::for_each(flight.canard_verdict_changes, [&](auto& change) { move(change.time_s); });
   std::ranges::for_each(flight.rows, [&](auto& r) { move(r.time_s); });
+  std::ranges::for_each(flight.path, [&](auto& point) { move(point.time_s); });
   std::ranges::for_each(flight.tunnel_readings, [&](auto& reading) { move(reading.time_s); });
 }
 
@@ -144,6 +145,10 @@ double authority_rad(const Flight& flight, double sense) {
     sum_rad += turned * (std::clamp(turned * command_rad + trim_rad, -limit_rad, limit_rad) - trim_rad);
   }
   return std::abs(sum_rad) / static_cast<double>(core::canard_count);
+}
+
+double authority_margin_rad(const Flight& flight, double offset_rad) {
+  return std::min(authority_rad(flight, 1.0) + offset_rad, authority_rad(flight, -1.0) - offset_rad);
 }
 
 std::optional<double> settle_point_rad(const Row& row, const core::FlightPlan& plan) {

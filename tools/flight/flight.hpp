@@ -10,6 +10,7 @@
 
 #include "core/flight_plan.hpp"
 #include "core/tick_record.hpp"
+#include "flight/path.hpp"
 
 namespace fantail::flight {
 
@@ -156,6 +157,7 @@ struct Flight {
   std::vector<Row> rows;
   std::size_t rows_per_line = 1;               ///< flight.csv has the first of so many rows
   std::vector<TunnelReading> tunnel_readings;  ///< empty in flight
+  std::vector<PathPoint> path;                 ///< empty along a straight line, in the tunnel, and of real flights
   std::vector<std::byte> log;                  ///< what the avionics recorded itself; empty: nothing
   Known known;
 };
@@ -180,6 +182,10 @@ void set_time_zero(Flight& flight, double zero_s);
 /// says, or else each as far as the smallest of plan limit, hard limit and its mechanical stop in the plan lets it,
 /// from its trim. Below zero: not even at the largest command is it in that sense.
 [[nodiscard]] double authority_rad(const Flight& flight, double sense);
+
+/// How much farther all canards could go, or come back, than the deflection that balances this offset; the smaller of
+/// the two. Below zero: they cannot balance it. Canards that are broken or trimmed may reach to one side only.
+[[nodiscard]] double authority_margin_rad(const Flight& flight, double offset_rad);
 
 /// Where a proportional-derivative loop comes to rest: R + u_d / kp. Empty without truth, and for a gain of zero.
 [[nodiscard]] std::optional<double> settle_point_rad(const Row& row, const core::FlightPlan& plan);

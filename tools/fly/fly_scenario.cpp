@@ -34,8 +34,22 @@ flight::Truth to_report(const sim::Truth& truth) {
           .disturbance_rad = truth.disturbance_rad};
 }
 
+flight::PathPoint to_report(const sim::Path& path, double time_s) {
+  const sim::Vector3& at = path.position_m;
+  const sim::Vector3& speed = path.velocity_m_s;
+  return {.time_s = time_s,
+          .north_m = at.x,
+          .east_m = -at.y,
+          .height_m = at.z,
+          .north_m_s = speed.x,
+          .east_m_s = -speed.y,
+          .up_m_s = speed.z,
+          .tilt_rad = path.tilt_rad,
+          .angle_of_attack_rad = path.angle_of_attack_rad};
+}
+
 std::string describe(const sim::Fault& fault, const sim::Scenario& scenario) {
-  const std::string_view zero = scenario.surroundings == sim::Surroundings::tunnel ? "the start command" : "ignition";
+  const std::string_view zero = scenario.surroundings != sim::Surroundings::flight ? "the start command" : "ignition";
   const std::string_view kind = input::name(fault.kind);
   const bool always = fault.from_s <= -scenario.pad_time_s;
   if (sim::is_dropout(fault.kind)) {
@@ -54,6 +68,13 @@ std::string describe(const sim::Fault& fault, const sim::Scenario& scenario) {
   return fmt::format("Fault: {}, canard {}{}, from {}.", kind, fault.canard + 1, number, from);
 }
 
+std::string static_margins(const sim::Airframe& airframe) {
+  const double full_m = static_margin_m(airframe, airframe.at_liftoff);
+  const double empty_m = static_margin_m(airframe, airframe.after_burnout);
+  return fmt::format("Static margin: {:.0f} mm ({:.1f} calibres) at lift-off, {:.0f} mm ({:.1f}) after burn-out.",
+                     1e3 * full_m, full_m / airframe.diameter_m, 1e3 * empty_m, empty_m / airframe.diameter_m);
+}
+
 flight::Flight describe(const sim::Scenario& scenario) {
   flight::Flight flight;
   flight.scenario = scenario.name;
@@ -65,13 +86,18 @@ flight::Flight describe(const sim::Scenario& scenario) {
   flight.plan_name = scenario.plan_name;
   flight.version = FANTAIL_VERSION;
   flight.seed = scenario.seed;
-  flight.tunnel = scenario.surroundings == sim::Surroundings::tunnel;
+  flight.tunnel = scenario.surroundings != sim::Surroundings::flight;
   flight.plan = scenario.plan;
   const sim::DeflectionRange reach = sim::deflection_range(scenario);
   flight.canard_reach = {.lowest_rad = reach.lowest_rad, .highest_rad = reach.highest_rad};
   for (const auto* sentences :
        {&scenario.vehicle.warnings, &scenario.warnings, &scenario.vehicle.assumed, &scenario.assumed}) {
     flight.notes.insert(flight.notes.end(), sentences->begin(), sentences->end());
+  }
+  if (scenario.motion == sim::FlightMotion::six_dof) {
+    const auto& assumed = scenario.vehicle.airframe_assumed;
+    flight.notes.insert(flight.notes.end(), assumed.begin(), assumed.end());
+    flight.notes.push_back(static_margins(scenario.vehicle.airframe.value()));
   }
   for (const sim::Fault& fault : scenario.faults) {
     flight.notes.push_back(describe(fault, scenario));
@@ -100,7 +126,7 @@ std::string why_not_armed(const sim::World& world, const sim::Scenario& scenario
     return fmt::format(
         "its self-test takes about seven seconds, and {:g} s after it began {} (timing.arm_time_s, timing.pad_time_s)",
         left_s,
-        scenario.surroundings == sim::Surroundings::tunnel ? "came the start command" : "the motor was ignited");
+        scenario.surroundings != sim::Surroundings::flight ? "came the start command" : "the motor was ignited");
   }
   return "the avionics refused to be armed: " + (refusal->refusal != protocol::ArmRefusal::none
                                                      ? replies::sentence(refusal->refusal)
@@ -123,7 +149,7 @@ void keep_log(flight::Flight& flight, const sim::World& world, bool was_armed) {
 }  // namespace
 
 std::optional<double> expected_length_s(const sim::Scenario& scenario) {
-  if (scenario.surroundings != sim::Surroundings::tunnel) {
+  if (scenario.surroundings == sim::Surroundings::flight) {
     return std::nullopt;
   }
   return scenario.pad_time_s + in_seconds(scenario.plan.run.control_time) + scenario.time_after_end_s;
@@ -132,6 +158,7 @@ std::optional<double> expected_length_s(const sim::Scenario& scenario) {
 flight::Flight fly_scenario(const sim::Scenario& scenario, const Look& look, const Observe& observe, Log log,
                             const sim::MakeFlightComputer& make) {
   constexpr std::int64_t ticks_between_looks = 1024;
+  constexpr std::int64_t ticks_between_points = 10;
   flight::Flight flight = describe(scenario);
   // A launch is judged by every tick. In the tunnel a run of a quarter of an hour would fill the memory.
   const std::int64_t ticks_per_line = std::llround(scenario.log_period_s * 1e3);
@@ -150,6 +177,9 @@ flight::Flight fly_scenario(const sim::Scenario& scenario, const Look& look, con
       flight::add_tick(flight, record, time_s, to_report(world.truth()));
     } else {
       flight::note_tick(flight, record, time_s);
+    }
+    if (const auto path = ticks % ticks_between_points == 0 ? world.path() : std::nullopt) {
+      flight.path.push_back(to_report(*path, time_s));
     }
     if (const auto reading = world.wind_reading()) {
       flight.tunnel_readings.push_back({time_s, reading->fan_rpm, reading->wind_speed_m_s});

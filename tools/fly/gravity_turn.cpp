@@ -25,7 +25,7 @@ State advanced(const State& s, const State& rate, double dt_s) {
 class Flight {
  public:
   explicit Flight(const sim::Scenario& scenario)
-      : scenario_{scenario}, guide_x_{std::sin(scenario.guide_tilt_rad)}, guide_z_{std::cos(scenario.guide_tilt_rad)} {}
+      : scenario_{scenario}, guide_x_{std::sin(scenario.guide.tilt_rad)}, guide_z_{std::cos(scenario.guide.tilt_rad)} {}
 
   [[nodiscard]] State rate(double time_s, const State& s) const {
     const sim::Vehicle& vehicle = scenario_.vehicle;

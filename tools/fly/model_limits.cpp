@@ -22,14 +22,15 @@ constexpr double linear_angle_rad = 15.0 * sim::radians_per_degree;
 double degrees(double radians) { return radians / sim::radians_per_degree; }
 
 std::optional<std::string> leaning_guide(const sim::Scenario& scenario, const flight::Flight& flight) {
-  if (scenario.guide_tilt_rad < slight_tilt_rad || !flight.events.apogee_s) {
+  if (scenario.motion == sim::FlightMotion::six_dof || scenario.guide.tilt_rad < slight_tilt_rad ||
+      !flight.events.apogee_s) {
     return std::nullopt;
   }
   const GravityTurn turn = gravity_turn(scenario);
   std::string text = fmt::format(
       "The guide leans by {:.0f} deg, and the simulated rocket keeps to its line. A real one bends over: a point mass "
       "would reach {:.0f} m",
-      degrees(scenario.guide_tilt_rad), turn.apogee_m);
+      degrees(scenario.guide.tilt_rad), turn.apogee_m);
   if (turn.tilt_limit_s) {
     text += fmt::format(" and pass the plan's tilt limit of {:.0f} deg {:.1f} s after lift-off, which ends control",
                         degrees(static_cast<double>(scenario.plan.run.tilt_limit.radians())), *turn.tilt_limit_s);
@@ -68,8 +69,9 @@ std::optional<std::string> strong_motor(const sim::Scenario& scenario, const fli
       scenario.vehicle.accelerometer.full_scale_m_s2 / sim::gravity_m_s2);
 }
 
+/// In six degrees of freedom the flow that was there, else the one that the stated wind would make.
 std::optional<std::string> windy_exit(const sim::Scenario& scenario, const flight::Flight& flight) {
-  if (!(scenario.wind_m_s > 0.0) || !flight.events.guide_clear_s) {
+  if (!(scenario.wind.speed_m_s > 0.0) || !flight.events.guide_clear_s) {
     return std::nullopt;
   }
   const auto exit = std::ranges::find_if(
@@ -77,11 +79,14 @@ std::optional<std::string> windy_exit(const sim::Scenario& scenario, const fligh
   if (exit == flight.rows.end()) {
     return std::nullopt;
   }
-  const double angle_rad = std::atan2(scenario.wind_m_s, exit->truth->speed_m_s);
+  const flight::PathPoint* point = flight::point_at(flight.path, *flight.events.guide_clear_s);
+  const double angle_rad =
+      point != nullptr ? point->angle_of_attack_rad : std::atan2(scenario.wind.speed_m_s, exit->truth->speed_m_s);
   const double left_rad = linear_angle_rad - flight::canard_limit_rad(scenario.plan);
-  const std::string text = fmt::format(
-      "A wind of {:g} m/s, which is not simulated, meets the rocket at the end of its guide ({:.0f} m/s) at {:.0f} deg",
-      scenario.wind_m_s, exit->truth->speed_m_s, degrees(angle_rad));
+  const std::string text =
+      fmt::format("A wind of {:g} m/s{} meets the rocket at the end of its guide ({:.0f} m/s) at {:.0f} deg",
+                  scenario.wind.speed_m_s, point != nullptr ? "" : ", which is not simulated,", exit->truth->speed_m_s,
+                  degrees(angle_rad));
   return angle_rad <= left_rad
              ? text + "."
              : text + fmt::format(

@@ -2,6 +2,7 @@
 #include "input/copied.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <filesystem>
 
 #include "input/shipped.hpp"
@@ -17,15 +18,15 @@ bool is_shipped(Shipped kind, const std::filesystem::path& file) {
          std::filesystem::equivalent(file, find_input(kind, name), ignored);
 }
 
-// The first sentence that both have.
-std::optional<std::string> shared_sentence(const std::vector<std::string>& ours, const TomlNode& theirs) {
+std::vector<std::string> shared_sentences(const std::vector<std::string>& ours, const TomlNode& theirs) {
+  std::vector<std::string> shared;
   for (const TomlNode& element : theirs.elements().value_or(std::vector<TomlNode>{})) {
     const std::optional<std::string> sentence = element.text();
     if (sentence && std::ranges::find(ours, *sentence) != ours.end()) {
-      return sentence;
+      shared.push_back(*sentence);
     }
   }
-  return std::nullopt;
+  return shared;
 }
 
 }  // namespace
@@ -34,20 +35,35 @@ std::optional<std::string> question_about_vehicle(const Document& document, cons
   if (is_shipped(Shipped::vehicle, document.file())) {
     return std::nullopt;
   }
-  std::optional<std::string> about_assumption;
+  std::string question;
+  std::string about_model;
+  std::size_t most_alike = 0;
   for (const std::string& name : shipped_names(Shipped::vehicle)) {
     const Document shipped = Document::load(find_input(Shipped::vehicle, name).string());
     const TomlNode body = shipped.root()["body"];
-    const std::string whose = " of the shipped vehicle " + name + "; is it true of this rocket?";
-    // Sentences are shared by several shipped vehicles; the name says which one was copied.
+    const std::string whose = " of the shipped vehicle " + name + "; ";
+    // Sentences are shared by several shipped vehicles; the name says which one was copied, or else how many they are,
+    // and the roll model.
     if (body["name"].text() == vehicle.name) {
-      return document.file() + ": body.name \"" + vehicle.name + "\" is that" + whose;
+      return document.file() + ": body.name \"" + vehicle.name + "\" is that" + whose + "is it true of this rocket?";
     }
-    if (const auto sentence = shared_sentence(vehicle.assumed, body["assumed"]); sentence && !about_assumption) {
-      about_assumption = document.file() + ": body.assumed \"" + *sentence + "\" is an assumption" + whose;
+    const TomlNode roll = shipped.root()["aerodynamics"];
+    const bool same_model = roll["damping_m2"].number() == vehicle.roll_plant.damping_m2 &&
+                            roll["torque_m"].number() == vehicle.roll_plant.torque_m;
+    if (about_model.empty() && same_model) {
+      about_model = document.file() + ": aerodynamics.damping_m2 and torque_m are those" + whose +
+                    "were they found for this rocket?";
+    }
+    const std::vector<std::string> shared = shared_sentences(vehicle.assumed, body["assumed"]);
+    if (const std::size_t likeness = 2 * shared.size() + (same_model ? 1 : 0);
+        !shared.empty() && likeness > most_alike) {
+      most_alike = likeness;
+      question = document.file() + ": body.assumed \"" + shared.front() + "\" is an assumption" + whose +
+                 "is it true of this rocket?";
     }
   }
-  return about_assumption;
+  question = question.empty() ? about_model : question;
+  return question.empty() ? std::nullopt : std::optional{question};
 }
 
 std::vector<std::string> questions_about_scenario(const Document& scenario_file, const Document& vehicle_file,
@@ -58,8 +74,8 @@ std::vector<std::string> questions_about_scenario(const Document& scenario_file,
   }
   for (const std::string& name : shipped_names(Shipped::scenario)) {
     const Document shipped = Document::load(find_input(Shipped::scenario, name).string());
-    if (const auto sentence = shared_sentence(scenario.assumed, shipped.root()["assumed"])) {
-      questions.push_back(scenario_file.file() + ": assumed \"" + *sentence +
+    if (const auto shared = shared_sentences(scenario.assumed, shipped.root()["assumed"]); !shared.empty()) {
+      questions.push_back(scenario_file.file() + ": assumed \"" + shared.front() +
                           "\" is an assumption of the shipped scenario " + name + "; is it true of this run?");
       break;
     }

@@ -123,6 +123,17 @@ constexpr Place<Thing> place_of(Member) {
   place_of<Thing>([](auto& it, [[maybe_unused]] std::size_t i) -> auto& { return expression; })
 
 /// The place of slot `i` of a list that grows as it is read.
+/// What is there when its section is; the usual one where it is not.
+template <typename Thing>
+Thing& made(std::optional<Thing>& thing) {
+  return thing ? *thing : thing.emplace();
+}
+template <typename Thing>
+const Thing& made(const std::optional<Thing>& thing) {
+  static const Thing usual{};
+  return thing ? *thing : usual;
+}
+
 template <typename Value>
 Value& grown(std::vector<Value>& values, std::size_t i) {
   values.resize(std::max(values.size(), i + 1));

@@ -4,13 +4,11 @@
 namespace fantail::input {
 namespace {
 
-constexpr std::array<std::string_view, 2> surroundings{"flight", "tunnel"};
+constexpr std::array<std::string_view, 3> surroundings{"flight", "tunnel", "gimbal"};
+constexpr std::array<std::string_view, 2> motions{"straight", "six_dof"};
+constexpr std::array<std::string_view, 2> guide_rolls{"free", "held"};
 constexpr std::array<std::string_view, 3> densities{"exponential", "isa", "constant"};
 constexpr std::size_t most_points = 1000;
-
-// The imposed roll is there when its section is.
-sim::ImposedRoll& made(std::optional<sim::ImposedRoll>& roll) { return roll ? *roll : roll.emplace(); }
-const sim::ImposedRoll& made(const std::optional<sim::ImposedRoll>& roll) { return *roll; }
 
 // clang-format off: one field a row reads better than one argument a line
 #define AT(expression) FANTAIL_PLACE(sim::Scenario, expression)
@@ -21,11 +19,28 @@ constexpr auto fields = std::to_array<Field<sim::Scenario>>({
   {"", "assumed", list(100, text()), may, AT(grown(it.assumed, i)), "What in this file was assumed and not measured, a sentence each; reports repeat it, and that of the vehicle."},
   {"", "tunnel_result", file(), may, {}, "What `predict` starts from ([Predicting a launch](predict.md)); a flight makes no use of it."},
 
-  {"environment", "surroundings", choice(surroundings), may, AT(it.surroundings), "`tunnel` for plans with `run.start = \"tunnel\"`, and only for them."},
+  {"environment", "surroundings", choice(surroundings), may, AT(it.surroundings), "`tunnel` or `gimbal` for plans with `run.start = \"tunnel\"`, and only for them. `gimbal`: in a frame of three rings, balanced, in still air; hands turn it."},
   {"environment", "density", choice(densities), may, AT(it.atmosphere.model), "Air over height: 1.225 kg/m3 exp(-h / 8500 m), the International Standard Atmosphere, or the same everywhere. Not in the tunnel, which has its own."},
   {"environment", "density_kg_m3", number("kg/m3", {0.01, 5}), may, AT(it.atmosphere.constant_kg_m3), "For `constant`, in flight."},
-  {"environment", "guide_tilt_deg", number(deg, {0, 15}), may, AT(it.guide_tilt_rad), "Launch guide against the vertical."},
-  {"environment", "wind_m_s", number("m/s", {0, 30}), may, AT(it.wind_m_s), "Wind across the launch site. It is not simulated: reports say where it matters."},
+  {"environment", "site_elevation_m", number("m", {-500, 6000}), may, AT(it.atmosphere.elevation_m), "Of the launch site above the sea, for `exponential` and `isa`; heights count from the site."},
+
+  {"flight", "motion", choice(motions), may, AT(it.motion), "`straight`: along the line of the guide. `six_dof`: in six degrees of freedom, with gravity turn and wind; needs the vehicle's section `[airframe]`."},
+
+  {"wind", "speed_m_s", number("m/s", {0, 30}), may, AT(it.wind.speed_m_s), "At the reference height. With `six_dof` the rocket flies in it; along a straight line it does not, and reports say where that matters."},
+  {"wind", "from_deg", number(deg, {0, 360}), may, AT(it.wind.from_rad), "Where it comes from: 0 north, 90 east. With `six_dof`, as all that follows."},
+  {"wind", "reference_height_m", number("m", {1, 1000}), may, AT(it.wind.reference_height_m), "Above the ground, for `speed_m_s`."},
+  {"wind", "exponent", number("", {0, 1}), may, AT(it.wind.exponent), "The speed grows with this power of the height; 0: the same at every height; 0.14 over open land."},
+  {"wind", "gust_m_s", number("m/s", {-30, 30}), may, AT(it.wind.gust_m_s), "Most of one gust that rises and falls as a cosine; below zero: against the wind."},
+  {"wind", "gust_time_s", number("s", {0, 600}), may, AT(it.wind.gust_time_s), "When the gust begins, after ignition."},
+  {"wind", "gust_duration_s", number("s", {0.05, 60}), may, AT(it.wind.gust_duration_s), "From its begin to its end."},
+  {"wind", "turbulence", number("", {0, 0.5}), may, AT(it.wind.turbulence), "Dryden turbulence: standard deviation of each horizontal component over the speed at that height; 0.1 to 0.2 are usual."},
+
+  {"launch_guide", "tilt_deg", number(deg, {0, 15}), may, AT(it.guide.tilt_rad), "Against the vertical."},
+  {"launch_guide", "length_m", number("m", {0.5, 50}), may, AT(it.guide.length_m), "As it truly is; the plan's when absent."},
+  {"launch_guide", "azimuth_deg", number(deg, {0, 360}), may, AT(it.guide.azimuth_rad), "Where it leans to: 0 north, 90 east. With `six_dof`, as all that follows."},
+  {"launch_guide", "friction", number("", {0, 1}), may, AT(it.guide.friction), "Force along the guide over the force across it."},
+  {"launch_guide", "tip_off_deg_s", number(deg_s, {-200, 200}), may, AT(it.guide.tip_off_rad_s), "Pitch rate with which the rocket leaves, towards the side that the guide leans to."},
+  {"launch_guide", "roll", choice(guide_rolls), may, AT(it.guide.roll), "`free`: a tower, in which a rocket can roll. `held`: a rail with buttons."},
 
   {"tunnel", "fan_rpm", number("rpm", {0, 3000}), may, AT(it.tunnel.fan_rpm), "Fan speed until the first of `fan_times_s`."},
   {"tunnel", "speed_per_rpm_m_s", number("m/s per rpm", {0.001, 0.1}), may, AT(it.tunnel.speed_per_rpm_m_s), "Air speed over fan speed; 0.0176 makes 22 m/s of 1250 rpm."},
@@ -38,6 +53,21 @@ constexpr auto fields = std::to_array<Field<sim::Scenario>>({
   {"tunnel", "fan_rpms", list(most_points, number("rpm", {0, 3000})), may, AT(grown(it.fan_programme, i).fan_rpm), "Fan programme: which speed; as many as `fan_times_s`."},
   {"tunnel", "wind_sensor_period_s", number("s", {0.001, 600}), may, AT(it.wind_sensor.period_s), "Between two readings in `tunnel.csv`."},
   {"tunnel", "wind_sensor_resolution_m_s", number("m/s", {0, 5}), may, AT(it.wind_sensor.resolution_m_s), "What the readings are rounded to; 0: not at all."},
+
+  {"tunnel_pin", "in_front_m", number("m", {-0.5, 0.5}), may, AT(made(it.pin).in_front_m), "The rocket is pinned to two strings, free in pitch and held in roll: where, before its centre of gravity. What hangs below the pins helps against the wind. Needs the vehicle's section `[airframe]`."},
+  {"tunnel_pin", "stiffness_n_m_per_rad", number("N m/rad", {0, 100}), may, AT(made(it.pin).stiffness_n_m_per_rad), "Of the strings, which twist."},
+  {"tunnel_pin", "friction_n_m_s", number("N m s", {0, 10}), may, AT(made(it.pin).friction_n_m_s), "Of the strings, per rate."},
+  {"tunnel_pin", "tether_slack_deg", number(deg, {1, 180}), may, AT(made(it.pin).tether_slack_rad), "Beyond this angle a safety tether pulls the rocket back."},
+  {"tunnel_pin", "tether_n_m_per_rad", number("N m/rad", {0, 1000}), may, AT(made(it.pin).tether_n_m_per_rad), "With this stiffness."},
+  {"tunnel_pin", "wall_deg", number(deg, {1, 180}), may, AT(made(it.pin).wall_rad), "At this angle the wall stops the rocket."},
+  {"tunnel_pin", "kick_times_s", list(most_points, number("s", {0, 3600})), may, AT(grown(made(it.pin).kicks, i).time_s), "When somebody pushes the rocket, after the start command; increasing."},
+  {"tunnel_pin", "kick_rates_deg_s", list(most_points, number(deg_s, {-500, 500})), may, AT(grown(made(it.pin).kicks, i).rate_rad_s), "How much faster each push makes it turn; as many as `kick_times_s`."},
+
+  {"gimbal", "turn_times_s", list(most_points, number("s", {0, 3600})), may, AT(grown(it.hand_turns, i).time_s), "When hands turn the rocket, since power-up; increasing, each after the end of the one before. The self-test needs 7 s of rest."},
+  {"gimbal", "turn_durations_s", list(most_points, number("s", {0.1, 600})), may, AT(grown(it.hand_turns, i).duration_s), "How long each turn takes; as many as `turn_times_s`, as the lists below."},
+  {"gimbal", "turn_roll_deg", list(most_points, number(deg, {-720, 720})), may, AT(grown(it.hand_turns, i).angle_rad.x), "Angle of each turn about the long axis: positive is clockwise, seen from the tail."},
+  {"gimbal", "turn_pitch_deg", list(most_points, number(deg, {-720, 720})), may, AT(grown(it.hand_turns, i).angle_rad.y), "About y at the same time."},
+  {"gimbal", "turn_yaw_deg", list(most_points, number(deg, {-720, 720})), may, AT(grown(it.hand_turns, i).angle_rad.z), "About z at the same time."},
 
   {"disturbance", "times_s", list(most_points, number("s", {0, 3600})), may, AT(grown(it.disturbance, i).time_s), "Equivalent fin offset: times of its points after lift-off (tunnel: after control start), increasing."},
   {"disturbance", "angles_deg", list(most_points, number(deg, {-45, 45})), may, AT(grown(it.disturbance, i).angle_rad), "Equivalent fin offset: its angle at each of those times; straight lines between them, constant beyond them."},

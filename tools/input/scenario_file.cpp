@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
+#include <iterator>
 
 #include "input/copied.hpp"
 #include "input/fault_file.hpp"
@@ -54,10 +56,75 @@ void check_timing(const Document& document, const sim::Scenario& scenario) {
 
 void check_surroundings(const Document& document, const sim::Scenario& scenario) {
   const bool tunnel_plan = scenario.plan.run.start == core::Start::tunnel;
-  if (tunnel_plan != (scenario.surroundings == sim::Surroundings::tunnel)) {
+  if (tunnel_plan != (scenario.surroundings != sim::Surroundings::flight)) {
     Section{document, "environment"}.refuse(
-        "surroundings", tunnel_plan ? "must be \"tunnel\": the plan starts with run.start = \"tunnel\""
+        "surroundings", tunnel_plan ? "must be \"tunnel\" or \"gimbal\": the plan starts with run.start = \"tunnel\""
                                     : "must be \"flight\": the plan starts with run.start = \"launch\"");
+  }
+}
+
+void warn_of_instability(sim::Scenario& scenario) {
+  const sim::Airframe& airframe = *scenario.vehicle.airframe;
+  for (const auto& [mass, when] :
+       {std::pair{airframe.at_liftoff, "at lift-off"}, {airframe.after_burnout, "after burn-out"}}) {
+    if (const double margin_m = static_margin_m(airframe, mass); margin_m <= 0.0) {
+      scenario.warnings.push_back("The rocket is unstable " + std::string{when} + ": its centre of pressure is " +
+                                  about(-1e3 * margin_m) + " mm in front of its centre of gravity.");
+    }
+  }
+}
+
+// What is not simulated along a straight line must not look as if it were.
+void check_motion(const Document& document, sim::Scenario& scenario) {
+  if (scenario.motion == sim::FlightMotion::six_dof) {
+    Section flight{document, "flight"};
+    if (scenario.surroundings != sim::Surroundings::flight) {
+      flight.refuse("motion", "= \"six_dof\" has no meaning in the tunnel or on the gimbal; allowed: \"straight\"");
+    }
+    if (!scenario.vehicle.airframe) {
+      flight.refuse("motion", "= \"six_dof\" needs the section [airframe], which the vehicle does not have");
+    }
+    warn_of_instability(scenario);
+    return;
+  }
+  const auto refuse = [&](const char* name, std::initializer_list<const char*> keys) {
+    Section section{document, name};
+    for (const char* key : keys) {
+      if (section.has(key)) {
+        section.refuse(key, "plays no part on a straight line; allowed: with flight.motion = \"six_dof\"");
+      }
+    }
+  };
+  refuse("launch_guide", {"azimuth_deg", "friction", "tip_off_deg_s", "roll"});
+  refuse("wind",
+         {"from_deg", "reference_height_m", "exponent", "gust_m_s", "gust_time_s", "gust_duration_s", "turbulence"});
+}
+
+void check_pin(const Document& document, const sim::Scenario& scenario) {
+  if (!scenario.pin) {
+    return;
+  }
+  check_points(document, "tunnel_pin", "kick_times_s", "kick_rates_deg_s", scenario.pin->kicks);
+  if (scenario.surroundings != sim::Surroundings::tunnel) {
+    Section{document, "environment"}.refuse("surroundings",
+                                            "must be \"tunnel\", because there is a section [tunnel_pin]");
+  }
+  if (!scenario.vehicle.airframe) {
+    Section{document, ""}.refuse("vehicle", "has no section [airframe], which [tunnel_pin] needs");
+  }
+}
+
+void check_gimbal(const Document& document, const sim::Scenario& scenario) {
+  for (const char* key : {"turn_durations_s", "turn_roll_deg", "turn_pitch_deg", "turn_yaw_deg"}) {
+    check_points(document, "gimbal", "turn_times_s", key, scenario.hand_turns);
+  }
+  const auto overlap = std::ranges::adjacent_find(
+      scenario.hand_turns, [](const auto& a, const auto& b) { return b.time_s < a.time_s + a.duration_s; });
+  if (overlap != scenario.hand_turns.end()) {
+    Section{document, "gimbal"}.refuse("turn_times_s", "a turn begins before the one ahead of it has ended");
+  }
+  if (!scenario.hand_turns.empty() && scenario.surroundings != sim::Surroundings::gimbal) {
+    Section{document, "environment"}.refuse("surroundings", "must be \"gimbal\", because there is a section [gimbal]");
   }
 }
 
@@ -140,8 +207,12 @@ sim::Scenario load_scenario(const std::string& name_or_path, std::span<const Ove
   check_timing(documents.scenario, scenario);
   scenario.faults = read_faults(documents.scenario, scenario.vehicle.servo.stop_rad);
   check_surroundings(documents.scenario, scenario);
+  check_motion(documents.scenario, scenario);
+  check_pin(documents.scenario, scenario);
+  check_gimbal(documents.scenario, scenario);
   settle_density(documents.scenario, scenario);
-  scenario.warnings = questions_about_scenario(documents.scenario, documents.vehicle, scenario);
+  std::ranges::move(questions_about_scenario(documents.scenario, documents.vehicle, scenario),
+                    std::back_inserter(scenario.warnings));
   return scenario;
 }
 

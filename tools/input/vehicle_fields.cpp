@@ -6,6 +6,8 @@ namespace {
 
 constexpr std::array<std::string_view, 2> directions{"normal", "reversed"};
 constexpr Unit hz_of_period{.name = "Hz", .inverted = true};
+constexpr Unit deg_s_per_g{.name = "deg/s per g", .scale = sim::radians_per_degree / sim::gravity_m_s2};
+constexpr Unit deg_s_per_min{.name = "deg/s per min", .scale = sim::radians_per_degree / 60.0};
 constexpr Unit percent{.name = "%", .scale = 0.01};
 constexpr Unit g{.name = "g", .scale = sim::gravity_m_s2};
 constexpr Limits tolerated_deg{0.05, 10};
@@ -23,6 +25,26 @@ constexpr auto fields = std::to_array<Field<sim::Vehicle>>({
   {"aerodynamics", "reference_area_range_m2", list(2, number("m2", {1e-8, 1})), may, AT(grown(it.reference_area_range_m2, i)), "Where the true area lies with a probability of 95 %: from and to, with `reference_area_m2` between. `predict` takes it into its spread."},
   {"aerodynamics", "damping_m2", number("m2", {0, 1e4}), must, AT(it.roll_plant.damping_m2), "Roll damping, alpha."},
   {"aerodynamics", "torque_m", number("m", {0, 1e4}), must, AT(it.roll_plant.torque_m), "Roll torque of the canards, beta."},
+
+  {"airframe", "diameter_m", number("m", {0.01, 2}), must_in_its_section, AT(made(it.airframe).diameter_m), "Of the body. This section is what flights in six degrees of freedom need; positions count from the tip of the nose."},
+  {"airframe", "length_m", number("m", {0.1, 30}), must_in_its_section, AT(made(it.airframe).length_m), "From the tip of the nose to the tail."},
+  {"airframe", "normal_force_slope_per_rad", number("1/rad", {0.1, 200}), must_in_its_section, AT(made(it.airframe).normal_force_slope_per_rad), "Slope of the normal force coefficient over the angle of attack, all parts, on the cross-section of the body."},
+  {"airframe", "centre_of_pressure_m", number("m", {0, 30}), must_in_its_section, AT(made(it.airframe).centre_of_pressure_m), "Where that force acts; behind the centre of gravity in a stable rocket."},
+  {"airframe", "parts_spread_m", number("m", {0, 30}), must_in_its_section, AT(made(it.airframe).parts_spread_m), "Root mean square distance of nose, canards and fins from the centre of pressure, each weighed with its slope: it damps pitch."},
+  {"airframe", "body_lift_area_m2", number("m2", {0, 10}), may, AT(made(it.airframe).body_lift_area_m2), "Body lift at large angles: coefficient (about 1.1) times the area of the body seen from the side."},
+  {"airframe", "body_lift_position_m", number("m", {0, 30}), may, AT(made(it.airframe).body_lift_position_m), "Where it acts: the centre of that area."},
+  {"airframe", "centre_of_gravity_m", number("m", {0, 30}), must_in_its_section, AT(made(it.airframe).at_liftoff.centre_of_gravity_m), "At lift-off."},
+  {"airframe", "centre_of_gravity_after_burnout_m", number("m", {0, 30}), must_in_its_section, AT(made(it.airframe).after_burnout.centre_of_gravity_m), "After burn-out."},
+  {"airframe", "transverse_inertia_kg_m2", number("kg m2", {1e-5, 1e4}), must_in_its_section, AT(made(it.airframe).at_liftoff.transverse_inertia_kg_m2), "Moment of inertia about an axis across the rocket through its centre of gravity, at lift-off."},
+  {"airframe", "transverse_inertia_after_burnout_kg_m2", number("kg m2", {1e-5, 1e4}), must_in_its_section, AT(made(it.airframe).after_burnout.transverse_inertia_kg_m2), "The same after burn-out."},
+  {"airframe", "roll_inertia_after_burnout_kg_m2", number("kg m2", {1e-6, 10}), may, AT(made(it.airframe).roll_inertia_after_burnout_kg_m2), "About the long axis; as at lift-off when absent."},
+  {"airframe", "nozzle_position_m", number("m", {0, 30}), may, AT(made(it.airframe).nozzle_position_m), "Where the exhaust leaves; at the tail when absent."},
+  {"airframe", "assumed", list(100, text()), may, AT(grown(it.airframe_assumed, i)), "What in this section was assumed and not measured, a sentence each; reports of such flights repeat it."},
+
+  {"recovery", "drag_area_m2", number("m2", {0, 100}), may, AT(made(it.recovery).drag_area_m2), "Drag coefficient times area of the parachute, which apogee opens. In six degrees of freedom only, as all of this section."},
+  {"recovery", "delay_s", number("s", {0, 60}), may, AT(made(it.recovery).delay_s), "From apogee until it begins to open."},
+  {"recovery", "opening_time_s", number("s", {0.05, 10}), may, AT(made(it.recovery).opening_time_s), "From then until it is full."},
+  {"recovery", "position_m", number("m", {0, 30}), may, AT(made(it.recovery).position_m), "Where its line holds the rocket, from the tip of the nose."},
 
   {"motor", "file", file(), must, {}, "The motor: a RASP file (`.eng`), as thrustcurve.org has them. `motors.eng#K550`: the motor of that name in a file of several."},
 
@@ -43,18 +65,28 @@ constexpr auto fields = std::to_array<Field<sim::Vehicle>>({
 
   {"imu", "rate_noise_deg_s", number(deg_s, {0, 100}), may, AT(it.imu.rate_noise_rad_s), "Standard deviation of each sample of the rates, white."},
   {"imu", "rate_bias_deg_s", number(deg_s, {-50, 50}), may, AT(it.imu.rate_bias_rad_s), "Added to every rate."},
+  {"imu", "rate_scale_error", number("", {-0.1, 0.1}), may, AT(it.imu_feels.rate_scale_error), "Share by which it reads every rate too large."},
+  {"imu", "rate_per_g_deg_s", number(deg_s_per_g, {-10, 10}), may, AT(it.imu_feels.rate_per_specific_force_s_m), "g-sensitivity of the gyro: rate that it shows for each g along the same axis."},
+  {"imu", "rate_drift_deg_s_per_min", number(deg_s_per_min, {-60, 60}), may, AT(it.imu_feels.rate_drift_rad_s2), "Drift of every rate's bias from power-up on, as it warms."},
   {"imu", "full_scale_deg_s", number(deg_s, {50, 4000}), may, AT(it.imu.full_scale_rad_s), "Largest rate that it can show."},
 // Both inertial sensors are described by the same words.
 // NOLINTBEGIN(bugprone-macro-parentheses): as in field.hpp
-#define INERTIAL(section, sensor) \
+#define INERTIAL(section, sensor, feels) \
   {section, "specific_force_noise_m_s2", number("m/s2", {0, 50}), may, AT(sensor.specific_force_noise_m_s2), "Standard deviation of each sample of the specific force, white."}, \
   {section, "specific_force_bias_m_s2", number("m/s2", {-5, 5}), may, AT(sensor.specific_force_bias_m_s2), "Added to every axis."}, \
   {section, "full_scale_g", number(g, {2, 400}), may, AT(sensor.full_scale_m_s2), "Largest specific force that it can show."}, \
   {section, "misalignment_deg", number(deg, {0, 10}), may, AT(sensor.misalignment_rad), "The package is turned by this about an axis across the rocket that is drawn from the seed."}, \
-  {section, "delay_s", number("s", {0, 0.02}), may, AT(sensor.delay_s), "From measured to delivered."}
+  {section, "delay_s", number("s", {0, 0.02}), may, AT(sensor.delay_s), "From measured to delivered."}, \
+  {section, "position_m", number("m", {0, 30}), may, AT(feels.position_m), "From the tip of the nose; at the centre of gravity when absent. Counts where the centre of gravity is known: in six degrees of freedom."}, \
+  {section, "across_m", number("m", {-0.5, 0.5}), may, AT(feels.across_m), "From the long axis, towards the sensor's y: it feels the spin."}, \
+  {section, "specific_force_scale_error", number("", {-0.1, 0.1}), may, AT(feels.specific_force_scale_error), "Share by which it reads every specific force too large."}
 // NOLINTEND(bugprone-macro-parentheses)
-  INERTIAL("imu", it.imu),
-  INERTIAL("accelerometer", it.accelerometer),
+  INERTIAL("imu", it.imu, it.imu_feels),
+  INERTIAL("accelerometer", it.accelerometer, it.accelerometer_feels),
+
+  {"vibration", "specific_force_m_s2", number("m/s2", {0, 500}), may, AT(it.vibration.specific_force_m_s2), "How all sensors are shaken, alike, while the motor burns, wherever they sit: standard deviation along each axis, band-limited."},
+  {"vibration", "rate_deg_s", number(deg_s, {0, 1000}), may, AT(it.vibration.rate_rad_s), "Likewise about each axis."},
+  {"vibration", "frequency_hz", number("Hz", {1, 450}), may, AT(it.vibration.frequency_hz), "The middle of its band, which is a fifth as wide."},
 
   {"encoder", "noise_counts", number("counts", {0, 1000}), may, AT(it.encoder.noise_counts), "Standard deviation of each reading; 16384 counts are a turn."},
   {"encoder", "resolution_bits", integer({"bits"}, {4, 14}), may, AT(it.encoder.resolution_bits), "What a turn is divided into."},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "input/vehicle_file.hpp"
 
+#include <array>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -82,6 +83,56 @@ void check_trim(const Document& document, const sim::Vehicle& vehicle) {
   }
 }
 
+// Every part of a rocket lies between the tip of its nose and its tail; so then does what is made of them.
+void check_airframe(const Document& document, const sim::Vehicle& vehicle) {
+  if (!vehicle.airframe) {
+    return;
+  }
+  Section section{document, "airframe"};
+  const sim::Airframe& a = *vehicle.airframe;
+  const std::array inside{std::pair{"centre_of_pressure_m", a.centre_of_pressure_m},
+                          std::pair{"body_lift_position_m", a.body_lift_position_m},
+                          std::pair{"centre_of_gravity_m", a.at_liftoff.centre_of_gravity_m},
+                          std::pair{"centre_of_gravity_after_burnout_m", a.after_burnout.centre_of_gravity_m}};
+  for (const auto& [key, position_m] : inside) {
+    if (position_m > a.length_m) {
+      section.refuse(key, "= " + plain_number(position_m) +
+                              " is behind the tail; allowed: at most length_m = " + plain_number(a.length_m));
+    }
+  }
+  if (a.diameter_m > a.length_m) {
+    section.refuse("diameter_m",
+                   "= " + plain_number(a.diameter_m) + "; allowed: less than length_m = " + plain_number(a.length_m));
+  }
+  if (a.body_lift_area_m2 > 0.0 && !section.has("body_lift_position_m")) {
+    section.refuse("body_lift_area_m2", "needs body_lift_position_m");
+  }
+}
+
+void check_place(const Document& document, const char* sensor, const sim::FeltMotionParameters& feels,
+                 const sim::Airframe& airframe) {
+  const Section section{document, sensor};
+  if (feels.position_m && *feels.position_m > airframe.length_m) {
+    section.refuse("position_m",
+                   "= " + plain_number(*feels.position_m) +
+                       " is behind the tail; allowed: at most airframe.length_m = " + plain_number(airframe.length_m));
+  }
+  const double radius_m = 0.5 * airframe.diameter_m;
+  if (std::abs(feels.across_m) > radius_m) {
+    section.refuse("across_m", "= " + plain_number(feels.across_m) +
+                                   " is outside the body; allowed: within half of airframe.diameter_m, " +
+                                   plain_number(radius_m) + " either way");
+  }
+}
+
+// The shape of a rocket is known where it has an airframe.
+void check_sensors(const Document& document, const sim::Vehicle& vehicle) {
+  if (vehicle.airframe) {
+    check_place(document, "imu", vehicle.imu_feels, *vehicle.airframe);
+    check_place(document, "accelerometer", vehicle.accelerometer_feels, *vehicle.airframe);
+  }
+}
+
 }  // namespace
 
 sim::Vehicle read_vehicle(const Document& document) {
@@ -96,6 +147,8 @@ sim::Vehicle read_vehicle(const Document& document) {
   check_reference_area(document, vehicle);
   check_servo(document, vehicle);
   check_trim(document, vehicle);
+  check_airframe(document, vehicle);
+  check_sensors(document, vehicle);
   if (auto question = question_about_vehicle(document, vehicle)) {
     vehicle.warnings.push_back(std::move(*question));
   }

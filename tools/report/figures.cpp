@@ -90,18 +90,29 @@ void keep_larger(std::optional<double>& kept, double value) {
 }
 
 void judge_authority(Figures& f, std::span<const flight::Row> control, const flight::Flight& flight) {
+  // The margin is a roof over the offset: of all offsets between the least and the largest, one of these two has the
+  // least margin.
+  std::optional<double> least_rad;
+  std::optional<double> most_rad;
   for (const flight::Row& row : control) {
-    if (row.truth) {
-      keep_larger(f.largest_disturbance_rad, row.truth->disturbance_rad);
+    if (row.truth && std::isfinite(row.truth->disturbance_rad)) {
+      const double offset_rad = row.truth->disturbance_rad;
+      keep_larger(f.largest_disturbance_rad, offset_rad);
+      least_rad = std::min(least_rad.value_or(offset_rad), offset_rad);
+      most_rad = std::max(most_rad.value_or(offset_rad), offset_rad);
     }
   }
-  if (f.largest_disturbance_rad && flight.known.plan) {
-    f.authority_rad = flight::authority_rad(flight, -*f.largest_disturbance_rad);
-    f.authority_margin_rad = *f.authority_rad - std::abs(*f.largest_disturbance_rad);
+  if (!least_rad || !flight.known.plan) {
+    return;
   }
+  const double at_least = flight::authority_margin_rad(flight, *least_rad);
+  const double at_most = flight::authority_margin_rad(flight, *most_rad);
+  const double offset_rad = at_least < at_most ? *least_rad : *most_rad;
+  f.authority_margin_rad = std::min(at_least, at_most);
+  f.authority_rad = flight::authority_rad(flight, -offset_rad);
 }
 
-void judge_saturation(Figures& f, std::span<const flight::Row> control) {
+void judge_saturation(Figures& f, std::span<const flight::Row> control, const flight::Flight& flight) {
   const auto saturated = std::ranges::count_if(control, &flight::Row::saturated);
   f.saturated_fraction = static_cast<double>(saturated) / static_cast<double>(control.size());
 
@@ -115,10 +126,10 @@ void judge_saturation(Figures& f, std::span<const flight::Row> control) {
   for (const flight::Row& row : run) {
     if (row.truth) {
       keep_larger(f.offset_at_limit_rad, row.truth->disturbance_rad);
-      // A canard that broke in flight can happen to help.
-      const bool unbalanced =
-          std::copysign(1.0, row.truth->disturbance_rad) * (row.truth->disturbance_rad + row.truth->canard_rad) > 0.0;
-      f.offset_beyond_limit = f.authority_rad && std::abs(row.truth->disturbance_rad) > *f.authority_rad && unbalanced;
+      // What is left turns the rocket against the command. A canard that broke in flight can happen to help.
+      const bool unbalanced = (row.truth->disturbance_rad + row.truth->canard_rad) * row.command_rad < 0.0;
+      f.offset_beyond_limit =
+          flight.known.plan && unbalanced && flight::authority_margin_rad(flight, row.truth->disturbance_rad) < 0.0;
     }
   }
 }
@@ -165,7 +176,7 @@ Figures figures(const flight::Flight& flight) {
   judge_end(f, control, flight);
   f.oscillation = find_oscillation(control, flight.tunnel ? settling_time_in_tunnel_s : settling_time_in_flight_s);
   if (flight.known.saturation) {
-    judge_saturation(f, control);
+    judge_saturation(f, control, flight);
   }
   return f;
 }

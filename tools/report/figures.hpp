@@ -22,9 +22,10 @@ struct Figures {
   std::optional<double> largest_hold_error_rad;   ///< largest |true roll angle - (R + u_d / kp)| over the settled part
   std::optional<double> mean_hold_error_rad;      ///< mean of the same
   std::optional<double> largest_disturbance_rad;  ///< u_d of largest magnitude under control, with its sign
-  std::optional<double> authority_rad;            ///< what the canards can balance against that u_d
-  std::optional<double> authority_margin_rad;     ///< authority - |u_d|, the least under control; negative: not enough
-  std::optional<double> roll_turns;               ///< net turns from control start to its end
+  std::optional<double> authority_margin_rad;  ///< how much farther the canards could go, or come back, than u_d needs;
+                                               ///< the least under control; negative: they cannot balance it
+  std::optional<double> authority_rad;         ///< how far they deflect in the sense that this u_d needs
+  std::optional<double> roll_turns;            ///< net turns from control start to its end
   /// First tick of the saturation that lasts to the end of control, when that is at least half a second.
   std::optional<double> at_limit_since_s;
   double command_at_end_rad = 0.0;              ///< last command under control

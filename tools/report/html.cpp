@@ -31,6 +31,10 @@ std::string figure_list(const flight::Flight& flight, const Figures& f) {
   };
   add("Apogee", f.apogee_m, 1, "m");
   add(flight.tunnel ? "Largest air speed" : "Top speed", f.max_speed_m_s, 1, "m/s");
+  if (const flight::PathPoint* top = flight::point_at(flight.path, flight.events.apogee_s.value_or(-1.0))) {
+    add("Drift at apogee", flight::distance_m(*top), 1, "m", "over ground, towards " + compass(*top));
+    add("Tilt at apogee", text::degrees(top->tilt_rad), 0, "deg");
+  }
   add("Control starts", flight.events.control_start_s, 3, "s",
       f.control_start_height_m ? "at " + fixed(*f.control_start_height_m, 2) + " m" : "");
   add("Time under control", f.control_time_s, 2, "s");
@@ -169,7 +173,7 @@ std::string html(const flight::Flight& flight, const Figures& figures, const Ver
                                            page::section("Phases", phase_table(flight) + canard_table(flight))};
   page.body_html = page::section("Figures", figure_list(flight, figures)) +
                    page::section("The flight", page::live_figure(page.live, "Roll angle over time")) +
-                   page::side_by_side(columns) + about_section(flight);
+                   path_section(flight) + page::side_by_side(columns) + about_section(flight);
   return page::html(page);
 }
 

@@ -10,6 +10,12 @@
 
 namespace fantail::report {
 
+/// The path from the side and from above, tilt and angle of attack over time; empty for a flight without a path.
+[[nodiscard]] std::string path_section(const flight::Flight& flight);
+
+/// Where a point lies, seen from the foot of the guide: "north-east".
+[[nodiscard]] std::string compass(const flight::PathPoint& point);
+
 /// What the report shows of a flight over time: phases as stripes, events as upright levels, and in degrees, metres and
 /// seconds what was known on board and what was true. The first is the roll angle. Empty without a row.
 [[nodiscard]] page::LiveCharts charts(const flight::Flight& flight);

@@ -94,6 +94,16 @@ Json unmeasured(const flight::Unmeasured& u) {
           {"speed_bound_from_s", rounded(u.speed_bound_from_s)}};
 }
 
+/// Of a flight in six degrees of freedom, at apogee.
+Json path(const flight::Flight& flight) {
+  const flight::PathPoint* top = flight::point_at(flight.path, flight.events.apogee_s.value_or(-1.0));
+  return top != nullptr ? Json{{"north_m", rounded(top->north_m)},
+                               {"east_m", rounded(top->east_m)},
+                               {"height_m", rounded(top->height_m)},
+                               {"tilt_deg", rounded(text::degrees(top->tilt_rad))}}
+                        : Json{};
+}
+
 std::string sha256(std::span<const std::byte> bytes) {
   SHA2_CTX context;
   SHA256Init(&context);
@@ -132,6 +142,7 @@ std::string summary_json(const flight::Flight& flight, const Figures& figures, c
                         {"loop_margins", loop_margins(flight)},
                         {"canard_reach_deg", canard_reach(flight)},
                         {"unmeasured", unmeasured(flight.unmeasured)},
+                        {"at_apogee", path(flight)},
                         {"roll_turns", rounded(figures.roll_turns)},
                         {"at_limit_since_s", rounded(figures.at_limit_since_s)},
                         {"final_phase", flight.known.phase ? Json(core::name(figures.final_phase)) : Json{}},

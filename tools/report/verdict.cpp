@@ -67,13 +67,25 @@ std::string at_limit(const Figures& f) {
                      signed_limit(f.command_at_end_rad), text::fixed(*f.at_limit_since_s, 2));
 }
 
+/// On a gimbal, or in a tunnel whose fan stands.
+bool is_in_still_air(const flight::Flight& flight) {
+  constexpr double still_m_s = 0.5;
+  const auto stands_still = [](const flight::Row& row) {
+    return row.truth && std::abs(row.truth->speed_m_s) < still_m_s;
+  };
+  return flight.tunnel && !flight.rows.empty() && std::ranges::all_of(flight.rows, stands_still);
+}
+
 std::string why_not_judged(const flight::Flight& flight, const Figures& f) {
   if (!flight.known.plan) {
     return "the plan, and with it where roll should settle, is unknown";
   }
+  if (is_in_still_air(flight)) {
+    return "the air stands still, so the canards cannot turn the rocket";
+  }
   const core::ControllerPlan& controller = flight.plan.controller;
   if (controller.proportional_gain == 0.0F && controller.derivative_gain_s == 0.0F) {
-    return "the plan's gains are zero, so the roll is free";
+    return "the plan's gains are zero, so nothing controls the roll";
   }
   if (controller.proportional_gain == 0.0F) {
     return "without proportional gain nothing holds an angle";
@@ -88,12 +100,12 @@ std::string why_not_judged(const flight::Flight& flight, const Figures& f) {
 Verdict judge_control(const flight::Flight& flight, const Figures& f) {
   const std::string rest = saturation_and_margin(f);
   if (f.at_limit_since_s && f.offset_beyond_limit) {
-    const std::string cause = fmt::format("{}: the fin offset of {} is more than they can balance; roll not held",
+    const std::string cause = fmt::format("{}: the fin offset of {} is beyond what they can balance; roll not held",
                                           at_limit(f), degrees_text(*f.offset_at_limit_rad));
     return {Outcome::not_held, fmt::format("{} {}", sentence(cause), sentence(rest))};
   }
   const std::string ended_at_limit = f.at_limit_since_s ? fmt::format(" {}", sentence(at_limit(f))) : "";
-  if (f.largest_hold_error_rad) {
+  if (f.largest_hold_error_rad && !is_in_still_air(flight)) {
     const bool held = *f.largest_hold_error_rad <= held_error_rad;
     const std::string hold = fmt::format(fmt::runtime(held ? "roll stayed within {} of where this law settles; {}"
                                                            : "roll not held: up to {} from where this law settles; {}"),

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+namespace fantail::sim {
+
+/// A parachute. Nothing but apogee opens it.
+struct Recovery {
+  double delay_s = 0.0;         ///< from apogee to the opening
+  double opening_time_s = 0.5;  ///< until the parachute is full, above zero
+  double drag_area_m2 = 0.5;    ///< of the parachute
+  double position_m = 0.0;      ///< where its line holds the rocket, from the tip of the nose
+};
+
+}  // namespace fantail::sim

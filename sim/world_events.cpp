@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#include "sim/world.hpp"
+
+// What happens to the rocket, as the world sees it, and when a run is over.
+namespace fantail::sim {
+namespace {
+
+using core::Microseconds;
+
+// A start command that the avionics has not followed by then was refused.
+constexpr Microseconds start_patience{1'000'000};
+
+}  // namespace
+
+void World::follow_events() {
+  if (scenario_.surroundings != Surroundings::flight) {
+    follow_tunnel();
+  } else {
+    follow_flight();
+  }
+}
+
+void World::follow_tunnel() {
+  if (!events_.liftoff && phase_ == core::Phase::controlling) {
+    events_.liftoff = now_;
+  }
+  const bool refused = !events_.liftoff && now_ >= ignition_ + start_patience;
+  if (!end_ && (phase_ == core::Phase::finished || refused)) {
+    end_ = now_ + time_after_end_;
+  }
+}
+
+void World::follow_flight() {
+  const auto note = [this](std::optional<Microseconds>& event, bool happened) {
+    if (!event && happened) {
+      event = now_;
+    }
+  };
+  const AscentEvents& ascent = environment_.ascent_events();
+  note(events_.liftoff, ascent.liftoff_s.has_value());
+  note(events_.guide_clear, environment_.is_clear_of_guide());
+  note(events_.burnout, ascent.burnout_s.has_value());
+  note(events_.apogee, ascent.apogee_s.has_value());
+  if (!ascent.apogee_s) {
+    events_.apogee.reset();  // it was only a hop, and the rocket stands on the pad again
+  }
+  // A motor too weak for its rocket burns out on the pad.
+  const bool nothing_more_to_come = events_.apogee || (events_.burnout && environment_.is_on_ground());
+  if (!nothing_more_to_come) {
+    end_.reset();
+  } else if (!end_) {
+    end_ = now_ + time_after_end_;
+  }
+}
+
+}  // namespace fantail::sim

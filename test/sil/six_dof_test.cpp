@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+// The whole avionics in flights of six degrees of freedom.
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "fly/fly_scenario.hpp"
+#include "input/scenario_file.hpp"
+#include "report/figures.hpp"
+#include "text/degrees.hpp"
+
+namespace fantail::sil {
+namespace {
+
+flight::Flight fly(std::vector<std::string> changes) {
+  std::vector<input::Override> overrides;
+  for (const std::string& change : changes) {
+    overrides.push_back(input::parse_override(change));
+  }
+  return fly::fly_scenario(input::load_scenario("tasha3_launch2", overrides));
+}
+
+flight::Flight six_dof(std::vector<std::string> changes) {
+  changes.emplace_back("flight.motion=six_dof");
+  return fly(std::move(changes));
+}
+
+double apogee_m(const flight::Flight& flight) { return report::figures(flight).apogee_m.value(); }
+
+TEST(SixDegreesOfFreedom, WithoutWindAndUprightFlyAsTheStraightWorldDoes) {
+  const flight::Flight straight = fly({});
+  const flight::Flight rigid = six_dof({});
+  ASSERT_EQ(rigid.rows.size(), straight.rows.size());
+  for (std::size_t i = 0; i < straight.rows.size(); ++i) {
+    const flight::Truth& a = straight.rows[i].truth.value();
+    const flight::Truth& b = rigid.rows[i].truth.value();
+    ASSERT_NEAR(text::degrees(a.roll_angle_rad), text::degrees(b.roll_angle_rad), 0.1) << straight.rows[i].time_s;
+    ASSERT_NEAR(a.height_m, b.height_m, 0.1) << straight.rows[i].time_s;
+  }
+  EXPECT_EQ(rigid.events.apogee_s, straight.events.apogee_s);
+}
+
+// A rocket of no inertia keeps its axis in the flow, as a point mass does: the gravity turn of a guide that leans by 15
+// degrees, computed independently, reaches 369 m and passes 60 degrees of tilt at 8.0 s.
+TEST(SixDegreesOfFreedom, AStiffRocketOnALeaningGuideFliesThePointMasssGravityTurn) {
+  const flight::Flight flight =
+      six_dof({"launch_guide.tilt_deg=15", "airframe.centre_of_pressure_m=1.5", "airframe.parts_spread_m=0.05",
+               "airframe.normal_force_slope_per_rad=100", "airframe.transverse_inertia_kg_m2=0.01",
+               "airframe.transverse_inertia_after_burnout_kg_m2=0.01", "airframe.body_lift_area_m2=0"});
+  EXPECT_NEAR(apogee_m(flight), 369.0, 2.0);
+  EXPECT_NEAR(flight.events.control_end_s.value(), 8.0, 0.15);
+  EXPECT_EQ(flight.phase_changes.back().reason, core::PhaseReason::tilted_too_far);
+}
+
+// The rocket turns into the wind and lands its apogee upwind; on the way it loses height.
+TEST(SixDegreesOfFreedom, WindCarriesTheRocketIntoItself) {
+  const flight::Flight calm = six_dof({});
+  const flight::Flight windy = six_dof({"wind.speed_m_s=5", "wind.from_deg=270"});
+  const flight::PathPoint* top = flight::point_at(windy.path, windy.events.apogee_s.value());
+  ASSERT_NE(top, nullptr);
+  EXPECT_LT(top->east_m, -20.0);
+  EXPECT_NEAR(top->north_m, 0.0, 1.0);
+  EXPECT_LT(apogee_m(windy), apogee_m(calm) - 2.0);
+}
+
+// The same wind from eight sides: the flight is the same, turned.
+TEST(SixDegreesOfFreedom, NoSideIsSpecial) {
+  double drift_m = 0.0;
+  for (int eighth = 0; eighth < 8; ++eighth) {
+    const double from_deg = 45.0 * eighth;
+    const flight::Flight flight = six_dof({"wind.speed_m_s=4", "wind.from_deg=" + std::to_string(from_deg)});
+    const flight::PathPoint* top = flight::point_at(flight.path, flight.events.apogee_s.value());
+    const double bearing_deg = text::degrees(std::atan2(top->east_m, top->north_m));
+    EXPECT_NEAR(std::remainder(bearing_deg - from_deg, 360.0), 0.0, 0.2) << from_deg;
+    drift_m = eighth == 0 ? flight::distance_m(*top) : drift_m;
+    EXPECT_NEAR(flight::distance_m(*top), drift_m, 0.01) << from_deg;
+  }
+}
+
+TEST(SixDegreesOfFreedom, ARailHoldsTheRollUntilTheRocketLeavesIt) {
+  const flight::Flight tower = six_dof({"disturbance.angles_deg=[-40]"});
+  const flight::Flight rail = six_dof({"disturbance.angles_deg=[-40]", "launch_guide.roll=held"});
+  const auto roll_deg = [](const flight::Flight& flight, double time_s) {
+    const auto row = std::ranges::lower_bound(flight.rows, time_s, {}, &flight::Row::time_s);
+    return text::degrees(row->truth.value().roll_angle_rad);
+  };
+  EXPECT_EQ(roll_deg(rail, rail.events.guide_clear_s.value() - 0.002), 0.0);
+  EXPECT_LT(roll_deg(tower, tower.events.control_start_s.value()), -10.0);
+  EXPECT_GT(roll_deg(rail, rail.events.control_start_s.value()),
+            0.5 * roll_deg(tower, tower.events.control_start_s.value()));
+}
+
+TEST(SixDegreesOfFreedom, TheSameSeedGivesTheSameGusts) {
+  const std::vector<std::string> gusty{"wind.speed_m_s=5", "wind.turbulence=0.2"};
+  const flight::Flight a = six_dof(gusty);
+  const flight::Flight b = six_dof(gusty);
+  EXPECT_EQ(a.log, b.log);
+  EXPECT_EQ(flight::trajectory_csv(a.path), flight::trajectory_csv(b.path));
+}
+
+TEST(SixDegreesOfFreedom, AParachuteIsSeenByTheAccelerometer) {
+  const flight::Flight flight =
+      six_dof({"recovery.drag_area_m2=0.8", "recovery.delay_s=1", "timing.time_after_end_s=12"});
+  const double apogee_s = flight.events.apogee_s.value();
+  const flight::PathPoint* last = &flight.path.back();
+  EXPECT_NEAR(last->up_m_s, -8.9, 0.5);  // sqrt(2 (3.99 - 0.226) g / (1.18 kg/m3 0.8 m2))
+  double largest_m_s2 = 0.0;
+  for (const flight::Row& row : flight.rows) {
+    if (row.time_s > apogee_s + 1.0) {
+      largest_m_s2 = std::max(largest_m_s2, row.specific_force_m_s2);
+    }
+  }
+  EXPECT_GT(largest_m_s2, 8.0);
+}
+
+}  // namespace
+}  // namespace fantail::sil

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/core.h>
+
+#include "flight/path.hpp"
+#include "page/page.hpp"
+#include "report/html.hpp"
+#include "text/degrees.hpp"
+#include "text/number.hpp"
+
+namespace fantail::report {
+namespace {
+
+using flight::PathPoint;
+using page::Chart;
+using page::Role;
+using Value = std::function<double(const PathPoint&)>;
+
+constexpr double square = 400.0;
+constexpr double flat = 180.0;
+
+page::Series series(const std::vector<PathPoint>& path, std::string name, Role role, const Value& x, const Value& y) {
+  page::Series result{.name = std::move(name), .role = role};
+  std::ranges::transform(path, std::back_inserter(result.x), x);
+  std::ranges::transform(path, std::back_inserter(result.y), y);
+  return result;
+}
+
+// Towards where the rocket was farthest from the foot of its guide: the plane that shows most of the path.
+double heading_rad(const std::vector<PathPoint>& path) {
+  const PathPoint& farthest = *std::ranges::max_element(path, {}, flight::distance_m);
+  return std::atan2(farthest.east_m, farthest.north_m);
+}
+
+page::Range extent(const std::vector<PathPoint>& path, double PathPoint::* member) {
+  const auto [low, high] = std::ranges::minmax(path, {}, member);
+  return {low.*member, high.*member};
+}
+
+// The same span for both axes, so that a bearing looks like one.
+page::Range around(const std::vector<PathPoint>& path, double PathPoint::* member, double span_m) {
+  const page::Range all = extent(path, member);
+  const double middle_m = 0.5 * (all.low + all.high);
+  return {middle_m - 0.5 * span_m, middle_m + 0.5 * span_m};
+}
+
+/// The rocket does not move before lift-off.
+std::vector<PathPoint> shown(const flight::Flight& flight) {
+  std::vector<PathPoint> path;
+  for (const PathPoint& point : flight.path) {
+    if (point.time_s >= 0.0) {
+      path.push_back(point);
+    }
+  }
+  return path;
+}
+
+}  // namespace
+
+std::string compass(const PathPoint& point) {
+  constexpr std::array names{"north", "north-east", "east", "south-east", "south", "south-west", "west", "north-west"};
+  constexpr double eighth_rad = 0.25 * std::numbers::pi;
+  const auto eighths = std::lround(std::atan2(point.east_m, point.north_m) / eighth_rad);
+  return names[static_cast<std::size_t>((eighths + 8) % 8)];
+}
+
+std::string path_section(const flight::Flight& flight) {
+  const std::vector<PathPoint> path = shown(flight);
+  if (path.empty()) {
+    return {};
+  }
+  const double heading = heading_rad(path);
+  const auto along = [sine = std::sin(heading), cosine = std::cos(heading)](const PathPoint& p) {
+    return cosine * p.north_m + sine * p.east_m;
+  };
+  const std::string direction = fmt::format("{:.0f}\u00b0", std::fmod(text::degrees(heading) + 360.0, 360.0));
+  const Chart side{.label = "Path from the side",
+                   .x_label = fmt::format("distance towards {} / m", direction),
+                   .y_label = "height / m",
+                   .width = page::half_page,
+                   .height = square,
+                   .series = {series(path, "path", Role::measured, along, &PathPoint::height_m)}};
+  const double span_m =
+      1.1 * std::max({extent(path, &PathPoint::east_m).high - extent(path, &PathPoint::east_m).low,
+                      extent(path, &PathPoint::north_m).high - extent(path, &PathPoint::north_m).low, 1.0});
+  const Chart above{.label = "Path from above",
+                    .x_label = "east / m",
+                    .y_label = "north / m",
+                    .width = page::half_page,
+                    .height = square,
+                    .series = {series(path, "path", Role::measured, &PathPoint::east_m, &PathPoint::north_m)},
+                    .x_range = around(path, &PathPoint::east_m, span_m),
+                    .y_range = around(path, &PathPoint::north_m, span_m)};
+  const auto time = &PathPoint::time_s;
+  const Chart angles{.label = "Tilt and angle of attack",
+                     .x_label = "time / s",
+                     .y_label = "deg",
+                     .width = page::full_page,
+                     .height = flat,
+                     .series = {series(path, "tilt of the axis", Role::measured, time,
+                                       [](const PathPoint& p) { return text::degrees(p.tilt_rad); }),
+                                series(path, "angle of attack", Role::model, time,
+                                       [](const PathPoint& p) { return text::degrees(p.angle_of_attack_rad); })},
+                     .sampled = true};
+  const std::array<std::string, 2> views{
+      page::figure(side, "From the side. The two axes have different scales."),
+      page::figure(above, "From above; the guide stands at 0, 0. Both axes have the same scale.")};
+  return page::section("The path",
+                       page::side_by_side(views) + page::figure(angles,
+                                                                "Tilt of the long axis from the vertical, and angle "
+                                                                "between the axis and the way through the air."));
+}
+
+}  // namespace fantail::report
