@@ -133,5 +133,15 @@ TEST(Trial, SaysHowManyRunsHoldTheirRollWithTheAdvice) {
   EXPECT_EQ(trial(p, {}, {}).sentence, "");
 }
 
+TEST(Trial, SaysNotToFollowGainsThatCostRuns) {
+  const sim::Scenario scenario = input::load_scenario("tasha3_launch2", {});
+  const TunnelResult tunnel = read_tunnel_result(scenario.tunnel_result.value(), {});
+  const Prediction p = predict(scenario, tunnel, {.runs = 5}, look_away);
+  const GainAdvice gains{.sentence = {}, .gains = stability::Gains{.proportional = 2.0, .derivative_s = 0.001}};
+  const Trial tried = trial(p, {}, gains);
+  EXPECT_NE(tried.sentence.find("as planned in 5: do not follow it."), std::string::npos) << tried.sentence;
+  EXPECT_FALSE(tried.helps);
+}
+
 }  // namespace
 }  // namespace fantail::predict

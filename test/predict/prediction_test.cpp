@@ -36,6 +36,20 @@ TEST(Prediction, OfTheFirstLaunchIsNoGoBecauseOfItsOffset) {
   EXPECT_GT(p.spin_rate_rad_s->p5, 0.0);
 }
 
+// Published dampings and torques with the assumed airframe: k alpha / beta is 0.09 * 7.5 / 10 to 0.09 * 8.5 / 10,
+// or 3.9 to 4.4 degrees, and the offset of 7 degrees is beyond it.
+TEST(Prediction, OfTheFirstLaunchWarnsOfRollResonanceInTextJsonAndPage) {
+  const Prediction p = predicted("tasha3_launch1", {.runs = 4});
+  const Decision d = decide(p, {});
+  ASSERT_TRUE(p.resonance);
+  EXPECT_NEAR(degrees(p.resonance->resonant_rad.p50), 4.1, 0.7);
+  EXPECT_EQ(p.resonance->past, 4U);
+  EXPECT_NE(prediction_text(p, d).find("Roll resonance: "), std::string::npos);
+  EXPECT_NE(prediction_html(p, d, "0").find("Roll resonance: "), std::string::npos);
+  const json::Value json = json::parse(prediction_json(p, d, "0"));
+  EXPECT_EQ(json["roll_resonance"]["past_runs"].number(), 4.0);
+}
+
 // 80 runs are the fewest round number that can promise 95 %.
 TEST(Prediction, OfTheSecondLaunchIsGo) {
   const Prediction p = predicted("tasha3_launch2", {.runs = 80});
@@ -181,7 +195,7 @@ TEST(Prediction, OneRunIsTheSameWhenItIsRepeatedAlone) {
 TEST(Prediction, RepeatsWhatTheFlightsRemark) {
   sim::Scenario scenario = input::load_scenario("tasha3_launch2", {});
   EXPECT_TRUE(predict(scenario, three_rows(), {.runs = 2}, look_away).flight_notes.empty());
-  scenario.guide_tilt_rad = text::radians(8.0);
+  scenario.guide.tilt_rad = text::radians(8.0);
   const Prediction leaning = predict(scenario, three_rows(), {.runs = 2}, look_away);
   ASSERT_EQ(leaning.flight_notes.size(), 1U);
   EXPECT_TRUE(leaning.flight_notes[0].starts_with("The guide leans by 8 deg")) << leaning.flight_notes[0];

@@ -41,6 +41,56 @@ sim::Scenario launch2(const std::vector<std::string>& changes = {}) {
   return input::load_scenario("tasha3_launch2", overrides);
 }
 
+// All trims at 3 degrees: the canards deflect by -12 to +6. The offset wants -7 first and +6.5 later.
+TEST(FlownVerdict, AnOffsetThatChangesItsSenseIsHeldAgainstBothEndsOfTheCanards) {
+  sim::Scenario scenario =
+      launch2({"reference.kind=hold", "excitation.form=none", "canard_mounting.trim_deg=[3,3,3,3]"});
+  for (const double sign : {1.0, -1.0}) {
+    for (sim::CanardMounting& canard : scenario.vehicle.canards) {
+      canard.trim_rad = sign * text::radians(3.0);
+    }
+    const auto node = [&](double time_s, double angle_deg) {
+      return sim::DisturbanceNode{.time_s = time_s, .angle_rad = sign * text::radians(angle_deg)};
+    };
+    scenario.disturbance = {node(0, 7), node(2, 7), node(4, -6.5), node(6, -6.5)};
+    const Judged flown = fly(scenario);
+    EXPECT_NEAR(text::degrees(*flown.figures.authority_margin_rad), -0.5, 1e-6) << sign;
+    EXPECT_EQ(flown.verdict.outcome, Outcome::not_held) << flown.verdict.text;
+  }
+}
+
+// The servos' centres are off by up to 1 degree, drawn from the seed: the world's own draw counts.
+TEST(FlownVerdict, AuthorityKnowsHowTheServosWereBuilt) {
+  sim::Scenario scenario = launch2(
+      {"servo.centre_spread_deg=1", "reference.kind=hold", "excitation.form=none", "disturbance.angles_deg=[-15]"});
+  for (const std::uint64_t seed : {1U, 2U, 3U, 4U}) {
+    scenario.seed = seed;
+    const Judged flown = fly(scenario);
+    const double reached_deg = text::degrees(flown.flight.canard_reach->highest_rad);
+    EXPECT_NE(reached_deg, 9.0);
+    double most_deg = 0.0;
+    for (const flight::Row& row : flown.flight.rows) {
+      most_deg = std::max(most_deg, text::degrees(row.truth->canard_rad));
+    }
+    EXPECT_NEAR(most_deg, reached_deg, 0.06) << seed;  // half the play of the gear
+  }
+}
+
+// Two canards at their stop of 25 degrees: all together deflect by 8 to 17 and cannot come back to the 2 that are
+// wanted.
+TEST(FlownVerdict, CanardsThatCannotComeBackFarEnoughHaveNoAuthority) {
+  sim::Scenario scenario = launch2();
+  scenario.disturbance = {{.time_s = 0.0, .angle_rad = text::radians(-2.0)}};
+  for (const std::size_t canard : {0U, 1U}) {
+    scenario.faults.push_back(
+        {.kind = sim::FaultKind::canard_hardover, .canard = canard, .from_s = 0.0, .until_s = 0.0});
+  }
+  const Judged flown = fly(scenario);
+  EXPECT_LT(*flown.figures.authority_margin_rad, 0.0) << flown.verdict.text;
+  EXPECT_EQ(flown.verdict.outcome, Outcome::not_held);
+  EXPECT_TRUE(flown.says("the fin offset of -2.0 deg is beyond what they can balance")) << flown.verdict.text;
+}
+
 // 850 N for half a second, 22 g: as much impulse as the usual motor.
 sim::Scenario strong_motor(double second_range_g) {
   sim::Scenario scenario = launch2();
@@ -125,14 +175,14 @@ TEST(FlownVerdict, ASpinBeyondTheGyroIsNamedWithItsSense) {
 
 // 369 m and 8.0 s are those of an independent point mass that turns with gravity.
 TEST(FlownVerdict, AGuideThatLeansIsSaidWithWhatAPointMassWouldDo) {
-  const Judged flown = fly(launch2({"environment.guide_tilt_deg=15"}));
+  const Judged flown = fly(launch2({"launch_guide.tilt_deg=15"}));
   EXPECT_TRUE(flown.notes("would reach 369 m and pass the plan's tilt limit of 60 deg 8.0 s after lift-off"));
   EXPECT_FALSE(fly(launch2()).notes("leans"));
 }
 
 TEST(FlownVerdict, WindAcrossTheGuideAndSpeedsNearSoundAreSaid) {
-  EXPECT_TRUE(fly(launch2({"environment.wind_m_s=8"})).notes("the canards leave the linear range"));
-  EXPECT_FALSE(fly(launch2({"environment.wind_m_s=0.5"})).notes("leave the linear range"));
+  EXPECT_TRUE(fly(launch2({"wind.speed_m_s=8"})).notes("the canards leave the linear range"));
+  EXPECT_FALSE(fly(launch2({"wind.speed_m_s=0.5"})).notes("leave the linear range"));
   EXPECT_TRUE(fly(launch2({"body.mass_kg=0.9", "body.drag_area_m2=0.0005"}))
                   .notes("drag, damping and torque are no longer constant"));
 }

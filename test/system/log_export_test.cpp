@@ -77,6 +77,26 @@ TEST_F(LogExport, LeavesWhatAFlightPutBesideItsLog) {
       0);
 }
 
+TEST_F(LogExport, ReplacesNothingButAnEarlierExportInAnyFolder) {
+  folder_.write("a/flight.ftl", made_log());
+  folder_.write("b/flight.ftl", "another flight");
+  folder_.write("b/flight.csv", "its truth");
+  folder_.write("b/summary.json", "{}");
+  folder_.write("mine.toml", "a scenario");
+  const auto exported = [&](const char* format, const std::string& out) {
+    return fantail({"log", "export", "a", "--to", format, "--out", out}, {.working_folder = folder_.path()}).exit_code;
+  };
+  EXPECT_EQ(exported("csv", "b/flight.ftl"), 74);
+  EXPECT_EQ(exported("csv", "b/flight.csv"), 74);
+  EXPECT_EQ(exported("json", "b/summary.json"), 74);
+  EXPECT_EQ(exported("candump", "mine.toml"), 74);
+  EXPECT_EQ(content(folder_ / "b/flight.ftl"), "another flight");
+  EXPECT_EQ(content(folder_ / "b/flight.csv"), "its truth");
+  EXPECT_EQ(content(folder_ / "mine.toml"), "a scenario");
+  EXPECT_EQ(exported("csv", "a/own.csv"), 0);
+  EXPECT_EQ(exported("csv", "a/own.csv"), 0);
+}
+
 TEST_F(LogExport, TheSameLogGivesTheSameBytes) {
   for (const char* format : {"csv", "ulog", "lcm", "candump", "json"}) {
     EXPECT_EQ(run({"--to", format, "--out", "-"}).out, run({"--to", format, "--out", "-"}).out) << format;

@@ -75,6 +75,18 @@ TEST_F(FlownLog, InfoSaysWhoFlewWhatAndThatItIsIntactAndReplaysEqually) {
   }
 }
 
+TEST_F(FlownLog, SaysThatTheScenarioWasChangedOnTheCommandLine) {
+  const Outcome flown = run({"fly", "tasha3_launch2", "--set", "servo.stop_deg=4.5", "--seed", "3", "--out", "flown"});
+  EXPECT_EQ(flown.exit_code, 0) << flown.err;
+  const Outcome info = run({"log", "info", "flown"});
+  EXPECT_NE(info.out.find("sensors   simulated, 2 values changed\n"), std::string::npos) << info.out;
+  EXPECT_NE(info.out.find("the simulation ended first"), std::string::npos) << info.out;
+  const Outcome report = run({"report", "flown/flight.ftl", "--out", "reported"});
+  EXPECT_NE(content(folder / "reported/report.html").find("changed on the command line when this was flown"),
+            std::string::npos)
+      << report.err;
+}
+
 TEST_F(FlownLog, InfoAsJsonHasTheSameInFigures) {
   folder.write("a.ftl", flown_log());
   const Outcome outcome = run({"log", "info", "a.ftl", "--json"});

@@ -40,11 +40,8 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 13> causes{
      {"not_measured", "could not be measured"}}};
 static_assert(static_cast<std::size_t>(Cause::not_measured) + 1 == causes.size());
 
-std::string signed_degrees(const std::optional<double>& angle_rad) {
-  if (!angle_rad) {
-    return "an unknown angle";
-  }
-  const std::string number = fixed(degrees(*angle_rad), 2);
+std::string signed_degrees(double angle_rad) {
+  const std::string number = fixed(degrees(angle_rad), 2);
   return (number.front() == '-' ? number : "+" + number) + " deg";
 }
 
@@ -98,8 +95,10 @@ class Diagnoser {
     }
     if (f_.sign == -1) {
       return {Cause::reversed,
-              fmt::format("commanded to {}, it went to {}", signed_degrees(f_.told_positive_rad),
-                          signed_degrees(f_.reached_positive_rad)),
+              f_.told_positive_rad && f_.reached_positive_rad
+                  ? fmt::format("commanded to {}, it went to {}", signed_degrees(*f_.told_positive_rad),
+                                signed_degrees(*f_.reached_positive_rad))
+                  : "it moves against its command",
               "Check the sign of its pulse width per degree in the plan, its servo's direction, and whether horn, "
               "linkage and encoder magnet are mounted the right way round."};
     }
@@ -109,18 +108,16 @@ class Diagnoser {
     }
     // Before trim: it leaves both sides short; a trim moves both the same way.
     if (slips()) {
-      return {Cause::slipping,
-              fmt::format("it moves the right way but only {} % as far: commanded to {} and {}, it reached {} and {}",
-                          fixed(100.0 * *f_.gain, 0), signed_degrees(f_.told_positive_rad),
-                          signed_degrees(f_.told_negative_rad), signed_degrees(f_.reached_positive_rad),
-                          signed_degrees(f_.reached_negative_rad)),
-              "Check the screw that clamps the horn or the shaft, the linkage, and the pulse width per degree in the "
-              "plan."};
+      return {
+          Cause::slipping,
+          fmt::format("it moves the right way but only {} % as far", fixed(100.0 * *f_.gain, 0)) + told_and_reached(),
+          "Check the screw that clamps the horn or the shaft, the linkage, and the pulse width per degree in the "
+          "plan."};
     }
     if (stands_off()) {
       return {Cause::wrong_trim,
               fmt::format("it follows the command, but with an offset of {} everywhere",
-                          signed_degrees(f_.centring_error_rad)),
+                          signed_degrees(f_.centring_error_rad.value_or(0.0))),
               "Check its pulse centre, trim and encoder zero in the plan, and that the horn sits on the right tooth."};
     }
     return failed_checks();
@@ -143,12 +140,27 @@ class Diagnoser {
             fmt::format("Check for a shared or shorted servo signal and a linkage that touches canard {}.", other)};
   }
 
+  /// An exercise that does not stop at the limits knows no such angles.
+  [[nodiscard]] std::string told_and_reached() const {
+    if (!f_.told_positive_rad || !f_.told_negative_rad || !f_.reached_positive_rad || !f_.reached_negative_rad) {
+      return {};
+    }
+    return fmt::format(": commanded to {} and {}, it reached {} and {}", signed_degrees(*f_.told_positive_rad),
+                       signed_degrees(*f_.told_negative_rad), signed_degrees(*f_.reached_positive_rad),
+                       signed_degrees(*f_.reached_negative_rad));
+  }
+
   // At the shaft's zero too: a servo without power does not know the trim.
   [[nodiscard]] Diagnosis does_not_move() const {
     const double stands_rad = f_.stands_at_rad.value_or(centre_rad_);
-    const std::string where = fmt::format("it did not move when commanded to {} and {}, and stands at {}",
-                                          signed_degrees(f_.told_positive_rad), signed_degrees(f_.told_negative_rad),
-                                          signed_degrees(f_.stands_at_rad));
+    std::string where = "it did not move";
+    if (f_.told_positive_rad && f_.told_negative_rad) {
+      where += fmt::format(" when commanded to {} and {}", signed_degrees(*f_.told_positive_rad),
+                           signed_degrees(*f_.told_negative_rad));
+    }
+    if (f_.stands_at_rad) {
+      where += fmt::format(", and stands at {}", signed_degrees(*f_.stands_at_rad));
+    }
     const double off_rad = std::min(std::abs(stands_rad - centre_rad_), std::abs(stands_rad));
     if (off_rad > t_.centring_rad) {
       return {Cause::stuck, where, "Check what jams the canard or its linkage; let it go with the power off."};

@@ -183,17 +183,32 @@ std::filesystem::path output_file(const ExportOptions& options, const ExportForm
   return std::filesystem::path{"out"} / "export" / (name_of_log(options.log) + flight + std::string{format.ending});
 }
 
-/// The log, and what a flight left beside it: its flight.csv has columns that no log can give back.
-std::vector<std::filesystem::path> files_to_spare(const std::filesystem::path& log) {
+/// The log, and what a flight left in its folder or in that of the target: a flight.csv has columns that no log can
+/// give back.
+std::vector<std::filesystem::path> files_to_spare(const std::filesystem::path& log,
+                                                  const std::filesystem::path& target) {
   const bool in_folder = std::filesystem::is_directory(log);
-  const std::filesystem::path folder = in_folder ? log : log.parent_path();
-  std::vector<std::filesystem::path> all{in_folder ? folder / "flight.ftl" : log};
-  if (std::filesystem::exists(folder / "summary.json")) {
-    for (const char* name : {"flight.csv", "summary.json", "report.html"}) {
-      all.push_back(folder / name);
+  std::vector<std::filesystem::path> all{in_folder ? log / "flight.ftl" : log};
+  for (const std::filesystem::path& folder : {in_folder ? log : log.parent_path(), target.parent_path()}) {
+    if (std::filesystem::exists(folder / "summary.json")) {
+      for (const char* name :
+           {"flight.csv", "flight.ftl", "summary.json", "report.html", "tunnel.csv", "trajectory.csv"}) {
+        all.push_back(folder / name);
+      }
     }
   }
   return all;
+}
+
+/// What is there under this name must look like an earlier export: a scenario, a log or a sheet must not be lost by a
+/// slip of the pen.
+void refuse_to_replace(const std::filesystem::path& target, const ExportFormat& format) {
+  if (target.extension() != format.ending && std::filesystem::exists(target)) {
+    throw text::OutputError{
+        fmt::format("--out {}: this file exists, and its name does not end in {}, as that of an earlier export "
+                    "would; choose another name",
+                    target.string(), format.ending)};
+  }
 }
 
 void export_log(const ExportOptions& options) {
@@ -202,6 +217,9 @@ void export_log(const ExportOptions& options) {
     throw UsageError{fmt::format("--from {:g} lies behind --until {:g}", *from_s, *until_s)};
   }
   const ExportFormat& format = *std::ranges::find(export_formats, options.format, &ExportFormat::name);
+  if (options.out != "-") {
+    refuse_to_replace(output_file(options, format), format);
+  }
   flight_log::LogFile file = flight_log::read_log_file(options.log);
   const std::string foreign = flight_log::foreign_bytes_text(file);
   const flight_log::Flight flight = take_flight(file, options.flight);
@@ -220,7 +238,7 @@ void export_log(const ExportOptions& options) {
     return;
   }
   const std::filesystem::path target = output_file(options, format);
-  text::OutputFolder{target.parent_path(), files_to_spare(options.log)}.write(
+  text::OutputFolder{target.parent_path(), files_to_spare(options.log, target)}.write(
       std::array{text::NamedFile{target.filename().string(), exported.bytes}});
   fmt::print("{}\n", target.string());
 }

@@ -35,9 +35,11 @@ bool has_end(const Flight& flight) {
                              [](const auto& e) { return e.kind == protocol::LogEventKind::recording_ended; });
 }
 
+bool is_simulated(const Flight& flight) { return flight.sensors.starts_with("simulated"); }
+
 std::string break_off_text(const Flight& flight) {
-  return flight.sensors == "simulated" ? "the simulation ended first, or the file was cut off"
-                                       : "power was lost, or the log was read before it ended";
+  return is_simulated(flight) ? "the simulation ended first, or the file was cut off"
+                              : "power was lost, or the log was read before it ended";
 }
 
 bool intact(const Flight& flight) { return lost_records(flight) == 0 && flight.has_header; }

@@ -14,6 +14,9 @@ namespace fantail::flight_log {
 /// Records that were never written, because they found no room in the recorder's queue; as far as its events say.
 [[nodiscard]] std::uint64_t dropped_records(const Flight& flight);
 /// Did the recorder end the recording itself? A log without this end was cut off: by power lost on impact, mostly.
+/// By the avionics in a simulated world, as the record's header says.
+[[nodiscard]] bool is_simulated(const Flight& flight);
+
 [[nodiscard]] bool has_end(const Flight& flight);
 
 /// Why a log without that end most likely has none. Nobody cuts the power of a simulated rocket: its world ends a

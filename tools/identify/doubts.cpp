@@ -180,7 +180,14 @@ std::vector<std::string> doubts(const Record& record, const Airframe& airframe, 
   if (!can_be_judged(c)) {
     // A model that a far too late column has spoilt tells nothing; misfit() has seen that it does not fit.
     const auto late = found.loop == Loop::open && !found.remarks.empty() ? long_lag_doubt(c) : std::nullopt;
-    return late ? std::vector{*late} : all;
+    if (late) {
+      all.push_back(*late);
+    }
+    // Outliers widen the intervals until nothing is left to judge: then most of all they must be named.
+    if (const auto few = found.loop == Loop::open && found.uncertainty ? outliers(c) : std::nullopt) {
+      all.push_back(*few);
+    }
+    return all;
   }
   const auto add = [&all](const std::optional<std::string>& sentence) {
     if (sentence) {

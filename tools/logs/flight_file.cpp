@@ -103,6 +103,9 @@ flight::Flight read_flight(const std::filesystem::path& path) {
   if (flight.scenario.empty()) {  // no summary, or one that names none
     flight.scenario = std::filesystem::absolute(file).lexically_normal().parent_path().filename().string();
   }
+  if (is_there(path / "trajectory.csv")) {
+    flight.path = flight::read_trajectory(flight::Table::load((path / "trajectory.csv").string()));
+  }
   if (is_there(path / "flight.ftl")) {
     add_plan(flight, path / "flight.ftl");
   }

@@ -77,6 +77,20 @@ LimitAdvice advice_on_canard_limit(const Prediction& p, double asked) {
                     brief(*limit_deg, 1), of_the_runs(found.value), percent_at_least(found.low), runs(p.runs.size())),
         limit_deg};
   }
+  // Enough in these runs, and these runs too few to be sure of it.
+  if (within(p, farthest.angle_rad).value >= asked) {
+    int half_degrees = 1;
+    while (within(p, text::radians(0.5 * half_degrees)).value < asked && 0.5 * half_degrees < farthest_deg) {
+      ++half_degrees;
+    }
+    const double limit_deg = std::min(0.5 * half_degrees, farthest_deg);
+    return {
+        fmt::format("A canard limit of {} degrees would balance the offset in {}, but {} are too few to be sure of {}: "
+                    "take more with --runs.",
+                    brief(limit_deg, 1), of_the_runs(within(p, text::radians(limit_deg)).value), runs(p.runs.size()),
+                    percent(asked)),
+        limit_deg};
+  }
   return {fmt::format("No canard limit would balance the offset in {} of the runs: the canards end at {} degrees ({}), "
                       "and that is enough in {}. Straighter fins would.",
                       percent(asked), brief(farthest_deg, 1),
@@ -85,7 +99,7 @@ LimitAdvice advice_on_canard_limit(const Prediction& p, double asked) {
           {}};
 }
 
-GainAdvice advice_on_gains(const Prediction& p, double phase_margin_rad) {
+GainAdvice advice_on_gains(const Prediction& p, double phase_margin_rad, stability::Search search) {
   const core::ControllerPlan& plan = p.flown.plan.controller;
   const stability::Gains present{.proportional = static_cast<double>(plan.proportional_gain),
                                  .derivative_s = static_cast<double>(plan.derivative_gain_s)};
@@ -95,7 +109,7 @@ GainAdvice advice_on_gains(const Prediction& p, double phase_margin_rad) {
   const stability::LoopsAtSpeeds loops = loops_at_speeds(p.flown, p.runs, p.speeds_m_s);
   const std::string aim = fmt::format("a phase margin of {} degrees in {} of the runs at every speed flown",
                                       brief(degrees(phase_margin_rad), 1), percent(share_of_runs));
-  if (const auto gains = stability::nearest_gains(loops, present, largest, demand)) {
+  if (const auto gains = stability::nearest_gains(loops, present, largest, demand, search)) {
     return {fmt::format("In the loop model, gains of {} and {} s reach {}: proportional gain {}, derivative gain {} "
                         "(the plan has {} and {} s).{}",
                         brief(gains->proportional, 4), brief(gains->derivative_s, 4), aim,

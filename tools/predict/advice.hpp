@@ -26,7 +26,8 @@ struct GainAdvice {
 
 /// Of the gains that a plan may have, the pair nearest to the plan's that gives the loop this phase margin in 95 % of
 /// the runs at every speed flown; or that none does, and what servo lag would.
-[[nodiscard]] GainAdvice advice_on_gains(const Prediction& prediction, double phase_margin_rad);
+[[nodiscard]] GainAdvice advice_on_gains(const Prediction& prediction, double phase_margin_rad,
+                                         stability::Search search = stability::Search::both_gains);
 
 struct Trial {
   std::string sentence{};  ///< how many of the first runs hold their roll with the advice; empty where none is given

@@ -4,7 +4,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include <fmt/core.h>
 
@@ -158,19 +161,27 @@ struct TriedGains {
   Trial trial{};
 };
 
-/// For a comfortable margin, or for the one that is asked for where comfort costs runs that would hold.
+/// The first that costs no runs which would hold: for a comfortable margin, or for the one that is asked for; by both
+/// gains, or by the derivative gain alone, because a smaller proportional gain settles further from the reference.
 TriedGains try_gains(const Prediction& p, const LimitAdvice& limit, double asked_rad) {
-  const auto tried = [&](double aim_rad) {
-    GainAdvice gains = advice_on_gains(p, aim_rad);
-    Trial flown = trial(p, limit, gains);
-    return TriedGains{.gains = std::move(gains), .trial = std::move(flown)};
-  };
-  TriedGains comfortable = tried(std::max(comfortable_phase_margin_rad, asked_rad));
-  if ((comfortable.gains.gains && comfortable.trial.helps) || asked_rad >= comfortable_phase_margin_rad) {
-    return comfortable;
+  std::vector<double> aims_rad{std::max(comfortable_phase_margin_rad, asked_rad)};
+  if (asked_rad < comfortable_phase_margin_rad) {
+    aims_rad.push_back(asked_rad);
   }
-  const TriedGains enough = tried(asked_rad);
-  return enough.gains.gains && enough.trial.helps ? enough : comfortable;
+  std::optional<TriedGains> first;
+  for (const auto search : {stability::Search::both_gains, stability::Search::derivative_gain}) {
+    for (const double aim_rad : aims_rad) {
+      const GainAdvice gains = advice_on_gains(p, aim_rad, search);
+      TriedGains tried{.gains = gains, .trial = trial(p, limit, gains)};
+      if (tried.gains.gains && tried.trial.helps) {
+        return tried;
+      }
+      if (!first) {
+        first = std::move(tried);
+      }
+    }
+  }
+  return first.value();
 }
 
 std::vector<std::string> advice(const Decision& d, const Prediction& p) {

@@ -138,6 +138,8 @@ std::string repetition(const Prediction& p) {
 std::string prediction_html(const Prediction& p, const Decision& decision, std::string_view version) {
   const std::string heading = decision.go ? "Go" : "No go";
   const std::string changes = p.request.changes.empty() ? "" : ". " + changes_sentence(p);
+  const std::string warning = resonance_warning(p);
+  const std::string resonance = warning.empty() ? "" : page::section("Roll and pitch", page::paragraph(warning));
   const std::string notes =
       p.flight_notes.empty() ? "" : page::section("Notes of the flights", page::list(p.flight_notes));
   return page::html(
@@ -151,7 +153,7 @@ std::string prediction_html(const Prediction& p, const Decision& decision, std::
        .body_html =
            page::section("Median of the runs", figures(p)) + page::section("Requirements", criteria(decision)) +
            page::section("Predicted roll", roll(p)) + page::section("Fin offset and airframe", airframes(p)) +
-           page::section("Stability over speed", stability(p, decision)) + notes +
+           resonance + page::section("Stability over speed", stability(p, decision)) + notes +
            page::section("How this was found", page::list(basis(p))) + page::section("Any run again", repetition(p))});
 }
 

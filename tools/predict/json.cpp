@@ -57,6 +57,20 @@ Json criteria(const Decision& decision) {
   return all;
 }
 
+Json resonance(const Prediction& p) {
+  if (!p.resonance) {
+    return {};
+  }
+  const RollResonance& r = *p.resonance;
+  return {
+      {"pitch_frequency_per_speed_rad_m", Json::array({rounded(r.least_frequency_1_m), rounded(r.most_frequency_1_m)})},
+      {"resonant_deg", json(r.resonant_rad, degrees(1.0))},
+      {"near_runs", r.near},
+      {"past_runs", r.past},
+      {"with_canards_runs", r.with_canards},
+      {"warning", resonance_warning(p)}};
+}
+
 Json tunnel(const Prediction& p) {
   return {{"file", p.tunnel.name},
           {"steps", p.tunnel.steps.size()},
@@ -96,6 +110,7 @@ std::string prediction_json(const Prediction& p, const Decision& decision, std::
                     {"spin_rate_deg_s", json(p.spin_rate_rad_s, in_degrees)},
                     {"top_speed_m_s", json(p.top_speed_m_s)},
                     {"stability", stability(p)},
+                    {"roll_resonance", resonance(p)},
                     {"flight_notes", p.flight_notes},
                     {"basis", basis(p)},
                     {"version", version}};

@@ -52,7 +52,7 @@ Passing passing(const sim::Scenario& scenario, double end_of_control_s) {
 
 std::optional<Criterion> tilt_limit(const Prediction& p) {
   const auto end_s = end_of_control_s(p);
-  if (p.flown.guide_tilt_rad < fly::slight_tilt_rad || !end_s) {
+  if (p.flown.motion == sim::FlightMotion::six_dof || p.flown.guide.tilt_rad < fly::slight_tilt_rad || !end_s) {
     return std::nullopt;
   }
   const Passing pass = passing(p.flown, *end_s);
@@ -67,17 +67,17 @@ std::optional<Criterion> tilt_limit(const Prediction& p) {
         "the guide leans by {} degrees: a point mass passes the plan's tilt limit of {} degrees {} s after lift-off, "
         "and "
         "control ends there; the simulated rocket keeps to the line of its guide and does not show it",
-        brief(degrees(p.flown.guide_tilt_rad), 1), limit, fixed(*pass.at_s, 1));
+        brief(degrees(p.flown.guide.tilt_rad), 1), limit, fixed(*pass.at_s, 1));
   }
   return c;
 }
 
 std::string advice_on_tilt(const Prediction& p) {
   sim::Scenario scenario = p.flown;
-  for (int half_degrees = static_cast<int>(std::floor(2.0 * degrees(p.flown.guide_tilt_rad)));
+  for (int half_degrees = static_cast<int>(std::floor(2.0 * degrees(p.flown.guide.tilt_rad)));
        text::radians(0.5 * half_degrees) >= fly::slight_tilt_rad; --half_degrees) {
     const double tilt_deg = 0.5 * half_degrees;
-    scenario.guide_tilt_rad = text::radians(tilt_deg);
+    scenario.guide.tilt_rad = text::radians(tilt_deg);
     if (!passing(scenario, end_of_control_s(p).value_or(0.0)).too_early()) {
       return fmt::format("With a guide that leans by {} degrees a point mass would not pass the tilt limit too early.",
                          brief(tilt_deg, 1));

@@ -157,10 +157,10 @@ double usual_offset_rad(const std::vector<Run>& runs) {
 }
 
 void require_launch(const sim::Scenario& scenario) {
-  if (scenario.surroundings == sim::Surroundings::tunnel) {
+  if (scenario.surroundings != sim::Surroundings::flight) {
     throw text::Error{text::ErrorKind::bad_configuration,
                       scenario.name +
-                          ": environment.surroundings = \"tunnel\"; allowed: \"flight\", as what is "
+                          ": environment.surroundings is not a flight; allowed: \"flight\", as what is "
                           "predicted is a launch"};
   }
 }
@@ -209,6 +209,7 @@ Prediction predict(const sim::Scenario& scenario, const TunnelResult& tunnel, co
   p.saturated_share = spread_where_known(p.runs, [](const Run& run) { return run.saturated_share; });
   p.spin_rate_rad_s = spread_where_known(p.runs, [](const Run& run) { return size_of(run.spin_rate_rad_s); });
   p.band = band(p.runs);
+  p.resonance = roll_resonance(p.flown, p.runs, p.reach.angle_rad);
   p.flight_notes = notes_of(p.runs);
   find_margins(p);
   return p;

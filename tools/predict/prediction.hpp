@@ -12,6 +12,7 @@
 #include "predict/airframe.hpp"
 #include "predict/canard_reach.hpp"
 #include "predict/margins.hpp"
+#include "predict/roll_resonance.hpp"
 #include "predict/run.hpp"
 #include "predict/share.hpp"
 #include "predict/tunnel_result.hpp"
@@ -69,7 +70,8 @@ struct Prediction {
   Spread top_speed_m_s{};
   std::optional<Spread> settle_rad{};
   std::optional<Spread> saturated_share{};
-  std::optional<Spread> spin_rate_rad_s{};  ///< size; of the runs without authority
+  std::optional<Spread> spin_rate_rad_s{};   ///< size; of the runs without authority
+  std::optional<RollResonance> resonance{};  ///< with the pitch; empty: nothing is known of the pitch
   Band band{};
   std::vector<double> speeds_m_s{};  ///< from the lowest at control start to the highest flown; empty without control
   std::vector<MarginsAtSpeed> over_speed{};     ///< at those of them where the loop can swing

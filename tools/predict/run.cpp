@@ -91,10 +91,12 @@ Run run_of(const flight::Flight& flight, const sim::Scenario& scenario, const Tu
   Run run;
   run.seed = flight.seed.value_or(0);
   run.airframe = airframe;
-  run.offset_rad = std::abs(airframe.offset_begin_rad) > std::abs(airframe.offset_end_rad) ? airframe.offset_begin_rad
-                                                                                           : airframe.offset_end_rad;
+  // The offset that is harder to balance; of two alike the larger one.
+  const double begin_rad = flight::authority_margin_rad(flight, airframe.offset_begin_rad);
+  const double end_rad = flight::authority_margin_rad(flight, airframe.offset_end_rad);
+  run.offset_rad = begin_rad < end_rad ? airframe.offset_begin_rad : airframe.offset_end_rad;
+  run.authority_margin_rad = std::min(begin_rad, end_rad);
   const double limit_rad = canard_reach(scenario, run.offset_rad).angle_rad;
-  run.authority_margin_rad = limit_rad - std::abs(run.offset_rad);
   run.outcome = verdict.outcome;
   run.verdict = verdict.text;
   keep_notes(run, flight, scenario);

@@ -97,6 +97,10 @@ std::string changes_sentence(const Prediction& p) {
              : fmt::format("Changed on the command line: {}.", fmt::join(p.request.changes, ", "));
 }
 
+std::string resonance_warning(const Prediction& p) {
+  return p.resonance ? warning(*p.resonance, p.reach.angle_rad) : "";
+}
+
 std::string repeat_command(const Prediction& p, std::string_view run) {
   return fmt::format("{} --run {}", p.request.command, run);
 }

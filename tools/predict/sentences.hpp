@@ -34,6 +34,9 @@ namespace fantail::predict {
 /// "Changed on the command line: controller.canard_limit_deg=9, seed=7."; empty where nothing was.
 [[nodiscard]] std::string changes_sentence(const Prediction& prediction);
 
+/// What the roll may do to the pitch, a sentence or more; empty where nothing speaks for it.
+[[nodiscard]] std::string resonance_warning(const Prediction& prediction);
+
 /// The command that flies a run alone and writes its flight report.
 [[nodiscard]] std::string repeat_command(const Prediction& prediction, std::string_view run);
 

@@ -56,6 +56,9 @@ std::string prediction_text(const Prediction& p, const Decision& decision) {
   for (const std::string& sentence : decision.advice) {
     text += fmt::format("  {}\n", sentence);
   }
+  if (const std::string warning = resonance_warning(p); !warning.empty()) {
+    text += fmt::format("\n{}\n", warning);
+  }
   text += fmt::format("\n{}\nHow this was found:\n", figures(p));
   for (const std::string& sentence : basis(p)) {
     text += fmt::format("  {}\n", sentence);

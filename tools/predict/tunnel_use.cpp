@@ -31,10 +31,6 @@ void require_same_vehicle(const sim::Scenario& scenario, const TunnelResult& tun
 }
 
 std::string whose_rows(const sim::Scenario& scenario, const TunnelResult& tunnel) {
-  if (!tunnel.vehicle) {
-    return fmt::format("{} does not say which vehicle its rows are of; they are taken for those of {}.", tunnel.name,
-                       scenario.vehicle.name);
-  }
   const double own_kg_m2 = scenario.vehicle.roll_plant.inertia_kg_m2;
   const std::string inertia =
       !tunnel.inertia_kg_m2 ? "with which roll inertia they were identified they do not say"
@@ -44,6 +40,10 @@ std::string whose_rows(const sim::Scenario& scenario, const TunnelResult& tunnel
                 "they were identified with a roll inertia of {:.4g} kg m2, where this vehicle has {:.4g}: damping "
                 "and torque are right only if it hung in the tunnel with the former",
                 *tunnel.inertia_kg_m2, own_kg_m2);
+  if (!tunnel.vehicle) {
+    return fmt::format("{} does not say which vehicle its rows are of; they are taken for those of {}{}.", tunnel.name,
+                       scenario.vehicle.name, tunnel.inertia_kg_m2 ? "; " + inertia : "");
+  }
   return *tunnel.vehicle == scenario.vehicle.name
              ? fmt::format("The rows of {} say that they are of {}, as this vehicle is called; {}.", tunnel.name,
                            *tunnel.vehicle, inertia)

@@ -60,14 +60,15 @@ bool meets(const LoopsAtSpeeds& loops, const Gains& gains, const PhaseMarginDema
 }
 
 std::optional<Gains> nearest_gains(const LoopsAtSpeeds& loops, const Gains& present, const Gains& largest,
-                                   const PhaseMarginDemand& demand) {
+                                   const PhaseMarginDemand& demand, Search search) {
   struct Candidate {
     double distance;
     Gains gains;
   };
   const std::vector<double> proportional =
-      present.proportional == 0.0 ? std::vector{0.0}
-                                  : candidates(present.proportional, smallest.proportional, largest.proportional);
+      present.proportional == 0.0 || search == Search::derivative_gain
+          ? std::vector{present.proportional}
+          : candidates(present.proportional, smallest.proportional, largest.proportional);
   std::vector<Candidate> all;
   for (const double kp : proportional) {
     for (const double kd : candidates(present.derivative_s, smallest.derivative_s, largest.derivative_s)) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
@@ -26,11 +27,14 @@ using LoopsAtSpeeds = std::vector<std::vector<RollLoop>>;
 
 [[nodiscard]] bool meets(const LoopsAtSpeeds& loops, const Gains& gains, const PhaseMarginDemand& demand);
 
+/// Which gains may differ from the present ones.
+enum class Search : std::uint8_t { both_gains, derivative_gain };
+
 /// Of the gains from the least to the largest allowed, those that are fewest times larger or smaller than the present
 /// ones. They are round numbers, 24 in a decade, or one of the present ones kept. A proportional gain of zero is kept,
 /// and no other one becomes zero: it would leave the angle alone. Empty when no pair meets the demand.
 [[nodiscard]] std::optional<Gains> nearest_gains(const LoopsAtSpeeds& loops, const Gains& present, const Gains& largest,
-                                                 const PhaseMarginDemand& demand);
+                                                 const PhaseMarginDemand& demand, Search search = Search::both_gains);
 
 /// The longest servo lag with which these gains meet the demand, in whole tenths of a millisecond, from the shortest
 /// that is asked for to that of the loops. Empty when not even the shortest does.

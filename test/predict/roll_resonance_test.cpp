@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+#include "predict/roll_resonance.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+namespace fantail::predict {
+namespace {
+
+constexpr double degree = std::numbers::pi / 180.0;
+
+// Slope 10 on a body of 80 mm, margin 0.12 m, inertia 0.6 kg m2, density 1.2 kg/m3: k = 0.077665 rad/m, as in the
+// oracle of the tunnel's stability (1.165, 1.553 and 2.330 rad/s at 15, 20 and 30 m/s). After burn-out the same.
+sim::Scenario scenario() {
+  sim::Scenario scenario;
+  scenario.atmosphere = {.model = sim::DensityModel::constant, .constant_kg_m3 = 1.2};
+  const sim::Airframe::MassProperties mass{.centre_of_gravity_m = 0.90, .transverse_inertia_kg_m2 = 0.6};
+  scenario.vehicle.airframe = sim::Airframe{.diameter_m = 0.08,
+                                            .length_m = 1.51,
+                                            .normal_force_slope_per_rad = 10.0,
+                                            .centre_of_pressure_m = 1.02,
+                                            .at_liftoff = mass,
+                                            .after_burnout = mass};
+  return scenario;
+}
+
+// alpha 8.5 m2, beta 10 m: u = k alpha / beta = 0.0660 rad = 3.78 degrees.
+struct Run run(double offset_deg) {
+  struct Run run;
+  run.airframe = {.damping_m2 = 8.5, .torque_m = 10.0};
+  run.offset_rad = offset_deg * degree;
+  return run;
+}
+
+TEST(RollResonance, IsWhereTheRollRateOfAFinAngleMeetsThePitchFrequencyAtAnySpeed) {
+  const auto found = roll_resonance(scenario(), {run(0.0)}, 0.0);
+  ASSERT_TRUE(found);
+  EXPECT_NEAR(found->least_frequency_1_m, 0.077665, 1e-6);
+  EXPECT_NEAR(found->resonant_rad.p50 / degree, 3.782, 0.001);
+  for (const double speed_m_s : {15.0, 97.0}) {
+    const double roll_rate_rad_s = speed_m_s * 10.0 * found->resonant_rad.p50 / 8.5;
+    EXPECT_NEAR(roll_rate_rad_s, 0.077665 * speed_m_s, 1e-4 * speed_m_s);
+  }
+}
+
+TEST(RollResonance, TellsRunsThatStayNearItFromThoseThatSpinThroughAndThoseThatOnlyTheCanardsBringThere) {
+  // A quarter below and above 3.78 degrees are 2.84 and 4.73.
+  const auto found = roll_resonance(scenario(), {run(-0.5), run(2.7), run(-2.9), run(4.6), run(-7.0)}, 2.0 * degree);
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->near, 2U);
+  EXPECT_EQ(found->past, 1U);
+  EXPECT_EQ(found->with_canards, 4U);
+  const std::string text = warning(*found, 2.0 * degree);
+  EXPECT_NE(text.find("angle of 3.8 degrees"), std::string::npos) << text;
+  EXPECT_NE(text.find("would keep 2 of 5 runs near that and spin 1 of 5 runs through it"), std::string::npos) << text;
+}
+
+TEST(RollResonance, SaysNothingWhereNothingComesNear) {
+  const auto found = roll_resonance(scenario(), {run(0.5)}, 2.0 * degree);
+  ASSERT_TRUE(found);
+  EXPECT_EQ(warning(*found, 2.0 * degree), "");
+}
+
+TEST(RollResonance, IsNotKnownWithoutAirframeOrOfARocketThatDoesNotSwingBack) {
+  sim::Scenario changed = scenario();
+  changed.vehicle.airframe->centre_of_pressure_m = 0.85;
+  EXPECT_FALSE(roll_resonance(changed, {run(7.0)}, 0.1));
+  changed.vehicle.airframe.reset();
+  EXPECT_FALSE(roll_resonance(changed, {run(7.0)}, 0.1));
+}
+
+}  // namespace
+}  // namespace fantail::predict

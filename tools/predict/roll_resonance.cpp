@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#include "predict/roll_resonance.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <fmt/core.h>
+
+#include "text/degrees.hpp"
+#include "text/number.hpp"
+
+namespace fantail::predict {
+namespace {
+
+using text::degrees;
+using text::fixed;
+
+/// Over the air speed; empty: it does not swing back.
+std::optional<double> pitch_frequency_1_m(const sim::Airframe& airframe, const sim::Airframe::MassProperties& mass,
+                                          double density_kg_m3) {
+  const double square = 0.5 * density_kg_m3 * airframe.cross_section_m2() * airframe.normal_force_slope_per_rad *
+                        sim::static_margin_m(airframe, mass) / mass.transverse_inertia_kg_m2;
+  return square > 0.0 ? std::optional{std::sqrt(square)} : std::nullopt;
+}
+
+/// Over the air speed, of a steady roll.
+double roll_rate_1_m(const TunnelStep& airframe, double fin_angle_rad) {
+  return airframe.torque_m * fin_angle_rad / airframe.damping_m2;
+}
+
+}  // namespace
+
+std::optional<RollResonance> roll_resonance(const sim::Scenario& scenario, const std::vector<Run>& runs,
+                                            double canard_reach_rad) {
+  if (!scenario.vehicle.airframe || runs.empty()) {
+    return std::nullopt;
+  }
+  const sim::Airframe& airframe = *scenario.vehicle.airframe;
+  const double density_kg_m3 = scenario.atmosphere.density_kg_m3(0.0);
+  const auto before = pitch_frequency_1_m(airframe, airframe.at_liftoff, density_kg_m3);
+  const auto after = pitch_frequency_1_m(airframe, airframe.after_burnout, density_kg_m3);
+  if (!before || !after) {
+    return std::nullopt;
+  }
+  RollResonance found{.least_frequency_1_m = std::min(*before, *after),
+                      .most_frequency_1_m = std::max(*before, *after),
+                      .runs = runs.size()};
+  std::vector<double> resonant;
+  for (const Run& run : runs) {
+    const double middle_1_m = 0.5 * (*before + *after);
+    resonant.push_back(middle_1_m / roll_rate_1_m(run.airframe, 1.0));
+    const double free = roll_rate_1_m(run.airframe, std::abs(run.offset_rad));
+    const double driven = roll_rate_1_m(run.airframe, std::abs(run.offset_rad) + std::max(canard_reach_rad, 0.0));
+    const bool comes_near = free > (1.0 - near_resonance) * found.least_frequency_1_m;
+    const bool is_past = free > (1.0 + near_resonance) * found.most_frequency_1_m;
+    found.near += comes_near && !is_past ? 1 : 0;
+    found.past += is_past ? 1 : 0;
+    found.with_canards += driven > (1.0 - near_resonance) * found.least_frequency_1_m ? 1 : 0;
+  }
+  found.resonant_rad = spread(std::move(resonant));
+  return found;
+}
+
+std::string warning(const RollResonance& r, double canard_reach_rad) {
+  if (r.with_canards == 0) {
+    return {};
+  }
+  const auto of_runs = [&r](std::size_t count) { return fmt::format("{} of {} runs", count, r.runs); };
+  const Spread& angle = r.resonant_rad;
+  return fmt::format(
+      "Roll resonance: a fin or canard angle of {} degrees ({} to {}) rolls this rocket as fast as it swings in pitch, "
+      "at "
+      "any speed (frequency / speed {} to {} rad/m). Without control the fin offset would keep {} near that and spin "
+      "{} "
+      "through it; with the canards at {} degrees in the sense of the offset {} come near it. There what is crooked "
+      "makes the angle of attack several times larger, and the roll may lock in (Hoult and Tran, Sounding Rocket Fin "
+      "Design to Mitigate Roll Lock-In). Neither this nor the angle of attack is in the runs' roll.",
+      fixed(degrees(angle.p50), 1), fixed(degrees(angle.p5), 1), fixed(degrees(angle.p95), 1),
+      fixed(r.least_frequency_1_m, 3), fixed(r.most_frequency_1_m, 3), of_runs(r.near), of_runs(r.past),
+      fixed(degrees(canard_reach_rad), 1), of_runs(r.with_canards));
+}
+
+}  // namespace fantail::predict

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "predict/run.hpp"
+#include "predict/share.hpp"
+#include "sim/scenario.hpp"
+
+// A rocket that rolls as fast as it swings in pitch is in resonance: what is crooked in it turns with the body and
+// pushes in step with the swing, the angle of attack grows several times, and the roll may lock in to the swing.
+//
+// Source: C. P. Hoult and H. Tran, Sounding Rocket Fin Design to Mitigate Roll Lock-In: it usually begins when the
+// natural frequency of pitch and yaw equals the roll rate.
+namespace fantail::predict {
+
+/// The steady roll rate of a fin angle u is v beta u / alpha, the pitch frequency k v: whether they meet does not
+/// depend on the speed, so that a rocket can stay in resonance through all of its flight.
+struct RollResonance {
+  /// k, from lift-off to after burn-out, the smaller one first.
+  double least_frequency_1_m = 0.0;
+  double most_frequency_1_m = 0.0;
+  Spread resonant_rad{};  ///< over the runs: fin angle that rolls the rocket as fast as it swings
+  std::size_t near = 0;   ///< runs that would stay near the resonance without control, because of their fin offset
+  std::size_t past = 0;   ///< runs that would spin up through it
+  std::size_t with_canards = 0;  ///< runs that come near it with all canards at their limit in the sense of the offset
+  std::size_t runs = 0;
+};
+
+/// How far from the resonance, as a share of its rate, a rocket still counts as near. With the damping ratio of 0.14 of
+/// a usual rocket the angle of attack is about twice as large there, and 3.6 times as large at the resonance.
+inline constexpr double near_resonance = 0.25;
+
+/// Empty for a vehicle without airframe, for one that is not stable, and without runs.
+[[nodiscard]] std::optional<RollResonance> roll_resonance(const sim::Scenario& scenario, const std::vector<Run>& runs,
+                                                          double canard_reach_rad);
+
+/// The warning; empty where nothing comes near it.
+[[nodiscard]] std::string warning(const RollResonance& resonance, double canard_reach_rad);
+
+}  // namespace fantail::predict
