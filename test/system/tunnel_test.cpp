@@ -82,6 +82,36 @@ TEST(Tunnel, StepsWritesTheTableThatAPredictionReads) {
   EXPECT_NE(by_hand.out.find(": 2 steps"), std::string::npos) << by_hand.out;
 }
 
+// What the simulated rocket has: 0.12 m, less what the body's own lift takes of it (none here).
+TEST(Tunnel, StabilityFindsTheMarginOfTheRocketThatSwung) {
+  const Folder folder;
+  const Words fly{"fly", "tunnel_stability", "--set", "airframe.body_lift_area_m2=0", "--out", "made"};
+  ASSERT_EQ(in(folder, fly).exit_code, 0);
+  const Outcome outcome = in(folder, {"tunnel", "stability", "made", "--json"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  const json::Value json = json::parse(outcome.out);
+  EXPECT_EQ(json["verdict"].text(), "stable");
+  EXPECT_NEAR(json["margin_m"]["value"].number(), 0.120, 0.002);
+  EXPECT_NEAR(json["without_wind_n_m_per_rad"]["value"].number(), 0.05, 0.02);
+  ASSERT_EQ(json["swings"].size(), 3U);
+  EXPECT_NEAR(json["swings"][2]["speed_m_s"].number(), 30.0, 0.1);
+  const Outcome one = in(folder, {"tunnel", "stability", "made", "--swings", "4:17", "--speeds", "15"});
+  EXPECT_EQ(one.exit_code, 1);
+  EXPECT_NE(one.out.find("One speed proves nothing"), std::string::npos) << one.out;
+  const Outcome wrong = in(folder, {"tunnel", "stability", "made", "--speeds", "15,20"});
+  EXPECT_EQ(wrong.exit_code, 64);
+  EXPECT_NE(wrong.err.find("--speeds has 2 numbers, and 3 swings were found"), std::string::npos) << wrong.err;
+}
+
+TEST(Tunnel, ARocketThatTheWindTurnsOverIsNotStable) {
+  const Folder folder;
+  const Words fly{"fly", "tunnel_stability", "--set", "airframe.centre_of_pressure_m=0.88", "--out", "made"};
+  ASSERT_EQ(in(folder, fly).exit_code, 0);
+  const Outcome outcome = in(folder, {"tunnel", "stability", "made"});
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_NE(outcome.out.find("If nobody pushed it that far, it is unstable."), std::string::npos) << outcome.out;
+}
+
 TEST(Tunnel, WhatIsNoLogOfATunnelIsRefusedAndNothingIsWritten) {
   const std::string wind = "time_s,fan_rpm,wind_speed_m_s\n";
   const std::string roll = "time_s,roll_rate_deg_s\n0,1\n2,1\n4,1\n";

@@ -41,5 +41,6 @@ void add_steady_option(const Verb& verb, const std::string& name, std::string& s
 void add_tunnel_flow(const Verb& tunnel);
 void add_tunnel_swirl(const Verb& tunnel);
 void add_tunnel_steps(const Verb& tunnel);
+void add_tunnel_stability(const Verb& tunnel);
 
 }  // namespace fantail::tool

@@ -52,12 +52,14 @@ void fill(const Verb& verb) {
       "  fantail tunnel flow out/tunnel_flow                                    how even the air is\n"
       "  fantail tunnel swirl out/tunnel_swirl_without out/tunnel_swirl_with    what the swirl is worth in degrees\n"
       "  fantail tunnel steps out/tunnel_steps                                  the roll model of every step\n"
+      "  fantail tunnel stability out/tunnel_stability                          does the pinned rocket straighten?\n"
       "\n"
-      "The simulated tunnel makes such logs: fantail fly tunnel_flow, tunnel_swirl_without, tunnel_swirl_with and\n"
-      "tunnel_steps.");
+      "The simulated tunnel makes such logs: fantail fly tunnel_flow, tunnel_swirl_without, tunnel_swirl_with,\n"
+      "tunnel_steps and tunnel_stability.");
   add_tunnel_flow(verb);
   add_tunnel_swirl(verb);
   add_tunnel_steps(verb);
+  add_tunnel_stability(verb);
 }
 
 }  // namespace

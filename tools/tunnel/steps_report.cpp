@@ -205,7 +205,8 @@ std::string over_steps(const StepTable& table, std::size_t place, const char* la
 }
 
 std::string sentence(const StepSpread& one) {
-  const auto& [column, spread] = one;
+  const auto& column = one.column;
+  const auto& spread = one.spread;
   const auto number = [&](double value) { return fixed(column->printed(value), 3); };
   if (spread.between == 0.0) {
     return fmt::format(
