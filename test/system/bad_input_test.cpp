@@ -9,8 +9,8 @@ namespace fantail::test {
 namespace {
 
 const std::string names_of_scenarios =
-    "tasha3_launch1 tasha3_launch2 tunnel_flow tunnel_steps tunnel_swirl_with tunnel_swirl_without";
-const std::string names_of_plans = "tasha3_launch1 tasha3_launch2 tunnel_free tunnel_steps";
+    "tasha3_launch1 tasha3_launch2 tunnel_flow tunnel_stability tunnel_steps tunnel_swirl_with tunnel_swirl_without";
+const std::string names_of_plans = "tasha3_launch1 tasha3_launch2 tunnel_free tunnel_stability tunnel_steps";
 const std::string head = "vehicle = \"tasha3_launch2\"\nplan = \"tasha3_launch2\"\n";
 
 std::string shipped(const std::string& file) { return content(std::string{FANTAIL_TEST_SOURCE} + "/sim/" + file); }
@@ -47,7 +47,7 @@ TEST(MissingPart, IsRefusedWhereItIsNamed) {
           {"--set motor.file=i151_canonical: ", "unknown motor", "did you mean i150_canonical?"});
   const std::string vehicle = replaced(shipped("vehicles/smokey.toml"), "i150_canonical", "gone.eng");
   Refusal({{"s.toml", "vehicle = \"v.toml\"\nplan = \"tasha3_launch2\"\n"}, {"v.toml", vehicle}}, {"fly", "s.toml"}, 66,
-          {"v.toml:27: ", "gone.eng"});
+          {"v.toml:42: ", "gone.eng"});
 }
 
 TEST(ScenarioWithoutAVehicle, IsRefused) {
@@ -116,6 +116,12 @@ TEST(Motor, WithMorePropellantThanTheRocketIsRefused) {
 TEST(Combination, ThatNoModelCanFlyIsRefusedByTheFile) {
   Refusal({}, {"fly", "--set", "servo.pulse_per_degree_us=0"}, 78, {"--set servo.pulse_per_degree_us=0", "zero"});
   Refusal({}, {"fly", "--set", "servo.pulse_per_degree_us=1e-320"}, 78, {"--set servo.pulse_per_degree_us", "zero"});
+  Refusal({}, {"fly", "gimbal", "--set", "gimbal.turn_times_s=[12, 13, 20, 24, 28, 32]"}, 78,
+          {"gimbal.turn_times_s", "begins before the one ahead of it has ended"});
+  Refusal({}, {"fly", "gimbal", "--set", "gimbal.turn_times_s=[12, 16]"}, 78,
+          {"gimbal.turn_times_s", "allowed: as many of each"});
+  Refusal({}, {"fly", "gimbal", "--set", "environment.surroundings=tunnel"}, 78,
+          {"environment.surroundings must be \"gimbal\""});
   Refusal({}, {"fly", "tunnel_steps", "--set", "environment.surroundings=flight"}, 78,
           {"environment.surroundings must be \"tunnel\""});
   const std::string motor = "big 1 1 0 0.1 0.2 maker\n1 1e9\n2 0\n";

@@ -71,7 +71,8 @@ TEST(BenchOptions, OutOfRangeAreUsageErrors) {
   Refusal({}, {"bench", "hold", "5", "0", "--can", nowhere}, 64, {"CANARD"});
   Refusal({}, {"bench", "hold", "1", "-21", "--can", nowhere}, 64, {"DEG"});
   Refusal({}, {"bench", "arm", "--can", nowhere, "--wait", "-1"}, 64, {"--wait"});
-  Refusal({}, {"bench"}, 64, {"a verb is missing; allowed: watch, limits, step, sine, hold, cycle, zero, arm, plan"});
+  Refusal({}, {"bench"}, 64,
+          {"a verb is missing; allowed: watch, limits, step, sine, hold, cycle, zero, axes, arm, plan"});
 }
 
 }  // namespace

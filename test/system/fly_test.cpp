@@ -124,7 +124,7 @@ INSTANTIATE_TEST_SUITE_P(EachFile, FlySet,
                          testing::Values(Change{"controller.canard_limit_deg=6", "plan"},
                                          Change{"body.mass_kg=3.5", "vehicle"},
                                          Change{"servo.lag_s=0.03", "vehicle, a key its file does not have"},
-                                         Change{"environment.guide_tilt_deg=5", "scenario"},
+                                         Change{"launch_guide.tilt_deg=5", "scenario"},
                                          Change{"disturbance.angles_deg=[-3]", "scenario, a list"},
                                          Change{"reference.kind=hold", "plan, a word without quotes"}),
                          [](const auto& one) { return "Number" + std::to_string(one.index); });

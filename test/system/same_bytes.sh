@@ -42,9 +42,13 @@ fly() { # NAME FLY_ALONE
     case "$name" in tunnel_flow | tunnel_swirl_without) continue ;; esac
     "$2" "$scenario" "$work/flights/$1/$name"
     # Every model once that the shipped scenarios leave alone.
-    case "$name" in tunnel*) continue ;; esac
-    "$2" "$scenario" "$work/flights/$1/$name-isa" environment.density=isa environment.guide_tilt_deg=7 \
+    case "$name" in tunnel* | gimbal | bench_axes) continue ;; esac
+    "$2" "$scenario" "$work/flights/$1/$name-isa" environment.density=isa launch_guide.tilt_deg=7 \
       imu.misalignment_deg=1 accelerometer.delay_s=0.004 excitation.form=sweep excitation.amplitude_variation_deg=1
+    case "$name" in bench*) continue ;; esac # without an airframe
+    "$2" "$scenario" "$work/flights/$1/$name-six_dof" flight.motion=six_dof launch_guide.tilt_deg=4 \
+      launch_guide.azimuth_deg=110 wind.speed_m_s=6 wind.exponent=0.14 wind.turbulence=0.15 wind.gust_m_s=3 \
+      imu.position_m=0.3 imu.across_m=0.01 vibration.specific_force_m_s2=10 recovery.drag_area_m2=0.5
   done
 }
 

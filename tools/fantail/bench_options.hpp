@@ -34,6 +34,7 @@ void add_bench_step(const Verb& bench);
 void add_bench_sine(const Verb& bench);
 void add_bench_cycle(const Verb& bench);
 void add_bench_hold(const Verb& bench);
+void add_bench_axes(const Verb& bench);
 void add_bench_arm(const Verb& bench);
 void add_bench_plan(const Verb& bench);
 void add_bench_log(const Verb& bench);

@@ -96,6 +96,7 @@ sim::Scenario load(const ScenarioOptions& options) {
       say("fantail: warning: " + warning + "\n");
     }
   }
+  scenario.changed_values = changes_of(options).size();
   scenario.seed = parse_seed(options.seed).value_or(scenario.seed);
   return scenario;
 }

@@ -50,6 +50,7 @@ void fill(const Verb& bench) {
   add_bench_hold(bench);
   add_bench_cycle(bench);
   add_bench_zero(bench);
+  add_bench_axes(bench);
   add_bench_arm(bench);
   add_bench_plan(bench);
   add_bench_log(bench);

@@ -148,7 +148,8 @@ void fill(const Verb& verb) {
   add_scenario_options(verb, options->scenario);
   verb.option("--out", options->out,
               "Folder for flight.csv, summary.json, report.html, flight.ftl (what the avionics recorded itself) and, "
-              "of a tunnel run, tunnel.csv [out/SCENARIO, with what --set and --seed change: out/SCENARIO+CHANGES]")
+              "of a tunnel run, tunnel.csv, of a flight in six degrees of freedom, trajectory.csv [out/SCENARIO, with "
+              "what --set and --seed change: out/SCENARIO+CHANGES]")
       .check(objection_to_folder);
   add_flight_computer_options(verb, options->computer);
   add_lcm_option(verb, options->lcm, "Publish the flight as LCM messages");
@@ -161,6 +162,8 @@ void fill(const Verb& verb) {
       "                                                      would a wider canard limit have held the first launch?\n"
       "  fantail fly my_rocket.toml --seed 7 --out /tmp/try --json\n"
       "                                                      your own scenario, for a script\n"
+      "  fantail fly tasha3_launch2 --set flight.motion=six_dof --set wind.speed_m_s=5 --set wind.from_deg=270\n"
+      "                                                      in six degrees of freedom, with wind from the west\n"
       "  fantail fly tasha3_launch2 --on emulator            on the emulated processor of the board: the same bytes\n"
       "  fantail fly --realtime --lcm udpm://239.255.76.67:7667\n"
       "                                                      by the clock, for fantail watch in another terminal");

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#include <memory>
+
+#include <fmt/core.h>
+
+#include "bench/axes.hpp"
+#include "fantail/bench_options.hpp"
+#include "fantail/can_place.hpp"
+#include "fantail/run.hpp"
+#include "fantail/standard_streams.hpp"
+
+namespace fantail::tool {
+namespace {
+
+void axes(const BenchOptions& options) {
+  CanPlace place{options.interface};
+  link::AvionicsLink link{place.bus()};
+  await_rocket(options, place, link);
+  bench::RollSeen seen{};
+  try {
+    seen = bench::watch_turns(
+        place, link, [](const bench::AskedTurn& turn) { say(fmt::format("{}: {}\n", turn.axis, turn.instruction)); });
+  } catch (const bench::NotTurned& error) {
+    throw RequirementNotMet{std::string{error.what()} + "; nothing is said of the axes"};
+  }
+  const bench::AxesResult result = bench::judge_axes(seen);
+  fmt::print("{}", options.json ? bench::axes_json(result) : bench::axes_text(result));
+  if (!result.right) {
+    throw RequirementNotMet{""};
+  }
+}
+
+}  // namespace
+
+void add_bench_axes(const Verb& bench) {
+  auto verb =
+      bench.verb("axes", "Turn the rocket as told: is the gyro's roll axis the rocket's, with its sense and scale?");
+  auto options = std::make_shared<BenchOptions>();
+  add_bench_options(verb, *options, "Print one JSON object");
+  verb.examples(
+      "Examples:\n"
+      "  fantail bench axes --can can0              three turns by hand; the canards do not move\n"
+      "  fantail bench axes --can can0 --json       for a script; what to do is on standard error");
+  verb.action([options] { axes(*options); });
+}
+
+}  // namespace fantail::tool
