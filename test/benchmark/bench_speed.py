@@ -89,6 +89,10 @@ def measure(folder, rounds):
         "world_ms_ns": time_ns("whole_flight", "time_per_world_ms"),
         "flights_per_s": summary([sample["flights_per_s"] for sample in fantail["whole_flight"]]),
         "times_real_time": summary([sample["times_real_time"] for sample in fantail["whole_flight"]]),
+        "six_dof_ms_ns": time_ns("whole_flight_six_dof", "time_per_world_ms"),
+        "six_dof_times_real_time": summary(
+            [sample["times_real_time"] for sample in fantail["whole_flight_six_dof"]]
+        ),
         "jsbsim_ms_ns": summary([NANOSECONDS * each / milliseconds for each in peer_s]),
         "jsbsim_times_real_time": summary([flight["duration_s"] / each for each in peer_s]),
         "jsbsim_flight": flight,
@@ -108,8 +112,10 @@ def show(result):
         ("autopilot.step, armed on the pad          ns", "autopilot_step_armed_ns"),
         ("avionics.tick                             ns", "avionics_tick_ns"),
         ("whole world, one millisecond              ns", "world_ms_ns"),
+        ("the same in six degrees of freedom, wind  ns", "six_dof_ms_ns"),
         ("JSBSim, one millisecond                   ns", "jsbsim_ms_ns"),
         ("whole world, times real time", "times_real_time"),
+        ("the same in six degrees of freedom, wind", "six_dof_times_real_time"),
         ("JSBSim, times real time", "jsbsim_times_real_time"),
         ("whole world, flights a second", "flights_per_s"),
     ]

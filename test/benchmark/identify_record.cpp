@@ -5,6 +5,7 @@
 #include <cstddef>
 
 #include "identify/model/roll_model.hpp"
+#include "input/scenario_file.hpp"
 #include "sim/world.hpp"
 
 namespace fantail::benchmark {

@@ -9,8 +9,12 @@ namespace {
 
 // A whole flight from power-up on the pad to a second after apogee: sensors, avionics, servos, air and rocket. Nothing
 // is written anywhere, and the scenario is loaded beforehand.
-void whole_flight(::benchmark::State& state) {
-  const sim::Scenario scenario = input::load_scenario("tasha3_launch2", {});
+void whole_flight(::benchmark::State& state, sim::FlightMotion motion) {
+  sim::Scenario scenario = input::load_scenario("tasha3_launch2", {});
+  scenario.motion = motion;
+  if (motion == sim::FlightMotion::six_dof) {
+    scenario.wind = {.speed_m_s = 5.0, .exponent = 0.14, .turbulence = 0.1};
+  }
   double milliseconds = 0.0;
   for ([[maybe_unused]] auto _ : state) {
     sim::World world{scenario};
@@ -27,7 +31,11 @@ void whole_flight(::benchmark::State& state) {
   state.counters["flights_per_s"] = Counter(1.0, Counter::kIsIterationInvariantRate);
 }
 
+void straight_flight(::benchmark::State& state) { whole_flight(state, sim::FlightMotion::straight); }
+void six_dof_flight(::benchmark::State& state) { whole_flight(state, sim::FlightMotion::six_dof); }
+
 }  // namespace
 }  // namespace fantail::benchmark
 
-BENCHMARK(fantail::benchmark::whole_flight)->Name("whole_flight");
+BENCHMARK(fantail::benchmark::straight_flight)->Name("whole_flight");
+BENCHMARK(fantail::benchmark::six_dof_flight)->Name("whole_flight_six_dof");

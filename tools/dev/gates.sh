@@ -86,14 +86,29 @@ bench_speed() {
   need $bench_packages
   # In its own folder: ./dev test does not need these packages.
   build "the benchmarks" build/bench 300 bench_commands
-  if ! cmp -s test/benchmark/requirements.txt build/bench-venv/requirements.txt; then
-    rm -rf build/bench-venv
-    /usr/bin/python3 -m venv build/bench-venv
-    build/bench-venv/bin/pip -q --disable-pip-version-check install -r test/benchmark/requirements.txt
-    cp test/benchmark/requirements.txt build/bench-venv/
-  fi
+  python_of test/benchmark build/bench-venv
   leave_turn
   exec build/bench-venv/bin/python test/benchmark/bench_speed.py build/bench/test/benchmark "$@"
+}
+
+# python_of FOLDER VENV: the packages that its requirements.txt pins, in an environment of their own.
+python_of() {
+  if ! cmp -s "$1/requirements.txt" "$2/requirements.txt"; then
+    rm -rf "$2"
+    /usr/bin/python3 -m venv "$2"
+    "$2/bin/pip" -q --disable-pip-version-check install -r "$1/requirements.txt"
+    cp "$1/requirements.txt" "$2/"
+  fi
+}
+
+validate() {
+  take_turn
+  # shellcheck disable=SC2086
+  need $fly_packages python3-venv
+  host_build "fantail fly" fantail fantail-fly
+  python_of test/validation build/validation-venv
+  leave_turn
+  exec build/validation-venv/bin/python test/validation/validate.py build/host/fantail "$@"
 }
 
 bench_commands() {
