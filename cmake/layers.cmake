@@ -31,7 +31,7 @@ set(FANTAIL_LAYERS
   "tools/identify/closed_loop|core text identify/model|Eigen/ fmt/"
   "tools/identify/result|text json page identify/model identify/closed_loop|Eigen/ fmt/"
   "tools/identify|sim text input logs identify/model identify/closed_loop identify/result|Eigen/ fmt/"
-  "tools/tunnel|text json page flight logs identify identify/model|fmt/"
+  "tools/tunnel|text json page flight flight_log logs identify identify/model|Eigen/ fmt/"
   "tools/replies|core protocol hal|"
   "tools/link|core protocol hal avionics text replies|fmt/"
   "tools/stability|sim|"
