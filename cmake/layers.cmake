@@ -22,7 +22,7 @@ set(FANTAIL_LAYERS
   "tools/text||fmt/"
   "tools/json||fmt/"
   "tools/page|text json|fmt/"
-  "tools/input|core sim text|"
+  "tools/input|core sim text|fmt/"
   "tools/flight|core text input|fmt/"
   "tools/report|text json page flight|fmt/"
   "tools/flight_log|core protocol avionics text input flight|fmt/"

@@ -10,6 +10,7 @@
 #include "sim/airframe.hpp"
 #include "sim/canard_tolerances.hpp"
 #include "sim/felt_motion.hpp"
+#include "sim/geometry.hpp"
 #include "sim/recovery.hpp"
 #include "sim/roll_plant.hpp"
 #include "sim/sensor_models.hpp"
@@ -40,6 +41,8 @@ struct Vehicle {
   ThrustCurve motor;
   std::optional<Airframe> airframe;           ///< empty: the rocket moves along straight lines only
   std::vector<std::string> airframe_assumed;  ///< of the airframe, a sentence each
+  std::optional<Geometry> geometry;           ///< empty: nobody has described it
+  std::vector<std::string> geometry_assumed;  ///< of the geometry, a sentence each
   std::optional<Recovery> recovery;           ///< empty: it falls as it flew
   ServoParameters servo{};                    ///< of a typical one
   ServoSpread servo_spread{};

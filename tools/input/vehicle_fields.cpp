@@ -11,6 +11,7 @@ constexpr Unit deg_s_per_min{.name = "deg/s per min", .scale = sim::radians_per_
 constexpr Unit percent{.name = "%", .scale = 0.01};
 constexpr Unit g{.name = "g", .scale = sim::gravity_m_s2};
 constexpr Limits tolerated_deg{0.05, 10};
+constexpr std::array<std::string_view, 5> nose_shapes{"cone", "ogive", "ellipsoid", "parabola", "haack"};
 
 // clang-format off: one field a row reads better than one argument a line
 #define AT(expression) FANTAIL_PLACE(sim::Vehicle, expression)
@@ -45,6 +46,39 @@ constexpr auto fields = std::to_array<Field<sim::Vehicle>>({
   {"recovery", "delay_s", number("s", {0, 60}), may, AT(made(it.recovery).delay_s), "From apogee until it begins to open."},
   {"recovery", "opening_time_s", number("s", {0.05, 10}), may, AT(made(it.recovery).opening_time_s), "From then until it is full."},
   {"recovery", "position_m", number("m", {0, 30}), may, AT(made(it.recovery).position_m), "Where its line holds the rocket, from the tip of the nose."},
+
+  {"shape", "diameter_m", number("m", {0.01, 2}), must_in_its_section, AT(made(it.geometry).diameter_m), "Of nose and body. The sections from here to `masses` describe the rocket from outside; `fantail airframe` computes from them, no flight does."},
+  {"shape", "length_m", number("m", {0.1, 30}), must_in_its_section, AT(made(it.geometry).length_m), "From the tip of the nose to the tail."},
+  {"shape", "nose", choice(nose_shapes), must_in_its_section, AT(made(it.geometry).nose_shape), "The shape of the nose cone."},
+  {"shape", "nose_length_m", number("m", {0.005, 10}), must_in_its_section, AT(made(it.geometry).nose_length_m), "Its length."},
+  {"shape", "transition_position_m", number("m", {0, 30}), may, AT(made(made(it.geometry).transition).position_m), "Where a change of diameter begins; behind it the body goes on with the new one. A boat tail ends at the tail."},
+  {"shape", "transition_length_m", number("m", {0.001, 10}), may, AT(made(made(it.geometry).transition).length_m), "How long it is."},
+  {"shape", "transition_diameter_m", number("m", {0.005, 2}), may, AT(made(made(it.geometry).transition).aft_diameter_m), "The diameter behind it."},
+  {"shape", "assumed", list(100, text()), may, AT(grown(it.geometry_assumed, i)), "What in these sections was assumed and not measured, a sentence each."},
+// Fins and canards are described by the same words.
+// NOLINTBEGIN(bugprone-macro-parentheses): as in field.hpp
+#define FIN_SET(section, set) \
+  {section, "position_m", number("m", {0, 30}), must_in_its_section, AT(made(made(it.geometry).set).position_m), "Where the leading edge meets the body, from the tip of the nose."}, \
+  {section, "root_chord_m", number("m", {0.001, 5}), must_in_its_section, AT(made(made(it.geometry).set).root_chord_m), "Along the body."}, \
+  {section, "tip_chord_m", number("m", {0, 5}), must_in_its_section, AT(made(made(it.geometry).set).tip_chord_m), "At the tip; 0: a triangle."}, \
+  {section, "span_m", number("m", {0.001, 2}), must_in_its_section, AT(made(made(it.geometry).set).span_m), "From the surface of the body to the tip."}, \
+  {section, "sweep_m", number("m", {-2, 5}), may, AT(made(made(it.geometry).set).sweep_m), "How far the leading edge of the tip is behind that of the root; below zero: ahead of it."}, \
+  {section, "thickness_m", number("m", {0.0001, 0.2}), may, AT(made(made(it.geometry).set).thickness_m), "Of the plate."}
+// NOLINTEND(bugprone-macro-parentheses)
+  FIN_SET("fins", fins),
+  {"fins", "count", integer({}, {2, 8}), may, AT(made(made(it.geometry).fins).count), "Evenly around the body."},
+  {"fins", "cant_deg", number(deg, {-10, 10}), may, AT(made(made(it.geometry).fins).cant_rad), "All fins turned alike: positive rolls the rocket as positive canards do."},
+  FIN_SET("canards", canards),
+  {"canards", "hinge_m", number("m", {0, 5}), may, AT(made(it.geometry).canard_hinge_m), "The shaft, behind the leading edge at the root."},
+
+  {"masses", "names", list(100, text()), may, AT(grown(made(it.geometry).masses, i).name), "The parts of the rocket without its propellant."},
+  {"masses", "masses_kg", list(100, number("kg", {0, 1000})), may, AT(grown(made(it.geometry).masses, i).mass_kg), "What each weighs; as many as `names`, as all lists of this section."},
+  {"masses", "positions_m", list(100, number("m", {0, 30})), may, AT(grown(made(it.geometry).masses, i).position_m), "Where the middle of each is, from the tip of the nose."},
+  {"masses", "lengths_m", list(100, number("m", {0, 30})), may, AT(grown(made(it.geometry).masses, i).length_m), "How long each is; 0: a point."},
+  {"masses", "radii_of_gyration_m", list(100, number("m", {0, 2})), may, AT(grown(made(it.geometry).masses, i).radius_of_gyration_m), "About the long axis: the radius of a thin tube, 0.707 times that of a full rod."},
+  {"masses", "propellant_position_m", number("m", {0, 30}), may, AT(made(made(it.geometry).propellant).position_m), "Where the middle of the propellant is; how much there is says the motor."},
+  {"masses", "propellant_length_m", number("m", {0, 10}), may, AT(made(made(it.geometry).propellant).length_m), "How long it is."},
+  {"masses", "propellant_radius_of_gyration_m", number("m", {0, 1}), may, AT(made(made(it.geometry).propellant).radius_of_gyration_m), "Likewise about the long axis."},
 
   {"motor", "file", file(), must, {}, "The motor: a RASP file (`.eng`), as thrustcurve.org has them. `motors.eng#K550`: the motor of that name in a file of several."},
 

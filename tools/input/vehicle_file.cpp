@@ -9,6 +9,7 @@
 
 #include "input/copied.hpp"
 #include "input/file_kind.hpp"
+#include "input/geometry_checks.hpp"
 #include "input/messages.hpp"
 #include "input/rasp_file.hpp"
 #include "input/shipped.hpp"
@@ -148,6 +149,7 @@ sim::Vehicle read_vehicle(const Document& document) {
   check_servo(document, vehicle);
   check_trim(document, vehicle);
   check_airframe(document, vehicle);
+  check_geometry(document, vehicle);
   check_sensors(document, vehicle);
   if (auto question = question_about_vehicle(document, vehicle)) {
     vehicle.warnings.push_back(std::move(*question));

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: MIT
+#include "input/geometry_checks.hpp"
+
+#include <array>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "input/messages.hpp"
+#include "input/section.hpp"
+
+namespace fantail::input {
+namespace {
+
+constexpr double a_millimetre_m = 0.001;
+constexpr Limits any{-1e9, 1e9};  // of what the table of fields has read and checked
+
+std::string at_most(double value, const char* allowed, double limit) {
+  return fmt::format("= {}; allowed: at most {}, {}", plain_number(value), allowed, plain_number(limit));
+}
+
+void check_body(const Document& document, const sim::Geometry& shape) {
+  Section section{document, "shape"};
+  if (!(shape.diameter_m < shape.length_m)) {
+    section.refuse("diameter_m", fmt::format("= {}; allowed: less than length_m = {}", plain_number(shape.diameter_m),
+                                             plain_number(shape.length_m)));
+  }
+  if (shape.nose_length_m > shape.length_m) {
+    section.refuse("nose_length_m", at_most(shape.nose_length_m, "length_m", shape.length_m));
+  }
+  if (!shape.transition) {
+    return;
+  }
+  for (const char* key : {"transition_position_m", "transition_length_m", "transition_diameter_m"}) {
+    if (!section.has(key)) {
+      section.refuse(key,
+                     "is missing; a transition needs transition_position_m, transition_length_m and "
+                     "transition_diameter_m");
+    }
+  }
+  const sim::Geometry::Transition& transition = *shape.transition;
+  if (transition.position_m < shape.nose_length_m) {
+    section.refuse("transition_position_m",
+                   fmt::format("= {} is on the nose; allowed: at least nose_length_m = {}",
+                               plain_number(transition.position_m), plain_number(shape.nose_length_m)));
+  }
+  if (transition.position_m + transition.length_m > shape.length_m + a_millimetre_m) {
+    section.refuse("transition_length_m", at_most(transition.length_m, "what is left before the tail",
+                                                  shape.length_m - transition.position_m));
+  }
+}
+
+void check_fins(const Document& document, const char* name, const sim::Geometry::FinSet& fins,
+                const sim::Geometry& shape) {
+  const Section section{document, name};
+  if (fins.position_m < shape.nose_length_m) {
+    section.refuse("position_m", fmt::format("= {} is on the nose; allowed: at least shape.nose_length_m = {}",
+                                             plain_number(fins.position_m), plain_number(shape.nose_length_m)));
+  }
+  if (fins.position_m + fins.root_chord_m > shape.length_m + a_millimetre_m) {
+    section.refuse("position_m",
+                   fmt::format("= {} puts the end of the root chord behind the tail; allowed: at most {}",
+                               plain_number(fins.position_m), plain_number(shape.length_m - fins.root_chord_m)));
+  }
+  if (fins.thickness_m > fins.root_chord_m) {
+    section.refuse("thickness_m", at_most(fins.thickness_m, "root_chord_m", fins.root_chord_m));
+  }
+  if (!shape.transition) {
+    return;
+  }
+  const sim::Geometry::Transition& transition = *shape.transition;
+  const bool ahead = fins.position_m + fins.root_chord_m <= transition.position_m + a_millimetre_m;
+  const bool behind = fins.position_m >= transition.position_m + transition.length_m - a_millimetre_m;
+  if (!ahead && !behind) {
+    section.refuse("position_m", fmt::format("= {} puts them on the transition; allowed: ahead of it or behind it",
+                                             plain_number(fins.position_m)));
+  }
+}
+
+void check_masses(const Document& document, const sim::Geometry& shape) {
+  Section section{document, "masses"};
+  const std::size_t count = shape.masses.size();
+  if (section.texts("names", 100).size() != count) {
+    section.refuse("names", fmt::format("has {} names, and {} masses are described; allowed: one a mass",
+                                        section.texts("names", 100).size(), count));
+  }
+  for (const char* key : {"masses_kg", "positions_m"}) {
+    if (const std::size_t given = section.numbers(key, any, 100).size(); given != count) {
+      section.refuse(key, fmt::format("has {} numbers; allowed: as many as names, {}", given, count));
+    }
+  }
+  for (const char* key : {"lengths_m", "radii_of_gyration_m"}) {
+    const std::size_t given = section.numbers(key, any, 100).size();
+    if (given != count && given != 0) {
+      section.refuse(key, fmt::format("has {} numbers; allowed: as many as names, {}, or none", given, count));
+    }
+  }
+  for (const sim::Geometry::Mass& mass : shape.masses) {
+    if (mass.position_m - 0.5 * mass.length_m < -a_millimetre_m ||
+        mass.position_m + 0.5 * mass.length_m > shape.length_m + a_millimetre_m) {
+      section.refuse("positions_m", fmt::format("= {} for \"{}\", {} m long, reaches out of the rocket; allowed: what "
+                                                "keeps it within 0 and shape.length_m = {}",
+                                                plain_number(mass.position_m), mass.name, plain_number(mass.length_m),
+                                                plain_number(shape.length_m)));
+    }
+  }
+  if (shape.propellant) {
+    for (const char* key : {"propellant_position_m", "propellant_length_m", "propellant_radius_of_gyration_m"}) {
+      if (!section.has(key)) {
+        section.refuse(key, "is missing; the propellant needs position, length and radius of gyration");
+      }
+    }
+    if (shape.propellant->position_m > shape.length_m) {
+      section.refuse("propellant_position_m", at_most(shape.propellant->position_m, "shape.length_m", shape.length_m));
+    }
+  }
+}
+
+// One rocket has one length.
+void check_against_airframe(const Document& document, const sim::Vehicle& vehicle) {
+  if (!vehicle.airframe) {
+    return;
+  }
+  const std::array both{std::pair{"diameter_m", std::pair{vehicle.geometry->diameter_m, vehicle.airframe->diameter_m}},
+                        std::pair{"length_m", std::pair{vehicle.geometry->length_m, vehicle.airframe->length_m}}};
+  for (const auto& [key, values] : both) {
+    if (std::abs(values.first - values.second) > a_millimetre_m) {
+      Section{document, "shape"}.refuse(key, fmt::format("= {}; allowed: airframe.{} = {}, within a millimetre",
+                                                         plain_number(values.first), key, plain_number(values.second)));
+    }
+  }
+}
+
+}  // namespace
+
+void check_geometry(const Document& document, const sim::Vehicle& vehicle) {
+  if (!vehicle.geometry) {
+    return;
+  }
+  const sim::Geometry& shape = *vehicle.geometry;
+  if (!Section{document, "shape"}.is_there()) {
+    for (const char* name : {"fins", "canards", "masses"}) {
+      if (Section section{document, name}; section.is_there()) {
+        section.refuse(name == std::string{"masses"} ? "names" : "position_m",
+                       "needs the section [shape], which says the rocket's length and diameter");
+      }
+    }
+  }
+  check_body(document, shape);
+  if (shape.fins) {
+    check_fins(document, "fins", *shape.fins, shape);
+  }
+  if (shape.canards) {
+    check_fins(document, "canards", *shape.canards, shape);
+    if (shape.canard_hinge_m.value_or(0.0) > shape.canards->root_chord_m) {
+      Section{document, "canards"}.refuse("hinge_m",
+                                          at_most(*shape.canard_hinge_m, "root_chord_m", shape.canards->root_chord_m));
+    }
+  }
+  check_masses(document, shape);
+  check_against_airframe(document, vehicle);
+}
+
+}  // namespace fantail::input
