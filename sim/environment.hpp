@@ -48,6 +48,8 @@ class Environment {
   [[nodiscard]] const AscentEvents& ascent_events() const {  ///< in flight only
     return flight_ ? flight_->events() : ascent_->events();
   }
+  /// When the parachute began to open; empty: not yet, or there is none.
+  [[nodiscard]] std::optional<double> parachute_s() const { return flight_ ? flight_->parachute_s() : std::nullopt; }
   [[nodiscard]] std::optional<Path> path() const;  ///< empty along a straight line and in the tunnel
   /// It follows the propellant; empty where it does not change.
   [[nodiscard]] std::optional<double> roll_inertia_kg_m2() const;

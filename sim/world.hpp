@@ -104,6 +104,7 @@ class World {
     std::optional<core::Microseconds> guide_clear;
     std::optional<core::Microseconds> burnout;
     std::optional<core::Microseconds> apogee;
+    std::optional<core::Microseconds> parachute;  ///< it began to open
   };
   [[nodiscard]] const Events& events() const { return events_; }
 

@@ -41,6 +41,7 @@ void World::follow_flight() {
   note(events_.guide_clear, environment_.is_clear_of_guide());
   note(events_.burnout, ascent.burnout_s.has_value());
   note(events_.apogee, ascent.apogee_s.has_value());
+  note(events_.parachute, environment_.parachute_s().has_value());
   if (!ascent.apogee_s) {
     events_.apogee.reset();  // it was only a hop, and the rocket stands on the pad again
   }

@@ -43,6 +43,9 @@ quick() {
   call 0 tunnel steps out/tunnel_steps
   call 1 predict tasha3_launch1
   call 0 paper
+  call 0 airframe tasha3_launch2
+  call 0 new my_rocket --from tasha3_launch2
+  call 0 fly my_rocket/scenario.toml
   # No bus and no messages here: what they say of that is the test.
   call 74 node bench_healthy --can no_such_bus
   call 74 bench watch --can no_such_bus

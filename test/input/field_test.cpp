@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "input/messages.hpp"
+#include "input/plan_file.hpp"
 #include "input/scenario_file.hpp"
 #include "input/shipped.hpp"
 #include "input/vehicle_file.hpp"
@@ -106,6 +107,16 @@ void expect_usual_values_in_range(std::span<const Field<Thing>> fields) {
       }
       EXPECT_GE(value, field.allowed.range.minimum) << field.key;
       EXPECT_LE(value, field.allowed.range.maximum) << field.key;
+    }
+  }
+}
+
+// --set names a section and not a file.
+TEST(FieldTable, NoSectionIsInTwoKindsOfFile) {
+  std::set<std::string> all;
+  for (const auto& sections : {plan_sections(), sections_of(vehicle_fields()), sections_of(scenario_fields())}) {
+    for (const std::string& section : sections) {
+      EXPECT_TRUE(all.insert(section).second) << section;
     }
   }
 }

@@ -9,6 +9,7 @@
 
 #include "fly/fly_scenario.hpp"
 #include "input/scenario_file.hpp"
+#include "report/descent.hpp"
 #include "report/figures.hpp"
 #include "text/degrees.hpp"
 
@@ -107,6 +108,7 @@ TEST(SixDegreesOfFreedom, AParachuteIsSeenByTheAccelerometer) {
   const double apogee_s = flight.events.apogee_s.value();
   const flight::PathPoint* last = &flight.path.back();
   EXPECT_NEAR(last->up_m_s, -8.9, 0.5);  // sqrt(2 (3.99 - 0.226) g / (1.18 kg/m3 0.8 m2))
+  EXPECT_NEAR(flight.events.parachute_s.value(), apogee_s + 1.0, 0.002);
   double largest_m_s2 = 0.0;
   for (const flight::Row& row : flight.rows) {
     if (row.time_s > apogee_s + 1.0) {
@@ -114,6 +116,17 @@ TEST(SixDegreesOfFreedom, AParachuteIsSeenByTheAccelerometer) {
     }
   }
   EXPECT_GT(largest_m_s2, 8.0);
+  EXPECT_FALSE(six_dof({}).events.parachute_s);
+}
+
+TEST(SixDegreesOfFreedom, AParachuteThatOpensLateIsAJolt) {
+  const flight::Flight flight =
+      six_dof({"recovery.drag_area_m2=0.8", "recovery.delay_s=4", "timing.time_after_end_s=6"});
+  const auto jolt = report::jolt_after_apogee(flight);
+  ASSERT_TRUE(jolt);
+  EXPECT_GE(jolt->time_s, flight.events.parachute_s.value());
+  EXPECT_LE(jolt->time_s, *flight.events.parachute_s + 0.5);
+  EXPECT_FALSE(report::jolt_after_apogee(six_dof({"timing.time_after_end_s=6"})));
 }
 
 }  // namespace

@@ -47,7 +47,7 @@ TEST(MissingPart, IsRefusedWhereItIsNamed) {
           {"--set motor.file=i151_canonical: ", "unknown motor", "did you mean i150_canonical?"});
   const std::string vehicle = replaced(shipped("vehicles/smokey.toml"), "i150_canonical", "gone.eng");
   Refusal({{"s.toml", "vehicle = \"v.toml\"\nplan = \"tasha3_launch2\"\n"}, {"v.toml", vehicle}}, {"fly", "s.toml"}, 66,
-          {"v.toml:42: ", "gone.eng"});
+          {"v.toml:80: ", "gone.eng"});
 }
 
 TEST(ScenarioWithoutAVehicle, IsRefused) {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "tunnel/stability.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -75,6 +77,34 @@ TEST(Swing, OneThatIsTooShortOrLostSaysSo) {
   EXPECT_FALSE(fit_swing(dead, {.begin_s = 0.0, .end_s = 20.0}).swing.has_value());
 }
 
+/// The rate of a rocket that is at `angle_deg(t)` until it hangs at its tether, at 40 degrees.
+SwingLog leaving(const std::function<double(double)>& angle_deg) {
+  SwingLog log;
+  for (double t = 0.0; t < 30.0; t += 0.01) {
+    const double now = std::min(angle_deg(t), 40.0);
+    log.time_s.push_back(t);
+    log.angle_rad.push_back(now * degrees);
+    log.value.push_back((std::min(angle_deg(t + 0.01), 40.0) - now) / 0.01 * degrees);
+  }
+  return log;
+}
+
+TEST(Swing, ARocketThatLeavesEverFasterIsUnstableAndOneThatWasPushedIsNot) {
+  const SwingStretch all{.begin_s = 0.0, .end_s = 30.0};
+  const SwingResult unstable = fit_swing(leaving([](double t) { return 0.05 * std::exp(0.8 * t); }), all);
+  EXPECT_TRUE(unstable.grows);
+  EXPECT_EQ(unstable.reason, "the rocket leaves where it hung ever faster, as no push makes it");
+  for (const auto& pushed :
+       {std::function<double(double)>{[](double t) { return t < 5.0 ? 0.0 : 20.0 * (t - 5.0); }},
+        std::function<double(double)>{[](double t) { return t < 5.0 ? 0.0 : 5.0 * (t - 5.0) * (t - 5.0); }},
+        std::function<double(double)>{
+            [](double t) { return t < 5.0 ? 0.0 : 40.0 * std::sin(0.8 * std::min(t - 5.0, 1.9)); }}}) {
+    const SwingResult result = fit_swing(leaving(pushed), all);
+    EXPECT_FALSE(result.grows);
+    EXPECT_TRUE(result.is_too_large);
+  }
+}
+
 // 95 % of the intervals should hold the truth: of 400, 380; 14 are three deviations of that count.
 TEST(Swing, ItsIntervalsHoldTheTruthAsOftenAsTheySay) {
   sim::Random random{test::seed(20261123), 1};
@@ -140,9 +170,12 @@ TEST(Stability, ARocketThatOnlyItsStringsHoldIsUnstable) {
 
 TEST(Stability, ASwingThatGrowsIsUnstableWhateverTheOthersSay) {
   std::vector<StabilitySwing> swings{swing_at(15, 0.12, 0.0), swing_at(20, 0.12, 0.0)};
-  swings.push_back({.speed_m_s = 30.0, .result = {.stretch = {.begin_s = 12.0, .end_s = 14.0}, .grows = true}});
+  swings.push_back({.speed_m_s = 30.0,
+                    .result = {.stretch = {.begin_s = 12.0, .end_s = 14.0},
+                               .grows = true,
+                               .reason = "the swing grows instead of dying out"}});
   const Stability s = examine_stability(swings, airframe, 1.2);
-  EXPECT_EQ(s.sentence, "Unstable: at 30.0 m/s the swing from 12.0 s on grows instead of dying out.");
+  EXPECT_EQ(s.sentence, "Unstable: at 30.0 m/s, before or from 12.0 s on, the swing grows instead of dying out.");
 }
 
 TEST(Stability, AMarginThatMayBeEitherWayIsNotJudged) {

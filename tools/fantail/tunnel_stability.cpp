@@ -56,6 +56,17 @@ std::optional<std::vector<double>> parse_speeds(std::string_view text) {
   return speeds.empty() ? std::nullopt : std::optional{speeds};
 }
 
+/// What was changed of the vehicle for this flight; changes of plan and scenario are others'.
+void apply_changes(const flight::FlownAirframe& flown, input::Document& document) {
+  const std::vector<std::string> sections = input::sections_of(input::vehicle_fields());
+  for (const std::string& change : flown.changes) {
+    if (const std::string section = change.substr(0, change.find('.'));
+        std::ranges::find(sections, section) != sections.end()) {
+      document.apply(input::parse_override(change));
+    }
+  }
+}
+
 void take_airframe(const StabilityOptions& options, tunnel::StabilityHeading& heading) {
   const auto flown = logs::flown_airframe(options.logs.front());
   if (!options.vehicle && !flown) {
@@ -63,8 +74,11 @@ void take_airframe(const StabilityOptions& options, tunnel::StabilityHeading& he
         "no rocket given, and no summary.json beside the log says which one it was: use --vehicle NAME|FILE"};
   }
   const std::string named = options.vehicle ? *options.vehicle : flown->vehicle_file;
-  const sim::Vehicle vehicle =
-      input::read_vehicle(input::Document::load(input::find_input(input::Shipped::vehicle, named)));
+  input::Document document = input::Document::load(input::find_input(input::Shipped::vehicle, named));
+  if (!options.vehicle) {
+    apply_changes(*flown, document);
+  }
+  const sim::Vehicle vehicle = input::read_vehicle(document);
   if (!vehicle.airframe) {
     throw text::Error{text::ErrorKind::bad_configuration,
                       fmt::format("vehicle {} has no section [airframe], which says inertia and normal force", named)};
@@ -111,6 +125,12 @@ double mean_speed(const tunnel::TunnelLog& wind, const tunnel::SwingStretch& str
   std::vector<double> inside;
   for (std::size_t i = 0; i < wind.time_s.size(); ++i) {
     if (wind.time_s[i] >= stretch.begin_s && wind.time_s[i] <= stretch.end_s) {
+      inside.push_back(wind.wind_speed_m_s[i]);
+    }
+  }
+  constexpr double nearest_s = 5.0;  // a stretch between two readings
+  for (std::size_t i = 0; inside.empty() && i < wind.time_s.size(); ++i) {
+    if (std::abs(wind.time_s[i] - stretch.begin_s) < nearest_s) {
       inside.push_back(wind.wind_speed_m_s[i]);
     }
   }

@@ -33,6 +33,8 @@ inline constexpr std::array verb_table{
     VerbEntry{"watch",
               "Roll, canards, phase, health and the quality of the link, live from LCM messages; a line a second in a "
               "pipe, and one for every event"},
+    VerbEntry{"airframe", "What a vehicle's shape and parts give: stability, roll damping, canard torque, inertia"},
+    VerbEntry{"new", "Make vehicle, plan and scenario of a new rocket from its shape"},
     VerbEntry{"report", "A page on a flight that was logged, or on two beside each other"},
 };
 

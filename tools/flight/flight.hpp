@@ -59,6 +59,7 @@ struct Events {
   std::optional<double> control_end_s{};
   std::optional<double> burnout_s{};
   std::optional<double> apogee_s{};
+  std::optional<double> parachute_s{};  ///< it truly began to open
 };
 
 /// The events by the names that files give them.
@@ -66,13 +67,11 @@ struct NamedEvent {
   const char* name;
   std::optional<double> Events::* time_s;
 };
-inline constexpr std::array named_events{NamedEvent{"liftoff_s", &Events::liftoff_s},
-                                         NamedEvent{"detected_s", &Events::detected_s},
-                                         NamedEvent{"guide_clear_s", &Events::guide_clear_s},
-                                         NamedEvent{"control_start_s", &Events::control_start_s},
-                                         NamedEvent{"burnout_s", &Events::burnout_s},
-                                         NamedEvent{"control_end_s", &Events::control_end_s},
-                                         NamedEvent{"apogee_s", &Events::apogee_s}};
+inline constexpr std::array named_events{
+    NamedEvent{"liftoff_s", &Events::liftoff_s},         NamedEvent{"detected_s", &Events::detected_s},
+    NamedEvent{"guide_clear_s", &Events::guide_clear_s}, NamedEvent{"control_start_s", &Events::control_start_s},
+    NamedEvent{"burnout_s", &Events::burnout_s},         NamedEvent{"control_end_s", &Events::control_end_s},
+    NamedEvent{"apogee_s", &Events::apogee_s},           NamedEvent{"parachute_s", &Events::parachute_s}};
 
 /// Of those that begin a phase; null for a phase that no event begins.
 [[nodiscard]] std::optional<double>* event_of(Events& events, core::Phase phase);
@@ -132,6 +131,7 @@ struct FlownAirframe {
   std::string vehicle_file;  ///< as the scenario names it: a shipped name or a path
   double roll_inertia_kg_m2 = 0.0;
   double reference_area_m2 = 0.0;
+  std::vector<std::string> changes{};  ///< of the scenario, on the command line
 };
 
 /// One flown flight: all that flight.csv, summary.json and report.html are made from.

@@ -194,6 +194,7 @@ flight::Flight fly_scenario(const sim::Scenario& scenario, const Look& look, con
   flight.events.guide_clear_s = in_seconds(events.guide_clear);
   flight.events.burnout_s = in_seconds(events.burnout);
   flight.events.apogee_s = in_seconds(events.apogee);
+  flight.events.parachute_s = in_seconds(events.parachute);
   if (!was_armed) {
     flight.why_not_armed = why_not_armed(world, scenario);
   }

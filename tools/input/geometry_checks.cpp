@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "input/geometry_checks.hpp"
 
-#include <array>
-#include <cmath>
+#include <cstddef>
 #include <string>
-#include <utility>
 
 #include <fmt/format.h>
 
@@ -41,6 +39,12 @@ void check_body(const Document& document, const sim::Geometry& shape) {
     }
   }
   const sim::Geometry::Transition& transition = *shape.transition;
+  if (!(transition.length_m > 0.0)) {
+    section.refuse("transition_length_m", "= 0; allowed: above 0");
+  }
+  if (!(transition.aft_diameter_m > 0.0)) {
+    section.refuse("transition_diameter_m", "= 0; allowed: above 0");
+  }
   if (transition.position_m < shape.nose_length_m) {
     section.refuse("transition_position_m",
                    fmt::format("= {} is on the nose; allowed: at least nose_length_m = {}",
@@ -118,21 +122,6 @@ void check_masses(const Document& document, const sim::Geometry& shape) {
   }
 }
 
-// One rocket has one length.
-void check_against_airframe(const Document& document, const sim::Vehicle& vehicle) {
-  if (!vehicle.airframe) {
-    return;
-  }
-  const std::array both{std::pair{"diameter_m", std::pair{vehicle.geometry->diameter_m, vehicle.airframe->diameter_m}},
-                        std::pair{"length_m", std::pair{vehicle.geometry->length_m, vehicle.airframe->length_m}}};
-  for (const auto& [key, values] : both) {
-    if (std::abs(values.first - values.second) > a_millimetre_m) {
-      Section{document, "shape"}.refuse(key, fmt::format("= {}; allowed: airframe.{} = {}, within a millimetre",
-                                                         plain_number(values.first), key, plain_number(values.second)));
-    }
-  }
-}
-
 }  // namespace
 
 void check_geometry(const Document& document, const sim::Vehicle& vehicle) {
@@ -141,7 +130,7 @@ void check_geometry(const Document& document, const sim::Vehicle& vehicle) {
   }
   const sim::Geometry& shape = *vehicle.geometry;
   if (!Section{document, "shape"}.is_there()) {
-    for (const char* name : {"fins", "canards", "masses"}) {
+    for (const char* name : {"fins", "canard_fins", "masses"}) {
       if (Section section{document, name}; section.is_there()) {
         section.refuse(name == std::string{"masses"} ? "names" : "position_m",
                        "needs the section [shape], which says the rocket's length and diameter");
@@ -153,14 +142,13 @@ void check_geometry(const Document& document, const sim::Vehicle& vehicle) {
     check_fins(document, "fins", *shape.fins, shape);
   }
   if (shape.canards) {
-    check_fins(document, "canards", *shape.canards, shape);
+    check_fins(document, "canard_fins", *shape.canards, shape);
     if (shape.canard_hinge_m.value_or(0.0) > shape.canards->root_chord_m) {
-      Section{document, "canards"}.refuse("hinge_m",
-                                          at_most(*shape.canard_hinge_m, "root_chord_m", shape.canards->root_chord_m));
+      Section{document, "canard_fins"}.refuse(
+          "hinge_m", at_most(*shape.canard_hinge_m, "root_chord_m", shape.canards->root_chord_m));
     }
   }
   check_masses(document, shape);
-  check_against_airframe(document, vehicle);
 }
 
 }  // namespace fantail::input

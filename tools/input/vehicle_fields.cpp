@@ -52,8 +52,8 @@ constexpr auto fields = std::to_array<Field<sim::Vehicle>>({
   {"shape", "nose", choice(nose_shapes), must_in_its_section, AT(made(it.geometry).nose_shape), "The shape of the nose cone."},
   {"shape", "nose_length_m", number("m", {0.005, 10}), must_in_its_section, AT(made(it.geometry).nose_length_m), "Its length."},
   {"shape", "transition_position_m", number("m", {0, 30}), may, AT(made(made(it.geometry).transition).position_m), "Where a change of diameter begins; behind it the body goes on with the new one. A boat tail ends at the tail."},
-  {"shape", "transition_length_m", number("m", {0.001, 10}), may, AT(made(made(it.geometry).transition).length_m), "How long it is."},
-  {"shape", "transition_diameter_m", number("m", {0.005, 2}), may, AT(made(made(it.geometry).transition).aft_diameter_m), "The diameter behind it."},
+  {"shape", "transition_length_m", number("m", {0, 10}), may, AT(made(made(it.geometry).transition).length_m), "How long it is; above 0."},
+  {"shape", "transition_diameter_m", number("m", {0, 2}), may, AT(made(made(it.geometry).transition).aft_diameter_m), "The diameter behind it; above 0."},
   {"shape", "assumed", list(100, text()), may, AT(grown(it.geometry_assumed, i)), "What in these sections was assumed and not measured, a sentence each."},
 // Fins and canards are described by the same words.
 // NOLINTBEGIN(bugprone-macro-parentheses): as in field.hpp
@@ -68,8 +68,8 @@ constexpr auto fields = std::to_array<Field<sim::Vehicle>>({
   FIN_SET("fins", fins),
   {"fins", "count", integer({}, {2, 8}), may, AT(made(made(it.geometry).fins).count), "Evenly around the body."},
   {"fins", "cant_deg", number(deg, {-10, 10}), may, AT(made(made(it.geometry).fins).cant_rad), "All fins turned alike: positive rolls the rocket as positive canards do."},
-  FIN_SET("canards", canards),
-  {"canards", "hinge_m", number("m", {0, 5}), may, AT(made(it.geometry).canard_hinge_m), "The shaft, behind the leading edge at the root."},
+  FIN_SET("canard_fins", canards),
+  {"canard_fins", "hinge_m", number("m", {0, 5}), may, AT(made(it.geometry).canard_hinge_m), "The shaft, behind the leading edge at the root."},
 
   {"masses", "names", list(100, text()), may, AT(grown(made(it.geometry).masses, i).name), "The parts of the rocket without its propellant."},
   {"masses", "masses_kg", list(100, number("kg", {0, 1000})), may, AT(grown(made(it.geometry).masses, i).mass_kg), "What each weighs; as many as `names`, as all lists of this section."},

@@ -16,6 +16,7 @@
 
 #include "flight/columns.hpp"
 #include "flight/phase_names.hpp"
+#include "report/descent.hpp"
 #include "report/html.hpp"
 #include "text/degrees.hpp"
 #include "text/number.hpp"
@@ -103,6 +104,10 @@ std::vector<page::Level> event_marks(const flight::Flight& flight) {
   mark(e.control_start_s, "control");
   mark(e.burnout_s, "burn-out");
   mark(e.apogee_s, "apogee");
+  mark(e.parachute_s, "parachute");
+  if (const auto jolt = jolt_after_apogee(flight); jolt && !e.parachute_s) {
+    mark(jolt->time_s, "jolt");
+  }
   if (!e.apogee_s || (e.control_end_s && *e.control_end_s < *e.apogee_s - 0.2)) {
     mark(e.control_end_s, "control ends");
   }

@@ -12,6 +12,7 @@
 
 #include "flight/phase_names.hpp"
 #include "page/page.hpp"
+#include "report/descent.hpp"
 #include "text/degrees.hpp"
 #include "text/number.hpp"
 
@@ -93,6 +94,12 @@ std::string event_table(const flight::Flight& flight) {
       flight.tunnel ? "roll angle is zero here, canards leave trim" : "canards leave trim");
   add(e.burnout_s, "Burn-out", "");
   add(e.apogee_s, "Apogee", "");
+  add(e.parachute_s, "Parachute", "begins to open; true time, not known on board");
+  if (const auto jolt = jolt_after_apogee(flight)) {
+    add(jolt->time_s, "Jolt",
+        fmt::format("{} g along the axis, as when a parachute opens",
+                    text::fixed(jolt->specific_force_m_s2 / 9.80665, 1)));
+  }
   add(e.control_end_s, "Control ends", "canards return to trim");
   if (rows.empty()) {
     return page::paragraph(flight.known.phase ? "No events." : "Not in the log.");

@@ -60,6 +60,16 @@ std::optional<Enum> named(const std::string& word, std::size_t count) {
   return {};
 }
 
+std::vector<std::string> changes(const Json& summary) {
+  std::vector<std::string> all;
+  for (const Json& change : member(summary, "changes")) {
+    if (change.is_text()) {
+      all.push_back(change.text());
+    }
+  }
+  return all;
+}
+
 std::optional<flight::FlownAirframe> airframe(const Json& summary) {
   const auto inertia_kg_m2 = number(summary, "roll_inertia_kg_m2");
   const auto area_m2 = number(summary, "reference_area_m2");
@@ -69,7 +79,8 @@ std::optional<flight::FlownAirframe> airframe(const Json& summary) {
   return flight::FlownAirframe{.vehicle = text(summary, "vehicle"),
                                .vehicle_file = text(summary, "vehicle_file"),
                                .roll_inertia_kg_m2 = *inertia_kg_m2,
-                               .reference_area_m2 = *area_m2};
+                               .reference_area_m2 = *area_m2,
+                               .changes = changes(summary)};
 }
 
 void read_events(flight::Events& events, const Json& json) {
@@ -167,11 +178,7 @@ void add_summary(flight::Flight& flight, const std::filesystem::path& file) {
                            .angle_rad = text::radians(number(imposed, "angle_deg").value_or(0.0)),
                            .rate_rad_s = text::radians(number(imposed, "rate_deg_s").value_or(0.0))};
   }
-  for (const Json& change : member(summary, "changes")) {
-    if (change.is_text()) {
-      flight.changes.push_back(change.text());
-    }
-  }
+  flight.changes = changes(summary);
   for (const Json& note : member(summary, "notes")) {
     if (note.is_text()) {
       flight.notes.push_back(note.text());

@@ -96,8 +96,8 @@ void judge(Stability& s, const PitchAirframe& airframe) {
   const auto grown = std::ranges::find_if(s.swings, [](const auto& swing) { return swing.result.grows; });
   if (grown != s.swings.end()) {
     s.verdict = StabilityVerdict::unstable;
-    s.sentence = fmt::format("Unstable: at {} m/s the swing from {} s on grows instead of dying out.",
-                             fixed(grown->speed_m_s, 1), fixed(grown->result.stretch.begin_s, 1));
+    s.sentence = fmt::format("Unstable: at {} m/s, before or from {} s on, {}.", fixed(grown->speed_m_s, 1),
+                             fixed(grown->result.stretch.begin_s, 1), grown->result.reason);
     return;
   }
   if (!s.margin_m) {

@@ -20,52 +20,6 @@ using Eigen::Matrix;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-struct HalfWave {
-  double begin_s;
-  double end_s;
-  double top_s;
-  double top;  ///< size
-};
-
-std::vector<double> smoothed(const SwingLog& log, double width_s) {
-  std::vector<double> result(log.value.size());
-  std::size_t first = 0;
-  std::size_t last = 0;
-  double sum = 0.0;
-  for (std::size_t i = 0; i < log.value.size(); ++i) {
-    while (last < log.value.size() && log.time_s[last] <= log.time_s[i] + 0.5 * width_s) {
-      sum += log.value[last++];
-    }
-    while (log.time_s[first] < log.time_s[i] - 0.5 * width_s) {
-      sum -= log.value[first++];
-    }
-    result[i] = sum / static_cast<double>(last - first);
-  }
-  return result;
-}
-
-std::vector<HalfWave> half_waves(const SwingLog& log) {
-  constexpr double width_s = 0.1;  // far shorter than any swing of a rocket in a tunnel
-  std::vector<double> value = smoothed(log, width_s);
-  std::vector<double> sorted = value;
-  std::ranges::nth_element(sorted, sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2));
-  const double middle = sorted[sorted.size() / 2];
-  std::vector<HalfWave> waves;
-  for (std::size_t i = 0; i < value.size();) {
-    const bool above = value[i] > middle;
-    HalfWave wave{.begin_s = log.time_s[i], .end_s = log.time_s[i], .top_s = log.time_s[i], .top = 0.0};
-    for (; i < value.size() && (value[i] > middle) == above; ++i) {
-      wave.end_s = log.time_s[i];
-      if (std::abs(value[i] - middle) > wave.top) {
-        wave.top = std::abs(value[i] - middle);
-        wave.top_s = log.time_s[i];
-      }
-    }
-    waves.push_back(wave);
-  }
-  return waves;
-}
-
 constexpr Index parameters = 5;  // c, a, b, s, w
 using Parameters = Matrix<double, parameters, 1>;
 using Normal = Matrix<double, parameters, parameters>;
@@ -168,6 +122,32 @@ Fit least_squares(const Samples& samples) {
   return best;
 }
 
+/// Did the rocket leave where it hung ever faster, as an unstable one does without a push? From 1.25 to 5 degrees it
+/// then takes as long as from 5 to 20. After a push it takes four times as long for the second, and pushed evenly twice
+/// as long.
+bool departs(const SwingLog& log, std::size_t first_too_large, double largest_rad) {
+  constexpr double step = 4.0;
+  constexpr double slower_than_a_push = 1.4;
+  constexpr double shortest_s = 0.3;
+  const auto last_below = [&](double angle_rad, std::size_t before) -> std::optional<std::size_t> {
+    for (std::size_t i = before; i-- > 0;) {
+      if (std::abs(log.angle_rad[i]) < angle_rad) {
+        return i;
+      }
+    }
+    return std::nullopt;
+  };
+  const auto beyond = last_below(largest_rad, first_too_large);
+  const auto middle = beyond ? last_below(largest_rad / step, *beyond) : std::nullopt;
+  const auto begin = middle ? last_below(largest_rad / (step * step), *middle) : std::nullopt;
+  if (!begin) {
+    return false;
+  }
+  const double first_s = log.time_s[*middle] - log.time_s[*begin];
+  const double second_s = log.time_s[*beyond] - log.time_s[*middle];
+  return first_s > shortest_s && second_s < slower_than_a_push * first_s;
+}
+
 /// Largest distance from the middle, in one third of the stretch.
 double size_in_third(const std::vector<double>& value, std::size_t third) {
   const double middle = mean(value);
@@ -216,30 +196,6 @@ Swing swing_of(const SwingStretch& stretch, const Samples& samples, const Fit& f
 
 }  // namespace
 
-std::vector<SwingStretch> find_swings(const SwingLog& log) {
-  constexpr double jump = 2.0;
-  constexpr double least_share = 0.2;
-  constexpr double lost_share = 0.03;
-  const std::vector<HalfWave> waves = half_waves(log);
-  const double highest = std::ranges::max(waves, {}, &HalfWave::top).top;
-  std::vector<SwingStretch> found;
-  double before = 0.0;
-  double first = 0.0;
-  for (const HalfWave& wave : waves) {
-    if (wave.top >= least_share * highest && wave.top >= jump * before) {
-      if (!found.empty()) {
-        found.back().end_s = std::min(found.back().end_s, wave.begin_s);
-      }
-      found.push_back({.begin_s = wave.top_s, .end_s = log.time_s.back()});
-      first = wave.top;
-    } else if (!found.empty() && wave.top < lost_share * first) {
-      found.back().end_s = std::min(found.back().end_s, wave.begin_s);
-    }
-    before = wave.top;
-  }
-  return found;
-}
-
 SwingResult fit_swing(const SwingLog& log, const SwingStretch& stretch) {
   constexpr std::size_t fewest_samples = 20;
   constexpr double largest_rad = 20.0 * std::numbers::pi / 180.0;
@@ -247,9 +203,13 @@ SwingResult fit_swing(const SwingLog& log, const SwingStretch& stretch) {
   std::vector<double> time_s;
   std::vector<double> measured;
   double farthest_rad = 0.0;
+  std::optional<std::size_t> first_too_large;
   for (std::size_t i = 0; i < log.time_s.size(); ++i) {
     if (log.time_s[i] >= stretch.begin_s && log.time_s[i] <= stretch.end_s) {
       farthest_rad = std::max(farthest_rad, std::abs(log.angle_rad[i]));
+      if (farthest_rad > largest_rad) {
+        first_too_large = first_too_large.value_or(i);
+      }
       time_s.push_back(log.time_s[i]);
       measured.push_back(log.value[i]);
     }
@@ -258,7 +218,12 @@ SwingResult fit_swing(const SwingLog& log, const SwingStretch& stretch) {
     result.reason = fmt::format("it has only {} samples; allowed: {} or more", time_s.size(), fewest_samples);
     return result;
   }
-  if (farthest_rad > largest_rad) {
+  if (first_too_large && departs(log, *first_too_large, largest_rad)) {
+    result.grows = true;
+    result.reason = "the rocket leaves where it hung ever faster, as no push makes it";
+    return result;
+  }
+  if (first_too_large) {
     result.is_too_large = true;
     result.reason = fmt::format("the rocket was {:.0f} degrees from where it hung; allowed: up to 20",
                                 farthest_rad * 180.0 / std::numbers::pi);
@@ -266,7 +231,7 @@ SwingResult fit_swing(const SwingLog& log, const SwingStretch& stretch) {
   }
   if (size_in_third(measured, 2) > 1.5 * size_in_third(measured, 0)) {
     result.grows = true;
-    result.reason = "it grows instead of dying out";
+    result.reason = "the swing grows instead of dying out";
     return result;
   }
   std::vector<double> from_zero = time_s;
@@ -277,7 +242,7 @@ SwingResult fit_swing(const SwingLog& log, const SwingStretch& stretch) {
   const double period_s = 2.0 * std::numbers::pi / swing.frequency_rad_s.value;
   if (swing.decay_per_s.value + 2.0 * swing.decay_per_s.deviation < 0.0) {
     result.grows = true;
-    result.reason = "it grows instead of dying out";
+    result.reason = "the swing grows instead of dying out";
   } else if (samples.seconds() < period_s) {
     result.reason = fmt::format("it lasts {:.1f} s, less than one period of {:.1f} s", samples.seconds(), period_s);
   } else if (!(swing.stiffness_per_s2.deviation < 0.2 * swing.stiffness_per_s2.value)) {

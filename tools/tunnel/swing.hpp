@@ -48,7 +48,7 @@ struct SwingResult {
   SwingStretch stretch{};
   std::optional<Swing> swing{};
   bool is_too_large = false;  ///< for air whose force is in proportion to the angle
-  bool grows = false;         ///< it gets larger: the rocket is unstable
+  bool grows = false;         ///< it gets larger, or leaves where it hung as no push makes it: the rocket is unstable
   std::string reason{};       ///< a clause, where there is no swing
 };
 [[nodiscard]] SwingResult fit_swing(const SwingLog& log, const SwingStretch& stretch);

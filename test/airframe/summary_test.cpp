@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+#include "airframe/summary.hpp"
+
+#include <algorithm>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "airframe/report.hpp"
+#include "input/document.hpp"
+#include "input/shipped.hpp"
+#include "input/vehicle_file.hpp"
+
+namespace fantail::airframe {
+namespace {
+
+sim::Vehicle vehicle(const std::string& name) {
+  return input::read_vehicle(input::Document::load(input::find_input(input::Shipped::vehicle, name).string()));
+}
+
+const Line& line(const Summary& summary, const std::string& what) {
+  const auto found = std::ranges::find(summary.lines, what, &Line::what);
+  EXPECT_NE(found, summary.lines.end()) << what;
+  return *found;
+}
+
+bool says(const Summary& summary, const std::string& part) {
+  return std::ranges::any_of(summary.remarks,
+                             [&](const std::string& remark) { return remark.find(part) != std::string::npos; });
+}
+
+// The publication prints 3.0, 3.47 and 3.99 kg, and roll inertias of 0.00311, 0.00361 and 0.00393 kg m2.
+TEST(ShippedShapes, WeighWhatIsPublishedAndTurnAboutAsHard) {
+  struct Row {
+    const char* name;
+    double mass_kg;
+    double roll_inertia_kg_m2;
+    double length_m;
+  };
+  for (const Row& row : {Row{"smokey", 3.0, 0.00311, 1.52}, Row{"tasha3_launch1", 3.47, 0.00361, 1.51},
+                         Row{"tasha3_launch2", 3.99, 0.00393, 1.51}, Row{"tasha3_tunnel", 3.99, 0.00393, 1.51}}) {
+    const sim::Vehicle rocket = vehicle(row.name);
+    const Summary summary = summarize(rocket);
+    EXPECT_NEAR(line(summary, "mass at lift-off").computed->value, row.mass_kg, 0.001) << row.name;
+    EXPECT_NEAR(line(summary, "roll inertia at lift-off").computed->value / row.roll_inertia_kg_m2, 1.0, 0.05);
+    EXPECT_EQ(rocket.geometry->length_m, row.length_m);
+    EXPECT_EQ(summary.stability, Stability::stable) << summary.sentence;
+  }
+}
+
+TEST(Stability, IsOfTheSmallerOfTheTwoMargins) {
+  sim::Vehicle rocket = vehicle("tasha3_launch2");
+  rocket.airframe->at_liftoff.centre_of_gravity_m = 0.8;
+  rocket.airframe->after_burnout.centre_of_gravity_m = 0.85;
+  const Summary summary = summarize(rocket);
+  EXPECT_NE(summary.sentence.find("after burn-out"), std::string::npos) << summary.sentence;
+}
+
+TEST(Stability, IsUnsureWhereTheMethodsErrorReachesTheCentreOfGravityAndRefusedBehindIt) {
+  sim::Vehicle rocket = vehicle("tasha3_launch2");
+  const double pressure_m = summarize(rocket).build_up.centre_of_pressure_m.value;
+  const auto with_gravity_at = [&](double share) {
+    rocket.airframe->at_liftoff.centre_of_gravity_m = share * pressure_m;
+    rocket.airframe->after_burnout.centre_of_gravity_m = 0.5;
+    return summarize(rocket);
+  };
+  EXPECT_EQ(with_gravity_at(0.80).stability, Stability::stable);
+  EXPECT_EQ(with_gravity_at(0.96).stability, Stability::marginal);  // less than a calibre
+  EXPECT_NE(with_gravity_at(0.96).sentence.find("less than the usual calibre"), std::string::npos);
+  EXPECT_EQ(with_gravity_at(0.98).stability, Stability::marginal);
+  EXPECT_NE(with_gravity_at(0.98).sentence.find("Not sure to be stable"), std::string::npos);
+  EXPECT_NE(with_gravity_at(1.02).sentence.find("Not sure to be stable"), std::string::npos);
+  EXPECT_EQ(with_gravity_at(1.04).stability, Stability::unstable);
+}
+
+TEST(Stability, IsNotJudgedWithoutACentreOfGravity) {
+  sim::Vehicle rocket = vehicle("tasha3_launch2");
+  rocket.airframe.reset();
+  rocket.geometry->masses.clear();
+  const Summary summary = summarize(rocket);
+  EXPECT_EQ(summary.stability, Stability::unknown);
+  EXPECT_FALSE(summary.centre_of_gravity_m);
+  EXPECT_EQ(side_view(*rocket.geometry, summary).find("centre of gravity"), std::string::npos);
+}
+
+TEST(Remarks, NameWhatContradicts) {
+  sim::Vehicle rocket = vehicle("tasha3_launch2");
+  EXPECT_FALSE(says(summarize(rocket), "[masses] weigh"));
+  rocket.geometry->masses.pop_back();
+  EXPECT_TRUE(says(summarize(rocket), "The parts in [masses] weigh 2.880 kg, but body.mass_kg less the motor's"));
+  rocket.geometry->length_m = 1.6;
+  EXPECT_TRUE(says(summarize(rocket), "The length is 1.6 m in [shape] and 1.51 m in [airframe]"));
+  rocket.airframe->centre_of_pressure_m = 1.4;
+  EXPECT_TRUE(says(summarize(rocket), "outside of what the shape gives in: centre of pressure (1.4 m)"));
+  rocket.geometry->canards.reset();
+  EXPECT_TRUE(says(summarize(rocket), "no section [canard_fins]"));
+}
+
+TEST(Remarks, GiveTheOffsetOfCantedFinsInCanardAngles) {
+  sim::Vehicle rocket = vehicle("tasha3_launch2");
+  rocket.geometry->fins->cant_rad = -1.0 * sim::radians_per_degree;
+  const Summary summary = summarize(rocket);
+  const auto fins = model::fin_forces(*rocket.geometry->fins, 0.04);
+  const auto canards = model::fin_forces(*rocket.geometry->canards, 0.04);
+  EXPECT_NEAR(summary.build_up.cant_as_canards->value, fins.roll_torque_m3 / canards.roll_torque_m3, 1e-12);
+  EXPECT_TRUE(says(summary, "Fins canted by -1 deg push as canards at -"));
+}
+
+TEST(SideView, ShowsEveryFinCanardAndCentre) {
+  const sim::Vehicle rocket = vehicle("tasha3_launch2");
+  const std::string svg = side_view(*rocket.geometry, summarize(rocket));
+  for (const char* part : {"centre of pressure", "centre of gravity 0.900 m", "measured area", "model area"}) {
+    EXPECT_NE(svg.find(part), std::string::npos) << part;
+  }
+  EXPECT_EQ(svg.find("nan"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace fantail::airframe

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "input/scenario_file.hpp"
+#include "input/vehicle_file.hpp"
+#include "scratch_file.hpp"
+
+namespace fantail::input {
+namespace {
+
+sim::Vehicle vehicle(const std::vector<std::string>& changes) {
+  std::vector<Override> overrides;
+  for (const std::string& change : changes) {
+    overrides.push_back(parse_override(change));
+  }
+  return load_scenario("tasha3_launch2", overrides).vehicle;
+}
+
+std::string refusal(const std::vector<std::string>& changes) {
+  const Complaint refused = complaint([&] { (void)vehicle(changes); });
+  EXPECT_EQ(refused.fault, text::ErrorKind::bad_configuration);
+  return refused.message;
+}
+
+TEST(Geometry, IsReadEachIntoItsOwnField) {
+  const sim::Geometry shape =
+      *vehicle({"shape.nose=haack", "shape.transition_position_m=1", "shape.transition_length_m=0.1",
+                "shape.transition_diameter_m=0.06", "fins.count=3", "fins.cant_deg=2", "canard_fins.thickness_m=0.002"})
+           .geometry;
+  EXPECT_EQ(shape.nose_shape, sim::Geometry::NoseShape::haack);
+  EXPECT_DOUBLE_EQ(shape.diameter_m, 0.08);
+  EXPECT_DOUBLE_EQ(shape.length_m, 1.51);
+  EXPECT_DOUBLE_EQ(shape.nose_length_m, 0.24);
+  EXPECT_DOUBLE_EQ(shape.transition->position_m, 1.0);
+  EXPECT_DOUBLE_EQ(shape.transition->length_m, 0.1);
+  EXPECT_DOUBLE_EQ(shape.transition->aft_diameter_m, 0.06);
+  EXPECT_EQ(shape.fins->count, 3);
+  EXPECT_DOUBLE_EQ(shape.fins->cant_rad, 2.0 * sim::radians_per_degree);
+  EXPECT_DOUBLE_EQ(shape.fins->root_chord_m, 0.18);
+  EXPECT_DOUBLE_EQ(shape.fins->tip_chord_m, 0.12);
+  EXPECT_DOUBLE_EQ(shape.fins->sweep_m, 0.12);
+  EXPECT_DOUBLE_EQ(shape.canards->span_m, 0.028);
+  EXPECT_DOUBLE_EQ(shape.canards->thickness_m, 0.002);
+  EXPECT_DOUBLE_EQ(*shape.canard_hinge_m, 0.01);
+  ASSERT_EQ(shape.masses.size(), 6U);
+  EXPECT_EQ(shape.masses[4].name, "fins");
+  EXPECT_DOUBLE_EQ(shape.masses[4].mass_kg, 0.28);
+  EXPECT_DOUBLE_EQ(shape.masses[4].position_m, 1.42);
+  EXPECT_DOUBLE_EQ(shape.masses[4].length_m, 0.18);
+  EXPECT_DOUBLE_EQ(shape.masses[4].radius_of_gyration_m, 0.064);
+  EXPECT_DOUBLE_EQ(shape.propellant->position_m, 1.36);
+}
+
+TEST(Geometry, OfPartsOutsideTheRocketIsRefused) {
+  EXPECT_EQ(refusal({"shape.nose_length_m=1.6"}),
+            "--set shape.nose_length_m=1.6: shape.nose_length_m = 1.6; allowed: at most length_m, 1.51");
+  EXPECT_EQ(refusal({"fins.position_m=1.4"}),
+            "--set fins.position_m=1.4: fins.position_m = 1.4 puts the end of the root chord behind the tail; allowed: "
+            "at most 1.33");
+  EXPECT_EQ(refusal({"canard_fins.position_m=0.2"}),
+            "--set canard_fins.position_m=0.2: canard_fins.position_m = 0.2 is on the nose; allowed: at least "
+            "shape.nose_length_m = 0.24");
+  EXPECT_EQ(refusal({"canard_fins.hinge_m=0.04"}),
+            "--set canard_fins.hinge_m=0.04: canard_fins.hinge_m = 0.04; allowed: at most root_chord_m, 0.035");
+  const std::string long_tube = refusal({"masses.lengths_m=[0.24, 0.4, 0.25, 1.4, 0.18, 0.3]"});
+  EXPECT_EQ(long_tube.substr(long_tube.find("masses.")),
+            "masses.positions_m = 0.87 for \"body tube\", 1.4 m long, reaches out of the rocket; "
+            "allowed: what keeps it within 0 and shape.length_m = 1.51");
+  EXPECT_EQ(refusal({"shape.diameter_m=1.6"}),
+            "--set shape.diameter_m=1.6: shape.diameter_m = 1.6; allowed: less than length_m = 1.51");
+}
+
+TEST(Geometry, OfATransitionNeedsAllOfIt) {
+  EXPECT_NE(refusal({"shape.transition_position_m=1"}).find("shape.transition_length_m is missing"), std::string::npos);
+  EXPECT_NE(
+      refusal({"shape.transition_position_m=1", "shape.transition_length_m=0", "shape.transition_diameter_m=0.06"})
+          .find("shape.transition_length_m = 0; allowed: above 0"),
+      std::string::npos);
+  const std::vector<std::string> rest{"shape.transition_length_m=0.1", "shape.transition_diameter_m=0.06"};
+  const auto at = [&](const char* position_m) {
+    std::vector<std::string> changes = rest;
+    changes.push_back(std::string{"shape.transition_position_m="} + position_m);
+    return refusal(changes);
+  };
+  EXPECT_NE(at("0.2").find("is on the nose"), std::string::npos);
+  EXPECT_NE(at("1.45").find("at most what is left before the tail"), std::string::npos);
+  EXPECT_NE(at("1.35").find("fins.position_m = 1.33 puts them on the transition"), std::string::npos);
+}
+
+TEST(Geometry, OfMassesNeedsOneNumberForEachName) {
+  EXPECT_NE(refusal({"masses.masses_kg=[1, 2]"}).find("masses.masses_kg has 2 numbers; allowed: as many as names, 6"),
+            std::string::npos);
+  EXPECT_NE(refusal({"masses.names=[\"a\"]"}).find("masses.names has 1 names, and 6 masses are described"),
+            std::string::npos);
+}
+
+TEST(Geometry, WithoutAShapeIsRefused) {
+  const ScratchFile file{
+      "[body]\nname = \"x\"\nmass_kg = 3\ndrag_area_m2 = 0.005\nroll_inertia_kg_m2 = 0.004\n[aerodynamics]\n"
+      "reference_area_m2 = 5e-5\ndamping_m2 = 20\ntorque_m = 9\n[motor]\nfile = \"i150_canonical\"\n[fins]\n"
+      "position_m = 1\nroot_chord_m = 0.1\ntip_chord_m = 0.1\nspan_m = 0.1\n"};
+  const Complaint refused = complaint([&] { (void)read_vehicle(Document::load(file.path())); });
+  EXPECT_NE(refused.message.find("fins.position_m needs the section [shape]"), std::string::npos) << refused.message;
+}
+
+}  // namespace
+}  // namespace fantail::input

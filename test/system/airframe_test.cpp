@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include "json/value.hpp"
+#include "system/folder.hpp"
+#include "system/process.hpp"
+#include "system/refusal.hpp"
+
+namespace fantail::test {
+namespace {
+
+TEST(Airframe, SaysTheSameInTextPageAndJson) {
+  const Folder folder;
+  const Outcome said = fantail({"airframe", "tasha3_launch2", "--out", folder / "a"});
+  EXPECT_EQ(said.exit_code, 0) << said.err;
+  EXPECT_EQ(folder.listing(), (Words{"a", "a/airframe.html", "a/airframe.json"}));
+  const json::Value figures = json::parse(content(folder.path() / "a/airframe.json"));
+  EXPECT_EQ(figures["stability"], "stable");
+  EXPECT_NE(said.out.find(figures["sentence"].text()), std::string::npos);
+  const std::string page = content(folder.path() / "a/airframe.html");
+  EXPECT_NE(page.find("Stable: the static margin is 1.43 calibres at lift-off"), std::string::npos);  // then an escape
+  EXPECT_NE(page.find("<svg"), std::string::npos);
+  const Outcome printed = fantail({"airframe", "tasha3_launch2", "--json", "--out", folder / "b"});
+  EXPECT_EQ(json::parse(printed.out), figures);
+}
+
+TEST(Airframe, WritesAChangedVehicleElsewhere) {
+  const Folder folder;
+  const Outcome said = fantail({"airframe", "smokey", "--set", "fins.span_m=0.07"}, {.working_folder = folder.path()});
+  EXPECT_EQ(said.exit_code, 0) << said.err;
+  EXPECT_NE(said.out.find("out/airframe/smokey+fins.span_m=0.07/airframe.html"), std::string::npos) << said.out;
+}
+
+TEST(Airframe, RefusesAVehicleWithoutAShape) {
+  Refusal({}, {"airframe", "tasha3_bench"}, 78, {"tasha3_bench.toml", "has no section [shape]"});
+  Refusal({}, {"airframe", "tasha3_launch2", "--set", "fins.span_m=-1"}, 78, {"fins.span_m = -1 is out of range"});
+  Refusal({}, {"airframe", "smoky"}, 66, {"did you mean smokey?"});
+}
+
+TEST(NewRocket, FliesFromTheFilesThatAreMade) {
+  const Folder folder;
+  const Outcome made = fantail({"new", "my rocket", "--from", "tasha3_launch2"}, {.working_folder = folder.path()});
+  EXPECT_EQ(made.exit_code, 0) << made.err;
+  EXPECT_EQ(folder.listing(),
+            (Words{"my rocket", "my rocket/plan.toml", "my rocket/scenario.toml", "my rocket/vehicle.toml"}));
+  const Outcome flown = fantail({"fly", "my rocket/scenario.toml"}, {.working_folder = folder.path()});
+  EXPECT_EQ(flown.exit_code, 0) << flown.err;
+  EXPECT_EQ(flown.err, "");
+}
+
+TEST(NewRocket, NeverTouchesWhatIsThere) {
+  Refusal({{"mine/notes.txt", "dear"}}, {"new", "mine", "--from", "tasha3_launch2"}, 64, {"mine is there already"});
+  Refusal({}, {"new", "mine", "--from", "tasha3_bench"}, 78, {"has no section [shape]"});
+  Refusal({}, {"new", "mine"}, 64, {"--from"});
+}
+
+}  // namespace
+}  // namespace fantail::test

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+
+#include "sim/geometry.hpp"
+
+namespace fantail::airframe::model {
+
+/// What the body without fins does at small angles, and what is seen of it from the side.
+struct BodyForces {
+  double nose_slope_area_m2 = 0.0;        ///< normal force: 1/2 rho v^2 times this times the angle of attack
+  double nose_position_m = 0.0;           ///< where it acts
+  double transition_slope_area_m2 = 0.0;  ///< negative where the body gets thinner
+  double transition_position_m = 0.0;
+  double side_area_m2 = 0.0;
+  double side_area_position_m = 0.0;  ///< its middle
+};
+
+/// Slender-body theory (Barrowman 1967): a part's force is twice the change of its cross-section.
+[[nodiscard]] BodyForces body_forces(const sim::Geometry& shape);
+
+/// Of the body, at a place from the tip of the nose to the tail.
+[[nodiscard]] double radius_m(const sim::Geometry& shape, double position_m);
+
+}  // namespace fantail::airframe::model

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: MIT
+#include "airframe/new_rocket.hpp"
+
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <iterator>
+
+#include <fmt/format.h>
+
+#include "airframe/model/build_up.hpp"
+#include "text/degrees.hpp"
+
+namespace fantail::airframe {
+namespace {
+
+using sim::Geometry;
+
+constexpr std::array nose_names{"cone", "ogive", "ellipsoid", "parabola", "haack"};
+
+constexpr std::string_view plan_text = R"(
+[launch_detection]
+threshold_g = 2.5
+hold_s = 0.1
+
+[guide] # where control may begin
+length_m = 4
+clearance_m = 2
+minimum_speed_m_s = 10
+
+[controller] # fantail predict says their margins, and better ones where they are too small
+proportional_gain = 0.5
+derivative_gain_s = 0.05
+canard_limit_deg = 9
+
+[reference]
+kind = "hold"
+initial_deg = 0
+)";
+
+constexpr std::string_view scenario_text = R"(
+vehicle = "vehicle.toml"
+plan = "plan.toml"
+seed = 1
+assumed = ["Fin offset: 3 deg, which nobody has measured."]
+
+[disturbance] # the fins push as hard as canards at this angle: measure it in a tunnel or find it in a flight
+times_s = [0]
+angles_deg = [3]
+
+[flight]
+motion = "{motion}"
+
+[wind]
+speed_m_s = {wind}
+)";
+
+/// A text as TOML has it.
+std::string toml_text(std::string_view text) {
+  std::string out = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') {
+      out += '\\';
+      out += c;
+    } else if (static_cast<unsigned char>(c) < 0x20) {
+      out += fmt::format("\\u{:04x}", static_cast<unsigned char>(c));
+    } else {
+      out += c;
+    }
+  }
+  return out + '"';
+}
+
+std::string sentences(const std::vector<std::string>& all) {
+  std::string out = "assumed = [\n";
+  for (const std::string& sentence : all) {
+    out += "  " + toml_text(sentence) + ",\n";
+  }
+  return out + "]\n";
+}
+
+/// To six digits: no formula here knows more.
+std::string rounded(double value) { return fmt::format("{:.6g}", value); }
+
+/// What was read, to the last digit.
+std::string exact(double value) { return fmt::format("{}", value); }
+
+std::string fin_set(const char* section, const Geometry::FinSet& set) {
+  std::string out = fmt::format("\n[{}]\n", section);
+  const auto add = [&](const char* key, double value) { out += fmt::format("{} = {}\n", key, exact(value)); };
+  add("position_m", set.position_m);
+  add("root_chord_m", set.root_chord_m);
+  add("tip_chord_m", set.tip_chord_m);
+  add("span_m", set.span_m);
+  add("sweep_m", set.sweep_m);
+  add("thickness_m", set.thickness_m);
+  return out;
+}
+
+std::string masses(const Geometry& shape) {
+  if (shape.masses.empty()) {
+    return "";
+  }
+  const auto row = [&](const char* key, const std::function<std::string(const Geometry::Mass&)>& value_of) {
+    std::string line = fmt::format("{} = [", key);
+    for (std::size_t i = 0; i < shape.masses.size(); ++i) {
+      line += (i == 0 ? "" : ", ") + value_of(shape.masses[i]);
+    }
+    return line + "]\n";
+  };
+  std::string out = "\n[masses]\n";
+  out += row("names", [](const Geometry::Mass& m) { return toml_text(m.name); });
+  out += row("masses_kg", [](const Geometry::Mass& m) { return exact(m.mass_kg); });
+  out += row("positions_m", [](const Geometry::Mass& m) { return exact(m.position_m); });
+  out += row("lengths_m", [](const Geometry::Mass& m) { return exact(m.length_m); });
+  out += row("radii_of_gyration_m", [](const Geometry::Mass& m) { return exact(m.radius_of_gyration_m); });
+  if (const auto& propellant = shape.propellant) {
+    out += fmt::format("propellant_position_m = {}\npropellant_length_m = {}\npropellant_radius_of_gyration_m = {}\n",
+                       exact(propellant->position_m), exact(propellant->length_m),
+                       exact(propellant->radius_of_gyration_m));
+  }
+  return out;
+}
+
+std::string shape_sections(const sim::Vehicle& vehicle) {
+  const Geometry& shape = *vehicle.geometry;
+  std::string out = "\n[shape]\n";
+  if (!vehicle.geometry_assumed.empty()) {
+    out += sentences(vehicle.geometry_assumed);
+  }
+  out += fmt::format("diameter_m = {}\nlength_m = {}\nnose = \"{}\"\nnose_length_m = {}\n", exact(shape.diameter_m),
+                     exact(shape.length_m), nose_names.at(static_cast<std::size_t>(shape.nose_shape)),
+                     exact(shape.nose_length_m));
+  if (const auto& transition = shape.transition) {
+    out += fmt::format("transition_position_m = {}\ntransition_length_m = {}\ntransition_diameter_m = {}\n",
+                       exact(transition->position_m), exact(transition->length_m), exact(transition->aft_diameter_m));
+  }
+  if (shape.canards) {
+    out += fin_set("canard_fins", *shape.canards);
+    out += shape.canard_hinge_m ? fmt::format("hinge_m = {}\n", exact(*shape.canard_hinge_m)) : "";
+  }
+  if (shape.fins) {
+    out += fin_set("fins", *shape.fins);
+    out += fmt::format("count = {}\n", shape.fins->count);
+    out +=
+        shape.fins->cant_rad != 0.0 ? fmt::format("cant_deg = {}\n", exact(text::degrees(shape.fins->cant_rad))) : "";
+  }
+  return out + masses(shape);
+}
+
+std::string airframe_section(const Geometry& shape, const model::BuildUp& b) {
+  if (!b.at_liftoff || !b.after_burnout) {
+    return "";
+  }
+  std::string out = "\n[airframe] # as fantail airframe computes it from the sections below\n";
+  const auto add = [&](const char* key, double value) { out += fmt::format("{} = {}\n", key, rounded(value)); };
+  out += fmt::format("diameter_m = {}\nlength_m = {}\n", exact(shape.diameter_m), exact(shape.length_m));
+  add("normal_force_slope_per_rad", b.normal_force_slope_per_rad.value);
+  add("centre_of_pressure_m", b.centre_of_pressure_m.value);
+  add("parts_spread_m", b.parts_spread_m);
+  add("body_lift_area_m2", b.body_lift_area_m2);
+  add("body_lift_position_m", b.body_lift_position_m);
+  add("centre_of_gravity_m", b.at_liftoff->centre_of_gravity_m);
+  add("centre_of_gravity_after_burnout_m", b.after_burnout->centre_of_gravity_m);
+  add("transverse_inertia_kg_m2", b.at_liftoff->transverse_inertia_kg_m2);
+  add("transverse_inertia_after_burnout_kg_m2", b.after_burnout->transverse_inertia_kg_m2);
+  add("roll_inertia_after_burnout_kg_m2", b.after_burnout->roll_inertia_kg_m2);
+  return out;
+}
+
+std::string vehicle_file(const NewRocket& rocket, const model::BuildUp& b) {
+  const sim::Vehicle& v = rocket.vehicle;
+  const auto& parts = b.at_liftoff ? b.at_liftoff : b.after_burnout;
+  const double roll_inertia_kg_m2 = parts ? parts->roll_inertia_kg_m2 : v.roll_plant.inertia_kg_m2;
+  const double area_m2 = 0.25 * 3.14159265358979 * v.geometry->diameter_m * v.geometry->diameter_m;
+  std::vector<std::string> assumed = rocket.assumed;
+  assumed.emplace_back(
+      "Roll damping and canard torque: computed from the shape, right within a factor of two at best.");
+  if (parts) {
+    assumed.emplace_back("Roll inertia: the sum of the parts.");
+  }
+  std::string out = "# SPDX-License-Identifier: MIT\n";
+  out += fmt::format("# Made by fantail new from {}.\n\n", rocket.source);
+  out += fmt::format("[body]\nname = {}\n{}mass_kg = {}\nroll_inertia_kg_m2 = {}\ndrag_area_m2 = {}\n",
+                     toml_text(rocket.name), sentences(assumed), exact(v.mass_kg), rounded(roll_inertia_kg_m2),
+                     rounded(v.drag_area_m2));
+  out += fmt::format(
+      "\n[aerodynamics]\nreference_area_m2 = {} # the cross-section\ndamping_m2 = {} # alpha\n"
+      "torque_m = {} # beta, without the canards' wash on the fins\n",
+      rounded(area_m2), rounded(b.roll_damping_m4.value / area_m2),
+      rounded(b.roll_torque_m3 ? b.roll_torque_m3->value / area_m2 : 0.0));
+  out += airframe_section(*v.geometry, b);
+  out += shape_sections(v);
+  return out + fmt::format("\n[motor]\nfile = {}\n", toml_text(rocket.motor_file));
+}
+
+}  // namespace
+
+std::vector<text::NamedFile> files_of(const NewRocket& rocket) {
+  const model::BuildUp b = model::build_up(rocket.vehicle);
+  const bool whole = b.at_liftoff && b.after_burnout;
+  const std::string first_line = fmt::format("# {}. Made by fantail new.\n", rocket.name);
+  return {{.name = "vehicle.toml", .content = vehicle_file(rocket, b)},
+          {.name = "plan.toml", .content = first_line + std::string{plan_text}},
+          {.name = "scenario.toml",
+           .content =
+               first_line + fmt::format(fmt::runtime(scenario_text), fmt::arg("motion", whole ? "six_dof" : "straight"),
+                                        fmt::arg("wind", whole ? 3 : 0))}};
+}
+
+}  // namespace fantail::airframe

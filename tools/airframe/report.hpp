@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include "airframe/summary.hpp"
+
+namespace fantail::airframe {
+
+[[nodiscard]] std::string text(const sim::Vehicle& vehicle, const Summary& summary);
+[[nodiscard]] std::string json(const sim::Vehicle& vehicle, const Summary& summary);
+[[nodiscard]] std::string html(const sim::Vehicle& vehicle, const Summary& summary);
+
+/// The rocket from the side, nose to the left, to scale, with its centres of gravity and pressure: an SVG that takes
+/// its colours from the page.
+[[nodiscard]] std::string side_view(const sim::Geometry& shape, const Summary& summary);
+
+}  // namespace fantail::airframe

@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: MIT
+#include "airframe/summary.hpp"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "text/degrees.hpp"
+#include "text/number.hpp"
+
+namespace fantail::airframe {
+namespace {
+
+using model::Estimate;
+using text::fixed;
+
+/// Less than this is called marginal, in calibres: the usual rule of thumb.
+constexpr double least_margin_calibres = 1.0;
+
+Estimate exactly(double value) { return {.value = value, .low = value, .high = value}; }
+
+Estimate scaled(const Estimate& e, double factor) {
+  return {.value = e.value * factor, .low = e.low * factor, .high = e.high * factor};
+}
+
+std::optional<Estimate> of_mass(const std::optional<model::MassSum>& sum, double model::MassSum::* member) {
+  return sum ? std::optional{exactly((*sum).*member)} : std::nullopt;
+}
+
+void add_body(Summary& summary, const sim::Vehicle& vehicle) {
+  const auto& airframe = vehicle.airframe;
+  const model::BuildUp& b = summary.build_up;
+  const auto file = [&](double sim::Airframe::* member) {
+    return airframe ? std::optional{(*airframe).*member} : std::nullopt;
+  };
+  summary.lines.push_back({"normal force slope", "1/rad", b.normal_force_slope_per_rad,
+                           file(&sim::Airframe::normal_force_slope_per_rad), 2});
+  summary.lines.push_back(
+      {"centre of pressure", "m", b.centre_of_pressure_m, file(&sim::Airframe::centre_of_pressure_m), 3});
+  summary.lines.push_back(
+      {"spread of the parts", "m", exactly(b.parts_spread_m), file(&sim::Airframe::parts_spread_m), 3});
+  summary.lines.push_back(
+      {"body lift area", "m2", exactly(b.body_lift_area_m2), file(&sim::Airframe::body_lift_area_m2), 3});
+  summary.lines.push_back(
+      {"body lift position", "m", exactly(b.body_lift_position_m), file(&sim::Airframe::body_lift_position_m), 3});
+}
+
+void add_masses(Summary& summary, const sim::Vehicle& vehicle) {
+  using Sum = model::MassSum;
+  const model::BuildUp& b = summary.build_up;
+  const auto file = [&](const auto& value_of) {
+    return vehicle.airframe ? std::optional<double>{value_of(*vehicle.airframe)} : std::nullopt;
+  };
+  const double empty_kg = vehicle.mass_kg - vehicle.motor.propellant_kg();
+  auto& lines = summary.lines;
+  lines.push_back({"mass at lift-off", "kg", of_mass(b.at_liftoff, &Sum::mass_kg), vehicle.mass_kg, 3});
+  lines.push_back({"mass after burn-out", "kg", of_mass(b.after_burnout, &Sum::mass_kg), empty_kg, 3});
+  lines.push_back({"centre of gravity at lift-off", "m", of_mass(b.at_liftoff, &Sum::centre_of_gravity_m),
+                   file([](const sim::Airframe& a) { return a.at_liftoff.centre_of_gravity_m; }), 3});
+  lines.push_back({"centre of gravity after burn-out", "m", of_mass(b.after_burnout, &Sum::centre_of_gravity_m),
+                   file([](const sim::Airframe& a) { return a.after_burnout.centre_of_gravity_m; }), 3});
+  lines.push_back({"transverse inertia at lift-off", "kg m2", of_mass(b.at_liftoff, &Sum::transverse_inertia_kg_m2),
+                   file([](const sim::Airframe& a) { return a.at_liftoff.transverse_inertia_kg_m2; }), 3});
+  lines.push_back({"transverse inertia after burn-out", "kg m2",
+                   of_mass(b.after_burnout, &Sum::transverse_inertia_kg_m2),
+                   file([](const sim::Airframe& a) { return a.after_burnout.transverse_inertia_kg_m2; }), 3});
+  lines.push_back({"roll inertia at lift-off", "kg m2", of_mass(b.at_liftoff, &Sum::roll_inertia_kg_m2),
+                   vehicle.roll_plant.inertia_kg_m2, 5});
+  if (b.after_burnout && std::abs(b.after_burnout->mass_kg - empty_kg) > 0.02 * empty_kg) {
+    summary.remarks.push_back(fmt::format(
+        "The parts in [masses] weigh {} kg, but body.mass_kg less the motor's propellant is {} kg: parts are "
+        "missing, or one of the numbers is wrong.",
+        fixed(b.after_burnout->mass_kg, 3), fixed(empty_kg, 3)));
+  }
+}
+
+void add_roll(Summary& summary, const sim::Vehicle& vehicle) {
+  const model::BuildUp& b = summary.build_up;
+  const sim::RollPlant& plant = vehicle.roll_plant;
+  const double per_area = 1.0 / plant.reference_area_m2;
+  summary.lines.push_back({"roll damping alpha", "m2", scaled(b.roll_damping_m4, per_area), plant.damping_m2, 2});
+  if (b.roll_torque_m3) {
+    summary.lines.push_back({"canard torque beta", "m", scaled(*b.roll_torque_m3, per_area), plant.torque_m, 2});
+    if (b.roll_torque_m3->low == 0.0) {
+      summary.remarks.emplace_back(
+          "Beta is computed without the canards' wash on the fins behind them, which takes back part of the torque, or "
+          "all of it: no formula here says how much. Measure it in a tunnel.");
+    }
+  } else {
+    summary.remarks.emplace_back("The file has no section [canard_fins]: nothing is said of their torque.");
+  }
+  if (b.cant_as_canards) {
+    summary.lines.push_back({"canards for a degree of fin cant", "deg", b.cant_as_canards, {}, 2});
+    if (const double cant_rad = vehicle.geometry->fins->cant_rad; cant_rad != 0.0) {
+      const Estimate offset_deg = scaled(*b.cant_as_canards, text::degrees(cant_rad));
+      summary.remarks.push_back(fmt::format(
+          "Fins canted by {} deg push as canards at {} deg would ({} to {}): the fin offset of a scenario.",
+          text::brief(text::degrees(cant_rad), 2), fixed(offset_deg.value, 1),
+          fixed(std::min(offset_deg.low, offset_deg.high), 1), fixed(std::max(offset_deg.low, offset_deg.high), 1)));
+    }
+  }
+  if (b.hinge_moment_m3) {
+    summary.lines.push_back({"hinge moment of a canard, 100 m/s, 10 deg",
+                             "N m",
+                             scaled(*b.hinge_moment_m3, 0.5 * 1.225 * 100.0 * 100.0 * text::radians(10.0)),
+                             {},
+                             4});
+  }
+}
+
+void judge(Summary& summary, const sim::Vehicle& vehicle) {
+  const model::BuildUp& b = summary.build_up;
+  const double calibre_m = vehicle.geometry->diameter_m;
+  struct Case {
+    const char* when;
+    std::optional<double> gravity_m;
+  };
+  const auto of_parts = [](const std::optional<model::MassSum>& sum) {
+    return sum ? std::optional{sum->centre_of_gravity_m} : std::nullopt;
+  };
+  const auto& airframe = vehicle.airframe;
+  const Case at_liftoff{"at lift-off", airframe ? airframe->at_liftoff.centre_of_gravity_m : of_parts(b.at_liftoff)};
+  const Case empty{"after burn-out",
+                   airframe ? airframe->after_burnout.centre_of_gravity_m : of_parts(b.after_burnout)};
+  summary.centre_of_gravity_m = at_liftoff.gravity_m;
+  std::optional<Estimate> least;
+  const char* when = "";
+  for (const Case& c : {at_liftoff, empty}) {
+    if (!c.gravity_m) {
+      continue;
+    }
+    const Estimate margin{.value = (b.centre_of_pressure_m.value - *c.gravity_m) / calibre_m,
+                          .low = (b.centre_of_pressure_m.low - *c.gravity_m) / calibre_m,
+                          .high = (b.centre_of_pressure_m.high - *c.gravity_m) / calibre_m};
+    const std::optional<double> file =
+        airframe ? std::optional{(airframe->centre_of_pressure_m - *c.gravity_m) / calibre_m} : std::nullopt;
+    summary.lines.push_back({fmt::format("static margin {}", c.when), "calibres", margin, file, 2});
+    if (!least || margin.value < least->value) {
+      least = margin;
+      when = c.when;
+    }
+  }
+  if (!least) {
+    summary.sentence =
+        "Not judged: where the centre of gravity is follows from [masses] with the propellant's place, or from "
+        "[airframe].";
+    return;
+  }
+  const std::string range = fmt::format("{} calibres {} ({} to {} by the method's error)", fixed(least->value, 2), when,
+                                        fixed(least->low, 2), fixed(least->high, 2));
+  if (least->high < 0.0) {
+    summary.stability = Stability::unstable;
+    summary.sentence = fmt::format("Unstable: the static margin is {}. It turns over in flight.", range);
+  } else if (least->low < 0.0) {
+    summary.stability = Stability::marginal;
+    summary.sentence = fmt::format(
+        "Not sure to be stable: the static margin is {}. Swing it in a tunnel, or move weight forwards.", range);
+  } else if (least->value < least_margin_calibres) {
+    summary.stability = Stability::marginal;
+    summary.sentence = fmt::format("Stable, but by less than the usual calibre: the static margin is {}.", range);
+  } else {
+    summary.stability = Stability::stable;
+    summary.sentence = fmt::format("Stable: the static margin is {}.", range);
+  }
+}
+
+/// One rocket has one diameter and one length.
+void compare_sizes(Summary& summary, const sim::Vehicle& vehicle) {
+  constexpr double a_millimetre_m = 0.001;
+  if (!vehicle.airframe) {
+    return;
+  }
+  const auto add = [&](const char* what, double shape_m, double airframe_m) {
+    if (std::abs(shape_m - airframe_m) > a_millimetre_m) {
+      summary.remarks.push_back(fmt::format("The {} is {} m in [shape] and {} m in [airframe]: one of them is wrong.",
+                                            what, text::brief(shape_m, 4), text::brief(airframe_m, 4)));
+    }
+  };
+  add("diameter", vehicle.geometry->diameter_m, vehicle.airframe->diameter_m);
+  add("length", vehicle.geometry->length_m, vehicle.airframe->length_m);
+}
+
+/// Numbers of the file that lie outside of their computed ranges. A margin follows from its centres.
+void compare(Summary& summary) {
+  std::string outside;
+  for (const Line& line : summary.lines) {
+    const bool has_range = line.computed && line.computed->low < line.computed->high;
+    if (has_range && line.in_file && line.unit != "calibres" &&
+        (*line.in_file < line.computed->low || *line.in_file > line.computed->high)) {
+      outside +=
+          fmt::format("{}{} ({} {})", outside.empty() ? "" : ", ", line.what, text::brief(*line.in_file, 5), line.unit);
+    }
+  }
+  if (!outside.empty()) {
+    summary.remarks.push_back("The file is outside of what the shape gives in: " + outside +
+                              ". What was measured counts more than what is computed.");
+  }
+}
+
+}  // namespace
+
+Summary summarize(const sim::Vehicle& vehicle) {
+  Summary summary{
+      .build_up = model::build_up(vehicle), .lines = {}, .sentence = {}, .remarks = {}, .centre_of_gravity_m = {}};
+  add_body(summary, vehicle);
+  add_masses(summary, vehicle);
+  judge(summary, vehicle);
+  add_roll(summary, vehicle);
+  compare(summary);
+  compare_sizes(summary, vehicle);
+  if (!vehicle.geometry->fins) {
+    summary.remarks.emplace_back("The file has no section [fins].");
+  }
+  return summary;
+}
+
+}  // namespace fantail::airframe

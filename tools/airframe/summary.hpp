@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "airframe/model/build_up.hpp"
+#include "sim/vehicle.hpp"
+
+namespace fantail::airframe {
+
+enum class Stability : std::uint8_t { stable, marginal, unstable, unknown };
+
+/// One number of a vehicle: as computed from its shape and parts, and as its file has it.
+struct Line {
+  std::string what;
+  std::string unit;
+  std::optional<model::Estimate> computed{};  ///< without a range where low and high are the value
+  std::optional<double> in_file{};
+  int decimals = 3;
+};
+
+/// What `fantail airframe` says of a vehicle that has a shape.
+struct Summary {
+  model::BuildUp build_up;
+  std::vector<Line> lines;
+  Stability stability = Stability::unknown;
+  std::string sentence;                       ///< of the static margin
+  std::vector<std::string> remarks;           ///< doubts and contradictions, a sentence each
+  std::optional<double> centre_of_gravity_m;  ///< at lift-off: the file's, else that of the parts
+};
+
+[[nodiscard]] Summary summarize(const sim::Vehicle& vehicle);
+
+}  // namespace fantail::airframe

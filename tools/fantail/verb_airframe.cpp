@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <fmt/core.h>
+
+#include "airframe/report.hpp"
+#include "fantail/run.hpp"
+#include "fantail/scenario_options.hpp"
+#include "fantail/standard_streams.hpp"
+#include "input/document.hpp"
+#include "input/shipped.hpp"
+#include "input/vehicle_file.hpp"
+#include "text/output_folder.hpp"
+
+namespace fantail::tool {
+namespace {
+
+struct AirframeOptions {
+  std::string vehicle;
+  std::vector<std::string> changes;
+  std::string out;
+  bool json = false;
+};
+
+void show(const AirframeOptions& options) {
+  const std::string file = input::find_input(input::Shipped::vehicle, options.vehicle);
+  input::Document document = input::Document::load(file);
+  for (const std::string& change : options.changes) {
+    document.apply(input::parse_override(change));
+  }
+  const sim::Vehicle vehicle = input::read_vehicle(document);
+  if (!vehicle.geometry) {
+    throw text::Error{text::ErrorKind::bad_configuration,
+                      file + ": has no section [shape], which says what the rocket looks like (docs/your_rocket.md)"};
+  }
+  const airframe::Summary summary = airframe::summarize(vehicle);
+  const std::string json = airframe::json(vehicle, summary);
+  const std::filesystem::path folder =
+      options.out.empty() ? std::filesystem::path{"out/airframe"} /
+                                variant_name(std::filesystem::path{file}.stem().string(), options.changes)
+                          : std::filesystem::path{options.out};
+  const std::vector<text::NamedFile> files{{.name = "airframe.html", .content = airframe::html(vehicle, summary)},
+                                           {.name = "airframe.json", .content = json}};
+  text::OutputFolder{folder, {file}}.write(files);
+  for (const std::string& warning : vehicle.warnings) {
+    say("fantail: warning: " + warning + "\n");
+  }
+  if (options.json) {
+    fmt::print("{}", json);
+    return;
+  }
+  fmt::print("{}\n  page  {}\n", airframe::text(vehicle, summary), (folder / "airframe.html").string());
+}
+
+void fill(const Verb& verb) {
+  auto options = std::make_shared<AirframeOptions>();
+  verb.option("VEHICLE", options->vehicle, "A vehicle with the section [shape]: a shipped name or a path").required();
+  verb.option("--set", options->changes, "section.key=value: change one value of the vehicle").one_word_each_time();
+  verb.option("--out", options->out,
+              "Folder for airframe.html and airframe.json [out/airframe/VEHICLE, with the changes' names behind it]")
+      .check([](const std::string& text) { return std::string{text.empty() ? "the name of a folder is empty" : ""}; });
+  verb.flag("--json", options->json, "Print airframe.json instead of the text");
+  verb.examples(
+      "Examples:\n"
+      "  fantail airframe tasha3_launch2                           stability, damping and canard torque from its "
+      "shape\n"
+      "  fantail airframe my_rocket.toml --set fins.span_m=0.07    the same with larger fins\n"
+      "  fantail airframe my_rocket.toml --json | jq .stability    for a script");
+  verb.action([options] { show(*options); });
+}
+
+}  // namespace
+}  // namespace fantail::tool
+
+int main(int argc, char** argv) { return fantail::tool::run("airframe", fantail::tool::fill, argc, argv); }
