@@ -77,6 +77,19 @@ TEST(Swing, OneThatIsTooShortOrLostSaysSo) {
   EXPECT_FALSE(fit_swing(dead, {.begin_s = 0.0, .end_s = 20.0}).swing.has_value());
 }
 
+TEST(Swing, NoiseIsNone) {
+  sim::Random random{test::seed(17), 1};
+  for (int i = 0; i < 50; ++i) {
+    SwingLog log;
+    add_swing(log, 0.0, 60.0, 0.2, 1.5, 0.0, 0.05 * degrees, random);
+    for (const SwingStretch& stretch : find_swings(log)) {
+      const SwingResult result = fit_swing(log, stretch);
+      EXPECT_FALSE(result.grows);
+      EXPECT_FALSE(result.swing);
+    }
+  }
+}
+
 /// The rate of a rocket that is at `angle_deg(t)` until it hangs at its tether, at 40 degrees.
 SwingLog leaving(const std::function<double(double)>& angle_deg) {
   SwingLog log;

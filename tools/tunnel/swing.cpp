@@ -148,6 +148,19 @@ bool departs(const SwingLog& log, std::size_t first_too_large, double largest_ra
   return first_s > shortest_s && second_s < slower_than_a_push * first_s;
 }
 
+/// Standard deviation of the noise, which is not alike from one sample to the next as a swing is: from the median of
+/// the second differences.
+double noise_of(const std::vector<double>& value) {
+  std::vector<double> size;
+  for (std::size_t i = 2; i < value.size(); ++i) {
+    size.push_back(std::abs(value[i] - 2.0 * value[i - 1] + value[i - 2]));
+  }
+  const auto middle = size.begin() + static_cast<std::ptrdiff_t>(size.size() / 2);
+  std::ranges::nth_element(size, middle);
+  constexpr double of_median = 0.6745;  // of a normal distribution
+  return *middle / (of_median * std::sqrt(6.0));
+}
+
 /// Largest distance from the middle, in one third of the stretch.
 double size_in_third(const std::vector<double>& value, std::size_t third) {
   const double middle = mean(value);
@@ -227,6 +240,12 @@ SwingResult fit_swing(const SwingLog& log, const SwingStretch& stretch) {
     result.is_too_large = true;
     result.reason = fmt::format("the rocket was {:.0f} degrees from where it hung; allowed: up to 20",
                                 farthest_rad * 180.0 / std::numbers::pi);
+    return result;
+  }
+  constexpr double out_of_noise = 6.0;  // of noise alone the largest of thousands is four deviations away
+  const double largest = std::max({size_in_third(measured, 0), size_in_third(measured, 1), size_in_third(measured, 2)});
+  if (largest < out_of_noise * noise_of(log.value)) {
+    result.reason = "it is lost in the noise";
     return result;
   }
   if (size_in_third(measured, 2) > 1.5 * size_in_third(measured, 0)) {
