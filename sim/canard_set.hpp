@@ -7,6 +7,7 @@
 
 #include "hal/encoder.hpp"
 #include "hal/servo.hpp"
+#include "sim/canard_aerodynamics.hpp"
 #include "sim/sensor_models.hpp"
 #include "sim/servo.hpp"
 #include "sim/vehicle.hpp"
@@ -26,8 +27,9 @@ class CanardSet {
 
   /// Mean angle in the sense of positive roll moment, trim taken off: u_fin of Eq 1.
   [[nodiscard]] double deflection_rad() const;
-  /// The same, averaged over the last step.
-  [[nodiscard]] double mean_deflection_rad() const;
+  /// The same as the air answers it, averaged over the last step: where a canard stalls, less. The roll rate and the
+  /// speed of the air along the axis are those of that step.
+  [[nodiscard]] double mean_torque_angle_rad(double roll_rate_rad_s, double speed_m_s) const;
 
   [[nodiscard]] hal::EncoderReading read_encoders(hal::Microseconds time);
 
@@ -39,10 +41,12 @@ class CanardSet {
   void make_encoder_noisy(std::size_t canard, double noise_counts) { encoders_.set_noise(canard, noise_counts); }
 
  private:
-  template <typename AngleOf>
-  [[nodiscard]] double average(AngleOf angle_of) const;
+  /// `answer` is what becomes of a canard's angle from its trim, in the sense of positive roll moment.
+  template <typename AngleOf, typename Answer>
+  [[nodiscard]] double average(AngleOf angle_of, Answer answer) const;
 
   std::array<CanardMounting, hal::canards> mounting_;
+  CanardAerodynamics air_;
   std::array<Servo, hal::canards> servos_;
   EncoderModel encoders_;
 };

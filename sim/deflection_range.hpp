@@ -7,7 +7,7 @@ namespace fantail::sim {
 
 /// How far the canards deflect together, as the air sees them: the mean of the four, at the largest roll commands that
 /// the plan gives. Trims and servo scales of plan and vehicle that differ are in it, and the canard faults that are
-/// there at lift-off; the play, and how servos differ from each other, are not.
+/// there at lift-off; so is the stall of the canards, without roll. The play is not.
 struct DeflectionRange {
   double lowest_rad = 0.0;   ///< at the largest negative command; usually negative
   double highest_rad = 0.0;  ///< at the largest positive command; usually positive

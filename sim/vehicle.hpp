@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "sim/airframe.hpp"
+#include "sim/canard_aerodynamics.hpp"
 #include "sim/canard_tolerances.hpp"
 #include "sim/felt_motion.hpp"
 #include "sim/recovery.hpp"
@@ -44,6 +45,7 @@ struct Vehicle {
   ServoParameters servo{};                    ///< of a typical one
   ServoSpread servo_spread{};
   std::array<CanardMounting, 4> canards{};
+  CanardAerodynamics canard_air{};
   InertialParameters imu{};
   InertialParameters accelerometer{.full_scale_m_s2 = 32.0 * gravity_m_s2};
   VibrationParameters vibration{};

@@ -139,9 +139,11 @@ void World::advance() {
   if (events_.liftoff && environment_.can_roll()) {
     const double rate_before_rad_s = roll_.rate_rad_s;
     roll_plant_.inertia_kg_m2 = environment_.roll_inertia_kg_m2().value_or(roll_plant_.inertia_kg_m2);
-    const double deflection_rad = canards_.mean_deflection_rad() + 0.5 * (disturbance_before + disturbance_rad_);
-    roll_ = roll_plant_.step(roll_, 0.5 * (density_before + environment_.density_kg_m3()),
-                             0.5 * (speed_before + environment_.speed_m_s()), deflection_rad, tick_time_s);
+    const double speed_m_s = 0.5 * (speed_before + environment_.speed_m_s());
+    const double deflection_rad =
+        canards_.mean_torque_angle_rad(roll_.rate_rad_s, speed_m_s) + 0.5 * (disturbance_before + disturbance_rad_);
+    roll_ = roll_plant_.step(roll_, 0.5 * (density_before + environment_.density_kg_m3()), speed_m_s, deflection_rad,
+                             tick_time_s);
     roll_acceleration_rad_s2_ = (roll_.rate_rad_s - rate_before_rad_s) / tick_time_s;
   } else if (const auto by_hand = environment_.turn_by_hand(in_seconds(now_), tick_time_s)) {
     roll_ = *by_hand;

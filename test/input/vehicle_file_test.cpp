@@ -91,6 +91,17 @@ TEST(VehicleFile, ARangeOfTheReferenceAreaIsTwoAreasAroundIt) {
   }
 }
 
+TEST(VehicleFile, TheCanardsAreNotMoreThanAllOfTheRollDamping) {
+  EXPECT_EQ(vehicle("tasha3_launch2", {"aerodynamics.canard_arm_m=2"}).canard_air.arm_m, 2.0);
+  const Complaint said = complaint([] {
+    (void)vehicle("tasha3_launch2",
+                  {"aerodynamics.damping_m2=8", "aerodynamics.torque_m=10", "aerodynamics.canard_arm_m=0.9"});
+  });
+  EXPECT_EQ(said.message,
+            "--set aerodynamics.canard_arm_m=0.9: aerodynamics.canard_arm_m = 0.9; allowed: at most damping_m2 / "
+            "torque_m = 0.8, where the canards would make all of the roll damping");
+}
+
 TEST(VehicleFile, ASensorSitsInItsRocket) {
   const std::vector<std::string> airframe{"airframe.diameter_m=0.1",
                                           "airframe.length_m=1.7",

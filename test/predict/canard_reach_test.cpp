@@ -46,6 +46,15 @@ TEST(CanardReach, IsWhatAllCanardsReachAndNamesWhatEndsThem) {
   EXPECT_NEAR(degrees(canard_reach(scenario, -offset_rad).angle_rad), 9.0, 1e-5) << "of the other sense";
 }
 
+TEST(CanardReach, EndsWhereTheCanardsStall) {
+  sim::Scenario scenario = input::load_scenario("tasha3_launch2", {});
+  scenario.vehicle.canard_air.stall_rad = radians(12.0);
+  EXPECT_EQ(canard_reach(scenario, radians(4.9)).text(), "9 degree canard limit");
+  EXPECT_EQ(farthest_reach(scenario, radians(4.9)).text(), "12 degrees that the canards reach (canard stall)");
+  scenario.vehicle.canard_air.stall_rad = radians(7.0);
+  EXPECT_EQ(canard_reach(scenario, radians(-4.9)).text(), "7 degrees that the canards reach (canard stall)");
+}
+
 TEST(CanardReach, IsThatOfTheCanardsThatWorkWhereTheScenarioBreaksSome) {
   sim::Scenario scenario = input::load_scenario("tasha3_launch2", {});
   for (const std::size_t canard : {0U, 1U}) {

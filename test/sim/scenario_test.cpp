@@ -22,6 +22,7 @@ RC_GTEST_PROP(Scenario, AtTheEndsOfItsRangesFliesToAnEndWithFiniteNumbers, ()) {
       {"aerodynamics.reference_area_m2", {"1e-8", "1"}},
       {"aerodynamics.damping_m2", {"0", "1e4"}},
       {"aerodynamics.torque_m", {"0", "1e4"}},
+      {"aerodynamics.canard_stall_deg", {"5", "30"}},
       {"environment.density", {"exponential", "isa", "constant"}},
       {"environment.density_kg_m3", {"0.01", "5"}},
       {"launch_guide.tilt_deg", {"0", "15"}},

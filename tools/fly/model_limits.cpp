@@ -16,8 +16,8 @@ namespace {
 
 constexpr double speed_of_sound_m_s = 340.3;  // at 15 degrees Celsius; at 5 km it is 320
 constexpr double largest_mach = 0.7;
-// Canards stall at about 15 degrees to the flow, of which the plan's limit is a part.
-constexpr double linear_angle_rad = 15.0 * sim::radians_per_degree;
+// Where a vehicle does not say it, canards stall at about 15 degrees to the flow, of which the plan's limit is a part.
+constexpr double usual_stall_rad = 15.0 * sim::radians_per_degree;
 
 double degrees(double radians) { return radians / sim::radians_per_degree; }
 
@@ -82,6 +82,7 @@ std::optional<std::string> windy_exit(const sim::Scenario& scenario, const fligh
   const flight::PathPoint* point = flight::point_at(flight.path, *flight.events.guide_clear_s);
   const double angle_rad =
       point != nullptr ? point->angle_of_attack_rad : std::atan2(scenario.wind.speed_m_s, exit->truth->speed_m_s);
+  const double linear_angle_rad = scenario.vehicle.canard_air.stall_rad.value_or(usual_stall_rad);
   const double left_rad = linear_angle_rad - flight::canard_limit_rad(scenario.plan);
   const std::string text =
       fmt::format("A wind of {:g} m/s{} meets the rocket at the end of its guide ({:.0f} m/s) at {:.0f} deg",

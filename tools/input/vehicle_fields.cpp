@@ -25,6 +25,8 @@ constexpr auto fields = std::to_array<Field<sim::Vehicle>>({
   {"aerodynamics", "reference_area_range_m2", list(2, number("m2", {1e-8, 1})), may, AT(grown(it.reference_area_range_m2, i)), "Where the true area lies with a probability of 95 %: from and to, with `reference_area_m2` between. `predict` takes it into its spread."},
   {"aerodynamics", "damping_m2", number("m2", {0, 1e4}), must, AT(it.roll_plant.damping_m2), "Roll damping, alpha."},
   {"aerodynamics", "torque_m", number("m", {0, 1e4}), must, AT(it.roll_plant.torque_m), "Roll torque of the canards, beta."},
+  {"aerodynamics", "canard_stall_deg", number(deg, {5, 30}), may, AT(it.canard_air.stall_rad), "The lift of each canard grows with its angle up to this one and stays there; 12 to 15 are usual. Without it no canard stalls."},
+  {"aerodynamics", "canard_arm_m", number("m", {0, 2}), may, AT(it.canard_air.arm_m), "From the long axis to where a canard lifts: roll changes its angle to the flow. At most `damping_m2 / torque_m`."},
 
   {"airframe", "diameter_m", number("m", {0.01, 2}), must_in_its_section, AT(made(it.airframe).diameter_m), "Of the body. This section is what flights in six degrees of freedom need; positions count from the tip of the nose."},
   {"airframe", "length_m", number("m", {0.1, 30}), must_in_its_section, AT(made(it.airframe).length_m), "From the tip of the nose to the tail."},

@@ -58,6 +58,18 @@ void check_reference_area(const Document& document, const sim::Vehicle& vehicle)
   }
 }
 
+// The canards' own part of the damping is beta times their arm.
+void check_canard_arm(const Document& document, const sim::Vehicle& vehicle) {
+  const auto& arm_m = vehicle.canard_air.arm_m;
+  const sim::RollPlant& plant = vehicle.roll_plant;
+  if (arm_m && plant.torque_m * *arm_m > plant.damping_m2) {
+    Section{document, "aerodynamics"}.refuse(
+        "canard_arm_m", "= " + plain_number(*arm_m) +
+                            "; allowed: at most damping_m2 / torque_m = " + about(plant.damping_m2 / plant.torque_m) +
+                            ", where the canards would make all of the roll damping");
+  }
+}
+
 void check_servo(const Document& document, const sim::Vehicle& vehicle) {
   const Section servo{document, "servo"};
   const sim::ServoParameters& p = vehicle.servo;
@@ -145,6 +157,7 @@ sim::Vehicle read_vehicle(const Document& document) {
   }
   read_motor(document, vehicle);
   check_reference_area(document, vehicle);
+  check_canard_arm(document, vehicle);
   check_servo(document, vehicle);
   check_trim(document, vehicle);
   check_airframe(document, vehicle);

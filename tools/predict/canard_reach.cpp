@@ -38,6 +38,9 @@ std::string stopped_by(const sim::Scenario& scenario) {
                  fmt::format("mechanical stop of canard {} in the plan", i + 1));
   }
   keep_smaller(scenario.vehicle.servo.stop_rad, "servo stop");
+  if (scenario.vehicle.canard_air.stall_rad) {
+    keep_smaller(*scenario.vehicle.canard_air.stall_rad, "canard stall");
+  }
   return name;
 }
 
