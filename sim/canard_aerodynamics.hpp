@@ -18,7 +18,12 @@ struct CanardAerodynamics {
   /// From the long axis to where a canard lifts: a roll rate p makes the angle p r / v at it. Empty: that is left out
   /// of the effective angle. Not more than alpha / beta, at which the canards would be all of the roll damping.
   std::optional<double> arm_m{};
+  double wash = 0.0;             ///< share of the canards' roll torque that the fins take back, see FinWash; 0 to 2
+  double wash_distance_m = 0.0;  ///< from the canards back to the fins, not negative
 };
+
+/// What the fins leave of a roll torque of the canards in the end; below zero the rocket rolls against its canards.
+[[nodiscard]] inline double left_by_fins(const CanardAerodynamics& air) { return 1.0 - air.wash; }
 
 /// Of a canard at this effective angle; as an angle that would make the lift if it never stalled.
 [[nodiscard]] inline double lift_angle_rad(const CanardAerodynamics& air, double effective_rad) {

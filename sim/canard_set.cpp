@@ -39,31 +39,6 @@ void CanardSet::step(double time_s, double dt_s, const std::array<std::optional<
   }
 }
 
-template <typename AngleOf, typename Answer>
-double CanardSet::average(AngleOf angle_of, Answer answer) const {
-  double sum_rad = 0.0;
-  for (std::size_t i = 0; i < servos_.size(); ++i) {
-    const double from_trim_rad = angle_of(servos_[i]) - mounting_[i].trim_rad;
-    sum_rad += answer(mounting_[i].reversed ? -from_trim_rad : from_trim_rad);
-  }
-  return sum_rad / static_cast<double>(servos_.size());
-}
-
-double CanardSet::deflection_rad() const {
-  return average([](const Servo& servo) { return servo.angle_rad(); },
-                 [](double deflection_rad) { return deflection_rad; });
-}
-
-double CanardSet::mean_torque_angle_rad(double roll_rate_rad_s, double speed_m_s) const {
-  const auto mean_angle = [](const Servo& servo) { return servo.mean_angle_rad(); };
-  if (!air_.stall_rad) {
-    return average(mean_angle, [](double deflection_rad) { return deflection_rad; });
-  }
-  const double of_roll_rad = angle_of_roll_rad(air_, roll_rate_rad_s, speed_m_s);
-  return average(mean_angle,
-                 [&](double deflection_rad) { return torque_angle_rad(air_, deflection_rad, of_roll_rad); });
-}
-
 hal::EncoderReading CanardSet::read_encoders(hal::Microseconds time) {
   return encoders_.sample(
       time, {servos_[0].angle_rad(), servos_[1].angle_rad(), servos_[2].angle_rad(), servos_[3].angle_rad()});

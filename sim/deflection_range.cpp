@@ -85,8 +85,9 @@ DeflectionRange deflection_range(const Scenario& scenario) {
   const auto largest_rad =
       static_cast<double>(std::min(scenario.plan.controller.canard_limit, core::hard_canard_limit).radians());
   const Servos servos = servos_of(scenario);
-  return {.lowest_rad = deflection_rad(scenario, servos, -largest_rad),
-          .highest_rad = deflection_rad(scenario, servos, largest_rad)};
+  const double left = left_by_fins(scenario.vehicle.canard_air);
+  return {.lowest_rad = left * deflection_rad(scenario, servos, -largest_rad),
+          .highest_rad = left * deflection_rad(scenario, servos, largest_rad)};
 }
 
 CanardResponse canard_response(const Scenario& scenario) {

@@ -83,6 +83,7 @@ World::World(const Scenario& scenario, const BoardPorts& ports, std::unique_ptr<
       disturbance_rad_{disturbance_now_rad()},
       canards_{scenario.vehicle, Random{scenario.seed, RandomStream::encoder_noise},
                Random{scenario.seed, RandomStream::servo_spread}},
+      fin_wash_{scenario.vehicle.canard_air.wash, scenario.vehicle.canard_air.wash_distance_m},
       vibration_{scenario.vehicle.vibration, Random{scenario.seed, RandomStream::shaking}},
       imu_feels_{scenario.vehicle.imu_feels},
       accelerometer_feels_{scenario.vehicle.accelerometer_feels},
@@ -134,14 +135,16 @@ void World::advance() {
   now_ += tick_time;
   disturbance_rad_ = disturbance_now_rad();
 
+  const double speed_m_s = 0.5 * (speed_before + environment_.speed_m_s());
+  const double canard_rad = canards_.mean_torque_angle_rad(roll_.rate_rad_s, speed_m_s);
+  const double wash_rad = fin_wash_.step(canard_rad, speed_m_s * tick_time_s);
+
   // A rocket on the pad cannot roll, and one in the tunnel is held by hand until control starts.
   roll_acceleration_rad_s2_ = 0.0;
   if (events_.liftoff && environment_.can_roll()) {
     const double rate_before_rad_s = roll_.rate_rad_s;
     roll_plant_.inertia_kg_m2 = environment_.roll_inertia_kg_m2().value_or(roll_plant_.inertia_kg_m2);
-    const double speed_m_s = 0.5 * (speed_before + environment_.speed_m_s());
-    const double deflection_rad =
-        canards_.mean_torque_angle_rad(roll_.rate_rad_s, speed_m_s) + 0.5 * (disturbance_before + disturbance_rad_);
+    const double deflection_rad = canard_rad - wash_rad + 0.5 * (disturbance_before + disturbance_rad_);
     roll_ = roll_plant_.step(roll_, 0.5 * (density_before + environment_.density_kg_m3()), speed_m_s, deflection_rad,
                              tick_time_s);
     roll_acceleration_rad_s2_ = (roll_.rate_rad_s - rate_before_rad_s) / tick_time_s;
@@ -160,7 +163,7 @@ void World::ignite() {
 Truth World::truth() const {
   return {.roll_angle_rad = roll_.angle_rad,
           .roll_rate_rad_s = roll_.rate_rad_s,
-          .canard_rad = canards_.deflection_rad(),
+          .canard_rad = canards_.torque_angle_rad(roll_.rate_rad_s, environment_.speed_m_s()) - fin_wash_.angle_rad(),
           .height_m = environment_.height_m(),
           .speed_m_s = environment_.speed_m_s(),
           .disturbance_rad = disturbance_rad_};

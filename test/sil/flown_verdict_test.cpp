@@ -187,6 +187,22 @@ TEST(FlownVerdict, WindAcrossTheGuideAndSpeedsNearSoundAreSaid) {
                   .notes("drag, damping and torque are no longer constant"));
 }
 
+TEST(FlownVerdict, FinsThatReverseTheRollAreSaidAndNothingIsHeld) {
+  const Judged flown = fly(launch2({"aerodynamics.canard_wash=1.3", "aerodynamics.canard_wash_distance_m=0.9"}));
+  EXPECT_TRUE(flown.notes("canards that turn one way roll the rocket the other way"));
+  EXPECT_EQ(flown.verdict.outcome, Outcome::not_held);
+  EXPECT_LT(*flown.figures.authority_margin_rad, 0.0);
+  EXPECT_TRUE(flown.flight.loop_margins.empty());
+  EXPECT_FALSE(fly(launch2({"aerodynamics.canard_wash=0.2"})).notes("take back"));
+}
+
+// 4.9 degrees of offset against 9 of the canards, of which the fins leave 7.2: it settles at 4.9 / (0.5 0.8).
+TEST(FlownVerdict, ARollThatTheFinsMakeSettleElsewhereIsHeldThere) {
+  const Judged flown = fly(launch2({"aerodynamics.canard_wash=0.2", "aerodynamics.canard_wash_distance_m=0.9"}));
+  EXPECT_EQ(flown.verdict.outcome, Outcome::held) << flown.verdict.text;
+  EXPECT_NEAR(text::degrees(*flown.figures.authority_margin_rad), 0.8 * 9.0 - 4.9, 1e-5);
+}
+
 TEST(FlownVerdict, WhyTheRocketWasNotArmedIsPartOfTheVerdict) {
   EXPECT_EQ(fly(launch2({"timing.pad_time_s=5"})).verdict.text,
             "No control: the rocket was never armed, because its self-test takes about seven seconds, and 4 s after it "

@@ -23,6 +23,8 @@ RC_GTEST_PROP(Scenario, AtTheEndsOfItsRangesFliesToAnEndWithFiniteNumbers, ()) {
       {"aerodynamics.damping_m2", {"0", "1e4"}},
       {"aerodynamics.torque_m", {"0", "1e4"}},
       {"aerodynamics.canard_stall_deg", {"5", "30"}},
+      {"aerodynamics.canard_wash", {"0.3", "2"}},
+      {"aerodynamics.canard_wash_distance_m", {"0", "30"}},
       {"environment.density", {"exponential", "isa", "constant"}},
       {"environment.density_kg_m3", {"0.01", "5"}},
       {"launch_guide.tilt_deg", {"0", "15"}},

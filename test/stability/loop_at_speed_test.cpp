@@ -51,6 +51,30 @@ TEST(LoopAtSpeed, TheFlownRocketBeginsToSwingAtTheGainMargin) {
   EXPECT_GT(late_roll_rate_deg_s(steady_stream(1.07 * *found->gain_margin)), 30.0);
 }
 
+// Fins that take back four tenths of the torque, 12 ms later: at the frequency of the swing they hinder little.
+TEST(LoopAtSpeed, TheFlownRocketWithWashOnItsFinsBeginsToSwingAtTheGainMargin) {
+  const auto washed = [](double gain_factor) {
+    sim::Scenario scenario = steady_stream(gain_factor);
+    scenario.vehicle.canard_air.wash = 0.4;
+    scenario.vehicle.canard_air.wash_distance_m = 1.0;
+    return scenario;
+  };
+  const auto found = margins(loop_at_speed(washed(1.0), speed_m_s));
+  const auto without = margins(loop_at_speed(steady_stream(1.0), speed_m_s));
+  ASSERT_TRUE(found && found->gain_margin);
+  EXPECT_GT(std::abs(*found->gain_margin / *without->gain_margin - 1.0), 0.1) << "the wash counts";
+  EXPECT_LT(late_roll_rate_deg_s(washed(0.93 * *found->gain_margin)), 5.0);
+  EXPECT_GT(late_roll_rate_deg_s(washed(1.07 * *found->gain_margin)), 30.0);
+}
+
+TEST(LoopAtSpeed, FinsThatTakeBackAllOfTheTorqueLeaveNoLoop) {
+  sim::Scenario scenario = steady_stream(1.0);
+  for (const double wash : {1.0, 1.5}) {
+    scenario.vehicle.canard_air.wash = wash;
+    EXPECT_FALSE(margins(loop_at_speed(scenario, speed_m_s))) << wash;
+  }
+}
+
 TEST(LoopAtSpeed, HasTheServosOfTheVehicleAndTheGainsOfThePlan) {
   sim::Scenario scenario = input::load_scenario("tasha3_launch1", {});
   scenario.vehicle.imu.delay_s = 0.002;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -50,6 +51,19 @@ std::optional<std::string> near_sound(const flight::Flight& flight) {
       "At {:.0f} m/s, Mach {:.2f}, drag, damping and torque are no longer constant, as the simulation "
       "takes them to be.",
       top_m_s, top_m_s / speed_of_sound_m_s);
+}
+
+/// Counts in the tunnel, too, unless the air stands still.
+std::optional<std::string> reversed_roll(const sim::Scenario& scenario) {
+  const double wash = scenario.vehicle.canard_air.wash;
+  if (wash < 1.0 || scenario.surroundings == sim::Surroundings::gimbal) {
+    return std::nullopt;
+  }
+  return fmt::format(
+      "The fins take back {:g} times the roll torque of the canards (aerodynamics.canard_wash), so {}: no gains of "
+      "this "
+      "control law hold the roll.",
+      wash, wash > 1.0 ? "canards that turn one way roll the rocket the other way" : "the canards turn nothing");
 }
 
 std::optional<std::string> strong_motor(const sim::Scenario& scenario, const flight::Flight& flight) {
@@ -99,14 +113,15 @@ std::optional<std::string> windy_exit(const sim::Scenario& scenario, const fligh
 }  // namespace
 
 std::vector<std::string> beyond_the_model(const sim::Scenario& scenario, const flight::Flight& flight) {
-  std::vector<std::string> all;
-  if (flight.tunnel) {
-    return all;
+  std::vector<std::optional<std::string>> sentences{reversed_roll(scenario)};
+  if (!flight.tunnel) {
+    sentences.insert(sentences.end(), {leaning_guide(scenario, flight), near_sound(flight),
+                                       strong_motor(scenario, flight), windy_exit(scenario, flight)});
   }
-  for (const auto& sentence : {leaning_guide(scenario, flight), near_sound(flight), strong_motor(scenario, flight),
-                               windy_exit(scenario, flight)}) {
+  std::vector<std::string> all;
+  for (std::optional<std::string>& sentence : sentences) {
     if (sentence) {
-      all.push_back(*sentence);
+      all.push_back(std::move(*sentence));
     }
   }
   return all;

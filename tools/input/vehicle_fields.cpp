@@ -27,6 +27,8 @@ constexpr auto fields = std::to_array<Field<sim::Vehicle>>({
   {"aerodynamics", "torque_m", number("m", {0, 1e4}), must, AT(it.roll_plant.torque_m), "Roll torque of the canards, beta."},
   {"aerodynamics", "canard_stall_deg", number(deg, {5, 30}), may, AT(it.canard_air.stall_rad), "The lift of each canard grows with its angle up to this one and stays there; 12 to 15 are usual. Without it no canard stalls."},
   {"aerodynamics", "canard_arm_m", number("m", {0, 2}), may, AT(it.canard_air.arm_m), "From the long axis to where a canard lifts: roll changes its angle to the flow. At most `damping_m2 / torque_m`."},
+  {"aerodynamics", "canard_wash", number("", {0, 2}), may, AT(it.canard_air.wash), "Share of the canards' roll torque that the fins behind them take back; more than 1 reverses the roll."},
+  {"aerodynamics", "canard_wash_distance_m", number("m", {0, 30}), may, AT(it.canard_air.wash_distance_m), "From the canards back to the fins, which answer after this distance over the air speed."},
 
   {"airframe", "diameter_m", number("m", {0.01, 2}), must_in_its_section, AT(made(it.airframe).diameter_m), "Of the body. This section is what flights in six degrees of freedom need; positions count from the tip of the nose."},
   {"airframe", "length_m", number("m", {0.1, 30}), must_in_its_section, AT(made(it.airframe).length_m), "From the tip of the nose to the tail."},
