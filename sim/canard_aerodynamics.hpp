@@ -20,6 +20,16 @@ struct CanardAerodynamics {
   std::optional<double> arm_m{};
   double wash = 0.0;             ///< share of the canards' roll torque that the fins take back, see FinWash; 0 to 2
   double wash_distance_m = 0.0;  ///< from the canards back to the fins, not negative
+  /// Hinge moment of a canard over 1/2 rho v^2 and its effective angle, see ShaftLoad. Empty: it loads no servo. Stall
+  /// is not in it: where lift stays, its centre moves back.
+  std::optional<double> hinge_moment_m3{};
+};
+
+/// The air in which the canards turn.
+struct CanardFlow {
+  double density_kg_m3 = 0.0;
+  double speed_m_s = 0.0;  ///< along the axis
+  double roll_rate_rad_s = 0.0;
 };
 
 /// What the fins leave of a roll torque of the canards in the end; below zero the rocket rolls against its canards.

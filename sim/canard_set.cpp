@@ -30,12 +30,27 @@ CanardSet::CanardSet(const Vehicle& vehicle, Random encoder_noise, Random servo_
                 vehicle.encoder,
                 encoder_noise} {}
 
-void CanardSet::step(double time_s, double dt_s, const std::array<std::optional<hal::Pulse>, hal::canards>& pulses) {
+void CanardSet::step(double time_s, double dt_s, const std::array<std::optional<hal::Pulse>, hal::canards>& pulses,
+                     const CanardFlow& flow) {
+  if (air_.hinge_moment_m3) {
+    load_servos(flow);
+  }
   constexpr double microseconds_per_nanosecond = 1e-3;
   for (std::size_t i = 0; i < servos_.size(); ++i) {
     const auto pulse_us =
         pulses[i] ? std::optional{microseconds_per_nanosecond * static_cast<double>(pulses[i]->count())} : std::nullopt;
     servos_[i].step(time_s, dt_s, pulse_us);
+  }
+}
+
+void CanardSet::load_servos(const CanardFlow& flow) {
+  const double stiffness_n_m_per_rad =
+      0.5 * flow.density_kg_m3 * flow.speed_m_s * flow.speed_m_s * *air_.hinge_moment_m3;
+  const double of_roll_rad = angle_of_roll_rad(air_, flow.roll_rate_rad_s, flow.speed_m_s);
+  for (std::size_t i = 0; i < servos_.size(); ++i) {
+    const double against_roll_rad = mounting_[i].reversed ? of_roll_rad : -of_roll_rad;
+    servos_[i].set_load(ShaftLoad{.stiffness_n_m_per_rad = stiffness_n_m_per_rad,
+                                  .free_angle_rad = mounting_[i].trim_rad + against_roll_rad});
   }
 }
 

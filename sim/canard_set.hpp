@@ -23,7 +23,9 @@ class CanardSet {
   /// Each is a stream of its own: the noise of the encoders, and how the servos differ from each other.
   CanardSet(const Vehicle& vehicle, Random encoder_noise, Random servo_spread);
 
-  void step(double time_s, double dt_s, const std::array<std::optional<hal::Pulse>, hal::canards>& pulses);
+  /// The flow is that at the begin of the step; it turns no shaft unless the vehicle has a hinge moment.
+  void step(double time_s, double dt_s, const std::array<std::optional<hal::Pulse>, hal::canards>& pulses,
+            const CanardFlow& flow);
 
   /// Mean angle in the sense of positive roll moment, trim taken off, as the air answers it: u_fin of Eq 1. Where a
   /// canard stalls, less; there the roll rate counts, and the speed of the air along the axis.
@@ -45,6 +47,7 @@ class CanardSet {
   void make_encoder_noisy(std::size_t canard, double noise_counts) { encoders_.set_noise(canard, noise_counts); }
 
  private:
+  void load_servos(const CanardFlow& flow);
   template <typename AngleOf>
   [[nodiscard]] double average(AngleOf angle_of, double roll_rate_rad_s, double speed_m_s) const;
 

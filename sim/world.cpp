@@ -127,9 +127,10 @@ void World::advance() {
     ignition_ += tick_time;
   }
   const double from_ignition_s = in_seconds(now_ - ignition_);
-  canards_.step(in_seconds(now_), tick_time_s, hardware_.pulses);
   const double density_before = environment_.density_kg_m3();
   const double speed_before = environment_.speed_m_s();
+  canards_.step(in_seconds(now_), tick_time_s, hardware_.pulses,
+                {.density_kg_m3 = density_before, .speed_m_s = speed_before, .roll_rate_rad_s = roll_.rate_rad_s});
   const double disturbance_before = disturbance_rad_;
   environment_.advance_to(from_ignition_s + tick_time_s, roll_.rate_rad_s);
   now_ += tick_time;

@@ -203,6 +203,23 @@ TEST(FlownVerdict, ARollThatTheFinsMakeSettleElsewhereIsHeldThere) {
   EXPECT_NEAR(text::degrees(*flown.figures.authority_margin_rad), 0.8 * 9.0 - 4.9, 1e-5);
 }
 
+// 0.1 N m against 0.5 1.2 22^2 0.003 N m/rad are 6.6 degrees, and the plan's limit is 9.
+TEST(FlownVerdict, AServoTooWeakForTheLimitIsSaid) {
+  const auto flown = [](const std::vector<std::string>& changes) {
+    std::vector<input::Override> overrides{input::parse_override("run.control_time_s=3")};
+    for (const std::string& change : changes) {
+      overrides.push_back(input::parse_override(change));
+    }
+    const flight::Flight flight = fly::fly_scenario(input::load_scenario("tunnel_steps", overrides));
+    return std::ranges::any_of(flight.notes, [](const std::string& note) {
+      return note.find("turns a canard back beyond 6.6 deg") != std::string::npos;
+    });
+  };
+  EXPECT_TRUE(flown({"servo.torque_n_m=0.1", "aerodynamics.canard_hinge_moment_m3=0.003", "tunnel.turbulence=0"}));
+  EXPECT_FALSE(flown({"servo.torque_n_m=1", "aerodynamics.canard_hinge_moment_m3=0.003", "tunnel.turbulence=0"}));
+  EXPECT_FALSE(flown({"aerodynamics.canard_hinge_moment_m3=0.003", "tunnel.turbulence=0"}));
+}
+
 TEST(FlownVerdict, WhyTheRocketWasNotArmedIsPartOfTheVerdict) {
   EXPECT_EQ(fly(launch2({"timing.pad_time_s=5"})).verdict.text,
             "No control: the rocket was never armed, because its self-test takes about seven seconds, and 4 s after it "

@@ -66,6 +66,34 @@ std::optional<std::string> reversed_roll(const sim::Scenario& scenario) {
       wash, wash > 1.0 ? "canards that turn one way roll the rocket the other way" : "the canards turn nothing");
 }
 
+double largest_dynamic_pressure_pa(const sim::Scenario& scenario, const flight::Flight& flight) {
+  double largest_pa = 0.0;
+  for (const flight::Row& row : flight.rows) {
+    const double density_kg_m3 =
+        flight.tunnel ? scenario.tunnel.density_kg_m3 : scenario.atmosphere.density_kg_m3(row.truth->height_m);
+    if (row.phase == core::Phase::controlling) {
+      largest_pa = std::max(largest_pa, 0.5 * density_kg_m3 * row.truth->speed_m_s * row.truth->speed_m_s);
+    }
+  }
+  return largest_pa;
+}
+
+/// The angle at which the air on a canard is as strong as its servo. The reach of the canards is not made from it: it
+/// changes with the speed.
+std::optional<std::string> weak_servo(const sim::Scenario& scenario, const flight::Flight& flight) {
+  const auto& torque_n_m = scenario.vehicle.servo.torque_n_m;
+  const double hinge_m3 = scenario.vehicle.canard_air.hinge_moment_m3.value_or(0.0);
+  const double load_n_m_per_rad = std::abs(hinge_m3) * largest_dynamic_pressure_pa(scenario, flight);
+  const double limit_rad = flight::canard_limit_rad(scenario.plan);
+  if (!torque_n_m || *torque_n_m >= load_n_m_per_rad * limit_rad) {
+    return std::nullopt;
+  }
+  return fmt::format(
+      "At the highest dynamic pressure under control the air turns a canard {} beyond {:.1f} deg, where its moment is "
+      "all that the servo has ({:g} N m); authority and stability margins do not count that.",
+      hinge_m3 > 0.0 ? "back" : "farther out", degrees(*torque_n_m / load_n_m_per_rad), *torque_n_m);
+}
+
 std::optional<std::string> strong_motor(const sim::Scenario& scenario, const flight::Flight& flight) {
   double largest_m_s2 = 0.0;
   for (const flight::Row& row : flight.rows) {
@@ -113,7 +141,7 @@ std::optional<std::string> windy_exit(const sim::Scenario& scenario, const fligh
 }  // namespace
 
 std::vector<std::string> beyond_the_model(const sim::Scenario& scenario, const flight::Flight& flight) {
-  std::vector<std::optional<std::string>> sentences{reversed_roll(scenario)};
+  std::vector<std::optional<std::string>> sentences{reversed_roll(scenario), weak_servo(scenario, flight)};
   if (!flight.tunnel) {
     sentences.insert(sentences.end(), {leaning_guide(scenario, flight), near_sound(flight),
                                        strong_motor(scenario, flight), windy_exit(scenario, flight)});

@@ -29,6 +29,7 @@ constexpr auto fields = std::to_array<Field<sim::Vehicle>>({
   {"aerodynamics", "canard_arm_m", number("m", {0, 2}), may, AT(it.canard_air.arm_m), "From the long axis to where a canard lifts: roll changes its angle to the flow. At most `damping_m2 / torque_m`."},
   {"aerodynamics", "canard_wash", number("", {0, 2}), may, AT(it.canard_air.wash), "Share of the canards' roll torque that the fins behind them take back; more than 1 reverses the roll."},
   {"aerodynamics", "canard_wash_distance_m", number("m", {0, 30}), may, AT(it.canard_air.wash_distance_m), "From the canards back to the fins, which answer after this distance over the air speed."},
+  {"aerodynamics", "canard_hinge_moment_m3", number("m3", {-0.01, 0.01}), may, AT(it.canard_air.hinge_moment_m3), "Moment about the shaft of one canard over 1/2 rho v2 and its angle to the flow in radians: slope of its lift over the angle, times its area, times the distance from the shaft back to where it lifts; below zero in front of the shaft. Counts with `servo.torque_n_m`."},
 
   {"airframe", "diameter_m", number("m", {0.01, 2}), must_in_its_section, AT(made(it.airframe).diameter_m), "Of the body. This section is what flights in six degrees of freedom need; positions count from the tip of the nose."},
   {"airframe", "length_m", number("m", {0.1, 30}), must_in_its_section, AT(made(it.airframe).length_m), "From the tip of the nose to the tail."},
@@ -56,6 +57,7 @@ constexpr auto fields = std::to_array<Field<sim::Vehicle>>({
   {"servo", "delay_s", number("s", {0, 0.05}), may, AT(it.servo.delay_s), "From the pulse that is taken over until the servo acts on it."},
   {"servo", "frame_rate_hz", number(hz_of_period, {40, 1000}), may, AT(it.servo.frame_period_s), "How often the servo takes a pulse over."},
   {"servo", "rate_limit_deg_s", number(deg_s, {1, 1e5}), may, AT(it.servo.rate_limit_rad_s), "Fastest turn of the shaft."},
+  {"servo", "torque_n_m", number("N m", {0.005, 100}), may, AT(it.servo.torque_n_m), "Stall torque at the shaft: against a load the servo turns with the rate limit times 1 - load / torque, and it holds no more. Counts with `aerodynamics.canard_hinge_moment_m3`; without it no load slows the servo."},
   {"servo", "stop_deg", number(deg, {1, 90}), may, AT(it.servo.stop_rad), "Mechanical stop of the shaft, either way."},
   {"servo", "backlash_deg", number(deg, {0, 5}), may, AT(it.servo.backlash_rad), "Whole width of the play between gear and shaft."},
   {"servo", "pulse_centre_us", number("us", {500, 2500}), may, AT(it.servo.pulse_centre_us), "Pulse that commands the centre."},
