@@ -12,8 +12,8 @@ namespace fantail::sim {
 struct CanardAerodynamics {
   /// The lift of a canard is in proportion to its effective angle up to this one, and stays what it is there beyond;
   /// above zero. It stays, because canards are thin plates of a low aspect ratio: their side edges keep the flow
-  /// attached, and the lift falls little behind its maximum (S. F. Hoerner and H. V. Borst, Fluid-Dynamic Lift, 1985,
-  /// chapter XVII). A canard of a high aspect ratio would lose lift there.
+  /// attached, and the lift falls little behind its maximum (S. F. Hoerner and H. V. Borst, Fluid-Dynamic Lift, 1985:
+  /// low aspect ratios). A canard of a high aspect ratio would lose lift there.
   std::optional<double> stall_rad{};
   /// From the long axis to where a canard lifts: a roll rate p makes the angle p r / v at it. Empty: that is left out
   /// of the effective angle. Not more than alpha / beta, at which the canards would be all of the roll damping.

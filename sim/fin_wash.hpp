@@ -6,8 +6,8 @@
 namespace fantail::sim {
 
 /// The vortices of the canards turn the flow at the fins behind them, which take back a share of the roll torque:
-/// with more than all of it the rocket rolls against its canards. J. N. Nielsen, Missile Aerodynamics (1960), chapters
-/// 6 and 8, tells how the share follows from the spans; here it is a coefficient.
+/// with more than all of it the rocket rolls against its canards. J. N. Nielsen, Missile Aerodynamics (1960),
+/// tells how such interference follows from the spans; here it is a coefficient.
 ///
 /// The fins meet the air that was at the canards a distance before: at a steady speed, distance / speed later. Air that
 /// no canard has met yet is not turned.

@@ -66,6 +66,11 @@ std::string settles(const Prediction& p, const stability::Gains& gains) {
 }  // namespace
 
 LimitAdvice advice_on_canard_limit(const Prediction& p, double asked) {
+  const double left = left_by_fins(p);
+  if (left <= 0.0) {
+    return {"No canard limit would balance the offset: the fins take back all of the canards' roll torque, or more.",
+            {}};
+  }
   if (share(p.runs.size(), p.runs.size()).low < asked) {
     return {fmt::format("{} are too few to advise a canard limit: even if it were enough in all of them, that would "
                         "not prove {}.",
@@ -74,11 +79,6 @@ LimitAdvice advice_on_canard_limit(const Prediction& p, double asked) {
   }
   const CanardReach farthest = farthest_reach(p.flown, usual_offset_rad(p.runs));
   const double farthest_deg = degrees(farthest.angle_rad);
-  const double left = left_by_fins(p);
-  if (left <= 0.0) {
-    return {"No canard limit would balance the offset: the fins take back all of the canards' roll torque, or more.",
-            {}};
-  }
   if (const auto limit_deg = enough_limit_deg(p, asked, farthest_deg)) {
     const Share found = within(p, text::radians(left * *limit_deg));
     return {
