@@ -146,8 +146,10 @@ void World::advance() {
     const double rate_before_rad_s = roll_.rate_rad_s;
     roll_plant_.inertia_kg_m2 = environment_.roll_inertia_kg_m2().value_or(roll_plant_.inertia_kg_m2);
     const double deflection_rad = canard_rad - wash_rad + 0.5 * (disturbance_before + disturbance_rad_);
-    roll_ = roll_plant_.step(roll_, 0.5 * (density_before + environment_.density_kg_m3()), speed_m_s, deflection_rad,
-                             tick_time_s);
+    // Compressibility makes alpha and beta larger alike, as a larger density would.
+    const double density_kg_m3 =
+        environment_.compressibility() * (0.5 * (density_before + environment_.density_kg_m3()));
+    roll_ = roll_plant_.step(roll_, density_kg_m3, speed_m_s, deflection_rad, tick_time_s);
     roll_acceleration_rad_s2_ = (roll_.rate_rad_s - rate_before_rad_s) / tick_time_s;
   } else if (const auto by_hand = environment_.turn_by_hand(in_seconds(now_), tick_time_s)) {
     roll_ = *by_hand;

@@ -187,6 +187,23 @@ TEST(FlownVerdict, WindAcrossTheGuideAndSpeedsNearSoundAreSaid) {
                   .notes("drag, damping and torque are no longer constant"));
 }
 
+TEST(FlownVerdict, PrandtlGlauertPromisesNothingAboveMach08) {
+  const auto notes = [](const char* mass_kg, const std::vector<std::string>& more, const char* words) {
+    std::vector<std::string> changes{std::string{"body.mass_kg="} + mass_kg, "body.drag_area_m2=0.0005"};
+    changes.insert(changes.end(), more.begin(), more.end());
+    return fly(launch2(changes)).notes(words);
+  };
+  const std::vector<std::string> factor{"aerodynamics.compressibility=prandtl_glauert"};
+  const std::vector<std::string> table{"body.drag_mach=[0, 0.8]", "body.drag_factor=[1, 1]"};
+  // 1.6 kg reach Mach 0.77 and 0.9 kg Mach 1.3.
+  EXPECT_TRUE(notes("1.6", {}, "drag, damping and torque are no longer constant"));
+  EXPECT_TRUE(notes("1.6", table, ", damping and torque are no longer constant"));
+  EXPECT_FALSE(notes("1.6", table, "drag, damping"));
+  EXPECT_FALSE(notes("1.6", factor, "Mach"));
+  EXPECT_TRUE(notes("0.9", factor, "nothing is promised of damping, torque and normal force"));
+  EXPECT_TRUE(notes("0.9", factor, "nor of the drag"));
+}
+
 TEST(FlownVerdict, FinsThatReverseTheRollAreSaidAndNothingIsHeld) {
   const Judged flown = fly(launch2({"aerodynamics.canard_wash=1.3", "aerodynamics.canard_wash_distance_m=0.9"}));
   EXPECT_TRUE(flown.notes("canards that turn one way roll the rocket the other way"));

@@ -27,6 +27,7 @@ RC_GTEST_PROP(Scenario, AtTheEndsOfItsRangesFliesToAnEndWithFiniteNumbers, ()) {
       {"aerodynamics.canard_wash_distance_m", {"0", "30"}},
       {"aerodynamics.canard_hinge_moment_m3", {"-0.01", "0.01"}},
       {"servo.torque_n_m", {"0.005", "100"}},
+      {"aerodynamics.compressibility", {"prandtl_glauert"}},
       {"environment.density", {"exponential", "isa", "constant"}},
       {"environment.density_kg_m3", {"0.01", "5"}},
       {"launch_guide.tilt_deg", {"0", "15"}},

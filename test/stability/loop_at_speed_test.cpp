@@ -90,6 +90,17 @@ TEST(LoopAtSpeed, HasTheServosOfTheVehicleAndTheGainsOfThePlan) {
   EXPECT_NEAR(loop.authority_per_s2, 1.225 * 97.0 * 97.0 * 5.0265e-5 * 10.0 / (2.0 * 0.00361), 1e-4);
 }
 
+// At 97 m/s and the sound of 15 degrees Celsius.
+TEST(LoopAtSpeed, HasThePrandtlGlauertFactorOfTheVehicle) {
+  sim::Scenario scenario = input::load_scenario("tasha3_launch1", {});
+  const RollLoop constant = loop_at_speed(scenario, 97.0);
+  scenario.vehicle.compressibility = sim::Compressibility::prandtl_glauert;
+  const RollLoop growing = loop_at_speed(scenario, 97.0);
+  const double factor = 1.0 / std::sqrt(1.0 - 97.0 * 97.0 / (1.4 * 287.05287 * 288.15));
+  EXPECT_NEAR(growing.damping_rate_per_s / constant.damping_rate_per_s, factor, 1e-12);
+  EXPECT_NEAR(growing.authority_per_s2 / constant.authority_per_s2, factor, 1e-12);
+}
+
 // Four slow servos are servos with four times the lag; of a mixture the loop has the sum of both.
 TEST(LoopAtSpeed, HasTheCanardFaultsThatAreThereAtLiftOff) {
   const auto margin_deg = [](const sim::Scenario& scenario) {

@@ -15,8 +15,7 @@
 namespace fantail::fly {
 namespace {
 
-constexpr double speed_of_sound_m_s = 340.3;  // at 15 degrees Celsius; at 5 km it is 320
-constexpr double largest_mach = 0.7;
+constexpr double largest_constant_mach = 0.7;
 // Where a vehicle does not say it, canards stall at about 15 degrees to the flow, of which the plan's limit is a part.
 constexpr double usual_stall_rad = 15.0 * sim::radians_per_degree;
 
@@ -39,18 +38,31 @@ std::optional<std::string> leaning_guide(const sim::Scenario& scenario, const fl
   return text + ".";
 }
 
-std::optional<std::string> near_sound(const flight::Flight& flight) {
-  double top_m_s = 0.0;
+std::optional<std::string> near_sound(const sim::Scenario& scenario, const flight::Flight& flight) {
+  double top_mach = 0.0;
+  double speed_m_s = 0.0;
   for (const flight::Row& row : flight.rows) {
-    top_m_s = std::max(top_m_s, row.truth->speed_m_s);
+    const double mach = row.truth->speed_m_s / scenario.atmosphere.speed_of_sound_m_s(row.truth->height_m);
+    if (mach > top_mach) {
+      top_mach = mach;
+      speed_m_s = row.truth->speed_m_s;
+    }
   }
-  if (top_m_s < largest_mach * speed_of_sound_m_s) {
+  const bool has_factor = scenario.vehicle.compressibility == sim::Compressibility::prandtl_glauert;
+  const bool has_drag = scenario.vehicle.drag_over_mach.is_there();
+  if (top_mach < (has_factor ? sim::highest_mach_of_prandtl_glauert : largest_constant_mach)) {
     return std::nullopt;
   }
+  if (has_factor) {
+    return fmt::format(
+        "At {:.0f} m/s, Mach {:.2f}, nothing is promised of damping, torque and normal force: their Prandtl-Glauert "
+        "factor ends at Mach {:g}{}.",
+        speed_m_s, top_mach, sim::highest_mach_of_prandtl_glauert,
+        has_drag ? "" : "; nor of the drag, whose coefficient is taken to be constant");
+  }
   return fmt::format(
-      "At {:.0f} m/s, Mach {:.2f}, drag, damping and torque are no longer constant, as the simulation "
-      "takes them to be.",
-      top_m_s, top_m_s / speed_of_sound_m_s);
+      "At {:.0f} m/s, Mach {:.2f}, {}damping and torque are no longer constant, as the simulation takes them to be.",
+      speed_m_s, top_mach, has_drag ? "" : "drag, ");
 }
 
 /// Counts in the tunnel, too, unless the air stands still.
@@ -143,7 +155,7 @@ std::optional<std::string> windy_exit(const sim::Scenario& scenario, const fligh
 std::vector<std::string> beyond_the_model(const sim::Scenario& scenario, const flight::Flight& flight) {
   std::vector<std::optional<std::string>> sentences{reversed_roll(scenario), weak_servo(scenario, flight)};
   if (!flight.tunnel) {
-    sentences.insert(sentences.end(), {leaning_guide(scenario, flight), near_sound(flight),
+    sentences.insert(sentences.end(), {leaning_guide(scenario, flight), near_sound(scenario, flight),
                                        strong_motor(scenario, flight), windy_exit(scenario, flight)});
   }
   std::vector<std::string> all;

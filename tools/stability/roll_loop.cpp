@@ -134,16 +134,19 @@ double loop_delay_s(const sim::Vehicle& vehicle) {
 RollLoop loop_at_speed(const sim::Scenario& scenario, double speed_m_s) {
   const sim::RollPlant& plant = scenario.vehicle.roll_plant;
   const double density_kg_m3 = scenario.atmosphere.density_kg_m3(0.0);
+  const double compressibility = sim::compressibility_factor(scenario.vehicle.compressibility,
+                                                             speed_m_s / scenario.atmosphere.speed_of_sound_m_s(0.0));
   const sim::CanardResponse canards = sim::canard_response(scenario);
-  return {.proportional_gain = static_cast<double>(scenario.plan.controller.proportional_gain),
-          .derivative_gain_s = static_cast<double>(scenario.plan.controller.derivative_gain_s),
-          .damping_rate_per_s = plant.damping_rate_per_s(density_kg_m3, speed_m_s),
-          .authority_per_s2 = canards.effectiveness * plant.authority_per_s2(density_kg_m3, speed_m_s),
-          .servo_lag_s = scenario.vehicle.servo.lag_s,
-          .delay_s = loop_delay_s(scenario.vehicle),
-          .slow_share = canards.slow_share,
-          .wash = scenario.vehicle.canard_air.wash,
-          .wash_delay_s = scenario.vehicle.canard_air.wash_distance_m / speed_m_s};
+  return {
+      .proportional_gain = static_cast<double>(scenario.plan.controller.proportional_gain),
+      .derivative_gain_s = static_cast<double>(scenario.plan.controller.derivative_gain_s),
+      .damping_rate_per_s = compressibility * plant.damping_rate_per_s(density_kg_m3, speed_m_s),
+      .authority_per_s2 = compressibility * (canards.effectiveness * plant.authority_per_s2(density_kg_m3, speed_m_s)),
+      .servo_lag_s = scenario.vehicle.servo.lag_s,
+      .delay_s = loop_delay_s(scenario.vehicle),
+      .slow_share = canards.slow_share,
+      .wash = scenario.vehicle.canard_air.wash,
+      .wash_delay_s = scenario.vehicle.canard_air.wash_distance_m / speed_m_s};
 }
 
 }  // namespace fantail::stability
