@@ -12,7 +12,7 @@ Loads air_loads(const Airframe& airframe, const InAir& in_air) {
   const double half_flow = 0.5 * in_air.density_kg_m3 * speed_m_s;
 
   // Sums over the parts of slope times area, times the arm in front of the centre of gravity, times its square.
-  const double sum = airframe.normal_force_slope_per_rad * airframe.cross_section_m2();
+  const double sum = airframe.normal_force_slope_per_rad * airframe.cross_section_m2() * in_air.normal_force_factor;
   const double arm_m = in_air.centre_of_gravity_m - airframe.centre_of_pressure_m;
   const double arm_sum = sum * arm_m;
   const double square_sum = sum * (arm_m * arm_m + airframe.parts_spread_m * airframe.parts_spread_m);

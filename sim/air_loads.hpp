@@ -13,6 +13,7 @@ struct InAir {
   double centre_of_gravity_m = 0.0;  ///< from the tip of the nose
   Vector3 air_speed_m_s;             ///< of the rocket through the air
   Vector3 rate_rad_s;
+  double normal_force_factor = 1.0;  ///< on the slope of the parts; the body's own lift is left as it is
 };
 
 /// Drag along the axis, the normal force of the parts, and the lift of the body in a strong cross flow, with their

@@ -30,9 +30,16 @@ Ascent::Ascent(const AscentParameters& parameters)
                       ? parameters.motor.propellant_kg() / parameters.motor.impulse_n_s()
                       : 0.0},
       density_{parameters.atmosphere},
+      speed_of_sound_m_s_{parameters.atmosphere.speed_of_sound_m_s(0.0)},
       now_{.mass_kg = parameters.mass_kg,
            .density_kg_m3 = density_.at(0.0),
            .specific_force_m_s2 = gravity_along_m_s2_} {}
+
+double Ascent::half_drag_area_m2(double speed_m_s) const {
+  return parameters_.drag_over_mach.is_there()
+             ? half_drag_area_m2_ * parameters_.drag_over_mach.at(std::abs(speed_m_s) / speed_of_sound_m_s_)
+             : half_drag_area_m2_;
+}
 
 Ascent::Instant Ascent::in_flight(double time_s, double speed_m_s, double density_kg_m3) const {
   const Burn burn = parameters_.motor.at(time_s);
@@ -40,7 +47,7 @@ Ascent::Instant Ascent::in_flight(double time_s, double speed_m_s, double densit
   // The division waits for nothing but the time; dividing the force would put it into the chain that speed goes
   // through.
   const double per_kg = 1.0 / mass_kg;
-  const double drag_n = half_drag_area_m2_ * density_kg_m3 * (speed_m_s * std::abs(speed_m_s));
+  const double drag_n = half_drag_area_m2(speed_m_s) * density_kg_m3 * (speed_m_s * std::abs(speed_m_s));
   return {.mass_kg = mass_kg, .density_kg_m3 = density_kg_m3, .specific_force_m_s2 = (burn.thrust_n - drag_n) * per_kg};
 }
 
@@ -79,7 +86,11 @@ void Ascent::fly(double time_s) {
   // Density is looked up where the speed at the start leads to, which is half a millimetre off at 100 g, or 1e-7 of the
   // density: so it need not wait for the acceleration. Its mean over the step serves the middle as well as a second
   // look-up would: both are off by the step squared, as the rule itself is.
-  const double density_kg_m3 = density_.at((distance_m_ + dt_s * speed_m_s_) * cos_tilt_);
+  const double height_m = (distance_m_ + dt_s * speed_m_s_) * cos_tilt_;
+  const double density_kg_m3 = density_.at(height_m);
+  if (parameters_.drag_over_mach.is_there()) {
+    speed_of_sound_m_s_ = parameters_.atmosphere.speed_of_sound_m_s(height_m);
+  }
   const Instant middle = in_flight(time_s_ + half_s, middle_speed_m_s, 0.5 * (now_.density_kg_m3 + density_kg_m3));
   distance_m_ += dt_s * middle_speed_m_s;
   speed_m_s_ += dt_s * (middle.specific_force_m_s2 - gravity_along_m_s2_);

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "sim/atmosphere.hpp"
+#include "sim/drag_over_mach.hpp"
 #include "sim/local_density.hpp"
 #include "sim/thrust_curve.hpp"
 #include "sim/units.hpp"
@@ -17,6 +18,7 @@ struct AscentParameters {
   double guide_tilt_rad = 0.0;  ///< from the vertical, below a right angle
   Atmosphere atmosphere{};
   ThrustCurve motor{};
+  DragOverMach drag_over_mach{};  ///< factor on the drag area
 };
 
 /// Events, in seconds after ignition, each the first instant of advance_to() at which it had happened.
@@ -66,6 +68,7 @@ class Ascent {
     double density_kg_m3;
     double specific_force_m_s2;
   };
+  [[nodiscard]] double half_drag_area_m2(double speed_m_s) const;
   [[nodiscard]] Instant in_flight(double time_s, double speed_m_s, double density_kg_m3) const;
   void wait_on_pad(double time_s);
   void fly(double time_s);
@@ -78,6 +81,7 @@ class Ascent {
   double half_drag_area_m2_;
   double kg_per_n_s_;
   LocalDensity density_;
+  double speed_of_sound_m_s_;  ///< kept up where the drag depends on it
   double time_s_ = 0.0;
   double distance_m_ = 0.0;
   double speed_m_s_ = 0.0;

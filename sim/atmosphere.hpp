@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cmath>
+#include <cstdint>
+
 #include "sim/elementary.hpp"
 #include "sim/units.hpp"
 
@@ -30,13 +33,22 @@ struct Atmosphere {
     return 1.225 * exponential(height_m * (-1.0 / 8500.0));
   }
 
+  /// That of the ISA at the height above the sea, whatever the density is taken to be.
+  [[nodiscard]] double speed_of_sound_m_s(double height_above_site_m) const {
+    constexpr double heat_capacity_ratio = 1.4;
+    const double height_m = height_above_site_m + elevation_m;
+    const double temperature_k = height_m < tropopause_m ? sea_level_k - lapse_k_m * height_m : tropopause_k;
+    return std::sqrt(heat_capacity_ratio * gas_constant_j_kg_k * temperature_k);
+  }
+
  private:
+  static constexpr double gas_constant_j_kg_k = 287.05287;
+  static constexpr double lapse_k_m = 0.0065;
+  static constexpr double tropopause_m = 11000.0;
+  static constexpr double sea_level_k = 288.15;
+  static constexpr double tropopause_k = sea_level_k - lapse_k_m * tropopause_m;
+
   [[nodiscard]] static double isa_density_kg_m3(double height_m) {
-    constexpr double gas_constant_j_kg_k = 287.05287;
-    constexpr double lapse_k_m = 0.0065;
-    constexpr double tropopause_m = 11000.0;
-    constexpr double sea_level_k = 288.15;
-    constexpr double tropopause_k = sea_level_k - lapse_k_m * tropopause_m;
     constexpr double sea_level_kg_m3 = 101325.0 / (gas_constant_j_kg_k * sea_level_k);
     // Density falls one power slower than pressure: the air is colder, too.
     constexpr double exponent = gravity_m_s2 / (gas_constant_j_kg_k * lapse_k_m) - 1.0;

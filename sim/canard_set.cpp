@@ -23,13 +23,18 @@ std::array<ServoParameters, hal::canards> drawn_servos(const Vehicle& vehicle, R
 
 CanardSet::CanardSet(const Vehicle& vehicle, Random encoder_noise, Random servo_spread)
     : mounting_{vehicle.canards},
+      air_{vehicle.canard_air},
       servos_{make_servos(vehicle, servo_spread)},
       encoders_{{vehicle.canards[0].encoder_zero_rad, vehicle.canards[1].encoder_zero_rad,
                  vehicle.canards[2].encoder_zero_rad, vehicle.canards[3].encoder_zero_rad},
                 vehicle.encoder,
                 encoder_noise} {}
 
-void CanardSet::step(double time_s, double dt_s, const std::array<std::optional<hal::Pulse>, hal::canards>& pulses) {
+void CanardSet::step(double time_s, double dt_s, const std::array<std::optional<hal::Pulse>, hal::canards>& pulses,
+                     const CanardFlow& flow) {
+  if (air_.hinge_moment_m3) {
+    load_servos(flow);
+  }
   constexpr double microseconds_per_nanosecond = 1e-3;
   for (std::size_t i = 0; i < servos_.size(); ++i) {
     const auto pulse_us =
@@ -38,22 +43,15 @@ void CanardSet::step(double time_s, double dt_s, const std::array<std::optional<
   }
 }
 
-template <typename AngleOf>
-double CanardSet::average(AngleOf angle_of) const {
-  double sum_rad = 0.0;
+void CanardSet::load_servos(const CanardFlow& flow) {
+  const double stiffness_n_m_per_rad =
+      0.5 * flow.density_kg_m3 * flow.speed_m_s * flow.speed_m_s * *air_.hinge_moment_m3;
+  const double of_roll_rad = angle_of_roll_rad(air_, flow.roll_rate_rad_s, flow.speed_m_s);
   for (std::size_t i = 0; i < servos_.size(); ++i) {
-    const double from_trim_rad = angle_of(servos_[i]) - mounting_[i].trim_rad;
-    sum_rad += mounting_[i].reversed ? -from_trim_rad : from_trim_rad;
+    const double against_roll_rad = mounting_[i].reversed ? of_roll_rad : -of_roll_rad;
+    servos_[i].set_load(ShaftLoad{.stiffness_n_m_per_rad = stiffness_n_m_per_rad,
+                                  .free_angle_rad = mounting_[i].trim_rad + against_roll_rad});
   }
-  return sum_rad / static_cast<double>(servos_.size());
-}
-
-double CanardSet::deflection_rad() const {
-  return average([](const Servo& servo) { return servo.angle_rad(); });
-}
-
-double CanardSet::mean_deflection_rad() const {
-  return average([](const Servo& servo) { return servo.mean_angle_rad(); });
 }
 
 hal::EncoderReading CanardSet::read_encoders(hal::Microseconds time) {

@@ -7,6 +7,7 @@
 
 #include "hal/encoder.hpp"
 #include "hal/servo.hpp"
+#include "sim/canard_aerodynamics.hpp"
 #include "sim/sensor_models.hpp"
 #include "sim/servo.hpp"
 #include "sim/vehicle.hpp"
@@ -22,12 +23,19 @@ class CanardSet {
   /// Each is a stream of its own: the noise of the encoders, and how the servos differ from each other.
   CanardSet(const Vehicle& vehicle, Random encoder_noise, Random servo_spread);
 
-  void step(double time_s, double dt_s, const std::array<std::optional<hal::Pulse>, hal::canards>& pulses);
+  /// The flow is that at the begin of the step; it turns no shaft unless the vehicle has a hinge moment.
+  void step(double time_s, double dt_s, const std::array<std::optional<hal::Pulse>, hal::canards>& pulses,
+            const CanardFlow& flow);
 
-  /// Mean angle in the sense of positive roll moment, trim taken off: u_fin of Eq 1.
-  [[nodiscard]] double deflection_rad() const;
+  /// Mean angle in the sense of positive roll moment, trim taken off, as the air answers it: u_fin of Eq 1. Where a
+  /// canard stalls, less; there the roll rate counts, and the speed of the air along the axis.
+  [[nodiscard]] double torque_angle_rad(double roll_rate_rad_s, double speed_m_s) const {
+    return average([](const Servo& servo) { return servo.angle_rad(); }, roll_rate_rad_s, speed_m_s);
+  }
   /// The same, averaged over the last step.
-  [[nodiscard]] double mean_deflection_rad() const;
+  [[nodiscard]] double mean_torque_angle_rad(double roll_rate_rad_s, double speed_m_s) const {
+    return average([](const Servo& servo) { return servo.mean_angle_rad(); }, roll_rate_rad_s, speed_m_s);
+  }
 
   [[nodiscard]] hal::EncoderReading read_encoders(hal::Microseconds time);
 
@@ -39,12 +47,25 @@ class CanardSet {
   void make_encoder_noisy(std::size_t canard, double noise_counts) { encoders_.set_noise(canard, noise_counts); }
 
  private:
+  void load_servos(const CanardFlow& flow);
   template <typename AngleOf>
-  [[nodiscard]] double average(AngleOf angle_of) const;
+  [[nodiscard]] double average(AngleOf angle_of, double roll_rate_rad_s, double speed_m_s) const;
 
   std::array<CanardMounting, hal::canards> mounting_;
+  CanardAerodynamics air_;
   std::array<Servo, hal::canards> servos_;
   EncoderModel encoders_;
 };
+
+template <typename AngleOf>
+double CanardSet::average(AngleOf angle_of, double roll_rate_rad_s, double speed_m_s) const {
+  const double of_roll_rad = angle_of_roll_rad(air_, roll_rate_rad_s, speed_m_s);
+  double sum_rad = 0.0;
+  for (std::size_t i = 0; i < servos_.size(); ++i) {
+    const double from_trim_rad = angle_of(servos_[i]) - mounting_[i].trim_rad;
+    sum_rad += sim::torque_angle_rad(air_, mounting_[i].reversed ? -from_trim_rad : from_trim_rad, of_roll_rad);
+  }
+  return sum_rad / static_cast<double>(servos_.size());
+}
 
 }  // namespace fantail::sim

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "core/flight_plan.hpp"
+#include "sim/canard_aerodynamics.hpp"
 #include "sim/canard_set.hpp"
 #include "sim/random_streams.hpp"
 #include "sim/servo.hpp"
@@ -66,7 +67,8 @@ double deflection_rad(const Scenario& scenario, const Servos& servos, double com
   double sum_rad = 0.0;
   for (std::size_t i = 0; i < canards; ++i) {
     const CanardMounting& mounting = scenario.vehicle.canards[i];
-    const double from_trim_rad = shaft_rad(scenario, servos, i, command_rad) - mounting.trim_rad;
+    const double from_trim_rad =
+        lift_angle_rad(scenario.vehicle.canard_air, shaft_rad(scenario, servos, i, command_rad) - mounting.trim_rad);
     sum_rad += mounting.reversed ? -from_trim_rad : from_trim_rad;
   }
   return sum_rad / static_cast<double>(canards);
@@ -83,8 +85,9 @@ DeflectionRange deflection_range(const Scenario& scenario) {
   const auto largest_rad =
       static_cast<double>(std::min(scenario.plan.controller.canard_limit, core::hard_canard_limit).radians());
   const Servos servos = servos_of(scenario);
-  return {.lowest_rad = deflection_rad(scenario, servos, -largest_rad),
-          .highest_rad = deflection_rad(scenario, servos, largest_rad)};
+  const double left = left_by_fins(scenario.vehicle.canard_air);
+  return {.lowest_rad = left * deflection_rad(scenario, servos, -largest_rad),
+          .highest_rad = left * deflection_rad(scenario, servos, largest_rad)};
 }
 
 CanardResponse canard_response(const Scenario& scenario) {

@@ -7,17 +7,18 @@ namespace fantail::sim {
 
 /// How far the canards deflect together, as the air sees them: the mean of the four, at the largest roll commands that
 /// the plan gives. Trims and servo scales of plan and vehicle that differ are in it, and the canard faults that are
-/// there at lift-off; the play, and how servos differ from each other, are not.
+/// there at lift-off; so is the stall of the canards, without roll, and what the fins take back. The play is not.
 struct DeflectionRange {
   double lowest_rad = 0.0;   ///< at the largest negative command; usually negative
-  double highest_rad = 0.0;  ///< at the largest positive command; usually positive
+  double highest_rad = 0.0;  ///< at the largest positive command; usually positive; where fins reverse the roll, not
 };
 [[nodiscard]] DeflectionRange deflection_range(const Scenario& scenario);
 
 /// How the canards follow the roll command together, with the canard faults that are there at lift-off.
 struct CanardResponse {
-  double effectiveness = 1.0;  ///< deflection per command; 1: all healthy; below zero: most turn the other way
-  double slow_share = 0.0;     ///< of those that follow: with slow_times the lag
+  /// Deflection per command, the fins' answer apart; 1: all healthy; below zero: most turn the other way.
+  double effectiveness = 1.0;
+  double slow_share = 0.0;  ///< of those that follow: with slow_times the lag
 };
 [[nodiscard]] CanardResponse canard_response(const Scenario& scenario);
 

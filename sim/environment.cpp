@@ -6,7 +6,8 @@
 namespace fantail::sim {
 
 Environment::Environment(const Scenario& scenario, Random turbulence)
-    : guide_length_m_{scenario.guide.length_m.value_or(static_cast<double>(scenario.plan.guide.length_m))},
+    : scenario_{scenario},
+      guide_length_m_{scenario.guide.length_m.value_or(static_cast<double>(scenario.plan.guide.length_m))},
       turbulence_{turbulence},
       time_s_{-scenario.pad_time_s} {
   const Vehicle& vehicle = scenario.vehicle;
@@ -29,14 +30,17 @@ Environment::Environment(const Scenario& scenario, Random turbulence)
                                           .guide_length_m = guide_length_m_,
                                           .atmosphere = scenario.atmosphere,
                                           .motor = vehicle.motor,
-                                          .recovery = vehicle.recovery});
+                                          .recovery = vehicle.recovery,
+                                          .drag_over_mach = vehicle.drag_over_mach,
+                                          .compressibility = vehicle.compressibility});
     wind_.emplace(scenario.wind, turbulence_);
   } else {
     ascent_.emplace(AscentParameters{.mass_kg = vehicle.mass_kg,
                                      .drag_area_m2 = vehicle.drag_area_m2,
                                      .guide_tilt_rad = scenario.guide.tilt_rad,
                                      .atmosphere = scenario.atmosphere,
-                                     .motor = vehicle.motor});
+                                     .motor = vehicle.motor,
+                                     .drag_over_mach = vehicle.drag_over_mach});
   }
 }
 
@@ -79,6 +83,13 @@ double Environment::density_kg_m3() const {
 
 double Environment::speed_m_s() const {
   return ascent_ ? ascent_->speed_m_s() : flight_ ? flight_->air_speed_m_s().x : tunnel_->speed_m_s();
+}
+
+double Environment::compressibility() const {
+  const Compressibility kind = scenario_.vehicle.compressibility;
+  return kind == Compressibility::none
+             ? 1.0
+             : compressibility_factor(kind, speed_m_s() / scenario_.atmosphere.speed_of_sound_m_s(height_m()));
 }
 
 double Environment::height_m() const { return ascent_ ? ascent_->height_m() : flight_ ? flight_->height_m() : 0.0; }

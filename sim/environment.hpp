@@ -38,6 +38,8 @@ class Environment {
 
   [[nodiscard]] double density_kg_m3() const;
   [[nodiscard]] double speed_m_s() const;  ///< through the air, along the axis
+  /// On roll damping and roll torque, at that speed; one where the vehicle has none.
+  [[nodiscard]] double compressibility() const;
   [[nodiscard]] double height_m() const;
   /// In flight only: the rocket is past the end of its guide; it stands on the pad or on the ground.
   [[nodiscard]] bool is_clear_of_guide() const;
@@ -62,6 +64,7 @@ class Environment {
  private:
   void follow_fan_programme();
 
+  const Scenario& scenario_;
   std::span<const FanSetPoint> fan_to_come_;
   double fan_rpm_ = 0.0;
   double guide_length_m_;

@@ -76,11 +76,17 @@ Vector3 RigidFlight::through_air_m_s(const RigidState& state, const Vector3& win
 Loads RigidFlight::loads(const Body& body, const RigidState& state, double time_s, double density_kg_m3,
                          const Vector3& wind_m_s) const {
   const Vector3 air_speed_m_s = through_air_m_s(state, wind_m_s);
-  Loads all = air_loads(parameters_.airframe, {.density_kg_m3 = density_kg_m3,
-                                               .drag_area_m2 = parameters_.drag_area_m2,
-                                               .centre_of_gravity_m = body.centre_of_gravity_m,
-                                               .air_speed_m_s = air_speed_m_s,
-                                               .rate_rad_s = state.rate_rad_s});
+  InAir in_air{.density_kg_m3 = density_kg_m3,
+               .drag_area_m2 = parameters_.drag_area_m2,
+               .centre_of_gravity_m = body.centre_of_gravity_m,
+               .air_speed_m_s = air_speed_m_s,
+               .rate_rad_s = state.rate_rad_s};
+  if (parameters_.drag_over_mach.is_there() || parameters_.compressibility != Compressibility::none) {
+    const double mach = length(air_speed_m_s) / parameters_.atmosphere.speed_of_sound_m_s(state.position_m.z);
+    in_air.drag_area_m2 *= parameters_.drag_over_mach.at(mach);
+    in_air.normal_force_factor = compressibility_factor(parameters_.compressibility, mach);
+  }
+  Loads all = air_loads(parameters_.airframe, in_air);
   all.force_n.x += body.thrust_n;
   all.moment_n_m = all.moment_n_m - body.jet_damping_n_m_s * state.rate_rad_s;
   if (parachute_s_) {

@@ -7,6 +7,8 @@
 #include "sim/air_loads.hpp"
 #include "sim/airframe.hpp"
 #include "sim/ascent.hpp"
+#include "sim/compressibility.hpp"
+#include "sim/drag_over_mach.hpp"
 #include "sim/launch_guide.hpp"
 #include "sim/local_density.hpp"
 #include "sim/recovery.hpp"
@@ -25,6 +27,8 @@ struct RigidFlightParameters {
   Atmosphere atmosphere{};
   ThrustCurve motor{};
   std::optional<Recovery> recovery{};  ///< empty: it falls as it flew
+  DragOverMach drag_over_mach{};       ///< factor on the drag area
+  Compressibility compressibility = Compressibility::none;
 };
 
 /// A rocket from the pad to the ground in six degrees of freedom, but for its roll, which is the roll plant's. Without

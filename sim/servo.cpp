@@ -18,6 +18,17 @@ void require(bool allowed, const char* what) {
   }
 }
 
+/// Of e^-xt over t from 0 to 1; x of either sign, and no further below zero than an angle that runs to its stop needs.
+double mean_of_decay(double x) {
+  constexpr double same = 1e-4;
+  constexpr double farthest = -30.0;
+  if (x > same) {
+    return settling(x).gain / x;
+  }
+  const double grows = -std::max(x, farthest);
+  return grows < same ? 1.0 + 0.5 * grows : (exponential(grows) - 1.0) / grows;
+}
+
 }  // namespace
 
 ServoParameters one_of_the_spread(const ServoParameters& typical, const ServoSpread& spread, Random& random) {
@@ -49,6 +60,7 @@ Servo::Servo(const ServoParameters& parameters)
   require(std::isfinite(parameters.pulse_centre_us), "pulse_centre_us must be finite");
   require(std::abs(parameters.pulse_per_degree_us) > 0.0, "pulse_per_degree_us must not be 0");
   require(std::abs(parameters.centre_rad) <= parameters.stop_rad, "centre_rad must be within the stop");
+  require(!parameters.torque_n_m || *parameters.torque_n_m > 0.0, "torque_n_m must be above 0");
   set_pace(1.0);
 }
 
@@ -158,8 +170,12 @@ double Servo::move(const Interval& piece) {
     case ServoFault::slipping:
     case ServoFault::reversed:
     case ServoFault::slow:
-    case ServoFault::wrong_trim: return goal_rad_ ? drive(piece) : before * piece.duration_s;
-    case ServoFault::hardover: return turn_at_rate(1.0, piece.duration_s);
+    case ServoFault::wrong_trim:
+      if (load_) {
+        return drive_loaded(piece);
+      }
+      return goal_rad_ ? drive(piece, *goal_rad_, rate_limit_rad_s_, lag_reach_rad_) : before * piece.duration_s;
+    case ServoFault::hardover: return load_ ? drive_loaded(piece) : turn_at_speed(rate_limit_rad_s_, piece.duration_s);
     case ServoFault::dead:
       gear_rad_ = horn_rad_ = before - before * piece.settling.gain;
       return piece.duration_s * (before + piece.settling.weight * (horn_rad_ - before));
@@ -168,29 +184,54 @@ double Servo::move(const Interval& piece) {
   return before * piece.duration_s;
 }
 
-double Servo::drive(const Interval& piece) {
-  const double distance = *goal_rad_ - gear_rad_;
-  const double excess = std::abs(distance) - lag_reach_rad_;
+double Servo::drive(const Interval& piece, double goal_rad, double limit_rad_s, double reach_rad) {
+  const double distance = goal_rad - gear_rad_;
+  const double excess = std::abs(distance) - reach_rad;
   if (excess <= 0.0) {
     const double before = horn_rad_;
     turn_to(gear_rad_ + distance * piece.settling.gain);
     return piece.duration_s * (before + piece.settling.weight * (horn_rad_ - before));
   }
-  const double limited_s = excess / rate_limit_rad_s_;
-  const double direction = distance > 0.0 ? 1.0 : -1.0;
+  const double limited_s = excess / limit_rad_s;
+  const double speed_rad_s = distance > 0.0 ? limit_rad_s : -limit_rad_s;
   if (limited_s >= piece.duration_s) {
-    return turn_at_rate(direction, piece.duration_s);
+    return turn_at_speed(speed_rad_s, piece.duration_s);
   }
   const Interval rest = interval(piece.duration_s - limited_s);
-  const double limited = turn_at_rate(direction, limited_s);
+  const double limited = turn_at_speed(speed_rad_s, limited_s);
   const double before = horn_rad_;
-  turn_to(gear_rad_ + (*goal_rad_ - gear_rad_) * rest.settling.gain);
+  turn_to(gear_rad_ + (goal_rad - gear_rad_) * rest.settling.gain);
   return limited + rest.duration_s * (before + rest.settling.weight * (horn_rad_ - before));
 }
 
-double Servo::turn_at_rate(double direction, double duration_s) {
+double Servo::drive_loaded(const Interval& piece) {
+  constexpr double far_away_rad = 1e6;  // a hardover never arrives
+  const double goal_rad = fault_ == ServoFault::hardover ? far_away_rad : goal_rad_.value_or(gear_rad_);
+  const double torque_n_m = *parameters_.torque_n_m;
+  const double load = load_->moment_n_m(angle_rad()) / torque_n_m;
+  const auto [least_rad_s, most_rad_s] = speeds_under_load(rate_limit_rad_s_, load);
+  // A speed that the load alone sets changes on the way with the load, as an exponential.
+  const double fading = mean_of_decay(rate_limit_rad_s_ * load_->stiffness_n_m_per_rad / torque_n_m * piece.duration_s);
+  const double distance = goal_rad - gear_rad_;
+  const double own_rad_s = std::clamp(distance * per_lag_s_, -rate_limit_rad_s_, rate_limit_rad_s_);
+  if (least_rad_s > 0.0) {
+    return turn_at_speed(std::max(own_rad_s, fading * least_rad_s), piece.duration_s);
+  }
+  if (most_rad_s < 0.0) {
+    return turn_at_speed(std::min(own_rad_s, fading * most_rad_s), piece.duration_s);
+  }
+  if (distance == 0.0) {
+    return horn_rad_ * piece.duration_s;
+  }
+  // Where there is no load yet, the air makes one against a canard that it turns back.
+  const bool is_against = load == 0.0 ? load_->stiffness_n_m_per_rad > 0.0 : distance * load < 0.0;
+  const double limit_rad_s = (distance > 0.0 ? most_rad_s : -least_rad_s) * (is_against ? fading : 1.0);
+  return drive(piece, goal_rad, limit_rad_s, limit_rad_s / per_lag_s_);
+}
+
+double Servo::turn_at_speed(double speed_rad_s, double duration_s) {
   const double before = horn_rad_;
-  turn_to(gear_rad_ + direction * rate_limit_rad_s_ * duration_s);
+  turn_to(gear_rad_ + speed_rad_s * duration_s);
   return duration_s * 0.5 * (before + horn_rad_);
 }
 

@@ -10,6 +10,7 @@
 
 #include "sim/elementary.hpp"
 #include "sim/random.hpp"
+#include "sim/shaft_load.hpp"
 #include "sim/units.hpp"
 
 namespace fantail::sim {
@@ -28,6 +29,7 @@ struct ServoParameters {
   double pulse_centre_us = 1500.0;                       ///< commands the centre
   double pulse_per_degree_us = 10.0;                     ///< negative when it turns the other way; not 0
   double centre_rad = 0.0;                               ///< shaft angle of the centre; within the stop
+  std::optional<double> torque_n_m{};                    ///< at stall, at the shaft; above 0; empty: no load slows it
 };
 
 /// How much the servos of one vehicle differ from each other. Zeros: all are the same.
@@ -73,7 +75,9 @@ inline constexpr double slow_times = 4.0;
 ///   7. play: the shaft follows half of it behind;
 ///   8. grip: a `slipping` horn loses a third of every movement.
 /// Every stage is exact in time, so the angle does not depend on how a time is cut into steps, as long as the pulse is
-/// the same.
+/// the same. Under a load the speeds of stage 5 are those of speeds_under_load(); the load is that of the angle at
+/// which a step begins, and follows the angle in the step where nothing but the load limits the speed. Without power
+/// friction holds up to the torque, too. A stuck shaft holds any load, and a dead one is not the servo's.
 ///
 /// Example, with the defaults: from 1 ms on the pulse is 1700 us. It is taken over at 3.003 ms and acted upon at 6.003
 /// ms. The goal is 20 degrees; 600 deg/s times 20 ms is 12 degrees, so the gear turns its first 8 degrees at the rate
@@ -89,6 +93,13 @@ class Servo {
   /// given: the usual); the others have none. Both move the shaft at once, as far as the stop allows.
   void fail(ServoFault fault, std::optional<double> fault_angle_rad = std::nullopt);
 
+  /// On the shaft from now on; empty: none. Does nothing to a servo whose torque is not given.
+  void set_load(const std::optional<ShaftLoad>& load) {
+    if (parameters_.torque_n_m) {
+      load_ = load;
+    }
+  }
+
   /// Moves from t_s to t_s + dt_s (dt_s > 0) with `pulse_us` on the wire. The next step begins where this one ends.
   void step(double t_s, double dt_s, const std::optional<double>& pulse_us) {
     if (dt_s != whole_step_.duration_s) {
@@ -98,7 +109,7 @@ class Servo {
     if (next_frame_s_ < end_s) {
       latch(t_s, end_s, pulse_us);
     }
-    if (fault_ != ServoFault::none || (waiting_ > 0 && queue_[first_].arrival_s < end_s)) {
+    if (fault_ != ServoFault::none || load_ || (waiting_ > 0 && queue_[first_].arrival_s < end_s)) {
       step_in_pieces(t_s, t_s + dt_s);
       return;
     }
@@ -152,8 +163,9 @@ class Servo {
   void latch(double t_s, double end_s, const std::optional<double>& pulse_us);
   void step_in_pieces(double t_s, double end_s);
   [[nodiscard]] double move(const Interval& piece);
-  [[nodiscard]] double drive(const Interval& piece);
-  [[nodiscard]] double turn_at_rate(double direction, double duration_s);
+  [[nodiscard]] double drive(const Interval& piece, double goal_rad, double limit_rad_s, double reach_rad);
+  [[nodiscard]] double drive_loaded(const Interval& piece);
+  [[nodiscard]] double turn_at_speed(double speed_rad_s, double duration_s);
 
   ServoParameters parameters_;
   double per_lag_s_{};
@@ -164,6 +176,7 @@ class Servo {
   Interval whole_step_{};
 
   ServoFault fault_ = ServoFault::none;
+  std::optional<ShaftLoad> load_{};
   double trim_error_rad_ = 0.0;        ///< of a wrong trim
   std::optional<double> asked_rad_{};  ///< from the centre
   std::optional<double> goal_rad_{};   ///< where that is on the shaft

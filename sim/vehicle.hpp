@@ -8,7 +8,10 @@
 #include <vector>
 
 #include "sim/airframe.hpp"
+#include "sim/canard_aerodynamics.hpp"
 #include "sim/canard_tolerances.hpp"
+#include "sim/compressibility.hpp"
+#include "sim/drag_over_mach.hpp"
 #include "sim/felt_motion.hpp"
 #include "sim/geometry.hpp"
 #include "sim/recovery.hpp"
@@ -35,6 +38,8 @@ struct Vehicle {
   std::vector<std::string> warnings;  ///< what is doubtful in its files, a sentence each
   double mass_kg = 0.0;               ///< at lift-off, propellant included
   double drag_area_m2 = 0.0;
+  DragOverMach drag_over_mach{};
+  Compressibility compressibility = Compressibility::none;  ///< of roll damping, roll torque and normal force
   RollPlant roll_plant{};
   /// 95 % of what the reference area may truly be, from and to; empty: nothing is said of it. For predictions.
   std::vector<double> reference_area_range_m2;
@@ -47,6 +52,7 @@ struct Vehicle {
   ServoParameters servo{};                    ///< of a typical one
   ServoSpread servo_spread{};
   std::array<CanardMounting, 4> canards{};
+  CanardAerodynamics canard_air{};
   InertialParameters imu{};
   InertialParameters accelerometer{.full_scale_m_s2 = 32.0 * gravity_m_s2};
   VibrationParameters vibration{};

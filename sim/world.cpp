@@ -83,6 +83,7 @@ World::World(const Scenario& scenario, const BoardPorts& ports, std::unique_ptr<
       disturbance_rad_{disturbance_now_rad()},
       canards_{scenario.vehicle, Random{scenario.seed, RandomStream::encoder_noise},
                Random{scenario.seed, RandomStream::servo_spread}},
+      fin_wash_{scenario.vehicle.canard_air.wash, scenario.vehicle.canard_air.wash_distance_m},
       vibration_{scenario.vehicle.vibration, Random{scenario.seed, RandomStream::shaking}},
       imu_feels_{scenario.vehicle.imu_feels},
       accelerometer_feels_{scenario.vehicle.accelerometer_feels},
@@ -126,22 +127,29 @@ void World::advance() {
     ignition_ += tick_time;
   }
   const double from_ignition_s = in_seconds(now_ - ignition_);
-  canards_.step(in_seconds(now_), tick_time_s, hardware_.pulses);
   const double density_before = environment_.density_kg_m3();
   const double speed_before = environment_.speed_m_s();
+  canards_.step(in_seconds(now_), tick_time_s, hardware_.pulses,
+                {.density_kg_m3 = density_before, .speed_m_s = speed_before, .roll_rate_rad_s = roll_.rate_rad_s});
   const double disturbance_before = disturbance_rad_;
   environment_.advance_to(from_ignition_s + tick_time_s, roll_.rate_rad_s);
   now_ += tick_time;
   disturbance_rad_ = disturbance_now_rad();
+
+  const double speed_m_s = 0.5 * (speed_before + environment_.speed_m_s());
+  const double canard_rad = canards_.mean_torque_angle_rad(roll_.rate_rad_s, speed_m_s);
+  const double wash_rad = fin_wash_.step(canard_rad, speed_m_s * tick_time_s);
 
   // A rocket on the pad cannot roll, and one in the tunnel is held by hand until control starts.
   roll_acceleration_rad_s2_ = 0.0;
   if (events_.liftoff && environment_.can_roll()) {
     const double rate_before_rad_s = roll_.rate_rad_s;
     roll_plant_.inertia_kg_m2 = environment_.roll_inertia_kg_m2().value_or(roll_plant_.inertia_kg_m2);
-    const double deflection_rad = canards_.mean_deflection_rad() + 0.5 * (disturbance_before + disturbance_rad_);
-    roll_ = roll_plant_.step(roll_, 0.5 * (density_before + environment_.density_kg_m3()),
-                             0.5 * (speed_before + environment_.speed_m_s()), deflection_rad, tick_time_s);
+    const double deflection_rad = canard_rad - wash_rad + 0.5 * (disturbance_before + disturbance_rad_);
+    // Compressibility makes alpha and beta larger alike, as a larger density would.
+    const double density_kg_m3 =
+        environment_.compressibility() * (0.5 * (density_before + environment_.density_kg_m3()));
+    roll_ = roll_plant_.step(roll_, density_kg_m3, speed_m_s, deflection_rad, tick_time_s);
     roll_acceleration_rad_s2_ = (roll_.rate_rad_s - rate_before_rad_s) / tick_time_s;
   } else if (const auto by_hand = environment_.turn_by_hand(in_seconds(now_), tick_time_s)) {
     roll_ = *by_hand;
@@ -158,7 +166,7 @@ void World::ignite() {
 Truth World::truth() const {
   return {.roll_angle_rad = roll_.angle_rad,
           .roll_rate_rad_s = roll_.rate_rad_s,
-          .canard_rad = canards_.deflection_rad(),
+          .canard_rad = canards_.torque_angle_rad(roll_.rate_rad_s, environment_.speed_m_s()) - fin_wash_.angle_rad(),
           .height_m = environment_.height_m(),
           .speed_m_s = environment_.speed_m_s(),
           .disturbance_rad = disturbance_rad_};

@@ -15,6 +15,7 @@
 #include "sim/canard_set.hpp"
 #include "sim/disturbance.hpp"
 #include "sim/environment.hpp"
+#include "sim/fin_wash.hpp"
 #include "sim/flight_computer.hpp"
 #include "sim/pad_crew.hpp"
 #include "sim/scenario.hpp"
@@ -27,7 +28,7 @@ namespace fantail::sim {
 struct Truth {
   double roll_angle_rad;
   double roll_rate_rad_s;
-  double canard_rad;  ///< mean of the four, in the sense of positive roll moment
+  double canard_rad;  ///< u_fin as the air answers it: mean of the four, less what stalls and what the fins take back
   double height_m;
   double speed_m_s;        ///< through the air, along the axis
   double disturbance_rad;  ///< equivalent fin offset, swirl included
@@ -143,6 +144,7 @@ class World {
   RollState roll_;
   double roll_acceleration_rad_s2_ = 0.0;
   CanardSet canards_;
+  FinWash fin_wash_;
   Vibration vibration_;
   FeltMotion imu_feels_;
   FeltMotion accelerometer_feels_;

@@ -91,6 +91,33 @@ TEST(VehicleFile, ARangeOfTheReferenceAreaIsTwoAreasAroundIt) {
   }
 }
 
+TEST(VehicleFile, DragOverTheMachNumberIsTwoListsOfOneLengthAndTheFirstRises) {
+  const sim::Vehicle read = vehicle("tasha3_launch2", {"body.drag_mach=[0.3, 0.8]", "body.drag_factor=[1, 1.4]"});
+  EXPECT_EQ(read.drag_over_mach.mach, (std::vector{0.3, 0.8}));
+  EXPECT_EQ(read.drag_over_mach.factor, (std::vector{1.0, 1.4}));
+  const auto refused = [](const std::vector<std::string>& changes) {
+    return complaint([&] { (void)vehicle("tasha3_launch2", changes); }).message;
+  };
+  EXPECT_EQ(refused({"body.drag_mach=[0.3, 0.8]", "body.drag_factor=[1]"}),
+            "--set body.drag_factor=[1]: body.drag_factor has 1 values and drag_mach has 2; allowed: as many");
+  EXPECT_EQ(refused({"body.drag_mach=[0.3, 0.3]", "body.drag_factor=[1, 2]"}),
+            "--set body.drag_mach=[0.3, 0.3]: body.drag_mach has 0.3 after 0.3; allowed: each larger than the one "
+            "before");
+  EXPECT_NE(refused({"body.drag_mach=[0.3]"}).find("body.drag_factor has 0 values and drag_mach has 1"),
+            std::string::npos);
+}
+
+TEST(VehicleFile, TheCanardsAreNotMoreThanAllOfTheRollDamping) {
+  EXPECT_EQ(vehicle("tasha3_launch2", {"aerodynamics.canard_arm_m=2"}).canard_air.arm_m, 2.0);
+  const Complaint said = complaint([] {
+    (void)vehicle("tasha3_launch2",
+                  {"aerodynamics.damping_m2=8", "aerodynamics.torque_m=10", "aerodynamics.canard_arm_m=0.9"});
+  });
+  EXPECT_EQ(said.message,
+            "--set aerodynamics.canard_arm_m=0.9: aerodynamics.canard_arm_m = 0.9; allowed: at most damping_m2 / "
+            "torque_m = 0.8, where the canards would make all of the roll damping");
+}
+
 TEST(VehicleFile, ASensorSitsInItsRocket) {
   const std::vector<std::string> airframe{"airframe.diameter_m=0.1",
                                           "airframe.length_m=1.7",

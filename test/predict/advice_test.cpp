@@ -72,6 +72,22 @@ TEST(AdviceOnCanardLimit, EndsWhereTheCanardsEndAndSaysWhatEndsThem) {
             std::string::npos);
 }
 
+// Offsets of 8 degrees and a fifth of the torque taken back: 10 degrees would be just as much, and 10.5 are more.
+TEST(AdviceOnCanardLimit, CountsWhatTheFinsTakeBack) {
+  Prediction p = with_offsets(std::vector<double>(200, 8.0));
+  p.flown.vehicle.canard_air.wash = 0.2;
+  EXPECT_EQ(advice_on_canard_limit(p, 0.95).limit_deg, 10.5);
+  p.flown.vehicle.canard_air.stall_rad = radians(9.5);
+  EXPECT_NE(advice_on_canard_limit(p, 0.95).sentence.find(
+                "the canards end at 7.6 degrees (canard stall and wash of the canards on the fins)"),
+            std::string::npos)
+      << advice_on_canard_limit(p, 0.95).sentence;
+  p.flown.vehicle.canard_air.wash = 1.0;
+  EXPECT_EQ(advice_on_canard_limit(p, 0.95).sentence,
+            "No canard limit would balance the offset: the fins take back all of the canards' roll torque, or more.");
+  EXPECT_FALSE(advice_on_canard_limit(p, 0.95).limit_deg);
+}
+
 TEST(AdviceOnCanardLimit, NoneIsMoreThanAPlanMayHave) {
   const std::string advice = advice_on_canard_limit(with_offsets(std::vector(200, -20.5)), 0.95).sentence;
   EXPECT_TRUE(

@@ -46,6 +46,27 @@ TEST(CanardReach, IsWhatAllCanardsReachAndNamesWhatEndsThem) {
   EXPECT_NEAR(degrees(canard_reach(scenario, -offset_rad).angle_rad), 9.0, 1e-5) << "of the other sense";
 }
 
+TEST(CanardReach, EndsWhereTheCanardsStall) {
+  sim::Scenario scenario = input::load_scenario("tasha3_launch2", {});
+  scenario.vehicle.canard_air.stall_rad = radians(12.0);
+  EXPECT_EQ(canard_reach(scenario, radians(4.9)).text(), "9 degree canard limit");
+  EXPECT_EQ(farthest_reach(scenario, radians(4.9)).text(), "12 degrees that the canards reach (canard stall)");
+  scenario.vehicle.canard_air.stall_rad = radians(7.0);
+  EXPECT_EQ(canard_reach(scenario, radians(-4.9)).text(), "7 degrees that the canards reach (canard stall)");
+}
+
+TEST(CanardReach, IsWhatTheFinsLeaveOfIt) {
+  sim::Scenario scenario = input::load_scenario("tasha3_launch2", {});
+  scenario.vehicle.canard_air.wash = 0.5;
+  EXPECT_EQ(canard_reach(scenario, radians(4.9)).text(),
+            "4.5 degrees that the canards reach (wash of the canards on the fins)");
+  scenario.vehicle.canard_air.stall_rad = radians(8.0);
+  EXPECT_EQ(canard_reach(scenario, radians(4.9)).text(),
+            "4 degrees that the canards reach (canard stall and wash of the canards on the fins)");
+  scenario.vehicle.canard_air.wash = 1.5;
+  EXPECT_LT(canard_reach(scenario, radians(4.9)).angle_rad, 0.0);
+}
+
 TEST(CanardReach, IsThatOfTheCanardsThatWorkWhereTheScenarioBreaksSome) {
   sim::Scenario scenario = input::load_scenario("tasha3_launch2", {});
   for (const std::size_t canard : {0U, 1U}) {
@@ -108,6 +129,13 @@ INSTANTIATE_TEST_SUITE_P(
         Mismatch{"one_reversed", [](sim::Scenario& s) { breaks(s, sim::FaultKind::canard_reversed, 3); }},
         Mismatch{"one_off_its_trim", [](sim::Scenario& s) { breaks(s, sim::FaultKind::canard_wrong_trim, 3); }},
         Mismatch{"one_slow", [](sim::Scenario& s) { breaks(s, sim::FaultKind::canard_slow, 0); }},
+        Mismatch{"stall", [](sim::Scenario& s) { s.vehicle.canard_air.stall_rad = radians(6.0); }},
+        Mismatch{"wash",
+                 [](sim::Scenario& s) {
+                   s.vehicle.canard_air.wash = 0.4;
+                   s.vehicle.canard_air.wash_distance_m = 1.0;
+                 }},
+        Mismatch{"reversed_by_the_fins", [](sim::Scenario& s) { s.vehicle.canard_air.wash = 1.2; }},
         Mismatch{"another_pulse_scale", [](sim::Scenario& s) { s.vehicle.servo.pulse_per_degree_us = 9.0; }}),
     [](const auto& each) { return std::string{each.param.name}; });
 

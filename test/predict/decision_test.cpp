@@ -222,6 +222,21 @@ TEST(Decision, AdvisesGainsThatCostNoRunWhichWouldHold) {
   EXPECT_NE(d.advice[1].find("the roll is held in 20 of the first 20 runs."), std::string::npos) << d.advice[1];
 }
 
+TEST(Decision, PromisesNothingWhereTheFinsReverseTheRoll) {
+  sim::Scenario scenario = input::load_scenario("tasha3_launch2", {});
+  scenario.vehicle.canard_air.wash = 1.2;
+  scenario.vehicle.canard_air.wash_distance_m = 0.9;
+  const TunnelResult tunnel = read_tunnel_result(scenario.tunnel_result.value(), {});
+  const Prediction p = predict(scenario, tunnel, {.runs = 20}, [](std::size_t) {});
+  EXPECT_EQ(p.authority.count, 0U);
+  EXPECT_EQ(p.held.count, 0U);
+  const Decision d = decide(p, {.authority_share = 0.5, .held_share = 0.5});
+  EXPECT_FALSE(d.go);
+  EXPECT_NE(d.text.find("the fins take back all of the canards' roll torque, or more"), std::string::npos) << d.text;
+  ASSERT_EQ(d.advice.size(), 1U);
+  EXPECT_NE(d.advice[0].find("No canard limit would balance the offset"), std::string::npos) << d.advice[0];
+}
+
 // A heavy rocket: the nearest gains have a smaller proportional one, and too few runs settle in time; the derivative
 // gain alone is enough.
 TEST(Decision, AdvisesTheDerivativeGainAloneWhereASmallerProportionalGainCostsRuns) {

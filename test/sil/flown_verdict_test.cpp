@@ -187,6 +187,56 @@ TEST(FlownVerdict, WindAcrossTheGuideAndSpeedsNearSoundAreSaid) {
                   .notes("drag, damping and torque are no longer constant"));
 }
 
+TEST(FlownVerdict, PrandtlGlauertPromisesNothingAboveMach08) {
+  const auto notes = [](const char* mass_kg, const std::vector<std::string>& more, const char* words) {
+    std::vector<std::string> changes{std::string{"body.mass_kg="} + mass_kg, "body.drag_area_m2=0.0005"};
+    changes.insert(changes.end(), more.begin(), more.end());
+    return fly(launch2(changes)).notes(words);
+  };
+  const std::vector<std::string> factor{"aerodynamics.compressibility=prandtl_glauert"};
+  const std::vector<std::string> table{"body.drag_mach=[0, 0.8]", "body.drag_factor=[1, 1]"};
+  // 1.6 kg reach Mach 0.77 and 0.9 kg Mach 1.3.
+  EXPECT_TRUE(notes("1.6", {}, "drag, damping and torque are no longer constant"));
+  EXPECT_TRUE(notes("1.6", table, ", damping and torque are no longer constant"));
+  EXPECT_FALSE(notes("1.6", table, "drag, damping"));
+  EXPECT_FALSE(notes("1.6", factor, "Mach"));
+  EXPECT_TRUE(notes("0.9", factor, "nothing is promised of damping, torque and normal force"));
+  EXPECT_TRUE(notes("0.9", factor, "nor of the drag"));
+}
+
+TEST(FlownVerdict, FinsThatReverseTheRollAreSaidAndNothingIsHeld) {
+  const Judged flown = fly(launch2({"aerodynamics.canard_wash=1.3", "aerodynamics.canard_wash_distance_m=0.9"}));
+  EXPECT_TRUE(flown.notes("canards that turn one way roll the rocket the other way"));
+  EXPECT_EQ(flown.verdict.outcome, Outcome::not_held);
+  EXPECT_LT(*flown.figures.authority_margin_rad, 0.0);
+  EXPECT_TRUE(flown.flight.loop_margins.empty());
+  EXPECT_FALSE(fly(launch2({"aerodynamics.canard_wash=0.2"})).notes("take back"));
+}
+
+// 4.9 degrees of offset against 9 of the canards, of which the fins leave 7.2: it settles at 4.9 / (0.5 0.8).
+TEST(FlownVerdict, ARollThatTheFinsMakeSettleElsewhereIsHeldThere) {
+  const Judged flown = fly(launch2({"aerodynamics.canard_wash=0.2", "aerodynamics.canard_wash_distance_m=0.9"}));
+  EXPECT_EQ(flown.verdict.outcome, Outcome::held) << flown.verdict.text;
+  EXPECT_NEAR(text::degrees(*flown.figures.authority_margin_rad), 0.8 * 9.0 - 4.9, 1e-5);
+}
+
+// 0.1 N m against 0.5 1.2 22^2 0.003 N m/rad are 6.6 degrees, and the plan's limit is 9.
+TEST(FlownVerdict, AServoTooWeakForTheLimitIsSaid) {
+  const auto flown = [](const std::vector<std::string>& changes) {
+    std::vector<input::Override> overrides{input::parse_override("run.control_time_s=3")};
+    for (const std::string& change : changes) {
+      overrides.push_back(input::parse_override(change));
+    }
+    const flight::Flight flight = fly::fly_scenario(input::load_scenario("tunnel_steps", overrides));
+    return std::ranges::any_of(flight.notes, [](const std::string& note) {
+      return note.find("turns a canard back beyond 6.6 deg") != std::string::npos;
+    });
+  };
+  EXPECT_TRUE(flown({"servo.torque_n_m=0.1", "aerodynamics.canard_hinge_moment_m3=0.003", "tunnel.turbulence=0"}));
+  EXPECT_FALSE(flown({"servo.torque_n_m=1", "aerodynamics.canard_hinge_moment_m3=0.003", "tunnel.turbulence=0"}));
+  EXPECT_FALSE(flown({"aerodynamics.canard_hinge_moment_m3=0.003", "tunnel.turbulence=0"}));
+}
+
 TEST(FlownVerdict, WhyTheRocketWasNotArmedIsPartOfTheVerdict) {
   EXPECT_EQ(fly(launch2({"timing.pad_time_s=5"})).verdict.text,
             "No control: the rocket was never armed, because its self-test takes about seven seconds, and 4 s after it "

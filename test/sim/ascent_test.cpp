@@ -75,6 +75,33 @@ TEST(Ascent, LiftsOffWhenThrustExceedsTheWeightAlongTheGuide) {
   }
 }
 
+TEST(Ascent, DragHasTheFactorOfItsMachNumber) {
+  AscentParameters parameters = tasha(3.47);
+  parameters.drag_over_mach = {.mach = {0.1, 0.2, 0.3}, .factor = {1.5, 0.9, 1.1}};
+  const auto factor = [](double mach) {
+    return mach < 0.1 ? 1.5 : mach < 0.2 ? 1.5 - 6.0 * (mach - 0.1) : mach < 0.3 ? 0.9 + 2.0 * (mach - 0.2) : 1.1;
+  };
+  Ascent ascent{parameters};
+  for (int tick = 0; !ascent.events().apogee_s; ++tick) {
+    ascent.advance_to(tick * 0.001);
+    if (ascent.events().burnout_s) {
+      const double speed_m_s = ascent.speed_m_s();
+      const double mach = speed_m_s / std::sqrt(1.4 * 287.05287 * (288.15 - 0.0065 * ascent.height_m()));
+      const double drag_n =
+          0.5 * 1.225 * std::exp(-ascent.height_m() / 8500.0) * 0.005 * factor(mach) * speed_m_s * std::abs(speed_m_s);
+      ASSERT_NEAR(ascent.axial_specific_force_m_s2(), -drag_n / ascent.mass_kg(), 1e-5) << tick;
+    }
+  }
+}
+
+TEST(Ascent, AFactorOfTwoEverywhereIsTwiceTheDragArea) {
+  AscentParameters doubled = tasha(3.99);
+  doubled.drag_over_mach = {.mach = {0.5}, .factor = {2.0}};
+  AscentParameters twice = tasha(3.99);
+  twice.drag_area_m2 *= 2.0;
+  EXPECT_EQ(fly(doubled).apogee_m, fly(twice).apogee_m);
+}
+
 TEST(Ascent, StaysOnThePadWhenTheMotorIsTooWeak) {
   Ascent ascent{vacuum(2.0, 15.0, 1.0)};
   for (int tick = -10; tick < 3000; ++tick) {

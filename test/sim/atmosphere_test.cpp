@@ -30,6 +30,18 @@ TEST(Atmosphere, StandardAtmosphereHasNoJumpAtTheTropopause) {
   EXPECT_NEAR(isa.density_kg_m3(11000.0 - 1e-6), isa.density_kg_m3(11000.0 + 1e-6), 1e-9);
 }
 
+TEST(Atmosphere, SoundIsAsFastAsInTheTableOfIso2533WhateverTheDensity) {
+  for (const DensityModel model : {DensityModel::exponential, DensityModel::isa, DensityModel::constant}) {
+    const Atmosphere atmosphere{.model = model};
+    EXPECT_NEAR(atmosphere.speed_of_sound_m_s(0.0), 340.294, 5e-4);
+    EXPECT_NEAR(atmosphere.speed_of_sound_m_s(5000.0), 320.529, 5e-4);
+    EXPECT_NEAR(atmosphere.speed_of_sound_m_s(11000.0), 295.069, 2e-3);
+    EXPECT_EQ(atmosphere.speed_of_sound_m_s(11000.0), atmosphere.speed_of_sound_m_s(15000.0));
+  }
+  const Atmosphere high{.elevation_m = 2000.0};
+  EXPECT_NEAR(high.speed_of_sound_m_s(3000.0), 320.529, 5e-4);
+}
+
 TEST(Atmosphere, ConstantIsTheSameEverywhere) {
   const Atmosphere constant{.model = DensityModel::constant, .constant_kg_m3 = 1.1};
   EXPECT_EQ(constant.density_kg_m3(0.0), 1.1);

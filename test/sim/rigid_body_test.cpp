@@ -132,6 +132,29 @@ TEST(AirLoads, EveryPartDampsPitchWithTheSquareOfItsArm) {
   EXPECT_LT(loads.moment_n_m.y, 0.0);
 }
 
+// Everything that the parts do grows alike, their damping too; drag and the lift of the body do not.
+TEST(AirLoads, TheFactorOnTheNormalForceIsThatOfThePartsAlone) {
+  const Airframe parts{
+      .diameter_m = across_m, .normal_force_slope_per_rad = 5.0, .centre_of_pressure_m = 1.0, .parts_spread_m = 0.3};
+  InAir in_air{.density_kg_m3 = 1.2,
+               .drag_area_m2 = 0.005,
+               .centre_of_gravity_m = 0.9,
+               .air_speed_m_s = {.x = 30.0, .y = 2.0, .z = -3.0},
+               .rate_rad_s = {.x = 0.0, .y = 0.4, .z = 0.7}};
+  const Loads slow = air_loads(parts, in_air);
+  in_air.normal_force_factor = 1.25;
+  const Loads fast = air_loads(parts, in_air);
+  EXPECT_EQ(fast.force_n.x, slow.force_n.x);
+  EXPECT_NEAR(fast.force_n.y, 1.25 * slow.force_n.y, 1e-12);
+  EXPECT_NEAR(fast.force_n.z, 1.25 * slow.force_n.z, 1e-12);
+  EXPECT_NEAR(fast.moment_n_m.y, 1.25 * slow.moment_n_m.y, 1e-12);
+  EXPECT_NEAR(fast.moment_n_m.z, 1.25 * slow.moment_n_m.z, 1e-12);
+  const Airframe body{.body_lift_area_m2 = 0.1, .body_lift_position_m = 0.7};
+  const double with_factor_n = air_loads(body, in_air).force_n.z;
+  in_air.normal_force_factor = 1.0;
+  EXPECT_EQ(with_factor_n, air_loads(body, in_air).force_n.z);
+}
+
 TEST(AirLoads, AreTheSameWhicheverWayTheFlowComes) {
   Airframe airframe{.diameter_m = across_m,
                     .normal_force_slope_per_rad = 5.0,

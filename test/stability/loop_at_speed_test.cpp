@@ -51,6 +51,30 @@ TEST(LoopAtSpeed, TheFlownRocketBeginsToSwingAtTheGainMargin) {
   EXPECT_GT(late_roll_rate_deg_s(steady_stream(1.07 * *found->gain_margin)), 30.0);
 }
 
+// Fins that take back four tenths of the torque, 12 ms later: at the frequency of the swing they hinder little.
+TEST(LoopAtSpeed, TheFlownRocketWithWashOnItsFinsBeginsToSwingAtTheGainMargin) {
+  const auto washed = [](double gain_factor) {
+    sim::Scenario scenario = steady_stream(gain_factor);
+    scenario.vehicle.canard_air.wash = 0.4;
+    scenario.vehicle.canard_air.wash_distance_m = 1.0;
+    return scenario;
+  };
+  const auto found = margins(loop_at_speed(washed(1.0), speed_m_s));
+  const auto without = margins(loop_at_speed(steady_stream(1.0), speed_m_s));
+  ASSERT_TRUE(found && found->gain_margin);
+  EXPECT_GT(std::abs(*found->gain_margin / *without->gain_margin - 1.0), 0.1) << "the wash counts";
+  EXPECT_LT(late_roll_rate_deg_s(washed(0.93 * *found->gain_margin)), 5.0);
+  EXPECT_GT(late_roll_rate_deg_s(washed(1.07 * *found->gain_margin)), 30.0);
+}
+
+TEST(LoopAtSpeed, FinsThatTakeBackAllOfTheTorqueLeaveNoLoop) {
+  sim::Scenario scenario = steady_stream(1.0);
+  for (const double wash : {1.0, 1.5}) {
+    scenario.vehicle.canard_air.wash = wash;
+    EXPECT_FALSE(margins(loop_at_speed(scenario, speed_m_s))) << wash;
+  }
+}
+
 TEST(LoopAtSpeed, HasTheServosOfTheVehicleAndTheGainsOfThePlan) {
   sim::Scenario scenario = input::load_scenario("tasha3_launch1", {});
   scenario.vehicle.imu.delay_s = 0.002;
@@ -64,6 +88,17 @@ TEST(LoopAtSpeed, HasTheServosOfTheVehicleAndTheGainsOfThePlan) {
   // 1.225 kg/m3 at the launch site: rho v A alpha / (2 I) and rho v^2 A beta / (2 I).
   EXPECT_NEAR(loop.damping_rate_per_s, 1.225 * 97.0 * 5.0265e-5 * 7.5 / (2.0 * 0.00361), 1e-9);
   EXPECT_NEAR(loop.authority_per_s2, 1.225 * 97.0 * 97.0 * 5.0265e-5 * 10.0 / (2.0 * 0.00361), 1e-4);
+}
+
+// At 97 m/s and the sound of 15 degrees Celsius.
+TEST(LoopAtSpeed, HasThePrandtlGlauertFactorOfTheVehicle) {
+  sim::Scenario scenario = input::load_scenario("tasha3_launch1", {});
+  const RollLoop constant = loop_at_speed(scenario, 97.0);
+  scenario.vehicle.compressibility = sim::Compressibility::prandtl_glauert;
+  const RollLoop growing = loop_at_speed(scenario, 97.0);
+  const double factor = 1.0 / std::sqrt(1.0 - 97.0 * 97.0 / (1.4 * 287.05287 * 288.15));
+  EXPECT_NEAR(growing.damping_rate_per_s / constant.damping_rate_per_s, factor, 1e-12);
+  EXPECT_NEAR(growing.authority_per_s2 / constant.authority_per_s2, factor, 1e-12);
 }
 
 // Four slow servos are servos with four times the lag; of a mixture the loop has the sum of both.

@@ -151,8 +151,9 @@ double authority_margin_rad(const Flight& flight, double offset_rad) {
   return std::min(authority_rad(flight, 1.0) + offset_rad, authority_rad(flight, -1.0) - offset_rad);
 }
 
-std::optional<double> settle_point_rad(const Row& row, const core::FlightPlan& plan) {
-  const auto gain = static_cast<double>(plan.controller.proportional_gain);
+namespace {
+
+std::optional<double> settles_at_rad(const Row& row, double gain) {
   if (!row.truth || gain == 0.0) {
     return std::nullopt;
   }
@@ -160,8 +161,18 @@ std::optional<double> settle_point_rad(const Row& row, const core::FlightPlan& p
   return std::isfinite(point_rad) ? std::optional{point_rad} : std::nullopt;
 }
 
+}  // namespace
+
+std::optional<double> settle_point_rad(const Row& row, const core::FlightPlan& plan) {
+  return settles_at_rad(row, static_cast<double>(plan.controller.proportional_gain));
+}
+
 std::optional<double> settle_point_rad(const Row& row, const Flight& flight) {
-  return flight.known.plan ? settle_point_rad(row, flight.plan) : std::nullopt;
+  if (!flight.known.plan) {
+    return std::nullopt;
+  }
+  const double left = flight.left_by_fins > 0.0 ? flight.left_by_fins : 1.0;
+  return settles_at_rad(row, left * static_cast<double>(flight.plan.controller.proportional_gain));
 }
 
 }  // namespace fantail::flight

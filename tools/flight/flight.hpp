@@ -154,6 +154,7 @@ struct Flight {
   Unmeasured unmeasured;
   std::vector<LoopMargin> loop_margins;     ///< at some speeds under control, the worst among them; empty: not computed
   std::optional<CanardReach> canard_reach;  ///< of the simulated canards; empty: nobody knows
+  double left_by_fins = 1.0;                ///< of a roll torque of the canards, in the end; see sim::FinWash
   std::vector<Row> rows;
   std::size_t rows_per_line = 1;               ///< flight.csv has the first of so many rows
   std::vector<TunnelReading> tunnel_readings;  ///< empty in flight
@@ -189,7 +190,9 @@ void set_time_zero(Flight& flight, double zero_s);
 
 /// Where a proportional-derivative loop comes to rest: R + u_d / kp. Empty without truth, and for a gain of zero.
 [[nodiscard]] std::optional<double> settle_point_rad(const Row& row, const core::FlightPlan& plan);
-/// Likewise, and empty for a flight whose plan is not known.
+/// Likewise, and empty for a flight whose plan is not known. Where the fins take back a part of the torque, the command
+/// must be larger: R + u_d / (kp left_by_fins). Where they take back all of it or more, roll comes to rest nowhere, and
+/// it is counted from where it should.
 [[nodiscard]] std::optional<double> settle_point_rad(const Row& row, const Flight& flight);
 
 }  // namespace fantail::flight

@@ -90,6 +90,7 @@ flight::Flight describe(const sim::Scenario& scenario) {
   flight.plan = scenario.plan;
   const sim::DeflectionRange reach = sim::deflection_range(scenario);
   flight.canard_reach = {.lowest_rad = reach.lowest_rad, .highest_rad = reach.highest_rad};
+  flight.left_by_fins = sim::left_by_fins(scenario.vehicle.canard_air);
   for (const auto* sentences :
        {&scenario.vehicle.warnings, &scenario.warnings, &scenario.vehicle.assumed, &scenario.assumed}) {
     flight.notes.insert(flight.notes.end(), sentences->begin(), sentences->end());

@@ -34,8 +34,9 @@ class Flight {
     const double burnt_kg = impulse_n_s > 0.0 ? vehicle.motor.propellant_kg() * burn.impulse_n_s / impulse_n_s : 0.0;
     const double mass_kg = vehicle.mass_kg - burnt_kg;
     const double speed_m_s = std::hypot(s.vx_m_s, s.vz_m_s);
-    const double drag_n =
-        0.5 * scenario_.atmosphere.density_kg_m3(s.z_m) * vehicle.drag_area_m2 * speed_m_s * speed_m_s;
+    const double mach = speed_m_s / scenario_.atmosphere.speed_of_sound_m_s(s.z_m);
+    const double drag_area_m2 = vehicle.drag_area_m2 * vehicle.drag_over_mach.at(mach);
+    const double drag_n = 0.5 * scenario_.atmosphere.density_kg_m3(s.z_m) * drag_area_m2 * speed_m_s * speed_m_s;
     const double along_m_s2 = (burn.thrust_n - drag_n) / mass_kg;
     if (on_guide(s)) {
       const double net_m_s2 = std::max(0.0, along_m_s2 - sim::gravity_m_s2 * guide_z_);

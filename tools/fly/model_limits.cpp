@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -14,10 +15,9 @@
 namespace fantail::fly {
 namespace {
 
-constexpr double speed_of_sound_m_s = 340.3;  // at 15 degrees Celsius; at 5 km it is 320
-constexpr double largest_mach = 0.7;
-// Canards stall at about 15 degrees to the flow, of which the plan's limit is a part.
-constexpr double linear_angle_rad = 15.0 * sim::radians_per_degree;
+constexpr double largest_constant_mach = 0.7;
+// Where a vehicle does not say it, canards stall at about 15 degrees to the flow, of which the plan's limit is a part.
+constexpr double usual_stall_rad = 15.0 * sim::radians_per_degree;
 
 double degrees(double radians) { return radians / sim::radians_per_degree; }
 
@@ -38,18 +38,72 @@ std::optional<std::string> leaning_guide(const sim::Scenario& scenario, const fl
   return text + ".";
 }
 
-std::optional<std::string> near_sound(const flight::Flight& flight) {
-  double top_m_s = 0.0;
+std::optional<std::string> near_sound(const sim::Scenario& scenario, const flight::Flight& flight) {
+  double top_mach = 0.0;
+  double speed_m_s = 0.0;
   for (const flight::Row& row : flight.rows) {
-    top_m_s = std::max(top_m_s, row.truth->speed_m_s);
+    const double mach = row.truth->speed_m_s / scenario.atmosphere.speed_of_sound_m_s(row.truth->height_m);
+    if (mach > top_mach) {
+      top_mach = mach;
+      speed_m_s = row.truth->speed_m_s;
+    }
   }
-  if (top_m_s < largest_mach * speed_of_sound_m_s) {
+  const bool has_factor = scenario.vehicle.compressibility == sim::Compressibility::prandtl_glauert;
+  const bool has_drag = scenario.vehicle.drag_over_mach.is_there();
+  if (top_mach < (has_factor ? sim::highest_mach_of_prandtl_glauert : largest_constant_mach)) {
+    return std::nullopt;
+  }
+  if (has_factor) {
+    return fmt::format(
+        "At {:.0f} m/s, Mach {:.2f}, nothing is promised of damping, torque and normal force: their Prandtl-Glauert "
+        "factor ends at Mach {:g}{}.",
+        speed_m_s, top_mach, sim::highest_mach_of_prandtl_glauert,
+        has_drag ? "" : "; nor of the drag, whose coefficient is taken to be constant");
+  }
+  return fmt::format(
+      "At {:.0f} m/s, Mach {:.2f}, {}damping and torque are no longer constant, as the simulation takes them to be.",
+      speed_m_s, top_mach, has_drag ? "" : "drag, ");
+}
+
+/// Counts in the tunnel, too, unless the air stands still.
+std::optional<std::string> reversed_roll(const sim::Scenario& scenario) {
+  const double wash = scenario.vehicle.canard_air.wash;
+  if (wash < 1.0 || scenario.surroundings == sim::Surroundings::gimbal) {
     return std::nullopt;
   }
   return fmt::format(
-      "At {:.0f} m/s, Mach {:.2f}, drag, damping and torque are no longer constant, as the simulation "
-      "takes them to be.",
-      top_m_s, top_m_s / speed_of_sound_m_s);
+      "The fins take back {:g} times the roll torque of the canards (aerodynamics.canard_wash), so {}: no gains of "
+      "this "
+      "control law hold the roll.",
+      wash, wash > 1.0 ? "canards that turn one way roll the rocket the other way" : "the canards turn nothing");
+}
+
+double largest_dynamic_pressure_pa(const sim::Scenario& scenario, const flight::Flight& flight) {
+  double largest_pa = 0.0;
+  for (const flight::Row& row : flight.rows) {
+    const double density_kg_m3 =
+        flight.tunnel ? scenario.tunnel.density_kg_m3 : scenario.atmosphere.density_kg_m3(row.truth->height_m);
+    if (row.phase == core::Phase::controlling) {
+      largest_pa = std::max(largest_pa, 0.5 * density_kg_m3 * row.truth->speed_m_s * row.truth->speed_m_s);
+    }
+  }
+  return largest_pa;
+}
+
+/// The angle at which the air on a canard is as strong as its servo. The reach of the canards is not made from it: it
+/// changes with the speed.
+std::optional<std::string> weak_servo(const sim::Scenario& scenario, const flight::Flight& flight) {
+  const auto& torque_n_m = scenario.vehicle.servo.torque_n_m;
+  const double hinge_m3 = scenario.vehicle.canard_air.hinge_moment_m3.value_or(0.0);
+  const double load_n_m_per_rad = std::abs(hinge_m3) * largest_dynamic_pressure_pa(scenario, flight);
+  const double limit_rad = flight::canard_limit_rad(scenario.plan);
+  if (!torque_n_m || *torque_n_m >= load_n_m_per_rad * limit_rad) {
+    return std::nullopt;
+  }
+  return fmt::format(
+      "At the highest dynamic pressure under control the air turns a canard {} beyond {:.1f} deg, where its moment is "
+      "all that the servo has ({:g} N m); authority and stability margins do not count that.",
+      hinge_m3 > 0.0 ? "back" : "farther out", degrees(*torque_n_m / load_n_m_per_rad), *torque_n_m);
 }
 
 std::optional<std::string> strong_motor(const sim::Scenario& scenario, const flight::Flight& flight) {
@@ -82,6 +136,7 @@ std::optional<std::string> windy_exit(const sim::Scenario& scenario, const fligh
   const flight::PathPoint* point = flight::point_at(flight.path, *flight.events.guide_clear_s);
   const double angle_rad =
       point != nullptr ? point->angle_of_attack_rad : std::atan2(scenario.wind.speed_m_s, exit->truth->speed_m_s);
+  const double linear_angle_rad = scenario.vehicle.canard_air.stall_rad.value_or(usual_stall_rad);
   const double left_rad = linear_angle_rad - flight::canard_limit_rad(scenario.plan);
   const std::string text =
       fmt::format("A wind of {:g} m/s{} meets the rocket at the end of its guide ({:.0f} m/s) at {:.0f} deg",
@@ -98,14 +153,15 @@ std::optional<std::string> windy_exit(const sim::Scenario& scenario, const fligh
 }  // namespace
 
 std::vector<std::string> beyond_the_model(const sim::Scenario& scenario, const flight::Flight& flight) {
-  std::vector<std::string> all;
-  if (flight.tunnel) {
-    return all;
+  std::vector<std::optional<std::string>> sentences{reversed_roll(scenario), weak_servo(scenario, flight)};
+  if (!flight.tunnel) {
+    sentences.insert(sentences.end(), {leaning_guide(scenario, flight), near_sound(scenario, flight),
+                                       strong_motor(scenario, flight), windy_exit(scenario, flight)});
   }
-  for (const auto& sentence : {leaning_guide(scenario, flight), near_sound(flight), strong_motor(scenario, flight),
-                               windy_exit(scenario, flight)}) {
+  std::vector<std::string> all;
+  for (std::optional<std::string>& sentence : sentences) {
     if (sentence) {
-      all.push_back(*sentence);
+      all.push_back(std::move(*sentence));
     }
   }
   return all;

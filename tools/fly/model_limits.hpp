@@ -10,8 +10,9 @@
 namespace fantail::fly {
 
 /// Where a simulated flight went beyond what the model holds for, a sentence each: a guide that leans (the simulated
-/// rocket keeps to the line of its guide), speeds near that of sound (coefficients are constant), a thrust beyond the
-/// range of the accelerometers, and wind at the end of the guide.
+/// rocket keeps to the line of its guide), speeds near that of sound (for constant coefficients, or for the
+/// Prandtl-Glauert factor), a thrust beyond the range of the accelerometers, and wind at the end of the guide. In the
+/// tunnel, too: fins that reverse the roll, and servos too weak for the plan's limit.
 [[nodiscard]] std::vector<std::string> beyond_the_model(const sim::Scenario& scenario, const flight::Flight& flight);
 
 /// The margins of the roll loop at the speed at which control begins, and at the median, the top and the worst speed

@@ -5,6 +5,7 @@ namespace fantail::input {
 namespace {
 
 constexpr std::array<std::string_view, 2> directions{"normal", "reversed"};
+constexpr std::array<std::string_view, 2> compressibilities{"none", "prandtl_glauert"};
 constexpr Unit hz_of_period{.name = "Hz", .inverted = true};
 constexpr Unit deg_s_per_g{.name = "deg/s per g", .scale = sim::radians_per_degree / sim::gravity_m_s2};
 constexpr Unit deg_s_per_min{.name = "deg/s per min", .scale = sim::radians_per_degree / 60.0};
@@ -20,12 +21,20 @@ constexpr auto fields = std::to_array<Field<sim::Vehicle>>({
   {"body", "assumed", list(100, text()), may, AT(grown(it.assumed, i)), "What in this file was assumed and not measured, a sentence each; reports repeat it."},
   {"body", "mass_kg", number("kg", {0.1, 1000}), must, AT(it.mass_kg), "At lift-off; more than the propellant of its motor."},
   {"body", "drag_area_m2", number("m2", {0, 1}), must, AT(it.drag_area_m2), "Drag coefficient times area."},
+  {"body", "drag_mach", list(100, number("", {0, 10})), may, AT(grown(it.drag_over_mach.mach, i)), "Mach numbers, rising, for which `drag_factor` holds; straight lines between them, and the ends held."},
+  {"body", "drag_factor", list(100, number("", {0.01, 20})), may, AT(grown(it.drag_over_mach.factor, i)), "What `drag_area_m2` is multiplied with at these Mach numbers; as many."},
   {"body", "roll_inertia_kg_m2", number("kg m2", {1e-6, 10}), must, AT(it.roll_plant.inertia_kg_m2), "Moment of inertia about the long axis."},
 
   {"aerodynamics", "reference_area_m2", number("m2", {1e-8, 1}), must, AT(it.roll_plant.reference_area_m2), "Area that the next two are multiplied with; matters in transients only."},
   {"aerodynamics", "reference_area_range_m2", list(2, number("m2", {1e-8, 1})), may, AT(grown(it.reference_area_range_m2, i)), "Where the true area lies with a probability of 95 %: from and to, with `reference_area_m2` between. `predict` takes it into its spread."},
   {"aerodynamics", "damping_m2", number("m2", {0, 1e4}), must, AT(it.roll_plant.damping_m2), "Roll damping, alpha."},
   {"aerodynamics", "torque_m", number("m", {0, 1e4}), must, AT(it.roll_plant.torque_m), "Roll torque of the canards, beta."},
+  {"aerodynamics", "compressibility", choice(compressibilities), may, AT(it.compressibility), "`prandtl_glauert`: damping, torque and normal force grow with 1 / sqrt(1 - M2), up to Mach 0.8."},
+  {"aerodynamics", "canard_stall_deg", number(deg, {5, 30}), may, AT(it.canard_air.stall_rad), "The lift of each canard grows with its angle up to this one and stays there; 12 to 15 are usual. Without it no canard stalls."},
+  {"aerodynamics", "canard_arm_m", number("m", {0, 2}), may, AT(it.canard_air.arm_m), "From the long axis to where a canard lifts: roll changes its angle to the flow. At most `damping_m2 / torque_m`."},
+  {"aerodynamics", "canard_wash", number("", {0, 2}), may, AT(it.canard_air.wash), "Share of the canards' roll torque that the fins behind them take back; more than 1 reverses the roll."},
+  {"aerodynamics", "canard_wash_distance_m", number("m", {0, 30}), may, AT(it.canard_air.wash_distance_m), "From the canards back to the fins, which answer after this distance over the air speed."},
+  {"aerodynamics", "canard_hinge_moment_m3", number("m3", {-0.01, 0.01}), may, AT(it.canard_air.hinge_moment_m3), "Moment about the shaft of one canard over 1/2 rho v2 and its angle to the flow in radians: slope of its lift over the angle, times its area, times the distance from the shaft back to where it lifts; below zero in front of the shaft. Counts with `servo.torque_n_m`."},
 
   {"airframe", "diameter_m", number("m", {0.01, 2}), must_in_its_section, AT(made(it.airframe).diameter_m), "Of the body. This section is what flights in six degrees of freedom need; positions count from the tip of the nose."},
   {"airframe", "length_m", number("m", {0.1, 30}), must_in_its_section, AT(made(it.airframe).length_m), "From the tip of the nose to the tail."},
@@ -86,6 +95,7 @@ constexpr auto fields = std::to_array<Field<sim::Vehicle>>({
   {"servo", "delay_s", number("s", {0, 0.05}), may, AT(it.servo.delay_s), "From the pulse that is taken over until the servo acts on it."},
   {"servo", "frame_rate_hz", number(hz_of_period, {40, 1000}), may, AT(it.servo.frame_period_s), "How often the servo takes a pulse over."},
   {"servo", "rate_limit_deg_s", number(deg_s, {1, 1e5}), may, AT(it.servo.rate_limit_rad_s), "Fastest turn of the shaft."},
+  {"servo", "torque_n_m", number("N m", {0.005, 100}), may, AT(it.servo.torque_n_m), "Stall torque at the shaft: against a load the servo turns with the rate limit times 1 - load / torque, and it holds no more. Counts with `aerodynamics.canard_hinge_moment_m3`; without it no load slows the servo."},
   {"servo", "stop_deg", number(deg, {1, 90}), may, AT(it.servo.stop_rad), "Mechanical stop of the shaft, either way."},
   {"servo", "backlash_deg", number(deg, {0, 5}), may, AT(it.servo.backlash_rad), "Whole width of the play between gear and shaft."},
   {"servo", "pulse_centre_us", number("us", {500, 2500}), may, AT(it.servo.pulse_centre_us), "Pulse that commands the centre."},

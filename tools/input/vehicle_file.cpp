@@ -59,6 +59,33 @@ void check_reference_area(const Document& document, const sim::Vehicle& vehicle)
   }
 }
 
+void check_drag(const Document& document, const sim::Vehicle& vehicle) {
+  const sim::DragOverMach& drag = vehicle.drag_over_mach;
+  const Section body{document, "body"};
+  if (drag.mach.size() != drag.factor.size()) {
+    body.refuse("drag_factor", "has " + std::to_string(drag.factor.size()) + " values and drag_mach has " +
+                                   std::to_string(drag.mach.size()) + "; allowed: as many");
+  }
+  for (std::size_t i = 1; i < drag.mach.size(); ++i) {
+    if (!(drag.mach[i] > drag.mach[i - 1])) {
+      body.refuse("drag_mach", "has " + plain_number(drag.mach[i]) + " after " + plain_number(drag.mach[i - 1]) +
+                                   "; allowed: each larger than the one before");
+    }
+  }
+}
+
+// The canards' own part of the damping is beta times their arm.
+void check_canard_arm(const Document& document, const sim::Vehicle& vehicle) {
+  const auto& arm_m = vehicle.canard_air.arm_m;
+  const sim::RollPlant& plant = vehicle.roll_plant;
+  if (arm_m && plant.torque_m * *arm_m > plant.damping_m2) {
+    Section{document, "aerodynamics"}.refuse(
+        "canard_arm_m", "= " + plain_number(*arm_m) +
+                            "; allowed: at most damping_m2 / torque_m = " + about(plant.damping_m2 / plant.torque_m) +
+                            ", where the canards would make all of the roll damping");
+  }
+}
+
 void check_servo(const Document& document, const sim::Vehicle& vehicle) {
   const Section servo{document, "servo"};
   const sim::ServoParameters& p = vehicle.servo;
@@ -146,6 +173,8 @@ sim::Vehicle read_vehicle(const Document& document) {
   }
   read_motor(document, vehicle);
   check_reference_area(document, vehicle);
+  check_drag(document, vehicle);
+  check_canard_arm(document, vehicle);
   check_servo(document, vehicle);
   check_trim(document, vehicle);
   check_airframe(document, vehicle);

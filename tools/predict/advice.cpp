@@ -11,6 +11,7 @@
 
 #include "predict/plan_ranges.hpp"
 #include "predict/sentences.hpp"
+#include "sim/canard_aerodynamics.hpp"
 #include "sim/servo.hpp"
 #include "text/degrees.hpp"
 #include "text/number.hpp"
@@ -31,12 +32,16 @@ Share within(const Prediction& p, double limit_rad) {
   return share(static_cast<std::size_t>(count), p.runs.size());
 }
 
+/// Of what the canards do; a limit of them balances so much less.
+double left_by_fins(const Prediction& p) { return sim::left_by_fins(p.flown.vehicle.canard_air); }
+
 /// In half degrees. The tolerance: a plan's 20 degrees are a float, a little less than the number that a person types.
 std::optional<double> enough_limit_deg(const Prediction& p, double share, double farthest_deg) {
-  const auto last = static_cast<int>(std::floor(2.0 * (farthest_deg + 1e-3)));
+  const double left = left_by_fins(p);
+  const auto last = static_cast<int>(std::floor(2.0 * (farthest_deg / left + 1e-3)));
   for (int half_degrees = 1; half_degrees <= last; ++half_degrees) {
     const double limit_deg = 0.5 * half_degrees;
-    if (within(p, text::radians(limit_deg)).low >= share) {
+    if (within(p, text::radians(left * limit_deg)).low >= share) {
       return limit_deg;
     }
   }
@@ -53,7 +58,7 @@ std::string settles(const Prediction& p, const stability::Gains& gains) {
   if (gains.proportional == present || gains.proportional == 0.0) {
     return {};
   }
-  const auto off = [&](double gain) { return fixed(degrees(p.offset_size_rad.p50) / gain, 1); };
+  const auto off = [&](double gain) { return fixed(degrees(p.offset_size_rad.p50) / (gain * left_by_fins(p)), 1); };
   return fmt::format(" The roll then settles {} degrees from its reference instead of {} (median of the runs).",
                      off(gains.proportional), off(present));
 }
@@ -61,6 +66,11 @@ std::string settles(const Prediction& p, const stability::Gains& gains) {
 }  // namespace
 
 LimitAdvice advice_on_canard_limit(const Prediction& p, double asked) {
+  const double left = left_by_fins(p);
+  if (left <= 0.0) {
+    return {"No canard limit would balance the offset: the fins take back all of the canards' roll torque, or more.",
+            {}};
+  }
   if (share(p.runs.size(), p.runs.size()).low < asked) {
     return {fmt::format("{} are too few to advise a canard limit: even if it were enough in all of them, that would "
                         "not prove {}.",
@@ -70,7 +80,7 @@ LimitAdvice advice_on_canard_limit(const Prediction& p, double asked) {
   const CanardReach farthest = farthest_reach(p.flown, usual_offset_rad(p.runs));
   const double farthest_deg = degrees(farthest.angle_rad);
   if (const auto limit_deg = enough_limit_deg(p, asked, farthest_deg)) {
-    const Share found = within(p, text::radians(*limit_deg));
+    const Share found = within(p, text::radians(left * *limit_deg));
     return {
         fmt::format("A canard limit of {} degrees would balance the offset in {} (at least {}, as far as {} can "
                     "tell); so would straighter fins.",
@@ -80,15 +90,16 @@ LimitAdvice advice_on_canard_limit(const Prediction& p, double asked) {
   // Enough in these runs, and these runs too few to be sure of it.
   if (within(p, farthest.angle_rad).value >= asked) {
     int half_degrees = 1;
-    while (within(p, text::radians(0.5 * half_degrees)).value < asked && 0.5 * half_degrees < farthest_deg) {
+    while (within(p, text::radians(left * 0.5 * half_degrees)).value < asked &&
+           left * 0.5 * half_degrees < farthest_deg) {
       ++half_degrees;
     }
-    const double limit_deg = std::min(0.5 * half_degrees, farthest_deg);
+    const double limit_deg = std::min(0.5 * half_degrees, farthest_deg / left);
     return {
         fmt::format("A canard limit of {} degrees would balance the offset in {}, but {} are too few to be sure of {}: "
                     "take more with --runs.",
-                    brief(limit_deg, 1), of_the_runs(within(p, text::radians(limit_deg)).value), runs(p.runs.size()),
-                    percent(asked)),
+                    brief(limit_deg, 1), of_the_runs(within(p, text::radians(left * limit_deg)).value),
+                    runs(p.runs.size()), percent(asked)),
         limit_deg};
   }
   return {fmt::format("No canard limit would balance the offset in {} of the runs: the canards end at {} degrees ({}), "

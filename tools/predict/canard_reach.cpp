@@ -38,6 +38,9 @@ std::string stopped_by(const sim::Scenario& scenario) {
                  fmt::format("mechanical stop of canard {} in the plan", i + 1));
   }
   keep_smaller(scenario.vehicle.servo.stop_rad, "servo stop");
+  if (scenario.vehicle.canard_air.stall_rad) {
+    keep_smaller(*scenario.vehicle.canard_air.stall_rad, "canard stall");
+  }
   return name;
 }
 
@@ -59,6 +62,8 @@ CanardReach canard_reach(const sim::Scenario& scenario, double offset_rad) {
   const double limit_rad = flight::canard_limit_rad(scenario.plan);
   if (broken) {
     found.set_by = "canard faults of the scenario";
+  } else if (scenario.vehicle.canard_air.wash > 0.0) {
+    found.set_by += found.set_by.empty() ? "wash of the canards on the fins" : " and wash of the canards on the fins";
   } else if (found.set_by.empty() && std::abs(found.angle_rad - limit_rad) > same_angle_rad) {
     found.set_by = "canard limit and the trim of the canards";
   }

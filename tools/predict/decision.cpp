@@ -14,6 +14,7 @@
 #include "predict/advice.hpp"
 #include "predict/leaning_guide.hpp"
 #include "predict/sentences.hpp"
+#include "sim/canard_aerodynamics.hpp"
 #include "text/number.hpp"
 
 namespace fantail::predict {
@@ -135,8 +136,10 @@ Criterion phase_margin(const Prediction& p, double threshold_rad) {
     return c;
   }
   if (!p.worst_speed) {
-    c.found = "the loop has no gain";
-    c.clause = "the gains are too small to hold anything";
+    const bool reversed = sim::left_by_fins(p.flown.vehicle.canard_air) <= 0.0;
+    c.found = reversed ? "the canards cannot turn the rocket their way" : "the loop has no gain";
+    c.clause = reversed ? "the fins take back all of the canards' roll torque, or more"
+                        : "the gains are too small to hold anything";
     c.judgement = Judgement::not_met;
     return c;
   }

@@ -57,7 +57,7 @@ void look_at_control(Run& run, const flight::Flight& flight) {
   const auto last = std::find_if(flight.rows.rbegin(), flight.rows.rend(), is_control);
   run.speed_at_control_start_m_s = first->truth->speed_m_s;
   if (run.authority_margin_rad > 0.0) {
-    run.settle_rad = flight::settle_point_rad(*last, flight.plan);
+    run.settle_rad = flight::settle_point_rad(*last, flight);
   }
 }
 

@@ -141,6 +141,7 @@ std::string summary_json(const flight::Flight& flight, const Figures& figures, c
                         {"oscillation", oscillation(figures.oscillation)},
                         {"loop_margins", loop_margins(flight)},
                         {"canard_reach_deg", canard_reach(flight)},
+                        {"left_by_fins", rounded(flight.left_by_fins)},
                         {"unmeasured", unmeasured(flight.unmeasured)},
                         {"at_apogee", path(flight)},
                         {"roll_turns", rounded(figures.roll_turns)},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "stability/roll_loop.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <numbers>
@@ -21,14 +22,22 @@ std::complex<double> servos(const RollLoop& loop, double w) {
          loop.slow_share / std::complex{1.0, sim::slow_times * loop.servo_lag_s * w};
 }
 
-double logarithm_of_gain(const RollLoop& loop, double w) {
-  return std::log(loop.authority_per_s2) + std::log(std::hypot(loop.proportional_gain, loop.derivative_gain_s * w)) -
-         std::log(w) - std::log(std::hypot(w, loop.damping_rate_per_s)) + std::log(std::abs(servos(loop, w)));
+/// What the fins leave of a torque that swings.
+std::complex<double> left_by_fins(const RollLoop& loop, double w) {
+  return 1.0 - std::polar(loop.wash, -loop.wash_delay_s * w);
 }
 
-/// Followed from frequency zero on, not wrapped.
+double logarithm_of_gain(const RollLoop& loop, double w) {
+  const double fins = loop.wash == 0.0 ? 0.0 : std::log(std::abs(left_by_fins(loop, w)));
+  return fins + std::log(loop.authority_per_s2) +
+         std::log(std::hypot(loop.proportional_gain, loop.derivative_gain_s * w)) - std::log(w) -
+         std::log(std::hypot(w, loop.damping_rate_per_s)) + std::log(std::abs(servos(loop, w)));
+}
+
+/// Followed from frequency zero on, not wrapped: with a wash below one its part stays within a quarter turn.
 double phase_rad(const RollLoop& loop, double w) {
-  return std::atan2(loop.derivative_gain_s * w, loop.proportional_gain) - 0.5 * half_turn_rad -
+  const double fins = loop.wash == 0.0 ? 0.0 : std::arg(left_by_fins(loop, w));
+  return fins + std::atan2(loop.derivative_gain_s * w, loop.proportional_gain) - 0.5 * half_turn_rad -
          std::atan2(w, loop.damping_rate_per_s) + std::arg(servos(loop, w)) - loop.delay_s * w;
 }
 
@@ -46,7 +55,7 @@ double root(const Function& function, double low, double high) {
 /// Gain falls with frequency, so where the phase passes half a turn more than once, the pass at the gain nearest to one
 /// is where a change of gain first makes it swing.
 std::optional<double> gain_margin(const RollLoop& loop) {
-  constexpr double step = 1.1;
+  const double step = loop.wash == 0.0 ? 1.1 : 1.02;  // the answer of the fins makes waves
   const auto above_half_turn = [&loop](double w) { return phase_rad(loop, w) + half_turn_rad; };
   std::optional<double> nearest;
   double w = lowest_rad_s;
@@ -65,12 +74,39 @@ std::optional<double> gain_margin(const RollLoop& loop) {
 
 constexpr double tick_s = 1e-3;
 
+/// Where the fins answer, the gain can pass one several times, all of them between the frequencies at which it would
+/// if they always took their share away, and always added it. The one with the least phase counts.
+double worst_crossover_rad_s(const RollLoop& loop) {
+  RollLoop without = loop;
+  without.wash = 0.0;
+  const auto pass_with = [&without](double factor) {
+    return root([&](double w) { return std::log(factor) + logarithm_of_gain(without, w); }, lowest_rad_s,
+                highest_rad_s);
+  };
+  const auto logarithm = [&loop](double w) { return logarithm_of_gain(loop, w); };
+  const double last = 1.001 * pass_with(1.0 + loop.wash);
+  double worst = last;
+  bool found = false;
+  for (double w = 0.999 * pass_with(1.0 - loop.wash); w < last;) {
+    const double next = std::min(1.02 * w, w + 0.2 / loop.wash_delay_s);
+    if ((logarithm(w) < 0.0) != (logarithm(next) < 0.0)) {
+      const double pass = root(logarithm, w, next);
+      worst = !found || phase_rad(loop, pass) < phase_rad(loop, worst) ? pass : worst;
+      found = true;
+    }
+    w = next;
+  }
+  return worst;
+}
+
 std::optional<double> crossover_rad_s(const RollLoop& loop) {
-  const bool has_gain = loop.authority_per_s2 > 0.0 && (loop.proportional_gain > 0.0 || loop.derivative_gain_s > 0.0);
+  const bool has_gain =
+      loop.authority_per_s2 > 0.0 && loop.wash < 1.0 && (loop.proportional_gain > 0.0 || loop.derivative_gain_s > 0.0);
   if (!has_gain || logarithm_of_gain(loop, lowest_rad_s) < 0.0) {
     return std::nullopt;
   }
-  return root([&loop](double w) { return logarithm_of_gain(loop, w); }, lowest_rad_s, highest_rad_s);
+  return loop.wash > 0.0 ? worst_crossover_rad_s(loop)
+                         : root([&loop](double w) { return logarithm_of_gain(loop, w); }, lowest_rad_s, highest_rad_s);
 }
 
 }  // namespace
@@ -98,14 +134,19 @@ double loop_delay_s(const sim::Vehicle& vehicle) {
 RollLoop loop_at_speed(const sim::Scenario& scenario, double speed_m_s) {
   const sim::RollPlant& plant = scenario.vehicle.roll_plant;
   const double density_kg_m3 = scenario.atmosphere.density_kg_m3(0.0);
+  const double compressibility = sim::compressibility_factor(scenario.vehicle.compressibility,
+                                                             speed_m_s / scenario.atmosphere.speed_of_sound_m_s(0.0));
   const sim::CanardResponse canards = sim::canard_response(scenario);
-  return {.proportional_gain = static_cast<double>(scenario.plan.controller.proportional_gain),
-          .derivative_gain_s = static_cast<double>(scenario.plan.controller.derivative_gain_s),
-          .damping_rate_per_s = plant.damping_rate_per_s(density_kg_m3, speed_m_s),
-          .authority_per_s2 = canards.effectiveness * plant.authority_per_s2(density_kg_m3, speed_m_s),
-          .servo_lag_s = scenario.vehicle.servo.lag_s,
-          .delay_s = loop_delay_s(scenario.vehicle),
-          .slow_share = canards.slow_share};
+  return {
+      .proportional_gain = static_cast<double>(scenario.plan.controller.proportional_gain),
+      .derivative_gain_s = static_cast<double>(scenario.plan.controller.derivative_gain_s),
+      .damping_rate_per_s = compressibility * plant.damping_rate_per_s(density_kg_m3, speed_m_s),
+      .authority_per_s2 = compressibility * (canards.effectiveness * plant.authority_per_s2(density_kg_m3, speed_m_s)),
+      .servo_lag_s = scenario.vehicle.servo.lag_s,
+      .delay_s = loop_delay_s(scenario.vehicle),
+      .slow_share = canards.slow_share,
+      .wash = scenario.vehicle.canard_air.wash,
+      .wash_delay_s = scenario.vehicle.canard_air.wash_distance_m / speed_m_s};
 }
 
 }  // namespace fantail::stability

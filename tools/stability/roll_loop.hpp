@@ -8,7 +8,7 @@
 namespace fantail::stability {
 
 /// The roll loop at one air speed, opened at the servo command:
-///   L(s) = (kp + kd s) b / (s (s + a)) e^(-delay s) / (1 + lag s).
+///   L(s) = (kp + kd s) b / (s (s + a)) e^(-delay s) / (1 + lag s) (1 - wash e^(-wash_delay s)).
 struct RollLoop {
   double proportional_gain = 0.0;   ///< kp, not negative
   double derivative_gain_s = 0.0;   ///< kd, not negative
@@ -17,6 +17,8 @@ struct RollLoop {
   double servo_lag_s = 0.0;
   double delay_s = 0.0;
   double slow_share = 0.0;  ///< of the canards: their lag is sim::slow_times as long
+  double wash = 0.0;        ///< share of the canards' torque that the fins take back, see sim::FinWash
+  double wash_delay_s = 0.0;
 };
 
 /// How far a loop is from oscillating.
@@ -26,7 +28,9 @@ struct Margins {
   std::optional<double> gain_margin;  ///< the factor on the gains at which it begins to swing; empty: no factor does
 };
 
-/// Empty when the gain never reaches one, as with gains of zero: nothing can swing then.
+/// Empty when the gain never reaches one, as with gains of zero: nothing can swing then. Empty too where the fins take
+/// back all of the torque or more: such a loop holds nothing, whatever its gains. Where the fins' answer makes the gain
+/// pass one several times, the pass with the least phase margin counts.
 [[nodiscard]] std::optional<Margins> margins(const RollLoop& loop);
 
 /// Of the two the phase margin alone: cheap enough to try thousands of gains with.
