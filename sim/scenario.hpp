@@ -60,6 +60,7 @@ struct Scenario {
   std::optional<PrescribedPath> path{};
   LaunchGuide guide{};            ///< as it truly stands
   WindParameters wind{};          ///< flown in six degrees of freedom; along a straight line it is only stated
+  WindSpread wind_spread{};       ///< what a prediction draws the wind with; not flown
   double pad_time_s = 10.0;       ///< from power-up to ignition, or to the start command
   double arm_time_s = 1.0;        ///< after power-up
   double time_after_end_s = 1.0;  ///< goes on this long after apogee, or after control has ended in the tunnel

@@ -84,7 +84,7 @@ std::optional<std::string> windy_exit(const sim::Scenario& scenario, const fligh
       point != nullptr ? point->angle_of_attack_rad : std::atan2(scenario.wind.speed_m_s, exit->truth->speed_m_s);
   const double left_rad = linear_angle_rad - flight::canard_limit_rad(scenario.plan);
   const std::string text =
-      fmt::format("A wind of {:g} m/s{} meets the rocket at the end of its guide ({:.0f} m/s) at {:.0f} deg",
+      fmt::format("A wind of {:.3g} m/s{} meets the rocket at the end of its guide ({:.0f} m/s) at {:.0f} deg",
                   scenario.wind.speed_m_s, point != nullptr ? "" : ", which is not simulated,", exit->truth->speed_m_s,
                   degrees(angle_rad));
   return angle_rad <= left_rad
