@@ -4,6 +4,26 @@
 #include <cmath>
 
 namespace fantail::sim {
+namespace {
+
+/// What a rolling rocket feels of a motion that is given in its frame that does not roll.
+BodyMotion rolling(const BodyMotion& frame, const RollState& roll, double roll_acceleration_rad_s2) {
+  const auto [sine, cosine] = sine_cosine(roll.angle_rad);
+  // The body is turned against the frame.
+  const auto in_body = [&](const Vector3& v) {
+    return Vector3{v.x, cosine * v.y + sine * v.z, cosine * v.z - sine * v.y};
+  };
+  const Vector3 across = in_body(frame.rate_rad_s);
+  const Vector3 turning = in_body(frame.angular_acceleration_rad_s2);
+  return {.specific_force_m_s2 = in_body(frame.specific_force_m_s2),
+          .rate_rad_s = {.x = roll.rate_rad_s, .y = across.y, .z = across.z},
+          // The body sees the rates of the frame turn backwards as it rolls.
+          .angular_acceleration_rad_s2 = {.x = roll_acceleration_rad_s2,
+                                          .y = turning.y + roll.rate_rad_s * across.z,
+                                          .z = turning.z - roll.rate_rad_s * across.y}};
+}
+
+}  // namespace
 
 Environment::Environment(const Scenario& scenario, Random turbulence)
     : scenario_{scenario},
@@ -21,6 +41,8 @@ Environment::Environment(const Scenario& scenario, Random turbulence)
   } else if (scenario.surroundings == Surroundings::gimbal) {
     tunnel_.emplace(WindTunnelParameters{.fan_rpm = 0.0});
     gimbal_.emplace(scenario.hand_turns);
+  } else if (scenario.path) {
+    prescribed_.emplace(*scenario.path);
   } else if (scenario.motion == FlightMotion::six_dof) {
     flight_.emplace(RigidFlightParameters{.mass_kg = vehicle.mass_kg,
                                           .drag_area_m2 = vehicle.drag_area_m2,
@@ -47,6 +69,8 @@ Environment::Environment(const Scenario& scenario, Random turbulence)
 void Environment::advance_to(double time_s, double roll_rate_rad_s) {
   if (ascent_) {
     ascent_->advance_to(time_s);
+  } else if (prescribed_) {
+    prescribed_->advance_to(time_s);
   } else if (flight_) {
     flight_->advance_to(time_s, roll_rate_rad_s,
                         wind_->step(time_s, time_s - time_s_, flight_->height_m(), length(flight_->air_speed_m_s())));
@@ -78,11 +102,17 @@ void Environment::follow_fan_programme() {
 }
 
 double Environment::density_kg_m3() const {
-  return ascent_ ? ascent_->density_kg_m3() : flight_ ? flight_->density_kg_m3() : tunnel_->density_kg_m3();
+  return ascent_       ? ascent_->density_kg_m3()
+         : flight_     ? flight_->density_kg_m3()
+         : prescribed_ ? prescribed_->density_kg_m3()
+                       : tunnel_->density_kg_m3();
 }
 
 double Environment::speed_m_s() const {
-  return ascent_ ? ascent_->speed_m_s() : flight_ ? flight_->air_speed_m_s().x : tunnel_->speed_m_s();
+  return ascent_       ? ascent_->speed_m_s()
+         : flight_     ? flight_->air_speed_m_s().x
+         : prescribed_ ? prescribed_->speed_m_s()
+                       : tunnel_->speed_m_s();
 }
 
 double Environment::compressibility() const {
@@ -92,17 +122,31 @@ double Environment::compressibility() const {
              : compressibility_factor(kind, speed_m_s() / scenario_.atmosphere.speed_of_sound_m_s(height_m()));
 }
 
-double Environment::height_m() const { return ascent_ ? ascent_->height_m() : flight_ ? flight_->height_m() : 0.0; }
+double Environment::height_m() const {
+  return ascent_ ? ascent_->height_m() : flight_ ? flight_->height_m() : prescribed_ ? prescribed_->height_m() : 0.0;
+}
 
 bool Environment::is_clear_of_guide() const {
+  if (prescribed_) {
+    return prescribed_->events().liftoff_s &&
+           prescribed_->height_m() >= guide_length_m_ * sine_cosine(scenario_.guide.tilt_rad).cosine;
+  }
   return flight_ ? flight_->is_clear_of_guide() : ascent_ && ascent_->distance_m() >= guide_length_m_;
 }
 
 bool Environment::is_on_ground() const {
+  if (prescribed_) {
+    return prescribed_->is_on_ground();
+  }
   return flight_ ? flight_->is_on_ground() : ascent_ && ascent_->distance_m() <= 0.0;
 }
 
-bool Environment::can_roll() const { return flight_ ? !flight_->guide_holds_roll() : !pinned_ && !gimbal_; }
+bool Environment::can_roll() const {
+  if (prescribed_) {
+    return scenario_.guide.roll == GuideRoll::free || is_clear_of_guide();
+  }
+  return flight_ ? !flight_->guide_holds_roll() : !pinned_ && !gimbal_;
+}
 
 std::optional<Path> Environment::path() const {
   if (!flight_) {
@@ -114,11 +158,30 @@ std::optional<Path> Environment::path() const {
               .angle_of_attack_rad = angle_of_attack_rad(flight_->air_speed_m_s())};
 }
 
+std::optional<BurningRocket> Environment::burning() const {
+  if (!prescribed_ || scenario_.motion != FlightMotion::six_dof) {
+    return std::nullopt;
+  }
+  const Vehicle& vehicle = scenario_.vehicle;
+  const double impulse_n_s = vehicle.motor.impulse_n_s();
+  return burning_rocket(vehicle.airframe.value(),
+                        {.mass_kg = vehicle.mass_kg,
+                         .propellant_kg = vehicle.motor.propellant_kg(),
+                         .roll_inertia_kg_m2 = vehicle.roll_plant.inertia_kg_m2},
+                        impulse_n_s > 0.0 ? vehicle.motor.at(time_s_).impulse_n_s / impulse_n_s : 0.0);
+}
+
 std::optional<double> Environment::roll_inertia_kg_m2() const {
+  if (const auto rocket = burning()) {
+    return rocket->inertia.roll_kg_m2;
+  }
   return flight_ ? std::optional{flight_->roll_inertia_kg_m2()} : std::nullopt;
 }
 
 std::optional<double> Environment::centre_of_gravity_m() const {
+  if (const auto rocket = burning()) {
+    return rocket->centre_of_gravity_m;
+  }
   // The pins are what a pinned rocket turns about.
   return flight_   ? std::optional{flight_->centre_of_gravity_m()}
          : pinned_ ? std::optional{pinned_->pin_position_m()}
@@ -132,24 +195,22 @@ BodyMotion Environment::motion(const RollState& roll, double roll_acceleration_r
   if (gimbal_) {
     return gimbal_->motion();
   }
+  if (flight_) {
+    return rolling({.specific_force_m_s2 = flight_->specific_force_m_s2(),
+                    .rate_rad_s = flight_->state().rate_rad_s,
+                    .angular_acceleration_rad_s2 = flight_->angular_acceleration_rad_s2()},
+                   roll, roll_acceleration_rad_s2);
+  }
+  if (prescribed_) {
+    return rolling({.specific_force_m_s2 = prescribed_->specific_force_m_s2(),
+                    .rate_rad_s = prescribed_->rate_rad_s(),
+                    .angular_acceleration_rad_s2 = prescribed_->angular_acceleration_rad_s2()},
+                   roll, roll_acceleration_rad_s2);
+  }
   BodyMotion motion{.specific_force_m_s2 = {.x = gravity_m_s2},
                     .rate_rad_s = {.x = roll.rate_rad_s},
                     .angular_acceleration_rad_s2 = {.x = roll_acceleration_rad_s2}};
-  if (flight_) {
-    const auto [sine, cosine] = sine_cosine(roll.angle_rad);
-    // The body is turned against the frame that does not roll.
-    const auto in_body = [&](const Vector3& v) {
-      return Vector3{v.x, cosine * v.y + sine * v.z, cosine * v.z - sine * v.y};
-    };
-    motion.specific_force_m_s2 = in_body(flight_->specific_force_m_s2());
-    const Vector3 across = in_body(flight_->state().rate_rad_s);
-    motion.rate_rad_s = {.x = roll.rate_rad_s, .y = across.y, .z = across.z};
-    const Vector3 turning = in_body(flight_->angular_acceleration_rad_s2());
-    // The body sees the rates of the frame turn backwards as it rolls.
-    motion.angular_acceleration_rad_s2 = {.x = roll_acceleration_rad_s2,
-                                          .y = turning.y + roll.rate_rad_s * across.z,
-                                          .z = turning.z - roll.rate_rad_s * across.y};
-  } else if (ascent_) {
+  if (ascent_) {
     const double lateral_m_s2 = ascent_->lateral_specific_force_m_s2();
     motion.specific_force_m_s2 = {.x = ascent_->axial_specific_force_m_s2()};
     if (lateral_m_s2 != 0.0) {

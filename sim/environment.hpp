@@ -5,7 +5,9 @@
 #include <span>
 
 #include "sim/ascent.hpp"
+#include "sim/burning_rocket.hpp"
 #include "sim/felt_motion.hpp"
+#include "sim/prescribed_flight.hpp"
 #include "sim/random.hpp"
 #include "sim/rigid_flight.hpp"
 #include "sim/roll_plant.hpp"
@@ -23,8 +25,8 @@ struct Path {
   double angle_of_attack_rad;  ///< between the axis and the way through the air
 };
 
-/// What surrounds the rocket: a flight along a straight line or in six degrees of freedom, the wind tunnel or the
-/// gimbal, seen the same way by plant and sensors.
+/// What surrounds the rocket: a flight along a straight line, in six degrees of freedom or on a path that somebody else
+/// has flown, the wind tunnel or the gimbal, seen the same way by plant and sensors.
 class Environment {
  public:
   /// The scenario outlives it.
@@ -48,11 +50,12 @@ class Environment {
   [[nodiscard]] double fan_rpm() const { return fan_rpm_; }  ///< the set point in force; zero in flight
   [[nodiscard]] double swirl_rad() const { return tunnel_ ? tunnel_->swirl_rad() : 0.0; }
   [[nodiscard]] const AscentEvents& ascent_events() const {  ///< in flight only
-    return flight_ ? flight_->events() : ascent_->events();
+    return prescribed_ ? prescribed_->events() : flight_ ? flight_->events() : ascent_->events();
   }
   /// When the parachute began to open; empty: not yet, or there is none.
   [[nodiscard]] std::optional<double> parachute_s() const { return flight_ ? flight_->parachute_s() : std::nullopt; }
-  [[nodiscard]] std::optional<Path> path() const;  ///< empty along a straight line and in the tunnel
+  [[nodiscard]] bool is_over() const { return prescribed_ && prescribed_->is_over(); }  ///< the path has no more
+  [[nodiscard]] std::optional<Path> path() const;  ///< in six degrees of freedom only
   /// It follows the propellant; empty where it does not change.
   [[nodiscard]] std::optional<double> roll_inertia_kg_m2() const;
 
@@ -63,6 +66,7 @@ class Environment {
 
  private:
   void follow_fan_programme();
+  [[nodiscard]] std::optional<BurningRocket> burning() const;
 
   const Scenario& scenario_;
   std::span<const FanSetPoint> fan_to_come_;
@@ -70,6 +74,7 @@ class Environment {
   double guide_length_m_;
   std::optional<Ascent> ascent_;
   std::optional<RigidFlight> flight_;
+  std::optional<PrescribedFlight> prescribed_;
   std::optional<Wind> wind_;  ///< with the flight
   std::optional<WindTunnel> tunnel_;
   std::optional<PinnedRocket> pinned_;  ///< in the tunnel

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/burning_rocket.hpp"
+
 namespace fantail::sim {
 namespace {
 
@@ -18,10 +20,6 @@ Quaternion turned_about_z(double angle_rad) {
 Quaternion attitude_in(const LaunchGuide& guide) {
   constexpr Quaternion upright{.w = 0.5, .x = 0.5, .y = -0.5, .z = 0.5};  // x up, y south
   return turned_about_z(-guide.azimuth_rad) * upright * turned_about_z(-guide.tilt_rad);
-}
-
-double between(double at_liftoff, double after_burnout, double burnt) {
-  return at_liftoff + burnt * (after_burnout - at_liftoff);
 }
 
 }  // namespace
@@ -43,29 +41,22 @@ double RigidFlight::tilt_rad() const {
 }
 
 RigidFlight::Body RigidFlight::body_at(double time_s) const {
-  const Airframe::MassProperties& full = parameters_.airframe.at_liftoff;
-  const Airframe::MassProperties& empty = parameters_.airframe.after_burnout;
+  const Airframe& airframe = parameters_.airframe;
   const double propellant_kg = parameters_.motor.propellant_kg();
   const Burn burn = parameters_.motor.at(time_s);
-  const double burnt = burnt_per_n_s_ * burn.impulse_n_s;
+  const BurningRocket now = burning_rocket(airframe,
+                                           {.mass_kg = parameters_.mass_kg,
+                                            .propellant_kg = propellant_kg,
+                                            .roll_inertia_kg_m2 = parameters_.roll_inertia_kg_m2},
+                                           burnt_per_n_s_ * burn.impulse_n_s);
   const double burning_per_s = burnt_per_n_s_ * burn.thrust_n;
-
-  const double mass_kg = parameters_.mass_kg - propellant_kg * burnt;
-  const double moment_kg_m = between(parameters_.mass_kg * full.centre_of_gravity_m,
-                                     (parameters_.mass_kg - propellant_kg) * empty.centre_of_gravity_m, burnt);
-  const double centre_of_gravity_m = moment_kg_m / mass_kg;
   // The exhaust takes the pitch rate of the nozzle along; the inertia that is lost with it gives some of that back.
-  const double nozzle_arm_m =
-      parameters_.airframe.nozzle_position_m.value_or(parameters_.airframe.length_m) - centre_of_gravity_m;
-  return {.inertia = {.mass_kg = mass_kg,
-                      .transverse_kg_m2 = between(full.transverse_inertia_kg_m2, empty.transverse_inertia_kg_m2, burnt),
-                      .roll_kg_m2 = between(parameters_.roll_inertia_kg_m2,
-                                            parameters_.airframe.roll_inertia_after_burnout_kg_m2.value_or(
-                                                parameters_.roll_inertia_kg_m2),
-                                            burnt)},
-          .centre_of_gravity_m = centre_of_gravity_m,
+  const double nozzle_arm_m = airframe.nozzle_position_m.value_or(airframe.length_m) - now.centre_of_gravity_m;
+  return {.inertia = now.inertia,
+          .centre_of_gravity_m = now.centre_of_gravity_m,
           .jet_damping_n_m_s = burning_per_s * (propellant_kg * nozzle_arm_m * nozzle_arm_m +
-                                                empty.transverse_inertia_kg_m2 - full.transverse_inertia_kg_m2),
+                                                airframe.after_burnout.transverse_inertia_kg_m2 -
+                                                airframe.at_liftoff.transverse_inertia_kg_m2),
           .thrust_n = burn.thrust_n};
 }
 

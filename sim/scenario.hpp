@@ -14,6 +14,7 @@
 #include "sim/gimbal.hpp"
 #include "sim/launch_guide.hpp"
 #include "sim/pinned_rocket.hpp"
+#include "sim/prescribed_flight.hpp"
 #include "sim/vehicle.hpp"
 #include "sim/wind.hpp"
 #include "sim/wind_tunnel.hpp"
@@ -54,8 +55,12 @@ struct Scenario {
   Surroundings surroundings = Surroundings::flight;
   Atmosphere atmosphere{};
   FlightMotion motion = FlightMotion::straight;
+  /// In flight: what somebody else has flown, instead of a motion of our own. With six_dof the inertia follows the
+  /// propellant all the same.
+  std::optional<PrescribedPath> path{};
   LaunchGuide guide{};            ///< as it truly stands
   WindParameters wind{};          ///< flown in six degrees of freedom; along a straight line it is only stated
+  WindSpread wind_spread{};       ///< what a prediction draws the wind with; not flown
   double pad_time_s = 10.0;       ///< from power-up to ignition, or to the start command
   double arm_time_s = 1.0;        ///< after power-up
   double time_after_end_s = 1.0;  ///< goes on this long after apogee, or after control has ended in the tunnel

@@ -17,6 +17,12 @@ struct WindParameters {
   double turbulence = 0.0;           ///< standard deviation of each horizontal component over the speed at that height
 };
 
+/// How well the wind of a launch is known beforehand. What draws winds makes use of it (a prediction), not a flight.
+struct WindSpread {
+  double speed_m_s = 0.0;      ///< standard deviation
+  double direction_rad = 0.0;  ///< at most, to both sides; half a turn: nobody knows
+};
+
 /// Wind over height and time: a power-law profile, one gust of the form 1 - cos, and Dryden turbulence.
 ///
 /// Turbulence (MIL-F-8785C, 3.7): the rocket flies through eddies that stand still, so that what it meets changes over

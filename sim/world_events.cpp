@@ -52,6 +52,9 @@ void World::follow_flight() {
   } else if (!end_) {
     end_ = now_ + time_after_end_;
   }
+  if (environment_.is_over()) {
+    end_ = now_;
+  }
 }
 
 }  // namespace fantail::sim

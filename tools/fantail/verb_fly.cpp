@@ -24,6 +24,7 @@
 #include "report/results.hpp"
 #include "text/degrees.hpp"
 #include "text/number.hpp"
+#include "trajectory/trajectory.hpp"
 
 namespace fantail::tool {
 namespace {
@@ -49,6 +50,7 @@ class WallClock {
 
 struct FlyOptions {
   ScenarioOptions scenario{.scenario = "tasha3_launch2", .seed = {}, .changes = {}};
+  std::string trajectory;
   std::string out;
   std::string lcm;
   FlightComputerOptions computer;
@@ -115,12 +117,32 @@ flight::Flight fly_and_show(const sim::Scenario& scenario, FlightComputerOption&
   return fly::fly_scenario(scenario, look, observe, fly::Log::kept, computer.maker());
 }
 
+/// What makes the flight another one than that of the scenario as it stands.
+std::vector<std::string> changes_of(const FlyOptions& options) {
+  std::vector<std::string> changes = changes_of(options.scenario);
+  if (!options.trajectory.empty()) {
+    changes.push_back("trajectory=" + options.trajectory);
+  }
+  return changes;
+}
+
+sim::Scenario load(const FlyOptions& options) {
+  sim::Scenario scenario = load(options.scenario);
+  if (!options.trajectory.empty()) {
+    trajectory::Trajectory trajectory = trajectory::load_trajectory(options.trajectory, scenario);
+    scenario.path = std::move(trajectory.path);
+    scenario.changed_values = changes_of(options).size();
+    std::ranges::move(trajectory.notes, std::back_inserter(scenario.assumed));
+  }
+  return scenario;
+}
+
 void fly_and_report(const FlyOptions& options) {
-  const sim::Scenario scenario = load(options.scenario);
+  const sim::Scenario scenario = load(options);
   LcmOutput lcm{options.lcm};
   FlightComputerOption computer{options.computer};
   flight::Flight flight = fly_and_show(scenario, computer, lcm, options.realtime);
-  flight.changes = changes_of(options.scenario);
+  flight.changes = changes_of(options);
   std::ranges::copy(computer.notes(), std::back_inserter(flight.notes));
   const report::Results results = report::results(flight);
   const std::filesystem::path folder = options.out.empty()
@@ -146,6 +168,11 @@ void fly_and_report(const FlyOptions& options) {
 void fill(const Verb& verb) {
   auto options = std::make_shared<FlyOptions>();
   add_scenario_options(verb, options->scenario);
+  verb.option(
+          "--trajectory", options->trajectory,
+          "A CSV file that RocketPy or OpenRocket has exported: the rocket goes where it says, and only the roll and "
+          "the avionics are simulated")
+      .value_name("FILE");
   verb.option("--out", options->out,
               "Folder for flight.csv, summary.json, report.html, flight.ftl (what the avionics recorded itself) and, "
               "of a tunnel run, tunnel.csv, of a flight in six degrees of freedom, trajectory.csv [out/SCENARIO, with "
@@ -164,6 +191,8 @@ void fill(const Verb& verb) {
       "                                                      your own scenario, for a script\n"
       "  fantail fly tasha3_launch2 --set flight.motion=six_dof --set wind.speed_m_s=5 --set wind.from_deg=270\n"
       "                                                      in six degrees of freedom, with wind from the west\n"
+      "  fantail fly my_rocket.toml --trajectory openrocket.csv\n"
+      "                                                      on the path that another program has simulated\n"
       "  fantail fly tasha3_launch2 --on emulator            on the emulated processor of the board: the same bytes\n"
       "  fantail fly --realtime --lcm udpm://239.255.76.67:7667\n"
       "                                                      by the clock, for fantail watch in another terminal");

@@ -68,7 +68,9 @@ Table Table::parse(std::string text, std::string name) {
   return table;
 }
 
-Table Table::load(const std::string& path) {
+Table Table::load(const std::string& path) { return parse(read(path), path); }
+
+std::string Table::read(const std::string& path) {
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored)) {
     throw Error{ErrorKind::bad_data, path + ": is a folder, not a CSV file"};
@@ -91,7 +93,7 @@ Table Table::load(const std::string& path) {
   if (stream.bad()) {
     throw std::system_error{errno, std::generic_category(), path};
   }
-  return parse(std::move(text), path);
+  return text;
 }
 
 void Table::read_all() {
@@ -120,6 +122,7 @@ void Table::read_all() {
 }
 
 void Table::read_header(std::size_t line) {
+  header_line_ = line;
   std::set<std::string_view> seen;
   bool all_numbers = true;
   for (const Cell cell : cells_) {

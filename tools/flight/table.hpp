@@ -24,6 +24,8 @@ class Table {
   [[nodiscard]] static Table parse(std::string text, std::string name);
   /// Throws also text::Error (no_such_input), and std::system_error for a file that cannot be read.
   [[nodiscard]] static Table load(const std::string& path);
+  /// The content of such a file, for who has to change it before it is parsed. Throws as load().
+  [[nodiscard]] static std::string read(const std::string& path);
 
   [[nodiscard]] const std::string& name() const { return name_; }
   [[nodiscard]] const std::vector<std::string>& columns() const { return columns_; }
@@ -36,6 +38,7 @@ class Table {
   /// Of a cell; empty unless it is a finite number and nothing else.
   [[nodiscard]] std::optional<double> number(std::size_t row, std::size_t column) const;
   [[nodiscard]] std::size_t line(std::size_t row) const { return lines_[row]; }  ///< counted from 1
+  [[nodiscard]] std::size_t header_line() const { return header_line_; }
   /// "file:line", for messages.
   [[nodiscard]] std::string where(std::size_t row) const;
 
@@ -58,6 +61,7 @@ class Table {
   std::vector<std::string> columns_;
   std::vector<Cell> cells_;  ///< row by row, without the header's
   std::vector<std::size_t> lines_;
+  std::size_t header_line_ = 0;
 };
 
 /// A piece of a file for a message: in quotes, of bearable length, without the characters that move a terminal.

@@ -95,7 +95,7 @@ flight::Flight describe(const sim::Scenario& scenario) {
        {&scenario.vehicle.warnings, &scenario.warnings, &scenario.vehicle.assumed, &scenario.assumed}) {
     flight.notes.insert(flight.notes.end(), sentences->begin(), sentences->end());
   }
-  if (scenario.motion == sim::FlightMotion::six_dof) {
+  if (scenario.motion == sim::FlightMotion::six_dof && !scenario.path) {
     const auto& assumed = scenario.vehicle.airframe_assumed;
     flight.notes.insert(flight.notes.end(), assumed.begin(), assumed.end());
     flight.notes.push_back(static_margins(scenario.vehicle.airframe.value()));

@@ -22,7 +22,7 @@ constexpr double usual_stall_rad = 15.0 * sim::radians_per_degree;
 double degrees(double radians) { return radians / sim::radians_per_degree; }
 
 std::optional<std::string> leaning_guide(const sim::Scenario& scenario, const flight::Flight& flight) {
-  if (scenario.motion == sim::FlightMotion::six_dof || scenario.guide.tilt_rad < slight_tilt_rad ||
+  if (scenario.path || scenario.motion == sim::FlightMotion::six_dof || scenario.guide.tilt_rad < slight_tilt_rad ||
       !flight.events.apogee_s) {
     return std::nullopt;
   }
@@ -125,7 +125,7 @@ std::optional<std::string> strong_motor(const sim::Scenario& scenario, const fli
 
 /// In six degrees of freedom the flow that was there, else the one that the stated wind would make.
 std::optional<std::string> windy_exit(const sim::Scenario& scenario, const flight::Flight& flight) {
-  if (!(scenario.wind.speed_m_s > 0.0) || !flight.events.guide_clear_s) {
+  if (scenario.path || !(scenario.wind.speed_m_s > 0.0) || !flight.events.guide_clear_s) {
     return std::nullopt;
   }
   const auto exit = std::ranges::find_if(
@@ -139,7 +139,7 @@ std::optional<std::string> windy_exit(const sim::Scenario& scenario, const fligh
   const double linear_angle_rad = scenario.vehicle.canard_air.stall_rad.value_or(usual_stall_rad);
   const double left_rad = linear_angle_rad - flight::canard_limit_rad(scenario.plan);
   const std::string text =
-      fmt::format("A wind of {:g} m/s{} meets the rocket at the end of its guide ({:.0f} m/s) at {:.0f} deg",
+      fmt::format("A wind of {:.3g} m/s{} meets the rocket at the end of its guide ({:.0f} m/s) at {:.0f} deg",
                   scenario.wind.speed_m_s, point != nullptr ? "" : ", which is not simulated,", exit->truth->speed_m_s,
                   degrees(angle_rad));
   return angle_rad <= left_rad

@@ -34,6 +34,8 @@ constexpr auto fields = std::to_array<Field<sim::Scenario>>({
   {"wind", "gust_time_s", number("s", {0, 600}), may, AT(it.wind.gust_time_s), "When the gust begins, after ignition."},
   {"wind", "gust_duration_s", number("s", {0.05, 60}), may, AT(it.wind.gust_duration_s), "From its begin to its end."},
   {"wind", "turbulence", number("", {0, 0.5}), may, AT(it.wind.turbulence), "Dryden turbulence: standard deviation of each horizontal component over the speed at that height; 0.1 to 0.2 are usual."},
+  {"wind", "speed_spread_m_s", number("m/s", {0, 15}), may, AT(it.wind_spread.speed_m_s), "Standard deviation of `speed_m_s`, as well as it is known before the launch; `predict` draws a wind for each run. A flight has `speed_m_s`."},
+  {"wind", "direction_spread_deg", number(deg, {0, 180}), may, AT(it.wind_spread.direction_rad), "The wind comes from anywhere within so much to both sides of `from_deg`, each direction alike; 180: from anywhere. For `predict`, too."},
 
   {"launch_guide", "tilt_deg", number(deg, {0, 15}), may, AT(it.guide.tilt_rad), "Against the vertical."},
   {"launch_guide", "length_m", number("m", {0.5, 50}), may, AT(it.guide.length_m), "As it truly is; the plan's when absent."},

@@ -96,8 +96,8 @@ void check_motion(const Document& document, sim::Scenario& scenario) {
     }
   };
   refuse("launch_guide", {"azimuth_deg", "friction", "tip_off_deg_s", "roll"});
-  refuse("wind",
-         {"from_deg", "reference_height_m", "exponent", "gust_m_s", "gust_time_s", "gust_duration_s", "turbulence"});
+  refuse("wind", {"from_deg", "reference_height_m", "exponent", "gust_m_s", "gust_time_s", "gust_duration_s",
+                  "turbulence", "speed_spread_m_s", "direction_spread_deg"});
 }
 
 void check_pin(const Document& document, const sim::Scenario& scenario) {

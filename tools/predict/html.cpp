@@ -57,6 +57,12 @@ std::string figures(const Prediction& p) {
   if (p.spin_rate_rad_s) {
     all.push_back(figure("spin without authority, at top speed", *p.spin_rate_rad_s, in_degrees, 0, "deg/s"));
   }
+  if (p.apogee_m) {
+    all.push_back(figure("apogee", *p.apogee_m, 1.0, 0, "m"));
+  }
+  if (p.drift_m) {
+    all.push_back(figure("drift at apogee", *p.drift_m, 1.0, 0, "m"));
+  }
   if (p.saturated_share) {
     all.push_back(figure("control time with canards at their limit", *p.saturated_share, 100.0, 0, "%"));
   }

@@ -205,6 +205,11 @@ Prediction predict(const sim::Scenario& scenario, const TunnelResult& tunnel, co
   p.offset_size_rad = spread_of(p.runs, [](const Run& run) { return std::abs(run.offset_rad); });
   p.authority_margin_rad = spread_of(p.runs, [](const Run& run) { return run.authority_margin_rad; });
   p.top_speed_m_s = spread_of(p.runs, [](const Run& run) { return run.top_speed_m_s; });
+  if (p.flown.motion == sim::FlightMotion::six_dof) {
+    p.wind_m_s = spread_of(p.runs, [](const Run& run) { return run.wind.value().speed_m_s; });
+    p.apogee_m = spread_where_known(p.runs, [](const Run& run) { return run.apogee_m; });
+    p.drift_m = spread_where_known(p.runs, [](const Run& run) { return run.drift_m; });
+  }
   p.settle_rad = spread_where_known(p.runs, [](const Run& run) { return run.settle_rad; });
   p.saturated_share = spread_where_known(p.runs, [](const Run& run) { return run.saturated_share; });
   p.spin_rate_rad_s = spread_where_known(p.runs, [](const Run& run) { return size_of(run.spin_rate_rad_s); });

@@ -68,6 +68,9 @@ struct Prediction {
   std::size_t not_judged = 0;
   std::size_t without_control = 0;
   Spread top_speed_m_s{};
+  std::optional<Spread> wind_m_s{};  ///< at its reference height; in six degrees of freedom, as the next two
+  std::optional<Spread> apogee_m{};
+  std::optional<Spread> drift_m{};  ///< at apogee
   std::optional<Spread> settle_rad{};
   std::optional<Spread> saturated_share{};
   std::optional<Spread> spin_rate_rad_s{};   ///< size; of the runs without authority

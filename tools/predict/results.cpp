@@ -31,15 +31,17 @@ void write_prediction(const Prediction& prediction, const Decision& decision, st
 std::string runs_csv(const Prediction& p) {
   std::string text =
       "run,seed,alpha_m2,beta_m,offset_begin_deg,offset_end_deg,authority_margin_deg,outcome,largest_hold_error_deg,"
-      "settle_deg,saturated_share,top_speed_m_s,apogee_m,spin_rate_deg_s\n";
+      "settle_deg,saturated_share,top_speed_m_s,apogee_m,spin_rate_deg_s,wind_m_s,wind_from_deg,"
+      "drift_m\n";
   std::size_t number = 0;
   for (const Run& run : p.runs) {
-    text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", number++, run.seed,
+    text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", number++, run.seed,
                         fixed(run.airframe.damping_m2, 6), fixed(run.airframe.torque_m, 6),
                         angle(run.airframe.offset_begin_rad), angle(run.airframe.offset_end_rad),
                         angle(run.authority_margin_rad), report::name(run.outcome), angle(run.largest_hold_error_rad),
                         angle(run.settle_rad), cell(run.saturated_share), cell(run.top_speed_m_s), cell(run.apogee_m),
-                        angle(run.spin_rate_rad_s));
+                        angle(run.spin_rate_rad_s), cell(run.wind ? std::optional{run.wind->speed_m_s} : std::nullopt),
+                        angle(run.wind ? std::optional{run.wind->from_rad} : std::nullopt), cell(run.drift_m));
   }
   return text;
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "predict/canard_reach.hpp"
+#include "predict/drawn_wind.hpp"
 #include "report/figures.hpp"
 #include "sim/random.hpp"
 
@@ -21,6 +22,7 @@ sim::Scenario with_airframe(const sim::Scenario& scenario, const TunnelStep& air
   changed.vehicle.roll_plant.torque_m = airframe.torque_m;
   changed.disturbance = {{0.0, airframe.offset_begin_rad}, {offset_rise_s, airframe.offset_end_rad}};
   changed.imposed_roll.reset();
+  changed.wind = drawn_wind(scenario.wind, scenario.wind_spread, seed);
   return changed;
 }
 
@@ -45,6 +47,17 @@ void keep_notes(Run& run, const flight::Flight& flight, const sim::Scenario& sce
     if (!is_in(scenario.assumed, note) && !is_in(scenario.vehicle.assumed, note)) {
       run.notes.push_back(note);
     }
+  }
+}
+
+void keep_path(Run& run, const flight::Flight& flight, const sim::Scenario& scenario) {
+  if (scenario.motion != sim::FlightMotion::six_dof) {
+    return;
+  }
+  run.wind = drawn_wind(scenario.wind, scenario.wind_spread, run.seed);
+  if (flight.events.apogee_s) {
+    const flight::PathPoint* point = flight::point_at(flight.path, *flight.events.apogee_s);
+    run.drift_m = point != nullptr ? std::optional{flight::distance_m(*point)} : std::nullopt;
   }
 }
 
@@ -106,6 +119,7 @@ Run run_of(const flight::Flight& flight, const sim::Scenario& scenario, const Tu
   run.apogee_m = figures.apogee_m;
   run.spin_rate_rad_s = spin_rate_rad_s(airframe, run.offset_rad, limit_rad, run.top_speed_m_s);
   keep_roll(run, flight);
+  keep_path(run, flight, scenario);
   look_at_control(run, flight);
   return run;
 }

@@ -33,6 +33,8 @@ struct Run {
   std::optional<double> speed_at_control_start_m_s{};
   double top_speed_m_s = 0.0;
   std::optional<double> apogee_m{};
+  std::optional<sim::WindParameters> wind{};  ///< in six degrees of freedom, as the next
+  std::optional<double> drift_m{};            ///< at apogee, over ground from the foot of the guide
   /// At top speed, the canards at their limit against an offset that is larger: where the roll rate ends.
   std::optional<double> spin_rate_rad_s{};
   std::vector<double> roll_angle_rad{};  ///< from lift-off to apogee, what truly was; every track_step_s
@@ -46,7 +48,7 @@ struct Run {
 /// Flies the scenario with this airframe in the place of the vehicle's own damping and torque and of the scenario's
 /// disturbance. The offset goes from its begin value at lift-off to its end value 1.7 s later and stays: on the first
 /// launch, the one flight where it was seen to rise, it took from detection to then. A roll that the scenario imposes
-/// is left out: nobody knows it beforehand.
+/// is left out: nobody knows it beforehand. The wind is drawn_wind().
 [[nodiscard]] flight::Flight fly_airframe(const sim::Scenario& scenario, const TunnelStep& airframe, std::uint64_t seed,
                                           fly::Log log);
 

@@ -73,6 +73,35 @@ std::string missing_spread(const Prediction& p) {
              : offset + ": nothing here shows how offsets differ.";
 }
 
+std::string wind_sentence(const sim::Scenario& scenario) {
+  const sim::WindParameters& wind = scenario.wind;
+  const sim::WindSpread& spread = scenario.wind_spread;
+  const bool is_known = spread.speed_m_s == 0.0 && spread.direction_rad == 0.0;
+  if (scenario.motion != sim::FlightMotion::six_dof || (is_known && wind.speed_m_s == 0.0)) {
+    return {};
+  }
+  const std::string turbulence = wind.turbulence > 0.0 ? "; each run has turbulence of its own" : "";
+  const double from_deg = text::degrees(wind.from_rad);
+  if (is_known) {
+    return fmt::format(
+        "The wind is {} m/s from {} degrees in all runs{}: no spread of it is stated "
+        "(wind.speed_spread_m_s, wind.direction_spread_deg).",
+        brief(wind.speed_m_s, 2), brief(from_deg, 1), turbulence);
+  }
+  const std::string speed =
+      spread.speed_m_s > 0.0
+          ? fmt::format(
+                "drawn from a normal distribution about {} m/s with a standard deviation of {} m/s, cut at zero",
+                brief(wind.speed_m_s, 2), brief(spread.speed_m_s, 2))
+          : fmt::format("{} m/s", brief(wind.speed_m_s, 2));
+  const std::string direction = spread.direction_rad >= text::radians(180.0) ? "from anywhere"
+                                : spread.direction_rad > 0.0
+                                    ? fmt::format("from anywhere within {} degrees of {} degrees",
+                                                  brief(text::degrees(spread.direction_rad), 1), brief(from_deg, 1))
+                                    : fmt::format("from {} degrees", brief(from_deg, 1));
+  return fmt::format("The wind of each run is {}, {}{}.", speed, direction, turbulence);
+}
+
 std::string_view name(Judgement judgement) {
   switch (judgement) {
     case Judgement::met: return "met";
@@ -126,6 +155,9 @@ std::vector<std::string> basis(const Prediction& p) {
   if (p.damping.low != 1.0 || p.damping.high != 1.0) {
     all.push_back(fmt::format("Damping times a factor between {} and {}, as --damping-factor says.",
                               brief(p.damping.low, 3), brief(p.damping.high, 3)));
+  }
+  if (const std::string sentence = wind_sentence(p.flown); !sentence.empty()) {
+    all.push_back(sentence);
   }
   all.push_back(fmt::format("Servo: first-order lag {} ms; dead time of the whole loop {} ms.",
                             brief(1e3 * p.servo_lag_s, 1), brief(1e3 * p.delay_s, 1)));

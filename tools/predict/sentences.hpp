@@ -40,6 +40,9 @@ namespace fantail::predict {
 /// The command that flies a run alone and writes its flight report.
 [[nodiscard]] std::string repeat_command(const Prediction& prediction, std::string_view run);
 
+/// How the wind of the runs was chosen; empty where there is none.
+[[nodiscard]] std::string wind_sentence(const sim::Scenario& scenario);
+
 /// How the runs were made: the airframes, the swirl, the servo, what was left out. A sentence each.
 [[nodiscard]] std::vector<std::string> basis(const Prediction& prediction);
 

@@ -32,6 +32,9 @@ std::string figures(const Prediction& p) {
   text += line("saturated", p.saturated_share, 100.0, 0, "% of control time");
   text += line("spin without authority", p.spin_rate_rad_s, in_degrees, 0, "deg/s at top speed");
   text += line("top speed", p.top_speed_m_s, 1.0, 1, "m/s");
+  text += line("apogee", p.apogee_m, 1.0, 0, "m");
+  text += line("drift at apogee", p.drift_m, 1.0, 0, "m");
+  text += line("wind", p.wind_m_s, 1.0, 1, "m/s");
   if (p.worst_speed) {
     const MarginsAtSpeed& at = *p.worst_speed;
     text += line("worst phase margin", with_ends(at.phase_margin_rad, in_degrees, 0, "deg") +

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+// A launch in six degrees of freedom, in a wind that is known roughly.
+#include <gtest/gtest.h>
+
+#include "input/scenario_file.hpp"
+#include "json/value.hpp"
+#include "predict/drawn_wind.hpp"
+#include "predict/prediction.hpp"
+#include "predict/results.hpp"
+#include "predict/sentences.hpp"
+#include "text/degrees.hpp"
+#include "text/error.hpp"
+
+namespace fantail::predict {
+namespace {
+
+const auto look_away = [](std::size_t) {};
+
+sim::Scenario scenario(const std::vector<std::string>& changes) {
+  std::vector<input::Override> overrides;
+  for (const std::string& change : changes) {
+    overrides.push_back(input::parse_override(change));
+  }
+  return input::load_scenario("tasha3_launch2", overrides);
+}
+
+sim::Scenario windy(std::vector<std::string> more = {}) {
+  more.insert(more.end(), {"flight.motion=six_dof", "wind.speed_m_s=5", "wind.from_deg=270", "wind.turbulence=0.1"});
+  return scenario(more);
+}
+
+sim::Scenario uncertain() { return windy({"wind.speed_spread_m_s=1.5", "wind.direction_spread_deg=180"}); }
+
+Prediction predicted(const sim::Scenario& flown, const Options& options) {
+  return predict(flown, read_tunnel_result(flown.tunnel_result.value(), {}), options, look_away);
+}
+
+TEST(WindyPrediction, FliesEveryRunInAWindOfItsOwn) {
+  const sim::Scenario flown = uncertain();
+  const Prediction p = predicted(flown, {.runs = 6});
+  for (std::size_t i = 0; i < p.runs.size(); ++i) {
+    const auto& run = p.runs[i];
+    const sim::WindParameters wind = drawn_wind(flown.wind, flown.wind_spread, seed_of_run(flown.seed, i));
+    EXPECT_EQ(run.wind.value().speed_m_s, wind.speed_m_s);
+    EXPECT_EQ(run.wind.value().from_rad, wind.from_rad);
+    // The same launch in exactly this wind.
+    sim::Scenario alone = flown;
+    alone.wind = wind;
+    alone.wind_spread = {};
+    const auto again = fly_run(alone, run.airframe, run.seed);
+    EXPECT_EQ(again.apogee_m, run.apogee_m);
+    EXPECT_EQ(again.drift_m, run.drift_m);
+    EXPECT_GT(run.drift_m.value(), 5.0);
+  }
+}
+
+TEST(WindyPrediction, IsTheSameWithEveryNumberOfThreadsAndRuns) {
+  const Prediction one = predicted(uncertain(), {.runs = 5, .threads = 1});
+  const Prediction three = predicted(uncertain(), {.runs = 5, .threads = 3});
+  EXPECT_EQ(runs_csv(one), runs_csv(three));
+  const Prediction two = predicted(uncertain(), {.runs = 2, .threads = 2});
+  EXPECT_TRUE(runs_csv(one).starts_with(runs_csv(two)));
+  const auto repeated = repeat_run(uncertain(), read_tunnel_result(uncertain().tunnel_result.value(), {}), {}, 4);
+  EXPECT_EQ(repeated.run.drift_m, one.runs[4].drift_m);
+  EXPECT_EQ(repeated.run.wind.value().speed_m_s, one.runs[4].wind.value().speed_m_s);
+}
+
+TEST(WindyPrediction, TellsHeightDriftAndWindWithTheirRanges) {
+  const Prediction p = predicted(uncertain(), {.runs = 8});
+  EXPECT_LT(p.apogee_m.value().p5, p.apogee_m.value().p95);
+  EXPECT_LT(p.drift_m.value().p5, p.drift_m.value().p95);
+  std::vector<double> drifts;
+  for (const auto& run : p.runs) {
+    drifts.push_back(run.drift_m.value());
+  }
+  EXPECT_EQ(p.drift_m.value().p95, spread(drifts).p95);
+  const Decision d = decide(p, {});
+  for (const char* word : {"  apogee  ", "  drift at apogee  ", "  wind  ", "about 5 m/s", "1.5 m/s", "from anywhere",
+                           "turbulence of its own"}) {
+    EXPECT_NE(prediction_text(p, d).find(word), std::string::npos) << word;
+  }
+  EXPECT_NE(prediction_html(p, d, "0").find("drift at apogee"), std::string::npos);
+  const json::Value json = json::parse(prediction_json(p, d, "0"));
+  EXPECT_NEAR(json["drift_m"]["p95"].number(), p.drift_m.value().p95, 1e-3);
+  EXPECT_NEAR(json["apogee_m"]["p5"].number(), p.apogee_m.value().p5, 1e-3);
+}
+
+TEST(WindyPrediction, WithoutASpreadSaysThatTheWindIsTheSameInAllRuns) {
+  const Prediction p = predicted(windy(), {.runs = 2});
+  EXPECT_EQ(p.wind_m_s.value().p5, 5.0);
+  EXPECT_EQ(p.wind_m_s.value().p95, 5.0);
+  EXPECT_NE(prediction_text(p, decide(p, {})).find("The wind is 5 m/s from 270 degrees in all runs"),
+            std::string::npos);
+}
+
+TEST(WindyPrediction, OnAStraightLineHasNoDrift) {
+  const Prediction p = predicted(scenario({}), {.runs = 2});
+  EXPECT_FALSE(p.drift_m);
+  EXPECT_FALSE(p.apogee_m);
+  EXPECT_FALSE(p.runs[0].wind);
+  EXPECT_EQ(wind_sentence(p.flown), "");
+}
+
+TEST(WindyPrediction, ASpreadOnAStraightLineIsRefused) {
+  for (const char* change : {"wind.speed_spread_m_s=1", "wind.direction_spread_deg=20"}) {
+    EXPECT_THROW((void)scenario({change}), text::Error) << change;
+  }
+}
+
+}  // namespace
+}  // namespace fantail::predict

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "flight/table.hpp"
+#include "sim/atmosphere.hpp"
+#include "trajectory/series.hpp"
+
+namespace fantail::trajectory {
+
+/// Density at each row of a series, where it is from, and words for a person.
+struct Air {
+  std::vector<double> density_kg_m3;
+  std::vector<std::string> read;     ///< "air density"
+  std::vector<std::string> derived;  ///< "the density is that of the scenario"
+};
+
+/// Throws text::Error (bad_data): a density outside of 0.0001 to 5 kg/m3.
+[[nodiscard]] Air air_of(const flight::Table& table, const Columns& columns, const Series& series,
+                         const std::vector<double>& height_m, const sim::Atmosphere& atmosphere);
+
+}  // namespace fantail::trajectory

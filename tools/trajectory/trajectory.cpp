@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+#include "trajectory/trajectory.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "sim/units.hpp"
+#include "text/error.hpp"
+#include "text/number.hpp"
+#include "trajectory/air.hpp"
+#include "trajectory/columns.hpp"
+#include "trajectory/exported_table.hpp"
+#include "trajectory/motion.hpp"
+#include "trajectory/series.hpp"
+
+namespace fantail::trajectory {
+namespace {
+
+/// After the last row whose felt force is more than this, up to apogee, the motor is out: a rocket that coasts feels
+/// its drag, which pulls backwards.
+constexpr double least_thrust_m_s2 = 2.0;
+
+std::vector<double> heights(const Series& series) {
+  if (const auto* height_m = series.find(Quantity::height)) {
+    return *height_m;
+  }
+  std::vector<double> height_m = *series.find(Quantity::height_above_sea);
+  const double site_m = height_m.front();
+  for (double& height : height_m) {
+    height -= site_m;
+  }
+  return height_m;
+}
+
+std::optional<double> burnout_s(const Series& series, const std::vector<sim::PathSample>& samples) {
+  std::optional<double> out;
+  for (std::size_t i = std::max<std::size_t>(series.liftoff, 1); i < series.apogee; ++i) {
+    const sim::PathSample& before = samples[i - 1];
+    const sim::PathSample& here = samples[i];
+    const double dt_s = here.time_s - before.time_s;
+    const double felt_m_s2 = here.axial_specific_force_m_s2.value_or(
+        ((here.up_m_s - before.up_m_s) / dt_s + sim::gravity_m_s2) * std::cos(here.tilt_rad) +
+        (here.across_m_s - before.across_m_s) / dt_s * std::sin(here.tilt_rad));
+    if (felt_m_s2 > least_thrust_m_s2) {
+      out = samples[i + 1].time_s;
+    }
+  }
+  return out;
+}
+
+/// Both are of the file, and a column in another unit than its header says shows here.
+std::optional<std::string> disagreement(const Series& series, const std::vector<sim::PathSample>& samples) {
+  double climbed_m = 0.0;
+  for (std::size_t i = series.liftoff; i < series.apogee; ++i) {
+    climbed_m += 0.5 * (samples[i].up_m_s + samples[i + 1].up_m_s) * (samples[i + 1].time_s - samples[i].time_s);
+  }
+  const double height_m = samples[series.apogee].height_m - samples[series.liftoff].height_m;
+  if (std::abs(climbed_m - height_m) <= 1.0 + 0.03 * height_m) {
+    return std::nullopt;
+  }
+  return fmt::format(
+      "Height and speed of the file do not agree: up to the highest row it rises by {:.0f} m, and its "
+      "speeds make {:.0f} m of that.",
+      height_m, climbed_m);
+}
+
+std::string listed(const std::vector<std::string>& words) {
+  std::string all;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    all += (i == 0 ? "" : i + 1 == words.size() ? " and " : ", ") + words[i];
+  }
+  return all;
+}
+
+std::string origin(const std::string& name, const Series& series, std::vector<std::string> read,
+                   const std::vector<std::string>& derived) {
+  read.insert(read.begin(), series.find(Quantity::height) != nullptr ? "height" : "height above the sea");
+  return fmt::format(
+      "The path of this flight is that of {} ({} rows to {:.2f} s): {} are read from it; {}; thrust, drag, "
+      "mass and wind of vehicle and scenario play no part in it.",
+      name, series.times_s.size(), series.times_s.back(), listed(read), fmt::join(derived, "; "));
+}
+
+}  // namespace
+
+Trajectory parse_trajectory(std::string text, const std::string& name, const sim::Scenario& scenario) {
+  if (scenario.surroundings != sim::Surroundings::flight) {
+    throw text::Error{
+        text::ErrorKind::bad_configuration,
+        fmt::format("{}: a trajectory is flown in a flight, and environment.surroundings is \"{}\"", scenario.name,
+                    scenario.surroundings == sim::Surroundings::tunnel ? "tunnel" : "gimbal")};
+  }
+  const flight::Table table = exported_table(std::move(text), name);
+  const Columns columns{table};
+  const Series series = read_series(table, columns);
+  const std::vector<double> height_m = heights(series);
+  const Motion motion = motion_of(series, scenario.guide.tilt_rad);
+  const Air air = air_of(table, columns, series, height_m, scenario.atmosphere);
+
+  Trajectory trajectory;
+  std::vector<sim::PathSample>& samples = trajectory.path.samples;
+  samples.reserve(series.times_s.size());
+  for (std::size_t i = 0; i < series.times_s.size(); ++i) {
+    samples.push_back(
+        {.time_s = series.times_s[i],
+         .height_m = height_m[i],
+         .up_m_s = motion.up_m_s[i],
+         .across_m_s = motion.across_m_s[i],
+         .along_axis_m_s = motion.along_axis_m_s[i],
+         .density_kg_m3 = air.density_kg_m3[i],
+         .tilt_rad = motion.tilt_rad[i],
+         .axial_specific_force_m_s2 = motion.felt_m_s2.empty() ? std::nullopt : std::optional{motion.felt_m_s2[i]}});
+  }
+  trajectory.path.liftoff_s = series.times_s[series.liftoff];
+  trajectory.path.burnout_s = burnout_s(series, samples);
+  if (!series.climbs_to_the_end) {
+    trajectory.path.apogee_s = series.times_s[series.apogee];
+  }
+  std::vector<std::string> read = motion.read;
+  read.insert(read.end(), air.read.begin(), air.read.end());
+  std::vector<std::string> derived = motion.derived;
+  derived.insert(derived.end(), air.derived.begin(), air.derived.end());
+  trajectory.notes.push_back(origin(name, series, std::move(read), derived));
+  trajectory.notes.insert(trajectory.notes.end(), series.notes.begin(), series.notes.end());
+  if (series.climbs_to_the_end) {
+    trajectory.notes.push_back(
+        fmt::format("The trajectory ends at {:.2f} s, before apogee, and the flight with it.", series.times_s.back()));
+  }
+  if (auto sentence = disagreement(series, samples)) {
+    trajectory.notes.push_back(*std::move(sentence));
+  }
+  return trajectory;
+}
+
+Trajectory load_trajectory(const std::string& path, const sim::Scenario& scenario) {
+  return parse_trajectory(flight::Table::read(path), path, scenario);
+}
+
+}  // namespace fantail::trajectory
