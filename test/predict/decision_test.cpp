@@ -228,6 +228,9 @@ TEST(Decision, PromisesNothingWhereTheFinsReverseTheRoll) {
   scenario.vehicle.canard_air.wash_distance_m = 0.9;
   const TunnelResult tunnel = read_tunnel_result(scenario.tunnel_result.value(), {});
   const Prediction p = predict(scenario, tunnel, {.runs = 20}, [](std::size_t) {});
+  EXPECT_TRUE(std::ranges::any_of(p.notes, [](const std::string& note) {
+    return note.find("the fins take 1.2 times of it back") != std::string::npos;
+  }));
   EXPECT_EQ(p.authority.count, 0U);
   EXPECT_EQ(p.held.count, 0U);
   const Decision d = decide(p, {.authority_share = 0.5, .held_share = 0.5});

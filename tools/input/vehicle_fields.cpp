@@ -32,7 +32,7 @@ constexpr auto fields = std::to_array<Field<sim::Vehicle>>({
   {"aerodynamics", "compressibility", choice(compressibilities), may, AT(it.compressibility), "`prandtl_glauert`: damping, torque and normal force grow with 1 / sqrt(1 - M2), up to Mach 0.8."},
   {"aerodynamics", "canard_stall_deg", number(deg, {5, 30}), may, AT(it.canard_air.stall_rad), "The lift of each canard grows with its angle up to this one and stays there; 12 to 15 are usual. Without it no canard stalls."},
   {"aerodynamics", "canard_arm_m", number("m", {0, 2}), may, AT(it.canard_air.arm_m), "From the long axis to where a canard lifts: roll changes its angle to the flow. At most `damping_m2 / torque_m`."},
-  {"aerodynamics", "canard_wash", number("", {0, 2}), may, AT(it.canard_air.wash), "Share of the canards' roll torque that the fins behind them take back; more than 1 reverses the roll."},
+  {"aerodynamics", "canard_wash", number("", {0, 2}), may, AT(it.canard_air.wash), "Share of the canards' roll torque that the fins behind them take back; more than 1 reverses the roll. `torque_m` is then that of the canards alone: what was identified with the fins on has the wash in it."},
   {"aerodynamics", "canard_wash_distance_m", number("m", {0, 30}), may, AT(it.canard_air.wash_distance_m), "From the canards back to the fins, which answer after this distance over the air speed."},
   {"aerodynamics", "canard_hinge_moment_m3", number("m3", {-0.01, 0.01}), may, AT(it.canard_air.hinge_moment_m3), "Moment about the shaft of one canard over 1/2 rho v2 and its angle to the flow in radians: slope of its lift over the angle, times its area, times the distance from the shaft back to where it lifts; below zero in front of the shaft. Counts with `servo.torque_n_m`."},
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <fmt/core.h>
 
@@ -125,6 +126,9 @@ std::vector<std::string> notes(const sim::Scenario& scenario, const TunnelResult
   all.insert(all.end(), scenario.assumed.begin(), scenario.assumed.end());
   all.push_back(whose_rows(scenario, tunnel));
   all.push_back(which_area(scenario, tunnel));
+  if (auto sentence = wash_in_rows(scenario, tunnel)) {
+    all.push_back(std::move(*sentence));
+  }
   if (scenario.imposed_roll) {
     all.emplace_back("The roll that the scenario imposes is left out: it is unknown before the flight.");
   }

@@ -74,6 +74,17 @@ std::string which_area(const sim::Scenario& scenario, const TunnelResult& tunnel
                              unknown, range[0], range[1]);
 }
 
+std::optional<std::string> wash_in_rows(const sim::Scenario& scenario, const TunnelResult& tunnel) {
+  const double wash = scenario.vehicle.canard_air.wash;
+  return wash > 0.0
+             ? std::optional{fmt::format(
+                   "The torque of the rows of {} is taken for that of the canards alone, and the fins take {:g} "
+                   "times of it back (aerodynamics.canard_wash); where the rows were identified with the fins on, "
+                   "that is in them already, and is counted twice.",
+                   tunnel.name, wash)}
+             : std::nullopt;
+}
+
 std::optional<AreaFactor> area_factor(const sim::Scenario& scenario, const TunnelResult& tunnel) {
   const std::vector<double>& range = scenario.vehicle.reference_area_range_m2;
   const double area_m2 = scenario.vehicle.roll_plant.reference_area_m2;

@@ -26,5 +26,7 @@ void require_same_vehicle(const sim::Scenario& scenario, const TunnelResult& tun
 [[nodiscard]] std::string whose_rows(const sim::Scenario& scenario, const TunnelResult& tunnel);
 /// What is identified is the product of an area with damping and torque.
 [[nodiscard]] std::string which_area(const sim::Scenario& scenario, const TunnelResult& tunnel);
+/// What was identified with the fins on has their wash in it. Empty for a vehicle without wash.
+[[nodiscard]] std::optional<std::string> wash_in_rows(const sim::Scenario& scenario, const TunnelResult& tunnel);
 
 }  // namespace fantail::predict
