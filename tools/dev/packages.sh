@@ -2,7 +2,7 @@
 # shellcheck shell=dash
 # The Debian packages that are needed, and installing them. Part of ./dev, which has set $root.
 
-fly_packages="g++ cmake ninja-build libeigen3-dev libtomlplusplus-dev libcli11-dev libfmt-dev nlohmann-json3-dev libmd-dev liblcm-dev liblcm-bin"
+fly_packages="g++ cmake ninja-build libeigen3-dev libtomlplusplus-dev libcli11-dev libfmt-dev nlohmann-json3-dev libmd-dev liblcm-dev liblcm-bin libzip-dev libpugixml-dev"
 can_packages="user-mode-linux busybox-static can-utils iproute2"
 test_packages="$fly_packages $can_packages libgtest-dev libgmock-dev librapidcheck-dev python3-venv"
 firmware_packages="gcc-arm-none-eabi libnewlib-arm-none-eabi libstdc++-arm-none-eabi-newlib libeigen3-dev cmake ninja-build git python3"

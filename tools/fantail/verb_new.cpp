@@ -1,17 +1,20 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <memory>
+#include <numbers>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include "airframe/new_rocket.hpp"
+#include "airframe/openrocket/read.hpp"
 #include "airframe/report.hpp"
 #include "fantail/run.hpp"
 #include "input/document.hpp"
+#include "input/rasp_file.hpp"
 #include "input/shipped.hpp"
 #include "input/vehicle_file.hpp"
 #include "text/output_folder.hpp"
@@ -22,47 +25,135 @@ namespace {
 struct NewOptions {
   std::string name;
   std::string from;
+  std::optional<std::string> motor;
 };
 
-/// As the new vehicle can name it: a shipped name stays one, of a path the whole.
-std::string motor_of(const input::Document& document) {
-  input::Section motor{document, "motor"};
-  const std::string named = motor.text("file");
+/// A motor as the new vehicle can name it: a shipped name stays one, of a path the whole.
+struct NamedMotor {
+  std::string name;
+  std::filesystem::path file;
+  std::optional<std::string> designation{};  ///< one of several in the file
+};
+
+NamedMotor motor_called(const std::string& named, const std::filesystem::path& file) {
   const std::size_t mark = named.rfind('#');
-  const std::filesystem::path file =
-      input::find_named_input(input::Shipped::motor, document, motor, "file", named.substr(0, mark));
   const std::vector<std::string> shipped = input::shipped_names(input::Shipped::motor);
-  return std::ranges::find(shipped, named) != shipped.end()
-             ? named
-             : std::filesystem::absolute(file).string() + (mark == std::string::npos ? "" : named.substr(mark));
+  const bool is_shipped = std::ranges::find(shipped, named) != shipped.end();
+  const std::string designation = mark == std::string::npos ? "" : named.substr(mark);
+  return {.name = is_shipped ? named : std::filesystem::absolute(file).string() + designation,
+          .file = file,
+          .designation = designation.empty() ? std::nullopt : std::optional{designation.substr(1)}};
 }
 
-airframe::NewRocket rocket_of(const NewOptions& options) {
+std::string file_part(const std::string& named) { return named.substr(0, named.rfind('#')); }
+
+NamedMotor motor_of(const NewOptions& options, const input::Document& document) {
+  if (options.motor) {
+    return motor_called(*options.motor, input::find_input(input::Shipped::motor, file_part(*options.motor)));
+  }
+  input::Section motor{document, "motor"};
+  const std::string named = motor.text("file");
+  return motor_called(named, input::find_named_input(input::Shipped::motor, document, motor, "file", file_part(named)));
+}
+
+airframe::NewRocket from_vehicle(const NewOptions& options) {
   const std::string file = input::find_input(input::Shipped::vehicle, options.from);
   const input::Document document = input::Document::load(file);
-  airframe::NewRocket rocket{.name = std::filesystem::path{options.name}.filename().string(),
+  airframe::NewRocket rocket{.name = {},
                              .vehicle = input::read_vehicle(document),
-                             .motor_file = motor_of(document),
+                             .motor_file = {},
                              .source = std::filesystem::path{file}.filename().string(),
                              .assumed = {}};
   if (!rocket.vehicle.geometry) {
     throw text::Error{text::ErrorKind::bad_configuration,
                       file + ": has no section [shape], which says what the rocket looks like (docs/your_rocket.md)"};
   }
-  rocket.assumed.push_back(fmt::format("Mass, drag area and motor: those of {}.", rocket.source));
+  const NamedMotor motor = motor_of(options, document);
+  rocket.motor_file = motor.name;
+  rocket.vehicle.motor = input::load_rasp(motor.file, motor.designation).curve;
+  rocket.assumed.push_back(
+      fmt::format("Mass{} and drag area: those of {}.", options.motor ? "" : ", motor", rocket.source));
   return rocket;
+}
+
+airframe::NewRocket from_design(const NewOptions& options) {
+  constexpr double drag_coefficient = 0.6;
+  namespace openrocket = airframe::openrocket;
+  const openrocket::Design design = openrocket::read_design(options.from);
+  std::string motors = "none";
+  if (design.motor) {
+    motors = fmt::format("{}", fmt::join(design.motor->designations, ", "));
+  }
+  if (!options.motor) {
+    throw UsageError{fmt::format(
+        "a design has no thrust curve (motors named in {}: {}): give --motor FILE.eng, as thrustcurve.org has them",
+        options.from, motors)};
+  }
+  const NamedMotor motor =
+      motor_called(*options.motor, input::find_input(input::Shipped::motor, file_part(*options.motor)));
+  const input::RaspMotor read = input::load_rasp(motor.file, motor.designation);
+  airframe::NewRocket rocket{.name = {},
+                             .vehicle = {},
+                             .motor_file = motor.name,
+                             .source = std::filesystem::path{options.from}.filename().string(),
+                             .assumed = design.assumed};
+  sim::Vehicle& vehicle = rocket.vehicle;
+  vehicle.motor = read.curve;
+  vehicle.geometry = design.geometry;
+  sim::Geometry& shape = *vehicle.geometry;
+  if (design.motor) {
+    const sim::Geometry::Mass place{
+        .name = "motor case",
+        .mass_kg = read.total_kg - read.curve.propellant_kg(),
+        .position_m = std::min(design.motor->end_m, shape.length_m) - 0.5 * design.motor->length_m,
+        .length_m = design.motor->length_m,
+        .radius_of_gyration_m = 0.35 * design.motor->diameter_m};
+    shape.masses.push_back(place);
+    shape.propellant = place;
+    rocket.assumed.emplace_back("Propellant: as long as the motor's case.");
+  } else {
+    rocket.assumed.emplace_back("Motor: its place is not in the design, so nothing is said of balance and inertia.");
+  }
+  vehicle.mass_kg = read.curve.propellant_kg();
+  for (const sim::Geometry::Mass& mass : shape.masses) {
+    vehicle.mass_kg += mass.mass_kg;
+  }
+  vehicle.roll_plant.inertia_kg_m2 = 0.5 * vehicle.mass_kg * 0.25 * shape.diameter_m * shape.diameter_m;
+  vehicle.drag_area_m2 = drag_coefficient * 0.25 * std::numbers::pi * shape.diameter_m * shape.diameter_m;
+  rocket.assumed.push_back(fmt::format("Drag: a coefficient of {} on the cross-section.", drag_coefficient));
+  for (const std::string& left_out : design.not_used) {
+    fmt::print("Not used: {}\n", left_out);
+  }
+  return rocket;
+}
+
+/// A folder that is only there if all of it can be flown.
+sim::Vehicle write(const std::filesystem::path& folder, const std::vector<text::NamedFile>& files) {
+  text::OutputFolder{folder}.write(files);
+  try {
+    return input::read_vehicle(input::Document::load((folder / "vehicle.toml").string()));
+  } catch (const text::Error&) {
+    std::filesystem::remove_all(folder);
+    throw;
+  }
 }
 
 void make(const NewOptions& options) {
   const std::filesystem::path folder{options.name};
-  if (std::filesystem::exists(folder)) {
-    throw UsageError{fmt::format("{} is there already: nothing of it is replaced; use another name", options.name)};
+  if (folder.filename().empty() || std::filesystem::exists(folder)) {
+    throw UsageError{options.name + " is there already, or no name of a folder: nothing is replaced; use another name"};
   }
-  const airframe::NewRocket rocket = rocket_of(options);
+  const bool is_design = std::filesystem::path{options.from}.extension() == ".ork";
+  airframe::NewRocket rocket = is_design ? from_design(options) : from_vehicle(options);
+  rocket.name = folder.filename().string();
   const std::vector<text::NamedFile> files = airframe::files_of(rocket);
-  text::OutputFolder{folder}.write(files);
-  const sim::Vehicle made = input::read_vehicle(input::Document::load((folder / "vehicle.toml").string()));
+  const sim::Vehicle made = write(folder, files);
   fmt::print("{}\n", airframe::summarize(made).sentence);
+  if (!made.geometry->canards) {
+    fmt::print(
+        "It has no canards: nothing controls its roll until the vehicle has the section [canard_fins] and is made "
+        "anew.\n");
+  }
   for (const std::string& assumed : made.assumed) {
     fmt::print("Assumed: {}\n", assumed);
   }
@@ -76,14 +167,17 @@ void make(const NewOptions& options) {
 void fill(const Verb& verb) {
   auto options = std::make_shared<NewOptions>();
   verb.option("NAME", options->name, "Name of the rocket, and of the folder that is made").required();
-  verb.option("--from", options->from, "What its shape is read from: a vehicle with the section [shape]")
+  verb.option("--from", options->from,
+              "What its shape is read from: a vehicle with the section [shape], or an OpenRocket file (.ork)")
       .required()
+      .value_name("NAME|FILE");
+  verb.option("--motor", options->motor, "Its motor, a RASP file [that of the vehicle]; a design needs it")
       .value_name("NAME|FILE");
   verb.examples(
       "Examples:\n"
-      "  fantail new my_rocket --from tasha3_launch2    vehicle, plan and scenario in my_rocket/, to be edited\n"
-      "  fantail new my_rocket --from shape.toml        from a vehicle file of your own\n"
-      "  fantail fly my_rocket/scenario.toml            its first flight");
+      "  fantail new my_rocket --from tasha3_launch2          vehicle, plan and scenario in my_rocket/, to be edited\n"
+      "  fantail new my_rocket --from my.ork --motor my.eng   from a design of OpenRocket\n"
+      "  fantail new my_rocket --from shape.toml              from a vehicle file of your own");
   verb.action([options] { make(*options); });
 }
 

@@ -58,6 +58,7 @@ class RaspReader {
     }
     RaspMotor motor;
     motor.warning = end_at_zero(points);
+    motor.total_kg = number(block.header.words[5], "total mass");
     motor.curve = checked_curve(std::move(points), propellant_kg, block.header.number);
     return motor;
   }

@@ -11,6 +11,7 @@ namespace fantail::input {
 
 struct RaspMotor {
   sim::ThrustCurve curve;
+  double total_kg = 0.0;               ///< of the loaded motor, at least its propellant
   std::optional<std::string> warning;  ///< what was assumed to make sense of the file
 };
 

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: MIT
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "airframe/model/masses.hpp"
+#include "airframe/openrocket/design_files.hpp"
+#include "airframe/openrocket/document.hpp"
+
+namespace fantail::airframe::openrocket {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+const std::string nose =
+    "<nosecone><name>Nose</name><material type='bulk' density='1000'>x</material><length>0.3</length>"
+    "<thickness>filled</thickness><shape>conical</shape><aftradius>auto 0.05</aftradius></nosecone>";
+
+std::string tube(const std::string& inside, const std::string& more = "") {
+  return "<bodytube><name>Tube</name><material type='bulk' density='800'>x</material><length>1.2</length>"
+         "<thickness>0.002</thickness><radius>0.05</radius>" +
+         more + "<subcomponents>" + inside + "</subcomponents></bodytube>";
+}
+
+std::string fins(const std::string& name, int count, const std::string& offset_m) {
+  return "<trapezoidfinset><name>" + name + "</name><instancecount>" + std::to_string(count) +
+         "</instancecount><axialoffset method='bottom'>" + offset_m +
+         "</axialoffset><material type='bulk' density='1000'>x</material><thickness>0.004</thickness><cant>1.5</cant>"
+         "<rootchord>0.1</rootchord><tipchord>0.1</tipchord><sweeplength>0.02</sweeplength><height>0.08</height>"
+         "</trapezoidfinset>";
+}
+
+const sim::Geometry::Mass& part(const Design& design, const std::string& name) {
+  for (const sim::Geometry::Mass& mass : design.geometry.masses) {
+    if (mass.name == name) {
+      return mass;
+    }
+  }
+  throw std::out_of_range{name};
+}
+
+using Read = DesignFiles;
+
+TEST_F(Read, TheSameDesignPlainGzippedAndZipped) {
+  const std::string xml = design(nose + tube(fins("Tail", 3, "0")));
+  for (const auto& file : {plain(xml), gzipped(xml), zipped(xml)}) {
+    const Design read = read_design(file);
+    EXPECT_EQ(read.name, "Test & Co");
+    EXPECT_DOUBLE_EQ(read.geometry.length_m, 1.5);
+    EXPECT_DOUBLE_EQ(read.geometry.diameter_m, 0.1);
+    EXPECT_EQ(read.geometry.nose_shape, sim::Geometry::NoseShape::cone);
+    ASSERT_TRUE(read.geometry.fins);
+    EXPECT_EQ(read.geometry.fins->count, 3);
+    EXPECT_NEAR(read.geometry.fins->position_m, 1.4, 1e-12);
+    EXPECT_NEAR(read.geometry.fins->cant_rad, 1.5 * pi / 180.0, 1e-12);
+    EXPECT_TRUE(read.not_used.empty());
+  }
+}
+
+TEST_F(Read, WeighsByMaterialAndSize) {
+  const Design read = read_design(plain(design(nose + tube(fins("Tail", 3, "0")))));
+  const double cone_kg = 1000.0 * pi * 0.05 * 0.05 * 0.3 / 3.0;
+  EXPECT_NEAR(part(read, "Nose").mass_kg / cone_kg, 1.0, 1e-5);
+  EXPECT_NEAR(part(read, "Nose").position_m, 0.75 * 0.3, 1e-5);
+  EXPECT_NEAR(part(read, "Nose").radius_of_gyration_m, 0.05 * std::sqrt(0.3), 1e-5);  // 3/10 m r^2
+  const double tube_kg = 800.0 * pi * (0.05 * 0.05 - 0.048 * 0.048) * 1.2;
+  EXPECT_NEAR(part(read, "Tube").mass_kg / tube_kg, 1.0, 1e-9);
+  EXPECT_NEAR(part(read, "Tube").position_m, 0.9, 1e-9);
+  EXPECT_NEAR(part(read, "Tube").length_m, 1.2, 1e-5);
+  EXPECT_NEAR(part(read, "Tail").mass_kg, 3 * 0.1 * 0.08 * 0.004 * 1000.0, 1e-12);
+  EXPECT_NEAR(part(read, "Tail").position_m, 1.4 + 0.01 + 0.05, 1e-9);  // half the sweep behind the root's middle
+}
+
+TEST_F(Read, PlacesPartsFromTopMiddleBottomAndAbsolutely) {
+  const auto mass = [](const std::string& name, const std::string& offset) {
+    return "<masscomponent><name>" + name + "</name>" + offset +
+           "<packedlength>0.1</packedlength><packedradius>0.02</packedradius><mass>0.5</mass></masscomponent>";
+  };
+  const Design read = read_design(plain(design(
+      nose + tube(mass("top", "<axialoffset method='top'>0.2</axialoffset>") +
+                  mass("middle", "<axialoffset method='middle'>0.1</axialoffset>") +
+                  mass("bottom", "<position type='bottom'>-0.1</position>") +  // as older versions have it
+                  mass("absolute", "<axialoffset method='absolute'>0.7</axialoffset>") + fins("Tail", 4, "0")))));
+  EXPECT_NEAR(part(read, "top").position_m, 0.3 + 0.2 + 0.05, 1e-12);
+  EXPECT_NEAR(part(read, "middle").position_m, 0.3 + 0.6 + 0.1, 1e-12);
+  EXPECT_NEAR(part(read, "bottom").position_m, 1.5 - 0.1 - 0.05, 1e-12);
+  EXPECT_NEAR(part(read, "absolute").position_m, 0.75, 1e-12);
+}
+
+TEST_F(Read, OverridesReplaceMassAndCentreAloneOrWithChildren) {
+  const std::string ballast =
+      "<masscomponent><name>ballast</name><packedlength>0</packedlength><mass>1</mass></masscomponent>";
+  const Design alone =
+      read_design(plain(design(nose + tube(ballast, "<overridemass>2</overridemass><overridecg>0.4</overridecg>"))));
+  EXPECT_DOUBLE_EQ(part(alone, "Tube").mass_kg, 2.0);
+  EXPECT_DOUBLE_EQ(part(alone, "Tube").position_m, 0.7);
+  EXPECT_DOUBLE_EQ(part(alone, "ballast").mass_kg, 1.0);
+  const Design all = read_design(plain(design(
+      nose +
+      tube(ballast, "<overridemass>3</overridemass><overridesubcomponentsmass>true</overridesubcomponentsmass>"))));
+  EXPECT_NEAR(part(all, "Tube").mass_kg + part(all, "ballast").mass_kg, 3.0, 1e-12);
+  EXPECT_NEAR(part(all, "ballast").mass_kg / part(all, "Tube").mass_kg,
+              1.0 / (800.0 * pi * (0.05 * 0.05 - 0.048 * 0.048) * 1.2), 1e-4);
+}
+
+TEST_F(Read, FourFinsInFrontAreCanardsAndOthersAreSaidToBeLeftOut) {
+  const Design read = read_design(
+      plain(design(nose + tube(fins("Tail", 4, "0") + fins("Front", 4, "-1.0") + fins("Middle", 3, "-0.4")))));
+  ASSERT_TRUE(read.geometry.canards);
+  EXPECT_NEAR(read.geometry.canards->position_m, 0.4, 1e-12);
+  ASSERT_EQ(read.not_used.size(), 1U);
+  EXPECT_EQ(read.not_used[0], "Fins \"Middle\": their forces; only their mass.");
+  ASSERT_EQ(read.assumed.size(), 1U);
+  EXPECT_EQ(read.assumed[0], "Fins \"Front\": taken as the canards.");
+}
+
+TEST_F(Read, EllipticalAndFreeformFinsKeepAreaSpanAndMiddle) {
+  const std::string common =
+      "<instancecount>3</instancecount><axialoffset method='bottom'>0</axialoffset><thickness>0.003</thickness>";
+  const Design elliptical =
+      read_design(plain(design(nose + tube("<ellipticalfinset><name>E</name>" + common +
+                                           "<rootchord>0.1</rootchord><height>0.06</height></ellipticalfinset>"))));
+  const auto& e = *elliptical.geometry.fins;
+  EXPECT_NEAR(0.5 * e.span_m * (e.root_chord_m + e.tip_chord_m), 0.25 * pi * 0.1 * 0.06, 1e-12);
+  EXPECT_NEAR(e.sweep_m + 0.5 * e.tip_chord_m, 0.05, 1e-9);  // as much in front as behind
+  // A swept trapezoid as points comes back as itself.
+  const Design freeform = read_design(
+      plain(design(nose + tube("<freeformfinset><name>F</name>" + common +
+                               "<finpoints><point x='0' y='0'/><point x='0.07' y='0.06'/><point x='0.12' y='0.06'/>"
+                               "<point x='0.1' y='0'/></finpoints></freeformfinset>"))));
+  const auto& f = *freeform.geometry.fins;
+  EXPECT_NEAR(f.root_chord_m, 0.1, 1e-12);
+  EXPECT_NEAR(f.tip_chord_m, 0.05, 1e-12);
+  EXPECT_NEAR(f.span_m, 0.06, 1e-12);
+  EXPECT_NEAR(f.sweep_m, 0.07, 1e-12);
+  EXPECT_NE(freeform.assumed.at(0).find("freeform; the trapezoid of the same area"), std::string::npos);
+}
+
+TEST_F(Read, TheMotorSitsWhereItsMountHoldsIt) {
+  const Design read = read_design(plain(design(
+      nose +
+      tube("<innertube><name>Mount</name><axialoffset method='bottom'>0</axialoffset><length>0.3</length>"
+           "<outerradius>0.03</outerradius><thickness>0.001</thickness><motormount><overhang>0.01</overhang>"
+           "<motor configid='a'><designation>I150</designation><diameter>0.054</diameter><length>0.25</length></motor>"
+           "<motor configid='b'><designation>J99</designation><diameter>0.054</diameter><length>0.2</length></motor>"
+           "</motormount></innertube>" +
+           fins("Tail", 3, "0")))));
+  ASSERT_TRUE(read.motor);
+  EXPECT_NEAR(read.motor->end_m, 1.51, 1e-12);
+  EXPECT_DOUBLE_EQ(read.motor->length_m, 0.25);
+  EXPECT_EQ(read.motor->designations, (std::vector<std::string>{"I150", "J99"}));
+}
+
+TEST_F(Read, WhatIsNoDesignIsRefused) {
+  EXPECT_EQ(refusal(path("none.ork")), "none.ork: no such file");
+  EXPECT_NE(refusal(plain("hello")).find("plain.ork: is not XML: "), std::string::npos);
+  EXPECT_EQ(refusal(plain("<rocksim/>")), "plain.ork: is no design of OpenRocket: its XML has no <openrocket>");
+  EXPECT_EQ(refusal(plain("")).substr(0, 10), "plain.ork:");
+  EXPECT_EQ(refusal(plain(design(""))), "plain.ork: its first stage has no body tube");
+  EXPECT_EQ(refusal(plain(design(nose))), "plain.ork: its first stage has no body tube");
+  EXPECT_EQ(refusal(plain(design(tube("")))),
+            "plain.ork: bodytube \"Tube\": the first component of the stage; allowed: a nose cone");
+  EXPECT_EQ(refusal(zipped("x", "readme.txt")),
+            "archive.ork: is a zip archive without a design: no entry in it ends with .ork");
+  EXPECT_EQ(refusal(plain("PK\x03\x04 nothing else")),
+            "plain.ork: is a zip archive that cannot be opened: it is damaged");
+  EXPECT_NE(refusal(plain("<!DOCTYPE a [<!ENTITY x SYSTEM 'file:///etc/passwd'>]>" + design(nose)))
+                .find("declares a document type or entities"),
+            std::string::npos);
+}
+
+TEST_F(Read, AnotherDocumentVersionIsRefusedOrNamed) {
+  EXPECT_EQ(refusal(plain(design(nose + tube(""), "2.0"))),
+            "plain.ork: has the document version \"2.0\"; allowed: 1.0 to 1.10");
+  EXPECT_NE(refusal(plain(design(nose + tube(""), "new"))).find("has the document version \"new\""), std::string::npos);
+  const Design newer = read_design(plain(design(nose + tube(""), "1.11")));
+  EXPECT_EQ(newer.not_used.at(0), "The document version 1.11 is newer than 1.10: what is new in it.");
+}
+
+TEST_F(Read, NumbersThatMakeNoSenseAreRefusedByComponent) {
+  const auto wrong = [&](const std::string& from, const std::string& to) {
+    std::string xml = design(nose + tube(fins("Tail", 3, "0")));
+    return refusal(plain(xml.replace(xml.find(from), from.size(), to)));
+  };
+  EXPECT_EQ(wrong("<length>1.2", "<length>-1.2"),
+            "plain.ork: bodytube \"Tube\": length = \"-1.2\"; allowed: 0.0005 to 30");
+  EXPECT_EQ(wrong("<length>1.2", "<length>NaN"),
+            "plain.ork: bodytube \"Tube\": length = \"NaN\"; allowed: 0.0005 to 30");
+  EXPECT_EQ(wrong("<height>0.08</height>", ""), "plain.ork: trapezoidfinset \"Tail\": height is missing");
+  EXPECT_EQ(wrong("<instancecount>3", "<instancecount>30"),
+            "plain.ork: trapezoidfinset \"Tail\": instancecount = \"30\"; allowed: 1 to 8");
+}
+
+TEST_F(Read, AnEncryptedEntryAndABombAreRefused) {
+  EXPECT_EQ(refusal(zipped(design(nose + tube("")), "rocket.ork", "secret")),
+            "archive.ork: its entry rocket.ork is encrypted; save it without a password");
+  const std::string bomb(most_bytes + 1, ' ');
+  EXPECT_EQ(refusal(zipped(bomb)), "archive.ork: its design has more than 64 MB unpacked; allowed: at most that");
+  EXPECT_LT(std::filesystem::file_size(path("archive.ork")), most_bytes / 500);
+  EXPECT_EQ(refusal(gzipped(bomb)), "packed.ork: its design has more than 64 MB unpacked; allowed: at most that");
+}
+
+}  // namespace
+}  // namespace fantail::airframe::openrocket
