@@ -211,7 +211,7 @@ TEST(Trajectory, WhatIsNoFlightIsRefusedWithFileLineAndColumn) {
           {"flight.csv:4", "0.05", "0.1", "line 3", "increase"});
   refused("# Time (s),Altitude (m),Vz (m/s)\n", {"flight.csv", "no rows"});
   refused(rows(heights_and_speeds + ",Air density (kg/m3)", [](double t) { return height_and_speed(t) + ",1225"; }),
-          {"flight.csv:2", "density", "1225", "allowed"});
+          {"flight.csv:2", "Air density", "\"1225\"", "allowed: 0.0001 to 5"});
   refused(rows(heights_and_speeds + ",Air density (kg/m3)",
                [](double t) { return height_and_speed(t) + (t > 2.0 && t < 3.0 ? "," : ",1.100"); }),
           {"flight.csv:213", "Air density", "line 312", "0.1 s"});

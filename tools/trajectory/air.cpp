@@ -7,17 +7,10 @@
 #include <optional>
 #include <string_view>
 
-#include <fmt/core.h>
-
-#include "input/messages.hpp"
-#include "text/error.hpp"
-
 namespace fantail::trajectory {
 namespace {
 
 constexpr double gas_constant_j_kg_k = 287.05287;  // of dry air, as the ISA has it
-constexpr double least_kg_m3 = 1e-4;
-constexpr double most_kg_m3 = 5.0;
 constexpr double coarse_share = 0.02;
 
 /// What the last digit of a column is worth, by its longest number: some writers leave trailing zeros out. Empty for
@@ -40,18 +33,6 @@ bool is_coarse(const flight::Table& table, const Columns& columns, const std::ve
   return digit_kg_m3 && *digit_kg_m3 > coarse_share * density_kg_m3.front();
 }
 
-void check(const flight::Table& table, const Series& series, const std::vector<double>& density_kg_m3,
-           std::string_view from) {
-  for (std::size_t i = 0; i < density_kg_m3.size(); ++i) {
-    if (!(density_kg_m3[i] >= least_kg_m3 && density_kg_m3[i] <= most_kg_m3)) {
-      throw text::Error{text::ErrorKind::bad_data,
-                        fmt::format("{}:{}: the air density {} is {} kg/m3; allowed: {} to {}", table.name(),
-                                    series.lines[i], from, input::about(density_kg_m3[i]),
-                                    input::plain_number(least_kg_m3), input::plain_number(most_kg_m3))};
-    }
-  }
-}
-
 }  // namespace
 
 Air air_of(const flight::Table& table, const Columns& columns, const Series& series,
@@ -60,7 +41,6 @@ Air air_of(const flight::Table& table, const Columns& columns, const Series& ser
   std::string why;
   if (const auto* density_kg_m3 = series.find(Quantity::density)) {
     if (!is_coarse(table, columns, *density_kg_m3)) {
-      check(table, series, *density_kg_m3, "read");
       air.density_kg_m3 = *density_kg_m3;
       air.read.emplace_back("air density");
       return air;
@@ -73,7 +53,6 @@ Air air_of(const flight::Table& table, const Columns& columns, const Series& ser
     for (std::size_t i = 0; i < height_m.size(); ++i) {
       air.density_kg_m3.push_back((*pressure_pa)[i] / (gas_constant_j_kg_k * (*temperature_k)[i]));
     }
-    check(table, series, air.density_kg_m3, "of temperature and pressure");
     air.read.emplace_back("temperature");
     air.read.emplace_back("pressure");
     air.derived.push_back("the air density follows from temperature and pressure" + why);

@@ -17,7 +17,6 @@ struct Air {
   std::vector<std::string> derived;  ///< "the density is that of the scenario"
 };
 
-/// Throws text::Error (bad_data): a density outside of 0.0001 to 5 kg/m3.
 [[nodiscard]] Air air_of(const flight::Table& table, const Columns& columns, const Series& series,
                          const std::vector<double>& height_m, const sim::Atmosphere& atmosphere);
 

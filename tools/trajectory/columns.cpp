@@ -109,6 +109,26 @@ constexpr std::array known_names{
               "RocketPy, \"axial_acceleration\""},
 };
 
+/// What a rocket can have, in SI: beyond it a column is not what its name says.
+struct Range {
+  double least;
+  double most;
+};
+
+Range range_of(Dimension dimension) {
+  switch (dimension) {
+    case Dimension::time: return {-1e5, 1e5};
+    case Dimension::length: return {-1e4, 1e6};
+    case Dimension::speed: return {-2e4, 2e4};
+    case Dimension::acceleration: return {-1e5, 1e5};
+    case Dimension::angle: return {-7.0, 7.0};
+    case Dimension::density: return {1e-4, 5.0};
+    case Dimension::temperature: return {100.0, 400.0};
+    case Dimension::pressure: break;
+  }
+  return {1.0, 3e5};
+}
+
 struct Header {
   std::string_view name;
   std::string_view unit;  ///< empty: none
@@ -179,7 +199,9 @@ Columns::Columns(const flight::Table& table) {
                                       no_unit || header.unit.empty() ? "has no unit" : "has a unit that is not known",
                                       unit_names(known.dimension))};
       }
-      found_.push_back({known.quantity, i, std::string{known.name}, unit->scale, unit->offset});
+      const Range range = range_of(known.dimension);
+      found_.push_back(
+          {known.quantity, i, std::string{known.name}, unit->scale, unit->offset, range.least, range.most});
     }
   }
 }

@@ -37,6 +37,8 @@ struct FoundColumn {
   std::string name;  ///< as in the file, without the unit
   double scale;
   double offset;
+  double least;  ///< in SI, as the next: what a rocket can have
+  double most;
 };
 
 /// The columns of a table that mean something here, one for each quantity. Names are those that OpenRocket 15 to 24 and

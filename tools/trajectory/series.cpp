@@ -14,7 +14,7 @@ namespace fantail::trajectory {
 namespace {
 
 constexpr double longest_gap_s = 0.1;
-constexpr double rounding_s = 1e-6;
+constexpr double rounding_s = 1e-6;  // rows nearer than this are of one instant
 // Interpolation between steps makes a rocket on the pad move by less.
 constexpr double rest_m_s = 0.01;
 constexpr double first_speed_m_s = 1.0;
@@ -64,8 +64,17 @@ class Reader {
   }
 
   [[nodiscard]] std::optional<double> number(std::size_t row, const FoundColumn& column) const {
-    const auto value = table_.number(row, column.index);
-    return value ? std::optional{*value * column.scale + column.offset} : std::nullopt;
+    const auto written = table_.number(row, column.index);
+    if (!written) {
+      return std::nullopt;
+    }
+    const double value = *written * column.scale + column.offset;
+    if (!(value >= column.least && value <= column.most)) {
+      refuse(fmt::format("{}: {} = {} is {} in SI; allowed: {} to {}", table_.where(row), column.name,
+                         flight::in_quotes(table_.cell(row, column.index)), input::about(value),
+                         input::about(column.least), input::about(column.most)));
+    }
+    return value;
   }
 
   void read_rows() {
@@ -87,7 +96,7 @@ class Reader {
                            input::plain_number(time_s), input::plain_number(series_.times_s.back()),
                            series_.lines.back()));
       }
-      if (!series_.times_s.empty() && time_s == series_.times_s.back()) {
+      if (!series_.times_s.empty() && time_s < series_.times_s.back() + rounding_s) {
         ++repeated;
         continue;
       }

@@ -34,8 +34,8 @@ struct Series {
 /// they like before lift-off and after apogee; they are filled from the neighbours.
 ///
 /// Throws text::Error (bad_data) that names file, line and column: a needed column that is not there, no row, more
-/// than 1 % without numbers, time that goes back, more than 0.1 s between two rows from lift-off to apogee, a rocket
-/// that moves in the first row or never moves.
+/// than 1 % without numbers, time that goes back, more than 0.1 s between two rows from lift-off to apogee, a number
+/// beyond what a rocket can have, a rocket that moves in the first row or never moves.
 [[nodiscard]] Series read_series(const flight::Table& table, const Columns& columns);
 
 }  // namespace fantail::trajectory

@@ -25,7 +25,7 @@ struct Trajectory {
 /// the scenario's air is at every height. The scenario's atmosphere and guide tilt are all that is taken from it.
 ///
 /// `text` is the content, `name` what messages call it. Throws text::Error (bad_data) as exported_table(), Columns and
-/// read_series() do, and for a density that no air has; bad_configuration for a scenario that is no flight.
+/// read_series() do; bad_configuration for a scenario that is no flight.
 [[nodiscard]] Trajectory parse_trajectory(std::string text, const std::string& name, const sim::Scenario& scenario);
 
 /// Of a file. Throws also text::Error (no_such_input), and std::system_error for a file that cannot be read.
