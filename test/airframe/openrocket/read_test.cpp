@@ -4,8 +4,8 @@
 #include <string>
 
 #include "airframe/model/masses.hpp"
-#include "airframe/openrocket/design_files.hpp"
 #include "airframe/openrocket/document.hpp"
+#include "design_files.hpp"
 
 namespace fantail::airframe::openrocket {
 namespace {
@@ -114,6 +114,15 @@ TEST_F(Read, FourFinsInFrontAreCanardsAndOthersAreSaidToBeLeftOut) {
   EXPECT_EQ(read.assumed[0], "Fins \"Front\": taken as the canards.");
 }
 
+TEST_F(Read, SingleFinsOfOneShapeAreASetAndALoneOneIsLeftOut) {
+  const Design read = read_design(plain(
+      design(nose + tube(fins("A", 1, "0") + fins("B", 1, "0") + fins("C", 1, "0") + fins("Rudder", 1, "-0.4")))));
+  ASSERT_TRUE(read.geometry.fins);
+  EXPECT_EQ(read.geometry.fins->count, 3);
+  ASSERT_EQ(read.not_used.size(), 1U);
+  EXPECT_EQ(read.not_used[0], "Fin \"Rudder\": its force, as it is alone; only its mass.");
+}
+
 TEST_F(Read, EllipticalAndFreeformFinsKeepAreaSpanAndMiddle) {
   const std::string common =
       "<instancecount>3</instancecount><axialoffset method='bottom'>0</axialoffset><thickness>0.003</thickness>";
@@ -134,6 +143,25 @@ TEST_F(Read, EllipticalAndFreeformFinsKeepAreaSpanAndMiddle) {
   EXPECT_NEAR(f.span_m, 0.06, 1e-12);
   EXPECT_NEAR(f.sweep_m, 0.07, 1e-12);
   EXPECT_NE(freeform.assumed.at(0).find("freeform; the trapezoid of the same area"), std::string::npos);
+}
+
+TEST_F(Read, ANoseBetweenTwoShapesIsTheNearerOne) {
+  const auto shape = [&](const std::string& kind, const std::string& parameter) {
+    std::string xml = nose;
+    xml.replace(xml.find("conical</shape>"), 15, kind + "</shape><shapeparameter>" + parameter + "</shapeparameter>");
+    return read_design(plain(design(xml + tube(""))));
+  };
+  using Shape = sim::Geometry::NoseShape;
+  EXPECT_EQ(shape("ogive", "1.0").geometry.nose_shape, Shape::ogive);
+  EXPECT_TRUE(shape("ogive", "1.0").assumed.empty());
+  EXPECT_EQ(shape("ogive", "0.0").geometry.nose_shape, Shape::cone);
+  EXPECT_TRUE(shape("ogive", "0.0").assumed.empty());
+  EXPECT_EQ(shape("parabolic", "0.75").geometry.nose_shape, Shape::parabola);
+  EXPECT_EQ(shape("parabolic", "0.75").assumed.at(0),
+            "Nose \"Nose\": its shape parameter is 0.75; the full shape is in its place.");
+  EXPECT_EQ(shape("haack", "0.333").assumed.size(), 1U);
+  EXPECT_EQ(shape("power", "0.5").geometry.nose_shape, Shape::ogive);
+  EXPECT_EQ(shape("power", "0.5").assumed.at(0), "Nose \"Nose\": its shape is \"power\"; an ogive is in its place.");
 }
 
 TEST_F(Read, TheMotorSitsWhereItsMountHoldsIt) {

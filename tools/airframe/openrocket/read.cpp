@@ -54,10 +54,31 @@ void check_version(const std::filesystem::path& file, pugi::xml_node root, Desig
   }
 }
 
+/// Between two shapes: an ogive or parabola of parameter 0 is a cone, and of 1 it meets the body without an edge; a
+/// Haack body of 0 is von Karman's.
+void take_parameter(const Component& c, NoseShape& shape, std::vector<std::string>& assumed) {
+  const bool is_haack = shape == NoseShape::haack;
+  const double usual = is_haack ? 0.0 : 1.0;
+  const double parameter = c.number_or("shapeparameter", 0.0, 1.0, usual);
+  if (parameter == usual || (!is_haack && shape != NoseShape::ogive && shape != NoseShape::parabola)) {
+    return;
+  }
+  if (!is_haack && parameter < 0.5) {
+    shape = NoseShape::cone;
+    if (parameter == 0.0) {
+      return;
+    }
+  }
+  assumed.push_back(fmt::format("Nose \"{}\": its shape parameter is {}; {} is in its place.", c.name(), parameter,
+                                shape == NoseShape::cone ? "a cone"
+                                : is_haack               ? "von Karman's shape"
+                                                         : "the full shape"));
+}
+
 /// The radius that a component has where it begins.
 std::optional<double> front_radius_m(const Component& c) {
   const char* key = c.kind() == "transition" ? "foreradius" : "radius";
-  return c.number_or_auto(key, 0.0005, widest_m);
+  return c.number_or_auto(key, 0.0, widest_m);
 }
 
 }  // namespace
@@ -71,8 +92,12 @@ void Reader::add_nose(const Component& c) {
         fmt::format("Nose \"{}\": its shape is \"{}\"; an ogive is in its place.", c.name(), shape));
   }
   g.nose_shape = found == nose_shapes.end() ? NoseShape::ogive : found->second;
+  if (found != nose_shapes.end()) {
+    take_parameter(c, g.nose_shape, design_.assumed);
+  }
   g.nose_length_m = c.number("length", 0.005, 10.0);
-  radius_m_ = c.number_or_auto("aftradius", 0.005, widest_m).value_or(radius_behind(c, c.xml().next_sibling()));
+  const auto radius_m = c.number_or_auto("aftradius", 0.005, widest_m);
+  radius_m_ = radius_m ? *radius_m : radius_behind(c, c.xml().next_sibling());
   g.diameter_m = 2.0 * radius_m_;
   const double wall_m = wall_of(c);
   Geometry::Mass own = mass_of({.length_m = g.nose_length_m,
@@ -113,7 +138,8 @@ void Reader::add_tube(const Component& c) {
 void Reader::add_transition(const Component& c, pugi::xml_node behind) {
   const double length_m = c.number("length", 0.001, longest_m);
   const double front_m = front_radius_m(c).value_or(radius_m_);
-  const double aft_m = c.number_or_auto("aftradius", 0.0025, widest_m).value_or(radius_behind(c, behind));
+  const auto aft_radius_m = c.number_or_auto("aftradius", 0.0025, widest_m);
+  const double aft_m = aft_radius_m ? *aft_radius_m : radius_behind(c, behind);
   if (c.text("shape") != "conical") {
     design_.assumed.push_back(fmt::format("Transition \"{}\": a cone in the place of its shape.", c.name()));
   }
@@ -149,7 +175,32 @@ double Reader::radius_behind(const Component& c, pugi::xml_node behind) const {
   c.refuse("its radius is \"auto\", and nothing behind it says one");
 }
 
+/// A person may have drawn a set as single fins, each turned to its own side.
+void Reader::join_single_fins() {
+  const auto alike = [](const Geometry::FinSet& a, const Geometry::FinSet& b) {
+    return a.position_m == b.position_m && a.root_chord_m == b.root_chord_m && a.tip_chord_m == b.tip_chord_m &&
+           a.span_m == b.span_m && a.sweep_m == b.sweep_m;
+  };
+  std::vector<std::pair<std::string, Geometry::FinSet>> joined;
+  for (const auto& [name, set] : fins_) {
+    const auto same = std::ranges::find_if(joined, [&](const auto& one) { return alike(one.second, set); });
+    if (set.count == 1 && same != joined.end() && same->second.count < 8) {
+      ++same->second.count;
+    } else {
+      joined.emplace_back(name, set);
+    }
+  }
+  for (const auto& [name, set] : joined) {
+    if (set.count == 1) {
+      design_.not_used.push_back(fmt::format("Fin \"{}\": its force, as it is alone; only its mass.", name));
+    }
+  }
+  std::erase_if(joined, [](const auto& one) { return one.second.count == 1; });
+  fins_ = std::move(joined);
+}
+
 void Reader::choose_fins() {
+  join_single_fins();
   std::ranges::sort(fins_, {}, [](const auto& one) { return one.second.position_m; });
   Geometry& g = design_.geometry;
   if (!fins_.empty() && fins_.back().second.position_m > 0.5 * g.length_m) {

@@ -35,6 +35,7 @@ class Reader {
   void add_transition(const Component& c, pugi::xml_node behind);
   [[nodiscard]] double radius_behind(const Component& c, pugi::xml_node behind) const;
   void scale_to_stage(const Component& stage);
+  void join_single_fins();
   void choose_fins();
 
   // What is inside or on it.
