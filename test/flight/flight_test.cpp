@@ -83,6 +83,22 @@ TEST(Flight, TicksTellPhaseChangesEventsAndCanardVerdicts) {
   EXPECT_EQ(flight.canard_verdict_changes[1].verdict, core::CanardVerdict::healthy);
 }
 
+// u_d = 3 degrees and kp = 0.5: 6 degrees off; where the fins take 40 % back, 10.
+TEST(Flight, TheLawSettlesWhereTheCanardsWithWhatTheFinsLeaveBalanceTheOffset) {
+  Flight flight;
+  flight.plan.controller.proportional_gain = 0.5F;
+  const Row row{.reference_rad = text::radians(20.0), .truth = Truth{.disturbance_rad = text::radians(3.0)}};
+  const auto settles_at_deg = [&](double left_by_fins) {
+    flight.left_by_fins = left_by_fins;
+    return text::degrees(settle_point_rad(row, flight).value());
+  };
+  EXPECT_NEAR(settles_at_deg(1.0), 26.0, 1e-9);
+  EXPECT_NEAR(settles_at_deg(0.6), 30.0, 1e-9);
+  EXPECT_NEAR(settles_at_deg(-0.3), 26.0, 1e-9) << "nowhere: counted from where it should";
+  flight.known.plan = false;
+  EXPECT_FALSE(settle_point_rad(row, flight));
+}
+
 TEST(Flight, TimeZeroMovesEverythingWithATime) {
   Flight flight;
   flight.rows.resize(2);

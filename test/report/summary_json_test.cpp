@@ -32,6 +32,7 @@ TEST(SummaryJson, HasEveryKeyOfTheContract) {
   EXPECT_EQ(summary["final_phase"], "controlling");
   EXPECT_EQ(summary["outcome"], "held");
   EXPECT_EQ(summary["authority_margin_deg"], 4.0);
+  EXPECT_EQ(summary["left_by_fins"], 1.0);
   EXPECT_EQ(summary["phase_changes"][1]["reason"], "launch_detected");
 }
 
