@@ -62,6 +62,9 @@ TEST_F(NewRocketFiles, HaveTheShapeThatTheyWereMadeFromAndItsNumbers) {
   const double area_m2 = made.roll_plant.reference_area_m2;
   EXPECT_NEAR(made.roll_plant.damping_m2 * area_m2 / before.roll_damping_m4.value, 1.0, 1e-5);
   EXPECT_NEAR(made.roll_plant.torque_m * area_m2 / before.roll_torque_m3->value, 1.0, 1e-5);
+  EXPECT_NEAR(*made.canard_air.arm_m / *before.canard_arm_m, 1.0, 1e-5);
+  EXPECT_NEAR(*made.canard_air.stall_rad, 13.0 * sim::radians_per_degree, 1e-12);
+  EXPECT_EQ(made.compressibility, sim::Compressibility::prandtl_glauert);
   EXPECT_NEAR(made.airframe->centre_of_pressure_m / before.centre_of_pressure_m.value, 1.0, 1e-5);
   EXPECT_NEAR(made.airframe->at_liftoff.centre_of_gravity_m / before.at_liftoff->centre_of_gravity_m, 1.0, 1e-5);
 }

@@ -16,6 +16,7 @@ namespace {
 
 using sim::Geometry;
 
+constexpr double stall_deg = 13.0;
 constexpr std::array nose_names{"cone", "ogive", "ellipsoid", "parabola", "haack"};
 
 constexpr std::string_view plan_text = R"(
@@ -176,6 +177,9 @@ std::string vehicle_file(const NewRocket& rocket, const model::BuildUp& b) {
   std::vector<std::string> assumed = rocket.assumed;
   assumed.emplace_back(
       "Roll damping and canard torque: computed from the shape, right within a factor of two at best.");
+  if (b.canard_arm_m) {
+    assumed.push_back(fmt::format("Canard stall at {} deg: usual for such plates.", stall_deg));
+  }
   if (parts) {
     assumed.emplace_back("Roll inertia: the sum of the parts.");
   }
@@ -189,6 +193,14 @@ std::string vehicle_file(const NewRocket& rocket, const model::BuildUp& b) {
       "torque_m = {} # beta, without the canards' wash on the fins\n",
       rounded(area_m2), rounded(b.roll_damping_m4.value / area_m2),
       rounded(b.roll_torque_m3 ? b.roll_torque_m3->value / area_m2 : 0.0));
+  out += "compressibility = \"prandtl_glauert\"\n";
+  if (b.canard_arm_m) {
+    out += fmt::format("canard_stall_deg = {}\ncanard_arm_m = {}\n", stall_deg, rounded(*b.canard_arm_m));
+  }
+  if (b.hinge_moment_m3) {
+    out += fmt::format("canard_hinge_moment_m3 = {} # loads the servos once servo.torque_n_m is given\n",
+                       rounded(b.hinge_moment_m3->value));
+  }
   out += airframe_section(*v.geometry, b);
   out += shape_sections(v);
   return out + fmt::format("\n[motor]\nfile = {}\n", toml_text(rocket.motor_file));

@@ -48,6 +48,7 @@ void sum_parts(BuildUp& result) {
 void add_canards(BuildUp& result, const sim::Geometry& shape, const FinForces& canards,
                  const std::optional<FinForces>& fins) {
   result.roll_torque_m3 = within_factor(canards.roll_torque_m3, roll_factor);
+  result.canard_arm_m = canards.arm_m;
   if (fins && shape.fins->position_m > shape.canards->position_m) {
     result.roll_torque_m3->low = 0.0;
   }

@@ -42,6 +42,7 @@ struct BuildUp {
   double body_lift_position_m = 0.0;
   Estimate roll_damping_m4;                 ///< A alpha
   std::optional<Estimate> roll_torque_m3;   ///< A beta; empty without canards
+  std::optional<double> canard_arm_m;       ///< from the long axis to where a canard lifts
   std::optional<Estimate> hinge_moment_m3;  ///< one canard: 1/2 rho v^2 times this times its angle, positive: closes
   std::optional<Estimate> cant_as_canards;  ///< canard angle that rolls as one radian of fin cant does
   std::optional<MassSum> after_burnout;     ///< empty without masses
