@@ -104,6 +104,7 @@ std::string html(const sim::Vehicle& vehicle, const Summary& summary) {
   const std::array columns{page::Column{"", false}, page::Column{"from shape", true}, page::Column{"range", true},
                            page::Column{"file", true}, page::Column{"unit", false}};
   std::vector<std::vector<page::Cell>> rows;
+  rows.reserve(summary.lines.size());
   for (const Line& line : summary.lines) {
     rows.push_back({{.text = line.what},
                     {.text = computed(line)},
@@ -114,6 +115,7 @@ std::string html(const sim::Vehicle& vehicle, const Summary& summary) {
   const std::array part_columns{page::Column{"part", false}, page::Column{"slope / 1/rad", true},
                                 page::Column{"acts at / m", true}};
   std::vector<std::vector<page::Cell>> part_rows;
+  part_rows.reserve(summary.build_up.parts.size());
   for (const model::Part& part : summary.build_up.parts) {
     part_rows.push_back(
         {{.text = part.name}, {.text = fixed(part.slope_per_rad, 2)}, {.text = fixed(part.position_m, 3)}});

@@ -50,7 +50,7 @@ std::string body(const sim::Geometry& shape, const Scale& scale) {
     const double x_m = shape.length_m * i / points;
     const double r_m = model::radius_m(shape, x_m);
     upper += fmt::format("{}{:.1f},{:.1f}", i == 0 ? "M" : "L", scale.x(x_m), scale.y(r_m));
-    lower = fmt::format("L{:.1f},{:.1f}", scale.x(x_m), scale.y(-r_m)) + lower;
+    lower.insert(0, fmt::format("L{:.1f},{:.1f}", scale.x(x_m), scale.y(-r_m)));
   }
   return fmt::format(R"(<path class="measured area" d="{0}{1}Z"/><path class="measured line" d="{0}{1}Z"/>)", upper,
                      lower);
