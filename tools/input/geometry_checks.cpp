@@ -131,7 +131,7 @@ void check_geometry(const Document& document, const sim::Vehicle& vehicle) {
   const sim::Geometry& shape = *vehicle.geometry;
   if (!Section{document, "shape"}.is_there()) {
     for (const char* name : {"fins", "canard_fins", "masses"}) {
-      if (Section section{document, name}; section.is_there()) {
+      if (const Section section{document, name}; section.is_there()) {
         section.refuse(name == std::string{"masses"} ? "names" : "position_m",
                        "needs the section [shape], which says the rocket's length and diameter");
       }
