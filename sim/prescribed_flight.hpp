@@ -18,8 +18,9 @@ struct PathSample {
   double across_m_s;      ///< to the side that the rocket leans to
   double along_axis_m_s;  ///< through the air
   double density_kg_m3;
-  double tilt_rad;                                  ///< of the axis, from the vertical
-  std::optional<double> axial_specific_force_m_s2{};  ///< empty: what follows from the speeds; in all samples or in none
+  double tilt_rad;  ///< of the axis, from the vertical
+  std::optional<double>
+      axial_specific_force_m_s2{};  ///< empty: what follows from the speeds; in all samples or in none
 };
 
 /// A whole path. It begins at rest.
