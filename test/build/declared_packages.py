@@ -35,6 +35,7 @@ OPTIONAL = re.compile(
 OF_THE_MACHINE = re.compile(
     r"/libnss_\w+\.so|"  # glibc loads what /etc/nsswitch.conf lists
     r"^/etc/ld\.so\.conf\.d/|"  # the linker reads what any package has put there
+    r"^/usr/lib/llvm-\d+/lib/libLLVM[^/]*\.so|"  # where clang looks first: a link there is of LLVM's -dev package
     r"/libnuma\.so|"  # ps loads it where it is, for columns that nobody asks for
     r"/asan_ignorelist\.txt$|"  # clang looks whether its sanitizers are there, to lint what is compiled without them
     r"/locale\.alias$|"  # glibc looks there for a locale that it does not find
