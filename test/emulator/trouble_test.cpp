@@ -90,7 +90,7 @@ TEST_F(EmulatorTrouble, AnEmulatorThatIsNotInstalledIsNamedWithItsPackage) {
 
 TEST_F(EmulatorTrouble, AFileThatIsNoImageEndsTheEmulatorWithItsOwnWords) {
   hil::EmulatorOptions no_image = options();
-  no_image.image = __FILE__;  // a text
+  no_image.image = "/etc/passwd";  // a text
   const auto begin = [&] {
     const hil::Target target{
         std::make_unique<hil::Emulator>(no_image), {}, {.send_again = milliseconds{50}, .give_up = milliseconds{500}}};
