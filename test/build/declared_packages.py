@@ -121,7 +121,7 @@ def links(path):
 
 @functools.cache
 def to_judge(path):
-    if not SYSTEM.match(path) or OF_THE_MACHINE.search(path):
+    if not SYSTEM.match(path) or OF_THE_MACHINE.search(os.path.normpath(path)):  # a program looks in bin/../lib
         return None
     # What Python compiled stands for its source.
     return re.sub(r"__pycache__/([^/]+)\.cpython-\d+(\.opt-\d)?\.pyc$", r"\1.py", path)
