@@ -45,7 +45,7 @@ const core::TickRecord& Avionics::tick() {
                          *autopilot_);
   flight_memory_.keep(record, plan_crc_, flash_.flights().used_sectors(), *autopilot_);
   flash_.update(now, plan_may_change(), right_to_log());
-  report(record);
+  report(record, inputs);
   flash_.send_log(now, right_to_log(), devices_.can_bus);
   tick_duration_ = devices_.clock.now() - now;
   // Last: only a tick that came this far proves that the loop is alive.
@@ -180,7 +180,7 @@ void Avionics::watch_board(const core::TickRecord& record) {
   devices_.board.show(signal_of(record.phase, self_test_.running(), !board_watch_.faulty() && flash.fit()));
 }
 
-void Avionics::report(const core::TickRecord& record) {
+void Avionics::report(const core::TickRecord& record, const core::Inputs& inputs) {
   Report report{.situation = situation_,
                 .self_test_running = self_test_.running(),
                 .session_open = bench_mode_.open(),
@@ -201,7 +201,7 @@ void Avionics::report(const core::TickRecord& record) {
   for (std::size_t i = 0; i < core::canard_count; ++i) {
     report.limits.limit[i] = autopilot_->canard_limit(i);
   }
-  telemetry_.send(record, report, devices_.can_bus);
+  telemetry_.send(record, inputs, report, devices_.can_bus);
 }
 
 void Avionics::tell_person(const core::TickRecord& record) {

@@ -10,6 +10,7 @@ namespace {
 
 // Milliseconds.
 constexpr std::uint32_t motion_period = 10;
+constexpr std::uint32_t sensor_period = 20;
 constexpr std::uint32_t health_period = 100;
 constexpr std::uint32_t slow_period = 1000;
 
@@ -51,7 +52,8 @@ protocol::StatusReport status(const core::TickRecord& record, const Report& repo
 
 }  // namespace
 
-void Telemetry::send(const core::TickRecord& record, const Report& report, hal::CanBus& bus) {
+void Telemetry::send(const core::TickRecord& record, const core::Inputs& inputs, const Report& report,
+                     hal::CanBus& bus) {
   const bool every_tick = record.phase == core::Phase::launched || record.phase == core::Phase::controlling ||
                           report.self_test_running || report.session_open;
   if (every_tick || ticks_ % motion_period == 0) {
@@ -67,6 +69,9 @@ void Telemetry::send(const core::TickRecord& record, const Report& report, hal::
                                       .height_m = record.motion.height_m,
                                       .speed_m_s = record.motion.speed_m_s}),
         bus);
+  }
+  if (record.phase == core::Phase::safe) {
+    send_sensors(inputs, bus);
   }
   if (report.plan) {
     put(encode(*report.plan), bus);
@@ -84,6 +89,23 @@ void Telemetry::send(const core::TickRecord& record, const Report& report, hal::
   }
   send_health(record, report, bus);
   ticks_ += 1;
+}
+
+void Telemetry::send_sensors(const core::Inputs& inputs, hal::CanBus& bus) const {
+  if (ticks_ % sensor_period == 8) {
+    put(encode(protocol::GyroReport{.rate_rad_s = inputs.gyro.rate_rad_s,
+                                    .quality = inputs.gyro.quality,
+                                    .time_ms = static_cast<std::uint16_t>((inputs.time.count() / 1000) & 0x3FFF)}),
+        bus);
+  } else if (ticks_ % sensor_period == 18) {
+    const bool second = ticks_ / sensor_period % 2 == 1;
+    const core::AccelerometerSample& sample = inputs.accelerometers[second ? 1 : 0];
+    put(encode(protocol::AccelerometerReport{
+            .specific_force_m_s2 = sample.specific_force_m_s2,
+            .sensor = second ? protocol::Accelerometer::second : protocol::Accelerometer::of_imu,
+            .quality = sample.quality}),
+        bus);
+  }
 }
 
 void Telemetry::send_health(const core::TickRecord& record, const Report& report, hal::CanBus& bus) {

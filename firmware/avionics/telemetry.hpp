@@ -31,12 +31,14 @@ struct Report {
 };
 
 /// Puts the reports on the bus: commands and encoders every millisecond while a canard may move (Launched, Controlling,
-/// self-test, bench session), every ten otherwise; the rest in turn, so that no millisecond has much more than another.
+/// self-test, bench session), every ten otherwise; what gyro and accelerometers read in Safe only; the rest in turn, so
+/// that no millisecond has much more than another.
 class Telemetry {
  public:
-  void send(const core::TickRecord& record, const Report& report, hal::CanBus& bus);
+  void send(const core::TickRecord& record, const core::Inputs& inputs, const Report& report, hal::CanBus& bus);
 
  private:
+  void send_sensors(const core::Inputs& inputs, hal::CanBus& bus) const;
   void send_health(const core::TickRecord& record, const Report& report, hal::CanBus& bus);
 
   std::uint32_t ticks_ = 0;

@@ -23,7 +23,7 @@ struct BusFrameKind {
   bool can_move = false;                                      ///< a canard may move because of it
 };
 
-inline constexpr std::size_t bus_frame_count = 20;
+inline constexpr std::size_t bus_frame_count = 22;
 
 /// Every frame of the bus, the most urgent first.
 [[nodiscard]] std::span<const BusFrameKind, bus_frame_count> bus_catalogue();

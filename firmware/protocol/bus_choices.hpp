@@ -238,6 +238,26 @@ constexpr unsigned choice(core::SensorState value) {
   return no_choice;
 }
 
+constexpr unsigned choice(core::SampleQuality value) {
+  switch (value) {
+    using enum core::SampleQuality;
+    case valid: return CANARD_BUS_GYRO_REPORT_QUALITY_VALID_CHOICE;
+    case saturated: return CANARD_BUS_GYRO_REPORT_QUALITY_SATURATED_CHOICE;
+    case invalid: return CANARD_BUS_GYRO_REPORT_QUALITY_INVALID_CHOICE;
+    case absent: return CANARD_BUS_GYRO_REPORT_QUALITY_ABSENT_CHOICE;
+  }
+  return no_choice;
+}
+
+constexpr unsigned choice(Accelerometer value) {
+  switch (value) {
+    using enum Accelerometer;
+    case of_imu: return CANARD_BUS_ACCELEROMETER_REPORT_SENSOR_OF_IMU_CHOICE;
+    case second: return CANARD_BUS_ACCELEROMETER_REPORT_SENSOR_SECOND_CHOICE;
+  }
+  return no_choice;
+}
+
 template <typename Enum>
 consteval bool choices_agree() {
   for (unsigned value = 0; value < no_choice; ++value) {
@@ -265,6 +285,8 @@ static_assert(choices_agree<PlanBlockFault>());
 static_assert(choices_agree<PlanSource>());
 static_assert(choices_agree<core::CanardVerdict>());
 static_assert(choices_agree<core::SensorState>());
+static_assert(choices_agree<core::SampleQuality>());
+static_assert(choices_agree<Accelerometer>());
 static_assert(CANARD_BUS_HEALTH_REPORT_BUS_STATE_ERROR_ACTIVE_CHOICE == 0);
 static_assert(CANARD_BUS_HEALTH_REPORT_BUS_STATE_ERROR_WARNING_CHOICE == 1);
 static_assert(CANARD_BUS_HEALTH_REPORT_BUS_STATE_ERROR_PASSIVE_CHOICE == 2);

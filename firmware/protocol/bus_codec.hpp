@@ -42,13 +42,15 @@ struct BusFrame {
 [[nodiscard]] BusFrame encode(const RejectionReport& message);
 [[nodiscard]] BusFrame encode(const LimitReport& message);
 [[nodiscard]] BusFrame encode(const BoardReport& message);
+[[nodiscard]] BusFrame encode(const GyroReport& message);
+[[nodiscard]] BusFrame encode(const AccelerometerReport& message);
 [[nodiscard]] BusFrame encode(const HeartbeatReport& message);
 [[nodiscard]] BusFrame encode(const LogData& message);
 
 using FromBench = std::variant<BenchRequest, BenchSession, ArmRequest, PlanBegin, PlanData, LogRequest>;
-using FromAvionics =
-    std::variant<CommandReport, EncoderReport, StatusReport, MotionReport, SessionReply, ArmReply, PlanReply, LogReply,
-                 HealthReport, RejectionReport, LimitReport, BoardReport, HeartbeatReport, LogData>;
+using FromAvionics = std::variant<CommandReport, EncoderReport, StatusReport, MotionReport, SessionReply, ArmReply,
+                                  PlanReply, LogReply, HealthReport, RejectionReport, LimitReport, BoardReport,
+                                  GyroReport, AccelerometerReport, HeartbeatReport, LogData>;
 
 template <typename Message>
 struct Decoded {

@@ -167,6 +167,31 @@ std::optional<BoardReport> read_board(const BoardReportFrame::Raw& raw) {
   return message;
 }
 
+std::optional<GyroReport> read_gyro(const GyroReportFrame::Raw& raw) {
+  const auto quality = known<core::SampleQuality>(raw.quality);
+  if (!quality || !canard_bus_gyro_report_x_is_in_range(raw.x) || !canard_bus_gyro_report_y_is_in_range(raw.y) ||
+      !canard_bus_gyro_report_z_is_in_range(raw.z)) {
+    return std::nullopt;
+  }
+  const auto rate_rad_s = [](std::int16_t of) { return core::Angle::from_degrees(BodyRate::value(of)).radians(); };
+  return GyroReport{.rate_rad_s = {rate_rad_s(raw.x), rate_rad_s(raw.y), rate_rad_s(raw.z)},
+                    .quality = *quality,
+                    .time_ms = raw.time};
+}
+
+std::optional<AccelerometerReport> read_accelerometer(const AccelerometerReportFrame::Raw& raw) {
+  const auto sensor = known<Accelerometer>(raw.sensor);
+  const auto quality = known<core::SampleQuality>(raw.quality);
+  if (!sensor || !quality || !canard_bus_accelerometer_report_x_is_in_range(raw.x) ||
+      !canard_bus_accelerometer_report_y_is_in_range(raw.y) || !canard_bus_accelerometer_report_z_is_in_range(raw.z)) {
+    return std::nullopt;
+  }
+  return AccelerometerReport{
+      .specific_force_m_s2 = {SpecificForce::value(raw.x), SpecificForce::value(raw.y), SpecificForce::value(raw.z)},
+      .sensor = *sensor,
+      .quality = *quality};
+}
+
 std::optional<HeartbeatReport> read_heartbeat(const HeartbeatReportFrame::Raw& raw) {
   return HeartbeatReport{.version = raw.version, .uptime_ms = raw.uptime, .plan_crc = raw.plan_crc};
 }
@@ -196,6 +221,9 @@ Decoded<FromAvionics> decode_from_avionics(const BusFrame& frame) {
     case RejectionReportFrame::id: return decode_as<FromAvionics, RejectionReportFrame, strict>(frame, read_rejection);
     case LimitReportFrame::id: return decode_as<FromAvionics, LimitReportFrame, strict>(frame, read_limit);
     case BoardReportFrame::id: return decode_as<FromAvionics, BoardReportFrame, strict>(frame, read_board);
+    case GyroReportFrame::id: return decode_as<FromAvionics, GyroReportFrame, strict>(frame, read_gyro);
+    case AccelerometerReportFrame::id:
+      return decode_as<FromAvionics, AccelerometerReportFrame, strict>(frame, read_accelerometer);
     case HeartbeatReportFrame::id: return decode_as<FromAvionics, HeartbeatReportFrame, strict>(frame, read_heartbeat);
     case LogDataFrame::id: return decode_as<FromAvionics, LogDataFrame, strict>(frame, read_data);
     default: return {.rejection = Rejection::unknown_id};

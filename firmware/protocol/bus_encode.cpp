@@ -187,6 +187,27 @@ BusFrame encode(const BoardReport& message) {
   return BoardReportFrame::pack(raw);
 }
 
+BusFrame encode(const GyroReport& message) {
+  constexpr std::uint16_t fourteen_bits = 0x3FFF;
+  const auto raw = [scale = BodyRate{}](float rate_rad_s) {
+    return scale.raw(core::Angle::from_radians(rate_rad_s).degrees());
+  };
+  return GyroReportFrame::pack({.x = raw(message.rate_rad_s.x),
+                                .y = raw(message.rate_rad_s.y),
+                                .z = raw(message.rate_rad_s.z),
+                                .time = static_cast<std::uint16_t>(message.time_ms & fourteen_bits),
+                                .quality = raw_of(message.quality)});
+}
+
+BusFrame encode(const AccelerometerReport& message) {
+  const SpecificForce scale;
+  return AccelerometerReportFrame::pack({.x = scale.raw(message.specific_force_m_s2.x),
+                                         .y = scale.raw(message.specific_force_m_s2.y),
+                                         .z = scale.raw(message.specific_force_m_s2.z),
+                                         .sensor = raw_of(message.sensor),
+                                         .quality = raw_of(message.quality)});
+}
+
 BusFrame encode(const HeartbeatReport& message) {
   constexpr std::uint32_t three_bytes = 0xFFFFFFU;
   return HeartbeatReportFrame::pack(

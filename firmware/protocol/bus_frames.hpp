@@ -48,6 +48,10 @@ using LimitReportFrame = Layout<canard_bus_limit_report_t, CANARD_BUS_LIMIT_REPO
                                 canard_bus_limit_report_pack, canard_bus_limit_report_unpack>;
 using BoardReportFrame = Layout<canard_bus_board_report_t, CANARD_BUS_BOARD_REPORT_FRAME_ID,
                                 canard_bus_board_report_pack, canard_bus_board_report_unpack>;
+using GyroReportFrame = Layout<canard_bus_gyro_report_t, CANARD_BUS_GYRO_REPORT_FRAME_ID, canard_bus_gyro_report_pack,
+                               canard_bus_gyro_report_unpack>;
+using AccelerometerReportFrame = Layout<canard_bus_accelerometer_report_t, CANARD_BUS_ACCELEROMETER_REPORT_FRAME_ID,
+                                        canard_bus_accelerometer_report_pack, canard_bus_accelerometer_report_unpack>;
 using HeartbeatReportFrame = Layout<canard_bus_heartbeat_report_t, CANARD_BUS_HEARTBEAT_REPORT_FRAME_ID,
                                     canard_bus_heartbeat_report_pack, canard_bus_heartbeat_report_unpack>;
 

@@ -290,6 +290,21 @@ struct BoardReport {
                               ///< that a simulated board left out, which are no fault
 };
 
+/// The rates about the axes of the body as the gyro gives them, its bias included. In Safe only, as the next one.
+struct GyroReport {
+  core::Vector3 rate_rad_s{};  ///< each saturates at 3276.7 deg/s
+  core::SampleQuality quality = core::SampleQuality::absent;
+  std::uint16_t time_ms = 0;  ///< of the tick, since power-up: 14 bits, wraps after 16.4 s
+};
+
+enum class Accelerometer : std::uint8_t { of_imu, second };
+
+struct AccelerometerReport {
+  core::Vector3 specific_force_m_s2{};  ///< along the axes of the body; each saturates at 327.67 m/s^2
+  Accelerometer sensor = Accelerometer::of_imu;
+  core::SampleQuality quality = core::SampleQuality::absent;
+};
+
 struct HeartbeatReport {
   std::uint8_t version = bus_protocol_version;
   std::uint32_t uptime_ms = 0;  ///< 24 bits, wraps after 4.6 h

@@ -55,6 +55,9 @@ using RollRate =
     Scaled<canard_bus_motion_report_roll_rate_encode, canard_bus_motion_report_roll_rate_decode, -32767, 32767>;
 using Height = Scaled<canard_bus_motion_report_height_encode, canard_bus_motion_report_height_decode, -32767, 32767>;
 using Speed = Scaled<canard_bus_motion_report_speed_encode, canard_bus_motion_report_speed_decode, -32767, 32767>;
+using BodyRate = Scaled<canard_bus_gyro_report_x_encode, canard_bus_gyro_report_x_decode, -32767, 32767>;
+using SpecificForce =
+    Scaled<canard_bus_accelerometer_report_x_encode, canard_bus_accelerometer_report_x_decode, -32767, 32767>;
 
 /// Where the four angles of a message lie, and the bits that say which of them are there.
 template <typename Raw>

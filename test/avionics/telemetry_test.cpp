@@ -88,6 +88,54 @@ TEST(Telemetry, ReportsCanardsEveryMillisecondWhileTheRocketLeavesItsGuide) {
   EXPECT_EQ(rig.pc.count<protocol::CommandReport>() - before, 50);
 }
 
+TEST(Telemetry, TheSensorsAreReportedInSafeOnly) {
+  BoardRig rig;
+  rig.hardware.imu.rate = {-100, 20, 3000};
+  rig.hardware.accelerometer.specific_force = {1000, 500, -250};
+  const auto gyros = [&rig] { return rig.pc.count<protocol::GyroReport>(); };
+  rig.run(second);
+  EXPECT_EQ(gyros(), 50);
+  EXPECT_EQ(rig.pc.count<protocol::AccelerometerReport>(), 50);
+  const auto& gyro = *rig.pc.heard<protocol::GyroReport>();
+  EXPECT_EQ(gyro.quality, core::SampleQuality::valid);
+  EXPECT_NEAR(gyro.rate_rad_s.x, -0.1F, 0.001F);
+  EXPECT_NEAR(gyro.rate_rad_s.y, 0.02F, 0.001F);
+  EXPECT_NEAR(gyro.rate_rad_s.z, 3.0F, 0.001F);
+  EXPECT_EQ(gyro.time_ms % 20, 9) << "the tick, of which the first is at one millisecond";
+  rig.hardware.imu.rate = {};
+  ASSERT_EQ(rig.arm().phase, core::Phase::armed);
+  const int before = gyros();
+  rig.run(second);
+  EXPECT_EQ(gyros(), before);
+}
+
+TEST(Telemetry, TheTwoAccelerometersAreReportedInTurn) {
+  BoardRig rig;
+  rig.hardware.imu.specific_force = {1000, 0, 0};
+  rig.hardware.accelerometer.specific_force = {0, 500, -250};
+  int of_imu = 0;
+  int of_second = 0;
+  int heard = 0;
+  for (int tick = 0; tick < 1000; ++tick) {
+    rig.tick();
+    if (rig.pc.count<protocol::AccelerometerReport>() == heard) {
+      continue;
+    }
+    heard = rig.pc.count<protocol::AccelerometerReport>();
+    const auto& report = *rig.pc.heard<protocol::AccelerometerReport>();
+    if (report.sensor == protocol::Accelerometer::of_imu) {
+      of_imu += 1;
+      EXPECT_NEAR(report.specific_force_m_s2.x, 9.80665F, 0.006F);
+    } else {
+      of_second += 1;
+      EXPECT_NEAR(report.specific_force_m_s2.y, 0.5F * 9.80665F, 0.006F);
+      EXPECT_NEAR(report.specific_force_m_s2.z, -0.25F * 9.80665F, 0.006F);
+    }
+  }
+  EXPECT_EQ(of_imu, 25);
+  EXPECT_EQ(of_second, 25);
+}
+
 TEST(Telemetry, TheLongestTickOfATenthOfASecondIsReported) {
   Telemetry telemetry;
   hal::sim::CanWire wire;
@@ -98,7 +146,7 @@ TEST(Telemetry, TheLongestTickOfATenthOfASecondIsReported) {
   for (int tick = 0; tick < 300; ++tick) {
     Report report{};
     report.tick_duration = Microseconds{tick == 50 ? 700 : 200};
-    telemetry.send(record, report, board);
+    telemetry.send(record, core::Inputs{}, report, board);
     while (const auto frame = pc.receive()) {
       const auto decoded = protocol::decode_from_avionics(bus_frame(*frame));
       if (const auto* health = std::get_if<protocol::HealthReport>(&*decoded.message)) {

@@ -80,6 +80,14 @@ const std::vector<Frame>& frames() {
        0x133,
        {whole(0, 32), whole(32, 16), whole(48, 8), choice(56, 3, 5), choice(59, 3, 5), whole(63, 1)},
        {62}},
+      {"GyroReport",
+       0x134,
+       {symmetric(0, 16), symmetric(16, 16), symmetric(32, 16), whole(48, 14), choice(62, 2, 4)},
+       {}},
+      {"AccelerometerReport",
+       0x135,
+       {symmetric(0, 16), symmetric(16, 16), symmetric(32, 16), whole(48, 1), choice(62, 2, 4)},
+       {}},
       {"HeartbeatReport", 0x140, {whole(0, 8), whole(8, 24), whole(32, 32)}, {}},
       {"LogData", 0x180, all_bytes(), {}}};
   return all;

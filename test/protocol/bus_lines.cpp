@@ -157,6 +157,20 @@ void print_signals(const BoardReport& m) {
   print("battery_given", m.battery_mv.has_value());
   print("flash_failed", m.flash_failed);
 }
+void print_signals(const GyroReport& m) {
+  print_degrees("x", core::Angle::from_radians(m.rate_rad_s.x));
+  print_degrees("y", core::Angle::from_radians(m.rate_rad_s.y));
+  print_degrees("z", core::Angle::from_radians(m.rate_rad_s.z));
+  print("time", m.time_ms);
+  print("quality", m.quality);
+}
+void print_signals(const AccelerometerReport& m) {
+  print("x", static_cast<double>(m.specific_force_m_s2.x));
+  print("y", static_cast<double>(m.specific_force_m_s2.y));
+  print("z", static_cast<double>(m.specific_force_m_s2.z));
+  print("sensor", m.sensor);
+  print("quality", m.quality);
+}
 void print_signals(const HeartbeatReport& m) {
   print("version", m.version);
   print("uptime", m.uptime_ms);

@@ -3845,6 +3845,342 @@ bool canard_bus_board_report_flash_failed_is_in_phys_range(float value)
     return ((value >= 0.0f) && (value <= 1.0f));
 }
 
+int canard_bus_gyro_report_pack(
+    uint8_t *dst_p,
+    const struct canard_bus_gyro_report_t *src_p,
+    size_t size)
+{
+    uint16_t x;
+    uint16_t y;
+    uint16_t z;
+
+    if (size < 8u) {
+        return (-EINVAL);
+    }
+
+    memset(&dst_p[0], 0, 8);
+
+    x = (uint16_t)src_p->x;
+    dst_p[0] |= pack_left_shift_u16(x, 0u, 0xffu);
+    dst_p[1] |= pack_right_shift_u16(x, 8u, 0xffu);
+    y = (uint16_t)src_p->y;
+    dst_p[2] |= pack_left_shift_u16(y, 0u, 0xffu);
+    dst_p[3] |= pack_right_shift_u16(y, 8u, 0xffu);
+    z = (uint16_t)src_p->z;
+    dst_p[4] |= pack_left_shift_u16(z, 0u, 0xffu);
+    dst_p[5] |= pack_right_shift_u16(z, 8u, 0xffu);
+    dst_p[6] |= pack_left_shift_u16(src_p->time, 0u, 0xffu);
+    dst_p[7] |= pack_right_shift_u16(src_p->time, 8u, 0x3fu);
+    dst_p[7] |= pack_left_shift_u8(src_p->quality, 6u, 0xc0u);
+
+    return (8);
+}
+
+int canard_bus_gyro_report_unpack(
+    struct canard_bus_gyro_report_t *dst_p,
+    const uint8_t *src_p,
+    size_t size)
+{
+    uint16_t x;
+    uint16_t y;
+    uint16_t z;
+
+    if (size < 8u) {
+        return (-EINVAL);
+    }
+
+    x = unpack_right_shift_u16(src_p[0], 0u, 0xffu);
+    x |= unpack_left_shift_u16(src_p[1], 8u, 0xffu);
+    dst_p->x = (int16_t)x;
+    y = unpack_right_shift_u16(src_p[2], 0u, 0xffu);
+    y |= unpack_left_shift_u16(src_p[3], 8u, 0xffu);
+    dst_p->y = (int16_t)y;
+    z = unpack_right_shift_u16(src_p[4], 0u, 0xffu);
+    z |= unpack_left_shift_u16(src_p[5], 8u, 0xffu);
+    dst_p->z = (int16_t)z;
+    dst_p->time = unpack_right_shift_u16(src_p[6], 0u, 0xffu);
+    dst_p->time |= unpack_left_shift_u16(src_p[7], 8u, 0x3fu);
+    dst_p->quality = unpack_right_shift_u8(src_p[7], 6u, 0xc0u);
+
+    return (0);
+}
+
+int canard_bus_gyro_report_init(struct canard_bus_gyro_report_t *msg_p)
+{
+    if (msg_p == NULL) return -1;
+
+    memset(msg_p, 0, sizeof(struct canard_bus_gyro_report_t));
+
+    return 0;
+}
+
+int16_t canard_bus_gyro_report_x_encode(float value)
+{
+    return (int16_t)(value / 0.1f);
+}
+
+float canard_bus_gyro_report_x_decode(int16_t value)
+{
+    return ((float)value * 0.1f);
+}
+
+bool canard_bus_gyro_report_x_is_in_range(int16_t value)
+{
+    return (value >= -32767);
+}
+
+bool canard_bus_gyro_report_x_is_in_phys_range(float value)
+{
+    return ((value >= -3276.7f) && (value <= 3276.7f));
+}
+
+int16_t canard_bus_gyro_report_y_encode(float value)
+{
+    return (int16_t)(value / 0.1f);
+}
+
+float canard_bus_gyro_report_y_decode(int16_t value)
+{
+    return ((float)value * 0.1f);
+}
+
+bool canard_bus_gyro_report_y_is_in_range(int16_t value)
+{
+    return (value >= -32767);
+}
+
+bool canard_bus_gyro_report_y_is_in_phys_range(float value)
+{
+    return ((value >= -3276.7f) && (value <= 3276.7f));
+}
+
+int16_t canard_bus_gyro_report_z_encode(float value)
+{
+    return (int16_t)(value / 0.1f);
+}
+
+float canard_bus_gyro_report_z_decode(int16_t value)
+{
+    return ((float)value * 0.1f);
+}
+
+bool canard_bus_gyro_report_z_is_in_range(int16_t value)
+{
+    return (value >= -32767);
+}
+
+bool canard_bus_gyro_report_z_is_in_phys_range(float value)
+{
+    return ((value >= -3276.7f) && (value <= 3276.7f));
+}
+
+uint16_t canard_bus_gyro_report_time_encode(float value)
+{
+    return (uint16_t)(cantools_unsigned_from_double(value));
+}
+
+float canard_bus_gyro_report_time_decode(uint16_t value)
+{
+    return ((float)value);
+}
+
+bool canard_bus_gyro_report_time_is_in_range(uint16_t value)
+{
+    return (value <= 16383u);
+}
+
+bool canard_bus_gyro_report_time_is_in_phys_range(float value)
+{
+    return ((value >= 0.0f) && (value <= 16383.0f));
+}
+
+uint8_t canard_bus_gyro_report_quality_encode(float value)
+{
+    return (uint8_t)(cantools_unsigned_from_double(value));
+}
+
+float canard_bus_gyro_report_quality_decode(uint8_t value)
+{
+    return ((float)value);
+}
+
+bool canard_bus_gyro_report_quality_is_in_range(uint8_t value)
+{
+    return (value <= 3u);
+}
+
+bool canard_bus_gyro_report_quality_is_in_phys_range(float value)
+{
+    return ((value >= 0.0f) && (value <= 3.0f));
+}
+
+int canard_bus_accelerometer_report_pack(
+    uint8_t *dst_p,
+    const struct canard_bus_accelerometer_report_t *src_p,
+    size_t size)
+{
+    uint16_t x;
+    uint16_t y;
+    uint16_t z;
+
+    if (size < 8u) {
+        return (-EINVAL);
+    }
+
+    memset(&dst_p[0], 0, 8);
+
+    x = (uint16_t)src_p->x;
+    dst_p[0] |= pack_left_shift_u16(x, 0u, 0xffu);
+    dst_p[1] |= pack_right_shift_u16(x, 8u, 0xffu);
+    y = (uint16_t)src_p->y;
+    dst_p[2] |= pack_left_shift_u16(y, 0u, 0xffu);
+    dst_p[3] |= pack_right_shift_u16(y, 8u, 0xffu);
+    z = (uint16_t)src_p->z;
+    dst_p[4] |= pack_left_shift_u16(z, 0u, 0xffu);
+    dst_p[5] |= pack_right_shift_u16(z, 8u, 0xffu);
+    dst_p[6] |= pack_left_shift_u8(src_p->sensor, 0u, 0x01u);
+    dst_p[7] |= pack_left_shift_u8(src_p->quality, 6u, 0xc0u);
+
+    return (8);
+}
+
+int canard_bus_accelerometer_report_unpack(
+    struct canard_bus_accelerometer_report_t *dst_p,
+    const uint8_t *src_p,
+    size_t size)
+{
+    uint16_t x;
+    uint16_t y;
+    uint16_t z;
+
+    if (size < 8u) {
+        return (-EINVAL);
+    }
+
+    x = unpack_right_shift_u16(src_p[0], 0u, 0xffu);
+    x |= unpack_left_shift_u16(src_p[1], 8u, 0xffu);
+    dst_p->x = (int16_t)x;
+    y = unpack_right_shift_u16(src_p[2], 0u, 0xffu);
+    y |= unpack_left_shift_u16(src_p[3], 8u, 0xffu);
+    dst_p->y = (int16_t)y;
+    z = unpack_right_shift_u16(src_p[4], 0u, 0xffu);
+    z |= unpack_left_shift_u16(src_p[5], 8u, 0xffu);
+    dst_p->z = (int16_t)z;
+    dst_p->sensor = unpack_right_shift_u8(src_p[6], 0u, 0x01u);
+    dst_p->quality = unpack_right_shift_u8(src_p[7], 6u, 0xc0u);
+
+    return (0);
+}
+
+int canard_bus_accelerometer_report_init(struct canard_bus_accelerometer_report_t *msg_p)
+{
+    if (msg_p == NULL) return -1;
+
+    memset(msg_p, 0, sizeof(struct canard_bus_accelerometer_report_t));
+
+    return 0;
+}
+
+int16_t canard_bus_accelerometer_report_x_encode(float value)
+{
+    return (int16_t)(value / 0.01f);
+}
+
+float canard_bus_accelerometer_report_x_decode(int16_t value)
+{
+    return ((float)value * 0.01f);
+}
+
+bool canard_bus_accelerometer_report_x_is_in_range(int16_t value)
+{
+    return (value >= -32767);
+}
+
+bool canard_bus_accelerometer_report_x_is_in_phys_range(float value)
+{
+    return ((value >= -327.67f) && (value <= 327.67f));
+}
+
+int16_t canard_bus_accelerometer_report_y_encode(float value)
+{
+    return (int16_t)(value / 0.01f);
+}
+
+float canard_bus_accelerometer_report_y_decode(int16_t value)
+{
+    return ((float)value * 0.01f);
+}
+
+bool canard_bus_accelerometer_report_y_is_in_range(int16_t value)
+{
+    return (value >= -32767);
+}
+
+bool canard_bus_accelerometer_report_y_is_in_phys_range(float value)
+{
+    return ((value >= -327.67f) && (value <= 327.67f));
+}
+
+int16_t canard_bus_accelerometer_report_z_encode(float value)
+{
+    return (int16_t)(value / 0.01f);
+}
+
+float canard_bus_accelerometer_report_z_decode(int16_t value)
+{
+    return ((float)value * 0.01f);
+}
+
+bool canard_bus_accelerometer_report_z_is_in_range(int16_t value)
+{
+    return (value >= -32767);
+}
+
+bool canard_bus_accelerometer_report_z_is_in_phys_range(float value)
+{
+    return ((value >= -327.67f) && (value <= 327.67f));
+}
+
+uint8_t canard_bus_accelerometer_report_sensor_encode(float value)
+{
+    return (uint8_t)(cantools_unsigned_from_double(value));
+}
+
+float canard_bus_accelerometer_report_sensor_decode(uint8_t value)
+{
+    return ((float)value);
+}
+
+bool canard_bus_accelerometer_report_sensor_is_in_range(uint8_t value)
+{
+    return (value <= 1u);
+}
+
+bool canard_bus_accelerometer_report_sensor_is_in_phys_range(float value)
+{
+    return ((value >= 0.0f) && (value <= 1.0f));
+}
+
+uint8_t canard_bus_accelerometer_report_quality_encode(float value)
+{
+    return (uint8_t)(cantools_unsigned_from_double(value));
+}
+
+float canard_bus_accelerometer_report_quality_decode(uint8_t value)
+{
+    return ((float)value);
+}
+
+bool canard_bus_accelerometer_report_quality_is_in_range(uint8_t value)
+{
+    return (value <= 3u);
+}
+
+bool canard_bus_accelerometer_report_quality_is_in_phys_range(float value)
+{
+    return ((value >= 0.0f) && (value <= 3.0f));
+}
+
 int canard_bus_heartbeat_report_pack(
     uint8_t *dst_p,
     const struct canard_bus_heartbeat_report_t *src_p,

@@ -63,6 +63,8 @@ extern "C" {
 #define CANARD_BUS_REJECTION_REPORT_FRAME_ID (0x131u)
 #define CANARD_BUS_LIMIT_REPORT_FRAME_ID (0x132u)
 #define CANARD_BUS_BOARD_REPORT_FRAME_ID (0x133u)
+#define CANARD_BUS_GYRO_REPORT_FRAME_ID (0x134u)
+#define CANARD_BUS_ACCELEROMETER_REPORT_FRAME_ID (0x135u)
 #define CANARD_BUS_HEARTBEAT_REPORT_FRAME_ID (0x140u)
 #define CANARD_BUS_LOG_DATA_FRAME_ID (0x180u)
 
@@ -85,6 +87,8 @@ extern "C" {
 #define CANARD_BUS_REJECTION_REPORT_LENGTH (8u)
 #define CANARD_BUS_LIMIT_REPORT_LENGTH (8u)
 #define CANARD_BUS_BOARD_REPORT_LENGTH (8u)
+#define CANARD_BUS_GYRO_REPORT_LENGTH (8u)
+#define CANARD_BUS_ACCELEROMETER_REPORT_LENGTH (8u)
 #define CANARD_BUS_HEARTBEAT_REPORT_LENGTH (8u)
 #define CANARD_BUS_LOG_DATA_LENGTH (8u)
 
@@ -107,6 +111,8 @@ extern "C" {
 #define CANARD_BUS_REJECTION_REPORT_IS_EXTENDED (0)
 #define CANARD_BUS_LIMIT_REPORT_IS_EXTENDED (0)
 #define CANARD_BUS_BOARD_REPORT_IS_EXTENDED (0)
+#define CANARD_BUS_GYRO_REPORT_IS_EXTENDED (0)
+#define CANARD_BUS_ACCELEROMETER_REPORT_IS_EXTENDED (0)
 #define CANARD_BUS_HEARTBEAT_REPORT_IS_EXTENDED (0)
 #define CANARD_BUS_LOG_DATA_IS_EXTENDED (0)
 
@@ -129,6 +135,8 @@ extern "C" {
 #define CANARD_BUS_REJECTION_REPORT_CYCLE_TIME_MS (1000u)
 #define CANARD_BUS_LIMIT_REPORT_CYCLE_TIME_MS (1000u)
 #define CANARD_BUS_BOARD_REPORT_CYCLE_TIME_MS (100u)
+#define CANARD_BUS_GYRO_REPORT_CYCLE_TIME_MS (20u)
+#define CANARD_BUS_ACCELEROMETER_REPORT_CYCLE_TIME_MS (20u)
 #define CANARD_BUS_HEARTBEAT_REPORT_CYCLE_TIME_MS (100u)
 
 /* Signal choices. */
@@ -319,6 +327,19 @@ extern "C" {
 #define CANARD_BUS_BOARD_REPORT_PLAN_STORED_IS_NEWER_CHOICE (3u)
 #define CANARD_BUS_BOARD_REPORT_PLAN_FLASH_UNREADABLE_CHOICE (4u)
 
+#define CANARD_BUS_GYRO_REPORT_QUALITY_VALID_CHOICE (0u)
+#define CANARD_BUS_GYRO_REPORT_QUALITY_SATURATED_CHOICE (1u)
+#define CANARD_BUS_GYRO_REPORT_QUALITY_INVALID_CHOICE (2u)
+#define CANARD_BUS_GYRO_REPORT_QUALITY_ABSENT_CHOICE (3u)
+
+#define CANARD_BUS_ACCELEROMETER_REPORT_SENSOR_OF_IMU_CHOICE (0u)
+#define CANARD_BUS_ACCELEROMETER_REPORT_SENSOR_SECOND_CHOICE (1u)
+
+#define CANARD_BUS_ACCELEROMETER_REPORT_QUALITY_VALID_CHOICE (0u)
+#define CANARD_BUS_ACCELEROMETER_REPORT_QUALITY_SATURATED_CHOICE (1u)
+#define CANARD_BUS_ACCELEROMETER_REPORT_QUALITY_INVALID_CHOICE (2u)
+#define CANARD_BUS_ACCELEROMETER_REPORT_QUALITY_ABSENT_CHOICE (3u)
+
 /* Frame Names. */
 #define CANARD_BUS_BENCH_REQUEST_NAME "BenchRequest"
 #define CANARD_BUS_BENCH_SESSION_NAME "BenchSession"
@@ -338,6 +359,8 @@ extern "C" {
 #define CANARD_BUS_REJECTION_REPORT_NAME "RejectionReport"
 #define CANARD_BUS_LIMIT_REPORT_NAME "LimitReport"
 #define CANARD_BUS_BOARD_REPORT_NAME "BoardReport"
+#define CANARD_BUS_GYRO_REPORT_NAME "GyroReport"
+#define CANARD_BUS_ACCELEROMETER_REPORT_NAME "AccelerometerReport"
 #define CANARD_BUS_HEARTBEAT_REPORT_NAME "HeartbeatReport"
 #define CANARD_BUS_LOG_DATA_NAME "LogData"
 
@@ -465,6 +488,16 @@ extern "C" {
 #define CANARD_BUS_BOARD_REPORT_PLAN_NAME "plan"
 #define CANARD_BUS_BOARD_REPORT_BATTERY_GIVEN_NAME "battery_given"
 #define CANARD_BUS_BOARD_REPORT_FLASH_FAILED_NAME "flash_failed"
+#define CANARD_BUS_GYRO_REPORT_X_NAME "x"
+#define CANARD_BUS_GYRO_REPORT_Y_NAME "y"
+#define CANARD_BUS_GYRO_REPORT_Z_NAME "z"
+#define CANARD_BUS_GYRO_REPORT_TIME_NAME "time"
+#define CANARD_BUS_GYRO_REPORT_QUALITY_NAME "quality"
+#define CANARD_BUS_ACCELEROMETER_REPORT_X_NAME "x"
+#define CANARD_BUS_ACCELEROMETER_REPORT_Y_NAME "y"
+#define CANARD_BUS_ACCELEROMETER_REPORT_Z_NAME "z"
+#define CANARD_BUS_ACCELEROMETER_REPORT_SENSOR_NAME "sensor"
+#define CANARD_BUS_ACCELEROMETER_REPORT_QUALITY_NAME "quality"
 #define CANARD_BUS_HEARTBEAT_REPORT_VERSION_NAME "version"
 #define CANARD_BUS_HEARTBEAT_REPORT_UPTIME_NAME "uptime"
 #define CANARD_BUS_HEARTBEAT_REPORT_PLAN_CRC_NAME "plan_crc"
@@ -1498,6 +1531,94 @@ struct canard_bus_board_report_t {
      * Offset: 0
      */
     uint8_t flash_failed;
+};
+
+/**
+ * Signals in message GyroReport.
+ *
+ * In Safe only: the rates about the three axes of the body as the gyro gives them, its bias included; quality says whether they mean something. time: of the tick, since power-up, modulo 2^14 ms.
+ *
+ * All signal values are as on the CAN bus.
+ */
+struct canard_bus_gyro_report_t {
+    /**
+     * Range: -32767..32767 (-3276.7..3276.7 deg/s)
+     * Scale: 0.1
+     * Offset: 0
+     */
+    int16_t x;
+
+    /**
+     * Range: -32767..32767 (-3276.7..3276.7 deg/s)
+     * Scale: 0.1
+     * Offset: 0
+     */
+    int16_t y;
+
+    /**
+     * Range: -32767..32767 (-3276.7..3276.7 deg/s)
+     * Scale: 0.1
+     * Offset: 0
+     */
+    int16_t z;
+
+    /**
+     * Range: 0..16383 (0..16383 ms)
+     * Scale: 1
+     * Offset: 0
+     */
+    uint16_t time;
+
+    /**
+     * Range: 0..3 (0..3 -)
+     * Scale: 1
+     * Offset: 0
+     */
+    uint8_t quality;
+};
+
+/**
+ * Signals in message AccelerometerReport.
+ *
+ * In Safe only, of the two accelerometers in turn: the specific force along the three axes of the body.
+ *
+ * All signal values are as on the CAN bus.
+ */
+struct canard_bus_accelerometer_report_t {
+    /**
+     * Range: -32767..32767 (-327.67..327.67 m/s^2)
+     * Scale: 0.01
+     * Offset: 0
+     */
+    int16_t x;
+
+    /**
+     * Range: -32767..32767 (-327.67..327.67 m/s^2)
+     * Scale: 0.01
+     * Offset: 0
+     */
+    int16_t y;
+
+    /**
+     * Range: -32767..32767 (-327.67..327.67 m/s^2)
+     * Scale: 0.01
+     * Offset: 0
+     */
+    int16_t z;
+
+    /**
+     * Range: 0..1 (0..1 -)
+     * Scale: 1
+     * Offset: 0
+     */
+    uint8_t sensor;
+
+    /**
+     * Range: 0..3 (0..3 -)
+     * Scale: 1
+     * Offset: 0
+     */
+    uint8_t quality;
 };
 
 /**
@@ -7180,6 +7301,480 @@ bool canard_bus_board_report_flash_failed_is_in_range(uint8_t value);
  * @return true if in range, false otherwise.
  */
 bool canard_bus_board_report_flash_failed_is_in_phys_range(float value);
+
+/**
+ * Pack message GyroReport.
+ *
+ * @param[out] dst_p Buffer to pack the message into.
+ * @param[in] src_p Data to pack.
+ * @param[in] size Size of dst_p.
+ *
+ * @return Size of packed data, or negative error code.
+ */
+int canard_bus_gyro_report_pack(
+    uint8_t *dst_p,
+    const struct canard_bus_gyro_report_t *src_p,
+    size_t size);
+
+/**
+ * Unpack message GyroReport.
+ *
+ * @param[out] dst_p Object to unpack the message into.
+ * @param[in] src_p Message to unpack.
+ * @param[in] size Size of src_p.
+ *
+ * @return zero(0) or negative error code.
+ */
+int canard_bus_gyro_report_unpack(
+    struct canard_bus_gyro_report_t *dst_p,
+    const uint8_t *src_p,
+    size_t size);
+
+/**
+ * Init message fields to default values from GyroReport.
+ *
+ * @param[in] msg_p Message to init.
+ *
+ * @return zero(0) on success or (-1) in case of nullptr argument.
+ */
+int canard_bus_gyro_report_init(struct canard_bus_gyro_report_t *msg_p);
+
+/**
+ * Encode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to encode.
+ *
+ * @return Encoded signal.
+ */
+int16_t canard_bus_gyro_report_x_encode(float value);
+
+/**
+ * Decode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to decode.
+ *
+ * @return Decoded signal.
+ */
+float canard_bus_gyro_report_x_decode(int16_t value);
+
+/**
+ * Check that given signal is in allowed range.
+ *
+ * @param[in] value Signal to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool canard_bus_gyro_report_x_is_in_range(int16_t value);
+
+/**
+ * Check that given physical value is in allowed range before encoding.
+ *
+ * Use this BEFORE calling _encode() to avoid silent integer overflow:
+ *   encode(-1.0) on a [0,100] signal wraps to 255 and passes is_in_range().
+ *   is_in_phys_range(-1.0) correctly returns false.
+ *
+ * @param[in] value Physical signal value to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool canard_bus_gyro_report_x_is_in_phys_range(float value);
+
+/**
+ * Encode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to encode.
+ *
+ * @return Encoded signal.
+ */
+int16_t canard_bus_gyro_report_y_encode(float value);
+
+/**
+ * Decode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to decode.
+ *
+ * @return Decoded signal.
+ */
+float canard_bus_gyro_report_y_decode(int16_t value);
+
+/**
+ * Check that given signal is in allowed range.
+ *
+ * @param[in] value Signal to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool canard_bus_gyro_report_y_is_in_range(int16_t value);
+
+/**
+ * Check that given physical value is in allowed range before encoding.
+ *
+ * Use this BEFORE calling _encode() to avoid silent integer overflow:
+ *   encode(-1.0) on a [0,100] signal wraps to 255 and passes is_in_range().
+ *   is_in_phys_range(-1.0) correctly returns false.
+ *
+ * @param[in] value Physical signal value to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool canard_bus_gyro_report_y_is_in_phys_range(float value);
+
+/**
+ * Encode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to encode.
+ *
+ * @return Encoded signal.
+ */
+int16_t canard_bus_gyro_report_z_encode(float value);
+
+/**
+ * Decode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to decode.
+ *
+ * @return Decoded signal.
+ */
+float canard_bus_gyro_report_z_decode(int16_t value);
+
+/**
+ * Check that given signal is in allowed range.
+ *
+ * @param[in] value Signal to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool canard_bus_gyro_report_z_is_in_range(int16_t value);
+
+/**
+ * Check that given physical value is in allowed range before encoding.
+ *
+ * Use this BEFORE calling _encode() to avoid silent integer overflow:
+ *   encode(-1.0) on a [0,100] signal wraps to 255 and passes is_in_range().
+ *   is_in_phys_range(-1.0) correctly returns false.
+ *
+ * @param[in] value Physical signal value to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool canard_bus_gyro_report_z_is_in_phys_range(float value);
+
+/**
+ * Encode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to encode.
+ *
+ * @return Encoded signal.
+ */
+uint16_t canard_bus_gyro_report_time_encode(float value);
+
+/**
+ * Decode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to decode.
+ *
+ * @return Decoded signal.
+ */
+float canard_bus_gyro_report_time_decode(uint16_t value);
+
+/**
+ * Check that given signal is in allowed range.
+ *
+ * @param[in] value Signal to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool canard_bus_gyro_report_time_is_in_range(uint16_t value);
+
+/**
+ * Check that given physical value is in allowed range before encoding.
+ *
+ * Use this BEFORE calling _encode() to avoid silent integer overflow:
+ *   encode(-1.0) on a [0,100] signal wraps to 255 and passes is_in_range().
+ *   is_in_phys_range(-1.0) correctly returns false.
+ *
+ * @param[in] value Physical signal value to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool canard_bus_gyro_report_time_is_in_phys_range(float value);
+
+/**
+ * Encode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to encode.
+ *
+ * @return Encoded signal.
+ */
+uint8_t canard_bus_gyro_report_quality_encode(float value);
+
+/**
+ * Decode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to decode.
+ *
+ * @return Decoded signal.
+ */
+float canard_bus_gyro_report_quality_decode(uint8_t value);
+
+/**
+ * Check that given signal is in allowed range.
+ *
+ * @param[in] value Signal to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool canard_bus_gyro_report_quality_is_in_range(uint8_t value);
+
+/**
+ * Check that given physical value is in allowed range before encoding.
+ *
+ * Use this BEFORE calling _encode() to avoid silent integer overflow:
+ *   encode(-1.0) on a [0,100] signal wraps to 255 and passes is_in_range().
+ *   is_in_phys_range(-1.0) correctly returns false.
+ *
+ * @param[in] value Physical signal value to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool canard_bus_gyro_report_quality_is_in_phys_range(float value);
+
+/**
+ * Pack message AccelerometerReport.
+ *
+ * @param[out] dst_p Buffer to pack the message into.
+ * @param[in] src_p Data to pack.
+ * @param[in] size Size of dst_p.
+ *
+ * @return Size of packed data, or negative error code.
+ */
+int canard_bus_accelerometer_report_pack(
+    uint8_t *dst_p,
+    const struct canard_bus_accelerometer_report_t *src_p,
+    size_t size);
+
+/**
+ * Unpack message AccelerometerReport.
+ *
+ * @param[out] dst_p Object to unpack the message into.
+ * @param[in] src_p Message to unpack.
+ * @param[in] size Size of src_p.
+ *
+ * @return zero(0) or negative error code.
+ */
+int canard_bus_accelerometer_report_unpack(
+    struct canard_bus_accelerometer_report_t *dst_p,
+    const uint8_t *src_p,
+    size_t size);
+
+/**
+ * Init message fields to default values from AccelerometerReport.
+ *
+ * @param[in] msg_p Message to init.
+ *
+ * @return zero(0) on success or (-1) in case of nullptr argument.
+ */
+int canard_bus_accelerometer_report_init(struct canard_bus_accelerometer_report_t *msg_p);
+
+/**
+ * Encode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to encode.
+ *
+ * @return Encoded signal.
+ */
+int16_t canard_bus_accelerometer_report_x_encode(float value);
+
+/**
+ * Decode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to decode.
+ *
+ * @return Decoded signal.
+ */
+float canard_bus_accelerometer_report_x_decode(int16_t value);
+
+/**
+ * Check that given signal is in allowed range.
+ *
+ * @param[in] value Signal to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool canard_bus_accelerometer_report_x_is_in_range(int16_t value);
+
+/**
+ * Check that given physical value is in allowed range before encoding.
+ *
+ * Use this BEFORE calling _encode() to avoid silent integer overflow:
+ *   encode(-1.0) on a [0,100] signal wraps to 255 and passes is_in_range().
+ *   is_in_phys_range(-1.0) correctly returns false.
+ *
+ * @param[in] value Physical signal value to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool canard_bus_accelerometer_report_x_is_in_phys_range(float value);
+
+/**
+ * Encode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to encode.
+ *
+ * @return Encoded signal.
+ */
+int16_t canard_bus_accelerometer_report_y_encode(float value);
+
+/**
+ * Decode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to decode.
+ *
+ * @return Decoded signal.
+ */
+float canard_bus_accelerometer_report_y_decode(int16_t value);
+
+/**
+ * Check that given signal is in allowed range.
+ *
+ * @param[in] value Signal to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool canard_bus_accelerometer_report_y_is_in_range(int16_t value);
+
+/**
+ * Check that given physical value is in allowed range before encoding.
+ *
+ * Use this BEFORE calling _encode() to avoid silent integer overflow:
+ *   encode(-1.0) on a [0,100] signal wraps to 255 and passes is_in_range().
+ *   is_in_phys_range(-1.0) correctly returns false.
+ *
+ * @param[in] value Physical signal value to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool canard_bus_accelerometer_report_y_is_in_phys_range(float value);
+
+/**
+ * Encode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to encode.
+ *
+ * @return Encoded signal.
+ */
+int16_t canard_bus_accelerometer_report_z_encode(float value);
+
+/**
+ * Decode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to decode.
+ *
+ * @return Decoded signal.
+ */
+float canard_bus_accelerometer_report_z_decode(int16_t value);
+
+/**
+ * Check that given signal is in allowed range.
+ *
+ * @param[in] value Signal to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool canard_bus_accelerometer_report_z_is_in_range(int16_t value);
+
+/**
+ * Check that given physical value is in allowed range before encoding.
+ *
+ * Use this BEFORE calling _encode() to avoid silent integer overflow:
+ *   encode(-1.0) on a [0,100] signal wraps to 255 and passes is_in_range().
+ *   is_in_phys_range(-1.0) correctly returns false.
+ *
+ * @param[in] value Physical signal value to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool canard_bus_accelerometer_report_z_is_in_phys_range(float value);
+
+/**
+ * Encode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to encode.
+ *
+ * @return Encoded signal.
+ */
+uint8_t canard_bus_accelerometer_report_sensor_encode(float value);
+
+/**
+ * Decode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to decode.
+ *
+ * @return Decoded signal.
+ */
+float canard_bus_accelerometer_report_sensor_decode(uint8_t value);
+
+/**
+ * Check that given signal is in allowed range.
+ *
+ * @param[in] value Signal to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool canard_bus_accelerometer_report_sensor_is_in_range(uint8_t value);
+
+/**
+ * Check that given physical value is in allowed range before encoding.
+ *
+ * Use this BEFORE calling _encode() to avoid silent integer overflow:
+ *   encode(-1.0) on a [0,100] signal wraps to 255 and passes is_in_range().
+ *   is_in_phys_range(-1.0) correctly returns false.
+ *
+ * @param[in] value Physical signal value to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool canard_bus_accelerometer_report_sensor_is_in_phys_range(float value);
+
+/**
+ * Encode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to encode.
+ *
+ * @return Encoded signal.
+ */
+uint8_t canard_bus_accelerometer_report_quality_encode(float value);
+
+/**
+ * Decode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to decode.
+ *
+ * @return Decoded signal.
+ */
+float canard_bus_accelerometer_report_quality_decode(uint8_t value);
+
+/**
+ * Check that given signal is in allowed range.
+ *
+ * @param[in] value Signal to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool canard_bus_accelerometer_report_quality_is_in_range(uint8_t value);
+
+/**
+ * Check that given physical value is in allowed range before encoding.
+ *
+ * Use this BEFORE calling _encode() to avoid silent integer overflow:
+ *   encode(-1.0) on a [0,100] signal wraps to 255 and passes is_in_range().
+ *   is_in_phys_range(-1.0) correctly returns false.
+ *
+ * @param[in] value Physical signal value to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool canard_bus_accelerometer_report_quality_is_in_phys_range(float value);
 
 /**
  * Pack message HeartbeatReport.
