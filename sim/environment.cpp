@@ -40,7 +40,13 @@ Environment::Environment(const Scenario& scenario, Random turbulence)
     }
   } else if (scenario.surroundings == Surroundings::gimbal) {
     tunnel_.emplace(WindTunnelParameters{.fan_rpm = 0.0});
-    gimbal_.emplace(scenario.hand_turns);
+    gimbal_.emplace(scenario.hand_turns,
+                    scenario.gimbal_friction_n_m
+                        ? std::optional{FreeTurning{
+                              .roll_inertia_kg_m2 = vehicle.roll_plant.inertia_kg_m2,
+                              .transverse_inertia_kg_m2 = vehicle.airframe.value().at_liftoff.transverse_inertia_kg_m2,
+                              .friction_n_m = *scenario.gimbal_friction_n_m}}
+                        : std::nullopt);
   } else if (scenario.path) {
     prescribed_.emplace(*scenario.path);
   } else if (scenario.motion == FlightMotion::six_dof) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <span>
-#include <vector>
 
 #include "sim/felt_motion.hpp"
 #include "sim/rotation.hpp"
@@ -16,12 +16,22 @@ struct HandTurn {
   Vector3 angle_rad{};      ///< about each axis of the body at once: x to the nose, y, z
 };
 
-/// A rocket in a frame of three rings, free to turn about its centre of gravity in still air. It is balanced, so the
-/// friction of the bearings holds it wherever the hands leave it, and the canards have no air to turn it with.
+/// What the rocket does when hands have let go of it.
+struct FreeTurning {
+  double roll_inertia_kg_m2;        ///< above zero
+  double transverse_inertia_kg_m2;  ///< above zero
+  double friction_n_m;              ///< of the bearings, against the rate, whatever its size
+};
+
+/// A rocket in a frame of three rings, free to turn about its centre of gravity in still air. It is balanced, and the
+/// canards have no air to turn it with. The rings weigh nothing.
 class Gimbal {
  public:
   /// The turns outlive it: times increase, none begins before the one ahead of it has ended. The nose points up.
-  explicit Gimbal(std::span<const HandTurn> turns) : to_come_{turns} {}
+  /// `free`: hands let go half-way through each turn, when it is fastest, and bring the rocket to a stop when the next
+  /// turn begins. Empty: they hold it to the end of each turn, and leave it at rest.
+  explicit Gimbal(std::span<const HandTurn> turns, std::optional<FreeTurning> free = {})
+      : to_come_{turns}, free_{free} {}
 
   /// Midpoint rule, the rotation of each step exact. Time at the end of the step, since power-up.
   void step(double time_s, double dt_s);
@@ -32,7 +42,12 @@ class Gimbal {
   [[nodiscard]] BodyMotion motion() const;
 
  private:
+  void turn_by_hand(const HandTurn& hands, double time_s, double dt_s);
+  void turn_freely(double dt_s);
+  void turn_on(const Vector3& middle_rad_s, double dt_s);
+
   std::span<const HandTurn> to_come_;
+  std::optional<FreeTurning> free_;
   Quaternion attitude_{};
   Vector3 rate_rad_s_{};
   Vector3 acceleration_rad_s2_{};

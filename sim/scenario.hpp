@@ -70,7 +70,8 @@ struct Scenario {
   WindSensor wind_sensor{};
   std::optional<PinParameters> pin;  ///< in the tunnel, instead of a string at the nose: free in pitch, held in roll
   std::vector<HandTurn> hand_turns;  ///< on the gimbal
-  std::vector<DisturbanceNode> disturbance;  ///< times after lift-off, or after control start in the tunnel
+  std::optional<double> gimbal_friction_n_m{};  ///< given: the hands let go; with an airframe
+  std::vector<DisturbanceNode> disturbance;     ///< times after lift-off, or after control start in the tunnel
   std::optional<ImposedRoll> imposed_roll;
   std::vector<Fault> faults;
   std::optional<std::string> tunnel_result;  ///< what a prediction of this flight starts from; not flown

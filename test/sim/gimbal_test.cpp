@@ -73,5 +73,57 @@ TEST(Gimbal, ErrorOfTheAttitudeFallsWithTheSquareOfTheStep) {
   EXPECT_NEAR(std::log2((up(0.02) - exact) / (up(0.01) - exact)), 2.0, 0.1);
 }
 
+// ---- let go ----
+
+constexpr FreeTurning tasha{.roll_inertia_kg_m2 = 0.005, .transverse_inertia_kg_m2 = 0.6, .friction_n_m = 0.01};
+
+Gimbal let_go(const std::vector<HandTurn>& turns, double until_s, const FreeTurning& free) {
+  Gimbal gimbal{turns, free};
+  for (int i = 1; 1e-3 * i <= until_s + 1e-9; ++i) {
+    gimbal.step(1e-3 * i, 1e-3);
+  }
+  return gimbal;
+}
+
+// Twice the mean rate half-way, w0 = 2 angle / duration; then it stops after I w0 / T, having turned I w0^2 / 2 T.
+TEST(Gimbal, FrictionStopsARocketThatWasLetGo) {
+  const std::vector<HandTurn> turns{{.time_s = 0.0, .duration_s = 2.0, .angle_rad = {.x = 1.0}}};
+  const double stops_s = 1.0 + 0.005 * 1.0 / 0.01;
+  EXPECT_NEAR(let_go(turns, 1.0, tasha).motion().rate_rad_s.x, 1.0, 1e-5);
+  EXPECT_NEAR(let_go(turns, 1.25, tasha).motion().rate_rad_s.x, 0.5, 0.003);
+  EXPECT_GT(let_go(turns, stops_s - 0.01, tasha).motion().rate_rad_s.x, 0.0);
+  const Gimbal after = let_go(turns, stops_s + 0.01, tasha);
+  EXPECT_EQ(after.motion().rate_rad_s.x, 0.0);
+  EXPECT_NEAR(after.roll_angle_rad(), 0.5 + 0.005 / (2.0 * 0.01), 1e-3);
+}
+
+// Free of friction the rates across go round at p (It - Ix) / It; angular momentum stays where it points in the room.
+TEST(Gimbal, ARocketThatRollsAndTiltsFreelyPrecesses) {
+  const FreeTurning free{.roll_inertia_kg_m2 = 0.2, .transverse_inertia_kg_m2 = 0.6, .friction_n_m = 0.0};
+  const std::vector<HandTurn> turns{{.time_s = 0.0, .duration_s = 1.0, .angle_rad = {.x = 1.5, .y = 0.25}}};
+  const auto momentum = [&free](const Gimbal& gimbal) {
+    const Vector3 rate_rad_s = gimbal.motion().rate_rad_s;
+    return rotated(gimbal.attitude(), {.x = free.roll_inertia_kg_m2 * rate_rad_s.x,
+                                       .y = free.transverse_inertia_kg_m2 * rate_rad_s.y,
+                                       .z = free.transverse_inertia_kg_m2 * rate_rad_s.z});
+  };
+  const Gimbal begin = let_go(turns, 0.5, free);
+  const double precession_rad_s = begin.motion().rate_rad_s.x * (0.6 - 0.2) / 0.6;
+  const double quarter_s = 0.5 * std::numbers::pi / precession_rad_s;
+  const double steps_s = 1e-3 * std::round(quarter_s / 1e-3);
+  const Gimbal later = let_go(turns, 0.5 + steps_s, free);
+  EXPECT_NEAR(later.motion().rate_rad_s.x, begin.motion().rate_rad_s.x, 1e-9);
+  EXPECT_NEAR(later.motion().rate_rad_s.z, -begin.motion().rate_rad_s.y, 1e-3);
+  EXPECT_NEAR(later.motion().rate_rad_s.y, 0.0, 1e-3);
+  EXPECT_NEAR(length(momentum(later) - momentum(begin)), 0.0, 1e-4 * length(momentum(begin)));
+}
+
+TEST(Gimbal, TheNextTurnTakesHoldOfARocketThatStillTurns) {
+  const std::vector<HandTurn> turns{{.time_s = 0.0, .duration_s = 1.0, .angle_rad = {.y = 1.0}},
+                                    {.time_s = 2.0, .duration_s = 1.0, .angle_rad = {.x = 1.0}}};
+  EXPECT_GT(let_go(turns, 2.0, tasha).motion().rate_rad_s.y, 1.9);
+  EXPECT_EQ(let_go(turns, 2.2, tasha).motion().rate_rad_s.y, 0.0);
+}
+
 }  // namespace
 }  // namespace fantail::sim

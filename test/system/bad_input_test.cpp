@@ -122,6 +122,7 @@ TEST(Combination, ThatNoModelCanFlyIsRefusedByTheFile) {
           {"gimbal.turn_times_s", "allowed: as many of each"});
   Refusal({}, {"fly", "gimbal", "--set", "environment.surroundings=tunnel"}, 78,
           {"environment.surroundings must be \"gimbal\""});
+  Refusal({}, {"fly", "gimbal", "--set", "gimbal.friction_n_m=-1"}, 78, {"gimbal.friction_n_m", "0 to 10"});
   Refusal({}, {"fly", "tunnel_steps", "--set", "environment.surroundings=flight"}, 78,
           {"environment.surroundings must be \"tunnel\""});
   const std::string motor = "big 1 1 0 0.1 0.2 maker\n1 1e9\n2 0\n";

@@ -70,6 +70,7 @@ constexpr auto fields = std::to_array<Field<sim::Scenario>>({
   {"gimbal", "turn_roll_deg", list(most_points, number(deg, {-720, 720})), may, AT(grown(it.hand_turns, i).angle_rad.x), "Angle of each turn about the long axis: positive is clockwise, seen from the tail."},
   {"gimbal", "turn_pitch_deg", list(most_points, number(deg, {-720, 720})), may, AT(grown(it.hand_turns, i).angle_rad.y), "About y at the same time."},
   {"gimbal", "turn_yaw_deg", list(most_points, number(deg, {-720, 720})), may, AT(grown(it.hand_turns, i).angle_rad.z), "About z at the same time."},
+  {"gimbal", "friction_n_m", number("N m", {0, 10}), may, AT(it.gimbal_friction_n_m), "Of the bearings. With it the hands let go half-way through each turn, when it is fastest, and the rocket turns on freely until friction or the next turn stops it; needs the vehicle's section `[airframe]`. Without it the hands hold the rocket to the end of each turn."},
 
   {"disturbance", "times_s", list(most_points, number("s", {0, 3600})), may, AT(grown(it.disturbance, i).time_s), "Equivalent fin offset: times of its points after lift-off (tunnel: after control start), increasing."},
   {"disturbance", "angles_deg", list(most_points, number(deg, {-45, 45})), may, AT(grown(it.disturbance, i).angle_rad), "Equivalent fin offset: its angle at each of those times; straight lines between them, constant beyond them."},

@@ -123,7 +123,11 @@ void check_gimbal(const Document& document, const sim::Scenario& scenario) {
   if (overlap != scenario.hand_turns.end()) {
     Section{document, "gimbal"}.refuse("turn_times_s", "a turn begins before the one ahead of it has ended");
   }
-  if (!scenario.hand_turns.empty() && scenario.surroundings != sim::Surroundings::gimbal) {
+  if (scenario.gimbal_friction_n_m && !scenario.vehicle.airframe) {
+    Section{document, ""}.refuse("vehicle", "has no section [airframe], which gimbal.friction_n_m needs");
+  }
+  if ((!scenario.hand_turns.empty() || scenario.gimbal_friction_n_m) &&
+      scenario.surroundings != sim::Surroundings::gimbal) {
     Section{document, "environment"}.refuse("surroundings", "must be \"gimbal\", because there is a section [gimbal]");
   }
 }
