@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
-// A gyro that stands wrong in a rocket that is turned right reads what a right one reads in a rocket that is turned
-// wrong: so the hands make the errors.
+// The whole way from hands that turn a rocket to the verdict. What a sensor can have wrong is in axes_verdict_test;
+// here a person turns it wrong, and the rates are as a real gyro gives them.
+#include <functional>
 #include <numbers>
 #include <utility>
 
 #include <gtest/gtest.h>
 
-#include "bench/axes.hpp"
+#include "bench/axes_verdict.hpp"
 #include "sil/bench_at_world.hpp"
 
 namespace fantail::sil {
@@ -23,59 +24,61 @@ bench::AxesResult result_of(const std::function<void(sim::Scenario&)>& change) {
   return bench::judge_axes(bench::watch_turns(place, link, [](const bench::AskedTurn&) {}));
 }
 
-bench::AxesResult result_of_turns(const std::function<void(sim::Vector3&)>& change) {
-  return result_of([&change](sim::Scenario& scenario) {
-    for (sim::HandTurn& turn : scenario.hand_turns) {
-      change(turn.angle_rad);
-    }
-  });
+void expect_said(const bench::AxesResult& result, const std::string& words) {
+  EXPECT_FALSE(result.right);
+  EXPECT_NE(bench::axes_text(result).find(words), std::string::npos) << bench::axes_text(result);
 }
 
-TEST(BenchAxes, ARightGyroPasses) {
+TEST(BenchAxes, RightSensorsPassAndSeeEachTurn) {
   const bench::AxesResult result = result_of([](sim::Scenario&) {});
   EXPECT_TRUE(result.right) << bench::axes_text(result);
-  EXPECT_NEAR(result.seen_rad[0], 360.0 * degree, 1.0 * degree);
-  EXPECT_NEAR(result.seen_rad[1], 0.0, 0.5 * degree);
-  EXPECT_NEAR(result.seen_rad[2], 0.0, 0.5 * degree);
+  EXPECT_NEAR(result.roll_rad.x, 360.0 * degree, 1.0 * degree);
+  EXPECT_NEAR(result.roll_rad.y, 0.0, 0.5 * degree);
+  EXPECT_NEAR(result.tilts[0].gyro.y_rad, 90.0 * degree, 0.5 * degree);
+  EXPECT_NEAR(result.tilts[0].gyro.z_rad, 0.0, 0.5 * degree);
+  EXPECT_NEAR(result.tilts[1].gyro.z_rad, 90.0 * degree, 0.5 * degree);
+  for (const auto& tilt : result.tilts[1].accelerometer) {
+    ASSERT_TRUE(tilt);
+    EXPECT_NEAR(tilt->z_rad, 90.0 * degree, 3.0 * degree);
+  }
 }
 
-TEST(BenchAxes, AReversedRollIsNamed) {
-  const bench::AxesResult result = result_of_turns([](sim::Vector3& turn) { turn.x = -turn.x; });
-  EXPECT_FALSE(result.right);
-  EXPECT_NE(bench::axes_text(result).find("The roll is reversed"), std::string::npos) << bench::axes_text(result);
-}
-
-TEST(BenchAxes, SwappedAxesAreNamedWhicheverSideTheNoseIsTippedTo) {
-  const bench::AxesResult pitch = result_of_turns([](sim::Vector3& turn) { std::swap(turn.x, turn.y); });
-  EXPECT_NE(bench::axes_text(pitch).find("sees the pitch: it lies across the rocket. Axes are swapped"),
-            std::string::npos)
-      << bench::axes_text(pitch);
-  EXPECT_NE(bench::axes_text(pitch).find("The roll by 360 degrees was not seen"), std::string::npos);
-  const bench::AxesResult yaw = result_of_turns([](sim::Vector3& turn) {
-    std::swap(turn.x, turn.z);
-    turn.x = -turn.x;
+TEST(BenchAxes, APersonMayRollTheRocketWhileLayingItDown) {
+  const bench::AxesResult result = result_of([](sim::Scenario& scenario) {
+    scenario.hand_turns[1].angle_rad.x = 40.0 * degree;
+    scenario.hand_turns[1].angle_rad.z = -30.0 * degree;
+    scenario.hand_turns[2].angle_rad.x = -40.0 * degree;
+    scenario.hand_turns[2].angle_rad.z = 30.0 * degree;
   });
-  EXPECT_NE(bench::axes_text(yaw).find("sees the yaw: it lies across the rocket. Axes are swapped"), std::string::npos)
-      << bench::axes_text(yaw);
+  EXPECT_TRUE(result.right) << bench::axes_text(result);
+}
+
+TEST(BenchAxes, ARollToTheWrongSideIsCalledReversed) {
+  expect_said(result_of([](sim::Scenario& s) { s.hand_turns[0].angle_rad.x = -360.0 * degree; }),
+              "The roll is reversed");
 }
 
 TEST(BenchAxes, AWrongScaleIsNamedAndAUsualOneIsNot) {
-  const bench::AxesResult wrong =
-      result_of([](sim::Scenario& scenario) { scenario.vehicle.imu_feels.rate_scale_error = 0.05; });
-  EXPECT_FALSE(wrong.right);
-  EXPECT_NE(bench::axes_text(wrong).find("The scale is wrong: 360 degrees of roll were seen as 37"), std::string::npos)
-      << bench::axes_text(wrong);
-  EXPECT_TRUE(result_of([](sim::Scenario& s) { s.vehicle.imu_feels.rate_scale_error = 0.01; }).right);
-}
-
-TEST(BenchAxes, AGyroThatStandsAskewIsNamed) {
-  const bench::AxesResult result = result_of_turns([](sim::Vector3& turn) { turn.x += 0.2 * turn.y; });
-  EXPECT_FALSE(result.right);
-  EXPECT_NE(bench::axes_text(result).find("askew by about 12 degrees"), std::string::npos) << bench::axes_text(result);
+  const auto with_error = [](double error) {
+    return result_of([error](sim::Scenario& s) { s.vehicle.imu_feels.rate_scale_error = error; });
+  };
+  const bench::AxesResult wrong = with_error(0.07);
+  expect_said(wrong, "360 degrees of roll were seen as 38");
+  expect_said(wrong, "Of a turn about z the gyro sees 107 % of what the accelerometer of the IMU sees.");
+  EXPECT_TRUE(with_error(0.01).right);
 }
 
 TEST(BenchAxes, ARocketThatNobodyTurnsIsNotJudged) {
   EXPECT_THROW((void)result_of([](sim::Scenario& scenario) { scenario.hand_turns.clear(); }), bench::NotTurned);
+}
+
+TEST(BenchAxes, ATurnBeyondTheGyrosRangeIsNotJudged) {
+  try {
+    (void)result_of([](sim::Scenario& s) { s.hand_turns[0].duration_s = 0.25; });
+    FAIL() << "judged";
+  } catch (const bench::NotTurned& error) {
+    EXPECT_STREQ(error.what(), "the rocket was turned faster than its gyro can measure");
+  }
 }
 
 }  // namespace

@@ -1,178 +1,207 @@
 // SPDX-License-Identifier: MIT
 #include "bench/axes.hpp"
 
-#include <cmath>
-#include <cstddef>
+#include <cstdint>
+#include <string>
 
 #include <fmt/format.h>
 
-#include "json/value.hpp"
 #include "link/session.hpp"
-#include "text/degrees.hpp"
-#include "text/number.hpp"
 
 namespace fantail::bench {
 namespace {
 
-using text::degrees;
-using text::fixed;
-using text::radians;
+using sim::operator+;
+using sim::operator-;
+using sim::operator*;
 
 constexpr hal::Microseconds look_period{10'000};
 constexpr hal::Microseconds patience{60'000'000};
+constexpr hal::Microseconds time_at_rest{1'000'000};
+constexpr double report_clock_s = 16.384;  // GyroReport::time_ms begins again
+constexpr double longest_gap_s = 0.1;      // a hand does not turn a rocket there and back in less
 
-constexpr double scale_tolerance = 0.03;  // of a whole turn: 11 degrees, more than a hand misses its mark by
-constexpr double seen_share = 0.1;        // of a turn across: a gyro that stands askew by 6 degrees
-constexpr double swapped_share = 0.5;
-
-bool at_rest(const link::AvionicsLink& link) {
-  const auto& status = link.newest<protocol::StatusReport>();
-  return status && status->message.at_rest;
+sim::Vector3 vector(const core::Vector3& v) {
+  return {.x = static_cast<double>(v.x), .y = static_cast<double>(v.y), .z = static_cast<double>(v.z)};
 }
 
-/// Sums up the reported roll rate, by the times at which the reports came.
-class RollSum {
+/// Hears every report of the sensors.
+class Sensors {
  public:
-  void look(const link::AvionicsLink& link) {
-    const auto& motion = link.newest<protocol::MotionReport>();
-    if (!motion || motion->count == count_) {
-      return;
+  Sensors(link::Place& place, link::AvionicsLink& link) : place_{place}, link_{link} {}
+
+  /// Until `done` or no longer than `patience`; `gyro` and `accelerometer` take the reports. False: not done.
+  template <typename Done, typename OnGyro, typename OnAccelerometer>
+  bool listen(Done done, OnGyro gyro, OnAccelerometer accelerometer) {
+    link::Timeout timeout{patience, place_.now()};
+    while (!done()) {
+      if (link_.has_fallen_silent()) {
+        throw link::LinkError{"the avionics has fallen silent"};
+      }
+      if (timeout.expired(place_.now())) {
+        return false;
+      }
+      place_.wait(look_period);
+      // One frame at a time: of each kind the link keeps the newest alone.
+      for (bool more = true; more;) {
+        more = link_.listen(place_.now(), 1);
+        if (const auto& heard = link_.newest<protocol::GyroReport>(); heard && heard->count != gyros_) {
+          gyros_ = heard->count;
+          gyro(heard->message);
+        }
+        if (const auto& heard = link_.newest<protocol::AccelerometerReport>(); heard && heard->count != forces_) {
+          forces_ = heard->count;
+          accelerometer(heard->message);
+        }
+      }
     }
-    const auto rate_rad_s = static_cast<double>(motion->message.roll_rate_rad_s);
-    if (count_ > 0) {
-      angle_rad_ += 0.5 * (rate_rad_s_ + rate_rad_s) * 1e-6 * static_cast<double>((motion->time - time_).count());
-    }
-    count_ = motion->count;
-    time_ = motion->time;
-    rate_rad_s_ = rate_rad_s;
+    return true;
   }
-  [[nodiscard]] double angle_rad() const { return angle_rad_; }
+
+  [[nodiscard]] bool at_rest() const {
+    const auto& status = link_.newest<protocol::StatusReport>();
+    return status && status->message.at_rest;
+  }
+  [[nodiscard]] hal::Microseconds now() const { return place_.now(); }
 
  private:
-  std::uint64_t count_ = 0;
-  hal::Microseconds time_{};
-  double rate_rad_s_ = 0.0;
-  double angle_rad_ = 0.0;
+  link::Place& place_;
+  link::AvionicsLink& link_;
+  std::uint64_t gyros_ = 0;
+  std::uint64_t forces_ = 0;
 };
 
-void await_rest(link::Place& place, link::AvionicsLink& link, bool rest, RollSum& sum, const std::string& complaint) {
-  link::Timeout timeout{patience, place.now()};
-  while (at_rest(link) != rest) {
-    if (link.has_fallen_silent()) {
-      throw link::LinkError{"the avionics has fallen silent"};
-    }
-    if (timeout.expired(place.now())) {
-      throw NotTurned{complaint};
-    }
-    place.wait(look_period);
-    while (link.listen(place.now())) {
-    }
-    sum.look(link);
+class Mean {
+ public:
+  void add(const sim::Vector3& v) {
+    sum_ = sum_ + v;
+    count_ += 1.0;
   }
+  [[nodiscard]] std::optional<sim::Vector3> value() const {
+    return count_ > 0.0 ? std::optional{(1.0 / count_) * sum_} : std::nullopt;
+  }
+
+ private:
+  sim::Vector3 sum_{};
+  double count_ = 0.0;
+};
+
+struct Rest {
+  sim::Vector3 rate_rad_s;  ///< what the gyro reads of no turn
+  ForcesAtRest force_m_s2;
+};
+
+Rest rest(Sensors& sensors, const std::string& complaint) {
+  Mean rate;
+  std::array<Mean, accelerometer_count> force;
+  hal::Microseconds since = sensors.now();
+  const auto done = [&] {
+    if (!sensors.at_rest()) {
+      since = sensors.now();
+      rate = {};
+      force = {};
+    }
+    return sensors.now() - since >= time_at_rest;
+  };
+  const bool rested = sensors.listen(
+      done,
+      [&](const protocol::GyroReport& report) {
+        if (report.quality == core::SampleQuality::valid) {
+          rate.add(vector(report.rate_rad_s));
+        }
+      },
+      [&](const protocol::AccelerometerReport& report) {
+        if (report.quality == core::SampleQuality::valid) {
+          force[static_cast<std::size_t>(report.sensor)].add(vector(report.specific_force_m_s2));
+        }
+      });
+  if (!rested) {
+    throw NotTurned{complaint};
+  }
+  const auto bias_rad_s = rate.value();
+  if (!bias_rad_s) {
+    throw NotTurned{"the avionics reports no valid rate of the gyro at rest; it may be of an older version"};
+  }
+  return {.rate_rad_s = *bias_rad_s, .force_m_s2 = {force[0].value(), force[1].value()}};
 }
 
-// The person may tip the nose to either side, so the sense says nothing.
-std::string across(const AskedTurn& turn, double seen_rad) {
-  const double share = std::abs(seen_rad) / turn.angle_rad;
-  if (share > swapped_share) {
-    return fmt::format("The gyro's roll axis sees the {}: it lies across the rocket. Axes are swapped.", turn.axis);
-  }
-  return fmt::format("The gyro's roll axis sees {} % of the {}: it stands askew by about {} degrees.",
-                     fixed(100.0 * share, 0), turn.axis, fixed(degrees(std::asin(share)), 0));
-}
+/// Adds up the reported rates, by the avionics' own clock.
+class Turn {
+ public:
+  explicit Turn(const sim::Vector3& bias_rad_s) : bias_rad_s_{bias_rad_s} {}
 
-std::string along(const AskedTurn& turn, double seen_rad) {
-  const double share = seen_rad / turn.angle_rad;
-  if (std::abs(share) < seen_share) {
-    return fmt::format("The roll by {} degrees was not seen ({} degrees).", fixed(degrees(turn.angle_rad), 0),
-                       fixed(degrees(seen_rad), 1));
+  void add(const protocol::GyroReport& report) {
+    if (report.quality == core::SampleQuality::saturated) {
+      throw NotTurned{"the rocket was turned faster than its gyro can measure"};
+    }
+    if (report.quality != core::SampleQuality::valid) {
+      return;  // a gap, which is judged by its length
+    }
+    const double time_s = 1e-3 * report.time_ms;
+    const sim::Vector3 rate_rad_s = vector(report.rate_rad_s) - bias_rad_s_;
+    if (last_) {
+      const double passed_s = time_s - last_->time_s;
+      const double step_s = passed_s < 0.0 ? passed_s + report_clock_s : passed_s;
+      if (step_s > longest_gap_s) {
+        throw NotTurned{fmt::format("of the gyro's rates {:.2f} s in a row were not heard", step_s)};
+      }
+      const sim::Vector3 step_rad = 0.5 * step_s * (rate_rad_s + last_->rate_rad_s);
+      angle_rad_ = angle_rad_ + step_rad;
+      turned_ = sim::renormalized(turned_ * sim::small_rotation(step_rad));
+    }
+    last_ = {.time_s = time_s, .rate_rad_s = rate_rad_s};
   }
-  if (share < 0.0) {
-    return fmt::format("The roll is reversed: {} degrees clockwise were seen as {}.", fixed(degrees(turn.angle_rad), 0),
-                       fixed(degrees(seen_rad), 1));
-  }
-  return std::abs(share - 1.0) > scale_tolerance
-             ? fmt::format("The scale is wrong: {} degrees of roll were seen as {}, {} times as many.",
-                           fixed(degrees(turn.angle_rad), 0), fixed(degrees(seen_rad), 1), fixed(share, 3))
-             : "";
-}
+  [[nodiscard]] const sim::Vector3& angle_rad() const { return angle_rad_; }
+  [[nodiscard]] const sim::Quaternion& turned() const { return turned_; }
+
+ private:
+  struct Last {
+    double time_s;
+    sim::Vector3 rate_rad_s;
+  };
+  sim::Vector3 bias_rad_s_;
+  std::optional<Last> last_;
+  sim::Vector3 angle_rad_{};
+  sim::Quaternion turned_{};
+};
 
 }  // namespace
 
-const std::array<AskedTurn, 3>& asked_turns() {
-  static const std::array<AskedTurn, 3> turns{
-      {{"roll", "stand the rocket upright, and roll it once around, clockwise as seen from its tail, back to its mark",
-        radians(360.0)},
-       {"pitch", "tip its nose by about 45 degrees in a plane through the long axis, and hold it there", radians(45.0)},
-       {"yaw", "tip it back and, without a stop, by about 45 degrees in the plane across that one, and hold it there",
-        radians(45.0)}}};
+const std::array<AskedTurn, turn_count>& asked_turns() {
+  static const std::array<AskedTurn, turn_count> turns{
+      {{"roll", "with the rocket upright, roll it once around, clockwise as seen from its tail, back to its mark",
+        true},
+       {"tilt", "lay it down", true},
+       {"back", "stand it up again", false},
+       {"tilt across", "lay it down again, to the side across the one where it lay before", true}}};
   return turns;
 }
 
-RollSeen watch_turns(link::Place& place, link::AvionicsLink& link, const std::function<void(const AskedTurn&)>& tell) {
-  RollSeen seen{};
-  for (std::size_t i = 0; i < seen.size(); ++i) {
-    const AskedTurn& turn = asked_turns()[i];
-    RollSum before;
-    await_rest(place, link, true, before, "the rocket does not come to rest");
-    tell(turn);
-    RollSum during;
-    await_rest(place, link, false, during, fmt::format("the rocket was not turned for the {}", turn.axis));
-    await_rest(place, link, true, during, fmt::format("the rocket did not come to rest after the {}", turn.axis));
-    seen[i] = during.angle_rad();
+TurnsSeen watch_turns(link::Place& place, link::AvionicsLink& link, const std::function<void(const AskedTurn&)>& tell) {
+  Sensors sensors{place, link};
+  TurnsSeen seen{};
+  Rest before = rest(sensors, "the rocket does not come to rest");
+  for (std::size_t i = 0; i < turn_count; ++i) {
+    const AskedTurn& asked = asked_turns()[i];
+    tell(asked);
+    Turn turn{before.rate_rad_s};
+    const auto add = [&turn](const protocol::GyroReport& report) { turn.add(report); };
+    const auto ignore = [](const protocol::AccelerometerReport&) {};
+    if (!sensors.listen([&] { return !sensors.at_rest(); }, add, ignore)) {
+      throw NotTurned{fmt::format("the rocket was not turned for \"{}\"", asked.name)};
+    }
+    const std::string complaint = fmt::format("the rocket did not come to rest after \"{}\"", asked.name);
+    if (!sensors.listen([&] { return sensors.at_rest(); }, add, ignore)) {
+      throw NotTurned{complaint};
+    }
+    const Rest after = rest(sensors, complaint);
+    seen[i] = {.before_m_s2 = before.force_m_s2,
+               .after_m_s2 = after.force_m_s2,
+               .angle_rad = turn.angle_rad(),
+               .turned = turn.turned()};
+    before = after;
   }
   return seen;
-}
-
-AxesResult judge_axes(const RollSeen& seen_rad) {
-  AxesResult result{.seen_rad = seen_rad};
-  const auto& turns = asked_turns();
-  if (std::string wrong = along(turns[0], seen_rad[0]); !wrong.empty()) {
-    result.sentences.push_back(std::move(wrong));
-  }
-  for (std::size_t i = 1; i < seen_rad.size(); ++i) {
-    if (std::abs(seen_rad[i]) > seen_share * turns[i].angle_rad) {
-      result.sentences.push_back(across(turns[i], seen_rad[i]));
-    }
-  }
-  result.right = result.sentences.empty();
-  if (result.right) {
-    result.sentences.emplace_back("The roll axis of the gyro is right: axis, sense and scale.");
-  }
-  return result;
-}
-
-std::string_view what_the_bus_does_not_report() {
-  return "Not checked: the other two axes of the gyro, and the accelerometers. The bus reports neither their rates nor "
-         "specific forces; a flight log holds them.";
-}
-
-std::string axes_text(const AxesResult& result) {
-  std::string text;
-  for (std::size_t i = 0; i < result.seen_rad.size(); ++i) {
-    const AskedTurn& turn = asked_turns()[i];
-    text += fmt::format("  {:<6} turned by {:>5} deg: roll seen {:>7} deg\n", turn.axis,
-                        fixed(degrees(turn.angle_rad), 0), fixed(degrees(result.seen_rad[i]), 1));
-  }
-  for (const std::string& sentence : result.sentences) {
-    text += sentence + "\n";
-  }
-  return text + std::string{what_the_bus_does_not_report()} + "\n";
-}
-
-std::string axes_json(const AxesResult& result) {
-  json::Value turns = json::Value::array();
-  for (std::size_t i = 0; i < result.seen_rad.size(); ++i) {
-    turns.push_back({{"axis", std::string{asked_turns()[i].axis}},
-                     {"asked_deg", json::rounded(degrees(asked_turns()[i].angle_rad), 3)},
-                     {"roll_seen_deg", json::rounded(degrees(result.seen_rad[i]), 3)}});
-  }
-  return json::Value{{"right", result.right},
-                     {"turns", turns},
-                     {"sentences", result.sentences},
-                     {"not_checked", std::string{what_the_bus_does_not_report()}}}
-             .dump() +
-         "\n";
 }
 
 }  // namespace fantail::bench

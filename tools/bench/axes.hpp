@@ -3,51 +3,50 @@
 
 #include <array>
 #include <functional>
+#include <optional>
 #include <stdexcept>
-#include <string>
 #include <string_view>
-#include <vector>
 
 #include "link/avionics_link.hpp"
 #include "link/place.hpp"
+#include "sim/rotation.hpp"
 
-// A person turns the rocket as told, one axis after the other. Of all rates the bus reports that of the roll alone, and
-// no specific force: so this tells whether the gyro's roll axis is the rocket's, and nothing of the other axes.
+// A person turns the rocket as told. The roll is held against the turn that was asked for, the two tilts against
+// gravity: a gyro and an accelerometer that see the same tilt otherwise have an axis, a sense or a scale that is wrong.
 namespace fantail::bench {
 
-/// What is asked of the person, and by which angle that turns the rocket. The roll is a whole turn, because a mark that
-/// comes round again is met to a degree or two, and an angle by eye is not.
+inline constexpr std::size_t accelerometer_count = 2;  ///< of the IMU, and the second one
+
 struct AskedTurn {
-  std::string_view axis;  ///< "roll"
+  std::string_view name;  ///< "roll"
   std::string_view instruction;
-  double angle_rad;
+  bool is_judged;
 };
-[[nodiscard]] const std::array<AskedTurn, 3>& asked_turns();
 
-/// Integral of the reported roll rate over each of the turns.
-using RollSeen = std::array<double, 3>;
+/// Roll once around; lay down; stand up again; lay down across.
+inline constexpr std::size_t turn_count = 4;
+[[nodiscard]] const std::array<AskedTurn, turn_count>& asked_turns();
 
-/// The rocket was not turned within a minute, or did not come to rest again.
+/// Means over a second in which the rocket lay still; empty: of that sensor came no valid report.
+using ForcesAtRest = std::array<std::optional<sim::Vector3>, accelerometer_count>;
+
+struct TurnSeen {
+  ForcesAtRest before_m_s2{};
+  ForcesAtRest after_m_s2{};
+  sim::Vector3 angle_rad{};  ///< integral of the rates, less what the gyro read at rest
+  sim::Quaternion turned{};  ///< by the same rates: from the body after the turn to the body before it
+};
+using TurnsSeen = std::array<TurnSeen, turn_count>;
+
+/// Nobody turned the rocket for a minute, or it did not come to rest again, or its rates were not all heard. what()
+/// says it.
 class NotTurned : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Each turn lasts from rest to rest, as the avionics reports it; it may be made at any pace below the gyro's range.
-/// `tell` is given each of the turns as it is due. Throws NotTurned, link::LinkError when the avionics falls silent.
-[[nodiscard]] RollSeen watch_turns(link::Place& place, link::AvionicsLink& link,
-                                   const std::function<void(const AskedTurn&)>& tell);
-
-struct AxesResult {
-  RollSeen seen_rad{};
-  bool right = false;
-  std::vector<std::string> sentences{};  ///< what is wrong; or that the roll axis is right
-};
-[[nodiscard]] AxesResult judge_axes(const RollSeen& seen_rad);
-
-[[nodiscard]] std::string axes_text(const AxesResult& result);
-[[nodiscard]] std::string axes_json(const AxesResult& result);
-
-/// What stays unchecked, a sentence.
-[[nodiscard]] std::string_view what_the_bus_does_not_report();
+/// Each turn lasts from rest to rest, as the avionics reports it. `tell` is given each of the turns as it is due.
+/// Throws NotTurned, link::LinkError when the avionics falls silent.
+[[nodiscard]] TurnsSeen watch_turns(link::Place& place, link::AvionicsLink& link,
+                                    const std::function<void(const AskedTurn&)>& tell);
 
 }  // namespace fantail::bench

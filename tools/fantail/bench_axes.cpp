@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include "bench/axes.hpp"
+#include "bench/axes_verdict.hpp"
 #include "fantail/bench_options.hpp"
 #include "fantail/can_place.hpp"
 #include "fantail/run.hpp"
@@ -16,10 +17,10 @@ void axes(const BenchOptions& options) {
   CanPlace place{options.interface};
   link::AvionicsLink link{place.bus()};
   await_rocket(options, place, link);
-  bench::RollSeen seen{};
+  bench::TurnsSeen seen{};
   try {
     seen = bench::watch_turns(
-        place, link, [](const bench::AskedTurn& turn) { say(fmt::format("{}: {}\n", turn.axis, turn.instruction)); });
+        place, link, [](const bench::AskedTurn& turn) { say(fmt::format("{}: {}\n", turn.name, turn.instruction)); });
   } catch (const bench::NotTurned& error) {
     throw RequirementNotMet{std::string{error.what()} + "; nothing is said of the axes"};
   }
@@ -34,12 +35,12 @@ void axes(const BenchOptions& options) {
 
 void add_bench_axes(const Verb& bench) {
   auto verb =
-      bench.verb("axes", "Turn the rocket as told: is the gyro's roll axis the rocket's, with its sense and scale?");
+      bench.verb("axes", "Turn the rocket as told: are axes, senses and scales of gyro and accelerometers right?");
   auto options = std::make_shared<BenchOptions>();
   add_bench_options(verb, *options, "Print one JSON object");
   verb.examples(
       "Examples:\n"
-      "  fantail bench axes --can can0              three turns by hand; the canards do not move\n"
+      "  fantail bench axes --can can0              four turns by hand; the canards do not move\n"
       "  fantail bench axes --can can0 --json       for a script; what to do is on standard error");
   verb.action([options] { axes(*options); });
 }
