@@ -53,6 +53,7 @@ set(FANTAIL_LAYERS
 set(FANTAIL_SINGLE_FILES
   "firmware/boards/cortex_m4/startup.c|stdint\\.h"
   "firmware/core/motion_estimator.cpp|Eigen/"
+  "firmware/protocol/crc32c_sse42.cpp|nmmintrin\\.h"
   "firmware/protocol/generated/canard_bus.c|string\\.h"
   "firmware/protocol/generated/canard_bus.h|stdbool\\.h stddef\\.h stdint\\.h"
   "tools/input/toml_tree.cpp|toml\\+\\+/"

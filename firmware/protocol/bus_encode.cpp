@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "protocol/bus_angle_frame.hpp"
 #include "protocol/bus_choices.hpp"
 #include "protocol/bus_codec.hpp"
 #include "protocol/bus_frames.hpp"
@@ -25,7 +26,7 @@ BusFrame pack_data(const auto& message) {
 }  // namespace
 
 BusFrame encode(const BenchRequest& message, std::uint8_t counter, std::uint16_t session) {
-  return protect<BenchRequestFrame>(signals::asked.raw(message.angle), counter, session);
+  return angle_frame(BenchRequestFrame::id, message.angle, counter, session);
 }
 
 BusFrame encode(const BenchSession& message, std::uint8_t counter) {
@@ -62,11 +63,11 @@ BusFrame encode(const LogRequest& message, std::uint8_t counter) {
 }
 
 BusFrame encode(const CommandReport& message, std::uint8_t counter) {
-  return protect<CommandReportFrame>(signals::driven.raw(message.angle), counter);
+  return angle_frame(CommandReportFrame::id, message.angle, counter);
 }
 
 BusFrame encode(const EncoderReport& message, std::uint8_t counter) {
-  return protect<EncoderReportFrame>(signals::valid.raw(message.angle), counter);
+  return angle_frame(EncoderReportFrame::id, message.angle, counter);
 }
 
 BusFrame encode(const StatusReport& message) {

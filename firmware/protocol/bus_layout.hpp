@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -41,19 +39,25 @@ struct Layout {
 using SessionOfFrame = std::optional<std::uint16_t>;
 
 /// Over the identifier too, so that the bytes of one message are not taken for another's, and over the session, so that
-/// those of one bench are not taken for another's. The CRC itself is the last byte of each frame that has one.
-inline std::uint8_t protection_of(const BusFrame& frame, SessionOfFrame session) {
-  std::array<std::uint8_t, 11> bytes{};
-  std::size_t size = 0;
-  const auto put = [&](unsigned byte) { bytes[size++] = static_cast<std::uint8_t>(byte & 0xFFU); };
-  put(frame.id);
-  put(frame.id >> 8U);
+/// those of one bench are not taken for another's. Then come the first seven bytes of the frame.
+inline Crc8Autosar protection_begun(std::uint16_t id, SessionOfFrame session) {
+  Crc8Autosar crc;
+  crc.add(id);
+  crc.add(id >> 8U);
   if (session) {
-    put(*session);
-    put(*session >> 8U);
+    crc.add(*session);
+    crc.add(*session >> 8U);
   }
-  std::for_each_n(frame.data.begin(), 7, put);
-  return crc8_autosar(std::span{bytes}.first(size));
+  return crc;
+}
+
+/// The CRC itself is the last byte of each frame that has one.
+inline std::uint8_t protection_of(const BusFrame& frame, SessionOfFrame session) {
+  Crc8Autosar crc = protection_begun(frame.id, session);
+  for (const std::uint8_t byte : std::span{frame.data}.first<7>()) {
+    crc.add(byte);
+  }
+  return crc.result();
 }
 
 template <typename Frame>

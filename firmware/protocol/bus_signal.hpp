@@ -66,19 +66,6 @@ struct FourAngles {
                                                             &Raw::canard_4};
   std::array<std::uint8_t Raw::*, core::canard_count> given{};
 
-  /// An angle that is absent, or not a number, is zero and not given.
-  [[nodiscard]] Raw raw(const PerCanard& angles) const {
-    const CanardAngle scale;
-    Raw raw{};
-    for (std::size_t i = 0; i < core::canard_count; ++i) {
-      if (angles[i] && *angles[i] == *angles[i]) {  // NOLINT(misc-redundant-expression): false for what is no number
-        raw.*angle[i] = scale.raw(angles[i]->degrees());
-        raw.*given[i] = 1;
-      }
-    }
-    return raw;
-  }
-
   [[nodiscard]] std::optional<PerCanard> angles(const Raw& raw) const {
     PerCanard result{};
     for (std::size_t i = 0; i < core::canard_count; ++i) {

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "protocol/bus_layout.hpp"
+#include "protocol/bus_messages.hpp"
+#include "protocol/crc8.hpp"
+#include "protocol/little_endian.hpp"
+
+namespace fantail::protocol {
+
+// Inside the codec only: the three frames of four canard angles. Two of them go out in every tick of a flight, and the
+// generated functions, which build them bit by bit, took a seventh of it. A test holds every bit against theirs.
+//    0  4 x i12  angle, 0.01 degree
+//   48  4 x u1   whether it is there
+//   52  u4       counter
+//   56  u8       CRC-8
+
+/// To the nearest raw value, a half away from zero (as far as single precision can tell a half), clamped to what the
+/// signal may have. `degrees` is a number.
+constexpr std::int32_t hundredths(float degrees) {
+  constexpr float step = 0.01F;
+  constexpr std::int32_t most = 2047;
+  constexpr float most_degrees = static_cast<float>(most) * step;
+  if (degrees >= most_degrees) {
+    return most;
+  }
+  if (degrees <= -most_degrees) {
+    return -most;
+  }
+  return static_cast<std::int32_t>((degrees < 0.0F ? degrees - 0.5F * step : degrees + 0.5F * step) / step);
+}
+
+/// An angle that is absent, or not a number, is zero and not there.
+inline BusFrame angle_frame(std::uint16_t id, const PerCanard& angles, std::uint8_t counter,
+                            SessionOfFrame session = {}) {
+  constexpr std::uint32_t twelve_bits = 0xFFF;
+  std::array<std::uint32_t, core::canard_count> raw{};
+  std::uint32_t there = 0;
+  for (std::size_t i = 0; i < core::canard_count; ++i) {
+    if (angles[i] && *angles[i] == *angles[i]) {  // NOLINT(misc-redundant-expression): false for what is no number
+      raw[i] = static_cast<std::uint32_t>(hundredths(angles[i]->degrees())) & twelve_bits;
+      there |= 1U << i;
+    }
+  }
+  const std::uint32_t low = raw[0] | raw[1] << 12U | raw[2] << 24U;
+  std::uint32_t high = raw[2] >> 8U | raw[3] << 4U | there << 16U | (counter & 0x0FU) << 20U;
+  Crc8Autosar crc = protection_begun(id, session);
+  for (const unsigned shift : {0U, 8U, 16U, 24U}) {
+    crc.add(low >> shift);
+  }
+  for (const unsigned shift : {0U, 8U, 16U}) {
+    crc.add(high >> shift);
+  }
+  high |= static_cast<std::uint32_t>(crc.result()) << 24U;
+  BusFrame frame{.id = id, .length = 8};
+  const auto bytes = std::as_writable_bytes(std::span{frame.data});
+  put<4>(bytes, 0, low);
+  put<4>(bytes, 4, high);
+  return frame;
+}
+
+}  // namespace fantail::protocol
