@@ -36,13 +36,16 @@ const std::array<CanardVerdict, canard_count>& CanardMonitor::update(Microsecond
                                                                      const EncoderAngles& encoders) {
   Tick tick{.time = time, .elapsed = up_to(longest_tick, time - last_time_.value_or(time))};
   last_time_ = time;
-  const float moved_share = lag_fraction(seconds(tick.elapsed) / servo_lag_s_);
+  if (tick.elapsed != share_of_) {  // one tick is as long as the other
+    share_of_ = tick.elapsed;
+    moved_share_ = lag_fraction(seconds(tick.elapsed) / servo_lag_s_);
+  }
   bool all_in_order = true;
   Angle lowest = Angle::from_radians(std::numeric_limits<float>::infinity());  // an empty range, in which all agree
   Angle highest = -lowest;
   for (std::size_t i = 0; i < canard_count; ++i) {
     Channel& channel = channels_[i];
-    follow(channel, moved_share, commands[i], encoders[i]);
+    follow(channel, moved_share_, commands[i], encoders[i]);
     all_in_order = is_in_order(channel) && all_in_order;
     if (channel.comparable) {
       lowest = std::min(lowest, channel.departure);

@@ -96,6 +96,10 @@ class CanardMonitor {
   std::array<Channel, canard_count> channels_{};
   std::array<CanardVerdict, canard_count> verdicts_{};
   std::optional<Microseconds> last_time_;
+
+  // No state: how far a servo goes in a tick of this length.
+  Microseconds share_of_{};
+  float moved_share_ = 0.0F;
 };
 
 }  // namespace fantail::core
