@@ -26,15 +26,16 @@ const core::TickRecord& Avionics::tick() {
   const core::TickRecord& record = autopilot_->step(inputs);
   devices_.servo.write(pulses(record.canards));
 
+  const FlashFacts flash = flash_.facts();
   tell_person(record);
   situation_ = {.time = now,
                 .phase = record.phase,
                 .at_rest = record.motion.at_rest_for >= plan_.motion.rest_time,
                 .moves = record.motion.at_rest_for == core::Microseconds{0},
                 .arm_switch_closed = inputs.arm_switch_closed};
-  watch_board(record);
+  watch_board(record, flash);
   arming_.update(situation_);
-  self_test_.update(inputs, record, flash_.facts(), situation_.board_faulty);
+  self_test_.update(inputs, record, flash, situation_.board_faulty);
   flash_.recorder().note({.raw = raw_,
                           .scales = scales_,
                           .inputs = inputs,
@@ -172,10 +173,9 @@ core::Inputs Avionics::read_devices(core::Microseconds now) {
   };
 }
 
-void Avionics::watch_board(const core::TickRecord& record) {
+void Avionics::watch_board(const core::TickRecord& record, const FlashFacts& flash) {
   board_watch_.look(devices_.board.status(), record.overruns, plan_.run.overrun_limit);
   situation_.board_faulty = board_watch_.faulty();
-  const FlashFacts flash = flash_.facts();
   board_is_news_ = board_watch_.tell(record.time, record.phase, flash, devices_.console);
   devices_.board.show(signal_of(record.phase, self_test_.running(), !board_watch_.faulty() && flash.fit()));
 }
@@ -193,13 +193,15 @@ void Avionics::report(const core::TickRecord& record, const core::Inputs& inputs
                            .refusal = arming_.refusal(),
                            .nonce = arming_.nonce()},
                 .plan = flash_.transfer().reply(),
-                .rejections = receiver_.rejections(),
-                .board = board_watch_.report(flash_.facts()),
                 .board_is_news = board_is_news_,
                 .plan_crc = plan_crc_,
                 .tick_duration = tick_duration_};
-  for (std::size_t i = 0; i < core::canard_count; ++i) {
-    report.limits.limit[i] = autopilot_->canard_limit(i);
+  if (board_is_news_ || telemetry_.slow_report_is_due()) {
+    report.rejections = receiver_.rejections();
+    report.board = board_watch_.report(flash_.facts());
+    for (std::size_t i = 0; i < core::canard_count; ++i) {
+      report.limits.limit[i] = autopilot_->canard_limit(i);
+    }
   }
   telemetry_.send(record, inputs, report, devices_.can_bus);
 }

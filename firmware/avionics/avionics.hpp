@@ -71,7 +71,7 @@ class Avionics {
   void obey(const protocol::BenchRequest& message);
   void obey(const protocol::ArmRequest& message);
   [[nodiscard]] core::Inputs read_devices(core::Microseconds now);
-  void watch_board(const core::TickRecord& record);
+  void watch_board(const core::TickRecord& record, const FlashFacts& flash);
   void report(const core::TickRecord& record, const core::Inputs& inputs);
   void tell_person(const core::TickRecord& record);
   [[nodiscard]] bool plan_may_change() const;

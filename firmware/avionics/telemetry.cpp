@@ -13,6 +13,10 @@ constexpr std::uint32_t motion_period = 10;
 constexpr std::uint32_t sensor_period = 20;
 constexpr std::uint32_t health_period = 100;
 constexpr std::uint32_t slow_period = 1000;
+// Their ticks within it.
+constexpr std::uint32_t rejections_at = 55;
+constexpr std::uint32_t limits_at = 66;
+constexpr std::uint32_t board_at = 77;
 
 void put(const protocol::BusFrame& frame, hal::CanBus& bus) {
   // A frame that finds no room is counted by the bus; there will be another.
@@ -91,6 +95,11 @@ void Telemetry::send(const core::TickRecord& record, const core::Inputs& inputs,
   ticks_ += 1;
 }
 
+bool Telemetry::slow_report_is_due() const {
+  const std::uint32_t tick = ticks_ % slow_period;
+  return tick == rejections_at || tick == limits_at || tick == board_at;
+}
+
 void Telemetry::send_sensors(const core::Inputs& inputs, hal::CanBus& bus) const {
   if (ticks_ % sensor_period == 8) {
     put(encode(protocol::GyroReport{.rate_rad_s = inputs.gyro.rate_rad_s,
@@ -129,13 +138,13 @@ void Telemetry::send_health(const core::TickRecord& record, const Report& report
     const auto uptime_ms = static_cast<std::uint32_t>((record.time.count() / 1000) & 0xFFFFFF);
     put(encode(protocol::HeartbeatReport{.uptime_ms = uptime_ms, .plan_crc = report.plan_crc}), bus);
   }
-  if (ticks_ % slow_period == 55) {
+  if (ticks_ % slow_period == rejections_at) {
     put(encode(report.rejections), bus);
   }
-  if (ticks_ % slow_period == 66) {
+  if (ticks_ % slow_period == limits_at) {
     put(encode(report.limits), bus);
   }
-  if (report.board_is_news || ticks_ % slow_period == 77) {
+  if (report.board_is_news || ticks_ % slow_period == board_at) {
     put(encode(report.board), bus);
   }
 }

@@ -22,12 +22,13 @@ struct Report {
   std::optional<protocol::SessionReply> session_refusal{};
   protocol::ArmReply arming{};
   std::optional<protocol::PlanReply> plan{};
-  protocol::RejectionReport rejections{};
-  protocol::LimitReport limits{};
-  protocol::BoardReport board{};
   bool board_is_news = false;
   std::uint32_t plan_crc = 0;
   core::Microseconds tick_duration{};  ///< of the last whole tick
+  // Filled in when slow_report_is_due(), and `board` when it is news.
+  protocol::RejectionReport rejections{};
+  protocol::LimitReport limits{};
+  protocol::BoardReport board{};
 };
 
 /// Puts the reports on the bus: commands and encoders every millisecond while a canard may move (Launched, Controlling,
@@ -36,6 +37,9 @@ struct Report {
 class Telemetry {
  public:
   void send(const core::TickRecord& record, const core::Inputs& inputs, const Report& report, hal::CanBus& bus);
+
+  /// The next send() tells one of the things that are told every second.
+  [[nodiscard]] bool slow_report_is_due() const;
 
  private:
   void send_sensors(const core::Inputs& inputs, hal::CanBus& bus) const;

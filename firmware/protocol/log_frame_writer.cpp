@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <utility>
 
 #include "protocol/crc32c.hpp"
 #include "protocol/little_endian.hpp"
@@ -19,10 +20,27 @@ void LogFrameWriter::begin(LogFrameHead head, const Parts& payload) {
   parts_ = {head_, payload[0], payload[1], payload[2], tail_};
   part_ = 0;
   crc_ = 0;
+  untouched_ = true;
+}
+
+// Three of four frames fit into what is left of a page.
+std::size_t LogFrameWriter::write_whole(std::span<std::byte> out) {
+  std::size_t size = 0;
+  for (const std::span<const std::byte> part : std::span{parts_}.first<tail>()) {
+    if (!part.empty()) {
+      std::memcpy(out.data() + size, part.data(), part.size());
+      size += part.size();
+    }
+  }
+  put<4>(out, size, crc32c(out.first(size)));
+  abandon();
+  return size + tail_.size();
 }
 
 std::size_t LogFrameWriter::write(std::span<std::byte> out) {
-  const std::size_t tail = parts_.size() - 1;
+  if (std::exchange(untouched_, false) && out.size() >= frame_size({parts_[1], parts_[2], parts_[3]})) {
+    return write_whole(out);
+  }
   std::size_t size = 0;
   std::size_t summed = 0;
   while (!done() && size < out.size()) {

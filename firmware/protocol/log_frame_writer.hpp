@@ -30,17 +30,25 @@ class LogFrameWriter {
   std::size_t write(std::span<std::byte> out);
 
   /// Forgets the rest of the frame.
-  void abandon() { part_ = parts_.size(); }
+  void abandon() {
+    part_ = parts_.size();
+    untouched_ = false;
+  }
 
   /// Nothing was begun, or all of it has been written.
   [[nodiscard]] bool done() const { return part_ == parts_.size(); }
 
  private:
+  static constexpr std::size_t tail = 4;  ///< the last part
+
+  std::size_t write_whole(std::span<std::byte> out);
+
   std::array<std::byte, log_head_size> head_{};
   std::array<std::byte, 4> tail_{};
-  std::array<std::span<const std::byte>, 5> parts_{};  ///< what is left of head, payload and tail
+  std::array<std::span<const std::byte>, tail + 1> parts_{};  ///< what is left of head, payload and tail
   std::size_t part_ = parts_.size();
   std::uint32_t crc_ = 0;
+  bool untouched_ = false;  ///< begun, and nothing of it written yet
 };
 
 }  // namespace fantail::protocol
