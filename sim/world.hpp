@@ -41,8 +41,8 @@ struct Truth {
 ///   while (!world.over()) { record = world.tick(); truth = world.truth(); ...; world.advance(); }
 class World {
  public:
-  /// Holds the first ten seconds of a flight's record; for those who do not read it.
-  static constexpr hal::FlashGeometry small_flash{.size = 1U << 20U, .sector_size = 4096, .page_size = 256};
+  /// Too small for any record: for those who do not read it.
+  static constexpr hal::FlashGeometry small_flash{.size = 5U << 12U, .sector_size = 4096, .page_size = 256};
   /// As a W25Q64: two minutes. Twice the size would be looked through only after the self-test has begun to wait for
   /// it, and the flash would be seen in the flight.
   static constexpr hal::FlashGeometry large_flash{.size = 8U << 20U, .sector_size = 4096, .page_size = 256};

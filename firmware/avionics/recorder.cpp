@@ -11,11 +11,13 @@ using core::Microseconds;
 using core::Phase;
 using protocol::LogEnd;
 using protocol::LogEventKind;
+using protocol::StateExtent;
 
 namespace {
 
-constexpr Microseconds checkpoint_period{1'000'000};
 constexpr std::uint32_t room_to_go_on = TickQueue::capacity / 2;
+// Header, first checkpoint and the half second before launch: a record that ends ahead of its launch is none.
+constexpr std::uint32_t least_record_bytes = 40'000;
 
 bool flies(Phase phase) { return phase != Phase::safe && phase != Phase::armed; }
 
@@ -31,7 +33,8 @@ void Recorder::note(const Tick& tick, core::Autopilot& law) {
   const Phase phase = tick.record.phase;
   switch (stage_) {
     case Stage::idle:
-      if (phase == Phase::armed || (resumed_ && flies(phase) && region_.finished())) {
+      if ((phase == Phase::armed || (resumed_ && flies(phase) && region_.finished())) &&
+          region_.free_bytes().value_or(least_record_bytes) >= least_record_bytes) {
         resumed_ = false;
         begin_on_pad(tick, law);
       }
@@ -95,7 +98,9 @@ void Recorder::begin_flight(const Tick& tick) {
   ticks_to_health_ = 0;
   finished_since_.reset();
   const Microseconds time = queue_.ticks.size() > 0 ? queue_.ticks.time() : tick.record.time;
-  queue_checkpoint(tick.record.time, ring_.law(), ring_.times(), queue_.ticks.first());
+  queue_checkpoint(tick.record.time, ring_.law(), ring_.times(), queue_.ticks.first(), StateExtent::whole);
+  // Not in the ticks in which the flight memory writes out the same state.
+  *checkpoint_due_ += Microseconds{3'000};
   queue_event({.time = time, .kind = LogEventKind::recording_began, .number = *flight}, queue_.ticks.first());
   queue_event({.time = time,
                .kind = LogEventKind::phase,
@@ -111,7 +116,7 @@ void Recorder::queue_tick(const Tick& tick) {
   if (overflowed_) {
     dropped_ += 1;
     ticks_dropped_ += 1;
-    checkpoint_time_.reset();  // a replay cannot go on behind a gap
+    checkpoint_due_.reset();  // a replay cannot go on behind a gap
     overflowed_ = queue_.ticks.size() > room_to_go_on || queue_.checkpoint.size > 0;
   } else {
     queue_.ticks.push(tick.record.time, packed);
@@ -125,8 +130,9 @@ void Recorder::fly_on(const Tick& tick, core::Autopilot& law) {
   queue_health(tick);
   if (!overflowed_) {
     tell_what_was_dropped(time);
-    if (queue_.checkpoint.size == 0 && (!checkpoint_time_ || time - *checkpoint_time_ >= checkpoint_period)) {
-      queue_checkpoint(time, law, times_, queue_.ticks.end());
+    if (queue_.checkpoint.size == 0 && (!checkpoint_due_ || time >= *checkpoint_due_)) {
+      queue_checkpoint(time, law, times_, queue_.ticks.end(),
+                       flies(tick.record.phase) ? StateExtent::in_flight : StateExtent::whole);
     }
   }
   if (const auto end = reason_to_end(tick.record)) {

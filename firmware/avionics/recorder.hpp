@@ -18,6 +18,7 @@
 #include "hal/can_bus.hpp"
 #include "protocol/log_notes.hpp"
 #include "protocol/plan_block.hpp"
+#include "protocol/state_block.hpp"
 
 namespace fantail::avionics {
 
@@ -90,7 +91,7 @@ class Recorder {
   void queue_changes(const core::TickRecord& record);
   void queue_health(const Tick& tick);
   void queue_checkpoint(core::Microseconds time, core::Autopilot& law, const protocol::SampleTimes& times,
-                        std::uint32_t before);
+                        std::uint32_t before, protocol::StateExtent extent);
   void tell_what_was_dropped(core::Microseconds time);
   void queue_event(const protocol::LogEvent& event, std::uint32_t before);
   void queue_note(core::Microseconds time, protocol::LogRecord type, std::span<const std::byte> payload,
@@ -109,7 +110,7 @@ class Recorder {
   Told told_{};
   core::PhaseReason armed_because_{};
   std::uint32_t ticks_to_health_ = 0;
-  std::optional<core::Microseconds> checkpoint_time_{};  ///< of the last one; empty: one is wanted now
+  std::optional<core::Microseconds> checkpoint_due_{};  ///< empty: one is wanted now
   std::optional<core::Microseconds> finished_since_{};
   bool resumed_ = false;
   bool overflowed_ = false;    ///< no tick is taken until there is room again

@@ -15,6 +15,7 @@ using protocol::LogRecord;
 
 namespace {
 
+constexpr Microseconds checkpoint_period{1'000'000};
 constexpr std::uint32_t ticks_per_health = 100;
 // The other half is for events, which do not come again.
 constexpr std::uint32_t most_waiting_health = NoteQueue::capacity / 2;
@@ -79,17 +80,17 @@ void Recorder::queue_health(const Tick& tick) {
 }
 
 void Recorder::queue_checkpoint(Microseconds time, core::Autopilot& law, const protocol::SampleTimes& times,
-                                std::uint32_t before) {
+                                std::uint32_t before, protocol::StateExtent extent) {
   WaitingCheckpoint& checkpoint = queue_.checkpoint;
   const std::span<std::byte> payload = checkpoint.payload;
   protocol::put<8>(payload, 0, static_cast<std::uint64_t>(times.imu.count()));
   protocol::put<8>(payload, 8, static_cast<std::uint64_t>(times.accelerometer.count()));
-  protocol::StateWriter writer{payload.subspan(protocol::log_checkpoint_times_size)};
+  protocol::StateWriter writer{payload.subspan(protocol::log_checkpoint_times_size), extent};
   law.visit_state(writer);
   const std::size_t size = protocol::log_checkpoint_times_size + writer.size();
   checkpoint.size = size <= payload.size() ? size : 0;  // part of a state is none
   checkpoint.before = before;
-  checkpoint_time_ = time;
+  checkpoint_due_ = time + checkpoint_period;
 }
 
 void Recorder::tell_what_was_dropped(Microseconds time) {

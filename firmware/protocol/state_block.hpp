@@ -169,6 +169,17 @@ class StateReader : public StateVisitor<StateReader> {
   bool ok_ = true;
 };
 
+/// Gives a law that was just made the state that the bytes are, whole or in flight: the two have different sizes.
+/// False, and the law must not be used, when they are neither.
+template <typename Law>
+[[nodiscard]] bool restore_state(Law& law, std::span<const std::byte> state) {
+  StateWriter whole{{}};
+  law.visit_state(whole);
+  StateReader reader{state, state.size() == whole.size() ? StateExtent::whole : StateExtent::in_flight};
+  law.visit_state(reader);
+  return reader.ok();
+}
+
 /// What a layout is known by: changes when a value comes, goes, or changes its kind or its limit.
 class StateLayout : public StateVisitor<StateLayout> {
  public:

@@ -159,6 +159,16 @@ TEST(Recorder, AFullFlashEndsTheRecordWithAWholeOneThatSaysSo) {
   }
 }
 
+TEST(Recorder, AFlashWithoutRoomForTheHalfSecondBeforeLaunchIsLeftAsItIs) {
+  hal::sim::Flash smaller{{.size = 13U * 4096U, .sector_size = 4096, .page_size = 256}};
+  RecorderRig rig{smaller};
+  ASSERT_EQ(rig.service.flights().free_bytes(), 9U * 4096U);
+  rig.run(Phase::armed, 600);
+  rig.run(Phase::controlling, 3000);
+  EXPECT_TRUE(rig.noting.programs.empty());
+  EXPECT_FALSE(rig.service.recorder().busy());
+}
+
 TEST(Recorder, AtThreeMillisecondsAPageNoTickIsLost) {
   hal::sim::WorldSide world;
   hal::sim::Flash flash{world, one_mib, {.program = hal::Microseconds{3'000}, .erase = hal::Microseconds{400'000}}};

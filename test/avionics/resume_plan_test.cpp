@@ -140,9 +140,7 @@ std::vector<Replayed> replay_flights(hal::sim::Flash& flash, const core::FlightP
         break;
       case protocol::LogRecord::checkpoint: {
         law.emplace(plan);
-        protocol::StateReader state{frame->payload.subspan(protocol::log_checkpoint_times_size)};
-        law->visit_state(state);
-        EXPECT_TRUE(state.ok());
+        EXPECT_TRUE(protocol::restore_state(*law, frame->payload.subspan(protocol::log_checkpoint_times_size)));
         times = {.imu = core::Microseconds{static_cast<std::int64_t>(protocol::get<8>(frame->payload, 0))},
                  .accelerometer = core::Microseconds{static_cast<std::int64_t>(protocol::get<8>(frame->payload, 8))}};
         break;

@@ -138,9 +138,7 @@ class Replay {
 
   void resume(const Checkpoint& checkpoint) {
     law_.emplace(plan_);
-    protocol::StateReader reader{checkpoint.state};
-    law_->visit_state(reader);
-    if (!reader.ok()) {
+    if (!protocol::restore_state(*law_, checkpoint.state)) {
       law_.reset();
     }
   }
