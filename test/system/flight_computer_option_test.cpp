@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <filesystem>
+
 #include <gtest/gtest.h>
 
 #include "system/refusal.hpp"
@@ -17,6 +19,19 @@ TEST(FlyOn, AnImageThatIsMissingIsNamed) {
           {"fly", "--on", "emulator", "--image", "/nowhere/fantail-emulator.elf"},
           66,
           {"/nowhere/fantail-emulator.elf: no such file", "./dev fly --on emulator builds it"}};
+}
+
+// Whether there is one depends on what has been built.
+TEST(FlyOn, TheImageIsLookedForWhereTheBuildLeavesIt) {
+  const auto image = std::filesystem::path{fantail_path()}.parent_path().parent_path() / "arm/fantail-emulator.elf";
+  const Folder folder;
+  const Outcome outcome = fantail({"fly", "--on", "emulator", "--out", "flown"}, {.working_folder = folder.path()});
+  if (std::filesystem::exists(image)) {
+    EXPECT_EQ(outcome.err.find("no such file"), std::string::npos) << outcome.err;
+  } else {
+    EXPECT_EQ(outcome.exit_code, 66);
+    EXPECT_NE(outcome.err.find(image.string() + ": no such file"), std::string::npos) << outcome.err;
+  }
 }
 
 TEST(FlyOn, ASerialDeviceThatIsMissingOrNoneIsNamed) {

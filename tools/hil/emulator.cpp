@@ -176,7 +176,7 @@ void Emulator::ended() {
 std::filesystem::path built_image(const std::string& name) {
   std::error_code error;
   const auto program = std::filesystem::read_symlink("/proc/self/exe", error);
-  return program.parent_path().parent_path() / "arm" / name;
+  return program.parent_path().parent_path().parent_path() / "arm" / name;  // of build/host/libexec/fantail-fly
 }
 
 }  // namespace fantail::hil

@@ -60,7 +60,7 @@ class Emulator final : public Wire {
   pid_t process_ = -1;
 };
 
-/// Where the build leaves it: beside the folder that this program was built in.
+/// Where the build leaves it: beside the folder of the build that made this program, which lies in its libexec.
 [[nodiscard]] std::filesystem::path built_image(const std::string& name = "fantail-emulator.elf");
 
 }  // namespace fantail::hil
