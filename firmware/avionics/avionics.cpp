@@ -2,6 +2,7 @@
 #include "avionics/avionics.hpp"
 
 #include "avionics/sensor_scaling.hpp"
+#include "core/per_canard.hpp"
 #include "protocol/plan_block.hpp"
 
 namespace fantail::avionics {
@@ -193,15 +194,13 @@ void Avionics::report(const core::TickRecord& record, const core::Inputs& inputs
                            .refusal = arming_.refusal(),
                            .nonce = arming_.nonce()},
                 .plan = flash_.transfer().reply(),
-                .board_is_news = board_is_news_,
                 .plan_crc = plan_crc_,
                 .tick_duration = tick_duration_};
   if (board_is_news_ || telemetry_.slow_report_is_due()) {
-    report.rejections = receiver_.rejections();
-    report.board = board_watch_.report(flash_.facts());
-    for (std::size_t i = 0; i < core::canard_count; ++i) {
-      report.limits.limit[i] = autopilot_->canard_limit(i);
-    }
+    report.slow = {.rejections = receiver_.rejections(),
+                   .limits = {.limit = core::per_canard([&](std::size_t i) { return autopilot_->canard_limit(i); })},
+                   .board = board_watch_.report(flash_.facts()),
+                   .board_is_news = board_is_news_};
   }
   telemetry_.send(record, inputs, report, devices_.can_bus);
 }

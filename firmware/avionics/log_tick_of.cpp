@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "avionics/log_tick_of.hpp"
 
+#include <optional>
+
 #include "avionics/sensor_scaling.hpp"
+#include "core/per_canard.hpp"
 #include "protocol/tick_digest.hpp"
 
 namespace fantail::avionics {
@@ -47,6 +50,9 @@ protocol::LogTick log_tick_of(const core::TickRecord& record, const RawSamples& 
       .saturated = record.saturated,
       .timing_fault = record.timing_fault,
       .command = record.command,
+      .canard_commands = core::per_canard([&](std::size_t i) {
+        return record.canards[i].driven ? std::optional{record.canards[i].angle} : std::nullopt;
+      }),
       .duration_before = duration_before,
       .digest = protocol::tick_digest(record),
   };
@@ -57,9 +63,6 @@ protocol::LogTick log_tick_of(const core::TickRecord& record, const RawSamples& 
     tick.encoder_counts[i] = on_the_turn ? encoder.counts : std::uint16_t{0};
     tick.encoder_status[i] =
         on_the_turn || encoder.status != hal::Status::ok ? to_log(encoder.status) : protocol::DeviceStatus::error;
-    if (record.canards[i].driven) {
-      tick.canard_commands[i] = record.canards[i].angle;
-    }
   }
   return tick;
 }

@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
+
+#include "core/per_canard.hpp"
 
 namespace fantail::avionics {
 namespace {
@@ -55,10 +58,9 @@ core::AccelerometerSample accelerometer_sample(hal::Microseconds time, const hal
 
 core::EncoderAngles encoder_angles(const hal::EncoderReading& raw, const core::CanardsPlan& canards) {
   constexpr float turn_rad = 2.0F * core::pi;
-  core::EncoderAngles angles;
-  for (std::size_t i = 0; i < angles.size(); ++i) {
+  return core::per_canard([&](std::size_t i) -> std::optional<core::Angle> {
     if (raw.each[i].status != hal::Status::ok || raw.each[i].counts >= hal::encoder_counts_per_turn) {
-      continue;
+      return std::nullopt;
     }
     float angle_rad = static_cast<float>(raw.each[i].counts) * (turn_rad / hal::encoder_counts_per_turn) -
                       canards.each[i].encoder_zero.radians();
@@ -67,21 +69,19 @@ core::EncoderAngles encoder_angles(const hal::EncoderReading& raw, const core::C
     } else if (angle_rad <= -core::pi) {
       angle_rad += turn_rad;
     }
-    angles[i] = core::Angle::from_radians(angle_rad);
-  }
-  return angles;
+    return core::Angle::from_radians(angle_rad);
+  });
 }
 
 std::array<std::optional<hal::Pulse>, hal::canards> pulses(const core::CanardCommands& commands) {
-  std::array<std::optional<hal::Pulse>, hal::canards> result;
-  for (std::size_t i = 0; i < result.size(); ++i) {
-    if (commands[i].driven) {
-      // A plan's pulses are below 4 ms, so the conversion cannot overflow; they are positive, so half a nanosecond up
-      // is the nearest. NOLINTNEXTLINE(bugprone-incorrect-roundings): lround would be a call into the C library
-      result[i] = hal::Pulse{static_cast<std::int32_t>(commands[i].pulse_us * 1000.0F + 0.5F)};
+  return core::per_canard([&](std::size_t i) -> std::optional<hal::Pulse> {
+    if (!commands[i].driven) {
+      return std::nullopt;
     }
-  }
-  return result;
+    // A plan's pulses are below 4 ms, so the conversion cannot overflow; they are positive, so half a nanosecond up
+    // is the nearest. NOLINTNEXTLINE(bugprone-incorrect-roundings): lround would be a call into the C library
+    return hal::Pulse{static_cast<std::int32_t>(commands[i].pulse_us * 1000.0F + 0.5F)};
+  });
 }
 
 }  // namespace fantail::avionics

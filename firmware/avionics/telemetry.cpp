@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "avionics/can_frame.hpp"
+#include "core/per_canard.hpp"
 
 namespace fantail::avionics {
 namespace {
@@ -27,13 +28,8 @@ void put(const protocol::BusFrame& frame, hal::CanBus& bus) {
 std::uint8_t low_byte(std::uint32_t value) { return static_cast<std::uint8_t>(value & 0xFFU); }
 
 protocol::PerCanard driven_angles(const core::CanardCommands& commands) {
-  protocol::PerCanard angles;
-  for (std::size_t i = 0; i < angles.size(); ++i) {
-    if (commands[i].driven) {
-      angles[i] = commands[i].angle;
-    }
-  }
-  return angles;
+  return core::per_canard(
+      [&](std::size_t i) { return commands[i].driven ? std::optional{commands[i].angle} : std::nullopt; });
 }
 
 protocol::StatusReport status(const core::TickRecord& record, const Report& report, bool every_tick) {
@@ -138,14 +134,17 @@ void Telemetry::send_health(const core::TickRecord& record, const Report& report
     const auto uptime_ms = static_cast<std::uint32_t>((record.time.count() / 1000) & 0xFFFFFF);
     put(encode(protocol::HeartbeatReport{.uptime_ms = uptime_ms, .plan_crc = report.plan_crc}), bus);
   }
+  if (!report.slow) {
+    return;
+  }
   if (ticks_ % slow_period == rejections_at) {
-    put(encode(report.rejections), bus);
+    put(encode(report.slow->rejections), bus);
   }
   if (ticks_ % slow_period == limits_at) {
-    put(encode(report.limits), bus);
+    put(encode(report.slow->limits), bus);
   }
-  if (report.board_is_news || ticks_ % slow_period == board_at) {
-    put(encode(report.board), bus);
+  if (report.slow->board_is_news || ticks_ % slow_period == board_at) {
+    put(encode(report.slow->board), bus);
   }
 }
 

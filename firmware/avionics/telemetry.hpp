@@ -12,6 +12,14 @@
 
 namespace fantail::avionics {
 
+/// What is told every second, and of the board also when it changes.
+struct SlowReport {
+  protocol::RejectionReport rejections{};
+  protocol::LimitReport limits{};
+  protocol::BoardReport board{};
+  bool board_is_news = false;
+};
+
 /// What one tick has to tell, beside its record.
 struct Report {
   Situation situation{};
@@ -22,13 +30,9 @@ struct Report {
   std::optional<protocol::SessionReply> session_refusal{};
   protocol::ArmReply arming{};
   std::optional<protocol::PlanReply> plan{};
-  bool board_is_news = false;
   std::uint32_t plan_crc = 0;
   core::Microseconds tick_duration{};  ///< of the last whole tick
-  // Filled in when slow_report_is_due(), and `board` when it is news.
-  protocol::RejectionReport rejections{};
-  protocol::LimitReport limits{};
-  protocol::BoardReport board{};
+  std::optional<SlowReport> slow{};    ///< when slow_report_is_due(), and when the board is news
 };
 
 /// Puts the reports on the bus: commands and encoders every millisecond while a canard may move (Launched, Controlling,

@@ -27,11 +27,8 @@ constexpr std::int32_t hundredths(float degrees) {
   constexpr float step = 0.01F;
   constexpr std::int32_t most = 2047;
   constexpr float most_degrees = static_cast<float>(most) * step;
-  if (degrees >= most_degrees) {
-    return most;
-  }
-  if (degrees <= -most_degrees) {
-    return -most;
+  if (!(degrees < most_degrees && degrees > -most_degrees)) {
+    return degrees < 0.0F ? -most : most;
   }
   return static_cast<std::int32_t>((degrees < 0.0F ? degrees - 0.5F * step : degrees + 0.5F * step) / step);
 }
@@ -51,12 +48,13 @@ inline BusFrame angle_frame(std::uint16_t id, const PerCanard& angles, std::uint
   const std::uint32_t low = raw[0] | raw[1] << 12U | raw[2] << 24U;
   std::uint32_t high = raw[2] >> 8U | raw[3] << 4U | there << 16U | (counter & 0x0FU) << 20U;
   Crc8Autosar crc = protection_begun(id, session);
-  for (const unsigned shift : {0U, 8U, 16U, 24U}) {
-    crc.add(low >> shift);
-  }
-  for (const unsigned shift : {0U, 8U, 16U}) {
-    crc.add(high >> shift);
-  }
+  crc.add(low);  // not in a loop: GCC would read the shifts from memory
+  crc.add(low >> 8U);
+  crc.add(low >> 16U);
+  crc.add(low >> 24U);
+  crc.add(high);
+  crc.add(high >> 8U);
+  crc.add(high >> 16U);
   high |= static_cast<std::uint32_t>(crc.result()) << 24U;
   BusFrame frame{.id = id, .length = 8};
   const auto bytes = std::as_writable_bytes(std::span{frame.data});

@@ -14,7 +14,7 @@ namespace fantail::protocol {
 struct BusFrame {
   std::uint16_t id = 0;
   std::uint8_t length = 0;
-  std::array<std::uint8_t, 8> data{};
+  alignas(4) std::array<std::uint8_t, 8> data{};
   friend bool operator==(const BusFrame&, const BusFrame&) = default;
 };
 
