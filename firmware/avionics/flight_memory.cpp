@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "avionics/backup_map.hpp"
+#include "avionics/write_state.hpp"
 #include "protocol/crc32c.hpp"
 #include "protocol/little_endian.hpp"
 #include "protocol/state_block.hpp"
@@ -160,6 +161,7 @@ void FlightMemory::keep(const core::TickRecord& record, std::uint32_t plan_crc,
   if (waits_) {
     return;
   }
+  layout_ = layout_ ? layout_ : layout_of(law);
   if (!flies(record.phase)) {
     if (sequence_ > 0) {
       forget();
@@ -173,20 +175,18 @@ void FlightMemory::keep(const core::TickRecord& record, std::uint32_t plan_crc,
   sequence_ += 1;
   const std::span<std::byte> half = flight_half(memory_, sequence_ % 2);
   break_seal(half);
-  protocol::StateWriter writer{half.subspan(state_at), StateExtent::in_flight};
-  law.visit_state(writer);
-  if (writer.size() > most_state) {
+  const std::size_t size = write_state(law, half.subspan(state_at), StateExtent::in_flight);
+  if (size > most_state) {
     return;  // part of a state is none
   }
   put<4>(half, sealed_from, sequence_);
   put<8>(half, time_at, static_cast<std::uint64_t>(record.time.count()));
   put<4>(half, plan_at, plan_crc);
-  layout_ = layout_ ? layout_ : layout_of(law);
   put<4>(half, layout_at, *layout_);
   put<4>(half, resumes_at, resumes_);
   put<4>(half, sectors_at, used_sectors.value_or(0));
   put<1>(half, sectors_known_at, used_sectors ? 1 : 0);
-  put<2>(half, size_at, writer.size());
+  put<2>(half, size_at, size);
   seal(half);
 }
 

@@ -104,8 +104,14 @@ struct WaitingCheckpoint {
   std::array<std::byte, 1792> payload{};  // the law of this version needs 1689
   std::size_t size = 0;                   ///< 0: none waits
   std::uint32_t before = 0;               ///< number of the tick that follows
+  bool in_the_making = false;             ///< and that tick waits for it
 
   [[nodiscard]] std::span<const std::byte> bytes() const { return std::span{payload}.first(size); }
+  /// Of so many bytes. More than there is room for are none: part of a state is none.
+  void finish(std::size_t made) {
+    size = made <= payload.size() ? made : 0;
+    in_the_making = false;
+  }
 };
 
 struct RecordQueue {
@@ -117,6 +123,7 @@ struct RecordQueue {
     ticks.clear();
     notes.clear();
     checkpoint.size = 0;
+    checkpoint.in_the_making = false;
   }
 };
 

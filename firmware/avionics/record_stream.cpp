@@ -81,6 +81,9 @@ bool RecordStream::begin_next() {
   if (ticks.time() - *header_time_ >= header_period) {
     return begin_header(ticks.time());
   }
+  if (checkpoint.in_the_making) {
+    return false;
+  }
   if (checkpoint.size > 0 && checkpoint.before == ticks.first()) {
     return begin_frame(LogRecord::checkpoint, ticks.time(), {checkpoint.bytes()});
   }

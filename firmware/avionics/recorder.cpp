@@ -31,6 +31,9 @@ void Recorder::take_plan(const core::FlightPlan& plan) {
 
 void Recorder::note(const Tick& tick, core::Autopilot& law) {
   const Phase phase = tick.record.phase;
+  if (queue_.checkpoint.in_the_making) {
+    go_on_with_first_checkpoint();
+  }
   switch (stage_) {
     case Stage::idle:
       if ((phase == Phase::armed || (resumed_ && flies(phase) && region_.finished())) &&
@@ -61,7 +64,10 @@ void Recorder::note(const Tick& tick, core::Autopilot& law) {
   }
 }
 
-void Recorder::begin_on_pad(const Tick& tick, const core::Autopilot& law) {
+void Recorder::begin_on_pad(const Tick& tick, core::Autopilot& law) {
+  protocol::StateLayout layout;
+  law.visit_state(layout);
+  state_layout_ = layout.hash();
   queue_.clear();
   told_ = {.phase = tick.record.phase};
   armed_because_ = tick.record.reason;
@@ -76,11 +82,9 @@ void Recorder::begin_flight(const Tick& tick) {
     stage_ = Stage::idle;
     return;
   }
-  protocol::StateLayout layout;
-  ring_.law().visit_state(layout);
   stream_.begin({.flight = *flight,
                  .power_up = tick.power_up.value_or(0),
-                 .state_layout = layout.hash(),
+                 .state_layout = state_layout_,
                  .rate_scale_rad_s = tick.scales.imu.rate_rad_s,
                  .specific_force_scale_m_s2 = tick.scales.imu.specific_force_m_s2,
                  .accelerometer_scale_m_s2 = tick.scales.accelerometer_m_s2,
@@ -98,9 +102,9 @@ void Recorder::begin_flight(const Tick& tick) {
   ticks_to_health_ = 0;
   finished_since_.reset();
   const Microseconds time = queue_.ticks.size() > 0 ? queue_.ticks.time() : tick.record.time;
-  queue_checkpoint(tick.record.time, ring_.law(), ring_.times(), queue_.ticks.first(), StateExtent::whole);
+  begin_first_checkpoint();
   // Not in the ticks in which the flight memory writes out the same state.
-  *checkpoint_due_ += Microseconds{3'000};
+  checkpoint_due_ = tick.record.time + checkpoint_period + Microseconds{3'000};
   queue_event({.time = time, .kind = LogEventKind::recording_began, .number = *flight}, queue_.ticks.first());
   queue_event({.time = time,
                .kind = LogEventKind::phase,
@@ -131,8 +135,7 @@ void Recorder::fly_on(const Tick& tick, core::Autopilot& law) {
   if (!overflowed_) {
     tell_what_was_dropped(time);
     if (queue_.checkpoint.size == 0 && (!checkpoint_due_ || time >= *checkpoint_due_)) {
-      queue_checkpoint(time, law, times_, queue_.ticks.end(),
-                       flies(tick.record.phase) ? StateExtent::in_flight : StateExtent::whole);
+      queue_checkpoint(time, law, flies(tick.record.phase) ? StateExtent::in_flight : StateExtent::whole);
     }
   }
   if (const auto end = reason_to_end(tick.record)) {

@@ -31,8 +31,8 @@ namespace fantail::avionics {
 /// not happen.
 ///
 /// Time in a tick, at worst: one tick packed and summed up, one of half a second ago flown again (armed only), one
-/// state of the flight law written out (once a second), 256 bytes framed with their CRC, and one program of the flash
-/// begun.
+/// state of the flight law written out (once a second; the first, which is larger, in four ticks), 256 bytes framed
+/// with their CRC, and one program of the flash begun.
 class Recorder {
  public:
   /// The region outlives this object.
@@ -71,6 +71,8 @@ class Recorder {
   [[nodiscard]] std::uint32_t ticks_dropped() const { return ticks_dropped_; }
 
  private:
+  static constexpr core::Microseconds checkpoint_period{1'000'000};
+
   enum class Stage : std::uint8_t { idle, on_pad, flying, closing };
   /// What the events have told so far.
   struct Told {
@@ -81,7 +83,7 @@ class Recorder {
     core::CommandStatus command_status = core::CommandStatus::outside_control;
   };
 
-  void begin_on_pad(const Tick& tick, const core::Autopilot& law);
+  void begin_on_pad(const Tick& tick, core::Autopilot& law);
   void begin_flight(const Tick& tick);
   void fly_on(const Tick& tick, core::Autopilot& law);
   [[nodiscard]] std::optional<protocol::LogEnd> reason_to_end(const core::TickRecord& record);
@@ -90,8 +92,9 @@ class Recorder {
   void queue_tick(const Tick& tick);
   void queue_changes(const core::TickRecord& record);
   void queue_health(const Tick& tick);
-  void queue_checkpoint(core::Microseconds time, core::Autopilot& law, const protocol::SampleTimes& times,
-                        std::uint32_t before, protocol::StateExtent extent);
+  void begin_first_checkpoint();
+  void go_on_with_first_checkpoint();
+  void queue_checkpoint(core::Microseconds time, core::Autopilot& law, protocol::StateExtent extent);
   void tell_what_was_dropped(core::Microseconds time);
   void queue_event(const protocol::LogEvent& event, std::uint32_t before);
   void queue_note(core::Microseconds time, protocol::LogRecord type, std::span<const std::byte> payload,
@@ -109,6 +112,8 @@ class Recorder {
   protocol::SampleTimes times_{};  ///< of the newest tick
   Told told_{};
   core::PhaseReason armed_because_{};
+  std::uint32_t state_layout_ = 0;
+  std::size_t first_checkpoint_made_ = 0;  ///< bytes of its state
   std::uint32_t ticks_to_health_ = 0;
   std::optional<core::Microseconds> checkpoint_due_{};  ///< empty: one is wanted now
   std::optional<core::Microseconds> finished_since_{};

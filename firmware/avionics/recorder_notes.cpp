@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "avionics/recorder.hpp"
-#include "protocol/state_block.hpp"
+#include "avionics/write_state.hpp"
 
 namespace fantail::avionics {
 
@@ -15,7 +15,8 @@ using protocol::LogRecord;
 
 namespace {
 
-constexpr Microseconds checkpoint_period{1'000'000};
+// A whole state in four ticks.
+constexpr std::size_t state_part = 450;
 constexpr std::uint32_t ticks_per_health = 100;
 // The other half is for events, which do not come again.
 constexpr std::uint32_t most_waiting_health = NoteQueue::capacity / 2;
@@ -27,6 +28,11 @@ core::SensorState worth_telling(core::SensorState state) {
 
 std::uint16_t at_most_16_bits(std::int64_t value) {
   return static_cast<std::uint16_t>(std::clamp<std::int64_t>(value, 0, std::numeric_limits<std::uint16_t>::max()));
+}
+
+void put_times(const protocol::SampleTimes& times, std::span<std::byte> payload) {
+  protocol::put<8>(payload, 0, static_cast<std::uint64_t>(times.imu.count()));
+  protocol::put<8>(payload, 8, static_cast<std::uint64_t>(times.accelerometer.count()));
 }
 
 template <typename Enumeration>
@@ -79,17 +85,33 @@ void Recorder::queue_health(const Tick& tick) {
   longest_queue_ = 0;
 }
 
-void Recorder::queue_checkpoint(Microseconds time, core::Autopilot& law, const protocol::SampleTimes& times,
-                                std::uint32_t before, protocol::StateExtent extent) {
+// Of the law half a second behind, which has stopped where the record begins.
+void Recorder::begin_first_checkpoint() {
   WaitingCheckpoint& checkpoint = queue_.checkpoint;
-  const std::span<std::byte> payload = checkpoint.payload;
-  protocol::put<8>(payload, 0, static_cast<std::uint64_t>(times.imu.count()));
-  protocol::put<8>(payload, 8, static_cast<std::uint64_t>(times.accelerometer.count()));
-  protocol::StateWriter writer{payload.subspan(protocol::log_checkpoint_times_size), extent};
-  law.visit_state(writer);
-  const std::size_t size = protocol::log_checkpoint_times_size + writer.size();
-  checkpoint.size = size <= payload.size() ? size : 0;  // part of a state is none
-  checkpoint.before = before;
+  put_times(ring_.times(), checkpoint.payload);
+  checkpoint.before = queue_.ticks.first();
+  checkpoint.in_the_making = true;
+  first_checkpoint_made_ = 0;
+}
+
+void Recorder::go_on_with_first_checkpoint() {
+  WaitingCheckpoint& checkpoint = queue_.checkpoint;
+  const std::size_t begin = std::exchange(first_checkpoint_made_, first_checkpoint_made_ + state_part);
+  const std::size_t size =
+      write_state(ring_.law(), std::span{checkpoint.payload}.subspan(protocol::log_checkpoint_times_size),
+                  protocol::StateExtent::whole, {.begin = begin, .size = state_part});
+  if (first_checkpoint_made_ >= size) {
+    checkpoint.finish(protocol::log_checkpoint_times_size + size);
+  }
+}
+
+void Recorder::queue_checkpoint(Microseconds time, core::Autopilot& law, protocol::StateExtent extent) {
+  WaitingCheckpoint& checkpoint = queue_.checkpoint;
+  put_times(times_, checkpoint.payload);
+  const std::size_t size =
+      write_state(law, std::span{checkpoint.payload}.subspan(protocol::log_checkpoint_times_size), extent);
+  checkpoint.before = queue_.ticks.end();
+  checkpoint.finish(protocol::log_checkpoint_times_size + size);
   checkpoint_due_ = time + checkpoint_period;
 }
 

@@ -13,6 +13,7 @@
 #include "core/finite.hpp"
 #include "core/state_visitor.hpp"
 #include "core/time.hpp"
+#include "core/vector3.hpp"
 #include "protocol/little_endian.hpp"
 
 namespace fantail::protocol {
@@ -54,7 +55,8 @@ class StateVisitor {
 
   template <typename T>
   void each(T& value) {
-    if constexpr (core::RemembersState<T, Derived>) {
+    constexpr bool is_plain = requires { derived().plain(value); };
+    if constexpr (!is_plain && core::RemembersState<T, Derived>) {
       value.visit_state(derived());
     } else {
       derived().plain(value);
@@ -78,23 +80,43 @@ class StateVisitor {
   StateExtent extent_;
 };
 
-/// Writes a state. Bytes beyond the room are counted and not written.
+/// Of the values of a state those that begin in these bytes of it.
+struct StatePart {
+  std::size_t begin = 0;
+  std::size_t size = std::numeric_limits<std::size_t>::max();
+};
+
+/// Writes a state, or a part of it to its place in the whole. Other values, and bytes beyond the room, are counted and
+/// not written.
 class StateWriter : public StateVisitor<StateWriter> {
  public:
-  explicit StateWriter(std::span<std::byte> out, StateExtent extent = StateExtent::whole)
-      : StateVisitor{extent}, out_{out} {}
+  explicit StateWriter(std::span<std::byte> out, StateExtent extent = StateExtent::whole, StatePart part = {})
+      : StateVisitor{extent}, out_{out}, part_{part} {}
   [[nodiscard]] std::size_t size() const { return size_; }
 
  private:
   friend StateVisitor;
+  // Called, not written in: there are hundreds of values, and the image has no room for as many copies.
   template <std::size_t bytes>
-  void append(std::uint64_t value) {
-    if (size_ + bytes <= out_.size()) {
+  [[gnu::noinline]] void append(WordOf<bytes> value) {
+    if (wanted(bytes)) {
       put<bytes>(out_, size_, value);
     }
     size_ += bytes;
   }
+  [[nodiscard]] bool wanted(std::size_t bytes) const {
+    return size_ - part_.begin < part_.size && size_ + bytes <= out_.size();  // what lies before the part wraps round
+  }
   void plain(float value) { append<4>(std::bit_cast<std::uint32_t>(value)); }
+  // Most of a state are vectors: at once what three floats would be.
+  [[gnu::noinline]] void plain(const core::Vector3& value) {
+    if (wanted(12)) {
+      put<4>(out_, size_, std::bit_cast<std::uint32_t>(value.x));
+      put<4>(out_, size_ + 4, std::bit_cast<std::uint32_t>(value.y));
+      put<4>(out_, size_ + 8, std::bit_cast<std::uint32_t>(value.z));
+    }
+    size_ += 12;
+  }
   void plain(core::Angle value) { plain(value.radians()); }
   void plain(std::uint32_t value) { append<4>(value); }
   void plain(core::Microseconds value) { append<8>(static_cast<std::uint64_t>(value.count())); }
@@ -107,6 +129,7 @@ class StateWriter : public StateVisitor<StateWriter> {
   static void replace(const std::optional<T>&, bool, const T&) {}
 
   std::span<std::byte> out_;
+  StatePart part_;
   std::size_t size_ = 0;
 };
 

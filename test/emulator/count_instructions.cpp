@@ -70,10 +70,10 @@ class Counter {
   const hil::Target& target_;
 };
 
-using Phases = std::array<Phase, 3>;
+using Phases = std::array<Phase, 4>;
 
 Phases count(hil::Target& target) {
-  Phases phases{Phase{"pad"}, Phase{"controlling_with_chirp"}, Phase{"bench_session"}};
+  Phases phases{Phase{"pad"}, Phase{"controlling_with_chirp"}, Phase{"rest_of_flight"}, Phase{"bench_session"}};
   Counter counter{target};
   const sim::Scenario launch = input::load_scenario("tasha3_launch2", {});
   sim::World world{launch, sim::World::large_flash, target.maker()};
@@ -83,11 +83,13 @@ Phases count(hil::Target& target) {
       counter.add(phases[0], record);
     } else if (record.phase == core::Phase::controlling && record.excitation != core::Angle{}) {
       counter.add(phases[1], record);
+    } else {
+      counter.add(phases[2], record);
     }
     world.advance();
   }
   sil::BenchAtWorld bench{"bench_healthy", 1, target.maker()};
-  bench.after_tick = [&] { counter.add(phases[2], bench.record); };
+  bench.after_tick = [&] { counter.add(phases[3], bench.record); };
   (void)bench.limits();
   return phases;
 }
