@@ -65,32 +65,28 @@ class FlownRocket : public CanSystem {
 };
 
 TEST_F(FlownRocket, ADownloadThatWasKilledGoesOnAndEndsWithAFileForEveryFlight) {
-  const Node node{"vcan0", "bench_healthy", flash};
+  Node node{"vcan0", "bench_healthy", flash};
+  node.await_rest();
   const std::filesystem::path part = folder / "out/record.part";
   const auto has_grown_to = [&](std::uintmax_t size) {
-    // A rocket looks through its flash for four seconds before it says anything about it.
-    return eventually([&] {
+    return [&part, size](const Program&) {
       std::error_code error;
       const std::uintmax_t now = std::filesystem::file_size(part, error);
       return !error && now >= size;
-    });
+    };
   };
-  std::vector<std::string> words{"bench"};
-  std::ranges::copy(command(), std::back_inserter(words));
   {
-    Program killed{words};
-    ASSERT_TRUE(has_grown_to(10'000));
-    killed.signal(SIGKILL);
-    EXPECT_EQ(killed.outcome().signal, SIGKILL);
+    const auto killed = bench_until(command(), has_grown_to(10'000));
+    killed->signal(SIGKILL);
+    EXPECT_EQ(killed->outcome().signal, SIGKILL);
   }
   const auto kept = std::filesystem::file_size(part);
   EXPECT_LT(kept, used);
   {
-    Program interrupted{words};
-    ASSERT_TRUE(has_grown_to(kept + 10'000));
-    interrupted.signal(SIGINT);
-    EXPECT_EQ(interrupted.outcome().exit_code, 130);
-    EXPECT_PRED2(contains, interrupted.outcome().err, "bytes are kept in " + part.string());
+    const auto interrupted = bench_until(command(), has_grown_to(kept + 10'000));
+    interrupted->signal(SIGINT);
+    EXPECT_EQ(interrupted->outcome().exit_code, 130);
+    EXPECT_PRED2(contains, interrupted->outcome().err, "bytes are kept in " + part.string());
   }
   const auto kept_then = std::filesystem::file_size(part);
   EXPECT_GE(kept_then, kept + 10'000);

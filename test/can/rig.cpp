@@ -126,6 +126,22 @@ Outcome fantail_bench(const std::vector<std::string>& arguments, const Surroundi
   return outcome;
 }
 
+std::unique_ptr<Program> bench_until(const std::vector<std::string>& arguments,
+                                     const std::function<bool(const Program&)>& question) {
+  std::vector<std::string> words{"bench"};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  for (int attempt = 0; attempt < 12; ++attempt) {
+    auto bench = std::make_unique<Program>(words);
+    bool yes = false;
+    if (eventually([&] { return (yes = question(*bench)) || bench->ended(); }) && yes) {
+      return bench;
+    }
+    bench->signal(SIGKILL);
+    std::printf("a bench did not get there%s: %s\n", attempt < 11 ? ", once more" : "", bench->outcome().err.c_str());
+  }
+  throw std::runtime_error{"the bench never gets there"};
+}
+
 Dump::Dump(const std::string& interface)
     : interface_{interface}, program_{"candump", {"-L", "-r", "8000000", interface}} {
   hal::on_linux::CanBus bus{interface_};

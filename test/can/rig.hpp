@@ -93,9 +93,12 @@ class AtARocket : public CanSystem {
 };
 
 /// Runs fantail bench, and again when its session was lost because the guest gave it no processor time for 0.1 s: that
-/// is the interlock at work, and a busy machine must not decide a test. Says so when it happens; five times at most.
+/// is the interlock at work, and a busy machine must not decide a test. Says so when it happens; eleven times at most.
 [[nodiscard]] Outcome fantail_bench(const std::vector<std::string>& arguments, const Surroundings& surroundings = {});
 [[nodiscard]] bool starved(const Outcome& outcome);
+/// The same for a bench that goes on: it runs, and the answer has been yes. Prints why it is begun again.
+[[nodiscard]] std::unique_ptr<Program> bench_until(const std::vector<std::string>& arguments,
+                                                   const std::function<bool(const Program&)>& question);
 
 /// candump on an interface, from when the object has been made.
 class Dump {

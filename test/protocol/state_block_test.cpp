@@ -53,6 +53,31 @@ RC_GTEST_PROP(StateBlock, ALawThatIsGivenTheStateOfAnotherGoesOnAsTheOtherDoes, 
   RC_ASSERT(state_of(replayed) == state_of(flown));
 }
 
+TEST(StateBlock, WrittenInPartsOfAnySizeItIsTheWholeAndNothingBeside) {
+  core::RandomStream random{test::seed(4)};
+  Autopilot flown{core::random_plan(random)};
+  core::Chaos chaos{random};
+  for (int ticks = 0; ticks < 3'000; ++ticks) {
+    flown.step(chaos.next());
+  }
+  const std::vector<std::byte> whole = state_of(flown);
+  for (std::size_t part = 1; part < whole.size() + 2; part += 1 + part / 8) {
+    std::vector<std::byte> bytes(whole.size());
+    for (std::size_t begin = 0; begin < whole.size(); begin += part) {
+      std::vector<std::byte> piece(whole.size(), std::byte{0x5A});
+      StateWriter writer{piece, StateExtent::whole, {.begin = begin, .size = part}};
+      flown.visit_state(writer);
+      EXPECT_EQ(writer.size(), whole.size());
+      // A value belongs to the part in which it begins.
+      const auto untouched = [](std::byte byte) { return byte == std::byte{0x5A}; };
+      EXPECT_TRUE(std::all_of(piece.begin(), piece.begin() + static_cast<std::ptrdiff_t>(begin), untouched));
+      StateWriter again{bytes, StateExtent::whole, {.begin = begin, .size = part}};
+      flown.visit_state(again);
+    }
+    ASSERT_EQ(bytes, whole) << part;
+  }
+}
+
 // What the pad window had gathered is not in it: a law that lands on the pad again has to see rest anew.
 TEST(StateBlock, InFlightTwoFifthsOfTheStateAreEnough) {
   core::RandomStream random{test::seed(3)};
