@@ -106,7 +106,7 @@ TEST(Swing, ARocketThatLeavesEverFasterIsUnstableAndOneThatWasPushedIsNot) {
   const SwingStretch all{.begin_s = 0.0, .end_s = 30.0};
   const SwingResult unstable = fit_swing(leaving([](double t) { return 0.05 * std::exp(0.8 * t); }), all);
   EXPECT_TRUE(unstable.grows);
-  EXPECT_EQ(unstable.reason, "the rocket leaves where it hung ever faster, as no push makes it");
+  EXPECT_EQ(unstable.reason, "the rocket turns away from where it hung, ever faster; a push alone does not do that");
   for (const auto& pushed :
        {std::function<double(double)>{[](double t) { return t < 5.0 ? 0.0 : 20.0 * (t - 5.0); }},
         std::function<double(double)>{[](double t) { return t < 5.0 ? 0.0 : 5.0 * (t - 5.0) * (t - 5.0); }},
@@ -161,6 +161,16 @@ TEST(Stability, TheSlopeOverTheSquareOfTheSpeedIsTheMarginAndTheInterceptTheStri
   EXPECT_NEAR(s.without_wind_n_m_per_rad.value().value, 0.2, 1e-9);
   EXPECT_TRUE(s.sentence.starts_with("Stable: the centre of pressure is 120 mm (95 %: ")) << s.sentence;
   EXPECT_NE(s.sentence.find("1.5 calibres"), std::string::npos);
+}
+
+// Pins 95 mm in front of the centre of gravity hold the rocket as strings of m g 0.095 would.
+TEST(Stability, ARocketThatOnlyItsPinsMakeStableIsNotCalledStable) {
+  const double held_n_m_per_rad = 3.99 * 9.80665 * 0.095;
+  const Stability s = examine_stability({swing_at(15, 0.075, held_n_m_per_rad), swing_at(20, 0.075, held_n_m_per_rad),
+                                         swing_at(30, 0.075, held_n_m_per_rad)},
+                                        airframe, 1.2);
+  EXPECT_EQ(s.verdict, StabilityVerdict::unsure);
+  EXPECT_TRUE(s.sentence.starts_with("Not judged: it is stable on its pins, 75 mm (95 %: ")) << s.sentence;
 }
 
 // 5 mm between pins and centre of gravity are 24 % of the stiffness at 15 m/s.

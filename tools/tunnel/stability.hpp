@@ -38,8 +38,9 @@ struct StiffnessLine {
 };
 
 enum class StabilityVerdict : std::uint8_t {
-  stable,    ///< the margin is above zero with all of its 95 % interval
-  unstable,  ///< a swing grows, or the margin is below zero with all of it
+  stable,    ///< the margin is above zero with all of its 95 % interval, even if the pins explain all that holds the
+             ///< rocket without wind
+  unstable,  ///< a swing grows, or the margin is below zero with all of it, likewise
   unsure,
 };
 

@@ -141,6 +141,9 @@ struct StepsHeading {
 /// "Between the steps alpha varies by 0.05 m2 ...": for each figure of `spreads` what is airframe and what measurement.
 [[nodiscard]] std::vector<std::string> spread_sentences(const StepTable& table);
 
+/// Of a column's figures in texts and pages: alpha and beta of a small reference area are small numbers.
+[[nodiscard]] int decimals(const StepTable& table, const StepColumn& column);
+
 /// steps.csv: step, begin_s, the columns of step_columns(), their standard errors, and whose rows they are: vehicle,
 /// which is empty where nobody said, reference_area_m2 and inertia_kg_m2. One row a step.
 [[nodiscard]] std::string steps_csv(const StepsHeading& heading, const StepTable& table);

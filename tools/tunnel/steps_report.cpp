@@ -90,15 +90,16 @@ Json json_of(const std::vector<StepSpread>& spreads) {
 
 using Print = std::function<std::string(const StepColumn& column)>;
 
-Print printed(const StepFigures& figures) {
-  return [&figures](const StepColumn& column) { return fixed(column.printed(figures), 3); };
+Print printed(const StepTable& table, const StepFigures& figures) {
+  return [&](const StepColumn& column) { return fixed(column.printed(figures), decimals(table, column)); };
 }
 
 // Of the figures that have one.
 Print printed(const StepTable& table, double Between::* part) {
   return [&table, part](const StepColumn& column) {
     const auto found = std::ranges::find(table.spreads, column.name, [](const auto& one) { return one.column->name; });
-    return found == table.spreads.end() ? std::string{} : fixed(column.printed(found->spread.*part), 3);
+    return found == table.spreads.end() ? std::string{}
+                                        : fixed(column.printed(found->spread.*part), decimals(table, column));
   };
 }
 
@@ -109,9 +110,9 @@ struct Line {
 
 // What stands below the steps.
 std::vector<Line> summary(const StepTable& table) {
-  std::vector<Line> lines{{"mean", printed(table.mean)}};
+  std::vector<Line> lines{{"mean", printed(table, table.mean)}};
   if (table.standard_deviation) {
-    lines.push_back({"standard deviation", printed(*table.standard_deviation)});
+    lines.push_back({"standard deviation", printed(table, *table.standard_deviation)});
     lines.push_back({"  of measurement", printed(table, &Between::measurement)});
     lines.push_back({"  between the steps", printed(table, &Between::between)});
   }
@@ -145,7 +146,8 @@ std::string table_html(const StepTable& table) {
   std::vector<std::vector<page::Cell>> rows;
   for (const StepResult& result : table.steps) {
     const StepFigures figures = figures_of(result);
-    rows.push_back(row(std::to_string(result.number), fmt::format("{:g}", result.step.begin_s), printed(figures)));
+    rows.push_back(
+        row(std::to_string(result.number), fmt::format("{:g}", result.step.begin_s), printed(table, figures)));
   }
   for (const Line& line : summary(table)) {
     rows.push_back(row(line.label, "", line.print));
@@ -204,30 +206,7 @@ std::string over_steps(const StepTable& table, std::size_t place, const char* la
   return page::figure(chart, fmt::format("{}: {}{}.", label, fixed(mean, 3), spread));
 }
 
-std::string sentence(const StepSpread& one) {
-  const auto& column = one.column;
-  const auto& spread = one.spread;
-  const auto number = [&](double value) { return fixed(column->printed(value), 3); };
-  if (spread.between == 0.0) {
-    return fmt::format(
-        "Between the steps {} varies by no more than measurement explains (95 %: at most {} {}): the "
-        "estimates scatter by {}, their errors of measurement by {}.",
-        column->words, number(spread.high), column->unit, number(spread.seen), number(spread.measurement));
-  }
-  return fmt::format(
-      "Between the steps {} varies by {} {} (95 %: {} to {}); the estimates scatter by {}, their errors "
-      "of measurement by {}.",
-      column->words, number(spread.between), column->unit, number(spread.low), number(spread.high), number(spread.seen),
-      number(spread.measurement));
-}
-
 }  // namespace
-
-std::vector<std::string> spread_sentences(const StepTable& table) {
-  std::vector<std::string> all;
-  std::ranges::transform(table.spreads, std::back_inserter(all), sentence);
-  return all;
-}
 
 std::string steps_text(const StepsHeading& heading, const StepTable& table) {
   std::string text = fmt::format("{}: {} {}\n{}\n\n", heading.log, table.steps.size(),
@@ -236,7 +215,7 @@ std::string steps_text(const StepsHeading& heading, const StepTable& table) {
   text += "step                       m2        m      begin      end    angle/deg  rate/deg/s\n";
   for (const StepResult& result : table.steps) {
     const StepFigures figures = figures_of(result);
-    text += row_text(fmt::format("{:2} at {:g} s", result.number, result.step.begin_s), printed(figures));
+    text += row_text(fmt::format("{:2} at {:g} s", result.number, result.step.begin_s), printed(table, figures));
   }
   for (const Line& line : summary(table)) {
     text += row_text(line.label, line.print);

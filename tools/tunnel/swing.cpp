@@ -233,7 +233,7 @@ SwingResult fit_swing(const SwingLog& log, const SwingStretch& stretch) {
   }
   if (first_too_large && departs(log, *first_too_large, largest_rad)) {
     result.grows = true;
-    result.reason = "the rocket leaves where it hung ever faster, as no push makes it";
+    result.reason = "the rocket turns away from where it hung, ever faster; a push alone does not do that";
     return result;
   }
   if (first_too_large) {
