@@ -45,6 +45,20 @@ TEST(Decision, IsGoWhenEveryCriterionIsMetAndSaysWithWhat) {
   }
 }
 
+// A run may end control early and be not held for it, or for another reason: it counts all the same.
+TEST(Decision, CountsEveryRunInWhichControlEndedEarly) {
+  Prediction p = good();
+  p.held = share(197, 200);
+  for (std::size_t i = 0; i < 3; ++i) {
+    p.runs[i].outcome = i == 0 ? report::Outcome::cut_short : report::Outcome::not_held;
+    p.runs[i].ended_early = true;
+    p.runs[i].verdict = "Control ended at 9.50 s, 0.78 s before apogee: the rocket tilted too far.";
+  }
+  EXPECT_NE(decide(p, {}).text.find("in 3 of 200 runs control ends early (run 0: Control ended at 9.50 s"),
+            std::string::npos)
+      << decide(p, {}).text;
+}
+
 TEST(Decision, IsNoGoWhenTheOffsetIsLargerThanTheLimit) {
   Prediction p = good();
   p.reach.angle_rad = radians(6.0);
@@ -64,7 +78,7 @@ TEST(Decision, IsNoGoWhenTheLoopIsTooNearToSwinging) {
   const Decision d = decide(p, {});
   EXPECT_FALSE(d.go);
   EXPECT_EQ(d.text,
-            "No go: at 82 m/s 5 % of the runs have a phase margin of 22 degrees or less, where 30 is asked for.");
+            "No go: at 82 m/s 5 % of the runs have a phase margin of 23 degrees or less, where 30 is asked for.");
   EXPECT_TRUE(decide(p, {.phase_margin_rad = radians(20.0)}).go);
 }
 

@@ -44,6 +44,9 @@ TEST(Prediction, OfTheFirstLaunchWarnsOfRollResonanceInTextJsonAndPage) {
   ASSERT_TRUE(p.resonance);
   EXPECT_NEAR(degrees(p.resonance->resonant_rad.p50), 4.1, 0.7);
   EXPECT_EQ(p.resonance->past, 4U);
+  // Each end of the range is that of a frequency, beside the spread of the runs.
+  const double frequencies = p.resonance->most_frequency_1_m / p.resonance->least_frequency_1_m;
+  EXPECT_GE(p.resonance->resonant_rad.p95 / p.resonance->resonant_rad.p5, frequencies);
   EXPECT_NE(prediction_text(p, d).find("Roll resonance: "), std::string::npos);
   EXPECT_NE(prediction_html(p, d, "0").find("Roll resonance: "), std::string::npos);
   const json::Value json = json::parse(prediction_json(p, d, "0"));

@@ -142,6 +142,10 @@ TEST(Figures, HeightsAndSpeedsAreTrueOnesWhereTruthExists) {
   for (flight::Row& row : synthetic.flight.rows) {
     row.truth.reset();
   }
+  // In wind the one above is through the air; a path knows the one over ground.
+  synthetic.flight.path = {{.time_s = 1.0, .north_m_s = 2.0, .east_m_s = 3.0, .up_m_s = 6.0}, {.time_s = 2.0}};
+  EXPECT_NEAR(figures(synthetic.flight).max_speed_m_s.value(), 7.0, 1e-9);
+  synthetic.flight.path.clear();
   f = figures(synthetic.flight);
   EXPECT_EQ(f.apogee_m, 1000.0);
   EXPECT_EQ(f.max_speed_m_s, 1000.0);

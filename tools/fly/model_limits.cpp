@@ -50,8 +50,14 @@ std::optional<std::string> near_sound(const sim::Scenario& scenario, const fligh
   }
   const bool has_factor = scenario.vehicle.compressibility == sim::Compressibility::prandtl_glauert;
   const bool has_drag = scenario.vehicle.drag_over_mach.is_there();
-  if (top_mach < (has_factor ? sim::highest_mach_of_prandtl_glauert : largest_constant_mach)) {
+  if (top_mach < largest_constant_mach) {
     return std::nullopt;
+  }
+  if (has_factor && top_mach < sim::highest_mach_of_prandtl_glauert) {
+    return has_drag ? std::nullopt
+                    : std::optional{fmt::format(
+                          "At {:.0f} m/s, Mach {:.2f}, drag is no longer constant, as the simulation takes it to be.",
+                          speed_m_s, top_mach)};
   }
   if (has_factor) {
     return fmt::format(
@@ -117,15 +123,29 @@ std::optional<std::string> strong_motor(const sim::Scenario& scenario, const fli
   if (largest_m_s2 < 0.98 * range_m_s2) {
     return std::nullopt;
   }
-  return fmt::format(
-      "The motor pushes with {:.1f} g or more; the ranges of the accelerometers are {:.0f} and {:.0f} g.",
-      largest_m_s2 / sim::gravity_m_s2, scenario.vehicle.imu.full_scale_m_s2 / sim::gravity_m_s2,
-      scenario.vehicle.accelerometer.full_scale_m_s2 / sim::gravity_m_s2);
+  const bool shakes = scenario.vehicle.vibration.specific_force_m_s2 > 0.0;
+  return fmt::format("{} {:.1f} g or more; the ranges of the accelerometers are {:.0f} and {:.0f} g.",
+                     shakes ? "An accelerometer feels thrust and vibration of" : "The motor pushes with",
+                     largest_m_s2 / sim::gravity_m_s2, scenario.vehicle.imu.full_scale_m_s2 / sim::gravity_m_s2,
+                     scenario.vehicle.accelerometer.full_scale_m_s2 / sim::gravity_m_s2);
+}
+
+/// Where the rocket was at least as fast as at the end of its guide, from there to apogee.
+const flight::PathPoint* largest_angle_of_attack(const flight::Flight& flight, const flight::PathPoint& exit) {
+  const auto speed_m_s = [](const flight::PathPoint& p) { return std::hypot(p.north_m_s, p.east_m_s, p.up_m_s); };
+  const flight::PathPoint* largest = &exit;
+  for (const flight::PathPoint& point : flight.path) {
+    const bool counts = point.time_s >= exit.time_s && point.time_s <= flight.events.apogee_s.value_or(point.time_s) &&
+                        speed_m_s(point) >= speed_m_s(exit);
+    largest = counts && point.angle_of_attack_rad > largest->angle_of_attack_rad ? &point : largest;
+  }
+  return largest;
 }
 
 /// In six degrees of freedom the flow that was there, else the one that the stated wind would make.
-std::optional<std::string> windy_exit(const sim::Scenario& scenario, const flight::Flight& flight) {
-  if (scenario.path || !(scenario.wind.speed_m_s > 0.0) || !flight.events.guide_clear_s) {
+std::optional<std::string> wind_at_canards(const sim::Scenario& scenario, const flight::Flight& flight) {
+  const bool blows = scenario.wind.speed_m_s > 0.0 || scenario.wind.gust_m_s != 0.0;
+  if (scenario.path || !blows || !flight.events.guide_clear_s) {
     return std::nullopt;
   }
   const auto exit = std::ranges::find_if(
@@ -133,21 +153,30 @@ std::optional<std::string> windy_exit(const sim::Scenario& scenario, const fligh
   if (exit == flight.rows.end()) {
     return std::nullopt;
   }
-  const flight::PathPoint* point = flight::point_at(flight.path, *flight.events.guide_clear_s);
-  const double angle_rad =
-      point != nullptr ? point->angle_of_attack_rad : std::atan2(scenario.wind.speed_m_s, exit->truth->speed_m_s);
+  std::string text;
+  double angle_rad = std::atan2(scenario.wind.speed_m_s, exit->truth->speed_m_s);
+  if (const flight::PathPoint* point = flight::point_at(flight.path, *flight.events.guide_clear_s)) {
+    const flight::PathPoint* largest = largest_angle_of_attack(flight, *point);
+    angle_rad = largest->angle_of_attack_rad;
+    text = fmt::format("The air meets the rocket at {:.0f} deg at the end of its guide",
+                       degrees(point->angle_of_attack_rad));
+    if (largest != point) {
+      text += fmt::format(", and at up to {:.0f} deg later, at {:.2f} s", degrees(angle_rad), largest->time_s);
+    }
+  } else {
+    text = fmt::format(
+        "A wind of {:.3g} m/s, which is not simulated, meets the rocket at the end of its guide ({:.0f} m/s) at {:.0f} "
+        "deg",
+        scenario.wind.speed_m_s, exit->truth->speed_m_s, degrees(angle_rad));
+  }
   const double linear_angle_rad = scenario.vehicle.canard_air.stall_rad.value_or(usual_stall_rad);
-  const double left_rad = linear_angle_rad - flight::canard_limit_rad(scenario.plan);
-  const std::string text =
-      fmt::format("A wind of {:.3g} m/s{} meets the rocket at the end of its guide ({:.0f} m/s) at {:.0f} deg",
-                  scenario.wind.speed_m_s, point != nullptr ? "" : ", which is not simulated,", exit->truth->speed_m_s,
-                  degrees(angle_rad));
-  return angle_rad <= left_rad
+  const double limit_rad = flight::canard_limit_rad(scenario.plan);
+  return angle_rad <= linear_angle_rad - limit_rad
              ? text + "."
              : text + fmt::format(
-                          ": with {:.0f} deg of their own the canards leave the linear range of about {:.0f} "
-                          "deg, and their torque is less than simulated.",
-                          degrees(flight::canard_limit_rad(scenario.plan)), degrees(linear_angle_rad));
+                          ": with {:.0f} deg of their own the canards leave the linear range of about {:.0f} deg, and "
+                          "their torque is less than simulated.",
+                          degrees(limit_rad), degrees(linear_angle_rad));
 }
 
 }  // namespace
@@ -156,7 +185,7 @@ std::vector<std::string> beyond_the_model(const sim::Scenario& scenario, const f
   std::vector<std::optional<std::string>> sentences{reversed_roll(scenario), weak_servo(scenario, flight)};
   if (!flight.tunnel) {
     sentences.insert(sentences.end(), {leaning_guide(scenario, flight), near_sound(scenario, flight),
-                                       strong_motor(scenario, flight), windy_exit(scenario, flight)});
+                                       strong_motor(scenario, flight), wind_at_canards(scenario, flight)});
   }
   std::vector<std::string> all;
   for (std::optional<std::string>& sentence : sentences) {

@@ -72,11 +72,15 @@ constexpr std::array ways_not_to_hold{NotHeld{report::Outcome::oscillates, "the 
 
 /// "in 3 of 200 runs control does not begin (run 17: no launch was detected)"; empty where no run came to it.
 std::string first_with(const Prediction& p, const NotHeld& what) {
-  const auto count = static_cast<std::size_t>(std::ranges::count(p.runs, what.outcome, &Run::outcome));
+  // Control may end early in a run that is not held for another reason, or for what came after it.
+  const auto came_to_it = [&what](const Run& run) {
+    return what.outcome == report::Outcome::cut_short ? run.ended_early : run.outcome == what.outcome;
+  };
+  const auto count = static_cast<std::size_t>(std::ranges::count_if(p.runs, came_to_it));
   if (count == 0) {
     return {};
   }
-  const auto first = std::ranges::find(p.runs, what.outcome, &Run::outcome);
+  const auto first = std::ranges::find_if(p.runs, came_to_it);
   const std::string many = count < p.runs.size() ? fmt::format("in {} of {}", count, runs(p.runs.size()))
                            : count == 1          ? "in the run"
                                                  : "in all runs";
@@ -120,11 +124,14 @@ Criterion held(const Prediction& p, double threshold) {
   return c;
 }
 
-/// With a digit more where the whole number would hide on which side of the threshold it is.
+/// Rounded so that "or more" stays true where it is enough and "or less" where it is not, with a digit more where the
+/// whole number would hide on which side of the threshold it is.
 std::string phase_margin_text(double found_rad, double threshold_rad) {
-  const int decimals = found_rad < threshold_rad && fixed(degrees(found_rad), 0) == fixed(degrees(threshold_rad), 0);
-  return decimals == 0 ? fixed(std::floor(degrees(found_rad)), 0)
-                       : fixed(std::floor(10.0 * degrees(found_rad)) / 10.0, 1);
+  if (found_rad >= threshold_rad) {
+    return fixed(std::floor(degrees(found_rad)), 0);
+  }
+  const double whole = std::ceil(degrees(found_rad));
+  return whole < degrees(threshold_rad) ? fixed(whole, 0) : fixed(std::floor(10.0 * degrees(found_rad)) / 10.0, 1);
 }
 
 Criterion phase_margin(const Prediction& p, double threshold_rad) {

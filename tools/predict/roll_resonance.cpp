@@ -46,10 +46,14 @@ std::optional<RollResonance> roll_resonance(const sim::Scenario& scenario, const
   RollResonance found{.least_frequency_1_m = std::min(*before, *after),
                       .most_frequency_1_m = std::max(*before, *after),
                       .runs = runs.size()};
-  std::vector<double> resonant;
+  std::vector<double> at_least;
+  std::vector<double> in_the_middle;
+  std::vector<double> at_most;
   for (const Run& run : runs) {
-    const double middle_1_m = 0.5 * (*before + *after);
-    resonant.push_back(middle_1_m / roll_rate_1_m(run.airframe, 1.0));
+    const double rate_1_m_rad = roll_rate_1_m(run.airframe, 1.0);
+    at_least.push_back(found.least_frequency_1_m / rate_1_m_rad);
+    in_the_middle.push_back(0.5 * (*before + *after) / rate_1_m_rad);
+    at_most.push_back(found.most_frequency_1_m / rate_1_m_rad);
     const double free = roll_rate_1_m(run.airframe, std::abs(run.offset_rad));
     const double driven = roll_rate_1_m(run.airframe, std::abs(run.offset_rad) + std::max(canard_reach_rad, 0.0));
     const bool comes_near = free > (1.0 - near_resonance) * found.least_frequency_1_m;
@@ -58,7 +62,11 @@ std::optional<RollResonance> roll_resonance(const sim::Scenario& scenario, const
     found.past += is_past ? 1 : 0;
     found.with_canards += driven > (1.0 - near_resonance) * found.least_frequency_1_m ? 1 : 0;
   }
-  found.resonant_rad = spread(std::move(resonant));
+  const Spread middle = spread(std::move(in_the_middle));
+  found.resonant_rad = {.mean = middle.mean,
+                        .p5 = spread(std::move(at_least)).p5,
+                        .p50 = middle.p50,
+                        .p95 = spread(std::move(at_most)).p95};
   return found;
 }
 
@@ -70,10 +78,9 @@ std::string warning(const RollResonance& r, double canard_reach_rad) {
   const Spread& angle = r.resonant_rad;
   return fmt::format(
       "Roll resonance: a fin or canard angle of {} degrees ({} to {}) rolls this rocket as fast as it swings in pitch, "
-      "at "
-      "any speed (frequency / speed {} to {} rad/m). Without control the fin offset would keep {} near that and spin "
-      "{} "
-      "through it; with the canards at {} degrees in the sense of the offset {} come near it. There what is crooked "
+      "at any speed (frequency / speed {} to {} rad/m from lift-off to burn-out). Without control the fin offset would "
+      "keep {} near that and spin {} through it; with the canards at {} degrees in the sense of the offset {} come "
+      "near it. There what is crooked "
       "makes the angle of attack several times larger, and the roll may lock in (Hoult and Tran, Sounding Rocket Fin "
       "Design to Mitigate Roll Lock-In). Neither this nor the angle of attack is in the runs' roll.",
       fixed(degrees(angle.p50), 1), fixed(degrees(angle.p5), 1), fixed(degrees(angle.p95), 1),

@@ -112,6 +112,7 @@ Run run_of(const flight::Flight& flight, const sim::Scenario& scenario, const Tu
   const double limit_rad = canard_reach(scenario, run.offset_rad).angle_rad;
   run.outcome = verdict.outcome;
   run.verdict = verdict.text;
+  run.ended_early = verdict.ended_early;
   keep_notes(run, flight, scenario);
   run.largest_hold_error_rad = figures.largest_hold_error_rad;
   run.saturated_share = figures.saturated_fraction;

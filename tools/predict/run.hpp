@@ -26,6 +26,7 @@ struct Run {
   double authority_margin_rad = 0.0;  ///< canard_reach() less |offset|
   report::Outcome outcome = report::Outcome::no_control;
   std::string verdict{};             ///< what the flight report says of it
+  bool ended_early = false;          ///< control; whatever the outcome
   std::vector<std::string> notes{};  ///< likewise, without what was assumed beforehand, a sentence each
   std::optional<double> largest_hold_error_rad{};
   std::optional<double> saturated_share{};

@@ -235,7 +235,8 @@ std::vector<Chart> all_charts(const flight::Flight& flight) {
                      {drawer.line("command", Role::target, column(fmt::format("command_{}_deg", i))),
                       drawer.line("encoder", Role::measured, column(fmt::format("encoder_{}_deg", i)))})));
   }
-  const page::Series true_speed = drawer.line("true", Role::target, column("true_speed_m_s"));
+  const page::Series true_speed =
+      drawer.line(flight.path.empty() ? "true" : "true, through the air", Role::target, column("true_speed_m_s"));
   if (flight.tunnel) {  // on a string nothing accelerates, so there is no estimate
     all.push_back(drawer.chart("Air speed", "m/s", page::half_page, small, {true_speed}));
   } else {
@@ -243,7 +244,8 @@ std::vector<Chart> all_charts(const flight::Flight& flight) {
                                {drawer.line("true", Role::target, column("true_height_m")),
                                 drawer.line("estimate", Role::measured, column("height_m"))}));
     all.push_back(drawer.chart("Speed", "m/s", page::half_page, small,
-                               {true_speed, drawer.line("estimate", Role::measured, column("speed_m_s"))}));
+                               {true_speed, drawer.line(flight.path.empty() ? "estimate" : "estimate, over ground",
+                                                        Role::measured, column("speed_m_s"))}));
   }
   return all;
 }

@@ -149,6 +149,15 @@ void judge_end(Figures& f, std::span<const flight::Row> control, const flight::F
   }
 }
 
+/// In wind the rows' true speed is the one through the air, along the rocket's axis.
+double top_speed_over_ground_m_s(const std::vector<flight::PathPoint>& path) {
+  double top_m_s = 0.0;
+  for (const flight::PathPoint& point : path) {
+    top_m_s = std::max(top_m_s, std::hypot(point.north_m_s, point.east_m_s, point.up_m_s));
+  }
+  return top_m_s;
+}
+
 }  // namespace
 
 Figures figures(const flight::Flight& flight) {
@@ -157,7 +166,7 @@ Figures figures(const flight::Flight& flight) {
     return f;
   }
   f.final_phase = flight.rows.back().phase;
-  f.max_speed_m_s = largest(flight, speed_m_s);
+  f.max_speed_m_s = flight.path.empty() ? largest(flight, speed_m_s) : top_speed_over_ground_m_s(flight.path);
   if (!flight.tunnel && flight.events.apogee_s) {
     f.apogee_m = largest(flight, height_m);
   }

@@ -15,7 +15,7 @@ namespace fantail::report {
 /// slow air of the tunnel two seconds).
 struct Figures {
   std::optional<double> apogee_m;                 ///< true height where truth exists, else the estimate
-  std::optional<double> max_speed_m_s;            ///< likewise
+  std::optional<double> max_speed_m_s;            ///< likewise; over ground where the flight has a path
   std::optional<double> control_start_height_m;   ///< likewise
   std::optional<double> control_time_s;           ///< first to last tick under control
   std::optional<double> saturated_fraction;       ///< of the ticks under control

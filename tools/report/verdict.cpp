@@ -175,6 +175,7 @@ Verdict judge_flight(const flight::Flight& flight, const Figures& f) {
         v.text;
   }
   if (ended_early(flight, f)) {
+    v.ended_early = true;
     const bool rolled_away = f.roll_after_end_rad.value_or(0.0) > held_error_rad;
     v.outcome = rolled_away || v.outcome == Outcome::not_held ? Outcome::not_held : Outcome::cut_short;
     v.text.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(v.text.front())));

@@ -23,7 +23,8 @@ enum class Outcome : std::uint8_t {
 
 struct Verdict {
   Outcome outcome = Outcome::no_control;
-  std::string text;  ///< one to six plain sentences
+  std::string text;          ///< one to six plain sentences
+  bool ended_early = false;  ///< whatever the outcome
 };
 
 [[nodiscard]] Verdict verdict(const flight::Flight& flight, const Figures& figures);
