@@ -22,6 +22,12 @@ std::string refusal(Shipped kind, const std::string& name) {
   return refused.message;
 }
 
+TEST(FindInput, ResultsOfWhatFantailNewMadeAreCalledAsItsFolder) {
+  EXPECT_EQ(name_of_file("hawk/scenario.toml"), "hawk");
+  EXPECT_EQ(name_of_file("hawk/vehicle.toml"), "hawk");
+  EXPECT_EQ(name_of_file("hawk/windy.toml"), "windy");
+}
+
 TEST(FindInput, TheExtensionMayBeLeftOut) {
   const ScratchFile file{scenario_text, "my_scenario.toml"};
   EXPECT_EQ(find_input(Shipped::scenario, (file.path().parent_path() / "my_scenario").string()), file.path());

@@ -63,6 +63,11 @@ TEST(Geometry, OfPartsOutsideTheRocketIsRefused) {
   EXPECT_EQ(refusal({"canard_fins.position_m=0.2"}),
             "--set canard_fins.position_m=0.2: canard_fins.position_m = 0.2 is on the nose; allowed: at least "
             "shape.nose_length_m = 0.24");
+  EXPECT_NE(refusal({"canard_fins.position_m=1.4"})
+                .find("canard_fins.position_m = 1.4: their roots lie in those of the "
+                      "fins; allowed: in front of or behind 1.33 to 1.51 m"),
+            std::string::npos)
+      << refusal({"canard_fins.position_m=1.4"});
   EXPECT_EQ(refusal({"canard_fins.hinge_m=0.04"}),
             "--set canard_fins.hinge_m=0.04: canard_fins.hinge_m = 0.04; allowed: at most root_chord_m, 0.035");
   const std::string long_tube = refusal({"masses.lengths_m=[0.24, 0.4, 0.25, 1.4, 0.18, 0.3]"});

@@ -64,6 +64,11 @@ TEST(CanardTolerances, AreRefusedOutOfRangeAndByAWrongName) {
   EXPECT_EQ(refusal("canard_tolerances.dropout_percent=51"),
             "--set canard_tolerances.dropout_percent=51: canard_tolerances.dropout_percent = 51 is out of range; "
             "allowed: 0 to 50");
+  EXPECT_NE(refusal("body.roll_inertia_kg_m2=1.3")
+                .find("airframe.transverse_inertia_kg_m2 = 0.6; allowed: at least "
+                      "half of the roll inertia then, 1.3, as no body has less"),
+            std::string::npos)
+      << refusal("body.roll_inertia_kg_m2=1.3");
   EXPECT_EQ(refusal("canard_tolerances.centering_deg=1"),
             "--set canard_tolerances.centering_deg=1: unknown key canard_tolerances.centering_deg; did you mean "
             "canard_tolerances.centring_deg?");

@@ -29,7 +29,7 @@ length_m = 4
 clearance_m = 2
 minimum_speed_m_s = 10
 
-[controller] # fantail predict says their margins, and better ones where they are too small
+[controller] # fantail fly says their margins; fantail predict, once there are tunnel results, better ones
 proportional_gain = 0.5
 derivative_gain_s = 0.05
 canard_limit_deg = 9
@@ -83,8 +83,8 @@ std::string sentences(const std::vector<std::string>& all) {
 /// To six digits: no formula here knows more.
 std::string rounded(double value) { return fmt::format("{:.6g}", value); }
 
-/// What was read, to the last digit.
-std::string exact(double value) { return fmt::format("{}", value); }
+/// What was read; sums of lengths and turned units end in digits that nobody wrote.
+std::string exact(double value) { return fmt::format("{:.12g}", value); }
 
 std::string fin_set(const char* section, const Geometry::FinSet& set) {
   std::string out = fmt::format("\n[{}]\n", section);
@@ -212,12 +212,17 @@ std::vector<text::NamedFile> files_of(const NewRocket& rocket) {
   const model::BuildUp b = model::build_up(rocket.vehicle);
   const bool whole = b.at_liftoff && b.after_burnout;
   const std::string first_line = fmt::format("# {}. Made by fantail new.\n", rocket.name);
-  return {{.name = "vehicle.toml", .content = vehicle_file(rocket, b)},
-          {.name = "plan.toml", .content = first_line + std::string{plan_text}},
-          {.name = "scenario.toml",
-           .content =
-               first_line + fmt::format(fmt::runtime(scenario_text), fmt::arg("motion", whole ? "six_dof" : "straight"),
-                                        fmt::arg("wind", whole ? 3 : 0))}};
+  std::vector<text::NamedFile> files{
+      {.name = "vehicle.toml", .content = vehicle_file(rocket, b)},
+      {.name = "plan.toml", .content = first_line + std::string{plan_text}},
+      {.name = "scenario.toml",
+       .content =
+           first_line + fmt::format(fmt::runtime(scenario_text), fmt::arg("motion", whole ? "six_dof" : "straight"),
+                                    fmt::arg("wind", whole ? 3 : 0))}};
+  if (rocket.motor) {
+    files.push_back(*rocket.motor);
+  }
+  return files;
 }
 
 }  // namespace fantail::airframe

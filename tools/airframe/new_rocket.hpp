@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,7 @@ struct NewRocket {
   std::string motor_file;  ///< as a vehicle file names it
   std::string source;      ///< what its shape was read from
   std::vector<std::string> assumed;
+  std::optional<text::NamedFile> motor{};  ///< that lies beside the vehicle from now on; none: a shipped one
 };
 
 /// vehicle.toml, plan.toml and scenario.toml: roll model, stability and inertia as the shape gives them, everything

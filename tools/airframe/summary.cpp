@@ -134,7 +134,8 @@ void judge(Summary& summary, const sim::Vehicle& vehicle) {
                           .high = (b.centre_of_pressure_m.high - *c.gravity_m) / calibre_m};
     const std::optional<double> file =
         airframe ? std::optional{(airframe->centre_of_pressure_m - *c.gravity_m) / calibre_m} : std::nullopt;
-    summary.lines.push_back({fmt::format("static margin {}", c.when), "calibres", margin, file, 2});
+    summary.lines.push_back({fmt::format("static margin {}{}", c.when, airframe ? ", file's centre of gravity" : ""),
+                             "calibres", margin, file, 2});
     if (!least || margin.value < least->value) {
       least = margin;
       when = c.when;
@@ -192,8 +193,9 @@ void compare(Summary& summary) {
     }
   }
   if (!outside.empty()) {
-    summary.remarks.push_back("The file is outside of what the shape gives in: " + outside +
-                              ". What was measured counts more than what is computed.");
+    summary.remarks.push_back(
+        "The file is outside of what the shape gives in: " + outside +
+        ". A number that was measured counts more than one that is computed; one that was assumed does not.");
   }
 }
 

@@ -39,9 +39,9 @@ void show(const AirframeOptions& options) {
   const airframe::Summary summary = airframe::summarize(vehicle);
   const std::string json = airframe::json(vehicle, summary);
   const std::filesystem::path folder =
-      options.out.empty() ? std::filesystem::path{"out/airframe"} /
-                                variant_name(std::filesystem::path{file}.stem().string(), options.changes)
-                          : std::filesystem::path{options.out};
+      options.out.empty()
+          ? std::filesystem::path{"out/airframe"} / variant_name(input::name_of_file(file), options.changes)
+          : std::filesystem::path{options.out};
   const std::vector<text::NamedFile> files{{.name = "airframe.html", .content = airframe::html(vehicle, summary)},
                                            {.name = "airframe.json", .content = json}};
   text::OutputFolder{folder, {file}}.write(files);

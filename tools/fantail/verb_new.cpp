@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <memory>
 #include <numbers>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -28,11 +30,21 @@ struct NewOptions {
   std::optional<std::string> motor;
 };
 
-/// A motor as the new vehicle can name it: a shipped name stays one, of a path the whole.
+/// A motor as the new vehicle can name it: a shipped name stays one, another file is copied beside the vehicle.
 struct NamedMotor {
   std::string name;
   std::filesystem::path file;
   std::optional<std::string> designation{};  ///< one of several in the file
+  bool is_shipped = false;
+
+  [[nodiscard]] std::optional<text::NamedFile> copy() const {
+    if (is_shipped) {
+      return std::nullopt;
+    }
+    std::ostringstream content;
+    content << std::ifstream{file, std::ios::binary}.rdbuf();
+    return text::NamedFile{.name = file.filename().string(), .content = content.str()};
+  }
 };
 
 NamedMotor motor_called(const std::string& named, const std::filesystem::path& file) {
@@ -40,9 +52,10 @@ NamedMotor motor_called(const std::string& named, const std::filesystem::path& f
   const std::vector<std::string> shipped = input::shipped_names(input::Shipped::motor);
   const bool is_shipped = std::ranges::find(shipped, named) != shipped.end();
   const std::string designation = mark == std::string::npos ? "" : named.substr(mark);
-  return {.name = is_shipped ? named : std::filesystem::absolute(file).string() + designation,
+  return {.name = is_shipped ? named : file.filename().string() + designation,
           .file = file,
-          .designation = designation.empty() ? std::nullopt : std::optional{designation.substr(1)}};
+          .designation = designation.empty() ? std::nullopt : std::optional{designation.substr(1)},
+          .is_shipped = is_shipped};
 }
 
 std::string file_part(const std::string& named) { return named.substr(0, named.rfind('#')); }
@@ -70,6 +83,7 @@ airframe::NewRocket from_vehicle(const NewOptions& options) {
   }
   const NamedMotor motor = motor_of(options, document);
   rocket.motor_file = motor.name;
+  rocket.motor = motor.copy();
   rocket.vehicle.motor = input::load_rasp(motor.file, motor.designation).curve;
   rocket.assumed.push_back(
       fmt::format("Mass{} and drag area: those of {}.", options.motor ? "" : ", motor", rocket.source));
@@ -96,7 +110,8 @@ airframe::NewRocket from_design(const NewOptions& options) {
                              .vehicle = {},
                              .motor_file = motor.name,
                              .source = std::filesystem::path{options.from}.filename().string(),
-                             .assumed = design.assumed};
+                             .assumed = design.assumed,
+                             .motor = motor.copy()};
   sim::Vehicle& vehicle = rocket.vehicle;
   vehicle.motor = read.curve;
   vehicle.geometry = design.geometry;
@@ -127,14 +142,21 @@ airframe::NewRocket from_design(const NewOptions& options) {
   return rocket;
 }
 
-/// A folder that is only there if all of it can be flown.
-sim::Vehicle write(const std::filesystem::path& folder, const std::vector<text::NamedFile>& files) {
+/// A folder that is only there if all of it can be flown. What the vehicle is refused for lies in what it was made
+/// from.
+sim::Vehicle write(const std::filesystem::path& folder, const std::vector<text::NamedFile>& files,
+                   const std::string& source) {
   text::OutputFolder{folder}.write(files);
+  const std::string vehicle = (folder / "vehicle.toml").string();
   try {
-    return input::read_vehicle(input::Document::load((folder / "vehicle.toml").string()));
-  } catch (const text::Error&) {
+    return input::read_vehicle(input::Document::load(vehicle));
+  } catch (const text::Error& error) {
     std::filesystem::remove_all(folder);
-    throw;
+    std::string complaint = error.what();
+    if (complaint.starts_with(vehicle)) {
+      complaint.erase(0, std::min(complaint.find(": "), complaint.size() - 2) + 2);
+    }
+    throw text::Error{error.kind(), source + ": makes no vehicle: " + complaint};
   }
 }
 
@@ -147,8 +169,12 @@ void make(const NewOptions& options) {
   airframe::NewRocket rocket = is_design ? from_design(options) : from_vehicle(options);
   rocket.name = folder.filename().string();
   const std::vector<text::NamedFile> files = airframe::files_of(rocket);
-  const sim::Vehicle made = write(folder, files);
-  fmt::print("{}\n", airframe::summarize(made).sentence);
+  const sim::Vehicle made = write(folder, files, options.from);
+  const airframe::Summary summary = airframe::summarize(made);
+  fmt::print("{}\n", summary.sentence);
+  for (const std::string& remark : summary.remarks) {
+    fmt::print("{}\n", remark);
+  }
   if (!made.geometry->canards) {
     fmt::print(
         "It has no canards: nothing controls its roll until the vehicle has the section [canard_fins] and is made "

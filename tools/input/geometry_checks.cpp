@@ -148,6 +148,14 @@ void check_geometry(const Document& document, const sim::Vehicle& vehicle) {
           "hinge_m", at_most(*shape.canard_hinge_m, "root_chord_m", shape.canards->root_chord_m));
     }
   }
+  if (shape.fins && shape.canards && shape.canards->position_m + shape.canards->root_chord_m > shape.fins->position_m &&
+      shape.canards->position_m < shape.fins->position_m + shape.fins->root_chord_m) {
+    Section{document, "canard_fins"}.refuse(
+        "position_m",
+        fmt::format("= {}: their roots lie in those of the fins; allowed: in front of or behind {} to {} m",
+                    plain_number(shape.canards->position_m), plain_number(shape.fins->position_m),
+                    plain_number(shape.fins->position_m + shape.fins->root_chord_m)));
+  }
   check_masses(document, shape);
 }
 

@@ -189,7 +189,7 @@ sim::Scenario load_scenario(const std::string& name_or_path, std::span<const Ove
   Documents documents{.scenario = Document::load(file), .plan = {}, .vehicle = {}};
   refuse_other_kind(documents.scenario, Shipped::scenario);
   sim::Scenario scenario;
-  scenario.name = file.stem().string();
+  scenario.name = name_of_file(file);
   read_section(documents.scenario, "", scenario_fields(), scenario);
   Section top{documents.scenario, ""};
   if (top.has("tunnel_result")) {

@@ -97,6 +97,12 @@ std::vector<std::string> shipped_names(Shipped kind) {
   return names;
 }
 
+std::string name_of_file(const std::filesystem::path& file) {
+  const std::string name = file.stem().string();
+  const std::string folder = std::filesystem::absolute(file).parent_path().filename().string();
+  return (name == "scenario" || name == "vehicle") && !folder.empty() ? folder : name;
+}
+
 std::filesystem::path find_input(Shipped kind, const std::string& name_or_path) {
   const Place place = place_of(kind);
   std::filesystem::path shipped = data_folder() / place.folder / (name_or_path + std::string{place.extension});

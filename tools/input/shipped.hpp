@@ -11,6 +11,10 @@
 
 namespace fantail::input {
 
+/// What results of a file are called: its name, or its folder's when that says no more than "scenario" or "vehicle", as
+/// in a folder that fantail new has made.
+[[nodiscard]] std::string name_of_file(const std::filesystem::path& file);
+
 /// What kind of file a name stands for, and so in which folder the shipped ones lie.
 enum class Shipped : std::uint8_t { scenario, vehicle, motor, plan, tunnel_result };
 

@@ -197,7 +197,31 @@ TEST_F(Read, WhatIsNoDesignIsRefused) {
             std::string::npos);
 }
 
+TEST_F(Read, AGzippedFileThatWasCutOffIsNoDesign) {
+  const std::string xml = design(nose + tube(fins("Tail", 3, "0")));
+  const auto whole = std::filesystem::file_size(gzipped(xml));
+  for (const std::uintmax_t lost : {8U, 9U, 60U}) {  // 8 are the trailer: all of the XML is still there
+    const std::filesystem::path file = gzipped(xml);
+    std::filesystem::resize_file(file, whole - lost);
+    EXPECT_EQ(refusal(file), "packed.ork: cannot be unpacked: it ends too early");
+  }
+}
+
+TEST_F(Read, OfAParachuteTheMassIsReadAndTheRestSaidToBeLeftOut) {
+  const Design read = read_design(plain(design(
+      nose +
+      tube("<parachute><name>Main</name><packedlength>0.1</packedlength>"
+           "<packedradius>0.03</packedradius><diameter>1.2</diameter><overridemass>0.2</overridemass></parachute>"))));
+  EXPECT_DOUBLE_EQ(part(read, "Main").mass_kg, 0.2);
+  ASSERT_EQ(read.not_used.size(), 1U);
+  EXPECT_EQ(read.not_used[0],
+            "parachute \"Main\": all but its mass; when it opens and how it falls go into [recovery] of the vehicle.");
+}
+
 TEST_F(Read, AnotherDocumentVersionIsRefusedOrNamed) {
+  for (const char* odd : {"1.-5", "1.0e0", "1.nan"}) {
+    EXPECT_NE(refusal(plain(design(nose + tube(""), odd))).find("has the document version"), std::string::npos) << odd;
+  }
   EXPECT_EQ(refusal(plain(design(nose + tube(""), "2.0"))),
             "plain.ork: has the document version \"2.0\"; allowed: 1.0 to 1.10");
   EXPECT_NE(refusal(plain(design(nose + tube(""), "new"))).find("has the document version \"new\""), std::string::npos);

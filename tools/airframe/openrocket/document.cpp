@@ -79,8 +79,14 @@ std::string of_plain_or_gzip(const std::filesystem::path& file) {
   if (!inside) {
     throw text::Error{text::ErrorKind::no_such_input, file.string() + ": cannot be opened"};
   }
-  return all_of(
+  std::string text = all_of(
       file, [&](char* buffer, std::size_t size) { return gzread(inside.get(), buffer, static_cast<unsigned>(size)); });
+  int state = Z_OK;  // reading alone takes a file that was cut off for one that has ended
+  (void)gzerror(inside.get(), &state);
+  if (state != Z_OK && state != Z_STREAM_END) {
+    refuse(file, "cannot be unpacked: it ends too early");
+  }
+  return text;
 }
 
 }  // namespace

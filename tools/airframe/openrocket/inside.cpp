@@ -104,6 +104,11 @@ void Reader::add_child(const Component& c, const Place& parent, Masses& into) {
   if (is_fin_set(c)) {
     add_fins(c, parent, into);
   } else if (is_packed(kind)) {
+    if (kind == "parachute" || kind == "streamer") {
+      design_.not_used.push_back(
+          fmt::format("{} \"{}\": all but its mass; when it opens and how it falls go into [recovery] of the vehicle.",
+                      kind, c.name()));
+    }
     const double length_m = c.number_or("packedlength", 0.0, longest_m, 0.0);
     const double radius_m = c.number_or_auto("packedradius", 0.0, widest_m).value_or(parent.inner_m);
     const Place place{.begin_m = front_of(c, parent, length_m), .length_m = length_m};

@@ -42,10 +42,11 @@ double wall_of(const Component& c) {
 void check_version(const std::filesystem::path& file, pugi::xml_node root, Design& design) {
   constexpr double newest_minor = 10.0;
   const std::string version = root.attribute("version").as_string();
+  const bool is_version = version.find_first_not_of("0123456789.") == std::string::npos;
   const std::size_t dot = version.find('.');
   const auto major = text::number(version.substr(0, dot));
   const auto minor = text::number(dot == std::string::npos ? "0" : version.substr(dot + 1));
-  if (!major || !minor || *major != 1.0) {
+  if (!is_version || !major || !minor || *major != 1.0) {
     refuse(file, fmt::format("has the document version \"{}\"; allowed: 1.0 to 1.{:.0f}", version, newest_minor));
   }
   if (*minor > newest_minor) {
@@ -267,12 +268,14 @@ void Reader::read(pugi::xml_node stage) {
 
 Design read_design(const std::filesystem::path& file) {
   const std::string text = document_text(file);
-  if (text.find("<!DOCTYPE") != std::string::npos || text.find("<!ENTITY") != std::string::npos) {
-    refuse(file, "declares a document type or entities, which no design needs");
-  }
   pugi::xml_document document;
-  if (const pugi::xml_parse_result result = document.load_buffer(text.data(), text.size()); !result) {
+  constexpr unsigned how = pugi::parse_default | pugi::parse_doctype;
+  if (const pugi::xml_parse_result result = document.load_buffer(text.data(), text.size(), how); !result) {
     refuse(file, fmt::format("is not XML: {} at byte {}", result.description(), result.offset));
+  }
+  // Its entities would not be replaced in any case.
+  if (std::ranges::any_of(document.children(), [](pugi::xml_node node) { return node.type() == pugi::node_doctype; })) {
+    refuse(file, "declares a document type or entities, which no design needs");
   }
   const pugi::xml_node root = document.child("openrocket");
   if (!root) {
