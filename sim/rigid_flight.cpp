@@ -203,7 +203,7 @@ void RigidFlight::fly(double time_s, double roll_rate_rad_s, const Vector3& wind
       return;
     }
   }
-  if (parameters_.recovery && events_.apogee_s && !parachute_s_ &&
+  if (parameters_.recovery && parameters_.recovery->drag_area_m2 > 0.0 && events_.apogee_s && !parachute_s_ &&
       time_s >= *events_.apogee_s + parameters_.recovery->delay_s) {
     parachute_s_ = time_s;
   }

@@ -11,10 +11,6 @@
 namespace fantail::bench {
 namespace {
 
-using sim::operator+;
-using sim::operator-;
-using sim::operator*;
-
 constexpr hal::Microseconds look_period{10'000};
 constexpr hal::Microseconds patience{60'000'000};
 constexpr hal::Microseconds time_at_rest{1'000'000};
