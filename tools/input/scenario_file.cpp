@@ -77,7 +77,7 @@ void warn_of_instability(sim::Scenario& scenario) {
 // What is not simulated along a straight line must not look as if it were.
 void check_motion(const Document& document, sim::Scenario& scenario) {
   if (scenario.motion == sim::FlightMotion::six_dof) {
-    Section flight{document, "flight"};
+    const Section flight{document, "flight"};
     if (scenario.surroundings != sim::Surroundings::flight) {
       flight.refuse("motion", "= \"six_dof\" has no meaning in the tunnel or on the gimbal; allowed: \"straight\"");
     }

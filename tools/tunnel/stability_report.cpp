@@ -209,16 +209,16 @@ std::string stability_html(const StabilityHeading& heading, const Stability& sta
   if (!stability.remarks.empty()) {
     body += page::section("Remarks", page::list(stability.remarks));
   }
-  page::Page page{.kind = "Fantail tunnel report: stability",
-                  .title = fmt::format("{}", fmt::join(heading.logs, ", ")),
-                  .tone = stability.verdict == StabilityVerdict::stable     ? page::Tone::good
-                          : stability.verdict == StabilityVerdict::unstable ? page::Tone::bad
-                                                                            : page::Tone::unsure,
-                  .verdict_heading = stability.verdict == StabilityVerdict::stable     ? "Stable"
-                                     : stability.verdict == StabilityVerdict::unstable ? "Unstable"
-                                                                                       : "Not judged",
-                  .verdict = stability.sentence,
-                  .body_html = body};
+  const page::Page page{.kind = "Fantail tunnel report: stability",
+                        .title = fmt::format("{}", fmt::join(heading.logs, ", ")),
+                        .tone = stability.verdict == StabilityVerdict::stable     ? page::Tone::good
+                                : stability.verdict == StabilityVerdict::unstable ? page::Tone::bad
+                                                                                  : page::Tone::unsure,
+                        .verdict_heading = stability.verdict == StabilityVerdict::stable     ? "Stable"
+                                           : stability.verdict == StabilityVerdict::unstable ? "Unstable"
+                                                                                             : "Not judged",
+                        .verdict = stability.sentence,
+                        .body_html = body};
   return page::html(page);
 }
 

@@ -90,12 +90,14 @@ class Samples {
 /// Levenberg and Marquardt, from the best of a grid of decays and frequencies.
 Fit least_squares(const Samples& samples) {
   Fit best;
-  for (double frequency = std::numbers::pi / samples.seconds(); frequency < 60.0; frequency *= 1.12) {
+  double frequency = std::numbers::pi / samples.seconds();
+  while (frequency < 60.0) {
     for (const double ratio : {0.0, 0.05, 0.15, 0.4, 1.0}) {
       if (const Fit found = samples.linear(ratio * frequency, frequency); found.cost < best.cost) {
         best = found;
       }
     }
+    frequency *= 1.12;
   }
   double damping = 1e-3;
   for (int i = 0; i < 100; ++i) {
