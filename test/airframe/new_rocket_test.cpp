@@ -1,18 +1,24 @@
 // SPDX-License-Identifier: MIT
 #include "airframe/new_rocket.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include "airframe/first_gains.hpp"
 #include "airframe/model/build_up.hpp"
+#include "core/flight_plan_fields.hpp"
 #include "fly/fly_scenario.hpp"
 #include "input/document.hpp"
 #include "input/scenario_file.hpp"
 #include "input/shipped.hpp"
 #include "input/vehicle_file.hpp"
+#include "sim/units.hpp"
+#include "stability/roll_loop.hpp"
 
 namespace fantail::airframe {
 namespace {
@@ -29,7 +35,8 @@ class NewRocketFiles : public testing::Test {
                                                  .vehicle = vehicle,
                                                  .motor_file = "i150_canonical",
                                                  .source = "a test",
-                                                 .assumed = {}})) {
+                                                 .assumed = {}})
+                                           .files) {
       std::ofstream{folder_ / name} << content;
     }
     return input::load_scenario((folder_ / "scenario.toml").string(), {});
@@ -82,6 +89,68 @@ TEST_F(NewRocketFiles, FlyStraightWhereNobodyWeighedTheParts) {
   EXPECT_FALSE(scenario.vehicle.airframe);
   EXPECT_EQ(scenario.vehicle.roll_plant.inertia_kg_m2, source.roll_plant.inertia_kg_m2);
   EXPECT_GT(fly::fly_scenario(scenario).events.apogee_s.value(), 5.0);
+}
+
+sim::Vehicle with_large_canards(double factor) {
+  sim::Vehicle vehicle = shipped();
+  vehicle.geometry->canards->span_m *= factor;
+  vehicle.geometry->canards->root_chord_m *= factor;
+  vehicle.geometry->canards->tip_chord_m *= factor;
+  return vehicle;
+}
+
+// The loop of the plan that was made, wherever damping and torque lie in their ranges.
+double least_phase_margin_deg(sim::Scenario scenario, double from_m_s, double to_m_s) {
+  const sim::RollPlant made = scenario.vehicle.roll_plant;
+  double least_deg = 180.0;
+  for (double speed_m_s = from_m_s; speed_m_s <= to_m_s; speed_m_s += 0.5) {
+    for (const double damping : {0.5, 1.0, 2.0}) {
+      for (const double torque : {0.5, 1.0, 2.0}) {
+        scenario.vehicle.roll_plant.damping_m2 = damping * made.damping_m2;
+        scenario.vehicle.roll_plant.torque_m = torque * made.torque_m;
+        const auto found = stability::phase_margin_rad(stability::loop_at_speed(scenario, speed_m_s));
+        least_deg = std::min(least_deg, found ? *found / sim::radians_per_degree : 180.0);
+      }
+    }
+  }
+  return least_deg;
+}
+
+TEST_F(NewRocketFiles, HaveGainsThatSuitTheirCanards) {
+  const sim::Scenario small = made_from(shipped());
+  const sim::Scenario large = made_from(with_large_canards(2.0));
+  EXPECT_LT(large.plan.controller.derivative_gain_s, small.plan.controller.derivative_gain_s);
+  for (const sim::Scenario& made : {small, large}) {
+    EXPECT_GE(least_phase_margin_deg(made, 20.5, 82.0), 29.9);
+  }
+  // With the usual ones the second would swing by itself.
+  sim::Scenario usual = large;
+  usual.plan.controller = core::default_plan().controller;
+  EXPECT_LT(least_phase_margin_deg(usual, 20.5, 82.0), 0.0);
+}
+
+TEST(FirstGains, SayTheMarginThatTheyHaveAndWhereNoGainsHaveOne) {
+  const sim::Vehicle vehicle = shipped();
+  const model::BuildUp computed = model::build_up(vehicle);
+  const core::FlightPlan plan = core::default_plan();
+  const auto found = first_gains(vehicle, computed, plan);
+  ASSERT_TRUE(found && found->reach_phase_margin);
+  EXPECT_NE(sentence(*found).find("a phase margin of 30 degrees or more from "), std::string::npos) << sentence(*found);
+  // 6 m from the foot of the guide at about 40 m/s2.
+  EXPECT_NEAR(found->lowest_speed_m_s, std::sqrt(2.0 * 6.0 * 31.0), 2.5);
+  EXPECT_NEAR(found->highest_speed_m_s, 82.2, 0.5);
+
+  model::BuildUp sail = computed;
+  sail.roll_torque_m3 = model::Estimate{.value = 1.0, .low = 0.0, .high = 2.0};
+  const auto none = first_gains(vehicle, sail, plan);
+  ASSERT_TRUE(none);
+  EXPECT_FALSE(none->reach_phase_margin);
+  EXPECT_EQ(none->gains.derivative_s, gains_of(plan).derivative_s);
+  EXPECT_NE(sentence(*none).find("no gains of a plan have a phase margin of 30 degrees"), std::string::npos);
+
+  model::BuildUp without = computed;
+  without.roll_torque_m3.reset();
+  EXPECT_FALSE(first_gains(vehicle, without, plan));
 }
 
 }  // namespace

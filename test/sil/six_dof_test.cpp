@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "fly/fly_scenario.hpp"
+#include "fly/gravity_turn.hpp"
 #include "input/scenario_file.hpp"
 #include "report/descent.hpp"
 #include "report/figures.hpp"
@@ -127,6 +128,19 @@ TEST(SixDegreesOfFreedom, AParachuteThatOpensLateIsAJolt) {
   EXPECT_GE(jolt->time_s, flight.events.parachute_s.value());
   EXPECT_LE(jolt->time_s, *flight.events.parachute_s + 0.5);
   EXPECT_FALSE(report::jolt_after_apogee(six_dof({"timing.time_after_end_s=6"})));
+}
+
+// The point mass by which a leaning guide is judged where the flight is a straight line.
+TEST(GravityTurn, LeavesTheGuideAtItsTrueEnd) {
+  sim::Scenario scenario = input::load_scenario("tasha3_launch2", {});
+  scenario.guide.tilt_rad = 10.0 * sim::radians_per_degree;
+  const double short_m = fly::gravity_turn(scenario).apogee_m;
+  scenario.guide.length_m = 20.0;
+  const double truly_long_m = fly::gravity_turn(scenario).apogee_m;
+  scenario.guide.length_m.reset();
+  scenario.plan.guide.length_m = 20.0F;
+  EXPECT_EQ(truly_long_m, fly::gravity_turn(scenario).apogee_m);
+  EXPECT_GT(truly_long_m, short_m + 1.0);
 }
 
 }  // namespace

@@ -5,10 +5,13 @@
 #include <cstddef>
 #include <functional>
 #include <iterator>
+#include <numbers>
 
 #include <fmt/format.h>
 
+#include "airframe/first_gains.hpp"
 #include "airframe/model/build_up.hpp"
+#include "core/flight_plan_fields.hpp"
 #include "text/degrees.hpp"
 
 namespace fantail::airframe {
@@ -30,8 +33,8 @@ clearance_m = 2
 minimum_speed_m_s = 10
 
 [controller] # fantail fly says their margins; fantail predict, once there are tunnel results, better ones
-proportional_gain = 0.5
-derivative_gain_s = 0.05
+proportional_gain = {proportional_gain}
+derivative_gain_s = {derivative_gain_s}
 canard_limit_deg = 9
 
 [reference]
@@ -169,11 +172,30 @@ std::string airframe_section(const Geometry& shape, const model::BuildUp& b) {
   return out;
 }
 
+const std::optional<model::MassSum>& parts_of(const model::BuildUp& b) {
+  return b.at_liftoff ? b.at_liftoff : b.after_burnout;
+}
+
+/// What the vehicle's file will say of its roll: everything else is as in every vehicle that says nothing of it.
+sim::Vehicle with_roll_of_shape(const sim::Vehicle& source, const model::BuildUp& b) {
+  const auto& parts = parts_of(b);
+  const double area_m2 = 0.25 * std::numbers::pi * source.geometry->diameter_m * source.geometry->diameter_m;
+  sim::Vehicle vehicle;
+  vehicle.mass_kg = source.mass_kg;
+  vehicle.drag_area_m2 = source.drag_area_m2;
+  vehicle.motor = source.motor;
+  vehicle.compressibility = sim::Compressibility::prandtl_glauert;
+  vehicle.roll_plant = {.inertia_kg_m2 = parts ? parts->roll_inertia_kg_m2 : source.roll_plant.inertia_kg_m2,
+                        .reference_area_m2 = area_m2,
+                        .damping_m2 = b.roll_damping_m4.value / area_m2,
+                        .torque_m = b.roll_torque_m3 ? b.roll_torque_m3->value / area_m2 : 0.0};
+  return vehicle;
+}
+
 std::string vehicle_file(const NewRocket& rocket, const model::BuildUp& b) {
   const sim::Vehicle& v = rocket.vehicle;
-  const auto& parts = b.at_liftoff ? b.at_liftoff : b.after_burnout;
-  const double roll_inertia_kg_m2 = parts ? parts->roll_inertia_kg_m2 : v.roll_plant.inertia_kg_m2;
-  const double area_m2 = 0.25 * 3.14159265358979 * v.geometry->diameter_m * v.geometry->diameter_m;
+  const auto& parts = parts_of(b);
+  const sim::RollPlant roll = with_roll_of_shape(v, b).roll_plant;
   std::vector<std::string> assumed = rocket.assumed;
   assumed.emplace_back(
       "Roll damping and canard torque: computed from the shape, right within a factor of two at best.");
@@ -186,13 +208,12 @@ std::string vehicle_file(const NewRocket& rocket, const model::BuildUp& b) {
   std::string out = "# SPDX-License-Identifier: MIT\n";
   out += fmt::format("# Made by fantail new from {}.\n\n", rocket.source);
   out += fmt::format("[body]\nname = {}\n{}mass_kg = {}\nroll_inertia_kg_m2 = {}\ndrag_area_m2 = {}\n",
-                     toml_text(rocket.name), sentences(assumed), exact(v.mass_kg), rounded(roll_inertia_kg_m2),
+                     toml_text(rocket.name), sentences(assumed), exact(v.mass_kg), rounded(roll.inertia_kg_m2),
                      rounded(v.drag_area_m2));
   out += fmt::format(
       "\n[aerodynamics]\nreference_area_m2 = {} # the cross-section\ndamping_m2 = {} # alpha\n"
       "torque_m = {} # beta, without the canards' wash on the fins\n",
-      rounded(area_m2), rounded(b.roll_damping_m4.value / area_m2),
-      rounded(b.roll_torque_m3 ? b.roll_torque_m3->value / area_m2 : 0.0));
+      rounded(roll.reference_area_m2), rounded(roll.damping_m2), rounded(roll.torque_m));
   out += "compressibility = \"prandtl_glauert\"\n";
   if (b.canard_arm_m) {
     out += fmt::format("canard_stall_deg = {}\ncanard_arm_m = {}\n", stall_deg, rounded(*b.canard_arm_m));
@@ -208,21 +229,28 @@ std::string vehicle_file(const NewRocket& rocket, const model::BuildUp& b) {
 
 }  // namespace
 
-std::vector<text::NamedFile> files_of(const NewRocket& rocket) {
+NewFiles files_of(const NewRocket& rocket) {
   const model::BuildUp b = model::build_up(rocket.vehicle);
   const bool whole = b.at_liftoff && b.after_burnout;
   const std::string first_line = fmt::format("# {}. Made by fantail new.\n", rocket.name);
-  std::vector<text::NamedFile> files{
-      {.name = "vehicle.toml", .content = vehicle_file(rocket, b)},
-      {.name = "plan.toml", .content = first_line + std::string{plan_text}},
-      {.name = "scenario.toml",
-       .content =
-           first_line + fmt::format(fmt::runtime(scenario_text), fmt::arg("motion", whole ? "six_dof" : "straight"),
-                                    fmt::arg("wind", whole ? 3 : 0))}};
+  const core::FlightPlan usual = core::default_plan();
+  const auto first = first_gains(with_roll_of_shape(rocket.vehicle, b), b, usual);
+  const stability::Gains gains = first ? first->gains : gains_of(usual);
+  NewFiles made{
+      .files = {{.name = "vehicle.toml", .content = vehicle_file(rocket, b)},
+                {.name = "plan.toml",
+                 .content = first_line + fmt::format(fmt::runtime(plan_text),
+                                                     fmt::arg("proportional_gain", rounded(gains.proportional)),
+                                                     fmt::arg("derivative_gain_s", rounded(gains.derivative_s)))},
+                {.name = "scenario.toml",
+                 .content = first_line + fmt::format(fmt::runtime(scenario_text),
+                                                     fmt::arg("motion", whole ? "six_dof" : "straight"),
+                                                     fmt::arg("wind", whole ? 3 : 0))}},
+      .gains = first ? sentence(*first) : ""};
   if (rocket.motor) {
-    files.push_back(*rocket.motor);
+    made.files.push_back(*rocket.motor);
   }
-  return files;
+  return made;
 }
 
 }  // namespace fantail::airframe

@@ -21,9 +21,14 @@ struct NewRocket {
   std::optional<text::NamedFile> motor{};  ///< that lies beside the vehicle from now on; none: a shipped one
 };
 
-/// vehicle.toml, plan.toml and scenario.toml: roll model, stability and inertia as the shape gives them, everything
-/// that was not measured listed as assumed. The vehicle has an [airframe] where masses and propellant say the centre of
-/// gravity.
-[[nodiscard]] std::vector<text::NamedFile> files_of(const NewRocket& rocket);
+struct NewFiles {
+  std::vector<text::NamedFile> files;
+  std::string gains;  ///< a sentence on where those of the plan come from; empty without canards
+};
+
+/// vehicle.toml, plan.toml and scenario.toml: roll model, stability and inertia as the shape gives them, gains that
+/// suit them, everything that was not measured listed as assumed. The vehicle has an [airframe] where masses and
+/// propellant say the centre of gravity.
+[[nodiscard]] NewFiles files_of(const NewRocket& rocket);
 
 }  // namespace fantail::airframe

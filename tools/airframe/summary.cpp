@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "airframe/summary.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -21,6 +22,12 @@ Estimate exactly(double value) { return {.value = value, .low = value, .high = v
 
 Estimate scaled(const Estimate& e, double factor) {
   return {.value = e.value * factor, .low = e.low * factor, .high = e.high * factor};
+}
+
+/// So that the number has three digits, but at least two decimals: alpha and beta are small on a large area.
+int decimals_of(double value) {
+  const double size = std::abs(value);
+  return size > 0.0 && size < 1.0 ? std::min(2 - static_cast<int>(std::floor(std::log10(size))), 9) : 2;
 }
 
 std::optional<Estimate> of_mass(const std::optional<model::MassSum>& sum, double model::MassSum::* member) {
@@ -78,9 +85,11 @@ void add_roll(Summary& summary, const sim::Vehicle& vehicle) {
   const model::BuildUp& b = summary.build_up;
   const sim::RollPlant& plant = vehicle.roll_plant;
   const double per_area = 1.0 / plant.reference_area_m2;
-  summary.lines.push_back({"roll damping alpha", "m2", scaled(b.roll_damping_m4, per_area), plant.damping_m2, 2});
+  summary.lines.push_back({"roll damping alpha", "m2", scaled(b.roll_damping_m4, per_area), plant.damping_m2,
+                           decimals_of(b.roll_damping_m4.value * per_area)});
   if (b.roll_torque_m3) {
-    summary.lines.push_back({"canard torque beta", "m", scaled(*b.roll_torque_m3, per_area), plant.torque_m, 2});
+    summary.lines.push_back({"canard torque beta", "m", scaled(*b.roll_torque_m3, per_area), plant.torque_m,
+                             decimals_of(b.roll_torque_m3->value * per_area)});
     if (b.roll_torque_m3->low == 0.0) {
       summary.remarks.emplace_back(
           "Beta is computed without the canards' wash on the fins behind them, which takes back part of the torque, or "

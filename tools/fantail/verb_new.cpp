@@ -90,6 +90,12 @@ airframe::NewRocket from_vehicle(const NewOptions& options) {
   return rocket;
 }
 
+/// A comment ends with its line.
+std::string on_one_line(std::string text) {
+  std::ranges::replace_if(text, [](unsigned char c) { return c < 0x20; }, ' ');
+  return text;
+}
+
 airframe::NewRocket from_design(const NewOptions& options) {
   constexpr double drag_coefficient = 0.6;
   namespace openrocket = airframe::openrocket;
@@ -109,7 +115,8 @@ airframe::NewRocket from_design(const NewOptions& options) {
   airframe::NewRocket rocket{.name = {},
                              .vehicle = {},
                              .motor_file = motor.name,
-                             .source = std::filesystem::path{options.from}.filename().string(),
+                             .source = on_one_line(std::filesystem::path{options.from}.filename().string() +
+                                                   (design.name.empty() ? "" : ", \"" + design.name + '"')),
                              .assumed = design.assumed,
                              .motor = motor.copy()};
   sim::Vehicle& vehicle = rocket.vehicle;
@@ -168,8 +175,8 @@ void make(const NewOptions& options) {
   const bool is_design = std::filesystem::path{options.from}.extension() == ".ork";
   airframe::NewRocket rocket = is_design ? from_design(options) : from_vehicle(options);
   rocket.name = folder.filename().string();
-  const std::vector<text::NamedFile> files = airframe::files_of(rocket);
-  const sim::Vehicle made = write(folder, files, options.from);
+  const airframe::NewFiles files = airframe::files_of(rocket);
+  const sim::Vehicle made = write(folder, files.files, options.from);
   const airframe::Summary summary = airframe::summarize(made);
   fmt::print("{}\n", summary.sentence);
   for (const std::string& remark : summary.remarks) {
@@ -180,11 +187,12 @@ void make(const NewOptions& options) {
         "It has no canards: nothing controls its roll until the vehicle has the section [canard_fins] and is made "
         "anew.\n");
   }
+  fmt::print("{}{}", files.gains, files.gains.empty() ? "" : "\n");
   for (const std::string& assumed : made.assumed) {
     fmt::print("Assumed: {}\n", assumed);
   }
   fmt::print("\n");
-  for (const text::NamedFile& file : files) {
+  for (const text::NamedFile& file : files.files) {
     fmt::print("  made  {}\n", (folder / file.name).string());
   }
   fmt::print("\nNext: fantail airframe {0}/vehicle.toml, fantail fly {0}/scenario.toml\n", folder.string());

@@ -25,7 +25,10 @@ State advanced(const State& s, const State& rate, double dt_s) {
 class Flight {
  public:
   explicit Flight(const sim::Scenario& scenario)
-      : scenario_{scenario}, guide_x_{std::sin(scenario.guide.tilt_rad)}, guide_z_{std::cos(scenario.guide.tilt_rad)} {}
+      : scenario_{scenario},
+        guide_length_m_{scenario.guide.length_m.value_or(static_cast<double>(scenario.plan.guide.length_m))},
+        guide_x_{std::sin(scenario.guide.tilt_rad)},
+        guide_z_{std::cos(scenario.guide.tilt_rad)} {}
 
   [[nodiscard]] State rate(double time_s, const State& s) const {
     const sim::Vehicle& vehicle = scenario_.vehicle;
@@ -48,11 +51,10 @@ class Flight {
   }
 
  private:
-  [[nodiscard]] bool on_guide(const State& s) const {
-    return std::hypot(s.x_m, s.z_m) < static_cast<double>(scenario_.plan.guide.length_m);
-  }
+  [[nodiscard]] bool on_guide(const State& s) const { return std::hypot(s.x_m, s.z_m) < guide_length_m_; }
 
   const sim::Scenario& scenario_;
+  double guide_length_m_;
   double guide_x_;
   double guide_z_;
 };

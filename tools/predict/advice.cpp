@@ -9,7 +9,6 @@
 
 #include <fmt/core.h>
 
-#include "predict/plan_ranges.hpp"
 #include "predict/sentences.hpp"
 #include "sim/canard_aerodynamics.hpp"
 #include "sim/servo.hpp"
@@ -114,8 +113,7 @@ GainAdvice advice_on_gains(const Prediction& p, double phase_margin_rad, stabili
   const core::ControllerPlan& plan = p.flown.plan.controller;
   const stability::Gains present{.proportional = static_cast<double>(plan.proportional_gain),
                                  .derivative_s = static_cast<double>(plan.derivative_gain_s)};
-  const stability::Gains largest{.proportional = plan_range("proportional_gain").maximum,
-                                 .derivative_s = plan_range("derivative_gain_s").maximum};
+  const stability::Gains largest = stability::largest_gains();
   const stability::PhaseMarginDemand demand{.phase_margin_rad = phase_margin_rad, .share = share_of_runs};
   const stability::LoopsAtSpeeds loops = loops_at_speeds(p.flown, p.runs, p.speeds_m_s);
   const std::string aim = fmt::format("a phase margin of {} degrees in {} of the runs at every speed flown",

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "stability/plan_ranges.hpp"
+
 namespace fantail::stability {
 namespace {
 
@@ -54,6 +56,11 @@ bool meets_at_speed(const std::vector<RollLoop>& loops, const Gains& gains, cons
 }
 
 }  // namespace
+
+Gains largest_gains() {
+  return {.proportional = plan_range("proportional_gain").maximum,
+          .derivative_s = plan_range("derivative_gain_s").maximum};
+}
 
 bool meets(const LoopsAtSpeeds& loops, const Gains& gains, const PhaseMarginDemand& demand) {
   return std::ranges::all_of(loops, [&](const auto& at_speed) { return meets_at_speed(at_speed, gains, demand); });

@@ -15,6 +15,9 @@ struct Gains {
   double derivative_s = 0.0;  ///< kd
 };
 
+/// The largest that a plan may have.
+[[nodiscard]] Gains largest_gains();
+
 /// What gains must give: this phase margin in this share of the airframes at every air speed. A loop whose gain never
 /// reaches one cannot swing and has it.
 struct PhaseMarginDemand {

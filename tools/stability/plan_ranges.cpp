@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "predict/plan_ranges.hpp"
+#include "stability/plan_ranges.hpp"
 
 #include <stdexcept>
 #include <string>
 
 #include "core/flight_plan_fields.hpp"
 
-namespace fantail::predict {
+namespace fantail::stability {
 
 PlanRange plan_range(std::string_view key) {
   for (const core::PlanField& field : core::flight_plan_fields()) {
@@ -18,4 +18,4 @@ PlanRange plan_range(std::string_view key) {
   throw std::logic_error{"a plan has no controller." + std::string{key}};
 }
 
-}  // namespace fantail::predict
+}  // namespace fantail::stability

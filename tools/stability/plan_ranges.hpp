@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-namespace fantail::predict {
+namespace fantail::stability {
 
 /// What a plan may say, in SI and radians.
 struct PlanRange {
@@ -14,4 +14,4 @@ struct PlanRange {
 /// Of a key in the plan's section `controller`. Throws std::logic_error for a key that is not there.
 [[nodiscard]] PlanRange plan_range(std::string_view key);
 
-}  // namespace fantail::predict
+}  // namespace fantail::stability

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+#include "airframe/first_gains.hpp"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include <fmt/core.h>
+
+#include "sim/ascent.hpp"
+#include "sim/scenario.hpp"
+#include "stability/roll_loop.hpp"
+#include "text/degrees.hpp"
+#include "text/number.hpp"
+
+namespace fantail::airframe {
+namespace {
+
+/// What a prediction asks for in 95 % of its runs. With more at every corner of such wide ranges the roll would settle
+/// far from its reference.
+constexpr double phase_margin_rad = text::radians(30.0);
+constexpr int speeds = 12;
+
+struct Speeds {
+  double lowest_m_s;
+  double highest_m_s;
+};
+
+/// Where control may begin, and the fastest after that.
+std::optional<Speeds> speeds_under_control(const sim::Vehicle& vehicle, const core::FlightPlan& plan) {
+  constexpr double tick_s = 1e-3;
+  constexpr double longest_s = 600.0;
+  sim::Ascent ascent{{.mass_kg = vehicle.mass_kg,
+                      .drag_area_m2 = vehicle.drag_area_m2,
+                      .motor = vehicle.motor,
+                      .drag_over_mach = vehicle.drag_over_mach}};
+  const auto from_m = static_cast<double>(plan.guide.length_m + plan.guide.clearance_m);
+  const auto from_m_s = static_cast<double>(plan.guide.minimum_speed_m_s);
+  std::optional<Speeds> found;
+  for (int i = 0; i * tick_s < longest_s && !ascent.events().apogee_s; ++i) {
+    ascent.advance_to(i * tick_s);
+    const double speed_m_s = ascent.speed_m_s();
+    if (!found && ascent.distance_m() >= from_m && speed_m_s >= from_m_s) {
+      found = Speeds{speed_m_s, speed_m_s};
+    } else if (found) {
+      found->highest_m_s = std::max(found->highest_m_s, speed_m_s);
+    }
+  }
+  return found;
+}
+
+/// Of every corner of the ranges. Canards that lose their torque to the fins turn the rocket less and swing less: half
+/// of the computed torque stands for all that is below it.
+stability::LoopsAtSpeeds loops(const sim::Vehicle& vehicle, const model::BuildUp& computed,
+                               const core::FlightPlan& plan, const Speeds& range) {
+  const model::Estimate& damping = computed.roll_damping_m4;
+  const double torque_m3 = computed.roll_torque_m3->value;
+  std::vector inertias_kg_m2{vehicle.roll_plant.inertia_kg_m2};
+  if (computed.after_burnout) {
+    inertias_kg_m2.push_back(computed.after_burnout->roll_inertia_kg_m2);
+  }
+  sim::Scenario scenario;
+  scenario.plan = plan;
+  scenario.vehicle = vehicle;
+  sim::RollPlant& plant = scenario.vehicle.roll_plant;
+  stability::LoopsAtSpeeds all;
+  for (int i = 0; i < speeds; ++i) {
+    const double speed_m_s =
+        range.lowest_m_s + (range.highest_m_s - range.lowest_m_s) * i / static_cast<double>(speeds - 1);
+    std::vector<stability::RollLoop> at_speed;
+    for (const double inertia_kg_m2 : inertias_kg_m2) {
+      for (const double damping_m4 : {damping.low, damping.value, damping.high}) {
+        for (const double torque : {0.5 * torque_m3, torque_m3, computed.roll_torque_m3->high}) {
+          plant.inertia_kg_m2 = inertia_kg_m2;
+          plant.damping_m2 = damping_m4 / plant.reference_area_m2;
+          plant.torque_m = torque / plant.reference_area_m2;
+          at_speed.push_back(stability::loop_at_speed(scenario, speed_m_s));
+        }
+      }
+    }
+    all.push_back(std::move(at_speed));
+  }
+  return all;
+}
+
+}  // namespace
+
+stability::Gains gains_of(const core::FlightPlan& plan) {
+  return {.proportional = static_cast<double>(plan.controller.proportional_gain),
+          .derivative_s = static_cast<double>(plan.controller.derivative_gain_s)};
+}
+
+std::optional<FirstGains> first_gains(const sim::Vehicle& vehicle, const model::BuildUp& computed,
+                                      const core::FlightPlan& plan) {
+  const auto range = speeds_under_control(vehicle, plan);
+  if (!range || !computed.roll_torque_m3) {
+    return std::nullopt;
+  }
+  const stability::LoopsAtSpeeds all = loops(vehicle, computed, plan, *range);
+  const auto found =
+      stability::nearest_gains(all, gains_of(plan), stability::largest_gains(), {.phase_margin_rad = phase_margin_rad});
+  return FirstGains{.gains = found.value_or(gains_of(plan)),
+                    .reach_phase_margin = found.has_value(),
+                    .lowest_speed_m_s = range->lowest_m_s,
+                    .highest_speed_m_s = range->highest_m_s,
+                    .servo_lag_s = vehicle.servo.lag_s};
+}
+
+std::string sentence(const FirstGains& first) {
+  using text::brief;
+  const std::string gains =
+      fmt::format("{} and {} s", brief(first.gains.proportional, 4), brief(first.gains.derivative_s, 4));
+  const std::string where =
+      fmt::format("from {} to {} m/s, with damping and torque anywhere within a factor of two and a servo lag of {} ms",
+                  text::fixed(first.lowest_speed_m_s, 0), text::fixed(first.highest_speed_m_s, 0),
+                  brief(1e3 * first.servo_lag_s, 1));
+  return first.reach_phase_margin
+             ? fmt::format("Gains of {}: in the loop model a phase margin of {} degrees or more {}.", gains,
+                           brief(text::degrees(phase_margin_rad), 0), where)
+             : fmt::format(
+                   "Gains of {}, the usual ones: no gains of a plan have a phase margin of {} degrees in the loop "
+                   "model {}. Measure damping and torque in a tunnel.",
+                   gains, brief(text::degrees(phase_margin_rad), 0), where);
+}
+
+}  // namespace fantail::airframe
