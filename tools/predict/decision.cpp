@@ -14,6 +14,7 @@
 #include "predict/advice.hpp"
 #include "predict/leaning_guide.hpp"
 #include "predict/sentences.hpp"
+#include "predict/wind_advice.hpp"
 #include "sim/canard_aerodynamics.hpp"
 #include "text/number.hpp"
 
@@ -198,6 +199,7 @@ std::vector<std::string> advice(const Decision& d, const Prediction& p) {
   LimitAdvice limit;
   bool loop_swings = false;
   std::string tilt;
+  std::string wind;
   for (const Criterion& c : d.criteria) {
     if (c.judgement != Judgement::not_met) {
       continue;
@@ -208,11 +210,13 @@ std::vector<std::string> advice(const Decision& d, const Prediction& p) {
       loop_swings = true;
     } else if (c.key == "tilt_limit") {
       tilt = advice_on_tilt(p);
+    } else if (c.key == "held") {
+      wind = advice_on_wind(p);
     }
   }
   const TriedGains tried =
       loop_swings ? try_gains(p, limit, d.thresholds.phase_margin_rad) : TriedGains{.trial = trial(p, limit, {})};
-  std::vector<std::string> all{limit.sentence, tried.gains.sentence, tried.trial.sentence, tilt};
+  std::vector<std::string> all{limit.sentence, tried.gains.sentence, tried.trial.sentence, tilt, wind};
   std::erase(all, "");
   return all;
 }

@@ -113,6 +113,7 @@ Run run_of(const flight::Flight& flight, const sim::Scenario& scenario, const Tu
   run.outcome = verdict.outcome;
   run.verdict = verdict.text;
   run.ended_early = verdict.ended_early;
+  run.ended_by_tilt = verdict.ended_early && flight.phase_changes.back().reason == core::PhaseReason::tilted_too_far;
   keep_notes(run, flight, scenario);
   run.largest_hold_error_rad = figures.largest_hold_error_rad;
   run.saturated_share = figures.saturated_fraction;

@@ -27,6 +27,7 @@ struct Run {
   report::Outcome outcome = report::Outcome::no_control;
   std::string verdict{};             ///< what the flight report says of it
   bool ended_early = false;          ///< control; whatever the outcome
+  bool ended_by_tilt = false;        ///< likewise, at the plan's tilt limit
   std::vector<std::string> notes{};  ///< likewise, without what was assumed beforehand, a sentence each
   std::optional<double> largest_hold_error_rad{};
   std::optional<double> saturated_share{};
