@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/flight_plan_fields.hpp"
 #include "protocol/plan_block.hpp"
 
 namespace fantail::avionics {
@@ -94,7 +93,7 @@ void PlanTransfer::check_block() {
     become(TransferState::refused, TransferFault::bad_block);
     block_fault_ = reading.fault;
     if (reading.plan_fault) {
-      field_ = static_cast<std::uint8_t>(reading.plan_fault->field - core::flight_plan_fields().data());
+      field_ = static_cast<std::uint8_t>(reading.plan_fault->field);
     }
     return;
   }

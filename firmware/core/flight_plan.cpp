@@ -2,7 +2,8 @@
 #include "core/flight_plan.hpp"
 
 #include "core/finite.hpp"
-#include "core/flight_plan_fields.hpp"
+#include "core/flight_plan_members.hpp"
+#include "core/flight_plan_table.hpp"
 
 namespace fantail::core {
 namespace {
@@ -14,67 +15,59 @@ constexpr Microseconds longest_replayed_hold{500'000};
 constexpr float shortest_pulse_us = 500.0F;
 constexpr float longest_pulse_us = 2500.0F;
 
-const PlanField& field_named(std::string_view section, std::string_view key) {
-  const auto all = flight_plan_fields();
-  for (const PlanField& field : all) {
-    if (field.section == section && field.key == key) {
-      return field;
-    }
+consteval std::size_t place(std::string_view section, std::string_view key) {
+  std::size_t i = 0;
+  while (plan_table::flight_plan_table.at(i).section != section || plan_table::flight_plan_table.at(i).key != key) {
+    ++i;
   }
-  return all.front();
+  return i;
 }
 
 std::optional<PlanFault> check_steps(const ReferencePlan& reference) {
-  const PlanField& times = field_named("reference", "step_times_s");
+  constexpr std::size_t times = place("reference", "step_times_s");
   if (reference.step_times_count != reference.step_angles_count) {
-    return PlanFault{&times, 0, "step_times_s and step_angles_deg must have the same length"};
+    return PlanFault{times, 0, PlanRule::lists_of_one_length};
   }
   if (reference.kind == ReferenceKind::steps && reference.step_times_count == 0) {
-    return PlanFault{&times, 0, "kind = \"steps\" needs at least one step"};
+    return PlanFault{times, 0, PlanRule::steps_are_there};
   }
   for (std::size_t i = 1; i < reference.step_times_count; ++i) {
     if (reference.step_times[i] <= reference.step_times[i - 1]) {
-      return PlanFault{&times, i, "step times must increase"};
+      return PlanFault{times, i, PlanRule::steps_increase};
     }
   }
   return std::nullopt;
 }
 
 // A limit as the plan itself would keep it, so that a value at its own limit is never refused for a rounding error.
-float as_kept(const PlanField& field, float file_value) {
-  FlightPlan scratch{};
-  field.set(scratch, 0, file_value);
-  return field.get_inside(scratch, 0);
+float as_kept(const PlanMember& member, float file_value) {
+  const float inside = file_value * member.scale;
+  return member.is_time() ? seconds(from_seconds(inside)) : inside;
 }
 
 // Rules that no single range can express.
 std::optional<PlanFault> check_across_fields(const FlightPlan& plan) {
   if (plan.motion.height_origin != HeightOrigin::from_detection && plan.launch_detection.hold > longest_replayed_hold) {
-    return PlanFault{&field_named("launch_detection", "hold_s"), 0,
-                     "must not exceed 0.5 s: height_origin \"replay\" and \"velocity_only\" look back no further"};
+    return PlanFault{place("launch_detection", "hold_s"), 0, PlanRule::hold_is_replayed};
   }
   if (plan.excitation.form != ExcitationForm::none && plan.excitation.end <= plan.excitation.begin) {
-    return PlanFault{&field_named("excitation", "end_s"), 0, "must be later than begin_s"};
+    return PlanFault{place("excitation", "end_s"), 0, PlanRule::excitation_ends_after_it_begins};
   }
   for (std::size_t i = 0; i < canard_count; ++i) {
     const CanardPlan& canard = plan.canards.each[i];
     if (abs(canard.trim) >= plan.controller.canard_limit) {
-      return PlanFault{&field_named("canards", "trim_deg"), i, "must lie inside controller.canard_limit_deg"};
+      return PlanFault{place("canards", "trim_deg"), i, PlanRule::trim_within_limit};
     }
     if (canard.mechanical_stop < plan.controller.canard_limit) {
-      return PlanFault{&field_named("canards", "mechanical_stop_deg"), i,
-                       "must not be smaller than controller.canard_limit_deg"};
+      return PlanFault{place("canards", "mechanical_stop_deg"), i, PlanRule::stop_beyond_limit};
     }
     if (canard.pulse_per_radian_us > -1.0F && canard.pulse_per_radian_us < 1.0F) {
-      return PlanFault{&field_named("canards", "pulse_per_degree_us"), i, "must not be zero"};
+      return PlanFault{place("canards", "pulse_per_degree_us"), i, PlanRule::pulse_turns_servo};
     }
     const float swing_us = canard.pulse_per_radian_us * plan.controller.canard_limit.radians();
     for (const float pulse_us : {canard.pulse_centre_us - swing_us, canard.pulse_centre_us + swing_us}) {
       if (pulse_us < shortest_pulse_us || pulse_us > longest_pulse_us) {
-        return PlanFault{
-            &field_named("canards", "pulse_centre_us"), i,
-            "with pulse_per_degree_us, some angle inside of controller.canard_limit_deg would need a pulse "
-            "outside of 500 to 2500 us, which no servo is given"};
+        return PlanFault{place("canards", "pulse_centre_us"), i, PlanRule::pulse_within_servo};
       }
     }
   }
@@ -83,35 +76,20 @@ std::optional<PlanFault> check_across_fields(const FlightPlan& plan) {
 
 }  // namespace
 
-bool PlanField::allows(float file_value) const {
-  if (!is_finite(file_value) || file_value < minimum || file_value > maximum) {
-    return false;
-  }
-  return kind == FieldKind::number || file_value == static_cast<float>(static_cast<std::int32_t>(file_value));
-}
-
-FlightPlan default_plan() {
-  FlightPlan plan{};
-  for (const PlanField& field : flight_plan_fields()) {
-    for (std::size_t slot = 0; slot < field.slots; ++slot) {
-      field.set(plan, slot, field.default_value);
-    }
-  }
-  return plan;
-}
-
 std::optional<PlanFault> validate(const FlightPlan& plan) {
-  for (const PlanField& field : flight_plan_fields()) {
-    if (field.used_slots(plan) > field.slots) {
-      return PlanFault{&field, 0, "too many values"};
+  const auto members = flight_plan_members();
+  for (std::size_t field = 0; field < members.size(); ++field) {
+    const PlanMember& member = members[field];
+    if (member.used_slots(plan) > member.slots) {
+      return PlanFault{field, 0, PlanRule::too_many_values};
     }
-    for (std::size_t slot = 0; slot < field.used_slots(plan); ++slot) {
-      const float value = field.get_inside(plan, slot);
+    for (std::size_t slot = 0; slot < member.used_slots(plan); ++slot) {
+      const float value = member.get_inside(plan, slot);
       if (!is_finite(value)) {
-        return PlanFault{&field, slot, "must be a finite number"};
+        return PlanFault{field, slot, PlanRule::finite};
       }
-      if (value < as_kept(field, field.minimum) || value > as_kept(field, field.maximum)) {
-        return PlanFault{&field, slot, "out of range"};
+      if (value < as_kept(member, member.minimum) || value > as_kept(member, member.maximum)) {
+        return PlanFault{field, slot, PlanRule::in_range};
       }
     }
   }

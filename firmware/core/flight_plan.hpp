@@ -11,7 +11,7 @@
 
 namespace fantail::core {
 
-// Every number of one run. Units, defaults, allowed ranges and meanings stand once, in flight_plan_fields.cpp; a plan
+// Every number of one run. Units, defaults, allowed ranges and meanings stand once, in flight_plan_table.hpp; a plan
 // comes from default_plan() or a loader and must pass validate() before it flies.
 
 /// No canard is ever commanded beyond this, whatever a plan says.

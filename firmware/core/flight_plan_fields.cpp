@@ -4,27 +4,28 @@
 #include "core/flight_plan_table.hpp"
 
 namespace fantail::core {
-namespace {
 
-constexpr auto fields = [] {
-  std::array<PlanField, plan_table::flight_plan_table.size()> result{};
-  for (std::size_t i = 0; i < result.size(); ++i) {
-    result[i] = plan_table::flight_plan_table[i].field;
-  }
-  return result;
-}();
+std::span<const PlanField> flight_plan_fields() { return plan_table::flight_plan_table; }
 
-constexpr std::size_t words() {
-  std::size_t sum = 0;
-  for (const PlanField& field : fields) {
-    sum += field.slots + (field.is_list() ? 1U : 0U);
+std::string_view sentence(PlanRule rule) {
+  switch (rule) {
+    case PlanRule::too_many_values: return "too many values";
+    case PlanRule::finite: return "must be a finite number";
+    case PlanRule::in_range: return "out of range";
+    case PlanRule::hold_is_replayed:
+      return "must not exceed 0.5 s: height_origin \"replay\" and \"velocity_only\" look back no further";
+    case PlanRule::excitation_ends_after_it_begins: return "must be later than begin_s";
+    case PlanRule::trim_within_limit: return "must lie inside controller.canard_limit_deg";
+    case PlanRule::stop_beyond_limit: return "must not be smaller than controller.canard_limit_deg";
+    case PlanRule::pulse_turns_servo: return "must not be zero";
+    case PlanRule::pulse_within_servo:
+      return "with pulse_per_degree_us, some angle inside of controller.canard_limit_deg would need a pulse "
+             "outside of 500 to 2500 us, which no servo is given";
+    case PlanRule::lists_of_one_length: return "step_times_s and step_angles_deg must have the same length";
+    case PlanRule::steps_are_there: return "kind = \"steps\" needs at least one step";
+    case PlanRule::steps_increase: return "step times must increase";
   }
-  return sum;
+  return "unknown rule";
 }
-static_assert(words() == flight_plan_words, "the header says how many they are, for whoever keeps a plan's block");
-
-}  // namespace
-
-std::span<const PlanField> flight_plan_fields() { return fields; }
 
 }  // namespace fantail::core

@@ -12,17 +12,12 @@
 
 #include "core/flight_plan_fields.hpp"
 
-// The one table of everything that a flight plan holds. Two files read it and nobody else: one makes the fields of it,
-// the other their meanings, which are for people and which a board can do without.
+// The one table of everything that a flight plan holds, for the compiler. Whoever takes a row of it at run time takes
+// names and meanings along, which a board has no use for: flight_plan_members() is the table without them.
 namespace fantail::core::plan_table {
 
 using Plan = FlightPlan;
 using Names = std::span<const std::string_view>;
-
-struct PlanRow {
-  PlanField field;
-  std::string_view meaning;
-};
 
 inline constexpr std::array<std::string_view, 2> start_names{"launch", "tunnel"};
 inline constexpr std::array<std::string_view, 2> fault_policy_names{"continue", "end_control"};
@@ -33,50 +28,30 @@ inline constexpr std::array<std::string_view, 3> reference_kind_names{"hold", "s
 inline constexpr std::array<std::string_view, 3> excitation_names{"none", "product", "sweep"};
 inline constexpr std::array<std::string_view, 2> direction_names{"normal", "reversed"};
 
-// How each type of plan member becomes a float inside the house and 32 bits on the wire.
-inline float inside(float v) { return v; }
-inline float inside(Angle v) { return v.radians(); }
-inline float inside(Microseconds v) { return seconds(v); }
-template <typename T>
-  requires(std::is_enum_v<T> || std::is_integral_v<T>)
-float inside(T v) {
-  return static_cast<float>(v);
-}
-inline void assign(float& to, float v) { to = v; }
-inline void assign(Angle& to, float v) { to = Angle::from_radians(v); }
-inline void assign(Microseconds& to, float v) { to = from_seconds(v); }
-template <typename T>
-  requires(std::is_enum_v<T> || std::is_integral_v<T>)
-void assign(T& to, float v) {
-  to = static_cast<T>(static_cast<std::uint32_t>(v));
-}
+// Where a value stands in a plan, and what it is there.
+struct Place {
+  std::size_t offset;
+  Kept kept;
+  std::size_t stride = 0;
+  std::size_t slots = 1;
+};
 
-inline std::uint32_t bits(float v) { return std::bit_cast<std::uint32_t>(v); }
-inline std::uint32_t bits(Angle v) { return std::bit_cast<std::uint32_t>(v.radians()); }
-inline std::uint32_t bits(Microseconds v) { return static_cast<std::uint32_t>(v.count()); }
 template <typename T>
-  requires(std::is_enum_v<T> || std::is_integral_v<T>)
-std::uint32_t bits(T v) {
-  return static_cast<std::uint32_t>(v);
-}
-inline void assign_bits(float& to, std::uint32_t v) { to = std::bit_cast<float>(v); }
-inline void assign_bits(Angle& to, std::uint32_t v) { to = Angle::from_radians(std::bit_cast<float>(v)); }
-inline void assign_bits(Microseconds& to, std::uint32_t v) { to = Microseconds{v}; }
-template <typename T>
-  requires(std::is_enum_v<T> || std::is_integral_v<T>)
-void assign_bits(T& to, std::uint32_t v) {
-  to = static_cast<T>(v);
-}
-
-// Member is a function (plan, slot) -> reference, for a plan that may be const.
-template <auto Member>
-constexpr PlanField bound(PlanField field) {
-  field.is_time = std::is_same_v<std::remove_cvref_t<decltype(Member(std::declval<Plan&>(), 0))>, Microseconds>;
-  field.get_inside = [](const Plan& p, std::size_t i) { return inside(Member(p, i)); };
-  field.set_inside = [](Plan& p, std::size_t i, float v) { assign(Member(p, i), v); };
-  field.get_bits = [](const Plan& p, std::size_t i) { return bits(Member(p, i)); };
-  field.set_bits = [](Plan& p, std::size_t i, std::uint32_t v) { assign_bits(Member(p, i), v); };
-  return field;
+constexpr Kept kept_as() {
+  if constexpr (std::is_same_v<T, Microseconds>) {
+    return Kept::time;
+  } else if constexpr (std::is_same_v<T, bool>) {
+    return Kept::flag;
+  } else if constexpr (std::is_enum_v<T>) {
+    static_assert(sizeof(T) == 1);
+    return Kept::choice;
+  } else if constexpr (std::is_integral_v<T>) {
+    static_assert(std::is_unsigned_v<T> && (sizeof(T) == 2 || sizeof(T) == 4));
+    return sizeof(T) == 2 ? Kept::half_word : Kept::word;
+  } else {
+    static_assert(std::is_same_v<T, float> || std::is_same_v<T, Angle>);
+    return Kept::number;
+  }
 }
 
 constexpr float scale_of(std::string_view unit) {
@@ -94,146 +69,123 @@ struct Range {
   float maximum;
 };
 
-template <auto Member>
-constexpr PlanRow number(std::string_view section, std::string_view key, std::string_view unit, float default_value,
-                         Range range, std::string_view meaning, std::size_t slots = 1) {
-  return {bound<Member>({.section = section,
-                         .key = key,
-                         .unit = unit,
-                         .kind = FieldKind::number,
-                         .default_value = default_value,
-                         .minimum = range.minimum,
-                         .maximum = range.maximum,
-                         .choices = {},
-                         .slots = slots,
-                         .scale = scale_of(unit)}),
-          meaning};
+constexpr PlanMember member(Place place, FieldKind kind, float default_value, Range range, float scale = 1.0F) {
+  return {.offset = static_cast<std::uint16_t>(place.offset),
+          .length_offset = 0,
+          .stride = static_cast<std::uint8_t>(place.stride),
+          .slots = static_cast<std::uint8_t>(place.slots),
+          .kept = place.kept,
+          .has_length = false,
+          .kind = kind,
+          .default_value = default_value,
+          .minimum = range.minimum,
+          .maximum = range.maximum,
+          .scale = scale};
 }
 
-template <auto Member>
-constexpr PlanRow choice(std::string_view section, std::string_view key, Names names, std::string_view meaning,
-                         std::size_t slots = 1, float default_value = 0.0F) {
-  return {bound<Member>({.section = section,
-                         .key = key,
-                         .unit = {},
-                         .kind = FieldKind::choice,
-                         .default_value = default_value,
-                         .minimum = 0.0F,
-                         .maximum = static_cast<float>(names.size() - 1),
-                         .choices = names,
-                         .slots = slots}),
-          meaning};
+constexpr PlanField number(Place place, std::string_view section, std::string_view key, std::string_view unit,
+                           float default_value, Range range, std::string_view meaning) {
+  return {member(place, FieldKind::number, default_value, range, scale_of(unit)), section, key, unit, {}, meaning};
 }
 
-template <auto Member>
-constexpr PlanRow flag(std::string_view section, std::string_view key, bool default_value, std::string_view meaning) {
-  return {bound<Member>({.section = section,
-                         .key = key,
-                         .unit = {},
-                         .kind = FieldKind::flag,
-                         .default_value = default_value ? 1.0F : 0.0F,
-                         .minimum = 0.0F,
-                         .maximum = 1.0F,
-                         .choices = {}}),
-          meaning};
+constexpr PlanField choice(Place place, std::string_view section, std::string_view key, Names names,
+                           std::string_view meaning, float default_value = 0.0F) {
+  const Range range{0.0F, static_cast<float>(names.size() - 1)};
+  return {member(place, FieldKind::choice, default_value, range), section, key, {}, names, meaning};
 }
 
-template <auto Member>
-constexpr PlanRow integer(std::string_view section, std::string_view key, float default_value, Range range,
-                          std::string_view meaning) {
-  return {bound<Member>({.section = section,
-                         .key = key,
-                         .unit = {},
-                         .kind = FieldKind::integer,
-                         .default_value = default_value,
-                         .minimum = range.minimum,
-                         .maximum = range.maximum,
-                         .choices = {}}),
-          meaning};
+constexpr PlanField flag(Place place, std::string_view section, std::string_view key, bool default_value,
+                         std::string_view meaning) {
+  return {member(place, FieldKind::flag, default_value ? 1.0F : 0.0F, {0.0F, 1.0F}), section, key, {}, {}, meaning};
 }
 
-// Length is a function plan -> reference to the list's own length.
-template <auto Length>
-constexpr PlanRow list(PlanRow row) {
-  row.field.has_length = true;
-  row.field.get_length = [](const Plan& p) -> std::size_t { return Length(p); };
-  row.field.set_length = [](Plan& p, std::size_t length) { Length(p) = static_cast<std::uint8_t>(length); };
-  return row;
+constexpr PlanField integer(Place place, std::string_view section, std::string_view key, float default_value,
+                            Range range, std::string_view meaning) {
+  return {member(place, FieldKind::integer, default_value, range), section, key, {}, {}, meaning};
+}
+
+constexpr PlanField list(std::size_t length_offset, PlanField field) {
+  field.has_length = true;
+  field.length_offset = static_cast<std::uint16_t>(length_offset);
+  return field;
 }
 
 // clang-format off: one field a row reads better than one argument a line
-// NOLINTNEXTLINE(bugprone-macro-parentheses): a member's name in parentheses is no longer one
-#define MEMBER(expression) [](auto& p, [[maybe_unused]] std::size_t i) -> auto& { return p.expression; }
-inline constexpr auto flight_plan_table = std::to_array<PlanRow>({
-  choice<MEMBER(run.start)>("run", "start", start_names, "how control begins: by launch detection, or on command in the tunnel"),
-  number<MEMBER(run.control_time)>("run", "control_time_s", "s", 30, {0.1F, 600}, "control ends this long after control start"),
-  number<MEMBER(run.tilt_limit)>("run", "tilt_limit_deg", "deg", 60, {20, 90}, "control ends when the axis is tilted further from the vertical"),
-  choice<MEMBER(run.canard_fault)>("run", "canard_fault", fault_policy_names, "what a single canard fault does to control"),
-  integer<MEMBER(run.overrun_limit)>("run", "overrun_limit", 20, {0, 1000}, "control ticks that may fail to come in a flight, and from power-up to arming"),
+// NOLINTBEGIN(bugprone-macro-parentheses): a member's name in parentheses is no longer one
+#define MEMBER(name) Place{offsetof(Plan, name), kept_as<decltype(Plan::name)>()}
+#define LIST(name) Place{offsetof(Plan, name), kept_as<decltype(Plan::name)::value_type>(), sizeof(decltype(Plan::name)::value_type), std::size(decltype(Plan::name){})}
+#define CANARD(name) Place{offsetof(Plan, canards.each) + offsetof(CanardPlan, name), kept_as<decltype(CanardPlan::name)>(), sizeof(CanardPlan), canard_count}
+// NOLINTEND(bugprone-macro-parentheses)
+inline constexpr auto flight_plan_table = std::to_array<PlanField>({
+  choice(MEMBER(run.start), "run", "start", start_names, "how control begins: by launch detection, or on command in the tunnel"),
+  number(MEMBER(run.control_time), "run", "control_time_s", "s", 30, {0.1F, 600}, "control ends this long after control start"),
+  number(MEMBER(run.tilt_limit), "run", "tilt_limit_deg", "deg", 60, {20, 90}, "control ends when the axis is tilted further from the vertical"),
+  choice(MEMBER(run.canard_fault), "run", "canard_fault", fault_policy_names, "what a single canard fault does to control"),
+  integer(MEMBER(run.overrun_limit), "run", "overrun_limit", 20, {0, 1000}, "control ticks that may fail to come in a flight, and from power-up to arming"),
 
-  number<MEMBER(launch_detection.threshold_m_s2)>("launch_detection", "threshold_g", "g", 2.5F, {1.5F, 15}, "axial specific force that counts as thrust"),
-  number<MEMBER(launch_detection.hold)>("launch_detection", "hold_s", "s", 0.1F, {0.02F, 2}, "the threshold must be exceeded for this long"),
-  choice<MEMBER(launch_detection.accelerometers)>("launch_detection", "accelerometers", accelerometer_rule_names, "one accelerometer, or two that agree", 1, 1),
-  flag<MEMBER(launch_detection.single_allowed)>("launch_detection", "single_allowed", false, "of two accelerometers, fly on one when the other is lost"),
-  flag<MEMBER(launch_detection.low_pass)>("launch_detection", "low_pass", true, "low-pass the axial specific force ahead of the threshold"),
-  number<MEMBER(launch_detection.low_pass_hz)>("launch_detection", "low_pass_hz", "Hz", 16, {2, 200}, "cut-off of the low-pass"),
-  number<MEMBER(launch_detection.disagreement_m_s2)>("launch_detection", "disagreement_g", "g", 0.5F, {0.1F, 5}, "largest low-passed difference of two accelerometers"),
+  number(MEMBER(launch_detection.threshold_m_s2), "launch_detection", "threshold_g", "g", 2.5F, {1.5F, 15}, "axial specific force that counts as thrust"),
+  number(MEMBER(launch_detection.hold), "launch_detection", "hold_s", "s", 0.1F, {0.02F, 2}, "the threshold must be exceeded for this long"),
+  choice(MEMBER(launch_detection.accelerometers), "launch_detection", "accelerometers", accelerometer_rule_names, "one accelerometer, or two that agree", 1),
+  flag(MEMBER(launch_detection.single_allowed), "launch_detection", "single_allowed", false, "of two accelerometers, fly on one when the other is lost"),
+  flag(MEMBER(launch_detection.low_pass), "launch_detection", "low_pass", true, "low-pass the axial specific force ahead of the threshold"),
+  number(MEMBER(launch_detection.low_pass_hz), "launch_detection", "low_pass_hz", "Hz", 16, {2, 200}, "cut-off of the low-pass"),
+  number(MEMBER(launch_detection.disagreement_m_s2), "launch_detection", "disagreement_g", "g", 0.5F, {0.1F, 5}, "largest low-passed difference of two accelerometers"),
 
-  number<MEMBER(guide.length_m)>("guide", "length_m", "m", 4, {0, 30}, "length of the launch guide"),
-  number<MEMBER(guide.clearance_m)>("guide", "clearance_m", "m", 2, {0, 50}, "control starts this far beyond the end of the guide"),
-  number<MEMBER(guide.minimum_speed_m_s)>("guide", "minimum_speed_m_s", "m/s", 10, {0, 100}, "and faster than this"),
-  number<MEMBER(guide.clearance_time)>("guide", "clearance_time_s", "s", 1.5F, {0.2F, 5}, "and within this time of launch detection"),
+  number(MEMBER(guide.length_m), "guide", "length_m", "m", 4, {0, 30}, "length of the launch guide"),
+  number(MEMBER(guide.clearance_m), "guide", "clearance_m", "m", 2, {0, 50}, "control starts this far beyond the end of the guide"),
+  number(MEMBER(guide.minimum_speed_m_s), "guide", "minimum_speed_m_s", "m/s", 10, {0, 100}, "and faster than this"),
+  number(MEMBER(guide.clearance_time), "guide", "clearance_time_s", "s", 1.5F, {0.2F, 5}, "and within this time of launch detection"),
 
-  choice<MEMBER(motion.height_origin)>("motion", "height_origin", height_origin_names, "where height and speed begin: first thrust replayed, its speed only, or launch detection"),
-  number<MEMBER(motion.stale_time)>("motion", "stale_time_s", "s", 0.005F, {0.004F, 0.02F}, "a sample older than this is no sample"),
-  number<MEMBER(motion.longest_gyro_gap)>("motion", "longest_gyro_gap_s", "s", 0.25F, {0, 1}, "under control, canards wait at trim this long for a silent gyro"),
-  number<MEMBER(motion.rest_tolerance_m_s2)>("motion", "rest_tolerance_g", "g", 0.1F, {0.02F, 0.3F}, "at rest: specific force within 1 g of this"),
-  number<MEMBER(motion.quiet_rate_rad_s)>("motion", "quiet_rate_deg_s", "deg/s", 3, {0.5F, 20}, "at rest: no angular rate beyond this"),
-  number<MEMBER(motion.rest_time)>("motion", "rest_time_s", "s", 2, {0.5F, 10}, "at rest this long before a launch can be detected again"),
+  choice(MEMBER(motion.height_origin), "motion", "height_origin", height_origin_names, "where height and speed begin: first thrust replayed, its speed only, or launch detection"),
+  number(MEMBER(motion.stale_time), "motion", "stale_time_s", "s", 0.005F, {0.004F, 0.02F}, "a sample older than this is no sample"),
+  number(MEMBER(motion.longest_gyro_gap), "motion", "longest_gyro_gap_s", "s", 0.25F, {0, 1}, "under control, canards wait at trim this long for a silent gyro"),
+  number(MEMBER(motion.rest_tolerance_m_s2), "motion", "rest_tolerance_g", "g", 0.1F, {0.02F, 0.3F}, "at rest: specific force within 1 g of this"),
+  number(MEMBER(motion.quiet_rate_rad_s), "motion", "quiet_rate_deg_s", "deg/s", 3, {0.5F, 20}, "at rest: no angular rate beyond this"),
+  number(MEMBER(motion.rest_time), "motion", "rest_time_s", "s", 2, {0.5F, 10}, "at rest this long before a launch can be detected again"),
 
-  number<MEMBER(controller.proportional_gain)>("controller", "proportional_gain", "", 0.5F, {0, 10}, "canard angle per roll angle error (kp)"),
-  number<MEMBER(controller.derivative_gain_s)>("controller", "derivative_gain_s", "s", 0.05F, {0, 2}, "canard angle per roll rate (kd)"),
-  choice<MEMBER(controller.rate_reference)>("controller", "rate_reference", rate_reference_names, "what the roll rate is compared with: zero, or the reference angle as printed"),
-  number<MEMBER(controller.canard_limit)>("controller", "canard_limit_deg", "deg", 9, {0.5F, 20}, "plan limit of each canard"),
+  number(MEMBER(controller.proportional_gain), "controller", "proportional_gain", "", 0.5F, {0, 10}, "canard angle per roll angle error (kp)"),
+  number(MEMBER(controller.derivative_gain_s), "controller", "derivative_gain_s", "s", 0.05F, {0, 2}, "canard angle per roll rate (kd)"),
+  choice(MEMBER(controller.rate_reference), "controller", "rate_reference", rate_reference_names, "what the roll rate is compared with: zero, or the reference angle as printed"),
+  number(MEMBER(controller.canard_limit), "controller", "canard_limit_deg", "deg", 9, {0.5F, 20}, "plan limit of each canard"),
 
-  choice<MEMBER(reference.kind)>("reference", "kind", reference_kind_names, "the roll programme"),
-  number<MEMBER(reference.initial)>("reference", "initial_deg", "deg", 0, {-720, 720}, "reference until the first step or the square wave"),
-  list<[](auto& p) -> auto& { return p.reference.step_times_count; }>(
-       number<MEMBER(reference.step_times[i])>("reference", "step_times_s", "s", 0, {0, 600}, "steps: when, after control start", most_reference_steps)),
-  list<[](auto& p) -> auto& { return p.reference.step_angles_count; }>(
-       number<MEMBER(reference.step_angles[i])>("reference", "step_angles_deg", "deg", 0, {-720, 720}, "steps: to which roll angle", most_reference_steps)),
-  number<MEMBER(reference.square_wave_begin)>("reference", "square_wave_begin_s", "s", 0, {0, 600}, "square wave: first half wave, after control start"),
-  number<MEMBER(reference.square_wave_first)>("reference", "square_wave_first_deg", "deg", 45, {-720, 720}, "square wave: angle of the first half wave (R0)"),
-  number<MEMBER(reference.square_wave_second)>("reference", "square_wave_second_deg", "deg", 0, {-720, 720}, "square wave: angle of the second half wave (R1)"),
-  number<MEMBER(reference.square_wave_frequency_hz)>("reference", "square_wave_frequency_hz", "Hz", 0.1F, {0.01F, 10}, "square wave: whole waves a second (f0)"),
+  choice(MEMBER(reference.kind), "reference", "kind", reference_kind_names, "the roll programme"),
+  number(MEMBER(reference.initial), "reference", "initial_deg", "deg", 0, {-720, 720}, "reference until the first step or the square wave"),
+  list(offsetof(Plan, reference.step_times_count), number(LIST(reference.step_times), "reference", "step_times_s", "s", 0, {0, 600}, "steps: when, after control start")),
+  list(offsetof(Plan, reference.step_angles_count), number(LIST(reference.step_angles), "reference", "step_angles_deg", "deg", 0, {-720, 720}, "steps: to which roll angle")),
+  number(MEMBER(reference.square_wave_begin), "reference", "square_wave_begin_s", "s", 0, {0, 600}, "square wave: first half wave, after control start"),
+  number(MEMBER(reference.square_wave_first), "reference", "square_wave_first_deg", "deg", 45, {-720, 720}, "square wave: angle of the first half wave (R0)"),
+  number(MEMBER(reference.square_wave_second), "reference", "square_wave_second_deg", "deg", 0, {-720, 720}, "square wave: angle of the second half wave (R1)"),
+  number(MEMBER(reference.square_wave_frequency_hz), "reference", "square_wave_frequency_hz", "Hz", 0.1F, {0.01F, 10}, "square wave: whole waves a second (f0)"),
 
-  choice<MEMBER(excitation.form)>("excitation", "form", excitation_names, "none, the product chirp as published, or a phase-continuous sweep"),
-  number<MEMBER(excitation.amplitude)>("excitation", "amplitude_deg", "deg", 4, {0, 20}, "amplitude (A0)"),
-  number<MEMBER(excitation.begin)>("excitation", "begin_s", "s", 0.4F, {0, 600}, "on from this time after control start"),
-  number<MEMBER(excitation.end)>("excitation", "end_s", "s", 7, {0, 600}, "off from this time after control start"),
-  number<MEMBER(excitation.product_slope_hz_s)>("excitation", "product_slope_hz_s", "Hz/s", 2, {-50, 50}, "product form: sin(2 pi (slope t + offset) t)"),
-  number<MEMBER(excitation.product_offset_hz)>("excitation", "product_offset_hz", "Hz", -10, {-50, 50}, "product form: sin(2 pi (slope t + offset) t)"),
-  number<MEMBER(excitation.sweep_first_hz)>("excitation", "sweep_first_hz", "Hz", 2, {0.05F, 50}, "sweep form: frequency at the beginning"),
-  number<MEMBER(excitation.sweep_last_hz)>("excitation", "sweep_last_hz", "Hz", 10, {0.05F, 50}, "sweep form: frequency at the end"),
-  number<MEMBER(excitation.amplitude_variation)>("excitation", "amplitude_variation_deg", "deg", 0, {0, 10}, "seeded variation of the amplitude"),
-  number<MEMBER(excitation.frequency_variation_hz)>("excitation", "frequency_variation_hz", "Hz", 0, {0, 10}, "seeded variation of the frequency"),
-  integer<MEMBER(excitation.variation_seed)>("excitation", "variation_seed", 1, {0, 16777215}, "seed of both variations"),
+  choice(MEMBER(excitation.form), "excitation", "form", excitation_names, "none, the product chirp as published, or a phase-continuous sweep"),
+  number(MEMBER(excitation.amplitude), "excitation", "amplitude_deg", "deg", 4, {0, 20}, "amplitude (A0)"),
+  number(MEMBER(excitation.begin), "excitation", "begin_s", "s", 0.4F, {0, 600}, "on from this time after control start"),
+  number(MEMBER(excitation.end), "excitation", "end_s", "s", 7, {0, 600}, "off from this time after control start"),
+  number(MEMBER(excitation.product_slope_hz_s), "excitation", "product_slope_hz_s", "Hz/s", 2, {-50, 50}, "product form: sin(2 pi (slope t + offset) t)"),
+  number(MEMBER(excitation.product_offset_hz), "excitation", "product_offset_hz", "Hz", -10, {-50, 50}, "product form: sin(2 pi (slope t + offset) t)"),
+  number(MEMBER(excitation.sweep_first_hz), "excitation", "sweep_first_hz", "Hz", 2, {0.05F, 50}, "sweep form: frequency at the beginning"),
+  number(MEMBER(excitation.sweep_last_hz), "excitation", "sweep_last_hz", "Hz", 10, {0.05F, 50}, "sweep form: frequency at the end"),
+  number(MEMBER(excitation.amplitude_variation), "excitation", "amplitude_variation_deg", "deg", 0, {0, 10}, "seeded variation of the amplitude"),
+  number(MEMBER(excitation.frequency_variation_hz), "excitation", "frequency_variation_hz", "Hz", 0, {0, 10}, "seeded variation of the frequency"),
+  integer(MEMBER(excitation.variation_seed), "excitation", "variation_seed", 1, {0, 16777215}, "seed of both variations"),
 
-  choice<MEMBER(canards.each[i].direction)>("canards", "direction", direction_names, "reversed: a positive shaft angle rolls the rocket negatively", canard_count),
-  number<MEMBER(canards.each[i].trim)>("canards", "trim_deg", "deg", 0, {-5, 5}, "shaft angle at which the canard makes no roll moment", canard_count),
-  number<MEMBER(canards.each[i].pulse_centre_us)>("canards", "pulse_centre_us", "us", 1500, {900, 2100}, "servo pulse at shaft angle zero", canard_count),
-  number<MEMBER(canards.each[i].pulse_per_radian_us)>("canards", "pulse_per_degree_us", "us/deg", 10, {-40, 40}, "servo pulse per degree of shaft angle", canard_count),
-  number<MEMBER(canards.each[i].encoder_zero)>("canards", "encoder_zero_deg", "deg", 0, {-180, 180}, "encoder reading at shaft angle zero", canard_count),
-  number<MEMBER(canards.each[i].mechanical_stop)>("canards", "mechanical_stop_deg", "deg", 25, {1, 45}, "shaft angle of the mechanical stop, either side", canard_count),
-  number<MEMBER(canards.first_motion_rate_rad_s)>("canards", "first_motion_rate_deg_s", "deg/s", 30, {5, 120}, "largest rate of the first motion after power-up"),
+  choice(CANARD(direction), "canards", "direction", direction_names, "reversed: a positive shaft angle rolls the rocket negatively"),
+  number(CANARD(trim), "canards", "trim_deg", "deg", 0, {-5, 5}, "shaft angle at which the canard makes no roll moment"),
+  number(CANARD(pulse_centre_us), "canards", "pulse_centre_us", "us", 1500, {900, 2100}, "servo pulse at shaft angle zero"),
+  number(CANARD(pulse_per_radian_us), "canards", "pulse_per_degree_us", "us/deg", 10, {-40, 40}, "servo pulse per degree of shaft angle"),
+  number(CANARD(encoder_zero), "canards", "encoder_zero_deg", "deg", 0, {-180, 180}, "encoder reading at shaft angle zero"),
+  number(CANARD(mechanical_stop), "canards", "mechanical_stop_deg", "deg", 25, {1, 45}, "shaft angle of the mechanical stop, either side"),
+  number(MEMBER(canards.first_motion_rate_rad_s), "canards", "first_motion_rate_deg_s", "deg/s", 30, {5, 120}, "largest rate of the first motion after power-up"),
 
-  number<MEMBER(monitor.servo_lag)>("monitor", "servo_lag_s", "s", 0.025F, {0.001F, 0.2F}, "expected first-order lag of the servo"),
-  number<MEMBER(monitor.tracking_limit)>("monitor", "tracking_limit_deg", "deg", 3, {0.2F, 20}, "largest difference between expected and measured canard angle"),
-  number<MEMBER(monitor.disagreement_limit)>("monitor", "disagreement_limit_deg", "deg", 1.5F, {0.2F, 20}, "largest difference between a canard and the middle of the others"),
-  number<MEMBER(monitor.hold)>("monitor", "hold_s", "s", 0.1F, {0.01F, 2}, "a difference must last this long to be a fault"),
-  number<MEMBER(monitor.encoder_timeout)>("monitor", "encoder_timeout_s", "s", 0.02F, {0.005F, 1}, "an encoder silent for this long is dead"),
+  number(MEMBER(monitor.servo_lag), "monitor", "servo_lag_s", "s", 0.025F, {0.001F, 0.2F}, "expected first-order lag of the servo"),
+  number(MEMBER(monitor.tracking_limit), "monitor", "tracking_limit_deg", "deg", 3, {0.2F, 20}, "largest difference between expected and measured canard angle"),
+  number(MEMBER(monitor.disagreement_limit), "monitor", "disagreement_limit_deg", "deg", 1.5F, {0.2F, 20}, "largest difference between a canard and the middle of the others"),
+  number(MEMBER(monitor.hold), "monitor", "hold_s", "s", 0.1F, {0.01F, 2}, "a difference must last this long to be a fault"),
+  number(MEMBER(monitor.encoder_timeout), "monitor", "encoder_timeout_s", "s", 0.02F, {0.005F, 1}, "an encoder silent for this long is dead"),
 });
 #undef MEMBER
+#undef LIST
+#undef CANARD
 // clang-format on
 
 }  // namespace fantail::core::plan_table

@@ -5,6 +5,7 @@
 #include <array>
 #include <string_view>
 
+#include "core/flight_plan_table.hpp"
 #include "protocol/crc32c.hpp"
 #include "protocol/little_endian.hpp"
 
@@ -16,12 +17,26 @@ constexpr std::size_t header_size = plan_block_header_size;
 constexpr std::size_t checksum_size = 4;
 
 // FNV-1a.
-std::uint32_t hash(std::uint32_t h, std::string_view text) {
+constexpr std::uint32_t hash(std::uint32_t h, std::string_view text) {
   for (const char c : text) {
     h = (h ^ static_cast<std::uint8_t>(c)) * 16777619U;
   }
   return (h ^ 0xFFU) * 16777619U;  // ends the text, so that "ab","c" is not "a","bc"
 }
+
+// By the compiler: a board has no names to hash.
+constexpr std::uint32_t schema_hash = [] {
+  std::uint32_t h = 2166136261U;
+  for (const core::PlanField& field : core::plan_table::flight_plan_table) {
+    h = hash(hash(hash(h, field.section), field.key), field.unit);
+    h = (h ^ static_cast<std::uint32_t>(field.kind)) * 16777619U;
+    h = (h ^ static_cast<std::uint32_t>(field.slots)) * 16777619U;
+    for (const std::string_view choice : field.choices) {
+      h = hash(h, choice);
+    }
+  }
+  return h;
+}();
 
 constexpr std::size_t payload_size = plan_block_size - header_size - checksum_size;
 
@@ -33,18 +48,7 @@ PlanBlockReading refuse(const core::PlanFault& fault) {
 
 }  // namespace
 
-std::uint32_t plan_schema_hash() {
-  std::uint32_t h = 2166136261U;
-  for (const core::PlanField& field : core::flight_plan_fields()) {
-    h = hash(hash(hash(h, field.section), field.key), field.unit);
-    h = (h ^ static_cast<std::uint32_t>(field.kind)) * 16777619U;
-    h = (h ^ static_cast<std::uint32_t>(field.slots)) * 16777619U;
-    for (const std::string_view choice : field.choices) {
-      h = hash(h, choice);
-    }
-  }
-  return h;
-}
+std::uint32_t plan_schema_hash() { return schema_hash; }
 
 std::size_t write_plan_block(const core::FlightPlan& plan, std::span<std::byte> out) {
   for (std::size_t i = 0; i < magic.size(); ++i) {
@@ -52,9 +56,9 @@ std::size_t write_plan_block(const core::FlightPlan& plan, std::span<std::byte> 
   }
   put<2>(out, 4, plan_block_version);
   put<2>(out, 6, payload_size);
-  put<4>(out, 8, plan_schema_hash());
+  put<4>(out, 8, schema_hash);
   std::size_t at = header_size;
-  for (const core::PlanField& field : core::flight_plan_fields()) {
+  for (const core::PlanMember& field : core::flight_plan_members()) {
     if (field.is_list()) {
       put<4>(out, at, field.used_slots(plan));
       at += 4;
@@ -106,7 +110,7 @@ PlanBlockReading read_plan_block(std::span<const std::byte> block) {
     return refuse(get<2>(block, 4) > plan_block_version ? PlanBlockFault::newer_version
                                                         : PlanBlockFault::older_version);
   }
-  if (get<4>(block, 8) != plan_schema_hash()) {
+  if (get<4>(block, 8) != schema_hash) {
     return refuse(PlanBlockFault::other_schema);
   }
   if (block.size() != plan_block_size) {
@@ -115,11 +119,13 @@ PlanBlockReading read_plan_block(std::span<const std::byte> block) {
 
   core::FlightPlan plan{};
   std::size_t at = header_size;
-  for (const core::PlanField& field : core::flight_plan_fields()) {
+  const auto members = core::flight_plan_members();
+  for (std::size_t place = 0; place < members.size(); ++place) {
+    const core::PlanMember& field = members[place];
     if (field.is_list()) {
       const auto length = static_cast<std::uint32_t>(get<4>(block, at));
       if (length > field.slots) {
-        return refuse(core::PlanFault{&field, 0, "too many values"});
+        return refuse(core::PlanFault{place, 0, core::PlanRule::too_many_values});
       }
       field.set_length(plan, length);
       at += 4;
@@ -128,7 +134,7 @@ PlanBlockReading read_plan_block(std::span<const std::byte> block) {
       const auto bits = static_cast<std::uint32_t>(get<4>(block, at));
       field.set_bits(plan, slot, bits);
       if (field.get_bits(plan, slot) != bits) {  // did not fit the field's type
-        return refuse(core::PlanFault{&field, slot, "out of range"});
+        return refuse(core::PlanFault{place, slot, core::PlanRule::in_range});
       }
       at += 4;
     }

@@ -7,7 +7,7 @@
 #include <span>
 
 #include "core/flight_plan.hpp"
-#include "core/flight_plan_fields.hpp"
+#include "core/flight_plan_members.hpp"
 
 namespace fantail::protocol {
 

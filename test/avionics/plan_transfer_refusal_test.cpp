@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "avionics/plan_transfer.hpp"
+#include "core/flight_plan_fields.hpp"
 #include "protocol/bus_messages.hpp"
 #include "transfer_rig.hpp"
 
@@ -42,7 +43,7 @@ TEST_F(PlanTransferTest, EveryBitThatFlipsOnTheWayIsNoticed) {
 TEST_F(PlanTransferTest, APlanThatMustNotFlyIsRefusedByTheNameOfItsField) {
   const auto fields = core::flight_plan_fields();
   for (std::size_t i = 0; i < fields.size(); ++i) {
-    if (fields[i].is_list() || fields[i].kind != core::FieldKind::number || fields[i].is_time) {
+    if (fields[i].is_list() || fields[i].kind != core::FieldKind::number || fields[i].is_time()) {
       continue;
     }
     core::FlightPlan bad = numbered_plan(8);

@@ -9,6 +9,7 @@
 
 #include <fmt/core.h>
 
+#include "core/flight_plan_fields.hpp"
 #include "flight_log/flight_log.hpp"
 #include "flight_log/printable.hpp"
 #include "protocol/little_endian.hpp"
@@ -50,8 +51,9 @@ std::string fault_text(const protocol::PlanBlockReading& reading) {
   if (!reading.plan_fault) {
     return "one of its values is not allowed";
   }
-  return fmt::format("one of its values is not allowed: {}.{}, {}", reading.plan_fault->field->section,
-                     reading.plan_fault->field->key, reading.plan_fault->rule);
+  const core::PlanField& field = core::flight_plan_fields()[reading.plan_fault->field];
+  return fmt::format("one of its values is not allowed: {}.{}, {}", field.section, field.key,
+                     core::sentence(reading.plan_fault->rule));
 }
 
 /// One flight, made from its records as they come.

@@ -31,7 +31,7 @@ double as_written(float value) {
 
 // Times go straight into microseconds: through a float, 300.001 s would be 7 us late and so a whole tick.
 void set_value(const PlanField& field, core::FlightPlan& plan, std::size_t slot, double file_value) {
-  if (field.is_time) {
+  if (field.is_time()) {
     field.set_bits(plan, slot, static_cast<std::uint32_t>(std::llround(file_value * 1e6)));
   } else {
     field.set(plan, slot, static_cast<float>(file_value));
@@ -39,7 +39,7 @@ void set_value(const PlanField& field, core::FlightPlan& plan, std::size_t slot,
 }
 
 double get_value(const PlanField& field, const core::FlightPlan& plan, std::size_t slot) {
-  return field.is_time ? field.get_bits(plan, slot) * 1e-6 : static_cast<double>(field.get(plan, slot));
+  return field.is_time() ? field.get_bits(plan, slot) * 1e-6 : static_cast<double>(field.get(plan, slot));
 }
 
 std::string number_text(double value, int digits) {
@@ -161,12 +161,13 @@ core::FlightPlan read_plan(const Document& document) {
     section.finish();
   }
   if (const auto fault = core::validate(plan)) {
-    const Section section{document, std::string{fault->field->section}};
-    std::string complaint = "is refused: " + std::string{fault->rule};
-    if (!fault->field->is_list() || fault->slot > 0) {  // the rules on a whole list name its first slot
-      complaint = "= " + value_text(*fault->field, plan, fault->slot) + ' ' + complaint;
+    const PlanField& field = core::flight_plan_fields()[fault->field];
+    const Section section{document, std::string{field.section}};
+    std::string complaint = "is refused: " + std::string{core::sentence(fault->rule)};
+    if (!field.is_list() || fault->slot > 0) {  // the rules on a whole list name its first slot
+      complaint = "= " + value_text(field, plan, fault->slot) + ' ' + complaint;
     }
-    section.refuse(fault->field->key, complaint);
+    section.refuse(field.key, complaint);
   }
   return plan;
 }
@@ -192,7 +193,7 @@ std::string plan_table(const core::FlightPlan& plan) {
     shown += all_equal ? "" : "]";
     std::ostringstream assignment;
     assignment << field.key << " = " << shown;
-    text << std::left << std::setw(46) << assignment.str() << " # " << core::meaning(field) << " ("
+    text << std::left << std::setw(46) << assignment.str() << " # " << field.meaning << " ("
          << (field.unit.empty() ? "" : std::string{field.unit} + ", ") << range_text(field) << ")\n";
   }
   return text.str();

@@ -8,7 +8,7 @@
 #include "boards/cortex_m4/image.hpp"
 #include "boards/stm32f405/crash.hpp"
 #include "boards/stm32f405/hardware.hpp"
-#include "core/flight_plan_fields.hpp"
+#include "core/flight_plan_members.hpp"
 
 using namespace fantail;  // NOLINT(google-build-using-namespace): it all comes together here
 using boards::stm32f405::Hardware;
