@@ -99,15 +99,9 @@ Microseconds time_of(std::span<const std::byte> half) {
   return Microseconds{static_cast<std::int64_t>(get<8>(half, time_at))};
 }
 
-std::uint32_t layout_of(core::Autopilot& law) {
-  protocol::StateLayout layout;
-  law.visit_state(layout);
-  return layout.hash();
-}
-
 bool restore(std::span<std::byte> half, const core::Inputs& first, std::uint32_t plan_crc, core::Autopilot& law) {
   const Microseconds gap = first.time - time_of(half);
-  if (word(half, plan_at) != plan_crc || word(half, layout_at) != layout_of(law) ||
+  if (word(half, plan_at) != plan_crc || word(half, layout_at) != state_layout(law) ||
       word(half, resumes_at) >= FlightMemory::most_resumes || gap <= Microseconds{0} ||
       gap > FlightMemory::longest_gap) {
     return false;
@@ -161,7 +155,7 @@ void FlightMemory::keep(const core::TickRecord& record, std::uint32_t plan_crc,
   if (waits_) {
     return;
   }
-  layout_ = layout_ ? layout_ : layout_of(law);
+  layout_ = layout_ ? layout_ : state_layout(law);
   if (!flies(record.phase)) {
     if (sequence_ > 0) {
       forget();

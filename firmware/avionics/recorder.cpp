@@ -2,8 +2,8 @@
 #include "avionics/recorder.hpp"
 
 #include "avionics/flash_facts.hpp"
+#include "avionics/write_state.hpp"
 #include "protocol/log_schema.hpp"
-#include "protocol/state_block.hpp"
 
 namespace fantail::avionics {
 
@@ -65,9 +65,7 @@ void Recorder::note(const Tick& tick, core::Autopilot& law) {
 }
 
 void Recorder::begin_on_pad(const Tick& tick, core::Autopilot& law) {
-  protocol::StateLayout layout;
-  law.visit_state(layout);
-  state_layout_ = layout.hash();
+  state_layout_ = state_layout(law);
   queue_.clear();
   told_ = {.phase = tick.record.phase};
   armed_because_ = tick.record.reason;

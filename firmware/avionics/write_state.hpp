@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 
 #include "core/autopilot.hpp"
@@ -14,5 +15,8 @@ namespace fantail::avionics {
 /// size.
 [[nodiscard]] std::size_t write_state(core::Autopilot& law, std::span<std::byte> out, protocol::StateExtent extent,
                                       protocol::StatePart part = {});
+
+/// What its layout is known by: protocol::StateLayout.
+[[nodiscard]] std::uint32_t state_layout(core::Autopilot& law);
 
 }  // namespace fantail::avionics

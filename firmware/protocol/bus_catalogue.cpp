@@ -74,7 +74,22 @@ static_assert(std::ranges::all_of(catalogue, [](const BusFrameKind& kind) {
   return kind.length == BenchRequestFrame::length && (kind.has_counter || !kind.can_move);
 }));
 
+// By the compiler: a board has no use for the rest of the catalogue.
+constexpr auto bench_ids = [] {
+  std::array<std::uint16_t, bench_frame_count> ids{};
+  std::size_t count = 0;
+  for (const BusFrameKind& kind : catalogue) {
+    if (kind.sender == BusNode::bench) {
+      ids.at(count++) = kind.id;
+    }
+  }
+  return ids;
+}();
+static_assert(bench_ids.back() != 0);
+
 }  // namespace
+
+std::span<const std::uint16_t, bench_frame_count> bench_frame_ids() { return bench_ids; }
 
 std::span<const BusFrameKind, bus_frame_count> bus_catalogue() { return catalogue; }
 

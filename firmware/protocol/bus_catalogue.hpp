@@ -28,6 +28,11 @@ inline constexpr std::size_t bus_frame_count = 22;
 /// Every frame of the bus, the most urgent first.
 [[nodiscard]] std::span<const BusFrameKind, bus_frame_count> bus_catalogue();
 
+inline constexpr std::size_t bench_frame_count = 6;
+
+/// What avionics listen for.
+[[nodiscard]] std::span<const std::uint16_t, bench_frame_count> bench_frame_ids();
+
 /// Null for an identifier that the bus does not have.
 [[nodiscard]] const BusFrameKind* find_bus_frame(std::uint16_t id);
 

@@ -77,14 +77,16 @@ inline constexpr FourAngles<RawCommand> driven{
     .given = {&RawCommand::driven_1, &RawCommand::driven_2, &RawCommand::driven_3, &RawCommand::driven_4}};
 inline constexpr FourAngles<RawEncoder> valid{
     .given = {&RawEncoder::valid_1, &RawEncoder::valid_2, &RawEncoder::valid_3, &RawEncoder::valid_4}};
-inline constexpr std::array limited{&RawStatus::limited_1, &RawStatus::limited_2, &RawStatus::limited_3,
-                                    &RawStatus::limited_4};
-inline constexpr std::array verdicts{&RawHealth::verdict_1, &RawHealth::verdict_2, &RawHealth::verdict_3,
-                                     &RawHealth::verdict_4};
-inline constexpr std::array limits{&RawLimit::canard_1, &RawLimit::canard_2, &RawLimit::canard_3, &RawLimit::canard_4};
+// Not std::array{...}: GCC 12 for the processor puts a constant whose type it deduces among the variables.
+inline constexpr auto limited =
+    std::to_array({&RawStatus::limited_1, &RawStatus::limited_2, &RawStatus::limited_3, &RawStatus::limited_4});
+inline constexpr auto verdicts =
+    std::to_array({&RawHealth::verdict_1, &RawHealth::verdict_2, &RawHealth::verdict_3, &RawHealth::verdict_4});
+inline constexpr auto limits =
+    std::to_array({&RawLimit::canard_1, &RawLimit::canard_2, &RawLimit::canard_3, &RawLimit::canard_4});
 template <typename Raw>
-inline constexpr std::array bytes{&Raw::byte_0, &Raw::byte_1, &Raw::byte_2, &Raw::byte_3,
-                                  &Raw::byte_4, &Raw::byte_5, &Raw::byte_6};
+inline constexpr auto bytes =
+    std::to_array({&Raw::byte_0, &Raw::byte_1, &Raw::byte_2, &Raw::byte_3, &Raw::byte_4, &Raw::byte_5, &Raw::byte_6});
 
 }  // namespace signals
 

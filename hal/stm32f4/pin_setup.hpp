@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <string_view>
 
 #include "hal/stm32f4/registers/gpio.hpp"
 
@@ -17,7 +16,6 @@ enum class PinSpeed : std::uint8_t { slow = 0, medium = 1, fast = 2 };
 struct PinSetup {
   char port = 'A';
   std::uint8_t number = 0;
-  std::string_view use{};
   PinMode mode = PinMode::input;
   std::uint8_t alternate = 0;  ///< 0 to 15, for PinMode::alternate
   PinPull pull = PinPull::none;

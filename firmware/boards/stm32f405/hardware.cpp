@@ -104,14 +104,7 @@ void Hardware::start(SensorStart how) {
   accelerometer_.start(how);
   flash_.start();
 
-  std::array<std::uint16_t, protocol::bus_frame_count> identifiers{};
-  std::size_t count = 0;
-  for (const protocol::BusFrameKind& kind : protocol::bus_catalogue()) {
-    if (kind.sender == protocol::BusNode::bench) {
-      identifiers[count++] = kind.id;
-    }
-  }
-  if (const auto fault = can_bus_.start(tree_.frequencies.apb1_hz, std::span{identifiers}.first(count))) {
+  if (const auto fault = can_bus_.start(tree_.frequencies.apb1_hz, protocol::bench_frame_ids())) {
     board_.add(*fault);
   }
   for (const Interrupt interrupt : {can1_tx, can1_rx0, can1_sce, usart1_all}) {

@@ -15,57 +15,57 @@ using hal::stm32f4::PinPull;
 using hal::stm32f4::PinSetup;
 using hal::stm32f4::PinSpeed;
 
-[[nodiscard]] constexpr PinSetup spi(char port, std::uint8_t number, std::string_view use, std::uint8_t alternate,
+[[nodiscard]] constexpr PinSetup spi(char port, std::uint8_t number, std::uint8_t alternate,
                                      PinPull pull = PinPull::none) {
-  return {port, number, use, PinMode::alternate, alternate, pull, PinSpeed::fast, false};
+  return {port, number, PinMode::alternate, alternate, pull, PinSpeed::fast, false};
 }
 // Nobody is selected until a driver selects it.
-[[nodiscard]] constexpr PinSetup select(char port, std::uint8_t number, std::string_view use) {
-  return {port, number, use, PinMode::output, 0, PinPull::none, PinSpeed::medium, true};
+[[nodiscard]] constexpr PinSetup select(char port, std::uint8_t number) {
+  return {port, number, PinMode::output, 0, PinPull::none, PinSpeed::medium, true};
 }
 
 // clang-format off: a table
-inline constexpr std::array pin_map{
+inline constexpr auto pin_map = std::to_array<PinSetup>({
     // An output that is switched off is pulled low, so a servo without pulses sees silence and not noise.
-    PinSetup{'C', 6, "servo 1, TIM8_CH1", PinMode::alternate, 3, PinPull::down, PinSpeed::slow, false},
-    PinSetup{'C', 7, "servo 2, TIM8_CH2", PinMode::alternate, 3, PinPull::down, PinSpeed::slow, false},
-    PinSetup{'C', 8, "servo 3, TIM8_CH3", PinMode::alternate, 3, PinPull::down, PinSpeed::slow, false},
-    PinSetup{'C', 9, "servo 4, TIM8_CH4", PinMode::alternate, 3, PinPull::down, PinSpeed::slow, false},
+    PinSetup{'C', 6, PinMode::alternate, 3, PinPull::down, PinSpeed::slow, false},  // servo 1, TIM8_CH1
+    PinSetup{'C', 7, PinMode::alternate, 3, PinPull::down, PinSpeed::slow, false},  // servo 2, TIM8_CH2
+    PinSetup{'C', 8, PinMode::alternate, 3, PinPull::down, PinSpeed::slow, false},  // servo 3, TIM8_CH3
+    PinSetup{'C', 9, PinMode::alternate, 3, PinPull::down, PinSpeed::slow, false},  // servo 4, TIM8_CH4
 
-    select('A', 4, "IMU select"),
-    spi('A', 5, "IMU clock, SPI1_SCK", 5),
+    select('A', 4),  // IMU select
+    spi('A', 5, 5),  // IMU clock, SPI1_SCK
     // A sensor that is not there reads as zeros, which no sensor answers.
-    spi('A', 6, "IMU data out, SPI1_MISO", 5, PinPull::down),
-    spi('A', 7, "IMU data in, SPI1_MOSI", 5),
+    spi('A', 6, 5, PinPull::down),  // IMU data out, SPI1_MISO
+    spi('A', 7, 5),  // IMU data in, SPI1_MOSI
 
-    select('B', 12, "encoder 1 select"),
-    select('B', 0, "encoder 2 select"),
-    select('B', 1, "encoder 3 select"),
-    select('C', 5, "encoder 4 select"),
-    spi('B', 13, "encoder clock, SPI2_SCK", 5),
-    spi('B', 14, "encoder data out, SPI2_MISO", 5, PinPull::down),
-    spi('B', 15, "encoder data in, SPI2_MOSI", 5),
+    select('B', 12),  // encoder 1 select
+    select('B', 0),  // encoder 2 select
+    select('B', 1),  // encoder 3 select
+    select('C', 5),  // encoder 4 select
+    spi('B', 13, 5),  // encoder clock, SPI2_SCK
+    spi('B', 14, 5, PinPull::down),  // encoder data out, SPI2_MISO
+    spi('B', 15, 5),  // encoder data in, SPI2_MOSI
 
-    select('C', 4, "second accelerometer select"),
-    select('A', 15, "flash select"),
-    spi('B', 3, "accelerometer and flash clock, SPI3_SCK", 6),
-    spi('B', 4, "accelerometer and flash data out, SPI3_MISO", 6, PinPull::down),
-    spi('B', 5, "accelerometer and flash data in, SPI3_MOSI", 6),
+    select('C', 4),  // second accelerometer select
+    select('A', 15),  // flash select
+    spi('B', 3, 6),  // accelerometer and flash clock, SPI3_SCK
+    spi('B', 4, 6, PinPull::down),  // accelerometer and flash data out, SPI3_MISO
+    spi('B', 5, 6),  // accelerometer and flash data in, SPI3_MOSI
 
-    PinSetup{'B', 8, "CAN receive, CAN1_RX", PinMode::alternate, 9, PinPull::up, PinSpeed::medium, false},
-    PinSetup{'B', 9, "CAN transmit, CAN1_TX", PinMode::alternate, 9, PinPull::none, PinSpeed::medium, false},
+    PinSetup{'B', 8, PinMode::alternate, 9, PinPull::up, PinSpeed::medium, false},  // CAN receive, CAN1_RX
+    PinSetup{'B', 9, PinMode::alternate, 9, PinPull::none, PinSpeed::medium, false},  // CAN transmit, CAN1_TX
     // High until the controller is set up: a node that cannot talk must not disturb those who can.
-    PinSetup{'C', 0, "CAN transceiver silent", PinMode::output, 0, PinPull::none, PinSpeed::slow, true},
+    PinSetup{'C', 0, PinMode::output, 0, PinPull::none, PinSpeed::slow, true},  // CAN transceiver silent
 
-    PinSetup{'A', 9, "console transmit, USART1_TX", PinMode::alternate, 7, PinPull::none, PinSpeed::medium, false},
-    PinSetup{'A', 10, "console receive, USART1_RX", PinMode::alternate, 7, PinPull::up, PinSpeed::slow, false},
+    PinSetup{'A', 9, PinMode::alternate, 7, PinPull::none, PinSpeed::medium, false},  // console transmit, USART1_TX
+    PinSetup{'A', 10, PinMode::alternate, 7, PinPull::up, PinSpeed::slow, false},  // console receive, USART1_RX
 
-    PinSetup{'C', 2, "battery divider, ADC1_IN12", PinMode::analog, 0, PinPull::none, PinSpeed::slow, false},
+    PinSetup{'C', 2, PinMode::analog, 0, PinPull::none, PinSpeed::slow, false},  // battery divider, ADC1_IN12
     // Closed means high: a wire that has come off is an open switch, and an open switch does not arm.
-    PinSetup{'C', 3, "arm switch", PinMode::input, 0, PinPull::down, PinSpeed::slow, false},
-    PinSetup{'B', 2, "status light", PinMode::output, 0, PinPull::none, PinSpeed::slow, false},
-    PinSetup{'A', 8, "buzzer, TIM1_CH1", PinMode::alternate, 1, PinPull::down, PinSpeed::slow, false},
-};
+    PinSetup{'C', 3, PinMode::input, 0, PinPull::down, PinSpeed::slow, false},  // arm switch
+    PinSetup{'B', 2, PinMode::output, 0, PinPull::none, PinSpeed::slow, false},  // status light
+    PinSetup{'A', 8, PinMode::alternate, 1, PinPull::down, PinSpeed::slow, false},  // buzzer, TIM1_CH1
+});
 // clang-format on
 
 // No pin has two uses.
