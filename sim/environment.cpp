@@ -155,6 +155,12 @@ bool Environment::can_roll() const {
 }
 
 std::optional<Path> Environment::path() const {
+  if (prescribed_) {
+    return Path{.position_m = {.x = prescribed_->across_m(), .z = prescribed_->height_m()},
+                .velocity_m_s = {.x = prescribed_->across_m_s(), .z = prescribed_->up_m_s()},
+                .tilt_rad = prescribed_->tilt_rad(),
+                .angle_of_attack_rad = 0.0};
+  }
   if (!flight_) {
     return std::nullopt;
   }

@@ -17,12 +17,13 @@
 
 namespace fantail::sim {
 
-/// Where the rocket is in six degrees of freedom.
+/// Where the rocket is in six degrees of freedom, or on a prescribed path.
 struct Path {
-  Vector3 position_m;  ///< earth: north, west, up; from the foot of the guide
+  Vector3 position_m;  ///< earth: north, west, up; from the foot of the guide. Prescribed: across (in the plane of the
+                       ///< path, wherever that points), zero, up
   Vector3 velocity_m_s;
   double tilt_rad;             ///< of the axis, from the vertical
-  double angle_of_attack_rad;  ///< between the axis and the way through the air
+  double angle_of_attack_rad;  ///< between the axis and the way through the air; prescribed: zero, because not known
 };
 
 /// What surrounds the rocket: a flight along a straight line, in six degrees of freedom or on a path that somebody else
@@ -55,7 +56,7 @@ class Environment {
   /// When the parachute began to open; empty: not yet, or there is none.
   [[nodiscard]] std::optional<double> parachute_s() const { return flight_ ? flight_->parachute_s() : std::nullopt; }
   [[nodiscard]] bool is_over() const { return prescribed_ && prescribed_->is_over(); }  ///< the path has no more
-  [[nodiscard]] std::optional<Path> path() const;  ///< in six degrees of freedom only
+  [[nodiscard]] std::optional<Path> path() const;  ///< empty along a straight line and in the tunnel
   /// It follows the propellant; empty where it does not change.
   [[nodiscard]] std::optional<double> roll_inertia_kg_m2() const;
 

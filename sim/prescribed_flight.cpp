@@ -18,6 +18,21 @@ MonotoneCurve curve(const std::vector<PathSample>& samples, double PathSample::*
   return {std::move(times_s), std::move(values)};
 }
 
+/// The trapezoidal rule between the samples.
+MonotoneCurve way_across(const std::vector<PathSample>& samples) {
+  std::vector<double> times_s;
+  std::vector<double> ways_m;
+  const PathSample* before = &samples.front();
+  double way_m = 0.0;
+  for (const PathSample& sample : samples) {
+    way_m += 0.5 * (before->across_m_s + sample.across_m_s) * (sample.time_s - before->time_s);
+    times_s.push_back(sample.time_s);
+    ways_m.push_back(way_m);
+    before = &sample;
+  }
+  return {std::move(times_s), std::move(ways_m)};
+}
+
 std::optional<MonotoneCurve> axial_curve(const std::vector<PathSample>& samples) {
   std::vector<double> times_s;
   std::vector<double> values;
@@ -40,6 +55,7 @@ PrescribedFlight::PrescribedFlight(const PrescribedPath& path)
       height_{curve(path.samples, &PathSample::height_m)},
       up_{curve(path.samples, &PathSample::up_m_s)},
       across_{curve(path.samples, &PathSample::across_m_s)},
+      way_across_{way_across(path.samples)},
       along_axis_{curve(path.samples, &PathSample::along_axis_m_s)},
       density_{curve(path.samples, &PathSample::density_kg_m3)},
       tilt_{curve(path.samples, &PathSample::tilt_rad)},
@@ -68,8 +84,13 @@ void PrescribedFlight::look(double time_s) {
   tilt_rad_ = tilt.value;
   // The rocket leans towards -y of its frame: its axis is (sine, cosine) and its y (-cosine, sine), across and up.
   const auto [sine, cosine] = sine_cosine(tilt.value);
-  const double across_m_s2 = across_.at(time_s).slope_per_s;
-  const double up_m_s2 = up_.at(time_s).slope_per_s + gravity_m_s2;
+  const MonotoneCurve::Here across = across_.at(time_s);
+  const MonotoneCurve::Here up = up_.at(time_s);
+  across_m_ = way_across_.at(time_s).value;
+  across_m_s_ = across.value;
+  up_m_s_ = up.value;
+  const double across_m_s2 = across.slope_per_s;
+  const double up_m_s2 = up.slope_per_s + gravity_m_s2;
   specific_force_m_s2_ = {.x = sine * across_m_s2 + cosine * up_m_s2, .y = sine * up_m_s2 - cosine * across_m_s2};
   if (axial_) {
     specific_force_m_s2_.x = axial_->at(time_s).value;

@@ -48,6 +48,9 @@ class PrescribedFlight {
   [[nodiscard]] double speed_m_s() const { return speed_m_s_; }  ///< through the air, along the axis
   [[nodiscard]] double density_kg_m3() const { return density_kg_m3_; }
   [[nodiscard]] double tilt_rad() const { return tilt_rad_; }
+  [[nodiscard]] double across_m() const { return across_m_; }  ///< from where it stood
+  [[nodiscard]] double up_m_s() const { return up_m_s_; }
+  [[nodiscard]] double across_m_s() const { return across_m_s_; }
   [[nodiscard]] const AscentEvents& events() const { return events_; }
   [[nodiscard]] bool is_on_ground() const { return !events_.liftoff_s; }
   [[nodiscard]] bool is_over() const { return is_over_; }  ///< the path has no more samples
@@ -66,6 +69,7 @@ class PrescribedFlight {
   MonotoneCurve height_;
   MonotoneCurve up_;
   MonotoneCurve across_;
+  MonotoneCurve way_across_;
   MonotoneCurve along_axis_;
   MonotoneCurve density_;
   MonotoneCurve tilt_;
@@ -75,6 +79,9 @@ class PrescribedFlight {
   double speed_m_s_ = 0.0;
   double density_kg_m3_ = 0.0;
   double tilt_rad_ = 0.0;
+  double across_m_ = 0.0;
+  double up_m_s_ = 0.0;
+  double across_m_s_ = 0.0;
   Vector3 specific_force_m_s2_;
   Vector3 rate_rad_s_;
   Vector3 angular_acceleration_rad_s2_;

@@ -64,7 +64,7 @@ class World {
   /// The truth that belongs to the last tick.
   [[nodiscard]] Truth truth() const;
 
-  /// Where the rocket is at the last tick, in six degrees of freedom; else empty.
+  /// Where the rocket is at the last tick, in six degrees of freedom or on a prescribed path; else empty.
   [[nodiscard]] std::optional<Path> path() const { return environment_.path(); }
 
   /// What the tunnel's own instruments read at the last tick; empty in flight and between two readings.

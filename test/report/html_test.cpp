@@ -118,6 +118,20 @@ TEST(Html, WritesNegativeNumbersInSentencesWithTheMinusOfItsFigures) {
   EXPECT_NE(text.find("authority margin \u22123.0 deg"), std::string::npos);
 }
 
+TEST(Html, APathInAPlaneIsShownWithoutDirections) {
+  SyntheticFlight synthetic;
+  synthetic.flight.path_frame = flight::PathFrame::plane;
+  synthetic.flight.path = {{.time_s = 0.0}, {.time_s = 4.0, .north_m = 30.0, .height_m = 400.0, .tilt_rad = 0.1}};
+  synthetic.flight.events.apogee_s = 4.2;
+  const std::string page = without_scripts(page_of(synthetic.flight));
+  EXPECT_NE(page.find("distance across / m"), std::string::npos);
+  EXPECT_NE(page.find("Tilt of the long axis"), std::string::npos);
+  EXPECT_NE(page.find("Drift at apogee"), std::string::npos);
+  for (const char* unknown : {"towards", "east / m", "angle of attack"}) {
+    EXPECT_EQ(page.find(unknown), std::string::npos) << unknown;
+  }
+}
+
 TEST(Html, TextFromFilesStaysText) {
   SyntheticFlight synthetic;
   const std::string attack = "</script><script>alert('1')</script>\"&";

@@ -28,6 +28,27 @@ TEST(Verdict, AHeldFlightNamesErrorSaturationAndMargin) {
             "4.0 deg.");
 }
 
+TEST(Verdict, ATrajectoryThatEndsInTheClimbIsNoWholeFlight) {
+  SyntheticFlight held;
+  held.flight.trajectory_end_s = 4.5;
+  const Verdict v = verdict_of(held.flight);
+  EXPECT_EQ(v.outcome, Outcome::cut_short);
+  EXPECT_FALSE(v.ended_early);  // it was not control that ended
+  EXPECT_EQ(v.text,
+            "Until the trajectory ends at 4.50 s, before apogee: roll stayed within 0.0 deg of where this law settles; "
+            "saturated 0.0 % of control time; authority margin 4.0 deg.");
+  SyntheticFlight lost = held;
+  lost.each_controlled([](flight::Row& row) { row.truth->roll_angle_rad += text::radians(-24.0); });
+  EXPECT_EQ(verdict_of(lost.flight).outcome, Outcome::not_held);
+  EXPECT_NE(verdict_of(lost.flight).text.find("before apogee: roll not held: up to 24.0 deg"), std::string::npos);
+  SyntheticFlight ended = held;
+  ended.end_control(3.0, core::PhaseReason::tilted_too_far);
+  EXPECT_EQ(verdict_of(ended.flight).outcome, Outcome::cut_short);
+  EXPECT_TRUE(verdict_of(ended.flight).ended_early);
+  EXPECT_NE(verdict_of(ended.flight).text.find("ends at 4.50 s, before apogee: control ended at 3.00 s: "),
+            std::string::npos);
+}
+
 TEST(Verdict, ALargeErrorIsNotCalledHeld) {
   SyntheticFlight synthetic;
   synthetic.each_controlled([](flight::Row& row) { row.truth->roll_angle_rad += text::radians(-24.0); });

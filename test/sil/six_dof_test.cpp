@@ -100,7 +100,7 @@ TEST(SixDegreesOfFreedom, TheSameSeedGivesTheSameGusts) {
   const flight::Flight a = six_dof(gusty);
   const flight::Flight b = six_dof(gusty);
   EXPECT_EQ(a.log, b.log);
-  EXPECT_EQ(flight::trajectory_csv(a.path), flight::trajectory_csv(b.path));
+  EXPECT_EQ(flight::trajectory_csv(a.path, a.path_frame), flight::trajectory_csv(b.path, b.path_frame));
 }
 
 TEST(SixDegreesOfFreedom, AParachuteIsSeenByTheAccelerometer) {

@@ -43,6 +43,7 @@ TEST(PrescribedFlight, FeelsTheChangeOfItsSpeedAndGravityAlongItsAxis) {
   EXPECT_NEAR(flight.specific_force_m_s2().x, 50.0 + 9.80665 * std::cos(30.0 * degree_rad), 1e-6);
   EXPECT_NEAR(flight.specific_force_m_s2().y, 9.80665 * std::sin(30.0 * degree_rad), 1e-6);
   EXPECT_NEAR(flight.speed_m_s(), 25.0, 1e-9);
+  EXPECT_NEAR(flight.across_m(), 0.5 * 25.0 * 0.5 * std::sin(30.0 * degree_rad), 1e-6);
   EXPECT_FALSE(flight.is_on_ground());
 }
 

@@ -126,23 +126,25 @@ std::vector<std::string> changes_of(const FlyOptions& options) {
   return changes;
 }
 
-sim::Scenario load(const FlyOptions& options) {
-  sim::Scenario scenario = load(options.scenario);
-  if (!options.trajectory.empty()) {
-    trajectory::Trajectory trajectory = trajectory::load_trajectory(options.trajectory, scenario);
-    scenario.path = std::move(trajectory.path);
-    scenario.changed_values = changes_of(options).size();
-    std::ranges::move(trajectory.notes, std::back_inserter(scenario.assumed));
+/// Puts the trajectory, where there is one, into the scenario; returns what is to be said of it.
+std::vector<std::string> take_trajectory(const FlyOptions& options, sim::Scenario& scenario) {
+  if (options.trajectory.empty()) {
+    return {};
   }
-  return scenario;
+  trajectory::Trajectory trajectory = trajectory::load_trajectory(options.trajectory, scenario);
+  scenario.path = std::move(trajectory.path);
+  scenario.changed_values = changes_of(options).size();
+  return std::move(trajectory.notes);
 }
 
 void fly_and_report(const FlyOptions& options) {
-  const sim::Scenario scenario = load(options);
+  sim::Scenario scenario = load(options.scenario);
+  const std::vector<std::string> of_trajectory = take_trajectory(options, scenario);
   LcmOutput lcm{options.lcm};
   FlightComputerOption computer{options.computer};
   flight::Flight flight = fly_and_show(scenario, computer, lcm, options.realtime);
   flight.changes = changes_of(options);
+  flight.notes.insert(flight.notes.begin(), of_trajectory.begin(), of_trajectory.end());
   std::ranges::copy(computer.notes(), std::back_inserter(flight.notes));
   const report::Results results = report::results(flight);
   const std::filesystem::path folder = options.out.empty()
@@ -175,8 +177,8 @@ void fill(const Verb& verb) {
       .value_name("FILE");
   verb.option("--out", options->out,
               "Folder for flight.csv, summary.json, report.html, flight.ftl (what the avionics recorded itself) and, "
-              "of a tunnel run, tunnel.csv, of a flight in six degrees of freedom, trajectory.csv [out/SCENARIO, with "
-              "what --set and --seed change: out/SCENARIO+CHANGES]")
+              "of a tunnel run, tunnel.csv, of a flight in six degrees of freedom or on a trajectory, trajectory.csv "
+              "[out/SCENARIO, with what --set and --seed change: out/SCENARIO+CHANGES]")
       .check(objection_to_folder);
   add_flight_computer_options(verb, options->computer);
   add_lcm_option(verb, options->lcm, "Publish the flight as LCM messages");

@@ -120,6 +120,9 @@ void set_time_zero(Flight& flight, double zero_s) {
   if (flight.imposed_roll) {
     move(flight.imposed_roll->time_s);
   }
+  if (flight.trajectory_end_s) {
+    move(*flight.trajectory_end_s);
+  }
   std::ranges::for_each(flight.phase_changes, [&](auto& change) { move(change.time_s); });
   std::ranges::for_each(flight.canard_verdict_changes, [&](auto& change) { move(change.time_s); });
   std::ranges::for_each(flight.rows, [&](auto& r) { move(r.time_s); });

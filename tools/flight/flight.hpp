@@ -159,7 +159,9 @@ struct Flight {
   std::size_t rows_per_line = 1;               ///< flight.csv has the first of so many rows
   std::vector<TunnelReading> tunnel_readings;  ///< empty in flight
   std::vector<PathPoint> path;                 ///< empty along a straight line, in the tunnel, and of real flights
-  std::vector<std::byte> log;                  ///< what the avionics recorded itself; empty: nothing
+  PathFrame path_frame = PathFrame::compass;
+  std::optional<double> trajectory_end_s;  ///< of the trajectory that was flown on, where it ends before apogee
+  std::vector<std::byte> log;              ///< what the avionics recorded itself; empty: nothing
   Known known;
 };
 

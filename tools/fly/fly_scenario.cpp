@@ -75,6 +75,16 @@ std::string static_margins(const sim::Airframe& airframe) {
                      1e3 * full_m, full_m / airframe.diameter_m, 1e3 * empty_m, empty_m / airframe.diameter_m);
 }
 
+/// The sentences of vehicle and scenario are anybody's words: nobody can tell which of them are about the path.
+void limit_to_path(std::vector<std::string>& sentences) {
+  if (const std::size_t count = sentences.size(); count > 0) {
+    sentences.insert(sentences.begin(),
+                     fmt::format("The next {} of vehicle and scenario. The path is that of the trajectory, whatever "
+                                 "they say of thrust, drag, mass, stability, wind or parachute.",
+                                 count == 1 ? "sentence is" : fmt::format("{} sentences are", count)));
+  }
+}
+
 flight::Flight describe(const sim::Scenario& scenario) {
   flight::Flight flight;
   flight.scenario = scenario.name;
@@ -94,6 +104,10 @@ flight::Flight describe(const sim::Scenario& scenario) {
   for (const auto* sentences :
        {&scenario.vehicle.warnings, &scenario.warnings, &scenario.vehicle.assumed, &scenario.assumed}) {
     flight.notes.insert(flight.notes.end(), sentences->begin(), sentences->end());
+  }
+  if (scenario.path) {
+    flight.path_frame = flight::PathFrame::plane;
+    limit_to_path(flight.notes);
   }
   if (scenario.motion == sim::FlightMotion::six_dof && !scenario.path) {
     const auto& assumed = scenario.vehicle.airframe_assumed;
@@ -196,6 +210,9 @@ flight::Flight fly_scenario(const sim::Scenario& scenario, const Look& look, con
   flight.events.burnout_s = in_seconds(events.burnout);
   flight.events.apogee_s = in_seconds(events.apogee);
   flight.events.parachute_s = in_seconds(events.parachute);
+  if (scenario.path && !scenario.path->apogee_s) {
+    flight.trajectory_end_s = scenario.pad_time_s + scenario.path->samples.back().time_s;
+  }
   if (!was_armed) {
     flight.why_not_armed = why_not_armed(world, scenario);
   }

@@ -104,7 +104,9 @@ flight::Flight read_flight(const std::filesystem::path& path) {
     flight.scenario = std::filesystem::absolute(file).lexically_normal().parent_path().filename().string();
   }
   if (is_there(path / "trajectory.csv")) {
-    flight.path = flight::read_trajectory(flight::Table::load((path / "trajectory.csv").string()));
+    const flight::Table table = flight::Table::load((path / "trajectory.csv").string());
+    flight.path_frame = flight::path_frame(table);
+    flight.path = flight::read_trajectory(table, flight.path_frame);
   }
   if (is_there(path / "flight.ftl")) {
     add_plan(flight, path / "flight.ftl");

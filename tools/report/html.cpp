@@ -33,7 +33,8 @@ std::string figure_list(const flight::Flight& flight, const Figures& f) {
   add("Apogee", f.apogee_m, 1, "m");
   add(flight.tunnel ? "Largest air speed" : "Top speed", f.max_speed_m_s, 1, "m/s");
   if (const flight::PathPoint* top = flight::point_at(flight.path, flight.events.apogee_s.value_or(-1.0))) {
-    add("Drift at apogee", flight::distance_m(*top), 1, "m", "over ground, towards " + compass(*top));
+    add("Drift at apogee", flight::distance_m(*top), 1, "m",
+        flight.path_frame == flight::PathFrame::plane ? "over ground" : "over ground, towards " + compass(*top));
     add("Tilt at apogee", text::degrees(top->tilt_rad), 0, "deg");
   }
   add("Control starts", flight.events.control_start_s, 3, "s",
@@ -141,13 +142,13 @@ std::string about_section(const flight::Flight& flight) {
                            : page::list(all));
 }
 
-page::Tone tone(Outcome outcome) {
-  switch (outcome) {
+page::Tone tone(const Verdict& verdict) {
+  switch (verdict.outcome) {
     case Outcome::held: return page::Tone::good;
     case Outcome::not_held:
     case Outcome::oscillates:
-    case Outcome::cut_short:
     case Outcome::no_control: return page::Tone::bad;
+    case Outcome::cut_short: return verdict.ended_early ? page::Tone::bad : page::Tone::unsure;
     case Outcome::not_judged: break;
   }
   return page::Tone::unsure;
@@ -162,7 +163,7 @@ std::string html(const flight::Flight& flight, const Figures& figures, const Ver
                             {"Plan", flight.plan_name},
                             {"Seed", flight.seed ? std::to_string(*flight.seed) : ""},
                             {"Fantail", flight.version}},
-                  .tone = tone(verdict.outcome),
+                  .tone = tone(verdict),
                   .verdict_heading = std::string{display_name(verdict.outcome)},
                   .verdict = verdict.text,
                   .footer =

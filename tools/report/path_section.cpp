@@ -63,6 +63,37 @@ std::vector<PathPoint> shown(const flight::Flight& flight) {
   return path;
 }
 
+Chart from_the_side(const std::vector<PathPoint>& path, std::string distance, const Value& along) {
+  return {.label = "Path from the side",
+          .x_label = std::move(distance),
+          .y_label = "height / m",
+          .width = page::half_page,
+          .height = square,
+          .series = {series(path, "path", Role::measured, along, &PathPoint::height_m)}};
+}
+
+page::Series tilt(const std::vector<PathPoint>& path) {
+  return series(path, "tilt of the axis", Role::measured, &PathPoint::time_s,
+                [](const PathPoint& p) { return text::degrees(p.tilt_rad); });
+}
+
+/// Of a path of which nobody knows where it points and how the air met the rocket.
+std::string plane_section(const std::vector<PathPoint>& path) {
+  const Chart tilted{.label = "Tilt",
+                     .x_label = "time / s",
+                     .y_label = "deg",
+                     .width = page::half_page,
+                     .height = square,
+                     .series = {tilt(path)},
+                     .sampled = true};
+  const std::array<std::string, 2> views{
+      page::figure(from_the_side(path, "distance across / m", &PathPoint::north_m),
+                   "From the side, in the one vertical plane in which the trajectory is taken to lie; where that plane "
+                   "points is not known. The two axes have different scales."),
+      page::figure(tilted, "Tilt of the long axis from the vertical.")};
+  return page::section("The path", page::side_by_side(views));
+}
+
 }  // namespace
 
 std::string compass(const PathPoint& point) {
@@ -77,17 +108,15 @@ std::string path_section(const flight::Flight& flight) {
   if (path.empty()) {
     return {};
   }
+  if (flight.path_frame == flight::PathFrame::plane) {
+    return plane_section(path);
+  }
   const double heading = heading_rad(path);
   const auto along = [sine = std::sin(heading), cosine = std::cos(heading)](const PathPoint& p) {
     return cosine * p.north_m + sine * p.east_m;
   };
   const std::string direction = fmt::format("{:.0f}\u00b0", std::fmod(text::degrees(heading) + 360.0, 360.0));
-  const Chart side{.label = "Path from the side",
-                   .x_label = fmt::format("distance towards {} / m", direction),
-                   .y_label = "height / m",
-                   .width = page::half_page,
-                   .height = square,
-                   .series = {series(path, "path", Role::measured, along, &PathPoint::height_m)}};
+  const Chart side = from_the_side(path, fmt::format("distance towards {} / m", direction), along);
   const double span_m =
       1.1 * std::max({extent(path, &PathPoint::east_m).high - extent(path, &PathPoint::east_m).low,
                       extent(path, &PathPoint::north_m).high - extent(path, &PathPoint::north_m).low, 1.0});
@@ -99,17 +128,15 @@ std::string path_section(const flight::Flight& flight) {
                     .series = {series(path, "path", Role::measured, &PathPoint::east_m, &PathPoint::north_m)},
                     .x_range = around(path, &PathPoint::east_m, span_m),
                     .y_range = around(path, &PathPoint::north_m, span_m)};
-  const auto time = &PathPoint::time_s;
-  const Chart angles{.label = "Tilt and angle of attack",
-                     .x_label = "time / s",
-                     .y_label = "deg",
-                     .width = page::full_page,
-                     .height = flat,
-                     .series = {series(path, "tilt of the axis", Role::measured, time,
-                                       [](const PathPoint& p) { return text::degrees(p.tilt_rad); }),
-                                series(path, "angle of attack", Role::model, time,
-                                       [](const PathPoint& p) { return text::degrees(p.angle_of_attack_rad); })},
-                     .sampled = true};
+  const Chart angles{
+      .label = "Tilt and angle of attack",
+      .x_label = "time / s",
+      .y_label = "deg",
+      .width = page::full_page,
+      .height = flat,
+      .series = {tilt(path), series(path, "angle of attack", Role::model, &PathPoint::time_s,
+                                    [](const PathPoint& p) { return text::degrees(p.angle_of_attack_rad); })},
+      .sampled = true};
   const std::array<std::string, 2> views{
       page::figure(side, "From the side. The two axes have different scales."),
       page::figure(above, "From above; the guide stands at 0, 0. Both axes have the same scale.")};

@@ -165,6 +165,7 @@ void add_summary(flight::Flight& flight, const std::filesystem::path& file) {
   read_phase_changes(flight, member(summary, "phase_changes"));
   read_canard_verdicts(flight, member(summary, "canard_verdicts"));
   flight.why_not_armed = text(summary, "why_not_armed");
+  flight.trajectory_end_s = number(summary, "trajectory_end_s");
   read_unmeasured(flight.unmeasured, member(summary, "unmeasured"));
   read_loop_margins(flight, member(summary, "loop_margins"));
   const Json& reach = member(summary, "canard_reach_deg");

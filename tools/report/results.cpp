@@ -53,7 +53,7 @@ void write_results(const flight::Flight& flight, const Results& results, const s
   };
   add(own_log, !flight.log.empty(), [&] { return text(flight.log); });
   add(own_readings, !flight.tunnel_readings.empty(), [&] { return flight::tunnel_csv(flight); });
-  add(own_path, !flight.path.empty(), [&] { return flight::trajectory_csv(flight.path); });
+  add(own_path, !flight.path.empty(), [&] { return flight::trajectory_csv(flight.path, flight.path_frame); });
   text::OutputFolder{folder}.write(files, of_others);
 }
 

@@ -19,7 +19,7 @@ struct Results {
 [[nodiscard]] Results results(const flight::Flight& flight);
 
 /// Writes flight.csv, summary.json, report.html, flight.ftl when something was recorded, of a run in a tunnel
-/// tunnel.csv and of a flight in six degrees of freedom trajectory.csv into a folder, all or none; see OutputFolder.
+/// tunnel.csv and of a flight with a path trajectory.csv into a folder, all or none; see OutputFolder.
 /// What an earlier run left there under one of these names does not stay. Throws OutputError.
 void write_results(const flight::Flight& flight, const Results& results, const std::filesystem::path& folder);
 

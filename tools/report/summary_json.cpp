@@ -94,9 +94,14 @@ Json unmeasured(const flight::Unmeasured& u) {
           {"speed_bound_from_s", rounded(u.speed_bound_from_s)}};
 }
 
-/// Of a flight in six degrees of freedom, at apogee.
+/// Of a flight with a path, at apogee.
 Json path(const flight::Flight& flight) {
   const flight::PathPoint* top = flight::point_at(flight.path, flight.events.apogee_s.value_or(-1.0));
+  if (top != nullptr && flight.path_frame == flight::PathFrame::plane) {
+    return {{"across_m", rounded(top->north_m)},
+            {"height_m", rounded(top->height_m)},
+            {"tilt_deg", rounded(text::degrees(top->tilt_rad))}};
+  }
   return top != nullptr ? Json{{"north_m", rounded(top->north_m)},
                                {"east_m", rounded(top->east_m)},
                                {"height_m", rounded(top->height_m)},
@@ -115,45 +120,48 @@ std::string sha256(std::span<const std::byte> bytes) {
 }  // namespace
 
 std::string summary_json(const flight::Flight& flight, const Figures& figures, const Verdict& verdict) {
-  const Json summary = {{"scenario", flight.scenario},
-                        {"vehicle", text_or_null(flight.vehicle)},
-                        {"vehicle_file", flight.airframe ? Json(flight.airframe->vehicle_file) : Json{}},
-                        {"roll_inertia_kg_m2", flight.airframe ? Json(flight.airframe->roll_inertia_kg_m2) : Json{}},
-                        {"reference_area_m2", flight.airframe ? Json(flight.airframe->reference_area_m2) : Json{}},
-                        {"plan", text_or_null(flight.plan_name)},
-                        {"seed", flight.seed},
-                        {"changes", flight.changes},
-                        {"verdict", verdict.text},
-                        {"outcome", name(verdict.outcome)},
-                        {"events", events(flight.events)},
-                        {"apogee_m", rounded(figures.apogee_m)},
-                        {"max_speed_m_s", rounded(figures.max_speed_m_s)},
-                        {"control_start_height_m", rounded(figures.control_start_height_m)},
-                        {"control_time_s", rounded(figures.control_time_s)},
-                        {"saturated_fraction", rounded(figures.saturated_fraction)},
-                        {"largest_hold_error_deg", angle(figures.largest_hold_error_rad)},
-                        {"mean_hold_error_deg", angle(figures.mean_hold_error_rad)},
-                        {"largest_disturbance_deg", angle(figures.largest_disturbance_rad)},
-                        {"authority_deg", angle(figures.authority_rad)},
-                        {"authority_margin_deg", angle(figures.authority_margin_rad)},
-                        {"ended_before_apogee_s", rounded(figures.ended_before_apogee_s)},
-                        {"roll_after_end_deg", angle(figures.roll_after_end_rad)},
-                        {"oscillation", oscillation(figures.oscillation)},
-                        {"loop_margins", loop_margins(flight)},
-                        {"canard_reach_deg", canard_reach(flight)},
-                        {"left_by_fins", rounded(flight.left_by_fins)},
-                        {"unmeasured", unmeasured(flight.unmeasured)},
-                        {"at_apogee", path(flight)},
-                        {"roll_turns", rounded(figures.roll_turns)},
-                        {"at_limit_since_s", rounded(figures.at_limit_since_s)},
-                        {"final_phase", flight.known.phase ? Json(core::name(figures.final_phase)) : Json{}},
-                        {"phase_changes", phase_changes(flight)},
-                        {"canard_verdicts", canard_verdicts(flight)},
-                        {"imposed_roll", imposed_roll(flight)},
-                        {"why_not_armed", text_or_null(flight.why_not_armed)},
-                        {"notes", flight.notes},
-                        {"log_sha256", flight.log.empty() ? Json{} : Json(sha256(flight.log))},
-                        {"version", text_or_null(flight.version)}};
+  Json summary = {{"scenario", flight.scenario},
+                  {"vehicle", text_or_null(flight.vehicle)},
+                  {"vehicle_file", flight.airframe ? Json(flight.airframe->vehicle_file) : Json{}},
+                  {"roll_inertia_kg_m2", flight.airframe ? Json(flight.airframe->roll_inertia_kg_m2) : Json{}},
+                  {"reference_area_m2", flight.airframe ? Json(flight.airframe->reference_area_m2) : Json{}},
+                  {"plan", text_or_null(flight.plan_name)},
+                  {"seed", flight.seed},
+                  {"changes", flight.changes},
+                  {"verdict", verdict.text},
+                  {"outcome", name(verdict.outcome)},
+                  {"events", events(flight.events)},
+                  {"apogee_m", rounded(figures.apogee_m)},
+                  {"max_speed_m_s", rounded(figures.max_speed_m_s)},
+                  {"control_start_height_m", rounded(figures.control_start_height_m)},
+                  {"control_time_s", rounded(figures.control_time_s)},
+                  {"saturated_fraction", rounded(figures.saturated_fraction)},
+                  {"largest_hold_error_deg", angle(figures.largest_hold_error_rad)},
+                  {"mean_hold_error_deg", angle(figures.mean_hold_error_rad)},
+                  {"largest_disturbance_deg", angle(figures.largest_disturbance_rad)},
+                  {"authority_deg", angle(figures.authority_rad)},
+                  {"authority_margin_deg", angle(figures.authority_margin_rad)},
+                  {"ended_before_apogee_s", rounded(figures.ended_before_apogee_s)},
+                  {"roll_after_end_deg", angle(figures.roll_after_end_rad)},
+                  {"oscillation", oscillation(figures.oscillation)},
+                  {"loop_margins", loop_margins(flight)},
+                  {"canard_reach_deg", canard_reach(flight)},
+                  {"left_by_fins", rounded(flight.left_by_fins)},
+                  {"unmeasured", unmeasured(flight.unmeasured)},
+                  {"at_apogee", path(flight)},
+                  {"roll_turns", rounded(figures.roll_turns)},
+                  {"at_limit_since_s", rounded(figures.at_limit_since_s)},
+                  {"final_phase", flight.known.phase ? Json(core::name(figures.final_phase)) : Json{}},
+                  {"phase_changes", phase_changes(flight)},
+                  {"canard_verdicts", canard_verdicts(flight)},
+                  {"imposed_roll", imposed_roll(flight)},
+                  {"why_not_armed", text_or_null(flight.why_not_armed)},
+                  {"notes", flight.notes},
+                  {"log_sha256", flight.log.empty() ? Json{} : Json(sha256(flight.log))},
+                  {"version", text_or_null(flight.version)}};
+  if (flight.trajectory_end_s) {
+    summary["trajectory_end_s"] = rounded(*flight.trajectory_end_s);
+  }
   return summary.pretty();
 }
 

@@ -145,6 +145,10 @@ std::string early_end(const flight::Flight& flight, const Figures& f) {
   return text;
 }
 
+void begin_lower(std::string& text) {
+  text.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(text.front())));
+}
+
 /// The verdict on the whole flight from the one on the time under control.
 Verdict judge_flight(const flight::Flight& flight, const Figures& f) {
   Verdict v = judge_control(flight, f);
@@ -178,12 +182,20 @@ Verdict judge_flight(const flight::Flight& flight, const Figures& f) {
     v.ended_early = true;
     const bool rolled_away = f.roll_after_end_rad.value_or(0.0) > held_error_rad;
     v.outcome = rolled_away || v.outcome == Outcome::not_held ? Outcome::not_held : Outcome::cut_short;
-    v.text.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(v.text.front())));
+    begin_lower(v.text);
     v.text = fmt::format("{} Until then: {}", early_end(flight, f), v.text);
   } else if (f.ended_before_apogee_s.value_or(0.0) < -near_apogee_s) {
     v.text += fmt::format(" Control went on for {} s after apogee.", text::fixed(-*f.ended_before_apogee_s, 2));
   }
   return v;
+}
+
+/// A trajectory of another program that ends in the climb says nothing of the rest.
+void say_how_far_it_reaches(Verdict& v, double trajectory_end_s) {
+  v.outcome = v.outcome == Outcome::held ? Outcome::cut_short : v.outcome;
+  begin_lower(v.text);
+  v.text =
+      fmt::format("Until the trajectory ends at {} s, before apogee: {}", text::fixed(trajectory_end_s, 2), v.text);
 }
 
 std::string unmeasured(const flight::Flight& flight) {
@@ -242,6 +254,9 @@ Verdict verdict(const flight::Flight& flight, const Figures& figures) {
                   ? judge_flight(flight, figures)
                   : Verdict{Outcome::no_control, fmt::format("No control: {}.", why_no_control(flight))};
   v.text += unmeasured(flight) + canard_faults(flight);
+  if (flight.trajectory_end_s) {
+    say_how_far_it_reaches(v, *flight.trajectory_end_s);
+  }
   return v;
 }
 

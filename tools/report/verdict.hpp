@@ -16,7 +16,7 @@ enum class Outcome : std::uint8_t {
                ///< fin offset, or the rocket turned faster than the gyro's range
   oscillates,  ///< within 10 deg, but the canards keep swinging with nothing that excites them, or the linear loop is
                ///< unstable at some speed under control
-  cut_short,   ///< control ended before its time
+  cut_short,   ///< control ended before its time, or was not lost before the trajectory it was flown on ended
   not_judged,  ///< under control, but never settled, or without a known disturbance
   no_control,  ///< Controlling was never reached
 };

@@ -42,7 +42,7 @@ Air air_of(const flight::Table& table, const Columns& columns, const Series& ser
   if (const auto* density_kg_m3 = series.find(Quantity::density)) {
     if (!is_coarse(table, columns, *density_kg_m3)) {
       air.density_kg_m3 = *density_kg_m3;
-      air.read.emplace_back("air density");
+      air.read.push_back(Quantity::density);
       return air;
     }
     why = ", because that of the file is rounded to more than 2 % of itself";
@@ -53,8 +53,7 @@ Air air_of(const flight::Table& table, const Columns& columns, const Series& ser
     for (std::size_t i = 0; i < height_m.size(); ++i) {
       air.density_kg_m3.push_back((*pressure_pa)[i] / (gas_constant_j_kg_k * (*temperature_k)[i]));
     }
-    air.read.emplace_back("temperature");
-    air.read.emplace_back("pressure");
+    air.read = {Quantity::temperature, Quantity::pressure};
     air.derived.push_back("the air density follows from temperature and pressure" + why);
     return air;
   }

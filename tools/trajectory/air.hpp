@@ -10,11 +10,11 @@
 
 namespace fantail::trajectory {
 
-/// Density at each row of a series, where it is from, and words for a person.
+/// Density at each row of a series, and where it is from.
 struct Air {
   std::vector<double> density_kg_m3;
-  std::vector<std::string> read;     ///< "air density"
-  std::vector<std::string> derived;  ///< "the density is that of the scenario"
+  std::vector<Quantity> read;        ///< from the file
+  std::vector<std::string> derived;  ///< words for a person: "the density is that of the scenario"
 };
 
 [[nodiscard]] Air air_of(const flight::Table& table, const Columns& columns, const Series& series,

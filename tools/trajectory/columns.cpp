@@ -211,6 +211,27 @@ const FoundColumn* Columns::find(Quantity quantity) const {
   return found == found_.end() ? nullptr : &*found;
 }
 
+std::string_view word(Quantity quantity) {
+  switch (quantity) {
+    case Quantity::time: return "time";
+    case Quantity::height: return "height";
+    case Quantity::height_above_sea: return "height above the sea";
+    case Quantity::speed: return "total speed";
+    case Quantity::up: return "vertical speed";
+    case Quantity::across: return "horizontal speed";
+    case Quantity::east: return "speed to the east";
+    case Quantity::north: return "speed to the north";
+    case Quantity::air_speed: return "air speed";
+    case Quantity::angle_of_attack: return "angle of attack";
+    case Quantity::density: return "air density";
+    case Quantity::temperature: return "temperature";
+    case Quantity::pressure: return "pressure";
+    case Quantity::elevation: return "tilt";
+    case Quantity::axial_acceleration: return "acceleration along the axis";
+  }
+  return "";
+}
+
 std::string names_of(Quantity quantity) {
   std::string names;
   for (const KnownName& known : known_names) {

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "flight/table.hpp"
@@ -55,6 +56,9 @@ class Columns {
  private:
   std::vector<FoundColumn> found_;
 };
+
+/// In a sentence: "height above the sea".
+[[nodiscard]] std::string_view word(Quantity quantity);
 
 /// How both programs call it: "Altitude (OpenRocket) or Altitude AGL (RocketPy, altitude)".
 [[nodiscard]] std::string names_of(Quantity quantity);

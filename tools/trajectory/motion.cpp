@@ -55,7 +55,7 @@ class Plane {
       : series_{series}, count_{series.times_s.size()}, guide_tilt_rad_{guide_tilt_rad} {}
 
   Motion motion() {
-    const Values* elevation_rad = take(Quantity::elevation, "tilt");
+    const Values* elevation_rad = take(Quantity::elevation);
     if (elevation_rad != nullptr) {
       motion_.tilt_rad = made(count_, [&](std::size_t i) { return 0.5 * std::numbers::pi - (*elevation_rad)[i]; });
     }
@@ -70,35 +70,35 @@ class Plane {
   }
 
  private:
-  const Values* take(Quantity quantity, const char* word) {
+  const Values* take(Quantity quantity) {
     const Values* values = series_.find(quantity);
     if (values != nullptr) {
-      motion_.read.emplace_back(word);
+      motion_.read.push_back(quantity);
     }
     return values;
   }
 
   std::optional<Values> horizontal() {
-    if (const Values* across = take(Quantity::across, "horizontal speed")) {
+    if (const Values* across = take(Quantity::across)) {
       return *across;
     }
     if (series_.find(Quantity::east) == nullptr || series_.find(Quantity::north) == nullptr) {
       return std::nullopt;
     }
-    const Values& east = *take(Quantity::east, "speed to the east");
-    const Values& north = *take(Quantity::north, "speed to the north");
+    const Values& east = *take(Quantity::east);
+    const Values& north = *take(Quantity::north);
     return made(count_, [&](std::size_t i) { return std::hypot(east[i], north[i]); });
   }
 
   void find_speeds() {
-    const Values* up = take(Quantity::up, "vertical speed");
+    const Values* up = take(Quantity::up);
     const std::optional<Values> across = horizontal();
     if (up != nullptr) {
       motion_.up_m_s = *up;
       motion_.across_m_s = across ? *across : across_from(*up);
       return;
     }
-    const Values& total = *take(Quantity::speed, "total speed");
+    const Values& total = *take(Quantity::speed);
     if (!across) {
       along(total);
       return;
@@ -131,7 +131,7 @@ class Plane {
   }
 
   Values across_from(const Values& up) {
-    if (const Values* total = take(Quantity::speed, "total speed")) {
+    if (const Values* total = take(Quantity::speed)) {
       motion_.derived.emplace_back("the horizontal speed follows from total and vertical speed");
       return smoothed(series_.times_s, made(count_, [&](std::size_t i) {
                         return std::sqrt(std::max((*total)[i] * (*total)[i] - up[i] * up[i], 0.0));
@@ -178,8 +178,8 @@ class Plane {
 
   void find_air_speed() {
     if (series_.find(Quantity::air_speed) != nullptr && series_.find(Quantity::angle_of_attack) != nullptr) {
-      const Values& speed = *take(Quantity::air_speed, "air speed");
-      const Values& angle_rad = *take(Quantity::angle_of_attack, "angle of attack");
+      const Values& speed = *take(Quantity::air_speed);
+      const Values& angle_rad = *take(Quantity::angle_of_attack);
       motion_.along_axis_m_s = made(count_, [&](std::size_t i) { return speed[i] * std::cos(angle_rad[i]); });
       return;
     }
@@ -190,7 +190,7 @@ class Plane {
   }
 
   void find_felt_force() {
-    const Values* axial_m_s2 = take(Quantity::axial_acceleration, "acceleration along the axis");
+    const Values* axial_m_s2 = take(Quantity::axial_acceleration);
     if (axial_m_s2 == nullptr) {
       motion_.derived.emplace_back("what the accelerometers feel follows from the change of the speeds, less gravity");
       return;

@@ -18,6 +18,10 @@ constexpr double rounding_s = 1e-6;  // rows nearer than this are of one instant
 // Interpolation between steps makes a rocket on the pad move by less.
 constexpr double rest_m_s = 0.01;
 constexpr double first_speed_m_s = 1.0;
+// A tower, a slope or a rounded elevation of the site explains no more. Within it nothing is lost: heights count from
+// lift-off.
+constexpr double highest_pad_m = 50.0;
+constexpr double worth_saying_m = 0.5;
 
 using Cells = std::vector<std::optional<double>>;
 
@@ -31,6 +35,7 @@ class Reader {
     find_needed();
     read_rows();
     find_flight();
+    look_at_pad();
     refuse_gaps();
     for (const FoundColumn& column : columns_.all()) {
       if (column.quantity != Quantity::time) {
@@ -52,6 +57,7 @@ class Reader {
                            what, names, there));
       }
       needed_.push_back(column);
+      series_.needed.push_back(column->quantity);
     };
     const auto either = [this](Quantity first, Quantity second) {
       return columns_.has(first) ? columns_.find(first) : columns_.find(second);
@@ -148,6 +154,24 @@ class Reader {
       refuse(fmt::format("{}: the rocket moves and does not rise: {} is highest in line {}", table_.name(),
                          needed_[1]->name, series_.lines[highest]));
     }
+  }
+
+  void look_at_pad() {
+    const std::size_t row = rows_[series_.liftoff];
+    const FoundColumn& column = *needed_[1];
+    const double height_m = *number(row, column);
+    if (column.quantity != Quantity::height || std::abs(height_m) < worth_saying_m) {
+      return;
+    }
+    if (std::abs(height_m) > highest_pad_m) {
+      refuse(
+          fmt::format("{}: {} = {} is {} m above the launch site at lift-off; allowed: {} to {} m. A height above the "
+                      "sea is to be exported as {}; otherwise the file lacks the beginning of the flight",
+                      table_.where(row), column.name, flight::in_quotes(table_.cell(row, column.index)),
+                      input::about(height_m), -highest_pad_m, highest_pad_m, names_of(Quantity::height_above_sea)));
+    }
+    series_.notes.push_back(
+        fmt::format("{} is {} m at lift-off; heights count from there.", column.name, input::about(height_m)));
   }
 
   void refuse_gaps() const {

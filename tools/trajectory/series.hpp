@@ -17,6 +17,7 @@ struct Series {
   std::vector<double> times_s;                     ///< increasing; the clock of the file
   std::vector<std::size_t> lines;                  ///< of the file, counted from 1
   std::map<Quantity, std::vector<double>> values;  ///< at those times; without Quantity::time
+  std::vector<Quantity> needed;                    ///< time, the height and the speed by which the flight was found
   std::size_t liftoff = 0;                         ///< the last row at rest
   std::size_t apogee = 0;                          ///< the highest row; the last one, if it still climbs there
   bool climbs_to_the_end = false;
@@ -35,7 +36,8 @@ struct Series {
 ///
 /// Throws text::Error (bad_data) that names file, line and column: a needed column that is not there, no row, more
 /// than 1 % without numbers, time that goes back, more than 0.1 s between two rows from lift-off to apogee, a number
-/// beyond what a rocket can have, a rocket that moves in the first row or never moves.
+/// beyond what a rocket can have, a rocket that moves in the first row or never moves, or that stands more than 50 m
+/// above or below the launch site.
 [[nodiscard]] Series read_series(const flight::Table& table, const Columns& columns);
 
 }  // namespace fantail::trajectory

@@ -23,14 +23,16 @@ namespace {
 /// its drag, which pulls backwards.
 constexpr double least_thrust_m_s2 = 2.0;
 
+/// A rocket that climbs slower at the end of its trajectory is within 5 cm and 0.1 s of apogee.
+constexpr double least_climb_m_s = 1.0;
+
+/// Above where it stood.
 std::vector<double> heights(const Series& series) {
-  if (const auto* height_m = series.find(Quantity::height)) {
-    return *height_m;
-  }
-  std::vector<double> height_m = *series.find(Quantity::height_above_sea);
-  const double site_m = height_m.front();
+  const auto* above_site_m = series.find(Quantity::height);
+  std::vector<double> height_m = above_site_m != nullptr ? *above_site_m : *series.find(Quantity::height_above_sea);
+  const double pad_m = height_m[series.liftoff];
   for (double& height : height_m) {
-    height -= site_m;
+    height -= pad_m;
   }
   return height_m;
 }
@@ -67,17 +69,38 @@ std::optional<std::string> disagreement(const Series& series, const std::vector<
       height_m, climbed_m);
 }
 
-std::string listed(const std::vector<std::string>& words) {
+std::string listed(const std::vector<Quantity>& quantities) {
   std::string all;
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    all += (i == 0 ? "" : i + 1 == words.size() ? " and " : ", ") + words[i];
+  for (std::size_t i = 0; i < quantities.size(); ++i) {
+    all += i == 0 ? "" : i + 1 == quantities.size() ? " and " : ", ";
+    all += word(quantities[i]);
   }
   return all;
 }
 
-std::string origin(const std::string& name, const Series& series, std::vector<std::string> read,
+/// Whoever exported a column expects it to count.
+std::optional<std::string> left_unused(const flight::Table& table, const Columns& columns,
+                                       const std::vector<Quantity>& used) {
+  constexpr std::size_t most_named = 6;
+  std::string names;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < table.columns().size(); ++i) {
+    const bool is_used = std::ranges::any_of(columns.all(), [&](const FoundColumn& column) {
+      return column.index == i && std::ranges::find(used, column.quantity) != used.end();
+    });
+    if (!is_used && ++count <= most_named) {
+      names += (names.empty() ? "" : ", ") + flight::in_quotes(table.columns()[i]);
+    }
+  }
+  if (count == 0) {
+    return std::nullopt;
+  }
+  return fmt::format("Not used of the file: {}{}.", names,
+                     count > most_named ? fmt::format(" and {} more columns", count - most_named) : "");
+}
+
+std::string origin(const std::string& name, const Series& series, const std::vector<Quantity>& read,
                    const std::vector<std::string>& derived) {
-  read.insert(read.begin(), series.find(Quantity::height) != nullptr ? "height" : "height above the sea");
   return fmt::format(
       "The path of this flight is that of {} ({} rows to {:.2f} s): {} are read from it; {}; thrust, drag, "
       "mass and wind of vehicle and scenario play no part in it.",
@@ -116,18 +139,19 @@ Trajectory parse_trajectory(std::string text, const std::string& name, const sim
   }
   trajectory.path.liftoff_s = series.times_s[series.liftoff];
   trajectory.path.burnout_s = burnout_s(series, samples);
-  if (!series.climbs_to_the_end) {
+  if (!series.climbs_to_the_end || samples.back().up_m_s < least_climb_m_s) {
     trajectory.path.apogee_s = series.times_s[series.apogee];
   }
-  std::vector<std::string> read = motion.read;
+  std::vector<Quantity> read{series.find(Quantity::height) != nullptr ? Quantity::height : Quantity::height_above_sea};
+  read.insert(read.end(), motion.read.begin(), motion.read.end());
   read.insert(read.end(), air.read.begin(), air.read.end());
   std::vector<std::string> derived = motion.derived;
   derived.insert(derived.end(), air.derived.begin(), air.derived.end());
-  trajectory.notes.push_back(origin(name, series, std::move(read), derived));
+  trajectory.notes.push_back(origin(name, series, read, derived));
   trajectory.notes.insert(trajectory.notes.end(), series.notes.begin(), series.notes.end());
-  if (series.climbs_to_the_end) {
-    trajectory.notes.push_back(
-        fmt::format("The trajectory ends at {:.2f} s, before apogee, and the flight with it.", series.times_s.back()));
+  read.insert(read.end(), series.needed.begin(), series.needed.end());
+  if (auto sentence = left_unused(table, columns, read)) {
+    trajectory.notes.push_back(*std::move(sentence));
   }
   if (auto sentence = disagreement(series, samples)) {
     trajectory.notes.push_back(*std::move(sentence));
