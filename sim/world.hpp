@@ -67,6 +67,9 @@ class World {
   /// Where the rocket is at the last tick, in six degrees of freedom or on a prescribed path; else empty.
   [[nodiscard]] std::optional<Path> path() const { return environment_.path(); }
 
+  /// How the rocket truly moves at the last tick, at its centre of gravity.
+  [[nodiscard]] BodyMotion motion() const { return environment_.motion(roll_, roll_acceleration_rad_s2_); }
+
   /// What the tunnel's own instruments read at the last tick; empty in flight and between two readings.
   [[nodiscard]] std::optional<WindReading> wind_reading() const;
 

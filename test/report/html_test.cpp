@@ -132,6 +132,20 @@ TEST(Html, APathInAPlaneIsShownWithoutDirections) {
   }
 }
 
+TEST(Html, AHeldRocketIsShownAboutAllThreeAxes) {
+  SyntheticFlight synthetic;
+  EXPECT_EQ(page_of(synthetic.flight).find("All three axes"), std::string::npos);
+  synthetic.flight.turning = {{.time_s = -1.0, .true_tilt_rad = 1.0},
+                              {.time_s = 0.0, .true_tilt_rad = 0.0},
+                              {.time_s = 1.0, .true_tilt_rad = text::radians(30.0), .tilt_rad = text::radians(29.5)}};
+  const std::string page = without_scripts(page_of(synthetic.flight));
+  for (const char* shown : {"Roll rate, about the long axis", "Pitch rate, about y", "Yaw rate, about z",
+                            "Tilt of the long axis from the vertical", "From control start on", "up to 30.0 deg",
+                            "by more than 0.50 deg"}) {
+    EXPECT_NE(page.find(shown), std::string::npos) << shown;
+  }
+}
+
 TEST(Html, TextFromFilesStaysText) {
   SyntheticFlight synthetic;
   const std::string attack = "</script><script>alert('1')</script>\"&";

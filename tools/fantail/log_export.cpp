@@ -192,7 +192,7 @@ std::vector<std::filesystem::path> files_to_spare(const std::filesystem::path& l
   for (const std::filesystem::path& folder : {in_folder ? log : log.parent_path(), target.parent_path()}) {
     if (std::filesystem::exists(folder / "summary.json")) {
       for (const char* name :
-           {"flight.csv", "flight.ftl", "summary.json", "report.html", "tunnel.csv", "trajectory.csv"}) {
+           {"flight.csv", "flight.ftl", "summary.json", "report.html", "tunnel.csv", "trajectory.csv", "turning.csv"}) {
         all.push_back(folder / name);
       }
     }

@@ -177,7 +177,8 @@ void fill(const Verb& verb) {
       .value_name("FILE");
   verb.option("--out", options->out,
               "Folder for flight.csv, summary.json, report.html, flight.ftl (what the avionics recorded itself) and, "
-              "of a tunnel run, tunnel.csv, of a flight in six degrees of freedom or on a trajectory, trajectory.csv "
+              "of a tunnel run, tunnel.csv, of a flight in six degrees of freedom or on a trajectory, trajectory.csv, "
+              "on the gimbal or on pins, turning.csv "
               "[out/SCENARIO, with what --set and --seed change: out/SCENARIO+CHANGES]")
       .check(objection_to_folder);
   add_flight_computer_options(verb, options->computer);

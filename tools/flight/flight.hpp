@@ -11,6 +11,7 @@
 #include "core/flight_plan.hpp"
 #include "core/tick_record.hpp"
 #include "flight/path.hpp"
+#include "flight/turning.hpp"
 
 namespace fantail::flight {
 
@@ -161,6 +162,7 @@ struct Flight {
   std::vector<PathPoint> path;                 ///< empty along a straight line, in the tunnel, and of real flights
   PathFrame path_frame = PathFrame::compass;
   std::optional<double> trajectory_end_s;  ///< of the trajectory that was flown on, where it ends before apogee
+  std::vector<TurnPoint> turning;          ///< of a simulated run on the gimbal or on pins; else empty
   std::vector<std::byte> log;              ///< what the avionics recorded itself; empty: nothing
   Known known;
 };

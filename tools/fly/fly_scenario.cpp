@@ -48,6 +48,25 @@ flight::PathPoint to_report(const sim::Path& path, double time_s) {
           .angle_of_attack_rad = path.angle_of_attack_rad};
 }
 
+/// What holds the rocket stands still there, so that the specific force it feels is the vertical.
+flight::TurnPoint turn_point(const sim::World& world, const core::TickRecord& record, double time_s) {
+  const sim::BodyMotion motion = world.motion();
+  const sim::Vector3& felt = motion.specific_force_m_s2;
+  const hal::sim::WorldSide& hardware = world.hardware();
+  const auto gyro = [&](std::size_t axis) {
+    return static_cast<double>(hardware.imu_scale.rate_rad_s) * hardware.imu.rate[axis];
+  };
+  return {.time_s = time_s,
+          .true_roll_rate_rad_s = motion.rate_rad_s.x,
+          .true_pitch_rate_rad_s = motion.rate_rad_s.y,
+          .true_yaw_rate_rad_s = motion.rate_rad_s.z,
+          .true_tilt_rad = std::atan2(std::hypot(felt.y, felt.z), felt.x),
+          .gyro_roll_rate_rad_s = gyro(0),
+          .gyro_pitch_rate_rad_s = gyro(1),
+          .gyro_yaw_rate_rad_s = gyro(2),
+          .tilt_rad = static_cast<double>(record.motion.tilt.radians())};
+}
+
 std::string describe(const sim::Fault& fault, const sim::Scenario& scenario) {
   const std::string_view zero = scenario.surroundings != sim::Surroundings::flight ? "the start command" : "ignition";
   const std::string_view kind = input::name(fault.kind);
@@ -180,6 +199,7 @@ flight::Flight fly_scenario(const sim::Scenario& scenario, const Look& look, con
   const std::int64_t ticks_per_row = flight.tunnel ? ticks_per_line : 1;
   flight.rows_per_line = static_cast<std::size_t>(ticks_per_line / ticks_per_row);
   sim::World world{scenario, log == Log::kept ? sim::World::large_flash : sim::World::small_flash, make};
+  const bool is_held = scenario.surroundings == sim::Surroundings::gimbal || scenario.pin;
   bool was_armed = false;
   for (std::int64_t ticks = 0; !world.over(); ++ticks) {
     const core::TickRecord& record = world.tick();
@@ -193,8 +213,13 @@ flight::Flight fly_scenario(const sim::Scenario& scenario, const Look& look, con
     } else {
       flight::note_tick(flight, record, time_s);
     }
-    if (const auto path = ticks % ticks_between_points == 0 ? world.path() : std::nullopt) {
-      flight.path.push_back(to_report(*path, time_s));
+    if (ticks % ticks_between_points == 0) {
+      if (const auto path = world.path()) {
+        flight.path.push_back(to_report(*path, time_s));
+      }
+      if (is_held) {
+        flight.turning.push_back(turn_point(world, record, time_s));
+      }
     }
     if (const auto reading = world.wind_reading()) {
       flight.tunnel_readings.push_back({time_s, reading->fan_rpm, reading->wind_speed_m_s});

@@ -108,6 +108,9 @@ flight::Flight read_flight(const std::filesystem::path& path) {
     flight.path_frame = flight::path_frame(table);
     flight.path = flight::read_trajectory(table, flight.path_frame);
   }
+  if (is_there(path / "turning.csv")) {
+    flight.turning = flight::read_turning(flight::Table::load((path / "turning.csv").string()));
+  }
   if (is_there(path / "flight.ftl")) {
     add_plan(flight, path / "flight.ftl");
   }

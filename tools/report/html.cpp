@@ -181,7 +181,7 @@ std::string html(const flight::Flight& flight, const Figures& figures, const Ver
                                            page::section("Phases", phase_table(flight) + canard_table(flight))};
   page.body_html = page::section("Figures", figure_list(flight, figures)) +
                    page::section("The flight", page::live_figure(page.live, "Roll angle over time")) +
-                   path_section(flight) + page::side_by_side(columns) + about_section(flight);
+                   path_section(flight) + turning_section(flight) + page::side_by_side(columns) + about_section(flight);
   return page::html(page);
 }
 

@@ -13,6 +13,9 @@ namespace fantail::report {
 /// The path from the side and from above, tilt and angle of attack over time; empty for a flight without a path.
 [[nodiscard]] std::string path_section(const flight::Flight& flight);
 
+/// Rates about all three axes and tilt over time, true and measured; empty for a flight of which they are not known.
+[[nodiscard]] std::string turning_section(const flight::Flight& flight);
+
 /// Where a point lies, seen from the foot of the guide: "north-east".
 [[nodiscard]] std::string compass(const flight::PathPoint& point);
 
