@@ -163,6 +163,25 @@ TEST(Stability, TheSlopeOverTheSquareOfTheSpeedIsTheMarginAndTheInterceptTheStri
   EXPECT_NE(s.sentence.find("1.5 calibres"), std::string::npos);
 }
 
+TEST(Stability, SaysWhetherTheAirWasTooTurbulentForItsIntervalsOrThatNobodyKnows) {
+  const auto with_air = [](std::optional<Unsteadiness> slow, std::optional<Unsteadiness> fast) {
+    std::vector<StabilitySwing> swings{swing_at(15, 0.12, 0.2), swing_at(20, 0.12, 0.2), swing_at(30, 0.12, 0.2)};
+    swings[0].air = slow;
+    swings[1].air = slow;
+    swings[2].air = fast;
+    return examine_stability(std::move(swings), airframe, 1.2).remarks.back();
+  };
+  const Unsteadiness calm{.share = 0.003, .rounding_share = 0.001};
+  EXPECT_TRUE(
+      with_air(calm, {{.share = 0.009}})
+          .starts_with("The speed of the air varied by up to 0.9 % (standard deviation): too little to matter"));
+  EXPECT_TRUE(with_air({{.share = 0.0, .rounding_share = 0.002}}, {{.share = 0.0, .rounding_share = 0.001}})
+                  .starts_with("The speed of the air varied by less than its sensor's rounding shows, 0.2 %"));
+  EXPECT_NE(with_air({{.share = 0.011}}, calm).find("1.1 % (standard deviation): turbulence that pushes the rocket"),
+            std::string::npos);
+  EXPECT_NE(with_air(calm, {}).find("How turbulent it was at 30.0 m/s is not known"), std::string::npos);
+}
+
 // Pins 95 mm in front of the centre of gravity hold the rocket as strings of m g 0.095 would.
 TEST(Stability, ARocketThatOnlyItsPinsMakeStableIsNotCalledStable) {
   const double held_n_m_per_rad = 3.99 * 9.80665 * 0.095;

@@ -157,6 +157,7 @@ std::vector<tunnel::SwingStretch> named_swings(const std::string& swings) {
 std::vector<tunnel::StabilitySwing> swings_of(const StabilityOptions& options, tunnel::StabilityHeading& heading,
                                               std::vector<std::string>& remarks) {
   constexpr double bin_s = 0.01;
+  constexpr double shortest_steady_s = 5.0;  // five readings is what it takes
   std::vector<tunnel::StabilitySwing> swings;
   for (const std::string& path : options.logs) {
     const tunnel::SwingLog log = tunnel::averaged(tunnel::read_swing_log(path), bin_s);
@@ -168,11 +169,16 @@ std::vector<tunnel::StabilitySwing> swings_of(const StabilityOptions& options, t
       throw UsageError{path + ": no tunnel.csv beside it says how fast the air was: give --speeds"};
     }
     const auto wind = beside ? std::optional{tunnel::read_tunnel_log(*beside, {})} : std::nullopt;
+    const tunnel::SteadySegments steady =
+        wind ? tunnel::find_steady(*wind, {.shortest_s = shortest_steady_s}) : tunnel::SteadySegments{};
     for (tunnel::SwingStretch stretch :
          options.swings.empty() ? tunnel::find_swings(log) : named_swings(options.swings)) {
       stretch = wind ? while_steady(*wind, stretch) : stretch;
       const double speed_m_s = wind ? mean_speed(*wind, stretch) : 0.0;
-      swings.push_back({.speed_m_s = speed_m_s, .result = tunnel::fit_swing(log, stretch)});
+      swings.push_back(
+          {.speed_m_s = speed_m_s,
+           .result = tunnel::fit_swing(log, stretch),
+           .air = wind ? tunnel::unsteadiness(*wind, steady, stretch.begin_s, stretch.end_s) : std::nullopt});
     }
   }
   if (!options.speeds.empty()) {

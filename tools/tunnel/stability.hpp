@@ -8,6 +8,7 @@
 
 #include "tunnel/swing.hpp"
 #include "tunnel/tunnel_log.hpp"
+#include "tunnel/unsteadiness.hpp"
 
 namespace fantail::tunnel {
 
@@ -27,6 +28,7 @@ struct PitchAirframe {
 struct StabilitySwing {
   double speed_m_s = 0.0;
   SwingResult result{};
+  std::optional<Unsteadiness> air{};  ///< empty: nobody knows
 };
 
 /// Stiffness over inertia against the square of the speed: the slope is the air's, the intercept what holds the rocket

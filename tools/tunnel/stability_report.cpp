@@ -137,6 +137,7 @@ std::string stability_json(const StabilityHeading& heading, const Stability& sta
   for (const StabilitySwing& swing : stability.swings) {
     const auto& s = swing.result.swing;
     swings.push_back({{"speed_m_s", rounded(swing.speed_m_s)},
+                      {"air_unsteadiness", swing.air ? Json(rounded(swing.air->share)) : Json{}},
                       {"begin_s", rounded(swing.result.stretch.begin_s)},
                       {"end_s", rounded(swing.result.stretch.end_s)},
                       {"grows", swing.result.grows},
@@ -182,17 +183,22 @@ std::string stability_csv(const Stability& stability) {
 }
 
 std::string stability_html(const StabilityHeading& heading, const Stability& stability) {
-  static const std::array<page::Column, 7> columns{{{"speed / m/s", true},
-                                                    {"swing / s", true},
-                                                    {"from / deg", true},
-                                                    {"frequency / rad/s", true},
+  static const std::array<page::Column, 7> columns{{{"speed, m/s", true},
+                                                    {"swing, s", true},
+                                                    {"from, deg", true},
+                                                    {"frequency, rad/s", true},
                                                     {"damping ratio", true},
-                                                    {"log. decrement", true},
+                                                    {"decrement", true},
                                                     {"stiffness / I, 1/s\u00b2", true}}};
   std::vector<std::vector<page::Cell>> rows;
   for (const auto& row : cells(stability)) {
     std::vector<page::Cell>& out = rows.emplace_back();
-    std::ranges::transform(row, std::back_inserter(out), [](const std::string& cell) { return page::Cell{cell}; });
+    // The interval goes below its figure, or the table is wider than the page.
+    std::ranges::transform(row, std::back_inserter(out), [](const std::string& cell) {
+      const std::size_t sign = cell.find(" ±");
+      return sign == std::string::npos ? page::Cell{cell}
+                                       : page::Cell{.text = cell.substr(0, sign), .below = cell.substr(sign + 1)};
+    });
   }
   std::string body = page::section(
       "Speeds", line_figure(stability) + page::table(columns, rows) +
