@@ -54,6 +54,28 @@ TEST(Geometry, IsReadEachIntoItsOwnField) {
   EXPECT_DOUBLE_EQ(shape.propellant->position_m, 1.36);
 }
 
+// Body 0.04 m, fins 0.09 m beyond it at most: no piece of a part is farther from the axis.
+TEST(Geometry, APartThatReachesFartherOutThanTheRocketIsRefused) {
+  const double span_m = vehicle({}).geometry->fins->span_m;
+  const auto radii = [](double radius_m) {
+    return "masses.radii_of_gyration_m=[0.024, 0.025, 0.025, 0.039, " + std::to_string(radius_m) + ", 0.022]";
+  };
+  EXPECT_NO_THROW((void)vehicle({radii(0.04 + span_m)}));
+  const std::string said = refusal({radii(0.04 + span_m + 0.002)});
+  EXPECT_NE(said.find("for \"fins\"; allowed: at most"), std::string::npos) << said;
+  EXPECT_NE(said.find("the radius of the body there, 0.04, and the longest span"), std::string::npos) << said;
+  EXPECT_NO_THROW((void)vehicle({"masses.propellant_radius_of_gyration_m=0.04"}));
+  EXPECT_NE(
+      refusal({"masses.propellant_radius_of_gyration_m=0.05"})
+          .find("masses.propellant_radius_of_gyration_m = 0.05; allowed: at most the radius of the body there, 0.04"),
+      std::string::npos);
+  // Behind a boat tail less has room.
+  EXPECT_NE(refusal({"shape.transition_position_m=1.1", "shape.transition_length_m=0.05",
+                     "shape.transition_diameter_m=0.05", "masses.propellant_radius_of_gyration_m=0.03"})
+                .find("the radius of the body there, 0.025"),
+            std::string::npos);
+}
+
 TEST(Geometry, OfPartsOutsideTheRocketIsRefused) {
   EXPECT_EQ(refusal({"shape.nose_length_m=1.6"}),
             "--set shape.nose_length_m=1.6: shape.nose_length_m = 1.6; allowed: at most length_m, 1.51");

@@ -51,7 +51,8 @@ TEST(SixDegreesOfFreedom, AStiffRocketOnALeaningGuideFliesThePointMasssGravityTu
   const flight::Flight flight =
       six_dof({"launch_guide.tilt_deg=15", "airframe.centre_of_pressure_m=1.5", "airframe.parts_spread_m=0.05",
                "airframe.normal_force_slope_per_rad=100", "airframe.transverse_inertia_kg_m2=0.01",
-               "airframe.transverse_inertia_after_burnout_kg_m2=0.01", "airframe.body_lift_area_m2=0"});
+               "airframe.transverse_inertia_after_burnout_kg_m2=0.01", "airframe.centre_of_gravity_after_burnout_m=0.9",
+               "airframe.body_lift_area_m2=0"});
   EXPECT_NEAR(apogee_m(flight), 369.0, 2.0);
   EXPECT_NEAR(flight.events.control_end_s.value(), 8.0, 0.15);
   EXPECT_EQ(flight.phase_changes.back().reason, core::PhaseReason::tilted_too_far);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "input/geometry_checks.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <string>
 
@@ -83,6 +84,54 @@ void check_fins(const Document& document, const char* name, const sim::Geometry:
   }
 }
 
+/// Of the body between two places; on the nose that of its base.
+double largest_radius_m(const sim::Geometry& shape, double begin_m, double end_m) {
+  if (!shape.transition || end_m <= shape.transition->position_m) {
+    return 0.5 * shape.diameter_m;
+  }
+  const double behind_m = 0.5 * shape.transition->aft_diameter_m;
+  return begin_m >= shape.transition->position_m + shape.transition->length_m
+             ? behind_m
+             : std::max(behind_m, 0.5 * shape.diameter_m);
+}
+
+// No part has a larger radius of gyration than its outermost point. Any may be fins, which an imported design has more
+// of than [fins] and [canard_fins] say.
+void check_radius(const Section& section, const sim::Geometry& shape, const sim::Geometry::Mass& mass) {
+  if (!shape.fins && !shape.canards) {
+    return;
+  }
+  const double body_m =
+      largest_radius_m(shape, mass.position_m - 0.5 * mass.length_m, mass.position_m + 0.5 * mass.length_m);
+  const double span_m = std::max(shape.fins ? shape.fins->span_m : 0.0, shape.canards ? shape.canards->span_m : 0.0);
+  if (mass.radius_of_gyration_m > body_m + span_m + a_millimetre_m) {
+    section.refuse(
+        "radii_of_gyration_m",
+        fmt::format("= {} for \"{}\"; allowed: at most {}, the radius of the body there, {}, and the longest "
+                    "span of fins or canards",
+                    plain_number(mass.radius_of_gyration_m), mass.name, plain_number(body_m + span_m),
+                    plain_number(body_m)));
+  }
+}
+
+void check_propellant(Section& section, const sim::Geometry& shape) {
+  const sim::Geometry::Mass& propellant = *shape.propellant;
+  for (const char* key : {"propellant_position_m", "propellant_length_m", "propellant_radius_of_gyration_m"}) {
+    if (!section.has(key)) {
+      section.refuse(key, "is missing; the propellant needs position, length and radius of gyration");
+    }
+  }
+  if (propellant.position_m > shape.length_m) {
+    section.refuse("propellant_position_m", at_most(propellant.position_m, "shape.length_m", shape.length_m));
+  }
+  const double body_m = largest_radius_m(shape, propellant.position_m - 0.5 * propellant.length_m,
+                                         propellant.position_m + 0.5 * propellant.length_m);
+  if (propellant.radius_of_gyration_m > body_m + a_millimetre_m) {
+    section.refuse("propellant_radius_of_gyration_m",
+                   at_most(propellant.radius_of_gyration_m, "the radius of the body there", body_m));
+  }
+}
+
 void check_masses(const Document& document, const sim::Geometry& shape) {
   Section section{document, "masses"};
   const std::size_t count = shape.masses.size();
@@ -109,16 +158,10 @@ void check_masses(const Document& document, const sim::Geometry& shape) {
                                                 plain_number(mass.position_m), mass.name, plain_number(mass.length_m),
                                                 plain_number(shape.length_m)));
     }
+    check_radius(section, shape, mass);
   }
   if (shape.propellant) {
-    for (const char* key : {"propellant_position_m", "propellant_length_m", "propellant_radius_of_gyration_m"}) {
-      if (!section.has(key)) {
-        section.refuse(key, "is missing; the propellant needs position, length and radius of gyration");
-      }
-    }
-    if (shape.propellant->position_m > shape.length_m) {
-      section.refuse("propellant_position_m", at_most(shape.propellant->position_m, "shape.length_m", shape.length_m));
-    }
+    check_propellant(section, shape);
   }
 }
 

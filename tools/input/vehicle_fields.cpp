@@ -44,8 +44,8 @@ constexpr auto fields = std::to_array<Field<sim::Vehicle>>({
   {"airframe", "body_lift_area_m2", number("m2", {0, 10}), may, AT(made(it.airframe).body_lift_area_m2), "Body lift at large angles: coefficient (about 1.1) times the area of the body seen from the side."},
   {"airframe", "body_lift_position_m", number("m", {0, 30}), may, AT(made(it.airframe).body_lift_position_m), "Where it acts: the centre of that area."},
   {"airframe", "centre_of_gravity_m", number("m", {0, 30}), must_in_its_section, AT(made(it.airframe).at_liftoff.centre_of_gravity_m), "At lift-off."},
-  {"airframe", "centre_of_gravity_after_burnout_m", number("m", {0, 30}), must_in_its_section, AT(made(it.airframe).after_burnout.centre_of_gravity_m), "After burn-out."},
-  {"airframe", "transverse_inertia_kg_m2", number("kg m2", {1e-5, 1e4}), must_in_its_section, AT(made(it.airframe).at_liftoff.transverse_inertia_kg_m2), "Moment of inertia about an axis across the rocket through its centre of gravity, at lift-off."},
+  {"airframe", "centre_of_gravity_after_burnout_m", number("m", {0, 30}), must_in_its_section, AT(made(it.airframe).after_burnout.centre_of_gravity_m), "After burn-out; what has moved it is the propellant, which lies between nose and tail."},
+  {"airframe", "transverse_inertia_kg_m2", number("kg m2", {1e-5, 1e4}), must_in_its_section, AT(made(it.airframe).at_liftoff.transverse_inertia_kg_m2), "Moment of inertia about an axis across the rocket through its centre of gravity, at lift-off. At least half of the roll inertia and what propellant and the rest make by their distance, at most what all mass at nose and tail would."},
   {"airframe", "transverse_inertia_after_burnout_kg_m2", number("kg m2", {1e-5, 1e4}), must_in_its_section, AT(made(it.airframe).after_burnout.transverse_inertia_kg_m2), "The same after burn-out."},
   {"airframe", "roll_inertia_after_burnout_kg_m2", number("kg m2", {1e-6, 10}), may, AT(made(it.airframe).roll_inertia_after_burnout_kg_m2), "About the long axis; as at lift-off when absent."},
   {"airframe", "nozzle_position_m", number("m", {0, 30}), may, AT(made(it.airframe).nozzle_position_m), "Where the exhaust leaves; at the tail when absent."},
@@ -84,10 +84,10 @@ constexpr auto fields = std::to_array<Field<sim::Vehicle>>({
   {"masses", "masses_kg", list(100, number("kg", {0, 1000})), may, AT(grown(made(it.geometry).masses, i).mass_kg), "What each weighs; as many as `names`, as all lists of this section."},
   {"masses", "positions_m", list(100, number("m", {0, 30})), may, AT(grown(made(it.geometry).masses, i).position_m), "Where the middle of each is, from the tip of the nose."},
   {"masses", "lengths_m", list(100, number("m", {0, 30})), may, AT(grown(made(it.geometry).masses, i).length_m), "How long each is; 0: a point."},
-  {"masses", "radii_of_gyration_m", list(100, number("m", {0, 2})), may, AT(grown(made(it.geometry).masses, i).radius_of_gyration_m), "About the long axis: the radius of a thin tube, 0.707 times that of a full rod."},
+  {"masses", "radii_of_gyration_m", list(100, number("m", {0, 2})), may, AT(grown(made(it.geometry).masses, i).radius_of_gyration_m), "About the long axis: the radius of a thin tube, 0.707 times that of a full rod. At most the radius of the body there and the longest span of fins or canards, where one of these is described."},
   {"masses", "propellant_position_m", number("m", {0, 30}), may, AT(made(made(it.geometry).propellant).position_m), "Where the middle of the propellant is; how much there is says the motor."},
   {"masses", "propellant_length_m", number("m", {0, 10}), may, AT(made(made(it.geometry).propellant).length_m), "How long it is."},
-  {"masses", "propellant_radius_of_gyration_m", number("m", {0, 1}), may, AT(made(made(it.geometry).propellant).radius_of_gyration_m), "Likewise about the long axis."},
+  {"masses", "propellant_radius_of_gyration_m", number("m", {0, 1}), may, AT(made(made(it.geometry).propellant).radius_of_gyration_m), "Likewise about the long axis; at most the radius of the body there."},
 
   {"motor", "file", file(), must, {}, "The motor: a RASP file (`.eng`), as thrustcurve.org has them. `motors.eng#K550`: the motor of that name in a file of several."},
 
