@@ -55,11 +55,6 @@ struct State {
 void check_inertia(const Section& section, const State& state, double length_m) {
   const double inertia_kg_m2 = state.mass.transverse_inertia_kg_m2;
   const double half_roll_kg_m2 = 0.5 * state.roll_inertia_kg_m2;
-  if (inertia_kg_m2 < half_roll_kg_m2) {
-    section.refuse(state.key, "= " + plain_number(inertia_kg_m2) +
-                                  "; allowed: at least half of the roll inertia then, " +
-                                  plain_number(state.roll_inertia_kg_m2) + ", as no body has less");
-  }
   const double place_m = state.mass.centre_of_gravity_m;
   const double most_kg_m2 = half_roll_kg_m2 + state.mass_kg * place_m * (length_m - place_m);
   if (inertia_kg_m2 > most_kg_m2) {

@@ -6,8 +6,9 @@
 
 namespace fantail::input {
 
-/// Centres of gravity and inertias of an [airframe] that no rocket of this mass, length and propellant can have. Only
-/// for a vehicle with an airframe whose places lie within its length. Throws text::Error (bad_configuration).
+/// Centres of gravity and inertias of an [airframe] that no rocket of this mass, length and propellant can have. For a
+/// flight that they decide: in another one, a mass or motor that is changed alone is a fair question. `document` is the
+/// vehicle's; it has an airframe. Throws text::Error (bad_configuration).
 void check_balance(const Document& document, const sim::Vehicle& vehicle);
 
 }  // namespace fantail::input

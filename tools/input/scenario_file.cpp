@@ -6,6 +6,7 @@
 #include <initializer_list>
 #include <iterator>
 
+#include "input/balance_checks.hpp"
 #include "input/copied.hpp"
 #include "input/fault_file.hpp"
 #include "input/file_kind.hpp"
@@ -75,7 +76,7 @@ void warn_of_instability(sim::Scenario& scenario) {
 }
 
 // What is not simulated along a straight line must not look as if it were.
-void check_motion(const Document& document, sim::Scenario& scenario) {
+void check_motion(const Document& document, const Document& vehicle, sim::Scenario& scenario) {
   if (scenario.motion == sim::FlightMotion::six_dof) {
     const Section flight{document, "flight"};
     if (scenario.surroundings != sim::Surroundings::flight) {
@@ -84,6 +85,7 @@ void check_motion(const Document& document, sim::Scenario& scenario) {
     if (!scenario.vehicle.airframe) {
       flight.refuse("motion", "= \"six_dof\" needs the section [airframe], which the vehicle does not have");
     }
+    check_balance(vehicle, scenario.vehicle);
     warn_of_instability(scenario);
     return;
   }
@@ -211,7 +213,7 @@ sim::Scenario load_scenario(const std::string& name_or_path, std::span<const Ove
   check_timing(documents.scenario, scenario);
   scenario.faults = read_faults(documents.scenario, scenario.vehicle.servo.stop_rad);
   check_surroundings(documents.scenario, scenario);
-  check_motion(documents.scenario, scenario);
+  check_motion(documents.scenario, documents.vehicle, scenario);
   check_pin(documents.scenario, scenario);
   check_gimbal(documents.scenario, scenario);
   settle_density(documents.scenario, scenario);

@@ -7,7 +7,6 @@
 #include <string>
 #include <utility>
 
-#include "input/balance_checks.hpp"
 #include "input/copied.hpp"
 #include "input/file_kind.hpp"
 #include "input/geometry_checks.hpp"
@@ -133,7 +132,18 @@ void check_airframe(const Document& document, const sim::Vehicle& vehicle) {
     section.refuse("diameter_m",
                    "= " + plain_number(a.diameter_m) + "; allowed: less than length_m = " + plain_number(a.length_m));
   }
-  check_balance(document, vehicle);
+  // No body has more about one axis than about two others at right angles to it.
+  const double roll_kg_m2 = vehicle.roll_plant.inertia_kg_m2;
+  const std::array across{std::tuple{"transverse_inertia_kg_m2", a.at_liftoff.transverse_inertia_kg_m2, roll_kg_m2},
+                          std::tuple{"transverse_inertia_after_burnout_kg_m2", a.after_burnout.transverse_inertia_kg_m2,
+                                     a.roll_inertia_after_burnout_kg_m2.value_or(roll_kg_m2)}};
+  for (const auto& [key, transverse_kg_m2, about_axis_kg_m2] : across) {
+    if (about_axis_kg_m2 > 2.0 * transverse_kg_m2) {
+      section.refuse(key, "= " + plain_number(transverse_kg_m2) +
+                              "; allowed: at least half of the roll inertia then, " + plain_number(about_axis_kg_m2) +
+                              ", as no body has less");
+    }
+  }
   if (a.body_lift_area_m2 > 0.0 && !section.has("body_lift_position_m")) {
     section.refuse("body_lift_area_m2", "needs body_lift_position_m");
   }
