@@ -51,6 +51,9 @@ struct CanardFlow {
 /// part of the roll damping is in alpha, which knows no stall; so here it is taken off the lift again, and a stalled
 /// canard damps no more.
 [[nodiscard]] inline double torque_angle_rad(const CanardAerodynamics& air, double deflection_rad, double of_roll_rad) {
+  if (!air.stall_rad) {
+    return deflection_rad;
+  }
   const double effective_rad = deflection_rad + of_roll_rad;
   const double lift_rad = lift_angle_rad(air, effective_rad);
   return lift_rad == effective_rad ? deflection_rad : lift_rad - of_roll_rad;

@@ -37,9 +37,9 @@ void CanardSet::step(double time_s, double dt_s, const std::array<std::optional<
   }
   constexpr double microseconds_per_nanosecond = 1e-3;
   for (std::size_t i = 0; i < servos_.size(); ++i) {
-    const auto pulse_us =
-        pulses[i] ? std::optional{microseconds_per_nanosecond * static_cast<double>(pulses[i]->count())} : std::nullopt;
-    servos_[i].step(time_s, dt_s, pulse_us);
+    servos_[i].step(time_s, dt_s, [&pulse = pulses[i]] {
+      return pulse ? std::optional{microseconds_per_nanosecond * static_cast<double>(pulse->count())} : std::nullopt;
+    });
   }
 }
 

@@ -107,29 +107,9 @@ void Environment::follow_fan_programme() {
   }
 }
 
-double Environment::density_kg_m3() const {
-  return ascent_       ? ascent_->density_kg_m3()
-         : flight_     ? flight_->density_kg_m3()
-         : prescribed_ ? prescribed_->density_kg_m3()
-                       : tunnel_->density_kg_m3();
-}
-
-double Environment::speed_m_s() const {
-  return ascent_       ? ascent_->speed_m_s()
-         : flight_     ? flight_->air_speed_m_s().x
-         : prescribed_ ? prescribed_->speed_m_s()
-                       : tunnel_->speed_m_s();
-}
-
-double Environment::compressibility() const {
-  const Compressibility kind = scenario_.vehicle.compressibility;
-  return kind == Compressibility::none
-             ? 1.0
-             : compressibility_factor(kind, speed_m_s() / scenario_.atmosphere.speed_of_sound_m_s(height_m()));
-}
-
-double Environment::height_m() const {
-  return ascent_ ? ascent_->height_m() : flight_ ? flight_->height_m() : prescribed_ ? prescribed_->height_m() : 0.0;
+double Environment::compressibility_here() const {
+  return compressibility_factor(scenario_.vehicle.compressibility,
+                                speed_m_s() / scenario_.atmosphere.speed_of_sound_m_s(height_m()));
 }
 
 bool Environment::is_clear_of_guide() const {
@@ -184,10 +164,11 @@ std::optional<BurningRocket> Environment::burning() const {
 }
 
 std::optional<double> Environment::roll_inertia_kg_m2() const {
-  if (const auto rocket = burning()) {
-    return rocket->inertia.roll_kg_m2;
+  if (!prescribed_) {
+    return flight_ ? std::optional{flight_->roll_inertia_kg_m2()} : std::nullopt;
   }
-  return flight_ ? std::optional{flight_->roll_inertia_kg_m2()} : std::nullopt;
+  const auto rocket = burning();
+  return rocket ? std::optional{rocket->inertia.roll_kg_m2} : std::nullopt;
 }
 
 std::optional<double> Environment::centre_of_gravity_m() const {
@@ -219,13 +200,11 @@ BodyMotion Environment::motion(const RollState& roll, double roll_acceleration_r
                     .angular_acceleration_rad_s2 = prescribed_->angular_acceleration_rad_s2()},
                    roll, roll_acceleration_rad_s2);
   }
-  BodyMotion motion{.specific_force_m_s2 = {.x = gravity_m_s2},
+  BodyMotion motion{.specific_force_m_s2 = {.x = ascent_ ? ascent_->axial_specific_force_m_s2() : gravity_m_s2},
                     .rate_rad_s = {.x = roll.rate_rad_s},
                     .angular_acceleration_rad_s2 = {.x = roll_acceleration_rad_s2}};
   if (ascent_) {
-    const double lateral_m_s2 = ascent_->lateral_specific_force_m_s2();
-    motion.specific_force_m_s2 = {.x = ascent_->axial_specific_force_m_s2()};
-    if (lateral_m_s2 != 0.0) {
+    if (const double lateral_m_s2 = ascent_->lateral_specific_force_m_s2(); lateral_m_s2 != 0.0) {
       // The guide leans towards one side of the rocket; rolling turns that side away from where the sensor's axes
       // point.
       motion.specific_force_m_s2.y = lateral_m_s2 * std::cos(roll.angle_rad);

@@ -39,11 +39,25 @@ class Environment {
   /// On the gimbal, whose hands count from power-up: its roll at the end of this step; else empty.
   [[nodiscard]] std::optional<RollState> turn_by_hand(double since_power_up_s, double dt_s);
 
-  [[nodiscard]] double density_kg_m3() const;
-  [[nodiscard]] double speed_m_s() const;  ///< through the air, along the axis
+  [[nodiscard]] double density_kg_m3() const {
+    return ascent_       ? ascent_->density_kg_m3()
+           : flight_     ? flight_->density_kg_m3()
+           : prescribed_ ? prescribed_->density_kg_m3()
+                         : tunnel_->density_kg_m3();
+  }
+  [[nodiscard]] double speed_m_s() const {  ///< through the air, along the axis
+    return ascent_       ? ascent_->speed_m_s()
+           : flight_     ? flight_->air_speed_m_s().x
+           : prescribed_ ? prescribed_->speed_m_s()
+                         : tunnel_->speed_m_s();
+  }
   /// On roll damping and roll torque, at that speed; one where the vehicle has none.
-  [[nodiscard]] double compressibility() const;
-  [[nodiscard]] double height_m() const;
+  [[nodiscard]] double compressibility() const {
+    return scenario_.vehicle.compressibility == Compressibility::none ? 1.0 : compressibility_here();
+  }
+  [[nodiscard]] double height_m() const {
+    return ascent_ ? ascent_->height_m() : flight_ ? flight_->height_m() : prescribed_ ? prescribed_->height_m() : 0.0;
+  }
   /// In flight only: the rocket is past the end of its guide; it stands on the pad or on the ground.
   [[nodiscard]] bool is_clear_of_guide() const;
   [[nodiscard]] bool is_on_ground() const;
@@ -66,6 +80,7 @@ class Environment {
   [[nodiscard]] BodyMotion motion(const RollState& roll, double roll_acceleration_rad_s2) const;
 
  private:
+  [[nodiscard]] double compressibility_here() const;
   void follow_fan_programme();
   [[nodiscard]] std::optional<BurningRocket> burning() const;
 

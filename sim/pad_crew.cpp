@@ -10,6 +10,10 @@ using protocol::ArmReply;
 using protocol::SelfTestState;
 
 void PadCrew::act(hal::Microseconds now) {
+  if (stage_ == Stage::done) {
+    bus_.pass_over();
+    return;
+  }
   const std::optional<ArmReply> reply = newest_reply();
   const bool failed = stage_ == Stage::testing && reply && reply->self_test == SelfTestState::failed;
   const bool refused = reply && reply->refusal != protocol::ArmRefusal::none;
@@ -37,10 +41,14 @@ void PadCrew::start_tunnel() {
 }
 
 std::optional<ArmReply> PadCrew::newest_reply() {
-  static const std::uint16_t arm_reply_id = encode(ArmReply{}).id;
   std::optional<ArmReply> newest;
+  if (stage_ == Stage::waiting) {
+    bus_.pass_over();
+    return newest;
+  }
+  static const std::uint16_t arm_reply_id = encode(ArmReply{}).id;
   while (const auto frame = bus_.receive()) {
-    if (stage_ == Stage::waiting || stage_ == Stage::done || frame->id != arm_reply_id) {
+    if (frame->id != arm_reply_id) {
       continue;
     }
     const auto decoded = protocol::decode_from_avionics(avionics::bus_frame(*frame));

@@ -80,16 +80,17 @@ Random::Random(std::uint64_t seed, std::uint64_t stream) : state_{} {
   }
 }
 
-void Random::settle(std::uint32_t outside, std::span<const std::uint32_t> drawn, std::span<double> values) {
-  for (; outside != 0; outside &= outside - 1) {
-    const auto i = static_cast<std::size_t>(std::countr_zero(outside));
-    values[i] = beside_the_layer(drawn[i]);
+void Random::settle(std::span<const std::uint64_t> words, std::span<double> values) {
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const std::uint32_t drawn = i % 2 == 0 ? lower(words[i / 2]) : upper(words[i / 2]);
+    if (!(std::abs(values[i]) < layer(drawn).inner_edge)) {
+      values[i] = beside_the_layer(drawn, values[i]);
+    }
   }
 }
 
-double Random::beside_the_layer(std::uint32_t drawn) {
-  const double value = in_layer(drawn);
-  const std::size_t i = layer(drawn);
+double Random::beside_the_layer(std::uint32_t drawn, double value) {
+  const std::size_t i = drawn % Ziggurat::layers;
   if (i == 0) {
     return std::copysign(tail(), value);
   }

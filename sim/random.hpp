@@ -3,9 +3,9 @@
 
 #include <array>
 #include <bit>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 
 namespace fantail::sim {
@@ -54,40 +54,53 @@ class Random {
   /// Several at once. One word of 64 bits makes two of them, and all words are drawn before any is looked at, so that
   /// the state stays in registers.
   template <std::size_t count>
-    requires(count <= 32)
   [[nodiscard]] std::array<double, count> gaussians() {
-    std::array<std::uint32_t, 2 * ((count + 1) / 2)> drawn{};
-    for (std::size_t i = 0; i < drawn.size(); i += 2) {
-      const std::uint64_t word = bits();
-      drawn[i] = static_cast<std::uint32_t>(word);
-      drawn[i + 1] = static_cast<std::uint32_t>(word >> 32U);
+    std::array<std::uint64_t, (count + 1) / 2> words{};
+    for (std::uint64_t& word : words) {
+      word = bits();
     }
+    // Both of a word side by side, as every PC multiplies and compares them; one branch does for all.
     std::array<double, count> values{};
-    std::uint32_t outside = 0;  // a bit each, so that one branch does for all
-    for (std::size_t i = 0; i < count; ++i) {
-      values[i] = in_layer(drawn[i]);
-      outside |= (is_inside(drawn[i], values[i]) ? 0U : 1U) << i;
+    auto inside = Two{} == Two{};
+    for (std::size_t i = 0; i < count; i += 2) {
+      const std::uint64_t word = words[i / 2];
+      const Ziggurat::Layer& a = layer(lower(word));
+      const Ziggurat::Layer& b = layer(upper(word));
+      const Two value = places(word) * Two{a.edge_per_step, b.edge_per_step};
+      const bool wants_both = i + 1 < count;
+      inside &= magnitude(value) < Two{a.inner_edge, wants_both ? b.inner_edge : nowhere};
+      values[i] = value[0];
+      if (wants_both) {
+        values[i + 1] = value[1];
+      }
     }
-    if (outside != 0) [[unlikely]] {
-      settle(outside, drawn, values);
+    if ((inside[0] & inside[1]) == 0) [[unlikely]] {
+      settle(words, values);
     }
     return values;
   }
 
  private:
-  // The lowest 8 bits choose the layer and the upper 24, made a signed odd number, the place in it: the two are
-  // independent, and no place is zero, so both signs are as likely.
-  static std::size_t layer(std::uint32_t drawn) { return drawn % Ziggurat::layers; }
-  static double in_layer(std::uint32_t drawn) {
-    return static_cast<double>((static_cast<std::int32_t>(drawn) >> 7) | 1) *
-           ziggurat.layer[layer(drawn)].edge_per_step;
-  }
-  static bool is_inside(std::uint32_t drawn, double value) {
-    return std::abs(value) < ziggurat.layer[layer(drawn)].inner_edge;
+  using Two [[gnu::vector_size(2 * sizeof(double))]] = double;
+  using TwoWords [[gnu::vector_size(2 * sizeof(double))]] = std::int64_t;
+  using TwoIntegers [[gnu::vector_size(2 * sizeof(std::int32_t))]] = std::int32_t;
+  static constexpr double nowhere = std::numeric_limits<double>::infinity();
+  static Two magnitude(Two value) {
+    constexpr std::int64_t all_but_sign = std::numeric_limits<std::int64_t>::max();
+    return std::bit_cast<Two>(std::bit_cast<TwoWords>(value) & all_but_sign);
   }
 
-  void settle(std::uint32_t outside, std::span<const std::uint32_t> drawn, std::span<double> values);
-  [[nodiscard]] double beside_the_layer(std::uint32_t drawn);
+  // The lowest 8 bits choose the layer and the upper 24, made a signed odd number, the place in it: the two are
+  // independent, and no place is zero, so both signs are as likely.
+  static const Ziggurat::Layer& layer(std::uint32_t drawn) { return ziggurat.layer[drawn % Ziggurat::layers]; }
+  static Two places(std::uint64_t word) {
+    return __builtin_convertvector((std::bit_cast<TwoIntegers>(word) >> 7) | 1, Two);
+  }
+  static std::uint32_t lower(std::uint64_t word) { return static_cast<std::uint32_t>(word); }
+  static std::uint32_t upper(std::uint64_t word) { return static_cast<std::uint32_t>(word >> 32U); }
+
+  void settle(std::span<const std::uint64_t> words, std::span<double> values);
+  [[nodiscard]] double beside_the_layer(std::uint32_t drawn, double value);
   [[nodiscard]] double tail();
 
   std::array<std::uint64_t, 4> state_;

@@ -66,6 +66,7 @@ Servo::Servo(const ServoParameters& parameters)
 
 void Servo::fail(ServoFault fault, std::optional<double> fault_angle_rad) {
   require(!fault_angle_rad || std::isfinite(*fault_angle_rad), "the angle of a fault must be finite");
+  next_event_s_ = at_once;
   if (fault != fault_) {
     if (fault_ == ServoFault::slipping) {
       gear_rad_ = horn_rad_ = angle_rad();

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -97,21 +99,33 @@ class Servo {
   void set_load(const std::optional<ShaftLoad>& load) {
     if (parameters_.torque_n_m) {
       load_ = load;
+      next_event_s_ = at_once;
     }
   }
 
   /// Moves from t_s to t_s + dt_s (dt_s > 0) with `pulse_us` on the wire. The next step begins where this one ends.
   void step(double t_s, double dt_s, const std::optional<double>& pulse_us) {
+    step(t_s, dt_s, [&] { return pulse_us; });
+  }
+  /// The pulse is asked for only when a frame begins: in two steps of three nobody needs it.
+  template <std::invocable PulseUs>
+  void step(double t_s, double dt_s, PulseUs pulse_us) {
     if (dt_s != whole_step_.duration_s) {
       whole_step_ = interval(dt_s);
     }
     const double end_s = t_s + dt_s - same_time_s;
-    if (next_frame_s_ < end_s) {
-      latch(t_s, end_s, pulse_us);
-    }
-    if (fault_ != ServoFault::none || load_ || (waiting_ > 0 && queue_[first_].arrival_s < end_s)) {
-      step_in_pieces(t_s, t_s + dt_s);
-      return;
+    if (next_event_s_ < end_s) {
+      if (next_frame_s_ < end_s) {
+        latch(t_s, end_s, pulse_us());
+      }
+      const bool in_pieces = fault_ != ServoFault::none || load_ || (waiting_ > 0 && queue_[first_].arrival_s < end_s);
+      if (in_pieces) {
+        step_in_pieces(t_s, t_s + dt_s);
+      }
+      find_next_event();
+      if (in_pieces) {
+        return;
+      }
     }
     const double before = horn_rad_;
     if (goal_rad_) {
@@ -143,6 +157,7 @@ class Servo {
 
   /// Times nearer than this are the same: t_s is a sum of steps, a frame's time a product.
   static constexpr double same_time_s = 1e-9;
+  static constexpr double at_once = -std::numeric_limits<double>::infinity();
 
   [[nodiscard]] Interval interval(double duration_s) const {
     return {.duration_s = duration_s, .settling = settling(duration_s * per_lag_s_)};
@@ -157,6 +172,10 @@ class Servo {
     horn_rad_ = horn_rad_ < lowest ? lowest : horn_rad_ > highest ? highest : horn_rad_;
   }
 
+  void find_next_event() {
+    const double next_arrival_s = waiting_ > 0 ? queue_[first_].arrival_s : std::numeric_limits<double>::infinity();
+    next_event_s_ = fault_ != ServoFault::none || load_ ? at_once : std::min(next_frame_s_, next_arrival_s);
+  }
   void set_pace(double times_slower);
   void shift_shaft(double by_rad);
   void aim();
@@ -187,7 +206,9 @@ class Servo {
   double grip_ = 1.0;  ///< share of the horn's movement that reaches the shaft
 
   double frame_ = 0.0;  ///< number of the next one
-  double next_frame_s_ = -std::numeric_limits<double>::infinity();
+  double next_frame_s_ = at_once;
+  double next_event_s_ =
+      at_once;  ///< that frame or the arrival of a command; with a fault or a load every step has one
   std::optional<double> latched_us_{};
   std::size_t first_ = 0;
   std::size_t waiting_ = 0;

@@ -2,7 +2,9 @@
 #include "sim/world.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstring>
 #include <string>
 #include <utility>
 
@@ -36,6 +38,22 @@ ServoFault servo_fault(FaultKind kind) {
     case FaultKind::canard_wrong_trim: return ServoFault::wrong_trim;
     default: return ServoFault::none;
   }
+}
+
+// Many bytes at a time: nearly all of a large flash is blank, and byte by byte that would take as long as the flight.
+std::span<const std::byte> without_blank_end(std::span<const std::byte> cells) {
+  constexpr static std::byte erased{0xFF};
+  constexpr static auto blank = [] {
+    std::array<std::byte, 4096> all{};
+    all.fill(erased);
+    return all;
+  }();
+  while (cells.size() >= blank.size() &&
+         std::memcmp(cells.last<blank.size()>().data(), blank.data(), blank.size()) == 0) {
+    cells = cells.first(cells.size() - blank.size());
+  }
+  const auto last = std::ranges::find_if(cells.rbegin(), cells.rend(), [](std::byte b) { return b != erased; });
+  return cells.first(static_cast<std::size_t>(cells.rend() - last));
 }
 
 std::string sensors_in_record(std::size_t changed_values) {
@@ -263,11 +281,9 @@ std::span<const std::byte> World::recorded() const {
     return {};
   }
   const auto region = std::span<const std::byte>{pad_->flash.cells()}.subspan(map->flight_begin);
-  const auto blank =
-      std::ranges::find_if(region.rbegin(), region.rend(), [](std::byte b) { return b != std::byte{0xFF}; });
   // Before the blank part may be a record of which only the beginning was written when the world ended, and the last
   // bytes of a whole one may look erased.
-  const auto used = static_cast<std::size_t>(region.rend() - blank);
+  const std::size_t used = without_blank_end(region).size();
   const auto written = region.first(std::min(used + map->page_size, region.size()));
   protocol::LogFrameReader reader{written};
   std::size_t end = 0;

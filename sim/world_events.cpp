@@ -31,17 +31,17 @@ void World::follow_tunnel() {
 }
 
 void World::follow_flight() {
-  const auto note = [this](std::optional<Microseconds>& event, bool happened) {
-    if (!event && happened) {
+  const auto note = [this](std::optional<Microseconds>& event, const auto& happened) {
+    if (!event && happened()) {
       event = now_;
     }
   };
   const AscentEvents& ascent = environment_.ascent_events();
-  note(events_.liftoff, ascent.liftoff_s.has_value());
-  note(events_.guide_clear, environment_.is_clear_of_guide());
-  note(events_.burnout, ascent.burnout_s.has_value());
-  note(events_.apogee, ascent.apogee_s.has_value());
-  note(events_.parachute, environment_.parachute_s().has_value());
+  note(events_.liftoff, [&] { return ascent.liftoff_s.has_value(); });
+  note(events_.guide_clear, [&] { return environment_.is_clear_of_guide(); });
+  note(events_.burnout, [&] { return ascent.burnout_s.has_value(); });
+  note(events_.apogee, [&] { return ascent.apogee_s.has_value(); });
+  note(events_.parachute, [&] { return environment_.parachute_s().has_value(); });
   if (!ascent.apogee_s) {
     events_.apogee.reset();  // it was only a hop, and the rocket stands on the pad again
   }

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 
 #include "hal/can_bus.hpp"
@@ -24,7 +26,8 @@ class CanWire {
 
  private:
   friend class CanBus;
-  std::array<CanBus*, most_nodes> nodes_{};
+  std::array<CanBus*, most_nodes> nodes_{};  ///< the first so many of them
+  std::size_t node_count_ = 0;
   CanState state_ = CanState::error_active;
 };
 
@@ -34,19 +37,13 @@ class CanBus final : public hal::CanBus {
   static constexpr std::size_t queue_length = 64;
 
   explicit CanBus(CanWire& wire) : wire_{wire} {
-    for (CanBus*& place : wire_.nodes_) {
-      if (place == nullptr) {
-        place = this;
-        return;
-      }
+    if (wire_.node_count_ < CanWire::most_nodes) {
+      wire_.nodes_[wire_.node_count_++] = this;
     }
   }
   ~CanBus() override {
-    for (CanBus*& place : wire_.nodes_) {
-      if (place == this) {
-        place = nullptr;
-      }
-    }
+    const auto end = wire_.nodes_.begin() + static_cast<std::ptrdiff_t>(wire_.node_count_);
+    wire_.node_count_ = static_cast<std::size_t>(std::remove(wire_.nodes_.begin(), end, this) - wire_.nodes_.begin());
   }
   CanBus(const CanBus&) = delete;  // the wire points to it
   CanBus& operator=(const CanBus&) = delete;
@@ -57,9 +54,9 @@ class CanBus final : public hal::CanBus {
       return false;
     }
     counters_.sent += 1;
-    for (CanBus* node : wire_.nodes_) {
-      if (node != nullptr && node != this) {
-        node->arrive(frame);
+    for (std::size_t i = 0; i < wire_.node_count_; ++i) {
+      if (wire_.nodes_[i] != this) {
+        wire_.nodes_[i]->arrive(frame);
       }
     }
     return true;
@@ -74,6 +71,13 @@ class CanBus final : public hal::CanBus {
     waiting_ -= 1;
     counters_.received += 1;
     return frame;
+  }
+
+  /// As if all that has arrived had been received.
+  void pass_over() {
+    counters_.received += static_cast<std::uint32_t>(waiting_);
+    first_ = (first_ + waiting_) % queue_length;
+    waiting_ = 0;
   }
 
   [[nodiscard]] CanState state() const override { return wire_.state(); }
