@@ -26,8 +26,12 @@ void note_phase(Flight& flight, const core::TickRecord& record, double time_s) {
 }
 
 void note_canards(Flight& flight, const core::TickRecord& record, double time_s) {
+  auto& changes = flight.canard_verdict_changes;
+  const auto healthy = [](core::CanardVerdict verdict) { return verdict == core::CanardVerdict::healthy; };
+  if (changes.empty() && std::ranges::all_of(record.verdicts, healthy)) {
+    return;  // as in nearly every tick of nearly every flight
+  }
   for (std::size_t i = 0; i < core::canard_count; ++i) {
-    auto& changes = flight.canard_verdict_changes;
     const auto last = std::find_if(changes.rbegin(), changes.rend(), [i](const auto& c) { return c.canard == i; });
     const core::CanardVerdict before = last == changes.rend() ? core::CanardVerdict::healthy : last->verdict;
     if (record.verdicts[i] != before) {
@@ -69,8 +73,9 @@ std::optional<double>* event_of(Events& events, core::Phase phase) {
   return nullptr;
 }
 
-Row row(const core::TickRecord& record, double time_s) {
-  Row r;
+namespace {
+
+void fill(Row& r, const core::TickRecord& record, double time_s) {
   r.time_s = time_s;
   r.phase = record.phase;
   r.roll_angle_rad = static_cast<double>(record.motion.roll_angle.radians());
@@ -89,6 +94,13 @@ Row row(const core::TickRecord& record, double time_s) {
   r.specific_force_m_s2 = static_cast<double>(record.motion.specific_force_m_s2.x);
   r.height_m = static_cast<double>(record.motion.height_m);
   r.speed_m_s = static_cast<double>(record.motion.speed_m_s);
+}
+
+}  // namespace
+
+Row row(const core::TickRecord& record, double time_s) {
+  Row r;
+  fill(r, record, time_s);
   return r;
 }
 
@@ -100,8 +112,9 @@ void note_tick(Flight& flight, const core::TickRecord& record, double time_s) {
 
 void add_tick(Flight& flight, const core::TickRecord& record, double time_s, const std::optional<Truth>& truth) {
   note_tick(flight, record, time_s);
-  flight.rows.push_back(row(record, time_s));
-  flight.rows.back().truth = truth;
+  Row& r = flight.rows.emplace_back();  // filled where it stands: a flight has megabytes of them
+  fill(r, record, time_s);
+  r.truth = truth;
 }
 
 void set_time_zero(Flight& flight, double zero_s) {

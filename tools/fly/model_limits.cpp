@@ -207,26 +207,32 @@ std::vector<flight::LoopMargin> loop_margins(const sim::Scenario& scenario, cons
     return {};
   }
   // Near apogee nothing flows: the lowest speed that counts is that at which control began.
-  const double begin_m_s = speeds_m_s.front();
-  std::ranges::sort(speeds_m_s);
-  const auto first = std::ranges::lower_bound(speeds_m_s, begin_m_s);
-  const double lowest_m_s = *first;
-  const double median_m_s = *(first + (speeds_m_s.end() - first) / 2);
-  const double top_m_s = speeds_m_s.back();
+  const double lowest_m_s = speeds_m_s.front();
+  std::erase_if(speeds_m_s, [lowest_m_s](double speed_m_s) { return speed_m_s < lowest_m_s; });
+  const double top_m_s = std::ranges::max(speeds_m_s);
+  const auto middle = speeds_m_s.begin() + std::ssize(speeds_m_s) / 2;
+  std::ranges::nth_element(speeds_m_s, middle);
+  const double median_m_s = *middle;
 
   const auto at = [&scenario](double speed_m_s) -> std::optional<flight::LoopMargin> {
     const auto found = stability::margins(stability::loop_at_speed(scenario, speed_m_s));
     return found ? std::optional{flight::LoopMargin{speed_m_s, found->phase_margin_rad, found->gain_margin}}
                  : std::nullopt;
   };
-  std::optional<flight::LoopMargin> worst;
+  double worst_m_s = lowest_m_s;
+  std::optional<double> least_rad;
   constexpr int steps = 32;
   for (int i = 0; i <= steps; ++i) {
-    const auto found = at(lowest_m_s + (top_m_s - lowest_m_s) * i / steps);
-    worst = found && (!worst || found->phase_margin_rad < worst->phase_margin_rad) ? found : worst;
+    const double speed_m_s = lowest_m_s + (top_m_s - lowest_m_s) * i / steps;
+    const auto found_rad = stability::phase_margin_rad(stability::loop_at_speed(scenario, speed_m_s));
+    if (found_rad && (!least_rad || *found_rad < *least_rad)) {
+      worst_m_s = speed_m_s;
+      least_rad = found_rad;
+    }
   }
   std::vector<flight::LoopMargin> all;
-  for (const auto& found : {at(lowest_m_s), at(median_m_s), at(top_m_s), worst}) {
+  for (const double speed_m_s : {lowest_m_s, median_m_s, top_m_s, worst_m_s}) {
+    const auto found = at(speed_m_s);
     const auto known = [&](const flight::LoopMargin& other) { return other.speed_m_s == found->speed_m_s; };
     if (found && std::ranges::none_of(all, known)) {
       all.push_back(*found);

@@ -59,15 +59,18 @@ std::optional<double> gain_margin(const RollLoop& loop) {
   const auto above_half_turn = [&loop](double w) { return phase_rad(loop, w) + half_turn_rad; };
   std::optional<double> nearest;
   double w = lowest_rad_s;
+  bool is_below = above_half_turn(w) < 0.0;
   while (w < highest_rad_s) {
     const double next = step * w;
-    if ((above_half_turn(w) < 0.0) != (above_half_turn(next) < 0.0)) {
+    const bool next_is_below = above_half_turn(next) < 0.0;
+    if (next_is_below != is_below) {
       const double logarithm = -logarithm_of_gain(loop, root(above_half_turn, w, next));
       if (!nearest || std::abs(logarithm) < std::abs(*nearest)) {
         nearest = logarithm;
       }
     }
     w = next;
+    is_below = next_is_below;
   }
   return nearest ? std::optional{std::exp(*nearest)} : std::nullopt;
 }
