@@ -13,15 +13,10 @@ namespace {
 
 constexpr double metres_per_foot = 0.3048;
 
-/// Of the horizontal components and of the vertical one, at a height above ground.
-struct Eddies {
-  double horizontal_length_m;
-  double vertical_length_m;
-  double vertical_share;  ///< of the horizontal standard deviation
-};
+}  // namespace
 
 // Below 1000 ft the formulas of the specification, in feet; from 2000 ft on isotropic; straight lines between.
-Eddies eddies_at(double height_m) {
+Wind::Eddies Wind::eddies_at(double height_m) {
   constexpr double low_ft = 1000.0;
   constexpr double high_ft = 2000.0;
   constexpr double high_length_ft = 1750.0;
@@ -34,8 +29,6 @@ Eddies eddies_at(double height_m) {
           .vertical_length_m = metres_per_foot * upwards(below_ft, high_length_ft),
           .vertical_share = exponential(0.4 * log_base)};
 }
-
-}  // namespace
 
 // Both spectra are the specification's: (1 + sqrt(3) T s) / (1 + T s)^2 is sqrt(3) / (1 + T s) and (1 - sqrt(3)) / (1 +
 // T s)^2, and of the two lags the variances are 1 and 1/2, their covariance 1/2.
@@ -63,10 +56,7 @@ double Wind::mean_m_s(double height_m) const {
   return parameters_.speed_m_s * exponential(parameters_.exponent * natural_log(ratio));
 }
 
-void Wind::step_turbulence(double dt_s, double height_m, double air_speed_m_s) {
-  constexpr double slowest_m_s = 1.0;  // even in still air an eddy does not last for ever
-  const Eddies eddies = eddies_at(height_m);
-  const double past_m_s = std::max({air_speed_m_s, mean_m_s(height_m), slowest_m_s});
+void Wind::step_turbulence(double dt_s, const Eddies& eddies, double past_m_s) {
   const std::array<double, 5> drawn = random_.gaussians<5>();
 
   const double kept = exponential(-dt_s * past_m_s / eddies.vertical_length_m);
@@ -99,12 +89,17 @@ Vector3 Wind::step(double time_s, double dt_s, double height_m, double air_speed
   if (parameters_.turbulence == 0.0) {
     return speed_m_s * direction_;
   }
-  step_turbulence(dt_s, height_m, air_speed_m_s);
+  if (height_m != eddies_height_m_) {  // on its pad a rocket stays for most of a run
+    eddies_ = eddies_at(height_m);
+    eddies_height_m_ = height_m;
+  }
+  constexpr double slowest_m_s = 1.0;  // even in still air an eddy does not last for ever
+  step_turbulence(dt_s, eddies_, std::max({air_speed_m_s, mean, slowest_m_s}));
   const double deviation_m_s = parameters_.turbulence * mean;
   const Vector3 sideways{.x = -direction_.y, .y = direction_.x};
   Vector3 wind_m_s =
       (speed_m_s + deviation_m_s * along_.value()) * direction_ + (deviation_m_s * across_.value()) * sideways;
-  wind_m_s.z = deviation_m_s * eddies_at(height_m).vertical_share * vertical_;
+  wind_m_s.z = deviation_m_s * eddies_.vertical_share * vertical_;
   return wind_m_s;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <limits>
+
 #include "sim/random.hpp"
 #include "sim/rotation.hpp"
 
@@ -47,7 +49,15 @@ class Wind {
     double second = 0.0;
     [[nodiscard]] double value() const;
   };
-  void step_turbulence(double dt_s, double height_m, double air_speed_m_s);
+  /// Of the horizontal components and of the vertical one, at a height above ground.
+  struct Eddies {
+    double horizontal_length_m = 0.0;
+    double vertical_length_m = 0.0;
+    double vertical_share = 0.0;  ///< of the horizontal standard deviation
+  };
+  [[nodiscard]] static Eddies eddies_at(double height_m);
+  /// The rocket goes past them with this speed.
+  void step_turbulence(double dt_s, const Eddies& eddies, double past_m_s);
 
   WindParameters parameters_;
   Vector3 direction_;  ///< it blows to there
@@ -55,6 +65,8 @@ class Wind {
   Transverse along_;
   Transverse across_;
   double vertical_;  ///< standard deviation 1
+  Eddies eddies_{};
+  double eddies_height_m_ = std::numeric_limits<double>::quiet_NaN();  ///< no height yet
 };
 
 }  // namespace fantail::sim
