@@ -75,7 +75,6 @@ hal::Microseconds delay(const InertialParameters& p) { return hal::Microseconds{
 
 TriaxialConverter::TriaxialConverter(const Errors& errors, const Rotation& from_body)
     : counts_per_unit_{from_body},
-      is_aligned_{from_body == Rotation{{{.x = 1.0}, {.y = 1.0}, {.z = 1.0}}}},
       offset_{errors.bias * half_range_counts / errors.full_scale},
       noise_{errors.noise * half_range_counts / errors.full_scale} {
   const double counts_per_unit = half_range_counts / errors.full_scale;

@@ -51,19 +51,11 @@ class TriaxialConverter {
   TriaxialConverter(const Errors& errors, const Rotation& from_body);
 
   void convert(const Vector3& truth, std::span<const double, 3> gaussians, hal::Counts& counts) const {
-    const auto measure = [&](std::size_t axis, double ideal) {
+    for (std::size_t axis = 0; axis < counts.size(); ++axis) {
+      const Vector3& row = counts_per_unit_[axis];
+      const double ideal = row.x * truth.x + row.y * truth.y + row.z * truth.z;
       counts[axis] = nearest_count(ideal + offset_ + noise_ * gaussians[axis]);
-    };
-    const auto& [x, y, z] = counts_per_unit_;
-    if (is_aligned_) {  // as by default; six products with zero would change no count
-      measure(0, x.x * truth.x);
-      measure(1, y.y * truth.y);
-      measure(2, z.z * truth.z);
-      return;
     }
-    measure(0, x.x * truth.x + x.y * truth.y + x.z * truth.z);
-    measure(1, y.x * truth.x + y.y * truth.y + y.z * truth.z);
-    measure(2, z.x * truth.x + z.y * truth.y + z.z * truth.z);
   }
 
  private:
@@ -76,7 +68,6 @@ class TriaxialConverter {
   }
 
   Rotation counts_per_unit_;
-  bool is_aligned_;
   double offset_;  ///< counts
   double noise_;   ///< counts
 };

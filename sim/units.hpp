@@ -15,7 +15,6 @@ struct Vector3 {
   double x = 0.0;
   double y = 0.0;
   double z = 0.0;
-  friend bool operator==(const Vector3&, const Vector3&) = default;
 };
 
 }  // namespace fantail::sim
