@@ -10,27 +10,76 @@ namespace {
 
 // So many at a time that they stay in the nearest cache until all lanes have taken them.
 constexpr std::size_t stretch = 64;
-using Steps = std::array<RampStep, stretch>;
+constexpr std::size_t group = 8;
 
-void fill(Steps& all, double alpha_m2, const double* damping_per_m2_s, const double* dt_s, std::size_t count) {
-  constexpr std::size_t together = 4;
-  using Numbers = Eigen::Array<double, together, 1>;
-  std::size_t i = 0;
-  while (i < count) {
-    if (i + together <= count) {
-      const Numbers dt{Eigen::Map<const Numbers>{&dt_s[i]}};
-      const Numbers damping = alpha_m2 * Eigen::Map<const Numbers>{&damping_per_m2_s[i]} * dt;
-      if ((damping < small_damping).all()) {
-        const RampStepOf<Numbers> t = small_ramp_step(damping, dt);
-        for (Eigen::Index j = 0; j < Eigen::Index{together}; ++j, ++i) {
-          all[i] = {t.decay[j], t.rate_0[j], t.rate_1[j], t.angle_p[j], t.angle_0[j], t.angle_1[j]};
-        }
-        continue;
+// RampStep of each, every number of them in a list of its own.
+struct Steps {
+  std::array<double, stretch> decay, rate_0, rate_1, angle_p, angle_0, angle_1;
+};
+
+// Of `count` steps, and of some behind them: a group at a time, which are nearly always all small or all not.
+FANTAIL_AS_WIDE_AS_THE_PROCESSOR
+void fill(Steps& __restrict all, double alpha_m2, const double* __restrict damping_per_m2_s,
+          const double* __restrict dt_s, std::size_t count) {
+  const auto put = [&all](std::size_t i, const RampStep& step) {
+    all.decay[i] = step.decay;
+    all.rate_0[i] = step.rate_0;
+    all.rate_1[i] = step.rate_1;
+    all.angle_p[i] = step.angle_p;
+    all.angle_0[i] = step.angle_0;
+    all.angle_1[i] = step.angle_1;
+  };
+  for (std::size_t i = 0; i < count; i += group) {
+    bool all_small = true;
+    for (std::size_t j = i; j < i + group; ++j) {
+      all_small &= alpha_m2 * damping_per_m2_s[j] * dt_s[j] < small_damping;
+    }
+    if (all_small) {
+      for (std::size_t j = i; j < i + group; ++j) {
+        put(j, small_ramp_step(alpha_m2 * damping_per_m2_s[j] * dt_s[j], dt_s[j]));
+      }
+    } else {
+      for (std::size_t j = i; j < i + group; ++j) {
+        put(j, ramp_step(alpha_m2 * damping_per_m2_s[j], dt_s[j]));
       }
     }
-    all[i] = ramp_step(alpha_m2 * damping_per_m2_s[i], dt_s[i]);
-    ++i;
   }
+}
+
+void write(const std::array<double*, lanes>& columns, std::size_t row, const Four& angle) {
+  for (std::size_t lane = lanes; lane-- > 0;) {
+    columns[lane][row] = angle[lane];
+  }
+}
+
+// Writes the angles before each of the steps, and those behind the last one.
+FANTAIL_AS_WIDE_AS_THE_PROCESSOR
+void advance(const Steps& steps, std::size_t count, const double* input, double* angle_now, double* rate_now,
+             const std::array<double*, lanes>& columns) {
+  Four angle = four_at(angle_now);
+  Four rate = four_at(rate_now);
+  // Strongly damped rates would shrink to the end of a double's range and stay there, where a processor takes several
+  // times as long.
+  constexpr double nothing_rad_s = 1e-200;
+  for (std::size_t lane = 0; lane < lanes; ++lane) {
+    rate[lane] = std::abs(rate[lane]) < nothing_rad_s ? 0.0 : rate[lane];
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    write(columns, i, angle);
+    const RampStep step{.decay = steps.decay[i],
+                        .rate_0 = steps.rate_0[i],
+                        .rate_1 = steps.rate_1[i],
+                        .angle_p = steps.angle_p[i],
+                        .angle_0 = steps.angle_0[i],
+                        .angle_1 = steps.angle_1[i]};
+    const Four before = four_at(&input[i * lanes]);
+    const Four behind = four_at(&input[(i + 1) * lanes]);
+    angle += step.angle_change(rate, before, behind);
+    rate = step.rate_after(rate, before, behind);
+  }
+  write(columns, count, angle);
+  four_at(angle_now) = angle;
+  four_at(rate_now) = rate;
 }
 
 // The free motion's column becomes what is to be explained.
@@ -40,6 +89,36 @@ Eigen::MatrixXd responses(const ResponseBasis& basis, double alpha_m2) {
   const auto free = static_cast<Eigen::Index>(basis.free_column());
   angles.col(free) = basis.measured_rad() - angles.col(free);
   return angles;
+}
+
+// Adds |rest - beta canard_rest| of every row to the sum of each beta. A few rows stay in registers while they go along
+// the axis.
+FANTAIL_AS_WIDE_AS_THE_PROCESSOR
+void add_abs_errors(std::span<double> sums, const double* rest, const double* canard_rest, std::size_t rows,
+                    const Axis& beta_m) {
+  std::vector<double> wide_sums(sums.size() * lanes, 0.0);
+  const std::size_t whole = rows / (2 * lanes) * (2 * lanes);
+  for (std::size_t i = 0; i < whole; i += 2 * lanes) {
+    const Four first_change = beta_m.step * four_at(&canard_rest[i]);
+    const Four second_change = beta_m.step * four_at(&canard_rest[i + lanes]);
+    Four first = four_at(&rest[i]) - beta_m.first * four_at(&canard_rest[i]);
+    Four second = four_at(&rest[i + lanes]) - beta_m.first * four_at(&canard_rest[i + lanes]);
+    for (std::size_t j = 0; j < wide_sums.size(); j += lanes) {
+      four_at(&wide_sums[j]) += magnitude(first) + magnitude(second);
+      first -= first_change;
+      second -= second_change;
+    }
+  }
+  for (std::size_t j = 0; j < sums.size(); ++j) {
+    sums[j] += sum(four_at(&wide_sums[j * lanes]));
+  }
+  for (std::size_t i = whole; i < rows; ++i) {
+    double error = rest[i] - beta_m.first * canard_rest[i];
+    for (double& sum : sums) {
+      sum += std::abs(error);
+      error -= beta_m.step * canard_rest[i];
+    }
+  }
 }
 
 constexpr Eigen::Index canard_side = 0;
@@ -61,26 +140,29 @@ ResponseBasis::ResponseBasis(const Record& record, const Airframe& airframe, con
     damping_per_m2_s_.push_back(0.5 * (equation[i].damping_per_m2_s + equation[i + 1].damping_per_m2_s));
   }
 
-  input_.assign(passes() * samples_, Lanes::Zero());
-  const auto input = [&](std::size_t sample, std::size_t lane) -> double& {
-    return input_[lane / width * samples_ + sample][static_cast<Eigen::Index>(lane % width)];
+  dt_s_.resize(dt_s_.size() + group, 0.0);
+  damping_per_m2_s_.resize(damping_per_m2_s_.size() + group, 0.0);
+
+  input_.assign(passes() * samples_ * lanes, 0.0);
+  const auto add_input = [&](std::size_t sample, std::size_t column, double per_beta) {
+    input_[(column / lanes * samples_ + sample) * lanes + column % lanes] += per_beta;
   };
   for (std::size_t i = 0; i < samples_; ++i) {
     const double authority = equation[i].authority_per_m_s2;
     const NodeShare share = node_share(nodes, record.time_s[i]);
-    input(i, share.left) += authority * (1.0 - share.right_share);
-    input(i, share.right) += authority * share.right_share;
-    input(i, canard_column()) = authority * record.canard_rad[i];
+    add_input(i, share.left, authority * (1.0 - share.right_share));
+    add_input(i, share.right, authority * share.right_share);
+    add_input(i, canard_column(), authority * record.canard_rad[i]);
     if (lag_columns_ > 0) {
-      input(i, lag_column()) = authority * record.canard_rate_rad_s[i];
+      add_input(i, lag_column(), authority * record.canard_rate_rad_s[i]);
     }
   }
 
   for (std::size_t s = 0; s < record.segment_begin.size(); ++s) {
     const std::size_t at = record.segment_begin[s];
-    Reset reset{.sample = at, .start = std::vector<State>(passes(), {.angle = Lanes::Zero(), .rate = Lanes::Zero()})};
-    const auto set = [&reset](Lanes State::* what, std::size_t lane, double value) {
-      (reset.start[lane / width].*what)[static_cast<Eigen::Index>(lane % width)] = value;
+    Reset reset{.sample = at, .start = std::vector<State>(passes(), State{})};
+    const auto set = [&reset](std::array<double, lanes> State::* what, std::size_t column, double value) {
+      (reset.start[column / lanes].*what)[column % lanes] = value;
     };
     if (start == Start::fitted) {
       set(&State::angle, nodes_ + 2 * s, 1.0);
@@ -103,39 +185,17 @@ void ResponseBasis::respond(double alpha_m2, Eigen::MatrixXd& angles) const {
       const std::size_t count = std::min(stretch, last - i);
       fill(steps, alpha_m2, damping_per_m2_s_.data() + i, dt_s_.data() + i, count);
       for (std::size_t pass = 0; pass < passes(); ++pass) {
-        advance(pass, i, {steps.data(), count}, state[pass], angles);
+        // Lanes behind the last column are written into it before it is, and so lost.
+        std::array<double*, lanes> out{};
+        for (std::size_t lane = 0; lane < lanes; ++lane) {
+          out[lane] = &angles(static_cast<Eigen::Index>(i),
+                              static_cast<Eigen::Index>(std::min(pass * lanes + lane, columns() - 1)));
+        }
+        advance(steps, count, &input_[(pass * samples_ + i) * lanes], state[pass].angle.data(), state[pass].rate.data(),
+                out);
       }
     }
   }
-}
-
-// Writes the angles before each of the steps, and those behind the last one.
-void ResponseBasis::advance(std::size_t pass, std::size_t first, std::span<const RampStep> steps, State& state,
-                            Eigen::MatrixXd& angles) const {
-  // Lanes behind the last column are written into it before it is, and so lost.
-  std::array<double*, width> out{};
-  for (std::size_t j = 0; j < width; ++j) {
-    out[j] =
-        &angles(static_cast<Eigen::Index>(first), static_cast<Eigen::Index>(std::min(pass * width + j, columns() - 1)));
-  }
-  const auto write = [&](std::size_t at, const Lanes& angle) {
-    for (std::size_t j = width; j-- > 0;) {
-      out[j][at] = angle[static_cast<Eigen::Index>(j)];
-    }
-  };
-  const Lanes* input = &input_[pass * samples_ + first];
-  Lanes angle = state.angle;
-  // Strongly damped rates would shrink to the end of a double's range and stay there, where a processor takes several
-  // times as long.
-  constexpr double nothing_rad_s = 1e-200;
-  Lanes rate = (state.rate.abs() < nothing_rad_s).select(0.0, state.rate);
-  for (std::size_t i = 0; i < steps.size(); ++i) {
-    write(i, angle);
-    angle += steps[i].angle_change(rate, input[i], input[i + 1]);
-    rate = steps[i].rate_after(rate, input[i], input[i + 1]);
-  }
-  write(steps.size(), angle);
-  state = {.angle = angle, .rate = rate};
 }
 
 AlphaFit::AlphaFit(const ResponseBasis& basis, double alpha_m2)
@@ -164,26 +224,9 @@ SquaresOverBeta AlphaFit::squares_over_beta() const {
 }
 
 std::vector<double> AlphaFit::mean_abs_error_rad(const Axis& beta_m) const {
-  // A few rows at a time stay in registers while they go along the axis.
-  constexpr Eigen::Index together = 8;
-  using Rows = Eigen::Array<double, together, 1>;
   std::vector<double> sums(beta_m.values().size(), 0.0);
-  const auto add = [&](auto error, const auto& change) {
-    for (double& sum : sums) {
-      sum += error.abs().sum();
-      error -= change;
-    }
-  };
-  const Eigen::Index rows = angles_.rows();
-  Eigen::Index i = 0;
-  for (; i + together <= rows; i += together) {
-    const Rows canard = canard_rest().segment<together>(i);
-    add(Rows{rest().segment<together>(i).array() - beta_m.first * canard}, Rows{beta_m.step * canard});
-  }
-  for (; i < rows; ++i) {
-    using Row = Eigen::Array<double, 1, 1>;
-    add(Row{rest()(i) - beta_m.first * canard_rest()(i)}, Row{beta_m.step * canard_rest()(i)});
-  }
+  const auto rows = static_cast<std::size_t>(angles_.rows());
+  add_abs_errors(sums, rest().data(), canard_rest().data(), rows, beta_m);
   for (double& sum : sums) {
     sum /= static_cast<double>(rows);
   }

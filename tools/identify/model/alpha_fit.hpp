@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -8,6 +9,7 @@
 
 #include <Eigen/Core>
 
+#include "identify/model/lanes.hpp"
 #include "identify/model/least_squares.hpp"
 #include "identify/model/roll_equation.hpp"
 #include "identify/model/roll_model.hpp"
@@ -42,29 +44,25 @@ class ResponseBasis {
   [[nodiscard]] const Eigen::VectorXd& measured_rad() const { return measured_rad_; }
 
  private:
-  static constexpr std::size_t width = 4;  // lanes that one pass carries along; two vector registers each
-  using Lanes = Eigen::Array<double, width, 1>;
-
-  struct State {
-    Lanes angle;
-    Lanes rate;
+  struct State {  // of the columns of one pass
+    std::array<double, lanes> angle{};
+    std::array<double, lanes> rate{};
   };
   struct Reset {
     std::size_t sample;
     std::vector<State> start;  // of each pass
   };
-  [[nodiscard]] std::size_t passes() const { return (columns() + width - 1) / width; }
-  void advance(std::size_t pass, std::size_t first, std::span<const RampStep> steps, State& state,
-               Eigen::MatrixXd& angles) const;
+  // So many columns at a time.
+  [[nodiscard]] std::size_t passes() const { return (columns() + lanes - 1) / lanes; }
 
   std::size_t samples_;
   std::size_t nodes_;
   std::size_t initial_columns_;
   std::size_t lag_columns_;
   Eigen::VectorXd measured_rad_;
-  std::vector<double> dt_s_;              // to the next sample
-  std::vector<double> damping_per_m2_s_;  // mean over that step
-  std::vector<Lanes> input_;              // roll acceleration per beta: [pass * samples + sample]
+  std::vector<double> dt_s_;              // to the next sample; behind the last there are zeros, to read four
+  std::vector<double> damping_per_m2_s_;  // mean over that step; likewise
+  std::vector<double> input_;             // roll acceleration per beta: [(pass * samples + sample) * lanes + lane]
   std::vector<Reset> resets_;
 };
 

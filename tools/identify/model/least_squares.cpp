@@ -6,13 +6,14 @@
 
 #include <Eigen/Cholesky>
 
+#include "identify/model/lanes.hpp"
+
 namespace fantail::identify::model {
 namespace {
 
-constexpr Eigen::Index together = 8;  // rows, so that a compiler keeps them in registers
-
 // Rows that are zero from the top on, or a few less.
 Eigen::Index leading_zeros(const Eigen::Ref<const Eigen::VectorXd>& column) {
+  constexpr Eigen::Index together = 8;
   Eigen::Index zeros = 0;
   while (zeros + together <= column.size() && (column.segment<together>(zeros).array() == 0.0).all()) {
     zeros += together;
@@ -20,14 +21,33 @@ Eigen::Index leading_zeros(const Eigen::Ref<const Eigen::VectorXd>& column) {
   return zeros;
 }
 
-// column -= factor * direction
-void subtract(Eigen::Ref<Eigen::VectorXd> column, double factor, const Eigen::Ref<const Eigen::VectorXd>& direction) {
-  Eigen::Index i = 0;
-  for (; i + together <= column.size(); i += together) {
-    column.segment<together>(i) -= factor * direction.segment<together>(i);
+FANTAIL_AS_WIDE_AS_THE_PROCESSOR
+double inner_product(const double* a, const double* b, std::size_t rows) {
+  // Several sums, since each addition waits for the one before it.
+  Four first{};
+  Four second{};
+  Four third{};
+  Four fourth{};
+  std::size_t i = 0;
+  for (; i + 4 * lanes <= rows; i += 4 * lanes) {
+    first += four_at(&a[i]) * four_at(&b[i]);
+    second += four_at(&a[i + lanes]) * four_at(&b[i + lanes]);
+    third += four_at(&a[i + 2 * lanes]) * four_at(&b[i + 2 * lanes]);
+    fourth += four_at(&a[i + 3 * lanes]) * four_at(&b[i + 3 * lanes]);
   }
-  const Eigen::Index rest = column.size() - i;
-  column.tail(rest) -= factor * direction.tail(rest);
+  double all = sum((first + second) + (third + fourth));
+  for (; i < rows; ++i) {
+    all += a[i] * b[i];
+  }
+  return all;
+}
+
+// column -= factor * direction
+FANTAIL_AS_WIDE_AS_THE_PROCESSOR
+void subtract(double* __restrict column, double factor, const double* __restrict direction, std::size_t rows) {
+  for (std::size_t i = 0; i < rows; ++i) {
+    column[i] -= factor * direction[i];
+  }
 }
 
 constexpr double most_damping = 1e12;
@@ -99,11 +119,11 @@ OrthogonalFit::OrthogonalFit(Eigen::Ref<Eigen::MatrixXd> columns, Eigen::Index e
       squared_(explaining),
       left_out_(static_cast<std::size_t>(explaining), false) {
   constexpr double explained_already = 1e-10;
-  const Eigen::Index sides = columns.cols() - explaining;
   for (Eigen::Index k = explaining - 1; k >= 0; --k) {
-    auto lower = columns.bottomRows(columns.rows() - leading_zeros(columns.col(k)));
-    const Eigen::VectorXd in_those_before = lower.leftCols(k + 1).transpose() * lower.col(k);
-    squared_(k) = in_those_before(k);
+    const Eigen::Index zeros = leading_zeros(columns.col(k));
+    const auto rows = static_cast<std::size_t>(columns.rows() - zeros);
+    const auto lower = [&](Eigen::Index column) { return &columns.coeffRef(zeros, column); };
+    squared_(k) = inner_product(lower(k), lower(k), rows);
     double before = squared_(k);
     for (Eigen::Index i = k + 1; i < explaining; ++i) {
       before += parts_(i, k) * parts_(i, k) * squared_(i);
@@ -113,11 +133,10 @@ OrthogonalFit::OrthogonalFit(Eigen::Ref<Eigen::MatrixXd> columns, Eigen::Index e
       columns.col(k).setZero();
       continue;
     }
-    parts_.row(k).head(k) = in_those_before.head(k).transpose() / squared_(k);
-    parts_.row(k).tail(sides) = lower.col(k).transpose() * lower.rightCols(sides) / squared_(k);
     for (Eigen::Index j = 0; j < columns.cols(); ++j) {
       if (j < k || j >= explaining) {
-        subtract(lower.col(j), parts_(k, j), lower.col(k));
+        parts_(k, j) = inner_product(lower(k), lower(j), rows) / squared_(k);
+        subtract(lower(j), parts_(k, j), lower(k), rows);
       }
     }
   }

@@ -56,32 +56,29 @@ struct RollEquation {
 // phi2 = (1 - phi1) / x and phi3 = (1/2 - phi2) / x, which are summed as series where the quotients would cancel.
 
 /// The step when the acceleration runs straight from g0 to g1 (rad/s2), as between two samples of a log.
-template <typename Number>
-struct RampStepOf {
-  Number decay;
-  Number rate_0;   ///< s
-  Number rate_1;   ///< s
-  Number angle_p;  ///< s
-  Number angle_0;  ///< s2
-  Number angle_1;  ///< s2
+struct RampStep {
+  double decay;
+  double rate_0;   ///< s
+  double rate_1;   ///< s
+  double angle_p;  ///< s
+  double angle_0;  ///< s2
+  double angle_1;  ///< s2
 
   // What of the step waits for the state, and what does not, are added up apart: states come one behind the other.
+  // Inlined, because a state may be as many numbers as only some processors hand over in a register.
   template <typename State>
-  [[nodiscard]] State angle_change(const State& rate, const State& g0, const State& g1) const {
+  [[nodiscard, gnu::always_inline]] State angle_change(const State& rate, const State& g0, const State& g1) const {
     return angle_p * rate + (angle_0 * g0 + angle_1 * g1);
   }
   template <typename State>
-  [[nodiscard]] State rate_after(const State& rate, const State& g0, const State& g1) const {
+  [[nodiscard, gnu::always_inline]] State rate_after(const State& rate, const State& g0, const State& g1) const {
     return decay * rate + (rate_0 * g0 + rate_1 * g1);
   }
 };
-using RampStep = RampStepOf<double>;
 
 namespace detail {
 
-template <typename Number>
-[[nodiscard]] RampStepOf<Number> ramp_step(const Number& decay, const Number& phi1, const Number& phi2,
-                                           const Number& phi3, const Number& dt_s) {
+[[nodiscard]] inline RampStep ramp_step(double decay, double phi1, double phi2, double phi3, double dt_s) {
   return {.decay = decay,
           .rate_0 = dt_s * (phi1 - phi2),
           .rate_1 = dt_s * phi2,
@@ -95,11 +92,10 @@ template <typename Number>
 /// Below this x the quotients of ramp_step() cancel to nothing.
 inline constexpr double small_damping = 0.25;
 
-/// For small x. Also for arrays of numbers, several steps at a time.
-template <typename Number>
-[[nodiscard]] RampStepOf<Number> small_ramp_step(const Number& x, const Number& dt_s) {
+/// For small x. Without branches, so that a compiler makes several steps at a time.
+[[nodiscard]] inline RampStep small_ramp_step(double x, double dt_s) {
   // phi3 is summed as a series and the others follow from it.
-  Number phi3 = 1.0 / 3628800.0 - x * (1.0 / 39916800.0);
+  double phi3 = 1.0 / 3628800.0 - x * (1.0 / 39916800.0);
   phi3 = 1.0 / 362880.0 - x * phi3;
   phi3 = 1.0 / 40320.0 - x * phi3;
   phi3 = 1.0 / 5040.0 - x * phi3;
@@ -107,9 +103,9 @@ template <typename Number>
   phi3 = 1.0 / 120.0 - x * phi3;
   phi3 = 1.0 / 24.0 - x * phi3;
   phi3 = 1.0 / 6.0 - x * phi3;
-  const Number phi2 = 0.5 - x * phi3;
-  const Number phi1 = 1.0 - x * phi2;
-  return detail::ramp_step<Number>(1.0 - x * phi1, phi1, phi2, phi3, dt_s);
+  const double phi2 = 0.5 - x * phi3;
+  const double phi1 = 1.0 - x * phi2;
+  return detail::ramp_step(1.0 - x * phi1, phi1, phi2, phi3, dt_s);
 }
 
 /// damping_rate_per_s and dt_s not negative.
