@@ -19,7 +19,7 @@ class SysTick final : public Stopwatch {
 
   [[nodiscard]] std::uint32_t counts() override;
 
-  /// Sleeps until the next interrupt. Says how many have come since the last call: 1, or more when time was short.
+  /// Waits for the next interrupt. Says how many have come since the last call: 1, or more when time was short.
   [[nodiscard]] std::uint32_t wait();
 
   /// By the interrupt.
