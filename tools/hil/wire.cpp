@@ -51,19 +51,13 @@ bool Descriptor::write(std::span<const std::byte> bytes) const {
 }
 
 std::optional<std::size_t> Descriptor::read(std::span<std::byte> out, std::chrono::milliseconds at_most) const {
-  for (bool waited = false;; waited = true) {
-    const ssize_t count = ::read(number_, out.data(), out.size());
-    if (count > 0) {
-      return static_cast<std::size_t>(count);
-    }
-    if (count == 0 || !would_wait()) {
-      return std::nullopt;
-    }
-    if (waited) {
-      return 0;
-    }
-    wait_for(number_, POLLIN, at_most);
+  // Waits first: who reads has just asked, and nothing has come yet.
+  wait_for(number_, POLLIN, at_most);
+  const ssize_t count = ::read(number_, out.data(), out.size());
+  if (count > 0) {
+    return static_cast<std::size_t>(count);
   }
+  return count < 0 && would_wait() ? std::optional<std::size_t>{0} : std::nullopt;
 }
 
 std::pair<Descriptor, Descriptor> make_pipe() {
