@@ -10,54 +10,46 @@ struct Registers {
   volatile std::uint32_t value;
 };
 constexpr std::uint32_t enable = 1U << 0U;
-constexpr std::uint32_t interrupt = 1U << 1U;
 constexpr std::uint32_t processor_clock = 1U << 2U;
 constexpr std::uint32_t longest_period = 1U << 24U;
 
 Registers& registers() { return *reinterpret_cast<Registers*>(0xE000E010); }
 
-volatile std::uint32_t passed = 0;
-std::uint32_t period_now = longest_period;
+// Some 400 instructions, which take QEMU hardly longer than one: it translates and counts them together.
+void do_nothing() { __asm volatile(".rept 400\n nop\n .endr"); }
 
 }  // namespace
 
-SysTick::SysTick(Use use, std::uint32_t period) : use_{use} {
-  period_now = use == Use::free ? longest_period : period;
+SysTick::SysTick(std::uint32_t period) : period_{period} {
   registers().control = 0;
-  registers().reload = period_now - 1;
+  registers().reload = longest_period - 1;
   registers().value = 0;
-  registers().control = enable | processor_clock | (use == Use::pace ? interrupt : 0U);
+  registers().control = enable | processor_clock;
 }
 
 std::uint32_t SysTick::counts() {
-  if (use_ == Use::free) {
-    const std::uint32_t now = registers().value;
-    total_ += (last_ - now) & (longest_period - 1);
-    last_ = now;
-    return total_;
-  }
+  const std::uint32_t now = registers().value;
+  total_ += (last_ - now) & (longest_period - 1);
+  last_ = now;
+  return total_;
+}
+
+// Neither by an interrupt nor asleep: for each of them QEMU wakes another of its threads, and a processor that sleeps
+// (WFI) is woken by that thread again. That would be ten changes between threads in every millisecond.
+std::uint32_t SysTick::wait() {
+  // Of do_nothing(), at 8 ns an instruction; fewer in truth, so that the end of the period is approached from below.
+  constexpr std::uint32_t most_counts = 1024;
   for (;;) {
-    const std::uint32_t before = passed;
-    const std::uint32_t value = registers().value;
-    if (before == passed) {
-      return before * period_now + (period_now - 1 - value);
+    const std::uint32_t passed = counts() - period_begin_;
+    if (passed >= period_) {
+      const std::uint32_t periods = passed / period_;
+      period_begin_ += periods * period_;
+      return periods;
+    }
+    for (std::uint32_t rounds = (period_ - passed) / most_counts + 1; rounds > 0; --rounds) {
+      do_nothing();
     }
   }
 }
-
-// Not by sleeping: for a processor that sleeps (WFI) QEMU wakes another of its threads, which moves the clock on and
-// wakes the processor's again. That is six more changes between threads in every millisecond. A long run of
-// instructions that do nothing is hardly more work for it than one instruction: it counts them all at once.
-std::uint32_t SysTick::wait() {
-  while (passed == seen_) {
-    __asm volatile(".rept 400\n nop\n .endr");
-  }
-  const std::uint32_t now = passed;
-  const std::uint32_t count = now - seen_;
-  seen_ = now;
-  return count;
-}
-
-void SysTick::pass() { passed = passed + 1; }
 
 }  // namespace fantail::hal::emulator

@@ -53,7 +53,7 @@ const core::TickRecord& __wrap__ZN7fantail4core9Autopilot4stepERKNS0_6InputsE(co
 }
 
 int main() {
-  static SysTick clock{SysTick::Use::free, 0};
+  static SysTick clock;
   clock.find_cost();
   clock_now = &clock;
   static hal::emulator::SemihostingChannel channel;

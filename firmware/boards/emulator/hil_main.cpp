@@ -54,7 +54,7 @@ int main() {
   port = &console;
   board::nvic().iser[usart_1_interrupt / 32U].write(1U << (usart_1_interrupt % 32U));
   static boards::emulator::UsartChannel channel{console};
-  static hal::emulator::SysTick stopwatch{hal::emulator::SysTick::Use::free, 0};
+  static hal::emulator::SysTick stopwatch;
   static constexpr boards::emulator::Measured measured{};
   static boards::emulator::Target target{channel, stopwatch, "fantail-hil", measured};
   for (;;) {

@@ -8,7 +8,7 @@
 using namespace fantail;  // NOLINT
 using hal::emulator::SysTick;
 
-extern "C" void systick_handler() { SysTick::pass(); }
+extern "C" void systick_handler() {}
 
 extern "C" void crash_handler() {
   hal::emulator::semihosting::say("the emulated processor crashed\n");
@@ -17,7 +17,7 @@ extern "C" void crash_handler() {
 
 int main() {
   constexpr std::uint32_t counts_per_millisecond = 168'000;
-  static SysTick clock{SysTick::Use::pace, counts_per_millisecond};
+  static SysTick clock{counts_per_millisecond};
   static hal::emulator::SemihostingChannel channel;
   static constexpr boards::emulator::Measured measured{};
   static boards::emulator::Target target{channel, clock, "fantail-emulator", measured};
