@@ -15,8 +15,8 @@ constexpr std::uint32_t longest_period = 1U << 24U;
 
 Registers& registers() { return *reinterpret_cast<Registers*>(0xE000E010); }
 
-// Some 400 instructions, which take QEMU hardly longer than one: it translates and counts them together.
-void do_nothing() { __asm volatile(".rept 400\n nop\n .endr"); }
+// Some 2000 instructions, which take QEMU hardly longer than one: it translates and counts them together.
+void do_nothing() { __asm volatile(".rept 2000\n nop\n .endr"); }
 
 }  // namespace
 
@@ -38,7 +38,7 @@ std::uint32_t SysTick::counts() {
 // (WFI) is woken by that thread again. That would be ten changes between threads in every millisecond.
 std::uint32_t SysTick::wait() {
   // Of do_nothing(), at 8 ns an instruction; fewer in truth, so that the end of the period is approached from below.
-  constexpr std::uint32_t most_counts = 1024;
+  constexpr std::uint32_t most_counts = 4096;
   for (;;) {
     const std::uint32_t passed = counts() - period_begin_;
     if (passed >= period_) {
