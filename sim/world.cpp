@@ -2,7 +2,6 @@
 #include "sim/world.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstring>
 #include <string>
@@ -42,17 +41,15 @@ ServoFault servo_fault(FaultKind kind) {
 
 // Many bytes at a time: nearly all of a large flash is blank, and byte by byte that would take as long as the flight.
 std::span<const std::byte> without_blank_end(std::span<const std::byte> cells) {
-  constexpr static std::byte erased{0xFF};
-  constexpr static auto blank = [] {
-    std::array<std::byte, 4096> all{};
-    all.fill(erased);
-    return all;
-  }();
-  while (cells.size() >= blank.size() &&
-         std::memcmp(cells.last<blank.size()>().data(), blank.data(), blank.size()) == 0) {
-    cells = cells.first(cells.size() - blank.size());
+  constexpr std::size_t together = 4096;
+  const auto is_blank = [](std::byte cell) { return cell == std::byte{0xFF}; };
+  const auto all_as_the_first = [](std::span<const std::byte> part) {
+    return std::memcmp(part.data(), part.data() + 1, part.size() - 1) == 0;
+  };
+  while (cells.size() >= together && is_blank(cells.back()) && all_as_the_first(cells.last(together))) {
+    cells = cells.first(cells.size() - together);
   }
-  const auto last = std::ranges::find_if(cells.rbegin(), cells.rend(), [](std::byte b) { return b != erased; });
+  const auto last = std::find_if_not(cells.rbegin(), cells.rend(), is_blank);
   return cells.first(static_cast<std::size_t>(cells.rend() - last));
 }
 
