@@ -2,6 +2,7 @@
 #include "core/chirp.hpp"
 
 #include <algorithm>
+#include <bit>
 
 #include "core/trig.hpp"
 
@@ -22,48 +23,50 @@ float draw_uniform(std::uint32_t seed, std::uint32_t stream, std::uint32_t index
   return static_cast<float>(h >> 8U) * (1.0F / 8388608.0F) - 1.0F;
 }
 
-struct Divided {
-  std::uint64_t quotient;
-  std::uint64_t remainder;
-};
-
 // A number below 2^60 by 2^twos * odd. A 64-bit division is a call of 150 instructions on the Cortex-M4: this is long
 // division in digits of 18 bits, so that a remainder and the next digit share 32 bits.
 template <unsigned twos, std::uint32_t odd>
-Divided divide(std::uint64_t number) {
+std::uint64_t divide(std::uint64_t number) {
   static_assert(twos >= 3 && odd < 1U << 14U);
   constexpr std::uint32_t digit = (1U << 18U) - 1U;
   const std::uint64_t dividend = number >> twos;
   const auto first = static_cast<std::uint32_t>(dividend >> 36U);
   const std::uint32_t second = (first % odd) << 18U | (static_cast<std::uint32_t>(dividend >> 18U) & digit);
   const std::uint32_t third = (second % odd) << 18U | (static_cast<std::uint32_t>(dividend) & digit);
-  return {.quotient = std::uint64_t{first / odd} << 36U | std::uint64_t{second / odd} << 18U | third / odd,
-          .remainder = (third % odd) << twos | (static_cast<std::uint32_t>(number) & ((1U << twos) - 1U))};
+  return std::uint64_t{first / odd} << 36U | std::uint64_t{second / odd} << 18U | third / odd;
 }
 
-Divided by_a_million(std::uint64_t number) { return divide<6, 15625>(number); }
+std::uint64_t by_a_million(std::uint64_t number) { return divide<6, 15625>(number); }
 
 std::uint64_t magnitude(std::int64_t number) { return static_cast<std::uint64_t>(number < 0 ? -number : number); }
 
 std::int64_t by_a_thousand(std::int64_t number) {
-  const auto quotient = static_cast<std::int64_t>(divide<3, 125>(magnitude(number)).quotient);
+  const auto quotient = static_cast<std::int64_t>(divide<3, 125>(magnitude(number)));
   return number < 0 ? -quotient : quotient;
 }
 
+// The nearest one to a number below 2^63. A conversion of 64 bits is a call on the Cortex-M4, of 32 bits one
+// instruction; a last bit that says whether anything was cut off makes it round as the whole number would.
+float to_float(std::uint64_t number) {
+  const int cut = std::bit_width(static_cast<std::uint32_t>(number >> 32U));
+  const std::uint32_t scale = 1U << cut;
+  const std::uint32_t rest = static_cast<std::uint32_t>(number) & (scale - 1U);
+  return static_cast<float>(static_cast<std::uint32_t>(number >> cut) | (rest != 0 ? 1U : 0U)) *
+         static_cast<float>(scale);
+}
+
 // Turns of the phase frequency * t without the whole turns, in integers: over minutes a float phase keeps no usable
-// fraction. Valid below 30 kHz and for 0 <= t <= 1 h (the sums then stay below 2^60).
+// fraction. Valid below 30 kHz and for 0 <= t <= 1 h (the product then has 87 bits).
 float fraction_of_turns(std::int64_t frequency_phz, Microseconds t) {
-  constexpr std::uint32_t million = 1'000'000;
-  constexpr float turn = 1e12F;
+  constexpr std::uint64_t turn = 1'000'000'000'000'000'000;  // pHz us
+  constexpr std::uint64_t turns_in_2_to_the_88 = (std::uint64_t{1} << 60U) / (turn >> 28U);
+  const std::uint64_t frequency = magnitude(frequency_phz);
   const auto since_us = static_cast<std::uint32_t>(t.count());
-  const std::uint32_t whole_s = since_us / million;
-  const std::uint32_t rest_us = since_us % million;
-  const Divided frequency = by_a_million(magnitude(frequency_phz));
-  const std::uint64_t below_1_hz_phz = by_a_million(frequency.quotient).remainder * million + frequency.remainder;
-  const Divided phase = by_a_million(below_1_hz_phz * whole_s + frequency.quotient * rest_us +
-                                     by_a_million(frequency.remainder * rest_us).quotient);
-  const auto fraction = static_cast<std::int64_t>(by_a_million(phase.quotient).remainder * million + phase.remainder);
-  return static_cast<float>(frequency_phz < 0 ? -fraction : fraction) / turn;
+  const std::uint64_t upper_55_bits = (frequency >> 32U) * since_us + ((frequency & UINT32_MAX) * since_us >> 32U);
+  const std::uint64_t whole_turns = (upper_55_bits >> 24U) * turns_in_2_to_the_88 >> 32U;  // or one fewer
+  const std::uint64_t phase = frequency * since_us - whole_turns * turn;                   // below two turns
+  const float fraction = to_float(by_a_million(phase < turn ? phase : phase - turn)) / 1e12F;
+  return frequency_phz < 0 ? 0.0F - fraction : fraction;
 }
 
 }  // namespace

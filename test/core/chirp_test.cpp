@@ -3,13 +3,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <cstdlib>
 #include <functional>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include "core/flight_plan_fields.hpp"
+#include "core/trig.hpp"
 
 namespace fantail::core {
 namespace {
@@ -81,6 +85,33 @@ TEST(Chirp, ProductFormKeepsItsPhaseToTheEndOfTheLongestPlan) {
   plan.product_slope_hz_s = 50.0F;
   plan.product_offset_hz = -50.0F;
   EXPECT_LT(largest_error_deg(plan, [](double t) { return std::fmod((50.0 * t - 50.0) * t, 1.0); }), 1e-4);
+}
+
+// Frequency times time in whole numbers, split at the second so that 64 bits hold it, and rounded once.
+float turns_of(std::int64_t frequency_phz, std::int64_t time_us) {
+  constexpr std::int64_t million = 1'000'000;
+  constexpr std::int64_t turn = million * million;
+  const std::int64_t frequency = std::abs(frequency_phz);
+  const std::int64_t rest_us = time_us % million;
+  const std::int64_t phase =
+      frequency % turn * (time_us / million) + frequency / million * rest_us + frequency % million * rest_us / million;
+  return static_cast<float>(frequency_phz < 0 ? -(phase % turn) : phase % turn) / 1e12F;
+}
+
+TEST(Chirp, PhaseIsThatOfWholeNumbersToTheLastBit) {
+  ExcitationPlan plan = published(ExcitationForm::product);
+  plan.begin = Microseconds{0};
+  plan.end = Microseconds{3'600'000'000};
+  for (const auto& [offset_hz, slope_hz_s] : {std::pair{0.0F, 0.0F}, {-10.0F, 2.0F}, {0.25F, 0.0F}, {-50.0F, 8.0F}}) {
+    plan.product_offset_hz = offset_hz;
+    plan.product_slope_hz_s = slope_hz_s;
+    Chirp chirp{plan};
+    for (std::int64_t t = 0; t < plan.end.count(); t += 1'000'003 * (1 + t / 100'000'000)) {
+      const std::int64_t frequency_phz = millionths(offset_hz) * 1'000'000 + millionths(slope_hz_s) * t;
+      const float expected_rad = plan.amplitude.radians() * sin_turns(turns_of(frequency_phz, t));
+      ASSERT_EQ(chirp.update(Microseconds{t}).radians(), expected_rad) << t << " us, from " << offset_hz << " Hz";
+    }
+  }
 }
 
 TEST(Chirp, SweepRunsEvenlyFromTwoToTenHertzWithAContinuousPhase) {
