@@ -32,13 +32,11 @@ Autopilot::Autopilot(const FlightPlan& plan)
 
 // Every signal of the record is written in every step: nothing of the last one stays.
 const TickRecord& Autopilot::step(const Inputs& inputs) {
-  count_overruns(inputs.time);
   TickRecord& record = record_;
   record.time = inputs.time;
-  record.timing_fault = is_timing_fault(inputs.time);
+  record.timing_fault = watch_clock(inputs.time);
   record.overruns = overruns_;
   record.encoders = inputs.encoders;
-  last_time_ = inputs.time;
 
   motion_estimator_.update(inputs);
   record.motion = motion_estimator_.motion(inputs.time);
@@ -69,12 +67,12 @@ const TickRecord& Autopilot::step(const Inputs& inputs) {
     stay_neutral(CommandStatus::outside_control);
   }
 
-  record.canards = canard_mixer_.mix(inputs.time, record.command,
-                                     record.phase == Phase::safe ? inputs.canard_request : no_request, inputs.encoders);
+  canard_mixer_.mix(inputs.time, record.command, record.phase == Phase::safe ? inputs.canard_request : no_request,
+                    inputs.encoders, record.canards);
   record.canard_angle = canard_mixer_.canard_angle(inputs.encoders);
 
   record.verdicts = canard_monitor_.update(inputs.time, record.canards, inputs.encoders);
-  canard_fault_ = std::ranges::any_of(record.verdicts, [](auto v) { return v != CanardVerdict::healthy; });
+  canard_fault_ = !all_healthy(record.verdicts);
   return record;
 }
 
@@ -123,21 +121,19 @@ void Autopilot::enter_phase(Microseconds time, Phase from, Phase to) {
 }
 
 // From the times alone, so that a replay counts the same. A tick that is late by half a period at most has come.
-void Autopilot::count_overruns(Microseconds time) {
-  if (!last_time_ || time - *last_time_ <= tick_period * 3 / 2) {
-    return;
+bool Autopilot::watch_clock(Microseconds time) {
+  const Microseconds elapsed = last_time_ ? time - *last_time_ : tick_period;
+  last_time_ = time;
+  if (elapsed > tick_period * 3 / 2) {
+    const std::int64_t missed = (elapsed - Microseconds{1} + tick_period / 2) / tick_period - 1;
+    const std::int64_t most = std::numeric_limits<std::uint32_t>::max() - overruns_;
+    overruns_ += static_cast<std::uint32_t>(std::min(missed, most));
   }
-  const std::int64_t missed = (time - *last_time_ - Microseconds{1} + tick_period / 2) / tick_period - 1;
-  const std::int64_t most = std::numeric_limits<std::uint32_t>::max() - overruns_;
-  overruns_ += static_cast<std::uint32_t>(std::min(missed, most));
-}
-
-bool Autopilot::is_timing_fault(Microseconds time) const {
   const Phase phase = flight_phase_.phase();
   const bool flies = phase == Phase::launched || phase == Phase::controlling;
   // Each one spoils rate and angle a little, and a loop that keeps failing is not the one that was tested.
   const bool too_many = flies && overruns_ - overruns_before_flight_ > overrun_limit_;
-  return too_many || (last_time_ && (time <= *last_time_ || time - *last_time_ > longest_tick));
+  return too_many || elapsed <= Microseconds{0} || elapsed > longest_tick;
 }
 
 }  // namespace fantail::core

@@ -48,8 +48,8 @@ class Autopilot {
   }
 
  private:
-  void count_overruns(Microseconds time);
-  [[nodiscard]] bool is_timing_fault(Microseconds time) const;
+  /// Counts the ticks that did not come; true when this one came at a time that makes it doubtful.
+  [[nodiscard]] bool watch_clock(Microseconds time);
   void enter_phase(Microseconds time, Phase from, Phase to);
   void control(Microseconds since_control_start);
   void stay_neutral(CommandStatus why);

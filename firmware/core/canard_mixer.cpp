@@ -26,9 +26,9 @@ CanardMixer::CanardMixer(const CanardsPlan& plan, Angle plan_limit)
   }
 }
 
-const CanardCommands& CanardMixer::mix(Microseconds time, Angle roll_command,
-                                       const std::optional<std::array<Angle, canard_count>>& requested,
-                                       const EncoderAngles& encoders) {
+void CanardMixer::mix(Microseconds time, Angle roll_command,
+                      const std::optional<std::array<Angle, canard_count>>& requested, const EncoderAngles& encoders,
+                      CanardCommands& commands) {
   if (!power_up_) {
     power_up_ = time;
     last_time_ = time;
@@ -37,18 +37,21 @@ const CanardCommands& CanardMixer::mix(Microseconds time, Angle roll_command,
   const Microseconds elapsed = std::max(time - last_time_, Microseconds{0});
   last_time_ = time;
   for (std::size_t i = 0; i < canard_count; ++i) {
-    const Canard& canard = canards_[i];
+    Canard& canard = canards_[i];
     const Angle wanted = requested ? (*requested)[i] : canard.sense * roll_command + canard.trim;
-    drive(time, elapsed, i, is_finite(wanted.radians()) ? wanted : canard.trim, encoders[i]);
+    drive(time, elapsed, canard, wanted, encoders[i], commands[i]);
   }
-  return commands_;
 }
 
-void CanardMixer::drive(Microseconds time, Microseconds elapsed, std::size_t i, Angle wanted,
-                        const std::optional<Angle>& encoder) {
-  Canard& canard = canards_[i];
-  CanardCommand& command = commands_[i];
-  Angle angle = clamp(wanted, canard.limit);
+void CanardMixer::drive(Microseconds time, Microseconds elapsed, Canard& canard, Angle wanted,
+                        const std::optional<Angle>& encoder, CanardCommand& command) const {
+  Angle angle = wanted;
+  bool limited = false;
+  if (!(abs(wanted) <= canard.limit)) {  // seldom; what is no number is not within it either
+    wanted = is_finite(wanted.radians()) ? wanted : canard.trim;
+    angle = clamp(wanted, canard.limit);
+    limited = angle != wanted;
+  }
   if (!canard.first_motion_done) {
     if (!canard.position) {
       start_from_encoder(time, canard, encoder, angle);
@@ -58,11 +61,12 @@ void CanardMixer::drive(Microseconds time, Microseconds elapsed, std::size_t i, 
       return;
     }
     angle = approach(elapsed, canard, angle);
+    limited = angle != wanted;
   }
   command.angle = angle;
   command.pulse_us = canard.pulse_centre_us + canard.pulse_per_radian_us * angle.radians();
   command.driven = true;
-  command.limited = angle != wanted;
+  command.limited = limited;
 }
 
 void CanardMixer::start_from_encoder(Microseconds time, Canard& canard, const std::optional<Angle>& encoder,

@@ -29,11 +29,10 @@ class CanardMixer {
  public:
   CanardMixer(const CanardsPlan& plan, Angle plan_limit);
 
-  /// `requested` shaft angles replace the mixed ones (self-test, bench). A request that is not finite means trim. The
-  /// commands stay valid until the next call.
-  const CanardCommands& mix(Microseconds time, Angle roll_command,
-                            const std::optional<std::array<Angle, canard_count>>& requested,
-                            const EncoderAngles& encoders);
+  /// `requested` shaft angles replace the mixed ones (self-test, bench). A request that is not finite means trim. All
+  /// of `commands` is written, in its place: a copy in every tick would cost as much as one canard.
+  void mix(Microseconds time, Angle roll_command, const std::optional<std::array<Angle, canard_count>>& requested,
+           const EncoderAngles& encoders, CanardCommands& commands);
 
   /// Mean of direction * (encoder - trim) over the encoders that can be read (Eq 33); empty when none can.
   [[nodiscard]] std::optional<Angle> canard_angle(const EncoderAngles& encoders) const;
@@ -63,8 +62,8 @@ class CanardMixer {
     }
   };
 
-  void drive(Microseconds time, Microseconds elapsed, std::size_t canard, Angle wanted,
-             const std::optional<Angle>& encoder);
+  void drive(Microseconds time, Microseconds elapsed, Canard& canard, Angle wanted, const std::optional<Angle>& encoder,
+             CanardCommand& command) const;
   void start_from_encoder(Microseconds time, Canard& canard, const std::optional<Angle>& encoder, Angle target) const;
   [[nodiscard]] Angle approach(Microseconds elapsed, Canard& canard, Angle target) const;
 
@@ -72,7 +71,6 @@ class CanardMixer {
   std::array<Canard, canard_count> canards_;
   std::optional<Microseconds> power_up_;
   Microseconds last_time_{};
-  CanardCommands commands_;  // no state: made anew in every tick
 };
 
 }  // namespace fantail::core

@@ -32,13 +32,13 @@ CanardMonitor::CanardMonitor(const MonitorPlan& monitor, const CanardsPlan& cana
   }
 }
 
-const std::array<CanardVerdict, canard_count>& CanardMonitor::update(Microseconds time, const CanardCommands& commands,
-                                                                     const EncoderAngles& encoders) {
-  Tick tick{.time = time, .elapsed = up_to(longest_tick, time - last_time_.value_or(time))};
+const CanardVerdicts& CanardMonitor::update(Microseconds time, const CanardCommands& commands,
+                                            const EncoderAngles& encoders) {
+  const Microseconds elapsed = up_to(longest_tick, time - last_time_.value_or(time));
   last_time_ = time;
-  if (tick.elapsed != share_of_) {  // one tick is as long as the other
-    share_of_ = tick.elapsed;
-    moved_share_ = lag_fraction(seconds(tick.elapsed) / servo_lag_s_);
+  if (elapsed != share_of_) {  // one tick is as long as the other
+    share_of_ = elapsed;
+    moved_share_ = lag_fraction(seconds(elapsed) / servo_lag_s_);
   }
   bool all_in_order = true;
   Angle lowest = Angle::from_radians(std::numeric_limits<float>::infinity());  // an empty range, in which all agree
@@ -53,15 +53,24 @@ const std::array<CanardVerdict, canard_count>& CanardMonitor::update(Microsecond
     }
   }
   // Told from the two outermost: then no canard stands apart from any middle.
-  tick.all_agree = highest - lowest <= plan_.disagreement_limit;
-  if (all_in_order && tick.all_agree) {  // the usual case
+  const bool all_agree = highest - lowest <= plan_.disagreement_limit;
+  if (all_in_order && all_agree) {  // the usual case
     verdicts_.fill(CanardVerdict::healthy);
-    return verdicts_;
+  } else {
+    Tick tick{.time = time, .elapsed = elapsed, .all_agree = all_agree};
+    judge_all(tick, encoders);
+  }
+  return verdicts_;
+}
+
+// Called, not written in: the usual case would have fewer registers.
+[[gnu::noinline]] void CanardMonitor::judge_all(Tick& tick, const EncoderAngles& encoders) {
+  if (!tick.all_agree) {
+    sort_departures(tick);
   }
   for (std::size_t i = 0; i < canard_count; ++i) {
     verdicts_[i] = judge(tick, i, encoders[i]);
   }
-  return verdicts_;
 }
 
 void CanardMonitor::bridge() {
@@ -88,12 +97,14 @@ void CanardMonitor::follow(Channel& channel, float moved_share, const CanardComm
   }
   if (channel.expected) {
     const Angle remaining = command.angle - *channel.expected;
-    *channel.expected = abs(remaining) < arrived ? command.angle : *channel.expected + moved_share * remaining;
+    const Angle expected = abs(remaining) < arrived ? command.angle : *channel.expected + moved_share * remaining;
+    *channel.expected = expected;
+    if (is_readable) {
+      channel.departure = channel.sense * (*encoder - expected);
+    }
   } else if (is_readable) {
     channel.expected = encoder;
-  }
-  if (is_readable) {
-    channel.departure = channel.sense * (*encoder - *channel.expected);
+    channel.departure = Angle{};
   }
 }
 
@@ -118,7 +129,7 @@ CanardVerdict CanardMonitor::judge(const Tick& tick, std::size_t canard, const s
 }
 
 CanardVerdict CanardMonitor::judge_departure(const Tick& tick, Channel& channel, Angle encoder) const {
-  const bool is_apart = !tick.all_agree && stands_apart(channel);
+  const bool is_apart = !tick.all_agree && stands_apart(tick, channel.departure);
   if (is_in_order(channel) && !is_apart) {
     return CanardVerdict::healthy;
   }
@@ -135,27 +146,33 @@ CanardVerdict CanardMonitor::judge_departure(const Tick& tick, Channel& channel,
   return apart ? CanardVerdict::disagreeing : CanardVerdict::healthy;
 }
 
-// Against the middle of the others, so that one bad canard does not make its neighbours look bad. The middle of two is
-// all that lies between them; one other alone cannot say which of the two is right.
-bool CanardMonitor::stands_apart(const Channel& channel) const {
-  std::array<Angle, canard_count - 1> others{};  // sorted
-  std::size_t count = 0;
-  for (const Channel& other : channels_) {
-    if (&other == &channel || !other.comparable) {
+void CanardMonitor::sort_departures(Tick& tick) const {
+  for (const Channel& channel : channels_) {
+    if (!channel.comparable) {
       continue;
     }
-    std::size_t place = count++;
-    for (; place > 0 && others[place - 1] > other.departure; --place) {
-      others[place] = others[place - 1];
+    std::size_t place = tick.compared++;
+    for (; place > 0 && tick.sorted[place - 1] > channel.departure; --place) {
+      tick.sorted[place] = tick.sorted[place - 1];
     }
-    others[place] = other.departure;
+    tick.sorted[place] = channel.departure;
   }
-  if (count < 2) {
+}
+
+// Against the middle of the others, so that one bad canard does not make its neighbours look bad. The middle of two is
+// all that lies between them; one other alone cannot say which of the two is right.
+bool CanardMonitor::stands_apart(const Tick& tick, Angle departure) const {
+  if (tick.compared < 3) {
     return false;
   }
-  const Angle own = channel.departure;
-  const Angle middle = std::clamp(own, others[(count - 1) / 2], others[count / 2]);
-  return abs(own - middle) > plan_.disagreement_limit;
+  const std::size_t others = tick.compared - 1;
+  std::size_t own = 0;
+  while (own < others && tick.sorted[own] != departure) {
+    ++own;
+  }
+  const auto other = [&](std::size_t i) { return tick.sorted[i < own ? i : i + 1]; };
+  const Angle limit = plan_.disagreement_limit;
+  return other((others - 1) / 2) - departure > limit || departure - other(others / 2) > limit;
 }
 
 bool CanardMonitor::lasts(Persistence& persistence, bool condition, Microseconds elapsed) const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -21,6 +22,14 @@ enum class CanardVerdict : std::uint8_t {
 };
 inline constexpr std::size_t canard_verdicts = 5;
 
+using CanardVerdicts = std::array<CanardVerdict, canard_count>;
+
+/// At once, as the word that the four are: in a loop it would be six instructions a canard.
+[[nodiscard]] constexpr bool all_healthy(const CanardVerdicts& verdicts) {
+  static_assert(static_cast<std::uint8_t>(CanardVerdict::healthy) == 0);
+  return std::bit_cast<std::uint32_t>(verdicts) == 0;
+}
+
 /// Compares each canard's command with its encoder. The command first passes a model of the servo (a first-order lag),
 /// so that fast excitation is not mistaken for a fault. A difference must last for the plan's hold, and twice the time
 /// it was gone in between counts against it: a canard stuck in the middle of an excitation is right twice a wave, and a
@@ -30,8 +39,7 @@ class CanardMonitor {
  public:
   CanardMonitor(const MonitorPlan& monitor, const CanardsPlan& canards);
 
-  const std::array<CanardVerdict, canard_count>& update(Microseconds time, const CanardCommands& commands,
-                                                        const EncoderAngles& encoders);
+  const CanardVerdicts& update(Microseconds time, const CanardCommands& commands, const EncoderAngles& encoders);
 
   /// Nobody called update() for a while, and the servos may have had no pulses: each canard is expected where its
   /// encoder is next seen, and no encoder has been silent. Verdicts stay as they are judged.
@@ -80,21 +88,26 @@ class CanardMonitor {
     Microseconds time{};
     Microseconds elapsed{};
     bool all_agree = false;
+    // Unless all agree: the departures of those that can be compared, lowest first.
+    std::array<Angle, canard_count> sorted{};
+    std::size_t compared = 0;
   };
 
   /// `moved_share`: of the way to its command that a servo goes in this tick.
   static void follow(Channel& channel, float moved_share, const CanardCommand& command,
                      const std::optional<Angle>& encoder);
   [[nodiscard]] bool is_in_order(const Channel& channel) const;
+  void judge_all(Tick& tick, const EncoderAngles& encoders);
   CanardVerdict judge(const Tick& tick, std::size_t canard, const std::optional<Angle>& encoder);
   CanardVerdict judge_departure(const Tick& tick, Channel& channel, Angle encoder) const;
-  [[nodiscard]] bool stands_apart(const Channel& channel) const;
+  void sort_departures(Tick& tick) const;
+  [[nodiscard]] bool stands_apart(const Tick& tick, Angle departure) const;
   bool lasts(Persistence& persistence, bool condition, Microseconds elapsed) const;
 
   MonitorPlan plan_;
   float servo_lag_s_;
   std::array<Channel, canard_count> channels_{};
-  std::array<CanardVerdict, canard_count> verdicts_{};
+  CanardVerdicts verdicts_{};
   std::optional<Microseconds> last_time_;
 
   // No state: how far a servo goes in a tick of this length.

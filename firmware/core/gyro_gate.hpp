@@ -22,7 +22,8 @@ inline constexpr std::size_t sensor_states = 4;
 
 /// A sample that is neither from the future nor older than the plan allows.
 [[nodiscard]] constexpr bool is_current(Microseconds now, Microseconds time, Microseconds stale_time) {
-  return time <= now && time >= now - stale_time;
+  const Microseconds age = now - time;
+  return age >= Microseconds{0} && age <= stale_time;
 }
 
 /// Which samples of the gyro are believed.
@@ -44,7 +45,7 @@ class GyroGate {
   [[nodiscard]] bool is_usable(Microseconds now, const GyroSample& sample, float roll_rate_rad_s) const;
 
   /// When the last one that was believed was measured; empty before the first.
-  [[nodiscard]] std::optional<Microseconds> last_time() const { return last_time_; }
+  [[nodiscard]] const std::optional<Microseconds>& last_time() const { return last_time_; }
 
   /// What lies before this instant has been bridged by somebody else.
   void skip_to(Microseconds time) { last_time_ = time; }

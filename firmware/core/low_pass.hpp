@@ -28,7 +28,12 @@ class LowPass {
     if (!last_time_) {
       output_ = input;
     } else {
-      output_ += lag_fraction(rate_rad_s_ * seconds(time - *last_time_)) * (input - output_);
+      const float elapsed_s = seconds(time - *last_time_);
+      if (elapsed_s != elapsed_s_) {  // one tick is as long as the other
+        elapsed_s_ = elapsed_s;
+        fraction_ = lag_fraction(rate_rad_s_ * elapsed_s);
+      }
+      output_ += fraction_ * (input - output_);
     }
     last_time_ = time;
     return output_;
@@ -51,6 +56,10 @@ class LowPass {
   float rate_rad_s_;
   float output_ = 0.0F;
   std::optional<Microseconds> last_time_;
+
+  // No state: how far it moves in a step of this length.
+  float elapsed_s_ = 0.0F;
+  float fraction_ = 0.0F;
 };
 
 }  // namespace fantail::core

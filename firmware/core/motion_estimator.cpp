@@ -59,7 +59,8 @@ Quaternionf upright(const Vector3f& up) {
 }  // namespace
 
 MotionEstimator::MotionEstimator(const MotionPlan& plan) : plan_{plan}, gyro_gate_{plan}, pad_window_{plan} {
-  trajectory_ = pad_ = at_rest();
+  set_pad_upright();
+  trajectory_ = pad_;
 }
 
 void MotionEstimator::update(const Inputs& inputs) {
@@ -83,7 +84,7 @@ void MotionEstimator::follow_gyro(Microseconds now, const GyroSample& sample) {
   if (was_silent && flies) {
     turn_evenly(gap, rate);
   } else if (last_time) {
-    turn(seconds(up_to(plan_.stale_time, gap)), rate_rad_s_, rate);
+    turn(seconds(was_silent ? plan_.stale_time : gap), rate_rad_s_, rate);
   }
   rate_rad_s_ = rate;
   rate_is_lower_bound_ = sample.quality == SampleQuality::saturated;
@@ -171,7 +172,7 @@ void MotionEstimator::watch_pad(Microseconds now, const GyroSample& gyro) {
   if (gyro_ == SensorState::failed || accelerometer_ == SensorState::failed) {
     pad_window_.interrupt(now);
   } else if (gyro_ == SensorState::fresh && pad_window_.update(now, gyro.rate_rad_s, specific_force_m_s2_)) {
-    pad_ = at_rest();
+    set_pad_upright();
   }
 }
 
@@ -179,9 +180,13 @@ void MotionEstimator::integrate(Microseconds time) {
   const Microseconds previous = accelerometer_time_.value_or(time);
   accelerometer_time_ = time;
   if (stands(time, previous, axial_.update(time, specific_force_m_s2_.x))) {
-    trajectory_ = pad_;
-    trajectory_.since = time;
+    // Part by part: all of pad_ would be a call to memcpy, in every tick on the pad.
+    trajectory_.attitude = pad_.attitude;
+    trajectory_.guide_axis = pad_.guide_axis;
+    trajectory_.velocity_m_s = trajectory_.position_m = Vector3{};
     trajectory_.acceleration_m_s2 = acceleration();
+    trajectory_.since = time;
+    trajectory_.is_lower_bound = false;
     return;
   }
   const float dt_s = seconds(time - previous);
@@ -213,14 +218,13 @@ Vector3 MotionEstimator::acceleration() const {
                Vector3f{0.0F, 0.0F, standard_gravity_m_s2});
 }
 
-MotionEstimator::Trajectory MotionEstimator::at_rest() const {
-  Trajectory result;
+// What else there is of it stays zero.
+void MotionEstimator::set_pad_upright() {
   const Vector3f axis_up = Vector3f::UnitX();
   const auto& pad = pad_window_.average();
   const Quaternionf q = upright(pad ? eigen(pad->specific_force_m_s2) : axis_up);
-  result.attitude = {q.w(), q.x(), q.y(), q.z()};
-  result.guide_axis = plain(q * axis_up);
-  return result;
+  pad_.attitude = {q.w(), q.x(), q.y(), q.z()};
+  pad_.guide_axis = plain(q * axis_up);
 }
 
 Vector3 MotionEstimator::without_bias(const Vector3& rate_rad_s) const {
@@ -250,7 +254,7 @@ void MotionEstimator::begin_tunnel_run(Microseconds now) {
 void MotionEstimator::return_to_pad() { place_ = Place::pad; }
 
 float MotionEstimator::bridged_roll_rad(Microseconds now) const {
-  const std::optional<Microseconds> last_time = gyro_gate_.last_time();
+  const auto& last_time = gyro_gate_.last_time();
   return last_time ? seconds(up_to(plan_.stale_time, now - *last_time)) * rate_rad_s_.x : 0.0F;
 }
 

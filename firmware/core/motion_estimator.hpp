@@ -134,7 +134,7 @@ class MotionEstimator {
   void watch_pad(Microseconds now, const GyroSample& gyro);
   void integrate(Microseconds time);
   [[nodiscard]] bool stands(Microseconds time, Microseconds previous, float axial_m_s2);
-  [[nodiscard]] Trajectory at_rest() const;
+  void set_pad_upright();
   [[nodiscard]] Vector3 acceleration() const;
   [[nodiscard]] float bridged_roll_rad(Microseconds now) const;
   void zero_roll(Microseconds now);

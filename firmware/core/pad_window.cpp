@@ -70,14 +70,14 @@ void PadWindow::interrupt(Microseconds time) {
 void PadWindow::restart() {
   rest_since_.reset();
   open_since_.reset();
-  open_ = Block{};
+  open_.clear();
   closed_ = 0;
   next_ = 0;
   forget_window();
 }
 
 void PadWindow::forget_window() {
-  window_ = Block{};
+  window_.clear();
   summed_ = 0;
 }
 
@@ -92,7 +92,7 @@ bool PadWindow::close_block() {
   const Block window = window_;
   forget_window();
   blocks_[next_] = open_;
-  open_ = Block{};
+  open_.clear();
   next_ = (next_ + 1) % blocks_.size();
   closed_ = closed_ < blocks_.size() ? closed_ + 1 : closed_;
   if (closed_ < blocks_.size() || !window.still) {

@@ -65,6 +65,12 @@ class PadWindow {
     float samples = 0.0F;
     bool still = true;
 
+    void clear() {  // an assignment would be a call to memset
+      rate_sum = force_sum = Vector3{};
+      samples = 0.0F;
+      still = true;
+    }
+
     template <typename Visitor>
     void visit_state(Visitor& visit) {
       visit(rate_sum, force_sum, samples, still);

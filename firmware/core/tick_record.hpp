@@ -46,7 +46,7 @@ struct TickRecord {
   CanardCommands canards{};
   EncoderAngles encoders{};
   std::optional<Angle> canard_angle{};  ///< mean of the encoders
-  std::array<CanardVerdict, canard_count> verdicts{};
+  CanardVerdicts verdicts{};
 };
 
 [[nodiscard]] std::string_view name(Phase phase);

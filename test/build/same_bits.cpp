@@ -72,7 +72,8 @@ void hash_law() {
       const Angle reference = roll_reference(plan.reference, t);
       const RollCommand command =
           pd_controller(plan.controller, reference, roll_angle, roll_rate_rad_s, chirp.update(t));
-      const CanardCommands canards = mixer.mix(t, command.command, std::nullopt, encoders);
+      CanardCommands canards;
+      mixer.mix(t, command.command, std::nullopt, encoders, canards);
       for (std::size_t i = 0; i < canard_count; ++i) {
         encoders[i] = canards[i].angle;
         hash.add(canards[i].pulse_us);
