@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -27,27 +27,27 @@ constexpr std::int32_t hundredths(float degrees) {
   constexpr float step = 0.01F;
   constexpr std::int32_t most = 2047;
   constexpr float most_degrees = static_cast<float>(most) * step;
-  if (!(degrees < most_degrees && degrees > -most_degrees)) {
+  if (!(std::abs(degrees) < most_degrees)) {
     return degrees < 0.0F ? -most : most;
   }
   return static_cast<std::int32_t>((degrees < 0.0F ? degrees - 0.5F * step : degrees + 0.5F * step) / step);
 }
 
-/// An angle that is absent, or not a number, is zero and not there.
-inline BusFrame angle_frame(std::uint16_t id, const PerCanard& angles, std::uint8_t counter,
-                            SessionOfFrame session = {}) {
+/// An angle that is absent, or not a number, is zero and not there. `crc`: protection_begun().
+inline BusFrame angle_frame(std::uint16_t id, Crc8Autosar crc, const PerCanard& angles, std::uint8_t counter) {
   constexpr std::uint32_t twelve_bits = 0xFFF;
-  std::array<std::uint32_t, core::canard_count> raw{};
+  std::uint64_t raw = 0;
   std::uint32_t there = 0;
-  for (std::size_t i = 0; i < core::canard_count; ++i) {
+  for (std::size_t i = core::canard_count; i-- > 0;) {  // the last one stands highest
+    raw <<= 12U;
+    there <<= 1U;
     if (angles[i] && *angles[i] == *angles[i]) {  // NOLINT(misc-redundant-expression): false for what is no number
-      raw[i] = static_cast<std::uint32_t>(hundredths(angles[i]->degrees())) & twelve_bits;
-      there |= 1U << i;
+      raw |= static_cast<std::uint32_t>(hundredths(angles[i]->degrees())) & twelve_bits;
+      there |= 1U;
     }
   }
-  const std::uint32_t low = raw[0] | raw[1] << 12U | raw[2] << 24U;
-  std::uint32_t high = raw[2] >> 8U | raw[3] << 4U | there << 16U | (counter & 0x0FU) << 20U;
-  Crc8Autosar crc = protection_begun(id, session);
+  const auto low = static_cast<std::uint32_t>(raw);
+  std::uint32_t high = static_cast<std::uint32_t>(raw >> 32U) | there << 16U | (counter & 0x0FU) << 20U;
   crc.add(low);  // not in a loop: GCC would read the shifts from memory
   crc.add(low >> 8U);
   crc.add(low >> 16U);
@@ -61,6 +61,11 @@ inline BusFrame angle_frame(std::uint16_t id, const PerCanard& angles, std::uint
   put<4>(bytes, 0, low);
   put<4>(bytes, 4, high);
   return frame;
+}
+
+inline BusFrame angle_frame(std::uint16_t id, const PerCanard& angles, std::uint8_t counter,
+                            SessionOfFrame session = {}) {
+  return angle_frame(id, protection_begun(id, session), angles, counter);
 }
 
 }  // namespace fantail::protocol
