@@ -46,9 +46,10 @@ const core::TickRecord& Avionics::tick() {
                           .power_up = flash_.boots().count()},
                          *autopilot_);
   flight_memory_.keep(record, plan_crc_, flash_.flights().used_sectors(), *autopilot_);
-  flash_.update(now, plan_may_change(), right_to_log());
+  const LogTransfer::Right right = right_to_log();
+  flash_.update(now, plan_may_change(), right);
   report(record, inputs);
-  flash_.send_log(now, right_to_log(), devices_.can_bus);
+  flash_.send_log(now, right, devices_.can_bus);
   tick_duration_ = devices_.clock.now() - now;
   // Last: only a tick that came this far proves that the loop is alive.
   devices_.watchdog.feed();

@@ -29,21 +29,25 @@ class FlashAccess {
   static constexpr std::size_t read_size = 256;
 
   /// The flash outlives this object. With one that is too small, or whose geometry makes no sense, every call fails.
-  explicit FlashAccess(hal::Flash& flash) : flash_{flash}, map_{flash_map(flash.geometry())} {}
+  explicit FlashAccess(hal::Flash& flash) : FlashAccess{flash, flash_map(flash.geometry())} {}
 
-  [[nodiscard]] FlashMap map() const { return map_.value_or(FlashMap{}); }
+  /// Of zeros when every call fails.
+  [[nodiscard]] const FlashMap& map() const { return map_; }
 
   Access read(core::Microseconds now, std::uint32_t address, std::span<std::byte> out) {
-    return map_ ? judge(now, flash_.read(address, out)) : Access::failed;
+    return usable_ ? judge(now, flash_.read(address, out)) : Access::failed;
   }
   Access program(core::Microseconds now, std::uint32_t address, std::span<const std::byte> bytes) {
-    return map_ ? judge(now, flash_.program(address, bytes)) : Access::failed;
+    return usable_ ? judge(now, flash_.program(address, bytes)) : Access::failed;
   }
   Access erase_sector(core::Microseconds now, std::uint32_t address) {
-    return map_ ? judge(now, flash_.erase_sector(address)) : Access::failed;
+    return usable_ ? judge(now, flash_.erase_sector(address)) : Access::failed;
   }
 
  private:
+  FlashAccess(hal::Flash& flash, const std::optional<FlashMap>& map)
+      : flash_{flash}, map_{map.value_or(FlashMap{})}, usable_{map.has_value()} {}
+
   Access judge(core::Microseconds now, hal::FlashResult result) {
     if (result != hal::FlashResult::busy) {
       busy_since_.reset();
@@ -56,7 +60,8 @@ class FlashAccess {
   }
 
   hal::Flash& flash_;
-  std::optional<FlashMap> map_;
+  FlashMap map_;
+  bool usable_;
   std::optional<core::Microseconds> busy_since_;
 };
 

@@ -11,29 +11,25 @@ namespace fantail::avionics {
 namespace {
 
 // The two enumerations say the same; the protocol knows no hardware layer.
-protocol::DeviceStatus to_log(hal::Status status) {
-  switch (status) {
-    case hal::Status::ok: return protocol::DeviceStatus::ok;
-    case hal::Status::error: return protocol::DeviceStatus::error;
-    case hal::Status::no_reading: break;
-  }
-  return protocol::DeviceStatus::no_reading;
-}
+template <hal::Status status, protocol::DeviceStatus same>
+constexpr bool alike = static_cast<int>(status) == static_cast<int>(same);
+static_assert(alike<hal::Status::ok, protocol::DeviceStatus::ok>);
+static_assert(alike<hal::Status::error, protocol::DeviceStatus::error>);
+static_assert(alike<hal::Status::no_reading, protocol::DeviceStatus::no_reading>);
 
-hal::Status from_log(protocol::DeviceStatus status) {
-  switch (status) {
-    case protocol::DeviceStatus::ok: return hal::Status::ok;
-    case protocol::DeviceStatus::error: return hal::Status::error;
-    case protocol::DeviceStatus::no_reading: break;
-  }
-  return hal::Status::no_reading;
-}
+protocol::DeviceStatus to_log(hal::Status status) { return static_cast<protocol::DeviceStatus>(status); }
+
+hal::Status from_log(protocol::DeviceStatus status) { return static_cast<hal::Status>(status); }
+
+// A count that one turn does not have is no reading, and 14 bits could not say so.
+bool on_the_turn(const hal::EncoderSample& encoder) { return encoder.counts < hal::encoder_counts_per_turn; }
 
 }  // namespace
 
 protocol::LogTick log_tick_of(const core::TickRecord& record, const RawSamples& raw, const core::Inputs& inputs,
                               core::Microseconds duration_before) {
-  protocol::LogTick tick{
+  const auto& encoders = raw.encoders.each;
+  return {
       .time = inputs.time,
       .imu_time = raw.imu.time,
       .rate_counts = raw.imu.rate,
@@ -42,6 +38,12 @@ protocol::LogTick log_tick_of(const core::TickRecord& record, const RawSamples& 
       .accelerometer_time = raw.accelerometer.time,
       .accelerometer_counts = raw.accelerometer.specific_force,
       .accelerometer_status = to_log(raw.accelerometer.status),
+      .encoder_counts = core::per_canard(
+          [&](std::size_t i) { return on_the_turn(encoders[i]) ? encoders[i].counts : std::uint16_t{0}; }),
+      .encoder_status = core::per_canard([&](std::size_t i) {
+        const bool fits = on_the_turn(encoders[i]) || encoders[i].status != hal::Status::ok;
+        return fits ? to_log(encoders[i].status) : protocol::DeviceStatus::error;
+      }),
       .arm_switch_closed = inputs.arm_switch_closed,
       .arm_command = inputs.arm_command,
       .start_command = inputs.start_command,
@@ -56,15 +58,6 @@ protocol::LogTick log_tick_of(const core::TickRecord& record, const RawSamples& 
       .duration_before = duration_before,
       .digest = protocol::tick_digest(record),
   };
-  for (std::size_t i = 0; i < core::canard_count; ++i) {
-    const hal::EncoderSample& encoder = raw.encoders.each[i];
-    // A count that one turn does not have is no reading, and 14 bits could not say so.
-    const bool on_the_turn = encoder.counts < hal::encoder_counts_per_turn;
-    tick.encoder_counts[i] = on_the_turn ? encoder.counts : std::uint16_t{0};
-    tick.encoder_status[i] =
-        on_the_turn || encoder.status != hal::Status::ok ? to_log(encoder.status) : protocol::DeviceStatus::error;
-  }
-  return tick;
 }
 
 RawSamples raw_samples_of(const protocol::LogTick& tick) {

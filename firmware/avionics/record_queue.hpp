@@ -31,13 +31,13 @@ class TickQueue {
   /// Number of the one that comes next.
   [[nodiscard]] std::uint32_t end() const { return end_; }
 
-  /// Not when it is full. Times never run backwards.
-  void push(core::Microseconds time, const protocol::PackedTick& tick) {
+  /// Not when it is full. Times never run backwards. Where the tick is to be packed: it would cost much to copy one.
+  [[nodiscard]] protocol::PackedTick& push(core::Microseconds time) {
     Slot& slot = slots_[(head_ + size()) % capacity];
-    slot.tick = tick;
     protocol::put<4>(slot.low_time, 0, static_cast<std::uint64_t>(time.count()));
     newest_ = time;
     end_ += 1;
+    return slot.tick;
   }
 
   // Of the oldest; not when it is empty.

@@ -35,7 +35,7 @@ void RecordStream::update(core::Microseconds now) {
     return;
   }
   const std::size_t room = std::min(page_.size(), region_.page_room());
-  fill_page(room);
+  fill(std::span{page_}.first(room));
   const bool nothing_more = page_size_ < room;
   if (page_size_ == room || (finishing_ && nothing_more && page_size_ > 0)) {
     const Access access = region_.append(now, std::span{page_}.first(page_size_));
@@ -50,9 +50,13 @@ void RecordStream::update(core::Microseconds now) {
   }
 }
 
-void RecordStream::fill_page(std::size_t room) {
-  while (page_size_ < room && (!frame_.done() || begin_next())) {
-    page_size_ += frame_.write(std::span{page_}.subspan(page_size_, room - page_size_));
+void RecordStream::fill(std::span<std::byte> page) {
+  while (page_size_ < page.size()) {
+    if (!frame_.done()) {
+      page_size_ += frame_.write(page.subspan(page_size_));
+    } else if (!begin_next(page)) {
+      return;
+    }
     if (frame_.done()) {
       release();
     }
@@ -60,7 +64,7 @@ void RecordStream::fill_page(std::size_t room) {
 }
 
 // The order in which records stand: what is noted before a tick, the header when it is due, the checkpoint, the tick.
-bool RecordStream::begin_next() {
+bool RecordStream::begin_next(std::span<std::byte> page) {
   const TickQueue& ticks = queue_.ticks;
   const WaitingCheckpoint& checkpoint = queue_.checkpoint;
   const bool tick_waits = ticks.size() > 0;
@@ -68,63 +72,70 @@ bool RecordStream::begin_next() {
     return false;
   }
   if (!header_time_ && tick_waits) {
-    return begin_header(ticks.time());
+    begin_header(ticks.time(), page);
+    return true;
   }
   if (!queue_.notes.empty() && queue_.notes.front().before <= ticks.first()) {
     const Note& note = queue_.notes.front();
     sequence_ += note.lost;
-    return begin_frame(note.type, note.time, {std::span{note.payload}.first(note.size)});
+    begin_frame(note.type, note.time, {std::span{note.payload}.first(note.size)}, page);
+    return true;
   }
   if (!tick_waits) {
     return false;
   }
-  if (ticks.time() - *header_time_ >= header_period) {
-    return begin_header(ticks.time());
-  }
-  if (checkpoint.in_the_making) {
+  const core::Microseconds time = ticks.time();
+  if (time - *header_time_ >= header_period) {
+    begin_header(time, page);
+  } else if (checkpoint.in_the_making) {
     return false;
+  } else if (checkpoint.size > 0 && checkpoint.before == ticks.first()) {
+    begin_frame(LogRecord::checkpoint, time, {checkpoint.bytes()}, page);
+  } else {
+    begin_frame(LogRecord::tick, time, {ticks.tick()}, page);
   }
-  if (checkpoint.size > 0 && checkpoint.before == ticks.first()) {
-    return begin_frame(LogRecord::checkpoint, ticks.time(), {checkpoint.bytes()});
-  }
-  return begin_frame(LogRecord::tick, ticks.time(), {ticks.tick()});
-}
-
-bool RecordStream::begin_header(core::Microseconds time) {
-  header_time_ = time;
-  return begin_frame(LogRecord::header, time, {header_begin_, header_.plan_block, bytes_of(header_.schema)});
-}
-
-bool RecordStream::begin_frame(LogRecord type, core::Microseconds time, const LogFrameWriter::Parts& payload) {
-  // There is always room for the event that says that the flash was full.
-  if (page_size_ + LogFrameWriter::frame_size(payload) + last_frame_size > region_.room()) {
-    begin_end_of_flash(time);
-    return true;
-  }
-  frame_.begin({.type = static_cast<std::uint8_t>(type), .sequence = sequence_, .time = time}, payload);
-  source_ = type;
-  sequence_ += 1;
   return true;
 }
 
-void RecordStream::begin_end_of_flash(core::Microseconds time) {
+void RecordStream::begin_header(core::Microseconds time, std::span<std::byte> page) {
+  header_time_ = time;
+  begin_frame(LogRecord::header, time, {header_begin_, header_.plan_block, bytes_of(header_.schema)}, page);
+}
+
+void RecordStream::begin_frame(LogRecord type, core::Microseconds time, const LogFrameWriter::Parts& payload,
+                               std::span<std::byte> page) {
+  // There is always room for the event that says that the flash was full.
+  if (page_size_ + LogFrameWriter::frame_size(payload) + last_frame_size > region_.room()) {
+    begin_end_of_flash(time, page);
+    return;
+  }
+  page_size_ += frame_.begin({.type = static_cast<std::uint8_t>(type), .sequence = sequence_, .time = time}, payload,
+                             page.subspan(page_size_));
+  source_ = type;
+  sequence_ += 1;
+}
+
+void RecordStream::begin_end_of_flash(core::Microseconds time, std::span<std::byte> page) {
   broken_off_ = LogEnd::flash_full;
   finishing_ = true;
   source_.reset();
   last_event_ = protocol::pack(protocol::LogEvent{.time = time,
                                                   .kind = protocol::LogEventKind::recording_ended,
                                                   .value = static_cast<std::uint8_t>(LogEnd::flash_full)});
-  frame_.begin({.type = static_cast<std::uint8_t>(LogRecord::event), .sequence = sequence_, .time = time},
-               {last_event_});
+  page_size_ += frame_.begin({.type = static_cast<std::uint8_t>(LogRecord::event), .sequence = sequence_, .time = time},
+                             {last_event_}, page.subspan(page_size_));
 }
 
 void RecordStream::release() {
-  if (source_ == LogRecord::event || source_ == LogRecord::health) {
-    queue_.notes.pop();
-  } else if (source_ == LogRecord::checkpoint) {
-    queue_.checkpoint.size = 0;
-  } else if (source_ == LogRecord::tick) {
-    queue_.ticks.pop();
+  if (!source_) {
+    return;
+  }
+  switch (*source_) {
+    case LogRecord::tick: queue_.ticks.pop(); break;
+    case LogRecord::checkpoint: queue_.checkpoint.size = 0; break;
+    case LogRecord::event:
+    case LogRecord::health: queue_.notes.pop(); break;
+    case LogRecord::header: break;
   }
   source_.reset();
 }

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 
 #include "avionics/flight_region.hpp"
 #include "avionics/record_queue.hpp"
@@ -37,12 +38,13 @@ class RecordStream {
   [[nodiscard]] bool open() const { return open_; }
 
  private:
-  void fill_page(std::size_t room);
-  [[nodiscard]] bool begin_next();
-  [[nodiscard]] bool begin_frame(protocol::LogRecord type, core::Microseconds time,
-                                 const protocol::LogFrameWriter::Parts& payload);
-  [[nodiscard]] bool begin_header(core::Microseconds time);
-  void begin_end_of_flash(core::Microseconds time);
+  // `page`: of it what may be programmed at once, to which all of these append.
+  void fill(std::span<std::byte> page);
+  [[nodiscard]] bool begin_next(std::span<std::byte> page);
+  void begin_frame(protocol::LogRecord type, core::Microseconds time, const protocol::LogFrameWriter::Parts& payload,
+                   std::span<std::byte> page);
+  void begin_header(core::Microseconds time, std::span<std::byte> page);
+  void begin_end_of_flash(core::Microseconds time, std::span<std::byte> page);
   void release();
   void close();
 

@@ -112,16 +112,16 @@ void Recorder::begin_flight(const Tick& tick) {
 }
 
 void Recorder::queue_tick(const Tick& tick) {
-  const protocol::PackedTick packed =
-      pack(log_tick_of(tick.record, tick.raw, tick.inputs, tick.duration_before), times_);
   overflowed_ = overflowed_ || queue_.ticks.full();
   if (overflowed_) {
     dropped_ += 1;
     ticks_dropped_ += 1;
     checkpoint_due_.reset();  // a replay cannot go on behind a gap
+    times_ = {.imu = tick.raw.imu.time, .accelerometer = tick.raw.accelerometer.time};
     overflowed_ = queue_.ticks.size() > room_to_go_on || queue_.checkpoint.size > 0;
   } else {
-    queue_.ticks.push(tick.record.time, packed);
+    pack(log_tick_of(tick.record, tick.raw, tick.inputs, tick.duration_before), times_,
+         queue_.ticks.push(tick.record.time));
   }
 }
 

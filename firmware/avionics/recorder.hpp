@@ -77,7 +77,7 @@ class Recorder {
   /// What the events have told so far.
   struct Told {
     core::Phase phase = core::Phase::armed;
-    std::array<core::CanardVerdict, core::canard_count> verdicts{};
+    core::CanardVerdicts verdicts{};
     core::SensorState gyro = core::SensorState::fresh;
     core::SensorState accelerometer = core::SensorState::fresh;
     core::CommandStatus command_status = core::CommandStatus::outside_control;

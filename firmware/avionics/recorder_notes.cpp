@@ -53,7 +53,8 @@ void Recorder::queue_changes(const core::TickRecord& record) {
     }
   };
   tell(told_.phase, record.phase, {.kind = LogEventKind::phase, .detail = byte(record.reason)});
-  for (std::size_t i = 0; i < core::canard_count; ++i) {
+  const bool usual = all_healthy(told_.verdicts) && all_healthy(record.verdicts);
+  for (std::size_t i = 0; i < core::canard_count && !usual; ++i) {
     tell(told_.verdicts[i], record.verdicts[i],
          {.kind = LogEventKind::canard_verdict, .index = static_cast<std::uint8_t>(i)});
   }

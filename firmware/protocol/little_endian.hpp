@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <span>
 #include <type_traits>
 #include <utility>
@@ -18,6 +20,12 @@ using WordOf = std::conditional_t<(bytes > 4), std::uint64_t, std::uint32_t>;
 
 template <std::size_t bytes>
 constexpr void put(std::span<std::byte> out, std::size_t at, std::uint64_t value) {
+  // To the Cortex-M4 GCC gives four stores of a byte where nothing says that an address is even.
+  if (std::endian::native == std::endian::little && !std::is_constant_evaluated()) {
+    const auto word = static_cast<WordOf<bytes>>(value);
+    std::memcpy(out.data() + at, &word, bytes);
+    return;
+  }
   [word = static_cast<WordOf<bytes>>(value), first = out.data() + at]<std::size_t... i>(std::index_sequence<i...>) {
     ((first[i] = static_cast<std::byte>(word >> (8U * i))), ...);
   }(std::make_index_sequence<bytes>{});

@@ -2,7 +2,6 @@
 #include "protocol/log_frame.hpp"
 
 #include "protocol/crc32c.hpp"
-#include "protocol/little_endian.hpp"
 
 namespace fantail::protocol {
 namespace {
@@ -13,11 +12,7 @@ constexpr std::byte erased{0xFF};
 
 std::array<std::byte, log_head_size> encode(const LogFrameHead& head) {
   std::array<std::byte, log_head_size> out{};
-  out[0] = log_sync;
-  out[1] = static_cast<std::byte>(head.type);
-  put<2>(out, 2, head.length);
-  put<4>(out, 4, head.sequence);
-  put<6>(out, 8, static_cast<std::uint64_t>(head.time.count()));
+  encode(head, out);
   return out;
 }
 

@@ -8,6 +8,7 @@
 #include <span>
 
 #include "core/time.hpp"
+#include "protocol/little_endian.hpp"
 
 namespace fantail::protocol {
 
@@ -43,6 +44,14 @@ struct LogFrameHead {
   core::Microseconds time{};  ///< 0 to 2^48 - 1
 };
 
+/// Into the first log_head_size bytes.
+inline void encode(const LogFrameHead& head, std::span<std::byte> out) {
+  out[0] = log_sync;
+  out[1] = static_cast<std::byte>(head.type);
+  put<2>(out, 2, head.length);
+  put<4>(out, 4, head.sequence);
+  put<6>(out, 8, static_cast<std::uint64_t>(head.time.count()));
+}
 [[nodiscard]] std::array<std::byte, log_head_size> encode(const LogFrameHead& head);
 
 struct LogFrame {

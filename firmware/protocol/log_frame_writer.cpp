@@ -3,44 +3,44 @@
 
 #include <algorithm>
 #include <cstring>
-#include <utility>
 
 #include "protocol/crc32c.hpp"
 #include "protocol/little_endian.hpp"
 
 namespace fantail::protocol {
 
-std::size_t LogFrameWriter::frame_size(const Parts& payload) {
-  return log_frame_overhead + payload[0].size() + payload[1].size() + payload[2].size();
-}
+namespace {
 
-void LogFrameWriter::begin(LogFrameHead head, const Parts& payload) {
-  head.length = static_cast<std::uint16_t>(frame_size(payload) - log_frame_overhead);
-  head_ = encode(head);
-  parts_ = {head_, payload[0], payload[1], payload[2], tail_};
-  part_ = 0;
-  crc_ = 0;
-  untouched_ = true;
-}
-
-// Three of four frames fit into what is left of a page.
-std::size_t LogFrameWriter::write_whole(std::span<std::byte> out) {
-  std::size_t size = 0;
-  for (const std::span<const std::byte> part : std::span{parts_}.first<tail>()) {
+std::size_t write_whole(const LogFrameHead& head, const LogFrameWriter::Parts& payload, std::span<std::byte> out) {
+  encode(head, out);
+  std::size_t size = log_head_size;
+  for (const std::span<const std::byte> part : payload) {
     if (!part.empty()) {
       std::memcpy(out.data() + size, part.data(), part.size());
       size += part.size();
     }
   }
-  put<4>(out, size, crc32c(out.first(size)));
-  abandon();
-  return size + tail_.size();
+  const std::uint32_t crc = crc32c(out.first(size));
+  put<4>(out, size, crc);
+  return size + sizeof crc;
+}
+
+}  // namespace
+
+std::size_t LogFrameWriter::begin(LogFrameHead head, const Parts& payload, std::span<std::byte> out) {
+  const std::size_t size = frame_size(payload);
+  head.length = static_cast<std::uint16_t>(size - log_frame_overhead);
+  if (size <= out.size()) {  // three of four frames fit into what is left of a page
+    return write_whole(head, payload, out);
+  }
+  encode(head, head_);
+  parts_ = {head_, payload[0], payload[1], payload[2], tail_};
+  part_ = 0;
+  crc_ = 0;
+  return write(out);
 }
 
 std::size_t LogFrameWriter::write(std::span<std::byte> out) {
-  if (std::exchange(untouched_, false) && out.size() >= frame_size({parts_[1], parts_[2], parts_[3]})) {
-    return write_whole(out);
-  }
   std::size_t size = 0;
   std::size_t summed = 0;
   while (!done() && size < out.size()) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 
 #include "core/finite.hpp"
 #include "protocol/little_endian.hpp"
@@ -57,7 +58,10 @@ std::int16_t millidegrees(const std::optional<core::Angle>& angle) {
     return not_driven;
   }
   constexpr float most = 32'767.0F;
-  const float value = std::clamp(angle->radians() * millidegrees_per_radian, -most, most);
+  float value = angle->radians() * millidegrees_per_radian;
+  if (std::abs(value) > most) {
+    value = value > 0.0F ? most : -most;
+  }
   return static_cast<std::int16_t>(value < 0.0F ? value - 0.5F : value + 0.5F);
 }
 
@@ -77,7 +81,7 @@ struct Bits {
 
 }  // namespace
 
-PackedTick pack(const LogTick& tick, SampleTimes& times) {
+void pack(const LogTick& tick, SampleTimes& times, PackedTick& out) {
   Bits flags;
   flags.add(static_cast<std::uint32_t>(tick.phase), 3);
   flags.add(static_cast<std::uint32_t>(tick.command_status), 2);
@@ -89,7 +93,6 @@ PackedTick pack(const LogTick& tick, SampleTimes& times) {
   flags.add(tick.saturated ? 1 : 0, 1);
   flags.add(tick.timing_fault ? 1 : 0, 1);
 
-  PackedTick out{};
   put<2>(out, flags_at, flags.value);
   put<2>(out, imu_age_at, age(tick.time, tick.imu_time));
   put_counts(out, rate_at, tick.rate_counts);
@@ -106,7 +109,6 @@ PackedTick pack(const LogTick& tick, SampleTimes& times) {
          static_cast<std::uint16_t>(std::clamp<std::int64_t>(tick.duration_before.count(), 0, UINT16_MAX)));
   put<4>(out, digest_at, tick.digest);
   times = {.imu = tick.imu_time, .accelerometer = tick.accelerometer_time};
-  return out;
 }
 
 std::optional<LogTick> unpack_tick(core::Microseconds time, std::span<const std::byte> payload, SampleTimes& times) {

@@ -61,7 +61,12 @@ inline constexpr std::size_t log_tick_size = 50;
 using PackedTick = std::array<std::byte, log_tick_size>;
 
 /// `times`: of the tick before; becomes those of this one.
-[[nodiscard]] PackedTick pack(const LogTick& tick, SampleTimes& times);
+void pack(const LogTick& tick, SampleTimes& times, PackedTick& out);
+[[nodiscard]] inline PackedTick pack(const LogTick& tick, SampleTimes& times) {
+  PackedTick out;
+  pack(tick, times, out);
+  return out;
+}
 
 /// Empty for a payload of another size and for values that no tick can have. `times` as in pack().
 [[nodiscard]] std::optional<LogTick> unpack_tick(core::Microseconds time, std::span<const std::byte> payload,
