@@ -88,14 +88,14 @@ Angle CanardMixer::approach(Microseconds elapsed, Canard& canard, Angle target) 
 
 std::optional<Angle> CanardMixer::canard_angle(const EncoderAngles& encoders) const {
   Angle sum;
-  float count = 0.0F;
+  int count = 0;
   for (std::size_t i = 0; i < canard_count; ++i) {
     if (encoders[i] && is_finite(encoders[i]->radians())) {
       sum += canards_[i].sense * (*encoders[i] - canards_[i].trim);
-      count += 1.0F;
+      count += 1;
     }
   }
-  return count > 0.0F ? std::optional{sum / count} : std::nullopt;
+  return count > 0 ? std::optional{sum / static_cast<float>(count)} : std::nullopt;
 }
 
 }  // namespace fantail::core

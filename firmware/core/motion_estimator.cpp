@@ -73,17 +73,17 @@ void MotionEstimator::update(const Inputs& inputs) {
 
 void MotionEstimator::follow_gyro(Microseconds now, const GyroSample& sample) {
   const bool flies = place_ != Place::pad;
-  const std::optional<Microseconds> last_time = gyro_gate_.last_time();
+  const Microseconds last_time = gyro_gate_.last_time().value_or(sample.time);
   gyro_ = gyro_gate_.update(now, sample, flies, rate_rad_s_.x);
   if (gyro_ != SensorState::fresh) {
     return;
   }
   const Vector3 rate = without_bias(sample.rate_rad_s);
-  const Microseconds gap = last_time ? sample.time - *last_time : Microseconds{0};
+  const Microseconds gap = sample.time - last_time;  // zero of the first one, which turns nothing
   const bool was_silent = gap > plan_.stale_time;
   if (was_silent && flies) {
     turn_evenly(gap, rate);
-  } else if (last_time) {
+  } else if (gap > Microseconds{0}) {
     turn(seconds(was_silent ? plan_.stale_time : gap), rate_rad_s_, rate);
   }
   rate_rad_s_ = rate;
