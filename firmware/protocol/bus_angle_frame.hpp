@@ -22,12 +22,15 @@ namespace fantail::protocol {
 //   56  u8       CRC-8
 
 /// To the nearest raw value, a half away from zero (as far as single precision can tell a half), clamped to what the
-/// signal may have. `degrees` is a number.
-constexpr std::int32_t hundredths(float degrees) {
+/// signal may have; empty for what is not a number.
+constexpr std::optional<std::int32_t> hundredths(float degrees) {
   constexpr float step = 0.01F;
   constexpr std::int32_t most = 2047;
   constexpr float most_degrees = static_cast<float>(most) * step;
-  if (!(std::abs(degrees) < most_degrees)) {
+  if (!(std::abs(degrees) < most_degrees)) {  // seldom
+    if (degrees != degrees) {                 // NOLINT(misc-redundant-expression): of what is no number
+      return std::nullopt;
+    }
     return degrees < 0.0F ? -most : most;
   }
   return static_cast<std::int32_t>((degrees < 0.0F ? degrees - 0.5F * step : degrees + 0.5F * step) / step);
@@ -41,8 +44,8 @@ inline BusFrame angle_frame(std::uint16_t id, Crc8Autosar crc, const PerCanard& 
   for (std::size_t i = core::canard_count; i-- > 0;) {  // the last one stands highest
     raw <<= 12U;
     there <<= 1U;
-    if (angles[i] && *angles[i] == *angles[i]) {  // NOLINT(misc-redundant-expression): false for what is no number
-      raw |= static_cast<std::uint32_t>(hundredths(angles[i]->degrees())) & twelve_bits;
+    if (const auto value = angles[i] ? hundredths(angles[i]->degrees()) : std::nullopt) {
+      raw |= static_cast<std::uint32_t>(*value) & twelve_bits;
       there |= 1U;
     }
   }
