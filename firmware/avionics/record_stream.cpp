@@ -34,10 +34,10 @@ void RecordStream::update(core::Microseconds now) {
   if (!open_) {
     return;
   }
-  const std::size_t room = std::min(page_.size(), region_.page_room());
-  fill(std::span{page_}.first(room));
-  const bool nothing_more = page_size_ < room;
-  if (page_size_ == room || (finishing_ && nothing_more && page_size_ > 0)) {
+  room_ = std::min(page_.size(), region_.page_room());
+  fill_page();
+  const bool nothing_more = page_size_ < room_;
+  if (page_size_ == room_ || (finishing_ && nothing_more && page_size_ > 0)) {
     const Access access = region_.append(now, std::span{page_}.first(page_size_));
     if (access == Access::failed) {
       broken_off_ = LogEnd::flash_failed;
@@ -50,11 +50,11 @@ void RecordStream::update(core::Microseconds now) {
   }
 }
 
-void RecordStream::fill(std::span<std::byte> page) {
-  while (page_size_ < page.size()) {
+void RecordStream::fill_page() {
+  while (page_size_ < room_) {
     if (!frame_.done()) {
-      page_size_ += frame_.write(page.subspan(page_size_));
-    } else if (!begin_next(page)) {
+      page_size_ += frame_.write(rest_of_page());
+    } else if (!begin_next()) {
       return;
     }
     if (frame_.done()) {
@@ -64,7 +64,7 @@ void RecordStream::fill(std::span<std::byte> page) {
 }
 
 // The order in which records stand: what is noted before a tick, the header when it is due, the checkpoint, the tick.
-bool RecordStream::begin_next(std::span<std::byte> page) {
+bool RecordStream::begin_next() {
   const TickQueue& ticks = queue_.ticks;
   const WaitingCheckpoint& checkpoint = queue_.checkpoint;
   const bool tick_waits = ticks.size() > 0;
@@ -72,13 +72,13 @@ bool RecordStream::begin_next(std::span<std::byte> page) {
     return false;
   }
   if (!header_time_ && tick_waits) {
-    begin_header(ticks.time(), page);
+    begin_header(ticks.time());
     return true;
   }
   if (!queue_.notes.empty() && queue_.notes.front().before <= ticks.first()) {
     const Note& note = queue_.notes.front();
     sequence_ += note.lost;
-    begin_frame(note.type, note.time, {std::span{note.payload}.first(note.size)}, page);
+    begin_frame(note.type, note.time, {std::span{note.payload}.first(note.size)});
     return true;
   }
   if (!tick_waits) {
@@ -86,36 +86,35 @@ bool RecordStream::begin_next(std::span<std::byte> page) {
   }
   const core::Microseconds time = ticks.time();
   if (time - *header_time_ >= header_period) {
-    begin_header(time, page);
+    begin_header(time);
   } else if (checkpoint.in_the_making) {
     return false;
   } else if (checkpoint.size > 0 && checkpoint.before == ticks.first()) {
-    begin_frame(LogRecord::checkpoint, time, {checkpoint.bytes()}, page);
+    begin_frame(LogRecord::checkpoint, time, {checkpoint.bytes()});
   } else {
-    begin_frame(LogRecord::tick, time, {ticks.tick()}, page);
+    begin_frame(LogRecord::tick, time, {ticks.tick()});
   }
   return true;
 }
 
-void RecordStream::begin_header(core::Microseconds time, std::span<std::byte> page) {
+void RecordStream::begin_header(core::Microseconds time) {
   header_time_ = time;
-  begin_frame(LogRecord::header, time, {header_begin_, header_.plan_block, bytes_of(header_.schema)}, page);
+  begin_frame(LogRecord::header, time, {header_begin_, header_.plan_block, bytes_of(header_.schema)});
 }
 
-void RecordStream::begin_frame(LogRecord type, core::Microseconds time, const LogFrameWriter::Parts& payload,
-                               std::span<std::byte> page) {
+void RecordStream::begin_frame(LogRecord type, core::Microseconds time, const LogFrameWriter::Parts& payload) {
   // There is always room for the event that says that the flash was full.
   if (page_size_ + LogFrameWriter::frame_size(payload) + last_frame_size > region_.room()) {
-    begin_end_of_flash(time, page);
+    begin_end_of_flash(time);
     return;
   }
   page_size_ += frame_.begin({.type = static_cast<std::uint8_t>(type), .sequence = sequence_, .time = time}, payload,
-                             page.subspan(page_size_));
+                             rest_of_page());
   source_ = type;
   sequence_ += 1;
 }
 
-void RecordStream::begin_end_of_flash(core::Microseconds time, std::span<std::byte> page) {
+void RecordStream::begin_end_of_flash(core::Microseconds time) {
   broken_off_ = LogEnd::flash_full;
   finishing_ = true;
   source_.reset();
@@ -123,7 +122,7 @@ void RecordStream::begin_end_of_flash(core::Microseconds time, std::span<std::by
                                                   .kind = protocol::LogEventKind::recording_ended,
                                                   .value = static_cast<std::uint8_t>(LogEnd::flash_full)});
   page_size_ += frame_.begin({.type = static_cast<std::uint8_t>(LogRecord::event), .sequence = sequence_, .time = time},
-                             {last_event_}, page.subspan(page_size_));
+                             {last_event_}, rest_of_page());
 }
 
 void RecordStream::release() {

@@ -38,13 +38,12 @@ class RecordStream {
   [[nodiscard]] bool open() const { return open_; }
 
  private:
-  // `page`: of it what may be programmed at once, to which all of these append.
-  void fill(std::span<std::byte> page);
-  [[nodiscard]] bool begin_next(std::span<std::byte> page);
-  void begin_frame(protocol::LogRecord type, core::Microseconds time, const protocol::LogFrameWriter::Parts& payload,
-                   std::span<std::byte> page);
-  void begin_header(core::Microseconds time, std::span<std::byte> page);
-  void begin_end_of_flash(core::Microseconds time, std::span<std::byte> page);
+  void fill_page();
+  [[nodiscard]] std::span<std::byte> rest_of_page() { return {page_.data() + page_size_, room_ - page_size_}; }
+  [[nodiscard]] bool begin_next();
+  void begin_frame(protocol::LogRecord type, core::Microseconds time, const protocol::LogFrameWriter::Parts& payload);
+  void begin_header(core::Microseconds time);
+  void begin_end_of_flash(core::Microseconds time);
   void release();
   void close();
 
@@ -57,6 +56,7 @@ class RecordStream {
   std::optional<protocol::LogRecord> source_{};  ///< what the queue may forget when the frame is done
   std::array<std::byte, FlashAccess::read_size> page_{};
   std::size_t page_size_ = 0;  ///< bytes in it
+  std::size_t room_ = 0;       ///< bytes of it that may be programmed at once
   std::uint32_t sequence_ = 0;
   std::optional<core::Microseconds> header_time_{};  ///< of the last one
   bool open_ = false;

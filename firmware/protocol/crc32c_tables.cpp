@@ -42,11 +42,12 @@ std::uint32_t crc32c(std::span<const std::byte> bytes) { return crc32c(0, bytes)
 
 std::uint32_t crc32c(std::uint32_t before, std::span<const std::byte> bytes) {
   std::uint32_t crc = ~before;
-  for (; bytes.size() >= 4; bytes = bytes.subspan(4)) {
-    const auto word = static_cast<std::uint32_t>(get<4>(bytes, 0)) ^ crc;
+  const auto words = bytes.first(bytes.size() / 4 * 4);
+  for (const std::byte* at = words.data(); at != words.data() + words.size(); at += 4) {
+    const auto word = static_cast<std::uint32_t>(get<4>({at, 4}, 0)) ^ crc;
     crc = first[word & 0xFFU] ^ second[(word >> 8U) & 0xFFU] ^ third[(word >> 16U) & 0xFFU] ^ last[word >> 24U];
   }
-  for (const std::byte byte : bytes) {
+  for (const std::byte byte : bytes.subspan(words.size())) {
     crc = last[(crc ^ static_cast<std::uint32_t>(byte)) & 0xFFU] ^ (crc >> 8U);
   }
   return ~crc;
