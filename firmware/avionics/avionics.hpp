@@ -54,22 +54,22 @@ struct Devices {
 class Avionics {
  public:
   /// `built_in` has passed core::validate(); a good plan in the flash goes before it. The devices outlive this object.
-  Avionics(Devices devices, const core::FlightPlan& built_in, const Identity& identity = {});
+  [[gnu::cold]] Avionics(Devices devices, const core::FlightPlan& built_in, const Identity& identity = {});
 
   /// One control tick. The record is valid until the next one.
   const core::TickRecord& tick();
 
   /// Where the plan in force has its canards when nothing is asked of them: for a board that gives up.
-  [[nodiscard]] std::array<std::optional<hal::Pulse>, hal::canards> pulses_at_trim() const;
+  [[nodiscard, gnu::cold]] std::array<std::optional<hal::Pulse>, hal::canards> pulses_at_trim() const;
 
  private:
   void look_for_new_plan();
-  void resume_flight(const core::Inputs& first);
-  void adopt(const core::FlightPlan& plan);
+  [[gnu::cold]] void resume_flight(const core::Inputs& first);
+  [[gnu::cold]] void adopt(const core::FlightPlan& plan);
   void listen(core::Microseconds now);
   void obey(const protocol::BenchSession& message);
   void obey(const protocol::BenchRequest& message);
-  void obey(const protocol::ArmRequest& message);
+  [[gnu::cold]] void obey(const protocol::ArmRequest& message);
   [[nodiscard]] core::Inputs read_devices(core::Microseconds now);
   void watch_board(const core::TickRecord& record, const FlashFacts& flash);
   void report(const core::TickRecord& record, const core::Inputs& inputs);

@@ -22,7 +22,7 @@ namespace fantail::avionics {
 class FlashService {
  public:
   /// The flash outlives this object.
-  explicit FlashService(hal::Flash& flash) : access_{flash} {}
+  [[gnu::cold]] explicit FlashService(hal::Flash& flash) : access_{flash} {}
   FlashService(const FlashService&) = delete;  // its users refer to its access
   FlashService& operator=(const FlashService&) = delete;
 

@@ -83,8 +83,8 @@ class Recorder {
     core::CommandStatus command_status = core::CommandStatus::outside_control;
   };
 
-  void begin_on_pad(const Tick& tick, core::Autopilot& law);
-  void begin_flight(const Tick& tick);
+  [[gnu::cold]] void begin_on_pad(const Tick& tick, core::Autopilot& law);
+  [[gnu::cold]] void begin_flight(const Tick& tick);
   void fly_on(const Tick& tick, core::Autopilot& law);
   [[nodiscard]] std::optional<protocol::LogEnd> reason_to_end(const core::TickRecord& record);
 

@@ -24,7 +24,7 @@ namespace fantail::core {
 class Autopilot {
  public:
   /// `plan` has passed validate().
-  explicit Autopilot(const FlightPlan& plan);
+  [[gnu::cold]] explicit Autopilot(const FlightPlan& plan);
 
   /// One tick, nominally every millisecond. The commands for the servos are `canards` in the record, which stays valid
   /// until the next step.

@@ -18,7 +18,7 @@ namespace fantail::core {
 /// dA and df are seeded, piecewise linear between values drawn every 0.1 s, and off by default.
 class Chirp {
  public:
-  explicit Chirp(const ExcitationPlan& plan);
+  [[gnu::cold]] explicit Chirp(const ExcitationPlan& plan);
 
   /// Excitation at a time after control start. Times must not go backwards.
   [[nodiscard]] Angle update(Microseconds since_control_start);
@@ -46,7 +46,7 @@ class Chirp {
     }
   };
 
-  void draw(std::uint32_t index);
+  [[gnu::cold]] void draw(std::uint32_t index);
   [[nodiscard]] float product_turns(Microseconds since_control_start, float varied_hz) const;
   [[nodiscard]] float sweep_turns(Microseconds since_begin) const;
 

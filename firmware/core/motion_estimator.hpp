@@ -64,7 +64,7 @@ struct Motion {
 /// guide.
 class MotionEstimator {
  public:
-  explicit MotionEstimator(const MotionPlan& plan);
+  [[gnu::cold]] explicit MotionEstimator(const MotionPlan& plan);
 
   /// One tick. Sensors may be late, repeated or missing.
   void update(const Inputs& inputs);

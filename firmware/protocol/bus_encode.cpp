@@ -3,7 +3,6 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "protocol/bus_angle_frame.hpp"
 #include "protocol/bus_choices.hpp"
 #include "protocol/bus_codec.hpp"
 #include "protocol/bus_frames.hpp"
@@ -24,10 +23,6 @@ BusFrame pack_data(const auto& message) {
 }
 
 }  // namespace
-
-BusFrame encode(const BenchRequest& message, std::uint8_t counter, std::uint16_t session) {
-  return angle_frame(BenchRequestFrame::id, message.angle, counter, session);
-}
 
 BusFrame encode(const BenchSession& message, std::uint8_t counter) {
   BenchSessionFrame::Raw raw{};
@@ -60,14 +55,6 @@ BusFrame encode(const LogRequest& message, std::uint8_t counter) {
   raw.offset = message.offset;
   raw.size = std::min(message.size, twelve_bits);
   return protect<LogRequestFrame>(raw, counter);
-}
-
-BusFrame encode(const CommandReport& message, std::uint8_t counter) {
-  return angle_frame(CommandReportFrame::id, message.angle, counter);
-}
-
-BusFrame encode(const EncoderReport& message, std::uint8_t counter) {
-  return angle_frame(EncoderReportFrame::id, message.angle, counter);
 }
 
 BusFrame encode(const StatusReport& message) {

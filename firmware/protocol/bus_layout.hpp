@@ -73,24 +73,24 @@ BusFrame protect(typename Frame::Raw raw, std::uint8_t counter, SessionOfFrame s
 /// raw signals, or nothing when one of them is out of its range.
 template <typename Message, typename Frame, bool strict, typename Read>
 Decoded<Message> decode_as(const BusFrame& frame, Read read, SessionOfFrame session = {}) {
+  Decoded<Message> decoded{};
   if (frame.length != Frame::length) {
-    return {.rejection = Rejection::wrong_length};
+    decoded.rejection = Rejection::wrong_length;
+    return decoded;
   }
   if constexpr (Frame::is_protected) {
     if (frame.data.back() != protection_of(frame, session)) {
-      return {.rejection = Rejection::wrong_crc};
+      decoded.rejection = Rejection::wrong_crc;
+      return decoded;
     }
   }
   const typename Frame::Raw raw = Frame::unpack(frame);
-  if (strict && Frame::pack(raw).data != frame.data) {
-    return {.rejection = Rejection::out_of_range};
+  if (!strict || Frame::pack(raw).data == frame.data) {
+    decoded.message = read(raw);
   }
-  const auto message = read(raw);
-  if (!message) {
-    return {.rejection = Rejection::out_of_range};
-  }
-  Decoded<Message> decoded{.message = *message};
-  if constexpr (Frame::is_protected) {
+  if (!decoded.message) {
+    decoded.rejection = Rejection::out_of_range;
+  } else if constexpr (Frame::is_protected) {
     decoded.counter = raw.counter;
   }
   return decoded;

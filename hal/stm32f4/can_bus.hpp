@@ -44,7 +44,8 @@ class CanBus final : public hal::CanBus {
   /// Joins the bus; waits, within a bound. From then on only data frames with these 11-bit identifiers are heard (none:
   /// nothing is). A fault: 1 Mbit/s cannot be made of this clock, or the controller does not answer, or it found no 11
   /// recessive bits in a row, which a bus that is stuck does not have. In the last case it goes on looking for them.
-  [[nodiscard]] std::optional<BoardFault> start(std::uint32_t apb1_hz, std::span<const std::uint16_t> identifiers);
+  [[nodiscard, gnu::cold]] std::optional<BoardFault> start(std::uint32_t apb1_hz,
+                                                           std::span<const std::uint16_t> identifiers);
 
   bool send(const CanFrame& frame) override;
   std::optional<CanFrame> receive() override;
@@ -62,7 +63,7 @@ class CanBus final : public hal::CanBus {
  private:
   using Count = std::atomic<std::uint32_t>;
 
-  void set_filters(std::span<const std::uint16_t> identifiers);
+  [[gnu::cold]] void set_filters(std::span<const std::uint16_t> identifiers);
   void count_finished_mailboxes(std::uint32_t status);
   void give_up();
   void fill_mailboxes(std::uint32_t status);

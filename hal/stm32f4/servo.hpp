@@ -23,7 +23,7 @@ class Servo final : public hal::Servo {
   using Counts = std::array<std::uint32_t, canards>;
 
   /// `timer_hz`: what the timer counts before its prescaler.
-  Servo(registers::Tim& timer, std::uint32_t timer_hz);
+  [[gnu::cold]] Servo(registers::Tim& timer, std::uint32_t timer_hz);
 
   /// A servo that is asked for a pulse outside of its range keeps the one it has: that is a broken command or a broken
   /// plan, and of all answers to it the end of the range would be the hardest kick.

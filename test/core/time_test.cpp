@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "core/time.hpp"
 
+#include <limits>
+#include <random>
+
 #include <gtest/gtest.h>
 
 namespace fantail::core {
@@ -23,6 +26,24 @@ TEST(Time, EveryMillisecondOfTheFirstEightSecondsIsExact) {
 TEST(Time, DifferencesAreGoodToAMicrosecondBelowSixteenSeconds) {
   for (std::int64_t i = -16'000'000; i <= 16'000'000; i += 997) {
     ASSERT_NEAR(static_cast<double>(seconds(Microseconds{i})), static_cast<double>(i) * 1e-6, 1e-6);
+  }
+}
+
+TEST(Time, AWideNumberBecomesTheFloatThatTheCompilersOwnConversionMakesOfIt) {
+  std::mt19937_64 random{20261124};
+  for (int bits = 1; bits <= 64; ++bits) {
+    for (int i = 0; i < 20'000; ++i) {
+      // Also those next to the middle between two floats, where what was shifted out decides.
+      const auto value =
+          static_cast<std::int64_t>(random() >> (64 - bits) & (i % 2 == 0 ? ~0ULL : 0xFFFFFF0000000001ULL));
+      for (const std::int64_t each : {value, value ^ -1}) {
+        ASSERT_EQ(wide_to_float(each), static_cast<float>(each)) << each;
+      }
+    }
+  }
+  for (const std::int64_t end : {std::numeric_limits<std::int64_t>::min(), std::numeric_limits<std::int64_t>::max(),
+                                 std::int64_t{0}, (std::int64_t{1} << 55) + (std::int64_t{1} << 31)}) {
+    ASSERT_EQ(wide_to_float(end), static_cast<float>(end)) << end;
   }
 }
 
