@@ -43,7 +43,8 @@ const core::TickRecord& Avionics::tick() {
                           .record = record,
                           .duration_before = tick_duration_,
                           .bus = devices_.can_bus,
-                          .power_up = flash_.boots().count()},
+                          .power_up = flash_.boots().count(),
+                          .board = &devices_.board},
                          *autopilot_);
   flight_memory_.keep(record, plan_crc_, flash_.flights().used_sectors(), *autopilot_);
   const LogTransfer::Right right = right_to_log();

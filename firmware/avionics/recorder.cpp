@@ -96,6 +96,10 @@ void Recorder::begin_flight(const Tick& tick) {
   overflowed_ = false;
   dropped_ = 0;
   longest_tick_ = {};
+  longest_tick_cycles_ = 0;
+  if (tick.board != nullptr) {
+    (void)tick.board->take_longest_tick_cycles();  // of the pad
+  }
   longest_queue_ = 0;
   ticks_to_health_ = 0;
   finished_since_.reset();

@@ -15,6 +15,7 @@
 #include "avionics/record_stream.hpp"
 #include "core/autopilot.hpp"
 #include "core/flight_plan.hpp"
+#include "hal/board.hpp"
 #include "hal/can_bus.hpp"
 #include "protocol/log_notes.hpp"
 #include "protocol/plan_block.hpp"
@@ -48,6 +49,7 @@ class Recorder {
     core::Microseconds duration_before{};  ///< of the tick before
     const hal::CanBus& bus;
     std::optional<std::uint32_t> power_up{};
+    hal::Board* board = nullptr;  ///< which may know the cycles of the longest tick
   };
 
   /// In Safe, while nothing is busy().
@@ -91,6 +93,7 @@ class Recorder {
   // `before`: number of the tick that follows.
   void queue_tick(const Tick& tick);
   void queue_changes(const core::TickRecord& record);
+  [[gnu::cold]] void tell_longest_tick(const Tick& tick);
   void queue_health(const Tick& tick);
   void begin_first_checkpoint();
   void go_on_with_first_checkpoint();
@@ -122,6 +125,7 @@ class Recorder {
   std::uint32_t dropped_ = 0;  ///< records, since that was last said
   std::uint32_t ticks_dropped_ = 0;
   core::Microseconds longest_tick_{};
+  std::uint32_t longest_tick_cycles_ = 0;  ///< of this record, as told
   std::uint32_t longest_queue_ = 0;
 };
 

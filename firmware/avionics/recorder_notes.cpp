@@ -84,6 +84,16 @@ void Recorder::queue_health(const Tick& tick) {
   queue_note(health.time, LogRecord::health, pack(health), queue_.ticks.end());
   longest_tick_ = {};
   longest_queue_ = 0;
+  tell_longest_tick(tick);
+}
+
+// Only what is longer than all before it, so that a record has a handful.
+void Recorder::tell_longest_tick(const Tick& tick) {
+  const auto cycles = tick.board != nullptr ? tick.board->take_longest_tick_cycles() : std::nullopt;
+  if (cycles && *cycles > longest_tick_cycles_) {
+    longest_tick_cycles_ = *cycles;
+    queue_event({.time = tick.record.time, .kind = LogEventKind::longest_tick, .number = *cycles}, queue_.ticks.end());
+  }
 }
 
 // Of the law half a second behind, which has stopped where the record begins.

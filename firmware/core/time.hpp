@@ -14,7 +14,7 @@ using Microseconds = std::chrono::duration<std::int64_t, std::micro>;
 
 /// static_cast<float>(value), to the last bit. Of the Cortex-M4's library that would take half a kilobyte of arithmetic
 /// in software, so it is shifted until its FPU can convert it; what falls off stays in the last bit, for the rounding.
-[[nodiscard, gnu::noinline]] constexpr float wide_to_float(std::int64_t value) {
+[[nodiscard, gnu::noinline, gnu::cold]] constexpr float wide_to_float(std::int64_t value) {
   constexpr int most_bits = 31;
   constexpr int bias = 127;
   constexpr int fraction_bits = 23;

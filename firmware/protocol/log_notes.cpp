@@ -16,7 +16,8 @@ std::size_t values(LogEventKind kind) {
     case LogEventKind::accelerometer_state: return core::sensor_states;
     case LogEventKind::command_status: return core::command_statuses;
     case LogEventKind::recording_began:
-    case LogEventKind::records_dropped: break;
+    case LogEventKind::records_dropped:
+    case LogEventKind::longest_tick: break;
   }
   return 1;
 }
@@ -102,6 +103,7 @@ std::string_view name(LogEventKind kind) {
     case LogEventKind::accelerometer_state: return "accelerometer_state";
     case LogEventKind::command_status: return "command_status";
     case LogEventKind::records_dropped: return "records_dropped";
+    case LogEventKind::longest_tick: return "longest_tick";
   }
   return "unknown";
 }

@@ -24,8 +24,9 @@ enum class LogEventKind : std::uint8_t {
   accelerometer_state,  ///< likewise
   command_status,       ///< value: core::CommandStatus
   records_dropped,      ///< number: ticks that found no room in the queue, since the event before
+  longest_tick,         ///< number: processor cycles of the longest tick so far, where the processor counts them
 };
-inline constexpr std::size_t log_event_kinds = 8;
+inline constexpr std::size_t log_event_kinds = 9;
 
 /// Why a recording ended.
 enum class LogEnd : std::uint8_t {

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "hal/board.hpp"
 #include "hal/stm32f4/battery.hpp"
 #include "hal/stm32f4/buzzer.hpp"
+#include "hal/stm32f4/cycle_counter.hpp"
 #include "hal/stm32f4/entropy.hpp"
 #include "hal/stm32f4/pin.hpp"
 
@@ -20,6 +22,7 @@ class Board final : public hal::Board {
     Buzzer& buzzer;
     const Battery& battery;
     const Entropy& entropy;
+    CycleCounter& cycles;  ///< of each tick
   };
 
   Board(Parts parts, ResetCause reset_cause) : parts_{parts}, reset_cause_{reset_cause} {}
@@ -34,6 +37,7 @@ class Board final : public hal::Board {
   void add_overruns(std::uint32_t ticks) { overruns_ += ticks; }
 
   [[nodiscard]] BoardStatus status() override;
+  std::optional<std::uint32_t> take_longest_tick_cycles() override { return parts_.cycles.take_longest(); }
   void show(Signal signal) override;
 
  private:

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "avionics/flash_service.hpp"
@@ -44,6 +45,14 @@ class NotingFlash final : public hal::Flash {
 
 inline constexpr hal::FlashGeometry one_mib{.size = 1U << 20U, .sector_size = 4096, .page_size = 256};
 
+/// Of a processor that counts its cycles, where a test says how many.
+struct CountingBoard final : hal::Board {
+  hal::BoardStatus status() override { return {}; }
+  void show(hal::Signal /*signal*/) override {}
+  std::optional<std::uint32_t> take_longest_tick_cycles() override { return std::exchange(cycles, std::nullopt); }
+  std::optional<std::uint32_t> cycles{};
+};
+
 /// A recorder with a flash, and a rocket of which nothing is real but the bytes: whoever uses it says what phase it is.
 class RecorderRig {
  public:
@@ -72,8 +81,14 @@ class RecorderRig {
          .gyro = {
              .time = time, .rate_rad_s = {.x = random_.between(-9.0F, 9.0F)}, .quality = core::SampleQuality::valid}});
     record.phase = phase;
-    service.recorder().note(
-        {.raw = raw_, .scales = {}, .inputs = {.time = time}, .record = record, .bus = bus_, .power_up = 1}, law_);
+    service.recorder().note({.raw = raw_,
+                             .scales = {},
+                             .inputs = {.time = time},
+                             .record = record,
+                             .bus = bus_,
+                             .power_up = 1,
+                             .board = &board},
+                            law_);
     service.update(time, false);
   }
   void run(core::Phase phase, int ticks) {
@@ -88,6 +103,7 @@ class RecorderRig {
     }
   }
 
+  CountingBoard board;
   NotingFlash noting;
   FlashService service{noting};
   core::Microseconds time{};

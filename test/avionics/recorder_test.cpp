@@ -45,6 +45,24 @@ TEST_F(RecorderTest, AnArmedRocketWritesNothingHoweverLongItStands) {
   EXPECT_TRUE(rig.noting.programs.empty());
 }
 
+TEST_F(RecorderTest, TellsHowManyCyclesALongerTickTookThanAllOfTheFlightBeforeIt) {
+  rig.run(Phase::armed, 1000);
+  rig.board.cycles = 99'000;  // on the pad
+  rig.run(Phase::launched, 100);
+  for (const std::uint32_t cycles : {30'000U, 20'000U, 50'000U}) {
+    rig.board.cycles = cycles;
+    rig.run(Phase::launched, 100);
+  }
+  rig.settle(Phase::armed);
+  std::vector<std::uint32_t> told;
+  for (const protocol::LogEvent& event : events_in(log())) {
+    if (event.kind == LogEventKind::longest_tick) {
+      told.push_back(event.number);
+    }
+  }
+  EXPECT_EQ(told, (std::vector<std::uint32_t>{30'000, 50'000}));
+}
+
 TEST_F(RecorderTest, KeepsTheLastHalfSecondBeforeTheLaunch) {
   rig.run(Phase::armed, 5000);
   const core::Microseconds launch = rig.time + tick;

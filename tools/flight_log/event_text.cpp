@@ -51,6 +51,7 @@ std::string event_text(const protocol::LogEvent& event) {
     case Kind::command_status: return std::string{text(static_cast<core::CommandStatus>(event.value))};
     case Kind::records_dropped:
       return fmt::format("{} records were not written, because the flash was too slow", event.number);
+    case Kind::longest_tick: return fmt::format("longest tick so far: {} cycles of the processor", event.number);
   }
   return "unknown";
 }

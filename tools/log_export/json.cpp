@@ -57,7 +57,8 @@ std::string_view value_name(const protocol::LogEvent& event) {
     case LogEventKind::accelerometer_state: return name(static_cast<core::SensorState>(event.value));
     case LogEventKind::command_status: return name(static_cast<core::CommandStatus>(event.value));
     case LogEventKind::recording_began:
-    case LogEventKind::records_dropped: break;
+    case LogEventKind::records_dropped:
+    case LogEventKind::longest_tick: break;
   }
   return {};
 }

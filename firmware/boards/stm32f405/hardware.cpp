@@ -63,7 +63,9 @@ Hardware::Hardware()
       entropy_{rng()},
       battery_{adc1(), adc_common(), battery_wiring},
       buzzer_{tim1(), tree_.frequencies.apb2_timers_hz, buzzer_hz},
-      board_{{.light = pin('B', 2), .buzzer = buzzer_, .battery = battery_, .entropy = entropy_}, reset_cause_},
+      cycles_{dwt(), core_debug()},
+      board_{{.light = pin('B', 2), .buzzer = buzzer_, .battery = battery_, .entropy = entropy_, .cycles = cycles_},
+             reset_cause_},
       arm_switch_{pin('C', 3)},
       servo_{tim8(), tree_.frequencies.apb2_timers_hz},
       imu_bus_{spi1(), tree_.frequencies.apb2_hz},
@@ -114,7 +116,9 @@ void Hardware::start(SensorStart how) {
 }
 
 void Hardware::wait_for_tick() {
+  cycles_.end();
   board_.add_overruns(clock_.wait_for_tick());
+  cycles_.begin();
   arm_switch_.update();
   battery_.update();
   hal::BoardFaults sensors = imu_.faults();

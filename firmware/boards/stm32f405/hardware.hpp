@@ -14,6 +14,7 @@
 #include "hal/stm32f4/clock.hpp"
 #include "hal/stm32f4/clock_tree.hpp"
 #include "hal/stm32f4/console.hpp"
+#include "hal/stm32f4/cycle_counter.hpp"
 #include "hal/stm32f4/encoder.hpp"
 #include "hal/stm32f4/entropy.hpp"
 #include "hal/stm32f4/flash.hpp"
@@ -59,6 +60,7 @@ class Hardware {
   hal::stm32f4::Entropy entropy_;
   hal::stm32f4::Battery battery_;
   hal::stm32f4::Buzzer buzzer_;
+  hal::stm32f4::CycleCounter cycles_;
   hal::stm32f4::Board board_;
   hal::stm32f4::ArmSwitch arm_switch_;
   hal::stm32f4::Servo servo_;

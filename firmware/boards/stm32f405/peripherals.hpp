@@ -7,6 +7,7 @@
 
 #include "hal/stm32f4/registers/adc.hpp"
 #include "hal/stm32f4/registers/can.hpp"
+#include "hal/stm32f4/registers/dwt.hpp"
 #include "hal/stm32f4/registers/flash_interface.hpp"
 #include "hal/stm32f4/registers/gpio.hpp"
 #include "hal/stm32f4/registers/iwdg.hpp"
@@ -43,9 +44,11 @@ inline registers::Pwr& pwr() { return peripheral<registers::Pwr, 0x40007000>(); 
 inline registers::Rcc& rcc() { return peripheral<registers::Rcc, 0x40023800>(); }
 inline registers::FlashInterface& flash_interface() { return peripheral<registers::FlashInterface, 0x40023C00>(); }
 inline registers::Rng& rng() { return peripheral<registers::Rng, 0x50060800>(); }
+inline registers::Dwt& dwt() { return peripheral<registers::Dwt, 0xE0001000>(); }
 inline registers::SysTick& systick() { return peripheral<registers::SysTick, 0xE000E010>(); }
 inline registers::Nvic& nvic() { return peripheral<registers::Nvic, 0xE000E100>(); }
 inline registers::Scb& scb() { return peripheral<registers::Scb, 0xE000ED00>(); }
+inline registers::CoreDebug& core_debug() { return peripheral<registers::CoreDebug, 0xE000EDF0>(); }
 
 /// Port 'A' to 'C'.
 inline registers::Gpio& port(char name) {

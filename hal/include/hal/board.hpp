@@ -97,6 +97,8 @@ class Board {
   virtual ~Board() = default;
   /// Now; never waits.
   [[nodiscard]] virtual BoardStatus status() = 0;
+  /// Cycles of the processor that the longest tick took since this was asked last; none where nobody counts them.
+  virtual std::optional<std::uint32_t> take_longest_tick_cycles() { return std::nullopt; }
   /// Once a tick.
   virtual void show(Signal signal) = 0;
 };

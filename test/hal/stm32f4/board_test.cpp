@@ -30,6 +30,9 @@ struct TheBoard : testing::Test {
   std::uint32_t random = 1;
   Battery battery{converter, common, {.channel = 12, .reference_mv = 3300, .divider = 11}};
   Buzzer buzzer{timer.registers, 168'000'000, 2'700};
+  registers::Dwt dwt{};
+  registers::CoreDebug debug{};
+  CycleCounter cycles{dwt, debug};
   std::optional<Entropy> entropy;
   std::optional<Board> board;
 
@@ -37,8 +40,10 @@ struct TheBoard : testing::Test {
     world.on_read(rng.sr, [] { return 1U; });
     world.on_read(rng.dr, [this] { return ++random; });
     entropy.emplace(rng);
-    board.emplace(Board::Parts{.light = Pin{port, 2}, .buzzer = buzzer, .battery = battery, .entropy = *entropy},
-                  ResetCause::pin);
+    board.emplace(
+        Board::Parts{
+            .light = Pin{port, 2}, .buzzer = buzzer, .battery = battery, .entropy = *entropy, .cycles = cycles},
+        ResetCause::pin);
   }
 
   [[nodiscard]] bool light() const { return RegisterWorld::peek(port.bsrr) == 1U << 2U; }
