@@ -46,7 +46,7 @@ class Telemetry {
   [[nodiscard]] bool slow_report_is_due() const;
 
  private:
-  void send_sensors(const core::Inputs& inputs, hal::CanBus& bus) const;
+  [[gnu::cold]] void send_sensors(const core::Inputs& inputs, hal::CanBus& bus) const;
   void send_health(const core::TickRecord& record, const Report& report, hal::CanBus& bus);
 
   std::uint32_t ticks_ = 0;
