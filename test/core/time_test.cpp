@@ -32,7 +32,7 @@ TEST(Time, DifferencesAreGoodToAMicrosecondBelowSixteenSeconds) {
 TEST(Time, AWideNumberBecomesTheFloatThatTheCompilersOwnConversionMakesOfIt) {
   std::mt19937_64 random{20261124};
   for (int bits = 1; bits <= 64; ++bits) {
-    for (int i = 0; i < 20'000; ++i) {
+    for (int i = 0; i < 300; ++i) {
       // Also those next to the middle between two floats, where what was shifted out decides.
       const auto value =
           static_cast<std::int64_t>(random() >> (64 - bits) & (i % 2 == 0 ? ~0ULL : 0xFFFFFF0000000001ULL));
