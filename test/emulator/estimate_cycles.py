@@ -142,8 +142,7 @@ class Processor:
         self.worst = worst
         self.code, self.data = Lines(CODE_LINES), Lines(DATA_LINES)
         self.line, self.in_line = None, 0
-        self.last_was_access = False
-        self.jumped = True
+        self.last_was_access, self.jumped = False, True
 
     def fetch(self, address, size):
         """Wait states until the instruction is there."""
@@ -166,8 +165,7 @@ class Processor:
     def run(self, instruction, taken):
         """(cycles of the processor, wait states)."""
         i = instruction
-        waits = self.fetch(i.address, i.size)
-        cycles = i.high if self.worst else i.low
+        waits, cycles = self.fetch(i.address, i.size), i.high if self.worst else i.low
         access = i.kind in ("load", "store")
         if i.kind == "load" and not self.worst and not self.last_was_access:
             cycles += 1
