@@ -78,7 +78,8 @@ struct LockStep {
       for (std::size_t i = 0; i < 4; ++i) {
         request[i] = asked[i].value_or(plan.canards.each[i].trim);
       }
-      const core::CanardCommands commands = mixer.mix(core::Microseconds{1000LL * t}, core::Angle{}, request, read);
+      core::CanardCommands commands;
+      mixer.mix(core::Microseconds{1000LL * t}, core::Angle{}, request, read, commands);
       for (std::size_t i = 0; i < 4; ++i) {
         tick.limited[i] = commands[i].limited;
         if (commands[i].driven) {
