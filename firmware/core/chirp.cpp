@@ -48,7 +48,7 @@ std::int64_t by_a_thousand(std::int64_t number) {
 // The nearest one to a number below 2^63. A conversion of 64 bits is a call on the Cortex-M4, of 32 bits one
 // instruction; a last bit that says whether anything was cut off makes it round as the whole number would.
 float to_float(std::uint64_t number) {
-  const int cut = std::bit_width(static_cast<std::uint32_t>(number >> 32U));
+  const auto cut = static_cast<unsigned>(std::bit_width(static_cast<std::uint32_t>(number >> 32U)));
   const std::uint32_t scale = 1U << cut;
   const std::uint32_t rest = static_cast<std::uint32_t>(number) & (scale - 1U);
   return static_cast<float>(static_cast<std::uint32_t>(number >> cut) | (rest != 0 ? 1U : 0U)) *

@@ -22,8 +22,7 @@ inline constexpr std::size_t sensor_states = 4;
 
 /// A sample that is neither from the future nor older than the plan allows.
 [[nodiscard]] constexpr bool is_current(Microseconds now, Microseconds time, Microseconds stale_time) {
-  const Microseconds age = now - time;
-  return age >= Microseconds{0} && age <= stale_time;
+  return time <= now && time >= now - stale_time;  // not by its age, which of a time that is nonsense does not fit
 }
 
 /// Which samples of the gyro are believed.
