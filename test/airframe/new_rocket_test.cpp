@@ -129,6 +129,18 @@ TEST_F(NewRocketFiles, HaveGainsThatSuitTheirCanards) {
   EXPECT_LT(least_phase_margin_deg(usual, 20.5, 82.0), 0.0);
 }
 
+TEST_F(NewRocketFiles, HaveTheOffsetOfCantedFins) {
+  sim::Vehicle source = shipped();
+  source.geometry->fins->cant_rad = 0.01;
+  const double computed_rad = 0.01 * model::build_up(source).cant_as_canards->value;
+  EXPECT_NEAR(made_from(source).disturbance.front().angle_rad / computed_rad, 1.0, 1e-5);
+  source.geometry->fins->cant_rad = -0.15;
+  const sim::Scenario most = made_from(source);
+  EXPECT_NEAR(most.disturbance.front().angle_rad, -45.0 * sim::radians_per_degree, 1e-9);
+  EXPECT_TRUE(most.assumed.front().starts_with("Fin offset: the largest of a scenario; it is -"))
+      << most.assumed.front();
+}
+
 TEST(FirstGains, SayTheMarginThatTheyHaveAndWhereNoGainsHaveOne) {
   const sim::Vehicle vehicle = shipped();
   const model::BuildUp computed = model::build_up(vehicle);
@@ -147,6 +159,12 @@ TEST(FirstGains, SayTheMarginThatTheyHaveAndWhereNoGainsHaveOne) {
   EXPECT_FALSE(none->reach_phase_margin);
   EXPECT_EQ(none->gains.derivative_s, gains_of(plan).derivative_s);
   EXPECT_NE(sentence(*none).find("no gains of a plan have a phase margin of 30 degrees"), std::string::npos);
+
+  // A tenth of the thrust does not lift it.
+  sim::Vehicle heavy = vehicle;
+  heavy.mass_kg *= 10.0;
+  EXPECT_FALSE(first_gains(heavy, computed, plan));
+  EXPECT_NE(why_none(plan).find("2.5 g for 0.1 s, and 10 m/s 6 m from the foot"), std::string::npos);
 
   model::BuildUp without = computed;
   without.roll_torque_m3.reset();

@@ -173,6 +173,13 @@ TEST(VehicleFile, ATransverseInertiaThatNoBodyHasIsRefused) {
   EXPECT_NE(refused(across + std::to_string(least_kg_m2 - 1e-4)).find("moves by 25 mm"), std::string::npos);
 }
 
+TEST(VehicleFile, PartsAreSpreadOverNoMoreThanTheRocket) {
+  EXPECT_NE(complaint([] {
+              (void)vehicle("tasha3_launch2", {"airframe.parts_spread_m=1.6"});
+            }).message.find("airframe.parts_spread_m = 1.6; allowed: at most length_m = 1.51"),
+            std::string::npos);
+}
+
 TEST(VehicleFile, ASensorSitsInItsRocket) {
   const std::vector<std::string> airframe{"airframe.diameter_m=0.1",
                                           "airframe.length_m=1.7",

@@ -49,6 +49,26 @@ TEST(Verdict, ATrajectoryThatEndsInTheClimbIsNoWholeFlight) {
             std::string::npos);
 }
 
+// It stays within ten degrees of anything, as a rocket does that nothing turns.
+TEST(Verdict, ARocketThatItsCanardsDoNotTurnIsNotCalledHeld) {
+  SyntheticFlight synthetic;
+  synthetic.flight.airframe = flight::FlownAirframe{};
+  Verdict v = verdict_of(synthetic.flight);
+  EXPECT_EQ(v.outcome, Outcome::not_judged);
+  EXPECT_EQ(v.text, "Roll not judged: the canards do not turn the rocket enough for the loop to have a gain of one.");
+  synthetic.flight.loop_margins = {{20.0, 1.5, {}, 0.002}, {80.0, 1.5, {}, 0.01}};
+  v = verdict_of(synthetic.flight);
+  EXPECT_EQ(v.outcome, Outcome::not_judged);
+  EXPECT_NE(v.text.find("the loop would need 100 s or more to settle, and control lasted 3.9 s"), std::string::npos)
+      << v.text;
+  synthetic.flight.loop_margins[1].crossover_rad_s = 10.0;
+  EXPECT_EQ(verdict_of(synthetic.flight).outcome, Outcome::held);
+  // What was not held stays so.
+  synthetic.flight.loop_margins.clear();
+  synthetic.each_controlled([](flight::Row& row) { row.truth->roll_angle_rad += text::radians(-24.0); });
+  EXPECT_EQ(verdict_of(synthetic.flight).outcome, Outcome::not_held);
+}
+
 TEST(Verdict, ALargeErrorIsNotCalledHeld) {
   SyntheticFlight synthetic;
   synthetic.each_controlled([](flight::Row& row) { row.truth->roll_angle_rad += text::radians(-24.0); });

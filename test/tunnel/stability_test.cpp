@@ -201,6 +201,15 @@ TEST(Stability, OneSpeedProvesNothing) {
   EXPECT_NE(s.remarks[0].find("alone make 24 % of the stiffness at 15.0 m/s"), std::string::npos) << s.remarks[0];
 }
 
+// An anemometer that showed zero all along makes no line.
+TEST(Stability, SwingsInAirThatStandsStillAreAtNoSpeed) {
+  const Stability s =
+      examine_stability({swing_at(0, 0.12, 0.2), swing_at(0, 0.12, 0.2), swing_at(0, 0.12, 0.2)}, airframe, 1.2);
+  EXPECT_EQ(s.verdict, StabilityVerdict::unsure);
+  EXPECT_FALSE(s.margin_m);
+  EXPECT_EQ(s.sentence, "Not judged: the swings that can be fitted are at one speed only.");
+}
+
 // It swings at every speed, and faster the slower the wind is: the strings hold it.
 TEST(Stability, ARocketThatOnlyItsStringsHoldIsUnstable) {
   const Stability s =

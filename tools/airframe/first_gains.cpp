@@ -9,6 +9,7 @@
 
 #include "sim/ascent.hpp"
 #include "sim/scenario.hpp"
+#include "sim/units.hpp"
 #include "stability/roll_loop.hpp"
 #include "text/degrees.hpp"
 #include "text/number.hpp"
@@ -26,7 +27,7 @@ struct Speeds {
   double highest_m_s;
 };
 
-/// Where control may begin, and the fastest after that.
+/// Where control begins, and the fastest after that; empty: it never does.
 std::optional<Speeds> speeds_under_control(const sim::Vehicle& vehicle, const core::FlightPlan& plan) {
   constexpr double tick_s = 1e-3;
   constexpr double longest_s = 600.0;
@@ -36,11 +37,17 @@ std::optional<Speeds> speeds_under_control(const sim::Vehicle& vehicle, const co
                       .drag_over_mach = vehicle.drag_over_mach}};
   const auto from_m = static_cast<double>(plan.guide.length_m + plan.guide.clearance_m);
   const auto from_m_s = static_cast<double>(plan.guide.minimum_speed_m_s);
+  const auto threshold_m_s2 = static_cast<double>(plan.launch_detection.threshold_m_s2);
+  const auto hold_s = static_cast<double>(core::seconds(plan.launch_detection.hold));
+  double pushed_s = 0.0;
+  bool detected = false;
   std::optional<Speeds> found;
   for (int i = 0; i * tick_s < longest_s && !ascent.events().apogee_s; ++i) {
     ascent.advance_to(i * tick_s);
     const double speed_m_s = ascent.speed_m_s();
-    if (!found && ascent.distance_m() >= from_m && speed_m_s >= from_m_s) {
+    pushed_s = ascent.axial_specific_force_m_s2() >= threshold_m_s2 ? pushed_s + tick_s : 0.0;
+    detected = detected || pushed_s >= hold_s;
+    if (detected && !found && ascent.distance_m() >= from_m && speed_m_s >= from_m_s) {
       found = Speeds{speed_m_s, speed_m_s};
     } else if (found) {
       found->highest_m_s = std::max(found->highest_m_s, speed_m_s);
@@ -104,6 +111,18 @@ std::optional<FirstGains> first_gains(const sim::Vehicle& vehicle, const model::
                     .lowest_speed_m_s = range->lowest_m_s,
                     .highest_speed_m_s = range->highest_m_s,
                     .servo_lag_s = vehicle.servo.lag_s};
+}
+
+std::string why_none(const core::FlightPlan& plan) {
+  using text::brief;
+  return fmt::format(
+      "No gains were chosen: in a straight ascent control does not begin. That takes {} g for {} s, and {} m/s {} m "
+      "from the "
+      "foot of the guide.",
+      brief(static_cast<double>(plan.launch_detection.threshold_m_s2) / sim::gravity_m_s2, 2),
+      brief(static_cast<double>(core::seconds(plan.launch_detection.hold)), 2),
+      brief(static_cast<double>(plan.guide.minimum_speed_m_s), 1),
+      brief(static_cast<double>(plan.guide.length_m + plan.guide.clearance_m), 1));
 }
 
 std::string sentence(const FirstGains& first) {

@@ -25,9 +25,12 @@ struct FirstGains {
 [[nodiscard]] stability::Gains gains_of(const core::FlightPlan& plan);
 
 /// For `vehicle` with the roll model that its shape gives: the gains nearest to those of `plan`. Empty without canards,
-/// and where a straight ascent never reaches the speed at which control may begin.
+/// and where control never begins in a straight ascent.
 [[nodiscard]] std::optional<FirstGains> first_gains(const sim::Vehicle& vehicle, const model::BuildUp& computed,
                                                     const core::FlightPlan& plan);
+
+/// Why a rocket with canards has none, for a person.
+[[nodiscard]] std::string why_none(const core::FlightPlan& plan);
 
 /// What was asked of them, for a person.
 [[nodiscard]] std::string sentence(const FirstGains& first);

@@ -2,6 +2,7 @@
 #include "airframe/new_rocket.hpp"
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <iterator>
@@ -13,6 +14,7 @@
 #include "airframe/model/build_up.hpp"
 #include "core/flight_plan_fields.hpp"
 #include "text/degrees.hpp"
+#include "text/number.hpp"
 
 namespace fantail::airframe {
 namespace {
@@ -46,11 +48,11 @@ constexpr std::string_view scenario_text = R"(
 vehicle = "vehicle.toml"
 plan = "plan.toml"
 seed = 1
-assumed = ["Fin offset: 3 deg, which nobody has measured."]
+assumed = ["{offset}"]
 
 [disturbance] # the fins push as hard as canards at this angle: measure it in a tunnel or find it in a flight
 times_s = [0]
-angles_deg = [3]
+angles_deg = [{offset_deg}]
 
 [flight]
 motion = "{motion}"
@@ -227,6 +229,26 @@ std::string vehicle_file(const NewRocket& rocket, const model::BuildUp& b) {
   return out + fmt::format("\n[motor]\nfile = {}\n", toml_text(rocket.motor_file));
 }
 
+struct Offset {
+  double angle_deg;
+  std::string sentence;
+};
+
+/// What the scenario begins with: of fins that are canted, their cant.
+Offset fin_offset(const Geometry& shape, const model::BuildUp& b) {
+  constexpr double usual_deg = 3.0;
+  constexpr double most_deg = 45.0;  // of a scenario
+  const double cant_deg = b.cant_as_canards ? text::degrees(shape.fins->cant_rad * b.cant_as_canards->value) : 0.0;
+  if (cant_deg == 0.0) {
+    return {usual_deg, "Fin offset: 3 deg, which nobody has measured."};
+  }
+  const std::string computed = fmt::format("{} deg, as computed from the fins' cant", text::fixed(cant_deg, 1));
+  return std::abs(cant_deg) <= most_deg
+             ? Offset{cant_deg, fmt::format("Fin offset: {}.", computed)}
+             : Offset{std::copysign(most_deg, cant_deg),
+                      fmt::format("Fin offset: the largest of a scenario; it is {}.", computed)};
+}
+
 }  // namespace
 
 NewFiles files_of(const NewRocket& rocket) {
@@ -236,6 +258,7 @@ NewFiles files_of(const NewRocket& rocket) {
   const core::FlightPlan usual = core::default_plan();
   const auto first = first_gains(with_roll_of_shape(rocket.vehicle, b), b, usual);
   const stability::Gains gains = first ? first->gains : gains_of(usual);
+  const Offset offset = fin_offset(*rocket.vehicle.geometry, b);
   NewFiles made{
       .files = {{.name = "vehicle.toml", .content = vehicle_file(rocket, b)},
                 {.name = "plan.toml",
@@ -243,10 +266,13 @@ NewFiles files_of(const NewRocket& rocket) {
                                                      fmt::arg("proportional_gain", rounded(gains.proportional)),
                                                      fmt::arg("derivative_gain_s", rounded(gains.derivative_s)))},
                 {.name = "scenario.toml",
-                 .content = first_line + fmt::format(fmt::runtime(scenario_text),
+                 .content = first_line + fmt::format(fmt::runtime(scenario_text), fmt::arg("offset", offset.sentence),
+                                                     fmt::arg("offset_deg", rounded(offset.angle_deg)),
                                                      fmt::arg("motion", whole ? "six_dof" : "straight"),
                                                      fmt::arg("wind", whole ? 3 : 0))}},
-      .gains = first ? sentence(*first) : ""};
+      .gains = first              ? sentence(*first)
+               : b.roll_torque_m3 ? why_none(usual)
+                                  : ""};
   if (rocket.motor) {
     made.files.push_back(*rocket.motor);
   }

@@ -105,6 +105,7 @@ struct LoopMargin {
   double speed_m_s = 0.0;
   double phase_margin_rad = 0.0;
   std::optional<double> gain_margin{};
+  std::optional<double> crossover_rad_s{};  ///< the highest frequency that the loop can follow; empty: not in the file
 };
 
 /// How far the canards deflect together, as the air sees them, at the largest roll commands; see sim::DeflectionRange.

@@ -216,7 +216,8 @@ std::vector<flight::LoopMargin> loop_margins(const sim::Scenario& scenario, cons
 
   const auto at = [&scenario](double speed_m_s) -> std::optional<flight::LoopMargin> {
     const auto found = stability::margins(stability::loop_at_speed(scenario, speed_m_s));
-    return found ? std::optional{flight::LoopMargin{speed_m_s, found->phase_margin_rad, found->gain_margin}}
+    return found ? std::optional{flight::LoopMargin{speed_m_s, found->phase_margin_rad, found->gain_margin,
+                                                    found->crossover_rad_s}}
                  : std::nullopt;
   };
   double worst_m_s = lowest_m_s;

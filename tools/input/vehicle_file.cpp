@@ -128,6 +128,10 @@ void check_airframe(const Document& document, const sim::Vehicle& vehicle) {
                               " is behind the tail; allowed: at most length_m = " + plain_number(a.length_m));
     }
   }
+  if (a.parts_spread_m > a.length_m) {
+    section.refuse("parts_spread_m",
+                   "= " + plain_number(a.parts_spread_m) + "; allowed: at most length_m = " + plain_number(a.length_m));
+  }
   if (a.diameter_m > a.length_m) {
     section.refuse("diameter_m",
                    "= " + plain_number(a.diameter_m) + "; allowed: less than length_m = " + plain_number(a.length_m));

@@ -64,7 +64,7 @@ std::string sentence(protocol::SelfTestFailure failure, const std::optional<std:
     case Failure::gyro_failed: return "the gyro gives no usable rate";
     case Failure::accelerometer_failed: return "an accelerometer that the plan needs gives no usable sample";
     case Failure::specific_force_not_one_g:
-      return "an accelerometer does not read 1 g along the axis (0.9 to 1.1 g): is the rocket upright?";
+      return "an accelerometer does not read 1 g along the axis (0.9 to 1.1 g); perhaps the rocket is not upright";
     case Failure::accelerometers_disagree: return "the two accelerometers disagree by more than the plan allows";
     case Failure::encoder_silent: return "the encoder of " + which + " is silent";
     case Failure::canard_did_not_follow: return which + " is not at the angle it was commanded to";

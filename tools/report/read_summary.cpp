@@ -131,7 +131,8 @@ void read_loop_margins(flight::Flight& flight, const Json& list) {
     const auto speed_m_s = number(margin, "speed_m_s");
     const auto phase_margin_deg = number(margin, "phase_margin_deg");
     if (speed_m_s && phase_margin_deg) {
-      flight.loop_margins.push_back({*speed_m_s, text::radians(*phase_margin_deg), number(margin, "gain_margin")});
+      flight.loop_margins.push_back({*speed_m_s, text::radians(*phase_margin_deg), number(margin, "gain_margin"),
+                                     number(margin, "crossover_rad_s")});
     }
   }
 }

@@ -73,7 +73,8 @@ Json loop_margins(const flight::Flight& flight) {
   for (const flight::LoopMargin& margin : flight.loop_margins) {
     all.push_back({{"speed_m_s", rounded(margin.speed_m_s)},
                    {"phase_margin_deg", rounded(text::degrees(margin.phase_margin_rad))},
-                   {"gain_margin", rounded(margin.gain_margin)}});
+                   {"gain_margin", rounded(margin.gain_margin)},
+                   {"crossover_rad_s", rounded(margin.crossover_rad_s)}});
   }
   return all;
 }

@@ -4,12 +4,11 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <iterator>
-#include <vector>
 
 #include <fmt/format.h>
 
 #include "flight/phase_names.hpp"
+#include "report/fault_sentences.hpp"
 #include "text/degrees.hpp"
 #include "text/number.hpp"
 
@@ -97,6 +96,29 @@ std::string why_not_judged(const flight::Flight& flight, const Figures& f) {
                                  : "the reference was never constant for long enough";
 }
 
+/// Where a rocket hardly rolls at all, it stays near every angle; nothing held it there. Empty: the loop can settle.
+std::string why_nothing_settles(const flight::Flight& flight, const Figures& f) {
+  if (!flight.airframe || flight.left_by_fins <= 0.0) {
+    return {};  // not simulated, or a roll that comes to rest nowhere
+  }
+  if (flight.loop_margins.empty()) {
+    return "the canards do not turn the rocket enough for the loop to have a gain of one";
+  }
+  double fastest_rad_s = 0.0;
+  for (const flight::LoopMargin& margin : flight.loop_margins) {
+    if (!margin.crossover_rad_s) {
+      return {};
+    }
+    fastest_rad_s = std::max(fastest_rad_s, *margin.crossover_rad_s);
+  }
+  return fastest_rad_s * *f.control_time_s >= 1.0
+             ? ""
+             : fmt::format(
+                   "the canards turn the rocket so little that the loop would need {} s or more to settle, and "
+                   "control lasted {} s",
+                   text::fixed(1.0 / fastest_rad_s, 0), text::fixed(*f.control_time_s, 1));
+}
+
 Verdict judge_control(const flight::Flight& flight, const Figures& f) {
   const std::string rest = saturation_and_margin(f);
   if (f.at_limit_since_s && f.offset_beyond_limit) {
@@ -107,6 +129,9 @@ Verdict judge_control(const flight::Flight& flight, const Figures& f) {
   const std::string ended_at_limit = f.at_limit_since_s ? fmt::format(" {}", sentence(at_limit(f))) : "";
   if (f.largest_hold_error_rad && !is_in_still_air(flight)) {
     const bool held = *f.largest_hold_error_rad <= held_error_rad;
+    if (const std::string why = held ? why_nothing_settles(flight, f) : ""; !why.empty()) {
+      return {Outcome::not_judged, sentence("roll not judged: " + why)};
+    }
     const std::string hold = fmt::format(fmt::runtime(held ? "roll stayed within {} of where this law settles; {}"
                                                            : "roll not held: up to {} from where this law settles; {}"),
                                          degrees_text(*f.largest_hold_error_rad), rest);
@@ -196,52 +221,6 @@ void say_how_far_it_reaches(Verdict& v, double trajectory_end_s) {
   begin_lower(v.text);
   v.text =
       fmt::format("Until the trajectory ends at {} s, before apogee: {}", text::fixed(trajectory_end_s, 2), v.text);
-}
-
-std::string unmeasured(const flight::Flight& flight) {
-  const flight::Unmeasured& u = flight.unmeasured;
-  std::string text;
-  if (u.silent_from_s) {
-    text += fmt::format(
-        " The gyro gave no usable rate for {} s in all, first at {} s; the canards stood at trim meanwhile.",
-        text::fixed(u.silent_for_s, 3), text::fixed(*u.silent_from_s, 2));
-  }
-  if (u.speed_bound_from_s) {
-    text += fmt::format(
-        " From {} s on the avionics knew only lower bounds of height and speed, because every "
-        "accelerometer was at the end of its range.",
-        text::fixed(*u.speed_bound_from_s, 2));
-  }
-  return text;
-}
-
-/// The first finding of the monitor about each canard, how long it lasted, and what became of it.
-std::string canard_faults(const flight::Flight& flight) {
-  std::string text;
-  for (std::size_t canard = 0; canard < core::canard_count; ++canard) {
-    std::vector<flight::CanardVerdictChange> changes;
-    std::ranges::copy_if(flight.canard_verdict_changes, std::back_inserter(changes),
-                         [canard](const auto& change) { return change.canard == canard; });
-    const auto healthy = [](const auto& change) { return change.verdict == core::CanardVerdict::healthy; };
-    changes.erase(changes.begin(), std::ranges::find_if_not(changes, healthy));
-    if (changes.empty()) {
-      continue;
-    }
-    text += fmt::format(" Canard {} {} from {} s", canard + 1, core::name(changes[0].verdict),
-                        text::fixed(changes[0].time_s, 2));
-    if (changes.size() == 1) {
-      text += " to the end.";
-      continue;
-    }
-    text += fmt::format(" to {} s", text::fixed(changes[1].time_s, 2));
-    if (changes.size() > 2) {
-      text += fmt::format(", {} at the end after {} changes", core::name(changes.back().verdict), changes.size() - 1);
-    } else {
-      text += fmt::format(", then {}", core::name(changes.back().verdict));
-    }
-    text += ".";
-  }
-  return text;
 }
 
 }  // namespace

@@ -29,7 +29,7 @@ std::optional<StiffnessLine> line_through(const std::vector<StabilitySwing>& swi
   double least = 0.0;
   double most = 0.0;
   for (const StabilitySwing& swing : swings) {
-    if (!swing.result.swing) {
+    if (!swing.result.swing || swing.speed_m_s <= 0.0) {
       continue;
     }
     const Estimate& y = swing.result.swing->stiffness_per_s2;
@@ -197,7 +197,7 @@ std::string remark_on_turbulence(const std::vector<StabilitySwing>& swings) {
     if (!swing.air) {
       return fmt::format(
           "Turbulent air pushes the rocket, too, and no interval counts it. How turbulent it was at {} m/s is not "
-          "known: that takes a tunnel.csv, with five readings of the steady air or more, instead of --speeds. {}",
+          "known: that takes a tunnel.csv with five readings of moving, steady air or more. {}",
           fixed(swing.speed_m_s, 1), simulated);
     }
     worst = worst && largest(*worst) >= largest(*swing.air) ? worst : swing.air;

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#include "report/fault_sentences.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "text/number.hpp"
+
+namespace fantail::report {
+
+std::string unmeasured(const flight::Flight& flight) {
+  const flight::Unmeasured& u = flight.unmeasured;
+  std::string text;
+  if (u.silent_from_s) {
+    text += fmt::format(
+        " The gyro gave no usable rate for {} s in all, first at {} s; the canards stood at trim meanwhile.",
+        text::fixed(u.silent_for_s, 3), text::fixed(*u.silent_from_s, 2));
+  }
+  if (u.speed_bound_from_s) {
+    text += fmt::format(
+        " From {} s on the avionics knew only lower bounds of height and speed, because every "
+        "accelerometer was at the end of its range.",
+        text::fixed(*u.speed_bound_from_s, 2));
+  }
+  return text;
+}
+
+std::string canard_faults(const flight::Flight& flight) {
+  std::string text;
+  for (std::size_t canard = 0; canard < core::canard_count; ++canard) {
+    std::vector<flight::CanardVerdictChange> changes;
+    std::ranges::copy_if(flight.canard_verdict_changes, std::back_inserter(changes),
+                         [canard](const auto& change) { return change.canard == canard; });
+    const auto healthy = [](const auto& change) { return change.verdict == core::CanardVerdict::healthy; };
+    changes.erase(changes.begin(), std::ranges::find_if_not(changes, healthy));
+    if (changes.empty()) {
+      continue;
+    }
+    text += fmt::format(" Canard {} {} from {} s", canard + 1, core::name(changes[0].verdict),
+                        text::fixed(changes[0].time_s, 2));
+    if (changes.size() == 1) {
+      text += " to the end.";
+      continue;
+    }
+    text += fmt::format(" to {} s", text::fixed(changes[1].time_s, 2));
+    if (changes.size() > 2) {
+      text += fmt::format(", {} at the end after {} changes", core::name(changes.back().verdict), changes.size() - 1);
+    } else {
+      text += fmt::format(", then {}", core::name(changes.back().verdict));
+    }
+    text += ".";
+  }
+  return text;
+}
+
+}  // namespace fantail::report

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include "flight/flight.hpp"
+
+namespace fantail::report {
+
+// Sentences of a verdict, each with a space before it; empty where there is nothing to say.
+
+/// When the gyro was silent, and from when on height and speed are lower bounds.
+[[nodiscard]] std::string unmeasured(const flight::Flight& flight);
+
+/// The first finding of the monitor about each canard, how long it lasted, and what became of it.
+[[nodiscard]] std::string canard_faults(const flight::Flight& flight);
+
+}  // namespace fantail::report
