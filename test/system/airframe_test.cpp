@@ -48,6 +48,18 @@ TEST(NewRocket, FliesFromTheFilesThatAreMade) {
   EXPECT_EQ(flown.err, "");
 }
 
+// 3.99 kg with 226 g of propellant.
+TEST(NewRocket, WeighsAsMuchMoreAsItsNewMotorsPropellant) {
+  const Folder folder;
+  std::ofstream{folder.path() / "big.eng"} << "big 54 200 0 0.326 0.6 x\n0.05 200\n3 200\n3.1 0\n";
+  const Outcome made =
+      fantail({"new", "mine", "--from", "tasha3_launch2", "--motor", "big.eng"}, {.working_folder = folder.path()});
+  EXPECT_EQ(made.exit_code, 0) << made.err;
+  EXPECT_NE(content(folder.path() / "mine/vehicle.toml").find("\nmass_kg = 4.09\n"), std::string::npos);
+  EXPECT_NE(made.out.find("with this motor's propellant in the place of its own"), std::string::npos) << made.out;
+  EXPECT_EQ(made.out.find("parts are missing"), std::string::npos) << made.out;
+}
+
 TEST(NewRocket, NeverTouchesWhatIsThere) {
   Refusal({{"mine/notes.txt", "dear"}}, {"new", "mine", "--from", "tasha3_launch2"}, 64, {"mine is there already"});
   Refusal({}, {"new", "mine", "--from", "tasha3_bench"}, 78, {"has no section [shape]"});

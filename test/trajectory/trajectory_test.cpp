@@ -67,6 +67,11 @@ TEST(Trajectory, HasTheEventsOfTheFlight) {
   EXPECT_NEAR(read.path.apogee_s.value(), 7.0, 0.011);
 }
 
+TEST(Trajectory, KnowsNoBurnOutWhereTheMotorPushesToTheEndOfTheFile) {
+  EXPECT_FALSE(parse(rows(heights_and_speeds, height_and_speed, 0.01, 0.8)).path.burnout_s);
+  EXPECT_NEAR(parse(rows(heights_and_speeds, height_and_speed, 0.01, 1.5)).path.burnout_s.value(), 1.0, 0.021);
+}
+
 TEST(Trajectory, WithHeightAndVerticalSpeedAloneGoesAlongTheGuideInTheScenariosAir) {
   sim::Scenario leaning = scenario();
   leaning.guide.tilt_rad = 10.0 * degree_rad;

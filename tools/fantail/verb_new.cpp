@@ -82,11 +82,20 @@ airframe::NewRocket from_vehicle(const NewOptions& options) {
                       file + ": has no section [shape], which says what the rocket looks like (docs/your_rocket.md)"};
   }
   const NamedMotor motor = motor_of(options, document);
+  const double own_propellant_kg = rocket.vehicle.motor.propellant_kg();
   rocket.motor_file = motor.name;
   rocket.motor = motor.copy();
   rocket.vehicle.motor = input::load_rasp(motor.file, motor.designation).curve;
-  rocket.assumed.push_back(
-      fmt::format("Mass{} and drag area: those of {}.", options.motor ? "" : ", motor", rocket.source));
+  if (options.motor) {
+    rocket.vehicle.mass_kg += rocket.vehicle.motor.propellant_kg() - own_propellant_kg;
+    rocket.assumed.push_back(
+        fmt::format("Mass, balance and drag area: those of {}, with this motor's propellant in the place of its own; a "
+                    "motor case that "
+                    "weighs more or less is not counted.",
+                    rocket.source));
+  } else {
+    rocket.assumed.push_back(fmt::format("Mass, motor and drag area: those of {}.", rocket.source));
+  }
   return rocket;
 }
 

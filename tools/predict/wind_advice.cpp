@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <string_view>
 
 #include <fmt/core.h>
@@ -27,24 +28,45 @@ struct Tried {
   std::size_t held = 0;
 };
 
+enum class Guide : std::uint8_t { as_it_stands, upright };
+
 /// The first of the runs that came to the tilt limit, with their airframes, seeds and winds, in a part of those.
-Tried fly_again(const Prediction& p, double part) {
+Tried fly_again(const Prediction& p, double part_of_wind, Guide guide) {
   sim::Scenario changed = p.flown;
   changed.wind_spread = {};
+  changed.guide.tilt_rad = guide == Guide::upright ? 0.0 : changed.guide.tilt_rad;
   Tried tried;
   for (const Run& run : p.runs) {
     if (!run.ended_by_tilt || tried.runs == most_tried) {
       continue;
     }
     changed.wind = run.wind.value_or(p.flown.wind);
-    changed.wind.speed_m_s *= part;
-    changed.wind.gust_m_s *= part;
+    changed.wind.speed_m_s *= part_of_wind;
+    changed.wind.gust_m_s *= part_of_wind;
     const Run again = fly_run(changed, run.airframe, run.seed);
     ++tried.runs;
     tried.tilted += again.ended_by_tilt ? 1 : 0;
     tried.held += again.outcome == report::Outcome::held ? 1 : 0;
   }
   return tried;
+}
+
+std::string came_to(const Tried& tried) {
+  return tried.tilted > 0 ? fmt::format("{} still do", tried.tilted)
+                          : fmt::format("none does, and {} hold their roll",
+                                        tried.held == tried.runs ? "all" : fmt::format("{}", tried.held));
+}
+
+std::string with_less_wind(const Prediction& p) {
+  for (const Part& part : smaller_winds) {
+    const Tried tried = fly_again(p, part.of_the_wind, Guide::as_it_stands);
+    if (tried.tilted == 0) {
+      return fmt::format("in {} of their wind {}", part.name, came_to(tried));
+    }
+  }
+  const Tried calm = fly_again(p, 0.0, Guide::as_it_stands);
+  return fmt::format("without wind {}{}", came_to(calm),
+                     calm.tilted == 0 ? ", but in a quarter of their wind not all" : "");
 }
 
 }  // namespace
@@ -54,21 +76,22 @@ std::string advice_on_wind(const Prediction& p) {
   if (tilted == 0 || p.flown.motion != sim::FlightMotion::six_dof) {
     return {};
   }
-  const std::string_view count = tilted > most_tried ? "the first " : "";
+  std::string found;
+  const auto blows = [](const Run& run) {
+    return run.wind && (run.wind->speed_m_s > 0.0 || run.wind->gust_m_s != 0.0);
+  };
+  if (std::ranges::any_of(p.runs, blows)) {
+    found = with_less_wind(p);
+  }
+  if (p.flown.guide.tilt_rad > 0.0) {
+    found += fmt::format("{}from an upright guide {}", found.empty() ? "" : "; ",
+                         came_to(fly_again(p, 1.0, Guide::upright)));
+  }
   const std::string text =
       fmt::format("In {} of {} control ends at the plan's tilt limit.", tilted, runs(p.runs.size()));
-  for (const Part& part : smaller_winds) {
-    const Tried tried = fly_again(p, part.of_the_wind);
-    if (tried.tilted == 0) {
-      return text + fmt::format(" Of {}{} flown again in {} of their wind none does, and {} hold their roll.", count,
-                                tried.runs, part.name,
-                                tried.held == tried.runs ? "all" : fmt::format("{}", tried.held));
-    }
-  }
-  const Tried calm = fly_again(p, 0.0);
-  return text + fmt::format(" Of {}{} flown again without wind {}.", count, calm.runs,
-                            calm.tilted == 0 ? "none does, but in a quarter of their wind some still do"
-                                             : fmt::format("{} still do: wind is not the cause there", calm.tilted));
+  return found.empty() ? text
+                       : text + fmt::format(" Of {}{} flown again {}.", tilted > most_tried ? "the first " : "",
+                                            std::min(tilted, most_tried), found);
 }
 
 }  // namespace fantail::predict

@@ -7,8 +7,9 @@
 
 namespace fantail::predict {
 
-/// Where a wind tilts the rocket until the plan's tilt limit ends control early: in how much less of it the first runs,
-/// flown again, do not come to that; or that they do even without wind. Empty where no run does.
+/// In six degrees of freedom, where the plan's tilt limit ends control early: in how much less wind the first of these
+/// runs, flown again, do not come to that, or that they do even without, and whether they do from an upright guide.
+/// Empty where no run comes to it.
 [[nodiscard]] std::string advice_on_wind(const Prediction& prediction);
 
 }  // namespace fantail::predict

@@ -38,7 +38,7 @@ std::vector<double> heights(const Series& series) {
 }
 
 std::optional<double> burnout_s(const Series& series, const std::vector<sim::PathSample>& samples) {
-  std::optional<double> out;
+  std::optional<std::size_t> out;
   for (std::size_t i = std::max<std::size_t>(series.liftoff, 1); i < series.apogee; ++i) {
     const sim::PathSample& before = samples[i - 1];
     const sim::PathSample& here = samples[i];
@@ -47,10 +47,11 @@ std::optional<double> burnout_s(const Series& series, const std::vector<sim::Pat
         ((here.up_m_s - before.up_m_s) / dt_s + sim::gravity_m_s2) * std::cos(here.tilt_rad) +
         (here.across_m_s - before.across_m_s) / dt_s * std::sin(here.tilt_rad));
     if (felt_m_s2 > least_thrust_m_s2) {
-      out = samples[i + 1].time_s;
+      out = i + 1;
     }
   }
-  return out;
+  // Pushed up to the last row that was looked at: the file ends before, or its speeds do not tell thrust from weight.
+  return out && *out < series.apogee ? std::optional{samples[*out].time_s} : std::nullopt;
 }
 
 /// Both are of the file, and a column in another unit than its header says shows here.
