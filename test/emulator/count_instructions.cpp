@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <csignal>
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
@@ -163,6 +164,7 @@ int run(int argc, char** argv) {
 }  // namespace fantail::test
 
 int main(int argc, char** argv) {
+  std::signal(SIGPIPE, SIG_IGN);  // an emulator that dies is told of in words
   try {
     return fantail::test::run(argc, argv);
   } catch (const std::exception& error) {

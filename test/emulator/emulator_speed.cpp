@@ -4,6 +4,7 @@
 // host's.
 #include <algorithm>
 #include <chrono>
+#include <csignal>
 #include <cstdint>
 #include <cstdio>
 #include <memory>
@@ -68,6 +69,7 @@ int run(int argc, char** argv) {
 }  // namespace fantail::test
 
 int main(int argc, char** argv) {
+  std::signal(SIGPIPE, SIG_IGN);  // an emulator that dies is told of in words
   try {
     return fantail::test::run(argc, argv);
   } catch (const std::exception& error) {

@@ -10,6 +10,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/wait.h>
 
 #include "emulator/images.hpp"
 #include "input/scenario_file.hpp"
@@ -59,6 +60,19 @@ TEST_F(EmulatorTrouble, AFlightComputerThatIsKilledEndsTheFlightWithItsReason) {
     }
   };
   EXPECT_THAT(why(fly), HasSubstr("ended before the flight did: it was killed by signal 9"));
+}
+
+TEST_F(EmulatorTrouble, AFlightComputerThatIsGoneBeforeItIsAskedEndsTheFlightWithItsReason) {
+  auto wire = std::make_unique<hil::Emulator>(options());
+  const pid_t process = wire->process();
+  hil::Target target{std::move(wire)};
+  sim::World world{scenario, sim::World::small_flash, target.maker()};
+  world.tick();
+  world.advance();
+  ::kill(process, SIGKILL);
+  siginfo_t end{};
+  ASSERT_EQ(::waitid(P_PID, static_cast<id_t>(process), &end, WEXITED | WNOWAIT), 0);  // nobody reads the pipe now
+  EXPECT_THAT(why([&] { world.tick(); }), HasSubstr("ended before the flight did: it was killed by signal 9"));
 }
 
 TEST_F(EmulatorTrouble, AFlightComputerThatSaysNothingIsGivenUp) {

@@ -41,7 +41,7 @@ class Descriptor {
   [[nodiscard]] int number() const { return number_; }
   void close();
 
-  /// False when there is nobody to read them.
+  /// False when there is nobody to read them, where the process ignores SIGPIPE as every verb does; else it ends.
   [[nodiscard]] bool write(std::span<const std::byte> bytes) const;
   /// 0: nothing came in time. Empty: nothing ever will.
   [[nodiscard]] std::optional<std::size_t> read(std::span<std::byte> out, std::chrono::milliseconds at_most) const;
