@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "core/gain_schedule.hpp"
 #include "core/pd_controller.hpp"
 #include "core/roll_reference.hpp"
 
@@ -21,11 +22,14 @@ constexpr std::optional<std::array<Angle, canard_count>> no_request;
 
 Autopilot::Autopilot(const FlightPlan& plan)
     : controller_{plan.controller},
+      gain_schedule_{plan.gain_schedule},
+      adapts_{plan.gain_schedule.speeds_count > 0 || plan.offset.rejection != OffsetRejection::none},
       reference_{plan.reference},
       overrun_limit_{plan.run.overrun_limit},
       launch_detector_{plan.launch_detection, plan.motion.stale_time},
       flight_phase_{plan.run, plan.guide, plan.motion},
       chirp_{plan.excitation},
+      offset_estimator_{plan},
       canard_mixer_{plan.canards, plan.controller.canard_limit},
       canard_monitor_{plan.monitor, plan.canards},
       motion_estimator_{plan.motion} {}
@@ -63,7 +67,7 @@ const TickRecord& Autopilot::step(const Inputs& inputs) {
     // Always there, except in a state that a damaged log made up.
     control(inputs.time - flight_phase_.control_start().value_or(inputs.time));
   } else {
-    record.reference = record.excitation = Angle{};
+    record.reference = record.excitation = record.offset_estimate = Angle{};
     stay_neutral(CommandStatus::outside_control);
   }
 
@@ -86,16 +90,30 @@ void Autopilot::control(Microseconds since_control_start) {
   TickRecord& record = record_;
   record.reference = roll_reference(reference_, since_control_start);
   record.excitation = chirp_.update(since_control_start);
+  record.offset_estimate = offset_estimator_.estimate();
   if (record.motion.gyro == SensorState::lost) {
     stay_neutral(CommandStatus::gyro_lost);
     return;
   }
-  const RollCommand roll = pd_controller(controller_, record.reference, record.motion.roll_angle,
-                                         record.motion.roll_rate_rad_s, record.excitation);
+  const RollCommand roll = adapts_ ? adapted_command()
+                                   : pd_controller(controller_, record.reference, record.motion.roll_angle,
+                                                   record.motion.roll_rate_rad_s, record.excitation);
   record.command_status = roll.finite ? CommandStatus::controlling : CommandStatus::not_finite;
   record.unclamped_command = roll.unclamped;
   record.command = roll.command;
   record.saturated = roll.saturated;
+}
+
+RollCommand Autopilot::adapted_command() {
+  TickRecord& record = record_;
+  const Motion& motion = record.motion;
+  const float factor = gain_factor(gain_schedule_, motion.speed_m_s, motion.speed_is_lower_bound);
+  offset_estimator_.update(record.time, motion, record.reference - motion.roll_angle, factor);
+  record.offset_estimate = offset_estimator_.estimate();
+  const RollCommand roll = pd_controller(controller_, record.reference, motion.roll_angle, motion.roll_rate_rad_s,
+                                         record.excitation, {factor, record.offset_estimate});
+  offset_estimator_.remember(roll);
+  return roll;
 }
 
 void Autopilot::stay_neutral(CommandStatus why) {

@@ -12,6 +12,7 @@
 #include "core/inputs.hpp"
 #include "core/launch_detector.hpp"
 #include "core/motion_estimator.hpp"
+#include "core/offset_estimator.hpp"
 #include "core/tick_record.hpp"
 
 namespace fantail::core {
@@ -19,7 +20,8 @@ namespace fantail::core {
 /// The flight law. Time and samples come in, canard commands and a record go out; there is no clock, no heap and no
 /// input or output in it, so the same object flies in the rocket, in the simulator and in a replay.
 ///
-///   motion_estimator -> launch_detector -> flight_phase -> roll_reference + chirp -> pd_controller (clamp)
+///   motion_estimator -> launch_detector -> flight_phase -> roll_reference + chirp
+///     -> pd_controller, with gain_schedule and offset_estimator where the plan asks for them (clamp)
 ///     -> canard_mixer (clamp each);  canard_monitor watches;  the record holds all of it
 class Autopilot {
  public:
@@ -43,8 +45,8 @@ class Autopilot {
   /// See core/state_visitor.hpp. The record is no state: it is made anew in every step.
   template <typename Visitor>
   void visit_state(Visitor& visit) {
-    visit(motion_estimator_, launch_detector_, flight_phase_, chirp_, canard_mixer_, canard_monitor_, last_time_,
-          canard_fault_, overruns_, overruns_before_flight_);
+    visit(motion_estimator_, launch_detector_, flight_phase_, chirp_, offset_estimator_, canard_mixer_, canard_monitor_,
+          last_time_, canard_fault_, overruns_, overruns_before_flight_);
   }
 
  private:
@@ -52,15 +54,19 @@ class Autopilot {
   [[nodiscard]] bool watch_clock(Microseconds time);
   void enter_phase(Microseconds time, Phase from, Phase to);
   void control(Microseconds since_control_start);
+  [[nodiscard]] RollCommand adapted_command();
   void stay_neutral(CommandStatus why);
 
   TickRecord record_;
   ControllerPlan controller_;
+  GainSchedulePlan gain_schedule_;
+  bool adapts_;  ///< by a schedule, or to an offset
   ReferencePlan reference_;
   std::uint32_t overrun_limit_;
   LaunchDetector launch_detector_;
   FlightPhase flight_phase_;
   Chirp chirp_;
+  OffsetEstimator offset_estimator_;
   CanardMixer canard_mixer_;
   CanardMonitor canard_monitor_;
   std::optional<Microseconds> last_time_;

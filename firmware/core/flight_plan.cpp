@@ -39,6 +39,50 @@ std::optional<PlanFault> check_steps(const ReferencePlan& reference) {
   return std::nullopt;
 }
 
+bool knows_speed(const FlightPlan& plan) {
+  return plan.run.start == Start::launch && plan.motion.height_origin != HeightOrigin::from_detection;
+}
+
+std::optional<PlanFault> check_schedule(const FlightPlan& plan) {
+  constexpr std::size_t speeds = place("gain_schedule", "speeds_m_s");
+  const GainSchedulePlan& schedule = plan.gain_schedule;
+  if (schedule.speeds_count != schedule.factors_count) {
+    return PlanFault{speeds, 0, PlanRule::schedule_of_one_length};
+  }
+  for (std::size_t i = 1; i < schedule.speeds_count; ++i) {
+    if (schedule.speeds_m_s[i] <= schedule.speeds_m_s[i - 1]) {
+      return PlanFault{speeds, i, PlanRule::schedule_speeds_increase};
+    }
+  }
+  if (schedule.speeds_count > 0 && !knows_speed(plan)) {
+    return PlanFault{speeds, 0, PlanRule::speed_is_known};
+  }
+  return std::nullopt;
+}
+
+std::optional<PlanFault> check_offset_rejection(const FlightPlan& plan) {
+  constexpr std::size_t rejection = place("offset", "rejection");
+  if (plan.offset.rejection == OffsetRejection::integral && !(plan.controller.proportional_gain > 0.0F)) {
+    return PlanFault{rejection, 0, PlanRule::integral_beside_proportional};
+  }
+  if (plan.offset.rejection != OffsetRejection::observer) {
+    return std::nullopt;
+  }
+  if (!knows_speed(plan)) {
+    return PlanFault{rejection, 0, PlanRule::speed_is_known};
+  }
+  constexpr std::size_t model = place("roll_model", "roll_inertia_kg_m2");
+  const RollModelPlan& values = plan.roll_model;
+  std::size_t field = model;  // in the order of the table
+  for (const float value : {values.roll_inertia_kg_m2, values.reference_area_m2, values.damping_m2, values.torque_m}) {
+    if (!(value > 0.0F)) {
+      return PlanFault{field, 0, PlanRule::observer_has_model};
+    }
+    ++field;
+  }
+  return std::nullopt;
+}
+
 // A limit as the plan itself would keep it, so that a value at its own limit is never refused for a rounding error.
 float as_kept(const PlanMember& member, float file_value) {
   const float inside = file_value * member.scale;
@@ -70,6 +114,12 @@ std::optional<PlanFault> check_across_fields(const FlightPlan& plan) {
         return PlanFault{place("canards", "pulse_centre_us"), i, PlanRule::pulse_within_servo};
       }
     }
+  }
+  if (const auto fault = check_schedule(plan)) {
+    return fault;
+  }
+  if (const auto fault = check_offset_rejection(plan)) {
+    return fault;
   }
   return check_steps(plan.reference);
 }

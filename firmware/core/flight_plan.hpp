@@ -67,6 +67,34 @@ struct ControllerPlan {
   Angle canard_limit;  ///< the plan limit
 };
 
+inline constexpr std::size_t most_schedule_rows = 6;
+
+/// Factors on the gains of the law over speed; without rows they are as they stand.
+struct GainSchedulePlan {
+  std::uint8_t speeds_count;
+  std::array<float, most_schedule_rows> speeds_m_s;  ///< increasing
+  std::uint8_t factors_count;
+  std::array<float, most_schedule_rows> factors;
+};
+
+enum class OffsetRejection : std::uint8_t { none, integral, observer };
+
+/// What makes the law rest at its reference in spite of a fin offset.
+struct OffsetPlan {
+  OffsetRejection rejection;  ///< none: as published
+  float integral_gain_per_s;
+  float observer_bandwidth_rad_s;
+};
+
+/// How the rocket rolls, for a law that observes (Eq 1-3). Zero where nobody said so.
+struct RollModelPlan {
+  float roll_inertia_kg_m2;
+  float reference_area_m2;
+  float damping_m2;  ///< alpha
+  float torque_m;    ///< beta
+  float density_kg_m3;
+};
+
 enum class ReferenceKind : std::uint8_t { hold, steps, square_wave };
 inline constexpr std::size_t most_reference_steps = 8;
 
@@ -130,6 +158,9 @@ struct FlightPlan {
   GuidePlan guide;
   MotionPlan motion;
   ControllerPlan controller;
+  GainSchedulePlan gain_schedule;
+  OffsetPlan offset;
+  RollModelPlan roll_model;
   ReferencePlan reference;
   ExcitationPlan excitation;
   CanardsPlan canards;

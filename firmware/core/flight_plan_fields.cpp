@@ -24,6 +24,15 @@ std::string_view sentence(PlanRule rule) {
     case PlanRule::lists_of_one_length: return "step_times_s and step_angles_deg must have the same length";
     case PlanRule::steps_are_there: return "kind = \"steps\" needs at least one step";
     case PlanRule::steps_increase: return "step times must increase";
+    case PlanRule::schedule_of_one_length: return "speeds_m_s and factors must have the same length";
+    case PlanRule::schedule_speeds_increase: return "speeds must increase";
+    case PlanRule::speed_is_known:
+      return "needs the rocket's speed, which is only known with run.start = \"launch\" and a motion.height_origin "
+             "other "
+             "than \"from_detection\"";
+    case PlanRule::integral_beside_proportional:
+      return "\"integral\" needs controller.proportional_gain above 0: an integral alone makes a roll swing ever more";
+    case PlanRule::observer_has_model: return "must be above 0 with offset.rejection = \"observer\"";
   }
   return "unknown rule";
 }

@@ -58,7 +58,7 @@ struct PlanMember {
 [[nodiscard]] std::span<const PlanMember> flight_plan_members();
 
 /// The slots of all fields, and a length for each list.
-inline constexpr std::size_t flight_plan_words = 91;
+inline constexpr std::size_t flight_plan_words = 113;
 
 [[nodiscard]] FlightPlan default_plan();
 
@@ -75,6 +75,11 @@ enum class PlanRule : std::uint8_t {
   lists_of_one_length,
   steps_are_there,
   steps_increase,
+  schedule_of_one_length,
+  schedule_speeds_increase,
+  speed_is_known,
+  integral_beside_proportional,
+  observer_has_model,
 };
 
 /// What is wrong with a plan: the field by its place in the table, which of its slots, and the rule it breaks.

@@ -24,6 +24,7 @@ inline constexpr std::array<std::string_view, 2> fault_policy_names{"continue", 
 inline constexpr std::array<std::string_view, 2> accelerometer_rule_names{"one", "two_agree"};
 inline constexpr std::array<std::string_view, 3> height_origin_names{"replay", "velocity_only", "from_detection"};
 inline constexpr std::array<std::string_view, 2> rate_reference_names{"zero", "paper_literal"};
+inline constexpr std::array<std::string_view, 3> offset_rejection_names{"none", "integral", "observer"};
 inline constexpr std::array<std::string_view, 3> reference_kind_names{"hold", "steps", "square_wave"};
 inline constexpr std::array<std::string_view, 3> excitation_names{"none", "product", "sweep"};
 inline constexpr std::array<std::string_view, 2> direction_names{"normal", "reversed"};
@@ -147,6 +148,19 @@ inline constexpr auto flight_plan_table = std::to_array<PlanField>({
   number(MEMBER(controller.derivative_gain_s), "controller", "derivative_gain_s", "s", 0.05F, {0, 2}, "canard angle per roll rate (kd)"),
   choice(MEMBER(controller.rate_reference), "controller", "rate_reference", rate_reference_names, "what the roll rate is compared with: zero, or the reference angle as printed"),
   number(MEMBER(controller.canard_limit), "controller", "canard_limit_deg", "deg", 9, {0.5F, 20}, "plan limit of each canard"),
+
+  list(offsetof(Plan, gain_schedule.speeds_count), number(LIST(gain_schedule.speeds_m_s), "gain_schedule", "speeds_m_s", "m/s", 0, {0, 1000}, "speeds of the rows, increasing; linear between rows, as the end beyond them")),
+  list(offsetof(Plan, gain_schedule.factors_count), number(LIST(gain_schedule.factors), "gain_schedule", "factors", "", 1, {0.01F, 100}, "what all gains of the law are multiplied with at each speed")),
+
+  choice(MEMBER(offset.rejection), "offset", "rejection", offset_rejection_names, "against a fin offset: nothing, as published; integral action; or an observer"),
+  number(MEMBER(offset.integral_gain_per_s), "offset", "integral_gain_per_s", "1/s", 0.5F, {0.001F, 10}, "canard angle per roll angle error and second (ki)"),
+  number(MEMBER(offset.observer_bandwidth_rad_s), "offset", "observer_bandwidth_rad_s", "rad/s", 6, {0.1F, 50}, "how fast an observer follows the offset"),
+
+  number(MEMBER(roll_model.roll_inertia_kg_m2), "roll_model", "roll_inertia_kg_m2", "kg m2", 0, {0, 100}, "an observer's model: roll inertia after burn-out (I)"),
+  number(MEMBER(roll_model.reference_area_m2), "roll_model", "reference_area_m2", "m2", 0, {0, 10}, "an observer's model: reference area (A)"),
+  number(MEMBER(roll_model.damping_m2), "roll_model", "damping_m2", "m2", 0, {0, 100000}, "an observer's model: roll damping (alpha)"),
+  number(MEMBER(roll_model.torque_m), "roll_model", "torque_m", "m", 0, {0, 100000}, "an observer's model: torque constant (beta)"),
+  number(MEMBER(roll_model.density_kg_m3), "roll_model", "density_kg_m3", "kg/m3", 1.225F, {0.1F, 2}, "an observer's model: density of the air (rho)"),
 
   choice(MEMBER(reference.kind), "reference", "kind", reference_kind_names, "the roll programme"),
   number(MEMBER(reference.initial), "reference", "initial_deg", "deg", 0, {-720, 720}, "reference until the first step or the square wave"),

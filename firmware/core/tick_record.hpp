@@ -39,6 +39,7 @@ struct TickRecord {
 
   Angle reference{};
   Angle excitation{};
+  Angle offset_estimate{};  ///< of the fin offset, taken off the command
   Angle unclamped_command{};
   Angle command{};
   bool saturated = false;

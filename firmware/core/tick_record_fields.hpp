@@ -52,6 +52,7 @@ void visit_signals(Record& record, Visitor&& visit) {
 
   visit(SignalName{"reference", "rad"}, record.reference);
   visit(SignalName{"excitation", "rad"}, record.excitation);
+  visit(SignalName{"offset_estimate", "rad"}, record.offset_estimate);
   visit(SignalName{"unclamped_command", "rad"}, record.unclamped_command);
   visit(SignalName{"command", "rad"}, record.command);
   visit(SignalName{"saturated", ""}, record.saturated);

@@ -56,8 +56,9 @@ TEST(FlightPlan, EveryFieldSaysWhatItIsAndNoTwoShareAName) {
 
 TEST(FlightPlan, TheUnitOfAFieldEndsItsName) {
   const std::pair<std::string_view, std::string_view> endings[] = {
-      {"deg", "_deg"}, {"s", "_s"},       {"g", "_g"},         {"m", "_m"},   {"m/s", "_m_s"},
-      {"Hz", "_hz"},   {"Hz/s", "_hz_s"}, {"deg/s", "_deg_s"}, {"us", "_us"}, {"us/deg", "_per_degree_us"}};
+      {"deg", "_deg"},   {"s", "_s"},         {"g", "_g"},         {"m", "_m"},         {"m/s", "_m_s"},
+      {"Hz", "_hz"},     {"Hz/s", "_hz_s"},   {"deg/s", "_deg_s"}, {"us", "_us"},       {"us/deg", "_per_degree_us"},
+      {"1/s", "_per_s"}, {"rad/s", "_rad_s"}, {"m2", "_m2"},       {"kg m2", "_kg_m2"}, {"kg/m3", "_kg_m3"}};
   for (const PlanField& f : flight_plan_fields()) {
     if (f.unit.empty() || f.key == "derivative_gain_s" || f.key == "pulse_centre_us") {
       continue;
@@ -221,6 +222,64 @@ TEST(FlightPlan, StepsNeedAsManyTimesAsAnglesAndIncreasingTimes) {
   expect_fault(plan, "reference", "step_times_s", 1);
   plan.reference.step_times[1] = Microseconds{1001};
   EXPECT_FALSE(validate(plan).has_value());
+}
+
+TEST(FlightPlan, AGainScheduleNeedsAsManyFactorsAsSpeedsAndIncreasingSpeeds) {
+  FlightPlan plan = default_plan();
+  plan.gain_schedule.speeds_count = 2;
+  plan.gain_schedule.speeds_m_s = {30.0F, 30.0F};
+  expect_fault(plan, "gain_schedule", "speeds_m_s");
+  plan.gain_schedule.factors_count = 2;
+  expect_fault(plan, "gain_schedule", "speeds_m_s", 1);
+  plan.gain_schedule.speeds_m_s[1] = 30.5F;
+  EXPECT_FALSE(validate(plan).has_value());
+}
+
+FlightPlan observing_plan() {
+  FlightPlan plan = default_plan();
+  plan.offset.rejection = OffsetRejection::observer;
+  plan.roll_model = {.roll_inertia_kg_m2 = 0.004F,
+                     .reference_area_m2 = 5e-5F,
+                     .damping_m2 = 23.0F,
+                     .torque_m = 9.0F,
+                     .density_kg_m3 = 1.2F};
+  return plan;
+}
+
+TEST(FlightPlan, WhatGoesByTheSpeedNeedsAFlightThatKnowsIt) {
+  FlightPlan scheduled = default_plan();
+  scheduled.gain_schedule.speeds_count = scheduled.gain_schedule.factors_count = 1;
+  FlightPlan observing = observing_plan();
+  EXPECT_FALSE(validate(scheduled).has_value());
+  EXPECT_FALSE(validate(observing).has_value());
+  for (const bool tunnel : {true, false}) {
+    for (FlightPlan* plan : {&scheduled, &observing}) {
+      plan->run.start = tunnel ? Start::tunnel : Start::launch;
+      plan->motion.height_origin = tunnel ? HeightOrigin::replay : HeightOrigin::from_detection;
+    }
+    expect_fault(scheduled, "gain_schedule", "speeds_m_s");
+    expect_fault(observing, "offset", "rejection");
+  }
+}
+
+TEST(FlightPlan, AnObserverNeedsEveryNumberOfItsModel) {
+  for (float RollModelPlan::* const value : {&RollModelPlan::roll_inertia_kg_m2, &RollModelPlan::reference_area_m2,
+                                             &RollModelPlan::damping_m2, &RollModelPlan::torque_m}) {
+    FlightPlan plan = observing_plan();
+    plan.roll_model.*value = 0.0F;
+    const auto fault = validate(plan);
+    ASSERT_TRUE(fault.has_value());
+    EXPECT_EQ(fault->rule, PlanRule::observer_has_model);
+    EXPECT_EQ(flight_plan_fields()[fault->field].get(plan, 0), 0.0F) << "the one that is missing is named";
+  }
+}
+
+TEST(FlightPlan, AnIntegralStandsBesideAProportionalGain) {
+  FlightPlan plan = default_plan();
+  plan.offset.rejection = OffsetRejection::integral;
+  EXPECT_FALSE(validate(plan).has_value());
+  plan.controller.proportional_gain = 0.0F;
+  expect_fault(plan, "offset", "rejection");
 }
 
 TEST(FlightPlan, AListLongerThanItsRoomIsRefused) {

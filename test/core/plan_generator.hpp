@@ -29,6 +29,17 @@ inline FlightPlan arbitrary_plan() {
     plan.reference.step_angles[i] = Angle::from_degrees(static_cast<float>(*rc::gen::inRange(-720, 721)));
   }
   plan.reference.step_times_count = plan.reference.step_angles_count = static_cast<std::uint8_t>(steps);
+  const auto rows = *rc::gen::inRange<std::size_t>(0, most_schedule_rows + 1);
+  for (std::size_t i = 0; i < rows; ++i) {
+    plan.gain_schedule.speeds_m_s[i] = static_cast<float>(100 * i) + static_cast<float>(*rc::gen::inRange(0, 100));
+    plan.gain_schedule.factors[i] = 0.01F * static_cast<float>(*rc::gen::inRange(1, 10'001));
+  }
+  plan.gain_schedule.speeds_count = plan.gain_schedule.factors_count = static_cast<std::uint8_t>(rows);
+  plan.roll_model = {.roll_inertia_kg_m2 = 0.004F,
+                     .reference_area_m2 = 5e-5F,
+                     .damping_m2 = 23.0F,
+                     .torque_m = 9.0F,
+                     .density_kg_m3 = 1.2F};
   for (const PlanField& field : flight_plan_fields()) {
     if (field.is_list()) {
       continue;

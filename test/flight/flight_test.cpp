@@ -95,8 +95,18 @@ TEST(Flight, TheLawSettlesWhereTheCanardsWithWhatTheFinsLeaveBalanceTheOffset) {
   EXPECT_NEAR(settles_at_deg(1.0), 26.0, 1e-9);
   EXPECT_NEAR(settles_at_deg(0.6), 30.0, 1e-9);
   EXPECT_NEAR(settles_at_deg(-0.3), 26.0, 1e-9) << "nowhere: counted from where it should";
+  flight.plan.offset.rejection = core::OffsetRejection::integral;
+  EXPECT_NEAR(settles_at_deg(0.6), 20.0, 1e-9);
   flight.known.plan = false;
   EXPECT_FALSE(settle_point_rad(row, flight));
+}
+
+TEST(Flight, AScheduledLawSettlesByTheGainOfItsSpeed) {
+  core::FlightPlan plan{};
+  plan.controller.proportional_gain = 0.5F;
+  plan.gain_schedule = {.speeds_count = 2, .speeds_m_s = {40.0F, 80.0F}, .factors_count = 2, .factors = {2.0F, 1.0F}};
+  const Row row{.speed_m_s = 60.0, .truth = Truth{.disturbance_rad = text::radians(3.0)}};
+  EXPECT_NEAR(text::degrees(settle_point_rad(row, plan).value()), 3.0 / 0.75, 1e-6);
 }
 
 TEST(Flight, TimeZeroMovesEverythingWithATime) {

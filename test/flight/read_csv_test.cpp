@@ -144,12 +144,15 @@ TEST(FlightCsv, AnOptionIsAdvisedByTheNameThatTheVerbHasForItOrNotAtAll) {
 
 TEST(FlightCsv, AFlightThatWasWrittenComesBack) {
   const std::string text =
-      "time_s,phase,roll_angle_deg,roll_rate_deg_s,reference_deg,excitation_deg,command_deg,saturated,command_1_deg,"
+      "time_s,phase,roll_angle_deg,roll_rate_deg_s,reference_deg,excitation_deg,offset_estimate_deg,command_deg,"
+      "saturated,command_1_deg,"
       "command_2_deg,command_3_deg,command_4_deg,encoder_1_deg,encoder_2_deg,encoder_3_deg,encoder_4_deg,canard_deg,"
       "specific_force_m_s2,height_m,speed_m_s\n"
-      "-0.001000,armed,0.100000,2.000000,0.000000,0.000000,0.000000,0,1.000000,,3.000000,4.000000,5.000000,6.000000,,"
+      "-0.001000,armed,0.100000,2.000000,0.000000,0.000000,-1.500000,0.000000,0,1.000000,,3.000000,4.000000,5.000000,6."
+      "000000,,"
       "8.000000,,9.806650,1.000000,2.000000\n"
-      "0.000000,launched,0.100000,2.000000,0.000000,0.000000,0.000000,1,1.000000,,3.000000,4.000000,5.000000,6.000000,,"
+      "0.000000,launched,0.100000,2.000000,0.000000,0.000000,-1.500000,0.000000,1,1.000000,,3.000000,4.000000,5.000000,"
+      "6.000000,,"
       "8.000000,7.000000,9.806650,1.000000,2.000000\n";
   EXPECT_EQ(csv(read(text)), text);
 }

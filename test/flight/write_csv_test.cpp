@@ -11,7 +11,8 @@ namespace fantail::flight {
 namespace {
 
 const std::string measured_header =
-    "time_s,phase,roll_angle_deg,roll_rate_deg_s,reference_deg,excitation_deg,command_deg,saturated,command_1_deg,"
+    "time_s,phase,roll_angle_deg,roll_rate_deg_s,reference_deg,excitation_deg,offset_estimate_deg,command_deg,"
+    "saturated,command_1_deg,"
     "command_2_deg,command_3_deg,command_4_deg,encoder_1_deg,encoder_2_deg,encoder_3_deg,encoder_4_deg,canard_deg,"
     "specific_force_m_s2,height_m,speed_m_s";
 
@@ -29,6 +30,7 @@ Row some_row() {
   row.roll_rate_rad_s = text::radians(100.0);
   row.reference_rad = text::radians(-20.0);
   row.excitation_rad = text::radians(4.0);
+  row.offset_estimate_rad = text::radians(-2.0);
   row.command_rad = text::radians(9.0);
   row.saturated = true;
   row.commands_rad = {text::radians(1.0), text::radians(2.0), text::radians(3.0), text::radians(4.0)};
@@ -62,9 +64,10 @@ TEST(Csv, AFlightWithoutRowsIsAHeader) { EXPECT_EQ(csv(Flight{}), measured_heade
 TEST(Csv, ARowHoldsDegreesWithSixDecimalsAndThePhaseAsAWord) {
   Flight flight;
   flight.rows = {some_row()};
-  EXPECT_EQ(second_line(flight),
-            "1.250000,controlling,-12.500000,100.000000,-20.000000,4.000000,9.000000,1,1.000000,2.000000,3.000000,"
-            "4.000000,1.500000,2.500000,3.500000,4.500000,3.000000,9.806650,6.000000,25.000000");
+  EXPECT_EQ(
+      second_line(flight),
+      "1.250000,controlling,-12.500000,100.000000,-20.000000,4.000000,-2.000000,9.000000,1,1.000000,2.000000,3.000000,"
+      "4.000000,1.500000,2.500000,3.500000,4.500000,3.000000,9.806650,6.000000,25.000000");
 }
 
 TEST(Csv, TruthFollowsInItsOwnColumns) {
@@ -99,7 +102,7 @@ TEST(Csv, EveryRowHasAsManyCellsAsTheHeader) {
     ASSERT_NE(end, std::string::npos);
     EXPECT_EQ(std::count(text.begin() + static_cast<std::ptrdiff_t>(begin),
                          text.begin() + static_cast<std::ptrdiff_t>(end), ','),
-              25)
+              26)
         << "line " << line;
     begin = end + 1;
   }

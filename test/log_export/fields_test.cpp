@@ -24,10 +24,12 @@ TEST(ExportFields, EveryNameStandsOnceAndIsMadeOfSmallLettersDigitsAndUnderscore
 }
 
 TEST(ExportFields, EveryColumnThatALogCanFillOfFlightCsvIsAField) {
-  for (const char* name : {"time_s",         "phase",         "roll_angle_deg",      "roll_rate_deg_s", "reference_deg",
-                           "excitation_deg", "command_deg",   "saturated",           "command_1_deg",   "command_2_deg",
-                           "command_3_deg",  "command_4_deg", "encoder_1_deg",       "encoder_2_deg",   "encoder_3_deg",
-                           "encoder_4_deg",  "canard_deg",    "specific_force_m_s2", "height_m",        "speed_m_s"}) {
+  for (const char* name : {"time_s",        "phase",          "roll_angle_deg",      "roll_rate_deg_s",
+                           "reference_deg", "excitation_deg", "offset_estimate_deg", "command_deg",
+                           "saturated",     "command_1_deg",  "command_2_deg",       "command_3_deg",
+                           "command_4_deg", "encoder_1_deg",  "encoder_2_deg",       "encoder_3_deg",
+                           "encoder_4_deg", "canard_deg",     "specific_force_m_s2", "height_m",
+                           "speed_m_s"}) {
     EXPECT_TRUE(find_field(name)) << name;
   }
 }

@@ -203,7 +203,8 @@ TEST(Fly, WritesTheColumnsThatScriptsRelyOn) {
   EXPECT_EQ(fantail({"fly", "--out", folder / "out"}).exit_code, 0);
   const std::string csv = content(folder / "out/flight.csv");
   EXPECT_EQ(csv.substr(0, csv.find('\n')),
-            "time_s,phase,roll_angle_deg,roll_rate_deg_s,reference_deg,excitation_deg,command_deg,saturated,"
+            "time_s,phase,roll_angle_deg,roll_rate_deg_s,reference_deg,excitation_deg,offset_estimate_deg,command_deg,"
+            "saturated,"
             "command_1_deg,command_2_deg,command_3_deg,command_4_deg,encoder_1_deg,encoder_2_deg,encoder_3_deg,"
             "encoder_4_deg,canard_deg,specific_force_m_s2,height_m,speed_m_s,true_roll_angle_deg,"
             "true_roll_rate_deg_s,true_canard_deg,true_height_m,true_speed_m_s,true_disturbance_deg");

@@ -43,6 +43,7 @@ constexpr std::array all{
     measured<&Row::roll_rate_rad_s>("roll_rate_deg_s", Unit::degrees),
     measured<&Row::reference_rad>("reference_deg", Unit::degrees),
     measured<&Row::excitation_rad>("excitation_deg", Unit::degrees),
+    measured<&Row::offset_estimate_rad>("offset_estimate_deg", Unit::degrees),
     measured<&Row::command_rad>("command_deg", Unit::degrees),
     Column{"saturated", Unit::flag, false, [](const Row& row) { return row.saturated ? 1.0 : 0.0; },
            [](Row& row, double value) { row.saturated = value != 0.0; }},
@@ -80,7 +81,8 @@ const Column* find_column(std::string_view name) {
 
 Row unknown_row() {
   Row row;
-  row.roll_angle_rad = row.roll_rate_rad_s = row.reference_rad = row.excitation_rad = row.command_rad = unknown;
+  row.roll_angle_rad = row.roll_rate_rad_s = row.reference_rad = row.excitation_rad = row.offset_estimate_rad =
+      row.command_rad = unknown;
   row.specific_force_m_s2 = row.height_m = row.speed_m_s = unknown;
   return row;
 }

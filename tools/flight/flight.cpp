@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/gain_schedule.hpp"
+
 namespace fantail::flight {
 namespace {
 
@@ -82,6 +84,7 @@ void fill(Row& r, const core::TickRecord& record, double time_s) {
   r.roll_rate_rad_s = static_cast<double>(record.motion.roll_rate_rad_s);
   r.reference_rad = static_cast<double>(record.reference.radians());
   r.excitation_rad = static_cast<double>(record.excitation.radians());
+  r.offset_estimate_rad = static_cast<double>(record.offset_estimate.radians());
   r.command_rad = static_cast<double>(record.command.radians());
   r.saturated = record.saturated;
   for (std::size_t i = 0; i < core::canard_count; ++i) {
@@ -170,26 +173,29 @@ double authority_margin_rad(const Flight& flight, double offset_rad) {
 
 namespace {
 
-std::optional<double> settles_at_rad(const Row& row, double gain) {
-  if (!row.truth || gain == 0.0) {
+std::optional<double> settles_at_rad(const Row& row, const core::FlightPlan& plan, double left_by_fins) {
+  const auto speed_m_s = static_cast<float>(std::isfinite(row.speed_m_s) ? row.speed_m_s : 0.0);
+  const float gain = core::gain_factor(plan.gain_schedule, speed_m_s, false) * plan.controller.proportional_gain;
+  if (!row.truth || gain == 0.0F) {
     return std::nullopt;
   }
-  const double point_rad = row.reference_rad + row.truth->disturbance_rad / gain;
+  const double share = plan.offset.rejection == core::OffsetRejection::none ? 1.0 : 0.0;
+  const double off_rad = row.truth->disturbance_rad / (left_by_fins * static_cast<double>(gain));
+  const double point_rad = row.reference_rad + share * off_rad;
   return std::isfinite(point_rad) ? std::optional{point_rad} : std::nullopt;
 }
 
 }  // namespace
 
 std::optional<double> settle_point_rad(const Row& row, const core::FlightPlan& plan) {
-  return settles_at_rad(row, static_cast<double>(plan.controller.proportional_gain));
+  return settles_at_rad(row, plan, 1.0);
 }
 
 std::optional<double> settle_point_rad(const Row& row, const Flight& flight) {
   if (!flight.known.plan) {
     return std::nullopt;
   }
-  const double left = flight.left_by_fins > 0.0 ? flight.left_by_fins : 1.0;
-  return settles_at_rad(row, left * static_cast<double>(flight.plan.controller.proportional_gain));
+  return settles_at_rad(row, flight.plan, flight.left_by_fins > 0.0 ? flight.left_by_fins : 1.0);
 }
 
 }  // namespace fantail::flight

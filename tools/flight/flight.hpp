@@ -33,6 +33,7 @@ struct Row {
   double roll_rate_rad_s = 0.0;
   double reference_rad = 0.0;
   double excitation_rad = 0.0;
+  double offset_estimate_rad = 0.0;  ///< of the fin offset; the law takes it off the command
   double command_rad = 0.0;
   bool saturated = false;
   std::array<std::optional<double>, core::canard_count> commands_rad{};  ///< shaft angles; empty: servo output off
@@ -193,7 +194,8 @@ void set_time_zero(Flight& flight, double zero_s);
 /// the two. Below zero: they cannot balance it. Canards that are broken or trimmed may reach to one side only.
 [[nodiscard]] double authority_margin_rad(const Flight& flight, double offset_rad);
 
-/// Where a proportional-derivative loop comes to rest: R + u_d / kp. Empty without truth, and for a gain of zero.
+/// Where the loop comes to rest: R + u_d / kp as published, kp by the gain schedule; R where the plan rejects the
+/// offset. Empty without truth, and for a gain of zero.
 [[nodiscard]] std::optional<double> settle_point_rad(const Row& row, const core::FlightPlan& plan);
 /// Likewise, and empty for a flight whose plan is not known. Where the fins take back a part of the torque, the command
 /// must be larger: R + u_d / (kp left_by_fins). Where they take back all of it or more, roll comes to rest nowhere, and

@@ -39,6 +39,7 @@ constexpr std::array signals{
     Signal{&RollLog::command_rad, "command_deg"},
     Signal{&RollLog::reference_rad, "reference_deg"},
     Signal{&RollLog::excitation_rad, "excitation_deg"},
+    Signal{&RollLog::offset_estimate_rad, "offset_estimate_deg"},
     Signal{&RollLog::height_m, "height_m"},
     Signal{&RollLog::specific_force_m_s2, "specific_force_m_s2"},
 };

@@ -23,6 +23,7 @@ struct RollLog {
   std::vector<double> command_rad;
   std::vector<double> reference_rad;
   std::vector<double> excitation_rad;
+  std::vector<double> offset_estimate_rad;  ///< what the law took off its command
   std::vector<double> height_m;
   std::vector<double> specific_force_m_s2;  ///< axial
   std::vector<core::Phase> phase;

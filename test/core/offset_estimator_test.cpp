@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: MIT
+#include "core/offset_estimator.hpp"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "core/flight_plan_fields.hpp"
+
+namespace fantail::core {
+namespace {
+
+using namespace literals;
+
+constexpr Microseconds tick{1'000};
+
+FlightPlan plan_with(OffsetRejection rejection) {
+  FlightPlan plan = default_plan();
+  plan.offset.rejection = rejection;
+  plan.roll_model = {.roll_inertia_kg_m2 = 0.004F,
+                     .reference_area_m2 = 5e-5F,
+                     .damping_m2 = 23.0F,
+                     .torque_m = 9.0F,
+                     .density_kg_m3 = 1.2F};
+  return plan;
+}
+
+Motion measured(float rate_rad_s = 0.0F, float speed_m_s = 60.0F) {
+  Motion motion;
+  motion.gyro = SensorState::fresh;
+  motion.roll_rate_rad_s = rate_rad_s;
+  motion.speed_m_s = speed_m_s;
+  return motion;
+}
+
+/// An estimator in its loop: each tick it is shown what it is to see, and then what the law made of it.
+class Loop {
+ public:
+  explicit Loop(const FlightPlan& plan) : plan_{plan}, estimator_{plan} {}
+
+  void tick_with(const Motion& motion, Angle error, Angle excitation = {}, float gain_factor = 1.0F) {
+    now_ += tick;
+    estimator_.update(now_, motion, error, gain_factor);
+    roll_ = pd_controller(plan_.controller, error, Angle{}, motion.roll_rate_rad_s, excitation,
+                          {gain_factor, estimator_.estimate()});
+    estimator_.remember(roll_);
+  }
+  void run(int ticks, const Motion& motion, Angle error, Angle excitation = {}, float gain_factor = 1.0F) {
+    for (int i = 0; i < ticks; ++i) {
+      tick_with(motion, error, excitation, gain_factor);
+    }
+  }
+  void wait(Microseconds length) { now_ += length; }
+
+  [[nodiscard]] double estimate_deg() const { return static_cast<double>(estimator_.estimate().degrees()); }
+  [[nodiscard]] Angle command() const { return roll_.command; }
+
+ private:
+  FlightPlan plan_;
+  OffsetEstimator estimator_;
+  Microseconds now_{5'000'000};
+  RollCommand roll_;
+};
+
+TEST(OffsetEstimator, APlanWithoutItEstimatesNothing) {
+  Loop loop{plan_with(OffsetRejection::none)};
+  loop.run(1000, measured(1.0F), 10_deg);
+  EXPECT_EQ(loop.estimate_deg(), 0.0);
+}
+
+TEST(Integral, GrowsWithTheErrorByItsGain) {
+  Loop loop{plan_with(OffsetRejection::integral)};
+  loop.run(1001, measured(), 2_deg);  // the first tick has no interval behind it
+  EXPECT_NEAR(loop.estimate_deg(), -0.5 * 2.0 * 1.0, 1e-4);
+}
+
+TEST(Integral, IsScheduledWithTheOtherGains) {
+  Loop loop{plan_with(OffsetRejection::integral)};
+  loop.run(1001, measured(), 2_deg, {}, 0.3F);
+  EXPECT_NEAR(loop.estimate_deg(), -0.3 * 0.5 * 2.0 * 1.0, 1e-4);
+}
+
+// While v = kp e - d is beyond the limit L, d' = -ki e - (ki / kp)(L - v) = -(ki / kp)(L + d): d -> -L, from 0.
+TEST(Integral, IsPulledBackByWhatTheLimitTakesOffTheCommand) {
+  Loop loop{plan_with(OffsetRejection::integral)};
+  loop.run(1501, measured(), 90_deg);
+  EXPECT_EQ(loop.command(), 9_deg);
+  EXPECT_NEAR(loop.estimate_deg(), -9.0 * (1.0 - std::exp(-1.5 * 0.5 / 0.5)), 0.01);
+  // Error gone, it is below the limit at once: nothing has to unwind.
+  loop.tick_with(measured(), 0_deg);
+  EXPECT_LT(loop.command(), 9_deg);
+}
+
+TEST(Integral, IsNotMovedByAnExcitationThatMeetsTheLimit) {
+  Loop loop{plan_with(OffsetRejection::integral)};
+  loop.run(1000, measured(), 0_deg, 15_deg);
+  EXPECT_EQ(loop.command(), 9_deg);
+  EXPECT_EQ(loop.estimate_deg(), 0.0);
+}
+
+/// Euler's steps of the roll equation in double precision, much finer than a tick.
+struct Rocket {
+  double rate_rad_s = 0.0;
+  void turn(double canard_rad, double offset_rad, double speed_m_s) {
+    const double common = 1.2 * 5e-5 * speed_m_s / (2.0 * 0.004);
+    for (int i = 0; i < 100; ++i) {
+      rate_rad_s += 1e-5 * (common * speed_m_s * 9.0 * (canard_rad + offset_rad) - common * 23.0 * rate_rad_s);
+    }
+  }
+};
+
+double rad(double degrees) { return degrees * static_cast<double>(pi) / 180.0; }
+
+TEST(Observer, FindsTheOffsetByItsBandwidthWhateverTheCanardsDo) {
+  Loop loop{plan_with(OffsetRejection::observer)};
+  Rocket rocket;
+  for (int i = 0; i <= 300; ++i) {
+    loop.tick_with(measured(static_cast<float>(rocket.rate_rad_s)), Angle::from_degrees(i % 100 < 50 ? 8.0F : -5.0F));
+    if (i < 300) {
+      rocket.turn(static_cast<double>(loop.command().radians()), rad(-4.8), 60.0);
+    }
+  }
+  EXPECT_NEAR(loop.estimate_deg(), -4.8 * (1.0 - std::exp(-6.0 * 0.3)), 0.03);
+}
+
+TEST(Observer, GoesByTheSpeed) {
+  Loop loop{plan_with(OffsetRejection::observer)};
+  Rocket rocket;
+  for (int i = 0; i <= 2000; ++i) {
+    const double speed_m_s = 80.0 - 0.02 * i;
+    loop.tick_with(measured(static_cast<float>(rocket.rate_rad_s), static_cast<float>(speed_m_s)), 0_deg);
+    rocket.turn(static_cast<double>(loop.command().radians()), rad(3.0), speed_m_s);
+  }
+  EXPECT_NEAR(loop.estimate_deg(), 3.0, 0.03);
+}
+
+TEST(Observer, WaitsWhereTheSpeedTellsNothing) {
+  for (const bool slow : {true, false}) {
+    Loop loop{plan_with(OffsetRejection::observer)};
+    Motion motion = measured(1.0F, slow ? 9.9F : 60.0F);
+    motion.speed_is_lower_bound = !slow;
+    loop.run(100, motion, 0_deg);
+    EXPECT_EQ(loop.estimate_deg(), 0.0);
+  }
+}
+
+class Either : public testing::TestWithParam<OffsetRejection> {
+ protected:
+  Loop loop{plan_with(GetParam())};
+};
+
+TEST_P(Either, StandsStillWhileNoRateIsMeasured) {
+  loop.run(200, measured(), 2_deg);
+  const double before_deg = loop.estimate_deg();
+  EXPECT_NE(before_deg, 0.0);
+  for (const auto& [state, lower_bound] : {std::pair{SensorState::coasting, false}, std::pair{SensorState::lost, false},
+                                           std::pair{SensorState::fresh, true}}) {
+    Motion motion = measured(3.0F);
+    motion.gyro = state;
+    motion.rate_is_lower_bound = lower_bound;
+    loop.run(500, motion, 20_deg);
+    EXPECT_EQ(loop.estimate_deg(), before_deg);
+  }
+}
+
+// What turned the rocket while nobody looked was not seen: the first rate behind a gap has nothing to be compared with.
+TEST_P(Either, GoesOnBehindAGapWithoutAJump) {
+  loop.run(200, measured(), 2_deg);
+  const double before_deg = loop.estimate_deg();
+  loop.wait(Microseconds{300'000});
+  loop.tick_with(measured(5.0F), 2_deg);
+  EXPECT_EQ(loop.estimate_deg(), before_deg);
+  loop.tick_with(measured(5.0F), 2_deg);
+  EXPECT_NE(loop.estimate_deg(), before_deg);
+  EXPECT_NEAR(loop.estimate_deg(), before_deg, 0.3);  // 5 rad/s over a tick would be 7 deg
+}
+
+TEST_P(Either, NeverGoesBeyondThePlanLimit) {
+  for (const float sign : {1.0F, -1.0F}) {
+    for (int i = 0; i < 5'000; ++i) {
+      loop.tick_with(measured(sign * 0.01F * static_cast<float>(i)), Angle::from_degrees(sign * 3000.0F));
+      ASSERT_LE(std::abs(loop.estimate_deg()), 9.0001);
+    }
+    EXPECT_NEAR(std::abs(loop.estimate_deg()), 9.0, 0.1);
+  }
+}
+
+TEST_P(Either, ANumberThatIsNoneChangesNothing) {
+  loop.run(200, measured(), 2_deg);
+  loop.tick_with(measured(std::nanf("")), Angle::from_radians(std::nanf("")));
+  loop.run(200, measured(), 2_deg);
+  EXPECT_TRUE(std::isfinite(loop.estimate_deg()));
+}
+
+INSTANTIATE_TEST_SUITE_P(Both, Either, testing::Values(OffsetRejection::integral, OffsetRejection::observer),
+                         [](const auto& each) {
+                           return each.param == OffsetRejection::integral ? "Integral" : "Observer";
+                         });
+
+}  // namespace
+}  // namespace fantail::core
