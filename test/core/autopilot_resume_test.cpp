@@ -93,6 +93,50 @@ TEST(AutopilotResume, ARateThatChangesEvenlyIsBridgedExactly) {
   EXPECT_NEAR(rig.resume(80 * millisecond, 10.0F).motion.roll_angle.radians() - before, 6.0F * 0.080F, 1e-4F);
 }
 
+FlightPlan integral_plan() {
+  FlightPlan plan = tunnel_plan();
+  plan.offset.rejection = OffsetRejection::integral;
+  return plan;
+}
+
+TEST(AutopilotResume, TheEstimateOfTheOffsetIsThatFromBeforeTheGap) {
+  ResumeRig rig{integral_plan()};
+  for (int i = 0; i < 500; ++i) {
+    rig.tick(0.1F);
+  }
+  const Angle before = rig.tick(0.1F).offset_estimate;
+  EXPECT_GT(before, Angle{}) << "turned positively, it is off as a positive offset would turn it";
+  EXPECT_EQ(rig.resume(70 * millisecond, 0.1F).offset_estimate, before);
+  rig.tick(0.1F);  // the first rate that was not bridged to
+  EXPECT_GT(rig.tick(0.1F).offset_estimate, before);
+}
+
+TEST(AutopilotResume, TheEstimateOfTheOffsetWaitsForASilentGyro) {
+  ResumeRig rig{integral_plan()};
+  for (int i = 0; i < 500; ++i) {
+    rig.tick(0.1F);
+  }
+  const Angle before = rig.tick(0.1F).offset_estimate;
+  rig.inputs.gyro.quality = SampleQuality::absent;
+  for (int i = 0; i < 100; ++i) {
+    EXPECT_EQ(rig.tick(0.1F).offset_estimate, before);
+  }
+  EXPECT_EQ(rig.law.phase(), Phase::controlling);
+}
+
+TEST(AutopilotResume, NothingIsEstimatedOutsideOfControl) {
+  ResumeRig rig{integral_plan()};
+  for (int i = 0; i < 500; ++i) {
+    rig.tick(0.1F);
+  }
+  rig.inputs.arm_switch_closed = false;
+  while (rig.law.phase() == Phase::controlling && rig.inputs.time < 100'000 * millisecond) {
+    rig.tick(0.1F);
+  }
+  EXPECT_NE(rig.law.phase(), Phase::controlling);
+  EXPECT_EQ(rig.tick(0.1F).offset_estimate, Angle{});
+}
+
 TEST(AutopilotResume, WithoutAUsableSampleTheLastRateIsTakenToHaveStayed) {
   ResumeRig rig;
   for (int i = 0; i < 100; ++i) {
