@@ -24,21 +24,27 @@ struct Setting {
   std::uint8_t address;
   std::uint8_t value;
 };
-// Both sensors are off while these are written (section 12.9). Reserved bits keep their reset values.
-constexpr auto settings = std::to_array<Setting>(
-    {Setting{0, icm::interface_config_0, 0x33},  // big-endian, -32768 until the first sample, no I2C
-     Setting{0, icm::interface_config_1, 0x91},  // the gyro's oscillator as clock: 1 % instead of 8 % (section 4.10)
-     Setting{0, icm::gyro_config_0, 0x06},       // 2000 deg/s, 1 kHz
-     Setting{0, icm::accelerometer_config_0, 0x06},  // 16 g, 1 kHz
-     Setting{0, icm::gyro_config_1, 0x16},           // second-order filter
-     Setting{0, icm::filter_config_0, 0x00},         // 493 Hz (section 5.5)
-     Setting{0, icm::accelerometer_config_1, 0x0D},  // second-order filter
-     Setting{0, icm::interrupt_config_0, 0x00},      // data-ready is cleared by reading INT_STATUS
-     Setting{0, icm::interrupt_source_0, 0x08},      // data-ready alone goes to the pin, to which nothing is wired
-     // 258 Hz (section 5.3): delta 6, its square 36, shift 10.
-     Setting{1, icm::gyro_config_static_3, 6}, Setting{1, icm::gyro_config_static_4, 36},
-     Setting{1, icm::gyro_config_static_5, 10U << 4U}, Setting{2, icm::accelerometer_config_static_2, 6U << 1U},
-     Setting{2, icm::accelerometer_config_static_3, 36}, Setting{2, icm::accelerometer_config_static_4, 10U << 4U}});
+// Both sensors are off while these are written (section 12.9). Reserved bits keep their reset values but for bits 7:6
+// of INTF_CONFIG1: as 01 they switch off what else lets an axis of the gyro repeat itself for 1 to 2 ms whenever it
+// passes 100 deg/s (ArduPilot, issue 25025; not in the data sheet).
+constexpr auto settings = std::to_array<Setting>({
+    {0, icm::interface_config_0, 0x33},      // big-endian, -32768 until the first sample, no I2C
+    {0, icm::interface_config_1, 0x51},      // the gyro's oscillator as clock: 1 % instead of 8 % (section 4.10)
+    {0, icm::gyro_config_0, 0x06},           // 2000 deg/s, 1 kHz
+    {0, icm::accelerometer_config_0, 0x06},  // 16 g, 1 kHz
+    {0, icm::gyro_config_1, 0x16},           // second-order filter
+    {0, icm::filter_config_0, 0x00},         // 493 Hz (section 5.5)
+    {0, icm::accelerometer_config_1, 0x0D},  // second-order filter
+    {0, icm::interrupt_config_0, 0x00},      // data-ready is cleared by reading INT_STATUS
+    {0, icm::interrupt_source_0, 0x08},      // data-ready alone goes to the pin, to which nothing is wired
+    // 258 Hz (section 5.3): delta 6, its square 36, shift 10.
+    {1, icm::gyro_config_static_3, 6},
+    {1, icm::gyro_config_static_4, 36},
+    {1, icm::gyro_config_static_5, 10U << 4U},
+    {2, icm::accelerometer_config_static_2, 6U << 1U},
+    {2, icm::accelerometer_config_static_3, 36},
+    {2, icm::accelerometer_config_static_4, 10U << 4U},
+});
 constexpr std::uint8_t both_on = icm::gyro_low_noise | icm::accelerometer_low_noise;
 
 /// Ends in bank 0, where it begins; false when `visit` was for one of them.

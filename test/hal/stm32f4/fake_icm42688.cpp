@@ -10,8 +10,8 @@ namespace {
 
 // Bank 0, section 13.1.
 constexpr std::uint8_t device_config = 0x11, accelerometer_data = 0x1F, gyro_data = 0x25, interrupt_status = 0x2D,
-                       power = 0x4E, gyro_config = 0x4F, accelerometer_config = 0x50, self_test = 0x70, who_am_i = 0x75,
-                       bank_select = 0x76;
+                       interface_config_1 = 0x4D, power = 0x4E, gyro_config = 0x4F, accelerometer_config = 0x50,
+                       self_test = 0x70, who_am_i = 0x75, bank_select = 0x76;
 
 /// Section 5.6: the range is halved with each number.
 double range(double widest, std::uint8_t config) { return widest / (1 << (config >> 5U)); }
@@ -37,12 +37,14 @@ void FakeIcm42688::reset() {
     bank0[address] = 0x80;  // -32768 until the first sample
   }
   bank0[interrupt_status] = 0x10;
-  bank0[0x4C] = 0x30, bank0[0x4D] = 0x91, bank0[gyro_config] = 0x06, bank0[accelerometer_config] = 0x06;
+  bank0[0x4C] = 0x30, bank0[interface_config_1] = 0x91, bank0[gyro_config] = 0x06, bank0[accelerometer_config] = 0x06;
   bank0[0x51] = 0x16, bank0[0x52] = 0x11, bank0[0x53] = 0x0D, bank0[0x64] = 0x10, bank0[0x65] = 0x10;
   std::ranges::copy(gyro_codes, registers_[1].begin() + 0x5F);
   std::ranges::copy(accelerometer_codes, registers_[2].begin() + 0x3B);
   reset_until_ = clock_.time + Microseconds{1'000};
   samples_ = 0;
+  fast_ = {};
+  stuck_until_ = {};
 }
 
 void FakeIcm42688::update() {
@@ -64,7 +66,7 @@ void FakeIcm42688::update() {
   const std::uint8_t test = registers_[0][self_test];
   for (std::uint8_t i = 0; i < 3; ++i) {
     const auto at = static_cast<std::uint8_t>(2 * i);
-    if (gyro_on) {
+    if (gyro_on && !gyro_is_stuck(i)) {
       const bool actuated = (test >> i & 1U) != 0;
       const double more = actuated ? gyro_actuation * factory_counts(gyro_codes[i]) * 250.0 / 32768.0 : 0.0;
       put(static_cast<std::uint8_t>(gyro_data + at), rate_deg_s[i] + more, range(2000.0, registers_[0][gyro_config]));
@@ -77,6 +79,18 @@ void FakeIcm42688::update() {
           range(16.0, registers_[0][accelerometer_config]));
     }
   }
+}
+
+bool FakeIcm42688::gyro_is_stuck(std::uint8_t axis) {
+  constexpr double other_range_deg_s = 100.0;
+  constexpr std::int64_t stuck_samples = 2;
+  const bool fast = std::abs(rate_deg_s[axis]) > other_range_deg_s;
+  const bool adapts = (registers_[0][interface_config_1] & 0xC0U) != 0x40;
+  if (fast != fast_[axis] && adapts) {
+    stuck_until_[axis] = samples_ + stuck_samples;
+  }
+  fast_[axis] = fast;
+  return samples_ < stuck_until_[axis];
 }
 
 void FakeIcm42688::put(std::uint8_t address, double value, double full_scale) {
@@ -143,6 +157,7 @@ void FakeIcm42688::write(std::uint8_t address, std::uint8_t value) {
     }
     if (mode != value) {
       samples_ = 0;
+      stuck_until_ = {};
     }
   }
   registers_[bank_][address] = value;

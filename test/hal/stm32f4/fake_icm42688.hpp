@@ -14,7 +14,10 @@
 namespace fantail::hal::stm32f4::test {
 
 /// An ICM-42688-P as DS-000347 revision 1.8 describes it, as far as the driver can see it: five banks of registers,
-/// reset, start-up times, data-ready, self-test. What must not be done to it is written down in `violations`.
+/// reset, start-up times, data-ready, self-test; and what the data sheet does not say: unless bits 7:6 of INTF_CONFIG1
+/// are 01, an axis that passes 100 deg/s changes between two ranges of its own, and its gyro repeats a value meanwhile,
+/// for 1 to 2 ms (ArduPilot's issue 25025 and Betaflight's pull request 13132). What must not be done to it is written
+/// down in `violations`.
 class FakeIcm42688 final : public AddressedSlave {
  public:
   explicit FakeIcm42688(const FakeClock& clock);
@@ -46,6 +49,7 @@ class FakeIcm42688 final : public AddressedSlave {
   void spoken_to() override;
   void write(std::uint8_t address, std::uint8_t value) override;
   std::uint8_t read(std::uint8_t address) override;
+  [[nodiscard]] bool gyro_is_stuck(std::uint8_t axis);
   void put(std::uint8_t address, double value, double full_scale);
 
   const FakeClock& clock_;
@@ -56,6 +60,8 @@ class FakeIcm42688 final : public AddressedSlave {
   Microseconds gyro_ready_{};
   Microseconds accelerometer_ready_{};
   std::int64_t samples_ = 0;
+  std::array<bool, 3> fast_{};
+  std::array<std::int64_t, 3> stuck_until_{};
 };
 
 }  // namespace fantail::hal::stm32f4::test

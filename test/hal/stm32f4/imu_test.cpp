@@ -65,6 +65,14 @@ TEST_F(ImuTest, IsTurnedIntoTheRocketsAxes) {
   EXPECT_EQ(sample.specific_force, (Counts{0, 0, 16384}));
 }
 
+TEST_F(ImuTest, ARateThatPassesAHundredDegreesASecondIsNotHeldBack) {
+  Imu imu = running();
+  for (const double rate_deg_s : {90.0, 110.0, 300.0, -120.0, -80.0}) {
+    device.rate_deg_s = {0.0, rate_deg_s, 0.0};
+    EXPECT_NEAR(next(imu).rate[1], rate_deg_s * 32768.0 / 2000.0, 0.5);
+  }
+}
+
 TEST_F(ImuTest, BothEndsOfTheRangeAreTheEndsThatTheContractNames) {
   // The device itself never says less than -32766.
   device.rate_deg_s = {-3000.0, 3000.0, 0.0};
