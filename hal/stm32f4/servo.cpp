@@ -86,6 +86,25 @@ void Servo::drive(Tim& timer, const Counts& counts) {
   timer.cr1.write(counting);
 }
 
+bool Servo::finish(registers::Tim& timer, const Counts& counts) {
+  // By its own count alone, since nothing else can be relied on. Two frames take 1 000 000 cycles at 168 MHz, and a
+  // look at the counter no fewer than 5.
+  constexpr std::uint32_t most_looks = 250'000;
+  drive(timer, counts);
+  const std::uint32_t pulses_end = std::ranges::max(counts);
+  std::uint32_t last = timer.cnt.read();
+  bool begun = false;  // the frame with these pulses, when the counter has fallen
+  for (std::uint32_t look = 0; look < most_looks; ++look) {
+    const std::uint32_t now = timer.cnt.read();
+    begun = begun || now < last;
+    if (begun && now > pulses_end) {
+      return true;
+    }
+    last = now;
+  }
+  return false;
+}
+
 std::uint32_t Servo::count(Pulse pulse) const {
   constexpr std::uint64_t half = 1ULL << 31U;
   return static_cast<std::uint32_t>((static_cast<std::uint64_t>(pulse.count()) * counts_per_nanosecond_ + half) >> 32U);

@@ -39,6 +39,11 @@ class Servo final : public hal::Servo {
   /// whatever state it finds the rest; outputs that were never on stay off.
   static void drive(registers::Tim& timer, const Counts& counts);
 
+  /// drive(), and then waits until a frame has had these pulses whole, for two frames at most: from here to the end of
+  /// the frame a reset of the processor cuts none of them off, and the last that the servos heard were these. False
+  /// when the timer stands, after some 10 ms.
+  static bool finish(registers::Tim& timer, const Counts& counts);
+
  private:
   [[nodiscard]] std::uint32_t count(Pulse pulse) const;
 

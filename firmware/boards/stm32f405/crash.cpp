@@ -49,14 +49,20 @@ extern "C" [[noreturn, gnu::used]] void after_crash(const std::uint32_t* frame, 
   registers::mask_interrupts();
   Hardware* const hardware = running_hardware();
   // First: the rocket is in the air, and nobody steers it. Should this crash in turn, the watchdog resets.
+  hal::stm32f4::Servo::Counts at_trim{};
   if (hardware != nullptr && flying != nullptr) {
-    hal::stm32f4::Servo::drive(tim8(), hardware->servo().counts(flying->pulses_at_trim()));
+    at_trim = hardware->servo().counts(flying->pulses_at_trim());
+    hal::stm32f4::Servo::drive(tim8(), at_trim);
   }
   if (hardware != nullptr) {
     // Empty where that memory could not be opened.
     if (const auto place = avionics::crash_place(hardware->backup_memory().bytes()); !place.empty()) {
       std::ranges::copy(avionics::seal(describe(frame, link_register)), place.begin());
     }
+  }
+  // A pulse that the reset cuts off in the middle is another command: 0.7 ms of 1.5 is full deflection.
+  if (hardware != nullptr && flying != nullptr) {
+    static_cast<void>(hal::stm32f4::Servo::finish(tim8(), at_trim));
   }
   scb().aircr.write(registers::scb_aircr_vectkey | registers::scb_aircr_sysresetreq);
   for (;;) {

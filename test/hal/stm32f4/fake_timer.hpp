@@ -17,7 +17,7 @@ namespace fantail::hal::stm32f4::test {
 class FakeTimer {
  public:
   registers::Tim registers{};
-  std::uint32_t counts_per_access = 0;  ///< how long a write takes
+  std::uint32_t counts_per_access = 0;  ///< how long a write takes, or a look at the counter
 
   /// One frame: for how long each pin was high, and whether it was driven all the time.
   struct Frame {
@@ -33,6 +33,10 @@ class FakeTimer {
     keep(world, registers.ccmr[0], ccmr_[0]);
     keep(world, registers.ccmr[1], ccmr_[1]);
     keep(world, registers.psc, written_.psc);
+    world.on_read(registers.cnt, [this] {
+      pass(counts_per_access);
+      return static_cast<std::uint32_t>(counter_);
+    });
     for (std::size_t i = 0; i < 4; ++i) {
       world.on_write(registers.ccr[i], [this, i](std::uint32_t value) {
         pass(counts_per_access);
@@ -77,6 +81,8 @@ class FakeTimer {
       }
     }
   }
+  /// What a reset would leave of this frame.
+  [[nodiscard]] const Frame& unfinished() const { return now_; }
   /// To the end of this frame.
   void finish_frame() { pass(active_.arr + 1ULL - counter_); }
   /// The next whole one.

@@ -139,6 +139,32 @@ TEST_F(TheServo, ACrashHandlerCentresThemWithNothingButTheTimer) {
   EXPECT_EQ(frame.high[3], 0U);
 }
 
+TEST_F(TheServo, AResetAfterACrashCutsNoPulseWheneverTheCrashComes) {
+  const Pulses at_trim{1'500'000ns, 1'480'000ns, 1'510'000ns, 1'500'000ns};
+  servo.write(at_trim);
+  const FakeTimer::Frame centre = timer.next_frame();
+  const Servo::Counts counts = servo.counts(at_trim);
+  for (std::uint64_t crash = 0; crash < timer.counts_per_frame(); crash += 997) {
+    timer.counts_per_access = 0;
+    servo.write({2'500'000ns, 1'000'000ns, 2'000'000ns, std::nullopt});
+    const FakeTimer::Frame steered = timer.next_frame();
+    timer.pass(crash);
+    const std::size_t first = timer.frames().size();
+    timer.counts_per_access = 3;
+    EXPECT_TRUE(Servo::finish(timer.registers, counts));
+    for (std::size_t i = first; i < timer.frames().size(); ++i) {
+      EXPECT_TRUE(timer.frames()[i] == steered || timer.frames()[i] == centre) << crash;
+    }
+    EXPECT_EQ(timer.unfinished().high, centre.high) << crash << ": the pulses at trim are whole";
+    EXPECT_LE(timer.frames().size() - first, 2U) << crash;
+  }
+}
+
+TEST_F(TheServo, ATimerThatStandsIsNotWaitedForForEver) {
+  servo.write({1'500'000ns, 1'500'000ns, 1'500'000ns, 1'500'000ns});
+  EXPECT_FALSE(Servo::finish(timer.registers, servo.counts({1'500'000ns}))) << "its counter never moves in this test";
+}
+
 TEST_F(TheServo, ACrashBeforeTheFirstPulseDrivesNothing) {
   Servo::drive(timer.registers, servo.counts({1'500'000ns, 1'500'000ns, 1'500'000ns, 1'500'000ns}));
   EXPECT_EQ(timer.next_frame().driven, nothing_driven);
