@@ -20,7 +20,8 @@ constexpr std::uint32_t core_hz = pll_input_hz * pll_multiplier / pll_core_divid
 static_assert(core_hz == 168'000'000);
 static_assert(pll_input_hz * pll_multiplier / pll_48_mhz_divider == 48'000'000);
 
-// RM0090 table 10: above 150 MHz at 2.7 V to 3.6 V.
+// RM0090 table 10: above 150 MHz at 2.7 V to 3.6 V. Below, the flash may give wrong instructions, and only the
+// brown-out reset ends that: its level 3 begins at 2.7 V (data sheet, embedded reset and power control block).
 constexpr std::uint32_t wait_states = 5;
 
 constexpr Frequencies fast{
@@ -67,6 +68,9 @@ ClockTree start_clocks(Rcc& rcc, FlashInterface& flash, Pwr& pwr) {
   rcc.apb1enr.set(rcc_apb1enr_pwr);
   pwr.cr.set(pwr_cr_vos);  // while the PLL is off: section 5.1.3
 
+  if ((flash.optcr.read() & flash_optcr_bor_lev) != 0) {
+    result.faults.add(BoardFault::brown_out_level);
+  }
   const bool from_crystal = start_crystal(rcc);
   if (!from_crystal) {
     result.faults.add(BoardFault::crystal_failed);

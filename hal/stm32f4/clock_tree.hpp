@@ -27,7 +27,8 @@ inline constexpr std::uint32_t crystal_hz = 8'000'000;
 inline constexpr std::uint32_t internal_oscillator_hz = 16'000'000;  ///< HSI, within 1 %
 
 /// 168 MHz from the crystal; where it does not start, from the internal oscillator (crystal_failed); where the PLL does
-/// not lock, the internal oscillator's 16 MHz (clock_failed). Once, after a reset, when the processor runs on HSI.
+/// not lock, the internal oscillator's 16 MHz (clock_failed). Looks whether a supply that is too low for that resets
+/// the processor (brown_out_level). Once, after a reset, when the processor runs on HSI.
 ///
 /// A crystal that stops later raises the NMI (clock security system), which is a crash: by then the processor has
 /// fallen back to 16 MHz, every divider in the drivers is wrong, and only a reset brings all of them to a clock that

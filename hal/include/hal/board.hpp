@@ -29,8 +29,9 @@ enum class BoardFault : std::uint8_t {
   battery_unmeasured,  ///< the converter did not answer
   loop_overrun,        ///< more ticks came late than the plan allows
   crashed,             ///< the processor was reset by a hard fault, and the post-mortem record says where
+  brown_out_level,     ///< the processor runs on below the supply that its flash needs at this speed
 };
-inline constexpr std::size_t board_faults = 17;
+inline constexpr std::size_t board_faults = 18;
 
 [[nodiscard]] constexpr std::string_view name(BoardFault fault) {
   constexpr std::array<std::string_view, board_faults> names{
@@ -38,7 +39,7 @@ inline constexpr std::size_t board_faults = 17;
       "imu_wrong_id",   "imu_self_test_failed", "accelerometer_silent", "accelerometer_wrong_id",
       "encoder_silent", "flash_silent",         "flash_wrong_id",       "flash_stuck",
       "can_failed",     "entropy_failed",       "battery_unmeasured",   "loop_overrun",
-      "crashed"};
+      "crashed",        "brown_out_level"};
   return names[static_cast<std::size_t>(fault)];
 }
 

@@ -38,6 +38,13 @@ TEST_F(StartClocks, RunsAt168MegahertzFromTheCrystal) {
   EXPECT_TRUE(clocks.crystal_is_watched());
 }
 
+TEST_F(StartClocks, OnlyTheHighestBrownOutLevelIsEnoughForThisSpeed) {
+  for (const std::uint32_t level : {0U, 1U, 2U, 3U}) {  // 0 is level 3, 3 is off: RM0090 section 3.9.6
+    RegisterWorld::poke(clocks.flash.optcr, 0x0FFFAAE0U | level << 2U);
+    EXPECT_EQ(start().faults.has(BoardFault::brown_out_level), level != 0);
+  }
+}
+
 TEST_F(StartClocks, TheFlashHasFiveWaitStatesPrefetchAndBothCaches) {
   static_cast<void>(start());
   EXPECT_EQ(clocks.acr(), 0x705U);
