@@ -119,6 +119,25 @@ TEST(AdviceOnGains, ReachesItsPhaseMarginWhenItIsFlown) {
   }
 }
 
+TEST(AdviceOnGains, IsForTheLawThatIsFlown) {
+  sim::Scenario scenario = input::load_scenario("tasha3_launch1", {});
+  const TunnelResult tunnel = read_tunnel_result(scenario.tunnel_result.value(), {});
+  scenario.plan.offset.rejection = core::OffsetRejection::integral;
+  scenario.plan.offset.integral_gain_per_s = 0.2F;
+  scenario.plan.gain_schedule = {
+      .speeds_count = 2, .speeds_m_s = {30.0F, 90.0F}, .factors_count = 2, .factors = {2.0F, 1.0F}};
+  const Prediction p = predict(scenario, tunnel, {.runs = 12}, look_away);
+  const GainAdvice advice = advice_on_gains(p, radians(45.0));
+  ASSERT_TRUE(advice.gains) << advice.sentence;
+  EXPECT_NE(advice.sentence.find("beside its integral gain of 0.2 1/s and gain schedule"), std::string::npos)
+      << advice.sentence;
+  EXPECT_EQ(advice.sentence.find("settles"), std::string::npos) << advice.sentence;
+  scenario.plan.controller.proportional_gain = static_cast<float>(advice.gains->proportional);
+  scenario.plan.controller.derivative_gain_s = static_cast<float>(advice.gains->derivative_s);
+  const Prediction tried = predict(scenario, tunnel, {.runs = 12}, look_away);
+  EXPECT_GE(tried.worst_speed->phase_margin_rad.p5, radians(45.0)) << advice.sentence;
+}
+
 TEST(AdviceOnGains, SaysThatNoneReachesIt) {
   sim::Scenario scenario = input::load_scenario("tasha3_launch1", {});
   const TunnelResult tunnel = read_tunnel_result(scenario.tunnel_result.value(), {});

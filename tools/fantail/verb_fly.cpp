@@ -21,9 +21,9 @@
 #include "flight/phase_names.hpp"
 #include "fly/fly_scenario.hpp"
 #include "hil/wire.hpp"
+#include "report/gain_margin_text.hpp"
 #include "report/results.hpp"
 #include "text/degrees.hpp"
-#include "text/number.hpp"
 #include "trajectory/trajectory.hpp"
 
 namespace fantail::tool {
@@ -89,8 +89,7 @@ void print_summary(const flight::Flight& flight, const report::Results& results)
   print_figure("  at time", events.apogee_s, "{:.2f} s");
   for (const flight::LoopMargin& margin : flight.loop_margins) {
     fmt::print("  {:<22}{:.0f} deg at {:.0f} m/s, gain margin {}\n", "phase margin",
-               text::degrees(margin.phase_margin_rad), margin.speed_m_s,
-               margin.gain_margin ? text::brief(*margin.gain_margin, 1) : "any");
+               text::degrees(margin.phase_margin_rad), margin.speed_m_s, report::gain_margin_text(margin));
   }
   print_figure("saturated", percent ? std::optional{100.0 * *percent} : std::nullopt, "{:.1f} % of control time");
 }

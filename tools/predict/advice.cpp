@@ -51,8 +51,12 @@ std::string_view compared(double value, double present) {
   return value < present ? "smaller" : value > present ? "larger" : "as it is";
 }
 
-/// The loop settles at the reference plus the offset over the gain.
+/// The loop settles at the reference plus the offset over the gain; by how much, that a schedule changes on the way. A
+/// law that rejects the offset settles at the reference.
 std::string settles(const Prediction& p, const stability::Gains& gains) {
+  if (p.flown.plan.offset.rejection != core::OffsetRejection::none || p.flown.plan.gain_schedule.speeds_count > 0) {
+    return {};
+  }
   const auto present = static_cast<double>(p.flown.plan.controller.proportional_gain);
   if (gains.proportional == present || gains.proportional == 0.0) {
     return {};
@@ -60,6 +64,20 @@ std::string settles(const Prediction& p, const stability::Gains& gains) {
   const auto off = [&](double gain) { return fixed(degrees(p.offset_size_rad.p50) / (gain * left_by_fins(p)), 1); };
   return fmt::format(" The roll then settles {} degrees from its reference instead of {} (median of the runs).",
                      off(gains.proportional), off(present));
+}
+
+/// What of the law the advice leaves as the plan has it, and the loop model has.
+std::string kept(const core::FlightPlan& plan) {
+  std::string all;
+  if (plan.offset.rejection == core::OffsetRejection::integral) {
+    all = fmt::format("integral gain of {} 1/s", brief(static_cast<double>(plan.offset.integral_gain_per_s), 4));
+  } else if (plan.offset.rejection == core::OffsetRejection::observer) {
+    all = fmt::format("observer of {} rad/s", brief(static_cast<double>(plan.offset.observer_bandwidth_rad_s), 4));
+  }
+  if (plan.gain_schedule.speeds_count > 0) {
+    all += all.empty() ? "gain schedule" : " and gain schedule";
+  }
+  return all.empty() ? "" : " beside its " + all;
 }
 
 }  // namespace
@@ -120,15 +138,16 @@ GainAdvice advice_on_gains(const Prediction& p, double phase_margin_rad, stabili
                                       brief(degrees(phase_margin_rad), 1), percent(share_of_runs));
   if (const auto gains = stability::nearest_gains(loops, present, largest, demand, search)) {
     return {fmt::format("In the loop model, gains of {} and {} s reach {}: proportional gain {}, derivative gain {} "
-                        "(the plan has {} and {} s).{}",
+                        "(the plan has {} and {} s{}).{}",
                         brief(gains->proportional, 4), brief(gains->derivative_s, 4), aim,
                         compared(gains->proportional, present.proportional),
                         compared(gains->derivative_s, present.derivative_s), brief(present.proportional, 4),
-                        brief(present.derivative_s, 4), settles(p, *gains)),
+                        brief(present.derivative_s, 4), kept(p.flown.plan), settles(p, *gains)),
             gains};
   }
-  const std::string none = fmt::format("No gains that a plan may have (up to {} and {} s) reach {}",
-                                       brief(largest.proportional, 4), brief(largest.derivative_s, 4), aim);
+  const std::string none =
+      fmt::format("No gains that a plan may have (up to {} and {} s{}) reach {}", brief(largest.proportional, 4),
+                  brief(largest.derivative_s, 4), kept(p.flown.plan), aim);
   const auto lag_s = stability::longest_servo_lag_s(loops, present, sim::shortest_lag_s, demand);
   return {lag_s ? fmt::format("{}. With the plan's gains a servo lag of {} ms or less would ({} ms was assumed).", none,
                               brief(1e3 * *lag_s, 1), brief(1e3 * p.servo_lag_s, 1))

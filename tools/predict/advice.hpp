@@ -25,7 +25,8 @@ struct GainAdvice {
 [[nodiscard]] LimitAdvice advice_on_canard_limit(const Prediction& prediction, double share);
 
 /// Of the gains that a plan may have, the pair nearest to the plan's that gives the loop this phase margin in 95 % of
-/// the runs at every speed flown; or that none does, and what servo lag would.
+/// the runs at every speed flown; or that none does, and what servo lag would. Integral gain, observer and schedule
+/// stay as the plan has them.
 [[nodiscard]] GainAdvice advice_on_gains(const Prediction& prediction, double phase_margin_rad,
                                          stability::Search search = stability::Search::both_gains);
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <array>
 #include <cctype>
 #include <cmath>
@@ -122,7 +123,10 @@ std::string stability(const Prediction& p, const Decision& decision) {
                       fmt::format("How far the loop is from oscillating, from the speed at which control starts to "
                                   "top speed, with a servo lag of {} ms and {} ms of dead time.",
                                   text::brief(1e3 * p.servo_lag_s, 1), text::brief(1e3 * p.delay_s, 1))) +
-         page::table(columns, rows);
+         page::table(columns, rows) +
+         (std::ranges::any_of(p.over_speed, may_swing_with_less)
+              ? page::note("Where the loop holds, a gain margin below 1 says with how much less gain it swings.")
+              : "");
 }
 
 std::string airframes(const Prediction& p) {

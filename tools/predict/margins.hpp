@@ -20,6 +20,11 @@ struct MarginsAtSpeed {
   std::optional<Spread> gain_margin{};      ///< no gain makes such an airframe swing
 };
 
+/// Whether some of its gain margins are factors below one: then a loop that holds swings with less gain, not with more.
+[[nodiscard]] inline bool may_swing_with_less(const MarginsAtSpeed& at) {
+  return at.gain_margin && at.gain_margin->p5 < 1.0;
+}
+
 /// The loops of the airframes of the runs at each of these speeds.
 [[nodiscard]] stability::LoopsAtSpeeds loops_at_speeds(const sim::Scenario& scenario, const std::vector<Run>& runs,
                                                        const std::vector<double>& speeds_m_s);

@@ -41,6 +41,9 @@ std::string figures(const Prediction& p) {
                                            fmt::format(" at {} m/s", fixed(at.speed_m_s, 0)));
     text += line("  crossover there", at.crossover_rad_s, 1.0, 0, "rad/s");
     text += line("  gain margin there", at.gain_margin, 1.0, 1, "times");
+    if (may_swing_with_less(at)) {
+      text += "  Where the loop holds, a gain margin below 1 says with how much less gain it swings.\n";
+    }
   }
   return text;
 }

@@ -13,6 +13,7 @@
 #include "flight/phase_names.hpp"
 #include "page/page.hpp"
 #include "report/descent.hpp"
+#include "report/gain_margin_text.hpp"
 #include "text/degrees.hpp"
 #include "text/number.hpp"
 
@@ -49,8 +50,7 @@ std::string figure_list(const flight::Flight& flight, const Figures& f) {
       f.authority_rad ? "of " + text::brief(text::degrees(*f.authority_rad), 1) + " deg" : "");
   for (const flight::LoopMargin& margin : flight.loop_margins) {
     list.push_back({"Phase margin", fixed(text::degrees(margin.phase_margin_rad), 0), "deg",
-                    fmt::format("at {} m/s; gain margin {}", fixed(margin.speed_m_s, 0),
-                                margin.gain_margin ? text::brief(*margin.gain_margin, 1) : "any")});
+                    fmt::format("at {} m/s; gain margin {}", fixed(margin.speed_m_s, 0), gain_margin_text(margin))});
   }
   add("Net roll", f.roll_turns, 2, "turns", "under control");
   if (flight.known.phase) {

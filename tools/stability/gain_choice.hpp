@@ -25,7 +25,8 @@ struct PhaseMarginDemand {
   double share = 1.0;  ///< of the airframes, above zero
 };
 
-/// The loops of all airframes at each air speed; their own gains are not looked at.
+/// The loops of all airframes at each air speed. Their own kp and kd are not looked at; integral gain, observer and
+/// factor of the schedule stay what they are.
 using LoopsAtSpeeds = std::vector<std::vector<RollLoop>>;
 
 [[nodiscard]] bool meets(const LoopsAtSpeeds& loops, const Gains& gains, const PhaseMarginDemand& demand);

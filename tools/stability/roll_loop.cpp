@@ -6,6 +6,7 @@
 #include <complex>
 #include <numbers>
 
+#include "core/gain_schedule.hpp"
 #include "sim/deflection_range.hpp"
 #include "sim/servo.hpp"
 
@@ -16,6 +17,28 @@ namespace {
 constexpr double lowest_rad_s = 1e-6;
 constexpr double highest_rad_s = 1e7;
 constexpr double half_turn_rad = std::numbers::pi;
+
+/// The same loop without schedule and observer, by other gains.
+RollLoop with_gains_alone(RollLoop loop) {
+  const double proportional_gain = loop.gain_factor * loop.proportional_gain;
+  const double derivative_gain_s = loop.gain_factor * loop.derivative_gain_s;
+  const ObserverModel model = loop.observer;
+  const double w = model.bandwidth_rad_s;
+  loop.proportional_gain = proportional_gain;
+  loop.derivative_gain_s = derivative_gain_s;
+  loop.integral_gain_per_s *= loop.gain_factor;
+  if (w > 0.0) {
+    loop.proportional_gain += w * (derivative_gain_s + model.damping_rate_per_s / model.authority_per_s2);
+    loop.derivative_gain_s += w / model.authority_per_s2;
+    loop.integral_gain_per_s += w * proportional_gain;
+  }
+  loop.gain_factor = 1.0;
+  loop.observer = {};
+  return loop;
+}
+
+/// The imaginary part of kp + ki / s + kd s.
+double quadrature(const RollLoop& loop, double w) { return loop.derivative_gain_s * w - loop.integral_gain_per_s / w; }
 
 std::complex<double> servos(const RollLoop& loop, double w) {
   return (1.0 - loop.slow_share) / std::complex{1.0, loop.servo_lag_s * w} +
@@ -29,15 +52,14 @@ std::complex<double> left_by_fins(const RollLoop& loop, double w) {
 
 double logarithm_of_gain(const RollLoop& loop, double w) {
   const double fins = loop.wash == 0.0 ? 0.0 : std::log(std::abs(left_by_fins(loop, w)));
-  return fins + std::log(loop.authority_per_s2) +
-         std::log(std::hypot(loop.proportional_gain, loop.derivative_gain_s * w)) - std::log(w) -
-         std::log(std::hypot(w, loop.damping_rate_per_s)) + std::log(std::abs(servos(loop, w)));
+  return fins + std::log(loop.authority_per_s2) + std::log(std::hypot(loop.proportional_gain, quadrature(loop, w))) -
+         std::log(w) - std::log(std::hypot(w, loop.damping_rate_per_s)) + std::log(std::abs(servos(loop, w)));
 }
 
 /// Followed from frequency zero on, not wrapped: with a wash below one its part stays within a quarter turn.
 double phase_rad(const RollLoop& loop, double w) {
   const double fins = loop.wash == 0.0 ? 0.0 : std::arg(left_by_fins(loop, w));
-  return fins + std::atan2(loop.derivative_gain_s * w, loop.proportional_gain) - 0.5 * half_turn_rad -
+  return fins + std::atan2(quadrature(loop, w), loop.proportional_gain) - 0.5 * half_turn_rad -
          std::atan2(w, loop.damping_rate_per_s) + std::arg(servos(loop, w)) - loop.delay_s * w;
 }
 
@@ -52,10 +74,11 @@ double root(const Function& function, double low, double high) {
   return std::sqrt(low * high);
 }
 
-/// Gain falls with frequency, so where the phase passes half a turn more than once, the pass at the gain nearest to one
-/// is where a change of gain first makes it swing.
+/// Where the phase passes half a turn more than once, the pass at the gain nearest to one is where a change of gain
+/// first makes it swing.
 std::optional<double> gain_margin(const RollLoop& loop) {
-  const double step = loop.wash == 0.0 ? 1.1 : 1.02;  // the answer of the fins makes waves
+  // The answer of the fins makes waves, and an integral beside little proportional gain turns the phase at once.
+  const double step = loop.wash == 0.0 && loop.integral_gain_per_s == 0.0 ? 1.1 : 1.02;
   const auto above_half_turn = [&loop](double w) { return phase_rad(loop, w) + half_turn_rad; };
   std::optional<double> nearest;
   double w = lowest_rad_s;
@@ -77,21 +100,51 @@ std::optional<double> gain_margin(const RollLoop& loop) {
 
 constexpr double tick_s = 1e-3;
 
+/// Whether the gain falls with the frequency all the way, but for the fins: of (kp^2 + (kd w - ki / w)^2) / w^2 that
+/// can be seen.
+bool falls(const RollLoop& loop) {
+  return loop.proportional_gain * loop.proportional_gain >= 2.0 * loop.derivative_gain_s * loop.integral_gain_per_s;
+}
+
+/// Where the gain of a loop whose gain falls is one over the factor.
+double pass_with(const RollLoop& loop, double factor) {
+  return root([&](double w) { return std::log(factor) + logarithm_of_gain(loop, w); }, lowest_rad_s, highest_rad_s);
+}
+
+/// All passes of the gain through one lie above this frequency ...
+double before_all_passes(RollLoop loop) {
+  const double wash = loop.wash;
+  loop.wash = 0.0;
+  if (!falls(loop)) {
+    loop.derivative_gain_s = 0.0;
+    loop.integral_gain_per_s = 0.0;
+  }
+  return loop.proportional_gain > 0.0 || falls(loop) ? 0.999 * pass_with(loop, 1.0 - wash) : lowest_rad_s;
+}
+
+/// ... and below this one: the two parts that are opposed to each other, added.
+double after_all_passes(RollLoop loop) {
+  const double wash = loop.wash;
+  loop.wash = 0.0;
+  if (!falls(loop)) {
+    loop.integral_gain_per_s = -loop.integral_gain_per_s;
+  }
+  return 1.001 * pass_with(loop, 1.0 + wash);
+}
+
 /// Where the fins answer, the gain can pass one several times, all of them between the frequencies at which it would
-/// if they always took their share away, and always added it. The one with the least phase counts.
+/// if they always took their share away, and always added it. So it can where integral and derivative parts cancel and
+/// leave little. The pass with the least phase counts.
 double worst_crossover_rad_s(const RollLoop& loop) {
-  RollLoop without = loop;
-  without.wash = 0.0;
-  const auto pass_with = [&without](double factor) {
-    return root([&](double w) { return std::log(factor) + logarithm_of_gain(without, w); }, lowest_rad_s,
-                highest_rad_s);
-  };
   const auto logarithm = [&loop](double w) { return logarithm_of_gain(loop, w); };
-  const double last = 1.001 * pass_with(1.0 + loop.wash);
+  const double last = after_all_passes(loop);
+  // Where they cancel the gain may dip for less than a step.
+  const double dip = falls(loop) ? last : std::sqrt(loop.integral_gain_per_s / loop.derivative_gain_s);
   double worst = last;
   bool found = false;
-  for (double w = 0.999 * pass_with(1.0 - loop.wash); w < last;) {
-    const double next = std::min(1.02 * w, w + 0.2 / loop.wash_delay_s);
+  for (double w = before_all_passes(loop); w < last;) {
+    double next = std::min(1.02 * w, w + 0.2 / loop.wash_delay_s);
+    next = w < dip && dip < next ? dip : next;
     if ((logarithm(w) < 0.0) != (logarithm(next) < 0.0)) {
       const double pass = root(logarithm, w, next);
       worst = !found || phase_rad(loop, pass) < phase_rad(loop, worst) ? pass : worst;
@@ -104,17 +157,38 @@ double worst_crossover_rad_s(const RollLoop& loop) {
 
 std::optional<double> crossover_rad_s(const RollLoop& loop) {
   const bool has_gain =
-      loop.authority_per_s2 > 0.0 && loop.wash < 1.0 && (loop.proportional_gain > 0.0 || loop.derivative_gain_s > 0.0);
+      loop.authority_per_s2 > 0.0 && loop.wash < 1.0 &&
+      (loop.proportional_gain > 0.0 || loop.derivative_gain_s > 0.0 || loop.integral_gain_per_s > 0.0);
   if (!has_gain || logarithm_of_gain(loop, lowest_rad_s) < 0.0) {
     return std::nullopt;
   }
-  return loop.wash > 0.0 ? worst_crossover_rad_s(loop)
-                         : root([&loop](double w) { return logarithm_of_gain(loop, w); }, lowest_rad_s, highest_rad_s);
+  return loop.wash > 0.0 || !falls(loop) ? worst_crossover_rad_s(loop) : pass_with(loop, 1.0);
+}
+
+std::optional<double> phase_margin_at_pass_rad(const RollLoop& loop) {
+  const auto crossover = crossover_rad_s(loop);
+  return crossover ? std::optional{half_turn_rad + phase_rad(loop, *crossover)} : std::nullopt;
+}
+
+ObserverModel observer_model(const core::FlightPlan& plan, double speed_m_s) {
+  if (plan.offset.rejection != core::OffsetRejection::observer) {
+    return {};
+  }
+  const core::RollModelPlan& model = plan.roll_model;
+  const sim::RollPlant plant{.inertia_kg_m2 = static_cast<double>(model.roll_inertia_kg_m2),
+                             .reference_area_m2 = static_cast<double>(model.reference_area_m2),
+                             .damping_m2 = static_cast<double>(model.damping_m2),
+                             .torque_m = static_cast<double>(model.torque_m)};
+  const auto density_kg_m3 = static_cast<double>(model.density_kg_m3);
+  return {.bandwidth_rad_s = static_cast<double>(plan.offset.observer_bandwidth_rad_s),
+          .damping_rate_per_s = plant.damping_rate_per_s(density_kg_m3, speed_m_s),
+          .authority_per_s2 = plant.authority_per_s2(density_kg_m3, speed_m_s)};
 }
 
 }  // namespace
 
-std::optional<Margins> margins(const RollLoop& loop) {
+std::optional<Margins> margins(const RollLoop& any_loop) {
+  const RollLoop loop = with_gains_alone(any_loop);
   const auto crossover = crossover_rad_s(loop);
   if (!crossover) {
     return std::nullopt;
@@ -125,8 +199,7 @@ std::optional<Margins> margins(const RollLoop& loop) {
 }
 
 std::optional<double> phase_margin_rad(const RollLoop& loop) {
-  const auto crossover = crossover_rad_s(loop);
-  return crossover ? std::optional{half_turn_rad + phase_rad(loop, *crossover)} : std::nullopt;
+  return phase_margin_at_pass_rad(with_gains_alone(loop));
 }
 
 double loop_delay_s(const sim::Vehicle& vehicle) {
@@ -135,14 +208,19 @@ double loop_delay_s(const sim::Vehicle& vehicle) {
 }
 
 RollLoop loop_at_speed(const sim::Scenario& scenario, double speed_m_s) {
+  const core::FlightPlan& plan = scenario.plan;
+  const bool integrates = plan.offset.rejection == core::OffsetRejection::integral;
   const sim::RollPlant& plant = scenario.vehicle.roll_plant;
   const double density_kg_m3 = scenario.atmosphere.density_kg_m3(0.0);
   const double compressibility = sim::compressibility_factor(scenario.vehicle.compressibility,
                                                              speed_m_s / scenario.atmosphere.speed_of_sound_m_s(0.0));
   const sim::CanardResponse canards = sim::canard_response(scenario);
   return {
-      .proportional_gain = static_cast<double>(scenario.plan.controller.proportional_gain),
-      .derivative_gain_s = static_cast<double>(scenario.plan.controller.derivative_gain_s),
+      .proportional_gain = static_cast<double>(plan.controller.proportional_gain),
+      .derivative_gain_s = static_cast<double>(plan.controller.derivative_gain_s),
+      .integral_gain_per_s = integrates ? static_cast<double>(plan.offset.integral_gain_per_s) : 0.0,
+      .gain_factor = static_cast<double>(core::gain_factor(plan.gain_schedule, static_cast<float>(speed_m_s), false)),
+      .observer = observer_model(plan, speed_m_s),
       .damping_rate_per_s = compressibility * plant.damping_rate_per_s(density_kg_m3, speed_m_s),
       .authority_per_s2 = compressibility * (canards.effectiveness * plant.authority_per_s2(density_kg_m3, speed_m_s)),
       .servo_lag_s = scenario.vehicle.servo.lag_s,
