@@ -59,12 +59,13 @@ std::size_t write_plan_block(const core::FlightPlan& plan, std::span<std::byte> 
   put<4>(out, 8, schema_hash);
   std::size_t at = header_size;
   for (const core::PlanMember& field : core::flight_plan_members()) {
+    const std::size_t used = field.used_slots(plan);
     if (field.is_list()) {
-      put<4>(out, at, field.used_slots(plan));
+      put<4>(out, at, used);
       at += 4;
     }
     for (std::size_t slot = 0; slot < field.slots; ++slot) {
-      put<4>(out, at, field.get_bits(plan, slot));
+      put<4>(out, at, slot < used ? field.get_bits(plan, slot) : 0U);
       at += 4;
     }
   }

@@ -8,6 +8,8 @@
 #include "core/canard_monitor.hpp"
 #include "core/chirp.hpp"
 #include "core/flight_plan_fields.hpp"
+#include "core/gain_schedule.hpp"
+#include "core/offset_estimator.hpp"
 #include "core/pd_controller.hpp"
 #include "core/roll_reference.hpp"
 #include "core/trig.hpp"
@@ -94,9 +96,43 @@ void hash_law() {
   hash.print("law");
 }
 
+void hash_modes() {
+  Hash hash;
+  FlightPlan plan = default_plan();
+  plan.roll_model = {.roll_inertia_kg_m2 = 0.00393F,
+                     .reference_area_m2 = 5.0265e-5F,
+                     .damping_m2 = 23.0F,
+                     .torque_m = 9.0F,
+                     .density_kg_m3 = 1.225F};
+  plan.gain_schedule = {
+      .speeds_count = 3, .speeds_m_s = {15.0F, 40.0F, 80.0F}, .factors_count = 3, .factors = {1.5F, 1.1F, 0.7F}};
+  for (const OffsetRejection rejection : {OffsetRejection::integral, OffsetRejection::observer}) {
+    plan.offset.rejection = rejection;
+    OffsetEstimator estimator{plan};
+    Motion motion;
+    motion.gyro = SensorState::fresh;
+    for (std::uint32_t i = 0; i < 10'000; ++i) {
+      motion.speed_m_s = 0.01F * static_cast<float>(i);
+      const Angle reference =
+          Angle::from_degrees(static_cast<float>(static_cast<std::int32_t>(i / 500 % 3) - 1) * 10.0F);
+      const float factor = gain_factor(plan.gain_schedule, motion.speed_m_s, false);
+      estimator.update(Microseconds{1000} * i, motion, reference - motion.roll_angle, factor);
+      const RollCommand command = pd_controller(plan.controller, reference, motion.roll_angle, motion.roll_rate_rad_s,
+                                                Angle{}, {factor, estimator.estimate()});
+      estimator.remember(command);
+      motion.roll_rate_rad_s += 0.001F * (60.0F * (command.command.radians() - 0.08F) - 5.0F * motion.roll_rate_rad_s);
+      motion.roll_angle += Angle::from_radians(0.001F * motion.roll_rate_rad_s);
+      hash.add(command.unclamped);
+      hash.add(estimator.estimate());
+    }
+  }
+  hash.print("modes");
+}
+
 }  // namespace
 
 int main() {
   hash_trig();
   hash_law();
+  hash_modes();
 }

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,7 @@ struct Case {
   std::string name;
   std::string scenario;
   std::vector<sim::Fault> faults{};
+  std::vector<std::string> changes{};  ///< as after --set
 };
 
 void PrintTo(const Case& flown, std::ostream* out) { *out << flown.name; }
@@ -65,7 +67,9 @@ TEST_P(Emulated, FlightIsThatOfTheHostTickByTickAndByteByByte) {
   if (const std::string objection = objection_to_images(); !objection.empty()) {
     GTEST_SKIP() << objection;
   }
-  sim::Scenario scenario = input::load_scenario(GetParam().scenario, {});
+  std::vector<input::Override> overrides;
+  std::ranges::transform(GetParam().changes, std::back_inserter(overrides), input::parse_override);
+  sim::Scenario scenario = input::load_scenario(GetParam().scenario, overrides);
   scenario.faults = GetParam().faults;
   hil::Target target{std::make_unique<hil::Emulator>(hil::EmulatorOptions{.image = image("fantail-emulator.elf")})};
   const Flown here = fly(scenario, sim::simulated_board);
@@ -88,9 +92,20 @@ const std::vector<sim::Fault> jammed_canard_and_dropouts{
     {.kind = sim::FaultKind::accelerometer_dropout, .canard = 0, .from_s = 1.0, .until_s = 1.3},
     {.kind = sim::FaultKind::imu_dropout, .canard = 0, .from_s = 3.0, .until_s = 3.02}};
 
+// With the rocket's own model (sim/vehicles/tasha3_launch2.toml).
+const std::vector<std::string> observer_and_schedule{"offset.rejection=observer",
+                                                     "roll_model.roll_inertia_kg_m2=0.00393",
+                                                     "roll_model.reference_area_m2=5.0265e-5",
+                                                     "roll_model.damping_m2=23",
+                                                     "roll_model.torque_m=9",
+                                                     "gain_schedule.speeds_m_s=[20,40,80]",
+                                                     "gain_schedule.factors=[1.5,1.2,0.7]"};
+
 INSTANTIATE_TEST_SUITE_P(All, Emulated,
                          testing::Values(Case{"FirstLaunch", "tasha3_launch1"}, Case{"SecondLaunch", "tasha3_launch2"},
                                          Case{"TunnelSteps", "tunnel_steps"},
+                                         Case{"Integral", "tasha3_launch2_integral", jammed_canard_and_dropouts},
+                                         Case{"ObserverAndSchedule", "tasha3_launch2", {}, observer_and_schedule},
                                          Case{"Faults", "tasha3_launch2", jammed_canard_and_dropouts}),
                          [](const auto& one) { return one.param.name; });
 

@@ -152,8 +152,8 @@ TEST(PlanFile, UnknownKeysAndSectionsAreRefusedWithASuggestion) {
             "plan.toml:2: unknown key controller.canard_limit; did you mean controller.canard_limit_deg?");
   EXPECT_EQ(refusal("\n[controler]\n"), "plan.toml:2: unknown section [controler]; did you mean controller?");
   EXPECT_EQ(refusal("kp = 1"),
-            "plan.toml:1: unknown key kp; allowed: run, launch_detection, guide, motion, controller, reference, "
-            "excitation, canards, monitor");
+            "plan.toml:1: unknown key kp; allowed: run, launch_detection, guide, motion, controller, gain_schedule, "
+            "offset, roll_model, reference, excitation, canards, monitor");
 }
 
 TEST(PlanFile, RulesAcrossFieldsNameTheFieldItsLineAndTheRule) {

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/flight_plan_fields.hpp"
 #include "input/plan_file.hpp"
 
 namespace fantail::input {
@@ -70,6 +71,23 @@ TEST(ShippedPlans, SecondLaunchHasTwoAccelerometersOneStepAndTheProductChirp) {
   EXPECT_EQ(plan.excitation.frequency_variation_hz, 0.0F);
 }
 
+// So that a flight of the one beside the other shows the integral and nothing else.
+TEST(ShippedPlans, WithTheIntegralIsTheSecondLaunchButForItsLaw) {
+  core::FlightPlan plan = shipped("tasha3_launch2_integral");
+  EXPECT_EQ(plan.offset.rejection, core::OffsetRejection::integral);
+  EXPECT_EQ(plan.offset.integral_gain_per_s, 0.5F);
+  EXPECT_EQ(plan.controller.derivative_gain_s, 0.08F);
+  const core::FlightPlan published = shipped("tasha3_launch2");
+  plan.offset = published.offset;
+  plan.controller.derivative_gain_s = published.controller.derivative_gain_s;
+  for (const core::PlanField& field : core::flight_plan_fields()) {
+    ASSERT_EQ(field.used_slots(plan), field.used_slots(published)) << field.key;
+    for (std::size_t slot = 0; slot < field.used_slots(plan); ++slot) {
+      EXPECT_EQ(field.get_bits(plan, slot), field.get_bits(published, slot)) << field.section << '.' << field.key;
+    }
+  }
+}
+
 TEST(ShippedPlans, TunnelRunsStepBy45DegreesEveryTenSecondsEightTimes) {
   const core::FlightPlan plan = shipped("tunnel_steps");
   EXPECT_EQ(plan.run.start, core::Start::tunnel);
@@ -109,13 +127,13 @@ TEST(ShippedPlans, OfTheGimbalHoldsTheRollOnCommand) {
   EXPECT_EQ(plan.reference.kind, core::ReferenceKind::hold);
 }
 
-TEST(ShippedPlans, AreSixAndNoFileIsForgottenHere) {
+TEST(ShippedPlans, AreSevenAndNoFileIsForgottenHere) {
   std::size_t count = 0;
   for (const auto& entry : std::filesystem::directory_iterator{SHIPPED_PLANS}) {
     EXPECT_NO_THROW((void)read_plan(Document::load(entry.path()))) << entry.path();
     count += 1;
   }
-  EXPECT_EQ(count, 6U);
+  EXPECT_EQ(count, 7U);
 }
 
 }  // namespace

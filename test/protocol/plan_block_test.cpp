@@ -71,7 +71,7 @@ std::size_t place_of(std::string_view key) {
 
 bool same_bits(const FlightPlan& a, const FlightPlan& b) {
   return std::ranges::all_of(core::flight_plan_fields(), [&](const PlanField& field) {
-    for (std::size_t slot = 0; slot < field.slots; ++slot) {
+    for (std::size_t slot = 0; slot < field.used_slots(a); ++slot) {
       if (field.get_bits(a, slot) != field.get_bits(b, slot)) {
         return false;
       }
@@ -99,6 +99,17 @@ TEST(PlanBlock, BeginsAsItsHeaderSays) {
   EXPECT_EQ(word(block, place_of("control_time_s")), 30'000'000U);
   EXPECT_EQ(word(block, place_of("proportional_gain")), 0x3F000000U);  // 0.5
   EXPECT_LE(block.size(), largest_plan_block);
+}
+
+// As docs/can.md says, whatever the field's default is.
+TEST(PlanBlock, WordsOfAListThatAreNotUsedAreZero) {
+  FlightPlan plan = core::default_plan();
+  plan.gain_schedule.factors_count = 1;
+  plan.gain_schedule.factors = {2.0F, 3.0F, 4.0F};
+  const Block block = written(plan);
+  EXPECT_EQ(word(block, place_of("factors")), 0x40000000U);
+  EXPECT_EQ(word(block, place_of("factors") + 4), 0U);
+  EXPECT_EQ(word(block, place_of("factors") + 20), 0U);
 }
 
 // The CRC-32C of anything with its own CRC-32C behind it is that of four zero bytes.
