@@ -144,8 +144,8 @@ class FlightImage(unittest.TestCase):
         console, _ = run_bytes(data, 60, "it will not be armed")
         self.assertIn("image_broken", console)
 
-    def test_that_crashes_centres_the_canards_and_begins_anew(self):
-        # An undefined instruction where the report of rejected frames is packed, in the 56th tick: no servo is driven yet.
+    def run_with(self, instructions):
+        """The image with these instructions where the report of rejected frames is packed, in the 56th tick."""
         symbols = subprocess.run(["arm-none-eabi-nm", "-C", str(ELF)], capture_output=True, text=True, check=True).stdout
         m = re.search(r"^(\w+) T fantail::protocol::encode\(fantail::protocol::RejectionReport const&\)$", symbols, re.M)
         sections = subprocess.run(["arm-none-eabi-readelf", "-SW", str(ELF)], capture_output=True, text=True,
@@ -153,8 +153,15 @@ class FlightImage(unittest.TestCase):
         text = re.search(r"\.text +PROGBITS +(\w+) (\w+)", sections)
         place = int(m[1], 16) - int(text[1], 16) + int(text[2], 16)
         data = bytearray(ELF.read_bytes())
-        data[place:place + 2] = b"\x00\xde"
-        console, writes = run_bytes(data, 20, BANNER, times=3)
+        data[place:place + len(instructions)] = instructions
+        return run_bytes(data, 20, BANNER, times=3)
+
+    def test_that_reads_by_a_null_pointer_crashes(self):
+        console, _ = self.run_with(b"\x00\x23\x1b\x68\x70\x47")  # movs r3, #0; ldr r3, [r3]; bx lr
+        self.assertGreaterEqual(console.count(BANNER), 3)
+
+    def test_that_crashes_centres_the_canards_and_begins_anew(self):
+        console, writes = self.run_with(b"\x00\xde")  # undefined; no servo is driven yet
         self.assertGreaterEqual(console.count(BANNER), 3)
         pulses = [v for d, o, v in writes if d == "timer[8]" and o == 0x34]
         self.assertEqual(set(pulses), {0, 24_000})  # 1500 us of 16 MHz, which no tick has asked for

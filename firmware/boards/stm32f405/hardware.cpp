@@ -7,6 +7,7 @@
 #include "hal/stm32f4/as5047p.hpp"
 #include "hal/stm32f4/icm42688.hpp"
 #include "hal/stm32f4/kx134.hpp"
+#include "hal/stm32f4/memory_protection.hpp"
 #include "hal/stm32f4/mounting.hpp"
 #include "hal/stm32f4/pin.hpp"
 #include "hal/stm32f4/pin_setup.hpp"
@@ -35,6 +36,7 @@ Pin pin(char name, std::uint8_t number) { return {port(name), number}; }
 
 ClockTree start_clocks_and_pins() {
   registers::mask_interrupts();  // until all that they call is there
+  protect_memory(mpu());
   const ClockTree tree = start_clocks(rcc(), flash_interface(), pwr());
   enable_peripherals(rcc());
   for (const PinSetup& setup : pin_map) {

@@ -11,6 +11,7 @@
 #include "hal/stm32f4/registers/flash_interface.hpp"
 #include "hal/stm32f4/registers/gpio.hpp"
 #include "hal/stm32f4/registers/iwdg.hpp"
+#include "hal/stm32f4/registers/mpu.hpp"
 #include "hal/stm32f4/registers/nvic.hpp"
 #include "hal/stm32f4/registers/pwr.hpp"
 #include "hal/stm32f4/registers/rcc.hpp"
@@ -47,6 +48,7 @@ inline registers::Rng& rng() { return peripheral<registers::Rng, 0x50060800>(); 
 inline registers::Dwt& dwt() { return peripheral<registers::Dwt, 0xE0001000>(); }
 inline registers::SysTick& systick() { return peripheral<registers::SysTick, 0xE000E010>(); }
 inline registers::Nvic& nvic() { return peripheral<registers::Nvic, 0xE000E100>(); }
+inline registers::Mpu& mpu() { return peripheral<registers::Mpu, 0xE000ED90>(); }
 inline registers::Scb& scb() { return peripheral<registers::Scb, 0xE000ED00>(); }
 inline registers::CoreDebug& core_debug() { return peripheral<registers::CoreDebug, 0xE000EDF0>(); }
 

@@ -11,5 +11,7 @@ void mask_interrupts();
 void unmask_interrupts();
 /// Stops the processor until an interrupt comes.
 void wait_for_interrupt();
+/// What was written to the processor's own registers counts from here on.
+void synchronize();
 
 }  // namespace fantail::hal::stm32f4::registers

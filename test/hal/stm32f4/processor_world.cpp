@@ -40,5 +40,7 @@ void wait_for_interrupt() {
   }
 }
 
+void synchronize() {}
+
 }  // namespace registers
 }  // namespace fantail::hal::stm32f4
