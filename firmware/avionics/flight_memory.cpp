@@ -32,8 +32,8 @@ namespace {
 //   28  u32      resumes of this flight so far
 //   32  u32      sectors of the flash that are in use, when byte 36 is 1
 //   36  u8
-//   37  u16      size of the state
-//   39  the state
+//   37  u8       starts of the firmware since this was sealed, and as bit 7 whether the last one is still to be a
+//   resume 38  u16      size of the state 40  the state
 constexpr std::uint32_t mark = 0x4D4C4646;  // "FFLM"
 constexpr std::size_t crc_at = 4;
 constexpr std::size_t sealed_from = 8;
@@ -43,8 +43,10 @@ constexpr std::size_t layout_at = 24;
 constexpr std::size_t resumes_at = 28;
 constexpr std::size_t sectors_at = 32;
 constexpr std::size_t sectors_known_at = 36;
-constexpr std::size_t size_at = 37;
-constexpr std::size_t state_at = 39;
+constexpr std::size_t starts_at = 37;
+constexpr std::uint32_t not_yet_tried = 0x80;
+constexpr std::size_t size_at = 38;
+constexpr std::size_t state_at = 40;
 constexpr std::size_t most_state = flight_half_size - state_at;
 
 constexpr std::array<std::size_t, 2> both{0, 1};
@@ -95,6 +97,24 @@ std::array<std::span<std::byte>, 2> newest_first(std::span<std::byte> memory) {
   return halves;
 }
 
+std::uint32_t starts_since(std::span<const std::byte> half) {
+  return static_cast<std::uint32_t>(get<1>(half, starts_at)) & ~not_yet_tried;
+}
+
+bool waits_to_be_tried(std::span<const std::byte> half) { return (get<1>(half, starts_at) & not_yet_tried) != 0; }
+
+/// In both halves, because the older one is tried when the newer is refused.
+void set_starts(std::span<std::byte> memory, std::uint32_t starts, bool tried) {
+  const auto halves = newest_first(memory);
+  for (const std::span<std::byte> half : halves) {
+    if (!half.empty()) {
+      put<4>(half, resumes_at, word(halves[0], resumes_at));
+      put<1>(half, starts_at, std::min(starts, not_yet_tried - 1) | (tried ? 0 : not_yet_tried));
+      seal(half);
+    }
+  }
+}
+
 Microseconds time_of(std::span<const std::byte> half) {
   return Microseconds{static_cast<std::int64_t>(get<8>(half, time_at))};
 }
@@ -102,7 +122,7 @@ Microseconds time_of(std::span<const std::byte> half) {
 bool restore(std::span<std::byte> half, const core::Inputs& first, std::uint32_t plan_crc, core::Autopilot& law) {
   const Microseconds gap = first.time - time_of(half);
   if (word(half, plan_at) != plan_crc || word(half, layout_at) != state_layout(law) ||
-      word(half, resumes_at) >= FlightMemory::most_resumes || gap <= Microseconds{0} ||
+      word(half, resumes_at) + starts_since(half) > FlightMemory::most_resumes || gap <= Microseconds{0} ||
       gap > FlightMemory::longest_gap) {
     return false;
   }
@@ -123,14 +143,16 @@ FlightMemory::FlightMemory(std::span<std::byte> memory, ResetCause cause) : memo
 std::optional<FlightMemory::Resumed> FlightMemory::resume(const core::Inputs& first, std::uint32_t plan_crc,
                                                           core::Autopilot& law) {
   waits_ = false;
+  // Before the state is used: should the law crash on it, the next reset must know that it was tried.
+  if (const auto newest = newest_first(memory_)[0]; !newest.empty()) {
+    set_starts(memory_, starts_since(newest) + (waits_to_be_tried(newest) ? 0 : 1), true);
+  }
   for (const std::span<std::byte> half : newest_first(memory_)) {
     if (half.empty() || !restore(half, first, plan_crc, law)) {
       continue;
     }
     sequence_ = word(half, sealed_from);
-    resumes_ = word(half, resumes_at);
-    // Before the state is used: should the law crash on it, the next reset must know that it was tried.
-    count_resume();
+    resumes_ = word(half, resumes_at) + starts_since(half);
     law.resume(first);
     return Resumed{
         .sealed_at = time_of(half),
@@ -138,16 +160,6 @@ std::optional<FlightMemory::Resumed> FlightMemory::resume(const core::Inputs& fi
   }
   forget();
   return std::nullopt;
-}
-
-void FlightMemory::count_resume() {
-  resumes_ += 1;
-  for (const std::span<std::byte> half : newest_first(memory_)) {
-    if (!half.empty()) {
-      put<4>(half, resumes_at, resumes_);
-      seal(half);
-    }
-  }
 }
 
 void FlightMemory::keep(const core::TickRecord& record, std::uint32_t plan_crc,
@@ -180,6 +192,7 @@ void FlightMemory::keep(const core::TickRecord& record, std::uint32_t plan_crc,
   put<4>(half, resumes_at, resumes_);
   put<4>(half, sectors_at, used_sectors.value_or(0));
   put<1>(half, sectors_known_at, used_sectors ? 1 : 0);
+  put<1>(half, starts_at, 0);
   put<2>(half, size_at, size);
   seal(half);
 }
@@ -200,7 +213,8 @@ std::optional<Microseconds> clock_after_reset(std::span<std::byte> memory, Reset
   if (!may_be_resumed_after(cause) || newest.empty()) {
     return std::nullopt;
   }
-  return time_of(newest) + gap;
+  set_starts(memory, starts_since(newest) + 1, false);
+  return time_of(newest) + gap * starts_since(newest);
 }
 
 }  // namespace fantail::avionics

@@ -53,7 +53,6 @@ class FlightMemory {
 
  private:
   void forget();
-  void count_resume();
 
   std::span<std::byte> memory_;
   bool waits_ = false;
@@ -67,6 +66,9 @@ class FlightMemory {
 /// be resumed, because the clock goes on in flight. Empty: at zero, as after power-up. `gap`: from the last seal to the
 /// first look at the clock (half a period of the seals, the watchdog's time and the start of the firmware), which
 /// nothing measures; the roll angle is off by the roll rate times what this is off.
+///
+/// Once, as early as can be: this start is counted against the flight, so that a firmware that crashes before its first
+/// tick comes to Safe too, and each start since the seal is another gap.
 [[nodiscard]] std::optional<core::Microseconds> clock_after_reset(std::span<std::byte> memory, hal::ResetCause cause,
                                                                   core::Microseconds gap);
 

@@ -94,7 +94,7 @@ TEST(FlightMemory, TheStateFitsIntoAHalfAndTheHalvesLeaveTheRoomForACrash) {
   core::Autopilot law{core::default_plan()};
   protocol::StateWriter measure{{}, protocol::StateExtent::in_flight};
   law.visit_state(measure);
-  EXPECT_LE(measure.size() + 39, flight_half_size);
+  EXPECT_LE(measure.size() + 40, flight_half_size);
   EXPECT_EQ(crash_begin + crash_room, backup_size);
   EXPECT_EQ(crash_begin, 2 * flight_half_size);
 }
@@ -196,6 +196,25 @@ TEST(FlightMemory, AResumeCountsThoughTheLawNeverCameToItsNextSeal) {
     resumed += resume(rig.memory, rig.after(60 * millisecond), rig.plan) ? 1U : 0U;
   }
   EXPECT_EQ(resumed, FlightMemory::most_resumes);
+}
+
+TEST(FlightMemory, AStartThatNeverCameToItsFirstTickCountsAndTakesItsTime) {
+  Kept rig;
+  Memory copy = rig.memory;
+  const Microseconds sealed = resume(copy, rig.after(millisecond), rig.plan)->sealed_at;
+  std::optional<Microseconds> clock;
+  for (int start = 1; start <= 3; ++start) {
+    clock = clock_after_reset(rig.memory, ResetCause::software, 20 * millisecond);
+    EXPECT_EQ(clock, sealed + 20 * millisecond * start);
+  }
+  core::Inputs first = rig.inputs;
+  first.time = clock.value();
+  copy = rig.memory;
+  EXPECT_TRUE(resume(copy, first, rig.plan)) << "the third start of three";
+  clock = clock_after_reset(rig.memory, ResetCause::software, 20 * millisecond);
+  first.time = clock.value();
+  EXPECT_FALSE(resume(rig.memory, first, rig.plan)) << "the fourth";
+  EXPECT_FALSE(clock_after_reset(rig.memory, ResetCause::software, 20 * millisecond)) << "and then there is no flight";
 }
 
 // A reset may come between any two stores, and the compiler may have put them in another order.
