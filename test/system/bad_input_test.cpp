@@ -9,8 +9,10 @@ namespace fantail::test {
 namespace {
 
 const std::string names_of_scenarios =
-    "tasha3_launch1 tasha3_launch2 tunnel_flow tunnel_stability tunnel_steps tunnel_swirl_with tunnel_swirl_without";
-const std::string names_of_plans = "tasha3_launch1 tasha3_launch2 tunnel_free tunnel_stability tunnel_steps";
+    "tasha3_launch1 tasha3_launch2 tasha3_launch2_integral tunnel_flow tunnel_stability tunnel_steps tunnel_swirl_with "
+    "tunnel_swirl_without";
+const std::string names_of_plans =
+    "tasha3_launch1 tasha3_launch2 tasha3_launch2_integral tunnel_free tunnel_stability tunnel_steps";
 const std::string head = "vehicle = \"tasha3_launch2\"\nplan = \"tasha3_launch2\"\n";
 
 std::string shipped(const std::string& file) { return content(std::string{FANTAIL_TEST_SOURCE} + "/sim/" + file); }
