@@ -45,6 +45,22 @@ TEST(Record, HoldsTheWindowWithTimeFromItsBegin) {
   EXPECT_EQ(record.segment_begin, (std::vector<std::size_t>{0}));
 }
 
+// With another speed for the plant the law still went by its own.
+TEST(Record, KeepsWhatTheLawKnewAndTookOff) {
+  logs::RollLog log = flown_log();
+  log.estimated_speed_m_s = log.speed_m_s;
+  log.offset_estimate_rad = log.canard_rad;
+  log.speed_bound_from_s = 3.0;
+  const Record record = make_record(log, seconds(2.0 - 1e-9, 3.5 + 1e-9), {.speed_m_s = 22.0});
+  EXPECT_EQ(record.speed_m_s[0], 22.0);
+  ASSERT_EQ(record.law_speed_m_s.size(), 151U);
+  EXPECT_NEAR(record.law_speed_m_s[0], 20.0, 1e-9);
+  EXPECT_NEAR(record.law_speed_is_bound_s, 1.0, 1e-9);
+  EXPECT_NEAR(record.offset_estimate_rad[150], 0.035, 1e-9);
+  log.offset_estimate_rad[250] = std::nan("");
+  EXPECT_TRUE(make_record(log, {}, {}).offset_estimate_rad.empty());
+}
+
 TEST(Record, OfAWholeLogHasEverySample) {
   const Record record = make_record(flown_log(), {}, {});
   EXPECT_EQ(record.size(), 1101U);

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "identify/study.hpp"
 
+#include <algorithm>
+#include <string>
+#include <vector>
+
 #include <gtest/gtest.h>
 
 #include "core/flight_plan_fields.hpp"
@@ -65,6 +69,22 @@ TEST(Study, OfAClosedLoopNeedsTheReference) {
   question.options.closed_loop = closed_loop::Control{.controller = core::default_plan().controller};
   test::expect_refused(text::ErrorKind::bad_data, {"planted.csv", "no column reference_deg", "window all"},
                        [&] { (void)study(planted_log({}), question); });
+}
+
+TEST(Study, OfAClosedLoopSaysThatTheLawThatFlewIsNotTheOneAskedFor) {
+  Question question = planted_question();
+  question.options.closed_loop = closed_loop::Control{.controller = core::default_plan().controller};
+  logs::RollLog log = planted_log({.seconds = 1.0});
+  log.reference_rad = log.excitation_rad = std::vector<double>(log.time_s.size(), 0.0);
+  const auto says = [&](double estimate_rad) {
+    log.offset_estimate_rad.assign(log.time_s.size(), estimate_rad);
+    const Study found = study(log, question);
+    return std::ranges::any_of(found.windows[0].remarks, [](const std::string& remark) {
+      return remark.find("took an estimate of the offset off its command") != std::string::npos;
+    });
+  };
+  EXPECT_TRUE(says(0.01));
+  EXPECT_FALSE(says(0.0));
 }
 
 TEST(Study, PassesTheWarningsOfTheLogOn) {

@@ -61,6 +61,21 @@ TEST_F(FlightFile, OfAFolderTheTableIsTakenAndWithoutOneTheLog) {
   EXPECT_EQ(read_roll_log(folder_.path() / "both", {}, {}).time_s.size(), 2U);
 }
 
+TEST_F(FlightFile, ThePlanThatFlewIsInTheLogOrInTheOneBesideTheTable) {
+  const auto kp = [](const std::filesystem::path& path) {
+    const std::optional<core::FlightPlan> plan = flown_plan(path);
+    return plan ? std::optional{plan->controller.proportional_gain} : std::nullopt;
+  };
+  const std::optional<float> flown = made_.plan.controller.proportional_gain;
+  const std::filesystem::path log = folder_.write("both/flight.ftl", text(made_.bytes));
+  const std::filesystem::path table = folder_.write("both/flight.csv", "time_s\n");
+  EXPECT_EQ(kp(log), flown);
+  EXPECT_EQ(kp(table), flown);
+  EXPECT_EQ(kp(table.parent_path()), flown);
+  EXPECT_EQ(kp(folder_.write("both/other.csv", "time_s\n")), std::nullopt);
+  EXPECT_EQ(kp(folder_.write("alone/flight.csv", "time_s\n")), std::nullopt);
+}
+
 TEST_F(FlightFile, WhatIsLostIsAGapInTimeAndAWarning) {
   const RollLog log = read_roll_log(folder_.write("torn.ftl", log_with_damage()), {}, {});
   double longest_s = 0.0;

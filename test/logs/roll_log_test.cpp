@@ -105,6 +105,7 @@ TEST_F(RollLogFile, OfASimulatedFlightMayBeTheTruth) {
   EXPECT_DOUBLE_EQ(log.roll_rate_rad_s[0], 4.0 * degree);
   EXPECT_DOUBLE_EQ(log.canard_rad[0], 6.0 * degree);
   EXPECT_EQ(log.speed_m_s[0], 22.0);
+  EXPECT_EQ(log.estimated_speed_m_s[0], 0.0) << "the flight law went by it";
   expect_bad(head + rows(3), {"no column true_roll_angle_deg", "did you mean roll_angle_deg?"}, {.truth = true});
 }
 

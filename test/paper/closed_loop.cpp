@@ -7,6 +7,8 @@
 
 #include "core/chirp.hpp"
 #include "core/flight_plan_fields.hpp"
+#include "core/gain_schedule.hpp"
+#include "core/offset_estimator.hpp"
 #include "core/pd_controller.hpp"
 #include "core/roll_reference.hpp"
 #include "paper/flown_ascent.hpp"
@@ -24,31 +26,57 @@ auto between(const std::vector<Point>& points, double from_s, double to_s) {
   return std::ranges::subrange{first, last};
 }
 
+core::FlightPlan plan_of(const Loop& loop) {
+  core::FlightPlan plan = core::default_plan();
+  plan.controller = loop.controller;
+  plan.offset = loop.offset;
+  plan.roll_model = loop.roll_model;
+  return plan;
+}
+
+core::Motion measured(const sim::RollState& state, double speed_m_s) {
+  core::Motion motion;
+  motion.roll_angle = core::Angle::from_radians(static_cast<float>(state.angle_rad));
+  motion.roll_rate_rad_s = static_cast<float>(state.rate_rad_s);
+  motion.speed_m_s = static_cast<float>(speed_m_s);
+  motion.gyro = core::SensorState::fresh;
+  return motion;
+}
+
 }  // namespace
 
 std::vector<Point> run(const Loop& loop, double until_s) {
   std::vector<Point> points;
   core::Chirp chirp{loop.excitation};
+  core::OffsetEstimator estimator{plan_of(loop)};
   sim::RollState state = loop.start;
   double canard_rad = 0.0;
   const auto ticks = static_cast<int>(std::lround(until_s / tick_s));
   const auto control_from = static_cast<int>(std::lround(loop.control_from_s / tick_s));
   for (int tick = 0; tick <= ticks; ++tick) {
     const double t = tick * tick_s;
+    const sim::RollState off = loop.measured_off.empty() ? sim::RollState{} : loop.measured_off[points.size()];
+    const sim::RollState shown{.angle_rad = state.angle_rad + off.angle_rad,
+                               .rate_rad_s = state.rate_rad_s + off.rate_rad_s};
     core::RollCommand command;
     if (tick >= control_from) {
       const core::Microseconds since{(tick - control_from) * 1000};
-      command = core::pd_controller(loop.controller, core::roll_reference(loop.reference, since),
-                                    core::Angle::from_radians(static_cast<float>(state.angle_rad)),
-                                    static_cast<float>(state.rate_rad_s), chirp.update(since));
+      const core::Motion motion = measured(shown, loop.speed_m_s(t));
+      const core::Angle reference = core::roll_reference(loop.reference, since);
+      const float factor = core::gain_factor(loop.gain_schedule, motion.speed_m_s, false);
+      estimator.update(core::Microseconds{tick * 1000}, motion, reference - motion.roll_angle, factor);
+      command = core::pd_controller(loop.controller, reference, motion.roll_angle, motion.roll_rate_rad_s,
+                                    chirp.update(since), {factor, estimator.estimate()});
+      estimator.remember(command);
     }
     const auto goal_rad = static_cast<double>(command.command.radians());
     points.push_back({.time_s = t,
-                      .angle_deg = state.angle_rad / radians_per_degree,
-                      .rate_deg_s = state.rate_rad_s / radians_per_degree,
+                      .angle_deg = shown.angle_rad / radians_per_degree,
+                      .rate_deg_s = shown.rate_rad_s / radians_per_degree,
                       .command_deg = static_cast<double>(command.command.degrees()),
                       .canard_deg = (loop.servo_lag_s ? canard_rad : goal_rad) / radians_per_degree,
-                      .saturated = command.saturated});
+                      .saturated = command.saturated,
+                      .offset_estimate_deg = static_cast<double>(estimator.estimate().degrees())});
 
     double seen_rad = goal_rad;  // mean over the step
     if (loop.servo_lag_s) {

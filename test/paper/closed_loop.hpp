@@ -12,7 +12,8 @@
 namespace fantail::paper {
 
 // The published closed loop and nothing else: the product's plant, controller, reference and chirp, joined by a servo
-// that is a pure first-order lag, at a density of 1.2 kg/m3 throughout. No sensors, no mixer, no phases.
+// that is a pure first-order lag, at a density of 1.2 kg/m3 throughout. No sensors, no mixer, no phases. The
+// modes of the law beyond the publication are there for whoever asks for them.
 
 inline constexpr double radians_per_degree = 0.017453292519943295;
 inline constexpr double density_kg_m3 = 1.2;
@@ -28,15 +29,20 @@ struct Loop {
   double control_from_s = 0.0;
   std::optional<double> servo_lag_s{};  ///< empty: ideal
   sim::RollState start{};
+  core::GainSchedulePlan gain_schedule{};
+  core::OffsetPlan offset{};  ///< with the controller's gains
+  core::RollModelPlan roll_model{};
+  std::vector<sim::RollState> measured_off{};  ///< by how much at each tick, for law and log; empty: not at all
 };
 
 struct Point {
   double time_s;
-  double angle_deg;
+  double angle_deg;  ///< as measured, and so the rate
   double rate_deg_s;
   double command_deg;
   double canard_deg;  ///< as an encoder sees it
   bool saturated;
+  double offset_estimate_deg;
 };
 
 /// One point a millisecond, from 0 to `until_s`.

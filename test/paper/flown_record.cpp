@@ -21,6 +21,8 @@ identify::model::Record flown_record(const Loop& loop, double from_s, double to_
     record.canard_rad.push_back(point.canard_deg * radians_per_degree);
     record.speed_m_s.push_back(loop.speed_m_s(point.time_s));
     record.density_kg_m3.push_back(density_kg_m3);
+    record.offset_estimate_rad.push_back(point.offset_estimate_deg * radians_per_degree);
+    record.law_speed_m_s.push_back(record.speed_m_s.back());
   }
   return record;
 }

@@ -191,6 +191,22 @@ TEST_F(FlownLog, WhatIfIsMarkedAsOpenLoopAndHasAPageAndATable) {
   EXPECT_LE(json["largest_difference_deg"].number(), 12.001);
 }
 
+// The recorded rocket stays off its reference, whatever is commanded now: the integral grows until the limit holds it.
+TEST_F(FlownLog, WhatIfAnIntegralWindsAgainstTheRecordedMotionIsSaid) {
+  folder.write("flown/flight.ftl", flown_log());
+  const Outcome outcome = run({"replay", "flown", "--set", "offset.rejection=integral", "--out", "i"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  for (const std::string& text : {outcome.out, content(folder / "i/what_if.html")}) {
+    EXPECT_NE(text.find("Commands in a replay do not move the rocket"), std::string::npos) << text;
+  }
+  const Json json =
+      json::parse(run({"replay", "flown", "--set", "offset.rejection=integral", "--json", "--out", "i"}).out);
+  EXPECT_EQ(json["rejects_offset"], true);
+  EXPECT_GT(json["largest_difference_deg"].number(), 3.0);
+  EXPECT_EQ(run({"replay", "flown", "--set", "controller.canard_limit_deg=3", "--out", "n"}).out.find("in a replay"),
+            std::string::npos);
+}
+
 TEST_F(FlownLog, WhatIfNothingWereChangedIsNothing) {
   folder.write("a.ftl", flown_log());
   const Json json = json::parse(run({"replay", "a.ftl", "--set", "controller.canard_limit_deg=9", "--json"}).out);

@@ -6,6 +6,7 @@
 #include "input/document.hpp"
 #include "input/plan_file.hpp"
 #include "input/shipped.hpp"
+#include "logs/flight_file.hpp"
 
 namespace fantail::tool {
 namespace {
@@ -80,7 +81,10 @@ void add_method(const Verb& verb, IdentifyOptions& o) {
   verb.option("--loop", o.loop, "open: canards as measured; closed: as the controller commands in the model")
       .one_of({"open", "closed"})
       .show_default();
-  verb.option("--plan", o.plan, "Closed loop: gains and limit of a shipped plan or a path");
+  verb.option(
+      "--plan", o.plan,
+      "Closed loop: gains, their schedule and limit of a shipped plan or a path [the plan in the flight log, if "
+      "DATA is or holds one]");
   verb.option("--kp", o.proportional_gain, "Closed loop: canard angle per roll angle error").check(within(0, 100));
   verb.option("--kd", o.derivative_gain_s, "Closed loop: canard angle per roll rate, in s").check(within(0, 100));
   verb.option("--limit", o.limit_deg, "Closed loop: canard limit in degrees").check(within(0.01, 90));
@@ -89,16 +93,29 @@ void add_method(const Verb& verb, IdentifyOptions& o) {
       .show_default();
 }
 
-identify::closed_loop::Control closed_loop(const IdentifyOptions& o) {
+core::FlightPlan plan_of(const IdentifyOptions& o, const std::string& data) {
+  if (o.plan) {
+    return input::read_plan(input::Document::load(input::find_input(input::Shipped::plan, *o.plan)));
+  }
+  if (!wants_flown_plan(o)) {
+    return core::default_plan();
+  }
+  const std::optional<core::FlightPlan> flown = logs::flown_plan(data);
+  if (!flown) {
+    throw UsageError{
+        "--loop closed needs the controller: --plan NAME|FILE, or --kp, --kd and --limit; or a flight log (.ftl), "
+        "which "
+        "has the plan that flew"};
+  }
+  return *flown;
+}
+
+identify::closed_loop::Control closed_loop(const IdentifyOptions& o, const std::string& data) {
   if (o.fit_lag) {
     throw UsageError{"--fit-lag: the closed loop does not use the measured canards; allowed with --loop open"};
   }
-  core::ControllerPlan controller = core::default_plan().controller;
-  if (o.plan) {
-    controller = input::read_plan(input::Document::load(input::find_input(input::Shipped::plan, *o.plan))).controller;
-  } else if (!o.proportional_gain || !o.derivative_gain_s || !o.limit_deg) {
-    throw UsageError{"--loop closed needs the controller: --plan NAME|FILE, or --kp, --kd and --limit"};
-  }
+  const core::FlightPlan plan = plan_of(o, data);
+  core::ControllerPlan controller = plan.controller;
   if (o.proportional_gain) {
     controller.proportional_gain = static_cast<float>(*o.proportional_gain);
   }
@@ -108,7 +125,10 @@ identify::closed_loop::Control closed_loop(const IdentifyOptions& o) {
   if (o.limit_deg) {
     controller.canard_limit = core::Angle::from_degrees(static_cast<float>(*o.limit_deg));
   }
-  return {.controller = controller, .servo_lag_s = o.servo_lag_s};
+  return {.controller = controller,
+          .gain_schedule = plan.gain_schedule,
+          .offset_rejection = plan.offset.rejection,
+          .servo_lag_s = o.servo_lag_s};
 }
 
 void use_huber_loss(const IdentifyOptions& o, identify::Options& options) {
@@ -135,7 +155,11 @@ void add_identify_options(const Verb& verb, IdentifyOptions& options) {
       .check(objection_to_folder);
 }
 
-identify::Question question(const IdentifyOptions& o) {
+bool wants_flown_plan(const IdentifyOptions& o) {
+  return o.loop == "closed" && !o.plan && (!o.proportional_gain || !o.derivative_gain_s || !o.limit_deg);
+}
+
+identify::Question question(const IdentifyOptions& o, const std::string& data) {
   using identify::result::Method;
   identify::Question q;
   q.nodes = o.nodes;
@@ -150,7 +174,7 @@ identify::Question question(const IdentifyOptions& o) {
     use_huber_loss(o, q.options);
   }
   if (o.loop == "closed") {
-    q.options.closed_loop = closed_loop(o);
+    q.options.closed_loop = closed_loop(o, data);
     q.record.canard_needed = false;
   }
   return q;

@@ -50,7 +50,11 @@ struct IdentifyOptions {
 
 void add_identify_options(const Verb& verb, IdentifyOptions& options);
 
-/// What they ask of the log, without the rocket and its windows. Options that exclude each other are a UsageError.
-identify::Question question(const IdentifyOptions& options);
+/// The closed loop needs the plan that flew: neither a plan nor all of the gains and the limit are given.
+bool wants_flown_plan(const IdentifyOptions& options);
+
+/// What they ask of the log `data`, without the rocket and its windows. Options that exclude each other are a
+/// UsageError.
+identify::Question question(const IdentifyOptions& options, const std::string& data);
 
 }  // namespace fantail::tool

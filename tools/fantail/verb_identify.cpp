@@ -71,7 +71,7 @@ std::filesystem::path output_folder(const IdentifyOptions& o) {
 }
 
 identify::result::Study study_of(const IdentifyOptions& o, const std::string& data) {
-  identify::Question q = question(o);
+  identify::Question q = question(o, data);
   const NamedAirframe rocket = named_airframe(o.airframe, data);
   q.airframe = rocket.airframe;
   const identify::model::Grid published = identify::model::published_grid(q.airframe);
@@ -91,6 +91,9 @@ identify::result::Study study_of(const IdentifyOptions& o, const std::string& da
   if (o.windows.empty() && log.phase.empty() && !o.from_s && !o.to_s) {
     result.warnings.emplace_back(
         "The log has no phases, so the window is the whole log, with what came before and after control.");
+  }
+  if (wants_flown_plan(o)) {
+    result.warnings.emplace_back("Gains, limit and modes of the law are those of the plan in the flight log.");
   }
   result.warnings.insert(result.warnings.end(), rocket.warnings.begin(), rocket.warnings.end());
   result.density = air.description;

@@ -98,6 +98,7 @@ void show_what_if(const ReplayOptions& options, const flight_log::Flight& flight
   WhatIf result = what_if(flight, flown.result, flight_log::regenerate(flight, plan));
   result.log = options.log;
   result.changes = options.changes;
+  result.rejects_offset = plan.offset.rejection != core::OffsetRejection::none;
   give_up_if_interrupted();
   const std::filesystem::path folder = folder_of(options);
   const std::array<text::NamedFile, 2> files{
@@ -106,6 +107,7 @@ void show_what_if(const ReplayOptions& options, const flight_log::Flight& flight
   if (options.json) {
     const json::Value json{{"log", options.log},
                            {"open_loop", true},
+                           {"rejects_offset", result.rejects_offset},
                            {"changes", options.changes},
                            {"ticks", result.time_s.size()},
                            {"differing", result.differing},
@@ -157,6 +159,8 @@ void fill(const Verb& verb) {
       "  fantail replay out/tasha3_launch2    does this program fly that flight as it was flown?\n"
       "  fantail replay flown.ftl --set controller.canard_limit_deg=9\n"
       "                                       what would the law have asked for with a wider limit?\n"
+      "  fantail replay flown.ftl --set offset.rejection=integral\n"
+      "                                       and with integral action, in the motion that was flown?\n"
       "  fantail replay flash.ftl --flight 2 --json\n"
       "                                       one of several flights, for a script");
   verb.action([options] { run(*options); });

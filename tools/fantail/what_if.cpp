@@ -64,6 +64,7 @@ WhatIf what_if(const flight_log::Flight& flight, const flight_log::Regeneration&
     result.time_s.push_back(time_s);
     result.flown_rad.push_back(command_rad(*was));
     result.what_if_rad.push_back(command_rad(*would));
+    result.offset_estimate_rad.push_back(static_cast<double>(would->offset_estimate.radians()));
     result.roll_angle_rad.push_back(static_cast<double>(would->motion.roll_angle.radians()));
     result.flown_phase.push_back(was->phase);
     result.what_if_phase.push_back(would->phase);
@@ -89,18 +90,21 @@ std::string what_if_text(const WhatIf& result) {
     text += fmt::format("  saturated while controlling               {:.1f} % flown, {:.1f} % what if\n",
                         100.0 * result.flown_saturated, 100.0 * result.what_if_saturated);
   }
-  return text + fmt::format("\n{}\n", open_loop_sentence);
+  text += fmt::format("\n{}\n", open_loop_sentence);
+  return result.rejects_offset ? text + winding_sentence + "\n" : text;
 }
 
 std::string what_if_csv(const WhatIf& result) {
   fmt::memory_buffer text;
   fmt::format_to(std::back_inserter(text),
-                 "time_s,flown_phase,flown_command_deg,what_if_phase,what_if_command_deg,what_if_roll_angle_deg\n");
+                 "time_s,flown_phase,flown_command_deg,what_if_phase,what_if_command_deg,what_if_roll_angle_deg,"
+                 "what_if_offset_estimate_deg\n");
   for (std::size_t i = 0; i < result.time_s.size(); ++i) {
-    fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{}\n", text::fixed(result.time_s[i], 6),
+    fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{}\n", text::fixed(result.time_s[i], 6),
                    name(result.flown_phase[i]), text::fixed(degrees(result.flown_rad[i]), 6),
                    name(result.what_if_phase[i]), text::fixed(degrees(result.what_if_rad[i]), 6),
-                   text::fixed(degrees(result.roll_angle_rad[i]), 6));
+                   text::fixed(degrees(result.roll_angle_rad[i]), 6),
+                   text::fixed(degrees(result.offset_estimate_rad[i]), 6));
   }
   return fmt::to_string(text);
 }

@@ -18,7 +18,8 @@ struct WhatIf {
   std::vector<double> time_s;        ///< of the ticks that were replayed, on the flown flight's clock
   std::vector<double> flown_rad;     ///< roll commands
   std::vector<double> what_if_rad;
-  std::vector<double> roll_angle_rad;  ///< of the flown flight, as the other plan's law would have known it
+  std::vector<double> offset_estimate_rad;  ///< of the other plan's law
+  std::vector<double> roll_angle_rad;       ///< of the flown flight, as the other plan's law would have known it
   std::vector<core::Phase> flown_phase;
   std::vector<core::Phase> what_if_phase;
 
@@ -29,6 +30,7 @@ struct WhatIf {
   double flown_saturated = 0.0;  ///< share of the ticks under control
   double what_if_saturated = 0.0;
   std::size_t unreachable = 0;
+  bool rejects_offset = false;  ///< the other plan, by integral action or an observer
 };
 
 /// Replays with both plans. The flight has a plan, and neither replay meets an obstacle.
@@ -44,5 +46,10 @@ inline constexpr const char* open_loop_sentence =
     "Open loop: the recorded sensor readings do not respond to these commands. The commands are right for the first "
     "moments after they begin to differ; later ones show what the "
     "flight law would have asked for, not how the rocket would have rolled.";
+
+/// And beside those of a plan that rejects the offset.
+inline constexpr const char* winding_sentence =
+    "The changed plan rejects the offset. Commands in a replay do not move the rocket, so an integral or an observer "
+    "meets no answer to what it commands: its estimate of the offset may grow on, up to the plan limit.";
 
 }  // namespace fantail::tool

@@ -50,6 +50,9 @@ std::string what_if_html(const WhatIf& result) {
   page.tone = page::Tone::unsure;
   page.verdict_heading = "Not a prediction";
   page.verdict = open_loop_sentence;
+  if (result.rejects_offset) {
+    page.verdict += std::string{" "} + winding_sentence;
+  }
   std::vector<double> difference_rad(result.time_s.size());
   std::ranges::transform(result.what_if_rad, result.flown_rad, difference_rad.begin(), std::minus{});
   page.body_html = page::section(

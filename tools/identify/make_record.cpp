@@ -275,6 +275,11 @@ model::Record make_record(const RollLog& log, const Window& window, const Record
   record.density_kg_m3 = densities(log, samples, options);
   record.reference_rad = column_if_complete(log.reference_rad, samples);
   record.excitation_rad = column_if_complete(log.excitation_rad, samples);
+  record.offset_estimate_rad = column_if_complete(log.offset_estimate_rad, samples);
+  record.law_speed_m_s = column_if_complete(log.estimated_speed_m_s, samples);
+  if (log.speed_bound_from_s) {
+    record.law_speed_is_bound_s = *log.speed_bound_from_s - record.window_begin_s;
+  }
   return record;
 }
 

@@ -70,7 +70,7 @@ std::string remark_on_loss(const RobustFit& fit, std::size_t samples) {
 }
 
 // The control law needs its reference; an excitation that nobody logged was most likely not there.
-void prepare_closed_loop(const logs::RollLog& log, WindowFindings& found) {
+void prepare_closed_loop(const logs::RollLog& log, const closed_loop::Control& control, WindowFindings& found) {
   Record& record = found.record;
   if (record.reference_rad.empty()) {
     throw text::Error{text::ErrorKind::bad_data, log.name +
@@ -80,6 +80,13 @@ void prepare_closed_loop(const logs::RollLog& log, WindowFindings& found) {
   if (record.excitation_rad.empty()) {
     record.excitation_rad.assign(record.size(), 0.0);
     found.remarks.emplace_back("The log has no excitation; the closed loop is simulated without one.");
+  }
+  const auto is_zero = [](double estimate_rad) { return estimate_rad == 0.0; };
+  if (control.offset_rejection == core::OffsetRejection::none &&
+      !std::ranges::all_of(record.offset_estimate_rad, is_zero)) {
+    found.remarks.emplace_back(
+        "The law that flew took an estimate of the offset off its command, and the one asked for does not; the closed "
+        "loop is simulated with the estimate of the log.");
   }
 }
 
@@ -105,7 +112,7 @@ WindowFindings identify_window(const logs::RollLog& log, const Window& window, c
   found.lag_s = how.lag_s;
   found.lag_is_fitted = question.fit_lag;
   if (question.options.closed_loop) {
-    prepare_closed_loop(log, found);
+    prepare_closed_loop(log, *question.options.closed_loop, found);
   }
   for (const Method method : question.methods) {
     Options options = question.options;

@@ -22,10 +22,9 @@ bool is_there(const std::filesystem::path& path) {
 }
 
 // The log beside a table knows the plan; a run in the tunnel shows in it too.
-void add_plan(flight::Flight& flight, const std::filesystem::path& log) {
-  const flight_log::LogFile file = flight_log::read_log_file(log);
-  if (file.flights.size() == 1 && file.flights.front().plan) {
-    flight.plan = *file.flights.front().plan;
+void add_plan(flight::Flight& flight, const std::filesystem::path& folder) {
+  if (const std::optional<core::FlightPlan> plan = flown_plan(folder)) {
+    flight.plan = *plan;
     flight.known.plan = true;
     flight.tunnel = flight.plan.run.start == core::Start::tunnel;
   }
@@ -53,6 +52,21 @@ std::optional<flight::FlownAirframe> flown_airframe(const std::filesystem::path&
     return {};
   }
   return report::summary_airframe((is_folder ? path : path.parent_path()) / "summary.json");
+}
+
+std::optional<core::FlightPlan> flown_plan(const std::filesystem::path& path) {
+  std::error_code ignored;
+  const bool is_folder = std::filesystem::is_directory(path, ignored);
+  const bool is_log = !is_folder && is_flight_log(path);
+  if (!is_folder && !is_log && path.filename() != "flight.csv") {
+    return {};
+  }
+  const std::filesystem::path log = is_log ? path : (is_folder ? path : path.parent_path()) / "flight.ftl";
+  if (!is_there(log)) {
+    return {};
+  }
+  const flight_log::LogFile file = flight_log::read_log_file(log);
+  return file.flights.size() == 1 ? file.flights.front().plan : std::nullopt;
 }
 
 bool is_flight_log(const std::filesystem::path& path) { return path.extension() == ".ftl"; }
@@ -111,9 +125,7 @@ flight::Flight read_flight(const std::filesystem::path& path) {
   if (is_there(path / "turning.csv")) {
     flight.turning = flight::read_turning(flight::Table::load((path / "turning.csv").string()));
   }
-  if (is_there(path / "flight.ftl")) {
-    add_plan(flight, path / "flight.ftl");
-  }
+  add_plan(flight, path);
   return flight;
 }
 

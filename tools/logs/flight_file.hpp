@@ -16,6 +16,11 @@ namespace fantail::logs {
 /// flight.csv or flight.ftl in it. Empty for every other log. Throws text::Error (bad_data) for a damaged summary.
 [[nodiscard]] std::optional<flight::FlownAirframe> flown_airframe(const std::filesystem::path& path);
 
+/// The plan of a flight: of the flight log at `path`, or of the one beside the flight.csv of fantail fly; `path` may be
+/// their folder. Empty where there is no such log, or none of one flight with a plan. Throws text::Error when it is
+/// none.
+[[nodiscard]] std::optional<core::FlightPlan> flown_plan(const std::filesystem::path& path);
+
 /// A flight log (.ftl) by its name.
 [[nodiscard]] bool is_flight_log(const std::filesystem::path& path);
 

@@ -109,12 +109,14 @@ RollLog roll_log(const flight::Flight& flight, std::string name, const flight::R
   for (const Signal& signal : signals) {
     log.*signal.list = values(flight.rows, signal.column, reading.truth);
   }
+  log.estimated_speed_m_s = values(flight.rows, "speed_m_s", false);
   if (flight.known.phase) {
     log.phase.resize(flight.rows.size());
     std::ranges::transform(flight.rows, log.phase.begin(), &flight::Row::phase);
   }
   log.burnout_s = flight.events.burnout_s;
   log.apogee_s = flight.events.apogee_s;
+  log.speed_bound_from_s = flight.unmeasured.speed_bound_from_s;
   log.warnings = flight.notes;
   note_doubtful_units(log, reading);
   if (const std::size_t turns = continue_over_turns(log); turns > 0) {
@@ -144,6 +146,7 @@ RollLog read_roll_log(const std::filesystem::path& path, const flight::Reading& 
     const flight::Events events = report::summary_events(path / "summary.json");
     flight.events.burnout_s = events.burnout_s;
     flight.events.apogee_s = events.apogee_s;
+    flight.unmeasured = report::summary_unmeasured(path / "summary.json");
   }
   RollLog log = roll_log(flight, path.string(), mapped);
   if (needs.roll_angle && !present.roll_angle) {

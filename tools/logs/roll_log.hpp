@@ -24,11 +24,13 @@ struct RollLog {
   std::vector<double> reference_rad;
   std::vector<double> excitation_rad;
   std::vector<double> offset_estimate_rad;  ///< what the law took off its command
+  std::vector<double> estimated_speed_m_s;  ///< what the avionics knew of it, where the truth was asked for, too
   std::vector<double> height_m;
   std::vector<double> specific_force_m_s2;  ///< axial
   std::vector<core::Phase> phase;
   std::optional<double> burnout_s;
   std::optional<double> apogee_s;
+  std::optional<double> speed_bound_from_s;  ///< from here on the estimates of height and speed are lower bounds
   std::vector<std::string> warnings;  ///< a sentence each: the flight's notes, angles that look like radians, ...
 };
 

@@ -145,6 +145,12 @@ flight::Events summary_events(const std::filesystem::path& file) {
   return events;
 }
 
+flight::Unmeasured summary_unmeasured(const std::filesystem::path& file) {
+  flight::Unmeasured unmeasured;
+  read_unmeasured(unmeasured, member(read(file), "unmeasured"));
+  return unmeasured;
+}
+
 std::optional<flight::FlownAirframe> summary_airframe(const std::filesystem::path& file) {
   return airframe(read(file));
 }

@@ -19,8 +19,9 @@ namespace fantail::report {
 /// it is no summary.
 void add_summary(flight::Flight& flight, const std::filesystem::path& file);
 
-/// Its events alone, in the same way.
+/// Its events alone, in the same way; and what the sensors could not measure.
 [[nodiscard]] flight::Events summary_events(const std::filesystem::path& file);
+[[nodiscard]] flight::Unmeasured summary_unmeasured(const std::filesystem::path& file);
 
 /// Which airframe flew. Empty without the file, and for a summary of an older version, which does not say. Throws as
 /// add_summary does.

@@ -66,7 +66,8 @@ TEST(ClosedLoopFit, BehindAGapTheModelStartsAnew) {
   Record record = closed_loop_record(loop, 6.0, 10);
   const auto cut = [](auto& values) { values.erase(values.begin() + 150, values.begin() + 190); };
   for (auto* values : {&record.time_s, &record.roll_angle_rad, &record.roll_rate_rad_s, &record.canard_rad,
-                       &record.speed_m_s, &record.density_kg_m3, &record.reference_rad, &record.excitation_rad}) {
+                       &record.speed_m_s, &record.density_kg_m3, &record.reference_rad, &record.excitation_rad,
+                       &record.offset_estimate_rad, &record.law_speed_m_s}) {
     cut(*values);
   }
   cut(record.in_control);

@@ -58,6 +58,28 @@ paper::Loop second_launch_with_chirp() {
   return loop;
 }
 
+paper::Loop with_integral(paper::Loop loop) {
+  loop.offset = core::default_plan().offset;
+  loop.offset.rejection = core::OffsetRejection::integral;
+  return loop;
+}
+
+paper::Loop with_observer(paper::Loop loop) {
+  loop.offset = core::default_plan().offset;
+  loop.offset.rejection = core::OffsetRejection::observer;
+  loop.roll_model = {.roll_inertia_kg_m2 = static_cast<float>(loop.plant.inertia_kg_m2),
+                     .reference_area_m2 = static_cast<float>(loop.plant.reference_area_m2),
+                     .damping_m2 = static_cast<float>(loop.plant.damping_m2),
+                     .torque_m = static_cast<float>(loop.plant.torque_m),
+                     .density_kg_m3 = static_cast<float>(paper::density_kg_m3)};
+  return loop;
+}
+
+paper::Loop with_schedule(paper::Loop loop) {
+  loop.gain_schedule = {.speeds_count = 2, .speeds_m_s = {40.0F, 80.0F}, .factors_count = 2, .factors = {2.0F, 0.75F}};
+  return loop;
+}
+
 Record closed_loop_record(const paper::Loop& loop, double to_s, int every_ms) {
   Record record = paper::flown_record(loop, 0.0, to_s, every_ms);
   core::Chirp chirp{loop.excitation};
@@ -73,7 +95,10 @@ Record closed_loop_record(const paper::Loop& loop, double to_s, int every_ms) {
 }
 
 Control controller_of(const paper::Loop& loop) {
-  return {.controller = loop.controller, .servo_lag_s = loop.servo_lag_s.value_or(0.0)};
+  return {.controller = loop.controller,
+          .gain_schedule = loop.gain_schedule,
+          .offset_rejection = loop.offset.rejection,
+          .servo_lag_s = loop.servo_lag_s.value_or(0.0)};
 }
 
 RollModel truth(const paper::Loop& loop, const NodeTimes& node_time_s) {

@@ -17,6 +17,11 @@ namespace fantail::identify::closed_loop {
 /// The same with the published chirp, which drives the canards to their limit and back.
 [[nodiscard]] paper::Loop second_launch_with_chirp();
 
+/// The modes of the law beyond the publication.
+[[nodiscard]] paper::Loop with_integral(paper::Loop loop);
+[[nodiscard]] paper::Loop with_observer(paper::Loop loop);  ///< that knows the rocket as it is
+[[nodiscard]] paper::Loop with_schedule(paper::Loop loop);
+
 /// What a log of this run would hold, with the columns that the closed loop needs, and no noise.
 [[nodiscard]] model::Record closed_loop_record(const paper::Loop& loop, double to_s, int every_ms);
 

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <string>
 
 #include <gtest/gtest.h>
 
 #include "identify/closed_loop/closed_loop.hpp"
 #include "identify/closed_loop/runs.hpp"
-#include "sim/roll_plant.hpp"
 #include "text/error.hpp"
 
 namespace fantail::identify::closed_loop {
@@ -41,6 +39,38 @@ TEST(ClosedLoopModel, FliesLikeTheSimulatedRocket) {
       ASSERT_NEAR(flown.canard_rad[i], points[i].command_deg * degree, 1e-5) << points[i].time_s;
     }
   }
+}
+
+// What the law took off its command, and the speed by which it chose its gains, are the log's; the rest is flown.
+TEST(ClosedLoopModel, FliesLikeTheSimulatedRocketWithEachModeOfTheLaw) {
+  const paper::Loop published = second_launch_with_chirp();
+  for (const paper::Loop& loop : {with_integral(published), with_observer(published), with_schedule(published),
+                                  with_schedule(with_integral(first_launch()))}) {
+    const NodeTimes nodes = loop.control_from_s > 0.0 ? first_launch_nodes() : NodeTimes{0.0};
+    const Record record = closed_loop_record(loop, 9.0, 1);
+    const Simulation flown = simulate(record, paper::airframe(loop), controller_of(loop), truth(loop, nodes));
+    EXPECT_LT(most_apart(flown.roll_angle_rad, record.roll_angle_rad), 1e-6);
+    EXPECT_LT(most_apart(flown.roll_rate_rad_s, record.roll_rate_rad_s), 1e-5);
+    Record published_log = record;
+    published_log.offset_estimate_rad.clear();
+    const Control published_law{.controller = loop.controller, .servo_lag_s = 0.020};
+    const Simulation other = simulate(published_log, paper::airframe(loop), published_law, truth(loop, nodes));
+    EXPECT_GT(most_apart(other.roll_angle_rad, record.roll_angle_rad), 1.0 * degree);
+  }
+}
+
+// A speed that is only known to be at least this gets the last row of the schedule, as in flight.
+TEST(ClosedLoopModel, WhereTheSpeedIsALowerBoundTheLastGainsCount) {
+  paper::Loop loop = with_schedule(second_launch());
+  Record record = closed_loop_record(loop, 2.0, 1);
+  record.law_speed_is_bound_s = 0.0;
+  const RollModel model = truth(loop, {0.0});
+  const Simulation bound = simulate(record, paper::airframe(loop), controller_of(loop), model);
+  loop.controller.proportional_gain *= 0.75F;
+  loop.controller.derivative_gain_s *= 0.75F;
+  loop.gain_schedule = {};
+  const Simulation last_row = simulate(record, paper::airframe(loop), controller_of(loop), model);
+  EXPECT_EQ(bound.canard_rad, last_row.canard_rad);
 }
 
 TEST(ClosedLoopModel, ASlowLogIsFlownAtTheControllersOwnPace) {
@@ -104,127 +134,6 @@ TEST(ClosedLoopModel, EachSegmentBeginsWithItsOwnState) {
   EXPECT_NEAR(flown.roll_angle_rad[899], record.roll_angle_rad[899], 1e-6);
 }
 
-// Far beyond the limit nothing that happens changes the command, and the nodes act as on a rocket without control.
-TEST(ClosedLoopModel, WhileSaturatedTheSensitivitiesAreThoseOfTheOpenPlant) {
-  Record record;
-  for (int i = 0; i <= 500; ++i) {
-    record.time_s.push_back(1e-3 * i);
-  }
-  record.roll_angle_rad.assign(record.size(), 0.0);
-  record.roll_rate_rad_s = record.roll_angle_rad;
-  record.reference_rad.assign(record.size(), 100.0);
-  record.speed_m_s.assign(record.size(), 50.0);
-  record.density_kg_m3.assign(record.size(), 1.2);
-  const Airframe airframe{.inertia_kg_m2 = 0.004, .reference_area_m2 = 5e-5};
-  const Control loop{.controller = paper::gains(1, 0.1, 6)};
-  const RollModel model{.alpha_m2 = 10,
-                        .beta_m = 9,
-                        .node_time_s = {0.0},
-                        .node_rad = {0.01},
-                        .initial = {{.angle_rad = 0.2, .rate_rad_s = 0.3}}};
-  const Sensitivities found = sensitivities(record, airframe, loop, model);
-
-  const sim::RollPlant plant{.inertia_kg_m2 = 0.004, .reference_area_m2 = 5e-5, .damping_m2 = 10, .torque_m = 9};
-  const sim::RollTransition whole = sim::roll_transition(plant.damping_rate_per_s(1.2, 50.0), 0.5);
-  const double authority = plant.authority_per_s2(1.2, 50.0);
-  const double effective_rad = 6 * degree + 0.01;
-  EXPECT_NEAR(found.numbers(500, 2), whole.c2_s2 * authority, 1e-9);
-  EXPECT_NEAR(found.numbers(500, 1), whole.c2_s2 * authority * effective_rad / 9, 1e-7);
-  EXPECT_NEAR(found.start_angle(500, 0), 1.0, 1e-12);
-  EXPECT_NEAR(found.start_rate(500, 0), whole.c1_s, 1e-10);
-}
-
-// Central differences of the flight itself. The controller counts in single precision, so the steps must not be small;
-// and a limit that is only just reached gives differences a corner that derivatives do not have.
-void compare_with_differences(const paper::Loop& loop, const Control& controller, const Record& record,
-                              const RollModel& model, double step, double tolerance) {
-  const Airframe airframe = paper::airframe(loop);
-  const Sensitivities found = sensitivities(record, airframe, controller, model);
-  const auto check = [&](const std::string& name, const std::function<double&(RollModel&)>& number, double change,
-                         const Eigen::VectorXd& angle) {
-    RollModel more = model;
-    RollModel less = model;
-    number(more) += change;
-    number(less) -= change;
-    const Simulation above = simulate(record, airframe, controller, more);
-    const Simulation below = simulate(record, airframe, controller, less);
-    const double angle_scale = angle.cwiseAbs().maxCoeff();
-    ASSERT_GT(angle_scale, 0.0) << name;
-    for (std::size_t i = 0; i < record.size(); ++i) {
-      const auto row = static_cast<Eigen::Index>(i);
-      ASSERT_NEAR((above.roll_angle_rad[i] - below.roll_angle_rad[i]) / (2 * change), angle(row),
-                  tolerance * angle_scale)
-          << name << " at " << record.time_s[i] << " s";
-    }
-  };
-  check("alpha", [](RollModel& m) -> double& { return m.alpha_m2; }, 10 * step, found.numbers.col(0));
-  check("beta", [](RollModel& m) -> double& { return m.beta_m; }, 10 * step, found.numbers.col(1));
-  for (std::size_t k = 0; k < model.node_rad.size(); ++k) {
-    const auto column = static_cast<Eigen::Index>(2 + k);
-    check(
-        "node " + std::to_string(k), [k](RollModel& m) -> double& { return m.node_rad[k]; }, 0.1 * step,
-        found.numbers.col(column));
-  }
-  for (std::size_t s = 0; s < model.initial.size(); ++s) {
-    const auto column = static_cast<Eigen::Index>(s);
-    check(
-        "initial angle", [s](RollModel& m) -> double& { return m.initial[s].angle_rad; }, 0.1 * step,
-        found.start_angle.col(column));
-    check(
-        "initial rate", [s](RollModel& m) -> double& { return m.initial[s].rate_rad_s; }, step,
-        found.start_rate.col(column));
-  }
-}
-
-RollModel beside_the_second_launch() {
-  return {.alpha_m2 = 20,
-          .beta_m = 8.5,
-          .node_time_s = {0.0, 3.0, 6.0},
-          .node_rad = {-0.08, -0.08, -0.08},
-          .initial = {{.angle_rad = -0.01, .rate_rad_s = 0.9}}};
-}
-
-TEST(ClosedLoopSensitivities, AreThoseOfFiniteDifferences) {
-  paper::Loop loop = second_launch();
-  for (const auto reference : {core::RateReference::zero, core::RateReference::paper_literal}) {
-    loop.controller.rate_reference = reference;
-    for (const double lag_s : {0.0, 0.020}) {
-      Control controller = controller_of(loop);
-      controller.servo_lag_s = lag_s;
-      compare_with_differences(loop, controller, closed_loop_record(loop, 6.0, 10), beside_the_second_launch(), 1e-3,
-                               1e-4);
-    }
-  }
-}
-
-TEST(ClosedLoopSensitivities, AreThoseOfFiniteDifferencesThroughSaturation) {
-  const paper::Loop loop = first_launch();
-  const RollModel model{.alpha_m2 = 8,
-                        .beta_m = 9.5,
-                        .node_time_s = first_launch_nodes(),
-                        .node_rad = {0.01, -0.12, -0.12, -0.12, -0.12},
-                        .initial = {{.angle_rad = -0.01, .rate_rad_s = 0.9}}};
-  compare_with_differences(loop, controller_of(loop), closed_loop_record(loop, 9.0, 10), model, 3e-4, 5e-4);
-}
-
-TEST(ClosedLoopSensitivities, AreThoseOfFiniteDifferencesInAndOutOfSaturation) {
-  const paper::Loop loop = second_launch_with_chirp();
-  compare_with_differences(loop, controller_of(loop), closed_loop_record(loop, 9.0, 1), beside_the_second_launch(),
-                           3e-4, 3e-3);
-}
-
-TEST(ClosedLoopSensitivities, AreThoseOfFiniteDifferencesBehindAGapAndWithASlowController) {
-  const paper::Loop loop = second_launch();
-  Record record = closed_loop_record(loop, 4.0, 1);
-  record.segment_begin = {0, 1700};
-  RollModel model = beside_the_second_launch();
-  model.node_time_s = {0.0, 2.0, 3.5};
-  model.initial.push_back({.angle_rad = 0.1, .rate_rad_s = -0.5});
-  Control controller = controller_of(loop);
-  controller.controller_period_s = 0.004;
-  compare_with_differences(loop, controller, record, model, 1e-3, 1e-4);
-}
-
 void expect_refused(const Record& record, const Control& controller, text::ErrorKind fault, const std::string& word) {
   const paper::Loop loop = second_launch();
   try {
@@ -242,6 +151,13 @@ TEST(ClosedLoopModel, RefusesWhatItCannotFly) {
   Record no_reference = record;
   no_reference.reference_rad.clear();
   expect_refused(no_reference, controller_of(loop), text::ErrorKind::bad_data, "reference_deg");
+  Record older = record;
+  older.offset_estimate_rad.clear();
+  expect_refused(older, controller_of(with_integral(loop)), text::ErrorKind::bad_data, "offset_estimate_deg");
+  expect_refused(older, controller_of(with_observer(loop)), text::ErrorKind::bad_data, "the open loop does not");
+  older.law_speed_m_s.clear();
+  expect_refused(older, controller_of(with_schedule(loop)), text::ErrorKind::bad_data, "speed_m_s");
+  EXPECT_NO_THROW((void)simulate(older, paper::airframe(loop), controller_of(loop), truth(loop, {0.0})));
   Control controller = controller_of(loop);
   controller.controller_period_s = 0.0;
   expect_refused(record, controller, text::ErrorKind::bad_configuration, "controller period");

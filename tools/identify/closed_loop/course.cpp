@@ -8,6 +8,7 @@
 
 #include <fmt/core.h>
 
+#include "core/gain_schedule.hpp"
 #include "text/error.hpp"
 
 namespace fantail::identify::closed_loop {
@@ -15,8 +16,12 @@ namespace {
 
 using namespace model;
 
+// Zero where nothing was logged.
 double between(const std::vector<double>& values, std::size_t sample, double share) {
-  return values[sample] + share * (values[sample + 1] - values[sample]);
+  if (values.empty()) {
+    return 0.0;
+  }
+  return share == 0.0 ? values[sample] : values[sample] + share * (values[sample + 1] - values[sample]);
 }
 
 core::Angle angle(double radians) { return core::Angle::from_radians(static_cast<float>(radians)); }
@@ -88,9 +93,7 @@ class CourseBuilder {
     for (std::int64_t i = 0; i < static_cast<std::int64_t>(count); ++i) {
       const double begin_share = static_cast<double>(i) / count;
       const double middle_share = (static_cast<double>(i) + 0.5) / count;
-      const double excitation_rad =
-          record_.excitation_rad.empty() ? 0.0 : between(record_.excitation_rad, sample, begin_share);
-      add_step(sample, record_.time_s[sample] + begin_share * interval_s, duration_s, excitation_rad);
+      add_step(sample, begin_share, interval_s, duration_s);
       course_.air.push_back({.duration_s = duration_s,
                              .equation = roll_equation(airframe_, between(record_.density_kg_m3, sample, middle_share),
                                                        between(record_.speed_m_s, sample, middle_share))});
@@ -98,12 +101,12 @@ class CourseBuilder {
   }
 
   void add_last(std::size_t sample) {
-    const double excitation_rad = record_.excitation_rad.empty() ? 0.0 : record_.excitation_rad[sample];
-    add_step(sample, record_.time_s[sample], 0.0, excitation_rad);
+    add_step(sample, 0.0, 0.0, 0.0);
     course_.air.push_back({.duration_s = 0.0, .equation = {}});
   }
 
-  void add_step(std::size_t sample, double time_s, double duration_s, double excitation_rad) {
+  void add_step(std::size_t sample, double share_of_interval, double interval_s, double duration_s) {
+    const double time_s = record_.time_s[sample] + share_of_interval * interval_s;
     const bool in_control = record_.in_control.empty() || record_.in_control[sample];
     const bool last = duration_s == 0.0;
     const bool runs = timetable_.runs(time_s, last ? control_.controller_period_s : duration_s);
@@ -113,7 +116,8 @@ class CourseBuilder {
                              .node = static_cast<std::uint32_t>(share.left),
                              .next_node = static_cast<std::uint32_t>(share.right),
                              .reference = angle(record_.reference_rad[sample]),
-                             .excitation = angle(excitation_rad),
+                             .excitation = angle(between(record_.excitation_rad, sample, share_of_interval)),
+                             .adaptation = adaptation(sample, share_of_interval, time_s),
                              .law = !in_control ? Law::rests
                                     : runs      ? Law::runs
                                                 : Law::holds});
@@ -122,6 +126,12 @@ class CourseBuilder {
       const double decay = std::exp(-lags);
       course_.servo.push_back({.decay = decay, .mean_share = last ? 1.0 : -std::expm1(-lags) / lags});
     }
+  }
+
+  [[nodiscard]] core::Adaptation adaptation(std::size_t sample, double share, double time_s) const {
+    const auto speed_m_s = static_cast<float>(between(record_.law_speed_m_s, sample, share));
+    return {.gain_factor = core::gain_factor(control_.gain_schedule, speed_m_s, time_s >= record_.law_speed_is_bound_s),
+            .offset_estimate = angle(between(record_.offset_estimate_rad, sample, share))};
   }
 
   const Record& record_;
@@ -138,10 +148,19 @@ Course make_course(const Record& record, const Airframe& airframe, const Control
                    const NodeTimes& node_time_s) {
   using text::Error;
   using text::ErrorKind;
-  if (record.reference_rad.size() != record.size()) {
-    throw Error{ErrorKind::bad_data,
-                fmt::format("window {}: reference_deg is missing; the closed loop needs it, the open loop does not",
-                            record.window)};
+  const auto need = [&record](const std::vector<double>& column, const char* name, const char* who) {
+    if (column.size() != record.size()) {
+      throw Error{ErrorKind::bad_data,
+                  fmt::format("window {}: {} is missing; {} needs it in every row, the open loop does not",
+                              record.window, name, who)};
+    }
+  };
+  need(record.reference_rad, "reference_deg", "the closed loop");
+  if (control.offset_rejection != core::OffsetRejection::none) {
+    need(record.offset_estimate_rad, "offset_estimate_deg", "the closed loop with a plan that rejects the offset");
+  }
+  if (control.gain_schedule.speeds_count > 0) {
+    need(record.law_speed_m_s, "speed_m_s", "the closed loop with a plan that has a gain schedule");
   }
   if (!(control.controller_period_s > 0.0)) {
     throw Error{ErrorKind::bad_configuration,

@@ -24,6 +24,7 @@ struct CourseStep {
   std::uint32_t next_node;  ///< the same as `node` outside the nodes
   core::Angle reference;
   core::Angle excitation;
+  core::Adaptation adaptation;
   Law law;
 };
 
@@ -57,9 +58,10 @@ struct Course {
 };
 
 /// The controller drives. Reference and in_control hold from sample to sample; the excitation, which swings within a
-/// few samples of a slow log, runs straight. The record must live as long as the course. Throws text::Error:
-/// bad_data when the record has no reference, bad_configuration for a period that is not above zero or a lag below
-/// zero.
+/// few samples of a slow log, runs straight, as do the estimate of the offset and the speed of the gain schedule. The
+/// record must live as long as the course. Throws text::Error: bad_data when the record lacks the reference, or what
+/// the modes of the law need (the estimate of the offset, the speed that the law went by); bad_configuration for a
+/// period that is not above zero or a lag below zero.
 [[nodiscard]] Course make_course(const model::Record& record, const model::Airframe& airframe, const Control& control,
                                  const model::NodeTimes& node_time_s);
 

@@ -62,7 +62,7 @@ struct LaneState {
 
   void run_law(const core::ControllerPlan& plan, const CourseStep& step) {
     for (std::size_t l = 0; l < lanes; ++l) {
-      const Command command = law(plan, step.reference, step.excitation, angle_rad[l], rate_rad_s[l]);
+      const Command command = law(plan, step.reference, step.excitation, step.adaptation, angle_rad[l], rate_rad_s[l]);
       command_rad[l] = command.command_rad;
       command_by_angle[l] = command.by_angle;
       command_by_rate_s[l] = command.by_rate_s;

@@ -6,7 +6,7 @@
 
 // The loop as a control engineer draws it. Over one sub-step, in this order, for one candidate:
 //
-//   law     command = law(reference - phi, p)
+//   law     command = law(reference - phi, p, estimate of the offset as logged)
 //   servo   mean = servo.mean(canard, command),    canard = servo.end(canard, command)
 //   plant   x = beta (mean + disturbance),         phi += plant.angle_change(p, x),    p = plant.rate_after(p, x)
 //
@@ -18,13 +18,17 @@ namespace fantail::identify::closed_loop {
 /// How the canards were commanded.
 struct Control {
   core::ControllerPlan controller{};
+  core::GainSchedulePlan gain_schedule{};
+  core::OffsetRejection offset_rejection = core::OffsetRejection::none;
   double servo_lag_s = 0.0;            ///< first-order, between command and canard; 0: none, as published
   double controller_period_s = 0.001;  ///< the law runs as often, whatever the log's rate
 };
 
 /// Law: the flight controller's own code,
-///   command = clamp(kp (R - phi) + kd (R' - p) + chirp),
-/// and its slopes by angle and rate: zero at a limit, where the command depends on neither.
+///   command = clamp(f kp (R - phi) + f kd (R' - p) - d + chirp),
+/// and its slopes by angle and rate: zero at a limit, where the command depends on neither. f is the factor of the gain
+/// schedule. d is what the law that flew believed to be the offset: what it took off its command is known to the bit,
+/// so it drives the loop as reference and chirp do, and does not depend on the model.
 struct Command {
   double command_rad;
   double by_angle;
@@ -32,14 +36,14 @@ struct Command {
 };
 
 [[nodiscard]] inline Command law(const core::ControllerPlan& plan, core::Angle reference, core::Angle excitation,
-                                 double angle_rad, double rate_rad_s) {
+                                 const core::Adaptation& adaptation, double angle_rad, double rate_rad_s) {
   const core::RollCommand command =
       core::pd_controller(plan, reference, core::Angle::from_radians(static_cast<float>(angle_rad)),
-                          static_cast<float>(rate_rad_s), excitation);
-  const bool free = command.finite && !command.saturated;
+                          static_cast<float>(rate_rad_s), excitation, adaptation);
+  const double slope = command.finite && !command.saturated ? -static_cast<double>(adaptation.gain_factor) : 0.0;
   return {.command_rad = static_cast<double>(command.command.radians()),
-          .by_angle = free ? -static_cast<double>(plan.proportional_gain) : 0.0,
-          .by_rate_s = free ? -static_cast<double>(plan.derivative_gain_s) : 0.0};
+          .by_angle = slope * static_cast<double>(plan.proportional_gain),
+          .by_rate_s = slope * static_cast<double>(plan.derivative_gain_s)};
 }
 
 /// Servo: the canard follows the command,

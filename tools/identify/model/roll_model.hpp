@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -22,9 +23,12 @@ struct Record {
   std::vector<double> canard_rate_rad_s;  ///< d canard_rad / d lag; empty unless the canard column's lag is fitted, too
   std::vector<double> speed_m_s;
   std::vector<double> density_kg_m3;
-  std::vector<double> reference_rad;   ///< empty where nobody needs it: closed loop only
-  std::vector<double> excitation_rad;  ///< likewise
-  std::vector<bool> in_control;        ///< likewise: the command is zero where false
+  std::vector<double> reference_rad;        ///< empty where nobody needs it: closed loop only
+  std::vector<double> excitation_rad;       ///< likewise
+  std::vector<double> offset_estimate_rad;  ///< likewise: what the law took off its command
+  std::vector<double> law_speed_m_s;  ///< likewise: what the law knew of the speed, and from when on only a lower bound
+  double law_speed_is_bound_s = std::numeric_limits<double>::infinity();
+  std::vector<bool> in_control;  ///< likewise: the command is zero where false
   /// First sample of each stretch without a gap; the first is 0. Behind a gap the model starts anew from what was
   /// measured there, because nobody knows where the canards stood meanwhile.
   std::vector<std::size_t> segment_begin{0};
