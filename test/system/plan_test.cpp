@@ -161,5 +161,41 @@ INSTANTIATE_TEST_SUITE_P(
                         "2: canards.trim_deg has 3 values; allowed: one for all, or 4"}),
     [](const auto& one) { return one.param.name; });
 
+// The margins of the published launches: 62 degrees or nearly, and 23.
+TEST(PlanCheckOfALoop, WithAScenarioSaysThePhaseMarginAndWarnsOfLittle) {
+  const Outcome second = fantail({"plan", "check", "tasha3_launch2", "--scenario", "tasha3_launch2"});
+  EXPECT_EQ(second.exit_code, 0) << second.err;
+  EXPECT_NE(second.out.find("the phase margin is 61.9 degrees or more from 20 to 82 m/s"), std::string::npos)
+      << second.out;
+  EXPECT_EQ(second.out.find("warning"), std::string::npos) << second.out;
+  const Outcome first = fantail({"plan", "check", "--scenario", "tasha3_launch1"});
+  EXPECT_EQ(first.exit_code, 0) << first.err;
+  EXPECT_NE(first.out.find("warning: with the rocket of tasha3_launch1 the phase margin is only 23"), std::string::npos)
+      << first.out;
+  const std::string file = std::string{FANTAIL_TEST_SOURCE} + "/sim/scenarios/tasha3_launch1.toml";
+  const json::Value said = json::parse(fantail({"plan", "check", file, "--json"}).out);
+  EXPECT_EQ(said["may_fly"], true);
+  EXPECT_NEAR(said["least_phase_margin_deg"].number(), 23.1, 0.2);
+  EXPECT_NEAR(said["at_speed_m_s"].number(), 97.0, 1.0);
+}
+
+TEST(PlanCheckOfALoop, RefusesGainsThatTheRocketDoesNotTolerateByName) {
+  const Folder folder;
+  const std::string plan = folder.write("p.toml", "[controller]\nproportional_gain = 10\nderivative_gain_s = 0.01\n");
+  EXPECT_EQ(fantail({"plan", "check", plan}).exit_code, 0) << "no rocket, no loop";
+  const Outcome outcome = fantail({"plan", "check", plan, "--scenario", "tasha3_launch2"});
+  EXPECT_EQ(outcome.exit_code, 78);
+  EXPECT_NE(outcome.err.find("p.toml: proportional_gain = 10, derivative_gain_s = 0.01: with the rocket of "
+                             "tasha3_launch2 the loop is unstable at 19.8 m/s"),
+            std::string::npos)
+      << outcome.err;
+}
+
+TEST(PlanCheckOfALoop, OfNothingOrOfTwoScenariosIsWrongUsage) {
+  EXPECT_EQ(fantail({"plan", "check"}).exit_code, 64);
+  EXPECT_EQ(fantail({"plan", "check", "bench_healthy", "--scenario", "tasha3_launch1"}).exit_code, 64);
+  EXPECT_EQ(fantail({"plan", "check", "tunnel_steps", "--scenario", "tasha3_launch1"}).exit_code, 78);
+}
+
 }  // namespace
 }  // namespace fantail::test

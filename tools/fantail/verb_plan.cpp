@@ -9,6 +9,7 @@
 #include <fmt/core.h>
 
 #include "core/flight_plan.hpp"
+#include "fantail/plan_check.hpp"
 #include "fantail/plan_json.hpp"
 #include "fantail/run.hpp"
 #include "input/plan_file.hpp"
@@ -22,7 +23,8 @@ namespace fantail::tool {
 namespace {
 
 struct PlanOptions {
-  std::optional<std::string> plan;  ///< only `show` goes without
+  std::optional<std::string> plan;  ///< `show` goes without, and `check` with a scenario
+  std::optional<std::string> scenario;
   std::string out;
   bool json = false;
 };
@@ -38,12 +40,7 @@ NamedPlan load(const PlanOptions& options) {
 }
 
 void check(const PlanOptions& options) {
-  const NamedPlan named = load(options);
-  if (options.json) {
-    fmt::print("{}\n", json::Value{{"plan", named.file.string()}, {"may_fly", true}}.dump());
-  } else {
-    fmt::print("{}: every field is known and within its range; this plan may fly\n", named.file.string());
-  }
+  check_plan({.plan = options.plan, .scenario = options.scenario, .json = options.json});
 }
 
 void show(const PlanOptions& options) {
@@ -77,24 +74,41 @@ struct Action {
   const char* name;
   const char* meaning;
   bool needs_plan;
+  const char* without;  ///< what a plan that is left out means
   void (*act)(const PlanOptions&);
   const char* examples;
 };
 
 constexpr Action checking{
-    "check", "Say whether a plan may fly", true, check,
+    "check",
+    "Say whether a plan may fly",
+    false,
+    "; left out: that of --scenario",
+    check,
+    "Exit code 0: it may fly, warnings or not; 78: it may not.\n"
     "Examples:\n"
     "  fantail plan check my_plan.toml         may it fly? If not: file, line, value, allowed range\n"
     "  fantail plan check tasha3_launch1       a shipped plan\n"
+    "  fantail plan check my_plan.toml --scenario my_rocket/scenario.toml\n"
+    "                                          and is its loop stable at every speed under control?\n"
+    "  fantail plan check my_rocket/scenario.toml  the same for the scenario's own plan\n"
     "  fantail plan check my_plan.toml --json  for a script, which also gets the exit code"};
 constexpr Action showing{
-    "show", "Print every field, defaults included", false, show,
+    "show",
+    "Print every field, defaults included",
+    false,
+    "; left out: every default",
+    show,
     "Examples:\n"
     "  fantail plan show                                 every field with its default, unit, range and meaning\n"
     "  fantail plan show tasha3_launch2 > my_plan.toml   a plan of your own to begin with\n"
     "  fantail plan show my_plan.toml --json             every number of a plan, for a script"};
 constexpr Action packing{
-    "compile", "Write the packed block a board is loaded with", true, compile,
+    "compile",
+    "Write the packed block a board is loaded with",
+    true,
+    "",
+    compile,
     "Examples:\n"
     "  fantail plan compile tasha3_launch2                  into tasha3_launch2.ftpl\n"
     "  fantail plan compile my_plan.toml --out load/p.ftpl  into a file of your choice\n"
@@ -103,8 +117,7 @@ constexpr Action packing{
 Verb add(const Verb& plan_verb, const Action& action, const std::shared_ptr<PlanOptions>& options) {
   const Verb verb = plan_verb.verb(action.name, action.meaning);
   const std::string plan = "A shipped name (tasha3_launch1, tasha3_launch2, tunnel_steps) or a path";
-  verb.option("PLAN", options->plan, action.needs_plan ? plan : plan + "; left out: every default")
-      .required(action.needs_plan);
+  verb.option("PLAN", options->plan, plan + action.without).required(action.needs_plan);
   verb.flag("--json", options->json, "Print one JSON object");
   verb.examples(action.examples);
   verb.action([options, act = action.act] { act(*options); });
@@ -119,7 +132,10 @@ void fill(const Verb& plan) {
       "  fantail plan show tasha3_launch2                  every number with its unit, range and meaning\n"
       "  fantail plan compile tasha3_launch2 --out p.ftpl  the block of bytes that a board is loaded with");
   auto options = std::make_shared<PlanOptions>();
-  add(plan, checking, options);
+  add(plan, checking, options)
+      .option("--scenario", options->scenario,
+              "A scenario whose rocket is to fly it: the phase margin of the loop is checked from the speed at which "
+              "control begins to top speed; below 45 degrees is a warning, an unstable loop is refused");
   add(plan, showing, options);
   add(plan, packing, options).option("--out", options->out, "File to write [PLAN.ftpl]");
 }

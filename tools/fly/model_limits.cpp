@@ -196,19 +196,36 @@ std::vector<std::string> beyond_the_model(const sim::Scenario& scenario, const f
   return all;
 }
 
-std::vector<flight::LoopMargin> loop_margins(const sim::Scenario& scenario, const flight::Flight& flight) {
-  std::vector<double> speeds_m_s;
+namespace {
+
+/// Of the ticks under control. Near apogee nothing flows: the lowest speed that counts is that at which control began.
+std::vector<double> speeds_that_count_m_s(const flight::Flight& flight) {
+  std::vector<double> all;
   for (const flight::Row& row : flight.rows) {
     if (row.phase == core::Phase::controlling) {
-      speeds_m_s.push_back(row.truth->speed_m_s);
+      all.push_back(row.truth->speed_m_s);
     }
   }
+  if (!all.empty()) {
+    const double lowest_m_s = all.front();
+    std::erase_if(all, [lowest_m_s](double speed_m_s) { return speed_m_s < lowest_m_s; });
+  }
+  return all;
+}
+
+}  // namespace
+
+std::optional<stability::SpeedRange> speeds_under_control(const flight::Flight& flight) {
+  const std::vector<double> all = speeds_that_count_m_s(flight);
+  return all.empty() ? std::nullopt : std::optional{stability::SpeedRange{all.front(), std::ranges::max(all)}};
+}
+
+std::vector<flight::LoopMargin> loop_margins(const sim::Scenario& scenario, const flight::Flight& flight) {
+  std::vector<double> speeds_m_s = speeds_that_count_m_s(flight);
   if (speeds_m_s.empty()) {
     return {};
   }
-  // Near apogee nothing flows: the lowest speed that counts is that at which control began.
   const double lowest_m_s = speeds_m_s.front();
-  std::erase_if(speeds_m_s, [lowest_m_s](double speed_m_s) { return speed_m_s < lowest_m_s; });
   const double top_m_s = std::ranges::max(speeds_m_s);
   const auto middle = speeds_m_s.begin() + std::ssize(speeds_m_s) / 2;
   std::ranges::nth_element(speeds_m_s, middle);
@@ -223,8 +240,7 @@ std::vector<flight::LoopMargin> loop_margins(const sim::Scenario& scenario, cons
   double worst_m_s = lowest_m_s;
   std::optional<double> least_rad;
   constexpr int steps = 32;
-  for (int i = 0; i <= steps; ++i) {
-    const double speed_m_s = lowest_m_s + (top_m_s - lowest_m_s) * i / steps;
+  for (const double speed_m_s : stability::speeds_between(scenario.plan, {lowest_m_s, top_m_s}, steps)) {
     const auto found_rad = stability::phase_margin_rad(stability::loop_at_speed(scenario, speed_m_s));
     if (found_rad && (!least_rad || *found_rad < *least_rad)) {
       worst_m_s = speed_m_s;

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "flight/flight.hpp"
 #include "sim/scenario.hpp"
+#include "stability/speed_range.hpp"
 
 namespace fantail::fly {
 
@@ -14,6 +16,9 @@ namespace fantail::fly {
 /// Prandtl-Glauert factor), a thrust beyond the range of the accelerometers, and wind at the end of the guide. In the
 /// tunnel, too: fins that reverse the roll, and servos too weak for the plan's limit.
 [[nodiscard]] std::vector<std::string> beyond_the_model(const sim::Scenario& scenario, const flight::Flight& flight);
+
+/// From the speed at which control begins to the highest after it. Empty without control.
+[[nodiscard]] std::optional<stability::SpeedRange> speeds_under_control(const flight::Flight& flight);
 
 /// The margins of the roll loop at the speed at which control begins, and at the median, the top and the worst speed
 /// from there on, by speed. Empty without control and where the gain of the loop never reaches one.

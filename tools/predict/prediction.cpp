@@ -12,6 +12,7 @@
 #include "predict/run_notes.hpp"
 #include "predict/tunnel_use.hpp"
 #include "stability/roll_loop.hpp"
+#include "stability/speed_range.hpp"
 #include "text/degrees.hpp"
 #include "text/error.hpp"
 #include "text/number.hpp"
@@ -94,9 +95,9 @@ Band band(const std::vector<Run>& runs) {
   return all;
 }
 
-/// Of all runs; evenly spaced.
-std::vector<double> speeds_flown(const std::vector<Run>& runs) {
-  constexpr int speeds = 33;
+/// Of all runs.
+std::vector<double> speeds_flown(const core::FlightPlan& plan, const std::vector<Run>& runs) {
+  constexpr int steps = 32;
   std::optional<double> lowest;
   double highest = 0.0;
   for (const Run& run : runs) {
@@ -105,15 +106,11 @@ std::vector<double> speeds_flown(const std::vector<Run>& runs) {
       highest = std::max(highest, run.top_speed_m_s);
     }
   }
-  std::vector<double> all;
-  for (int i = 0; lowest && i < speeds; ++i) {
-    all.push_back(*lowest + (highest - *lowest) * i / (speeds - 1));
-  }
-  return all;
+  return lowest ? stability::speeds_between(plan, {*lowest, highest}, steps) : std::vector<double>{};
 }
 
 void find_margins(Prediction& p) {
-  p.speeds_m_s = speeds_flown(p.runs);
+  p.speeds_m_s = speeds_flown(p.flown.plan, p.runs);
   p.over_speed = margins_over_speed(p.flown, p.runs, p.speeds_m_s);
   const auto worst = std::ranges::min_element(p.over_speed, {}, [](const auto& at) { return at.phase_margin_rad.p5; });
   if (worst != p.over_speed.end()) {

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: MIT
+#include "fantail/plan_check.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <fmt/core.h>
+
+#include "fantail/command_line.hpp"
+#include "fantail/scenario_options.hpp"
+#include "fly/fly_scenario.hpp"
+#include "fly/model_limits.hpp"
+#include "input/plan_file.hpp"
+#include "input/shipped.hpp"
+#include "json/value.hpp"
+#include "stability/speed_range.hpp"
+#include "text/degrees.hpp"
+#include "text/number.hpp"
+
+namespace fantail::tool {
+namespace {
+
+constexpr double comfortable_rad = text::radians(45.0);
+
+bool is_shipped(input::Shipped kind, const std::string& name) {
+  const std::vector<std::string> all = input::shipped_names(kind);
+  return std::ranges::find(all, name) != all.end();
+}
+
+/// The name of a shipped plan means the plan, whatever scenarios there are.
+bool is_scenario(const std::string& name_or_path) {
+  if (is_shipped(input::Shipped::plan, name_or_path)) {
+    return false;
+  }
+  if (is_shipped(input::Shipped::scenario, name_or_path)) {
+    return true;
+  }
+  const input::Document document = input::Document::load(input::find_input(input::Shipped::plan, name_or_path));
+  return input::Section{document, ""}.has("plan");
+}
+
+struct Subject {
+  std::string file{};  ///< of the plan, or of the scenario that has it
+  core::FlightPlan plan{};
+  std::optional<sim::Scenario> scenario{};
+};
+
+Subject subject(const PlanCheck& asked) {
+  if (!asked.plan && !asked.scenario) {
+    throw UsageError{"PLAN is missing, or --scenario with a plan of its own"};
+  }
+  const bool has_plan = asked.plan && !is_scenario(*asked.plan);
+  if (asked.plan && asked.scenario && !has_plan) {
+    throw UsageError{*asked.plan + " is a scenario, and so is --scenario " + *asked.scenario + "; give one of them"};
+  }
+  Subject found;
+  if (has_plan) {
+    found.file = input::find_input(input::Shipped::plan, *asked.plan);
+    found.plan = input::read_plan(input::Document::load(found.file));
+  }
+  if (const auto name = has_plan ? asked.scenario : asked.scenario ? asked.scenario : asked.plan) {
+    found.scenario = load({.scenario = *name, .seed = {}, .changes = {}});
+    const core::Start own_start = found.scenario->plan.run.start;
+    if (has_plan && found.plan.run.start != own_start) {
+      throw text::Error{text::ErrorKind::bad_configuration,
+                        fmt::format("{}: run.start is not \"{}\", as in the plan of {}", found.file,
+                                    own_start == core::Start::launch ? "launch" : "tunnel", found.scenario->name)};
+    }
+    if (has_plan) {
+      found.scenario->plan = found.plan;
+    } else {
+      found.file = input::find_input(input::Shipped::scenario, *name);
+      found.plan = found.scenario->plan;
+    }
+  }
+  return found;
+}
+
+/// Never more than it is.
+std::string in_degrees(double margin_rad) {
+  return text::brief(std::floor(10.0 * text::degrees(margin_rad) + 1e-6) / 10.0, 1) + " degrees";
+}
+
+std::string in_words(const stability::SpeedRange& range) {
+  const std::string lowest = text::fixed(range.lowest_m_s, 0);
+  const std::string highest = text::fixed(range.highest_m_s, 0);
+  return lowest == highest ? "at " + lowest + " m/s" : fmt::format("from {} to {} m/s", lowest, highest);
+}
+
+std::string gains(const core::FlightPlan& plan) {
+  const auto number = [](float value) { return text::brief(static_cast<double>(value), 4); };
+  std::string all = fmt::format("proportional_gain = {}, derivative_gain_s = {}",
+                                number(plan.controller.proportional_gain), number(plan.controller.derivative_gain_s));
+  if (plan.offset.rejection == core::OffsetRejection::integral) {
+    all += ", integral_gain_per_s = " + number(plan.offset.integral_gain_per_s);
+  } else if (plan.offset.rejection == core::OffsetRejection::observer) {
+    all += ", observer_bandwidth_rad_s = " + number(plan.offset.observer_bandwidth_rad_s);
+  }
+  return all;
+}
+
+struct LoopCheck {
+  std::optional<stability::SpeedRange> range{};  ///< empty: no scenario, or no control in it
+  stability::MarginsInRange margins{};
+  std::string sentence{};  ///< what was found, or what is to be warned of
+  bool warns = false;
+};
+
+LoopCheck check_loop(const Subject& subject) {
+  const sim::Scenario& scenario = *subject.scenario;
+  const auto range = fly::speeds_under_control(fly::fly_scenario(scenario));
+  if (!range) {
+    return {.sentence = fmt::format("in {} control never begins, so the loop was not checked", scenario.name),
+            .warns = true};
+  }
+  LoopCheck found{.range = range, .margins = stability::margins_in_range(scenario, *range)};
+  const std::string where = in_words(*range);
+  if (const auto& first = found.margins.first_without) {
+    const stability::MarginAtSpeed& worst = *found.margins.least;
+    throw text::Error{
+        text::ErrorKind::bad_configuration,
+        fmt::format(
+            "{}: {}: with the rocket of {} the loop is unstable at {} m/s (phase margin {}), and worst at {} m/s "
+            "({}); checked {}",
+            subject.file, gains(subject.plan), scenario.name, text::fixed(first->speed_m_s, 1),
+            in_degrees(first->phase_margin_rad), text::fixed(worst.speed_m_s, 1), in_degrees(worst.phase_margin_rad),
+            where)};
+  }
+  if (!found.margins.least) {
+    found.sentence = fmt::format("the loop gain of {} reaches one nowhere {}: it swings nowhere, and holds little",
+                                 scenario.name, where);
+    found.warns = true;
+    return found;
+  }
+  const stability::MarginAtSpeed& least = *found.margins.least;
+  found.warns = least.phase_margin_rad < comfortable_rad;
+  found.sentence =
+      found.warns
+          ? fmt::format(
+                "with the rocket of {} the phase margin is only {} at {} m/s, less than the {} that are "
+                "comfortable; checked {}",
+                scenario.name, in_degrees(least.phase_margin_rad), text::fixed(least.speed_m_s, 1),
+                in_degrees(comfortable_rad), where)
+          : fmt::format("with the rocket of {} the phase margin is {} or more {}, least at {} m/s", scenario.name,
+                        in_degrees(least.phase_margin_rad), where, text::fixed(least.speed_m_s, 1));
+  return found;
+}
+
+json::Value json_of(const Subject& subject, const LoopCheck& loop) {
+  json::Value all{{"plan", subject.file}, {"may_fly", true}};
+  if (!subject.scenario) {
+    return all;
+  }
+  const auto& least = loop.margins.least;
+  const auto number = [](bool known, double value) {
+    return known ? json::Value{json::rounded(value)} : json::Value{};
+  };
+  all["scenario"] = subject.scenario->name;
+  all["lowest_speed_m_s"] = number(loop.range.has_value(), loop.range ? loop.range->lowest_m_s : 0.0);
+  all["highest_speed_m_s"] = number(loop.range.has_value(), loop.range ? loop.range->highest_m_s : 0.0);
+  all["least_phase_margin_deg"] = number(least.has_value(), least ? text::degrees(least->phase_margin_rad) : 0.0);
+  all["at_speed_m_s"] = number(least.has_value(), least ? least->speed_m_s : 0.0);
+  all["warning"] = loop.warns ? json::Value{loop.sentence} : json::Value{};
+  return all;
+}
+
+}  // namespace
+
+void check_plan(const PlanCheck& asked) {
+  const Subject found = subject(asked);
+  const LoopCheck loop = found.scenario ? check_loop(found) : LoopCheck{};
+  if (asked.json) {
+    fmt::print("{}\n", json_of(found, loop).dump());
+    return;
+  }
+  fmt::print("{}: every field is known and within its range; this plan may fly\n", found.file);
+  if (!loop.sentence.empty()) {
+    fmt::print("{}: {}{}\n", found.file, loop.warns ? "warning: " : "", loop.sentence);
+  }
+}
+
+}  // namespace fantail::tool
