@@ -202,6 +202,7 @@ TEST_F(FlownLog, WhatIfAnIntegralWindsAgainstTheRecordedMotionIsSaid) {
   const Json json =
       json::parse(run({"replay", "flown", "--set", "offset.rejection=integral", "--json", "--out", "i"}).out);
   EXPECT_EQ(json["rejects_offset"], true);
+  EXPECT_NE(content(folder / "i/what_if.csv").find(",what_if_offset_estimate_deg\n"), std::string::npos);
   EXPECT_GT(json["largest_difference_deg"].number(), 3.0);
   EXPECT_EQ(run({"replay", "flown", "--set", "controller.canard_limit_deg=3", "--out", "n"}).out.find("in a replay"),
             std::string::npos);
