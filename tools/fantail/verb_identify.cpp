@@ -93,7 +93,8 @@ identify::result::Study study_of(const IdentifyOptions& o, const std::string& da
         "The log has no phases, so the window is the whole log, with what came before and after control.");
   }
   if (wants_flown_plan(o)) {
-    result.warnings.emplace_back("Gains, limit and modes of the law are those of the plan in the flight log.");
+    result.warnings.emplace_back(
+        "The law is that of the plan in the flight log, but for what the command line says of it.");
   }
   result.warnings.insert(result.warnings.end(), rocket.warnings.begin(), rocket.warnings.end());
   result.density = air.description;
