@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <limits>
 
-#include "core/gain_schedule.hpp"
 #include "core/pd_controller.hpp"
 #include "core/roll_reference.hpp"
 
@@ -13,8 +12,6 @@ namespace {
 
 // Five missed ticks: what the estimator may bridge. A clock that stands still or runs backwards is worse.
 constexpr Microseconds longest_tick{5'000};
-
-constexpr Microseconds tick_period{1'000};
 
 constexpr std::optional<std::array<Angle, canard_count>> no_request;
 
@@ -90,11 +87,13 @@ void Autopilot::control(Microseconds since_control_start) {
   TickRecord& record = record_;
   record.reference = roll_reference(reference_, since_control_start);
   record.excitation = chirp_.update(since_control_start);
-  record.offset_estimate = offset_estimator_.estimate();
   if (record.motion.gyro == SensorState::lost) {
+    record.offset_estimate = offset_estimator_.estimate();
+    offset_estimator_.interrupt();
     stay_neutral(CommandStatus::gyro_lost);
     return;
   }
+  // A law that does not adapt has no estimate but the zero that stands in the record.
   const RollCommand roll = adapts_ ? adapted_command()
                                    : pd_controller(controller_, record.reference, record.motion.roll_angle,
                                                    record.motion.roll_rate_rad_s, record.excitation);
@@ -107,8 +106,8 @@ void Autopilot::control(Microseconds since_control_start) {
 RollCommand Autopilot::adapted_command() {
   TickRecord& record = record_;
   const Motion& motion = record.motion;
-  const float factor = gain_factor(gain_schedule_, motion.speed_m_s, motion.speed_is_lower_bound);
-  offset_estimator_.update(record.time, motion, record.reference - motion.roll_angle, factor);
+  const float factor = gain_schedule_.factor(motion.speed_m_s, motion.speed_is_lower_bound);
+  offset_estimator_.update(motion, record.reference - motion.roll_angle, factor);
   record.offset_estimate = offset_estimator_.estimate();
   const RollCommand roll = pd_controller(controller_, record.reference, motion.roll_angle, motion.roll_rate_rad_s,
                                          record.excitation, {factor, record.offset_estimate});

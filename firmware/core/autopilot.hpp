@@ -9,6 +9,7 @@
 #include "core/chirp.hpp"
 #include "core/flight_phase.hpp"
 #include "core/flight_plan.hpp"
+#include "core/gain_schedule.hpp"
 #include "core/inputs.hpp"
 #include "core/launch_detector.hpp"
 #include "core/motion_estimator.hpp"
@@ -54,12 +55,12 @@ class Autopilot {
   [[nodiscard]] bool watch_clock(Microseconds time);
   void enter_phase(Microseconds time, Phase from, Phase to);
   void control(Microseconds since_control_start);
-  [[nodiscard]] RollCommand adapted_command();
+  [[nodiscard]] [[gnu::always_inline]] inline RollCommand adapted_command();
   void stay_neutral(CommandStatus why);
 
   TickRecord record_;
   ControllerPlan controller_;
-  GainSchedulePlan gain_schedule_;
+  GainSchedule gain_schedule_;
   bool adapts_;  ///< by a schedule, or to an offset
   ReferencePlan reference_;
   std::uint32_t overrun_limit_;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/flight_plan.hpp"
+#include "core/time.hpp"
 
 namespace fantail::core {
 
@@ -19,26 +20,24 @@ class DisturbanceObserver {
  public:
   /// `model` has passed validate() together with a plan that observes, or is not used.
   explicit DisturbanceObserver(const OffsetPlan& plan, const RollModelPlan& model)
-      : bandwidth_rad_s_{plan.observer_bandwidth_rad_s},
-        damping_m2_{model.damping_m2},
-        torque_m_{model.torque_m},
-        per_metre3_{0.5F * model.density_kg_m3 * model.reference_area_m2 / model.roll_inertia_kg_m2} {}
+      : share_{seconds(tick_period) * plan.observer_bandwidth_rad_s},
+        damping_per_torque_m_{model.damping_m2 / model.torque_m},
+        turned_m2_s2_{plan.observer_bandwidth_rad_s * 2.0F * model.roll_inertia_kg_m2 /
+                      (model.density_kg_m3 * model.reference_area_m2 * model.torque_m)} {}
 
-  /// The estimate after `elapsed_s` in which `command` stood and the rate went from `before` to `now`; speed above
-  /// zero.
-  [[nodiscard]] Angle observed(Angle estimate, Angle command, float before_rad_s, float now_rad_s, float speed_m_s,
-                               float elapsed_s) const {
-    const float common = per_metre3_ * speed_m_s;
-    const float turned = (now_rad_s - before_rad_s) + elapsed_s * (common * damping_m2_) * before_rad_s;
-    const Angle by_all = Angle::from_radians(turned / (common * speed_m_s * torque_m_));
-    return estimate + bandwidth_rad_s_ * (by_all - elapsed_s * (command + estimate));
+  /// The estimate after a tick in which `command` stood and the rate went from `before` to `now`; speed above zero.
+  [[nodiscard]] Angle observed(Angle estimate, Angle command, float before_rad_s, float now_rad_s,
+                               float speed_m_s) const {
+    const float slowness_s_m = 1.0F / speed_m_s;
+    const Angle damped = Angle::from_radians(damping_per_torque_m_ * slowness_s_m * before_rad_s);
+    const Angle turned = Angle::from_radians(turned_m2_s2_ * slowness_s_m * slowness_s_m * (now_rad_s - before_rad_s));
+    return estimate + turned + share_ * (damped - command - estimate);
   }
 
  private:
-  float bandwidth_rad_s_;
-  float damping_m2_;
-  float torque_m_;
-  float per_metre3_;  ///< rho A / (2 I)
+  float share_;                 ///< w of a tick
+  float damping_per_torque_m_;  ///< alpha / beta: a / b times the speed
+  float turned_m2_s2_;          ///< w 2 I / (rho A beta): w / b times the speed squared
 };
 
 }  // namespace fantail::core

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <limits>
+
 #include "core/disturbance_observer.hpp"
+#include "core/finite.hpp"
 #include "core/flight_plan.hpp"
 #include "core/integral_action.hpp"
 #include "core/motion_estimator.hpp"
@@ -22,31 +25,64 @@ class OffsetEstimator {
   /// Zero for a plan that does not reject the offset.
   [[nodiscard]] Angle estimate() const { return estimate_; }
 
-  /// Before the command of a tick. `error` is R - phi, and `gain_factor` that of the gain schedule.
-  void update(Microseconds now, const Motion& motion, Angle error, float gain_factor);
+  /// Before the command of a tick. `error` is R - phi, and `gain_factor` that of the gain schedule. A tick that came
+  /// late counts as one.
+  void update(const Motion& motion, Angle error, float gain_factor) {
+    if (rejection_ == OffsetRejection::none) {
+      return;
+    }
+    if (motion.gyro != SensorState::fresh || motion.rate_is_lower_bound) {
+      interrupt();
+      return;
+    }
+    Angle estimate = estimate_;
+    if (rejection_ == OffsetRejection::integral) {
+      estimate = integral_.integrated(estimate, gain_factor * error);
+      if (abs(before_excitation_) > canard_limit_) {
+        estimate = integral_.pulled_back(estimate, clamp(before_excitation_, canard_limit_) - before_excitation_);
+      }
+    } else {
+      if (motion.speed_m_s >= slowest_observed_m_s && !motion.speed_is_lower_bound) {
+        estimate = observer_.observed(estimate, command_, last_rate_rad_s_, motion.roll_rate_rad_s, motion.speed_m_s);
+      }
+      last_rate_rad_s_ = motion.roll_rate_rad_s;
+    }
+    if (abs(estimate) <= canard_limit_) {
+      estimate_ = estimate;
+    } else if (is_finite(estimate.radians())) {
+      estimate_ = clamp(estimate, canard_limit_);
+    }
+  }
+
+  /// Nobody knows what turned the rocket since the last update: the next rate has nothing to be compared with.
+  void interrupt() { last_rate_rad_s_ = no_rate; }
 
   /// What became the command of this tick.
   void remember(const RollCommand& roll) {
     command_ = roll.command;
-    taken_off_ = clamp(roll.before_excitation, canard_limit_) - roll.before_excitation;
+    before_excitation_ = roll.before_excitation;
   }
 
   /// See core/state_visitor.hpp.
   template <typename Visitor>
   void visit_state(Visitor& visit) {
-    visit(estimate_, last_time_, last_rate_rad_s_, command_, taken_off_);
+    visit(estimate_, last_rate_rad_s_, command_, before_excitation_);
   }
 
  private:
+  /// Slower, and the air tells less of an offset than a gyro makes noise.
+  static constexpr float slowest_observed_m_s = 10.0F;
+  /// An estimate that is made of it is no number, and is not taken.
+  static constexpr float no_rate = std::numeric_limits<float>::quiet_NaN();
+
   OffsetRejection rejection_;
   Angle canard_limit_;
   IntegralAction integral_;
   DisturbanceObserver observer_;
   Angle estimate_;
-  Microseconds last_time_{};  ///< of the last tick with a measured rate
-  float last_rate_rad_s_ = 0.0F;
+  float last_rate_rad_s_ = no_rate;  ///< of the last tick, for an observer
   Angle command_;
-  Angle taken_off_;  ///< by the plan limit, of the command before the excitation
+  Angle before_excitation_;
 };
 
 }  // namespace fantail::core

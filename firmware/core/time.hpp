@@ -12,6 +12,9 @@ namespace fantail::core {
 /// becomes a float, because a float of a time of day has lost the microseconds.
 using Microseconds = std::chrono::duration<std::int64_t, std::micro>;
 
+/// From one step of the flight law to the next, when none is late.
+inline constexpr Microseconds tick_period{1'000};
+
 /// static_cast<float>(value), to the last bit. Of the Cortex-M4's library that would take half a kilobyte of arithmetic
 /// in software, so it is shifted until its FPU can convert it; what falls off stays in the last bit, for the rounding.
 [[nodiscard, gnu::noinline, gnu::cold]] constexpr float wide_to_float(std::int64_t value) {
