@@ -81,7 +81,8 @@ TEST(Integral, IsPulledBackByWhatTheLimitTakesOffTheCommand) {
   Loop loop{plan_with(OffsetRejection::integral)};
   loop.run(1500, measured(), 90_deg);
   EXPECT_EQ(loop.command(), 9_deg);
-  EXPECT_NEAR(loop.estimate_deg(), -9.0 * (1.0 - std::exp(-1.5 * 0.5 / 0.5)), 0.015);  // the first tick was not limited yet
+  EXPECT_NEAR(loop.estimate_deg(), -9.0 * (1.0 - std::exp(-1.5 * 0.5 / 0.5)),
+              0.015);  // the first tick was not limited yet
   // Error gone, it is below the limit at once: nothing has to unwind.
   loop.tick_with(measured(), 0_deg);
   EXPECT_LT(loop.command(), 9_deg);

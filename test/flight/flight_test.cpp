@@ -109,6 +109,21 @@ TEST(Flight, AScheduledLawSettlesByTheGainOfItsSpeed) {
   EXPECT_NEAR(text::degrees(settle_point_rad(row, plan).value()), 3.0 / 0.75, 1e-6);
 }
 
+// As the law does: a speed that is only a lower bound takes the last row.
+TEST(Flight, AScheduledLawWhoseSpeedIsALowerBoundSettlesByTheLastRow) {
+  Flight flight;
+  flight.plan.controller.proportional_gain = 0.5F;
+  flight.plan.gain_schedule = {
+      .speeds_count = 2, .speeds_m_s = {40.0F, 80.0F}, .factors_count = 2, .factors = {2.0F, 1.0F}};
+  flight.unmeasured.speed_bound_from_s = 3.0;
+  const auto settles_at_deg = [&](double time_s) {
+    const Row row{.time_s = time_s, .speed_m_s = 60.0, .truth = Truth{.disturbance_rad = text::radians(3.0)}};
+    return text::degrees(settle_point_rad(row, flight).value());
+  };
+  EXPECT_NEAR(settles_at_deg(2.9), 3.0 / 0.75, 1e-6);
+  EXPECT_NEAR(settles_at_deg(3.0), 3.0 / 0.5, 1e-6);
+}
+
 TEST(Flight, TimeZeroMovesEverythingWithATime) {
   Flight flight;
   flight.rows.resize(2);

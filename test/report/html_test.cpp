@@ -53,6 +53,20 @@ TEST(Html, SaysVerdictFiguresEventsAndPhasesWithoutScripts) {
   EXPECT_NE(text.find("<svg"), std::string::npos);
 }
 
+TEST(Html, SaysWhereTheLawOfThePlanComesToRestAndDrawsItsEstimate) {
+  SyntheticFlight synthetic;
+  const std::string published = page_of(synthetic.flight);
+  EXPECT_NE(published.find("settles at R + u_d/kp"), std::string::npos);
+  EXPECT_NE(published.find("A proportional-derivative loop comes to rest"), std::string::npos);
+  EXPECT_NE(published.find("True disturbance"), std::string::npos);
+  synthetic.flight.plan.offset.rejection = core::OffsetRejection::integral;
+  const std::string rejecting = page_of(synthetic.flight);
+  EXPECT_EQ(rejecting.find("u_d/kp"), std::string::npos);
+  EXPECT_NE(rejecting.find("settles at R"), std::string::npos);
+  EXPECT_NE(rejecting.find("comes to rest at the reference R"), std::string::npos);
+  EXPECT_NE(rejecting.find("and what the law takes it for"), std::string::npos);
+}
+
 TEST(Html, NoLineIsDrawnWhereRowsAreMissing) {
   SyntheticFlight synthetic;
   std::erase_if(synthetic.flight.rows, [](const flight::Row& row) { return row.time_s > 2.0 && row.time_s < 2.5; });

@@ -37,6 +37,29 @@ void draw_vehicle(sim::Vehicle& vehicle, Draw& draw) {
   vehicle.imu.misalignment_rad = draw.between(0.0, 2.0) * degree;
 }
 
+/// Each mode of the law in a part of the plans, with a model as good as anybody's.
+void draw_modes(core::FlightPlan& plan, const sim::RollPlant& plant, Draw& draw) {
+  if (draw.chance(0.25)) {
+    plan.gain_schedule = {
+        .speeds_count = 3,
+        .speeds_m_s = {20.0F, 45.0F, 80.0F},
+        .factors_count = 3,
+        .factors = {static_cast<float>(draw.between(0.7, 3.0)), 1.0F, static_cast<float>(draw.between(0.3, 1.5))}};
+  }
+  if (plan.controller.proportional_gain > 0.0F && draw.chance(0.3)) {
+    plan.offset.rejection = core::OffsetRejection::integral;
+    plan.offset.integral_gain_per_s = plan.controller.proportional_gain * static_cast<float>(draw.between(0.2, 3.0));
+  } else if (draw.chance(0.2)) {
+    plan.offset.rejection = core::OffsetRejection::observer;
+    plan.offset.observer_bandwidth_rad_s = static_cast<float>(draw.between(1.0, 15.0));
+    plan.roll_model = {.roll_inertia_kg_m2 = static_cast<float>(plant.inertia_kg_m2),
+                       .reference_area_m2 = static_cast<float>(plant.reference_area_m2 * draw.between(0.6, 1.6)),
+                       .damping_m2 = static_cast<float>(plant.damping_m2),
+                       .torque_m = static_cast<float>(plant.torque_m),
+                       .density_kg_m3 = 1.225F};
+  }
+}
+
 }  // namespace
 
 void draw_fault(sim::Scenario& scenario, Draw& draw) {
@@ -57,6 +80,7 @@ sim::Scenario random_rocket(Draw& draw) {
   sim::Scenario scenario = usual;
   draw_plan(scenario.plan, draw);
   draw_vehicle(scenario.vehicle, draw);
+  draw_modes(scenario.plan, scenario.vehicle.roll_plant, draw);
   return scenario;
 }
 

@@ -10,6 +10,25 @@ namespace {
 
 constexpr double degree = 3.14159265358979323846 / 180.0;
 
+/// The factor on the gains, by the plan's words alone.
+double factor(const core::GainSchedulePlan& plan, double speed_m_s, bool is_lower_bound) {
+  if (plan.speeds_count == 0) {
+    return 1.0;
+  }
+  const std::size_t last = plan.speeds_count - 1U;
+  if (is_lower_bound || speed_m_s >= static_cast<double>(plan.speeds_m_s[last])) {
+    return static_cast<double>(plan.factors[last]);
+  }
+  double value = static_cast<double>(plan.factors[0]);
+  for (std::size_t i = 0; i < last; ++i) {
+    const double from = static_cast<double>(plan.speeds_m_s[i]);
+    const double to = static_cast<double>(plan.speeds_m_s[i + 1]);
+    const double share = std::clamp((speed_m_s - from) / (to - from), 0.0, 1.0);
+    value += share * static_cast<double>(plan.factors[i + 1] - plan.factors[i]);
+  }
+  return value;
+}
+
 }  // namespace
 
 bool Oracle::lasted(const flight::Flight& flight, double margin_s) const {
@@ -50,8 +69,12 @@ Oracle look(const flight::Flight& flight) {
                          (row.truth->disturbance_rad + row.truth->canard_rad) / degree;
       o.largest_offset_deg = std::max(o.largest_offset_deg, std::abs(row.truth->disturbance_rad) / degree);
       if (kp > 0.0 && row.time_s >= counts_from_s - 1e-6) {
-        const double away_rad =
-            row.truth->roll_angle_rad - *zero_rad - row.reference_rad - row.truth->disturbance_rad / kp;
+        const bool bound = row.time_s >= flight.unmeasured.speed_bound_from_s.value_or(1e9);
+        const double beside_rad =
+            flight.plan.offset.rejection != core::OffsetRejection::none
+                ? 0.0
+                : row.truth->disturbance_rad / (kp * factor(flight.plan.gain_schedule, row.speed_m_s, bound));
+        const double away_rad = row.truth->roll_angle_rad - *zero_rad - row.reference_rad - beside_rad;
         o.largest_error_deg = std::max(o.largest_error_deg, std::abs(away_rad) / degree);
         o.judged = true;
       }

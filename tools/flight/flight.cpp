@@ -173,13 +173,15 @@ double authority_margin_rad(const Flight& flight, double offset_rad) {
 
 namespace {
 
-std::optional<double> settles_at_rad(const Row& row, const core::FlightPlan& plan, double left_by_fins) {
+std::optional<double> settles_at_rad(const Row& row, const core::FlightPlan& plan, double left_by_fins,
+                                     bool speed_is_lower_bound) {
   const auto speed_m_s = static_cast<float>(std::isfinite(row.speed_m_s) ? row.speed_m_s : 0.0);
-  const float gain = core::gain_factor(plan.gain_schedule, speed_m_s, false) * plan.controller.proportional_gain;
+  const float gain =
+      core::gain_factor(plan.gain_schedule, speed_m_s, speed_is_lower_bound) * plan.controller.proportional_gain;
   if (!row.truth || gain == 0.0F) {
     return std::nullopt;
   }
-  const double share = plan.offset.rejection == core::OffsetRejection::none ? 1.0 : 0.0;
+  const double share = rejects_offset(plan) ? 0.0 : 1.0;
   const double off_rad = row.truth->disturbance_rad / (left_by_fins * static_cast<double>(gain));
   const double point_rad = row.reference_rad + share * off_rad;
   return std::isfinite(point_rad) ? std::optional{point_rad} : std::nullopt;
@@ -187,15 +189,19 @@ std::optional<double> settles_at_rad(const Row& row, const core::FlightPlan& pla
 
 }  // namespace
 
+bool rejects_offset(const core::FlightPlan& plan) { return plan.offset.rejection != core::OffsetRejection::none; }
+
 std::optional<double> settle_point_rad(const Row& row, const core::FlightPlan& plan) {
-  return settles_at_rad(row, plan, 1.0);
+  return settles_at_rad(row, plan, 1.0, false);
 }
 
 std::optional<double> settle_point_rad(const Row& row, const Flight& flight) {
   if (!flight.known.plan) {
     return std::nullopt;
   }
-  return settles_at_rad(row, flight.plan, flight.left_by_fins > 0.0 ? flight.left_by_fins : 1.0);
+  const std::optional<double>& bound_from_s = flight.unmeasured.speed_bound_from_s;
+  return settles_at_rad(row, flight.plan, flight.left_by_fins > 0.0 ? flight.left_by_fins : 1.0,
+                        bound_from_s && row.time_s >= *bound_from_s);
 }
 
 }  // namespace fantail::flight

@@ -194,6 +194,9 @@ void set_time_zero(Flight& flight, double zero_s);
 /// the two. Below zero: they cannot balance it. Canards that are broken or trimmed may reach to one side only.
 [[nodiscard]] double authority_margin_rad(const Flight& flight, double offset_rad);
 
+/// Does the law take an estimate of the fin offset off its command, so that it comes to rest at its reference?
+[[nodiscard]] bool rejects_offset(const core::FlightPlan& plan);
+
 /// Where the loop comes to rest: R + u_d / kp as published, kp by the gain schedule; R where the plan rejects the
 /// offset. Empty without truth, and for a gain of zero.
 [[nodiscard]] std::optional<double> settle_point_rad(const Row& row, const core::FlightPlan& plan);

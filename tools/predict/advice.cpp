@@ -9,6 +9,7 @@
 
 #include <fmt/core.h>
 
+#include "flight/flight.hpp"
 #include "predict/sentences.hpp"
 #include "sim/canard_aerodynamics.hpp"
 #include "sim/servo.hpp"
@@ -51,14 +52,13 @@ std::string_view compared(double value, double present) {
   return value < present ? "smaller" : value > present ? "larger" : "as it is";
 }
 
-/// The loop settles at the reference plus the offset over the gain; by how much, that a schedule changes on the way. A
-/// law that rejects the offset settles at the reference.
+/// As published, the loop settles at the reference plus the offset over the gain. With a schedule the gain is another
+/// one at each speed.
 std::string settles(const Prediction& p, const stability::Gains& gains) {
-  if (p.flown.plan.offset.rejection != core::OffsetRejection::none || p.flown.plan.gain_schedule.speeds_count > 0) {
-    return {};
-  }
   const auto present = static_cast<double>(p.flown.plan.controller.proportional_gain);
-  if (gains.proportional == present || gains.proportional == 0.0) {
+  const core::FlightPlan& plan = p.flown.plan;
+  if (gains.proportional == present || gains.proportional == 0.0 || flight::rejects_offset(plan) ||
+      plan.gain_schedule.speeds_count > 0) {
     return {};
   }
   const auto off = [&](double gain) { return fixed(degrees(p.offset_size_rad.p50) / (gain * left_by_fins(p)), 1); };

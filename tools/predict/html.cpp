@@ -7,6 +7,7 @@
 
 #include <fmt/core.h>
 
+#include "flight/flight.hpp"
 #include "page/page.hpp"
 #include "predict/charts.hpp"
 #include "predict/results.hpp"
@@ -92,8 +93,11 @@ std::string roll(const Prediction& p) {
     return page::paragraph("No run left the pad.");
   }
   return page::figure(roll_angle_chart(p),
-                      "Roll angle of the rocket as it truly would be. A proportional-derivative loop settles at the "
-                      "reference plus the fin offset over the gain, not at the reference.") +
+                      flight::rejects_offset(p.flown.plan)
+                          ? "Roll angle of the rocket as it truly would be. This law takes its estimate of the fin "
+                            "offset off the command, so it settles at the reference where the canards reach that far."
+                          : "Roll angle of the rocket as it truly would be. A proportional-derivative loop settles at "
+                            "the reference plus the fin offset over the gain, not at the reference.") +
          page::figure(roll_rate_chart(p),
                       "How fast it turns. The band is the spread of the runs at each instant, not one run.");
 }

@@ -197,6 +197,27 @@ class Drawer {
   std::vector<double> time_s_{};
 };
 
+bool rests_at_reference(const flight::Flight& flight) {
+  return flight.known.plan && flight::rejects_offset(flight.plan);
+}
+
+std::string settles_at(const flight::Flight& flight) {
+  if (rests_at_reference(flight)) {
+    return "settles at R";
+  }
+  return flight.plan.gain_schedule.speeds_count > 0 ? "settles at R + u_d/(f kp)" : "settles at R + u_d/kp";
+}
+
+Chart disturbance(const flight::Flight& flight, const Drawer& drawer) {
+  const page::Series truth = drawer.line("u_d", Role::target, column("true_disturbance_deg"));
+  if (!rests_at_reference(flight)) {
+    return drawer.chart("True disturbance (equivalent fin offset u_d)", "deg", page::full_page, flat, {truth});
+  }
+  return drawer.chart(
+      "Disturbance (equivalent fin offset u_d), and what the law takes it for", "deg", page::full_page, flat,
+      {truth, drawer.line("estimate", Role::measured, drawer.in_control(column("offset_estimate_deg")))});
+}
+
 Chart roll_angle(const flight::Flight& flight, const Drawer& drawer) {
   const Value settle = [&flight](const flight::Row& row) {
     return text::in_degrees(flight::settle_point_rad(row, flight)).value_or(unknown);
@@ -204,7 +225,7 @@ Chart roll_angle(const flight::Flight& flight, const Drawer& drawer) {
   Chart chart =
       drawer.chart("Roll angle", "deg", page::full_page, tall,
                    {drawer.line("reference R", Role::reference, drawer.in_control(column("reference_deg")), Mark::step),
-                    drawer.line("settles at R + u_d/kp", Role::second_model, drawer.in_control(settle), Mark::step),
+                    drawer.line(settles_at(flight), Role::second_model, drawer.in_control(settle), Mark::step),
                     drawer.line("true", Role::target, column("true_roll_angle_deg")),
                     drawer.line("estimate", Role::measured, column("roll_angle_deg"))});
   if (flight.known.phase) {
@@ -227,8 +248,7 @@ std::vector<Chart> all_charts(const flight::Flight& flight) {
                                       {drawer.line("excitation", Role::neutral, drawer.in_control(excitation)),
                                        drawer.line("command", Role::target, column("command_deg")),
                                        drawer.line("encoder mean", Role::measured, column("canard_deg"))})),
-      drawer.with_limits(drawer.chart("True disturbance (equivalent fin offset u_d)", "deg", page::full_page, flat,
-                                      {drawer.line("u_d", Role::target, column("true_disturbance_deg"))}))};
+      drawer.with_limits(disturbance(flight, drawer))};
   for (std::size_t i = 1; i <= core::canard_count; ++i) {
     all.push_back(drawer.with_limits(
         drawer.chart(fmt::format("Canard {}", i), "deg", page::half_page, small,

@@ -58,11 +58,14 @@ std::string figure_list(const flight::Flight& flight, const Figures& f) {
   }
   std::string html = page::figure_row(list);
   if (f.largest_hold_error_rad) {
-    html += page::note(
-        fmt::format("A proportional-derivative loop comes to rest at R\u00a0+\u00a0u_d/kp, not at the reference R: an "
-                    "angle error has to balance the fin offset. The hold error is measured from there, without the {} "
-                    "after control start and after each reference step.",
-                    flight.tunnel ? "two seconds" : "second"));
+    html += page::note(fmt::format(
+        "{} The hold error is measured from there, without the {} after control start and after each reference step.",
+        flight::rejects_offset(flight.plan)
+            ? "This law takes its estimate of the fin offset u_d off the command, so it comes to rest at the reference "
+              "R, as far as the canards reach and as soon as the estimate is right."
+            : "A proportional-derivative loop comes to rest at R\u00a0+\u00a0u_d/kp, not at the reference R: an angle "
+              "error has to balance the fin offset.",
+        flight.tunnel ? "two seconds" : "second"));
   }
   return html;
 }
