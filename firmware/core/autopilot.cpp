@@ -80,6 +80,7 @@ const TickRecord& Autopilot::step(const Inputs& inputs) {
 void Autopilot::resume(const Inputs& first) {
   motion_estimator_.bridge(first.time, first.gyro);
   canard_monitor_.bridge();
+  offset_estimator_.interrupt();
   last_time_.reset();
 }
 

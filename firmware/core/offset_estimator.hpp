@@ -31,7 +31,9 @@ class OffsetEstimator {
     if (rejection_ == OffsetRejection::none) {
       return;
     }
-    if (motion.gyro != SensorState::fresh || motion.rate_is_lower_bound) {
+    // A sample that is only late is not missed: what the rate did meanwhile is seen with it.
+    const bool measures = motion.gyro == SensorState::fresh || motion.gyro == SensorState::coasting;
+    if (!measures || motion.rate_is_lower_bound) {
       interrupt();
       return;
     }
