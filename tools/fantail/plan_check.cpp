@@ -109,7 +109,7 @@ struct LoopCheck {
 
 LoopCheck check_loop(const Subject& subject) {
   const sim::Scenario& scenario = *subject.scenario;
-  const auto range = fly::speeds_under_control(fly::fly_scenario(scenario));
+  const auto range = fly::speed_range_under_control(fly::fly_scenario(scenario));
   if (!range) {
     return {.sentence = fmt::format("in {} control never begins, so the loop was not checked", scenario.name),
             .warns = true};

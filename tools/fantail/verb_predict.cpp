@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <cctype>
 #include <charconv>
 #include <filesystem>
 #include <memory>
@@ -80,21 +79,6 @@ std::filesystem::path tunnel_file(const sim::Scenario& scenario, const PredictOp
 
 std::optional<double> in_radians(const std::optional<double>& degrees) {
   return degrees ? std::optional{text::radians(*degrees)} : std::nullopt;
-}
-
-/// A word as a shell takes it for one.
-std::string quoted(const std::string& word) {
-  const auto is_plain = [](unsigned char c) {
-    return std::isalnum(c) != 0 || std::string_view{"._-+=:/,"}.find(static_cast<char>(c)) != std::string_view::npos;
-  };
-  if (!word.empty() && std::ranges::all_of(word, is_plain)) {
-    return word;
-  }
-  std::string all = "'";
-  for (const char c : word) {
-    all += c == '\'' ? "'\\''" : std::string(1, c);
-  }
-  return all + "'";
 }
 
 /// What makes the answer another one than that of the scenario as it stands, beside --set and --seed.

@@ -196,10 +196,7 @@ std::vector<std::string> beyond_the_model(const sim::Scenario& scenario, const f
   return all;
 }
 
-namespace {
-
-/// Of the ticks under control. Near apogee nothing flows: the lowest speed that counts is that at which control began.
-std::vector<double> speeds_that_count_m_s(const flight::Flight& flight) {
+std::vector<double> speeds_under_control_m_s(const flight::Flight& flight) {
   std::vector<double> all;
   for (const flight::Row& row : flight.rows) {
     if (row.phase == core::Phase::controlling) {
@@ -213,15 +210,13 @@ std::vector<double> speeds_that_count_m_s(const flight::Flight& flight) {
   return all;
 }
 
-}  // namespace
-
-std::optional<stability::SpeedRange> speeds_under_control(const flight::Flight& flight) {
-  const std::vector<double> all = speeds_that_count_m_s(flight);
+std::optional<stability::SpeedRange> speed_range_under_control(const flight::Flight& flight) {
+  const std::vector<double> all = speeds_under_control_m_s(flight);
   return all.empty() ? std::nullopt : std::optional{stability::SpeedRange{all.front(), std::ranges::max(all)}};
 }
 
 std::vector<flight::LoopMargin> loop_margins(const sim::Scenario& scenario, const flight::Flight& flight) {
-  std::vector<double> speeds_m_s = speeds_that_count_m_s(flight);
+  std::vector<double> speeds_m_s = speeds_under_control_m_s(flight);
   if (speeds_m_s.empty()) {
     return {};
   }

@@ -17,8 +17,12 @@ namespace fantail::fly {
 /// tunnel, too: fins that reverse the roll, and servos too weak for the plan's limit.
 [[nodiscard]] std::vector<std::string> beyond_the_model(const sim::Scenario& scenario, const flight::Flight& flight);
 
-/// From the speed at which control begins to the highest after it. Empty without control.
-[[nodiscard]] std::optional<stability::SpeedRange> speeds_under_control(const flight::Flight& flight);
+/// Of every tick under control. Near apogee nothing flows: the lowest speed that counts is that at which control began,
+/// the first of the list.
+[[nodiscard]] std::vector<double> speeds_under_control_m_s(const flight::Flight& flight);
+
+/// From the lowest to the highest of them. Empty without control.
+[[nodiscard]] std::optional<stability::SpeedRange> speed_range_under_control(const flight::Flight& flight);
 
 /// The margins of the roll loop at the speed at which control begins, and at the median, the top and the worst speed
 /// from there on, by speed. Empty without control and where the gain of the loop never reaches one.

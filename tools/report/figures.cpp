@@ -45,16 +45,6 @@ std::span<const flight::Row> under_control(const flight::Flight& flight) {
   return {first, std::find_if_not(first, flight.rows.end(), is_control)};
 }
 
-// The law counts roll from where the rocket stood at launch detection (tunnel: at control start), the truth from the
-// pad.
-double true_zero_rad(const flight::Flight& flight) {
-  const std::optional<double>& zero_s = flight.tunnel ? flight.events.control_start_s : flight.events.detected_s;
-  const auto at = std::ranges::find_if(
-      flight.rows, [&](const flight::Row& row) { return zero_s && row.time_s >= *zero_s - clock_tolerance_s; });
-  const bool known = at != flight.rows.end() && at->truth && std::isfinite(at->truth->roll_angle_rad);
-  return known ? at->truth->roll_angle_rad : 0.0;
-}
-
 void judge_hold(Figures& f, std::span<const flight::Row> control, const flight::Flight& flight) {
   const double settling_time_s = flight.tunnel ? settling_time_in_tunnel_s : settling_time_in_flight_s;
   const double zero_rad = true_zero_rad(flight);
@@ -159,6 +149,14 @@ double top_speed_over_ground_m_s(const std::vector<flight::PathPoint>& path) {
 }
 
 }  // namespace
+
+double true_zero_rad(const flight::Flight& flight) {
+  const std::optional<double>& zero_s = flight.tunnel ? flight.events.control_start_s : flight.events.detected_s;
+  const auto at = std::ranges::find_if(
+      flight.rows, [&](const flight::Row& row) { return zero_s && row.time_s >= *zero_s - clock_tolerance_s; });
+  const bool known = at != flight.rows.end() && at->truth && std::isfinite(at->truth->roll_angle_rad);
+  return known ? at->truth->roll_angle_rad : 0.0;
+}
 
 Figures figures(const flight::Flight& flight) {
   Figures f;

@@ -39,4 +39,8 @@ struct Figures {
 
 [[nodiscard]] Figures figures(const flight::Flight& flight);
 
+/// Where the law counts the true roll angle from: from where the rocket stood at launch detection (tunnel: at control
+/// start), which the truth counts from the pad.
+[[nodiscard]] double true_zero_rad(const flight::Flight& flight);
+
 }  // namespace fantail::report

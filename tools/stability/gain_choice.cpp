@@ -2,33 +2,21 @@
 #include "stability/gain_choice.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 
 #include "stability/plan_ranges.hpp"
+#include "stability/round_numbers.hpp"
 
 namespace fantail::stability {
 namespace {
-
-/// The preferred numbers of IEC 60063, E24: neighbours differ by a tenth.
-constexpr std::array round_numbers{1.0, 1.1, 1.2, 1.3, 1.5, 1.6, 1.8, 2.0, 2.2, 2.4, 2.7, 3.0,
-                                   3.3, 3.6, 3.9, 4.3, 4.7, 5.1, 5.6, 6.2, 6.8, 7.5, 8.2, 9.1};
 
 /// Below these a gain does nothing that a flight would show, and a factor from zero on has no meaning.
 constexpr Gains smallest{.proportional = 0.01, .derivative_s = 0.001};
 
 std::vector<double> candidates(double present, double from, double to) {
-  std::vector<double> all{present};
-  // Through whole exponents and a division: 0.43 is then the number that a person types.
-  for (int exponent = static_cast<int>(std::floor(std::log10(from))); std::pow(10.0, exponent) <= to; ++exponent) {
-    for (const double number : round_numbers) {
-      const double value = exponent < 0 ? number / std::pow(10.0, -exponent) : number * std::pow(10.0, exponent);
-      if (value >= from && value <= to) {
-        all.push_back(value);
-      }
-    }
-  }
+  std::vector<double> all = round_numbers_between(from, to);
+  all.insert(all.begin(), present);
   return all;
 }
 

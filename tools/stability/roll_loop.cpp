@@ -74,11 +74,17 @@ double root(const Function& function, double low, double high) {
   return std::sqrt(low * high);
 }
 
+/// Whether the gain falls with the frequency all the way, but for the fins: of (kp^2 + (kd w - ki / w)^2) / w^2 that
+/// can be seen.
+bool falls(const RollLoop& loop) {
+  return loop.proportional_gain * loop.proportional_gain >= 2.0 * loop.derivative_gain_s * loop.integral_gain_per_s;
+}
+
 /// Where the phase passes half a turn more than once, the pass at the gain nearest to one is where a change of gain
 /// first makes it swing.
 std::optional<double> gain_margin(const RollLoop& loop) {
   // The answer of the fins makes waves, and an integral beside little proportional gain turns the phase at once.
-  const double step = loop.wash == 0.0 && loop.integral_gain_per_s == 0.0 ? 1.1 : 1.02;
+  const double step = loop.wash == 0.0 && falls(loop) ? 1.1 : 1.02;
   const auto above_half_turn = [&loop](double w) { return phase_rad(loop, w) + half_turn_rad; };
   std::optional<double> nearest;
   double w = lowest_rad_s;
@@ -99,12 +105,6 @@ std::optional<double> gain_margin(const RollLoop& loop) {
 }
 
 constexpr double tick_s = 1e-3;
-
-/// Whether the gain falls with the frequency all the way, but for the fins: of (kp^2 + (kd w - ki / w)^2) / w^2 that
-/// can be seen.
-bool falls(const RollLoop& loop) {
-  return loop.proportional_gain * loop.proportional_gain >= 2.0 * loop.derivative_gain_s * loop.integral_gain_per_s;
-}
 
 /// Where the gain of a loop whose gain falls is one over the factor.
 double pass_with(const RollLoop& loop, double factor) {

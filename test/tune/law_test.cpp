@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#include "tune/law.hpp"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "input/scenario_file.hpp"
+#include "text/error.hpp"
+
+namespace fantail::tune {
+namespace {
+
+using core::OffsetRejection;
+
+TEST(Law, OfAScheduleHasFactorsThatFallWithThePowerOfTheSpeed) {
+  const sim::Scenario scenario = input::load_scenario("tasha3_launch2", {});
+  const Law law{.gains = {0.5, 0.05}, .integral_gain_per_s = 0.3, .schedule_exponent = 1.5};
+  const core::FlightPlan plan = with_law(scenario, OffsetRejection::integral, law, {20.0, 80.0});
+  ASSERT_EQ(plan.gain_schedule.speeds_count, 6);
+  EXPECT_EQ(plan.gain_schedule.speeds_m_s[0], 20.0F);
+  EXPECT_EQ(plan.gain_schedule.speeds_m_s[5], 80.0F);
+  EXPECT_NEAR(plan.gain_schedule.factors[0], 8.0, 1e-6);
+  EXPECT_EQ(plan.gain_schedule.factors[5], 1.0F);
+  EXPECT_EQ(plan.offset.integral_gain_per_s, 0.3F);
+  EXPECT_EQ(with_law(scenario, OffsetRejection::integral, law, {22.0, 22.1}).gain_schedule.speeds_count, 0);
+}
+
+TEST(Law, AnObserverGetsTheRollModelOfTheVehicle) {
+  const sim::Scenario scenario = input::load_scenario("tasha3_launch2", {});
+  const core::FlightPlan plan = with_law(scenario, OffsetRejection::observer,
+                                         {.gains = {0.5, 0.05}, .observer_bandwidth_rad_s = 3.0}, {20.0, 80.0});
+  EXPECT_EQ(plan.roll_model.damping_m2, 23.0F);
+  EXPECT_EQ(plan.roll_model.torque_m, 9.0F);
+  EXPECT_NEAR(plan.roll_model.density_kg_m3, 1.225, 1e-3);
+}
+
+TEST(Law, WithoutAKnownSpeedThereIsNoObserver) {
+  const sim::Scenario scenario = input::load_scenario("tunnel_steps", {});
+  EXPECT_THROW((void)with_law(scenario, OffsetRejection::observer,
+                              {.gains = {0.5, 0.05}, .observer_bandwidth_rad_s = 3.0}, {22.0, 22.0}),
+               text::Error);
+}
+
+}  // namespace
+}  // namespace fantail::tune

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#include "tune/tuning.hpp"
+
+#include <filesystem>
+#include <fstream>
+
+#include <gtest/gtest.h>
+
+#include "core/flight_plan_fields.hpp"
+#include "input/plan_file.hpp"
+#include "input/scenario_file.hpp"
+#include "json/value.hpp"
+#include "text/degrees.hpp"
+#include "text/error.hpp"
+#include "tune/results.hpp"
+
+namespace fantail::tune {
+namespace {
+
+void look_away(Stage /*stage*/, std::size_t /*done*/) {}
+
+const Tuning& second_launch() {
+  static const Tuning tuning = tune(input::load_scenario("tasha3_launch2", {}),
+                                    {.flights = 6, .command = "fantail tune tasha3_launch2"}, look_away);
+  return tuning;
+}
+
+TEST(Tuning, OfTheSecondLaunchIsBetterThanThePublishedPlan) {
+  const Tuning& t = second_launch();
+  ASSERT_TRUE(t.is_proposed()) << t.why_none;
+  EXPECT_TRUE(t.is_better());
+  EXPECT_LT(text::degrees(*t.flown_after().mean_rad), 3.0);
+  EXPECT_GT(text::degrees(*t.flown_before().mean_rad), 9.0);
+  EXPECT_GE(text::degrees(t.after->least.phase_margin_rad), 45.0);
+  EXPECT_LE(t.after->settling_s.value(), 1.0);
+}
+
+TEST(Tuning, ItsPlanReadsBackBitForBit) {
+  const Tuning& t = second_launch();
+  const std::string file = testing::TempDir() + "tuned.toml";
+  std::ofstream{file} << plan_text(t);
+  const core::FlightPlan read = input::read_plan(input::Document::load(file));
+  for (const core::PlanField& field : core::flight_plan_fields()) {
+    for (std::size_t slot = 0; slot < field.used_slots(read); ++slot) {
+      EXPECT_EQ(field.get_bits(read, slot), field.get_bits(t.after->plan, slot)) << field.section << '.' << field.key;
+    }
+  }
+  std::filesystem::remove(file);
+}
+
+TEST(Tuning, IsTheSameInTextJsonAndPage) {
+  const Tuning& t = second_launch();
+  const json::Value said = json::parse(tuning_json(t, "x.toml"));
+  EXPECT_EQ(said["proposed"], true);
+  EXPECT_EQ(said["plan"], "x.toml");
+  EXPECT_EQ(said["flights"].size(), 6U);
+  EXPECT_NE(tuning_text(t).find(flights_sentence(t)), std::string::npos);
+  EXPECT_NE(tuning_html(t, "x.toml").find("Flights over the spread"), std::string::npos);
+}
+
+// 7.3 degrees of offset, and a limit of 6.
+TEST(Tuning, OfTheFirstLaunchSaysThatNoGainsCanDoIt) {
+  const Tuning t = tune(input::load_scenario("tasha3_launch1", {}), {.flights = 2}, look_away);
+  EXPECT_FALSE(t.is_proposed());
+  EXPECT_NE(t.why_none.find("the fin offset of up to -7.3 degrees is beyond the 6 degree canard limit"),
+            std::string::npos)
+      << t.why_none;
+  EXPECT_EQ(json::parse(tuning_json(t, ""))["plan"].is_null(), true);
+}
+
+TEST(Tuning, SaysWhatTheShortestSettlingTimeIs) {
+  const Tuning t =
+      tune(input::load_scenario("tunnel_steps", {}), {.settling_s = 0.1, .spread = 1.0, .flights = 1}, look_away);
+  EXPECT_FALSE(t.is_proposed());
+  EXPECT_NE(t.why_none.find("settles in 0.1 s"), std::string::npos) << t.why_none;
+}
+
+TEST(Tuning, WithoutAirIsRefused) {
+  EXPECT_THROW((void)tune(input::load_scenario("gimbal", {}), {}, look_away), text::Error);
+}
+
+}  // namespace
+}  // namespace fantail::tune

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: MIT
+#include <array>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <fmt/core.h>
+
+#include "fantail/interrupt.hpp"
+#include "fantail/progress.hpp"
+#include "fantail/run.hpp"
+#include "fantail/scenario_options.hpp"
+#include "input/shipped.hpp"
+#include "text/degrees.hpp"
+#include "text/output_folder.hpp"
+#include "tune/results.hpp"
+
+namespace fantail::tool {
+namespace {
+
+struct TuneOptions {
+  ScenarioOptions scenario;
+  std::string rejection = "integral";
+  bool schedule = false;
+  double margin_deg = text::degrees(tune::Request{}.phase_margin_rad);
+  double settling_s = tune::Request{}.settling_s;
+  double spread = tune::Request{}.spread;
+  std::size_t flights = tune::Request{}.flights;
+  unsigned threads = 0;
+  std::string plan;
+  bool force = false;
+  std::string out;
+  bool json = false;
+};
+
+core::OffsetRejection rejection(const std::string& word) {
+  return word == "none"       ? core::OffsetRejection::none
+         : word == "integral" ? core::OffsetRejection::integral
+                              : core::OffsetRejection::observer;
+}
+
+/// What the answer depends on, beside --set and --seed.
+std::vector<std::string> further_changes(const TuneOptions& options) {
+  const TuneOptions usual;
+  std::vector<std::string> all;
+  if (options.rejection != usual.rejection) {
+    all.push_back("rejection=" + options.rejection);
+  }
+  if (options.schedule) {
+    all.emplace_back("schedule");
+  }
+  const auto add = [&all](const char* name, double value, double usual_value) {
+    if (value != usual_value) {
+      all.push_back(fmt::format("{}={}", name, value));
+    }
+  };
+  add("margin", options.margin_deg, usual.margin_deg);
+  add("settling", options.settling_s, usual.settling_s);
+  add("spread", options.spread, usual.spread);
+  add("flights", static_cast<double>(options.flights), static_cast<double>(usual.flights));
+  return all;
+}
+
+tune::Request request(const TuneOptions& options) {
+  tune::Request asked{.rejection = rejection(options.rejection),
+                      .schedule = options.schedule,
+                      .phase_margin_rad = text::radians(options.margin_deg),
+                      .settling_s = options.settling_s,
+                      .spread = options.spread,
+                      .flights = options.flights,
+                      .threads = options.threads,
+                      .command = "fantail tune " + quoted(options.scenario.scenario),
+                      .version = FANTAIL_VERSION};
+  for (const std::string& change : options.scenario.changes) {
+    asked.command += " --set " + quoted(change);
+  }
+  if (!options.scenario.seed.empty()) {
+    asked.command += " --seed " + options.scenario.seed;
+  }
+  for (const std::string& change : further_changes(options)) {
+    asked.command += " --" + change;
+  }
+  return asked;
+}
+
+/// Beside a plan of one's own. One that is shipped belongs to the program, so there it is the working folder.
+std::filesystem::path plan_file(const TuneOptions& options) {
+  if (!options.plan.empty()) {
+    return options.plan;
+  }
+  const input::Document document =
+      input::Document::load(input::find_input(input::Shipped::scenario, options.scenario.scenario));
+  input::Section top{document, ""};
+  const std::filesystem::path old_file = input::find_named_input(input::Shipped::plan, document, top, "plan");
+  const std::string name = old_file.stem().string() + "_tuned.toml";
+  std::error_code unknown;
+  const std::filesystem::path shipped = input::data_folder() / "firmware/plans";
+  return std::filesystem::equivalent(old_file.has_parent_path() ? old_file.parent_path() : ".", shipped, unknown)
+             ? std::filesystem::path{name}
+             : old_file.parent_path() / name;
+}
+
+void refuse_to_replace(const std::filesystem::path& file, bool force) {
+  if (!force && std::filesystem::exists(file)) {
+    throw UsageError{file.string() + " is there already, and nothing is replaced without --force; or say --plan FILE"};
+  }
+}
+
+tune::Tuning tuned(const sim::Scenario& scenario, const TuneOptions& options) {
+  std::optional<Progress> flying;
+  Progress searching{"searching gains for " + scenario.name, {.unit = "steps", .rate = " a second", .total = {}}};
+  double steps = 0.0;
+  return tune::tune(scenario, request(options), [&](tune::Stage stage, std::size_t done) {
+    give_up_if_interrupted();
+    if (stage != tune::Stage::flying) {
+      searching.show(++steps);
+      return;
+    }
+    if (!flying) {
+      flying.emplace(
+          "flying both plans",
+          Progress::Measure{.unit = "pairs", .rate = " a second", .total = static_cast<double>(options.flights)});
+    }
+    flying->show(static_cast<double>(done));
+  });
+}
+
+void write(const std::filesystem::path& file, const std::string& content) {
+  const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : std::filesystem::path{"."};
+  text::OutputFolder{folder}.write(std::array{text::NamedFile{.name = file.filename().string(), .content = content}});
+}
+
+void tune_scenario(const TuneOptions& options) {
+  const sim::Scenario scenario = load(options.scenario);
+  const std::filesystem::path file = plan_file(options);
+  refuse_to_replace(file, options.force);
+  const tune::Tuning tuning = tuned(scenario, options);
+  const std::string plan_name = tuning.is_proposed() ? file.string() : "";
+  std::vector<std::string> changes = changes_of(options.scenario);
+  for (const std::string& change : further_changes(options)) {
+    changes.push_back(change);
+  }
+  const std::filesystem::path folder =
+      options.out.empty() ? std::filesystem::path{"out"} / "tune" / variant_name(scenario.name, changes)
+                          : std::filesystem::path{options.out};
+  const std::string json = tune::tuning_json(tuning, plan_name);
+  text::OutputFolder{folder}.write(
+      std::array{text::NamedFile{.name = "tune.html", .content = tune::tuning_html(tuning, plan_name)},
+                 text::NamedFile{.name = "tune.json", .content = json}});
+  if (tuning.is_proposed()) {
+    write(file, tune::plan_text(tuning));
+  }
+  if (options.json) {
+    fmt::print("{}", json);
+  } else {
+    fmt::print("{}\n  page  {}\n  plan  {}\n", tune::tuning_text(tuning), (folder / "tune.html").string(),
+               plan_name.empty() ? "none written" : plan_name);
+  }
+  if (!tuning.is_proposed()) {
+    throw RequirementNotMet{""};
+  }
+}
+
+void fill(const Verb& verb) {
+  auto options = std::make_shared<TuneOptions>();
+  add_scenario_options(verb, options->scenario);
+  verb.option("--rejection", options->rejection, "What the law does against a fin offset")
+      .one_of({"none", "integral", "observer"})
+      .show_default();
+  verb.flag("--schedule", options->schedule, "Let the gains change with speed");
+  verb.option("--margin", options->margin_deg,
+              "Phase margin in degrees that the law must have at every speed under control, over the spread")
+      .range(0.0, 80.0)
+      .show_default();
+  verb.option("--settling", options->settling_s,
+              "Seconds after a step of the reference in which the linear loop must come within a tenth of the step, "
+              "from the median speed on")
+      .range(0.05, 30.0)
+      .show_default();
+  verb.option("--spread", options->spread,
+              "Damping and torque may each be this many times larger or smaller than the vehicle's; 1: they are exact")
+      .range(1.0, 4.0)
+      .show_default();
+  verb.option("--flights", options->flights, "How many rockets of the spread to fly, each by both plans")
+      .range(1.0, 10000.0)
+      .show_default();
+  verb.option("--threads", options->threads, "How many to fly at once [as many as the machine can]").range(1, 1024);
+  verb.option("--plan", options->plan,
+              "The plan file to write [NAME_tuned.toml beside the old plan; for a shipped one in the working folder]")
+      .value_name("FILE");
+  verb.flag("--force", options->force, "Replace a plan file that is there");
+  verb.option("--out", options->out,
+              "Folder for tune.html and tune.json [out/tune/SCENARIO, with what was changed in the name]")
+      .check(objection_to_folder);
+  verb.flag("--json", options->json, "Print tune.json instead of the text");
+  verb.examples(
+      "Exit code 0: a plan was written; 1: no gains can do it, or the new plan loses flights, and none was.\n"
+      "Examples:\n"
+      "  fantail tune tasha3_launch2                          integral action, for a phase margin of 45 degrees\n"
+      "  fantail tune my_rocket/scenario.toml --rejection observer --schedule --margin 50 --spread 2\n"
+      "  fantail tune tasha3_launch1                          exit code 1: more offset than its 6 degrees can balance\n"
+      "  fantail tune tasha3_launch1 --set controller.canard_limit_deg=9");
+  verb.action([options] { tune_scenario(*options); });
+}
+
+}  // namespace
+}  // namespace fantail::tool
+
+int main(int argc, char** argv) { return fantail::tool::run("tune", fantail::tool::fill, argc, argv); }

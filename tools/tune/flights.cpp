@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: MIT
+#include "tune/flights.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "fly/fly_scenario.hpp"
+#include "predict/parallel_for.hpp"
+#include "predict/run.hpp"
+#include "report/figures.hpp"
+#include "tune/airframes.hpp"
+
+namespace fantail::tune {
+namespace {
+
+constexpr double settling_time_s = 1.0;
+
+/// Calls `each` with every row under control, and whether it is settled.
+template <typename Each>
+void for_rows_under_control(const flight::Flight& flight, Each each) {
+  std::optional<double> settles_at_s;
+  double reference_rad = 0.0;
+  for (const flight::Row& row : flight.rows) {
+    if (row.phase != core::Phase::controlling) {
+      continue;
+    }
+    if (!settles_at_s || row.reference_rad != reference_rad) {
+      settles_at_s = row.time_s + settling_time_s;
+      reference_rad = row.reference_rad;
+    }
+    each(row, row.time_s >= *settles_at_s);
+  }
+}
+
+class Mean {
+ public:
+  void add(double error_rad) {
+    sum_rad_ += error_rad;
+    ++count_;
+    largest_rad_ = std::max(largest_rad_, error_rad);
+  }
+  [[nodiscard]] std::optional<RollError> found() const {
+    return count_ == 0 ? std::nullopt : std::optional{RollError{sum_rad_ / static_cast<double>(count_), largest_rad_}};
+  }
+
+ private:
+  double sum_rad_ = 0.0;
+  double largest_rad_ = 0.0;
+  std::size_t count_ = 0;
+};
+
+Flown flown(const sim::Scenario& scenario) {
+  const flight::Flight flight = fly::fly_scenario(scenario);
+  const report::Figures figures = report::figures(flight);
+  return {.errors = roll_errors(flight),
+          .outcome = report::verdict(flight, figures).outcome,
+          .saturated_share = figures.saturated_fraction.value_or(0.0)};
+}
+
+}  // namespace
+
+RollErrors roll_errors(const flight::Flight& flight) {
+  const double zero_rad = report::true_zero_rad(flight);
+  Mean settled;
+  Mean all;
+  for_rows_under_control(flight, [&](const flight::Row& row, bool is_settled) {
+    const double error_rad = std::abs(row.truth->roll_angle_rad - zero_rad - row.reference_rad);
+    all.add(error_rad);
+    if (is_settled) {
+      settled.add(error_rad);
+    }
+  });
+  return {.settled = settled.found(), .all = all.found()};
+}
+
+std::optional<double> command_noise_rad(const flight::Flight& flight) {
+  constexpr std::size_t window = 200;  // rows of a millisecond
+  std::vector<double> stretch_rad;
+  double squares = 0.0;
+  std::size_t count = 0;
+  const auto end_stretch = [&] {
+    for (std::size_t begin = 0; begin + window <= stretch_rad.size(); begin += window) {
+      double sum_rad = 0.0;
+      double sum_squares = 0.0;
+      for (std::size_t i = begin; i < begin + window; ++i) {
+        sum_rad += stretch_rad[i];
+        sum_squares += stretch_rad[i] * stretch_rad[i];
+      }
+      squares += std::max(0.0, sum_squares - sum_rad * sum_rad / window);
+      count += window;
+    }
+    stretch_rad.clear();
+  };
+  for_rows_under_control(flight, [&](const flight::Row& row, bool is_settled) {
+    if (is_settled) {
+      stretch_rad.push_back(row.command_rad);
+    } else {
+      end_stretch();
+    }
+  });
+  end_stretch();
+  return count == 0 ? std::nullopt : std::optional{std::sqrt(squares / static_cast<double>(count))};
+}
+
+std::vector<Pair> fly_pairs(const sim::Scenario& scenario, const core::FlightPlan& after, const Request& request,
+                            const std::function<void(std::size_t)>& look) {
+  std::vector<Pair> pairs(request.flights);
+  predict::parallel_for(
+      request.flights, request.threads,
+      [&](std::size_t i) {
+        Pair& pair = pairs[i];
+        pair.seed = predict::seed_of_run(scenario.seed, i);
+        sim::Scenario rocket = drawn(scenario, request.spread, pair.seed);
+        pair.damping_m2 = rocket.vehicle.roll_plant.damping_m2;
+        pair.torque_m = rocket.vehicle.roll_plant.torque_m;
+        pair.before = flown(rocket);
+        rocket.plan = after;
+        pair.after = flown(rocket);
+      },
+      look);
+  return pairs;
+}
+
+Sum fly_one(const sim::Scenario& scenario, const core::FlightPlan& plan, const Request& request,
+            const std::function<void(std::size_t)>& look) {
+  std::vector<Pair> pairs(request.flights);
+  predict::parallel_for(
+      request.flights, request.threads,
+      [&](std::size_t i) {
+        sim::Scenario rocket = drawn(scenario, request.spread, predict::seed_of_run(scenario.seed, i));
+        rocket.plan = plan;
+        pairs[i].after = flown(rocket);
+      },
+      look);
+  return sum(pairs, &Pair::after);
+}
+
+std::optional<RollError> compared(const Flown& flown) {
+  return flown.errors.settled ? flown.errors.settled : flown.errors.all;
+}
+
+Sum sum(const std::vector<Pair>& pairs, Flown Pair::* of) {
+  Sum all{.flights = pairs.size(), .is_settled = true};
+  Mean means;
+  bool all_known = true;
+  for (const Pair& pair : pairs) {
+    const Flown& flown = pair.*of;
+    all.held += flown.outcome == report::Outcome::held ? 1 : 0;
+    all.not_judged += flown.outcome == report::Outcome::not_judged ? 1 : 0;
+    all.is_settled = all.is_settled && flown.errors.settled;
+    if (const auto error = compared(flown)) {
+      means.add(error->mean_rad);
+      all.largest_rad = std::max(all.largest_rad.value_or(0.0), error->largest_rad);
+    } else {
+      all_known = false;
+    }
+  }
+  all.mean_rad = all_known && means.found() ? std::optional{means.found()->mean_rad} : std::nullopt;
+  return all;
+}
+
+}  // namespace fantail::tune

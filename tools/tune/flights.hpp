@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "flight/flight.hpp"
+#include "report/verdict.hpp"
+#include "sim/scenario.hpp"
+#include "tune/request.hpp"
+
+namespace fantail::tune {
+
+/// How far the rocket truly was from its reference.
+struct RollError {
+  double mean_rad = 0.0;
+  double largest_rad = 0.0;
+};
+
+struct RollErrors {
+  std::optional<RollError> settled{};  ///< outside of the first second of control and after each step of the reference
+  std::optional<RollError> all{};      ///< under control, steps and all; empty without control
+};
+
+[[nodiscard]] RollErrors roll_errors(const flight::Flight& flight);
+
+/// Standard deviation of the command about its mean over a fifth of a second, where roll_errors() calls it settled:
+/// what the servos do for noise alone, of a flight without excitation. Empty: nothing is settled for that long.
+[[nodiscard]] std::optional<double> command_noise_rad(const flight::Flight& flight);
+
+/// One flight by one plan.
+struct Flown {
+  RollErrors errors{};
+  report::Outcome outcome = report::Outcome::no_control;
+  double saturated_share = 0.0;  ///< of the time under control
+};
+
+/// One rocket of the spread by both plans.
+struct Pair {
+  std::uint64_t seed = 0;
+  double damping_m2 = 0.0;
+  double torque_m = 0.0;
+  Flown before{};
+  Flown after{};
+};
+
+/// The same rockets, with the same seeds, by the scenario's plan and by another. `look` is told how many pairs are done
+/// and may throw to give up.
+[[nodiscard]] std::vector<Pair> fly_pairs(const sim::Scenario& scenario, const core::FlightPlan& after,
+                                          const Request& request, const std::function<void(std::size_t done)>& look);
+
+/// The error that the plans are compared by: settled, or else of all time under control. Empty without control.
+[[nodiscard]] std::optional<RollError> compared(const Flown& flown);
+
+/// Of all flights by one plan.
+struct Sum {
+  std::size_t flights = 0;
+  std::size_t held = 0;
+  std::size_t not_judged = 0;
+  bool is_settled = false;              ///< the errors are those of settled roll, in every flight
+  std::optional<double> mean_rad{};     ///< of the flights' means; empty: some flight was not under control
+  std::optional<double> largest_rad{};  ///< of all
+};
+
+[[nodiscard]] Sum sum(const std::vector<Pair>& pairs, Flown Pair::* of);
+
+/// The same rockets by one plan alone.
+[[nodiscard]] Sum fly_one(const sim::Scenario& scenario, const core::FlightPlan& plan, const Request& request,
+                          const std::function<void(std::size_t done)>& look);
+
+}  // namespace fantail::tune

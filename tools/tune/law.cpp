@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#include "tune/law.hpp"
+
+#include <cmath>
+#include <cstddef>
+#include <string>
+
+#include "core/flight_plan_fields.hpp"
+#include "text/error.hpp"
+
+namespace fantail::tune {
+namespace {
+
+/// Speeds in equal ratios: there the torque of the canards changes equally much from row to row.
+core::GainSchedulePlan schedule(double exponent, const stability::SpeedRange& range) {
+  core::GainSchedulePlan plan{};
+  if (exponent == 0.0 || !has_room_for_schedule(range)) {
+    return plan;
+  }
+  constexpr std::size_t rows = core::most_schedule_rows;
+  plan.speeds_count = rows;
+  plan.factors_count = rows;
+  for (std::size_t row = 0; row < rows; ++row) {
+    const double share = static_cast<double>(row) / static_cast<double>(rows - 1);
+    const double speed_m_s = range.lowest_m_s * std::pow(range.highest_m_s / range.lowest_m_s, share);
+    const double factor = std::pow(range.highest_m_s / speed_m_s, exponent);
+    plan.speeds_m_s[row] = static_cast<float>(std::round(10.0 * speed_m_s) / 10.0);
+    plan.factors[row] = static_cast<float>(std::round(100.0 * factor) / 100.0);
+  }
+  return plan;
+}
+
+core::RollModelPlan roll_model(const sim::Scenario& scenario) {
+  const sim::RollPlant& plant = scenario.vehicle.roll_plant;
+  return {.roll_inertia_kg_m2 = static_cast<float>(plant.inertia_kg_m2),
+          .reference_area_m2 = static_cast<float>(plant.reference_area_m2),
+          .damping_m2 = static_cast<float>(plant.damping_m2),
+          .torque_m = static_cast<float>(plant.torque_m),
+          .density_kg_m3 = static_cast<float>(scenario.atmosphere.density_kg_m3(0.0))};
+}
+
+}  // namespace
+
+core::FlightPlan with_law(const sim::Scenario& scenario, core::OffsetRejection rejection, const Law& law,
+                          const stability::SpeedRange& range) {
+  core::FlightPlan plan = scenario.plan;
+  plan.controller.proportional_gain = static_cast<float>(law.gains.proportional);
+  plan.controller.derivative_gain_s = static_cast<float>(law.gains.derivative_s);
+  plan.gain_schedule = schedule(law.schedule_exponent, range);
+  plan.offset.rejection = rejection;
+  if (rejection == core::OffsetRejection::integral) {
+    plan.offset.integral_gain_per_s = static_cast<float>(law.integral_gain_per_s);
+  } else if (rejection == core::OffsetRejection::observer) {
+    plan.offset.observer_bandwidth_rad_s = static_cast<float>(law.observer_bandwidth_rad_s);
+    plan.roll_model = roll_model(scenario);
+  }
+  if (const auto fault = core::validate(plan)) {
+    const core::PlanField& field = core::flight_plan_fields()[fault->field];
+    throw text::Error{text::ErrorKind::bad_configuration,
+                      scenario.name + ": such a law is no plan: " + std::string{field.section} + "." +
+                          std::string{field.key} + " is refused: " + std::string{core::sentence(fault->rule)}};
+  }
+  return plan;
+}
+
+}  // namespace fantail::tune

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "sim/scenario.hpp"
+#include "stability/gain_choice.hpp"
+#include "stability/speed_range.hpp"
+
+namespace fantail::tune {
+
+/// What a search chooses of a plan.
+struct Law {
+  stability::Gains gains{};
+  double integral_gain_per_s = 0.0;       ///< with integral action
+  double observer_bandwidth_rad_s = 0.0;  ///< with an observer
+  double schedule_exponent = 0.0;         ///< factors (highest speed / speed)^exponent; zero: no schedule
+};
+
+/// Whether the speeds differ enough for gains to change with them.
+[[nodiscard]] inline bool has_room_for_schedule(const stability::SpeedRange& range) {
+  return range.lowest_m_s > 0.0 && range.highest_m_s > 1.2 * range.lowest_m_s;
+}
+
+/// The scenario's plan with this law. An observer gets the vehicle's own roll model. Throws text::Error
+/// (bad_configuration) where such a law is no plan: without a known speed there is neither schedule nor observer.
+[[nodiscard]] core::FlightPlan with_law(const sim::Scenario& scenario, core::OffsetRejection rejection, const Law& law,
+                                        const stability::SpeedRange& range);
+
+}  // namespace fantail::tune

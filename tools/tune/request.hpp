@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "core/flight_plan.hpp"
+#include "text/degrees.hpp"
+
+namespace fantail::tune {
+
+/// What a law is asked to give.
+struct Request {
+  core::OffsetRejection rejection = core::OffsetRejection::integral;
+  bool schedule = false;
+  double phase_margin_rad = text::radians(45.0);
+  double settling_s = 1.0;  ///< see settling_s() of a loop
+  double spread = 1.5;      ///< damping and torque are each within this factor of the vehicle's
+  std::size_t flights = 24;
+  unsigned threads = 0;   ///< 0: as many as the machine has; no figure depends on it
+  std::string command{};  ///< that repeats it
+  std::string version{};  ///< of the program
+};
+
+}  // namespace fantail::tune

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+#include <cmath>
+
+#include <fmt/core.h>
+
+#include "text/degrees.hpp"
+#include "text/number.hpp"
+#include "tune/results.hpp"
+
+namespace fantail::tune {
+namespace {
+
+using text::brief;
+using text::degrees;
+using text::fixed;
+
+std::string number(float value) { return brief(static_cast<double>(value), 4); }
+
+std::string settling(const std::optional<double>& settling_s) {
+  return settling_s ? "settles in " + fixed(*settling_s, 2) + " s" : "does not settle in 10 s";
+}
+
+std::string loop(const Judged& judged) {
+  return fmt::format("a phase margin of {} degrees or more (least at {} m/s) and {}",
+                     fixed(std::floor(degrees(judged.least.phase_margin_rad) + 1e-6), 0),
+                     fixed(judged.least.speed_m_s, 0), settling(judged.settling_s));
+}
+
+std::string error(const Sum& sum) {
+  std::string text = fmt::format("{} degrees in the mean and {} at most", fixed(degrees(*sum.mean_rad), 2),
+                                 fixed(degrees(*sum.largest_rad), 1));
+  if (sum.not_judged == sum.flights) {
+    return text;
+  }
+  text += fmt::format(" (held in {} of {}", sum.held, sum.flights);
+  return text + (sum.not_judged > 0 ? fmt::format(", {} not judged)", sum.not_judged) : ")");
+}
+
+}  // namespace
+
+std::string law_words(const core::FlightPlan& plan) {
+  std::string words =
+      fmt::format("{} and {} s", number(plan.controller.proportional_gain), number(plan.controller.derivative_gain_s));
+  if (plan.offset.rejection == core::OffsetRejection::integral) {
+    words += ", integral gain " + number(plan.offset.integral_gain_per_s) + " 1/s";
+  } else if (plan.offset.rejection == core::OffsetRejection::observer) {
+    words += ", observer of " + number(plan.offset.observer_bandwidth_rad_s) + " rad/s";
+  }
+  if (plan.gain_schedule.speeds_count > 0) {
+    words += fmt::format(", times {} at {} m/s to {} at {} m/s", number(plan.gain_schedule.factors.front()),
+                         number(plan.gain_schedule.speeds_m_s.front()),
+                         number(plan.gain_schedule.factors[plan.gain_schedule.factors_count - 1U]),
+                         number(plan.gain_schedule.speeds_m_s[plan.gain_schedule.speeds_count - 1U]));
+  }
+  return words;
+}
+
+std::string loop_sentence(const Tuning& t) {
+  return t.after ? fmt::format("Over the spread the linear loop has {}; with the old plan, {}.", loop(*t.after),
+                               loop(t.before))
+                 : fmt::format("Over the spread the linear loop of the plan has {}.", loop(t.before));
+}
+
+std::string flights_sentence(const Tuning& t) {
+  const Sum before = t.flown_before();
+  const Sum after = t.flown_after();
+  if (!before.mean_rad || !after.mean_rad) {
+    return "Not every flight came under control, so the plans are not compared.";
+  }
+  const bool settled = before.is_settled && after.is_settled;
+  const std::string what = settled ? "outside of the first second of control and after each step"
+                                   : "over all time under control, because no stretch is a second away from a step";
+  std::string text = fmt::format(
+      "{} rockets of the spread flown by both plans, {}: with the new plan the roll is {} from "
+      "its reference, with the old one {}. ",
+      after.flights, what, error(after), error(before));
+  if (after.held < before.held) {
+    return text + "The new plan loses flights that the old one holds: it is not proposed.";
+  }
+  const double ratio = *after.mean_rad / *before.mean_rad;
+  if (ratio < 0.98) {
+    return text + fmt::format("The new plan is better: {} of the old error.",
+                              ratio < 0.1 ? "less than a tenth" : fmt::format("{} %", fixed(100.0 * ratio, 0)));
+  }
+  return text + (ratio <= 1.02 ? "In flight the new plan is neither better nor worse."
+                               : "In flight the new plan is not better; what it has is the margin.");
+}
+
+std::string limit_sentence(const Tuning& t) {
+  const double left_rad = t.reach_rad - std::abs(t.largest_offset_rad);
+  if (left_rad <= 0.0 || left_rad > 0.3 * t.reach_rad) {
+    return {};
+  }
+  return fmt::format(
+      "The {} leaves {} degrees beside a fin offset of {} degrees: nothing turns the rocket faster than "
+      "they do, whatever the gains.",
+      t.limit, brief(degrees(left_rad), 1), brief(degrees(t.largest_offset_rad), 1));
+}
+
+std::vector<std::string> basis(const Tuning& t) {
+  const Request& r = t.request;
+  const char* const fastest = r.rejection == core::OffsetRejection::integral ? "the one with the largest integral gain"
+                              : r.rejection == core::OffsetRejection::observer
+                                  ? "the one with the largest product of kp and the observer's bandwidth"
+                                  : "the one with the largest kp";
+  std::vector<std::string> all;
+  all.push_back(fmt::format(
+      "Speeds: {} to {} m/s, from where control begins to the top, median {} m/s. Damping and "
+      "torque: each anywhere within a factor of {} of the vehicle's. Servo lag {} ms, dead time {} "
+      "ms.",
+      fixed(t.speeds.range.lowest_m_s, 0), fixed(t.speeds.range.highest_m_s, 0), fixed(t.speeds.median_m_s, 0),
+      brief(r.spread, 2), brief(1e3 * t.servo_lag_s, 1), brief(1e3 * t.delay_s, 1)));
+  all.push_back(fmt::format(
+      "Of the laws with a phase margin of {} degrees at every speed and of two in gain, which after a step of the "
+      "reference stay within a tenth of it after {} s from the median speed on: {}{}.",
+      brief(degrees(r.phase_margin_rad), 1), brief(r.settling_s, 2), fastest,
+      r.schedule ? ", in the mean over the time under control" : ""));
+  all.emplace_back(
+      "Of the best such laws for small and for large kp, that was taken which flew best with six other "
+      "rockets of the spread.");
+  all.push_back(
+      fmt::format("Flights: {} rockets, each by both plans with the same seed, with the scenario's own fin "
+                  "offset and everything else that it says.",
+                  r.flights));
+  return all;
+}
+
+std::string tuning_text(const Tuning& t) {
+  std::string text = fmt::format("{} ({})\n", t.scenario, t.vehicle);
+  if (!t.why_none.empty()) {
+    return text + t.why_none + "\n" + loop_sentence(t) + "\n" + (t.alternative.empty() ? "" : t.alternative + "\n");
+  }
+  text += fmt::format("Gains of {} (the plan has {}).\n{}\n{}\n", law_words(t.after->plan), law_words(t.before.plan),
+                      loop_sentence(t), flights_sentence(t));
+  for (const std::string& sentence : {limit_sentence(t), t.alternative}) {
+    text += sentence.empty() ? "" : sentence + "\n";
+  }
+  if (t.before.noise_rad && t.after->noise_rad) {
+    text += fmt::format("Noise moves the command by {} degrees (standard deviation) instead of {}.\n",
+                        fixed(degrees(*t.after->noise_rad), 3), fixed(degrees(*t.before.noise_rad), 3));
+  }
+  for (const std::string& sentence : basis(t)) {
+    text += "  " + sentence + "\n";
+  }
+  return text;
+}
+
+}  // namespace fantail::tune

@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: MIT
+#include "tune/tuning.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <fmt/core.h>
+
+#include "fly/fly_scenario.hpp"
+#include "fly/model_limits.hpp"
+#include "predict/canard_reach.hpp"
+#include "sim/canard_aerodynamics.hpp"
+#include "stability/roll_loop.hpp"
+#include "text/degrees.hpp"
+#include "text/error.hpp"
+#include "text/number.hpp"
+#include "tune/airframes.hpp"
+#include "tune/linear_step.hpp"
+#include "tune/results.hpp"
+
+namespace fantail::tune {
+namespace {
+
+using text::brief;
+using text::degrees;
+using text::fixed;
+
+/// What the search's coarse grid of speeds may miss.
+constexpr double reserve_rad = text::radians(0.3);
+
+std::vector<LoopAtSpeed> loop_over_speed(const sim::Scenario& scenario, const SpeedsFlown& speeds, double spread) {
+  constexpr int steps = 80;
+  const std::vector<sim::Scenario> airframes = corners_and_middles(scenario, spread);
+  std::vector<LoopAtSpeed> all;
+  for (const double speed_m_s : stability::speeds_between(scenario.plan, speeds.range, steps)) {
+    LoopAtSpeed at{.speed_m_s = speed_m_s, .least_phase_margin_rad = std::numbers::pi};
+    for (const sim::Scenario& airframe : airframes) {
+      const auto margin_rad = stability::phase_margin_rad(stability::loop_at_speed(airframe, speed_m_s));
+      at.least_phase_margin_rad = std::min(at.least_phase_margin_rad, margin_rad.value_or(std::numbers::pi));
+    }
+    if (const auto found = stability::margins(stability::loop_at_speed(scenario, speed_m_s))) {
+      at.crossover_rad_s = found->crossover_rad_s;
+    }
+    all.push_back(at);
+  }
+  return all;
+}
+
+std::optional<double> slowest_settling_s(const sim::Scenario& scenario, const SpeedsFlown& speeds, double spread) {
+  constexpr double longest_s = 10.0;
+  double slowest_s = 0.0;
+  for (const sim::Scenario& airframe : corners_and_middles(scenario, spread)) {
+    for (const double speed_m_s : {speeds.median_m_s, speeds.range.highest_m_s}) {
+      const auto found_s = settling_s(stability::loop_at_speed(airframe, speed_m_s), longest_s);
+      if (!found_s) {
+        return std::nullopt;
+      }
+      slowest_s = std::max(slowest_s, *found_s);
+    }
+  }
+  return slowest_s;
+}
+
+Judged judged(sim::Scenario scenario, const core::FlightPlan& plan, const SpeedsFlown& speeds, double spread) {
+  scenario.plan = plan;
+  Judged all{.plan = plan,
+             .loop = loop_over_speed(scenario, speeds, spread),
+             .settling_s = slowest_settling_s(scenario, speeds, spread)};
+  const auto least = std::ranges::min_element(all.loop, {}, &LoopAtSpeed::least_phase_margin_rad);
+  all.least = {.speed_m_s = least->speed_m_s, .phase_margin_rad = least->least_phase_margin_rad};
+  scenario.plan.excitation.form = core::ExcitationForm::none;
+  all.flight = fly::fly_scenario(scenario);
+  all.noise_rad = command_noise_rad(all.flight);
+  return all;
+}
+
+double largest_offset_rad(const sim::Scenario& scenario) {
+  double largest = 0.0;
+  for (const sim::DisturbanceNode& node : scenario.disturbance) {
+    largest = std::abs(node.angle_rad) > std::abs(largest) ? node.angle_rad : largest;
+  }
+  return largest;
+}
+
+void say_why_beyond_limit(Tuning& t) {
+  t.why_none = fmt::format(
+      "No gains can do it: the fin offset of up to {} degrees is beyond the {}, and while it is, the canards stand at "
+      "their limit whatever the law. A wider limit (--set controller.canard_limit_deg=DEG) or straighter fins could.",
+      brief(degrees(t.largest_offset_rad), 1), t.limit);
+}
+
+void say_why_not_found(Tuning& t, const Found& found) {
+  const std::string asked = fmt::format("a phase margin of {} degrees at every speed from {} to {} m/s",
+                                        brief(degrees(t.request.phase_margin_rad), 1),
+                                        fixed(t.speeds.range.lowest_m_s, 0), fixed(t.speeds.range.highest_m_s, 0));
+  const std::string given = fmt::format("with damping and torque within a factor of {} and a servo lag of {} ms",
+                                        brief(t.request.spread, 2), brief(1e3 * t.servo_lag_s, 1));
+  if (!found.phase_margin_is_there) {
+    t.why_none = fmt::format(
+        "No gains can do it: {} no law of this kind has {}. The most that was found, at the worst "
+        "speed of {} m/s, is {} degrees{}.",
+        given, asked, fixed(found.most.speed_m_s, 0), fixed(degrees(found.most.phase_margin_rad), 0),
+        t.request.schedule ? ", without a schedule" : "");
+  } else if (!found.gain_margin_is_there) {
+    t.why_none =
+        fmt::format("No gains can do it: {} no law of this kind has both {} and a gain margin of two.", given, asked);
+  } else {
+    t.why_none = fmt::format(
+        "No gains can do it: {} no law of this kind that has {} settles in {} s after a step of the reference from the "
+        "median speed of {} m/s on; {}.",
+        given, asked, brief(t.request.settling_s, 2), fixed(t.speeds.median_m_s, 0),
+        found.shortest_settling_s ? fmt::format("the shortest time found is {} s", fixed(*found.shortest_settling_s, 2))
+                                  : fmt::format("none does in {} s", brief(3.0 * t.request.settling_s, 2)));
+  }
+}
+
+SpeedsFlown speeds_of(const sim::Scenario& scenario) {
+  std::vector<double> speeds_m_s = fly::speeds_under_control_m_s(fly::fly_scenario(scenario));
+  if (speeds_m_s.empty()) {
+    throw text::Error{text::ErrorKind::bad_configuration,
+                      scenario.name + ": control never begins, so there is no loop to be tuned"};
+  }
+  return speeds_flown(std::move(speeds_m_s));
+}
+
+bool has_margin(sim::Scenario scenario, const core::FlightPlan& plan, const Tuning& t) {
+  scenario.plan = plan;
+  return std::ranges::all_of(loop_over_speed(scenario, t.speeds, t.request.spread), [&](const LoopAtSpeed& at) {
+    return at.least_phase_margin_rad >= t.request.phase_margin_rad;
+  });
+}
+
+/// Of the laws that the linear loop tolerates, that which flies best, with a few rockets that are none of the later
+/// ones: it holds most of them, and is nearest to its reference.
+std::optional<core::FlightPlan> best_plan(Tuning& t, const sim::Scenario& scenario, const Look& look) {
+  constexpr std::size_t rockets = 6;
+  constexpr std::uint64_t other_rockets = 0x66696e616c;
+  Request reserved = t.request;
+  reserved.phase_margin_rad += reserve_rad;
+  const Found found = search(scenario, t.speeds, reserved, [&look] { look(Stage::searching, 0); });
+  Request few = t.request;
+  few.flights = rockets;
+  sim::Scenario other = scenario;
+  other.seed ^= other_rockets;
+  std::optional<core::FlightPlan> best;
+  Sum best_flown;
+  for (const Law& law : found.laws) {
+    const core::FlightPlan plan = with_law(scenario, t.request.rejection, law, t.speeds.range);
+    if (!has_margin(scenario, plan, t)) {
+      continue;
+    }
+    const Sum flown = fly_one(other, plan, few, [&look](std::size_t) { look(Stage::choosing, 0); });
+    const bool is_better = !best || flown.held > best_flown.held ||
+                           (flown.held == best_flown.held && flown.mean_rad &&
+                            (!best_flown.mean_rad || *flown.mean_rad < *best_flown.mean_rad));
+    if (is_better) {
+      best = plan;
+      best_flown = flown;
+    }
+  }
+  if (found.laws.empty()) {
+    say_why_not_found(t, found);
+  } else if (!best) {
+    t.why_none = fmt::format(
+        "No gains can do it: the laws that were found miss the phase margin of {} degrees between "
+        "the speeds of the search.",
+        brief(degrees(t.request.phase_margin_rad), 1));
+  }
+  return best;
+}
+
+/// Everything that is known without a new law.
+Tuning begun(const sim::Scenario& scenario, const Request& request) {
+  Tuning t{.scenario = scenario.name,
+           .vehicle = scenario.vehicle.name,
+           .request = request,
+           .speeds = speeds_of(scenario),
+           .servo_lag_s = scenario.vehicle.servo.lag_s,
+           .delay_s = stability::loop_delay_s(scenario.vehicle),
+           .largest_offset_rad = largest_offset_rad(scenario)};
+  const predict::CanardReach reach = predict::canard_reach(scenario, t.largest_offset_rad);
+  t.reach_rad = reach.angle_rad;
+  t.limit = reach.text();
+  t.before = judged(scenario, scenario.plan, t.speeds, request.spread);
+  return t;
+}
+
+void search_and_fly(Tuning& t, const sim::Scenario& scenario, const Look& look) {
+  if (const auto plan = best_plan(t, scenario, look)) {
+    t.after = judged(scenario, *plan, t.speeds, t.request.spread);
+    t.pairs = fly_pairs(scenario, *plan, t.request, [&look](std::size_t done) { look(Stage::flying, done); });
+  }
+}
+
+std::string kind_words(const Request& request) {
+  const bool observes = request.rejection == core::OffsetRejection::observer;
+  return fmt::format("--rejection {}{}",
+                     observes                                               ? "observer"
+                     : request.rejection == core::OffsetRejection::integral ? "integral"
+                                                                            : "none",
+                     request.schedule ? " --schedule" : "");
+}
+
+/// Says which of the other kinds flies best, if one is better than the old plan.
+void try_other_kinds(Tuning& t, const sim::Scenario& scenario, const Look& look) {
+  if (scenario.plan.run.start != core::Start::launch ||
+      scenario.plan.motion.height_origin == core::HeightOrigin::from_detection) {
+    return;  // without a known speed a plan has neither schedule nor observer
+  }
+  std::optional<double> least_rad;
+  for (const auto& [rejection, schedule] : {std::pair{t.request.rejection, true},
+                                            {core::OffsetRejection::integral, true},
+                                            {core::OffsetRejection::observer, false},
+                                            {core::OffsetRejection::observer, true}}) {
+    Tuning other = t;
+    other.request.rejection = rejection;
+    other.request.schedule = schedule;
+    other.why_none.clear();
+    other.after.reset();
+    const std::string words = kind_words(other.request);
+    if (words == kind_words(t.request) || t.alternative.find(words + " gives") != std::string::npos) {
+      continue;
+    }
+    search_and_fly(other, scenario, look);
+    const Sum flown = other.flown_after();
+    if (other.is_better() && (!least_rad || *flown.mean_rad < *least_rad)) {
+      least_rad = flown.mean_rad;
+      t.alternative = fmt::format(
+          "Another kind of law was tried and is better than the old plan: {} gives gains of {}, and {} degrees in the "
+          "mean "
+          "instead of {}.",
+          words, law_words(other.after->plan), fixed(degrees(*flown.mean_rad), 2),
+          fixed(degrees(*other.flown_before().mean_rad), 2));
+    }
+  }
+}
+
+}  // namespace
+
+bool Tuning::is_better() const {
+  if (!is_proposed()) {
+    return false;
+  }
+  const Sum old_plan = flown_before();
+  const Sum new_plan = flown_after();
+  return old_plan.mean_rad && new_plan.mean_rad && *new_plan.mean_rad < 0.98 * *old_plan.mean_rad;
+}
+
+Tuning tune(const sim::Scenario& scenario, const Request& request, const Look& look) {
+  if (scenario.surroundings == sim::Surroundings::gimbal) {
+    throw text::Error{text::ErrorKind::bad_configuration,
+                      scenario.name +
+                          ": environment.surroundings is \"gimbal\", where no air turns the rocket; "
+                          "allowed: \"flight\" or \"tunnel\""};
+  }
+  Tuning t = begun(scenario, request);
+  if (std::abs(t.largest_offset_rad) >= t.reach_rad) {
+    say_why_beyond_limit(t);
+    return t;
+  }
+  search_and_fly(t, scenario, look);
+  if (!t.is_better()) {
+    try_other_kinds(t, scenario, look);
+  }
+  return t;
+}
+
+}  // namespace fantail::tune
