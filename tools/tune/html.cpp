@@ -6,6 +6,7 @@
 #include <fmt/core.h>
 
 #include "page/page.hpp"
+#include "report/figures.hpp"
 #include "text/degrees.hpp"
 #include "text/number.hpp"
 #include "tune/results.hpp"
@@ -73,16 +74,21 @@ std::string loop_figures(const Tuning& t) {
 }
 
 std::string step_figures(const Tuning& t) {
-  const auto roll = [](const flight::Row& row) { return row.truth->roll_angle_rad; };
+  const auto roll_of = [](const flight::Flight& flight) {
+    return [zero_rad = report::true_zero_rad(flight)](const flight::Row& row) {
+      return row.truth->roll_angle_rad - zero_rad;
+    };
+  };
   const auto command = [](const flight::Row& row) { return row.command_rad; };
   page::Series reference = over_time(t.after->flight, "reference", Role::reference,
                                      [](const flight::Row& row) { return row.reference_rad; });
   reference.mark = page::Mark::step;
-  const page::Chart angles{.label = "Roll angle over time, by both plans",
-                           .x_label = "time after lift-off / s",
-                           .y_label = "roll angle / deg",
-                           .series = {over_time(t.before.flight, old_name, Role::measured, roll),
-                                      over_time(t.after->flight, new_name, Role::model, roll), reference}};
+  const page::Chart angles{
+      .label = "Roll angle over time, by both plans",
+      .x_label = "time after lift-off / s",
+      .y_label = "roll angle / deg",
+      .series = {over_time(t.before.flight, old_name, Role::measured, roll_of(t.before.flight)),
+                 over_time(t.after->flight, new_name, Role::model, roll_of(t.after->flight)), reference}};
   const page::Chart commands{.label = "Canard command over time, by both plans",
                              .x_label = "time after lift-off / s",
                              .y_label = "command / deg",
@@ -138,10 +144,11 @@ std::string flights_table(const Tuning& t) {
 }  // namespace
 
 std::string tuning_html(const Tuning& t, const std::string& plan_file) {
+  const page::Tone tone = t.is_better() ? page::Tone::good : t.is_proposed() ? page::Tone::unsure : page::Tone::bad;
   page::Page all{.kind = "Fantail tuning",
                  .title = t.scenario,
                  .subtitle = fmt::format("{}; {}; Fantail {}", t.vehicle, t.request.command, t.request.version),
-                 .tone = t.is_proposed() ? page::Tone::good : page::Tone::bad};
+                 .tone = tone};
   if (!t.after) {
     all.verdict_heading = "No gains";
     all.verdict = t.why_none;
@@ -150,7 +157,9 @@ std::string tuning_html(const Tuning& t, const std::string& plan_file) {
                                                (t.alternative.empty() ? "" : page::paragraph(t.alternative)));
     return page::html(all);
   }
-  all.verdict_heading = t.is_proposed() ? "Proposed" : "Not proposed";
+  all.verdict_heading = t.is_better()     ? "Proposed"
+                        : t.is_proposed() ? "Written, but no better in flight"
+                                          : "Not proposed";
   all.verdict = fmt::format("Gains of {} (the plan has {}). {} {} {}", law_words(t.after->plan),
                             law_words(t.before.plan), flights_sentence(t), limit_sentence(t), t.alternative);
   all.facts = {{"plan", plan_file}};

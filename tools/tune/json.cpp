@@ -77,6 +77,7 @@ std::string tuning_json(const Tuning& t, const std::string& plan_file) {
            {"version", t.request.version},
            {"command", t.request.command},
            {"proposed", t.is_proposed()},
+           {"better", t.is_better()},
            {"why_none", t.why_none.empty() ? Json{} : Json{t.why_none}},
            {"plan", plan_file.empty() ? Json{} : Json{plan_file}},
            {"lowest_speed_m_s", rounded(t.speeds.range.lowest_m_s)},

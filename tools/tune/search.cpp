@@ -171,8 +171,10 @@ Found search(const sim::Scenario& scenario, const SpeedsFlown& speeds, const Req
   const std::vector<double> derivative = stability::round_numbers_between(0.001, largest.derivative_s);
   LinearTrial trial{scenario, speeds, request};
   Search search{trial, request};
+  // Beside another number every second kp is near enough; alone it is what counts.
+  const std::size_t step = request.rejection == OffsetRejection::none ? 1 : 2;
   const auto over_gains = [&] {
-    for (std::size_t i = 0; i < proportional.size(); i += 2) {
+    for (std::size_t i = 0; i < proportional.size(); i += step) {
       look();
       for (const double kd : derivative) {
         search.try_gains({.proportional = proportional[i], .derivative_s = kd});
