@@ -79,13 +79,13 @@ void break_seal(std::span<std::byte> half) {
   put<4>(half, crc_at, 0);
 }
 
-bool sealed(std::span<std::byte> half) {
+[[gnu::cold]] bool sealed(std::span<std::byte> half) {
   return !half.empty() && word(half, 0) == mark && state_size(half) <= most_state &&
          word(half, crc_at) == checksum(half);
 }
 
 /// Those that are sealed, the newer one first; the others are empty.
-std::array<std::span<std::byte>, 2> newest_first(std::span<std::byte> memory) {
+[[gnu::cold]] std::array<std::span<std::byte>, 2> newest_first(std::span<std::byte> memory) {
   std::array<std::span<std::byte>, 2> halves{};
   for (const std::size_t i : both) {
     const auto half = flight_half(memory, i);
@@ -104,7 +104,7 @@ std::uint32_t starts_since(std::span<const std::byte> half) {
 bool waits_to_be_tried(std::span<const std::byte> half) { return (get<1>(half, starts_at) & not_yet_tried) != 0; }
 
 /// In both halves, because the older one is tried when the newer is refused.
-void set_starts(std::span<std::byte> memory, std::uint32_t starts, bool tried) {
+[[gnu::cold]] void set_starts(std::span<std::byte> memory, std::uint32_t starts, bool tried) {
   const auto halves = newest_first(memory);
   for (const std::span<std::byte> half : halves) {
     if (!half.empty()) {
@@ -119,7 +119,8 @@ Microseconds time_of(std::span<const std::byte> half) {
   return Microseconds{static_cast<std::int64_t>(get<8>(half, time_at))};
 }
 
-bool restore(std::span<std::byte> half, const core::Inputs& first, std::uint32_t plan_crc, core::Autopilot& law) {
+[[gnu::cold]] bool restore(std::span<std::byte> half, const core::Inputs& first, std::uint32_t plan_crc,
+                           core::Autopilot& law) {
   const Microseconds gap = first.time - time_of(half);
   if (word(half, plan_at) != plan_crc || word(half, layout_at) != state_layout(law) ||
       word(half, resumes_at) + starts_since(half) > FlightMemory::most_resumes || gap <= Microseconds{0} ||

@@ -32,7 +32,7 @@ class FlightMemory {
   static constexpr std::uint32_t most_resumes = 3;
 
   /// Nothing that lies in the memory is left valid, unless a flight may be resumed.
-  FlightMemory(std::span<std::byte> memory, hal::ResetCause cause);
+  [[gnu::cold]] FlightMemory(std::span<std::byte> memory, hal::ResetCause cause);
 
   /// A flight lies there: resume() wants to be called, once it is known which plan is in force.
   [[nodiscard]] bool waits() const { return waits_; }
@@ -42,7 +42,8 @@ class FlightMemory {
     std::optional<std::uint32_t> used_sectors{};  ///< as given to keep()
   };
   /// Before step(first). `law` is made of the plan in force. Empty: it must be made anew, and nothing valid is left.
-  [[nodiscard]] std::optional<Resumed> resume(const core::Inputs& first, std::uint32_t plan_crc, core::Autopilot& law);
+  [[nodiscard, gnu::cold]] std::optional<Resumed> resume(const core::Inputs& first, std::uint32_t plan_crc,
+                                                         core::Autopilot& law);
 
   /// Once a tick, after the law's step. `used_sectors`: of the flash's region of flights, when that is known.
   void keep(const core::TickRecord& record, std::uint32_t plan_crc, std::optional<std::uint32_t> used_sectors,
@@ -52,7 +53,7 @@ class FlightMemory {
   [[nodiscard]] std::uint32_t resumes() const { return resumes_; }
 
  private:
-  void forget();
+  [[gnu::cold]] void forget();
 
   std::span<std::byte> memory_;
   bool waits_ = false;
@@ -69,7 +70,8 @@ class FlightMemory {
 ///
 /// Once, as early as can be: this start is counted against the flight, so that a firmware that crashes before its first
 /// tick comes to Safe too, and each start since the seal is another gap.
-[[nodiscard]] std::optional<core::Microseconds> clock_after_reset(std::span<std::byte> memory, hal::ResetCause cause,
-                                                                  core::Microseconds gap);
+[[nodiscard, gnu::cold]] std::optional<core::Microseconds> clock_after_reset(std::span<std::byte> memory,
+                                                                             hal::ResetCause cause,
+                                                                             core::Microseconds gap);
 
 }  // namespace fantail::avionics

@@ -33,7 +33,7 @@ class Servo final : public hal::Servo {
   [[nodiscard]] std::uint32_t refused() const { return refused_; }
 
   /// For drive(): what these pulses are in counts of the timer. Empty, or outside of the range, is no pulse.
-  [[nodiscard]] Counts counts(const std::array<std::optional<Pulse>, canards>& pulses) const;
+  [[nodiscard, gnu::cold]] Counts counts(const std::array<std::optional<Pulse>, canards>& pulses) const;
 
   /// All four in the next frame. Needs nothing but the timer, so a crash handler can use it with counts laid by, in
   /// whatever state it finds the rest; outputs that were never on stay off.
@@ -42,7 +42,7 @@ class Servo final : public hal::Servo {
   /// drive(), and then waits until a frame has had these pulses whole, for two frames at most: from here to the end of
   /// the frame a reset of the processor cuts none of them off, and the last that the servos heard were these. False
   /// when the timer stands, after some 10 ms.
-  static bool finish(registers::Tim& timer, const Counts& counts);
+  [[gnu::cold]] static bool finish(registers::Tim& timer, const Counts& counts);
 
  private:
   [[nodiscard]] std::uint32_t count(Pulse pulse) const;
