@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <limits>
+#include <optional>
 
 #include "core/disturbance_observer.hpp"
 #include "core/finite.hpp"
@@ -44,8 +44,8 @@ class OffsetEstimator {
         estimate = integral_.pulled_back(estimate, clamp(before_excitation_, canard_limit_) - before_excitation_);
       }
     } else {
-      if (motion.speed_m_s >= slowest_observed_m_s && !motion.speed_is_lower_bound) {
-        estimate = observer_.observed(estimate, command_, last_rate_rad_s_, motion.roll_rate_rad_s, motion.speed_m_s);
+      if (last_rate_rad_s_ && motion.speed_m_s >= slowest_observed_m_s && !motion.speed_is_lower_bound) {
+        estimate = observer_.observed(estimate, command_, *last_rate_rad_s_, motion.roll_rate_rad_s, motion.speed_m_s);
       }
       last_rate_rad_s_ = motion.roll_rate_rad_s;
     }
@@ -57,7 +57,7 @@ class OffsetEstimator {
   }
 
   /// Nobody knows what turned the rocket since the last update: the next rate has nothing to be compared with.
-  void interrupt() { last_rate_rad_s_ = no_rate; }
+  void interrupt() { last_rate_rad_s_.reset(); }
 
   /// What became the command of this tick.
   void remember(const RollCommand& roll) {
@@ -74,15 +74,13 @@ class OffsetEstimator {
  private:
   /// Slower, and the air tells less of an offset than a gyro makes noise.
   static constexpr float slowest_observed_m_s = 10.0F;
-  /// An estimate that is made of it is no number, and is not taken.
-  static constexpr float no_rate = std::numeric_limits<float>::quiet_NaN();
 
   OffsetRejection rejection_;
   Angle canard_limit_;
   IntegralAction integral_;
   DisturbanceObserver observer_;
   Angle estimate_;
-  float last_rate_rad_s_ = no_rate;  ///< of the last tick, for an observer
+  std::optional<float> last_rate_rad_s_;  ///< of the last tick, for an observer
   Angle command_;
   Angle before_excitation_;
 };
