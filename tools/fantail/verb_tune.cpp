@@ -177,7 +177,7 @@ void fill(const Verb& verb) {
   verb.option("--settling", options->settling_s,
               "Seconds after a step of the reference in which the linear loop must come within a tenth of the step, "
               "from the median speed on")
-      .range(0.05, 30.0)
+      .range(0.05, 10.0)
       .show_default();
   verb.option("--spread", options->spread,
               "Damping and torque may each be this many times larger or smaller than the vehicle's; 1: they are exact")
@@ -196,7 +196,7 @@ void fill(const Verb& verb) {
       .check(objection_to_folder);
   verb.flag("--json", options->json, "Print tune.json instead of the text");
   verb.examples(
-      "Exit code 0: a plan was written; 1: no gains can do it, or the new plan loses flights, and none was.\n"
+      "Exit code 0: a plan was written; 1: no gains were found, or the new plan loses flights, and none was.\n"
       "Examples:\n"
       "  fantail tune tasha3_launch2                          integral action, for a phase margin of 45 degrees\n"
       "  fantail tune my_rocket/scenario.toml --rejection observer --schedule --margin 50 --spread 2\n"

@@ -63,6 +63,9 @@ std::string figure_list(const flight::Flight& flight, const Figures& f) {
         flight::rejects_offset(flight.plan)
             ? "This law takes its estimate of the fin offset u_d off the command, so it comes to rest at the reference "
               "R, as far as the canards reach and as soon as the estimate is right."
+        : flight.plan.gain_schedule.speeds_count > 0
+            ? "This loop comes to rest at R\u00a0+\u00a0u_d/(f\u00a0kp), f the factor of the gain schedule, not at the "
+              "reference R: an angle error has to balance the fin offset."
             : "A proportional-derivative loop comes to rest at R\u00a0+\u00a0u_d/kp, not at the reference R: an angle "
               "error has to balance the fin offset.",
         flight.tunnel ? "two seconds" : "second"));

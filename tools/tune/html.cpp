@@ -160,8 +160,12 @@ std::string tuning_html(const Tuning& t, const std::string& plan_file) {
   all.verdict_heading = t.is_better()     ? "Proposed"
                         : t.is_proposed() ? "Written, but no better in flight"
                                           : "Not proposed";
-  all.verdict = fmt::format("Gains of {} (the plan has {}). {} {} {}", law_words(t.after->plan),
-                            law_words(t.before.plan), flights_sentence(t), limit_sentence(t), t.alternative);
+  all.verdict = fmt::format("Gains of {} (the plan has {}). {}", law_words(t.after->plan), law_words(t.before.plan),
+                            flights_sentence(t));
+  for (const std::string& sentence : remarks(t)) {
+    all.verdict += " " + sentence;
+  }
+  all.verdict += t.alternative.empty() ? "" : " " + t.alternative;
   all.facts = {{"plan", plan_file}};
   all.body_html = page::section("Margin and bandwidth", loop_figures(t)) +
                   page::section("Steps as flown", step_figures(t)) +

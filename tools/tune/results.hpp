@@ -16,8 +16,9 @@ namespace fantail::tune {
 [[nodiscard]] std::string loop_sentence(const Tuning& tuning);
 /// What the flights came to, and whether the new plan is better.
 [[nodiscard]] std::string flights_sentence(const Tuning& tuning);
-/// How near the offset comes to the limit. Empty: not near.
-[[nodiscard]] std::string limit_sentence(const Tuning& tuning);
+/// What is little about the new law: its margin, what its range left it, what the canards' limit leaves. Each a
+/// sentence.
+[[nodiscard]] std::vector<std::string> remarks(const Tuning& tuning);
 /// What was searched and how, a sentence each.
 [[nodiscard]] std::vector<std::string> basis(const Tuning& tuning);
 

@@ -8,6 +8,8 @@
 #include <map>
 #include <utility>
 
+#include <fmt/core.h>
+
 #include "stability/gain_choice.hpp"
 #include "stability/round_numbers.hpp"
 #include "tune/linear_trial.hpp"
@@ -16,6 +18,11 @@ namespace fantail::tune {
 namespace {
 
 using core::OffsetRejection;
+
+constexpr double least_proportional_gain = 0.02;
+constexpr double least_derivative_gain_s = 0.001;
+constexpr double least_integral_gain_per_s = 0.01;
+constexpr double least_observer_bandwidth_rad_s = 0.1;
 
 constexpr std::array exponents{0.5, 1.0, 1.5, 2.0};
 
@@ -29,9 +36,10 @@ struct Rejection {
 Rejection numbers_of(OffsetRejection rejection) {
   switch (rejection) {
     case OffsetRejection::integral:
-      return {.values = stability::round_numbers_between(0.01, 10.0), .member = &Law::integral_gain_per_s};
+      return {.values = stability::round_numbers_between(least_integral_gain_per_s, most_integral_gain_per_s),
+              .member = &Law::integral_gain_per_s};
     case OffsetRejection::observer:
-      return {.values = stability::round_numbers_between(0.1, 50.0),
+      return {.values = stability::round_numbers_between(least_observer_bandwidth_rad_s, most_observer_bandwidth_rad_s),
               .member = &Law::observer_bandwidth_rad_s,
               .times_proportional = true};
     case OffsetRejection::none: break;
@@ -141,6 +149,18 @@ class Search {
   bool is_found_ = false;
 };
 
+std::string tried(OffsetRejection rejection, const stability::Gains& largest) {
+  std::string text = fmt::format("kp from {} to {}, kd from {} to {} s", least_proportional_gain, largest.proportional,
+                                 least_derivative_gain_s, largest.derivative_s);
+  if (rejection == OffsetRejection::integral) {
+    text += fmt::format(", ki from {} to {} 1/s", least_integral_gain_per_s, most_integral_gain_per_s);
+  } else if (rejection == OffsetRejection::observer) {
+    text +=
+        fmt::format(", bandwidth from {} to {} rad/s", least_observer_bandwidth_rad_s, most_observer_bandwidth_rad_s);
+  }
+  return text;
+}
+
 /// A few numbers in a decade are near enough to say how far it would go.
 stability::MarginAtSpeed most_margin(LinearTrial& trial, const Request& request,
                                      const std::vector<double>& proportional, const std::vector<double>& derivative,
@@ -167,8 +187,10 @@ stability::MarginAtSpeed most_margin(LinearTrial& trial, const Request& request,
 Found search(const sim::Scenario& scenario, const SpeedsFlown& speeds, const Request& request,
              const std::function<void()>& look) {
   const stability::Gains largest = stability::largest_gains();
-  const std::vector<double> proportional = stability::round_numbers_between(0.02, largest.proportional);
-  const std::vector<double> derivative = stability::round_numbers_between(0.001, largest.derivative_s);
+  const std::vector<double> proportional =
+      stability::round_numbers_between(least_proportional_gain, largest.proportional);
+  const std::vector<double> derivative =
+      stability::round_numbers_between(least_derivative_gain_s, largest.derivative_s);
   LinearTrial trial{scenario, speeds, request};
   Search search{trial, request};
   // Beside another number every second kp is near enough; alone it is what counts.
@@ -189,6 +211,7 @@ Found search(const sim::Scenario& scenario, const SpeedsFlown& speeds, const Req
     }
   }
   Found found = std::move(search).found();
+  found.tried = tried(request.rejection, largest);
   if (!found.phase_margin_is_there) {
     found.most = most_margin(trial, request, proportional, derivative, look);
   }

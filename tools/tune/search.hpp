@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "sim/scenario.hpp"
@@ -22,7 +23,11 @@ struct Found {
   std::optional<double> shortest_settling_s{};
   bool phase_margin_is_there = false;
   bool gain_margin_is_there = false;
+  std::string tried{};  ///< from where to where the numbers went
 };
+
+inline constexpr double most_integral_gain_per_s = 10.0;       ///< as in a plan
+inline constexpr double most_observer_bandwidth_rad_s = 50.0;  ///< likewise
 
 /// Of round numbers, the laws that reject an offset fastest, in the mean over the time under control, among those that
 /// for every airframe of the spread

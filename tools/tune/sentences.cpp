@@ -6,6 +6,7 @@
 #include "text/degrees.hpp"
 #include "text/number.hpp"
 #include "tune/results.hpp"
+#include "tune/search.hpp"
 
 namespace fantail::tune {
 namespace {
@@ -15,6 +16,8 @@ using text::degrees;
 using text::fixed;
 
 std::string number(float value) { return brief(static_cast<double>(value), 4); }
+
+std::string rockets(std::size_t number) { return fmt::format("{} rocket{}", number, number == 1 ? "" : "s"); }
 
 std::string settling(const std::optional<double>& settling_s) {
   return settling_s ? "settles in " + fixed(*settling_s, 2) + " s" : "does not settle in 10 s";
@@ -34,6 +37,36 @@ std::string error(const Sum& sum) {
   }
   text += fmt::format(" (held in {} of {}", sum.held, sum.flights);
   return text + (sum.not_judged > 0 ? fmt::format(", {} not judged)", sum.not_judged) : ")");
+}
+
+std::string limit_sentence(const Tuning& t) {
+  const double left_rad = t.reach_rad - std::abs(t.largest_offset_rad);
+  if (left_rad <= 0.0 || left_rad > 0.3 * t.reach_rad) {
+    return {};
+  }
+  return fmt::format(
+      "The {} leaves {} degrees beside a fin offset of {} degrees: nothing turns the rocket faster than "
+      "they do, whatever the gains.",
+      t.limit, brief(degrees(left_rad), 1), brief(degrees(t.largest_offset_rad), 1));
+}
+
+std::string range_sentence(const Tuning& t) {
+  const core::OffsetPlan& offset = t.after->plan.offset;
+  const bool integral = offset.rejection == core::OffsetRejection::integral;
+  const auto value = static_cast<double>(integral ? offset.integral_gain_per_s : offset.observer_bandwidth_rad_s);
+  const double most = integral ? most_integral_gain_per_s : most_observer_bandwidth_rad_s;
+  if (offset.rejection == core::OffsetRejection::none || value < 0.99 * most) {
+    return {};
+  }
+  return fmt::format("The {} of {} is the largest that a plan may have, so it is the end of the search and no optimum.",
+                     integral ? "integral gain" : "observer's bandwidth", brief(value, 2));
+}
+
+std::string margin_sentence(const Tuning& t) {
+  constexpr double predict_asks_deg = 30.0;
+  return degrees(t.after->least.phase_margin_rad) < predict_asks_deg
+             ? "That is little: a prediction asks for 30 degrees, over a spread of its own."
+             : "";
 }
 
 }  // namespace
@@ -71,11 +104,13 @@ std::string flights_sentence(const Tuning& t) {
   const std::string what = settled ? "outside of the first second of control and after each step"
                                    : "over all time under control, because no stretch is a second away from a step";
   std::string text = fmt::format(
-      "{} rockets of the spread flown by both plans, {}: with the new plan the roll is {} from "
+      "{} of the spread flown by both plans, {}: with the new plan the roll is {} from "
       "its reference, with the old one {}. ",
-      after.flights, what, error(after), error(before));
+      rockets(after.flights), what, error(after), error(before));
   if (after.held < before.held) {
-    return text + "The new plan loses flights that the old one holds: it is not proposed.";
+    return text +
+           "The new plan loses flights that the old one holds, each counted from where its own law settles: it is not "
+           "proposed.";
   }
   const double ratio = *after.mean_rad / *before.mean_rad;
   if (ratio < 0.98) {
@@ -86,15 +121,10 @@ std::string flights_sentence(const Tuning& t) {
                                : "In flight the new plan is not better; what it has is the margin.");
 }
 
-std::string limit_sentence(const Tuning& t) {
-  const double left_rad = t.reach_rad - std::abs(t.largest_offset_rad);
-  if (left_rad <= 0.0 || left_rad > 0.3 * t.reach_rad) {
-    return {};
-  }
-  return fmt::format(
-      "The {} leaves {} degrees beside a fin offset of {} degrees: nothing turns the rocket faster than "
-      "they do, whatever the gains.",
-      t.limit, brief(degrees(left_rad), 1), brief(degrees(t.largest_offset_rad), 1));
+std::vector<std::string> remarks(const Tuning& t) {
+  std::vector<std::string> all{margin_sentence(t), range_sentence(t), limit_sentence(t)};
+  std::erase(all, "");
+  return all;
 }
 
 std::vector<std::string> basis(const Tuning& t) {
@@ -118,10 +148,12 @@ std::vector<std::string> basis(const Tuning& t) {
   all.emplace_back(
       "Of the best such laws for small and for large kp, that was taken which flew best with six other "
       "rockets of the spread.");
-  all.push_back(
-      fmt::format("Flights: {} rockets, each by both plans with the same seed, with the scenario's own fin "
-                  "offset and everything else that it says.",
-                  r.flights));
+  all.push_back(fmt::format(
+      "Flights: {}, each by both plans with the same seed, with the scenario's own fin offset and everything else that "
+      "it says. Held means: near where the law settles, which is the reference R for a law that rejects the offset, "
+      "and "
+      "R + u_d/kp for one that does not.",
+      rockets(r.flights)));
   return all;
 }
 
@@ -132,9 +164,10 @@ std::string tuning_text(const Tuning& t) {
   }
   text += fmt::format("Gains of {} (the plan has {}).\n{}\n{}\n", law_words(t.after->plan), law_words(t.before.plan),
                       loop_sentence(t), flights_sentence(t));
-  for (const std::string& sentence : {limit_sentence(t), t.alternative}) {
-    text += sentence.empty() ? "" : sentence + "\n";
+  for (const std::string& sentence : remarks(t)) {
+    text += sentence + "\n";
   }
+  text += t.alternative.empty() ? "" : t.alternative + "\n";
   if (t.before.noise_rad && t.after->noise_rad) {
     text += fmt::format("Noise moves the command by {} degrees (standard deviation) instead of {}.\n",
                         fixed(degrees(*t.after->noise_rad), 3), fixed(degrees(*t.before.noise_rad), 3));

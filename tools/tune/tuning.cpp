@@ -90,6 +90,9 @@ void say_why_beyond_limit(Tuning& t) {
       brief(degrees(t.largest_offset_rad), 1), t.limit);
 }
 
+/// Never rounded up to what was asked for.
+std::string floored(double value) { return fixed(std::floor(10.0 * value) / 10.0, 1); }
+
 void say_why_not_found(Tuning& t, const Found& found) {
   const std::string asked = fmt::format("a phase margin of {} degrees at every speed from {} to {} m/s",
                                         brief(degrees(t.request.phase_margin_rad), 1),
@@ -98,20 +101,22 @@ void say_why_not_found(Tuning& t, const Found& found) {
                                         brief(t.request.spread, 2), brief(1e3 * t.servo_lag_s, 1));
   if (!found.phase_margin_is_there) {
     t.why_none = fmt::format(
-        "No gains can do it: {} no law of this kind has {}. The most that was found, at the worst "
-        "speed of {} m/s, is {} degrees{}.",
-        given, asked, fixed(found.most.speed_m_s, 0), fixed(degrees(found.most.phase_margin_rad), 0),
-        t.request.schedule ? ", without a schedule" : "");
+        "No gains were found that do it: {} no law that was tried has {}. The most that was found, at the worst "
+        "speed of {} m/s, is {} degrees{}. Tried: {}.",
+        given, asked, fixed(found.most.speed_m_s, 0), floored(degrees(found.most.phase_margin_rad)),
+        t.request.schedule ? ", without a schedule" : "", found.tried);
   } else if (!found.gain_margin_is_there) {
-    t.why_none =
-        fmt::format("No gains can do it: {} no law of this kind has both {} and a gain margin of two.", given, asked);
+    t.why_none = fmt::format(
+        "No gains were found that do it: {} no law that was tried has both {} and a gain margin of two. Tried: {}.",
+        given, asked, found.tried);
   } else {
     t.why_none = fmt::format(
-        "No gains can do it: {} no law of this kind that has {} settles in {} s after a step of the reference from the "
-        "median speed of {} m/s on; {}.",
+        "No gains were found that do it: {} no law that was tried and has {} settles in {} s after a step of the "
+        "reference from the median speed of {} m/s on; {}. Tried: {}.",
         given, asked, brief(t.request.settling_s, 2), fixed(t.speeds.median_m_s, 0),
         found.shortest_settling_s ? fmt::format("the shortest time found is {} s", fixed(*found.shortest_settling_s, 2))
-                                  : fmt::format("none does in {} s", brief(3.0 * t.request.settling_s, 2)));
+                                  : fmt::format("none does in {} s", brief(3.0 * t.request.settling_s, 2)),
+        found.tried);
   }
 }
 
@@ -163,7 +168,7 @@ std::optional<core::FlightPlan> best_plan(Tuning& t, const sim::Scenario& scenar
     say_why_not_found(t, found);
   } else if (!best) {
     t.why_none = fmt::format(
-        "No gains can do it: the laws that were found miss the phase margin of {} degrees between "
+        "No gains were found that do it: the laws that were found miss the phase margin of {} degrees between "
         "the speeds of the search.",
         brief(degrees(t.request.phase_margin_rad), 1));
   }
