@@ -39,6 +39,7 @@ quick() {
   call 0 replay out/tasha3_launch2
   call 0 report out/tasha3_launch2
   call 0 plan check tasha3_launch2
+  call 0 tune tasha3_launch2 --flights 4
   call 0 fly tunnel_steps
   call 0 tunnel steps out/tunnel_steps
   call 1 predict tasha3_launch1
