@@ -11,10 +11,15 @@ import subprocess
 
 MODEL = ["roll_model.roll_inertia_kg_m2=0.00393", "roll_model.reference_area_m2=5.0265e-5", "roll_model.damping_m2=23",
          "roll_model.torque_m=9"]
+# What `fantail tune tasha3_launch2 --schedule` finds.
+TUNED = ["controller.proportional_gain=0.51", "controller.derivative_gain_s=0.062", "offset.rejection=integral",
+         "offset.integral_gain_per_s=0.27", "gain_schedule.speeds_m_s=[19.8,26.3,35,46.5,61.9,82.2]",
+         "gain_schedule.factors=[4.16,3.13,2.35,1.77,1.33,1]"]
 MODES = {
     "as published": ("tasha3_launch2", []),
     "schedule": ("tasha3_launch2", ["gain_schedule.speeds_m_s=[20,40,80]", "gain_schedule.factors=[2,1.5,1]"]),
     "integral": ("tasha3_launch2_integral", []),
+    "integral, scheduled": ("tasha3_launch2", TUNED),
     "observer": ("tasha3_launch2", ["offset.rejection=observer", *MODEL]),
 }
 LEANING = ["flight.motion=six_dof", "launch_guide.tilt_deg=15", "launch_guide.azimuth_deg=90", "wind.speed_m_s=8",
