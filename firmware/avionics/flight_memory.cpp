@@ -32,8 +32,9 @@ namespace {
 //   28  u32      resumes of this flight so far
 //   32  u32      sectors of the flash that are in use, when byte 36 is 1
 //   36  u8
-//   37  u8       starts of the firmware since this was sealed, and as bit 7 whether the last one is still to be a
-//   resume 38  u16      size of the state 40  the state
+//   37  u8       starts of the firmware since this was sealed; bit 7: the last one has yet to try a resume
+//   38  u16      size of the state
+//   40  the state
 constexpr std::uint32_t mark = 0x4D4C4646;  // "FFLM"
 constexpr std::size_t crc_at = 4;
 constexpr std::size_t sealed_from = 8;
