@@ -10,80 +10,13 @@
 #include <gtest/gtest.h>
 
 #include "avionics/backup_map.hpp"
-#include "core/flight_plan_fields.hpp"
+#include "flight_memory_rig.hpp"
 #include "protocol/state_block.hpp"
 #include "protocol/tick_digest.hpp"
 #include "seed.hpp"
 
 namespace fantail::avionics {
 namespace {
-
-using core::Microseconds;
-using core::Phase;
-using hal::ResetCause;
-
-using Memory = std::array<std::byte, backup_size>;
-
-constexpr std::uint32_t plan_crc = 0x12345678;
-constexpr Microseconds millisecond{1'000};
-
-/// A law in control, which is kept; nothing but what it remembers matters.
-struct Kept {
-  core::FlightPlan plan = [] {
-    core::FlightPlan tunnel = core::default_plan();
-    tunnel.run.start = core::Start::tunnel;
-    return tunnel;
-  }();
-  core::Autopilot law{plan};
-  core::Inputs inputs{};
-  Memory memory{};
-  FlightMemory kept{memory, ResetCause::power_on};
-  std::optional<std::uint32_t> sectors{};
-
-  Kept() {
-    inputs.arm_switch_closed = true;
-    inputs.gyro.quality = core::SampleQuality::valid;
-    for (auto& sample : inputs.accelerometers) {
-      sample = {.specific_force_m_s2 = {.x = core::standard_gravity_m_s2}, .quality = core::SampleQuality::valid};
-    }
-    for (int i = 0; i < 5000; ++i) {
-      tick();
-    }
-    inputs.arm_command = true;
-    tick();
-    inputs.arm_command = false;
-    inputs.start_command = true;
-    tick();
-    inputs.start_command = false;
-    EXPECT_EQ(law.phase(), Phase::controlling);
-    run(100);
-  }
-
-  void tick() {
-    inputs.time += millisecond;
-    inputs.gyro.time = inputs.accelerometers[0].time = inputs.accelerometers[1].time = inputs.time;
-    kept.keep(law.step(inputs), plan_crc, sectors, law);
-  }
-  void run(int ticks) {
-    for (int i = 0; i < ticks; ++i) {
-      tick();
-    }
-  }
-  [[nodiscard]] core::Inputs after(Microseconds gap) const {
-    core::Inputs first = inputs;
-    first.time += gap;
-    first.gyro.time = first.time;
-    return first;
-  }
-};
-
-std::optional<FlightMemory::Resumed> resume(std::span<std::byte> memory, const core::Inputs& first,
-                                            const core::FlightPlan& plan, std::uint32_t crc = plan_crc,
-                                            ResetCause cause = ResetCause::watchdog) {
-  FlightMemory found{memory, cause};
-  core::Autopilot law{plan};
-  return found.waits() ? found.resume(first, crc, law) : std::nullopt;
-}
 
 bool half_is_broken(Memory& memory, std::size_t half) {
   const auto bytes = flight_half(memory, half);
@@ -189,34 +122,6 @@ TEST(FlightMemory, MemoryThatIsAnythingIsNoFlight) {
   }
 }
 
-TEST(FlightMemory, AResumeCountsThoughTheLawNeverCameToItsNextSeal) {
-  Kept rig;
-  std::uint32_t resumed = 0;
-  for (int i = 0; i < 10; ++i) {
-    resumed += resume(rig.memory, rig.after(60 * millisecond), rig.plan) ? 1U : 0U;
-  }
-  EXPECT_EQ(resumed, FlightMemory::most_resumes);
-}
-
-TEST(FlightMemory, AStartThatNeverCameToItsFirstTickCountsAndTakesItsTime) {
-  Kept rig;
-  Memory copy = rig.memory;
-  const Microseconds sealed = resume(copy, rig.after(millisecond), rig.plan)->sealed_at;
-  std::optional<Microseconds> clock;
-  for (int start = 1; start <= 3; ++start) {
-    clock = clock_after_reset(rig.memory, ResetCause::software, 20 * millisecond);
-    EXPECT_EQ(clock, sealed + 20 * millisecond * start);
-  }
-  core::Inputs first = rig.inputs;
-  first.time = clock.value();
-  copy = rig.memory;
-  EXPECT_TRUE(resume(copy, first, rig.plan)) << "the third start of three";
-  clock = clock_after_reset(rig.memory, ResetCause::software, 20 * millisecond);
-  first.time = clock.value();
-  EXPECT_FALSE(resume(rig.memory, first, rig.plan)) << "the fourth";
-  EXPECT_FALSE(clock_after_reset(rig.memory, ResetCause::software, 20 * millisecond)) << "and then there is no flight";
-}
-
 // A reset may come between any two stores, and the compiler may have put them in another order.
 TEST(FlightMemory, AResetInTheMiddleOfASealLeavesTheOtherHalf) {
   Kept rig;
@@ -273,13 +178,6 @@ TEST(FlightMemory, AGapThatIsTooLongOrRunsBackwardsIsNone) {
   EXPECT_TRUE(goes_on_at(sealed)) << "from the older half";
   EXPECT_FALSE(goes_on_at(sealed - FlightMemory::period));
   EXPECT_FALSE(goes_on_at(Microseconds{1000})) << "a clock that nobody set";
-}
-
-TEST(FlightMemory, TheClockGoesOnFromTheNewestSeal) {
-  Kept rig;
-  Memory copy = rig.memory;
-  const Microseconds sealed = resume(copy, rig.after(millisecond), rig.plan)->sealed_at;
-  EXPECT_EQ(clock_after_reset(rig.memory, ResetCause::watchdog, 60 * millisecond), sealed + 60 * millisecond);
 }
 
 TEST(FlightMemory, WhatIsKnownOfTheFlashComesBackToo) {

@@ -7,6 +7,7 @@
 
 #include "core/flight_plan_fields.hpp"
 #include "core/inputs.hpp"
+#include "known_roll_model.hpp"
 #include "random_stream.hpp"
 
 namespace fantail::core {
@@ -20,7 +21,7 @@ inline FlightPlan random_plan(RandomStream& random) {
       plan.gain_schedule.speeds_m_s = {random.between(0.0F, 30.0F), random.between(31.0F, 200.0F)};
       plan.gain_schedule.factors = {random.between(0.01F, 100.0F), random.between(0.01F, 100.0F)};
     }
-    plan.roll_model = {0.004F, 5e-5F, 23.0F, 9.0F, 1.2F};  // for an observer
+    plan.roll_model = known_roll_model;  // for an observer
     for (const PlanField& field : flight_plan_fields()) {
       if (field.is_list() || random.chance(0.7)) {
         continue;

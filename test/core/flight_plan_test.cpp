@@ -11,6 +11,7 @@
 #include <rapidcheck/gtest.h>
 
 #include "core/flight_plan_fields.hpp"
+#include "known_roll_model.hpp"
 #include "plan_generator.hpp"
 
 namespace fantail::core {
@@ -238,11 +239,7 @@ TEST(FlightPlan, AGainScheduleNeedsAsManyFactorsAsSpeedsAndIncreasingSpeeds) {
 FlightPlan observing_plan() {
   FlightPlan plan = default_plan();
   plan.offset.rejection = OffsetRejection::observer;
-  plan.roll_model = {.roll_inertia_kg_m2 = 0.004F,
-                     .reference_area_m2 = 5e-5F,
-                     .damping_m2 = 23.0F,
-                     .torque_m = 9.0F,
-                     .density_kg_m3 = 1.2F};
+  plan.roll_model = known_roll_model;
   return plan;
 }
 

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "core/flight_plan_fields.hpp"
+#include "known_roll_model.hpp"
 
 namespace fantail::core {
 namespace {
@@ -15,11 +16,7 @@ using namespace literals;
 FlightPlan plan_with(OffsetRejection rejection) {
   FlightPlan plan = default_plan();
   plan.offset.rejection = rejection;
-  plan.roll_model = {.roll_inertia_kg_m2 = 0.004F,
-                     .reference_area_m2 = 5e-5F,
-                     .damping_m2 = 23.0F,
-                     .torque_m = 9.0F,
-                     .density_kg_m3 = 1.2F};
+  plan.roll_model = known_roll_model;
   return plan;
 }
 

@@ -4,6 +4,7 @@
 #include <rapidcheck.h>
 
 #include "core/flight_plan_fields.hpp"
+#include "known_roll_model.hpp"
 
 namespace fantail::core {
 
@@ -35,11 +36,7 @@ inline FlightPlan arbitrary_plan() {
     plan.gain_schedule.factors[i] = 0.01F * static_cast<float>(*rc::gen::inRange(1, 10'001));
   }
   plan.gain_schedule.speeds_count = plan.gain_schedule.factors_count = static_cast<std::uint8_t>(rows);
-  plan.roll_model = {.roll_inertia_kg_m2 = 0.004F,
-                     .reference_area_m2 = 5e-5F,
-                     .damping_m2 = 23.0F,
-                     .torque_m = 9.0F,
-                     .density_kg_m3 = 1.2F};
+  plan.roll_model = known_roll_model;
   for (const PlanField& field : flight_plan_fields()) {
     if (field.is_list()) {
       continue;
