@@ -73,7 +73,7 @@ CanardReach canard_reach(const sim::Scenario& scenario, double offset_rad) {
 CanardReach farthest_reach(const sim::Scenario& scenario, double offset_rad) {
   sim::Scenario widest = scenario;
   widest.plan.controller.canard_limit =
-      core::Angle::from_radians(static_cast<float>(stability::plan_range("canard_limit_deg").maximum));
+      core::Angle::from_radians(static_cast<float>(stability::plan_range("controller", "canard_limit_deg").maximum));
   return canard_reach(widest, offset_rad);
 }
 

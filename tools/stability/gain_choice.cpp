@@ -46,8 +46,8 @@ bool meets_at_speed(const std::vector<RollLoop>& loops, const Gains& gains, cons
 }  // namespace
 
 Gains largest_gains() {
-  return {.proportional = plan_range("proportional_gain").maximum,
-          .derivative_s = plan_range("derivative_gain_s").maximum};
+  return {.proportional = plan_range("controller", "proportional_gain").maximum,
+          .derivative_s = plan_range("controller", "derivative_gain_s").maximum};
 }
 
 bool meets(const LoopsAtSpeeds& loops, const Gains& gains, const PhaseMarginDemand& demand) {

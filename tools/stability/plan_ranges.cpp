@@ -8,14 +8,14 @@
 
 namespace fantail::stability {
 
-PlanRange plan_range(std::string_view key) {
+PlanRange plan_range(std::string_view section, std::string_view key) {
   for (const core::PlanField& field : core::flight_plan_fields()) {
-    if (field.section == "controller" && field.key == key) {
+    if (field.section == section && field.key == key) {
       return {.minimum = static_cast<double>(field.minimum * field.scale),
               .maximum = static_cast<double>(field.maximum * field.scale)};
     }
   }
-  throw std::logic_error{"a plan has no controller." + std::string{key}};
+  throw std::logic_error{"a plan has no " + std::string{section} + "." + std::string{key}};
 }
 
 }  // namespace fantail::stability

@@ -11,7 +11,7 @@ struct PlanRange {
   double maximum = 0.0;
 };
 
-/// Of a key in the plan's section `controller`. Throws std::logic_error for a key that is not there.
-[[nodiscard]] PlanRange plan_range(std::string_view key);
+/// Of a field of the plan. Throws std::logic_error for one that is not there.
+[[nodiscard]] PlanRange plan_range(std::string_view section, std::string_view key);
 
 }  // namespace fantail::stability

@@ -70,7 +70,7 @@ std::string loop_figures(const Tuning& t) {
   const std::array<std::string, 2> pair{
       page::figure(margins, "How far the linear loop is from oscillating: the least of the spread at each speed."),
       page::figure(bandwidths, "The bandwidth: where the loop's gain is one, for the vehicle as it is.")};
-  return page::side_by_side(pair) + page::paragraph(loop_sentence(t));
+  return page::paragraph(loop_sentence(t)) + page::side_by_side(pair);
 }
 
 std::string step_figures(const Tuning& t) {

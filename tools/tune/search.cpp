@@ -11,6 +11,7 @@
 #include <fmt/core.h>
 
 #include "stability/gain_choice.hpp"
+#include "stability/plan_ranges.hpp"
 #include "stability/round_numbers.hpp"
 #include "tune/linear_trial.hpp"
 
@@ -24,6 +25,9 @@ constexpr double least_derivative_gain_s = 0.001;
 constexpr double least_integral_gain_per_s = 0.01;
 constexpr double least_observer_bandwidth_rad_s = 0.1;
 
+double most_integral_gain_per_s() { return stability::plan_range("offset", "integral_gain_per_s").maximum; }
+double most_observer_bandwidth_rad_s() { return stability::plan_range("offset", "observer_bandwidth_rad_s").maximum; }
+
 constexpr std::array exponents{0.5, 1.0, 1.5, 2.0};
 
 /// One number beside kp and kd, and how fast the law rejects an offset with it.
@@ -36,12 +40,13 @@ struct Rejection {
 Rejection numbers_of(OffsetRejection rejection) {
   switch (rejection) {
     case OffsetRejection::integral:
-      return {.values = stability::round_numbers_between(least_integral_gain_per_s, most_integral_gain_per_s),
+      return {.values = stability::round_numbers_between(least_integral_gain_per_s, most_integral_gain_per_s()),
               .member = &Law::integral_gain_per_s};
     case OffsetRejection::observer:
-      return {.values = stability::round_numbers_between(least_observer_bandwidth_rad_s, most_observer_bandwidth_rad_s),
-              .member = &Law::observer_bandwidth_rad_s,
-              .times_proportional = true};
+      return {
+          .values = stability::round_numbers_between(least_observer_bandwidth_rad_s, most_observer_bandwidth_rad_s()),
+          .member = &Law::observer_bandwidth_rad_s,
+          .times_proportional = true};
     case OffsetRejection::none: break;
   }
   return {};
@@ -153,10 +158,10 @@ std::string tried(OffsetRejection rejection, const stability::Gains& largest) {
   std::string text = fmt::format("kp from {} to {}, kd from {} to {} s", least_proportional_gain, largest.proportional,
                                  least_derivative_gain_s, largest.derivative_s);
   if (rejection == OffsetRejection::integral) {
-    text += fmt::format(", ki from {} to {} 1/s", least_integral_gain_per_s, most_integral_gain_per_s);
+    text += fmt::format(", ki from {} to {} 1/s", least_integral_gain_per_s, most_integral_gain_per_s());
   } else if (rejection == OffsetRejection::observer) {
     text +=
-        fmt::format(", bandwidth from {} to {} rad/s", least_observer_bandwidth_rad_s, most_observer_bandwidth_rad_s);
+        fmt::format(", bandwidth from {} to {} rad/s", least_observer_bandwidth_rad_s, most_observer_bandwidth_rad_s());
   }
   return text;
 }

@@ -26,9 +26,6 @@ struct Found {
   std::string tried{};  ///< from where to where the numbers went
 };
 
-inline constexpr double most_integral_gain_per_s = 10.0;       ///< as in a plan
-inline constexpr double most_observer_bandwidth_rad_s = 50.0;  ///< likewise
-
 /// Of round numbers, the laws that reject an offset fastest, in the mean over the time under control, among those that
 /// for every airframe of the spread
 ///   have the phase margin at every speed under control,

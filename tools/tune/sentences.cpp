@@ -3,10 +3,10 @@
 
 #include <fmt/core.h>
 
+#include "stability/plan_ranges.hpp"
 #include "text/degrees.hpp"
 #include "text/number.hpp"
 #include "tune/results.hpp"
-#include "tune/search.hpp"
 
 namespace fantail::tune {
 namespace {
@@ -54,7 +54,8 @@ std::string range_sentence(const Tuning& t) {
   const core::OffsetPlan& offset = t.after->plan.offset;
   const bool integral = offset.rejection == core::OffsetRejection::integral;
   const auto value = static_cast<double>(integral ? offset.integral_gain_per_s : offset.observer_bandwidth_rad_s);
-  const double most = integral ? most_integral_gain_per_s : most_observer_bandwidth_rad_s;
+  const double most =
+      stability::plan_range("offset", integral ? "integral_gain_per_s" : "observer_bandwidth_rad_s").maximum;
   if (offset.rejection == core::OffsetRejection::none || value < 0.99 * most) {
     return {};
   }
