@@ -5,6 +5,9 @@
 #include <stdexcept>
 #include <string>
 
+#include "sim/rotation.hpp"
+#include "sim/sensor_mounting.hpp"
+
 namespace fantail::sim {
 namespace {
 
@@ -46,19 +49,30 @@ TriaxialConverter::Rotation misaligned(double angle_rad, Random& random) {
            {-y * sine, versine * y * z, 1.0 - versine * y * y}}};
 }
 
+/// `straight`: the rows of a package whose axes are the rocket's.
+TriaxialConverter::Rotation mounted(const core::SensorMounting& mounting, const TriaxialConverter::Rotation& straight) {
+  const auto [x, y, z] = axes_seen(mounting);
+  TriaxialConverter::Rotation rows{};
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    rows[i] = x[i] * straight[0] + y[i] * straight[1] + z[i] * straight[2];
+  }
+  return rows;
+}
+
 void validate(const InertialParameters& p) {
   require(p.rate_noise_rad_s >= 0.0, "rate_noise_rad_s must not be below 0");
   require(p.full_scale_rad_s > 0.0, "full_scale_rad_s must be above 0");
   require(p.specific_force_noise_m_s2 >= 0.0, "specific_force_noise_m_s2 must not be below 0");
   require(p.full_scale_m_s2 > 0.0, "full_scale_m_s2 must be above 0");
   require(p.misalignment_rad >= 0.0 && p.misalignment_rad <= 0.2, "misalignment_rad must be 0 to 0.2");
+  require(is_rotation(p.mounting), "mounting must name two different axes");
   require(p.delay_s >= 0.0 && p.delay_s <= 0.02, "delay_s must be 0 to 0.02");
 }
 
 // The first thing made of the parameters, so the place to refuse them.
 TriaxialConverter::Rotation validated_mounting(const InertialParameters& parameters, Random& random) {
   validate(parameters);
-  return misaligned(parameters.misalignment_rad, random);
+  return mounted(parameters.mounting, misaligned(parameters.misalignment_rad, random));
 }
 
 TriaxialConverter::Errors rate_errors(const InertialParameters& p) {

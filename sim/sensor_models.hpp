@@ -7,6 +7,7 @@
 #include <numbers>
 #include <span>
 
+#include "core/flight_plan.hpp"
 #include "hal/accelerometer.hpp"
 #include "hal/encoder.hpp"
 #include "hal/imu.hpp"
@@ -26,10 +27,12 @@ struct InertialParameters {
   double full_scale_m_s2 = 16.0 * gravity_m_s2;           ///< 32768 counts
   double misalignment_rad = 0.0;  ///< the package is turned by this about an axis across the rocket, 0 to 0.2
   double delay_s = 0.0;           ///< from measured to delivered, 0 to 0.02
+  /// How it is soldered in, in truth; what the avionics believes of it stands in its plan.
+  core::SensorMounting mounting{.to_nose = core::SensorAxis::plus_x, .along_y = core::SensorAxis::plus_y};
 };
 
 /// One three-axis converter, from a true vector in the rocket's frame to counts. In this order:
-///   1. misalignment: the vector is seen along the sensor's own, slightly turned axes;
+///   1. mounting and misalignment: the vector is seen along the sensor's own, slightly turned axes;
 ///   2. bias, and 3. noise are added there;
 ///   4. rounding to the nearest count, 32768 of them being the full scale;
 ///   5. the ends of int16: beyond them it stays at that end, and a NaN stands at the lower one.

@@ -156,8 +156,9 @@ LogTransfer::Right Avionics::right_to_log() const {
 }
 
 core::Inputs Avionics::read_devices(core::Microseconds now) {
-  raw_ = {
-      .imu = devices_.imu.read(), .accelerometer = devices_.accelerometer.read(), .encoders = devices_.encoder.read()};
+  raw_ = {.imu = turned(devices_.imu.read(), plan_.sensors.imu),
+          .accelerometer = turned(devices_.accelerometer.read(), plan_.sensors.accelerometer),
+          .encoders = devices_.encoder.read()};
   scales_ = {.imu = devices_.imu.scale(), .accelerometer_m_s2 = devices_.accelerometer.scale()};
   const bool arm_command = arming_.take_arm_command();
   const bool start_command = arming_.take_start_command();

@@ -11,6 +11,7 @@
 #include "avionics/flight_memory.hpp"
 #include "avionics/identity.hpp"
 #include "avionics/log_tick_of.hpp"
+#include "avionics/mounting.hpp"
 #include "avionics/self_test.hpp"
 #include "avionics/situation.hpp"
 #include "avionics/telemetry.hpp"

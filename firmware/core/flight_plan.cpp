@@ -83,6 +83,17 @@ std::optional<PlanFault> check_offset_rejection(const FlightPlan& plan) {
   return std::nullopt;
 }
 
+std::optional<PlanFault> check_mountings(const SensorsPlan& sensors) {
+  std::size_t field = place("sensors", "imu_along_y");  // in the order of the table, a pair for each sensor
+  for (const SensorMounting& mounting : {sensors.imu, sensors.second_imu, sensors.accelerometer}) {
+    if (static_cast<unsigned>(mounting.to_nose) / 2 == static_cast<unsigned>(mounting.along_y) / 2) {
+      return PlanFault{field, 0, PlanRule::axes_differ};
+    }
+    field += 2;
+  }
+  return std::nullopt;
+}
+
 // A limit as the plan itself would keep it, so that a value at its own limit is never refused for a rounding error.
 float as_kept(const PlanMember& member, float file_value) {
   const float inside = file_value * member.scale;
@@ -114,6 +125,9 @@ std::optional<PlanFault> check_across_fields(const FlightPlan& plan) {
         return PlanFault{place("canards", "pulse_centre_us"), i, PlanRule::pulse_within_servo};
       }
     }
+  }
+  if (const auto fault = check_mountings(plan.sensors)) {
+    return fault;
   }
   if (const auto fault = check_schedule(plan)) {
     return fault;

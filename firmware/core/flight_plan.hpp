@@ -18,7 +18,8 @@ namespace fantail::core {
 inline constexpr Angle hard_canard_limit = Angle::from_degrees(20.0F);
 
 enum class Start : std::uint8_t { launch, tunnel };
-enum class CanardFaultPolicy : std::uint8_t { continue_control, end_control };
+/// share: control goes on, and the healthy canards carry what a faulty one does not do.
+enum class CanardFaultPolicy : std::uint8_t { continue_control, end_control, share };
 
 struct RunPlan {
   Start start;
@@ -26,6 +27,25 @@ struct RunPlan {
   Angle tilt_limit;           ///< control ends when the axis has turned this far from the vertical
   CanardFaultPolicy canard_fault;
   std::uint16_t overrun_limit;  ///< control ticks that may fail to come in a flight, and before it is armed
+};
+
+enum class GyroRule : std::uint8_t { one, two_agree };
+/// Of a sensor, as its data sheet draws it.
+enum class SensorAxis : std::uint8_t { plus_x, minus_x, plus_y, minus_y, plus_z, minus_z };
+
+/// How a sensor is soldered into the rocket: which of its axes points to the nose (the rocket's x), and which along the
+/// rocket's y. The third follows, because both are right-handed, so that no plan can mirror the roll.
+struct SensorMounting {
+  SensorAxis to_nose;
+  SensorAxis along_y;
+};
+
+struct SensorsPlan {
+  GyroRule gyros;
+  float gyro_disagreement_rad_s;
+  SensorMounting imu;
+  SensorMounting second_imu;
+  SensorMounting accelerometer;
 };
 
 enum class AccelerometerRule : std::uint8_t { one, two_agree };
@@ -152,8 +172,13 @@ struct MonitorPlan {
   Microseconds encoder_timeout;
 };
 
+struct RecordingPlan {
+  float threshold_m_s2;  ///< a specific force beyond this is recorded, whether or not a launch is detected
+};
+
 struct FlightPlan {
   RunPlan run;
+  SensorsPlan sensors;
   LaunchDetectionPlan launch_detection;
   GuidePlan guide;
   MotionPlan motion;
@@ -165,6 +190,7 @@ struct FlightPlan {
   ExcitationPlan excitation;
   CanardsPlan canards;
   MonitorPlan monitor;
+  RecordingPlan recording;
 };
 
 }  // namespace fantail::core

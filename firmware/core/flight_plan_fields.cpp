@@ -32,6 +32,7 @@ std::string_view sentence(PlanRule rule) {
              "than \"from_detection\"";
     case PlanRule::integral_beside_proportional:
       return "\"integral\" needs controller.proportional_gain above 0: an integral alone makes a roll swing ever more";
+    case PlanRule::axes_differ: return "must be another axis than the one that points to the nose";
     case PlanRule::observer_has_model: return "must be above 0 with offset.rejection = \"observer\"";
   }
   return "unknown rule";

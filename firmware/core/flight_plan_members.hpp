@@ -58,7 +58,7 @@ struct PlanMember {
 [[nodiscard]] std::span<const PlanMember> flight_plan_members();
 
 /// The slots of all fields, and a length for each list.
-inline constexpr std::size_t flight_plan_words = 113;
+inline constexpr std::size_t flight_plan_words = 122;
 
 [[nodiscard]] FlightPlan default_plan();
 
@@ -80,6 +80,7 @@ enum class PlanRule : std::uint8_t {
   speed_is_known,
   integral_beside_proportional,
   observer_has_model,
+  axes_differ,
 };
 
 /// What is wrong with a plan: the field by its place in the table, which of its slots, and the rule it breaks.

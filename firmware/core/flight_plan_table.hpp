@@ -20,7 +20,9 @@ using Plan = FlightPlan;
 using Names = std::span<const std::string_view>;
 
 inline constexpr std::array<std::string_view, 2> start_names{"launch", "tunnel"};
-inline constexpr std::array<std::string_view, 2> fault_policy_names{"continue", "end_control"};
+inline constexpr std::array<std::string_view, 3> fault_policy_names{"continue", "end_control", "share"};
+inline constexpr std::array<std::string_view, 2> gyro_rule_names{"one", "two_agree"};
+inline constexpr std::array<std::string_view, 6> sensor_axis_names{"+x", "-x", "+y", "-y", "+z", "-z"};
 inline constexpr std::array<std::string_view, 2> accelerometer_rule_names{"one", "two_agree"};
 inline constexpr std::array<std::string_view, 3> height_origin_names{"replay", "velocity_only", "from_detection"};
 inline constexpr std::array<std::string_view, 2> rate_reference_names{"zero", "paper_literal"};
@@ -121,8 +123,17 @@ inline constexpr auto flight_plan_table = std::to_array<PlanField>({
   choice(MEMBER(run.start), "run", "start", start_names, "how control begins: by launch detection, or on command in the tunnel"),
   number(MEMBER(run.control_time), "run", "control_time_s", "s", 30, {0.1F, 600}, "control ends this long after control start"),
   number(MEMBER(run.tilt_limit), "run", "tilt_limit_deg", "deg", 60, {20, 90}, "control ends when the axis is tilted further from the vertical"),
-  choice(MEMBER(run.canard_fault), "run", "canard_fault", fault_policy_names, "what a single canard fault does to control"),
+  choice(MEMBER(run.canard_fault), "run", "canard_fault", fault_policy_names, "what a single canard fault does to control; share: the healthy canards do its part too"),
   integer(MEMBER(run.overrun_limit), "run", "overrun_limit", 20, {0, 1000}, "control ticks that may fail to come in a flight, and from power-up to arming"),
+
+  choice(MEMBER(sensors.gyros), "sensors", "gyros", gyro_rule_names, "one gyro, or two that agree"),
+  number(MEMBER(sensors.gyro_disagreement_rad_s), "sensors", "gyro_disagreement_deg_s", "deg/s", 20, {1, 200}, "largest difference of two gyros"),
+  choice(MEMBER(sensors.imu.to_nose), "sensors", "imu_to_nose", sensor_axis_names, "which axis of the IMU points to the nose"),
+  choice(MEMBER(sensors.imu.along_y), "sensors", "imu_along_y", sensor_axis_names, "and which along the rocket's y; the third follows", 2),
+  choice(MEMBER(sensors.second_imu.to_nose), "sensors", "second_imu_to_nose", sensor_axis_names, "which axis of the second IMU points to the nose"),
+  choice(MEMBER(sensors.second_imu.along_y), "sensors", "second_imu_along_y", sensor_axis_names, "and which along the rocket's y; the third follows", 2),
+  choice(MEMBER(sensors.accelerometer.to_nose), "sensors", "accelerometer_to_nose", sensor_axis_names, "which axis of the second accelerometer points to the nose"),
+  choice(MEMBER(sensors.accelerometer.along_y), "sensors", "accelerometer_along_y", sensor_axis_names, "and which along the rocket's y; the third follows", 2),
 
   number(MEMBER(launch_detection.threshold_m_s2), "launch_detection", "threshold_g", "g", 2.5F, {1.5F, 15}, "axial specific force that counts as thrust"),
   number(MEMBER(launch_detection.hold), "launch_detection", "hold_s", "s", 0.1F, {0.02F, 2}, "the threshold must be exceeded for this long"),
@@ -196,6 +207,8 @@ inline constexpr auto flight_plan_table = std::to_array<PlanField>({
   number(MEMBER(monitor.disagreement_limit), "monitor", "disagreement_limit_deg", "deg", 1.5F, {0.2F, 20}, "largest difference between a canard and the middle of the others"),
   number(MEMBER(monitor.hold), "monitor", "hold_s", "s", 0.1F, {0.01F, 2}, "a difference must last this long to be a fault"),
   number(MEMBER(monitor.encoder_timeout), "monitor", "encoder_timeout_s", "s", 0.02F, {0.005F, 1}, "an encoder silent for this long is dead"),
+
+  number(MEMBER(recording.threshold_m_s2), "recording", "threshold_g", "g", 2, {1.2F, 15}, "a specific force beyond this is recorded, whether or not a launch is detected"),
 });
 #undef MEMBER
 #undef LIST

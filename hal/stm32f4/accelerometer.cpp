@@ -153,7 +153,7 @@ void Accelerometer::take(Microseconds now, const Counts& counts) {
   last_new_ = now;
   same_ = counts == last_counts_ ? same_ + 1 : 0;
   last_counts_ = counts;
-  sample_ = {.time = now - age_when_found, .specific_force = mounting_.turned(counts), .status = Status::ok};
+  sample_ = {.time = now - age_when_found, .specific_force = counts, .status = Status::ok};
   if (same_ >= most_same) {
     sample_.status = Status::error;
     if (same_ % most_same == 0) {

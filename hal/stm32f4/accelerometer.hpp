@@ -8,7 +8,6 @@
 #include "hal/accelerometer.hpp"
 #include "hal/board.hpp"
 #include "hal/clock.hpp"
-#include "hal/stm32f4/mounting.hpp"
 #include "hal/stm32f4/sensor_start.hpp"
 #include "hal/stm32f4/spi_registers.hpp"
 
@@ -28,8 +27,7 @@ namespace fantail::hal::stm32f4 {
 class Accelerometer final : public hal::Accelerometer {
  public:
   /// The bus of the device and the clock outlive this object.
-  Accelerometer(SpiDevice device, const hal::Clock& clock, const Mounting& mounting)
-      : registers_{device}, clock_{clock}, mounting_{mounting} {}
+  Accelerometer(SpiDevice device, const hal::Clock& clock) : registers_{device}, clock_{clock} {}
 
   /// Before the first read(). Nothing is sent yet.
   void start(SensorStart how) { stage_ = how == SensorStart::in_flight ? Stage::adopt : Stage::reset; }
@@ -58,7 +56,6 @@ class Accelerometer final : public hal::Accelerometer {
 
   SpiRegisters registers_;
   const hal::Clock& clock_;
-  Mounting mounting_;
   Stage stage_ = Stage::reset;
   bool silent_ = false;
   bool wrong_id_ = false;

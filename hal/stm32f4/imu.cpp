@@ -244,8 +244,8 @@ void Imu::take(Microseconds now, std::span<const std::byte> burst) {
   std::ranges::copy(data, last_data_.begin());
   last_new_ = now;
   sample_ = {.time = now - age_when_found,
-             .rate = mounting_.turned(with_true_ends(rate)),
-             .specific_force = mounting_.turned(with_true_ends(specific_force)),
+             .rate = with_true_ends(rate),
+             .specific_force = with_true_ends(specific_force),
              .status = Status::ok};
 }
 

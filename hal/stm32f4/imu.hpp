@@ -10,7 +10,6 @@
 #include "hal/clock.hpp"
 #include "hal/imu.hpp"
 #include "hal/stm32f4/imu_self_test.hpp"
-#include "hal/stm32f4/mounting.hpp"
 #include "hal/stm32f4/sensor_start.hpp"
 #include "hal/stm32f4/spi_registers.hpp"
 
@@ -29,8 +28,7 @@ namespace fantail::hal::stm32f4 {
 class Imu final : public hal::Imu {
  public:
   /// The bus of the device and the clock outlive this object.
-  Imu(SpiDevice device, const hal::Clock& clock, const Mounting& mounting)
-      : registers_{device}, clock_{clock}, mounting_{mounting} {}
+  Imu(SpiDevice device, const hal::Clock& clock) : registers_{device}, clock_{clock} {}
 
   /// Before the first read(). Nothing is sent yet.
   void start(SensorStart how);
@@ -64,7 +62,6 @@ class Imu final : public hal::Imu {
 
   SpiRegisters registers_;
   const hal::Clock& clock_;
-  Mounting mounting_;
   Stage stage_ = Stage::reset;
   ImuSelfTest self_test_{};
   std::uint8_t self_tests_left_ = 0;

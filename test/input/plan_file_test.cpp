@@ -151,9 +151,19 @@ TEST(PlanFile, UnknownKeysAndSectionsAreRefusedWithASuggestion) {
   EXPECT_EQ(refusal("[controller]\ncanard_limit = 6"),
             "plan.toml:2: unknown key controller.canard_limit; did you mean controller.canard_limit_deg?");
   EXPECT_EQ(refusal("\n[controler]\n"), "plan.toml:2: unknown section [controler]; did you mean controller?");
-  EXPECT_EQ(refusal("kp = 1"),
-            "plan.toml:1: unknown key kp; allowed: run, launch_detection, guide, motion, controller, gain_schedule, "
-            "offset, roll_model, reference, excitation, canards, monitor");
+  EXPECT_EQ(
+      refusal("kp = 1"),
+      "plan.toml:1: unknown key kp; allowed: run, sensors, launch_detection, guide, motion, controller, gain_schedule, "
+      "offset, roll_model, reference, excitation, canards, monitor, recording");
+}
+
+TEST(PlanFile, ASensorWhoseTwoAxesAreTheSameOneIsRefused) {
+  EXPECT_EQ(refusal("[sensors]\nimu_to_nose = \"-y\""),
+            "plan.toml:1: sensors.imu_along_y = \"+y\" is refused: must be another axis than the one that points to "
+            "the nose");
+  EXPECT_EQ(refusal("[sensors]\naccelerometer_to_nose = \"+z\"\naccelerometer_along_y = \"-z\""),
+            "plan.toml:3: sensors.accelerometer_along_y = \"-z\" is refused: must be another axis than the one that "
+            "points to the nose");
 }
 
 TEST(PlanFile, RulesAcrossFieldsNameTheFieldItsLineAndTheRule) {

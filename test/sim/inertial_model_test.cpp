@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "avionics/mounting.hpp"
 #include "avionics/sensor_scaling.hpp"
 #include "sim/sensor_models.hpp"
 
@@ -55,6 +56,26 @@ TEST(ImuModel, ANaNStandsAtAnEndSoThatNobodyTrustsIt) {
   const hal::ImuSample sample = imu.sample({}, {nan, 0.0, 0.0}, {}, false);
   EXPECT_EQ(sample.rate[0], -32768);
   EXPECT_EQ(avionics::gyro_sample(sample, imu.scale()).quality, core::SampleQuality::invalid);
+}
+
+TEST(ImuModel, HoweverItIsMountedAPlanThatKnowsSeesTheSame) {
+  using core::SensorAxis;
+  const Vector3 rate{1.0, -2.0, 3.0};
+  const Vector3 force{gravity_m_s2, 5.0, -7.0};
+  InertialParameters parameters = quiet();
+  const hal::ImuSample straight = ImuModel{parameters, {seed, 0}}.sample({}, rate, force, false);
+  for (int x = 0; x < 6; ++x) {
+    for (int y = 0; y < 6; ++y) {
+      if (x / 2 == y / 2) {
+        continue;
+      }
+      parameters.mounting = {.to_nose = static_cast<SensorAxis>(x), .along_y = static_cast<SensorAxis>(y)};
+      const hal::ImuSample sample = ImuModel{parameters, {seed, 0}}.sample({}, rate, force, false);
+      EXPECT_EQ(sample.rate == straight.rate, x == 0 && y == 2);
+      EXPECT_EQ(avionics::turned(sample, parameters.mounting).rate, straight.rate);
+      EXPECT_EQ(avionics::turned(sample, parameters.mounting).specific_force, straight.specific_force);
+    }
+  }
 }
 
 TEST(ImuModel, BiasShiftsEveryAxis) {

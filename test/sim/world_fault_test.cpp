@@ -226,6 +226,22 @@ TEST(ReversedMounting, WithAPlanThatKnowsFliesTheSame) {
   EXPECT_LT(known.at(1.5).record.encoders[0]->radians() * known.at(1.5).record.encoders[1]->radians(), 0.0F);
 }
 
+// Each axis of a sensor has its own noise, so the two flights differ by what that does.
+TEST(TurnedImu, WithAPlanThatKnowsFliesTheSame) {
+  const FlownWorld known =
+      fly("tasha3_launch2", {"imu.to_nose=-z", "imu.along_y=+x", "sensors.imu_to_nose=-z", "sensors.imu_along_y=+x"});
+  const FlownWorld usual = fly("tasha3_launch2");
+  ASSERT_EQ(known.ticks.size(), usual.ticks.size());
+  for (std::size_t i = 0; i < known.ticks.size(); ++i) {
+    ASSERT_NEAR(known.ticks[i].truth.roll_angle_rad, usual.ticks[i].truth.roll_angle_rad, 1.0 * degree);
+  }
+}
+
+TEST(TurnedImu, WithAPlanThatBelievesOtherwiseIsNeverArmed) {
+  const FlownWorld flown = fly("tasha3_launch2", {"imu.to_nose=-z", "imu.along_y=+x"});
+  EXPECT_EQ(flown.first_in(Phase::armed), nullptr);
+}
+
 TEST(ReversedMounting, WithAPlanThatBelievesOtherwiseSpinsTheRocket) {
   const std::string all = "[\"reversed\",\"reversed\",\"reversed\",\"reversed\"]";
   const FlownWorld flown = fly("tasha3_launch2", {"canard_mounting.direction=" + all});

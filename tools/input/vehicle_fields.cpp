@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "core/flight_plan_table.hpp"
 #include "input/vehicle_file.hpp"
 
 namespace fantail::input {
@@ -121,8 +122,10 @@ constexpr auto fields = std::to_array<Field<sim::Vehicle>>({
   {section, "full_scale_g", number(g, {2, 400}), may, AT(sensor.full_scale_m_s2), "Largest specific force that it can show."}, \
   {section, "misalignment_deg", number(deg, {0, 10}), may, AT(sensor.misalignment_rad), "The package is turned by this about an axis across the rocket that is drawn from the seed."}, \
   {section, "delay_s", number("s", {0, 0.02}), may, AT(sensor.delay_s), "From measured to delivered."}, \
+  {section, "to_nose", choice(core::plan_table::sensor_axis_names), may, AT(sensor.mounting.to_nose), "Which of its axes points to the nose, in truth; what the avionics believes stands in its plan."}, \
+  {section, "along_y", choice(core::plan_table::sensor_axis_names), may, AT(sensor.mounting.along_y), "And which along the rocket's y; the third follows."}, \
   {section, "position_m", number("m", {0, 30}), may, AT(feels.position_m), "From the tip of the nose; at the centre of gravity when absent. Counts where the centre of gravity is known: in six degrees of freedom."}, \
-  {section, "across_m", number("m", {-0.5, 0.5}), may, AT(feels.across_m), "From the long axis, towards the sensor's y: it feels the spin."}, \
+  {section, "across_m", number("m", {-0.5, 0.5}), may, AT(feels.across_m), "From the long axis, towards the rocket's y: it feels the spin."}, \
   {section, "specific_force_scale_error", number("", {-0.1, 0.1}), may, AT(feels.specific_force_scale_error), "Share by which it reads every specific force too large."}
 // NOLINTEND(bugprone-macro-parentheses)
   INERTIAL("imu", it.imu, it.imu_feels),

@@ -13,6 +13,7 @@
 #include "input/messages.hpp"
 #include "input/rasp_file.hpp"
 #include "input/shipped.hpp"
+#include "sim/sensor_mounting.hpp"
 
 namespace fantail::input {
 namespace {
@@ -111,6 +112,12 @@ void check_trim(const Document& document, const sim::Vehicle& vehicle) {
   }
 }
 
+void check_sensor(const Document& document, const char* section, const core::SensorMounting& mounting) {
+  if (!sim::is_rotation(mounting)) {
+    Section{document, section}.refuse("along_y", "must be another axis than to_nose");
+  }
+}
+
 // Every part of a rocket lies between the tip of its nose and its tail; so then does what is made of them.
 void check_airframe(const Document& document, const sim::Vehicle& vehicle) {
   if (!vehicle.airframe) {
@@ -193,6 +200,8 @@ sim::Vehicle read_vehicle(const Document& document) {
   check_canard_arm(document, vehicle);
   check_servo(document, vehicle);
   check_trim(document, vehicle);
+  check_sensor(document, "imu", vehicle.imu.mounting);
+  check_sensor(document, "accelerometer", vehicle.accelerometer.mounting);
   check_airframe(document, vehicle);
   check_geometry(document, vehicle);
   check_sensors(document, vehicle);

@@ -8,7 +8,6 @@
 #include "hal/stm32f4/icm42688.hpp"
 #include "hal/stm32f4/kx134.hpp"
 #include "hal/stm32f4/memory_protection.hpp"
-#include "hal/stm32f4/mounting.hpp"
 #include "hal/stm32f4/pin.hpp"
 #include "hal/stm32f4/pin_setup.hpp"
 #include "hal/stm32f4/registers/processor.hpp"
@@ -20,10 +19,6 @@ namespace fantail::boards::stm32f405 {
 namespace {
 
 using namespace hal::stm32f4;  // NOLINT(google-build-using-namespace): this file is where they all come together
-
-// How the sensors sit in the rocket. As shipped: both boards with their x to the nose.
-constexpr Mounting imu_mounting{SensorAxis::plus_x, SensorAxis::plus_y, SensorAxis::plus_z};
-constexpr Mounting accelerometer_mounting = imu_mounting;
 
 constexpr Battery::Wiring battery_wiring{.channel = 12, .reference_mv = 3'300, .divider = 11};
 constexpr std::uint32_t buzzer_hz = 2'700;  // where a small piezo is loudest
@@ -73,8 +68,8 @@ Hardware::Hardware()
       imu_bus_{spi1(), tree_.frequencies.apb2_hz},
       encoder_bus_{spi2(), tree_.frequencies.apb1_hz},
       accelerometer_and_flash_bus_{spi3(), tree_.frequencies.apb1_hz},
-      imu_{{imu_bus_, pin('A', 4), icm42688::spi}, clock_, imu_mounting},
-      accelerometer_{{accelerometer_and_flash_bus_, pin('C', 4), kx134::spi}, clock_, accelerometer_mounting},
+      imu_{{imu_bus_, pin('A', 4), icm42688::spi}, clock_},
+      accelerometer_{{accelerometer_and_flash_bus_, pin('C', 4), kx134::spi}, clock_},
       encoder_{{encoder_on(encoder_bus_, 'B', 12), encoder_on(encoder_bus_, 'B', 0), encoder_on(encoder_bus_, 'B', 1),
                 encoder_on(encoder_bus_, 'C', 5)},
                clock_},

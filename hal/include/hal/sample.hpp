@@ -15,8 +15,8 @@ enum class Status : std::uint8_t {
   no_reading,  ///< it has not answered at all
 };
 
-/// Three signed axes as the converter delivers them, x along the rocket's axis towards the nose. A count at either end
-/// of its range means "at least this much".
+/// Three signed axes as the converter delivers them, along the axes of the sensor: how it is mounted says the plan. A
+/// count at either end of its range means "at least this much".
 using Counts = std::array<std::int16_t, 3>;
 
 }  // namespace fantail::hal

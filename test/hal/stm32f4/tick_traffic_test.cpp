@@ -25,9 +25,6 @@ using test::FakePort;
 using test::FakeSpi;
 using test::FakeW25q;
 using test::RegisterWorld;
-using enum SensorAxis;
-
-constexpr Mounting straight{plus_x, plus_y, plus_z};
 
 /// All devices on the buses they have on the board, at its clocks.
 class TickTraffic : public testing::Test {
@@ -51,12 +48,12 @@ class TickTraffic : public testing::Test {
   FakeKx134 fake_accelerometer{clock};
   FakeW25q fake_flash{clock};
 
-  Imu imu{SpiDevice{bus_1, Pin{port_a.block(), 4}, icm42688::spi}, clock, straight};
+  Imu imu{SpiDevice{bus_1, Pin{port_a.block(), 4}, icm42688::spi}, clock};
   Encoder encoder{
       {SpiDevice{bus_2, Pin{port_b.block(), 12}, as5047p::spi}, SpiDevice{bus_2, Pin{port_b.block(), 0}, as5047p::spi},
        SpiDevice{bus_2, Pin{port_b.block(), 1}, as5047p::spi}, SpiDevice{bus_2, Pin{port_c.block(), 5}, as5047p::spi}},
       clock};
-  Accelerometer accelerometer{SpiDevice{bus_3, Pin{port_c.block(), 4}, kx134::spi}, clock, straight};
+  Accelerometer accelerometer{SpiDevice{bus_3, Pin{port_c.block(), 4}, kx134::spi}, clock};
   Flash flash{SpiDevice{bus_3, Pin{port_a.block(), 15}, w25q::spi}, clock};
 
   void SetUp() override {
