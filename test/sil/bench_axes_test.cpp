@@ -7,7 +7,9 @@
 
 #include <gtest/gtest.h>
 
+#include "bench/axes_mounting.hpp"
 #include "bench/axes_verdict.hpp"
+#include "core/flight_plan_members.hpp"
 #include "sil/bench_at_world.hpp"
 
 namespace fantail::sil {
@@ -15,13 +17,17 @@ namespace {
 
 constexpr double degree = std::numbers::pi / 180.0;
 
-bench::AxesResult result_of(const std::function<void(sim::Scenario&)>& change) {
+bench::TurnsSeen turns_of(const std::function<void(sim::Scenario&)>& change) {
   sim::Scenario scenario = input::load_scenario("bench_axes", {});
   change(scenario);
   BenchAtWorld place{std::move(scenario)};
   link::AvionicsLink link{place.bus()};
   link::await_avionics(place, link);
-  return bench::judge_axes(bench::watch_turns(place, link, [](const bench::AskedTurn&) {}));
+  return bench::watch_turns(place, link, [](const bench::AskedTurn&) {});
+}
+
+bench::AxesResult result_of(const std::function<void(sim::Scenario&)>& change) {
+  return bench::judge_axes(turns_of(change));
 }
 
 void expect_said(const bench::AxesResult& result, const std::string& words) {
@@ -66,6 +72,23 @@ TEST(BenchAxes, AWrongScaleIsNamedAndAUsualOneIsNot) {
   expect_said(wrong, "360 degrees of roll were seen as 38");
   expect_said(wrong, "Of a turn about z the gyro sees 107 % of what the accelerometer of the IMU sees.");
   EXPECT_TRUE(with_error(0.01).right);
+}
+
+TEST(BenchAxes, AnImuMountedOtherwiseThanThePlanBelievesIsNamedAndItsLinesMakeItRight) {
+  using core::SensorAxis;
+  const auto built_otherwise = [](sim::Scenario& s) {
+    s.vehicle.imu.mounting = {.to_nose = SensorAxis::minus_y, .along_y = SensorAxis::plus_x};
+  };
+  const bench::TurnsSeen seen = turns_of(built_otherwise);
+  expect_said(bench::judge_axes(seen), "its axes are swapped");
+  const auto found = bench::mounting_of(seen, core::default_plan().sensors);
+  ASSERT_TRUE(found.has_value());
+  EXPECT_EQ(found->imu.to_nose, SensorAxis::minus_y);
+  const bench::AxesResult again = result_of([&](sim::Scenario& s) {
+    built_otherwise(s);
+    s.plan.sensors = *found;
+  });
+  EXPECT_TRUE(again.right) << bench::axes_text(again);
 }
 
 TEST(BenchAxes, ARocketThatNobodyTurnsIsNotJudged) {

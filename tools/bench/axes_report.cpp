@@ -58,6 +58,12 @@ std::string axes_text(const AxesResult& result) {
   for (const std::string& sentence : result.sentences) {
     text += sentence + "\n";
   }
+  if (!result.plan_lines.empty()) {
+    text += fmt::format(
+        "If the rocket was turned as told, these lines of the plan make all of it right (they were tried on "
+        "these turns); send it with them, and turn the rocket again:\n{}",
+        result.plan_lines);
+  }
   return fmt::format("{}{}\n", text, unchecked_of_axes());
 }
 
@@ -86,6 +92,7 @@ std::string axes_json(const AxesResult& result) {
                        {"z", json::rounded(degrees(result.roll_rad.z), 3)}}},
                      {"tilts", tilts},
                      {"sentences", result.sentences},
+                     {"plan_lines", result.plan_lines},
                      {"not_checked", std::string{unchecked_of_axes()}}}
              .dump() +
          "\n";

@@ -29,6 +29,7 @@ struct AxesResult {
   std::array<TiltSeen, 2> tilts{};
   bool right = false;
   std::vector<std::string> sentences{};  ///< what is wrong; or that all is right
+  std::string plan_lines{};  ///< with these in the plan the same turns would be right; empty: nothing is known to help
 };
 [[nodiscard]] AxesResult judge_axes(const TurnsSeen& seen);
 

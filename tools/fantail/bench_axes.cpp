@@ -4,11 +4,13 @@
 #include <fmt/core.h>
 
 #include "bench/axes.hpp"
+#include "bench/axes_mounting.hpp"
 #include "bench/axes_verdict.hpp"
 #include "fantail/bench_options.hpp"
 #include "fantail/can_place.hpp"
 #include "fantail/run.hpp"
 #include "fantail/standard_streams.hpp"
+#include "link/plan_reader.hpp"
 
 namespace fantail::tool {
 namespace {
@@ -17,6 +19,7 @@ void axes(const BenchOptions& options) {
   CanPlace place{options.interface};
   link::AvionicsLink link{place.bus()};
   await_rocket(options, place, link);
+  const core::SensorsPlan believed = link::read_plan_in_force(place, link).plan.sensors;
   bench::TurnsSeen seen{};
   try {
     seen = bench::watch_turns(
@@ -24,7 +27,10 @@ void axes(const BenchOptions& options) {
   } catch (const bench::NotTurned& error) {
     throw RequirementNotMet{std::string{error.what()} + "; nothing is said of the axes"};
   }
-  const bench::AxesResult result = bench::judge_axes(seen);
+  bench::AxesResult result = bench::judge_axes(seen);
+  if (const auto found = result.right ? std::nullopt : bench::mounting_of(seen, believed)) {
+    result.plan_lines = bench::mounting_lines(*found, believed);
+  }
   fmt::print("{}", options.json ? bench::axes_json(result) : bench::axes_text(result));
   if (!result.right) {
     throw RequirementNotMet{""};
