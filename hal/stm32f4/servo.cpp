@@ -98,12 +98,17 @@ bool Servo::finish(registers::Tim& timer, const Counts& counts) {
     const std::uint32_t now = timer.cnt.read();
     begun = begun || now < last;
     if (begun && now > pulses_end) {
+      hold_low(timer);
       return true;
     }
     last = now;
   }
+  hold_low(timer);
   return false;
 }
+
+// One write for all four. Their idle level is that of a reset, low.
+void Servo::hold_low(registers::Tim& timer) { timer.bdtr.write(tim_bdtr_ossi); }
 
 std::uint32_t Servo::count(Pulse pulse) const {
   constexpr std::uint64_t half = 1ULL << 31U;

@@ -39,10 +39,14 @@ class Servo final : public hal::Servo {
   /// whatever state it finds the rest; outputs that were never on stay off.
   static void drive(registers::Tim& timer, const Counts& counts);
 
-  /// drive(), and then waits until a frame has had these pulses whole, for two frames at most: from here to the end of
-  /// the frame a reset of the processor cuts none of them off, and the last that the servos heard were these. False
-  /// when the timer stands, after some 10 ms.
+  /// drive(), and then waits until a frame has had these pulses whole, for two frames at most, and holds the lines low:
+  /// a reset of the processor cuts none of them off however late it comes, and the last that the servos heard were
+  /// these. False when the timer stands, after some 10 ms.
   [[gnu::cold]] static bool finish(registers::Tim& timer, const Counts& counts);
+
+  /// All four lines low at once and until a reset, which cuts off the pulses under way. For a timer whose clock has
+  /// failed: a pulse of its would mean nothing any more.
+  [[gnu::cold]] static void hold_low(registers::Tim& timer);
 
  private:
   [[nodiscard]] std::uint32_t count(Pulse pulse) const;

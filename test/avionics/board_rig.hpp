@@ -27,9 +27,13 @@ inline constexpr Microseconds second{1'000'000};
 struct CountedServo final : hal::Servo {
   Pulses written{};
   int writes = 0;
+  hal::Servo* driver = nullptr;  ///< a real one behind it, where a test has one
   void write(const Pulses& pulses) override {
     written = pulses;
     writes += 1;
+    if (driver != nullptr) {
+      driver->write(pulses);
+    }
   }
 };
 struct CountedWatchdog final : hal::Watchdog {

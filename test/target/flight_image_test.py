@@ -165,6 +165,8 @@ class FlightImage(unittest.TestCase):
         self.assertGreaterEqual(console.count(BANNER), 3)
         pulses = [v for d, o, v in writes if d == "timer[8]" and o == 0x34]
         self.assertEqual(set(pulses), {0, 24_000})  # 1500 us of 16 MHz, which no tick has asked for
+        outputs = [v for d, o, v in writes if d == "timer[8]" and o == 0x44]
+        self.assertEqual(outputs[:2], [0, 0x400])  # off, and driven low until the reset: MOE 0, OSSI 1
 
 
 def main():

@@ -22,9 +22,11 @@ const avionics::Avionics* flying = nullptr;
 
 // What the processor puts on the stack before it calls a handler: r0 to r3, r12, lr, pc, xPSR. (Armv7-M B1.5.6)
 constexpr std::size_t frame_words = 8;
+// Nothing but the clock security system raises it. (RM0090 section 7.2.7)
+constexpr std::uint32_t nmi = 2;
 
 avionics::CrashRecord describe(const std::uint32_t* frame, std::uint32_t link_register) {
-  avionics::CrashRecord record{.exception = scb().icsr.read() & 0x1FFU,
+  avionics::CrashRecord record{.exception = scb().icsr.read() & registers::scb_icsr_vectactive,
                                .program_counter = link_register,
                                .stack_pointer = static_cast<std::uint32_t>(reinterpret_cast<std::uintptr_t>(frame)),
                                .configurable_fault_status = scb().cfsr.read(),
@@ -50,7 +52,12 @@ extern "C" [[noreturn, gnu::used]] void after_crash(const std::uint32_t* frame, 
   Hardware* const hardware = running_hardware();
   // First: the rocket is in the air, and nobody steers it. Should this crash in turn, the watchdog resets.
   hal::stm32f4::Servo::Counts at_trim{};
-  if (hardware != nullptr && flying != nullptr) {
+  // From then on the timer counts at a tenth of its speed: a pulse would be one of 15 ms, and the watchdog faster than
+  // its end.
+  const bool crystal_stopped = (scb().icsr.read() & registers::scb_icsr_vectactive) == nmi;
+  if (crystal_stopped) {
+    hal::stm32f4::Servo::hold_low(tim8());
+  } else if (hardware != nullptr && flying != nullptr) {
     at_trim = hardware->servo().counts(flying->pulses_at_trim());
     hal::stm32f4::Servo::drive(tim8(), at_trim);
   }
@@ -61,7 +68,7 @@ extern "C" [[noreturn, gnu::used]] void after_crash(const std::uint32_t* frame, 
     }
   }
   // A pulse that the reset cuts off in the middle is another command: 0.7 ms of 1.5 is full deflection.
-  if (hardware != nullptr && flying != nullptr) {
+  if (hardware != nullptr && flying != nullptr && !crystal_stopped) {
     static_cast<void>(hal::stm32f4::Servo::finish(tim8(), at_trim));
   }
   scb().aircr.write(registers::scb_aircr_vectkey | registers::scb_aircr_sysresetreq);

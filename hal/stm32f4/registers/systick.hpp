@@ -44,6 +44,7 @@ static_assert(offsetof(Scb, shpr) == 0x18);
 static_assert(offsetof(Scb, cfsr) == 0x28);
 static_assert(offsetof(Scb, bfar) == 0x38);
 
+inline constexpr std::uint32_t scb_icsr_vectactive = 0x1FFU;        ///< which exception runs
 inline constexpr std::uint32_t scb_icsr_pendstset = 1U << 26U;      ///< the SysTick interrupt is due and not yet served
 inline constexpr std::uint32_t scb_aircr_vectkey = 0x05FAU << 16U;  ///< without it a write does nothing
 inline constexpr std::uint32_t scb_aircr_sysresetreq = 1U << 2U;

@@ -48,6 +48,7 @@ inline constexpr std::uint32_t tim_ccmr_bits_per_channel = 8;
 inline constexpr std::uint32_t tim_ccer_cce = 1U << 0U;
 inline constexpr std::uint32_t tim_ccer_bits_per_channel = 4;
 // Section 17.4.18.
+inline constexpr std::uint32_t tim_bdtr_ossi = 1U << 10U;  ///< without MOE the outputs are driven to their idle level
 inline constexpr std::uint32_t tim_bdtr_moe = 1U << 15U;
 
 }  // namespace fantail::hal::stm32f4::registers

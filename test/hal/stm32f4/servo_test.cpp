@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "hal/stm32f4/servo.hpp"
 
+#include <algorithm>
 #include <chrono>
 
 #include <gtest/gtest.h>
@@ -146,7 +147,9 @@ TEST_F(TheServo, AResetAfterACrashCutsNoPulseWheneverTheCrashComes) {
   const Servo::Counts counts = servo.counts(at_trim);
   for (std::uint64_t crash = 0; crash < timer.counts_per_frame(); crash += 997) {
     timer.counts_per_access = 0;
-    servo.write({2'500'000ns, 1'000'000ns, 2'000'000ns, std::nullopt});
+    timer.reset();
+    Servo begun_anew{timer.registers, 168'000'000};
+    begun_anew.write({2'500'000ns, 1'000'000ns, 2'000'000ns, std::nullopt});
     const FakeTimer::Frame steered = timer.next_frame();
     timer.pass(crash);
     const std::size_t first = timer.frames().size();
@@ -157,12 +160,45 @@ TEST_F(TheServo, AResetAfterACrashCutsNoPulseWheneverTheCrashComes) {
     }
     EXPECT_EQ(timer.unfinished().high, centre.high) << crash << ": the pulses at trim are whole";
     EXPECT_LE(timer.frames().size() - first, 2U) << crash;
+    EXPECT_TRUE(std::ranges::all_of(timer.pulses(), &FakeTimer::Pulse::whole)) << crash;
   }
+}
+
+TEST_F(TheServo, AfterTheLastPulsesOfACrashTheLinesAreHeldLowHoweverLongTheResetTakes) {
+  const Pulses at_trim{1'500'000ns, 1'480'000ns, 1'510'000ns, 1'500'000ns};
+  servo.write(at_trim);
+  timer.next_frame();
+  timer.pass(20'000);
+  timer.counts_per_access = 3;
+  ASSERT_TRUE(Servo::finish(timer.registers, servo.counts(at_trim)));
+  EXPECT_TRUE(timer.holds_low());
+  const std::size_t pulses = timer.pulses().size();
+  timer.pass(3 * timer.counts_per_frame());
+  timer.reset();
+  EXPECT_EQ(timer.pulses().size(), pulses);
+  EXPECT_TRUE(std::ranges::all_of(timer.pulses(), &FakeTimer::Pulse::whole));
+}
+
+// At 16 MHz instead of 168 a pulse would take ten times as long, and the wait for its end longer than the watchdog's.
+TEST_F(TheServo, WhereItsClockHasFailedTheLinesAreLowAtOnce) {
+  servo.write({1'500'000ns, 1'480'000ns, 1'510'000ns, 1'500'000ns});
+  timer.next_frame();
+  timer.pass(20'000);
+  const std::uint64_t failed = timer.clocks();
+  Servo::hold_low(timer.registers);
+  timer.pass(3 * timer.counts_per_frame());
+  EXPECT_TRUE(timer.holds_low());
+  ASSERT_GE(timer.pulses().size(), 4U);
+  for (const FakeTimer::Pulse& pulse : timer.pulses()) {
+    EXPECT_LE(pulse.begin + pulse.width, failed);
+  }
+  EXPECT_FALSE(timer.pulses().back().whole);
 }
 
 TEST_F(TheServo, ATimerThatStandsIsNotWaitedForForEver) {
   servo.write({1'500'000ns, 1'500'000ns, 1'500'000ns, 1'500'000ns});
   EXPECT_FALSE(Servo::finish(timer.registers, servo.counts({1'500'000ns}))) << "its counter never moves in this test";
+  EXPECT_TRUE(timer.holds_low()) << "a line that stood high for so long carries no pulse";
 }
 
 TEST_F(TheServo, ACrashBeforeTheFirstPulseDrivesNothing) {
