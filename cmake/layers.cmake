@@ -26,7 +26,7 @@ set(FANTAIL_LAYERS
   "tools/flight|core text input|fmt/"
   "tools/trajectory|sim text input flight|fmt/"
   "tools/report|text json page flight|fmt/"
-  "tools/flight_log|core protocol avionics text input flight|fmt/"
+  "tools/flight_log|core protocol hal avionics text input flight|fmt/"
   "tools/logs|sim text input flight report flight_log|fmt/"
   "tools/identify/model|sim text|Eigen/ fmt/"
   "tools/identify/closed_loop|core text identify/model|Eigen/ fmt/"

@@ -44,7 +44,8 @@ const core::TickRecord& Avionics::tick() {
                           .duration_before = tick_duration_,
                           .bus = devices_.can_bus,
                           .power_up = flash_.boots().count(),
-                          .board = &devices_.board},
+                          .board = &devices_.board,
+                          .faults = board_watch_.faults()},
                          *autopilot_);
   flight_memory_.keep(record, plan_crc_, flash_.flights().used_sectors(), *autopilot_);
   const LogTransfer::Right right = right_to_log();

@@ -24,6 +24,7 @@ class BoardWatch {
   /// back.
   void look(const hal::BoardStatus& status, std::uint32_t missed_ticks, std::uint32_t overrun_limit);
 
+  [[nodiscard]] hal::BoardFaults faults() const { return status_.faults; }
   /// With any fault the rocket is not armed.
   [[nodiscard]] bool faulty() const { return !status_.faults.none(); }
   [[nodiscard]] protocol::BoardReport report(const FlashFacts& flash) const;

@@ -131,7 +131,7 @@ void Recorder::queue_tick(const Tick& tick) {
 
 void Recorder::fly_on(const Tick& tick, core::Autopilot& law) {
   const Microseconds time = tick.record.time;
-  queue_changes(tick.record);
+  queue_changes(tick);
   queue_tick(tick);
   queue_health(tick);
   if (!overflowed_) {

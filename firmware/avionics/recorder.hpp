@@ -50,6 +50,7 @@ class Recorder {
     const hal::CanBus& bus;
     std::optional<std::uint32_t> power_up{};
     hal::Board* board = nullptr;  ///< which may know the cycles of the longest tick
+    hal::BoardFaults faults{};    ///< its own, and what the avionics found
   };
 
   /// In Safe, while nothing is busy().
@@ -83,6 +84,8 @@ class Recorder {
     core::SensorState gyro = core::SensorState::fresh;
     core::SensorState accelerometer = core::SensorState::fresh;
     core::CommandStatus command_status = core::CommandStatus::outside_control;
+    hal::BoardFaults faults{};
+    std::uint32_t ticks_to_faults = 0;  ///< a plug that comes and goes does not fill the record
   };
 
   [[gnu::cold]] void begin_on_pad(const Tick& tick, core::Autopilot& law);
@@ -92,7 +95,7 @@ class Recorder {
 
   // `before`: number of the tick that follows.
   void queue_tick(const Tick& tick);
-  void queue_changes(const core::TickRecord& record);
+  void queue_changes(const Tick& tick);
   [[gnu::cold]] void tell_longest_tick(const Tick& tick);
   void queue_health(const Tick& tick);
   void begin_first_checkpoint();

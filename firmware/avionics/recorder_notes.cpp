@@ -42,7 +42,8 @@ std::uint8_t byte(Enumeration value) {
 
 }  // namespace
 
-void Recorder::queue_changes(const core::TickRecord& record) {
+void Recorder::queue_changes(const Tick& tick) {
+  const core::TickRecord& record = tick.record;
   const std::uint32_t before = queue_.ticks.end();
   const auto tell = [&](auto& told, auto now, protocol::LogEvent event) {
     if (told != now) {
@@ -61,6 +62,12 @@ void Recorder::queue_changes(const core::TickRecord& record) {
   tell(told_.gyro, worth_telling(record.motion.gyro), {.kind = LogEventKind::gyro_state});
   tell(told_.accelerometer, worth_telling(record.motion.accelerometer), {.kind = LogEventKind::accelerometer_state});
   tell(told_.command_status, record.command_status, {.kind = LogEventKind::command_status});
+  told_.ticks_to_faults -= told_.ticks_to_faults > 0 ? 1 : 0;
+  if (told_.faults != tick.faults && told_.ticks_to_faults == 0) {
+    told_.faults = tick.faults;
+    told_.ticks_to_faults = ticks_per_health;
+    queue_event({.time = record.time, .kind = LogEventKind::board_faults, .number = tick.faults.bits()}, before);
+  }
 }
 
 void Recorder::queue_health(const Tick& tick) {

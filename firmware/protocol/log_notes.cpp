@@ -17,7 +17,8 @@ std::size_t values(LogEventKind kind) {
     case LogEventKind::command_status: return core::command_statuses;
     case LogEventKind::recording_began:
     case LogEventKind::records_dropped:
-    case LogEventKind::longest_tick: break;
+    case LogEventKind::longest_tick:
+    case LogEventKind::board_faults: break;
   }
   return 1;
 }
@@ -104,6 +105,7 @@ std::string_view name(LogEventKind kind) {
     case LogEventKind::command_status: return "command_status";
     case LogEventKind::records_dropped: return "records_dropped";
     case LogEventKind::longest_tick: return "longest_tick";
+    case LogEventKind::board_faults: return "board_faults";
   }
   return "unknown";
 }

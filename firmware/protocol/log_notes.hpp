@@ -25,8 +25,9 @@ enum class LogEventKind : std::uint8_t {
   command_status,       ///< value: core::CommandStatus
   records_dropped,      ///< number: ticks that found no room in the queue, since the event before
   longest_tick,         ///< number: processor cycles of the longest tick so far, where the processor counts them
+  board_faults,         ///< number: hal::BoardFaults::bits(), of which some came or went
 };
-inline constexpr std::size_t log_event_kinds = 9;
+inline constexpr std::size_t log_event_kinds = 10;
 
 /// Why a recording ended.
 enum class LogEnd : std::uint8_t {

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "avionics/board_rig.hpp"
+#include "avionics/flying_rig.hpp"
 
 namespace fantail::avionics {
 namespace {
@@ -105,6 +106,15 @@ TEST(BoardWatch, AFaultIsReportedInTheTickInWhichItCame) {
   rig.tick();
   EXPECT_EQ(rig.pc.heard<BoardReport>()->faults, 1U << static_cast<unsigned>(BoardFault::flash_stuck));
   EXPECT_EQ(rig.console.text, "board: flash_stuck; it will not be armed\n");
+}
+
+TEST(BoardWatch, ASupplyThatSinksInFlightIsToldAndTheFlightGoesOn) {
+  FlyingRig rig;
+  rig.launch_to_control();
+  rig.hardware.board.faults.add(BoardFault::supply_low);
+  EXPECT_EQ(rig.fly_for(second)->phase, Phase::controlling);
+  EXPECT_EQ(rig.pc.heard<BoardReport>()->faults, 1U << 18U);
+  EXPECT_TRUE(says(rig, "board: supply_low; it goes on\n")) << rig.console.text;
 }
 
 // A plug that makes contact every other millisecond must fill neither bus nor console.

@@ -87,7 +87,8 @@ class RecorderRig {
                              .record = record,
                              .bus = bus_,
                              .power_up = 1,
-                             .board = &board},
+                             .board = &board,
+                             .faults = faults},
                             law_);
     service.update(time, false);
   }
@@ -104,6 +105,7 @@ class RecorderRig {
   }
 
   CountingBoard board;
+  hal::BoardFaults faults{};
   NotingFlash noting;
   FlashService service{noting};
   core::Microseconds time{};

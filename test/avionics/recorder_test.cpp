@@ -63,6 +63,46 @@ TEST_F(RecorderTest, TellsHowManyCyclesALongerTickTookThanAllOfTheFlightBeforeIt
   EXPECT_EQ(told, (std::vector<std::uint32_t>{30'000, 50'000}));
 }
 
+TEST_F(RecorderTest, TellsEveryFaultOfTheBoardThatComesOrGoes) {
+  rig.run(Phase::armed, 1000);
+  rig.run(Phase::launched, 100);
+  const core::Microseconds came = rig.time + tick;
+  rig.faults.add(hal::BoardFault::supply_low);
+  rig.run(Phase::launched, 1000);
+  rig.faults.add(hal::BoardFault::imu_silent);
+  rig.run(Phase::launched, 100);
+  rig.faults = {};
+  rig.run(Phase::launched, 100);
+  rig.settle(Phase::armed);
+  std::vector<std::uint32_t> told;
+  std::vector<core::Microseconds> times;
+  for (const protocol::LogEvent& event : events_in(log())) {
+    if (event.kind == LogEventKind::board_faults) {
+      told.push_back(event.number);
+      times.push_back(event.time);
+    }
+  }
+  EXPECT_EQ(told, (std::vector<std::uint32_t>{1U << 18U, 1U << 18U | 1U << 3U, 0}));  // docs/can.md
+  EXPECT_EQ(times.at(0), came);
+}
+
+TEST_F(RecorderTest, AFaultThatComesAndGoesEveryTickIsToldTenTimesASecondAtMost) {
+  rig.run(Phase::armed, 1000);
+  for (int i = 0; i < 2001; ++i) {
+    rig.faults = {};
+    if (i % 2 == 0) {
+      rig.faults.add(hal::BoardFault::imu_silent);
+    }
+    rig.tick(Phase::launched);
+  }
+  rig.settle(Phase::armed);
+  const auto events = events_in(log());
+  const auto told = std::ranges::count(events, LogEventKind::board_faults, &protocol::LogEvent::kind);
+  EXPECT_GE(told, 10);
+  EXPECT_LE(told, 21);
+  EXPECT_EQ(number_dropped(log()), 0U);
+}
+
 TEST_F(RecorderTest, KeepsTheLastHalfSecondBeforeTheLaunch) {
   rig.run(Phase::armed, 5000);
   const core::Microseconds launch = rig.time + tick;

@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include "flight/phase_names.hpp"
+#include "hal/board.hpp"
 
 namespace fantail::flight_log {
 namespace {
@@ -33,6 +34,21 @@ std::string sensor(std::string_view which, std::uint8_t state) {
   return fmt::format("{} {}", which, name(static_cast<core::SensorState>(state)));
 }
 
+std::string board(std::uint32_t bits) {
+  std::string text;
+  for (std::size_t i = 0; i < hal::board_faults; ++i) {
+    if ((bits >> i & 1U) != 0) {
+      text += fmt::format("{}{}", text.empty() ? "" : ", ", name(static_cast<hal::BoardFault>(i)));
+    }
+  }
+  // A newer board may have more.
+  if (bits >> hal::board_faults != 0) {
+    text += text.empty() ? "" : ", ";
+    text += fmt::format("unknown {:#x}", bits >> hal::board_faults << hal::board_faults);
+  }
+  return "board: " + (text.empty() ? "no fault" : text);
+}
+
 }  // namespace
 
 std::string event_text(const protocol::LogEvent& event) {
@@ -52,6 +68,7 @@ std::string event_text(const protocol::LogEvent& event) {
     case Kind::records_dropped:
       return fmt::format("{} records were not written, because the flash was too slow", event.number);
     case Kind::longest_tick: return fmt::format("longest tick so far: {} cycles of the processor", event.number);
+    case Kind::board_faults: return board(event.number);
   }
   return "unknown";
 }

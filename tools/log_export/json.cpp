@@ -58,7 +58,8 @@ std::string_view value_name(const protocol::LogEvent& event) {
     case LogEventKind::command_status: return name(static_cast<core::CommandStatus>(event.value));
     case LogEventKind::recording_began:
     case LogEventKind::records_dropped:
-    case LogEventKind::longest_tick: break;
+    case LogEventKind::longest_tick:
+    case LogEventKind::board_faults: break;
   }
   return {};
 }

@@ -57,6 +57,7 @@ Hardware::Hardware()
       clock_{systick(), scb(), tree_.frequencies.core_hz},
       console_{usart1(), line(usart1_all), tree_.frequencies.apb2_hz},
       backup_memory_{rcc(), pwr(), backup_cells()},
+      supply_{pwr(), exti()},
       entropy_{rng()},
       battery_{adc1(), adc_common(), battery_wiring},
       buzzer_{tim1(), tree_.frequencies.apb2_timers_hz, buzzer_hz},
@@ -118,10 +119,12 @@ void Hardware::wait_for_tick() {
   cycles_.begin();
   arm_switch_.update();
   battery_.update();
+  supply_.update();
   hal::BoardFaults sensors = imu_.faults();
   sensors.add(accelerometer_.faults());
   sensors.add(encoder_.faults());
   sensors.add(flash_.faults());
+  sensors.add(supply_.faults());
   board_.set_now(sensors);
 }
 

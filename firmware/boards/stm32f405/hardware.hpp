@@ -22,6 +22,7 @@
 #include "hal/stm32f4/interrupt_line.hpp"
 #include "hal/stm32f4/servo.hpp"
 #include "hal/stm32f4/spi_bus.hpp"
+#include "hal/stm32f4/supply.hpp"
 #include "hal/stm32f4/watchdog.hpp"
 
 namespace fantail::boards::stm32f405 {
@@ -57,6 +58,7 @@ class Hardware {
   hal::stm32f4::Clock clock_;
   hal::stm32f4::Console console_;
   hal::stm32f4::BackupMemory backup_memory_;
+  hal::stm32f4::Supply supply_;
   hal::stm32f4::Entropy entropy_;
   hal::stm32f4::Battery battery_;
   hal::stm32f4::Buzzer buzzer_;

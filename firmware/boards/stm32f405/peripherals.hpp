@@ -8,6 +8,7 @@
 #include "hal/stm32f4/registers/adc.hpp"
 #include "hal/stm32f4/registers/can.hpp"
 #include "hal/stm32f4/registers/dwt.hpp"
+#include "hal/stm32f4/registers/exti.hpp"
 #include "hal/stm32f4/registers/flash_interface.hpp"
 #include "hal/stm32f4/registers/gpio.hpp"
 #include "hal/stm32f4/registers/iwdg.hpp"
@@ -36,6 +37,7 @@ inline registers::Tim& tim8() { return peripheral<registers::Tim, 0x40010400>();
 inline registers::Usart& usart1() { return peripheral<registers::Usart, 0x40011000>(); }
 inline registers::Adc& adc1() { return peripheral<registers::Adc, 0x40012000>(); }
 inline registers::AdcCommon& adc_common() { return peripheral<registers::AdcCommon, 0x40012300>(); }
+inline registers::Exti& exti() { return peripheral<registers::Exti, 0x40013C00>(); }
 inline registers::Spi& spi1() { return peripheral<registers::Spi, 0x40013000>(); }
 inline registers::Spi& spi2() { return peripheral<registers::Spi, 0x40003800>(); }
 inline registers::Spi& spi3() { return peripheral<registers::Spi, 0x40003C00>(); }

@@ -30,16 +30,30 @@ enum class BoardFault : std::uint8_t {
   loop_overrun,        ///< more ticks came late than the plan allows
   crashed,             ///< the processor was reset by a hard fault, and the post-mortem record says where
   brown_out_level,     ///< the processor runs on below the supply that its flash needs at this speed
+  supply_low,          ///< the processor's supply is, or was a moment ago, too low
 };
-inline constexpr std::size_t board_faults = 18;
+inline constexpr std::size_t board_faults = 19;
 
 [[nodiscard]] constexpr std::string_view name(BoardFault fault) {
-  constexpr std::array<std::string_view, board_faults> names{
-      "crystal_failed", "clock_failed",         "image_broken",         "imu_silent",
-      "imu_wrong_id",   "imu_self_test_failed", "accelerometer_silent", "accelerometer_wrong_id",
-      "encoder_silent", "flash_silent",         "flash_wrong_id",       "flash_stuck",
-      "can_failed",     "entropy_failed",       "battery_unmeasured",   "loop_overrun",
-      "crashed",        "brown_out_level"};
+  constexpr std::array<std::string_view, board_faults> names{"crystal_failed",
+                                                             "clock_failed",
+                                                             "image_broken",
+                                                             "imu_silent",
+                                                             "imu_wrong_id",
+                                                             "imu_self_test_failed",
+                                                             "accelerometer_silent",
+                                                             "accelerometer_wrong_id",
+                                                             "encoder_silent",
+                                                             "flash_silent",
+                                                             "flash_wrong_id",
+                                                             "flash_stuck",
+                                                             "can_failed",
+                                                             "entropy_failed",
+                                                             "battery_unmeasured",
+                                                             "loop_overrun",
+                                                             "crashed",
+                                                             "brown_out_level",
+                                                             "supply_low"};
   return names[static_cast<std::size_t>(fault)];
 }
 
