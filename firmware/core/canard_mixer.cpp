@@ -10,6 +10,11 @@ namespace {
 
 constexpr Microseconds encoder_patience{500'000};
 
+/// What is no number means trim.
+Angle limited_to(Angle limit, Angle trim, Angle wanted) {
+  return clamp(is_finite(wanted.radians()) ? wanted : trim, limit);
+}
+
 }  // namespace
 
 CanardMixer::CanardMixer(const CanardsPlan& plan, Angle plan_limit)
@@ -82,7 +87,8 @@ Angle CanardMixer::approach(Microseconds elapsed, Canard& canard, Angle target) 
   const Angle largest_step = Angle::from_radians(first_motion_rate_rad_s_ * seconds(elapsed));
   const Angle remaining = target - *canard.position;
   canard.first_motion_done = abs(remaining) <= largest_step;
-  *canard.position += clamp(remaining, largest_step);
+  // Last of all the limit: a position that came back after a reset, or of which a bit has flipped, may be anything.
+  canard.position = limited_to(canard.limit, canard.trim, *canard.position + clamp(remaining, largest_step));
   return canard.first_motion_done ? target : *canard.position;
 }
 
