@@ -15,8 +15,6 @@ constexpr Microseconds reset_time{2'000};      // TN027
 constexpr Microseconds longest_reset{60'000};  // at power-up it takes up to 50 ms to answer (TN027)
 constexpr Microseconds longest_without_sample{10'000};
 constexpr std::uint8_t most_misses = 5;
-// It is noisier than its last bit: at work it does not say exactly the same on three axes so often.
-constexpr std::uint32_t most_same = 100;
 
 }  // namespace
 
@@ -43,6 +41,9 @@ BoardFaults Accelerometer::faults() const {
   }
   if (wrong_id_) {
     faults.add(BoardFault::accelerometer_wrong_id);
+  }
+  if (counts_.frozen()) {
+    faults.add(BoardFault::accelerometer_frozen);
   }
   return faults;
 }
@@ -151,15 +152,11 @@ void Accelerometer::run(Microseconds now) {
 
 void Accelerometer::take(Microseconds now, const Counts& counts) {
   last_new_ = now;
-  same_ = counts == last_counts_ ? same_ + 1 : 0;
-  last_counts_ = counts;
-  sample_ = {.time = now - age_when_found, .specific_force = counts, .status = Status::ok};
-  if (same_ >= most_same) {
-    sample_.status = Status::error;
-    if (same_ % most_same == 0) {
-      stage_ = Stage::reset;
-    }
+  if (counts_.update(counts)) {
+    stage_ = Stage::reset;
   }
+  sample_ = {
+      .time = now - age_when_found, .specific_force = counts, .status = counts_.frozen() ? Status::error : Status::ok};
 }
 
 }  // namespace fantail::hal::stm32f4

@@ -24,10 +24,14 @@ static_assert(pll_input_hz * pll_multiplier / pll_48_mhz_divider == 48'000'000);
 // brown-out reset ends that: its level 3 begins at 2.7 V (data sheet, embedded reset and power control block).
 constexpr std::uint32_t wait_states = 5;
 
-constexpr Frequencies fast{
-    .core_hz = core_hz, .apb1_hz = core_hz / 4, .apb2_hz = core_hz / 2, .apb2_timers_hz = core_hz};
+constexpr Frequencies fast{.core_hz = core_hz,
+                           .apb1_hz = core_hz / 4,
+                           .apb1_timers_hz = core_hz / 2,
+                           .apb2_hz = core_hz / 2,
+                           .apb2_timers_hz = core_hz};
 constexpr Frequencies slow{.core_hz = internal_oscillator_hz,
                            .apb1_hz = internal_oscillator_hz,
+                           .apb1_timers_hz = internal_oscillator_hz,
                            .apb2_hz = internal_oscillator_hz,
                            .apb2_timers_hz = internal_oscillator_hz};
 
@@ -91,7 +95,7 @@ ClockTree start_clocks(Rcc& rcc, FlashInterface& flash, Pwr& pwr) {
 void enable_peripherals(Rcc& rcc) {
   rcc.ahb1enr.set(rcc_ahb1enr_gpioa | rcc_ahb1enr_gpiob | rcc_ahb1enr_gpioc);
   rcc.ahb2enr.set(rcc_ahb2enr_rng);
-  rcc.apb1enr.set(rcc_apb1enr_spi2 | rcc_apb1enr_spi3 | rcc_apb1enr_can1 | rcc_apb1enr_pwr);
+  rcc.apb1enr.set(rcc_apb1enr_tim2 | rcc_apb1enr_spi2 | rcc_apb1enr_spi3 | rcc_apb1enr_can1 | rcc_apb1enr_pwr);
   rcc.apb2enr.set(rcc_apb2enr_tim1 | rcc_apb2enr_tim8 | rcc_apb2enr_usart1 | rcc_apb2enr_adc1 | rcc_apb2enr_spi1);
   // A clock is there two bus cycles after it was asked for (errata sheet ES0182, delay after an RCC peripheral clock
   // enabling); a read takes longer.

@@ -14,8 +14,9 @@ namespace fantail::hal::stm32f4 {
 struct Frequencies {
   std::uint32_t core_hz = 0;
   std::uint32_t apb1_hz = 0;
+  std::uint32_t apb1_timers_hz = 0;  ///< twice the bus when the bus is divided: RM0090 section 7.2
   std::uint32_t apb2_hz = 0;
-  std::uint32_t apb2_timers_hz = 0;  ///< twice the bus when the bus is divided: RM0090 section 7.2
+  std::uint32_t apb2_timers_hz = 0;
 };
 
 struct ClockTree {

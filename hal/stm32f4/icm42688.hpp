@@ -14,6 +14,7 @@ inline constexpr SpiSettings spi{.mode = SpiMode::mode_0, .most_hz = 24'000'000,
 
 // Bank 0.
 inline constexpr std::uint8_t device_config = 0x11;
+inline constexpr std::uint8_t interrupt_config = 0x14;
 inline constexpr std::uint8_t temperature_data = 0x1D;  ///< here begin temperature, accelerometer and gyro
 inline constexpr std::uint8_t accelerometer_data = 0x1F;
 inline constexpr std::uint8_t gyro_data = 0x25;
@@ -27,6 +28,7 @@ inline constexpr std::uint8_t gyro_config_1 = 0x51;
 inline constexpr std::uint8_t filter_config_0 = 0x52;  ///< GYRO_ACCEL_CONFIG0
 inline constexpr std::uint8_t accelerometer_config_1 = 0x53;
 inline constexpr std::uint8_t interrupt_config_0 = 0x63;
+inline constexpr std::uint8_t interrupt_config_1 = 0x64;
 inline constexpr std::uint8_t interrupt_source_0 = 0x65;
 inline constexpr std::uint8_t self_test_config = 0x70;
 inline constexpr std::uint8_t who_am_i = 0x75;

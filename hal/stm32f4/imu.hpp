@@ -9,7 +9,10 @@
 #include "hal/board.hpp"
 #include "hal/clock.hpp"
 #include "hal/imu.hpp"
+#include "hal/stm32f4/edge_timer.hpp"
+#include "hal/stm32f4/frozen_counts.hpp"
 #include "hal/stm32f4/imu_self_test.hpp"
+#include "hal/stm32f4/sample_edges.hpp"
 #include "hal/stm32f4/sensor_start.hpp"
 #include "hal/stm32f4/spi_registers.hpp"
 
@@ -25,10 +28,19 @@ namespace fantail::hal::stm32f4 {
 /// Filters: the anti-alias filter at 258 Hz, before the data is thinned out to 1 kHz, where a motor's vibration above
 /// 500 Hz would otherwise come back as slow motion; the filter behind it as wide as 1 kHz allows (493 Hz), because each
 /// millisecond of delay is phase lost to the roll loop. Together they delay by 1.6 ms: at 3 Hz less than 2 degrees.
+///
+/// Time: the device samples by its own clock, up to some percent off, and gives a pulse at its INT1 with each sample.
+/// The edge before the one that is read says when that was, to a microsecond. (Its FIFO with time stamps would say the
+/// same with more bytes, and in the device's own time.) Where the edges do not fit the samples, the wire is off or
+/// something else drives it: then a sample is taken to be half a millisecond old when it is found, and a fault says so.
+///
+/// Counts that repeat: see FrozenCounts. A gyro that is frozen is not used, and the device is set up again; of an
+/// accelerometer that is frozen only its own counts are not used, because a restart would cost the gyro.
 class Imu final : public hal::Imu {
  public:
   /// The bus of the device and the clock outlive this object.
-  Imu(SpiDevice device, const hal::Clock& clock) : registers_{device}, clock_{clock} {}
+  Imu(SpiDevice device, const hal::Clock& clock, EdgeTimer data_ready)
+      : registers_{device}, clock_{clock}, data_ready_{data_ready} {}
 
   /// Before the first read(). Nothing is sent yet.
   void start(SensorStart how);
@@ -38,21 +50,31 @@ class Imu final : public hal::Imu {
   /// What is wrong now; a failed self-test stays until power-up.
   [[nodiscard]] BoardFaults faults() const;
 
-  /// A sample that is found in the device is older than that: half a millisecond on average since it was put there,
-  /// and the delay of the filters (DS-000347 section 5.5: 0.7 ms; a second-order filter at 258 Hz: 0.87 ms).
-  static constexpr Microseconds age_when_found{2'070};
+  /// From what is measured to its edge (DS-000347 section 5.5: 0.7 ms; a second-order filter at 258 Hz: 0.87 ms).
+  static constexpr Microseconds filter_delay{1'570};
+  /// A sample without an edge was put there half a millisecond ago on average.
+  static constexpr Microseconds age_when_found{filter_delay + Microseconds{500}};
 
  private:
   enum class Stage : std::uint8_t { adopt, reset, wait_for_reset, self_test, warm_up, running };
+
+  /// Of the data-ready line; `others`: more than one came since a tick ago.
+  struct LatestEdge {
+    EdgeTimer::Edge count;
+    Microseconds time;
+    bool others;
+  };
 
   void adopt(Microseconds now);
   void reset(Microseconds now);
   void wait_for_reset(Microseconds now);
   void carry_on_self_test(Microseconds now);
+  void begin_running(Microseconds now);
   bool configure();
   bool is_configured();
   void run(Microseconds now);
-  void take(Microseconds now, std::span<const std::byte> burst);
+  void take(Microseconds now, std::span<const std::byte> burst, const LatestEdge& edge);
+  void judge_counts();
   void restart();
   /// Is it the device that belongs here? Remembers what is wrong.
   bool check_id(std::uint8_t id);
@@ -62,6 +84,7 @@ class Imu final : public hal::Imu {
 
   SpiRegisters registers_;
   const hal::Clock& clock_;
+  EdgeTimer data_ready_;
   Stage stage_ = Stage::reset;
   ImuSelfTest self_test_{};
   std::uint8_t self_tests_left_ = 0;
@@ -72,6 +95,10 @@ class Imu final : public hal::Imu {
   Microseconds last_new_{};  ///< when a new sample was found last
   std::uint8_t misses_ = 0;  ///< reads without an answer, one after the other
   std::array<std::byte, 12> last_data_{};
+  SampleEdges edges_{};
+  FrozenCounts gyro_{{.one_axis = 200, .three_axes = 64}};
+  FrozenCounts accelerometer_{{.one_axis = 64, .three_axes = 20}};
+  std::uint8_t all_the_same_ = 0;  ///< samples, one after the other, with all six axes as before
   ImuSample sample_{};
 };
 

@@ -69,7 +69,7 @@ Hardware::Hardware()
       imu_bus_{spi1(), tree_.frequencies.apb2_hz},
       encoder_bus_{spi2(), tree_.frequencies.apb1_hz},
       accelerometer_and_flash_bus_{spi3(), tree_.frequencies.apb1_hz},
-      imu_{{imu_bus_, pin('A', 4), icm42688::spi}, clock_},
+      imu_{{imu_bus_, pin('A', 4), icm42688::spi}, clock_, {tim2(), tree_.frequencies.apb1_timers_hz}},
       accelerometer_{{accelerometer_and_flash_bus_, pin('C', 4), kx134::spi}, clock_},
       encoder_{{encoder_on(encoder_bus_, 'B', 12), encoder_on(encoder_bus_, 'B', 0), encoder_on(encoder_bus_, 'B', 1),
                 encoder_on(encoder_bus_, 'C', 5)},

@@ -33,6 +33,7 @@ template <typename Block, std::uintptr_t address>
 }
 
 inline registers::Tim& tim1() { return peripheral<registers::Tim, 0x40010000>(); }
+inline registers::Tim& tim2() { return peripheral<registers::Tim, 0x40000000>(); }
 inline registers::Tim& tim8() { return peripheral<registers::Tim, 0x40010400>(); }
 inline registers::Usart& usart1() { return peripheral<registers::Usart, 0x40011000>(); }
 inline registers::Adc& adc1() { return peripheral<registers::Adc, 0x40012000>(); }

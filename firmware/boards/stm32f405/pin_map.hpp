@@ -37,6 +37,8 @@ inline constexpr auto pin_map = std::to_array<PinSetup>({
     // A sensor that is not there reads as zeros, which no sensor answers.
     spi('A', 6, 5, PinPull::down),  // IMU data out, SPI1_MISO
     spi('A', 7, 5),  // IMU data in, SPI1_MOSI
+    // A wire that is off has no edges.
+    PinSetup{'A', 3, PinMode::alternate, 1, PinPull::down, PinSpeed::slow, false},  // IMU data ready, TIM2_CH4
 
     select('B', 12),  // encoder 1 select
     select('B', 0),  // encoder 2 select

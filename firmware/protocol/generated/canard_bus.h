@@ -1478,7 +1478,7 @@ struct canard_bus_limit_report_t {
 /**
  * Signals in message BoardReport.
  *
- * What the board says about itself: with any fault the rocket is not armed. The bits of faults, from the lowest: crystal_failed, clock_failed, image_broken, imu_silent, imu_wrong_id, imu_self_test_failed, accelerometer_silent, accelerometer_wrong_id, encoder_silent, flash_silent, flash_wrong_id, flash_stuck, can_failed, entropy_failed, battery_unmeasured, loop_overrun, crashed, brown_out_level, supply_low. overruns: control ticks that were due and did not come since power-up, 255 for that many or more; of a simulated board also the milliseconds that its PC left out, which are no fault. plan: which one is in force, and what is wrong with the stored one.
+ * What the board says about itself: with any fault the rocket is not armed. The bits of faults, from the lowest: crystal_failed, clock_failed, image_broken, imu_silent, imu_wrong_id, imu_self_test_failed, accelerometer_silent, accelerometer_wrong_id, encoder_silent, flash_silent, flash_wrong_id, flash_stuck, can_failed, entropy_failed, battery_unmeasured, loop_overrun, crashed, brown_out_level, supply_low, gyro_frozen, imu_accelerometer_frozen, accelerometer_frozen, imu_line_lost. overruns: control ticks that were due and did not come since power-up, 255 for that many or more; of a simulated board also the milliseconds that its PC left out, which are no fault. plan: which one is in force, and what is wrong with the stored one.
  *
  * All signal values are as on the CAN bus.
  */

@@ -26,13 +26,17 @@ enum class BoardFault : std::uint8_t {
   flash_stuck,  ///< busy for longer than its data sheet allows
   can_failed,   ///< the controller did not leave initialisation
   entropy_failed,
-  battery_unmeasured,  ///< the converter did not answer
-  loop_overrun,        ///< more ticks came late than the plan allows
-  crashed,             ///< the processor was reset by a hard fault, and the post-mortem record says where
-  brown_out_level,     ///< the processor runs on below the supply that its flash needs at this speed
-  supply_low,          ///< the processor's supply is, or was a moment ago, too low
+  battery_unmeasured,        ///< the converter did not answer
+  loop_overrun,              ///< more ticks came late than the plan allows
+  crashed,                   ///< the processor was reset by a hard fault, and the post-mortem record says where
+  brown_out_level,           ///< the processor runs on below the supply that its flash needs at this speed
+  supply_low,                ///< the processor's supply is, or was a moment ago, too low
+  gyro_frozen,               ///< new samples of the IMU's gyro repeat their values: it is not used
+  imu_accelerometer_frozen,  ///< the same of the accelerometer in the IMU
+  accelerometer_frozen,      ///< the same of the second accelerometer
+  imu_line_lost,  ///< the edges of the IMU's data-ready line do not fit its samples: their times are estimated
 };
-inline constexpr std::size_t board_faults = 19;
+inline constexpr std::size_t board_faults = 23;
 
 [[nodiscard]] constexpr std::string_view name(BoardFault fault) {
   constexpr std::array<std::string_view, board_faults> names{"crystal_failed",
@@ -53,7 +57,11 @@ inline constexpr std::size_t board_faults = 19;
                                                              "loop_overrun",
                                                              "crashed",
                                                              "brown_out_level",
-                                                             "supply_low"};
+                                                             "supply_low",
+                                                             "gyro_frozen",
+                                                             "imu_accelerometer_frozen",
+                                                             "accelerometer_frozen",
+                                                             "imu_line_lost"};
   return names[static_cast<std::size_t>(fault)];
 }
 

@@ -6,9 +6,9 @@
 namespace fantail::hal {
 
 struct ImuSample {
-  Microseconds time{};  ///< when it was measured
-  Counts rate{};
-  Counts specific_force{};
+  Microseconds time{};      ///< when it was measured
+  Counts rate{};            ///< all three at the lower end: of the gyro there is nothing to be used
+  Counts specific_force{};  ///< the same of the accelerometer
   Status status = Status::no_reading;
 };
 

@@ -74,6 +74,7 @@ inline constexpr std::uint32_t rcc_ahb1enr_gpiob = 1U << 1U;
 inline constexpr std::uint32_t rcc_ahb1enr_gpioc = 1U << 2U;
 inline constexpr std::uint32_t rcc_ahb1enr_bkpsram = 1U << 18U;
 inline constexpr std::uint32_t rcc_ahb2enr_rng = 1U << 6U;
+inline constexpr std::uint32_t rcc_apb1enr_tim2 = 1U << 0U;
 inline constexpr std::uint32_t rcc_apb1enr_spi2 = 1U << 14U;
 inline constexpr std::uint32_t rcc_apb1enr_spi3 = 1U << 15U;
 inline constexpr std::uint32_t rcc_apb1enr_can1 = 1U << 25U;

@@ -8,7 +8,7 @@
 
 namespace fantail::hal::stm32f4::registers {
 
-/// TIM1 and TIM8. RM0090 section 17.4.
+/// TIM1 and TIM8, RM0090 section 17.4; TIM2 and TIM5 lie the same, without RCR and BDTR (section 18.4).
 struct Tim {
   Register cr1;
   Register cr2;
@@ -38,11 +38,15 @@ static_assert(offsetof(Tim, bdtr) == 0x44);
 inline constexpr std::uint32_t tim_cr1_cen = 1U << 0U;
 inline constexpr std::uint32_t tim_cr1_udis = 1U << 1U;  ///< no update: what is preloaded stays preloaded
 inline constexpr std::uint32_t tim_cr1_arpe = 1U << 7U;
+// Section 17.4.5.
+inline constexpr std::uint32_t tim_sr_cc4of = 1U << 12U;  ///< captured again before it was read; written zero, cleared
 // Section 17.4.6.
 inline constexpr std::uint32_t tim_egr_ug = 1U << 0U;
 // Section 17.4.7: of the first channel of the pair; the second lies 8 bits higher.
 inline constexpr std::uint32_t tim_ccmr_ocpe = 1U << 3U;      ///< the compare value is preloaded
 inline constexpr std::uint32_t tim_ccmr_ocm_pwm1 = 6U << 4U;  ///< high while the counter is below the compare value
+inline constexpr std::uint32_t tim_ccmr_input = 1U << 0U;     ///< the channel is an input, captured from its own pin
+inline constexpr std::uint32_t tim_ccmr_input_filter_shift = 4;
 inline constexpr std::uint32_t tim_ccmr_bits_per_channel = 8;
 // Section 17.4.9: of the first channel; each further one lies 4 bits higher.
 inline constexpr std::uint32_t tim_ccer_cce = 1U << 0U;

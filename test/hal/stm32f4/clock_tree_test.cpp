@@ -21,6 +21,7 @@ struct StartClocks : testing::Test {
     EXPECT_EQ(told.core_hz, clocks.core_hz());
     EXPECT_EQ(told.apb1_hz, clocks.apb1_hz());
     EXPECT_EQ(told.apb2_hz, clocks.apb2_hz());
+    EXPECT_EQ(told.apb1_timers_hz, clocks.apb1_timers_hz());
     EXPECT_EQ(told.apb2_timers_hz, clocks.apb2_timers_hz());
     EXPECT_FALSE(clocks.ever_too_fast());
   }
@@ -32,6 +33,7 @@ TEST_F(StartClocks, RunsAt168MegahertzFromTheCrystal) {
   EXPECT_EQ(tree.frequencies.core_hz, 168'000'000U);
   EXPECT_EQ(tree.frequencies.apb1_hz, 42'000'000U);
   EXPECT_EQ(tree.frequencies.apb2_hz, 84'000'000U);
+  EXPECT_EQ(tree.frequencies.apb1_timers_hz, 84'000'000U);
   EXPECT_EQ(tree.frequencies.apb2_timers_hz, 168'000'000U);
   expect_what_runs(tree.frequencies);
   EXPECT_EQ(clocks.rng_hz(), 48e6);
@@ -74,6 +76,7 @@ TEST_F(StartClocks, APllThatDoesNotLockLeavesTheInternalSixteenMegahertz) {
   EXPECT_TRUE(tree.faults.has(BoardFault::clock_failed));
   EXPECT_FALSE(tree.faults.has(BoardFault::crystal_failed));
   EXPECT_EQ(tree.frequencies.core_hz, 16'000'000U);
+  EXPECT_EQ(tree.frequencies.apb1_timers_hz, 16'000'000U);
   EXPECT_EQ(tree.frequencies.apb2_timers_hz, 16'000'000U);
   expect_what_runs(tree.frequencies);
   EXPECT_FALSE(clocks.pll_is_on());
@@ -115,7 +118,7 @@ TEST(EnablePeripherals, GivesAClockToWhatTheBoardUsesAndKeepsTheOthers) {
   enable_peripherals(rcc);
   EXPECT_EQ(RegisterWorld::peek(rcc.ahb1enr), 0x00100007U);  // RM0090 section 7.3.10
   EXPECT_EQ(RegisterWorld::peek(rcc.ahb2enr), 0x00000040U);
-  EXPECT_EQ(RegisterWorld::peek(rcc.apb1enr), 0x1200C000U);
+  EXPECT_EQ(RegisterWorld::peek(rcc.apb1enr), 0x1200C001U);
   EXPECT_EQ(RegisterWorld::peek(rcc.apb2enr), 0x00001113U);
 }
 

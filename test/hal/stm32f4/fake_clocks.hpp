@@ -47,6 +47,7 @@ class FakeClocks {
   }
   [[nodiscard]] double apb1_hz() const { return core_hz() / divider(10); }
   [[nodiscard]] double apb2_hz() const { return core_hz() / divider(13); }
+  [[nodiscard]] double apb1_timers_hz() const { return divider(10) == 1 ? apb1_hz() : 2 * apb1_hz(); }
   [[nodiscard]] double apb2_timers_hz() const { return divider(13) == 1 ? apb2_hz() : 2 * apb2_hz(); }
   [[nodiscard]] double rng_hz() const { return pll_on_ && pll_looks_ <= 0 ? pll_hz((pllcfgr() >> 24U) & 15U) : 0; }
   [[nodiscard]] bool crystal_is_watched() const { return css_; }

@@ -57,28 +57,59 @@ void FakeIcm42688::update() {
   // Both at 1 kHz; the slower to start sets the beat.
   const Microseconds first =
       std::max(gyro_on ? gyro_ready_ : Microseconds{}, accelerometer_on ? accelerometer_ready_ : Microseconds{});
-  const std::int64_t due = clock_.time < first ? 0 : (clock_.time - first) / Microseconds{1'000} + 1;
-  if (due <= samples_) {
+  const auto time_of = [&](std::int64_t sample) {
+    return first + Microseconds{std::llround(static_cast<double>(sample) * period_us)};
+  };
+  const std::int64_t seen = samples_;
+  while (time_of(samples_) <= clock_.time) {
+    samples_ += 1;
+  }
+  if (samples_ == seen) {
     return;
   }
-  samples_ = due;
+  const Microseconds time = time_of(samples_ - 1);
+  if (before_sample) {
+    before_sample(time);
+  }
+  raise_interrupt_1(time, samples_ - seen);
   registers_[0][interrupt_status] |= 0x08;
   const std::uint8_t test = registers_[0][self_test];
+  std::normal_distribution<double> noise;
   for (std::uint8_t i = 0; i < 3; ++i) {
     const auto at = static_cast<std::uint8_t>(2 * i);
     if (gyro_on && !gyro_is_stuck(i)) {
       const bool actuated = (test >> i & 1U) != 0;
       const double more = actuated ? gyro_actuation * factory_counts(gyro_codes[i]) * 250.0 / 32768.0 : 0.0;
-      put(static_cast<std::uint8_t>(gyro_data + at), rate_deg_s[i] + more, range(2000.0, registers_[0][gyro_config]));
+      if (!gyro_repeats[i]) {
+        held_deg_s_[i] = rate_deg_s[i] + more + gyro_noise_deg_s * noise(random_);
+      }
+      put(static_cast<std::uint8_t>(gyro_data + at), held_deg_s_[i], range(2000.0, registers_[0][gyro_config]));
     }
     if (accelerometer_on) {
       const bool actuated = (test >> (3U + i) & 1U) != 0 && (test & 0x40U) != 0;
       const double more =
           actuated ? accelerometer_actuation * factory_counts(accelerometer_codes[i]) * 2.0 / 32768.0 : 0.0;
-      put(static_cast<std::uint8_t>(accelerometer_data + at), force_g[i] + more,
+      if (!accelerometer_repeats[i]) {
+        held_g_[i] = force_g[i] + more + accelerometer_noise_g * noise(random_);
+      }
+      put(static_cast<std::uint8_t>(accelerometer_data + at), held_g_[i],
           range(16.0, registers_[0][accelerometer_config]));
     }
   }
+}
+
+void FakeIcm42688::raise_interrupt_1(Microseconds time, std::int64_t edges) {
+  constexpr std::uint8_t int_config = 0x14, int_config_1 = 0x64, int_source_0 = 0x65;
+  const auto& bank0 = registers_[0];
+  // Sections 14.3 and 12.6: pulsed, push-pull, active high; INT_ASYNC_RESET off; data-ready alone.
+  if ((bank0[int_config] & 7U) == 3 && (bank0[int_config_1] & 0x10U) == 0 && bank0[int_source_0] == 0x08) {
+    interrupt_1_ = {time, (interrupt_1_ ? interrupt_1_->number : 0) + edges};
+  }
+}
+
+std::optional<LineEdge> FakeIcm42688::interrupt_1() {
+  update();
+  return interrupt_1_;
 }
 
 bool FakeIcm42688::gyro_is_stuck(std::uint8_t axis) {

@@ -39,7 +39,7 @@ void FakeKx134::update() {
   }
   const double full_scale_g = 8 << (control >> 3U & 3U);
   for (std::uint8_t i = 0; i < 3; ++i) {
-    const double noise = noisy && i == 1 ? static_cast<double>(samples_ % 3) : 0.0;
+    const double noise = noisy ? static_cast<double>(samples_ % (3 + i)) : 0.0;
     const double counts = std::clamp(std::round(force_g[i] / full_scale_g * 32768.0) + noise, -32768.0, 32767.0);
     const auto word = static_cast<std::uint16_t>(static_cast<std::int16_t>(counts));
     registers_[output + 2U * i] = static_cast<std::uint8_t>(word);

@@ -18,7 +18,7 @@ class FakeKx134 final : public AddressedSlave {
   explicit FakeKx134(const FakeClock& clock) : clock_{clock} { reset(); }
 
   std::array<double, 3> force_g{0.0, 0.0, 1.0};
-  bool noisy = true;  ///< a count, now and then
+  bool noisy = true;  ///< some counts on each axis
 
   // ---- faults ----
   std::uint8_t id = 0x46;

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "fake_as5047p.hpp"
+#include "fake_capture.hpp"
 #include "fake_icm42688.hpp"
 #include "fake_kx134.hpp"
 #include "fake_w25q.hpp"
@@ -18,6 +19,7 @@ namespace fantail::hal::stm32f4 {
 namespace {
 
 using test::FakeAs5047p;
+using test::FakeCapture;
 using test::FakeClock;
 using test::FakeIcm42688;
 using test::FakeKx134;
@@ -48,7 +50,9 @@ class TickTraffic : public testing::Test {
   FakeKx134 fake_accelerometer{clock};
   FakeW25q fake_flash{clock};
 
-  Imu imu{SpiDevice{bus_1, Pin{port_a.block(), 4}, icm42688::spi}, clock};
+  FakeCapture capture{world, clock, 84e6, [this] { return fake_imu.interrupt_1(); }};
+
+  Imu imu{SpiDevice{bus_1, Pin{port_a.block(), 4}, icm42688::spi}, clock, EdgeTimer{capture.registers, 84'000'000}};
   Encoder encoder{
       {SpiDevice{bus_2, Pin{port_b.block(), 12}, as5047p::spi}, SpiDevice{bus_2, Pin{port_b.block(), 0}, as5047p::spi},
        SpiDevice{bus_2, Pin{port_b.block(), 1}, as5047p::spi}, SpiDevice{bus_2, Pin{port_c.block(), 5}, as5047p::spi}},
