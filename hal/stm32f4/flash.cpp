@@ -61,8 +61,9 @@ bool Flash::identify() {
   };
   silent_ = !done || is(0x00) || is(nobody);
   const auto capacity = std::to_integer<std::uint8_t>(id[2]);
-  wrong_id_ = !silent_ && (id[0] != std::byte{w25q::manufacturer} || id[1] != std::byte{w25q::memory_type} ||
-                           capacity < w25q::least_capacity || capacity > w25q::w25q128_capacity);
+  const bool known_type = id[1] == std::byte{w25q::memory_type} || id[1] == std::byte{w25q::memory_type_m};
+  wrong_id_ = !silent_ && (id[0] != std::byte{w25q::manufacturer} || !known_type || capacity < w25q::least_capacity ||
+                           capacity > w25q::w25q128_capacity);
   if (silent_ || wrong_id_) {
     state_ = State::absent;
     geometry_ = {};

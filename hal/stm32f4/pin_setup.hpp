@@ -10,7 +10,7 @@ namespace fantail::hal::stm32f4 {
 enum class PinMode : std::uint8_t { input = 0, output = 1, alternate = 2, analog = 3 };
 enum class PinPull : std::uint8_t { none = 0, up = 1, down = 2 };
 /// How steep its edges are. No steeper than needed: the servos' and the sensors' wires are antennas.
-enum class PinSpeed : std::uint8_t { slow = 0, medium = 1, fast = 2 };
+enum class PinSpeed : std::uint8_t { slow = 0, medium = 1, fast = 2, fastest = 3 };
 
 /// One row of a pin map.
 struct PinSetup {

@@ -41,7 +41,8 @@ inline constexpr Microseconds longest_program{3'000};
 inline constexpr Microseconds longest_erase{400'000};
 
 inline constexpr std::uint8_t manufacturer = 0xEF;
-inline constexpr std::uint8_t memory_type = 0x40;
+inline constexpr std::uint8_t memory_type = 0x40;     ///< W25Q..JV-IQ, -JQ, -IN
+inline constexpr std::uint8_t memory_type_m = 0x70;   ///< W25Q..JV-IM, -JM: with the same instructions
 inline constexpr std::uint8_t least_capacity = 0x14;  ///< the size is 2 to the power of this: 1 MiB
 inline constexpr std::uint8_t w25q128_capacity = 0x18;
 

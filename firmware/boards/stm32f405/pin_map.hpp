@@ -33,7 +33,9 @@ inline constexpr auto pin_map = std::to_array<PinSetup>({
     PinSetup{'C', 9, PinMode::alternate, 3, PinPull::down, PinSpeed::slow, false},  // servo 4, TIM8_CH4
 
     select('A', 4),  // IMU select
-    spi('A', 5, 5),  // IMU clock, SPI1_SCK
+    // The steepest edges there are: at 84 MHz of APB2 a slow one corrupts the last bit of what comes in, because the block
+    // takes it with the clock that comes back from this pin (errata sheet ES0182; the bit rate does not matter).
+    PinSetup{'A', 5, PinMode::alternate, 5, PinPull::none, PinSpeed::fastest, false},  // IMU clock, SPI1_SCK
     // A sensor that is not there reads as zeros, which no sensor answers.
     spi('A', 6, 5, PinPull::down),  // IMU data out, SPI1_MISO
     spi('A', 7, 5),  // IMU data in, SPI1_MOSI

@@ -11,6 +11,8 @@ void mask_interrupts();
 void unmask_interrupts();
 /// Stops the processor until an interrupt comes.
 void wait_for_interrupt();
+/// What was written is where it was written to: before an interrupt returns.
+void finish_stores();
 /// What was written to the processor's own registers counts from here on.
 void synchronize();
 

@@ -101,18 +101,20 @@ TEST_F(FlashTest, NothingIsBegunOutOfRange) {
 
 TEST_F(FlashTest, TheSizesOfTheFamilyComeFromTheId) {
   for (std::uint8_t capacity = 0x14; capacity <= 0x18; ++capacity) {
-    device.id = {0xEF, 0x40, capacity};
-    const Flash flash = started();
-    EXPECT_EQ(flash.geometry().size, 1U << capacity);
-    EXPECT_EQ(flash.geometry().sector_size, 4096U);
-    EXPECT_EQ(flash.geometry().page_size, 256U);
-    EXPECT_TRUE(flash.faults().none());
+    for (const std::uint8_t type : {std::uint8_t{0x40}, std::uint8_t{0x70}}) {  // W25Q128JV-IQ and -IM
+      device.id = {0xEF, type, capacity};
+      const Flash flash = started();
+      EXPECT_EQ(flash.geometry().size, 1U << capacity);
+      EXPECT_EQ(flash.geometry().sector_size, 4096U);
+      EXPECT_EQ(flash.geometry().page_size, 256U);
+      EXPECT_TRUE(flash.faults().none());
+    }
   }
 }
 
 TEST_F(FlashTest, AnotherDeviceIsNotUsed) {
   for (const auto& id : std::array<std::array<std::uint8_t, 3>, 5>{
-           {{0xEF, 0x40, 0x13}, {0xEF, 0x40, 0x19}, {0xEF, 0x70, 0x18}, {0xC2, 0x20, 0x18}, {0x00, 0x40, 0x18}}}) {
+           {{0xEF, 0x40, 0x13}, {0xEF, 0x40, 0x19}, {0xEF, 0x60, 0x18}, {0xC2, 0x20, 0x18}, {0x00, 0x40, 0x18}}}) {
     device.id = id;
     Flash flash = started();
     EXPECT_TRUE(flash.faults().has(BoardFault::flash_wrong_id));
