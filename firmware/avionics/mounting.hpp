@@ -25,7 +25,8 @@ class Mounting {
            .negative = (x_.negative != y_.negative) != ((x_.index + 1U) % 3U != y_.index)} {}
 
   [[nodiscard]] constexpr hal::Counts turned(const hal::Counts& sensor) const {
-    return {of(sensor, x_), of(sensor, y_), of(sensor, z_)};
+    // The lower end means more than "at least this much" when it stands on all axes; turned, it would not.
+    return sensor == hal::no_counts ? sensor : hal::Counts{of(sensor, x_), of(sensor, y_), of(sensor, z_)};
   }
 
  private:

@@ -51,8 +51,6 @@ constexpr auto settings = std::to_array<Setting>({
     {2, icm::accelerometer_config_static_3, 36},
     {2, icm::accelerometer_config_static_4, 10U << 4U},
 });
-// Of a sensor that has nothing to say: hal/imu.hpp.
-constexpr Counts nothing{-32768, -32768, -32768};
 constexpr std::uint8_t both_on = icm::gyro_low_noise | icm::accelerometer_low_noise;
 
 /// Ends in bank 0, where it begins; false when `visit` was for one of them.
@@ -278,8 +276,8 @@ void Imu::take(Microseconds now, std::span<const std::byte> burst, const LatestE
              .specific_force = with_true_ends(specific_force),
              .status = Status::ok};
   judge_counts();
-  sample_.rate = gyro_.frozen() ? nothing : sample_.rate;
-  sample_.specific_force = accelerometer_.frozen() ? nothing : sample_.specific_force;
+  sample_.rate = gyro_.frozen() ? no_counts : sample_.rate;
+  sample_.specific_force = accelerometer_.frozen() ? no_counts : sample_.specific_force;
 }
 
 void Imu::judge_counts() {

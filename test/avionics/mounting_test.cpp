@@ -25,6 +25,11 @@ TEST(Mounting, FullScaleStaysFullScaleWhenItsSignChanges) {
   EXPECT_EQ(mounting.turned({-32767, 32766, 7}), (Counts{32767, -32766, 7}));
 }
 
+TEST(Mounting, NothingToBeUsedStaysNothingToBeUsed) {
+  constexpr Mounting mounting{{.to_nose = minus_x, .along_y = minus_y}};
+  EXPECT_EQ(mounting.turned(hal::no_counts), hal::no_counts);
+}
+
 TEST(Mounting, HasTwentyFourWaysToSitAndNeverMirrors) {
   // A cube can be put down on six faces and turned to four sides. What is turned keeps its handedness: with the images
   // of the sensor's x, y and z as columns the determinant is 1.

@@ -7,7 +7,7 @@ namespace fantail::hal {
 
 struct ImuSample {
   Microseconds time{};      ///< when it was measured
-  Counts rate{};            ///< all three at the lower end: of the gyro there is nothing to be used
+  Counts rate{};            ///< no_counts: of the gyro there is nothing to be used
   Counts specific_force{};  ///< the same of the accelerometer
   Status status = Status::no_reading;
 };

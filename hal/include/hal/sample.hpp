@@ -19,4 +19,7 @@ enum class Status : std::uint8_t {
 /// count at either end of its range means "at least this much".
 using Counts = std::array<std::int16_t, 3>;
 
+/// The lower end on all three axes: there is nothing to be used, however the sensor is mounted.
+inline constexpr Counts no_counts{-32768, -32768, -32768};
+
 }  // namespace fantail::hal
