@@ -49,6 +49,16 @@ class Angle {
   return a;
 }
 
+/// From one angle to another that is not smaller.
+struct AngleRange {
+  Angle lowest;
+  Angle highest;
+};
+
+[[nodiscard]] constexpr Angle clamp(Angle a, const AngleRange& range) {
+  return a < range.lowest ? range.lowest : a > range.highest ? range.highest : a;
+}
+
 namespace literals {
 constexpr Angle operator""_deg(long double value) { return Angle::from_degrees(static_cast<float>(value)); }
 constexpr Angle operator""_deg(unsigned long long value) { return Angle::from_degrees(static_cast<float>(value)); }

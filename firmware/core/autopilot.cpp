@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/pd_controller.hpp"
+#include "core/per_canard.hpp"
 #include "core/roll_reference.hpp"
 
 namespace fantail::core {
@@ -29,6 +30,8 @@ Autopilot::Autopilot(const FlightPlan& plan)
       offset_estimator_{plan},
       canard_mixer_{plan.canards, plan.controller.canard_limit},
       canard_monitor_{plan.monitor, plan.canards},
+      shares_{plan.run.canard_fault == CanardFaultPolicy::share},
+      canard_sharing_{plan.controller.canard_limit},
       motion_estimator_{plan.motion} {}
 
 // Every signal of the record is written in every step: nothing of the last one stays.
@@ -60,15 +63,16 @@ const TickRecord& Autopilot::step(const Inputs& inputs) {
     record.motion = motion_estimator_.motion(inputs.time);
   }
 
+  Angle asked_of_each;
   if (record.phase == Phase::controlling) {
     // Always there, except in a state that a damaged log made up.
-    control(inputs.time - flight_phase_.control_start().value_or(inputs.time));
+    asked_of_each = control(inputs.time - flight_phase_.control_start().value_or(inputs.time));
   } else {
     record.reference = record.excitation = record.offset_estimate = Angle{};
     stay_neutral(CommandStatus::outside_control);
   }
 
-  canard_mixer_.mix(inputs.time, record.command, record.phase == Phase::safe ? inputs.canard_request : no_request,
+  canard_mixer_.mix(inputs.time, asked_of_each, record.phase == Phase::safe ? inputs.canard_request : no_request,
                     inputs.encoders, record.canards);
   record.canard_angle = canard_mixer_.canard_angle(inputs.encoders);
 
@@ -84,36 +88,55 @@ void Autopilot::resume(const Inputs& first) {
   last_time_.reset();
 }
 
-void Autopilot::control(Microseconds since_control_start) {
+Angle Autopilot::control(Microseconds since_control_start) {
   TickRecord& record = record_;
+  const bool shares = shares_work();
   record.reference = roll_reference(reference_, since_control_start);
   record.excitation = chirp_.update(since_control_start);
   if (record.motion.gyro == SensorState::lost) {
     record.offset_estimate = offset_estimator_.estimate();
     offset_estimator_.interrupt();
     stay_neutral(CommandStatus::gyro_lost);
-    return;
+    return shares ? canard_sharing_.asked_of_each(Angle{}) : Angle{};
   }
   // A law that does not adapt has no estimate but the zero that stands in the record.
-  const RollCommand roll = adapts_ ? adapted_command()
-                                   : pd_controller(controller_, record.reference, record.motion.roll_angle,
-                                                   record.motion.roll_rate_rad_s, record.excitation);
+  RollCommand roll = adapts_ ? adapted_command()
+                             : pd_controller(controller_, record.reference, record.motion.roll_angle,
+                                             record.motion.roll_rate_rad_s, record.excitation);
+  Angle asked_of_each = roll.command;
+  if (shares) {
+    canard_sharing_.limit(roll);
+    asked_of_each = canard_sharing_.asked_of_each(roll.command);
+  }
+  if (adapts_) {
+    offset_estimator_.remember(roll);
+  }
   record.command_status = roll.finite ? CommandStatus::controlling : CommandStatus::not_finite;
   record.unclamped_command = roll.unclamped;
-  record.command = roll.command;
+  record.command = shares ? clamp(roll.command, controller_.canard_limit) : roll.command;
   record.saturated = roll.saturated;
+  return asked_of_each;
+}
+
+// The verdicts of the tick before: a monitor can judge a command only after it was given.
+bool Autopilot::shares_work() {
+  if (!shares_ || !(canard_fault_ || canard_sharing_.is_active())) {
+    return false;
+  }
+  canard_sharing_.update(canard_monitor_.verdicts(), per_canard([this](std::size_t i) {
+                           return canard_mixer_.contribution(i, record_.encoders[i]);
+                         }));
+  return canard_sharing_.is_active();
 }
 
 RollCommand Autopilot::adapted_command() {
   TickRecord& record = record_;
   const Motion& motion = record.motion;
   const float factor = gain_schedule_.factor(motion.speed_m_s, motion.speed_is_lower_bound);
-  offset_estimator_.update(motion, record.reference - motion.roll_angle, factor);
+  offset_estimator_.update(motion, record.reference - motion.roll_angle, factor, canard_sharing_.reach());
   record.offset_estimate = offset_estimator_.estimate();
-  const RollCommand roll = pd_controller(controller_, record.reference, motion.roll_angle, motion.roll_rate_rad_s,
-                                         record.excitation, {factor, record.offset_estimate});
-  offset_estimator_.remember(roll);
-  return roll;
+  return pd_controller(controller_, record.reference, motion.roll_angle, motion.roll_rate_rad_s, record.excitation,
+                       {factor, record.offset_estimate});
 }
 
 void Autopilot::stay_neutral(CommandStatus why) {

@@ -6,6 +6,7 @@
 
 #include "core/canard_mixer.hpp"
 #include "core/canard_monitor.hpp"
+#include "core/canard_sharing.hpp"
 #include "core/chirp.hpp"
 #include "core/flight_phase.hpp"
 #include "core/flight_plan.hpp"
@@ -23,7 +24,8 @@ namespace fantail::core {
 ///
 ///   motion_estimator -> launch_detector -> flight_phase -> roll_reference + chirp
 ///     -> pd_controller, with gain_schedule and offset_estimator where the plan asks for them (clamp)
-///     -> canard_mixer (clamp each);  canard_monitor watches;  the record holds all of it
+///     -> canard_sharing, while a canard does not follow -> canard_mixer (clamp each);  canard_monitor watches;  the
+///     record holds all of it
 class Autopilot {
  public:
   /// `plan` has passed validate().
@@ -47,14 +49,17 @@ class Autopilot {
   template <typename Visitor>
   void visit_state(Visitor& visit) {
     visit(motion_estimator_, launch_detector_, flight_phase_, chirp_, offset_estimator_, canard_mixer_, canard_monitor_,
-          last_time_, canard_fault_, overruns_, overruns_before_flight_);
+          canard_sharing_, last_time_, canard_fault_, overruns_, overruns_before_flight_);
   }
 
  private:
   /// Counts the ticks that did not come; true when this one came at a time that makes it doubtful.
   [[nodiscard]] bool watch_clock(Microseconds time);
   void enter_phase(Microseconds time, Phase from, Phase to);
-  void control(Microseconds since_control_start);
+  /// The roll command that each canard is asked for.
+  [[nodiscard]] Angle control(Microseconds since_control_start);
+  /// Whether the work of a canard that does not follow goes to the others.
+  [[nodiscard]] bool shares_work();
   [[nodiscard]] [[gnu::always_inline]] inline RollCommand adapted_command();
   void stay_neutral(CommandStatus why);
 
@@ -70,6 +75,8 @@ class Autopilot {
   OffsetEstimator offset_estimator_;
   CanardMixer canard_mixer_;
   CanardMonitor canard_monitor_;
+  bool shares_;
+  CanardSharing canard_sharing_;
   std::optional<Microseconds> last_time_;
   bool canard_fault_ = false;
   std::uint32_t overruns_ = 0;                ///< since the first tick

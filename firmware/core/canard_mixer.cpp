@@ -10,6 +10,9 @@ namespace {
 
 constexpr Microseconds encoder_patience{500'000};
 
+// Play, encoder noise, and a stop that nobody measured to a degree.
+constexpr Angle play_of_a_stop = Angle::from_degrees(2.0F);
+
 /// What is no number means trim.
 Angle limited_to(Angle limit, Angle trim, Angle wanted) {
   return clamp(is_finite(wanted.radians()) ? wanted : trim, limit);
@@ -24,6 +27,7 @@ CanardMixer::CanardMixer(const CanardsPlan& plan, Angle plan_limit)
     canards_[i] = {.sense = canard.direction == Direction::reversed ? -1.0F : 1.0F,
                    .trim = canard.trim,
                    .limit = std::min({plan_limit, hard_canard_limit, canard.mechanical_stop}),
+                   .stop = canard.mechanical_stop,
                    .pulse_centre_us = canard.pulse_centre_us,
                    .pulse_per_radian_us = canard.pulse_per_radian_us,
                    .position = {},
@@ -90,6 +94,12 @@ Angle CanardMixer::approach(Microseconds elapsed, Canard& canard, Angle target) 
   // Last of all the limit: a position that came back after a reset, or of which a bit has flipped, may be anything.
   canard.position = limited_to(canard.limit, canard.trim, *canard.position + clamp(remaining, largest_step));
   return canard.first_motion_done ? target : *canard.position;
+}
+
+std::optional<Angle> CanardMixer::contribution(std::size_t canard, const std::optional<Angle>& encoder) const {
+  const Canard& of = canards_[canard];
+  return encoder && abs(*encoder) <= of.stop + play_of_a_stop ? std::optional{of.sense * (*encoder - of.trim)}
+                                                              : std::nullopt;
 }
 
 std::optional<Angle> CanardMixer::canard_angle(const EncoderAngles& encoders) const {

@@ -37,6 +37,10 @@ class CanardMixer {
   /// Mean of direction * (encoder - trim) over the encoders that can be read (Eq 33); empty when none can.
   [[nodiscard]] std::optional<Angle> canard_angle(const EncoderAngles& encoders) const;
 
+  /// What this canard adds to the roll: direction * (encoder - trim). Empty when the encoder cannot be read, or shows
+  /// an angle beyond the mechanical stop, where no shaft can stand.
+  [[nodiscard]] std::optional<Angle> contribution(std::size_t canard, const std::optional<Angle>& encoder) const;
+
   /// Largest shaft angle that can ever be commanded to this canard.
   [[nodiscard]] Angle limit(std::size_t canard) const { return canards_[canard].limit; }
 
@@ -51,6 +55,7 @@ class CanardMixer {
     float sense;  ///< -1 for a reversed one
     Angle trim;
     Angle limit;
+    Angle stop;
     float pulse_centre_us;
     float pulse_per_radian_us;
     std::optional<Angle> position;  ///< in the first motion

@@ -41,6 +41,9 @@ class CanardMonitor {
 
   const CanardVerdicts& update(Microseconds time, const CanardCommands& commands, const EncoderAngles& encoders);
 
+  /// Of the last update().
+  [[nodiscard]] const CanardVerdicts& verdicts() const { return verdicts_; }
+
   /// Nobody called update() for a while, and the servos may have had no pulses: each canard is expected where its
   /// encoder is next seen, and no encoder has been silent. Verdicts stay as they are judged.
   void bridge();

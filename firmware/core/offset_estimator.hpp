@@ -25,9 +25,9 @@ class OffsetEstimator {
   /// Zero for a plan that does not reject the offset.
   [[nodiscard]] Angle estimate() const { return estimate_; }
 
-  /// Before the command of a tick. `error` is R - phi, and `gain_factor` that of the gain schedule. A tick that came
-  /// late counts as one.
-  void update(const Motion& motion, Angle error, float gain_factor) {
+  /// Before the command of a tick. `error` is R - phi, `gain_factor` that of the gain schedule, and `reach` what the
+  /// canards can make of a command. A tick that came late counts as one.
+  void update(const Motion& motion, Angle error, float gain_factor, const AngleRange& reach) {
     if (rejection_ == OffsetRejection::none) {
       return;
     }
@@ -40,8 +40,9 @@ class OffsetEstimator {
     Angle estimate = estimate_;
     if (rejection_ == OffsetRejection::integral) {
       estimate = integral_.integrated(estimate, gain_factor * error);
-      if (abs(before_excitation_) > canard_limit_) {
-        estimate = integral_.pulled_back(estimate, clamp(before_excitation_, canard_limit_) - before_excitation_);
+      const Angle reached = clamp(before_excitation_, reach);
+      if (reached != before_excitation_) {
+        estimate = integral_.pulled_back(estimate, reached - before_excitation_);
       }
     } else {
       if (last_rate_rad_s_ && motion.speed_m_s >= slowest_observed_m_s && !motion.speed_is_lower_bound) {

@@ -116,7 +116,8 @@ void hash_modes() {
       const Angle reference =
           Angle::from_degrees(static_cast<float>(static_cast<std::int32_t>(i / 500 % 3) - 1) * 10.0F);
       const float factor = gain_factor(plan.gain_schedule, motion.speed_m_s, false);
-      estimator.update(motion, reference - motion.roll_angle, factor);
+      estimator.update(motion, reference - motion.roll_angle, factor,
+                       {-plan.controller.canard_limit, plan.controller.canard_limit});
       const RollCommand command = pd_controller(plan.controller, reference, motion.roll_angle, motion.roll_rate_rad_s,
                                                 Angle{}, {factor, estimator.estimate()});
       estimator.remember(command);

@@ -62,7 +62,8 @@ TEST(AutopilotPhase, DisarmingInTheMiddleOfAHoldStartsItAgain) {
 }
 
 TEST(AutopilotPhase, CanardThatIsStuckEndsControlOnlyWhenThePlanSaysSo) {
-  for (const CanardFaultPolicy policy : {CanardFaultPolicy::continue_control, CanardFaultPolicy::end_control}) {
+  for (const CanardFaultPolicy policy :
+       {CanardFaultPolicy::continue_control, CanardFaultPolicy::end_control, CanardFaultPolicy::share}) {
     FlightPlan plan = default_plan();
     plan.run.canard_fault = policy;
     Bench bench{plan};

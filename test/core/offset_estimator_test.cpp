@@ -2,6 +2,7 @@
 #include "core/offset_estimator.hpp"
 
 #include <cmath>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -31,10 +32,11 @@ Motion measured(float rate_rad_s = 0.0F, float speed_m_s = 60.0F) {
 /// An estimator in its loop: each tick it is shown what it is to see, and then what the law made of it.
 class Loop {
  public:
-  explicit Loop(const FlightPlan& plan) : plan_{plan}, estimator_{plan} {}
+  explicit Loop(const FlightPlan& plan) : Loop{plan, {-plan.controller.canard_limit, plan.controller.canard_limit}} {}
+  Loop(const FlightPlan& plan, const AngleRange& reach) : plan_{plan}, reach_{reach}, estimator_{plan} {}
 
   void tick_with(const Motion& motion, Angle error, Angle excitation = {}, float gain_factor = 1.0F) {
-    estimator_.update(motion, error, gain_factor);
+    estimator_.update(motion, error, gain_factor, reach_);
     roll_ = pd_controller(plan_.controller, error, Angle{}, motion.roll_rate_rad_s, excitation,
                           {gain_factor, estimator_.estimate()});
     estimator_.remember(roll_);
@@ -51,6 +53,7 @@ class Loop {
 
  private:
   FlightPlan plan_;
+  AngleRange reach_;
   OffsetEstimator estimator_;
   RollCommand roll_;
 };
@@ -83,6 +86,15 @@ TEST(Integral, IsPulledBackByWhatTheLimitTakesOffTheCommand) {
   // Error gone, it is below the limit at once: nothing has to unwind.
   loop.tick_with(measured(), 0_deg);
   EXPECT_LT(loop.command(), 9_deg);
+}
+
+// With a canard that is stuck the others reach -4.5 to 6.75 only, and d stops there.
+TEST(Integral, IsPulledBackByWhatTheCanardsCannotMake) {
+  for (const auto& [error, end_deg] : {std::pair{90_deg, 6.75}, std::pair{-90_deg, -4.5}}) {
+    Loop loop{plan_with(OffsetRejection::integral), {-4.5_deg, 6.75_deg}};
+    loop.run(1500, measured(), error);
+    EXPECT_NEAR(loop.estimate_deg(), -end_deg * (1.0 - std::exp(-1.5 * 0.5 / 0.5)), 0.02);
+  }
 }
 
 TEST(Integral, IsNotMovedByAnExcitationThatMeetsTheLimit) {

@@ -64,7 +64,8 @@ std::vector<Point> run(const Loop& loop, double until_s) {
       const core::Motion motion = measured(shown, loop.speed_m_s(t));
       const core::Angle reference = core::roll_reference(loop.reference, since);
       const float factor = core::gain_factor(loop.gain_schedule, motion.speed_m_s, false);
-      estimator.update(motion, reference - motion.roll_angle, factor);
+      estimator.update(motion, reference - motion.roll_angle, factor,
+                       {-loop.controller.canard_limit, loop.controller.canard_limit});
       command = core::pd_controller(loop.controller, reference, motion.roll_angle, motion.roll_rate_rad_s,
                                     chirp.update(since), {factor, estimator.estimate()});
       estimator.remember(command);
