@@ -137,10 +137,22 @@ class FlightImage(unittest.TestCase):
         # Errata sheet ES0182: at 84 MHz of APB2 a slow SCK (PA5) corrupts the last bit that SPI1 receives.
         self.assertIn(3, {value >> 2 * 5 & 3 for value in self.to("GPIOA", 0x08)})
 
+    @staticmethod
+    def code():
+        return subprocess.run(["arm-none-eabi-objdump", "-d", "--no-show-raw-insn", str(ELF)], capture_output=True, text=True,
+                              check=True).stdout
+
+    def test_waits_for_an_interrupt_at_an_address_from_which_it_wakes_up_well(self):
+        # Errata sheet ES0182, "Debugging Sleep/Stop mode with WFE/WFI entry": after a probe has set DBG_SLEEP, which
+        # lasts until the power goes, a WFI at an address that ends in 4 wakes up into wrong instructions.
+        places = re.findall(r"^ *([0-9a-f]+):\twfi *\n((?:.*\n){3})", self.code(), re.M)
+        self.assertEqual(len(places), 1)
+        self.assertEqual(int(places[0][0], 16) % 8, 0)
+        self.assertEqual(places[0][1].count("nop"), 3)
+
     def test_leaves_each_interrupt_with_its_stores_done(self):
         # Erratum 838869 of the Cortex-M4: a store that is still under way at the return may lead to a wrong handler.
-        code = subprocess.run(["arm-none-eabi-objdump", "-d", "--no-show-raw-insn", str(ELF)], capture_output=True,
-                              text=True, check=True).stdout
+        code = self.code()
 
         def last(function, count):
             body = re.search(rf"<{function}>:\n(.*?)\n\n", code, re.S)[1]

@@ -12,6 +12,9 @@ void finish_stores() { __asm volatile("dsb" ::: "memory"); }
 
 void synchronize() { __asm volatile("dsb\n isb" ::: "memory"); }
 
-void wait_for_interrupt() { __asm volatile("dsb\n wfi" ::: "memory"); }
+// On a multiple of 8, with three instructions behind it that do nothing: a probe leaves DBG_SLEEP set until the power
+// goes, and then a WFI at an address that ends in 4 wakes up into wrong instructions. (Errata sheet ES0182, debugging
+// sleep mode; that the instructions behind it alone do not help was found by apache/mynewt-core, pull request 2058.)
+void wait_for_interrupt() { __asm volatile("dsb\n .balign 8\n wfi\n nop\n nop\n nop" ::: "memory"); }
 
 }  // namespace fantail::hal::stm32f4::registers
