@@ -131,7 +131,10 @@ void Recorder::queue_tick(const Tick& tick) {
 
 void Recorder::fly_on(const Tick& tick, core::Autopilot& law) {
   const Microseconds time = tick.record.time;
-  queue_changes(tick);
+  queue_changes(tick.record);
+  if (tick.faults != told_.faults) {
+    queue_faults(tick);
+  }
   queue_tick(tick);
   queue_health(tick);
   if (!overflowed_) {

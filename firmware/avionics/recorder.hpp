@@ -85,7 +85,7 @@ class Recorder {
     core::SensorState accelerometer = core::SensorState::fresh;
     core::CommandStatus command_status = core::CommandStatus::outside_control;
     hal::BoardFaults faults{};
-    std::uint32_t ticks_to_faults = 0;  ///< a plug that comes and goes does not fill the record
+    core::Microseconds next_faults{};  ///< not before: a plug that comes and goes does not fill the record
   };
 
   [[gnu::cold]] void begin_on_pad(const Tick& tick, core::Autopilot& law);
@@ -95,7 +95,8 @@ class Recorder {
 
   // `before`: number of the tick that follows.
   void queue_tick(const Tick& tick);
-  void queue_changes(const Tick& tick);
+  void queue_changes(const core::TickRecord& record);
+  [[gnu::cold]] void queue_faults(const Tick& tick);
   [[gnu::cold]] void tell_longest_tick(const Tick& tick);
   void queue_health(const Tick& tick);
   void begin_first_checkpoint();

@@ -18,6 +18,7 @@ namespace {
 // A whole state in four ticks.
 constexpr std::size_t state_part = 450;
 constexpr std::uint32_t ticks_per_health = 100;
+constexpr Microseconds pause_between_faults{100'000};
 // The other half is for events, which do not come again.
 constexpr std::uint32_t most_waiting_health = NoteQueue::capacity / 2;
 
@@ -42,8 +43,7 @@ std::uint8_t byte(Enumeration value) {
 
 }  // namespace
 
-void Recorder::queue_changes(const Tick& tick) {
-  const core::TickRecord& record = tick.record;
+void Recorder::queue_changes(const core::TickRecord& record) {
   const std::uint32_t before = queue_.ticks.end();
   const auto tell = [&](auto& told, auto now, protocol::LogEvent event) {
     if (told != now) {
@@ -62,11 +62,14 @@ void Recorder::queue_changes(const Tick& tick) {
   tell(told_.gyro, worth_telling(record.motion.gyro), {.kind = LogEventKind::gyro_state});
   tell(told_.accelerometer, worth_telling(record.motion.accelerometer), {.kind = LogEventKind::accelerometer_state});
   tell(told_.command_status, record.command_status, {.kind = LogEventKind::command_status});
-  told_.ticks_to_faults -= told_.ticks_to_faults > 0 ? 1 : 0;
-  if (told_.faults != tick.faults && told_.ticks_to_faults == 0) {
+}
+
+void Recorder::queue_faults(const Tick& tick) {
+  if (tick.record.time >= told_.next_faults) {
     told_.faults = tick.faults;
-    told_.ticks_to_faults = ticks_per_health;
-    queue_event({.time = record.time, .kind = LogEventKind::board_faults, .number = tick.faults.bits()}, before);
+    told_.next_faults = tick.record.time + pause_between_faults;
+    queue_event({.time = tick.record.time, .kind = LogEventKind::board_faults, .number = tick.faults.bits()},
+                queue_.ticks.end());
   }
 }
 
