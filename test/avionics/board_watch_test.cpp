@@ -113,7 +113,7 @@ TEST(BoardWatch, ASupplyThatSinksInFlightIsToldAndTheFlightGoesOn) {
   rig.launch_to_control();
   rig.hardware.board.faults.add(BoardFault::supply_low);
   EXPECT_EQ(rig.fly_for(second)->phase, Phase::controlling);
-  EXPECT_EQ(rig.pc.heard<BoardReport>()->faults, 1U << 18U);
+  EXPECT_EQ(rig.pc.heard<BoardReport>()->faults, 1U << static_cast<unsigned>(BoardFault::supply_low));
   EXPECT_TRUE(says(rig, "board: supply_low; it goes on\n")) << rig.console.text;
 }
 

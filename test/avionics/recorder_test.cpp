@@ -82,7 +82,9 @@ TEST_F(RecorderTest, TellsEveryFaultOfTheBoardThatComesOrGoes) {
       times.push_back(event.time);
     }
   }
-  EXPECT_EQ(told, (std::vector<std::uint32_t>{1U << 18U, 1U << 18U | 1U << 3U, 0}));  // docs/can.md
+  constexpr std::uint32_t low = 1U << static_cast<unsigned>(hal::BoardFault::supply_low);
+  constexpr std::uint32_t silent = 1U << static_cast<unsigned>(hal::BoardFault::imu_silent);
+  EXPECT_EQ(told, (std::vector<std::uint32_t>{low, low | silent, 0}));
   EXPECT_EQ(times.at(0), came);
 }
 

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "hal/board.hpp"
+
 namespace fantail::flight_log {
 namespace {
 
@@ -11,8 +13,9 @@ std::string of_board(std::uint32_t bits) {
 }
 
 TEST(EventText, NamesEveryFaultOfTheBoard) {
-  EXPECT_EQ(of_board(1U << 18U), "board: supply_low");
-  EXPECT_EQ(of_board(1U << 3U | 1U << 18U), "board: imu_silent, supply_low");
+  constexpr std::uint32_t low = 1U << static_cast<unsigned>(hal::BoardFault::supply_low);
+  EXPECT_EQ(of_board(low), "board: supply_low");
+  EXPECT_EQ(of_board(1U << 3U | low), "board: imu_silent, supply_low");
   EXPECT_EQ(of_board(0), "board: no fault");
 }
 
