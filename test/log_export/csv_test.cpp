@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "flight/write_csv.hpp"
+#include "json/value.hpp"
 #include "log_export/formats.hpp"
 #include "made_flight.hpp"
 
@@ -31,6 +32,29 @@ std::vector<std::string> lines(const std::string& text) {
 TEST(CsvExport, WithoutAChoiceItIsFlightCsvByteForByte) {
   const MadeFlight made;
   EXPECT_EQ(flight_csv(made.source(), made.report), flight::csv(made.report));
+}
+
+// In the order of the table, none missing and none with an empty cell.
+void expect_each_column_described(const std::string& table) {
+  std::string names = lines(table).front();
+  const json::Value columns = json::parse(columns_json(table));
+  std::string described;
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    described += (i == 0 ? "" : ",") + columns[i]["column"].text();
+    EXPECT_FALSE(columns[i]["unit"].text().empty()) << columns[i]["column"].text();
+    EXPECT_FALSE(columns[i]["description"].text().empty()) << columns[i]["column"].text();
+  }
+  EXPECT_EQ(described, names);
+}
+
+TEST(CsvExport, EachColumnHasItsUnitAndDescriptionBesideTheTable) {
+  const MadeFlight made;
+  expect_each_column_described(csv(made.source(), every_field()));
+  expect_each_column_described(flight_csv(made.source(), made.report));
+  const json::Value columns = json::parse(columns_json("phase,roll_rate_deg_s\n"));
+  EXPECT_EQ(columns[0]["unit"].text(), "-");
+  EXPECT_EQ(columns[1]["unit"].text(), "deg/s");
+  EXPECT_EQ(columns[1]["description"].text(), "roll rate, bias taken off");
 }
 
 TEST(CsvExport, OfAWindowTheRowsAtBothEndsAreThereAndNoOthers) {

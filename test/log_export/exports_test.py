@@ -71,6 +71,19 @@ class UlogByPyulog(unittest.TestCase):
             numpy.testing.assert_allclose(found, wanted, rtol=1.2e-7, atol=0.6e-6, equal_nan=True, err_msg=name)
         self.assertGreater(words, 0)
 
+    def test_every_field_has_its_unit_and_a_description(self):
+        told = {}
+        for topic in ("fantail_recorded", "fantail_replayed", "fantail_health"):
+            for [text] in self.log.msg_info_multiple_dict[topic]:
+                name, unit, description = text.split(" ", 2)
+                self.assertTrue(unit.startswith("[") and unit.endswith("]") and len(unit) > 2 and description, text)
+                told[topic, name] = unit
+            fields = {name for name in self.log.get_dataset(topic).data if name != "timestamp"}
+            self.assertEqual(fields, {name for of, name in told if of == topic})
+        self.assertEqual(told["fantail_replayed", "roll_rate_deg_s"], "[deg/s]")
+        self.assertEqual(told["fantail_recorded", "time_us"], "[us]")
+        self.assertEqual(told["fantail_health", "bus_state"], "[-]")
+
     def test_enumerations_are_numbers_in_the_order_of_their_words(self):
         phases = ["safe", "armed", "launched", "controlling", "finished"]
         found = self.log.get_dataset("fantail_recorded").data["phase"]

@@ -2,10 +2,14 @@
 #include "log_export/fields.hpp"
 
 #include <algorithm>
+#include <array>
 #include <set>
+#include <utility>
 
 #include <gtest/gtest.h>
 
+#include "flight/column_texts.hpp"
+#include "flight/columns.hpp"
 #include "made_flight.hpp"
 
 namespace fantail::log_export {
@@ -32,6 +36,41 @@ TEST(ExportFields, EveryColumnThatALogCanFillOfFlightCsvIsAField) {
                            "speed_m_s"}) {
     EXPECT_TRUE(find_field(name)) << name;
   }
+}
+
+// The house's rule for names, which the table of units does not know of.
+std::string_view unit_by_the_name(std::string_view name) {
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 8> endings{{{"_deg_s", "deg/s"},
+                                                                                  {"_m_s2", "m/s2"},
+                                                                                  {"_m_s", "m/s"},
+                                                                                  {"_count", "count"},
+                                                                                  {"_deg", "deg"},
+                                                                                  {"_us", "us"},
+                                                                                  {"_s", "s"},
+                                                                                  {"_m", "m"}}};
+  const auto found = std::ranges::find_if(
+      endings, [name](const auto& ending) { return name.ends_with(ending.first) && !name.ends_with("_status"); });
+  return found == endings.end() ? "-" : found->second;
+}
+
+TEST(ExportFields, EachHasAUnitAndADescription) {
+  for (const Field& field : fields()) {
+    EXPECT_EQ(field.unit, unit_by_the_name(field.name)) << field.name;
+    EXPECT_GT(field.description.size(), 5U) << field.name;
+    EXPECT_EQ(field.description.find('#'), std::string::npos) << field.name;
+  }
+  EXPECT_NE(fields()[find_field("encoder_3_count").value()].description.find("encoder 3"), std::string::npos);
+}
+
+TEST(ExportFields, EachColumnOfFlightCsvHasAUnitAndADescriptionTheTrueOnesToo) {
+  for (const flight::Column& column : flight::columns()) {
+    const auto text = flight::column_text(column.name);
+    ASSERT_TRUE(text) << column.name;
+    EXPECT_EQ(text->unit, unit_by_the_name(column.name)) << column.name;
+    EXPECT_FALSE(text->description.empty()) << column.name;
+  }
+  EXPECT_TRUE(flight::column_text(flight::phase_column));
+  EXPECT_FALSE(flight::column_text("roll_angle_rad"));
 }
 
 TEST(ExportFields, RawCountsAreThereByTheNamesOfTheSchema) {

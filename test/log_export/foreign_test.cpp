@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "json/value.hpp"
 #include "log_export/formats.hpp"
 #include "protocol/little_endian.hpp"
 
@@ -37,6 +38,18 @@ TEST(ForeignExport, ValuesAreReadAsTheSchemaSays) {
             "time_s,time_us,sequence,pressure_Pa,stage,tilt_rad\n"
             "0.000000,2000000,7,-100,5,0.25\n"
             "0.001000,2001000,8,-101,5,0.25\n");
+}
+
+TEST(ForeignExport, UnitsBesideTheTableAreThoseOfTheLogsOwnSchema) {
+  const flight_log::Flight flight = foreign_flight();
+  const json::Value columns =
+      json::parse(foreign_columns_json(flight, foreign_csv(flight, foreign_fields(flight), {})));
+  std::string units;
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    units += columns[i]["unit"].text() + " ";
+    EXPECT_FALSE(columns[i]["description"].text().empty()) << i;
+  }
+  EXPECT_EQ(units, "s us - Pa - rad ");
 }
 
 TEST(ForeignExport, AWindowAndAChoiceHold) {

@@ -24,6 +24,16 @@ TEST(JsonExport, EveryFieldIsAListAndAllAreAsLongAsTheLog) {
   EXPECT_TRUE(json["ticks"]["command_4_deg"][400].is_null());
 }
 
+TEST(JsonExport, EveryListHasItsUnitAndDescription) {
+  const MadeFlight made;
+  const Json json = json::parse(log_export::json(made.source(), every_field()));
+  ASSERT_EQ(json["columns"].size(), json["ticks"].size());
+  for (const Field& field : fields()) {
+    EXPECT_EQ(json["columns"][field.name]["unit"], field.unit);
+    EXPECT_EQ(json["columns"][field.name]["description"], field.description);
+  }
+}
+
 TEST(JsonExport, HeaderPlanEventsHealthAndGapsAreThere) {
   const MadeFlight made;
   const Json json = json::parse(log_export::json(made.source(), every_field()));

@@ -60,6 +60,23 @@ TEST_F(LogExport, WritesEachFormatUnderTheNameOfTheLogAndSaysWhere) {
   }
 }
 
+TEST_F(LogExport, PutsTheUnitsOfATableAndTheTypesOfLcmBesideIt) {
+  run({"--to", "csv", "--out", "tables/own.csv", "--fields", "time_us,rate_x_count"});
+  const Json columns = json::parse(content(folder_ / "tables/own.columns.json"));
+  ASSERT_EQ(columns.size(), 2U);
+  EXPECT_EQ(columns[0]["column"], "time_us");
+  EXPECT_EQ(columns[0]["unit"], "us");
+  EXPECT_EQ(columns[1]["column"], "rate_x_count");
+  EXPECT_EQ(columns[1]["unit"], "count");
+
+  run({"--to", "lcm", "--out", "messages/flown.lcmlog"});
+  for (const char* type : {"state_t", "canards_t", "event_t", "health_t"}) {
+    const std::string file = std::string{type} + ".lcm";
+    EXPECT_EQ(content(folder_ / ("messages/" + file)), content(FANTAIL_TEST_SOURCE "/tools/telemetry/types/" + file))
+        << file;
+  }
+}
+
 // The true columns of a simulated flight are in no log.
 TEST_F(LogExport, LeavesWhatAFlightPutBesideItsLog) {
   folder_.write("flight/flight.ftl", made_log());

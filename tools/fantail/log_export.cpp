@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <fmt/core.h>
@@ -22,6 +23,7 @@
 #include "input/messages.hpp"
 #include "log_export/formats.hpp"
 #include "log_export/replayed_flight.hpp"
+#include "telemetry/type_texts.hpp"
 #include "text/error.hpp"
 #include "text/number.hpp"
 #include "text/output_folder.hpp"
@@ -50,6 +52,7 @@ struct ExportQuestion {
 
 struct Exported {
   std::string bytes;
+  std::string columns{};           ///< of a table: units and descriptions, for a file beside it
   std::vector<std::string> notes;  ///< what the log has lost, a sentence each
 };
 
@@ -125,8 +128,11 @@ Exported export_foreign(const ExportQuestion& question, const flight_log::Flight
                                 meant ? " (did you mean " + *meant + "?)" : "", fmt::join(all, ", ")));
     }
   }
+  std::string table = log_export::foreign_csv(flight, question.fields.empty() ? all : question.fields, question.window);
+  std::string columns = log_export::foreign_columns_json(flight, table);
   return {
-      .bytes = log_export::foreign_csv(flight, question.fields.empty() ? all : question.fields, question.window),
+      .bytes = std::move(table),
+      .columns = std::move(columns),
       .notes = {fmt::format("Written by Fantail {}: {}. The table holds what the log contains; nothing was replayed.",
                             flight.firmware_version, what)}};
 }
@@ -159,7 +165,9 @@ Exported export_flight(const ExportQuestion& question, const flight_log::Flight&
                                      source.time_s(flight.ticks.front().tick.time),
                                      source.time_s(flight.ticks.back().tick.time)));
   }
-  return {.bytes = content(question, source, report, chosen), .notes = report.notes};
+  std::string bytes = content(question, source, report, chosen);
+  std::string columns = question.format->name == "csv" ? log_export::columns_json(bytes) : "";
+  return {.bytes = std::move(bytes), .columns = std::move(columns), .notes = report.notes};
 }
 
 struct ExportOptions {
@@ -238,8 +246,16 @@ void export_log(const ExportOptions& options) {
     return;
   }
   const std::filesystem::path target = output_file(options, format);
-  text::OutputFolder{target.parent_path(), files_to_spare(options.log, target)}.write(
-      std::array{text::NamedFile{target.filename().string(), exported.bytes}});
+  std::vector<text::NamedFile> files{{target.filename().string(), exported.bytes}};
+  if (!exported.columns.empty()) {
+    files.push_back({target.stem().string() + ".columns.json", exported.columns});
+  }
+  if (format.name == "lcm") {
+    for (const telemetry::TypeFile& type : telemetry::type_files()) {
+      files.push_back({std::string{type.name}, std::string{type.text}});
+    }
+  }
+  text::OutputFolder{target.parent_path(), files_to_spare(options.log, target)}.write(files);
   fmt::print("{}\n", target.string());
 }
 

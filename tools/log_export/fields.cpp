@@ -6,10 +6,12 @@
 #include <cmath>
 #include <iterator>
 #include <type_traits>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "core/tick_record_fields.hpp"
+#include "flight/column_texts.hpp"
 #include "input/messages.hpp"
 #include "text/degrees.hpp"
 
@@ -132,8 +134,10 @@ void visit_replayed(const core::TickRecord& record, Visitor&& visit) {
 std::vector<Field> list_fields() {
   std::vector<Field> list;
   bool replayed = false;
-  const auto add = [&](std::string_view name, std::string_view unit, const auto& value) {
-    list.push_back({file_name(name, unit), type_of(value), replayed});
+  const auto add = [&](std::string_view signal, std::string_view unit, const auto& value) {
+    const std::string name = file_name(signal, unit);
+    flight::ColumnText text = flight::column_text(name).value_or(flight::ColumnText{});
+    list.push_back({name, type_of(value), text.unit, std::move(text.description), replayed});
   };
   visit_logged({}, 0.0, add);
   replayed = true;

@@ -29,6 +29,8 @@ enum class FieldType : std::uint8_t { number, integer, flag, word };
 struct Field {
   std::string name;  ///< as in flight.csv where that has it; with its unit
   FieldType type = FieldType::number;
+  std::string_view unit{};  ///< flight::ColumnText
+  std::string description{};
   bool replayed = false;  ///< empty where the replay could not come; the others stand in the log itself
 };
 

@@ -18,6 +18,13 @@ namespace fantail::log_export {
 /// The chosen fields, one row for each tick of the log. What is unknown is an empty cell.
 [[nodiscard]] std::string csv(const ReplayedFlight& source, const Selection& selection);
 
+/// What stands beside a table, as NAME.columns.json: unit and description of each of its columns, in their order. The
+/// table itself stays one that every program reads.
+[[nodiscard]] std::string columns_json(const std::string& table);
+
+/// The same of a log of another version of Fantail, with the units of its own schema.
+[[nodiscard]] std::string foreign_columns_json(const flight_log::Flight& flight, const std::string& table);
+
 /// The columns of a log whose ticks are laid out as in another version of Fantail: its clock, then what its own schema
 /// names, with the units as they stand there. Empty when the schema does not describe ticks.
 [[nodiscard]] std::vector<std::string> foreign_fields(const flight_log::Flight& flight);
@@ -27,20 +34,22 @@ namespace fantail::log_export {
 [[nodiscard]] std::string foreign_csv(const flight_log::Flight& flight, std::span<const std::string> names,
                                       const Window& window);
 
-/// One object: what the header says, the plan, events, health, gaps, and under "ticks" a list for each chosen field,
-/// all of one length. Null: unknown. pandas.DataFrame(json.load(open(FILE))["ticks"]) makes a table of it.
+/// One object: what the header says, the plan, events, health, gaps, under "columns" unit and description of each
+/// chosen field, and under "ticks" a list for each, all of one length. Null: unknown.
+/// pandas.DataFrame(json.load(open(FILE))["ticks"]) makes a table of it.
 [[nodiscard]] std::string json(const ReplayedFlight& source, const Selection& selection);
 
 /// A ULog file, version 1, with the board's clock:
 ///   fantail_recorded  of the chosen fields those that stand in the log, every tick
 ///   fantail_replayed  those that the replay made again, every tick that it reached; a float that is not a number:
 ///   unknown fantail_health    ten times a second
-/// Events are logged messages, the flight plan the parameters, vehicle and versions the information, gaps are dropouts.
+/// Unit and description of each field are multi information messages, by the name of the topic. Events are logged
+/// messages, the flight plan the parameters, vehicle and versions the information, gaps are dropouts.
 /// Enumerations are numbers.
 [[nodiscard]] std::string ulog(const ReplayedFlight& source, const Selection& selection);
 
 /// An LCM log for lcm-logplayer, with the board's clock: the messages of a live flight, but state and canards of every
-/// replayed tick. Health and events are those that stand in the log.
+/// replayed tick. Health and events are those that stand in the log. What decodes them is telemetry::type_files().
 [[nodiscard]] std::string lcm(const ReplayedFlight& source);
 
 /// What the avionics would have put on the bus, as `candump -l` writes it down: "(12.345678) can0

@@ -118,6 +118,15 @@ Json gaps(const ReplayedFlight& source) {
   return all;
 }
 
+Json columns(const Selection& selection) {
+  Json all;
+  for (const std::size_t i : selection) {
+    const Field& field = fields()[i];
+    all[field.name] = {{"unit", field.unit}, {"description", field.description}};
+  }
+  return all;
+}
+
 struct Element {
   fmt::memory_buffer& out;
 
@@ -177,7 +186,8 @@ std::string json(const ReplayedFlight& source, const Selection& selection) {
                      {"plan", plan(flight)},
                      {"gaps", gaps(source)},
                      {"events", events(source)},
-                     {"health", health(source)}};
+                     {"health", health(source)},
+                     {"columns", columns(selection)}};
   std::string text = head.pretty();
   text.resize(text.size() - 3);  // "\n}\n"
   return text + ",\n  \"ticks\": {" + ticks(source, selection) + "\n  }\n}\n";

@@ -5,6 +5,7 @@
 #include <fmt/core.h>
 
 #include "core/flight_plan_fields.hpp"
+#include "flight/column_texts.hpp"
 #include "flight_log/event_text.hpp"
 #include "log_export/formats.hpp"
 #include "log_export/ulog_writer.hpp"
@@ -15,6 +16,7 @@ namespace {
 using protocol::LogEventKind;
 
 enum Topic : std::uint8_t { recorded, replayed, health };
+constexpr std::array<std::string_view, 2> names{"fantail_recorded", "fantail_replayed"};
 
 constexpr std::string_view health_format =
     "fantail_health:uint64_t timestamp;uint32_t ticks_dropped;uint32_t unsent;uint32_t bus_errors;"
@@ -91,7 +93,6 @@ class File {
   }
 
   std::string write() {
-    constexpr std::array<std::string_view, 2> names{"fantail_recorded", "fantail_replayed"};
     for (const Topic topic : {recorded, replayed}) {
       if (!topics_[topic].empty()) {
         writer_.format(format(names[topic], topics_[topic]));
@@ -99,6 +100,7 @@ class File {
     }
     writer_.format(health_format);
     information();
+    units();
     parameters();
     for (const Topic topic : {recorded, replayed}) {
       if (!topics_[topic].empty()) {
@@ -141,6 +143,27 @@ class File {
     writer_.information("sensors", flight.sensors);
     writer_.information("flight", flight.flight);
     writer_.information("power_up", flight.power_up);
+  }
+
+  // ULog knows no units. Readers that do not look for these skip them.
+  void units() {
+    for (const Topic topic : {recorded, replayed}) {
+      for (const std::size_t i : topics_[topic]) {
+        const Field& field = fields()[i];
+        describe(names[topic], field.name, field.unit, field.description);
+      }
+    }
+    std::string_view rest = health_format.substr(health_format.find(';') + 1);  // behind the timestamp
+    for (std::size_t end = rest.find(';'); end != std::string_view::npos; end = rest.find(';')) {
+      const std::string_view name = rest.substr(0, end).substr(rest.find(' ') + 1);
+      const flight::ColumnText text = flight::column_text(name).value_or(flight::ColumnText{});
+      describe("fantail_health", name, text.unit, text.description);
+      rest.remove_prefix(end + 1);
+    }
+  }
+
+  void describe(std::string_view topic, std::string_view name, std::string_view unit, std::string_view description) {
+    writer_.multi_information(topic, fmt::format("{} [{}] {}", name, unit, description));
   }
 
   void parameters() {

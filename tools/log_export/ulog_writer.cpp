@@ -43,6 +43,11 @@ void UlogWriter::information(std::string_view key, std::uint32_t number) {
   message('I', (keyed(fmt::format("uint32_t {}", key)) << number).str());
 }
 
+void UlogWriter::multi_information(std::string_view key, std::string_view text) {
+  constexpr char begins_anew = 0;
+  message('M', begins_anew + (keyed(fmt::format("char[{}] {}", text.size(), key)) << text).str());
+}
+
 void UlogWriter::parameter(std::string_view key, float value) {
   message('P', (keyed(fmt::format("float {}", key)) << value).str());
 }

@@ -44,6 +44,8 @@ class UlogWriter {
   void format(std::string_view text);
   void information(std::string_view key, std::string_view text);
   void information(std::string_view key, std::uint32_t number);
+  /// One of many under the same key.
+  void multi_information(std::string_view key, std::string_view text);
   void parameter(std::string_view key, float value);
   void parameter(std::string_view key, std::int32_t value);
 
