@@ -39,7 +39,7 @@ set(FANTAIL_LAYERS
   "tools/airframe/model|sim|"
   "tools/airframe/openrocket|sim text airframe/model|fmt/ pugixml\\.hpp zip\\.h zlib\\.h"
   "tools/airframe|core sim text json page stability airframe/model|fmt/"
-  "tools/fly|core sim input flight replies stability|fmt/"
+  "tools/fly|core sim input flight replies stability airframe/model|fmt/"
   "tools/hil|core protocol world_link sim text|fmt/ fcntl\\.h poll\\.h sched\\.h sys/ termios\\.h unistd\\.h"
   "tools/telemetry|core hal avionics json replies|fmt/ lcm/ fantail_lcm/ arpa/inet\\.h netinet/in\\.h poll\\.h sys/socket\\.h unistd\\.h"
   "tools/gateway|hal link telemetry|"

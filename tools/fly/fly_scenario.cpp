@@ -9,6 +9,7 @@
 
 #include <fmt/core.h>
 
+#include "airframe/model/build_up.hpp"
 #include "fly/model_limits.hpp"
 #include "input/fault_file.hpp"
 #include "replies/sentence.hpp"
@@ -104,6 +105,21 @@ void limit_to_path(std::vector<std::string>& sentences) {
   }
 }
 
+// The roll torque that the vehicle states says how strong a canard is, its shape where it stands.
+std::optional<double> side_moment_m3(const sim::Vehicle& vehicle) {
+  if (!vehicle.geometry || !vehicle.geometry->canards || !vehicle.airframe) {
+    return {};
+  }
+  const airframe::model::BuildUp built = airframe::model::build_up(vehicle);
+  const auto canards = std::ranges::find(built.parts, "canards", &airframe::model::Part::name);
+  if (canards == built.parts.end() || !built.canard_arm_m) {
+    return {};
+  }
+  const double roll_arm_m = vehicle.canard_air.arm_m.value_or(*built.canard_arm_m);
+  const double one_canard_m2 = vehicle.roll_plant.reference_area_m2 * vehicle.roll_plant.torque_m / (4.0 * roll_arm_m);
+  return one_canard_m2 * std::abs(vehicle.airframe->after_burnout.centre_of_gravity_m - canards->position_m);
+}
+
 flight::Flight describe(const sim::Scenario& scenario) {
   flight::Flight flight;
   flight.scenario = scenario.name;
@@ -120,6 +136,7 @@ flight::Flight describe(const sim::Scenario& scenario) {
   const sim::DeflectionRange reach = sim::deflection_range(scenario);
   flight.canard_reach = {.lowest_rad = reach.lowest_rad, .highest_rad = reach.highest_rad};
   flight.left_by_fins = sim::left_by_fins(scenario.vehicle.canard_air);
+  flight.side_moment_m3 = side_moment_m3(scenario.vehicle);
   for (const auto* sentences :
        {&scenario.vehicle.warnings, &scenario.warnings, &scenario.vehicle.assumed, &scenario.assumed}) {
     flight.notes.insert(flight.notes.end(), sentences->begin(), sentences->end());

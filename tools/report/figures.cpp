@@ -182,6 +182,7 @@ Figures figures(const flight::Flight& flight) {
   judge_authority(f, control, flight);
   judge_end(f, control, flight);
   f.oscillation = find_oscillation(control, flight.tunnel ? settling_time_in_tunnel_s : settling_time_in_flight_s);
+  f.side_deflection = side_deflection(flight, control);
   if (flight.known.saturation) {
     judge_saturation(f, control, flight);
   }

@@ -5,6 +5,7 @@
 
 #include "flight/flight.hpp"
 #include "report/activity.hpp"
+#include "report/side_deflection.hpp"
 
 namespace fantail::report {
 
@@ -34,6 +35,7 @@ struct Figures {
   std::optional<double> ended_before_apogee_s;  ///< control ended this long before apogee; negative: after it
   std::optional<double> roll_after_end_rad;     ///< largest |roll angle - that at the end of control| until apogee
   std::optional<Oscillation> oscillation;
+  std::optional<SideDeflection> side_deflection;
   core::Phase final_phase = core::Phase::safe;
 };
 

@@ -48,6 +48,12 @@ std::string figure_list(const flight::Flight& flight, const Figures& f) {
   add("Largest fin offset", text::in_degrees(f.largest_disturbance_rad), 1, "deg", "true u_d under control");
   add("Authority margin", text::in_degrees(f.authority_margin_rad), 1, "deg",
       f.authority_rad ? "of " + text::brief(text::degrees(*f.authority_rad), 1) + " deg" : "");
+  if (f.side_deflection) {
+    const auto& moment_n_m = f.side_deflection->largest_moment_n_m;
+    add("Side deflection", text::degrees(f.side_deflection->largest_rad), 1, "deg",
+        fmt::format("mean {} deg{}", fixed(text::degrees(f.side_deflection->mean_rad), 2),
+                    moment_n_m ? fmt::format("; at most {} N m", fixed(*moment_n_m, 3)) : ""));
+  }
   for (const flight::LoopMargin& margin : flight.loop_margins) {
     list.push_back({"Phase margin", fixed(text::degrees(margin.phase_margin_rad), 0), "deg",
                     fmt::format("at {} m/s; gain margin {}", fixed(margin.speed_m_s, 0), gain_margin_text(margin))});

@@ -180,6 +180,7 @@ void add_summary(flight::Flight& flight, const std::filesystem::path& file) {
       lowest_deg && highest_deg) {
     flight.canard_reach = {.lowest_rad = text::radians(*lowest_deg), .highest_rad = text::radians(*highest_deg)};
   }
+  flight.side_moment_m3 = number(summary, "canard_side_moment_m3");
   flight.left_by_fins = number(summary, "left_by_fins").value_or(flight.left_by_fins);
   const Json& imposed = member(summary, "imposed_roll");
   if (const auto time_s = number(imposed, "time_s")) {

@@ -68,6 +68,15 @@ Json oscillation(const std::optional<Oscillation>& found) {
           {"highest_deg", rounded(text::degrees(found->highest_rad))}};
 }
 
+Json side_deflection(const std::optional<SideDeflection>& side) {
+  if (!side) {
+    return {};
+  }
+  return {{"largest_deg", rounded(text::degrees(side->largest_rad))},
+          {"mean_deg", rounded(text::degrees(side->mean_rad))},
+          {"largest_moment_n_m", rounded(side->largest_moment_n_m)}};
+}
+
 Json loop_margins(const flight::Flight& flight) {
   Json all = Json::array();
   for (const flight::LoopMargin& margin : flight.loop_margins) {
@@ -145,6 +154,8 @@ std::string summary_json(const flight::Flight& flight, const Figures& figures, c
                   {"ended_before_apogee_s", rounded(figures.ended_before_apogee_s)},
                   {"roll_after_end_deg", angle(figures.roll_after_end_rad)},
                   {"oscillation", oscillation(figures.oscillation)},
+                  {"canard_side_deflection", side_deflection(figures.side_deflection)},
+                  {"canard_side_moment_m3", flight.side_moment_m3},
                   {"loop_margins", loop_margins(flight)},
                   {"canard_reach_deg", canard_reach(flight)},
                   {"left_by_fins", rounded(flight.left_by_fins)},
