@@ -106,6 +106,10 @@ CanardResponse canard_response(const Scenario& scenario) {
     slow += is(FaultKind::canard_slow) ? 1.0 : 0.0;
   }
   response.slow_share = follow > 0.0 ? slow / follow : 0.0;
+  // Those that follow do the work of the others as well, once the monitor has seen it.
+  if (scenario.plan.run.canard_fault == core::CanardFaultPolicy::share && follow >= 2.0) {
+    response.effectiveness *= static_cast<double>(canards) / follow;
+  }
   return response;
 }
 

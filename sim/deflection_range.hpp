@@ -16,7 +16,8 @@ struct DeflectionRange {
 
 /// How the canards follow the roll command together, with the canard faults that are there at lift-off.
 struct CanardResponse {
-  /// Deflection per command, the fins' answer apart; 1: all healthy; below zero: most turn the other way.
+  /// Deflection per command, the fins' answer apart; 1: all healthy, or up to two that do not move and a plan that lets
+  /// the others do their work; below zero: most turn the other way.
   double effectiveness = 1.0;
   double slow_share = 0.0;  ///< of those that follow: with slow_times the lag
 };

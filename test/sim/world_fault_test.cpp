@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
+#include <string>
+#include <utility>
 
 #include <gtest/gtest.h>
 
 #include "flown_world.hpp"
+#include "sim/deflection_range.hpp"
 
 namespace fantail::sim {
 namespace {
@@ -147,7 +150,42 @@ TEST(CanardFault, EndsControlOnlyWhenThePlanSaysSo) {
   EXPECT_LT(ends.first_in(Phase::finished)->time_s, seen_s + 0.3);
 }
 
-// Nobody flies by the encoders, so the flight itself is the same to the last bit.
+double sum_of_encoders_deg(const Tick& tick) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < core::canard_count; ++i) {
+    sum += encoder_deg(tick, i);
+  }
+  return sum;
+}
+
+// u_d is -4.9 degrees: the mean canard comes to 4.9 in the end whatever the law. With one at 0 the others stand
+// at 6.53; where they share, the roll command is the mean, and the rocket rests where it does with four: at R + u_d /
+// kp.
+TEST(CanardFault, OfOneThatStandsStillCostsNothingAtRestWhereThePlanShares) {
+  const auto flown_with = [](const char* policy) {
+    return fly_with(FaultKind::canard_dead, 0.0,
+                    {std::string{"run.canard_fault="} + policy, "reference.kind=hold", "excitation.form=none"});
+  };
+  const FlownWorld shared = flown_with("share");
+  const FlownWorld alone = flown_with("continue");
+  const auto command_deg = [](const Tick& tick) { return static_cast<double>(tick.record.command.degrees()); };
+  EXPECT_NEAR(sum_of_encoders_deg(shared.at(8.0)), 4.0 * 4.9, 0.3);
+  EXPECT_NEAR(command_deg(shared.at(8.0)), 4.9, 0.1);
+  EXPECT_NEAR(shared.at(8.0).truth.roll_angle_rad / degree, -4.9 / 0.5, 0.3);
+  EXPECT_NEAR(sum_of_encoders_deg(alone.at(8.0)), 4.0 * 4.9, 0.3);
+  EXPECT_NEAR(command_deg(alone.at(8.0)), 4.9 * 4.0 / 3.0, 0.15);
+  EXPECT_NEAR(alone.at(8.0).truth.roll_angle_rad / degree, -4.9 / 0.5 * 4.0 / 3.0, 0.4);
+}
+
+TEST(CanardFault, LeavesTheLoopItsGainWhereThePlanShares) {
+  for (const auto& [policy, effectiveness] : {std::pair{"continue", 0.75}, std::pair{"share", 1.0}}) {
+    Scenario s = scenario("tasha3_launch2", {std::string{"run.canard_fault="} + policy});
+    s.faults = {{.kind = FaultKind::canard_dead, .canard = broken, .from_s = 0.0, .until_s = 0.0}};
+    EXPECT_NEAR(canard_response(s).effectiveness, effectiveness, 1e-6) << policy;
+  }
+}
+
+// Nobody flies by an encoder that is silent, so the flight itself is the same to the last bit.
 TEST(EncoderUnplugged, IsEmptyAndDeadAndChangesNothingElse) {
   const FlownWorld flown = fly_with(FaultKind::encoder_unplugged);
   const FlownWorld whole = fly("tasha3_launch2");
