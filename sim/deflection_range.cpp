@@ -114,7 +114,8 @@ CanardResponse canard_response(const Scenario& scenario) {
 }
 
 bool is_of_canard(FaultKind kind) {
-  return !is_dropout(kind) && kind != FaultKind::encoder_unplugged && kind != FaultKind::encoder_noisy;
+  return !is_dropout(kind) && !is_reset(kind) && kind != FaultKind::encoder_unplugged &&
+         kind != FaultKind::encoder_noisy;
 }
 
 bool is_there_at_liftoff(const Fault& fault) { return fault.from_s <= 0.0; }

@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <optional>
 
+#include "hal/board.hpp"
+
 namespace fantail::sim {
 
 /// What can go wrong in a run. The canard_ kinds are those of ServoFault.
@@ -20,12 +22,30 @@ enum class FaultKind : std::uint8_t {
   encoder_noisy,
   imu_dropout,
   accelerometer_dropout,
+  reset,
 };
 
 /// Lasts for a while and concerns no canard.
 [[nodiscard]] constexpr bool is_dropout(FaultKind kind) {
   return kind == FaultKind::imu_dropout || kind == FaultKind::accelerometer_dropout;
 }
+
+/// Concerns the processor.
+[[nodiscard]] constexpr bool is_reset(FaultKind kind) { return kind == FaultKind::reset; }
+
+enum class MemoryAfterReset : std::uint8_t { kept, lost };
+
+/// A reset of the processor: for so long it has no ticks, and then the avionics begins anew. Until the reset a hanging
+/// loop leaves the pulses as they are; from the reset to the first tick there are none.
+struct Reset {
+  hal::ResetCause cause = hal::ResetCause::watchdog;
+  double gap_s = 0.06;
+  MemoryAfterReset memory = MemoryAfterReset::kept;
+  double clock_error_s = 0.0;  ///< by so much the avionics takes the gap for longer than it was
+};
+
+/// Of any gap this much, or all of a shorter one, is the start of the firmware, in which the lines are low.
+inline constexpr double start_of_firmware_s = 0.010;
 
 struct Fault {
   FaultKind kind;
@@ -35,6 +55,7 @@ struct Fault {
   double until_s;      ///< dropouts only
   std::optional<double> angle_rad{};  ///< stuck and wrong_trim only, as Servo::fail
   double noise_counts = 60.0;         ///< encoder_noisy only: standard deviation of its readings
+  Reset reset{};                      ///< reset only
 };
 
 }  // namespace fantail::sim

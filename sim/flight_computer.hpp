@@ -12,6 +12,7 @@
 #include "hal/entropy.hpp"
 #include "hal/flash.hpp"
 #include "hal/sim/world_side.hpp"
+#include "sim/fault.hpp"
 
 namespace fantail::sim {
 
@@ -21,6 +22,8 @@ struct BoardPorts {
   hal::Flash& flash;
   hal::Console& console;
   hal::Entropy& entropy;
+  /// Memory that survives a reset. What is kept there costs every flight time, so only one with a reset has it.
+  bool has_backup_memory = false;
 };
 
 /// The avionics on its devices, wherever it runs: whoever plays the world fills hardware(), lets it have its tick, and
@@ -32,6 +35,9 @@ class FlightComputer {
   [[nodiscard]] virtual hal::sim::WorldSide& hardware() = 0;
   /// The record is valid until the next tick.
   virtual const core::TickRecord& tick() = 0;
+  /// The avionics begins anew after a reset; its last record is gone. hardware().time is the old clock's at this
+  /// instant, and then the new one's, which is returned.
+  virtual core::Microseconds restart(const Reset& reset) = 0;
 };
 
 /// Of what the world is given one to fly. `plan` has passed core::validate(); it is in force unless the flash holds

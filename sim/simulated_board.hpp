@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
+
 #include "avionics/avionics.hpp"
 #include "core/flight_plan.hpp"
 #include "hal/sim/backup_memory.hpp"
@@ -13,32 +15,22 @@ namespace fantail::sim {
 class SimulatedBoard final : public FlightComputer {
  public:
   /// `plan` has passed core::validate(); it is in force unless the flash holds another.
-  SimulatedBoard(const core::FlightPlan& plan, const BoardPorts& ports, const avionics::Identity& identity = {})
-      : avionics{{.clock = devices_.clock,
-                  .imu = devices_.imu,
-                  .accelerometer = devices_.accelerometer,
-                  .servo = devices_.servo,
-                  .encoder = devices_.encoder,
-                  .arm_switch = devices_.arm_switch,
-                  .can_bus = ports.can_bus,
-                  .flash = ports.flash,
-                  .console = ports.console,
-                  .watchdog = devices_.watchdog,
-                  .entropy = ports.entropy,
-                  .board = devices_.board,
-                  .backup_memory = backup_memory_},
-                 plan,
-                 identity} {}
+  SimulatedBoard(const core::FlightPlan& plan, const BoardPorts& ports, const avionics::Identity& identity = {});
 
   [[nodiscard]] hal::sim::WorldSide& hardware() override { return devices_.world; }
-  const core::TickRecord& tick() override { return avionics.tick(); }
+  const core::TickRecord& tick() override { return avionics_->tick(); }
+  core::Microseconds restart(const Reset& reset) override;
 
  private:
-  hal::sim::Devices devices_;
-  hal::sim::NoBackupMemory backup_memory_;
+  void begin();
 
- public:
-  avionics::Avionics avionics;
+  core::FlightPlan plan_;
+  BoardPorts ports_;
+  avionics::Identity identity_;
+  hal::sim::Devices devices_;
+  hal::sim::NoBackupMemory no_backup_memory_;
+  hal::sim::BackupDomain backup_domain_{devices_.clock};
+  std::optional<avionics::Avionics> avionics_;
 };
 
 }  // namespace fantail::sim

@@ -12,6 +12,7 @@
 #include "hal/sim/entropy.hpp"
 #include "hal/sim/flash.hpp"
 #include "protocol/log_frame.hpp"
+#include "sim/nearest_tick.hpp"
 #include "sim/random_streams.hpp"
 
 namespace fantail::sim {
@@ -19,25 +20,9 @@ namespace {
 
 using core::Microseconds;
 
-constexpr Microseconds tick_time{1'000};
 constexpr double tick_time_s = 1e-3;
 
-Microseconds nearest_tick(double time_s) { return std::llround(time_s / tick_time_s) * tick_time; }
-
 double in_seconds(Microseconds time) { return 1e-6 * static_cast<double>(time.count()); }
-
-ServoFault servo_fault(FaultKind kind) {
-  switch (kind) {
-    case FaultKind::canard_stuck: return ServoFault::stuck;
-    case FaultKind::canard_hardover: return ServoFault::hardover;
-    case FaultKind::canard_dead: return ServoFault::dead;
-    case FaultKind::canard_slipping: return ServoFault::slipping;
-    case FaultKind::canard_reversed: return ServoFault::reversed;
-    case FaultKind::canard_slow: return ServoFault::slow;
-    case FaultKind::canard_wrong_trim: return ServoFault::wrong_trim;
-    default: return ServoFault::none;
-  }
-}
 
 // Many bytes at a time: nearly all of a large flash is blank, and byte by byte that would take as long as the flight.
 std::span<const std::byte> without_blank_end(std::span<const std::byte> cells) {
@@ -51,6 +36,11 @@ std::span<const std::byte> without_blank_end(std::span<const std::byte> cells) {
   }
   const auto last = std::find_if_not(cells.rbegin(), cells.rend(), is_blank);
   return cells.first(static_cast<std::size_t>(cells.rend() - last));
+}
+
+BoardPorts with_memory_for(const Scenario& scenario, BoardPorts ports) {
+  ports.has_backup_memory = std::ranges::any_of(scenario.faults, is_reset, &Fault::kind);
+  return ports;
 }
 
 std::string sensors_in_record(std::size_t changed_values) {
@@ -107,7 +97,7 @@ World::World(const Scenario& scenario, const BoardPorts& ports, std::unique_ptr<
       fault_is_applied_(scenario.faults.size(), false),
       pad_{std::move(pad)},
       sensors_{sensors_in_record(scenario.changed_values)},
-      board_{make(scenario.plan, ports,
+      board_{make(scenario.plan, with_memory_for(scenario, ports),
                   {.firmware_version = avionics::firmware_version(),
                    .git_hash = avionics::git_hash(),
                    .vehicle = scenario.vehicle.name,
@@ -131,8 +121,19 @@ const core::TickRecord& World::tick() {
   if (pad_) {
     let_crew_act();
   }
+  if (down_until_) {
+    follow_reset();
+  }
+  if (down_until_) {
+    follow_events();
+    return *last_record_;
+  }
   const core::TickRecord& record = board_->tick();
   phase_ = record.phase;
+  last_record_ = &record;
+  if (!gaps_.empty()) {
+    note_resume();
+  }
   follow_events();
   return record;
 }
@@ -200,33 +201,6 @@ double World::disturbance_now_rad() const {
   return disturbance_.at(time_s) + environment_.swirl_rad();
 }
 
-void World::apply_faults() {
-  imu_hangs_ = false;
-  accelerometer_hangs_ = false;
-  for (std::size_t i = 0; i < scenario_.faults.size(); ++i) {
-    const Fault& fault = scenario_.faults[i];
-    if (now_ < ignition_ + nearest_tick(fault.from_s)) {
-      continue;
-    }
-    if (is_dropout(fault.kind)) {
-      const bool present = now_ < ignition_ + nearest_tick(fault.until_s);
-      imu_hangs_ = imu_hangs_ || (present && fault.kind == FaultKind::imu_dropout);
-      accelerometer_hangs_ = accelerometer_hangs_ || (present && fault.kind == FaultKind::accelerometer_dropout);
-    } else if (!fault_is_applied_[i]) {
-      fault_is_applied_[i] = true;
-      break_canard(fault);
-    }
-  }
-}
-
-void World::break_canard(const Fault& fault) {
-  switch (fault.kind) {
-    case FaultKind::encoder_unplugged: canards_.unplug_encoder(fault.canard); break;
-    case FaultKind::encoder_noisy: canards_.make_encoder_noisy(fault.canard, fault.noise_counts); break;
-    default: canards_.fail(fault.canard, servo_fault(fault.kind), fault.angle_rad);
-  }
-}
-
 void World::impose_roll() {
   if (roll_is_imposed_ || !scenario_.imposed_roll || !events_.liftoff ||
       now_ < *events_.liftoff + imposed_roll_after_liftoff_) {
@@ -256,10 +230,13 @@ void World::fill_hardware() {
       accelerometer_model_.sample(now_, at_accelerometer.specific_force_m_s2, accelerometer_hangs_);
   // All are measured before any is copied: a copy of freshly written counts makes the processor wait, and so it waits
   // once instead of three times.
-  hardware_.time = now_;
+  hardware_.time = now_ + board_ahead_;
   hardware_.encoders = encoders;
   hardware_.imu = imu;
   hardware_.accelerometer = accelerometer;
+  if (board_ahead_ != Microseconds{0}) {
+    put_samples_on_clock_of_board(board_ahead_);
+  }
 }
 
 void World::let_crew_act() {

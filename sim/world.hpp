@@ -58,8 +58,12 @@ class World {
   World(const World&) = delete;  // the devices point into it
   World& operator=(const World&) = delete;
 
-  /// Sensors, one avionics tick, and what it wrote to the servos. The record is valid until the next tick.
+  /// Sensors, one avionics tick, and what it wrote to the servos. The record is valid until the next tick. While the
+  /// processor is down there is no tick, and this is the last record.
   const core::TickRecord& tick();
+
+  /// Was there no avionics to have the last tick()?
+  [[nodiscard]] bool is_down() const { return down_until_.has_value(); }
 
   /// The truth that belongs to the last tick.
   [[nodiscard]] Truth truth() const;
@@ -112,9 +116,23 @@ class World {
   };
   [[nodiscard]] const Events& events() const { return events_; }
 
+  /// A gap in which the processor was down: from the first tick that it missed to the first that it had again.
+  struct Gap {
+    core::Microseconds from{};
+    std::optional<core::Microseconds> to{};
+    hal::ResetCause cause{};
+    bool resumed = false;  ///< the flight went on after it
+  };
+  [[nodiscard]] const std::vector<Gap>& gaps() const { return gaps_; }
+
  private:
   void apply_faults();
   void break_canard(const Fault& fault);
+  void begin_reset(const Reset& reset);
+  void follow_reset();
+  void restart_board();
+  void put_samples_on_clock_of_board(core::Microseconds ahead);
+  void note_resume();
   void fill_hardware();
   struct LonePad;
   World(const Scenario& scenario, std::unique_ptr<LonePad> pad, const MakeFlightComputer& make);
@@ -139,6 +157,7 @@ class World {
   core::Microseconds imposed_roll_after_liftoff_{};
   std::optional<core::Microseconds> end_;
   Events events_;
+  std::vector<Gap> gaps_;
 
   Environment environment_;
   RollPlant roll_plant_;
@@ -156,7 +175,11 @@ class World {
   bool imu_hangs_ = false;
   bool accelerometer_hangs_ = false;
   bool roll_is_imposed_ = false;
-  std::vector<bool> fault_is_applied_;  ///< in the scenario's order; not of dropouts, which come and go
+  std::optional<core::Microseconds> down_until_{};
+  Reset reset_{};                                  ///< the last one
+  const core::TickRecord* last_record_ = nullptr;  ///< of the board, which has it until its next tick
+  core::Microseconds board_ahead_{};               ///< of now_ is the board's clock; not 0 only after a reset
+  std::vector<bool> fault_is_applied_;             ///< in the scenario's order; not of dropouts, which come and go
 
   std::unique_ptr<LonePad> pad_;  ///< empty when somebody else is there
   std::string sensors_;           ///< as the record's header has it; outlives the board

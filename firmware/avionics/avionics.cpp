@@ -10,7 +10,7 @@ namespace fantail::avionics {
 Avionics::Avionics(Devices devices, const core::FlightPlan& built_in, const Identity& identity)
     : devices_{devices},
       flash_{devices.flash},
-      flight_memory_{devices.backup_memory.bytes(), devices.board.status().reset_cause},
+      flight_memory_{devices.backup_memory, devices.clock, devices.board.status().reset_cause},
       plan_{built_in},
       self_test_{plan_} {
   flash_.recorder().introduce(identity);
@@ -80,7 +80,7 @@ void Avionics::resume_flight(const core::Inputs& first) {
     return;
   }
   if (const auto resumed = flight_memory_.resume(first, plan_crc_, *autopilot_)) {
-    flash_.resume_flight(resumed->used_sectors);
+    flash_.resume_flight(resumed->used_sectors, {resumed->after, flight_memory_.resumes()});
     devices_.console.write("flight: resumed after a reset\n");
   } else {
     autopilot_.emplace(plan_);  // half a state is none

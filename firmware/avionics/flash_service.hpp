@@ -53,11 +53,11 @@ class FlashService {
 
   /// A flight goes on after a reset: what is left of it gets a record of its own. `used_sectors`: of the flights'
   /// region, as it was known before.
-  void resume_flight(std::optional<std::uint32_t> used_sectors) {
+  void resume_flight(std::optional<std::uint32_t> used_sectors, const Recorder::Resume& resume) {
     if (used_sectors) {
       flights_.look_from(*used_sectors);
     }
-    recorder_.resume_flight();
+    recorder_.resume_flight(resume);
   }
 
   /// As the frames of the bus come in.

@@ -18,6 +18,7 @@ using core::Phase;
 using hal::ResetCause;
 using protocol::get;
 using protocol::put;
+using protocol::ResumedAfter;
 using protocol::StateExtent;
 
 namespace {
@@ -30,11 +31,16 @@ namespace {
 //   20  u32      CRC of the plan
 //   24  u32      layout of the state
 //   28  u32      resumes of this flight so far
-//   32  u32      sectors of the flash that are in use, when byte 36 is 1
-//   36  u8
+//   32  u32      sectors of the flash that are in use
+//   36  u8       bit 0: the sectors are known; bit 1: byte 40 is
 //   37  u8       starts of the firmware since this was sealed; bit 7: the last one has yet to try a resume
 //   38  u16      size of the state
-//   40  the state
+//   40  i64      how far the clock that runs on over a reset was ahead of the board's, microseconds
+//   48  the state
+//
+// Everything but what lies in the state stands at a multiple of its size up to a word. In the state nothing does: the
+// processor reads and writes it byte by byte or unaligned, which it may because the memory is mapped as normal memory
+// (hal/stm32f4/memory_protection.cpp).
 constexpr std::uint32_t mark = 0x4D4C4646;  // "FFLM"
 constexpr std::size_t crc_at = 4;
 constexpr std::size_t sealed_from = 8;
@@ -43,12 +49,16 @@ constexpr std::size_t plan_at = 20;
 constexpr std::size_t layout_at = 24;
 constexpr std::size_t resumes_at = 28;
 constexpr std::size_t sectors_at = 32;
-constexpr std::size_t sectors_known_at = 36;
+constexpr std::size_t known_at = 36;
+constexpr std::uint32_t sectors_known = 1;
+constexpr std::uint32_t ahead_known = 2;
 constexpr std::size_t starts_at = 37;
 constexpr std::uint32_t not_yet_tried = 0x80;
 constexpr std::size_t size_at = 38;
-constexpr std::size_t state_at = 40;
+constexpr std::size_t ahead_at = 40;
+constexpr std::size_t state_at = 48;
 constexpr std::size_t most_state = flight_half_size - state_at;
+static_assert(flight_half_size % 4 == 0 && state_at % 4 == 0 && time_at % 4 == 0 && ahead_at % 4 == 0);
 
 constexpr std::array<std::size_t, 2> both{0, 1};
 
@@ -116,6 +126,10 @@ bool waits_to_be_tried(std::span<const std::byte> half) { return (get<1>(half, s
   }
 }
 
+bool knows(std::span<const std::byte> half, std::uint32_t what) {
+  return (static_cast<std::uint32_t>(get<1>(half, known_at)) & what) != 0;
+}
+
 Microseconds time_of(std::span<const std::byte> half) {
   return Microseconds{static_cast<std::int64_t>(get<8>(half, time_at))};
 }
@@ -135,8 +149,11 @@ Microseconds time_of(std::span<const std::byte> half) {
 
 }  // namespace
 
-FlightMemory::FlightMemory(std::span<std::byte> memory, ResetCause cause) : memory_{memory} {
-  waits_ = may_be_resumed_after(cause) && !newest_first(memory_)[0].empty();
+FlightMemory::FlightMemory(hal::BackupMemory& memory, const hal::Clock& clock, ResetCause cause)
+    : memory_{memory},
+      clock_{clock},
+      after_{cause == ResetCause::watchdog ? ResumedAfter::watchdog : ResumedAfter::software} {
+  waits_ = may_be_resumed_after(cause) && !newest_first(memory_.bytes())[0].empty();
   if (!waits_) {
     forget();
   }
@@ -146,19 +163,20 @@ std::optional<FlightMemory::Resumed> FlightMemory::resume(const core::Inputs& fi
                                                           core::Autopilot& law) {
   waits_ = false;
   // Before the state is used: should the law crash on it, the next reset must know that it was tried.
-  if (const auto newest = newest_first(memory_)[0]; !newest.empty()) {
-    set_starts(memory_, starts_since(newest) + (waits_to_be_tried(newest) ? 0 : 1), true);
+  const std::span<std::byte> memory = memory_.bytes();
+  if (const auto newest = newest_first(memory)[0]; !newest.empty()) {
+    set_starts(memory, starts_since(newest) + (waits_to_be_tried(newest) ? 0 : 1), true);
   }
-  for (const std::span<std::byte> half : newest_first(memory_)) {
+  for (const std::span<std::byte> half : newest_first(memory)) {
     if (half.empty() || !restore(half, first, plan_crc, law)) {
       continue;
     }
     sequence_ = word(half, sealed_from);
     resumes_ = word(half, resumes_at) + starts_since(half);
     law.resume(first);
-    return Resumed{
-        .sealed_at = time_of(half),
-        .used_sectors = get<1>(half, sectors_known_at) == 1 ? std::optional{word(half, sectors_at)} : std::nullopt};
+    return Resumed{.sealed_at = time_of(half),
+                   .after = after_,
+                   .used_sectors = knows(half, sectors_known) ? std::optional{word(half, sectors_at)} : std::nullopt};
   }
   forget();
   return std::nullopt;
@@ -176,12 +194,13 @@ void FlightMemory::keep(const core::TickRecord& record, std::uint32_t plan_crc,
     }
     return;
   }
-  if (memory_.size() < backup_size || (sealed_at_ && record.time - *sealed_at_ < period)) {
+  const std::span<std::byte> memory = memory_.bytes();
+  if (memory.size() < backup_size || (sealed_at_ && record.time - *sealed_at_ < period)) {
     return;
   }
   sealed_at_ = record.time;
   sequence_ += 1;
-  const std::span<std::byte> half = flight_half(memory_, sequence_ % 2);
+  const std::span<std::byte> half = flight_half(memory, sequence_ % 2);
   break_seal(half);
   const std::size_t size = write_state(law, half.subspan(state_at), StateExtent::in_flight);
   if (size > most_state) {
@@ -193,7 +212,9 @@ void FlightMemory::keep(const core::TickRecord& record, std::uint32_t plan_crc,
   put<4>(half, layout_at, *layout_);
   put<4>(half, resumes_at, resumes_);
   put<4>(half, sectors_at, used_sectors.value_or(0));
-  put<1>(half, sectors_known_at, used_sectors ? 1 : 0);
+  const std::optional<Microseconds> running = memory_.running_time();
+  put<1>(half, known_at, (used_sectors ? sectors_known : 0) | (running ? ahead_known : 0));
+  put<8>(half, ahead_at, static_cast<std::uint64_t>(running ? (*running - clock_.now()).count() : 0));
   put<1>(half, starts_at, 0);
   put<2>(half, size_at, size);
   seal(half);
@@ -201,7 +222,7 @@ void FlightMemory::keep(const core::TickRecord& record, std::uint32_t plan_crc,
 
 void FlightMemory::forget() {
   for (const std::size_t i : both) {
-    if (const auto half = flight_half(memory_, i); !half.empty()) {
+    if (const auto half = flight_half(memory_.bytes(), i); !half.empty()) {
       break_seal(half);
     }
   }
@@ -210,13 +231,21 @@ void FlightMemory::forget() {
   sealed_at_.reset();
 }
 
-std::optional<Microseconds> clock_after_reset(std::span<std::byte> memory, ResetCause cause, Microseconds gap) {
-  const auto newest = newest_first(memory)[0];
+std::optional<Microseconds> clock_after_reset(hal::BackupMemory& memory, ResetCause cause, Microseconds assumed_gap) {
+  const auto newest = newest_first(memory.bytes())[0];
   if (!may_be_resumed_after(cause) || newest.empty()) {
     return std::nullopt;
   }
-  set_starts(memory, starts_since(newest) + 1, false);
-  return time_of(newest) + gap * starts_since(newest);
+  set_starts(memory.bytes(), starts_since(newest) + 1, false);
+  const Microseconds assumed = assumed_gap * starts_since(newest);
+  const std::optional<Microseconds> running = memory.running_time();
+  if (running && knows(newest, ahead_known)) {
+    const Microseconds ahead{static_cast<std::int64_t>(get<8>(newest, ahead_at))};
+    if (*running - ahead - time_of(newest) >= assumed / 2) {
+      return *running - ahead;
+    }
+  }
+  return time_of(newest) + assumed;
 }
 
 }  // namespace fantail::avionics

@@ -4,13 +4,15 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <span>
 
 #include "core/autopilot.hpp"
 #include "core/inputs.hpp"
 #include "core/tick_record.hpp"
 #include "core/time.hpp"
+#include "hal/backup_memory.hpp"
 #include "hal/board.hpp"
+#include "hal/clock.hpp"
+#include "protocol/log_notes.hpp"
 
 namespace fantail::avionics {
 
@@ -22,7 +24,8 @@ namespace fantail::avionics {
 /// force; after any other reset, and after the third resume of one flight, the rocket is Safe. It never comes back
 /// armed.
 ///
-/// What is written goes straight into that memory. A seal takes the state written out and a CRC over 0.7 kB.
+/// What is written goes straight into that memory. A seal takes the state written out and a CRC over 0.7 kB; with it
+/// goes how far the clock that runs on over a reset is ahead of the board's.
 class FlightMemory {
  public:
   static constexpr core::Microseconds period{10'000};
@@ -31,14 +34,15 @@ class FlightMemory {
   /// A flight that crashes the processor again and again is not flown on: the canards are brought to trim, in Safe.
   static constexpr std::uint32_t most_resumes = 3;
 
-  /// Nothing that lies in the memory is left valid, unless a flight may be resumed.
-  [[gnu::cold]] FlightMemory(std::span<std::byte> memory, hal::ResetCause cause);
+  /// Nothing that lies in the memory is left valid, unless a flight may be resumed. Both devices outlive this object.
+  [[gnu::cold]] FlightMemory(hal::BackupMemory& memory, const hal::Clock& clock, hal::ResetCause cause);
 
   /// A flight lies there: resume() wants to be called, once it is known which plan is in force.
   [[nodiscard]] bool waits() const { return waits_; }
 
   struct Resumed {
     core::Microseconds sealed_at{};
+    protocol::ResumedAfter after{};
     std::optional<std::uint32_t> used_sectors{};  ///< as given to keep()
   };
   /// Before step(first). `law` is made of the plan in force. Empty: it must be made anew, and nothing valid is left.
@@ -55,8 +59,10 @@ class FlightMemory {
  private:
   [[gnu::cold]] void forget();
 
-  std::span<std::byte> memory_;
+  hal::BackupMemory& memory_;
+  const hal::Clock& clock_;
   bool waits_ = false;
+  protocol::ResumedAfter after_ = protocol::ResumedAfter::software;
   std::uint32_t sequence_ = 0;
   std::uint32_t resumes_ = 0;
   std::optional<core::Microseconds> sealed_at_{};
@@ -64,14 +70,14 @@ class FlightMemory {
 };
 
 /// For a board whose clock begins anew with a reset: where it must begin so that a flight that lies in the memory can
-/// be resumed, because the clock goes on in flight. Empty: at zero, as after power-up. `gap`: from the last seal to the
-/// first look at the clock (half a period of the seals, the watchdog's time and the start of the firmware), which
-/// nothing measures; the roll angle is off by the roll rate times what this is off.
+/// be resumed, because the clock goes on in flight. Empty: at zero, as after power-up. A clock that runs on over the
+/// reset has measured it. Where there is none, `assumed_gap` is taken for it: from the last seal to the first look at
+/// the clock. It is taken too where that clock shows less than half of it, which is a clock that stood still.
 ///
 /// Once, as early as can be: this start is counted against the flight, so that a firmware that crashes before its first
-/// tick comes to Safe too, and each start since the seal is another gap.
-[[nodiscard, gnu::cold]] std::optional<core::Microseconds> clock_after_reset(std::span<std::byte> memory,
+/// tick comes to Safe too, and each start since the seal is another assumed gap.
+[[nodiscard, gnu::cold]] std::optional<core::Microseconds> clock_after_reset(hal::BackupMemory& memory,
                                                                              hal::ResetCause cause,
-                                                                             core::Microseconds gap);
+                                                                             core::Microseconds assumed_gap);
 
 }  // namespace fantail::avionics

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "avionics/recorder.hpp"
 
+#include <utility>
+
 #include "avionics/flash_facts.hpp"
 #include "avionics/write_state.hpp"
 #include "protocol/log_schema.hpp"
@@ -38,12 +40,12 @@ void Recorder::note(const Tick& tick, core::Autopilot& law) {
     case Stage::idle:
       if ((phase == Phase::armed || (resumed_ && flies(phase) && region_.finished())) &&
           region_.free_bytes().value_or(least_record_bytes) >= least_record_bytes) {
-        resumed_ = false;
         begin_on_pad(tick, law);
       }
       break;
     case Stage::on_pad:
       if (phase == Phase::safe) {
+        resumed_.reset();
         stage_ = Stage::idle;
         break;
       }
@@ -108,6 +110,13 @@ void Recorder::begin_flight(const Tick& tick) {
   // Not in the ticks in which the flight memory writes out the same state.
   checkpoint_due_ = tick.record.time + checkpoint_period + Microseconds{3'000};
   queue_event({.time = time, .kind = LogEventKind::recording_began, .number = *flight}, queue_.ticks.first());
+  if (const auto resumed = std::exchange(resumed_, std::nullopt)) {
+    queue_event({.time = time,
+                 .kind = LogEventKind::resumed,
+                 .value = static_cast<std::uint8_t>(resumed->cause),
+                 .number = resumed->resumes},
+                queue_.ticks.first());
+  }
   queue_event({.time = time,
                .kind = LogEventKind::phase,
                .value = static_cast<std::uint8_t>(told_.phase),

@@ -59,8 +59,12 @@ class Recorder {
   [[nodiscard]] std::span<const std::byte> plan_block() const { return plan_block_; }
   void introduce(const Identity& identity) { identity_ = identity; }
 
+  struct Resume {
+    protocol::ResumedAfter cause{};
+    std::uint32_t resumes = 0;  ///< of this flight, this one included
+  };
   /// The rocket flies already: a record begins as soon as the flash can take one, with what the law then remembers.
-  void resume_flight() { resumed_ = true; }
+  void resume_flight(const Resume& resume) { resumed_ = resume; }
 
   /// Once a tick, when the flight law has stepped: `law` is what it is now. No call to the flash.
   void note(const Tick& tick, core::Autopilot& law);
@@ -124,9 +128,9 @@ class Recorder {
   std::uint32_t ticks_to_health_ = 0;
   std::optional<core::Microseconds> checkpoint_due_{};  ///< empty: one is wanted now
   std::optional<core::Microseconds> finished_since_{};
-  bool resumed_ = false;
-  bool overflowed_ = false;    ///< no tick is taken until there is room again
-  std::uint32_t dropped_ = 0;  ///< records, since that was last said
+  std::optional<Resume> resumed_{};  ///< and no record has begun since
+  bool overflowed_ = false;          ///< no tick is taken until there is room again
+  std::uint32_t dropped_ = 0;        ///< records, since that was last said
   std::uint32_t ticks_dropped_ = 0;
   core::Microseconds longest_tick_{};
   std::uint32_t longest_tick_cycles_ = 0;  ///< of this record, as told

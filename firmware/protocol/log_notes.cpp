@@ -15,6 +15,7 @@ std::size_t values(LogEventKind kind) {
     case LogEventKind::gyro_state:
     case LogEventKind::accelerometer_state: return core::sensor_states;
     case LogEventKind::command_status: return core::command_statuses;
+    case LogEventKind::resumed: return resumed_after_causes;
     case LogEventKind::recording_began:
     case LogEventKind::records_dropped:
     case LogEventKind::longest_tick:
@@ -106,6 +107,7 @@ std::string_view name(LogEventKind kind) {
     case LogEventKind::records_dropped: return "records_dropped";
     case LogEventKind::longest_tick: return "longest_tick";
     case LogEventKind::board_faults: return "board_faults";
+    case LogEventKind::resumed: return "resumed";
   }
   return "unknown";
 }
@@ -116,6 +118,14 @@ std::string_view name(LogEnd end) {
     case LogEnd::returned_to_pad: return "returned_to_pad";
     case LogEnd::flash_full: return "flash_full";
     case LogEnd::flash_failed: return "flash_failed";
+  }
+  return "unknown";
+}
+
+std::string_view name(ResumedAfter cause) {
+  switch (cause) {
+    case ResumedAfter::software: return "software";
+    case ResumedAfter::watchdog: return "watchdog";
   }
   return "unknown";
 }

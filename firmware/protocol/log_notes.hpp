@@ -26,8 +26,9 @@ enum class LogEventKind : std::uint8_t {
   records_dropped,      ///< number: ticks that found no room in the queue, since the event before
   longest_tick,         ///< number: processor cycles of the longest tick so far, where the processor counts them
   board_faults,         ///< number: hal::BoardFaults::bits(), of which some came or went
+  resumed,              ///< this record is the rest of a flight; value: ResumedAfter, number: resumes of it so far
 };
-inline constexpr std::size_t log_event_kinds = 10;
+inline constexpr std::size_t log_event_kinds = 11;
 
 /// Why a recording ended.
 enum class LogEnd : std::uint8_t {
@@ -37,6 +38,10 @@ enum class LogEnd : std::uint8_t {
   flash_failed,
 };
 inline constexpr std::size_t log_ends = 4;
+
+/// Nothing is resumed after any other reset.
+enum class ResumedAfter : std::uint8_t { software, watchdog };
+inline constexpr std::size_t resumed_after_causes = 2;
 
 struct LogEvent {
   core::Microseconds time{};
@@ -77,6 +82,7 @@ inline constexpr std::size_t log_health_size = 23;
 inline constexpr std::size_t log_checkpoint_times_size = 16;
 
 [[nodiscard]] std::string_view name(LogEventKind kind);
+[[nodiscard]] std::string_view name(ResumedAfter cause);
 [[nodiscard]] std::string_view name(LogEnd end);
 
 }  // namespace fantail::protocol

@@ -16,6 +16,20 @@ class BackupMemory final : public hal::BackupMemory {
   std::array<std::byte, 4096> bytes_{};
 };
 
+/// The same with its clock, which is `ahead` of the board's: a reset puts that one back, and not this.
+class BackupDomain final : public hal::BackupMemory {
+ public:
+  explicit BackupDomain(const hal::Clock& clock) : clock_{clock} {}
+  [[nodiscard]] std::span<std::byte> bytes() override { return memory_.bytes(); }
+  [[nodiscard]] std::optional<Microseconds> running_time() override { return clock_.now() + ahead; }
+
+  Microseconds ahead{};
+
+ private:
+  const hal::Clock& clock_;
+  sim::BackupMemory memory_;
+};
+
 /// Of a board that has none.
 class NoBackupMemory final : public hal::BackupMemory {
  public:

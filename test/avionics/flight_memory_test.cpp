@@ -27,7 +27,7 @@ TEST(FlightMemory, TheStateFitsIntoAHalfAndTheHalvesLeaveTheRoomForACrash) {
   core::Autopilot law{core::default_plan()};
   protocol::StateWriter measure{{}, protocol::StateExtent::in_flight};
   law.visit_state(measure);
-  EXPECT_LE(measure.size() + 40, flight_half_size);
+  EXPECT_LE(measure.size() + 48, flight_half_size);
   EXPECT_EQ(crash_begin + crash_room, backup_size);
   EXPECT_EQ(crash_begin, 2 * flight_half_size);
 }
@@ -54,7 +54,8 @@ TEST(FlightMemory, WhatComesBackGoesOnAsTheLawItselfWouldHave) {
          rig.inputs.time) {
     rig.tick();
   }
-  FlightMemory found{rig.memory, ResetCause::software};
+  Domain domain{rig.memory};
+  FlightMemory found{domain, rig.clock, ResetCause::software};
   core::Autopilot law{rig.plan};
   ASSERT_TRUE(found.resume(rig.after(60 * millisecond), plan_crc, law));
   rig.law.resume(rig.after(60 * millisecond));
@@ -85,7 +86,7 @@ TEST(FlightMemory, EverySingleBitThatFlipsBreaksItsHalfAndTheOtherOneIsTaken) {
   const std::size_t newer = resume(without, first, rig.plan)->sealed_at == other ? 0 : 1;
   for (const std::size_t half : {std::size_t{0}, std::size_t{1}}) {
     const Microseconds expected = half == newer ? other : newest->sealed_at;
-    for (std::size_t bit = 0; bit < 8 * (39 + state_size); ++bit) {
+    for (std::size_t bit = 0; bit < 8 * (47 + state_size); ++bit) {
       Memory memory = rig.memory;
       flight_half(memory, half)[bit / 8] ^= std::byte{1} << (bit % 8);
       const auto found = resume(memory, first, rig.plan);
@@ -194,7 +195,8 @@ TEST(FlightMemory, TheRoomOfTheCrashRecordIsNeverTouched) {
   std::ranges::fill(crash_place(rig.memory), std::byte{0x5A});
   rig.run(100);
   (void)resume(rig.memory, rig.after(60 * millisecond), rig.plan);
-  const FlightMemory forgets{rig.memory, ResetCause::pin};
+  Domain domain{rig.memory};
+  const FlightMemory forgets{domain, rig.clock, ResetCause::pin};
   EXPECT_TRUE(std::ranges::all_of(crash_place(rig.memory), [](std::byte b) { return b == std::byte{0x5A}; }));
 }
 

@@ -65,7 +65,7 @@ struct FlyingRig : BoardRig {
       move();
     }
     hardware.board.reset_cause = cause;
-    hardware.time = clock_after_reset(backup_memory.bytes(), cause, nominal_gap).value_or(Microseconds{0});
+    hardware.time = clock_after_reset(backup_memory, cause, nominal_gap).value_or(Microseconds{0});
     reset_processor();
   }
 

@@ -235,8 +235,11 @@ TEST(Resume, TheCountOfOneFlightIsNotThatOfTheNext) {
 }
 
 TEST(Resume, WithoutBackupMemoryThereIsNoFlightToResume) {
-  EXPECT_FALSE(clock_after_reset({}, ResetCause::watchdog, second));
-  FlightMemory memory{{}, ResetCause::watchdog};
+  hal::sim::NoBackupMemory none;
+  EXPECT_FALSE(clock_after_reset(none, ResetCause::watchdog, second));
+  const hal::sim::WorldSide world;
+  const hal::sim::Clock clock{world};
+  FlightMemory memory{none, clock, ResetCause::watchdog};
   core::Autopilot law{core::default_plan()};
   EXPECT_FALSE(memory.waits());
   core::TickRecord record;

@@ -35,9 +35,11 @@ TEST(Integrity, WhyARecordingBreaksOffDependsOnWhatRecordedIt) {
   Flight flight;
   flight.has_header = true;
   flight.sensors = "ICM-42688-P, KX134-1211";
-  EXPECT_TRUE(says(integrity_text(flight), "breaks off: power was lost, or the log was read before it ended"));
+  EXPECT_TRUE(says(integrity_text(flight),
+                   "breaks off: power was lost, the processor was reset, or the log was read before it ended"));
   flight.sensors = "simulated";
-  EXPECT_TRUE(says(integrity_text(flight), "breaks off: the simulation ended first, or the file was cut off"));
+  EXPECT_TRUE(
+      says(integrity_text(flight), "breaks off: the simulation ended or reset the processor, or the file was cut off"));
   EXPECT_FALSE(says(integrity_text(flight), "power"));
 }
 

@@ -96,7 +96,15 @@ INSTANTIATE_TEST_SUITE_P(
         Rule{"FaultKindUnknown", "[[faults]]\nkind = \"stuck\"\n",
              ":4: faults.kind = 'stuck'; allowed: canard_stuck, canard_hardover, canard_dead, canard_slipping, "
              "canard_reversed, canard_slow, canard_wrong_trim, encoder_unplugged, encoder_noisy, imu_dropout, "
-             "accelerometer_dropout"},
+             "accelerometer_dropout, reset"},
+        Rule{"ResetOnThePad", "[[faults]]\nkind = \"reset\"\nfrom_s = -1\n",
+             ":5: faults.from_s = -1; allowed for a reset: 0 to 3600"},
+        Rule{"ResetOfNoCause", "[[faults]]\nkind = \"reset\"\nfrom_s = 1\ncause = \"power\"\n",
+             ":6: faults.cause = 'power'; allowed: power_on, brown_out, pin, software, watchdog"},
+        Rule{"ResetWithoutGap", "[[faults]]\nkind = \"reset\"\nfrom_s = 1\ngap_s = 0\n",
+             ":6: faults.gap_s = 0 is out of range; allowed: 0.001 to 10"},
+        Rule{"ResetOfACanard", "[[faults]]\nkind = \"reset\"\nfrom_s = 1\ncanard = 1\n",
+             ":6: unknown key faults.canard; allowed: kind, from_s, cause, gap_s, memory, clock_error_s"},
         Rule{"FaultCanard", "[[faults]]\nkind = \"canard_stuck\"\nfrom_s = 1\ncanard = 5\n",
              ":6: faults.canard = 5 is out of range; allowed: 1 to 4"},
         Rule{"SecondFault",

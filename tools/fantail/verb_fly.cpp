@@ -136,8 +136,17 @@ std::vector<std::string> take_trajectory(const FlyOptions& options, sim::Scenari
   return std::move(trajectory.notes);
 }
 
+void check_resets(const FlyOptions& options, const sim::Scenario& scenario) {
+  if (options.computer.on != "host" && std::ranges::any_of(scenario.faults, sim::is_reset, &sim::Fault::kind)) {
+    throw text::Error{text::ErrorKind::bad_configuration,
+                      fmt::format("{}: faults.kind = \"reset\" cannot be flown with --on {}; allowed: --on host",
+                                  scenario.name, options.computer.on)};
+  }
+}
+
 void fly_and_report(const FlyOptions& options) {
   sim::Scenario scenario = load(options.scenario);
+  check_resets(options, scenario);
   const std::vector<std::string> of_trajectory = take_trajectory(options, scenario);
   LcmOutput lcm{options.lcm};
   FlightComputerOption computer{options.computer};

@@ -89,7 +89,7 @@ class Node {
       world_.set_ticks_left_out(pace_.ticks_left_out());
       const auto tick_begin = SteadyClock::now();
       const core::TickRecord& record = world_.tick();
-      if (observe_) {
+      if (observe_ && !world_.is_down()) {
         observe_(record, SteadyClock::now() - tick_begin);
       }
       world_.advance();

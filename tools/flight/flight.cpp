@@ -22,6 +22,9 @@ void note_phase(Flight& flight, const core::TickRecord& record, double time_s) {
     return;
   }
   flight.phase_changes.push_back({time_s, record.phase, record.reason});
+  if (before == core::Phase::controlling && record.phase == core::Phase::safe) {
+    flight.events.control_end_s = time_s;  // a reset after which nothing was resumed
+  }
   if (auto* event = event_of(flight.events, record.phase)) {
     *event = time_s;
   }
@@ -120,6 +123,15 @@ void add_tick(Flight& flight, const core::TickRecord& record, double time_s, con
   r.truth = truth;
 }
 
+void end_control_with_outage(Flight& flight) {
+  for (const Outage& outage : flight.outages) {
+    if (!outage.resumed && flight.events.control_start_s && flight.events.control_end_s == outage.to_s) {
+      flight.events.control_end_s = outage.from_s;
+      return;
+    }
+  }
+}
+
 void set_time_zero(Flight& flight, double zero_s) {
   const auto move = [zero_s](double& time_s) { time_s = std::round((time_s - zero_s) * 1e6) / 1e6; };
   for (const NamedEvent& event : named_events) {
@@ -138,6 +150,12 @@ void set_time_zero(Flight& flight, double zero_s) {
   }
   if (flight.trajectory_end_s) {
     move(*flight.trajectory_end_s);
+  }
+  for (Outage& outage : flight.outages) {
+    move(outage.from_s);
+    if (outage.to_s) {
+      move(*outage.to_s);
+    }
   }
   std::ranges::for_each(flight.phase_changes, [&](auto& change) { move(change.time_s); });
   std::ranges::for_each(flight.canard_verdict_changes, [&](auto& change) { move(change.time_s); });

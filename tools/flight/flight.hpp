@@ -115,6 +115,14 @@ struct CanardReach {
   double highest_rad = 0.0;
 };
 
+/// The processor was reset in flight: no tick is on record between these two.
+struct Outage {
+  double from_s = 0.0;           ///< of the last tick before it
+  std::optional<double> to_s{};  ///< of the first after it; empty: there is none
+  std::string cause;             ///< hal::ResetCause, by its name
+  bool resumed = false;          ///< the flight went on after it
+};
+
 struct CanardVerdictChange {
   double time_s = 0.0;
   std::size_t canard = 0;  ///< 0 to 3; people count from 1
@@ -155,6 +163,7 @@ struct Flight {
   std::vector<PhaseChange> phase_changes;
   std::vector<CanardVerdictChange> canard_verdict_changes;
   Unmeasured unmeasured;
+  std::vector<Outage> outages;
   std::vector<LoopMargin> loop_margins;     ///< at some speeds under control, the worst among them; empty: not computed
   std::optional<CanardReach> canard_reach;  ///< of the simulated canards; empty: nobody knows
   double left_by_fins = 1.0;                ///< of a roll torque of the canards, in the end; see sim::FinWash
@@ -181,6 +190,9 @@ void note_tick(Flight& flight, const core::TickRecord& record, double time_s);
 
 /// Notes a tick and appends its row.
 void add_tick(Flight& flight, const core::TickRecord& record, double time_s, const std::optional<Truth>& truth);
+
+/// Control that a reset has ended, because nothing was resumed after it, ended when it came.
+void end_control_with_outage(Flight& flight);
 
 /// Moves the clock so that `zero_s` becomes 0, to the microsecond: lift-off is known only after the pad rows.
 void set_time_zero(Flight& flight, double zero_s);

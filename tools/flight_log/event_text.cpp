@@ -49,6 +49,10 @@ std::string board(std::uint32_t bits) {
   return "board: " + (text.empty() ? "no fault" : text);
 }
 
+std::string ordinal(std::uint32_t number) {
+  return number == 1 ? "first" : number == 2 ? "second" : number == 3 ? "third" : fmt::format("{}th", number);
+}
+
 }  // namespace
 
 std::string event_text(const protocol::LogEvent& event) {
@@ -69,6 +73,9 @@ std::string event_text(const protocol::LogEvent& event) {
       return fmt::format("{} records were not written, because the flash was too slow", event.number);
     case Kind::longest_tick: return fmt::format("longest tick so far: {} cycles of the processor", event.number);
     case Kind::board_faults: return board(event.number);
+    case Kind::resumed:
+      return fmt::format("the flight was resumed after a reset ({}), for the {} time",
+                         name(static_cast<protocol::ResumedAfter>(event.value)), ordinal(event.number));
   }
   return "unknown";
 }

@@ -81,7 +81,11 @@ struct Flight {
   std::vector<Gap> gaps;
   core::Microseconds first_time{};  ///< of the first and the last record
   core::Microseconds last_time{};
+  bool goes_on = false;  ///< the processor was reset, and the next flight of the file is the rest of this one
 };
+
+/// How the record of the rest of a flight begins; empty where it is no such one.
+[[nodiscard]] std::optional<protocol::LogEvent> resumed(const Flight& flight);
 
 /// A file of flights: what a board's flash held, or one flight of it.
 struct LogFile {
@@ -93,6 +97,12 @@ struct LogFile {
   std::vector<Flight> flights;       ///< in the order of the file; none when it holds no intact record
   std::size_t records_left_out = 0;  ///< what follows the flight number most_flights
 };
+
+/// Is it the rest of this one, which comes before it in its file?
+[[nodiscard]] bool is_rest_of(const Flight& flight, const Flight& before);
+
+/// Does the file hold one flight only, in one record or, after resets, in several?
+[[nodiscard]] bool is_one_flight(const LogFile& file);
 
 /// No log is longer: 16 MiB is all that the flash holds.
 inline constexpr std::size_t most_log_bytes = std::size_t{1} << 29;

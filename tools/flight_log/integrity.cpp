@@ -38,8 +38,11 @@ bool has_end(const Flight& flight) {
 bool is_simulated(const Flight& flight) { return flight.sensors.starts_with("simulated"); }
 
 std::string break_off_text(const Flight& flight) {
-  return is_simulated(flight) ? "the simulation ended first, or the file was cut off"
-                              : "power was lost, or the log was read before it ended";
+  if (flight.goes_on) {
+    return fmt::format("the processor was reset, and flight {} is the rest of it", flight.number + 1);
+  }
+  return is_simulated(flight) ? "the simulation ended or reset the processor, or the file was cut off"
+                              : "power was lost, the processor was reset, or the log was read before it ended";
 }
 
 bool intact(const Flight& flight) { return lost_records(flight) == 0 && flight.has_header; }

@@ -247,6 +247,9 @@ LogFile parse_log(std::span<const std::byte> bytes, std::string name) {
   std::size_t foreign_before = 0;
   const auto keep = [&file](Flight flight) {
     flight.number = file.flights.size() + 1;
+    if (!file.flights.empty()) {
+      file.flights.back().goes_on = is_rest_of(flight, file.flights.back());
+    }
     file.flights.push_back(std::move(flight));
   };
   while (const auto frame = reader.next()) {

@@ -28,8 +28,10 @@ void set_events(flight::Flight& result, const Flight& flight, const std::vector<
       }
     }
   }
+  // The rest of a flight begins with the phase in which it was resumed.
+  const auto rest = resumed(flight);
   for (const protocol::LogEvent& event : flight.events) {
-    if (event.kind != LogEventKind::phase) {
+    if (event.kind != LogEventKind::phase || (rest && event.time == rest->time)) {
       continue;
     }
     if (auto* known = flight::event_of(result.events, static_cast<core::Phase>(event.value))) {
@@ -103,6 +105,41 @@ void add_notes(flight::Flight& result, const Flight& flight, const Regeneration&
   }
 }
 
+void add_rows(flight::Flight& result, const Regeneration& regeneration, std::vector<double>& after_hole_s) {
+  result.rows.reserve(result.rows.size() + regeneration.compared);
+  bool hole = true;
+  for (const auto& record : regeneration.records) {
+    if (!record) {
+      hole = true;
+      continue;
+    }
+    const double time_s = in_seconds(record->time);
+    if (hole) {
+      after_hole_s.push_back(time_s);
+      hole = false;
+    }
+    flight::add_tick(result, *record, time_s, std::nullopt);
+  }
+}
+
+// The recorder says so at its first tick, which is a few after the first of all: the flash must be ready.
+void add_outages(flight::Flight& result, std::span<const Part> parts) {
+  if (const auto rest = resumed(parts.front().flight)) {
+    result.notes.push_back(fmt::format("This is the rest of a flight that was resumed after a reset ({}).",
+                                       name(static_cast<protocol::ResumedAfter>(rest->value))));
+  }
+  for (std::size_t i = 1; i < parts.size(); ++i) {
+    const auto& before = parts[i - 1].flight.ticks;
+    const auto& after = parts[i].flight.ticks;
+    if (const auto rest = resumed(parts[i].flight); rest && !before.empty() && !after.empty()) {
+      result.outages.push_back({.from_s = in_seconds(before.back().tick.time),
+                                .to_s = in_seconds(after.front().tick.time),
+                                .cause = std::string{name(static_cast<protocol::ResumedAfter>(rest->value))},
+                                .resumed = true});
+    }
+  }
+}
+
 using NamedChecksum = std::pair<std::string, std::uint32_t>;
 
 std::vector<NamedChecksum> shipped_plans() {
@@ -138,35 +175,32 @@ core::Microseconds time_zero(const Flight& flight, const Regeneration& regenerat
 }
 
 flight::Flight to_report(const Flight& flight, const Regeneration& regeneration) {
+  const Part whole{flight, regeneration};
+  return to_report(std::span{&whole, 1});
+}
+
+flight::Flight to_report(std::span<const Part> parts) {
+  const Flight& first = parts.front().flight;
   flight::Flight result;
-  result.scenario = fmt::format("flight {}, power-up {}", flight.number, flight.power_up);
-  result.vehicle = flight.vehicle;
-  result.plan_name = plan_name(flight);
-  result.version = flight.firmware_version;
-  result.plan = flight.plan.value_or(core::default_plan());
-  result.tunnel = is_tunnel(flight);
-  result.rows.reserve(regeneration.compared);
+  result.scenario = fmt::format("flight {}, power-up {}", first.number, first.power_up);
+  result.vehicle = first.vehicle;
+  result.plan_name = plan_name(first);
+  result.version = first.firmware_version;
+  result.plan = first.plan.value_or(core::default_plan());
+  result.tunnel = is_tunnel(first);
   std::vector<double> after_hole_s;
-  bool hole = true;
-  for (std::size_t i = 0; i < regeneration.records.size(); ++i) {
-    const auto& record = regeneration.records[i];
-    if (!record) {
-      hole = true;
-      continue;
-    }
-    const double time_s = in_seconds(record->time);
-    if (hole) {
-      after_hole_s.push_back(time_s);
-      hole = false;
-    }
-    flight::add_tick(result, *record, time_s, std::nullopt);
+  for (const Part& part : parts) {
+    add_rows(result, part.regeneration, after_hole_s);
   }
-  set_events(result, flight, after_hole_s);
-  if (const auto begin = result.tunnel ? std::nullopt : lift_off(regeneration)) {
+  for (const Part& part : parts) {
+    set_events(result, part.flight, after_hole_s);
+    add_notes(result, part.flight, part.regeneration);
+  }
+  add_outages(result, parts);
+  if (const auto begin = result.tunnel ? std::nullopt : lift_off(parts.front().regeneration)) {
     result.events.liftoff_s = in_seconds(*begin);
   }
-  add_notes(result, flight, regeneration);
-  flight::set_time_zero(result, in_seconds(time_zero(flight, regeneration)));
+  flight::set_time_zero(result, in_seconds(time_zero(first, parts.front().regeneration)));
   return result;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <span>
 #include <string>
 
 #include "flight/flight.hpp"
@@ -20,5 +21,12 @@ namespace fantail::flight_log {
 /// A logged flight as the reports, exports and analyses know a flight: a row for each regenerated tick, without truth.
 /// A default-made `regeneration`, where there is no plan to replay with, gives no rows.
 [[nodiscard]] flight::Flight to_report(const Flight& flight, const Regeneration& regeneration);
+
+/// A flight in one record or, where it was resumed after resets, in several: each is the rest of the one before it.
+struct Part {
+  const Flight& flight;
+  const Regeneration& regeneration;
+};
+[[nodiscard]] flight::Flight to_report(std::span<const Part> parts);
 
 }  // namespace fantail::flight_log

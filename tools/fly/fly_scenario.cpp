@@ -14,6 +14,7 @@
 #include "input/fault_file.hpp"
 #include "replies/sentence.hpp"
 #include "sim/deflection_range.hpp"
+#include "sim/nearest_tick.hpp"
 #include "sim/units.hpp"
 #include "sim/world.hpp"
 
@@ -68,6 +69,13 @@ flight::TurnPoint turn_point(const sim::World& world, const core::TickRecord& re
           .tilt_rad = static_cast<double>(record.motion.tilt.radians())};
 }
 
+std::string clock_error(const sim::Reset& reset) {
+  return reset.clock_error_s == 0.0
+             ? ""
+             : fmt::format("; the avionics takes it for {:g} s {}", std::abs(reset.clock_error_s),
+                           reset.clock_error_s > 0.0 ? "longer" : "shorter");
+}
+
 std::string describe(const sim::Fault& fault, const sim::Scenario& scenario) {
   const std::string_view zero = scenario.surroundings != sim::Surroundings::flight ? "the start command" : "ignition";
   const std::string_view kind = input::name(fault.kind);
@@ -75,6 +83,11 @@ std::string describe(const sim::Fault& fault, const sim::Scenario& scenario) {
   if (sim::is_dropout(fault.kind)) {
     const std::string from = always ? "power-up" : fmt::format("{:g}", fault.from_s);
     return fmt::format("Fault: {} from {} to {:g} s after {}.", kind, from, fault.until_s, zero);
+  }
+  if (sim::is_reset(fault.kind)) {
+    return fmt::format("Fault: {} ({}) at {:g} s after {}; no tick for {:g} s, backup memory {}{}.", kind,
+                       hal::name(fault.reset.cause), fault.from_s, zero, fault.reset.gap_s,
+                       fault.reset.memory == sim::MemoryAfterReset::kept ? "kept" : "lost", clock_error(fault.reset));
   }
   std::string number;
   if (fault.angle_rad) {
@@ -86,6 +99,17 @@ std::string describe(const sim::Fault& fault, const sim::Scenario& scenario) {
   }
   const std::string from = always ? "power-up" : fmt::format("{:g} s after {}", fault.from_s, zero);
   return fmt::format("Fault: {}, canard {}{}, from {}.", kind, fault.canard + 1, number, from);
+}
+
+std::vector<flight::Outage> outages(const sim::World& world) {
+  std::vector<flight::Outage> all;
+  for (const sim::World::Gap& gap : world.gaps()) {
+    all.push_back({.from_s = in_seconds(gap.from - sim::tick_time),
+                   .to_s = in_seconds(gap.to),
+                   .cause = std::string{hal::name(gap.cause)},
+                   .resumed = gap.resumed});
+  }
+  return all;
 }
 
 std::string static_margins(const sim::Airframe& airframe) {
@@ -220,6 +244,10 @@ flight::Flight fly_scenario(const sim::Scenario& scenario, const Look& look, con
   bool was_armed = false;
   for (std::int64_t ticks = 0; !world.over(); ++ticks) {
     const core::TickRecord& record = world.tick();
+    if (world.is_down()) {
+      world.advance();
+      continue;
+    }
     if (observe) {
       observe(record);
     }
@@ -246,6 +274,8 @@ flight::Flight fly_scenario(const sim::Scenario& scenario, const Look& look, con
       look(in_seconds(world.now()));
     }
   }
+  flight.outages = outages(world);
+  flight::end_control_with_outage(flight);
   const sim::World::Events& events = world.events();
   flight.events.liftoff_s = flight.tunnel ? std::nullopt : in_seconds(events.liftoff);
   flight.events.guide_clear_s = in_seconds(events.guide_clear);

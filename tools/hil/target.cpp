@@ -145,6 +145,10 @@ const core::TickRecord& RemoteBoard::tick() {
   return record_;
 }
 
+core::Microseconds RemoteBoard::restart(const sim::Reset& /*reset*/) {
+  throw TargetError{"a flight computer at the end of a wire cannot be reset by the world"};
+}
+
 void RemoteBoard::begin() {
   std::array<std::byte, protocol::largest_plan_block> block{};
   const std::size_t size = protocol::write_plan_block(plan_, block);

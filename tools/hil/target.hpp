@@ -95,6 +95,8 @@ class RemoteBoard final : public sim::FlightComputer {
   [[nodiscard]] hal::sim::WorldSide& hardware() override { return hardware_; }
   /// Throws TargetError.
   const core::TickRecord& tick() override;
+  /// Throws TargetError: nobody can reset it from here.
+  core::Microseconds restart(const sim::Reset& reset) override;
 
  private:
   void begin();

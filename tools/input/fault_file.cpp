@@ -23,6 +23,7 @@ constexpr auto kinds = std::to_array<FaultText>({
     {"encoder_noisy", "noise instead of that of the vehicle"},
     {"imu_dropout", "hangs: its last sample comes again"},
     {"accelerometer_dropout", "hangs: its last sample comes again"},
+    {"reset", "the processor is reset, and the avionics begins anew while the rocket flies on"},
 });
 
 constexpr auto kind_names = [] {
@@ -31,6 +32,15 @@ constexpr auto kind_names = [] {
   return names;
 }();
 
+constexpr auto cause_names = [] {
+  std::array<std::string_view, hal::reset_causes> names{};
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    names[i] = hal::name(static_cast<hal::ResetCause>(i));
+  }
+  return names;
+}();
+constexpr auto memory_names = std::to_array<std::string_view>({"kept", "lost"});
+
 constexpr Unit number_from_one{.first = 1};
 
 template <sim::FaultKind Kind>
@@ -38,7 +48,7 @@ constexpr bool is(sim::FaultKind kind) {
   return kind == Kind;
 }
 constexpr bool is_any(sim::FaultKind) { return true; }
-constexpr bool is_of_one_canard(sim::FaultKind kind) { return !sim::is_dropout(kind); }
+constexpr bool is_of_one_canard(sim::FaultKind kind) { return !sim::is_dropout(kind) && !sim::is_reset(kind); }
 
 // clang-format off: one field a row reads better than one argument a line
 #define AT(expression) FANTAIL_PLACE(sim::Fault, expression)
@@ -50,6 +60,10 @@ constexpr auto fields = std::to_array<FaultField>({
   {{"faults", "angle_deg", number(deg, {-90, 90}), may, AT(it.angle_rad), "Where the shaft is jammed, within the stop of the servo; left out: where it stands."}, is<sim::FaultKind::canard_stuck>},
   {{"faults", "angle_deg", number(deg, {-15, 15}), may, AT(it.angle_rad), "How far off the shaft stands, within the stop of the servo; not 0."}, is<sim::FaultKind::canard_wrong_trim>},
   {{"faults", "noise_counts", number("counts", {1, 1000}), may, AT(it.noise_counts), "Standard deviation of the readings; 16384 counts are a turn."}, is<sim::FaultKind::encoder_noisy>},
+  {{"faults", "cause", choice(cause_names), may, AT(it.reset.cause), "What the avionics finds as the cause when it begins anew. It resumes a flight after `watchdog` and `software` only."}, sim::is_reset},
+  {{"faults", "gap_s", number("s", {0.001, 10}), may, AT(it.reset.gap_s), "So long there is no tick. The servos get no pulses in its last 0.01 s, while the firmware starts; before that, after `watchdog`, they get what they got, and after the others none. A simulated servo without pulses has no power, and friction holds its shaft."}, sim::is_reset},
+  {{"faults", "memory", choice(memory_names), may, AT(it.reset.memory), "What becomes of the backup memory, from which a flight is resumed."}, sim::is_reset},
+  {{"faults", "clock_error_s", number("s", {-0.25, 0.25}), may, AT(it.reset.clock_error_s), "By so much the avionics takes the gap for longer than it was."}, sim::is_reset},
 });
 // clang-format on
 
@@ -68,6 +82,12 @@ void check(Section& section, const sim::Fault& fault, double servo_stop_rad) {
   }
 }
 
+void check_reset(Section& section, const sim::Fault& fault) {
+  if (fault.from_s < 0.0) {
+    section.refuse("from_s", "= " + plain_number(fault.from_s) + "; allowed for a reset: 0 to 3600");
+  }
+}
+
 sim::Fault read_fault(Section& section, double servo_stop_rad) {
   sim::Fault read{};
   read_field(section, fields.front().field, read);
@@ -79,6 +99,9 @@ sim::Fault read_fault(Section& section, double servo_stop_rad) {
   }
   section.finish();
   check(section, fault, servo_stop_rad);
+  if (sim::is_reset(fault.kind)) {
+    check_reset(section, fault);
+  }
   return fault;
 }
 

@@ -66,7 +66,7 @@ std::optional<core::FlightPlan> flown_plan(const std::filesystem::path& path) {
     return {};
   }
   const flight_log::LogFile file = flight_log::read_log_file(log);
-  return file.flights.size() == 1 ? file.flights.front().plan : std::nullopt;
+  return flight_log::is_one_flight(file) ? file.flights.front().plan : std::nullopt;
 }
 
 bool is_flight_log(const std::filesystem::path& path) { return path.extension() == ".ftl"; }
@@ -76,21 +76,27 @@ flight::Flight read_flight_log(const std::filesystem::path& file) {
   const auto refuse = [&file](const std::string& complaint) {
     throw Error{ErrorKind::bad_data, file.string() + ": " + complaint};
   };
-  if (log.flights.size() > 1) {
+  if (!flight_log::is_one_flight(log)) {
     refuse(
         fmt::format("contains {} flights; extract one with fantail log export {} --to csv --flight N, N from 1 to {}",
                     log.flights.size(), file.string(), log.flights.size()));
   }
-  const flight_log::Flight& flight = log.flights.front();
-  if (!flight.plan) {
-    refuse("the flight cannot be replayed: " +
-           (flight.plan_fault.empty() ? std::string{"its plan is missing"} : flight.plan_fault));
+  std::vector<flight_log::Regeneration> replays;
+  for (const flight_log::Flight& flight : log.flights) {
+    if (!flight.plan) {
+      refuse("the flight cannot be replayed: " +
+             (flight.plan_fault.empty() ? std::string{"its plan is missing"} : flight.plan_fault));
+    }
+    replays.push_back(flight_log::regenerate(flight, *flight.plan));
+    if (replays.back().compared == 0) {
+      refuse("the flight cannot be replayed. " + replays.back().obstacle);
+    }
   }
-  const flight_log::Regeneration replay = flight_log::regenerate(flight, *flight.plan);
-  if (replay.compared == 0) {
-    refuse("the flight cannot be replayed. " + replay.obstacle);
+  std::vector<flight_log::Part> parts;
+  for (std::size_t i = 0; i < replays.size(); ++i) {
+    parts.push_back({log.flights[i], replays[i]});
   }
-  flight::Flight result = flight_log::to_report(flight, replay);
+  flight::Flight result = flight_log::to_report(parts);
   if (const std::string foreign = flight_log::foreign_bytes_text(log); !foreign.empty()) {
     result.notes.push_back("Of the log, " + foreign + ".");
   }

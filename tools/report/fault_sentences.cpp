@@ -29,6 +29,19 @@ std::string unmeasured(const flight::Flight& flight) {
   return text;
 }
 
+std::string outages(const flight::Flight& flight) {
+  std::string text;
+  for (const flight::Outage& outage : flight.outages) {
+    text += fmt::format(" The processor was reset ({}): no tick is on record from {} s ", outage.cause,
+                        text::fixed(outage.from_s, 3));
+    text += outage.to_s ? fmt::format("to {} s", text::fixed(*outage.to_s, 3)) : "on";
+    text += outage.resumed ? ", and then the flight was resumed."
+            : outage.to_s  ? ", and then the flight was not resumed: the avionics was Safe."
+                           : ".";
+  }
+  return text;
+}
+
 std::string canard_faults(const flight::Flight& flight) {
   std::string text;
   for (std::size_t canard = 0; canard < core::canard_count; ++canard) {

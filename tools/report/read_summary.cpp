@@ -126,6 +126,17 @@ void read_unmeasured(flight::Unmeasured& u, const Json& json) {
   u.speed_bound_from_s = number(json, "speed_bound_from_s");
 }
 
+void read_outages(flight::Flight& flight, const Json& list) {
+  for (const Json& outage : list) {
+    if (const auto from_s = number(outage, "from_s")) {
+      flight.outages.push_back({.from_s = *from_s,
+                                .to_s = number(outage, "to_s"),
+                                .cause = text(outage, "cause"),
+                                .resumed = member(outage, "resumed") == Json(true)});
+    }
+  }
+}
+
 void read_loop_margins(flight::Flight& flight, const Json& list) {
   for (const Json& margin : list) {
     const auto speed_m_s = number(margin, "speed_m_s");
@@ -174,6 +185,7 @@ void add_summary(flight::Flight& flight, const std::filesystem::path& file) {
   flight.why_not_armed = text(summary, "why_not_armed");
   flight.trajectory_end_s = number(summary, "trajectory_end_s");
   read_unmeasured(flight.unmeasured, member(summary, "unmeasured"));
+  read_outages(flight, member(summary, "outages"));
   read_loop_margins(flight, member(summary, "loop_margins"));
   const Json& reach = member(summary, "canard_reach_deg");
   if (const auto lowest_deg = number(reach, "lowest"), highest_deg = number(reach, "highest");

@@ -104,6 +104,17 @@ Json unmeasured(const flight::Unmeasured& u) {
           {"speed_bound_from_s", rounded(u.speed_bound_from_s)}};
 }
 
+Json outages(const flight::Flight& flight) {
+  Json all = Json::array();
+  for (const flight::Outage& outage : flight.outages) {
+    all.push_back({{"from_s", rounded(outage.from_s)},
+                   {"to_s", rounded(outage.to_s)},
+                   {"cause", outage.cause},
+                   {"resumed", outage.resumed}});
+  }
+  return all;
+}
+
 /// Of a flight with a path, at apogee.
 Json path(const flight::Flight& flight) {
   const flight::PathPoint* top = flight::point_at(flight.path, flight.events.apogee_s.value_or(-1.0));
@@ -173,6 +184,9 @@ std::string summary_json(const flight::Flight& flight, const Figures& figures, c
                   {"version", text_or_null(flight.version)}};
   if (flight.trajectory_end_s) {
     summary["trajectory_end_s"] = rounded(*flight.trajectory_end_s);
+  }
+  if (!flight.outages.empty()) {
+    summary["outages"] = outages(flight);
   }
   return summary.pretty();
 }

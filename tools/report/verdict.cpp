@@ -30,6 +30,12 @@ std::string sentence(std::string clause) {
   return clause + ".";
 }
 
+/// To a reset after which nothing was resumed.
+bool was_lost(const flight::Flight& flight) {
+  return !flight.outages.empty() && !flight.outages.back().resumed && !flight.phase_changes.empty() &&
+         flight.phase_changes.back().phase == core::Phase::safe;
+}
+
 std::string why_no_control(const flight::Flight& flight) {
   if (flight.phase_changes.empty()) {
     return "the rocket was never armed" + (flight.why_not_armed.empty() ? "" : ", because " + flight.why_not_armed);
@@ -39,6 +45,9 @@ std::string why_no_control(const flight::Flight& flight) {
     return "the log does not say why";
   }
   const std::string when = text::fixed(last.time_s, 2) + " s";
+  if (was_lost(flight)) {
+    return fmt::format("the processor was reset before it, and the flight was not resumed (at {})", when);
+  }
   switch (*last.reason) {
     case core::PhaseReason::armed_by_switch_and_command:
       return flight.tunnel ? "the start command never came at rest" : "no launch was detected";
@@ -146,6 +155,9 @@ constexpr double near_apogee_s = 0.5;
 
 /// Did control end before its time? The plan's own end of control is none; apogee is one when it was imagined.
 bool ended_early(const flight::Flight& flight, const Figures& f) {
+  if (was_lost(flight)) {
+    return f.ended_before_apogee_s.value_or(2.0 * near_apogee_s) > near_apogee_s;
+  }
   if (flight.phase_changes.empty() || flight.phase_changes.back().phase != core::Phase::finished) {
     return false;
   }
@@ -158,12 +170,14 @@ bool ended_early(const flight::Flight& flight, const Figures& f) {
 
 std::string early_end(const flight::Flight& flight, const Figures& f) {
   const flight::PhaseChange& end = flight.phase_changes.back();
-  std::string text = fmt::format("Control ended at {} s", text::fixed(end.time_s, 2));
+  const double end_s = was_lost(flight) ? flight.events.control_end_s.value_or(end.time_s) : end.time_s;
+  std::string text = fmt::format("Control ended at {} s", text::fixed(end_s, 2));
   if (f.ended_before_apogee_s) {
     text += fmt::format(", {} s before apogee", text::fixed(*f.ended_before_apogee_s, 2));
   }
-  text += end.reason == core::PhaseReason::apogee ? ": the avionics took it for apogee."
-                                                  : fmt::format(": {}.", flight::display_name(*end.reason));
+  text += was_lost(flight)                          ? ": the processor was reset, and the flight was not resumed."
+          : end.reason == core::PhaseReason::apogee ? ": the avionics took it for apogee."
+                                                    : fmt::format(": {}.", flight::display_name(*end.reason));
   if (f.roll_after_end_rad) {
     text += fmt::format(" After that the rocket turned by up to {} until apogee.", degrees_text(*f.roll_after_end_rad));
   }
@@ -232,7 +246,7 @@ Verdict verdict(const flight::Flight& flight, const Figures& figures) {
   Verdict v = figures.control_time_s
                   ? judge_flight(flight, figures)
                   : Verdict{Outcome::no_control, fmt::format("No control: {}.", why_no_control(flight))};
-  v.text += unmeasured(flight) + canard_faults(flight);
+  v.text += outages(flight) + unmeasured(flight) + canard_faults(flight);
   if (flight.trajectory_end_s) {
     say_how_far_it_reaches(v, *flight.trajectory_end_s);
   }

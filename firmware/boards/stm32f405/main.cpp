@@ -15,10 +15,11 @@ using boards::stm32f405::Hardware;
 
 namespace {
 
-// From the last sealed tick to the first of the new loop: half of a seal's 10 ms, and 5 ms of boot; when the watchdog
-// had to find out, its 50 ms. All of it estimated, nothing measured.
-hal::Microseconds gap_of(hal::ResetCause cause) {
-  return hal::Microseconds{cause == hal::ResetCause::watchdog ? 60'000 : 10'000};
+// From the last seal to the first look at the clock, for a board whose crystal of 32.768 kHz does not run: half of a
+// seal's 10 ms, and 10 ms of reset and start; when the watchdog had to find out, its 50 ms. All of it is computed and
+// nothing measured; docs/safety.md says how far it may be off.
+hal::Microseconds assumed_gap(hal::ResetCause cause) {
+  return hal::Microseconds{cause == hal::ResetCause::watchdog ? 65'000 : 15'000};
 }
 
 void introduce(Hardware& hardware) {
@@ -49,7 +50,7 @@ int main() {
   Hardware& hardware = room_for_hardware.make();
   introduce(hardware);
   const hal::ResetCause cause = hardware.board().status().reset_cause;
-  const auto flight_time = avionics::clock_after_reset(hardware.backup_memory().bytes(), cause, gap_of(cause));
+  const auto flight_time = avionics::clock_after_reset(hardware.backup_memory(), cause, assumed_gap(cause));
   if (flight_time) {
     hardware.clock().begin_at(*flight_time);
   }

@@ -2,7 +2,10 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
+
+#include "hal/clock.hpp"
 
 namespace fantail::hal {
 
@@ -13,6 +16,10 @@ class BackupMemory {
   virtual ~BackupMemory() = default;
   /// All of it, to be read and written in place; the same at every call. Empty on a board that has none.
   [[nodiscard]] virtual std::span<std::byte> bytes() = 0;
+
+  /// What a clock in the same domain shows, which a reset leaves alone too: how long one took is seen by it alone.
+  /// Counts from anywhere. Empty where none runs, or not yet.
+  [[nodiscard]] virtual std::optional<Microseconds> running_time() { return std::nullopt; }
 };
 
 }  // namespace fantail::hal

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cmath>
+
+#include "core/time.hpp"
+
+namespace fantail::sim {
+
+inline constexpr core::Microseconds tick_time{1'000};
+
+/// Things happen in the world at its ticks.
+[[nodiscard]] inline core::Microseconds nearest_tick(double time_s) { return std::llround(time_s / 1e-3) * tick_time; }
+
+}  // namespace fantail::sim

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#include "sim/simulated_board.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "avionics/flight_memory.hpp"
+
+namespace fantail::sim {
+namespace {
+
+using core::Microseconds;
+
+// What the firmware takes a gap for that no clock has measured; here one always has.
+constexpr Microseconds assumed_gap{0};
+
+}  // namespace
+
+SimulatedBoard::SimulatedBoard(const core::FlightPlan& plan, const BoardPorts& ports,
+                               const avionics::Identity& identity)
+    : plan_{plan}, ports_{ports}, identity_{identity} {
+  begin();
+}
+
+void SimulatedBoard::begin() {
+  hal::BackupMemory& backup_memory = ports_.has_backup_memory ? static_cast<hal::BackupMemory&>(backup_domain_)
+                                                              : static_cast<hal::BackupMemory&>(no_backup_memory_);
+  avionics_.emplace(avionics::Devices{.clock = devices_.clock,
+                                      .imu = devices_.imu,
+                                      .accelerometer = devices_.accelerometer,
+                                      .servo = devices_.servo,
+                                      .encoder = devices_.encoder,
+                                      .arm_switch = devices_.arm_switch,
+                                      .can_bus = ports_.can_bus,
+                                      .flash = ports_.flash,
+                                      .console = ports_.console,
+                                      .watchdog = devices_.watchdog,
+                                      .entropy = ports_.entropy,
+                                      .board = devices_.board,
+                                      .backup_memory = backup_memory},
+                    plan_, identity_);
+}
+
+// As firmware/boards/stm32f405/main.cpp does it.
+Microseconds SimulatedBoard::restart(const Reset& reset) {
+  if (reset.memory == MemoryAfterReset::lost) {
+    std::ranges::fill(backup_domain_.bytes(), std::byte{0});
+  }
+  backup_domain_.ahead += Microseconds{std::llround(reset.clock_error_s * 1e6)};
+  const Microseconds running = *backup_domain_.running_time();
+  const Microseconds clock =
+      avionics::clock_after_reset(backup_domain_, reset.cause, assumed_gap).value_or(Microseconds{0});
+  backup_domain_.ahead = running - clock;
+  devices_.world.time = clock;
+  devices_.world.board.reset_cause = reset.cause;
+  avionics_.reset();
+  begin();
+  return clock;
+}
+
+std::unique_ptr<FlightComputer> simulated_board(const core::FlightPlan& plan, const BoardPorts& ports,
+                                                const avionics::Identity& identity) {
+  return std::make_unique<SimulatedBoard>(plan, ports, identity);
+}
+
+}  // namespace fantail::sim
