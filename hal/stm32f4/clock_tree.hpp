@@ -16,7 +16,7 @@ struct Frequencies {
   std::uint32_t apb1_hz = 0;
   std::uint32_t apb1_timers_hz = 0;  ///< twice the bus when the bus is divided: RM0090 section 7.2
   std::uint32_t apb2_hz = 0;
-  std::uint32_t apb2_timers_hz = 0;
+  std::uint32_t apb2_timers_hz = 0;  ///< likewise
 };
 
 struct ClockTree {

@@ -12,6 +12,7 @@
 #include "hal/stm32f4/pin_setup.hpp"
 #include "hal/stm32f4/registers/processor.hpp"
 #include "hal/stm32f4/reset_cause.hpp"
+#include "hal/stm32f4/slow_oscillator.hpp"
 #include "hal/stm32f4/w25q.hpp"
 #include "protocol/bus_catalogue.hpp"
 
@@ -56,7 +57,7 @@ Hardware::Hardware()
       watchdog_{iwdg()},
       clock_{systick(), scb(), tree_.frequencies.core_hz},
       console_{usart1(), line(usart1_all), tree_.frequencies.apb2_hz},
-      backup_memory_{rcc(), pwr(), backup_cells()},
+      backup_memory_{rcc(), pwr(), rtc(), backup_cells()},
       supply_{pwr(), exti()},
       entropy_{rng()},
       battery_{adc1(), adc_common(), battery_wiring},
@@ -97,7 +98,8 @@ avionics::Devices Hardware::devices() {
 }
 
 void Hardware::start(SensorStart how) {
-  if (!watchdog_.start()) {
+  const auto oscillator_hz = measure_slow_oscillator(rcc(), tim5(), tree_.frequencies.apb1_timers_hz);
+  if (!watchdog_.start(oscillator_hz) || !oscillator_hz) {
     board_.add(hal::BoardFault::clock_failed);
   }
   imu_.start(how);
@@ -118,6 +120,7 @@ void Hardware::wait_for_tick() {
   board_.add_overruns(clock_.wait_for_tick());
   cycles_.begin();
   arm_switch_.update();
+  backup_memory_.update();
   battery_.update();
   supply_.update();
   hal::BoardFaults sensors = imu_.faults();

@@ -17,6 +17,7 @@
 #include "hal/stm32f4/registers/pwr.hpp"
 #include "hal/stm32f4/registers/rcc.hpp"
 #include "hal/stm32f4/registers/rng.hpp"
+#include "hal/stm32f4/registers/rtc.hpp"
 #include "hal/stm32f4/registers/spi.hpp"
 #include "hal/stm32f4/registers/systick.hpp"
 #include "hal/stm32f4/registers/tim.hpp"
@@ -35,6 +36,7 @@ template <typename Block, std::uintptr_t address>
 inline registers::Tim& tim1() { return peripheral<registers::Tim, 0x40010000>(); }
 inline registers::Tim& tim2() { return peripheral<registers::Tim, 0x40000000>(); }
 inline registers::Tim& tim8() { return peripheral<registers::Tim, 0x40010400>(); }
+inline registers::Tim& tim5() { return peripheral<registers::Tim, 0x40000C00>(); }
 inline registers::Usart& usart1() { return peripheral<registers::Usart, 0x40011000>(); }
 inline registers::Adc& adc1() { return peripheral<registers::Adc, 0x40012000>(); }
 inline registers::AdcCommon& adc_common() { return peripheral<registers::AdcCommon, 0x40012300>(); }
@@ -42,6 +44,7 @@ inline registers::Exti& exti() { return peripheral<registers::Exti, 0x40013C00>(
 inline registers::Spi& spi1() { return peripheral<registers::Spi, 0x40013000>(); }
 inline registers::Spi& spi2() { return peripheral<registers::Spi, 0x40003800>(); }
 inline registers::Spi& spi3() { return peripheral<registers::Spi, 0x40003C00>(); }
+inline registers::Rtc& rtc() { return peripheral<registers::Rtc, 0x40002800>(); }
 inline registers::Iwdg& iwdg() { return peripheral<registers::Iwdg, 0x40003000>(); }
 inline registers::Can& can1() { return peripheral<registers::Can, 0x40006400>(); }
 inline registers::Pwr& pwr() { return peripheral<registers::Pwr, 0x40007000>(); }

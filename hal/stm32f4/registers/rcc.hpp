@@ -75,6 +75,7 @@ inline constexpr std::uint32_t rcc_ahb1enr_gpioc = 1U << 2U;
 inline constexpr std::uint32_t rcc_ahb1enr_bkpsram = 1U << 18U;
 inline constexpr std::uint32_t rcc_ahb2enr_rng = 1U << 6U;
 inline constexpr std::uint32_t rcc_apb1enr_tim2 = 1U << 0U;
+inline constexpr std::uint32_t rcc_apb1enr_tim5 = 1U << 3U;
 inline constexpr std::uint32_t rcc_apb1enr_spi2 = 1U << 14U;
 inline constexpr std::uint32_t rcc_apb1enr_spi3 = 1U << 15U;
 inline constexpr std::uint32_t rcc_apb1enr_can1 = 1U << 25U;
@@ -84,7 +85,15 @@ inline constexpr std::uint32_t rcc_apb2enr_tim8 = 1U << 1U;
 inline constexpr std::uint32_t rcc_apb2enr_usart1 = 1U << 4U;
 inline constexpr std::uint32_t rcc_apb2enr_adc1 = 1U << 8U;
 inline constexpr std::uint32_t rcc_apb2enr_spi1 = 1U << 12U;
+// Section 7.3.20: of the backup domain; a system reset leaves it alone.
+inline constexpr std::uint32_t rcc_bdcr_lseon = 1U << 0U;
+inline constexpr std::uint32_t rcc_bdcr_lserdy = 1U << 1U;
+inline constexpr std::uint32_t rcc_bdcr_rtcsel = 3U << 8U;  ///< once only, until the domain is reset
+inline constexpr std::uint32_t rcc_bdcr_rtcsel_lse = 1U << 8U;
+inline constexpr std::uint32_t rcc_bdcr_rtcen = 1U << 15U;
 // Section 7.3.21.
+inline constexpr std::uint32_t rcc_csr_lsion = 1U << 0U;
+inline constexpr std::uint32_t rcc_csr_lsirdy = 1U << 1U;
 inline constexpr std::uint32_t rcc_csr_rmvf = 1U << 24U;  ///< clears all that follow
 inline constexpr std::uint32_t rcc_csr_borrst = 1U << 25U;
 inline constexpr std::uint32_t rcc_csr_pinrst = 1U << 26U;

@@ -8,7 +8,8 @@
 
 namespace fantail::hal::stm32f4::registers {
 
-/// TIM1 and TIM8, RM0090 section 17.4; TIM2 and TIM5 lie the same, without RCR and BDTR (section 18.4).
+/// TIM1 and TIM8, RM0090 section 17.4; TIM2 and TIM5 lie the same, without repetitions and break, TIM5 with
+/// an option (section 18.4).
 struct Tim {
   Register cr1;
   Register cr2;
@@ -26,6 +27,7 @@ struct Tim {
   Register bdtr;
   Register dcr;
   Register dmar;
+  Register option;
 };
 static_assert(offsetof(Tim, egr) == 0x14);
 static_assert(offsetof(Tim, ccmr) == 0x18);
@@ -33,6 +35,7 @@ static_assert(offsetof(Tim, ccer) == 0x20);
 static_assert(offsetof(Tim, psc) == 0x28);
 static_assert(offsetof(Tim, ccr) == 0x34);
 static_assert(offsetof(Tim, bdtr) == 0x44);
+static_assert(offsetof(Tim, option) == 0x50);
 
 // Section 17.4.1.
 inline constexpr std::uint32_t tim_cr1_cen = 1U << 0U;
@@ -51,6 +54,12 @@ inline constexpr std::uint32_t tim_ccmr_bits_per_channel = 8;
 // Section 17.4.9: of the first channel; each further one lies 4 bits higher.
 inline constexpr std::uint32_t tim_ccer_cce = 1U << 0U;
 inline constexpr std::uint32_t tim_ccer_bits_per_channel = 4;
+// Channel 4 of TIM5 as an input: sections 18.4.5, 18.4.8, 18.4.9 and 18.4.20.
+inline constexpr std::uint32_t tim_sr_cc4if = 1U << 4U;         ///< captured; a read of the value clears it
+inline constexpr std::uint32_t tim_ccmr2_cc4s_ti4 = 1U << 8U;   ///< its own input
+inline constexpr std::uint32_t tim_ccmr2_ic4psc_8 = 3U << 10U;  ///< of eight edges the last
+inline constexpr std::uint32_t tim_ccer_cc4e = 1U << 12U;
+inline constexpr std::uint32_t tim5_option_ti4_rmp_lsi = 1U << 6U;  ///< which is the slow oscillator
 // Section 17.4.18.
 inline constexpr std::uint32_t tim_bdtr_ossi = 1U << 10U;  ///< without MOE the outputs are driven to their idle level
 inline constexpr std::uint32_t tim_bdtr_moe = 1U << 15U;

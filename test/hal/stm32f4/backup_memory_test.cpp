@@ -15,8 +15,9 @@ using test::RegisterWorld;
 TEST(TheBackupMemory, IsTheMemoryItWasGivenOnceItsDomainMayBeWritten) {
   registers::Rcc rcc{};
   registers::Pwr pwr{};
+  registers::Rtc rtc{};
   std::array<std::byte, 4096> cells{};
-  BackupMemory memory{rcc, pwr, cells};
+  BackupMemory memory{rcc, pwr, rtc, cells};
   EXPECT_EQ(RegisterWorld::peek(rcc.apb1enr), 1U << 28U);
   EXPECT_EQ(RegisterWorld::peek(pwr.cr), 1U << 8U);
   EXPECT_EQ(RegisterWorld::peek(rcc.ahb1enr), 1U << 18U);
@@ -28,12 +29,13 @@ TEST(TheBackupMemory, OpensTheDomainOnlyWhenThePowerControlHasItsClock) {
   RegisterWorld world;
   registers::Rcc rcc{};
   registers::Pwr pwr{};
+  registers::Rtc rtc{};
   world.on_write(pwr.cr, [&](std::uint32_t value) {
     if ((RegisterWorld::peek(rcc.apb1enr) >> 28U & 1U) != 0) {
       RegisterWorld::poke(pwr.cr, value);
     }
   });
-  const BackupMemory memory{rcc, pwr, {}};
+  const BackupMemory memory{rcc, pwr, rtc, {}};
   EXPECT_EQ(RegisterWorld::peek(pwr.cr), 1U << 8U);
 }
 
@@ -41,9 +43,10 @@ TEST(TheBackupMemory, IsNoneWhereItsDomainStaysClosed) {
   RegisterWorld world;
   registers::Rcc rcc{};
   registers::Pwr pwr{};
+  registers::Rtc rtc{};
   world.on_write(pwr.cr, [](std::uint32_t) {});  // as in the emulator
   std::array<std::byte, 4096> cells{};
-  BackupMemory memory{rcc, pwr, cells};
+  BackupMemory memory{rcc, pwr, rtc, cells};
   EXPECT_TRUE(memory.bytes().empty());
 }
 

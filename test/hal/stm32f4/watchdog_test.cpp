@@ -86,19 +86,19 @@ TEST_F(TheWatchdog, DoesNothingBeforeItIsStarted) {
 }
 
 TEST_F(TheWatchdog, ResetsFiftyMillisecondsAfterTheLastFeed) {
-  EXPECT_TRUE(watchdog.start());
+  EXPECT_TRUE(watchdog.start(32'000));
   device.pass(0.049);
   watchdog.feed();
   EXPECT_NEAR(device.seconds_to_reset(), 0.050, 0.0003);
 }
 
 TEST_F(TheWatchdog, TheFirstFiftyMillisecondsBeginWithTheStart) {
-  EXPECT_TRUE(watchdog.start());
+  EXPECT_TRUE(watchdog.start(32'000));
   EXPECT_NEAR(device.seconds_to_reset(), 0.050, 0.0003);
 }
 
 TEST_F(TheWatchdog, ALoopThatFeedsItEachMillisecondLives) {
-  EXPECT_TRUE(watchdog.start());
+  EXPECT_TRUE(watchdog.start(32'000));
   for (int tick = 0; tick < 5'000; ++tick) {
     device.pass(0.001);
     watchdog.feed();
@@ -106,21 +106,31 @@ TEST_F(TheWatchdog, ALoopThatFeedsItEachMillisecondLives) {
   EXPECT_FALSE(device.has_reset);
 }
 
-TEST_F(TheWatchdog, TheFastestOscillatorLeavesThirtyFourTicks) {
-  EXPECT_TRUE(watchdog.start());
+TEST_F(TheWatchdog, ResetsAfterFiftyMillisecondsOverTheWholeSpreadOfAnOscillatorThatWasMeasured) {
+  for (std::uint32_t hz = 17'000; hz <= 47'000; hz += 500) {
+    RegisterWorld own_world;
+    FakeIwdg own{own_world};
+    own.oscillator_hz = hz;
+    EXPECT_TRUE(Watchdog{own.registers}.start(hz));
+    EXPECT_NEAR(own.seconds_to_reset(), 0.050, 0.0004) << hz;  // four cycles of 17 kHz are 0.24 ms
+  }
+}
+
+TEST_F(TheWatchdog, TheFastestOscillatorThatNobodyMeasuredLeavesThirtyFourTicks) {
+  EXPECT_TRUE(watchdog.start({}));
   device.oscillator_hz = 47e3;
   EXPECT_NEAR(device.seconds_to_reset(), 0.0340, 0.0003);
 }
 
-TEST_F(TheWatchdog, TheSlowestOscillatorResetsWithinNinetyFiveMilliseconds) {
-  EXPECT_TRUE(watchdog.start());
+TEST_F(TheWatchdog, TheSlowestOscillatorThatNobodyMeasuredResetsWithinNinetyFiveMilliseconds) {
+  EXPECT_TRUE(watchdog.start({}));
   device.oscillator_hz = 17e3;
   EXPECT_NEAR(device.seconds_to_reset(), 0.0941, 0.0003);
 }
 
 TEST_F(TheWatchdog, OneThatNeverTakesItsPeriodSaysSoAndGuardsAllTheSame) {
   device.looks_until_taken = 1'000'000;
-  EXPECT_FALSE(watchdog.start());
+  EXPECT_FALSE(watchdog.start(32'000));
   EXPECT_NEAR(device.seconds_to_reset(), 0.512, 0.0003);
   EXPECT_LT(world.accesses(), 30'000U);
 }
