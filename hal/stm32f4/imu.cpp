@@ -5,6 +5,7 @@
 
 #include "hal/stm32f4/icm42688.hpp"
 #include "hal/stm32f4/imu_samples.hpp"
+#include "hal/stm32f4/imu_settings.hpp"
 
 namespace fantail::hal::stm32f4 {
 namespace {
@@ -21,52 +22,8 @@ constexpr std::uint8_t most_misses = 5;
 // All six axes: with half of the data sheet's noise a run grows by one with a probability of 0.03.
 constexpr std::uint8_t most_the_same = 12;
 
-struct Setting {
-  std::uint8_t bank;
-  std::uint8_t address;
-  std::uint8_t value;
-};
-// Both sensors are off while these are written (section 12.9). Reserved bits keep their reset values but for bits 7:6
-// of INTF_CONFIG1: as 01 they switch off what else lets an axis of the gyro repeat itself for 1 to 2 ms whenever it
-// passes 100 deg/s (ArduPilot, issue 25025; not in the data sheet).
-constexpr auto settings = std::to_array<Setting>({
-    {0, icm::interface_config_0, 0x33},      // big-endian, -32768 until the first sample, no I2C
-    {0, icm::interface_config_1, 0x51},      // the gyro's oscillator as clock: 1 % instead of 8 % (section 4.10)
-    {0, icm::gyro_config_0, 0x06},           // 2000 deg/s, 1 kHz
-    {0, icm::accelerometer_config_0, 0x06},  // 16 g, 1 kHz
-    {0, icm::gyro_config_1, 0x16},           // second-order filter
-    {0, icm::filter_config_0, 0x00},         // 493 Hz (section 5.5)
-    {0, icm::accelerometer_config_1, 0x0D},  // second-order filter
-    {0, icm::interrupt_config_0, 0x00},      // data-ready is cleared by reading INT_STATUS
-    // INT1: push-pull, active high, and a pulse, because a line that stays high until it is served would swallow the
-    // edge of the second of two samples between two ticks. Section 12.6: without INT_ASYNC_RESET, or it does not work.
-    {0, icm::interrupt_config, 0x03},
-    {0, icm::interrupt_config_1, 0x00},  // of 100 us
-    {0, icm::interrupt_source_0, 0x08},  // data-ready alone
-    // 258 Hz (section 5.3): delta 6, its square 36, shift 10.
-    {1, icm::gyro_config_static_3, 6},
-    {1, icm::gyro_config_static_4, 36},
-    {1, icm::gyro_config_static_5, 10U << 4U},
-    {2, icm::accelerometer_config_static_2, 6U << 1U},
-    {2, icm::accelerometer_config_static_3, 36},
-    {2, icm::accelerometer_config_static_4, 10U << 4U},
-});
-constexpr std::uint8_t both_on = icm::gyro_low_noise | icm::accelerometer_low_noise;
-
-/// Ends in bank 0, where it begins; false when `visit` was for one of them.
-template <typename Visit>
-bool for_each_setting(SpiRegisters& registers, Visit visit) {
-  std::uint8_t bank = 0;
-  for (const Setting& setting : settings) {
-    if (setting.bank != bank && !registers.write(icm::bank_select, setting.bank)) {
-      return false;
-    }
-    bank = setting.bank;
-    if (!visit(setting)) {
-      return false;
-    }
-  }
-  return registers.write(icm::bank_select, 0);
+bool has_flag(std::span<const std::byte> burst, std::uint8_t flag) {
+  return (std::to_integer<std::uint8_t>(burst.back()) & flag) != 0;
 }
 
 }  // namespace
@@ -153,8 +110,8 @@ bool Imu::check_id(std::uint8_t id) {
 void Imu::adopt(Microseconds now) {
   // The processor may have been reset while another bank was selected.
   const bool answers = registers_.write(icm::bank_select, 0);
-  if (answers && registers_.read(icm::who_am_i) == icm::id && registers_.read(icm::power_management_0) == both_on &&
-      is_configured()) {
+  if (answers && registers_.read(icm::who_am_i) == icm::id &&
+      registers_.read(icm::power_management_0) == icm::both_on && is_configured()) {
     begin_running(now);
   } else {
     restart();
@@ -189,7 +146,7 @@ void Imu::wait_for_reset(Microseconds now) {
     self_tests_left_ -= 1;
     self_test_.begin();
     stage_ = Stage::self_test;
-  } else if (configure() && is_configured() && registers_.write(icm::power_management_0, both_on)) {
+  } else if (configure() && is_configured() && registers_.write(icm::power_management_0, icm::both_on)) {
     settle_for(now, warm_up_time);
     stage_ = Stage::warm_up;
   } else {
@@ -210,26 +167,32 @@ void Imu::carry_on_self_test(Microseconds now) {
 }
 
 bool Imu::configure() {
-  return for_each_setting(registers_,
-                          [this](const Setting& setting) { return registers_.write(setting.address, setting.value); });
+  return icm::for_each_setting(
+      registers_, [this](const icm::Setting& setting) { return registers_.write(setting.address, setting.value); });
 }
 
 bool Imu::is_configured() {
-  return for_each_setting(registers_,
-                          [this](const Setting& setting) { return registers_.read(setting.address) == setting.value; });
+  return icm::for_each_setting(
+      registers_, [this](const icm::Setting& setting) { return registers_.read(setting.address) == setting.value; });
+}
+
+bool Imu::read_twice(Readings& readings) {
+  const std::byte flags = readings.burst.back();
+  const bool answered = registers_.read(icm::temperature_data, readings.burst) &&
+                        registers_.read(icm::accelerometer_data, readings.again);
+  readings.burst.back() |= flags;  // they are cleared by each
+  return answered;
 }
 
 void Imu::run(Microseconds now) {
-  std::array<std::byte, burst_size> burst{};
+  Readings readings;
   const EdgeTimer::Edge count = data_ready_.now();
   const bool others = data_ready_.take_overrun();
   EdgeTimer::Edge edge = data_ready_.last_edge();
-  bool answered = registers_.read(icm::temperature_data, burst);
+  bool answered = read_twice(readings);
   if (const EdgeTimer::Edge later = data_ready_.last_edge(); answered && later != edge && edges_.trusted()) {
     // A sample came meanwhile: before its counts were read, or behind them. Now it is there, and no other for a while.
-    const std::byte flags = burst.back();
-    answered = registers_.read(icm::temperature_data, burst);
-    burst.back() |= flags;
+    answered = read_twice(readings);
     edge = later;
   }
   const auto id = registers_.read(icm::who_am_i);
@@ -246,20 +209,23 @@ void Imu::run(Microseconds now) {
   misses_ = 0;
   silent_ = false;
   wrong_id_ = false;
-  if ((std::to_integer<std::uint8_t>(burst.back()) & icm::reset_done) != 0) {
+  if (has_flag(readings.burst, icm::reset_done) && registers_.read(icm::power_management_0) != icm::both_on) {
     restart();  // a brown-out of its own: it sleeps, with nothing configured
     return;
   }
-  take(now, burst,
+  take(now, readings,
        {.count = edge, .time = now + Microseconds{static_cast<std::int32_t>(edge - count)}, .others = others});
   if (now - last_new_ > longest_without_sample) {
     restart();
   }
 }
 
-void Imu::take(Microseconds now, std::span<const std::byte> burst, const LatestEdge& edge) {
-  const auto data = burst.subspan<2, 12>();  // behind the temperature
-  const bool ready = (std::to_integer<std::uint8_t>(burst.back()) & icm::data_ready) != 0;
+void Imu::take(Microseconds now, const Readings& readings, const LatestEdge& edge) {
+  const auto data = std::span{readings.burst}.subspan<2, 12>();  // behind the temperature
+  if (!std::ranges::equal(data, readings.again)) {
+    return;
+  }
+  const bool ready = has_flag(readings.burst, icm::data_ready);
   // A sample that came between data and flag was not in the data, and its flag is cleared: it is found by its values.
   if (!ready && std::ranges::equal(data, last_data_)) {
     return;

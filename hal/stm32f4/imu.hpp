@@ -34,6 +34,9 @@ namespace fantail::hal::stm32f4 {
 /// same with more bytes, and in the device's own time.) Where the edges do not fit the samples, the wire is off or
 /// something else drives it: then a sample is taken to be half a millisecond old when it is found, and a fault says so.
 ///
+/// Disturbances on its wires: the device adds no checksum, so the counts are read twice, and taken when both are the
+/// same.
+///
 /// Counts that repeat: see FrozenCounts. A gyro that is frozen is not used, and the device is set up again; of an
 /// accelerometer that is frozen only its own counts are not used, because a restart would cost the gyro.
 class Imu final : public hal::Imu {
@@ -58,6 +61,11 @@ class Imu final : public hal::Imu {
  private:
   enum class Stage : std::uint8_t { adopt, reset, wait_for_reset, self_test, warm_up, running };
 
+  /// In one tick.
+  struct Readings {
+    std::array<std::byte, 17> burst{};  ///< from the temperature to INT_STATUS
+    std::array<std::byte, 12> again{};  ///< both sensors
+  };
   /// Of the data-ready line; `others`: more than one came since a tick ago.
   struct LatestEdge {
     EdgeTimer::Edge count;
@@ -73,14 +81,13 @@ class Imu final : public hal::Imu {
   bool configure();
   bool is_configured();
   void run(Microseconds now);
-  void take(Microseconds now, std::span<const std::byte> burst, const LatestEdge& edge);
+  bool read_twice(Readings& readings);
+  void take(Microseconds now, const Readings& readings, const LatestEdge& edge);
   void judge_counts();
   void restart();
   /// Is it the device that belongs here? Remembers what is wrong.
   bool check_id(std::uint8_t id);
   void settle_for(Microseconds now, Microseconds duration);
-
-  static constexpr std::size_t burst_size = 17;  ///< from the temperature to INT_STATUS
 
   SpiRegisters registers_;
   const hal::Clock& clock_;

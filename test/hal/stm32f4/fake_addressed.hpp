@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,6 +16,8 @@ namespace fantail::hal::stm32f4::test {
 class AddressedSlave : public SpiSlave {
  public:
   std::optional<std::uint8_t> stuck_at{};  ///< answers nothing but this
+  /// What a disturbance makes of the answer with which this address is read.
+  std::function<std::uint8_t(std::uint8_t address, std::uint8_t answer)> disturbance{};
   /// What must not be done to this device, and was.
   std::vector<std::string> violations{};
 
@@ -36,7 +39,8 @@ class AddressedSlave : public SpiSlave {
     const std::uint8_t address = *address_;
     address_ = static_cast<std::uint8_t>((address + 1U) & 0x7FU);
     if (reading_) {
-      return read(address);
+      const std::uint8_t answer = read(address);
+      return disturbance ? disturbance(address, answer) : answer;
     }
     write(address, out);
     return 0;

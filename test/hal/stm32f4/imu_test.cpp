@@ -153,6 +153,37 @@ TEST_F(ImuTest, OneSpoiltAnswerCostsOneTickAndNoReset) {
   EXPECT_TRUE(imu.faults().none());
 }
 
+TEST_F(ImuTest, ACountThatADisturbanceHasChangedIsNotTaken) {
+  Imu imu = running();
+  for (std::uint8_t address = icm42688::accelerometer_data; address < icm42688::gyro_data + 6; ++address) {
+    for (const int when : {0, 1}) {  // each is read twice
+      const ImuSample before = next(imu);
+      int reads = 0;
+      device.disturbance = [&](std::uint8_t at, std::uint8_t answer) {
+        const bool hit = at == address && reads++ == when;
+        return static_cast<std::uint8_t>(hit ? answer ^ 0x40U : answer);
+      };
+      const ImuSample during = next(imu);
+      EXPECT_EQ(during.time, before.time);
+      EXPECT_EQ(during.rate, before.rate);
+      EXPECT_EQ(during.specific_force, before.specific_force);
+      device.disturbance = {};
+      EXPECT_GT(next(imu).time, before.time);
+    }
+  }
+  EXPECT_TRUE(imu.faults().none());
+}
+
+TEST_F(ImuTest, AFlagThatADisturbanceHasSetIsNoReset) {
+  Imu imu = running();
+  const int resets = device.resets;
+  device.disturbance = [](std::uint8_t at, std::uint8_t answer) {
+    return static_cast<std::uint8_t>(at == icm42688::interrupt_status ? answer | icm42688::reset_done : answer);
+  };
+  EXPECT_EQ(next(imu).status, Status::ok);
+  EXPECT_EQ(device.resets, resets);
+}
+
 TEST_F(ImuTest, ADeviceThatIsNotTheRightOneIsNamed) {
   device.id = 0x4E;
   Imu imu = make();
