@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 #include "hal/stm32f4/registers/exti.hpp"
@@ -53,8 +54,8 @@ class FakeSupply {
  private:
   void look() {
     // Typical levels, for falling supply and then for rising.
-    constexpr double falling[] = {2.04, 2.19, 2.35, 2.51, 2.66, 2.84, 2.93, 3.03};
-    constexpr double rising[] = {2.14, 2.30, 2.45, 2.60, 2.76, 2.93, 3.03, 3.14};
+    constexpr std::array falling{2.04, 2.19, 2.35, 2.51, 2.66, 2.84, 2.93, 3.03};
+    constexpr std::array rising{2.14, 2.30, 2.45, 2.60, 2.76, 2.93, 3.03, 3.14};
     const std::uint32_t level = cr_ >> 5U & 7U;
     const bool on = (cr_ & 0x10U) != 0;
     const bool output = on && volts_ < (output_ ? rising[level] : falling[level]);

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -72,7 +73,7 @@ class PulseDiary : public avionics::FlyingRig {
         result.push_back({pulse.line, us(pulse.begin), us(pulse.width), pulse.whole});
       }
     }
-    std::ranges::stable_sort(result, {}, &Heard::begin_us);
+    std::ranges::sort(result, {}, [](const Heard& each) { return std::pair{each.begin_us, each.line}; });
     return result;
   }
   /// A row a frame: its beginning, in milliseconds after the event, and four widths in microseconds, with a stroke

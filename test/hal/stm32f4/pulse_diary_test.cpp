@@ -60,7 +60,7 @@ TEST(PulseDiary, ANewPlanMovesThePulsesByItsFirstMotionRateAndCutsNone) {
   avionics::send_plan(diary, plan);
   diary.run(avionics::second);
   const double most_us =
-      double{plan.canards.first_motion_rate_rad_s} * 180 / 3.14159265 * us_per_deg * frame_us / 1e6 + 0.1;
+      static_cast<double>(plan.canards.first_motion_rate_rad_s) * 180 / 3.14159265 * us_per_deg * frame_us / 1e6 + 0.1;
   double last_us = trim_us;
   for (const Heard& pulse : diary.since(event)) {
     EXPECT_TRUE(is_whole(pulse) && is_inside(pulse));
@@ -91,7 +91,8 @@ TEST(PulseDiary, ACrashEndsInWholePulsesAtTrimAndSilenceUntilTheCommandsComeAgai
 }
 
 TEST(PulseDiary, ACrashAtAnyTimeOfAFrameCutsNothingAndIsSilentForLessThanFourFrames) {
-  for (double later_us = 0; later_us < frame_us; later_us += 199) {
+  for (int step = 0; step < 15; ++step) {
+    const double later_us = step * frame_us / 15;
     PulseDiary diary;
     fly_at_the_limit(diary);
     diary.pass(later_us);
@@ -128,7 +129,8 @@ TEST(PulseDiary, AWatchdogResetMayCutFourPulsesAfterWhichNothingIsHeardUntilTheC
 TEST(PulseDiary, WhereverAWatchdogResetComesItCutsOneFrameAtMostAndNoPulseIsLonger) {
   int cut = 0;
   int resets = 0;
-  for (double bites_us = 34'000; bites_us < 37'000; bites_us += 100) {
+  for (int step = 0; step < 30; ++step) {
+    const double bites_us = 34'000 + step * frame_us / 30;
     PulseDiary diary;
     fly_at_the_limit(diary);
     const double event = diary.now_us();
