@@ -98,7 +98,7 @@ std::optional<FlightPhase::Transition> FlightPhase::from_controlling(const Phase
   if (motion.gyro == SensorState::failed) {
     return Transition{Phase::finished, PhaseReason::gyro_failed};
   }
-  // Three canards still control roll, so by default a fault is recorded and the others go on.
+  // Three canards still control roll, so by default a fault is recorded, and the others do its part too.
   if (inputs.canard_fault && run_.canard_fault == CanardFaultPolicy::end_control) {
     return Transition{Phase::finished, PhaseReason::canard_fault};
   }

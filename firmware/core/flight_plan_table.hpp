@@ -123,7 +123,7 @@ inline constexpr auto flight_plan_table = std::to_array<PlanField>({
   choice(MEMBER(run.start), "run", "start", start_names, "how control begins: by launch detection, or on command in the tunnel"),
   number(MEMBER(run.control_time), "run", "control_time_s", "s", 30, {0.1F, 600}, "control ends this long after control start"),
   number(MEMBER(run.tilt_limit), "run", "tilt_limit_deg", "deg", 60, {20, 90}, "control ends when the axis is tilted further from the vertical"),
-  choice(MEMBER(run.canard_fault), "run", "canard_fault", fault_policy_names, "what a single canard fault does to control; share: the healthy canards do its part too"),
+  choice(MEMBER(run.canard_fault), "run", "canard_fault", fault_policy_names, "what a canard that does not follow does to control; share: the others do its part too", 2),
   integer(MEMBER(run.overrun_limit), "run", "overrun_limit", 20, {0, 1000}, "control ticks that may fail to come in a flight, and from power-up to arming"),
 
   choice(MEMBER(sensors.gyros), "sensors", "gyros", gyro_rule_names, "one gyro, or two that agree"),
