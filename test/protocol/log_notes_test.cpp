@@ -35,6 +35,8 @@ TEST(LogEvent, OneOfWhichThisVersionKnowsNothingIsRefused) {
   EXPECT_FALSE(accepts(number(LogEventKind::canard_verdict), 4, 0, 4));
   EXPECT_FALSE(accepts(number(LogEventKind::recording_ended), 4, 0, 0));
   EXPECT_FALSE(accepts(number(LogEventKind::recording_began), 1, 0, 0));
+  EXPECT_TRUE(accepts(number(LogEventKind::resumed), 1, 0, 0));
+  EXPECT_FALSE(accepts(number(LogEventKind::resumed), 2, 0, 0));
 }
 
 TEST(LogHealth, ComesBackWithEverythingInIt) {

@@ -149,6 +149,7 @@ TEST(ResumedFlight, EveryPartOfItsLogReplaysExactlyAndOneReportIsMadeOfThem) {
   const flight_log::LogFile file = flight_log::parse_log(flown.log, "");
   ASSERT_EQ(file.flights.size(), 3U);
   EXPECT_TRUE(flight_log::is_one_flight(file));
+  EXPECT_TRUE(flight_log::intact(file)) << "a record that a reset cut off is no damage";
   EXPECT_TRUE(says(flight_log::integrity_text(file.flights[0]),
                    "breaks off: the processor was reset, and flight 2 is the rest of it"));
   std::vector<flight_log::Regeneration> replays;

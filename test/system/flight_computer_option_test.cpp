@@ -34,6 +34,14 @@ TEST(FlyOn, TheImageIsLookedForWhereTheBuildLeavesIt) {
   }
 }
 
+TEST(FlyOn, AResetIsRefusedWhereNobodyCanResetTheProcessor) {
+  Refusal{{{"r.toml",
+            "vehicle = \"tasha3_launch2\"\nplan = \"tasha3_launch2\"\n[[faults]]\nkind = \"reset\"\nfrom_s = 3\n"}},
+          {"fly", "r.toml", "--on", "emulator"},
+          78,
+          {"r: faults.kind = \"reset\" cannot be flown with --on emulator; allowed: --on host"}};
+}
+
 TEST(FlyOn, ASerialDeviceThatIsMissingOrNoneIsNamed) {
   Refusal{{}, {"fly", "--on", "serial:/dev/there-is-none"}, 74, {"/dev/there-is-none: there is no such device"}};
   Refusal{{}, {"fly", "--on", "serial:/dev/null"}, 74, {"/dev/null: it is not a serial port"}};

@@ -245,6 +245,7 @@ LogFile parse_log(std::span<const std::byte> bytes, std::string name) {
   FlightBuilder builder;
   bool begun = false;
   std::size_t foreign_before = 0;
+  std::vector<std::size_t> behind;  // each flight but the last, so many foreign bytes
   const auto keep = [&file](Flight flight) {
     flight.number = file.flights.size() + 1;
     if (!file.flights.empty()) {
@@ -253,10 +254,12 @@ LogFile parse_log(std::span<const std::byte> bytes, std::string name) {
     file.flights.push_back(std::move(flight));
   };
   while (const auto frame = reader.next()) {
-    file.foreign_places += reader.foreign_bytes() > foreign_before ? 1 : 0;
+    const std::size_t foreign_here = reader.foreign_bytes() - foreign_before;
+    file.foreign_places += foreign_here > 0 ? 1 : 0;
     foreign_before = reader.foreign_bytes();
     if (builder.begins_another(*frame)) {
       keep(builder.take());
+      behind.push_back(foreign_here);
       builder = {};
       begun = false;
     }
@@ -273,6 +276,9 @@ LogFile parse_log(std::span<const std::byte> bytes, std::string name) {
   file.foreign_bytes = reader.foreign_bytes();
   file.cut_off_bytes = file.foreign_bytes - foreign_before;
   file.foreign_places += file.cut_off_bytes > 0 ? 1 : 0;
+  for (std::size_t i = 0; i < std::min(behind.size(), file.flights.size()); ++i) {
+    file.cut_off_bytes += file.flights[i].goes_on ? behind[i] : 0;
+  }
   return file;
 }
 

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+// A flight whose processor is reset, as a person flies it and reads it.
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "system/folder.hpp"
+#include "system/process.hpp"
+
+namespace fantail::test {
+namespace {
+
+struct ResumedFlight : testing::Test {
+  Folder folder;
+  Outcome run(const std::vector<std::string>& arguments) {
+    return fantail(arguments, {.working_folder = folder.path()});
+  }
+  void fly(const std::string& more) {
+    folder.write("r.toml",
+                 "vehicle = \"tasha3_launch2\"\nplan = \"tasha3_launch2\"\n[disturbance]\ntimes_s = [0]\n"
+                 "angles_deg = [-4.9]\n[[faults]]\nkind = \"reset\"\nfrom_s = 3\n" +
+                     more);
+    const Outcome outcome = run({"fly", "r.toml", "--out", "out"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    said = outcome.out;
+  }
+  std::string said;
+};
+
+bool says(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+const std::string gap =
+    "The processor was reset (watchdog): no tick is on record from 2.986 s to 3.047 s, and then the "
+    "flight was resumed.";
+
+TEST_F(ResumedFlight, SaysSoWhenItIsFlownAndWhenItIsReported) {
+  fly("");
+  EXPECT_TRUE(says(said, gap)) << said;
+  EXPECT_TRUE(says(said, "Fault: reset (watchdog) at 3 s after ignition; no tick for 0.06 s, backup memory kept."));
+  EXPECT_TRUE(says(content(folder / "out/report.html"), gap));
+  const Outcome report = run({"report", "out", "--out", "again"});
+  EXPECT_EQ(report.exit_code, 0);
+  EXPECT_TRUE(says(report.out, gap)) << report.out;
+}
+
+TEST_F(ResumedFlight, ItsLogHoldsTwoPartsThatBothReplayExactlyAndAreReportedAsOne) {
+  fly("");
+  const Outcome info = run({"log", "info", "out"});
+  EXPECT_EQ(info.exit_code, 0) << info.out;
+  EXPECT_TRUE(says(info.out, "2 flights"));
+  EXPECT_TRUE(says(info.out, "breaks off: the processor was reset, and flight 2 is the rest of it")) << info.out;
+  EXPECT_TRUE(says(info.out, "the flight was resumed after a reset (watchdog), for the first time"));
+  for (const char* const part : {"1", "2"}) {
+    const Outcome replay = run({"replay", "out", "--flight", part});
+    EXPECT_EQ(replay.exit_code, 0);
+    EXPECT_TRUE(says(replay.out, "every output byte as recorded")) << replay.out;
+  }
+  const Outcome report = run({"report", "out/flight.ftl", "--out", "again"});
+  EXPECT_EQ(report.exit_code, 0) << report.err;
+  EXPECT_TRUE(says(report.out,
+                   "The processor was reset (watchdog): no tick is on record from 2.979 s to 3.092 s, and "
+                   "then the flight was resumed."))
+      << report.out;
+}
+
+TEST_F(ResumedFlight, OneThatIsNotResumedEndsWithTheReset) {
+  fly("cause = \"brown_out\"\n");
+  EXPECT_TRUE(says(said,
+                   "Control ended at 2.99 s, 7.37 s before apogee: the processor was reset, and the flight was not "
+                   "resumed. After that the rocket turned by up to"))
+      << said;
+  const Outcome info = run({"log", "info", "out"});
+  EXPECT_TRUE(says(info.out, "one flight"));
+  EXPECT_TRUE(says(info.out, "the simulation ended or reset the processor, or the file was cut off"));
+}
+
+}  // namespace
+}  // namespace fantail::test
