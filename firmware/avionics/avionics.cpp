@@ -156,16 +156,29 @@ LogTransfer::Right Avionics::right_to_log() const {
   return {.safe = situation_.phase == core::Phase::safe, .session = bench_mode_.session()};
 }
 
+// One that the plan asks for and that is not there is silent.
+std::optional<hal::ImuSample> Avionics::read_second_imu() {
+  if (plan_.sensors.gyros == core::GyroRule::one) {
+    return std::nullopt;
+  }
+  return devices_.second_imu ? turned(devices_.second_imu->read(), plan_.sensors.second_imu) : hal::ImuSample{};
+}
+
 core::Inputs Avionics::read_devices(core::Microseconds now) {
   raw_ = {.imu = turned(devices_.imu.read(), plan_.sensors.imu),
+          .second_imu = read_second_imu(),
           .accelerometer = turned(devices_.accelerometer.read(), plan_.sensors.accelerometer),
           .encoders = devices_.encoder.read()};
-  scales_ = {.imu = devices_.imu.scale(), .accelerometer_m_s2 = devices_.accelerometer.scale()};
+  scales_ = {
+      .imu = devices_.imu.scale(),
+      .second_rate_rad_s = raw_.second_imu && devices_.second_imu ? devices_.second_imu->scale().rate_rad_s : 0.0F,
+      .accelerometer_m_s2 = devices_.accelerometer.scale()};
   const bool arm_command = arming_.take_arm_command();
   const bool start_command = arming_.take_start_command();
   return {
       .time = now,
       .gyro = gyro_sample(raw_.imu, scales_.imu),
+      .second_gyro = second_gyro_sample(raw_, scales_),
       .accelerometers = {accelerometer_sample(raw_.imu.time, raw_.imu.specific_force, raw_.imu.status,
                                               scales_.imu.specific_force_m_s2),
                          accelerometer_sample(raw_.accelerometer.time, raw_.accelerometer.specific_force,

@@ -48,6 +48,7 @@ struct Devices {
   hal::Entropy& entropy;
   hal::Board& board;
   hal::BackupMemory& backup_memory;
+  hal::Imu* second_imu = nullptr;  ///< null where none can be fitted; read only where the plan asks for two gyros
 };
 
 /// The application: reads the hardware layer, steps the autopilot, writes the hardware layer. A board's or a world's
@@ -71,6 +72,7 @@ class Avionics {
   void obey(const protocol::BenchSession& message);
   void obey(const protocol::BenchRequest& message);
   [[gnu::cold]] void obey(const protocol::ArmRequest& message);
+  [[nodiscard, gnu::cold]] std::optional<hal::ImuSample> read_second_imu();
   [[nodiscard]] core::Inputs read_devices(core::Microseconds now);
   void watch_board(const core::TickRecord& record, const FlashFacts& flash);
   void report(const core::TickRecord& record, const core::Inputs& inputs);

@@ -187,7 +187,10 @@ void FlightMemory::keep(const core::TickRecord& record, std::uint32_t plan_crc,
   if (waits_) {
     return;
   }
-  layout_ = layout_ ? layout_ : state_layout(law);
+  if (!layout_ || layout_plan_ != plan_crc) {
+    layout_ = state_layout(law);
+    layout_plan_ = plan_crc;
+  }
   if (!flies(record.phase)) {
     if (sequence_ > 0) {
       forget();

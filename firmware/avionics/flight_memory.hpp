@@ -66,7 +66,8 @@ class FlightMemory {
   std::uint32_t sequence_ = 0;
   std::uint32_t resumes_ = 0;
   std::optional<core::Microseconds> sealed_at_{};
-  std::optional<std::uint32_t> layout_{};  ///< the same for every state of this firmware
+  std::optional<std::uint32_t> layout_{};  ///< the same for every state by one plan
+  std::uint32_t layout_plan_ = 0;          ///< that plan's CRC
 };
 
 /// For a board whose clock begins anew with a reset: where it must begin so that a flight that lies in the memory can

@@ -35,6 +35,11 @@ protocol::LogTick log_tick_of(const core::TickRecord& record, const RawSamples& 
       .rate_counts = raw.imu.rate,
       .specific_force_counts = raw.imu.specific_force,
       .imu_status = to_log(raw.imu.status),
+      .second_gyro = raw.second_imu
+                         ? std::optional{protocol::LogTick::SecondGyro{.time = raw.second_imu->time,
+                                                                       .rate_counts = raw.second_imu->rate,
+                                                                       .status = to_log(raw.second_imu->status)}}
+                         : std::nullopt,
       .accelerometer_time = raw.accelerometer.time,
       .accelerometer_counts = raw.accelerometer.specific_force,
       .accelerometer_status = to_log(raw.accelerometer.status),
@@ -60,6 +65,12 @@ protocol::LogTick log_tick_of(const core::TickRecord& record, const RawSamples& 
   };
 }
 
+protocol::SampleTimes sample_times(const RawSamples& raw) {
+  return {.imu = raw.imu.time,
+          .accelerometer = raw.accelerometer.time,
+          .second_gyro = raw.second_imu ? raw.second_imu->time : core::Microseconds{}};
+}
+
 RawSamples raw_samples_of(const protocol::LogTick& tick) {
   RawSamples raw{
       .imu = {.time = tick.imu_time,
@@ -71,10 +82,22 @@ RawSamples raw_samples_of(const protocol::LogTick& tick) {
                         .status = from_log(tick.accelerometer_status)},
       .encoders = {.time = tick.time},
   };
+  if (tick.second_gyro) {
+    raw.second_imu = hal::ImuSample{.time = tick.second_gyro->time,
+                                    .rate = tick.second_gyro->rate_counts,
+                                    .status = from_log(tick.second_gyro->status)};
+  }
   for (std::size_t i = 0; i < core::canard_count; ++i) {
     raw.encoders.each[i] = {.counts = tick.encoder_counts[i], .status = from_log(tick.encoder_status[i])};
   }
   return raw;
+}
+
+std::optional<core::GyroSample> second_gyro_sample(const RawSamples& raw, const SampleScales& scales) {
+  if (!raw.second_imu) {
+    return std::nullopt;
+  }
+  return gyro_sample(*raw.second_imu, {.rate_rad_s = scales.second_rate_rad_s, .specific_force_m_s2 = 0.0F});
 }
 
 core::Inputs inputs_of(const protocol::LogTick& tick, const SampleScales& scales, const core::CanardsPlan& canards) {
@@ -82,6 +105,7 @@ core::Inputs inputs_of(const protocol::LogTick& tick, const SampleScales& scales
   return {
       .time = tick.time,
       .gyro = gyro_sample(raw.imu, scales.imu),
+      .second_gyro = second_gyro_sample(raw, scales),
       .accelerometers = {accelerometer_sample(raw.imu.time, raw.imu.specific_force, raw.imu.status,
                                               scales.imu.specific_force_m_s2),
                          accelerometer_sample(raw.accelerometer.time, raw.accelerometer.specific_force,

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
+
 #include "core/flight_plan.hpp"
 #include "core/inputs.hpp"
 #include "core/tick_record.hpp"
@@ -17,6 +19,7 @@ namespace fantail::avionics {
 /// What the devices gave in one tick.
 struct RawSamples {
   hal::ImuSample imu;
+  std::optional<hal::ImuSample> second_imu{};  ///< empty where the plan asks for one gyro
   hal::AccelerometerSample accelerometer;
   hal::EncoderReading encoders;
 };
@@ -24,12 +27,18 @@ struct RawSamples {
 /// What a count of each device stands for.
 struct SampleScales {
   hal::ImuScale imu{};
+  float second_rate_rad_s = 0.0F;
   float accelerometer_m_s2 = 0.0F;
 };
+
+[[nodiscard]] std::optional<core::GyroSample> second_gyro_sample(const RawSamples& raw, const SampleScales& scales);
 
 /// A tick as a log keeps it. `inputs` are those that made `record`, without which a replay could not make it again.
 [[nodiscard]] protocol::LogTick log_tick_of(const core::TickRecord& record, const RawSamples& raw,
                                             const core::Inputs& inputs, core::Microseconds duration_before);
+
+/// When all that was measured.
+[[nodiscard]] protocol::SampleTimes sample_times(const RawSamples& raw);
 
 /// What the devices gave, as far as the flight law can tell.
 [[nodiscard]] RawSamples raw_samples_of(const protocol::LogTick& tick);

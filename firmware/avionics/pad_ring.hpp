@@ -12,12 +12,14 @@
 
 namespace fantail::avionics {
 
-/// The last half second on the pad, and what the flight law remembered just before it. Checkpoints of the last half
-/// second would take five times the room of a second law that comes half a second behind: each tick that leaves the
-/// queue is flown by it as a replay flies it.
+/// The last half second on the pad (of two gyros 0.42 s, for which there is room), and what the flight law remembered
+/// just before it. Checkpoints of the last half second would take five times the room of a second law that comes half a
+/// second behind: each tick that leaves the queue is flown by it as a replay flies it.
 class PadRing {
  public:
   static constexpr std::uint32_t ticks = 500;
+  /// What the queue holds beside them, for a flash that has to catch up.
+  static constexpr std::uint32_t room_beside = TickQueue::capacity_of_one_gyro - ticks;
 
   /// `law` and `times` are those before the next tick.
   void begin(const core::Autopilot& law, const protocol::SampleTimes& times, const SampleScales& scales,

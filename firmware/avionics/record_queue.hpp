@@ -20,46 +20,58 @@ namespace fantail::avionics {
 /// Packed ticks: the last half second before a launch, and what the flash has not yet taken after it.
 class TickQueue {
  public:
-  /// Half a second, what comes in while header and first checkpoint are written at 3 ms a page, and some.
-  static constexpr std::uint32_t capacity = 564;
+  /// Half a second, what comes in while header and first checkpoint are written at 3 ms a page, and some. Of two gyros
+  /// there is room for fewer.
+  static constexpr std::uint32_t capacity_of_one_gyro = 556;
 
   void clear() { head_ = first_ = end_ = 0; }
+  /// How large a tick is from now on; nothing is in the queue any more.
+  void take_ticks_of(std::size_t tick_size) {
+    clear();
+    tick_size_ = tick_size;
+    capacity_ = static_cast<std::uint32_t>(slots_.size() / slot_size());
+  }
+  [[nodiscard]] std::uint32_t capacity() const { return capacity_; }
   [[nodiscard]] std::uint32_t size() const { return end_ - first_; }
-  [[nodiscard]] bool full() const { return size() == capacity; }
+  [[nodiscard]] bool full() const { return size() == capacity_; }
   /// Number of the oldest one.
   [[nodiscard]] std::uint32_t first() const { return first_; }
   /// Number of the one that comes next.
   [[nodiscard]] std::uint32_t end() const { return end_; }
 
   /// Not when it is full. Times never run backwards. Where the tick is to be packed: it would cost much to copy one.
-  [[nodiscard]] protocol::PackedTick& push(core::Microseconds time) {
-    Slot& slot = slots_[(head_ + size()) % capacity];
-    protocol::put<4>(slot.low_time, 0, static_cast<std::uint64_t>(time.count()));
+  [[nodiscard]] std::span<std::byte> push(core::Microseconds time) {
+    const std::uint32_t behind_newest = head_ + size();
+    const std::span<std::byte> slot = std::span{slots_}.subspan(
+        (behind_newest < capacity_ ? behind_newest : behind_newest - capacity_) * slot_size(), slot_size());
+    protocol::put<4>(slot, tick_size_, static_cast<std::uint64_t>(time.count()));
     newest_ = time;
     end_ += 1;
-    return slot.tick;
+    return slot.first(tick_size_);
   }
 
   // Of the oldest; not when it is empty.
-  [[nodiscard]] std::span<const std::byte> tick() const { return slots_[head_].tick; }
+  [[nodiscard]] std::span<const std::byte> tick() const {
+    return std::span{slots_}.subspan(head_ * slot_size(), tick_size_);
+  }
   [[nodiscard]] core::Microseconds time() const {
     const auto age = static_cast<std::uint32_t>(static_cast<std::uint64_t>(newest_.count()) -
-                                                protocol::get<4>(slots_[head_].low_time, 0));
+                                                protocol::get<4>(slots_, head_ * slot_size() + tick_size_));
     return newest_ - core::Microseconds{age};
   }
   void pop() {
-    head_ = (head_ + 1) % capacity;
+    head_ = head_ + 1 < capacity_ ? head_ + 1 : 0;
     first_ += 1;
   }
 
  private:
-  struct Slot {  // without a gap
-    protocol::PackedTick tick;
-    std::array<std::byte, 4> low_time;  ///< none is more than an hour older than the newest
-  };
-  static_assert(sizeof(Slot) == protocol::log_tick_size + 4);
+  // A tick, and the low half of its time: none is more than an hour older than the newest.
+  static constexpr std::size_t time_size = 4;
+  [[nodiscard]] std::size_t slot_size() const { return tick_size_ + time_size; }
 
-  std::array<Slot, capacity> slots_{};
+  std::array<std::byte, capacity_of_one_gyro*(protocol::log_tick_size + time_size)> slots_{};
+  std::size_t tick_size_ = protocol::log_tick_size;
+  std::uint32_t capacity_ = capacity_of_one_gyro;
   std::uint32_t head_ = 0;
   std::uint32_t first_ = 0;
   std::uint32_t end_ = 0;
@@ -101,7 +113,7 @@ class NoteQueue {
 
 /// A state of the flight law, as a checkpoint's payload. One waits at a time.
 struct WaitingCheckpoint {
-  std::array<std::byte, 1792> payload{};  // the law of this version needs 1689
+  std::array<std::byte, 1856> payload{};  // the law of this version needs 1828 with two gyros
   std::size_t size = 0;                   ///< 0: none waits
   std::uint32_t before = 0;               ///< number of the tick that follows
   bool in_the_making = false;             ///< and that tick waits for it

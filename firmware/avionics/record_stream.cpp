@@ -20,7 +20,8 @@ std::span<const std::byte> bytes_of(std::string_view text) { return std::as_byte
 
 void RecordStream::begin(const protocol::LogHeader& header) {
   header_ = header;
-  header_begin_ = encode(header);
+  std::ranges::copy(encode(header), header_begin_.begin());
+  std::ranges::copy(encode_second_rate_scale(header), header_begin_.begin() + protocol::log_header_fixed_size);
   header_time_.reset();
   source_.reset();
   page_size_ = 0;
@@ -99,7 +100,10 @@ bool RecordStream::begin_next() {
 
 void RecordStream::begin_header(core::Microseconds time) {
   header_time_ = time;
-  begin_frame(LogRecord::header, time, {header_begin_, header_.plan_block, bytes_of(header_.schema)});
+  const std::size_t begin_size =
+      header_.second_rate_scale_rad_s ? header_begin_.size() : protocol::log_header_fixed_size;
+  begin_frame(LogRecord::header, time,
+              {std::span{header_begin_}.first(begin_size), header_.plan_block, bytes_of(header_.schema)});
 }
 
 void RecordStream::begin_frame(LogRecord type, core::Microseconds time, const LogFrameWriter::Parts& payload) {

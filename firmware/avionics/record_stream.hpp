@@ -50,7 +50,7 @@ class RecordStream {
   RecordQueue& queue_;
   FlightRegion& region_;
   protocol::LogHeader header_{};
-  std::array<std::byte, protocol::log_header_fixed_size> header_begin_{};
+  std::array<std::byte, protocol::log_header_fixed_size + protocol::second_rate_scale_size> header_begin_{};
   std::array<std::byte, protocol::log_event_size> last_event_{};
   protocol::LogFrameWriter frame_;
   std::optional<protocol::LogRecord> source_{};  ///< what the queue may forget when the frame is done

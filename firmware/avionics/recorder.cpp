@@ -17,7 +17,6 @@ using protocol::StateExtent;
 
 namespace {
 
-constexpr std::uint32_t room_to_go_on = TickQueue::capacity / 2;
 // Header, first checkpoint and the half second before launch: a record that ends ahead of its launch is none.
 constexpr std::uint32_t least_record_bytes = 40'000;
 
@@ -28,6 +27,8 @@ bool flies(Phase phase) { return phase != Phase::safe && phase != Phase::armed; 
 void Recorder::take_plan(const core::FlightPlan& plan) {
   protocol::write_plan_block(plan, plan_block_);
   canards_ = plan.canards;
+  queue_.ticks.take_ticks_of(plan.sensors.gyros == core::GyroRule::two_agree ? protocol::largest_log_tick
+                                                                             : protocol::log_tick_size);
   stage_ = Stage::idle;
 }
 
@@ -56,7 +57,7 @@ void Recorder::note(const Tick& tick, core::Autopilot& law) {
         }
         break;
       }
-      if (queue_.ticks.size() == PadRing::ticks) {
+      if (queue_.ticks.size() == queue_.ticks.capacity() - PadRing::room_beside) {
         ring_.retire_oldest(queue_.ticks);
       }
       queue_tick(tick);
@@ -71,7 +72,7 @@ void Recorder::begin_on_pad(const Tick& tick, core::Autopilot& law) {
   queue_.clear();
   told_ = {.phase = tick.record.phase};
   armed_because_ = tick.record.reason;
-  times_ = {.imu = tick.raw.imu.time, .accelerometer = tick.raw.accelerometer.time};
+  times_ = sample_times(tick.raw);
   ring_.begin(law, times_, tick.scales, canards_);
   stage_ = Stage::on_pad;
 }
@@ -82,18 +83,20 @@ void Recorder::begin_flight(const Tick& tick) {
     stage_ = Stage::idle;
     return;
   }
-  stream_.begin({.flight = *flight,
-                 .power_up = tick.power_up.value_or(0),
-                 .state_layout = state_layout_,
-                 .rate_scale_rad_s = tick.scales.imu.rate_rad_s,
-                 .specific_force_scale_m_s2 = tick.scales.imu.specific_force_m_s2,
-                 .accelerometer_scale_m_s2 = tick.scales.accelerometer_m_s2,
-                 .firmware_version = identity_.firmware_version,
-                 .git_hash = identity_.git_hash,
-                 .vehicle = identity_.vehicle,
-                 .sensors = identity_.sensors,
-                 .plan_block = plan_block_,
-                 .schema = protocol::log_schema()});
+  stream_.begin(
+      {.flight = *flight,
+       .power_up = tick.power_up.value_or(0),
+       .state_layout = state_layout_,
+       .rate_scale_rad_s = tick.scales.imu.rate_rad_s,
+       .specific_force_scale_m_s2 = tick.scales.imu.specific_force_m_s2,
+       .accelerometer_scale_m_s2 = tick.scales.accelerometer_m_s2,
+       .second_rate_scale_rad_s = tick.raw.second_imu ? std::optional{tick.scales.second_rate_rad_s} : std::nullopt,
+       .firmware_version = identity_.firmware_version,
+       .git_hash = identity_.git_hash,
+       .vehicle = identity_.vehicle,
+       .sensors = identity_.sensors,
+       .plan_block = plan_block_,
+       .schema = tick.raw.second_imu ? protocol::log_schema_of_two_gyros() : protocol::log_schema()});
   stage_ = Stage::flying;
   overflowed_ = false;
   dropped_ = 0;
@@ -130,8 +133,8 @@ void Recorder::queue_tick(const Tick& tick) {
     dropped_ += 1;
     ticks_dropped_ += 1;
     checkpoint_due_.reset();  // a replay cannot go on behind a gap
-    times_ = {.imu = tick.raw.imu.time, .accelerometer = tick.raw.accelerometer.time};
-    overflowed_ = queue_.ticks.size() > room_to_go_on || queue_.checkpoint.size > 0;
+    times_ = sample_times(tick.raw);
+    overflowed_ = queue_.ticks.size() > queue_.ticks.capacity() / 2 || queue_.checkpoint.size > 0;
   } else {
     pack(log_tick_of(tick.record, tick.raw, tick.inputs, tick.duration_before), times_,
          queue_.ticks.push(tick.record.time));

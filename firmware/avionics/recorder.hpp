@@ -87,6 +87,7 @@ class Recorder {
     core::CanardVerdicts verdicts{};
     core::SensorState gyro = core::SensorState::fresh;
     core::SensorState accelerometer = core::SensorState::fresh;
+    core::GyroVote gyro_vote = core::GyroVote::both;
     core::CommandStatus command_status = core::CommandStatus::outside_control;
     hal::BoardFaults faults{};
     core::Microseconds next_faults{};  ///< not before: a plug that comes and goes does not fill the record

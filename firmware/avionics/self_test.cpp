@@ -16,7 +16,8 @@ using namespace core::literals;
 namespace {
 
 constexpr Microseconds still_time{3'000'000};
-constexpr Microseconds patience{12'000'000};  // for the still seconds and the count of the flash
+constexpr Microseconds patience{12'000'000};    // for the still seconds and the count of the flash
+constexpr Microseconds gyro_patience{100'000};  // for a spike, or a sample that came late
 constexpr float one_g_tolerance_m_s2 = 0.1F * core::standard_gravity_m_s2;
 
 constexpr Angle largest_swing = 3_deg;
@@ -50,7 +51,7 @@ protocol::ArmRefusal SelfTest::start(const Situation& now, bool session_open) {
   state_ = SelfTestState::running;
   failure_ = SelfTestFailure::none;
   canard_.reset();
-  started_ = now.time;
+  started_ = gyros_agreed_ = now.time;
   stage_ = Stage::still;
   restart_averages(now.time);
   return ArmRefusal::none;
@@ -73,7 +74,9 @@ void SelfTest::update(const core::Inputs& inputs, const core::TickRecord& record
     fail(inputs.time, SelfTestFailure::not_safe);
   } else if (board_faulty) {
     fail(inputs.time, SelfTestFailure::board_fault);
-  } else if (record.motion.gyro == core::SensorState::failed) {
+  } else if (const auto failure = judge_gyros(record)) {
+    fail(inputs.time, *failure);
+  } else if (record.motion.gyro == core::SensorState::failed && !record.gyro_vote) {
     fail(inputs.time, SelfTestFailure::gyro_failed);
   } else if (stage_ == Stage::still) {
     stand_still(inputs, record, flash);
@@ -84,9 +87,27 @@ void SelfTest::update(const core::Inputs& inputs, const core::TickRecord& record
   }
 }
 
+// Two that do not both fly any more. The one that failed has its name.
+std::optional<SelfTestFailure> SelfTest::judge_gyros(const core::TickRecord& record) {
+  using core::GyroVote;
+  if (!record.gyro_vote || *record.gyro_vote == GyroVote::both) {
+    gyros_agreed_ = record.time;
+  }
+  if (record.time - gyros_agreed_ <= gyro_patience) {
+    return std::nullopt;
+  }
+  switch (*record.gyro_vote) {
+    case GyroVote::first: return SelfTestFailure::second_gyro_failed;
+    case GyroVote::disagree: return SelfTestFailure::gyros_disagree;
+    default: return SelfTestFailure::gyro_failed;
+  }
+}
+
 void SelfTest::stand_still(const core::Inputs& inputs, const core::TickRecord& record, const FlashFacts& flash) {
   if (!average(inputs)) {
-    return fail(inputs.time, SelfTestFailure::accelerometer_failed);
+    // Where the whole IMU is silent, its gyro is named, as without a second one.
+    const bool without_imu = record.gyro_vote == core::GyroVote::second || record.gyro_vote == core::GyroVote::neither;
+    return fail(inputs.time, without_imu ? SelfTestFailure::gyro_failed : SelfTestFailure::accelerometer_failed);
   }
   if (record.motion.at_rest_for == Microseconds{0}) {
     restart_averages(inputs.time);

@@ -32,7 +32,7 @@ Autopilot::Autopilot(const FlightPlan& plan)
       canard_monitor_{plan.monitor, plan.canards},
       shares_{plan.run.canard_fault == CanardFaultPolicy::share},
       canard_sharing_{plan.controller.canard_limit},
-      motion_estimator_{plan.motion} {}
+      motion_estimator_{plan.motion, plan.sensors} {}
 
 // Every signal of the record is written in every step: nothing of the last one stays.
 const TickRecord& Autopilot::step(const Inputs& inputs) {
@@ -44,6 +44,7 @@ const TickRecord& Autopilot::step(const Inputs& inputs) {
 
   motion_estimator_.update(inputs);
   record.motion = motion_estimator_.motion(inputs.time);
+  record.gyro_vote = motion_estimator_.gyro_vote();
   record.detection = flight_phase_.listens_for_launch() ? launch_detector_.update(inputs.time, inputs.accelerometers)
                                                         : DetectionState::quiet;
 
@@ -82,7 +83,7 @@ const TickRecord& Autopilot::step(const Inputs& inputs) {
 }
 
 void Autopilot::resume(const Inputs& first) {
-  motion_estimator_.bridge(first.time, first.gyro);
+  motion_estimator_.bridge(first);
   canard_monitor_.bridge();
   offset_estimator_.interrupt();
   last_time_.reset();

@@ -50,6 +50,7 @@ using EncoderAngles = std::array<std::optional<Angle>, canard_count>;
 struct Inputs {
   Microseconds time{};
   GyroSample gyro{};
+  std::optional<GyroSample> second_gyro{};  ///< empty where the plan asks for one
   std::array<AccelerometerSample, 2> accelerometers{};
   EncoderAngles encoders{};
   bool arm_switch_closed = false;

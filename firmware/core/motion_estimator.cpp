@@ -58,16 +58,21 @@ Quaternionf upright(const Vector3f& up) {
 
 }  // namespace
 
-MotionEstimator::MotionEstimator(const MotionPlan& plan) : plan_{plan}, gyro_gate_{plan}, pad_window_{plan} {
+MotionEstimator::MotionEstimator(const MotionPlan& plan, const SensorsPlan& sensors)
+    : plan_{plan},
+      votes_{sensors.gyros == GyroRule::two_agree},
+      gyro_gate_{plan},
+      pad_window_{plan},
+      gyro_pair_{sensors, plan} {
   set_pad_upright();
   trajectory_ = pad_;
 }
 
-void MotionEstimator::update(const Inputs& inputs) {
-  follow_gyro(inputs.time, inputs.gyro);
+void MotionEstimator::follow(const Inputs& inputs, const GyroSample& gyro) {
+  follow_gyro(inputs.time, gyro);
   follow_accelerometer(inputs);
   if (place_ == Place::pad) {
-    watch_pad(inputs.time, inputs.gyro);
+    watch_pad(inputs.time, gyro);
   }
 }
 
@@ -99,7 +104,9 @@ void MotionEstimator::turn(float dt_s, const Vector3& first_rate_rad_s, const Ve
   trajectory_.attitude = {next.w(), next.x(), next.y(), next.z()};
 }
 
-void MotionEstimator::bridge(Microseconds now, const GyroSample& gyro) {
+void MotionEstimator::bridge(const Inputs& inputs) {
+  const Microseconds now = inputs.time;
+  const GyroSample gyro = votes_ ? choose_gyro(inputs) : inputs.gyro;
   // Nobody saw whether the rocket still stood.
   supported_since_.reset();
   if (!gyro_gate_.last_time()) {

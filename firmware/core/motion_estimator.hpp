@@ -8,6 +8,7 @@
 #include "core/compensated_sum.hpp"
 #include "core/flight_plan.hpp"
 #include "core/gyro_gate.hpp"
+#include "core/gyro_pair.hpp"
 #include "core/inputs.hpp"
 #include "core/low_pass.hpp"
 #include "core/pad_window.hpp"
@@ -56,18 +57,20 @@ struct Motion {
 /// Of two accelerometers the first that measures is integrated. One at the end of its range reads too little: it is
 /// integrated only while no other measures, and from then on height and speed are lower bounds.
 ///
-/// Which samples of the gyro are believed is said in gyro_gate.hpp. Over a gap in flight the rate is taken to have gone
-/// evenly from the last sample to the next.
+/// Which samples of the gyro are believed is said in gyro_gate.hpp, and which of two gyros in gyro_pair.hpp. Over a gap
+/// in flight the rate is taken to have gone evenly from the last sample to the next.
 ///
 /// Between detection and guide clearance a rocket that reads 1 g again stands: nothing flies at 1 g, so height and
 /// speed start over. Without that a knock would leave a speed behind, and the speed would in time become a cleared
 /// guide.
 class MotionEstimator {
  public:
-  [[gnu::cold]] explicit MotionEstimator(const MotionPlan& plan);
+  [[gnu::cold]] explicit MotionEstimator(const MotionPlan& plan, const SensorsPlan& sensors = {});
 
   /// One tick. Sensors may be late, repeated or missing.
-  void update(const Inputs& inputs);
+  void update(const Inputs& inputs) {
+    return votes_ ? follow(inputs, choose_gyro(inputs)) : follow(inputs, inputs.gyro);
+  }
 
   /// Launch detection: the roll angle is zero now, the bias is frozen, the height origin applied.
   void begin_flight(Microseconds now);
@@ -81,13 +84,18 @@ class MotionEstimator {
   /// A detection that turned out to be none: wait on the pad again.
   void return_to_pad();
 
-  /// Nobody called update() for a while, and now `gyro` is there: the rate is taken to have gone evenly from the last
-  /// one to this one (to have stayed, when this one cannot be used), so that roll angle and attitude go on. What an
-  /// accelerometer reads bridges any gap by itself. Longer than the plan's stale time, at most a second.
-  void bridge(Microseconds now, const GyroSample& gyro);
+  /// Nobody called update() for a while, and now the gyro of `inputs` is there: the rate is taken to have gone evenly
+  /// from the last one to this one (to have stayed, when this one cannot be used), so that roll angle and attitude go
+  /// on. What an accelerometer reads bridges any gap by itself. Longer than the plan's stale time, at most a second.
+  void bridge(const Inputs& inputs);
 
   /// The estimate at `now`; the last rate bridges the time since the last gyro sample, at most the plan's stale time.
   [[nodiscard]] Motion motion(Microseconds now) const;
+
+  /// Which of two gyros flew in this tick; empty where the plan asks for one.
+  [[nodiscard]] std::optional<GyroVote> gyro_vote() const {
+    return votes_ ? std::optional{gyro_pair_.vote()} : std::nullopt;
+  }
 
   /// See core/state_visitor.hpp.
   template <typename Visitor>
@@ -96,6 +104,9 @@ class MotionEstimator {
           roll_is_bridged_, accelerometer_time_, specific_force_m_s2_, pad_, trajectory_);
     visit.below(places, place_);
     visit.below(sensor_states, gyro_, accelerometer_);
+    if (votes_) {  // as the plan says: a law with one gyro has no memory of two
+      visit(gyro_pair_);
+    }
   }
 
  private:
@@ -126,6 +137,10 @@ class MotionEstimator {
     }
   };
 
+  void follow(const Inputs& inputs, const GyroSample& gyro);
+  [[nodiscard]] GyroSample choose_gyro(const Inputs& inputs) {
+    return gyro_pair_.choose(inputs, place_ != Place::pad, rate_rad_s_, gyro_gate_);
+  }
   void follow_gyro(Microseconds now, const GyroSample& sample);
   void follow_accelerometer(const Inputs& inputs);
   [[nodiscard]] bool follow_accelerometers_that_are(SampleQuality quality, const Inputs& inputs);
@@ -141,6 +156,7 @@ class MotionEstimator {
   [[nodiscard]] Vector3 without_bias(const Vector3& rate_rad_s) const;
 
   MotionPlan plan_;
+  bool votes_;  ///< between two gyros
   LowPass axial_{16.0F};
   std::optional<Microseconds> supported_since_;
   Place place_ = Place::pad;
@@ -158,7 +174,8 @@ class MotionEstimator {
 
   Trajectory trajectory_;
   Trajectory pad_;        ///< at rest, as the pad window last saw it
-  PadWindow pad_window_;  // the largest stands last: what lies beyond 1 kB costs the Cortex-M4 an address each time
+  PadWindow pad_window_;  // large, so nearly last: what lies beyond 1 kB costs the Cortex-M4 an address each time
+  GyroPair gyro_pair_;
 };
 
 }  // namespace fantail::core

@@ -56,6 +56,17 @@ std::string_view name(SensorState state) {
   return "unknown";
 }
 
+std::string_view name(GyroVote vote) {
+  switch (vote) {
+    case GyroVote::both: return "both";
+    case GyroVote::first: return "first";
+    case GyroVote::second: return "second";
+    case GyroVote::disagree: return "disagree";
+    case GyroVote::neither: return "neither";
+  }
+  return "unknown";
+}
+
 std::string_view name(CommandStatus status) {
   switch (status) {
     case CommandStatus::outside_control: return "outside_control";

@@ -36,6 +36,7 @@ struct TickRecord {
   std::uint32_t overruns = 0;  ///< ticks that were due and did not come, since the first one
 
   Motion motion{};
+  std::optional<GyroVote> gyro_vote{};  ///< empty where the plan asks for one gyro
 
   Angle reference{};
   Angle excitation{};
@@ -54,6 +55,7 @@ struct TickRecord {
 [[nodiscard]] std::string_view name(PhaseReason reason);
 [[nodiscard]] std::string_view name(CanardVerdict verdict);
 [[nodiscard]] std::string_view name(SensorState state);
+[[nodiscard]] std::string_view name(GyroVote vote);
 [[nodiscard]] std::string_view name(CommandStatus status);
 [[nodiscard]] std::string_view name(DetectionState state);
 

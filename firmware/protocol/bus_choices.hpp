@@ -88,6 +88,8 @@ constexpr unsigned choice(SelfTestFailure value) {
     case timed_out: return CANARD_BUS_ARM_REPLY_FAILURE_TIMED_OUT_CHOICE;
     case board_fault: return CANARD_BUS_ARM_REPLY_FAILURE_BOARD_FAULT_CHOICE;
     case newer_plan: return CANARD_BUS_ARM_REPLY_FAILURE_NEWER_PLAN_CHOICE;
+    case second_gyro_failed: return CANARD_BUS_ARM_REPLY_FAILURE_SECOND_GYRO_FAILED_CHOICE;
+    case gyros_disagree: return CANARD_BUS_ARM_REPLY_FAILURE_GYROS_DISAGREE_CHOICE;
   }
   return no_choice;
 }

@@ -91,8 +91,10 @@ enum class SelfTestFailure : std::uint8_t {
   flash_failed,
   flash_too_full,
   timed_out,
-  board_fault,  ///< BoardReport names it
-  newer_plan,   ///< the stored plan was made for a newer version of the firmware
+  board_fault,         ///< BoardReport names it
+  newer_plan,          ///< the stored plan was made for a newer version of the firmware
+  second_gyro_failed,  ///< of two that the plan asks for
+  gyros_disagree,
 };
 
 /// Of the last ArmRequest, whatever it asked for. What is refused changes nothing; only a wrong nonce voids the right

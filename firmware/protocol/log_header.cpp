@@ -39,7 +39,7 @@ std::string_view get_text(std::span<const std::byte> in, std::size_t index) {
 
 std::array<std::byte, log_header_fixed_size> encode(const LogHeader& header) {
   std::array<std::byte, log_header_fixed_size> out{};
-  put<2>(out, 0, header.format_version);
+  put<2>(out, 0, header.second_rate_scale_rad_s ? log_format_version_of_two_gyros : header.format_version);
   put<2>(out, 2, header.plan_block.size());
   put<4>(out, 4, header.flight);
   put<4>(out, 8, header.power_up);
@@ -54,12 +54,26 @@ std::array<std::byte, log_header_fixed_size> encode(const LogHeader& header) {
   return out;
 }
 
+std::array<std::byte, second_rate_scale_size> encode_second_rate_scale(const LogHeader& header) {
+  std::array<std::byte, second_rate_scale_size> out{};
+  put_float(out, 0, header.second_rate_scale_rad_s.value_or(0.0F));
+  return out;
+}
+
 std::optional<LogHeader> decode_log_header(std::span<const std::byte> payload) {
   if (payload.size() < log_header_fixed_size) {
     return std::nullopt;
   }
   const auto plan_size = static_cast<std::size_t>(get<2>(payload, 2));
-  const auto rest = payload.subspan(log_header_fixed_size);
+  auto rest = payload.subspan(log_header_fixed_size);
+  std::optional<float> second_rate_scale_rad_s;
+  if (get<2>(payload, 0) == log_format_version_of_two_gyros) {
+    if (rest.size() < second_rate_scale_size) {
+      return std::nullopt;
+    }
+    second_rate_scale_rad_s = get_float(rest, 0);
+    rest = rest.subspan(second_rate_scale_size);
+  }
   if (plan_size > rest.size()) {
     return std::nullopt;
   }
@@ -70,6 +84,7 @@ std::optional<LogHeader> decode_log_header(std::span<const std::byte> payload) {
                    .rate_scale_rad_s = get_float(payload, scales_at),
                    .specific_force_scale_m_s2 = get_float(payload, scales_at + 4),
                    .accelerometer_scale_m_s2 = get_float(payload, scales_at + 8),
+                   .second_rate_scale_rad_s = second_rate_scale_rad_s,
                    .firmware_version = get_text(payload, 0),
                    .git_hash = get_text(payload, 1),
                    .vehicle = get_text(payload, 2),

@@ -16,6 +16,7 @@ std::size_t values(LogEventKind kind) {
     case LogEventKind::accelerometer_state: return core::sensor_states;
     case LogEventKind::command_status: return core::command_statuses;
     case LogEventKind::resumed: return resumed_after_causes;
+    case LogEventKind::gyro_vote: return core::gyro_votes;
     case LogEventKind::recording_began:
     case LogEventKind::records_dropped:
     case LogEventKind::longest_tick:
@@ -108,6 +109,7 @@ std::string_view name(LogEventKind kind) {
     case LogEventKind::longest_tick: return "longest_tick";
     case LogEventKind::board_faults: return "board_faults";
     case LogEventKind::resumed: return "resumed";
+    case LogEventKind::gyro_vote: return "gyro_vote";
   }
   return "unknown";
 }

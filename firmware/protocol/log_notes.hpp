@@ -27,8 +27,9 @@ enum class LogEventKind : std::uint8_t {
   longest_tick,         ///< number: processor cycles of the longest tick so far, where the processor counts them
   board_faults,         ///< number: hal::BoardFaults::bits(), of which some came or went
   resumed,              ///< this record is the rest of a flight; value: ResumedAfter, number: resumes of it so far
+  gyro_vote,            ///< value: core::GyroVote; of two gyros
 };
-inline constexpr std::size_t log_event_kinds = 11;
+inline constexpr std::size_t log_event_kinds = 12;
 
 /// Why a recording ended.
 enum class LogEnd : std::uint8_t {

@@ -12,4 +12,7 @@ namespace fantail::protocol {
 ///   u16:9.3              three bits from bit 9 on
 [[nodiscard]] std::string_view log_schema();
 
+/// With a record second_gyro, which stands behind each tick, in its payload.
+[[nodiscard]] std::string_view log_schema_of_two_gyros();
+
 }  // namespace fantail::protocol

@@ -24,6 +24,10 @@ constexpr std::size_t canards_at = 36;
 constexpr std::size_t duration_at = 44;
 constexpr std::size_t digest_at = 46;
 static_assert(digest_at + 4 == log_tick_size);
+constexpr std::size_t second_age_at = log_tick_size;
+constexpr std::size_t second_rate_at = second_age_at + 2;
+constexpr std::size_t second_status_at = second_age_at + 8;
+static_assert(second_status_at + 1 == largest_log_tick);
 
 constexpr std::uint16_t old_sample = 0xFFFF;
 constexpr std::uint16_t encoder_mask = 0x3FFF;
@@ -40,7 +44,7 @@ core::Microseconds measured(core::Microseconds now, std::uint16_t age_us, core::
 }
 
 template <std::size_t n>
-void put_counts(PackedTick& out, std::size_t at, const std::array<std::int16_t, n>& counts) {
+void put_counts(std::span<std::byte> out, std::size_t at, const std::array<std::int16_t, n>& counts) {
   for (std::size_t i = 0; i < n; ++i) {
     put<2>(out, at + 2 * i, static_cast<std::uint16_t>(counts[i]));
   }
@@ -81,7 +85,7 @@ struct Bits {
 
 }  // namespace
 
-void pack(const LogTick& tick, SampleTimes& times, PackedTick& out) {
+void pack(const LogTick& tick, SampleTimes& times, std::span<std::byte> out) {
   Bits flags;
   flags.add(static_cast<std::uint32_t>(tick.phase), 3);
   flags.add(static_cast<std::uint32_t>(tick.command_status), 2);
@@ -108,11 +112,18 @@ void pack(const LogTick& tick, SampleTimes& times, PackedTick& out) {
   put<2>(out, duration_at,
          static_cast<std::uint16_t>(std::clamp<std::int64_t>(tick.duration_before.count(), 0, UINT16_MAX)));
   put<4>(out, digest_at, tick.digest);
-  times = {.imu = tick.imu_time, .accelerometer = tick.accelerometer_time};
+  times.imu = tick.imu_time;
+  times.accelerometer = tick.accelerometer_time;
+  if (tick.second_gyro) {
+    put<2>(out, second_age_at, age(tick.time, tick.second_gyro->time));
+    put_counts(out, second_rate_at, tick.second_gyro->rate_counts);
+    put<1>(out, second_status_at, static_cast<std::uint32_t>(tick.second_gyro->status));
+    times.second_gyro = tick.second_gyro->time;
+  }
 }
 
 std::optional<LogTick> unpack_tick(core::Microseconds time, std::span<const std::byte> payload, SampleTimes& times) {
-  if (payload.size() != log_tick_size) {
+  if (payload.size() != log_tick_size && payload.size() != largest_log_tick) {
     return std::nullopt;
   }
   LogTick tick{.time = time};
@@ -161,7 +172,19 @@ std::optional<LogTick> unpack_tick(core::Microseconds time, std::span<const std:
   tick.command = core::Angle::from_radians(command_rad);
   tick.duration_before = core::Microseconds{static_cast<std::int64_t>(get<2>(payload, duration_at))};
   tick.digest = static_cast<std::uint32_t>(get<4>(payload, digest_at));
-  times = {.imu = tick.imu_time, .accelerometer = tick.accelerometer_time};
+  if (payload.size() == largest_log_tick) {
+    const auto status = static_cast<std::uint32_t>(get<1>(payload, second_status_at));
+    if (status >= statuses) {
+      return std::nullopt;
+    }
+    LogTick::SecondGyro& second = tick.second_gyro.emplace();
+    second.time = measured(time, static_cast<std::uint16_t>(get<2>(payload, second_age_at)), times.second_gyro);
+    get_counts(payload, second_rate_at, second.rate_counts);
+    second.status = static_cast<DeviceStatus>(status);
+    times.second_gyro = second.time;
+  }
+  times.imu = tick.imu_time;
+  times.accelerometer = tick.accelerometer_time;
   return tick;
 }
 

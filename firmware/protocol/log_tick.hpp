@@ -28,6 +28,15 @@ struct LogTick {
   std::array<std::int16_t, 3> specific_force_counts{};
   DeviceStatus imu_status = DeviceStatus::no_reading;
 
+  /// Where two gyros fly. What else the second IMU measures does not come into the flight law, and the slowest flash
+  /// has no room for it.
+  struct SecondGyro {
+    core::Microseconds time{};
+    std::array<std::int16_t, 3> rate_counts{};
+    DeviceStatus status = DeviceStatus::no_reading;
+  };
+  std::optional<SecondGyro> second_gyro{};
+
   core::Microseconds accelerometer_time{};
   std::array<std::int16_t, 3> accelerometer_counts{};
   DeviceStatus accelerometer_status = DeviceStatus::no_reading;
@@ -51,17 +60,23 @@ struct LogTick {
 };
 
 /// Measurement times are kept as an age of up to 65534 us. An older sample is one that came before: its time is that of
-/// the tick before, which whoever packs or unpacks a row of ticks has at hand.
+/// the tick before, which whoever packs or unpacks a row of ticks has at hand. (A checkpoint does not say it of the
+/// second gyro: a sample of that age is none to the flight law, whatever its time.)
 struct SampleTimes {
   core::Microseconds imu{};
   core::Microseconds accelerometer{};
+  core::Microseconds second_gyro{};
 };
 
 inline constexpr std::size_t log_tick_size = 50;
+inline constexpr std::size_t second_gyro_size = 9;  ///< behind it, where two gyros fly
+inline constexpr std::size_t largest_log_tick = log_tick_size + second_gyro_size;
 using PackedTick = std::array<std::byte, log_tick_size>;
 
-/// `times`: of the tick before; becomes those of this one.
-void pack(const LogTick& tick, SampleTimes& times, PackedTick& out);
+/// `times`: of the tick before; becomes those of this one. `out`: largest_log_tick with a second gyro, log_tick_size
+/// without one.
+void pack(const LogTick& tick, SampleTimes& times, std::span<std::byte> out);
+/// Of one gyro.
 [[nodiscard]] inline PackedTick pack(const LogTick& tick, SampleTimes& times) {
   PackedTick out;
   pack(tick, times, out);

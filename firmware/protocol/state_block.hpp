@@ -20,7 +20,7 @@ namespace fantail::protocol {
 
 // What the flight law remembers (core/state_visitor.hpp) as bytes, little-endian and the same on every processor: float
 // 4 bytes, std::uint32_t 4, time 8, flag 1, enumeration or index 1, an optional its flag and its value. Every state of
-// one version of the law has one size and one layout.
+// one version of the law and one plan has one size and one layout: a law that flies on two gyros remembers more.
 
 enum class StateExtent : std::uint8_t {
   whole,      ///< a law that is given it goes on bit for bit

@@ -26,6 +26,12 @@ class Digest {
     (*this)(name, value.has_value());
     (*this)(name, value.value_or(core::Angle{}));
   }
+  // A rocket with one gyro has no such signal.
+  void operator()(const core::SignalName& name, const std::optional<core::GyroVote>& value) {
+    if (value) {
+      (*this)(name, *value);
+    }
+  }
   template <typename Enumeration>
     requires std::is_enum_v<Enumeration>
   void operator()(const core::SignalName&, Enumeration value) {

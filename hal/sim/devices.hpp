@@ -34,6 +34,17 @@ class Imu final : public hal::Imu {
   const WorldSide& world_;
 };
 
+/// One that is not fitted is silent.
+class SecondImu final : public hal::Imu {
+ public:
+  explicit SecondImu(const WorldSide& world) : world_{world} {}
+  ImuSample read() override { return world_.second_imu_is_fitted ? world_.second_imu : ImuSample{}; }
+  [[nodiscard]] ImuScale scale() const override { return world_.second_imu_scale; }
+
+ private:
+  const WorldSide& world_;
+};
+
 class Accelerometer final : public hal::Accelerometer {
  public:
   explicit Accelerometer(const WorldSide& world) : world_{world} {}
@@ -95,6 +106,7 @@ struct Devices {
   WorldSide world;
   Clock clock{world};
   Imu imu{world};
+  SecondImu second_imu{world};
   Accelerometer accelerometer{world};
   Servo servo{world};
   Encoder encoder{world};

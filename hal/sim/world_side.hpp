@@ -18,6 +18,9 @@ struct WorldSide {
   Microseconds time{};
   ImuSample imu{};
   ImuScale imu_scale{};
+  bool second_imu_is_fitted = false;
+  ImuSample second_imu{};
+  ImuScale second_imu_scale{};
   AccelerometerSample accelerometer{};
   float accelerometer_scale_m_s2 = 0.0F;
   EncoderReading encoders{};

@@ -55,9 +55,10 @@ class BoardRig {
  public:
   explicit BoardRig(const core::FlightPlan& plan = core::default_plan()) : plan_{plan} {
     hardware.imu_scale = {.rate_rad_s = 0.001F, .specific_force_m_s2 = 9.80665F / counts_per_g};
+    hardware.second_imu_scale = hardware.imu_scale;
     hardware.accelerometer_scale_m_s2 = 9.80665F / counts_per_g;
     hardware.imu.specific_force = hardware.accelerometer.specific_force = {1000, 0, 0};
-    hardware.imu.status = hardware.accelerometer.status = hal::Status::ok;
+    hardware.imu.status = hardware.second_imu.status = hardware.accelerometer.status = hal::Status::ok;
     power_cycle();
   }
 
@@ -73,14 +74,14 @@ class BoardRig {
     servo.written = {};
     avionics_.emplace(
         Devices{devices_.clock, devices_.imu, devices_.accelerometer, servo, devices_.encoder, devices_.arm_switch,
-                board_bus_, flash, console, watchdog, entropy, devices_.board, backup_memory},
+                board_bus_, flash, console, watchdog, entropy, devices_.board, backup_memory, &devices_.second_imu},
         plan_);
   }
 
   const core::TickRecord& tick() {
     hardware.time += millisecond;
     if (sensors_work) {
-      hardware.imu.time = hardware.accelerometer.time = hardware.time;
+      hardware.imu.time = hardware.second_imu.time = hardware.accelerometer.time = hardware.time;
     }
     hardware.encoders.time = hardware.time;
     for (std::size_t i = 0; i < hal::canards; ++i) {

@@ -15,6 +15,7 @@ using core::Microseconds;
 using hal::Status;
 
 constexpr SampleScales scales{.imu = {.rate_rad_s = 0.001F, .specific_force_m_s2 = 0.005F},
+                              .second_rate_rad_s = 0.002F,
                               .accelerometer_m_s2 = 0.05F};
 
 RawSamples some_samples() {
@@ -74,6 +75,25 @@ TEST(LogTickOf, TheInputsThatComeOutAreThoseThatWentIn) {
   const auto unpacked = protocol::unpack_tick(tick.time, protocol::pack(tick, writing), reading);
   ASSERT_TRUE(unpacked.has_value());
   expect_equal(inputs_of(*unpacked, scales, canards), inputs);
+}
+
+TEST(LogTickOf, SoDoesTheSecondGyroWhereThereIsOne) {
+  const core::CanardsPlan canards = core::default_plan().canards;
+  RawSamples raw = some_samples();
+  EXPECT_FALSE(inputs_of(log_tick_of({}, raw, inputs_from(raw, canards), {}), scales, canards).second_gyro);
+  raw.second_imu = hal::ImuSample{.time = Microseconds{995}, .rate = {100, -200, 300}, .status = Status::ok};
+  const protocol::LogTick tick = log_tick_of({}, raw, inputs_from(raw, canards), {});
+  protocol::SampleTimes writing;
+  protocol::SampleTimes reading;
+  std::array<std::byte, protocol::largest_log_tick> bytes{};
+  protocol::pack(tick, writing, bytes);
+  const auto unpacked = protocol::unpack_tick(tick.time, bytes, reading);
+  ASSERT_TRUE(unpacked.has_value());
+  const auto second = inputs_of(*unpacked, scales, canards).second_gyro;
+  ASSERT_TRUE(second.has_value());
+  EXPECT_EQ(second->time, Microseconds{995});
+  EXPECT_EQ(second->quality, core::SampleQuality::valid);
+  expect_equal(second->rate_rad_s, {0.2F, -0.4F, 0.6F});
 }
 
 TEST(LogTickOf, ACountThatOneTurnDoesNotHaveIsNoReadingInTheReplayEither) {

@@ -257,7 +257,7 @@ TEST(Recorder, WhatFindsNoRoomIsCountedAndMissingBetweenTwoNumbers) {
   rig.settle(Phase::armed);
   const auto log = region_of(flash);
   const std::uint32_t dropped = rig.service.recorder().ticks_dropped();
-  EXPECT_GT(dropped, 1500U - TickQueue::capacity);
+  EXPECT_GT(dropped, 1500U - TickQueue::capacity_of_one_gyro);
   EXPECT_EQ(count(log, LogRecord::tick), 500U + 5500U + 1U - dropped);
   const std::uint32_t told = number_dropped(log);
   EXPECT_GE(told, dropped);

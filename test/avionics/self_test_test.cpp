@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "avionics/board_rig.hpp"
+#include "avionics/self_test_rig.hpp"
 
 namespace fantail::avionics {
 namespace {
@@ -15,27 +15,6 @@ using protocol::ArmAction;
 using protocol::ArmReply;
 using protocol::SelfTestFailure;
 using protocol::SelfTestState;
-
-// Until it has ended one way or the other.
-ArmReply outcome(BoardRig& rig, Microseconds patience = 20 * second) {
-  rig.pc.say(ArmAction::self_test);
-  rig.run(2 * millisecond);
-  for (Microseconds waited{}; waited < patience; waited += millisecond) {
-    if (rig.pc.heard<ArmReply>() && rig.pc.heard<ArmReply>()->self_test != SelfTestState::running) {
-      break;
-    }
-    rig.tick();
-  }
-  return rig.pc.heard<ArmReply>().value_or(ArmReply{});
-}
-
-void expect_failure(BoardRig& rig, SelfTestFailure failure, std::optional<std::size_t> canard = {}) {
-  const ArmReply reply = outcome(rig);
-  EXPECT_EQ(reply.self_test, SelfTestState::failed);
-  EXPECT_EQ(reply.failure, failure);
-  EXPECT_EQ(reply.canard, canard);
-  EXPECT_TRUE(rig.run(second)->phase == core::Phase::safe && rig.all_pulses_are(0.0)) << "the canards are let go";
-}
 
 TEST(SelfTest, ASoundRocketPassesWithinTenSecondsOfPowerUp) {
   BoardRig rig;

@@ -26,7 +26,7 @@ int main(int count, char** arguments) {
     }
     text::OutputFolder{arguments[1]}.write(
         std::array<text::NamedFile, 3>{{{"flight.ftl", own},
-                                        {"flight.ulg", log_export::ulog(source, log_export::every_field())},
+                                        {"flight.ulg", log_export::ulog(source, log_export::every_field(source))},
                                         {"flight.lcmlog", log_export::lcm(source)}}});
   } catch (const std::exception& error) {
     std::fprintf(stderr, "write_logged_flight: %s\n", error.what());

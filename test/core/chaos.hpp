@@ -58,6 +58,8 @@ class Chaos {
       }
     }
     Inputs result = inputs_;
+    result.second_gyro = inputs_.gyro;  // read where the plan asks for two
+    result.second_gyro->rate_rad_s.x += rate();
     result.arm_switch_closed = !random_.chance(0.0002);
     result.arm_command = random_.chance(0.02);
     result.start_command = random_.chance(0.01);
@@ -134,6 +136,7 @@ class Chaos {
       }
     };
     one(inputs.gyro, inputs.gyro.rate_rad_s);
+    one(*inputs.second_gyro, inputs.second_gyro->rate_rad_s);
     for (AccelerometerSample& sample : inputs.accelerometers) {
       one(sample, sample.specific_force_m_s2);
     }

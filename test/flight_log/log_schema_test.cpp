@@ -3,6 +3,7 @@
 #include "protocol/log_schema.hpp"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <string>
 
@@ -48,7 +49,7 @@ std::vector<int> claims(const SchemaRecord& record) {
 }
 
 TEST(LogSchema, EveryLineIsUnderstood) {
-  const std::string_view text = protocol::log_schema();
+  const std::string_view text = protocol::log_schema_of_two_gyros();
   std::size_t fields = 0;
   const auto schema = parse_schema(text);
   for (const SchemaRecord& record : schema) {
@@ -58,11 +59,37 @@ TEST(LogSchema, EveryLineIsUnderstood) {
 }
 
 TEST(LogSchema, NoTwoFieldsShareABitAndOnlyTwoBitsAreSpare) {
-  const auto schema = parse_schema(protocol::log_schema());
+  const auto schema = parse_schema(protocol::log_schema_of_two_gyros());
   for (const SchemaRecord& record : schema) {
     const auto bits = claims(record);
     EXPECT_EQ(std::ranges::count_if(bits, [](int n) { return n > 1; }), 0) << record.name;
     EXPECT_EQ(std::ranges::count(bits, 0), record.name == "tick" ? 2 : 0) << record.name;
+  }
+}
+
+TEST(LogSchema, OfOneGyroIsThatOfTwoWithoutTheRecordOfTheSecond) {
+  const std::string_view two = protocol::log_schema_of_two_gyros();
+  EXPECT_EQ(two.find(protocol::log_schema()), 0U);
+  EXPECT_EQ(two.substr(protocol::log_schema().size()).find("second_gyro 9\n"), 0U);
+}
+
+TEST(LogSchema, FindsEveryValueOfASecondGyroBehindTheTick) {
+  const protocol::LogTick tick{
+      .time = Microseconds{1'000'000},
+      .second_gyro = protocol::LogTick::SecondGyro{
+          .time = Microseconds{1'000'000 - 333}, .rate_counts = {-7, 8, -9}, .status = DeviceStatus::error}};
+  protocol::SampleTimes times;
+  std::array<std::byte, protocol::largest_log_tick> bytes{};
+  protocol::pack(tick, times, bytes);
+  const auto schema = parse_schema(protocol::log_schema_of_two_gyros());
+  const SchemaRecord* record = find_record(schema, "second_gyro");
+  ASSERT_NE(record, nullptr);
+  const auto behind = std::span{bytes}.subspan(protocol::log_tick_size);
+  ASSERT_EQ(record->size, behind.size());
+  const std::map<std::string, double> expected{
+      {"age", 333}, {"rate_x", -7}, {"rate_y", 8}, {"rate_z", -9}, {"status", 1}};
+  for (const auto& [name, number] : expected) {
+    EXPECT_EQ(value(*record->find(name), behind), number) << name;
   }
 }
 

@@ -175,7 +175,7 @@ TEST(ParseLog, ATickThatCannotBeIsCountedAndItsPlaceKept) {
 
 TEST(ParseLog, TicksOfAnotherVersionAreKeptAsTheyLay) {
   protocol::LogHeader header = some_header();
-  header.format_version = 2;
+  header.format_version = 9;
   header.schema = "tick 3\n0 u8 phase\n1 u16 mood furlong\n";
   LogMaker log;
   log.header(Microseconds{0}, header, core::default_plan());

@@ -49,7 +49,7 @@ void expect_each_column_described(const std::string& table) {
 
 TEST(CsvExport, EachColumnHasItsUnitAndDescriptionBesideTheTable) {
   const MadeFlight made;
-  expect_each_column_described(csv(made.source(), every_field()));
+  expect_each_column_described(csv(made.source(), every_field(made.source())));
   expect_each_column_described(flight_csv(made.source(), made.report));
   const json::Value columns = json::parse(columns_json("phase,roll_rate_deg_s\n"));
   EXPECT_EQ(columns[0]["unit"].text(), "-");

@@ -16,10 +16,10 @@ int main(int argc, char** argv) {
   const auto write = [&](const char* name, const std::string& content) {
     std::ofstream{std::string{argv[1]} + "/" + name, std::ios::binary} << content;
   };
-  write("fields.csv", csv(source, every_field()));
+  write("fields.csv", csv(source, every_field(source)));
   write("flight.csv", flight_csv(source, made.report));
-  write("flight.ulg", ulog(source, every_field()));
+  write("flight.ulg", ulog(source, every_field(source)));
   write("flight.log", candump(source));
   write("flight.lcmlog", lcm(source));
-  write("flight.json", json(source, every_field()));
+  write("flight.json", json(source, every_field(source)));
 }

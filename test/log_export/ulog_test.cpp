@@ -46,7 +46,7 @@ std::size_t data_of(const std::vector<Message>& all, std::uint16_t topic) {
 
 TEST(UlogExport, BeginsWithTheMagicOfVersionOneTheFirstTickAndTheFlags) {
   const MadeFlight made;
-  const std::string file = ulog(made.source(), every_field());
+  const std::string file = ulog(made.source(), every_field(made.source()));
   EXPECT_EQ(file.substr(0, 8), std::string("ULog\x01\x12\x35\x01"));
   EXPECT_EQ(number<std::uint64_t>(file, 8), 10'000'000U);
   EXPECT_EQ(messages(file).front().type, 'B');
@@ -55,7 +55,7 @@ TEST(UlogExport, BeginsWithTheMagicOfVersionOneTheFirstTickAndTheFlags) {
 
 TEST(UlogExport, HasATickOfTheLogForEachAndAReplayedOneWhereTheReplayCame) {
   const MadeFlight made;
-  const auto all = messages(ulog(made.source(), every_field()));
+  const auto all = messages(ulog(made.source(), every_field(made.source())));
   EXPECT_EQ(count(all, 'A'), 3U);
   EXPECT_EQ(data_of(all, 0), 950U);
   EXPECT_EQ(data_of(all, 1), 940U);
@@ -64,7 +64,7 @@ TEST(UlogExport, HasATickOfTheLogForEachAndAReplayedOneWhereTheReplayCame) {
 
 TEST(UlogExport, EventsAreTextsAndTheGapADropoutOfItsLength) {
   const MadeFlight made;
-  const auto all = messages(ulog(made.source(), every_field()));
+  const auto all = messages(ulog(made.source(), every_field(made.source())));
   std::vector<std::string> texts;
   for (const Message& message : all) {
     if (message.type == 'L') {

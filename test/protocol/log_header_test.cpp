@@ -52,6 +52,24 @@ TEST(LogHeader, ComesBackWithEverythingInIt) {
   EXPECT_EQ(header->schema, "tick 50\n");
 }
 
+TEST(LogHeader, OfTwoGyrosHasASecondScaleAndAVersionOfItsOwn) {
+  const std::array<std::byte, 2> plan{std::byte{1}, std::byte{2}};
+  const LogHeader header{.second_rate_scale_rad_s = 0.0025F, .plan_block = plan, .schema = "tick 50\n"};
+  const auto fixed = encode(header);
+  const auto scale = encode_second_rate_scale(header);
+  std::vector<std::byte> bytes{fixed.begin(), fixed.end()};
+  append(bytes, scale);
+  append(bytes, header.plan_block);
+  append(bytes, std::as_bytes(std::span{header.schema}));
+  const auto back = decode_log_header(bytes);
+  ASSERT_TRUE(back);
+  EXPECT_EQ(back->format_version, 2);
+  EXPECT_EQ(back->second_rate_scale_rad_s, 0.0025F);
+  EXPECT_TRUE(std::ranges::equal(back->plan_block, plan));
+  EXPECT_EQ(back->schema, "tick 50\n");
+  EXPECT_FALSE(decode_log_header(std::span{bytes}.first(log_header_fixed_size + 3)));
+}
+
 TEST(LogHeader, ATextThatIsTooLongIsCutOff) {
   const std::string name(100, 'x');
   const std::vector<std::byte> bytes = payload_of({.vehicle = name, .sensors = "next"});

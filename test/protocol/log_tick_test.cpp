@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "protocol/log_tick.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -71,6 +72,27 @@ TEST(LogTick, ComesBackWithEverythingInIt) {
   EXPECT_EQ(back->command, tick.command);
   EXPECT_EQ(back->duration_before, tick.duration_before);
   EXPECT_EQ(back->digest, tick.digest);
+}
+
+// What a second gyro said lies behind all that a tick of one gyro has.
+TEST(LogTick, ASecondGyroComesBackAndChangesNoOtherByte) {
+  LogTick tick = some_tick();
+  tick.second_gyro = {.time = now - Microseconds{400}, .rate_counts = {10, -20, -32768}, .status = DeviceStatus::error};
+  SampleTimes packing;
+  std::array<std::byte, largest_log_tick> bytes{};
+  pack(tick, packing, bytes);
+  SampleTimes of_one;
+  EXPECT_TRUE(std::ranges::equal(std::span{bytes}.first(log_tick_size), pack(some_tick(), of_one)));
+  SampleTimes unpacking;
+  const auto back = unpack_tick(now, bytes, unpacking);
+  ASSERT_TRUE(back && back->second_gyro);
+  EXPECT_EQ(back->second_gyro->time, tick.second_gyro->time);
+  EXPECT_EQ(back->second_gyro->rate_counts, tick.second_gyro->rate_counts);
+  EXPECT_EQ(back->second_gyro->status, DeviceStatus::error);
+  EXPECT_EQ(unpacking.second_gyro, packing.second_gyro);
+
+  bytes.back() = std::byte{3};
+  EXPECT_FALSE(unpack_tick(now, bytes, unpacking)) << "there are three states of a device";
 }
 
 TEST(LogTick, ACanardsCommandIsKeptToAThousandthOfADegree) {

@@ -115,20 +115,30 @@ TEST(StateBlock, InFlightTwoFifthsOfTheStateAreEnough) {
   }
 }
 
-TEST(StateBlock, EveryStateHasOneSizeAndOneLayout) {
-  Autopilot fresh{core::default_plan()};
+// Whatever else the plan says.
+TEST(StateBlock, EveryStateOfAsManyGyrosHasOneSizeAndOneLayout) {
   core::RandomStream random{test::seed(1)};
-  Autopilot other{core::random_plan(random)};
-  core::Chaos chaos{random};
-  for (int tick = 0; tick < 5'000; ++tick) {
-    other.step(chaos.next());
+  std::array<std::uint32_t, 2> hashes{};
+  for (const core::GyroRule rule : {core::GyroRule::one, core::GyroRule::two_agree}) {
+    core::FlightPlan plan = core::default_plan();
+    plan.sensors.gyros = rule;
+    Autopilot fresh{plan};
+    plan = core::random_plan(random);
+    plan.sensors.gyros = rule;
+    Autopilot other{plan};
+    core::Chaos chaos{random};
+    for (int tick = 0; tick < 5'000; ++tick) {
+      other.step(chaos.next());
+    }
+    EXPECT_EQ(state_of(fresh).size(), state_of(other).size());
+    StateLayout of_fresh;
+    StateLayout of_other;
+    fresh.visit_state(of_fresh);
+    other.visit_state(of_other);
+    EXPECT_EQ(of_fresh.hash(), of_other.hash());
+    hashes[static_cast<std::size_t>(rule)] = of_fresh.hash();
   }
-  EXPECT_EQ(state_of(fresh).size(), state_of(other).size());
-  StateLayout of_fresh;
-  StateLayout of_other;
-  fresh.visit_state(of_fresh);
-  other.visit_state(of_other);
-  EXPECT_EQ(of_fresh.hash(), of_other.hash());
+  EXPECT_NE(hashes[0], hashes[1]);
 }
 
 /// Stands for a law that has one value of each kind.

@@ -108,7 +108,7 @@ std::string content(const ExportQuestion& question, const log_export::ReplayedFl
   if (question.format->name == "lcm") {
     return log_export::lcm(source);
   }
-  const log_export::Selection fields = chosen.value_or(log_export::every_field());
+  const log_export::Selection fields = chosen.value_or(log_export::every_field(source));
   return question.format->name == "ulog" ? log_export::ulog(source, fields) : log_export::json(source, fields);
 }
 

@@ -30,6 +30,17 @@ std::string_view text(core::CommandStatus status) {
   return "unknown";
 }
 
+std::string_view text(core::GyroVote vote) {
+  switch (vote) {
+    case core::GyroVote::both: return "the two gyros agree, and the first flies";
+    case core::GyroVote::first: return "the first gyro flies, and the second is not believed";
+    case core::GyroVote::second: return "the second gyro flies, and the first is not believed";
+    case core::GyroVote::disagree: return "the two gyros disagree, and neither is believed";
+    case core::GyroVote::neither: return "neither gyro gives a usable rate";
+  }
+  return "unknown";
+}
+
 std::string sensor(std::string_view which, std::uint8_t state) {
   return fmt::format("{} {}", which, name(static_cast<core::SensorState>(state)));
 }
@@ -71,6 +82,7 @@ std::string event_text(const protocol::LogEvent& event) {
     case Kind::command_status: return std::string{text(static_cast<core::CommandStatus>(event.value))};
     case Kind::records_dropped:
       return fmt::format("{} records were not written, because the flash was too slow", event.number);
+    case Kind::gyro_vote: return std::string{text(static_cast<core::GyroVote>(event.value))};
     case Kind::longest_tick: return fmt::format("longest tick so far: {} cycles of the processor", event.number);
     case Kind::board_faults: return board(event.number);
     case Kind::resumed:

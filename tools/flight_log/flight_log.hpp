@@ -57,6 +57,7 @@ struct Flight {
   float rate_scale_rad_s = 0.0F;
   float specific_force_scale_m_s2 = 0.0F;
   float accelerometer_scale_m_s2 = 0.0F;
+  std::optional<float> second_rate_scale_rad_s;  ///< where two gyros flew
   std::string firmware_version;
   std::string git_hash;
   std::string vehicle;

@@ -146,6 +146,7 @@ void FlightBuilder::add_header(const protocol::LogFrame& frame) {
   flight_.rate_scale_rad_s = header->rate_scale_rad_s;
   flight_.specific_force_scale_m_s2 = header->specific_force_scale_m_s2;
   flight_.accelerometer_scale_m_s2 = header->accelerometer_scale_m_s2;
+  flight_.second_rate_scale_rad_s = header->second_rate_scale_rad_s;
   flight_.firmware_version = printable(header->firmware_version);
   flight_.git_hash = printable(header->git_hash);
   flight_.vehicle = printable(header->vehicle);
@@ -155,7 +156,8 @@ void FlightBuilder::add_header(const protocol::LogFrame& frame) {
   const auto reading = protocol::read_plan_block(header->plan_block);
   flight_.plan = reading.plan;
   flight_.plan_fault = reading.plan ? "" : fault_text(reading);
-  schema_is_ours_ = header->schema == protocol::log_schema();
+  schema_is_ours_ = header->schema ==
+                    (header->second_rate_scale_rad_s ? protocol::log_schema_of_two_gyros() : protocol::log_schema());
   add_waiting_ticks();
 }
 
@@ -183,12 +185,14 @@ void FlightBuilder::add_checkpoint(const protocol::LogFrame& frame) {
     flight_.unknown_records += 1;
     return;
   }
-  const protocol::SampleTimes times{.imu = get_time(frame.payload, 0), .accelerometer = get_time(frame.payload, 8)};
+  const protocol::SampleTimes times{
+      .imu = get_time(frame.payload, 0), .accelerometer = get_time(frame.payload, 8), .second_gyro = {}};
   if (!is_clock_time(times.imu) || !is_clock_time(times.accelerometer)) {
     flight_.unknown_records += 1;
     return;
   }
-  times_ = times;
+  times_.imu = times.imu;
+  times_.accelerometer = times.accelerometer;
   const auto state = frame.payload.subspan(protocol::log_checkpoint_times_size);
   flight_.checkpoints.push_back({.sequence = frame.head.sequence,
                                  .time = frame.head.time,

@@ -18,9 +18,11 @@ namespace fantail::flight_log {
 namespace {
 
 // Only the bytes matter here; ages that say "as before" are the same on both sides.
-protocol::PackedTick packed(const protocol::LogTick& tick) {
+std::array<std::byte, protocol::largest_log_tick> packed(const protocol::LogTick& tick) {
   protocol::SampleTimes not_needed;
-  return protocol::pack(tick, not_needed);
+  std::array<std::byte, protocol::largest_log_tick> bytes{};
+  protocol::pack(tick, not_needed, bytes);
+  return bytes;
 }
 
 std::string text(const SchemaField& field, double value) {
@@ -42,7 +44,7 @@ std::string text(const SchemaField& field, double value) {
   return fmt::format("{:g}{}{}", value, field.unit.empty() ? "" : " ", field.unit);
 }
 
-std::string obstacle_before(const Flight& flight) {
+std::string obstacle_before(const Flight& flight, const core::FlightPlan& plan) {
   if (!flight.foreign_ticks.empty()) {
     return "Its ticks are laid out as in another version of Fantail, whose flight law this program does not have.";
   }
@@ -52,7 +54,11 @@ std::string obstacle_before(const Flight& flight) {
   if (flight.ticks.empty()) {
     return "It holds no tick.";
   }
-  if (flight.state_layout != state_layout()) {
+  if (flight.state_layout != state_layout(plan)) {
+    if (flight.plan && flight.plan->sensors.gyros != plan.sensors.gyros) {
+      return "What the flight law remembers of two gyros is not what it remembers of one: sensors.gyros cannot be "
+             "changed in a replay.";
+    }
     return "It was flown by another version of the flight law.";
   }
   return flight.checkpoints.empty() ? "It holds no checkpoint from which a replay could start." : "";
@@ -61,8 +67,8 @@ std::string obstacle_before(const Flight& flight) {
 // The first value that differs, in the order of the schema.
 Difference first_difference(std::size_t tick, const protocol::LogTick& recorded, const protocol::LogTick& replayed) {
   static const std::vector<SchemaRecord> schema = parse_schema(protocol::log_schema());
-  const protocol::PackedTick a = packed(recorded);
-  const protocol::PackedTick b = packed(replayed);
+  const auto a = packed(recorded);
+  const auto b = packed(replayed);
   for (const SchemaField& field : find_record(schema, "tick")->fields) {
     const double was = *value(field, a);
     const double is = *value(field, b);
@@ -90,6 +96,7 @@ class Replay {
       : flight_{flight},
         plan_{plan},
         scales_{.imu = {.rate_rad_s = flight.rate_scale_rad_s, .specific_force_m_s2 = flight.specific_force_scale_m_s2},
+                .second_rate_rad_s = flight.second_rate_scale_rad_s.value_or(0.0F),
                 .accelerometer_m_s2 = flight.accelerometer_scale_m_s2} {}
 
   /// The law as it was before this tick; null where nothing leads to it.
@@ -157,8 +164,8 @@ class Replay {
 
 }  // namespace
 
-std::uint32_t state_layout() {
-  core::Autopilot law{core::default_plan()};
+std::uint32_t state_layout(const core::FlightPlan& plan) {
+  core::Autopilot law{plan};
   protocol::StateLayout layout;
   law.visit_state(layout);
   return layout.hash();
@@ -167,7 +174,7 @@ std::uint32_t state_layout() {
 Regeneration regenerate(const Flight& flight, const core::FlightPlan& plan) {
   Regeneration result;
   result.records.resize(flight.ticks.size());
-  result.obstacle = obstacle_before(flight);
+  result.obstacle = obstacle_before(flight, plan);
   result.unreachable = flight.ticks.size();
   if (!result.obstacle.empty()) {
     return result;

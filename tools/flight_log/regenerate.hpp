@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "core/flight_plan.hpp"
+#include "core/flight_plan_members.hpp"
 #include "core/tick_record.hpp"
 #include "flight_log/flight_log.hpp"
 
@@ -34,8 +34,8 @@ struct Regeneration {
   [[nodiscard]] bool complete_and_equal() const { return compared > 0 && unreachable == 0 && differing == 0; }
 };
 
-/// What the checkpoints of this program's flight law are known by.
-[[nodiscard]] std::uint32_t state_layout();
+/// What the checkpoints of this program's flight law by this plan are known by.
+[[nodiscard]] std::uint32_t state_layout(const core::FlightPlan& plan = core::default_plan());
 
 /// Runs the recorded inputs through the flight law, from every checkpoint that follows a gap on, and compares each tick
 /// with what was recorded, byte for byte. `plan` is flight.plan, or a changed one: then the inputs are still those of

@@ -51,9 +51,6 @@ Value value_of(double value, std::string_view unit) {
 }
 Value value_of(float value, std::string_view unit) { return value_of(static_cast<double>(value), unit); }
 Value value_of(core::Angle value, std::string_view unit) { return value_of(value.radians(), unit); }
-Value value_of(const std::optional<core::Angle>& value, std::string_view unit) {
-  return value ? value_of(*value, unit) : Value{};
-}
 template <typename T>
   requires std::is_enum_v<T>
 Value value_of(T value, std::string_view /*unit*/) {
@@ -64,17 +61,25 @@ template <typename T>
 Value value_of(T value, std::string_view /*unit*/) {
   return static_cast<std::int64_t>(value);
 }
+template <typename T>
+Value value_of(const std::optional<T>& value, std::string_view unit) {
+  return value ? value_of(*value, unit) : Value{};
+}
 
 FieldType type_of(bool) { return FieldType::flag; }
 FieldType type_of(float) { return FieldType::number; }
 FieldType type_of(double) { return FieldType::number; }
 FieldType type_of(core::Angle) { return FieldType::number; }
-FieldType type_of(const std::optional<core::Angle>&) { return FieldType::number; }
 FieldType type_of(core::Microseconds) { return FieldType::integer; }
 template <typename T>
   requires(std::is_enum_v<T> || std::is_integral_v<T>)
 FieldType type_of(T) {
   return std::is_enum_v<T> ? FieldType::word : FieldType::integer;
+}
+
+template <typename T>
+FieldType type_of(const std::optional<T>&) {
+  return type_of(T{});
 }
 
 struct Counts {
@@ -116,6 +121,16 @@ void visit_logged(const flight_log::LoggedTick& logged, double time_s, Visitor&&
   for (std::size_t i = 0; i < core::canard_count; ++i) {
     visit(encoders[i], "count", tick.encoder_counts[i]);
     visit(statuses[i], "", tick.encoder_status[i]);
+  }
+  const auto of_second = [&tick](auto value_of_second) {
+    return tick.second_gyro ? std::optional{value_of_second(*tick.second_gyro)} : std::nullopt;
+  };
+  using SecondGyro = protocol::LogTick::SecondGyro;
+  visit("second_gyro_status", "", of_second([](const SecondGyro& gyro) { return gyro.status; }));
+  visit("second_gyro_age", "us", of_second([&tick](const SecondGyro& gyro) { return tick.time - gyro.time; }));
+  constexpr std::array<std::string_view, 3> second_rates{"second_rate_x", "second_rate_y", "second_rate_z"};
+  for (std::size_t i = 0; i < second_rates.size(); ++i) {
+    visit(second_rates[i], "count", of_second([i](const SecondGyro& gyro) { return gyro.rate_counts[i]; }));
   }
   visit("duration_before", "us", tick.duration_before);
   visit("digest", "", tick.digest);
@@ -173,10 +188,13 @@ std::string unknown_field(std::string_view name) {
                      fmt::join(names, ", "));
 }
 
-Selection every_field() {
-  Selection all(fields().size());
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    all[i] = i;
+Selection every_field(const ReplayedFlight& source) {
+  Selection all;
+  for (std::size_t i = 0; i < fields().size(); ++i) {
+    const std::string& name = fields()[i].name;
+    if (source.flight().second_rate_scale_rad_s || (!name.starts_with("second_") && name != "gyro_vote")) {
+      all.push_back(i);
+    }
   }
   return all;
 }

@@ -46,7 +46,8 @@ struct Field {
 /// Which fields an export shows; indices of fields().
 using Selection = std::vector<std::size_t>;
 
-[[nodiscard]] Selection every_field();
+/// Without those of two gyros, where one flew.
+[[nodiscard]] Selection every_field(const ReplayedFlight& source);
 
 /// Reads the ticks of a source one at a time.
 class TickReader {

@@ -75,6 +75,8 @@ std::string sentence(protocol::SelfTestFailure failure, const std::optional<std:
     case Failure::flash_too_full: return "the flash has no room for a flight";
     case Failure::timed_out: return "it took too long";
     case Failure::board_fault: return "the board has a fault; `fantail bench watch` shows it";
+    case Failure::second_gyro_failed: return "the second gyro that the plan asks for gives no usable rate";
+    case Failure::gyros_disagree: return "the two gyros disagree by more than the plan allows";
     case Failure::newer_plan:
       return "the plan in the flash was made for a newer version of the firmware: flash that version, or send a plan";
   }

@@ -2577,12 +2577,12 @@ float canard_bus_arm_reply_failure_decode(uint8_t value)
 
 bool canard_bus_arm_reply_failure_is_in_range(uint8_t value)
 {
-    return (value <= 15u);
+    return (value <= 17u);
 }
 
 bool canard_bus_arm_reply_failure_is_in_phys_range(float value)
 {
-    return ((value >= 0.0f) && (value <= 15.0f));
+    return ((value >= 0.0f) && (value <= 17.0f));
 }
 
 uint8_t canard_bus_arm_reply_canard_encode(float value)

@@ -215,6 +215,8 @@ extern "C" {
 #define CANARD_BUS_ARM_REPLY_FAILURE_TIMED_OUT_CHOICE (13u)
 #define CANARD_BUS_ARM_REPLY_FAILURE_BOARD_FAULT_CHOICE (14u)
 #define CANARD_BUS_ARM_REPLY_FAILURE_NEWER_PLAN_CHOICE (15u)
+#define CANARD_BUS_ARM_REPLY_FAILURE_SECOND_GYRO_FAILED_CHOICE (16u)
+#define CANARD_BUS_ARM_REPLY_FAILURE_GYROS_DISAGREE_CHOICE (17u)
 
 #define CANARD_BUS_ARM_REPLY_CANARD_NONE_CHOICE (0u)
 #define CANARD_BUS_ARM_REPLY_CANARD_CANARD_1_CHOICE (1u)
@@ -1171,7 +1173,7 @@ struct canard_bus_arm_reply_t {
     uint8_t self_test;
 
     /**
-     * Range: 0..15 (0..15 -)
+     * Range: 0..17 (0..17 -)
      * Scale: 1
      * Offset: 0
      */
