@@ -22,12 +22,25 @@ enum class FaultKind : std::uint8_t {
   encoder_noisy,
   imu_dropout,
   accelerometer_dropout,
+  imu_frozen,
+  imu_offset,
+  second_imu_dropout,
+  second_imu_frozen,
+  second_imu_offset,
   reset,
 };
 
 /// Lasts for a while and concerns no canard.
-[[nodiscard]] constexpr bool is_dropout(FaultKind kind) {
-  return kind == FaultKind::imu_dropout || kind == FaultKind::accelerometer_dropout;
+[[nodiscard]] constexpr bool is_of_sensor(FaultKind kind) {
+  return kind >= FaultKind::imu_dropout && kind <= FaultKind::second_imu_offset;
+}
+
+[[nodiscard]] constexpr bool is_of_second_imu(FaultKind kind) {
+  return kind >= FaultKind::second_imu_dropout && kind <= FaultKind::second_imu_offset;
+}
+
+[[nodiscard]] constexpr bool is_offset(FaultKind kind) {
+  return kind == FaultKind::imu_offset || kind == FaultKind::second_imu_offset;
 }
 
 /// Concerns the processor.
@@ -52,9 +65,10 @@ struct Fault {
   std::size_t canard;  ///< 0 to 3; for canard and encoder faults
   double from_s;       ///< after ignition (in the tunnel: after the start command); negative on the pad, and before
                        ///< power-up it is there from the first tick
-  double until_s;      ///< dropouts only
+  double until_s;      ///< sensor faults only
   std::optional<double> angle_rad{};  ///< stuck and wrong_trim only, as Servo::fail
   double noise_counts = 60.0;         ///< encoder_noisy only: standard deviation of its readings
+  double rate_offset_rad_s = 0.0;     ///< offset only: added to the gyro's rate about the long axis
   Reset reset{};                      ///< reset only
 };
 

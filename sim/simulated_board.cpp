@@ -37,7 +37,8 @@ void SimulatedBoard::begin() {
                                       .watchdog = devices_.watchdog,
                                       .entropy = ports_.entropy,
                                       .board = devices_.board,
-                                      .backup_memory = backup_memory},
+                                      .backup_memory = backup_memory,
+                                      .second_imu = &devices_.second_imu},
                     plan_, identity_);
 }
 

@@ -54,9 +54,12 @@ struct Vehicle {
   std::array<CanardMounting, 4> canards{};
   CanardAerodynamics canard_air{};
   InertialParameters imu{};
+  bool second_imu_is_fitted = false;
+  InertialParameters second_imu{};
   InertialParameters accelerometer{.full_scale_m_s2 = 32.0 * gravity_m_s2};
   VibrationParameters vibration{};
   FeltMotionParameters imu_feels{};
+  FeltMotionParameters second_imu_feels{};
   FeltMotionParameters accelerometer_feels{};
   EncoderParameters encoder{};
   CanardTolerances canard_tolerances{};  ///< for the bench; nothing in the simulation follows from them

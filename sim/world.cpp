@@ -2,7 +2,6 @@
 #include "sim/world.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstring>
 #include <string>
 #include <utility>
@@ -21,8 +20,6 @@ namespace {
 using core::Microseconds;
 
 constexpr double tick_time_s = 1e-3;
-
-double in_seconds(Microseconds time) { return 1e-6 * static_cast<double>(time.count()); }
 
 // Many bytes at a time: nearly all of a large flash is blank, and byte by byte that would take as long as the flight.
 std::span<const std::byte> without_blank_end(std::span<const std::byte> cells) {
@@ -91,8 +88,10 @@ World::World(const Scenario& scenario, const BoardPorts& ports, std::unique_ptr<
       fin_wash_{scenario.vehicle.canard_air.wash, scenario.vehicle.canard_air.wash_distance_m},
       vibration_{scenario.vehicle.vibration, Random{scenario.seed, RandomStream::shaking}},
       imu_feels_{scenario.vehicle.imu_feels},
+      second_imu_feels_{scenario.vehicle.second_imu_feels},
       accelerometer_feels_{scenario.vehicle.accelerometer_feels},
       imu_model_{scenario.vehicle.imu, Random{scenario.seed, RandomStream::imu_noise}},
+      second_imu_model_{scenario.vehicle.second_imu, Random{scenario.seed, RandomStream::second_imu_noise}},
       accelerometer_model_{scenario.vehicle.accelerometer, Random{scenario.seed, RandomStream::accelerometer_noise}},
       fault_is_applied_(scenario.faults.size(), false),
       pad_{std::move(pad)},
@@ -104,6 +103,8 @@ World::World(const Scenario& scenario, const BoardPorts& ports, std::unique_ptr<
                    .sensors = sensors_})},
       hardware_{board_->hardware()} {
   hardware_.imu_scale = imu_model_.scale();
+  hardware_.second_imu_is_fitted = scenario.vehicle.second_imu_is_fitted;
+  hardware_.second_imu_scale = second_imu_model_.scale();
   hardware_.accelerometer_scale_m_s2 = accelerometer_model_.scale();
   if (scenario.imposed_roll) {
     imposed_roll_after_liftoff_ = nearest_tick(scenario.imposed_roll->time_s);
@@ -208,35 +209,6 @@ void World::impose_roll() {
   }
   roll_ = {.angle_rad = scenario_.imposed_roll->angle_rad, .rate_rad_s = scenario_.imposed_roll->rate_rad_s};
   roll_is_imposed_ = true;
-}
-
-void World::fill_hardware() {
-  const BodyMotion motion = environment_.motion(roll_, roll_acceleration_rad_s2_);
-  const bool shakes = vibration_.is_there() && motor_burns();
-  const Shaking shaking = shakes ? vibration_.next() : Shaking{};
-  // Empty where that is the motion itself, as by default: copying it for each sensor costs every tick.
-  const auto felt_by = [&](const FeltMotion& sensor) {
-    return sensor.is_ideal() && !shakes
-               ? std::nullopt
-               : std::optional{sensor.felt(motion, shaking, environment_.centre_of_gravity_m(), in_seconds(now_))};
-  };
-  const std::optional<BodyMotion> by_imu = felt_by(imu_feels_);
-  const std::optional<BodyMotion> by_accelerometer = felt_by(accelerometer_feels_);
-  const BodyMotion& at_imu = by_imu ? *by_imu : motion;
-  const BodyMotion& at_accelerometer = by_accelerometer ? *by_accelerometer : motion;
-  const hal::EncoderReading encoders = canards_.read_encoders(now_);
-  const hal::ImuSample& imu = imu_model_.sample(now_, at_imu.rate_rad_s, at_imu.specific_force_m_s2, imu_hangs_);
-  const hal::AccelerometerSample& accelerometer =
-      accelerometer_model_.sample(now_, at_accelerometer.specific_force_m_s2, accelerometer_hangs_);
-  // All are measured before any is copied: a copy of freshly written counts makes the processor wait, and so it waits
-  // once instead of three times.
-  hardware_.time = now_ + board_ahead_;
-  hardware_.encoders = encoders;
-  hardware_.imu = imu;
-  hardware_.accelerometer = accelerometer;
-  if (board_ahead_ != Microseconds{0}) {
-    put_samples_on_clock_of_board(board_ahead_);
-  }
 }
 
 void World::let_crew_act() {

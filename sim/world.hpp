@@ -34,6 +34,13 @@ struct Truth {
   double disturbance_rad;  ///< equivalent fin offset, swirl included
 };
 
+/// What is wrong with an IMU now.
+struct ImuFault {
+  bool hangs = false;              ///< nothing is measured, and its last sample comes again
+  bool frozen = false;             ///< its gyro's last counts come again, as if they were new
+  double rate_offset_rad_s = 0.0;  ///< about the long axis
+};
+
 /// One run of one scenario. The world owns time: it fills the simulated hardware, lets the avionics have its tick, and
 /// then moves everything to the next millisecond. One thread, fixed order, every random stream seeded by the scenario:
 /// the same scenario and seed give the same bytes.
@@ -127,6 +134,7 @@ class World {
 
  private:
   void apply_faults();
+  void break_sensor(const Fault& fault);
   void break_canard(const Fault& fault);
   void begin_reset(const Reset& reset);
   void follow_reset();
@@ -169,17 +177,20 @@ class World {
   FinWash fin_wash_;
   Vibration vibration_;
   FeltMotion imu_feels_;
+  FeltMotion second_imu_feels_;
   FeltMotion accelerometer_feels_;
   ImuModel imu_model_;
+  ImuModel second_imu_model_;
   AccelerometerModel accelerometer_model_;
-  bool imu_hangs_ = false;
+  ImuFault imu_fault_;
+  ImuFault second_imu_fault_;
   bool accelerometer_hangs_ = false;
   bool roll_is_imposed_ = false;
   std::optional<core::Microseconds> down_until_{};
   Reset reset_{};                                  ///< the last one
   const core::TickRecord* last_record_ = nullptr;  ///< of the board, which has it until its next tick
   core::Microseconds board_ahead_{};               ///< of now_ is the board's clock; not 0 only after a reset
-  std::vector<bool> fault_is_applied_;             ///< in the scenario's order; not of dropouts, which come and go
+  std::vector<bool> fault_is_applied_;             ///< in the scenario's order; not of sensors', which come and go
 
   std::unique_ptr<LonePad> pad_;  ///< empty when somebody else is there
   std::string sensors_;           ///< as the record's header has it; outlives the board

@@ -26,17 +26,17 @@ bool flies(core::Phase phase) { return phase != core::Phase::safe && phase != co
 }  // namespace
 
 void World::apply_faults() {
-  imu_hangs_ = false;
+  imu_fault_ = second_imu_fault_ = ImuFault{};
   accelerometer_hangs_ = false;
   for (std::size_t i = 0; i < scenario_.faults.size(); ++i) {
     const Fault& fault = scenario_.faults[i];
     if (now_ < ignition_ + nearest_tick(fault.from_s)) {
       continue;
     }
-    if (is_dropout(fault.kind)) {
-      const bool present = now_ < ignition_ + nearest_tick(fault.until_s);
-      imu_hangs_ = imu_hangs_ || (present && fault.kind == FaultKind::imu_dropout);
-      accelerometer_hangs_ = accelerometer_hangs_ || (present && fault.kind == FaultKind::accelerometer_dropout);
+    if (is_of_sensor(fault.kind)) {
+      if (now_ < ignition_ + nearest_tick(fault.until_s)) {
+        break_sensor(fault);
+      }
     } else if (!fault_is_applied_[i]) {
       fault_is_applied_[i] = true;
       if (is_reset(fault.kind)) {
@@ -45,6 +45,18 @@ void World::apply_faults() {
         break_canard(fault);
       }
     }
+  }
+}
+
+void World::break_sensor(const Fault& fault) {
+  switch (fault.kind) {
+    case FaultKind::imu_dropout: imu_fault_.hangs = true; break;
+    case FaultKind::imu_frozen: imu_fault_.frozen = true; break;
+    case FaultKind::imu_offset: imu_fault_.rate_offset_rad_s += fault.rate_offset_rad_s; break;
+    case FaultKind::second_imu_dropout: second_imu_fault_.hangs = true; break;
+    case FaultKind::second_imu_frozen: second_imu_fault_.frozen = true; break;
+    case FaultKind::second_imu_offset: second_imu_fault_.rate_offset_rad_s += fault.rate_offset_rad_s; break;
+    default: accelerometer_hangs_ = true;
   }
 }
 
@@ -92,6 +104,7 @@ void World::restart_board() {
 
 void World::put_samples_on_clock_of_board(Microseconds ahead) {
   hardware_.imu.time += ahead;
+  hardware_.second_imu.time += ahead;
   hardware_.accelerometer.time += ahead;
   hardware_.encoders.time += ahead;
 }

@@ -10,6 +10,7 @@ std::uint32_t layout() {
   const hal::sim::WorldSide world{};
   visit_scales(world, layout);
   visit_inputs(world, layout);
+  visit_second_imu(world, layout);
   visit_outputs(world, layout);
   const hal::CanFrame frame{};
   visit_frame(frame, layout);

@@ -20,9 +20,20 @@ void visit_scales(World& world, Visitor& visit) {
   visit(world.imu_scale.rate_rad_s);
   visit(world.imu_scale.specific_force_m_s2);
   visit(world.accelerometer_scale_m_s2);
+  visit(world.second_imu_is_fitted);
+  visit(world.second_imu_scale.rate_rad_s);
+  visit(world.second_imu_scale.specific_force_m_s2);
 }
 
-/// What the world put in.
+template <typename World, typename Visitor>
+void visit_second_imu(World& world, Visitor& visit) {
+  visit(world.second_imu.time);
+  visit(world.second_imu.rate);
+  visit(world.second_imu.specific_force);
+  visit(world.second_imu.status);
+}
+
+/// What the world put in; a second IMU where visit_scales() has said that there is one.
 template <typename World, typename Visitor>
 void visit_inputs(World& world, Visitor& visit) {
   visit(world.time);
@@ -30,6 +41,9 @@ void visit_inputs(World& world, Visitor& visit) {
   visit(world.imu.rate);
   visit(world.imu.specific_force);
   visit(world.imu.status);
+  if (world.second_imu_is_fitted) {
+    visit_second_imu(world, visit);
+  }
   visit(world.accelerometer.time);
   visit(world.accelerometer.specific_force);
   visit(world.accelerometer.status);

@@ -96,7 +96,8 @@ INSTANTIATE_TEST_SUITE_P(
         Rule{"FaultKindUnknown", "[[faults]]\nkind = \"stuck\"\n",
              ":4: faults.kind = 'stuck'; allowed: canard_stuck, canard_hardover, canard_dead, canard_slipping, "
              "canard_reversed, canard_slow, canard_wrong_trim, encoder_unplugged, encoder_noisy, imu_dropout, "
-             "accelerometer_dropout, reset"},
+             "accelerometer_dropout, imu_frozen, imu_offset, second_imu_dropout, second_imu_frozen, second_imu_offset, "
+             "reset"},
         Rule{"ResetOnThePad", "[[faults]]\nkind = \"reset\"\nfrom_s = -1\n",
              ":5: faults.from_s = -1; allowed for a reset: 0 to 3600"},
         Rule{"ResetOfNoCause", "[[faults]]\nkind = \"reset\"\nfrom_s = 1\ncause = \"power\"\n",
@@ -105,6 +106,10 @@ INSTANTIATE_TEST_SUITE_P(
              ":6: faults.gap_s = 0 is out of range; allowed: 0.001 to 10"},
         Rule{"ResetOfACanard", "[[faults]]\nkind = \"reset\"\nfrom_s = 1\ncanard = 1\n",
              ":6: unknown key faults.canard; allowed: kind, from_s, cause, gap_s, memory, clock_error_s"},
+        Rule{"FaultOfASecondImuThatIsNotFitted", "[[faults]]\nkind = \"second_imu_frozen\"\nfrom_s = 2\nuntil_s = 3\n",
+             ":4: faults.kind = second_imu_frozen, and the vehicle has no second IMU (second_imu.fitted)"},
+        Rule{"OffsetOfNothing", "[[faults]]\nkind = \"imu_offset\"\nfrom_s = 2\nuntil_s = 3\n",
+             ":3: faults.offset_deg_s is missing; allowed: -2000 to 2000"},
         Rule{"FaultCanard", "[[faults]]\nkind = \"canard_stuck\"\nfrom_s = 1\ncanard = 5\n",
              ":6: faults.canard = 5 is out of range; allowed: 1 to 4"},
         Rule{"SecondFault",

@@ -80,9 +80,12 @@ std::string describe(const sim::Fault& fault, const sim::Scenario& scenario) {
   const std::string_view zero = scenario.surroundings != sim::Surroundings::flight ? "the start command" : "ignition";
   const std::string_view kind = input::name(fault.kind);
   const bool always = fault.from_s <= -scenario.pad_time_s;
-  if (sim::is_dropout(fault.kind)) {
+  if (sim::is_of_sensor(fault.kind)) {
     const std::string from = always ? "power-up" : fmt::format("{:g}", fault.from_s);
-    return fmt::format("Fault: {} from {} to {:g} s after {}.", kind, from, fault.until_s, zero);
+    const std::string offset = sim::is_offset(fault.kind)
+                                   ? fmt::format(", {:g} deg/s,", fault.rate_offset_rad_s / sim::radians_per_degree)
+                                   : "";
+    return fmt::format("Fault: {}{} from {} to {:g} s after {}.", kind, offset, from, fault.until_s, zero);
   }
   if (sim::is_reset(fault.kind)) {
     return fmt::format("Fault: {} ({}) at {:g} s after {}; no tick for {:g} s, backup memory {}{}.", kind,

@@ -23,6 +23,11 @@ constexpr auto kinds = std::to_array<FaultText>({
     {"encoder_noisy", "noise instead of that of the vehicle"},
     {"imu_dropout", "hangs: its last sample comes again"},
     {"accelerometer_dropout", "hangs: its last sample comes again"},
+    {"imu_frozen", "its gyro's last counts come again and again, as if they were new"},
+    {"imu_offset", "its gyro reads another rate about the long axis"},
+    {"second_imu_dropout", "as imu_dropout, of the second IMU"},
+    {"second_imu_frozen", "as imu_frozen, of the second IMU"},
+    {"second_imu_offset", "as imu_offset, of the second IMU"},
     {"reset", "the processor is reset, and the avionics begins anew while the rocket flies on"},
 });
 
@@ -48,18 +53,19 @@ constexpr bool is(sim::FaultKind kind) {
   return kind == Kind;
 }
 constexpr bool is_any(sim::FaultKind) { return true; }
-constexpr bool is_of_one_canard(sim::FaultKind kind) { return !sim::is_dropout(kind) && !sim::is_reset(kind); }
+constexpr bool is_of_one_canard(sim::FaultKind kind) { return !sim::is_of_sensor(kind) && !sim::is_reset(kind); }
 
 // clang-format off: one field a row reads better than one argument a line
 #define AT(expression) FANTAIL_PLACE(sim::Fault, expression)
 constexpr auto fields = std::to_array<FaultField>({
   {{"faults", "kind", choice(kind_names), must, AT(it.kind), "One of the table below."}, is_any},
   {{"faults", "from_s", number("s", {-600, 3600}), must, AT(it.from_s), "Begins, after ignition (tunnel: after the start command); below zero on the pad; what begins before power-up, as -600, is there from the first tick."}, is_any},
-  {{"faults", "until_s", number("s", {-600, 3600}), must, AT(it.until_s), "Ends, after `from_s`."}, sim::is_dropout},
+  {{"faults", "until_s", number("s", {-600, 3600}), must, AT(it.until_s), "Ends, after `from_s`."}, sim::is_of_sensor},
   {{"faults", "canard", integer(number_from_one, {1, 4}), must, AT(it.canard), "Which canard, servo or encoder."}, is_of_one_canard},
   {{"faults", "angle_deg", number(deg, {-90, 90}), may, AT(it.angle_rad), "Where the shaft is jammed, within the stop of the servo; left out: where it stands."}, is<sim::FaultKind::canard_stuck>},
   {{"faults", "angle_deg", number(deg, {-15, 15}), may, AT(it.angle_rad), "How far off the shaft stands, within the stop of the servo; not 0."}, is<sim::FaultKind::canard_wrong_trim>},
   {{"faults", "noise_counts", number("counts", {1, 1000}), may, AT(it.noise_counts), "Standard deviation of the readings; 16384 counts are a turn."}, is<sim::FaultKind::encoder_noisy>},
+  {{"faults", "offset_deg_s", number(deg_s, {-2000, 2000}), must, AT(it.rate_offset_rad_s), "Added to the rate about the long axis."}, sim::is_offset},
   {{"faults", "cause", choice(cause_names), may, AT(it.reset.cause), "What the avionics finds as the cause when it begins anew. It resumes a flight after `watchdog` and `software` only."}, sim::is_reset},
   {{"faults", "gap_s", number("s", {0.001, 10}), may, AT(it.reset.gap_s), "So long there is no tick. The servos get no pulses in its last 0.01 s, while the firmware starts; before that, after `watchdog`, they get what they got, and after the others none. A simulated servo without pulses has no power, and friction holds its shaft."}, sim::is_reset},
   {{"faults", "memory", choice(memory_names), may, AT(it.reset.memory), "What becomes of the backup memory, from which a flight is resumed."}, sim::is_reset},
@@ -67,8 +73,13 @@ constexpr auto fields = std::to_array<FaultField>({
 });
 // clang-format on
 
-void check(Section& section, const sim::Fault& fault, double servo_stop_rad) {
-  if (sim::is_dropout(fault.kind) && fault.until_s <= fault.from_s) {
+void check(Section& section, const sim::Fault& fault, const sim::Vehicle& vehicle) {
+  const double servo_stop_rad = vehicle.servo.stop_rad;
+  if (sim::is_of_second_imu(fault.kind) && !vehicle.second_imu_is_fitted) {
+    section.refuse("kind",
+                   "= " + std::string{name(fault.kind)} + ", and the vehicle has no second IMU (second_imu.fitted)");
+  }
+  if (sim::is_of_sensor(fault.kind) && fault.until_s <= fault.from_s) {
     section.refuse("until_s", "= " + plain_number(fault.until_s) + " is out of range; allowed: later than from_s = " +
                                   plain_number(fault.from_s) + ", up to 3600");
   }
@@ -88,7 +99,7 @@ void check_reset(Section& section, const sim::Fault& fault) {
   }
 }
 
-sim::Fault read_fault(Section& section, double servo_stop_rad) {
+sim::Fault read_fault(Section& section, const sim::Vehicle& vehicle) {
   sim::Fault read{};
   read_field(section, fields.front().field, read);
   sim::Fault fault = usual_fault(read.kind);
@@ -98,7 +109,7 @@ sim::Fault read_fault(Section& section, double servo_stop_rad) {
     }
   }
   section.finish();
-  check(section, fault, servo_stop_rad);
+  check(section, fault, vehicle);
   if (sim::is_reset(fault.kind)) {
     check_reset(section, fault);
   }
@@ -119,7 +130,7 @@ sim::Fault usual_fault(sim::FaultKind kind) {
   return fault;
 }
 
-std::vector<sim::Fault> read_faults(const Document& document, double servo_stop_rad) {
+std::vector<sim::Fault> read_faults(const Document& document, const sim::Vehicle& vehicle) {
   std::vector<sim::Fault> faults;
   const TomlNode node = document.root()["faults"];
   if (!node) {
@@ -132,7 +143,7 @@ std::vector<sim::Fault> read_faults(const Document& document, double servo_stop_
   }
   for (const TomlNode element : *elements) {
     Section section{document, "faults", element};
-    faults.push_back(read_fault(section, servo_stop_rad));
+    faults.push_back(read_fault(section, vehicle));
   }
   return faults;
 }

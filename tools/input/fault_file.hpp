@@ -7,6 +7,7 @@
 
 #include "input/field.hpp"
 #include "sim/fault.hpp"
+#include "sim/vehicle.hpp"
 
 namespace fantail::input {
 
@@ -34,7 +35,7 @@ struct FaultField {
 /// A fault of which nothing but the kind is known.
 [[nodiscard]] sim::Fault usual_fault(sim::FaultKind kind);
 
-/// The [[faults]] of a scenario file, for servos with this mechanical stop. Throws text::Error.
-[[nodiscard]] std::vector<sim::Fault> read_faults(const Document& document, double servo_stop_rad);
+/// The [[faults]] of a scenario file, for this vehicle. Throws text::Error.
+[[nodiscard]] std::vector<sim::Fault> read_faults(const Document& document, const sim::Vehicle& vehicle);
 
 }  // namespace fantail::input

@@ -211,7 +211,7 @@ sim::Scenario load_scenario(const std::string& name_or_path, std::span<const Ove
   check_points(documents.scenario, "tunnel", "fan_times_s", "fan_rpms", scenario.fan_programme);
   check_points(documents.scenario, "disturbance", "times_s", "angles_deg", scenario.disturbance);
   check_timing(documents.scenario, scenario);
-  scenario.faults = read_faults(documents.scenario, scenario.vehicle.servo.stop_rad);
+  scenario.faults = read_faults(documents.scenario, scenario.vehicle);
   check_surroundings(documents.scenario, scenario);
   check_motion(documents.scenario, documents.vehicle, scenario);
   check_pin(documents.scenario, scenario);

@@ -5,6 +5,7 @@
 namespace fantail::input {
 namespace {
 
+constexpr std::array<std::string_view, 2> no_or_yes{"no", "yes"};
 constexpr std::array<std::string_view, 2> directions{"normal", "reversed"};
 constexpr std::array<std::string_view, 2> compressibilities{"none", "prandtl_glauert"};
 constexpr Unit hz_of_period{.name = "Hz", .inverted = true};
@@ -108,14 +109,15 @@ constexpr auto fields = std::to_array<Field<sim::Vehicle>>({
   {"canard_mounting", "encoder_zero_deg", four(number(deg, {-180, 180})), may, AT(it.canards[i].encoder_zero_rad), "What the encoder reads at shaft angle zero."},
   {"canard_mounting", "direction", four(choice(directions)), may, AT(it.canards[i].reversed), "`reversed`: a positive shaft angle rolls the rocket negatively."},
 
-  {"imu", "rate_noise_deg_s", number(deg_s, {0, 100}), may, AT(it.imu.rate_noise_rad_s), "Standard deviation of each sample of the rates, white."},
-  {"imu", "rate_bias_deg_s", number(deg_s, {-50, 50}), may, AT(it.imu.rate_bias_rad_s), "Added to every rate."},
-  {"imu", "rate_scale_error", number("", {-0.1, 0.1}), may, AT(it.imu_feels.rate_scale_error), "Share by which it reads every rate too large."},
-  {"imu", "rate_per_g_deg_s", number(deg_s_per_g, {-10, 10}), may, AT(it.imu_feels.rate_per_specific_force_s_m), "g-sensitivity of the gyro: rate that it shows for each g along the same axis."},
-  {"imu", "rate_drift_deg_s_per_min", number(deg_s_per_min, {-60, 60}), may, AT(it.imu_feels.rate_drift_rad_s2), "Drift of every rate's bias from power-up on, as it warms."},
-  {"imu", "full_scale_deg_s", number(deg_s, {50, 4000}), may, AT(it.imu.full_scale_rad_s), "Largest rate that it can show."},
-// Both inertial sensors are described by the same words.
+// Both IMUs are described by the same words, and so are all inertial sensors.
 // NOLINTBEGIN(bugprone-macro-parentheses): as in field.hpp
+#define GYRO(section, sensor, feels) \
+  {section, "rate_noise_deg_s", number(deg_s, {0, 100}), may, AT(sensor.rate_noise_rad_s), "Standard deviation of each sample of the rates, white."}, \
+  {section, "rate_bias_deg_s", number(deg_s, {-50, 50}), may, AT(sensor.rate_bias_rad_s), "Added to every rate."}, \
+  {section, "rate_scale_error", number("", {-0.1, 0.1}), may, AT(feels.rate_scale_error), "Share by which it reads every rate too large."}, \
+  {section, "rate_per_g_deg_s", number(deg_s_per_g, {-10, 10}), may, AT(feels.rate_per_specific_force_s_m), "g-sensitivity of the gyro: rate that it shows for each g along the same axis."}, \
+  {section, "rate_drift_deg_s_per_min", number(deg_s_per_min, {-60, 60}), may, AT(feels.rate_drift_rad_s2), "Drift of every rate's bias from power-up on, as it warms."}, \
+  {section, "full_scale_deg_s", number(deg_s, {50, 4000}), may, AT(sensor.full_scale_rad_s), "Largest rate that it can show."}
 #define INERTIAL(section, sensor, feels) \
   {section, "specific_force_noise_m_s2", number("m/s2", {0, 50}), may, AT(sensor.specific_force_noise_m_s2), "Standard deviation of each sample of the specific force, white."}, \
   {section, "specific_force_bias_m_s2", number("m/s2", {-5, 5}), may, AT(sensor.specific_force_bias_m_s2), "Added to every axis."}, \
@@ -128,7 +130,11 @@ constexpr auto fields = std::to_array<Field<sim::Vehicle>>({
   {section, "across_m", number("m", {-0.5, 0.5}), may, AT(feels.across_m), "From the long axis, towards the rocket's y: it feels the spin."}, \
   {section, "specific_force_scale_error", number("", {-0.1, 0.1}), may, AT(feels.specific_force_scale_error), "Share by which it reads every specific force too large."}
 // NOLINTEND(bugprone-macro-parentheses)
+  GYRO("imu", it.imu, it.imu_feels),
   INERTIAL("imu", it.imu, it.imu_feels),
+  {"second_imu", "fitted", choice(no_or_yes), may, AT(it.second_imu_is_fitted), "There is one. The avionics reads it where the plan says `sensors.gyros = \"two_agree\"`."},
+  GYRO("second_imu", it.second_imu, it.second_imu_feels),
+  INERTIAL("second_imu", it.second_imu, it.second_imu_feels),
   INERTIAL("accelerometer", it.accelerometer, it.accelerometer_feels),
 
   {"vibration", "specific_force_m_s2", number("m/s2", {0, 500}), may, AT(it.vibration.specific_force_m_s2), "How all sensors are shaken, alike, while the motor burns, wherever they sit: standard deviation along each axis, band-limited."},

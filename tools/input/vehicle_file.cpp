@@ -180,6 +180,7 @@ void check_place(const Document& document, const char* sensor, const sim::FeltMo
 void check_sensors(const Document& document, const sim::Vehicle& vehicle) {
   if (vehicle.airframe) {
     check_place(document, "imu", vehicle.imu_feels, *vehicle.airframe);
+    check_place(document, "second_imu", vehicle.second_imu_feels, *vehicle.airframe);
     check_place(document, "accelerometer", vehicle.accelerometer_feels, *vehicle.airframe);
   }
 }
@@ -201,6 +202,7 @@ sim::Vehicle read_vehicle(const Document& document) {
   check_servo(document, vehicle);
   check_trim(document, vehicle);
   check_sensor(document, "imu", vehicle.imu.mounting);
+  check_sensor(document, "second_imu", vehicle.second_imu.mounting);
   check_sensor(document, "accelerometer", vehicle.accelerometer.mounting);
   check_airframe(document, vehicle);
   check_geometry(document, vehicle);
