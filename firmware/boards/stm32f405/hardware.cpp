@@ -6,6 +6,7 @@
 #include "boards/stm32f405/pin_map.hpp"
 #include "hal/stm32f4/as5047p.hpp"
 #include "hal/stm32f4/icm42688.hpp"
+#include "hal/stm32f4/ism330dhcx.hpp"
 #include "hal/stm32f4/kx134.hpp"
 #include "hal/stm32f4/memory_protection.hpp"
 #include "hal/stm32f4/pin.hpp"
@@ -69,13 +70,14 @@ Hardware::Hardware()
       servo_{tim8(), tree_.frequencies.apb2_timers_hz},
       imu_bus_{spi1(), tree_.frequencies.apb2_hz},
       encoder_bus_{spi2(), tree_.frequencies.apb1_hz},
-      accelerometer_and_flash_bus_{spi3(), tree_.frequencies.apb1_hz},
+      shared_bus_{spi3(), tree_.frequencies.apb1_hz},
       imu_{{imu_bus_, pin('A', 4), icm42688::spi}, clock_, {tim2(), tree_.frequencies.apb1_timers_hz}},
-      accelerometer_{{accelerometer_and_flash_bus_, pin('C', 4), kx134::spi}, clock_},
+      second_imu_{{shared_bus_, pin('B', 11), ism330dhcx::spi}, clock_},
+      accelerometer_{{shared_bus_, pin('C', 4), kx134::spi}, clock_},
       encoder_{{encoder_on(encoder_bus_, 'B', 12), encoder_on(encoder_bus_, 'B', 0), encoder_on(encoder_bus_, 'B', 1),
                 encoder_on(encoder_bus_, 'C', 5)},
                clock_},
-      flash_{{accelerometer_and_flash_bus_, pin('A', 15), w25q::spi}, clock_},
+      flash_{{shared_bus_, pin('A', 15), w25q::spi}, clock_},
       can_bus_{can1(), pin('C', 0), line(can1_tx)} {
   board_.add(tree_.faults);
   running = this;
@@ -94,7 +96,8 @@ avionics::Devices Hardware::devices() {
           .watchdog = watchdog_,
           .entropy = entropy_,
           .board = board_,
-          .backup_memory = backup_memory_};
+          .backup_memory = backup_memory_,
+          .second_imu = &second_imu_};
 }
 
 void Hardware::start(SensorStart how) {
@@ -103,6 +106,7 @@ void Hardware::start(SensorStart how) {
     board_.add(hal::BoardFault::clock_failed);
   }
   imu_.start(how);
+  second_imu_.start(how);
   accelerometer_.start(how);
   flash_.start();
 

@@ -20,6 +20,7 @@
 #include "hal/stm32f4/flash.hpp"
 #include "hal/stm32f4/imu.hpp"
 #include "hal/stm32f4/interrupt_line.hpp"
+#include "hal/stm32f4/second_imu.hpp"
 #include "hal/stm32f4/servo.hpp"
 #include "hal/stm32f4/spi_bus.hpp"
 #include "hal/stm32f4/supply.hpp"
@@ -68,8 +69,9 @@ class Hardware {
   hal::stm32f4::Servo servo_;
   hal::stm32f4::SpiBus imu_bus_;
   hal::stm32f4::SpiBus encoder_bus_;
-  hal::stm32f4::SpiBus accelerometer_and_flash_bus_;
+  hal::stm32f4::SpiBus shared_bus_;
   hal::stm32f4::Imu imu_;
+  hal::stm32f4::SecondImu second_imu_;
   hal::stm32f4::Accelerometer accelerometer_;
   hal::stm32f4::Encoder encoder_;
   hal::stm32f4::Flash flash_;

@@ -52,9 +52,10 @@ inline constexpr auto pin_map = std::to_array<PinSetup>({
 
     select('C', 4),  // second accelerometer select
     select('A', 15),  // flash select
-    spi('B', 3, 6),  // accelerometer and flash clock, SPI3_SCK
-    spi('B', 4, 6, PinPull::down),  // accelerometer and flash data out, SPI3_MISO
-    spi('B', 5, 6),  // accelerometer and flash data in, SPI3_MOSI
+    select('B', 11),  // second IMU select
+    spi('B', 3, 6),  // accelerometer, flash and second IMU clock, SPI3_SCK
+    spi('B', 4, 6, PinPull::down),  // their data out, SPI3_MISO
+    spi('B', 5, 6),  // their data in, SPI3_MOSI
 
     PinSetup{'B', 8, PinMode::alternate, 9, PinPull::up, PinSpeed::medium, false},  // CAN receive, CAN1_RX
     PinSetup{'B', 9, PinMode::alternate, 9, PinPull::none, PinSpeed::medium, false},  // CAN transmit, CAN1_TX

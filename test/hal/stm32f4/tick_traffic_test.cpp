@@ -4,6 +4,7 @@
 #include "fake_as5047p.hpp"
 #include "fake_capture.hpp"
 #include "fake_icm42688.hpp"
+#include "fake_ism330dhcx.hpp"
 #include "fake_kx134.hpp"
 #include "fake_w25q.hpp"
 #include "hal/stm32f4/accelerometer.hpp"
@@ -12,7 +13,9 @@
 #include "hal/stm32f4/flash.hpp"
 #include "hal/stm32f4/icm42688.hpp"
 #include "hal/stm32f4/imu.hpp"
+#include "hal/stm32f4/ism330dhcx.hpp"
 #include "hal/stm32f4/kx134.hpp"
+#include "hal/stm32f4/second_imu.hpp"
 #include "hal/stm32f4/w25q.hpp"
 
 namespace fantail::hal::stm32f4 {
@@ -22,6 +25,7 @@ using test::FakeAs5047p;
 using test::FakeCapture;
 using test::FakeClock;
 using test::FakeIcm42688;
+using test::FakeIsm330dhcx;
 using test::FakeKx134;
 using test::FakePort;
 using test::FakeSpi;
@@ -47,6 +51,7 @@ class TickTraffic : public testing::Test {
   SpiBus bus_3{spi_3.block(), apb1_hz};
   FakeIcm42688 fake_imu{clock};
   std::array<FakeAs5047p, canards> fake_encoders{};
+  FakeIsm330dhcx fake_second_imu{clock};
   FakeKx134 fake_accelerometer{clock};
   FakeW25q fake_flash{clock};
 
@@ -57,6 +62,7 @@ class TickTraffic : public testing::Test {
       {SpiDevice{bus_2, Pin{port_b.block(), 12}, as5047p::spi}, SpiDevice{bus_2, Pin{port_b.block(), 0}, as5047p::spi},
        SpiDevice{bus_2, Pin{port_b.block(), 1}, as5047p::spi}, SpiDevice{bus_2, Pin{port_c.block(), 5}, as5047p::spi}},
       clock};
+  SecondImu second_imu{SpiDevice{bus_3, Pin{port_b.block(), 11}, ism330dhcx::spi}, clock};
   Accelerometer accelerometer{SpiDevice{bus_3, Pin{port_c.block(), 4}, kx134::spi}, clock};
   Flash flash{SpiDevice{bus_3, Pin{port_a.block(), 15}, w25q::spi}, clock};
 
@@ -68,6 +74,7 @@ class TickTraffic : public testing::Test {
     spi_2.attach(port_c, 5, fake_encoders[3]);
     spi_3.attach(port_c, 4, fake_accelerometer);
     spi_3.attach(port_a, 15, fake_flash);
+    spi_3.attach(port_b, 11, fake_second_imu);
     flash.start();
     imu.start(SensorStart::in_flight);
     for (int i = 0; i < 100; ++i) {
@@ -75,8 +82,8 @@ class TickTraffic : public testing::Test {
     }
   }
   void TearDown() override {
-    for (const auto& violations :
-         {spi_1.violations, spi_2.violations, spi_3.violations, fake_imu.violations, fake_accelerometer.violations}) {
+    for (const auto& violations : {spi_1.violations, spi_2.violations, spi_3.violations, fake_imu.violations,
+                                   fake_second_imu.violations, fake_accelerometer.violations}) {
       for (const std::string& violation : violations) {
         ADD_FAILURE() << violation;
       }
@@ -108,6 +115,19 @@ TEST_F(TickTraffic, TheSensorsTakeFortyFiveMicrosecondsOfWire) {
   EXPECT_EQ(spi_3.bytes(), 1U + 5U + 1U + 6U);
   EXPECT_NEAR(spi_3.wire_us(), 13 * 8 / 5.25, 1e-9);
   EXPECT_LE(spi_1.wire_us() + spi_2.wire_us() + spi_3.wire_us(), 45.0);
+}
+
+TEST_F(TickTraffic, ASecondImuTakesThirtyMicrosecondsMoreAndDisturbsNobodyOnItsBus) {
+  second_imu.start(SensorStart::in_flight);
+  for (int i = 0; i < 200; ++i) {
+    read_sensors();
+    ASSERT_NE(second_imu.read().status, Status::error);
+  }
+  forget_traffic();
+  EXPECT_EQ(second_imu.read().status, Status::ok);
+  // Status, temperature and six axes behind their address, and the id.
+  EXPECT_EQ(spi_3.bytes(), 1U + 16U + 2U);
+  EXPECT_NEAR(spi_3.wire_us(), 19 * 8 / 5.25, 1e-9);
 }
 
 TEST_F(TickTraffic, WithAPageProgramOneTickHasLessThanHalfOfItsThreeHundredMicrosecondsOnTheWire) {
