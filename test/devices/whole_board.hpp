@@ -155,13 +155,10 @@ class WholeBoard {
                       hal::ResetCause::power_on};
   stm32::ArmSwitch arm_switch_{stm32::Pin{port_c_.block(), 3}};
   stm32::Servo servo_{servo_timer_.registers, timers_hz};
-  static constexpr stm32::Mounting straight_{stm32::SensorAxis::plus_x, stm32::SensorAxis::plus_y,
-                                             stm32::SensorAxis::plus_z};
   stm32::Imu imu_{{bus_1_, stm32::Pin{port_a_.block(), 4}, stm32::icm42688::spi},
                   clock_,
-                  straight_,
                   stm32::EdgeTimer{capture_.registers, 84'000'000}};
-  stm32::Accelerometer accelerometer_{{bus_3_, stm32::Pin{port_c_.block(), 4}, stm32::kx134::spi}, clock_, straight_};
+  stm32::Accelerometer accelerometer_{{bus_3_, stm32::Pin{port_c_.block(), 4}, stm32::kx134::spi}, clock_};
   stm32::Encoder encoder_{{stm32::SpiDevice{bus_2_, stm32::Pin{port_b_.block(), 12}, stm32::as5047p::spi},
                            stm32::SpiDevice{bus_2_, stm32::Pin{port_b_.block(), 0}, stm32::as5047p::spi},
                            stm32::SpiDevice{bus_2_, stm32::Pin{port_b_.block(), 1}, stm32::as5047p::spi},
