@@ -174,6 +174,13 @@ TEST_F(FlownLog, ReplayEndsWithExitCode1AtTheFirstDifferenceWithTickFieldAndBoth
   EXPECT_EQ(json["first_difference"]["recorded"], "0.25 rad");
 }
 
+TEST_F(FlownLog, WhatIfCannotChangeHowManyGyrosFlew) {
+  folder.write("flown/flight.ftl", flown_log());
+  const Outcome outcome = run({"replay", "flown", "--set", "sensors.gyros=two_agree"});
+  EXPECT_EQ(outcome.exit_code, 65);
+  EXPECT_NE(outcome.err.find("sensors.gyros cannot be changed in a replay"), std::string::npos) << outcome.err;
+}
+
 TEST_F(FlownLog, WhatIfIsMarkedAsOpenLoopAndHasAPageAndATable) {
   folder.write("flown/flight.ftl", flown_log());
   const Outcome outcome = run({"replay", "flown", "--set", "controller.canard_limit_deg=3"});

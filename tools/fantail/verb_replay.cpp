@@ -95,7 +95,11 @@ void show_what_if(const ReplayOptions& options, const flight_log::Flight& flight
     changes.push_back(input::parse_override(text));
   }
   const core::FlightPlan plan = input::changed_plan(*flight.plan, changes);
-  WhatIf result = what_if(flight, flown.result, flight_log::regenerate(flight, plan));
+  const flight_log::Regeneration changed = flight_log::regenerate(flight, plan);
+  if (!changed.obstacle.empty()) {
+    refuse(options, changed.obstacle);
+  }
+  WhatIf result = what_if(flight, flown.result, changed);
   result.log = options.log;
   result.changes = options.changes;
   result.rejects_offset = plan.offset.rejection != core::OffsetRejection::none;
