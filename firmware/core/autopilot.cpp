@@ -44,7 +44,9 @@ const TickRecord& Autopilot::step(const Inputs& inputs) {
 
   motion_estimator_.update(inputs);
   record.motion = motion_estimator_.motion(inputs.time);
-  record.gyro_vote = motion_estimator_.gyro_vote();
+  if (motion_estimator_.votes()) {
+    record.gyro_vote = motion_estimator_.gyro_vote();  // else empty for ever
+  }
   record.detection = flight_phase_.listens_for_launch() ? launch_detector_.update(inputs.time, inputs.accelerometers)
                                                         : DetectionState::quiet;
 

@@ -92,10 +92,9 @@ class MotionEstimator {
   /// The estimate at `now`; the last rate bridges the time since the last gyro sample, at most the plan's stale time.
   [[nodiscard]] Motion motion(Microseconds now) const;
 
-  /// Which of two gyros flew in this tick; empty where the plan asks for one.
-  [[nodiscard]] std::optional<GyroVote> gyro_vote() const {
-    return votes_ ? std::optional{gyro_pair_.vote()} : std::nullopt;
-  }
+  /// Between two gyros, as the plan asks; which of them flew in this tick.
+  [[nodiscard]] bool votes() const { return votes_; }
+  [[nodiscard]] GyroVote gyro_vote() const { return gyro_pair_.vote(); }
 
   /// See core/state_visitor.hpp.
   template <typename Visitor>
