@@ -2,10 +2,16 @@
 #include "avionics/avionics.hpp"
 
 #include "avionics/sensor_scaling.hpp"
+#include "core/flight_plan_members.hpp"
 #include "core/per_canard.hpp"
 #include "protocol/plan_block.hpp"
 
 namespace fantail::avionics {
+namespace {
+
+constexpr std::array<std::optional<hal::Pulse>, hal::canards> no_pulses{};
+
+}  // namespace
 
 Avionics::Avionics(Devices devices, const core::FlightPlan& built_in, const Identity& identity)
     : devices_{devices},
@@ -24,8 +30,11 @@ const core::TickRecord& Avionics::tick() {
   listen(now);
   const core::Inputs inputs = read_devices(now);
   resume_flight(inputs);
+  if (!memory_watch_.intact(*autopilot_)) {
+    mend_memory(inputs);
+  }
   const core::TickRecord& record = autopilot_->step(inputs);
-  devices_.servo.write(pulses(record.canards));
+  devices_.servo.write(plan_is_lost_ ? no_pulses : pulses(record.canards));
 
   const FlashFacts flash = flash_.facts();
   tell_person(record);
@@ -53,6 +62,7 @@ const core::TickRecord& Avionics::tick() {
   report(record, inputs);
   flash_.send_log(now, right, devices_.can_bus);
   tick_duration_ = devices_.clock.now() - now;
+  memory_watch_.look(plan_, *autopilot_);
   // Last: only a tick that came this far proves that the loop is alive.
   devices_.watchdog.feed();
   return record;
@@ -88,11 +98,31 @@ void Avionics::resume_flight(const core::Inputs& first) {
   }
 }
 
+// The packed plan, which has a CRC of its own, is the copy that counts. In flight the law goes on from its last state
+// that was sealed for a reset, 10 ms old at most, but no further than to trim: what has damaged it may do so again.
+void Avionics::mend_memory(const core::Inputs& next) {
+  const std::span<const std::byte> block = flash_.recorder().plan_block();
+  const auto copy = protocol::read_plan_block(block);
+  plan_is_lost_ = plan_is_lost_ || !copy.plan;
+  plan_ = copy.plan.value_or(core::default_plan());
+  plan_crc_ = protocol::plan_block_checksum(block);
+  memory_watch_.begin(plan_);
+  memory_was_damaged_ = true;
+  autopilot_.emplace(plan_);
+  if (!flight_memory_.resume(next, plan_crc_, *autopilot_)) {
+    autopilot_.emplace(plan_);
+  }
+  autopilot_->give_up(next.time);
+  flash_.recorder().restate();
+  self_test_ = SelfTest{plan_};
+}
+
 // In Safe only. The new autopilot begins as after power-up: it moves the canards slowly from where they stand, and has
 // yet to see the rocket at rest, so nobody who was allowed to move them by the old plan still is.
 void Avionics::adopt(const core::FlightPlan& plan) {
   plan_ = plan;
   autopilot_.emplace(plan);
+  memory_watch_.begin(plan_);
   flash_.recorder().take_plan(plan);
   plan_crc_ = protocol::plan_block_checksum(flash_.recorder().plan_block());
   self_test_ = SelfTest{plan_};
@@ -192,7 +222,14 @@ core::Inputs Avionics::read_devices(core::Microseconds now) {
 }
 
 void Avionics::watch_board(const core::TickRecord& record, const FlashFacts& flash) {
-  board_watch_.look(devices_.board.status(), record.overruns, plan_.run.overrun_limit);
+  hal::BoardStatus status = devices_.board.status();
+  if (memory_was_damaged_) {
+    status.faults.add(hal::BoardFault::memory_damaged);
+  }
+  if (flash.has_bad_pages) {
+    status.faults.add(hal::BoardFault::flash_page_bad);
+  }
+  board_watch_.look(status, record.overruns, plan_.run.overrun_limit);
   situation_.board_faulty = board_watch_.faulty();
   board_is_news_ = board_watch_.tell(record.time, record.phase, flash, devices_.console);
   devices_.board.show(signal_of(record.phase, self_test_.running(), !board_watch_.faulty() && flash.fit()));
@@ -234,6 +271,9 @@ void Avionics::tell_person(const core::TickRecord& record) {
 }
 
 std::array<std::optional<hal::Pulse>, hal::canards> Avionics::pulses_at_trim() const {
+  if (plan_is_lost_) {
+    return no_pulses;
+  }
   core::CanardCommands commands;
   for (std::size_t i = 0; i < commands.size(); ++i) {
     const core::CanardPlan& canard = plan_.canards.each[i];

@@ -11,6 +11,7 @@
 #include "avionics/flight_memory.hpp"
 #include "avionics/identity.hpp"
 #include "avionics/log_tick_of.hpp"
+#include "avionics/memory_watch.hpp"
 #include "avionics/mounting.hpp"
 #include "avionics/self_test.hpp"
 #include "avionics/situation.hpp"
@@ -68,6 +69,7 @@ class Avionics {
   void look_for_new_plan();
   [[gnu::cold]] void resume_flight(const core::Inputs& first);
   [[gnu::cold]] void adopt(const core::FlightPlan& plan);
+  [[gnu::cold]] void mend_memory(const core::Inputs& next);
   void listen(core::Microseconds now);
   void obey(const protocol::BenchSession& message);
   void obey(const protocol::BenchRequest& message);
@@ -87,6 +89,9 @@ class Avionics {
   core::FlightPlan plan_;
   std::uint32_t plan_crc_ = 0;
   std::optional<core::Autopilot> autopilot_;  ///< never empty; a new plan makes a new one
+  MemoryWatch memory_watch_;
+  bool memory_was_damaged_ = false;  ///< since power-up
+  bool plan_is_lost_ = false;        ///< no copy of it is left: nobody knows a trim
   BusReceiver receiver_;
   BenchMode bench_mode_;
   SelfTest self_test_;

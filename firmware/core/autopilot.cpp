@@ -19,17 +19,17 @@ constexpr std::optional<std::array<Angle, canard_count>> no_request;
 }  // namespace
 
 Autopilot::Autopilot(const FlightPlan& plan)
-    : controller_{plan.controller},
+    : launch_detector_{plan.launch_detection, plan.motion.stale_time},
+      canard_monitor_{plan.monitor, plan.canards},
+      controller_{plan.controller},
       gain_schedule_{plan.gain_schedule},
       adapts_{plan.gain_schedule.speeds_count > 0 || plan.offset.rejection != OffsetRejection::none},
       reference_{plan.reference},
       overrun_limit_{plan.run.overrun_limit},
-      launch_detector_{plan.launch_detection, plan.motion.stale_time},
       flight_phase_{plan.run, plan.guide, plan.motion},
       chirp_{plan.excitation},
       offset_estimator_{plan},
       canard_mixer_{plan.canards, plan.controller.canard_limit},
-      canard_monitor_{plan.monitor, plan.canards},
       shares_{plan.run.canard_fault == CanardFaultPolicy::share},
       canard_sharing_{plan.controller.canard_limit},
       motion_estimator_{plan.motion, plan.sensors} {}
@@ -89,6 +89,11 @@ void Autopilot::resume(const Inputs& first) {
   canard_monitor_.bridge();
   offset_estimator_.interrupt();
   last_time_.reset();
+}
+
+std::span<const std::byte> Autopilot::flight_memory() const {
+  const auto* const begin = reinterpret_cast<const std::byte*>(&controller_);
+  return {begin, static_cast<const std::byte*>(motion_estimator_.end_of_flight_memory())};
 }
 
 Angle Autopilot::control(Microseconds since_control_start) {

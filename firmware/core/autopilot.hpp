@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 
 #include "core/canard_mixer.hpp"
 #include "core/canard_monitor.hpp"
@@ -42,6 +43,17 @@ class Autopilot {
 
   [[nodiscard]] Phase phase() const { return flight_phase_.phase(); }
 
+  /// The memory of the law is not what it was: a flight is over, as far as control goes.
+  void give_up(Microseconds time) { flight_phase_.give_up(time); }
+
+  /// All of this object that decides about a command in flight; nothing but step() changes any of it.
+  [[nodiscard]] std::span<const std::byte> flight_memory() const;
+
+  /// Is this canard still moved by what the plan, of which this was made, says?
+  [[nodiscard]] bool moves_as_planned(std::size_t canard, const FlightPlan& plan) const {
+    return canard_mixer_.moves_as_planned(canard, plan.canards, plan.controller.canard_limit);
+  }
+
   /// Largest shaft angle that can ever be commanded to this canard.
   [[nodiscard]] Angle canard_limit(std::size_t canard) const { return canard_mixer_.limit(canard); }
 
@@ -64,17 +76,19 @@ class Autopilot {
   void stay_neutral(CommandStatus why);
 
   TickRecord record_;
+  LaunchDetector launch_detector_;
+  CanardMonitor canard_monitor_;
+
+  // From here on flight_memory().
   ControllerPlan controller_;
   GainSchedule gain_schedule_;
   bool adapts_;  ///< by a schedule, or to an offset
   ReferencePlan reference_;
   std::uint32_t overrun_limit_;
-  LaunchDetector launch_detector_;
   FlightPhase flight_phase_;
   Chirp chirp_;
   OffsetEstimator offset_estimator_;
   CanardMixer canard_mixer_;
-  CanardMonitor canard_monitor_;
   bool shares_;
   CanardSharing canard_sharing_;
   std::optional<Microseconds> last_time_;

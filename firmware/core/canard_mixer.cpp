@@ -23,16 +23,27 @@ Angle limited_to(Angle limit, Angle trim, Angle wanted) {
 CanardMixer::CanardMixer(const CanardsPlan& plan, Angle plan_limit)
     : first_motion_rate_rad_s_{plan.first_motion_rate_rad_s} {
   for (std::size_t i = 0; i < canard_count; ++i) {
-    const CanardPlan& canard = plan.each[i];
-    canards_[i] = {.sense = canard.direction == Direction::reversed ? -1.0F : 1.0F,
-                   .trim = canard.trim,
-                   .limit = std::min({plan_limit, hard_canard_limit, canard.mechanical_stop}),
-                   .stop = canard.mechanical_stop,
-                   .pulse_centre_us = canard.pulse_centre_us,
-                   .pulse_per_radian_us = canard.pulse_per_radian_us,
-                   .position = {},
-                   .first_motion_done = false};
+    canards_[i] = made_of(plan.each[i], plan_limit);
   }
+}
+
+CanardMixer::Canard CanardMixer::made_of(const CanardPlan& plan, Angle plan_limit) {
+  return {.sense = plan.direction == Direction::reversed ? -1.0F : 1.0F,
+          .trim = plan.trim,
+          .limit = std::min({plan_limit, hard_canard_limit, plan.mechanical_stop}),
+          .stop = plan.mechanical_stop,
+          .pulse_centre_us = plan.pulse_centre_us,
+          .pulse_per_radian_us = plan.pulse_per_radian_us,
+          .position = {},
+          .first_motion_done = false};
+}
+
+bool CanardMixer::moves_as_planned(std::size_t canard, const CanardsPlan& plan, Angle plan_limit) const {
+  const Canard& now = canards_[canard];
+  const Canard planned = made_of(plan.each[canard], plan_limit);
+  return now.sense == planned.sense && now.trim == planned.trim && now.limit == planned.limit &&
+         now.stop == planned.stop && now.pulse_centre_us == planned.pulse_centre_us &&
+         now.pulse_per_radian_us == planned.pulse_per_radian_us;
 }
 
 void CanardMixer::mix(Microseconds time, Angle roll_command,

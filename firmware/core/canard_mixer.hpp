@@ -41,6 +41,9 @@ class CanardMixer {
   /// an angle beyond the mechanical stop, where no shaft can stand.
   [[nodiscard]] std::optional<Angle> contribution(std::size_t canard, const std::optional<Angle>& encoder) const;
 
+  /// Limit, sense, trim and pulse of this canard are still those of the plan that this was made of.
+  [[nodiscard]] bool moves_as_planned(std::size_t canard, const CanardsPlan& plan, Angle plan_limit) const;
+
   /// Largest shaft angle that can ever be commanded to this canard.
   [[nodiscard]] Angle limit(std::size_t canard) const { return canards_[canard].limit; }
 
@@ -67,6 +70,7 @@ class CanardMixer {
     }
   };
 
+  static Canard made_of(const CanardPlan& plan, Angle plan_limit);
   void drive(Microseconds time, Microseconds elapsed, Canard& canard, Angle wanted, const std::optional<Angle>& encoder,
              CanardCommand& command) const;
   void start_from_encoder(Microseconds time, Canard& canard, const std::optional<Angle>& encoder, Angle target) const;

@@ -37,6 +37,14 @@ bool FlightPhase::update(const PhaseInputs& inputs, const Motion& motion) {
   return true;
 }
 
+void FlightPhase::give_up(Microseconds time) {
+  if (phase_ == Phase::launched || phase_ == Phase::controlling) {
+    phase_ = Phase::finished;
+    reason_ = PhaseReason::memory_fault;
+    entered_ = time;
+  }
+}
+
 std::optional<FlightPhase::Transition> FlightPhase::from_safe(const PhaseInputs& inputs) const {
   // Two independent actions: a switch that a hand closes, and a command. Neither alone arms.
   if (inputs.arm_switch_closed && inputs.arm_command) {

@@ -36,8 +36,9 @@ enum class PhaseReason : std::uint8_t {
   gyro_failed,
   timing_fault,
   canard_fault,
+  memory_fault,
 };
-inline constexpr std::size_t phase_reasons = 15;
+inline constexpr std::size_t phase_reasons = 16;
 
 /// What one tick may move the phase, besides the motion.
 struct PhaseInputs {
@@ -50,13 +51,17 @@ struct PhaseInputs {
   bool canard_fault = false;
 };
 
-/// Safe -> Armed -> Launched -> Controlling -> Finished. Starts in Safe; there is no way to set a phase.
+/// Safe -> Armed -> Launched -> Controlling -> Finished. Starts in Safe; there is no way to set a phase, but to give
+/// up.
 class FlightPhase {
  public:
   FlightPhase(const RunPlan& run, const GuidePlan& guide, const MotionPlan& motion);
 
   /// True when this tick changed the phase.
   bool update(const PhaseInputs& inputs, const Motion& motion);
+
+  /// The memory of the law is not what it was: a flight is over, as far as control goes.
+  [[gnu::cold]] void give_up(Microseconds time);
 
   [[nodiscard]] Phase phase() const { return phase_; }
   [[nodiscard]] PhaseReason reason() const { return reason_; }

@@ -96,6 +96,9 @@ class MotionEstimator {
   [[nodiscard]] bool votes() const { return votes_; }
   [[nodiscard]] GyroVote gyro_vote() const { return gyro_pair_.vote(); }
 
+  /// Where what is of use in flight ends, which begins at the beginning.
+  [[nodiscard]] const void* end_of_flight_memory() const { return &pad_window_.average() + 1; }
+
   /// See core/state_visitor.hpp.
   template <typename Visitor>
   void visit_state(Visitor& visit) {

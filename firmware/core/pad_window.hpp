@@ -82,6 +82,7 @@ class PadWindow {
   void sum_one_more();
   void forget_window();
 
+  std::optional<PadAverage> average_;  // first: all that is of use in flight
   MotionPlan plan_;
   LowPass force_squared_{16.0F};  ///< one sample's noise is not motion
   std::size_t closed_ = 0;        ///< blocks closed so far, up to the size of the ring
@@ -93,7 +94,6 @@ class PadWindow {
   std::optional<Microseconds> last_time_;
   std::optional<Microseconds> open_since_;
   std::optional<Microseconds> rest_since_;
-  std::optional<PadAverage> average_;
   std::array<Block, window_blocks + guard_blocks> blocks_{};
 };
 

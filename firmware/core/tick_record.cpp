@@ -31,6 +31,7 @@ std::string_view name(PhaseReason reason) {
     case PhaseReason::gyro_failed: return "gyro_failed";
     case PhaseReason::timing_fault: return "timing_fault";
     case PhaseReason::canard_fault: return "canard_fault";
+    case PhaseReason::memory_fault: return "memory_fault";
   }
   return "unknown";
 }

@@ -43,6 +43,7 @@ constexpr unsigned choice(core::PhaseReason value) {
     case gyro_failed: return CANARD_BUS_STATUS_REPORT_REASON_GYRO_FAILED_CHOICE;
     case timing_fault: return CANARD_BUS_STATUS_REPORT_REASON_TIMING_FAULT_CHOICE;
     case canard_fault: return CANARD_BUS_STATUS_REPORT_REASON_CANARD_FAULT_CHOICE;
+    case memory_fault: return CANARD_BUS_STATUS_REPORT_REASON_MEMORY_FAULT_CHOICE;
   }
   return no_choice;
 }

@@ -19,6 +19,7 @@ struct Region {
 
 constexpr std::array regions{
     Region{0x00000000, 27, mpu_rasr_never_execute},  // up to the flash at 0x08000000
+    Region{0x1FFFE000, 13, mpu_rasr_never_execute},  // up to the stack, which begins with the RAM at 0x20000000
     Region{0x40024000, 12,
            mpu_rasr_read_write | mpu_rasr_normal_uncached | mpu_rasr_shareable | mpu_rasr_never_execute}};
 

@@ -1964,12 +1964,12 @@ float canard_bus_status_report_reason_decode(uint8_t value)
 
 bool canard_bus_status_report_reason_is_in_range(uint8_t value)
 {
-    return (value <= 14u);
+    return (value <= 15u);
 }
 
 bool canard_bus_status_report_reason_is_in_phys_range(float value)
 {
-    return ((value >= 0.0f) && (value <= 14.0f));
+    return ((value >= 0.0f) && (value <= 15.0f));
 }
 
 uint8_t canard_bus_status_report_command_status_encode(float value)

@@ -175,6 +175,7 @@ extern "C" {
 #define CANARD_BUS_STATUS_REPORT_REASON_GYRO_FAILED_CHOICE (12u)
 #define CANARD_BUS_STATUS_REPORT_REASON_TIMING_FAULT_CHOICE (13u)
 #define CANARD_BUS_STATUS_REPORT_REASON_CANARD_FAULT_CHOICE (14u)
+#define CANARD_BUS_STATUS_REPORT_REASON_MEMORY_FAULT_CHOICE (15u)
 
 #define CANARD_BUS_STATUS_REPORT_COMMAND_STATUS_OUTSIDE_CONTROL_CHOICE (0u)
 #define CANARD_BUS_STATUS_REPORT_COMMAND_STATUS_CONTROLLING_CHOICE (1u)
@@ -992,7 +993,7 @@ struct canard_bus_status_report_t {
     uint8_t phase;
 
     /**
-     * Range: 0..14 (0..14 -)
+     * Range: 0..15 (0..15 -)
      * Scale: 1
      * Offset: 0
      */
@@ -1480,7 +1481,7 @@ struct canard_bus_limit_report_t {
 /**
  * Signals in message BoardReport.
  *
- * What the board says about itself: with any fault the rocket is not armed. The bits of faults, from the lowest: crystal_failed, clock_failed, image_broken, imu_silent, imu_wrong_id, imu_self_test_failed, accelerometer_silent, accelerometer_wrong_id, encoder_silent, flash_silent, flash_wrong_id, flash_stuck, can_failed, entropy_failed, battery_unmeasured, loop_overrun, crashed, brown_out_level, supply_low, gyro_frozen, imu_accelerometer_frozen, accelerometer_frozen, imu_line_lost. overruns: control ticks that were due and did not come since power-up, 255 for that many or more; of a simulated board also the milliseconds that its PC left out, which are no fault. plan: which one is in force, and what is wrong with the stored one.
+ * What the board says about itself: with any fault the rocket is not armed. The bits of faults, from the lowest: crystal_failed, clock_failed, image_broken, imu_silent, imu_wrong_id, imu_self_test_failed, accelerometer_silent, accelerometer_wrong_id, encoder_silent, flash_silent, flash_wrong_id, flash_stuck, can_failed, entropy_failed, battery_unmeasured, loop_overrun, crashed, brown_out_level, supply_low, gyro_frozen, imu_accelerometer_frozen, accelerometer_frozen, imu_line_lost, memory_damaged, flash_page_bad. overruns: control ticks that were due and did not come since power-up, 255 for that many or more; of a simulated board also the milliseconds that its PC left out, which are no fault. plan: which one is in force, and what is wrong with the stored one.
  *
  * All signal values are as on the CAN bus.
  */

@@ -34,9 +34,11 @@ enum class BoardFault : std::uint8_t {
   gyro_frozen,               ///< new samples of the IMU's gyro repeat their values: it is not used
   imu_accelerometer_frozen,  ///< the same of the accelerometer in the IMU
   accelerometer_frozen,      ///< the same of the second accelerometer
-  imu_line_lost,  ///< the edges of the IMU's data-ready line do not fit its samples: their times are estimated
+  imu_line_lost,   ///< the edges of the IMU's data-ready line do not fit its samples: their times are estimated
+  memory_damaged,  ///< plan or flight law were not what they had been left as
+  flash_page_bad,  ///< a page of the flash did not keep what was written
 };
-inline constexpr std::size_t board_faults = 23;
+inline constexpr std::size_t board_faults = 25;
 
 [[nodiscard]] constexpr std::string_view name(BoardFault fault) {
   constexpr std::array<std::string_view, board_faults> names{"crystal_failed",
@@ -61,7 +63,9 @@ inline constexpr std::size_t board_faults = 23;
                                                              "gyro_frozen",
                                                              "imu_accelerometer_frozen",
                                                              "accelerometer_frozen",
-                                                             "imu_line_lost"};
+                                                             "imu_line_lost",
+                                                             "memory_damaged",
+                                                             "flash_page_bad"};
   return names[static_cast<std::size_t>(fault)];
 }
 

@@ -59,6 +59,13 @@ TEST_F(ProtectMemory, NothingCanBeReadOrWrittenBelowTheFlash) {
   }
 }
 
+TEST_F(ProtectMemory, AStackThatOverflowsMeetsMemoryThatNobodyMayUse) {
+  for (const std::uint32_t address : {0x1FFFE000U, 0x1FFFFFFCU, 0x1FFFFFFFU}) {
+    ASSERT_TRUE(fake.at(address).has_value());
+    EXPECT_EQ(access(*fake.at(address)), 0U);
+  }
+}
+
 TEST_F(ProtectMemory, TheBackupMemoryIsOrdinaryMemoryThatNothingIsRunFrom) {
   for (const std::uint32_t address : {0x40024000U, 0x40024FFFU}) {
     ASSERT_TRUE(fake.at(address).has_value());
@@ -69,7 +76,8 @@ TEST_F(ProtectMemory, TheBackupMemoryIsOrdinaryMemoryThatNothingIsRunFrom) {
 }
 
 TEST_F(ProtectMemory, EverythingElseIsAsWithoutIt) {
-  for (const std::uint32_t address : {0x08000000U, 0x20000000U, 0x40023FFFU, 0x40025000U, 0xE000E010U}) {
+  for (const std::uint32_t address :
+       {0x08000000U, 0x1FFF7A10U, 0x1FFFC000U, 0x20000000U, 0x40023FFFU, 0x40025000U, 0xE000E010U}) {
     EXPECT_FALSE(fake.at(address).has_value()) << std::hex << address;
   }
   EXPECT_EQ(fake.control(), 5U) << "on, with the processor's own map behind it, and off in a hard fault";
