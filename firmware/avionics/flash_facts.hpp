@@ -14,6 +14,7 @@ inline constexpr core::Microseconds recorded_after_control{30'000'000};
 
 /// What the flash told about itself.
 struct FlashFacts {
+  bool has_bad_pages = false;                  ///< of the flights': passed over
   bool failed = false;                         ///< it does not answer, or this power-up could not be counted in it
   std::optional<protocol::PlanSource> plan{};  ///< the one in force; empty until the flash has been asked
   std::optional<std::uint32_t> free_bytes{};   ///< for the record of the flight; empty until counted

@@ -84,7 +84,8 @@ class FlashService {
 
   [[nodiscard]] FlashFacts facts() const {
     const bool plan_failed = plan_source_ == protocol::PlanSource::flash_unreadable;
-    return {.failed = plan_failed || boots_.failed() || flights_.failed(),
+    return {.has_bad_pages = flights_.bad_pages() > 0,
+            .failed = plan_failed || boots_.failed() || flights_.failed(),
             .plan = plan_source_,
             .free_bytes = flights_.free_bytes(),
             .region_bytes = access_.map().flight_end - access_.map().flight_begin};

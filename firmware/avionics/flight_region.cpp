@@ -7,6 +7,11 @@
 #include "avionics/sealed_words.hpp"
 
 namespace fantail::avionics {
+namespace {
+
+constexpr std::uint8_t most_bad_in_a_row = 8;
+
+}  // namespace
 
 void FlightRegion::update(core::Microseconds now) {
   switch (step_) {
@@ -90,6 +95,34 @@ Access FlightRegion::append(core::Microseconds now, std::span<const std::byte> b
     const std::uint32_t sector_size = flash_.map().sector_size;
     write_at_ += static_cast<std::uint32_t>(bytes.size());
     end_ = (write_at_ - flash_.map().flight_begin + sector_size - 1) / sector_size;
+  }
+  return access;
+}
+
+FlightRegion::Kept FlightRegion::look_back(core::Microseconds now, std::span<const std::byte> bytes) {
+  std::array<std::byte, FlashAccess::read_size> there{};
+  const auto out = std::span{there}.first(bytes.size());
+  const Access access = flash_.read(now, write_at_ - static_cast<std::uint32_t>(bytes.size()), out);
+  if (!done(access)) {
+    return access == Access::again ? Kept::again : Kept::failed;
+  }
+  if (std::ranges::equal(out, bytes)) {
+    bad_in_a_row_ = 0;
+    return Kept::yes;
+  }
+  if (++bad_in_a_row_ > most_bad_in_a_row) {
+    step_ = Step::failed;
+    return Kept::failed;
+  }
+  return Kept::no;
+}
+
+Access FlightRegion::pass_over(core::Microseconds now, std::size_t size) {
+  const std::array<std::byte, FlashAccess::read_size> zeros{};
+  const Access access = flash_.program(now, write_at_ - static_cast<std::uint32_t>(size), std::span{zeros}.first(size));
+  if (done(access)) {
+    bad_pages_ = static_cast<std::uint16_t>(bad_pages_ + 1U);
+    write_at_ = address(end_);
   }
   return access;
 }

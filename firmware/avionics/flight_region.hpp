@@ -56,6 +56,17 @@ class FlightRegion {
   /// Within the page. Not in a tick in which update() was called.
   Access append(core::Microseconds now, std::span<const std::byte> bytes);
 
+  /// A flash does not say that a cell has not taken what it was given: only to read it back does.
+  enum class Kept : std::uint8_t { yes, no, again, failed };
+  /// Does what was appended last, which these bytes are, lie there? Failed, too, when many sectors in a row keep
+  /// nothing.
+  Kept look_back(core::Microseconds now, std::span<const std::byte> bytes);
+  /// It does not: as much of it as can be is made zeros, so that no reader finds part of it twice, and the flight goes
+  /// on in the next sector.
+  Access pass_over(core::Microseconds now, std::size_t size);
+  /// That did not keep what they were given, since power-up.
+  [[nodiscard]] std::uint32_t bad_pages() const { return bad_pages_; }
+
   // ---- all of them ----
 
   /// Of the region, from its beginning: flights and what lies between them, up to a whole sector.
@@ -88,6 +99,8 @@ class FlightRegion {
   std::uint32_t offset_ = 0;    ///< in the sector that is checked
   std::uint32_t end_ = 0;       ///< sectors in use
   std::uint32_t write_at_ = 0;  ///< address
+  std::uint16_t bad_pages_ = 0;
+  std::uint8_t bad_in_a_row_ = 0;
 };
 
 }  // namespace fantail::avionics

@@ -12,6 +12,7 @@ using protocol::LogRecord;
 namespace {
 
 constexpr core::Microseconds header_period{5'000'000};
+constexpr std::uint32_t most_ticks_to_look_back = TickQueue::capacity - 40;
 constexpr std::size_t last_frame_size = protocol::log_frame_overhead + protocol::log_event_size;
 
 std::span<const std::byte> bytes_of(std::string_view text) { return std::as_bytes(std::span{text}); }
@@ -25,6 +26,7 @@ void RecordStream::begin(const protocol::LogHeader& header) {
   header_time_.reset();
   source_.reset();
   page_size_ = 0;
+  page_state_ = Page::fills;
   sequence_ = 0;
   open_ = true;
   finishing_ = false;
@@ -32,7 +34,7 @@ void RecordStream::begin(const protocol::LogHeader& header) {
 }
 
 void RecordStream::update(core::Microseconds now) {
-  if (!open_) {
+  if (!open_ || !settle_page(now)) {
     return;
   }
   room_ = std::min(page_.size(), region_.page_room());
@@ -44,11 +46,48 @@ void RecordStream::update(core::Microseconds now) {
       broken_off_ = LogEnd::flash_failed;
       return close();
     }
-    page_size_ = access == Access::done ? 0 : page_size_;
+    if (access == Access::done) {
+      page_state_ = Page::is_looked_back_at;
+      return;
+    }
   }
   if (finishing_ && nothing_more && page_size_ == 0) {
     close();
   }
+}
+
+bool RecordStream::settle_page(core::Microseconds now) {
+  if (page_state_ == Page::fills) {
+    return true;
+  }
+  if (page_state_ == Page::is_passed_over) {
+    const Access access = region_.pass_over(now, page_size_);
+    if (access == Access::failed) {
+      broken_off_ = LogEnd::flash_failed;
+      close();
+    } else if (access == Access::done) {
+      page_state_ = Page::fills;  // it is full, and goes to the next sector
+    }
+    return false;
+  }
+  if (queue_.ticks.size() >= most_ticks_to_look_back) {
+    page_size_ = 0;
+    page_state_ = Page::fills;
+    return true;
+  }
+  switch (region_.look_back(now, std::span{page_}.first(page_size_))) {
+    case FlightRegion::Kept::yes:
+      page_size_ = 0;
+      page_state_ = Page::fills;
+      break;
+    case FlightRegion::Kept::no: page_state_ = Page::is_passed_over; break;
+    case FlightRegion::Kept::again: break;
+    case FlightRegion::Kept::failed:
+      broken_off_ = LogEnd::flash_failed;
+      close();
+      break;
+  }
+  return false;
 }
 
 void RecordStream::fill_page() {

@@ -18,6 +18,10 @@ namespace fantail::avionics {
 
 /// Takes records out of the queue, in their order, and brings them as frames into the flash, page by page. Every five
 /// seconds it repeats the header.
+///
+/// Each page is read back when it has been written, and what did not keep it is passed over: one more tick a page. Only
+/// while the queue is nearly full is that left out; with a flash that takes 3 ms a page that is so, as long as the half
+/// second before the launch waits, and of every third page.
 class RecordStream {
  public:
   RecordStream(RecordQueue& queue, FlightRegion& region) : queue_{queue}, region_{region} {}
@@ -38,6 +42,8 @@ class RecordStream {
   [[nodiscard]] bool open() const { return open_; }
 
  private:
+  /// False: the page is not free yet, or the flash has been used in this tick.
+  [[nodiscard]] bool settle_page(core::Microseconds now);
   void fill_page();
   [[nodiscard]] std::span<std::byte> rest_of_page() { return {page_.data() + page_size_, room_ - page_size_}; }
   [[nodiscard]] bool begin_next();
@@ -59,6 +65,8 @@ class RecordStream {
   std::size_t room_ = 0;       ///< bytes of it that may be programmed at once
   std::uint32_t sequence_ = 0;
   std::optional<core::Microseconds> header_time_{};  ///< of the last one
+  enum class Page : std::uint8_t { fills, is_looked_back_at, is_passed_over };
+  Page page_state_ = Page::fills;
   bool open_ = false;
   bool finishing_ = false;
   std::optional<protocol::LogEnd> broken_off_{};  ///< why it ends without finish()

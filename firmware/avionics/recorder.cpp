@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "avionics/recorder.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "avionics/flash_facts.hpp"
@@ -11,6 +12,7 @@ namespace fantail::avionics {
 
 using core::Microseconds;
 using core::Phase;
+using protocol::LogBegin;
 using protocol::LogEnd;
 using protocol::LogEventKind;
 using protocol::StateExtent;
@@ -19,6 +21,10 @@ namespace {
 
 // Header, first checkpoint and the half second before launch: a record that ends ahead of its launch is none.
 constexpr std::uint32_t least_record_bytes = 40'000;
+
+constexpr std::uint8_t ticks_of_a_push = 50;  // a knock is shorter
+constexpr std::uint8_t most_records_in_safe = 3;
+constexpr Microseconds longest_outside_flight{60'000'000};
 
 bool flies(Phase phase) { return phase != Phase::safe && phase != Phase::armed; }
 
@@ -29,6 +35,8 @@ void Recorder::take_plan(const core::FlightPlan& plan) {
   canards_ = plan.canards;
   queue_.ticks.take_ticks_of(plan.sensors.gyros == core::GyroRule::two_agree ? protocol::largest_log_tick
                                                                              : protocol::log_tick_size);
+  rest_time_ = plan.motion.rest_time;
+  threshold_m_s2_ = plan.recording.threshold_m_s2;
   stage_ = Stage::idle;
 }
 
@@ -39,21 +47,25 @@ void Recorder::note(const Tick& tick, core::Autopilot& law) {
   }
   switch (stage_) {
     case Stage::idle:
-      if ((phase == Phase::armed || (resumed_ && flies(phase) && region_.finished())) &&
+      if ((may_wait(tick) || (resumed_ && flies(phase) && region_.finished())) &&
           region_.free_bytes().value_or(least_record_bytes) >= least_record_bytes) {
         begin_on_pad(tick, law);
       }
       break;
     case Stage::on_pad:
-      if (phase == Phase::safe) {
-        resumed_.reset();
-        stage_ = Stage::idle;
-        break;
-      }
-      if (flies(phase)) {
-        begin_flight(tick);
+      if (const bool pushed = is_pushed(tick.inputs); flies(phase) || pushed) {
+        begin_flight(tick, flies(phase) ? LogBegin::flight : LogBegin::acceleration);
         if (stage_ == Stage::flying) {
           fly_on(tick, law);
+        }
+        break;
+      }
+      // What comes before it belongs to another phase, and no replay knows a request.
+      if (phase != told_.phase || tick.inputs.canard_request) {
+        resumed_.reset();
+        stage_ = Stage::idle;
+        if (may_wait(tick)) {
+          begin_on_pad(tick, law);
         }
         break;
       }
@@ -67,6 +79,25 @@ void Recorder::note(const Tick& tick, core::Autopilot& law) {
   }
 }
 
+bool Recorder::may_wait(const Tick& tick) const {
+  const bool waits_in_safe = tick.record.phase == Phase::safe && tick.record.motion.at_rest_for >= rest_time_ &&
+                             records_in_safe_ < most_records_in_safe && region_.finished() &&
+                             !tick.inputs.canard_request;
+  return tick.record.phase == Phase::armed || waits_in_safe;
+}
+
+bool Recorder::is_pushed(const core::Inputs& inputs) {
+  const float threshold_squared = threshold_m_s2_ * threshold_m_s2_;
+  const bool beyond = std::ranges::any_of(inputs.accelerometers, [&](const core::AccelerometerSample& sample) {
+    const core::Vector3& f = sample.specific_force_m_s2;
+    const bool measures =
+        sample.quality == core::SampleQuality::valid || sample.quality == core::SampleQuality::saturated;
+    return measures && f.x * f.x + f.y * f.y + f.z * f.z > threshold_squared;
+  });
+  pushed_ticks_ = beyond ? static_cast<std::uint8_t>(pushed_ticks_ + 1U) : std::uint8_t{0};
+  return pushed_ticks_ >= ticks_of_a_push;
+}
+
 void Recorder::begin_on_pad(const Tick& tick, core::Autopilot& law) {
   state_layout_ = state_layout(law);
   queue_.clear();
@@ -74,10 +105,11 @@ void Recorder::begin_on_pad(const Tick& tick, core::Autopilot& law) {
   armed_because_ = tick.record.reason;
   times_ = sample_times(tick.raw);
   ring_.begin(law, times_, tick.scales, canards_);
+  pushed_ticks_ = 0;
   stage_ = Stage::on_pad;
 }
 
-void Recorder::begin_flight(const Tick& tick) {
+void Recorder::begin_flight(const Tick& tick, LogBegin why) {
   const auto flight = region_.open();
   if (!flight) {
     stage_ = Stage::idle;
@@ -107,12 +139,15 @@ void Recorder::begin_flight(const Tick& tick) {
   }
   longest_queue_ = 0;
   ticks_to_health_ = 0;
-  finished_since_.reset();
+  over_since_.reset();
+  records_in_safe_ = static_cast<std::uint8_t>(records_in_safe_ + (tick.record.phase == Phase::safe ? 1U : 0U));
   const Microseconds time = queue_.ticks.size() > 0 ? queue_.ticks.time() : tick.record.time;
   begin_first_checkpoint();
   // Not in the ticks in which the flight memory writes out the same state.
   checkpoint_due_ = tick.record.time + checkpoint_period + Microseconds{3'000};
-  queue_event({.time = time, .kind = LogEventKind::recording_began, .number = *flight}, queue_.ticks.first());
+  queue_event(
+      {.time = time, .kind = LogEventKind::recording_began, .value = static_cast<std::uint8_t>(why), .number = *flight},
+      queue_.ticks.first());
   if (const auto resumed = std::exchange(resumed_, std::nullopt)) {
     queue_event({.time = time,
                  .kind = LogEventKind::resumed,
@@ -151,11 +186,13 @@ void Recorder::fly_on(const Tick& tick, core::Autopilot& law) {
   queue_health(tick);
   if (!overflowed_) {
     tell_what_was_dropped(time);
-    if (queue_.checkpoint.size == 0 && (!checkpoint_due_ || time >= *checkpoint_due_)) {
-      queue_checkpoint(time, law, flies(tick.record.phase) ? StateExtent::in_flight : StateExtent::whole);
+    // Outside a flight a state is large: only where a replay could not go on without it.
+    const bool in_flight = flies(tick.record.phase);
+    if (queue_.checkpoint.size == 0 && (!checkpoint_due_ || (in_flight && time >= *checkpoint_due_))) {
+      queue_checkpoint(time, law, in_flight ? StateExtent::in_flight : StateExtent::whole);
     }
   }
-  if (const auto end = reason_to_end(tick.record)) {
+  if (const auto end = reason_to_end(tick)) {
     queue_event({.time = time, .kind = LogEventKind::recording_ended, .value = static_cast<std::uint8_t>(*end)},
                 queue_.ticks.end());
     stream_.finish();
@@ -163,15 +200,20 @@ void Recorder::fly_on(const Tick& tick, core::Autopilot& law) {
   }
 }
 
-std::optional<LogEnd> Recorder::reason_to_end(const core::TickRecord& record) {
-  if (!flies(record.phase)) {
-    return LogEnd::returned_to_pad;
+std::optional<LogEnd> Recorder::reason_to_end(const Tick& tick) {
+  const core::TickRecord& record = tick.record;
+  if (record.phase == Phase::launched || record.phase == Phase::controlling) {
+    over_since_.reset();
+    return std::nullopt;
   }
-  if (record.phase == Phase::finished && !finished_since_) {
-    finished_since_ = record.time;
+  over_since_ = over_since_.value_or(record.time);
+  const Microseconds over_for = record.time - *over_since_;
+  if (record.phase == Phase::finished) {
+    return over_for >= recorded_after_control ? std::optional{LogEnd::flight_over} : std::nullopt;
   }
-  const bool over = finished_since_ && record.time - *finished_since_ >= recorded_after_control;
-  return over ? std::optional{LogEnd::flight_over} : std::nullopt;
+  const bool ends =
+      record.motion.at_rest_for >= rest_time_ || over_for >= longest_outside_flight || tick.inputs.canard_request;
+  return ends ? std::optional{LogEnd::returned_to_pad} : std::nullopt;
 }
 
 void Recorder::update(Microseconds now) {

@@ -24,8 +24,13 @@
 namespace fantail::avionics {
 
 /// Records a flight, from half a second before its launch was detected (in the tunnel: before control) until it has
-/// been over for half a minute or the flash is full. On the pad nothing is written: an armed rocket keeps its last half
-/// second in memory, and a rocket that is not armed nothing at all.
+/// been over for half a minute or the flash is full. On the pad nothing is written: an armed rocket, or one that has
+/// stood still in Safe, keeps its last half second in memory.
+///
+/// A launch that nobody detects is recorded too, because that is the flight somebody will want to understand: one
+/// accelerometer beyond the plan's recording threshold for 50 ms, in any direction, begins a record. In Safe that may
+/// be somebody who handles the rocket: three such records since power-up, and no more. A record outside a flight ends
+/// when the rocket is at rest again, or after a minute.
 ///
 /// It never waits for the flash. Ticks that come while the queue is full are counted and left out, and with a
 /// checkpoint the record goes on where there is room again: with a flash of 85 kB/s (W25Q128 at its slowest) that does
@@ -66,6 +71,9 @@ class Recorder {
   /// The rocket flies already: a record begins as soon as the flash can take one, with what the law then remembers.
   void resume_flight(const Resume& resume) { resumed_ = resume; }
 
+  /// The law has another state than it stepped to, as no replay can know: it wants to be written down.
+  void restate() { checkpoint_due_.reset(); }
+
   /// Once a tick, when the flight law has stepped: `law` is what it is now. No call to the flash.
   void note(const Tick& tick, core::Autopilot& law);
 
@@ -93,10 +101,12 @@ class Recorder {
     core::Microseconds next_faults{};  ///< not before: a plug that comes and goes does not fill the record
   };
 
+  [[nodiscard]] bool may_wait(const Tick& tick) const;
+  [[nodiscard]] bool is_pushed(const core::Inputs& inputs);
   [[gnu::cold]] void begin_on_pad(const Tick& tick, core::Autopilot& law);
-  [[gnu::cold]] void begin_flight(const Tick& tick);
+  [[gnu::cold]] void begin_flight(const Tick& tick, protocol::LogBegin why);
   void fly_on(const Tick& tick, core::Autopilot& law);
-  [[nodiscard]] std::optional<protocol::LogEnd> reason_to_end(const core::TickRecord& record);
+  [[nodiscard]] std::optional<protocol::LogEnd> reason_to_end(const Tick& tick);
 
   // `before`: number of the tick that follows.
   void queue_tick(const Tick& tick);
@@ -128,7 +138,11 @@ class Recorder {
   std::size_t first_checkpoint_made_ = 0;  ///< bytes of its state
   std::uint32_t ticks_to_health_ = 0;
   std::optional<core::Microseconds> checkpoint_due_{};  ///< empty: one is wanted now
-  std::optional<core::Microseconds> finished_since_{};
+  std::optional<core::Microseconds> over_since_{};      ///< Finished, or in no flight
+  core::Microseconds rest_time_{};
+  float threshold_m_s2_ = 0.0F;
+  std::uint8_t pushed_ticks_ = 0;
+  std::uint8_t records_in_safe_ = 0;
   std::optional<Resume> resumed_{};  ///< and no record has begun since
   bool overflowed_ = false;          ///< no tick is taken until there is room again
   std::uint32_t dropped_ = 0;        ///< records, since that was last said

@@ -17,7 +17,7 @@ std::size_t values(LogEventKind kind) {
     case LogEventKind::command_status: return core::command_statuses;
     case LogEventKind::resumed: return resumed_after_causes;
     case LogEventKind::gyro_vote: return core::gyro_votes;
-    case LogEventKind::recording_began:
+    case LogEventKind::recording_began: return log_begins;
     case LogEventKind::records_dropped:
     case LogEventKind::longest_tick:
     case LogEventKind::board_faults: break;
@@ -110,6 +110,14 @@ std::string_view name(LogEventKind kind) {
     case LogEventKind::board_faults: return "board_faults";
     case LogEventKind::resumed: return "resumed";
     case LogEventKind::gyro_vote: return "gyro_vote";
+  }
+  return "unknown";
+}
+
+std::string_view name(LogBegin begin) {
+  switch (begin) {
+    case LogBegin::flight: return "flight";
+    case LogBegin::acceleration: return "acceleration";
   }
   return "unknown";
 }

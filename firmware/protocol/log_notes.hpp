@@ -16,7 +16,7 @@ namespace fantail::protocol {
 // What a flight log holds beside its ticks. The time of each stands in its frame's head and is that of a tick.
 
 enum class LogEventKind : std::uint8_t {
-  recording_began,      ///< number: of the flight
+  recording_began,      ///< number: of the flight, value: LogBegin
   recording_ended,      ///< value: LogEnd
   phase,                ///< value: core::Phase, detail: core::PhaseReason
   canard_verdict,       ///< index: canard 0 to 3, value: core::CanardVerdict
@@ -31,10 +31,17 @@ enum class LogEventKind : std::uint8_t {
 };
 inline constexpr std::size_t log_event_kinds = 12;
 
+/// Why a recording began.
+enum class LogBegin : std::uint8_t {
+  flight,        ///< the flight law saw a launch, or began control in the tunnel
+  acceleration,  ///< it did not, but the specific force was beyond the plan's threshold
+};
+inline constexpr std::size_t log_begins = 2;
+
 /// Why a recording ended.
 enum class LogEnd : std::uint8_t {
   flight_over,      ///< Finished for long enough
-  returned_to_pad,  ///< it was no launch
+  returned_to_pad,  ///< the flight law is in no flight: at rest again, or for a minute
   flash_full,
   flash_failed,
 };
@@ -85,5 +92,6 @@ inline constexpr std::size_t log_checkpoint_times_size = 16;
 [[nodiscard]] std::string_view name(LogEventKind kind);
 [[nodiscard]] std::string_view name(ResumedAfter cause);
 [[nodiscard]] std::string_view name(LogEnd end);
+[[nodiscard]] std::string_view name(LogBegin begin);
 
 }  // namespace fantail::protocol

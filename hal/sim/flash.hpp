@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -92,6 +93,9 @@ class Flash final : public hal::Flash {
   /// The bits of the mask read as they do in `value`, whatever is done to them.
   void stick(std::uint32_t address, std::byte mask, std::byte value) { stuck_.push_back({address, mask, value}); }
 
+  /// Programs in the sector that begins here have no effect, and say nothing of it, as a W25Q does.
+  void wear_out(std::uint32_t sector) { worn_out_.push_back(sector); }
+
   /// What lies in the flash, for the world and for tests to look at and to spoil.
   [[nodiscard]] std::span<std::byte> cells() { return cells_; }
   /// Programs and erases begun since power-up.
@@ -131,7 +135,8 @@ class Flash final : public hal::Flash {
   void finish() {
     if (doing_ == Doing::erase) {
       memory().erase_sector(address_);
-    } else {
+    } else if (std::ranges::find(worn_out_, address_ / geometry_.sector_size * geometry_.sector_size) ==
+               worn_out_.end()) {
       memory().program(address_, bytes_);
     }
     doing_ = Doing::nothing;
@@ -147,6 +152,7 @@ class Flash final : public hal::Flash {
   Microseconds done_at_{};
   std::uint64_t begun_ = 0;
   std::vector<StuckBits> stuck_;
+  std::vector<std::uint32_t> worn_out_;
   bool answers_ = true;
   bool stays_busy_ = false;
 };

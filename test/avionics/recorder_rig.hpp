@@ -81,9 +81,12 @@ class RecorderRig {
          .gyro = {
              .time = time, .rate_rad_s = {.x = random_.between(-9.0F, 9.0F)}, .quality = core::SampleQuality::valid}});
     record.phase = phase;
+    record.motion.at_rest_for = rests ? core::Microseconds{10'000'000} : core::Microseconds{0};
+    const core::AccelerometerSample felt{
+        .time = time, .specific_force_m_s2 = specific_force_m_s2, .quality = core::SampleQuality::valid};
     service.recorder().note({.raw = raw_,
                              .scales = {},
-                             .inputs = {.time = time},
+                             .inputs = {.time = time, .accelerometers = {felt, {}}, .canard_request = request},
                              .record = record,
                              .bus = bus_,
                              .power_up = 1,
@@ -104,6 +107,9 @@ class RecorderRig {
     }
   }
 
+  bool rests = true;
+  core::Vector3 specific_force_m_s2{.x = core::standard_gravity_m_s2};
+  std::optional<std::array<core::Angle, core::canard_count>> request{};
   CountingBoard board;
   hal::BoardFaults faults{};
   NotingFlash noting;

@@ -171,6 +171,18 @@ TEST_F(SimFlash, ADeviceThatDoesNotAnswerFailsAndOneThatStaysBusySaysSo) {
   EXPECT_EQ(flash.read(0, byte), FlashResult::ok);
 }
 
+TEST_F(SimFlash, AWornOutSectorTakesNothingAndSaysNothing) {
+  Flash instant{small};
+  instant.wear_out(small.sector_size);
+  EXPECT_EQ(instant.program(small.sector_size, Bytes(8)), FlashResult::ok);
+  EXPECT_EQ(instant.program(0, Bytes(8)), FlashResult::ok);
+  Bytes out(8);
+  EXPECT_EQ(instant.read(small.sector_size, out), FlashResult::ok);
+  EXPECT_EQ(out, Bytes(8, std::byte{0xFF}));
+  EXPECT_EQ(instant.read(0, out), FlashResult::ok);
+  EXPECT_EQ(out, Bytes(8));
+}
+
 TEST_F(SimFlash, StuckBitsReadTheSameWhateverIsDone) {
   Flash instant{small};
   instant.stick(10, std::byte{0x81}, std::byte{0x01});

@@ -12,7 +12,7 @@ namespace {
 std::string_view text(protocol::LogEnd end) {
   switch (end) {
     case protocol::LogEnd::flight_over: return "the flight is over";
-    case protocol::LogEnd::returned_to_pad: return "false launch detection";
+    case protocol::LogEnd::returned_to_pad: return "no flight any more: at rest, or for a minute";
     case protocol::LogEnd::flash_full: return "the flash is full";
     case protocol::LogEnd::flash_failed: return "the flash failed";
   }
@@ -69,7 +69,11 @@ std::string ordinal(std::uint32_t number) {
 std::string event_text(const protocol::LogEvent& event) {
   using Kind = protocol::LogEventKind;
   switch (event.kind) {
-    case Kind::recording_began: return fmt::format("recording began, at {:#x} in the flash", event.number);
+    case Kind::recording_began:
+      return fmt::format("recording began, at {:#x} in the flash{}", event.number,
+                         static_cast<protocol::LogBegin>(event.value) == protocol::LogBegin::acceleration
+                             ? ": specific force beyond recording.threshold_g, and no launch seen"
+                             : "");
     case Kind::recording_ended:
       return fmt::format("recording ended: {}", text(static_cast<protocol::LogEnd>(event.value)));
     case Kind::phase:

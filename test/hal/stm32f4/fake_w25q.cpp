@@ -113,7 +113,11 @@ void FakeW25q::begin(Doing what) {
 void FakeW25q::finish() {
   const auto place = std::span{cells}.subspan(address_);
   if (doing_ == Doing::program) {
+    const std::byte before = worn ? cells[worn->address] : std::byte{0};
     hal::sim::tear_program(place.first(page_size), page_, 1);
+    if (worn) {
+      cells[worn->address] |= before & worn->mask;
+    }
   } else {
     hal::sim::tear_erase(place.first(sector_size), 1);
   }

@@ -31,6 +31,12 @@ class FakeW25q final : public SpiSlave {
   bool asleep = false;                   ///< power-down
   bool status_locked = false;            ///< its status registers cannot be written
   std::array<std::uint8_t, 3> status{};  ///< without BUSY and WEL
+  /// Of this byte these bits stay ones. No status bit tells: the family has none for a program that failed.
+  struct WornBits {
+    std::size_t address;
+    std::byte mask;
+  };
+  std::optional<WornBits> worn{};
   void cut_power(std::uint64_t seed);
 
   int programs = 0;  ///< begun

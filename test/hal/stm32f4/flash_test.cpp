@@ -74,6 +74,19 @@ TEST_F(FlashTest, WhatIsProgrammedIsReadWhenTheDeviceIsIdleAgain) {
   EXPECT_TRUE(flash.faults().none());
 }
 
+// So whoever wants to know reads it back: avionics/record_stream.
+TEST_F(FlashTest, NeitherStatusNorFaultTellsOfACellThatDidNotTakeItsBit) {
+  Flash flash = started();
+  auto bytes = counting(256);
+  bytes[7] = std::byte{0};
+  device.worn = {.address = 0x12307, .mask = std::byte{0x10}};
+  ASSERT_EQ(flash.program(0x12300, bytes), FlashResult::ok);
+  clock.time += device.program_time;
+  EXPECT_FALSE(flash.busy());
+  EXPECT_TRUE(flash.faults().none());
+  EXPECT_EQ(read(flash, 0x12307, 1)[0], std::byte{0x10});
+}
+
 TEST_F(FlashTest, AnEraseTurnsOneSectorToOnes) {
   std::ranges::fill(device.cells, std::byte{0});
   Flash flash = started();
