@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "flight/columns.hpp"
 #include "flight/write_csv.hpp"
 #include "logs/refused.hpp"
 #include "report/figures.hpp"
@@ -36,6 +37,29 @@ TEST(FlightCsv, ColumnsBecomeRowsInRadiansAndPhasesTheEvents) {
   EXPECT_EQ(flight.events.control_end_s, 9.0);
   ASSERT_EQ(flight.phase_changes.size(), 4U);
   EXPECT_FALSE(flight.phase_changes[1].reason);
+}
+
+TEST(FlightCsv, RowsThatWereNotReplayedAreLeftOutAndSaidHoweverManyThereAre) {
+  const Flight flight = read_flight_csv(
+      Table::parse("time_s,phase,roll_angle_deg,replayed\n0,armed,1,1\n0.1,armed,,0\n0.2,armed,,0\n0.3,armed,4,1\n",
+                   "log.csv"),
+      {}, {.roll_angle = true, .roll_rate = false});
+  ASSERT_EQ(flight.rows.size(), 2U);
+  EXPECT_EQ(flight.rows[1].time_s, 0.3);
+  ASSERT_EQ(flight.notes.size(), 1U);
+  EXPECT_EQ(flight.notes[0], "2 of 4 rows are of ticks that could not be replayed; they are left out.");
+}
+
+TEST(FlightCsv, ARowThatWasNotReplayedIsWrittenWithItsMarkAndTheOthersWithTheirs) {
+  Flight flight;
+  flight.rows = {Row{}, unknown_row()};
+  flight.rows[1].time_s = 0.001;
+  flight.rows[1].replayed = false;
+  const std::string text = csv(flight);
+  EXPECT_NE(text.find(",speed_m_s,replayed\n"), std::string::npos) << text;
+  EXPECT_EQ(read(text).rows.size(), 1U);
+  flight.rows.pop_back();
+  EXPECT_EQ(csv(flight).find("replayed"), std::string::npos);
 }
 
 std::string joined(const std::vector<std::string>& sentences) {

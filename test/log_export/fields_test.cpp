@@ -95,6 +95,7 @@ TEST(ExportFields, ATickHasItsRecordedAndItsReplayedValuesInDegrees) {
   const auto values = reader.read(400);
   ASSERT_EQ(values.size(), fields().size());
   EXPECT_NEAR(number(values, "time_s"), 0.3, 1e-12);
+  EXPECT_TRUE(std::get<bool>(value(values, "replayed")));
   EXPECT_EQ(std::get<std::int64_t>(value(values, "time_us")), 10'400'000);
   EXPECT_EQ(std::get<std::int64_t>(value(values, "rate_y_count")), -400);
   EXPECT_EQ(std::get<std::int64_t>(value(values, "digest")), 0xFFFF0000LL + 400);
@@ -123,6 +124,7 @@ TEST(ExportFields, WhereTheReplayCouldNotComeWhatStandsInTheLogIsStillThere) {
   TickReader reader{source};
   const auto values = reader.read(502);  // tick 552: fifty are missing before it
   EXPECT_NEAR(number(values, "time_s"), 0.452, 1e-12);
+  EXPECT_FALSE(std::get<bool>(value(values, "replayed")));
   EXPECT_EQ(std::get<std::int64_t>(value(values, "rate_x_count")), 552);
   EXPECT_NEAR(number(values, "command_deg"), 2.76, 1e-6);
   EXPECT_NEAR(number(values, "command_1_deg"), 6.52, 1e-5);

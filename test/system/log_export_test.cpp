@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <fstream>
+#include <span>
 #include <sstream>
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "flight_log/flight_log.hpp"
 #include "flight_log/made_flight.hpp"
+#include "flight_log/regenerate.hpp"
 #include "json/value.hpp"
 #include "system/folder.hpp"
 #include "system/process.hpp"
@@ -155,6 +158,40 @@ TEST_F(LogExport, WhatIsLostIsSaidOnStandardErrorAndTheRestIsExported) {
   EXPECT_GT(lines(content(folder_ / "out/export/flown.csv")), 2000U);
 }
 
+// How many ticks are left is counted by the reader alone; the rows that are marked are those to which no replay leads.
+TEST_F(LogExport, EveryTickThatIsLeftOfADamagedLogHasItsRow) {
+  const std::string whole = made_log();
+  constexpr std::size_t sector = 4096;
+  std::string flipped = whole;
+  for (std::size_t at = whole.size() / 3; at < whole.size(); at += whole.size() / 7) {
+    flipped[at] = static_cast<char>(flipped[at] ^ 0x10);
+  }
+  std::string lost_sector = whole;
+  lost_sector.replace(whole.size() / 2 / sector * sector, sector, sector, '\xFF');
+  for (const std::string& log : {flipped, lost_sector}) {
+    const flight_log::LogFile file = flight_log::parse_log(std::as_bytes(std::span{log}), "flown.ftl");
+    ASSERT_EQ(file.flights.size(), 1U);
+    const flight_log::Flight& flight = file.flights[0];
+    const auto replay = flight_log::regenerate(flight, flight.plan.value());
+    ASSERT_GT(replay.unreachable, 0U);
+    ASSERT_LT(flight.ticks.size(), 3000U);
+    folder_.write("flown.ftl", log);
+    const Outcome outcome = run({"--to", "csv", "--out", "-"});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(lines(outcome.out), 1 + flight.ticks.size());
+    std::size_t marked = 0;
+    for (std::size_t at = outcome.out.find(",0\n"); at != std::string::npos; at = outcome.out.find(",0\n", at + 1)) {
+      marked += 1;
+    }
+    EXPECT_EQ(marked, replay.unreachable);
+    const Json json = json::parse(run({"--to", "json", "--out", "-", "--fields", "time_us,replayed"}).out);
+    EXPECT_EQ(json["ticks"]["time_us"].size(), flight.ticks.size());
+    EXPECT_EQ(std::ranges::count(json["ticks"]["replayed"], Json(false)),
+              static_cast<std::ptrdiff_t>(replay.unreachable));
+    EXPECT_NE(run({"--to", "lcm"}).err.find("--to csv has every tick"), std::string::npos);
+  }
+}
+
 TEST_F(LogExport, WithoutAReplayTheRecordedFieldsAreStillThere) {
   const flight_log::MadeFlight made = flight_log::make_flight();
   // Header and plan, and then ticks up to the next state to replay from: without that state nothing can be replayed.
@@ -162,9 +199,13 @@ TEST_F(LogExport, WithoutAReplayTheRecordedFieldsAreStillThere) {
   const std::string head = log.substr(0, made.frame_ends[0]);
   const std::string ticks = log.substr(made.frame_ends[1], made.frame_ends[100] - made.frame_ends[1]);
   folder_.write("flown.ftl", head + ticks);
-  const Outcome refused = run({"--to", "csv"});
+  const Outcome refused = run({"--to", "lcm"});
   EXPECT_EQ(refused.exit_code, 65);
-  EXPECT_NE(refused.err.find("--fields time_us,phase,command_deg"), std::string::npos) << refused.err;
+  EXPECT_NE(refused.err.find("What the log itself contains can be exported: --to csv"), std::string::npos)
+      << refused.err;
+  const Outcome rows = run({"--to", "csv", "--out", "-"});
+  EXPECT_EQ(rows.exit_code, 0) << rows.err;
+  EXPECT_TRUE(rows.out.ends_with(",0\n")) << "marked";
   const Outcome outcome = run({"--to", "csv", "--out", "-", "--fields", "time_us,rate_x_count,roll_angle_deg"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_TRUE(outcome.out.starts_with("time_us,rate_x_count,roll_angle_deg\n5500000,1,\n"))

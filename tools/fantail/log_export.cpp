@@ -151,14 +151,19 @@ Exported export_flight(const ExportQuestion& question, const flight_log::Flight&
     refuse_log(question, "holds no tick of the flight");
   }
   const flight_log::Regeneration replay = replay_of(flight);
-  const bool shows_recorded = chosen || question.format->name == "ulog" || question.format->name == "json";
-  if (!shows_recorded && replay.compared == 0) {
+  const bool only_replayed = !question.format->has_fields;
+  if (only_replayed && replay.compared == 0) {
     // A file of nothing but headers would look like a success.
-    refuse_log(question, fmt::format("{} What the log itself contains can be exported: --to csv --fields "
-                                     "time_us,phase,command_deg,rate_x_count,encoder_1_count",
+    refuse_log(question, fmt::format("{} What the log itself contains can be exported: --to csv",
                                      replay.obstacle.empty() ? "No tick of it can be replayed." : replay.obstacle));
   }
-  const flight::Flight report = flight_log::to_report(flight, replay);
+  flight::Flight report = flight_log::to_report(flight, replay);
+  if (only_replayed && replay.unreachable > 0) {
+    report.notes.push_back(
+        fmt::format("The messages of --to {} are what a replay gives: ticks that could not be replayed are not among "
+                    "them. --to csv has every tick.",
+                    question.format->name));
+  }
   const log_export::ReplayedFlight source{flight, replay, report, question.window};
   if (std::ranges::none_of(flight.ticks, [&](const auto& t) { return source.inside(t.tick.time); })) {
     refuse_log(question, fmt::format("no tick between --from and --until; the log goes from {:.6f} s to {:.6f} s",

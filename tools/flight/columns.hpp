@@ -31,6 +31,8 @@ struct Column {
 /// behind time_s, which comes first here.
 [[nodiscard]] std::span<const Column> columns();
 inline constexpr std::string_view phase_column = "phase";
+/// The last column, of flags, where there are rows that were not replayed, and only there.
+inline constexpr std::string_view replayed_column = "replayed";
 
 /// Null for a name that is none of these.
 [[nodiscard]] const Column* find_column(std::string_view name);

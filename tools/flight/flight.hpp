@@ -43,6 +43,7 @@ struct Row {
   double height_m = 0.0;
   double speed_m_s = 0.0;
   std::optional<Truth> truth{};
+  bool replayed = true;  ///< false: of a logged tick to which no replay leads; only what the log itself holds is known
 };
 
 /// What the instruments of a wind tunnel read.

@@ -145,7 +145,8 @@ std::vector<std::string> FoundColumns::notes() const {
   std::string unused;
   std::size_t count = 0;
   for (std::size_t i = 0; i < table_.columns().size(); ++i) {
-    const bool used = phase() == i || std::ranges::find(found_, i, &FoundColumn::index) != found_.end();
+    const bool used = phase() == i || table_.find(replayed_column) == i ||
+                      std::ranges::find(found_, i, &FoundColumn::index) != found_.end();
     if (!used && !table_.columns()[i].empty() && ++count <= most_unused_shown) {
       unused += (unused.empty() ? "" : ", ") + in_quotes(table_.columns()[i]);
     }

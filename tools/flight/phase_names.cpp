@@ -32,6 +32,7 @@ std::string_view display_name(core::PhaseReason reason) {
     case PhaseReason::gyro_failed: return "the gyro failed";
     case PhaseReason::timing_fault: return "a timing fault";
     case PhaseReason::canard_fault: return "a canard fault";
+    case PhaseReason::memory_fault: return "damaged memory";
   }
   return "unknown";
 }

@@ -36,12 +36,19 @@ std::optional<core::Phase> phase_named(std::string_view word) {
 class Rows {
  public:
   Rows(const Table& table, const FoundColumns& columns, Flight& flight)
-      : table_{table}, columns_{columns.found()}, phase_{columns.phase()}, wrong_(columns_.size()), flight_{flight} {}
+      : table_{table},
+        columns_{columns.found()},
+        phase_{columns.phase()},
+        replayed_{table.find(replayed_column)},
+        wrong_(columns_.size()),
+        flight_{flight} {}
 
   void read_all() {
     flight_.rows.reserve(table_.rows());
     for (std::size_t line = 0; line < table_.rows(); ++line) {
-      if (const auto row = read(line); !row) {
+      if (replayed_ && table_.cell(line, *replayed_) == "0") {
+        ++not_replayed_;
+      } else if (const auto row = read(line); !row) {
         ++left_out_;
       } else if (repeats(*row, line)) {
         ++repeated_;
@@ -121,6 +128,10 @@ class Rows {
 
   void judge_count() const {
     const std::size_t rows = table_.rows();
+    if (not_replayed_ > 0) {
+      flight_.notes.push_back(fmt::format("{} of {} rows are of ticks that could not be replayed; they are left out.",
+                                          not_replayed_, rows));
+    }
     if (left_out_ > 0) {
       const std::string said = fmt::format("{} of {} rows have no number in a required column (first: {})", left_out_,
                                            rows, first_left_out_);
@@ -141,9 +152,11 @@ class Rows {
   const Table& table_;
   std::span<const FoundColumn> columns_;
   std::optional<std::size_t> phase_;
+  std::optional<std::size_t> replayed_;
   std::vector<std::size_t> wrong_;  ///< cells of a column that nobody needs, with something that is no number
   Flight& flight_;
   std::size_t left_out_ = 0;
+  std::size_t not_replayed_ = 0;
   std::size_t repeated_ = 0;
   std::string first_left_out_;
   std::size_t last_line_ = 0;

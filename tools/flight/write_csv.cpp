@@ -36,12 +36,16 @@ std::string csv(const Flight& flight) {
     written =
         written.first(static_cast<std::size_t>(std::ranges::find(written, true, &Column::is_true) - written.begin()));
   }
+  const bool marks = !std::ranges::all_of(flight.rows, &Row::replayed);
   const Column& time = written.front();
   std::string out;
   out.reserve((flight.rows.size() / flight.rows_per_line + 1) * 320);
   out.append(time.name).append(",").append(phase_column);
   for (const Column& column : written.subspan(1)) {
     out.append(",").append(column.name);
+  }
+  if (marks) {
+    out.append(",").append(replayed_column);
   }
   out.push_back('\n');
   for (std::size_t i = 0; i < flight.rows.size(); i += flight.rows_per_line) {
@@ -51,6 +55,9 @@ std::string csv(const Flight& flight) {
     for (const Column& column : written.subspan(1)) {
       out.push_back(',');
       write_cell(out, column, row);
+    }
+    if (marks) {
+      out.append(row.replayed ? ",1" : ",0");
     }
     out.push_back('\n');
   }

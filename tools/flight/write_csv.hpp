@@ -8,7 +8,7 @@
 namespace fantail::flight {
 
 /// flight.csv: a header, then one row per tick that was kept, with six decimals. What is unknown is an empty cell. The
-/// true_ columns exist when any row has truth.
+/// true_ columns exist when any row has truth, the column `replayed` when any row was not.
 [[nodiscard]] std::string csv(const Flight& flight);
 
 /// tunnel.csv: time_s, fan_rpm, wind_speed_m_s; one row per reading of the wind sensor.

@@ -164,6 +164,10 @@ class Replay {
 
 }  // namespace
 
+core::EncoderAngles encoders_of(const Flight& flight, const protocol::LogTick& tick) {
+  return flight.plan ? avionics::inputs_of(tick, {}, flight.plan->canards).encoders : core::EncoderAngles{};
+}
+
 std::uint32_t state_layout(const core::FlightPlan& plan) {
   core::Autopilot law{plan};
   protocol::StateLayout layout;

@@ -34,6 +34,10 @@ struct Regeneration {
   [[nodiscard]] bool complete_and_equal() const { return compared > 0 && unreachable == 0 && differing == 0; }
 };
 
+/// Where the canards stood; empty where an encoder had nothing to say, and all of them without the plan, which has the
+/// encoders' zeros.
+[[nodiscard]] core::EncoderAngles encoders_of(const Flight& flight, const protocol::LogTick& tick);
+
 /// What the checkpoints of this program's flight law by this plan are known by.
 [[nodiscard]] std::uint32_t state_layout(const core::FlightPlan& plan = core::default_plan());
 

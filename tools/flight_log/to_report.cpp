@@ -95,8 +95,8 @@ void add_notes(flight::Flight& result, const Flight& flight, const Regeneration&
     note("The flight could not be replayed. " + regeneration.obstacle);
   } else if (regeneration.unreachable > 0) {
     note(
-        fmt::format("{} ticks between a gap and the next checkpoint are left out: the state of the flight law there "
-                    "is lost.",
+        fmt::format("{} ticks between a gap and the next checkpoint could not be replayed: the state of the flight law "
+                    "there is lost.",
                     regeneration.unreachable));
   }
   if (regeneration.differing > 0) {

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "flight/columns.hpp"
 #include "flight/six_decimals.hpp"
 #include "flight/write_csv.hpp"
 #include "flight_log/schema.hpp"
@@ -40,11 +41,38 @@ std::vector<SchemaField> tick_fields(const flight_log::Flight& flight) {
   return tick != nullptr ? tick->fields : std::vector<SchemaField>{};
 }
 
+flight::Row logged_row(const ReplayedFlight& source, std::size_t i) {
+  const protocol::LogTick& tick = source.flight().ticks[i].tick;
+  flight::Row row = flight::unknown_row();
+  row.replayed = false;
+  row.time_s = source.time_s(tick.time);
+  row.phase = tick.phase;
+  row.command_rad = static_cast<double>(tick.command.radians());
+  row.saturated = tick.saturated;
+  const core::EncoderAngles encoders = flight_log::encoders_of(source.flight(), tick);
+  for (std::size_t canard = 0; canard < core::canard_count; ++canard) {
+    if (const auto& command = tick.canard_commands[canard]) {
+      row.commands_rad[canard] = static_cast<double>(command->radians());
+    }
+    if (encoders[canard]) {
+      row.encoders_rad[canard] = static_cast<double>(encoders[canard]->radians());
+    }
+  }
+  return row;
+}
+
 }  // namespace
 
 std::string flight_csv(const ReplayedFlight& source, const flight::Flight& report) {
   flight::Flight part = report;
-  std::erase_if(part.rows, [&source](const flight::Row& row) { return !source.inside(row.time_s); });
+  part.rows.clear();
+  std::size_t replayed = 0;
+  for (std::size_t i = 0; i < source.flight().ticks.size(); ++i) {
+    const flight::Row row = source.record(i) != nullptr ? report.rows[replayed++] : logged_row(source, i);
+    if (source.inside(row.time_s)) {
+      part.rows.push_back(row);
+    }
+  }
   return flight::csv(part);
 }
 

@@ -87,9 +87,9 @@ struct Counts {
   const std::array<std::int16_t, 3>& values;
 };
 
-// Shows everything that the log itself says of a tick, by the names of its schema.
+// Shows everything that the log itself says of a tick, by the names of its schema; and whether a replay leads to it.
 template <typename Visitor>
-void visit_logged(const flight_log::LoggedTick& logged, double time_s, Visitor&& visit) {
+void visit_logged(const flight_log::LoggedTick& logged, double time_s, bool replayed, Visitor&& visit) {
   const protocol::LogTick& tick = logged.tick;
   visit("time", "s", time_s);
   visit("time", "us", tick.time);
@@ -134,6 +134,7 @@ void visit_logged(const flight_log::LoggedTick& logged, double time_s, Visitor&&
   }
   visit("duration_before", "us", tick.duration_before);
   visit("digest", "", tick.digest);
+  visit("replayed", "", replayed);
 }
 
 // The rest: `visit` as above, only for signals that are not in the log.
@@ -154,7 +155,7 @@ std::vector<Field> list_fields() {
     flight::ColumnText text = flight::column_text(name).value_or(flight::ColumnText{});
     list.push_back({name, type_of(value), text.unit, std::move(text.description), replayed});
   };
-  visit_logged({}, 0.0, add);
+  visit_logged({}, 0.0, false, add);
   replayed = true;
   visit_replayed({}, add);
   return list;
@@ -202,10 +203,10 @@ Selection every_field(const ReplayedFlight& source) {
 std::span<const Value> TickReader::read(std::size_t tick) {
   values_.clear();
   const flight_log::LoggedTick& logged = source_.flight().ticks[tick];
-  visit_logged(
-      logged, source_.time_s(logged.tick.time),
-      [this](std::string_view, std::string_view unit, const auto& value) { values_.push_back(value_of(value, unit)); });
   const core::TickRecord* record = source_.record(tick);
+  visit_logged(
+      logged, source_.time_s(logged.tick.time), record != nullptr,
+      [this](std::string_view, std::string_view unit, const auto& value) { values_.push_back(value_of(value, unit)); });
   static const core::TickRecord none{};
   visit_replayed(record != nullptr ? *record : none,
                  [&](std::string_view name, std::string_view unit, const auto& value) {

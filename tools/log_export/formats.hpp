@@ -12,7 +12,8 @@
 
 namespace fantail::log_export {
 
-/// flight.csv: its columns, one row for each tick that was replayed.
+/// flight.csv: its columns, one row for each tick of the log. To where no replay leads, only what the log itself holds
+/// is in it; then there is a last column `replayed`, 0 or 1.
 [[nodiscard]] std::string flight_csv(const ReplayedFlight& source, const flight::Flight& report);
 
 /// The chosen fields, one row for each tick of the log. What is unknown is an empty cell.
