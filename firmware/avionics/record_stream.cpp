@@ -12,7 +12,7 @@ using protocol::LogRecord;
 namespace {
 
 constexpr core::Microseconds header_period{5'000'000};
-constexpr std::uint32_t most_ticks_to_look_back = TickQueue::capacity - 40;
+constexpr std::uint32_t room_to_look_back = 40;  // ticks
 constexpr std::size_t last_frame_size = protocol::log_frame_overhead + protocol::log_event_size;
 
 std::span<const std::byte> bytes_of(std::string_view text) { return std::as_bytes(std::span{text}); }
@@ -70,7 +70,7 @@ bool RecordStream::settle_page(core::Microseconds now) {
     }
     return false;
   }
-  if (queue_.ticks.size() >= most_ticks_to_look_back) {
+  if (queue_.ticks.size() + room_to_look_back >= queue_.ticks.capacity()) {
     page_size_ = 0;
     page_state_ = Page::fills;
     return true;

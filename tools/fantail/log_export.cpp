@@ -139,8 +139,7 @@ Exported export_foreign(const ExportQuestion& question, const flight_log::Flight
 
 Exported export_flight(const ExportQuestion& question, const flight_log::Flight& flight) {
   if (!question.fields.empty() && !question.format->has_fields) {
-    refuse_fields(
-        fmt::format("--to {} has messages of its own; allowed with csv, ulog and json", question.format->name));
+    refuse_fields(fmt::format("--to {} has messages of its own; allowed: csv, ulog, json", question.format->name));
   }
   require_once(question.fields);
   if (!flight.foreign_ticks.empty()) {

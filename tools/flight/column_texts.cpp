@@ -54,6 +54,7 @@ constexpr auto texts = std::to_array<Text>({
   {"limited_#", "-", "1: canard # was asked for more than it was given"},
   {"encoder_#_deg", "deg", "shaft angle of canard # by its encoder; empty: no valid reading"},
   {"verdict_#", "-", "of the monitor about canard #: healthy, dead, stalled, slipping or disagreeing"},
+  {"replayed", "-", "0: no replay reached this tick, and what only a replay knows is empty"},
   {"canard_deg", "deg", "mean of the encoders that can be read, from trim, positive rolls positively"},
 
   // What only a simulated flight knows.
