@@ -35,11 +35,10 @@ protocol::LogTick log_tick_of(const core::TickRecord& record, const RawSamples& 
       .rate_counts = raw.imu.rate,
       .specific_force_counts = raw.imu.specific_force,
       .imu_status = to_log(raw.imu.status),
-      .second_gyro = raw.second_imu
-                         ? std::optional{protocol::LogTick::SecondGyro{.time = raw.second_imu->time,
-                                                                       .rate_counts = raw.second_imu->rate,
-                                                                       .status = to_log(raw.second_imu->status)}}
-                         : std::nullopt,
+      .second_gyro = raw.second_imu ? std::optional{protocol::LogSecondGyro{.time = raw.second_imu->time,
+                                                                            .rate_counts = raw.second_imu->rate,
+                                                                            .status = to_log(raw.second_imu->status)}}
+                                    : std::nullopt,
       .accelerometer_time = raw.accelerometer.time,
       .accelerometer_counts = raw.accelerometer.specific_force,
       .accelerometer_status = to_log(raw.accelerometer.status),

@@ -177,7 +177,7 @@ std::optional<LogTick> unpack_tick(core::Microseconds time, std::span<const std:
     if (status >= statuses) {
       return std::nullopt;
     }
-    LogTick::SecondGyro& second = tick.second_gyro.emplace();
+    LogSecondGyro& second = tick.second_gyro.emplace();
     second.time = measured(time, static_cast<std::uint16_t>(get<2>(payload, second_age_at)), times.second_gyro);
     get_counts(payload, second_rate_at, second.rate_counts);
     second.status = static_cast<DeviceStatus>(status);

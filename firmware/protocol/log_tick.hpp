@@ -18,6 +18,14 @@ namespace fantail::protocol {
 /// What a device said about its reading (as the hardware layer has it).
 enum class DeviceStatus : std::uint8_t { ok, error, no_reading };
 
+/// Where two gyros fly. What else the second IMU measures does not come into the flight law, and the slowest flash has
+/// no room for it.
+struct LogSecondGyro {
+  core::Microseconds time{};
+  std::array<std::int16_t, 3> rate_counts{};
+  DeviceStatus status = DeviceStatus::no_reading;
+};
+
 /// One tick as a log keeps it: what went into the flight law, and enough of what came out to see whether a replay gives
 /// the same. Everything else is made again by the law.
 struct LogTick {
@@ -28,14 +36,7 @@ struct LogTick {
   std::array<std::int16_t, 3> specific_force_counts{};
   DeviceStatus imu_status = DeviceStatus::no_reading;
 
-  /// Where two gyros fly. What else the second IMU measures does not come into the flight law, and the slowest flash
-  /// has no room for it.
-  struct SecondGyro {
-    core::Microseconds time{};
-    std::array<std::int16_t, 3> rate_counts{};
-    DeviceStatus status = DeviceStatus::no_reading;
-  };
-  std::optional<SecondGyro> second_gyro{};
+  std::optional<LogSecondGyro> second_gyro{};
 
   core::Microseconds accelerometer_time{};
   std::array<std::int16_t, 3> accelerometer_counts{};

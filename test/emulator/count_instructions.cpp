@@ -35,9 +35,9 @@ struct Mode {
 /// Each alone, beside a flight without any.
 const std::array<Mode, 3> modes{
     Mode{"with_schedule", 40.0, {"gain_schedule.speeds_m_s=[20,40,60,80]", "gain_schedule.factors=[1.5,1.2,0.9,0.7]"}},
-    Mode{"with_integral", 44.0, {"offset.rejection=integral"}},
+    Mode{"with_integral", 56.0, {"offset.rejection=integral"}},
     Mode{"with_observer",
-         66.0,
+         71.0,
          {"offset.rejection=observer", "roll_model.roll_inertia_kg_m2=0.00393",
           "roll_model.reference_area_m2=5.0265e-5", "roll_model.damping_m2=23", "roll_model.torque_m=9"}}};
 

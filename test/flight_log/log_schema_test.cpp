@@ -76,7 +76,7 @@ TEST(LogSchema, OfOneGyroIsThatOfTwoWithoutTheRecordOfTheSecond) {
 TEST(LogSchema, FindsEveryValueOfASecondGyroBehindTheTick) {
   const protocol::LogTick tick{
       .time = Microseconds{1'000'000},
-      .second_gyro = protocol::LogTick::SecondGyro{
+      .second_gyro = protocol::LogSecondGyro{
           .time = Microseconds{1'000'000 - 333}, .rate_counts = {-7, 8, -9}, .status = DeviceStatus::error}};
   protocol::SampleTimes times;
   std::array<std::byte, protocol::largest_log_tick> bytes{};

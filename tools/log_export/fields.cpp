@@ -125,7 +125,7 @@ void visit_logged(const flight_log::LoggedTick& logged, double time_s, bool repl
   const auto of_second = [&tick](auto value_of_second) {
     return tick.second_gyro ? std::optional{value_of_second(*tick.second_gyro)} : std::nullopt;
   };
-  using SecondGyro = protocol::LogTick::SecondGyro;
+  using SecondGyro = protocol::LogSecondGyro;
   visit("second_gyro_status", "", of_second([](const SecondGyro& gyro) { return gyro.status; }));
   visit("second_gyro_age", "us", of_second([&tick](const SecondGyro& gyro) { return tick.time - gyro.time; }));
   constexpr std::array<std::string_view, 3> second_rates{"second_rate_x", "second_rate_y", "second_rate_z"};
