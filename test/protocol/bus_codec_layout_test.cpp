@@ -54,7 +54,7 @@ const std::vector<Frame>& frames() {
       {"EncoderReport", 0x101, four_angles(), {48, 49, 50, 51}},
       {"StatusReport",
        0x110,
-       {choice(0, 8, 5), choice(8, 8, 15), choice(16, 8, 4), symmetric(24, 12), whole(36, 1), whole(37, 1),
+       {choice(0, 8, 5), choice(8, 8, 16), choice(16, 8, 4), symmetric(24, 12), whole(36, 1), whole(37, 1),
         whole(38, 1), whole(39, 1), whole(40, 1), whole(41, 1), whole(42, 1), whole(43, 1), whole(44, 1), whole(45, 1),
         whole(46, 1)},
        {}},

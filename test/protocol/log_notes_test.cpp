@@ -28,13 +28,14 @@ TEST(LogEvent, OneOfWhichThisVersionKnowsNothingIsRefused) {
   };
   const auto number = [](LogEventKind kind) { return static_cast<std::uint8_t>(kind); };
   EXPECT_FALSE(accepts(log_event_kinds, 0, 0, 0));
-  EXPECT_TRUE(accepts(number(LogEventKind::phase), 4, 14, 0));
+  EXPECT_TRUE(accepts(number(LogEventKind::phase), 4, 15, 0));
   EXPECT_FALSE(accepts(number(LogEventKind::phase), 5, 0, 0));
-  EXPECT_FALSE(accepts(number(LogEventKind::phase), 0, 15, 0));
+  EXPECT_FALSE(accepts(number(LogEventKind::phase), 0, 16, 0));
   EXPECT_TRUE(accepts(number(LogEventKind::canard_verdict), 4, 0, 3));
   EXPECT_FALSE(accepts(number(LogEventKind::canard_verdict), 4, 0, 4));
   EXPECT_FALSE(accepts(number(LogEventKind::recording_ended), 4, 0, 0));
-  EXPECT_FALSE(accepts(number(LogEventKind::recording_began), 1, 0, 0));
+  EXPECT_TRUE(accepts(number(LogEventKind::recording_began), 1, 0, 0));
+  EXPECT_FALSE(accepts(number(LogEventKind::recording_began), 2, 0, 0));
   EXPECT_TRUE(accepts(number(LogEventKind::resumed), 1, 0, 0));
   EXPECT_FALSE(accepts(number(LogEventKind::resumed), 2, 0, 0));
 }

@@ -283,9 +283,13 @@ TEST(Verdict, AFaultyCanardIsNamedOnceWithItsNumberAndWhatBecameOfIt) {
   synthetic.flight.canard_verdict_changes = {{3.1, 1, core::CanardVerdict::stalled},
                                              {3.3, 1, core::CanardVerdict::healthy},
                                              {3.4, 1, core::CanardVerdict::slipping}};
+  EXPECT_TRUE(verdict_of(synthetic.flight)
+                  .text.ends_with("4.0 deg. Canard 2 stalled, slipping from 3.10 s to the end, healthy in between."));
+  synthetic.flight.canard_verdict_changes.push_back({10.4, 1, core::CanardVerdict::healthy});
   EXPECT_TRUE(
       verdict_of(synthetic.flight)
-          .text.ends_with("4.0 deg. Canard 2 stalled from 3.10 s to 3.30 s, slipping at the end after 2 changes."));
+          .text.ends_with(" Canard 2 stalled, slipping from 3.10 s to 10.40 s, healthy in between, then healthy."));
+  synthetic.flight.canard_verdict_changes.pop_back();
   synthetic.flight.canard_verdict_changes.pop_back();
   EXPECT_TRUE(verdict_of(synthetic.flight).text.ends_with(" Canard 2 stalled from 3.10 s to 3.30 s, then healthy."));
   synthetic.flight.canard_verdict_changes.pop_back();

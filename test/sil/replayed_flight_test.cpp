@@ -43,9 +43,8 @@ bool was_flown(const Flown& flown) {
 // Returns whether there was a flight to replay.
 bool expect_equal_replay(const sim::Scenario& scenario) {
   const Flown flown = fly(scenario);
-  if (!was_flown(flown)) {
-    EXPECT_TRUE(flown.log.empty()) << "the pad is not recorded";
-    return false;
+  if (!was_flown(flown) && flown.log.empty()) {
+    return false;  // on the bench nothing pushes
   }
   const flight_log::LogFile file = flight_log::parse_log(flown.log, scenario.name);
   EXPECT_TRUE(flight_log::intact(file));
@@ -72,7 +71,7 @@ TEST(ReplayedFlight, EveryShippedScenarioGivesTheSameBytesAgain) {
     SCOPED_TRACE(name);
     flights += expect_equal_replay(input::load_scenario(name, {})) ? 1 : 0;
   }
-  EXPECT_GE(flights, 3U) << "two launches and the steps in the tunnel";
+  EXPECT_GE(flights, 9U) << "three launches, the steps in the tunnel, and six that left the pad in Safe";
 }
 
 TEST(ReplayedFlight, SoDoesAFlightWithEveryKindOfFaultInIt) {

@@ -200,8 +200,9 @@ AxesResult judge_axes(const TurnsSeen& seen) {
 }
 
 std::string_view unchecked_of_axes() {
-  return "Not checked: to which sides of the rocket y and z point, on which the control of roll does not depend; and "
-         "whether the roll was clockwise, which only the person knows.";
+  return "Not checked: to which sides of the rocket y and z point, on which the control of roll does not depend; "
+         "whether the roll was clockwise, which only the person knows; and a second IMU, of which the bus shows "
+         "nothing.";
 }
 
 }  // namespace fantail::bench

@@ -46,7 +46,7 @@ constexpr auto texts = std::to_array<Text>({
   {"excitation_deg", "deg", "chirp, a part of the roll command"},
   {"offset_estimate_deg", "deg", "estimate of the fin offset that the law takes off its command"},
   {"unclamped_command_deg", "deg", "roll command before the clamp"},
-  {"command_deg", "deg", "roll command after the clamp: the canard angle asked for, positive rolls positively"},
+  {"command_deg", "deg", "roll command after the clamp: the mean canard angle asked for, positive rolls positively"},
   {"saturated", "-", "1: the clamp took something off the roll command"},
   {"command_#_deg", "deg", "shaft angle that canard # is told; empty: its servo is switched off"},
   {"pulse_#_us", "us", "servo pulse of canard #"},

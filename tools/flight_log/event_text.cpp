@@ -72,7 +72,7 @@ std::string event_text(const protocol::LogEvent& event) {
     case Kind::recording_began:
       return fmt::format("recording began, at {:#x} in the flash{}", event.number,
                          static_cast<protocol::LogBegin>(event.value) == protocol::LogBegin::acceleration
-                             ? ": specific force beyond recording.threshold_g, and no launch seen"
+                             ? ": specific force beyond recording.threshold_g, ahead of any detection"
                              : "");
     case Kind::recording_ended:
       return fmt::format("recording ended: {}", text(static_cast<protocol::LogEnd>(event.value)));

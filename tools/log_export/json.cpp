@@ -175,21 +175,24 @@ std::string ticks(const ReplayedFlight& source, const Selection& selection) {
 
 std::string json(const ReplayedFlight& source, const Selection& selection) {
   const flight_log::Flight& flight = source.flight();
-  const Json head = {{"flight", flight.flight},
-                     {"power_up", flight.power_up},
-                     {"vehicle", flight.vehicle},
-                     {"sensors", flight.sensors},
-                     {"firmware_version", flight.firmware_version},
-                     {"git_hash", flight.git_hash},
-                     {"format_version", flight.format_version},
-                     {"rate_scale_rad_s", flight.rate_scale_rad_s},
-                     {"specific_force_scale_m_s2", flight.specific_force_scale_m_s2},
-                     {"accelerometer_scale_m_s2", flight.accelerometer_scale_m_s2},
-                     {"plan", plan(flight)},
-                     {"gaps", gaps(source)},
-                     {"events", events(source)},
-                     {"health", health(source)},
-                     {"columns", columns(selection)}};
+  Json head = {{"flight", flight.flight},
+               {"power_up", flight.power_up},
+               {"vehicle", flight.vehicle},
+               {"sensors", flight.sensors},
+               {"firmware_version", flight.firmware_version},
+               {"git_hash", flight.git_hash},
+               {"format_version", flight.format_version},
+               {"rate_scale_rad_s", flight.rate_scale_rad_s},
+               {"specific_force_scale_m_s2", flight.specific_force_scale_m_s2},
+               {"accelerometer_scale_m_s2", flight.accelerometer_scale_m_s2},
+               {"plan", plan(flight)},
+               {"gaps", gaps(source)},
+               {"events", events(source)},
+               {"health", health(source)},
+               {"columns", columns(selection)}};
+  if (flight.second_rate_scale_rad_s) {
+    head["second_rate_scale_rad_s"] = *flight.second_rate_scale_rad_s;
+  }
   std::string text = head.pretty();
   text.resize(text.size() - 3);  // "\n}\n"
   return text + ",\n  \"ticks\": {" + ticks(source, selection) + "\n  }\n}\n";

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
+#include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
@@ -53,19 +54,19 @@ std::string canard_faults(const flight::Flight& flight) {
     if (changes.empty()) {
       continue;
     }
-    text += fmt::format(" Canard {} {} from {} s", canard + 1, core::name(changes[0].verdict),
-                        text::fixed(changes[0].time_s, 2));
-    if (changes.size() == 1) {
-      text += " to the end.";
-      continue;
+    std::vector<std::string_view> verdicts;
+    for (const auto& change : changes) {
+      const std::string_view name = core::name(change.verdict);
+      if (!healthy(change) && std::ranges::find(verdicts, name) == verdicts.end()) {
+        verdicts.push_back(name);
+      }
     }
-    text += fmt::format(" to {} s", text::fixed(changes[1].time_s, 2));
-    if (changes.size() > 2) {
-      text += fmt::format(", {} at the end after {} changes", core::name(changes.back().verdict), changes.size() - 1);
-    } else {
-      text += fmt::format(", then {}", core::name(changes.back().verdict));
-    }
-    text += ".";
+    const bool ends_healthy = healthy(changes.back());
+    const bool recovers = std::ranges::count_if(changes, healthy) > (ends_healthy ? 1 : 0);
+    text += fmt::format(" Canard {} {} from {} s to {}{}{}.", canard + 1, fmt::join(verdicts, ", "),
+                        text::fixed(changes[0].time_s, 2),
+                        ends_healthy ? text::fixed(changes.back().time_s, 2) + " s" : "the end",
+                        recovers ? ", healthy in between" : "", ends_healthy ? ", then healthy" : "");
   }
   return text;
 }
