@@ -25,7 +25,8 @@ void World::follow_tunnel() {
     events_.liftoff = now_;
   }
   const bool refused = !events_.liftoff && now_ >= ignition_ + start_patience;
-  if (!end_ && (phase_ == core::Phase::finished || refused)) {
+  const bool lost = events_.liftoff && phase_ == core::Phase::safe;  // to a reset
+  if (!end_ && (phase_ == core::Phase::finished || refused || lost)) {
     end_ = now_ + time_after_end_;
   }
 }

@@ -181,6 +181,13 @@ TEST_F(FlownLog, WhatIfCannotChangeHowManyGyrosFlew) {
   EXPECT_NE(outcome.err.find("sensors.gyros cannot be changed in a replay"), std::string::npos) << outcome.err;
 }
 
+TEST_F(FlownLog, WhatIfCannotMountASensorOtherwiseBecauseItsCountsAreTurnedAlready) {
+  folder.write("flown/flight.ftl", flown_log());
+  const Outcome outcome = run({"replay", "flown", "--set", "sensors.imu_to_nose=-x"});
+  EXPECT_EQ(outcome.exit_code, 65);
+  EXPECT_NE(outcome.err.find("sensors.imu_to_nose=-x changes nothing in a replay"), std::string::npos) << outcome.err;
+}
+
 TEST_F(FlownLog, WhatIfIsMarkedAsOpenLoopAndHasAPageAndATable) {
   folder.write("flown/flight.ftl", flown_log());
   const Outcome outcome = run({"replay", "flown", "--set", "controller.canard_limit_deg=3"});

@@ -64,6 +64,25 @@ TEST_F(ResumedFlight, ItsLogHoldsTwoPartsThatBothReplayExactlyAndAreReportedAsOn
       << report.out;
 }
 
+// A gap that lasts beyond apogee, and one that lasts beyond the end of the run.
+TEST_F(ResumedFlight, OneOfWhichNothingIsOnRecordAnyMoreIsNotHeld) {
+  fly("gap_s = 7.38\n");
+  EXPECT_TRUE(says(said, "Control ended at 2.99 s, 7.37 s before apogee")) << said;
+  EXPECT_TRUE(says(said, "After that the rocket turned by up to 7")) << said;
+  fly("gap_s = 10\n");
+  EXPECT_TRUE(says(said, "Control ended at 2.99 s, 7.37 s before apogee")) << said;
+  EXPECT_TRUE(says(content(folder / "out/summary.json"), "\"outcome\": \"cut_short\"")) << said;
+}
+
+TEST_F(ResumedFlight, ARunInTheTunnelThatIsNotResumedComesToItsEnd) {
+  folder.write("t.toml",
+               "vehicle = \"tasha3_tunnel\"\nplan = \"tunnel_steps\"\n[environment]\nsurroundings = \"tunnel\"\n"
+               "[[faults]]\nkind = \"reset\"\nfrom_s = 3\nmemory = \"lost\"\n");
+  const Outcome outcome = run({"fly", "t.toml", "--out", "out"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_TRUE(says(outcome.out, "the flight was not resumed")) << outcome.out;
+}
+
 TEST_F(ResumedFlight, OneThatIsNotResumedEndsWithTheReset) {
   fly("cause = \"brown_out\"\n");
   EXPECT_TRUE(says(said,

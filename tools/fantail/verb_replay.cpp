@@ -93,6 +93,11 @@ void show_what_if(const ReplayOptions& options, const flight_log::Flight& flight
   changes.reserve(options.changes.size());
   for (const std::string& text : options.changes) {
     changes.push_back(input::parse_override(text));
+    if (changes.back().section == "sensors" && !changes.back().key.starts_with("gyro")) {
+      refuse(options,
+             fmt::format("{} changes nothing in a replay: what a log holds is turned into the rocket's axes already",
+                         changes.back().text()));
+    }
   }
   const core::FlightPlan plan = input::changed_plan(*flight.plan, changes);
   const flight_log::Regeneration changed = flight_log::regenerate(flight, plan);

@@ -131,8 +131,11 @@ void judge_end(Figures& f, std::span<const flight::Row> control, const flight::F
   }
   f.ended_before_apogee_s = *apogee_s - *flight.events.control_end_s;
   const double end_rad = roll_angle_rad(control.back());
+  const bool ended_well_before = *f.ended_before_apogee_s > 0.1;
   for (const flight::Row& row : flight.rows) {
-    if (row.time_s > control.back().time_s && row.time_s <= *apogee_s) {
+    // A gap may have swallowed all of them: then the first behind it shows what happened.
+    const bool counts = row.time_s <= *apogee_s || (ended_well_before && !f.roll_after_end_rad);
+    if (row.time_s > control.back().time_s && counts) {
       const double rolled_rad = std::abs(roll_angle_rad(row) - end_rad);
       f.roll_after_end_rad = std::max(f.roll_after_end_rad.value_or(0.0), rolled_rad);
     }

@@ -30,10 +30,12 @@ std::string sentence(std::string clause) {
   return clause + ".";
 }
 
-/// To a reset after which nothing was resumed.
+/// To a reset after which nothing was resumed, or nothing is on record any more.
 bool was_lost(const flight::Flight& flight) {
-  return !flight.outages.empty() && !flight.outages.back().resumed && !flight.phase_changes.empty() &&
-         flight.phase_changes.back().phase == core::Phase::safe;
+  if (flight.outages.empty() || flight.outages.back().resumed || flight.phase_changes.empty()) {
+    return false;
+  }
+  return !flight.outages.back().to_s || flight.phase_changes.back().phase == core::Phase::safe;
 }
 
 std::string why_no_control(const flight::Flight& flight) {
