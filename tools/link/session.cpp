@@ -37,15 +37,29 @@ LinkError another_bench() {
   return LinkError{"another bench has the session; end that one, or wait until it has ended"};
 }
 
+void require_our_version(const AvionicsLink& link) {
+  const auto& heartbeat = link.newest<protocol::HeartbeatReport>();
+  if (heartbeat && heartbeat->message.version != protocol::bus_protocol_version) {
+    throw LinkError{"the avionics uses version " + std::to_string(heartbeat->message.version) +
+                    " of the bus protocol; this program uses version " +
+                    std::to_string(int{protocol::bus_protocol_version})};
+  }
+}
+
 }  // namespace
 
 void await_avionics(Place& place, AvionicsLink& link, Microseconds longest) {
   Timeout timeout{longest, place.now()};
-  const auto complete = [&] {
-    return link.count<protocol::HeartbeatReport>() > 0 && link.count<protocol::LimitReport>() > 0;
+  // One heartbeat of another version may be anybody's frame with this identifier: it has no CRC. Of the avionics' own,
+  // the next follows within 100 ms.
+  const auto speaks_our_version = [&] {
+    const auto& heartbeat = link.newest<protocol::HeartbeatReport>();
+    return heartbeat && heartbeat->message.version == protocol::bus_protocol_version;
   };
+  const auto complete = [&] { return speaks_our_version() && link.count<protocol::LimitReport>() > 0; };
   for (link.listen(place.now()); !complete(); link.listen(place.now())) {
     if (timeout.expired(place.now())) {
+      require_our_version(link);
       throw LinkError{link.figures().frames == 0
                           ? "the avionics is silent: is it powered (its node running), is the bus terminated at both "
                             "ends, and does it run at 1 Mbit/s?"
@@ -53,12 +67,6 @@ void await_avionics(Place& place, AvionicsLink& link, Microseconds longest) {
                             "overloaded?"};
     }
     place.wait(glance);
-  }
-  const int version = link.newest<protocol::HeartbeatReport>()->message.version;
-  if (version != protocol::bus_protocol_version) {
-    throw LinkError{"the avionics uses version " + std::to_string(version) +
-                    " of the bus protocol; this program uses version " +
-                    std::to_string(int{protocol::bus_protocol_version})};
   }
 }
 
