@@ -89,7 +89,7 @@ std::string range_text(const PlanField& field) {
 
 // The values of one field as the file gives them, in file units.
 std::vector<double> read_values(Section& section, const PlanField& field, bool as_list) {
-  const Limits limits{as_written(field.minimum), as_written(field.maximum)};
+  const Limits limits = allowed_in_plan(field);
   switch (field.kind) {
     case FieldKind::number:
       return as_list ? section.numbers(field.key, limits, field.slots) : std::vector{section.number(field.key, limits)};
@@ -135,6 +135,12 @@ Document document_of(const core::FlightPlan& plan) {
 }
 
 }  // namespace
+
+Limits allowed_in_plan(const PlanField& field) { return {as_written(field.minimum), as_written(field.maximum)}; }
+
+double usual_in_plan(const PlanField& field) {
+  return as_written(static_cast<float>(get_value(field, core::default_plan(), 0)));
+}
 
 std::vector<std::string> plan_sections() {
   std::vector<std::string> names;

@@ -5,8 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "core/flight_plan.hpp"
+#include "core/flight_plan_fields.hpp"
 #include "input/document.hpp"
+#include "input/section.hpp"
 
 namespace fantail::input {
 
@@ -25,6 +26,10 @@ namespace fantail::input {
 /// Whether a file that holds plan_table() is this plan again, bit for bit. It is for every plan that was made from a
 /// file.
 [[nodiscard]] bool table_says_all(const core::FlightPlan& plan);
+
+/// The range and the default of a number, in the file's unit.
+[[nodiscard]] Limits allowed_in_plan(const core::PlanField& field);
+[[nodiscard]] double usual_in_plan(const core::PlanField& field);
 
 /// The names of the plan's sections.
 [[nodiscard]] std::vector<std::string> plan_sections();

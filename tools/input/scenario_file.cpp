@@ -148,31 +148,6 @@ void settle_density(const Document& document, sim::Scenario& scenario) {
   scenario.atmosphere = {.model = sim::DensityModel::constant, .constant_kg_m3 = scenario.tunnel.density_kg_m3};
 }
 
-// The three files of a run. A section's name is in one of them only.
-struct Documents {
-  Document scenario;
-  Document plan;
-  Document vehicle;
-
-  void apply(const Override& change) {
-    std::vector<std::string> known;
-    for (const auto& [document, sections] : {std::pair{&scenario, sections_of(scenario_fields())},
-                                             {&plan, plan_sections()},
-                                             {&vehicle, sections_of(vehicle_fields())}}) {
-      if (std::ranges::find(sections, change.section) != sections.end()) {
-        document->apply(change);
-        return;
-      }
-      known.insert(known.end(), sections.begin(), sections.end());
-    }
-    std::string message = change.text() + ": unknown section " + change.section;
-    if (const auto meant = suggestion(change.section, known)) {
-      message += "; did you mean " + *meant + "?";
-    }
-    throw text::Error{text::ErrorKind::bad_configuration, message};
-  }
-};
-
 void refuse_unknown_words_at_the_top(const Document& document) {
   std::vector<std::string> known = sections_of(scenario_fields());
   for (const Field<sim::Scenario>& field : scenario_fields()) {
@@ -181,45 +156,85 @@ void refuse_unknown_words_at_the_top(const Document& document) {
     }
   }
   known.emplace_back("faults");
+  known.emplace_back("spread");  // of a campaign, which reads them
   refuse_unknown_sections(document, known);
 }
 
 }  // namespace
 
-sim::Scenario load_scenario(const std::string& name_or_path, std::span<const Override> changes) {
-  const std::filesystem::path file = find_input(Shipped::scenario, name_or_path);
-  Documents documents{.scenario = Document::load(file), .plan = {}, .vehicle = {}};
-  refuse_other_kind(documents.scenario, Shipped::scenario);
+ScenarioFiles ScenarioFiles::load(const std::string& name_or_path) {
+  ScenarioFiles files;
+  files.scenario_ = Document::load(find_input(Shipped::scenario, name_or_path));
+  refuse_other_kind(files.scenario_, Shipped::scenario);
+  Section top{files.scenario_, ""};
+  files.plan_ = Document::load(find_named_input(Shipped::plan, files.scenario_, top, "plan"));
+  files.vehicle_ = Document::load(find_named_input(Shipped::vehicle, files.scenario_, top, "vehicle"));
+  return files;
+}
+
+const Document* ScenarioFiles::with_section(std::string_view section) const {
+  for (const auto& [document, sections] : {std::pair{&scenario_, sections_of(scenario_fields())},
+                                           {&plan_, plan_sections()},
+                                           {&vehicle_, sections_of(vehicle_fields())}}) {
+    if (std::ranges::find(sections, section) != sections.end()) {
+      return document;
+    }
+  }
+  return nullptr;
+}
+
+void ScenarioFiles::apply(const Override& change) {
+  for (Document* document : {&scenario_, &plan_, &vehicle_}) {
+    if (document == with_section(change.section)) {
+      document->apply(change);
+      return;
+    }
+  }
+  throw text::Error{text::ErrorKind::bad_configuration, change.text() + ": " + unknown_section(change.section)};
+}
+
+sim::Scenario ScenarioFiles::read() const {
   sim::Scenario scenario;
-  scenario.name = name_of_file(file);
-  read_section(documents.scenario, "", scenario_fields(), scenario);
-  Section top{documents.scenario, ""};
+  scenario.name = name_of_file(scenario_.file());
+  read_section(scenario_, "", scenario_fields(), scenario);
+  Section top{scenario_, ""};
   if (top.has("tunnel_result")) {
-    scenario.tunnel_result = find_named_input(Shipped::tunnel_result, documents.scenario, top, "tunnel_result");
+    scenario.tunnel_result = find_named_input(Shipped::tunnel_result, scenario_, top, "tunnel_result");
   }
-  documents.plan = Document::load(find_named_input(Shipped::plan, documents.scenario, top, "plan"));
-  documents.vehicle = Document::load(find_named_input(Shipped::vehicle, documents.scenario, top, "vehicle"));
-  for (const Override& change : changes) {
-    documents.apply(change);
-  }
-  refuse_unknown_words_at_the_top(documents.scenario);
-  scenario.plan = read_plan(documents.plan);
-  scenario.vehicle = read_vehicle(documents.vehicle);
+  refuse_unknown_words_at_the_top(scenario_);
+  scenario.plan = read_plan(plan_);
+  scenario.vehicle = read_vehicle(vehicle_);
   for (const std::string& section : sections_of(scenario_fields())) {
-    read_section(documents.scenario, section, scenario_fields(), scenario);
+    read_section(scenario_, section, scenario_fields(), scenario);
   }
-  check_points(documents.scenario, "tunnel", "fan_times_s", "fan_rpms", scenario.fan_programme);
-  check_points(documents.scenario, "disturbance", "times_s", "angles_deg", scenario.disturbance);
-  check_timing(documents.scenario, scenario);
-  scenario.faults = read_faults(documents.scenario, scenario.vehicle);
-  check_surroundings(documents.scenario, scenario);
-  check_motion(documents.scenario, documents.vehicle, scenario);
-  check_pin(documents.scenario, scenario);
-  check_gimbal(documents.scenario, scenario);
-  settle_density(documents.scenario, scenario);
-  std::ranges::move(questions_about_scenario(documents.scenario, documents.vehicle, scenario),
-                    std::back_inserter(scenario.warnings));
+  check_points(scenario_, "tunnel", "fan_times_s", "fan_rpms", scenario.fan_programme);
+  check_points(scenario_, "disturbance", "times_s", "angles_deg", scenario.disturbance);
+  check_timing(scenario_, scenario);
+  scenario.faults = read_faults(scenario_, scenario.vehicle);
+  check_surroundings(scenario_, scenario);
+  check_motion(scenario_, vehicle_, scenario);
+  check_pin(scenario_, scenario);
+  check_gimbal(scenario_, scenario);
+  settle_density(scenario_, scenario);
+  std::ranges::move(questions_about_scenario(scenario_, vehicle_, scenario), std::back_inserter(scenario.warnings));
   return scenario;
+}
+
+std::string unknown_section(const std::string& section) {
+  std::vector<std::string> known;
+  for (const auto& sections : {sections_of(scenario_fields()), plan_sections(), sections_of(vehicle_fields())}) {
+    known.insert(known.end(), sections.begin(), sections.end());
+  }
+  const auto meant = suggestion(section, known);
+  return "unknown section " + section + (meant ? "; did you mean " + *meant + "?" : "");
+}
+
+sim::Scenario load_scenario(const std::string& name_or_path, std::span<const Override> changes) {
+  ScenarioFiles files = ScenarioFiles::load(name_or_path);
+  for (const Override& change : changes) {
+    files.apply(change);
+  }
+  return files.read();
 }
 
 }  // namespace fantail::input
