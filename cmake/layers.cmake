@@ -45,6 +45,7 @@ set(FANTAIL_LAYERS
   "tools/gateway|hal link telemetry|"
   "tools/log_export|core protocol text json input flight flight_log telemetry|fmt/"
   "tools/bench|core protocol hal avionics sim text json page replies link|fmt/"
+  "tools/campaign|sim text input flight|fmt/"
   "tools/predict|core sim text json page flight report stability fly|fmt/"
   "tools/tune|core sim text json page input flight report stability fly predict|fmt/"
   "tools/paper|core sim text json page input flight report identify identify/model identify/closed_loop tunnel fly|fmt/"

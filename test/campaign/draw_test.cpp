@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: MIT
+#include "campaign/draw.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "spread_files.hpp"
+#include "text/error.hpp"
+
+namespace fantail::campaign {
+namespace {
+
+constexpr std::uint64_t runs = 20'000;
+
+/// Of one number over all runs.
+std::vector<double> all_of(const Drawer& drawer, std::size_t number) {
+  std::vector<double> values;
+  for (std::uint64_t run = 0; run < runs; ++run) {
+    values.push_back(drawer.draw(run).numbers[number]);
+  }
+  return values;
+}
+
+double mean(const std::vector<double>& values) {
+  double sum = 0.0;
+  for (const double value : values) {
+    sum += value;
+  }
+  return sum / static_cast<double>(values.size());
+}
+
+double product_moment(const std::vector<double>& a, const std::vector<double>& b) {
+  const double mean_a = mean(a);
+  const double mean_b = mean(b);
+  double sum = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    sum += (a[i] - mean_a) * (b[i] - mean_b);
+  }
+  return sum / static_cast<double>(a.size());
+}
+
+std::string one(const std::string& rest) { return "[[spread]]\nfield = \"body.mass_kg\"\n" + rest; }
+
+// Strata as narrow as these leave the moments of a law within a thousandth of its width.
+TEST(Draws, HaveTheMomentsOfTheirLaw) {
+  struct Case {
+    std::string law;
+    double mean;
+    double variance;
+  };
+  for (const Case& each : {Case{"law = \"normal\"\nmean = 4\nstandard_deviation = 0.1\n", 4.0, 0.01},
+                           Case{"law = \"uniform\"\nlow = 3\nhigh = 5\n", 4.0, 4.0 / 12.0},
+                           Case{"law = \"triangular\"\nlow = 3\nmode = 3.5\nhigh = 5\n", (3.0 + 3.5 + 5.0) / 3.0,
+                                (9.0 + 12.25 + 25.0 - 10.5 - 15.0 - 17.5) / 18.0}}) {
+    for (const Sampling sampling : {Sampling::latin_hypercube, Sampling::sobol}) {
+      const std::vector<double> values = all_of(Drawer{spreads_of(one(each.law)), sampling, 1, runs}, 0);
+      EXPECT_NEAR(mean(values), each.mean, 1e-3) << each.law;
+      EXPECT_NEAR(product_moment(values, values), each.variance, 1e-3) << each.law;
+    }
+  }
+}
+
+// Of n independent runs: five standard deviations.
+TEST(Draws, OfQuantitiesThatDependOnEachOtherHaveTheCorrelationsAsked) {
+  const Drawer drawer{spreads_of("[[spread]]\nfields = [\"aerodynamics.damping_m2\", \"aerodynamics.torque_m\", "
+                                 "\"body.mass_kg\"]\nlaw = \"normal\"\nmeans = [23, 9, 4]\n"
+                                 "standard_deviations = [2, 1, 0.1]\ncorrelations = [0.8, -0.3, 0.1]\n"),
+                      Sampling::independent, 5, runs};
+  const std::vector<double> damping = all_of(drawer, 0);
+  const std::vector<double> torque = all_of(drawer, 1);
+  const std::vector<double> mass = all_of(drawer, 2);
+  const double five_deviations = 5.0 / std::sqrt(static_cast<double>(runs));
+  EXPECT_NEAR(mean(damping), 23.0, 2.0 * five_deviations);
+  EXPECT_NEAR(product_moment(damping, torque) / 2.0, 0.8, five_deviations);
+  EXPECT_NEAR(product_moment(damping, mass) / 0.2, -0.3, five_deviations);
+  EXPECT_NEAR(product_moment(torque, mass) / 0.1, 0.1, five_deviations);
+}
+
+TEST(Draws, OfATableAreItsRowsEachAsOftenAsAnother) {
+  const input::ScratchFile table{"alpha,beta\n20,8\n22,9\n25,7\n", "rows.csv"};
+  const auto spreads = spreads_of(
+      "[[spread]]\nfields = [\"aerodynamics.damping_m2\", \"aerodynamics.torque_m\"]\nlaw = \"rows\"\n"
+      "table = \"" +
+      table.path().string() + "\"\ncolumns = [\"alpha\", \"beta\"]\n");
+  const Drawer drawer{spreads, Sampling::latin_hypercube, 1, 300};
+  std::vector<int> times(3);
+  for (std::uint64_t run = 0; run < 300; ++run) {
+    const std::vector<double> row = drawer.draw(run).numbers;
+    const auto met = std::ranges::find(spreads[0].rows, row);
+    ASSERT_NE(met, spreads[0].rows.end()) << "a row, not a mixture";
+    ++times[static_cast<std::size_t>(met - spreads[0].rows.begin())];
+  }
+  EXPECT_EQ(times, (std::vector{100, 100, 100}));
+}
+
+TEST(Draws, ChangeTheFilesByTheirEffect) {
+  const Drawer drawer{spreads_of("[[spread]]\nfield = \"disturbance.angles_deg\"\nlaw = \"uniform\"\n"
+                                 "effect = \"offset\"\nlow = 0.999999\nhigh = 1.000001\n"),
+                      Sampling::independent, 1, 1};
+  const Draw draw = drawer.draw(0);
+  EXPECT_EQ(draw.changes[0].section, "disturbance");
+  double first = 0.0;
+  double second = 0.0;
+  ASSERT_EQ(std::sscanf(draw.changes[0].value.c_str(), "[%lf, %lf]", &first, &second), 2) << draw.changes[0].value;
+  EXPECT_NEAR(first, -3.9, 2e-6);
+  EXPECT_NEAR(second, -4.1, 2e-6);
+}
+
+TEST(Draws, ThatAFieldDoesNotAllowAreRefusedOrDrawnAgainAsAsked) {
+  const std::string tilt = "[[spread]]\nfield = \"launch_guide.tilt_deg\"\nlaw = \"normal\"\nstandard_deviation = 4\n";
+  const Drawer refusing{spreads_of(tilt), Sampling::independent, 1, runs};
+  std::string said;
+  for (std::uint64_t run = 0; run < 100 && said.empty(); ++run) {
+    try {
+      (void)refusing.draw(run);
+    } catch (const text::Error& error) {
+      said = error.what();
+    }
+  }
+  EXPECT_NE(said.find("allowed: 0 to 15; outside = \"truncate\" draws again instead"), std::string::npos) << said;
+
+  // Half of a normal law about 0 is below it; the mean of the other half is sqrt(2 / pi) of its standard deviation.
+  const Drawer drawer{spreads_of(tilt + "outside = \"truncate\"\n"), Sampling::independent, 1, runs};
+  double sum = 0.0;
+  std::size_t again = 0;
+  for (std::uint64_t run = 0; run < runs; ++run) {
+    const Draw draw = drawer.draw(run);
+    EXPECT_GE(draw.numbers[0], 0.0);
+    sum += draw.numbers[0];
+    again += draw.drawn_again;
+  }
+  EXPECT_NEAR(sum / static_cast<double>(runs), 4.0 * std::sqrt(2.0 / 3.14159265358979), 0.1);
+  EXPECT_NEAR(static_cast<double>(again) / static_cast<double>(runs), 1.0, 0.06) << "as often outside as inside";
+}
+
+TEST(Draws, OfALawThatAFieldNeverAllowsEnd) {
+  const Drawer drawer{spreads_of(one("law = \"uniform\"\nlow = -2\nhigh = -1\noutside = \"truncate\"\n")),
+                      Sampling::independent, 1, 1};
+  EXPECT_THROW((void)drawer.draw(0), text::Error);
+}
+
+TEST(Draws, OfARunAreTheSameInEveryOrder) {
+  const Drawer drawer{spreads_of(one("law = \"normal\"\nstandard_deviation = 0.1\n")), Sampling::latin_hypercube, 9,
+                      50};
+  const double seventh = drawer.draw(7).numbers[0];
+  for (std::uint64_t run = 49; run > 0; --run) {
+    (void)drawer.draw(run);
+  }
+  EXPECT_EQ(drawer.draw(7).numbers[0], seventh);
+}
+
+}  // namespace
+}  // namespace fantail::campaign

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+#include "campaign/draw.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <span>
+#include <utility>
+
+#include <fmt/core.h>
+
+#include "campaign/normal_quantile.hpp"
+#include "sim/random.hpp"
+#include "text/error.hpp"
+
+namespace fantail::campaign {
+namespace {
+
+constexpr std::uint64_t again_stream = 3'000;  ///< of a run; one for each spread
+constexpr int most_draws = 1'000;
+
+std::vector<double> normal(const Spread& spread, std::span<const double> unit) {
+  std::vector<double> numbers = spread.means;
+  std::size_t place = 0;
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    double sum = 0.0;
+    for (std::size_t k = 0; k <= i; ++k) {
+      sum += spread.correlation_root[place++] * normal_quantile(unit[k]);
+    }
+    numbers[i] += spread.standard_deviations[i] * sum;
+  }
+  return numbers;
+}
+
+double triangular(const Spread& spread, double unit) {
+  const double width = spread.high - spread.low;
+  const double share_below_mode = (spread.mode - spread.low) / width;
+  return unit < share_below_mode ? spread.low + std::sqrt(unit * width * (spread.mode - spread.low))
+                                 : spread.high - std::sqrt((1.0 - unit) * width * (spread.high - spread.mode));
+}
+
+std::vector<double> numbers_of(const Spread& spread, std::span<const double> unit) {
+  switch (spread.law) {
+    case Law::normal: return normal(spread, unit);
+    case Law::uniform: return {spread.low + unit[0] * (spread.high - spread.low)};
+    case Law::triangular: return {triangular(spread, unit[0])};
+    case Law::rows: break;
+  }
+  const auto row = static_cast<std::size_t>(unit[0] * static_cast<double>(spread.rows.size()));
+  return spread.rows[std::min(row, spread.rows.size() - 1)];
+}
+
+std::vector<double> after(Effect effect, const input::NumberField& field, double number) {
+  std::vector<double> values = field.values;
+  for (double& value : values) {
+    value = effect == Effect::value ? number : effect == Effect::offset ? value + number : value * number;
+  }
+  return values;
+}
+
+struct Leaves {
+  const input::NumberField* field;
+  double value;
+};
+
+/// The first of the values that its field does not allow.
+std::optional<Leaves> first_outside(const Spread& spread, const std::vector<double>& numbers) {
+  for (std::size_t i = 0; i < spread.fields.size(); ++i) {
+    const input::NumberField& field = spread.fields[i];
+    for (const double value : after(spread.effect, field, numbers[i])) {
+      if (!(value >= field.range.minimum && value <= field.range.maximum)) {
+        return Leaves{.field = &field, .value = value};
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+[[noreturn]] void refuse(const Spread& spread, std::uint64_t run, const Leaves& leaves, const char* advice) {
+  throw text::Error{
+      text::ErrorKind::bad_configuration,
+      fmt::format("{}: run {} draws {} = {}; allowed: {} to {}; {}", spread.where, run, leaves.field->name(),
+                  leaves.value, leaves.field->range.minimum, leaves.field->range.maximum, advice)};
+}
+
+}  // namespace
+
+Drawer::Drawer(std::vector<Spread> spreads, Sampling sampling, std::uint64_t master_seed, std::uint64_t runs)
+    : spreads_{std::move(spreads)}, points_{sampling, master_seed, runs}, master_seed_{master_seed} {
+  std::size_t dimensions = 0;
+  for (const Spread& spread : spreads_) {
+    dimensions += spread.dimensions();
+  }
+  if (sampling == Sampling::sobol && dimensions > most_sobol_dimensions) {
+    throw text::Error{text::ErrorKind::bad_configuration,
+                      fmt::format("sobol has {} dimensions, and the spreads take {}; allowed: latin_hypercube",
+                                  most_sobol_dimensions, dimensions)};
+  }
+}
+
+Draw Drawer::draw(std::uint64_t run) const {
+  Draw draw;
+  std::size_t dimension = 0;
+  for (std::size_t s = 0; s < spreads_.size(); ++s) {
+    const Spread& spread = spreads_[s];
+    std::vector<double> unit;
+    for (std::size_t i = 0; i < spread.dimensions(); ++i) {
+      unit.push_back(points_.at(run, dimension++));
+    }
+    std::vector<double> numbers = numbers_of(spread, unit);
+    sim::Random random{seed_of_run(master_seed_, run), again_stream + s};
+    int draws = 1;
+    for (auto left = first_outside(spread, numbers); left; left = first_outside(spread, numbers)) {
+      if (spread.outside == Outside::refuse) {
+        refuse(spread, run, *left, "outside = \"truncate\" draws again instead");
+      }
+      if (++draws > most_draws) {
+        refuse(spread, run, *left, "so a thousand times in a row: nearly all of the law is outside");
+      }
+      for (double& coordinate : unit) {
+        coordinate = open_unit(random.bits());
+      }
+      numbers = numbers_of(spread, unit);
+      ++draw.drawn_again;
+    }
+    for (std::size_t i = 0; i < spread.fields.size(); ++i) {
+      draw.numbers.push_back(numbers[i]);
+      draw.changes.push_back(spread.fields[i].with(after(spread.effect, spread.fields[i], numbers[i])));
+    }
+  }
+  return draw;
+}
+
+}  // namespace fantail::campaign
