@@ -24,6 +24,17 @@ TEST(NormalQuantile, IsTheInverseOfTheNormalLaw) {
   }
 }
 
+TEST(Seeds, EveryRunHasOneOfItsOwn) {
+  std::set<std::uint64_t> seeds;
+  for (std::uint64_t master = 0; master < 20; ++master) {
+    for (std::size_t index = 0; index < 500; ++index) {
+      seeds.insert(seed_of_run(master, index));
+    }
+  }
+  EXPECT_EQ(seeds.size(), 10000U);
+  EXPECT_EQ(seed_of_run(7, 3), seed_of_run(7, 3));
+}
+
 // SciPy 1.17, scipy.stats.qmc.Sobol(21, scramble=False), points 5 and 4097.
 TEST(UnitPoints, OfSobolsSequenceAreThoseThatSciPyComputes) {
   const std::vector<double> fifth{0.875, 0.875, 0.125, 0.375, 0.875, 0.625, 0.875, 0.375, 0.375, 0.125, 0.375,

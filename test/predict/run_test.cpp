@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "predict/run.hpp"
 
-#include <set>
-
 #include <gtest/gtest.h>
 
 #include "input/scenario_file.hpp"
@@ -28,17 +26,6 @@ TEST(Run, NoSpinWhereTheCanardsCanBalanceTheOffset) {
   EXPECT_FALSE(spin_rate_rad_s(first_launch, radians(-6.0), radians(6.0), 60.0));
   EXPECT_FALSE(spin_rate_rad_s(first_launch, radians(5.9), radians(6.0), 60.0));
   EXPECT_GT(*spin_rate_rad_s(first_launch, radians(7.0), radians(6.0), 60.0), 0.0);
-}
-
-TEST(Run, EveryRunHasASeedOfItsOwnThatDoesNotDependOnHowManyThereAre) {
-  std::set<std::uint64_t> seeds;
-  for (std::uint64_t master = 0; master < 20; ++master) {
-    for (std::size_t index = 0; index < 500; ++index) {
-      seeds.insert(seed_of_run(master, index));
-    }
-  }
-  EXPECT_EQ(seeds.size(), 10000U);
-  EXPECT_EQ(seed_of_run(7, 3), seed_of_run(7, 3));
 }
 
 TEST(Run, TheFirstLaunchIsNotHeldAndNobodyKnowsItsRollBeforehand) {

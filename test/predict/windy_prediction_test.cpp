@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "campaign/unit_points.hpp"
 #include "input/scenario_file.hpp"
 #include "json/value.hpp"
 #include "predict/drawn_wind.hpp"
@@ -42,7 +43,7 @@ TEST(WindyPrediction, FliesEveryRunInAWindOfItsOwn) {
   const Prediction p = predicted(flown, {.runs = 6});
   for (std::size_t i = 0; i < p.runs.size(); ++i) {
     const auto& run = p.runs[i];
-    const sim::WindParameters wind = drawn_wind(flown.wind, flown.wind_spread, seed_of_run(flown.seed, i));
+    const sim::WindParameters wind = drawn_wind(flown.wind, flown.wind_spread, campaign::seed_of_run(flown.seed, i));
     EXPECT_EQ(run.wind.value().speed_m_s, wind.speed_m_s);
     EXPECT_EQ(run.wind.value().from_rad, wind.from_rad);
     // The same launch in exactly this wind.

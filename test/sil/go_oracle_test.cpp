@@ -11,6 +11,7 @@
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 
+#include "campaign/unit_points.hpp"
 #include "predict/decision.hpp"
 #include "predict/prediction.hpp"
 #include "seed.hpp"
@@ -93,7 +94,7 @@ Flown again(const sim::Scenario& scenario, const predict::TunnelResult& tunnel) 
 Flown the_next_ones(const sim::Scenario& scenario, const Make& make, Draw& draw) {
   Flown flown;
   for (std::size_t i = 0; i < runs; ++i) {
-    const std::uint64_t seed = predict::seed_of_run(scenario.seed + 1, i);
+    const std::uint64_t seed = campaign::seed_of_run(scenario.seed + 1, i);
     add(flown, predict::fly_airframe(scenario, make.rocket(draw), seed, fly::Log::dropped), scenario);
   }
   return flown;

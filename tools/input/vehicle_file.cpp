@@ -28,7 +28,7 @@ void read_motor(const Document& document, sim::Vehicle& vehicle) {
   const std::string named = motor.text("file");
   const std::size_t mark = named.rfind('#');
   const auto name = mark == std::string::npos ? std::nullopt : std::optional{named.substr(mark + 1)};
-  RaspMotor read = load_rasp(find_named_input(Shipped::motor, document, motor, "file", named.substr(0, mark)), name);
+  RaspMotor read = load_rasp(motor_file(document), name);
   vehicle.motor = std::move(read.curve);
   if (read.warning) {
     vehicle.warnings.push_back(std::move(*read.warning));
@@ -186,6 +186,12 @@ void check_sensors(const Document& document, const sim::Vehicle& vehicle) {
 }
 
 }  // namespace
+
+std::filesystem::path motor_file(const Document& document) {
+  Section motor{document, "motor"};
+  const std::string named = motor.text("file");
+  return find_named_input(Shipped::motor, document, motor, "file", named.substr(0, named.rfind('#')));
+}
 
 sim::Vehicle read_vehicle(const Document& document) {
   refuse_other_kind(document, Shipped::vehicle);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <filesystem>
 #include <span>
 
 #include "input/field.hpp"
@@ -13,5 +14,8 @@ namespace fantail::input {
 
 /// Reads a vehicle file, and the motor that it names: a shipped one, or a path. Throws text::Error.
 [[nodiscard]] sim::Vehicle read_vehicle(const Document& document);
+
+/// The file of the motor that the vehicle names. Throws text::Error.
+[[nodiscard]] std::filesystem::path motor_file(const Document& document);
 
 }  // namespace fantail::input

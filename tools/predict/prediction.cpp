@@ -7,8 +7,9 @@
 
 #include <fmt/core.h>
 
+#include "campaign/parallel_for.hpp"
+#include "campaign/unit_points.hpp"
 #include "predict/margins.hpp"
-#include "predict/parallel_for.hpp"
 #include "predict/run_notes.hpp"
 #include "predict/tunnel_use.hpp"
 #include "stability/roll_loop.hpp"
@@ -170,7 +171,7 @@ RepeatedRun repeat_run(const sim::Scenario& scenario, const TunnelResult& tunnel
                        std::size_t number) {
   require(scenario, tunnel, options);
   const sim::Scenario flown = with_servo(scenario, options);
-  const std::uint64_t seed = seed_of_run(scenario.seed, number);
+  const std::uint64_t seed = campaign::seed_of_run(scenario.seed, number);
   const TunnelStep airframe = spread_of_airframes(scenario, tunnel, options).draw(seed);
   flight::Flight flight = fly_airframe(flown, airframe, seed, fly::Log::kept);
   flight.notes.insert(flight.notes.begin(), airframe_sentence(number, scenario.seed, airframe));
@@ -194,10 +195,10 @@ Prediction predict(const sim::Scenario& scenario, const TunnelResult& tunnel, co
   p.servo_lag_s = p.flown.vehicle.servo.lag_s;
   p.delay_s = stability::loop_delay_s(p.flown.vehicle);
   const AirframeSpread airframes = spread_of_airframes(scenario, tunnel, options);
-  parallel_for(
+  campaign::parallel_for(
       options.runs, options.threads,
       [&](std::size_t i) {
-        const std::uint64_t seed = seed_of_run(scenario.seed, i);
+        const std::uint64_t seed = campaign::seed_of_run(scenario.seed, i);
         p.runs[i] = fly_run(p.flown, airframes.draw(seed), seed);
       },
       look);

@@ -7,7 +7,6 @@
 #include "predict/canard_reach.hpp"
 #include "predict/drawn_wind.hpp"
 #include "report/figures.hpp"
-#include "sim/random.hpp"
 
 namespace fantail::predict {
 namespace {
@@ -75,10 +74,6 @@ void look_at_control(Run& run, const flight::Flight& flight) {
 }
 
 }  // namespace
-
-std::uint64_t seed_of_run(std::uint64_t master_seed, std::size_t index) {
-  return sim::Random{master_seed, index}.bits();
-}
 
 std::optional<double> spin_rate_rad_s(const TunnelStep& airframe, double offset_rad, double limit_rad,
                                       double speed_m_s) {

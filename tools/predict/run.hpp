@@ -44,9 +44,6 @@ struct Run {
   std::vector<std::optional<double>> reference_rad{};  ///< at the same times, under control
 };
 
-/// The seed of a run: another for every run, the same for the same number however many there are.
-[[nodiscard]] std::uint64_t seed_of_run(std::uint64_t master_seed, std::size_t index);
-
 /// Flies the scenario with this airframe in the place of the vehicle's own damping and torque and of the scenario's
 /// disturbance. The offset goes from its begin value at lift-off to its end value 1.7 s later and stays: on the first
 /// launch, the one flight where it was seen to rise, it took from detection to then. A roll that the scenario imposes

@@ -4,8 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "campaign/parallel_for.hpp"
+#include "campaign/unit_points.hpp"
 #include "fly/fly_scenario.hpp"
-#include "predict/parallel_for.hpp"
 #include "predict/run.hpp"
 #include "report/figures.hpp"
 #include "tune/airframes.hpp"
@@ -105,11 +106,11 @@ std::optional<double> command_noise_rad(const flight::Flight& flight) {
 std::vector<Pair> fly_pairs(const sim::Scenario& scenario, const core::FlightPlan& after, const Request& request,
                             const std::function<void(std::size_t)>& look) {
   std::vector<Pair> pairs(request.flights);
-  predict::parallel_for(
+  campaign::parallel_for(
       request.flights, request.threads,
       [&](std::size_t i) {
         Pair& pair = pairs[i];
-        pair.seed = predict::seed_of_run(scenario.seed, i);
+        pair.seed = campaign::seed_of_run(scenario.seed, i);
         sim::Scenario rocket = drawn(scenario, request.spread, pair.seed);
         pair.damping_m2 = rocket.vehicle.roll_plant.damping_m2;
         pair.torque_m = rocket.vehicle.roll_plant.torque_m;
@@ -124,10 +125,10 @@ std::vector<Pair> fly_pairs(const sim::Scenario& scenario, const core::FlightPla
 Sum fly_one(const sim::Scenario& scenario, const core::FlightPlan& plan, const Request& request,
             const std::function<void(std::size_t)>& look) {
   std::vector<Pair> pairs(request.flights);
-  predict::parallel_for(
+  campaign::parallel_for(
       request.flights, request.threads,
       [&](std::size_t i) {
-        sim::Scenario rocket = drawn(scenario, request.spread, predict::seed_of_run(scenario.seed, i));
+        sim::Scenario rocket = drawn(scenario, request.spread, campaign::seed_of_run(scenario.seed, i));
         rocket.plan = plan;
         pairs[i].after = flown(rocket);
       },

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "predict/parallel_for.hpp"
+#include "campaign/parallel_for.hpp"
 
 #include <array>
 #include <atomic>
@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-namespace fantail::predict {
+namespace fantail::campaign {
 namespace {
 
 const auto look_away = [](std::size_t) {};
@@ -79,4 +79,4 @@ TEST(ParallelFor, ACallerWhoGivesUpEndsAll) {
 }
 
 }  // namespace
-}  // namespace fantail::predict
+}  // namespace fantail::campaign

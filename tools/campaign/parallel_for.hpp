@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <functional>
 
-namespace fantail::predict {
+namespace fantail::campaign {
 
 /// Calls `work` once for each index below `count`, on several threads at once (0: as many as the machine has). `look`
 /// is called on the caller's thread, a few times a second and at the end, with how many are done. What either throws
@@ -12,4 +12,4 @@ namespace fantail::predict {
 void parallel_for(std::size_t count, unsigned threads, const std::function<void(std::size_t index)>& work,
                   const std::function<void(std::size_t done)>& look);
 
-}  // namespace fantail::predict
+}  // namespace fantail::campaign

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "predict/parallel_for.hpp"
+#include "campaign/parallel_for.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -10,7 +10,7 @@
 #include <thread>
 #include <vector>
 
-namespace fantail::predict {
+namespace fantail::campaign {
 namespace {
 
 struct Pool {
@@ -72,4 +72,4 @@ void parallel_for(std::size_t count, unsigned threads, const std::function<void(
   }
 }
 
-}  // namespace fantail::predict
+}  // namespace fantail::campaign

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: MIT
+#include "campaign/campaign.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "campaign/gzip.hpp"
+#include "campaign/runs_folder.hpp"
+#include "input/scratch_file.hpp"
+#include "text/error.hpp"
+
+namespace fantail::campaign {
+namespace {
+
+namespace fs = std::filesystem;
+
+const auto look_away = [](std::uint64_t) {};
+
+std::string content(const fs::path& file) {
+  std::ifstream stream{file, std::ios::binary};
+  return {std::istreambuf_iterator<char>{stream}, {}};
+}
+
+/// The second launch with two unknown quantities, in a folder of its own. More runs than a chunk has.
+class ACampaign : public testing::Test {
+ protected:
+  static constexpr const char* usual_spreads =
+      "[[spread]]\nfield = \"aerodynamics.torque_m\"\nlaw = \"normal\"\nstandard_deviation = 2\n"
+      "[[spread]]\nfield = \"disturbance.angles_deg\"\nlaw = \"uniform\"\neffect = \"offset\"\nlow = -3\nhigh = 3\n";
+
+  explicit ACampaign(const std::string& spreads = usual_spreads)
+      : file{"vehicle = \"tasha3_launch2\"\nplan = \"tasha3_launch2\"\n"
+             "[disturbance]\ntimes_s = [0]\nangles_deg = [-4.9]\n" +
+                 spreads,
+             "scenario.toml"},
+        folder{file.path().parent_path()},
+        asked{.scenario = file.path().string(), .changes = {}, .seed = 5, .runs = runs_of_a_chunk + 3} {}
+
+  std::vector<FlownRun> fly(const char* name, unsigned threads = 2,
+                            const std::function<void(std::uint64_t)>& look = look_away) const {
+    return fly_campaign(asked, folder / name, "test", threads, look);
+  }
+  [[nodiscard]] std::string refusal(const char* name) const {
+    try {
+      (void)fly(name);
+    } catch (const text::Error& error) {
+      return error.what();
+    }
+    return "it was flown";
+  }
+
+  input::ScratchFile file;
+  fs::path folder;
+  Campaign asked;
+};
+
+TEST_F(ACampaign, IsTheSameBytesWithEveryNumberOfThreadsAndAfterAnInterruption) {
+  const auto runs = fly("one", 1);
+  const std::string bytes = content(folder / "one" / "runs.csv.gz");
+  ASSERT_FALSE(bytes.empty());
+  fly("three", 3);
+  EXPECT_EQ(content(folder / "three" / "runs.csv.gz"), bytes);
+
+  const auto interrupt = [](std::uint64_t done) {
+    if (done > 0) {
+      throw std::runtime_error{"interrupted"};
+    }
+  };
+  EXPECT_THROW(fly("interrupted", 1, interrupt), std::runtime_error);
+  EXPECT_FALSE(fs::exists(folder / "interrupted" / "runs.csv.gz"));
+  EXPECT_EQ(fly("interrupted"), runs);
+  EXPECT_EQ(content(folder / "interrupted" / "runs.csv.gz"), bytes);
+
+  const auto text = gunzip(bytes);
+  ASSERT_TRUE(text);
+  EXPECT_EQ(std::ranges::count(*text, '\n'), static_cast<std::ptrdiff_t>(asked.runs) + 1);
+  EXPECT_TRUE(
+      text->starts_with("run,seed,aerodynamics.torque_m,disturbance.angles_deg_offset,drawn_again,outcome,"
+                        "largest_hold_error_deg,"))
+      << text->substr(0, 200);
+  EXPECT_EQ(fly_run_alone(asked, 40), runs[40]);
+}
+
+TEST_F(ACampaign, GoesOnOnlyFromChunksThatAreWholeAndItsOwn) {
+  asked.runs = 2;
+  const auto runs = fly("whole");
+  const std::string bytes = content(folder / "whole" / "runs.csv.gz");
+  const std::string row = csv_row(runs[0]);
+  for (const std::string& damaged : {std::string{"no gzip"}, gzip(row), gzip(row + row), gzip(row).substr(0, 40)}) {
+    fs::create_directories(folder / "damaged" / "chunks");
+    std::ofstream{folder / "damaged" / "chunks" / "00000000.csv.gz", std::ios::binary} << damaged;
+    EXPECT_EQ(fly("damaged"), runs);
+    EXPECT_EQ(content(folder / "damaged" / "runs.csv.gz"), bytes);
+  }
+}
+
+TEST_F(ACampaign, DoesNotMixWithAnotherInOneFolder) {
+  asked.runs = 1;
+  fly("mixed");
+  asked.seed = 6;
+  EXPECT_NE(refusal("mixed").find("mixed: holds another campaign: seed is 5 there and 6 here"), std::string::npos)
+      << refusal("mixed");
+  asked.seed = 5;
+  asked.changes.push_back(input::parse_override("body.mass_kg=4"));
+  EXPECT_NE(refusal("mixed").find("changes is none there and --set body.mass_kg=4 here"), std::string::npos)
+      << refusal("mixed");
+}
+
+TEST_F(ACampaign, IsRefusedWhileAnotherProcessIsAtWorkInItsFolder) {
+  const RunsFolder at_work{folder / "busy", {}, {}};
+  EXPECT_NE(refusal("busy").find("another campaign is at work in this folder"), std::string::npos) << refusal("busy");
+}
+
+TEST_F(ACampaign, OfNoRunsOrWithoutASpreadIsRefused) {
+  asked.runs = 0;
+  EXPECT_EQ(refusal("none"), "0 runs; allowed: 1 or more");
+  asked.runs = 1;
+  asked.scenario = "tasha3_launch1";
+  EXPECT_NE(refusal("none").find("says of nothing how it is spread"), std::string::npos) << refusal("none");
+}
+
+class ARefusedDraw : public ACampaign {
+ protected:
+  ARefusedDraw() : ACampaign{"[[spread]]\nfield = \"timing.arm_time_s\"\nlaw = \"uniform\"\nlow = 11\nhigh = 12\n"} {}
+};
+
+TEST_F(ARefusedDraw, OfAValueThatAnotherDoesNotAllowIsARunThatSaysSo) {
+  asked.runs = 1;
+  const auto runs = fly("refused");
+  EXPECT_EQ(runs[0].outcome, "refused");
+  EXPECT_NE(runs[0].note.find("must be earlier than pad_time_s = 10"), std::string::npos) << runs[0].note;
+  EXPECT_FALSE(runs[0].figures[0]);
+  EXPECT_EQ(runs, fly("refused")) << "read back";
+}
+
+TEST(Gzip, GivesTheTextsOfAllMembersBackAndNothingOfADamagedFile) {
+  const std::string long_text(200'000, 'x');
+  EXPECT_TRUE(gunzip(gzip("run,seed\n") + gzip(long_text) + gzip("")) == "run,seed\n" + long_text);
+  const std::string text = "17,4711,0.25,held\n18,4712,0.75,not_held\n";
+  const std::string bytes = gzip(text);
+  for (std::size_t length = 0; length < bytes.size(); ++length) {
+    EXPECT_EQ(gunzip(bytes.substr(0, length)), std::nullopt) << length;
+  }
+  for (std::size_t bit = 0; bit < 8 * bytes.size(); ++bit) {
+    std::string damaged = bytes;
+    damaged[bit / 8] = static_cast<char>(damaged[bit / 8] ^ (1 << (bit % 8)));
+    const auto read = gunzip(damaged);
+    EXPECT_TRUE(!read || *read == text) << bit << ": bits that mean nothing may change, no text";
+  }
+}
+
+}  // namespace
+}  // namespace fantail::campaign

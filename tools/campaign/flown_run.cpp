@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+#include "campaign/flown_run.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include <fmt/core.h>
+
+#include "flight/table.hpp"
+#include "fly/fly_scenario.hpp"
+#include "report/figures.hpp"
+#include "report/verdict.hpp"
+#include "text/degrees.hpp"
+#include "text/error.hpp"
+
+namespace fantail::campaign {
+namespace {
+
+std::optional<double> degrees(const std::optional<double>& radians) {
+  return radians ? std::optional{text::degrees(*radians)} : std::nullopt;
+}
+
+void take_figures(FlownRun& flown, const flight::Flight& flight) {
+  const report::Figures figures = report::figures(flight);
+  flown.outcome = report::name(report::verdict(flight, figures).outcome);
+  flown.figures = {degrees(figures.largest_hold_error_rad),
+                   figures.saturated_fraction,
+                   degrees(figures.authority_margin_rad),
+                   figures.control_time_s,
+                   figures.control_start_height_m,
+                   figures.max_speed_m_s,
+                   figures.apogee_m};
+  for (std::size_t i = 0; i < flown.figures.size(); ++i) {
+    if (flown.figures[i] && !std::isfinite(*flown.figures[i])) {
+      flown.outcome = "not_finite";
+      flown.note += fmt::format("{}{} is no number", flown.note.empty() ? "" : "; ", figure_columns[i]);
+      flown.figures[i].reset();
+    }
+  }
+}
+
+// A note is one cell: a message may have commas, and quotes of its own.
+std::string quoted(const std::string& note) {
+  if (note.empty()) {
+    return note;
+  }
+  std::string cell{'"'};
+  for (const char letter : note) {
+    cell += letter == '"' ? "\"\"" : std::string{letter == '\n' || letter == '\r' ? ' ' : letter};
+  }
+  return cell + '"';
+}
+
+[[noreturn]] void refuse(const flight::Table& table, std::size_t row, const std::string& complaint) {
+  throw text::Error{text::ErrorKind::bad_data, table.where(row) + ": " + complaint};
+}
+
+std::uint64_t whole(const flight::Table& table, std::size_t row, std::size_t column) {
+  const std::string_view cell = table.cell(row, column);
+  std::uint64_t value = 0;
+  const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
+  if (error != std::errc{} || end != cell.data() + cell.size()) {
+    refuse(table, row, table.columns()[column] + " = " + flight::in_quotes(cell) + " is no whole number");
+  }
+  return value;
+}
+
+double number(const flight::Table& table, std::size_t row, std::size_t column) {
+  const auto value = table.number(row, column);
+  if (!value) {
+    refuse(table, row,
+           table.columns()[column] + " = " + flight::in_quotes(table.cell(row, column)) + " is not a number");
+  }
+  return *value;
+}
+
+}  // namespace
+
+FlownRun fly_run(input::ScenarioFiles& files, const Drawer& drawer, std::uint64_t master_seed, std::uint64_t run) {
+  Draw draw = drawer.draw(run);
+  FlownRun flown{.run = run,
+                 .seed = seed_of_run(master_seed, run),
+                 .numbers = std::move(draw.numbers),
+                 .drawn_again = draw.drawn_again};
+  sim::Scenario scenario;
+  try {
+    for (const input::Override& change : draw.changes) {
+      files.apply(change);
+    }
+    scenario = files.read();
+  } catch (const text::Error& error) {
+    flown.outcome = "refused";
+    flown.note = error.what();
+    return flown;
+  }
+  scenario.seed = flown.seed;
+  scenario.changed_values = draw.changes.size();
+  take_figures(flown, fly::fly_scenario(scenario));
+  return flown;
+}
+
+std::string header_row(const std::vector<Spread>& spreads) {
+  std::string text = "run,seed";
+  for (const Spread& spread : spreads) {
+    const char* effect = spread.effect == Effect::factor ? "_factor" : spread.effect == Effect::offset ? "_offset" : "";
+    for (const input::NumberField& field : spread.fields) {
+      text += ',' + field.name() + effect;
+    }
+  }
+  text += ",drawn_again,outcome";
+  for (const std::string_view column : figure_columns) {
+    text += fmt::format(",{}", column);
+  }
+  return text + ",note\n";
+}
+
+std::string csv_row(const FlownRun& run) {
+  std::string text = fmt::format("{},{}", run.run, run.seed);
+  for (const double number : run.numbers) {
+    text += fmt::format(",{}", number);
+  }
+  text += fmt::format(",{},{}", run.drawn_again, run.outcome);
+  for (const auto& figure : run.figures) {
+    text += figure ? fmt::format(",{}", *figure) : ",";
+  }
+  return text + ',' + quoted(run.note) + '\n';
+}
+
+std::vector<FlownRun> read_rows(const std::string& rows, const std::vector<Spread>& spreads, const std::string& name) {
+  const flight::Table table = flight::Table::parse(header_row(spreads) + rows, name);
+  const std::size_t again = table.column("drawn_again");
+  std::vector<FlownRun> all;
+  all.reserve(table.rows());
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    FlownRun run{.run = whole(table, row, 0), .seed = whole(table, row, 1)};
+    for (std::size_t column = 2; column < again; ++column) {
+      run.numbers.push_back(number(table, row, column));
+    }
+    run.drawn_again = whole(table, row, again);
+    run.outcome = table.cell(row, again + 1);
+    for (std::size_t i = 0; i < run.figures.size(); ++i) {
+      const std::size_t column = again + 2 + i;
+      run.figures[i] = table.cell(row, column).empty() ? std::nullopt : std::optional{number(table, row, column)};
+    }
+    run.note = table.cell(row, again + 2 + run.figures.size());
+    all.push_back(std::move(run));
+  }
+  return all;
+}
+
+}  // namespace fantail::campaign

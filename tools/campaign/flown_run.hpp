@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "campaign/draw.hpp"
+
+namespace fantail::campaign {
+
+/// What a run is measured by: columns of runs.csv, empty where the flight has no such figure.
+inline constexpr std::array<std::string_view, 7> figure_columns{
+    "largest_hold_error_deg", "saturated_share", "authority_margin_deg", "control_time_s", "control_start_height_m",
+    "top_speed_m_s",          "apogee_m"};
+
+/// One flight of a campaign, as it stands in a row.
+struct FlownRun {
+  std::uint64_t run = 0;
+  std::uint64_t seed = 0;
+  std::vector<double> numbers{};  ///< Draw::numbers
+  std::size_t drawn_again = 0;
+  /// A flight report's outcome ("held"); "refused" when the files do not allow what was drawn together, "not_finite"
+  /// when a figure is no number.
+  std::string outcome{};
+  std::array<std::optional<double>, figure_columns.size()> figures{};
+  std::string note{};  ///< of a run without a flight's outcome: why
+
+  friend bool operator==(const FlownRun&, const FlownRun&) = default;
+};
+
+/// Flies one run of a campaign. `files` are those of its scenario; they are left with what this run drew, and every run
+/// of a campaign replaces the same values. What the files refuse makes no exception but a run that says so. Throws
+/// text::Error for a draw that a field does not allow (Drawer::draw).
+[[nodiscard]] FlownRun fly_run(input::ScenarioFiles& files, const Drawer& drawer, std::uint64_t master_seed,
+                               std::uint64_t run);
+
+/// The columns of runs.csv for these spreads, with a newline. A number that is not a value itself has the word of its
+/// effect behind its field: body.mass_kg_factor.
+[[nodiscard]] std::string header_row(const std::vector<Spread>& spreads);
+
+/// A row, with a newline. Every digit is kept, so that the same run is the same text.
+[[nodiscard]] std::string csv_row(const FlownRun& run);
+
+/// The other way, of rows without a header. Throws text::Error (bad_data) with name and line for a row that csv_row()
+/// does not make with so many numbers.
+[[nodiscard]] std::vector<FlownRun> read_rows(const std::string& rows, const std::vector<Spread>& spreads,
+                                              const std::string& name);
+
+}  // namespace fantail::campaign

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#include "campaign/gzip.hpp"
+
+#include <array>
+#include <stdexcept>
+
+#include <zlib.h>
+
+namespace fantail::campaign {
+namespace {
+
+constexpr int window_with_gzip_header = MAX_WBITS + 16;
+
+// zlib writes to neither of the two that it is given to read.
+Bytef* bytes_of(const std::string& text) {
+  return reinterpret_cast<Bytef*>(const_cast<char*>(text.data()));  // NOLINT(cppcoreguidelines-pro-type-const-cast)
+}
+
+}  // namespace
+
+std::string gzip(const std::string& text) {
+  z_stream stream{};
+  constexpr int memory_level = 8;
+  if (deflateInit2(&stream, Z_DEFAULT_COMPRESSION, Z_DEFLATED, window_with_gzip_header, memory_level,
+                   Z_DEFAULT_STRATEGY) != Z_OK) {
+    throw std::runtime_error{"zlib cannot begin"};
+  }
+  std::string bytes(deflateBound(&stream, static_cast<uLong>(text.size())), '\0');
+  stream.next_in = bytes_of(text);
+  stream.avail_in = static_cast<uInt>(text.size());
+  stream.next_out = bytes_of(bytes);
+  stream.avail_out = static_cast<uInt>(bytes.size());
+  const int result = deflate(&stream, Z_FINISH);
+  bytes.resize(stream.total_out);
+  deflateEnd(&stream);
+  if (result != Z_STREAM_END) {
+    throw std::runtime_error{"zlib has not compressed a text"};
+  }
+  return bytes;
+}
+
+std::optional<std::string> gunzip(const std::string& bytes) {
+  z_stream stream{};
+  if (inflateInit2(&stream, window_with_gzip_header) != Z_OK) {
+    throw std::runtime_error{"zlib cannot begin"};
+  }
+  stream.next_in = bytes_of(bytes);
+  stream.avail_in = static_cast<uInt>(bytes.size());
+  std::string text;
+  std::array<char, 1U << 16U> portion{};
+  int result = Z_OK;
+  while (result == Z_OK) {
+    stream.next_out = reinterpret_cast<Bytef*>(portion.data());
+    stream.avail_out = static_cast<uInt>(portion.size());
+    result = inflate(&stream, Z_NO_FLUSH);
+    text.append(portion.data(), portion.size() - stream.avail_out);
+    if (result == Z_STREAM_END && stream.avail_in > 0) {
+      result = inflateReset(&stream);
+    }
+  }
+  inflateEnd(&stream);
+  return result == Z_STREAM_END ? std::optional{text} : std::nullopt;
+}
+
+}  // namespace fantail::campaign
