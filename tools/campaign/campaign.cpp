@@ -11,7 +11,6 @@
 #include <sha256.h>
 
 #include "campaign/parallel_for.hpp"
-#include "campaign/runs_folder.hpp"
 #include "input/vehicle_file.hpp"
 #include "text/error.hpp"
 
@@ -68,18 +67,20 @@ Identity identity_of(const Campaign& campaign, const input::ScenarioFiles& files
           {"plan", hash_of(files.plan().file())},
           {"vehicle", hash_of(files.vehicle().file())},
           {"motor", hash_of(input::motor_file(files.vehicle()))},
-          {"tables", sha256(tables)}};
+          {"tables", sha256(tables)},
+          {"shard", fmt::format("{} of {}", campaign.shard.number, campaign.shard.of)}};
 }
 
-/// Of one chunk.
-struct Stretch {
-  std::uint64_t first;
-  std::uint64_t count;
-};
+constexpr std::uint64_t chunks_of(std::uint64_t runs) { return (runs + runs_of_a_chunk - 1) / runs_of_a_chunk; }
 
-Stretch stretch_of(std::uint64_t chunk, std::uint64_t runs) {
-  const std::uint64_t first = chunk * runs_of_a_chunk;
-  return {.first = first, .count = std::min(runs_of_a_chunk, runs - first)};
+constexpr std::uint64_t first_chunk_of(const Shard& shard, std::uint64_t chunks) {
+  return chunks * (shard.number - 1) / shard.of;
+}
+
+/// From the first run of one chunk to the last before another.
+Stretch stretch_of(std::uint64_t first_chunk, std::uint64_t end_chunk, std::uint64_t runs) {
+  const std::uint64_t first = std::min(first_chunk * runs_of_a_chunk, runs);
+  return {.first = first, .count = std::min(end_chunk * runs_of_a_chunk, runs) - first};
 }
 
 std::vector<Spread> spreads_of(const input::ScenarioFiles& files) {
@@ -93,43 +94,62 @@ std::vector<Spread> spreads_of(const input::ScenarioFiles& files) {
 
 }  // namespace
 
+Stretch runs_of_shard(std::uint64_t runs, const Shard& shard) {
+  const std::uint64_t chunks = chunks_of(runs);
+  return stretch_of(first_chunk_of(shard, chunks), first_chunk_of({shard.number + 1, shard.of}, chunks), runs);
+}
+
 std::vector<FlownRun> fly_campaign(const Campaign& campaign, const std::filesystem::path& folder,
                                    const std::string& version, unsigned threads,
                                    const std::function<void(std::uint64_t)>& look) {
   if (campaign.runs == 0) {
     throw text::Error{text::ErrorKind::bad_configuration, "0 runs; allowed: 1 or more"};
   }
+  const Shard& shard = campaign.shard;
+  const std::uint64_t chunks = chunks_of(campaign.runs);
+  if (shard.number < 1 || shard.number > shard.of || shard.of > chunks) {
+    throw text::Error{text::ErrorKind::bad_configuration,
+                      fmt::format("shard {} of {}; allowed: 1 to as many as there are, and of at most {}, because {} "
+                                  "runs are flown by {} together",
+                                  shard.number, shard.of, chunks, campaign.runs, runs_of_a_chunk)};
+  }
   const input::ScenarioFiles files = files_of(campaign);
   (void)files.read();  // what is wrong with it without any draw is wrong with every run
   const std::vector<Spread> spreads = spreads_of(files);
   const Drawer drawer = drawer_of(campaign, spreads);
-  for (std::uint64_t run = 0; run < campaign.runs; ++run) {
-    (void)drawer.draw(run);
+  const std::uint64_t first_chunk = first_chunk_of(shard, chunks);
+  const std::uint64_t end_chunk = first_chunk_of({shard.number + 1, shard.of}, chunks);
+  const Stretch own_runs = runs_of_shard(campaign.runs, shard);
+  for (std::uint64_t i = 0; i < own_runs.count; ++i) {
+    (void)drawer.draw(own_runs.first + i);
   }
   const RunsFolder store{folder, identity_of(campaign, files, spreads, version), spreads};
-  const std::uint64_t chunks = (campaign.runs + runs_of_a_chunk - 1) / runs_of_a_chunk;
-  std::vector<FlownRun> all(campaign.runs);
+  if (auto runs = store.finished(own_runs, campaign.seed)) {
+    return *std::move(runs);
+  }
+  std::vector<FlownRun> all(own_runs.count);
   std::atomic<std::uint64_t> done{0};
   parallel_for(
-      chunks, threads,
-      [&](std::size_t chunk) {
-        const auto [first, count] = stretch_of(chunk, campaign.runs);
-        auto runs = store.stored(chunk, first, count, campaign.seed);
-        if (!runs) {
+      end_chunk - first_chunk, threads,
+      [&](std::size_t i) {
+        const std::uint64_t chunk = first_chunk + i;
+        const Stretch stretch = stretch_of(chunk, chunk + 1, campaign.runs);
+        auto runs = store.stored(chunk, stretch, campaign.seed);
+        if (runs) {
+          done += stretch.count;
+        } else {
           input::ScenarioFiles own = files_of(campaign);
           runs.emplace();
-          for (std::uint64_t i = 0; i < count; ++i) {
-            runs->push_back(fly_run(own, drawer, campaign.seed, first + i));
+          for (std::uint64_t k = 0; k < stretch.count; ++k) {
+            runs->push_back(fly_run(own, drawer, campaign.seed, stretch.first + k));
             ++done;
           }
           store.store(chunk, *runs);
-        } else {
-          done += count;
         }
-        std::ranges::move(*runs, all.begin() + static_cast<std::ptrdiff_t>(first));
+        std::ranges::move(*runs, all.begin() + static_cast<std::ptrdiff_t>(stretch.first - own_runs.first));
       },
       [&](std::size_t) { look(done); });
-  store.finish(chunks);
+  store.finish(first_chunk, end_chunk);
   return all;
 }
 

@@ -9,9 +9,16 @@
 #include <vector>
 
 #include "campaign/flown_run.hpp"
+#include "campaign/runs_folder.hpp"
 #include "campaign/unit_points.hpp"
 
 namespace fantail::campaign {
+
+/// One of several parts of a campaign, each for a machine of its own.
+struct Shard {
+  std::uint64_t number = 1;  ///< from 1 on
+  std::uint64_t of = 1;      ///< as many as there are parts
+};
 
 /// Many flights of one scenario, whose file says what is not known in tables [[spread]].
 struct Campaign {
@@ -20,15 +27,21 @@ struct Campaign {
   std::uint64_t seed = 1;                  ///< of all runs
   std::uint64_t runs = 1'000;              ///< 1 or more
   Sampling sampling = Sampling::independent;
+  Shard shard{};  ///< of these runs; the others are left to others
 };
 
-/// Flies every run that `folder` does not hold yet, a chunk at a time on each thread, and writes runs.csv.gz: its bytes
-/// depend on the campaign alone, not on threads, order, or where it was interrupted. What `look` throws ends it; chunks
-/// that are finished stay, and the next call goes on from them. `look` is called with the runs done, several times a
-/// second, from this thread. `version`: of the program, which is part of what a campaign is.
+/// The runs of a shard, which is one: whole chunks, as equal in number as they can be.
+[[nodiscard]] Stretch runs_of_shard(std::uint64_t runs, const Shard& shard);
+
+/// Flies every run of its shard that `folder` does not hold yet, a chunk at a time on each thread, and writes
+/// runs.csv.gz: its bytes depend on the campaign alone, not on threads, order, or where it was interrupted. What `look`
+/// throws ends it; chunks that are finished stay, and the next call goes on from them. `look` is called with the runs
+/// done, several times a second, from this thread. `version`: of the program, which is part of what a campaign is.
 ///
-/// Throws text::Error before anything is flown for no runs, no spread, a spread that cannot be drawn, a draw that a
-/// field does not allow, or a folder with another campaign.
+/// Throws text::Error before anything is flown for no runs, a shard that is none of its parts, no spread, a spread that
+/// cannot be drawn, a draw that a field does not allow, or a folder with another campaign.
+///
+/// Returns the runs of its shard.
 [[nodiscard]] std::vector<FlownRun> fly_campaign(const Campaign& campaign, const std::filesystem::path& folder,
                                                  const std::string& version, unsigned threads,
                                                  const std::function<void(std::uint64_t done)>& look);

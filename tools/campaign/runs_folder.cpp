@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "campaign/runs_folder.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstring>
@@ -24,19 +25,32 @@ namespace {
 namespace fs = std::filesystem;
 using Json = json::Value;
 
-constexpr const char* identity_name = "campaign.json";
 constexpr const char* chunks_name = "chunks";
-
-std::string content(const fs::path& file) {
-  std::ifstream stream{file, std::ios::binary};
-  return {std::istreambuf_iterator<char>{stream}, {}};
-}
 
 [[noreturn]] void refuse(const std::string& complaint) {
   throw text::Error{text::ErrorKind::bad_configuration, complaint};
 }
 
-std::string as_json(const Identity& identity) {
+void require_same(const fs::path& folder, const Identity& identity) {
+  const Identity there = read_identity(folder);
+  for (const auto& [name, value] : identity) {
+    const auto other = std::ranges::find(there, name, &Identity::value_type::first);
+    if (other == there.end() || other->second != value) {
+      refuse(
+          fmt::format("{}: holds another campaign: {} is {} there and {} here; take another folder, or remove that one",
+                      folder.string(), name, other != there.end() ? other->second : "missing", value));
+    }
+  }
+}
+
+}  // namespace
+
+std::string file_content(const fs::path& file) {
+  std::ifstream stream{file, std::ios::binary};
+  return {std::istreambuf_iterator<char>{stream}, {}};
+}
+
+std::string identity_json(const Identity& identity) {
   Json all;
   for (const auto& [name, value] : identity) {
     all[name] = value;
@@ -44,29 +58,29 @@ std::string as_json(const Identity& identity) {
   return all.dump() + "\n";
 }
 
-void require_same(const fs::path& file, const Identity& identity) {
-  Json there;
+Identity read_identity(const fs::path& folder) {
+  const fs::path file = folder / RunsFolder::identity_name;
+  Identity identity;
   try {
-    there = json::parse(content(file));
-  } catch (const json::Error& error) {
-    refuse(file.string() + ": is not what a campaign writes: " + error.what());
-  }
-  for (const auto& [name, value] : identity) {
-    const Json* other = there.find(name);
-    if (other == nullptr || !other->is_text() || other->text() != value) {
-      refuse(fmt::format(
-          "{}: holds another campaign: {} is {} there and {} here; take another folder, or remove that "
-          "one",
-          file.parent_path().string(), name, other != nullptr && other->is_text() ? other->text() : "missing", value));
+    const Json all = json::parse(file_content(file));
+    for (const std::string_view name : identity_names) {
+      if (const Json* value = all.find(name)) {
+        identity.emplace_back(name, value->text());
+      }
     }
+  } catch (const json::Error& error) {
+    throw text::Error{text::ErrorKind::bad_data, file.string() + ": is not what a campaign writes: " + error.what()};
   }
+  return identity;
 }
-
-}  // namespace
 
 RunsFolder::RunsFolder(fs::path folder, const Identity& identity, std::vector<Spread> spreads)
     : folder_{std::move(folder)}, spreads_{std::move(spreads)}, lock_{-1} {
+  const fs::path file = folder_ / identity_name;
   std::error_code error;
+  if (fs::exists(file, error)) {
+    require_same(folder_, identity);
+  }
   fs::create_directories(folder_ / chunks_name, error);
   if (error) {
     throw text::OutputError{(folder_ / chunks_name).string() + ": " + error.message()};
@@ -83,11 +97,10 @@ RunsFolder::RunsFolder(fs::path folder, const Identity& identity, std::vector<Sp
     throw text::OutputError{folder_.string() + ": " + std::strerror(why)};
   }
   try {
-    const fs::path file = folder_ / identity_name;
-    if (fs::exists(file, error)) {
-      require_same(file, identity);
+    if (fs::exists(file, error)) {  // since the first look, by another process
+      require_same(folder_, identity);
     } else {
-      const std::array files{text::NamedFile{.name = identity_name, .content = as_json(identity)}};
+      const std::array files{text::NamedFile{.name = identity_name, .content = identity_json(identity)}};
       text::OutputFolder{folder_}.write(files);
     }
   } catch (...) {
@@ -102,27 +115,40 @@ fs::path RunsFolder::chunk_file(std::uint64_t chunk) const {
   return folder_ / chunks_name / fmt::format("{:08}.csv.gz", chunk);
 }
 
-std::optional<std::vector<FlownRun>> RunsFolder::stored(std::uint64_t chunk, std::uint64_t first_run,
-                                                        std::uint64_t count, std::uint64_t master_seed) const {
-  const fs::path file = chunk_file(chunk);
-  std::error_code ignored;
-  if (!fs::exists(file, ignored)) {
-    return std::nullopt;
-  }
-  const auto rows = gunzip(content(file));
-  if (!rows) {
-    return std::nullopt;
-  }
+std::optional<std::vector<FlownRun>> RunsFolder::whole(const std::string& rows, const std::string& name,
+                                                       const Stretch& stretch, std::uint64_t master_seed) const {
   try {
-    std::vector<FlownRun> runs = read_rows(*rows, spreads_, file.string());
-    bool whole = runs.size() == count;
-    for (std::uint64_t i = 0; whole && i < count; ++i) {
-      whole = runs[i].run == first_run + i && runs[i].seed == seed_of_run(master_seed, first_run + i);
+    std::vector<FlownRun> runs = read_rows(rows, spreads_, name);
+    bool is_whole = runs.size() == stretch.count;
+    for (std::uint64_t i = 0; is_whole && i < stretch.count; ++i) {
+      const std::uint64_t run = stretch.first + i;
+      is_whole = runs[i].run == run && runs[i].seed == seed_of_run(master_seed, run);
     }
-    return whole ? std::optional{std::move(runs)} : std::nullopt;
+    return is_whole ? std::optional{std::move(runs)} : std::nullopt;
   } catch (const text::Error&) {
     return std::nullopt;
   }
+}
+
+std::optional<std::vector<FlownRun>> RunsFolder::finished(const Stretch& stretch, std::uint64_t master_seed) const {
+  const fs::path file = folder_ / runs_name;
+  const auto text = gunzip(file_content(file));
+  const std::string header = header_row(spreads_);
+  if (!text || !text->starts_with(header)) {
+    return std::nullopt;
+  }
+  auto runs = whole(text->substr(header.size()), file.string(), stretch, master_seed);
+  if (runs) {
+    remove_chunks();
+  }
+  return runs;
+}
+
+std::optional<std::vector<FlownRun>> RunsFolder::stored(std::uint64_t chunk, const Stretch& stretch,
+                                                        std::uint64_t master_seed) const {
+  const fs::path file = chunk_file(chunk);
+  const auto rows = gunzip(file_content(file));
+  return rows ? whole(*rows, file.string(), stretch, master_seed) : std::nullopt;
 }
 
 void RunsFolder::store(std::uint64_t chunk, const std::vector<FlownRun>& runs) const {
@@ -134,14 +160,18 @@ void RunsFolder::store(std::uint64_t chunk, const std::vector<FlownRun>& runs) c
   text::OutputFolder{folder_ / chunks_name}.write(files);
 }
 
-void RunsFolder::finish(std::uint64_t chunks) const {
+void RunsFolder::finish(std::uint64_t first_chunk, std::uint64_t end_chunk) const {
   std::string all = gzip(header_row(spreads_));
-  for (std::uint64_t chunk = 0; chunk < chunks; ++chunk) {
-    all += content(chunk_file(chunk));
+  for (std::uint64_t chunk = first_chunk; chunk < end_chunk; ++chunk) {
+    all += file_content(chunk_file(chunk));
   }
-  const std::array files{text::NamedFile{.name = "runs.csv.gz", .content = std::move(all)}};
+  const std::array files{text::NamedFile{.name = runs_name, .content = std::move(all)}};
   text::OutputFolder{folder_}.write(files);
-  std::error_code ignored;
+  remove_chunks();
+}
+
+void RunsFolder::remove_chunks() const {
+  std::error_code ignored;  // what stays is flown by nobody
   fs::remove_all(folder_ / chunks_name, ignored);
 }
 

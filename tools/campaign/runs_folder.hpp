@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -15,13 +17,33 @@ namespace fantail::campaign {
 /// Runs that are flown and stored together; which run is in which chunk depends on nothing but its number.
 inline constexpr std::uint64_t runs_of_a_chunk = 64;
 
+/// Runs that follow each other.
+struct Stretch {
+  std::uint64_t first = 0;
+  std::uint64_t count = 0;
+};
+
 /// What makes a campaign this one and no other, in the order of their names: "seed", "7".
 using Identity = std::vector<std::pair<std::string, std::string>>;
+
+/// All names that an identity may have.
+inline constexpr std::array<std::string_view, 11> identity_names{
+    "version", "seed", "runs", "sampling", "changes", "scenario", "plan", "vehicle", "motor", "tables", "shard"};
+
+[[nodiscard]] std::string identity_json(const Identity& identity);
+/// Of a folder. Throws text::Error (bad_data) for one that says none.
+[[nodiscard]] Identity read_identity(const std::filesystem::path& folder);
+/// Empty for a file that cannot be read.
+[[nodiscard]] std::string file_content(const std::filesystem::path& file);
 
 /// The runs of one campaign in a folder, while it is flown: a chunk is written under another name, brought to the disk
 /// and then renamed, so that whoever begins again finds it whole or not at all. One process at a time.
 class RunsFolder {
  public:
+  /// What a finished campaign's file and chunks are called.
+  static constexpr const char* runs_name = "runs.csv.gz";
+  static constexpr const char* identity_name = "campaign.json";
+
   /// Makes the folder, or goes on in it. Throws text::Error (bad_configuration) when it holds another campaign, naming
   /// what differs, or when another process is at work in it; text::OutputError when it cannot be written.
   RunsFolder(std::filesystem::path folder, const Identity& identity, std::vector<Spread> spreads);
@@ -29,16 +51,21 @@ class RunsFolder {
   RunsFolder(const RunsFolder&) = delete;
   RunsFolder& operator=(const RunsFolder&) = delete;
 
+  /// The runs of a campaign that was finished here; empty when there are none, or not these.
+  [[nodiscard]] std::optional<std::vector<FlownRun>> finished(const Stretch& stretch, std::uint64_t master_seed) const;
   /// A chunk that has been stored; empty when it has not, or is damaged, or does not hold these runs and seeds.
-  [[nodiscard]] std::optional<std::vector<FlownRun>> stored(std::uint64_t chunk, std::uint64_t first_run,
-                                                            std::uint64_t count, std::uint64_t master_seed) const;
+  [[nodiscard]] std::optional<std::vector<FlownRun>> stored(std::uint64_t chunk, const Stretch& stretch,
+                                                            std::uint64_t master_seed) const;
   /// Throws text::OutputError; the chunks before it stay.
   void store(std::uint64_t chunk, const std::vector<FlownRun>& runs) const;
 
-  /// Puts the stored chunks from 0 to `chunks` - 1 behind a header into runs.csv.gz, and removes them.
-  void finish(std::uint64_t chunks) const;
+  /// Puts these stored chunks behind a header into runs.csv.gz, and removes all chunks.
+  void finish(std::uint64_t first_chunk, std::uint64_t end_chunk) const;
 
  private:
+  void remove_chunks() const;
+  [[nodiscard]] std::optional<std::vector<FlownRun>> whole(const std::string& rows, const std::string& name,
+                                                           const Stretch& stretch, std::uint64_t master_seed) const;
   [[nodiscard]] std::filesystem::path chunk_file(std::uint64_t chunk) const;
 
   std::filesystem::path folder_;

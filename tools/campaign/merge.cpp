@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: MIT
+#include "campaign/merge.hpp"
+
+#include <array>
+#include <charconv>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <system_error>
+
+#include <fmt/core.h>
+
+#include "campaign/campaign.hpp"
+#include "campaign/gzip.hpp"
+#include "campaign/runs_folder.hpp"
+#include "json/value.hpp"
+#include "text/error.hpp"
+#include "text/output_folder.hpp"
+
+namespace fantail::campaign {
+namespace {
+
+namespace fs = std::filesystem;
+using text::ErrorKind;
+
+[[noreturn]] void refuse(ErrorKind kind, const std::string& complaint) { throw text::Error{kind, complaint}; }
+
+/// What a finished shard has left.
+struct Part {
+  fs::path folder;
+  Identity identity;  ///< without the shard
+  Shard shard;
+};
+
+std::optional<std::uint64_t> whole_number(std::string_view text) {
+  std::uint64_t value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  return error == std::errc{} && end == text.data() + text.size() ? std::optional{value} : std::nullopt;
+}
+
+std::uint64_t number_of(const Part& part, std::string_view name) {
+  for (const auto& [key, value] : part.identity) {
+    if (const auto number = key == name ? whole_number(value) : std::nullopt) {
+      return *number;
+    }
+  }
+  refuse(ErrorKind::bad_data, fmt::format("{}: says no {}", (part.folder / RunsFolder::identity_name).string(), name));
+}
+
+Part read_part(const fs::path& folder) {
+  std::error_code ignored;
+  if (!fs::exists(folder / RunsFolder::runs_name, ignored)) {
+    refuse(ErrorKind::no_such_input, folder.string() + ": no runs.csv.gz; this shard has not been flown to its end");
+  }
+  Part part{.folder = folder, .identity = read_identity(folder), .shard = {}};
+  for (auto entry = part.identity.begin(); entry != part.identity.end(); ++entry) {
+    if (entry->first != "shard") {
+      continue;
+    }
+    const std::string_view text = entry->second;
+    const std::size_t gap = text.find(" of ");
+    const auto number = gap == std::string_view::npos ? std::nullopt : whole_number(text.substr(0, gap));
+    const auto of = gap == std::string_view::npos ? std::nullopt : whole_number(text.substr(gap + 4));
+    if (number && of && *number >= 1 && *number <= *of) {
+      part.shard = {.number = *number, .of = *of};
+      part.identity.erase(entry);
+      return part;
+    }
+    break;
+  }
+  refuse(ErrorKind::bad_data, (folder / RunsFolder::identity_name).string() + ": says of no shard which it is");
+}
+
+void require_same(const Part& first, const Part& other) {
+  for (std::size_t i = 0; i < first.identity.size(); ++i) {
+    const auto& [name, value] = first.identity[i];
+    if (i >= other.identity.size() || other.identity[i] != first.identity[i]) {
+      refuse(ErrorKind::bad_configuration,
+             fmt::format("{} and {} are of different campaigns: {} is {} in the first and {} in the other",
+                         first.folder.string(), other.folder.string(), name, value,
+                         i < other.identity.size() ? other.identity[i].second : "missing"));
+    }
+  }
+  if (first.shard.of != other.shard.of) {
+    refuse(ErrorKind::bad_configuration,
+           fmt::format("{} is one of {} shards, and {} is one of {}", first.folder.string(), first.shard.of,
+                       other.folder.string(), other.shard.of));
+  }
+}
+
+/// By number. All are there once.
+std::map<std::uint64_t, Part> all_parts(std::span<const fs::path> folders) {
+  std::map<std::uint64_t, Part> parts;
+  for (const fs::path& folder : folders) {
+    Part part = read_part(folder);
+    if (!parts.empty()) {
+      require_same(parts.begin()->second, part);
+    }
+    const auto [there, is_new] = parts.emplace(part.shard.number, part);
+    if (!is_new) {
+      refuse(ErrorKind::bad_configuration, fmt::format("shard {} is there twice: {} and {}", part.shard.number,
+                                                       there->second.folder.string(), folder.string()));
+    }
+  }
+  if (parts.empty()) {
+    refuse(ErrorKind::bad_configuration, "no shard is named; allowed: the folders of all of them");
+  }
+  const std::uint64_t of = parts.begin()->second.shard.of;
+  std::string missing;
+  for (std::uint64_t number = 1; number <= of; ++number) {
+    if (!parts.contains(number)) {
+      missing += fmt::format("{}{}", missing.empty() ? "" : ", ", number);
+    }
+  }
+  if (!missing.empty()) {
+    refuse(ErrorKind::bad_configuration, fmt::format("of {} shards these are missing: {}", of, missing));
+  }
+  return parts;
+}
+
+/// The compressed rows, without the header's member, which must be `header` in all of them.
+std::string rows_of(const Part& part, std::string& header) {
+  const fs::path file = part.folder / RunsFolder::runs_name;
+  const std::string bytes = file_content(file);
+  const auto text = gunzip(bytes);
+  if (!text) {
+    refuse(ErrorKind::bad_data, file.string() + ": is damaged or not complete");
+  }
+  const std::string own_header = gzip(text->substr(0, text->find('\n') + 1));
+  if (!bytes.starts_with(own_header) || (!header.empty() && own_header != header)) {
+    refuse(ErrorKind::bad_data, file.string() +
+                                    ": begins with other columns than the first shard, or was not written "
+                                    "by a campaign");
+  }
+  header = own_header;
+  const std::uint64_t seed = number_of(part, "seed");
+  const Stretch runs = runs_of_shard(number_of(part, "runs"), part.shard);
+  std::string_view rows = std::string_view{*text}.substr(text->find('\n') + 1);
+  for (std::uint64_t run = runs.first; run < runs.first + runs.count; ++run) {
+    if (!rows.starts_with(fmt::format("{},{},", run, seed_of_run(seed, run)))) {
+      refuse(ErrorKind::bad_data, fmt::format("{}: run {} is missing or has another seed", file.string(), run));
+    }
+    rows.remove_prefix(rows.find('\n') + 1);
+  }
+  if (!rows.empty()) {
+    refuse(ErrorKind::bad_data, file.string() + ": has more runs than its shard");
+  }
+  return bytes.substr(own_header.size());
+}
+
+}  // namespace
+
+void merge(std::span<const fs::path> shards, const fs::path& out) {
+  const std::map<std::uint64_t, Part> parts = all_parts(shards);
+  std::string header;
+  std::string rows;
+  for (const auto& [number, part] : parts) {
+    rows += rows_of(part, header);
+  }
+  Identity whole = parts.begin()->second.identity;
+  whole.emplace_back("shard", "1 of 1");
+  const std::array files{text::NamedFile{.name = RunsFolder::identity_name, .content = identity_json(whole)},
+                         text::NamedFile{.name = RunsFolder::runs_name, .content = header + rows}};
+  text::OutputFolder{out, {shards.begin(), shards.end()}}.write(files);
+}
+
+}  // namespace fantail::campaign
