@@ -45,7 +45,7 @@ set(FANTAIL_LAYERS
   "tools/gateway|hal link telemetry|"
   "tools/log_export|core protocol text json input flight flight_log telemetry|fmt/"
   "tools/bench|core protocol hal avionics sim text json page replies link|fmt/"
-  "tools/campaign|sim text json input flight report fly|fmt/ fcntl\\.h sys/ sha256\\.h unistd\\.h zlib\\.h"
+  "tools/campaign|sim text json input flight report fly|Eigen/ fmt/ fcntl\\.h sys/ sha256\\.h unistd\\.h zlib\\.h"
   "tools/predict|core sim text json page flight report stability fly campaign|fmt/"
   "tools/tune|core sim text json page input flight report stability fly campaign predict|fmt/"
   "tools/paper|core sim text json page input flight report identify identify/model identify/closed_loop tunnel fly|fmt/"

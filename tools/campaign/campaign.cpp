@@ -114,7 +114,7 @@ std::vector<FlownRun> fly_campaign(const Campaign& campaign, const std::filesyst
                                   shard.number, shard.of, chunks, campaign.runs, runs_of_a_chunk)};
   }
   const input::ScenarioFiles files = files_of(campaign);
-  (void)files.read();  // what is wrong with it without any draw is wrong with every run
+  (void)files.read();  // what is drawn about must fly itself
   const std::vector<Spread> spreads = spreads_of(files);
   const Drawer drawer = drawer_of(campaign, spreads);
   const std::uint64_t first_chunk = first_chunk_of(shard, chunks);
