@@ -45,7 +45,7 @@ set(FANTAIL_LAYERS
   "tools/gateway|hal link telemetry|"
   "tools/log_export|core protocol text json input flight flight_log telemetry|fmt/"
   "tools/bench|core protocol hal avionics sim text json page replies link|fmt/"
-  "tools/campaign|sim text json input flight report fly|Eigen/ fmt/ fcntl\\.h sys/ sha256\\.h unistd\\.h zlib\\.h"
+  "tools/campaign|sim text json input flight report fly|fmt/"
   "tools/predict|core sim text json page flight report stability fly campaign|fmt/"
   "tools/tune|core sim text json page input flight report stability fly campaign predict|fmt/"
   "tools/paper|core sim text json page input flight report identify identify/model identify/closed_loop tunnel fly|fmt/"
@@ -62,7 +62,10 @@ set(FANTAIL_SINGLE_FILES
   "tools/json/value.cpp|nlohmann/"
   "tools/text/output_folder.cpp|fcntl\\.h unistd\\.h sys/"
   "tools/fantail/command_line.cpp|CLI/"
-  "tools/report/summary_json.cpp|sha256\\.h")
+  "tools/text/sha256.cpp|sha256\\.h"
+  "tools/campaign/gzip.cpp|zlib\\.h"
+  "tools/campaign/runs_folder.cpp|fcntl\\.h sys/ unistd\\.h"
+  "tools/campaign/sensitivity.cpp|Eigen/")
 
 # Splits a row of either list into <prefix>_0, _1, ... ; the first is a word, the others are lists.
 function(fantail_split row prefix)

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "campaign/normal_quantile.hpp"
+#include "campaign/seed_of_run.hpp"
 
 namespace fantail::campaign {
 namespace {

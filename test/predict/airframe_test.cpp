@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "campaign/unit_points.hpp"
+#include "campaign/seed_of_run.hpp"
 #include "input/shipped.hpp"
 
 namespace fantail::predict {

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "campaign/unit_points.hpp"
+#include "campaign/seed_of_run.hpp"
 #include "input/scenario_file.hpp"
 #include "json/value.hpp"
 #include "predict/drawn_wind.hpp"

@@ -11,7 +11,7 @@
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 
-#include "campaign/unit_points.hpp"
+#include "campaign/seed_of_run.hpp"
 #include "predict/decision.hpp"
 #include "predict/prediction.hpp"
 #include "seed.hpp"

@@ -28,5 +28,13 @@ TEST(Trimmed, LosesSpacesTabsAndACarriageReturnAtTheEndAndNothingInside) {
   EXPECT_EQ(trimmed(" \t "), "");
 }
 
+TEST(WholeNumber, IsDigitsAndNothingElseUpToTheLargest) {
+  EXPECT_EQ(whole_number("0"), 0U);
+  EXPECT_EQ(whole_number("18446744073709551615"), 18446744073709551615U);
+  for (const char* none : {"", "-1", "+1", " 1", "1 ", "1.0", "0x1", "18446744073709551616"}) {
+    EXPECT_EQ(whole_number(none), std::nullopt) << none;
+  }
+}
+
 }  // namespace
 }  // namespace fantail::text

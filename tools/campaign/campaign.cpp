@@ -4,21 +4,20 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
-#include <fstream>
-#include <iterator>
+#include <span>
 
 #include <fmt/format.h>
-#include <sha256.h>
 
 #include "campaign/parallel_for.hpp"
 #include "input/vehicle_file.hpp"
 #include "text/error.hpp"
+#include "text/sha256.hpp"
 
 namespace fantail::campaign {
 namespace {
 
 input::ScenarioFiles files_of(const Campaign& campaign) {
-  input::ScenarioFiles files = input::ScenarioFiles::load(campaign.scenario);
+  input::ScenarioFiles files = input::ScenarioFiles::load(campaign.scenario, spread_word);
   for (const input::Override& change : campaign.changes) {
     files.apply(change);
   }
@@ -29,16 +28,7 @@ Drawer drawer_of(const Campaign& campaign, const std::vector<Spread>& spreads) {
   return {spreads, campaign.sampling, campaign.seed, campaign.runs};
 }
 
-std::string sha256(const std::string& text) {
-  std::array<char, SHA256_DIGEST_STRING_LENGTH> digits{};
-  SHA256Data(reinterpret_cast<const std::uint8_t*>(text.data()), text.size(), digits.data());
-  return digits.data();
-}
-
-std::string hash_of(const std::filesystem::path& file) {
-  std::ifstream stream{file, std::ios::binary};
-  return sha256({std::istreambuf_iterator<char>{stream}, {}});
-}
+std::string hash_of(const std::string& text) { return text::sha256(std::as_bytes(std::span{text})); }
 
 std::string words_of(const Campaign& campaign) {
   std::string words;
@@ -63,11 +53,11 @@ Identity identity_of(const Campaign& campaign, const input::ScenarioFiles& files
           {"runs", fmt::format("{}", campaign.runs)},
           {"sampling", sampling[static_cast<std::size_t>(campaign.sampling)]},
           {"changes", words_of(campaign)},
-          {"scenario", hash_of(files.scenario().file())},
-          {"plan", hash_of(files.plan().file())},
-          {"vehicle", hash_of(files.vehicle().file())},
-          {"motor", hash_of(input::motor_file(files.vehicle()))},
-          {"tables", sha256(tables)},
+          {"scenario", hash_of(file_content(files.scenario().file()))},
+          {"plan", hash_of(file_content(files.plan().file()))},
+          {"vehicle", hash_of(file_content(files.vehicle().file()))},
+          {"motor", hash_of(file_content(input::motor_file(files.vehicle())))},
+          {"tables", hash_of(tables)},
           {"shard", fmt::format("{} of {}", campaign.shard.number, campaign.shard.of)}};
 }
 
@@ -125,6 +115,7 @@ std::vector<FlownRun> fly_campaign(const Campaign& campaign, const std::filesyst
   }
   const RunsFolder store{folder, identity_of(campaign, files, spreads, version), spreads};
   if (auto runs = store.finished(own_runs, campaign.seed)) {
+    store.remove_chunks();  // of which the process that finished it may have left some
     return *std::move(runs);
   }
   std::vector<FlownRun> all(own_runs.count);

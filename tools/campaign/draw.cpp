@@ -10,6 +10,7 @@
 #include <fmt/core.h>
 
 #include "campaign/normal_quantile.hpp"
+#include "campaign/seed_of_run.hpp"
 #include "sim/random.hpp"
 #include "text/error.hpp"
 

@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: MIT
 #include "campaign/flown_run.hpp"
 
-#include <algorithm>
-#include <charconv>
 #include <cmath>
 
 #include <fmt/core.h>
 
+#include "campaign/seed_of_run.hpp"
 #include "flight/table.hpp"
 #include "fly/fly_scenario.hpp"
 #include "report/figures.hpp"
 #include "report/verdict.hpp"
+#include "text/csv_cell.hpp"
 #include "text/degrees.hpp"
 #include "text/error.hpp"
+#include "text/number.hpp"
 
 namespace fantail::campaign {
 namespace {
@@ -40,30 +41,17 @@ void take_figures(FlownRun& flown, const flight::Flight& flight) {
   }
 }
 
-// A note is one cell: a message may have commas, and quotes of its own.
-std::string quoted(const std::string& note) {
-  if (note.empty()) {
-    return note;
-  }
-  std::string cell{'"'};
-  for (const char letter : note) {
-    cell += letter == '"' ? "\"\"" : std::string{letter == '\n' || letter == '\r' ? ' ' : letter};
-  }
-  return cell + '"';
-}
-
 [[noreturn]] void refuse(const flight::Table& table, std::size_t row, const std::string& complaint) {
   throw text::Error{text::ErrorKind::bad_data, table.where(row) + ": " + complaint};
 }
 
 std::uint64_t whole(const flight::Table& table, std::size_t row, std::size_t column) {
-  const std::string_view cell = table.cell(row, column);
-  std::uint64_t value = 0;
-  const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
-  if (error != std::errc{} || end != cell.data() + cell.size()) {
-    refuse(table, row, table.columns()[column] + " = " + flight::in_quotes(cell) + " is no whole number");
+  const auto value = text::whole_number(table.cell(row, column));
+  if (!value) {
+    refuse(table, row,
+           table.columns()[column] + " = " + flight::in_quotes(table.cell(row, column)) + " is no whole number");
   }
-  return value;
+  return *value;
 }
 
 double number(const flight::Table& table, std::size_t row, std::size_t column) {
@@ -124,7 +112,7 @@ std::string csv_row(const FlownRun& run) {
   for (const auto& figure : run.figures) {
     text += figure ? fmt::format(",{}", *figure) : ",";
   }
-  return text + ',' + quoted(run.note) + '\n';
+  return text + ',' + text::csv_cell(run.note) + '\n';
 }
 
 std::vector<FlownRun> read_rows(const std::string& rows, const std::vector<Spread>& spreads, const std::string& name) {

@@ -2,7 +2,6 @@
 #include "campaign/merge.hpp"
 
 #include <array>
-#include <charconv>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -15,8 +14,10 @@
 #include "campaign/campaign.hpp"
 #include "campaign/gzip.hpp"
 #include "campaign/runs_folder.hpp"
+#include "campaign/seed_of_run.hpp"
 #include "json/value.hpp"
 #include "text/error.hpp"
+#include "text/number.hpp"
 #include "text/output_folder.hpp"
 
 namespace fantail::campaign {
@@ -34,15 +35,9 @@ struct Part {
   Shard shard;
 };
 
-std::optional<std::uint64_t> whole_number(std::string_view text) {
-  std::uint64_t value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  return error == std::errc{} && end == text.data() + text.size() ? std::optional{value} : std::nullopt;
-}
-
 std::uint64_t number_of(const Part& part, std::string_view name) {
   for (const auto& [key, value] : part.identity) {
-    if (const auto number = key == name ? whole_number(value) : std::nullopt) {
+    if (const auto number = key == name ? text::whole_number(value) : std::nullopt) {
       return *number;
     }
   }
@@ -61,8 +56,8 @@ Part read_part(const fs::path& folder) {
     }
     const std::string_view text = entry->second;
     const std::size_t gap = text.find(" of ");
-    const auto number = gap == std::string_view::npos ? std::nullopt : whole_number(text.substr(0, gap));
-    const auto of = gap == std::string_view::npos ? std::nullopt : whole_number(text.substr(gap + 4));
+    const auto number = gap == std::string_view::npos ? std::nullopt : text::whole_number(text.substr(0, gap));
+    const auto of = gap == std::string_view::npos ? std::nullopt : text::whole_number(text.substr(gap + 4));
     if (number && of && *number >= 1 && *number <= *of) {
       part.shard = {.number = *number, .of = *of};
       part.identity.erase(entry);

@@ -15,6 +15,7 @@
 #include <unistd.h>
 
 #include "campaign/gzip.hpp"
+#include "campaign/seed_of_run.hpp"
 #include "json/value.hpp"
 #include "text/error.hpp"
 #include "text/output_folder.hpp"
@@ -137,11 +138,7 @@ std::optional<std::vector<FlownRun>> RunsFolder::finished(const Stretch& stretch
   if (!text || !text->starts_with(header)) {
     return std::nullopt;
   }
-  auto runs = whole(text->substr(header.size()), file.string(), stretch, master_seed);
-  if (runs) {
-    remove_chunks();
-  }
-  return runs;
+  return whole(text->substr(header.size()), file.string(), stretch, master_seed);
 }
 
 std::optional<std::vector<FlownRun>> RunsFolder::stored(std::uint64_t chunk, const Stretch& stretch,

@@ -62,8 +62,9 @@ class RunsFolder {
   /// Puts these stored chunks behind a header into runs.csv.gz, and removes all chunks.
   void finish(std::uint64_t first_chunk, std::uint64_t end_chunk) const;
 
- private:
   void remove_chunks() const;
+
+ private:
   [[nodiscard]] std::optional<std::vector<FlownRun>> whole(const std::string& rows, const std::string& name,
                                                            const Stretch& stretch, std::uint64_t master_seed) const;
   [[nodiscard]] std::filesystem::path chunk_file(std::uint64_t chunk) const;

@@ -4,6 +4,7 @@
 #include <array>
 #include <bit>
 
+#include "campaign/seed_of_run.hpp"
 #include "sim/random.hpp"
 
 namespace fantail::campaign {
@@ -126,8 +127,6 @@ double open_unit(std::uint64_t random_bits) { return (static_cast<double>(random
 double sobol_coordinate(std::uint64_t run, std::size_t dimension) {
   return static_cast<double>(sobol(run, dimension)) * 0x1p-52;
 }
-
-std::uint64_t seed_of_run(std::uint64_t master_seed, std::uint64_t run) { return sim::Random{master_seed, run}.bits(); }
 
 double UnitPoints::at(std::uint64_t run, std::size_t dimension) const {
   const std::uint64_t own = sim::Random{seed_of_run(master_seed_, run), first_stream + dimension}.bits();

@@ -21,9 +21,6 @@ inline constexpr std::size_t most_sobol_dimensions = 21;
 /// A coordinate of Sobol's sequence as it is published, without a shift; from 0 on, below 1.
 [[nodiscard]] double sobol_coordinate(std::uint64_t run, std::size_t dimension);
 
-/// The seed of a run: another for every run, the same for the same number however many there are.
-[[nodiscard]] std::uint64_t seed_of_run(std::uint64_t master_seed, std::uint64_t run);
-
 /// Points of the unit cube, one a run. Each is computed alone, from the master seed and its number: no run waits for
 /// another, in whatever order and on whatever machine they are flown.
 class UnitPoints {

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -13,17 +12,13 @@
 #include "fantail/standard_streams.hpp"
 #include "input/document.hpp"
 #include "input/scenario_file.hpp"
+#include "text/number.hpp"
 
 namespace fantail::tool {
 namespace {
 
-// CLI11 would wrap -1 around and cut off what is too large. Empty: not a seed.
-std::optional<std::uint64_t> parse_seed(const std::string& text) {
-  std::uint64_t seed = 0;
-  const char* end = text.data() + text.size();
-  const auto [stopped, error] = std::from_chars(text.data(), end, seed);
-  return error == std::errc{} && stopped == end ? std::optional{seed} : std::nullopt;
-}
+// As text, because CLI11 would wrap -1 around and cut off what is too large. Empty: not a seed.
+std::optional<std::uint64_t> parse_seed(const std::string& text) { return text::whole_number(text); }
 
 std::string objection_to_seed(const std::string& text) {
   return parse_seed(text) ? "" : '"' + text + "\" is not a seed; allowed: a whole number, 0 to 18446744073709551615";

@@ -8,7 +8,7 @@
 #include <fmt/core.h>
 
 #include "campaign/parallel_for.hpp"
-#include "campaign/unit_points.hpp"
+#include "campaign/seed_of_run.hpp"
 #include "predict/margins.hpp"
 #include "predict/run_notes.hpp"
 #include "predict/tunnel_use.hpp"

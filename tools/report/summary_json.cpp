@@ -8,10 +8,9 @@
 #include <span>
 #include <string>
 
-#include <sha256.h>
-
 #include "json/value.hpp"
 #include "text/degrees.hpp"
+#include "text/sha256.hpp"
 
 namespace fantail::report {
 namespace {
@@ -130,14 +129,6 @@ Json path(const flight::Flight& flight) {
                         : Json{};
 }
 
-std::string sha256(std::span<const std::byte> bytes) {
-  SHA2_CTX context;
-  SHA256Init(&context);
-  SHA256Update(&context, reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());  // NOLINT: bytes as bytes
-  std::array<char, SHA256_DIGEST_STRING_LENGTH> text{};
-  return SHA256End(&context, text.data());
-}
-
 }  // namespace
 
 std::string summary_json(const flight::Flight& flight, const Figures& figures, const Verdict& verdict) {
@@ -180,7 +171,7 @@ std::string summary_json(const flight::Flight& flight, const Figures& figures, c
                   {"imposed_roll", imposed_roll(flight)},
                   {"why_not_armed", text_or_null(flight.why_not_armed)},
                   {"notes", flight.notes},
-                  {"log_sha256", flight.log.empty() ? Json{} : Json(sha256(flight.log))},
+                  {"log_sha256", flight.log.empty() ? Json{} : Json(text::sha256(flight.log))},
                   {"version", text_or_null(flight.version)}};
   if (flight.trajectory_end_s) {
     summary["trajectory_end_s"] = rounded(*flight.trajectory_end_s);

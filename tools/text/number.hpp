@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -12,6 +13,9 @@ namespace fantail::text {
 
 /// The finite number that `text` is, spaces around it allowed; empty for anything else, "nan" and "1,5" too.
 [[nodiscard]] std::optional<double> number(std::string_view text);
+
+/// The whole number from 0 on that `text` is, with no sign and nothing else.
+[[nodiscard]] std::optional<std::uint64_t> whole_number(std::string_view text);
 
 /// "-7.30" for (-7.3, 2); never "-0.0". Not a number reads "not a number".
 [[nodiscard]] std::string fixed(double value, int decimals);

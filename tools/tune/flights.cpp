@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "campaign/parallel_for.hpp"
-#include "campaign/unit_points.hpp"
+#include "campaign/seed_of_run.hpp"
 #include "fly/fly_scenario.hpp"
 #include "predict/run.hpp"
 #include "report/figures.hpp"

@@ -9,6 +9,7 @@
 
 #include <fmt/core.h>
 
+#include "text/csv_cell.hpp"
 #include "text/degrees.hpp"
 #include "text/error.hpp"
 #include "tunnel/statistics.hpp"
@@ -143,18 +144,6 @@ std::string place(const ReferenceStep& step, std::size_t number) {
   throw text::Error{text::ErrorKind::bad_data, log.name + ": " + why};
 }
 
-/// In quotes where a table would take it for several cells.
-std::string in_csv(const std::string& text) {
-  if (text.find_first_of(",\"\n\r#") == std::string::npos) {
-    return text;
-  }
-  std::string quoted = "\"";
-  for (const char c : text) {
-    quoted += c == '"' ? "\"\"" : std::string(1, c == '\n' || c == '\r' ? ' ' : c);
-  }
-  return quoted + '"';
-}
-
 }  // namespace
 
 StepFigures figures_of(const StepResult& result) {
@@ -241,8 +230,8 @@ StepTable identify_steps(const logs::RollLog& log, const identify::model::Airfra
 }
 
 std::string steps_csv(const StepsHeading& heading, const StepTable& table) {
-  const std::string whose = fmt::format(",{},{},{}", in_csv(heading.vehicle), heading.airframe.reference_area_m2,
-                                        heading.airframe.inertia_kg_m2);
+  const std::string whose = fmt::format(",{},{},{}", text::csv_cell(heading.vehicle),
+                                        heading.airframe.reference_area_m2, heading.airframe.inertia_kg_m2);
   std::string text = "step,begin_s";
   for (const StepColumn& column : columns) {
     text += fmt::format(",{}", column.name);
