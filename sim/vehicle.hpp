@@ -43,7 +43,8 @@ struct Vehicle {
   RollPlant roll_plant{};
   /// 95 % of what the reference area may truly be, from and to; empty: nothing is said of it. For predictions.
   std::vector<double> reference_area_range_m2;
-  ThrustCurve motor;
+  ThrustCurve motor;                          ///< with the factor
+  double thrust_factor = 1.0;                 ///< over the curve of its file
   std::optional<Airframe> airframe;           ///< empty: the rocket moves along straight lines only
   std::vector<std::string> airframe_assumed;  ///< of the airframe, a sentence each
   std::optional<Geometry> geometry;           ///< empty: nobody has described it

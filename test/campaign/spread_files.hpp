@@ -16,7 +16,7 @@ inline std::vector<Spread> spreads_of(const std::string& tables) {
       "[disturbance]\ntimes_s = [0, 2]\nangles_deg = [-4.9, -5.1]\n" +
           tables,
       "spread.toml"};
-  return read_spreads(input::ScenarioFiles::load(file.path().string(), spread_word));
+  return read_spreads(input::ScenarioFiles::load(file.path().string()));
 }
 
 }  // namespace fantail::campaign

@@ -85,7 +85,7 @@ TEST(Decision, IsNoGoWhenTheLoopIsTooNearToSwinging) {
 TEST(Decision, IsNoGoWhenRollIsNotHeldAndSaysHowFastItSpins) {
   Prediction p = good();
   p.held = share(100, 200);
-  p.spin_rate_rad_s = Spread{.p50 = radians(128.7)};
+  p.spin_rate_rad_s = Quantiles{.p50 = radians(128.7)};
   EXPECT_EQ(
       decide(p, {}).text,
       "No go: roll is held in only 50 % of the runs (without authority it turns at about 129 degrees a second at top "

@@ -76,7 +76,7 @@ TEST(WindyPrediction, TellsHeightDriftAndWindWithTheirRanges) {
   for (const auto& run : p.runs) {
     drifts.push_back(run.drift_m.value());
   }
-  EXPECT_EQ(p.drift_m.value().p95, spread(drifts).p95);
+  EXPECT_EQ(p.drift_m.value().p95, campaign::quantiles(drifts).p95);
   const Decision d = decide(p, {});
   for (const char* word : {"  apogee  ", "  drift at apogee  ", "  wind  ", "about 5 m/s", "1.5 m/s", "from anywhere",
                            "turbulence of its own"}) {

@@ -4,12 +4,13 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
-#include <span>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "campaign/flown_run.hpp"
 #include "campaign/runs_folder.hpp"
+#include "campaign/stop_rule.hpp"
 #include "campaign/unit_points.hpp"
 
 namespace fantail::campaign {
@@ -27,7 +28,17 @@ struct Campaign {
   std::uint64_t seed = 1;                  ///< of all runs
   std::uint64_t runs = 1'000;              ///< 1 or more
   Sampling sampling = Sampling::independent;
-  Shard shard{};  ///< of these runs; the others are left to others
+  Shard shard{};                   ///< of these runs; the others are left to others
+  std::optional<StopRule> stop{};  ///< not of a shard, and only of independent runs
+};
+
+/// What was flown.
+struct FlownCampaign {
+  std::string scenario{};  ///< names, as a flight report has them
+  std::string vehicle{};
+  std::string plan{};
+  std::vector<std::string> quantities{};  ///< what was drawn, as the columns of runs.csv
+  std::vector<FlownRun> runs{};           ///< of its shard, or as many as its rule asked for
 };
 
 /// The runs of a shard, which is one: whole chunks, as equal in number as they can be.
@@ -38,15 +49,10 @@ struct Campaign {
 /// throws ends it; chunks that are finished stay, and the next call goes on from them. `look` is called with the runs
 /// done, several times a second, from this thread. `version`: of the program, which is part of what a campaign is.
 ///
-/// Throws text::Error before anything is flown for no runs, a shard that is none of its parts, no spread, a spread that
-/// cannot be drawn, a draw that a field does not allow, or a folder with another campaign.
-///
-/// Returns the runs of its shard.
-[[nodiscard]] std::vector<FlownRun> fly_campaign(const Campaign& campaign, const std::filesystem::path& folder,
-                                                 const std::string& version, unsigned threads,
-                                                 const std::function<void(std::uint64_t done)>& look);
-
-/// One run alone: the same as in fly_campaign().
-[[nodiscard]] FlownRun fly_run_alone(const Campaign& campaign, std::uint64_t run);
+/// Throws text::Error before anything is flown for no runs, a shard that is none of its parts, a rule that cannot hold,
+/// no spread, a spread that cannot be drawn, a draw that a field does not allow, or a folder with another campaign.
+[[nodiscard]] FlownCampaign fly_campaign(const Campaign& campaign, const std::filesystem::path& folder,
+                                         const std::string& version, unsigned threads,
+                                         const std::function<void(std::uint64_t done)>& look);
 
 }  // namespace fantail::campaign

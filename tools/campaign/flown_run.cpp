@@ -88,13 +88,21 @@ FlownRun fly_run(input::ScenarioFiles& files, const Drawer& drawer, std::uint64_
   return flown;
 }
 
-std::string header_row(const std::vector<Spread>& spreads) {
-  std::string text = "run,seed";
+std::vector<std::string> quantity_names(const std::vector<Spread>& spreads) {
+  std::vector<std::string> names;
   for (const Spread& spread : spreads) {
     const char* effect = spread.effect == Effect::factor ? "_factor" : spread.effect == Effect::offset ? "_offset" : "";
     for (const input::NumberField& field : spread.fields) {
-      text += ',' + field.name() + effect;
+      names.push_back(field.name() + effect);
     }
+  }
+  return names;
+}
+
+std::string header_row(const std::vector<Spread>& spreads) {
+  std::string text = "run,seed";
+  for (const std::string& name : quantity_names(spreads)) {
+    text += ',' + name;
   }
   text += ",drawn_again,outcome";
   for (const std::string_view column : figure_columns) {

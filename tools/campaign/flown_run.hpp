@@ -39,8 +39,11 @@ struct FlownRun {
 [[nodiscard]] FlownRun fly_run(input::ScenarioFiles& files, const Drawer& drawer, std::uint64_t master_seed,
                                std::uint64_t run);
 
-/// The columns of runs.csv for these spreads, with a newline. A number that is not a value itself has the word of its
-/// effect behind its field: body.mass_kg_factor.
+/// The columns of what is drawn. A number that is not a value itself has the word of its effect behind its field:
+/// body.mass_kg_factor.
+[[nodiscard]] std::vector<std::string> quantity_names(const std::vector<Spread>& spreads);
+
+/// The columns of runs.csv for these spreads, with a newline.
 [[nodiscard]] std::string header_row(const std::vector<Spread>& spreads);
 
 /// A row, with a newline. Every digit is kept, so that the same run is the same text.

@@ -69,14 +69,10 @@ Part read_part(const fs::path& folder) {
 }
 
 void require_same(const Part& first, const Part& other) {
-  for (std::size_t i = 0; i < first.identity.size(); ++i) {
-    const auto& [name, value] = first.identity[i];
-    if (i >= other.identity.size() || other.identity[i] != first.identity[i]) {
-      refuse(ErrorKind::bad_configuration,
-             fmt::format("{} and {} are of different campaigns: {} is {} in the first and {} in the other",
-                         first.folder.string(), other.folder.string(), name, value,
-                         i < other.identity.size() ? other.identity[i].second : "missing"));
-    }
+  if (const std::string differs = difference(first.identity, "in the first", other.identity, "in the other");
+      !differs.empty()) {
+    refuse(ErrorKind::bad_configuration, fmt::format("{} and {} are of different campaigns: {}", first.folder.string(),
+                                                     other.folder.string(), differs));
   }
   if (first.shard.of != other.shard.of) {
     refuse(ErrorKind::bad_configuration,
@@ -147,7 +143,7 @@ std::string rows_of(const Part& part, std::string& header) {
 
 }  // namespace
 
-void merge(std::span<const fs::path> shards, const fs::path& out) {
+std::uint64_t merge(std::span<const fs::path> shards, const fs::path& out) {
   const std::map<std::uint64_t, Part> parts = all_parts(shards);
   std::string header;
   std::string rows;
@@ -159,6 +155,7 @@ void merge(std::span<const fs::path> shards, const fs::path& out) {
   const std::array files{text::NamedFile{.name = RunsFolder::identity_name, .content = identity_json(whole)},
                          text::NamedFile{.name = RunsFolder::runs_name, .content = header + rows}};
   text::OutputFolder{out, {shards.begin(), shards.end()}}.write(files);
+  return number_of(parts.begin()->second, "runs");
 }
 
 }  // namespace fantail::campaign

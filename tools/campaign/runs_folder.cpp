@@ -33,14 +33,8 @@ constexpr const char* chunks_name = "chunks";
 }
 
 void require_same(const fs::path& folder, const Identity& identity) {
-  const Identity there = read_identity(folder);
-  for (const auto& [name, value] : identity) {
-    const auto other = std::ranges::find(there, name, &Identity::value_type::first);
-    if (other == there.end() || other->second != value) {
-      refuse(
-          fmt::format("{}: holds another campaign: {} is {} there and {} here; take another folder, or remove that one",
-                      folder.string(), name, other != there.end() ? other->second : "missing", value));
-    }
+  if (const std::string differs = difference(read_identity(folder), "there", identity, "here"); !differs.empty()) {
+    refuse(folder.string() + ": holds another campaign: " + differs + "; take another folder, or remove that one");
   }
 }
 
@@ -49,6 +43,19 @@ void require_same(const fs::path& folder, const Identity& identity) {
 std::string file_content(const fs::path& file) {
   std::ifstream stream{file, std::ios::binary};
   return {std::istreambuf_iterator<char>{stream}, {}};
+}
+
+std::string difference(const Identity& one, std::string_view where, const Identity& other,
+                       std::string_view where_other) {
+  for (const auto& [name, value] : other) {
+    const auto same = std::ranges::find(one, name, &Identity::value_type::first);
+    if (name != "file" && (same == one.end() || same->second != value)) {
+      const auto shown = [](const std::string& text) { return text.empty() ? "none" : text; };
+      return fmt::format("{} is {} {} and {} {}", name, same != one.end() ? shown(same->second) : "missing", where,
+                         shown(value), where_other);
+    }
+  }
+  return {};
 }
 
 std::string identity_json(const Identity& identity) {
@@ -117,11 +124,13 @@ fs::path RunsFolder::chunk_file(std::uint64_t chunk) const {
 }
 
 std::optional<std::vector<FlownRun>> RunsFolder::whole(const std::string& rows, const std::string& name,
-                                                       const Stretch& stretch, std::uint64_t master_seed) const {
+                                                       const Stretch& stretch, std::uint64_t master_seed,
+                                                       bool may_be_fewer) const {
   try {
     std::vector<FlownRun> runs = read_rows(rows, spreads_, name);
-    bool is_whole = runs.size() == stretch.count;
-    for (std::uint64_t i = 0; is_whole && i < stretch.count; ++i) {
+    bool is_whole = runs.size() == stretch.count || (may_be_fewer && !runs.empty() && runs.size() < stretch.count &&
+                                                     runs.size() % runs_of_a_chunk == 0);
+    for (std::uint64_t i = 0; is_whole && i < runs.size(); ++i) {
       const std::uint64_t run = stretch.first + i;
       is_whole = runs[i].run == run && runs[i].seed == seed_of_run(master_seed, run);
     }
@@ -131,21 +140,22 @@ std::optional<std::vector<FlownRun>> RunsFolder::whole(const std::string& rows, 
   }
 }
 
-std::optional<std::vector<FlownRun>> RunsFolder::finished(const Stretch& stretch, std::uint64_t master_seed) const {
+std::optional<std::vector<FlownRun>> RunsFolder::finished(const Stretch& stretch, std::uint64_t master_seed,
+                                                          bool may_be_fewer) const {
   const fs::path file = folder_ / runs_name;
   const auto text = gunzip(file_content(file));
   const std::string header = header_row(spreads_);
   if (!text || !text->starts_with(header)) {
     return std::nullopt;
   }
-  return whole(text->substr(header.size()), file.string(), stretch, master_seed);
+  return whole(text->substr(header.size()), file.string(), stretch, master_seed, may_be_fewer);
 }
 
 std::optional<std::vector<FlownRun>> RunsFolder::stored(std::uint64_t chunk, const Stretch& stretch,
                                                         std::uint64_t master_seed) const {
   const fs::path file = chunk_file(chunk);
   const auto rows = gunzip(file_content(file));
-  return rows ? whole(*rows, file.string(), stretch, master_seed) : std::nullopt;
+  return rows ? whole(*rows, file.string(), stretch, master_seed, false) : std::nullopt;
 }
 
 void RunsFolder::store(std::uint64_t chunk, const std::vector<FlownRun>& runs) const {

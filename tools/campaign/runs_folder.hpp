@@ -23,12 +23,19 @@ struct Stretch {
   std::uint64_t count = 0;
 };
 
-/// What makes a campaign this one and no other, in the order of their names: "seed", "7".
+/// What makes a campaign this one and no other, in the order of their names: "seed", "7". "file" does not: the same
+/// scenario may lie elsewhere on another machine.
 using Identity = std::vector<std::pair<std::string, std::string>>;
 
 /// All names that an identity may have.
-inline constexpr std::array<std::string_view, 11> identity_names{
-    "version", "seed", "runs", "sampling", "changes", "scenario", "plan", "vehicle", "motor", "tables", "shard"};
+inline constexpr std::array<std::string_view, 13> identity_names{"version", "file",    "seed",     "runs", "sampling",
+                                                                 "stop",    "changes", "scenario", "plan", "vehicle",
+                                                                 "motor",   "tables",  "shard"};
+
+/// The first that `one` says otherwise than `other`, with where they are: "seed is 7 there and 8 here". Empty when they
+/// are of the same campaign.
+[[nodiscard]] std::string difference(const Identity& one, std::string_view where, const Identity& other,
+                                     std::string_view where_other);
 
 [[nodiscard]] std::string identity_json(const Identity& identity);
 /// Of a folder. Throws text::Error (bad_data) for one that says none.
@@ -51,8 +58,10 @@ class RunsFolder {
   RunsFolder(const RunsFolder&) = delete;
   RunsFolder& operator=(const RunsFolder&) = delete;
 
-  /// The runs of a campaign that was finished here; empty when there are none, or not these.
-  [[nodiscard]] std::optional<std::vector<FlownRun>> finished(const Stretch& stretch, std::uint64_t master_seed) const;
+  /// The runs of a campaign that was finished here; empty when there are none, or not these. `may_be_fewer`: whole
+  /// chunks from the first on are enough.
+  [[nodiscard]] std::optional<std::vector<FlownRun>> finished(const Stretch& stretch, std::uint64_t master_seed,
+                                                              bool may_be_fewer) const;
   /// A chunk that has been stored; empty when it has not, or is damaged, or does not hold these runs and seeds.
   [[nodiscard]] std::optional<std::vector<FlownRun>> stored(std::uint64_t chunk, const Stretch& stretch,
                                                             std::uint64_t master_seed) const;
@@ -66,7 +75,8 @@ class RunsFolder {
 
  private:
   [[nodiscard]] std::optional<std::vector<FlownRun>> whole(const std::string& rows, const std::string& name,
-                                                           const Stretch& stretch, std::uint64_t master_seed) const;
+                                                           const Stretch& stretch, std::uint64_t master_seed,
+                                                           bool may_be_fewer) const;
   [[nodiscard]] std::filesystem::path chunk_file(std::uint64_t chunk) const;
 
   std::filesystem::path folder_;

@@ -110,8 +110,11 @@ Sensitivity sensitivity(const std::vector<std::vector<double>>& quantities, cons
     x.col(i) = standardised(quantities[static_cast<std::size_t>(i)]);
   }
   const Eigen::VectorXd y = standardised(result);
-  const Eigen::MatrixXd inverse = (x.transpose() * x).ldlt().solve(Eigen::MatrixXd::Identity(count, count));
-  const Eigen::VectorXd slopes = inverse * (x.transpose() * y);
+  const Eigen::LDLT<Eigen::MatrixXd> normal_equations{x.transpose() * x};
+  constexpr double least_condition = 1e-9;
+  const bool independent = normal_equations.rcond() > least_condition;
+  const Eigen::MatrixXd inverse = normal_equations.solve(Eigen::MatrixXd::Identity(count, count));
+  const Eigen::VectorXd slopes = x.colPivHouseholderQr().solve(y);
   const auto freedom = static_cast<double>(runs - count - 1);
   const double residual = (y - x * slopes).squaredNorm() / freedom;
   Sensitivity all{.of_quantity = {}, .explained = 1.0 - residual};
@@ -119,7 +122,8 @@ Sensitivity sensitivity(const std::vector<std::vector<double>>& quantities, cons
   for (Eigen::Index i = 0; i < count; ++i) {
     const double reach = normal_975 * std::sqrt(residual * inverse(i, i));
     const auto number = static_cast<std::size_t>(i);
-    all.of_quantity.push_back({.slope = {.value = slopes[i], .low = slopes[i] - reach, .high = slopes[i] + reach},
+    const Estimate slope{.value = slopes[i], .low = slopes[i] - reach, .high = slopes[i] + reach};
+    all.of_quantity.push_back({.slope = independent ? std::optional{slope} : std::nullopt,
                                .variance_share = variance_share(quantities[number], centred, seed, number)});
   }
   return all;

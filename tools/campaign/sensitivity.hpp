@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace fantail::campaign {
@@ -16,8 +17,9 @@ struct Estimate {
 /// How much one unknown quantity matters for a result.
 struct Influence {
   /// Standardised regression coefficient: by how many of its standard deviations the result moves with one of the
-  /// quantity's, the others held. Its sign says in which sense.
-  Estimate slope{};
+  /// quantity's, the others held. Its sign says in which sense. Empty where quantities depend on each other so closely
+  /// that one cannot change without another.
+  std::optional<Estimate> slope{};
   /// Sobol's index of first order: the share of the variance of the result that would go if this quantity were known.
   /// It sees what no straight line shows. From the runs as they are, by groups of runs with alike values; may come out
   /// a little below 0.

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <filesystem>
 #include <span>
 #include <string>
 #include <string_view>
@@ -12,6 +11,7 @@
 #include <fmt/core.h>
 
 #include "flight/table.hpp"
+#include "input/shipped.hpp"
 #include "text/error.hpp"
 
 namespace fantail::campaign {
@@ -136,11 +136,9 @@ void read_range(Section& section, Spread& spread) {
   }
 }
 
-void read_rows(Section& section, const std::filesystem::path& folder, Spread& spread) {
-  const std::filesystem::path named = section.text("table");
-  const std::filesystem::path beside = folder / named;
-  std::error_code ignored;
-  const flight::Table table = flight::Table::load((std::filesystem::exists(beside, ignored) ? beside : named).string());
+void read_rows(Section& section, const input::Document& document, Spread& spread) {
+  const flight::Table table =
+      flight::Table::load(input::find_named_input(input::Shipped::tunnel_result, document, section, "table").string());
   const std::vector<std::string> columns = section.texts("columns", most_fields);
   if (columns.size() != spread.fields.size()) {
     section.refuse("columns",
@@ -174,7 +172,7 @@ Spread read_spread(Section& section, const input::ScenarioFiles& files) {
     case Law::normal: read_normal(section, spread); break;
     case Law::uniform:
     case Law::triangular: read_range(section, spread); break;
-    case Law::rows: read_rows(section, std::filesystem::path{files.scenario().file()}.parent_path(), spread); break;
+    case Law::rows: read_rows(section, files.scenario(), spread); break;
   }
   section.finish();
   return spread;

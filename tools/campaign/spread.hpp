@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "input/number_field.hpp"
@@ -46,9 +44,6 @@ struct Spread {
   /// How many coordinates of the unit cube a draw takes.
   [[nodiscard]] std::size_t dimensions() const { return law == Law::normal ? fields.size() : 1; }
 };
-
-/// The word at the top of a scenario's file, for input::ScenarioFiles::load().
-inline constexpr std::array<std::string_view, 1> spread_word{"spread"};
 
 /// All tables [[spread]] of a scenario's file; none where there are none. Throws text::Error (bad_configuration,
 /// bad_data, no_such_input): an unknown field, one that two spreads draw, a law without what it needs, correlations

@@ -167,7 +167,13 @@ Option Verb::flag(const std::string& name, bool& value, const std::string& meani
 
 void Verb::examples(const std::string& text) const { app_->footer(text); }
 
-void Verb::action(const std::function<void()>& action) const { app_->callback(action); }
+void Verb::action(const std::function<void()>& action) const {
+  app_->callback([app = app_, action] {
+    if (app->get_subcommands().empty()) {
+      action();
+    }
+  });
+}
 
 Objection within(double low, double high) {
   return [low, high](const std::string& text) {

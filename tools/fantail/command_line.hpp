@@ -52,7 +52,7 @@ class Verb {
  public:
   explicit Verb(CLI::App* app) : app_{app} {}
 
-  /// `plan check` is a verb of `plan`, which then does nothing by itself.
+  /// `plan check` is a verb of `plan`.
   [[nodiscard]] Verb verb(const std::string& name, const std::string& meaning) const;
   void needs_verb() const;
 
@@ -64,7 +64,7 @@ class Verb {
 
   /// Stands below the options in the help.
   void examples(const std::string& text) const;
-  /// What is done when the whole command line has been read.
+  /// What is done when the whole command line has been read, and none of its own verbs was called.
   void action(const std::function<void()>& action) const;
 
  private:

@@ -11,6 +11,7 @@
 
 #include <fmt/format.h>
 
+#include "campaign/repeat.hpp"
 #include "core/time.hpp"
 #include "fantail/flight_computer_option.hpp"
 #include "fantail/interrupt.hpp"
@@ -51,6 +52,8 @@ class WallClock {
 struct FlyOptions {
   ScenarioOptions scenario{.scenario = "tasha3_launch2", .seed = {}, .changes = {}};
   std::string trajectory;
+  std::string campaign;
+  std::optional<std::size_t> run;
   std::string out;
   std::string lcm;
   FlightComputerOptions computer;
@@ -144,20 +147,50 @@ void check_resets(const FlyOptions& options, const sim::Scenario& scenario) {
   }
 }
 
+/// What is flown, with what the report is to say of it, and where that goes.
+struct Task {
+  sim::Scenario scenario{};
+  std::vector<std::string> changes{};
+  std::vector<std::string> notes{};
+  std::filesystem::path folder{};
+};
+
+Task task_of(const FlyOptions& options) {
+  Task task{.scenario = load(options.scenario), .changes = changes_of(options)};
+  task.notes = take_trajectory(options, task.scenario);
+  task.folder = std::filesystem::path{"out"} / variant_name(task.scenario.name, task.changes);
+  return task;
+}
+
+/// A run of a campaign: the folder of its campaign.json says all about it.
+Task campaign_task(const FlyOptions& options) {
+  if (!changes_of(options).empty()) {
+    throw UsageError{
+        "a run of a campaign is flown as it was: --set, --seed and --trajectory do not go with --campaign"};
+  }
+  std::filesystem::path folder = options.campaign;
+  std::error_code ignored;
+  if (!std::filesystem::is_directory(folder, ignored)) {
+    folder = folder.parent_path();  // a file of it was named
+  }
+  campaign::RepeatedRun repeated = campaign::repeat_run(campaign::campaign_in(folder), *options.run);
+  return {.scenario = std::move(repeated.scenario),
+          .changes = std::move(repeated.changes),
+          .notes = {std::move(repeated.note)},
+          .folder = folder / fmt::format("run_{}", *options.run)};
+}
+
 void fly_and_report(const FlyOptions& options) {
-  sim::Scenario scenario = load(options.scenario);
+  auto [scenario, changes, notes, usual_folder] = options.run ? campaign_task(options) : task_of(options);
   check_resets(options, scenario);
-  const std::vector<std::string> of_trajectory = take_trajectory(options, scenario);
   LcmOutput lcm{options.lcm};
   FlightComputerOption computer{options.computer};
   flight::Flight flight = fly_and_show(scenario, computer, lcm, options.realtime);
-  flight.changes = changes_of(options);
-  flight.notes.insert(flight.notes.begin(), of_trajectory.begin(), of_trajectory.end());
+  flight.changes = std::move(changes);
+  flight.notes.insert(flight.notes.begin(), notes.begin(), notes.end());
   std::ranges::copy(computer.notes(), std::back_inserter(flight.notes));
   const report::Results results = report::results(flight);
-  const std::filesystem::path folder = options.out.empty()
-                                           ? std::filesystem::path{"out"} / variant_name(scenario.name, flight.changes)
-                                           : std::filesystem::path{options.out};
+  const std::filesystem::path folder = options.out.empty() ? usual_folder : std::filesystem::path{options.out};
   give_up_if_interrupted();
   report::write_results(flight, results, folder);
   if (options.json) {
@@ -183,11 +216,19 @@ void fill(const Verb& verb) {
           "A CSV file that RocketPy or OpenRocket has exported: the rocket goes where it says, and only the roll and "
           "the avionics are simulated")
       .value_name("FILE");
-  verb.option("--out", options->out,
-              "Folder for flight.csv, summary.json, report.html, flight.ftl (what the avionics recorded itself) and, "
-              "of a tunnel run, tunnel.csv, of a flight in six degrees of freedom or on a trajectory, trajectory.csv, "
-              "on the gimbal or on pins, turning.csv "
-              "[out/SCENARIO, with what --set and --seed change: out/SCENARIO+CHANGES]")
+  auto campaign = verb.option("--campaign", options->campaign,
+                              "Fly a run of the campaign in this folder again, as it was: SCENARIO is that of the "
+                              "campaign");
+  auto run = verb.option("--run", options->run, "Which run of it, as in runs.csv, from 0 on").value_name("NUMBER");
+  campaign.value_name("FOLDER").needs(run);
+  run.needs(campaign);
+  verb.option(
+          "--out", options->out,
+          "Folder for flight.csv, summary.json, report.html, flight.ftl (what the avionics recorded itself) and, "
+          "of a tunnel run, tunnel.csv, of a flight in six degrees of freedom or on a trajectory, trajectory.csv, "
+          "on the gimbal or on pins, turning.csv "
+          "[out/SCENARIO, with what --set and --seed change: out/SCENARIO+CHANGES; of a campaign, run_NUMBER in its "
+          "folder]")
       .check(objection_to_folder);
   add_flight_computer_options(verb, options->computer);
   add_lcm_option(verb, options->lcm, "Publish the flight as LCM messages");
@@ -204,6 +245,8 @@ void fill(const Verb& verb) {
       "                                                      in six degrees of freedom, with wind from the west\n"
       "  fantail fly my_rocket.toml --trajectory openrocket.csv\n"
       "                                                      on the path that another program has simulated\n"
+      "  fantail fly --campaign out/campaign/tasha3_launch2 --run 17\n"
+      "                                                      one flight of a campaign again, with its report\n"
       "  fantail fly tasha3_launch2 --on emulator            on the emulated processor of the board: the same bytes\n"
       "  fantail fly --realtime --lcm udpm://239.255.76.67:7667\n"
       "                                                      by the clock, for fantail watch in another terminal");

@@ -26,7 +26,7 @@ struct Known {
   bool is_number = false;
   std::string unit{};
   Limits range{};
-  std::optional<double> usual{};  ///< in the file's unit
+  std::vector<double> usual{};  ///< in the file's unit; empty: none is
 };
 
 template <typename Thing>
@@ -44,8 +44,12 @@ std::optional<Known> find(std::span<const Field<Thing>> fields, std::string_view
     Known known{
         .is_number = allowed.kind == FieldKind::number, .unit = std::string{allowed.unit.name}, .range = allowed.range};
     if (known.is_number && !allowed.is_list && field.place.get != nullptr) {
-      const double inside = field.place.get(Thing{}, 0);
-      known.usual = std::isnan(inside) ? std::nullopt : std::optional{allowed.unit.in_file(inside)};
+      for (std::size_t slot = 0; slot < allowed.most; ++slot) {
+        const double inside = field.place.get(Thing{}, slot);
+        if (!std::isnan(inside)) {
+          known.usual.push_back(allowed.unit.in_file(inside));
+        }
+      }
     }
     return known;
   }
@@ -62,7 +66,7 @@ std::optional<Known> find_in_plan(std::string_view section, std::string_view key
       return Known{.is_number = field.kind == core::FieldKind::number,
                    .unit = std::string{field.unit},
                    .range = allowed_in_plan(field),
-                   .usual = field.is_list() ? std::nullopt : std::optional{usual_in_plan(field)}};
+                   .usual = field.is_list() ? std::vector<double>{} : std::vector{usual_in_plan(field)}};
     }
   }
   return std::nullopt;
@@ -115,11 +119,11 @@ NumberField number_field(const ScenarioFiles& files, const std::string& name) {
   }
   field.unit = known->unit;
   field.range = known->range;
-  field.is_list = document->root()[field.section][field.key].elements().has_value();
   field.values = values_in(*document, field.section, field.key);
-  if (field.values.empty() && known->usual) {
-    field.values.push_back(*known->usual);
+  if (field.values.empty()) {
+    field.values = known->usual;
   }
+  field.is_list = field.values.size() > 1 || document->root()[field.section][field.key].elements().has_value();
   if (field.values.empty()) {
     refuse(name + " has no value in " + document->file() + ", and none is usual");
   }

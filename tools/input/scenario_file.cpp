@@ -148,7 +148,7 @@ void settle_density(const Document& document, sim::Scenario& scenario) {
   scenario.atmosphere = {.model = sim::DensityModel::constant, .constant_kg_m3 = scenario.tunnel.density_kg_m3};
 }
 
-void refuse_unknown_words_at_the_top(const Document& document, std::span<const std::string_view> also) {
+void refuse_unknown_words_at_the_top(const Document& document) {
   std::vector<std::string> known = sections_of(scenario_fields());
   for (const Field<sim::Scenario>& field : scenario_fields()) {
     if (field.section.empty()) {
@@ -156,20 +156,20 @@ void refuse_unknown_words_at_the_top(const Document& document, std::span<const s
     }
   }
   known.emplace_back("faults");
-  known.insert(known.end(), also.begin(), also.end());
+  known.emplace_back("spread");  // of a campaign, which reads them; one flight has the values as they stand
   refuse_unknown_sections(document, known);
 }
 
 }  // namespace
 
-ScenarioFiles ScenarioFiles::load(const std::string& name_or_path, std::span<const std::string_view> also) {
+ScenarioFiles ScenarioFiles::load(const std::string& name_or_path) {
   ScenarioFiles files;
   files.scenario_ = Document::load(find_input(Shipped::scenario, name_or_path));
   refuse_other_kind(files.scenario_, Shipped::scenario);
   Section top{files.scenario_, ""};
   files.plan_ = Document::load(find_named_input(Shipped::plan, files.scenario_, top, "plan"));
   files.vehicle_ = Document::load(find_named_input(Shipped::vehicle, files.scenario_, top, "vehicle"));
-  refuse_unknown_words_at_the_top(files.scenario_, also);
+  refuse_unknown_words_at_the_top(files.scenario_);
   return files;
 }
 

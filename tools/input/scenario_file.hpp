@@ -18,9 +18,8 @@ namespace fantail::input {
 /// only.
 class ScenarioFiles {
  public:
-  /// A shipped name or a path. `also` may stand at the top of the scenario's file beside what scenario_fields() has;
-  /// the caller reads it. Throws text::Error.
-  [[nodiscard]] static ScenarioFiles load(const std::string& name_or_path, std::span<const std::string_view> also = {});
+  /// A shipped name or a path. Throws text::Error.
+  [[nodiscard]] static ScenarioFiles load(const std::string& name_or_path);
 
   /// Replaces or adds one value in the file that has its section. A change of vehicle or plan by name, which has no
   /// section, is refused. Throws text::Error.

@@ -92,6 +92,7 @@ constexpr auto fields = std::to_array<Field<sim::Vehicle>>({
   {"masses", "propellant_radius_of_gyration_m", number("m", {0, 1}), may, AT(made(made(it.geometry).propellant).radius_of_gyration_m), "Likewise about the long axis; at most the radius of the body there."},
 
   {"motor", "file", file(), must, {}, "The motor: a RASP file (`.eng`), as thrustcurve.org has them. `motors.eng#K550`: the motor of that name in a file of several."},
+  {"motor", "thrust_factor", number("", {0.5, 1.5}), may, AT(it.thrust_factor), "What the thrust of the curve is multiplied with, for as long and from as much propellant: no two motors are alike."},
 
   {"servo", "lag_s", number("s", {0.0005, 1}), may, AT(it.servo.lag_s), "Time constant with which the gear follows the command."},
   {"servo", "delay_s", number("s", {0, 0.05}), may, AT(it.servo.delay_s), "From the pulse that is taken over until the servo acts on it."},

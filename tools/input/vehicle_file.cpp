@@ -22,6 +22,17 @@ namespace {
 constexpr double longest_burn_s = 600.0;
 constexpr double most_speed_m_s = 3000.0;
 
+sim::ThrustCurve with_factor(sim::ThrustCurve curve, double factor) {
+  if (factor == 1.0) {
+    return curve;
+  }
+  std::vector<sim::ThrustPoint> points = curve.points();
+  for (sim::ThrustPoint& point : points) {
+    point.thrust_n *= factor;
+  }
+  return {std::move(points), curve.propellant_kg()};
+}
+
 void read_motor(const Document& document, sim::Vehicle& vehicle) {
   Section motor{document, "motor"};
   // "motors.eng#K550": one of several motors in a file.
@@ -29,7 +40,7 @@ void read_motor(const Document& document, sim::Vehicle& vehicle) {
   const std::size_t mark = named.rfind('#');
   const auto name = mark == std::string::npos ? std::nullopt : std::optional{named.substr(mark + 1)};
   RaspMotor read = load_rasp(motor_file(document), name);
-  vehicle.motor = std::move(read.curve);
+  vehicle.motor = with_factor(std::move(read.curve), vehicle.thrust_factor);
   if (read.warning) {
     vehicle.warnings.push_back(std::move(*read.warning));
   }

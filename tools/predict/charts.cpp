@@ -17,18 +17,18 @@ using page::Role;
 using text::brief;
 using text::degrees;
 
-page::Area area(const std::vector<double>& x, const std::vector<Spread>& radians) {
+page::Area area(const std::vector<double>& x, const std::vector<Quantiles>& radians) {
   page::Area band{.name = "5 to 95 % of the runs", .x = x};
-  for (const Spread& s : radians) {
+  for (const Quantiles& s : radians) {
     band.low.push_back(degrees(s.p5));
     band.high.push_back(degrees(s.p95));
   }
   return band;
 }
 
-page::Series middle(const std::vector<double>& x, const std::vector<Spread>& radians) {
+page::Series middle(const std::vector<double>& x, const std::vector<Quantiles>& radians) {
   page::Series line{.name = "middle of the runs", .role = Role::model, .x = x};
-  for (const Spread& s : radians) {
+  for (const Quantiles& s : radians) {
     line.y.push_back(degrees(s.p50));
   }
   return line;
@@ -116,7 +116,7 @@ page::Chart airframe_chart(const Prediction& p) {
 
 page::Chart phase_margin_chart(const Prediction& p, const Thresholds& thresholds) {
   std::vector<double> speed;
-  std::vector<Spread> margin;
+  std::vector<Quantiles> margin;
   for (const MarginsAtSpeed& at : p.over_speed) {
     speed.push_back(at.speed_m_s);
     margin.push_back(at.phase_margin_rad);

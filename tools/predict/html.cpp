@@ -30,7 +30,7 @@ page::Tone tone(Judgement judgement) {
   return page::Tone::unsure;
 }
 
-page::Figure figure(std::string label, const Spread& s, double scale, int decimals, std::string unit) {
+page::Figure figure(std::string label, const Quantiles& s, double scale, int decimals, std::string unit) {
   return {.label = std::move(label),
           .value = fixed(scale * s.p50, decimals),
           .unit = std::move(unit),
@@ -112,7 +112,7 @@ std::string stability(const Prediction& p, const Decision& decision) {
                                              {"gain margin, times", true}}};
   std::vector<std::vector<page::Cell>> rows;
   constexpr std::size_t rows_apart = 4;
-  const auto with_ends = [](const Spread& s, double scale, int decimals) {
+  const auto with_ends = [](const Quantiles& s, double scale, int decimals) {
     return fmt::format("{} ({} to {})", fixed(scale * s.p50, decimals), fixed(scale * s.p5, decimals),
                        fixed(scale * s.p95, decimals));
   };

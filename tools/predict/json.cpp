@@ -10,14 +10,14 @@ using Json = json::Value;
 using json::rounded;
 using text::degrees;
 
-Json json(const Spread& s, double scale = 1.0) {
+Json json(const Quantiles& s, double scale = 1.0) {
   return {{"mean", rounded(scale * s.mean)},
           {"p5", rounded(scale * s.p5)},
           {"p50", rounded(scale * s.p50)},
           {"p95", rounded(scale * s.p95)}};
 }
 
-Json json(const std::optional<Spread>& s, double scale = 1.0) { return s ? json(*s, scale) : Json{}; }
+Json json(const std::optional<Quantiles>& s, double scale = 1.0) { return s ? json(*s, scale) : Json{}; }
 
 Json json(const Share& s) {
   return {{"count", s.count},

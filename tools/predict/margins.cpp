@@ -21,8 +21,8 @@ std::vector<stability::RollLoop> loops_at_speed(const sim::Scenario& scenario, c
   return loops;
 }
 
-std::optional<Spread> spread_if_of_all(std::vector<double> values, std::size_t all) {
-  return values.size() == all ? std::optional{spread(std::move(values))} : std::nullopt;
+std::optional<Quantiles> spread_if_of_all(std::vector<double> values, std::size_t all) {
+  return values.size() == all ? std::optional{campaign::quantiles(std::move(values))} : std::nullopt;
 }
 
 std::optional<MarginsAtSpeed> at_speed(const std::vector<stability::RollLoop>& loops, double speed_m_s) {
@@ -43,7 +43,7 @@ std::optional<MarginsAtSpeed> at_speed(const std::vector<stability::RollLoop>& l
     return std::nullopt;
   }
   return MarginsAtSpeed{.speed_m_s = speed_m_s,
-                        .phase_margin_rad = spread(std::move(phase_margins)),
+                        .phase_margin_rad = campaign::quantiles(std::move(phase_margins)),
                         .crossover_rad_s = spread_if_of_all(std::move(crossovers), loops.size()),
                         .gain_margin = spread_if_of_all(std::move(gain_margins), loops.size())};
 }

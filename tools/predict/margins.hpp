@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
+#include "campaign/share.hpp"
 #include "predict/run.hpp"
-#include "predict/share.hpp"
 #include "sim/scenario.hpp"
 #include "stability/gain_choice.hpp"
 
@@ -15,9 +15,9 @@ namespace fantail::predict {
 /// swing: it counts as a phase margin of half a turn.
 struct MarginsAtSpeed {
   double speed_m_s = 0.0;
-  Spread phase_margin_rad{};
-  std::optional<Spread> crossover_rad_s{};  ///< empty, as the next, when some airframe has none
-  std::optional<Spread> gain_margin{};      ///< no gain makes such an airframe swing
+  campaign::Quantiles phase_margin_rad{};
+  std::optional<campaign::Quantiles> crossover_rad_s{};  ///< empty, as the next, when some airframe has none
+  std::optional<campaign::Quantiles> gain_margin{};      ///< no gain makes such an airframe swing
 };
 
 /// Whether some of its gain margins are factors below one: then a loop that holds swings with less gain, not with more.

@@ -38,21 +38,21 @@ sim::Scenario with_servo(const sim::Scenario& scenario, const Options& options) 
 }
 
 template <typename ValueOf>
-Spread spread_of(const std::vector<Run>& runs, ValueOf value_of) {
+Quantiles spread_of(const std::vector<Run>& runs, ValueOf value_of) {
   std::vector<double> values;
   std::ranges::transform(runs, std::back_inserter(values), value_of);
-  return spread(std::move(values));
+  return campaign::quantiles(std::move(values));
 }
 
 template <typename ValueOf>
-std::optional<Spread> spread_where_known(const std::vector<Run>& runs, ValueOf value_of) {
+std::optional<Quantiles> spread_where_known(const std::vector<Run>& runs, ValueOf value_of) {
   std::vector<double> values;
   for (const Run& run : runs) {
     if (const std::optional<double> value = value_of(run)) {
       values.push_back(*value);
     }
   }
-  return values.empty() ? std::nullopt : std::optional{spread(std::move(values))};
+  return values.empty() ? std::nullopt : std::optional{campaign::quantiles(std::move(values))};
 }
 
 std::optional<double> size_of(const std::optional<double>& value) {
@@ -87,7 +87,7 @@ Band band(const std::vector<Run>& runs) {
           values.push_back((run.*track)[i]);
         }
       }
-      return spread(std::move(values));
+      return campaign::quantiles(std::move(values));
     };
     all.time_s.push_back(track_step_s * static_cast<double>(i));
     all.roll_angle_rad.push_back(over_runs(&Run::roll_angle_rad));

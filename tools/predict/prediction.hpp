@@ -8,17 +8,21 @@
 #include <string>
 #include <vector>
 
+#include "campaign/share.hpp"
 #include "flight/flight.hpp"
 #include "predict/airframe.hpp"
 #include "predict/canard_reach.hpp"
 #include "predict/margins.hpp"
 #include "predict/roll_resonance.hpp"
 #include "predict/run.hpp"
-#include "predict/share.hpp"
 #include "predict/tunnel_result.hpp"
 #include "sim/scenario.hpp"
 
 namespace fantail::predict {
+
+using campaign::Quantiles;
+using campaign::Share;
+using campaign::share;
 
 /// What a person asked for, for the results to repeat.
 struct Request {
@@ -39,8 +43,8 @@ struct Options {
 /// Roll over time, over all runs that left the pad.
 struct Band {
   std::vector<double> time_s;  ///< after lift-off
-  std::vector<Spread> roll_angle_rad;
-  std::vector<Spread> roll_rate_rad_s;
+  std::vector<Quantiles> roll_angle_rad;
+  std::vector<Quantiles> roll_rate_rad_s;
 };
 
 /// What a launch will do, as far as the tunnel tells.
@@ -61,20 +65,20 @@ struct Prediction {
   double delay_s = 0.0;  ///< all dead time of the loop
   std::vector<Run> runs{};
 
-  Spread offset_size_rad{};  ///< |offset|
-  Spread authority_margin_rad{};
+  Quantiles offset_size_rad{};  ///< |offset|
+  Quantiles authority_margin_rad{};
   Share authority{};  ///< runs with a margin above zero
   Share held{};       ///< of all runs: what cannot be judged was not seen to hold
   std::size_t not_judged = 0;
   std::size_t without_control = 0;
-  Spread top_speed_m_s{};
-  std::optional<Spread> wind_m_s{};  ///< at its reference height; in six degrees of freedom, as the next two
-  std::optional<Spread> apogee_m{};
-  std::optional<Spread> drift_m{};  ///< at apogee
-  std::optional<Spread> settle_rad{};
-  std::optional<Spread> saturated_share{};
-  std::optional<Spread> spin_rate_rad_s{};   ///< size; of the runs without authority
-  std::optional<RollResonance> resonance{};  ///< with the pitch; empty: nothing is known of the pitch
+  Quantiles top_speed_m_s{};
+  std::optional<Quantiles> wind_m_s{};  ///< at its reference height; in six degrees of freedom, as the next two
+  std::optional<Quantiles> apogee_m{};
+  std::optional<Quantiles> drift_m{};  ///< at apogee
+  std::optional<Quantiles> settle_rad{};
+  std::optional<Quantiles> saturated_share{};
+  std::optional<Quantiles> spin_rate_rad_s{};  ///< size; of the runs without authority
+  std::optional<RollResonance> resonance{};    ///< with the pitch; empty: nothing is known of the pitch
   Band band{};
   std::vector<double> speeds_m_s{};  ///< from the lowest at control start to the highest flown; empty without control
   std::vector<MarginsAtSpeed> over_speed{};     ///< at those of them where the loop can swing

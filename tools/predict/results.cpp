@@ -51,8 +51,8 @@ std::string band_csv(const Prediction& p) {
       "time_s,roll_angle_p5_deg,roll_angle_p50_deg,roll_angle_p95_deg,roll_rate_p5_deg_s,roll_rate_p50_deg_s,"
       "roll_rate_p95_deg_s\n";
   for (std::size_t i = 0; i < p.band.time_s.size(); ++i) {
-    const Spread& roll = p.band.roll_angle_rad[i];
-    const Spread& rate = p.band.roll_rate_rad_s[i];
+    const Quantiles& roll = p.band.roll_angle_rad[i];
+    const Quantiles& rate = p.band.roll_rate_rad_s[i];
     text += fmt::format("{},{},{},{},{},{},{}\n", fixed(p.band.time_s[i], 2), angle(roll.p5), angle(roll.p50),
                         angle(roll.p95), angle(rate.p5), angle(rate.p50), angle(rate.p95));
   }

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "campaign/share.hpp"
 #include "predict/run.hpp"
-#include "predict/share.hpp"
 #include "sim/scenario.hpp"
 
 // A rocket that rolls as fast as it swings in pitch is in resonance: what is crooked in it turns with the body and
@@ -23,10 +23,10 @@ struct RollResonance {
   /// k, from lift-off to after burn-out, the smaller one first.
   double least_frequency_1_m = 0.0;
   double most_frequency_1_m = 0.0;
-  Spread resonant_rad{};  ///< over the runs: fin angle that rolls it as fast as it swings; p5 at the least frequency of
-                          ///< a flight, p95 at the most
-  std::size_t near = 0;   ///< runs that would stay near the resonance without control, because of their fin offset
-  std::size_t past = 0;   ///< runs that would spin up through it
+  campaign::Quantiles resonant_rad{};  ///< over the runs: fin angle that rolls it as fast as it swings; p5 at the least
+                                       ///< frequency of a flight, p95 at the most
+  std::size_t near = 0;  ///< runs that would stay near the resonance without control, because of their fin offset
+  std::size_t past = 0;  ///< runs that would spin up through it
   std::size_t with_canards = 0;  ///< runs that come near it with all canards at their limit in the sense of the offset
   std::size_t runs = 0;
 };

@@ -11,14 +11,14 @@ namespace {
 using text::degrees;
 using text::fixed;
 
-std::string with_ends(const Spread& s, double scale, int decimals, std::string_view unit) {
+std::string with_ends(const Quantiles& s, double scale, int decimals, std::string_view unit) {
   return fmt::format("{} {} ({} to {})", fixed(scale * s.p50, decimals), unit, fixed(scale * s.p5, decimals),
                      fixed(scale * s.p95, decimals));
 }
 
 std::string line(std::string_view label, const std::string& value) { return fmt::format("  {:<27}{}\n", label, value); }
 
-std::string line(std::string_view label, const std::optional<Spread>& s, double scale, int decimals,
+std::string line(std::string_view label, const std::optional<Quantiles>& s, double scale, int decimals,
                  std::string_view unit) {
   return s ? line(label, with_ends(*s, scale, decimals, unit)) : "";
 }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "predict/share.hpp"
+#include "campaign/share.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
-namespace fantail::predict {
+namespace fantail::campaign {
 namespace {
 
 double point(const std::vector<double>& sorted, double share_below) {
@@ -39,7 +39,7 @@ double point_above(std::vector<double> values, double share_below) {
   return point(values, share_below);
 }
 
-Spread spread(std::vector<double> values) {
+Quantiles quantiles(std::vector<double> values) {
   std::ranges::sort(values);
   return {.mean = std::reduce(values.begin(), values.end()) / static_cast<double>(values.size()),
           .p5 = point(values, 0.05),
@@ -47,4 +47,4 @@ Spread spread(std::vector<double> values) {
           .p95 = point(values, 0.95)};
 }
 
-}  // namespace fantail::predict
+}  // namespace fantail::campaign

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace fantail::predict {
+namespace fantail::campaign {
 
 /// How often something happened, and what that says about how often it happens.
 struct Share {
@@ -19,7 +19,7 @@ struct Share {
 [[nodiscard]] Share share(std::size_t count, std::size_t of);
 
 /// Mean and the points below which 5, 50 and 95 % of the values lie.
-struct Spread {
+struct Quantiles {
   double mean = 0.0;
   double p5 = 0.0;
   double p50 = 0.0;
@@ -31,6 +31,6 @@ struct Spread {
 [[nodiscard]] double point_above(std::vector<double> values, double share_below);
 
 /// Likewise.
-[[nodiscard]] Spread spread(std::vector<double> values);
+[[nodiscard]] Quantiles quantiles(std::vector<double> values);
 
-}  // namespace fantail::predict
+}  // namespace fantail::campaign

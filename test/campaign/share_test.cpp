@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "predict/share.hpp"
+#include "campaign/share.hpp"
 
 #include <gtest/gtest.h>
 
-namespace fantail::predict {
+namespace fantail::campaign {
 namespace {
 
 // Newcombe, Two-sided confidence intervals for the single proportion, Statistics in Medicine 17 (1998), table I,
@@ -36,20 +36,20 @@ TEST(Share, OfAllEndsAtOneAndOfNoneSaysNothing) {
   EXPECT_EQ(share(0, 0).high, 1.0);
 }
 
-TEST(Spread, LiesBetweenItsValuesOnStraightLines) {
-  const Spread s = spread({5.0, 1.0, 2.0, 4.0, 3.0});
+TEST(Quantiles, LiesBetweenItsValuesOnStraightLines) {
+  const Quantiles s = quantiles({5.0, 1.0, 2.0, 4.0, 3.0});
   EXPECT_DOUBLE_EQ(s.mean, 3.0);
   EXPECT_DOUBLE_EQ(s.p5, 1.2);
   EXPECT_DOUBLE_EQ(s.p50, 3.0);
   EXPECT_DOUBLE_EQ(s.p95, 4.8);
 }
 
-TEST(Spread, OfOneValueIsThatValue) {
-  const Spread s = spread({-7.0});
+TEST(Quantiles, OfOneValueIsThatValue) {
+  const Quantiles s = quantiles({-7.0});
   EXPECT_EQ(s.p5, -7.0);
   EXPECT_EQ(s.p50, -7.0);
   EXPECT_EQ(s.p95, -7.0);
 }
 
 }  // namespace
-}  // namespace fantail::predict
+}  // namespace fantail::campaign

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: MIT
+#include "campaign/analysis.hpp"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+
+#include <fmt/core.h>
+
+namespace fantail::campaign {
+namespace {
+
+constexpr std::size_t worst_runs = 5;
+constexpr std::size_t most_looks = 200;
+constexpr std::size_t most_influence_runs = 20'000;  // beyond, the intervals are narrow and the bootstrap takes minutes
+constexpr std::size_t fewest_influence_runs = 50;
+
+Column column(std::string name, std::vector<double> values) {
+  Column all{.name = std::move(name), .values = std::move(values)};
+  if (!all.values.empty()) {
+    all.quantiles = quantiles(all.values);
+    const auto [least, largest] = std::ranges::minmax(all.values);
+    all.least = least;
+    all.largest = largest;
+  }
+  return all;
+}
+
+std::vector<std::pair<std::string, std::size_t>> outcomes(const std::vector<FlownRun>& runs) {
+  std::map<std::string, std::size_t> counts;
+  for (const FlownRun& run : runs) {
+    ++counts[run.outcome];
+  }
+  std::vector<std::pair<std::string, std::size_t>> sorted{counts.begin(), counts.end()};
+  std::ranges::stable_sort(sorted, std::greater{}, &std::pair<std::string, std::size_t>::second);
+  return sorted;
+}
+
+std::vector<Looked> looks(const std::vector<FlownRun>& runs, const Question& question) {
+  std::vector<Looked> all;
+  const std::size_t step = std::max<std::size_t>(1, runs.size() / most_looks);
+  std::uint64_t count = 0;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    count += question.is_met_by(runs[i]) ? 1U : 0U;
+    if ((i + 1) % step == 0 || i + 1 == runs.size()) {
+      all.push_back({.runs = i + 1,
+                     .share = static_cast<double>(count) / static_cast<double>(i + 1),
+                     .bounds = confidence_sequence(count, i + 1)});
+    }
+  }
+  return all;
+}
+
+bool varies(const std::vector<double>& values) {
+  return std::ranges::any_of(values, [&](double value) { return value != values.front(); });
+}
+
+/// What the runs that have a figure drew, and what it was.
+struct Sample {
+  std::vector<std::size_t> quantities{};  ///< those that vary
+  std::vector<std::vector<double>> drawn{};
+  std::vector<double> result{};
+};
+
+Sample sample_of(const FlownCampaign& flown, std::size_t figure) {
+  Sample sample;
+  std::vector<const FlownRun*> used;
+  for (const FlownRun& run : flown.runs) {
+    if (run.figures[figure] && used.size() < most_influence_runs) {
+      used.push_back(&run);
+      sample.result.push_back(*run.figures[figure]);
+    }
+  }
+  for (std::size_t i = 0; i < flown.quantities.size() && !used.empty(); ++i) {
+    std::vector<double> drawn;
+    std::ranges::transform(used, std::back_inserter(drawn), [i](const FlownRun* run) { return run->numbers[i]; });
+    if (varies(drawn)) {
+      sample.quantities.push_back(i);
+      sample.drawn.push_back(std::move(drawn));
+    }
+  }
+  return sample;
+}
+
+/// Why a sample says nothing; empty when it does.
+std::string too_little(const Sample& sample, std::size_t figure) {
+  const std::size_t fewest = std::max(fewest_influence_runs, 5 * sample.quantities.size());
+  if (sample.result.size() < fewest) {
+    return fmt::format("{} of the runs have the figure {}, and it takes {} to tell what it depends on.",
+                       sample.result.size(), figure_columns[figure], fewest);
+  }
+  if (sample.quantities.empty() || !varies(sample.result)) {
+    return fmt::format("{} is the same in all runs.",
+                       sample.quantities.empty() ? "What is drawn" : figure_columns[figure]);
+  }
+  return {};
+}
+
+void add_influences(Analysis& analysis, const FlownCampaign& flown, std::uint64_t seed) {
+  const std::size_t main = analysis.question.measured_by();
+  for (const std::string& name : flown.quantities) {
+    analysis.influences.push_back(
+        {.name = name, .variance_shares = std::vector<std::optional<double>>(figure_columns.size())});
+  }
+  for (std::size_t figure = 0; figure < figure_columns.size(); ++figure) {
+    const Sample sample = sample_of(flown, figure);
+    const std::string nothing = too_little(sample, figure);
+    if (figure == main) {
+      analysis.no_influences = nothing;
+      analysis.influence_runs = sample.result.size();
+    }
+    if (!nothing.empty()) {
+      continue;
+    }
+    const Sensitivity found = sensitivity(sample.drawn, sample.result, seed);
+    for (std::size_t i = 0; i < sample.quantities.size(); ++i) {
+      QuantityInfluence& of = analysis.influences[sample.quantities[i]];
+      of.variance_shares[figure] = found.of_quantity[i].variance_share.value;
+      if (figure == main) {
+        of.on_result = found.of_quantity[i];
+      }
+    }
+    analysis.explained = figure == main ? found.explained : analysis.explained;
+  }
+  std::ranges::stable_sort(analysis.influences, std::greater{},
+                           [](const QuantityInfluence& of) { return of.on_result.variance_share.value; });
+}
+
+}  // namespace
+
+Analysis analyse(const FlownCampaign& flown, const Campaign& campaign, const Question& question,
+                 std::optional<double> required) {
+  const std::vector<FlownRun>& runs = flown.runs;
+  const auto met = static_cast<std::size_t>(
+      std::ranges::count_if(runs, [&](const FlownRun& run) { return question.is_met_by(run); }));
+  Analysis analysis{.question = question,
+                    .share = share(met, runs.size()),
+                    .by_sequence = campaign.stop.has_value(),
+                    .required = required,
+                    .outcomes = outcomes(runs),
+                    .looked = looks(runs, question)};
+  if (analysis.by_sequence) {
+    const Bounds bounds = confidence_sequence(met, runs.size());
+    analysis.share.low = bounds.low;
+    analysis.share.high = bounds.high;
+  }
+  if (required) {
+    analysis.judgement = analysis.share.low >= *required   ? Judgement::met
+                         : analysis.share.high < *required ? Judgement::not_met
+                                                           : Judgement::undecided;
+  }
+  for (std::size_t i = 0; i < figure_columns.size(); ++i) {
+    std::vector<double> values;
+    for (const FlownRun& run : runs) {
+      if (run.figures[i]) {
+        values.push_back(*run.figures[i]);
+      }
+    }
+    if (!values.empty()) {
+      analysis.figures.push_back(column(std::string{figure_columns[i]}, std::move(values)));
+    }
+  }
+  for (std::size_t i = 0; i < flown.quantities.size(); ++i) {
+    std::vector<double> values;
+    std::ranges::transform(runs, std::back_inserter(values), [i](const FlownRun& run) { return run.numbers[i]; });
+    analysis.quantities.push_back(column(flown.quantities[i], std::move(values)));
+  }
+  add_influences(analysis, flown, campaign.seed);
+  analysis.worst.resize(runs.size());
+  std::iota(analysis.worst.begin(), analysis.worst.end(), std::size_t{0});
+  const std::size_t kept = std::min(worst_runs, runs.size());
+  std::ranges::partial_sort(analysis.worst, analysis.worst.begin() + static_cast<std::ptrdiff_t>(kept),
+                            [&](std::size_t a, std::size_t b) { return question.is_worse(runs[a], runs[b]); });
+  analysis.worst.resize(kept);
+  analysis.drawn_again =
+      static_cast<std::size_t>(std::ranges::count_if(runs, [](const FlownRun& run) { return run.drawn_again > 0; }));
+  return analysis;
+}
+
+}  // namespace fantail::campaign

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "campaign/campaign.hpp"
+#include "campaign/question.hpp"
+#include "campaign/sensitivity.hpp"
+#include "campaign/share.hpp"
+
+namespace fantail::campaign {
+
+/// What the share of the runs says about a required one.
+enum class Judgement : std::uint8_t {
+  met,        ///< the whole interval is at or above it
+  not_met,    ///< all of it is below
+  undecided,  ///< it lies within
+};
+
+/// The values of one column of runs.csv.
+struct Column {
+  std::string name{};
+  std::vector<double> values{};  ///< of the runs that have one, in their order
+  Quantiles quantiles{};         ///< of a column with values, as the next two
+  double least = 0.0;
+  double largest = 0.0;
+};
+
+/// How much a drawn quantity matters.
+struct QuantityInfluence {
+  std::string name{};
+  Influence on_result{};
+  std::vector<std::optional<double>> variance_shares{};  ///< of each of figure_columns; empty where nothing is known
+};
+
+/// The share after so many runs, with bounds that hold however often one looks.
+struct Looked {
+  std::uint64_t runs = 0;
+  double share = 0.0;
+  Bounds bounds{};
+};
+
+struct Analysis {
+  Question question{};
+  Share share{};                     ///< its interval is Wilson's, or that of the rule by which the campaign stopped
+  bool by_sequence = false;          ///< the latter
+  std::optional<double> required{};  ///< share
+  std::optional<Judgement> judgement{};
+  std::vector<std::pair<std::string, std::size_t>> outcomes{};  ///< the most frequent first
+  std::vector<Column> figures{};                                ///< those that some run has
+  std::vector<Column> quantities{};
+  std::vector<QuantityInfluence> influences{};  ///< the largest share of the variance first
+  double explained = 0.0;                       ///< Sensitivity::explained, of the figure that the question is about
+  std::size_t influence_runs = 0;               ///< that have that figure; of many, the first ones
+  std::string no_influences{};                  ///< why there are none, a sentence
+  std::vector<std::size_t> worst{};             ///< indices of runs, the worst first
+  std::vector<Looked> looked{};
+  std::size_t drawn_again = 0;  ///< runs of which a draw left what a field allows
+};
+
+/// `flown` has a run at least. `required`: a share that is asked for.
+[[nodiscard]] Analysis analyse(const FlownCampaign& flown, const Campaign& campaign, const Question& question,
+                               std::optional<double> required);
+
+}  // namespace fantail::campaign

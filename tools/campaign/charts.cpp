@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+#include "campaign/charts.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
+#include <utility>
+
+#include <fmt/core.h>
+
+namespace fantail::campaign {
+namespace {
+
+using page::Mark;
+using page::Role;
+
+constexpr std::size_t most_points = 2'000;  // of a scatter: the page stays small, and more are one cloud
+
+/// "apogee / m" for apogee_m, where the unit is one that the columns end with.
+std::string axis_label(std::string name) {
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 4> units{
+      {{"_m_s", "m/s"}, {"_deg", "deg"}, {"_m", "m"}, {"_s", "s"}}};
+  for (const auto& [end, unit] : units) {
+    if (name.ends_with(end)) {
+      name.resize(name.size() - end.size());
+      std::ranges::replace(name, '_', ' ');
+      return fmt::format("{} / {}", name, unit);
+    }
+  }
+  std::ranges::replace(name, '_', ' ');
+  return name;
+}
+
+/// Bins as Freedman and Diaconis choose them, with the middle half that a normal law of these ends has, within what can
+/// be seen.
+std::size_t bins_of(const Column& column) {
+  constexpr double fewest = 8.0;
+  constexpr double most = 60.0;
+  const double middle_half = 0.41 * (column.quantiles.p95 - column.quantiles.p5);
+  const double width = 2.0 * middle_half / std::cbrt(static_cast<double>(column.values.size()));
+  const double bins = width > 0.0 ? (column.largest - column.least) / width : most;
+  return static_cast<std::size_t>(std::clamp(bins, fewest, most));
+}
+
+}  // namespace
+
+page::Chart convergence_chart(const Report& report) {
+  const Analysis& a = report.analysis;
+  page::Series share{.name = "share so far", .role = Role::measured};
+  page::Area bounds{.name = "95 % bounds that hold at every look", .role = Role::measured};
+  for (const Looked& at : a.looked) {
+    share.x.push_back(static_cast<double>(at.runs));
+    share.y.push_back(100.0 * at.share);
+    bounds.x.push_back(static_cast<double>(at.runs));
+    bounds.low.push_back(100.0 * at.bounds.low);
+    bounds.high.push_back(100.0 * at.bounds.high);
+  }
+  page::Chart chart{.label = "Share of the runs that meet the question, over their number",
+                    .x_label = "runs",
+                    .y_label = a.question.words() + " / %",
+                    .series = {share},
+                    .areas = {bounds}};
+  if (a.required) {
+    chart.levels.push_back({.value = 100.0 * *a.required, .label = "asked for", .role = Role::limit});
+  }
+  return chart;
+}
+
+page::Chart histogram(const Column& column) {
+  const std::size_t bins = bins_of(column);
+  const double width = (column.largest - column.least) / static_cast<double>(bins);
+  std::vector<double> counts(bins, 0.0);
+  for (const double value : column.values) {
+    counts[std::min(bins - 1, static_cast<std::size_t>((value - column.least) / width))] += 1.0;
+  }
+  page::Series outline{.name = "runs", .role = Role::measured, .mark = Mark::step};
+  for (std::size_t i = 0; i <= bins; ++i) {
+    outline.x.push_back(column.least + width * static_cast<double>(i));
+    outline.y.push_back(i < bins ? counts[i] : 0.0);
+  }
+  outline.x.insert(outline.x.begin(), column.least);
+  outline.y.insert(outline.y.begin(), 0.0);
+  return {.label = "How many of the runs have which " + column.name,
+          .x_label = axis_label(column.name),
+          .y_label = "runs",
+          .width = page::half_page,
+          .height = 200.0,
+          .series = {outline},
+          .levels = {{.value = column.quantiles.p5, .label = "5 %", .upright = true},
+                     {.value = column.quantiles.p95, .label = "95 %", .upright = true}},
+          .y_range = page::Range{0.0, 1.1 * std::ranges::max(counts)}};
+}
+
+page::Chart scatter(const Report& report, const std::string& quantity) {
+  const Analysis& a = report.analysis;
+  const auto place =
+      static_cast<std::size_t>(std::ranges::find(report.flown.quantities, quantity) - report.flown.quantities.begin());
+  const std::size_t figure = a.question.measured_by();
+  page::Series met{.name = a.question.words(), .role = Role::measured, .mark = Mark::points};
+  page::Series not_met{.name = "other runs", .role = Role::limit, .mark = Mark::points};
+  const std::size_t step = 1 + report.flown.runs.size() / most_points;
+  for (std::size_t i = 0; i < report.flown.runs.size(); ++i) {
+    const FlownRun& run = report.flown.runs[i];
+    const bool is_met = a.question.is_met_by(run);
+    if (run.figures[figure] && (i % step == 0 || std::ranges::find(a.worst, i) != a.worst.end())) {
+      page::Series& series = is_met ? met : not_met;
+      series.x.push_back(run.numbers[place]);
+      series.y.push_back(*run.figures[figure]);
+    }
+  }
+  return {.label = fmt::format("{} of the runs over {}", figure_columns[figure], quantity),
+          .x_label = quantity,
+          .y_label = axis_label(std::string{figure_columns[figure]}),
+          .width = page::half_page,
+          .height = 260.0,
+          .series = {met, not_met}};
+}
+
+}  // namespace fantail::campaign

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "campaign/flown_run.hpp"
+
+namespace fantail::campaign {
+
+enum class Relation : std::uint8_t { is, at_least, at_most };
+
+/// What a run must come to, to be counted: an outcome, or a figure on one side of a bound. A run without the figure
+/// does not meet it.
+struct Question {
+  Relation relation = Relation::is;
+  std::string outcome = "held";  ///< for `is`
+  std::size_t figure = 0;        ///< of figure_columns, for the others
+  double bound = 0.0;            ///< in its unit, likewise
+
+  [[nodiscard]] bool is_met_by(const FlownRun& run) const;
+  /// The figure that tells how well a run did: of an outcome, the hold error.
+  [[nodiscard]] std::size_t measured_by() const { return relation == Relation::is ? 0 : figure; }
+  /// Which of two runs is worse: one that does not meet it, then one without the figure, then the figure.
+  [[nodiscard]] bool is_worse(const FlownRun& one, const FlownRun& other) const;
+
+  [[nodiscard]] std::string text() const;   ///< as parse_question() takes it
+  [[nodiscard]] std::string words() const;  ///< "Outcome held", "apogee_m at least 900"
+};
+
+/// "outcome=held", "apogee_m>=900", "largest_hold_error_deg<=5". Throws text::Error (usage).
+[[nodiscard]] Question parse_question(std::string_view text);
+
+}  // namespace fantail::campaign

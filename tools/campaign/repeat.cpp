@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#include "campaign/repeat.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "campaign/seed_of_run.hpp"
+#include "campaign/setup.hpp"
+#include "text/error.hpp"
+#include "text/number.hpp"
+
+namespace fantail::campaign {
+
+RepeatedRun repeat_run(const Campaign& campaign, std::uint64_t run) {
+  if (run >= campaign.runs) {
+    throw text::Error{text::ErrorKind::bad_configuration,
+                      fmt::format("run {}; allowed: 0 to {}", run, campaign.runs - 1)};
+  }
+  input::ScenarioFiles files = files_of(campaign);
+  const Draw draw = drawer_of(campaign, spreads_of(files)).draw(run);
+  RepeatedRun repeated;
+  for (const input::Override& change : campaign.changes) {
+    repeated.changes.push_back(lines_of({change}));
+  }
+  repeated.note =
+      fmt::format("Run {} of a campaign of {} with seed {}; drawn for it:", run, campaign.runs, campaign.seed);
+  for (const input::Override& change : draw.changes) {
+    files.apply(change);
+    repeated.note += (repeated.note.ends_with(':') ? " " : ", ") + lines_of({change});
+  }
+  repeated.note += '.';
+  repeated.scenario = files.read();
+  repeated.scenario.seed = seed_of_run(campaign.seed, run);
+  repeated.scenario.changed_values = repeated.changes.size() + draw.changes.size();
+  return repeated;
+}
+
+Campaign campaign_in(const std::filesystem::path& folder) {
+  const Identity there = read_identity(folder);
+  const std::string file = (folder / RunsFolder::identity_name).string();
+  const auto said = [&](std::string_view name) -> const std::string& {
+    const auto found = std::ranges::find(there, name, &Identity::value_type::first);
+    if (found == there.end()) {
+      throw text::Error{text::ErrorKind::bad_data, fmt::format("{}: {} is missing", file, name)};
+    }
+    return found->second;
+  };
+  const auto whole = [&](std::string_view name) {
+    if (const auto number = text::whole_number(said(name))) {
+      return *number;
+    }
+    throw text::Error{text::ErrorKind::bad_data, fmt::format("{}: {} is no whole number", file, name)};
+  };
+  const auto sampling = std::ranges::find(sampling_names, said("sampling"));
+  if (sampling == sampling_names.end()) {
+    throw text::Error{text::ErrorKind::bad_data, fmt::format("{}: sampling = \"{}\"; allowed: {}", file,
+                                                             said("sampling"), fmt::join(sampling_names, ", "))};
+  }
+  Campaign campaign{.scenario = said("file"),
+                    .changes = changes_in(said("changes")),
+                    .seed = whole("seed"),
+                    .runs = whole("runs"),
+                    .sampling = static_cast<Sampling>(sampling - sampling_names.begin())};
+  const input::ScenarioFiles files = files_of(campaign);
+  Identity here = identity_of(campaign, files, spreads_of(files), said("version"));
+  std::erase_if(here, [](const auto& entry) { return entry.first == "stop" || entry.first == "shard"; });
+  if (const std::string differs = difference(there, "there", here, "now"); !differs.empty()) {
+    throw text::Error{text::ErrorKind::bad_configuration, file + ": this campaign cannot be flown again: " + differs};
+  }
+  return campaign;
+}
+
+}  // namespace fantail::campaign

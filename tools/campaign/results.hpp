@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "campaign/analysis.hpp"
+
+namespace fantail::campaign {
+
+/// A campaign with all that its results are made from.
+struct Report {
+  Campaign campaign{};
+  FlownCampaign flown{};
+  Analysis analysis{};
+  std::string version{};                   ///< of the program
+  std::string command{};                   ///< that flies it again
+  std::string run_command{};               ///< that flies one run again, but for its number
+  std::vector<std::string> run_folders{};  ///< one a worst run, where its flight report is; empty: it has none
+};
+
+/// What was found, in one sentence or two: the share and the interval, or that it is not decided.
+[[nodiscard]] std::string headline(const Report& report);
+/// What the interval is worth for the way the runs were drawn, a sentence.
+[[nodiscard]] std::string interval_sentence(const Report& report);
+/// What was left out or went wrong, a sentence each.
+[[nodiscard]] std::vector<std::string> remarks(const Report& report);
+
+/// For a terminal.
+[[nodiscard]] std::string report_text(const Report& report);
+/// summary.json: one object, every figure with its unit in its name; what does not exist is null.
+[[nodiscard]] std::string report_json(const Report& report);
+/// campaign.html: one page that loads nothing.
+[[nodiscard]] std::string report_html(const Report& report);
+
+/// Writes summary.json and campaign.html into a folder, both or none. Throws text::OutputError.
+void write_report(const Report& report, const std::filesystem::path& folder);
+
+}  // namespace fantail::campaign

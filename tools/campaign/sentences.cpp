@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/core.h>
+
+#include "campaign/results.hpp"
+#include "text/number.hpp"
+
+namespace fantail::campaign {
+namespace {
+
+// Ends of an interval are rounded outwards.
+std::string low_percent(double share) { return text::brief(std::floor(1000.0 * share) / 10.0, 1); }
+std::string high_percent(double share) { return text::brief(std::ceil(1000.0 * share) / 10.0, 1); }
+
+// A share of which some or not all is left looks like it.
+std::string percent(double share) {
+  const double tenths = std::round(1000.0 * share);
+  return share > 0.0 && tenths == 0.0      ? "less than 0.1"
+         : share < 1.0 && tenths == 1000.0 ? "more than 99.9"
+                                           : text::brief(tenths / 10.0, 1);
+}
+
+std::string runs(std::size_t count) { return fmt::format("{} run{}", count, count == 1 ? "" : "s"); }
+
+std::string judged(const Report& report) {
+  const Analysis& a = report.analysis;
+  if (!a.judgement) {
+    return {};
+  }
+  const char* words = *a.judgement == Judgement::met       ? ": met. "
+                      : *a.judgement == Judgement::not_met ? ": not met. "
+                                                           : ", which is within the interval: not decided. ";
+  return fmt::format("Asked for is at least {} %{}", text::brief(100.0 * *a.required, 3), words);
+}
+
+void add_count(std::vector<std::string>& all, const Report& report, std::string_view outcome, const char* words) {
+  const auto is = [outcome](const FlownRun& run) { return run.outcome == outcome; };
+  const std::vector<FlownRun>& flown = report.flown.runs;
+  const auto count = std::ranges::count_if(flown, is);
+  if (count > 0) {
+    const FlownRun& first = *std::ranges::find_if(flown, is);
+    all.push_back(fmt::format("{} {}; counted as not met. The first is run {}: {}.",
+                              runs(static_cast<std::size_t>(count)), words, first.run, first.note));
+  }
+}
+
+}  // namespace
+
+std::string headline(const Report& report) {
+  const Analysis& a = report.analysis;
+  return judged(report) + fmt::format("{}: {} of {}, {} %; with 95 % probability the share is {} to {} %.",
+                                      a.question.words(), a.share.count, runs(a.share.of), percent(a.share.value),
+                                      low_percent(a.share.low), high_percent(a.share.high));
+}
+
+std::string interval_sentence(const Report& report) {
+  if (report.analysis.by_sequence) {
+    return "The interval holds however often somebody looked before the campaign stopped (Robbins' confidence "
+           "sequence); it is wider than one for a number of runs that was fixed beforehand.";
+  }
+  switch (report.campaign.sampling) {
+    case Sampling::independent: return "The interval is Wilson's for independent runs.";
+    case Sampling::latin_hypercube:
+      return "The interval is Wilson's for as many independent runs. A Latin hypercube's share is hardly ever less "
+             "certain than theirs (its variance is at most n / (n - 1) times as large), and often more certain.";
+    case Sampling::sobol: break;
+  }
+  return "The interval is Wilson's for as many independent runs. Sobol points are not independent; their share is "
+         "usually more certain, but nothing here shows by how much.";
+}
+
+std::vector<std::string> remarks(const Report& report) {
+  std::vector<std::string> all{
+      "The share is that of the spreads in the scenario's file: it is as true of the rocket as they are.",
+      interval_sentence(report)};
+  const Campaign& campaign = report.campaign;
+  const std::size_t flown = report.flown.runs.size();
+  if (campaign.stop && flown < campaign.runs) {
+    all.push_back(
+        fmt::format("Stopped after {} of {}, by the rule: {}.", flown, runs(campaign.runs), campaign.stop->text()));
+  } else if (campaign.stop) {
+    all.push_back(fmt::format("All runs were flown: the rule ({}) did not stop it.", campaign.stop->text()));
+  }
+  if (report.analysis.drawn_again > 0) {
+    all.push_back(fmt::format("In {} a draw left what its field allows and was drawn again: the law is truncated.",
+                              runs(report.analysis.drawn_again)));
+  }
+  add_count(all, report, "refused", "drew values that do not go together and were not flown");
+  add_count(all, report, "not_finite", "gave a figure that is not a number");
+  return all;
+}
+
+namespace {
+
+std::string list_of_outcomes(const Report& report) {
+  std::string text;
+  for (const auto& [name, count] : report.analysis.outcomes) {
+    text += fmt::format("  {:<12} {:>8}   {} %\n", name, count,
+                        percent(static_cast<double>(count) / static_cast<double>(report.analysis.share.of)));
+  }
+  return text;
+}
+
+std::string list_of_influences(const Report& report) {
+  const Analysis& a = report.analysis;
+  const std::string_view result = figure_columns[a.question.measured_by()];
+  if (!a.no_influences.empty()) {
+    return fmt::format("What {} depends on: {}\n", result, a.no_influences);
+  }
+  std::string text = fmt::format("What {} depends on (share of its variance; 95 % interval):\n", result);
+  for (const QuantityInfluence& of : a.influences) {
+    if (of.variance_shares[a.question.measured_by()]) {
+      const Estimate& share = of.on_result.variance_share;
+      text += fmt::format("  {:<44} {:>5} %  ({} to {} %)\n", of.name, text::fixed(100.0 * share.value, 1),
+                          text::fixed(100.0 * share.low, 1), text::fixed(100.0 * share.high, 1));
+    }
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string report_text(const Report& report) {
+  const FlownCampaign& flown = report.flown;
+  std::string text =
+      fmt::format("{} ({}), {}, seed {}\n{}\n\n{}\n", flown.scenario, flown.vehicle, runs(flown.runs.size()),
+                  report.campaign.seed, headline(report), list_of_outcomes(report));
+  text += fmt::format("  {:<24} {:>10} {:>10} {:>10} {:>10} {:>10}\n", "", "least", "5 %", "median", "95 %", "largest");
+  for (const Column& c : report.analysis.figures) {
+    text += fmt::format("  {:<24} {:>10} {:>10} {:>10} {:>10} {:>10}\n", c.name, text::fixed(c.least, 3),
+                        text::fixed(c.quantiles.p5, 3), text::fixed(c.quantiles.p50, 3),
+                        text::fixed(c.quantiles.p95, 3), text::fixed(c.largest, 3));
+  }
+  text += fmt::format("\n{}\n", list_of_influences(report));
+  for (const std::string& sentence : remarks(report)) {
+    text += fmt::format("  {}\n", sentence);
+  }
+  text += "\nThe worst runs:\n";
+  for (std::size_t i = 0; i < report.analysis.worst.size(); ++i) {
+    const FlownRun& run = flown.runs[report.analysis.worst[i]];
+    text += fmt::format("  run {}: {}", run.run, run.outcome);
+    text += report.run_folders[i].empty() ? "\n" : fmt::format(", {}/report.html\n", report.run_folders[i]);
+  }
+  return text + fmt::format("  any run again, with its flight report: {} RUN\n", report.run_command);
+}
+
+}  // namespace fantail::campaign

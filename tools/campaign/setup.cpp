@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#include "campaign/setup.hpp"
+
+#include <algorithm>
+#include <span>
+
+#include <fmt/format.h>
+
+#include "input/vehicle_file.hpp"
+#include "text/error.hpp"
+#include "text/sha256.hpp"
+
+namespace fantail::campaign {
+namespace {
+
+std::string hash_of(const std::string& text) { return text::sha256(std::as_bytes(std::span{text})); }
+
+}  // namespace
+
+input::ScenarioFiles files_of(const Campaign& campaign) {
+  input::ScenarioFiles files = input::ScenarioFiles::load(campaign.scenario);
+  for (const input::Override& change : campaign.changes) {
+    files.apply(change);
+  }
+  return files;
+}
+
+Drawer drawer_of(const Campaign& campaign, const std::vector<Spread>& spreads) {
+  return {spreads, campaign.sampling, campaign.seed, campaign.runs};
+}
+
+std::string lines_of(const std::vector<input::Override>& changes) {
+  std::string lines;
+  for (const input::Override& change : changes) {
+    std::string line = change.section + '.' + change.key + '=' + change.value;
+    std::ranges::replace(line, '\n', ' ');  // which a list may have, and where it means a space
+    lines += (lines.empty() ? "" : "\n") + line;
+  }
+  return lines;
+}
+
+std::vector<input::Override> changes_in(std::string_view lines) {
+  std::vector<input::Override> changes;
+  while (!lines.empty()) {
+    const std::size_t end = lines.find('\n');
+    changes.push_back(input::parse_override(lines.substr(0, end)));
+    lines.remove_prefix(end == std::string_view::npos ? lines.size() : end + 1);
+  }
+  return changes;
+}
+
+Identity identity_of(const Campaign& campaign, const input::ScenarioFiles& files, const std::vector<Spread>& spreads,
+                     const std::string& version) {
+  std::string tables;
+  for (const Spread& spread : spreads) {
+    for (const auto& row : spread.rows) {
+      tables += fmt::format("{}\n", fmt::join(row, ","));
+    }
+  }
+  return {{"version", version},
+          {"file", campaign.scenario},
+          {"seed", fmt::format("{}", campaign.seed)},
+          {"runs", fmt::format("{}", campaign.runs)},
+          {"sampling", std::string{sampling_names[static_cast<std::size_t>(campaign.sampling)]}},
+          {"stop", campaign.stop ? campaign.stop->text() : "never"},
+          {"changes", lines_of(campaign.changes)},
+          {"scenario", hash_of(file_content(files.scenario().file()))},
+          {"plan", hash_of(file_content(files.plan().file()))},
+          {"vehicle", hash_of(file_content(files.vehicle().file()))},
+          {"motor", hash_of(file_content(input::motor_file(files.vehicle())))},
+          {"tables", hash_of(tables)},
+          {"shard", fmt::format("{} of {}", campaign.shard.number, campaign.shard.of)}};
+}
+
+std::vector<Spread> spreads_of(const input::ScenarioFiles& files) {
+  std::vector<Spread> spreads = read_spreads(files);
+  if (spreads.empty()) {
+    throw text::Error{text::ErrorKind::bad_configuration,
+                      files.scenario().file() + ": says of nothing how it is spread; allowed: one [[spread]] or more"};
+  }
+  return spreads;
+}
+
+}  // namespace fantail::campaign

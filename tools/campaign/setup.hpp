@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "campaign/campaign.hpp"
+#include "campaign/draw.hpp"
+
+namespace fantail::campaign {
+
+// What a campaign's words stand for, before anything is flown.
+
+/// In the order of Sampling.
+inline constexpr std::array<std::string_view, 3> sampling_names{"independent", "latin_hypercube", "sobol"};
+
+/// With the changes of the campaign. Throws text::Error.
+[[nodiscard]] input::ScenarioFiles files_of(const Campaign& campaign);
+/// Throws text::Error, also for none.
+[[nodiscard]] std::vector<Spread> spreads_of(const input::ScenarioFiles& files);
+[[nodiscard]] Drawer drawer_of(const Campaign& campaign, const std::vector<Spread>& spreads);
+
+[[nodiscard]] Identity identity_of(const Campaign& campaign, const input::ScenarioFiles& files,
+                                   const std::vector<Spread>& spreads, const std::string& version);
+
+/// "section.key=value", one a line, and back. The first throws nothing, the second text::Error.
+[[nodiscard]] std::string lines_of(const std::vector<input::Override>& changes);
+[[nodiscard]] std::vector<input::Override> changes_in(std::string_view lines);
+
+}  // namespace fantail::campaign

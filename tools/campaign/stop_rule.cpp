@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#include "campaign/stop_rule.hpp"
+
+#include <algorithm>
+
+#include <fmt/core.h>
+
+#include "campaign/runs_folder.hpp"
+
+namespace fantail::campaign {
+
+std::string StopRule::text() const {
+  return question.text() + (within ? fmt::format(" within {}", *within) : "") +
+         (required ? fmt::format(" decided at {}", *required) : "");
+}
+
+bool Stopping::take(std::span<const FlownRun> runs) {
+  for (const FlownRun& run : runs) {
+    count_ += rule_.question.is_met_by(run) ? 1U : 0U;
+  }
+  of_ += runs.size();
+  const auto [low, high] = bounds();
+  return (rule_.within && high - low <= 2.0 * *rule_.within) ||
+         (rule_.required && (low >= *rule_.required || high < *rule_.required));
+}
+
+std::size_t stops_at(const StopRule& rule, std::span<const FlownRun> runs) {
+  Stopping stopping{rule};
+  std::size_t taken = 0;
+  while (taken < runs.size()) {
+    const std::size_t count = std::min<std::size_t>(runs_of_a_chunk, runs.size() - taken);
+    const bool enough = stopping.take(runs.subspan(taken, count));
+    taken += count;
+    if (enough) {
+      break;
+    }
+  }
+  return taken;
+}
+
+}  // namespace fantail::campaign

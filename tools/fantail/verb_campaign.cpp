@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <fmt/core.h>
+
+#include "campaign/campaign.hpp"
+#include "campaign/merge.hpp"
+#include "campaign/repeat.hpp"
+#include "campaign/results.hpp"
+#include "campaign/setup.hpp"
+#include "fantail/interrupt.hpp"
+#include "fantail/progress.hpp"
+#include "fantail/run.hpp"
+#include "fantail/scenario_options.hpp"
+#include "fly/fly_scenario.hpp"
+#include "input/shipped.hpp"
+#include "report/results.hpp"
+#include "text/number.hpp"
+
+namespace fantail::tool {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct CampaignOptions {
+  ScenarioOptions scenario{.scenario = "tasha3_launch2", .seed = {}, .changes = {}};
+  std::size_t runs = 1000;
+  std::string sampling = "independent";
+  std::string question = "outcome=held";
+  std::optional<double> at_least_percent;
+  std::optional<double> until_within_percent;
+  bool until_decided = false;
+  std::string shard = "1/1";
+  unsigned threads = 0;
+  std::string out;
+  bool json = false;
+};
+
+struct MergeOptions {
+  std::vector<std::string> shards;
+  std::string out;
+};
+
+std::optional<campaign::Shard> parse_shard(std::string_view text) {
+  const std::size_t slash = text.find('/');
+  const auto number = text::whole_number(text.substr(0, slash));
+  const auto of = slash == std::string_view::npos ? std::nullopt : text::whole_number(text.substr(slash + 1));
+  return number && of && *number >= 1 && *number <= *of ? std::optional{campaign::Shard{.number = *number, .of = *of}}
+                                                        : std::nullopt;
+}
+
+std::string objection_to_shard(const std::string& text) {
+  return parse_shard(text) ? "" : '"' + text + "\" is not a shard; allowed: NUMBER/OF, 1/4 to 4/4";
+}
+
+std::string objection_to_question(const std::string& text) {
+  try {
+    (void)campaign::parse_question(text);
+    return "";
+  } catch (const text::Error& error) {
+    return error.what();
+  }
+}
+
+std::optional<double> share(const std::optional<double>& percent) {
+  return percent ? std::optional{0.01 * *percent} : std::nullopt;
+}
+
+campaign::Campaign asked_for(const CampaignOptions& options) {
+  const auto sampling = std::ranges::find(campaign::sampling_names, options.sampling);
+  campaign::Campaign campaign{.scenario = options.scenario.scenario,
+                              .changes = {},
+                              .seed = text::whole_number(options.scenario.seed).value_or(campaign::Campaign{}.seed),
+                              .runs = options.runs,
+                              .sampling = static_cast<campaign::Sampling>(sampling - campaign::sampling_names.begin()),
+                              .shard = *parse_shard(options.shard)};
+  for (const std::string& change : options.scenario.changes) {
+    campaign.changes.push_back(input::parse_override(change));
+  }
+  if (options.until_within_percent || options.until_decided) {
+    campaign.stop =
+        campaign::StopRule{.question = campaign::parse_question(options.question),
+                           .within = share(options.until_within_percent),
+                           .required = options.until_decided ? share(options.at_least_percent) : std::nullopt};
+  }
+  return campaign;
+}
+
+/// What makes the runs others than those of the scenario as it stands; the question does only when it stops them.
+std::vector<std::string> changes_of(const CampaignOptions& options) {
+  const CampaignOptions usual;
+  std::vector<std::string> all = changes_of(options.scenario);
+  if (options.runs != usual.runs) {
+    all.push_back(fmt::format("runs={}", options.runs));
+  }
+  if (options.sampling != usual.sampling) {
+    all.push_back("sampling=" + options.sampling);
+  }
+  if (const auto stop = asked_for(options).stop) {
+    all.push_back("until=" + stop->text());
+  }
+  if (options.shard != usual.shard) {
+    all.push_back("shard=" + options.shard);
+  }
+  return all;
+}
+
+std::string command(const CampaignOptions& options) {
+  const CampaignOptions usual;
+  std::string words = "fantail campaign " + quoted(options.scenario.scenario) + fmt::format(" --runs {}", options.runs);
+  for (const std::string& change : options.scenario.changes) {
+    words += " --set " + quoted(change);
+  }
+  words += options.scenario.seed.empty() ? "" : " --seed " + options.scenario.seed;
+  words += options.sampling == usual.sampling ? "" : " --sampling " + options.sampling;
+  words += options.question == usual.question ? "" : " --share " + quoted(options.question);
+  words += options.at_least_percent ? fmt::format(" --at-least {}", *options.at_least_percent) : "";
+  words += options.until_within_percent ? fmt::format(" --until-within {}", *options.until_within_percent) : "";
+  return words + (options.until_decided ? " --until-decided" : "");
+}
+
+fs::path folder_of(const CampaignOptions& options) {
+  const std::string name = input::name_of_file(options.scenario.scenario);
+  return options.out.empty() ? fs::path{"out"} / "campaign" / variant_name(name, changes_of(options))
+                             : fs::path{options.out};
+}
+
+campaign::FlownCampaign fly(const campaign::Campaign& campaign, const fs::path& folder, unsigned threads) {
+  const std::uint64_t total = campaign::runs_of_shard(campaign.runs, campaign.shard).count;
+  Progress progress{"flying " + input::name_of_file(campaign.scenario),
+                    {.unit = "runs", .rate = " a second", .total = static_cast<double>(total)}};
+  return campaign::fly_campaign(campaign, folder, FANTAIL_VERSION, threads, [&](std::uint64_t done) {
+    if (take_interrupt()) {
+      throw Interrupted{"interrupted; finished runs are kept in " + folder.string() +
+                        ", and the same command goes on from there"};
+    }
+    progress.show(static_cast<double>(done));
+  });
+}
+
+/// The flight reports of the worst runs, in folders of their own; returns their names. A run whose files do not allow
+/// what it drew has none.
+std::vector<std::string> write_worst(const campaign::Campaign& campaign, const campaign::FlownCampaign& flown,
+                                     const campaign::Analysis& analysis, const fs::path& folder) {
+  std::vector<std::string> names;
+  for (const std::size_t index : analysis.worst) {
+    give_up_if_interrupted();
+    const campaign::FlownRun& run = flown.runs[index];
+    names.push_back(run.outcome == "refused" ? "" : fmt::format("run_{}", run.run));
+    if (!names.back().empty()) {
+      campaign::RepeatedRun repeated = campaign::repeat_run(campaign, run.run);
+      flight::Flight flight = fly::fly_scenario(repeated.scenario, {}, {}, fly::Log::kept);
+      flight.changes = std::move(repeated.changes);
+      flight.notes.insert(flight.notes.begin(), std::move(repeated.note));
+      report::write_results(flight, report::results(flight), folder / names.back());
+    }
+  }
+  return names;
+}
+
+void fly_campaign(const CampaignOptions& options) {
+  const campaign::Campaign campaign = asked_for(options);
+  const fs::path folder = folder_of(options);
+  campaign::FlownCampaign flown = fly(campaign, folder, options.threads);
+  if (campaign.shard.of > 1) {
+    fmt::print("shard {} of {}: {} runs in {}\n", campaign.shard.number, campaign.shard.of, flown.runs.size(),
+               (folder / campaign::RunsFolder::runs_name).string());
+    return;
+  }
+  campaign::Report report;
+  report.analysis =
+      campaign::analyse(flown, campaign, campaign::parse_question(options.question), share(options.at_least_percent));
+  report.run_folders = write_worst(campaign, flown, report.analysis, folder);
+  report.campaign = campaign;
+  report.flown = std::move(flown);
+  report.version = FANTAIL_VERSION;
+  report.command = command(options);
+  report.run_command = "fantail fly --campaign " + quoted(folder.string()) + " --run";
+  campaign::write_report(report, folder);
+  if (options.json) {
+    fmt::print("{}", campaign::report_json(report));
+  } else {
+    fmt::print("{}\n  page  {}\n  runs  {}\n", campaign::report_text(report), (folder / "campaign.html").string(),
+               (folder / campaign::RunsFolder::runs_name).string());
+  }
+  if (report.analysis.judgement && *report.analysis.judgement != campaign::Judgement::met) {
+    throw RequirementNotMet{""};
+  }
+}
+
+void merge(const MergeOptions& options) {
+  const std::vector<fs::path> shards{options.shards.begin(), options.shards.end()};
+  const std::uint64_t runs = campaign::merge(shards, options.out);
+  fmt::print("{} shards, {} runs: {}\n", shards.size(), runs,
+             (fs::path{options.out} / campaign::RunsFolder::runs_name).string());
+}
+
+void fill_merge(const Verb& verb) {
+  auto options = std::make_shared<MergeOptions>();
+  verb.option("SHARDS", options->shards, "The folders of all shards of one campaign, in any order").required();
+  verb.option("--out", options->out, "Folder for the whole: the same bytes as of the campaign flown as one")
+      .required()
+      .check(objection_to_folder);
+  verb.examples(
+      "Then the same command as of the shards, without --shard and with --out of the whole, flies nothing and writes "
+      "the "
+      "page.\n"
+      "Examples:\n"
+      "  fantail campaign merge shard_1 shard_2 --out whole\n"
+      "  fantail campaign tasha3_launch2 --runs 10000 --out whole");
+  verb.action([options] { merge(*options); });
+}
+
+void fill(const Verb& verb) {
+  auto options = std::make_shared<CampaignOptions>();
+  add_scenario_options(verb, options->scenario);
+  verb.option("--runs", options->runs, "How many flights at most").range(1.0, 1e8).show_default();
+  verb.option("--sampling", options->sampling, "How the unknown quantities are drawn")
+      .one_of({"independent", "latin_hypercube", "sobol"})
+      .show_default();
+  verb.option("--share", options->question,
+              "What is counted: outcome=WORD, or a figure with >= or <= and a number, apogee_m>=900")
+      .check(objection_to_question)
+      .value_name("QUESTION")
+      .show_default();
+  auto at_least =
+      verb.option("--at-least", options->at_least_percent,
+                  "Ask for this share in per cent; exit code 1 unless the whole interval is at or above it");
+  at_least.range(0.0, 100.0).value_name("PERCENT");
+  verb.option("--until-within", options->until_within_percent,
+              "Stop as soon as the share is known to so many per cent either way")
+      .range(0.1, 50.0)
+      .value_name("PERCENT");
+  verb.flag("--until-decided", options->until_decided, "Stop as soon as the interval is all above or below --at-least")
+      .needs(at_least);
+  verb.option("--shard", options->shard, "Fly one part of so many, each for a machine of its own; see campaign merge")
+      .check(objection_to_shard)
+      .value_name("NUMBER/OF");
+  verb.option("--threads", options->threads, "How many to fly at once [as many as the machine can]").range(1, 1024);
+  verb.option("--out", options->out,
+              "Folder for runs.csv.gz, campaign.json, summary.json, campaign.html and the worst runs "
+              "[out/campaign/SCENARIO, with what was changed in the name]")
+      .check(objection_to_folder);
+  verb.flag("--json", options->json, "Print summary.json instead of the text");
+  verb.examples(
+      "A campaign that was interrupted goes on when the same command is given again.\n"
+      "Exit code 0: flown, and what was asked for is met; 1: it is not met, or not decided.\n"
+      "Examples:\n"
+      "  fantail campaign tasha3_launch2 --runs 10000        how often does it hold its roll, and what decides it?\n"
+      "  fantail campaign tasha3_launch2 --share apogee_m>=700 --at-least 95 --until-decided\n"
+      "                                                      as many flights as it takes to say yes or no\n"
+      "  fantail campaign my_rocket.toml --runs 100000 --shard 3/8 --out shard_3\n"
+      "                                                      one of eight machines' share of the work");
+  fill_merge(verb.verb("merge", "Put the shards of a campaign together"));
+  verb.action([options] { fly_campaign(*options); });
+}
+
+}  // namespace
+}  // namespace fantail::tool
+
+int main(int argc, char** argv) { return fantail::tool::run("campaign", fantail::tool::fill, argc, argv); }
