@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 #include <numbers>
+#include <optional>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -26,12 +27,20 @@ std::vector<flight::Row> canards_at(const std::function<double(double time_s)>& 
   return rows;
 }
 
+std::optional<Oscillation> find_oscillation(const std::vector<flight::Row>& control) {
+  OscillationWatch watch{settling_s};
+  for (const flight::Row& row : control) {
+    watch.add(row);
+  }
+  return watch.found();
+}
+
 double sine(double frequency_hz, double time_s) { return std::sin(2.0 * std::numbers::pi * frequency_hz * time_s); }
 
 TEST(Oscillation, HasTheFrequencyAndTheEndsOfTheSwing) {
   for (const double frequency_hz : {4.0, 13.0, 40.0}) {
     const auto rows = canards_at([&](double t) { return 3.5 + 4.8 * sine(frequency_hz, t); });
-    const auto found = find_oscillation(rows, settling_s);
+    const auto found = find_oscillation(rows);
     ASSERT_TRUE(found) << frequency_hz;
     EXPECT_NEAR(found->frequency_hz, frequency_hz, 0.05 * frequency_hz);
     EXPECT_NEAR(text::degrees(found->lowest_rad), -1.3, 0.1);
@@ -41,17 +50,16 @@ TEST(Oscillation, HasTheFrequencyAndTheEndsOfTheSwing) {
 }
 
 TEST(Oscillation, IsNoneWhereTheCanardsStandCreepOrTremble) {
-  EXPECT_FALSE(find_oscillation({}, settling_s));
-  EXPECT_FALSE(find_oscillation(canards_at([](double) { return 5.0; }), settling_s));
-  EXPECT_FALSE(find_oscillation(canards_at([](double t) { return 3.0 * t; }), settling_s));
-  EXPECT_FALSE(find_oscillation(canards_at([](double t) { return 5.0 + 0.9 * sine(13.0, t); }), settling_s));
-  EXPECT_FALSE(find_oscillation(canards_at([](double t) { return 5.0 * sine(1.0, t); }), settling_s))
+  EXPECT_FALSE(find_oscillation({}));
+  EXPECT_FALSE(find_oscillation(canards_at([](double) { return 5.0; })));
+  EXPECT_FALSE(find_oscillation(canards_at([](double t) { return 3.0 * t; })));
+  EXPECT_FALSE(find_oscillation(canards_at([](double t) { return 5.0 + 0.9 * sine(13.0, t); })));
+  EXPECT_FALSE(find_oscillation(canards_at([](double t) { return 5.0 * sine(1.0, t); })))
       << "slower than three swings a second";
 }
 
 TEST(Oscillation, IsNoneWhereASwingDiesAway) {
-  EXPECT_FALSE(
-      find_oscillation(canards_at([](double t) { return 40.0 * std::exp(-t / 0.5) * sine(8.0, t); }), settling_s));
+  EXPECT_FALSE(find_oscillation(canards_at([](double t) { return 40.0 * std::exp(-t / 0.5) * sine(8.0, t); })));
 }
 
 TEST(Oscillation, DuringExcitationAndWhileAStepSettlesIsNotJudged) {
@@ -59,16 +67,16 @@ TEST(Oscillation, DuringExcitationAndWhileAStepSettlesIsNotJudged) {
   for (flight::Row& row : rows) {
     row.excitation_rad = row.time_s < 3.6 ? 0.01 : 0.0;  // then 0.4 s are left
   }
-  EXPECT_FALSE(find_oscillation(rows, settling_s));
+  EXPECT_FALSE(find_oscillation(rows));
   for (flight::Row& row : rows) {
     row.excitation_rad = row.time_s < 2.5 ? 0.01 : 0.0;
   }
-  EXPECT_TRUE(find_oscillation(rows, settling_s));
+  EXPECT_TRUE(find_oscillation(rows));
   for (flight::Row& row : rows) {
     row.excitation_rad = 0.0;
     row.reference_rad = std::floor(row.time_s / 0.9);
   }
-  EXPECT_FALSE(find_oscillation(rows, settling_s));
+  EXPECT_FALSE(find_oscillation(rows));
 }
 
 TEST(Oscillation, IsNoneOfEncodersThatAreNoisy) {
@@ -76,12 +84,12 @@ TEST(Oscillation, IsNoneOfEncodersThatAreNoisy) {
   for (flight::Row& row : noisy) {
     row.command_rad = text::radians(5.0);
   }
-  EXPECT_FALSE(find_oscillation(noisy, settling_s)) << "nothing commands it";
+  EXPECT_FALSE(find_oscillation(noisy)) << "nothing commands it";
   auto known = canards_at([](double t) { return 5.0 + 2.0 * sine(24.0, t); });
   for (flight::Row& row : known) {
     row.truth = flight::Truth{.canard_rad = text::radians(5.0)};
   }
-  EXPECT_FALSE(find_oscillation(known, settling_s)) << "the true canards stand still";
+  EXPECT_FALSE(find_oscillation(known)) << "the true canards stand still";
 }
 
 TEST(Oscillation, IsThatOfTheTrueCanardsWhereTheyAreKnown) {
@@ -89,7 +97,7 @@ TEST(Oscillation, IsThatOfTheTrueCanardsWhereTheyAreKnown) {
   for (flight::Row& row : rows) {
     row.truth = flight::Truth{.canard_rad = text::radians(5.0 + 2.0 * sine(8.0, row.time_s))};
   }
-  EXPECT_TRUE(find_oscillation(rows, settling_s));
+  EXPECT_TRUE(find_oscillation(rows));
 }
 
 TEST(Oscillation, IsThatOfTheCommandWhereNoEncoderIsKnown) {
@@ -98,7 +106,7 @@ TEST(Oscillation, IsThatOfTheCommandWhereNoEncoderIsKnown) {
     row.canard_rad.reset();
     row.command_rad = text::radians(3.0) * sine(10.0, row.time_s);
   }
-  EXPECT_TRUE(find_oscillation(rows, settling_s));
+  EXPECT_TRUE(find_oscillation(rows));
 }
 
 }  // namespace

@@ -39,9 +39,9 @@ TEST(Figures, TheSecondAfterAReferenceStepDoesNotCount) {
 TEST(Figures, InTheTunnelTwoSecondsDoNotCount) {
   SyntheticFlight synthetic;
   synthetic.flight.tunnel = true;
-  synthetic.flight.events.control_start_s = 0.599;  // the roll is still zero there
-  synthetic.each_controlled(
-      [](flight::Row& row) { row.truth->roll_angle_rad += text::radians(row.time_s < 2.59 ? 25.0 : 2.0); });
+  synthetic.each_controlled([](flight::Row& row) {
+    row.truth->roll_angle_rad = text::radians(row.time_s < 0.6005 ? 0.0 : row.time_s < 2.59 ? 15.0 : -8.0);
+  });
   const Figures f = figures(synthetic.flight);
   EXPECT_NEAR(text::degrees(f.largest_hold_error_rad.value()), 2.0, 1e-4);
   EXPECT_FALSE(f.apogee_m);

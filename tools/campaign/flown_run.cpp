@@ -5,11 +5,9 @@
 
 #include <fmt/core.h>
 
+#include "campaign/judged_flight.hpp"
 #include "campaign/seed_of_run.hpp"
 #include "flight/table.hpp"
-#include "fly/fly_scenario.hpp"
-#include "report/figures.hpp"
-#include "report/verdict.hpp"
 #include "text/csv_cell.hpp"
 #include "text/degrees.hpp"
 #include "text/error.hpp"
@@ -22,9 +20,9 @@ std::optional<double> degrees(const std::optional<double>& radians) {
   return radians ? std::optional{text::degrees(*radians)} : std::nullopt;
 }
 
-void take_figures(FlownRun& flown, const flight::Flight& flight) {
-  const report::Figures figures = report::figures(flight);
-  flown.outcome = report::name(report::verdict(flight, figures).outcome);
+void take_figures(FlownRun& flown, const JudgedFlight& judged) {
+  const report::Figures& figures = judged.figures;
+  flown.outcome = report::name(judged.verdict.outcome);
   flown.figures = {degrees(figures.largest_hold_error_rad),
                    figures.saturated_fraction,
                    degrees(figures.authority_margin_rad),
@@ -84,7 +82,7 @@ FlownRun fly_run(input::ScenarioFiles& files, const Drawer& drawer, std::uint64_
   }
   scenario.seed = flown.seed;
   scenario.changed_values = draw.changes.size();
-  take_figures(flown, fly::fly_scenario(scenario));
+  take_figures(flown, fly_and_judge(scenario));
   return flown;
 }
 

@@ -10,7 +10,6 @@
 #include "fantail/command_line.hpp"
 #include "fantail/scenario_options.hpp"
 #include "fly/fly_scenario.hpp"
-#include "fly/model_limits.hpp"
 #include "input/plan_file.hpp"
 #include "input/shipped.hpp"
 #include "json/value.hpp"
@@ -109,7 +108,7 @@ struct LoopCheck {
 
 LoopCheck check_loop(const Subject& subject) {
   const sim::Scenario& scenario = *subject.scenario;
-  const auto range = fly::speed_range_under_control(fly::fly_scenario(scenario));
+  const auto range = fly::speed_range_under_control(scenario);
   if (!range) {
     return {.sentence = fmt::format("in {} control never begins, so the loop was not checked", scenario.name),
             .warns = true};

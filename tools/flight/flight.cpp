@@ -133,7 +133,8 @@ void end_control_with_outage(Flight& flight) {
 }
 
 void set_time_zero(Flight& flight, double zero_s) {
-  const auto move = [zero_s](double& time_s) { time_s = std::round((time_s - zero_s) * 1e6) / 1e6; };
+  flight.clock = {zero_s};
+  const auto move = [clock = flight.clock](double& time_s) { time_s = clock(time_s); };
   for (const NamedEvent& event : named_events) {
     if (auto& time_s = flight.events.*event.time_s) {
       move(*time_s);

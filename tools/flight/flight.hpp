@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -44,6 +45,14 @@ struct Row {
   double speed_m_s = 0.0;
   std::optional<Truth> truth{};
   bool replayed = true;  ///< false: of a logged tick to which no replay leads; only what the log itself holds is known
+};
+
+/// From the clock on which a flight was flown to that of its rows: lift-off is known only after the pad rows.
+struct Clock {
+  std::optional<double> zero_s{};  ///< what becomes 0, to the microsecond; empty: the two are one
+  [[nodiscard]] double operator()(double time_s) const {
+    return zero_s ? std::round((time_s - *zero_s) * 1e6) / 1e6 : time_s;
+  }
 };
 
 /// What the instruments of a wind tunnel read.
@@ -172,6 +181,7 @@ struct Flight {
   /// Empty: the vehicle does not say where its canards are.
   std::optional<double> side_moment_m3;
   std::vector<Row> rows;
+  Clock clock{};                               ///< that set_time_zero() has put all times by
   std::size_t rows_per_line = 1;               ///< flight.csv has the first of so many rows
   std::vector<TunnelReading> tunnel_readings;  ///< empty in flight
   std::vector<PathPoint> path;                 ///< empty along a straight line, in the tunnel, and of real flights
@@ -195,7 +205,7 @@ void add_tick(Flight& flight, const core::TickRecord& record, double time_s, con
 /// Control that a reset has ended, because nothing was resumed after it, ended when it came.
 void end_control_with_outage(Flight& flight);
 
-/// Moves the clock so that `zero_s` becomes 0, to the microsecond: lift-off is known only after the pad rows.
+/// Puts every time of the flight on the rows' clock, and notes the clock.
 void set_time_zero(Flight& flight, double zero_s);
 
 /// The largest roll command this plan allows: the plan limit, or the hard limit where that is smaller.

@@ -9,11 +9,10 @@
 
 #include <fmt/core.h>
 
-#include "airframe/model/build_up.hpp"
-#include "fly/fault_text.hpp"
+#include "fly/describe.hpp"
+#include "fly/loop_margins.hpp"
 #include "fly/model_limits.hpp"
 #include "replies/sentence.hpp"
-#include "sim/deflection_range.hpp"
 #include "sim/nearest_tick.hpp"
 #include "sim/units.hpp"
 #include "sim/world.hpp"
@@ -80,86 +79,6 @@ std::vector<flight::Outage> outages(const sim::World& world) {
   return all;
 }
 
-std::string static_margins(const sim::Airframe& airframe) {
-  const double full_m = static_margin_m(airframe, airframe.at_liftoff);
-  const double empty_m = static_margin_m(airframe, airframe.after_burnout);
-  return fmt::format("Static margin: {:.0f} mm ({:.1f} calibres) at lift-off, {:.0f} mm ({:.1f}) after burn-out.",
-                     1e3 * full_m, full_m / airframe.diameter_m, 1e3 * empty_m, empty_m / airframe.diameter_m);
-}
-
-/// The sentences of vehicle and scenario are anybody's words: nobody can tell which of them are about the path.
-void limit_to_path(std::vector<std::string>& sentences) {
-  if (const std::size_t count = sentences.size(); count > 0) {
-    sentences.insert(sentences.begin(),
-                     fmt::format("The next {} of vehicle and scenario. The path is that of the trajectory, whatever "
-                                 "they say of thrust, drag, mass, stability, wind or parachute.",
-                                 count == 1 ? "sentence is" : fmt::format("{} sentences are", count)));
-  }
-}
-
-// The roll torque that the vehicle states says how strong a canard is, its shape where it stands.
-std::optional<double> side_moment_m3(const sim::Vehicle& vehicle) {
-  if (!vehicle.geometry || !vehicle.geometry->canards || !vehicle.airframe) {
-    return {};
-  }
-  const airframe::model::BuildUp built = airframe::model::build_up(vehicle);
-  const auto canards = std::ranges::find(built.parts, "canards", &airframe::model::Part::name);
-  if (canards == built.parts.end() || !built.canard_arm_m) {
-    return {};
-  }
-  const double roll_arm_m = vehicle.canard_air.arm_m.value_or(*built.canard_arm_m);
-  const double one_canard_m2 = vehicle.roll_plant.reference_area_m2 * vehicle.roll_plant.torque_m / (4.0 * roll_arm_m);
-  return one_canard_m2 * std::abs(vehicle.airframe->after_burnout.centre_of_gravity_m - canards->position_m);
-}
-
-flight::Flight describe(const sim::Scenario& scenario) {
-  flight::Flight flight;
-  flight.scenario = scenario.name;
-  flight.vehicle = scenario.vehicle.name;
-  flight.airframe = {.vehicle = scenario.vehicle.name,
-                     .vehicle_file = scenario.vehicle_name,
-                     .roll_inertia_kg_m2 = scenario.vehicle.roll_plant.inertia_kg_m2,
-                     .reference_area_m2 = scenario.vehicle.roll_plant.reference_area_m2};
-  flight.plan_name = scenario.plan_name;
-  flight.version = FANTAIL_VERSION;
-  flight.seed = scenario.seed;
-  flight.tunnel = scenario.surroundings != sim::Surroundings::flight;
-  flight.plan = scenario.plan;
-  const sim::DeflectionRange reach = sim::deflection_range(scenario);
-  flight.canard_reach = {.lowest_rad = reach.lowest_rad, .highest_rad = reach.highest_rad};
-  flight.left_by_fins = sim::left_by_fins(scenario.vehicle.canard_air);
-  flight.side_moment_m3 = side_moment_m3(scenario.vehicle);
-  for (const auto* sentences :
-       {&scenario.vehicle.warnings, &scenario.warnings, &scenario.vehicle.assumed, &scenario.assumed}) {
-    flight.notes.insert(flight.notes.end(), sentences->begin(), sentences->end());
-  }
-  if (scenario.path) {
-    flight.path_frame = flight::PathFrame::plane;
-    limit_to_path(flight.notes);
-  }
-  if (scenario.motion == sim::FlightMotion::six_dof && !scenario.path) {
-    const auto& assumed = scenario.vehicle.airframe_assumed;
-    flight.notes.insert(flight.notes.end(), assumed.begin(), assumed.end());
-    flight.notes.push_back(static_margins(scenario.vehicle.airframe.value()));
-  }
-  for (const sim::Fault& fault : scenario.faults) {
-    flight.notes.push_back(fault_text(fault, scenario));
-  }
-  if (std::ranges::any_of(scenario.faults, [](const sim::Fault& fault) {
-        return sim::is_of_canard(fault.kind) && !sim::is_there_at_liftoff(fault);
-      })) {
-    flight.notes.emplace_back(
-        "Authority and stability margins are those at lift-off, without the canard faults that "
-        "began later.");
-  }
-  if (scenario.log_period_s > 0.001) {
-    flight.notes.push_back(fmt::format("flight.csv has a row every {:g} s instead of every millisecond{}.",
-                                       scenario.log_period_s,
-                                       flight.tunnel ? ", and the figures are made of these rows" : ""));
-  }
-  return flight;
-}
-
 std::string why_not_armed(const sim::World& world, const sim::Scenario& scenario) {
   constexpr double self_test_s = 7.5;
   const auto refusal = world.refusal_to_arm();
@@ -198,8 +117,38 @@ std::optional<double> expected_length_s(const sim::Scenario& scenario) {
   return scenario.pad_time_s + in_seconds(scenario.plan.run.control_time) + scenario.time_after_end_s;
 }
 
-flight::Flight fly_scenario(const sim::Scenario& scenario, const Look& look, const Observe& observe, Log log,
-                            const sim::MakeFlightComputer& make) {
+namespace {
+
+void note_events(flight::Flight& flight, const sim::World::Events& events) {
+  flight.events.liftoff_s = flight.tunnel ? std::nullopt : in_seconds(events.liftoff);
+  flight.events.guide_clear_s = in_seconds(events.guide_clear);
+  flight.events.burnout_s = in_seconds(events.burnout);
+  flight.events.apogee_s = in_seconds(events.apogee);
+  flight.events.parachute_s = in_seconds(events.parachute);
+}
+
+/// What is looked at in every row.
+struct Watches {
+  SpeedsUnderControl speeds;
+  ModelLimits limits;
+  const TakeRow& take;
+
+  void add(const flight::Row& row, const flight::Flight& so_far) {
+    speeds.add(row);
+    limits.add(row, so_far);
+    if (take) {
+      take(row, so_far);
+    }
+  }
+};
+
+struct Hooks {
+  const Look& look;
+  const Observe& observe;
+  const TakeRow& take;  ///< empty: the flight keeps its rows
+};
+
+flight::Flight fly(const sim::Scenario& scenario, const Hooks& hooks, Log log, const sim::MakeFlightComputer& make) {
   constexpr std::int64_t ticks_between_looks = 1024;
   constexpr std::int64_t ticks_between_points = 10;
   flight::Flight flight = describe(scenario);
@@ -210,21 +159,27 @@ flight::Flight fly_scenario(const sim::Scenario& scenario, const Look& look, con
   sim::World world{scenario, log == Log::kept ? sim::World::large_flash : sim::World::small_flash, make};
   const bool is_held = scenario.surroundings == sim::Surroundings::gimbal || scenario.pin;
   bool was_armed = false;
+  Watches watches{.speeds = {}, .limits = ModelLimits{scenario}, .take = hooks.take};
   for (std::int64_t ticks = 0; !world.over(); ++ticks) {
     const core::TickRecord& record = world.tick();
     if (world.is_down()) {
       world.advance();
       continue;
     }
-    if (observe) {
-      observe(record);
+    if (hooks.observe) {
+      hooks.observe(record);
     }
     was_armed = was_armed || record.phase != core::Phase::safe;
     const double time_s = in_seconds(world.now());
+    note_events(flight, world.events());
+    flight::note_tick(flight, record, time_s);
     if (ticks % ticks_per_row == 0) {
-      flight::add_tick(flight, record, time_s, to_report(world.truth()));
-    } else {
-      flight::note_tick(flight, record, time_s);
+      flight::Row row = flight::row(record, time_s);
+      row.truth = to_report(world.truth());
+      watches.add(row, flight);
+      if (!hooks.take) {
+        flight.rows.push_back(row);
+      }
     }
     if (ticks % ticks_between_points == 0) {
       if (const auto path = world.path()) {
@@ -238,18 +193,14 @@ flight::Flight fly_scenario(const sim::Scenario& scenario, const Look& look, con
       flight.tunnel_readings.push_back({time_s, reading->fan_rpm, reading->wind_speed_m_s});
     }
     world.advance();
-    if (look && ticks % ticks_between_looks == 0) {
-      look(in_seconds(world.now()));
+    if (hooks.look && ticks % ticks_between_looks == 0) {
+      hooks.look(in_seconds(world.now()));
     }
   }
   flight.outages = outages(world);
   flight::end_control_with_outage(flight);
   const sim::World::Events& events = world.events();
-  flight.events.liftoff_s = flight.tunnel ? std::nullopt : in_seconds(events.liftoff);
-  flight.events.guide_clear_s = in_seconds(events.guide_clear);
-  flight.events.burnout_s = in_seconds(events.burnout);
-  flight.events.apogee_s = in_seconds(events.apogee);
-  flight.events.parachute_s = in_seconds(events.parachute);
+  note_events(flight, events);
   if (scenario.path && !scenario.path->apogee_s) {
     flight.trajectory_end_s = scenario.pad_time_s + scenario.path->samples.back().time_s;
   }
@@ -270,11 +221,33 @@ flight::Flight fly_scenario(const sim::Scenario& scenario, const Look& look, con
                            .rate_rad_s = scenario.imposed_roll->rate_rad_s};
   }
   flight::set_time_zero(flight, zero_s);
-  flight.loop_margins = loop_margins(scenario, flight);
-  for (std::string& sentence : beyond_the_model(scenario, flight)) {
+  flight.loop_margins = loop_margins(scenario, watches.speeds.take());
+  for (std::string& sentence : watches.limits.gone_beyond(flight)) {
     flight.notes.push_back(std::move(sentence));
   }
   return flight;
+}
+
+}  // namespace
+
+flight::Flight fly_scenario(const sim::Scenario& scenario, const Look& look, const Observe& observe, Log log,
+                            const sim::MakeFlightComputer& make) {
+  return fly(scenario, {.look = look, .observe = observe, .take = {}}, log, make);
+}
+
+flight::Flight fly_without_rows(const sim::Scenario& scenario, const TakeRow& take) {
+  return fly(scenario, {.look = {}, .observe = {}, .take = take}, Log::dropped, sim::simulated_board);
+}
+
+std::vector<double> speeds_under_control_m_s(const sim::Scenario& scenario) {
+  SpeedsUnderControl speeds;
+  (void)fly_without_rows(scenario, [&](const flight::Row& row, const flight::Flight&) { speeds.add(row); });
+  return speeds.take();
+}
+
+std::optional<stability::SpeedRange> speed_range_under_control(const sim::Scenario& scenario) {
+  const std::vector<double> all = speeds_under_control_m_s(scenario);
+  return all.empty() ? std::nullopt : std::optional{stability::SpeedRange{all.front(), std::ranges::max(all)}};
 }
 
 }  // namespace fantail::fly

@@ -4,11 +4,13 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <vector>
 
 #include "core/tick_record.hpp"
 #include "flight/flight.hpp"
 #include "sim/flight_computer.hpp"
 #include "sim/scenario.hpp"
+#include "stability/speed_range.hpp"
 
 namespace fantail::fly {
 
@@ -26,6 +28,21 @@ enum class Log : std::uint8_t { dropped, kept };
 [[nodiscard]] flight::Flight fly_scenario(const sim::Scenario& scenario, const Look& look = {},
                                           const Observe& observe = {}, Log log = Log::dropped,
                                           const sim::MakeFlightComputer& make = sim::simulated_board);
+
+/// Called with every row instead of Flight::rows, in order, and with the flight as far as it is known by then, but for
+/// its outages. Both count time from power-up: Flight::clock, in the end, is from there to the clock of a flight's
+/// rows.
+using TakeRow = std::function<void(const flight::Row& row, const flight::Flight& so_far)>;
+
+/// The same flight without its rows, for who needs only what can be told of them while it is flown.
+[[nodiscard]] flight::Flight fly_without_rows(const sim::Scenario& scenario, const TakeRow& take);
+
+/// Of every row under control, in order. Near apogee nothing flows: the lowest speed that counts is that at which
+/// control began, the first of the list.
+[[nodiscard]] std::vector<double> speeds_under_control_m_s(const sim::Scenario& scenario);
+
+/// From the lowest to the highest of them. Empty without control.
+[[nodiscard]] std::optional<stability::SpeedRange> speed_range_under_control(const sim::Scenario& scenario);
 
 /// Seconds from power-up to the end, where they are known beforehand: in the tunnel.
 [[nodiscard]] std::optional<double> expected_length_s(const sim::Scenario& scenario);

@@ -10,7 +10,6 @@
 
 #include "fly/gravity_turn.hpp"
 #include "sim/units.hpp"
-#include "stability/roll_loop.hpp"
 
 namespace fantail::fly {
 namespace {
@@ -38,16 +37,7 @@ std::optional<std::string> leaning_guide(const sim::Scenario& scenario, const fl
   return text + ".";
 }
 
-std::optional<std::string> near_sound(const sim::Scenario& scenario, const flight::Flight& flight) {
-  double top_mach = 0.0;
-  double speed_m_s = 0.0;
-  for (const flight::Row& row : flight.rows) {
-    const double mach = row.truth->speed_m_s / scenario.atmosphere.speed_of_sound_m_s(row.truth->height_m);
-    if (mach > top_mach) {
-      top_mach = mach;
-      speed_m_s = row.truth->speed_m_s;
-    }
-  }
+std::optional<std::string> near_sound(const sim::Scenario& scenario, double top_mach, double speed_m_s) {
   const bool has_factor = scenario.vehicle.compressibility == sim::Compressibility::prandtl_glauert;
   const bool has_drag = scenario.vehicle.drag_over_mach.is_there();
   if (top_mach < largest_constant_mach) {
@@ -84,24 +74,12 @@ std::optional<std::string> reversed_roll(const sim::Scenario& scenario) {
       wash, wash > 1.0 ? "canards that turn one way roll the rocket the other way" : "the canards turn nothing");
 }
 
-double largest_dynamic_pressure_pa(const sim::Scenario& scenario, const flight::Flight& flight) {
-  double largest_pa = 0.0;
-  for (const flight::Row& row : flight.rows) {
-    const double density_kg_m3 =
-        flight.tunnel ? scenario.tunnel.density_kg_m3 : scenario.atmosphere.density_kg_m3(row.truth->height_m);
-    if (row.phase == core::Phase::controlling) {
-      largest_pa = std::max(largest_pa, 0.5 * density_kg_m3 * row.truth->speed_m_s * row.truth->speed_m_s);
-    }
-  }
-  return largest_pa;
-}
-
 /// The angle at which the air on a canard is as strong as its servo. The reach of the canards is not made from it: it
 /// changes with the speed.
-std::optional<std::string> weak_servo(const sim::Scenario& scenario, const flight::Flight& flight) {
+std::optional<std::string> weak_servo(const sim::Scenario& scenario, double largest_dynamic_pressure_pa) {
   const auto& torque_n_m = scenario.vehicle.servo.torque_n_m;
   const double hinge_m3 = scenario.vehicle.canard_air.hinge_moment_m3.value_or(0.0);
-  const double load_n_m_per_rad = std::abs(hinge_m3) * largest_dynamic_pressure_pa(scenario, flight);
+  const double load_n_m_per_rad = std::abs(hinge_m3) * largest_dynamic_pressure_pa;
   const double limit_rad = flight::canard_limit_rad(scenario.plan);
   if (!torque_n_m || *torque_n_m >= load_n_m_per_rad * limit_rad) {
     return std::nullopt;
@@ -112,11 +90,7 @@ std::optional<std::string> weak_servo(const sim::Scenario& scenario, const fligh
       hinge_m3 > 0.0 ? "back" : "farther out", degrees(*torque_n_m / load_n_m_per_rad), *torque_n_m);
 }
 
-std::optional<std::string> strong_motor(const sim::Scenario& scenario, const flight::Flight& flight) {
-  double largest_m_s2 = 0.0;
-  for (const flight::Row& row : flight.rows) {
-    largest_m_s2 = std::max(largest_m_s2, row.specific_force_m_s2);
-  }
+std::optional<std::string> strong_motor(const sim::Scenario& scenario, double largest_m_s2) {
   const double range_m_s2 =
       std::min(scenario.vehicle.imu.full_scale_m_s2, scenario.vehicle.accelerometer.full_scale_m_s2);
   // Noise takes a little of the range.
@@ -143,18 +117,14 @@ const flight::PathPoint* largest_angle_of_attack(const flight::Flight& flight, c
 }
 
 /// In six degrees of freedom the flow that was there, else the one that the stated wind would make.
-std::optional<std::string> wind_at_canards(const sim::Scenario& scenario, const flight::Flight& flight) {
+std::optional<std::string> wind_at_canards(const sim::Scenario& scenario, const flight::Flight& flight,
+                                           const std::optional<double>& exit_speed_m_s) {
   const bool blows = scenario.wind.speed_m_s > 0.0 || scenario.wind.gust_m_s != 0.0;
-  if (scenario.path || !blows || !flight.events.guide_clear_s) {
-    return std::nullopt;
-  }
-  const auto exit = std::ranges::find_if(
-      flight.rows, [&](const flight::Row& row) { return row.time_s >= *flight.events.guide_clear_s; });
-  if (exit == flight.rows.end()) {
+  if (scenario.path || !blows || !exit_speed_m_s) {
     return std::nullopt;
   }
   std::string text;
-  double angle_rad = std::atan2(scenario.wind.speed_m_s, exit->truth->speed_m_s);
+  double angle_rad = std::atan2(scenario.wind.speed_m_s, *exit_speed_m_s);
   if (const flight::PathPoint* point = flight::point_at(flight.path, *flight.events.guide_clear_s)) {
     const flight::PathPoint* largest = largest_angle_of_attack(flight, *point);
     angle_rad = largest->angle_of_attack_rad;
@@ -167,7 +137,7 @@ std::optional<std::string> wind_at_canards(const sim::Scenario& scenario, const 
     text = fmt::format(
         "A wind of {:.3g} m/s, which is not simulated, meets the rocket at the end of its guide ({:.0f} m/s) at {:.0f} "
         "deg",
-        scenario.wind.speed_m_s, exit->truth->speed_m_s, degrees(angle_rad));
+        scenario.wind.speed_m_s, *exit_speed_m_s, degrees(angle_rad));
   }
   const double linear_angle_rad = scenario.vehicle.canard_air.stall_rad.value_or(usual_stall_rad);
   const double limit_rad = flight::canard_limit_rad(scenario.plan);
@@ -181,11 +151,32 @@ std::optional<std::string> wind_at_canards(const sim::Scenario& scenario, const 
 
 }  // namespace
 
-std::vector<std::string> beyond_the_model(const sim::Scenario& scenario, const flight::Flight& flight) {
-  std::vector<std::optional<std::string>> sentences{reversed_roll(scenario), weak_servo(scenario, flight)};
+void ModelLimits::add(const flight::Row& row, const flight::Flight& so_far) {
+  const double height_m = row.truth->height_m;
+  const double speed_m_s = row.truth->speed_m_s;
+  if (row.phase == core::Phase::controlling) {
+    const double density_kg_m3 =
+        so_far.tunnel ? scenario_.tunnel.density_kg_m3 : scenario_.atmosphere.density_kg_m3(height_m);
+    largest_dynamic_pressure_pa_ = std::max(largest_dynamic_pressure_pa_, 0.5 * density_kg_m3 * speed_m_s * speed_m_s);
+  }
+  if (const double mach = speed_m_s / scenario_.atmosphere.speed_of_sound_m_s(height_m); mach > top_mach_) {
+    top_mach_ = mach;
+    speed_at_top_mach_m_s_ = speed_m_s;
+  }
+  largest_specific_force_m_s2_ = std::max(largest_specific_force_m_s2_, row.specific_force_m_s2);
+  if (so_far.events.guide_clear_s && !exit_speed_m_s_) {
+    exit_speed_m_s_ = speed_m_s;
+  }
+}
+
+std::vector<std::string> ModelLimits::gone_beyond(const flight::Flight& flight) const {
+  std::vector<std::optional<std::string>> sentences{reversed_roll(scenario_),
+                                                    weak_servo(scenario_, largest_dynamic_pressure_pa_)};
   if (!flight.tunnel) {
-    sentences.insert(sentences.end(), {leaning_guide(scenario, flight), near_sound(scenario, flight),
-                                       strong_motor(scenario, flight), wind_at_canards(scenario, flight)});
+    sentences.insert(
+        sentences.end(),
+        {leaning_guide(scenario_, flight), near_sound(scenario_, top_mach_, speed_at_top_mach_m_s_),
+         strong_motor(scenario_, largest_specific_force_m_s2_), wind_at_canards(scenario_, flight, exit_speed_m_s_)});
   }
   std::vector<std::string> all;
   for (std::optional<std::string>& sentence : sentences) {
@@ -193,64 +184,6 @@ std::vector<std::string> beyond_the_model(const sim::Scenario& scenario, const f
       all.push_back(std::move(*sentence));
     }
   }
-  return all;
-}
-
-std::vector<double> speeds_under_control_m_s(const flight::Flight& flight) {
-  std::vector<double> all;
-  for (const flight::Row& row : flight.rows) {
-    if (row.phase == core::Phase::controlling) {
-      all.push_back(row.truth->speed_m_s);
-    }
-  }
-  if (!all.empty()) {
-    const double lowest_m_s = all.front();
-    std::erase_if(all, [lowest_m_s](double speed_m_s) { return speed_m_s < lowest_m_s; });
-  }
-  return all;
-}
-
-std::optional<stability::SpeedRange> speed_range_under_control(const flight::Flight& flight) {
-  const std::vector<double> all = speeds_under_control_m_s(flight);
-  return all.empty() ? std::nullopt : std::optional{stability::SpeedRange{all.front(), std::ranges::max(all)}};
-}
-
-std::vector<flight::LoopMargin> loop_margins(const sim::Scenario& scenario, const flight::Flight& flight) {
-  std::vector<double> speeds_m_s = speeds_under_control_m_s(flight);
-  if (speeds_m_s.empty()) {
-    return {};
-  }
-  const double lowest_m_s = speeds_m_s.front();
-  const double top_m_s = std::ranges::max(speeds_m_s);
-  const auto middle = speeds_m_s.begin() + std::ssize(speeds_m_s) / 2;
-  std::ranges::nth_element(speeds_m_s, middle);
-  const double median_m_s = *middle;
-
-  const auto at = [&scenario](double speed_m_s) -> std::optional<flight::LoopMargin> {
-    const auto found = stability::margins(stability::loop_at_speed(scenario, speed_m_s));
-    return found ? std::optional{flight::LoopMargin{speed_m_s, found->phase_margin_rad, found->gain_margin,
-                                                    found->crossover_rad_s}}
-                 : std::nullopt;
-  };
-  double worst_m_s = lowest_m_s;
-  std::optional<double> least_rad;
-  constexpr int steps = 32;
-  for (const double speed_m_s : stability::speeds_between(scenario.plan, {lowest_m_s, top_m_s}, steps)) {
-    const auto found_rad = stability::phase_margin_rad(stability::loop_at_speed(scenario, speed_m_s));
-    if (found_rad && (!least_rad || *found_rad < *least_rad)) {
-      worst_m_s = speed_m_s;
-      least_rad = found_rad;
-    }
-  }
-  std::vector<flight::LoopMargin> all;
-  for (const double speed_m_s : {lowest_m_s, median_m_s, top_m_s, worst_m_s}) {
-    const auto found = at(speed_m_s);
-    const auto known = [&](const flight::LoopMargin& other) { return other.speed_m_s == found->speed_m_s; };
-    if (found && std::ranges::none_of(all, known)) {
-      all.push_back(*found);
-    }
-  }
-  std::ranges::sort(all, {}, &flight::LoopMargin::speed_m_s);
   return all;
 }
 

@@ -7,25 +7,31 @@
 
 #include "flight/flight.hpp"
 #include "sim/scenario.hpp"
-#include "stability/speed_range.hpp"
 
 namespace fantail::fly {
 
-/// Where a simulated flight went beyond what the model holds for, a sentence each: a guide that leans (the simulated
-/// rocket keeps to the line of its guide), speeds near that of sound (for constant coefficients, or for the
-/// Prandtl-Glauert factor), a thrust beyond the range of the accelerometers, and wind at the end of the guide. In the
-/// tunnel, too: fins that reverse the roll, and servos too weak for the plan's limit.
-[[nodiscard]] std::vector<std::string> beyond_the_model(const sim::Scenario& scenario, const flight::Flight& flight);
+/// Where a simulated flight goes beyond what the model holds for: a guide that leans (the simulated rocket keeps to the
+/// line of its guide), speeds near that of sound (for constant coefficients, or for the Prandtl-Glauert factor), a
+/// thrust beyond the range of the accelerometers, and wind at the end of the guide. In the tunnel, too: fins that
+/// reverse the roll, and servos too weak for the plan's limit.
+class ModelLimits {
+ public:
+  /// The scenario outlives this object.
+  explicit ModelLimits(const sim::Scenario& scenario) : scenario_{scenario} {}
 
-/// Of every tick under control. Near apogee nothing flows: the lowest speed that counts is that at which control began,
-/// the first of the list.
-[[nodiscard]] std::vector<double> speeds_under_control_m_s(const flight::Flight& flight);
+  /// Each row, in order, and the flight as it is known by then.
+  void add(const flight::Row& row, const flight::Flight& so_far);
 
-/// From the lowest to the highest of them. Empty without control.
-[[nodiscard]] std::optional<stability::SpeedRange> speed_range_under_control(const flight::Flight& flight);
+  /// Of a flight whose rows have been added, a sentence each.
+  [[nodiscard]] std::vector<std::string> gone_beyond(const flight::Flight& flight) const;
 
-/// The margins of the roll loop at the speed at which control begins, and at the median, the top and the worst speed
-/// from there on, by speed. Empty without control and where the gain of the loop never reaches one.
-[[nodiscard]] std::vector<flight::LoopMargin> loop_margins(const sim::Scenario& scenario, const flight::Flight& flight);
+ private:
+  const sim::Scenario& scenario_;
+  double largest_dynamic_pressure_pa_ = 0.0;  ///< under control
+  double top_mach_ = 0.0;
+  double speed_at_top_mach_m_s_ = 0.0;
+  double largest_specific_force_m_s2_ = 0.0;
+  std::optional<double> exit_speed_m_s_{};  ///< at the end of the guide
+};
 
 }  // namespace fantail::fly

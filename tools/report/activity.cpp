@@ -9,8 +9,6 @@
 namespace fantail::report {
 namespace {
 
-using Rows = std::span<const flight::Row>;
-
 constexpr double window_s = 1.0;
 constexpr double window_step_s = 0.5;
 constexpr double least_swing_rad = text::radians(1.0);
@@ -19,117 +17,108 @@ constexpr int least_swings = 3;
 constexpr double lasts = 0.7;
 constexpr double clock_tolerance_s = 1e-6;
 
-double angle_rad(const flight::Row& row) {
-  return row.truth && std::isfinite(row.truth->canard_rad) ? row.truth->canard_rad
-                                                           : row.canard_rad.value_or(row.command_rad);
-}
-double command_rad(const flight::Row& row) { return row.command_rad; }
-using AngleOf = double (*)(const flight::Row& row);
+}  // namespace
 
-struct Ends {
+struct OscillationWatch::Ends {
   double lowest_rad;
   double highest_rad;
   [[nodiscard]] double middle_rad() const { return 0.5 * (lowest_rad + highest_rad); }
   [[nodiscard]] double swing_rad() const { return 0.5 * (highest_rad - lowest_rad); }
 };
 
-Ends ends(Rows rows, AngleOf angle = angle_rad) {
-  Ends e{angle(rows.front()), angle(rows.front())};
-  for (const flight::Row& row : rows) {
-    e.lowest_rad = std::min(e.lowest_rad, angle(row));
-    e.highest_rad = std::max(e.highest_rad, angle(row));
+OscillationWatch::Ends OscillationWatch::ends(Samples samples, double Sample::* angle) {
+  Ends e{samples.front().*angle, samples.front().*angle};
+  for (const Sample& sample : samples) {
+    e.lowest_rad = std::min(e.lowest_rad, sample.*angle);
+    e.highest_rad = std::max(e.highest_rad, sample.*angle);
   }
   return e;
 }
 
-/// Whole swings a second; empty when there are too few. A swing counts when it comes to half of the largest on either
-/// side, so that noise about the middle is none.
-std::optional<double> swing_frequency_hz(Rows rows, const Ends& e) {
+/// Whole swings; empty when there are too few. A swing counts when it comes to half of the largest on either side, so
+/// that noise about the middle is none.
+std::optional<OscillationWatch::Swings> OscillationWatch::count_swings(Samples window, const Ends& e) {
   const double threshold_rad = 0.5 * e.swing_rad();
   std::optional<double> first_s;
   double last_s = 0.0;
   int swings = -1;
   bool below = false;
-  for (const flight::Row& row : rows) {
-    const double away_rad = angle_rad(row) - e.middle_rad();
+  for (const Sample& sample : window) {
+    const double away_rad = sample.angle_rad - e.middle_rad();
     below = below || away_rad < -threshold_rad;
     if (below && away_rad > threshold_rad) {
       below = false;
-      first_s = first_s.value_or(row.time_s);
-      last_s = row.time_s;
+      first_s = first_s.value_or(sample.time_s);
+      last_s = sample.time_s;
       ++swings;
     }
   }
   if (swings < least_swings - 1 || !first_s || last_s <= *first_s) {
     return std::nullopt;
   }
-  return swings / (last_s - *first_s);
+  return Swings{
+      .begin_s = *first_s, .end_s = last_s, .count = swings, .lowest_rad = e.lowest_rad, .highest_rad = e.highest_rad};
 }
 
-std::optional<Oscillation> look_at(Rows rows) {
-  const Ends all = ends(rows);
-  const double before_rad = ends(rows.first(rows.size() / 2)).swing_rad();
-  const double after_rad = ends(rows.last(rows.size() / 2)).swing_rad();
+std::optional<OscillationWatch::Swings> OscillationWatch::look_at(Samples window) {
+  const double before_rad = ends(window.first(window.size() / 2)).swing_rad();
+  const double after_rad = ends(window.last(window.size() / 2)).swing_rad();
   if (std::min(before_rad, after_rad) < least_swing_rad || after_rad < lasts * before_rad) {
     return std::nullopt;
   }
   // Encoders can be noisy. A loop that oscillates does so in what it commands, too.
-  if (!rows.front().truth && ends(rows, command_rad).swing_rad() < least_swing_rad) {
+  if (!window.front().truth_is_known && ends(window, &Sample::command_rad).swing_rad() < least_swing_rad) {
     return std::nullopt;
   }
-  const std::optional<double> frequency_hz = swing_frequency_hz(rows, all);
-  if (!frequency_hz) {
-    return std::nullopt;
-  }
-  return Oscillation{.from_s = rows.front().time_s,
-                     .frequency_hz = *frequency_hz,
-                     .lowest_rad = all.lowest_rad,
-                     .highest_rad = all.highest_rad};
+  return count_swings(window, ends(window));
 }
 
-/// A stretch without excitation in which everything has settled.
-void look_through(Rows quiet, std::optional<Oscillation>& widest) {
-  std::size_t begin = 0;
-  while (begin < quiet.size()) {
-    const double from_s = quiet[begin].time_s;
-    const auto at = [&](double time_s) {
-      return static_cast<std::size_t>(
-          std::ranges::lower_bound(quiet, time_s - clock_tolerance_s, {}, &flight::Row::time_s) - quiet.begin());
-    };
-    const std::size_t end = at(from_s + window_s);
-    if (end >= quiet.size()) {
+/// Each window that the quiet samples fill; one is full when there is a sample beyond it.
+void OscillationWatch::look_through() {
+  const auto at = [this](double time_s) {
+    return std::ranges::lower_bound(quiet_, time_s - clock_tolerance_s, {}, &Sample::time_s);
+  };
+  while (!quiet_.empty()) {
+    const double from_s = quiet_.front().time_s;
+    if (quiet_.back().time_s < from_s + window_s - clock_tolerance_s) {
       return;
     }
-    if (const auto found = look_at(quiet.subspan(begin, end - begin))) {
-      const double first_s = widest ? widest->from_s : found->from_s;
-      if (!widest || found->highest_rad - found->lowest_rad > widest->highest_rad - widest->lowest_rad) {
-        widest = found;
+    if (const auto found = look_at({quiet_.begin(), at(from_s + window_s)})) {
+      first_seen_s_ = first_seen_s_.value_or(from_s);
+      if (!widest_ || found->highest_rad - found->lowest_rad > widest_->highest_rad - widest_->lowest_rad) {
+        widest_ = found;
       }
-      widest->from_s = first_s;
     }
-    begin = std::max(begin + 1, at(from_s + window_step_s));
+    quiet_.erase(quiet_.begin(), std::max(quiet_.begin() + 1, at(from_s + window_step_s)));
   }
 }
 
-}  // namespace
-
-std::optional<Oscillation> find_oscillation(Rows control, double settling_time_s) {
-  std::optional<Oscillation> widest;
-  std::size_t begin = 0;
-  double settled_s = control.empty() ? 0.0 : control.front().time_s + settling_time_s;
-  for (std::size_t i = 0; i < control.size(); ++i) {
-    const bool disturbed =
-        control[i].excitation_rad != 0.0 || (i > 0 && control[i].reference_rad != control[i - 1].reference_rad);
-    if (disturbed) {
-      look_through(control.subspan(begin, i - begin), widest);
-      settled_s = control[i].time_s + settling_time_s;
-    }
-    if (control[i].time_s < settled_s - clock_tolerance_s) {
-      begin = i + 1;
-    }
+void OscillationWatch::add(const flight::Row& row) {
+  const bool begins = !reference_rad_;
+  if (begins || row.excitation_rad != 0.0 || row.reference_rad != *reference_rad_) {
+    settles_at_s_ = row.time_s + settling_time_s_;
+    quiet_.clear();
   }
-  look_through(control.subspan(begin), widest);
-  return widest;
+  reference_rad_ = row.reference_rad;
+  if (row.time_s < settles_at_s_ - clock_tolerance_s) {
+    return;
+  }
+  const bool is_true = row.truth && std::isfinite(row.truth->canard_rad);
+  quiet_.push_back({.time_s = row.time_s,
+                    .angle_rad = is_true ? row.truth->canard_rad : row.canard_rad.value_or(row.command_rad),
+                    .command_rad = row.command_rad,
+                    .truth_is_known = row.truth.has_value()});
+  look_through();
+}
+
+std::optional<Oscillation> OscillationWatch::found(const flight::Clock& clock) const {
+  if (!widest_) {
+    return std::nullopt;
+  }
+  return Oscillation{.from_s = clock(*first_seen_s_),
+                     .frequency_hz = widest_->count / (clock(widest_->end_s) - clock(widest_->begin_s)),
+                     .lowest_rad = widest_->lowest_rad,
+                     .highest_rad = widest_->highest_rad};
 }
 
 }  // namespace fantail::report

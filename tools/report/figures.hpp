@@ -36,13 +36,15 @@ struct Figures {
   std::optional<double> roll_after_end_rad;     ///< largest |roll angle - that at the end of control| until apogee
   std::optional<Oscillation> oscillation;
   std::optional<SideDeflection> side_deflection;
+  bool in_still_air = false;  ///< in a tunnel whose fan stands, or on a gimbal, at every tick
   core::Phase final_phase = core::Phase::safe;
+
+  friend bool operator==(const Figures&, const Figures&) = default;
 };
 
 [[nodiscard]] Figures figures(const flight::Flight& flight);
 
-/// Where the law counts the true roll angle from: from where the rocket stood at launch detection (tunnel: at control
-/// start), which the truth counts from the pad.
+/// Of all rows: TrueZero.
 [[nodiscard]] double true_zero_rad(const flight::Flight& flight);
 
 }  // namespace fantail::report

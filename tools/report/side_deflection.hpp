@@ -17,6 +17,8 @@ struct SideDeflection {
   /// The largest moment about the centre of gravity that this makes, in air of 1.225 kg/m3. Empty: the vehicle does not
   /// say where its canards are, or the speed is not known.
   std::optional<double> largest_moment_n_m{};
+
+  friend bool operator==(const SideDeflection&, const SideDeflection&) = default;
 };
 
 /// Over the ticks in which all four encoders can be read. Empty without any, and without a plan.

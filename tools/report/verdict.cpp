@@ -77,20 +77,11 @@ std::string at_limit(const Figures& f) {
                      signed_limit(f.command_at_end_rad), text::fixed(*f.at_limit_since_s, 2));
 }
 
-/// On a gimbal, or in a tunnel whose fan stands.
-bool is_in_still_air(const flight::Flight& flight) {
-  constexpr double still_m_s = 0.5;
-  const auto stands_still = [](const flight::Row& row) {
-    return row.truth && std::abs(row.truth->speed_m_s) < still_m_s;
-  };
-  return flight.tunnel && !flight.rows.empty() && std::ranges::all_of(flight.rows, stands_still);
-}
-
 std::string why_not_judged(const flight::Flight& flight, const Figures& f) {
   if (!flight.known.plan) {
     return "the plan, and with it where roll should settle, is unknown";
   }
-  if (is_in_still_air(flight)) {
+  if (f.in_still_air) {
     return "the air stands still, so the canards cannot turn the rocket";
   }
   const core::ControllerPlan& controller = flight.plan.controller;
@@ -138,7 +129,7 @@ Verdict judge_control(const flight::Flight& flight, const Figures& f) {
     return {Outcome::not_held, fmt::format("{} {}", sentence(cause), sentence(rest))};
   }
   const std::string ended_at_limit = f.at_limit_since_s ? fmt::format(" {}", sentence(at_limit(f))) : "";
-  if (f.largest_hold_error_rad && !is_in_still_air(flight)) {
+  if (f.largest_hold_error_rad && !f.in_still_air) {
     const bool held = *f.largest_hold_error_rad <= held_error_rad;
     if (const std::string why = held ? why_nothing_settles(flight, f) : ""; !why.empty()) {
       return {Outcome::not_judged, sentence("roll not judged: " + why)};

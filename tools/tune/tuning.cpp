@@ -8,7 +8,6 @@
 #include <fmt/core.h>
 
 #include "fly/fly_scenario.hpp"
-#include "fly/model_limits.hpp"
 #include "predict/canard_reach.hpp"
 #include "sim/canard_aerodynamics.hpp"
 #include "stability/roll_loop.hpp"
@@ -121,7 +120,7 @@ void say_why_not_found(Tuning& t, const Found& found) {
 }
 
 SpeedsFlown speeds_of(const sim::Scenario& scenario) {
-  std::vector<double> speeds_m_s = fly::speeds_under_control_m_s(fly::fly_scenario(scenario));
+  std::vector<double> speeds_m_s = fly::speeds_under_control_m_s(scenario);
   if (speeds_m_s.empty()) {
     throw text::Error{text::ErrorKind::bad_configuration,
                       scenario.name + ": control never begins, so there is no loop to be tuned"};

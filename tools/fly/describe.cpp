@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+#include "fly/describe.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include <fmt/core.h>
+
+#include "airframe/model/build_up.hpp"
+#include "fly/fault_text.hpp"
+#include "sim/deflection_range.hpp"
+
+namespace fantail::fly {
+namespace {
+
+std::string static_margins(const sim::Airframe& airframe) {
+  const double full_m = static_margin_m(airframe, airframe.at_liftoff);
+  const double empty_m = static_margin_m(airframe, airframe.after_burnout);
+  return fmt::format("Static margin: {:.0f} mm ({:.1f} calibres) at lift-off, {:.0f} mm ({:.1f}) after burn-out.",
+                     1e3 * full_m, full_m / airframe.diameter_m, 1e3 * empty_m, empty_m / airframe.diameter_m);
+}
+
+/// The sentences of vehicle and scenario are anybody's words: nobody can tell which of them are about the path.
+void limit_to_path(std::vector<std::string>& sentences) {
+  if (const std::size_t count = sentences.size(); count > 0) {
+    sentences.insert(sentences.begin(),
+                     fmt::format("The next {} of vehicle and scenario. The path is that of the trajectory, whatever "
+                                 "they say of thrust, drag, mass, stability, wind or parachute.",
+                                 count == 1 ? "sentence is" : fmt::format("{} sentences are", count)));
+  }
+}
+
+// The roll torque that the vehicle states says how strong a canard is, its shape where it stands.
+std::optional<double> side_moment_m3(const sim::Vehicle& vehicle) {
+  if (!vehicle.geometry || !vehicle.geometry->canards || !vehicle.airframe) {
+    return {};
+  }
+  const airframe::model::BuildUp built = airframe::model::build_up(vehicle);
+  const auto canards = std::ranges::find(built.parts, "canards", &airframe::model::Part::name);
+  if (canards == built.parts.end() || !built.canard_arm_m) {
+    return {};
+  }
+  const double roll_arm_m = vehicle.canard_air.arm_m.value_or(*built.canard_arm_m);
+  const double one_canard_m2 = vehicle.roll_plant.reference_area_m2 * vehicle.roll_plant.torque_m / (4.0 * roll_arm_m);
+  return one_canard_m2 * std::abs(vehicle.airframe->after_burnout.centre_of_gravity_m - canards->position_m);
+}
+
+}  // namespace
+
+flight::Flight describe(const sim::Scenario& scenario) {
+  flight::Flight flight;
+  flight.scenario = scenario.name;
+  flight.vehicle = scenario.vehicle.name;
+  flight.airframe = {.vehicle = scenario.vehicle.name,
+                     .vehicle_file = scenario.vehicle_name,
+                     .roll_inertia_kg_m2 = scenario.vehicle.roll_plant.inertia_kg_m2,
+                     .reference_area_m2 = scenario.vehicle.roll_plant.reference_area_m2};
+  flight.plan_name = scenario.plan_name;
+  flight.version = FANTAIL_VERSION;
+  flight.seed = scenario.seed;
+  flight.tunnel = scenario.surroundings != sim::Surroundings::flight;
+  flight.plan = scenario.plan;
+  const sim::DeflectionRange reach = sim::deflection_range(scenario);
+  flight.canard_reach = {.lowest_rad = reach.lowest_rad, .highest_rad = reach.highest_rad};
+  flight.left_by_fins = sim::left_by_fins(scenario.vehicle.canard_air);
+  flight.side_moment_m3 = side_moment_m3(scenario.vehicle);
+  for (const auto* sentences :
+       {&scenario.vehicle.warnings, &scenario.warnings, &scenario.vehicle.assumed, &scenario.assumed}) {
+    flight.notes.insert(flight.notes.end(), sentences->begin(), sentences->end());
+  }
+  if (scenario.path) {
+    flight.path_frame = flight::PathFrame::plane;
+    limit_to_path(flight.notes);
+  }
+  if (scenario.motion == sim::FlightMotion::six_dof && !scenario.path) {
+    const auto& assumed = scenario.vehicle.airframe_assumed;
+    flight.notes.insert(flight.notes.end(), assumed.begin(), assumed.end());
+    flight.notes.push_back(static_margins(scenario.vehicle.airframe.value()));
+  }
+  for (const sim::Fault& fault : scenario.faults) {
+    flight.notes.push_back(fault_text(fault, scenario));
+  }
+  if (std::ranges::any_of(scenario.faults, [](const sim::Fault& fault) {
+        return sim::is_of_canard(fault.kind) && !sim::is_there_at_liftoff(fault);
+      })) {
+    flight.notes.emplace_back(
+        "Authority and stability margins are those at lift-off, without the canard faults that "
+        "began later.");
+  }
+  if (scenario.log_period_s > 0.001) {
+    flight.notes.push_back(fmt::format("flight.csv has a row every {:g} s instead of every millisecond{}.",
+                                       scenario.log_period_s,
+                                       flight.tunnel ? ", and the figures are made of these rows" : ""));
+  }
+  return flight;
+}
+
+}  // namespace fantail::fly

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#include "fly/loop_margins.hpp"
+
+#include <algorithm>
+#include <optional>
+
+#include "stability/roll_loop.hpp"
+#include "stability/speed_range.hpp"
+
+namespace fantail::fly {
+
+std::vector<flight::LoopMargin> loop_margins(const sim::Scenario& scenario, std::vector<double> speeds_m_s) {
+  if (speeds_m_s.empty()) {
+    return {};
+  }
+  const double lowest_m_s = speeds_m_s.front();
+  const double top_m_s = std::ranges::max(speeds_m_s);
+  const auto middle = speeds_m_s.begin() + std::ssize(speeds_m_s) / 2;
+  std::ranges::nth_element(speeds_m_s, middle);
+  const double median_m_s = *middle;
+
+  const auto at = [&scenario](double speed_m_s) -> std::optional<flight::LoopMargin> {
+    const auto found = stability::margins(stability::loop_at_speed(scenario, speed_m_s));
+    return found ? std::optional{flight::LoopMargin{speed_m_s, found->phase_margin_rad, found->gain_margin,
+                                                    found->crossover_rad_s}}
+                 : std::nullopt;
+  };
+  double worst_m_s = lowest_m_s;
+  std::optional<double> least_rad;
+  constexpr int steps = 32;
+  for (const double speed_m_s : stability::speeds_between(scenario.plan, {lowest_m_s, top_m_s}, steps)) {
+    const auto found_rad = stability::phase_margin_rad(stability::loop_at_speed(scenario, speed_m_s));
+    if (found_rad && (!least_rad || *found_rad < *least_rad)) {
+      worst_m_s = speed_m_s;
+      least_rad = found_rad;
+    }
+  }
+  std::vector<flight::LoopMargin> all;
+  for (const double speed_m_s : {lowest_m_s, median_m_s, top_m_s, worst_m_s}) {
+    const auto found = at(speed_m_s);
+    const auto known = [&](const flight::LoopMargin& other) { return other.speed_m_s == found->speed_m_s; };
+    if (found && std::ranges::none_of(all, known)) {
+      all.push_back(*found);
+    }
+  }
+  std::ranges::sort(all, {}, &flight::LoopMargin::speed_m_s);
+  return all;
+}
+
+}  // namespace fantail::fly

@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: MIT
+#include "report/running_figures.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace fantail::report {
+namespace {
+
+// A clamped step of 45 deg takes longer than a second to arrive at the tunnel's 22 m/s (peak at 1.7 s).
+constexpr double settling_time_in_flight_s = 1.0;
+constexpr double settling_time_in_tunnel_s = 2.0;
+// Shorter than this, a saturation at the end of control is the excitation or the thin air near apogee.
+constexpr double lasting_saturation_s = 0.5;
+// Rows are a millisecond apart and their times are rounded to the microsecond.
+constexpr double clock_tolerance_s = 1e-6;
+constexpr double still_air_m_s = 0.5;
+
+// The truth where it is known.
+double better(const flight::Row& row, double flight::Truth::* truth, double estimate) {
+  return row.truth && std::isfinite((*row.truth).*truth) ? (*row.truth).*truth : estimate;
+}
+double height_m(const flight::Row& row) { return better(row, &flight::Truth::height_m, row.height_m); }
+double speed_m_s(const flight::Row& row) { return better(row, &flight::Truth::speed_m_s, row.speed_m_s); }
+double roll_angle_rad(const flight::Row& row) {
+  return better(row, &flight::Truth::roll_angle_rad, row.roll_angle_rad);
+}
+
+std::optional<double> known(double value) { return std::isfinite(value) ? std::optional{value} : std::nullopt; }
+
+void keep_largest(std::optional<double>& kept, double value) {
+  if (std::isfinite(value) && (!kept || value > *kept)) {
+    kept = value;
+  }
+}
+
+void keep_farthest_from_zero(std::optional<double>& kept, double value) {
+  if (std::isfinite(value) && (!kept || std::abs(value) > std::abs(*kept))) {
+    kept = value;
+  }
+}
+
+/// Whatever is no number counts as nothing.
+void keep_error(std::optional<double>& kept, double error_rad) { kept = std::max(kept.value_or(0.0), error_rad); }
+
+/// In wind the rows' true speed is the one through the air, along the rocket's axis.
+double top_speed_over_ground_m_s(const std::vector<flight::PathPoint>& path) {
+  double top_m_s = 0.0;
+  for (const flight::PathPoint& point : path) {
+    top_m_s = std::max(top_m_s, std::hypot(point.north_m_s, point.east_m_s, point.up_m_s));
+  }
+  return top_m_s;
+}
+
+}  // namespace
+
+void TrueZero::add(const flight::Row& row) {
+  if (phase_ == core::Phase::controlling) {
+    return;
+  }
+  if (row.phase == begins_with_ && phase_ != begins_with_) {
+    rad_ = row.truth && std::isfinite(row.truth->roll_angle_rad) ? row.truth->roll_angle_rad : 0.0;
+  }
+  phase_ = row.phase;
+}
+
+RunningFigures::RunningFigures(bool tunnel)
+    : zero_{tunnel},
+      settling_time_s_{tunnel ? settling_time_in_tunnel_s : settling_time_in_flight_s},
+      oscillation_{settling_time_s_} {}
+
+void RunningFigures::add(const flight::Row& row, const flight::Flight& flight) {
+  rows_ += 1;
+  phase_ = row.phase;
+  keep_largest(largest_speed_m_s_, speed_m_s(row));
+  keep_largest(largest_height_m_, height_m(row));
+  in_still_air_ = in_still_air_ && row.truth && std::abs(row.truth->speed_m_s) < still_air_m_s;
+  zero_.add(row);
+  const bool is_control = row.phase == core::Phase::controlling;
+  if (stage_ == Stage::before_control && is_control) {
+    begin_control(row);
+  } else if (stage_ == Stage::under_control && !is_control) {
+    stage_ = Stage::after_control;
+  }
+  switch (stage_) {
+    case Stage::before_control: break;
+    case Stage::under_control: add_controlled(row, flight); break;
+    case Stage::after_control: look_after_control(row, flight); break;
+  }
+}
+
+void RunningFigures::begin_control(const flight::Row& row) {
+  stage_ = Stage::under_control;
+  start_ = {.time_s = row.time_s, .roll_angle_rad = roll_angle_rad(row), .height_m = height_m(row)};
+  reference_rad_ = row.reference_rad;
+  settles_at_s_ = row.time_s + settling_time_s_;
+}
+
+void RunningFigures::add_controlled(const flight::Row& row, const flight::Flight& flight) {
+  controlled_ += 1;
+  end_ = {.time_s = row.time_s, .roll_angle_rad = roll_angle_rad(row), .command_rad = row.command_rad};
+  judge_hold(row, flight);
+  if (row.truth && std::isfinite(row.truth->disturbance_rad)) {
+    const double offset_rad = row.truth->disturbance_rad;
+    keep_farthest_from_zero(largest_offset_rad_, offset_rad);
+    least_offset_rad_ = std::min(least_offset_rad_.value_or(offset_rad), offset_rad);
+    most_offset_rad_ = std::max(most_offset_rad_.value_or(offset_rad), offset_rad);
+  }
+  judge_saturation(row);
+  oscillation_.add(row);
+}
+
+void RunningFigures::judge_hold(const flight::Row& row, const flight::Flight& flight) {
+  if (row.reference_rad != reference_rad_) {
+    reference_rad_ = row.reference_rad;
+    settles_at_s_ = row.time_s + settling_time_s_;
+  }
+  if (row.time_s < settles_at_s_ - clock_tolerance_s) {
+    return;
+  }
+  const std::optional<double> settle_point = flight::settle_point_rad(row, flight);
+  if (!settle_point) {
+    return;
+  }
+  const double roll_rad =
+      std::isfinite(row.truth->roll_angle_rad) ? row.truth->roll_angle_rad - zero_.rad() : row.roll_angle_rad;
+  const double error_rad = std::abs(roll_rad - *settle_point);
+  keep_error(largest_error_rad_, error_rad);
+  sum_of_errors_rad_ += error_rad;
+  settled_ += 1;
+}
+
+void RunningFigures::judge_saturation(const flight::Row& row) {
+  if (!row.saturated) {
+    saturation_.reset();
+    return;
+  }
+  saturated_ += 1;
+  if (!saturation_) {
+    saturation_ = {.begin_s = row.time_s};
+  }
+  saturation_->end_s = row.time_s;
+  if (row.truth) {
+    keep_farthest_from_zero(saturation_->largest_offset_rad, row.truth->disturbance_rad);
+    saturation_->truth = row.truth;
+    saturation_->command_rad = row.command_rad;
+  }
+}
+
+void RunningFigures::look_after_control(const flight::Row& row, const flight::Flight& flight) {
+  const double rolled_rad = std::abs(roll_angle_rad(row) - end_.roll_angle_rad);
+  if (!first_rolled_rad_) {
+    keep_error(first_rolled_rad_, rolled_rad);
+  }
+  if (flight.events.apogee_s && row.time_s > *flight.events.apogee_s) {
+    keep_error(rolled_beyond_rad_, rolled_rad);
+    return;
+  }
+  keep_error(rolled_until_apogee_rad_, std::max(rolled_beyond_rad_.value_or(0.0), rolled_rad));
+  rolled_beyond_rad_.reset();
+}
+
+void RunningFigures::tell_authority(Figures& f, const flight::Flight& flight) const {
+  f.largest_disturbance_rad = largest_offset_rad_;
+  if (!least_offset_rad_ || !flight.known.plan) {
+    return;
+  }
+  // The margin is a roof over the offset: of all offsets between the least and the largest, one of these two has the
+  // least margin.
+  const double at_least = flight::authority_margin_rad(flight, *least_offset_rad_);
+  const double at_most = flight::authority_margin_rad(flight, *most_offset_rad_);
+  const double offset_rad = at_least < at_most ? *least_offset_rad_ : *most_offset_rad_;
+  f.authority_margin_rad = std::min(at_least, at_most);
+  f.authority_rad = flight::authority_rad(flight, -offset_rad);
+}
+
+void RunningFigures::tell_saturation(Figures& f, const flight::Flight& flight, const flight::Clock& clock) const {
+  f.saturated_fraction = static_cast<double>(saturated_) / static_cast<double>(controlled_);
+  if (!saturation_ || clock(saturation_->end_s) - clock(saturation_->begin_s) < lasting_saturation_s) {
+    return;
+  }
+  f.at_limit_since_s = clock(saturation_->begin_s);
+  f.offset_at_limit_rad = saturation_->largest_offset_rad;
+  if (const std::optional<flight::Truth>& truth = saturation_->truth) {
+    // What is left turns the rocket against the command. A canard that broke in flight can happen to help.
+    const bool unbalanced = (truth->disturbance_rad + truth->canard_rad) * saturation_->command_rad < 0.0;
+    f.offset_beyond_limit =
+        flight.known.plan && unbalanced && flight::authority_margin_rad(flight, truth->disturbance_rad) < 0.0;
+  }
+}
+
+void RunningFigures::tell_end(Figures& f, const flight::Flight& flight) const {
+  if (!flight.events.apogee_s || !flight.events.control_end_s) {
+    return;
+  }
+  f.ended_before_apogee_s = *flight.events.apogee_s - *flight.events.control_end_s;
+  f.roll_after_end_rad = rolled_until_apogee_rad_;
+  // A gap may have swallowed all of them: then the first behind it shows what happened.
+  if (!f.roll_after_end_rad && *f.ended_before_apogee_s > 0.1) {
+    f.roll_after_end_rad = first_rolled_rad_;
+  }
+}
+
+Figures RunningFigures::figures(const flight::Flight& flight, const flight::Clock& clock) const {
+  Figures f;
+  if (rows_ == 0) {
+    return f;
+  }
+  f.final_phase = phase_;
+  f.max_speed_m_s = flight.path.empty() ? largest_speed_m_s_ : top_speed_over_ground_m_s(flight.path);
+  if (!flight.tunnel && flight.events.apogee_s) {
+    f.apogee_m = largest_height_m_;
+  }
+  f.in_still_air = flight.tunnel && in_still_air_;
+  if (controlled_ == 0) {
+    return f;
+  }
+  if (!flight.tunnel) {
+    f.control_start_height_m = known(start_.height_m);
+  }
+  f.control_time_s = clock(end_.time_s) - clock(start_.time_s);
+  f.command_at_end_rad = end_.command_rad;
+  f.roll_turns = known((end_.roll_angle_rad - start_.roll_angle_rad) / (2.0 * std::numbers::pi));
+  f.largest_hold_error_rad = largest_error_rad_;
+  if (settled_ > 0) {
+    f.mean_hold_error_rad = sum_of_errors_rad_ / static_cast<double>(settled_);
+  }
+  tell_authority(f, flight);
+  tell_end(f, flight);
+  f.oscillation = oscillation_.found(clock);
+  if (flight.known.saturation) {
+    tell_saturation(f, flight, clock);
+  }
+  return f;
+}
+
+}  // namespace fantail::report

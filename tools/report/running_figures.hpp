@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+#include "flight/flight.hpp"
+#include "report/activity.hpp"
+#include "report/figures.hpp"
+
+namespace fantail::report {
+
+/// Where the law counts the true roll angle from: from where the rocket stood at launch detection (tunnel: at control
+/// start), which the truth counts from the pad.
+class TrueZero {
+ public:
+  explicit TrueZero(bool tunnel) : begins_with_{tunnel ? core::Phase::controlling : core::Phase::launched} {}
+
+  /// Each row, in order; from the first under control on it stays.
+  void add(const flight::Row& row);
+
+  /// 0 where nobody knows it.
+  [[nodiscard]] double rad() const { return rad_; }
+
+ private:
+  core::Phase begins_with_;
+  core::Phase phase_ = core::Phase::safe;
+  double rad_ = 0.0;
+};
+
+/// The figures of a flight, row by row, while it is flown or afterwards: whoever wants no more than them keeps no rows.
+class RunningFigures {
+ public:
+  explicit RunningFigures(bool tunnel);
+
+  /// Each row, in order. `flight` is all of it or what is known up to then, its times on the clock of the rows: what it
+  /// is flown with (plan, canards) from the beginning, and the apogee from its own row on.
+  void add(const flight::Row& row, const flight::Flight& flight);
+
+  /// Of the rows up to now, but for Figures::side_deflection. `flight` is the whole one, on the clock that its rows
+  /// have or, where they were added before that was known, were to be put by `clock`.
+  [[nodiscard]] Figures figures(const flight::Flight& flight, const flight::Clock& clock = {}) const;
+
+ private:
+  enum class Stage : std::uint8_t { before_control, under_control, after_control };
+
+  struct Start {
+    double time_s = 0.0;
+    double roll_angle_rad = 0.0;
+    double height_m = 0.0;
+  };
+  struct End {
+    double time_s = 0.0;
+    double roll_angle_rad = 0.0;
+    double command_rad = 0.0;
+  };
+  /// Ticks in a row that are saturated, up to now.
+  struct Saturation {
+    double begin_s = 0.0;
+    double end_s = 0.0;
+    std::optional<double> largest_offset_rad{};
+    std::optional<flight::Truth> truth{};  ///< of the last that has one
+    double command_rad = 0.0;              ///< at that one
+  };
+
+  void begin_control(const flight::Row& row);
+  void add_controlled(const flight::Row& row, const flight::Flight& flight);
+  void judge_hold(const flight::Row& row, const flight::Flight& flight);
+  void judge_saturation(const flight::Row& row);
+  void look_after_control(const flight::Row& row, const flight::Flight& flight);
+  void tell_authority(Figures& f, const flight::Flight& flight) const;
+  void tell_saturation(Figures& f, const flight::Flight& flight, const flight::Clock& clock) const;
+  void tell_end(Figures& f, const flight::Flight& flight) const;
+
+  std::size_t rows_ = 0;
+  core::Phase phase_ = core::Phase::safe;
+  std::optional<double> largest_speed_m_s_{};
+  std::optional<double> largest_height_m_{};
+  bool in_still_air_ = true;
+  TrueZero zero_;
+  double settling_time_s_;
+
+  Stage stage_ = Stage::before_control;
+  std::size_t controlled_ = 0;
+  Start start_{};
+  End end_{};
+  double reference_rad_ = 0.0;
+  double settles_at_s_ = 0.0;
+  std::optional<double> largest_error_rad_{};
+  double sum_of_errors_rad_ = 0.0;
+  std::size_t settled_ = 0;
+  std::optional<double> largest_offset_rad_{};
+  std::optional<double> least_offset_rad_{};
+  std::optional<double> most_offset_rad_{};
+  std::size_t saturated_ = 0;
+  std::optional<Saturation> saturation_{};
+  OscillationWatch oscillation_;
+
+  std::optional<double> first_rolled_rad_{};         ///< of the first row after control
+  std::optional<double> rolled_until_apogee_rad_{};  ///< the largest
+  std::optional<double> rolled_beyond_rad_{};        ///< likewise, behind an apogee that may yet turn out a hop's
+};
+
+}  // namespace fantail::report
