@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "campaign/judged_flight.hpp"
 #include "predict/canard_reach.hpp"
 #include "predict/drawn_wind.hpp"
 #include "report/figures.hpp"
@@ -25,18 +26,57 @@ sim::Scenario with_airframe(const sim::Scenario& scenario, const TunnelStep& air
   return changed;
 }
 
-void keep_roll(Run& run, const flight::Flight& flight) {
-  const double end_s = flight.events.apogee_s.value_or(flight.rows.back().time_s);
-  for (const flight::Row& row : flight.rows) {
-    const double next_s = track_step_s * static_cast<double>(run.roll_angle_rad.size());
-    if (row.truth && row.time_s <= end_s && row.time_s >= next_s - clock_tolerance_s) {
+/// What is kept of the rows of a run, one by one.
+class Track {
+ public:
+  /// The rows' time of a rocket that never lifts off counts from there.
+  explicit Track(double zero_without_liftoff_s) : zero_s_{zero_without_liftoff_s} {}
+
+  void add(const flight::Row& row, const flight::Flight& so_far) {
+    if (so_far.events.liftoff_s && !has_lifted_off_) {
+      has_lifted_off_ = true;
+      zero_s_ = *so_far.events.liftoff_s;
+      points_.clear();
+    }
+    const double next_s = track_step_s * static_cast<double>(points_.size());
+    if (row.truth && row.time_s - zero_s_ >= next_s - clock_tolerance_s) {
+      points_.push_back(row);
+    }
+    if (row.phase == core::Phase::controlling) {
+      first_controlled_ = first_controlled_ ? first_controlled_ : row;
+      last_controlled_ = row;
+    }
+  }
+
+  /// `clock`: from the rows' to the flight's.
+  void keep(Run& run, const flight::Flight& flight, const flight::Clock& clock) const {
+    for (const flight::Row& row : points_) {
+      if (flight.events.apogee_s && clock(row.time_s) > *flight.events.apogee_s) {
+        break;
+      }
       run.roll_angle_rad.push_back(row.truth->roll_angle_rad);
       run.roll_rate_rad_s.push_back(row.truth->roll_rate_rad_s);
       run.reference_rad.push_back(row.phase == core::Phase::controlling ? std::optional{row.reference_rad}
                                                                         : std::nullopt);
     }
+    if (!first_controlled_) {
+      return;
+    }
+    run.speed_at_control_start_m_s = first_controlled_->truth->speed_m_s;
+    if (run.authority_margin_rad > 0.0) {
+      flight::Row last = *last_controlled_;
+      last.time_s = clock(last.time_s);
+      run.settle_rad = flight::settle_point_rad(last, flight);
+    }
   }
-}
+
+ private:
+  double zero_s_;
+  bool has_lifted_off_ = false;
+  std::vector<flight::Row> points_;
+  std::optional<flight::Row> first_controlled_;
+  std::optional<flight::Row> last_controlled_;
+};
 
 void keep_notes(Run& run, const flight::Flight& flight, const sim::Scenario& scenario) {
   const auto is_in = [](const std::vector<std::string>& all, const std::string& one) {
@@ -60,42 +100,8 @@ void keep_path(Run& run, const flight::Flight& flight, const sim::Scenario& scen
   }
 }
 
-void look_at_control(Run& run, const flight::Flight& flight) {
-  const auto is_control = [](const flight::Row& row) { return row.phase == core::Phase::controlling; };
-  const auto first = std::ranges::find_if(flight.rows, is_control);
-  if (first == flight.rows.end()) {
-    return;
-  }
-  const auto last = std::find_if(flight.rows.rbegin(), flight.rows.rend(), is_control);
-  run.speed_at_control_start_m_s = first->truth->speed_m_s;
-  if (run.authority_margin_rad > 0.0) {
-    run.settle_rad = flight::settle_point_rad(*last, flight);
-  }
-}
-
-}  // namespace
-
-std::optional<double> spin_rate_rad_s(const TunnelStep& airframe, double offset_rad, double limit_rad,
-                                      double speed_m_s) {
-  if (std::abs(offset_rad) <= limit_rad) {
-    return std::nullopt;
-  }
-  const double left_rad = offset_rad - std::copysign(limit_rad, offset_rad);
-  return speed_m_s * airframe.torque_m * left_rad / airframe.damping_m2;
-}
-
-flight::Flight fly_airframe(const sim::Scenario& scenario, const TunnelStep& airframe, std::uint64_t seed,
-                            fly::Log log) {
-  return fly::fly_scenario(with_airframe(scenario, airframe, seed), {}, {}, log);
-}
-
-Run fly_run(const sim::Scenario& scenario, const TunnelStep& airframe, std::uint64_t seed) {
-  return run_of(fly_airframe(scenario, airframe, seed, fly::Log::dropped), scenario, airframe);
-}
-
-Run run_of(const flight::Flight& flight, const sim::Scenario& scenario, const TunnelStep& airframe) {
-  const report::Figures figures = report::figures(flight);
-  const report::Verdict verdict = report::verdict(flight, figures);
+Run run_of(const flight::Flight& flight, const report::Figures& figures, const report::Verdict& verdict,
+           const sim::Scenario& scenario, const TunnelStep& airframe) {
   Run run;
   run.seed = flight.seed.value_or(0);
   run.airframe = airframe;
@@ -115,9 +121,44 @@ Run run_of(const flight::Flight& flight, const sim::Scenario& scenario, const Tu
   run.top_speed_m_s = figures.max_speed_m_s.value_or(0.0);
   run.apogee_m = figures.apogee_m;
   run.spin_rate_rad_s = spin_rate_rad_s(airframe, run.offset_rad, limit_rad, run.top_speed_m_s);
-  keep_roll(run, flight);
   keep_path(run, flight, scenario);
-  look_at_control(run, flight);
+  return run;
+}
+
+}  // namespace
+
+std::optional<double> spin_rate_rad_s(const TunnelStep& airframe, double offset_rad, double limit_rad,
+                                      double speed_m_s) {
+  if (std::abs(offset_rad) <= limit_rad) {
+    return std::nullopt;
+  }
+  const double left_rad = offset_rad - std::copysign(limit_rad, offset_rad);
+  return speed_m_s * airframe.torque_m * left_rad / airframe.damping_m2;
+}
+
+flight::Flight fly_airframe(const sim::Scenario& scenario, const TunnelStep& airframe, std::uint64_t seed,
+                            fly::Log log) {
+  return fly::fly_scenario(with_airframe(scenario, airframe, seed), {}, {}, log);
+}
+
+Run fly_run(const sim::Scenario& scenario, const TunnelStep& airframe, std::uint64_t seed) {
+  Track track{scenario.pad_time_s};
+  const campaign::JudgedFlight judged =
+      campaign::fly_and_judge(with_airframe(scenario, airframe, seed),
+                              [&](const flight::Row& row, const flight::Flight& so_far) { track.add(row, so_far); });
+  Run run = run_of(judged.flight, judged.figures, judged.verdict, scenario, airframe);
+  track.keep(run, judged.flight, judged.flight.clock);
+  return run;
+}
+
+Run run_of(const flight::Flight& flight, const sim::Scenario& scenario, const TunnelStep& airframe) {
+  const report::Figures figures = report::figures(flight);
+  Run run = run_of(flight, figures, report::verdict(flight, figures), scenario, airframe);
+  Track track{0.0};
+  for (const flight::Row& row : flight.rows) {
+    track.add(row, flight);
+  }
+  track.keep(run, flight, {});
   return run;
 }
 

@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "campaign/judged_flight.hpp"
 #include "campaign/parallel_for.hpp"
 #include "campaign/seed_of_run.hpp"
-#include "fly/fly_scenario.hpp"
 #include "predict/run.hpp"
-#include "report/figures.hpp"
+#include "report/running_figures.hpp"
 #include "tune/airframes.hpp"
 
 namespace fantail::tune {
@@ -16,22 +16,50 @@ namespace {
 
 constexpr double settling_time_s = 1.0;
 
-/// Calls `each` with every row under control, and whether it is settled.
-template <typename Each>
-void for_rows_under_control(const flight::Flight& flight, Each each) {
-  std::optional<double> settles_at_s;
-  double reference_rad = 0.0;
-  for (const flight::Row& row : flight.rows) {
-    if (row.phase != core::Phase::controlling) {
-      continue;
-    }
-    if (!settles_at_s || row.reference_rad != reference_rad) {
-      settles_at_s = row.time_s + settling_time_s;
-      reference_rad = row.reference_rad;
-    }
-    each(row, row.time_s >= *settles_at_s);
+/// What is wanted of a row under control.
+struct Controlled {
+  double time_s;
+  double reference_rad;
+  double roll_angle_rad;  ///< the true one
+  double command_rad;
+};
+
+/// The rows under control, one by one.
+class UnderControl {
+ public:
+  explicit UnderControl(bool tunnel) : zero_{tunnel} {}
+  explicit UnderControl(const flight::Flight& flight) : UnderControl{flight.tunnel} {
+    std::ranges::for_each(flight.rows, [this](const flight::Row& row) { add(row); });
   }
-}
+
+  void add(const flight::Row& row) {
+    zero_.add(row);
+    if (row.phase == core::Phase::controlling) {
+      rows_.push_back({row.time_s, row.reference_rad, row.truth->roll_angle_rad, row.command_rad});
+    }
+  }
+
+  [[nodiscard]] double zero_rad() const { return zero_.rad(); }
+
+  /// Calls `each` with every row, and whether it is settled.
+  template <typename Each>
+  void for_each(const flight::Clock& clock, Each each) const {
+    std::optional<double> settles_at_s;
+    double reference_rad = 0.0;
+    for (const Controlled& row : rows_) {
+      const double time_s = clock(row.time_s);
+      if (!settles_at_s || row.reference_rad != reference_rad) {
+        settles_at_s = time_s + settling_time_s;
+        reference_rad = row.reference_rad;
+      }
+      each(row, time_s >= *settles_at_s);
+    }
+  }
+
+ private:
+  report::TrueZero zero_;
+  std::vector<Controlled> rows_;
+};
 
 class Mean {
  public:
@@ -50,22 +78,11 @@ class Mean {
   std::size_t count_ = 0;
 };
 
-Flown flown(const sim::Scenario& scenario) {
-  const flight::Flight flight = fly::fly_scenario(scenario);
-  const report::Figures figures = report::figures(flight);
-  return {.errors = roll_errors(flight),
-          .outcome = report::verdict(flight, figures).outcome,
-          .saturated_share = figures.saturated_fraction.value_or(0.0)};
-}
-
-}  // namespace
-
-RollErrors roll_errors(const flight::Flight& flight) {
-  const double zero_rad = report::true_zero_rad(flight);
+RollErrors roll_errors(const UnderControl& control, const flight::Clock& clock) {
   Mean settled;
   Mean all;
-  for_rows_under_control(flight, [&](const flight::Row& row, bool is_settled) {
-    const double error_rad = std::abs(row.truth->roll_angle_rad - zero_rad - row.reference_rad);
+  control.for_each(clock, [&](const Controlled& row, bool is_settled) {
+    const double error_rad = std::abs(row.roll_angle_rad - control.zero_rad() - row.reference_rad);
     all.add(error_rad);
     if (is_settled) {
       settled.add(error_rad);
@@ -73,6 +90,19 @@ RollErrors roll_errors(const flight::Flight& flight) {
   });
   return {.settled = settled.found(), .all = all.found()};
 }
+
+Flown flown(const sim::Scenario& scenario) {
+  UnderControl control{scenario.surroundings != sim::Surroundings::flight};
+  const campaign::JudgedFlight judged = campaign::fly_and_judge(
+      scenario, [&](const flight::Row& row, const flight::Flight& /*so_far*/) { control.add(row); });
+  return {.errors = roll_errors(control, judged.flight.clock),
+          .outcome = judged.verdict.outcome,
+          .saturated_share = judged.figures.saturated_fraction.value_or(0.0)};
+}
+
+}  // namespace
+
+RollErrors roll_errors(const flight::Flight& flight) { return roll_errors(UnderControl{flight}, {}); }
 
 std::optional<double> command_noise_rad(const flight::Flight& flight) {
   constexpr std::size_t window = 200;  // rows of a millisecond
@@ -92,7 +122,7 @@ std::optional<double> command_noise_rad(const flight::Flight& flight) {
     }
     stretch_rad.clear();
   };
-  for_rows_under_control(flight, [&](const flight::Row& row, bool is_settled) {
+  UnderControl{flight}.for_each({}, [&](const Controlled& row, bool is_settled) {
     if (is_settled) {
       stretch_rad.push_back(row.command_rad);
     } else {
