@@ -65,5 +65,29 @@ TEST(Run, TheSecondLaunchIsHeldAtItsSettlePoint) {
   EXPECT_NEAR(degrees(run.roll_angle_rad.at(400)), -29.8, 2.0);  // 8 s after lift-off, the chirp is over
 }
 
+TEST(Run, WithoutRowsIsTheOneWhoseRowsAreKept) {
+  const auto expect_same = [](const sim::Scenario& scenario) {
+    const Run flown = fly_run(scenario, first_launch, 3);
+    const Run kept = run_of(fly_airframe(scenario, first_launch, 3, fly::Log::dropped), scenario, first_launch);
+    EXPECT_EQ(flown.roll_angle_rad, kept.roll_angle_rad);
+    EXPECT_EQ(flown.roll_rate_rad_s, kept.roll_rate_rad_s);
+    EXPECT_EQ(flown.reference_rad, kept.reference_rad);
+    EXPECT_EQ(flown.verdict, kept.verdict);
+    EXPECT_EQ(flown.notes, kept.notes);
+    EXPECT_EQ(flown.settle_rad, kept.settle_rad);
+    EXPECT_EQ(flown.speed_at_control_start_m_s, kept.speed_at_control_start_m_s);
+    EXPECT_EQ(flown.drift_m, kept.drift_m);
+    return flown.roll_angle_rad.size();
+  };
+  sim::Scenario scenario = input::load_scenario("tasha3_launch2", {});
+  EXPECT_GT(expect_same(scenario), 400U);
+  scenario.motion = sim::FlightMotion::six_dof;
+  scenario.wind.speed_m_s = 5.0;
+  EXPECT_GT(expect_same(scenario), 400U);
+  sim::Scenario heavy = input::load_scenario("tasha3_launch2", {});
+  heavy.vehicle.mass_kg = 60.0;
+  EXPECT_GT(expect_same(heavy), 50U) << "it never lifts off";
+}
+
 }  // namespace
 }  // namespace fantail::predict
