@@ -21,7 +21,7 @@ std::vector<stability::RollLoop> loops_at_speed(const sim::Scenario& scenario, c
   return loops;
 }
 
-std::optional<Quantiles> spread_if_of_all(std::vector<double> values, std::size_t all) {
+std::optional<campaign::Quantiles> spread_if_of_all(std::vector<double> values, std::size_t all) {
   return values.size() == all ? std::optional{campaign::quantiles(std::move(values))} : std::nullopt;
 }
 

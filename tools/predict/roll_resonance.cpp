@@ -62,7 +62,7 @@ std::optional<RollResonance> roll_resonance(const sim::Scenario& scenario, const
     found.past += is_past ? 1 : 0;
     found.with_canards += driven > (1.0 - near_resonance) * found.least_frequency_1_m ? 1 : 0;
   }
-  const Quantiles middle = campaign::quantiles(std::move(in_the_middle));
+  const campaign::Quantiles middle = campaign::quantiles(std::move(in_the_middle));
   found.resonant_rad = {.mean = middle.mean,
                         .p5 = campaign::quantiles(std::move(at_least)).p5,
                         .p50 = middle.p50,
@@ -75,7 +75,7 @@ std::string warning(const RollResonance& r, double canard_reach_rad) {
     return {};
   }
   const auto of_runs = [&r](std::size_t count) { return fmt::format("{} of {} runs", count, r.runs); };
-  const Quantiles& angle = r.resonant_rad;
+  const campaign::Quantiles& angle = r.resonant_rad;
   return fmt::format(
       "Roll resonance: a fin or canard angle of {} degrees ({} to {}) rolls this rocket as fast as it swings in pitch, "
       "at any speed (frequency / speed {} to {} rad/m from lift-off to burn-out). Without control the fin offset would "
