@@ -96,6 +96,42 @@ TEST_F(ACampaign, IsTheSameBytesWithEveryNumberOfThreadsAndAfterAnInterruption) 
   EXPECT_EQ(figures.apogee_m, runs[40].figures[6]);
 }
 
+TEST_F(ACampaign, StopsAfterTheSameRunsWithEveryNumberOfThreadsAndIsReadBack) {
+  asked.runs = 5 * runs_of_a_chunk;
+  asked.stop = StopRule{.required = 0.9};
+  const auto runs = fly("early", 3);
+  const std::string bytes = content(folder / "early" / "runs.csv.gz");
+  EXPECT_LT(runs.size(), asked.runs);
+  EXPECT_EQ(stops_at(*asked.stop, runs), runs.size());
+  EXPECT_EQ(fly("one", 1), runs);
+  EXPECT_EQ(content(folder / "one" / "runs.csv.gz"), bytes);
+  bool flew = false;
+  EXPECT_EQ(fly("early", 1, [&](std::uint64_t) { flew = true; }), runs);
+  EXPECT_FALSE(flew);
+  asked.stop->required = 0.95;
+  EXPECT_NE(refusal("early").find("stop is outcome=held decided at 0.9 there and"), std::string::npos)
+      << refusal("early");
+  asked.sampling = Sampling::sobol;
+  EXPECT_NE(refusal("other").find("only as a whole and with independent sampling"), std::string::npos)
+      << refusal("other");
+}
+
+TEST_F(ACampaign, IsNotFlownAgainFromAScenarioThatHasChanged) {
+  asked.runs = 1;
+  fly("mine");
+  EXPECT_NO_THROW((void)repeat_run(campaign_in(folder / "mine"), 0));
+  EXPECT_THROW((void)repeat_run(campaign_in(folder / "mine"), 1), text::Error) << "none of its runs";
+  EXPECT_THROW((void)campaign_in(folder), text::Error) << "no campaign";
+  std::ofstream{file.path(), std::ios::app} << "# changed\n";
+  try {
+    (void)campaign_in(folder / "mine");
+    FAIL() << "it was taken";
+  } catch (const text::Error& error) {
+    EXPECT_NE(std::string{error.what()}.find("this campaign cannot be flown again: scenario is "), std::string::npos)
+        << error.what();
+  }
+}
+
 TEST_F(ACampaign, GoesOnOnlyFromChunksThatAreWholeAndItsOwn) {
   asked.runs = 2;
   const auto runs = fly("whole");

@@ -35,7 +35,7 @@ TEST_P(Help, ShowsThreeExamplesOfItsOwn) {
 }
 
 INSTANTIATE_TEST_SUITE_P(EachVerb, Help,
-                         testing::Values(Words{}, Words{"fly"}, Words{"identify"}, Words{"paper"}, Words{"predict"},
+                         testing::Values(Words{}, Words{"fly"}, Words{"identify"}, Words{"paper"}, Words{"predict"}, Words{"campaign"},
                                          Words{"compare"}, Words{"plan"}, Words{"plan", "check"}, Words{"plan", "show"},
                                          Words{"plan", "compile"}, Words{"tunnel"}, Words{"tunnel", "flow"},
                                          Words{"tunnel", "swirl"}, Words{"tunnel", "steps"},

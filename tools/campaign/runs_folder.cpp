@@ -68,6 +68,10 @@ std::string identity_json(const Identity& identity) {
 
 Identity read_identity(const fs::path& folder) {
   const fs::path file = folder / RunsFolder::identity_name;
+  std::error_code ignored;
+  if (!fs::exists(file, ignored)) {
+    throw text::Error{text::ErrorKind::no_such_input, file.string() + ": no such file, so no campaign was flown there"};
+  }
   Identity identity;
   try {
     const Json all = json::parse(file_content(file));

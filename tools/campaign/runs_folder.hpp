@@ -38,7 +38,7 @@ inline constexpr std::array<std::string_view, 13> identity_names{"version", "fil
                                      std::string_view where_other);
 
 [[nodiscard]] std::string identity_json(const Identity& identity);
-/// Of a folder. Throws text::Error (bad_data) for one that says none.
+/// Of a folder. Throws text::Error: no_such_input without one, bad_data for one that cannot be read.
 [[nodiscard]] Identity read_identity(const std::filesystem::path& folder);
 /// Empty for a file that cannot be read.
 [[nodiscard]] std::string file_content(const std::filesystem::path& file);

@@ -10,9 +10,17 @@
 #include "fantail/standard_streams.hpp"
 
 namespace fantail::tool {
+namespace {
+
+constexpr std::chrono::seconds in_a_pipe{10};
+
+}  // namespace
 
 Progress::Progress(std::string what, const Measure& measure)
-    : what_{std::move(what)}, measure_{measure}, terminal_{::isatty(STDERR_FILENO) == 1} {}
+    : what_{std::move(what)},
+      measure_{measure},
+      terminal_{::isatty(STDERR_FILENO) == 1},
+      next_{start_ + (terminal_ ? std::chrono::milliseconds{500} : in_a_pipe)} {}
 
 Progress::~Progress() {
   if (shown_) {
@@ -22,7 +30,7 @@ Progress::~Progress() {
 
 void Progress::show(double done) {
   const auto now = Clock::now();
-  if (!terminal_ || now < next_) {
+  if (now < next_) {
     return;
   }
   const double elapsed_s = std::chrono::duration<double>(now - start_).count();
@@ -30,6 +38,11 @@ void Progress::show(double done) {
   std::string line = fmt::format("{}: {:.0f} {}, {:.0f}{}", what_, done, measure_.unit, rate, measure_.rate);
   if (measure_.total && rate > 0.0) {
     line += fmt::format(", {:.0f} s to go", std::max(0.0, *measure_.total - done) / rate);
+  }
+  if (!terminal_) {
+    say(line + "\n");
+    next_ = now + in_a_pipe;
+    return;
   }
   say("\r\033[K" + line);
   shown_ = true;

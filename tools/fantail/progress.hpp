@@ -8,8 +8,8 @@
 
 namespace fantail::tool {
 
-/// One line on a terminal for work that takes longer than half a second: how far, how fast, how long still. Silent when
-/// standard error is not a terminal.
+/// One line on a terminal for work that takes longer than half a second: how far, how fast, how long still. Where
+/// standard error is not a terminal, a line of its own every ten seconds.
 class Progress {
  public:
   /// What there is to go through, and how its rate is said: " x real time" for simulated seconds.
@@ -33,7 +33,7 @@ class Progress {
   bool terminal_;
   bool shown_ = false;
   Clock::time_point start_ = Clock::now();
-  Clock::time_point next_ = start_ + std::chrono::milliseconds{500};
+  Clock::time_point next_;
 };
 
 }  // namespace fantail::tool

@@ -170,8 +170,8 @@ Task campaign_task(const FlyOptions& options) {
   }
   std::filesystem::path folder = options.campaign;
   std::error_code ignored;
-  if (!std::filesystem::is_directory(folder, ignored)) {
-    folder = folder.parent_path();  // a file of it was named
+  if (std::filesystem::is_regular_file(folder, ignored)) {
+    folder = folder.parent_path();  // of which a file was named
   }
   campaign::RepeatedRun repeated = campaign::repeat_run(campaign::campaign_in(folder), *options.run);
   return {.scenario = std::move(repeated.scenario),

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: MIT
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <thread>
+
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+
+#include "json/value.hpp"
+#include "system/folder.hpp"
+#include "system/process.hpp"
+#include "system/refusal.hpp"
+
+namespace fantail::test {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace std::chrono_literals;
+
+json::Value summary(const fs::path& folder) { return json::parse(content(folder / "summary.json")); }
+
+TEST(Campaign, WritesItsRunsSummaryPageAndTheReportsOfItsWorstRunsAndIsReadBackTheNextTime) {
+  const Folder folder;
+  const Words words{"campaign", "tasha3_launch2", "--runs", "70", "--set", "controller.canard_limit_deg=5"};
+  const Outcome outcome = fantail(words, {.working_folder = folder.path()});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  const fs::path written = folder.path() / "out/campaign/tasha3_launch2+controller.canard_limit_deg=5+runs=70";
+  const json::Value said = summary(written);
+  EXPECT_EQ(said["runs"], 70);
+  EXPECT_EQ(said["share"]["of"], 70);
+  EXPECT_GT(said["share"]["count"].number(), 0.0);
+  EXPECT_LT(said["share"]["count"].number(), 70.0) << "the limit is about the offset";
+  EXPECT_EQ(said["influences"]["of"].size(), 11U);
+  for (const json::Value& worst : said["worst_runs"]) {
+    EXPECT_TRUE(fs::exists(written / worst["folder"].text() / "report.html")) << worst;
+  }
+  EXPECT_NE(content(written / "campaign.html").find("run_"), std::string::npos);
+  const std::string bytes = content(written / "runs.csv.gz");
+
+  const Outcome again = fantail({"campaign", "tasha3_launch2", "--runs", "70", "--set", "controller.canard_limit_deg=5",
+                                 "--share", "apogee_m>=400", "--json"},
+                                {.working_folder = folder.path()});
+  EXPECT_EQ(again.exit_code, 0) << again.err;
+  EXPECT_EQ(json::parse(again.out), summary(written));
+  EXPECT_EQ(summary(written)["question"], "apogee_m>=400");
+  EXPECT_EQ(content(written / "runs.csv.gz"), bytes);
+}
+
+TEST(Campaign, AnyRunIsFlownAgainWithItsReport) {
+  const Folder folder;
+  ASSERT_EQ(fantail({"campaign", "--runs", "6", "--out", folder / "all"}).exit_code, 0);
+  const json::Value worst = summary(folder / "all")["worst_runs"][0];
+  const std::string number = std::to_string(worst["run"].count());
+  const Outcome outcome =
+      fantail({"fly", "--campaign", folder / "all", "--run", number, "--out", folder / "again", "--json"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(content(folder / "again/flight.csv"), content(folder / ("all/run_" + number + "/flight.csv")));
+  const json::Value flown = json::parse(outcome.out);
+  EXPECT_EQ(flown["seed"], worst["seed"]);
+  EXPECT_NE(outcome.out.find("Run " + number + " of a campaign of 6 with seed 1; drawn for it: "), std::string::npos);
+}
+
+TEST(Campaign, GoesOnAfterACtrlCAndASecondOneInItsFolderIsRefused) {
+  const Folder folder;
+  const Words words{"campaign", "--runs", "192", "--threads", "1", "--out", folder / "all"};
+  std::string second;
+  const auto interrupt = [&](int process) {
+    while (!fs::exists(folder / "all/chunks/00000000.csv.gz")) {
+      std::this_thread::sleep_for(5ms);
+    }
+    second = fantail(words).err;
+    kill(process, SIGINT);
+  };
+  const Outcome outcome = fantail(words, {.meanwhile = interrupt});
+  EXPECT_EQ(outcome.exit_code, 130) << outcome.err;
+  EXPECT_NE(outcome.err.find("the same command goes on from there"), std::string::npos) << outcome.err;
+  EXPECT_NE(second.find("another campaign is at work in this folder"), std::string::npos) << second;
+  EXPECT_FALSE(fs::exists(folder / "all/runs.csv.gz"));
+  EXPECT_EQ(fantail(words).exit_code, 0);
+  EXPECT_EQ(fantail({"campaign", "--runs", "192", "--out", folder / "whole"}).exit_code, 0);
+  EXPECT_EQ(content(folder / "all/runs.csv.gz"), content(folder / "whole/runs.csv.gz"));
+  EXPECT_EQ(content(folder / "all/summary.json"), content(folder / "whole/summary.json"));
+}
+
+TEST(Campaign, InShardsIsTheSameBytesAsInOne) {
+  const Folder folder;
+  for (const char* number : {"1", "2"}) {
+    const Outcome shard = fantail({"campaign", "--runs", "100", "--sampling", "sobol", "--shard",
+                                   std::string{number} + "/2", "--out", folder / number});
+    EXPECT_EQ(shard.exit_code, 0) << shard.err;
+    EXPECT_FALSE(fs::exists(fs::path{folder / number} / "summary.json"));
+  }
+  EXPECT_EQ(fantail({"campaign", "merge", folder / "1", "--out", folder / "merged"}).exit_code, 78);
+  EXPECT_FALSE(fs::exists(folder / "merged"));
+  const Outcome merged = fantail({"campaign", "merge", folder / "2", folder / "1", "--out", folder / "merged"});
+  EXPECT_EQ(merged.exit_code, 0) << merged.err;
+  for (const char* name : {"merged", "whole"}) {
+    EXPECT_EQ(fantail({"campaign", "--runs", "100", "--sampling", "sobol", "--out", folder / name}).exit_code, 0);
+  }
+  for (const char* file : {"runs.csv.gz", "campaign.json", "summary.json"}) {
+    EXPECT_EQ(content(fs::path{folder / "merged"} / file), content(fs::path{folder / "whole"} / file)) << file;
+  }
+}
+
+TEST(Campaign, SaysByItsExitCodeWhetherTheShareIsMetAndIsNotDecidedByTooFewRuns) {
+  const Folder folder;
+  const Outcome few = fantail({"campaign", "--runs", "3", "--at-least", "99", "--out", folder / "few"});
+  EXPECT_EQ(few.exit_code, 1) << few.err;
+  EXPECT_NE(few.out.find("Asked for is at least 99 %, which is within the interval: not decided."), std::string::npos)
+      << few.out;
+  const Outcome met =
+      fantail({"campaign", "--runs", "640", "--at-least", "80", "--until-decided", "--out", folder / "met"});
+  EXPECT_EQ(met.exit_code, 0) << met.err << met.out;
+  EXPECT_NE(met.out.find("Asked for is at least 80 %: met."), std::string::npos) << met.out;
+  EXPECT_NE(met.out.find("Stopped after 64 of 640 runs, by the rule: outcome=held decided at 0.8."), std::string::npos)
+      << met.out;
+}
+
+TEST(Campaign, ThatFindsNoRoomOnTheDiskKeepsTheChunksBefore) {
+  const Folder folder;
+  const Words words{"campaign", "--runs", "10", "--out", folder / "all"};
+  const rlimit limit{700, 700};  // enough for campaign.json, not for a chunk
+  const Outcome outcome = fantail(words, {.prepare = [limit] { setrlimit(RLIMIT_FSIZE, &limit); }});
+  EXPECT_EQ(outcome.exit_code, 74) << outcome.err;
+  EXPECT_NE(outcome.err.find("00000000.csv.gz"), std::string::npos) << outcome.err;
+  EXPECT_EQ(fantail(words).exit_code, 0) << "and goes on";
+}
+
+TEST(Campaign, OfWordsThatMakeNoSenseIsRefused) {
+  const Refusal none{{}, {"campaign", "--runs", "0"}, 64, {"--runs", "allowed: 1 to "}};
+  const Refusal question{
+      {}, {"campaign", "--share", "held"}, 64, {"\"held\" is not a question; allowed: outcome=held"}};
+  const Refusal undecided{{}, {"campaign", "--until-decided"}, 64, {"--until-decided", "--at-least"}};
+  const Refusal shard{{}, {"campaign", "--shard", "3/2"}, 64, {"\"3/2\" is not a shard; allowed: NUMBER/OF"}};
+  const Refusal shards{{}, {"campaign", "--runs", "10", "--shard", "1/2"}, 78, {"of at most 1"}};
+  const Refusal certain{{}, {"campaign", "tasha3_launch1"}, 78, {"says of nothing how it is spread"}};
+  const Refusal early{
+      {}, {"campaign", "--until-within", "5", "--sampling", "sobol"}, 78, {"only as a whole and with independent"}};
+  const Refusal alone{{}, {"fly", "--run", "3"}, 64, {"--campaign"}};
+  const Refusal nowhere{{}, {"fly", "--campaign", "nowhere", "--run", "3"}, 66, {"nowhere"}};
+  const Refusal changed{{}, {"fly", "--campaign", ".", "--run", "3", "--seed", "3"}, 64, {"is flown as it was"}};
+  const Refusal outside{{{"wide.toml",
+                          "vehicle = \"tasha3_launch2\"\nplan = \"tasha3_launch2\"\n[[spread]]\nfield = "
+                          "\"servo.delay_s\"\nlaw = \"normal\"\nmean = 0.01\nstandard_deviation = 0.02\n"}},
+                        {"campaign", "wide.toml"},
+                        78,
+                        {"wide.toml", "servo.delay_s", "allowed: 0 to 0.05", "outside = \"truncate\""}};
+}
+
+}  // namespace
+}  // namespace fantail::test
