@@ -67,9 +67,8 @@ TEST(Run, TheSecondLaunchIsHeldAtItsSettlePoint) {
 
 TEST(Run, WithoutRowsIsTheOneWhoseRowsAreKept) {
   const auto expect_same = [](const sim::Scenario& scenario) {
-    const predict::Run flown = fly_run(scenario, first_launch, 3);
-    const predict::Run kept =
-        run_of(fly_airframe(scenario, first_launch, 3, fly::Log::dropped), scenario, first_launch);
+    const auto flown = fly_run(scenario, first_launch, 3);
+    const auto kept = run_of(fly_airframe(scenario, first_launch, 3, fly::Log::dropped), scenario, first_launch);
     EXPECT_EQ(flown.roll_angle_rad, kept.roll_angle_rad);
     EXPECT_EQ(flown.roll_rate_rad_s, kept.roll_rate_rad_s);
     EXPECT_EQ(flown.reference_rad, kept.reference_rad);
