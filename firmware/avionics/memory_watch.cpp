@@ -2,10 +2,9 @@
 #include "avionics/memory_watch.hpp"
 
 #include <algorithm>
-#include <bit>
-#include <cstring>
 #include <span>
 
+#include "avionics/memory_sum.hpp"
 #include "protocol/crc32c.hpp"
 
 namespace fantail::avionics {
@@ -13,19 +12,6 @@ namespace {
 
 constexpr std::size_t slice = 16;
 static_assert(sizeof(core::FlightPlan) <= 40 * slice, "all of it within 40 ms");
-
-// Whole words, as they lie. Called, not written in: it is large, to be fast.
-[[gnu::noinline]] std::uint32_t sum(std::span<const std::byte> memory) {
-  std::uint32_t sum = 0;
-  const std::byte* const end = memory.data() + memory.size() / 4 * 4;
-#pragma GCC unroll 8
-  for (const std::byte* at = memory.data(); at != end; at += 4) {
-    std::uint32_t word = 0;
-    std::memcpy(&word, at, 4);
-    sum = std::rotl(sum, 1) ^ word;
-  }
-  return sum;
-}
 
 bool flies(core::Phase phase) { return phase == core::Phase::launched || phase == core::Phase::controlling; }
 
@@ -39,7 +25,7 @@ void MemoryWatch::begin(const core::FlightPlan& plan) {
 }
 
 bool MemoryWatch::intact(const core::Autopilot& law) const {
-  return !damaged_ && (!law_ || *law_ == sum(law.flight_memory()));
+  return !damaged_ && (!law_ || *law_ == memory_sum(law.flight_memory()));
 }
 
 void MemoryWatch::look(const core::FlightPlan& plan, const core::Autopilot& law) {
@@ -56,7 +42,7 @@ void MemoryWatch::look(const core::FlightPlan& plan, const core::Autopilot& law)
   }
   damaged_ = damaged_ || !law.moves_as_planned(canard_ % core::canard_count, plan);
   canard_ = static_cast<std::uint8_t>(canard_ + 1U);
-  law_ = flies(law.phase()) ? std::optional{sum(law.flight_memory())} : std::nullopt;
+  law_ = flies(law.phase()) ? std::optional{memory_sum(law.flight_memory())} : std::nullopt;
 }
 
 }  // namespace fantail::avionics

@@ -31,6 +31,8 @@ void limit_to_path(std::vector<std::string>& sentences) {
   }
 }
 
+}  // namespace
+
 // The roll torque that the vehicle states says how strong a canard is, its shape where it stands.
 std::optional<double> side_moment_m3(const sim::Vehicle& vehicle) {
   if (!vehicle.geometry || !vehicle.geometry->canards || !vehicle.airframe) {
@@ -45,8 +47,6 @@ std::optional<double> side_moment_m3(const sim::Vehicle& vehicle) {
   const double one_canard_m2 = vehicle.roll_plant.reference_area_m2 * vehicle.roll_plant.torque_m / (4.0 * roll_arm_m);
   return one_canard_m2 * std::abs(vehicle.airframe->after_burnout.centre_of_gravity_m - canards->position_m);
 }
-
-}  // namespace
 
 flight::Flight describe(const sim::Scenario& scenario) {
   flight::Flight flight;
@@ -64,7 +64,6 @@ flight::Flight describe(const sim::Scenario& scenario) {
   const sim::DeflectionRange reach = sim::deflection_range(scenario);
   flight.canard_reach = {.lowest_rad = reach.lowest_rad, .highest_rad = reach.highest_rad};
   flight.left_by_fins = sim::left_by_fins(scenario.vehicle.canard_air);
-  flight.side_moment_m3 = side_moment_m3(scenario.vehicle);
   for (const auto* sentences :
        {&scenario.vehicle.warnings, &scenario.warnings, &scenario.vehicle.assumed, &scenario.assumed}) {
     flight.notes.insert(flight.notes.end(), sentences->begin(), sentences->end());

@@ -152,6 +152,9 @@ flight::Flight fly(const sim::Scenario& scenario, const Hooks& hooks, Log log, c
   constexpr std::int64_t ticks_between_looks = 1024;
   constexpr std::int64_t ticks_between_points = 10;
   flight::Flight flight = describe(scenario);
+  if (!hooks.take) {
+    flight.side_moment_m3 = side_moment_m3(scenario.vehicle);
+  }
   // A launch is judged by every tick. In the tunnel a run of a quarter of an hour would fill the memory.
   const std::int64_t ticks_per_line = std::llround(scenario.log_period_s * 1e3);
   const std::int64_t ticks_per_row = flight.tunnel ? ticks_per_line : 1;

@@ -34,7 +34,7 @@ enum class Log : std::uint8_t { dropped, kept };
 /// rows.
 using TakeRow = std::function<void(const flight::Row& row, const flight::Flight& so_far)>;
 
-/// The same flight without its rows, for who needs only what can be told of them while it is flown.
+/// The same flight without its rows and without Flight::side_moment_m3, which only rows have a use for.
 [[nodiscard]] flight::Flight fly_without_rows(const sim::Scenario& scenario, const TakeRow& take);
 
 /// Of every row under control, in order. Near apogee nothing flows: the lowest speed that counts is that at which
