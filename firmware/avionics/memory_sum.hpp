@@ -7,9 +7,9 @@
 
 namespace fantail::avionics {
 
-/// Of whole words, as they lie: turned by a bit before each of them, which is then added without carry. Every single bit
-/// changes it, and whatever else is wrong in one word. memory_sum.cpp is for every processor, memory_sum_wide.cpp for
-/// those that work on four words at once.
+/// Of whole words, as they lie: turned by a bit before each of them, which is then added without carry. Every single
+/// bit changes it, and whatever else is wrong in one word. memory_sum.cpp is for every processor, memory_sum_wide.cpp
+/// for those that work on four words at once.
 [[nodiscard]] std::uint32_t memory_sum(std::span<const std::byte> memory);
 
 }  // namespace fantail::avionics

@@ -9,45 +9,46 @@ namespace fantail::avionics {
 namespace {
 
 using Four [[gnu::vector_size(16)]] = std::uint32_t;
-constexpr std::size_t word_size = 4;
-// After so many words each has been turned all the way round, so that those of one place in every block can be added
-// before they are turned.
-constexpr std::size_t block_words = 32;
-using Block = std::array<Four, block_words / 4>;
+
+Four four_at(const std::byte* at) {
+  Four words;
+  std::memcpy(&words, at, sizeof words);
+  return words;
+}
 
 Four turned(Four words, int bits) { return words << bits | words >> (32 - bits); }
-
-std::uint32_t sum_of(const Block& places) {
-  // Halves onto each other: the first is that many words older.
-  std::array<Four, 4> sixteen{};
-  for (std::size_t i = 0; i < sixteen.size(); ++i) {
-    sixteen[i] = turned(places[i], 16) ^ places[i + 4];
-  }
-  const Four early = turned(sixteen[0], 8) ^ sixteen[2];
-  const Four late = turned(sixteen[1], 8) ^ sixteen[3];
-  const Four four = turned(early, 4) ^ late;
-  std::uint32_t sum = 0;
-  for (int i = 0; i < 4; ++i) {
-    sum = std::rotl(sum, 1) ^ four[i];
-  }
-  return sum;
-}
 
 }  // namespace
 
 std::uint32_t memory_sum(std::span<const std::byte> memory) {
-  Block places{};
-  for (; memory.size() >= sizeof(Block); memory = memory.subspan(sizeof(Block))) {
-    Block block;
-    std::memcpy(&block, memory.data(), sizeof block);
-    for (std::size_t i = 0; i < places.size(); ++i) {
-      places[i] ^= block[i];
+  // After 32 words each has been turned all the way round, so those of one place in every block are added before they
+  // are turned.
+  constexpr std::size_t fours = 8;
+  std::array<Four, fours> block{};
+  const std::byte* at = memory.data();
+  const std::byte* const end = at + memory.size() / 4 * 4;
+  for (; end - at >= static_cast<std::ptrdiff_t>(sizeof block); at += sizeof block) {
+#pragma GCC unroll 8
+    for (std::size_t i = 0; i < fours; ++i) {
+      block[i] ^= four_at(at + i * sizeof(Four));
     }
   }
-  std::uint32_t sum = sum_of(places);
-  for (; memory.size() >= word_size; memory = memory.subspan(word_size)) {
+  Four lanes{};
+#pragma GCC unroll 8
+  for (std::size_t i = 0; i < fours; ++i) {
+    lanes = turned(lanes, 4) ^ block[i];
+  }
+  for (; end - at >= static_cast<std::ptrdiff_t>(sizeof lanes); at += sizeof lanes) {
+    lanes = turned(lanes, 4) ^ four_at(at);
+  }
+  std::uint32_t sum = 0;
+#pragma GCC unroll 4
+  for (int i = 0; i < 4; ++i) {
+    sum = std::rotl(sum, 1) ^ lanes[i];
+  }
+  for (; at != end; at += 4) {
     std::uint32_t word = 0;
-    std::memcpy(&word, memory.data(), word_size);
+    std::memcpy(&word, at, 4);
     sum = std::rotl(sum, 1) ^ word;
   }
   return sum;
