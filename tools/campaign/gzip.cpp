@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "campaign/gzip.hpp"
 
+#include <algorithm>
 #include <array>
 #include <stdexcept>
 
@@ -44,17 +45,22 @@ std::optional<std::string> gunzip(const std::string& bytes) {
   if (inflateInit2(&stream, window_with_gzip_header) != Z_OK) {
     throw std::runtime_error{"zlib cannot begin"};
   }
+  std::size_t left = bytes.size();
   stream.next_in = bytes_of(bytes);
-  stream.avail_in = static_cast<uInt>(bytes.size());
   std::string text;
   std::array<char, 1U << 16U> portion{};
   int result = Z_OK;
   while (result == Z_OK) {
+    if (stream.avail_in == 0) {
+      constexpr std::size_t most = 1U << 30U;  // zlib counts in 32 bits
+      stream.avail_in = static_cast<uInt>(std::min(left, most));
+      left -= stream.avail_in;
+    }
     stream.next_out = reinterpret_cast<Bytef*>(portion.data());
     stream.avail_out = static_cast<uInt>(portion.size());
     result = inflate(&stream, Z_NO_FLUSH);
     text.append(portion.data(), portion.size() - stream.avail_out);
-    if (result == Z_STREAM_END && stream.avail_in > 0) {
+    if (result == Z_STREAM_END && stream.avail_in + left > 0) {
       result = inflateReset(&stream);
     }
   }

@@ -130,8 +130,14 @@ fs::path RunsFolder::chunk_file(std::uint64_t chunk) const {
 std::optional<std::vector<FlownRun>> RunsFolder::whole(const std::string& rows, const std::string& name,
                                                        const Stretch& stretch, std::uint64_t master_seed,
                                                        bool may_be_fewer) const {
+  constexpr std::size_t piece = 1U << 26U;  // of rows that are read at once
   try {
-    std::vector<FlownRun> runs = read_rows(rows, spreads_, name);
+    std::vector<FlownRun> runs;
+    for (std::size_t begin = 0; begin < rows.size();) {
+      const std::size_t end = rows.size() - begin <= piece ? rows.size() : rows.rfind('\n', begin + piece) + 1;
+      std::ranges::move(read_rows(rows.substr(begin, end - begin), spreads_, name), std::back_inserter(runs));
+      begin = end;
+    }
     bool is_whole = runs.size() == stretch.count || (may_be_fewer && !runs.empty() && runs.size() < stretch.count &&
                                                      runs.size() % runs_of_a_chunk == 0);
     for (std::uint64_t i = 0; is_whole && i < runs.size(); ++i) {

@@ -12,8 +12,9 @@ format_packages="clang-format-19"
 gate_packages="$test_packages clang-19 clang-tidy-19"
 soak_packages="$test_packages clang-19 libclang-rt-19-dev"
 bench_packages="$fly_packages libbenchmark-dev libceres-dev python3-venv"
+cluster_packages="slurmctld slurmd slurm-client munge"
 # With --all no test may be skipped, and the tests call the verbs of this script, except those that take hours.
-all_packages="$test_packages $arm_packages $gate_packages $format_packages"
+all_packages="$test_packages $arm_packages $gate_packages $format_packages $cluster_packages"
 
 system_name() {
   # shellcheck disable=SC1091
