@@ -135,6 +135,9 @@ std::optional<std::vector<FlownRun>> RunsFolder::whole(const std::string& rows, 
     std::vector<FlownRun> runs;
     for (std::size_t begin = 0; begin < rows.size();) {
       const std::size_t end = rows.size() - begin <= piece ? rows.size() : rows.rfind('\n', begin + piece) + 1;
+      if (end <= begin) {
+        return std::nullopt;  // no row is so long
+      }
       std::ranges::move(read_rows(rows.substr(begin, end - begin), spreads_, name), std::back_inserter(runs));
       begin = end;
     }
