@@ -16,8 +16,7 @@ struct JudgedFlight {
   report::Verdict verdict;
 };
 
-/// Flies a scenario and judges it on the way, which takes less than half as long as with rows. `take` gets each of
-/// them, too.
+/// Flies a scenario and judges it on the way. `take` gets each row, too.
 [[nodiscard]] JudgedFlight fly_and_judge(const sim::Scenario& scenario, const fly::TakeRow& take = {});
 
 }  // namespace fantail::campaign
