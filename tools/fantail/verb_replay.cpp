@@ -14,11 +14,10 @@
 #include "fantail/run.hpp"
 #include "fantail/what_if.hpp"
 #include "flight_log/integrity.hpp"
-#include "flight_log/regenerate.hpp"
-#include "input/plan_file.hpp"
+#include "flight_log/replay.hpp"
+#include "input/document.hpp"
 #include "json/value.hpp"
 #include "text/degrees.hpp"
-#include "text/error.hpp"
 #include "text/output_folder.hpp"
 
 namespace fantail::tool {
@@ -37,17 +36,13 @@ struct Replayed {
   double ticks_per_s = 0.0;
 };
 
-Replayed replay(const flight_log::Flight& flight, const core::FlightPlan& plan) {
+Replayed timed_replay(const flight_log::Flight& flight, const std::string& log, const core::FlightPlan& plan) {
   using Clock = std::chrono::steady_clock;
   const auto begin = Clock::now();
-  flight_log::Regeneration result = flight_log::regenerate(flight, plan);
+  flight_log::Regeneration result = flight_log::replay(flight, log, plan);
   const std::chrono::duration<double> took = Clock::now() - begin;
   const double rate = took.count() > 0.0 ? static_cast<double>(result.compared) / took.count() : 0.0;
   return {.result = std::move(result), .ticks_per_s = rate};
-}
-
-[[noreturn]] void refuse(const ReplayOptions& options, const std::string& why) {
-  throw text::Error{text::ErrorKind::bad_data, fmt::format("{}: cannot be replayed. {}", options.log, why)};
 }
 
 json::Value to_json(const ReplayOptions& options, const flight_log::Flight& flight, const Replayed& replayed) {
@@ -93,17 +88,9 @@ void show_what_if(const ReplayOptions& options, const flight_log::Flight& flight
   changes.reserve(options.changes.size());
   for (const std::string& text : options.changes) {
     changes.push_back(input::parse_override(text));
-    if (changes.back().section == "sensors" && !changes.back().key.starts_with("gyro")) {
-      refuse(options,
-             fmt::format("{} changes nothing in a replay: what a log holds is turned into the rocket's axes already",
-                         changes.back().text()));
-    }
   }
-  const core::FlightPlan plan = input::changed_plan(*flight.plan, changes);
-  const flight_log::Regeneration changed = flight_log::regenerate(flight, plan);
-  if (!changed.obstacle.empty()) {
-    refuse(options, changed.obstacle);
-  }
+  const core::FlightPlan plan = flight_log::plan_for_replay(flight, options.log, changes);
+  const flight_log::Regeneration changed = flight_log::replay(flight, options.log, plan);
   WhatIf result = what_if(flight, flown.result, changed);
   result.log = options.log;
   result.changes = options.changes;
@@ -135,14 +122,7 @@ void show_what_if(const ReplayOptions& options, const flight_log::Flight& flight
 void run(const ReplayOptions& options) {
   flight_log::LogFile file = flight_log::read_log_file(options.log);
   const flight_log::Flight flight = take_flight(file, options.flight);
-  if (!flight.plan) {
-    refuse(options, flight.has_header ? "Its flight plan cannot be used: " + flight.plan_fault + "."
-                                      : "No intact header is left, and so no flight plan.");
-  }
-  const Replayed flown = replay(flight, *flight.plan);
-  if (!flown.result.obstacle.empty()) {
-    refuse(options, flown.result.obstacle);
-  }
+  const Replayed flown = timed_replay(flight, options.log, flight_log::plan_for_replay(flight, options.log, {}));
   give_up_if_interrupted();
   if (options.changes.empty()) {
     verify(options, flight, flown);

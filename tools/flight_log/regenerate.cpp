@@ -92,12 +92,7 @@ Difference first_difference(std::size_t tick, const protocol::LogTick& recorded,
 /// Walks along a flight and knows where the flight law can be followed.
 class Replay {
  public:
-  Replay(const Flight& flight, const core::FlightPlan& plan)
-      : flight_{flight},
-        plan_{plan},
-        scales_{.imu = {.rate_rad_s = flight.rate_scale_rad_s, .specific_force_m_s2 = flight.specific_force_scale_m_s2},
-                .second_rate_rad_s = flight.second_rate_scale_rad_s.value_or(0.0F),
-                .accelerometer_m_s2 = flight.accelerometer_scale_m_s2} {}
+  Replay(const Flight& flight, const core::FlightPlan& plan) : flight_{flight}, plan_{plan} {}
 
   /// The law as it was before this tick; null where nothing leads to it.
   core::Autopilot* law_before(std::uint32_t sequence) {
@@ -118,7 +113,7 @@ class Replay {
   }
 
   [[nodiscard]] core::Inputs inputs(const protocol::LogTick& tick) const {
-    return avionics::inputs_of(tick, scales_, plan_.canards);
+    return inputs_of(flight_, tick, plan_.canards);
   }
 
  private:
@@ -152,7 +147,6 @@ class Replay {
 
   const Flight& flight_;
   const core::FlightPlan& plan_;
-  avionics::SampleScales scales_;
   std::optional<core::Autopilot> law_;
   std::size_t checkpoint_ = 0;
   std::size_t gap_ = 0;
@@ -163,6 +157,15 @@ class Replay {
 };
 
 }  // namespace
+
+core::Inputs inputs_of(const Flight& flight, const protocol::LogTick& tick, const core::CanardsPlan& canards) {
+  return avionics::inputs_of(
+      tick,
+      {.imu = {.rate_rad_s = flight.rate_scale_rad_s, .specific_force_m_s2 = flight.specific_force_scale_m_s2},
+       .second_rate_rad_s = flight.second_rate_scale_rad_s.value_or(0.0F),
+       .accelerometer_m_s2 = flight.accelerometer_scale_m_s2},
+      canards);
+}
 
 core::EncoderAngles encoders_of(const Flight& flight, const protocol::LogTick& tick) {
   return flight.plan ? avionics::inputs_of(tick, {}, flight.plan->canards).encoders : core::EncoderAngles{};

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/flight_plan_members.hpp"
+#include "core/inputs.hpp"
 #include "core/tick_record.hpp"
 #include "flight_log/flight_log.hpp"
 
@@ -37,6 +38,10 @@ struct Regeneration {
 /// Where the canards stood; empty where an encoder had nothing to say, and all of them without the plan, which has the
 /// encoders' zeros.
 [[nodiscard]] core::EncoderAngles encoders_of(const Flight& flight, const protocol::LogTick& tick);
+
+/// What went into the flight law at a tick of a flight, whose canards are those of the plan.
+[[nodiscard]] core::Inputs inputs_of(const Flight& flight, const protocol::LogTick& tick,
+                                     const core::CanardsPlan& canards);
 
 /// What the checkpoints of this program's flight law by this plan are known by.
 [[nodiscard]] std::uint32_t state_layout(const core::FlightPlan& plan = core::default_plan());
