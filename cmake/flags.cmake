@@ -32,6 +32,12 @@ if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64)$")
   target_compile_options(fantail_flags INTERFACE -march=x86-64-v2)
 endif()
 
+# The Python module is linked from the same objects as the programs, so nothing is compiled twice. Hidden, a function is called
+# in it, and in them, as directly as without.
+if(NOT CMAKE_CROSSCOMPILING)
+  target_compile_options(fantail_flags INTERFACE -fPIC -fvisibility=hidden)
+endif()
+
 set(fantail_sanitizers -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
 if(FANTAIL_SANITIZE)
   target_compile_options(fantail_flags INTERFACE ${fantail_sanitizers})

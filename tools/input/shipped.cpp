@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <optional>
+#include <utility>
 
 #include "input/messages.hpp"
 #include "text/error.hpp"
@@ -70,12 +71,23 @@ std::optional<std::string> near_file(const std::filesystem::path& missing, std::
   throw text::Error{text::ErrorKind::no_such_input, message};
 }
 
+// Of a library that was installed without the programs.
+std::filesystem::path& folder_of_library() {
+  static std::filesystem::path folder;
+  return folder;
+}
+
 }  // namespace
+
+void set_data_folder(std::filesystem::path folder) { folder_of_library() = std::move(folder); }
 
 std::filesystem::path data_folder() {
   const char* chosen = std::getenv("FANTAIL_DATA");  // NOLINT(concurrency-mt-unsafe): read before any thread exists
   if (chosen != nullptr) {
     return chosen;
+  }
+  if (!folder_of_library().empty()) {
+    return folder_of_library();
   }
   // An installed program finds them beside itself, under any prefix: PREFIX/libexec/fantail/fantail-fly.
   std::error_code ignored;

@@ -33,7 +33,11 @@ enum class Shipped : std::uint8_t { scenario, vehicle, motor, plan, tunnel_resul
 /// The shipped names of a kind, sorted.
 [[nodiscard]] std::vector<std::string> shipped_names(Shipped kind);
 
-/// Where the shipped files lie: the environment variable FANTAIL_DATA, else the tree this program was built from.
+/// Where the shipped files lie: the environment variable FANTAIL_DATA, else what set_data_folder() was told, else
+/// beside an installed program, else the tree this program was built from.
 [[nodiscard]] std::filesystem::path data_folder();
+
+/// For a library that finds itself in another program, which knows where its files are. Before any thread exists.
+void set_data_folder(std::filesystem::path folder);
 
 }  // namespace fantail::input
