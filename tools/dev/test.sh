@@ -6,16 +6,17 @@
 # --all does not allow.
 python_tools() {
   # Only the pinned versions: others may read or generate different text.
-  cat test/protocol/requirements.txt test/log_export/requirements.txt >build/test-requirements.txt
+  cat test/protocol/requirements.txt test/log_export/requirements.txt test/python/requirements.txt >build/test-requirements.txt
   cmp -s build/test-requirements.txt build/test-venv/requirements.txt && return 0
   rm -rf build/test-venv
   # Debian's Python, not the first in PATH: the package list provides its modules.
   if /usr/bin/python3 -m venv build/test-venv &&
     build/test-venv/bin/pip -q --disable-pip-version-check install --no-deps -r build/test-requirements.txt; then
     cp build/test-requirements.txt build/test-venv/requirements.txt
+    rm -f build/host/build.ninja # what was configured without nanobind looks for it again
   else
     rm -rf build/test-venv
-    echo "dev: pip could not install cantools, pyulog and lcm (no network?): the tests that need them are SKIPPED" >&2
+    echo "dev: pip could not install cantools, pyulog, lcm, nanobind and pytest (no network?): the tests that need them are SKIPPED" >&2
   fi
 }
 

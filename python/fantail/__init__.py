@@ -1,0 +1,30 @@
+# SPDX-License-Identifier: MIT
+"""Fantail: roll control for sounding rockets.
+
+>>> import fantail
+>>> flight = fantail.fly("tasha3_launch2", set={"controller.canard_limit_deg": 9})
+>>> flight["roll_angle_deg"]        # numpy, one value a row of flight.csv
+>>> flight.events["apogee_s"]       # seconds after lift-off
+>>> flight.summary["verdict"]       # what summary.json says
+
+Names carry their units. What the programs refuse is a ValueError in the same words.
+"""
+import pathlib as _pathlib
+
+from . import _core
+
+# A wheel carries its data within; in a build tree it is the sources' own. FANTAIL_DATA goes before both.
+_data = _pathlib.Path(__file__).parent / "data"
+if _data.is_dir():
+    _core.set_data_folder(str(_data))
+
+from ._analysis import identify, predict  # noqa: E402
+from ._core import Inputs, Tick  # noqa: E402
+from ._flight import Flight, fly, fly_many  # noqa: E402
+from ._law import Autopilot  # noqa: E402
+from ._log import Log, LoggedFlight, Replay, read_flight, read_log, replay  # noqa: E402
+from ._plan import Plan, PlanField, plan  # noqa: E402
+from ._scenario import Scenario, data_folder, shipped_scenarios  # noqa: E402
+
+__all__ = ["Autopilot", "Flight", "Inputs", "Log", "LoggedFlight", "Plan", "PlanField", "Replay", "Scenario", "Tick",
+           "data_folder", "fly", "fly_many", "identify", "plan", "predict", "read_flight", "read_log", "replay", "shipped_scenarios"]

@@ -1,0 +1,36 @@
+# SPDX-License-Identifier: MIT
+"""Changes of a scenario or a plan, as `--set` has them."""
+from __future__ import annotations
+
+import json
+import numbers
+import re
+from collections.abc import Mapping, Sequence
+from typing import Any, Union
+
+Value = Union[bool, int, float, str, Sequence[Any]]
+Changes = Mapping[str, Value]
+
+# What cannot be anything but a word stands without quotes, as on the command line.
+_WORD = re.compile(r"(?!(true|false|inf|nan)$)[A-Za-z_./~][\w./~ +-]*(?<! )")
+
+
+def _text(name: str, value: Any, *, in_list: bool = False) -> str:
+    if isinstance(value, str):
+        return value if _WORD.fullmatch(value) and not in_list else json.dumps(value, ensure_ascii=False)
+    if isinstance(value, bool) or type(value).__name__ in ("bool_", "bool"):  # numpy's, too
+        return "true" if value else "false"
+    if isinstance(value, numbers.Integral):
+        return str(int(value))
+    if isinstance(value, numbers.Real):
+        return repr(float(value))  # the shortest that is the same number again
+    if hasattr(value, "tolist"):
+        value = value.tolist()
+    if isinstance(value, (list, tuple)) and not in_list:
+        return "[" + ", ".join(_text(name, each, in_list=True) for each in value) + "]"
+    raise TypeError(f"{name}: {type(value).__name__}; allowed: a number, a bool, a str, or a list of one of these")
+
+
+def words(changes: Changes | None) -> list[str]:
+    """Each as `section.key=value`. Numbers keep every bit."""
+    return [f"{name}={_text(name, value)}" for name, value in (changes or {}).items()]

@@ -1,0 +1,407 @@
+# SPDX-License-Identifier: MIT
+"""The libraries of Fantail; the package fantail is what to use."""
+
+from collections.abc import Sequence
+from typing import Annotated
+
+import numpy
+from numpy.typing import NDArray
+
+
+class Plan:
+    @staticmethod
+    def load(name_or_path: str, changes: Sequence[str]) -> Plan: ...
+
+    @staticmethod
+    def default() -> Plan: ...
+
+    def changed(self, changes: Sequence[str]) -> Plan: ...
+
+    @property
+    def values_json(self) -> str: ...
+
+    @property
+    def table(self) -> str: ...
+
+    @property
+    def block(self) -> bytes: ...
+
+def plan_fields_json() -> str: ...
+
+class Scenario:
+    @staticmethod
+    def load(source: str, changes: Sequence[str], seed: str) -> Scenario: ...
+
+    @property
+    def source(self) -> str: ...
+
+    @property
+    def changes(self) -> list[str]: ...
+
+    @property
+    def seed_text(self) -> str: ...
+
+    @property
+    def name(self) -> str: ...
+
+    @property
+    def vehicle(self) -> str: ...
+
+    @property
+    def plan_name(self) -> str: ...
+
+    @property
+    def seed(self) -> int: ...
+
+    @property
+    def plan(self) -> Plan: ...
+
+    @property
+    def warnings(self) -> list[str]: ...
+
+def set_data_folder(folder: str) -> None: ...
+
+def data_folder() -> str: ...
+
+def shipped_scenarios() -> list[str]: ...
+
+class Flight:
+    @property
+    def column_names(self) -> list[str]: ...
+
+    def column(self, name: str) -> object: ...
+
+    @property
+    def events(self) -> dict: ...
+
+    @property
+    def summary_json(self) -> str: ...
+
+    @property
+    def verdict(self) -> str: ...
+
+    @property
+    def scenario(self) -> str: ...
+
+    @property
+    def vehicle(self) -> str: ...
+
+    @property
+    def seed(self) -> int | None: ...
+
+    @property
+    def plan(self) -> Plan: ...
+
+    @property
+    def knows_plan(self) -> bool: ...
+
+    @property
+    def notes(self) -> list[str]: ...
+
+    @property
+    def log(self) -> bytes: ...
+
+    def write(self, folder: str) -> None: ...
+
+def phase_names() -> list[str]: ...
+
+def fly(scenario: Scenario) -> Flight: ...
+
+def fly_many(scenarios: list, columns: Sequence[str] | None, threads: int) -> list: ...
+
+class Log:
+    @staticmethod
+    def read(path: str) -> Log: ...
+
+    @property
+    def name(self) -> str: ...
+
+    @property
+    def bytes(self) -> int: ...
+
+    @property
+    def foreign_bytes(self) -> int: ...
+
+    @property
+    def intact(self) -> bool: ...
+
+    def __len__(self) -> int: ...
+
+    def flight(self, index: int) -> LoggedFlight: ...
+
+class LoggedFlight:
+    @property
+    def number(self) -> int: ...
+
+    @property
+    def vehicle(self) -> str: ...
+
+    @property
+    def sensors(self) -> str: ...
+
+    @property
+    def firmware_version(self) -> str: ...
+
+    @property
+    def git_hash(self) -> str: ...
+
+    @property
+    def plan(self) -> Plan | None: ...
+
+    @property
+    def ticks(self) -> int: ...
+
+    @property
+    def from_s(self) -> float: ...
+
+    @property
+    def to_s(self) -> float: ...
+
+    @property
+    def intact(self) -> bool: ...
+
+    @property
+    def integrity(self) -> str: ...
+
+    @property
+    def events(self) -> list: ...
+
+    def inputs(self) -> list[Inputs]: ...
+
+    def commands_rad(self) -> Annotated[NDArray[numpy.float32], dict(shape=(None,), writable=False)]: ...
+
+    def autopilot(self, log: str) -> tuple[Autopilot, int]: ...
+
+    def replay(self, log: str, changes: Sequence[str]) -> tuple[str, Flight]: ...
+
+def read_flight(path: str) -> Flight: ...
+
+class Inputs:
+    """
+    What one step of the control law may know.
+
+    time_us: of this step, on any clock that begins before the flight; a step is due every 1000 us.
+    rate_rad_s: angular rate (x, y, z) in the body frame, x to the nose; None: the gyro said nothing.
+    specific_force_m_s2: likewise; x reads +9.80665 on the pad.
+    encoders_rad: angle of each canard about its shaft; None: not known.
+    arm_switch_closed, arm_command: both arm; the command is one step long.
+    start_command: begins control in a plan with run.start = "tunnel", one step long.
+    second_...: of a second gyro or accelerometer, where the plan asks for one.
+    sample_time_us: when all this was measured, where it was not at time_us; a sample that was seen before keeps its time.
+    ..._saturated: it stands at the end of its range.
+    """
+
+    def __init__(self, time_us: int, rate_rad_s: Sequence[float] | None = None, specific_force_m_s2: Sequence[float] | None = None, encoders_rad: Sequence[float | None] = [None, None, None, None], *, arm_switch_closed: bool = False, arm_command: bool = False, start_command: bool = False, second_rate_rad_s: Sequence[float] | None = None, second_specific_force_m_s2: Sequence[float] | None = None, sample_time_us: int | None = None, rate_saturated: bool = False, specific_force_saturated: bool = False) -> None: ...
+
+    @property
+    def time_us(self) -> int: ...
+
+class Tick:
+    """What one step of the control law came to."""
+
+    @property
+    def time_us(self) -> int: ...
+
+    @property
+    def phase(self) -> str:
+        """safe, armed, launched, controlling or finished"""
+
+    @property
+    def reason(self) -> str:
+        """Why the phase is what it is"""
+
+    @property
+    def command_rad(self) -> float:
+        """Canard angle asked for of the roll, within the plan's limit"""
+
+    @property
+    def saturated(self) -> bool:
+        """The limit cut the command"""
+
+    @property
+    def canards_rad(self) -> tuple:
+        """Shaft angle that each canard is told, positive as its encoder counts"""
+
+    @property
+    def pulses_us(self) -> tuple:
+        """Pulse for each servo"""
+
+    @property
+    def driven(self) -> tuple:
+        """False: this servo's output stays off"""
+
+    @property
+    def roll_angle_rad(self) -> float:
+        """Since launch detection, in the tunnel since control start; not wrapped"""
+
+    @property
+    def roll_rate_rad_s(self) -> float: ...
+
+    @property
+    def reference_rad(self) -> float: ...
+
+    @property
+    def height_m(self) -> float:
+        """Above the place of lift-off"""
+
+    @property
+    def speed_m_s(self) -> float:
+        """Along the guide"""
+
+    @property
+    def signals(self) -> dict:
+        """Every signal by its name with its unit; an enumeration as a word"""
+
+class Autopilot:
+    """
+    The control law that flies in the rocket, for a simulator of your own.
+
+    Feed it every millisecond from the pad on (a still window of 3 s gives it the gyro's bias), arm it, and move the canards to canards_rad of what step() returns.
+    """
+
+    def __init__(self, plan: Plan) -> None: ...
+
+    def step(self, inputs: Inputs) -> Tick:
+        """One step, nominally every millisecond."""
+
+    @property
+    def phase(self) -> str:
+        """safe, armed, launched, controlling or finished"""
+
+class Question:
+    def __init__(self) -> None: ...
+
+    @property
+    def windows(self) -> list[str]: ...
+
+    @windows.setter
+    def windows(self, arg: Sequence[str], /) -> None: ...
+
+    @property
+    def nodes(self) -> str: ...
+
+    @nodes.setter
+    def nodes(self, arg: str, /) -> None: ...
+
+    @property
+    def method(self) -> str: ...
+
+    @method.setter
+    def method(self, arg: str, /) -> None: ...
+
+    @property
+    def vehicle(self) -> str | None: ...
+
+    @vehicle.setter
+    def vehicle(self, arg: str | None, /) -> None: ...
+
+    @property
+    def inertia_kg_m2(self) -> float | None: ...
+
+    @inertia_kg_m2.setter
+    def inertia_kg_m2(self, arg: float | None, /) -> None: ...
+
+    @property
+    def reference_area_m2(self) -> float | None: ...
+
+    @reference_area_m2.setter
+    def reference_area_m2(self, arg: float | None, /) -> None: ...
+
+    @property
+    def density(self) -> str | None: ...
+
+    @density.setter
+    def density(self, arg: str | None, /) -> None: ...
+
+    @property
+    def elevation_m(self) -> float | None: ...
+
+    @elevation_m.setter
+    def elevation_m(self, arg: float | None, /) -> None: ...
+
+    @property
+    def speed_m_s(self) -> float | None: ...
+
+    @speed_m_s.setter
+    def speed_m_s(self, arg: float | None, /) -> None: ...
+
+    @property
+    def lag_s(self) -> float: ...
+
+    @lag_s.setter
+    def lag_s(self, arg: float, /) -> None: ...
+
+    @property
+    def fit_lag(self) -> bool: ...
+
+    @fit_lag.setter
+    def fit_lag(self, arg: bool, /) -> None: ...
+
+    @property
+    def fit_initial(self) -> bool: ...
+
+    @fit_initial.setter
+    def fit_initial(self, arg: bool, /) -> None: ...
+
+    @property
+    def truth(self) -> bool: ...
+
+    @truth.setter
+    def truth(self, arg: bool, /) -> None: ...
+
+def identify_file(path: str, question: Question) -> str: ...
+
+def identify_flight(flight: Flight, question: Question) -> str: ...
+
+class Spread:
+    def __init__(self) -> None: ...
+
+    @property
+    def tunnel(self) -> str | None: ...
+
+    @tunnel.setter
+    def tunnel(self, arg: str | None, /) -> None: ...
+
+    @property
+    def swirl_deg(self) -> float | None: ...
+
+    @swirl_deg.setter
+    def swirl_deg(self, arg: float | None, /) -> None: ...
+
+    @property
+    def damping_factor(self) -> tuple[float, float]: ...
+
+    @damping_factor.setter
+    def damping_factor(self, arg: tuple[float, float], /) -> None: ...
+
+    @property
+    def runs(self) -> int: ...
+
+    @runs.setter
+    def runs(self, arg: int, /) -> None: ...
+
+    @property
+    def threads(self) -> int: ...
+
+    @threads.setter
+    def threads(self, arg: int, /) -> None: ...
+
+    @property
+    def servo_lag_s(self) -> float | None: ...
+
+    @servo_lag_s.setter
+    def servo_lag_s(self, arg: float | None, /) -> None: ...
+
+    @property
+    def servo_delay_s(self) -> float | None: ...
+
+    @servo_delay_s.setter
+    def servo_delay_s(self, arg: float | None, /) -> None: ...
+
+    @property
+    def other_vehicle(self) -> bool: ...
+
+    @other_vehicle.setter
+    def other_vehicle(self, arg: bool, /) -> None: ...
+
+def predict(scenario: Scenario, spread: Spread, authority_percent: float, held_percent: float, phase_margin_deg: float) -> str: ...

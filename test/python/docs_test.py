@@ -1,0 +1,35 @@
+# SPDX-License-Identifier: MIT
+import pathlib
+import re
+import subprocess
+import sys
+
+import pytest
+
+PROJECT = pathlib.Path(__file__).parents[2]
+EXAMPLES = re.findall(r"^## (.*?)$.*?^```python\n(.*?)^```", (PROJECT / "docs/python.md").read_text(encoding="utf-8"),
+                      re.M | re.S)
+
+
+@pytest.mark.parametrize("code", [code for _, code in EXAMPLES], ids=[title for title, _ in EXAMPLES])
+def test_the_example_of_the_manual_runs(code, tmp_path):
+    subprocess.run([sys.executable, "-W", "error", "-c", code], cwd=tmp_path, check=True, stdout=subprocess.DEVNULL)
+
+
+def test_every_section_of_the_manual_has_an_example():
+    assert len(EXAMPLES) == 6
+
+
+def test_the_stubs_are_what_nanobind_makes_of_the_module(tmp_path):
+    made = tmp_path / "_core.pyi"
+    subprocess.run([sys.executable, "-m", "nanobind.stubgen", "-q", "-m", "fantail._core", "-o", made], check=True)
+    kept = (PROJECT / "python/fantail/_core.pyi").read_text(encoding="utf-8")
+    assert made.read_text(encoding="utf-8") == kept.partition("\n")[2]  # the first line is the licence
+
+
+def test_the_versions_that_pip_builds_with_are_those_of_the_tests():
+    pinned = (PROJECT / "test/python/requirements.txt").read_text(encoding="utf-8").splitlines()
+    project = (PROJECT / "pyproject.toml").read_text(encoding="utf-8")
+    assert next(line for line in pinned if line.startswith("nanobind==")) in project
+    version = re.search(r"project\(fantail VERSION (\S+)", (PROJECT / "CMakeLists.txt").read_text(encoding="utf-8"))[1]
+    assert f'version = "{version}"' in project
