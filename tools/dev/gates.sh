@@ -18,7 +18,7 @@ gates() {
     build "everything under the sanitizers" build/host-asan 3000 sanitized_commands all
     host_build "what the linter reads" all
     LD_PRELOAD="" ctest --preset host-asan # the sanitizer must be loaded first
-    set -- firmware hal sim tools test
+    set -- firmware hal python sim tools test
   else
     for folder in "$@"; do
       tests="test_$(basename "$folder")"
@@ -102,6 +102,22 @@ python_of() {
   fi
 }
 
+wheel() {
+  [ $# -eq 0 ] || usage
+  take_turn
+  # shellcheck disable=SC2086
+  need $fly_packages python3-venv python3-dev
+  rm -rf build/wheels build/wheel-venv
+  /usr/bin/python3 -m venv build/wheel-venv
+  build/wheel-venv/bin/pip -q --disable-pip-version-check wheel --no-deps --wheel-dir build/wheels .
+  build/wheel-venv/bin/pip -q --disable-pip-version-check install build/wheels/fantail-*.whl
+  leave_turn
+  cd / # it must not need this folder
+  "$root/build/wheel-venv/bin/python" -c \
+    'import fantail; print(*fantail.__path__); print(fantail.fly("tasha3_launch2").summary["verdict"])'
+  ls -l "$root"/build/wheels/fantail-*.whl
+}
+
 validate() {
   take_turn
   # shellcheck disable=SC2086
@@ -126,7 +142,7 @@ format() {
   # shellcheck disable=SC2086
   need $format_packages
   # shellcheck disable=SC2086 # a list of words
-  sources "*.[ch]pp" firmware hal sim tools test | xargs clang-format-19 $how
+  sources "*.[ch]pp" firmware hal python sim tools test | xargs clang-format-19 $how
 }
 
 # sources PATTERN FOLDER...: the files whose names match. Not git's list: that is empty, without an error, if git does not
