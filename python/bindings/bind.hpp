@@ -12,6 +12,7 @@ namespace fantail::python {
 // What each file adds to the module.
 void bind_analysis(nanobind::module_& m);
 void bind_autopilot(nanobind::module_& m);
+void bind_campaigns(nanobind::module_& m);
 void bind_scenarios(nanobind::module_& m);
 void bind_flights(nanobind::module_& m);
 void bind_logs(nanobind::module_& m);

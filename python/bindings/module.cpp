@@ -37,4 +37,5 @@ NB_MODULE(_core, m) {
   fantail::python::bind_logs(m);
   fantail::python::bind_autopilot(m);
   fantail::python::bind_analysis(m);
+  fantail::python::bind_campaigns(m);
 }

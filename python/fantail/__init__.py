@@ -19,6 +19,7 @@ if _data.is_dir():
     _core.set_data_folder(str(_data))
 
 from ._analysis import identify, predict  # noqa: E402
+from ._campaign import Campaign, campaign, merge_campaign  # noqa: E402
 from ._core import Inputs, Tick  # noqa: E402
 from ._flight import Flight, fly, fly_many  # noqa: E402
 from ._law import Autopilot  # noqa: E402
@@ -26,5 +27,5 @@ from ._log import Log, LoggedFlight, Replay, read_flight, read_log, replay  # no
 from ._plan import Plan, PlanField, plan  # noqa: E402
 from ._scenario import Scenario, data_folder, shipped_scenarios  # noqa: E402
 
-__all__ = ["Autopilot", "Flight", "Inputs", "Log", "LoggedFlight", "Plan", "PlanField", "Replay", "Scenario", "Tick",
-           "data_folder", "fly", "fly_many", "identify", "plan", "predict", "read_flight", "read_log", "replay", "shipped_scenarios"]
+__all__ = ["Autopilot", "Campaign", "Flight", "Inputs", "Log", "LoggedFlight", "Plan", "PlanField", "Replay", "Scenario", "Tick",
+           "campaign", "data_folder", "fly", "fly_many", "identify", "merge_campaign", "plan", "predict", "read_flight", "read_log", "replay", "shipped_scenarios"]

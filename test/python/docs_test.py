@@ -17,7 +17,7 @@ def test_the_example_of_the_manual_runs(code, tmp_path):
 
 
 def test_every_section_of_the_manual_has_an_example():
-    assert len(EXAMPLES) == 6
+    assert len(EXAMPLES) == 7
 
 
 def test_the_stubs_are_what_nanobind_makes_of_the_module(tmp_path):

@@ -9,7 +9,6 @@
 #include "campaign/setup.hpp"
 #include "page/page.hpp"
 #include "text/number.hpp"
-#include "text/output_folder.hpp"
 
 namespace fantail::campaign {
 namespace {
@@ -181,12 +180,6 @@ std::string report_html(const Report& report) {
                     page::section("What was drawn", columns_table(report.analysis.quantities)) +
                     page::section("How far this can be trusted", page::list(remarks(report))) +
                     page::section("Again", page::paragraph(report.command))});
-}
-
-void write_report(const Report& report, const std::filesystem::path& folder) {
-  const std::array<text::NamedFile, 2> files{
-      {{"summary.json", report_json(report)}, {"campaign.html", report_html(report)}}};
-  text::OutputFolder{folder}.write(files);
 }
 
 }  // namespace fantail::campaign

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <filesystem>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -34,8 +33,5 @@ struct Report {
 [[nodiscard]] std::string report_json(const Report& report);
 /// campaign.html: one page that loads nothing.
 [[nodiscard]] std::string report_html(const Report& report);
-
-/// Writes summary.json and campaign.html into a folder, both or none. Throws text::OutputError.
-void write_report(const Report& report, const std::filesystem::path& folder);
 
 }  // namespace fantail::campaign

@@ -2,7 +2,6 @@
 #include "fantail/scenario_options.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -64,20 +63,6 @@ std::vector<std::string> changes_of(const ScenarioOptions& options) {
     changes.push_back("seed=" + options.seed);
   }
   return changes;
-}
-
-std::string quoted(const std::string& word) {
-  const auto is_plain = [](unsigned char c) {
-    return std::isalnum(c) != 0 || std::string_view{"._-+=:/,"}.find(static_cast<char>(c)) != std::string_view::npos;
-  };
-  if (!word.empty() && std::ranges::all_of(word, is_plain)) {
-    return word;
-  }
-  std::string all = "'";
-  for (const char c : word) {
-    all += c == '\'' ? "'\\''" : std::string(1, c);
-  }
-  return all + "'";
 }
 
 std::string variant_name(std::string_view scenario, std::span<const std::string> changes) {

@@ -29,9 +29,6 @@ void add_scenario_options(const Verb& verb, ScenarioOptions& options);
 /// replaced for that, or the name to be cut, it ends with a hash of all changes.
 [[nodiscard]] std::string variant_name(std::string_view scenario, std::span<const std::string> changes);
 
-/// A word as a shell takes it for one.
-[[nodiscard]] std::string quoted(const std::string& word);
-
 /// Throws text::Error.
 [[nodiscard]] sim::Scenario load(const ScenarioOptions& options);
 

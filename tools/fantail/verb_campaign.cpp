@@ -5,22 +5,20 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/core.h>
 
 #include "campaign/campaign.hpp"
+#include "campaign/conclude.hpp"
 #include "campaign/merge.hpp"
-#include "campaign/repeat.hpp"
-#include "campaign/results.hpp"
 #include "campaign/setup.hpp"
 #include "fantail/interrupt.hpp"
 #include "fantail/progress.hpp"
 #include "fantail/run.hpp"
 #include "fantail/scenario_options.hpp"
-#include "fly/fly_scenario.hpp"
 #include "input/shipped.hpp"
-#include "report/results.hpp"
 #include "text/number.hpp"
 
 namespace fantail::tool {
@@ -111,24 +109,18 @@ std::vector<std::string> changes_of(const CampaignOptions& options) {
   return all;
 }
 
-std::string command(const CampaignOptions& options) {
-  const CampaignOptions usual;
-  std::string words = "fantail campaign " + quoted(options.scenario.scenario) + fmt::format(" --runs {}", options.runs);
-  for (const std::string& change : options.scenario.changes) {
-    words += " --set " + quoted(change);
-  }
-  words += options.scenario.seed.empty() ? "" : " --seed " + options.scenario.seed;
-  words += options.sampling == usual.sampling ? "" : " --sampling " + options.sampling;
-  words += options.question == usual.question ? "" : " --share " + quoted(options.question);
-  words += options.at_least_percent ? fmt::format(" --at-least {}", *options.at_least_percent) : "";
-  words += options.until_within_percent ? fmt::format(" --until-within {}", *options.until_within_percent) : "";
-  return words + (options.until_decided ? " --until-decided" : "");
-}
-
 fs::path folder_of(const CampaignOptions& options) {
   const std::string name = input::name_of_file(options.scenario.scenario);
   return options.out.empty() ? fs::path{"out"} / "campaign" / variant_name(name, changes_of(options))
                              : fs::path{options.out};
+}
+
+/// What is stored stays.
+void leave_if_interrupted(const fs::path& folder) {
+  if (take_interrupt()) {
+    throw Interrupted{"interrupted; finished runs are kept in " + folder.string() +
+                      ", and the same command goes on from there"};
+  }
 }
 
 campaign::FlownCampaign fly(const campaign::Campaign& campaign, const fs::path& folder, unsigned threads) {
@@ -136,32 +128,9 @@ campaign::FlownCampaign fly(const campaign::Campaign& campaign, const fs::path& 
   Progress progress{"flying " + input::name_of_file(campaign.scenario),
                     {.unit = "runs", .rate = " a second", .total = static_cast<double>(total)}};
   return campaign::fly_campaign(campaign, folder, FANTAIL_VERSION, threads, [&](std::uint64_t done) {
-    if (take_interrupt()) {
-      throw Interrupted{"interrupted; finished runs are kept in " + folder.string() +
-                        ", and the same command goes on from there"};
-    }
+    leave_if_interrupted(folder);
     progress.show(static_cast<double>(done));
   });
-}
-
-/// The flight reports of the worst runs, in folders of their own; returns their names. A run whose files do not allow
-/// what it drew has none.
-std::vector<std::string> write_worst(const campaign::Campaign& campaign, const campaign::FlownCampaign& flown,
-                                     const campaign::Analysis& analysis, const fs::path& folder) {
-  std::vector<std::string> names;
-  for (const std::size_t index : analysis.worst) {
-    give_up_if_interrupted();
-    const campaign::FlownRun& run = flown.runs[index];
-    names.push_back(run.outcome == "refused" ? "" : fmt::format("run_{}", run.run));
-    if (!names.back().empty()) {
-      campaign::RepeatedRun repeated = campaign::repeat_run(campaign, run.run);
-      flight::Flight flight = fly::fly_scenario(repeated.scenario, {}, {}, fly::Log::kept);
-      flight.changes = std::move(repeated.changes);
-      flight.notes.insert(flight.notes.begin(), std::move(repeated.note));
-      report::write_results(flight, report::results(flight), folder / names.back());
-    }
-  }
-  return names;
 }
 
 void fly_campaign(const CampaignOptions& options) {
@@ -173,16 +142,9 @@ void fly_campaign(const CampaignOptions& options) {
                (folder / campaign::RunsFolder::runs_name).string());
     return;
   }
-  campaign::Report report;
-  report.analysis =
-      campaign::analyse(flown, campaign, campaign::parse_question(options.question), share(options.at_least_percent));
-  report.run_folders = write_worst(campaign, flown, report.analysis, folder);
-  report.campaign = campaign;
-  report.flown = std::move(flown);
-  report.version = FANTAIL_VERSION;
-  report.command = command(options);
-  report.run_command = "fantail fly --campaign " + quoted(folder.string()) + " --run";
-  campaign::write_report(report, folder);
+  const campaign::Report report = campaign::conclude(
+      campaign, std::move(flown), campaign::parse_question(options.question), share(options.at_least_percent),
+      FANTAIL_VERSION, folder, [&] { leave_if_interrupted(folder); });
   if (options.json) {
     fmt::print("{}", campaign::report_json(report));
   } else {

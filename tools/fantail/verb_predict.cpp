@@ -20,6 +20,7 @@
 #include "predict/results.hpp"
 #include "report/results.hpp"
 #include "text/error.hpp"
+#include "text/shell_word.hpp"
 
 namespace fantail::tool {
 namespace {
@@ -112,16 +113,16 @@ std::vector<std::pair<std::string, std::string>> further_changes(const PredictOp
 
 predict::Request request(const PredictOptions& options) {
   predict::Request asked{.changes = changes_of(options.scenario),
-                         .command = "fantail predict " + quoted(options.scenario.scenario)};
+                         .command = "fantail predict " + text::shell_word(options.scenario.scenario)};
   for (const std::string& change : options.scenario.changes) {
-    asked.command += " --set " + quoted(change);
+    asked.command += " --set " + text::shell_word(change);
   }
   if (!options.scenario.seed.empty()) {
     asked.command += " --seed " + options.scenario.seed;
   }
   for (const auto& [name, value] : further_changes(options)) {
     asked.changes.push_back(fmt::format("{}={}", name, value));
-    asked.command += fmt::format(" --{} {}", name, quoted(value));
+    asked.command += fmt::format(" --{} {}", name, text::shell_word(value));
   }
   if (options.other_vehicle) {
     asked.command += " --other-vehicle";

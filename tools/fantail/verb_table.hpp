@@ -27,7 +27,8 @@ inline constexpr std::array verb_table{
     VerbEntry{"compare", "How far the roll motions in two logs are apart"},
     VerbEntry{"tunnel", "What a session in the wind tunnel says: air, swirl, roll model"},
     VerbEntry{"predict", "Fly a launch over the spread of its tunnel results: go or no go"},
-    VerbEntry{"campaign", "Fly a scenario thousands of times over what is not known: how often it holds, and what matters"},
+    VerbEntry{"campaign",
+              "Fly a scenario thousands of times over what is not known: how often it holds, and what matters"},
     VerbEntry{"tune", "Find gains for a rocket by its roll model and its spread, fly them, and write the plan"},
     VerbEntry{"gateway",
               "From a CAN bus to LCM messages: what the avionics says, for everyone on the network. Sends nothing on "

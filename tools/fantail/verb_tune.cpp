@@ -15,6 +15,7 @@
 #include "input/shipped.hpp"
 #include "text/degrees.hpp"
 #include "text/output_folder.hpp"
+#include "text/shell_word.hpp"
 #include "tune/results.hpp"
 
 namespace fantail::tool {
@@ -71,10 +72,10 @@ tune::Request request(const TuneOptions& options) {
                       .spread = options.spread,
                       .flights = options.flights,
                       .threads = options.threads,
-                      .command = "fantail tune " + quoted(options.scenario.scenario),
+                      .command = "fantail tune " + text::shell_word(options.scenario.scenario),
                       .version = FANTAIL_VERSION};
   for (const std::string& change : options.scenario.changes) {
-    asked.command += " --set " + quoted(change);
+    asked.command += " --set " + text::shell_word(change);
   }
   if (!options.scenario.seed.empty()) {
     asked.command += " --seed " + options.scenario.seed;

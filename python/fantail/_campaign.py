@@ -1,0 +1,89 @@
+# SPDX-License-Identifier: MIT
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Sequence
+from typing import Any, Optional
+
+import numpy as np
+
+from . import _changes, _core
+from ._log import Path
+from ._scenario import Name
+
+
+class Campaign:
+    """The runs of a campaign, one value a run in every column; those of a shard, where one was flown."""
+
+    def __init__(self, core: Any, folder: str) -> None:
+        self._core = core
+        #: The folder with runs.csv.gz, campaign.json and, of a whole campaign, summary.json, campaign.html and the flight
+        #: reports of its worst runs.
+        self.folder = folder
+        #: summary.json as a dict; None of a shard.
+        self.summary: Optional[dict[str, Any]] = None if core.summary is None else json.loads(core.summary)
+
+    @property
+    def quantities(self) -> list[str]:
+        """What was drawn: the names of its columns."""
+        return self._core.quantities
+
+    @property
+    def columns(self) -> list[str]:
+        return ["run", "seed", *self._core.quantities, "outcome", *self._core.figures, "note"]
+
+    def __len__(self) -> int:
+        return len(self._core)
+
+    def __getitem__(self, name: str) -> np.ndarray:
+        """A column, as in runs.csv.gz; NaN where a run has no such figure."""
+        if name in ("run", "seed"):
+            return self._core.runs() if name == "run" else self._core.seeds()
+        if name in ("outcome", "note"):
+            return np.array(self._core.outcomes() if name == "outcome" else self._core.notes())
+        return self._core.numbers(name)
+
+    def to_pandas(self) -> Any:
+        """A DataFrame of all columns; needs pandas."""
+        import pandas
+
+        return pandas.DataFrame({name: self[name] for name in self.columns})
+
+
+def campaign(scenario: Name, set: Optional[_changes.Changes] = None, *, out: Path, runs: int = 1000,  # noqa: A002
+             seed: int = 1, sampling: str = "independent", share: str = "outcome=held",
+             at_least_percent: Optional[float] = None, until_within_percent: Optional[float] = None,
+             until_decided: bool = False, shard: tuple[int, int] = (1, 1), threads: int = 0) -> Campaign:
+    """Flies a scenario `runs` times over what its tables [[spread]] say is not known, on `threads` threads (0: all).
+
+    What `fantail campaign` does, with the same files in the folder `out`; the arguments are those of its options. A call
+    that was interrupted goes on when it is made again. `shard`: one part of so many, (3, 8). Raises ValueError.
+    """
+    for name, value, least, most in (("runs", runs, 1, 100_000_000), ("seed", seed, 0, 2**64 - 1),
+                                     ("at_least_percent", at_least_percent, 0.0, 100.0),
+                                     ("until_within_percent", until_within_percent, 0.1, 50.0),
+                                     ("threads", threads, 0, 1024)):
+        if value is not None and not least <= value <= most:
+            raise ValueError(f"{name} = {value}; allowed: {least} to {most}")
+    if until_decided and at_least_percent is None:
+        raise ValueError("until_decided needs at_least_percent")
+    if not 1 <= shard[0] <= shard[1]:
+        raise ValueError(f"shard = {shard}; allowed: (number, of), from (1, of) to (of, of)")
+    request = _core.CampaignRequest()
+    for name, value in {"scenario": os.fspath(scenario), "changes": _changes.words(set), "runs": runs, "seed": seed,
+                        "sampling": sampling, "share": share,
+                        "at_least": None if at_least_percent is None else 0.01 * at_least_percent,
+                        "until_within": None if until_within_percent is None else 0.01 * until_within_percent,
+                        "until_decided": until_decided, "shard": shard, "threads": threads,
+                        "out": os.fspath(out)}.items():
+        setattr(request, name, value)
+    return Campaign(_core.fly_campaign(request), os.fspath(out))
+
+
+def merge_campaign(shards: Sequence[Path], out: Path) -> int:
+    """Puts the folders of all shards of one campaign together: the bytes of the campaign flown as one. Returns its runs.
+
+    Then `campaign()` with the same arguments, without `shard`, flies nothing and makes the summary. Raises ValueError.
+    """
+    return _core.merge_shards([os.fspath(shard) for shard in shards], os.fspath(out))

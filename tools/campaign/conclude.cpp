@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#include "campaign/conclude.hpp"
+
+#include <array>
+#include <utility>
+
+#include <fmt/core.h>
+
+#include "campaign/repeat.hpp"
+#include "campaign/setup.hpp"
+#include "fly/fly_scenario.hpp"
+#include "report/results.hpp"
+#include "text/number.hpp"
+#include "text/output_folder.hpp"
+#include "text/shell_word.hpp"
+
+namespace fantail::campaign {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int decimals = 6;  // of per cents
+
+/// What a person types to fly it.
+std::string command_of(const Campaign& campaign, const Question& question, std::optional<double> required) {
+  std::string words = fmt::format("fantail campaign {} --runs {}", text::shell_word(campaign.scenario), campaign.runs);
+  for (const input::Override& change : campaign.changes) {
+    words += " --set " + text::shell_word(lines_of({change}));
+  }
+  if (campaign.seed != Campaign{}.seed) {
+    words += fmt::format(" --seed {}", campaign.seed);
+  }
+  if (campaign.sampling != Sampling::independent) {
+    words += fmt::format(" --sampling {}", sampling_names[static_cast<std::size_t>(campaign.sampling)]);
+  }
+  words += " --share " + text::shell_word(question.text());
+  if (required) {
+    words += " --at-least " + text::brief(100.0 * *required, decimals);
+  }
+  if (campaign.stop && campaign.stop->within) {
+    words += " --until-within " + text::brief(100.0 * *campaign.stop->within, decimals);
+  }
+  return words + (campaign.stop && campaign.stop->required ? " --until-decided" : "");
+}
+
+/// The name of its folder; empty for a run whose files do not allow what it drew.
+std::string write_run(const Campaign& campaign, const FlownRun& run, const fs::path& folder) {
+  if (run.outcome == "refused") {
+    return {};
+  }
+  std::string name = fmt::format("run_{}", run.run);
+  RepeatedRun repeated = repeat_run(campaign, run.run);
+  flight::Flight flight = fly::fly_scenario(repeated.scenario, {}, {}, fly::Log::kept);
+  flight.changes = std::move(repeated.changes);
+  flight.notes.insert(flight.notes.begin(), std::move(repeated.note));
+  report::write_results(flight, report::results(flight), folder / name);
+  return name;
+}
+
+}  // namespace
+
+Report conclude(const Campaign& campaign, FlownCampaign flown, const Question& question, std::optional<double> required,
+                const std::string& version, const fs::path& folder, const std::function<void()>& look) {
+  Report report;
+  report.analysis = analyse(flown, campaign, question, required);
+  for (const std::size_t index : report.analysis.worst) {
+    look();
+    report.run_folders.push_back(write_run(campaign, flown.runs[index], folder));
+  }
+  report.campaign = campaign;
+  report.flown = std::move(flown);
+  report.version = version;
+  report.command = command_of(campaign, question, required);
+  report.run_command = fmt::format("fantail fly --campaign {} --run", text::shell_word(folder.string()));
+  const std::array<text::NamedFile, 2> files{
+      {{"summary.json", report_json(report)}, {"campaign.html", report_html(report)}}};
+  text::OutputFolder{folder}.write(files);
+  return report;
+}
+
+}  // namespace fantail::campaign
