@@ -95,7 +95,8 @@ nb::ndarray<nb::numpy, const double, nb::ndim<1>> numbers_of(const FlownRuns& ru
     if (quantity != quantities.end()) {
       values.push_back(run.numbers[static_cast<std::size_t>(quantity - quantities.begin())]);
     } else if (figure != campaign::figure_columns.end()) {
-      values.push_back(run.figures[static_cast<std::size_t>(figure - campaign::figure_columns.begin())].value_or(std::numeric_limits<double>::quiet_NaN()));
+      values.push_back(run.figures[static_cast<std::size_t>(figure - campaign::figure_columns.begin())].value_or(
+          std::numeric_limits<double>::quiet_NaN()));
     } else {
       throw nb::key_error(name.c_str());
     }
