@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <algorithm>
 #include <optional>
 #include <string>
 #include <utility>
@@ -78,18 +77,6 @@ std::vector<identify::result::Method> methods(const std::string& word) {
   return {word == "grid" ? Method::grid : Method::continuous};
 }
 
-std::vector<identify::Window> windows(const Question& asked, const logs::RollLog& log) {
-  std::vector<identify::Window> all;
-  for (const std::string& text : asked.windows) {
-    all.push_back(identify::find_window(log, text));
-  }
-  if (all.empty()) {
-    const bool controlled = std::ranges::find(log.phase, core::Phase::controlling) != log.phase.end();
-    all.push_back(controlled ? identify::find_window(log, "control") : identify::Window{.name = "all"});
-  }
-  return all;
-}
-
 std::string identify_log(const logs::RollLog& log, const std::optional<flight::FlownAirframe>& flown,
                          const Question& asked) {
   identify::Question q;
@@ -104,7 +91,7 @@ std::string identify_log(const logs::RollLog& log, const std::optional<flight::F
   q.record.site_elevation_m = asked.elevation_m.value_or(0.0);
   q.record.lag_s = asked.lag_s;
   q.record.speed_m_s = asked.speed_m_s;
-  q.windows = windows(asked, log);
+  q.windows = identify::find_windows(log, asked.windows);
   identify::result::Study study = identify::study(log, q);
   study.density = air.description;
   study.speed = asked.speed_m_s ? input::plain_number(*asked.speed_m_s) + " m/s throughout"

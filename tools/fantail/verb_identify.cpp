@@ -36,16 +36,7 @@ std::vector<identify::Window> windows(const IdentifyOptions& o, const logs::Roll
   if (o.from_s || o.to_s) {
     return {{.from_s = o.from_s, .to_s = o.to_s}};
   }
-  std::vector<identify::Window> all;
-  all.reserve(o.windows.size() + 1);
-  for (const std::string& text : o.windows) {
-    all.push_back(identify::find_window(log, text));
-  }
-  if (all.empty()) {
-    const bool controlled = std::ranges::find(log.phase, core::Phase::controlling) != log.phase.end();
-    all.push_back(controlled ? identify::find_window(log, "control") : identify::Window{.name = "all"});
-  }
-  return all;
+  return identify::find_windows(log, o.windows);
 }
 
 // "tasha3_launch2" for a folder, "log" for log.csv.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "identify/choices.hpp"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -184,6 +185,19 @@ Window find_window(const RollLog& log, const std::string& text) {
     message += " did you mean " + *meant + "?";
   }
   throw Error{ErrorKind::bad_configuration, message + " allowed: control, thrust, coast, step:N, A:B in seconds"};
+}
+
+std::vector<Window> find_windows(const RollLog& log, const std::vector<std::string>& texts) {
+  std::vector<Window> all;
+  all.reserve(texts.size());
+  for (const std::string& text : texts) {
+    all.push_back(find_window(log, text));
+  }
+  if (all.empty()) {
+    const bool controlled = std::ranges::find(log.phase, core::Phase::controlling) != log.phase.end();
+    all.push_back(controlled ? find_window(log, "control") : Window{.name = "all"});
+  }
+  return all;
 }
 
 std::optional<double> burnout_s(const RollLog& log) {

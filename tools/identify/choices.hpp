@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "identify/identification.hpp"
 #include "identify/make_record.hpp"
@@ -17,6 +18,9 @@ namespace fantail::identify {
 /// be left out. Throws text::Error: bad_configuration for a word that is none of these, bad_data when the log does
 /// not say when that was.
 [[nodiscard]] Window find_window(const logs::RollLog& log, const std::string& text);
+
+/// Each of these windows; for none, "control", or all of a log that says nothing of control. Throws as find_window().
+[[nodiscard]] std::vector<Window> find_windows(const logs::RollLog& log, const std::vector<std::string>& texts);
 
 /// When the motor burnt out: from the log's summary, or where the axial specific force falls below zero for good.
 [[nodiscard]] std::optional<double> burnout_s(const logs::RollLog& log);
