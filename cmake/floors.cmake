@@ -6,6 +6,7 @@
 # see (system-wide third-party headers, "../" paths) is checked by check_includes.cmake, which runs in every build.
 
 include(${CMAKE_CURRENT_LIST_DIR}/layers.cmake)
+include(${CMAKE_CURRENT_LIST_DIR}/together.cmake)
 
 # The standard library takes most of the compile time: on a PC GCC 12 reads it once for each set of flags. For the processor,
 # by other compilers and under the `host-asan` preset it is not, and so an #include that is missing is found there. Targets
@@ -62,6 +63,7 @@ function(fantail_library name)
   set(scope PUBLIC)
   if(ARG_SOURCES)
     add_library(${name} STATIC ${ARG_SOURCES})
+    fantail_compiled_together(${name} ${ARG_SOURCES})
     target_link_libraries(${name} PRIVATE fantail_flags)
     if(ARG_FLIGHT)
       target_link_libraries(${name} PRIVATE fantail_flight_flags)
@@ -133,9 +135,8 @@ function(fantail_sanitized_twin name)
   endif()
   target_compile_options(${name}_sanitized PRIVATE ${fantail_twin_options})
   # The same files a second time: the linter would read each of them twice.
-  # Nobody changes one file of a twin and waits for it: several are compiled as one, which takes half the time.
-  set_target_properties(${name}_sanitized PROPERTIES FANTAIL_IS_TWIN ON EXPORT_COMPILE_COMMANDS OFF
-    UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+  set_target_properties(${name}_sanitized PROPERTIES FANTAIL_IS_TWIN ON EXPORT_COMPILE_COMMANDS OFF)
+  fantail_compiled_together(${name}_sanitized ${ARG_SOURCES})
   fantail_precompile(${name}_sanitized ${precompiled}_sanitized)
 endfunction()
 
@@ -165,6 +166,7 @@ endfunction()
 function(fantail_executable name)
   cmake_parse_arguments(ARG "" "" "SOURCES;USES" ${ARGN})
   add_executable(${name} ${ARG_SOURCES})
+  fantail_compiled_together(${name} ${ARG_SOURCES})
   target_link_libraries(${name} PRIVATE fantail_flags ${ARG_USES})
   fantail_precompile(${name} ${FANTAIL_PRECOMPILED})
   add_dependencies(${name} check_includes)

@@ -3,8 +3,7 @@
 # Usage: same_bytes.sh SOURCE_FOLDER WORK_FOLDER BUILD_FOLDER
 # Compiles what flies and its world once more, without optimisation by g++ and optimised by clang, links it with the rest
 # of the normal build's fly_alone (`fantail fly` and nothing else), flies every shipped scenario with each, and compares
-# the bytes with what the normal one writes. Several files are compiled as one, where their names allow it: half the time
-# of the compilers, and more for an optimiser to change. Exit code 77 (skipped) without clang.
+# the bytes with what the normal one writes. Exit code 77 (skipped) without clang.
 set -eu
 source_folder="$1"
 work="$2"
@@ -28,7 +27,7 @@ build() { # NAME COMPILER FLAGS
   if ! {
     # shellcheck disable=SC2086 # a list of words
     cmake -S "$source_folder" -B "$work/$1" -G Ninja -D CMAKE_CXX_COMPILER="$2" -D CMAKE_CXX_FLAGS="$3" \
-      -D CMAKE_BUILD_TYPE= -D CMAKE_UNITY_BUILD=ON && cmake --build "$work/$1" --target $archives &&
+      -D CMAKE_BUILD_TYPE= && cmake --build "$work/$1" --target $archives &&
       (cd "$normal_build" && eval "$(echo "$link" | sed -E "s# (firmware|hal|sim)/# $work/$1/\\1/#g; s# -o [^ ]+# -o $work/$1/fly_alone#")")
   } >"$work/$1.log" 2>&1; then
     cat "$work/$1.log" >&2

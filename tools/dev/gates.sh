@@ -30,10 +30,12 @@ gates() {
   fi
   # Only what is compiled for this PC: the board's own files are compiled by the ARM compiler. One file a process, to show the
   # progress. The options after --quiet: GCC's own options in the commands, and its stable_sort.
-  lint="clang-tidy-19 -p build/host --quiet --extra-arg=-Wno-ignored-gch --extra-arg=-Wno-unknown-warning-option"
+  mkdir -p build/lint
+  /usr/bin/python3 tools/dev/compile_commands.py build/host >build/lint/compile_commands.json
+  lint="clang-tidy-19 -p build/lint --quiet --extra-arg=-Wno-ignored-gch --extra-arg=-Wno-unknown-warning-option"
   lint="$lint --extra-arg=-Wno-unused-command-line-argument --extra-arg=-Wno-deprecated-declarations"
   files=$(sources "*.cpp" "$@" | sort -u | while read -r file; do
-    ! grep -qF "/$file\"" build/host/compile_commands.json || echo "$file"
+    ! grep -qF "/$file\"" build/lint/compile_commands.json || echo "$file"
   done)
   export lint total="$(echo "$files" | wc -l)"
   # shellcheck disable=SC2016 # the inner shell puts them in
