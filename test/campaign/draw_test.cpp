@@ -98,6 +98,32 @@ TEST(Draws, OfATableAreItsRowsEachAsOftenAsAnother) {
   EXPECT_EQ(times, (std::vector{100, 100, 100}));
 }
 
+// Three rows with the mean 50 and the standard deviation 2: the next one has Student's t distribution with two degrees of
+// freedom, 2 sqrt(1 + 1/3) wide, whose probability to be within t of its middle is t / sqrt(2 + t^2).
+TEST(Draws, OfTheNextRowOfATableKnowHowFewItsRowsAre) {
+  const input::ScratchFile table{"alpha,beta\n48,8\n50,10\n52,9\n", "next_row.csv"};
+  for (const Sampling sampling : {Sampling::independent, Sampling::latin_hypercube, Sampling::sobol}) {
+    const Drawer drawer{spreads_of("[[spread]]\nfields = [\"aerodynamics.damping_m2\", \"aerodynamics.torque_m\"]\n"
+                                   "law = \"next_row\"\noutside = \"truncate\"\ntable = \"" +
+                                   table.path().string() + "\"\ncolumns = [\"alpha\", \"beta\"]\n"),
+                        sampling, 1, runs};
+    const std::vector<double> damping = all_of(drawer, 0);
+    for (const double t : {0.3, 1.0, 3.0}) {
+      const double within = 2.0 * t * std::sqrt(4.0 / 3.0);
+      const auto count = std::ranges::count_if(damping, [&](double value) { return std::abs(value - 50.0) < within; });
+      EXPECT_NEAR(static_cast<double>(count) / static_cast<double>(runs), t / std::sqrt(2.0 + t * t), 0.02) << t;
+    }
+    // Both numbers have half a correlation in the rows: whatever one row's factor is, it is one for both.
+    const std::vector<double> torque = all_of(drawer, 1);
+    double together = 0.0;
+    for (std::size_t i = 0; i < damping.size(); ++i) {
+      together += (damping[i] > 50.0) == (torque[i] > 9.0) ? 1.0 : 0.0;
+    }
+    // Of two numbers with a normal law and this correlation, or its multiple by one factor: 1/2 + asin(1/2) / pi.
+    EXPECT_NEAR(together / static_cast<double>(runs), 2.0 / 3.0, 0.02);
+  }
+}
+
 TEST(Draws, ChangeTheFilesByTheirEffect) {
   const Drawer drawer{spreads_of("[[spread]]\nfield = \"disturbance.angles_deg\"\nlaw = \"uniform\"\n"
                                  "effect = \"offset\"\nlow = 0.999999\nhigh = 1.000001\n"),

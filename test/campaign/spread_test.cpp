@@ -47,6 +47,14 @@ outside = "truncate"
   EXPECT_EQ(spreads_of("").size(), 0U);
 }
 
+TEST(Spreads, OfTheNextRowNeedThreeRows) {
+  const input::ScratchFile two{"alpha\n20\n22\n", "two_rows.csv"};
+  const std::string said = refusal(
+      "[[spread]]\nfield = \"aerodynamics.damping_m2\"\nlaw = \"next_row\"\ntable = \"" + two.path().string() +
+      "\"\ncolumns = [\"alpha\"]\n");
+  EXPECT_NE(said.find("two_rows.csv has 2 rows; allowed: 3 or more with law = \"next_row\""), std::string::npos) << said;
+}
+
 TEST(Spreads, ThatAreNoneAreRefusedByWhatIsWrong) {
   EXPECT_EQ(refusal("[[spread]]\nfield = \"body.mass\"\nlaw = \"uniform\"\nlow = 3\nhigh = 4\n"),
             "spread.toml:7: spread.field = \"body.mass\": unknown key body.mass; did you mean body.mass_kg?");

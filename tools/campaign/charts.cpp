@@ -109,12 +109,14 @@ page::Chart scatter(const Report& report, const std::string& quantity) {
       series.y.push_back(*run.figures[figure]);
     }
   }
+  std::vector<page::Series> series{met, not_met};
+  std::erase_if(series, [](const page::Series& one) { return one.x.empty(); });
   return {.label = fmt::format("{} of the runs over {}", figure_columns[figure], quantity),
           .x_label = quantity,
           .y_label = axis_label(std::string{figure_columns[figure]}),
           .width = page::half_page,
           .height = 260.0,
-          .series = {met, not_met}};
+          .series = std::move(series)};
 }
 
 }  // namespace fantail::campaign

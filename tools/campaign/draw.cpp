@@ -45,6 +45,11 @@ std::vector<double> numbers_of(const Spread& spread, std::span<const double> uni
     case Law::normal: return normal(spread, unit);
     case Law::uniform: return {spread.low + unit[0] * (spread.high - spread.low)};
     case Law::triangular: return {triangular(spread, unit[0])};
+    case Law::next_row: {
+      std::vector<double> normals(unit.size());
+      std::ranges::transform(unit, normals.begin(), normal_quantile);
+      return spread.next_row->draw(normals);
+    }
     case Law::rows: break;
   }
   const auto row = static_cast<std::size_t>(unit[0] * static_cast<double>(spread.rows.size()));

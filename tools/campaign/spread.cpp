@@ -19,7 +19,7 @@ namespace {
 
 using input::Section;
 
-constexpr std::array<std::string_view, 4> laws{"normal", "uniform", "triangular", "rows"};
+constexpr std::array<std::string_view, 5> laws{"normal", "uniform", "triangular", "rows", "next_row"};
 constexpr std::array<std::string_view, 3> effects{"value", "offset", "factor"};
 constexpr std::array<std::string_view, 2> outsides{"refuse", "truncate"};
 constexpr input::Limits any{-1e300, 1e300};
@@ -144,8 +144,10 @@ void read_rows(Section& section, const input::Document& document, Spread& spread
     section.refuse("columns",
                    fmt::format("has {} names; allowed: {}, one for each field", columns.size(), spread.fields.size()));
   }
-  if (table.rows() == 0) {
-    section.refuse("table", "= " + table.name() + " has no row");
+  const std::size_t fewest = spread.law == Law::next_row ? fewest_rows : 1;
+  if (table.rows() < fewest) {
+    section.refuse("table", fmt::format("= {} has {} rows; allowed: {} or more with law = \"{}\"", table.name(),
+                                        table.rows(), fewest, laws[static_cast<std::size_t>(spread.law)]));
   }
   spread.rows.resize(table.rows());
   for (const std::string& column : columns) {
@@ -160,6 +162,9 @@ void read_rows(Section& section, const input::Document& document, Spread& spread
       spread.rows[row].push_back(*value);
     }
   }
+  if (spread.law == Law::next_row) {
+    spread.next_row.emplace(spread.rows);
+  }
 }
 
 Spread read_spread(Section& section, const input::ScenarioFiles& files) {
@@ -172,7 +177,8 @@ Spread read_spread(Section& section, const input::ScenarioFiles& files) {
     case Law::normal: read_normal(section, spread); break;
     case Law::uniform:
     case Law::triangular: read_range(section, spread); break;
-    case Law::rows: read_rows(section, files.scenario(), spread); break;
+    case Law::rows:
+    case Law::next_row: read_rows(section, files.scenario(), spread); break;
   }
   section.finish();
   return spread;

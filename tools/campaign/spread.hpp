@@ -2,14 +2,16 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "campaign/next_row.hpp"
 #include "input/number_field.hpp"
 
 namespace fantail::campaign {
 
-enum class Law : std::uint8_t { normal, uniform, triangular, rows };
+enum class Law : std::uint8_t { normal, uniform, triangular, rows, next_row };
 
 /// What a drawn number does to the values that the files say.
 enum class Effect : std::uint8_t {
@@ -39,10 +41,13 @@ struct Spread {
   double mode = 0.0;  ///< triangular
   double high = 0.0;
   std::vector<std::vector<double>> rows{};  ///< rows: one number a field; each row as likely as another
+  std::optional<NextRow> next_row{};        ///< next_row: of `rows`
   std::string where{};                      ///< file and line, for messages
 
   /// How many coordinates of the unit cube a draw takes.
-  [[nodiscard]] std::size_t dimensions() const { return law == Law::normal ? fields.size() : 1; }
+  [[nodiscard]] std::size_t dimensions() const {
+    return law == Law::normal ? fields.size() : law == Law::next_row ? next_row->normals() : 1;
+  }
 };
 
 /// All tables [[spread]] of a scenario's file; none where there are none. Throws text::Error (bad_configuration,

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "campaign/next_row.hpp"
+
 namespace fantail::predict {
 
 /// What one step in the tunnel showed of the airframe.
@@ -17,9 +19,7 @@ struct TunnelStep {
   double offset_end_rad = 0.0;    ///< five seconds later
 };
 
-/// Two steps lie on a line: damping, torque and offset would seem to depend on each other exactly, and Student's t
-/// distribution with one degree of freedom has no mean.
-inline constexpr std::size_t fewest_tunnel_steps = 3;
+inline constexpr std::size_t fewest_tunnel_steps = campaign::fewest_rows;
 
 /// A file of tunnel steps, as `fantail tunnel steps` writes them.
 struct TunnelResult {
