@@ -1,0 +1,66 @@
+# SPDX-License-Identifier: MIT
+"""Flies a campaign on Dask: its shards as tasks, merged when all are there.
+
+Usage: dask_campaign.py SCENARIO OUT [--runs N] [--shards N] [--scheduler ADDRESS] [--workers N]
+
+Without --scheduler it starts a cluster on this machine: a scheduler and worker processes that talk over TCP. On many
+machines the folder OUT must be one that all of them see. Needs distributed 2026.8.0.
+"""
+import argparse
+import contextlib
+import pathlib
+
+import distributed
+
+import fantail
+
+
+def fly_shard(scenario, options, number, shards, out):
+    """One shard, on one core. Called again after its worker has died, it goes on from what is stored; when it is flown
+    already, it flies nothing. Two at once are refused by a lock on the folder."""
+    folder = out / f"shard_{number}"
+    fantail.campaign(scenario, **options, shard=(number, shards), threads=1, out=folder)
+    return folder
+
+
+def campaign(client, scenario, out, shards, **options):
+    """fantail.campaign(scenario, out=out / "whole", **options), flown on the workers of a Dask client."""
+    out = pathlib.Path(out).absolute()
+    tasks = [client.submit(fly_shard, scenario, options, number, shards, out, key=f"shard_{number}_{out}", pure=False)
+             for number in range(1, shards + 1)]
+    fantail.merge_campaign(client.gather(tasks), out / "whole")
+    return fantail.campaign(scenario, **options, out=out / "whole")  # flies nothing: makes the summary and the page
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("scenario", help="a shipped name, or a path that every worker sees")
+    parser.add_argument("out", type=pathlib.Path)
+    parser.add_argument("--runs", type=int, default=1000)
+    parser.add_argument("--shards", type=int, default=8, help="parts; several for each worker, so that none waits long")
+    parser.add_argument("--scheduler", help="of a cluster that is there, as tcp://10.0.0.1:8786")
+    parser.add_argument("--workers", type=int, default=2, help="processes on this machine, without --scheduler")
+    options = parser.parse_args()
+    for name in ("shards", "workers"):
+        if getattr(options, name) < 1:
+            parser.error(f"--{name} {getattr(options, name)}; allowed: 1 and more")
+
+    with contextlib.ExitStack() as stack:
+        address = options.scheduler or stack.enter_context(local_cluster(options.workers))
+        client = stack.enter_context(distributed.Client(address))
+        try:
+            flown = campaign(client, options.scenario, options.out, options.shards, runs=options.runs)
+        except (ValueError, OSError) as refused:
+            parser.error(str(refused))
+    print(flown.summary["sentence"])
+    print(f"the page is {flown.folder}/campaign.html")
+
+
+def local_cluster(workers):
+    """A scheduler and worker processes, one thread each, that talk over TCP on this machine."""
+    return distributed.LocalCluster(n_workers=workers, threads_per_worker=1, host="127.0.0.1", protocol="tcp://",
+                                    dashboard_address=None)
+
+
+if __name__ == "__main__":  # each worker process imports this file
+    main()
