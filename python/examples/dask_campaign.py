@@ -37,15 +37,18 @@ def main():
     parser.add_argument("scenario", help="a shipped name, or a path that every worker sees")
     parser.add_argument("out", type=pathlib.Path)
     parser.add_argument("--runs", type=int, default=1000)
-    parser.add_argument("--shards", type=int, default=8, help="parts; several for each worker, so that none waits long")
+    parser.add_argument("--shards", type=int, default=4, help="parts, of 64 runs at least; several for each worker")
     parser.add_argument("--scheduler", help="of a cluster that is there, as tcp://10.0.0.1:8786")
     parser.add_argument("--workers", type=int, default=2, help="processes on this machine, without --scheduler")
     options = parser.parse_args()
     for name in ("shards", "workers"):
         if getattr(options, name) < 1:
             parser.error(f"--{name} {getattr(options, name)}; allowed: 1 and more")
-
     with contextlib.ExitStack() as stack:
+        try:
+            fantail.Scenario.load(options.scenario)  # a mistake in its name needs no cluster
+        except ValueError as refused:
+            parser.error(str(refused))
         address = options.scheduler or stack.enter_context(local_cluster(options.workers))
         client = stack.enter_context(distributed.Client(address))
         try:
@@ -59,7 +62,7 @@ def main():
 def local_cluster(workers):
     """A scheduler and worker processes, one thread each, that talk over TCP on this machine."""
     return distributed.LocalCluster(n_workers=workers, threads_per_worker=1, host="127.0.0.1", protocol="tcp://",
-                                    dashboard_address=None)
+                                    dashboard_address="127.0.0.1:0")
 
 
 if __name__ == "__main__":  # each worker process imports this file

@@ -16,7 +16,7 @@ python_tools() {
     rm -f build/host/build.ninja # what was configured without nanobind looks for it again
   else
     rm -rf build/test-venv
-    echo "dev: pip could not install cantools, pyulog, lcm, nanobind and pytest (no network?): the tests that need them are SKIPPED" >&2
+    echo "dev: pip could not install cantools, pyulog, lcm, nanobind, pytest and Dask (no network?): the tests that need them are SKIPPED" >&2
   fi
 }
 
