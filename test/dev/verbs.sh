@@ -84,7 +84,7 @@ thorough() {
 # None is forgotten: the two parts together are what the help lists.
 all="$(sed -n 's/^ *call [0-9]* \([a-z-]*\).*/\1/p' "$0") test"
 for verb in $("$dev" help | sed -n 's/^\.\/dev \([a-z-]*\).*/\1/p'); do
-  case " $(echo "$all" | tr '\n' ' ') flash debug soak bench-speed validate wheel " in
+  case " $(echo "$all" | tr '\n' ' ') flash debug soak bench-speed validate wheel examples " in
     *" $verb "*) ;;
     *) echo "FAILED: no test calls ./dev $verb" && exit 1 ;;
   esac

@@ -104,20 +104,37 @@ python_of() {
   fi
 }
 
-wheel() {
-  [ $# -eq 0 ] || usage
-  take_turn
+# make_wheel: the Python package, in build/wheels.
+make_wheel() {
   # shellcheck disable=SC2086
   need $fly_packages python3-venv python3-dev
   rm -rf build/wheels build/wheel-venv
   /usr/bin/python3 -m venv build/wheel-venv
   build/wheel-venv/bin/pip -q --disable-pip-version-check wheel --no-deps --wheel-dir build/wheels .
+}
+
+wheel() {
+  [ $# -eq 0 ] || usage
+  take_turn
+  make_wheel
   build/wheel-venv/bin/pip -q --disable-pip-version-check install build/wheels/fantail-*.whl
   leave_turn
   cd / # it must not need this folder
   "$root/build/wheel-venv/bin/python" -c \
     'import fantail; print(*fantail.__path__); print(fantail.fly("tasha3_launch2").summary["verdict"])'
   ls -l "$root"/build/wheels/fantail-*.whl
+}
+
+# The notebooks, and the examples that need more than ./dev test has, with the package as it is installed.
+examples() {
+  [ $# -eq 0 ] || usage
+  take_turn
+  make_wheel
+  python_of test/examples build/examples-venv
+  build/examples-venv/bin/pip -q --disable-pip-version-check install --no-deps --force-reinstall build/wheels/fantail-*.whl
+  leave_turn
+  PYTHONDONTWRITEBYTECODE=1 exec build/examples-venv/bin/python -m pytest -q -p no:cacheprovider --nbmake --nbmake-timeout=120 \
+    --durations=0 --durations-min=0.1 test/examples docs/notebooks
 }
 
 validate() {
