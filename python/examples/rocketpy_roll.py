@@ -147,7 +147,7 @@ def fly_in_rocketpy(controlled):
     avionics = Avionics(plan, surface, controlled)
     rocket._add_controllers(_Controller([surface], avionics.__call__, sampling_rate=1 / TICK_S, name="Fantail"))
     warnings.filterwarnings("ignore", ".*`min_step`")  # RocketPy gives it to every solver
-    # A solver that stops at every tick: RocketPy's usual one, LSODA, steps over some (with SciPy 1.17).
+    # A solver that stops at every tick: RocketPy's usual one, LSODA, steps over nearly all of them (with SciPy 1.17.1).
     flight = Flight(rocket=rocket, environment=Environment(elevation=0, gravity=G_M_S2), rail_length=plan["guide.length_m"],
                     inclination=90, heading=0, terminate_on_apogee=True, time_overshoot=False, ode_solver="RK23")
     columns = {name: numpy.array([row[name] for row in avionics.rows]) for name in avionics.rows[0]}

@@ -18,7 +18,7 @@ EXAMPLES = pathlib.Path(__file__).parents[2] / "python/examples"
 sys.path.insert(0, str(EXAMPLES))
 import dask_campaign  # noqa: E402  an example, in no package
 
-OPTIONS = {"runs": 192, "set": {"controller.canard_limit_deg": 5}}
+OPTIONS = {"runs": 192}  # three parts of 64: two for shard 1
 SHARDS = 2
 
 
@@ -80,11 +80,13 @@ def run_example(*words, cwd):
                           check=False)
 
 
-def test_the_example_runs_from_the_command_line(tmp_path):
-    said = run_example("tasha3_launch2", "out", "--runs", "64", "--shards", "1", "--workers", "1", cwd=tmp_path)
+def test_the_example_runs_from_the_command_line_and_a_second_time_flies_nothing(flown):
+    rows = (flown / "whole/runs.csv.gz").stat().st_mtime_ns
+    said = run_example("tasha3_launch2", flown, "--runs", str(OPTIONS["runs"]), "--shards", str(SHARDS), cwd=flown)
     assert (said.returncode, said.stderr) == (0, "")
-    summary = json.loads((tmp_path / "out/whole/summary.json").read_text(encoding="utf-8"))
-    assert said.stdout == f"{summary['sentence']}\nthe page is {tmp_path}/out/whole/campaign.html\n"
+    summary = json.loads((flown / "whole/summary.json").read_text(encoding="utf-8"))
+    assert said.stdout == f"{summary['sentence']}\nthe page is {flown}/whole/campaign.html\n"
+    assert (flown / "whole/runs.csv.gz").stat().st_mtime_ns == rows
 
 
 @pytest.mark.parametrize("words, complaint", [

@@ -1,4 +1,5 @@
 # SPDX-License-Identifier: MIT
+import json
 import pathlib
 import re
 import subprocess
@@ -18,6 +19,14 @@ def test_the_example_of_the_manual_runs(code, tmp_path):
 
 def test_every_section_of_the_manual_has_an_example():
     assert len(EXAMPLES) == 7
+
+
+@pytest.mark.parametrize("path", sorted((PROJECT / "docs/notebooks").glob("*.ipynb")), ids=lambda path: path.stem)
+def test_a_notebook_is_kept_without_outputs_and_its_links_lead_somewhere(path):
+    cells = json.loads(path.read_text(encoding="utf-8"))["cells"]
+    assert all(cell["outputs"] == [] and cell["execution_count"] is None for cell in cells if cell["cell_type"] == "code")
+    links = re.findall(r"\]\(([^)#]+)", "".join("".join(cell["source"]) for cell in cells if cell["cell_type"] == "markdown"))
+    assert links and all((path.parent / link).is_file() for link in links)
 
 
 def test_the_stubs_are_what_nanobind_makes_of_the_module(tmp_path):
