@@ -84,7 +84,7 @@ class Avionics:
         return tick
 
     def __call__(self, time, sampling_rate, state, state_history, observed_variables, interactive_objects):
-        # RocketPy 1.9.0 calls a controller twice where a phase of the flight begins on a tick.
+        # RocketPy 1.9.0 may call a controller twice in a tick (its issue 959).
         if PAD_TICKS + round(time / TICK_S) <= self.ticks:
             return
         # What strapped-down accelerometers measure: the change of the velocity over a tick, less gravity, in the body frame.
