@@ -104,19 +104,14 @@ python_of() {
   fi
 }
 
-# make_wheel: the Python package, in build/wheels.
-make_wheel() {
+wheel() {
+  [ $# -eq 0 ] || usage
+  take_turn
   # shellcheck disable=SC2086
   need $fly_packages python3-venv python3-dev
   rm -rf build/wheels build/wheel-venv
   /usr/bin/python3 -m venv build/wheel-venv
   build/wheel-venv/bin/pip -q --disable-pip-version-check wheel --no-deps --wheel-dir build/wheels .
-}
-
-wheel() {
-  [ $# -eq 0 ] || usage
-  take_turn
-  make_wheel
   build/wheel-venv/bin/pip -q --disable-pip-version-check install build/wheels/fantail-*.whl
   leave_turn
   cd / # it must not need this folder
@@ -125,16 +120,23 @@ wheel() {
   ls -l "$root"/build/wheels/fantail-*.whl
 }
 
-# The notebooks, and the examples that need more than ./dev test has, with the package as it is installed.
+# The notebooks, and the examples that need more than ./dev test has. The package lies in their environment with its data
+# within, as pip installs it, but is the one that the tests have built.
 examples() {
   [ $# -eq 0 ] || usage
   take_turn
-  make_wheel
+  # shellcheck disable=SC2086
+  need $test_packages
+  python_tools
+  host_options=FANTAIL_TESTS
+  host_build "the Python package" fantail_python
   python_of test/examples build/examples-venv
-  build/examples-venv/bin/pip -q --disable-pip-version-check install --no-deps --force-reinstall build/wheels/fantail-*.whl
+  site=$(build/examples-venv/bin/python -c 'import sysconfig; print(sysconfig.get_path("platlib"))')
+  cmake --install build/host --component python --prefix "$site" >build/host/install.log
+  cp python/fantail/*.py "$site/fantail/"
   leave_turn
-  PYTHONDONTWRITEBYTECODE=1 exec build/examples-venv/bin/python -m pytest -q -p no:cacheprovider --nbmake --nbmake-timeout=120 \
-    --durations=0 --durations-min=0.1 test/examples docs/notebooks
+  PYTHONDONTWRITEBYTECODE=1 exec build/examples-venv/bin/python -m pytest -q -p no:cacheprovider --nbmake \
+    --nbmake-timeout=120 --durations=0 --durations-min=0.1 test/examples docs/notebooks
 }
 
 validate() {
