@@ -63,8 +63,8 @@ set(FANTAIL_SINGLE_FILES
   "tools/json/value.cpp|nlohmann/"
   "tools/text/output_folder.cpp|fcntl\\.h unistd\\.h sys/"
   "tools/fantail/command_line.cpp|CLI/"
+  "tools/text/deflate.cpp|zlib\\.h"
   "tools/text/sha256.cpp|sha256\\.h"
-  "tools/campaign/gzip.cpp|zlib\\.h"
   "tools/campaign/runs_folder.cpp|fcntl\\.h sys/ unistd\\.h"
   "tools/campaign/sensitivity.cpp|Eigen/")
 

@@ -10,12 +10,12 @@
 
 #include <gtest/gtest.h>
 
-#include "campaign/gzip.hpp"
 #include "campaign/repeat.hpp"
 #include "campaign/runs_folder.hpp"
 #include "fly/fly_scenario.hpp"
 #include "input/scratch_file.hpp"
 #include "report/figures.hpp"
+#include "text/deflate.hpp"
 #include "text/degrees.hpp"
 #include "text/error.hpp"
 
@@ -81,7 +81,7 @@ TEST_F(ACampaign, IsTheSameBytesWithEveryNumberOfThreadsAndAfterAnInterruption) 
   EXPECT_EQ(fly("interrupted"), runs);
   EXPECT_EQ(content(folder / "interrupted" / "runs.csv.gz"), bytes);
 
-  const auto text = gunzip(bytes);
+  const auto text = text::gunzip(bytes);
   ASSERT_TRUE(text);
   EXPECT_EQ(std::ranges::count(*text, '\n'), static_cast<std::ptrdiff_t>(asked.runs) + 1);
   EXPECT_TRUE(
@@ -137,7 +137,8 @@ TEST_F(ACampaign, GoesOnOnlyFromChunksThatAreWholeAndItsOwn) {
   const auto runs = fly("whole");
   const std::string bytes = content(folder / "whole" / "runs.csv.gz");
   const std::string row = csv_row(runs[0]);
-  for (const std::string& damaged : {std::string{"no gzip"}, gzip(row), gzip(row + row), gzip(row).substr(0, 40)}) {
+  for (const std::string& damaged :
+       {std::string{"no gzip"}, text::gzip(row), text::gzip(row + row), text::gzip(row).substr(0, 40)}) {
     fs::create_directories(folder / "damaged" / "chunks");
     std::ofstream{folder / "damaged" / "chunks" / "00000000.csv.gz", std::ios::binary} << damaged;
     EXPECT_EQ(fly("damaged"), runs);
@@ -184,22 +185,6 @@ TEST_F(ARefusedDraw, OfAValueThatAnotherDoesNotAllowIsARunThatSaysSo) {
   EXPECT_NE(runs[0].note.find("must be earlier than pad_time_s = 10"), std::string::npos) << runs[0].note;
   EXPECT_FALSE(runs[0].figures[0]);
   EXPECT_EQ(runs, fly("refused")) << "read back";
-}
-
-TEST(Gzip, GivesTheTextsOfAllMembersBackAndNothingOfADamagedFile) {
-  const std::string long_text(200'000, 'x');
-  EXPECT_TRUE(gunzip(gzip("run,seed\n") + gzip(long_text) + gzip("")) == "run,seed\n" + long_text);
-  const std::string text = "17,4711,0.25,held\n18,4712,0.75,not_held\n";
-  const std::string bytes = gzip(text);
-  for (std::size_t length = 0; length < bytes.size(); ++length) {
-    EXPECT_EQ(gunzip(bytes.substr(0, length)), std::nullopt) << length;
-  }
-  for (std::size_t bit = 0; bit < 8 * bytes.size(); ++bit) {
-    std::string damaged = bytes;
-    damaged[bit / 8] = static_cast<char>(damaged[bit / 8] ^ (1 << (bit % 8)));
-    const auto read = gunzip(damaged);
-    EXPECT_TRUE(!read || *read == text) << bit << ": bits that mean nothing may change, no text";
-  }
 }
 
 }  // namespace

@@ -10,8 +10,8 @@
 #include <gtest/gtest.h>
 
 #include "campaign/campaign.hpp"
-#include "campaign/gzip.hpp"
 #include "input/scratch_file.hpp"
+#include "text/deflate.hpp"
 #include "text/error.hpp"
 
 namespace fantail::campaign {
@@ -62,7 +62,7 @@ TEST_F(Shards, InAnyOrderAreTheBytesOfTheCampaignFlownAsOne) {
   ASSERT_FALSE(whole.empty());
   EXPECT_TRUE(file_content(folder / "merged" / "runs.csv.gz") == whole);
   EXPECT_EQ(file_content(folder / "merged" / "campaign.json"), file_content(folder / "one" / "campaign.json"));
-  const std::string text = gunzip(whole).value();
+  const std::string text = text::gunzip(whole).value();
   EXPECT_EQ(std::ranges::count(text, '\n'), static_cast<std::ptrdiff_t>(3 * runs_of_a_chunk + 10 + 1));
 }
 
@@ -96,7 +96,7 @@ TEST_F(Shards, WhoseRunsAreDamagedOrNotTheirsAreRefused) {
   std::ofstream{runs, std::ios::binary} << last;
   EXPECT_EQ(refusal({part(1), part(2), part(3)}),
             runs.string() + ": run " + std::to_string(runs_of_a_chunk) + " is missing or has another seed");
-  std::ofstream{runs, std::ios::binary} << bytes << gzip("x\n");
+  std::ofstream{runs, std::ios::binary} << bytes << text::gzip("x\n");
   EXPECT_EQ(refusal({part(1), part(2), part(3)}), runs.string() + ": has more runs than its shard");
 }
 

@@ -12,10 +12,10 @@
 #include <fmt/core.h>
 
 #include "campaign/campaign.hpp"
-#include "campaign/gzip.hpp"
 #include "campaign/runs_folder.hpp"
 #include "campaign/seed_of_run.hpp"
 #include "json/value.hpp"
+#include "text/deflate.hpp"
 #include "text/error.hpp"
 #include "text/number.hpp"
 #include "text/output_folder.hpp"
@@ -115,11 +115,11 @@ std::map<std::uint64_t, Part> all_parts(std::span<const fs::path> folders) {
 std::string rows_of(const Part& part, std::string& header) {
   const fs::path file = part.folder / RunsFolder::runs_name;
   const std::string bytes = file_content(file);
-  const auto text = gunzip(bytes);
+  const auto text = text::gunzip(bytes);
   if (!text) {
     refuse(ErrorKind::bad_data, file.string() + ": is damaged or not complete");
   }
-  const std::string own_header = gzip(text->substr(0, text->find('\n') + 1));
+  const std::string own_header = text::gzip(text->substr(0, text->find('\n') + 1));
   if (!bytes.starts_with(own_header) || (!header.empty() && own_header != header)) {
     refuse(ErrorKind::bad_data, file.string() +
                                     ": begins with other columns than the first shard, or was not written "

@@ -14,9 +14,9 @@
 #include <sys/file.h>
 #include <unistd.h>
 
-#include "campaign/gzip.hpp"
 #include "campaign/seed_of_run.hpp"
 #include "json/value.hpp"
+#include "text/deflate.hpp"
 #include "text/error.hpp"
 #include "text/output_folder.hpp"
 
@@ -156,7 +156,7 @@ std::optional<std::vector<FlownRun>> RunsFolder::whole(const std::string& rows, 
 std::optional<std::vector<FlownRun>> RunsFolder::finished(const Stretch& stretch, std::uint64_t master_seed,
                                                           bool may_be_fewer) const {
   const fs::path file = folder_ / runs_name;
-  const auto text = gunzip(file_content(file));
+  const auto text = text::gunzip(file_content(file));
   const std::string header = header_row(spreads_);
   if (!text || !text->starts_with(header)) {
     return std::nullopt;
@@ -167,7 +167,7 @@ std::optional<std::vector<FlownRun>> RunsFolder::finished(const Stretch& stretch
 std::optional<std::vector<FlownRun>> RunsFolder::stored(std::uint64_t chunk, const Stretch& stretch,
                                                         std::uint64_t master_seed) const {
   const fs::path file = chunk_file(chunk);
-  const auto rows = gunzip(file_content(file));
+  const auto rows = text::gunzip(file_content(file));
   return rows ? whole(*rows, file.string(), stretch, master_seed, false) : std::nullopt;
 }
 
@@ -176,12 +176,12 @@ void RunsFolder::store(std::uint64_t chunk, const std::vector<FlownRun>& runs) c
   for (const FlownRun& run : runs) {
     rows += csv_row(run);
   }
-  const std::array files{text::NamedFile{.name = chunk_file(chunk).filename().string(), .content = gzip(rows)}};
+  const std::array files{text::NamedFile{.name = chunk_file(chunk).filename().string(), .content = text::gzip(rows)}};
   text::OutputFolder{folder_ / chunks_name}.write(files);
 }
 
 void RunsFolder::finish(std::uint64_t first_chunk, std::uint64_t end_chunk) const {
-  std::string all = gzip(header_row(spreads_));
+  std::string all = text::gzip(header_row(spreads_));
   for (std::uint64_t chunk = first_chunk; chunk < end_chunk; ++chunk) {
     all += file_content(chunk_file(chunk));
   }

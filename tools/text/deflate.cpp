@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "campaign/gzip.hpp"
+#include "text/deflate.hpp"
 
 #include <algorithm>
 #include <array>
@@ -7,23 +7,21 @@
 
 #include <zlib.h>
 
-namespace fantail::campaign {
+namespace fantail::text {
 namespace {
 
-constexpr int window_with_gzip_header = MAX_WBITS + 16;
+constexpr int with_zlib_header = MAX_WBITS;
+constexpr int with_gzip_header = MAX_WBITS + 16;
 
 // zlib writes to neither of the two that it is given to read.
-Bytef* bytes_of(const std::string& text) {
+Bytef* bytes_of(std::string_view text) {
   return reinterpret_cast<Bytef*>(const_cast<char*>(text.data()));  // NOLINT(cppcoreguidelines-pro-type-const-cast)
 }
 
-}  // namespace
-
-std::string gzip(const std::string& text) {
+std::string packed(const std::string& text, int header) {
   z_stream stream{};
   constexpr int memory_level = 8;
-  if (deflateInit2(&stream, Z_DEFAULT_COMPRESSION, Z_DEFLATED, window_with_gzip_header, memory_level,
-                   Z_DEFAULT_STRATEGY) != Z_OK) {
+  if (deflateInit2(&stream, Z_DEFAULT_COMPRESSION, Z_DEFLATED, header, memory_level, Z_DEFAULT_STRATEGY) != Z_OK) {
     throw std::runtime_error{"zlib cannot begin"};
   }
   std::string bytes(deflateBound(&stream, static_cast<uLong>(text.size())), '\0');
@@ -40,9 +38,9 @@ std::string gzip(const std::string& text) {
   return bytes;
 }
 
-std::optional<std::string> gunzip(const std::string& bytes) {
+std::optional<std::string> unpacked(std::string_view bytes, int header, std::size_t most) {
   z_stream stream{};
-  if (inflateInit2(&stream, window_with_gzip_header) != Z_OK) {
+  if (inflateInit2(&stream, header) != Z_OK) {
     throw std::runtime_error{"zlib cannot begin"};
   }
   std::size_t left = bytes.size();
@@ -50,10 +48,10 @@ std::optional<std::string> gunzip(const std::string& bytes) {
   std::string text;
   std::array<char, 1U << 16U> portion{};
   int result = Z_OK;
-  while (result == Z_OK) {
+  while (result == Z_OK && text.size() <= most) {
     if (stream.avail_in == 0) {
-      constexpr std::size_t most = 1U << 30U;  // zlib counts in 32 bits
-      stream.avail_in = static_cast<uInt>(std::min(left, most));
+      constexpr std::size_t at_once = 1U << 30U;  // zlib counts in 32 bits
+      stream.avail_in = static_cast<uInt>(std::min(left, at_once));
       left -= stream.avail_in;
     }
     stream.next_out = reinterpret_cast<Bytef*>(portion.data());
@@ -61,11 +59,29 @@ std::optional<std::string> gunzip(const std::string& bytes) {
     result = inflate(&stream, Z_NO_FLUSH);
     text.append(portion.data(), portion.size() - stream.avail_out);
     if (result == Z_STREAM_END && stream.avail_in + left > 0) {
-      result = inflateReset(&stream);
+      result = header == with_gzip_header ? inflateReset(&stream) : Z_DATA_ERROR;
     }
   }
   inflateEnd(&stream);
-  return result == Z_STREAM_END ? std::optional{text} : std::nullopt;
+  return result == Z_STREAM_END && text.size() <= most ? std::optional{text} : std::nullopt;
 }
 
-}  // namespace fantail::campaign
+}  // namespace
+
+std::string gzip(const std::string& text) { return packed(text, with_gzip_header); }
+
+std::optional<std::string> gunzip(std::string_view bytes, std::size_t most) {
+  return unpacked(bytes, with_gzip_header, most);
+}
+
+std::string zlib_packed(const std::string& text) { return packed(text, with_zlib_header); }
+
+std::optional<std::string> zlib_unpacked(std::string_view bytes, std::size_t most) {
+  return unpacked(bytes, with_zlib_header, most);
+}
+
+std::uint32_t crc32(std::string_view bytes) {
+  return static_cast<std::uint32_t>(crc32_z(0, bytes_of(bytes), bytes.size()));
+}
+
+}  // namespace fantail::text
