@@ -21,5 +21,7 @@ int main(int argc, char** argv) {
   write("flight.ulg", ulog(source, every_field(source)));
   write("flight.log", candump(source));
   write("flight.lcmlog", lcm(source));
+  write("flight.mat", mat(source, every_field(source)));
+  write("flight.parquet", parquet(source, every_field(source)));
   write("flight.json", json(source, every_field(source)));
 }

@@ -36,7 +36,9 @@ struct ExportFormat {
   std::string_view ending;
   bool has_fields;
 };
-inline constexpr std::array<ExportFormat, 5> export_formats{{{"csv", ".csv", true},
+inline constexpr std::array<ExportFormat, 7> export_formats{{{"csv", ".csv", true},
+                                                             {"mat", ".mat", true},
+                                                             {"parquet", ".parquet", true},
                                                              {"ulog", ".ulg", true},
                                                              {"lcm", ".lcmlog", false},
                                                              {"candump", ".log", false},
@@ -109,6 +111,12 @@ std::string content(const ExportQuestion& question, const log_export::ReplayedFl
     return log_export::lcm(source);
   }
   const log_export::Selection fields = chosen.value_or(log_export::every_field(source));
+  if (question.format->name == "mat") {
+    return log_export::mat(source, fields);
+  }
+  if (question.format->name == "parquet") {
+    return log_export::parquet(source, fields);
+  }
   return question.format->name == "ulog" ? log_export::ulog(source, fields) : log_export::json(source, fields);
 }
 
@@ -139,7 +147,8 @@ Exported export_foreign(const ExportQuestion& question, const flight_log::Flight
 
 Exported export_flight(const ExportQuestion& question, const flight_log::Flight& flight) {
   if (!question.fields.empty() && !question.format->has_fields) {
-    refuse_fields(fmt::format("--to {} has messages of its own; allowed: csv, ulog, json", question.format->name));
+    refuse_fields(
+        fmt::format("--to {} has messages of its own; allowed: csv, mat, parquet, ulog, json", question.format->name));
   }
   require_once(question.fields);
   if (!flight.foreign_ticks.empty()) {
@@ -270,16 +279,17 @@ void add_log_export(const Verb& log) {
   auto options = std::make_shared<ExportOptions>();
   verb.option("LOG", options->log, "A flight log (.ftl), or a folder with a flight.ftl").required();
   verb.option("--to", options->format,
-              "csv: flight.csv. ulog: for PlotJuggler and Foxglove. lcm: for lcm-logplayer. candump: the bus as "
-              "it was, for canplayer and cantools. json: one object with everything")
+              "csv: flight.csv. mat: for MATLAB, Octave and SciPy. parquet: for pandas and DuckDB. ulog: for "
+              "PlotJuggler and Foxglove. lcm: for lcm-logplayer. candump: the bus as it was, for canplayer and "
+              "cantools. json: one object with everything")
       .required()
-      .one_of({"csv", "ulog", "lcm", "candump", "json"})
-      .value_name("csv|ulog|lcm|candump|json");
+      .one_of({"csv", "mat", "parquet", "ulog", "lcm", "candump", "json"})
+      .value_name("csv|mat|parquet|ulog|lcm|candump|json");
   verb.option("--out", options->out, "The file; - is standard output [out/export/NAME.ENDING]")
       .check(objection_to_file);
   verb.option("--fields", options->fields,
               "Only these, separated by commas, raw counts too; an unknown name lists all [csv: those of "
-              "flight.csv; ulog, json: all]")
+              "flight.csv; others: all]")
       .separated_by(',')
       .one_word_each_time()
       .value_name("A,B,C");

@@ -54,7 +54,7 @@ class Rows {
         ++repeated_;
       } else {
         flight_.rows.push_back(*row);
-        last_line_ = table_.line(line);
+        last_ = line;
       }
     }
     judge_count();
@@ -81,7 +81,7 @@ class Rows {
       } else {
         if (first_left_out_.empty()) {
           first_left_out_ =
-              fmt::format("line {}, {} {}", table_.line(line), column->name, in_quotes(table_.cell(line, index)));
+              fmt::format("{}, {} {}", table_.place(line), column->name, in_quotes(table_.cell(line, index)));
         }
         return {};
       }
@@ -112,15 +112,15 @@ class Rows {
     const Row& before = flight_.rows.back();
     const std::string times = fmt::format("{}: time_s is {}", table_.where(line), input::plain_number(row.time_s));
     if (row.time_s < before.time_s) {
-      refuse(fmt::format("{} after {} in line {}: time must increase", times, input::plain_number(before.time_s),
-                         last_line_));
+      refuse(fmt::format("{} after {} in {}: time must increase", times, input::plain_number(before.time_s),
+                         table_.place(last_)));
     }
     for (const FoundColumn& found : columns_) {
       const double now = found.column->get(row);
       const double then = found.column->get(before);
       if (now != then && !(std::isnan(now) && std::isnan(then))) {
-        refuse(fmt::format("{} as in line {}, but {} differs: rows with the same time must be identical", times,
-                           last_line_, found.column->name));
+        refuse(fmt::format("{} as in {}, but {} differs: rows with the same time must be identical", times,
+                           table_.place(last_), found.column->name));
       }
     }
     return true;
@@ -159,7 +159,7 @@ class Rows {
   std::size_t not_replayed_ = 0;
   std::size_t repeated_ = 0;
   std::string first_left_out_;
-  std::size_t last_line_ = 0;
+  std::size_t last_ = 0;  ///< row of the table that gave the last of the flight
 };
 
 // What the phases of the rows tell; why they changed stands in no table.

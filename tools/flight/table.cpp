@@ -62,8 +62,8 @@ std::string missing_column(std::string_view wanted, std::span<const std::string>
   return there.size() > most_names ? message + "..." : message.substr(0, message.size() - 2);
 }
 
-Table Table::parse(std::string text, std::string name) {
-  Table table{std::move(text), std::move(name)};
+Table Table::parse(std::string text, std::string name, Rows rows) {
+  Table table{std::move(text), std::move(name), rows};
   table.read_all();
   return table;
 }
@@ -132,6 +132,10 @@ void Table::read_header(std::size_t line) {
     }
     all_numbers = all_numbers && (name.empty() || text::number(name));
     columns_.emplace_back(name);
+  }
+  if (row_names_ == Rows::by_number) {  // nobody has typed this header
+    cells_.clear();
+    return;
   }
   if (all_numbers) {
     refuse(line, "only numbers; the first line must be a header with the column names");
@@ -232,10 +236,20 @@ std::optional<double> Table::number(std::size_t row, std::size_t column) const {
   return text::number(cell(row, column));
 }
 
-std::string Table::where(std::size_t row) const { return fmt::format("{}:{}", name_, lines_[row]); }
+std::string Table::place(std::size_t row) const {
+  const std::size_t line = lines_[row];
+  return row_names_ == Rows::by_line ? fmt::format("line {}", line) : fmt::format("row {}", line - header_line_);
+}
+
+std::string Table::at(std::size_t line) const {
+  if (row_names_ == Rows::by_line) {
+    return fmt::format("{}:{}", name_, line);
+  }
+  return line == header_line_ ? name_ : fmt::format("{}: row {}", name_, line - header_line_);
+}
 
 void Table::refuse(std::size_t line, const std::string& complaint) const {
-  throw Error{ErrorKind::bad_data, fmt::format("{}:{}: {}", name_, line, complaint)};
+  throw Error{ErrorKind::bad_data, fmt::format("{}: {}", at(line), complaint)};
 }
 
 }  // namespace fantail::flight

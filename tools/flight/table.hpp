@@ -19,9 +19,12 @@ class Table {
   /// Half an hour at 1 kHz; a larger file is hardly the log of one flight.
   static constexpr std::size_t most_bytes = std::size_t{1} << 29;
 
+  /// What messages call a row: its line in the file, or, of a table that was another file's, its number from 1 on.
+  enum class Rows : std::uint8_t { by_line, by_number };
+
   /// `text` is the content, `name` what messages call it. Throws text::Error (bad_data): no header, a name that
   /// stands twice, a row with another number of cells than the header (naming the line), more than `most_bytes`.
-  [[nodiscard]] static Table parse(std::string text, std::string name);
+  [[nodiscard]] static Table parse(std::string text, std::string name, Rows rows = Rows::by_line);
   /// Throws also text::Error (no_such_input), and std::system_error for a file that cannot be read.
   [[nodiscard]] static Table load(const std::string& path);
   /// The content of such a file, for who has to change it before it is parsed. Throws as load().
@@ -39,8 +42,10 @@ class Table {
   [[nodiscard]] std::optional<double> number(std::size_t row, std::size_t column) const;
   [[nodiscard]] std::size_t line(std::size_t row) const { return lines_[row]; }  ///< counted from 1
   [[nodiscard]] std::size_t header_line() const { return header_line_; }
-  /// "file:line", for messages.
-  [[nodiscard]] std::string where(std::size_t row) const;
+  /// For messages: "file:7" or "file: row 6".
+  [[nodiscard]] std::string where(std::size_t row) const { return at(lines_[row]); }
+  /// "line 7" or "row 6".
+  [[nodiscard]] std::string place(std::size_t row) const;
 
  private:
   struct Cell {
@@ -48,16 +53,19 @@ class Table {
     std::uint32_t end;
   };
 
-  Table(std::string text, std::string name) : name_{std::move(name)}, text_{std::move(text)} {}
+  Table(std::string text, std::string name, Rows rows)
+      : name_{std::move(name)}, text_{std::move(text)}, row_names_{rows} {}
   void read_all();
   void read_header(std::size_t line);
   void read_line(std::size_t begin, std::size_t end, std::size_t line);
   std::size_t read_quoted(std::size_t begin, std::size_t end, std::size_t line);
   [[nodiscard]] std::string_view view(Cell cell) const;
+  [[nodiscard]] std::string at(std::size_t line) const;
   [[noreturn]] void refuse(std::size_t line, const std::string& complaint) const;
 
   std::string name_;
   std::string text_;
+  Rows row_names_;
   std::vector<std::string> columns_;
   std::vector<Cell> cells_;  ///< row by row, without the header's
   std::vector<std::size_t> lines_;

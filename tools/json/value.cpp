@@ -168,6 +168,7 @@ const Content& Value::content(std::string_view wanted) const {
 bool Value::boolean() const { return content<bool>("true or false"); }
 std::uint64_t Value::count() const { return content<std::uint64_t>("a whole number from 0 on"); }
 const std::string& Value::text() const { return content<std::string>("text"); }
+const std::vector<Member>& Value::members() const { return content<std::vector<Member>>("an object"); }
 double Value::number() const {
   if (const auto* negative = std::get_if<std::int64_t>(&content_)) {
     return static_cast<double>(*negative);

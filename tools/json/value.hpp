@@ -83,6 +83,7 @@ class Value {
   [[nodiscard]] double number() const;
   [[nodiscard]] std::uint64_t count() const;
   [[nodiscard]] const std::string& text() const;
+  [[nodiscard]] const std::vector<Member>& members() const;
 
   [[nodiscard]] bool is_null() const;
   [[nodiscard]] bool is_number() const;

@@ -40,6 +40,17 @@ namespace fantail::log_export {
 /// pandas.DataFrame(json.load(open(FILE))["ticks"]) makes a table of it.
 [[nodiscard]] std::string json(const ReplayedFlight& source, const Selection& selection);
 
+/// A MAT-file of version 5 with five structs:
+///   flight        of each chosen field a column of numbers; not a number: unknown
+///   units, descriptions   of each a text
+///   words         of each that holds words a cell of those that occur; the numbers are places in it, from 1 on
+///   about         what the header says, the plan, events, health, gaps
+[[nodiscard]] std::string mat(const ReplayedFlight& source, const Selection& selection);
+
+/// A Parquet file with a column for each chosen field; null: unknown. Under the key "fantail" of its metadata stands
+/// the JSON of about.hpp.
+[[nodiscard]] std::string parquet(const ReplayedFlight& source, const Selection& selection);
+
 /// A ULog file, version 1, with the board's clock:
 ///   fantail_recorded  of the chosen fields those that stand in the log, every tick
 ///   fantail_replayed  those that the replay made again, every tick that it reached; a float that is not a number:

@@ -7,6 +7,7 @@
 #include "flight_log/integrity.hpp"
 #include "flight_log/to_report.hpp"
 #include "logs/column_map.hpp"
+#include "logs/load_table.hpp"
 #include "report/summary_json.hpp"
 #include "text/error.hpp"
 
@@ -110,8 +111,7 @@ flight::Flight read_flight(const std::filesystem::path& path) {
   }
   flight::Reading reading{.options = ""};
   const std::string mapped = apply_map_beside(file, reading);
-  flight::Flight flight =
-      flight::read_flight_csv(flight::Table::load(file.string()), reading, {.roll_angle = false, .roll_rate = false});
+  flight::Flight flight = flight::read_flight_csv(load_table(file), reading, {.roll_angle = false, .roll_rate = false});
   if (!mapped.empty()) {
     flight.notes.insert(flight.notes.begin(), mapped);
   }

@@ -28,8 +28,9 @@ namespace fantail::logs {
 /// or none that can be replayed, saying what can be done about it.
 [[nodiscard]] flight::Flight read_flight_log(const std::filesystem::path& file);
 
-/// A log (.ftl), a table with the columns of flight.csv, or a folder of fantail fly: its flight.csv (which has the
-/// truth too) with what summary.json says and with the plan of flight.ftl, or that log alone. Throws text::Error.
+/// A log (.ftl), a table with the columns of flight.csv (load_table.hpp), or a folder of fantail fly: its flight.csv
+/// (which has the truth too) with what summary.json says and with the plan of flight.ftl, or that log alone. Throws
+/// text::Error.
 [[nodiscard]] flight::Flight read_flight(const std::filesystem::path& path);
 
 }  // namespace fantail::logs

@@ -15,6 +15,7 @@
 #include "logs/column_map.hpp"
 #include "logs/flight_file.hpp"
 #include "logs/integrated_angle.hpp"
+#include "logs/load_table.hpp"
 #include "logs/log_doubts.hpp"
 #include "report/summary_json.hpp"
 #include "text/error.hpp"
@@ -135,7 +136,7 @@ RollLog read_roll_log(const std::filesystem::path& path, const flight::Reading& 
   }
   flight::Reading mapped = reading;
   const std::string said = apply_map_beside(file, mapped);
-  const flight::Table table = flight::Table::load(file.string());
+  const flight::Table table = load_table(file);
   flight::Needs present = needs;
   present.roll_angle = needs.roll_angle && (!needs.roll_rate || may_have_roll_angle(table, mapped));
   flight::Flight flight = flight::read_flight_csv(table, mapped, present);

@@ -38,9 +38,9 @@ struct RollLog {
 /// two rows.
 [[nodiscard]] RollLog roll_log(const flight::Flight& flight, std::string name, const flight::Reading& reading);
 
-/// `path` is a CSV file, a flight log (.ftl), or a folder that holds a flight.csv or else a flight.ftl. A map of
-/// columns beside a CSV file (column_map.hpp) is followed where `reading` says nothing else. A roll angle that is
-/// needed and not in the file is the integral of the roll rate. Both become warnings. Throws text::Error as
+/// `path` is a table (load_table.hpp), a flight log (.ftl), or a folder that holds a flight.csv or else a flight.ftl. A
+/// map of columns beside a CSV file (column_map.hpp) is followed where `reading` says nothing else. A roll angle that
+/// is needed and not in the file is the integral of the roll rate. Both become warnings. Throws text::Error as
 /// read_flight_csv and read_flight_log do, and bad_configuration when columns, a unit or a truth are asked of a flight
 /// log.
 [[nodiscard]] RollLog read_roll_log(const std::filesystem::path& path, const flight::Reading& reading,

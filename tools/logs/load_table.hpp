@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+
+#include "flight/table.hpp"
+
+namespace fantail::logs {
+
+/// The table in a file: of a MAT-file (.mat) and a Parquet file (.parquet) its columns (table_file/read.hpp), of every
+/// other a CSV file's. Throws as flight::Table::load() and those do, and text::Error (bad_data) for exports that are
+/// not read, by the ends of their names.
+[[nodiscard]] flight::Table load_table(const std::filesystem::path& file);
+
+}  // namespace fantail::logs
