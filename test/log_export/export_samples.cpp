@@ -22,6 +22,7 @@ int main(int argc, char** argv) {
   write("flight.log", candump(source));
   write("flight.lcmlog", lcm(source));
   write("flight.mat", mat(source, every_field(source)));
+  write("flight.mcap", mcap(source, every_field(source)));
   write("flight.parquet", parquet(source, every_field(source)));
   write("flight.json", json(source, every_field(source)));
 }

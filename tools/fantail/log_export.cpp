@@ -36,9 +36,10 @@ struct ExportFormat {
   std::string_view ending;
   bool has_fields;
 };
-inline constexpr std::array<ExportFormat, 7> export_formats{{{"csv", ".csv", true},
+inline constexpr std::array<ExportFormat, 8> export_formats{{{"csv", ".csv", true},
                                                              {"mat", ".mat", true},
                                                              {"parquet", ".parquet", true},
+                                                             {"mcap", ".mcap", true},
                                                              {"ulog", ".ulg", true},
                                                              {"lcm", ".lcmlog", false},
                                                              {"candump", ".log", false},
@@ -117,6 +118,9 @@ std::string content(const ExportQuestion& question, const log_export::ReplayedFl
   if (question.format->name == "parquet") {
     return log_export::parquet(source, fields);
   }
+  if (question.format->name == "mcap") {
+    return log_export::mcap(source, fields);
+  }
   return question.format->name == "ulog" ? log_export::ulog(source, fields) : log_export::json(source, fields);
 }
 
@@ -147,8 +151,8 @@ Exported export_foreign(const ExportQuestion& question, const flight_log::Flight
 
 Exported export_flight(const ExportQuestion& question, const flight_log::Flight& flight) {
   if (!question.fields.empty() && !question.format->has_fields) {
-    refuse_fields(
-        fmt::format("--to {} has messages of its own; allowed: csv, mat, parquet, ulog, json", question.format->name));
+    refuse_fields(fmt::format("--to {} has messages of its own; allowed: csv, mat, parquet, mcap, ulog, json",
+                              question.format->name));
   }
   require_once(question.fields);
   if (!flight.foreign_ticks.empty()) {
@@ -279,12 +283,12 @@ void add_log_export(const Verb& log) {
   auto options = std::make_shared<ExportOptions>();
   verb.option("LOG", options->log, "A flight log (.ftl), or a folder with a flight.ftl").required();
   verb.option("--to", options->format,
-              "csv: flight.csv. mat: for MATLAB, Octave and SciPy. parquet: for pandas and DuckDB. ulog: for "
-              "PlotJuggler and Foxglove. lcm: for lcm-logplayer. candump: the bus as it was, for canplayer and "
+              "csv: flight.csv. mat: for MATLAB, Octave and SciPy. parquet: for pandas and DuckDB. mcap: for "
+              "Foxglove. ulog: for PlotJuggler. lcm: for lcm-logplayer. candump: the bus as it was, for canplayer and "
               "cantools. json: one object with everything")
       .required()
-      .one_of({"csv", "mat", "parquet", "ulog", "lcm", "candump", "json"})
-      .value_name("csv|mat|parquet|ulog|lcm|candump|json");
+      .one_of({"csv", "mat", "parquet", "mcap", "ulog", "lcm", "candump", "json"})
+      .value_name("csv|mat|parquet|mcap|ulog|lcm|candump|json");
   verb.option("--out", options->out, "The file; - is standard output [out/export/NAME.ENDING]")
       .check(objection_to_file);
   verb.option("--fields", options->fields,

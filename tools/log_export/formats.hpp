@@ -51,6 +51,14 @@ namespace fantail::log_export {
 /// the JSON of about.hpp.
 [[nodiscard]] std::string parquet(const ReplayedFlight& source, const Selection& selection);
 
+/// An MCAP file with the board's clock, of JSON messages with a JSON schema each, which has unit and description of
+/// every field:
+///   /fantail/recorded, /fantail/replayed   as in ulog(); what is unknown is not in the message
+///   /fantail/health    ten times a second
+///   /fantail/events    events and gaps, as foxglove.Log
+/// Vehicle, versions, plan and gaps are its metadata.
+[[nodiscard]] std::string mcap(const ReplayedFlight& source, const Selection& selection);
+
 /// A ULog file, version 1, with the board's clock:
 ///   fantail_recorded  of the chosen fields those that stand in the log, every tick
 ///   fantail_replayed  those that the replay made again, every tick that it reached; a float that is not a number:

@@ -4,29 +4,12 @@
 
 #include <fmt/format.h>
 
-#include "flight/six_decimals.hpp"
 #include "log_export/about.hpp"
 #include "log_export/formats.hpp"
+#include "log_export/json_element.hpp"
 
 namespace fantail::log_export {
 namespace {
-
-struct Element {
-  fmt::memory_buffer& out;
-
-  void operator()(std::monostate) const { out.append(std::string_view{"null"}); }
-  void operator()(double value) const { out.append(flight::SixDecimals{value}.brief()); }
-  void operator()(std::int64_t value) const {
-    const fmt::format_int digits{value};
-    out.append(digits.data(), digits.data() + digits.size());
-  }
-  void operator()(bool value) const { out.append(std::string_view{value ? "true" : "false"}); }
-  void operator()(const Word& word) const {
-    out.push_back('"');
-    out.append(word.text);
-    out.push_back('"');
-  }
-};
 
 std::string ticks(const ReplayedFlight& source, const Selection& selection) {
   std::vector<fmt::memory_buffer> lists(selection.size());
@@ -41,7 +24,7 @@ std::string ticks(const ReplayedFlight& source, const Selection& selection) {
       if (lists[i].size() > 0) {
         lists[i].push_back(',');
       }
-      std::visit(Element{lists[i]}, values[selection[i]]);
+      std::visit(JsonElement{lists[i]}, values[selection[i]]);
     }
   }
   fmt::memory_buffer out;

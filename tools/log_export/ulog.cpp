@@ -7,13 +7,12 @@
 #include "core/flight_plan_fields.hpp"
 #include "flight/column_texts.hpp"
 #include "flight_log/event_text.hpp"
+#include "log_export/event_level.hpp"
 #include "log_export/formats.hpp"
 #include "log_export/ulog_writer.hpp"
 
 namespace fantail::log_export {
 namespace {
-
-using protocol::LogEventKind;
 
 enum Topic : std::uint8_t { recorded, replayed, health };
 constexpr std::array<std::string_view, 2> names{"fantail_recorded", "fantail_replayed"};
@@ -72,16 +71,6 @@ struct Put {
   void operator()(bool value) const { out << static_cast<std::uint8_t>(value ? 1 : 0); }
   void operator()(const Word& word) const { out << word.number; }
 };
-
-UlogLevel level_of(const protocol::LogEvent& event) {
-  switch (event.kind) {
-    case LogEventKind::records_dropped: return UlogLevel::warning;
-    case LogEventKind::canard_verdict:
-    case LogEventKind::gyro_state:
-    case LogEventKind::accelerometer_state: return event.value == 0 ? UlogLevel::info : UlogLevel::warning;
-    default: return UlogLevel::info;
-  }
-}
 
 class File {
  public:
@@ -209,7 +198,8 @@ class File {
     for (; next_event_ < flight.events.size() && flight.events[next_event_].time <= until; ++next_event_) {
       const protocol::LogEvent& event = flight.events[next_event_];
       if (source_.inside(event.time)) {
-        writer_.text(level_of(event), us(event.time), flight_log::event_text(event));
+        writer_.text(is_warning(event) ? UlogLevel::warning : UlogLevel::info, us(event.time),
+                     flight_log::event_text(event));
       }
     }
     for (; next_health_ < flight.health.size() && flight.health[next_health_].time <= until; ++next_health_) {
