@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <string>
 #include <string_view>
+
+#include "text/deflate.hpp"
 
 /// What is used of Apache Parquet's parquet.thrift: numbers of fields and values of enumerations.
 namespace fantail::table_file::parquet {
@@ -40,6 +44,13 @@ inline constexpr int type = 1, bytes_unpacked = 2, bytes_packed = 3, crc = 4, da
 }
 namespace data_page_fields {
 inline constexpr int values = 1, encoding = 2, definition_encoding = 3, repetition_encoding = 4;
+}
+
+/// Parquet has a checksum for its values and none for what describes them. Fantail's own stands under this key: of the
+/// description from its begin to the key itself.
+inline constexpr std::string_view checksum_key = "fantail.crc32";
+[[nodiscard]] inline std::string checksum_of(std::string_view description, std::size_t key_at) {
+  return std::to_string(text::crc32(description.substr(0, key_at)));
 }
 
 }  // namespace fantail::table_file::parquet

@@ -88,12 +88,31 @@ class Reader {
     if (size > file_.size() - ends) {
       damaged("its description is longer than the file");
     }
-    std::string_view bytes = file_.substr(file_.size() - 8 - size, size);
-    auto footer = thrift::read(bytes);
-    if (!footer || !bytes.empty()) {
+    const std::string_view description = file_.substr(file_.size() - 8 - size, size);
+    std::string_view rest = description;
+    auto footer = thrift::read(rest);
+    if (!footer || !rest.empty()) {
       damaged("its description cannot be read");
     }
+    require_checksum(*footer, description);
     return std::move(*footer);
+  }
+
+  // Other programs write none.
+  void require_checksum(const Value& footer, std::string_view description) const {
+    const Value* const pairs = footer.find(file_fields::key_values, thrift::Type::list);
+    if (pairs == nullptr) {
+      return;
+    }
+    for (const Value& pair : pairs->elements) {
+      const Value* const key = pair.find(key_value_fields::key, thrift::Type::binary);
+      const Value* const value = pair.find(key_value_fields::value, thrift::Type::binary);
+      if (key != nullptr && key->bytes == checksum_key &&
+          (value == nullptr || value->bytes != checksum_of(description, static_cast<std::size_t>(
+                                                                            key->bytes.data() - description.data())))) {
+        damaged("the checksum of its description is wrong");
+      }
+    }
   }
 
   void add_column(Columns& columns, const Value& schema) const {

@@ -145,6 +145,13 @@ Writer chunk_of(const Column& column, const Page& page, std::size_t offset) {
   return chunk;
 }
 
+Writer key_value(std::string_view key, std::string_view value) {
+  Writer pair;
+  pair.binary(key_value_fields::key, key);
+  pair.binary(key_value_fields::value, value);
+  return pair;
+}
+
 }  // namespace
 
 std::string file(const Columns& columns, const std::string& about) {
@@ -167,17 +174,18 @@ std::string file(const Columns& columns, const std::string& about) {
   group.structures(row_group_fields::columns, chunks);
   group.int64(row_group_fields::bytes, static_cast<std::int64_t>(unpacked));
   group.int64(row_group_fields::rows, rows);
-  Writer key_value;
-  key_value.binary(key_value_fields::key, "fantail");
-  key_value.binary(key_value_fields::value, about);
-  Writer footer;
-  footer.int32(file_fields::version, 1);
-  footer.structures(file_fields::schema, schema);
-  footer.int64(file_fields::rows, rows);
-  footer.structures(file_fields::row_groups, {group});
-  footer.structures(file_fields::key_values, {key_value});
-  footer.binary(file_fields::created_by, "Fantail");
-  const std::string description = footer.bytes();
+  const auto described = [&](const std::string& checksum) {
+    Writer footer;
+    footer.int32(file_fields::version, 1);
+    footer.structures(file_fields::schema, schema);
+    footer.int64(file_fields::rows, rows);
+    footer.structures(file_fields::row_groups, {group});
+    footer.structures(file_fields::key_values, {key_value("fantail", about), key_value(checksum_key, checksum)});
+    footer.binary(file_fields::created_by, "Fantail");
+    return footer.bytes();
+  };
+  const std::string unchecked = described("");
+  const std::string description = described(checksum_of(unchecked, unchecked.rfind(checksum_key)));
   out += description;
   put(out, static_cast<std::uint32_t>(description.size()));
   return out += magic;
