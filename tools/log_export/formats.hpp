@@ -53,10 +53,11 @@ namespace fantail::log_export {
 
 /// An MCAP file with the board's clock, of JSON messages with a JSON schema each, which has unit and description of
 /// every field:
-///   /fantail/recorded, /fantail/replayed   as in ulog(); what is unknown is not in the message
+///   /fantail/recorded  of the chosen fields those that stand in the log, every tick
+///   /fantail/replayed  those that the replay made again, every tick of which one is known
 ///   /fantail/health    ten times a second
 ///   /fantail/events    events and gaps, as foxglove.Log
-/// Vehicle, versions, plan and gaps are its metadata.
+/// What is unknown is not in a message. Vehicle, versions, plan and gaps are the metadata.
 [[nodiscard]] std::string mcap(const ReplayedFlight& source, const Selection& selection);
 
 /// A ULog file, version 1, with the board's clock:

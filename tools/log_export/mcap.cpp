@@ -40,13 +40,15 @@ std::string schema(std::string_view title, Json properties) {
 }
 
 std::string health_schema() {
-  Json properties{{"time_s", property("number", "s", "time since lift-off")},
-                  {"verdicts", {{"type", "array"}, {"items", {{"type", "string"}}}}}};
+  Json properties{{"verdicts", {{"type", "array"}, {"items", {{"type", "string"}}}}}};
   for (const std::string_view name : {"gyro_state", "accelerometer_state", "bus_state", "longest_tick_us",
                                       "longest_queue", "ticks_dropped", "unsent", "bus_errors"}) {
     const flight::ColumnText text = flight::column_text(name).value_or(flight::ColumnText{});
     const bool is_word = name == "gyro_state" || name == "accelerometer_state";
-    properties[name] = property(is_word ? "string" : "integer", text.unit, text.description);
+    properties[name] = property(is_word            ? "string"
+                                : name == "time_s" ? "number"
+                                                   : "integer",
+                                text.unit, text.description);
   }
   return schema("fantail.Health", std::move(properties));
 }
@@ -95,9 +97,7 @@ class File {
       if (source_.inside(time)) {
         const std::span<const Value> values = reader.read(i);
         tick(0, time, values);
-        if (source_.record(i) != nullptr) {
-          tick(1, time, values);
-        }
+        tick(1, time, values);
       }
     }
     notes_until(core::Microseconds::max());
@@ -115,11 +115,9 @@ class File {
     writer_.metadata("fantail", texts);
   }
 
-  // What is unknown is not in the message.
+  // What is unknown is not in the message; where nothing is known, there is none. Of a tick to which no replay leads
+  // the commands of the canards are known, for those stand in the log.
   void tick(std::size_t topic, core::Microseconds time, std::span<const Value> values) {
-    if (chosen_[topic].empty()) {
-      return;
-    }
     buffer_.clear();
     for (const std::size_t i : chosen_[topic]) {
       if (!std::holds_alternative<std::monostate>(values[i])) {
@@ -127,8 +125,10 @@ class File {
         std::visit(JsonElement{buffer_}, values[i]);
       }
     }
-    buffer_.append(std::string_view{buffer_.size() == 0 ? "{}" : "}"});
-    writer_.message(ticks_[topic], time, {buffer_.data(), buffer_.size()});
+    if (buffer_.size() > 0) {
+      buffer_.push_back('}');
+      writer_.message(ticks_[topic], time, {buffer_.data(), buffer_.size()});
+    }
   }
 
   // Everything that is not a tick and comes before or with one.
