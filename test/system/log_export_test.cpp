@@ -54,7 +54,7 @@ class LogExport : public testing::Test {
 };
 
 TEST_F(LogExport, WritesEachFormatUnderTheNameOfTheLogAndSaysWhere) {
-  for (const char* format : {"csv", "ulog", "lcm", "candump", "json"}) {
+  for (const char* format : {"csv", "mat", "parquet", "mcap", "ulog", "lcm", "candump", "json"}) {
     const Outcome outcome = run({"--to", format});
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     ASSERT_FALSE(outcome.out.empty());
@@ -118,8 +118,20 @@ TEST_F(LogExport, ReplacesNothingButAnEarlierExportInAnyFolder) {
 }
 
 TEST_F(LogExport, TheSameLogGivesTheSameBytes) {
-  for (const char* format : {"csv", "ulog", "lcm", "candump", "json"}) {
+  for (const char* format : {"csv", "mat", "parquet", "mcap", "ulog", "lcm", "candump", "json"}) {
     EXPECT_EQ(run({"--to", format, "--out", "-"}).out, run({"--to", format, "--out", "-"}).out) << format;
+  }
+}
+
+TEST_F(LogExport, AsATableIsTheSameMotionToWhatReadsLogs) {
+  for (const char* ending : {"mat", "parquet"}) {
+    ASSERT_EQ(run({"--to", ending}).exit_code, 0);
+    const Outcome outcome = fantail({"compare", "flown.ftl", std::string{"out/export/flown."} + ending, "--json"},
+                                    {.working_folder = folder_.path()});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    const Json json = json::parse(outcome.out);
+    EXPECT_NEAR(json["max_abs_angle_difference_deg"].number(), 0.0, 1e-9) << ending;
+    EXPECT_NEAR(json["max_abs_rate_difference_deg_s"].number(), 0.0, 1e-9) << ending;
   }
 }
 

@@ -19,7 +19,8 @@ std::string objection_to_axis(const std::string& text) {
 
 void add_reading(const Verb& verb, IdentifyOptions& o) {
   verb.option("DATA", o.data,
-              "A CSV file, a flight log (.ftl), or a folder that `fantail fly` wrote; several with --shared")
+              "A CSV, MAT or Parquet file, a flight log (.ftl), or a folder that `fantail fly` wrote; several with "
+              "--shared")
       .required();
   auto shared =
       verb.option(

@@ -82,7 +82,8 @@ void steps(const StepsVerbOptions& options) {
 }
 
 void add_run_options(const Verb& verb, StepsVerbOptions& options) {
-  verb.option("RUN", options.run, "A flight folder, a flight log (.ftl), or a CSV with reference_deg and canard_deg")
+  verb.option("RUN", options.run,
+              "A flight folder, a flight log (.ftl), or a CSV, MAT or Parquet file with reference_deg and canard_deg")
       .required();
   add_airframe_options(verb, options.airframe);
   verb.option("--speed", options.speed_m_s, "Wind speed, instead of tunnel.csv's mean or the log's own")

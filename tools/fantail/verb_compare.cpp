@@ -122,7 +122,7 @@ void compare_logs(const CompareVerbOptions& options) {
 }
 
 void add_log(const Verb& verb, const std::string& name, const std::string& capital, LogChoice& choice) {
-  verb.option(capital, choice.path, "CSV file, flight log (.ftl) or flight folder").required();
+  verb.option(capital, choice.path, "CSV, MAT or Parquet file, flight log (.ftl) or flight folder").required();
   verb.option("--" + name, choice.motion, "Which roll motion of " + capital + ": as measured, or a simulation's truth")
       .one_of({"measured", "true"})
       .value_name("measured|true")

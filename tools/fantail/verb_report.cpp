@@ -89,7 +89,8 @@ void report_two(const ReportOptions& options) {
 
 void fill(const Verb& verb) {
   auto options = std::make_shared<ReportOptions>();
-  constexpr const char* what = "a flight log (.ftl), a CSV with columns of flight.csv, or a flight folder";
+  constexpr const char* what =
+      "a flight log (.ftl), a CSV, MAT or Parquet file with columns of flight.csv, or a flight folder";
   verb.option("A", options->a, fmt::format("The flight: {}", what)).required();
   auto b = verb.option("B", options->b, "A second flight to draw over it: the same kinds of file");
   verb.option("--out", options->out,

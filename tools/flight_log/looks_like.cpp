@@ -26,6 +26,9 @@ struct Beginning {
 };
 constexpr std::array beginnings{
     Beginning{"ULog\x01\x12\x35"sv, "a ULog file, which is what `fantail log export --to ulog` writes and others read"},
+    Beginning{"MATLAB 5.0 MAT-file"sv, "a MAT-file, which compare, identify and tunnel read"},
+    Beginning{"PAR1"sv, "a Parquet file, which compare, identify and tunnel read"},
+    Beginning{"\x89MCAP0\r\n"sv, "an MCAP file, which `fantail log export --to mcap` writes and others read"},
     Beginning{"\xED\xA1\xDA\x01"sv, "an LCM log, which lcm-logplayer plays back"},
     Beginning{"FTPL"sv, "a flight plan as a board is loaded with it"},
     Beginning{"\x7F"
