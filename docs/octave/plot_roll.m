@@ -5,11 +5,12 @@ function plot_roll(file)
 %   plot_roll('out/export/tasha3_launch2.mat')
 log = load_flight(file);
 columns = {'roll_angle_deg', 'roll_rate_deg_s', 'canard_deg'};
+names = {'roll angle', 'roll rate', 'canards'};
 for i = 1:numel(columns)
   subplot(numel(columns), 1, i);
   plot(log.flight.time_s, log.flight.(columns{i}));
   grid on;
-  ylabel(sprintf('%s / %s', strrep(columns{i}, '_', ' '), log.units.(columns{i})));
+  ylabel(sprintf('%s / %s', names{i}, log.units.(columns{i})));
 end
 xlabel('time / s');
 end

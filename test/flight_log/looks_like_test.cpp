@@ -18,6 +18,9 @@ std::string looks(std::string_view text) { return looks_like(std::as_bytes(std::
 
 TEST(LooksLike, KindsOfFilesThatPeopleTakeForALogAreNamed) {
   EXPECT_NE(looks("ULog\x01\x12\x35\x01"sv).find("ULog"), std::string::npos);
+  EXPECT_NE(looks("MATLAB 5.0 MAT-file, written").find("MAT-file"), std::string::npos);
+  EXPECT_NE(looks("PAR1\x15\x04"sv).find("Parquet"), std::string::npos);
+  EXPECT_NE(looks("\x89MCAP0\r\n\x01"sv).find("MCAP"), std::string::npos);
   EXPECT_NE(looks("\xED\xA1\xDA\x01\0\0\0\0"sv).find("LCM"), std::string::npos);
   EXPECT_NE(looks("\x7F"
                   "ELF\x02\x01"sv)

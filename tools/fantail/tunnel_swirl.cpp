@@ -70,7 +70,7 @@ void add_tunnel_swirl(const Verb& tunnel) {
   auto verb = tunnel.verb("swirl", "What the swirl adds to the fin offset, from free rolling");
   auto options = std::make_shared<SwirlVerbOptions>();
   verb.option("WITHOUT", options->without.roll,
-              "Roll log without flow straightener: a flight folder, a flight log (.ftl) or a CSV")
+              "Roll log without flow straightener: a flight folder, a flight log (.ftl), or a CSV, MAT or Parquet file")
       .required();
   verb.option("WITH", options->with.roll, "Roll log with flow straightener").required();
   add_session(verb, "without", options->without);
