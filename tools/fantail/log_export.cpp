@@ -34,16 +34,17 @@ namespace {
 struct ExportFormat {
   std::string_view name;
   std::string_view ending;
-  bool has_fields;
+  /// The chosen fields; null: the format has messages of its own.
+  std::string (*write_fields)(const log_export::ReplayedFlight& source, const log_export::Selection& selection);
 };
-inline constexpr std::array<ExportFormat, 8> export_formats{{{"csv", ".csv", true},
-                                                             {"mat", ".mat", true},
-                                                             {"parquet", ".parquet", true},
-                                                             {"mcap", ".mcap", true},
-                                                             {"ulog", ".ulg", true},
-                                                             {"lcm", ".lcmlog", false},
-                                                             {"candump", ".log", false},
-                                                             {"json", ".json", true}}};
+inline constexpr std::array<ExportFormat, 8> export_formats{{{"csv", ".csv", log_export::csv},
+                                                             {"mat", ".mat", log_export::mat},
+                                                             {"parquet", ".parquet", log_export::parquet},
+                                                             {"mcap", ".mcap", log_export::mcap},
+                                                             {"ulog", ".ulg", log_export::ulog},
+                                                             {"lcm", ".lcmlog", nullptr},
+                                                             {"candump", ".log", nullptr},
+                                                             {"json", ".json", log_export::json}}};
 
 /// What a person wants of a log.
 struct ExportQuestion {
@@ -102,26 +103,13 @@ flight_log::Regeneration replay_of(const flight_log::Flight& flight) {
 
 std::string content(const ExportQuestion& question, const log_export::ReplayedFlight& source,
                     const flight::Flight& report, const std::optional<log_export::Selection>& chosen) {
-  if (question.format->name == "csv") {
-    return chosen ? log_export::csv(source, *chosen) : log_export::flight_csv(source, report);
+  if (question.format->name == "csv" && !chosen) {
+    return log_export::flight_csv(source, report);
   }
-  if (question.format->name == "candump") {
-    return log_export::candump(source);
+  if (question.format->write_fields == nullptr) {
+    return question.format->name == "lcm" ? log_export::lcm(source) : log_export::candump(source);
   }
-  if (question.format->name == "lcm") {
-    return log_export::lcm(source);
-  }
-  const log_export::Selection fields = chosen.value_or(log_export::every_field(source));
-  if (question.format->name == "mat") {
-    return log_export::mat(source, fields);
-  }
-  if (question.format->name == "parquet") {
-    return log_export::parquet(source, fields);
-  }
-  if (question.format->name == "mcap") {
-    return log_export::mcap(source, fields);
-  }
-  return question.format->name == "ulog" ? log_export::ulog(source, fields) : log_export::json(source, fields);
+  return question.format->write_fields(source, chosen.value_or(log_export::every_field(source)));
 }
 
 Exported export_foreign(const ExportQuestion& question, const flight_log::Flight& flight) {
@@ -150,7 +138,7 @@ Exported export_foreign(const ExportQuestion& question, const flight_log::Flight
 }
 
 Exported export_flight(const ExportQuestion& question, const flight_log::Flight& flight) {
-  if (!question.fields.empty() && !question.format->has_fields) {
+  if (!question.fields.empty() && question.format->write_fields == nullptr) {
     refuse_fields(fmt::format("--to {} has messages of its own; allowed: csv, mat, parquet, mcap, ulog, json",
                               question.format->name));
   }
@@ -163,7 +151,7 @@ Exported export_flight(const ExportQuestion& question, const flight_log::Flight&
     refuse_log(question, "holds no tick of the flight");
   }
   const flight_log::Regeneration replay = replay_of(flight);
-  const bool only_replayed = !question.format->has_fields;
+  const bool only_replayed = question.format->write_fields == nullptr;
   if (only_replayed && replay.compared == 0) {
     // A file of nothing but headers would look like a success.
     refuse_log(question, fmt::format("{} What the log itself contains can be exported: --to csv",
