@@ -106,10 +106,10 @@ std::string content(const ExportQuestion& question, const log_export::ReplayedFl
   if (question.format->name == "csv" && !chosen) {
     return log_export::flight_csv(source, report);
   }
-  if (question.format->write_fields == nullptr) {
-    return question.format->name == "lcm" ? log_export::lcm(source) : log_export::candump(source);
+  if (question.format->write_fields != nullptr) {
+    return question.format->write_fields(source, chosen.value_or(log_export::every_field(source)));
   }
-  return question.format->write_fields(source, chosen.value_or(log_export::every_field(source)));
+  return question.format->name == "lcm" ? log_export::lcm(source) : log_export::candump(source);
 }
 
 Exported export_foreign(const ExportQuestion& question, const flight_log::Flight& flight) {
@@ -139,8 +139,7 @@ Exported export_foreign(const ExportQuestion& question, const flight_log::Flight
 
 Exported export_flight(const ExportQuestion& question, const flight_log::Flight& flight) {
   if (!question.fields.empty() && question.format->write_fields == nullptr) {
-    refuse_fields(fmt::format("--to {} has messages of its own; allowed: csv, mat, parquet, mcap, ulog, json",
-                              question.format->name));
+    refuse_fields(fmt::format("--to {} has messages of its own; the others have fields", question.format->name));
   }
   require_once(question.fields);
   if (!flight.foreign_ticks.empty()) {
@@ -280,8 +279,7 @@ void add_log_export(const Verb& log) {
   verb.option("--out", options->out, "The file; - is standard output [out/export/NAME.ENDING]")
       .check(objection_to_file);
   verb.option("--fields", options->fields,
-              "Only these, separated by commas, raw counts too; an unknown name lists all [csv: those of "
-              "flight.csv; others: all]")
+              "Only these, with commas between; an unknown name lists all [csv: those of flight.csv; others: all]")
       .separated_by(',')
       .one_word_each_time()
       .value_name("A,B,C");
