@@ -30,9 +30,10 @@ class ReplayedFlight {
 
   /// The replayed record of a tick; null where the replay could not come.
   [[nodiscard]] const core::TickRecord* record(std::size_t tick) const;
-  /// On the clock of flight.csv.
+  /// On the clock of flight.csv: the number that its six decimals are, so that a window takes the same ticks of each
+  /// export.
   [[nodiscard]] double time_s(core::Microseconds time) const {
-    return 1e-6 * static_cast<double>((time - zero_).count());
+    return static_cast<double>((time - zero_).count()) / 1e6;
   }
   [[nodiscard]] bool inside(core::Microseconds time) const { return inside(time_s(time)); }
   [[nodiscard]] bool inside(double time_s) const;
