@@ -63,6 +63,7 @@ set(FANTAIL_COMPILED_ALONE
   tools/predict/json.cpp tools/predict/run.cpp tools/predict/text.cpp
   tools/report/path_section.cpp tools/report/results.cpp tools/report/running_figures.cpp tools/report/summary_json.cpp
   tools/report/verdict.cpp
+  tools/table_file/parquet_reader.cpp
   tools/tunnel/steps_report.cpp tools/tunnel/swing.cpp tools/tunnel/swing_log.cpp tools/tunnel/swirl.cpp
   tools/tunnel/swirl_report.cpp tools/tunnel/tunnel_log.cpp
 )

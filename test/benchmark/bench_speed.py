@@ -18,6 +18,7 @@ import sys
 import identify_speed
 import jsbsim_peer
 import log_speed
+import rocketpy_speed
 
 REPETITIONS = 3  # of each benchmark in a round
 NANOSECONDS = 1e9
@@ -68,6 +69,7 @@ def measure(folder, rounds):
     milliseconds = 1e3 * flight["duration_s"]
     fantail = {}
     peer_s = []
+    rocketpy_s = []
     for _ in range(rounds):
         of_round = fantail_samples(pathlib.Path(folder) / "bench_speed")
         for name, samples in of_round.items():
@@ -76,6 +78,8 @@ def measure(folder, rounds):
         for reader, samples in log_peers.items():
             samples += [log_speed.measure(logs, reader) for _ in range(REPETITIONS)]
         peer_s += [jsbsim_peer.cpu_seconds(flight["duration_s"]) for _ in range(REPETITIONS)]
+        ascents_s, rocketpy_apogee_m = rocketpy_speed.measure(REPETITIONS)
+        rocketpy_s += ascents_s
 
     def time_ns(name, counter):
         return summary([NANOSECONDS * sample[counter] for sample in fantail[name]])
@@ -89,6 +93,9 @@ def measure(folder, rounds):
         "world_ms_ns": time_ns("whole_flight", "time_per_world_ms"),
         "flights_per_s": summary([sample["flights_per_s"] for sample in fantail["whole_flight"]]),
         "campaign_flights_per_s": summary([sample["flights_per_s"] for sample in fantail["campaign_run"]]),
+        "rocketpy_ascents_per_s": summary([1.0 / each for each in rocketpy_s]),
+        "rocketpy_apogee_m": rocketpy_apogee_m,
+        "jsbsim_flights_per_s": summary([1.0 / each for each in peer_s]),
         "times_real_time": summary([sample["times_real_time"] for sample in fantail["whole_flight"]]),
         "six_dof_ms_ns": time_ns("whole_flight_six_dof", "time_per_world_ms"),
         "six_dof_times_real_time": summary(
@@ -120,6 +127,8 @@ def show(result):
         ("JSBSim, times real time", "jsbsim_times_real_time"),
         ("whole world, flights a second", "flights_per_s"),
         ("campaign, flights a second and core", "campaign_flights_per_s"),
+        ("JSBSim, flights a second", "jsbsim_flights_per_s"),
+        ("RocketPy, ascents without control, a second", "rocketpy_ascents_per_s"),
     ]
     for label, key in rows:
         row = result[key]
@@ -132,6 +141,7 @@ def show(result):
         f"roll held at {flight['hold_0_deg']:.2f} deg (expected R + u_d/kp = -9.80), then at "
         f"{flight['hold_minus_20_deg']:.2f} (-29.80)."
     )
+    print(f"RocketPy's ascent: apogee {result['rocketpy_apogee_m']:.1f} m, two degrees off the vertical in 5 m/s of wind.")
     log_speed.show(result["flight_log"])
     identify_speed.show(result["identification"])
 
