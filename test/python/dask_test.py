@@ -60,7 +60,7 @@ def test_a_campaign_on_dask_is_the_campaign_flown_as_one_although_a_worker_was_k
         assert (flown / "whole" / name).read_bytes() == (whole / name).read_bytes(), name
     begun = client.run_on_scheduler(lambda dask_scheduler: [
         key for key, _, finish, *_ in dask_scheduler.transition_log if "shard_1_" in str(key) and finish == "processing"])
-    assert len(begun) == 2  # it was given to a second worker, or to the one that took the place of the first
+    assert len(begun) >= 2  # it was given out again: to the other worker, or to the one that took the place of the first
 
 
 def files(folder):
