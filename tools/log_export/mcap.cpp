@@ -67,9 +67,10 @@ std::string log_schema() {
        {"line", whole}});
 }
 
-class File {
+class McapFile {
  public:
-  File(const ReplayedFlight& source, const Selection& selection) : source_{source}, about_{about(source, selection)} {
+  McapFile(const ReplayedFlight& source, const Selection& selection)
+      : source_{source}, about_{about(source, selection)} {
     std::array<Json, 2> properties;
     for (const std::size_t i : selection) {
       const Field& field = fields()[i];
@@ -191,6 +192,8 @@ class File {
 
 }  // namespace
 
-std::string mcap(const ReplayedFlight& source, const Selection& selection) { return File{source, selection}.write(); }
+std::string mcap(const ReplayedFlight& source, const Selection& selection) {
+  return McapFile{source, selection}.write();
+}
 
 }  // namespace fantail::log_export

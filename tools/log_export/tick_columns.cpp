@@ -25,7 +25,7 @@ Kind kind_of(FieldType type) {
   return Kind::word;
 }
 
-struct Number {
+struct ToNumber {
   std::map<std::uint8_t, std::string>& words;
 
   double operator()(std::monostate) const { return std::numeric_limits<double>::quiet_NaN(); }
@@ -69,7 +69,7 @@ table_file::Columns tick_columns(const ReplayedFlight& source, const Selection& 
     }
     const std::span<const Value> values = reader.read(tick);
     for (std::size_t i = 0; i < selection.size(); ++i) {
-      columns[i].values.push_back(std::visit(Number{words[i]}, values[selection[i]]));
+      columns[i].values.push_back(std::visit(ToNumber{words[i]}, values[selection[i]]));
     }
   }
   for (std::size_t i = 0; i < selection.size(); ++i) {

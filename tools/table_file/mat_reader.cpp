@@ -75,9 +75,9 @@ Columns columns_of(std::span<const Array> arrays) {
   return all;
 }
 
-class Reader {
+class MatReader {
  public:
-  Reader(std::string_view file, const std::string& name) : name_{name} {
+  MatReader(std::string_view file, const std::string& name) : name_{name} {
     try {
       arrays_ = mat::read_arrays(file);
     } catch (const mat::Damage& damage) {
@@ -166,6 +166,6 @@ class Reader {
 
 }  // namespace
 
-Columns read_mat(std::string_view file, const std::string& name) { return Reader{file, name}.read(); }
+Columns read_mat(std::string_view file, const std::string& name) { return MatReader{file, name}.read(); }
 
 }  // namespace fantail::table_file

@@ -25,9 +25,9 @@ constexpr std::string_view how_to_write =
     "compression=\"gzip\", "
     "use_dictionary=False";
 
-class Reader {
+class ParquetReader {
  public:
-  Reader(std::string_view file, const std::string& name) : file_{file}, name_{name} {}
+  ParquetReader(std::string_view file, const std::string& name) : file_{file}, name_{name} {}
 
   Columns read() {
     const Value footer = this->footer();
@@ -204,6 +204,6 @@ class Reader {
 
 }  // namespace
 
-Columns read_parquet(std::string_view file, const std::string& name) { return Reader{file, name}.read(); }
+Columns read_parquet(std::string_view file, const std::string& name) { return ParquetReader{file, name}.read(); }
 
 }  // namespace fantail::table_file
