@@ -44,6 +44,8 @@ set(FANTAIL_COMPILED_ALONE
   test/sim/rigid_flight_test.cpp test/sim/roll_plant_test.cpp test/sim/servo_fault_test.cpp test/sim/servo_load_test.cpp
   test/sim/servo_spread_test.cpp test/sim/servo_test.cpp test/sim/wind_test.cpp
   test/stability/loop_at_speed_test.cpp
+  test/system/bench_trouble_test.cpp test/system/fly_trajectory_test.cpp test/system/log_export_test.cpp test/system/fly_test.cpp
+  test/telemetry/lossy_link_test.cpp
   test/trajectory/trajectory_test.cpp
   test/tune/tuning_test.cpp
   tools/airframe/model/fin_set.cpp
@@ -63,7 +65,6 @@ set(FANTAIL_COMPILED_ALONE
   tools/predict/json.cpp tools/predict/run.cpp tools/predict/text.cpp
   tools/report/path_section.cpp tools/report/results.cpp tools/report/running_figures.cpp tools/report/summary_json.cpp
   tools/report/verdict.cpp
-  tools/table_file/parquet_reader.cpp
   tools/tunnel/steps_report.cpp tools/tunnel/swing.cpp tools/tunnel/swing_log.cpp tools/tunnel/swirl.cpp
   tools/tunnel/swirl_report.cpp tools/tunnel/tunnel_log.cpp
 )

@@ -49,10 +49,10 @@ outside = "truncate"
 
 TEST(Spreads, OfTheNextRowNeedThreeRows) {
   const input::ScratchFile two{"alpha\n20\n22\n", "two_rows.csv"};
-  const std::string said = refusal(
-      "[[spread]]\nfield = \"aerodynamics.damping_m2\"\nlaw = \"next_row\"\ntable = \"" + two.path().string() +
-      "\"\ncolumns = [\"alpha\"]\n");
-  EXPECT_NE(said.find("two_rows.csv has 2 rows; allowed: 3 or more with law = \"next_row\""), std::string::npos) << said;
+  const std::string said = refusal("[[spread]]\nfield = \"aerodynamics.damping_m2\"\nlaw = \"next_row\"\ntable = \"" +
+                                   two.path().string() + "\"\ncolumns = [\"alpha\"]\n");
+  EXPECT_NE(said.find("two_rows.csv has 2 rows; allowed: 3 or more with law = \"next_row\""), std::string::npos)
+      << said;
 }
 
 TEST(Spreads, ThatAreNoneAreRefusedByWhatIsWrong) {

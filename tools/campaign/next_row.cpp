@@ -39,8 +39,8 @@ NextRow::Row NextRow::draw(std::span<const double> normals) const {
   }
   // One factor for all numbers: their correlation stays, and each has Student's t distribution.
   const double tail = std::sqrt(static_cast<double>(degrees_of_freedom) / chi_squared);
-  // A sum of the deviations, each with a normal factor of its own, has exactly their covariance, also where there are fewer
-  // rows than numbers in a row.
+  // A sum of the deviations, each with a normal factor of its own, has exactly their covariance, also where there are
+  // fewer rows than numbers in a row.
   Row drawn = mean_;
   for (std::size_t k = 0; k < deviations_.size(); ++k) {
     const double share = tail * normals[degrees_of_freedom + k];

@@ -12,10 +12,10 @@ namespace fantail::campaign {
 inline constexpr std::size_t fewest_rows = 3;
 
 /// One more row of a table whose rows are all of one kind, airframes in a tunnel: Student's t distribution with one
-/// degree of freedom less than there are rows, with the correlations that the rows have among themselves. For each number
-/// that is the predictive distribution of the next row: a normal law would take the spread of a few rows for the true
-/// one. The variance of measurement, as far as standard errors are stated, is taken off: it is no property of what was
-/// measured. It stays in the doubt that so few rows leave about their mean.
+/// degree of freedom less than there are rows, with the correlations that the rows have among themselves. For each
+/// number that is the predictive distribution of the next row: a normal law would take the spread of a few rows for the
+/// true one. The variance of measurement, as far as standard errors are stated, is taken off: it is no property of what
+/// was measured. It stays in the doubt that so few rows leave about their mean.
 class NextRow {
  public:
   using Row = std::vector<double>;

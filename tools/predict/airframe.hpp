@@ -23,8 +23,8 @@ struct AreaFactor {
   double high = 1.0;
 };
 
-/// Airframes as the rocket on the pad may be one: the next row of a table of tunnel steps (campaign::NextRow), with both
-/// factors. What has a damping or torque of zero or less is drawn again.
+/// Airframes as the rocket on the pad may be one: the next row of a table of tunnel steps (campaign::NextRow), with
+/// both factors. What has a damping or torque of zero or less is drawn again.
 class AirframeSpread {
  public:
   /// Takes `fewest_tunnel_steps` or more, and a standard error for each number of each, or none at all.
