@@ -11,6 +11,9 @@ function log = load_flight(file)
 %
 % Ticks to which no replay leads have no replayed values; they are left out here.
 log = load(file);
+if ~isfield(log.flight, 'replayed')
+  return;  % exported with --fields, without it
+end
 replayed = log.flight.replayed == 1;
 names = fieldnames(log.flight);
 for i = 1:numel(names)

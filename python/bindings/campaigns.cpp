@@ -142,6 +142,7 @@ void bind_campaigns(nb::module_& m) {
       .def_rw("out", &CampaignRequest::out);
   nb::class_<FlownRuns>(m, "FlownRuns")
       .def_ro("summary", &FlownRuns::summary)
+      .def_prop_ro("remark", [](const FlownRuns& runs) { return runs.flown.remark; })
       .def_prop_ro("quantities", [](const FlownRuns& runs) { return runs.flown.quantities; })
       .def_prop_ro("figures",
                    [](const FlownRuns&) {

@@ -3,6 +3,7 @@ from __future__ import annotations
 
 import json
 import os
+import warnings
 from collections.abc import Sequence
 from typing import Any, Optional
 
@@ -42,7 +43,13 @@ class Campaign:
             return self._core.runs() if name == "run" else self._core.seeds()
         if name in ("outcome", "note"):
             return np.array(self._core.outcomes() if name == "outcome" else self._core.notes())
+        if name not in self.columns:
+            raise KeyError(_changes.unknown(name, self.columns))
         return self._core.numbers(name)
+
+    def __repr__(self) -> str:
+        said = "one shard of it" if self.summary is None else self.summary["sentence"]
+        return f"<fantail.Campaign of {len(self)} runs in {self.folder}: {said}>"
 
     def to_pandas(self) -> Any:
         """A DataFrame of all columns; needs pandas."""
@@ -68,17 +75,21 @@ def campaign(scenario: Name, set: Optional[_changes.Changes] = None, *, out: Pat
             raise ValueError(f"{name} = {value}; allowed: {least} to {most}")
     if until_decided and at_least_percent is None:
         raise ValueError("until_decided needs at_least_percent")
-    if not 1 <= shard[0] <= shard[1]:
-        raise ValueError(f"shard = {shard}; allowed: (number, of), from (1, of) to (of, of)")
+    if not (isinstance(shard, (tuple, list)) and len(shard) == 2 and all(isinstance(each, int) for each in shard)
+            and 1 <= shard[0] <= shard[1]):
+        raise ValueError(f"shard = {shard!r}; allowed: (number, of), from (1, of) to (of, of)")
     request = _core.CampaignRequest()
     for name, value in {"scenario": os.fspath(scenario), "changes": _changes.words(set), "runs": runs, "seed": seed,
                         "sampling": sampling, "share": share,
-                        "at_least": None if at_least_percent is None else 0.01 * at_least_percent,
-                        "until_within": None if until_within_percent is None else 0.01 * until_within_percent,
+                        "at_least": None if at_least_percent is None else at_least_percent / 100.0,
+                        "until_within": None if until_within_percent is None else until_within_percent / 100.0,
                         "until_decided": until_decided, "shard": shard, "threads": threads,
                         "out": os.fspath(out)}.items():
         setattr(request, name, value)
-    return Campaign(_core.fly_campaign(request), os.fspath(out))
+    flown = _core.fly_campaign(request)
+    if flown.remark:
+        warnings.warn(flown.remark, stacklevel=2)
+    return Campaign(flown, os.fspath(out))
 
 
 def merge_campaign(shards: Sequence[Path], out: Path) -> int:

@@ -2,10 +2,11 @@
 """Changes of a scenario or a plan, as `--set` has them."""
 from __future__ import annotations
 
+import difflib
 import json
 import numbers
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any, Union
 
 Value = Union[bool, int, float, str, Sequence[Any]]
@@ -29,6 +30,12 @@ def _text(name: str, value: Any, *, in_list: bool = False) -> str:
     if isinstance(value, (list, tuple)) and not in_list:
         return "[" + ", ".join(_text(name, each, in_list=True) for each in value) + "]"
     raise TypeError(f"{name}: {type(value).__name__}; allowed: a number, a bool, a str, or a list of one of these")
+
+
+def unknown(name: object, known: Iterable[str]) -> str:
+    """A complaint, with the name that was probably meant."""
+    meant = difflib.get_close_matches(str(name), list(known), n=1)
+    return f"{name!r} is not there" + (f"; did you mean {meant[0]}?" if meant else "")
 
 
 def words(changes: Changes | None) -> list[str]:

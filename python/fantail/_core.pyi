@@ -486,6 +486,9 @@ class FlownRuns:
     def summary(self) -> str | None: ...
 
     @property
+    def remark(self) -> str: ...
+
+    @property
     def quantities(self) -> list[str]: ...
 
     @property

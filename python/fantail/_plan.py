@@ -5,7 +5,6 @@ import dataclasses
 import functools
 import json
 import os
-import types
 from collections.abc import Iterator, Mapping
 from typing import Any, Optional, Union
 
@@ -63,6 +62,8 @@ class Plan(Mapping):
                 for name, value in json.loads(self._core.values_json).items()}
 
     def __getitem__(self, name: str) -> Any:
+        if name not in self._values:
+            raise KeyError(_changes.unknown(name, self._values))
         return self._values[name]
 
     def __iter__(self) -> Iterator[str]:
@@ -71,13 +72,13 @@ class Plan(Mapping):
     def __len__(self) -> int:
         return len(self._values)
 
-    def __getattr__(self, section: str) -> types.SimpleNamespace:
+    def __getattr__(self, section: str) -> Any:
         if section.startswith("_"):
             raise AttributeError(section)
         values = {field.key: self[name] for name, field in self.fields.items() if field.section == section}
         if not values:
             raise AttributeError(f"a plan has no section {section}")
-        return types.SimpleNamespace(**values)
+        return _section(section)(**values)
 
     @property
     def block(self) -> bytes:
@@ -104,6 +105,13 @@ def plan(name_or_path: Union[str, os.PathLike[str], None] = None,
     if name_or_path is not None:
         return Plan.load(name_or_path, set)
     return Plan(_core.Plan.default().changed(_changes.words(set)))
+
+
+@functools.cache
+def _section(name: str) -> type:
+    """Of values that cannot be assigned to: a plan does not change."""
+    keys = [field.key for field in _fields().values() if field.section == name]
+    return dataclasses.make_dataclass(name, keys, frozen=True)
 
 
 @functools.cache

@@ -195,7 +195,7 @@ class ThisMachine(InAFolder):
         code, lines = self.check(HOST_BUILD, self.folder / "arm")
         self.assertEqual(code, 1, lines)
         self.assertRegex("\n".join(lines), r"(?m)^libfmt-dev is not declared for ./dev's fly: /usr/include/fmt/\S+, "
-                                           r"read by the build of \S+\.(cpp|gch), /usr/include/fmt/")
+                                           r"read by the build of \S+\.(cpp|cxx|gch), /usr/include/fmt/")
 
     def run_logged(self, *command):
         library = shutil.copy(READ_LOG_SO, self.folder)  # LD_PRELOAD cannot name a folder with a space

@@ -127,7 +127,9 @@ TEST_F(ACampaign, IsNotFlownAgainFromAScenarioThatHasChanged) {
     (void)campaign_in(folder / "mine");
     FAIL() << "it was taken";
   } catch (const text::Error& error) {
-    EXPECT_NE(std::string{error.what()}.find("this campaign cannot be flown again: scenario is "), std::string::npos)
+    EXPECT_NE(std::string{error.what()}.find(
+                  "this campaign cannot be flown again: scenario has another content there than now (SHA-256 "),
+              std::string::npos)
         << error.what();
   }
 }
@@ -144,6 +146,21 @@ TEST_F(ACampaign, GoesOnOnlyFromChunksThatAreWholeAndItsOwn) {
     EXPECT_EQ(fly("damaged"), runs);
     EXPECT_EQ(content(folder / "damaged" / "runs.csv.gz"), bytes);
   }
+}
+
+TEST_F(ACampaign, SaysThatItFlewAgainWhatWasDamaged) {
+  asked.runs = 2;
+  const auto fly_whole = [&] { return fly_campaign(asked, folder / "whole", "test", 2, look_away); };
+  const auto before = fly_whole();
+  EXPECT_EQ(before.remark, "");
+  EXPECT_EQ(fly_whole().remark, "");
+  const fs::path whole_runs = folder / "whole" / "runs.csv.gz";
+  const std::string bytes = content(whole_runs);
+  fs::resize_file(whole_runs, bytes.size() - 9);
+  const auto again = fly_whole();
+  EXPECT_EQ(again.remark, whole_runs.string() + ": was damaged; its runs have been flown again");
+  EXPECT_EQ(again.runs, before.runs);
+  EXPECT_EQ(content(whole_runs), bytes);
 }
 
 TEST_F(ACampaign, DoesNotMixWithAnotherInOneFolder) {

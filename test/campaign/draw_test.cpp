@@ -101,8 +101,8 @@ TEST(Draws, OfATableAreItsRowsEachAsOftenAsAnother) {
 // Three rows with the mean 50 and the standard deviation 2: the next one has Student's t distribution with two degrees
 // of freedom, 2 sqrt(1 + 1/3) wide, whose probability to be within t of its middle is t / sqrt(2 + t^2).
 TEST(Draws, OfTheNextRowOfATableKnowHowFewItsRowsAre) {
-  const input::ScratchFile table{"alpha,beta\n48,8\n50,10\n52,9\n", "next_row.csv"};
   for (const Sampling sampling : {Sampling::independent, Sampling::latin_hypercube, Sampling::sobol}) {
+    const input::ScratchFile table{"alpha,beta\n48,8\n50,10\n52,9\n", "next_row.csv"};
     const Drawer drawer{spreads_of("[[spread]]\nfields = [\"aerodynamics.damping_m2\", \"aerodynamics.torque_m\"]\n"
                                    "law = \"next_row\"\noutside = \"truncate\"\ntable = \"" +
                                    table.path().string() + "\"\ncolumns = [\"alpha\", \"beta\"]\n"),

@@ -59,11 +59,15 @@ TEST_F(CanSystem, ASignalInTheMiddleOfLimitsEndsItWithTheCanardsCentred) {
   Rehearsal one{"vcan0"};
   Rehearsal other{"vcan1"};
   for (const auto& [rehearsal, signal] : {std::pair{&one, SIGINT}, {&other, SIGTERM}}) {
-    rehearsal->go_into_the_middle_of_limits();
-    Dump dump{rehearsal->interface};
-    rehearsal->bench->signal(signal);
+    std::string until_its_end;
+    for (int attempt = 0; attempt == 0 || (attempt < 5 && starved(rehearsal->bench->outcome())); ++attempt) {
+      rehearsal->go_into_the_middle_of_limits();
+      Dump dump{rehearsal->interface};
+      rehearsal->bench->signal(signal);
+      (void)rehearsal->bench->outcome();
+      until_its_end = dump.log();
+    }
     const Outcome& outcome = rehearsal->bench->outcome();
-    const std::string until_its_end = dump.log();
     EXPECT_EQ(outcome.exit_code, 130);
     EXPECT_EQ(outcome.err, "fantail: interrupted; the canards are centred\n");
     EXPECT_EQ(outcome.out, "");

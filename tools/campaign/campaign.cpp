@@ -112,6 +112,9 @@ FlownCampaign fly_campaign(const Campaign& campaign, const std::filesystem::path
     flown.runs = *std::move(runs);
     return flown;
   }
+  if (const auto file = folder / RunsFolder::runs_name; std::filesystem::exists(file)) {
+    flown.remark = file.string() + ": was damaged; its runs have been flown again";
+  }
   flown.runs.resize(own_runs.count);
   InOrder order{end_chunk - first_chunk, campaign.stop};
   std::atomic<std::uint64_t> done{0};

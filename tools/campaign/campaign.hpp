@@ -39,6 +39,7 @@ struct FlownCampaign {
   std::string plan{};
   std::vector<std::string> quantities{};  ///< what was drawn, as the columns of runs.csv
   std::vector<FlownRun> runs{};           ///< of its shard, or as many as its rule asked for
+  std::string remark{};                   ///< a sentence for who asked; empty: nothing to remark
 };
 
 /// The runs of a shard, which is one: whole chunks, as equal in number as they can be.

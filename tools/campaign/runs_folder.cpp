@@ -50,6 +50,11 @@ std::string difference(const Identity& one, std::string_view where, const Identi
   for (const auto& [name, value] : other) {
     const auto same = std::ranges::find(one, name, &Identity::value_type::first);
     if (name != "file" && (same == one.end() || same->second != value)) {
+      constexpr std::array hashed{"scenario", "plan", "vehicle", "motor", "tables"};
+      if (same != one.end() && std::ranges::find(hashed, name) != hashed.end()) {
+        return fmt::format("{} has another content {} than {} (SHA-256 {:.8} and {:.8})", name, where, where_other,
+                           same->second, value);
+      }
       const auto shown = [](const std::string& text) { return text.empty() ? "none" : text; };
       return fmt::format("{} is {} {} and {} {}", name, same != one.end() ? shown(same->second) : "missing", where,
                          shown(value), where_other);

@@ -79,9 +79,10 @@ std::vector<std::string> remarks(const Report& report) {
   const std::size_t flown = report.flown.runs.size();
   if (campaign.stop && flown < campaign.runs) {
     all.push_back(
-        fmt::format("Stopped after {} of {}, by the rule: {}.", flown, runs(campaign.runs), campaign.stop->text()));
+        fmt::format("Stopped after {} of {}, by the rule: {}.", flown, runs(campaign.runs), campaign.stop->words()));
   } else if (campaign.stop) {
-    all.push_back(fmt::format("All runs were flown: the rule ({}) did not stop it.", campaign.stop->text()));
+    all.push_back(fmt::format("All {} were flown before the rule was met: {}. A larger --runs allows more.",
+                              runs(campaign.runs), campaign.stop->words()));
   }
   if (report.analysis.drawn_again > 0) {
     all.push_back(fmt::format("In {} a draw left what its field allows and was drawn again: the law is truncated.",

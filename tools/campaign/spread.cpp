@@ -32,6 +32,21 @@ void read_choice(Section& section, std::string_view key, std::span<const std::st
   }
 }
 
+/// What changes nothing would look like what does not matter.
+void require_effect(Section& section, const input::ScenarioFiles& files, const Spread& spread) {
+  constexpr std::array only_in_six_dof{"wind", "recovery", "airframe"};
+  const input::NumberField& field = spread.fields.back();
+  if (std::ranges::find(only_in_six_dof, field.section) != only_in_six_dof.end() &&
+      files.scenario().root()["flight"]["motion"].text().value_or("straight") != "six_dof") {
+    section.refuse("field",
+                   field.name() + " plays no part on a straight line; allowed: with flight.motion = \"six_dof\"");
+  }
+  if (spread.effect == Effect::factor && std::ranges::all_of(field.values, [](double value) { return value == 0.0; })) {
+    section.refuse("effect",
+                   "= \"factor\" changes nothing of " + field.name() + ", which is 0; allowed: offset or value");
+  }
+}
+
 void read_fields(Section& section, const input::ScenarioFiles& files, Spread& spread) {
   const bool several = section.has("fields");
   if (several == section.has("field")) {
@@ -48,6 +63,7 @@ void read_fields(Section& section, const input::ScenarioFiles& files, Spread& sp
     } catch (const text::Error& error) {
       section.refuse(several ? "fields" : "field", "= \"" + name + "\": " + error.what());
     }
+    require_effect(section, files, spread);
     if (spread.effect == Effect::value && spread.fields.back().values.size() > 1) {
       section.refuse("effect", fmt::format("must be offset or factor: {} has {} values", name,
                                            spread.fields.back().values.size()));

@@ -6,12 +6,18 @@
 #include <fmt/core.h>
 
 #include "campaign/runs_folder.hpp"
+#include "text/number.hpp"
 
 namespace fantail::campaign {
 
 std::string StopRule::text() const {
   return question.text() + (within ? fmt::format(" within {}", *within) : "") +
          (required ? fmt::format(" decided at {}", *required) : "");
+}
+
+std::string StopRule::words() const {
+  return question.words() + (within ? fmt::format(", known to {} % either way", text::brief(100.0 * *within, 3)) : "") +
+         (required ? fmt::format(", decided at {} %", text::brief(100.0 * *required, 3)) : "");
 }
 
 bool Stopping::take(std::span<const FlownRun> runs) {

@@ -21,6 +21,7 @@ struct StopRule {
 
   /// For the identity of a campaign: what is asked, and both numbers.
   [[nodiscard]] std::string text() const;
+  [[nodiscard]] std::string words() const;  ///< for a person
 };
 
 /// Counts runs for a rule.

@@ -67,7 +67,7 @@ std::string objection_to_question(const std::string& text) {
 }
 
 std::optional<double> share(const std::optional<double>& percent) {
-  return percent ? std::optional{0.01 * *percent} : std::nullopt;
+  return percent ? std::optional{*percent / 100.0} : std::nullopt;
 }
 
 campaign::Campaign asked_for(const CampaignOptions& options) {
@@ -137,6 +137,9 @@ void fly_campaign(const CampaignOptions& options) {
   const campaign::Campaign campaign = asked_for(options);
   const fs::path folder = folder_of(options);
   campaign::FlownCampaign flown = fly(campaign, folder, options.threads);
+  if (!flown.remark.empty()) {
+    fmt::print(stderr, "fantail: {}\n", flown.remark);
+  }
   if (campaign.shard.of > 1) {
     fmt::print("shard {} of {}: {} runs in {}\n", campaign.shard.number, campaign.shard.of, flown.runs.size(),
                (folder / campaign::RunsFolder::runs_name).string());
@@ -215,7 +218,7 @@ void fill(const Verb& verb) {
       "Exit code 0: flown, and what was asked for is met; 1: it is not met, or not decided.\n"
       "Examples:\n"
       "  fantail campaign tasha3_launch2 --runs 10000        how often does it hold its roll, and what decides it?\n"
-      "  fantail campaign tasha3_launch2 --share apogee_m>=700 --at-least 95 --until-decided\n"
+      "  fantail campaign tasha3_launch2 --share 'apogee_m>=420' --at-least 20 --until-decided\n"
       "                                                      as many flights as it takes to say yes or no\n"
       "  fantail campaign my_rocket.toml --runs 100000 --shard 3/8 --out shard_3\n"
       "                                                      one of eight machines' share of the work");

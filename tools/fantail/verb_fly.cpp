@@ -173,7 +173,12 @@ Task campaign_task(const FlyOptions& options) {
   if (std::filesystem::is_regular_file(folder, ignored)) {
     folder = folder.parent_path();  // of which a file was named
   }
-  campaign::RepeatedRun repeated = campaign::repeat_run(campaign::campaign_in(folder), *options.run);
+  const campaign::Campaign campaign = campaign::campaign_in(folder);
+  const std::string& named = options.scenario.scenario;
+  if (named != FlyOptions{}.scenario.scenario && named != campaign.scenario) {
+    throw UsageError{fmt::format("SCENARIO {} does not go with --campaign, which flies {}", named, campaign.scenario)};
+  }
+  campaign::RepeatedRun repeated = campaign::repeat_run(campaign, *options.run);
   return {.scenario = std::move(repeated.scenario),
           .changes = std::move(repeated.changes),
           .notes = {std::move(repeated.note)},

@@ -83,10 +83,10 @@ void add_notes(flight::Flight& result, const Flight& flight, const Regeneration&
     note(fmt::format("The recording breaks off: {}.", break_off_text(flight)));
   }
   if (is_simulated(flight) && flight.sensors != "simulated") {
-    note(
-        fmt::format("The scenario was changed on the command line when this was flown ({}); the log does not say "
-                    "which values.",
-                    flight.sensors));
+    note(fmt::format(
+        "Values of the scenario's files were changed for this flight, on the command line or by the draw of a "
+        "campaign ({}); the log does not say which.",
+        flight.sensors));
   }
   if (const std::uint64_t dropped = dropped_records(flight); dropped > 0) {
     note(fmt::format("{} records were never written, because the flash was too slow.", dropped));
