@@ -52,7 +52,7 @@ set(FANTAIL_COMPILED_ALONE
   tools/airframe/openrocket/read.cpp
   tools/bench/axes.cpp tools/bench/sheet.cpp tools/bench/sheet_csv.cpp tools/bench/sheet_text.cpp
   tools/bench/turn_figures.cpp tools/bench/verdict.cpp tools/bench/watch.cpp
-  tools/campaign/html.cpp tools/campaign/json.cpp tools/campaign/question.cpp
+  tools/campaign/html.cpp tools/campaign/json.cpp
   tools/fantail/plan_check.cpp tools/fantail/tunnel_flow.cpp tools/fantail/tunnel_stability.cpp
   tools/fantail/tunnel_steps.cpp tools/fantail/tunnel_swirl.cpp
   tools/flight/read_csv.cpp tools/flight/turning.cpp

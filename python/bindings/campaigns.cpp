@@ -31,7 +31,7 @@ struct CampaignRequest {
   std::string scenario;
   std::vector<std::string> changes;
   std::uint64_t runs = 0;
-  std::uint64_t seed = 0;
+  std::optional<std::uint64_t> seed;
   std::string sampling;
   std::string share;
   std::optional<double> at_least;
@@ -56,7 +56,7 @@ campaign::Campaign campaign_of(const CampaignRequest& asked) {
   }
   campaign::Campaign campaign{.scenario = asked.scenario,
                               .changes = {},
-                              .seed = asked.seed,
+                              .seed = asked.seed ? *asked.seed : campaign::seed_of(asked.scenario),
                               .runs = asked.runs,
                               .sampling = static_cast<campaign::Sampling>(sampling - campaign::sampling_names.begin()),
                               .shard = {.number = asked.shard.first, .of = asked.shard.second}};
@@ -131,7 +131,7 @@ void bind_campaigns(nb::module_& m) {
       .def_rw("scenario", &CampaignRequest::scenario)
       .def_rw("changes", &CampaignRequest::changes)
       .def_rw("runs", &CampaignRequest::runs)
-      .def_rw("seed", &CampaignRequest::seed)
+      .def_rw("seed", &CampaignRequest::seed, nb::arg().none())
       .def_rw("sampling", &CampaignRequest::sampling)
       .def_rw("share", &CampaignRequest::share)
       .def_rw("at_least", &CampaignRequest::at_least, nb::arg().none())

@@ -59,7 +59,7 @@ class Campaign:
 
 
 def campaign(scenario: Name, set: Optional[_changes.Changes] = None, *, out: Path, runs: int = 1000,  # noqa: A002
-             seed: int = 1, sampling: str = "independent", share: str = "outcome=held",
+             seed: Optional[int] = None, sampling: str = "independent", share: str = "outcome=held",
              at_least_percent: Optional[float] = None, until_within_percent: Optional[float] = None,
              until_decided: bool = False, shard: tuple[int, int] = (1, 1), threads: int = 0) -> Campaign:
     """Flies a scenario `runs` times over what its tables [[spread]] say is not known, on `threads` threads (0: all).

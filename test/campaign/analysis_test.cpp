@@ -66,6 +66,20 @@ TEST(Analysis, SaysWhyItKnowsNoInfluences) {
   EXPECT_EQ(analyse(same, {.runs = 60}, {}, {}).no_influences, "largest_hold_error_deg is the same in all runs.");
 }
 
+// Wilson's interval of 199 in 200 ends at 99.912 %.
+TEST(CampaignReport, RoundsNoBoundOverWhatIsAskedFor) {
+  Report report{.flown = made(200)};
+  for (FlownRun& run : report.flown.runs) {
+    run.outcome = run.run == 0 ? "not_held" : "held";
+  }
+  report.campaign.runs = 200;
+  for (const auto& [required, end] : {std::pair{0.9995, "to 99.92 %."}, {0.99915, "to 99.912 %."}}) {
+    report.analysis = analyse(report.flown, report.campaign, {}, required);
+    EXPECT_TRUE(headline(report).ends_with(end)) << headline(report);
+    EXPECT_NE(headline(report).find(": not met."), std::string::npos) << headline(report);
+  }
+}
+
 TEST(CampaignReport, CountsRunsWithoutAFlightAsNotMetAndNamesThem) {
   Report report{.flown = made(60)};
   report.flown.runs[7].outcome = "refused";

@@ -89,7 +89,7 @@ TEST_F(ACampaign, IsTheSameBytesWithEveryNumberOfThreadsAndAfterAnInterruption) 
                         "largest_hold_error_deg,"))
       << text->substr(0, 200);
 
-  const RepeatedRun again = repeat_run(campaign_in(folder / "three"), 40);
+  const RepeatedRun again = repeat_run(campaign_in(folder / "three", "test"), 40);
   const report::Figures figures = report::figures(fly::fly_scenario(again.scenario));
   EXPECT_EQ(again.scenario.seed, runs[40].seed);
   EXPECT_EQ(text::degrees(figures.largest_hold_error_rad.value()), runs[40].figures[0]);
@@ -119,12 +119,12 @@ TEST_F(ACampaign, StopsAfterTheSameRunsWithEveryNumberOfThreadsAndIsReadBack) {
 TEST_F(ACampaign, IsNotFlownAgainFromAScenarioThatHasChanged) {
   asked.runs = 1;
   fly("mine");
-  EXPECT_NO_THROW((void)repeat_run(campaign_in(folder / "mine"), 0));
-  EXPECT_THROW((void)repeat_run(campaign_in(folder / "mine"), 1), text::Error) << "none of its runs";
-  EXPECT_THROW((void)campaign_in(folder), text::Error) << "no campaign";
+  EXPECT_NO_THROW((void)repeat_run(campaign_in(folder / "mine", "test"), 0));
+  EXPECT_THROW((void)repeat_run(campaign_in(folder / "mine", "test"), 1), text::Error) << "none of its runs";
+  EXPECT_THROW((void)campaign_in(folder, "test"), text::Error) << "no campaign";
   std::ofstream{file.path(), std::ios::app} << "# changed\n";
   try {
-    (void)campaign_in(folder / "mine");
+    (void)campaign_in(folder / "mine", "test");
     FAIL() << "it was taken";
   } catch (const text::Error& error) {
     EXPECT_NE(std::string{error.what()}.find(
@@ -161,6 +161,38 @@ TEST_F(ACampaign, SaysThatItFlewAgainWhatWasDamaged) {
   EXPECT_EQ(again.remark, whole_runs.string() + ": was damaged; its runs have been flown again");
   EXPECT_EQ(again.runs, before.runs);
   EXPECT_EQ(content(whole_runs), bytes);
+}
+
+TEST_F(ACampaign, FliesAgainRowsWithAnOutcomeThatIsNone) {
+  asked.runs = 2;
+  const auto runs = fly("whole");
+  const fs::path rows = folder / "whole" / "runs.csv.gz";
+  std::string text = text::gunzip(content(rows)).value();
+  text.replace(text.find(runs[0].outcome), runs[0].outcome.size(), "foo");
+  std::ofstream{rows, std::ios::binary} << text::gzip(text);
+  EXPECT_EQ(fly("whole"), runs);
+}
+
+TEST_F(ACampaign, RefusesAChangeOfWhatIsDrawnInItsPlace) {
+  asked.runs = 1;
+  asked.changes = {{"aerodynamics", "torque_m", "8"}};
+  EXPECT_EQ(fly("about_another_middle").size(), 1U) << "the file's value is the mean";
+  std::ofstream{file.path(), std::ios::app}
+      << "[[spread]]\nfield = \"body.mass_kg\"\nlaw = \"uniform\"\nlow = 3.9\nhigh = 4.1\n";
+  asked.changes = {{"body", "mass_kg", "4.5"}};
+  EXPECT_NE(refusal("drawn").find("body.mass_kg = 4.5 changes nothing: "), std::string::npos) << refusal("drawn");
+}
+
+TEST_F(ACampaign, OfAnotherVersionIsNotFlownAgain) {
+  asked.runs = 1;
+  fly("mine");
+  try {
+    (void)campaign_in(folder / "mine", "another");
+    FAIL() << "it was taken";
+  } catch (const text::Error& error) {
+    EXPECT_NE(std::string{error.what()}.find("version is test there and another now"), std::string::npos)
+        << error.what();
+  }
 }
 
 TEST_F(ACampaign, DoesNotMixWithAnotherInOneFolder) {

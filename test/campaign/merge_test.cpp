@@ -66,6 +66,15 @@ TEST_F(Shards, InAnyOrderAreTheBytesOfTheCampaignFlownAsOne) {
   EXPECT_EQ(std::ranges::count(text, '\n'), static_cast<std::ptrdiff_t>(3 * runs_of_a_chunk + 10 + 1));
 }
 
+TEST_F(Shards, AreNotPutOverAnotherCampaign) {
+  fly({}, folder / "merged", 6);
+  const std::string before = file_content(folder / "merged" / "runs.csv.gz");
+  EXPECT_EQ(refusal({part(1), part(2), part(3)}), (folder / "merged").string() +
+                                                      ": holds another campaign: seed is 6 there and 5 here; take "
+                                                      "another folder, or remove that one");
+  EXPECT_EQ(file_content(folder / "merged" / "runs.csv.gz"), before);
+}
+
 TEST_F(Shards, ThatAreMissingOrThereTwiceAreNamed) {
   EXPECT_EQ(refusal({part(2)}), "of 3 shards these are missing: 1, 3");
   EXPECT_EQ(refusal({}), "no shard is named; allowed: the folders of all of them");

@@ -114,7 +114,7 @@ TEST(Campaign, SaysByItsExitCodeWhetherTheShareIsMetAndIsNotDecidedByTooFewRuns)
       fantail({"campaign", "--runs", "640", "--at-least", "80", "--until-decided", "--out", folder / "met"});
   EXPECT_EQ(met.exit_code, 0) << met.err << met.out;
   EXPECT_NE(met.out.find("Asked for is at least 80 %: met."), std::string::npos) << met.out;
-  EXPECT_NE(met.out.find("Stopped after 64 of 640 runs, by the rule: outcome held, decided at 80 %."),
+  EXPECT_NE(met.out.find("Stopped after 64 of 640 runs, by the rule: Outcome held, decided at 80 %."),
             std::string::npos)
       << met.out;
 }

@@ -86,8 +86,9 @@ Sample sample_of(const FlownCampaign& flown, std::size_t figure) {
 std::string too_little(const Sample& sample, std::size_t figure) {
   const std::size_t fewest = std::max(fewest_influence_runs, 5 * sample.quantities.size());
   if (sample.result.size() < fewest) {
-    return fmt::format("{} of the runs have the figure {}, and it takes {} to tell what it depends on.",
-                       sample.result.size(), figure_columns[figure], fewest);
+    return fmt::format("{} of the runs {} the figure {}, and it takes {} to tell what it depends on.",
+                       sample.result.size(), sample.result.size() == 1 ? "has" : "have", figure_columns[figure],
+                       fewest);
   }
   if (sample.quantities.empty() || !varies(sample.result)) {
     return fmt::format("{} is the same in all runs.",

@@ -91,7 +91,7 @@ FlownCampaign fly_campaign(const Campaign& campaign, const std::filesystem::path
   check(campaign);
   const input::ScenarioFiles files = files_of(campaign);
   const sim::Scenario middle = files.read();  // what is drawn about must fly itself
-  const std::vector<Spread> spreads = spreads_of(files);
+  const std::vector<Spread> spreads = spreads_of(campaign, files);
   const Drawer drawer = drawer_of(campaign, spreads);
   const std::uint64_t chunks = chunks_of(campaign.runs);
   const std::uint64_t first_chunk = first_chunk_of(campaign.shard, chunks);

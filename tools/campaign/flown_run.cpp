@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "campaign/flown_run.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/core.h>
@@ -59,6 +60,13 @@ double number(const flight::Table& table, std::size_t row, std::size_t column) {
            table.columns()[column] + " = " + flight::in_quotes(table.cell(row, column)) + " is not a number");
   }
   return *value;
+}
+
+/// Of a run: a flight report's, or "refused" or "not_finite".
+bool is_outcome(std::string_view word) {
+  return word == "refused" || word == "not_finite" ||
+         std::ranges::any_of(flight_outcomes,
+                             [word](report::Outcome outcome) { return report::name(outcome) == word; });
 }
 
 }  // namespace
@@ -133,6 +141,9 @@ std::vector<FlownRun> read_rows(const std::string& rows, const std::vector<Sprea
     }
     run.drawn_again = whole(table, row, again);
     run.outcome = table.cell(row, again + 1);
+    if (!is_outcome(run.outcome)) {
+      refuse(table, row, "outcome = " + flight::in_quotes(run.outcome) + " is none");
+    }
     for (std::size_t i = 0; i < run.figures.size(); ++i) {
       const std::size_t column = again + 2 + i;
       run.figures[i] = table.cell(row, column).empty() ? std::nullopt : std::optional{number(table, row, column)};

@@ -10,8 +10,14 @@
 #include <vector>
 
 #include "campaign/draw.hpp"
+#include "report/verdict.hpp"
 
 namespace fantail::campaign {
+
+/// What a flight report may come to.
+inline constexpr std::array flight_outcomes{report::Outcome::held,       report::Outcome::not_held,
+                                            report::Outcome::oscillates, report::Outcome::cut_short,
+                                            report::Outcome::not_judged, report::Outcome::no_control};
 
 /// What a run is measured by: columns of runs.csv, empty where the flight has no such figure.
 inline constexpr std::array<std::string_view, 7> figure_columns{

@@ -152,6 +152,7 @@ std::uint64_t merge(std::span<const fs::path> shards, const fs::path& out) {
   }
   Identity whole = parts.begin()->second.identity;
   whole.emplace_back("shard", "1 of 1");
+  require_no_other(out, whole);
   const std::array files{text::NamedFile{.name = RunsFolder::identity_name, .content = identity_json(whole)},
                          text::NamedFile{.name = RunsFolder::runs_name, .content = header + rows}};
   text::OutputFolder{out, {shards.begin(), shards.end()}}.write(files);

@@ -17,16 +17,13 @@ namespace {
 
 using report::Outcome;
 
-constexpr std::array outcomes{Outcome::held,      Outcome::not_held,   Outcome::oscillates,
-                              Outcome::cut_short, Outcome::not_judged, Outcome::no_control};
-
 [[noreturn]] void refuse(std::string_view text, const std::string& allowed) {
   throw text::Error{text::ErrorKind::usage, fmt::format("\"{}\" is not a question; allowed: {}", text, allowed)};
 }
 
 Question outcome_question(std::string_view text, std::string_view outcome) {
   std::string allowed;
-  for (const Outcome one : outcomes) {
+  for (const Outcome one : flight_outcomes) {
     if (report::name(one) == outcome) {
       return {.outcome = std::string{outcome}};
     }

@@ -18,7 +18,7 @@ RepeatedRun repeat_run(const Campaign& campaign, std::uint64_t run) {
                       fmt::format("run {}; allowed: 0 to {}", run, campaign.runs - 1)};
   }
   input::ScenarioFiles files = files_of(campaign);
-  const Draw draw = drawer_of(campaign, spreads_of(files)).draw(run);
+  const Draw draw = drawer_of(campaign, spreads_of(campaign, files)).draw(run);
   RepeatedRun repeated;
   for (const input::Override& change : campaign.changes) {
     repeated.changes.push_back(lines_of({change}));
@@ -36,7 +36,7 @@ RepeatedRun repeat_run(const Campaign& campaign, std::uint64_t run) {
   return repeated;
 }
 
-Campaign campaign_in(const std::filesystem::path& folder) {
+Campaign campaign_in(const std::filesystem::path& folder, const std::string& version) {
   const Identity there = read_identity(folder);
   const std::string file = (folder / RunsFolder::identity_name).string();
   const auto said = [&](std::string_view name) -> const std::string& {
@@ -63,7 +63,7 @@ Campaign campaign_in(const std::filesystem::path& folder) {
                     .runs = whole("runs"),
                     .sampling = static_cast<Sampling>(sampling - sampling_names.begin())};
   const input::ScenarioFiles files = files_of(campaign);
-  Identity here = identity_of(campaign, files, spreads_of(files), said("version"));
+  Identity here = identity_of(campaign, files, spreads_of(campaign, files), version);
   std::erase_if(here, [](const auto& entry) { return entry.first == "stop" || entry.first == "shard"; });
   if (const std::string differs = difference(there, "there", here, "now"); !differs.empty()) {
     throw text::Error{text::ErrorKind::bad_configuration, file + ": this campaign cannot be flown again: " + differs};

@@ -22,8 +22,8 @@ struct RepeatedRun {
 [[nodiscard]] RepeatedRun repeat_run(const Campaign& campaign, std::uint64_t run);
 
 /// The campaign that was flown in a folder, or is on its way there. Throws text::Error: no_such_input without one,
-/// bad_data for a file that does not say all of it, bad_configuration when scenario, plan, vehicle, motor or a table is
-/// not what it was.
-[[nodiscard]] Campaign campaign_in(const std::filesystem::path& folder);
+/// bad_data for a file that does not say all of it, bad_configuration when scenario, plan, vehicle, motor, a table
+/// or the program's `version` is not what it was.
+[[nodiscard]] Campaign campaign_in(const std::filesystem::path& folder, const std::string& version);
 
 }  // namespace fantail::campaign

@@ -32,13 +32,17 @@ constexpr const char* chunks_name = "chunks";
   throw text::Error{text::ErrorKind::bad_configuration, complaint};
 }
 
-void require_same(const fs::path& folder, const Identity& identity) {
+}  // namespace
+
+void require_no_other(const fs::path& folder, const Identity& identity) {
+  std::error_code ignored;
+  if (!fs::exists(folder / RunsFolder::identity_name, ignored)) {
+    return;
+  }
   if (const std::string differs = difference(read_identity(folder), "there", identity, "here"); !differs.empty()) {
     refuse(folder.string() + ": holds another campaign: " + differs + "; take another folder, or remove that one");
   }
 }
-
-}  // namespace
 
 std::string file_content(const fs::path& file) {
   std::ifstream stream{file, std::ios::binary};
@@ -95,9 +99,7 @@ RunsFolder::RunsFolder(fs::path folder, const Identity& identity, std::vector<Sp
     : folder_{std::move(folder)}, spreads_{std::move(spreads)}, lock_{-1} {
   const fs::path file = folder_ / identity_name;
   std::error_code error;
-  if (fs::exists(file, error)) {
-    require_same(folder_, identity);
-  }
+  require_no_other(folder_, identity);
   fs::create_directories(folder_ / chunks_name, error);
   if (error) {
     throw text::OutputError{(folder_ / chunks_name).string() + ": " + error.message()};
@@ -115,7 +117,7 @@ RunsFolder::RunsFolder(fs::path folder, const Identity& identity, std::vector<Sp
   }
   try {
     if (fs::exists(file, error)) {  // since the first look, by another process
-      require_same(folder_, identity);
+      require_no_other(folder_, identity);
     } else {
       const std::array files{text::NamedFile{.name = identity_name, .content = identity_json(identity)}};
       text::OutputFolder{folder_}.write(files);

@@ -37,6 +37,9 @@ inline constexpr std::array<std::string_view, 13> identity_names{"version", "fil
 [[nodiscard]] std::string difference(const Identity& one, std::string_view where, const Identity& other,
                                      std::string_view where_other);
 
+/// Throws text::Error (bad_configuration) when `folder` holds another campaign, naming what differs.
+void require_no_other(const std::filesystem::path& folder, const Identity& identity);
+
 [[nodiscard]] std::string identity_json(const Identity& identity);
 /// Of a folder. Throws text::Error: no_such_input without one, bad_data for one that cannot be read.
 [[nodiscard]] Identity read_identity(const std::filesystem::path& folder);

@@ -10,9 +10,20 @@
 namespace fantail::campaign {
 namespace {
 
-// Ends of an interval are rounded outwards.
-std::string low_percent(double share) { return text::brief(std::floor(1000.0 * share) / 10.0, 1); }
-std::string high_percent(double share) { return text::brief(std::ceil(1000.0 * share) / 10.0, 1); }
+/// An end of an interval, rounded outwards, with as many digits as it takes to be on the same side of what is asked
+/// for, and not to look like none or all.
+std::string end_percent(double share, double (*outwards)(double), const std::optional<double>& required) {
+  constexpr int most_digits = 6;
+  for (int digits = 1;; ++digits) {
+    const double power = std::pow(10.0, digits);
+    const double percent = outwards(100.0 * power * share) / power;
+    const bool is_like_it = (percent >= 100.0) == (share >= 1.0) && (percent <= 0.0) == (share <= 0.0) &&
+                            (!required || (0.01 * percent >= *required) == (share >= *required));
+    if (is_like_it || digits == most_digits) {
+      return text::brief(percent, digits);
+    }
+  }
+}
 
 // A share of which some or not all is left looks like it.
 std::string percent(double share) {
@@ -52,7 +63,8 @@ std::string headline(const Report& report) {
   const Analysis& a = report.analysis;
   return judged(report) + fmt::format("{}: {} of {}, {} %; with 95 % probability the share is {} to {} %.",
                                       a.question.words(), a.share.count, runs(a.share.of), percent(a.share.value),
-                                      low_percent(a.share.low), high_percent(a.share.high));
+                                      end_percent(a.share.low, std::floor, a.required),
+                                      end_percent(a.share.high, std::ceil, a.required));
 }
 
 std::string interval_sentence(const Report& report) {

@@ -17,6 +17,8 @@ std::string hash_of(const std::string& text) { return text::sha256(std::as_bytes
 
 }  // namespace
 
+std::uint64_t seed_of(const std::string& scenario) { return input::ScenarioFiles::load(scenario).read().seed; }
+
 input::ScenarioFiles files_of(const Campaign& campaign) {
   input::ScenarioFiles files = input::ScenarioFiles::load(campaign.scenario);
   for (const input::Override& change : campaign.changes) {
@@ -72,11 +74,23 @@ Identity identity_of(const Campaign& campaign, const input::ScenarioFiles& files
           {"shard", fmt::format("{} of {}", campaign.shard.number, campaign.shard.of)}};
 }
 
-std::vector<Spread> spreads_of(const input::ScenarioFiles& files) {
+std::vector<Spread> spreads_of(const Campaign& campaign, const input::ScenarioFiles& files) {
   std::vector<Spread> spreads = read_spreads(files);
   if (spreads.empty()) {
     throw text::Error{text::ErrorKind::bad_configuration,
                       files.scenario().file() + ": says of nothing how it is spread; allowed: one [[spread]] or more"};
+  }
+  for (const input::Override& change : campaign.changes) {
+    for (const Spread& spread : spreads) {
+      const bool is_drawn = std::ranges::any_of(spread.fields, [&](const input::NumberField& field) {
+        return field.section == change.section && field.key == change.key;
+      });
+      if (is_drawn && spread.ignores_the_file()) {
+        throw text::Error{text::ErrorKind::bad_configuration,
+                          fmt::format("{}.{} = {} changes nothing: {} draws what stands in its place", change.section,
+                                      change.key, change.value, spread.where)};
+      }
+    }
   }
   return spreads;
 }

@@ -16,10 +16,12 @@ namespace fantail::campaign {
 /// In the order of Sampling.
 inline constexpr std::array<std::string_view, 3> sampling_names{"independent", "latin_hypercube", "sobol"};
 
+/// What a scenario's own file says, for who asks for no other. Throws text::Error.
+[[nodiscard]] std::uint64_t seed_of(const std::string& scenario);
 /// With the changes of the campaign. Throws text::Error.
 [[nodiscard]] input::ScenarioFiles files_of(const Campaign& campaign);
-/// Throws text::Error, also for none.
-[[nodiscard]] std::vector<Spread> spreads_of(const input::ScenarioFiles& files);
+/// Throws text::Error, also for none, and for a change of a value in whose place a spread puts another.
+[[nodiscard]] std::vector<Spread> spreads_of(const Campaign& campaign, const input::ScenarioFiles& files);
 [[nodiscard]] Drawer drawer_of(const Campaign& campaign, const std::vector<Spread>& spreads);
 
 [[nodiscard]] Identity identity_of(const Campaign& campaign, const input::ScenarioFiles& files,

@@ -122,8 +122,8 @@ std::vector<double> root_of(Section& section, const std::vector<double>& correla
 
 void read_normal(Section& section, Spread& spread) {
   const bool several = spread.fields.size() > 1;
-  spread.means = section.has(several ? "means" : "mean") ? one_a_field(section, "mean", "means", any, spread)
-                                                         : usual_means(spread);
+  spread.means_are_the_file_s = !section.has(several ? "means" : "mean");
+  spread.means = spread.means_are_the_file_s ? usual_means(spread) : one_a_field(section, "mean", "means", any, spread);
   spread.standard_deviations =
       one_a_field(section, "standard_deviation", "standard_deviations", {0.0, any.maximum}, spread);
   if (several) {

@@ -33,6 +33,7 @@ struct Spread {
   Effect effect = Effect::value;
   Outside outside = Outside::refuse;
   std::vector<double> means{};                ///< normal: one a field, as the next
+  bool means_are_the_file_s = false;          ///< normal: no others were said
   std::vector<double> standard_deviations{};  ///< zero or more
   /// normal: a lower triangle L, row by row without zeros, so that L times independent standard normal numbers has the
   /// correlations.
@@ -44,6 +45,8 @@ struct Spread {
   std::optional<NextRow> next_row{};        ///< next_row: of `rows`
   std::string where{};                      ///< file and line, for messages
 
+  /// Whether the values that the files say play no part in what is drawn.
+  [[nodiscard]] bool ignores_the_file() const { return effect == Effect::value && !means_are_the_file_s; }
   /// How many coordinates of the unit cube a draw takes.
   [[nodiscard]] std::size_t dimensions() const {
     return law == Law::normal ? fields.size() : law == Law::next_row ? next_row->normals() : 1;

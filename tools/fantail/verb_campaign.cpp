@@ -19,6 +19,7 @@
 #include "fantail/run.hpp"
 #include "fantail/scenario_options.hpp"
 #include "input/shipped.hpp"
+#include "json/value.hpp"
 #include "text/number.hpp"
 
 namespace fantail::tool {
@@ -74,7 +75,8 @@ campaign::Campaign asked_for(const CampaignOptions& options) {
   const auto sampling = std::ranges::find(campaign::sampling_names, options.sampling);
   campaign::Campaign campaign{.scenario = options.scenario.scenario,
                               .changes = {},
-                              .seed = text::whole_number(options.scenario.seed).value_or(campaign::Campaign{}.seed),
+                              .seed = options.scenario.seed.empty() ? campaign::seed_of(options.scenario.scenario)
+                                                                    : *text::whole_number(options.scenario.seed),
                               .runs = options.runs,
                               .sampling = static_cast<campaign::Sampling>(sampling - campaign::sampling_names.begin()),
                               .shard = *parse_shard(options.shard)};
@@ -133,6 +135,17 @@ campaign::FlownCampaign fly(const campaign::Campaign& campaign, const fs::path& 
   });
 }
 
+/// A part is not judged.
+void print_shard(const campaign::Shard& shard, std::size_t runs, const fs::path& file, bool as_json) {
+  if (as_json) {
+    const json::Value said = {{"shard", shard.number}, {"of", shard.of}, {"runs", runs}, {"file", file.string()}};
+    fmt::print("{}\n", said.dump());
+    return;
+  }
+  fmt::print("shard {} of {}: {} runs in {}; what is asked of them is answered when all are merged\n", shard.number,
+             shard.of, runs, file.string());
+}
+
 void fly_campaign(const CampaignOptions& options) {
   const campaign::Campaign campaign = asked_for(options);
   const fs::path folder = folder_of(options);
@@ -141,8 +154,7 @@ void fly_campaign(const CampaignOptions& options) {
     fmt::print(stderr, "fantail: {}\n", flown.remark);
   }
   if (campaign.shard.of > 1) {
-    fmt::print("shard {} of {}: {} runs in {}\n", campaign.shard.number, campaign.shard.of, flown.runs.size(),
-               (folder / campaign::RunsFolder::runs_name).string());
+    print_shard(campaign.shard, flown.runs.size(), folder / campaign::RunsFolder::runs_name, options.json);
     return;
   }
   const campaign::Report report = campaign::conclude(
@@ -215,7 +227,7 @@ void fill(const Verb& verb) {
   verb.flag("--json", options->json, "Print summary.json instead of the text");
   verb.examples(
       "A campaign that was interrupted goes on when the same command is given again.\n"
-      "Exit code 0: flown, and what was asked for is met; 1: it is not met, or not decided.\n"
+      "Exit code 0: flown, and what was asked for is met; 1: it is not met, or not decided. Of a shard: flown.\n"
       "Examples:\n"
       "  fantail campaign tasha3_launch2 --runs 10000        how often does it hold its roll, and what decides it?\n"
       "  fantail campaign tasha3_launch2 --share 'apogee_m>=420' --at-least 20 --until-decided\n"

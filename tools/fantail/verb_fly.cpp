@@ -173,7 +173,7 @@ Task campaign_task(const FlyOptions& options) {
   if (std::filesystem::is_regular_file(folder, ignored)) {
     folder = folder.parent_path();  // of which a file was named
   }
-  const campaign::Campaign campaign = campaign::campaign_in(folder);
+  const campaign::Campaign campaign = campaign::campaign_in(folder, FANTAIL_VERSION);
   const std::string& named = options.scenario.scenario;
   if (named != FlyOptions{}.scenario.scenario && named != campaign.scenario) {
     throw UsageError{fmt::format("SCENARIO {} does not go with --campaign, which flies {}", named, campaign.scenario)};
@@ -226,7 +226,7 @@ void fill(const Verb& verb) {
                               "campaign");
   auto run = verb.option("--run", options->run, "Which run of it, as in runs.csv, from 0 on").value_name("NUMBER");
   campaign.value_name("FOLDER").needs(run);
-  run.needs(campaign);
+  run.range(0.0, 1e8 - 1.0).needs(campaign);
   verb.option(
           "--out", options->out,
           "Folder for flight.csv, summary.json, report.html, flight.ftl (what the avionics recorded itself) and, "
