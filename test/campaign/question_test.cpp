@@ -76,6 +76,12 @@ TEST(Question, RanksRunsThatDoNotMeetItFirstThenThoseWithoutAFigureThenByTheFigu
   EXPECT_FALSE(high.is_worse(run_with("held", {}, 110.0), run_with("held", {}, 90.0)));
 }
 
+TEST(Questions, AreNotMetByARunOneOfWhoseFiguresIsNoNumber) {
+  const Question high = parse_question("apogee_m>=50");
+  EXPECT_TRUE(high.is_met_by(run_with("held", {}, 90.0)));
+  EXPECT_FALSE(high.is_met_by(run_with("not_finite", {}, 90.0)));
+}
+
 std::vector<FlownRun> runs_held(std::size_t held, std::size_t of) {
   std::vector<FlownRun> runs(of, run_with("not_held", 20.0));
   std::fill_n(runs.begin(), held, run_with("held", 1.0));

@@ -55,6 +55,9 @@ Question parse_question(std::string_view text) {
 }
 
 bool Question::is_met_by(const FlownRun& run) const {
+  if (run.outcome == "not_finite") {
+    return false;  // some of its figures may be numbers, but nobody can trust them
+  }
   switch (relation) {
     case Relation::is: return run.outcome == outcome;
     case Relation::at_least: return run.figures[figure] && *run.figures[figure] >= bound;

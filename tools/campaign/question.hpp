@@ -12,8 +12,8 @@ namespace fantail::campaign {
 
 enum class Relation : std::uint8_t { is, at_least, at_most };
 
-/// What a run must come to, to be counted: an outcome, or a figure on one side of a bound. A run without the figure
-/// does not meet it.
+/// What a run must come to, to be counted: an outcome, or a figure on one side of a bound. A run without the figure,
+/// or with one that is no number, does not meet it.
 struct Question {
   Relation relation = Relation::is;
   std::string outcome = "held";  ///< for `is`
