@@ -16,6 +16,7 @@ set(FANTAIL_COMPILED_ALONE
   test/avionics/two_benches_test.cpp
   test/bench/axes_mounting_test.cpp test/bench/cycle_test.cpp test/bench/exercise_test.cpp test/bench/measurement_test.cpp
   test/bench/sheet_test.cpp test/bench/zero_test.cpp
+  test/benchmark/recorded_flight.cpp
   test/campaign/merge_test.cpp test/campaign/parallel_for_test.cpp test/campaign/question_test.cpp
   test/campaign/spread_test.cpp test/campaign/statistics_test.cpp test/campaign/unit_points_test.cpp
   test/core/autopilot_flight_test.cpp test/core/autopilot_sharing_test.cpp test/core/canard_mixer_test.cpp

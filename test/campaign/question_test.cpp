@@ -76,7 +76,7 @@ TEST(Question, RanksRunsThatDoNotMeetItFirstThenThoseWithoutAFigureThenByTheFigu
   EXPECT_FALSE(high.is_worse(run_with("held", {}, 110.0), run_with("held", {}, 90.0)));
 }
 
-TEST(Questions, AreNotMetByARunOneOfWhoseFiguresIsNoNumber) {
+TEST(Question, IsNotMetByARunWithAFigureThatIsNoNumber) {
   const Question high = parse_question("apogee_m>=50");
   EXPECT_TRUE(high.is_met_by(run_with("held", {}, 90.0)));
   EXPECT_FALSE(high.is_met_by(run_with("not_finite", {}, 90.0)));
