@@ -2,14 +2,17 @@
 from __future__ import annotations
 
 import json
+import numbers
 import os
 from collections.abc import Sequence
 from typing import Any, Optional, Union
 
-from . import _changes, _core
+from . import _arguments, _changes, _core
 from ._flight import Flight
 from ._log import Path
 from ._scenario import Name, Scenario, asked_for
+
+Window = Union[str, tuple[float, float]]
 
 
 def _filled(asked: Any, values: dict[str, Any]) -> Any:
@@ -18,7 +21,19 @@ def _filled(asked: Any, values: dict[str, Any]) -> Any:
     return asked
 
 
-def identify(data: Union[Flight, Path], *, windows: Union[str, Sequence[str]] = (), nodes: str = "even:1",
+def _window_words(windows: Any) -> list[str]:
+    words = []
+    for window in windows if isinstance(windows, Sequence) else [None]:
+        if isinstance(window, str):
+            words.append(window)
+        elif isinstance(window, Sequence) and len(window) == 2 and all(isinstance(end, numbers.Real) for end in window):
+            words.append(":".join(repr(float(end)).removesuffix(".0") for end in window))
+        else:
+            raise ValueError(f"windows = {windows!r}; allowed: a list of (begin_s, end_s) or of texts as --window has them")
+    return words
+
+
+def identify(data: Union[Flight, Path], *, windows: Union[str, Sequence[Window]] = (), nodes: str = "even:1",
              method: str = "continuous", vehicle: Optional[str] = None, inertia_kg_m2: Optional[float] = None,
              reference_area_m2: Optional[float] = None, density: Optional[str] = None,
              elevation_m: Optional[float] = None, speed_m_s: Optional[float] = None, lag_s: float = 0.0,
@@ -26,10 +41,11 @@ def identify(data: Union[Flight, Path], *, windows: Union[str, Sequence[str]] = 
     """The roll model in a flight or a log: damping, torque constant and disturbance, each with its uncertainty.
 
     What identification.json of `fantail identify` says, in the open loop; the arguments are those of its options. A
-    window is "control", "thrust", "coast", "step:N" or "A:B" in seconds on the log's clock. Raises ValueError.
+    window is "control", "thrust", "coast", "step:N", or "A:B" or (A, B) in seconds on the log's clock. Raises
+    ValueError.
     """
     asked = _filled(_core.Question(), {
-        "windows": [windows] if isinstance(windows, str) else list(windows), "nodes": nodes, "method": method,
+        "windows": [windows] if isinstance(windows, str) else _window_words(windows), "nodes": nodes, "method": method,
         "vehicle": vehicle, "inertia_kg_m2": inertia_kg_m2, "reference_area_m2": reference_area_m2, "density": density,
         "elevation_m": elevation_m, "speed_m_s": speed_m_s, "lag_s": lag_s, "fit_lag": fit_lag,
         "fit_initial": fit_initial, "truth": truth})
@@ -57,8 +73,7 @@ def predict(scenario: Union[Scenario, Name], set: Optional[_changes.Changes] = N
                                      ("authority_percent", authority_percent, 0.0, 99.9),
                                      ("held_percent", held_percent, 0.0, 99.9),
                                      ("phase_margin_deg", phase_margin_deg, 0.0, 90.0)):
-        if value is not None and not least <= value <= most:
-            raise ValueError(f"{name} = {value}; allowed: {least} to {most}")
+        _arguments.in_range(name, value, least, most)
     scenario = asked_for(scenario, set, seed)
     spread = _filled(_core.Spread(), {
         "tunnel": None if tunnel is None else os.fspath(tunnel), "swirl_deg": swirl_deg,

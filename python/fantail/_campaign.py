@@ -9,7 +9,7 @@ from typing import Any, Optional
 
 import numpy as np
 
-from . import _changes, _core
+from . import _arguments, _changes, _core
 from ._log import Path
 from ._scenario import Name
 
@@ -38,14 +38,13 @@ class Campaign:
         return len(self._core)
 
     def __getitem__(self, name: str) -> np.ndarray:
-        """A column, as in runs.csv.gz; NaN where a run has no such figure."""
-        if name in ("run", "seed"):
-            return self._core.runs() if name == "run" else self._core.seeds()
-        if name in ("outcome", "note"):
-            return np.array(self._core.outcomes() if name == "outcome" else self._core.notes())
+        """A column, as in runs.csv.gz, that nobody can write to; NaN where a run has no such figure."""
         if name not in self.columns:
             raise KeyError(_changes.unknown(name, self.columns))
-        return self._core.numbers(name)
+        of_its_own = {"run": self._core.runs, "seed": self._core.seeds, "outcome": self._core.outcomes, "note": self._core.notes}
+        values = np.asarray(of_its_own[name]() if name in of_its_own else self._core.numbers(name))
+        values.setflags(write=False)
+        return values
 
     def __repr__(self) -> str:
         said = "one shard of it" if self.summary is None else self.summary["sentence"]
@@ -71,8 +70,8 @@ def campaign(scenario: Name, set: Optional[_changes.Changes] = None, *, out: Pat
                                      ("at_least_percent", at_least_percent, 0.0, 100.0),
                                      ("until_within_percent", until_within_percent, 0.1, 50.0),
                                      ("threads", threads, 0, 1024)):
-        if value is not None and not least <= value <= most:
-            raise ValueError(f"{name} = {value}; allowed: {least} to {most}")
+        _arguments.in_range(name, value, least, most)
+    out = _arguments.folder("out", out)
     if until_decided and at_least_percent is None:
         raise ValueError("until_decided needs at_least_percent")
     if not (isinstance(shard, (tuple, list)) and len(shard) == 2 and all(isinstance(each, int) for each in shard)
@@ -84,12 +83,12 @@ def campaign(scenario: Name, set: Optional[_changes.Changes] = None, *, out: Pat
                         "at_least": None if at_least_percent is None else at_least_percent / 100.0,
                         "until_within": None if until_within_percent is None else until_within_percent / 100.0,
                         "until_decided": until_decided, "shard": shard, "threads": threads,
-                        "out": os.fspath(out)}.items():
+                        "out": out}.items():
         setattr(request, name, value)
     flown = _core.fly_campaign(request)
     if flown.remark:
         warnings.warn(flown.remark, stacklevel=2)
-    return Campaign(flown, os.fspath(out))
+    return Campaign(flown, out)
 
 
 def merge_campaign(shards: Sequence[Path], out: Path) -> int:
@@ -97,4 +96,5 @@ def merge_campaign(shards: Sequence[Path], out: Path) -> int:
 
     Then `campaign()` with the same arguments, without `shard`, flies nothing and makes the summary. Raises ValueError.
     """
-    return _core.merge_shards([os.fspath(shard) for shard in shards], os.fspath(out))
+    folders = [_arguments.folder("shards", shard) for shard in _arguments.several("shards", shards, "folders")]
+    return _core.merge_shards(folders, _arguments.folder("out", out))

@@ -22,6 +22,8 @@ def _text(name: str, value: Any, *, in_list: bool = False) -> str:
     if isinstance(value, bool) or type(value).__name__ in ("bool_", "bool"):  # numpy's, too
         return "true" if value else "false"
     if isinstance(value, numbers.Integral):
+        if not -2**63 <= value < 2**63:  # the whole numbers of TOML
+            raise ValueError(f"{name} = {value} does not fit into 64 bits; allowed: a float, or -2**63 to 2**63 - 1")
         return str(int(value))
     if isinstance(value, numbers.Real):
         return repr(float(value))  # the shortest that is the same number again

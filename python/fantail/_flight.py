@@ -9,7 +9,7 @@ from typing import Any, Optional, Union
 
 import numpy
 
-from . import _changes, _core
+from . import _arguments, _changes, _core
 from ._plan import Plan
 from ._scenario import Name, Scenario, asked_for
 
@@ -39,7 +39,10 @@ class Flight(Mapping):
                 values = self._core.column(name)
             except ValueError as error:
                 raise KeyError(str(error)) from None
-            self._columns[name] = _PHASES[values] if name == "phase" else values
+            if name == "phase":
+                values = _PHASES[values]
+                values.setflags(write=False)
+            self._columns[name] = values
         return self._columns[name]
 
     def __iter__(self) -> Iterator[str]:
@@ -93,7 +96,7 @@ class Flight(Mapping):
 
     def write(self, folder: Union[str, os.PathLike[str]]) -> None:
         """Writes the files of `fantail fly` (flight.csv, summary.json, report.html, flight.ftl ...), all or none."""
-        self._core.write(os.fspath(folder))
+        self._core.write(_arguments.folder("folder", folder))
 
     def to_pandas(self) -> Any:
         """A pandas.DataFrame of all columns. Needs pandas, which fantail does not install."""
@@ -126,10 +129,11 @@ def fly_many(scenarios: Union[Scenario, Name, Iterable[Union[Scenario, Name]]], 
     all_scenarios = [each if isinstance(each, Scenario) else Scenario.load(each)
                      for each in ([scenarios] if one else scenarios)]
     if seeds is not None:
-        seeds = list(seeds)
+        seeds = _arguments.several("seeds", seeds, "seeds")
         all_scenarios *= len(seeds) if one else 1
         if len(seeds) != len(all_scenarios):
             raise ValueError(f"seeds: {len(seeds)} for {len(all_scenarios)} scenarios; allowed: as many of each")
         all_scenarios = [each.changed(seed=seed) for each, seed in zip(all_scenarios, seeds)]
-    kept = None if columns is None else list(columns)
+    kept = None if columns is None else _arguments.several("columns", columns, "names")
+    _arguments.in_range("threads", threads, 0, 1024)
     return [Flight(core) for core in _core.fly_many([each._core for each in all_scenarios], kept, threads)]

@@ -40,7 +40,13 @@ class Plan(Mapping):
     """
 
     def __init__(self, core: _core.Plan) -> None:
-        self._core = core
+        object.__setattr__(self, "_core", core)
+
+    def __setattr__(self, name: str, value: Any) -> None:
+        raise AttributeError(f"{name}: a plan does not change; plan.changed() makes another")
+
+    def __delattr__(self, name: str) -> None:
+        self.__setattr__(name, None)
 
     @classmethod
     def load(cls, name_or_path: Union[str, os.PathLike[str]], set: Optional[_changes.Changes] = None) -> Plan:  # noqa: A002

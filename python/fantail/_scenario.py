@@ -88,4 +88,9 @@ def asked_for(scenario: Union[Scenario, Name], set: Optional[_changes.Changes], 
 
 
 def _seed_text(seed: Optional[int]) -> str:
-    return "" if seed is None else str(operator.index(seed))
+    if seed is None:
+        return ""
+    try:
+        return str(operator.index(seed))
+    except TypeError:
+        raise ValueError(f"seed = {seed!r}; allowed: a whole number, 0 to {2**64 - 1}") from None

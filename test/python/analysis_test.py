@@ -26,6 +26,15 @@ def test_a_flight_need_not_be_on_the_disk():
         fantail.identify(flight, method="guess")
 
 
+def test_a_window_is_two_times_or_a_text(flown):
+    of_a_text = fantail.identify(flown, windows="0.9:8")
+    assert fantail.identify(flown, windows=[(0.9, 8)]) == of_a_text == fantail.identify(flown, windows=["0.9:8"])
+    for windows in ((0.9, 8), 3, [(1, 2, 3)], [("1", "2")]):
+        with pytest.raises(ValueError) as refused:
+            fantail.identify(flown, windows=windows)
+        assert str(refused.value) == (f"windows = {windows!r}; allowed: a list of (begin_s, end_s) or of texts as --window has them")
+
+
 def test_a_log_without_a_summary_needs_a_rocket(flown, tmp_path):
     log = tmp_path / "flight.ftl"
     log.write_bytes((flown / "flight.ftl").read_bytes())

@@ -32,6 +32,8 @@ def test_a_campaign_is_the_programs(program, tmp_path):
                 assert math.isnan(value)
             else:
                 assert value == float(row[name]) if name not in ("run", "seed") else value == int(row[name])
+        with pytest.raises(ValueError, match="read-only"):
+            ours[0] = ours[1]
     with pytest.raises(KeyError):
         flown["apogee"]
 
@@ -50,9 +52,16 @@ def test_shards_that_are_merged_are_the_whole(tmp_path):
 @pytest.mark.parametrize("wrong, said", [
     ({"runs": 0}, "runs = 0; allowed: 1 to 100000000"), ({"sampling": "halton"}, 'sampling = "halton"; allowed: '),
     ({"share": "held"}, '"held" is not a question; allowed: outcome=held'), ({"shard": (3, 2)}, "shard = (3, 2); allowed"),
+    ({"runs": 1.5}, "runs = 1.5; allowed: a whole number, 1 to "), ({"at_least_percent": "9"}, "at_least_percent = '9'; allowed: a number"),
     ({"until_decided": True}, "until_decided needs at_least_percent")])
 def test_what_makes_no_sense_is_refused(wrong, said, tmp_path):
     with pytest.raises(ValueError) as refused:
         fantail.campaign("tasha3_launch2", **{"runs": 10, "out": tmp_path / "out", **wrong})
     assert said in str(refused.value)
     assert not (tmp_path / "out").exists()
+
+
+def test_the_shards_are_a_list_and_no_text(tmp_path):
+    with pytest.raises(ValueError, match="^shards = 'pcs'; allowed: a list of folders$"):
+        fantail.merge_campaign("pcs", tmp_path / "whole")
+    assert not (tmp_path / "whole").exists()

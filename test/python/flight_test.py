@@ -63,6 +63,12 @@ def test_a_column_cannot_be_written_to_and_outlives_its_flight():
     assert numpy.isfinite(column).all()
 
 
+def test_no_column_can_be_written_to(flight):
+    for name in flight:
+        with pytest.raises(ValueError, match="read-only"):
+            flight[name][0] = flight[name][1]
+
+
 def test_a_column_that_is_not_there_is_named_with_those_that_are(flight):
     with pytest.raises(KeyError, match="roll_angel_deg.*did you mean roll_angle_deg.*time_s"):
         flight["roll_angel_deg"]
@@ -112,6 +118,31 @@ def test_a_seed_that_is_none_is_refused_in_the_programs_words(program, seed):
     with pytest.raises(ValueError) as refused:
         fantail.fly("tasha3_launch2", seed=seed)
     assert str(refused.value) == program.refusal("fly", "tasha3_launch2", f"--seed={seed}").removesuffix(" (see --help)")
+
+
+@pytest.mark.parametrize("seed", [1.5, "7"])
+def test_a_seed_that_is_no_whole_number_is_refused_by_name(seed):
+    for refused in (lambda: fantail.fly("tasha3_launch2", seed=seed), lambda: fantail.fly_many("tasha3_launch2", seeds=[seed])):
+        with pytest.raises(ValueError, match=f"^seed = {seed!r}; allowed: a whole number, 0 to 18446744073709551615$"):
+            refused()
+
+
+@pytest.mark.parametrize("wrong, said", [
+    ({"columns": "time_s"}, "columns = 'time_s'; allowed: a list of names"), ({"seeds": 3}, "seeds = 3; allowed: a list of seeds"),
+    ({"threads": 1.5}, "threads = 1.5; allowed: a whole number, 0 to 1024")])
+def test_arguments_of_many_flights_are_refused_by_name(wrong, said):
+    with pytest.raises(ValueError) as refused:
+        fantail.fly_many("tasha3_launch2", **wrong)
+    assert str(refused.value) == said
+
+
+def test_a_whole_number_that_no_plan_can_hold_is_said_to_be_too_large():
+    for number in (2**63, -2**63 - 1, 10**30):
+        with pytest.raises(ValueError, match=f"^controller.canard_limit_deg = {number} does not fit into 64 bits"):
+            fantail.Scenario.load("tasha3_launch2", set={"controller.canard_limit_deg": number})
+    for number in (2**63 - 1, -2**63, 2.0**64):
+        with pytest.raises(ValueError, match="is out of range; allowed: 0.5 to 20$"):
+            fantail.Scenario.load("tasha3_launch2", set={"controller.canard_limit_deg": number})
 
 
 def test_a_text_where_a_number_stands_is_no_number():
@@ -211,6 +242,19 @@ def test_pandas_gets_every_column(flight, monkeypatch):
     monkeypatch.setitem(sys.modules, "pandas", Pandas)
     frame = flight.to_pandas()
     assert tuple(frame) == flight.columns and (frame["time_s"] == flight["time_s"]).all()
+
+
+def test_a_folder_without_a_name_is_refused_and_nothing_written(flight, program, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    words = program.refusal("fly", "tasha3_launch2", "--out", "").removeprefix("--out: ").removesuffix(" (see --help)")
+    for argument, refused in (("folder", lambda: flight.write("")),
+                              ("out", lambda: fantail.campaign("tasha3_launch2", runs=1, out="")),
+                              ("out", lambda: fantail.merge_campaign(["shard"], "")),
+                              ("shards", lambda: fantail.merge_campaign([""], "whole"))):
+        with pytest.raises(ValueError) as said:
+            refused()
+        assert str(said.value) == f"{argument}: {words}"
+    assert not list(tmp_path.iterdir())
 
 
 def test_a_folder_that_cannot_be_written_is_an_os_error(flight, tmp_path):

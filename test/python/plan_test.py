@@ -43,6 +43,16 @@ def test_a_value_is_found_by_section_and_key_too():
     assert plan != fantail.plan("tasha3_launch2")
 
 
+def test_it_cannot_be_assigned_to_and_still_keeps_what_it_found():
+    plan = fantail.plan("tasha3_launch2")
+    for change in (lambda: setattr(plan, "x", 3), lambda: setattr(plan, "controller", None), lambda: delattr(plan, "_core"),
+                   lambda: setattr(plan.controller, "canard_limit_deg", 9)):
+        with pytest.raises(AttributeError):
+            change()
+    assert plan.fields is plan.fields and plan._values is plan._values
+    assert not hasattr(plan, "x") and plan == fantail.plan("tasha3_launch2")
+
+
 def test_a_field_says_kind_unit_range_and_meaning():
     limit = fantail.plan().fields["controller.canard_limit_deg"]
     assert (limit.kind, limit.unit) == ("number", "deg") and 0 <= limit.minimum < 6 < limit.maximum <= 20
