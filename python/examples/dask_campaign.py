@@ -8,18 +8,25 @@ machines the folder OUT must be one that all of them see. Needs distributed 2026
 """
 import argparse
 import contextlib
+import math
 import pathlib
 
 import distributed
 
 import fantail
 
+RUNS_OF_A_PART = 64  # a shard has one at least
+
 
 def fly_shard(scenario, options, number, shards, out):
     """One shard, on one core. Called again after its worker has died, it goes on from what is stored; when it is flown
-    already, it flies nothing. Two at once are refused by a lock on the folder."""
+    already, it flies nothing. Two at once are refused by a lock on the folder. A refusal is returned: of one that is
+    raised Dask prints a traceback."""
     folder = out / f"shard_{number}"
-    fantail.campaign(scenario, **options, shard=(number, shards), threads=1, out=folder)
+    try:
+        fantail.campaign(scenario, **options, shard=(number, shards), threads=1, out=folder)
+    except (ValueError, OSError) as refused:
+        return refused
     return folder
 
 
@@ -28,7 +35,11 @@ def campaign(client, scenario, out, shards, **options):
     out = pathlib.Path(out).absolute()
     tasks = [client.submit(fly_shard, scenario, options, number, shards, out, key=f"shard_{number}_{out}", pure=False)
              for number in range(1, shards + 1)]
-    fantail.merge_campaign(client.gather(tasks), out / "whole")
+    folders = client.gather(tasks)
+    for refused in folders:
+        if isinstance(refused, Exception):
+            raise refused
+    fantail.merge_campaign(folders, out / "whole")
     return fantail.campaign(scenario, **options, out=out / "whole")  # flies nothing: makes the summary and the page
 
 
@@ -41,16 +52,23 @@ def main():
     parser.add_argument("--scheduler", help="of a cluster that is there, as tcp://10.0.0.1:8786")
     parser.add_argument("--workers", type=int, default=2, help="processes on this machine, without --scheduler")
     options = parser.parse_args()
-    for name in ("shards", "workers"):
+    for name in ("runs", "shards", "workers"):
         if getattr(options, name) < 1:
             parser.error(f"--{name} {getattr(options, name)}; allowed: 1 and more")
+    parts = math.ceil(options.runs / RUNS_OF_A_PART)
+    if options.shards > parts:
+        parser.error(f"--shards {options.shards}; allowed: 1 to {parts}, because {options.runs} runs are flown by "
+                     f"{RUNS_OF_A_PART} together")
     with contextlib.ExitStack() as stack:
         try:
             fantail.Scenario.load(options.scenario)  # a mistake in its name needs no cluster
         except ValueError as refused:
             parser.error(str(refused))
         address = options.scheduler or stack.enter_context(local_cluster(options.workers))
-        client = stack.enter_context(distributed.Client(address))
+        try:
+            client = stack.enter_context(distributed.Client(address))
+        except (ValueError, OSError) as refused:
+            parser.error(f"--scheduler {address}: {refused}")
         try:
             flown = campaign(client, options.scenario, options.out, options.shards, runs=options.runs)
         except (ValueError, OSError) as refused:

@@ -91,8 +91,20 @@ def test_the_example_runs_from_the_command_line_and_a_second_time_flies_nothing(
 
 
 @pytest.mark.parametrize("words, complaint", [
-    (["no_such_rocket"], 'no_such_rocket'), (["tasha3_launch2", "--shards", "0"], "--shards 0; allowed: 1 and more")])
-def test_what_makes_no_sense_is_refused_before_anything_is_started(words, complaint, tmp_path):
+    (["no_such_rocket"], 'no_such_rocket'), (["tasha3_launch2", "--shards", "0"], "--shards 0; allowed: 1 and more"),
+    (["tasha3_launch2", "--runs", "0"], "--runs 0; allowed: 1 and more"),
+    (["tasha3_launch2", "--runs", "129", "--shards", "4"], "--shards 4; allowed: 1 to 3, because 129 runs are flown by 64 together"),
+    (["tasha3_launch2", "--scheduler", "nonsense://here"], "--scheduler nonsense://here: unknown address scheme"),
+    (["tasha3_launch2", "--scheduler", "tcp://127.0.0.1:1"], "--scheduler tcp://127.0.0.1:1: Timed out")])
+def test_what_makes_no_sense_is_refused_before_anything_is_started(words, complaint, tmp_path, monkeypatch):
+    monkeypatch.setenv("DASK_DISTRIBUTED__COMM__TIMEOUTS__CONNECT", "200ms")
     said = run_example(words[0], "out", *words[1:], cwd=tmp_path)
-    assert said.returncode == 2 and complaint in said.stderr
+    assert said.returncode == 2 and complaint in said.stderr and "Traceback" not in said.stderr
     assert not (tmp_path / "out").exists()
+
+
+def test_what_a_worker_refuses_is_said_without_a_traceback(tmp_path):
+    (tmp_path / "out").write_text("no folder")
+    said = run_example("tasha3_launch2", "out", "--runs", "64", "--shards", "1", cwd=tmp_path)
+    assert said.returncode == 2 and "Traceback" not in said.stderr
+    assert said.stderr.endswith(f"error: {tmp_path}/out/shard_1/chunks: Not a directory\n")
