@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "logs/load_table.hpp"
 
+#include <filesystem>
 #include <numbers>
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "flight/units.hpp"
 #include "logs/refused.hpp"
 #include "logs/roll_log.hpp"
 #include "system/folder.hpp"
@@ -69,6 +71,47 @@ TEST_F(LoadTable, NamesTheRowOfWhatIsWrong) {
                  {"log.parquet: no column roll_rate_deg_s", "time_s, phase, roll_angle_deg, p"});
 }
 
+std::string mat_file_with_units(const std::string& angle_name, const std::string& angle_unit) {
+  const std::vector<double> time_s{0.0, 0.25};
+  const std::vector<double> values{0.0, 1.0};
+  const std::vector<table_file::mat::Member> columns{{"time_s", {table_file::mat::column(time_s)}},
+                                                     {angle_name, {table_file::mat::column(values)}},
+                                                     {"roll_rate_deg_s", {table_file::mat::column(values)}}};
+  const std::vector<table_file::mat::Member> units{{"time_s", {table_file::mat::text("s")}},
+                                                   {angle_name, {table_file::mat::text(angle_unit)}}};
+  return table_file::mat::file(
+      std::vector{table_file::mat::structs(1, columns, "flight"), table_file::mat::structs(1, units, "units")});
+}
+
+TEST_F(LoadTable, RefusesAMatFileThatSaysAnotherUnitThanItIsReadIn) {
+  const std::filesystem::path file = folder_.write("log.mat", mat_file_with_units("roll_angle_deg", "rad"));
+  expect_refused(ErrorKind::bad_data, {"log.mat: units.roll_angle_deg is rad, and roll_angle_deg is read in deg"},
+                 [&] { (void)read_roll_log(file, {}, {}); });
+  const flight::Reading stated{.columns = {{"roll_angle_deg", "roll_angle_deg"}},
+                               .units = {{"roll_angle_deg", *flight::find_unit("rad")}}};
+  EXPECT_EQ(read_roll_log(file, stated, {}).roll_angle_rad, (std::vector{0.0, 1.0}));
+  const flight::Reading radians{.angles = flight::AngleUnit::radians};
+  EXPECT_EQ(read_roll_log(file, radians, {}).roll_angle_rad, (std::vector{0.0, 1.0}));
+  (void)folder_.write("log.mat", mat_file_with_units("roll_angle_rad", "deg"));
+  expect_refused(ErrorKind::bad_data, {"units.roll_angle_rad is deg, and roll_angle_rad is read in rad"},
+                 [&] { (void)read_roll_log(file, radians, {}); });
+  EXPECT_EQ(read("same.mat", mat_file_with_units("roll_angle_deg", "deg")).time_s.size(), 2U);
+}
+
+TEST_F(LoadTable, RefusesAMatFileWithAWantedNameThatIsNoColumn) {
+  using table_file::mat::column;
+  const std::vector<double> values{0.0, 0.25};
+  const auto file = [&](const std::string& name) {
+    return table_file::mat::file(std::vector{column(values, "time_s"), column(values, "roll_rate_deg_s"),
+                                             table_file::mat::cell(std::vector{column(values), column(values)}, name)});
+  };
+  EXPECT_EQ(read("other.mat", file("parts")).time_s, values) << "nobody asks for it";
+  expect_refusal("angle.mat", file("roll_angle_deg"), {"angle.mat: roll_angle_deg is a cell with something else"});
+  const std::filesystem::path mapped = folder_.write("phi.mat", file("phi"));
+  expect_refused(ErrorKind::bad_data, {"phi.mat: phi is a cell with something else than texts"},
+                 [&] { (void)read_roll_log(mapped, {.columns = {{"roll_angle_deg", "phi"}}}, {}); });
+}
+
 TEST_F(LoadTable, RefusesWhatIsDamagedAndWhatIsOnlyWritten) {
   const std::string whole = table_file::mat_file(flight());
   expect_refusal("log.mat", whole.substr(0, whole.size() - 1), {"log.mat", "ends within a variable"});
@@ -78,7 +121,7 @@ TEST_F(LoadTable, RefusesWhatIsDamagedAndWhatIsOnlyWritten) {
     expect_refusal(name, "anything", {name, "allowed: .csv, .mat, .parquet and .ftl"});
   }
   expect_refused(ErrorKind::no_such_input, {"none.mat: no such file"},
-                 [&] { (void)load_table(folder_.path() / "none.mat"); });
+                 [&] { (void)load_table(folder_.path() / "none.mat", {}); });
 }
 
 }  // namespace

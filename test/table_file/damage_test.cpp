@@ -22,7 +22,8 @@ struct Format {
   std::function<Columns(std::string_view, const std::string&)> read;
 };
 
-const Format formats[] = {{"log.mat", mat_file(small_table()), read_mat},
+const Format formats[] = {{"log.mat", mat_file(small_table()),
+                           [](std::string_view file, const std::string& name) { return read_mat(file, name, known); }},
                           {"log.parquet", parquet::file(small_table(), "{}"), read_parquet}};
 
 // Whether it was refused, with the name of the file; anything else must be the table as it was.

@@ -18,14 +18,14 @@ namespace {
 using test::expect_refused;
 using text::ErrorKind;
 
-Columns read(const std::vector<std::string>& variables) { return read_mat(mat::file(variables), "log.mat"); }
+Columns read(const std::vector<std::string>& variables) { return read_mat(mat::file(variables), "log.mat", known); }
 
 // A MAT-file has numbers only: flags and whole numbers come back as such.
 TEST(MatFile, GivesItsNumbersAndWordsBack) {
   Columns wanted = small_table();
   wanted[2].kind = Kind::number;
   wanted[3].kind = Kind::number;
-  EXPECT_TRUE(same(read_mat(mat_file(small_table()), "log.mat"), wanted));
+  EXPECT_TRUE(same(read_mat(mat_file(small_table()), "log.mat", known), wanted));
 }
 
 TEST(MatFile, TakesTheVariablesOrTheOnlyStructWithColumns) {
@@ -66,9 +66,66 @@ TEST(MatFile, RefusesColumnsThatMakeNoTable) {
   expect_refused(ErrorKind::bad_data, {"words.phase is no list"}, [&] { with_words({1, 2}, mat::text("armed")); });
 }
 
+// The same bytes as another class, or as complex numbers.
+std::string with_flags(std::string matrix, std::uint32_t flags) {
+  constexpr std::size_t at_flags = 16;
+  matrix.replace(at_flags, sizeof flags, reinterpret_cast<const char*>(&flags), sizeof flags);
+  return matrix;
+}
+
+TEST(MatFile, RefusesAWantedNameThatIsNoColumnAndSaysWhatItIs) {
+  const std::string time = mat::column(std::vector{0.0, 0.1}, "time_s");
+  const std::string angle = mat::column(std::vector{1.0, 2.0}, "roll_angle_deg");
+  const std::string other = mat::column(std::vector{1.0, 2.0}, "gains");
+  ASSERT_EQ(read({time, angle}).size(), 2U);
+  constexpr std::uint32_t complex = 6U | 0x0800U;
+  constexpr std::uint32_t sparse = 5U;
+  EXPECT_EQ(read({time, with_flags(other, complex)}).size(), 1U) << "nobody asks for it";
+  const auto refused = [&](const std::string& variable, const char* words) {
+    expect_refused(ErrorKind::bad_data, {"log.mat: roll_angle_deg is ", words}, [&] { (void)read({time, variable}); });
+  };
+  refused(with_flags(angle, complex), "complex numbers");
+  refused(with_flags(angle, sparse), "a sparse matrix");
+  refused(mat::column(std::vector{1.0}, "roll_angle_deg"), "a single value");
+  refused(mat::cell(std::vector{mat::column(std::vector{1.0}), mat::column(std::vector{2.0})}, "roll_angle_deg"),
+          "a cell with something else than texts");
+  std::string wide = mat::column(std::vector{1.0, 2.0, 3.0, 4.0}, "roll_angle_deg");
+  constexpr std::size_t at_size = 32;
+  wide[at_size] = 2;
+  wide[at_size + 4] = 2;
+  refused(wide, "a matrix of 2 x 2");
+  EXPECT_EQ(read({time, mat::column({}, "roll_angle_deg")}).size(), 1U) << "nothing is in it";
+}
+
+TEST(MatFile, RefusesAWantedNameThatIsNoColumnInTheStructFlightToo) {
+  const std::string values = mat::column(std::vector{0.0, 0.1});
+  const auto flight = [&](const std::string& member) {
+    const std::vector<mat::Member> members{{"time_s", {values}}, {"roll_angle_deg", {member}}};
+    return read({mat::structs(1, members, "flight")});
+  };
+  EXPECT_EQ(flight(values).size(), 2U);
+  expect_refused(ErrorKind::bad_data, {"roll_angle_deg is a cell"},
+                 [&] { (void)flight(mat::cell(std::vector{values, values})); });
+}
+
+TEST(MatFile, WithTwoVariablesOfOneNameIsRefused) {
+  const std::vector<mat::Member> members{{"time_s", {mat::column(std::vector{0.0, 0.1})}}};
+  const std::string flight = mat::structs(1, members, "flight");
+  expect_refused(ErrorKind::bad_data, {"log.mat: has two variables with the name flight"},
+                 [&] { (void)read({flight, flight}); });
+}
+
+TEST(MatFile, OfOneRowHasColumns) {
+  const std::vector<mat::Member> members{{"time_s", {mat::column(std::vector{1.0})}},
+                                         {"roll_angle_deg", {mat::column(std::vector{30.0})}}};
+  const Columns columns = read({mat::structs(1, members, "flight")});
+  ASSERT_EQ(columns.size(), 2U);
+  EXPECT_EQ(columns[1].values, std::vector{30.0});
+}
+
 TEST(MatFile, OfAnotherKindIsRefusedWithWhatToDo) {
   const auto refused = [](const std::string& text, std::initializer_list<const char*> words) {
-    expect_refused(ErrorKind::bad_data, words, [&] { (void)read_mat(text, "log.mat"); });
+    expect_refused(ErrorKind::bad_data, words, [&] { (void)read_mat(text, "log.mat", known); });
   };
   refused("", {"log.mat", "empty"});
   refused("time_s,roll_angle_deg\n0,1\n", {"no MAT-file of version 5"});
@@ -84,7 +141,7 @@ TEST(MatFile, OfOctaveIsReadPackedAndNot) {
   for (const char* name : {"octave_v6.mat", "octave_v7.mat"}) {
     std::ostringstream bytes;
     bytes << std::ifstream{FANTAIL_TABLES "/" + std::string{name}, std::ios::binary}.rdbuf();
-    const Columns columns = read_mat(bytes.str(), name);
+    const Columns columns = read_mat(bytes.str(), name, known);
     ASSERT_EQ(columns.size(), 7U) << name;
     EXPECT_EQ(columns[0].name, "time_s");
     EXPECT_EQ(columns[0].values, (std::vector{0.0, 0.25, 0.5})) << "a range";

@@ -3,7 +3,9 @@
 
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "table_file/column.hpp"
@@ -31,6 +33,11 @@ inline bool same(const Columns& a, const Columns& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Column& x, const Column& y) {
     return x.name == y.name && x.kind == y.kind && same(x.values, y.values) && x.words == y.words;
   });
+}
+
+/// A reader that asks for the roll angle.
+inline std::optional<std::string> known(std::string_view name) {
+  return name == "roll_angle_deg" ? std::optional<std::string>{"deg"} : std::nullopt;
 }
 
 /// A MAT-file whose struct `flight` has these columns and whose struct `words` has their words.

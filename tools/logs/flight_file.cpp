@@ -111,7 +111,8 @@ flight::Flight read_flight(const std::filesystem::path& path) {
   }
   flight::Reading reading{.options = ""};
   const std::string mapped = apply_map_beside(file, reading);
-  flight::Flight flight = flight::read_flight_csv(load_table(file), reading, {.roll_angle = false, .roll_rate = false});
+  flight::Flight flight =
+      flight::read_flight_csv(load_table(file, reading), reading, {.roll_angle = false, .roll_rate = false});
   if (!mapped.empty()) {
     flight.notes.insert(flight.notes.begin(), mapped);
   }

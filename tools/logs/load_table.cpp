@@ -4,10 +4,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
+#include <string>
 #include <string_view>
 
 #include <fmt/format.h>
 
+#include "flight/column_texts.hpp"
+#include "flight/columns.hpp"
 #include "table_file/read.hpp"
 #include "text/csv_cell.hpp"
 #include "text/error.hpp"
@@ -47,13 +51,46 @@ flight::Table table_of(const table_file::Columns& columns, const std::string& na
   return flight::Table::parse(fmt::to_string(out), name, flight::Table::Rows::by_number);
 }
 
+std::string in_radians(std::string unit) {
+  return unit.starts_with("deg") ? "rad" + unit.substr(std::string_view{"deg"}.size()) : unit;
+}
+
+// Of a column of flight.csv, by that name.
+std::optional<std::string> unit_of(std::string_view name, const flight::Reading& reading) {
+  if (name != flight::phase_column && name != flight::replayed_column && flight::find_column(name) == nullptr) {
+    return {};
+  }
+  if (const auto stated = reading.units.find(std::string{name}); stated != reading.units.end()) {
+    return std::string{stated->second.name};
+  }
+  const std::string unit{flight::column_text(name).value_or(flight::ColumnText{.unit = "-", .description = {}}).unit};
+  return reading.angles == flight::AngleUnit::radians ? in_radians(unit) : unit;
+}
+
+// Of a column of the file, if it will be asked for.
+std::optional<std::string> known_unit(std::string_view name, const flight::Reading& reading) {
+  for (const auto& [ours, theirs] : reading.columns) {
+    if (theirs == name) {
+      return unit_of(ours, reading);
+    }
+  }
+  std::string ours{name};
+  if (const std::size_t unit = ours.find("_rad");
+      unit != std::string::npos && reading.angles == flight::AngleUnit::radians) {
+    ours.replace(unit, 4, "_deg");
+  }
+  return unit_of(ours, reading);
+}
+
 }  // namespace
 
-flight::Table load_table(const std::filesystem::path& file) {
+flight::Table load_table(const std::filesystem::path& file, const flight::Reading& reading) {
   const std::string name = file.string();
   const std::string ending = file.extension().string();
   if (ending == ".mat") {
-    return table_of(table_file::read_mat(flight::Table::read(name), name), name);
+    return table_of(table_file::read_mat(flight::Table::read(name), name,
+                                         [&](std::string_view column) { return known_unit(column, reading); }),
+                    name);
   }
   if (ending == ".parquet") {
     return table_of(table_file::read_parquet(flight::Table::read(name), name), name);

@@ -136,7 +136,7 @@ RollLog read_roll_log(const std::filesystem::path& path, const flight::Reading& 
   }
   flight::Reading mapped = reading;
   const std::string said = apply_map_beside(file, mapped);
-  const flight::Table table = load_table(file);
+  const flight::Table table = load_table(file, mapped);
   flight::Needs present = needs;
   present.roll_angle = needs.roll_angle && (!needs.roll_rate || may_have_roll_angle(table, mapped));
   flight::Flight flight = flight::read_flight_csv(table, mapped, present);

@@ -121,6 +121,10 @@ class Parser {
       array.content = Array::Content::numbers;
       array.numbers = numbers_of(take(bytes));
       require_count(array, array.numbers.size());
+    } else {
+      array.kind = kind == Class::sparse                             ? "a sparse matrix"
+                   : kind >= Class::float64 && kind <= Class::uint64 ? "complex numbers"
+                                                                     : "an object or a function";
     }
     return array;
   }
@@ -181,7 +185,8 @@ class Parser {
       throw Damage{fmt::format("the struct \"{}\" has not as many members as names", array.name)};
     }
     if (count(array) != 1.0) {
-      return;  // events and the like: no table
+      array.kind = "an array of structs";  // events and the like: no table
+      return;
     }
     array.content = Array::Content::structure;
     for (std::size_t i = 0; i < members.size(); ++i) {

@@ -18,7 +18,7 @@ class Damage : public std::runtime_error {
 };
 
 /// A variable of a MAT-file or a part of one. What a table cannot be made of (sparse and complex numbers, objects,
-/// functions) has a name and no content.
+/// functions, arrays of structs) has a name, a size and no content.
 struct Array {
   enum class Content : std::uint8_t { nothing, numbers, text, cell, structure };
 
@@ -26,6 +26,7 @@ struct Array {
   Content content = Content::nothing;
   std::size_t rows = 0;
   std::size_t columns = 0;           ///< of more than two dimensions all but the first
+  std::string_view kind{};           ///< of no content, what it is instead: "complex numbers"
   std::vector<double> numbers{};     ///< one column behind the other
   std::vector<std::string> lines{};  ///< of a text: one for each row, without the spaces that fill it up
   std::vector<Array> elements{};     ///< of a cell; of a single struct its members, with their names

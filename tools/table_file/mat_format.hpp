@@ -26,7 +26,7 @@ enum class Stored : std::uint32_t {
 };
 
 /// What an array is for MATLAB. From float64 to uint64 they are numbers.
-enum class Class : std::uint8_t { cell = 1, structure = 2, text = 4, float64 = 6, uint64 = 15 };
+enum class Class : std::uint8_t { cell = 1, structure = 2, text = 4, sparse = 5, float64 = 6, uint64 = 15 };
 
 inline constexpr std::uint32_t complex_flag = 0x0800;
 inline constexpr std::string_view beginning = "MATLAB 5.0 MAT-file";

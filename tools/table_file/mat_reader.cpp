@@ -2,7 +2,10 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <set>
 #include <span>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include <fmt/core.h>
@@ -65,29 +68,59 @@ std::optional<Column> column_of(const Array& array) {
   return {};
 }
 
-Columns columns_of(std::span<const Array> arrays) {
+// Those with at least so many rows.
+Columns columns_of(std::span<const Array> arrays, std::size_t rows) {
   Columns all;
   for (const Array& array : arrays) {
-    if (auto column = column_of(array); column && column->values.size() > 1) {
+    if (auto column = column_of(array); column && column->values.size() >= rows) {
       all.push_back(std::move(*column));
     }
   }
   return all;
 }
 
+bool is_empty(const Array& array) { return array.rows == 0 || array.columns == 0; }
+
+bool is_single(const Array& array) { return array.rows == 1 && (array.columns == 1 || array.content == Content::text); }
+
+// Of an array that is no column.
+std::string kind_of(const Array& array) {
+  if (!array.kind.empty()) {
+    return std::string{array.kind};
+  }
+  if (array.content == Content::structure) {
+    return "a struct";
+  }
+  if (is_single(array)) {
+    return "a single value";
+  }
+  const std::string size = fmt::format("{} x {}", array.rows, array.columns);
+  if (array.content == Content::cell) {
+    return is_vector(array) ? "a cell with something else than texts" : "a cell of " + size;
+  }
+  return "a matrix of " + size;
+}
+
 class MatReader {
  public:
-  MatReader(std::string_view file, const std::string& name) : name_{name} {
+  MatReader(std::string_view file, const std::string& name, const KnownUnit& known) : name_{name}, known_{known} {
     try {
       arrays_ = mat::read_arrays(file);
     } catch (const mat::Damage& damage) {
       refuse(damage.what());
+    }
+    std::set<std::string_view> names;
+    for (const Array& array : arrays_) {
+      if (!names.insert(array.name).second) {
+        refuse(fmt::format("has two variables with the name {}", array.name));
+      }
     }
   }
 
   [[nodiscard]] Columns read() const {
     Columns columns = chosen();
     require_one_length(columns);
+    require_known_units(columns);
     const Array* const words = find(arrays_, "words");
     if (words != nullptr && words->content == Content::structure) {
       for (Column& column : columns) {
@@ -107,25 +140,59 @@ class MatReader {
   [[nodiscard]] Columns chosen() const {
     if (const Array* const flight = find(arrays_, "flight");
         flight != nullptr && flight->content == Content::structure) {
-      return columns_of(flight->elements);
+      return all_columns(flight->elements, true);
     }
-    Columns result = columns_of(arrays_);
-    std::string places = result.empty() ? "" : "variables";
-    std::size_t count = result.empty() ? 0 : 1;
+    const std::vector<Array>* place = &arrays_;
+    std::size_t count = columns_of(arrays_, 2).empty() ? 0 : 1;
+    std::string places = count == 0 ? "" : "variables";
     for (const Array& array : arrays_) {
       if (array.content != Content::structure || array.name == "words") {
         continue;
       }
-      if (Columns of_struct = columns_of(array.elements); !of_struct.empty()) {
+      if (!columns_of(array.elements, 2).empty()) {
         places += fmt::format("{}the struct {}", ++count > 1 ? ", " : "", array.name);
-        result = std::move(of_struct);
+        place = &array.elements;
       }
     }
     if (count > 1) {
       refuse(fmt::format("has columns in more than one place: {}; keep one, or call the struct of the flight flight",
                          places));
     }
-    return result;
+    return all_columns(*place, false);
+  }
+
+  // What is wanted and is no column must not be missed silently: a log without its roll angle is another log.
+  [[nodiscard]] Columns all_columns(const std::vector<Array>& arrays, bool is_flight) const {
+    Columns columns = columns_of(arrays, 2);
+    if (columns.empty() && is_flight) {
+      columns = columns_of(arrays, 1);
+    }
+    for (const Array& array : arrays) {
+      if (known_(array.name) && !is_empty(array) &&
+          std::ranges::find(columns, array.name, &Column::name) == columns.end()) {
+        refuse(
+            fmt::format("{} is {}; a column is a vector of numbers, a cell of texts or a matrix of characters, as long "
+                        "as the others",
+                        array.name, kind_of(array)));
+      }
+    }
+    return columns;
+  }
+
+  void require_known_units(const Columns& columns) const {
+    const Array* const units = find(arrays_, "units");
+    if (units == nullptr || units->content != Content::structure) {
+      return;
+    }
+    for (const Column& column : columns) {
+      const Array* const said = find(units->elements, column.name);
+      const auto known = known_(column.name);
+      if (said != nullptr && said->content == Content::text && said->lines.size() == 1 && known && *known != "-" &&
+          said->lines.front() != *known) {
+        refuse(
+            fmt::format("units.{} is {}, and {} is read in {}", column.name, said->lines.front(), column.name, *known));
+      }
+    }
   }
 
   void require_one_length(const Columns& columns) const {
@@ -161,11 +228,14 @@ class MatReader {
   }
 
   std::string name_;
+  const KnownUnit& known_;
   std::vector<Array> arrays_;
 };
 
 }  // namespace
 
-Columns read_mat(std::string_view file, const std::string& name) { return MatReader{file, name}.read(); }
+Columns read_mat(std::string_view file, const std::string& name, const KnownUnit& known) {
+  return MatReader{file, name, known}.read();
+}
 
 }  // namespace fantail::table_file
