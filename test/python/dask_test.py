@@ -18,7 +18,7 @@ EXAMPLES = pathlib.Path(__file__).parents[2] / "python/examples"
 sys.path.insert(0, str(EXAMPLES))
 import dask_campaign  # noqa: E402  an example, in no package
 
-OPTIONS = {"runs": 192}  # three parts of 64: two for shard 1
+OPTIONS = {"runs": 192}  # three parts of 64: two of them for shard 2
 SHARDS = 2
 PATIENCE_S = 200  # other tests take most of a small machine
 
@@ -36,13 +36,13 @@ def whole(tmp_path_factory):
 
 
 def kill_who_flies(client, campaign, chunks):
-    """Kills the worker of shard 1 as soon as it has stored a part of it."""
+    """Kills the worker of shard 2 as soon as it has stored a part of it."""
     until = time.monotonic() + PATIENCE_S
     while not list(chunks.glob("*.csv.gz")):
         assert not campaign.done(), f"it ended before a part of the shard was seen: {campaign.exception()}"
         assert time.monotonic() < until, f"no part of the shard was stored; workers: {client.processing()}"
         time.sleep(0.01)
-    flies, = (worker for worker, keys in client.processing().items() if any("shard_1_" in str(key) for key in keys))
+    flies, = (worker for worker, keys in client.processing().items() if any("shard_2_" in str(key) for key in keys))
     os.kill(client.run(os.getpid, workers=[flies])[flies], signal.SIGKILL)
 
 
@@ -52,7 +52,7 @@ def flown(client, tmp_path_factory):
     out = tmp_path_factory.mktemp("dask")
     with concurrent.futures.ThreadPoolExecutor() as pool:
         campaign = pool.submit(dask_campaign.campaign, client, "tasha3_launch2", out, SHARDS, **OPTIONS)
-        kill_who_flies(client, campaign, out / "shard_1/chunks")
+        kill_who_flies(client, campaign, out / "shard_2/chunks")
         assert len(campaign.result(PATIENCE_S)) == OPTIONS["runs"]
     return out
 
@@ -61,7 +61,7 @@ def test_a_campaign_on_dask_is_the_campaign_flown_as_one_although_a_worker_was_k
     for name in ("runs.csv.gz", "campaign.json", "summary.json"):
         assert (flown / "whole" / name).read_bytes() == (whole / name).read_bytes(), name
     begun = client.run_on_scheduler(lambda dask_scheduler: [
-        key for key, _, finish, *_ in dask_scheduler.transition_log if "shard_1_" in str(key) and finish == "processing"])
+        key for key, _, finish, *_ in dask_scheduler.transition_log if "shard_2_" in str(key) and finish == "processing"])
     assert len(begun) >= 2  # it was given out again: to the other worker, or to the one that took the place of the first
 
 
@@ -71,11 +71,11 @@ def files(folder):
 
 
 def test_a_shard_that_is_done_twice_is_flown_once(client, flown):
-    before = files(flown / "shard_1")
-    assert flown / "shard_1/runs.csv.gz" in before
-    again = client.submit(dask_campaign.fly_shard, "tasha3_launch2", OPTIONS, 1, SHARDS, flown, pure=False)
-    assert again.result(PATIENCE_S) == flown / "shard_1"
-    assert files(flown / "shard_1") == before
+    before = files(flown / "shard_2")
+    assert flown / "shard_2/runs.csv.gz" in before
+    again = client.submit(dask_campaign.fly_shard, "tasha3_launch2", OPTIONS, 2, SHARDS, flown, pure=False)
+    assert again.result(PATIENCE_S) == flown / "shard_2"
+    assert files(flown / "shard_2") == before
 
 
 def run_example(*words, cwd):
