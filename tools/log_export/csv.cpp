@@ -82,13 +82,7 @@ std::string csv(const ReplayedFlight& source, const Selection& selection) {
     fmt::format_to(std::back_inserter(out), "{}{}", i == 0 ? "" : ",", fields()[selection[i]].name);
   }
   out.push_back('\n');
-  TickReader reader{source};
-  const auto& ticks = source.flight().ticks;
-  for (std::size_t tick = 0; tick < ticks.size(); ++tick) {
-    if (!source.inside(ticks[tick].tick.time)) {
-      continue;
-    }
-    const std::span<const Value> values = reader.read(tick);
+  for_each_tick(source, [&](std::size_t, core::Microseconds, std::span<const Value> values) {
     for (std::size_t i = 0; i < selection.size(); ++i) {
       if (i > 0) {
         out.push_back(',');
@@ -96,7 +90,7 @@ std::string csv(const ReplayedFlight& source, const Selection& selection) {
       std::visit(Cell{out}, values[selection[i]]);
     }
     out.push_back('\n');
-  }
+  });
   return fmt::to_string(out);
 }
 

@@ -63,4 +63,18 @@ class TickReader {
   std::vector<Value> values_;
 };
 
+/// Calls `take` for each tick within the window of a source, in their order, with its number among the log's ticks, its
+/// time, and as many values as fields(), which are there until the next call.
+template <typename Take>
+void for_each_tick(const ReplayedFlight& source, Take take) {
+  TickReader reader{source};
+  const auto& ticks = source.flight().ticks;
+  for (std::size_t tick = 0; tick < ticks.size(); ++tick) {
+    const core::Microseconds time = ticks[tick].tick.time;
+    if (source.inside(time)) {
+      take(tick, time, reader.read(tick));
+    }
+  }
+}
+
 }  // namespace fantail::log_export

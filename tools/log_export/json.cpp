@@ -13,20 +13,14 @@ namespace {
 
 std::string ticks(const ReplayedFlight& source, const Selection& selection) {
   std::vector<fmt::memory_buffer> lists(selection.size());
-  TickReader reader{source};
-  const auto& all = source.flight().ticks;
-  for (std::size_t tick = 0; tick < all.size(); ++tick) {
-    if (!source.inside(all[tick].tick.time)) {
-      continue;
-    }
-    const std::span<const Value> values = reader.read(tick);
+  for_each_tick(source, [&](std::size_t, core::Microseconds, std::span<const Value> values) {
     for (std::size_t i = 0; i < selection.size(); ++i) {
       if (lists[i].size() > 0) {
         lists[i].push_back(',');
       }
       std::visit(JsonElement{lists[i]}, values[selection[i]]);
     }
-  }
+  });
   fmt::memory_buffer out;
   for (std::size_t i = 0; i < selection.size(); ++i) {
     fmt::format_to(std::back_inserter(out), "{}\n    \"{}\": [", i == 0 ? "" : ",", fields()[selection[i]].name);

@@ -90,17 +90,11 @@ class McapFile {
 
   std::string write() {
     metadata();
-    const auto& ticks = source_.flight().ticks;
-    TickReader reader{source_};
-    for (std::size_t i = 0; i < ticks.size(); ++i) {
-      const core::Microseconds time = ticks[i].tick.time;
+    for_each_tick(source_, [this](std::size_t, core::Microseconds time, std::span<const Value> values) {
       notes_until(time);
-      if (source_.inside(time)) {
-        const std::span<const Value> values = reader.read(i);
-        tick(0, time, values);
-        tick(1, time, values);
-      }
-    }
+      tick(0, time, values);
+      tick(1, time, values);
+    });
     notes_until(core::Microseconds::max());
     return writer_.take();
   }

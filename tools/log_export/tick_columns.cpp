@@ -61,17 +61,11 @@ table_file::Columns tick_columns(const ReplayedFlight& source, const Selection& 
   for (const std::size_t i : selection) {
     columns.push_back({.name = fields()[i].name, .kind = kind_of(fields()[i].type)});
   }
-  TickReader reader{source};
-  const auto& ticks = source.flight().ticks;
-  for (std::size_t tick = 0; tick < ticks.size(); ++tick) {
-    if (!source.inside(ticks[tick].tick.time)) {
-      continue;
-    }
-    const std::span<const Value> values = reader.read(tick);
+  for_each_tick(source, [&](std::size_t, core::Microseconds, std::span<const Value> values) {
     for (std::size_t i = 0; i < selection.size(); ++i) {
       columns[i].values.push_back(std::visit(ToNumber{words[i]}, values[selection[i]]));
     }
-  }
+  });
   for (std::size_t i = 0; i < selection.size(); ++i) {
     place_words(columns[i], words[i]);
   }

@@ -97,19 +97,13 @@ class File {
       }
     }
     writer_.subscribe(health, "fantail_health");
-    const auto& ticks = source_.flight().ticks;
-    TickReader reader{source_};
-    for (std::size_t i = 0; i < ticks.size(); ++i) {
-      const core::Microseconds time = ticks[i].tick.time;
+    for_each_tick(source_, [this](std::size_t i, core::Microseconds time, std::span<const Value> values) {
       notes_until(time);
-      if (source_.inside(time)) {
-        const std::span<const Value> values = reader.read(i);
-        tick(recorded, time, values);
-        if (source_.record(i) != nullptr) {
-          tick(replayed, time, values);
-        }
+      tick(recorded, time, values);
+      if (source_.record(i) != nullptr) {
+        tick(replayed, time, values);
       }
-    }
+    });
     notes_until(core::Microseconds::max());
     return writer_.take();
   }
