@@ -40,6 +40,7 @@ void Arming::receive(const Situation& now, const Permission& permission, const p
         }
       }
       return;
+    // Meets ARM-7.
     case ArmAction::confirm:
       refusal_ = objection(now, permission);
       if (refusal_ == ArmRefusal::none) {
@@ -64,6 +65,7 @@ void Arming::update(const Situation& now) {
   expire(now.time);
 }
 
+// Meets ARM-7.
 void Arming::expire(core::Microseconds now) {
   if (issued_ && now - issued_->time > nonce_lifetime) {
     issued_.reset();
@@ -78,6 +80,7 @@ bool Arming::take_start_command() { return std::exchange(start_command_, false);
 
 std::optional<std::uint32_t> Arming::nonce() const { return issued_ ? std::optional{issued_->nonce} : std::nullopt; }
 
+// Meets ARM-3, ARM-4, BUS-1.
 ArmRefusal Arming::objection(const Situation& now, const Permission& permission) const {
   if (now.phase != core::Phase::safe) {
     return ArmRefusal::not_safe;
@@ -97,6 +100,7 @@ ArmRefusal Arming::objection(const Situation& now, const Permission& permission)
   if (!now.arm_switch_closed) {
     return ArmRefusal::switch_open;
   }
+  // Meets ARM-6.
   // A switch that was closed before power-up is nobody's decision: this may be a reset on the pad.
   return switch_was_open_ ? ArmRefusal::none : ArmRefusal::switch_not_cycled;
 }
@@ -108,6 +112,7 @@ ArmRefusal Arming::objection_to_nonce(std::uint32_t nonce) const {
   return nonce == issued_->nonce ? ArmRefusal::none : ArmRefusal::wrong_nonce;
 }
 
+// Meets PHS-3.
 ArmRefusal Arming::objection_to_start(const Situation& now, const Permission& permission, std::uint32_t nonce) const {
   if (!permission.tunnel_plan) {
     return ArmRefusal::not_a_tunnel_plan;
@@ -121,6 +126,7 @@ ArmRefusal Arming::objection_to_start(const Situation& now, const Permission& pe
   return now.at_rest ? ArmRefusal::none : ArmRefusal::not_at_rest;
 }
 
+// Meets ARM-8.
 std::optional<std::uint32_t> Arming::fresh_nonce(const Permission& permission) {
   if (!permission.power_up || requests_ == most_requests) {
     return std::nullopt;

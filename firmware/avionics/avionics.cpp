@@ -63,6 +63,7 @@ const core::TickRecord& Avionics::tick() {
   flash_.send_log(now, right, devices_.can_bus);
   tick_duration_ = devices_.clock.now() - now;
   memory_watch_.look(plan_, *autopilot_);
+  // Meets TIM-2.
   // Last: only a tick that came this far proves that the loop is alive.
   devices_.watchdog.feed();
   return record;
@@ -165,6 +166,7 @@ void Avionics::obey(const protocol::ArmRequest& message) {
   if (message.action == protocol::ArmAction::self_test) {
     arming_.answer(self_test_.start(situation_, bench_mode_.open()));
   } else {
+    // Meets REC-1.
     // A plan that is being written will want a self-test of its own, and a flight wants its room in the flash.
     const bool flash_is_ready = !flash_.transfer().writing() && !flash_.flights().erasing();
     arming_.receive(situation_,
@@ -177,6 +179,7 @@ void Avionics::obey(const protocol::ArmRequest& message) {
   }
 }
 
+// Meets PLN-1.
 bool Avionics::plan_may_change() const {
   return situation_.phase == core::Phase::safe && situation_.at_rest && !bench_mode_.open() && !self_test_.running() &&
          !arming_.nonce() && !flash_.recorder().busy();

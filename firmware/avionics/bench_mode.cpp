@@ -38,6 +38,7 @@ bool BenchMode::receive(const Situation& now, bool self_test_runs, const protoco
   return true;
 }
 
+// Meets BEN-2, BEN-6, BEN-7, BUS-1.
 std::optional<SessionReason> BenchMode::objection(const Situation& now, bool self_test_runs,
                                                   std::uint16_t session) const {
   if (session_) {
@@ -78,6 +79,7 @@ std::optional<std::array<core::Angle, core::canard_count>> BenchMode::canard_req
   return angles;
 }
 
+// Meets BEN-4, BEN-5.
 void BenchMode::update(const Situation& now) {
   if (!session_) {
     return;

@@ -28,6 +28,7 @@ void write_faults(hal::BoardFaults faults, hal::Console& console) {
 
 }  // namespace
 
+// Meets ARM-4, TIM-1.
 void BoardWatch::look(const hal::BoardStatus& status, std::uint32_t missed_ticks, std::uint32_t overrun_limit) {
   status_ = status;
   status_.overruns = std::max(status.overruns, missed_ticks);

@@ -27,6 +27,7 @@ bool BootCounter::done(Access access) {
   return access == Access::done;
 }
 
+// Meets ARM-8.
 void BootCounter::update(core::Microseconds now) {
   const std::uint32_t begin = flash_.map().boot_sectors[sector_];
   switch (step_) {

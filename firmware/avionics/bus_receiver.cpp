@@ -26,8 +26,10 @@ protocol::Decoded<protocol::FromBench> decode(const hal::CanFrame& frame, std::o
 std::optional<protocol::FromBench> BusReceiver::next(core::Microseconds now, hal::CanBus& bus,
                                                      std::optional<std::uint16_t> session) {
   if (counters_.session != session) {
+    // Meets BEN-6.
     counters_ = {.session = session};
   }
+  // Meets BUS-2, BUS-3.
   for (; frames_ < most_frames_per_tick; ++frames_) {
     const std::optional<hal::CanFrame> frame = bus.receive();
     if (!frame) {

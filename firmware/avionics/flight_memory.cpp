@@ -153,12 +153,14 @@ FlightMemory::FlightMemory(hal::BackupMemory& memory, const hal::Clock& clock, R
     : memory_{memory},
       clock_{clock},
       after_{cause == ResetCause::watchdog ? ResumedAfter::watchdog : ResumedAfter::software} {
+  // Meets MEM-1.
   waits_ = may_be_resumed_after(cause) && !newest_first(memory_.bytes())[0].empty();
   if (!waits_) {
     forget();
   }
 }
 
+// Meets MEM-2, MEM-3.
 std::optional<FlightMemory::Resumed> FlightMemory::resume(const core::Inputs& first, std::uint32_t plan_crc,
                                                           core::Autopilot& law) {
   waits_ = false;

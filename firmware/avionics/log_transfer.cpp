@@ -56,6 +56,7 @@ void LogTransfer::begin_read(const protocol::LogRequest& request) {
   index_ = 0;
 }
 
+// Meets BUS-1, REC-1.
 std::optional<LogFault> LogTransfer::refusal(const protocol::LogRequest& request, const Right& right) const {
   if (!right.safe) {
     return LogFault::not_safe;
@@ -179,6 +180,10 @@ void LogTransfer::send(core::Microseconds now, const Right& right, hal::CanBus& 
     answer(LogState::read, crc_, size_);
     size_ = 0;
   }
+  send_replies(now, bus);
+}
+
+void LogTransfer::send_replies(core::Microseconds now, hal::CanBus& bus) {
   if (refusal_ && may_reply(now) && bus.send(can_frame(encode(*refusal_)))) {
     refusal_.reset();
     last_reply_ = now;

@@ -68,6 +68,7 @@ class LogTransfer {
   [[nodiscard]] bool may_reply(core::Microseconds now) const;
   void follow_erase(core::Microseconds now, const Right& right);
   [[nodiscard]] bool send_data(hal::CanBus& bus);
+  void send_replies(core::Microseconds now, hal::CanBus& bus);
   [[nodiscard]] std::uint16_t free_kib() const;
 
   FlightRegion& flights_;

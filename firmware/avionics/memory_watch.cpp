@@ -24,6 +24,7 @@ void MemoryWatch::begin(const core::FlightPlan& plan) {
   plan_crc_ = protocol::crc32c(bytes_of(plan));
 }
 
+// Meets MEM-4.
 bool MemoryWatch::intact(const core::Autopilot& law) const {
   return !damaged_ && (!law_ || *law_ == memory_sum(law.flight_memory()));
 }

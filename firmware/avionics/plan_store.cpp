@@ -59,6 +59,7 @@ Access PlanStore::read_block(core::Microseconds now, std::size_t slot, StoredPla
   if (protocol::plan_block_crc(block) == slots_[slot]->block_crc) {
     const protocol::PlanBlockReading reading = protocol::read_plan_block(block);
     out.plan = reading.plan;
+    // Meets PLN-2.
     // Whoever loaded it wanted no older one to be flown, and newer firmware can still read it: it is spared.
     out.newer = !reading.plan && reading.fault == protocol::PlanBlockFault::newer_version;
   }
@@ -102,6 +103,7 @@ std::array<std::byte, 16> PlanStore::header() const {
       {sequence_ + 1, static_cast<std::uint32_t>(block_.size()), protocol::plan_block_crc(block_)});
 }
 
+// Meets PLN-4.
 void PlanStore::update(core::Microseconds now) {
   if (write_ != PlanWrite::under_way) {
     return;
@@ -153,6 +155,7 @@ void PlanStore::check(core::Microseconds now, std::uint32_t address, std::span<c
     return;
   }
   if (!std::ranges::equal(bytes, expected)) {
+    // Meets PLN-5.
     // It may be the reading that was wrong, and the slot as good as new: the next power-up would find it.
     step_ = Step::make_void;
   } else if (step_ == Step::check_header) {

@@ -19,6 +19,7 @@ void PlanTransfer::become(TransferState state, TransferFault fault) {
   reply_due_ = true;
 }
 
+// Meets BUS-1.
 void PlanTransfer::receive(core::Microseconds now, const protocol::PlanBegin& begin, bool safe) {
   // Said again by a bench that did not hear, or by another one: what is being written ends first, and is handed out.
   if (writing() || plan_waits_) {
@@ -86,6 +87,7 @@ void PlanTransfer::update(core::Microseconds now, bool safe) {
   }
 }
 
+// Meets PLN-3.
 void PlanTransfer::check_block() {
   protocol::PlanBlockReading reading{.plan = {}, .fault = protocol::PlanBlockFault::wrong_checksum};
   if (protocol::plan_block_crc(block()) == begin_.block_crc) {

@@ -52,31 +52,34 @@ void Recorder::note(const Tick& tick, core::Autopilot& law) {
         begin_on_pad(tick, law);
       }
       break;
-    case Stage::on_pad:
-      if (const bool pushed = is_pushed(tick.inputs); flies(phase) || pushed) {
-        begin_flight(tick, flies(phase) ? LogBegin::flight : LogBegin::acceleration);
-        if (stage_ == Stage::flying) {
-          fly_on(tick, law);
-        }
-        break;
-      }
-      // What comes before it belongs to another phase, and no replay knows a request.
-      if (phase != told_.phase || tick.inputs.canard_request) {
-        resumed_.reset();
-        stage_ = Stage::idle;
-        if (may_wait(tick)) {
-          begin_on_pad(tick, law);
-        }
-        break;
-      }
-      if (queue_.ticks.size() == queue_.ticks.capacity() - PadRing::room_beside) {
-        ring_.retire_oldest(queue_.ticks);
-      }
-      queue_tick(tick);
-      break;
+    case Stage::on_pad: wait_on_pad(tick, law); break;
     case Stage::flying: fly_on(tick, law); break;
     case Stage::closing: break;
   }
+}
+
+void Recorder::wait_on_pad(const Tick& tick, core::Autopilot& law) {
+  const Phase phase = tick.record.phase;
+  if (const bool pushed = is_pushed(tick.inputs); flies(phase) || pushed) {
+    begin_flight(tick, flies(phase) ? LogBegin::flight : LogBegin::acceleration);
+    if (stage_ == Stage::flying) {
+      fly_on(tick, law);
+    }
+    return;
+  }
+  // What comes before it belongs to another phase, and no replay knows a request.
+  if (phase != told_.phase || tick.inputs.canard_request) {
+    resumed_.reset();
+    stage_ = Stage::idle;
+    if (may_wait(tick)) {
+      begin_on_pad(tick, law);
+    }
+    return;
+  }
+  if (queue_.ticks.size() == queue_.ticks.capacity() - PadRing::room_beside) {
+    ring_.retire_oldest(queue_.ticks);
+  }
+  queue_tick(tick);
 }
 
 bool Recorder::may_wait(const Tick& tick) const {
@@ -216,6 +219,7 @@ std::optional<LogEnd> Recorder::reason_to_end(const Tick& tick) {
   return ends ? std::optional{LogEnd::returned_to_pad} : std::nullopt;
 }
 
+// Meets REC-2.
 void Recorder::update(Microseconds now) {
   stream_.update(now);
   if (!busy() && stage_ != Stage::on_pad) {

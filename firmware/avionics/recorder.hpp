@@ -104,6 +104,7 @@ class Recorder {
   [[nodiscard]] bool may_wait(const Tick& tick) const;
   [[nodiscard]] bool is_pushed(const core::Inputs& inputs);
   [[gnu::cold]] void begin_on_pad(const Tick& tick, core::Autopilot& law);
+  void wait_on_pad(const Tick& tick, core::Autopilot& law);
   [[gnu::cold]] void begin_flight(const Tick& tick, protocol::LogBegin why);
   void fly_on(const Tick& tick, core::Autopilot& law);
   [[nodiscard]] std::optional<protocol::LogEnd> reason_to_end(const Tick& tick);

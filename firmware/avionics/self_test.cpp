@@ -34,6 +34,8 @@ std::uint32_t SelfTest::record_bytes(const core::FlightPlan& plan) {
   return static_cast<std::uint32_t>(record_bytes_per_s * recorded_s);
 }
 
+// Meets BEN-8, BUS-1.
+// Meets BEN-8, BUS-1.
 protocol::ArmRefusal SelfTest::start(const Situation& now, bool session_open) {
   using protocol::ArmRefusal;
   if (running()) {
@@ -57,6 +59,7 @@ protocol::ArmRefusal SelfTest::start(const Situation& now, bool session_open) {
   return ArmRefusal::none;
 }
 
+// Meets ARM-3, ARM-4.
 void SelfTest::update(const core::Inputs& inputs, const core::TickRecord& record, const FlashFacts& flash,
                       bool board_faulty) {
   const bool moves = record.motion.at_rest_for == Microseconds{0};
@@ -103,6 +106,7 @@ std::optional<SelfTestFailure> SelfTest::judge_gyros(const core::TickRecord& rec
   }
 }
 
+// Meets ARM-5.
 void SelfTest::stand_still(const core::Inputs& inputs, const core::TickRecord& record, const FlashFacts& flash) {
   if (!average(inputs)) {
     // Where the whole IMU is silent, its gyro is named, as without a second one.
@@ -123,17 +127,27 @@ void SelfTest::stand_still(const core::Inputs& inputs, const core::TickRecord& r
   }
   if (const auto failure = judge_sensors()) {
     fail(inputs.time, *failure);
-  } else if (flash.failed) {
-    fail(inputs.time, SelfTestFailure::flash_failed);
-  } else if (flash.plan == protocol::PlanSource::stored_is_broken) {
-    fail(inputs.time, SelfTestFailure::no_valid_plan);
-  } else if (flash.plan == protocol::PlanSource::stored_is_newer) {
-    fail(inputs.time, SelfTestFailure::newer_plan);
-  } else if (*flash.free_bytes < std::min(record_bytes(*plan_), flash.region_bytes)) {
-    fail(inputs.time, SelfTestFailure::flash_too_full);
+  } else if (const auto of_flash = judge_flash(flash)) {
+    fail(inputs.time, *of_flash);
   } else {
     begin_move(inputs.time, Stage::centre, 0);
   }
+}
+
+// Meets PLN-2.
+std::optional<SelfTestFailure> SelfTest::judge_flash(const FlashFacts& flash) const {
+  if (flash.failed) {
+    return SelfTestFailure::flash_failed;
+  }
+  if (flash.plan == protocol::PlanSource::stored_is_broken) {
+    return SelfTestFailure::no_valid_plan;
+  }
+  if (flash.plan == protocol::PlanSource::stored_is_newer) {
+    return SelfTestFailure::newer_plan;
+  }
+  return *flash.free_bytes < std::min(record_bytes(*plan_), flash.region_bytes)
+             ? std::optional{SelfTestFailure::flash_too_full}
+             : std::nullopt;
 }
 
 void SelfTest::restart_averages(Microseconds now) {

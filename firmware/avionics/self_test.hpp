@@ -61,6 +61,7 @@ class SelfTest {
   void restart_averages(core::Microseconds now);
   bool average(const core::Inputs& inputs);
   [[nodiscard]] std::optional<protocol::SelfTestFailure> judge_sensors() const;
+  [[nodiscard]] std::optional<protocol::SelfTestFailure> judge_flash(const FlashFacts& flash) const;
   void move_canards(const core::TickRecord& record);
   void judge_canards();
   void begin_move(core::Microseconds now, Stage stage, std::size_t canard);

@@ -71,10 +71,12 @@ const TickRecord& Autopilot::step(const Inputs& inputs) {
     // Always there, except in a state that a damaged log made up.
     asked_of_each = control(inputs.time - flight_phase_.control_start().value_or(inputs.time));
   } else {
+    // Meets PHS-1.
     record.reference = record.excitation = record.offset_estimate = Angle{};
     stay_neutral(CommandStatus::outside_control);
   }
 
+  // Meets BEN-1.
   canard_mixer_.mix(inputs.time, asked_of_each, record.phase == Phase::safe ? inputs.canard_request : no_request,
                     inputs.encoders, record.canards);
   record.canard_angle = canard_mixer_.canard_angle(inputs.encoders);
@@ -84,6 +86,7 @@ const TickRecord& Autopilot::step(const Inputs& inputs) {
   return record;
 }
 
+// Meets MEM-3.
 void Autopilot::resume(const Inputs& first) {
   motion_estimator_.bridge(first);
   canard_monitor_.bridge();
@@ -103,6 +106,7 @@ Angle Autopilot::control(Microseconds since_control_start) {
   record.excitation = chirp_.update(since_control_start);
   if (record.motion.gyro == SensorState::lost) {
     record.offset_estimate = offset_estimator_.estimate();
+    // Meets SEN-1.
     offset_estimator_.interrupt();
     stay_neutral(CommandStatus::gyro_lost);
     return shares ? canard_sharing_.asked_of_each(Angle{}) : Angle{};
@@ -180,6 +184,7 @@ bool Autopilot::watch_clock(Microseconds time) {
   }
   const Phase phase = flight_phase_.phase();
   const bool flies = phase == Phase::launched || phase == Phase::controlling;
+  // Meets TIM-1, TIM-3.
   // Each one spoils rate and angle a little, and a loop that keeps failing is not the one that was tested.
   const bool too_many = flies && overruns_ - overruns_before_flight_ > overrun_limit_;
   return too_many || elapsed <= Microseconds{0} || elapsed > longest_tick;

@@ -63,6 +63,7 @@ void CanardMixer::mix(Microseconds time, Angle roll_command,
   }
 }
 
+// Meets LIM-1, LIM-2.
 void CanardMixer::drive(Microseconds time, Microseconds elapsed, Canard& canard, Angle wanted,
                         const std::optional<Angle>& encoder, CanardCommand& command) const {
   Angle angle = wanted;
@@ -89,6 +90,7 @@ void CanardMixer::drive(Microseconds time, Microseconds elapsed, Canard& canard,
   command.limited = limited;
 }
 
+// Meets LIM-3.
 void CanardMixer::start_from_encoder(Microseconds time, Canard& canard, const std::optional<Angle>& encoder,
                                      Angle target) const {
   if (encoder && is_finite(encoder->radians())) {
@@ -102,6 +104,7 @@ Angle CanardMixer::approach(Microseconds elapsed, Canard& canard, Angle target) 
   const Angle largest_step = Angle::from_radians(first_motion_rate_rad_s_ * seconds(elapsed));
   const Angle remaining = target - *canard.position;
   canard.first_motion_done = abs(remaining) <= largest_step;
+  // Meets LIM-1.
   // Last of all the limit: a position that came back after a reset, or of which a bit has flipped, may be anything.
   canard.position = limited_to(canard.limit, canard.trim, *canard.position + clamp(remaining, largest_step));
   return canard.first_motion_done ? target : *canard.position;

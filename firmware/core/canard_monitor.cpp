@@ -114,6 +114,7 @@ bool CanardMonitor::is_in_order(const Channel& channel) const {
          channel.off.charge == Microseconds{0} && channel.apart.charge == Microseconds{0};
 }
 
+// Meets SEN-3.
 CanardVerdict CanardMonitor::judge(const Tick& tick, std::size_t canard, const std::optional<Angle>& encoder) {
   Channel& channel = channels_[canard];
   if (channel.comparable) {

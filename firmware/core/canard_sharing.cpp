@@ -11,6 +11,7 @@ constexpr float smoothing = 0.02F;
 
 }  // namespace
 
+// Meets SEN-3.
 void CanardSharing::update(const CanardVerdicts& verdicts, const CanardContributions& contributions) {
   std::array<bool, canard_count> judged{};
   for (std::size_t i = 0; i < canard_count; ++i) {

@@ -27,6 +27,7 @@ bool FlightPhase::update(const PhaseInputs& inputs, const Motion& motion) {
   }
   // Whatever looked like a launch was none: a rocket that is being handled must first stand still. Only rest ends
   // this; disarming and arming again does not.
+  // Meets PHS-2.
   must_rest_first_ = must_rest_first_ || (phase_ == Phase::launched && next->to == Phase::armed);
   if (next->to == Phase::controlling) {
     control_start_ = inputs.time;
@@ -46,6 +47,7 @@ void FlightPhase::give_up(Microseconds time) {
 }
 
 std::optional<FlightPhase::Transition> FlightPhase::from_safe(const PhaseInputs& inputs) const {
+  // Meets ARM-1.
   // Two independent actions: a switch that a hand closes, and a command. Neither alone arms.
   if (inputs.arm_switch_closed && inputs.arm_command) {
     return Transition{Phase::armed, PhaseReason::armed_by_switch_and_command};
@@ -54,11 +56,13 @@ std::optional<FlightPhase::Transition> FlightPhase::from_safe(const PhaseInputs&
 }
 
 std::optional<FlightPhase::Transition> FlightPhase::from_armed(const PhaseInputs& inputs, const Motion& motion) const {
+  // Meets ARM-2.
   // The switch is the pad crew's way out. It is obeyed here and in no later phase: a switch that opens under
   // vibration must not end a flight.
   if (!inputs.arm_switch_closed) {
     return Transition{Phase::safe, PhaseReason::disarmed_by_switch};
   }
+  // Meets PHS-3.
   // In the tunnel nothing accelerates: control begins on command, and only from rest, when the roll angle means
   // something and nobody holds a turning rocket. A late tick has not watched the rest.
   const bool at_rest = motion.at_rest_for >= motion_.rest_time && !inputs.timing_fault;
@@ -82,6 +86,7 @@ std::optional<FlightPhase::Transition> FlightPhase::from_launched(const PhaseInp
   if (motion.gyro == SensorState::failed) {
     return Transition{Phase::armed, PhaseReason::gyro_failed_before_control};
   }
+  // Meets PHS-2.
   // Canards that move inside the guide can jam the rocket in it. Both figures must say that it has left: a knock
   // gives speed without distance, a drifting accelerometer distance without speed. Lower bounds serve as well: what is
   // at least beyond the guide is beyond it; with a range of 16 g they say so of a guide of 6 m after 0.3 s.
@@ -96,12 +101,14 @@ std::optional<FlightPhase::Transition> FlightPhase::from_launched(const PhaseInp
   return std::nullopt;
 }
 
+// Meets PHS-4.
 std::optional<FlightPhase::Transition> FlightPhase::from_controlling(const PhaseInputs& inputs,
                                                                      const Motion& motion) const {
   // A tick that came late or twice makes every rate and angle doubtful.
   if (inputs.timing_fault) {
     return Transition{Phase::finished, PhaseReason::timing_fault};
   }
+  // Meets SEN-1.
   // Without a rate the canards are at trim; for how long that can be bridged is in the plan.
   if (motion.gyro == SensorState::failed) {
     return Transition{Phase::finished, PhaseReason::gyro_failed};

@@ -100,6 +100,26 @@ float as_kept(const PlanMember& member, float file_value) {
   return member.is_time() ? seconds(from_seconds(inside)) : inside;
 }
 
+std::optional<PlanFault> check_canard(const FlightPlan& plan, std::size_t i) {
+  const CanardPlan& canard = plan.canards.each[i];
+  if (abs(canard.trim) >= plan.controller.canard_limit) {
+    return PlanFault{place("canards", "trim_deg"), i, PlanRule::trim_within_limit};
+  }
+  if (canard.mechanical_stop < plan.controller.canard_limit) {
+    return PlanFault{place("canards", "mechanical_stop_deg"), i, PlanRule::stop_beyond_limit};
+  }
+  if (canard.pulse_per_radian_us > -1.0F && canard.pulse_per_radian_us < 1.0F) {
+    return PlanFault{place("canards", "pulse_per_degree_us"), i, PlanRule::pulse_turns_servo};
+  }
+  const float swing_us = canard.pulse_per_radian_us * plan.controller.canard_limit.radians();
+  for (const float pulse_us : {canard.pulse_centre_us - swing_us, canard.pulse_centre_us + swing_us}) {
+    if (pulse_us < shortest_pulse_us || pulse_us > longest_pulse_us) {
+      return PlanFault{place("canards", "pulse_centre_us"), i, PlanRule::pulse_within_servo};
+    }
+  }
+  return std::nullopt;
+}
+
 // Rules that no single range can express.
 std::optional<PlanFault> check_across_fields(const FlightPlan& plan) {
   if (plan.motion.height_origin != HeightOrigin::from_detection && plan.launch_detection.hold > longest_replayed_hold) {
@@ -109,21 +129,8 @@ std::optional<PlanFault> check_across_fields(const FlightPlan& plan) {
     return PlanFault{place("excitation", "end_s"), 0, PlanRule::excitation_ends_after_it_begins};
   }
   for (std::size_t i = 0; i < canard_count; ++i) {
-    const CanardPlan& canard = plan.canards.each[i];
-    if (abs(canard.trim) >= plan.controller.canard_limit) {
-      return PlanFault{place("canards", "trim_deg"), i, PlanRule::trim_within_limit};
-    }
-    if (canard.mechanical_stop < plan.controller.canard_limit) {
-      return PlanFault{place("canards", "mechanical_stop_deg"), i, PlanRule::stop_beyond_limit};
-    }
-    if (canard.pulse_per_radian_us > -1.0F && canard.pulse_per_radian_us < 1.0F) {
-      return PlanFault{place("canards", "pulse_per_degree_us"), i, PlanRule::pulse_turns_servo};
-    }
-    const float swing_us = canard.pulse_per_radian_us * plan.controller.canard_limit.radians();
-    for (const float pulse_us : {canard.pulse_centre_us - swing_us, canard.pulse_centre_us + swing_us}) {
-      if (pulse_us < shortest_pulse_us || pulse_us > longest_pulse_us) {
-        return PlanFault{place("canards", "pulse_centre_us"), i, PlanRule::pulse_within_servo};
-      }
+    if (const auto fault = check_canard(plan, i)) {
+      return fault;
     }
   }
   if (const auto fault = check_mountings(plan.sensors)) {

@@ -37,13 +37,44 @@ void GyroPair::History::note(Microseconds measured, const Vector3& rate) {
   rate_rad_s = rate;
 }
 
+// Meets SEN-2.
 GyroSample GyroPair::choose(const Inputs& inputs, bool flies, const Vector3& rate_rad_s, const GyroGate& gate) {
-  const GyroSample first = inputs.gyro;
+  const GyroSample& first = inputs.gyro;
   GyroSample second = inputs.second_gyro.value_or(GyroSample{});
   const Vector3 as_read = second.rate_rad_s;
   second.rate_rad_s = minus(as_read, difference_rad_s_);
-  bool first_could_be = gate.is_usable(inputs.time, first, rate_rad_s.x);
-  bool second_could_be = gate.is_usable(inputs.time, second, rate_rad_s.x);
+  const auto [first_could_be, second_could_be] = could_be(inputs.time, first, second, as_read, rate_rad_s.x, gate);
+  if (!first_could_be && !second_could_be) {
+    vote_ = GyroVote::neither;
+    return {};
+  }
+  if (!first_could_be || !second_could_be) {
+    put_aside(first_could_be ? Doubted::second : Doubted::first);
+  } else {
+    // On the pad as they read: a difference that grows there is not to be learned away.
+    judge(inputs.time, agree(first, flies ? second : GyroSample{second.time, as_read, second.quality}, 1.0F));
+  }
+  if (doubted_ == Doubted::both) {
+    vote_ = GyroVote::disagree;
+    return {};
+  }
+  const bool use_first = is_first_better(first, second, rate_rad_s);
+  const bool agreed = doubted_ == Doubted::nobody && !since_;
+  if (agreed && !flies) {
+    learn_difference(first.rate_rad_s, as_read);
+  }
+  vote_ = agreed ? GyroVote::both : use_first ? GyroVote::first : GyroVote::second;
+  GyroSample chosen = use_first ? first : second;
+  // The samples of one may be older than those of the other: what was measured before the last one that was used is
+  // no step back.
+  chosen.time = std::max(chosen.time, gate.last_time().value_or(chosen.time));
+  return chosen;
+}
+
+GyroPair::CouldBe GyroPair::could_be(Microseconds now, const GyroSample& first, const GyroSample& second,
+                                     const Vector3& as_read, float roll_rate_rad_s, const GyroGate& gate) {
+  bool first_could_be = gate.is_usable(now, first, roll_rate_rad_s);
+  bool second_could_be = gate.is_usable(now, second, roll_rate_rad_s);
   if (first_could_be) {
     history_[0].note(first.time, first.rate_rad_s);
   }
@@ -59,38 +90,19 @@ GyroSample GyroPair::choose(const Inputs& inputs, bool flies, const Vector3& rat
     first_could_be = first.time >= second.time - late_;
     second_could_be = second.time >= first.time - late_;
   }
-  if (!first_could_be && !second_could_be) {
-    vote_ = GyroVote::neither;
-    return {};
-  }
-  if (!first_could_be || !second_could_be) {
-    put_aside(first_could_be ? Doubted::second : Doubted::first);
-  } else {
-    // On the pad as they read: a difference that grows there is not to be learned away.
-    judge(inputs.time, agree(first, flies ? second : GyroSample{second.time, as_read, second.quality}, 1.0F));
-  }
+  return {first_could_be, second_could_be};
+}
 
-  bool use_first = doubted_ != Doubted::first;
-  if (doubted_ == Doubted::both) {
-    vote_ = GyroVote::disagree;
-    return {};
+// Of two that could be true and are not both doubted.
+bool GyroPair::is_first_better(const GyroSample& first, const GyroSample& second, const Vector3& rate_rad_s) const {
+  if (doubted_ != Doubted::nobody) {
+    return doubted_ != Doubted::first;
   }
-  if (doubted_ == Doubted::nobody && since_) {
-    use_first = largest(minus(first.rate_rad_s, rate_rad_s)) <= largest(minus(second.rate_rad_s, rate_rad_s));
-  } else if (doubted_ == Doubted::nobody) {
-    // One that has come to the end of its range has stopped measuring, and agrees with whatever lies beyond.
-    use_first = first.quality == SampleQuality::valid || second.quality != SampleQuality::valid;
-    if (!flies) {
-      learn_difference(first.rate_rad_s, as_read);
-    }
+  if (since_) {
+    return largest(minus(first.rate_rad_s, rate_rad_s)) <= largest(minus(second.rate_rad_s, rate_rad_s));
   }
-  const bool agreed = doubted_ == Doubted::nobody && !since_;
-  vote_ = agreed ? GyroVote::both : use_first ? GyroVote::first : GyroVote::second;
-  GyroSample chosen = use_first ? first : second;
-  // The samples of one may be older than those of the other: what was measured before the last one that was used is
-  // no step back.
-  chosen.time = std::max(chosen.time, gate.last_time().value_or(chosen.time));
-  return chosen;
+  // One that has come to the end of its range has stopped measuring, and agrees with whatever lies beyond.
+  return first.quality == SampleQuality::valid || second.quality != SampleQuality::valid;
 }
 
 bool GyroPair::agree(const GyroSample& first, const GyroSample& second, float share) const {

@@ -69,6 +69,16 @@ class GyroPair {
   enum class Doubted : std::uint8_t { nobody, first, second, both };
 
   /// Within this share of what they may differ by.
+  struct CouldBe {
+    bool first;
+    bool second;
+  };
+
+  /// Which of the two could be true, by what each says of itself and by its last samples.
+  CouldBe could_be(Microseconds now, const GyroSample& first, const GyroSample& second, const Vector3& as_read,
+                   float roll_rate_rad_s, const GyroGate& gate);
+  [[nodiscard]] bool is_first_better(const GyroSample& first, const GyroSample& second,
+                                     const Vector3& rate_rad_s) const;
   [[nodiscard]] bool agree(const GyroSample& first, const GyroSample& second, float share) const;
   void put_aside(Doubted who);
   void judge(Microseconds now, bool agree);

@@ -48,6 +48,7 @@ LaunchDetector::Health LaunchDetector::feed(Channel& channel, Microseconds now, 
   if (!channel.above_since) {
     channel.above_since = sample.time;
   }
+  // Meets DET-1, DET-2.
   channel.hold_complete = sample.time - *channel.above_since >= plan_.hold;
   return verdict;
 }
@@ -65,34 +66,26 @@ bool LaunchDetector::disagree() const {
 }
 
 DetectionState LaunchDetector::update(Microseconds now, const std::array<AccelerometerSample, 2>& samples) {
-  auto verdict_of = [](const Channel& channel) {
-    if (channel.hold_complete) {
-      return DetectionState::detected;
-    }
-    return channel.above_since ? DetectionState::holding : DetectionState::quiet;
-  };
-
   const Health first = feed(channels_[0], now, samples[0]);
   if (plan_.accelerometers == AccelerometerRule::one) {
-    return first == Health::bad ? DetectionState::bad_sample : verdict_of(channels_[0]);
+    return first == Health::bad ? DetectionState::bad_sample : channels_[0].state();
   }
 
   const Health second = feed(channels_[1], now, samples[1]);
   const bool first_lost = first == Health::bad;
   const bool second_lost = second == Health::bad;
   if (first_lost != second_lost && plan_.single_allowed) {
-    return verdict_of(channels_[first_lost ? 1 : 0]);
+    return channels_[first_lost ? 1 : 0].state();
   }
+  // Meets DET-3.
   if (first_lost || second_lost || disagree()) {
     for (Channel& channel : channels_) {
       channel.forget_hold();
     }
     return first_lost || second_lost ? DetectionState::bad_sample : DetectionState::disagreement;
   }
-  if (channels_[0].hold_complete && channels_[1].hold_complete) {
-    return DetectionState::detected;
-  }
-  return channels_[0].above_since || channels_[1].above_since ? DetectionState::holding : DetectionState::quiet;
+  const DetectionState both = channels_[0].state();
+  return both == channels_[1].state() ? both : DetectionState::holding;
 }
 
 }  // namespace fantail::core

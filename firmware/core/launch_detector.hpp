@@ -50,6 +50,12 @@ class LaunchDetector {
       above_since.reset();
       hold_complete = false;
     }
+    [[nodiscard]] DetectionState state() const {
+      if (hold_complete) {
+        return DetectionState::detected;
+      }
+      return above_since ? DetectionState::holding : DetectionState::quiet;
+    }
     LowPass low_pass;
     std::optional<Microseconds> last_time;
     std::optional<Microseconds> above_since;

@@ -46,6 +46,35 @@ PlanBlockReading refuse(const core::PlanFault& fault) {
   return {.plan = {}, .fault = PlanBlockFault::refused, .plan_fault = fault};
 }
 
+// Everything but the fields.
+std::optional<PlanBlockFault> fault_of_envelope(std::span<const std::byte> block) {
+  if (block.size() < header_size + checksum_size) {
+    return PlanBlockFault::too_short;
+  }
+  for (std::size_t i = 0; i < magic.size(); ++i) {
+    if (block[i] != magic[i]) {
+      return PlanBlockFault::no_plan_block;
+    }
+  }
+  // The length first, because a block that was cut off also has a wrong checksum, which would say less.
+  if (block.size() != announced_plan_block_size(block)) {
+    return PlanBlockFault::wrong_length;
+  }
+  if (get<4>(block, block.size() - checksum_size) != crc32c(block.first(block.size() - checksum_size))) {
+    return PlanBlockFault::wrong_checksum;
+  }
+  if (get<2>(block, 4) != plan_block_version) {
+    return get<2>(block, 4) > plan_block_version ? PlanBlockFault::newer_version : PlanBlockFault::older_version;
+  }
+  if (get<4>(block, 8) != schema_hash) {
+    return PlanBlockFault::other_schema;
+  }
+  if (block.size() != plan_block_size) {
+    return PlanBlockFault::wrong_length;
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::uint32_t plan_schema_hash() { return schema_hash; }
@@ -92,32 +121,9 @@ std::uint32_t plan_block_checksum(std::span<const std::byte> block) {
 }
 
 PlanBlockReading read_plan_block(std::span<const std::byte> block) {
-  if (block.size() < header_size + checksum_size) {
-    return refuse(PlanBlockFault::too_short);
+  if (const auto fault = fault_of_envelope(block)) {
+    return refuse(*fault);
   }
-  for (std::size_t i = 0; i < magic.size(); ++i) {
-    if (block[i] != magic[i]) {
-      return refuse(PlanBlockFault::no_plan_block);
-    }
-  }
-  // The length first, because a block that was cut off also has a wrong checksum, which would say less.
-  if (block.size() != announced_plan_block_size(block)) {
-    return refuse(PlanBlockFault::wrong_length);
-  }
-  if (get<4>(block, block.size() - checksum_size) != crc32c(block.first(block.size() - checksum_size))) {
-    return refuse(PlanBlockFault::wrong_checksum);
-  }
-  if (get<2>(block, 4) != plan_block_version) {
-    return refuse(get<2>(block, 4) > plan_block_version ? PlanBlockFault::newer_version
-                                                        : PlanBlockFault::older_version);
-  }
-  if (get<4>(block, 8) != schema_hash) {
-    return refuse(PlanBlockFault::other_schema);
-  }
-  if (block.size() != plan_block_size) {
-    return refuse(PlanBlockFault::wrong_length);
-  }
-
   core::FlightPlan plan{};
   std::size_t at = header_size;
   const auto members = core::flight_plan_members();

@@ -77,6 +77,7 @@ Servo::Counts Servo::counts(const std::array<std::optional<Pulse>, canards>& pul
   return result;
 }
 
+// Meets SRV-1.
 void Servo::drive(Tim& timer, const Counts& counts) {
   // Where a frame ends between these writes, it would take over some of them.
   timer.cr1.write(counting | tim_cr1_udis);

@@ -59,7 +59,9 @@ quick() {
   call 64 test --foo
   grep -q 'test does not take "--foo"' said || { echo "FAILED: the wrong word was not named: $(cat said)" && exit 1; }
   call 64 format ''
-  call 64 gates .
+  call 64 lint .
+  call 64 sanitize .
+  call 64 gates firmware/core
   call 64 install --prefix --help
   call 64 install '--prefix=~/nowhere'
   export DESTDIR="$work/stage"
@@ -77,7 +79,9 @@ thorough() {
   done
   call 0 firmware
   call 0 format --check
-  call 0 gates tools/text # its tests under the sanitizers, and the linter
+  call 0 trace
+  call 0 sanitize tools/text
+  call 0 lint tools/text
 }
 
 "$2"

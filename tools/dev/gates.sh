@@ -1,45 +1,64 @@
 # SPDX-License-Identifier: MIT
 # shellcheck shell=dash
-# What takes too long for every change: sanitizers on everything, the linter, soak tests, benchmarks. Part of ./dev.
+# What takes too long for every build: sanitizers on everything, the linter, soak tests, benchmarks. Part of ./dev.
 
-# gates [FOLDER...]: all tests, or those of the folders named, under the sanitizers; then clang-tidy.
-gates() {
+# source_folders VERB FOLDER...: refuses what is no folder of the project.
+source_folders() {
+  local called="$1"
+  shift
   for folder in "$@"; do
     case "$folder" in [a-z]*) ;; *) false ;; esac && [ -d "$folder" ] || {
-      echo "dev: gates: there is no source folder $folder; an example is firmware/core" >&2
+      echo "dev: $called: there is no source folder $folder; an example is firmware/core" >&2
       exit 64
     }
   done
+}
+
+# sanitize [FOLDER...]: all tests, or those of the folders named, under the sanitizers.
+sanitize() {
+  source_folders sanitize "$@"
   take_turn
   # shellcheck disable=SC2086
   need $gate_packages
   host_options=FANTAIL_TESTS
   if [ $# -eq 0 ]; then
     build "everything under the sanitizers" build/host-asan 3000 sanitized_commands all
-    host_build "what the linter reads" all
     LD_PRELOAD="" ctest --preset host-asan # the sanitizer must be loaded first
+    return
+  fi
+  for folder in "$@"; do
+    tests="test_$(basename "$folder")"
+    [ -d "test/$(basename "$folder")" ] || { echo "dev: $folder has no test program of its own" >&2 && continue; }
+    build "$tests under the sanitizers" build/host-asan 3000 sanitized_commands "$tests"
+    LD_PRELOAD="" "build/host-asan/test/$(basename "$folder")/$tests" --gtest_brief=1
+  done
+}
+
+# lint [FOLDER...]: clang-tidy.
+lint() {
+  source_folders lint "$@"
+  take_turn
+  # shellcheck disable=SC2086
+  need $gate_packages
+  host_options=FANTAIL_TESTS
+  if [ $# -eq 0 ]; then
+    host_build "what the linter reads" all
     set -- firmware hal python sim tools test
   else
-    for folder in "$@"; do
-      tests="test_$(basename "$folder")"
-      [ -d "test/$(basename "$folder")" ] || { echo "dev: $folder has no test program of its own" >&2 && continue; }
-      build "$tests under the sanitizers" build/host-asan 3000 sanitized_commands "$tests"
-      LD_PRELOAD="" "build/host-asan/test/$(basename "$folder")/$tests" --gtest_brief=1
-    done
     host_build "what the linter reads" check_includes
   fi
   # Only what is compiled for this PC: the board's own files are compiled by the ARM compiler. One file a process, to show the
   # progress. The options after --quiet: GCC's own options in the commands, and its stable_sort.
   mkdir -p build/lint
   /usr/bin/python3 tools/dev/compile_commands.py build/host >build/lint/compile_commands.json
-  lint="clang-tidy-19 -p build/lint --quiet --extra-arg=-Wno-ignored-gch --extra-arg=-Wno-unknown-warning-option"
-  lint="$lint --extra-arg=-Wno-unused-command-line-argument --extra-arg=-Wno-deprecated-declarations"
+  tidy="clang-tidy-19 -p build/lint --quiet --extra-arg=-Wno-ignored-gch --extra-arg=-Wno-unknown-warning-option"
+  tidy="$tidy --extra-arg=-Wno-unused-command-line-argument --extra-arg=-Wno-deprecated-declarations"
   files=$(sources "*.cpp" "$@" | sort -u | while read -r file; do
     ! grep -qF "/$file\"" build/lint/compile_commands.json || echo "$file"
   done)
-  export lint total="$(echo "$files" | wc -l)"
+  export tidy total="$(echo "$files" | wc -l)"
   # shellcheck disable=SC2016 # the inner shell puts them in
-  echo "$files" | nl -w 1 | xargs -r -n 2 -P "$(nproc)" sh -c 'echo "lint: $1 of $total: $2" && exec $lint "$2"' lint
+  echo "$files" | nl -w 1 | xargs -r -n 2 -P "$(nproc)" sh -c 'echo "lint: $1 of $total: $2" && exec $tidy "$2"' lint
 }
 
 sanitized_commands() {

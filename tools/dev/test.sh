@@ -6,7 +6,7 @@
 # --all does not allow.
 python_tools() {
   # Only the pinned versions: others may read or generate different text.
-  cat test/protocol/requirements.txt test/log_export/requirements.txt test/python/requirements.txt >build/test-requirements.txt
+  cat test/protocol/requirements.txt test/log_export/requirements.txt test/python/requirements.txt test/safety/requirements.txt >build/test-requirements.txt
   cmp -s build/test-requirements.txt build/test-venv/requirements.txt && return 0
   rm -rf build/test-venv
   # Debian's Python, not the first in PATH: the package list provides its modules.

@@ -81,6 +81,7 @@ Session::Session(Place& place, AvionicsLink& link, std::uint16_t number) : place
   }
 }
 
+// Meets BEN-9.
 Session::~Session() {
   try {
     (void)close();
@@ -176,6 +177,7 @@ void Session::speak() {
   const Microseconds now = place_.now();
   longest_gap_ = std::max(longest_gap_, now - std::exchange(last_look_, now));
   if (open_ && now > next_heartbeat_ + longest_pause) {
+    // Meets BEN-3.
     // This process stood still for so long that the session may be over, and another bench at work: a request waits
     // until the avionics has named this session once more.
     (void)link_.listen(now);

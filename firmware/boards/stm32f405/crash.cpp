@@ -47,6 +47,7 @@ avionics::CrashRecord describe(const std::uint32_t* frame, std::uint32_t link_re
 void centre_on_crash(const avionics::Avionics& avionics) { flying = &avionics; }
 
 // On a fresh stack, whatever happened to the old one.
+// Meets SRV-2.
 extern "C" [[noreturn, gnu::used]] void after_crash(const std::uint32_t* frame, std::uint32_t link_register) {
   registers::mask_interrupts();
   Hardware* const hardware = running_hardware();

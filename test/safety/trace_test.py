@@ -1,0 +1,89 @@
+# SPDX-License-Identifier: MIT
+# trace.py against small trees with one fault each. Usage: trace_test.py TRACE_PY
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+SAFETY = """# Safety case
+## Hazards
+| | hazard | does |
+|---|---|---|
+| H1 | a canard moves | [LIM-1], [PHS-1] |
+## Requirements
+| number | requirement | made in | shown by |
+|---|---|---|---|
+| LIM-1 | stays within | `core/mixer` | `Mixer.StaysWithin`, `proof mixer` |
+| PHS-1 | begins late | `core/phase` | `Phase.*`, `figures detection` |
+"""
+TREE = {
+    "docs/safety.md": SAFETY,
+    "docs/figures/soak.md": "# Soak\n\n## False launches <a id=\"detection\"></a>\n",
+    "firmware/core/mixer.cpp": "// Meets LIM-1.\nint a;\n",
+    "firmware/core/phase.hpp": "int b;\n  // Meets PHS-1.\n",
+    "hal/x.cpp": "int c;\n",
+    "tools/link/x.cpp": "int d;\n",
+    "test/core/mixer_test.cpp": "int e;\nTEST(Mixer, StaysWithin) {}\nTEST_F(Phase, BeginsLate) {}\nTEST_F(Phase, AndStops) {}\n",
+    "test/proof/prove.py": 'print("mixer  stays within its limits")\n',
+    "test/proof/mixer.cpp": "int f;\n",
+}
+
+
+def run(tree, *options):
+    with tempfile.TemporaryDirectory() as folder:
+        root = pathlib.Path(folder)
+        for name, text in tree.items():
+            (root / name).parent.mkdir(parents=True, exist_ok=True)
+            (root / name).write_text(text)
+        said = subprocess.run([sys.executable, sys.argv[1], root, *options], capture_output=True, text=True, check=False)
+        page = root / "docs/trace.md"
+        return said.returncode, said.stderr, page.read_text() if page.exists() else ""
+
+
+def changed(**replaced):
+    tree = dict(TREE)
+    for name, (before, after) in replaced.items():
+        path = next(path for path in tree if path.replace("/", "_").replace(".", "_") == name)
+        assert before in tree[path], (path, before)
+        tree[path] = tree[path].replace(before, after)
+    return tree
+
+
+def expect_fault(sentence, tree, *options):
+    code, said, page = run(tree, *options)
+    assert code == 1 and sentence in said, f"wanted \"{sentence}\" and exit code 1, not {code}: {said}"
+    assert not page, "a page was written in spite of a fault"
+
+
+def main():
+    code, said, page = run(TREE)
+    assert (code, said) == (0, ""), said
+    assert "[mixer.cpp:1](../firmware/core/mixer.cpp#L1)" in page, page
+    assert "[Mixer.StaysWithin](../test/core/mixer_test.cpp#L2)" in page, page
+    assert "[proof mixer](../test/proof/mixer.cpp#L1)" in page, page
+    assert "[figures detection](figures/soak.md#detection)" in page, page
+    assert run({**TREE, "docs/trace.md": page}, "--check")[0] == 0
+
+    expect_fault("LIM-1 names Mixer.StaysWithin, which does not exist", changed(test_core_mixer_test_cpp=("StaysWithin", "StaysInside")))
+    expect_fault("nothing in the code says that it meets LIM-1", changed(firmware_core_mixer_cpp=("Meets LIM-1.", "")))
+    expect_fault("LIM-1 is made in core/mixer, but no comment there", changed(firmware_core_mixer_cpp=("Meets LIM-1.", "")))
+    expect_fault("mixer.cpp:1: meets LIM-9, which", changed(firmware_core_mixer_cpp=("Meets LIM-1", "Meets LIM-9")))
+    expect_fault("x.cpp:1: meets LIM-1, but docs/safety.md does not name this file", changed(hal_x_cpp=("int c;", "int c;  // Meets LIM-1.")))
+    expect_fault("PHS-1 has no evidence", changed(docs_safety_md=("`Phase.*`, `figures detection`", "none")))
+    expect_fault("no requirement in docs/safety.md names the figures detection", changed(docs_safety_md=(", `figures detection`", "")))
+    expect_fault("no requirement in docs/safety.md names the proof mixer", changed(docs_safety_md=(", `proof mixer`", "")))
+    expect_fault("names proof mixture, which does not exist", changed(docs_safety_md=("`proof mixer`", "`proof mixture`")))
+    expect_fault("no hazard names PHS-1", changed(docs_safety_md=(", [PHS-1]", "")))
+    expect_fault("hazard H1 names ARM-1, which is no requirement", changed(docs_safety_md=("[LIM-1],", "[LIM-1], [ARM-1],")))
+    expect_fault("LIM-1 is there twice", changed(docs_safety_md=("| PHS-1 | begins", "| LIM-1 | begins")))
+    expect_fault("has four cells", changed(docs_safety_md=("| PHS-1 | begins late |", "| PHS-1 |")))
+    expect_fault("no table below the heading Requirements", changed(docs_safety_md=("## Requirements", "## Wishes")))
+
+    code, said, _ = run({**TREE, "docs/trace.md": page + "\n"}, "--check")
+    assert code == 1 and "docs/trace.md is not what the code says" in said, said
+    code, said, _ = run(TREE, "--check")
+    assert code == 1 and "docs/trace.md is not what the code says" in said, said
+    assert run(TREE, "--czech")[0] == 64
+
+
+main()

@@ -1,0 +1,32 @@
+# SPDX-License-Identifier: MIT
+# shellcheck shell=dash
+# What carries the safety case: from hazard to evidence, the gates of every change, and their page of figures. Part of ./dev.
+
+# trace: writes docs/trace.md, and measures the complexity of the firmware.
+trace() {
+  [ $# -eq 0 ] || usage
+  take_turn
+  python_of test/safety build/safety-venv
+  leave_turn
+  /usr/bin/python3 tools/dev/trace.py .
+  mkdir -p build/figures
+  build/safety-venv/bin/python test/safety/complexity.py . --json build/figures/complexity.json
+}
+
+# gates: each in a shell of its own, so that one that fails does not keep the others from being measured.
+gates() {
+  [ $# -eq 0 ] || usage
+  local failed="" begun gate
+  begun=$(date +%s)
+  for gate in trace prove coverage "mutate --sample 300"; do
+    # shellcheck disable=SC2086 # a list of words
+    ./dev $gate || {
+      echo "dev: gates: ./dev $gate ended with $?" >&2
+      failed=yes
+    }
+  done
+  /usr/bin/python3 tools/dev/figures.py docs/figures/gates.md "Gates of every change" "./dev gates" \
+    build/figures/complexity.json build/figures/proofs.json build/figures/coverage.json build/figures/mutation.json || failed=yes
+  echo "gates: $(($(date +%s) - begun)) s, ${failed:+not }passed"
+  [ -z "$failed" ]
+}
