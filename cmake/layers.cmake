@@ -47,10 +47,11 @@ set(FANTAIL_LAYERS
   "tools/log_export|core protocol text table_file json input flight flight_log telemetry|fmt/"
   "tools/bench|core protocol hal avionics sim text json page replies link|fmt/"
   "tools/campaign|sim text json page input flight report fly|fmt/"
+  "tools/hardover|core hal sim text json page fly campaign|fmt/"
   "tools/predict|core sim text json page flight report stability fly campaign|fmt/"
   "tools/tune|core sim text json page input flight report stability fly campaign predict|fmt/"
   "tools/paper|core sim text json page input flight report identify identify/model identify/closed_loop tunnel fly|fmt/"
-  "tools/fantail|core protocol avionics hal/linux sim text json page input flight report flight_log logs identify identify/model identify/result tunnel replies link trajectory stability fly hil telemetry gateway log_export bench campaign predict tune paper airframe airframe/openrocket|fmt/ fcntl\\.h poll\\.h sys/ unistd\\.h"
+  "tools/fantail|core protocol avionics hal/linux sim text json page input flight report flight_log logs identify identify/model identify/result tunnel replies link trajectory stability fly hil telemetry gateway log_export bench campaign hardover predict tune paper airframe airframe/openrocket|fmt/ fcntl\\.h poll\\.h sys/ unistd\\.h"
   "python/bindings|core protocol sim text json input flight report flight_log logs identify identify/model identify/result fly campaign predict|nanobind/")
 
 # Headers of others that only one file of a folder includes, behind a header of ours. Of our own folders there is no exception.

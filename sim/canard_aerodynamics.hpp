@@ -23,6 +23,10 @@ struct CanardAerodynamics {
   /// Hinge moment of a canard over 1/2 rho v^2 and its effective angle, see ShaftLoad. Empty: it loads no servo. Stall
   /// is not in it: where lift stays, its centre moves back.
   std::optional<double> hinge_moment_m3{};
+  /// Side force of one canard over 1/2 rho v^2 and its angle. Empty: canards that do not stand alike push the rocket to
+  /// no side. In six degrees of freedom only.
+  std::optional<double> side_area_m2{};
+  std::optional<double> position_m{};  ///< where they push, from the tip of the nose; given together with side_area_m2
 };
 
 /// The air in which the canards turn.

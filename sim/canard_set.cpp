@@ -43,6 +43,14 @@ void CanardSet::step(double time_s, double dt_s, const std::array<std::optional<
   }
 }
 
+Vector3 CanardSet::across_rad(double roll_rate_rad_s, double speed_m_s) const {
+  const double of_roll_rad = angle_of_roll_rad(air_, roll_rate_rad_s, speed_m_s);
+  const auto lift_rad = [&](std::size_t i) {
+    return sim::torque_angle_rad(air_, from_trim_rad(i, servos_[i].angle_rad()), of_roll_rad);
+  };
+  return {.y = lift_rad(3) - lift_rad(1), .z = lift_rad(0) - lift_rad(2)};
+}
+
 void CanardSet::load_servos(const CanardFlow& flow) {
   const double stiffness_n_m_per_rad =
       0.5 * flow.density_kg_m3 * flow.speed_m_s * flow.speed_m_s * *air_.hinge_moment_m3;

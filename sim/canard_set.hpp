@@ -8,6 +8,7 @@
 #include "hal/encoder.hpp"
 #include "hal/servo.hpp"
 #include "sim/canard_aerodynamics.hpp"
+#include "sim/rotation.hpp"
 #include "sim/sensor_models.hpp"
 #include "sim/servo.hpp"
 #include "sim/vehicle.hpp"
@@ -37,6 +38,11 @@ class CanardSet {
     return average([](const Servo& servo) { return servo.mean_angle_rad(); }, roll_rate_rad_s, speed_m_s);
   }
 
+  /// What the four do to the side: the sum of their angles as vectors along what each lifts, in the frame of the
+  /// rolling rocket (y, z). Canard 1 stands out towards +y, 2 towards +z; a positive one lifts towards where positive
+  /// roll goes. Zero while all turn alike.
+  [[nodiscard]] Vector3 across_rad(double roll_rate_rad_s, double speed_m_s) const;
+
   [[nodiscard]] hal::EncoderReading read_encoders(hal::Microseconds time);
 
   /// As Servo::fail.
@@ -48,6 +54,10 @@ class CanardSet {
 
  private:
   void load_servos(const CanardFlow& flow);
+  [[nodiscard]] double from_trim_rad(std::size_t canard, double shaft_rad) const {
+    const double from_trim_rad = shaft_rad - mounting_[canard].trim_rad;
+    return mounting_[canard].reversed ? -from_trim_rad : from_trim_rad;
+  }
   template <typename AngleOf>
   [[nodiscard]] double average(AngleOf angle_of, double roll_rate_rad_s, double speed_m_s) const;
 
@@ -62,8 +72,7 @@ double CanardSet::average(AngleOf angle_of, double roll_rate_rad_s, double speed
   const double of_roll_rad = angle_of_roll_rad(air_, roll_rate_rad_s, speed_m_s);
   double sum_rad = 0.0;
   for (std::size_t i = 0; i < servos_.size(); ++i) {
-    const double from_trim_rad = angle_of(servos_[i]) - mounting_[i].trim_rad;
-    sum_rad += sim::torque_angle_rad(air_, mounting_[i].reversed ? -from_trim_rad : from_trim_rad, of_roll_rad);
+    sum_rad += sim::torque_angle_rad(air_, from_trim_rad(i, angle_of(servos_[i])), of_roll_rad);
   }
   return sum_rad / static_cast<double>(servos_.size());
 }

@@ -90,6 +90,14 @@ void Environment::advance_to(double time_s, double roll_rate_rad_s) {
   time_s_ = time_s;
 }
 
+void Environment::push_aside(const Vector3& area_m2, double position_m, double roll_angle_rad) {
+  if (flight_) {
+    const auto [sine, cosine] = sine_cosine(roll_angle_rad);
+    flight_->push_aside({.y = cosine * area_m2.y - sine * area_m2.z, .z = sine * area_m2.y + cosine * area_m2.z},
+                        position_m);
+  }
+}
+
 std::optional<RollState> Environment::turn_by_hand(double since_power_up_s, double dt_s) {
   if (!gimbal_) {
     return std::nullopt;

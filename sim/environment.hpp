@@ -36,6 +36,9 @@ class Environment {
   /// Seconds after ignition (negative before it), or after the start command in the tunnel. Times increase.
   void advance_to(double time_s, double roll_rate_rad_s);
 
+  /// As RigidFlight::push_aside, but in the frame of the rolling rocket; in six degrees of freedom only.
+  void push_aside(const Vector3& area_m2, double position_m, double roll_angle_rad);
+
   /// On the gimbal, whose hands count from power-up: its roll at the end of this step; else empty.
   [[nodiscard]] std::optional<RollState> turn_by_hand(double since_power_up_s, double dt_s);
 

@@ -80,6 +80,12 @@ Loads RigidFlight::loads(const Body& body, const RigidState& state, double time_
   Loads all = air_loads(parameters_.airframe, in_air);
   all.force_n.x += body.thrust_n;
   all.moment_n_m = all.moment_n_m - body.jet_damping_n_m_s * state.rate_rad_s;
+  if (push_area_m2_.y != 0.0 || push_area_m2_.z != 0.0) {
+    const double axial_m_s = air_speed_m_s.x;
+    const Vector3 push_n = (0.5 * density_kg_m3 * axial_m_s * axial_m_s) * push_area_m2_;
+    all.force_n = all.force_n + push_n;
+    all.moment_n_m = all.moment_n_m + cross({.x = body.centre_of_gravity_m - push_position_m_}, push_n);
+  }
   if (parachute_s_) {
     add_parachute(all, body, air_speed_m_s, state.rate_rad_s, time_s, density_kg_m3);
   }

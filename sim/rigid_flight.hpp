@@ -46,6 +46,13 @@ class RigidFlight {
   /// The roll rate is that at the begin, and only turns the axis as a gyroscope.
   void advance_to(double time_s, double roll_rate_rad_s, const Vector3& wind_m_s);
 
+  /// What pushes across the axis from now on, beside the flow across it: a force of 1/2 rho v^2 times this at that
+  /// distance from the tip of the nose; frame of the rocket, y and z.
+  void push_aside(const Vector3& area_m2, double position_m) {
+    push_area_m2_ = area_m2;
+    push_position_m_ = position_m;
+  }
+
   [[nodiscard]] const RigidState& state() const { return state_; }
   [[nodiscard]] double height_m() const { return state_.position_m.z; }
   [[nodiscard]] double speed_m_s() const { return length(state_.velocity_m_s); }  ///< over ground
@@ -102,6 +109,8 @@ class RigidFlight {
   double distance_m_ = 0.0;
   double guide_speed_m_s_ = 0.0;
   Vector3 wind_m_s_;
+  Vector3 push_area_m2_{};
+  double push_position_m_ = 0.0;
   Stage stage_ = Stage::pad;
   RigidState state_{};
   Body body_{};

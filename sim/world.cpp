@@ -149,6 +149,10 @@ void World::advance() {
   canards_.step(in_seconds(now_), tick_time_s, hardware_.pulses,
                 {.density_kg_m3 = density_before, .speed_m_s = speed_before, .roll_rate_rad_s = roll_.rate_rad_s});
   const double disturbance_before = disturbance_rad_;
+  if (const auto side_area_m2 = scenario_.vehicle.canard_air.side_area_m2) {
+    environment_.push_aside(*side_area_m2 * canards_.across_rad(roll_.rate_rad_s, speed_before),
+                            scenario_.vehicle.canard_air.position_m.value_or(0.0), roll_.angle_rad);
+  }
   environment_.advance_to(from_ignition_s + tick_time_s, roll_.rate_rad_s);
   now_ += tick_time;
   disturbance_rad_ = disturbance_now_rad();

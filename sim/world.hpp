@@ -81,6 +81,11 @@ class World {
   /// How the rocket truly moves at the last tick, at its centre of gravity.
   [[nodiscard]] BodyMotion motion() const { return environment_.motion(roll_, roll_acceleration_rad_s2_); }
 
+  /// What the four canards do to the side, as CanardSet::across_rad.
+  [[nodiscard]] Vector3 canards_across_rad() const {
+    return canards_.across_rad(roll_.rate_rad_s, environment_.speed_m_s());
+  }
+
   /// What the tunnel's own instruments read at the last tick; empty in flight and between two readings.
   [[nodiscard]] std::optional<WindReading> wind_reading() const;
 

@@ -123,6 +123,20 @@ TEST(VehicleFile, TheCanardsAreNotMoreThanAllOfTheRollDamping) {
             "torque_m = 0.8, where the canards would make all of the roll damping");
 }
 
+TEST(VehicleFile, WhatACanardDoesToTheSideNeedsItsPlaceAndItsPlaceNeedsThat) {
+  const sim::Vehicle read =
+      vehicle("tasha3_launch2", {"aerodynamics.canard_side_area_m2=0.002", "aerodynamics.canard_position_m=0.3"});
+  EXPECT_EQ(read.canard_air.side_area_m2, 0.002);
+  EXPECT_EQ(read.canard_air.position_m, 0.3);
+  const auto refused = [](const std::string& change) {
+    return complaint([&] { (void)vehicle("tasha3_launch2", {change}); }).message;
+  };
+  EXPECT_EQ(refused("aerodynamics.canard_side_area_m2=0.002"),
+            "--set aerodynamics.canard_side_area_m2=0.002: aerodynamics.canard_side_area_m2 needs canard_position_m");
+  EXPECT_EQ(refused("aerodynamics.canard_position_m=0.3"),
+            "--set aerodynamics.canard_position_m=0.3: aerodynamics.canard_position_m needs canard_side_area_m2");
+}
+
 // 3.99 kg with 0.226 kg of propellant; 1.51 m long, centres of gravity 0.90 and 0.875 m.
 TEST(VehicleFile, APropellantOutsideOfTheRocketIsRefused) {
   const auto refused = [](const std::string& change) {

@@ -200,6 +200,39 @@ TEST(RigidFlight, AGuideThatLeansCostsHeight) {
   EXPECT_GT(apogee_m, 0.80 * upright_m);
 }
 
+// At rest against the flow the push and the normal force make no moment: a = A (x_cg - x_push) / (S slope (x_cp -
+// x_cg)). Its way turns to the side of the push: +y of the frame, which is south.
+TEST(RigidFlight, APushInFrontOfTheCentreOfGravityTurnsItToTheAngleOfAttackThatBalancesIt) {
+  RigidFlight flight{rocket()};
+  fly(flight, 0.0, 4.0, {}, 0.0, [] {});
+  const double push_m2 = 2e-3 * 0.2;
+  const double push_position_m = 0.3;
+  flight.push_aside({.y = push_m2}, push_position_m);
+  double sum_rad = 0.0;
+  int ticks = 0;
+  fly(flight, 4.0, 7.0, {}, 0.0, [&] {
+    sum_rad += std::atan2(-flight.air_speed_m_s().y, flight.air_speed_m_s().x);
+    ++ticks;
+  });
+  const Airframe frame = airframe();
+  const double balance_rad = push_m2 * (0.88 - push_position_m) /
+                             (frame.cross_section_m2() * frame.normal_force_slope_per_rad * (1.02 - 0.88));
+  EXPECT_NEAR(sum_rad / ticks, balance_rad, 0.1 * balance_rad);
+  EXPECT_LT(flight.state().velocity_m_s.x, -1.0);
+  EXPECT_NEAR(flight.state().velocity_m_s.y, 0.0, 1e-6);
+}
+
+TEST(RigidFlight, APushIsAForceOfTheDynamicPressureTimesItsArea) {
+  RigidFlight flight{rocket()};
+  fly(flight, 0.0, 2.0, {}, 0.0, [] {});
+  const Vector3 before = flight.specific_force_m_s2();
+  flight.push_aside({.z = 1e-3}, flight.centre_of_gravity_m());
+  fly(flight, 2.0, 2.001, {}, 0.0, [] {});
+  const double speed_m_s = flight.air_speed_m_s().x;
+  const double force_n = 0.5 * flight.density_kg_m3() * speed_m_s * speed_m_s * 1e-3;
+  EXPECT_NEAR(flight.specific_force_m_s2().z - before.z, force_n / flight.mass_kg(), 1e-3 * force_n);
+}
+
 TEST(RigidFlight, UnderItsParachuteSinksAtTheSpeedAtWhichDragCarriesItsWeight) {
   RigidFlightParameters parameters = rocket();
   parameters.recovery = Recovery{.delay_s = 1.0, .opening_time_s = 0.5, .drag_area_m2 = 0.8, .position_m = 0.2};

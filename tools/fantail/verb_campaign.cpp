@@ -14,6 +14,7 @@
 #include "campaign/conclude.hpp"
 #include "campaign/merge.hpp"
 #include "campaign/setup.hpp"
+#include "fantail/campaign_hardover.hpp"
 #include "fantail/interrupt.hpp"
 #include "fantail/progress.hpp"
 #include "fantail/run.hpp"
@@ -235,6 +236,7 @@ void fill(const Verb& verb) {
       "  fantail campaign my_rocket.toml --runs 100000 --shard 3/8 --out shard_3\n"
       "                                                      one of eight machines' share of the work");
   fill_merge(verb.verb("merge", "Put the shards of a campaign together"));
+  fill_hardover(verb.verb("hardover", "What one canard that runs to its stop does to the flight"));
   verb.action([options] { fly_campaign(*options); });
 }
 

@@ -34,7 +34,7 @@ void limit_to_path(std::vector<std::string>& sentences) {
 }  // namespace
 
 // The roll torque that the vehicle states says how strong a canard is, its shape where it stands.
-std::optional<double> side_moment_m3(const sim::Vehicle& vehicle) {
+std::optional<CanardSide> canard_side(const sim::Vehicle& vehicle) {
   if (!vehicle.geometry || !vehicle.geometry->canards || !vehicle.airframe) {
     return {};
   }
@@ -44,8 +44,16 @@ std::optional<double> side_moment_m3(const sim::Vehicle& vehicle) {
     return {};
   }
   const double roll_arm_m = vehicle.canard_air.arm_m.value_or(*built.canard_arm_m);
-  const double one_canard_m2 = vehicle.roll_plant.reference_area_m2 * vehicle.roll_plant.torque_m / (4.0 * roll_arm_m);
-  return one_canard_m2 * std::abs(vehicle.airframe->after_burnout.centre_of_gravity_m - canards->position_m);
+  return CanardSide{.area_m2 = vehicle.roll_plant.reference_area_m2 * vehicle.roll_plant.torque_m / (4.0 * roll_arm_m),
+                    .position_m = canards->position_m};
+}
+
+std::optional<double> side_moment_m3(const sim::Vehicle& vehicle) {
+  const auto side = canard_side(vehicle);
+  if (!side) {
+    return {};
+  }
+  return side->area_m2 * std::abs(vehicle.airframe->after_burnout.centre_of_gravity_m - side->position_m);
 }
 
 flight::Flight describe(const sim::Scenario& scenario) {

@@ -12,6 +12,16 @@ namespace fantail::fly {
 /// Not Flight::side_moment_m3.
 [[nodiscard]] flight::Flight describe(const sim::Scenario& scenario);
 
+/// Of one canard: side force over 1/2 rho v^2 and its angle, and where it acts, from the tip of the nose.
+struct CanardSide {
+  double area_m2;
+  double position_m;
+};
+
+/// From the roll torque that the vehicle states and its shape, which it builds up: that takes its time. Empty without a
+/// shape.
+[[nodiscard]] std::optional<CanardSide> canard_side(const sim::Vehicle& vehicle);
+
 /// Flight::side_moment_m3 of a vehicle. It builds the airframe up from its shape, which takes its time.
 [[nodiscard]] std::optional<double> side_moment_m3(const sim::Vehicle& vehicle);
 

@@ -98,6 +98,14 @@ void check_canard_arm(const Document& document, const sim::Vehicle& vehicle) {
   }
 }
 
+void check_side_force(const Document& document, const sim::Vehicle& vehicle) {
+  const bool area = vehicle.canard_air.side_area_m2.has_value();
+  if (area != vehicle.canard_air.position_m.has_value()) {
+    Section{document, "aerodynamics"}.refuse(area ? "canard_side_area_m2" : "canard_position_m",
+                                             area ? "needs canard_position_m" : "needs canard_side_area_m2");
+  }
+}
+
 void check_servo(const Document& document, const sim::Vehicle& vehicle) {
   const Section servo{document, "servo"};
   const sim::ServoParameters& p = vehicle.servo;
@@ -216,6 +224,7 @@ sim::Vehicle read_vehicle(const Document& document) {
   check_reference_area(document, vehicle);
   check_drag(document, vehicle);
   check_canard_arm(document, vehicle);
+  check_side_force(document, vehicle);
   check_servo(document, vehicle);
   check_trim(document, vehicle);
   check_sensor(document, "imu", vehicle.imu.mounting);

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#include "fantail/campaign_hardover.hpp"
+
+#include <array>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include <fmt/core.h>
+
+#include "fantail/interrupt.hpp"
+#include "fantail/progress.hpp"
+#include "fantail/run.hpp"
+#include "fantail/scenario_options.hpp"
+#include "hardover/study.hpp"
+#include "input/shipped.hpp"
+#include "text/output_folder.hpp"
+
+namespace fantail::tool {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct HardoverOptions {
+  ScenarioOptions scenario{.scenario = "tasha3_launch2", .seed = {}, .changes = {}};
+  hardover::Options study;
+  std::string out;
+  bool json = false;
+};
+
+void fly(const HardoverOptions& options) {
+  const std::string name = variant_name(input::name_of_file(options.scenario.scenario), changes_of(options.scenario));
+  const fs::path folder = options.out.empty() ? fs::path{"out"} / "hardover" / name : fs::path{options.out};
+  std::optional<Progress> progress;
+  const hardover::Study study =
+      hardover::fly(load(options.scenario), options.study, [&](std::size_t done, std::size_t of) {
+        if (take_interrupt()) {
+          throw Interrupted{"interrupted; nothing was written"};
+        }
+        if (!progress) {
+          progress.emplace("flying " + name,
+                           Progress::Measure{.unit = "flights", .rate = " a second", .total = static_cast<double>(of)});
+        }
+        progress->show(static_cast<double>(done));
+      });
+  progress.reset();
+  text::OutputFolder{folder}.write(std::array{text::NamedFile{"hardover.html", hardover::study_html(study)},
+                                              text::NamedFile{"hardover.json", hardover::study_json(study)}});
+  if (options.json) {
+    fmt::print("{}", hardover::study_json(study));
+  } else {
+    fmt::print("{}  page  {}\n", hardover::study_text(study), (folder / "hardover.html").string());
+  }
+}
+
+}  // namespace
+
+void fill_hardover(const Verb& verb) {
+  auto options = std::make_shared<HardoverOptions>();
+  add_scenario_options(verb, options->scenario);
+  verb.option("--step", options->study.step_s, "Seconds between the instants at which a canard fails")
+      .range(0.01, 10.0)
+      .show_default();
+  verb.option("--coupler", options->study.coupler_m,
+              "Where the bending moment is wanted, from the tip of the nose in metres")
+      .range(0.0, 30.0)
+      .value_name("M");
+  verb.option("--threads", options->study.threads, "How many to fly at once [as many as the machine can]")
+      .range(1, 1024);
+  verb.option("--out", options->out, "Folder for hardover.html and hardover.json [out/hardover/SCENARIO]")
+      .check(objection_to_folder);
+  verb.flag("--json", options->json, "Print hardover.json instead of the text");
+  verb.examples(
+      "Flies in six degrees of freedom, whatever the scenario says.\n"
+      "Examples:\n"
+      "  fantail campaign hardover tasha3_launch2 --coupler 0.62\n"
+      "                                       for the safety officer: force, bending moment, way, apogee\n"
+      "  fantail campaign hardover tasha3_launch2 --set wind.speed_m_s=6 --step 0.1\n"
+      "                                       the same in wind, with more instants\n"
+      "  fantail campaign hardover my_rocket.toml --json");
+  verb.action([options] { fly(*options); });
+}
+
+}  // namespace fantail::tool

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: MIT
+#include "hardover/study.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "campaign/parallel_for.hpp"
+#include "fly/describe.hpp"
+#include "sim/atmosphere.hpp"
+#include "sim/nearest_tick.hpp"
+#include "sim/rotation.hpp"
+#include "sim/world.hpp"
+#include "text/error.hpp"
+
+namespace fantail::hardover {
+namespace {
+
+struct Flown {
+  std::vector<sim::Vector3> velocity_m_s;  ///< earth, of each tick
+  std::vector<double> push_m2;             ///< side force over the dynamic pressure
+  std::vector<double> pressure_pa;
+  std::vector<double> angle_of_attack_rad;
+  std::vector<double> air_speed_m_s;
+  double clear_s = 0.0;  ///< after ignition
+  double apogee_s = 0.0;
+  double apogee_m = 0.0;
+  sim::Vector3 apogee_at_m;
+};
+
+Flown flown(const sim::Scenario& scenario) {
+  sim::World world{scenario};
+  Flown out;
+  const core::Microseconds ignition = sim::nearest_tick(scenario.pad_time_s);
+  const auto after_ignition_s = [&](core::Microseconds time) { return sim::in_seconds(time - ignition); };
+  while (!world.over()) {
+    (void)world.tick();
+    if (world.now() >= ignition) {
+      const sim::Path path = world.path().value();
+      const sim::Truth truth = world.truth();
+      const sim::Vector3 across = world.canards_across_rad();
+      const double density_kg_m3 = scenario.atmosphere.density_kg_m3(path.position_m.z);
+      out.velocity_m_s.push_back(path.velocity_m_s);
+      out.push_m2.push_back(*scenario.vehicle.canard_air.side_area_m2 * length(across));
+      out.pressure_pa.push_back(0.5 * density_kg_m3 * truth.speed_m_s * truth.speed_m_s);
+      out.angle_of_attack_rad.push_back(path.angle_of_attack_rad);
+      out.air_speed_m_s.push_back(truth.speed_m_s);
+      if (path.position_m.z > out.apogee_m) {
+        out.apogee_m = path.position_m.z;
+        out.apogee_at_m = path.position_m;
+      }
+    }
+    world.advance();
+  }
+  if (!world.events().guide_clear || !world.events().apogee) {
+    throw text::Error{text::ErrorKind::bad_configuration,
+                      scenario.name + ": the rocket does not leave its guide and reach an apogee"};
+  }
+  out.clear_s = after_ignition_s(*world.events().guide_clear);
+  out.apogee_s = after_ignition_s(*world.events().apogee);
+  return out;
+}
+
+double angle_between_rad(const sim::Vector3& a, const sim::Vector3& b) {
+  return std::atan2(length(cross(a, b)), dot(a, b));
+}
+
+Effect effect_of(const Flown& failed, const Flown& sound, std::size_t canard, double from_s, const Study& study) {
+  Effect effect{.canard = canard, .from_s = from_s};
+  const auto from = static_cast<std::size_t>(std::lround(1e3 * from_s));
+  // Behind apogee it falls, whatever a canard does.
+  const std::size_t until =
+      std::min(failed.velocity_m_s.size(), static_cast<std::size_t>(std::lround(1e3 * failed.apogee_s)));
+  for (std::size_t i = from; i < until; ++i) {
+    if (const double force_n = failed.push_m2[i] * failed.pressure_pa[i]; force_n > effect.side_force_n) {
+      effect.side_force_n = force_n;
+      effect.pressure_pa = failed.pressure_pa[i];
+    }
+    if (failed.air_speed_m_s[i] < slowest_m_s) {
+      continue;
+    }
+    effect.angle_of_attack_rad = std::max(effect.angle_of_attack_rad, failed.angle_of_attack_rad[i]);
+    if (i < sound.velocity_m_s.size() && length(sound.velocity_m_s[i]) >= slowest_m_s) {
+      effect.turned_rad = std::max(effect.turned_rad, angle_between_rad(failed.velocity_m_s[i], sound.velocity_m_s[i]));
+    }
+  }
+  effect.apogee_m = failed.apogee_m;
+  effect.away_m = std::hypot(failed.apogee_at_m.x - sound.apogee_at_m.x, failed.apogee_at_m.y - sound.apogee_at_m.y);
+  if (study.options.coupler_m) {
+    effect.moment_n_m = effect.side_force_n * std::abs(*study.options.coupler_m - study.position_m);
+  }
+  return effect;
+}
+
+/// The canards' own numbers, or those that follow from the shape.
+void complete(sim::Scenario& scenario) {
+  if (!scenario.vehicle.airframe) {
+    throw text::Error{
+        text::ErrorKind::bad_configuration,
+        scenario.vehicle.name + " has no section [airframe], which a flight in six degrees of freedom needs"};
+  }
+  sim::CanardAerodynamics& air = scenario.vehicle.canard_air;
+  if (!air.side_area_m2) {
+    const auto side = fly::canard_side(scenario.vehicle);
+    if (!side) {
+      throw text::Error{text::ErrorKind::bad_configuration,
+                        scenario.vehicle.name +
+                            " does not say what its canards do to the side: give aerodynamics.canard_side_area_m2 and "
+                            "canard_position_m, or the sections [shape] and [canard_fins]"};
+    }
+    air.side_area_m2 = side->area_m2;
+    air.position_m = side->position_m;
+  }
+  scenario.motion = sim::FlightMotion::six_dof;
+}
+
+}  // namespace
+
+Effect Study::worst() const {
+  Effect worst{};
+  worst.apogee_m = sound_apogee_m;
+  for (const Effect& one : effects) {
+    if (one.side_force_n > worst.side_force_n) {
+      worst.side_force_n = one.side_force_n;
+      worst.pressure_pa = one.pressure_pa;
+      worst.moment_n_m = one.moment_n_m;
+    }
+    worst.angle_of_attack_rad = std::max(worst.angle_of_attack_rad, one.angle_of_attack_rad);
+    worst.turned_rad = std::max(worst.turned_rad, one.turned_rad);
+    worst.apogee_m = std::min(worst.apogee_m, one.apogee_m);
+    worst.away_m = std::max(worst.away_m, one.away_m);
+  }
+  return worst;
+}
+
+Study fly(sim::Scenario scenario, const Options& options,
+          const std::function<void(std::size_t done, std::size_t of)>& look) {
+  complete(scenario);
+  const Flown sound = flown(scenario);
+  Study study{.scenario = scenario.name,
+              .vehicle = scenario.vehicle.name,
+              .side_area_m2 = *scenario.vehicle.canard_air.side_area_m2,
+              .position_m = *scenario.vehicle.canard_air.position_m,
+              .stop_rad = scenario.vehicle.servo.stop_rad,
+              .first_s = sound.clear_s,
+              .last_s = sound.apogee_s,
+              .sound_apogee_m = sound.apogee_m,
+              .sound_angle_of_attack_rad = 0.0,
+              .options = options,
+              .effects = {}};
+  for (std::size_t i = static_cast<std::size_t>(std::lround(1e3 * sound.clear_s)); i < sound.air_speed_m_s.size();
+       ++i) {
+    if (sound.air_speed_m_s[i] >= slowest_m_s) {
+      study.sound_angle_of_attack_rad = std::max(study.sound_angle_of_attack_rad, sound.angle_of_attack_rad[i]);
+    }
+  }
+  for (std::size_t canard = 0; canard < hal::canards; ++canard) {
+    for (std::size_t k = 0; sound.clear_s + static_cast<double>(k) * options.step_s < sound.apogee_s; ++k) {
+      study.effects.push_back({.canard = canard, .from_s = sound.clear_s + static_cast<double>(k) * options.step_s});
+    }
+  }
+  campaign::parallel_for(
+      study.effects.size(), options.threads,
+      [&](std::size_t i) {
+        Effect& effect = study.effects[i];
+        sim::Scenario broken = scenario;
+        broken.faults.push_back({.kind = sim::FaultKind::canard_hardover,
+                                 .canard = effect.canard,
+                                 .from_s = effect.from_s,
+                                 .until_s = 0.0});
+        effect = effect_of(flown(broken), sound, effect.canard, effect.from_s, study);
+      },
+      [&](std::size_t done) { look(done, study.effects.size()); });
+  return study;
+}
+
+}  // namespace fantail::hardover

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim/scenario.hpp"
+
+namespace fantail::hardover {
+
+/// What one canard that runs to its stop does to a flight in six degrees of freedom while the others go on controlling:
+/// for the person who clears the range.
+///
+/// Side force of the canards: F = 1/2 rho v^2 A |sum of the four deflections as vectors across the axis|, with A of a
+/// canard as in sim::CanardAerodynamics::side_area_m2. Bending moment at a station behind them: F times the distance,
+/// without the relief by the inertia of what lies in front of it and without the lift of the nose at an angle of
+/// attack.
+struct Options {
+  double step_s = 0.25;               ///< between the instants at which the canard fails, above zero
+  std::optional<double> coupler_m{};  ///< where the bending moment is wanted, from the tip of the nose
+  unsigned threads = 0;               ///< 0: as many as the machine has
+};
+
+/// Of one flight, from the instant of the failure on.
+struct Effect {
+  std::size_t canard;                ///< 0 to 3
+  double from_s;                     ///< after ignition
+  double side_force_n = 0.0;         ///< largest, of the canards
+  double pressure_pa = 0.0;          ///< dynamic pressure at that instant
+  double angle_of_attack_rad = 0.0;  ///< largest, while the rocket is faster than slowest_m_s
+  double turned_rad = 0.0;  ///< its way against that of the sound rocket at the same time, largest, both as fast
+  double apogee_m = 0.0;
+  double away_m = 0.0;                 ///< its apogee from that of the sound rocket, over ground
+  std::optional<double> moment_n_m{};  ///< at the coupler
+};
+
+/// Slower, an angle in the flow says little.
+inline constexpr double slowest_m_s = 20.0;
+
+struct Study {
+  std::string scenario;
+  std::string vehicle;
+  double side_area_m2;
+  double position_m;  ///< of the canards
+  double stop_rad;
+  double first_s;  ///< the instants: from the end of the guide ...
+  double last_s;   ///< ... to apogee
+  double sound_apogee_m;
+  double sound_angle_of_attack_rad;
+  Options options;
+  std::vector<Effect> effects;  ///< by canard, then by time
+
+  /// The largest of each figure, wherever it stands.
+  [[nodiscard]] Effect worst() const;
+};
+
+/// Flies the scenario in six degrees of freedom: once as it is and once for each canard and instant. Where the vehicle
+/// does not say canard_side_area_m2 and canard_position_m they come from its shape and its roll torque. `look`: how
+/// many of how many flights are done. Throws text::Error when the vehicle says neither, has no airframe, or does not
+/// lift off.
+[[nodiscard]] Study fly(sim::Scenario scenario, const Options& options,
+                        const std::function<void(std::size_t done, std::size_t of)>& look);
+
+[[nodiscard]] std::string study_text(const Study& study);
+[[nodiscard]] std::string study_json(const Study& study);
+[[nodiscard]] std::string study_html(const Study& study);
+
+}  // namespace fantail::hardover
