@@ -93,6 +93,9 @@ TEST(Hardover, AVehicleThatDoesNotSayWhatItsCanardsDoToTheSideIsRefused) {
   } catch (const text::Error& error) {
     EXPECT_NE(std::string{error.what()}.find("canard_side_area_m2"), std::string::npos) << error.what();
   }
+  scenario.surroundings = sim::Surroundings::tunnel;
+  EXPECT_THROW((void)fly(scenario, {}, [](std::size_t, std::size_t) {}), text::Error);
+  scenario.surroundings = sim::Surroundings::flight;
   scenario.vehicle.airframe.reset();
   EXPECT_THROW((void)fly(scenario, {}, [](std::size_t, std::size_t) {}), text::Error);
 }

@@ -144,7 +144,7 @@ std::string study_json(const Study& study) {
                              {"lowest_apogee_m", json::rounded(worst.apogee_m)},
                              {"apogee_moved_m", json::rounded(worst.away_m)}}},
                            {"effects", effects}};
-  return all.dump(2) + "\n";
+  return all.pretty();
 }
 
 std::string study_html(const Study& study) {

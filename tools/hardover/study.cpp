@@ -31,8 +31,8 @@ struct Flown {
 Flown flown(const sim::Scenario& scenario) {
   sim::World world{scenario};
   Flown out;
-  const core::Microseconds ignition = sim::nearest_tick(scenario.pad_time_s);
-  const auto after_ignition_s = [&](core::Microseconds time) { return sim::in_seconds(time - ignition); };
+  const auto ignition = sim::nearest_tick(scenario.pad_time_s);
+  const auto after_ignition_s = [&](auto time) { return sim::in_seconds(time - ignition); };
   while (!world.over()) {
     (void)world.tick();
     if (world.now() >= ignition) {
@@ -94,6 +94,10 @@ Effect effect_of(const Flown& failed, const Flown& sound, std::size_t canard, do
 
 /// The canards' own numbers, or those that follow from the shape.
 void complete(sim::Scenario& scenario) {
+  if (scenario.surroundings != sim::Surroundings::flight || scenario.path) {
+    throw text::Error{text::ErrorKind::bad_configuration,
+                      scenario.name + " is not a flight of its own; allowed: a scenario that launches a rocket"};
+  }
   if (!scenario.vehicle.airframe) {
     throw text::Error{
         text::ErrorKind::bad_configuration,
@@ -154,7 +158,7 @@ Study fly(sim::Scenario scenario, const Options& options,
       study.sound_angle_of_attack_rad = std::max(study.sound_angle_of_attack_rad, sound.angle_of_attack_rad[i]);
     }
   }
-  for (std::size_t canard = 0; canard < hal::canards; ++canard) {
+  for (std::size_t canard = 0; canard < scenario.vehicle.canards.size(); ++canard) {
     for (std::size_t k = 0; sound.clear_s + static_cast<double>(k) * options.step_s < sound.apogee_s; ++k) {
       study.effects.push_back({.canard = canard, .from_s = sound.clear_s + static_cast<double>(k) * options.step_s});
     }
