@@ -10,10 +10,10 @@
 #include <fmt/core.h>
 
 #include "flight_log/flight_log.hpp"
-#include "flight_log/printable.hpp"
 #include "protocol/little_endian.hpp"
 #include "protocol/log_frame.hpp"
 #include "protocol/log_header.hpp"
+#include "text/printable.hpp"
 
 namespace fantail::flight_log {
 namespace {
@@ -84,7 +84,7 @@ std::string kind_of_text(std::string_view text) {
   return "text";
 }
 
-std::string or_unknown(std::string_view text) { return text.empty() ? "not known" : printable(text); }
+std::string or_unknown(std::string_view text) { return text.empty() ? "not known" : text::printable(text); }
 
 // What the readable part of a header says; its checksum lies behind the cut.
 std::string header_words(std::span<const std::byte> there, std::size_t whole) {

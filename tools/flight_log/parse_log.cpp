@@ -11,12 +11,12 @@
 
 #include "core/flight_plan_fields.hpp"
 #include "flight_log/flight_log.hpp"
-#include "flight_log/printable.hpp"
 #include "protocol/little_endian.hpp"
 #include "protocol/log_frame.hpp"
 #include "protocol/log_header.hpp"
 #include "protocol/log_schema.hpp"
 #include "protocol/plan_block.hpp"
+#include "text/printable.hpp"
 
 namespace fantail::flight_log {
 namespace {
@@ -147,10 +147,10 @@ void FlightBuilder::add_header(const protocol::LogFrame& frame) {
   flight_.specific_force_scale_m_s2 = header->specific_force_scale_m_s2;
   flight_.accelerometer_scale_m_s2 = header->accelerometer_scale_m_s2;
   flight_.second_rate_scale_rad_s = header->second_rate_scale_rad_s;
-  flight_.firmware_version = printable(header->firmware_version);
-  flight_.git_hash = printable(header->git_hash);
-  flight_.vehicle = printable(header->vehicle);
-  flight_.sensors = printable(header->sensors);
+  flight_.firmware_version = text::printable(header->firmware_version);
+  flight_.git_hash = text::printable(header->git_hash);
+  flight_.vehicle = text::printable(header->vehicle);
+  flight_.sensors = text::printable(header->sensors);
   flight_.schema = header->schema;
   flight_.plan_block.assign(header->plan_block.begin(), header->plan_block.end());
   const auto reading = protocol::read_plan_block(header->plan_block);

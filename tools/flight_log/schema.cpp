@@ -6,8 +6,8 @@
 #include <bit>
 #include <charconv>
 
-#include "flight_log/printable.hpp"
 #include "protocol/little_endian.hpp"
+#include "text/printable.hpp"
 
 namespace fantail::flight_log {
 namespace {
@@ -73,8 +73,8 @@ std::optional<SchemaField> read_field(std::string_view line, std::size_t record_
     return std::nullopt;
   }
   field.offset = *offset;
-  field.name = printable(take(line, ' '));
-  field.unit = printable(line);
+  field.name = text::printable(take(line, ' '));
+  field.unit = text::printable(line);
   return field.name.empty() ? std::nullopt : std::optional{field};
 }
 
@@ -118,7 +118,7 @@ std::vector<SchemaRecord> parse_schema(std::string_view text) {
     const auto size = number<std::size_t>(rest);
     known = size.has_value();
     if (known) {
-      records.push_back({.name = printable(name), .size = *size, .fields = {}});
+      records.push_back({.name = text::printable(name), .size = *size, .fields = {}});
     }
   }
   return records;

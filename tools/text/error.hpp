@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "text/printable.hpp"
+
 namespace fantail::text {
 
 /// Why a program ends without having done what it was asked to. The command line turns it into its exit code.
@@ -17,11 +19,12 @@ enum class ErrorKind : std::uint8_t {
   interrupted,
 };
 
-/// Carries one complete sentence for the person: file:line: field, value, what is allowed. What fails outside of the
-/// program (a disk, a bus, a network, a flight computer) is another std::runtime_error.
+/// Carries one complete sentence for the person: file:line: field, value, what is allowed. It may quote what stands in
+/// a file: whatever of it is no printable character becomes a question mark, so that no file writes to a terminal. What
+/// fails outside of the program (a disk, a bus, a network, a flight computer) is another std::runtime_error.
 class Error : public std::runtime_error {
  public:
-  Error(ErrorKind kind, const std::string& message) : std::runtime_error{message}, kind_{kind} {}
+  Error(ErrorKind kind, const std::string& message) : std::runtime_error{printable(message)}, kind_{kind} {}
   [[nodiscard]] ErrorKind kind() const { return kind_; }
 
  private:

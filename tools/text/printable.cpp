@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "flight_log/printable.hpp"
+#include "text/printable.hpp"
 
 #include <cstddef>
 #include <cstdint>
 
-namespace fantail::flight_log {
+namespace fantail::text {
 namespace {
 
 struct Form {
@@ -51,4 +51,4 @@ std::string printable(std::string_view text) {
   return result;
 }
 
-}  // namespace fantail::flight_log
+}  // namespace fantail::text

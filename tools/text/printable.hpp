@@ -4,10 +4,10 @@
 #include <string>
 #include <string_view>
 
-namespace fantail::flight_log {
+namespace fantail::text {
 
 /// Text out of a file as it may stand on a terminal and in JSON: whatever is no printable character in UTF-8 becomes a
 /// question mark.
 [[nodiscard]] std::string printable(std::string_view text);
 
-}  // namespace fantail::flight_log
+}  // namespace fantail::text
