@@ -65,37 +65,26 @@ sanitized_commands() {
   configured build/host-asan host-asan && cmake --build --preset host-asan --target "$@"
 }
 
-# soak [--short]: --short is a thousandth of the runs, to check that it works.
+# soak [--short] [--resume]: --short is a thousandth of the runs, to check that it works.
 soak() {
-  frames=100000000 csv_runs=1000000 log_runs=1000000 cuts=1 flights=50000 goes=500 flips=100000
-  case "$*" in
-    "") ;;
-    --short) frames=100000 csv_runs=1000 log_runs=1000 cuts="" flights=50 goes=1 flips=100 ;;
-    *) usage ;;
-  esac
+  local page="" word code=0
+  for word in "$@"; do
+    case "$word" in
+      --short) page=build/figures/soak_short.md ;;
+      --resume) ;;
+      *) usage ;;
+    esac
+  done
   take_turn
   # shellcheck disable=SC2086
   need $soak_packages
   host_options=FANTAIL_TESTS
-  host_build "the soak tests" test_avionics test_memory_campaign test_sil
+  host_build "the soak tests" test_avionics test_memory_campaign test_sil test_core
   build "the fuzzers" build/fuzz 600 fuzz_commands
   leave_turn
-  FANTAIL_SEED=$(od -An -N3 -tu4 /dev/urandom | tr -d ' ')
-  export FANTAIL_SEED
-  FANTAIL_FRAMES=$frames build/host/test/avionics/test_avionics --gtest_filter='BusFrames.*'
-  FANTAIL_FLIPS=$flips build/host/test/avionics/test_memory_campaign
-  [ -z "$cuts" ] || FANTAIL_ALL_CUTS=1 build/host/test/avionics/test_avionics --gtest_filter='PowerCut.*:BitFlip.*'
-  FANTAIL_FLIGHTS=$flights FANTAIL_GOES=$goes build/host/test/sil/test_sil --gtest_filter='VerdictOracle.*:GoOracle.*'
-  # New findings go into the build folder, not into the sources.
-  mkdir -p build/fuzz/csv_found build/fuzz/log_found
-  build/fuzz/test/fuzz/csv_fuzz -runs=$csv_runs -max_len=4096 -print_final_stats=1 -dict=test/fuzz/csv.dict \
-    -artifact_prefix=build/fuzz/ build/fuzz/csv_found test/fuzz/csv_corpus
-  build/fuzz/test/fuzz/write_log_seeds build/fuzz/log_seeds
-  build/fuzz/test/fuzz/log_fuzz -runs=$log_runs -max_len=8192 -print_final_stats=1 -dict=test/fuzz/log.dict \
-    -artifact_prefix=build/fuzz/ build/fuzz/log_found build/fuzz/log_seeds
-  echo "soak: no failure in $frames frames to the avionics, $flips bits flipped in flight, $flights flights, $goes goes, $csv_runs CSV files and" \
-    "$log_runs flight logs" \
-    "${cuts:+and with the power cut at every byte}"
+  /usr/bin/python3 tools/dev/soak.py . "$@" || code=$?
+  [ "$code" -le 1 ] || exit "$code"
+  /usr/bin/python3 tools/dev/figures.py "${page:-docs/figures/soak.md}" "Soak before a release" "./dev soak" build/figures/soak.json
 }
 
 fuzz_commands() {

@@ -1,0 +1,184 @@
+# SPDX-License-Identifier: MIT
+# The long tests, as many at once as there are cores; their figures as JSON for a page of docs/figures.
+#
+#   soak.py ROOT [--short] [--resume] [--only NAME...]
+#
+# Each step writes build/soak/NAME.log and NAME.json as it ends; --resume leaves out those that this commit has passed. Exit code 1 if
+# a step failed or could not be read, 130 after an interrupt.
+import argparse
+import json
+import os
+import pathlib
+import random
+import re
+import signal
+import subprocess
+import sys
+import time
+
+# name, title, what is counted, how many (a run of --short: a thousandth), command, environment, what to read from its output.
+# {n} is how many, {seed} the seed, {host} and {fuzz} the builds.
+STEPS = [
+    ("frames", "Random and mutated frames to the avionics", "frames", 100_000_000,
+     "{host}/test/avionics/test_avionics --gtest_brief=1 --gtest_filter=BusFrames.*", {"FANTAIL_FRAMES": "{n}"}, []),
+    ("flips", "Bits of flight law, plan and watch flipped in flight", "flips", 100_000,
+     "{host}/test/avionics/test_memory_campaign --gtest_brief=1", {"FANTAIL_FLIPS": "{n}"}, []),
+    ("cuts", "Power cut at every byte of a flight, each of its bits flipped", "flights of 11 s", 1,
+     "{host}/test/avionics/test_avionics --gtest_brief=1 --gtest_filter=PowerCut.*:BitFlip.*", {"FANTAIL_ALL_CUTS": "1"}, []),
+    ("verdicts", "Random flights whose verdict is held against the truth", "flights", 50_000,
+     "{host}/test/sil/test_sil --gtest_brief=1 --gtest_filter=VerdictOracle.*", {"FANTAIL_FLIGHTS": "{n}"}, []),
+    ("goes", "Predictions that said go, flown", "goes", 500,
+     "{host}/test/sil/test_sil --gtest_brief=1 --gtest_filter=GoOracle.*", {"FANTAIL_GOES": "{n}"}, []),
+    ("law", "Flight law with random plans and samples: flights of 12 000 ticks", "flights", 83_334,
+     "{host}/test/core/test_core --gtest_brief=1 --gtest_filter=Autopilot.WhateverComesInTheCommandsKeepTheirLimits",
+     {"RC_PARAMS": "seed={seed} max_success={n}"}, []),
+    *[(f"fuzz_{target}", f"Fuzzing: {about}", "inputs", 1_000_000,
+       f"{{fuzz}}/test/fuzz/{target}_fuzz -runs={{n}} -max_len={most} -print_final_stats=1 -artifact_prefix=build/soak/{target}_ "
+       f"build/soak/found_{target} build/soak/seeds_{target}", {},
+       [("edges covered", r"\bcov: (\d+)"), ("inputs a second", r"average_exec_per_sec: +(\d+)")])
+      for target, most, about in [
+          ("csv", 4096, "any bytes as a CSV log"), ("log", 8192, "any bytes as a flight log"),
+          ("document", 4096, "any bytes as plan, vehicle, scenario, thrust curve or OpenRocket design"),
+          ("frame", 2048, "any bytes as a frame, a plan block or a record"),
+          ("state", 4096, "the flight law from any state, with any samples"),
+          ("table", 4096, "any bytes as MAT-file, Parquet file or trajectory")]],
+]
+
+
+def seeds_of(target, folder, root):
+    """The files that a fuzzer begins from; what it finds goes into the build folder, not into the sources."""
+    (folder / f"found_{target}").mkdir(parents=True, exist_ok=True)
+    place = folder / f"seeds_{target}"
+    if target == "csv":
+        if not place.exists():
+            place.symlink_to(root / "test/fuzz/csv_corpus")
+        return
+    place.mkdir(exist_ok=True)
+    writer = "write_log_seeds" if target == "log" else f"{target}_seeds"
+    subprocess.run([root / "build/fuzz/test/fuzz" / writer, place], check=True)
+
+
+class Step:
+    def __init__(self, row, arguments, folder, commit):
+        self.name, self.title, self.unit, count, command, environment, self.reads = row
+        self.count = max(count // 1000, 1) if arguments.short else count
+        fill = {"n": self.count, "seed": arguments.seed, "host": "build/host", "fuzz": "build/fuzz"}
+        self.command = command.format(**fill)
+        self.environment = {name: value.format(**fill) for name, value in environment.items()}
+        self.environment["FANTAIL_SEED"] = str(arguments.seed)
+        self.log = folder / f"{self.name}.log"
+        self.file = folder / f"{self.name}.json"
+        self.key = f"{commit} {self.count}"
+        self.process = None
+
+    def passed_before(self):
+        try:
+            kept = json.loads(self.file.read_text())
+            return kept["key"] == self.key and kept["passed"]
+        except (OSError, ValueError, KeyError):
+            return False
+
+    def start(self, root):
+        self.file.unlink(missing_ok=True)
+        self.begun = time.monotonic()
+        with self.log.open("w") as log:
+            self.process = subprocess.Popen(self.command.split(), cwd=root, stdout=log, stderr=subprocess.STDOUT,
+                                            env={**os.environ, **self.environment}, start_new_session=True)
+
+    def end(self):
+        seconds = time.monotonic() - self.begun
+        text = self.log.read_text(errors="replace")
+        found = []
+        for what, pattern in self.reads:
+            values = re.findall(pattern, text)
+            found.append([what, values[-1] if values else "not said"])
+        passed = self.process.returncode == 0 and "[  FAILED  ]" not in text and all(value != "not said" for _, value in found)
+        result = {"key": self.key, "title": self.title, "unit": self.unit, "count": self.count, "seconds": seconds, "passed": passed,
+                  "found": found, "command": self.command, "environment": self.environment}
+        new = self.file.with_suffix(".new")
+        new.write_text(json.dumps(result))
+        new.replace(self.file)
+        print(f"soak: {self.name}: {'passed' if passed else f'FAILED, see {self.log}'}, {seconds:.0f} s", flush=True)
+        return passed
+
+
+def run(steps, root):
+    waiting, running, failed = list(steps), [], False
+    said = begun = time.monotonic()
+    try:
+        while waiting or running:
+            while waiting and len(running) < (os.cpu_count() or 1):
+                running.append(waiting.pop(0))
+                running[-1].start(root)
+            time.sleep(0.2)
+            for step in [one for one in running if one.process.poll() is not None]:
+                running.remove(step)
+                failed = not step.end() or failed
+            if time.monotonic() - said >= 10:
+                said = time.monotonic()
+                print(f"soak: {said - begun:.0f} s, {len(waiting)} waiting, running: {', '.join(one.name for one in running)}",
+                      file=sys.stderr, flush=True)
+    finally:
+        for step in running:
+            if step.process and step.process.poll() is None:
+                os.killpg(step.process.pid, signal.SIGKILL)
+    return not failed
+
+
+def figures(steps, seconds, short):
+    rows = []
+    passed = True
+    for step in steps:
+        try:
+            kept = json.loads(step.file.read_text())
+        except (OSError, ValueError):
+            passed = False
+            rows.append([step.title, f"{step.count:,} {step.unit}", "not run", ""])
+            continue
+        passed = passed and kept["passed"]
+        more = ", ".join(f"{value} {what}" for what, value in kept["found"])
+        rows.append([step.title, f"{kept['count']:,} {step.unit}", "none" if kept["passed"] else "**yes**", f"{kept['seconds']:.0f}"
+                     + (f"; {more}" if more else "")])
+    return {"title": "Random inputs", "command": "./dev soak" + (" --short" if short else ""), "seconds": seconds, "passed": passed,
+            "tables": [{"caption": "", "columns": ["test", "how many", "failures", "time in s; more"], "rows": rows}],
+            "notes": []}
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("root", type=pathlib.Path)
+    parser.add_argument("--short", action="store_true")
+    parser.add_argument("--resume", action="store_true")
+    parser.add_argument("--only", nargs="+", default=[])
+    parser.add_argument("--seed", type=int, default=random.SystemRandom().randrange(1, 2**24))
+    arguments = parser.parse_args()
+    root = arguments.root.resolve()
+    folder = root / "build/soak"
+    folder.mkdir(parents=True, exist_ok=True)
+    commit = subprocess.run(["git", "describe", "--always", "--dirty"], cwd=root, capture_output=True, text=True,
+                            check=False).stdout.strip() or "without git"
+    unknown = set(arguments.only) - {row[0] for row in STEPS}
+    if unknown:
+        print(f"soak: no step {', '.join(sorted(unknown))}; there are {', '.join(row[0] for row in STEPS)}", file=sys.stderr)
+        return 64
+    steps = [Step(row, arguments, folder, commit) for row in STEPS
+             if (not arguments.only or row[0] in arguments.only) and not (arguments.short and row[0] == "cuts")]
+    to_run = [step for step in steps if not (arguments.resume and step.passed_before())]
+    print(f"soak: {len(to_run)} of {len(steps)} steps, seed {arguments.seed}", flush=True)
+    for step in to_run:
+        if step.name.startswith("fuzz_"):
+            seeds_of(step.name[5:], folder, root)
+    begun = time.monotonic()
+    try:
+        passed = run(to_run, root)
+    except KeyboardInterrupt:
+        print("soak: interrupted; ./dev soak --resume goes on with what is not finished", file=sys.stderr)
+        return 130
+    result = figures(steps, time.monotonic() - begun, arguments.short)
+    (root / "build/figures").mkdir(exist_ok=True)
+    (root / "build/figures/soak.json").write_text(json.dumps(result))
+    return 0 if passed and result["passed"] else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())
