@@ -81,7 +81,7 @@ thorough() {
   call 0 format --check
   call 0 trace
   call 0 sanitize tools/text
-  call 0 lint tools/text
+  call 0 lint tools/replies
 }
 
 "$2"
