@@ -40,8 +40,11 @@ std::vector<std::string> remarks(const Study& study) {
                   fixed(study.last_s, 2)),
       fmt::format("Side force: 1/2 rho v^2 times {:.4g} m2 times the sum of the four deflections as vectors across the "
                   "axis, at "
-                  "{} m from the tip of the nose. Lift grows with the angle up to the stall that the vehicle states.",
-                  study.side_area_m2, fixed(study.position_m, 3)),
+                  "{} m from the tip of the nose. {}",
+                  study.side_area_m2, fixed(study.position_m, 3),
+                  study.stall_rad ? fmt::format("Lift grows with the angle up to the stall at {} deg.",
+                                                fixed(degrees(*study.stall_rad), 0))
+                                  : "The vehicle states no stall, so that lift grows with the angle up to the stop."),
       "Bending moment: side force of the canards times its distance to the station. The inertia of what lies in front "
       "of it takes "
       "some of that off, and the lift of the nose at an angle of attack is not in it.",
@@ -83,11 +86,11 @@ std::string table(const Study& study) {
   const std::array<page::Column, 8> columns{{{"fails at, s", true},
                                              {"canard", true},
                                              {"side force, N", true},
-                                             {"moment, N m", true},
-                                             {"angle of attack, deg", true},
-                                             {"way turned, deg", true},
+                                             {"bending, N m", true},
+                                             {"attack, deg", true},
+                                             {"turned, deg", true},
                                              {"apogee, m", true},
-                                             {"apogee moved, m", true}}};
+                                             {"moved, m", true}}};
   std::vector<std::vector<page::Cell>> rows;
   for (const Effect& one : study.effects) {
     rows.push_back({{fixed(one.from_s, 2)},

@@ -46,8 +46,9 @@ struct Study {
   double side_area_m2;
   double position_m;  ///< of the canards
   double stop_rad;
-  double first_s;  ///< the instants: from the end of the guide ...
-  double last_s;   ///< ... to apogee
+  std::optional<double> stall_rad;  ///< as the vehicle states it
+  double first_s;                   ///< the instants: from the end of the guide ...
+  double last_s;                    ///< ... to apogee
   double sound_apogee_m;
   double sound_angle_of_attack_rad;
   Options options;
