@@ -1,0 +1,81 @@
+# SPDX-License-Identifier: MIT
+# soak.py with steps that pass, fail, die and say nothing, and the page that figures.py makes of them. Usage: soak_test.py TOOLS_DEV
+import contextlib
+import importlib.util
+import io
+import json
+import os
+import pathlib
+import sys
+import tempfile
+
+TOOLS = pathlib.Path(sys.argv[1])
+
+
+def load(name):
+    spec = importlib.util.spec_from_file_location(name, TOOLS / f"{name}.py")
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+def soak(root, steps, *options):
+    module = load("soak")
+    module.STEPS = steps
+    sys.argv = ["soak.py", str(root), *options]
+    with contextlib.redirect_stdout(io.StringIO()) as said:
+        code = module.main()
+    return code, said.getvalue(), json.loads((root / "build/figures/soak.json").read_text())
+
+
+def step(name, command, reads=()):
+    return (name, f"About {name}", "runs", 5000, command, {"FANTAIL_N": "{n}"}, list(reads))
+
+
+def main():
+    with tempfile.TemporaryDirectory() as folder:
+        root = pathlib.Path(folder)
+        count = step("count", "printenv FANTAIL_N", [("runs", r"^(\d+)")])
+        code, said, result = soak(root, [count])
+        assert code == 0 and result["passed"], said
+        assert result["tables"][0]["rows"][0][:3] == ["About count", "5,000 runs", "none"], result
+        assert "5000 runs" in result["tables"][0]["rows"][0][3], result
+
+        code, said, _ = soak(root, [count], "--short")
+        assert "5 runs" in json.loads((root / "build/figures/soak.json").read_text())["tables"][0]["rows"][0][1]
+
+        code, said, _ = soak(root, [count, step("no", "false")])
+        assert code == 1 and "no: FAILED" in said, said
+        dies = root / "dies.sh"
+        dies.write_text("#!/bin/sh\nkill -9 $$\n")
+        dies.chmod(0o755)
+        for name, command, reads in [("dies", str(dies), ()), ("silent", "true", [("edges", r"cov: (\d+)")])]:
+            code, said, result = soak(root, [step(name, command, reads)])
+            assert code == 1 and not result["passed"], (name, said)
+
+        # What this commit has passed is not run again, what it has not is.
+        code, said, result = soak(root, [count, step("no", "true")], "--resume")
+        assert code == 0 and "1 of 2 steps" in said and "count: passed" not in said, said
+        code, said, result = soak(root, [count, step("new", "true")], "--only", "count")
+        assert code == 0 and len(result["tables"][0]["rows"]) == 1
+
+        # A step that is in the table and was not run is no success.
+        module = load("soak")
+        sys.argv = ["soak.py", str(root), "--only", "nothing"]
+        with contextlib.redirect_stderr(io.StringIO()) as said:
+            assert module.main() == 64 and "nothing" in said.getvalue()
+
+        figures = load("figures")
+        os.chdir(root)
+        with contextlib.redirect_stdout(io.StringIO()), contextlib.redirect_stderr(io.StringIO()) as said:
+            assert figures.main(["docs/figures/x.md", "Soak", "./dev soak", "build/figures/soak.json"]) == 0
+            page = pathlib.Path("docs/figures/x.md").read_text()
+            assert '## Random inputs <a id="soak"></a>' in page and "| About count | 5,000 runs | none |" in page, page
+            assert figures.main(["docs/figures/y.md", "Soak", "./dev soak", "build/figures/none.json"]) == 66
+            assert "none.json" in said.getvalue() and not pathlib.Path("docs/figures/y.md").exists()
+            pathlib.Path("bad.json").write_text(json.dumps({**json.loads(pathlib.Path("build/figures/soak.json").read_text()), "passed": False}))
+            assert figures.main(["docs/figures/y.md", "Soak", "./dev soak", "bad.json"]) == 1
+            assert "**not passed**" in pathlib.Path("docs/figures/y.md").read_text()
+
+
+main()
