@@ -1,0 +1,254 @@
+# SPDX-License-Identifier: MIT
+"""Usage: prove.py PROVER BUILD_FOLDER [--quick] [--list] [--json] [--table FILE.py] [NAME...]
+
+Proves with ESBMC what proofs.py lists, of the sources of the flight code themselves. For each proof there are three kinds of
+runs, and it counts only if all of them end as they must:
+  claims    the harness as it is: every claim in it holds
+  places    each numbered place of the harness is reached, so that no claim is true because nothing gets there
+  bugs      the same claims with a known error put into a copy of one source file: each must be refuted
+Exit code: 0 all as they must be; 1 not so; 64 wrong usage; 70 the prover cannot be run; 73 the folder cannot be written; 130
+interrupted.
+"""
+
+import argparse
+import importlib.util
+import json
+import os
+import pathlib
+import signal
+import subprocess
+import sys
+import time
+
+import prover
+
+HERE = pathlib.Path(__file__).resolve().parent
+SOURCES = HERE.parent.parent
+VERSION = "ESBMC version 8.4.0"
+AT_ONCE = max(1, min(2, len(os.sched_getaffinity(0))))
+
+
+class Stop(Exception):
+    def __init__(self, code, why):
+        super().__init__(why)
+        self.code = code
+
+
+class Job:
+    """One run of the prover and what must come of it."""
+
+    def __init__(self, proof, kind, label, includes, options):
+        self.proof, self.kind, self.label = proof, kind, label
+        self.includes, self.options = includes, options
+        self.verdict = None
+
+    @property
+    def name(self):
+        return f"{self.proof.name}, {self.label}"
+
+    def command(self, esbmc):
+        folders = [*self.includes, *(HERE / f for f in self.proof.stubs), HERE / "stubs", HERE, SOURCES / "firmware", SOURCES / "hal" / "include"]
+        checks = () if self.proof.checks else prover.WITHOUT_CHECKS
+        language = "c11" if self.proof.harness.endswith(".c") else "c++20"
+        return [esbmc, HERE / self.proof.harness, *(w for f in folders for w in ("-I", f)), "--std", language, *prover.OPTIONS, *checks, *self.proof.options, *self.options]
+
+    def fault(self):
+        """Why this did not end as it must; empty if it did."""
+        v = self.verdict
+        if v.kind == prover.NONE:
+            return v.why
+        if self.kind == "claims":
+            return "" if v.kind == prover.HOLDS else f"refuted: {v.why}"
+        if v.kind == prover.HOLDS:
+            return "this place is never reached" if self.kind == "place" else "the seeded bug was not refuted"
+        wanted = ("reached",) if self.kind == "place" else self.proof.refuted_by
+        return "" if v.why.startswith(wanted) else f"refuted by something else: {v.why}"
+
+    def line(self):
+        fault = self.fault()
+        word = "FAILED" if fault else {"claims": "proved", "place": "reached", "bug": "refuted"}[self.kind]
+        claims = f" ({self.verdict.claims} claims)" if self.verdict.claims else ""
+        cost = f"{self.verdict.seconds:6.1f} s {self.verdict.megabytes:5.0f} MB"
+        return f"{word:8}{cost}  {self.name}{claims}{': ' + fault if fault else ''}"
+
+
+def with_bug(bug, folder):
+    """The folder of a copy of the bug's source file with the bug in it, to be searched before the sources."""
+    source = SOURCES / "firmware" / bug.file
+    text = source.read_text()
+    if text.count(bug.text) != 1:
+        raise Stop(1, f"{bug.file} has {text.count(bug.text)} times, instead of once, what the seeded bug \"{bug.says}\" replaces: {bug.text}")
+    copy = folder / bug.file
+    copy.parent.mkdir(parents=True, exist_ok=True)
+    copy.write_text(text.replace(bug.text, bug.replacement))
+    return folder
+
+
+def jobs_of(proof, build, quick):
+    """Its runs; of a quick look only the first place and the first bug."""
+    places, bugs = proof.places, proof.bugs
+    if quick:
+        places, bugs = min(places, 1), bugs[:1]
+    folder = build / proof.name
+    folder.mkdir(parents=True, exist_ok=True)
+    jobs = [Job(proof, "claims", "claims", [], [])]
+    for place in range(1, places + 1):
+        jobs.append(Job(proof, "place", f"place {place}", [], ["-D", f"PROOF_REACHABLE={place}"]))
+    for number, bug in enumerate(bugs, 1):
+        jobs.append(Job(proof, "bug", f"bug {number}: {bug.says}", [with_bug(bug, folder / f"bug{number}")], []))
+    return jobs
+
+
+def run(jobs, esbmc, build, say):
+    """Every job, AT_ONCE at a time, the longest first."""
+    waiting = sorted(jobs, key=lambda job: -job.proof.seconds)
+    running, done, said_at, begun = {}, 0, time.monotonic(), time.monotonic()
+    try:
+        while waiting or running:
+            while waiting and len(running) < AT_ONCE:
+                job = waiting.pop(0)
+                log = build / job.proof.name / (job.label.split(":")[0].replace(" ", "_") + ".log")
+                running[job] = prover.Run(job.command(esbmc), log, job.proof.seconds, job.proof.megabytes)
+            for job in list(running):
+                job.verdict = running[job].verdict()
+                if job.verdict:
+                    del running[job]
+                    done += 1
+                    say(job.line())
+            if time.monotonic() - said_at >= 10:
+                said_at = time.monotonic()
+                say(f"prove: {done} of {len(jobs)} runs done after {said_at - begun:.0f} s; now: {'; '.join(job.name for job in running)}")
+            time.sleep(0.02)
+    finally:
+        for process in running.values():
+            process.stop()
+
+
+def results(proofs, jobs):
+    """A row for each proof."""
+    rows = []
+    for proof in proofs:
+        own = [job for job in jobs if job.proof is proof]
+        bugs = [job for job in own if job.kind == "bug"]
+        places = [job for job in own if job.kind == "place"]
+        rows.append({
+            "name": proof.name,
+            "says": proof.says,
+            "proved": not any(job.fault() for job in own),
+            "claims": own[0].verdict.claims,
+            "bugs_refuted": sum(not job.fault() for job in bugs),
+            "bugs": len(bugs),
+            "places_reached": sum(not job.fault() for job in places),
+            "places": len(places),
+            "cpu_seconds": round(sum(job.verdict.seconds for job in own), 1),
+            "megabytes": round(max(job.verdict.megabytes for job in own)),
+            "faults": [f"{job.label}: {job.fault()}" for job in own if job.fault()],
+        })
+    return rows
+
+
+def figures(rows, seconds, passed, command):
+    return {
+        "title": "What is proved of the flight code",
+        "command": command,
+        "seconds": round(seconds, 1),
+        "passed": passed,
+        "tables": [{
+            "caption": "Each property, proved by the model checker ESBMC over all values that its inputs can have",
+            "columns": ["property", "verdict", "claims", "seeded bugs refuted", "places reached", "CPU seconds", "most memory in MB"],
+            "rows": [[row["says"], "proved" if row["proved"] else "NOT PROVED", str(row["claims"]), f"{row['bugs_refuted']} of {row['bugs']}",
+                      f"{row['places_reached']} of {row['places']}", f"{row['cpu_seconds']:.1f}", str(row["megabytes"])] for row in rows],
+        }],
+        "notes": [
+            "A property counts as proved only if, in the same run, each error that was put into a copy of the source was found, and "
+            "each place of the harness was shown to be reachable.",
+            f"{VERSION}, solver Boolector, {AT_ONCE} runs at a time.",
+        ],
+    }
+
+
+def check_prover(esbmc):
+    try:
+        answer = subprocess.run([esbmc, "--version"], stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=60)
+    except (OSError, subprocess.TimeoutExpired) as error:
+        raise Stop(70, f"the prover {esbmc} cannot be run: {error}") from None
+    if VERSION not in answer.stdout + answer.stderr:
+        said = (answer.stdout + answer.stderr).strip().splitlines()
+        raise Stop(70, f"{esbmc} is not {VERSION}; it said: {said[0] if said else 'nothing'}")
+
+
+def table(path):
+    specification = importlib.util.spec_from_file_location("table_of_proofs", path)
+    module = importlib.util.module_from_spec(specification)
+    sys.modules[specification.name] = module
+    specification.loader.exec_module(module)
+    return module.PROOFS
+
+
+def prove(options):
+    proofs = table(options.table)
+    unknown = sorted(set(options.names) - {proof.name for proof in proofs})
+    if unknown:
+        raise Stop(64, f"there is no proof {', '.join(unknown)}; prove --list names them")
+    if options.names:
+        proofs = [proof for proof in proofs if proof.name in options.names]
+    if options.quick:
+        proofs = [proof for proof in proofs if proof.quick]
+    if options.list:
+        for proof in proofs:
+            print(f"{proof.name:22}{'quick  ' if proof.quick else '       '}{proof.says}")
+        return 0
+    if not proofs:
+        raise Stop(64, "none of the proofs that were named is a quick one")
+    check_prover(options.prover)
+    build = pathlib.Path(options.build) / "prove"
+    out = sys.stderr if options.json else sys.stdout
+    begun = time.monotonic()
+    jobs = [job for proof in proofs for job in jobs_of(proof, build, options.quick)]
+    run(jobs, options.prover, build, lambda line: print(line, file=out, flush=True))
+    rows = results(proofs, jobs)
+    seconds = time.monotonic() - begun
+    passed = all(row["proved"] for row in rows)
+    page = pathlib.Path(options.build) / "figures" / "proofs.json"
+    page.parent.mkdir(parents=True, exist_ok=True)
+    words = ["--quick"] * options.quick + options.names
+    page.write_text(json.dumps(figures(rows, seconds, passed, " ".join(["./dev prove", *words])), indent=1) + "\n")
+    if options.json:
+        print(json.dumps({"passed": passed, "seconds": round(seconds, 1), "proofs": rows}, indent=1))
+    bad = [row["name"] for row in rows if not row["proved"]]
+    cpu = sum(row["cpu_seconds"] for row in rows)
+    print(f"prove: {len(rows) - len(bad)} of {len(rows)} properties proved, {sum(row['bugs_refuted'] for row in rows)} of "
+          f"{sum(row['bugs'] for row in rows)} seeded bugs refuted, in {seconds:.0f} s ({cpu:.0f} CPU s)"
+          + (f"; NOT PROVED: {', '.join(bad)}; what the prover said is in {build}/NAME/*.log" if bad else ""), file=out)
+    return 0 if passed else 1
+
+
+def main(words):
+    parser = argparse.ArgumentParser(prog="prove", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("prover")
+    parser.add_argument("build")
+    parser.add_argument("names", nargs="*", metavar="NAME")
+    parser.add_argument("--quick", action="store_true", help="some proofs, each with its first place and its first bug: a minute")
+    parser.add_argument("--list", action="store_true", help="name the proofs and what they say; prove nothing")
+    parser.add_argument("--json", action="store_true", help="print the results as JSON, and the progress on standard error")
+    parser.add_argument("--table", default=HERE / "proofs.py", help=argparse.SUPPRESS)
+    try:
+        options = parser.parse_intermixed_args(words)
+    except SystemExit as end:
+        return 64 if end.code else 0
+    try:
+        return prove(options)
+    except Stop as stop:
+        print(f"prove: {stop}", file=sys.stderr)
+        return stop.code
+    except KeyboardInterrupt:
+        print("prove: interrupted; nothing was proved", file=sys.stderr)
+        return 130
+    except OSError as error:
+        print(f"prove: {error}", file=sys.stderr)
+        return 73
+
+
+if __name__ == "__main__":
+    signal.signal(signal.SIGTERM, signal.default_int_handler)
+    sys.exit(main(sys.argv[1:]))

@@ -1,0 +1,198 @@
+# SPDX-License-Identifier: MIT
+"""prove.py with a prover that misbehaves: whatever it does, nothing may count as proved that was not.
+
+The prover is a shell script that is told by the name of the harness what to do. What it is asked can be seen in its words:
+PROOF_REACHABLE for a place, a folder bug1 for a seeded bug.
+"""
+
+import json
+import os
+import pathlib
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+HERE = pathlib.Path(__file__).resolve().parent
+
+PROVER = r"""#!/bin/sh
+[ "$1" = --version ] && echo "ESBMC version 8.4.0 64-bit x86_64 linux" && exit 0
+holds() { echo "  PASSED  [main.assertion.1]  line 1  claim: x == y"; echo "VERIFICATION SUCCESSFUL"; exit 0; }
+fails() { printf 'Violated property:\n  file x line 1 column 1\n  %s\n\nVERIFICATION FAILED\n' "$1"; exit 1; }
+kind=claims
+case "$*" in *PROOF_REACHABLE=*) kind=place ;; */bug1*) kind=bug ;; esac
+case "$(basename "$1" .cpp),$kind" in
+  good,claims) holds ;;
+  good,place) fails reached ;;
+  good,bug) fails "claim: x == y" ;;
+  no_body,claims) echo "WARNING: no body for function sin"; holds ;;
+  time,claims) while :; do :; done ;;
+  sleeps,claims) echo $$ >"$FAKE_PID"; exec sleep 600 ;;
+  killed,claims) kill -9 $$ ;;
+  crashed,claims) echo "VERIFICATION SUCCESSFUL"; kill -11 $$ ;;
+  memory,claims) exec python3 -c 'b = bytearray(1 << 32); print("VERIFICATION SUCCESSFUL")' ;;
+  silent,claims) exit 0 ;;
+  no_claim,claims) echo "VERIFICATION SUCCESSFUL"; exit 0 ;;
+  both,claims) echo "VERIFICATION FAILED"; holds ;;
+  unknown,claims) echo "VERIFICATION UNKNOWN"; exit 0 ;;
+  wrong_code,claims) echo "  PASSED  [x]  line 1  claim: x"; echo "VERIFICATION SUCCESSFUL"; exit 3 ;;
+  refuted,claims) fails "claim: x == y" ;;
+  parse,claims) echo "x.cpp:1:1: error: no such thing"; echo "ERROR: PARSING ERROR"; exit 6 ;;
+  unreachable,place) holds ;;
+  missed,bug) holds ;;
+  unwinding,bug) fails "unwinding assertion loop 3" ;;
+  elsewhere,place) fails "claim: x == y" ;;
+  *,claims) holds ;;
+  *,place) fails reached ;;
+  *,bug) fails "claim: x == y" ;;
+esac
+"""
+
+TABLE = """
+import sys
+sys.path.insert(0, {here!r})
+from proofs import Bug, Proof
+BUG = Bug("clamp gone", "core/canard_mixer.cpp", {text!r}, "")
+PROOFS = [Proof(name, name, name + ".cpp", 1, (BUG,), quick=name == "good", seconds=1, megabytes=1000) for name in {names!r}]
+"""
+
+ONCE = "angle = clamp(wanted, canard.limit);"
+
+
+class Prove(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+        self.work = pathlib.Path(self.folder.name)
+        self.prover = self.work / "esbmc"
+        self.prover.write_text(PROVER)
+        self.prover.chmod(0o755)
+
+    def command(self, names, *words, text=ONCE):
+        table = self.work / "table.py"
+        table.write_text(TABLE.format(here=str(HERE), names=names, text=text))
+        return [sys.executable, "-B", str(HERE / "prove.py"), str(self.prover), str(self.work / "build"), "--table", str(table), *words]
+
+    def prove(self, names, *words, **options):
+        return subprocess.run(self.command(names, *words, **options), capture_output=True, text=True, timeout=120)
+
+    def is_red(self, name, sentence):
+        done = self.prove(["good", name])
+        self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
+        self.assertIn(f"NOT PROVED: {name};", done.stdout)
+        self.assertIn(sentence, done.stdout)
+        self.assertFalse(json.loads((self.work / "build/figures/proofs.json").read_text())["passed"])
+
+    def test_what_holds_and_whose_bugs_are_refuted_is_proved(self):
+        done = self.prove(["good"])
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        self.assertIn("1 of 1 properties proved, 1 of 1 seeded bugs refuted", done.stdout)
+        figures = json.loads((self.work / "build/figures/proofs.json").read_text())
+        self.assertTrue(figures["passed"])
+        self.assertEqual(figures["tables"][0]["rows"][0][:5], ["good", "proved", "1", "1 of 1", "1 of 1"])
+
+    def test_a_function_without_a_body_is_red(self):
+        self.is_red("no_body", "a function has no body: sin")
+
+    def test_a_run_whose_time_is_over_is_red(self):
+        self.is_red("time", "processor time was over")
+
+    def test_a_run_that_waits_is_red(self):
+        os.environ["FAKE_PID"] = str(self.work / "pid")
+        self.is_red("sleeps", "it was not done after 10 s")
+
+    def test_a_run_that_is_killed_is_red(self):
+        self.is_red("killed", "killed by SIGKILL")
+
+    def test_a_run_that_crashes_is_red_whatever_it_said(self):
+        self.is_red("crashed", "killed by SIGSEGV")
+
+    def test_a_run_without_enough_memory_is_red(self):
+        self.is_red("memory", "exit code 1")
+
+    def test_silence_is_red(self):
+        self.is_red("silent", "it did not say what it found")
+
+    def test_success_without_a_claim_is_red(self):
+        self.is_red("no_claim", "there was no claim in what it looked at")
+
+    def test_two_verdicts_are_red(self):
+        self.is_red("both", "it did not say what it found")
+
+    def test_an_unknown_verdict_is_red(self):
+        self.is_red("unknown", "it did not say what it found")
+
+    def test_a_verdict_with_the_wrong_exit_code_is_red(self):
+        self.is_red("wrong_code", "exit code 3")
+
+    def test_a_refuted_claim_is_red(self):
+        self.is_red("refuted", "refuted: claim: x == y")
+
+    def test_a_harness_that_cannot_be_read_is_red(self):
+        self.is_red("parse", "exit code 6: x.cpp:1:1: error: no such thing")
+
+    def test_a_place_that_nothing_reaches_is_red(self):
+        self.is_red("unreachable", "this place is never reached")
+
+    def test_a_place_where_something_else_fails_is_red(self):
+        self.is_red("elsewhere", "refuted by something else: claim: x == y")
+
+    def test_a_seeded_bug_that_is_not_refuted_is_red(self):
+        self.is_red("missed", "the seeded bug was not refuted")
+
+    def test_a_seeded_bug_that_only_breaks_a_bound_of_the_prover_is_red(self):
+        self.is_red("unwinding", "refuted by something else: unwinding assertion loop 3")
+
+    def test_a_seeded_bug_whose_text_is_not_there_is_red(self):
+        done = self.prove(["good"], text="no such text")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("has 0 times, instead of once", done.stderr)
+
+    def test_a_seeded_bug_whose_text_is_there_twice_is_red(self):
+        done = self.prove(["good"], text="canard.limit")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("times, instead of once", done.stderr)
+
+    def test_an_unknown_name_is_wrong_usage(self):
+        done = self.prove(["good"], "bad")
+        self.assertEqual(done.returncode, 64)
+        self.assertIn("there is no proof bad", done.stderr)
+
+    def test_a_quick_look_that_would_look_at_nothing_is_wrong_usage(self):
+        self.assertEqual(self.prove(["good", "refuted"], "--quick", "refuted").returncode, 64)
+
+    def test_another_version_of_the_prover_is_refused(self):
+        self.prover.write_text("#!/bin/sh\necho ESBMC version 6.0\n")
+        done = self.prove(["good"])
+        self.assertEqual(done.returncode, 70)
+        self.assertIn("is not ESBMC version 8.4.0; it said: ESBMC version 6.0", done.stderr)
+
+    def test_a_prover_that_is_not_there_is_refused(self):
+        self.prover.unlink()
+        self.assertEqual(self.prove(["good"]).returncode, 70)
+
+    def test_the_results_as_json_are_all_that_is_on_standard_output(self):
+        done = self.prove(["good", "missed"], "--json")
+        self.assertEqual(done.returncode, 1)
+        said = json.loads(done.stdout)
+        self.assertEqual([proof["proved"] for proof in said["proofs"]], [True, False])
+        self.assertEqual(said["proofs"][1]["faults"], ["bug 1: clamp gone: the seeded bug was not refuted"])
+
+    def test_an_interrupt_ends_it_and_every_run_of_the_prover(self):
+        pid_file = self.work / "pid"
+        os.environ["FAKE_PID"] = str(pid_file)
+        process = subprocess.Popen(self.command(["sleeps"]), stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+        while not (pid_file.exists() and pid_file.read_text().strip()):
+            time.sleep(0.02)
+        process.send_signal(signal.SIGINT)
+        _, said = process.communicate(timeout=60)
+        self.assertEqual(process.returncode, 130)
+        self.assertIn("interrupted; nothing was proved", said)
+        with self.assertRaises(ProcessLookupError):
+            os.kill(int(pid_file.read_text()), 0)
+
+
+if __name__ == "__main__":
+    unittest.main()
