@@ -132,7 +132,7 @@ Angle Autopilot::control(Microseconds since_control_start) {
 
 // The verdicts of the tick before: a monitor can judge a command only after it was given.
 bool Autopilot::shares_work() {
-  if (!shares_ || !(canard_fault_ || canard_sharing_.is_active())) {
+  if (!shares_ || (!canard_fault_ && !canard_sharing_.is_active())) {
     return false;
   }
   canard_sharing_.update(canard_monitor_.verdicts(), per_canard([this](std::size_t i) {

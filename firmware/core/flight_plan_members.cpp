@@ -21,7 +21,7 @@ constexpr auto members = [] {
   return result;
 }();
 
-constexpr std::size_t words() {
+consteval std::size_t words() {
   std::size_t sum = 0;
   for (const PlanMember& member : members) {
     sum += member.slots + (member.is_list() ? 1U : 0U);

@@ -10,7 +10,7 @@ namespace fantail::protocol {
 namespace {
 
 template <typename Frame>
-constexpr BusFrameKind kind(std::string_view name, BusNode sender, unsigned length, unsigned period_ms,
+consteval BusFrameKind kind(std::string_view name, BusNode sender, unsigned length, unsigned period_ms,
                             bool can_move = false) {
   return {.id = Frame::id,
           .name = name,

@@ -17,7 +17,7 @@ constexpr std::size_t header_size = plan_block_header_size;
 constexpr std::size_t checksum_size = 4;
 
 // FNV-1a.
-constexpr std::uint32_t hash(std::uint32_t h, std::string_view text) {
+consteval std::uint32_t hash(std::uint32_t h, std::string_view text) {
   for (const char c : text) {
     h = (h ^ static_cast<std::uint8_t>(c)) * 16777619U;
   }
@@ -25,7 +25,7 @@ constexpr std::uint32_t hash(std::uint32_t h, std::string_view text) {
 }
 
 // By the compiler: a board has no names to hash.
-constexpr std::uint32_t schema_hash = [] {
+constexpr std::uint32_t schema_hash = []() consteval {
   std::uint32_t h = 2166136261U;
   for (const core::PlanField& field : core::plan_table::flight_plan_table) {
     h = hash(hash(hash(h, field.section), field.key), field.unit);

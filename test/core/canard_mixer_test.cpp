@@ -217,6 +217,43 @@ TEST(CanardMixer, WhatItCommandsIsWhatItReadsBack) {
 
 Angle any_angle() { return Angle::from_radians(std::bit_cast<float>(*rc::gen::arbitrary<std::uint32_t>())); }
 
+TEST(CanardMixer, WhatACanardAddsToTheRollIsItsAngleFromTrimInItsSenseUpToTwoDegreesBeyondItsStop) {
+  CanardsPlan plan = default_plan().canards;
+  plan.each[1].direction = Direction::reversed;
+  plan.each[1].trim = 1_deg;
+  plan.each[1].mechanical_stop = 15_deg;
+  const CanardMixer mixer{plan, 9_deg};
+  const auto added = mixer.contribution(1, 5_deg);
+  ASSERT_TRUE(added);
+  EXPECT_NEAR(added->degrees(), -4.0F, 1e-4F);
+  EXPECT_TRUE(mixer.contribution(1, Angle::from_degrees(16.99F)));
+  EXPECT_TRUE(mixer.contribution(1, Angle::from_degrees(-16.99F)));
+  EXPECT_FALSE(mixer.contribution(1, Angle::from_degrees(17.01F)));
+  EXPECT_FALSE(mixer.contribution(1, Angle::from_degrees(-17.01F)));
+  EXPECT_FALSE(mixer.contribution(1, std::nullopt));
+  EXPECT_FALSE(mixer.contribution(1, not_a_number()));
+}
+
+TEST(CanardMixer, MovesAsPlannedAsLongAsNothingOfThePlanThatMovesACanardIsAnother) {
+  const CanardsPlan plan = default_plan().canards;
+  const CanardMixer mixer{plan, 9_deg};
+  EXPECT_TRUE(mixer.moves_as_planned(2, plan, 9_deg));
+  EXPECT_FALSE(mixer.moves_as_planned(2, plan, 8_deg)) << "the limit";
+  const auto with = [&](auto change) {
+    CanardsPlan other = plan;
+    change(other.each[2]);
+    EXPECT_TRUE(mixer.moves_as_planned(1, other, 9_deg)) << "of its neighbour nothing has changed";
+    return mixer.moves_as_planned(2, other, 9_deg);
+  };
+  EXPECT_FALSE(with([](CanardPlan& of) {
+    of.direction = of.direction == Direction::normal ? Direction::reversed : Direction::normal;
+  }));
+  EXPECT_FALSE(with([](CanardPlan& of) { of.trim = of.trim + 1_deg; }));
+  EXPECT_FALSE(with([](CanardPlan& of) { of.mechanical_stop = of.mechanical_stop + 1_deg; }));
+  EXPECT_FALSE(with([](CanardPlan& of) { of.pulse_centre_us += 1.0F; }));
+  EXPECT_FALSE(with([](CanardPlan& of) { of.pulse_per_radian_us += 1.0F; }));
+}
+
 RC_GTEST_PROP(CanardMixer, NoPlanAndNoInputBringsACanardBeyondItsLimits, ()) {
   const FlightPlan plan = arbitrary_plan();
   CanardMixer mixer{plan.canards, plan.controller.canard_limit};

@@ -246,6 +246,23 @@ TEST(FlightPhase, TunnelKnowsNoLaunchNoApogeeAndNoTilt) {
   sequence.expect(Phase::finished, PhaseReason::gyro_failed);
 }
 
+TEST(FlightPhase, DamagedMemoryEndsAFlightAndNothingElse) {
+  Sequence sequence;
+  FlightPhase safe = sequence.phases();
+  safe.give_up(ms(1));
+  EXPECT_EQ(safe.phase(), Phase::safe);
+  FlightPhase armed = sequence.arm().phases();
+  armed.give_up(ms(1));
+  EXPECT_EQ(armed.phase(), Phase::armed);
+  EXPECT_EQ(armed.reason(), PhaseReason::armed_by_switch_and_command);
+  FlightPhase launched = sequence.launch().phases();
+  launched.give_up(ms(1));
+  EXPECT_EQ(launched.phase(), Phase::finished);
+  EXPECT_EQ(launched.reason(), PhaseReason::memory_fault);
+  launched.give_up(ms(2));
+  EXPECT_EQ(launched.reason(), PhaseReason::memory_fault);
+}
+
 TEST(FlightPhase, LaunchPlanDoesNotStartOnTheTunnelsCommand) {
   Sequence sequence;
   sequence.arm();

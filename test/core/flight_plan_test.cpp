@@ -266,7 +266,7 @@ TEST(FlightPlan, AnObserverNeedsEveryNumberOfItsModel) {
     plan.roll_model.*value = 0.0F;
     const auto fault = validate(plan);
     ASSERT_TRUE(fault.has_value());
-    EXPECT_EQ(fault->rule, PlanRule::observer_has_model);
+    EXPECT_EQ(fault->rule, PlanRule::axes_differ);
     EXPECT_EQ(flight_plan_fields()[fault->field].get(plan, 0), 0.0F) << "the one that is missing is named";
   }
 }
@@ -283,6 +283,16 @@ TEST(FlightPlan, AListLongerThanItsRoomIsRefused) {
   FlightPlan plan = default_plan();
   plan.reference.step_angles_count = most_reference_steps + 1;
   expect_fault(plan, "reference", "step_angles_deg");
+}
+
+TEST(FlightPlan, EveryRuleHasASentenceOfItsOwn) {
+  std::set<std::string_view> sentences;
+  for (int rule = 0; rule <= static_cast<int>(PlanRule::axes_differ); ++rule) {
+    const std::string_view text = sentence(static_cast<PlanRule>(rule));
+    EXPECT_NE(text, "unknown rule");
+    EXPECT_TRUE(sentences.insert(text).second) << text;
+  }
+  EXPECT_EQ(sentence(static_cast<PlanRule>(static_cast<int>(PlanRule::axes_differ) + 1)), "unknown rule");
 }
 
 RC_GTEST_PROP(FlightPlan, TheGeneratorOfTheseTestsMakesPlansThatFly, ()) {

@@ -55,12 +55,16 @@ class Pair {
 
   bool flies = true;
   SensorState state = SensorState::failed;
+  float Vector3::* noisy_axis = &Vector3::x;
 
  private:
   [[nodiscard]] GyroSample sample(const Reading& reading) const {
-    return {.time = time_ - ms(reading.age_ms),
-            .rate_rad_s = {reading.rate_rad_s + (reading.frozen ? 0.0F : noise_), 0.0F, 0.0F},
-            .quality = reading.quality};
+    GyroSample result{
+        .time = time_ - ms(reading.age_ms), .rate_rad_s = {reading.rate_rad_s, 0.0F, 0.0F}, .quality = reading.quality};
+    if (!reading.frozen) {
+      result.rate_rad_s.*noisy_axis += noise_;
+    }
+    return result;
   }
 
   FlightPlan plan_ = two_gyros();
@@ -124,6 +128,26 @@ TEST(GyroPair, OneThatRepeatsItselfWhileTheOtherTurnsIsPutAside) {
   }
 }
 
+TEST(GyroPair, TheSecondIsPutAsideLikewise) {
+  Pair pair;
+  pair.run(10, {1.0F}, Pair::Reading{1.0F});
+  for (int i = 0; i < 30; ++i) {
+    const float turning = 1.0F + 0.01F * static_cast<float>(i);
+    pair.tick({turning}, Pair::Reading{1.0F, SampleQuality::valid, 0, true});
+    EXPECT_EQ(pair.vote(), i < 9 ? GyroVote::both : GyroVote::first) << i;
+  }
+}
+
+TEST(GyroPair, OneWhoseNoiseIsSeenAboutASingleAxisDoesNotRepeatItself) {
+  for (float Vector3::* const axis : {&Vector3::x, &Vector3::y, &Vector3::z}) {
+    Pair pair;
+    pair.noisy_axis = axis;
+    pair.run(10, {1.0F}, Pair::Reading{1.0F});
+    // The first stays where it was, up to its noise, and the other turns away from it by half of what is allowed.
+    EXPECT_EQ(pair.run(15, {1.0F}, Pair::Reading{1.1F}), GyroVote::both);
+  }
+}
+
 TEST(GyroPair, OneThatGoesOnRepeatingItselfIsNotBelievedAgainWhereTheOtherComesBy) {
   Pair pair;
   pair.run(10, {1.0F}, Pair::Reading{1.0F});
@@ -167,6 +191,18 @@ TEST(GyroPair, WhereOneHasComeToTheEndOfItsRangeTheOtherGoesOnMeasuring) {
     EXPECT_NEAR(chosen.rate_rad_s.x, sense * 50.0F, noise);
     EXPECT_EQ(chosen.quality, SampleQuality::valid);
     EXPECT_EQ(pair.vote(), GyroVote::both);
+  }
+}
+
+TEST(GyroPair, OfTwoAtTheEndOfTheirRangeTheFirstIsUsedAndOneThatMeasuresBeforeIt) {
+  for (const auto second : {SampleQuality::saturated, SampleQuality::valid}) {
+    Pair pair;
+    for (int rate = 1; rate <= 34; ++rate) {
+      pair.tick({static_cast<float>(rate)}, Pair::Reading{static_cast<float>(rate)});
+    }
+    const GyroSample chosen = pair.tick({34.9F, SampleQuality::saturated}, Pair::Reading{34.95F, second});
+    EXPECT_EQ(chosen.quality, second);
+    EXPECT_NEAR(chosen.rate_rad_s.x, second == SampleQuality::valid ? 34.95F : 34.9F, noise);
   }
 }
 

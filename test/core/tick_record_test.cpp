@@ -18,10 +18,14 @@ std::size_t distinct_names() {
   return names.size();
 }
 
-TEST(TickRecord, EveryPhaseReasonAndVerdictHasANameOfItsOwn) {
+TEST(TickRecord, EveryValueOfAnEnumerationHasANameOfItsOwn) {
   EXPECT_EQ(distinct_names<Phase>(), static_cast<std::size_t>(Phase::finished) + 1);
   EXPECT_EQ(distinct_names<PhaseReason>(), phase_reasons);
   EXPECT_EQ(distinct_names<CanardVerdict>(), static_cast<std::size_t>(CanardVerdict::disagreeing) + 1);
+  EXPECT_EQ(distinct_names<SensorState>(), sensor_states);
+  EXPECT_EQ(distinct_names<GyroVote>(), gyro_votes);
+  EXPECT_EQ(distinct_names<CommandStatus>(), command_statuses);
+  EXPECT_EQ(distinct_names<DetectionState>(), static_cast<std::size_t>(DetectionState::disagreement) + 1);
 }
 
 TEST(TickRecord, BeginsSafeWithoutACommandOrADrivenCanard) {

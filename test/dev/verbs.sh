@@ -65,6 +65,8 @@ quick() {
   call 64 prove no_such_proof
   grep -q 'no proof no_such_proof' said || { echo "FAILED: the proof that is none was not named: $(cat said)" && exit 1; }
   call 0 prove --list
+  call 64 coverage --jason
+  call 64 mutate --sample 0
   call 64 install --prefix --help
   call 64 install '--prefix=~/nowhere'
   export DESTDIR="$work/stage"

@@ -9,7 +9,9 @@
 #include <gtest/gtest.h>
 
 #include "bus_rig.hpp"
+#include "protocol/bus_choices.hpp"
 #include "protocol/bus_codec.hpp"
+#include "protocol/bus_core_choices.hpp"
 
 namespace fantail::protocol {
 namespace {
@@ -157,6 +159,14 @@ TEST(BusCodecValue, APlaceThatDoesNotFitIsClamped) {
   EXPECT_EQ(encode(LogRequest{.tag = 0x17, .size = 5000}, 0), encode(LogRequest{.tag = 7, .size = 4095}, 0));
   EXPECT_EQ(encode(HealthReport{.bus_state = 200}), encode(HealthReport{.bus_state = 4}));
   EXPECT_EQ(encode(BoardReport{.reset_cause = 200}), encode(BoardReport{.reset_cause = 4}));
+}
+
+TEST(BusChoices, WhatIsNoValueOfAnEnumerationHasNoChoice) {
+  EXPECT_NE(choice(PlanBlockFault{}), no_choice);
+  EXPECT_EQ(choice(static_cast<PlanBlockFault>(0xFF)), no_choice);
+  EXPECT_EQ(choice(static_cast<Accelerometer>(0xFF)), no_choice);
+  EXPECT_EQ(choice(static_cast<core::SensorState>(0xFF)), no_choice);
+  EXPECT_EQ(choice(static_cast<core::SampleQuality>(0xFF)), no_choice);
 }
 
 }  // namespace

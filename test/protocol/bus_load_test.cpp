@@ -230,6 +230,16 @@ TEST(BusCatalogue, HasEveryFrameOnceAndFindsItByItsIdentifier) {
   EXPECT_EQ(find_bus_frame(0x7FF), nullptr);
 }
 
+TEST(BusCatalogue, WhatAnAvionicsListensToIsWhatTheBenchSends) {
+  std::vector<std::uint16_t> from_bench;
+  for (const BusFrameKind& kind : bus_catalogue()) {
+    if (kind.sender == BusNode::bench) {
+      from_bench.push_back(kind.id);
+    }
+  }
+  EXPECT_TRUE(std::ranges::equal(bench_frame_ids(), from_bench));
+}
+
 TEST(BusCatalogue, WhatCanEraseComesFromTheBenchIsProtectedAndMovesNothing) {
   const BusFrameKind& kind = *find_bus_frame(0x050);
   EXPECT_EQ(kind.sender, BusNode::bench);

@@ -29,6 +29,13 @@ TEST(BusSequence, CountsTheFramesThatWereLostAndRefusesARepetition) {
   }
 }
 
+TEST(BusSequence, ASenderCountsFromZeroToFifteenAndAround) {
+  FrameCounter counter;
+  for (unsigned frame = 0; frame < 40; ++frame) {
+    EXPECT_EQ(counter.next(), frame % 16U);
+  }
+}
+
 TEST(BusSequence, EveryFrameBecomesTheNewLastOne) {
   Sequence sequence;
   sequence.lost_before(3);

@@ -3,6 +3,8 @@
 
 #include <array>
 #include <cstdint>
+#include <set>
+#include <string_view>
 
 #include <gtest/gtest.h>
 
@@ -38,6 +40,60 @@ TEST(LogEvent, OneOfWhichThisVersionKnowsNothingIsRefused) {
   EXPECT_FALSE(accepts(number(LogEventKind::recording_began), 2, 0, 0));
   EXPECT_TRUE(accepts(number(LogEventKind::resumed), 1, 0, 0));
   EXPECT_FALSE(accepts(number(LogEventKind::resumed), 2, 0, 0));
+  for (const LogEventKind kind : {LogEventKind::gyro_state, LogEventKind::accelerometer_state}) {
+    EXPECT_TRUE(accepts(number(kind), core::sensor_states - 1, 0, 0));
+    EXPECT_FALSE(accepts(number(kind), core::sensor_states, 0, 0));
+  }
+  EXPECT_TRUE(accepts(number(LogEventKind::command_status), core::command_statuses - 1, 0, 0));
+  EXPECT_FALSE(accepts(number(LogEventKind::command_status), core::command_statuses, 0, 0));
+  EXPECT_TRUE(accepts(number(LogEventKind::gyro_vote), core::gyro_votes - 1, 0, 0));
+  EXPECT_FALSE(accepts(number(LogEventKind::gyro_vote), core::gyro_votes, 0, 0));
+  for (const LogEventKind kind :
+       {LogEventKind::records_dropped, LogEventKind::longest_tick, LogEventKind::board_faults}) {
+    EXPECT_TRUE(accepts(number(kind), 0, 0, 0));
+    EXPECT_FALSE(accepts(number(kind), 1, 0, 0));
+    EXPECT_FALSE(accepts(number(kind), 0, 1, 0));
+    EXPECT_FALSE(accepts(number(kind), 0, 0, 1));
+  }
+}
+
+TEST(LogEvent, OneOfAnotherSizeIsRefused) {
+  const auto bytes = pack(LogEvent{});
+  EXPECT_TRUE(unpack_event(now, bytes));
+  EXPECT_FALSE(unpack_event(now, std::span{bytes}.first(log_event_size - 1)));
+}
+
+TEST(LogEvent, EachDifferenceMakesItAnother) {
+  const LogEvent event{.time = now, .value = 1, .detail = 2, .index = 3, .number = 4};
+  const auto differs = [&](auto change) {
+    LogEvent other = event;
+    change(other);
+    return !(other == event);
+  };
+  EXPECT_FALSE(differs([](LogEvent&) {}));
+  EXPECT_TRUE(differs([](LogEvent& e) { e.time += core::Microseconds{1}; }));
+  EXPECT_TRUE(differs([](LogEvent& e) { e.kind = LogEventKind::phase; }));
+  EXPECT_TRUE(differs([](LogEvent& e) { e.value = 0; }));
+  EXPECT_TRUE(differs([](LogEvent& e) { e.detail = 0; }));
+  EXPECT_TRUE(differs([](LogEvent& e) { e.index = 0; }));
+  EXPECT_TRUE(differs([](LogEvent& e) { e.number = 0; }));
+}
+
+// Walks an enumeration from its first value until its names end; every name must be new.
+template <typename Enumeration>
+std::size_t distinct_names() {
+  std::set<std::string_view> names;
+  for (std::uint8_t value = 0; name(static_cast<Enumeration>(value)) != "unknown"; ++value) {
+    EXPECT_TRUE(names.insert(name(static_cast<Enumeration>(value))).second);
+  }
+  return names.size();
+}
+
+TEST(LogNotes, EveryValueOfAnEnumerationHasANameOfItsOwn) {
+  EXPECT_EQ(distinct_names<LogEventKind>(), log_event_kinds);
+  EXPECT_EQ(distinct_names<LogBegin>(), log_begins);
+  EXPECT_EQ(distinct_names<LogEnd>(), log_ends);
+  EXPECT_EQ(distinct_names<ResumedAfter>(), resumed_after_causes);
 }
 
 TEST(LogHealth, ComesBackWithEverythingInIt) {
@@ -66,9 +122,19 @@ TEST(LogHealth, ComesBackWithEverythingInIt) {
   EXPECT_EQ(back->unsent, 0x090A0B0CU);
   EXPECT_EQ(back->bus_errors, 0x0D0E0F10U);
   EXPECT_FALSE(unpack_health(now, std::span{bytes}.first(log_health_size - 1)));
-  auto spoilt = bytes;
-  spoilt[4] = std::byte{core::sensor_states};
-  EXPECT_FALSE(unpack_health(now, spoilt));
+  const auto accepts = [&](std::size_t at, std::size_t value) {
+    auto other = bytes;
+    other[at] = static_cast<std::byte>(value);
+    return unpack_health(now, other).has_value();
+  };
+  for (std::size_t i = 0; i < core::canard_count; ++i) {
+    EXPECT_TRUE(accepts(i, core::canard_verdicts - 1));
+    EXPECT_FALSE(accepts(i, core::canard_verdicts));
+  }
+  for (const std::size_t state : {4U, 5U}) {
+    EXPECT_TRUE(accepts(state, core::sensor_states - 1));
+    EXPECT_FALSE(accepts(state, core::sensor_states));
+  }
 }
 
 }  // namespace

@@ -131,6 +131,31 @@ TEST(LogTick, ASampleBecomesOldWithoutAJump) {
   }
 }
 
+TEST(LogTick, ASampleFromTheFutureIsAnOldOne) {
+  LogTick tick = some_tick();
+  tick.imu_time = now + Microseconds{1};
+  SampleTimes packing;
+  const PackedTick bytes = pack(tick, packing);
+  SampleTimes unpacking;
+  const auto back = unpack_tick(now, bytes, unpacking);
+  ASSERT_TRUE(back);
+  EXPECT_EQ(back->imu_time, SampleTimes{}.imu) << "that of the tick before";
+}
+
+TEST(LogTick, ACommandBeyondItsFieldIsKeptAtTheEndOfIt) {
+  LogTick tick = some_tick();
+  tick.canard_commands = {Angle::from_degrees(32.767F), Angle::from_degrees(33.0F), Angle::from_degrees(-33.0F), {}};
+  SampleTimes packing;
+  const PackedTick bytes = pack(tick, packing);
+  SampleTimes unpacking;
+  const auto back = unpack_tick(now, bytes, unpacking);
+  ASSERT_TRUE(back);
+  EXPECT_NEAR(back->canard_commands[0]->degrees(), 32.767F, 1e-5F);
+  EXPECT_EQ(back->canard_commands[1], back->canard_commands[0]);
+  EXPECT_EQ(back->canard_commands[2], -*back->canard_commands[0]);
+  EXPECT_FALSE(back->canard_commands[3]);
+}
+
 TEST(LogTick, ALongTickIsKeptAsLongAsThereIsRoom) {
   LogTick tick = some_tick();
   tick.duration_before = Microseconds{70'000};

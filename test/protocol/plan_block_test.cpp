@@ -127,6 +127,12 @@ TEST(PlanBlock, IsKnownByTheChecksumAtItsEndBecauseThatOfAllItsBytesIsTheSameFor
   EXPECT_EQ(plan_block_crc(std::span{one}.first(3)), 0U);
 }
 
+TEST(PlanBlock, ThePlansChecksumIsThatOfItsBlock) {
+  const Block block = written(core::default_plan());
+  EXPECT_EQ(plan_crc(core::default_plan()), word(block, block.size() - 4));
+  EXPECT_EQ(plan_block_checksum(block), word(block, block.size() - 4));
+}
+
 TEST(PlanBlock, SchemaHashIsFnv1aOverEveryNameUnitKindCapacityAndChoice) {
   std::string text;
   for (const PlanField& field : core::flight_plan_fields()) {

@@ -10,11 +10,13 @@ arm_packages="$firmware_packages qemu-system-arm googletest"
 flash_packages="openocd stlink-tools dfu-util stm32flash"
 format_packages="clang-format-19"
 gate_packages="$test_packages clang-19 clang-tidy-19"
+coverage_packages="$test_packages clang-19 llvm-19 libclang-rt-19-dev"
+mutation_packages="$test_packages python3-clang-19 libclang-common-19-dev"
 soak_packages="$test_packages clang-19 libclang-rt-19-dev"
 bench_packages="$fly_packages libbenchmark-dev libceres-dev python3-venv"
 cluster_packages="slurmctld slurmd slurm-client munge"
 # With --all no test may be skipped, and the tests call the verbs of this script, except those that take hours.
-all_packages="$test_packages $arm_packages $gate_packages $format_packages $cluster_packages"
+all_packages="$test_packages $arm_packages $gate_packages $coverage_packages $mutation_packages $format_packages $cluster_packages"
 
 system_name() {
   # shellcheck disable=SC1091
