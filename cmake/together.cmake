@@ -11,9 +11,9 @@ set(FANTAIL_COMPILED_ALONE
   firmware/protocol/bus_decode_bench.cpp
   hal/stm32f4/edge_timer.cpp hal/stm32f4/frozen_counts.cpp hal/stm32f4/imu.cpp hal/stm32f4/second_imu.cpp
   sim/servo.cpp sim/thrust_curve.cpp
-  test/avionics/arming_refusal_test.cpp test/avionics/avionics_test.cpp test/avionics/board_watch_test.cpp
+  test/avionics/arming_alone_test.cpp test/avionics/arming_refusal_test.cpp test/avionics/avionics_test.cpp test/avionics/board_watch_test.cpp
   test/avionics/bus_receiver_test.cpp test/avionics/flight_memory_starts_test.cpp test/avionics/flight_memory_test.cpp
-  test/avionics/two_benches_test.cpp
+  test/avionics/bench_mode_alone_test.cpp test/avionics/self_test_alone_test.cpp test/avionics/two_benches_test.cpp
   test/bench/axes_mounting_test.cpp test/bench/cycle_test.cpp test/bench/exercise_test.cpp test/bench/measurement_test.cpp
   test/bench/sheet_test.cpp test/bench/zero_test.cpp
   test/benchmark/recorded_flight.cpp

@@ -263,7 +263,8 @@ std::optional<std::array<Angle, core::canard_count>> SelfTest::canard_request() 
 
 Angle SelfTest::asked_of(std::size_t canard) const {
   const Angle trim = plan_->canards.each[canard].trim;
-  return stage_ == Stage::out && canard_ == canard ? trim + swing(canard) : trim;
+  const bool its_turn = stage_ == Stage::out && canard_ == canard;
+  return its_turn ? trim + swing(canard) : trim;
 }
 
 // Inside the plan limit, on whichever side the trim lies.

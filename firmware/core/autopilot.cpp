@@ -123,6 +123,7 @@ Angle Autopilot::control(Microseconds since_control_start) {
   if (adapts_) {
     offset_estimator_.remember(roll);
   }
+  // uncovered: no finite plan and no state that the estimator keeps gives a command that is not finite
   record.command_status = roll.finite ? CommandStatus::controlling : CommandStatus::not_finite;
   record.unclamped_command = roll.unclamped;
   record.command = shares ? clamp(roll.command, controller_.canard_limit) : roll.command;

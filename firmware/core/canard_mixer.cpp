@@ -112,8 +112,8 @@ Angle CanardMixer::approach(Microseconds elapsed, Canard& canard, Angle target) 
 
 std::optional<Angle> CanardMixer::contribution(std::size_t canard, const std::optional<Angle>& encoder) const {
   const Canard& of = canards_[canard];
-  return encoder && abs(*encoder) <= of.stop + play_of_a_stop ? std::optional{of.sense * (*encoder - of.trim)}
-                                                              : std::nullopt;
+  const bool believed = encoder && abs(*encoder) <= of.stop + play_of_a_stop;
+  return believed ? std::optional{of.sense * (*encoder - of.trim)} : std::nullopt;
 }
 
 std::optional<Angle> CanardMixer::canard_angle(const EncoderAngles& encoders) const {

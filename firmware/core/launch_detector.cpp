@@ -57,6 +57,7 @@ LaunchDetector::Health LaunchDetector::feed(Channel& channel, Microseconds now, 
 bool LaunchDetector::disagree() const {
   const auto first = channels_[0].low_pass.output();
   const auto second = channels_[1].low_pass.output();
+  // uncovered: a channel that is not bad has had a sample, and so its filter has an output
   if (!first || !second) {
     return false;
   }

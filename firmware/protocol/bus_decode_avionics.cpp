@@ -115,6 +115,7 @@ std::optional<LogReply> read_log(const LogReplyFrame::Raw& raw) {
 std::optional<HealthReport> read_health(const HealthReportFrame::Raw& raw) {
   const auto gyro = known<core::SensorState>(raw.gyro);
   const auto accelerometer = known<core::SensorState>(raw.accelerometer);
+  // uncovered: each state of a sensor has its number in two bits, and no number is left over
   if (!gyro || !accelerometer || !canard_bus_health_report_bus_state_is_in_range(raw.bus_state)) {
     return std::nullopt;
   }
@@ -169,6 +170,7 @@ std::optional<BoardReport> read_board(const BoardReportFrame::Raw& raw) {
 
 std::optional<GyroReport> read_gyro(const GyroReportFrame::Raw& raw) {
   const auto quality = known<core::SampleQuality>(raw.quality);
+  // uncovered: each quality has its number in two bits, and no number is left over
   if (!quality || !canard_bus_gyro_report_x_is_in_range(raw.x) || !canard_bus_gyro_report_y_is_in_range(raw.y) ||
       !canard_bus_gyro_report_z_is_in_range(raw.z)) {
     return std::nullopt;
@@ -182,6 +184,7 @@ std::optional<GyroReport> read_gyro(const GyroReportFrame::Raw& raw) {
 std::optional<AccelerometerReport> read_accelerometer(const AccelerometerReportFrame::Raw& raw) {
   const auto sensor = known<Accelerometer>(raw.sensor);
   const auto quality = known<core::SampleQuality>(raw.quality);
+  // uncovered: each sensor and each quality has its number in one bit and in two, and no number is left over
   if (!sensor || !quality || !canard_bus_accelerometer_report_x_is_in_range(raw.x) ||
       !canard_bus_accelerometer_report_y_is_in_range(raw.y) || !canard_bus_accelerometer_report_z_is_in_range(raw.z)) {
     return std::nullopt;

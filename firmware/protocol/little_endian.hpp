@@ -26,6 +26,7 @@ constexpr void put(std::span<std::byte> out, std::size_t at, std::uint64_t value
     std::memcpy(out.data() + at, &word, bytes);
     return;
   }
+  // uncovered: for the compiler, and for a processor of the other byte order
   [word = static_cast<WordOf<bytes>>(value), first = out.data() + at]<std::size_t... i>(std::index_sequence<i...>) {
     ((first[i] = static_cast<std::byte>(word >> (8U * i))), ...);
   }(std::make_index_sequence<bytes>{});

@@ -10,7 +10,10 @@
 #include <gtest/gtest.h>
 
 #include "avionics/backup_map.hpp"
+#include "avionics/write_state.hpp"
 #include "flight_memory_rig.hpp"
+#include "protocol/crc32c.hpp"
+#include "protocol/little_endian.hpp"
 #include "protocol/state_block.hpp"
 #include "protocol/tick_digest.hpp"
 #include "seed.hpp"
@@ -150,6 +153,37 @@ TEST(FlightMemory, AnotherPlanOrAnotherLawIsNotGivenTheState) {
   Memory memory = rig.memory;
   EXPECT_FALSE(resume(memory, first, rig.plan, plan_crc + 1));
   EXPECT_TRUE(half_is_broken(memory, 0) && half_is_broken(memory, 1));
+  memory = rig.memory;
+  core::FlightPlan with_another_layout = rig.plan;
+  with_another_layout.sensors.gyros = core::GyroRule::two_agree;
+  EXPECT_FALSE(resume(memory, first, with_another_layout));
+}
+
+// Both halves with another state, sealed as if it had been kept so.
+template <typename Change>
+Memory sealed_with(const Kept& rig, Change change) {
+  Memory memory = rig.memory;
+  for (const std::size_t i : {std::size_t{0}, std::size_t{1}}) {
+    const auto half = flight_half(memory, i);
+    const auto size = static_cast<std::size_t>(protocol::get<2>(half, 38));
+    change(half.subspan(48, size));
+    protocol::put<4>(half, 4, protocol::crc32c(half.subspan(8, 40 + size)));
+  }
+  return memory;
+}
+
+TEST(FlightMemory, AStateThatIsNoneIsNotResumedThoughItsSealIsWhole) {
+  Kept rig;
+  const core::Inputs first = rig.after(60 * millisecond);
+  Memory same = sealed_with(rig, [](std::span<std::byte>) {});
+  EXPECT_TRUE(resume(same, first, rig.plan)) << "what this test does to a half is what keep() does";
+  Memory broken = sealed_with(rig, [](std::span<std::byte> state) { std::ranges::fill(state, std::byte{0xFF}); });
+  EXPECT_FALSE(resume(broken, first, rig.plan));
+  core::Autopilot on_the_pad{rig.plan};
+  Memory safe = sealed_with(rig, [&](std::span<std::byte> state) {
+    EXPECT_EQ(write_state(on_the_pad, state, protocol::StateExtent::in_flight), state.size());
+  });
+  EXPECT_FALSE(resume(safe, first, rig.plan));
 }
 
 TEST(FlightMemory, OnlyAResetThatTheWatchdogOrTheFirmwareAskedForIsOneToGoOnAfter) {

@@ -153,6 +153,32 @@ TEST(AutopilotResume, WithoutAUsableSampleTheLastRateIsTakenToHaveStayed) {
   EXPECT_EQ(rig.tick(4.0F).command_status, CommandStatus::controlling);
 }
 
+TEST(AutopilotResume, BeforeAnyRateWasMeasuredThereIsNothingToGoOnWith) {
+  Autopilot law{tunnel_plan()};
+  Inputs inputs{.time = 60 * millisecond};
+  inputs.gyro = {.time = inputs.time, .rate_rad_s = {.x = 5.0F}, .quality = SampleQuality::valid};
+  law.resume(inputs);
+  const TickRecord& record = law.step(inputs);
+  EXPECT_EQ(record.motion.roll_angle, Angle{});
+  EXPECT_FALSE(record.motion.roll_is_bridged);
+}
+
+TEST(AutopilotResume, OfTwoGyrosTheOneIsBridgedWithThatHasASample) {
+  FlightPlan plan = tunnel_plan();
+  plan.sensors.gyros = GyroRule::two_agree;
+  ResumeRig rig{plan};
+  for (int i = 0; i < 10; ++i) {
+    rig.inputs.gyro.quality = SampleQuality::absent;
+    rig.inputs.second_gyro = GyroSample{.time = rig.inputs.time + millisecond, .quality = SampleQuality::valid};
+    rig.tick();
+  }
+  const Angle before = rig.law.step(rig.inputs).motion.roll_angle;
+  rig.inputs.second_gyro = GyroSample{
+      .time = rig.inputs.time + 70 * millisecond, .rate_rad_s = {.x = 5.0F}, .quality = SampleQuality::valid};
+  // From 0 to 5 rad/s evenly over the gap.
+  EXPECT_NEAR((rig.resume(70 * millisecond, 0.0F).motion.roll_angle - before).radians(), 2.5F * 0.070F, 1e-3F);
+}
+
 TEST(AutopilotResume, AGyroThatStaysSilentEndsControlAfterThePlansLongestGap) {
   ResumeRig rig;
   rig.tick(4.0F);

@@ -5,11 +5,11 @@ The same file gives the same mutants in the same order. Left out: functions decl
 compiler would refuse them, or no program would contain them), labels of a case, and whatever comes from a macro.
 """
 
-import dataclasses
 import re
 
 import clang.cindex
 from clang.cindex import CursorKind as Kind
+from mutant import Mutant
 
 OPERATORS = {  # of a comparison, of a decision, of arithmetic: what it becomes
     "<": ("<=", ">="), "<=": ("<", ">"), ">": (">=", "<="), ">=": (">", "<"), "==": ("!=",), "!=": ("==",),
@@ -25,28 +25,6 @@ FUNCTIONS = {Kind.FUNCTION_DECL, Kind.CXX_METHOD, Kind.CONSTRUCTOR, Kind.DESTRUC
              Kind.CONVERSION_FUNCTION}
 INTEGER = re.compile(r"(0x[0-9a-f']+|[0-9][0-9']*)([a-z_]\w*)?", re.IGNORECASE)
 FLOAT = re.compile(r"([0-9][0-9']*\.?[0-9']*(?:e[-+]?[0-9]+)?)([a-z_]\w*)?", re.IGNORECASE)
-
-
-@dataclasses.dataclass(frozen=True)
-class Mutant:
-    file: str
-    begin: int  # of the bytes that are replaced
-    end: int
-    replacement: str
-    operator: str
-    line: int
-    column: int
-    function: str  # that encloses it; empty at the level of a namespace or class
-    was: str  # the lines that it changes, with single spaces
-    now: str
-
-    @property
-    def id(self):
-        return f"{self.file}:{self.line}:{self.column}:{self.operator}"
-
-    def of(self, text):
-        """The mutated text of the file whose bytes are `text`."""
-        return text[: self.begin] + self.replacement.encode() + text[self.end :]
 
 
 def mutants(file, path, arguments):

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "log_bytes.hpp"
+#include "protocol/log_schema.hpp"
 
 namespace fantail::protocol {
 namespace {
@@ -68,6 +69,12 @@ TEST(LogHeader, OfTwoGyrosHasASecondScaleAndAVersionOfItsOwn) {
   EXPECT_TRUE(std::ranges::equal(back->plan_block, plan));
   EXPECT_EQ(back->schema, "tick 50\n");
   EXPECT_FALSE(decode_log_header(std::span{bytes}.first(log_header_fixed_size + 3)));
+}
+
+TEST(LogHeader, TheSchemaOfTwoGyrosIsThatOfOneAndMore) {
+  EXPECT_TRUE(log_schema_of_two_gyros().starts_with(log_schema()));
+  EXPECT_NE(log_schema_of_two_gyros().find("second_gyro"), std::string_view::npos);
+  EXPECT_EQ(log_schema().find("second_gyro"), std::string_view::npos);
 }
 
 TEST(LogHeader, ATextThatIsTooLongIsCutOff) {

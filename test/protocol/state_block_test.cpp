@@ -213,6 +213,21 @@ TEST(StateBlock, NoStateThatIsAcceptedLeadsBeyondAnArray) {
   EXPECT_GT(refused, 0U);
 }
 
+TEST(StateBlock, AStateInFlightIsRestoredByItsSize) {
+  core::Autopilot law{core::default_plan()};
+  for (const StateExtent extent : {StateExtent::whole, StateExtent::in_flight}) {
+    StateWriter measure{{}, extent};
+    law.visit_state(measure);
+    std::vector<std::byte> state(measure.size());
+    StateWriter writer{state, extent};
+    law.visit_state(writer);
+    core::Autopilot other{core::default_plan()};
+    EXPECT_TRUE(restore_state(other, state));
+    state.pop_back();
+    EXPECT_FALSE(restore_state(other, state));
+  }
+}
+
 TEST(StateBlock, AStateOfAnotherSizeIsRefused) {
   Autopilot autopilot{core::default_plan()};
   std::vector<std::byte> state = state_of(autopilot);

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: MIT
+// The steps of arming without a board around them.
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "avionics/arming.hpp"
+
+namespace fantail::avionics {
+namespace {
+
+using core::Microseconds;
+using protocol::ArmAction;
+using protocol::ArmRefusal;
+
+/// A rocket that may be armed, and who arms it.
+struct Armed {
+  Situation now{.time = Microseconds{10'000'000}, .at_rest = true, .arm_switch_closed = true};
+  Arming::Permission permission{.self_test_passed = true, .power_up = 7, .random = 0x1234};
+  Arming arming;
+
+  Armed() {
+    now.arm_switch_closed = false;
+    arming.update(now);
+    now.arm_switch_closed = true;
+    arming.update(now);
+  }
+  ArmRefusal say(ArmAction action, std::uint32_t nonce = 0) {
+    arming.receive(now, permission, {.action = action, .nonce = nonce});
+    return arming.refusal();
+  }
+  std::uint32_t begin() {
+    EXPECT_EQ(say(ArmAction::begin), ArmRefusal::none);
+    return arming.nonce().value();
+  }
+};
+
+TEST(Arming, ASelfTestIsNoneOfItsSteps) {
+  Armed rocket;
+  const std::uint32_t nonce = rocket.begin();
+  rocket.arming.answer(ArmRefusal::board_fault);
+  EXPECT_EQ(rocket.say(ArmAction::self_test), ArmRefusal::board_fault) << "the answer stays";
+  EXPECT_EQ(rocket.arming.nonce(), nonce);
+  EXPECT_FALSE(rocket.arming.take_arm_command());
+}
+
+TEST(Arming, TheCommandIsGivenOnce) {
+  Armed rocket;
+  EXPECT_EQ(rocket.say(ArmAction::confirm, rocket.begin()), ArmRefusal::none);
+  EXPECT_TRUE(rocket.arming.take_arm_command());
+  EXPECT_FALSE(rocket.arming.take_arm_command());
+  EXPECT_FALSE(rocket.arming.take_start_command());
+}
+
+TEST(Arming, EachObjectionStopsBothSteps) {
+  const auto refused = [](auto change, ArmRefusal expected) {
+    Armed at_begin;
+    change(at_begin);
+    EXPECT_EQ(at_begin.say(ArmAction::begin), expected);
+    EXPECT_FALSE(at_begin.arming.nonce());
+    Armed at_confirm;
+    const std::uint32_t nonce = at_confirm.begin();
+    change(at_confirm);
+    EXPECT_EQ(at_confirm.say(ArmAction::confirm, nonce), expected);
+    EXPECT_FALSE(at_confirm.arming.take_arm_command());
+    EXPECT_FALSE(at_confirm.arming.nonce()) << "one attempt";
+  };
+  refused([](Armed& r) { r.now.phase = core::Phase::armed; }, ArmRefusal::not_safe);
+  refused([](Armed& r) { r.permission.session_open = true; }, ArmRefusal::session_open);
+  refused([](Armed& r) { r.now.board_faulty = true; }, ArmRefusal::board_fault);
+  refused([](Armed& r) { r.permission.self_test_passed = false; }, ArmRefusal::self_test_not_passed);
+  refused([](Armed& r) { r.now.at_rest = false; }, ArmRefusal::not_at_rest);
+  refused([](Armed& r) { r.now.arm_switch_closed = false; }, ArmRefusal::switch_open);
+}
+
+TEST(Arming, ASwitchThatWasNeverSeenOpenDoesNotArm) {
+  Armed rocket;
+  rocket.arming = {};
+  rocket.arming.update(rocket.now);
+  EXPECT_EQ(rocket.say(ArmAction::begin), ArmRefusal::switch_not_cycled);
+}
+
+TEST(Arming, ANonceLivesFiveSecondsToTheMicrosecond) {
+  for (const bool in_time : {true, false}) {
+    Armed rocket;
+    const std::uint32_t nonce = rocket.begin();
+    rocket.now.time += Arming::nonce_lifetime + Microseconds{in_time ? 0 : 1};
+    rocket.arming.update(rocket.now);
+    EXPECT_EQ(rocket.arming.nonce().has_value(), in_time);
+    EXPECT_EQ(rocket.arming.refusal(), in_time ? ArmRefusal::none : ArmRefusal::nonce_expired);
+    EXPECT_EQ(rocket.say(ArmAction::confirm, nonce), in_time ? ArmRefusal::none : ArmRefusal::nonce_expired);
+    EXPECT_EQ(rocket.say(ArmAction::confirm, nonce), ArmRefusal::no_nonce) << "a second attempt has nothing to confirm";
+  }
+}
+
+TEST(Arming, ANewNonceTakesTheReproachOfTheOldOneAway) {
+  Armed rocket;
+  rocket.begin();
+  rocket.now.time += 2 * Arming::nonce_lifetime;
+  const std::uint32_t second = rocket.begin();
+  EXPECT_EQ(rocket.say(ArmAction::confirm, second + 1), ArmRefusal::wrong_nonce);
+  EXPECT_EQ(rocket.say(ArmAction::confirm, second), ArmRefusal::no_nonce);
+}
+
+TEST(Arming, OfOnePowerUpNoNonceIsGivenTwiceAndTheyEnd) {
+  Armed rocket;
+  std::set<std::uint32_t> nonces;
+  std::size_t given = 0;
+  while (given < 100'000 && rocket.say(ArmAction::begin) == ArmRefusal::none) {
+    nonces.insert(rocket.arming.nonce().value());
+    given += 1;
+  }
+  EXPECT_EQ(given, 65'535U) << "as many as 16 bits count";
+  EXPECT_EQ(nonces.size(), given);
+  EXPECT_EQ(rocket.arming.refusal(), ArmRefusal::no_nonce);
+}
+
+TEST(Arming, WithoutACountOfThePowerUpThereIsNoNonce) {
+  Armed rocket;
+  rocket.permission.power_up.reset();
+  EXPECT_EQ(rocket.say(ArmAction::begin), ArmRefusal::no_nonce);
+}
+
+TEST(Arming, ANonceIsMurmursFinisherOfPowerUpAndRequestWithTheRandomNumberOnTop) {
+  // MurmurHash3's fmix32 of 0x00070001 and of 0x00070002, computed in Python.
+  Armed rocket;
+  rocket.permission.random = 0;
+  EXPECT_EQ(rocket.begin(), 0xBC74651FU);
+  rocket.permission.random = 0xFFFF0000;
+  EXPECT_EQ(rocket.begin(), 0x7C508418U ^ 0xFFFF0000U);
+}
+
+TEST(Arming, InTheTunnelAStartTakesAnArmedRocketAtRestAndTheNonceThatArmed) {
+  Armed rocket;
+  rocket.permission.tunnel_plan = true;
+  rocket.now.phase = core::Phase::armed;
+  EXPECT_EQ(rocket.say(ArmAction::start, 0), ArmRefusal::not_armed) << "armed, but by nobody that this object knows";
+  rocket.now.phase = core::Phase::safe;
+  const std::uint32_t nonce = rocket.begin();
+  ASSERT_EQ(rocket.say(ArmAction::confirm, nonce), ArmRefusal::none);
+  EXPECT_EQ(rocket.say(ArmAction::start, nonce), ArmRefusal::not_armed);
+  rocket.now.phase = core::Phase::armed;
+  EXPECT_EQ(rocket.say(ArmAction::start, nonce + 1), ArmRefusal::wrong_nonce);
+  rocket.now.at_rest = false;
+  EXPECT_EQ(rocket.say(ArmAction::start, nonce), ArmRefusal::not_at_rest);
+  rocket.now.at_rest = true;
+  rocket.permission.tunnel_plan = false;
+  EXPECT_EQ(rocket.say(ArmAction::start, nonce), ArmRefusal::not_a_tunnel_plan);
+  EXPECT_FALSE(rocket.arming.take_start_command());
+  rocket.permission.tunnel_plan = true;
+  EXPECT_EQ(rocket.say(ArmAction::start, nonce), ArmRefusal::none);
+  EXPECT_TRUE(rocket.arming.take_start_command());
+  EXPECT_FALSE(rocket.arming.take_start_command());
+}
+
+}  // namespace
+}  // namespace fantail::avionics

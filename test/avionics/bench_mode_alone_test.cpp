@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+// The right to move the canards without a board around it.
+#include <gtest/gtest.h>
+
+#include "avionics/bench_mode.hpp"
+#include "core/flight_plan_fields.hpp"
+
+namespace fantail::avionics {
+namespace {
+
+using core::Microseconds;
+using protocol::SessionAction;
+using protocol::SessionReason;
+using protocol::SessionState;
+using namespace core::literals;
+
+constexpr std::uint16_t number = 0x1234;
+
+struct Bench {
+  Situation now{.time = Microseconds{5'000'000}, .at_rest = true};
+  BenchMode mode;
+
+  bool say(SessionAction action, std::uint16_t session = number, bool self_test_runs = false) {
+    return mode.receive(now, self_test_runs, {.action = action, .session = session});
+  }
+  void wait(std::int64_t us) {
+    now.time += Microseconds{us};
+    mode.update(now);
+  }
+};
+
+TEST(BenchMode, WithoutASessionNothingIsAskedOfACanard) {
+  Bench bench;
+  EXPECT_FALSE(bench.mode.receive(protocol::BenchRequest{.angle = {1_deg, 1_deg, 1_deg, 1_deg}}));
+  EXPECT_FALSE(bench.mode.canard_request(core::default_plan().canards));
+  bench.say(SessionAction::open);
+  EXPECT_FALSE(bench.mode.canard_request(core::default_plan().canards)) << "nor by one that came before it";
+  EXPECT_TRUE(bench.mode.receive(protocol::BenchRequest{.angle = {1_deg, 1_deg, 1_deg, 1_deg}}));
+  EXPECT_TRUE(bench.mode.canard_request(core::default_plan().canards));
+  bench.say(SessionAction::close);
+  bench.say(SessionAction::open);
+  EXPECT_FALSE(bench.mode.canard_request(core::default_plan().canards)) << "nor by one of the session before";
+}
+
+TEST(BenchMode, KeepingAndClosingAreOfTheOpenSessionOnly) {
+  Bench bench;
+  EXPECT_FALSE(bench.say(SessionAction::keep));
+  EXPECT_FALSE(bench.say(SessionAction::close));
+  EXPECT_FALSE(bench.mode.take_news());
+  EXPECT_TRUE(bench.say(SessionAction::open));
+  EXPECT_EQ(bench.mode.session(), number);
+  EXPECT_FALSE(bench.say(SessionAction::close, number + 1));
+  EXPECT_TRUE(bench.mode.open());
+  EXPECT_TRUE(bench.say(SessionAction::keep));
+  EXPECT_TRUE(bench.say(SessionAction::close));
+  EXPECT_FALSE(bench.mode.open());
+  EXPECT_EQ(bench.mode.reply().reason, SessionReason::closed_by_bench);
+}
+
+TEST(BenchMode, AnAnswerIsNewsOnce) {
+  Bench bench;
+  bench.say(SessionAction::open);
+  EXPECT_EQ(bench.mode.reply().state, SessionState::open);
+  EXPECT_EQ(bench.mode.reply().reason, SessionReason::opened);
+  EXPECT_EQ(bench.mode.reply().session, number);
+  EXPECT_TRUE(bench.mode.take_news());
+  EXPECT_FALSE(bench.mode.take_news());
+  bench.say(SessionAction::open);
+  EXPECT_TRUE(bench.mode.take_news()) << "a bench that repeats itself has not heard it";
+}
+
+TEST(BenchMode, SilenceOfAHundredMillisecondsIsBorneAndNotAMicrosecondMore) {
+  for (const auto said : {SessionAction::open, SessionAction::keep}) {
+    Bench bench;
+    bench.say(SessionAction::open);
+    bench.wait(60'000);
+    bench.say(said);
+    bench.wait(100'000);
+    EXPECT_TRUE(bench.mode.open());
+    bench.wait(1);
+    EXPECT_FALSE(bench.mode.open());
+    EXPECT_EQ(bench.mode.reply().reason, SessionReason::heartbeat_lost);
+    EXPECT_EQ(bench.mode.reply().session, number);
+  }
+  Bench bench;
+  bench.say(SessionAction::open);
+  bench.wait(60'000);
+  bench.say(SessionAction::keep, number + 1);
+  bench.wait(40'001);
+  EXPECT_FALSE(bench.mode.open()) << "another one's heartbeat";
+}
+
+TEST(BenchMode, EachObjectionRefusesASessionAndLeavesTheStateAsItWas) {
+  const auto refused = [](auto change, SessionReason expected, bool self_test_runs = false) {
+    Bench bench;
+    change(bench.now);
+    EXPECT_TRUE(bench.say(SessionAction::open, number, self_test_runs));
+    EXPECT_FALSE(bench.mode.open());
+    EXPECT_FALSE(bench.mode.take_news());
+    const auto refusal = bench.mode.take_refusal();
+    ASSERT_TRUE(refusal);
+    EXPECT_EQ(refusal->state, SessionState::closed);
+    EXPECT_EQ(refusal->reason, expected);
+    EXPECT_EQ(refusal->session, number);
+    EXPECT_FALSE(bench.mode.take_refusal()) << "once";
+  };
+  refused([](Situation& now) { now.phase = core::Phase::armed; }, SessionReason::not_safe);
+  refused([](Situation& now) { now.at_rest = false; }, SessionReason::not_at_rest);
+  refused([](Situation&) {}, SessionReason::self_test_runs, true);
+  Bench bench;
+  bench.say(SessionAction::open);
+  bench.say(SessionAction::open, number + 1);
+  EXPECT_EQ(bench.mode.take_refusal()->reason, SessionReason::other_session);
+  EXPECT_EQ(bench.mode.session(), number);
+}
+
+TEST(BenchMode, EndsWithThePhaseAndWithMotion) {
+  Bench armed;
+  armed.say(SessionAction::open);
+  armed.now.phase = core::Phase::armed;
+  armed.wait(1);
+  EXPECT_EQ(armed.mode.reply().reason, SessionReason::not_safe);
+  EXPECT_FALSE(armed.mode.open());
+  Bench moved;
+  moved.say(SessionAction::open);
+  moved.now.moves = true;
+  moved.wait(1);
+  EXPECT_EQ(moved.mode.reply().reason, SessionReason::not_at_rest);
+  EXPECT_FALSE(moved.mode.open());
+}
+
+}  // namespace
+}  // namespace fantail::avionics

@@ -1,0 +1,206 @@
+# SPDX-License-Identifier: MIT
+"""Usage: trial_test.py
+
+Mutants of a project of one file, made by hand, with the compiler of this machine and with compilers that lie; and what is
+said of results, lists of survivors and runs that were cut off. It takes a few seconds.
+"""
+
+import json
+import pathlib
+import shutil
+import sys
+import tempfile
+import unittest
+
+sys.dont_write_bytecode = True  # not between the sources
+import judge
+import mutate
+import trial
+import workshop
+from mutant import Mutant
+
+PRODUCT = "int counted(int to) {\n  volatile int i = 0;\n  while (i < to) {\n    i = i + 1;\n  }\n  return i;\n}\n"
+HEADER = "inline int doubled(int x) { return x * 2; }\n"
+USER = '#include "core/doubled.hpp"\nint doubled_by_product(int x) { return doubled(x); }\n'
+TEST = """#include <cstdio>
+int counted(int);
+int doubled_by_product(int);
+int main() {
+  if (counted(3) != 3 || doubled_by_product(0) != 0) {
+    std::puts("[  FAILED  ] Counted.Three (0 ms)");
+    return 1;
+  }
+  std::puts("[  PASSED  ] 1 test.");
+}
+"""
+NINJA = "rule link\n  command = : && c++ test.o -o $out && :\n" + "".join(
+    f"build test/{name}/test_{name}: link\n" for name in workshop.FOLDERS)
+
+
+class Project:
+    """A root with one build folder, as much of each as the workshop looks at."""
+
+    def __init__(self, folder, compiler="c++", test=TEST):
+        self.root = pathlib.Path(folder)
+        self.build = self.root / "build"
+        for path, text in {"firmware/core/counted.cpp": PRODUCT, "firmware/core/user.cpp": USER,
+                           "firmware/core/doubled.hpp": HEADER, "build/test.cpp": test, "build/build.ninja": NINJA}.items():
+            (self.root / path).parent.mkdir(parents=True, exist_ok=True)
+            (self.root / path).write_text(text)
+        commands = [{"file": str(self.root / file), "directory": str(self.build),
+                     "command": f"{compiler} -O2 -I{self.root}/firmware -o x.o -c {self.root / file}"}
+                    for file in ("firmware/core/counted.cpp", "firmware/core/user.cpp")]
+        (self.build / "compile_commands.json").write_text(json.dumps(commands))
+        workshop.tool(["c++", "-c", "test.cpp", "-o", "test.o"], self.build, "the test of this test")
+        self.shop = workshop.Workshop(self.root, self.build, self.root / "build/mutation")
+
+    def court(self):
+        court = trial.Court(self.shop)
+        court.prepare(True)
+        return court
+
+    def outcome(self, court, was, now, file="firmware/core/counted.cpp", function=""):
+        text = (self.root / file).read_text()
+        begin = text.index(was)
+        mutant = Mutant(file, begin, begin + len(was), now, "slip", 1, 1, function, was, now)
+        place = self.root / "build/mutation/place"
+        place.mkdir(exist_ok=True)
+        return court.try_mutant(mutant, place)
+
+
+class InAFolder(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.mkdtemp()
+        self.addCleanup(shutil.rmtree, self.folder)
+
+
+class Trial(InAFolder):
+    def test_each_outcome(self):
+        project = Project(self.folder)
+        court = project.court()
+        court.limit = lambda *_: 1  # second of the processor
+        self.assertEqual(project.outcome(court, "i < to", "i <= to"), ("killed", "test_core Counted.Three"))
+        self.assertEqual(project.outcome(court, "i < to", "i != to"), ("survived", ""))
+        self.assertEqual(project.outcome(court, "i = i + 1", "i = 1 + i"), ("same", ""))
+        self.assertEqual(project.outcome(court, "i < to", "i <"), ("invalid", ""))
+        self.assertEqual(project.outcome(court, "i = i + 1", "i = i"), ("timeout", "test_core"))
+        self.assertEqual(project.outcome(court, "return i", "__builtin_trap()")[0], "killed")
+
+    def test_a_mutant_of_a_header_takes_the_place_of_every_copy(self):
+        project = Project(self.folder)
+        court = project.court()
+        header = "firmware/core/doubled.hpp"
+        self.assertEqual(project.outcome(court, "x * 2", "x + 2", header, "doubled")[0], "killed")
+        self.assertEqual(project.outcome(court, "x * 2", "x * 3", header, "doubled")[0], "survived")
+        self.assertEqual(project.outcome(court, "x * 2", "2 * x", header, "doubled")[0], "same")
+        self.assertEqual(project.outcome(court, "x * 2", "x + 2", header)[0], "killed")
+
+    def test_tests_that_fail_without_a_mutant_are_no_judge(self):
+        project = Project(self.folder, test=TEST.replace("counted(3) != 3", "counted(3) != 4"))
+        with self.assertRaisesRegex(workshop.ToolFailure, "fails without any mutant"):
+            project.outcome(project.court(), "i < to", "i <= to")
+
+    def test_tests_that_run_nothing_are_no_judge(self):
+        for words in ("", "[  PASSED  ] 0 tests."):
+            project = Project(self.folder, test=TEST.replace("[  PASSED  ] 1 test.", words))
+            with self.assertRaisesRegex(workshop.ToolFailure, "has passed no test"):
+                project.outcome(project.court(), "i < to", "i != to")
+
+    def test_a_program_that_cannot_be_linked_is_loud(self):
+        project = Project(self.folder)
+        court = project.court()
+        with self.assertRaisesRegex(workshop.ToolFailure, "cannot be linked"):
+            project.outcome(court, "return i", "extern int nowhere(); return nowhere()")
+
+
+class LyingCompiler(InAFolder):
+    def says(self, script, words):
+        compiler = pathlib.Path(self.folder, "g++")
+        compiler.write_text(f"#!/bin/sh\n{script}\n")
+        compiler.chmod(0o755)
+        with self.assertRaisesRegex(workshop.ToolFailure, words):
+            Project(self.folder, str(compiler)).court()
+
+    def test_that_writes_nothing(self):
+        self.says("exit 0", "takes a file with an #error|written nothing")
+
+    def test_that_takes_everything_for_a_program(self):
+        self.says('while [ $# -gt 1 ]; do shift; done; echo object >"$1"; exit 0', "#error")
+
+    def test_that_makes_the_same_of_everything(self):
+        self.says('! grep -q "#error" source/* || { echo "error: no"; exit 1; }\n'
+                  'for last; do :; done; echo object >"$last"', "the same object of two different programs")
+
+    def test_that_fails_without_an_error(self):
+        self.says("echo out of luck; exit 1", "failed without an error")
+
+    def test_that_is_killed(self):
+        self.says("kill -9 $$", "ended with -9")
+
+    def test_that_is_not_there(self):
+        with self.assertRaisesRegex(workshop.ToolFailure, "No such file"):
+            Project(self.folder, "/nowhere/g++").court()
+
+
+def result(outcome, line="a", file="firmware/core/trig.cpp"):
+    return {"id": f"{file}:1:1:slip", "file": file, "was": line, "now": "b", "outcome": outcome, "by": "a test"}
+
+
+KNOWN = {("firmware/core/trig.cpp", "a", "b"): judge.Known("firmware/core/trig.cpp", "a", "b", "it is the same")}
+
+
+class Judgement(InAFolder):
+    def verdict(self, results, known=None, keys=None):
+        known = known or {}
+        return judge.judge(results, known, keys if keys is not None else set(known))
+
+    def test_the_score_is_of_what_could_be_noticed(self):
+        verdict = self.verdict([result("killed")] * 18 + [result("timeout"), result("survived"), result("same"),
+                                                          result("invalid")])
+        self.assertEqual((verdict.score, verdict.passed), (0.95, True))
+        self.assertFalse(self.verdict([result("killed")] * 18 + [result("survived")]).passed)
+
+    def test_nothing_judged_is_no_success(self):
+        for results in ([], [result("same"), result("invalid")]):
+            self.assertFalse(self.verdict(results).passed)
+
+    def test_a_survivor_with_its_reason_is_none(self):
+        verdict = self.verdict([result("killed", "x"), result("survived")], KNOWN)
+        self.assertEqual((verdict.score, verdict.unlisted, verdict.passed), (1.0, [], True))
+
+    def test_one_that_is_noticed_must_leave_the_list(self):
+        self.assertFalse(self.verdict([result("killed")], KNOWN).passed)
+
+    def test_so_must_one_that_is_no_mutant_any_more(self):
+        self.assertFalse(self.verdict([result("killed", "x")], KNOWN, set()).passed)
+
+    def test_where_limits_and_arming_are_no_survivor_is_allowed(self):
+        verdict = self.verdict([result("killed")] * 1000 + [result("survived", "c", "firmware/avionics/arming.cpp")])
+        self.assertEqual((verdict.passed, len(verdict.strict)), (False, 1))
+        self.assertIn("allows none", judge.sentences(verdict)[0])
+
+    def test_the_list_is_read_and_its_mistakes_are_named(self):
+        path = pathlib.Path(self.folder, "survivors.txt")
+        entry = "file: firmware/core/trig.cpp\nwas: a\nnow: b\nwhy: it is the same\n"
+        path.write_text("# a comment\n" + entry)
+        self.assertEqual(judge.read_survivors(path), KNOWN)
+        for text, line in ((entry.replace("why:", "because:"), 4), (entry.replace("was: a\n", ""), 4),
+                           (entry.replace("it is the same", ""), 5), (entry + "why: twice\n", 5)):
+            path.write_text(text)
+            with self.assertRaisesRegex(ValueError, f":{line}:"):
+                judge.read_survivors(path)
+
+    def test_results_that_were_cut_off_are_resumed_and_those_of_other_sources_are_not(self):
+        path, header = pathlib.Path(self.folder, "results.jsonl"), {"sources": "1", "seed": 2}
+        whole = json.dumps(header) + "\n" + json.dumps(result("killed")) + "\n"
+        path.write_text(whole + '{"id": "cut o')
+        self.assertEqual(mutate.read_results(path, header), [result("killed")])
+        with self.assertRaisesRegex(ValueError, "other sources"):
+            mutate.read_results(path, header | {"sources": "2"})
+        path.write_text("")
+        with self.assertRaises(ValueError):
+            mutate.read_results(path, header)
+
+
+if __name__ == "__main__":
+    unittest.main()
