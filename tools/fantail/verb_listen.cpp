@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: MIT
+#include <array>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include <fmt/core.h>
+
+#include "fantail/interrupt.hpp"
+#include "fantail/progress.hpp"
+#include "fantail/run.hpp"
+#include "flight/table.hpp"
+#include "input/document.hpp"
+#include "input/plan_file.hpp"
+#include "input/shipped.hpp"
+#include "listen/fly_log.hpp"
+#include "listen/load.hpp"
+#include "listen/maps.hpp"
+#include "listen/outputs.hpp"
+#include "text/output_folder.hpp"
+
+namespace fantail::tool {
+namespace {
+
+struct ListenOptions {
+  std::string log;
+  std::string map;
+  std::string columns;
+  std::string barometer;
+  std::string barometer_columns;
+  std::string plan = "tasha3_launch2";
+  std::optional<double> longest_gap_s;
+  double pad_s = 0.0;
+  std::string out;
+  bool json = false;
+};
+
+std::string names_of_maps() {
+  std::string names;
+  for (const listen::Map& map : listen::maps()) {
+    names += fmt::format("{}{} ({})", names.empty() ? "" : "; ", map.name, map.about);
+  }
+  return names;
+}
+
+// What the person says goes before what the map says.
+listen::Sources sources(const ListenOptions& o, const flight::Table& table, std::string& from) {
+  listen::Sources typed;
+  if (!o.columns.empty()) {
+    typed = listen::parse_columns(o.columns, "--columns");
+  }
+  const bool is_whole = listen::find(typed, listen::Quantity::time) != nullptr &&
+                        listen::find(typed, listen::Quantity::axial) != nullptr;
+  if (is_whole && o.map.empty()) {
+    return typed;
+  }
+  const listen::Map* const map = o.map.empty() ? listen::map_of(table.columns()) : listen::find_map(o.map);
+  if (map == nullptr) {
+    throw text::Error{
+        text::ErrorKind::bad_data,
+        fmt::format("{}: its columns are those of no logger that is known; say at least what time and axial force are: "
+                    "--columns time=COLUMN:UNIT,axial=COLUMN:UNIT. {}",
+                    table.name(), flight::missing_column("known", table.columns()))};
+  }
+  from = fmt::format("the map {}{}", map->name, o.map.empty() ? ", which fits them" : "");
+  return listen::merged(typed, listen::sources_of(*map));
+}
+
+listen::ImuLog read(const ListenOptions& o) {
+  listen::Loaded loaded = listen::load(o.log);
+  std::string from;
+  const listen::Sources what = sources(o, loaded.table, from);
+  listen::ImuLog log = listen::imu_log(loaded.table, what);
+  log.columns_from = from;
+  log.notes.insert(log.notes.begin(), loaded.notes.begin(), loaded.notes.end());
+  if (!o.barometer.empty()) {
+    const listen::Loaded barometer = listen::load(o.barometer);
+    listen::add_barometer(log, barometer.table, listen::parse_columns(o.barometer_columns, "--barometer-columns"));
+  }
+  return log;
+}
+
+listen::Heard fly(const ListenOptions& o, listen::ImuLog log) {
+  const std::filesystem::path plan = input::find_input(input::Shipped::plan, o.plan);
+  const listen::Question question{.plan_name = input::name_of_file(plan),
+                                  .plan = input::read_plan(input::Document::load(plan.string())),
+                                  .longest_bridge_s = o.longest_gap_s,
+                                  .pad_s = o.pad_s};
+  Progress progress{"listening", {" s", " x real time", log.end_s() - log.begin_s() + o.pad_s}};
+  return listen::fly_log(std::move(log), question, [&](double done_s) {
+    give_up_if_interrupted();
+    progress.show(done_s);
+  });
+}
+
+std::filesystem::path output_folder(const ListenOptions& o) {
+  const std::string name = std::filesystem::path{o.log}.stem().string();
+  return o.out.empty() ? std::filesystem::path{"out"} / "listen" / name : std::filesystem::path{o.out};
+}
+
+void listen_to(const ListenOptions& o) {
+  if (o.barometer.empty() != o.barometer_columns.empty()) {
+    throw UsageError{"--barometer FILE and --barometer-columns time=...,height=... need each other"};
+  }
+  const listen::Heard heard = fly(o, read(o));
+  give_up_if_interrupted();
+  const std::filesystem::path folder = output_folder(o);
+  const std::string json = listen::as_json(heard, FANTAIL_VERSION);
+  text::OutputFolder{folder, {o.log}}.write(std::array{text::NamedFile{"listen.html", listen::as_html(heard)},
+                                                       text::NamedFile{"listen.json", json}});
+  if (o.json) {
+    fmt::print("{}", json);
+  } else {
+    fmt::print("{}\n  page  {}\n  data  {}\n", listen::as_text(heard), (folder / "listen.html").string(),
+               (folder / "listen.json").string());
+  }
+}
+
+std::string objection_to_map(const std::string& text) {
+  return listen::find_map(text) != nullptr
+             ? ""
+             : fmt::format("\"{}\" is no map of a logger's columns; allowed: {}", text, names_of_maps());
+}
+
+void fill(const Verb& verb) {
+  auto options = std::make_shared<ListenOptions>();
+  verb.option("LOG", options->log, "A CSV, MAT or Parquet file, or a ULog (.ulg)").required();
+  verb.option("--columns", options->columns,
+              "QUANTITY=[-][SCALE*]COLUMN:UNIT for time, axial (or axial_from_rest, zero on the pad), second_axial, "
+              "lateral_y, lateral_z, roll_rate, pitch_rate, yaw_rate, height, speed; x points to the nose")
+      .value_name("QUANTITY=COLUMN:UNIT,...");
+  verb.option("--map", options->map,
+              fmt::format("A logger's columns, [the one that fits]: {}; --columns goes before it", names_of_maps()))
+      .check(objection_to_map)
+      .value_name("MAP");
+  verb.option("--barometer", options->barometer, "A file of its own that has the height")
+      .value_name("FILE");
+  verb.option("--barometer-columns", options->barometer_columns, "Its time, height and speed, as in --columns")
+      .value_name("QUANTITY=COLUMN:UNIT,...");
+  verb.option("--plan", options->plan, "The flight plan: a shipped name or a path").show_default();
+  verb.option("--longest-gap", options->longest_gap_s,
+              "Longest time between two samples that a straight line bridges, s [ten usual intervals; of a log faster "
+              "than 400 Hz the plan's stale time]")
+      .check(within(1e-4, 10.0))
+      .value_name("S");
+  verb.option("--pad", options->pad_s,
+              "The rocket stood still for so long before the log, s, reading the mean of what it reads up to lift-off")
+      .check(within(0.0, 3600.0))
+      .value_name("S");
+  verb.option("--out", options->out, "Folder for listen.html and listen.json [out/listen/LOG]")
+      .check(objection_to_folder);
+  verb.flag("--json", options->json, "Print listen.json instead of the text");
+  verb.examples(
+      "Examples:\n"
+      "  fantail listen flight.csv --columns time=ts:s,axial=-Ay:m/s2,roll_rate=Gy:deg/s,height=alt:m\n"
+      "                                               anybody's log; a minus turns an axis around\n"
+      "  fantail listen 2022-06-24-serial-6583-flight-0003.csv --pad 5\n"
+      "                                               an export of AltosUI; its log begins 0.3 s before the launch\n"
+      "  fantail listen imu.csv --map cats --barometer flightInfo.csv --barometer-columns time=ts:s,height=height:m\n"
+      "                                               a CATS Vega, with its height beside it\n"
+      "  fantail listen log.ulg --plan tasha3_launch1 --json\n"
+      "                                               a PX4 log, by the rule of the first published launch");
+  verb.action([options] { listen_to(*options); });
+}
+
+}  // namespace
+}  // namespace fantail::tool
+
+int main(int argc, char** argv) { return fantail::tool::run("listen", fantail::tool::fill, argc, argv); }

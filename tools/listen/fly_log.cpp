@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: MIT
+#include "listen/fly_log.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+
+#include <fmt/core.h>
+
+#include "core/autopilot.hpp"
+#include "listen/lift_off.hpp"
+#include "listen/sentences.hpp"
+#include "logs/interpolator.hpp"
+#include "text/error.hpp"
+
+namespace fantail::listen {
+namespace {
+
+using core::Microseconds;
+using core::SampleQuality;
+
+constexpr double tick_s = 1e-3;
+constexpr Microseconds first_tick{1'000'000};  // any time but zero, as on a board
+constexpr std::int64_t trace_every = 10;
+constexpr double trace_before_s = 3.0;
+constexpr double trace_after_s = 3.0;
+constexpr std::size_t most_traced = 60'000;
+// Before lift-off by the rule of lift_off.hpp the thrust is already there.
+constexpr double early_s = 0.2;
+
+/// One signal in the law's time.
+class Channel {
+ public:
+  Channel(const Signal& signal, double longest_gap_s, double pad_end_s)
+      : signal_{signal}, positive_{range_end(signal, Side::positive)}, negative_{range_end(signal, Side::negative)},
+        between_{signal.time_s, longest_gap_s} {
+    std::size_t count = 0;
+    for (; count < signal.time_s.size() && (count == 0 || signal.time_s[count] < pad_end_s); ++count) {
+      pad_ += signal.value[count];
+    }
+    pad_ /= static_cast<double>(std::max<std::size_t>(count, 1));
+  }
+
+  struct Sample {
+    double value = 0.0;
+    bool at_positive_end = false;
+    bool at_negative_end = false;
+  };
+
+  /// Empty in a gap. A signal that the log does not have is zero; before the log it is what it is on the pad.
+  [[nodiscard]] std::optional<Sample> at(double time_s) {
+    if (!signal_.is_there()) {
+      return Sample{};
+    }
+    if (time_s < signal_.time_s.front()) {
+      return Sample{.value = pad_};
+    }
+    const auto place = between_.at(time_s);
+    if (!place) {
+      return std::nullopt;
+    }
+    const auto either = [&](const std::optional<RangeEnd>& end) {
+      return end && (end->holds(signal_.value[place->before]) ||
+                     (place->part > 0.0 && end->holds(signal_.value[place->before + 1])));
+    };
+    return Sample{place->of(signal_.value), either(positive_), either(negative_)};
+  }
+
+ private:
+  const Signal& signal_;
+  std::optional<RangeEnd> positive_;
+  std::optional<RangeEnd> negative_;
+  logs::Interpolator between_;
+  double pad_ = 0.0;
+};
+
+/// What the hardware layer would have given, tick by tick.
+class Sensors {
+ public:
+  Sensors(const ImuLog& log, double longest_gap_s, double pad_end_s, const core::FlightPlan& plan)
+      : axial_{log.axial, longest_gap_s, pad_end_s}, second_{log.second_axial, longest_gap_s, pad_end_s},
+        y_{log.lateral_y, longest_gap_s, pad_end_s}, z_{log.lateral_z, longest_gap_s, pad_end_s},
+        roll_{log.roll_rate, longest_gap_s, pad_end_s}, pitch_{log.pitch_rate, longest_gap_s, pad_end_s},
+        yaw_{log.yaw_rate, longest_gap_s, pad_end_s}, has_second_{log.second_axial.is_there()},
+        two_gyros_{plan.sensors.gyros == core::GyroRule::two_agree} {}
+
+  void read(double time_s, Microseconds now, core::Inputs& inputs) {
+    inputs.time = now;
+    const auto y = y_.at(time_s);
+    const auto z = z_.at(time_s);
+    const auto force = [&](Channel& axial, core::AccelerometerSample& sample) {
+      if (const auto x = axial.at(time_s); x && y && z) {
+        sample = {now, vector(x->value, y->value, z->value),
+                  x->at_positive_end ? SampleQuality::saturated : SampleQuality::valid};
+      }
+    };
+    force(axial_, inputs.accelerometers[0]);
+    if (has_second_) {
+      force(second_, inputs.accelerometers[1]);
+    } else {
+      inputs.accelerometers[1] = inputs.accelerometers[0];
+    }
+    const auto roll = roll_.at(time_s);
+    const auto pitch = pitch_.at(time_s);
+    const auto yaw = yaw_.at(time_s);
+    if (roll && pitch && yaw) {
+      inputs.gyro = {now, vector(roll->value, pitch->value, yaw->value),
+                     roll->at_positive_end || roll->at_negative_end ? SampleQuality::saturated : SampleQuality::valid};
+    }
+    if (two_gyros_) {
+      inputs.second_gyro = inputs.gyro;
+    }
+  }
+
+ private:
+  static core::Vector3 vector(double x, double y, double z) {
+    return {static_cast<float>(x), static_cast<float>(y), static_cast<float>(z)};
+  }
+
+  Channel axial_, second_, y_, z_, roll_, pitch_, yaw_;
+  bool has_second_;
+  bool two_gyros_;
+};
+
+Event event_of(double time_s, const core::TickRecord& record) {
+  return {.time_s = time_s,
+          .to = record.phase,
+          .reason = record.reason,
+          .height_m = static_cast<double>(record.motion.height_m),
+          .speed_m_s = static_cast<double>(record.motion.speed_m_s),
+          .tilt_rad = static_cast<double>(record.motion.tilt.radians())};
+}
+
+// Detections, control and apogee, as the ticks go by.
+void follow(Heard& heard, double time_s, const core::TickRecord& record) {
+  const bool is_new = heard.events.empty() || heard.events.back().to != record.phase;
+  if (is_new) {
+    heard.events.push_back(event_of(time_s, record));
+  }
+  const bool early = !heard.lift_off_s || time_s < *heard.lift_off_s - early_s;
+  if (is_new && record.phase == core::Phase::launched) {
+    if (early) {
+      heard.false_detections_s.push_back(time_s);
+    } else if (!heard.detected_s) {
+      heard.detected_s = time_s;
+    }
+  }
+  if (is_new && record.phase == core::Phase::controlling && heard.detected_s && !heard.control) {
+    heard.control = heard.events.back();
+  }
+  if (early || !heard.detected_s) {
+    heard.longest_rest_s =
+        std::max(heard.longest_rest_s, static_cast<double>(core::seconds(record.motion.at_rest_for)));
+  }
+  if (!heard.control || heard.apogee_s) {
+    return;
+  }
+  heard.is_lower_bound = record.motion.speed_is_lower_bound;
+  if (static_cast<double>(record.motion.speed_m_s) > heard.fastest.value) {
+    heard.fastest = {static_cast<double>(record.motion.speed_m_s), time_s};
+  }
+  if (record.motion.vertical_speed_m_s < 0.0F) {
+    heard.apogee_s = time_s;
+    heard.apogee_m = static_cast<double>(record.motion.height_m);
+    heard.tilt_at_apogee_rad = static_cast<double>(record.motion.tilt.radians());
+  }
+}
+
+void trace(Trace& trace, double time_s, const core::TickRecord& record) {
+  trace.time_s.push_back(time_s);
+  trace.axial_m_s2.push_back(static_cast<double>(record.motion.specific_force_m_s2.x));
+  trace.height_m.push_back(static_cast<double>(record.motion.height_m));
+  trace.speed_m_s.push_back(static_cast<double>(record.motion.speed_m_s));
+  trace.tilt_rad.push_back(static_cast<double>(record.motion.tilt.radians()));
+  trace.roll_rate_rad_s.push_back(static_cast<double>(record.motion.roll_rate_rad_s));
+}
+
+// Nothing is left to hear.
+bool is_over(const Heard& heard, double time_s) {
+  if (!heard.apogee_s || heard.events.back().to != core::Phase::finished) {
+    return false;
+  }
+  return time_s > std::max(*heard.apogee_s, heard.log_height.apogee_s.value_or(*heard.apogee_s)) + trace_after_s;
+}
+
+void find_peaks(Heard& heard) {
+  const double from_s = heard.lift_off_s.value_or(heard.log.begin_s());
+  const double to_s = heard.log_height.apogee_s.value_or(heard.apogee_s.value_or(heard.log.end_s()));
+  const auto peak = [&](const Signal& signal) {
+    std::optional<Peak> found;
+    for (std::size_t i = 0; i < signal.time_s.size(); ++i) {
+      if (signal.time_s[i] >= from_s && signal.time_s[i] <= to_s && (!found || signal.value[i] > found->value)) {
+        found = Peak{signal.value[i], signal.time_s[i]};
+      }
+    }
+    return found;
+  };
+  heard.hardest = peak(heard.log.axial).value_or(Peak{});
+  heard.log_fastest = peak(heard.log.speed);
+}
+
+void find_clipped(Heard& heard) {
+  const ImuLog& log = heard.log;
+  for (const auto& [what, signal] : {std::pair{"axial", &log.axial}, std::pair{"second_axial", &log.second_axial},
+                                     std::pair{"lateral_y", &log.lateral_y}, std::pair{"lateral_z", &log.lateral_z},
+                                     std::pair{"roll_rate", &log.roll_rate}, std::pair{"pitch_rate", &log.pitch_rate},
+                                     std::pair{"yaw_rate", &log.yaw_rate}}) {
+    for (const Side side : {Side::positive, Side::negative}) {
+      if (const auto end = range_end(*signal, side)) {
+        heard.clipped.push_back({what, *end});
+      }
+    }
+  }
+}
+
+}  // namespace
+
+Heard fly_log(ImuLog log, const Question& question, const Watch& watch) {
+  if (question.plan.run.start != core::Start::launch) {
+    throw text::Error{text::ErrorKind::bad_configuration,
+                      fmt::format("the plan {} begins on command, in the tunnel; a plan that listens for a launch is "
+                                  "needed (run.start = \"launch\")",
+                                  question.plan_name)};
+  }
+  Heard heard{.log = std::move(log), .plan = question.plan_name, .flown = question.plan};
+  const double stale_s = static_cast<double>(core::seconds(question.plan.motion.stale_time));
+  heard.longest_bridge_s = question.longest_bridge_s.value_or(longest_bridge_s(heard.log.interval_s, stale_s));
+  heard.gaps = gaps(heard.log.axial, heard.longest_bridge_s);
+  heard.lift_off_s = lift_off_s(heard.log.axial);
+  heard.log_height = log_height(heard.log.height, heard.lift_off_s.value_or(heard.log.begin_s()));
+  find_clipped(heard);
+
+  const double begin_s = heard.log.begin_s() - question.pad_s;
+  const auto ticks = static_cast<std::int64_t>((heard.log.end_s() - begin_s) / tick_s + 1e-6);
+  const double trace_from_s = heard.lift_off_s.value_or(begin_s) - trace_before_s;
+  Sensors sensors{heard.log, heard.longest_bridge_s, heard.lift_off_s.value_or(begin_s) - 0.1, question.plan};
+  core::Autopilot autopilot{question.plan};
+  core::Inputs inputs{.arm_switch_closed = true, .arm_command = true};
+  for (std::int64_t tick = 0; tick <= ticks; ++tick) {
+    const double time_s = begin_s + static_cast<double>(tick) * tick_s;
+    sensors.read(time_s, first_tick + tick * core::tick_period, inputs);
+    const core::TickRecord& record = autopilot.step(inputs);
+    follow(heard, time_s, record);
+    for (std::size_t canard = 0; canard < core::canard_count; ++canard) {
+      inputs.encoders[canard] = record.canards[canard].angle;
+    }
+    inputs.arm_command = false;
+    if (tick % trace_every == 0 && time_s >= trace_from_s && heard.trace.time_s.size() < most_traced) {
+      trace(heard.trace, time_s, record);
+    }
+    if (watch && tick % 1000 == 0) {
+      watch(static_cast<double>(tick) * tick_s);
+    }
+    if (is_over(heard, time_s)) {
+      break;
+    }
+  }
+  find_peaks(heard);
+  heard.notes = notes_of(heard, question);
+  return heard;
+}
+
+}  // namespace fantail::listen

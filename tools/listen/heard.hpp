@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/flight_phase.hpp"
+#include "listen/imu_log.hpp"
+#include "listen/log_height.hpp"
+#include "listen/range_end.hpp"
+
+namespace fantail::listen {
+
+/// A phase that the law entered. Times are the log's clock; height, speed and tilt what the law knew then.
+struct Event {
+  double time_s = 0.0;
+  core::Phase to{};
+  core::PhaseReason reason{};
+  double height_m = 0.0;
+  double speed_m_s = 0.0;  ///< along the guide
+  double tilt_rad = 0.0;
+};
+
+/// What the law knew, every 10 ms around the flight.
+struct Trace {
+  std::vector<double> time_s{};  ///< log's clock
+  std::vector<double> axial_m_s2{};
+  std::vector<double> height_m{};
+  std::vector<double> speed_m_s{};
+  std::vector<double> tilt_rad{};
+  std::vector<double> roll_rate_rad_s{};
+};
+
+/// An axis that seems to stand at the end of its range, and whose it is.
+struct Clipped {
+  std::string what{};  ///< "axial", "roll_rate"
+  RangeEnd end{};
+};
+
+struct Peak {
+  double value = 0.0;
+  double time_s = 0.0;
+};
+
+/// A log, flown through the law.
+struct Heard {
+  ImuLog log{};
+  std::string plan{};  ///< its name
+  core::FlightPlan flown{};
+  double longest_bridge_s = 0.0;
+  std::vector<Gap> gaps{};  ///< of the axial force
+  std::vector<Clipped> clipped{};
+
+  std::optional<double> lift_off_s{};  ///< by the rule of lift_off.hpp, log's clock
+  std::vector<Event> events{};         ///< from Armed on
+  std::vector<double> false_detections_s{};
+  std::optional<double> detected_s{};  ///< the first Launched that is none of these
+  std::optional<Event> control{};      ///< the first Controlling after it
+  double longest_rest_s = 0.0;         ///< that the law saw before lift-off, or in the whole log
+  std::optional<double> apogee_s{};    ///< by the law: its vertical speed changes its sign
+  double apogee_m = 0.0;
+  double tilt_at_apogee_rad = 0.0;
+  bool is_lower_bound = false;  ///< height and speed at apogee, or at the end, as the law says itself
+  Peak fastest{};               ///< m/s along the guide, up to apogee
+  Peak hardest{};               ///< m/s2, axial, between lift-off and apogee (of the log's height, else the law's)
+  std::optional<Peak> log_fastest{};  ///< m/s, of the log's own speed in the same time
+  LogHeight log_height{};
+  Trace trace{};
+  std::vector<std::string> notes{};  ///< what a reader must know, a sentence each
+
+  /// After lift-off, where that is known.
+  [[nodiscard]] std::optional<double> since_lift_off_s(std::optional<double> time_s) const {
+    return time_s && lift_off_s ? std::optional{*time_s - *lift_off_s} : std::nullopt;
+  }
+};
+
+}  // namespace fantail::listen

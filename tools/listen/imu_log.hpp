@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "flight/table.hpp"
+#include "listen/columns.hpp"
+
+namespace fantail::listen {
+
+/// One quantity of a log over time, SI and radians, where the log has it.
+struct Signal {
+  std::string words{};  ///< the column as it was asked for; empty: the log does not have it
+  std::vector<double> time_s{};  ///< the log's clock, strictly increasing
+  std::vector<double> value{};
+
+  [[nodiscard]] bool is_there() const { return !time_s.empty(); }
+};
+
+/// A stretch without samples that is too long to be bridged.
+struct Gap {
+  double from_s = 0.0;
+  double to_s = 0.0;
+};
+
+/// What somebody's logger wrote.
+struct ImuLog {
+  std::string name{};
+  std::size_t rows = 0;
+  Signal axial{};
+  Signal second_axial{};
+  Signal lateral_y{};
+  Signal lateral_z{};
+  Signal roll_rate{};
+  Signal pitch_rate{};
+  Signal yaw_rate{};
+  Signal height{};
+  Signal speed{};
+  double interval_s = 0.0;     ///< the usual one of `axial`
+  std::string columns_from{};  ///< "the map altos"; of the person's own columns empty
+  std::vector<std::string> notes{};  ///< a sentence each: what was left out, assumed, doubtful
+
+  [[nodiscard]] double begin_s() const { return axial.time_s.front(); }
+  [[nodiscard]] double end_s() const { return axial.time_s.back(); }
+};
+
+/// Longest log that is flown: beyond it time is hardly in the unit that was stated.
+inline constexpr double longest_log_s = 6.0 * 3600.0;
+
+/// The columns of a table that `sources` name. Of rows with one time the last counts: loggers write a row again when
+/// another sensor of it has news. Throws text::Error (bad_data), naming file and line: a column that is not there, no
+/// time or axial force among the sources, time that goes back, more than 1 % of rows without a time, fewer than ten
+/// samples of the axial force, a log longer than longest_log_s.
+[[nodiscard]] ImuLog imu_log(const flight::Table& table, const Sources& sources);
+
+/// Height and speed of another file: a barometer's own log.
+void add_barometer(ImuLog& log, const flight::Table& table, const Sources& sources);
+
+/// Stretches of a signal longer than `longest_gap_s` without a sample.
+[[nodiscard]] std::vector<Gap> gaps(const Signal& signal, double longest_gap_s);
+
+/// What is bridged by a straight line: ten usual intervals, and of a log about as fast as the law's own stale time only
+/// that time.
+[[nodiscard]] double longest_bridge_s(double interval_s, double stale_time_s);
+
+}  // namespace fantail::listen

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+#include "listen/load.hpp"
+
+#include <map>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "flight/read_csv.hpp"
+#include "listen/ulog.hpp"
+#include "logs/load_table.hpp"
+#include "text/csv_cell.hpp"
+#include "text/number.hpp"
+
+namespace fantail::listen {
+namespace {
+
+struct Line {
+  std::size_t begin = 0;
+  std::size_t end = 0;  ///< of the line, without its line end
+
+  [[nodiscard]] std::string_view of(const std::string& text) const {
+    return text::trimmed(std::string_view{text}.substr(begin, end - begin));
+  }
+};
+
+Line line_at(const std::string& text, std::size_t begin) {
+  return {begin, std::min(text.find('\n', begin), text.size())};
+}
+
+std::string_view first_cell(std::string_view line) { return text::trimmed(line.substr(0, line.find(','))); }
+
+// The header, and whether it stands behind a '#': the last such line, when what follows it begins with a number.
+struct Header {
+  Line line;
+  bool commented = false;
+};
+
+Header header_of(const std::string& text) {
+  Header comment;
+  for (std::size_t at = text.starts_with("\xEF\xBB\xBF") ? 3 : 0; at < text.size();) {
+    const Line line = line_at(text, at);
+    const std::string_view content = line.of(text);
+    if (content.starts_with('#')) {
+      if (content.find(',') != std::string_view::npos) {
+        comment = {line, true};
+      }
+    } else if (!content.empty()) {
+      return comment.commented && text::number(first_cell(content)) ? comment : Header{line};
+    }
+    at = line.end + 1;
+  }
+  return comment;
+}
+
+// Names have no commas in quotes here: a header that has quotes is left as it is.
+std::string distinct(std::string_view header) {
+  std::string names;
+  std::map<std::string, int, std::less<>> seen;
+  while (true) {
+    const std::size_t comma = std::min(header.find(','), header.size());
+    const std::string name{text::trimmed(header.substr(0, comma))};
+    const int before = name.empty() ? 0 : seen[name]++;
+    names += before == 0 ? name : fmt::format("{}.{}", name, before);
+    if (comma == header.size()) {
+      return names;
+    }
+    names += ',';
+    header.remove_prefix(comma + 1);
+  }
+}
+
+std::string csv_of(const table_file::Columns& columns) {
+  fmt::memory_buffer out;
+  for (const table_file::Column& column : columns) {
+    fmt::format_to(std::back_inserter(out), "{}{}", out.size() == 0 ? "" : ",", text::csv_cell(column.name));
+  }
+  for (std::size_t row = 0; row < columns.front().values.size(); ++row) {
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+      const double value = columns[i].values[row];
+      out.push_back(i == 0 ? '\n' : ',');
+      if (value == value) {
+        fmt::format_to(std::back_inserter(out), "{}", value);
+      }
+    }
+  }
+  return fmt::to_string(out);
+}
+
+}  // namespace
+
+std::string tidy(std::string text) {
+  const Header header = header_of(text);
+  const std::string_view content = header.line.of(text);
+  if (content.find('"') != std::string_view::npos) {
+    return text;
+  }
+  const std::string names = distinct(header.commented ? content.substr(1) : content);
+  text.replace(header.line.begin, header.line.end - header.line.begin, names);
+  return text;
+}
+
+Loaded load(const std::filesystem::path& file) {
+  const std::string name = file.string();
+  const std::string ending = file.extension().string();
+  if (ending == ".ulg") {
+    const std::string bytes = flight::Table::read(name);
+    UlogColumns read = read_ulog(bytes, name);
+    return {flight::Table::parse(csv_of(read.columns), name, flight::Table::Rows::by_number), std::move(read.notes)};
+  }
+  if (ending == ".mat" || ending == ".parquet" || ending == ".ftl" || ending == ".mcap" || ending == ".lcmlog") {
+    return {logs::load_table(file, {}), {}};
+  }
+  return {flight::Table::parse(tidy(flight::Table::read(name)), name), {}};
+}
+
+}  // namespace fantail::listen

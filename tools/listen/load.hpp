@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "flight/table.hpp"
+
+namespace fantail::listen {
+
+/// The text of a CSV file as a header and rows that flight::Table reads, each row still on its line: a header behind a
+/// '#', which AltosUI writes, is one where no other stands before the first row of numbers; a name that comes again is
+/// NAME.1, NAME.2.
+[[nodiscard]] std::string tidy(std::string text);
+
+struct Loaded {
+  flight::Table table;
+  std::vector<std::string> notes{};  ///< a sentence each: damage that was read around
+};
+
+/// The table in a log: ULog (.ulg, see ulog.hpp), MAT-file, Parquet file, else CSV through tidy(). Throws text::Error
+/// as those do.
+[[nodiscard]] Loaded load(const std::filesystem::path& file);
+
+}  // namespace fantail::listen

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: MIT
+#include "listen/sentences.hpp"
+
+#include <algorithm>
+
+#include <fmt/core.h>
+
+#include "core/inputs.hpp"
+#include "listen/lift_off.hpp"
+#include "text/degrees.hpp"
+#include "text/number.hpp"
+
+namespace fantail::listen {
+namespace {
+
+constexpr double g_m_s2 = static_cast<double>(core::standard_gravity_m_s2);
+// What the pad's average of the law is made of, with its guard (core/pad_window.hpp).
+constexpr double pad_window_s = 3.5;
+
+std::string in_ms(double time_s) { return text::brief(1e3 * time_s, 3); }
+
+// The end of what matters: what a log of minutes under a parachute lacks is nobody's concern.
+double end_of_interest_s(const Heard& heard) {
+  return std::max(heard.apogee_s.value_or(heard.log.begin_s()), heard.log_height.apogee_s.value_or(heard.log.begin_s()));
+}
+
+std::string rate_sentence(const Heard& heard) {
+  return fmt::format(
+      "The log's usual interval is {} ms ({} samples a second). Between two samples every value runs in a straight line, "
+      "on which the law was flown 1000 times a second: faster motion than the log's is not in it.",
+      in_ms(heard.log.interval_s), text::brief(1.0 / heard.log.interval_s, 1));
+}
+
+std::string gap_sentence(const Heard& heard) {
+  std::vector<Gap> before = heard.gaps;
+  if (heard.apogee_s || heard.log_height.apogee_s) {
+    std::erase_if(before, [&](const Gap& gap) { return gap.from_s > end_of_interest_s(heard); });
+  }
+  if (before.empty()) {
+    return {};
+  }
+  const auto longest = std::ranges::max_element(before, {}, [](const Gap& gap) { return gap.to_s - gap.from_s; });
+  return fmt::format(
+      "{} longer than the {} ms that are bridged by a straight line: the law was given its old samples there, which are "
+      "stale after {} ms. The longest is from {:.3f} s to {:.3f} s of the log's clock.",
+      before.size() == 1 ? "One gap is" : fmt::format("{} gaps are", before.size()), in_ms(heard.longest_bridge_s),
+      in_ms(static_cast<double>(core::seconds(heard.flown.motion.stale_time))), longest->from_s, longest->to_s);
+}
+
+std::string second_sentence(const Heard& heard) {
+  const bool two = heard.flown.launch_detection.accelerometers == core::AccelerometerRule::two_agree;
+  if (heard.log.second_axial.is_there()) {
+    return two ? "Two accelerometers of the log were given to the law, which asks for two that agree; what they read to "
+                 "the sides was taken from the first."
+               : "The plan asks for one accelerometer; the second of the log stands in where the first is at the end of "
+                 "its range.";
+  }
+  return two ? "The plan asks for two accelerometers that agree and the log has one: the law was given its samples as "
+               "both, so nothing is said of how two real ones agree."
+             : "";
+}
+
+std::string pad_sentence(const Heard& heard, const Question& question) {
+  const std::string padded =
+      question.pad_s > 0.0
+          ? fmt::format("The rocket was taken to stand still for {} s before the log, at the mean of what it reads up to "
+                        "0.1 s before lift-off. ",
+                        text::brief(question.pad_s, 3))
+          : "";
+  if (heard.longest_rest_s >= pad_window_s) {
+    return padded;
+  }
+  return padded + fmt::format("The law saw the rocket at rest for {} s at the longest before lift-off, less than the {} "
+                              "s of its average on the pad: it took the guide as upright and the gyro as without offset.",
+                              text::fixed(heard.longest_rest_s, 2), pad_window_s);
+}
+
+std::string clipped_sentence(const Heard& heard, const Clipped& clipped) {
+  const bool is_rate = clipped.what.ends_with("rate");
+  const RangeEnd& end = clipped.end;
+  std::string sentence = fmt::format(
+      "{} stands at {} {} in {} samples, for up to {} ms, the first at {:.3f} s of the log's clock: that looks like the "
+      "end of its range",
+      clipped.what, text::brief(is_rate ? text::degrees(end.value) : end.value, 2),
+      is_rate ? "deg/s" : fmt::format("m/s2 ({} g)", text::brief(end.value / g_m_s2, 2)), end.samples,
+      in_ms(end.longest_s), end.first_s);
+  if (clipped.what == "axial" && end.value > 0.0) {
+    return sentence + (heard.is_lower_bound
+                           ? ". The law's speed, height and apogee are lower bounds, and its apogee comes too early."
+                           : ".");
+  }
+  if (clipped.what == "axial") {
+    return sentence + ". The rocket slowed down more than that, so that the law's speed and height are too large from "
+                      "there on.";
+  }
+  return sentence + (is_rate ? ": angles that follow from it are too small." : ".");
+}
+
+std::string unbelievable_sentence(const Heard& heard) {
+  const auto beyond = std::ranges::count_if(heard.log.axial.value, [](double value) {
+    return std::abs(value) > static_cast<double>(core::largest_specific_force_m_s2);
+  });
+  return beyond == 0 ? ""
+                     : fmt::format("{} samples of the axial force are beyond {} m/s2, which the law does not believe of "
+                                   "any sensor.",
+                                   beyond, core::largest_specific_force_m_s2);
+}
+
+}  // namespace
+
+Finding finding(const Heard& heard) {
+  if (!heard.false_detections_s.empty()) {
+    return Finding::imagined;
+  }
+  if (!heard.lift_off_s) {
+    return Finding::no_launch;
+  }
+  return heard.detected_s ? Finding::heard : Finding::missed;
+}
+
+std::string headline(const Heard& heard) {
+  const std::size_t early = heard.false_detections_s.size();
+  const std::string before = early == 0   ? "and nothing before it"
+                             : early == 1 ? "and one launch that was none before it"
+                                          : fmt::format("and {} launches that were none before it", early);
+  if (heard.detected_s) {
+    return fmt::format("Launch detected {:.3f} s after lift-off, {}.", *heard.since_lift_off_s(heard.detected_s), before);
+  }
+  if (heard.lift_off_s) {
+    return early == 0 ? "The launch was not detected."
+                      : fmt::format("The launch was not detected, {}.", before);
+  }
+  return early == 0 ? "There is no lift-off in this log, and no launch was detected."
+                    : fmt::format("There is no lift-off in this log, and {} detected all the same.",
+                                  early == 1 ? "a launch was" : fmt::format("{} launches were", early));
+}
+
+std::vector<std::string> notes_of(const Heard& heard, const Question& question) {
+  std::vector<std::string> notes{rate_sentence(heard), gap_sentence(heard), second_sentence(heard),
+                                 pad_sentence(heard, question)};
+  for (const Clipped& clipped : heard.clipped) {
+    notes.push_back(clipped_sentence(heard, clipped));
+  }
+  notes.push_back(unbelievable_sentence(heard));
+  if (heard.lift_off_s && *heard.lift_off_s <= heard.log.begin_s()) {
+    notes.push_back(fmt::format("The log begins above {} g, so its first sample counts as lift-off.", lift_off_g));
+  }
+  if (heard.log.interval_s > 0.25) {
+    notes.emplace_back("A quarter of a second and more between samples is much for a flight; is time in milliseconds?");
+  }
+  notes.insert(notes.end(), heard.log.notes.begin(), heard.log.notes.end());
+  std::erase(notes, std::string{});
+  return notes;
+}
+
+}  // namespace fantail::listen

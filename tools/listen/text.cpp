@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/core.h>
+
+#include "core/inputs.hpp"
+#include "flight/phase_names.hpp"
+#include "listen/lift_off.hpp"
+#include "listen/outputs.hpp"
+#include "listen/sentences.hpp"
+#include "text/degrees.hpp"
+#include "text/number.hpp"
+
+namespace fantail::listen {
+namespace {
+
+constexpr const char* unknown = "-";
+constexpr double g_m_s2 = static_cast<double>(core::standard_gravity_m_s2);
+
+std::string seconds(const std::optional<double>& time_s) { return time_s ? text::fixed(*time_s, 3) : unknown; }
+
+// "at 12.345 s", after lift-off where that is known.
+std::string moment(const Heard& heard, double time_s) {
+  const auto since = heard.since_lift_off_s(time_s);
+  return since ? fmt::format("{} s after lift-off", text::fixed(*since, 2)) : fmt::format("{:.2f} s", time_s);
+}
+
+std::string at_least(const Heard& heard) { return heard.is_lower_bound ? "at least " : ""; }
+
+}  // namespace
+
+std::vector<PhaseRow> phase_rows(const Heard& heard) {
+  std::vector<PhaseRow> rows;
+  for (const Event& event : heard.events) {
+    rows.push_back({.phase = flight::display_name(event.to),
+                    .reason = std::string{flight::display_name(event.reason)},
+                    .log_time = text::fixed(event.time_s, 3),
+                    .since_lift_off = seconds(heard.since_lift_off_s(event.time_s)),
+                    .height = text::fixed(event.height_m, 1),
+                    .speed = text::fixed(event.speed_m_s, 1),
+                    .tilt = text::fixed(text::degrees(event.tilt_rad), 1)});
+  }
+  return rows;
+}
+
+std::vector<Row> comparison(const Heard& heard) {
+  const LogHeight& height = heard.log_height;
+  std::vector<Row> rows;
+  rows.push_back({"lift-off, log's clock / s", unknown, seconds(heard.lift_off_s)});
+  rows.push_back({"detected after lift-off / s", seconds(heard.since_lift_off_s(heard.detected_s)), unknown});
+  rows.push_back({"detected before lift-off", std::to_string(heard.false_detections_s.size()), unknown});
+  rows.push_back({"hardest push / g", unknown,
+                  fmt::format("{}, {}", text::fixed(heard.hardest.value / g_m_s2, 2), moment(heard, heard.hardest.time_s))});
+  if (heard.control) {
+    rows.push_back({"top speed / (m/s)",
+                    fmt::format("{}{}, {}", at_least(heard), text::fixed(heard.fastest.value, 1),
+                                moment(heard, heard.fastest.time_s)),
+                    heard.log_fastest ? fmt::format("{}, {}", text::fixed(heard.log_fastest->value, 1),
+                                                    moment(heard, heard.log_fastest->time_s))
+                                      : unknown});
+  }
+  rows.push_back({"apogee after lift-off / s",
+                  heard.apogee_s ? at_least(heard) + seconds(heard.lift_off_s ? heard.since_lift_off_s(heard.apogee_s)
+                                                                              : heard.apogee_s)
+                                 : unknown,
+                  height.apogee_s ? seconds(heard.lift_off_s ? heard.since_lift_off_s(height.apogee_s)
+                                                             : height.apogee_s)
+                                  : unknown});
+  rows.push_back({"apogee / m", heard.apogee_s ? at_least(heard) + text::fixed(heard.apogee_m, 1) : unknown,
+                  height.apogee_s ? text::fixed(height.apogee_m, 1) : unknown});
+  rows.push_back({"tilt at the law's apogee / deg",
+                  heard.apogee_s ? text::fixed(text::degrees(heard.tilt_at_apogee_rad), 1) : unknown, unknown});
+  return rows;
+}
+
+std::string as_text(const Heard& heard) {
+  const core::LaunchDetectionPlan& rule = heard.flown.launch_detection;
+  std::string text = fmt::format(
+      "{}: {} rows, {:.3f} s to {:.3f} s{}\nplan {}: {} g for {} s{}, {}\n\n{}\n", heard.log.name, heard.log.rows,
+      heard.log.begin_s(), heard.log.end_s(),
+      heard.log.columns_from.empty() ? "" : ", columns of " + heard.log.columns_from, heard.plan,
+      text::brief(static_cast<double>(rule.threshold_m_s2) / g_m_s2, 2),
+      text::brief(static_cast<double>(core::seconds(rule.hold)), 3),
+      rule.low_pass ? fmt::format(", low-passed at {} Hz", text::brief(static_cast<double>(rule.low_pass_hz), 1)) : "",
+      rule.accelerometers == core::AccelerometerRule::two_agree ? "two accelerometers that agree"
+                                                                : "one accelerometer",
+      headline(heard));
+  text += fmt::format("\n  {:<12} {:<28} {:>10} {:>14} {:>10} {:>10} {:>8}\n", "phase", "because", "log / s",
+                      "lift-off + / s", "height / m", "v / (m/s)", "tilt/deg");
+  for (const PhaseRow& row : phase_rows(heard)) {
+    text += fmt::format("  {:<12} {:<28} {:>10} {:>14} {:>10} {:>10} {:>8}\n", row.phase, row.reason, row.log_time,
+                        row.since_lift_off, row.height, row.speed, row.tilt);
+  }
+  text += fmt::format("\n  {:<32} {:<36} {}\n", "", "the law", "the log");
+  for (const Row& row : comparison(heard)) {
+    text += fmt::format("  {:<32} {:<36} {}\n", row.what, row.law, row.log);
+  }
+  text += fmt::format(
+      "\nNote: Lift-off is the first rise of the axial specific force through {} g that lasts for at least half of the "
+      "next {} s.",
+      lift_off_g, lift_off_window_s);
+  for (const std::string& note : heard.notes) {
+    text += "\nNote: " + note;
+  }
+  return text + "\n";
+}
+
+}  // namespace fantail::listen

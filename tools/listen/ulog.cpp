@@ -1,0 +1,274 @@
+// SPDX-License-Identifier: MIT
+#include "listen/ulog.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <optional>
+
+#include <fmt/core.h>
+
+#include "flight/table.hpp"
+#include "text/error.hpp"
+
+namespace fantail::listen {
+namespace {
+
+constexpr std::string_view magic{"ULog\x01\x12\x35", 7};
+constexpr std::string_view sync{"\x2F\x73\x13\x20\x25\x0C\xBB\x12", 8};
+constexpr std::string_view known_types{"BFIMPQADLCSORT"};
+constexpr std::size_t header_size = 16;
+constexpr std::size_t message_head = 3;
+constexpr std::array<std::string_view, 2> wanted{"sensor_combined", "vehicle_air_data"};
+constexpr std::size_t most_elements = 16;
+// Before the time in the header, which is when the logger began, and after it: what says otherwise is damaged.
+constexpr std::uint64_t most_before_us = 60'000'000;
+constexpr std::uint64_t most_after_us = 6ULL * 3600 * 1'000'000;
+
+template <typename T>
+double as(const char* bytes) {
+  T value{};
+  std::memcpy(&value, bytes, sizeof value);  // little-endian, as is every PC
+  return static_cast<double>(value);
+}
+
+struct Type {
+  std::string_view name;
+  std::size_t size;
+  double (*read)(const char* bytes);
+};
+constexpr std::array types{
+    Type{"int8_t", 1, as<std::int8_t>},     Type{"uint8_t", 1, as<std::uint8_t>},   Type{"bool", 1, as<std::uint8_t>},
+    Type{"char", 1, as<std::uint8_t>},      Type{"int16_t", 2, as<std::int16_t>},   Type{"uint16_t", 2, as<std::uint16_t>},
+    Type{"int32_t", 4, as<std::int32_t>},   Type{"uint32_t", 4, as<std::uint32_t>}, Type{"float", 4, as<float>},
+    Type{"int64_t", 8, as<std::int64_t>},   Type{"uint64_t", 8, as<std::uint64_t>}, Type{"double", 8, as<double>},
+};
+
+struct Field {
+  std::string name;
+  const Type* type;
+  std::size_t offset;
+};
+
+// "float[3] gyro_rad": its type and how many of them.
+std::optional<std::pair<const Type*, std::size_t>> type_of(std::string_view text) {
+  std::size_t count = 1;
+  if (const std::size_t bracket = text.find('['); bracket != std::string_view::npos) {
+    count = 0;
+    for (const char digit : text.substr(bracket + 1)) {
+      if (digit == ']') {
+        break;
+      }
+      if (digit < '0' || digit > '9' || count > 10'000) {
+        return std::nullopt;
+      }
+      count = count * 10 + static_cast<std::size_t>(digit - '0');
+    }
+    text = text.substr(0, bracket);
+  }
+  const auto found = std::ranges::find(types, text, &Type::name);
+  return found == types.end() || count == 0 ? std::nullopt : std::optional{std::pair{&*found, count}};
+}
+
+// The fields up to the first whose type is another message.
+std::vector<Field> fields_of(std::string_view format) {
+  std::vector<Field> fields;
+  std::size_t offset = 0;
+  while (!format.empty()) {
+    const std::size_t end = std::min(format.find(';'), format.size());
+    const std::string_view text = format.substr(0, end);
+    format.remove_prefix(std::min(end + 1, format.size()));
+    const std::size_t space = text.find(' ');
+    const auto type = type_of(text.substr(0, space));
+    if (space == std::string_view::npos || !type) {
+      break;
+    }
+    const std::string name{text.substr(space + 1)};
+    for (std::size_t i = 0; i < type->second; ++i) {
+      if (type->second <= most_elements && !name.starts_with("_padding")) {
+        fields.push_back({type->second == 1 ? name : fmt::format("{}[{}]", name, i), type->first, offset});
+      }
+      offset += type->first->size;
+    }
+  }
+  return fields;
+}
+
+class Reader {
+ public:
+  Reader(std::string_view file, const std::string& name) : file_{file}, name_{name} {}
+
+  UlogColumns read() {
+    if (!file_.starts_with(magic) || file_.size() < header_size) {
+      refuse(fmt::format("is no ULog; it begins with {}", flight::in_quotes(file_.substr(0, 7))));
+    }
+    std::memcpy(&start_us_, file_.data() + magic.size() + 1, sizeof start_us_);
+    for (std::size_t at = header_size; at < file_.size();) {
+      at = message(at);
+    }
+    return columns();
+  }
+
+ private:
+  struct Row {
+    std::uint64_t time_us;
+    std::size_t topic;  ///< of `wanted`
+    std::string_view content;
+  };
+
+  [[noreturn]] void refuse(const std::string& complaint) const {
+    throw text::Error{text::ErrorKind::bad_data, fmt::format("{}: {}", name_, complaint)};
+  }
+
+  // The message at a byte; returns where the next one is.
+  std::size_t message(std::size_t at) {
+    if (at + message_head > file_.size()) {
+      cut_off(at);
+      return file_.size();
+    }
+    std::uint16_t size = 0;
+    std::memcpy(&size, file_.data() + at, sizeof size);
+    const char type = file_[at + 2];
+    const std::size_t end = at + message_head + size;
+    if (known_types.find(type) == std::string_view::npos) {
+      return resynchronize(at);
+    }
+    if (end > file_.size()) {
+      const std::size_t next = file_.find(sync, at);
+      if (next == std::string_view::npos) {
+        cut_off(at);
+        return file_.size();
+      }
+      return resynchronize(at);
+    }
+    take(type, file_.substr(at + message_head, size));
+    return end;
+  }
+
+  void cut_off(std::size_t at) { notes_.push_back(fmt::format("The ULog is cut off in a message at byte {}.", at)); }
+
+  std::size_t resynchronize(std::size_t at) {
+    const std::size_t next = file_.find(sync, at);
+    const std::size_t end = next == std::string_view::npos ? file_.size() : next + sync.size();
+    ++damages_;
+    damaged_bytes_ += end - at;
+    first_damage_ = damages_ == 1 ? at : first_damage_;
+    return end;
+  }
+
+  void take(char type, std::string_view content) {
+    std::uint16_t id = 0;
+    if (type == 'F') {
+      const std::size_t colon = content.find(':');
+      if (colon != std::string_view::npos) {
+        formats_.emplace(content.substr(0, colon), fields_of(content.substr(colon + 1)));
+      }
+    } else if (type == 'A' && content.size() > 3) {
+      std::memcpy(&id, content.data() + 1, sizeof id);
+      subscribe(id, content[0], content.substr(3));
+    } else if (type == 'D' && content.size() > sizeof id) {
+      std::memcpy(&id, content.data(), sizeof id);
+      add_row(id, content.substr(sizeof id));
+    } else if (type == 'O' && content.size() == sizeof id) {
+      std::memcpy(&id, content.data(), sizeof id);
+      dropped_ms_ += id;
+    }
+  }
+
+  void subscribe(std::uint16_t id, char instance, std::string_view topic) {
+    topics_[std::string{topic}] = true;
+    const auto found = std::ranges::find(wanted, topic);
+    if (found != wanted.end() && instance == 0) {
+      subscribed_.emplace(id, static_cast<std::size_t>(found - wanted.begin()));
+    }
+  }
+
+  void add_row(std::uint16_t id, std::string_view content) {
+    const auto topic = subscribed_.find(id);
+    if (topic == subscribed_.end() || content.size() < sizeof(std::uint64_t)) {
+      return;
+    }
+    Row row{.time_us = 0, .topic = topic->second, .content = content};
+    std::memcpy(&row.time_us, content.data(), sizeof row.time_us);  // every topic begins with its time
+    const bool believable =
+        row.time_us + most_before_us >= start_us_ && row.time_us <= start_us_ + most_before_us + most_after_us;
+    if (believable) {
+      rows_.push_back(row);
+    } else {
+      ++unbelievable_;
+    }
+  }
+
+  [[nodiscard]] UlogColumns columns() {
+    if (std::ranges::none_of(rows_, [](const Row& row) { return row.topic == 0; })) {
+      std::string topics;
+      for (const auto& [topic, is] : topics_) {
+        topics += fmt::format("{}{}", topics.empty() ? "" : ", ", topic);
+      }
+      refuse(fmt::format("has no message of the topic {}; its topics are: {}", wanted[0],
+                         topics.empty() ? "none" : topics.substr(0, 400)));
+    }
+    std::ranges::stable_sort(rows_, {}, &Row::time_us);
+    UlogColumns result{.columns = {{.name = "timestamp"}}, .notes = std::move(notes_)};
+    for (const Row& row : rows_) {
+      result.columns[0].values.push_back(static_cast<double>(row.time_us));
+    }
+    for (std::size_t topic = 0; topic < wanted.size(); ++topic) {
+      const auto format = formats_.find(wanted[topic]);
+      for (const Field& field : format == formats_.end() ? std::vector<Field>{} : format->second) {
+        add_column(result.columns, topic, field);
+      }
+    }
+    if (damages_ > 0) {
+      result.notes.push_back(fmt::format("The ULog is damaged in {}: {} bytes are left out, the first at byte {}.",
+                                         damages_ == 1 ? "one place" : fmt::format("{} places", damages_),
+                                         damaged_bytes_, first_damage_));
+    }
+    if (unbelievable_ > 0) {
+      result.notes.push_back(
+          fmt::format("{} messages with a time that is not near the start of the ULog are left out.", unbelievable_));
+    }
+    if (dropped_ms_ > 0) {
+      result.notes.push_back(fmt::format("The logger says that it dropped {} ms.", dropped_ms_));
+    }
+    return result;
+  }
+
+  // A name that an earlier topic has, too, is the earlier topic's: the time, first of all.
+  void add_column(table_file::Columns& columns, std::size_t topic, const Field& field) const {
+    if (std::ranges::find(columns, field.name, &table_file::Column::name) != columns.end()) {
+      return;
+    }
+    table_file::Column column{.name = field.name};
+    for (const Row& row : rows_) {
+      const bool has = row.topic == topic && field.offset + field.type->size <= row.content.size();
+      column.values.push_back(has ? field.type->read(row.content.data() + field.offset)
+                                  : std::numeric_limits<double>::quiet_NaN());
+    }
+    columns.push_back(std::move(column));
+  }
+
+  std::string_view file_;
+  const std::string& name_;
+  std::map<std::string, std::vector<Field>, std::less<>> formats_;
+  std::map<std::uint16_t, std::size_t> subscribed_;
+  std::map<std::string, bool> topics_;
+  std::vector<Row> rows_;
+  std::vector<std::string> notes_;
+  std::uint64_t start_us_ = 0;
+  std::size_t unbelievable_ = 0;
+  std::size_t damages_ = 0;
+  std::size_t damaged_bytes_ = 0;
+  std::size_t first_damage_ = 0;
+  std::uint64_t dropped_ms_ = 0;
+};
+
+}  // namespace
+
+UlogColumns read_ulog(std::string_view file, const std::string& name) { return Reader{file, name}.read(); }
+
+}  // namespace fantail::listen
