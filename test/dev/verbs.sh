@@ -35,6 +35,7 @@ quick() {
   call 0 fly
   call 0 identify out/tasha3_launch2 --vehicle tasha3_launch2 --window 0.9:8
   call 0 compare out/tasha3_launch2 out/tasha3_launch2 --b true
+  call 0 listen out/tasha3_launch2/flight.csv
   call 0 log info out/tasha3_launch2
   call 0 replay out/tasha3_launch2
   call 0 report out/tasha3_launch2

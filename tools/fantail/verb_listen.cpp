@@ -50,8 +50,8 @@ listen::Sources sources(const ListenOptions& o, const flight::Table& table, std:
   if (!o.columns.empty()) {
     typed = listen::parse_columns(o.columns, "--columns");
   }
-  const bool is_whole = listen::find(typed, listen::Quantity::time) != nullptr &&
-                        listen::find(typed, listen::Quantity::axial) != nullptr;
+  const bool is_whole =
+      listen::find(typed, listen::Quantity::time) != nullptr && listen::find(typed, listen::Quantity::axial) != nullptr;
   if (is_whole && o.map.empty()) {
     return typed;
   }
@@ -107,8 +107,8 @@ void listen_to(const ListenOptions& o) {
   give_up_if_interrupted();
   const std::filesystem::path folder = output_folder(o);
   const std::string json = listen::as_json(heard, FANTAIL_VERSION);
-  text::OutputFolder{folder, {o.log}}.write(std::array{text::NamedFile{"listen.html", listen::as_html(heard)},
-                                                       text::NamedFile{"listen.json", json}});
+  text::OutputFolder{folder, {o.log}}.write(
+      std::array{text::NamedFile{"listen.html", listen::as_html(heard)}, text::NamedFile{"listen.json", json}});
   if (o.json) {
     fmt::print("{}", json);
   } else {
@@ -134,8 +134,7 @@ void fill(const Verb& verb) {
               fmt::format("A logger's columns, [the one that fits]: {}; --columns goes before it", names_of_maps()))
       .check(objection_to_map)
       .value_name("MAP");
-  verb.option("--barometer", options->barometer, "A file of its own that has the height")
-      .value_name("FILE");
+  verb.option("--barometer", options->barometer, "A file of its own that has the height").value_name("FILE");
   verb.option("--barometer-columns", options->barometer_columns, "Its time, height and speed, as in --columns")
       .value_name("QUANTITY=COLUMN:UNIT,...");
   verb.option("--plan", options->plan, "The flight plan: a shipped name or a path").show_default();

@@ -24,7 +24,7 @@ struct Named {
   bool from_rest = false;
 };
 
-constexpr std::array all{
+constexpr std::array known_quantities{
     Named{"time", Quantity::time, Dimension::time},
     Named{"axial", Quantity::axial, Dimension::acceleration},
     Named{"axial_from_rest", Quantity::axial, Dimension::acceleration, true},
@@ -39,18 +39,18 @@ constexpr std::array all{
     Named{"speed", Quantity::speed, Dimension::speed},
 };
 
-[[noreturn]] void refuse(const std::string& where, const std::string& complaint) {
+[[noreturn]] void refuse_word(const std::string& where, const std::string& complaint) {
   throw text::Error{text::ErrorKind::bad_configuration, where + ": " + complaint};
 }
 
 const Named& named(const std::string& where, const std::string& word) {
-  const auto found = std::ranges::find(all, word, &Named::name);
-  if (found != all.end()) {
+  const auto found = std::ranges::find(known_quantities, word, &Named::name);
+  if (found != known_quantities.end()) {
     return *found;
   }
   std::vector<std::string> names;
   std::string allowed;
-  for (const Named& one : all) {
+  for (const Named& one : known_quantities) {
     names.emplace_back(one.name);
     allowed += fmt::format(" {}", one.name);
   }
@@ -58,7 +58,7 @@ const Named& named(const std::string& where, const std::string& word) {
   if (const auto meant = input::suggestion(word, names)) {
     message += fmt::format("; did you mean {}?", *meant);
   }
-  refuse(where, fmt::format("{} Allowed:{}", message, allowed));
+  refuse_word(where, fmt::format("{} Allowed:{}", message, allowed));
 }
 
 const flight::Unit& unit_of(const std::string& where, const Named& quantity, const std::string& source,
@@ -66,13 +66,14 @@ const flight::Unit& unit_of(const std::string& where, const Named& quantity, con
   const std::string allowed = flight::unit_names(quantity.dimension);
   const std::size_t colon = source.rfind(':');
   if (colon == std::string::npos || colon == 0) {
-    refuse(where, fmt::format("{}: its unit is missing, as in {}:{}; allowed: {}", flight::in_quotes(source), source,
-                              allowed.substr(0, allowed.find(',')), allowed));
+    refuse_word(where, fmt::format("{}: its unit is missing, as in {}:{}; allowed: {}", flight::in_quotes(source),
+                                   source, allowed.substr(0, allowed.find(',')), allowed));
   }
   const std::string word = source.substr(colon + 1);
   const flight::Unit* const unit = flight::find_unit(word);
   if (unit == nullptr || unit->dimension != quantity.dimension) {
-    refuse(where, fmt::format("{} is no unit of {}; allowed: {}", flight::in_quotes(word), quantity.name, allowed));
+    refuse_word(where,
+                fmt::format("{} is no unit of {}; allowed: {}", flight::in_quotes(word), quantity.name, allowed));
   }
   column = source.substr(0, colon);
   return *unit;
@@ -88,14 +89,14 @@ double sign_and_scale(const std::string& where, std::string& column) {
   if (const std::size_t star = column.find('*'); star != std::string::npos) {
     const auto scale = text::number(column.substr(0, star));
     if (!scale || *scale == 0.0) {
-      refuse(where, fmt::format("{} is no scale; a number other than 0 is expected before the *, as in 0.5*{}",
-                                flight::in_quotes(column.substr(0, star)), column.substr(star + 1)));
+      refuse_word(where, fmt::format("{} is no scale; a number other than 0 is expected before the *, as in 0.5*{}",
+                                     flight::in_quotes(column.substr(0, star)), column.substr(star + 1)));
     }
     factor *= *scale;
     column.erase(0, star + 1);
   }
   if (column.empty()) {
-    refuse(where, "the name of the column is missing");
+    refuse_word(where, "the name of the column is missing");
   }
   return factor;
 }
@@ -111,7 +112,9 @@ Source source_of(const std::string& where, const std::string& word, const std::s
 
 }  // namespace
 
-std::string_view name(Quantity quantity) { return std::ranges::find(all, quantity, &Named::quantity)->name; }
+std::string_view name(Quantity quantity) {
+  return std::ranges::find(known_quantities, quantity, &Named::quantity)->name;
+}
 
 Sources parse_columns(std::string_view text, const std::string& option) {
   Sources sources;
@@ -121,12 +124,12 @@ Sources parse_columns(std::string_view text, const std::string& option) {
     const std::size_t equals = part.find('=');
     const std::string where = fmt::format("{} {}", option, part);
     if (equals == std::string::npos || equals == 0 || equals + 1 == part.size()) {
-      refuse(where, "expected QUANTITY=COLUMN:UNIT, several with commas between, as in time=ts:s,axial=-Ay:m/s2");
+      refuse_word(where, "expected QUANTITY=COLUMN:UNIT, several with commas between, as in time=ts:s,axial=-Ay:m/s2");
     }
     sources.push_back(source_of(where, part.substr(0, equals), part.substr(equals + 1)));
     const auto same = [&](const Source& other) { return other.quantity == sources.back().quantity; };
     if (std::ranges::count_if(sources, same) > 1) {
-      refuse(where, fmt::format("the quantity {} appears twice", name(sources.back().quantity)));
+      refuse_word(where, fmt::format("the quantity {} appears twice", name(sources.back().quantity)));
     }
     if (comma == text.size()) {
       return sources;

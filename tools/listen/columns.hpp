@@ -16,7 +16,7 @@ enum class Quantity : std::uint8_t {
   second_axial,  ///< the same by a second accelerometer
   lateral_y,     ///< specific force along y
   lateral_z,
-  roll_rate,  ///< about x
+  roll_rate,   ///< about x
   pitch_rate,  ///< about y
   yaw_rate,    ///< about z
   height,      ///< the log's own, for comparison: the law never sees it

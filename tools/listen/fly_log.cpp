@@ -10,15 +10,14 @@
 
 #include "core/autopilot.hpp"
 #include "listen/lift_off.hpp"
+#include "listen/sensors.hpp"
 #include "listen/sentences.hpp"
-#include "logs/interpolator.hpp"
 #include "text/error.hpp"
 
 namespace fantail::listen {
 namespace {
 
 using core::Microseconds;
-using core::SampleQuality;
 
 constexpr double tick_s = 1e-3;
 constexpr Microseconds first_tick{1'000'000};  // any time but zero, as on a board
@@ -28,100 +27,6 @@ constexpr double trace_after_s = 3.0;
 constexpr std::size_t most_traced = 60'000;
 // Before lift-off by the rule of lift_off.hpp the thrust is already there.
 constexpr double early_s = 0.2;
-
-/// One signal in the law's time.
-class Channel {
- public:
-  Channel(const Signal& signal, double longest_gap_s, double pad_end_s)
-      : signal_{signal}, positive_{range_end(signal, Side::positive)}, negative_{range_end(signal, Side::negative)},
-        between_{signal.time_s, longest_gap_s} {
-    std::size_t count = 0;
-    for (; count < signal.time_s.size() && (count == 0 || signal.time_s[count] < pad_end_s); ++count) {
-      pad_ += signal.value[count];
-    }
-    pad_ /= static_cast<double>(std::max<std::size_t>(count, 1));
-  }
-
-  struct Sample {
-    double value = 0.0;
-    bool at_positive_end = false;
-    bool at_negative_end = false;
-  };
-
-  /// Empty in a gap. A signal that the log does not have is zero; before the log it is what it is on the pad.
-  [[nodiscard]] std::optional<Sample> at(double time_s) {
-    if (!signal_.is_there()) {
-      return Sample{};
-    }
-    if (time_s < signal_.time_s.front()) {
-      return Sample{.value = pad_};
-    }
-    const auto place = between_.at(time_s);
-    if (!place) {
-      return std::nullopt;
-    }
-    const auto either = [&](const std::optional<RangeEnd>& end) {
-      return end && (end->holds(signal_.value[place->before]) ||
-                     (place->part > 0.0 && end->holds(signal_.value[place->before + 1])));
-    };
-    return Sample{place->of(signal_.value), either(positive_), either(negative_)};
-  }
-
- private:
-  const Signal& signal_;
-  std::optional<RangeEnd> positive_;
-  std::optional<RangeEnd> negative_;
-  logs::Interpolator between_;
-  double pad_ = 0.0;
-};
-
-/// What the hardware layer would have given, tick by tick.
-class Sensors {
- public:
-  Sensors(const ImuLog& log, double longest_gap_s, double pad_end_s, const core::FlightPlan& plan)
-      : axial_{log.axial, longest_gap_s, pad_end_s}, second_{log.second_axial, longest_gap_s, pad_end_s},
-        y_{log.lateral_y, longest_gap_s, pad_end_s}, z_{log.lateral_z, longest_gap_s, pad_end_s},
-        roll_{log.roll_rate, longest_gap_s, pad_end_s}, pitch_{log.pitch_rate, longest_gap_s, pad_end_s},
-        yaw_{log.yaw_rate, longest_gap_s, pad_end_s}, has_second_{log.second_axial.is_there()},
-        two_gyros_{plan.sensors.gyros == core::GyroRule::two_agree} {}
-
-  void read(double time_s, Microseconds now, core::Inputs& inputs) {
-    inputs.time = now;
-    const auto y = y_.at(time_s);
-    const auto z = z_.at(time_s);
-    const auto force = [&](Channel& axial, core::AccelerometerSample& sample) {
-      if (const auto x = axial.at(time_s); x && y && z) {
-        sample = {now, vector(x->value, y->value, z->value),
-                  x->at_positive_end ? SampleQuality::saturated : SampleQuality::valid};
-      }
-    };
-    force(axial_, inputs.accelerometers[0]);
-    if (has_second_) {
-      force(second_, inputs.accelerometers[1]);
-    } else {
-      inputs.accelerometers[1] = inputs.accelerometers[0];
-    }
-    const auto roll = roll_.at(time_s);
-    const auto pitch = pitch_.at(time_s);
-    const auto yaw = yaw_.at(time_s);
-    if (roll && pitch && yaw) {
-      inputs.gyro = {now, vector(roll->value, pitch->value, yaw->value),
-                     roll->at_positive_end || roll->at_negative_end ? SampleQuality::saturated : SampleQuality::valid};
-    }
-    if (two_gyros_) {
-      inputs.second_gyro = inputs.gyro;
-    }
-  }
-
- private:
-  static core::Vector3 vector(double x, double y, double z) {
-    return {static_cast<float>(x), static_cast<float>(y), static_cast<float>(z)};
-  }
-
-  Channel axial_, second_, y_, z_, roll_, pitch_, yaw_;
-  bool has_second_;
-  bool two_gyros_;
-};
 
 Event event_of(double time_s, const core::TickRecord& record) {
   return {.time_s = time_s,
@@ -187,17 +92,18 @@ bool is_over(const Heard& heard, double time_s) {
 void find_peaks(Heard& heard) {
   const double from_s = heard.lift_off_s.value_or(heard.log.begin_s());
   const double to_s = heard.log_height.apogee_s.value_or(heard.apogee_s.value_or(heard.log.end_s()));
-  const auto peak = [&](const Signal& signal) {
+  const auto peak = [&](const Signal& signal, double until_s) {
     std::optional<Peak> found;
     for (std::size_t i = 0; i < signal.time_s.size(); ++i) {
-      if (signal.time_s[i] >= from_s && signal.time_s[i] <= to_s && (!found || signal.value[i] > found->value)) {
+      if (signal.time_s[i] >= from_s && signal.time_s[i] <= until_s && (!found || signal.value[i] > found->value)) {
         found = Peak{signal.value[i], signal.time_s[i]};
       }
     }
     return found;
   };
-  heard.hardest = peak(heard.log.axial).value_or(Peak{});
-  heard.log_fastest = peak(heard.log.speed);
+  heard.log_fastest = peak(heard.log.speed, to_s);
+  // The charge that throws out the parachute pushes, too, but behind top speed.
+  heard.hardest = peak(heard.log.axial, heard.control ? heard.fastest.time_s : to_s).value_or(Peak{});
 }
 
 void find_clipped(Heard& heard) {

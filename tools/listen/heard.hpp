@@ -61,9 +61,9 @@ struct Heard {
   std::optional<double> apogee_s{};    ///< by the law: its vertical speed changes its sign
   double apogee_m = 0.0;
   double tilt_at_apogee_rad = 0.0;
-  bool is_lower_bound = false;  ///< height and speed at apogee, or at the end, as the law says itself
-  Peak fastest{};               ///< m/s along the guide, up to apogee
-  Peak hardest{};               ///< m/s2, axial, between lift-off and apogee (of the log's height, else the law's)
+  bool is_lower_bound = false;        ///< height and speed at apogee, or at the end, as the law says itself
+  Peak fastest{};                     ///< m/s along the guide, up to apogee
+  Peak hardest{};                     ///< m/s2, axial, between lift-off and top speed (without control: and apogee)
   std::optional<Peak> log_fastest{};  ///< m/s, of the log's own speed in the same time
   LogHeight log_height{};
   Trace trace{};

@@ -3,7 +3,6 @@
 
 #include <fmt/core.h>
 
-#include "core/inputs.hpp"
 #include "flight/phase_names.hpp"
 #include "listen/lift_off.hpp"
 #include "listen/outputs.hpp"
@@ -19,7 +18,6 @@ using page::Role;
 
 constexpr double tall = 280.0;
 constexpr double flat = 190.0;
-constexpr double g_m_s2 = static_cast<double>(core::standard_gravity_m_s2);
 
 // Time from here on in the charts: after lift-off where it is known.
 double zero_s(const Heard& heard) { return heard.lift_off_s.value_or(0.0); }
@@ -47,10 +45,8 @@ page::Series from_log(const Heard& heard, const Signal& signal, const char* name
 }
 
 page::Series from_law(const Heard& heard, const std::vector<double>& values, const char* name, double factor = 1.0) {
-  return {.name = name,
-          .role = Role::model,
-          .x = shifted(heard.trace.time_s, zero_s(heard)),
-          .y = scaled(values, factor)};
+  return {
+      .name = name, .role = Role::model, .x = shifted(heard.trace.time_s, zero_s(heard)), .y = scaled(values, factor)};
 }
 
 std::vector<page::ShadedRange> phases(const Heard& heard) {
@@ -82,16 +78,15 @@ std::vector<page::Level> moments(const Heard& heard) {
 std::string chart(const Heard& heard, std::string_view heading, std::string_view unit, double height,
                   std::vector<page::Series> series, std::vector<page::Level> levels) {
   std::erase_if(series, [](const page::Series& one) { return one.x.empty(); });
-  return page::section(heading,
-                       page::figure({.label = fmt::format("{} over time", heading),
-                                     .x_label = heard.lift_off_s ? "time after lift-off / s" : "time / s",
-                                     .y_label = fmt::format("{} / {}", heading, unit),
-                                     .height = height,
-                                     .series = std::move(series),
-                                     .shaded_ranges = phases(heard),
-                                     .levels = std::move(levels),
-                                     .sampled = true,
-                                     .least_left = 48.0}));
+  return page::section(heading, page::figure({.label = fmt::format("{} over time", heading),
+                                              .x_label = heard.lift_off_s ? "time after lift-off / s" : "time / s",
+                                              .y_label = fmt::format("{} / {}", heading, unit),
+                                              .height = height,
+                                              .series = std::move(series),
+                                              .shaded_ranges = phases(heard),
+                                              .levels = std::move(levels),
+                                              .sampled = true,
+                                              .least_left = 48.0}));
 }
 
 std::string charts(const Heard& heard) {
@@ -100,12 +95,12 @@ std::string charts(const Heard& heard) {
   }
   const Trace& trace = heard.trace;
   std::vector<page::Level> threshold = moments(heard);
-  threshold.push_back({.value = static_cast<double>(heard.flown.launch_detection.threshold_m_s2) / g_m_s2,
+  threshold.push_back({.value = static_cast<double>(heard.flown.launch_detection.threshold_m_s2) / one_g_m_s2,
                        .label = "threshold",
                        .role = Role::limit});
   return chart(heard, "Axial specific force", "g", flat,
-               {from_log(heard, heard.log.axial, "log", 1.0 / g_m_s2),
-                from_log(heard, heard.log.second_axial, "second", 1.0 / g_m_s2)},
+               {from_log(heard, heard.log.axial, "log", 1.0 / one_g_m_s2),
+                from_log(heard, heard.log.second_axial, "second", 1.0 / one_g_m_s2)},
                threshold) +
          chart(heard, "Speed", "(m/s)", tall,
                {from_log(heard, heard.log.speed, "log", 1.0), from_law(heard, trace.speed_m_s, "law")},
@@ -119,11 +114,17 @@ std::string charts(const Heard& heard) {
 }
 
 std::string phase_table(const Heard& heard) {
-  const std::vector<page::Column> columns{{"phase"},         {"because"},         {"log / s", true},   {"after lift-off / s", true},
-                                          {"height / m", true}, {"speed / (m/s)", true}, {"tilt / deg", true}};
+  const std::vector<page::Column> columns{{"phase"},
+                                          {"because"},
+                                          {"log / s", true},
+                                          {"after lift-off / s", true},
+                                          {"height / m", true},
+                                          {"speed / (m/s)", true},
+                                          {"tilt / deg", true}};
   std::vector<std::vector<page::Cell>> rows;
   for (const PhaseRow& row : phase_rows(heard)) {
-    rows.push_back({{row.phase}, {row.reason}, {row.log_time}, {row.since_lift_off}, {row.height}, {row.speed}, {row.tilt}});
+    rows.push_back(
+        {{row.phase}, {row.reason}, {row.log_time}, {row.since_lift_off}, {row.height}, {row.speed}, {row.tilt}});
   }
   return page::section("Phases", page::table(columns, rows) +
                                      page::note("Height, speed and tilt are what the law knew at that moment."));
@@ -135,13 +136,13 @@ std::string comparison_table(const Heard& heard) {
   for (const Row& row : comparison(heard)) {
     rows.push_back({{row.what}, {row.law}, {row.log}});
   }
-  return page::section(
-      "The law beside the log",
-      page::table(columns, rows) +
-          page::note(fmt::format("Lift-off is the first rise of the axial specific force through {} g that lasts for at "
-                                 "least half of the next {} s. The log's apogee is where a running median of its height "
-                                 "over 0.5 s is largest.",
-                                 lift_off_g, lift_off_window_s)));
+  return page::section("The law beside the log",
+                       page::table(columns, rows) +
+                           page::note(fmt::format(
+                               "Lift-off is the first rise of the axial specific force through {} g that lasts for at "
+                               "least half of the next {} s. The log's apogee is where a running median of its height "
+                               "over 0.5 s is largest.",
+                               lift_off_g, lift_off_window_s)));
 }
 
 }  // namespace
@@ -151,10 +152,22 @@ std::string as_html(const Heard& heard) {
   page.subtitle = fmt::format("Plan {}. {} rows, {} samples a second", heard.plan, heard.log.rows,
                               text::brief(1.0 / heard.log.interval_s, 1));
   switch (finding(heard)) {
-    case Finding::heard: page.tone = page::Tone::good; page.verdict_heading = "Heard"; break;
-    case Finding::imagined: page.tone = page::Tone::bad; page.verdict_heading = "Imagined"; break;
-    case Finding::missed: page.tone = page::Tone::bad; page.verdict_heading = "Missed"; break;
-    case Finding::no_launch: page.tone = page::Tone::unsure; page.verdict_heading = "No launch"; break;
+    case Finding::heard:
+      page.tone = page::Tone::good;
+      page.verdict_heading = "Heard";
+      break;
+    case Finding::imagined:
+      page.tone = page::Tone::bad;
+      page.verdict_heading = "Imagined";
+      break;
+    case Finding::missed:
+      page.tone = page::Tone::bad;
+      page.verdict_heading = "Missed";
+      break;
+    case Finding::no_launch:
+      page.tone = page::Tone::unsure;
+      page.verdict_heading = "No launch";
+      break;
   }
   page.verdict = headline(heard);
   page.body_html = phase_table(heard) + comparison_table(heard) + charts(heard) +

@@ -7,7 +7,6 @@
 
 #include <fmt/core.h>
 
-#include "core/inputs.hpp"
 #include "input/messages.hpp"
 #include "logs/interpolator.hpp"
 #include "text/error.hpp"
@@ -25,10 +24,10 @@ struct Place {
   Signal ImuLog::* signal;
 };
 constexpr std::array places{
-    Place{Quantity::axial, &ImuLog::axial},           Place{Quantity::second_axial, &ImuLog::second_axial},
-    Place{Quantity::lateral_y, &ImuLog::lateral_y},   Place{Quantity::lateral_z, &ImuLog::lateral_z},
-    Place{Quantity::roll_rate, &ImuLog::roll_rate},   Place{Quantity::pitch_rate, &ImuLog::pitch_rate},
-    Place{Quantity::yaw_rate, &ImuLog::yaw_rate},     Place{Quantity::height, &ImuLog::height},
+    Place{Quantity::axial, &ImuLog::axial},         Place{Quantity::second_axial, &ImuLog::second_axial},
+    Place{Quantity::lateral_y, &ImuLog::lateral_y}, Place{Quantity::lateral_z, &ImuLog::lateral_z},
+    Place{Quantity::roll_rate, &ImuLog::roll_rate}, Place{Quantity::pitch_rate, &ImuLog::pitch_rate},
+    Place{Quantity::yaw_rate, &ImuLog::yaw_rate},   Place{Quantity::height, &ImuLog::height},
     Place{Quantity::speed, &ImuLog::speed},
 };
 
@@ -65,10 +64,11 @@ Clock clock_of(const flight::Table& table, const Sources& sources, std::vector<s
     }
     const double time_s = *number * source->factor;
     if (!clock.rows.empty() && time_s < clock.time_s.back()) {
-      refuse(fmt::format("{}: the time {} in column {} is before that of {}, {}; a log of one flight has times that "
-                         "increase",
-                         table.where(row), table.cell(row, column), source->column, table.place(clock.rows.back()),
-                         table.cell(clock.rows.back(), column)));
+      refuse(
+          fmt::format("{}: the time {} in column {} is before that of {}, {}; a log of one flight has times that "
+                      "increase",
+                      table.where(row), table.cell(row, column), source->column, table.place(clock.rows.back()),
+                      table.cell(clock.rows.back(), column)));
     }
     if (!clock.rows.empty() && time_s == clock.time_s.back()) {
       first_repeated = repeated++ == 0 ? row : first_repeated;
@@ -86,9 +86,10 @@ Clock clock_of(const flight::Table& table, const Sources& sources, std::vector<s
                                 lost.size() == 1 ? "is" : "are", table.place(lost.front())));
   }
   if (repeated > 0) {
-    notes.push_back(fmt::format("{} of {} rows have the time of the row before them, the first in {}; of rows with one "
-                                "time the last number of each column counts.",
-                                repeated, clock.rows.size(), table.place(first_repeated)));
+    notes.push_back(
+        fmt::format("{} of {} rows have the time of the row before them, the first in {}; of rows with one "
+                    "time the last number of each column counts.",
+                    repeated, clock.rows.size(), table.place(first_repeated)));
   }
   return clock;
 }
@@ -105,8 +106,7 @@ Signal signal_of(const flight::Table& table, const Clock& clock, const Source& s
       first_lost = lost++ == 0 ? clock.rows[i] : first_lost;
       continue;
     }
-    const double value =
-        *number * source.factor + (source.from_rest ? static_cast<double>(core::standard_gravity_m_s2) : 0.0);
+    const double value = *number * source.factor + (source.from_rest ? one_g_m_s2 : 0.0);
     if (signal.is_there() && clock.time_s[i] == signal.time_s.back()) {
       signal.value.back() = value;
       continue;
@@ -115,8 +115,8 @@ Signal signal_of(const flight::Table& table, const Clock& clock, const Source& s
     signal.value.push_back(value);
   }
   if (lost > 0 && signal.is_there()) {
-    notes.push_back(fmt::format("{} of {} cells of {} are no numbers, the first in {}; they count as not sampled.", lost,
-                                clock.rows.size(), source.column, table.place(first_lost)));
+    notes.push_back(fmt::format("{} of {} cells of {} are no numbers, the first in {}; they count as not sampled.",
+                                lost, clock.rows.size(), source.column, table.place(first_lost)));
   }
   return signal;
 }
@@ -124,9 +124,10 @@ Signal signal_of(const flight::Table& table, const Clock& clock, const Source& s
 void note_what_is_missing(ImuLog& log) {
   const auto missing = [&](const Signal& signal) { return !signal.is_there(); };
   if (missing(log.lateral_y) || missing(log.lateral_z)) {
-    log.notes.push_back(
-        fmt::format("Specific force along {} is not in the log; it is taken as 0.",
-                    !missing(log.lateral_y) ? "z" : !missing(log.lateral_z) ? "y" : "y and z, the sides,"));
+    log.notes.push_back(fmt::format("Specific force along {} is not in the log; it is taken as 0.",
+                                    !missing(log.lateral_y)   ? "z"
+                                    : !missing(log.lateral_z) ? "y"
+                                                              : "y and z, the sides,"));
   }
   std::string rates;
   for (const auto& [what, signal] :
@@ -148,9 +149,10 @@ void refuse_nonsense(const ImuLog& log, const Sources& sources) {
   }
   const double long_s = log.end_s() - log.begin_s();
   if (long_s > longest_log_s) {
-    refuse(fmt::format("{}: from its first sample to its last it is {} s, longer than {} s; is the time {} really in {}?",
-                       log.name, input::about(long_s), longest_log_s, find(sources, Quantity::time)->column,
-                       find(sources, Quantity::time)->unit));
+    refuse(
+        fmt::format("{}: from its first sample to its last it is {} s, longer than {} s; is the time {} really in {}?",
+                    log.name, input::about(long_s), longest_log_s, find(sources, Quantity::time)->column,
+                    find(sources, Quantity::time)->unit));
   }
 }
 

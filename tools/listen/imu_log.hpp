@@ -11,9 +11,11 @@
 
 namespace fantail::listen {
 
+inline constexpr double one_g_m_s2 = 9.80665;
+
 /// One quantity of a log over time, SI and radians, where the log has it.
 struct Signal {
-  std::string words{};  ///< the column as it was asked for; empty: the log does not have it
+  std::string words{};           ///< the column as it was asked for; empty: the log does not have it
   std::vector<double> time_s{};  ///< the log's clock, strictly increasing
   std::vector<double> value{};
 
@@ -39,8 +41,8 @@ struct ImuLog {
   Signal yaw_rate{};
   Signal height{};
   Signal speed{};
-  double interval_s = 0.0;     ///< the usual one of `axial`
-  std::string columns_from{};  ///< "the map altos"; of the person's own columns empty
+  double interval_s = 0.0;           ///< the usual one of `axial`
+  std::string columns_from{};        ///< "the map altos"; of the person's own columns empty
   std::vector<std::string> notes{};  ///< a sentence each: what was left out, assumed, doubtful
 
   [[nodiscard]] double begin_s() const { return axial.time_s.front(); }

@@ -3,28 +3,26 @@
 
 #include <algorithm>
 
-#include "core/inputs.hpp"
+#include "listen/range_end.hpp"
 
 namespace fantail::listen {
 namespace {
 
-constexpr double threshold_m_s2 = lift_off_g * static_cast<double>(core::standard_gravity_m_s2);
-
 // Where the straight line between a sample and the one before it goes through the threshold.
-double crossing_s(const Signal& axial, std::size_t i) {
+double crossing_s(const Signal& axial, std::size_t i, double threshold_m_s2) {
   const double rise = axial.value[i] - axial.value[i - 1];
   const double part = rise == 0.0 ? 0.0 : (threshold_m_s2 - axial.value[i - 1]) / rise;
   return axial.time_s[i - 1] + std::clamp(part, 0.0, 1.0) * (axial.time_s[i] - axial.time_s[i - 1]);
 }
 
 // How long the line through the samples stands above the threshold in the window that begins at a crossing.
-double above_s(const Signal& axial, std::size_t first, double from_s) {
+double above_s(const Signal& axial, std::size_t first, double from_s, double threshold_m_s2) {
   const double to_s = from_s + lift_off_window_s;
   double sum = first < axial.time_s.size() ? std::min(axial.time_s[first], to_s) - from_s : 0.0;
   for (std::size_t i = first + 1; i < axial.time_s.size() && axial.time_s[i - 1] < to_s; ++i) {
     const bool was = axial.value[i - 1] >= threshold_m_s2;
     const bool is = axial.value[i] >= threshold_m_s2;
-    const double cross_s = was == is ? axial.time_s[i] : crossing_s(axial, i);
+    const double cross_s = was == is ? axial.time_s[i] : crossing_s(axial, i, threshold_m_s2);
     const double begin_s = was ? axial.time_s[i - 1] : cross_s;
     const double end_s = was && !is ? cross_s : axial.time_s[i];
     if (was || is) {
@@ -37,13 +35,17 @@ double above_s(const Signal& axial, std::size_t first, double from_s) {
 }  // namespace
 
 std::optional<double> lift_off_s(const Signal& axial) {
+  double threshold_m_s2 = lift_off_g * one_g_m_s2;
+  if (const auto end = range_end(axial, Side::positive); end && end->value < threshold_m_s2) {
+    threshold_m_s2 = end->value * (1.0 - 1e-9);
+  }
   for (std::size_t i = 0; i < axial.time_s.size(); ++i) {
     const bool rises = axial.value[i] >= threshold_m_s2 && (i == 0 || axial.value[i - 1] < threshold_m_s2);
     if (!rises) {
       continue;
     }
-    const double from_s = i == 0 ? axial.time_s[0] : crossing_s(axial, i);
-    if (above_s(axial, i, from_s) >= 0.5 * lift_off_window_s) {
+    const double from_s = i == 0 ? axial.time_s[0] : crossing_s(axial, i, threshold_m_s2);
+    if (above_s(axial, i, from_s, threshold_m_s2) >= 0.5 * lift_off_window_s) {
       return from_s;
     }
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "listen/load.hpp"
 
+#include <algorithm>
 #include <map>
 #include <string_view>
 
@@ -70,6 +71,18 @@ std::string distinct(std::string_view header) {
   }
 }
 
+// A logger that lost its power ends in the middle of a line.
+void drop_cut_line(std::string& text, std::ptrdiff_t commas, std::vector<std::string>& notes) {
+  const std::size_t last = text.rfind('\n');
+  if (last == std::string::npos || last + 1 == text.size()) {
+    return;
+  }
+  if (std::ranges::count(std::string_view{text}.substr(last + 1), ',') < commas) {
+    text.erase(last + 1);
+    notes.emplace_back("The last line of the file is cut off; it is left out.");
+  }
+}
+
 std::string csv_of(const table_file::Columns& columns) {
   fmt::memory_buffer out;
   for (const table_file::Column& column : columns) {
@@ -89,7 +102,7 @@ std::string csv_of(const table_file::Columns& columns) {
 
 }  // namespace
 
-std::string tidy(std::string text) {
+std::string tidy(std::string text, std::vector<std::string>& notes) {
   const Header header = header_of(text);
   const std::string_view content = header.line.of(text);
   if (content.find('"') != std::string_view::npos) {
@@ -97,6 +110,7 @@ std::string tidy(std::string text) {
   }
   const std::string names = distinct(header.commented ? content.substr(1) : content);
   text.replace(header.line.begin, header.line.end - header.line.begin, names);
+  drop_cut_line(text, std::ranges::count(names, ','), notes);
   return text;
 }
 
@@ -111,7 +125,9 @@ Loaded load(const std::filesystem::path& file) {
   if (ending == ".mat" || ending == ".parquet" || ending == ".ftl" || ending == ".mcap" || ending == ".lcmlog") {
     return {logs::load_table(file, {}), {}};
   }
-  return {flight::Table::parse(tidy(flight::Table::read(name)), name), {}};
+  std::vector<std::string> notes;
+  std::string text = tidy(flight::Table::read(name), notes);
+  return {flight::Table::parse(std::move(text), name), std::move(notes)};
 }
 
 }  // namespace fantail::listen

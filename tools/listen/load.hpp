@@ -11,8 +11,8 @@ namespace fantail::listen {
 
 /// The text of a CSV file as a header and rows that flight::Table reads, each row still on its line: a header behind a
 /// '#', which AltosUI writes, is one where no other stands before the first row of numbers; a name that comes again is
-/// NAME.1, NAME.2.
-[[nodiscard]] std::string tidy(std::string text);
+/// NAME.1, NAME.2. A last line that is cut off is left out, and `notes` says so.
+[[nodiscard]] std::string tidy(std::string text, std::vector<std::string>& notes);
 
 struct Loaded {
   flight::Table table;

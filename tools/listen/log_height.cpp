@@ -9,9 +9,16 @@ namespace fantail::listen {
 namespace {
 
 constexpr double median_window_s = 0.5;
+constexpr double rounding = 1e-9;  // so that evenly sampled windows have equally many samples
 constexpr double pad_window_s = 1.0;
 // A height that still rises at the end of the log is no apogee.
 constexpr double least_after_s = 0.5;
+
+double median(std::vector<double>& values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::ranges::nth_element(values, middle);
+  return values.size() % 2 == 1 ? *middle : 0.5 * (*middle + *std::max_element(values.begin(), middle));
+}
 
 double zero_of(const Signal& height, double lift_off_s) {
   double sum = 0.0;
@@ -37,11 +44,12 @@ LogHeight log_height(const Signal& height, double lift_off_s) {
   const std::vector<double>& time_s = height.time_s;
   std::vector<double> window;
   std::optional<double> best;
+  double first_s = 0.0;
   for (std::size_t i = 0, begin = 0, end = 0; i < time_s.size(); ++i) {
-    while (time_s[begin] < time_s[i] - 0.5 * median_window_s) {
+    while (time_s[begin] < time_s[i] - 0.5 * median_window_s - rounding) {
       ++begin;
     }
-    while (end < time_s.size() && time_s[end] <= time_s[i] + 0.5 * median_window_s) {
+    while (end < time_s.size() && time_s[end] <= time_s[i] + 0.5 * median_window_s + rounding) {
       ++end;
     }
     if (time_s[i] < lift_off_s) {
@@ -49,12 +57,13 @@ LogHeight log_height(const Signal& height, double lift_off_s) {
     }
     window.assign(result.above_pad.value.begin() + static_cast<std::ptrdiff_t>(begin),
                   result.above_pad.value.begin() + static_cast<std::ptrdiff_t>(end));
-    const auto middle = window.begin() + static_cast<std::ptrdiff_t>(window.size() / 2);
-    std::ranges::nth_element(window, middle);
-    if (!best || *middle > *best) {
-      best = *middle;
-      result.apogee_s = time_s[i];
-      result.apogee_m = *middle;
+    if (const double here = median(window); !best || here > *best) {
+      best = here;
+      first_s = time_s[i];
+      result.apogee_s = first_s;
+      result.apogee_m = here;
+    } else if (here > *best - rounding) {  // medians around the top are often equal: apogee is in their middle
+      result.apogee_s = 0.5 * (first_s + time_s[i]);
     }
   }
   if (result.apogee_s && time_s.back() - *result.apogee_s < least_after_s) {

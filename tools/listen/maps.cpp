@@ -7,9 +7,10 @@
 namespace fantail::listen {
 namespace {
 
-// AltOS: `acceleration` is the accelerometer of the flight computer with its pad reading taken off; the IMU of a TeleMega
-// or EasyMega gives the rest. CATS: the Vega upright with its y axis down. PX4: the x axis of the autopilot to the nose.
-constexpr std::array all{
+// AltOS: `acceleration` is the accelerometer of the flight computer with its pad reading taken off; the IMU of a
+// TeleMega or EasyMega gives the rest. CATS: the Vega upright with its y axis down. PX4: the x axis of the autopilot to
+// the nose.
+constexpr std::array shipped_maps{
     Map{"altos", "CSV export of AltosUI (TeleMetrum, TeleMega, EasyMega)",
         "time=time:s,axial_from_rest=acceleration:m/s2,lateral_y=accel_y:m/s2,lateral_z=accel_z:m/s2,"
         "roll_rate=gyro_roll:deg/s,pitch_rate=gyro_pitch:deg/s,yaw_rate=gyro_yaw:deg/s,height=height:m,speed=speed:m/s",
@@ -42,16 +43,16 @@ bool has_all(std::span<const std::string> columns, std::string_view names) {
 
 }  // namespace
 
-std::span<const Map> maps() { return all; }
+std::span<const Map> maps() { return shipped_maps; }
 
 const Map* find_map(std::string_view name) {
-  const auto found = std::ranges::find(all, name, &Map::name);
-  return found == all.end() ? nullptr : &*found;
+  const auto found = std::ranges::find(shipped_maps, name, &Map::name);
+  return found == shipped_maps.end() ? nullptr : &*found;
 }
 
 const Map* map_of(std::span<const std::string> columns) {
-  const auto found = std::ranges::find_if(all, [&](const Map& map) { return has_all(columns, map.known_by); });
-  return found == all.end() ? nullptr : &*found;
+  const auto found = std::ranges::find_if(shipped_maps, [&](const Map& map) { return has_all(columns, map.known_by); });
+  return found == shipped_maps.end() ? nullptr : &*found;
 }
 
 Sources sources_of(const Map& map) {

@@ -2,6 +2,8 @@
 #include "listen/sentences.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 #include <fmt/core.h>
 
@@ -13,7 +15,6 @@
 namespace fantail::listen {
 namespace {
 
-constexpr double g_m_s2 = static_cast<double>(core::standard_gravity_m_s2);
 // What the pad's average of the law is made of, with its guard (core/pad_window.hpp).
 constexpr double pad_window_s = 3.5;
 
@@ -21,12 +22,14 @@ std::string in_ms(double time_s) { return text::brief(1e3 * time_s, 3); }
 
 // The end of what matters: what a log of minutes under a parachute lacks is nobody's concern.
 double end_of_interest_s(const Heard& heard) {
-  return std::max(heard.apogee_s.value_or(heard.log.begin_s()), heard.log_height.apogee_s.value_or(heard.log.begin_s()));
+  return std::max(heard.apogee_s.value_or(heard.log.begin_s()),
+                  heard.log_height.apogee_s.value_or(heard.log.begin_s()));
 }
 
 std::string rate_sentence(const Heard& heard) {
   return fmt::format(
-      "The log's usual interval is {} ms ({} samples a second). Between two samples every value runs in a straight line, "
+      "The log's usual interval is {} ms ({} samples a second). Between two samples every value runs in a straight "
+      "line, "
       "on which the law was flown 1000 times a second: faster motion than the log's is not in it.",
       in_ms(heard.log.interval_s), text::brief(1.0 / heard.log.interval_s, 1));
 }
@@ -41,7 +44,8 @@ std::string gap_sentence(const Heard& heard) {
   }
   const auto longest = std::ranges::max_element(before, {}, [](const Gap& gap) { return gap.to_s - gap.from_s; });
   return fmt::format(
-      "{} longer than the {} ms that are bridged by a straight line: the law was given its old samples there, which are "
+      "{} longer than the {} ms that are bridged by a straight line: the law was given its old samples there, which "
+      "are "
       "stale after {} ms. The longest is from {:.3f} s to {:.3f} s of the log's clock.",
       before.size() == 1 ? "One gap is" : fmt::format("{} gaps are", before.size()), in_ms(heard.longest_bridge_s),
       in_ms(static_cast<double>(core::seconds(heard.flown.motion.stale_time))), longest->from_s, longest->to_s);
@@ -50,9 +54,11 @@ std::string gap_sentence(const Heard& heard) {
 std::string second_sentence(const Heard& heard) {
   const bool two = heard.flown.launch_detection.accelerometers == core::AccelerometerRule::two_agree;
   if (heard.log.second_axial.is_there()) {
-    return two ? "Two accelerometers of the log were given to the law, which asks for two that agree; what they read to "
+    return two ? "Two accelerometers of the log were given to the law, which asks for two that agree; what they read "
+                 "to "
                  "the sides was taken from the first."
-               : "The plan asks for one accelerometer; the second of the log stands in where the first is at the end of "
+               : "The plan asks for one accelerometer; the second of the log stands in where the first is at the end "
+                 "of "
                  "its range.";
   }
   return two ? "The plan asks for two accelerometers that agree and the log has one: the law was given its samples as "
@@ -60,29 +66,57 @@ std::string second_sentence(const Heard& heard) {
              : "";
 }
 
+// Mean before lift-off.
+std::optional<double> pad_mean(const Heard& heard, const Signal& signal) {
+  double sum = 0.0;
+  double count = 0.0;
+  for (std::size_t i = 0; i < signal.time_s.size() && signal.time_s[i] < heard.lift_off_s.value_or(0.0) - 0.1; ++i) {
+    sum += signal.value[i];
+    count += 1.0;
+  }
+  return count > 0.0 ? std::optional{sum / count} : std::nullopt;
+}
+
+// A gyro whose zero is farther off than the plan's quiet rate turns for ever, as far as the law can tell.
+std::string why_no_rest(const Heard& heard) {
+  const double quiet_rad_s = static_cast<double>(heard.flown.motion.quiet_rate_rad_s);
+  for (const auto& [what, signal] : {std::pair{"roll", &heard.log.roll_rate}, std::pair{"pitch", &heard.log.pitch_rate},
+                                     std::pair{"yaw", &heard.log.yaw_rate}}) {
+    if (const auto mean = pad_mean(heard, *signal); mean && std::abs(*mean) > quiet_rad_s) {
+      return fmt::format(" On the pad the gyro says {} deg/s of {}, beyond the plan's quiet rate of {} deg/s.",
+                         text::brief(text::degrees(*mean), 1), what, text::brief(text::degrees(quiet_rad_s), 2));
+    }
+  }
+  return {};
+}
+
 std::string pad_sentence(const Heard& heard, const Question& question) {
   const std::string padded =
       question.pad_s > 0.0
-          ? fmt::format("The rocket was taken to stand still for {} s before the log, at the mean of what it reads up to "
-                        "0.1 s before lift-off. ",
-                        text::brief(question.pad_s, 3))
+          ? fmt::format(
+                "The rocket was taken to stand still for {} s before the log, at the mean of what it reads up to "
+                "0.1 s before lift-off. ",
+                text::brief(question.pad_s, 3))
           : "";
   if (heard.longest_rest_s >= pad_window_s) {
     return padded;
   }
-  return padded + fmt::format("The law saw the rocket at rest for {} s at the longest before lift-off, less than the {} "
-                              "s of its average on the pad: it took the guide as upright and the gyro as without offset.",
-                              text::fixed(heard.longest_rest_s, 2), pad_window_s);
+  return padded +
+         fmt::format(
+             "The law saw the rocket at rest for {} s at the longest before lift-off, less than the {} "
+             "s of its average on the pad: it took the guide as upright and the gyro as without offset.",
+             text::fixed(heard.longest_rest_s, 2), pad_window_s) +
+         why_no_rest(heard);
 }
 
 std::string clipped_sentence(const Heard& heard, const Clipped& clipped) {
   const bool is_rate = clipped.what.ends_with("rate");
   const RangeEnd& end = clipped.end;
   std::string sentence = fmt::format(
-      "{} stands at {} {} in {} samples, for up to {} ms, the first at {:.3f} s of the log's clock: that looks like the "
-      "end of its range",
+      "{} stands at {} {} in {} samples, for up to {} ms, the first at {:.3f} s of the log's clock: that looks like "
+      "the end of its range",
       clipped.what, text::brief(is_rate ? text::degrees(end.value) : end.value, 2),
-      is_rate ? "deg/s" : fmt::format("m/s2 ({} g)", text::brief(end.value / g_m_s2, 2)), end.samples,
+      is_rate ? "deg/s" : fmt::format("m/s2 ({} g)", text::brief(end.value / one_g_m_s2, 2)), end.samples,
       in_ms(end.longest_s), end.first_s);
   if (clipped.what == "axial" && end.value > 0.0) {
     return sentence + (heard.is_lower_bound
@@ -90,8 +124,9 @@ std::string clipped_sentence(const Heard& heard, const Clipped& clipped) {
                            : ".");
   }
   if (clipped.what == "axial") {
-    return sentence + ". The rocket slowed down more than that, so that the law's speed and height are too large from "
-                      "there on.";
+    return sentence +
+           ". The rocket slowed down more than that, so that the law's speed and height are too large from "
+           "there on.";
   }
   return sentence + (is_rate ? ": angles that follow from it are too small." : ".");
 }
@@ -101,9 +136,10 @@ std::string unbelievable_sentence(const Heard& heard) {
     return std::abs(value) > static_cast<double>(core::largest_specific_force_m_s2);
   });
   return beyond == 0 ? ""
-                     : fmt::format("{} samples of the axial force are beyond {} m/s2, which the law does not believe of "
-                                   "any sensor.",
-                                   beyond, core::largest_specific_force_m_s2);
+                     : fmt::format(
+                           "{} samples of the axial force are beyond {} m/s2, which the law does not believe of "
+                           "any sensor.",
+                           beyond, core::largest_specific_force_m_s2);
 }
 
 }  // namespace
@@ -124,11 +160,11 @@ std::string headline(const Heard& heard) {
                              : early == 1 ? "and one launch that was none before it"
                                           : fmt::format("and {} launches that were none before it", early);
   if (heard.detected_s) {
-    return fmt::format("Launch detected {:.3f} s after lift-off, {}.", *heard.since_lift_off_s(heard.detected_s), before);
+    return fmt::format("Launch detected {:.3f} s after lift-off, {}.", *heard.since_lift_off_s(heard.detected_s),
+                       before);
   }
   if (heard.lift_off_s) {
-    return early == 0 ? "The launch was not detected."
-                      : fmt::format("The launch was not detected, {}.", before);
+    return early == 0 ? "The launch was not detected." : fmt::format("The launch was not detected, {}.", before);
   }
   return early == 0 ? "There is no lift-off in this log, and no launch was detected."
                     : fmt::format("There is no lift-off in this log, and {} detected all the same.",

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/core.h>
 
-#include "core/inputs.hpp"
 #include "flight/phase_names.hpp"
 #include "listen/lift_off.hpp"
 #include "listen/outputs.hpp"
@@ -13,7 +12,6 @@ namespace fantail::listen {
 namespace {
 
 constexpr const char* unknown = "-";
-constexpr double g_m_s2 = static_cast<double>(core::standard_gravity_m_s2);
 
 std::string seconds(const std::optional<double>& time_s) { return time_s ? text::fixed(*time_s, 3) : unknown; }
 
@@ -47,8 +45,9 @@ std::vector<Row> comparison(const Heard& heard) {
   rows.push_back({"lift-off, log's clock / s", unknown, seconds(heard.lift_off_s)});
   rows.push_back({"detected after lift-off / s", seconds(heard.since_lift_off_s(heard.detected_s)), unknown});
   rows.push_back({"detected before lift-off", std::to_string(heard.false_detections_s.size()), unknown});
-  rows.push_back({"hardest push / g", unknown,
-                  fmt::format("{}, {}", text::fixed(heard.hardest.value / g_m_s2, 2), moment(heard, heard.hardest.time_s))});
+  rows.push_back(
+      {"hardest push / g", unknown,
+       fmt::format("{}, {}", text::fixed(heard.hardest.value / one_g_m_s2, 2), moment(heard, heard.hardest.time_s))});
   if (heard.control) {
     rows.push_back({"top speed / (m/s)",
                     fmt::format("{}{}, {}", at_least(heard), text::fixed(heard.fastest.value, 1),
@@ -57,13 +56,13 @@ std::vector<Row> comparison(const Heard& heard) {
                                                     moment(heard, heard.log_fastest->time_s))
                                       : unknown});
   }
-  rows.push_back({"apogee after lift-off / s",
-                  heard.apogee_s ? at_least(heard) + seconds(heard.lift_off_s ? heard.since_lift_off_s(heard.apogee_s)
-                                                                              : heard.apogee_s)
-                                 : unknown,
-                  height.apogee_s ? seconds(heard.lift_off_s ? heard.since_lift_off_s(height.apogee_s)
-                                                             : height.apogee_s)
-                                  : unknown});
+  rows.push_back(
+      {"apogee after lift-off / s",
+       heard.apogee_s
+           ? at_least(heard) + seconds(heard.lift_off_s ? heard.since_lift_off_s(heard.apogee_s) : heard.apogee_s)
+           : unknown,
+       height.apogee_s ? seconds(heard.lift_off_s ? heard.since_lift_off_s(height.apogee_s) : height.apogee_s)
+                       : unknown});
   rows.push_back({"apogee / m", heard.apogee_s ? at_least(heard) + text::fixed(heard.apogee_m, 1) : unknown,
                   height.apogee_s ? text::fixed(height.apogee_m, 1) : unknown});
   rows.push_back({"tilt at the law's apogee / deg",
@@ -77,11 +76,10 @@ std::string as_text(const Heard& heard) {
       "{}: {} rows, {:.3f} s to {:.3f} s{}\nplan {}: {} g for {} s{}, {}\n\n{}\n", heard.log.name, heard.log.rows,
       heard.log.begin_s(), heard.log.end_s(),
       heard.log.columns_from.empty() ? "" : ", columns of " + heard.log.columns_from, heard.plan,
-      text::brief(static_cast<double>(rule.threshold_m_s2) / g_m_s2, 2),
+      text::brief(static_cast<double>(rule.threshold_m_s2) / one_g_m_s2, 2),
       text::brief(static_cast<double>(core::seconds(rule.hold)), 3),
       rule.low_pass ? fmt::format(", low-passed at {} Hz", text::brief(static_cast<double>(rule.low_pass_hz), 1)) : "",
-      rule.accelerometers == core::AccelerometerRule::two_agree ? "two accelerometers that agree"
-                                                                : "one accelerometer",
+      rule.accelerometers == core::AccelerometerRule::two_agree ? "two accelerometers that agree" : "one accelerometer",
       headline(heard));
   text += fmt::format("\n  {:<12} {:<28} {:>10} {:>14} {:>10} {:>10} {:>8}\n", "phase", "because", "log / s",
                       "lift-off + / s", "height / m", "v / (m/s)", "tilt/deg");

@@ -7,12 +7,11 @@
 #include <cstring>
 #include <limits>
 #include <map>
-#include <numeric>
-#include <optional>
 
 #include <fmt/core.h>
 
 #include "flight/table.hpp"
+#include "listen/ulog_fields.hpp"
 #include "text/error.hpp"
 
 namespace fantail::listen {
@@ -24,79 +23,9 @@ constexpr std::string_view known_types{"BFIMPQADLCSORT"};
 constexpr std::size_t header_size = 16;
 constexpr std::size_t message_head = 3;
 constexpr std::array<std::string_view, 2> wanted{"sensor_combined", "vehicle_air_data"};
-constexpr std::size_t most_elements = 16;
 // Before the time in the header, which is when the logger began, and after it: what says otherwise is damaged.
 constexpr std::uint64_t most_before_us = 60'000'000;
 constexpr std::uint64_t most_after_us = 6ULL * 3600 * 1'000'000;
-
-template <typename T>
-double as(const char* bytes) {
-  T value{};
-  std::memcpy(&value, bytes, sizeof value);  // little-endian, as is every PC
-  return static_cast<double>(value);
-}
-
-struct Type {
-  std::string_view name;
-  std::size_t size;
-  double (*read)(const char* bytes);
-};
-constexpr std::array types{
-    Type{"int8_t", 1, as<std::int8_t>},     Type{"uint8_t", 1, as<std::uint8_t>},   Type{"bool", 1, as<std::uint8_t>},
-    Type{"char", 1, as<std::uint8_t>},      Type{"int16_t", 2, as<std::int16_t>},   Type{"uint16_t", 2, as<std::uint16_t>},
-    Type{"int32_t", 4, as<std::int32_t>},   Type{"uint32_t", 4, as<std::uint32_t>}, Type{"float", 4, as<float>},
-    Type{"int64_t", 8, as<std::int64_t>},   Type{"uint64_t", 8, as<std::uint64_t>}, Type{"double", 8, as<double>},
-};
-
-struct Field {
-  std::string name;
-  const Type* type;
-  std::size_t offset;
-};
-
-// "float[3] gyro_rad": its type and how many of them.
-std::optional<std::pair<const Type*, std::size_t>> type_of(std::string_view text) {
-  std::size_t count = 1;
-  if (const std::size_t bracket = text.find('['); bracket != std::string_view::npos) {
-    count = 0;
-    for (const char digit : text.substr(bracket + 1)) {
-      if (digit == ']') {
-        break;
-      }
-      if (digit < '0' || digit > '9' || count > 10'000) {
-        return std::nullopt;
-      }
-      count = count * 10 + static_cast<std::size_t>(digit - '0');
-    }
-    text = text.substr(0, bracket);
-  }
-  const auto found = std::ranges::find(types, text, &Type::name);
-  return found == types.end() || count == 0 ? std::nullopt : std::optional{std::pair{&*found, count}};
-}
-
-// The fields up to the first whose type is another message.
-std::vector<Field> fields_of(std::string_view format) {
-  std::vector<Field> fields;
-  std::size_t offset = 0;
-  while (!format.empty()) {
-    const std::size_t end = std::min(format.find(';'), format.size());
-    const std::string_view text = format.substr(0, end);
-    format.remove_prefix(std::min(end + 1, format.size()));
-    const std::size_t space = text.find(' ');
-    const auto type = type_of(text.substr(0, space));
-    if (space == std::string_view::npos || !type) {
-      break;
-    }
-    const std::string name{text.substr(space + 1)};
-    for (std::size_t i = 0; i < type->second; ++i) {
-      if (type->second <= most_elements && !name.starts_with("_padding")) {
-        fields.push_back({type->second == 1 ? name : fmt::format("{}[{}]", name, i), type->first, offset});
-      }
-      offset += type->first->size;
-    }
-  }
-  return fields;
-}
 
 class Reader {
  public:
@@ -165,7 +94,7 @@ class Reader {
     if (type == 'F') {
       const std::size_t colon = content.find(':');
       if (colon != std::string_view::npos) {
-        formats_.emplace(content.substr(0, colon), fields_of(content.substr(colon + 1)));
+        formats_.emplace(content.substr(0, colon), ulog_fields(content.substr(colon + 1)));
       }
     } else if (type == 'A' && content.size() > 3) {
       std::memcpy(&id, content.data() + 1, sizeof id);
@@ -219,7 +148,7 @@ class Reader {
     }
     for (std::size_t topic = 0; topic < wanted.size(); ++topic) {
       const auto format = formats_.find(wanted[topic]);
-      for (const Field& field : format == formats_.end() ? std::vector<Field>{} : format->second) {
+      for (const UlogField& field : format == formats_.end() ? std::vector<UlogField>{} : format->second) {
         add_column(result.columns, topic, field);
       }
     }
@@ -239,14 +168,14 @@ class Reader {
   }
 
   // A name that an earlier topic has, too, is the earlier topic's: the time, first of all.
-  void add_column(table_file::Columns& columns, std::size_t topic, const Field& field) const {
+  void add_column(table_file::Columns& columns, std::size_t topic, const UlogField& field) const {
     if (std::ranges::find(columns, field.name, &table_file::Column::name) != columns.end()) {
       return;
     }
     table_file::Column column{.name = field.name};
     for (const Row& row : rows_) {
-      const bool has = row.topic == topic && field.offset + field.type->size <= row.content.size();
-      column.values.push_back(has ? field.type->read(row.content.data() + field.offset)
+      const bool has = row.topic == topic && field.offset + field.size <= row.content.size();
+      column.values.push_back(has ? field.read(row.content.data() + field.offset)
                                   : std::numeric_limits<double>::quiet_NaN());
     }
     columns.push_back(std::move(column));
@@ -254,7 +183,7 @@ class Reader {
 
   std::string_view file_;
   const std::string& name_;
-  std::map<std::string, std::vector<Field>, std::less<>> formats_;
+  std::map<std::string, std::vector<UlogField>, std::less<>> formats_;
   std::map<std::uint16_t, std::size_t> subscribed_;
   std::map<std::string, bool> topics_;
   std::vector<Row> rows_;

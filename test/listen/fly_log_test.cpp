@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: MIT
+// Made-up logs whose flight is known in closed form.
+#include "listen/fly_log.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "core/flight_plan_members.hpp"
+#include "listen/outputs.hpp"
+#include "listen/refused.hpp"
+#include "listen/sentences.hpp"
+#include "random/seed.hpp"
+
+namespace fantail::listen {
+namespace {
+
+constexpr double g = 9.80665;
+
+Signal signal(double end_s, double interval_s, const std::function<double(double)>& value) {
+  Signal made{.words = "a"};
+  for (int i = 0; i * interval_s <= end_s + 1e-9; ++i) {
+    made.time_s.push_back(i * interval_s);
+    made.value.push_back(value(i * interval_s + 1e-9));
+  }
+  return made;
+}
+
+ImuLog log_of(Signal axial, double interval_s = 0.01) {
+  ImuLog log{.name = "made.csv", .rows = axial.time_s.size(), .axial = std::move(axial), .interval_s = interval_s};
+  return log;
+}
+
+Question question() { return {.plan_name = "default", .plan = core::default_plan()}; }
+
+// 5 s on the pad, 5 g for 2 s, free fall.
+double constant_push(double t) { return t < 5.0 ? g : t < 7.0 ? 5.0 * g : 0.0; }
+
+bool says(const Heard& heard, const std::string& part) {
+  return std::ranges::any_of(heard.notes,
+                             [&](const std::string& note) { return note.find(part) != std::string::npos; });
+}
+
+// Net 4 g for 2 s: 8 g s of speed, 8 g m of height; then free fall: 8 s more to apogee, 32 g m higher. Each straight
+// line between samples of 10 ms begins 10 ms before the new value, which moves the push by 5 ms.
+TEST(FlyLog, OfAConstantPushHasTheSpeedAndApogeeOfTheClosedForm) {
+  const Heard heard = fly_log(log_of(signal(20.0, 0.01, constant_push)), question());
+  EXPECT_NEAR(heard.lift_off_s.value(), 4.9925, 1e-6) << "a quarter of the way from 1 g to 5 g";
+  EXPECT_EQ(finding(heard), Finding::heard);
+  // A low-pass of 16 Hz (10 ms) reaches 2.5 g within 15 ms, and the hold is 0.1 s.
+  EXPECT_NEAR(heard.since_lift_off_s(heard.detected_s).value(), 0.11, 0.01);
+  ASSERT_TRUE(heard.control);
+  // 6 m at 4 g net: sqrt(12 / 4 g) after the push began at 4.995.
+  EXPECT_NEAR(heard.control->time_s, 4.995 + std::sqrt(12.0 / (4.0 * g)), 0.01);
+  EXPECT_NEAR(heard.fastest.value, 8.0 * g, 0.01 * g * 4.0);
+  ASSERT_TRUE(heard.apogee_s);
+  EXPECT_NEAR(*heard.apogee_s, 4.995 + 10.0, 0.05);
+  EXPECT_NEAR(heard.apogee_m, 40.0 * g, 0.005 * 40.0 * g);
+  EXPECT_NEAR(heard.tilt_at_apogee_rad, 0.0, 1e-6);
+  EXPECT_FALSE(heard.is_lower_bound);
+  EXPECT_NEAR(heard.hardest.value, 5.0 * g, 1e-9);
+  EXPECT_TRUE(heard.clipped.empty());
+  EXPECT_TRUE(says(heard, "usual interval is 10 ms (100 samples a second)"));
+  EXPECT_TRUE(says(heard, "given its samples as both"));
+  EXPECT_EQ(heard.events.front().to, core::Phase::armed);
+  EXPECT_EQ(heard.events.back().reason, core::PhaseReason::apogee);
+}
+
+TEST(FlyLog, OfATiltedGuideAndAnOffsetGyroTakesBothFromThePad) {
+  ImuLog log = log_of(signal(20.0, 0.01, [](double t) { return t < 5.0 ? g * std::cos(0.1) : constant_push(t); }));
+  log.lateral_y = signal(20.0, 0.01, [](double t) { return t < 5.0 ? g * std::sin(0.1) : 0.0; });
+  log.lateral_z = signal(20.0, 0.01, [](double) { return 0.0; });
+  log.pitch_rate = signal(20.0, 0.01, [](double) { return 0.02; });
+  const Heard heard = fly_log(std::move(log), question());
+  ASSERT_TRUE(heard.apogee_s);
+  EXPECT_NEAR(heard.tilt_at_apogee_rad, 0.1, 0.002) << "an offset of 0.02 rad/s would have made 0.2 rad";
+  EXPECT_FALSE(says(heard, "took the guide as upright"));
+}
+
+TEST(FlyLog, ThatBeginsAtTheLaunchIsFlownUprightUnlessThePadIsSaid) {
+  const auto late = [] {
+    ImuLog log =
+        log_of(signal(15.0, 0.01, [](double t) { return t < 0.3 ? g * std::cos(0.1) : constant_push(t + 4.7); }));
+    log.lateral_y = signal(15.0, 0.01, [](double t) { return t < 0.3 ? g * std::sin(0.1) : 0.0; });
+    log.lateral_z = signal(15.0, 0.01, [](double) { return 0.0; });
+    return log;
+  };
+  const Heard upright = fly_log(late(), question());
+  EXPECT_TRUE(says(upright, "took the guide as upright"));
+  EXPECT_NEAR(upright.tilt_at_apogee_rad, 0.0, 1e-6);
+  Question padded = question();
+  padded.pad_s = 5.0;
+  const Heard tilted = fly_log(late(), padded);
+  EXPECT_NEAR(tilted.tilt_at_apogee_rad, 0.1, 0.002);
+  EXPECT_TRUE(says(tilted, "stand still for 5 s before the log"));
+  EXPECT_NEAR(tilted.since_lift_off_s(tilted.detected_s).value(), upright.since_lift_off_s(upright.detected_s).value(),
+              0.002);
+}
+
+// 120 ms of 10 g fire the detector; the guide is not cleared, and after two seconds at rest the law listens again.
+TEST(FlyLog, WithAKnockBeforeTheLaunchNamesTheLaunchThatWasNone) {
+  const auto knocked = [](double width_s) {
+    return [=](double t) { return t > 4.0 && t < 4.0 + width_s ? 10.0 * g : t < 10.0 ? g : constant_push(t - 5.0); };
+  };
+  const Heard heard = fly_log(log_of(signal(25.0, 0.01, knocked(0.12))), question());
+  EXPECT_EQ(finding(heard), Finding::imagined);
+  ASSERT_EQ(heard.false_detections_s.size(), 1U);
+  EXPECT_NEAR(heard.false_detections_s[0], 4.1, 0.02);
+  EXPECT_NEAR(heard.since_lift_off_s(heard.detected_s).value(), 0.11, 0.01);
+  EXPECT_NE(headline(heard).find("one launch that was none before it"), std::string::npos) << headline(heard);
+  EXPECT_EQ(finding(fly_log(log_of(signal(25.0, 0.01, knocked(0.04))), question())), Finding::heard);
+}
+
+TEST(FlyLog, AtRestHearsNothing) {
+  const Heard heard = fly_log(log_of(signal(10.0, 0.01, [](double) { return g; })), question());
+  EXPECT_EQ(finding(heard), Finding::no_launch);
+  EXPECT_EQ(heard.events.size(), 1U);
+  EXPECT_EQ(headline(heard), "There is no lift-off in this log, and no launch was detected.");
+}
+
+// What the law gets across a gap is stale: no hold reaches across it.
+TEST(FlyLog, WithAGapInTheHoldIsDetectedAHoldAfterIt) {
+  ImuLog log = log_of(signal(20.0, 0.01, constant_push));
+  const auto in_gap = [](double t) { return t > 5.03 && t < 5.499; };
+  for (std::size_t i = log.axial.time_s.size(); i-- > 0;) {
+    if (in_gap(log.axial.time_s[i])) {
+      log.axial.time_s.erase(log.axial.time_s.begin() + static_cast<std::ptrdiff_t>(i));
+      log.axial.value.erase(log.axial.value.begin() + static_cast<std::ptrdiff_t>(i));
+    }
+  }
+  const Heard heard = fly_log(std::move(log), question());
+  ASSERT_EQ(heard.gaps.size(), 1U);
+  EXPECT_NEAR(heard.detected_s.value(), 5.60, 0.003);
+  EXPECT_TRUE(says(heard, "One gap is longer than the 100 ms"));
+  EXPECT_TRUE(says(heard, "stale after 5 ms"));
+}
+
+TEST(FlyLog, OfAnAccelerometerAtTheEndOfItsRangeSaysThatItsFiguresAreLowerBounds) {
+  std::mt19937 random{test::seed()};
+  std::normal_distribution<double> noise{0.0, 0.3};
+  const Signal truth = signal(60.0, 0.01, [&](double t) {
+    return (t < 5.0 ? g : t < 7.0 ? 20.0 * g : 0.0) + noise(random);
+  });
+  Signal clipped = truth;
+  std::ranges::for_each(clipped.value, [](double& value) { value = std::min(value, 156.9); });
+  const Heard whole = fly_log(log_of(truth), question());
+  const Heard bounded = fly_log(log_of(clipped), question());
+  EXPECT_FALSE(whole.is_lower_bound);
+  EXPECT_TRUE(bounded.is_lower_bound);
+  ASSERT_EQ(bounded.clipped.size(), 1U);
+  EXPECT_TRUE(says(bounded, "axial stands at 156.9 m/s2 (16 g)"));
+  EXPECT_TRUE(says(bounded, "lower bounds, and its apogee comes too early"));
+  EXPECT_NEAR(whole.fastest.value, 38.0 * g, 2.0);
+  EXPECT_NEAR(bounded.fastest.value, 30.0 * g, 2.0);
+  ASSERT_TRUE(whole.apogee_s && bounded.apogee_s);
+  EXPECT_NEAR(*whole.apogee_s - *bounded.apogee_s, 8.0, 0.5);
+  EXPECT_TRUE(comparison(bounded)[4].law.starts_with("at least ")) << comparison(bounded)[4].law;
+  EXPECT_FALSE(comparison(whole)[4].law.starts_with("at least ")) << comparison(whole)[4].law;
+
+  ImuLog two = log_of(clipped);
+  two.second_axial = truth;
+  const Heard helped = fly_log(std::move(two), question());
+  EXPECT_FALSE(helped.is_lower_bound) << "the other accelerometer measures";
+  EXPECT_NEAR(helped.fastest.value, whole.fastest.value, 1.0);
+  EXPECT_FALSE(says(helped, "lower bounds"));
+}
+
+TEST(FlyLog, OfTwoAccelerometersThatDisagreeIsMissedByAPlanThatAsksForTwo) {
+  ImuLog log = log_of(signal(20.0, 0.01, constant_push));
+  log.second_axial = signal(20.0, 0.01, [](double) { return g; });
+  const Heard heard = fly_log(std::move(log), question());
+  EXPECT_EQ(finding(heard), Finding::missed);
+  EXPECT_EQ(headline(heard), "The launch was not detected.");
+}
+
+TEST(FlyLog, ComparesWithTheLogsOwnHeight) {
+  ImuLog log = log_of(signal(20.0, 0.01, constant_push));
+  log.height = signal(20.0, 0.05, [](double t) {
+    const double coast = std::max(t - 7.0, 0.0);
+    const double push = std::clamp(t - 5.0, 0.0, 2.0);
+    return 250.0 + 2.0 * g * push * push + 8.0 * g * coast - 0.5 * g * coast * coast;
+  });
+  const Heard heard = fly_log(std::move(log), question());
+  EXPECT_NEAR(*heard.log_height.apogee_s, 15.0, 0.06);
+  EXPECT_NEAR(heard.log_height.apogee_m, 40.0 * g, 0.5);
+  EXPECT_NEAR(heard.apogee_m, heard.log_height.apogee_m, 2.0);
+  for (const std::string& output : {as_text(heard), as_json(heard, "1"), as_html(heard)}) {
+    EXPECT_NE(output.find("made.csv"), std::string::npos);
+    EXPECT_NE(output.find("Launch detected 0.1"), std::string::npos);
+  }
+}
+
+TEST(FlyLog, IsRefusedWithAPlanOfTheTunnel) {
+  Question tunnel = question();
+  tunnel.plan.run.start = core::Start::tunnel;
+  expect_refusal(text::ErrorKind::bad_configuration, {"the plan default begins on command"},
+                 [&] { (void)fly_log(log_of(signal(1.0, 0.01, constant_push)), tunnel); });
+}
+
+}  // namespace
+}  // namespace fantail::listen

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+#include "listen/imu_log.hpp"
+
+#include <algorithm>
+
+#include <fmt/core.h>
+#include <gtest/gtest.h>
+
+#include "listen/refused.hpp"
+
+namespace fantail::listen {
+namespace {
+
+using text::ErrorKind;
+
+const Sources sources = parse_columns("time=t:ms,axial=a:g,height=h:ft", "--columns");
+
+flight::Table table(const std::string& rows) { return flight::Table::parse("t,a,h\n" + rows, "log.csv"); }
+
+// 20 rows, 10 ms apart; line n of the file is row n - 2.
+std::string rows(const std::string& instead_of_row_7 = "70,1,0\n") {
+  std::string text;
+  for (int i = 0; i < 20; ++i) {
+    text += i == 7 ? instead_of_row_7 : fmt::format("{},1,0\n", 10 * i);
+  }
+  return text;
+}
+
+bool says(const ImuLog& log, const std::string& part) {
+  return std::ranges::any_of(log.notes, [&](const std::string& note) { return note.find(part) != std::string::npos; });
+}
+
+TEST(ImuLog, HasSiUnitsAndSaysWhatItTakesForGranted) {
+  const ImuLog log = imu_log(table(rows("70,2,10\n")), sources);
+  ASSERT_EQ(log.axial.value.size(), 20U);
+  EXPECT_NEAR(log.axial.time_s[7], 0.07, 1e-12);
+  EXPECT_NEAR(log.axial.value[7], 2.0 * 9.80665, 1e-12);
+  EXPECT_NEAR(log.height.value[7], 3.048, 1e-12);
+  EXPECT_NEAR(log.interval_s, 0.01, 1e-12);
+  EXPECT_FALSE(log.roll_rate.is_there());
+  EXPECT_TRUE(says(log, "y and z, the sides, is not in the log"));
+  EXPECT_TRUE(says(log, "The rate of roll and pitch and yaw is not in the log"));
+}
+
+TEST(ImuLog, AddsOneGToAForceWhoseZeroIsThePad) {
+  const ImuLog log = imu_log(table(rows()), parse_columns("time=t:ms,axial_from_rest=a:g", "--columns"));
+  EXPECT_NEAR(log.axial.value[0], 2.0 * 9.80665, 1e-6);
+}
+
+TEST(ImuLog, TakesTheLastOfRowsWithOneTime) {
+  const ImuLog log = imu_log(table(rows("60,3,1\n60,4,\n")), sources);
+  EXPECT_EQ(log.axial.value.size(), 19U);
+  EXPECT_NEAR(log.axial.value[6], 4.0 * 9.80665, 1e-12);
+  EXPECT_NEAR(log.height.value[6], 0.3048, 1e-12) << "a cell without a number has no news";
+  EXPECT_TRUE(says(log, "2 of 21 rows have the time of the row before them, the first in line 9")) << log.notes[0];
+}
+
+TEST(ImuLog, CountsWhatIsNoNumberAsNotSampled) {
+  const ImuLog log = imu_log(table(rows("70,NaN,0\n")), sources);
+  EXPECT_EQ(log.axial.value.size(), 19U);
+  EXPECT_EQ(log.height.value.size(), 20U);
+  EXPECT_TRUE(says(log, "1 of 20 cells of a are no numbers, the first in line 9"));
+}
+
+TEST(ImuLog, IsRefusedByFileAndLine) {
+  const auto refused = [](const flight::Table& what, const std::vector<std::string>& parts) {
+    expect_refusal(ErrorKind::bad_data, parts, [&] { (void)imu_log(what, sources); });
+  };
+  refused(table(rows("55,1,0\n")), {"log.csv:9", "55", "before that of line 8, 60"});
+  refused(table(rows("x,1,0\n")), {"1 of 20 rows", "column t", "line 9"});
+  refused(table("0,1,0\n10,1,0\n"), {"2 samples of the axial specific force; at least 10"});
+  refused(table(""), {"0 samples"});
+  refused(flight::Table::parse("t,acc,h\n0,1,2\n", "log.csv"), {"no column a ", "t, acc, h", "--columns axial="});
+  refused(flight::Table::parse("t,a\n0,1\n", "log.csv"), {"no column h", "--columns height="});
+  refused(table(rows() + "90000000,1,0\n"), {"longer than 21600 s", "is the time t really in ms?"});
+}
+
+TEST(ImuLog, OfNothingButForceIsNoLog) {
+  expect_refusal(ErrorKind::bad_data, {"which column is the time", "time=COLUMN:UNIT"},
+                 [] { (void)imu_log(table(rows()), parse_columns("axial=a:g", "x")); });
+  expect_refusal(ErrorKind::bad_data, {"axial specific force"},
+                 [] { (void)imu_log(table(rows()), parse_columns("time=t:s", "x")); });
+}
+
+TEST(ImuLog, TakesTheHeightOfABarometersOwnLog) {
+  ImuLog log = imu_log(table(rows()), parse_columns("time=t:ms,axial=a:g", "x"));
+  add_barometer(log, flight::Table::parse("s,z\n0,5\n1,6\n", "b.csv"), parse_columns("time=s:s,height=z:m", "x"));
+  EXPECT_EQ(log.height.time_s, (std::vector<double>{0.0, 1.0}));
+  EXPECT_EQ(log.height.value, (std::vector<double>{5.0, 6.0}));
+}
+
+TEST(Gaps, AreLongerThanWhatIsBridged) {
+  const Signal signal{.words = "a", .time_s = {0.0, 0.01, 0.02, 0.13, 0.23}, .value = {0, 0, 0, 0, 0}};
+  const std::vector<Gap> found = gaps(signal, 0.1);
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].from_s, 0.02);
+  EXPECT_EQ(found[0].to_s, 0.13);
+}
+
+TEST(Gaps, OfAFastLogBeginAtTheStaleTimeAndOfASlowOneAtTenIntervals) {
+  EXPECT_EQ(longest_bridge_s(0.001, 0.005), 0.005);
+  EXPECT_DOUBLE_EQ(longest_bridge_s(0.01, 0.005), 0.1);
+}
+
+}  // namespace
+}  // namespace fantail::listen

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+#include <cmath>
+#include <functional>
+#include <map>
+
+#include <fmt/core.h>
+#include <gtest/gtest.h>
+
+#include "json/value.hpp"
+#include "system/folder.hpp"
+#include "system/process.hpp"
+#include "system/refusal.hpp"
+
+namespace fantail::test {
+namespace {
+
+using Json = json::Value;
+
+constexpr double g = 9.80665;
+
+// 5 s on the pad, 5 g for 2 s, free fall; 100 samples a second.
+std::string made_log(const std::string& header, const std::function<std::string(double t, double axial)>& row) {
+  std::string text = header + "\n";
+  for (int i = 0; i <= 2000; ++i) {
+    const double t = 0.01 * i;
+    text += row(t, i < 500 ? g : i < 700 ? 5.0 * g : 0.0) + "\n";
+  }
+  return text;
+}
+
+const std::string made =
+    made_log("ms,Ay,alt", [](double t, double axial) { return fmt::format("{},{},0", 1e3 * t, -axial / g); });
+const Words of_made{"listen", "log.csv", "--columns", "time=ms:ms,axial=-Ay:g,height=alt:ft"};
+
+double phase_s(const Json& json, const std::string& phase) {
+  for (const Json& event : json["phases"]) {
+    if (event["phase"].text() == phase) {
+      return event["time_s"].number();
+    }
+  }
+  return std::nan("");
+}
+
+// The flight's own file: the law that made its phases hears them again, from nothing but axial force and roll rate.
+TEST(Listen, HearsTheSimulatedFlightAsItFlew) {
+  const Folder folder;
+  ASSERT_EQ(fantail({"fly", "tasha3_launch2"}, {.working_folder = folder.path()}).exit_code, 0);
+  const Outcome outcome =
+      fantail({"listen", "out/tasha3_launch2/flight.csv", "--json"}, {.working_folder = folder.path()});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const Json json = json::parse(outcome.out);
+  EXPECT_EQ(json["finding"].text(), "heard");
+  EXPECT_NEAR(json["interval_s"].number(), 0.001, 1e-9);
+  const Json summary = json::parse(content(folder / "out/tasha3_launch2/summary.json"));
+  std::map<std::string, double> flown;
+  std::istringstream rows{content(folder / "out/tasha3_launch2/flight.csv")};
+  std::string line;
+  std::getline(rows, line);
+  while (std::getline(rows, line)) {
+    const std::size_t comma = line.find(',');
+    const std::string phase = line.substr(comma + 1, line.find(',', comma + 1) - comma - 1);
+    flown.emplace(phase, std::stod(line.substr(0, comma)));
+  }
+  for (const char* const phase : {"launched", "controlling", "finished"}) {
+    EXPECT_NEAR(phase_s(json, phase), flown.at(phase), 0.0015) << phase;
+  }
+  EXPECT_EQ(json["false_detections_s"].size(), 0U);
+  EXPECT_NEAR(json["law"]["apogee_m"].number(), json["log_itself"]["apogee_m"].number(), 3.0);
+}
+
+TEST(Listen, WritesAPageAndPrintsTheClosedForm) {
+  const Folder folder;
+  folder.write("log.csv", made);
+  const Outcome outcome = fantail(of_made, {.working_folder = folder.path()});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("Launch detected 0.1"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("100 samples a second"), std::string::npos);
+  EXPECT_EQ(folder.listing(), (Words{"log.csv", "out", "out/listen", "out/listen/log", "out/listen/log/listen.html",
+                                     "out/listen/log/listen.json"}));
+  EXPECT_NE(content(folder / "out/listen/log/listen.html").find("</html>"), std::string::npos);
+  const Json json = json::parse(content(folder / "out/listen/log/listen.json"));
+  EXPECT_NEAR(json["law"]["top_speed_m_s"].number(), 8.0 * g, 0.5);
+  EXPECT_NEAR(json["law"]["apogee_m"].number(), 40.0 * g, 2.0);
+  EXPECT_NEAR(json["law"]["apogee_s"].number(), 15.0, 0.06);
+}
+
+TEST(Listen, ReadsAnExportOfAltosUi) {
+  const Folder folder;
+  const std::string log = made_log(
+      "#version,serial,flight,call,time,state,acceleration,altitude,height,altitude", [](double t, double axial) {
+        return fmt::format("6, 1, 2,CALL, {:.2f}, 3, {:.2f}, 300.0, 1.0, 301.0", t, axial - g);
+      });
+  folder.write("log.csv", log);
+  const Outcome outcome = fantail({"listen", "log.csv", "--json"}, {.working_folder = folder.path()});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NEAR(json::parse(outcome.out)["law"]["top_speed_m_s"].number(), 8.0 * g, 0.5);
+}
+
+TEST(Listen, FollowsAnotherPlan) {
+  const Folder folder;
+  folder.write("log.csv", made);
+  Words words = of_made;
+  words.insert(words.end(), {"--plan", "tasha3_launch1", "--json"});
+  const Outcome outcome = fantail(words, {.working_folder = folder.path()});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(json::parse(outcome.out)["plan"].text(), "tasha3_launch1");
+}
+
+TEST(Listen, RefusesWhatItCannotHear) {
+  const auto with = [](const std::string& columns) { return Words{"listen", "log.csv", "--columns", columns}; };
+  Refusal({}, of_made, 66, {"log.csv", "no such file"});
+  Refusal({{"log.csv", ""}}, of_made, 65, {"log.csv", "is empty"});
+  Refusal({{"log.csv", made}}, {"listen", "log.csv"}, 65,
+          {"no logger that is known", "--columns time=", "ms, Ay, alt"});
+  Refusal({{"log.csv", made}}, with("time=ms:ms,axial=ay:g"), 65, {"no column ay (did you mean Ay?)", "ms, Ay, alt"});
+  Refusal({{"log.csv", made}}, with("time=ms:ms,axial=Ay:m/s"), 78, {"\"m/s\" is no unit of axial", "m/s2, g"});
+  Refusal({{"log.csv", made}}, with("time=ms:ms,axal=Ay:g"), 78, {"did you mean axial?"});
+  Refusal({{"log.csv", made + "20000,1,0\n19000,1,0\n"}}, of_made, 65,
+          {"log.csv:2004", "19000", "before that of line 2003"});
+  Refusal({{"log.csv", made}}, with("time=alt:s,axial=Ay:g"), 65, {"1 samples of the axial"});
+  Refusal({{"log.csv", made}}, {"listen", "log.csv", "--map", "altus"}, 64, {"altus", "altos", "px4"});
+  Refusal({{"log.csv", made}}, {"listen", "log.csv", "--map", "altos"}, 65, {"no column time", "--columns time="});
+  Refusal({{"log.csv", made}}, {"listen", "log.csv", "--barometer", "log.csv"}, 64, {"--barometer-columns"});
+  Refusal({{"log.ftl", "x"}}, {"listen", "log.ftl", "--map", "px4"}, 65, {"log.ftl"});
+}
+
+}  // namespace
+}  // namespace fantail::test

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+
+#include "core/flight_plan.hpp"
+#include "core/inputs.hpp"
+#include "listen/imu_log.hpp"
+#include "listen/range_end.hpp"
+#include "logs/interpolator.hpp"
+
+namespace fantail::listen {
+
+/// One signal of a log at any time. It keeps a reference to the signal.
+class Channel {
+ public:
+  /// `pad_end_s`: up to here the mean of the samples is what it reads before the log begins.
+  Channel(const Signal& signal, double longest_gap_s, double pad_end_s);
+
+  struct Sample {
+    double value = 0.0;
+    bool at_positive_end = false;
+    bool at_negative_end = false;
+  };
+
+  /// Times in increasing order. Empty in a gap. A signal that the log does not have is zero.
+  [[nodiscard]] std::optional<Sample> at(double time_s);
+
+ private:
+  const Signal& signal_;
+  std::optional<RangeEnd> positive_;
+  std::optional<RangeEnd> negative_;
+  logs::Interpolator between_;
+  double pad_ = 0.0;
+};
+
+/// What the hardware layer would have given of a log, tick by tick. It keeps a reference to the log.
+class Sensors {
+ public:
+  Sensors(const ImuLog& log, double longest_gap_s, double pad_end_s, const core::FlightPlan& plan);
+
+  /// Writes time and samples of one tick; in a gap the old samples stay, with their old time.
+  void read(double time_s, core::Microseconds now, core::Inputs& inputs);
+
+ private:
+  Channel axial_, second_, y_, z_, roll_, pitch_, yaw_;
+  bool has_second_;
+  bool two_gyros_;
+};
+
+}  // namespace fantail::listen
