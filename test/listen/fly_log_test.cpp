@@ -63,7 +63,7 @@ TEST(FlyLog, OfAConstantPushHasTheSpeedAndApogeeOfTheClosedForm) {
   EXPECT_FALSE(heard.is_lower_bound);
   EXPECT_NEAR(heard.hardest.value, 5.0 * g, 1e-9);
   EXPECT_TRUE(heard.clipped.empty());
-  EXPECT_TRUE(says(heard, "usual interval is 10 ms (100 samples a second)"));
+  EXPECT_TRUE(says(heard, "usual interval around lift-off is 10 ms (100 samples a second)"));
   EXPECT_TRUE(says(heard, "given its samples as both"));
   EXPECT_EQ(heard.events.front().to, core::Phase::armed);
   EXPECT_EQ(heard.events.back().reason, core::PhaseReason::apogee);
@@ -112,6 +112,24 @@ TEST(FlyLog, WithAKnockBeforeTheLaunchNamesTheLaunchThatWasNone) {
   EXPECT_NEAR(heard.since_lift_off_s(heard.detected_s).value(), 0.11, 0.01);
   EXPECT_NE(headline(heard).find("one launch that was none before it"), std::string::npos) << headline(heard);
   EXPECT_EQ(finding(fly_log(log_of(signal(25.0, 0.01, knocked(0.04))), question())), Finding::heard);
+}
+
+TEST(FlyLog, TakesTheIntervalThatTheLogHasAroundLiftOff) {
+  ImuLog log = log_of(signal(60.0, 0.01, constant_push), 0.01);
+  Signal& axial = log.axial;
+  Signal thinned{.words = "a"};  // ten samples a second from 10 s after lift-off on
+  for (std::size_t i = 0; i < axial.time_s.size(); ++i) {
+    if (axial.time_s[i] < 15.0 || i % 10 == 0) {
+      thinned.time_s.push_back(axial.time_s[i]);
+      thinned.value.push_back(axial.value[i]);
+    }
+  }
+  axial = thinned;
+  log.interval_s = 0.1;
+  const Heard heard = fly_log(std::move(log), question());
+  EXPECT_NEAR(heard.log.interval_s, 0.01, 1e-9);
+  EXPECT_NEAR(heard.longest_bridge_s, 0.1, 1e-9);
+  EXPECT_TRUE(heard.gaps.empty());
 }
 
 TEST(FlyLog, AtRestHearsNothing) {

@@ -12,6 +12,7 @@
 #include "listen/lift_off.hpp"
 #include "listen/sensors.hpp"
 #include "listen/sentences.hpp"
+#include "logs/interpolator.hpp"
 #include "text/error.hpp"
 
 namespace fantail::listen {
@@ -89,6 +90,16 @@ bool is_over(const Heard& heard, double time_s) {
   return time_s > std::max(*heard.apogee_s, heard.log_height.apogee_s.value_or(*heard.apogee_s)) + trace_after_s;
 }
 
+// Many loggers are faster in the first seconds than on the pad and under the parachute.
+double interval_around_s(const Signal& axial, double lift_off_s, double usual_s) {
+  constexpr double before_s = 1.0;
+  constexpr double after_s = 5.0;
+  std::vector<double> time_s;
+  std::ranges::copy_if(axial.time_s, std::back_inserter(time_s),
+                       [&](double t) { return t >= lift_off_s - before_s && t <= lift_off_s + after_s; });
+  return time_s.size() < 10 ? usual_s : logs::usual_interval_s(time_s);
+}
+
 void find_peaks(Heard& heard) {
   const double from_s = heard.lift_off_s.value_or(heard.log.begin_s());
   const double to_s = heard.log_height.apogee_s.value_or(heard.apogee_s.value_or(heard.log.end_s()));
@@ -130,10 +141,13 @@ Heard fly_log(ImuLog log, const Question& question, const Watch& watch) {
                                   question.plan_name)};
   }
   Heard heard{.log = std::move(log), .plan = question.plan_name, .flown = question.plan};
+  heard.lift_off_s = lift_off_s(heard.log.axial);
+  if (heard.lift_off_s) {
+    heard.log.interval_s = interval_around_s(heard.log.axial, *heard.lift_off_s, heard.log.interval_s);
+  }
   const double stale_s = static_cast<double>(core::seconds(question.plan.motion.stale_time));
   heard.longest_bridge_s = question.longest_bridge_s.value_or(longest_bridge_s(heard.log.interval_s, stale_s));
   heard.gaps = gaps(heard.log.axial, heard.longest_bridge_s);
-  heard.lift_off_s = lift_off_s(heard.log.axial);
   heard.log_height = log_height(heard.log.height, heard.lift_off_s.value_or(heard.log.begin_s()));
   find_clipped(heard);
 

@@ -41,7 +41,7 @@ struct ImuLog {
   Signal yaw_rate{};
   Signal height{};
   Signal speed{};
-  double interval_s = 0.0;           ///< the usual one of `axial`
+  double interval_s = 0.0;           ///< the usual one of `axial`; of a log that was flown the one around lift-off
   std::string columns_from{};        ///< "the map altos"; of the person's own columns empty
   std::vector<std::string> notes{};  ///< a sentence each: what was left out, assumed, doubtful
 

@@ -28,10 +28,10 @@ double end_of_interest_s(const Heard& heard) {
 
 std::string rate_sentence(const Heard& heard) {
   return fmt::format(
-      "The log's usual interval is {} ms ({} samples a second). Between two samples every value runs in a straight "
-      "line, "
-      "on which the law was flown 1000 times a second: faster motion than the log's is not in it.",
-      in_ms(heard.log.interval_s), text::brief(1.0 / heard.log.interval_s, 1));
+      "The log's usual interval {}is {} ms ({} samples a second). Between two samples every value runs in a straight "
+      "line, on which the law was flown 1000 times a second: faster motion than the log's is not in it.",
+      heard.lift_off_s ? "around lift-off " : "", in_ms(heard.log.interval_s),
+      text::brief(1.0 / heard.log.interval_s, 1));
 }
 
 std::string gap_sentence(const Heard& heard) {
@@ -45,8 +45,7 @@ std::string gap_sentence(const Heard& heard) {
   const auto longest = std::ranges::max_element(before, {}, [](const Gap& gap) { return gap.to_s - gap.from_s; });
   return fmt::format(
       "{} longer than the {} ms that are bridged by a straight line: the law was given its old samples there, which "
-      "are "
-      "stale after {} ms. The longest is from {:.3f} s to {:.3f} s of the log's clock.",
+      "are stale after {} ms. The longest is from {:.3f} s to {:.3f} s of the log's clock.",
       before.size() == 1 ? "One gap is" : fmt::format("{} gaps are", before.size()), in_ms(heard.longest_bridge_s),
       in_ms(static_cast<double>(core::seconds(heard.flown.motion.stale_time))), longest->from_s, longest->to_s);
 }
