@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#include "detection/kind.hpp"
+
+#include <algorithm>
+
+namespace fantail::detection {
+
+// clang-format off: a table reads better with one thing a line
+constexpr std::array<KindInfo, kinds> kind_table{{
+  {"handling",
+   "picked up (0.3 to 1.5 m/s in 0.15 to 0.5 s), carried at 1.4 to 2.5 steps a second with 0.1 to 0.5 g and heel strikes of 0.2 to 1 g, turned over by up to 180 deg, put down with a knock of 1 to 6 g",
+   "assumed; the usual step rate of a walking person and the bounce of a trunk",
+   "one person, one turn, about one axis; nobody has measured it on this rocket"},
+  {"drop",
+   "falls 0.02 to 1.22 m and bounces up to four times; half-sine shocks of 1 to 40 ms, half of the drops tail first, the others any way round",
+   "height: transit drop of MIL-STD-810F, method 516.5, procedure IV; the shock's area is the change of speed",
+   "widths from a hard floor to grass are assumed; the tube does not ring"},
+  {"transport",
+   "a car or a trailer: body 2 to 5 Hz with 0.1 to 0.4 g rms, road 10 to 150 Hz with 0.1 to 1.1 g rms, up to three potholes of 1 to 6 g and 15 to 60 ms; lying or standing",
+   "level: about 1 g rms, as MIL-STD-810G (method 514.6, annex C) has for highway trucks",
+   "two narrow bands in place of a spectrum; an armed rocket should never be on a road"},
+  {"shaking",
+   "shaken along its axis by two hands: 1 to 8 Hz, up to 0.3 m either way, 300 N and 600 W, 30 to 100 % of that; axis 0 to 90 deg from the vertical, wobbling",
+   "bounds from mechanics: arm's reach, force and power of a strong person on 4 kg",
+   "no throw; a machine or a lighter rocket can be shaken harder"},
+  {"chuff",
+   "one to three bursts of thrust of 2 to 12 g and 20 to 400 ms, as long as the rocket stays in its guide (rises at most 3.5 m), with vibration to 2 g rms; it falls back and lands",
+   "thrust as of the launches; the hop is ballistic",
+   "a burst that throws the rocket out of its guide is a flight, and is not drawn"},
+  {"misfire",
+   "igniter's pop of 0.5 to 4 g and 1 to 5 ms, then a hiss of less than the weight for 0.3 to 2 s with vibration to 2 g rms",
+   "assumed",
+   "nobody has measured it"},
+  {"neighbour",
+   "another launch beside it: noise of 40 to 450 Hz with 0.05 to 1 g rms that comes in 0.1 to 0.5 s and goes in 0.3 to 1.5 s, and a thump of the ground of 0.2 to 1 g",
+   "assumed",
+   "nobody has measured it; a large motor at a few metres may be louder"},
+  {"gust",
+   "wind rocks the rail: 0.5 to 5 Hz, 0.2 to 5 deg about a point 0.5 to 2 m below, with up to six slaps of 0.5 to 4 g and 3 to 20 ms",
+   "assumed; kinematics of a rigid rail",
+   "the rail does not bend"},
+  {"vibration",
+   "shaken on the pad by a band between 20 and 450 Hz with 0 to 2 g rms on each axis",
+   "level: the largest that the project asks of a launch",
+   "one band a time"},
+  {"bias",
+   "stands still with zeros off by up to 0.5 g on each axis of each accelerometer and 5 deg/s of the gyro",
+   "several times what the data sheets of the board's sensors allow",
+   "a zero that jumps is under stuck and saturated"},
+  {"tilt",
+   "the rail is set from one angle to another, 0 to 15 deg each, in 0.5 to 2 s, with up to four knocks of 1 to 5 g and 5 to 30 ms",
+   "range of a launch rail; the rest assumed",
+   "the rail turns about one axis"},
+  {"launch",
+   "peak of 3 to 20 g, reached in 10 ms to 0.6 s and then never below 3 g until burnout after 1 to 3 s; tilt to 15 deg, vibration 0 to 2 g rms, zeros to 0.1 g",
+   "thrust to weight of high-power rockets; the published flights had 4 to 5 g",
+   "straight line along the guide's axis; no roll, no weathercock"},
+  {"launch_at_2_g",
+   "the same with vibration of 2 g rms",
+   "as above",
+   "as above"},
+  {"launch_one_bad",
+   "as launch, with an accelerometer that failed in the quarter of a second before ignition",
+   "as above",
+   "a plan that asks for two is meant to miss these: they are shown, and not judged"},
+}};
+// clang-format on
+
+std::optional<Kind> kind_of(std::string_view name) {
+  const auto found = std::ranges::find(kind_table, name, &KindInfo::name);
+  return found == kind_table.end() ? std::nullopt : std::optional{static_cast<Kind>(found - kind_table.begin())};
+}
+
+}  // namespace fantail::detection

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+namespace fantail::detection {
+
+/// What happens to an armed rocket. The first are no launches, and a rocket that believes in one is wrong.
+enum class Kind : std::uint8_t {
+  handling,
+  drop,
+  transport,
+  shaking,
+  chuff,
+  misfire,
+  neighbour,
+  gust,
+  vibration,
+  bias,
+  tilt,
+  launch,
+  launch_at_2_g,
+  launch_one_bad,
+};
+inline constexpr std::size_t kinds = 14;
+inline constexpr std::size_t event_kinds = 11;  ///< of these
+
+[[nodiscard]] constexpr std::size_t index(Kind kind) { return static_cast<std::size_t>(kind); }
+[[nodiscard]] constexpr bool is_launch(Kind kind) { return index(kind) >= event_kinds; }
+
+/// What a model draws, and how much that is worth.
+struct KindInfo {
+  std::string_view name;      ///< on the command line
+  std::string_view what;      ///< happens, with the ranges that are drawn
+  std::string_view source;    ///< of the ranges
+  std::string_view weakness;  ///< what it leaves out or only assumes
+};
+extern const std::array<KindInfo, kinds> kind_table;
+
+[[nodiscard]] inline const KindInfo& info(Kind kind) { return kind_table[index(kind)]; }
+/// By its name; empty for another.
+[[nodiscard]] std::optional<Kind> kind_of(std::string_view name);
+
+/// How the two accelerometers are. At most one is not well, either with the same probability.
+enum class Condition : std::uint8_t {
+  well,
+  dead,       ///< from a moment on it delivers nothing
+  stuck,      ///< from a moment on it repeats its last value as if it were new
+  saturated,  ///< from a moment on it stands at the positive end of its range
+};
+inline constexpr std::size_t conditions = 4;
+inline constexpr std::array<std::string_view, conditions> condition_names{"well", "one dead", "one stuck",
+                                                                          "one saturated"};
+
+/// Follows from the number, so that any number of events has its share of each: every second one has both well, but of
+/// a launch with one bad none has, and of the other launches all have.
+[[nodiscard]] constexpr Condition condition_of(Kind kind, std::uint64_t event) {
+  if (kind == Kind::launch || kind == Kind::launch_at_2_g) {
+    return Condition::well;
+  }
+  const std::uint64_t turn = kind == Kind::launch_one_bad ? event : event / 2;
+  const bool is_well = kind != Kind::launch_one_bad && event % 2 == 0;
+  return is_well ? Condition::well : static_cast<Condition>(1 + turn % 3);
+}
+
+}  // namespace fantail::detection

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: MIT
+#include "detection/readings.hpp"
+
+#include <algorithm>
+
+#include "detection/shapes.hpp"
+#include "sim/rotation.hpp"
+#include "sim/units.hpp"
+
+namespace fantail::detection {
+namespace {
+
+// As the shipped vehicles have them.
+constexpr float force_noise_m_s2 = 0.3F;
+constexpr float rate_noise_rad_s = static_cast<float>(0.1 * sim::radians_per_degree);
+constexpr float weight_m_s2 = core::standard_gravity_m_s2;
+
+core::Vector3 drawn_vector(sim::Random& random, double most) {
+  const double x = uniform(random, -most, most);
+  const double y = uniform(random, -most, most);
+  const double z = uniform(random, -most, most);
+  return {static_cast<float>(x), static_cast<float>(y), static_cast<float>(z)};
+}
+
+SensorErrors drawn_errors(Kind kind, std::uint64_t event, const Motion& motion, sim::Random& random) {
+  const bool far_off = kind == Kind::bias;
+  const double force = (far_off ? 0.5 : 0.1) * sim::gravity_m_s2;
+  const double rate = (far_off ? 5.0 : 1.0) * sim::radians_per_degree;
+  SensorErrors errors;
+  errors.bias_m_s2[0] = drawn_vector(random, force);
+  errors.bias_m_s2[1] = drawn_vector(random, force);
+  errors.gyro_bias_rad_s = drawn_vector(random, rate);
+  errors.condition = condition_of(kind, event);
+  errors.bad = random.uniform() < 0.5 ? 0 : 1;
+  const double last = is_launch(kind) ? static_cast<double>(motion.ignition) : 0.8 * static_cast<double>(motion.length);
+  errors.onset = static_cast<std::size_t>(random.uniform() * last);
+  return errors;
+}
+
+/// Turned step by step, so that no sine is needed; kept at unit length to the second order.
+void follow_up(const Motion& motion, Readings& readings) {
+  const auto start = sim::sine_cosine(motion.start_pitch_rad);
+  auto x = static_cast<float>(start.cosine);
+  auto z = static_cast<float>(start.sine);
+  if (!motion.turns) {
+    std::fill_n(readings.up_x.begin(), motion.length, x);
+    std::fill_n(readings.up_z.begin(), motion.length, z);
+    return;
+  }
+  for (std::size_t i = 0; i < motion.length; ++i) {
+    readings.up_x[i] = x;
+    readings.up_z[i] = z;
+    const float angle = motion.pitch_rate_rad_s[i] * static_cast<float>(step_s);
+    const float cosine = 1.0F - 0.5F * angle * angle;
+    const float turned = x * cosine - z * angle;
+    z = z * cosine + x * angle;
+    x = turned;
+    const float stretch = 1.5F - 0.5F * (x * x + z * z);
+    x *= stretch;
+    z *= stretch;
+  }
+}
+
+/// As the board's scaling says it: the positive end of the range bounds the value, the negative one bounds nothing.
+core::SampleQuality bounded(float& value, float range) {
+  if (value >= range) {
+    value = range;
+    return core::SampleQuality::saturated;
+  }
+  if (value <= -range) {
+    value = -range;
+    return core::SampleQuality::invalid;
+  }
+  return core::SampleQuality::valid;
+}
+
+void make_bad(const SensorErrors& errors, std::size_t length, Readings& readings) {
+  auto& value = readings.axial_m_s2[errors.bad];
+  auto& quality = readings.quality[errors.bad];
+  const auto from = static_cast<std::ptrdiff_t>(errors.onset);
+  const auto to = static_cast<std::ptrdiff_t>(length);
+  float stands_at = value[errors.onset];
+  core::SampleQuality says = quality[errors.onset];
+  if (errors.condition == Condition::dead) {
+    says = core::SampleQuality::absent;
+  } else if (errors.condition == Condition::saturated) {
+    stands_at = accelerometer_range_m_s2[errors.bad];
+    says = core::SampleQuality::saturated;
+  }
+  std::fill(value.begin() + from, value.begin() + to, stands_at);
+  std::fill(quality.begin() + from, quality.begin() + to, says);
+}
+
+core::Vector3 across(const core::Vector3& bias, float z, float noise_y, float noise_z) {
+  return {0.0F, bias.y + force_noise_m_s2 * noise_y, bias.z + z + force_noise_m_s2 * noise_z};
+}
+
+}  // namespace
+
+void make_readings(Kind kind, std::uint64_t event, const Motion& motion, sim::Random& random, Readings& readings) {
+  readings.errors = drawn_errors(kind, event, motion, random);
+  follow_up(motion, readings);
+  const float first_bias = readings.errors.bias_m_s2[0].x;
+  const float second_bias = readings.errors.bias_m_s2[1].x;
+  for (std::size_t i = 0; i < motion.length; ++i) {
+    const auto noise = random.gaussians<2>();
+    const float felt = motion.axial_m_s2[i] + motion.carried[i] * weight_m_s2 * readings.up_x[i];
+    readings.axial_m_s2[0][i] = felt + first_bias + force_noise_m_s2 * static_cast<float>(noise[0]);
+    readings.axial_m_s2[1][i] = felt + second_bias + force_noise_m_s2 * static_cast<float>(noise[1]);
+  }
+  for (std::size_t which = 0; which < 2; ++which) {
+    for (std::size_t i = 0; i < motion.length; ++i) {
+      readings.quality[which][i] = bounded(readings.axial_m_s2[which][i], accelerometer_range_m_s2[which]);
+    }
+  }
+  if (readings.errors.condition != Condition::well) {
+    make_bad(readings.errors, motion.length, readings);
+  }
+  readings.largest_m_s2 = 0.0F;
+  for (const auto& values : readings.axial_m_s2) {
+    for (std::size_t i = 0; i < motion.length; ++i) {
+      readings.largest_m_s2 = std::max(readings.largest_m_s2, values[i]);
+    }
+  }
+}
+
+InputMaker::InputMaker(const Motion& motion, const Readings& readings, sim::Random random)
+    : motion_{motion}, readings_{readings}, random_{random} {
+  inputs_.arm_switch_closed = true;
+  inputs_.encoders.fill(core::Angle{});
+  inputs_.second_gyro = core::GyroSample{};
+}
+
+void InputMaker::set_gyro(float pitch_rate_rad_s, const std::array<double, 3>& noise) {
+  const core::Vector3& bias = readings_.errors.gyro_bias_rad_s;
+  inputs_.gyro = {.time = inputs_.time,
+                  .rate_rad_s = {bias.x + rate_noise_rad_s * static_cast<float>(noise[0]),
+                                 bias.y + pitch_rate_rad_s + rate_noise_rad_s * static_cast<float>(noise[1]),
+                                 bias.z + rate_noise_rad_s * static_cast<float>(noise[2])},
+                  .quality = core::SampleQuality::valid};
+  // A plan that asks for two gets the same twice: they are no question of this campaign.
+  inputs_.second_gyro = inputs_.gyro;
+}
+
+const core::Inputs& InputMaker::pad(int tick) {
+  inputs_.time = event_begin - (pad_ticks - tick) * pad_tick;
+  inputs_.arm_command = tick == pad_ticks - 1;
+  const auto noise = random_.gaussians<9>();
+  set_gyro(0.0F, {noise[0], noise[1], noise[2]});
+  for (std::size_t which = 0; which < 2; ++which) {
+    const core::Vector3& bias = readings_.errors.bias_m_s2[which];
+    core::Vector3 force = across(bias, weight_m_s2 * readings_.up_z[0], static_cast<float>(noise[3 + 3 * which]),
+                                 static_cast<float>(noise[4 + 3 * which]));
+    force.x = bias.x + weight_m_s2 * readings_.up_x[0] + force_noise_m_s2 * static_cast<float>(noise[5 + 3 * which]);
+    inputs_.accelerometers[which] = {
+        .time = inputs_.time, .specific_force_m_s2 = force, .quality = core::SampleQuality::valid};
+  }
+  return inputs_;
+}
+
+const core::Inputs& InputMaker::step(std::size_t step) {
+  inputs_.time = event_begin + core::Microseconds{static_cast<std::int64_t>(step) * 1'000};
+  inputs_.arm_command = false;
+  const auto noise = random_.gaussians<7>();
+  set_gyro(motion_.pitch_rate_rad_s[step], {noise[0], noise[1], noise[2]});
+  const float z = motion_.across_m_s2[step] + motion_.carried[step] * weight_m_s2 * readings_.up_z[step];
+  for (std::size_t which = 0; which < 2; ++which) {
+    core::AccelerometerSample& sample = inputs_.accelerometers[which];
+    const bool holds = which == readings_.errors.bad && readings_.errors.condition == Condition::stuck &&
+                       step > readings_.errors.onset;
+    if (!holds) {
+      sample.specific_force_m_s2 =
+          across(readings_.errors.bias_m_s2[which], z, static_cast<float>(noise[3 + 2 * which]),
+                 static_cast<float>(noise[4 + 2 * which]));
+    }
+    sample.time = inputs_.time;
+    sample.specific_force_m_s2.x = readings_.axial_m_s2[which][step];
+    sample.quality = readings_.quality[which][step];
+  }
+  return inputs_;
+}
+
+}  // namespace fantail::detection

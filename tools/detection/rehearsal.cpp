@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+#include "detection/rehearsal.hpp"
+
+#include <algorithm>
+
+#include "core/autopilot.hpp"
+#include "core/launch_detector.hpp"
+
+namespace fantail::detection {
+namespace {
+
+core::Microseconds time_of(std::size_t step) {
+  return InputMaker::event_begin + core::Microseconds{static_cast<std::int64_t>(step) * 1'000};
+}
+
+core::AccelerometerSample axial_sample(const Readings& readings, std::size_t which, std::size_t step) {
+  return {.time = time_of(step),
+          .specific_force_m_s2 = {readings.axial_m_s2[which][step], 0.0F, 0.0F},
+          .quality = readings.quality[which][step]};
+}
+
+bool fires(const core::FlightPlan& plan, const Readings& readings, std::size_t length) {
+  core::LaunchDetector detector{plan.launch_detection, plan.motion.stale_time};
+  for (std::size_t i = 0; i < length; ++i) {
+    if (detector.update(time_of(i), {axial_sample(readings, 0, i), axial_sample(readings, 1, i)}) ==
+        core::DetectionState::detected) {
+      return true;
+    }
+  }
+  return false;
+}
+
+float share_of_gate(const core::GuidePlan& guide, const core::Motion& motion) {
+  const float distance = motion.distance_along_guide_m / (guide.length_m + guide.clearance_m);
+  const float speed = guide.minimum_speed_m_s > 0.0F ? motion.speed_m_s / guide.minimum_speed_m_s : 1.0F;
+  return std::max(0.0F, std::min(distance, speed));
+}
+
+}  // namespace
+
+Rehearsal::Rehearsal(std::span<const Rule> rules)
+    : rules_{rules},
+      least_threshold_m_s2_{std::ranges::min(rules, {}, [](const Rule& rule) {
+                              return rule.plan.launch_detection.threshold_m_s2;
+                            }).plan.launch_detection.threshold_m_s2},
+      motion_{std::make_unique<Motion>()},
+      readings_{std::make_unique<Readings>()},
+      answers_(rules.size()),
+      wanted_(rules.size()) {}
+
+const std::vector<Answer>& Rehearsal::play(std::uint64_t seed, Kind kind, std::uint64_t event, Path path) {
+  answers_.assign(rules_.size(), {});
+  Streams streams = streams_of(seed, kind, event);
+  const bool whole = path == Path::full || is_launch(kind);
+  make_event(kind, streams, *motion_, whole);
+  make_readings(kind, event, *motion_, streams.axial, *readings_);
+  wanted_.assign(rules_.size(), whole);
+  if (!whole) {
+    detect(wanted_);
+    if (std::ranges::none_of(wanted_, [](bool fired) { return fired; })) {
+      return answers_;
+    }
+    // Once more, now with what goes on across the axis.
+    streams = streams_of(seed, kind, event);
+    make_event(kind, streams, *motion_, true);
+  }
+  fly(wanted_, streams.others);
+  return answers_;
+}
+
+void Rehearsal::detect(std::vector<bool>& fired) const {
+  // A low-pass gives no more than the largest it was given, so without a sample at the threshold nothing fires.
+  if (readings_->largest_m_s2 < least_threshold_m_s2_) {
+    return;
+  }
+  for (std::size_t rule = 0; rule < rules_.size(); ++rule) {
+    fired[rule] = fires(rules_[rule].plan, *readings_, motion_->length);
+  }
+}
+
+void Rehearsal::fly(const std::vector<bool>& wanted, sim::Random others) {
+  std::vector<std::unique_ptr<core::Autopilot>> laws(rules_.size());
+  std::size_t at_work = 0;
+  for (std::size_t rule = 0; rule < rules_.size(); ++rule) {
+    if (wanted[rule]) {
+      laws[rule] = std::make_unique<core::Autopilot>(rules_[rule].plan);
+      ++at_work;
+    }
+  }
+  InputMaker maker{*motion_, *readings_, others};
+  for (int tick = 0; tick < InputMaker::pad_ticks; ++tick) {
+    const core::Inputs& inputs = maker.pad(tick);
+    for (const auto& law : laws) {
+      if (law) {
+        law->step(inputs);
+      }
+    }
+  }
+  for (std::size_t step = 0; step < motion_->length && at_work > 0; ++step) {
+    const core::Inputs& inputs = maker.step(step);
+    for (std::size_t rule = 0; rule < rules_.size(); ++rule) {
+      if (laws[rule]) {
+        follow(rule, step, laws[rule]->step(inputs));
+        if (answers_[rule].controlling && !on_tick) {
+          laws[rule].reset();
+          --at_work;
+        }
+      }
+    }
+  }
+}
+
+void Rehearsal::follow(std::size_t rule, std::size_t step, const core::TickRecord& record) {
+  Answer& answer = answers_[rule];
+  const core::FlightPlan& plan = rules_[rule].plan;
+  const bool has_thrust = motion_->ignition > 0;
+  if (on_tick) {
+    on_tick(rule, step, record);
+  }
+  if (has_thrust && !answer.crossing && step >= motion_->ignition &&
+      motion_->thrust_m_s2[step] >= plan.launch_detection.threshold_m_s2) {
+    answer.crossing = step;
+  }
+  if (record.phase != core::Phase::launched && record.phase != core::Phase::controlling) {
+    return;
+  }
+  answer.detected = answer.detected.value_or(step);
+  if (record.phase == core::Phase::launched) {
+    answer.nearness = std::max(answer.nearness, share_of_gate(plan.guide, record.motion));
+  } else if (!answer.controlling) {
+    answer.controlling = step;
+    answer.nearness = 1.0F;
+    if (has_thrust) {
+      answer.distance_m = motion_->distance_m[step];
+      answer.distance_error_m = record.motion.distance_along_guide_m - answer.distance_m;
+    }
+  }
+}
+
+}  // namespace fantail::detection
