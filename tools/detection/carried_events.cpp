@@ -30,8 +30,7 @@ void add_shock(Motion& motion, double start_s, double width_s, double peak_m_s2,
 
 /// Turns by this angle, slowly at both ends.
 double add_turn(Motion& motion, double start_s, double time_s, double angle_rad) {
-  add_half_sine(used(motion.pitch_rate_rad_s, motion), start_s, time_s,
-                angle_rad * std::numbers::pi / (2.0 * time_s));
+  add_half_sine(used(motion.pitch_rate_rad_s, motion), start_s, time_s, angle_rad * std::numbers::pi / (2.0 * time_s));
   motion.turns = true;
   return angle_rad;
 }
@@ -79,7 +78,8 @@ void make_handling(sim::Random& random, Motion& motion) {
 
 void make_drop(sim::Random& random, Motion& motion) {
   constexpr double most_bounces = 4;
-  const double pitch = random.uniform() < 0.5 ? uniform(random, 0.0, 20.0 * degree) : uniform(random, 0.0, std::numbers::pi);
+  const double pitch =
+      random.uniform() < 0.5 ? uniform(random, 0.0, 20.0 * degree) : uniform(random, 0.0, std::numbers::pi);
   motion.begin(steps(1.8), pitch);
   const double height_m = uniform(random, 0.02, 1.22);
   const double restitution = uniform(random, 0.0, 0.5);
@@ -132,8 +132,10 @@ void make_shaking(sim::Random& random, Motion& motion) {
   motion.begin(Motion::most, uniform(random, 0.0, 90.0 * degree));
   const double frequency_hz = log_uniform(random, 1.0, 8.0);
   const double w = 2.0 * std::numbers::pi * frequency_hz;
-  const double peak = uniform(random, 0.3, 1.0) * longest_stroke_m(frequency_hz) * w * w;
-  const double second = uniform(random, 0.0, 0.3) * peak;
+  // The second harmonic's share is within the bounds, and not on top of them.
+  const double harmonic = uniform(random, 0.0, 0.3);
+  const double peak = uniform(random, 0.3, 1.0) * longest_stroke_m(frequency_hz) * w * w / (1.0 + harmonic);
+  const double second = harmonic * peak;
   Oscillator hand{frequency_hz, random.uniform() < 0.5 ? 0.0 : std::numbers::pi};
   Oscillator twice{2.0 * frequency_hz, uniform(random, 0.0, 6.28)};
   Oscillator wobble{uniform(random, 0.5, 4.0), uniform(random, 0.0, 6.28)};

@@ -46,7 +46,7 @@ constexpr std::array<KindInfo, kinds> kind_table{{
   {"bias",
    "stands still with zeros off by up to 0.5 g on each axis of each accelerometer and 5 deg/s of the gyro",
    "several times what the data sheets of the board's sensors allow",
-   "a zero that jumps is under stuck and saturated"},
+   "a zero that jumps later is not drawn, but for the sensors that are stuck or saturated"},
   {"tilt",
    "the rail is set from one angle to another, 0 to 15 deg each, in 0.5 to 2 s, with up to four knocks of 1 to 5 g and 5 to 30 ms",
    "range of a launch rail; the rest assumed",

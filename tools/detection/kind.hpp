@@ -49,11 +49,12 @@ extern const std::array<KindInfo, kinds> kind_table;
 enum class Condition : std::uint8_t {
   well,
   dead,       ///< from a moment on it delivers nothing
-  stuck,      ///< from a moment on it repeats its last value as if it were new
+  frozen,     ///< from a moment on it repeats its last sample, until the board's watch over its counts notices
+  stuck,      ///< from a moment on it stands where it is, but for its noise, so that no watch notices
   saturated,  ///< from a moment on it stands at the positive end of its range
 };
-inline constexpr std::size_t conditions = 4;
-inline constexpr std::array<std::string_view, conditions> condition_names{"well", "one dead", "one stuck",
+inline constexpr std::size_t conditions = 5;
+inline constexpr std::array<std::string_view, conditions> condition_names{"well", "one dead", "one frozen", "one stuck",
                                                                           "one saturated"};
 
 /// Follows from the number, so that any number of events has its share of each: every second one has both well, but of
@@ -64,7 +65,7 @@ inline constexpr std::array<std::string_view, conditions> condition_names{"well"
   }
   const std::uint64_t turn = kind == Kind::launch_one_bad ? event : event / 2;
   const bool is_well = kind != Kind::launch_one_bad && event % 2 == 0;
-  return is_well ? Condition::well : static_cast<Condition>(1 + turn % 3);
+  return is_well ? Condition::well : static_cast<Condition>(1 + turn % (conditions - 1));
 }
 
 }  // namespace fantail::detection

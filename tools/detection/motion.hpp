@@ -13,8 +13,8 @@ struct Motion {
   static constexpr std::size_t most = 3'000;
 
   std::size_t length = 0;
-  double start_pitch_rad = 0.0;  ///< of the axis from the vertical
-  bool turns = false;            ///< else every pitch rate is zero
+  double start_pitch_rad = 0.0;         ///< of the axis from the vertical
+  bool turns = false;                   ///< else every pitch rate is zero
   std::array<float, most> axial_m_s2;   ///< acceleration along the axis, without gravity
   std::array<float, most> across_m_s2;  ///< likewise along z
   std::array<float, most> carried;      ///< share of the weight that something carries: 1 at rest, 0 in free fall

@@ -156,7 +156,8 @@ void make_tilt(sim::Random& random, Motion& motion) {
   motion.begin(steps(2.5), from);
   motion.turns = true;
   const double time_s = uniform(random, 0.5, 2.0);
-  add_half_sine(all_of(motion.pitch_rate_rad_s, motion), lead_s, time_s, (to - from) * std::numbers::pi / (2.0 * time_s));
+  add_half_sine(all_of(motion.pitch_rate_rad_s, motion), lead_s, time_s,
+                (to - from) * std::numbers::pi / (2.0 * time_s));
   add_knocks(random, motion, 4, 1.0, 5.0, 0.03);
 }
 

@@ -77,18 +77,15 @@ core::SampleQuality bounded(float& value, float range) {
 void make_bad(const SensorErrors& errors, std::size_t length, Readings& readings) {
   auto& value = readings.axial_m_s2[errors.bad];
   auto& quality = readings.quality[errors.bad];
-  const auto from = static_cast<std::ptrdiff_t>(errors.onset);
-  const auto to = static_cast<std::ptrdiff_t>(length);
-  float stands_at = value[errors.onset];
-  core::SampleQuality says = quality[errors.onset];
-  if (errors.condition == Condition::dead) {
-    says = core::SampleQuality::absent;
-  } else if (errors.condition == Condition::saturated) {
-    stands_at = accelerometer_range_m_s2[errors.bad];
-    says = core::SampleQuality::saturated;
+  const bool is_saturated = errors.condition == Condition::saturated;
+  const float stands_at = is_saturated ? accelerometer_range_m_s2[errors.bad] : value[errors.onset];
+  const core::SampleQuality says = is_saturated ? core::SampleQuality::saturated : quality[errors.onset];
+  const bool is_noticed = errors.condition == Condition::dead || errors.condition == Condition::frozen;
+  const std::size_t unnoticed = errors.condition == Condition::frozen ? frozen_unnoticed[errors.bad] : 0;
+  for (std::size_t i = errors.onset; i < length; ++i) {
+    value[i] = stands_at;
+    quality[i] = is_noticed && i >= errors.onset + unnoticed ? core::SampleQuality::absent : says;
   }
-  std::fill(value.begin() + from, value.begin() + to, stands_at);
-  std::fill(quality.begin() + from, quality.begin() + to, says);
 }
 
 core::Vector3 across(const core::Vector3& bias, float z, float noise_y, float noise_z) {
@@ -102,19 +99,27 @@ void make_readings(Kind kind, std::uint64_t event, const Motion& motion, sim::Ra
   follow_up(motion, readings);
   const float first_bias = readings.errors.bias_m_s2[0].x;
   const float second_bias = readings.errors.bias_m_s2[1].x;
+  const SensorErrors& errors = readings.errors;
+  const std::size_t stuck_from = errors.condition == Condition::stuck ? errors.onset : motion.length;
+  const auto felt = [&](std::size_t i) {
+    return motion.axial_m_s2[i] + motion.carried[i] * weight_m_s2 * readings.up_x[i];
+  };
   for (std::size_t i = 0; i < motion.length; ++i) {
     const auto noise = random.gaussians<2>();
-    const float felt = motion.axial_m_s2[i] + motion.carried[i] * weight_m_s2 * readings.up_x[i];
-    readings.axial_m_s2[0][i] = felt + first_bias + force_noise_m_s2 * static_cast<float>(noise[0]);
-    readings.axial_m_s2[1][i] = felt + second_bias + force_noise_m_s2 * static_cast<float>(noise[1]);
+    const float now = felt(i);
+    const float of_the_bad = i < stuck_from ? now : felt(stuck_from);
+    readings.axial_m_s2[0][i] =
+        (errors.bad == 0 ? of_the_bad : now) + first_bias + force_noise_m_s2 * static_cast<float>(noise[0]);
+    readings.axial_m_s2[1][i] =
+        (errors.bad == 1 ? of_the_bad : now) + second_bias + force_noise_m_s2 * static_cast<float>(noise[1]);
   }
   for (std::size_t which = 0; which < 2; ++which) {
     for (std::size_t i = 0; i < motion.length; ++i) {
       readings.quality[which][i] = bounded(readings.axial_m_s2[which][i], accelerometer_range_m_s2[which]);
     }
   }
-  if (readings.errors.condition != Condition::well) {
-    make_bad(readings.errors, motion.length, readings);
+  if (errors.condition != Condition::well && errors.condition != Condition::stuck) {
+    make_bad(errors, motion.length, readings);
   }
   readings.largest_m_s2 = 0.0F;
   for (const auto& values : readings.axial_m_s2) {
@@ -164,14 +169,17 @@ const core::Inputs& InputMaker::step(std::size_t step) {
   const auto noise = random_.gaussians<7>();
   set_gyro(motion_.pitch_rate_rad_s[step], {noise[0], noise[1], noise[2]});
   const float z = motion_.across_m_s2[step] + motion_.carried[step] * weight_m_s2 * readings_.up_z[step];
+  const SensorErrors& errors = readings_.errors;
+  if (step <= errors.onset) {
+    stuck_z_m_s2_ = z;
+  }
   for (std::size_t which = 0; which < 2; ++which) {
     core::AccelerometerSample& sample = inputs_.accelerometers[which];
-    const bool holds = which == readings_.errors.bad && readings_.errors.condition == Condition::stuck &&
-                       step > readings_.errors.onset;
-    if (!holds) {
+    const bool is_bad = which == errors.bad && step > errors.onset;
+    if (!is_bad || errors.condition != Condition::frozen) {
       sample.specific_force_m_s2 =
-          across(readings_.errors.bias_m_s2[which], z, static_cast<float>(noise[3 + 2 * which]),
-                 static_cast<float>(noise[4 + 2 * which]));
+          across(errors.bias_m_s2[which], is_bad && errors.condition == Condition::stuck ? stuck_z_m_s2_ : z,
+                 static_cast<float>(noise[3 + 2 * which]), static_cast<float>(noise[4 + 2 * which]));
     }
     sample.time = inputs_.time;
     sample.specific_force_m_s2.x = readings_.axial_m_s2[which][step];

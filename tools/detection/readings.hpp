@@ -14,6 +14,9 @@ namespace fantail::detection {
 inline constexpr std::array<float, 2> accelerometer_range_m_s2{16.0F * core::standard_gravity_m_s2,
                                                                32.0F * core::standard_gravity_m_s2};
 
+/// How many steps an accelerometer that repeats its sample is believed: the limits of the board's two drivers.
+inline constexpr std::array<std::size_t, 2> frozen_unnoticed{20, 110};
+
 /// What is wrong with the sensors of one event. Biases are the same through all of it.
 struct SensorErrors {
   std::array<core::Vector3, 2> bias_m_s2;
@@ -59,6 +62,7 @@ class InputMaker {
   const Motion& motion_;
   const Readings& readings_;
   sim::Random random_;
+  float stuck_z_m_s2_ = 0.0F;
   core::Inputs inputs_;
 };
 

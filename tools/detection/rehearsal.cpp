@@ -40,9 +40,9 @@ float share_of_gate(const core::GuidePlan& guide, const core::Motion& motion) {
 
 Rehearsal::Rehearsal(std::span<const Rule> rules)
     : rules_{rules},
-      least_threshold_m_s2_{std::ranges::min(rules, {}, [](const Rule& rule) {
-                              return rule.plan.launch_detection.threshold_m_s2;
-                            }).plan.launch_detection.threshold_m_s2},
+      least_threshold_m_s2_{
+          std::ranges::min(rules, {}, [](const Rule& rule) { return rule.plan.launch_detection.threshold_m_s2; })
+              .plan.launch_detection.threshold_m_s2},
       motion_{std::make_unique<Motion>()},
       readings_{std::make_unique<Readings>()},
       answers_(rules.size()),

@@ -66,8 +66,9 @@ std::vector<Rule> rules_of(std::span<const std::string> plans) {
   for (const std::string& name : plans.empty() ? std::span<const std::string>{usual} : plans) {
     Rule rule{.names = {name}, .plan = plan_of(name), .judged = name != published_launch_2};
     if (rule.plan.run.start != core::Start::launch) {
-      throw text::Error{text::ErrorKind::bad_configuration,
-                        fmt::format("{}: run.start is tunnel; a campaign of detections needs a plan with launch", name)};
+      throw text::Error{
+          text::ErrorKind::bad_configuration,
+          fmt::format("{}: run.start is tunnel; a campaign of detections needs a plan with launch", name)};
     }
     const auto same = std::ranges::find_if(rules, [&](const Rule& other) {
       return other.judged == rule.judged && identity_of(other) == identity_of(rule);

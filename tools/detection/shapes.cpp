@@ -51,7 +51,8 @@ void add_band_noise(std::span<float> values, double standard_deviation, double f
     for (std::size_t j = i; const double drawn : random.gaussians<2>()) {
       const double next = keep_last * last + keep_one_before * one_before + drive * drawn;
       if (j < values.size()) {
-        values[j] += static_cast<float>((next - one_before) * (envelope.empty() ? 1.0 : static_cast<double>(envelope[j])));
+        values[j] +=
+            static_cast<float>((next - one_before) * (envelope.empty() ? 1.0 : static_cast<double>(envelope[j])));
       }
       one_before = last;
       last = next;

@@ -15,6 +15,7 @@
 #include "campaign/merge.hpp"
 #include "campaign/setup.hpp"
 #include "fantail/campaign_hardover.hpp"
+#include "fantail/campaign_detection.hpp"
 #include "fantail/interrupt.hpp"
 #include "fantail/progress.hpp"
 #include "fantail/run.hpp"
@@ -237,6 +238,7 @@ void fill(const Verb& verb) {
       "                                                      one of eight machines' share of the work");
   fill_merge(verb.verb("merge", "Put the shards of a campaign together"));
   fill_hardover(verb.verb("hardover", "What one canard that runs to its stop does to the flight"));
+  fill_detection(verb.verb("detection", "How often an armed rocket believes that it flies, or misses its launch"));
   verb.action([options] { fly_campaign(*options); });
 }
 

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#include "detection/tally.hpp"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+namespace fantail::detection {
+namespace {
+
+TEST(Tally, TheBoundOfNoneIsThreeOverTheNumber) {
+  EXPECT_NEAR(upper_bound_95(0, 100'000), 1.0 - std::pow(0.05, 1e-5), 1e-15);
+  EXPECT_NEAR(upper_bound_95(0, 1'000'000) * 1e6, 2.9957, 1e-3);
+  EXPECT_EQ(upper_bound_95(0, 0), 1.0);
+  EXPECT_EQ(upper_bound_95(7, 7), 1.0);
+}
+
+/// The probability of at most `count`.
+double binomial(int count, int of, double p) {
+  double sum = 0.0;
+  for (int k = 0; k <= count; ++k) {
+    sum += std::exp(std::lgamma(of + 1.0) - std::lgamma(k + 1.0) - std::lgamma(of - k + 1.0) + k * std::log(p) +
+                    (of - k) * std::log1p(-p));
+  }
+  return sum;
+}
+
+TEST(Tally, AtItsBoundSoFewComeInOneOfTwentyCampaigns) {
+  for (const auto& [count, of] : {std::pair{1, 10}, {1, 1000}, {5, 20}, {19, 20}, {37, 5000}, {400, 500}}) {
+    const double bound = upper_bound_95(static_cast<std::uint64_t>(count), static_cast<std::uint64_t>(of));
+    EXPECT_NEAR(binomial(count, of, bound), 0.05, 1e-9) << count << " of " << of;
+  }
+}
+
+TEST(Tally, APointOfAHistogramHasItsShareAtOrBelowIt) {
+  Histogram histogram;
+  EXPECT_FALSE(histogram.point(0.5));
+  histogram.add(-3, 50);
+  histogram.add(10, 49);
+  histogram.add(200);
+  EXPECT_EQ(histogram.point(0.5), -3);
+  EXPECT_EQ(histogram.point(0.51), 10);
+  EXPECT_EQ(histogram.point(0.99), 10);
+  EXPECT_EQ(histogram.point(0.999), 200);
+}
+
+TEST(Tally, ComesBackFromItsTextAsItWas) {
+  Tally tally{2};
+  const std::vector<Rule> rules(2);
+  Answer answer{.detected = 300, .controlling = 600, .nearness = 1.0F, .crossing = 180};
+  answer.distance_m = 6.25F;
+  answer.distance_error_m = -0.125F;
+  tally.count(Kind::launch, 5, rules, {answer, Answer{}}, 170);
+  tally.count(Kind::shaking, 4, rules, {Answer{}, Answer{.detected = 3, .nearness = 0.5F}}, 0);
+  EXPECT_EQ(tally_of(json::parse(tally_json(tally).dump()), 2), tally);
+  EXPECT_EQ(tally.of_rule[0][0].latency_ms.point(1.0), 120);
+  EXPECT_EQ(tally.of_rule[0][0].control_ms.point(1.0), 430);
+  EXPECT_EQ(tally.of_rule[1][0].worst, (Worst{.event = 5, .value = Worst::missed}));
+  EXPECT_THROW((void)tally_of(json::parse("[]"), 2), json::Error);
+}
+
+TEST(Tally, OfEquallyBadEventsTheFirstIsKept) {
+  Tally one{1};
+  Tally other{1};
+  const std::vector<Rule> rules(1);
+  one.count(Kind::drop, 8, rules, {Answer{.nearness = 0.25F}}, 0);
+  other.count(Kind::drop, 4, rules, {Answer{.nearness = 0.25F}}, 0);
+  one.add(other);
+  EXPECT_EQ(one.of_rule[0][0].worst.event, 4U);
+  EXPECT_EQ(one.of_rule[0][0].events, 2U);
+}
+
+}  // namespace
+}  // namespace fantail::detection

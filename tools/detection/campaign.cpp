@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+#include "detection/campaign.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <ctime>
+#include <memory>
+
+#include "campaign/parallel_for.hpp"
+#include "detection/parts_file.hpp"
+#include "detection/rehearsal.hpp"
+
+namespace fantail::detection {
+namespace {
+
+struct Chunk {
+  Kind kind;
+  std::uint64_t number;
+  std::uint64_t first;
+  std::uint64_t events;
+};
+
+std::vector<Chunk> chunks_of(const Campaign& campaign) {
+  std::vector<Chunk> chunks;
+  for (const Kind kind : campaign.kinds) {
+    const std::uint64_t size = events_of_a_chunk(kind);
+    const std::uint64_t total = campaign.number_of(kind);
+    for (std::uint64_t number = 0; number * size < total; ++number) {
+      chunks.push_back(
+          {.kind = kind, .number = number, .first = number * size, .events = std::min(size, total - number * size)});
+    }
+  }
+  return chunks;
+}
+
+Tally played(const Campaign& campaign, const Chunk& chunk) {
+  Rehearsal rehearsal{campaign.rules};
+  Tally tally{campaign.rules.size()};
+  for (std::uint64_t event = chunk.first; event < chunk.first + chunk.events; ++event) {
+    const std::vector<Answer>& answers = rehearsal.play(campaign.seed, chunk.kind, event);
+    tally.count(chunk.kind, event, campaign.rules, answers, rehearsal.motion().ignition);
+  }
+  return tally;
+}
+
+/// Of this thread, so that a busy machine does not look slow.
+double thread_time_s() {
+  timespec now{};
+  (void)clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+}  // namespace
+
+std::uint64_t Campaign::total() const {
+  std::uint64_t sum = 0;
+  for (const Kind kind : kinds) {
+    sum += number_of(kind);
+  }
+  return sum;
+}
+
+Results play(const Campaign& campaign, const std::optional<std::filesystem::path>& folder, const std::string& version,
+             unsigned threads, const std::function<void(std::uint64_t done)>& look) {
+  std::unique_ptr<PartsFile> parts;
+  if (folder) {
+    parts = std::make_unique<PartsFile>(*folder, campaign, version);
+  }
+  const std::vector<Chunk> chunks = chunks_of(campaign);
+  std::vector<std::optional<Tally>> tallies(chunks.size());
+  std::vector<std::size_t> to_play;
+  std::uint64_t stored = 0;
+  for (std::size_t i = 0; i < chunks.size(); ++i) {
+    const Tally* const there = parts ? parts->find(chunks[i].kind, chunks[i].number, chunks[i].events) : nullptr;
+    if (there != nullptr) {
+      tallies[i] = *there;
+      stored += chunks[i].events;
+    } else {
+      to_play.push_back(i);
+    }
+  }
+  std::atomic<std::uint64_t> done{stored};
+  std::atomic<std::uint64_t> microseconds{0};
+  campaign::parallel_for(
+      to_play.size(), threads,
+      [&](std::size_t index) {
+        const Chunk& chunk = chunks[to_play[index]];
+        const double begin_s = thread_time_s();
+        tallies[to_play[index]] = played(campaign, chunk);
+        microseconds += static_cast<std::uint64_t>(1e6 * (thread_time_s() - begin_s));
+        if (parts) {
+          parts->store(chunk.kind, chunk.number, chunk.events, *tallies[to_play[index]]);
+        }
+        done += chunk.events;
+      },
+      [&](std::size_t) { look(done); });
+
+  Results results;
+  results.played = done - stored;
+  results.processor_s = 1e-6 * static_cast<double>(microseconds);
+  for (std::size_t i = 0; i < chunks.size(); ++i) {
+    auto& sum = results.of_kind[index(chunks[i].kind)];
+    if (!sum) {
+      sum.emplace(campaign.rules.size());
+    }
+    sum->add(*tallies[i]);
+  }
+  return results;
+}
+
+}  // namespace fantail::detection

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "detection/kind.hpp"
+#include "detection/rule.hpp"
+#include "detection/tally.hpp"
+
+namespace fantail::detection {
+
+struct Campaign {
+  std::vector<Rule> rules;
+  std::vector<Kind> kinds;  ///< each once
+  std::uint64_t seed = 1;
+  std::uint64_t events = 10'000;   ///< of each kind that is no launch
+  std::uint64_t launches = 1'000;  ///< of each kind that is one
+
+  [[nodiscard]] std::uint64_t number_of(Kind kind) const { return is_launch(kind) ? launches : events; }
+  [[nodiscard]] std::uint64_t total() const;
+};
+
+/// Events that are played and stored together; which are in which depends on nothing but their number.
+[[nodiscard]] constexpr std::uint64_t events_of_a_chunk(Kind kind) { return is_launch(kind) ? 512 : 4'096; }
+
+/// A tally for each kind that was asked for, in the order of the enumeration; empty for the others.
+struct Results {
+  std::array<std::optional<Tally>, kinds> of_kind{};
+  std::uint64_t played = 0;  ///< in this call; the others were stored
+  double processor_s = 0.0;  ///< what the played ones took, on all threads together
+};
+
+/// Plays all events on several threads (0: as many as the machine has). The counts do not depend on the threads, nor on
+/// how often it was interrupted: `folder` keeps finished chunks in parts.jsonl, and the same campaign goes on from
+/// there; so does one with more events or other kinds. Without a folder nothing is kept.
+///
+/// `look` is told how many events are done, on the caller's thread; what it throws comes out of here, and what was
+/// finished stays. Throws text::Error (bad_configuration) for a folder with a campaign of another seed, other rules or
+/// another version; text::OutputError.
+[[nodiscard]] Results play(const Campaign& campaign, const std::optional<std::filesystem::path>& folder,
+                           const std::string& version, unsigned threads,
+                           const std::function<void(std::uint64_t done)>& look);
+
+}  // namespace fantail::detection

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: MIT
+#include "detection/report.hpp"
+
+#include <algorithm>
+
+#include <fmt/core.h>
+
+#include "text/number.hpp"
+
+namespace fantail::detection {
+namespace {
+
+constexpr std::array<Kind, 2> launches_of_well{Kind::launch, Kind::launch_at_2_g};
+
+void add(Sum& sum, const Count& count) {
+  sum.events += count.events;
+  sum.detected += count.detected;
+  sum.controlling += count.controlling;
+}
+
+std::string events_table(const Report& report, std::size_t rule) {
+  std::string text = fmt::format("  {:<10} {:>10} {:>20} {:>30}   {}\n", "event", "events", "launch imagined",
+                                 "false actuations", "with one accelerometer bad");
+  for (const Kind kind : report.campaign.kinds) {
+    if (is_launch(kind)) {
+      continue;
+    }
+    const Tally& tally = *report.results.of_kind[index(kind)];
+    const Count& well = tally.of_rule[rule][0];
+    const Sum bad = one_bad_of(tally, rule);
+    const std::string of_bad = bad.events == 0 ? "none"
+                                               : fmt::format("of {}: imagined {}, false actuations {}", bad.events,
+                                                             bad.detected, with_bound(bad.controlling, bad.events));
+    text += fmt::format("  {:<10} {:>10} {:>20} {:>30}   {}\n", info(kind).name, well.events,
+                        fmt::format("{} ({} %)", well.detected,
+                                    text::fixed(100.0 * static_cast<double>(well.detected) /
+                                                    static_cast<double>(std::max<std::uint64_t>(1, well.events)),
+                                                2)),
+                        with_bound(well.controlling, well.events), of_bad);
+  }
+  return text;
+}
+
+std::string in_units(const std::optional<int>& value, double scale, int decimals) {
+  return value ? text::fixed(scale * *value, decimals) : "-";
+}
+
+std::string launch_lines(const Report& report, std::size_t rule) {
+  std::string text;
+  for (const Kind kind : report.campaign.kinds) {
+    if (!is_launch(kind)) {
+      continue;
+    }
+    const Tally& tally = *report.results.of_kind[index(kind)];
+    for (std::size_t condition = 0; condition < conditions; ++condition) {
+      const Count& count = tally.of_rule[rule][condition];
+      if (count.events == 0) {
+        continue;
+      }
+      text += fmt::format("  {}, {}: of {} missed {}; detected but never controlled {}\n", info(kind).name,
+                          condition_names[condition], count.events,
+                          with_bound(count.events - count.detected, count.events), count.detected - count.controlling);
+      if (count.controlling > 0) {
+        text += fmt::format(
+            "    detected {} ms after the thrust's first crossing (99 %: {}); control starts {} ms after ignition "
+            "(99 %: {}), {} m along the guide (1 to 99 %: {} to {}), by an estimate that is off by {} m ({} to {}); "
+            "inside the guide {}\n",
+            in_units(count.latency_ms.point(0.5), 1.0, 0), in_units(count.latency_ms.point(0.99), 1.0, 0),
+            in_units(count.control_ms.point(0.5), 1.0, 0), in_units(count.control_ms.point(0.99), 1.0, 0),
+            in_units(count.distance_cm.point(0.5), 0.01, 2), in_units(count.distance_cm.point(0.01), 0.01, 2),
+            in_units(count.distance_cm.point(0.99), 0.01, 2), in_units(count.error_cm.point(0.5), 0.01, 2),
+            in_units(count.error_cm.point(0.01), 0.01, 2), in_units(count.error_cm.point(0.99), 0.01, 2),
+            count.inside_guide);
+      }
+    }
+  }
+  return text;
+}
+
+}  // namespace
+
+Sum one_bad_of(const Tally& tally, std::size_t rule) {
+  Sum sum;
+  for (std::size_t condition = 1; condition < conditions; ++condition) {
+    add(sum, tally.of_rule[rule][condition]);
+  }
+  return sum;
+}
+
+Sum events_of(const Results& results, std::size_t rule) {
+  Sum sum;
+  for (std::size_t kind = 0; kind < event_kinds; ++kind) {
+    if (results.of_kind[kind]) {
+      for (const Count& count : results.of_kind[kind]->of_rule[rule]) {
+        add(sum, count);
+      }
+    }
+  }
+  return sum;
+}
+
+Sum launches_of(const Results& results, std::size_t rule) {
+  Sum sum;
+  for (const Kind kind : launches_of_well) {
+    if (results.of_kind[index(kind)]) {
+      add(sum, results.of_kind[index(kind)]->of_rule[rule][0]);
+    }
+  }
+  return sum;
+}
+
+std::vector<std::string> failures(const Report& report) {
+  std::vector<std::string> result;
+  for (std::size_t rule = 0; rule < report.campaign.rules.size(); ++rule) {
+    if (!report.campaign.rules[rule].judged) {
+      continue;
+    }
+    const std::string name = report.campaign.rules[rule].name();
+    const Sum events = events_of(report.results, rule);
+    if (events.controlling > 0) {
+      result.push_back(fmt::format("{}: {} false actuations in {} events", name, events.controlling, events.events));
+    }
+    const Sum launches = launches_of(report.results, rule);
+    const std::uint64_t missed = launches.events - launches.detected;
+    if (report.at_most && launches.events > 0 &&
+        static_cast<double>(missed) > *report.at_most * static_cast<double>(launches.events)) {
+      result.push_back(fmt::format("{}: {} of {} launches missed, more than the {} % asked for", name, missed,
+                                   launches.events, text::brief(100.0 * *report.at_most, 6)));
+    }
+  }
+  return result;
+}
+
+std::string with_bound(std::uint64_t count, std::uint64_t of) {
+  const double bound = 100.0 * upper_bound_95(count, of);
+  return of == 0 ? "0 of 0" : fmt::format("{} (at most {:.2g} %)", count, bound);
+}
+
+std::string command_of(const Campaign& campaign, Kind kind, std::uint64_t event) {
+  return fmt::format("fantail campaign detection --kind {} --event {}{}", info(kind).name, event,
+                     campaign.seed == Campaign{}.seed ? "" : fmt::format(" --seed {}", campaign.seed));
+}
+
+std::string report_text(const Report& report) {
+  const Campaign& campaign = report.campaign;
+  std::string text =
+      fmt::format("{} events, seed {}; shares \"at most\" are 95 % bounds\n", campaign.total(), campaign.seed);
+  for (std::size_t rule = 0; rule < campaign.rules.size(); ++rule) {
+    text +=
+        fmt::format("\n{}{}\n", campaign.rules[rule].name(), campaign.rules[rule].judged ? "" : " (shown, not judged)");
+    const bool any_event = std::ranges::any_of(campaign.kinds, [](Kind kind) { return !is_launch(kind); });
+    text += any_event ? events_table(report, rule) : "";
+    text += launch_lines(report, rule);
+  }
+  if (report.results.played > 0 && report.results.processor_s > 0.0) {
+    text += fmt::format("\nplayed now: {} events, {:.0f} a second and core\n", report.results.played,
+                        static_cast<double>(report.results.played) / report.results.processor_s);
+  }
+  for (const std::string& failure : failures(report)) {
+    text += failure + '\n';
+  }
+  return text;
+}
+
+}  // namespace fantail::detection

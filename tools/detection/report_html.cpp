@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <array>
+
+#include <fmt/core.h>
+
+#include "detection/report.hpp"
+#include "detection/shown_event.hpp"
+#include "page/chart.hpp"
+#include "page/page.hpp"
+#include "text/number.hpp"
+
+namespace fantail::detection {
+namespace {
+
+page::Cell number_cell(std::uint64_t value) { return {.text = fmt::format("{}", value)}; }
+
+page::Cell bad_if_any(std::uint64_t count, std::uint64_t of) {
+  return {.text = with_bound(count, of), .tone = count > 0 ? page::Tone::bad : page::Tone::good};
+}
+
+std::string events_html(const Report& report, std::size_t rule) {
+  const std::array<page::Column, 6> columns{{{"event"},
+                                             {"accelerometers"},
+                                             {"events", true},
+                                             {"launch imagined", true},
+                                             {"false actuations", true},
+                                             {"nearest to the gate", true}}};
+  std::vector<std::vector<page::Cell>> rows;
+  for (const Kind kind : report.campaign.kinds) {
+    for (std::size_t condition = 0; condition < conditions && !is_launch(kind); ++condition) {
+      const Count& count = report.results.of_kind[index(kind)]->of_rule[rule][condition];
+      if (count.events > 0) {
+        rows.push_back({{std::string{info(kind).name}},
+                        {std::string{condition_names[condition]}},
+                        number_cell(count.events),
+                        {with_bound(count.detected, count.events)},
+                        bad_if_any(count.controlling, count.events),
+                        {.text = text::fixed(100.0 * count.worst.value, 0) + " %",
+                         .below = fmt::format("event {}", count.worst.event)}});
+      }
+    }
+  }
+  return rows.empty() ? "" : page::table(columns, rows);
+}
+
+std::string point_text(const Histogram& histogram, double share, double scale, int decimals) {
+  const auto point = histogram.point(share);
+  return point ? text::fixed(scale * *point, decimals) : "-";
+}
+
+std::string launches_html(const Report& report, std::size_t rule) {
+  const std::array<page::Column, 8> columns{{{"launch"},
+                                             {"accelerometers"},
+                                             {"launches", true},
+                                             {"missed", true},
+                                             {"latency / ms: 50 %, 99 %", true},
+                                             {"way at control start / m: 1, 50, 99 %", true},
+                                             {"estimate's error / m: 1, 50, 99 %", true},
+                                             {"inside the guide", true}}};
+  std::vector<std::vector<page::Cell>> rows;
+  for (const Kind kind : report.campaign.kinds) {
+    for (std::size_t condition = 0; condition < conditions && is_launch(kind); ++condition) {
+      const Count& count = report.results.of_kind[index(kind)]->of_rule[rule][condition];
+      if (count.events > 0) {
+        const auto three = [](const Histogram& of) {
+          return fmt::format("{}, {}, {}", point_text(of, 0.01, 0.01, 2), point_text(of, 0.5, 0.01, 2),
+                             point_text(of, 0.99, 0.01, 2));
+        };
+        rows.push_back({{std::string{info(kind).name}},
+                        {std::string{condition_names[condition]}},
+                        number_cell(count.events),
+                        {.text = with_bound(count.events - count.detected, count.events),
+                         .below = fmt::format("worst: event {}", count.worst.event)},
+                        {fmt::format("{}, {}", point_text(count.latency_ms, 0.5, 1.0, 0),
+                                     point_text(count.latency_ms, 0.99, 1.0, 0))},
+                        {three(count.distance_cm)},
+                        {three(count.error_cm)},
+                        bad_if_any(count.inside_guide, count.controlling)});
+      }
+    }
+  }
+  return rows.empty() ? "" : page::table(columns, rows);
+}
+
+page::Series shares(const Histogram& histogram, double scale, std::string name, page::Role role) {
+  page::Series series{.name = std::move(name), .role = role, .mark = page::Mark::step};
+  std::uint64_t sum = 0;
+  const auto total = static_cast<double>(histogram.total());
+  for (const auto& [value, times] : histogram.counts()) {
+    sum += times;
+    series.x.push_back(scale * value);
+    series.y.push_back(100.0 * static_cast<double>(sum) / total);
+  }
+  return series;
+}
+
+/// Of all rules beside each other, the launches of one kind.
+std::string distributions(const Report& report, Kind kind) {
+  constexpr std::array<page::Role, 4> roles{page::Role::measured, page::Role::model, page::Role::second_model,
+                                            page::Role::target};
+  page::Chart latency{.label = "Share of the launches detected within a time",
+                      .x_label = "after the thrust's first crossing / s",
+                      .y_label = "detected / %",
+                      .width = page::half_page};
+  page::Chart way{.label = "Share of the launches whose control has started within a way",
+                  .x_label = "true way along the guide / m",
+                  .y_label = "in control / %",
+                  .width = page::half_page};
+  for (std::size_t rule = 0; rule < report.campaign.rules.size(); ++rule) {
+    const Count& count = report.results.of_kind[index(kind)]->of_rule[rule][0];
+    if (count.controlling > 0) {
+      const std::string name = report.campaign.rules[rule].name();
+      latency.series.push_back(shares(count.latency_ms, 1e-3, name, roles[rule % roles.size()]));
+      way.series.push_back(shares(count.distance_cm, 1e-2, name, roles[rule % roles.size()]));
+    }
+  }
+  if (latency.series.empty()) {
+    return {};
+  }
+  const std::array<std::string, 2> plots{page::figure(latency), page::figure(way)};
+  return page::section(fmt::format("How late: {}", info(kind).name), page::side_by_side(plots));
+}
+
+/// The event of a judged rule that came nearest to moving a canard, and the worst launch.
+std::string worst_events(const Report& report) {
+  std::string body;
+  for (std::size_t rule = 0; rule < report.campaign.rules.size(); ++rule) {
+    std::optional<Kind> worst;
+    Worst at;
+    for (const Kind kind : report.campaign.kinds) {
+      for (const Count& count : report.results.of_kind[index(kind)]->of_rule[rule]) {
+        if (!is_launch(kind) && count.events > 0 && count.worst.value > std::max(0.0, at.value)) {
+          worst = kind;
+          at = count.worst;
+        }
+      }
+    }
+    if (worst) {
+      const ShownEvent shown = show_event(report.campaign, *worst, at.event);
+      body += page::paragraph(fmt::format("Worst of {}: {}", report.campaign.rules[rule].name(),
+                                          command_of(report.campaign, *worst, at.event))) +
+              page::paragraph(shown.text) + shown.figures_html;
+    }
+  }
+  return body.empty() ? "" : page::section("Worst events", body);
+}
+
+std::string models(const Report& report) {
+  const std::array<page::Column, 4> columns{{{"kind"}, {"what happens"}, {"source"}, {"weakness"}}};
+  std::vector<std::vector<page::Cell>> rows;
+  for (const Kind kind : report.campaign.kinds) {
+    const KindInfo& of = info(kind);
+    rows.push_back(
+        {{std::string{of.name}}, {std::string{of.what}}, {std::string{of.source}}, {std::string{of.weakness}}});
+  }
+  return page::section("Models", page::table(columns, rows));
+}
+
+}  // namespace
+
+std::string report_html(const Report& report) {
+  const std::vector<std::string> wrong = failures(report);
+  std::string body;
+  for (std::size_t rule = 0; rule < report.campaign.rules.size(); ++rule) {
+    body += page::section(report.campaign.rules[rule].name(), events_html(report, rule) + launches_html(report, rule));
+  }
+  for (const Kind kind : {Kind::launch, Kind::launch_at_2_g}) {
+    body += report.results.of_kind[index(kind)] ? distributions(report, kind) : "";
+  }
+  page::Page page{
+      .kind = "Fantail campaign of detections",
+      .title = "Does it believe that it flies?",
+      .subtitle = fmt::format("{} events and launches, seed {}", report.campaign.total(), report.campaign.seed),
+      .tone = wrong.empty() ? page::Tone::good : page::Tone::bad,
+      .verdict_heading = wrong.empty() ? "No false actuation" : "Not met",
+      .verdict = wrong.empty() ? "No judged plan moved a canard in an event that was no launch."
+                               : "At least one judged plan did what it must not.",
+      .body_html = body + worst_events(report) + models(report),
+      .footer = "Shares \"at most\" are 95 % bounds (Clopper and Pearson, one-sided). Fantail " + report.version};
+  for (const std::string& failure : wrong) {
+    page.findings.push_back({.what = failure});
+  }
+  return page::html(page);
+}
+
+}  // namespace fantail::detection

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+#include "detection/shown_event.hpp"
+
+#include <vector>
+
+#include <fmt/core.h>
+
+#include "detection/rehearsal.hpp"
+#include "detection/report.hpp"
+#include "page/chart.hpp"
+#include "page/page.hpp"
+#include "sim/units.hpp"
+#include "text/number.hpp"
+
+namespace fantail::detection {
+namespace {
+
+constexpr std::array<page::Role, 4> roles{page::Role::measured, page::Role::model, page::Role::second_model,
+                                          page::Role::target};
+
+double seconds(std::size_t step) { return 1e-3 * static_cast<double>(step); }
+
+page::Chart readings_chart(const Rehearsal& rehearsal, const std::vector<Rule>& rules) {
+  page::Chart chart{.label = "Specific force along the axis as the accelerometers read it",
+                    .x_label = "time / s",
+                    .y_label = "axial specific force / g"};
+  for (std::size_t which = 0; which < 2; ++which) {
+    page::Series series{.name = which == 0 ? "first accelerometer" : "second accelerometer", .role = roles[which]};
+    for (std::size_t i = 0; i < rehearsal.motion().length; ++i) {
+      const bool measures = rehearsal.readings().quality[which][i] != core::SampleQuality::absent;
+      series.x.push_back(seconds(i));
+      series.y.push_back(measures ? static_cast<double>(rehearsal.readings().axial_m_s2[which][i]) / sim::gravity_m_s2
+                                  : std::numeric_limits<double>::quiet_NaN());
+    }
+    chart.series.push_back(std::move(series));
+  }
+  for (const Rule& rule : rules) {
+    chart.levels.push_back({.value = static_cast<double>(rule.plan.launch_detection.threshold_m_s2) / sim::gravity_m_s2,
+                            .label = "threshold",
+                            .role = page::Role::limit});
+  }
+  return chart;
+}
+
+std::string said(const Rule& rule, const Answer& answer, bool launch) {
+  if (!answer.detected) {
+    return fmt::format("{}: no launch detected", rule.name());
+  }
+  std::string text = fmt::format("{}: launch detected at {} s", rule.name(), text::fixed(seconds(*answer.detected), 3));
+  if (answer.controlling) {
+    text += fmt::format(", control from {} s: the canards move", text::fixed(seconds(*answer.controlling), 3));
+    if (launch) {
+      text += fmt::format("; {} m along the guide, estimate off by {} m",
+                          text::fixed(static_cast<double>(answer.distance_m), 2),
+                          text::fixed(static_cast<double>(answer.distance_error_m), 2));
+    }
+    return text;
+  }
+  return text +
+         fmt::format(", no control: {} % of the gate", text::fixed(100.0 * static_cast<double>(answer.nearness), 0));
+}
+
+}  // namespace
+
+ShownEvent show_event(const Campaign& campaign, Kind kind, std::uint64_t event) {
+  Rehearsal rehearsal{campaign.rules};
+  page::Chart speed{
+      .label = "Speed along the guide as each rule believes it", .x_label = "time / s", .y_label = "speed / m/s"};
+  page::Chart way{.label = "Way along the guide as each rule believes it", .x_label = "time / s", .y_label = "way / m"};
+  for (std::size_t rule = 0; rule < campaign.rules.size(); ++rule) {
+    const page::Series series{.name = campaign.rules[rule].name(), .role = roles[rule % roles.size()]};
+    speed.series.push_back(series);
+    way.series.push_back(series);
+  }
+  rehearsal.on_tick = [&](std::size_t rule, std::size_t step, const core::TickRecord& record) {
+    speed.series[rule].x.push_back(seconds(step));
+    speed.series[rule].y.push_back(static_cast<double>(record.motion.speed_m_s));
+    way.series[rule].x.push_back(seconds(step));
+    way.series[rule].y.push_back(static_cast<double>(record.motion.distance_along_guide_m));
+  };
+  const std::vector<Answer> answers = rehearsal.play(campaign.seed, kind, event, Path::full);
+
+  const SensorErrors& errors = rehearsal.readings().errors;
+  ShownEvent shown;
+  shown.text = fmt::format("{} {}, seed {}: {} s, {} deg from the vertical\n", info(kind).name, event, campaign.seed,
+                           text::fixed(seconds(rehearsal.motion().length), 3),
+                           text::fixed(rehearsal.motion().start_pitch_rad / sim::radians_per_degree, 1));
+  shown.text += fmt::format("  {}\n", info(kind).what);
+  shown.text += errors.condition == Condition::well
+                    ? std::string{"  both accelerometers well\n"}
+                    : fmt::format("  {}: the {} accelerometer, from {} s\n",
+                                  condition_names[static_cast<std::size_t>(errors.condition)],
+                                  errors.bad == 0 ? "first" : "second", text::fixed(seconds(errors.onset), 3));
+  for (std::size_t rule = 0; rule < campaign.rules.size(); ++rule) {
+    shown.text += fmt::format("  {}\n", said(campaign.rules[rule], answers[rule], is_launch(kind)));
+  }
+  page::Chart readings = readings_chart(rehearsal, campaign.rules);
+  for (const Answer& answer : answers) {
+    if (answer.controlling) {
+      readings.levels.push_back(
+          {.value = seconds(*answer.controlling), .label = "control", .upright = true, .role = page::Role::limit});
+    }
+  }
+  shown.figures_html = page::figure(readings) + page::figure(speed) + page::figure(way);
+  return shown;
+}
+
+std::string event_html(const Campaign& campaign, Kind kind, std::uint64_t event, const ShownEvent& shown) {
+  const page::Page page{.kind = "Fantail campaign of detections",
+                        .title = fmt::format("{} {}", info(kind).name, event),
+                        .subtitle = command_of(campaign, kind, event),
+                        .body_html = page::section("What happens", page::paragraph(shown.text)) + shown.figures_html};
+  return page::html(page);
+}
+
+}  // namespace fantail::detection

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: MIT
+#include "detection/tally.hpp"
+
+#include <cmath>
+
+namespace fantail::detection {
+namespace {
+
+void keep_worst(Worst& worst, std::uint64_t event, double value) {
+  if (value > worst.value || (value == worst.value && event < worst.event)) {
+    worst = {.event = event, .value = value};
+  }
+}
+
+int whole(double value) { return static_cast<int>(std::lround(value)); }
+
+void count_launch(Count& count, std::uint64_t event, const Answer& answer, std::size_t ignition, float guide_m) {
+  const auto crossing = answer.crossing.value_or(ignition);
+  if (answer.detected) {
+    const auto latency = static_cast<int>(*answer.detected) - static_cast<int>(crossing);
+    count.latency_ms.add(latency);
+    keep_worst(count.worst, event, answer.controlling ? static_cast<double>(latency) : Worst::missed);
+  } else {
+    keep_worst(count.worst, event, Worst::missed);
+  }
+  if (answer.controlling) {
+    count.control_ms.add(static_cast<int>(*answer.controlling) - static_cast<int>(ignition));
+    count.error_cm.add(whole(100.0 * static_cast<double>(answer.distance_error_m)));
+    count.distance_cm.add(whole(100.0 * static_cast<double>(answer.distance_m)));
+    count.inside_guide += answer.distance_m < guide_m ? 1 : 0;
+  }
+}
+
+/// The continued fraction of the incomplete beta function (Lentz), for x < (a + 1) / (a + b + 2).
+double beta_fraction(double a, double b, double x) {
+  constexpr double tiny = 1e-300;
+  double c = 1.0;
+  double d = 1.0 - (a + b) * x / (a + 1.0);
+  d = 1.0 / (std::abs(d) < tiny ? tiny : d);
+  double result = d;
+  for (int m = 1; m <= 10'000; ++m) {
+    const double n = m;
+    for (const double numerator : {n * (b - n) * x / ((a + 2.0 * n - 1.0) * (a + 2.0 * n)),
+                                   -(a + n) * (a + b + n) * x / ((a + 2.0 * n) * (a + 2.0 * n + 1.0))}) {
+      d = 1.0 + numerator * d;
+      d = 1.0 / (std::abs(d) < tiny ? tiny : d);
+      c = 1.0 + numerator / c;
+      c = std::abs(c) < tiny ? tiny : c;
+      result *= c * d;
+    }
+    if (std::abs(c * d - 1.0) < 1e-14) {
+      break;
+    }
+  }
+  return result;
+}
+
+/// Regularised incomplete beta function.
+double beta_share(double a, double b, double x) {
+  const double front =
+      std::exp(std::lgamma(a + b) - std::lgamma(a) - std::lgamma(b) + a * std::log(x) + b * std::log1p(-x));
+  return x < (a + 1.0) / (a + b + 2.0) ? front * beta_fraction(a, b, x) / a
+                                       : 1.0 - front * beta_fraction(b, a, 1.0 - x) / b;
+}
+
+}  // namespace
+
+void Histogram::add(const Histogram& other) {
+  for (const auto& [value, times] : other.counts_) {
+    add(value, times);
+  }
+}
+
+std::uint64_t Histogram::total() const {
+  std::uint64_t sum = 0;
+  for (const auto& [value, times] : counts_) {
+    sum += times;
+  }
+  return sum;
+}
+
+std::optional<int> Histogram::point(double share) const {
+  const double wanted = share * static_cast<double>(total());
+  std::uint64_t sum = 0;
+  for (const auto& [value, times] : counts_) {
+    sum += times;
+    if (static_cast<double>(sum) >= wanted) {
+      return value;
+    }
+  }
+  return std::nullopt;
+}
+
+void Tally::count(Kind kind, std::uint64_t event, const std::vector<Rule>& rules, const std::vector<Answer>& answers,
+                  std::size_t ignition) {
+  for (std::size_t rule = 0; rule < answers.size(); ++rule) {
+    const Answer& answer = answers[rule];
+    Count& count = of_rule[rule][static_cast<std::size_t>(condition_of(kind, event))];
+    ++count.events;
+    count.detected += answer.detected ? 1 : 0;
+    count.controlling += answer.controlling ? 1 : 0;
+    if (is_launch(kind)) {
+      count_launch(count, event, answer, ignition, rules[rule].plan.guide.length_m);
+    } else {
+      keep_worst(count.worst, event, static_cast<double>(answer.nearness));
+    }
+  }
+}
+
+void Tally::add(const Tally& later) {
+  for (std::size_t rule = 0; rule < of_rule.size(); ++rule) {
+    for (std::size_t condition = 0; condition < conditions; ++condition) {
+      Count& sum = of_rule[rule][condition];
+      const Count& more = later.of_rule[rule][condition];
+      sum.events += more.events;
+      sum.detected += more.detected;
+      sum.controlling += more.controlling;
+      sum.inside_guide += more.inside_guide;
+      if (more.events > 0) {
+        keep_worst(sum.worst, more.worst.event, more.worst.value);
+      }
+      sum.latency_ms.add(more.latency_ms);
+      sum.control_ms.add(more.control_ms);
+      sum.error_cm.add(more.error_cm);
+      sum.distance_cm.add(more.distance_cm);
+    }
+  }
+}
+
+double upper_bound_95(std::uint64_t count, std::uint64_t of) {
+  if (count >= of) {
+    return 1.0;
+  }
+  const auto n = static_cast<double>(of);
+  if (count == 0) {
+    return -std::expm1(std::log(0.05) / n);
+  }
+  // At the bound, at most so many come with a probability of 5 %: one less the share of the beta law below it.
+  const auto k = static_cast<double>(count);
+  double low = k / n;
+  double high = 1.0;
+  for (int i = 0; i < 60; ++i) {
+    const double middle = 0.5 * (low + high);
+    (1.0 - beta_share(k + 1.0, n - k, middle) > 0.05 ? low : high) = middle;
+  }
+  return high;
+}
+
+}  // namespace fantail::detection

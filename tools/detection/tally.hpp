@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "detection/kind.hpp"
+#include "detection/rehearsal.hpp"
+#include "json/value.hpp"
+
+namespace fantail::detection {
+
+/// How often each whole number came.
+class Histogram {
+ public:
+  void add(int value, std::uint64_t times = 1) { counts_[value] += times; }
+  void add(const Histogram& other);
+  [[nodiscard]] std::uint64_t total() const;
+  /// The least of its numbers with at least this share of all at or below it; empty without any.
+  [[nodiscard]] std::optional<int> point(double share) const;
+  [[nodiscard]] const std::map<int, std::uint64_t>& counts() const { return counts_; }
+
+  friend bool operator==(const Histogram&, const Histogram&) = default;
+
+ private:
+  std::map<int, std::uint64_t> counts_;
+};
+
+/// The event that came worst, so that it can be shown again.
+struct Worst {
+  std::uint64_t event = 0;
+  /// Of events the largest nearness, of launches the longest latency in ms; a launch that was missed has `missed`.
+  double value = -1.0;
+  static constexpr double missed = 1e6;
+
+  friend bool operator==(const Worst&, const Worst&) = default;
+};
+
+/// What one rule made of the events of one kind whose accelerometers were in one condition.
+struct Count {
+  std::uint64_t events = 0;
+  std::uint64_t detected = 0;     ///< believed in a launch
+  std::uint64_t controlling = 0;  ///< the canards could move
+  Worst worst{};
+
+  // Of launches.
+  std::uint64_t inside_guide = 0;  ///< control began while the rocket was truly in the guide
+  Histogram latency_ms{};          ///< from the first crossing of the threshold by the thrust to the detection
+  Histogram control_ms{};          ///< from ignition to control start
+  Histogram error_cm{};            ///< estimated less true distance along the guide at control start
+  Histogram distance_cm{};         ///< the true one
+
+  friend bool operator==(const Count&, const Count&) = default;
+};
+
+/// Of events that follow each other, of one kind: a count for each rule and condition.
+struct Tally {
+  explicit Tally(std::size_t rules) : of_rule(rules) {}
+  std::vector<std::array<Count, conditions>> of_rule;
+
+  /// `ignition`: the step, of launches.
+  void count(Kind kind, std::uint64_t event, const std::vector<Rule>& rules, const std::vector<Answer>& answers,
+             std::size_t ignition);
+  void add(const Tally& later);
+
+  friend bool operator==(const Tally&, const Tally&) = default;
+};
+
+/// What is known of a share: the largest that the count leaves possible with 95 % (Clopper and Pearson, one-sided):
+/// with it so few would come in one of twenty campaigns. 1 without events, or when all did.
+[[nodiscard]] double upper_bound_95(std::uint64_t count, std::uint64_t of);
+
+[[nodiscard]] json::Value tally_json(const Tally& tally);
+/// Throws json::Error for what is none of so many rules.
+[[nodiscard]] Tally tally_of(const json::Value& value, std::size_t rules);
+
+}  // namespace fantail::detection
