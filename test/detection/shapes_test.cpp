@@ -113,9 +113,14 @@ TEST(Shapes, BandNoiseHasItsStandardDeviationAndItsBand) {
       step_square += step * step;
     }
     EXPECT_NEAR(std::sqrt(square / 400'000.0), 2.0, 0.05);
-    // Of a line at f the differences are 2 sin(pi f / fs) times as large; the band widens that a little.
-    const double ratio = std::sqrt(step_square / square);
-    EXPECT_NEAR(ratio, 2.0 * std::sin(std::numbers::pi * frequency_hz * 1e-3), 0.1 * ratio) << frequency_hz;
+    // The correlations of a second-order resonance (Yule and Walker), and of its difference over two steps.
+    const double radius = std::exp(-std::numbers::pi * 0.2e-3 * frequency_hz);
+    const double last = 2.0 * radius * std::cos(2e-3 * std::numbers::pi * frequency_hz);
+    const double one = last / (1.0 + radius * radius);
+    const double two = last * one - radius * radius;
+    const double three = last * two - radius * radius * one;
+    const double of_the_difference = (one - three) / (2.0 * (1.0 - two));
+    EXPECT_NEAR(step_square / square, 2.0 * (1.0 - of_the_difference), 0.02) << frequency_hz;
   }
 }
 

@@ -83,7 +83,7 @@ void make_drop(sim::Random& random, Motion& motion) {
   motion.begin(steps(1.8), pitch);
   const double height_m = uniform(random, 0.02, 1.22);
   const double restitution = uniform(random, 0.0, 0.5);
-  const double width_s = log_uniform(random, 0.001, 0.04);
+  const double width_s = log_uniform(random, 0.002, 0.04);
   double speed = std::sqrt(2.0 * g * height_m);
   double t = lead_s;
   double fall_s = speed / g;

@@ -93,7 +93,7 @@ void make_chuff(Streams& streams, Motion& motion, bool all) {
 void make_misfire(Streams& streams, Motion& motion, bool all) {
   sim::Random& random = streams.model;
   motion.begin(steps(2.5), uniform(random, 0.0, largest_tilt_rad));
-  add_half_sine(all_of(motion.axial_m_s2, motion), lead_s, uniform(random, 0.001, 0.005),
+  add_half_sine(all_of(motion.axial_m_s2, motion), lead_s, uniform(random, 0.002, 0.005),
                 uniform(random, 0.5, 4.0) * one_g);
   // A thrust below the weight is taken off what the pad carries, and the accelerometer reads no less.
   const double begin_s = lead_s + uniform(random, 0.01, 0.3);

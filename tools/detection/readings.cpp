@@ -24,7 +24,7 @@ core::Vector3 drawn_vector(sim::Random& random, double most) {
 
 SensorErrors drawn_errors(Kind kind, std::uint64_t event, const Motion& motion, sim::Random& random) {
   const bool far_off = kind == Kind::bias;
-  const double force = (far_off ? 0.5 : 0.1) * sim::gravity_m_s2;
+  const double force = (far_off ? 0.5 : 0.05) * sim::gravity_m_s2;
   const double rate = (far_off ? 5.0 : 1.0) * sim::radians_per_degree;
   SensorErrors errors;
   errors.bias_m_s2[0] = drawn_vector(random, force);

@@ -17,12 +17,12 @@ namespace fantail::detection {
 
 /// What one rule made of one event. Steps are milliseconds from the beginning of the event.
 struct Answer {
-  std::optional<std::size_t> detected;     ///< the first time that it believed in a launch
-  std::optional<std::size_t> controlling;  ///< from here on the canards may move
+  std::optional<std::size_t> detected{};     ///< the first time that it believed in a launch
+  std::optional<std::size_t> controlling{};  ///< from here on the canards may move
   /// How far a detection came towards the gate of height and speed: at 1 it opens. Of the two the smaller share.
   float nearness = 0.0F;
   // Of launches.
-  std::optional<std::size_t> crossing;  ///< the thrust alone is first at the rule's threshold
+  std::optional<std::size_t> crossing{};  ///< the thrust alone is first at the rule's threshold
   float distance_error_m = 0.0F;        ///< estimated less true distance along the guide, at control start
   float distance_m = 0.0F;              ///< the true one
 };

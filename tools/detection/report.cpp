@@ -133,7 +133,9 @@ std::vector<std::string> failures(const Report& report) {
 
 std::string with_bound(std::uint64_t count, std::uint64_t of) {
   const double bound = 100.0 * upper_bound_95(count, of);
-  return of == 0 ? "0 of 0" : fmt::format("{} (at most {:.2g} %)", count, bound);
+  return of == 0      ? "0 of 0"
+         : bound < 10 ? fmt::format("{} (at most {:.2g} %)", count, bound)
+                      : fmt::format("{} (at most {:.1f} %)", count, bound);
 }
 
 std::string command_of(const Campaign& campaign, Kind kind, std::uint64_t event) {

@@ -161,6 +161,7 @@ void fill_detection(const Verb& verb) {
       "1.\n"
       "Examples:\n"
       "  fantail campaign detection --plan tasha3_launch2 --events 100000\n"
+      "  fantail campaign detection --kind launch --launches 100000 --at-most 0.1\n"
       "  fantail campaign detection --kind shaking --event 1234        what happened in it, with a picture");
   verb.action([options] { detect(*options); });
 }
