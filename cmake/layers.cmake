@@ -53,7 +53,8 @@ set(FANTAIL_LAYERS
   "tools/tune|core sim text json page input flight report stability fly campaign predict|fmt/"
   "tools/paper|core sim text json page input flight report identify identify/model identify/closed_loop tunnel fly|fmt/"
   "tools/detection|core sim text json page input campaign|fmt/"
-  "tools/fantail|core protocol avionics hal/linux sim text json page input flight report flight_log logs identify identify/model identify/result tunnel replies link trajectory stability fly hil telemetry gateway log_export bench campaign hardover predict tune paper airframe airframe/openrocket listen detection|fmt/ fcntl\\.h poll\\.h sys/ unistd\\.h"
+  "tools/faults|core sim text json page input campaign|fmt/"
+  "tools/fantail|core protocol avionics hal/linux sim text json page input flight report flight_log logs identify identify/model identify/result tunnel replies link trajectory stability fly hil telemetry gateway log_export bench campaign hardover predict tune paper airframe airframe/openrocket listen detection faults|fmt/ fcntl\\.h poll\\.h sys/ unistd\\.h"
   "python/bindings|core protocol sim text json input flight report flight_log logs identify identify/model identify/result fly campaign predict|nanobind/")
 
 # Headers of others that only one file of a folder includes, behind a header of ours. Of our own folders there is no exception.

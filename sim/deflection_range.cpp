@@ -114,7 +114,7 @@ CanardResponse canard_response(const Scenario& scenario) {
 }
 
 bool is_of_canard(FaultKind kind) {
-  return !is_of_sensor(kind) && !is_reset(kind) && kind != FaultKind::encoder_unplugged &&
+  return !is_of_sensor(kind) && !is_reset(kind) && !is_of_device(kind) && kind != FaultKind::encoder_unplugged &&
          kind != FaultKind::encoder_noisy;
 }
 

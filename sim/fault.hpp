@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "hal/board.hpp"
+#include "sim/misbehaviour.hpp"
 
 namespace fantail::sim {
 
@@ -28,9 +29,10 @@ enum class FaultKind : std::uint8_t {
   second_imu_frozen,
   second_imu_offset,
   reset,
+  device,  ///< Fault::misbehaviour says what
 };
 
-/// Lasts for a while and concerns no canard.
+/// Of a sensor by a name of its own: lasts for a while and concerns no canard.
 [[nodiscard]] constexpr bool is_of_sensor(FaultKind kind) {
   return kind >= FaultKind::imu_dropout && kind <= FaultKind::second_imu_offset;
 }
@@ -45,6 +47,9 @@ enum class FaultKind : std::uint8_t {
 
 /// Concerns the processor.
 [[nodiscard]] constexpr bool is_reset(FaultKind kind) { return kind == FaultKind::reset; }
+
+/// Any device by any behaviour.
+[[nodiscard]] constexpr bool is_of_device(FaultKind kind) { return kind == FaultKind::device; }
 
 enum class MemoryAfterReset : std::uint8_t { kept, lost };
 
@@ -62,14 +67,15 @@ inline constexpr double start_of_firmware_s = 0.010;
 
 struct Fault {
   FaultKind kind;
-  std::size_t canard;  ///< 0 to 3; for canard and encoder faults
+  std::size_t canard;  ///< 0 to 3; for canard and encoder faults, of a device too
   double from_s;       ///< after ignition (in the tunnel: after the start command); negative on the pad, and before
                        ///< power-up it is there from the first tick
-  double until_s;      ///< sensor faults only
+  double until_s;      ///< of sensors and devices only
   std::optional<double> angle_rad{};  ///< stuck and wrong_trim only, as Servo::fail
   double noise_counts = 60.0;         ///< encoder_noisy only: standard deviation of its readings
   double rate_offset_rad_s = 0.0;     ///< offset only: added to the gyro's rate about the long axis
   Reset reset{};                      ///< reset only
+  Misbehaviour misbehaviour{};        ///< device only
 };
 
 }  // namespace fantail::sim

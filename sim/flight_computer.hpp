@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 
@@ -26,6 +27,8 @@ struct BoardPorts {
   bool has_backup_memory = false;
 };
 
+enum class MemoryPart : std::uint8_t { flight_law, plan };
+
 /// The avionics on its devices, wherever it runs: whoever plays the world fills hardware(), lets it have its tick, and
 /// reads the servo pulses back from hardware().
 class FlightComputer {
@@ -38,6 +41,9 @@ class FlightComputer {
   /// The avionics begins anew after a reset; its last record is gone. hardware().time is the old clock's at this
   /// instant, and then the new one's, which is returned.
   virtual core::Microseconds restart(const Reset& reset) = 0;
+  /// One bit flips, between two ticks. `choice`: any number; the bit is that one, counted around. Nothing happens in a
+  /// computer whose memory cannot be reached from here.
+  virtual void flip_bit(MemoryPart /*part*/, std::uint64_t /*choice*/) {}
 };
 
 /// Of what the world is given one to fly. `plan` has passed core::validate(); it is in force unless the flash holds

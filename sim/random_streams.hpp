@@ -15,7 +15,8 @@ struct RandomStream {
     turbulence,
     servo_spread,
     shaking,
-    second_imu_noise
+    second_imu_noise,
+    misbehaviour
   };
 };
 

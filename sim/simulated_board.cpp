@@ -3,16 +3,47 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <span>
 
 #include "avionics/flight_memory.hpp"
 
 namespace fantail::sim {
+
+// Where the avionics keeps what decides about the canards, for whoever damages it. The one way that the language has to
+// name a private member is an explicit instantiation.
+namespace in_avionics {
+
+struct Law;
+struct Plan;
+std::optional<core::Autopilot> avionics::Avionics::* member(Law* tag);
+core::FlightPlan avionics::Avionics::* member(Plan* tag);
+
+template <typename Tag, auto pointer>
+struct Open {
+  friend auto member(Tag* /*tag*/) -> decltype(pointer) { return pointer; }
+};
+template struct Open<Law, &avionics::Avionics::autopilot_>;
+template struct Open<Plan, &avionics::Avionics::plan_>;
+
+template <typename Tag>
+auto& part_of(avionics::Avionics& avionics) {
+  return avionics.*member(static_cast<Tag*>(nullptr));
+}
+
+}  // namespace in_avionics
+
 namespace {
 
 using core::Microseconds;
 
 // What the firmware takes a gap for that no clock has measured; here one always has.
 constexpr Microseconds assumed_gap{0};
+
+void flip(std::span<std::byte> bytes, std::uint64_t choice) {
+  const std::uint64_t bit = choice % (8 * bytes.size());
+  bytes[bit / 8] ^= std::byte{1} << (bit % 8);
+}
 
 }  // namespace
 
@@ -57,6 +88,14 @@ Microseconds SimulatedBoard::restart(const Reset& reset) {
   avionics_.reset();
   begin();
   return clock;
+}
+
+void SimulatedBoard::flip_bit(MemoryPart part, std::uint64_t choice) {
+  if (part == MemoryPart::plan) {
+    flip(std::as_writable_bytes(std::span{&in_avionics::part_of<in_avionics::Plan>(*avionics_), 1}), choice);
+  } else {
+    flip(std::as_writable_bytes(std::span{&*in_avionics::part_of<in_avionics::Law>(*avionics_), 1}), choice);
+  }
 }
 
 std::unique_ptr<FlightComputer> simulated_board(const core::FlightPlan& plan, const BoardPorts& ports,

@@ -20,6 +20,7 @@ class SimulatedBoard final : public FlightComputer {
   [[nodiscard]] hal::sim::WorldSide& hardware() override { return devices_.world; }
   const core::TickRecord& tick() override { return avionics_->tick(); }
   core::Microseconds restart(const Reset& reset) override;
+  void flip_bit(MemoryPart part, std::uint64_t choice) override;
 
  private:
   void begin();

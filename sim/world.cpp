@@ -36,7 +36,10 @@ std::span<const std::byte> without_blank_end(std::span<const std::byte> cells) {
 }
 
 BoardPorts with_memory_for(const Scenario& scenario, BoardPorts ports) {
-  ports.has_backup_memory = std::ranges::any_of(scenario.faults, is_reset, &Fault::kind);
+  // What has been damaged is mended from there, too.
+  ports.has_backup_memory = std::ranges::any_of(scenario.faults, [](const Fault& fault) {
+    return is_reset(fault.kind) || (is_of_device(fault.kind) && fault.misbehaviour.device == Device::memory);
+  });
   return ports;
 }
 
@@ -106,6 +109,9 @@ World::World(const Scenario& scenario, const BoardPorts& ports, std::unique_ptr<
   hardware_.second_imu_is_fitted = scenario.vehicle.second_imu_is_fitted;
   hardware_.second_imu_scale = second_imu_model_.scale();
   hardware_.accelerometer_scale_m_s2 = accelerometer_model_.scale();
+  if (std::ranges::any_of(scenario.faults, is_of_device, &Fault::kind)) {
+    misbehaving_.emplace(scenario.faults, Random{scenario.seed, RandomStream::misbehaviour});
+  }
   if (scenario.imposed_roll) {
     imposed_roll_after_liftoff_ = nearest_tick(scenario.imposed_roll->time_s);
   }
@@ -122,10 +128,13 @@ const core::TickRecord& World::tick() {
   if (pad_) {
     let_crew_act();
   }
+  if (misbehaving_) {
+    let_devices_misbehave();
+  }
   if (down_until_) {
     follow_reset();
   }
-  if (down_until_) {
+  if (is_down()) {
     follow_events();
     return *last_record_;
   }
@@ -146,7 +155,7 @@ void World::advance() {
   const double from_ignition_s = in_seconds(now_ - ignition_);
   const double density_before = environment_.density_kg_m3();
   const double speed_before = environment_.speed_m_s();
-  canards_.step(in_seconds(now_), tick_time_s, hardware_.pulses,
+  canards_.step(in_seconds(now_), tick_time_s, misbehaving_ ? misbehaving_->heard(hardware_.pulses) : hardware_.pulses,
                 {.density_kg_m3 = density_before, .speed_m_s = speed_before, .roll_rate_rad_s = roll_.rate_rad_s});
   const double disturbance_before = disturbance_rad_;
   if (const auto side_area_m2 = scenario_.vehicle.canard_air.side_area_m2) {
@@ -221,6 +230,14 @@ void World::let_crew_act() {
   if (now_ == ignition_ && scenario_.surroundings != Surroundings::flight) {
     pad_->crew.start_tunnel();
   }
+}
+
+void World::let_devices_misbehave() {
+  misbehaving_->before_tick(now_ - ignition_, {.hardware = hardware_,
+                                               .board = *board_,
+                                               .canards = canards_,
+                                               .wire = pad_ ? &pad_->wire : nullptr,
+                                               .flash = pad_ ? &pad_->flash : nullptr});
 }
 
 std::optional<protocol::ArmReply> World::refusal_to_arm() const { return pad_ ? pad_->crew.refusal() : std::nullopt; }

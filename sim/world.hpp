@@ -13,6 +13,7 @@
 #include "hal/flash.hpp"
 #include "hal/sim/world_side.hpp"
 #include "sim/canard_set.hpp"
+#include "sim/device_faults.hpp"
 #include "sim/disturbance.hpp"
 #include "sim/environment.hpp"
 #include "sim/fin_wash.hpp"
@@ -70,7 +71,9 @@ class World {
   const core::TickRecord& tick();
 
   /// Was there no avionics to have the last tick()?
-  [[nodiscard]] bool is_down() const { return down_until_.has_value(); }
+  [[nodiscard]] bool is_down() const {
+    return down_until_.has_value() || (misbehaving_ && misbehaving_->processor_stands() && last_record_ != nullptr);
+  }
 
   /// The truth that belongs to the last tick.
   [[nodiscard]] Truth truth() const;
@@ -146,6 +149,7 @@ class World {
   void restart_board();
   void put_samples_on_clock_of_board(core::Microseconds ahead);
   void note_resume();
+  void let_devices_misbehave();
   void fill_hardware();
   struct LonePad;
   World(const Scenario& scenario, std::unique_ptr<LonePad> pad, const MakeFlightComputer& make);
@@ -197,8 +201,9 @@ class World {
   core::Microseconds board_ahead_{};               ///< of now_ is the board's clock; not 0 only after a reset
   std::vector<bool> fault_is_applied_;             ///< in the scenario's order; not of sensors', which come and go
 
-  std::unique_ptr<LonePad> pad_;  ///< empty when somebody else is there
-  std::string sensors_;           ///< as the record's header has it; outlives the board
+  std::unique_ptr<LonePad> pad_;             ///< empty when somebody else is there
+  std::optional<DeviceFaults> misbehaving_;  ///< empty where no device does; goes before the wire it may be on
+  std::string sensors_;                      ///< as the record's header has it; outlives the board
   std::unique_ptr<FlightComputer> board_;
   hal::sim::WorldSide& hardware_;  ///< of the board
   core::Phase phase_ = core::Phase::safe;

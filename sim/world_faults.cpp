@@ -30,7 +30,7 @@ void World::apply_faults() {
   accelerometer_hangs_ = false;
   for (std::size_t i = 0; i < scenario_.faults.size(); ++i) {
     const Fault& fault = scenario_.faults[i];
-    if (now_ < ignition_ + nearest_tick(fault.from_s)) {
+    if (is_of_device(fault.kind) || now_ < ignition_ + nearest_tick(fault.from_s)) {
       continue;
     }
     if (is_of_sensor(fault.kind)) {

@@ -105,6 +105,11 @@ std::string fault_tables() {
     tables.append("| `").append(fault_texts()[i].name).append("` | ").append(fault_texts()[i].meaning);
     tables.append(" | ").append(own_keys[i]).append(" |\n");
   }
+  tables += "\n| `device` | `behaviour` | what it does |\n|---|---|---|\n";
+  for (const sim::DeviceBehaviour& one : sim::misbehaviours) {
+    tables.append("| `").append(name(one.device)).append("` | `").append(name(one.behaviour)).append("` | ");
+    tables.append(one.meaning).append(" |\n");
+  }
   return tables + "\n";
 }
 

@@ -16,6 +16,7 @@
 #include "campaign/setup.hpp"
 #include "fantail/campaign_hardover.hpp"
 #include "fantail/campaign_detection.hpp"
+#include "fantail/campaign_faults.hpp"
 #include "fantail/interrupt.hpp"
 #include "fantail/progress.hpp"
 #include "fantail/run.hpp"
@@ -236,6 +237,7 @@ void fill(const Verb& verb) {
       "                                                      as many flights as it takes to say yes or no\n"
       "  fantail campaign my_rocket.toml --runs 100000 --shard 3/8 --out shard_3\n"
       "                                                      one of eight machines' share of the work");
+  fill_faults(verb.verb("faults", "Break every device in every phase of the flight, and see whether it stays safe"));
   fill_merge(verb.verb("merge", "Put the shards of a campaign together"));
   fill_hardover(verb.verb("hardover", "What one canard that runs to its stop does to the flight"));
   fill_detection(verb.verb("detection", "How often an armed rocket believes that it flies, or misses its launch"));

@@ -139,7 +139,15 @@ std::vector<std::string> take_trajectory(const FlyOptions& options, sim::Scenari
   return std::move(trajectory.notes);
 }
 
-void check_resets(const FlyOptions& options, const sim::Scenario& scenario) {
+void check_faults(const FlyOptions& options, const sim::Scenario& scenario) {
+  const auto damages = [](const sim::Fault& fault) {
+    return sim::is_of_device(fault.kind) && fault.misbehaviour.device == sim::Device::memory;
+  };
+  if (options.computer.on != "host" && std::ranges::any_of(scenario.faults, damages)) {
+    throw text::Error{text::ErrorKind::bad_configuration,
+                      fmt::format("{}: faults.device = \"memory\" cannot be flown with --on {}; allowed: --on host",
+                                  scenario.name, options.computer.on)};
+  }
   if (options.computer.on != "host" && std::ranges::any_of(scenario.faults, sim::is_reset, &sim::Fault::kind)) {
     throw text::Error{text::ErrorKind::bad_configuration,
                       fmt::format("{}: faults.kind = \"reset\" cannot be flown with --on {}; allowed: --on host",
@@ -187,7 +195,7 @@ Task campaign_task(const FlyOptions& options) {
 
 void fly_and_report(const FlyOptions& options) {
   auto [scenario, changes, notes, usual_folder] = options.run ? campaign_task(options) : task_of(options);
-  check_resets(options, scenario);
+  check_faults(options, scenario);
   LcmOutput lcm{options.lcm};
   FlightComputerOption computer{options.computer};
   flight::Flight flight = fly_and_show(scenario, computer, lcm, options.realtime);

@@ -22,6 +22,7 @@
 #include "hal/linux/console.hpp"
 #include "hal/linux/entropy.hpp"
 #include "hal/linux/file_flash.hpp"
+#include "input/fault_file.hpp"
 #include "sim/scenario.hpp"
 #include "sim/world.hpp"
 #include "telemetry/tick_reporter.hpp"
@@ -124,8 +125,22 @@ class Node {
   std::int64_t ticks_ = 0;
 };
 
+/// Bus and flash of a node are the PC's, and nothing here can break them.
+void check_faults(const sim::Scenario& scenario) {
+  for (const sim::Fault& fault : scenario.faults) {
+    const sim::Device device = fault.misbehaviour.device;
+    if (sim::is_of_device(fault.kind) && (device == sim::Device::bus || device == sim::Device::flash)) {
+      throw text::Error{text::ErrorKind::bad_configuration,
+                        fmt::format("{}: faults.device = \"{}\" cannot be run as a node, whose bus and flash are this "
+                                    "machine's; allowed: the other devices",
+                                    scenario.name, input::name(device))};
+    }
+  }
+}
+
 void run_node(const NodeOptions& options) {
   const sim::Scenario scenario = load(options.scenario);
+  check_faults(scenario);
   hal::on_linux::CanBus bus{options.interface, to_the_avionics};
   const auto flash = open_node_flash(flash_file(options, scenario));
   hal::on_linux::Console console;

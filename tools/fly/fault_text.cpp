@@ -19,12 +19,28 @@ std::string clock_error(const sim::Reset& reset) {
                            reset.clock_error_s > 0.0 ? "longer" : "shorter");
 }
 
+std::string device_text(const sim::Fault& fault, std::string_view zero, bool always) {
+  const sim::Misbehaviour& how = fault.misbehaviour;
+  const std::string whose = sim::is_of_canard(how.device) ? fmt::format(" of canard {}", fault.canard + 1) : "";
+  const std::string late =
+      how.behaviour == sim::Behaviour::delayed ? fmt::format(" by {:g} s", how.delay_s) : std::string{};
+  const std::string again = how.on_s > 0.0
+                                ? fmt::format(", again and again for {:g} s with {:g} s between", how.on_s, how.off_s)
+                                : std::string{};
+  return fmt::format("Fault: {}{}: {}{}, from {} to {:g} s after {}{}.", input::name(how.device), whose,
+                     input::name(how.behaviour), late,
+                     always ? std::string{"power-up"} : fmt::format("{:g}", fault.from_s), fault.until_s, zero, again);
+}
+
 }  // namespace
 
 std::string fault_text(const sim::Fault& fault, const sim::Scenario& scenario) {
   const std::string_view zero = scenario.surroundings != sim::Surroundings::flight ? "the start command" : "ignition";
   const std::string_view kind = input::name(fault.kind);
   const bool always = fault.from_s <= -scenario.pad_time_s;
+  if (sim::is_of_device(fault.kind)) {
+    return device_text(fault, zero, always);
+  }
   if (sim::is_of_sensor(fault.kind)) {
     const std::string from = always ? "power-up" : fmt::format("{:g}", fault.from_s);
     const std::string offset = sim::is_offset(fault.kind)

@@ -23,6 +23,10 @@ struct FaultText {
   return fault_texts()[static_cast<std::size_t>(kind)].name;
 }
 
+/// As scenario files call them.
+[[nodiscard]] std::string_view name(sim::Device device);
+[[nodiscard]] std::string_view name(sim::Behaviour behaviour);
+
 /// A key of [[faults]], and the kinds that have it.
 struct FaultField {
   Field<sim::Fault> field;

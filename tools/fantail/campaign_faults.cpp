@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: MIT
+#include "fantail/campaign_faults.hpp"
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <fmt/core.h>
+
+#include "campaign/setup.hpp"
+#include "fantail/interrupt.hpp"
+#include "fantail/progress.hpp"
+#include "fantail/run.hpp"
+#include "fantail/scenario_options.hpp"
+#include "fantail/standard_streams.hpp"
+#include "faults/results.hpp"
+#include "fly/fly_scenario.hpp"
+#include "input/shipped.hpp"
+#include "report/results.hpp"
+#include "text/number.hpp"
+#include "text/output_folder.hpp"
+
+namespace fantail::tool {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct FaultsOptions {
+  ScenarioOptions scenario{.scenario = "tasha3_launch2", .seed = {}, .changes = {}};
+  std::string device;
+  std::string fault;
+  std::string phase;
+  int step_ms = faults::Campaign{}.step_ms;
+  int every = faults::Campaign{}.every;
+  bool whole = false;
+  std::size_t seeds = 1;
+  std::string cell;
+  std::size_t run = 0;
+  unsigned threads = 0;
+  std::string out;
+  bool json = false;
+};
+
+faults::Campaign asked_for(const FaultsOptions& options) {
+  faults::Campaign campaign{.scenario = options.scenario.scenario,
+                            .changes = {},
+                            .seed = options.scenario.seed.empty() ? campaign::seed_of(options.scenario.scenario)
+                                                                  : *text::whole_number(options.scenario.seed),
+                            .device = options.device,
+                            .fault = options.fault,
+                            .phase = options.phase,
+                            .step_ms = options.step_ms,
+                            .every = options.whole ? 1 : options.every,
+                            .seeds = options.seeds};
+  for (const std::string& change : options.scenario.changes) {
+    campaign.changes.push_back(input::parse_override(change));
+  }
+  return campaign;
+}
+
+/// What makes the flights others than those of the scenario as it stands.
+std::vector<std::string> changes_of(const FaultsOptions& options) {
+  const FaultsOptions usual;
+  std::vector<std::string> all = changes_of(options.scenario);
+  const auto add = [&all](const char* name, const std::string& value) {
+    if (!value.empty()) {
+      all.push_back(fmt::format("{}={}", name, value));
+    }
+  };
+  const auto number = [](auto value, auto usually) {
+    return value == usually ? std::string{} : fmt::format("{}", value);
+  };
+  add("device", options.device);
+  add("fault", options.fault);
+  add("phase", options.phase);
+  add("step_ms", number(options.step_ms, usual.step_ms));
+  add("every", number(options.whole ? 1 : options.every, usual.every));
+  add("seeds", number(options.seeds, usual.seeds));
+  return all;
+}
+
+fs::path folder_of(const FaultsOptions& options) {
+  const std::string name = input::name_of_file(options.scenario.scenario);
+  return options.out.empty() ? fs::path{"out"} / "faults" / variant_name(name, changes_of(options))
+                             : fs::path{options.out};
+}
+
+void stop_if_interrupted(const fs::path& folder) {
+  if (take_interrupt()) {
+    throw Interrupted{"interrupted; finished parts are kept in " + folder.string() +
+                      ", and the same command goes on from there"};
+  }
+}
+
+void fly_one(const FaultsOptions& options) {
+  faults::Alone alone = faults::fly_alone(asked_for(options), options.cell, options.run);
+  flight::Flight flight = fly::fly_scenario(alone.scenario, {}, {}, fly::Log::kept);
+  flight.changes = changes_of(options.scenario);
+  flight.notes.insert(flight.notes.begin(), fmt::format("Run {} of {} of a campaign of faults; safe is: {}.",
+                                                        options.run, options.cell, faults::sentence(alone.expected)));
+  const fs::path folder =
+      folder_of(options) / fmt::format("{}_run_{}", variant_name("", std::array{options.cell}), options.run);
+  report::write_results(flight, report::results(flight), folder);
+  const auto outcome = alone.findings.outcome(alone.expected);
+  fmt::print("{}, run {}: {}\n  safe is: {}\n  it was:  {}\n  report   {}\n", options.cell, options.run,
+             outcome ? "safe" : "RED", faults::sentence(alone.expected), alone.findings.what_it_was(),
+             (folder / "report.html").string());
+  if (!outcome) {
+    throw RequirementNotMet{""};
+  }
+}
+
+void fly_all(const FaultsOptions& options) {
+  const faults::Campaign campaign = asked_for(options);
+  const fs::path folder = folder_of(options);
+  const faults::Extent extent = faults::extent_of(campaign);
+  say(fmt::format("fantail: {} flights in {} cells\n", extent.flights, extent.cells));
+  faults::Result result;
+  {
+    Progress progress{"flying " + input::name_of_file(campaign.scenario),
+                      {.unit = "runs", .rate = " a second", .total = static_cast<double>(extent.flights)}};
+    result = faults::fly_campaign(campaign, folder, FANTAIL_VERSION, options.threads, [&](std::uint64_t done) {
+      stop_if_interrupted(folder);
+      progress.show(static_cast<double>(done));
+    });
+  }
+  const std::string summary = faults::report_json(result, FANTAIL_VERSION);
+  const std::array<text::NamedFile, 2> files{
+      {{"summary.json", summary}, {"faults.html", faults::report_html(result, FANTAIL_VERSION)}}};
+  text::OutputFolder{folder}.write(files);
+  if (options.json) {
+    fmt::print("{}", summary);
+  } else {
+    fmt::print("{}  page  {}\n", faults::report_text(result), (folder / "faults.html").string());
+  }
+  if (faults::has_red(result)) {
+    throw RequirementNotMet{""};
+  }
+}
+
+}  // namespace
+
+void fill_faults(const Verb& verb) {
+  auto options = std::make_shared<FaultsOptions>();
+  add_scenario_options(verb, options->scenario);
+  verb.option("--device", options->device, "Only the faults of this device [all]").value_name("NAME");
+  verb.option("--fault", options->fault, "Only this fault [all]").value_name("NAME");
+  verb.option("--phase", options->phase, "Only faults that begin in this phase [all]")
+      .one_of({"pad", "armed", "launched", "controlling", "after_control"});
+  verb.option("--step-ms", options->step_ms, "Milliseconds between two onsets").range(1, 10000).show_default();
+  auto every =
+      verb.option("--every", options->every, "Of these onsets each so-manieth, but at least three in each phase");
+  every.range(1, 100000).show_default();
+  verb.flag("--whole", options->whole, "Every onset: --every 1").excludes(every);
+  verb.option("--seeds", options->seeds, "Fly each onset with so many seeds").range(1, 10000).show_default();
+  auto cell = verb.option("--cell", options->cell, "Fly one run again: of this cell, DEVICE/FAULT/PHASE");
+  cell.value_name("CELL");
+  verb.option("--run", options->run, "Its number, as the page says").range(0, 1e9).needs(cell);
+  verb.option("--threads", options->threads, "How many to fly at once [as many as the machine can]").range(1, 1024);
+  verb.option("--out", options->out,
+              "Folder for faults.html, summary.json and the parts [out/faults/SCENARIO, with what was changed in the "
+              "name]")
+      .check(objection_to_folder);
+  verb.flag("--json", options->json, "Print summary.json instead of the text");
+  verb.examples(
+      "A campaign that was interrupted goes on when the same command is given again.\n"
+      "Exit code 0: no cell is red but for a known limit; 1: one is.\n"
+      "Examples:\n"
+      "  fantail campaign faults tasha3_launch2              each device, fault and phase, some onsets of each\n"
+      "  fantail campaign faults tasha3_launch2 --device imu --phase controlling --whole\n"
+      "                                                      every 10 ms of control, whatever the IMU does\n"
+      "  fantail campaign faults tasha3_launch2 --cell imu/dead/controlling --run 7\n"
+      "                                                      one of its runs again, with a flight report");
+  verb.action([options] { options->cell.empty() ? fly_all(*options) : fly_one(*options); });
+}
+
+}  // namespace fantail::tool

@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: MIT
+#include "faults/fault_table.hpp"
+
+// What is safe, device by device, stated before anything was flown. Nothing here is made from what a flight showed; a
+// cell that does not keep to it is red, and a red one that nobody can mend stands in known_limits.cpp.
+namespace fantail::faults {
+namespace {
+
+using sim::Behaviour;
+using sim::Device;
+using enum Outcome;
+
+constexpr Expected with(Expected expected, double trim_s) {
+  expected.trim_s = trim_s;
+  return expected;
+}
+
+// ---- what is safe, in words that the rows use ----
+
+constexpr Expected unfit = any_of(not_armed, no_control);  // found before arming, or never controlled
+constexpr Expected found_or_harmless =
+    any_of(not_armed, holds);                 // found by the self-test, or begun after it and harmless
+constexpr Expected holds_on = any_of(holds);  // nothing of it is seen in the roll angle
+constexpr Expected never = any_of(no_control);
+constexpr Expected at_trim_or_holds = any_of(no_control, holds, over);
+constexpr Expected not_seen_or_holds = any_of(no_control, holds);  // launch detection needs it
+constexpr Expected back_soon = any_of(holds, recovers);
+constexpr Expected back_or_over = any_of(no_control, holds, recovers, over);
+constexpr Expected some_of_the_time = any_of(no_control, holds, goes_on, over);
+constexpr Expected whatever = any_of(not_armed, no_control, holds, recovers, over);
+constexpr Expected stays = any_of(over);  // Finished, canards at trim
+constexpr Expected beyond_us = any_of(anything);
+
+// A row's five cells: on the pad, armed, launched, controlling, after control.
+using Cells = std::array<Expected, phases>;
+constexpr Cells sensor_that_decides{unfit, at_trim_or_holds, at_trim_or_holds, at_trim_or_holds, stays};
+constexpr Cells sensor_gone_50_ms{found_or_harmless, any_of(no_control, holds, recovers),
+                                  any_of(no_control, holds, recovers), back_soon, stays};
+constexpr Cells sensor_gone_2_s{whatever, back_or_over, back_or_over, back_or_over, stays};
+constexpr Cells sensor_flickers{whatever, some_of_the_time, some_of_the_time, some_of_the_time, stays};
+constexpr Cells harmless{found_or_harmless, holds_on, holds_on, holds_on, stays};
+constexpr Cells for_detection_only{any_of(not_armed, no_control, holds), not_seen_or_holds, not_seen_or_holds, holds_on,
+                                   stays};
+constexpr Cells second_gyro{any_of(not_armed, no_control, holds), at_trim_or_holds, at_trim_or_holds, at_trim_or_holds,
+                            stays};
+constexpr Cells no_servo{beyond_us, beyond_us, beyond_us, beyond_us, stays};
+constexpr Cells resumed{any_of(not_armed, holds), any_of(no_control), any_of(no_control, holds, recovers), back_soon,
+                        stays};
+constexpr Cells not_resumed{any_of(not_armed, holds), never, with(any_of(no_control, over), 0.5),
+                            with(any_of(over), 0.5), with(stays, 0.5)};
+
+constexpr Recipe broken(Device device, Behaviour behaviour) { return {.device = device, .behaviour = behaviour}; }
+constexpr Recipe for_s(Device device, double lasts_s) { return {.device = device, .lasts_s = lasts_s}; }
+constexpr Recipe again(Device device, Behaviour behaviour, double on_s, double off_s) {
+  return {.device = device, .behaviour = behaviour, .on_s = on_s, .off_s = off_s};
+}
+constexpr Recipe delayed(Device device, double delay_s) {
+  return {.device = device, .behaviour = Behaviour::delayed, .delay_s = delay_s};
+}
+constexpr Recipe offset(sim::FaultKind kind, double offset_deg_s) {
+  return {.kind = kind, .offset_deg_s = offset_deg_s};
+}
+constexpr Recipe gear(sim::FaultKind kind, double angle_deg = 0.0) { return {.kind = kind, .angle_deg = angle_deg}; }
+constexpr Recipe all(Device device, Behaviour behaviour, double lasts_s = 0.0) {
+  return {.device = device, .behaviour = behaviour, .lasts_s = lasts_s, .all_canards = true};
+}
+constexpr Recipe reset(hal::ResetCause cause, double gap_s, int times = 1,
+                       sim::MemoryAfterReset memory = sim::MemoryAfterReset::kept) {
+  return {.kind = sim::FaultKind::reset, .reset = {.cause = cause, .gap_s = gap_s, .memory = memory}, .times = times};
+}
+
+// clang-format off: a fault a row
+constexpr auto table = std::to_array<FaultRow>({
+  {"imu", "dead", "does not answer", broken(Device::imu, Behaviour::dead), sensor_that_decides},
+  {"imu", "stuck", "the counts of its last sample come again, as new ones", broken(Device::imu, Behaviour::stuck), sensor_that_decides},
+  {"imu", "repeated", "its last sample comes again, with its old time", broken(Device::imu, Behaviour::repeated), sensor_that_decides},
+  {"imu", "saturated", "the x axes stand at the upper ends of their ranges", broken(Device::imu, Behaviour::saturated), sensor_that_decides},
+  {"imu", "garbage", "random counts, without an error", broken(Device::imu, Behaviour::garbage), sensor_that_decides},
+  {"imu", "spike", "one sample of random counts in 50", again(Device::imu, Behaviour::garbage, 0.001, 0.049), second_gyro},
+  {"imu", "slow", "one new sample in 10 ms", again(Device::imu, Behaviour::repeated, 0.009, 0.001), sensor_that_decides},
+  {"imu", "delayed", "its samples come 20 ms late", delayed(Device::imu, 0.02), sensor_that_decides},
+  {"imu", "nan", "the counts that stand for none, without an error", broken(Device::imu, Behaviour::nan), sensor_that_decides},
+  {"imu", "silent_3ms", "does not answer for 3 ms", for_s(Device::imu, 0.003), harmless},
+  {"imu", "silent_50ms", "does not answer for 50 ms", for_s(Device::imu, 0.05), sensor_gone_50_ms},
+  {"imu", "silent_2s", "does not answer for 2 s", for_s(Device::imu, 2.0), sensor_gone_2_s},
+  {"imu", "flickers_3ms", "does not answer for 3 ms of 30", again(Device::imu, Behaviour::dead, 0.003, 0.027), sensor_flickers},
+  {"imu", "flickers_100ms", "does not answer for 0.1 s of 0.5 s", again(Device::imu, Behaviour::dead, 0.1, 0.4), sensor_flickers},
+  {"imu", "offset_100", "its gyro reads 100 deg/s more about the long axis", offset(sim::FaultKind::imu_offset, 100.0), sensor_that_decides},
+  {"imu", "offset_15", "its gyro reads 15 deg/s more about the long axis", offset(sim::FaultKind::imu_offset, 15.0), sensor_that_decides},
+
+  {"second_imu", "dead", "does not answer", broken(Device::second_imu, Behaviour::dead), second_gyro},
+  {"second_imu", "stuck", "the counts of its last sample come again, as new ones", broken(Device::second_imu, Behaviour::stuck), second_gyro},
+  {"second_imu", "repeated", "its last sample comes again, with its old time", broken(Device::second_imu, Behaviour::repeated), second_gyro},
+  {"second_imu", "saturated", "the x axes stand at the upper ends of their ranges", broken(Device::second_imu, Behaviour::saturated), second_gyro},
+  {"second_imu", "garbage", "random counts, without an error", broken(Device::second_imu, Behaviour::garbage), second_gyro},
+  {"second_imu", "spike", "one sample of random counts in 50", again(Device::second_imu, Behaviour::garbage, 0.001, 0.049), second_gyro},
+  {"second_imu", "slow", "one new sample in 10 ms", again(Device::second_imu, Behaviour::repeated, 0.009, 0.001), second_gyro},
+  {"second_imu", "delayed", "its samples come 20 ms late", delayed(Device::second_imu, 0.02), second_gyro},
+  {"second_imu", "nan", "the counts that stand for none, without an error", broken(Device::second_imu, Behaviour::nan), second_gyro},
+  {"second_imu", "silent_3ms", "does not answer for 3 ms", for_s(Device::second_imu, 0.003), harmless},
+  {"second_imu", "silent_50ms", "does not answer for 50 ms", for_s(Device::second_imu, 0.05), harmless},
+  {"second_imu", "silent_2s", "does not answer for 2 s", for_s(Device::second_imu, 2.0), harmless},
+  {"second_imu", "flickers_3ms", "does not answer for 3 ms of 30", again(Device::second_imu, Behaviour::dead, 0.003, 0.027), harmless},
+  {"second_imu", "flickers_100ms", "does not answer for 0.1 s of 0.5 s", again(Device::second_imu, Behaviour::dead, 0.1, 0.4), harmless},
+  {"second_imu", "offset_100", "its gyro reads 100 deg/s more about the long axis", offset(sim::FaultKind::second_imu_offset, 100.0), second_gyro},
+  {"second_imu", "offset_15", "its gyro reads 15 deg/s more about the long axis", offset(sim::FaultKind::second_imu_offset, 15.0), second_gyro},
+
+  {"accelerometer", "dead", "does not answer", broken(Device::accelerometer, Behaviour::dead), for_detection_only},
+  {"accelerometer", "stuck", "the counts of its last sample come again, as new ones", broken(Device::accelerometer, Behaviour::stuck), for_detection_only},
+  {"accelerometer", "repeated", "its last sample comes again, with its old time", broken(Device::accelerometer, Behaviour::repeated), for_detection_only},
+  {"accelerometer", "saturated", "its x axis stands at the upper end of its range", broken(Device::accelerometer, Behaviour::saturated), for_detection_only},
+  {"accelerometer", "garbage", "random counts, without an error", broken(Device::accelerometer, Behaviour::garbage), for_detection_only},
+  {"accelerometer", "spike", "one sample of random counts in 50", again(Device::accelerometer, Behaviour::garbage, 0.001, 0.049), for_detection_only},
+  {"accelerometer", "slow", "one new sample in 10 ms", again(Device::accelerometer, Behaviour::repeated, 0.009, 0.001), for_detection_only},
+  {"accelerometer", "delayed", "its samples come 20 ms late", delayed(Device::accelerometer, 0.02), for_detection_only},
+  {"accelerometer", "nan", "the counts that stand for none, without an error", broken(Device::accelerometer, Behaviour::nan), for_detection_only},
+  {"accelerometer", "silent_3ms", "does not answer for 3 ms", for_s(Device::accelerometer, 0.003), harmless},
+  {"accelerometer", "silent_50ms", "does not answer for 50 ms", for_s(Device::accelerometer, 0.05), for_detection_only},
+  {"accelerometer", "silent_2s", "does not answer for 2 s", for_s(Device::accelerometer, 2.0), for_detection_only},
+  {"accelerometer", "flickers_3ms", "does not answer for 3 ms of 30", again(Device::accelerometer, Behaviour::dead, 0.003, 0.027), for_detection_only},
+  {"accelerometer", "flickers_100ms", "does not answer for 0.1 s of 0.5 s", again(Device::accelerometer, Behaviour::dead, 0.1, 0.4), for_detection_only},
+
+  {"encoder", "dead", "does not answer", broken(Device::encoder, Behaviour::dead), harmless},
+  {"encoder", "stuck", "its last reading comes again", broken(Device::encoder, Behaviour::stuck), harmless},
+  {"encoder", "saturated", "reads the last count of its turn", broken(Device::encoder, Behaviour::saturated), harmless},
+  {"encoder", "garbage", "random readings, without an error", broken(Device::encoder, Behaviour::garbage), harmless},
+  {"encoder", "spike", "one random reading in 50", again(Device::encoder, Behaviour::garbage, 0.001, 0.049), harmless},
+  {"encoder", "delayed", "its readings come 0.1 s late", delayed(Device::encoder, 0.1), harmless},
+  {"encoder", "nan", "readings beyond a turn, without an error", broken(Device::encoder, Behaviour::nan), harmless},
+  {"encoder", "silent_3ms", "does not answer for 3 ms", for_s(Device::encoder, 0.003), harmless},
+  {"encoder", "silent_50ms", "does not answer for 50 ms", for_s(Device::encoder, 0.05), harmless},
+  {"encoder", "silent_2s", "does not answer for 2 s", for_s(Device::encoder, 2.0), harmless},
+  {"encoder", "flickers_3ms", "does not answer for 3 ms of 30", again(Device::encoder, Behaviour::dead, 0.003, 0.027), harmless},
+  {"encoder", "flickers_1s", "does not answer for 1 s of 2 s", again(Device::encoder, Behaviour::dead, 1.0, 1.0), harmless},
+  {"encoder", "all_dead", "all four do not answer", all(Device::encoder, Behaviour::dead), harmless},
+  {"encoder", "all_stuck", "the last readings of all four come again", all(Device::encoder, Behaviour::stuck), harmless},
+
+  {"servo", "dead", "hears no pulses; friction holds the shaft", broken(Device::servo, Behaviour::dead), harmless},
+  {"servo", "torn_off", "the air turns the shaft back to zero", gear(sim::FaultKind::canard_dead), harmless},
+  {"servo", "stuck", "jammed where it stands", broken(Device::servo, Behaviour::stuck), harmless},
+  {"servo", "hardover", "runs to its positive stop", broken(Device::servo, Behaviour::saturated), harmless},
+  {"servo", "hardover_back", "stands at its negative stop", gear(sim::FaultKind::canard_stuck, -25.0), harmless},
+  {"servo", "slipping", "loses a third of every movement", gear(sim::FaultKind::canard_slipping), harmless},
+  {"servo", "repeated", "hears its last pulse again and again", broken(Device::servo, Behaviour::repeated), harmless},
+  {"servo", "garbage", "hears random pulses of 500 to 2500 us", broken(Device::servo, Behaviour::garbage), harmless},
+  {"servo", "spike", "hears random pulses for 3 ms of 100", again(Device::servo, Behaviour::garbage, 0.003, 0.097), harmless},
+  {"servo", "cut_pulse", "hears pulses cut at a random width", broken(Device::servo, Behaviour::cut), harmless},
+  {"servo", "cut_once", "hears pulses cut at a random width for 3 ms", {.device = Device::servo, .behaviour = Behaviour::cut, .lasts_s = 0.003}, harmless},
+  {"servo", "nan", "hears pulses without width", broken(Device::servo, Behaviour::nan), harmless},
+  {"servo", "slow", "four times the lag, a quarter of the rate limit", broken(Device::servo, Behaviour::slow), harmless},
+  {"servo", "delayed", "hears its pulses 0.1 s late", delayed(Device::servo, 0.1), harmless},
+  {"servo", "silent_50ms", "hears no pulses for 50 ms", for_s(Device::servo, 0.05), harmless},
+  {"servo", "silent_2s", "hears no pulses for 2 s", for_s(Device::servo, 2.0), harmless},
+  {"servo", "flickers_3ms", "hears no pulses for 3 ms of 30", again(Device::servo, Behaviour::dead, 0.003, 0.027), harmless},
+  {"servo", "flickers_1s", "hears no pulses for 1 s of 2 s", again(Device::servo, Behaviour::dead, 1.0, 1.0), harmless},
+  {"servo", "all_dead", "none of the four hears pulses", all(Device::servo, Behaviour::dead), no_servo},
+  {"servo", "all_50ms", "none of the four hears pulses for 50 ms", all(Device::servo, Behaviour::dead, 0.05), {found_or_harmless, back_soon, back_soon, back_soon, stays}},
+  {"servo", "all_cut_once", "all four hear pulses cut at a random width for 3 ms", all(Device::servo, Behaviour::cut, 0.003), {found_or_harmless, back_soon, back_soon, back_soon, stays}},
+
+  {"bus", "dead", "carries nothing", broken(Device::bus, Behaviour::dead), harmless},
+  {"bus", "flooded", "30 random frames a millisecond", broken(Device::bus, Behaviour::garbage), harmless},
+  {"bus", "repeated", "what was sent before is sent again, nine frames a millisecond", broken(Device::bus, Behaviour::repeated), harmless},
+  {"bus", "silent_2s", "carries nothing for 2 s", for_s(Device::bus, 2.0), harmless},
+  {"bus", "flickers_30ms", "carries nothing for 30 ms of 60", again(Device::bus, Behaviour::dead, 0.03, 0.03), harmless},
+
+  {"flash", "dead", "does not answer", broken(Device::flash, Behaviour::dead), harmless},
+  {"flash", "busy", "stays busy", broken(Device::flash, Behaviour::stuck), harmless},
+  {"flash", "slow", "busy for 3 ms of 4", again(Device::flash, Behaviour::stuck, 0.003, 0.001), harmless},
+  {"flash", "silent_50ms", "does not answer for 50 ms", for_s(Device::flash, 0.05), harmless},
+  {"flash", "silent_2s", "does not answer for 2 s", for_s(Device::flash, 2.0), harmless},
+
+  {"supply", "sagging", "the processor's is found too low, and stays so", broken(Device::supply, Behaviour::sagging), harmless},
+  {"supply", "sags_50ms", "found too low for 50 ms", {.device = Device::supply, .behaviour = Behaviour::sagging, .lasts_s = 0.05}, harmless},
+  {"supply", "flickers_30ms", "found too low for 30 ms of 0.3 s", again(Device::supply, Behaviour::sagging, 0.03, 0.27), harmless},
+  {"supply", "brown_out", "the processor is reset by it, and back 60 ms later", reset(hal::ResetCause::brown_out, 0.06), not_resumed},
+
+  {"arm_switch", "open", "opens", broken(Device::arm_switch, Behaviour::dead), {unfit, never, not_seen_or_holds, holds_on, stays}},
+  {"arm_switch", "stuck", "stays as it stands", broken(Device::arm_switch, Behaviour::stuck), harmless},
+  {"arm_switch", "chatters", "open for 30 ms of 60", again(Device::arm_switch, Behaviour::dead, 0.03, 0.03), {any_of(not_armed, no_control, holds), never, not_seen_or_holds, holds_on, stays}},
+  {"arm_switch", "open_50ms", "open for 50 ms", for_s(Device::arm_switch, 0.05), {any_of(not_armed, no_control, holds), never, not_seen_or_holds, holds_on, stays}},
+
+  {"memory", "flight_law", "one bit of the flight law flips", broken(Device::memory, Behaviour::law_bit_flipped), {whatever, at_trim_or_holds, at_trim_or_holds, at_trim_or_holds, stays}},
+  {"memory", "plan", "one bit of the plan flips", broken(Device::memory, Behaviour::plan_bit_flipped), {whatever, at_trim_or_holds, at_trim_or_holds, at_trim_or_holds, stays}},
+
+  {"processor", "watchdog", "hangs for 50 ms, and is reset and back 10 ms later", reset(hal::ResetCause::watchdog, 0.06), resumed},
+  {"processor", "crash", "crashes, and is back 15 ms later", reset(hal::ResetCause::software, 0.015), resumed},
+  {"processor", "long_gap", "is reset by its watchdog, and back 0.4 s later", reset(hal::ResetCause::watchdog, 0.4), {any_of(not_armed, holds), never, with(any_of(no_control, over), 1.0), with(any_of(over), 1.0), with(stays, 1.0)}},
+  {"processor", "reset_button", "is reset, and back 60 ms later", reset(hal::ResetCause::pin, 0.06), not_resumed},
+  {"processor", "memory_lost", "is reset by its watchdog, and its backup memory is empty", reset(hal::ResetCause::watchdog, 0.06, 1, sim::MemoryAfterReset::lost), not_resumed},
+  {"processor", "boot_loop", "is reset by its watchdog six times, 0.2 s apart", reset(hal::ResetCause::watchdog, 0.06, 6), {any_of(not_armed, holds), never, with(any_of(no_control, holds, recovers, over), 1.6), with(any_of(holds, recovers, over), 1.6), with(stays, 1.6)}},
+  {"processor", "stands_3ms", "has no ticks for 3 ms", for_s(Device::processor, 0.003), harmless},
+  {"processor", "stands_45ms", "has no ticks for 45 ms", for_s(Device::processor, 0.045), {any_of(not_armed, no_control, holds), any_of(no_control, holds), any_of(no_control, over), any_of(over), stays}},
+  {"processor", "flickers_3ms", "has no ticks for 3 ms of 30", again(Device::processor, Behaviour::dead, 0.003, 0.027), {any_of(not_armed, no_control, holds, over), any_of(no_control, over), any_of(no_control, over), with(any_of(over), 1.0), stays}},
+});
+// clang-format on
+
+}  // namespace
+
+std::span<const FaultRow> fault_table() { return table; }
+
+}  // namespace fantail::faults

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+#include "faults/flown_cell.hpp"
+
+#include <algorithm>
+#include <functional>
+
+#include <fmt/core.h>
+
+#include "campaign/seed_of_run.hpp"
+#include "sim/world.hpp"
+#include "text/error.hpp"
+
+namespace fantail::faults {
+namespace {
+
+using core::Microseconds;
+
+/// The angle that a pulse asks for, by the plan.
+std::optional<double> angle_rad(const core::CanardPlan& canard, const std::optional<hal::Pulse>& pulse) {
+  if (!pulse) {
+    return std::nullopt;
+  }
+  const double from_centre_us =
+      1e-3 * static_cast<double>(pulse->count()) - static_cast<double>(canard.pulse_centre_us);
+  return from_centre_us / static_cast<double>(canard.pulse_per_radian_us);
+}
+
+void fly(const sim::Scenario& scenario, const std::function<void(const Moment& moment)>& take) {
+  sim::World world{scenario};
+  core::Phase phase = core::Phase::safe;
+  while (!world.over()) {
+    const core::TickRecord& record = world.tick();
+    const hal::sim::WorldSide& hardware = world.hardware();
+    Moment moment{.time_s = 1e-6 * static_cast<double>(world.now().count()) - scenario.pad_time_s,
+                  .ticked = !world.is_down(),
+                  .true_roll_rad = world.truth().roll_angle_rad};
+    phase = moment.ticked ? record.phase : phase;
+    moment.phase = phase;
+    moment.completed = hardware.watchdog_fed == hardware.time;
+    for (std::size_t i = 0; i < core::canard_count; ++i) {
+      moment.commanded_rad[i] = angle_rad(scenario.plan.canards.each[i], hardware.pulses[i]);
+    }
+    take(moment);
+    world.advance();
+  }
+}
+
+/// From the first moment of a phase of the twin to the one after its last; empty phases are empty stretches.
+struct Stretch {
+  std::size_t begin = 0;
+  std::size_t end = 0;
+};
+
+Stretch stretch_of(const Twin& twin, Phase phase, std::size_t ignition) {
+  const auto first = [&twin](core::Phase wanted) {
+    return static_cast<std::size_t>(std::ranges::find(twin.phases, wanted) - twin.phases.begin());
+  };
+  const std::size_t armed = first(core::Phase::armed);
+  switch (phase) {
+    case Phase::pad: return {0, armed};
+    case Phase::armed: return {armed, ignition};
+    case Phase::launched: return {ignition, *twin.control_begin};
+    case Phase::controlling: return {*twin.control_begin, *twin.control_end + 1};
+    case Phase::after_control: break;
+  }
+  return {*twin.control_end + 1, twin.phases.size()};
+}
+
+}  // namespace
+
+std::string Cell::name() const { return fmt::format("{}/{}/{}", row->device, row->fault, faults::name(phase)); }
+
+Cell cell_of(const std::string& name) {
+  for (const FaultRow& row : fault_table()) {
+    for (std::size_t i = 0; i < phases; ++i) {
+      const Cell cell{.row = &row, .phase = static_cast<Phase>(i)};
+      if (cell.name() == name) {
+        return cell;
+      }
+    }
+  }
+  throw text::Error{text::ErrorKind::usage,
+                    fmt::format("\"{}\" is no cell; allowed: DEVICE/FAULT/PHASE as on the page, such as {}", name,
+                                Cell{.row = fault_table().data(), .phase = Phase::controlling}.name())};
+}
+
+Twins fly_twins(const sim::Scenario& scenario, std::size_t seeds) {
+  Twins twins{.scenario = scenario, .seeds = {scenario.seed}, .twins = {}, .limits = limits_of(scenario.plan)};
+  for (std::size_t i = 1; i < seeds; ++i) {
+    twins.seeds.push_back(campaign::seed_of_run(scenario.seed, i));
+  }
+  for (const std::uint64_t seed : twins.seeds) {
+    sim::Scenario own = scenario;
+    own.seed = seed;
+    Twin twin;
+    fly(own, [&twin](const Moment& moment) { twin.add(moment); });
+    if (!twin.control_begin) {
+      throw text::Error{text::ErrorKind::bad_configuration,
+                        fmt::format("{}: with seed {} it comes to no control without any of the faults, so there is "
+                                    "nothing to compare a flight with",
+                                    scenario.name, seed)};
+    }
+    twins.twins.push_back(std::move(twin));
+  }
+  return twins;
+}
+
+Grid::Grid(const Twins& twins, Phase phase, int step_ms, int every) {
+  const auto ignition = static_cast<std::size_t>(std::llround(twins.scenario.pad_time_s * 1e3));
+  for (std::size_t seed = 0; seed < twins.twins.size(); ++seed) {
+    const Stretch stretch = stretch_of(twins.twins[seed], phase, ignition);
+    const auto step = static_cast<std::size_t>(step_ms);
+    // So that a short phase is not left out: of a few onsets as many as a third of them leave.
+    const std::size_t steps = (stretch.end - stretch.begin + step - 1) / step;
+    const std::size_t stride = step * std::clamp<std::size_t>(steps / 3, 1, static_cast<std::size_t>(every));
+    for (std::size_t at = stretch.begin; at < stretch.end; at += stride) {
+      runs_.push_back({.seed = seed, .begin_ms = static_cast<int>(at) - static_cast<int>(ignition)});
+    }
+  }
+}
+
+sim::Scenario scenario_of(const Twins& twins, const Cell& cell, const Grid::Run& run, std::uint64_t number) {
+  sim::Scenario scenario = twins.scenario;
+  scenario.seed = twins.seeds[run.seed];
+  for (const sim::Fault& fault : faults_of(cell.row->recipe, 1e-3 * run.begin_ms, number, scenario)) {
+    scenario.faults.push_back(fault);
+  }
+  return scenario;
+}
+
+Findings fly_run(const Twins& twins, const Cell& cell, const Grid::Run& run, std::uint64_t number) {
+  const sim::Scenario scenario = scenario_of(twins, cell, run, number);
+  const double begin_s = 1e-3 * run.begin_ms;
+  Judge judge{twins.limits,
+              twins.twins[run.seed],
+              {.begin_s = begin_s, .end_s = end_of(cell.row->recipe, begin_s)},
+              cell.expected().settle_s};
+  fly(scenario, [&judge](const Moment& moment) { judge.add(moment); });
+  return judge.findings();
+}
+
+}  // namespace fantail::faults

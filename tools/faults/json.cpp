@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+
+#include <fmt/core.h>
+
+#include "campaign/setup.hpp"
+#include "faults/results.hpp"
+#include "json/value.hpp"
+#include "text/shell_word.hpp"
+
+// The results for scripts and for the terminal.
+namespace fantail::faults {
+namespace {
+
+std::string options_of(const Campaign& campaign) {
+  const Campaign usual;
+  std::string words;
+  for (const input::Override& change : campaign.changes) {
+    words += " --set " + text::shell_word(campaign::lines_of({change}));
+  }
+  words += fmt::format(" --seed {}", campaign.seed);
+  const auto add = [&words](const char* option, int value, int usually) {
+    words += value == usually ? std::string{} : fmt::format(" {} {}", option, value);
+  };
+  add("--step-ms", campaign.step_ms, usual.step_ms);
+  add("--every", campaign.every, usual.every);
+  add("--seeds", static_cast<int>(campaign.seeds), static_cast<int>(usual.seeds));
+  return words;
+}
+
+json::Value json_of(const CellResult& result, const Campaign& campaign) {
+  json::Value counts{};
+  for (unsigned bit = 0; bit < outcomes; ++bit) {
+    if (result.counts[bit] > 0) {
+      counts[name(static_cast<Outcome>(1U << bit))] = result.counts[bit];
+    }
+  }
+  json::Value value{{"cell", result.cell.name()},
+                    {"device", result.cell.row->device},
+                    {"fault", result.cell.row->fault},
+                    {"phase", name(result.cell.phase)},
+                    {"safe", sentence(result.cell.expected())},
+                    {"result", name(result.colour)},
+                    {"flights", result.flights},
+                    {"red", result.red}};
+  if (result.worst) {
+    value["outcomes"] = counts;
+    value["worst"] = {{"run", result.worst->number},
+                      {"begin_s", json::rounded(1e-3 * result.worst->begin_ms)},
+                      {"seed", result.worst->seed},
+                      {"apart_deg", result.worst->apart_deg},
+                      {"trim_after_s", json::rounded(result.worst->trim_after_s)},
+                      {"what", result.figure},
+                      {"command", run_command(campaign, result.cell, result.worst->number)}};
+  }
+  if (result.limit != nullptr) {
+    value["limit"] = {{"why", result.limit->why}, {"what_to_do", result.limit->what_to_do}};
+  }
+  return value;
+}
+
+std::size_t count(const Result& result, Colour colour) {
+  return static_cast<std::size_t>(std::ranges::count(result.cells, colour, &CellResult::colour));
+}
+
+}  // namespace
+
+bool has_red(const Result& result) { return count(result, Colour::red) > 0; }
+
+std::string headline(const Result& result) {
+  const std::size_t flown = result.cells.size() - count(result, Colour::not_applicable);
+  const std::size_t red = count(result, Colour::red);
+  const std::size_t limits = count(result, Colour::known_limit);
+  const std::size_t without_need = count(result, Colour::limit_without_need);
+  return fmt::format("{} flights in {} cells. {}{}{}", result.flights, flown,
+                     red == 0 ? "No cell is red but for a known limit." : fmt::format("{} cells are RED.", red),
+                     limits == 0 ? std::string{} : fmt::format(" {} are red for a limit that is known.", limits),
+                     without_need == 0
+                         ? std::string{}
+                         : fmt::format(" {} are green, though a limit is listed for them.", without_need));
+}
+
+std::string command_of(const Campaign& campaign) {
+  std::string words = "fantail campaign faults " + text::shell_word(campaign.scenario) + options_of(campaign);
+  const auto add = [&words](const char* option, const std::string& value) {
+    words += value.empty() ? std::string{} : fmt::format(" {} {}", option, value);
+  };
+  add("--device", campaign.device);
+  add("--fault", campaign.fault);
+  add("--phase", campaign.phase);
+  return words;
+}
+
+std::string run_command(const Campaign& campaign, const Cell& cell, std::uint64_t number) {
+  return fmt::format("fantail campaign faults {}{} --cell {} --run {}", text::shell_word(campaign.scenario),
+                     options_of(campaign), cell.name(), number);
+}
+
+std::string report_json(const Result& result, const std::string& version) {
+  json::Value cells = json::Value::array();
+  for (const CellResult& cell : result.cells) {
+    cells.push_back(json_of(cell, result.campaign));
+  }
+  const json::Value all{{"version", version},
+                        {"scenario", result.scenario},
+                        {"vehicle", result.vehicle},
+                        {"plan", result.plan},
+                        {"command", command_of(result.campaign)},
+                        {"flights", result.flights},
+                        {"green", count(result, Colour::green)},
+                        {"red", count(result, Colour::red)},
+                        {"known_limits", count(result, Colour::known_limit)},
+                        {"limits_without_need", count(result, Colour::limit_without_need)},
+                        {"not_applicable", count(result, Colour::not_applicable)},
+                        {"cells", cells}};
+  return all.pretty();
+}
+
+std::string report_text(const Result& result) {
+  std::string text = headline(result) + "\n";
+  for (const CellResult& cell : result.cells) {
+    if (cell.colour == Colour::red || cell.colour == Colour::known_limit || cell.colour == Colour::limit_without_need) {
+      text += fmt::format("  {:13} {:36} {} of {} flights; worst, run {}: {}\n",
+                          cell.colour == Colour::red           ? "RED"
+                          : cell.colour == Colour::known_limit ? "known limit"
+                                                               : "limit, green",
+                          cell.cell.name(), cell.red, cell.flights, cell.worst->number, cell.figure);
+    }
+  }
+  return text;
+}
+
+}  // namespace fantail::faults

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: MIT
+#include "faults/judge.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/core.h>
+
+namespace fantail::faults {
+namespace {
+
+constexpr double degree = 3.14159265358979323846 / 180.0;
+
+// A pulse has whole nanoseconds, 0.0001 degrees at 10 us a degree, and the law has 24 bits.
+constexpr double rounding_rad = 0.001 * degree;
+// After a reset a canard is commanded from where its encoder reads it to trim, whose noise and play are this much.
+constexpr double encoder_rad = 0.3 * degree;
+constexpr double early_s = 0.1;
+
+}  // namespace
+
+CommandLimits limits_of(const core::FlightPlan& plan) {
+  constexpr double hard_limit_rad = 20.0 * degree;
+  CommandLimits limits;
+  for (std::size_t i = 0; i < core::canard_count; ++i) {
+    const core::CanardPlan& canard = plan.canards.each[i];
+    limits.trim_rad[i] = static_cast<double>(canard.trim.radians());
+    limits.limit_rad[i] = std::min({static_cast<double>(plan.controller.canard_limit.radians()), hard_limit_rad,
+                                    static_cast<double>(canard.mechanical_stop.radians())});
+  }
+  return limits;
+}
+
+void Twin::add(const Moment& moment) {
+  if (moment.phase == core::Phase::controlling) {
+    control_begin = control_begin.value_or(phases.size());
+    control_end = phases.size();
+  }
+  true_roll_rad.push_back(moment.true_roll_rad);
+  phases.push_back(moment.phase);
+}
+
+void Judge::add(const Moment& moment) {
+  if (moment.ticked && !moment.completed) {
+    breach(moment, "a tick that did not come to its end");
+  }
+  look_at_commands(moment);
+  look_at_phase(moment);
+  look_at_roll(moment);
+  last_ticked_ = moment.ticked;
+  ++moments_;
+}
+
+void Judge::breach(const Moment& moment, const std::string& what) {
+  if (findings_.breach.empty()) {
+    findings_.breach = what;
+    findings_.breach_s = moment.time_s;
+  }
+}
+
+void Judge::look_at_commands(const Moment& moment) {
+  const bool rests = moment.phase == core::Phase::armed || moment.phase == core::Phase::launched ||
+                     moment.phase == core::Phase::finished;
+  for (std::size_t i = 0; i < core::canard_count; ++i) {
+    const std::optional<double>& commanded = moment.commanded_rad[i];
+    if (!commanded) {
+      off_trim_rad_[i] = 0.0;
+      continue;
+    }
+    if (!(std::abs(*commanded) <= limits_.limit_rad[i] + rounding_rad)) {
+      breach(moment, fmt::format("canard {} commanded to {:.3f} deg; its limit is {:.3f}", i + 1, *commanded / degree,
+                                 limits_.limit_rad[i] / degree));
+    }
+    const double off_rad = std::abs(*commanded - limits_.trim_rad[i]);
+    if (moment.ticked && rests && off_rad > rounding_rad) {
+      breach(moment, fmt::format("canard {} commanded {:.3f} deg off its trim in {}", i + 1, off_rad / degree,
+                                 moment.phase == core::Phase::armed      ? "Armed"
+                                 : moment.phase == core::Phase::launched ? "Launched"
+                                                                         : "Finished"));
+    }
+    const bool in_safe = moment.ticked && last_ticked_ && moment.phase == core::Phase::safe &&
+                         phase_ == core::Phase::safe && moment.time_s > 0.0;
+    if (in_safe && off_rad > off_trim_rad_[i] + rounding_rad) {
+      breach(moment, fmt::format("canard {} commanded away from its trim in Safe, after ignition", i + 1));
+    }
+    if (moment.time_s >= fault_.begin_s && off_rad > encoder_rad) {
+      findings_.trim_after_s = moment.time_s - fault_.begin_s;
+    }
+    off_trim_rad_[i] = off_rad;
+  }
+}
+
+void Judge::look_at_phase(const Moment& moment) {
+  if (!moment.ticked) {
+    before_gap_ = after_gap_ ? before_gap_ : phase_;
+    after_gap_ = true;
+    return;
+  }
+  const core::Phase from = after_gap_ ? before_gap_ : phase_;
+  if (moment.phase == core::Phase::controlling) {
+    const bool may =
+        from == core::Phase::controlling || from == core::Phase::launched || (tunnel_ && from == core::Phase::armed);
+    if (!may) {
+      breach(moment, "Controlling without Launched before");
+    }
+    control_end_ = moments_;
+  }
+  if (phase_ == core::Phase::finished && moment.phase != core::Phase::finished && !after_gap_) {
+    breach(moment, "another phase after Finished");
+  }
+  findings_.armed = findings_.armed || moment.phase != core::Phase::safe;
+  findings_.controlled = findings_.controlled || moment.phase == core::Phase::controlling;
+  // A resumed flight is Safe until the flash has said which plan is in force.
+  after_gap_ = after_gap_ && moment.phase == core::Phase::safe;
+  phase_ = findings_.last_phase = moment.phase;
+}
+
+void Judge::look_at_roll(const Moment& moment) {
+  const bool twin_controls = twin_.control_begin && moments_ >= *twin_.control_begin && moments_ <= *twin_.control_end;
+  if (!twin_controls || moment.time_s < fault_.begin_s) {
+    return;
+  }
+  const double apart_deg = std::abs(moment.true_roll_rad - twin_.true_roll_rad[moments_]) / degree;
+  findings_.apart_deg = std::max(findings_.apart_deg, apart_deg);
+  if (moment.time_s >= fault_.end_s + settle_s_) {
+    findings_.apart_settled_deg = std::max(findings_.apart_settled_deg, apart_deg);
+  }
+}
+
+Findings Judge::findings() const {
+  constexpr std::size_t early = static_cast<std::size_t>(early_s * 1e3);
+  Findings all = findings_;
+  all.lasted = control_end_ && twin_.control_end && *control_end_ + early >= *twin_.control_end;
+  return all;
+}
+
+bool Findings::is(Outcome outcome, const Expected& e) const {
+  switch (outcome) {
+    case Outcome::not_armed: return !armed;
+    case Outcome::no_control: return !controlled;
+    case Outcome::holds: return lasted && apart_deg <= e.within_deg;
+    case Outcome::recovers: return lasted && apart_settled_deg <= e.within_deg && apart_deg <= e.meanwhile_deg;
+    case Outcome::goes_on: return lasted && apart_deg <= e.meanwhile_deg;
+    case Outcome::over: return last_phase != core::Phase::controlling && trim_after_s <= e.trim_s;
+    case Outcome::anything: break;
+  }
+  return true;
+}
+
+std::optional<Outcome> Findings::outcome(const Expected& expected) const {
+  if (!breach.empty()) {
+    return std::nullopt;
+  }
+  for (unsigned bit = 0; bit < outcomes; ++bit) {
+    const auto one = static_cast<Outcome>(1U << bit);
+    if (expected.allows(one) && is(one, expected)) {
+      return one;
+    }
+  }
+  return std::nullopt;
+}
+
+std::string Findings::what_it_was() const {
+  if (!breach.empty()) {
+    return fmt::format("{}, {:.3f} s after ignition", breach, breach_s);
+  }
+  if (!armed) {
+    return "not armed";
+  }
+  if (!controlled) {
+    return "no control";
+  }
+  return fmt::format(
+      "{}, up to {:.1f} deg from the flight without the fault, last command off trim {:.3f} s after it began",
+      lasted ? "control went on" : "control ended early", apart_deg, trim_after_s);
+}
+
+}  // namespace fantail::faults

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include "faults/campaign.hpp"
+
+namespace fantail::faults {
+
+/// Any cell red that no known limit excuses.
+[[nodiscard]] bool has_red(const Result& result);
+
+/// "4 of 470 cells are red, ...": the answer, in a sentence or two.
+[[nodiscard]] std::string headline(const Result& result);
+
+/// What a person types to fly it, and one run of it alone.
+[[nodiscard]] std::string command_of(const Campaign& campaign);
+[[nodiscard]] std::string run_command(const Campaign& campaign, const Cell& cell, std::uint64_t number);
+
+[[nodiscard]] std::string report_html(const Result& result, const std::string& version);
+[[nodiscard]] std::string report_json(const Result& result, const std::string& version);
+/// For the terminal: the headline, and every cell that is not green.
+[[nodiscard]] std::string report_text(const Result& result);
+
+}  // namespace fantail::faults
