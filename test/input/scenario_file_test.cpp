@@ -97,7 +97,26 @@ INSTANTIATE_TEST_SUITE_P(
              ":4: faults.kind = 'stuck'; allowed: canard_stuck, canard_hardover, canard_dead, canard_slipping, "
              "canard_reversed, canard_slow, canard_wrong_trim, encoder_unplugged, encoder_noisy, imu_dropout, "
              "accelerometer_dropout, imu_frozen, imu_offset, second_imu_dropout, second_imu_frozen, second_imu_offset, "
-             "reset"},
+             "reset, device"},
+        Rule{"DeviceWithoutThatBehaviour",
+             "[[faults]]\nkind = \"device\"\nfrom_s = 1\nuntil_s = 2\ndevice = \"bus\"\nbehaviour = \"cut\"\n",
+             ":8: faults.behaviour = cut; allowed for bus: dead, repeated, garbage"},
+        Rule{
+            "DeviceUnknown",
+            "[[faults]]\nkind = \"device\"\nfrom_s = 1\nuntil_s = 2\ndevice = \"radio\"\nbehaviour = \"dead\"\n",
+            ":7: faults.device = 'radio'; allowed: imu, second_imu, accelerometer, encoder, servo, bus, flash, supply, "
+            "arm_switch, memory, processor"},
+        Rule{"DeviceThatIsNotFitted",
+             "[[faults]]\nkind = \"device\"\nfrom_s = 1\nuntil_s = 2\ndevice = \"second_imu\"\nbehaviour = "
+             "\"dead\"\n",
+             ":7: faults.device = second_imu, and the vehicle has no second IMU (second_imu.fitted)"},
+        Rule{"DeviceEndsBeforeItBegins",
+             "[[faults]]\nkind = \"device\"\nfrom_s = 2\nuntil_s = 1\ndevice = \"imu\"\nbehaviour = \"dead\"\n",
+             ":6: faults.until_s = 1 is out of range; allowed: later than from_s = 2, up to 3600"},
+        Rule{"DeviceGoneForAWhileWithoutBeingThereForOne",
+             "[[faults]]\nkind = \"device\"\nfrom_s = 1\nuntil_s = 2\ndevice = \"imu\"\nbehaviour = "
+             "\"dead\"\noff_s = 1\n",
+             ":9: faults.off_s = 1; allowed without on_s: 0"},
         Rule{"ResetOnThePad", "[[faults]]\nkind = \"reset\"\nfrom_s = -1\n",
              ":5: faults.from_s = -1; allowed for a reset: 0 to 3600"},
         Rule{"ResetOfNoCause", "[[faults]]\nkind = \"reset\"\nfrom_s = 1\ncause = \"power\"\n",

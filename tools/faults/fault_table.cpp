@@ -189,7 +189,7 @@ constexpr auto table = std::to_array<FaultRow>({
   {"processor", "memory_lost", "is reset by its watchdog, and its backup memory is empty", reset(hal::ResetCause::watchdog, 0.06, 1, sim::MemoryAfterReset::lost), not_resumed},
   {"processor", "boot_loop", "is reset by its watchdog six times, 0.2 s apart", reset(hal::ResetCause::watchdog, 0.06, 6), {any_of(not_armed, holds), never, with(any_of(no_control, holds, recovers, over), 1.6), with(any_of(holds, recovers, over), 1.6), with(stays, 1.6)}},
   {"processor", "stands_3ms", "has no ticks for 3 ms", for_s(Device::processor, 0.003), harmless},
-  {"processor", "stands_45ms", "has no ticks for 45 ms", for_s(Device::processor, 0.045), {any_of(not_armed, no_control, holds), any_of(no_control, holds), any_of(no_control, over), any_of(over), stays}},
+  {"processor", "stands_45ms", "has no ticks for 45 ms", for_s(Device::processor, 0.045), {any_of(not_armed, no_control, holds), any_of(no_control, holds), any_of(no_control, holds, over), any_of(over), stays}},
   {"processor", "flickers_3ms", "has no ticks for 3 ms of 30", again(Device::processor, Behaviour::dead, 0.003, 0.027), {any_of(not_armed, no_control, holds, over), any_of(no_control, over), any_of(no_control, over), with(any_of(over), 1.0), stays}},
 });
 // clang-format on

@@ -3,20 +3,51 @@
 
 #include "faults/fault_table.hpp"
 
-// Cells that may be red, because nothing in this avionics can make them green. One that stands here and is green is
-// reported, too.
+// Cells that may be red, because nothing in this avionics makes them green. One that stands here and is green is
+// reported, too. docs/faults.md has the same list with figures.
 namespace fantail::faults {
 namespace {
 
 constexpr unsigned at(auto... each) { return ((1U << static_cast<unsigned>(each)) | ...); }
-constexpr unsigned in_flight = at(Phase::armed, Phase::launched, Phase::controlling);
-constexpr unsigned anywhere = at(Phase::pad) | in_flight;
+constexpr unsigned controlling = at(Phase::controlling);
+constexpr unsigned launched = at(Phase::launched, Phase::controlling);
+constexpr unsigned armed = at(Phase::armed) | launched;
+constexpr unsigned before_launch = at(Phase::armed, Phase::launched);
+constexpr bool one_gyro = true;
 
+constexpr std::string_view believed =
+    "one gyro that is wrong, and says nothing of it, is believed: there is nothing to hold it against";
+constexpr std::string_view fit_a_second = "fly on two gyros: second_imu.fitted, and sensors.gyros = \"two_agree\"";
+constexpr std::string_view late =
+    "while the two accelerometers do not agree no launch is detected; when they do, roll angle, height and speed begin "
+    "there, control comes late and ends before apogee";
+constexpr std::string_view look_at_bus =
+    "do not launch with an accelerometer or IMU fault on the bus; after a flight look at the time of detection";
+constexpr std::string_view too_far =
+    "one canard far off takes more roll moment than the other three have within their limit";
+constexpr std::string_view stop_near =
+    "let the linkage stop a canard a little beyond the plan limit, and keep 4 times the fin offset plus that stop "
+    "below 3 "
+    "times the plan limit";
+
+// clang-format off: a limit a row
 constexpr auto limits = std::to_array<KnownLimit>({
-    {"imu", "offset_15", anywhere, false,
-     "a rate that is wrong by less than two gyros may differ is followed by the roll angle",
-     "measure the gyro's rate at rest and turning before every flight (bench axes)"},
+    {"imu", "stuck", launched, one_gyro, "counts that come again as new ones are found by the driver of the board (docs/device_faults.md), and the simulator has none", fit_a_second},
+    {"imu", "garbage", armed, one_gyro, believed, fit_a_second},
+    {"imu", "spike", armed, one_gyro, believed, fit_a_second},
+    {"imu", "offset_100", armed, one_gyro, believed, fit_a_second},
+    {"imu", "offset_15", armed, false, "a rate that is wrong by less than two gyros may differ (gyro_disagreement_deg_s) is followed by the roll angle", "make gyro_disagreement_deg_s as small as both gyros allow, and let bench axes turn the rocket before the flight"},
+    {"second_imu", "offset_15", armed, false, "a rate that is wrong by less than two gyros may differ (gyro_disagreement_deg_s) is followed by the roll angle", "make gyro_disagreement_deg_s as small as both gyros allow, and let bench axes turn the rocket before the flight"},
+    {"imu", "slow", launched, one_gyro, "samples 10 ms apart are each a silence: canards wait at trim nearly all the time, nothing holds the roll, and control does not end", fit_a_second},
+    {"imu", "silent_2s", before_launch, false, late, look_at_bus},
+    {"accelerometer", "spike", at(Phase::pad) | before_launch, false, late, look_at_bus},
+    {"accelerometer", "silent_2s", before_launch, false, late, look_at_bus},
+    {"servo", "hardover", controlling, false, too_far, stop_near},
+    {"servo", "hardover_back", armed, false, too_far, stop_near},
+    {"servo", "garbage", armed, false, too_far, stop_near},
+    {"servo", "cut_pulse", armed, false, too_far, stop_near},
 });
+// clang-format on
 
 }  // namespace
 

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+// The campaign itself: it says the same whatever its threads and interruptions, and every fault is safe under control
+// or a known limit.
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include "faults/results.hpp"
+#include "input/scenario_file.hpp"
+#include "text/error.hpp"
+
+namespace fantail::faults {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// An empty folder that is gone afterwards.
+class FaultCampaign : public testing::Test {
+ protected:
+  FaultCampaign() : folder_{fs::temp_directory_path() / ("fantail_faults_" + std::to_string(getpid()))} {
+    fs::remove_all(folder_);
+  }
+  ~FaultCampaign() override { fs::remove_all(folder_); }
+
+  fs::path folder_;
+};
+
+Campaign resets() {
+  Campaign campaign;
+  campaign.scenario = "tasha3_launch2";
+  campaign.device = "arm_switch";
+  campaign.phase = "launched";
+  campaign.every = 1000;
+  return campaign;
+}
+
+void quiet(std::uint64_t /*done*/) {}
+
+TEST_F(FaultCampaign, IsTheSameByAnyNumberOfThreadsAndAfterAnInterruption) {
+  const std::string whole = report_json(fly_campaign(resets(), folder_ / "one", "v", 1, quiet), "v");
+  EXPECT_EQ(report_json(fly_campaign(resets(), folder_ / "three", "v", 3, quiet), "v"), whole);
+  const auto interrupt = [](std::uint64_t done) {
+    if (done > 0) {
+      throw std::runtime_error{"interrupted"};
+    }
+  };
+  EXPECT_THROW((void)fly_campaign(resets(), folder_ / "cut", "v", 1, interrupt), std::runtime_error);
+  ASSERT_TRUE(fs::exists(folder_ / "cut" / "faults.json"));
+  EXPECT_EQ(report_json(fly_campaign(resets(), folder_ / "cut", "v", 1, quiet), "v"), whole);
+}
+
+TEST_F(FaultCampaign, FliesAPartAgainThatIsDamagedAndNoOther) {
+  const std::string whole = report_json(fly_campaign(resets(), folder_, "v", 2, quiet), "v");
+  std::vector<fs::path> parts;
+  for (const auto& file : fs::directory_iterator{folder_ / "parts"}) {
+    parts.push_back(file.path());
+  }
+  ASSERT_EQ(parts.size(), 4U);
+  std::ranges::sort(parts);
+  fs::resize_file(parts[0], fs::file_size(parts[0]) - 3);
+  const auto untouched = fs::last_write_time(parts[1]);
+  EXPECT_EQ(report_json(fly_campaign(resets(), folder_, "v", 2, quiet), "v"), whole);
+  EXPECT_EQ(fs::last_write_time(parts[1]), untouched);
+}
+
+TEST_F(FaultCampaign, RefusesAFolderOfAnotherCampaignAndNamesTheDifference) {
+  (void)fly_campaign(resets(), folder_, "v", 2, quiet);
+  Campaign other = resets();
+  other.every = 999;
+  try {
+    (void)fly_campaign(other, folder_, "v", 2, quiet);
+    FAIL() << "it took the folder";
+  } catch (const text::Error& error) {
+    EXPECT_NE(std::string{error.what()}.find("every is 1000 there and 999 here"), std::string::npos) << error.what();
+  }
+}
+
+TEST_F(FaultCampaign, RefusesNamesThatItHasNotARunThatItHasNotAndATunnel) {
+  Campaign campaign = resets();
+  campaign.device = "gyroscope";
+  EXPECT_THROW((void)extent_of(campaign), text::Error);
+  EXPECT_THROW((void)fly_alone(resets(), "imu/dead/launched", 3), text::Error);
+  EXPECT_THROW((void)fly_alone(resets(), "second_imu/dead/launched", 0), text::Error);
+  campaign = resets();
+  campaign.scenario = "tunnel_steps";
+  EXPECT_THROW((void)extent_of(campaign), text::Error);
+}
+
+TEST_F(FaultCampaign, CountsItsFlightsBeforehand) {
+  const Extent extent = extent_of(resets());
+  EXPECT_EQ(extent.cells, 4U);
+  EXPECT_EQ(extent.flights, fly_campaign(resets(), folder_, "v", 2, quiet).flights);
+  EXPECT_EQ(extent.flights, 4U * 3U);
+}
+
+TEST_F(FaultCampaign, ARunAloneIsTheRunOfTheCampaign) {
+  Campaign campaign = resets();
+  campaign.fault = "open";
+  const Result result = fly_campaign(campaign, folder_, "v", 2, quiet);
+  const faults::Run& worst = *result.cells.at(0).worst;
+  const Alone alone = fly_alone(campaign, "arm_switch/open/launched", worst.number);
+  EXPECT_EQ(alone.findings.outcome(alone.expected), worst.outcome);
+  EXPECT_NEAR(alone.findings.apart_deg, worst.apart_deg, 0.0005);
+}
+
+// One instant of each: what `fantail campaign faults` does with all of them.
+TEST(FaultUnderControl, IsSafeOrAKnownLimit) {
+  const Twins twins = fly_twins(input::load_scenario("tasha3_launch2", {}), 1);
+  for (const FaultRow& row : fault_table()) {
+    const Cell cell{.row = &row, .phase = Phase::controlling};
+    if (!why_not(row, twins.scenario).empty()) {
+      continue;
+    }
+    const Findings findings = fly_run(twins, cell, {.seed = 0, .begin_ms = 3000}, 0);
+    EXPECT_TRUE(findings.outcome(cell.expected()) || known_limit(row, cell.phase, twins.scenario.plan) != nullptr)
+        << cell.name() << ": " << findings.what_it_was();
+    EXPECT_EQ(findings.breach, "") << cell.name();
+  }
+}
+
+}  // namespace
+}  // namespace fantail::faults

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+// The table of what is safe: every row can be flown, and every known limit is one of a row.
+#include <algorithm>
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "faults/campaign.hpp"
+#include "input/scenario_file.hpp"
+#include "text/error.hpp"
+
+namespace fantail::faults {
+namespace {
+
+TEST(FaultTable, NamesEachCellOnceAndFindsItByItsName) {
+  std::set<std::string> names;
+  for (const FaultRow& row : fault_table()) {
+    for (std::size_t i = 0; i < phases; ++i) {
+      const Cell cell{.row = &row, .phase = static_cast<Phase>(i)};
+      EXPECT_TRUE(names.insert(cell.name()).second) << cell.name();
+      EXPECT_EQ(cell_of(cell.name()).row, &row) << cell.name();
+      EXPECT_TRUE(cell.expected().applies()) << cell.name();
+    }
+  }
+}
+
+TEST(FaultTable, SaysWhatIsAllowedForANameThatIsNoCell) {
+  for (const char* name : {"imu/dead", "imu/dead/flight", ""}) {
+    EXPECT_THROW((void)cell_of(name), text::Error) << name;
+  }
+}
+
+TEST(FaultTable, HasOnlyFaultsThatTheSimulatorCanFly) {
+  for (const FaultRow& row : fault_table()) {
+    const Recipe& recipe = row.recipe;
+    if (recipe.kind == sim::FaultKind::device) {
+      EXPECT_TRUE(sim::exists(recipe.device, recipe.behaviour)) << row.device << ' ' << row.fault;
+    }
+  }
+}
+
+TEST(FaultTable, FliesEveryBehaviourThatTheSimulatorHas) {
+  for (const sim::DeviceBehaviour& one : sim::misbehaviours) {
+    EXPECT_TRUE(std::ranges::any_of(fault_table(),
+                                    [&](const FaultRow& row) {
+                                      return row.recipe.kind == sim::FaultKind::device &&
+                                             row.recipe.device == one.device && row.recipe.behaviour == one.behaviour;
+                                    }))
+        << static_cast<int>(one.device) << ' ' << static_cast<int>(one.behaviour);
+  }
+}
+
+TEST(FaultTable, KnowsNoLimitOfAFaultThatItHasNot) {
+  for (const KnownLimit& limit : known_limits()) {
+    EXPECT_TRUE(std::ranges::any_of(fault_table(),
+                                    [&](const FaultRow& row) {
+                                      return row.device == limit.device &&
+                                             (limit.fault.empty() || row.fault == limit.fault);
+                                    }))
+        << limit.device << ' ' << limit.fault;
+    EXPECT_NE(limit.phases, 0U);
+    EXPECT_FALSE(limit.why.empty());
+    EXPECT_FALSE(limit.what_to_do.empty());
+  }
+}
+
+TEST(FaultTable, TakesAnotherCanardForEachRunAndAllWhereItSaysSo) {
+  const sim::Scenario scenario = input::load_scenario("tasha3_launch2", {});
+  const Recipe one{.device = sim::Device::servo};
+  for (std::uint64_t run = 0; run < 8; ++run) {
+    const auto faults = faults_of(one, 2.0, run, scenario);
+    ASSERT_EQ(faults.size(), 1U);
+    EXPECT_EQ(faults[0].canard, run % 4);
+    EXPECT_EQ(faults[0].from_s, 2.0);
+  }
+  const Recipe four{.device = sim::Device::servo, .lasts_s = 0.05, .all_canards = true};
+  const auto faults = faults_of(four, 2.0, 1, scenario);
+  ASSERT_EQ(faults.size(), 4U);
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_EQ(faults[i].canard, i);
+    EXPECT_DOUBLE_EQ(faults[i].until_s, 2.05);
+  }
+}
+
+TEST(FaultTable, OfABootLoopEachResetIsAFifthOfASecondAfterTheOneBefore) {
+  const sim::Scenario scenario = input::load_scenario("tasha3_launch2", {});
+  const Recipe loop{.kind = sim::FaultKind::reset, .reset = {.gap_s = 0.06}, .times = 6};
+  const auto faults = faults_of(loop, 1.0, 0, scenario);
+  ASSERT_EQ(faults.size(), 6U);
+  EXPECT_DOUBLE_EQ(faults[5].from_s, 2.0);
+  EXPECT_DOUBLE_EQ(end_of(loop, 1.0), 2.06);
+}
+
+TEST(FaultRun, IsReadAsItWasWritten) {
+  const faults::Run red{.number = 17,
+                        .seed = 18446744073709551615ULL,
+                        .begin_ms = -9990,
+                        .outcome = {},
+                        .apart_deg = 12.345,
+                        .trim_after_s = 0.123,
+                        .what = "control went on, up to 12.3 deg, and so on"};
+  const faults::Run green{.number = 0, .seed = 1, .begin_ms = 0, .outcome = Outcome::recovers};
+  for (const faults::Run& run : {red, green}) {
+    std::string row = row_of(run);
+    ASSERT_EQ(row.back(), '\n');
+    row.pop_back();
+    EXPECT_EQ(run_of(row), run) << row;
+  }
+  for (const char* row : {"", "1,2,3", "1,2,3,holds,x,0,", "1,2,3,hold,1,0,"}) {
+    EXPECT_EQ(run_of(row), std::nullopt) << row;
+  }
+}
+
+TEST(FaultCell, IsAsRedAsItsWorstRunAndALimitExcusesIt) {
+  const Cell cell = cell_of("imu/dead/controlling");
+  const faults::Run held{.number = 0, .outcome = Outcome::holds, .apart_deg = 9.0};
+  const faults::Run ended{.number = 1, .outcome = Outcome::over, .trim_after_s = 0.2};
+  const faults::Run spun{.number = 2, .outcome = {}, .apart_deg = 3.0, .what = "it spun"};
+  const KnownLimit limit{
+      .device = "imu", .fault = "dead", .phases = 1, .with_one_gyro = false, .why = "w", .what_to_do = "d"};
+  EXPECT_EQ(concluded(cell, {}, nullptr).colour, Colour::not_applicable);
+  EXPECT_EQ(concluded(cell, {held, ended}, nullptr).colour, Colour::green);
+  EXPECT_EQ(concluded(cell, {held, ended}, &limit).colour, Colour::limit_without_need);
+  EXPECT_EQ(concluded(cell, {held, spun, ended}, &limit).colour, Colour::known_limit);
+  const CellResult red = concluded(cell, {held, spun, ended}, nullptr);
+  EXPECT_EQ(red.colour, Colour::red);
+  EXPECT_EQ(red.red, 1U);
+  EXPECT_EQ(red.worst->number, 2U);
+  EXPECT_EQ(red.figure, "it spun");
+}
+
+}  // namespace
+}  // namespace fantail::faults
