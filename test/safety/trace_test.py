@@ -24,8 +24,7 @@ TREE = {
     "hal/x.cpp": "int c;\n",
     "tools/link/x.cpp": "int d;\n",
     "test/core/mixer_test.cpp": "int e;\nTEST(Mixer, StaysWithin) {}\nTEST_F(Phase, BeginsLate) {}\nTEST_F(Phase, AndStops) {}\n",
-    "test/proof/prove.py": 'print("mixer  stays within its limits")\n',
-    "test/proof/mixer.cpp": "int f;\n",
+    "test/proof/proofs.py": 'PROOFS = [\n    Proof("mixer", "stays within its limits")]\n',
 }
 
 
@@ -60,7 +59,7 @@ def main():
     assert (code, said) == (0, ""), said
     assert "[mixer.cpp:1](../firmware/core/mixer.cpp#L1)" in page, page
     assert "[Mixer.StaysWithin](../test/core/mixer_test.cpp#L2)" in page, page
-    assert "[proof mixer](../test/proof/mixer.cpp#L1)" in page, page
+    assert "[proof mixer](../test/proof/proofs.py#L2)" in page, page
     assert "[figures detection](figures/soak.md#detection)" in page, page
     assert run({**TREE, "docs/trace.md": page}, "--check")[0] == 0
 

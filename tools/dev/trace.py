@@ -9,7 +9,6 @@
 # or a test, proof or figure in the table, that does not exist; a proof or a table of figures that no requirement names.
 import pathlib
 import re
-import subprocess
 import sys
 
 ID = r"[A-Z]{3}-\d+"
@@ -76,18 +75,10 @@ class Trace:
         return places
 
     def proof_places(self):
-        script = self.root / "test/proof/prove.py"
-        if not script.exists():
-            return {}
-        listed = subprocess.run([sys.executable, script, "--list"], capture_output=True, text=True, check=True).stdout
-        places = {}
-        for line in listed.splitlines():
-            name = line.split()[0]
-            for path in [*sorted((self.root / "test/proof").glob("*.cpp")), script]:
-                if path.stem == name or f'"{name}"' in path.read_text():
-                    places[name] = (path.relative_to(self.root).as_posix(), 1)
-                    break
-        return places
+        table = self.root / "test/proof/proofs.py"
+        lines = table.read_text().splitlines() if table.exists() else []
+        return {found[1]: (table.relative_to(self.root).as_posix(), number)
+                for number, line in enumerate(lines, 1) if (found := re.search(r'\bProof\("(\w+)"', line))}
 
     def figure_places(self):
         places = {}
