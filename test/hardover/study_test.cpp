@@ -78,6 +78,19 @@ TEST(Hardover, EarlyItTurnsTheWayMoreThanLate) {
   EXPECT_GT(found.effects[0].away_m, 1.0);
 }
 
+// A servo of 600 deg/s turns by 12 degrees in 20 ms and for the time of a frame more, and lift grows with the angle:
+// less than that of a stop at 25 degrees, and the rocket is back on its way.
+TEST(Hardover, CutPulsesTurnTheRocketByLittle) {
+  const Study cut = study({}, {.failure = Failure::cut_pulses, .step_s = 2.0, .coupler_m = {}, .threads = 2});
+  for (const Effect& one : cut.effects) {
+    if (one.side_force_n > 0.0) {
+      EXPECT_LE(text::degrees(one.side_force_n / (one.pressure_pa * cut.side_area_m2)), 600.0 * (cut_s + 0.01));
+    }
+    EXPECT_LT(one.away_m, 10.0) << one.from_s;
+  }
+  EXPECT_GT(cut.worst().side_force_n, 0.01);
+}
+
 TEST(Hardover, TheResultsDoNotDependOnTheNumberOfThreads) {
   const Options one{.step_s = 5.0, .coupler_m = 0.8, .threads = 1};
   const Options three{.step_s = 5.0, .coupler_m = 0.8, .threads = 3};

@@ -162,11 +162,11 @@ TEST(BusCodecValue, APlaceThatDoesNotFitIsClamped) {
 }
 
 TEST(BusChoices, WhatIsNoValueOfAnEnumerationHasNoChoice) {
-  EXPECT_NE(choice(PlanBlockFault{}), no_choice);
-  EXPECT_EQ(choice(static_cast<PlanBlockFault>(0xFF)), no_choice);
-  EXPECT_EQ(choice(static_cast<Accelerometer>(0xFF)), no_choice);
-  EXPECT_EQ(choice(static_cast<core::SensorState>(0xFF)), no_choice);
-  EXPECT_EQ(choice(static_cast<core::SampleQuality>(0xFF)), no_choice);
+  EXPECT_NE(protocol::choice(PlanBlockFault{}), no_choice);
+  EXPECT_EQ(protocol::choice(static_cast<PlanBlockFault>(0xFF)), no_choice);
+  EXPECT_EQ(protocol::choice(static_cast<Accelerometer>(0xFF)), no_choice);
+  EXPECT_EQ(protocol::choice(static_cast<core::SensorState>(0xFF)), no_choice);
+  EXPECT_EQ(protocol::choice(static_cast<core::SampleQuality>(0xFF)), no_choice);
 }
 
 }  // namespace

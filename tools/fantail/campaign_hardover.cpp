@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <fmt/core.h>
 
@@ -25,25 +26,31 @@ namespace fs = std::filesystem;
 struct HardoverOptions {
   ScenarioOptions scenario{.scenario = "tasha3_launch2", .seed = {}, .changes = {}};
   hardover::Options study;
+  std::string failure = "hard_over";
   std::string out;
   bool json = false;
 };
 
 void fly(const HardoverOptions& options) {
-  const std::string name = variant_name(input::name_of_file(options.scenario.scenario), changes_of(options.scenario));
+  std::vector<std::string> changes = changes_of(options.scenario);
+  hardover::Options asked = options.study;
+  if (options.failure == "cut_pulses") {
+    asked.failure = hardover::Failure::cut_pulses;
+    changes.push_back("failure=" + options.failure);
+  }
+  const std::string name = variant_name(input::name_of_file(options.scenario.scenario), changes);
   const fs::path folder = options.out.empty() ? fs::path{"out"} / "hardover" / name : fs::path{options.out};
   std::optional<Progress> progress;
-  const hardover::Study study =
-      hardover::fly(load(options.scenario), options.study, [&](std::size_t done, std::size_t of) {
-        if (take_interrupt()) {
-          throw Interrupted{"interrupted; nothing was written"};
-        }
-        if (!progress) {
-          progress.emplace("flying " + name,
-                           Progress::Measure{.unit = "flights", .rate = " a second", .total = static_cast<double>(of)});
-        }
-        progress->show(static_cast<double>(done));
-      });
+  const hardover::Study study = hardover::fly(load(options.scenario), asked, [&](std::size_t done, std::size_t of) {
+    if (take_interrupt()) {
+      throw Interrupted{"interrupted; nothing was written"};
+    }
+    if (!progress) {
+      progress.emplace("flying " + name,
+                       Progress::Measure{.unit = "flights", .rate = " a second", .total = static_cast<double>(of)});
+    }
+    progress->show(static_cast<double>(done));
+  });
   progress.reset();
   text::OutputFolder{folder}.write(std::array{text::NamedFile{"hardover.html", hardover::study_html(study)},
                                               text::NamedFile{"hardover.json", hardover::study_json(study)}});
@@ -59,6 +66,10 @@ void fly(const HardoverOptions& options) {
 void fill_hardover(const Verb& verb) {
   auto options = std::make_shared<HardoverOptions>();
   add_scenario_options(verb, options->scenario);
+  verb.option("--failure", options->failure,
+              "How the canard fails: runs to its stop for good, or hears cut pulses for 20 ms")
+      .one_of({"hard_over", "cut_pulses"})
+      .show_default();
   verb.option("--step", options->study.step_s, "Seconds between the instants at which a canard fails")
       .range(0.01, 10.0)
       .show_default();

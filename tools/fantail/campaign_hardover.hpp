@@ -5,7 +5,7 @@
 
 namespace fantail::tool {
 
-/// `campaign hardover`: what one canard that runs to its stop does to the flight.
+/// `campaign hardover`: what one canard that fails does to the flight.
 void fill_hardover(const Verb& verb);
 
 }  // namespace fantail::tool

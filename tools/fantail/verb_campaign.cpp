@@ -239,7 +239,7 @@ void fill(const Verb& verb) {
       "                                                      one of eight machines' share of the work");
   fill_faults(verb.verb("faults", "Break every device in every phase of the flight, and see whether it stays safe"));
   fill_merge(verb.verb("merge", "Put the shards of a campaign together"));
-  fill_hardover(verb.verb("hardover", "What one canard that runs to its stop does to the flight"));
+  fill_hardover(verb.verb("hardover", "What one canard that fails does to the flight"));
   fill_detection(verb.verb("detection", "How often an armed rocket believes that it flies, or misses its launch"));
   verb.action([options] { fly_campaign(*options); });
 }

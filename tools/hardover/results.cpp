@@ -16,6 +16,12 @@ namespace {
 using text::degrees;
 using text::fixed;
 
+std::string what_fails(const Study& study) {
+  return study.options.failure == Failure::hard_over
+             ? fmt::format("that runs to its stop of {} deg", fixed(degrees(study.stop_rad), 0))
+             : fmt::format("whose pulses are cut off for {} ms", fixed(1e3 * cut_s, 0));
+}
+
 /// The worst of all canards and instants in one sentence.
 std::string headline(const Study& study) {
   const Effect worst = study.worst();
@@ -24,10 +30,10 @@ std::string headline(const Study& study) {
                                                fixed(*study.options.coupler_m, 2), fixed(*worst.moment_n_m, 2))
                                  : "";
   return fmt::format(
-      "One canard that runs to its stop of {} deg pushes this rocket to the side by up to {} N{}, turns its way by up "
-      "to {} deg and "
-      "moves its apogee by up to {} m over ground, to a height of {} m at the lowest; the sound rocket reaches {} m.",
-      fixed(degrees(study.stop_rad), 0), fixed(worst.side_force_n, 1), moment, fixed(degrees(worst.turned_rad), 1),
+      "One canard {} pushes this rocket to the side by up to {} N{}, turns its way by up to {} deg and moves its "
+      "apogee by "
+      "up to {} m over ground, to a height of {} m at the lowest; the sound rocket reaches {} m.",
+      what_fails(study), fixed(worst.side_force_n, 1), moment, fixed(degrees(worst.turned_rad), 1),
       fixed(worst.away_m, 0), fixed(worst.apogee_m, 0), fixed(study.sound_apogee_m, 0));
 }
 
@@ -135,6 +141,7 @@ std::string study_json(const Study& study) {
   const Effect worst = study.worst();
   const json::Value all = {{"scenario", study.scenario},
                            {"vehicle", study.vehicle},
+                           {"failure", study.options.failure == Failure::hard_over ? "hard_over" : "cut_pulses"},
                            {"canard_side_area_m2", json::rounded(study.side_area_m2)},
                            {"canard_position_m", json::rounded(study.position_m)},
                            {"stop_deg", json::rounded(degrees(study.stop_rad))},
@@ -158,7 +165,7 @@ std::string study_html(const Study& study) {
       page::figure(chart(study, "apogee moved over ground / m", [](const Effect& e) { return e.away_m; })),
       page::figure(chart(study, "apogee / m", [](const Effect& e) { return e.apogee_m; }))};
   return page::html(
-      {.kind = "Fantail: one canard hard over",
+      {.kind = "Fantail: one canard that fails",
        .title = study.scenario,
        .subtitle = study.vehicle,
        .verdict_heading = "At worst",

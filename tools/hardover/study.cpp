@@ -92,6 +92,17 @@ Effect effect_of(const Flown& failed, const Flown& sound, std::size_t canard, do
   return effect;
 }
 
+sim::Fault fault_of(const Effect& effect, Failure failure) {
+  sim::Fault fault{
+      .kind = sim::FaultKind::canard_hardover, .canard = effect.canard, .from_s = effect.from_s, .until_s = 0.0};
+  if (failure == Failure::cut_pulses) {
+    fault.kind = sim::FaultKind::device;
+    fault.until_s = effect.from_s + cut_s;
+    fault.misbehaviour = {.device = sim::Device::servo, .behaviour = sim::Behaviour::cut};
+  }
+  return fault;
+}
+
 /// The canards' own numbers, or those that follow from the shape.
 void complete(sim::Scenario& scenario) {
   if (scenario.surroundings != sim::Surroundings::flight || scenario.path) {
@@ -169,10 +180,7 @@ Study fly(sim::Scenario scenario, const Options& options,
       [&](std::size_t i) {
         Effect& effect = study.effects[i];
         sim::Scenario broken = scenario;
-        broken.faults.push_back({.kind = sim::FaultKind::canard_hardover,
-                                 .canard = effect.canard,
-                                 .from_s = effect.from_s,
-                                 .until_s = 0.0});
+        broken.faults.push_back(fault_of(effect, options.failure));
         effect = effect_of(flown(broken), sound, effect.canard, effect.from_s, study);
       },
       [&](std::size_t done) { look(done, study.effects.size()); });

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
@@ -11,7 +12,13 @@
 
 namespace fantail::hardover {
 
-/// What one canard that runs to its stop does to a flight in six degrees of freedom while the others go on controlling:
+enum class Failure : std::uint8_t {
+  hard_over,   ///< runs to its positive stop and stays there
+  cut_pulses,  ///< hears its pulses cut off at random parts of their width, for cut_s: what a reset can do to it
+};
+inline constexpr double cut_s = 0.02;
+
+/// What one canard that fails does to a flight in six degrees of freedom while the others go on controlling:
 /// for the person who clears the range.
 ///
 /// Side force of the canards: F = 1/2 rho v^2 A |sum of the four deflections as vectors across the axis|, with A of a
@@ -19,6 +26,7 @@ namespace fantail::hardover {
 /// without the relief by the inertia of what lies in front of it and without the lift of the nose at an angle of
 /// attack.
 struct Options {
+  Failure failure = Failure::hard_over;
   double step_s = 0.25;               ///< between the instants at which the canard fails, above zero
   std::optional<double> coupler_m{};  ///< where the bending moment is wanted, from the tip of the nose
   unsigned threads = 0;               ///< 0: as many as the machine has
