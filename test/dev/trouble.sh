@@ -10,7 +10,7 @@ mkdir -p "$work/project/tools" "$work/bin"
 cp "$1/dev" "$1/CMakePresets.json" "$work/project/"
 cp -r "$1/tools/dev" "$work/project/tools/"
 cd "$work/project"
-for tool in sh cat grep sed awk mkdir rm date flock tee sleep df dirname readlink env tail sort; do
+for tool in sh cat grep sed awk mkdir rm date flock tee sleep df dirname readlink env tail sort cmp; do
   ln -s "$(command -v "$tool")" "$work/bin/$tool"
 done
 failures=0
@@ -99,6 +99,16 @@ stand_in df 'echo "Filesystem 1048576-blocks Used Available Capacity Mounted"; e
 expect 74 "the disk is full" fly
 ln -sf "$(command -v df)" "$work/bin/df"
 rm build
+
+# A model checker that cannot be fetched; what needs none works without.
+mkdir test
+cp -r "$1/test/proof" test/
+PIP_INDEX_URL=http://127.0.0.1:9/ PIP_RETRIES=0 PIP_DEFAULT_TIMEOUT=1
+export PIP_INDEX_URL PIP_RETRIES PIP_DEFAULT_TIMEOUT
+expect 69 "the model checker could not be installed" prove
+[ ! -e build/prove-venv ] || { echo "FAILED: a half environment was left behind" && failures=$((failures + 1)); }
+expect 64 "there is no proof such" prove such
+unset PIP_INDEX_URL PIP_RETRIES PIP_DEFAULT_TIMEOUT
 
 # Slow: in a pipe it says how far it is, and a second one waits for its turn and says so.
 mkdir -p build/host

@@ -224,7 +224,7 @@ def prove(options):
 
 
 def main(words):
-    parser = argparse.ArgumentParser(prog="prove", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(prog="prove", usage="./dev prove [--quick] [--list] [--json] [NAME...]", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("prover")
     parser.add_argument("build")
     parser.add_argument("names", nargs="*", metavar="NAME")

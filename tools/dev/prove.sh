@@ -26,7 +26,7 @@ prove() {
 # requirements.txt names.
 prover_of_proofs() {
   if ! cmp -s test/proof/requirements.txt build/prove-venv/requirements.txt; then
-    echo "dev: installing the model checker ESBMC (50 MB)" >&2
+    echo "dev: installing the model checker ESBMC (58 MB)" >&2
     rm -rf build/prove-venv
     /usr/bin/python3 -m venv build/prove-venv &&
       build/prove-venv/bin/pip -q --disable-pip-version-check install --require-hashes --no-deps -r test/proof/requirements.txt >&2 &&
