@@ -36,6 +36,7 @@ DETECTOR = "core/launch_detector.cpp"
 AUTOPILOT = "core/autopilot.cpp"
 ARMING = "avionics/arming.cpp"
 BENCH = "avionics/bench_mode.cpp"
+TRANSFER = "avionics/plan_transfer.cpp"
 FRAMES = "protocol/generated/canard_bus.c"
 
 NO_CLAMP = Bug("the clamp of the first motion is gone", MIXER,
@@ -81,6 +82,10 @@ PROOFS = [
           (Bug("no clamp", "core/pd_controller.hpp", "clamp(unclamped, plan.canard_limit)", "unclamped"),
            Bug("what is no number is let through", "core/pd_controller.hpp", "if (!is_finite(unclamped.radians())) {", "if (false) {")),
           quick=True),
+    Proof("chirp", "The excitation is zero outside of its window, and never more than its amplitude", "chirp.cpp", 1,
+          (Bug("it goes on after its window", "core/chirp.cpp", "since_control_start >= plan_.end", "since_control_start > plan_.end"),
+           Bug("twice the amplitude", "core/chirp.cpp", "amplitude * sin_turns(turns)", "2.0F * amplitude * sin_turns(turns)")),
+          options=INSIDE, quick=True),
     Proof("autopilot", "A step asks the mixer for a request in Safe only and for a roll command in Controlling only",
           "autopilot.cpp", 3,
           (Bug("a request is obeyed in Armed", AUTOPILOT, "record.phase == Phase::safe ? inputs.canard_request",
@@ -107,6 +112,14 @@ PROOFS = [
            Bug("a second bench takes the session", BENCH, "if (session_) {\n    return SessionReason::other_session;", "if (false) {\n    return SessionReason::other_session;"),
            Bug("a request outlives its session", BENCH, "  request_.reset();\n", "")),
           options=INSIDE, quick=True),
+    Proof("plan_transfer", "A plan is transferred, written and brought into force only in Safe, and only a whole and valid one",
+          "plan_transfer.cpp", 4,
+          (Bug("a transfer begins in any phase", TRANSFER, "if (!safe || wrong_size) {", "if (wrong_size) {"),
+           Bug("a plan comes into force in any phase", TRANSFER, "if (safe) {\n        become(TransferState::stored);", "if (true) {\n        become(TransferState::stored);"),
+           Bug("a block with another checksum is written", TRANSFER, "protocol::plan_block_crc(block()) == begin_.block_crc", "true"),
+           Bug("a plan is handed out before it is stored", TRANSFER, "state_ != TransferState::stored || ", ""),
+           Bug("any size is accepted", TRANSFER, "begin.size == 0 || begin.size > protocol::largest_plan_block", "begin.size == 0")),
+          options=(*INSIDE, "--force-malloc-success"), stubs=("any_store",), quick=True),
     Proof("bus_frames", "Unpacking any bytes from the bus reads none beyond them; the angles of a request are within 20.48 degrees",
           "bus_frames.c", 2,
           (Bug("a byte beyond the frame is read", FRAMES, "dst_p->nonce |= unpack_left_shift_u32(src_p[5], 24u, 0xffu);",
