@@ -35,7 +35,7 @@ struct Armed {
   }
 };
 
-TEST(Arming, ASelfTestIsNoneOfItsSteps) {
+TEST(ArmingAlone, ASelfTestIsNoneOfItsSteps) {
   Armed rocket;
   const std::uint32_t nonce = rocket.begin();
   rocket.arming.answer(ArmRefusal::board_fault);
@@ -44,7 +44,7 @@ TEST(Arming, ASelfTestIsNoneOfItsSteps) {
   EXPECT_FALSE(rocket.arming.take_arm_command());
 }
 
-TEST(Arming, TheCommandIsGivenOnce) {
+TEST(ArmingAlone, TheCommandIsGivenOnce) {
   Armed rocket;
   EXPECT_EQ(rocket.say(ArmAction::confirm, rocket.begin()), ArmRefusal::none);
   EXPECT_TRUE(rocket.arming.take_arm_command());
@@ -52,7 +52,7 @@ TEST(Arming, TheCommandIsGivenOnce) {
   EXPECT_FALSE(rocket.arming.take_start_command());
 }
 
-TEST(Arming, EachObjectionStopsBothSteps) {
+TEST(ArmingAlone, EachObjectionStopsBothSteps) {
   const auto refused = [](auto change, ArmRefusal expected) {
     Armed at_begin;
     change(at_begin);
@@ -73,14 +73,14 @@ TEST(Arming, EachObjectionStopsBothSteps) {
   refused([](Armed& r) { r.now.arm_switch_closed = false; }, ArmRefusal::switch_open);
 }
 
-TEST(Arming, ASwitchThatWasNeverSeenOpenDoesNotArm) {
+TEST(ArmingAlone, ASwitchThatWasNeverSeenOpenDoesNotArm) {
   Armed rocket;
   rocket.arming = {};
   rocket.arming.update(rocket.now);
   EXPECT_EQ(rocket.say(ArmAction::begin), ArmRefusal::switch_not_cycled);
 }
 
-TEST(Arming, ANonceLivesFiveSecondsToTheMicrosecond) {
+TEST(ArmingAlone, ANonceLivesFiveSecondsToTheMicrosecond) {
   for (const bool in_time : {true, false}) {
     Armed rocket;
     const std::uint32_t nonce = rocket.begin();
@@ -93,7 +93,7 @@ TEST(Arming, ANonceLivesFiveSecondsToTheMicrosecond) {
   }
 }
 
-TEST(Arming, ANewNonceTakesTheReproachOfTheOldOneAway) {
+TEST(ArmingAlone, ANewNonceTakesTheReproachOfTheOldOneAway) {
   Armed rocket;
   rocket.begin();
   rocket.now.time += 2 * Arming::nonce_lifetime;
@@ -102,7 +102,7 @@ TEST(Arming, ANewNonceTakesTheReproachOfTheOldOneAway) {
   EXPECT_EQ(rocket.say(ArmAction::confirm, second), ArmRefusal::no_nonce);
 }
 
-TEST(Arming, OfOnePowerUpNoNonceIsGivenTwiceAndTheyEnd) {
+TEST(ArmingAlone, OfOnePowerUpNoNonceIsGivenTwiceAndTheyEnd) {
   Armed rocket;
   std::set<std::uint32_t> nonces;
   std::size_t given = 0;
@@ -115,13 +115,13 @@ TEST(Arming, OfOnePowerUpNoNonceIsGivenTwiceAndTheyEnd) {
   EXPECT_EQ(rocket.arming.refusal(), ArmRefusal::no_nonce);
 }
 
-TEST(Arming, WithoutACountOfThePowerUpThereIsNoNonce) {
+TEST(ArmingAlone, WithoutACountOfThePowerUpThereIsNoNonce) {
   Armed rocket;
   rocket.permission.power_up.reset();
   EXPECT_EQ(rocket.say(ArmAction::begin), ArmRefusal::no_nonce);
 }
 
-TEST(Arming, ANonceIsMurmursFinisherOfPowerUpAndRequestWithTheRandomNumberOnTop) {
+TEST(ArmingAlone, ANonceIsMurmursFinisherOfPowerUpAndRequestWithTheRandomNumberOnTop) {
   // MurmurHash3's fmix32 of 0x00070001 and of 0x00070002, computed in Python.
   Armed rocket;
   rocket.permission.random = 0;
@@ -130,7 +130,7 @@ TEST(Arming, ANonceIsMurmursFinisherOfPowerUpAndRequestWithTheRandomNumberOnTop)
   EXPECT_EQ(rocket.begin(), 0x7C508418U ^ 0xFFFF0000U);
 }
 
-TEST(Arming, InTheTunnelAStartTakesAnArmedRocketAtRestAndTheNonceThatArmed) {
+TEST(ArmingAlone, InTheTunnelAStartTakesAnArmedRocketAtRestAndTheNonceThatArmed) {
   Armed rocket;
   rocket.permission.tunnel_plan = true;
   rocket.now.phase = core::Phase::armed;

@@ -29,7 +29,7 @@ struct Bench {
   }
 };
 
-TEST(BenchMode, WithoutASessionNothingIsAskedOfACanard) {
+TEST(BenchModeAlone, WithoutASessionNothingIsAskedOfACanard) {
   Bench bench;
   EXPECT_FALSE(bench.mode.receive(protocol::BenchRequest{.angle = {1_deg, 1_deg, 1_deg, 1_deg}}));
   EXPECT_FALSE(bench.mode.canard_request(core::default_plan().canards));
@@ -42,7 +42,7 @@ TEST(BenchMode, WithoutASessionNothingIsAskedOfACanard) {
   EXPECT_FALSE(bench.mode.canard_request(core::default_plan().canards)) << "nor by one of the session before";
 }
 
-TEST(BenchMode, KeepingAndClosingAreOfTheOpenSessionOnly) {
+TEST(BenchModeAlone, KeepingAndClosingAreOfTheOpenSessionOnly) {
   Bench bench;
   EXPECT_FALSE(bench.say(SessionAction::keep));
   EXPECT_FALSE(bench.say(SessionAction::close));
@@ -57,7 +57,7 @@ TEST(BenchMode, KeepingAndClosingAreOfTheOpenSessionOnly) {
   EXPECT_EQ(bench.mode.reply().reason, SessionReason::closed_by_bench);
 }
 
-TEST(BenchMode, AnAnswerIsNewsOnce) {
+TEST(BenchModeAlone, AnAnswerIsNewsOnce) {
   Bench bench;
   bench.say(SessionAction::open);
   EXPECT_EQ(bench.mode.reply().state, SessionState::open);
@@ -69,7 +69,7 @@ TEST(BenchMode, AnAnswerIsNewsOnce) {
   EXPECT_TRUE(bench.mode.take_news()) << "a bench that repeats itself has not heard it";
 }
 
-TEST(BenchMode, SilenceOfAHundredMillisecondsIsBorneAndNotAMicrosecondMore) {
+TEST(BenchModeAlone, SilenceOfAHundredMillisecondsIsBorneAndNotAMicrosecondMore) {
   for (const auto said : {SessionAction::open, SessionAction::keep}) {
     Bench bench;
     bench.say(SessionAction::open);
@@ -90,7 +90,7 @@ TEST(BenchMode, SilenceOfAHundredMillisecondsIsBorneAndNotAMicrosecondMore) {
   EXPECT_FALSE(bench.mode.open()) << "another one's heartbeat";
 }
 
-TEST(BenchMode, EachObjectionRefusesASessionAndLeavesTheStateAsItWas) {
+TEST(BenchModeAlone, EachObjectionRefusesASessionAndLeavesTheStateAsItWas) {
   const auto refused = [](auto change, SessionReason expected, bool self_test_runs = false) {
     Bench bench;
     change(bench.now);
@@ -114,7 +114,7 @@ TEST(BenchMode, EachObjectionRefusesASessionAndLeavesTheStateAsItWas) {
   EXPECT_EQ(bench.mode.session(), number);
 }
 
-TEST(BenchMode, EndsWithThePhaseAndWithMotion) {
+TEST(BenchModeAlone, EndsWithThePhaseAndWithMotion) {
   Bench armed;
   armed.say(SessionAction::open);
   armed.now.phase = core::Phase::armed;

@@ -131,14 +131,15 @@ class Court:
             return 3 + 5 * self.baseline[key]
 
     def patterns(self, mutant):
-        """(program, filter): first the tests of that name, then all of every program."""
+        """(program, filter): first the tests of that name, those without a board before them, then all of every program."""
         folder, stem = mutant.file.split("/")[1], pathlib.Path(mutant.file).stem
-        suites = set()
-        for test in (self.shop.root / "test" / folder).glob(f"{stem}*_test.cpp"):
-            suites |= set(re.findall(r"^\s*(?:TEST(?:_[FP])?|TYPED_TEST|RC_GTEST_(?:FIXTURE_)?PROP)\(\s*(\w+)",
-                                     test.read_text(), re.M))
-        if suites:
-            yield folder, ":".join(f"{suite}.*:*/{suite}.*:{suite}/*" for suite in sorted(suites))
+        for names in (f"{stem}_alone_test.cpp", f"{stem}*_test.cpp"):
+            suites = set()
+            for test in (self.shop.root / "test" / folder).glob(names):
+                suites |= set(re.findall(r"^\s*(?:TEST(?:_[FP])?|TYPED_TEST|RC_GTEST_(?:FIXTURE_)?PROP)\(\s*(\w+)",
+                                         test.read_text(), re.M))
+            if suites:
+                yield folder, ":".join(f"{suite}.*:*/{suite}.*:{suite}/*" for suite in sorted(suites))
         for program in PROGRAMS[folder]:
             yield program, ALL_TESTS.get(program, "*")
 
