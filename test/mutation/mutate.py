@@ -172,7 +172,7 @@ def main(arguments, root):
     options, files = parse(arguments, root)
     if options.check_options:
         return 0
-    signal.signal(signal.SIGTERM, signal.getsignal(signal.SIGINT))
+    signal.signal(signal.SIGTERM, signal.default_int_handler)
     begun, build = time.monotonic(), pathlib.Path(root, "build")
     folder = build / "mutation"
     results_path = folder / "results.jsonl"
@@ -194,7 +194,7 @@ def main(arguments, root):
         left = [m for m in chosen if (m.file, m.begin, m.now) not in tried]
         print(f"seed {options.seed}; the same again with --seed {options.seed}", file=sys.stderr)
         court = trial.Court(shop, progress.say)
-        court.prepare(any(m.file.endswith(".hpp") for m in left))
+        court.prepare(any(m.file.endswith(".hpp") for m in left), options.resume)
         progress = Progress(len(left))
         with results_path.open("a" if options.resume else "w") as stream:
             if not options.resume:

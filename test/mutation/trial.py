@@ -5,7 +5,9 @@ Outcomes: `invalid` does not compile; `same` has the objects of the original, so
 `timeout` were noticed; `survived` passed every test. Whatever else happens is a ToolFailure.
 """
 
+import concurrent.futures
 import dataclasses
+import itertools
 import os
 import pathlib
 import re
@@ -88,31 +90,42 @@ class Court:
         self.baseline = {}  # (plain, program, filter) -> CPU seconds
         self.lock = threading.Lock()
 
-    def prepare(self, plain_too, files=None):
-        """Compiles the originals. `files`: those of the product; all of them if not said."""
+    def prepare(self, plain_too, reuse=False):
+        """Compiles the originals. `reuse`: those of a run of the same sources are taken as they are."""
         check_compiler(self.shop)
         for plain in (False, True) if plain_too else (False,):
             place = self.place_of(plain)
-            place.mkdir(parents=True, exist_ok=True)
-            objects = []
-            for number, file in enumerate(files or self.shop.product, 1):
-                self.say(f"originals: {number} of {len(files or self.shop.product)}")
-                objects.append(self.original(place, file, plain))
-            archive = place / "originals.a"
-            archive.unlink(missing_ok=True)
-            code, text = workshop.tool(["ar", "rcs", str(archive), *map(str, objects)], place, "ar")
-            if code != 0:
-                raise ToolFailure(f"ar: {text[-500:]}")
+            archive = place / "originals.a"  # made last, so one that is there is whole
+            if not (reuse and archive.exists()):
+                archive.unlink(missing_ok=True)
+                place.mkdir(parents=True, exist_ok=True)
+                self.fill(archive, place, plain)
             self.archives[plain] = archive
+
+    def fill(self, archive, place, plain):
+        done, own = itertools.count(1), threading.local()
+        names = itertools.count()
+
+        def compile_one(file):
+            if not hasattr(own, "place"):
+                own.place = place / f"place{next(names)}"
+                own.place.mkdir(exist_ok=True)
+            obj, errors = self.shop.compile(own.place, file, plain)
+            if obj is None:
+                raise ToolFailure(f"{file} does not compile as it is: {errors[-2000:]}")
+            for path in (obj, obj.with_name(obj.name + ".d")):
+                path.rename(place / path.name)
+            self.say(f"originals{', not inlined' if plain else ''}: {next(done)} of {len(self.shop.product)}")
+            return str(place / obj.name)
+
+        with concurrent.futures.ThreadPoolExecutor(len(os.sched_getaffinity(0))) as pool:
+            objects = list(pool.map(compile_one, self.shop.product))
+        code, text = workshop.tool(["ar", "rcs", str(archive), *objects], place, "ar")
+        if code != 0:
+            raise ToolFailure(f"ar: {text[-500:]}")
 
     def place_of(self, plain):
         return self.shop.folder / ("plain" if plain else "own")
-
-    def original(self, place, file, plain):
-        obj, errors = self.shop.compile(place, file, plain)
-        if obj is None:
-            raise ToolFailure(f"{file} does not compile as it is: {errors[-2000:]}")
-        return obj
 
     def limit(self, plain, program, pattern):
         """CPU seconds that a mutant may take; the first time, the originals are run: their tests must pass."""
