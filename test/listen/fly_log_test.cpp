@@ -132,6 +132,16 @@ TEST(FlyLog, TakesTheIntervalThatTheLogHasAroundLiftOff) {
   EXPECT_TRUE(heard.gaps.empty());
 }
 
+TEST(FlyLog, OfAnAxisThatDoesNotReadOneGOnThePadAsksWhetherItIsTheRightOne) {
+  const Heard reversed = fly_log(log_of(signal(10.0, 0.01, [](double t) { return -constant_push(t); })), question());
+  EXPECT_EQ(finding(reversed), Finding::no_launch);
+  const Heard from_rest =
+      fly_log(log_of(signal(10.0, 0.01, [](double t) { return constant_push(t) - g; })), question());
+  EXPECT_TRUE(says(reversed, "right axis, sign and unit"));
+  EXPECT_TRUE(says(from_rest, "the axial force reads 0.00 g in the mean"));
+  EXPECT_FALSE(says(fly_log(log_of(signal(10.0, 0.01, constant_push)), question()), "right axis"));
+}
+
 TEST(FlyLog, AtRestHearsNothing) {
   const Heard heard = fly_log(log_of(signal(10.0, 0.01, [](double) { return g; })), question());
   EXPECT_EQ(finding(heard), Finding::no_launch);

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "listen/load.hpp"
 
+#include <random>
+
 #include <gtest/gtest.h>
 
 #include "listen/refused.hpp"
+#include "random/seed.hpp"
 #include "system/folder.hpp"
 
 namespace fantail::listen {
@@ -37,6 +40,23 @@ TEST(Tidy, NumbersNamesThatComeAgain) {
 TEST(Tidy, LeavesQuotedNamesAlone) {
   EXPECT_EQ(tidied("\"a,b\",\"a,b\"\n1,2\n"), "\"a,b\",\"a,b\"\n1,2\n");
   EXPECT_EQ(tidied(""), "");
+}
+
+// Whatever the bytes are: a table, or a refusal that names the file.
+TEST(Tidy, OfAnyBytesEndsInATableOrARefusal) {
+  std::mt19937 random{test::seed()};
+  const std::string whole = "# a, b\n#time,x,x\r\n1,2,3\n\"4\",5,NaN\n7,8,9\n";
+  for (int i = 0; i < 5000; ++i) {
+    std::string bytes = whole.substr(0, whole.size() - random() % 20);
+    for (int change = 0; change < i % 8; ++change) {
+      bytes[random() % bytes.size()] = ",\n#\"1x\r-"[random() % 8];
+    }
+    try {
+      (void)flight::Table::parse(tidied(bytes), "a.csv");
+    } catch (const text::Error& error) {
+      EXPECT_TRUE(std::string_view{error.what()}.starts_with("a.csv")) << error.what();
+    }
+  }
 }
 
 TEST(Load, KeepsTheLinesOfTheFile) {

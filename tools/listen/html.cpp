@@ -89,6 +89,24 @@ std::string chart(const Heard& heard, std::string_view heading, std::string_view
                                               .least_left = 48.0}));
 }
 
+// The half second in which everything is decided.
+std::string close_up(const Heard& heard, std::vector<page::Level> levels) {
+  if (!heard.lift_off_s) {
+    return {};
+  }
+  constexpr page::Range around_lift_off{-0.5, 1.5};
+  return page::figure({.label = "Axial specific force around lift-off",
+                       .x_label = "time after lift-off / s",
+                       .y_label = "axial specific force / g",
+                       .height = flat,
+                       .series = {from_log(heard, heard.log.axial, "log", 1.0 / one_g_m_s2)},
+                       .shaded_ranges = phases(heard),
+                       .levels = std::move(levels),
+                       .x_range = around_lift_off,
+                       .least_left = 48.0},
+                      "The same around lift-off.");
+}
+
 std::string charts(const Heard& heard) {
   if (heard.trace.time_s.size() < 2) {
     return {};
@@ -102,6 +120,7 @@ std::string charts(const Heard& heard) {
                {from_log(heard, heard.log.axial, "log", 1.0 / one_g_m_s2),
                 from_log(heard, heard.log.second_axial, "second", 1.0 / one_g_m_s2)},
                threshold) +
+         close_up(heard, threshold) +
          chart(heard, "Speed", "(m/s)", tall,
                {from_log(heard, heard.log.speed, "log", 1.0), from_law(heard, trace.speed_m_s, "law")},
                moments(heard)) +

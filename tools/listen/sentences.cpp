@@ -65,15 +65,29 @@ std::string second_sentence(const Heard& heard) {
              : "";
 }
 
-// Mean before lift-off.
+// Mean before lift-off; of a log without one, of all of it.
 std::optional<double> pad_mean(const Heard& heard, const Signal& signal) {
   double sum = 0.0;
   double count = 0.0;
-  for (std::size_t i = 0; i < signal.time_s.size() && signal.time_s[i] < heard.lift_off_s.value_or(0.0) - 0.1; ++i) {
+  for (std::size_t i = 0; i < signal.time_s.size() && (!heard.lift_off_s || signal.time_s[i] < *heard.lift_off_s - 0.1);
+       ++i) {
     sum += signal.value[i];
     count += 1.0;
   }
   return count > 0.0 ? std::optional{sum / count} : std::nullopt;
+}
+
+// The sign, the unit and the axis of the one column that nothing can be heard without.
+std::string axial_doubt(const Heard& heard) {
+  constexpr double most_off_g = 0.3;
+  const auto mean = pad_mean(heard, heard.log.axial);
+  if (!mean || std::abs(*mean / one_g_m_s2 - 1.0) <= most_off_g) {
+    return {};
+  }
+  return fmt::format(
+      "Before lift-off the axial force reads {} g in the mean, where a rocket in its guide reads 1 g: is it "
+      "the right axis, sign and unit, and is gravity in it (axial) or not (axial_from_rest)?",
+      text::fixed(*mean / one_g_m_s2, 2));
 }
 
 // A gyro whose zero is farther off than the plan's quiet rate turns for ever, as far as the law can tell.
@@ -171,7 +185,7 @@ std::string headline(const Heard& heard) {
 }
 
 std::vector<std::string> notes_of(const Heard& heard, const Question& question) {
-  std::vector<std::string> notes{rate_sentence(heard), gap_sentence(heard), second_sentence(heard),
+  std::vector<std::string> notes{rate_sentence(heard), gap_sentence(heard), second_sentence(heard), axial_doubt(heard),
                                  pad_sentence(heard, question)};
   for (const Clipped& clipped : heard.clipped) {
     notes.push_back(clipped_sentence(heard, clipped));
