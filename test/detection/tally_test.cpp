@@ -50,11 +50,13 @@ TEST(Tally, ComesBackFromItsTextAsItWas) {
   Answer answer{.detected = 300, .controlling = 600, .nearness = 1.0F, .crossing = 180};
   answer.distance_m = 6.25F;
   answer.distance_error_m = -0.125F;
-  tally.count(Kind::launch, 5, rules, {answer, Answer{}}, 170);
-  tally.count(Kind::shaking, 4, rules, {Answer{}, Answer{.detected = 3, .nearness = 0.5F}}, 0);
+  tally.count(Kind::launch, 5, rules, {answer, Answer{}}, {.ignition = 170, .peak_g = 4});
+  tally.count(Kind::shaking, 4, rules, {Answer{}, Answer{.detected = 3, .nearness = 0.5F}}, {});
   EXPECT_EQ(tally_of(json::parse(tally_json(tally).dump()), 2), tally);
   EXPECT_EQ(tally.of_rule[0][0].latency_ms.point(1.0), 120);
   EXPECT_EQ(tally.of_rule[0][0].control_ms.point(1.0), 430);
+  EXPECT_EQ(tally.of_rule[0][0].missed_by_peak_g.total(), 0U);
+  EXPECT_EQ(tally.of_rule[1][0].missed_by_peak_g.counts().at(4), 1U);
   EXPECT_EQ(tally.of_rule[1][0].worst, (Worst{.event = 5, .value = Worst::missed}));
   EXPECT_THROW((void)tally_of(json::parse("[]"), 2), json::Error);
 }
@@ -63,8 +65,8 @@ TEST(Tally, OfEquallyBadEventsTheFirstIsKept) {
   Tally one{1};
   Tally other{1};
   const std::vector<Rule> rules(1);
-  one.count(Kind::drop, 8, rules, {Answer{.nearness = 0.25F}}, 0);
-  other.count(Kind::drop, 4, rules, {Answer{.nearness = 0.25F}}, 0);
+  one.count(Kind::drop, 8, rules, {Answer{.nearness = 0.25F}}, {});
+  other.count(Kind::drop, 4, rules, {Answer{.nearness = 0.25F}}, {});
   one.add(other);
   EXPECT_EQ(one.of_rule[0][0].worst.event, 4U);
   EXPECT_EQ(one.of_rule[0][0].events, 2U);

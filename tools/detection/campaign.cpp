@@ -9,6 +9,7 @@
 #include "campaign/parallel_for.hpp"
 #include "detection/parts_file.hpp"
 #include "detection/rehearsal.hpp"
+#include "sim/units.hpp"
 
 namespace fantail::detection {
 namespace {
@@ -38,7 +39,9 @@ Tally played(const Campaign& campaign, const Chunk& chunk) {
   Tally tally{campaign.rules.size()};
   for (std::uint64_t event = chunk.first; event < chunk.first + chunk.events; ++event) {
     const std::vector<Answer>& answers = rehearsal.play(campaign.seed, chunk.kind, event);
-    tally.count(chunk.kind, event, campaign.rules, answers, rehearsal.motion().ignition);
+    const Motion& motion = rehearsal.motion();
+    tally.count(chunk.kind, event, campaign.rules, answers,
+                {.ignition = motion.ignition, .peak_g = static_cast<int>(motion.peak_thrust_m_s2 / sim::gravity_m_s2)});
   }
   return tally;
 }

@@ -42,6 +42,7 @@ void make_launch(Streams& streams, Motion& motion, double rms_g, bool all) {
                   .rise_s = log_uniform(random, 0.01, 0.6),
                   .sag_per_s = uniform(random, 0.0, 0.25),
                   .burn_s = uniform(random, 1.0, 3.0)};
+  motion.peak_thrust_m_s2 = burn.peak;
   const double drawn_rms = uniform(random, 0.0, 2.0);
   const double rms = (rms_g < 0.0 ? drawn_rms : rms_g) * sim::gravity_m_s2;
   const double frequency_hz = log_uniform(random, 40.0, 450.0);

@@ -22,6 +22,7 @@ struct Motion {
 
   // Of launches only.
   std::size_t ignition = 0;
+  double peak_thrust_m_s2 = 0.0;
   std::array<float, most> thrust_m_s2;  ///< axial specific force without the vibration
   std::array<float, most> distance_m;   ///< along the guide from where it stood
 

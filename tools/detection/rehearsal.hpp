@@ -23,8 +23,8 @@ struct Answer {
   float nearness = 0.0F;
   // Of launches.
   std::optional<std::size_t> crossing{};  ///< the thrust alone is first at the rule's threshold
-  float distance_error_m = 0.0F;        ///< estimated less true distance along the guide, at control start
-  float distance_m = 0.0F;              ///< the true one
+  float distance_error_m = 0.0F;          ///< estimated less true distance along the guide, at control start
+  float distance_m = 0.0F;                ///< the true one
 };
 
 /// Which way an event goes through the flight law.

@@ -45,6 +45,20 @@ std::string in_units(const std::optional<int>& value, double scale, int decimals
   return value ? text::fixed(scale * *value, decimals) : "-";
 }
 
+/// Where on the scale of thrust it misses, or is late.
+std::string by_thrust(const Count& count) {
+  std::string text;
+  for (const auto& [peak_g, all] : count.all_by_peak_g.counts()) {
+    const std::uint64_t missed = count.missed_by_peak_g.times(peak_g);
+    const std::uint64_t late = count.late_by_peak_g.times(peak_g);
+    if (missed + late > 0) {
+      text += fmt::format("{}{} g {} and {} of {}", text.empty() ? "" : "; ", peak_g, missed, late, all);
+    }
+  }
+  return text.empty() ? text
+                      : fmt::format("    by peak thrust over weight, missed and later than {} ms: {}\n", late_ms, text);
+}
+
 std::string launch_lines(const Report& report, std::size_t rule) {
   std::string text;
   for (const Kind kind : report.campaign.kinds) {
@@ -72,6 +86,7 @@ std::string launch_lines(const Report& report, std::size_t rule) {
             in_units(count.error_cm.point(0.01), 0.01, 2), in_units(count.error_cm.point(0.99), 0.01, 2),
             count.inside_guide);
       }
+      text += condition == 0 ? by_thrust(count) : "";
     }
   }
   return text;

@@ -95,10 +95,27 @@ page::Series shares(const Histogram& histogram, double scale, std::string name, 
   return series;
 }
 
+page::Chart by_thrust_chart(const Report& report, Kind kind) {
+  page::Chart chart{.label = "Share of the launches that are missed or late, by their thrust",
+                    .x_label = "peak thrust over weight / g",
+                    .y_label = "missed or late / %"};
+  for (std::size_t rule = 0; rule < report.campaign.rules.size(); ++rule) {
+    const Count& count = report.results.of_kind[index(kind)]->of_rule[rule][0];
+    page::Series series{.name = report.campaign.rules[rule].name(),
+                        .role = roles[rule % roles.size()],
+                        .mark = page::Mark::line_and_points};
+    for (const auto& [peak_g, all] : count.all_by_peak_g.counts()) {
+      const std::uint64_t bad = count.missed_by_peak_g.times(peak_g) + count.late_by_peak_g.times(peak_g);
+      series.x.push_back(peak_g + 0.5);
+      series.y.push_back(100.0 * static_cast<double>(bad) / static_cast<double>(all));
+    }
+    chart.series.push_back(std::move(series));
+  }
+  return chart;
+}
+
 /// Of all rules beside each other, the launches of one kind.
 std::string distributions(const Report& report, Kind kind) {
-  constexpr std::array<page::Role, 4> roles{page::Role::measured, page::Role::model, page::Role::second_model,
-                                            page::Role::target};
   page::Chart latency{.label = "Share of the launches detected within a time",
                       .x_label = "after the thrust's first crossing / s",
                       .y_label = "detected / %",
@@ -119,7 +136,8 @@ std::string distributions(const Report& report, Kind kind) {
     return {};
   }
   const std::array<std::string, 2> plots{page::figure(latency), page::figure(way)};
-  return page::section(fmt::format("How late: {}", info(kind).name), page::side_by_side(plots));
+  return page::section(fmt::format("How late: {}", info(kind).name),
+                       page::side_by_side(plots) + page::figure(by_thrust_chart(report, kind)));
 }
 
 /// The event of a judged rule that came nearest to moving a canard, and the worst launch.

@@ -15,6 +15,17 @@ json::Value points(const Histogram& histogram, double scale) {
           {"p99", scaled(histogram.point(0.99), scale)}};
 }
 
+json::Value by_peak_thrust(const Count& count) {
+  std::vector<json::Value> rows;
+  for (const auto& [peak_g, all] : count.all_by_peak_g.counts()) {
+    rows.push_back({{"peak_g", peak_g},
+                    {"launches", all},
+                    {"missed", count.missed_by_peak_g.times(peak_g)},
+                    {"late", count.late_by_peak_g.times(peak_g)}});
+  }
+  return rows;
+}
+
 json::Value row(const Report& report, Kind kind, std::size_t rule, std::size_t condition) {
   const Count& count = report.results.of_kind[index(kind)]->of_rule[rule][condition];
   json::Value value{{"kind", info(kind).name},
@@ -30,6 +41,7 @@ json::Value row(const Report& report, Kind kind, std::size_t rule, std::size_t c
     value["control_start_s"] = points(count.control_ms, 1e-3);
     value["distance_at_control_start_m"] = points(count.distance_cm, 1e-2);
     value["distance_error_m"] = points(count.error_cm, 1e-2);
+    value["by_peak_thrust"] = by_peak_thrust(count);
   } else {
     value["detected_at_most"] = upper_bound_95(count.detected, count.events);
     value["false_actuations_at_most"] = upper_bound_95(count.controlling, count.events);

@@ -15,9 +15,6 @@
 namespace fantail::detection {
 namespace {
 
-constexpr std::array<page::Role, 4> roles{page::Role::measured, page::Role::model, page::Role::second_model,
-                                          page::Role::target};
-
 double seconds(std::size_t step) { return 1e-3 * static_cast<double>(step); }
 
 page::Chart readings_chart(const Rehearsal& rehearsal, const std::vector<Rule>& rules) {

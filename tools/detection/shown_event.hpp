@@ -1,12 +1,18 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 
 #include "detection/campaign.hpp"
+#include "page/chart.hpp"
 
 namespace fantail::detection {
+
+/// Of the rules, in their order, in every figure.
+inline constexpr std::array<page::Role, 4> roles{page::Role::measured, page::Role::model, page::Role::second_model,
+                                                 page::Role::target};
 
 /// One event of a campaign again, tick by tick.
 struct ShownEvent {

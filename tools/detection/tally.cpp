@@ -14,17 +14,22 @@ void keep_worst(Worst& worst, std::uint64_t event, double value) {
 
 int whole(double value) { return static_cast<int>(std::lround(value)); }
 
-void count_launch(Count& count, std::uint64_t event, const Answer& answer, std::size_t ignition, float guide_m) {
-  const auto crossing = answer.crossing.value_or(ignition);
+void count_launch(Count& count, std::uint64_t event, const Answer& answer, const LaunchTruth& truth, float guide_m) {
+  const auto crossing = answer.crossing.value_or(truth.ignition);
+  count.all_by_peak_g.add(truth.peak_g);
   if (answer.detected) {
     const auto latency = static_cast<int>(*answer.detected) - static_cast<int>(crossing);
     count.latency_ms.add(latency);
+    if (latency > late_ms) {
+      count.late_by_peak_g.add(truth.peak_g);
+    }
     keep_worst(count.worst, event, answer.controlling ? static_cast<double>(latency) : Worst::missed);
   } else {
+    count.missed_by_peak_g.add(truth.peak_g);
     keep_worst(count.worst, event, Worst::missed);
   }
   if (answer.controlling) {
-    count.control_ms.add(static_cast<int>(*answer.controlling) - static_cast<int>(ignition));
+    count.control_ms.add(static_cast<int>(*answer.controlling) - static_cast<int>(truth.ignition));
     count.error_cm.add(whole(100.0 * static_cast<double>(answer.distance_error_m)));
     count.distance_cm.add(whole(100.0 * static_cast<double>(answer.distance_m)));
     count.inside_guide += answer.distance_m < guide_m ? 1 : 0;
@@ -79,6 +84,11 @@ std::uint64_t Histogram::total() const {
   return sum;
 }
 
+std::uint64_t Histogram::times(int value) const {
+  const auto found = counts_.find(value);
+  return found == counts_.end() ? 0 : found->second;
+}
+
 std::optional<int> Histogram::point(double share) const {
   const double wanted = share * static_cast<double>(total());
   std::uint64_t sum = 0;
@@ -92,7 +102,7 @@ std::optional<int> Histogram::point(double share) const {
 }
 
 void Tally::count(Kind kind, std::uint64_t event, const std::vector<Rule>& rules, const std::vector<Answer>& answers,
-                  std::size_t ignition) {
+                  const LaunchTruth& truth) {
   for (std::size_t rule = 0; rule < answers.size(); ++rule) {
     const Answer& answer = answers[rule];
     Count& count = of_rule[rule][static_cast<std::size_t>(condition_of(kind, event))];
@@ -100,7 +110,7 @@ void Tally::count(Kind kind, std::uint64_t event, const std::vector<Rule>& rules
     count.detected += answer.detected ? 1 : 0;
     count.controlling += answer.controlling ? 1 : 0;
     if (is_launch(kind)) {
-      count_launch(count, event, answer, ignition, rules[rule].plan.guide.length_m);
+      count_launch(count, event, answer, truth, rules[rule].plan.guide.length_m);
     } else {
       keep_worst(count.worst, event, static_cast<double>(answer.nearness));
     }
@@ -123,6 +133,9 @@ void Tally::add(const Tally& later) {
       sum.control_ms.add(more.control_ms);
       sum.error_cm.add(more.error_cm);
       sum.distance_cm.add(more.distance_cm);
+      sum.all_by_peak_g.add(more.all_by_peak_g);
+      sum.missed_by_peak_g.add(more.missed_by_peak_g);
+      sum.late_by_peak_g.add(more.late_by_peak_g);
     }
   }
 }

@@ -19,6 +19,7 @@ class Histogram {
   void add(int value, std::uint64_t times = 1) { counts_[value] += times; }
   void add(const Histogram& other);
   [[nodiscard]] std::uint64_t total() const;
+  [[nodiscard]] std::uint64_t times(int value) const;
   /// The least of its numbers with at least this share of all at or below it; empty without any.
   [[nodiscard]] std::optional<int> point(double share) const;
   [[nodiscard]] const std::map<int, std::uint64_t>& counts() const { return counts_; }
@@ -27,6 +28,14 @@ class Histogram {
 
  private:
   std::map<int, std::uint64_t> counts_;
+};
+
+inline constexpr int late_ms = 300;
+
+/// What is true of a launch.
+struct LaunchTruth {
+  std::size_t ignition = 0;  ///< the step
+  int peak_g = 0;            ///< largest thrust over the weight, rounded down
 };
 
 /// The event that came worst, so that it can be shown again.
@@ -52,6 +61,9 @@ struct Count {
   Histogram control_ms{};          ///< from ignition to control start
   Histogram error_cm{};            ///< estimated less true distance along the guide at control start
   Histogram distance_cm{};         ///< the true one
+  Histogram all_by_peak_g{};       ///< by the largest thrust over the weight, rounded down
+  Histogram missed_by_peak_g{};
+  Histogram late_by_peak_g{};  ///< detected more than `late_ms` after the crossing
 
   friend bool operator==(const Count&, const Count&) = default;
 };
@@ -61,9 +73,8 @@ struct Tally {
   explicit Tally(std::size_t rules) : of_rule(rules) {}
   std::vector<std::array<Count, conditions>> of_rule;
 
-  /// `ignition`: the step, of launches.
   void count(Kind kind, std::uint64_t event, const std::vector<Rule>& rules, const std::vector<Answer>& answers,
-             std::size_t ignition);
+             const LaunchTruth& truth);
   void add(const Tally& later);
 
   friend bool operator==(const Tally&, const Tally&) = default;

@@ -28,12 +28,15 @@ json::Value count_json(const Count& count) {
                     {"controlling", count.controlling},
                     {"worst_event", count.worst.event},
                     {"worst", count.worst.value}};
-  if (count.latency_ms.total() > 0) {
+  if (count.all_by_peak_g.total() > 0) {
     value["inside_guide"] = count.inside_guide;
     value["latency_ms"] = histogram_json(count.latency_ms);
     value["control_ms"] = histogram_json(count.control_ms);
     value["error_cm"] = histogram_json(count.error_cm);
     value["distance_cm"] = histogram_json(count.distance_cm);
+    value["all_by_peak_g"] = histogram_json(count.all_by_peak_g);
+    value["missed_by_peak_g"] = histogram_json(count.missed_by_peak_g);
+    value["late_by_peak_g"] = histogram_json(count.late_by_peak_g);
   }
   return value;
 }
@@ -43,12 +46,15 @@ Count count_of(const json::Value& value) {
               .detected = value["detected"].count(),
               .controlling = value["controlling"].count(),
               .worst = {.event = value["worst_event"].count(), .value = value["worst"].number()}};
-  if (value.contains("latency_ms")) {
+  if (value.contains("all_by_peak_g")) {
     count.inside_guide = value["inside_guide"].count();
     count.latency_ms = histogram_of(value["latency_ms"]);
     count.control_ms = histogram_of(value["control_ms"]);
     count.error_cm = histogram_of(value["error_cm"]);
     count.distance_cm = histogram_of(value["distance_cm"]);
+    count.all_by_peak_g = histogram_of(value["all_by_peak_g"]);
+    count.missed_by_peak_g = histogram_of(value["missed_by_peak_g"]);
+    count.late_by_peak_g = histogram_of(value["late_by_peak_g"]);
   }
   return count;
 }
