@@ -46,6 +46,7 @@ quick() {
   call 1 predict tasha3_launch1
   call 0 campaign tasha3_launch2 --runs 64
   call 0 campaign detection --plan tasha3_launch2 --kind drop --events 64
+  call 0 campaign faults tasha3_launch2 --device bus --phase launched
   call 0 paper
   call 0 airframe tasha3_launch2
   call 0 new my_rocket --from tasha3_launch2

@@ -107,6 +107,20 @@ TEST_F(FaultCampaign, ARunAloneIsTheRunOfTheCampaign) {
   EXPECT_NEAR(alone.findings.apart_deg, worst.apart_deg, 0.0005);
 }
 
+// The judge sees a command beyond a limit in a flight of the simulator, too: here the limit is a degree less than what
+// the plan allows, and the fin offset asks for more.
+TEST(FaultFlight, IsRedWhereItGoesBeyondTheLimitThatItIsHeldTo) {
+  Twins twins = fly_twins(input::load_scenario("tasha3_launch2", {}), 1);
+  const Cell cell = cell_of("flash/dead/controlling");
+  EXPECT_EQ(fly_run(twins, cell, {.seed = 0, .begin_ms = 3000}, 0).outcome(cell.expected()), Outcome::holds);
+  for (double& limit_rad : twins.limits.limit_rad) {
+    limit_rad *= 8.0 / 9.0;
+  }
+  const Findings findings = fly_run(twins, cell, {.seed = 0, .begin_ms = 3000}, 0);
+  EXPECT_EQ(findings.outcome(cell.expected()), std::nullopt);
+  EXPECT_NE(findings.breach.find("its limit is 8.000"), std::string::npos) << findings.breach;
+}
+
 // One instant of each: what `fantail campaign faults` does with all of them.
 TEST(FaultUnderControl, IsSafeOrAKnownLimit) {
   const Twins twins = fly_twins(input::load_scenario("tasha3_launch2", {}), 1);

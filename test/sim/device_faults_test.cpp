@@ -186,16 +186,11 @@ TEST(DeviceFault, AServoAtItsStopComesBackAndOneWithRandomPulsesDoesNotFollow) {
 }
 
 TEST(DeviceFault, ABusThatIsDeadWhileThePadCrewWorksKeepsTheRocketFromBeingArmed) {
-  for (const Behaviour behaviour : {Behaviour::dead, Behaviour::garbage, Behaviour::repeated}) {
-    Scenario s = scenario("tasha3_launch2");
-    s.faults = {misbehaves(Device::bus, behaviour)};
-    s.faults[0].from_s = -600.0;
-    s.faults[0].until_s = 60.0;
-    const bool is_armed = fly(s).first_in(core::Phase::armed) != nullptr;
-    if (behaviour == Behaviour::dead) {
-      EXPECT_FALSE(is_armed);
-    }
-  }
+  Scenario s = scenario("tasha3_launch2");
+  s.faults = {misbehaves(Device::bus, Behaviour::dead)};
+  s.faults[0].from_s = -600.0;
+  s.faults[0].until_s = 60.0;
+  EXPECT_EQ(fly(s).first_in(core::Phase::armed), nullptr);
 }
 
 TEST(DeviceFault, AFlashThatIsDeadAtPowerUpKeepsTheRocketFromBeingArmed) {

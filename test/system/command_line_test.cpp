@@ -40,6 +40,11 @@ INSTANTIATE_TEST_SUITE_P(EachVerb, Help,
                                          Words{"plan", "show"}, Words{"plan", "compile"}, Words{"tunnel"},
                                          Words{"tunnel", "flow"}, Words{"tunnel", "swirl"}, Words{"tunnel", "steps"},
                                          Words{"tunnel", "stability"}, Words{"airframe"}, Words{"new"}, Words{"listen"}),
+                                         Words{"campaign"}, Words{"campaign", "faults"}, Words{"compare"},
+                                         Words{"plan"}, Words{"plan", "check"}, Words{"plan", "show"},
+                                         Words{"plan", "compile"}, Words{"tunnel"}, Words{"tunnel", "flow"},
+                                         Words{"tunnel", "swirl"}, Words{"tunnel", "steps"},
+                                         Words{"tunnel", "stability"}, Words{"airframe"}, Words{"new"}),
                          [](const auto& one) {
                            std::string name = "fantail";
                            for (const std::string& word : one.param) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "fantail/campaign_faults.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <filesystem>
@@ -101,8 +102,9 @@ void fly_one(const FaultsOptions& options) {
   flight.changes = changes_of(options.scenario);
   flight.notes.insert(flight.notes.begin(), fmt::format("Run {} of {} of a campaign of faults; safe is: {}.",
                                                         options.run, options.cell, faults::sentence(alone.expected)));
-  const fs::path folder =
-      folder_of(options) / fmt::format("{}_run_{}", variant_name("", std::array{options.cell}), options.run);
+  std::string name = fmt::format("{}_run_{}", options.cell, options.run);
+  std::ranges::replace(name, '/', '.');
+  const fs::path folder = folder_of(options) / name;
   report::write_results(flight, report::results(flight), folder);
   const auto outcome = alone.findings.outcome(alone.expected);
   fmt::print("{}, run {}: {}\n  safe is: {}\n  it was:  {}\n  report   {}\n", options.cell, options.run,

@@ -2,6 +2,7 @@
 #include "faults/flown_cell.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 
 #include <fmt/core.h>

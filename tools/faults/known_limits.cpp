@@ -18,6 +18,10 @@ constexpr bool one_gyro = true;
 constexpr std::string_view believed =
     "one gyro that is wrong, and says nothing of it, is believed: there is nothing to hold it against";
 constexpr std::string_view fit_a_second = "fly on two gyros: second_imu.fitted, and sensors.gyros = \"two_agree\"";
+constexpr std::string_view wrong_force =
+    "the accelerometer of the IMU is integrated alone: one that is wrong and says nothing makes launch, speed and "
+    "height "
+    "wrong; control begins late or ends before apogee, at trim";
 constexpr std::string_view late =
     "while the two accelerometers do not agree no launch is detected; when they do, roll angle, height and speed begin "
     "there, control comes late and ends before apogee";
@@ -37,8 +41,9 @@ constexpr auto limits = std::to_array<KnownLimit>({
     {"imu", "spike", armed, one_gyro, believed, fit_a_second},
     {"imu", "offset_100", armed, one_gyro, believed, fit_a_second},
     {"imu", "offset_15", armed, false, "a rate that is wrong by less than two gyros may differ (gyro_disagreement_deg_s) is followed by the roll angle", "make gyro_disagreement_deg_s as small as both gyros allow, and let bench axes turn the rocket before the flight"},
-    {"second_imu", "offset_15", armed, false, "a rate that is wrong by less than two gyros may differ (gyro_disagreement_deg_s) is followed by the roll angle", "make gyro_disagreement_deg_s as small as both gyros allow, and let bench axes turn the rocket before the flight"},
     {"imu", "slow", launched, one_gyro, "samples 10 ms apart are each a silence: canards wait at trim nearly all the time, nothing holds the roll, and control does not end", fit_a_second},
+    {"imu", "stuck", launched, false, wrong_force, look_at_bus},
+    {"imu", "spike", armed, false, wrong_force, look_at_bus},
     {"imu", "silent_2s", before_launch, false, late, look_at_bus},
     {"accelerometer", "spike", at(Phase::pad) | before_launch, false, late, look_at_bus},
     {"accelerometer", "silent_2s", before_launch, false, late, look_at_bus},
