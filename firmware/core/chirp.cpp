@@ -110,6 +110,7 @@ void Chirp::draw(std::uint32_t index) {
   span_.amplitude_at_end = plan_.amplitude_variation.radians() * draw_uniform(plan_.variation_seed, 0, index + 1);
 }
 
+// Meets LIM-2.
 Angle Chirp::update(Microseconds since_control_start) {
   if (plan_.form == ExcitationForm::none || since_control_start < plan_.begin || since_control_start >= plan_.end) {
     return Angle{};
