@@ -266,7 +266,7 @@ TEST(FlightPlan, AnObserverNeedsEveryNumberOfItsModel) {
     plan.roll_model.*value = 0.0F;
     const auto fault = validate(plan);
     ASSERT_TRUE(fault.has_value());
-    EXPECT_EQ(fault->rule, PlanRule::axes_differ);
+    EXPECT_EQ(fault->rule, PlanRule::observer_has_model);
     EXPECT_EQ(flight_plan_fields()[fault->field].get(plan, 0), 0.0F) << "the one that is missing is named";
   }
 }
