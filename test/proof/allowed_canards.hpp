@@ -10,16 +10,14 @@ namespace fantail::proof {
 /// ProofRanges in test/core draws such plans.
 inline bool is_allowed(const core::CanardsPlan& plan, core::Angle plan_limit) {
   using core::Angle;
+  bool all_fit = true;
   for (const core::CanardPlan& canard : plan.each) {
-    const bool fits = abs(canard.trim) < plan_limit && abs(canard.trim) <= Angle::from_degrees(5.01F) &&
-                      canard.mechanical_stop >= plan_limit && canard.mechanical_stop <= Angle::from_degrees(45.01F) &&
-                      canard.pulse_centre_us >= 900.0F && canard.pulse_centre_us <= 2100.0F &&
-                      canard.pulse_per_radian_us >= -2292.0F && canard.pulse_per_radian_us <= 2292.0F;
-    if (!fits) {
-      return false;
-    }
+    all_fit = all_fit && abs(canard.trim) < plan_limit && abs(canard.trim) <= Angle::from_degrees(5.01F) &&
+              canard.mechanical_stop >= plan_limit && canard.mechanical_stop <= Angle::from_degrees(45.01F) &&
+              canard.pulse_centre_us >= 900.0F && canard.pulse_centre_us <= 2100.0F &&
+              canard.pulse_per_radian_us >= -2292.0F && canard.pulse_per_radian_us <= 2292.0F;
   }
-  return plan_limit >= Angle::from_degrees(0.49F) && plan_limit <= Angle::from_degrees(20.01F) &&
+  return all_fit && plan_limit >= Angle::from_degrees(0.49F) && plan_limit <= Angle::from_degrees(20.01F) &&
          plan.first_motion_rate_rad_s >= 0.087F && plan.first_motion_rate_rad_s <= 2.1F;
 }
 

@@ -6,8 +6,8 @@ runs, and it counts only if all of them end as they must:
   claims    the harness as it is: every claim in it holds
   places    each numbered place of the harness is reached, so that no claim is true because nothing gets there
   bugs      the same claims with a known error put into a copy of one source file: each must be refuted
-Exit code: 0 all as they must be; 1 not so; 64 wrong usage; 70 the prover cannot be run; 73 the folder cannot be written; 130
-interrupted.
+Exit code: 0 all as they must be; 1 not so; 64 wrong usage; 66 a file is missing; 70 the prover cannot be run; 73 the folder
+cannot be written; 130 interrupted.
 """
 
 import argparse
@@ -20,6 +20,7 @@ import subprocess
 import sys
 import time
 
+import figures
 import prover
 
 HERE = pathlib.Path(__file__).resolve().parent
@@ -47,10 +48,27 @@ class Job:
         return f"{self.proof.name}, {self.label}"
 
     def command(self, esbmc):
-        folders = [*self.includes, *(HERE / f for f in self.proof.stubs), HERE / "stubs", HERE, SOURCES / "firmware", SOURCES / "hal" / "include"]
+        folders = [
+            *self.includes,
+            *(HERE / f for f in self.proof.stubs),
+            HERE / "stubs",
+            HERE,
+            SOURCES / "firmware",
+            SOURCES / "hal" / "include",
+        ]
         checks = () if self.proof.checks else prover.WITHOUT_CHECKS
         language = "c11" if self.proof.harness.endswith(".c") else "c++20"
-        return [esbmc, HERE / self.proof.harness, *(w for f in folders for w in ("-I", f)), "--std", language, *prover.OPTIONS, *checks, *self.proof.options, *self.options]
+        return [
+            esbmc,
+            HERE / self.proof.harness,
+            *(w for f in folders for w in ("-I", f)),
+            "--std",
+            language,
+            *prover.OPTIONS,
+            *checks,
+            *self.proof.options,
+            *self.options,
+        ]
 
     def fault(self):
         """Why this did not end as it must; empty if it did."""
@@ -77,7 +95,10 @@ def with_bug(bug, folder):
     source = SOURCES / "firmware" / bug.file
     text = source.read_text()
     if text.count(bug.text) != 1:
-        raise Stop(1, f"{bug.file} has {text.count(bug.text)} times, instead of once, what the seeded bug \"{bug.says}\" replaces: {bug.text}")
+        raise Stop(
+            1,
+            f'{bug.file} has {text.count(bug.text)} times, instead of once, what the seeded bug "{bug.says}" replaces: {bug.text}',
+        )
     copy = folder / bug.file
     copy.parent.mkdir(parents=True, exist_ok=True)
     copy.write_text(text.replace(bug.text, bug.replacement))
@@ -117,54 +138,13 @@ def run(jobs, esbmc, build, say):
                     say(job.line())
             if time.monotonic() - said_at >= 10:
                 said_at = time.monotonic()
-                say(f"prove: {done} of {len(jobs)} runs done after {said_at - begun:.0f} s; now: {'; '.join(job.name for job in running)}")
+                say(
+                    f"prove: {done} of {len(jobs)} runs done after {said_at - begun:.0f} s; now: {'; '.join(job.name for job in running)}"
+                )
             time.sleep(0.02)
     finally:
         for process in running.values():
             process.stop()
-
-
-def results(proofs, jobs):
-    """A row for each proof."""
-    rows = []
-    for proof in proofs:
-        own = [job for job in jobs if job.proof is proof]
-        bugs = [job for job in own if job.kind == "bug"]
-        places = [job for job in own if job.kind == "place"]
-        rows.append({
-            "name": proof.name,
-            "says": proof.says,
-            "proved": not any(job.fault() for job in own),
-            "claims": own[0].verdict.claims,
-            "bugs_refuted": sum(not job.fault() for job in bugs),
-            "bugs": len(bugs),
-            "places_reached": sum(not job.fault() for job in places),
-            "places": len(places),
-            "cpu_seconds": round(sum(job.verdict.seconds for job in own), 1),
-            "megabytes": round(max(job.verdict.megabytes for job in own)),
-            "faults": [f"{job.label}: {job.fault()}" for job in own if job.fault()],
-        })
-    return rows
-
-
-def figures(rows, seconds, passed, command):
-    return {
-        "title": "What is proved of the flight code",
-        "command": command,
-        "seconds": round(seconds, 1),
-        "passed": passed,
-        "tables": [{
-            "caption": "Each property, proved by the model checker ESBMC over all values that its inputs can have",
-            "columns": ["property", "verdict", "claims", "seeded bugs refuted", "places reached", "CPU seconds", "most memory in MB"],
-            "rows": [[row["says"], "proved" if row["proved"] else "NOT PROVED", str(row["claims"]), f"{row['bugs_refuted']} of {row['bugs']}",
-                      f"{row['places_reached']} of {row['places']}", f"{row['cpu_seconds']:.1f}", str(row["megabytes"])] for row in rows],
-        }],
-        "notes": [
-            "A property counts as proved only if, in the same run, each error that was put into a copy of the source was found, and "
-            "each place of the harness was shown to be reachable.",
-            f"{VERSION}, solver Boolector, {AT_ONCE} runs at a time.",
-        ],
-    }
 
 
 def check_prover(esbmc):
@@ -206,29 +186,41 @@ def prove(options):
     begun = time.monotonic()
     jobs = [job for proof in proofs for job in jobs_of(proof, build, options.quick)]
     run(jobs, options.prover, build, lambda line: print(line, file=out, flush=True))
-    rows = results(proofs, jobs)
+    rows = figures.results(proofs, jobs)
     seconds = time.monotonic() - begun
     passed = all(row["proved"] for row in rows)
     page = pathlib.Path(options.build) / "figures" / "proofs.json"
     page.parent.mkdir(parents=True, exist_ok=True)
     words = ["--quick"] * options.quick + options.names
-    page.write_text(json.dumps(figures(rows, seconds, passed, " ".join(["./dev prove", *words])), indent=1) + "\n")
+    command = " ".join(["./dev prove", *words])
+    with_what = f"{VERSION}, solver Boolector, {AT_ONCE} runs at a time."
+    page.write_text(json.dumps(figures.page(rows, seconds, passed, command, with_what), indent=1) + "\n")
     if options.json:
         print(json.dumps({"passed": passed, "seconds": round(seconds, 1), "proofs": rows}, indent=1))
     bad = [row["name"] for row in rows if not row["proved"]]
     cpu = sum(row["cpu_seconds"] for row in rows)
-    print(f"prove: {len(rows) - len(bad)} of {len(rows)} properties proved, {sum(row['bugs_refuted'] for row in rows)} of "
-          f"{sum(row['bugs'] for row in rows)} seeded bugs refuted, in {seconds:.0f} s ({cpu:.0f} CPU s)"
-          + (f"; NOT PROVED: {', '.join(bad)}; what the prover said is in {build}/NAME/*.log" if bad else ""), file=out)
+    print(
+        f"prove: {len(rows) - len(bad)} of {len(rows)} properties proved, {sum(row['bugs_refuted'] for row in rows)} of "
+        f"{sum(row['bugs'] for row in rows)} seeded bugs refuted, in {seconds:.0f} s ({cpu:.0f} CPU s)"
+        + (f"; NOT PROVED: {', '.join(bad)}; what the prover said is in {build}/NAME/*.log" if bad else ""),
+        file=out,
+    )
     return 0 if passed else 1
 
 
 def main(words):
-    parser = argparse.ArgumentParser(prog="prove", usage="./dev prove [--quick] [--list] [--json] [NAME...]", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(
+        prog="prove",
+        usage="./dev prove [--quick] [--list] [--json] [NAME...]",
+        description=__doc__,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
     parser.add_argument("prover")
     parser.add_argument("build")
     parser.add_argument("names", nargs="*", metavar="NAME")
-    parser.add_argument("--quick", action="store_true", help="some proofs, each with its first place and its first bug: a minute")
+    parser.add_argument(
+        "--quick", action="store_true", help="some proofs, each with its first place and its first bug: a minute"
+    )
     parser.add_argument("--list", action="store_true", help="name the proofs and what they say; prove nothing")
     parser.add_argument("--json", action="store_true", help="print the results as JSON, and the progress on standard error")
     parser.add_argument("--table", default=HERE / "proofs.py", help=argparse.SUPPRESS)
@@ -244,6 +236,9 @@ def main(words):
     except KeyboardInterrupt:
         print("prove: interrupted; nothing was proved", file=sys.stderr)
         return 130
+    except FileNotFoundError as error:
+        print(f"prove: {error.filename} is missing", file=sys.stderr)
+        return 66
     except OSError as error:
         print(f"prove: {error}", file=sys.stderr)
         return 73

@@ -37,7 +37,9 @@ class Verdict:
 def judged(text, code):
     """What the prover's output and exit code are worth."""
     if "no body for function" in text:
-        return Verdict(NONE, "a function has no body: " + ", ".join(sorted(set(re.findall(r"no body for function (\S+)", text)))))
+        return Verdict(
+            NONE, "a function has no body: " + ", ".join(sorted(set(re.findall(r"no body for function (\S+)", text))))
+        )
     if code == -signal.SIGXCPU:
         return Verdict(NONE, "its processor time was over")
     if code < 0:
@@ -77,7 +79,12 @@ class Run:
             out.flush()
             # A group of its own, so that Ctrl-C reaches this program first, and whatever it starts ends with it.
             self.process = subprocess.Popen(
-                list(map(str, command)), stdin=subprocess.DEVNULL, stdout=out, stderr=out, preexec_fn=limit, start_new_session=True
+                list(map(str, command)),
+                stdin=subprocess.DEVNULL,
+                stdout=out,
+                stderr=out,
+                preexec_fn=limit,
+                start_new_session=True,
             )
 
     def kill(self):

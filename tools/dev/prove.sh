@@ -10,7 +10,7 @@ prove() {
   # shellcheck disable=SC2086
   need $prove_packages
   # What is wrong with the words, or only a list, needs no prover.
-  /usr/bin/python3 test/proof/prove.py none build --list "$@" >build/proofs.txt || exit $?
+  /usr/bin/python3 -B test/proof/prove.py none build --list "$@" >build/proofs.txt || exit $?
   case " $* " in
     *" --list "*) exec cat build/proofs.txt ;;
     *" --help "*) help_of_verb && exit 0 ;;
@@ -19,7 +19,7 @@ prove() {
     refuse "the model checker could not be installed: pip could not fetch what test/proof/requirements.txt names, or got" \
       "another file than the one with that checksum (see above). There is one for x86-64 and Linux. Without it nothing is proved."
   leave_turn
-  exec build/prove-venv/bin/python test/proof/prove.py build/prove-venv/esbmc build "$@"
+  exec build/prove-venv/bin/python -B test/proof/prove.py build/prove-venv/esbmc build "$@"
 }
 
 # ESBMC in an environment of its own, with build/prove-venv/esbmc as a link to it. Its file must have the checksum that

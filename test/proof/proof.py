@@ -1,0 +1,32 @@
+# SPDX-License-Identifier: MIT
+"""What a row of the table of proofs is."""
+
+import dataclasses
+
+
+@dataclasses.dataclass(frozen=True)
+class Bug:
+    says: str
+    file: str  # below firmware/
+    text: str  # stands in it exactly once
+    replacement: str
+
+
+@dataclasses.dataclass(frozen=True, eq=False)
+class Proof:
+    name: str
+    says: str  # the requirement, in one sentence
+    harness: str
+    places: int  # its REACHABLE(1 ...) to this
+    bugs: tuple
+    options: tuple = ("--unwind", "5")
+    stubs: tuple = ()  # folders that are searched before the sources
+    checks: bool = False  # the prover's own, too: array bounds, pointers, division by zero
+    refuted_by: tuple = ("claim: ",)  # how the violated property of a seeded bug begins
+    quick: bool = False
+    seconds: int = 120  # of the processor, for each run
+    megabytes: int = 3000  # of address space
+
+
+# The harness looks at private members.
+INSIDE = ("--unwind", "5", "-f", "no-access-control")

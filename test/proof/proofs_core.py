@@ -1,0 +1,216 @@
+# SPDX-License-Identifier: MIT
+"""Proofs of firmware/core: the flight law."""
+
+from proof import INSIDE, Bug, Proof
+
+MIXER = "core/canard_mixer.cpp"
+PHASE = "core/flight_phase.cpp"
+DETECTOR = "core/launch_detector.cpp"
+AUTOPILOT = "core/autopilot.cpp"
+
+NO_CLAMP = Bug(
+    "the clamp of the first motion is gone",
+    MIXER,
+    "limited_to(canard.limit, canard.trim, *canard.position + clamp(remaining, largest_step))",
+    "*canard.position + clamp(remaining, largest_step)",
+)
+NO_LIMIT = Bug("what is asked for is not clamped", MIXER, "angle = clamp(wanted, canard.limit);", "angle = wanted;")
+NO_HARD_LIMIT = Bug(
+    "the smallest limit leaves out the mechanical stop",
+    MIXER,
+    "std::min({plan_limit, hard_canard_limit, plan.mechanical_stop})",
+    "std::min(plan_limit, hard_canard_limit) + plan.trim",
+)
+
+PROOFS = [
+    Proof(
+        "canard_limits",
+        "No command to a canard exceeds the plan limit, the hard limit or its mechanical stop: all four canards",
+        "canard_mixer.cpp",
+        1,
+        (NO_LIMIT,),
+        options=(*INSIDE, "-D", "CANARDS=4"),
+        seconds=300,
+    ),
+    Proof(
+        "first_canard_limit",
+        "The same of the first canard alone, in the first motion and after it",
+        "canard_mixer.cpp",
+        3,
+        (NO_LIMIT, NO_CLAMP, NO_HARD_LIMIT),
+        options=(*INSIDE, "-D", "CANARDS=1"),
+        quick=True,
+    ),
+    Proof(
+        "canard_pulse",
+        "The pulse to a canard is within 800.2 us of the plan's centre, and none where it is not driven",
+        "canard_pulse.cpp",
+        2,
+        (
+            Bug(
+                "the angle counts twice",
+                MIXER,
+                "canard.pulse_per_radian_us * angle.radians()",
+                "canard.pulse_per_radian_us * 2.0F * angle.radians()",
+            ),
+            Bug(
+                "the pulse is that of what was wanted",
+                MIXER,
+                "canard.pulse_per_radian_us * angle.radians()",
+                "canard.pulse_per_radian_us * wanted.radians()",
+            ),
+        ),
+        options=INSIDE,
+    ),
+    Proof(
+        "canard_trim",
+        "Without roll command and request a canard is commanded to its trim",
+        "canard_trim.cpp",
+        3,
+        (
+            Bug("the trim is left out", MIXER, "canard.sense * roll_command + canard.trim", "canard.sense * roll_command"),
+            Bug(
+                "what is no number means zero",
+                MIXER,
+                "wanted = is_finite(wanted.radians()) ? wanted : canard.trim;",
+                "wanted = is_finite(wanted.radians()) ? wanted : Angle{};",
+            ),
+        ),
+        options=INSIDE,
+    ),
+    Proof(
+        "flight_phase",
+        "Safe becomes Controlling only by way of switch and command; the switch disarms; no command starts a "
+        "launch plan; Finished is final",
+        "flight_phase.cpp",
+        4,
+        (
+            Bug(
+                "the switch alone arms", PHASE, "inputs.arm_switch_closed && inputs.arm_command", "inputs.arm_switch_closed"
+            ),
+            Bug("the switch does not disarm", PHASE, "if (!inputs.arm_switch_closed) {", "if (false) {"),
+            Bug(
+                "a command starts a launch plan",
+                PHASE,
+                "run_.start == Start::tunnel && inputs.start_command",
+                "inputs.start_command",
+            ),
+            Bug("control begins inside the guide", PHASE, "beyond_guide && motion.speed_m_s", "motion.speed_m_s"),
+            Bug(
+                "Finished is not final",
+                PHASE,
+                "case Phase::finished: break;",
+                "case Phase::finished: next = from_armed(inputs, motion); break;",
+            ),
+        ),
+        quick=True,
+    ),
+    Proof(
+        "launch_detector",
+        "A launch is detected never before its hold, and at the first sample that completes it",
+        "launch_detector.cpp",
+        3,
+        (
+            Bug(
+                "half the hold is enough",
+                DETECTOR,
+                "*channel.above_since >= plan_.hold",
+                "*channel.above_since >= plan_.hold / 2",
+            ),
+            Bug("one sample late", DETECTOR, "*channel.above_since >= plan_.hold", "*channel.above_since > plan_.hold"),
+            Bug("a hold reaches across a gap", DETECTOR, "sample.time - *channel.last_time > stale_time_", "false"),
+            Bug(
+                "of two accelerometers one is enough",
+                DETECTOR,
+                "channels_[0].hold_complete && channels_[1].hold_complete",
+                "channels_[0].hold_complete || channels_[1].hold_complete",
+            ),
+        ),
+        options=INSIDE,
+        stubs=("any_filter",),
+    ),
+    Proof(
+        "control_law",
+        "The command of the control law is a number within the plan limit, whatever its inputs are",
+        "pd_controller.cpp",
+        3,
+        (
+            Bug("no clamp", "core/pd_controller.hpp", "clamp(unclamped, plan.canard_limit)", "unclamped"),
+            Bug(
+                "what is no number is let through",
+                "core/pd_controller.hpp",
+                "if (!is_finite(unclamped.radians())) {",
+                "if (false) {",
+            ),
+        ),
+        quick=True,
+    ),
+    Proof(
+        "sine",
+        "The sine that the chirp takes is within 1.0000002, or no number where its phase is out of range",
+        "sine.cpp",
+        2,
+        (
+            Bug("the cosine grows from 1 on", "core/trig.cpp", "1.0F - 0.5F * s", "1.0F + 0.5F * s"),
+            Bug("a quarter turn is forgotten", "core/trig.cpp", "static_cast<float>(quarter_turns) * 0.25F", "0.0F"),
+        ),
+    ),
+    Proof(
+        "chirp",
+        "The excitation is zero outside of its window, and never more than its amplitude",
+        "chirp.cpp",
+        1,
+        (
+            Bug(
+                "it goes on after its window",
+                "core/chirp.cpp",
+                "since_control_start >= plan_.end",
+                "since_control_start > plan_.end",
+            ),
+            Bug(
+                "twice the amplitude",
+                "core/chirp.cpp",
+                "amplitude * sin_turns(turns)",
+                "2.0F * amplitude * sin_turns(turns)",
+            ),
+        ),
+        options=INSIDE,
+        quick=True,
+    ),
+    Proof(
+        "autopilot",
+        "A step asks the mixer for a request in Safe only and for a roll command in Controlling only",
+        "autopilot.cpp",
+        3,
+        (
+            Bug(
+                "a request is obeyed in Armed",
+                AUTOPILOT,
+                "record.phase == Phase::safe ? inputs.canard_request",
+                "record.phase <= Phase::armed ? inputs.canard_request",
+            ),
+            Bug(
+                "the law acts in Launched, too",
+                AUTOPILOT,
+                "if (record.phase == Phase::controlling) {",
+                "if (record.phase >= Phase::launched) {",
+            ),
+            Bug(
+                "the record has the command before the limit",
+                AUTOPILOT,
+                "clamp(roll.command, controller_.canard_limit)",
+                "roll.command",
+            ),
+            Bug("control without a rate", AUTOPILOT, "if (record.motion.gyro == SensorState::lost) {", "if (false) {"),
+            Bug(
+                "the phase is taken back after the step",
+                AUTOPILOT,
+                "record.phase = flight_phase_.phase();",
+                "record.phase = before;",
+            ),
+        ),
+        options=INSIDE,
+        stubs=("any_parts",),
+        quick=True,
+    ),
+]
