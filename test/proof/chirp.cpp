@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // For any validated excitation without seeded variation, in either form, at any time after control start up to an hour:
 // the excitation is exactly zero outside of its window and where the plan has none, and never more than the plan's
-// amplitude (but for a millionth of a radian). The sine is any number that sine.cpp proves it can be.
+// amplitude (but for a millionth of a radian). The sine is taken to be any number within 1.0000002, which is what
+// test/core/trig_test.cpp finds.
 #include "core/chirp.cpp"
 
 #include "proof.hpp"

@@ -37,7 +37,7 @@ PROOFS = [
         "The same of the first canard alone, in the first motion and after it",
         "canard_mixer.cpp",
         3,
-        (NO_LIMIT, NO_CLAMP, NO_HARD_LIMIT),
+        (NO_CLAMP, NO_HARD_LIMIT),
         options=(*INSIDE, "-D", "CANARDS=1"),
         quick=True,
     ),
@@ -47,12 +47,6 @@ PROOFS = [
         "canard_pulse.cpp",
         2,
         (
-            Bug(
-                "the angle counts twice",
-                MIXER,
-                "canard.pulse_per_radian_us * angle.radians()",
-                "canard.pulse_per_radian_us * 2.0F * angle.radians()",
-            ),
             Bug(
                 "the pulse is that of what was wanted",
                 MIXER,
@@ -144,16 +138,6 @@ PROOFS = [
             ),
         ),
         quick=True,
-    ),
-    Proof(
-        "sine",
-        "The sine that the chirp takes is within 1.0000002, or no number where its phase is out of range",
-        "sine.cpp",
-        2,
-        (
-            Bug("the cosine grows from 1 on", "core/trig.cpp", "1.0F - 0.5F * s", "1.0F + 0.5F * s"),
-            Bug("a quarter turn is forgotten", "core/trig.cpp", "static_cast<float>(quarter_turns) * 0.25F", "0.0F"),
-        ),
     ),
     Proof(
         "chirp",

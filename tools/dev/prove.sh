@@ -25,7 +25,8 @@ prove() {
 # ESBMC in an environment of its own, with build/prove-venv/esbmc as a link to it. Its file must have the checksum that
 # requirements.txt names.
 prover_of_proofs() {
-  if ! cmp -s test/proof/requirements.txt build/prove-venv/requirements.txt; then
+  # The link points nowhere when the project has been moved.
+  if ! cmp -s test/proof/requirements.txt build/prove-venv/requirements.txt || [ ! -x build/prove-venv/esbmc ]; then
     echo "dev: installing the model checker ESBMC (58 MB)" >&2
     rm -rf build/prove-venv
     /usr/bin/python3 -m venv build/prove-venv &&
