@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The self-test without a board around it: a sound rocket, changed in one thing each.
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <utility>
 
 #include <gtest/gtest.h>
 

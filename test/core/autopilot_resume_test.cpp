@@ -167,12 +167,12 @@ TEST(AutopilotResume, OfTwoGyrosTheOneIsBridgedWithThatHasASample) {
   FlightPlan plan = tunnel_plan();
   plan.sensors.gyros = GyroRule::two_agree;
   ResumeRig rig{plan};
+  Angle before;
   for (int i = 0; i < 10; ++i) {
     rig.inputs.gyro.quality = SampleQuality::absent;
     rig.inputs.second_gyro = GyroSample{.time = rig.inputs.time + millisecond, .quality = SampleQuality::valid};
-    rig.tick();
+    before = rig.tick().motion.roll_angle;
   }
-  const Angle before = rig.law.step(rig.inputs).motion.roll_angle;
   rig.inputs.second_gyro = GyroSample{
       .time = rig.inputs.time + 70 * millisecond, .rate_rad_s = {.x = 5.0F}, .quality = SampleQuality::valid};
   // From 0 to 5 rad/s evenly over the gap.
