@@ -180,7 +180,7 @@ TEST(FlyLog, OfAnAccelerometerAtTheEndOfItsRangeSaysThatItsFiguresAreLowerBounds
   EXPECT_TRUE(bounded.is_lower_bound);
   ASSERT_EQ(bounded.clipped.size(), 1U);
   EXPECT_TRUE(says(bounded, "axial stands at 156.9 m/s2 (16 g)"));
-  EXPECT_TRUE(says(bounded, "lower bounds, and its apogee comes too early"));
+  EXPECT_TRUE(says(bounded, "speed and height are lower bounds, and its apogee comes too early"));
   EXPECT_NEAR(whole.fastest.value, 38.0 * g, 2.0);
   EXPECT_NEAR(bounded.fastest.value, 30.0 * g, 2.0);
   ASSERT_TRUE(whole.apogee_s && bounded.apogee_s);

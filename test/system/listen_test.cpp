@@ -51,7 +51,6 @@ TEST(Listen, HearsTheSimulatedFlightAsItFlew) {
   const Json json = json::parse(outcome.out);
   EXPECT_EQ(json["finding"].text(), "heard");
   EXPECT_NEAR(json["interval_s"].number(), 0.001, 1e-9);
-  const Json summary = json::parse(content(folder / "out/tasha3_launch2/summary.json"));
   std::map<std::string, double> flown;
   std::istringstream rows{content(folder / "out/tasha3_launch2/flight.csv")};
   std::string line;
@@ -121,6 +120,10 @@ TEST(Listen, RefusesWhatItCannotHear) {
   Refusal({{"log.csv", made}}, {"listen", "log.csv", "--map", "altus"}, 64, {"altus", "altos", "px4"});
   Refusal({{"log.csv", made}}, {"listen", "log.csv", "--map", "altos"}, 65, {"no column time", "--columns time="});
   Refusal({{"log.csv", made}}, {"listen", "log.csv", "--barometer", "log.csv"}, 64, {"--barometer-columns"});
+  Refusal({{"log.csv", made}},
+          {"listen", "log.csv", "--columns", "time=ms:ms,axial=-Ay:g", "--barometer", "log.csv", "--barometer-columns",
+           "time=ms:ms,speed=alt:m/s"},
+          64, {"the height is missing"});
   Refusal({{"log.ftl", "x"}}, {"listen", "log.ftl", "--map", "px4"}, 65, {"log.ftl"});
 }
 

@@ -75,8 +75,11 @@ listen::ImuLog read(const ListenOptions& o) {
   log.columns_from = from;
   log.notes.insert(log.notes.begin(), loaded.notes.begin(), loaded.notes.end());
   if (!o.barometer.empty()) {
-    const listen::Loaded barometer = listen::load(o.barometer);
-    listen::add_barometer(log, barometer.table, listen::parse_columns(o.barometer_columns, "--barometer-columns"));
+    const listen::Sources what_else = listen::parse_columns(o.barometer_columns, "--barometer-columns");
+    if (listen::find(what_else, listen::Quantity::height) == nullptr) {
+      throw UsageError{"--barometer-columns: the height is missing, as in time=ts:s,height=h:m"};
+    }
+    listen::add_barometer(log, listen::load(o.barometer).table, what_else);
   }
   return log;
 }

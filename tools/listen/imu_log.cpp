@@ -179,12 +179,16 @@ ImuLog imu_log(const flight::Table& table, const Sources& sources) {
 }
 
 void add_barometer(ImuLog& log, const flight::Table& table, const Sources& sources) {
-  const Clock clock = clock_of(table, sources, log.notes);
+  std::vector<std::string> notes;
+  const Clock clock = clock_of(table, sources, notes);
   for (const auto& [quantity, signal] :
        {std::pair{Quantity::height, &ImuLog::height}, std::pair{Quantity::speed, &ImuLog::speed}}) {
     if (const Source* const source = find(sources, quantity)) {
-      log.*signal = signal_of(table, clock, *source, log.notes);
+      log.*signal = signal_of(table, clock, *source, notes);
     }
+  }
+  for (const std::string& note : notes) {
+    log.notes.push_back(fmt::format("{}: {}", table.name(), note));
   }
 }
 

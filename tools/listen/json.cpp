@@ -35,6 +35,14 @@ Json events(const Heard& heard) {
   return list;
 }
 
+Json false_detections(const Heard& heard) {
+  Json list = Json::array();
+  for (const double time_s : heard.false_detections_s) {
+    list.push_back(rounded(time_s));
+  }
+  return list;
+}
+
 Json gaps_of(const Heard& heard) {
   Json list = Json::array();
   for (const Gap& gap : heard.gaps) {
@@ -82,7 +90,7 @@ std::string as_json(const Heard& heard, std::string_view version) {
                      {"lift_off_s", rounded(heard.lift_off_s)},
                      {"detected_s", rounded(heard.detected_s)},
                      {"detected_since_lift_off_s", rounded(heard.since_lift_off_s(heard.detected_s))},
-                     {"false_detections_s", heard.false_detections_s},
+                     {"false_detections_s", false_detections(heard)},
                      {"phases", events(heard)},
                      {"peak_axial_m_s2", rounded(heard.hardest.value)},
                      {"is_lower_bound", heard.is_lower_bound},

@@ -20,6 +20,19 @@ double median(std::vector<double>& values) {
   return values.size() % 2 == 1 ? *middle : 0.5 * (*middle + *std::max_element(values.begin(), middle));
 }
 
+// A barometer says nothing new within 5 ms, and a table of 1 kHz would take long.
+Signal thinned(const Signal& height) {
+  constexpr double closest_s = 0.005;
+  Signal kept;
+  for (std::size_t i = 0; i < height.time_s.size(); ++i) {
+    if (!kept.is_there() || height.time_s[i] - kept.time_s.back() >= closest_s - rounding) {
+      kept.time_s.push_back(height.time_s[i]);
+      kept.value.push_back(height.value[i]);
+    }
+  }
+  return kept;
+}
+
 double zero_of(const Signal& height, double lift_off_s) {
   double sum = 0.0;
   std::size_t count = 0;
@@ -41,7 +54,8 @@ LogHeight log_height(const Signal& height, double lift_off_s) {
   }
   const double zero = zero_of(height, lift_off_s);
   std::ranges::for_each(result.above_pad.value, [&](double& value) { value -= zero; });
-  const std::vector<double>& time_s = height.time_s;
+  const Signal samples = thinned(result.above_pad);
+  const std::vector<double>& time_s = samples.time_s;
   std::vector<double> window;
   std::optional<double> best;
   double first_s = 0.0;
@@ -55,8 +69,8 @@ LogHeight log_height(const Signal& height, double lift_off_s) {
     if (time_s[i] < lift_off_s) {
       continue;
     }
-    window.assign(result.above_pad.value.begin() + static_cast<std::ptrdiff_t>(begin),
-                  result.above_pad.value.begin() + static_cast<std::ptrdiff_t>(end));
+    window.assign(samples.value.begin() + static_cast<std::ptrdiff_t>(begin),
+                  samples.value.begin() + static_cast<std::ptrdiff_t>(end));
     if (const double here = median(window); !best || here > *best) {
       best = here;
       first_s = time_s[i];

@@ -104,17 +104,17 @@ std::string why_no_rest(const Heard& heard) {
 }
 
 std::string pad_sentence(const Heard& heard, const Question& question) {
+  const bool has_mean = heard.lift_off_s && heard.log.begin_s() < *heard.lift_off_s - 0.1;
   const std::string padded =
       question.pad_s > 0.0
-          ? fmt::format(
-                "The rocket was taken to stand still for {} s before the log, at the mean of what it reads up to "
-                "0.1 s before lift-off. ",
-                text::brief(question.pad_s, 3))
+          ? fmt::format("The rocket was taken to stand still for {} s before the log, at {}.",
+                        text::brief(question.pad_s, 3),
+                        has_mean ? "the mean of what it reads up to 0.1 s before lift-off" : "what it reads first")
           : "";
   if (heard.longest_rest_s >= pad_window_s) {
     return padded;
   }
-  return padded +
+  return padded + (padded.empty() ? "" : " ") +
          fmt::format(
              "The law saw the rocket at rest for {} s at the longest before lift-off, less than the {} "
              "s of its average on the pad: it took the guide as upright and the gyro as without offset.",
@@ -132,9 +132,9 @@ std::string clipped_sentence(const Heard& heard, const Clipped& clipped) {
       is_rate ? "deg/s" : fmt::format("m/s2 ({} g)", text::brief(end.value / one_g_m_s2, 2)), end.samples,
       in_ms(end.longest_s), end.first_s);
   if (clipped.what == "axial" && end.value > 0.0) {
-    return sentence + (heard.is_lower_bound
-                           ? ". The law's speed, height and apogee are lower bounds, and its apogee comes too early."
-                           : ".");
+    return sentence + (heard.is_lower_bound ? fmt::format(". The law's speed and height are lower bounds{}.",
+                                                          heard.apogee_s ? ", and its apogee comes too early" : "")
+                                            : ".");
   }
   if (clipped.what == "axial") {
     return sentence +
