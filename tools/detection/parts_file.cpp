@@ -21,6 +21,7 @@ std::string identity_line(const Campaign& campaign, const std::string& version) 
     const std::string rule_text = identity_of(rule);
     rules.push_back({{"names", rule.name()}, {"sha256", text::sha256(std::as_bytes(std::span{rule_text}))}});
   }
+  // Another number when a model draws something else than before: parts of both are not one campaign.
   return json::Value{{"detection", 1}, {"version", version}, {"seed", campaign.seed}, {"rules", rules}}.dump();
 }
 

@@ -158,7 +158,7 @@ std::string worst_events(const Report& report) {
       const ShownEvent shown = show_event(report.campaign, *worst, at.event);
       body += page::paragraph(fmt::format("Worst of {}: {}", report.campaign.rules[rule].name(),
                                           command_of(report.campaign, *worst, at.event))) +
-              page::paragraph(shown.text) + shown.figures_html;
+              sentences_html(shown) + shown.figures_html;
     }
   }
   return body.empty() ? "" : page::section("Worst events", body);

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "detection/shown_event.hpp"
 
+#include <limits>
+#include <span>
+#include <sstream>
 #include <vector>
 
 #include <fmt/core.h>
@@ -102,11 +105,20 @@ ShownEvent show_event(const Campaign& campaign, Kind kind, std::uint64_t event) 
   return shown;
 }
 
+std::string sentences_html(const ShownEvent& shown) {
+  std::vector<std::string> sentences;
+  std::istringstream lines{shown.text};
+  for (std::string line; std::getline(lines, line);) {
+    sentences.emplace_back(text::trimmed(line));
+  }
+  return page::list(std::span<const std::string>{sentences});
+}
+
 std::string event_html(const Campaign& campaign, Kind kind, std::uint64_t event, const ShownEvent& shown) {
   const page::Page page{.kind = "Fantail campaign of detections",
                         .title = fmt::format("{} {}", info(kind).name, event),
                         .subtitle = command_of(campaign, kind, event),
-                        .body_html = page::section("What happens", page::paragraph(shown.text)) + shown.figures_html};
+                        .body_html = page::section("What happens", sentences_html(shown)) + shown.figures_html};
   return page::html(page);
 }
 

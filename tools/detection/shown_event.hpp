@@ -21,6 +21,9 @@ struct ShownEvent {
 };
 [[nodiscard]] ShownEvent show_event(const Campaign& campaign, Kind kind, std::uint64_t event);
 
+/// Its text for a page, a line each.
+[[nodiscard]] std::string sentences_html(const ShownEvent& shown);
+
 /// A page of its own.
 [[nodiscard]] std::string event_html(const Campaign& campaign, Kind kind, std::uint64_t event, const ShownEvent& shown);
 
