@@ -129,11 +129,11 @@ TEST_F(DetectionCampaign, NoEventButShakingMovesACanardOfTheSecondLaunchWhenBoth
       campaign.kinds.push_back(static_cast<Kind>(kind));
     }
   }
-  campaign.events = 400;
+  campaign.events = 1'200;
   const Results results = play(campaign, std::nullopt, "1", 2, look_away);
   for (const Kind kind : campaign.kinds) {
     const Count& well = results.of_kind[index(kind)]->of_rule[0][0];
-    EXPECT_EQ(well.events, 200U);
+    EXPECT_EQ(well.events, 600U);
     EXPECT_EQ(well.controlling, 0U) << info(kind).name;
   }
 }

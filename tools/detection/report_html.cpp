@@ -31,13 +31,14 @@ std::string events_html(const Report& report, std::size_t rule) {
     for (std::size_t condition = 0; condition < conditions && !is_launch(kind); ++condition) {
       const Count& count = report.results.of_kind[index(kind)]->of_rule[rule][condition];
       if (count.events > 0) {
-        rows.push_back({{std::string{info(kind).name}},
-                        {std::string{condition_names[condition]}},
-                        number_cell(count.events),
-                        {with_bound(count.detected, count.events)},
-                        bad_if_any(count.controlling, count.events),
-                        {.text = text::fixed(100.0 * count.worst.value, 0) + " %",
-                         .below = fmt::format("event {}", count.worst.event)}});
+        rows.push_back(
+            {{std::string{info(kind).name}},
+             {std::string{condition_names[condition]}},
+             number_cell(count.events),
+             {with_bound(count.detected, count.events)},
+             bad_if_any(count.controlling, count.events),
+             {.text = text::fixed(100.0 * count.worst.value, 0) + " %",
+              .below = count.worst.value > 0.0 ? fmt::format("event {}", count.worst.event) : std::string{}}});
       }
     }
   }
@@ -54,9 +55,9 @@ std::string launches_html(const Report& report, std::size_t rule) {
                                              {"accelerometers"},
                                              {"launches", true},
                                              {"missed", true},
-                                             {"latency / ms: 50 %, 99 %", true},
-                                             {"way at control start / m: 1, 50, 99 %", true},
-                                             {"estimate's error / m: 1, 50, 99 %", true},
+                                             {"latency / ms: 50, 99 %", true},
+                                             {"way / m: 1, 50, 99 %", true},
+                                             {"error / m: 1, 50, 99 %", true},
                                              {"inside the guide", true}}};
   std::vector<std::vector<page::Cell>> rows;
   for (const Kind kind : report.campaign.kinds) {
@@ -80,7 +81,12 @@ std::string launches_html(const Report& report, std::size_t rule) {
       }
     }
   }
-  return rows.empty() ? "" : page::table(columns, rows);
+  return rows.empty()
+             ? ""
+             : page::table(columns, rows) +
+                   page::note(
+                       "Latency: from the thrust's first crossing of the threshold. Way: the true one along the guide "
+                       "at control start, and error what the estimate has more than that.");
 }
 
 page::Series shares(const Histogram& histogram, double scale, std::string name, page::Role role) {
