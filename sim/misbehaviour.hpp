@@ -106,6 +106,7 @@ struct Misbehaviour {
   double on_s = 0.0;   ///< comes and goes: there for so long; 0: there all the time
   double off_s = 0.0;  ///< and then gone for so long
   double delay_s = 0.02;
+  std::uint64_t variant = 0;  ///< other random numbers (garbage, which bit) with the same seed of the scenario
 };
 
 /// The longest Misbehaviour::delay_s.

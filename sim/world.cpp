@@ -43,6 +43,15 @@ BoardPorts with_memory_for(const Scenario& scenario, BoardPorts ports) {
   return ports;
 }
 
+std::uint64_t seed_of_misbehaviour(const Scenario& scenario) {
+  constexpr std::uint64_t golden = 0x9E3779B97F4A7C15ULL;  // so that neighbours of a seed are none of its variants
+  std::uint64_t seed = scenario.seed;
+  for (const Fault& fault : scenario.faults) {
+    seed += golden * fault.misbehaviour.variant;
+  }
+  return seed;
+}
+
 std::string sensors_in_record(std::size_t changed_values) {
   return changed_values == 0   ? "simulated"
          : changed_values == 1 ? "simulated, 1 value changed"
@@ -110,7 +119,7 @@ World::World(const Scenario& scenario, const BoardPorts& ports, std::unique_ptr<
   hardware_.second_imu_scale = second_imu_model_.scale();
   hardware_.accelerometer_scale_m_s2 = accelerometer_model_.scale();
   if (std::ranges::any_of(scenario.faults, is_of_device, &Fault::kind)) {
-    misbehaving_.emplace(scenario.faults, Random{scenario.seed, RandomStream::misbehaviour});
+    misbehaving_.emplace(scenario.faults, Random{seed_of_misbehaviour(scenario), RandomStream::misbehaviour});
   }
   if (scenario.imposed_roll) {
     imposed_roll_after_liftoff_ = nearest_tick(scenario.imposed_roll->time_s);

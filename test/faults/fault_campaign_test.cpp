@@ -121,6 +121,22 @@ TEST(FaultFlight, IsRedWhereItGoesBeyondTheLimitThatItIsHeldTo) {
   EXPECT_NE(findings.breach.find("its limit is 8.000"), std::string::npos) << findings.breach;
 }
 
+// Of the bits of the flight law most are of no use in flight, and a third end control.
+TEST(FaultFlight, OfEachRunFlipsAnotherBit) {
+  const Twins twins = fly_twins(input::load_scenario("tasha3_launch2", {}), 1);
+  const Cell cell = cell_of("memory/flight_law/controlling");
+  int held = 0;
+  int over = 0;
+  for (std::uint64_t run = 0; run < 24; ++run) {
+    const auto outcome = fly_run(twins, cell, {.seed = 0, .begin_ms = 3000}, run).outcome(cell.expected());
+    ASSERT_TRUE(outcome) << run;
+    held += *outcome == Outcome::holds ? 1 : 0;
+    over += *outcome == Outcome::over ? 1 : 0;
+  }
+  EXPECT_GT(held, 0);
+  EXPECT_GT(over, 0);
+}
+
 // One instant of each: what `fantail campaign faults` does with all of them.
 TEST(FaultUnderControl, IsSafeOrAKnownLimit) {
   const Twins twins = fly_twins(input::load_scenario("tasha3_launch2", {}), 1);

@@ -71,7 +71,8 @@ std::vector<sim::Fault> faults_of(const Recipe& recipe, double begin_s, std::uin
                                     .behaviour = recipe.behaviour,
                                     .on_s = recipe.on_s,
                                     .off_s = recipe.off_s,
-                                    .delay_s = recipe.delay_s}};
+                                    .delay_s = recipe.delay_s,
+                                    .variant = run}};
   if (recipe.angle_deg != 0.0) {
     fault.angle_rad = std::clamp(recipe.angle_deg * sim::radians_per_degree, -scenario.vehicle.servo.stop_rad,
                                  scenario.vehicle.servo.stop_rad);

@@ -71,7 +71,7 @@ struct KnownLimit {
 /// Empty: the fault can be flown in this scenario. Else why not.
 [[nodiscard]] std::string why_not(const FaultRow& row, const sim::Scenario& scenario);
 
-/// The faults of a flight: `begin_s` after ignition. `run` says which canard.
+/// The faults of a flight: `begin_s` after ignition. `run` says which canard, and which random numbers.
 [[nodiscard]] std::vector<sim::Fault> faults_of(const Recipe& recipe, double begin_s, std::uint64_t run,
                                                 const sim::Scenario& scenario);
 /// When it is gone for good, after ignition; of one that stays, long after every flight.

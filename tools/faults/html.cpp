@@ -58,23 +58,27 @@ std::string matrix(const Result& result, std::string_view device) {
 }
 
 std::string not_green(const Result& result) {
-  const std::array<page::Column, 5> columns{
-      {{"cell"}, {"what is safe"}, {"worst flight"}, {"why, and what to do"}, {"again"}}};
+  const std::array<page::Column, 3> columns{{{"cell"}, {"worst flight, and what is safe"}, {"why, and what to do"}}};
+  const CellResult* last = nullptr;
   std::vector<std::vector<page::Cell>> rows;
   for (const CellResult& cell : result.cells) {
     if (cell.colour == Colour::green || cell.colour == Colour::not_applicable) {
       continue;
     }
-    rows.push_back({{.text = cell.cell.name(), .tone = tone_of(cell.colour), .below = word_of(cell)},
-                    {.text = sentence(cell.cell.expected())},
-                    {.text = cell.figure,
-                     .below = fmt::format("from {:.2f} s after ignition on, seed {}", 1e-3 * cell.worst->begin_ms,
-                                          cell.worst->seed)},
+    last = &cell;
+    rows.push_back({{.text = cell.cell.name(),
+                     .tone = tone_of(cell.colour),
+                     .below = fmt::format("{}; run {}, from {:.2f} s after ignition on, seed {}", word_of(cell),
+                                          cell.worst->number, 1e-3 * cell.worst->begin_ms, cell.worst->seed)},
+                    {.text = cell.figure, .below = fmt::format("safe is: {}", sentence(cell.cell.expected()))},
                     {.text = cell.limit != nullptr ? std::string{cell.limit->why} : "nobody knows yet",
-                     .below = cell.limit != nullptr ? std::string{cell.limit->what_to_do} : ""},
-                    {.text = run_command(result.campaign, cell.cell, cell.worst->number)}});
+                     .below = cell.limit != nullptr ? std::string{cell.limit->what_to_do} : ""}});
   }
-  return rows.empty() ? page::paragraph("None.") : page::table(columns, rows);
+  return last == nullptr
+             ? page::paragraph("None.")
+             : page::table(columns, rows) +
+                   page::paragraph(fmt::format("Any run again, with its flight report, such as the last of these: {}",
+                                               run_command(result.campaign, last->cell, last->worst->number)));
 }
 
 std::string stated() {

@@ -31,8 +31,9 @@ std::string options_of(const Campaign& campaign) {
 json::Value json_of(const CellResult& result, const Campaign& campaign) {
   json::Value counts{};
   for (unsigned bit = 0; bit < outcomes; ++bit) {
-    if (result.counts[bit] > 0) {
-      counts[name(static_cast<Outcome>(1U << bit))] = result.counts[bit];
+    const auto outcome = static_cast<Outcome>(1U << bit);
+    if (result.cell.expected().allows(outcome)) {
+      counts[name(outcome)] = result.counts[bit];
     }
   }
   json::Value value{{"cell", result.cell.name()},
