@@ -42,11 +42,6 @@ INSTANTIATE_TEST_SUITE_P(EachVerb, Help,
                                          Words{"tunnel"}, Words{"tunnel", "flow"}, Words{"tunnel", "swirl"},
                                          Words{"tunnel", "steps"}, Words{"tunnel", "stability"}, Words{"airframe"},
                                          Words{"new"}, Words{"listen"}),
-                                         Words{"campaign"}, Words{"compare"}, Words{"plan"}, Words{"plan", "check"},
-                                         Words{"plan", "show"}, Words{"plan", "compile"}, Words{"tunnel"},
-                                         Words{"tunnel", "flow"}, Words{"tunnel", "swirl"}, Words{"tunnel", "steps"},
-                                         Words{"tunnel", "stability"}, Words{"airframe"}, Words{"new"},
-                                         Words{"listen"}),
                          [](const auto& one) {
                            std::string name = "fantail";
                            for (const std::string& word : one.param) {

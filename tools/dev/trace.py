@@ -75,10 +75,12 @@ class Trace:
         return places
 
     def proof_places(self):
-        table = self.root / "test/proof/proofs.py"
-        lines = table.read_text().splitlines() if table.exists() else []
-        return {found[1]: (table.relative_to(self.root).as_posix(), number)
-                for number, line in enumerate(lines, 1) if (found := re.search(r'\bProof\("(\w+)"', line))}
+        places = {}
+        for path in sorted((self.root / "test/proof").glob("*.py")):
+            text = path.read_text()
+            for found in [] if path.stem.endswith("_test") else re.finditer(r'\bProof\(\s*"(\w+)"', text):
+                places[found[1]] = (path.relative_to(self.root).as_posix(), text.count("\n", 0, found.start(1)) + 1)
+        return places
 
     def figure_places(self):
         places = {}
