@@ -200,6 +200,7 @@ def main(arguments, root):
         with results_path.open("a" if options.resume else "w") as stream:
             if not options.resume:
                 stream.write(json.dumps(header) + "\n")
+                stream.flush()
             run_all(court, left, stream, results, progress)
         progress.end()
     except KeyboardInterrupt:
