@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -76,8 +77,12 @@ std::vector<Task> tasks_of(const Campaign& campaign, const Twins& twins) {
     }
   }
   if (tasks.empty()) {
-    refuse(fmt::format("no fault \"{}\" of a device \"{}\" in a phase \"{}\"; the devices: {}", campaign.fault,
-                       campaign.device, campaign.phase, fmt::join(device_names(), ", ")));
+    std::string asked;
+    for (const auto& [what, word] : {std::pair{"device", campaign.device}, std::pair{"fault", campaign.fault},
+                                     std::pair{"phase", campaign.phase}}) {
+      asked += word.empty() ? std::string{} : fmt::format(" {} \"{}\"", what, word);
+    }
+    refuse(fmt::format("there is no cell of{}; the devices: {}", asked, fmt::join(device_names(), ", ")));
   }
   return tasks;
 }
