@@ -39,7 +39,6 @@ PROOFS = [
         3,
         (NO_CLAMP, NO_HARD_LIMIT),
         options=(*INSIDE, "-D", "CANARDS=1"),
-        quick=True,
     ),
     Proof(
         "canard_pulse",
