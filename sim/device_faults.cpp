@@ -137,10 +137,10 @@ void DeviceFaults::follow(One& one, const Places& at) {
 }
 
 // The pulses that reach a servo are spoilt in heard().
-void DeviceFaults::fail_servo(const One& one, CanardSet& canards) const {
+void DeviceFaults::fail_servo(const One& one, CanardSet& set) const {
   const ServoFault gear = gear_fault(one.fault.misbehaviour.behaviour);
   if (gear != ServoFault::none && one.there != one.was_there) {
-    canards.fail(one.fault.canard, one.there ? gear : ServoFault::none);
+    set.fail(one.fault.canard, one.there ? gear : ServoFault::none);
   }
 }
 

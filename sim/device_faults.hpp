@@ -69,7 +69,7 @@ class DeviceFaults {
   void spoil(Sample& sample, const Shown<Sample>& shown, const Misbehaviour& how);
   void spoil(hal::EncoderReading& reading, std::size_t canard, const Misbehaviour& how);
   void spoil(Pulses& pulses, std::size_t canard, const Misbehaviour& how);
-  void fail_servo(const One& one, CanardSet& canards) const;
+  void fail_servo(const One& one, CanardSet& set) const;
   void disturb_bus(const One& one, hal::sim::CanWire& wire);
   [[nodiscard]] hal::CanFrame random_frame();
   [[nodiscard]] std::int16_t random_count();

@@ -37,7 +37,7 @@ constexpr std::string_view stop_near =
 // clang-format off: a limit a row
 constexpr auto limits = std::to_array<KnownLimit>({
     {"imu", "stuck", launched, one_gyro, "counts that come again as new ones are found by the driver of the board (docs/device_faults.md), and the simulator has none", fit_a_second},
-    {"imu", "garbage", at(Phase::launched), one_gyro, believed, fit_a_second},
+    {"imu", "garbage", controlling, one_gyro, believed, fit_a_second},
     {"imu", "spike", armed, one_gyro, believed, fit_a_second},
     {"imu", "offset_100", armed, one_gyro, believed, fit_a_second},
     {"imu", "offset_15", armed, false, "a rate that is wrong by less than two gyros may differ (gyro_disagreement_deg_s) is followed by the roll angle", "make gyro_disagreement_deg_s as small as both gyros allow, and let bench axes turn the rocket before the flight"},
