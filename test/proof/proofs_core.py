@@ -115,8 +115,8 @@ PROOFS = [
             Bug(
                 "of two accelerometers one is enough",
                 DETECTOR,
-                "channels_[0].hold_complete && channels_[1].hold_complete",
-                "channels_[0].hold_complete || channels_[1].hold_complete",
+                "return both == channels_[1].state() ? both : DetectionState::holding;",
+                "return std::max(both, channels_[1].state());",
             ),
         ),
         options=INSIDE,
