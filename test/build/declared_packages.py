@@ -30,6 +30,7 @@ OPTIONAL = re.compile(
     r"git"  # cmake/identity.cmake: without it the hash is "unknown"
     r"|clang(-\d+)?"  # other compilers to compare with: same_bytes.sh skips, same_bits.cmake takes g++ twice
     r"|ccache"  # cmake/flags.cmake: without it everything is compiled
+    r"|lsb-release"  # pip calls it where it is, to tell the server what asks
     r"|python3-clang-19|libclang1-19|libllvm19"  # test/mutation: what makes mutants of a text is not tested without
 )
 # Files that are read because this machine has them, not because anything needs them.
