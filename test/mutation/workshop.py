@@ -80,6 +80,10 @@ class Workshop:
                      for word in words if word.endswith((".a", ".so")) and word not in ours]
         if not objects:
             raise ToolFailure(f"the command that links {target} names no object: {text[-500:]}")
+        # A mutant of the protocol stands in front of the archive in every program, and calls the generated code.
+        generated = self.build / "firmware/protocol/libfantail_protocol_generated.a"
+        if str(generated) not in libraries and generated.exists():
+            libraries.append(str(generated))
         return objects, libraries
 
     def parse_arguments(self, file):
