@@ -1,77 +1,19 @@
 // SPDX-License-Identifier: MIT
-// The self-test without a board around it: a sound rocket, changed in one thing each.
+// The self-test without a board around it: a sound rocket, changed in one thing each, up to the first move of a canard.
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
-#include <utility>
 
 #include <gtest/gtest.h>
 
-#include "avionics/self_test.hpp"
-#include "core/flight_plan_fields.hpp"
+#include "tested_rocket.hpp"
 
 namespace fantail::avionics {
 namespace {
 
+using namespace alone;
 using core::Angle;
-using core::Microseconds;
-using protocol::SelfTestFailure;
-using protocol::SelfTestState;
 using namespace core::literals;
-
-constexpr Microseconds tick_time{1'000};
-constexpr Microseconds tested_from{1'000'000};
-constexpr int still_ticks = 3'000;
-constexpr int move_ticks = 400;
-
-struct TestedRocket {
-  core::FlightPlan plan = core::default_plan();
-  SelfTest test{plan};
-  core::Inputs inputs{.time = tested_from};
-  core::TickRecord record;
-  FlashFacts flash{.plan = protocol::PlanSource::built_in, .free_bytes = 100'000'000, .region_bytes = 100'000'000};
-  bool board_faulty = false;
-  std::function<void(TestedRocket&)> change = [](TestedRocket&) {};  ///< in every tick, before the test sees it
-
-  explicit TestedRocket(std::function<void(TestedRocket&)> what = [](TestedRocket&) {}) : change{std::move(what)} {
-    record.motion.gyro = core::SensorState::fresh;
-    record.motion.at_rest_for = Microseconds{10'000'000};
-    EXPECT_EQ(test.start({.time = inputs.time}, false), protocol::ArmRefusal::none);
-  }
-  void tick() {
-    inputs.time += tick_time;
-    record.time = inputs.time;
-    record.motion.at_rest_for += tick_time;
-    for (auto& sample : inputs.accelerometers) {
-      sample = {.time = inputs.time,
-                .specific_force_m_s2 = {.x = core::standard_gravity_m_s2},
-                .quality = core::SampleQuality::valid};
-    }
-    const auto asked = test.canard_request();
-    for (std::size_t i = 0; i < core::canard_count; ++i) {
-      record.encoders[i] = asked ? (*asked)[i] : plan.canards.each[i].trim;
-    }
-    change(*this);
-    test.update(inputs, record, flash, board_faulty);
-  }
-  TestedRocket& run(int ticks) {
-    for (int i = 0; i < ticks; ++i) {
-      tick();
-    }
-    return *this;
-  }
-  [[nodiscard]] Microseconds tested_for() const { return inputs.time - tested_from; }
-  void expect(SelfTestFailure failure, std::optional<std::size_t> canard = {}) const {
-    EXPECT_EQ(test.state(), failure == SelfTestFailure::none ? SelfTestState::passed : SelfTestState::failed);
-    EXPECT_EQ(test.failure(), failure);
-    EXPECT_EQ(test.canard(), canard);
-    EXPECT_FALSE(test.canard_request());
-  }
-};
-
-// With the still seconds, the centre and each of four canards out and back.
-constexpr int whole_test = still_ticks + 9 * move_ticks;
 
 TEST(SelfTestAlone, TakesThreeStillSecondsAndNineMovesOfFourTenths) {
   TestedRocket rocket;
@@ -304,96 +246,6 @@ TEST(SelfTestAlone, TheFlashIsJudgedBeforeACanardMoves) {
   EXPECT_EQ(judged([=](FlashFacts& f) { f.free_bytes = needed - 1; }), SelfTestFailure::flash_too_full);
   EXPECT_EQ(judged([](FlashFacts& f) { f.free_bytes = f.region_bytes = 1'000; }), SelfTestFailure::none)
       << "a small flash that is blank";
-}
-
-TEST(SelfTestAlone, WhatMovesWithoutBeingAskedIsNamed) {
-  // Within a third of the swing of 3 degrees all is well.
-  for (const auto& [off_deg, fails] : {std::pair{0.99F, false}, std::pair{1.01F, true}, std::pair{-1.01F, true}}) {
-    TestedRocket rocket;
-    rocket.run(still_ticks + move_ticks);  // the centre is over
-    rocket.change = [&, off = off_deg](TestedRocket& r) { r.record.encoders[2] = Angle::from_degrees(off); };
-    rocket.run(move_ticks);
-    if (fails) {
-      rocket.expect(SelfTestFailure::another_canard_moved, 2);
-    } else {
-      EXPECT_TRUE(rocket.test.running());
-    }
-  }
-  TestedRocket at_centre{[](TestedRocket& r) { r.record.encoders[2] = 2_deg; }};
-  at_centre.run(still_ticks + move_ticks).expect(SelfTestFailure::canard_did_not_follow, 2);
-  TestedRocket in_turn{[](TestedRocket& r) { r.record.encoders[0] = Angle{}; }};
-  in_turn.run(still_ticks + 2 * move_ticks).expect(SelfTestFailure::canard_did_not_follow, 0);
-}
-
-TEST(SelfTestAlone, ACanardHasThreeTenthsOfASecondToArrive) {
-  for (const int late : {300, 330}) {
-    TestedRocket rocket;
-    rocket.run(still_ticks + move_ticks);
-    int ticks = 0;
-    rocket.change = [&](TestedRocket& r) {
-      if (++ticks < late) {
-        r.record.encoders[0] = -30_deg;
-      }
-    };
-    rocket.run(move_ticks);
-    EXPECT_EQ(rocket.test.running(), late == 300) << late;
-  }
-}
-
-TEST(SelfTestAlone, AnEncoderWithoutAReadingIsSilentAndOneThatReadsNowAndThenIsNot) {
-  TestedRocket silent{[](TestedRocket& r) { r.record.encoders[3].reset(); }};
-  silent.run(still_ticks + move_ticks).expect(SelfTestFailure::encoder_silent, 3);
-  TestedRocket now_and_then{[](TestedRocket& r) {
-    if (r.tested_for() / tick_time % 3 != 0) {
-      r.record.encoders[3].reset();
-    }
-  }};
-  now_and_then.run(whole_test).expect(SelfTestFailure::none);
-  TestedRocket dead;
-  dead.run(still_ticks);
-  dead.record.verdicts[1] = core::CanardVerdict::dead;
-  dead.tick();
-  dead.expect(SelfTestFailure::encoder_silent, 1);
-}
-
-TEST(SelfTestAlone, MotionEndsItWhileTheCanardsMoveAndVoidsAPassOnThePad) {
-  TestedRocket moving;
-  moving.run(still_ticks + 10);
-  moving.record.motion.at_rest_for = -tick_time;
-  moving.tick();
-  moving.expect(SelfTestFailure::moved);
-  TestedRocket passed;
-  passed.run(whole_test);
-  passed.record.motion.at_rest_for = -tick_time;
-  passed.tick();
-  passed.expect(SelfTestFailure::moved);
-  TestedRocket flown;
-  flown.run(whole_test);
-  flown.record.phase = core::Phase::launched;
-  flown.record.motion.at_rest_for = -tick_time;
-  flown.tick();
-  EXPECT_EQ(flown.test.state(), SelfTestState::not_run);
-  EXPECT_EQ(flown.test.failure(), SelfTestFailure::none);
-}
-
-TEST(SelfTestAlone, APassIsGoodForAMinuteToTheMicrosecond) {
-  TestedRocket rocket;
-  rocket.run(whole_test);
-  EXPECT_TRUE(rocket.test.passed(rocket.inputs.time + SelfTest::validity));
-  EXPECT_FALSE(rocket.test.passed(rocket.inputs.time + SelfTest::validity + Microseconds{1}));
-  EXPECT_FALSE(TestedRocket{}.test.passed(tested_from));
-}
-
-TEST(SelfTestAlone, AnotherOneBeginsWithoutWhatTheLastOneFound) {
-  TestedRocket rocket;
-  rocket.run(still_ticks);
-  rocket.record.verdicts[1] = core::CanardVerdict::dead;
-  rocket.tick();
-  rocket.record.verdicts[1] = core::CanardVerdict::healthy;
-  EXPECT_EQ(rocket.test.start({.time = rocket.inputs.time}, false), protocol::ArmRefusal::none);
-  EXPECT_EQ(rocket.test.failure(), SelfTestFailure::none);
-  EXPECT_FALSE(rocket.test.canard());
-  rocket.run(whole_test).expect(SelfTestFailure::none);
 }
 
 }  // namespace
