@@ -1,16 +1,18 @@
 # SPDX-License-Identifier: MIT
-"""Usage: prove.py PROVER BUILD_FOLDER [--quick] [--list] [--json] [--table FILE.py] [NAME...]
+"""Usage: prove.py PROVER BUILD_FOLDER [--quick] [--resume] [--list] [--json] [--table FILE.py] [NAME...]
 
 Proves with ESBMC what proofs.py lists, of the sources of the flight code themselves. For each proof there are three kinds of
 runs, and it counts only if all of them end as they must:
   claims    the harness as it is: every claim in it holds
   places    each numbered place of the harness is reached, so that no claim is true because nothing gets there
   bugs      the same claims with a known error put into a copy of one source file: each must be refuted
+With --resume a run that ended as it must is not repeated, if the prover, its words and all files that it read are the same.
 Exit code: 0 all as they must be; 1 not so; 64 wrong usage; 66 a file is missing; 70 the prover cannot be run; 73 the folder
-cannot be written; 130 interrupted.
+cannot be written; 75 another one is running in it; 130 interrupted.
 """
 
 import argparse
+import fcntl
 import importlib.util
 import json
 import os
@@ -21,6 +23,7 @@ import sys
 import time
 
 import figures
+import kept
 import prover
 
 HERE = pathlib.Path(__file__).resolve().parent
@@ -42,13 +45,20 @@ class Job:
         self.proof, self.kind, self.label = proof, kind, label
         self.includes, self.options = includes, options
         self.verdict = None
+        self.digest = ""
+        self.kept = False
 
     @property
     def name(self):
         return f"{self.proof.name}, {self.label}"
 
-    def command(self, esbmc):
-        folders = [
+    @property
+    def place(self):
+        """Where it writes, in the build folder, without the ending."""
+        return f"{self.proof.name}/{self.label.split(':')[0].replace(' ', '_')}"
+
+    def folders(self):
+        return [
             *self.includes,
             *(HERE / f for f in self.proof.stubs),
             HERE / "stubs",
@@ -56,12 +66,14 @@ class Job:
             SOURCES / "firmware",
             SOURCES / "hal" / "include",
         ]
+
+    def command(self, esbmc):
         checks = () if self.proof.checks else prover.WITHOUT_CHECKS
         language = "c11" if self.proof.harness.endswith(".c") else "c++20"
         return [
             esbmc,
             HERE / self.proof.harness,
-            *(w for f in folders for w in ("-I", f)),
+            *(w for f in self.folders() for w in ("-I", f)),
             "--std",
             language,
             *prover.OPTIONS,
@@ -84,6 +96,8 @@ class Job:
 
     def line(self):
         fault = self.fault()
+        if self.kept:
+            return f"{'as before':24}  {self.name}"
         word = "FAILED" if fault else {"claims": "proved", "place": "reached", "bug": "refuted"}[self.kind]
         claims = f" ({self.verdict.claims} claims)" if self.verdict.claims else ""
         cost = f"{self.verdict.seconds:6.1f} s {self.verdict.megabytes:5.0f} MB"
@@ -128,14 +142,16 @@ def run(jobs, esbmc, build, say):
         while waiting or running:
             while waiting and len(running) < AT_ONCE:
                 job = waiting.pop(0)
-                log = build / job.proof.name / (job.label.split(":")[0].replace(" ", "_") + ".log")
-                running[job] = prover.Run(job.command(esbmc), log, job.proof.seconds, job.proof.megabytes)
+                running[job] = prover.Run(job.command(esbmc), build / f"{job.place}.log", job.proof.seconds, job.proof.megabytes)
             for job in list(running):
                 job.verdict = running[job].verdict()
                 if job.verdict:
                     del running[job]
                     done += 1
                     say(job.line())
+                    # What was changed meanwhile may have been read before or after.
+                    if not job.fault() and job.digest == kept.digest_of(job.command(esbmc), job.folders()):
+                        kept.write(build / f"{job.place}.json", job.digest, job.verdict)
             if time.monotonic() - said_at >= 10:
                 said_at = time.monotonic()
                 say(
@@ -145,6 +161,27 @@ def run(jobs, esbmc, build, say):
     finally:
         for process in running.values():
             process.stop()
+
+
+def take_kept(jobs, build):
+    """Gives the runs that need not be repeated the verdict that they had; returns the others."""
+    for job in jobs:
+        job.verdict = kept.read(build / f"{job.place}.json", job.digest)
+        if job.verdict and job.fault():
+            job.verdict = None
+        job.kept = job.verdict is not None
+    return [job for job in jobs if not job.kept]
+
+
+def alone_in(build):
+    """Two at once would write each other's files. Held until the end of this program."""
+    build.mkdir(parents=True, exist_ok=True)
+    lock = open(build / "lock", "a", encoding="ascii")
+    try:
+        fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except BlockingIOError:
+        raise Stop(75, f"another one is running in {build}; wait for its end") from None
+    return lock
 
 
 def check_prover(esbmc):
@@ -182,36 +219,44 @@ def prove(options):
         raise Stop(64, "none of the proofs that were named is a quick one")
     check_prover(options.prover)
     build = pathlib.Path(options.build) / "prove"
+    lock = alone_in(build)
     out = sys.stderr if options.json else sys.stdout
     begun = time.monotonic()
     jobs = [job for proof in proofs for job in jobs_of(proof, build, options.quick)]
-    run(jobs, options.prover, build, lambda line: print(line, file=out, flush=True))
+    for job in jobs:
+        job.digest = kept.digest_of(job.command(options.prover), job.folders())
+    to_run = take_kept(jobs, build) if options.resume else jobs
+    run(to_run, options.prover, build, lambda line: print(line, file=out, flush=True))
     rows = figures.results(proofs, jobs)
     seconds = time.monotonic() - begun
     passed = all(row["proved"] for row in rows)
     page = pathlib.Path(options.build) / "figures" / "proofs.json"
     page.parent.mkdir(parents=True, exist_ok=True)
-    words = ["--quick"] * options.quick + options.names
+    words = ["--quick"] * options.quick + ["--resume"] * options.resume + options.names
     command = " ".join(["./dev prove", *words])
     with_what = f"{VERSION}, solver Boolector, {AT_ONCE} runs at a time."
-    page.write_text(json.dumps(figures.page(rows, seconds, passed, command, with_what), indent=1) + "\n")
+    earlier = f"{len(jobs) - len(to_run)} of {len(jobs)} runs are of earlier calls, in which the prover read the same."
+    notes = [with_what] + [earlier] * options.resume
+    page.write_text(json.dumps(figures.page(rows, seconds, passed, command, notes), indent=1) + "\n")
     if options.json:
         print(json.dumps({"passed": passed, "seconds": round(seconds, 1), "proofs": rows}, indent=1))
     bad = [row["name"] for row in rows if not row["proved"]]
     cpu = sum(row["cpu_seconds"] for row in rows)
     print(
         f"prove: {len(rows) - len(bad)} of {len(rows)} properties proved, {sum(row['bugs_refuted'] for row in rows)} of "
-        f"{sum(row['bugs'] for row in rows)} seeded bugs refuted, in {seconds:.0f} s ({cpu:.0f} CPU s)"
+        f"{sum(row['bugs'] for row in rows)} seeded bugs refuted, in {seconds:.0f} s ({cpu:.0f} CPU s"
+        + (f"; taken from earlier calls: {len(jobs) - len(to_run)} of {len(jobs)} runs)" if options.resume else ")")
         + (f"; NOT PROVED: {', '.join(bad)}; what the prover said is in {build}/NAME/*.log" if bad else ""),
         file=out,
     )
+    lock.close()
     return 0 if passed else 1
 
 
 def main(words):
     parser = argparse.ArgumentParser(
         prog="prove",
-        usage="./dev prove [--quick] [--list] [--json] [NAME...]",
+        usage="./dev prove [--quick] [--resume] [--list] [--json] [NAME...]",
         description=__doc__,
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
@@ -220,6 +265,9 @@ def main(words):
     parser.add_argument("names", nargs="*", metavar="NAME")
     parser.add_argument(
         "--quick", action="store_true", help="some proofs, each with its first place and its first bug: a minute"
+    )
+    parser.add_argument(
+        "--resume", action="store_true", help="do not repeat a run if all that the prover read in it is the same"
     )
     parser.add_argument("--list", action="store_true", help="name the proofs and what they say; prove nothing")
     parser.add_argument("--json", action="store_true", help="print the results as JSON, and the progress on standard error")
@@ -234,7 +282,7 @@ def main(words):
         print(f"prove: {stop}", file=sys.stderr)
         return stop.code
     except KeyboardInterrupt:
-        print("prove: interrupted; nothing was proved", file=sys.stderr)
+        print("prove: interrupted; nothing was proved. --resume goes on with the runs that are left", file=sys.stderr)
         return 130
     except FileNotFoundError as error:
         print(f"prove: {error.filename} is missing", file=sys.stderr)

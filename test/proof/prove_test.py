@@ -58,7 +58,7 @@ import sys
 sys.path.insert(0, {here!r})
 from proof import Bug, Proof
 BUG = Bug("clamp gone", "core/canard_mixer.cpp", {text!r}, "")
-PROOFS = [Proof(name, name, name + ".cpp", 1, (BUG,), quick=name == "good", seconds=1, megabytes=1000) for name in {names!r}]
+PROOFS = [Proof(name, name, {work!r} + name + ".cpp", 1, (BUG,), quick=name == "good", seconds=1, megabytes=1000) for name in {names!r}]
 """
 
 ONCE = "angle = clamp(wanted, canard.limit);"
@@ -75,7 +75,11 @@ class Prove(unittest.TestCase):
 
     def command(self, names, *words, text=ONCE):
         table = self.work / "table.py"
-        table.write_text(TABLE.format(here=str(HERE), names=names, text=text))
+        table.write_text(TABLE.format(here=str(HERE), work=f"{self.work}/", names=names, text=text))
+        for name in names:
+            harness = self.work / f"{name}.cpp"
+            if not harness.exists():
+                harness.write_text('#include "core/canard_mixer.cpp"\n#include "beside.hpp"\n#include <cmath>\n')
         return [
             sys.executable,
             "-B",
@@ -206,6 +210,67 @@ class Prove(unittest.TestCase):
         said = json.loads(done.stdout)
         self.assertEqual([proof["proved"] for proof in said["proofs"]], [True, False])
         self.assertEqual(said["proofs"][1]["faults"], ["bug 1: clamp gone: the seeded bug was not refuted"])
+
+    def test_a_run_is_not_repeated_while_everything_that_it_read_is_the_same(self):
+        beside = self.work / "beside.hpp"
+        beside.write_text("// as it was\n")
+        first = self.prove(["good"])
+        self.assertEqual(first.returncode, 0, first.stdout + first.stderr)
+        log = self.work / "build/prove/good/claims.log"
+        log.unlink()
+        again = self.prove(["good"], "--resume")
+        self.assertEqual(again.returncode, 0, again.stdout + again.stderr)
+        self.assertFalse(log.exists())
+        self.assertIn("taken from earlier calls: 3 of 3 runs", again.stdout)
+        notes = json.loads((self.work / "build/figures/proofs.json").read_text())["notes"]
+        self.assertEqual(notes[-1], "3 of 3 runs are of earlier calls, in which the prover read the same.")
+        for change in (
+            lambda: beside.write_text("// another text\n"),
+            lambda: beside.unlink(),
+            lambda: (self.work / "good.cpp").write_text("#include <cmath>\n"),
+            lambda: self.prover.write_text(PROVER + "# another prover\n"),
+        ):
+            change()
+            done = self.prove(["good"], "--resume")
+            self.assertIn("taken from earlier calls: 0 of 3 runs", done.stdout)
+            self.assertTrue(log.exists())
+            log.unlink()
+
+    def test_without_resume_everything_is_run_again(self):
+        self.prove(["good"])
+        log = self.work / "build/prove/good/claims.log"
+        log.unlink()
+        self.assertEqual(self.prove(["good"]).returncode, 0)
+        self.assertTrue(log.exists())
+
+    def test_what_was_red_or_is_damaged_is_run_again(self):
+        self.assertEqual(self.prove(["missed"]).returncode, 1)
+        done = self.prove(["missed"], "--resume")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("taken from earlier calls: 2 of 3 runs", done.stdout)
+        for name, text in (("claims", ""), ("place_1", '{"digest": 1}'), ("claims", '["verdict"]')):
+            (self.work / f"build/prove/missed/{name}.json").write_text(text)
+            self.assertIn("taken from earlier calls: 1 of 3 runs", self.prove(["missed"], "--resume").stdout)
+
+    def test_a_kept_verdict_that_is_not_the_wanted_one_counts_for_nothing(self):
+        self.prove(["good"])
+        file = self.work / "build/prove/good/bug_1.json"
+        file.write_text(file.read_text().replace('"refuted"', '"holds"'))
+        done = self.prove(["good"], "--resume")
+        self.assertEqual(done.returncode, 0)
+        self.assertIn("taken from earlier calls: 2 of 3 runs", done.stdout)
+
+    def test_two_at_once_in_a_folder_are_refused(self):
+        pid_file = self.work / "pid"
+        os.environ["FAKE_PID"] = str(pid_file)
+        process = subprocess.Popen(self.command(["sleeps"]), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        while not (pid_file.exists() and pid_file.read_text().strip()):
+            time.sleep(0.02)
+        second = self.prove(["good"])
+        self.assertEqual(second.returncode, 75)
+        self.assertIn("another one is running in", second.stderr)
+        process.send_signal(signal.SIGINT)
+        process.wait(timeout=60)
 
     def test_an_interrupt_ends_it_and_every_run_of_the_prover(self):
         pid_file = self.work / "pid"

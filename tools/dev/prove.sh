@@ -4,7 +4,7 @@
 
 prove_packages="python3-venv"
 
-# prove [--quick] [--list] [--json] [NAME...]: what test/proof/proofs.py lists.
+# prove [--quick] [--resume] [--list] [--json] [NAME...]: what test/proof/proofs.py lists.
 prove() {
   take_turn
   # shellcheck disable=SC2086
