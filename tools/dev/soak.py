@@ -40,6 +40,7 @@ STEPS = [
           ("csv", 4096, "any bytes as a CSV log"), ("log", 8192, "any bytes as a flight log"),
           ("document", 4096, "any bytes as plan, vehicle, scenario, thrust curve or OpenRocket design"),
           ("frame", 2048, "any bytes as a frame, a plan block or a record"),
+          ("listen", 4096, "any bytes as somebody's log, and as the words that map its columns"),
           ("state", 4096, "the flight law from any state, with any samples"),
           ("table", 4096, "any bytes as MAT-file, Parquet file or trajectory")]],
 ]
