@@ -68,7 +68,6 @@ class GyroPair {
   };
   enum class Doubted : std::uint8_t { nobody, first, second, both };
 
-  /// Within this share of what they may differ by.
   struct CouldBe {
     bool first;
     bool second;
@@ -79,6 +78,7 @@ class GyroPair {
                    float roll_rate_rad_s, const GyroGate& gate);
   [[nodiscard]] bool is_first_better(const GyroSample& first, const GyroSample& second,
                                      const Vector3& rate_rad_s) const;
+  /// Within this share of what they may differ by.
   [[nodiscard]] bool agree(const GyroSample& first, const GyroSample& second, float share) const;
   void put_aside(Doubted who);
   void judge(Microseconds now, bool agree);
