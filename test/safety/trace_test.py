@@ -69,7 +69,11 @@ def main():
     expect_fault("mixer.cpp:1: meets LIM-9, which", changed(firmware_core_mixer_cpp=("Meets LIM-1", "Meets LIM-9")))
     expect_fault("x.cpp:1: meets LIM-1, but docs/safety.md does not name this file", changed(hal_x_cpp=("int c;", "int c;  // Meets LIM-1.")))
     expect_fault("PHS-1 has no evidence", changed(docs_safety_md=("`Phase.*`, `figures detection`", "none")))
-    expect_fault("no requirement in docs/safety.md names the figures detection", changed(docs_safety_md=(", `figures detection`", "")))
+    expect_fault("nothing in docs/safety.md names the figures detection", changed(docs_safety_md=(", `figures detection`", "")))
+    linked = changed(docs_safety_md=(", `figures detection`", ""))
+    linked["docs/safety.md"] += "\nHow [often](figures/soak.md#detection) it is wrong.\n"
+    assert run(linked)[:2] == (0, ""), run(linked)
+    expect_fault("there are no figures misses in docs/figures", changed(docs_safety_md=("## Requirements", "[x](figures/soak.md#misses)\n## Requirements")))
     expect_fault("no requirement in docs/safety.md names the proof mixer", changed(docs_safety_md=(", `proof mixer`", "")))
     expect_fault("names proof mixture, which does not exist", changed(docs_safety_md=("`proof mixer`", "`proof mixture`")))
     expect_fault("no hazard names PHS-1", changed(docs_safety_md=(", [PHS-1]", "")))

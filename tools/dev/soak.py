@@ -6,6 +6,7 @@
 # Each step writes build/soak/NAME.log and NAME.json as it ends; --resume leaves out those that this commit has passed. Exit code 1 if
 # a step failed or could not be read, 130 after an interrupt.
 import argparse
+import hashlib
 import json
 import os
 import pathlib
@@ -72,6 +73,11 @@ class Step:
         self.key = f"{commit} {self.count}"
         self.process = None
 
+    @property
+    def anchored_title(self):
+        """The safety case names a row of the page by the step's name."""
+        return f'<a id="{self.name}"></a>{self.title}'
+
     def passed_before(self):
         try:
             kept = json.loads(self.file.read_text())
@@ -126,7 +132,7 @@ def run(steps, root):
     return not failed
 
 
-def figures(steps, seconds, short):
+def figures(steps, earlier, seconds, short):
     rows = []
     passed = True
     for step in steps:
@@ -134,15 +140,25 @@ def figures(steps, seconds, short):
             kept = json.loads(step.file.read_text())
         except (OSError, ValueError):
             passed = False
-            rows.append([step.title, f"{step.count:,} {step.unit}", "not run", ""])
+            rows.append([step.anchored_title, f"{step.count:,} {step.unit}", "not run", ""])
             continue
         passed = passed and kept["passed"]
         more = ", ".join(f"{value} {what}" for what, value in kept["found"])
-        rows.append([step.title, f"{kept['count']:,} {step.unit}", "none" if kept["passed"] else "**yes**", f"{kept['seconds']:.0f}"
+        rows.append([step.anchored_title, f"{kept['count']:,} {step.unit}", "none" if kept["passed"] else "**yes**", f"{kept['seconds']:.0f}"
                      + (f"; {more}" if more else "")])
-    return {"title": "Random inputs", "command": "./dev soak" + (" --short" if short else ""), "seconds": seconds, "passed": passed,
+    notes = [f"{earlier} of {len(steps)} are of an earlier call at the same sources, and their time is not in the whole."] if earlier else []
+    return {"title": "The long tests", "command": "./dev soak" + (" --short" if short else ""), "seconds": seconds, "passed": passed,
             "tables": [{"caption": "", "columns": ["test", "how many", "failures", "time in s; more"], "rows": rows}],
-            "notes": []}
+            "notes": notes}
+
+
+def sources(root):
+    """What the steps run on: the commit, and of a tree that was changed since then the changes."""
+    def git(*words):
+        return subprocess.run(["git", *words], cwd=root, capture_output=True, check=False).stdout
+
+    commit = git("describe", "--always", "--dirty").decode().strip()
+    return commit + hashlib.sha256(git("diff", "HEAD")).hexdigest()[:12] if commit.endswith("-dirty") else commit or "without git"
 
 
 def main():
@@ -156,8 +172,7 @@ def main():
     root = arguments.root.resolve()
     folder = root / "build/soak"
     folder.mkdir(parents=True, exist_ok=True)
-    commit = subprocess.run(["git", "describe", "--always", "--dirty"], cwd=root, capture_output=True, text=True,
-                            check=False).stdout.strip() or "without git"
+    commit = sources(root)
     unknown = set(arguments.only) - {row[0] for row in STEPS}
     if unknown:
         print(f"soak: no step {', '.join(sorted(unknown))}; there are {', '.join(row[0] for row in STEPS)}", file=sys.stderr)
@@ -175,7 +190,7 @@ def main():
     except KeyboardInterrupt:
         print("soak: interrupted; ./dev soak --resume goes on with what is not finished", file=sys.stderr)
         return 130
-    result = figures(steps, time.monotonic() - begun, arguments.short)
+    result = figures(steps, len(steps) - len(to_run), time.monotonic() - begun, arguments.short)
     (root / "build/figures").mkdir(exist_ok=True)
     (root / "build/figures/soak.json").write_text(json.dumps(result))
     return 0 if passed and result["passed"] else 1

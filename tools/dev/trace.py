@@ -6,7 +6,8 @@
 #   trace.py ROOT --check   fails if the page is not what would be written
 #
 # Exit code 1 and a sentence for each fault: a requirement without code, without evidence or without a hazard; a number in the code,
-# or a test, proof or figure in the table, that does not exist; a proof or a table of figures that no requirement names.
+# or a test, proof or figure in the table, that does not exist; a proof that no requirement names; a figure that neither a requirement
+# names nor a link in the safety case leads to.
 import pathlib
 import re
 import sys
@@ -32,7 +33,7 @@ class Trace:
     def __init__(self, root):
         self.root = root
         self.faults = []
-        safety = (root / "docs/safety.md").read_text()
+        self.safety = safety = (root / "docs/safety.md").read_text()
         self.hazards = [(row[0], row) for _, row in rows_of(safety, "Hazards")]
         self.requirements = {}
         for number, row in rows_of(safety, "Requirements"):
@@ -85,10 +86,8 @@ class Trace:
     def figure_places(self):
         places = {}
         for path in sorted((self.root / "docs/figures").glob("*.md")):
-            for line in path.read_text().splitlines():
-                found = re.match(r'## .*<a id="([a-z_]+)"></a>', line)
-                if found:
-                    places[found[1]] = (path.relative_to(self.root).as_posix(), f"#{found[1]}")
+            for name in re.findall(r'<a id="(\w+)"></a>', path.read_text()):
+                places[name] = (path.relative_to(self.root).as_posix(), f"#{name}")
         return places
 
     def evidence(self, identifier, cell):
@@ -151,10 +150,15 @@ class Trace:
                 self.fault(f"docs/safety.md: no hazard names {identifier}")
             where = ", ".join(link(f"{pathlib.PurePath(name).name}:{number}", (name, number)) for name, number in code)
             lines.append(f'| <a id="{identifier.lower()}"></a>**{identifier}** {text} | {where} | {", ".join(shown)} |')
-        for kind, places in (("proof", self.proofs), ("figures", self.figures)):
-            for name in places:
-                if (kind, name) not in self.used:
-                    self.fault(f"{places[name][0]}: no requirement in docs/safety.md names the {kind} {name}")
+        for name, (path, _) in self.proofs.items():
+            if ("proof", name) not in self.used:
+                self.fault(f"{path}: no requirement in docs/safety.md names the proof {name}")
+        linked = set(re.findall(r"\]\(figures/\w+\.md#(\w+)\)", self.safety))
+        for name, (path, _) in self.figures.items():
+            if ("figures", name) not in self.used and name not in linked:
+                self.fault(f"{path}: nothing in docs/safety.md names the figures {name}")
+        for name in sorted(linked - set(self.figures)):
+            self.fault(f"docs/safety.md: there are no figures {name} in docs/figures")
         return "\n".join(lines) + "\n"
 
 
