@@ -70,7 +70,7 @@ def main():
         with contextlib.redirect_stdout(io.StringIO()), contextlib.redirect_stderr(io.StringIO()) as said:
             assert figures.main(["docs/figures/x.md", "Soak", "./dev soak", "build/figures/soak.json"]) == 0
             page = pathlib.Path("docs/figures/x.md").read_text()
-            assert '## Random inputs <a id="soak"></a>' in page and '| <a id="count"></a>About count | 5,000 runs | none |' in page, page
+            assert '## The long tests <a id="soak"></a>' in page and '| <a id="count"></a>About count | 5,000 runs | none |' in page, page
             assert figures.main(["docs/figures/y.md", "Soak", "./dev soak", "build/figures/none.json"]) == 66
             assert "none.json" in said.getvalue() and not pathlib.Path("docs/figures/y.md").exists()
             pathlib.Path("bad.json").write_text(json.dumps({**json.loads(pathlib.Path("build/figures/soak.json").read_text()), "passed": False}))
