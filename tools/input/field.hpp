@@ -122,11 +122,10 @@ constexpr Place<Thing> place_of(Member) {
 #define FANTAIL_PLACE(Thing, expression) \
   place_of<Thing>([](auto& it, [[maybe_unused]] std::size_t i) -> auto& { return expression; })
 
-/// The place of slot `i` of a list that grows as it is read.
 /// What is there when its section is; the usual one where it is not.
 template <typename Thing>
 Thing& made(std::optional<Thing>& thing) {
-  return thing ? *thing : thing.emplace();
+  return thing ? *thing : thing.emplace(Thing{});
 }
 template <typename Thing>
 const Thing& made(const std::optional<Thing>& thing) {
@@ -134,6 +133,7 @@ const Thing& made(const std::optional<Thing>& thing) {
   return thing ? *thing : usual;
 }
 
+/// The place of slot `i` of a list that grows as it is read.
 template <typename Value>
 Value& grown(std::vector<Value>& values, std::size_t i) {
   values.resize(std::max(values.size(), i + 1));
