@@ -61,6 +61,9 @@ quick() {
   grep -q 'write it into the board' said || { echo "FAILED: what is flash? $(cat said)" && exit 1; }
   call 64 test --foo
   grep -q 'test does not take "--foo"' said || { echo "FAILED: the wrong word was not named: $(cat said)" && exit 1; }
+  call 64 test --only NoSuchSuite.NoSuchTest
+  grep -q 'no test is called NoSuchSuite.NoSuchTest' said || { echo "FAILED: a name that no test has: $(cat said)" && exit 1; }
+  call 64 test --only 'Two words.x'
   call 64 format ''
   call 64 lint .
   call 64 sanitize .

@@ -230,14 +230,15 @@ def prove(options):
     rows = figures.results(proofs, jobs)
     seconds = time.monotonic() - begun
     passed = all(row["proved"] for row in rows)
-    page = pathlib.Path(options.build) / "figures" / "proofs.json"
-    page.parent.mkdir(parents=True, exist_ok=True)
+    figures_file = pathlib.Path(options.build) / "figures" / "proofs.json"
+    figures_file.parent.mkdir(parents=True, exist_ok=True)
     words = ["--quick"] * options.quick + ["--resume"] * options.resume + options.names
     command = " ".join(["./dev prove", *words])
     with_what = f"{VERSION}, solver Boolector, {AT_ONCE} runs at a time."
     earlier = f"{len(jobs) - len(to_run)} of {len(jobs)} runs are of earlier calls, in which the prover read the same."
     notes = [with_what] + [earlier] * options.resume
-    page.write_text(json.dumps(figures.page(rows, seconds, passed, command, notes), indent=1) + "\n")
+    if not options.names and not options.quick:  # a part must not stand for the whole
+        figures_file.write_text(json.dumps(figures.page(rows, seconds, passed, command, notes), indent=1) + "\n")
     if options.json:
         print(json.dumps({"passed": passed, "seconds": round(seconds, 1), "proofs": rows}, indent=1))
     bad = [row["name"] for row in rows if not row["proved"]]

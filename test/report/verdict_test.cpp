@@ -220,7 +220,7 @@ TEST(Verdict, WhatWasBridgedOrIsALowerBoundIsSaid) {
   const Verdict v = verdict_of(synthetic.flight);
   EXPECT_EQ(v.outcome, Outcome::held);
   EXPECT_TRUE(v.text.ends_with(
-      " The gyro gave no usable rate for 0.012 s in all, first at 2.00 s; the canards stood at trim meanwhile. From "
+      " The gyro gave no usable rate for 0.012 s in all, first at 2.00 s; no roll was commanded meanwhile. From "
       "0.30 s on "
       "the "
       "avionics knew only lower bounds of height and speed, because every accelerometer was at the end of its range."))

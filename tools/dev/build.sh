@@ -52,6 +52,7 @@ build() {
   elif [ ! -e "$folder/build.ninja" ]; then
     printf 'building %s: configuring' "$what" >&2
   fi
+  [ -e "$folder/build.ninja" ] || echo "building $what: configuring" >"$status"
   # The exit code bypasses the pipe; a missing one is a failure too.
   code=$({ { NINJA_STATUS='[%f %t] ' "$@" 3>&- 9>&- 2>&1 && echo 0 >&3; } | tee "$folder/build.log" 2>/dev/null |
     follow_build "$what" "$status" 9>&-; } 3>&1) || :
@@ -85,7 +86,8 @@ follow_build() {
         [ "$((done % 4))" -ne 0 ] && [ "$done" -ne "$total" ] && [ -s "$2" ] && continue
         spent=$(($(date +%s) - begun))
         left=""
-        [ "$spent" -lt 3 ] || [ "$done" -eq 0 ] || left=$((spent * (total - done) / done))
+        # The first few say nothing of the rest: what all others include is compiled before them.
+        [ "$spent" -lt 3 ] || [ "$((done * 20))" -lt "$total" ] || left=$((spent * (total - done) / done))
         [ "${left:-0}" -lt 1 ] && left="" || left=", about $left s to go"
         text="building $1: $done of $total ($((100 * done / total)) %)$left"
         (echo "$text" >"$2") 2>/dev/null || : # the build itself reports a full disk

@@ -32,6 +32,10 @@ stage() {
 
 run_tests() {
   all="" times=""
+  if [ "${1:-}" = --only ] && [ $# -eq 2 ]; then
+    one_test "$2"
+    return
+  fi
   for word in "$@"; do
     case "$word" in
       --all) all=yes ;;
@@ -72,4 +76,39 @@ host_tests() {
   rm -rf build/host/test-times
   LD_PRELOAD="$root/build/host/test/build/read_log.so" FANTAIL_READ_LOG="$root/build/host/read_log.txt" \
     GTEST_OUTPUT="json:$root/build/host/test-times/" GTEST_BRIEF=1 ctest --preset host --output-junit test-results.xml
+}
+
+# one_test SUITE.NAME: that test, or with * several, wherever a test program has it; also as the safety case writes it, with the
+# name of what its parameters are before it. A name that no test has is wrong usage: googletest would call nothing a success.
+one_test() {
+  local name="${1##*/}" folders folder program filter found="" failed=""
+  local suite="${name%%.*}"
+  case "$name" in *[!A-Za-z0-9_.*?]* | *.*.*) usage ;; [A-Za-z]*.?*) ;; *) usage ;; esac
+  # shellcheck disable=SC2046 # names of folders
+  folders=$(dirname $(grep -rlE "\\b(TYPED_)?(TEST|TEST_F|TEST_P|RC_GTEST_PROP|RC_GTEST_FIXTURE_PROP)\\( *$(echo "$suite" | sed 's/[*?]/\\w*/g')," test --include='*.cpp' ||
+    echo none/x) | sort -u)
+  filter="$name:*/$name:$name/*:*/$name/*:$suite/*.${name#*.}"
+  [ "$folders" = none ] || {
+    take_turn
+    # shellcheck disable=SC2086
+    need $test_packages
+    python_tools
+    host_options=FANTAIL_TESTS
+    # shellcheck disable=SC2046
+    host_build "the test" $(printf '%s/all ' $folders)
+    leave_turn
+  }
+  for folder in $folders; do
+    for program in build/host/"$folder"/test_*; do
+      [ -f "$program" ] && [ -x "$program" ] && "$program" --gtest_list_tests --gtest_filter="$filter" 2>/dev/null | grep -q '^  ' || continue
+      found=yes
+      echo "$program:"
+      "$program" --gtest_brief=1 --gtest_filter="$filter" || failed=yes
+    done
+  done
+  [ -n "$found" ] || {
+    echo "dev: test: no test is called $1; an example is ./dev test --only 'FlightPhase.*'" >&2
+    exit 64
+  }
+  [ -z "$failed" ]
 }
