@@ -62,9 +62,10 @@ void CanardSet::load_servos(const CanardFlow& flow) {
   }
 }
 
-hal::EncoderReading CanardSet::read_encoders(hal::Microseconds time) {
-  return encoders_.sample(
-      time, {servos_[0].angle_rad(), servos_[1].angle_rad(), servos_[2].angle_rad(), servos_[3].angle_rad()});
+std::array<double, hal::canards> CanardSet::shafts_rad() const {
+  return {servos_[0].angle_rad(), servos_[1].angle_rad(), servos_[2].angle_rad(), servos_[3].angle_rad()};
 }
+
+hal::EncoderReading CanardSet::read_encoders(hal::Microseconds time) { return encoders_.sample(time, shafts_rad()); }
 
 }  // namespace fantail::sim

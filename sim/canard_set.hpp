@@ -43,6 +43,9 @@ class CanardSet {
   /// roll goes. Zero while all turn alike.
   [[nodiscard]] Vector3 across_rad(double roll_rate_rad_s, double speed_m_s) const;
 
+  /// Where each shaft truly stands, as Servo::angle_rad().
+  [[nodiscard]] std::array<double, hal::canards> shafts_rad() const;
+
   [[nodiscard]] hal::EncoderReading read_encoders(hal::Microseconds time);
 
   /// As Servo::fail.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -88,6 +89,9 @@ class World {
   [[nodiscard]] Vector3 canards_across_rad() const {
     return canards_.across_rad(roll_.rate_rad_s, environment_.speed_m_s());
   }
+
+  /// Where the four canard shafts truly stand at the last tick, as an encoder without an error would read them.
+  [[nodiscard]] std::array<double, hal::canards> shafts_rad() const { return canards_.shafts_rad(); }
 
   /// What the tunnel's own instruments read at the last tick; empty in flight and between two readings.
   [[nodiscard]] std::optional<WindReading> wind_reading() const;

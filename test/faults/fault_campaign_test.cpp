@@ -107,6 +107,50 @@ TEST_F(FaultCampaign, ARunAloneIsTheRunOfTheCampaign) {
   EXPECT_NEAR(alone.findings.apart_deg, worst.apart_deg, 0.0005);
 }
 
+CellResult of(const char* cell, Colour colour, double apart_deg, std::optional<Outcome> outcome = Outcome::holds) {
+  return {.cell = cell_of(cell),
+          .colour = colour,
+          .flights = 1,
+          .worst = faults::Run{.outcome = outcome, .apart_deg = apart_deg}};
+}
+
+TEST(FaultWorst, AreTheWorstCellsOfFiveFaultsRedOnesFirst) {
+  Result result;
+  result.cells = {of("imu/dead/pad", Colour::green, 500.0, Outcome::not_armed),
+                  of("imu/dead/controlling", Colour::green, 3.0),
+                  of("imu/spike/armed", Colour::known_limit, 100.0),
+                  of("imu/spike/controlling", Colour::known_limit, 200.0),
+                  of("bus/dead/armed", Colour::green, 9.0),
+                  of("flash/dead/armed", Colour::red, 20.0),
+                  of("encoder/dead/armed", Colour::limit_without_need, 8.0),
+                  of("encoder/stuck/armed", Colour::green, 1.0),
+                  {.cell = cell_of("second_imu/dead/pad")}};
+  std::vector<std::string> names;
+  for (const std::size_t i : worst_cells(result)) {
+    names.push_back(result.cells[i].cell.name());
+  }
+  EXPECT_EQ(names, (std::vector<std::string>{"flash/dead/armed", "imu/spike/controlling", "bus/dead/armed",
+                                             "encoder/dead/armed", "imu/dead/controlling"}));
+}
+
+TEST_F(FaultCampaign, WritesTheFlightReportsOfItsWorstFlightsBesideThePageThatLinksToThem) {
+  Result result = fly_campaign(resets(), folder_, "v", 2, quiet);
+  int looks = 0;
+  write_worst(result, folder_, [&looks] { ++looks; });
+  EXPECT_EQ(looks, 4);
+  const std::string page = report_html(result, "v");
+  const std::string summary = report_json(result, "v");
+  for (const CellResult& cell : result.cells) {
+    ASSERT_FALSE(cell.report.empty()) << cell.cell.name();
+    EXPECT_TRUE(fs::exists(folder_ / cell.report / "report.html")) << cell.report;
+    EXPECT_NE(page.find("<a href=\"" + cell.report + "/report.html\">" + cell.cell.name() + ", run "),
+              std::string::npos);
+    EXPECT_NE(summary.find("\"" + cell.report + "/report.html\""), std::string::npos);
+  }
+  const auto interrupt = [] { throw std::runtime_error{"interrupted"}; };
+  EXPECT_THROW(write_worst(result, folder_, interrupt), std::runtime_error);
+}
+
 // The judge sees a command beyond a limit in a flight of the simulator, too: here the limit is a degree less than what
 // the plan allows, and the fin offset asks for more.
 TEST(FaultFlight, IsRedWhereItGoesBeyondTheLimitThatItIsHeldTo) {

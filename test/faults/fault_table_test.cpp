@@ -59,6 +59,7 @@ TEST(FaultTable, KnowsNoLimitOfAFaultThatItHasNot) {
                                     }))
         << limit.device << ' ' << limit.fault;
     EXPECT_NE(limit.phases, 0U);
+    EXPECT_GE(limit.last_ms, 0);
     EXPECT_FALSE(limit.why.empty());
     EXPECT_FALSE(limit.what_to_do.empty());
   }
@@ -122,6 +123,10 @@ TEST(FaultCell, IsAsRedAsItsWorstRunAndALimitExcusesIt) {
   EXPECT_EQ(concluded(cell, {held, ended}, nullptr).colour, Colour::green);
   EXPECT_EQ(concluded(cell, {held, ended}, &limit).colour, Colour::limit_without_need);
   EXPECT_EQ(concluded(cell, {held, spun, ended}, &limit).colour, Colour::known_limit);
+  const faults::Run later{.number = 3, .begin_ms = 500, .outcome = {}, .what = "it spun"};
+  EXPECT_EQ(concluded(cell, {held, later}, &limit, 500).colour, Colour::known_limit);
+  EXPECT_EQ(concluded(cell, {held, later}, &limit, 501).colour, Colour::red);
+  EXPECT_EQ(concluded(cell, {held, later}, nullptr, 500).colour, Colour::red);
   const CellResult red = concluded(cell, {held, spun, ended}, nullptr);
   EXPECT_EQ(red.colour, Colour::red);
   EXPECT_EQ(red.red, 1U);

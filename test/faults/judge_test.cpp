@@ -9,7 +9,6 @@
 namespace fantail::faults {
 namespace {
 
-constexpr FaultTime at_three{.begin_s = 3.0, .end_s = 3600.0};
 constexpr Expected held = any_of(Outcome::holds);
 
 std::string breach_of(const std::function<void(Moment& moment)>& change) {

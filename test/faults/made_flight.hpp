@@ -15,6 +15,8 @@ constexpr double degree = std::numbers::pi / 180.0;
 constexpr double control_begin_s = 0.6;
 constexpr double control_end_s = 10.0;
 
+constexpr FaultTime at_three{.begin_s = 3.0, .end_s = 3600.0};
+
 inline core::Phase phase_at(double time_s) {
   return time_s < -5.0              ? core::Phase::safe
          : time_s < 0.1             ? core::Phase::armed
@@ -23,8 +25,10 @@ inline core::Phase phase_at(double time_s) {
                                     : core::Phase::finished;
 }
 
-/// All canards are at 2 degrees under control, at trim otherwise; the rocket stands at 5 degrees.
-inline std::vector<Moment> made_flight(const std::function<void(Moment& moment)>& change = {}) {
+/// All canards are at 2 degrees under control, at trim otherwise, and stand where they are asked to; the rocket stands
+/// at 5 degrees. `truth` changes where they stand, after that.
+inline std::vector<Moment> made_flight(const std::function<void(Moment& moment)>& change = {},
+                                       const std::function<void(Moment& moment)>& truth = {}) {
   std::vector<Moment> flight;
   for (int ms = -6000; ms < 11000; ++ms) {
     Moment moment{.time_s = 1e-3 * ms, .phase = phase_at(1e-3 * ms), .true_roll_rad = 5.0 * degree};
@@ -32,15 +36,23 @@ inline std::vector<Moment> made_flight(const std::function<void(Moment& moment)>
     if (change) {
       change(moment);
     }
+    for (std::size_t i = 0; i < core::canard_count; ++i) {
+      moment.true_shaft_rad[i] = moment.commanded_rad[i].value_or(0.0);
+    }
+    if (truth) {
+      truth(moment);
+    }
     flight.push_back(moment);
   }
   return flight;
 }
 
-/// Plan limit 9 degrees, all trims 0.
-inline CommandLimits made_limits() {
-  CommandLimits limits;
+/// Plan limit 9 degrees, all trims 0; the shafts have a play of 0.1 degrees and take 0.2 s.
+inline Limits made_limits() {
+  Limits limits;
   limits.limit_rad.fill(9.0 * degree);
+  limits.shafts.off_rad.fill(0.1 * degree);
+  limits.shafts.travel_s = 0.2;
   return limits;
 }
 
@@ -49,7 +61,7 @@ inline Findings judged(const std::vector<Moment>& flight, const FaultTime& fault
   for (const Moment& moment : made_flight()) {
     twin.add(moment);
   }
-  const CommandLimits limits = made_limits();
+  const Limits limits = made_limits();
   Judge judge{limits, twin, fault, settle_s};
   for (const Moment& moment : flight) {
     judge.add(moment);

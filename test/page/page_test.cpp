@@ -80,6 +80,12 @@ TEST(Page, NumbersOfATableStandRightAndTonesAreClasses) {
   EXPECT_TRUE(holds(table(columns, two_lines), "<td>1<small class=\"bad\">&lt;2&gt;</small></td>"));
 }
 
+TEST(Page, AListLinksWhereThereIsAnAddress) {
+  const std::vector<Link> links{{"a&b/report.html", "run <3>", ": -1.5"}, {"", "run 4", ""}};
+  EXPECT_EQ(list(links),
+            "<ul>\n<li><a href=\"a&amp;b/report.html\">run &lt;3&gt;</a>: \u22121.5</li>\n<li>run 4</li>\n</ul>\n");
+}
+
 TEST(Page, FiguresShowLabelValueUnitAndRemark) {
   const std::vector<Figure> figures{{"Offset", "-7", "deg", "at <burn-out>"}, {"Plain", "1", "", ""}};
   const std::string text = figure_row(figures);

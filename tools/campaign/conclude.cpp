@@ -8,8 +8,7 @@
 
 #include "campaign/repeat.hpp"
 #include "campaign/setup.hpp"
-#include "fly/fly_scenario.hpp"
-#include "report/results.hpp"
+#include "campaign/write_flight.hpp"
 #include "text/number.hpp"
 #include "text/output_folder.hpp"
 #include "text/shell_word.hpp"
@@ -50,10 +49,7 @@ std::string write_run(const Campaign& campaign, const FlownRun& run, const fs::p
   }
   std::string name = fmt::format("run_{}", run.run);
   RepeatedRun repeated = repeat_run(campaign, run.run);
-  flight::Flight flight = fly::fly_scenario(repeated.scenario, {}, {}, fly::Log::kept);
-  flight.changes = std::move(repeated.changes);
-  flight.notes.insert(flight.notes.begin(), std::move(repeated.note));
-  report::write_results(flight, report::results(flight), folder / name);
+  write_flight(repeated.scenario, std::move(repeated.changes), std::move(repeated.note), folder / name);
   return name;
 }
 

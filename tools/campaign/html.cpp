@@ -138,21 +138,18 @@ std::string all_influences(const Analysis& a) {
 }
 
 std::string worst(const Report& report) {
-  std::string items;
+  std::vector<page::Link> links;
   for (std::size_t i = 0; i < report.analysis.worst.size(); ++i) {
     const FlownRun& run = report.flown.runs[report.analysis.worst[i]];
     const std::size_t figure = report.analysis.question.measured_by();
     const std::string& folder = report.run_folders[i];
     const std::string value =
         run.figures[figure] ? fmt::format(", {} {:.5g}", figure_columns[figure], *run.figures[figure]) : "";
-    const std::string name = fmt::format("run {}", run.run);
-    items += "<li>";
-    items += folder.empty() ? name : "<a href=\"" + page::escape_html(folder) + "/report.html\">" + name + "</a>";
-    items += page::printed(fmt::format(": {}{}{}{}", run.outcome, value, run.note.empty() ? "" : "; ", run.note));
-    items += "</li>";
+    links.push_back({.href = folder.empty() ? "" : folder + "/report.html",
+                     .text = fmt::format("run {}", run.run),
+                     .about = fmt::format(": {}{}{}{}", run.outcome, value, run.note.empty() ? "" : "; ", run.note)});
   }
-  return "<ul>" + items + "</ul>" +
-         page::paragraph("Any run again, with its flight report: " + report.run_command + " RUN");
+  return page::list(links) + page::paragraph("Any run again, with its flight report: " + report.run_command + " RUN");
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "fantail/campaign_faults.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <filesystem>
@@ -18,9 +17,7 @@
 #include "fantail/scenario_options.hpp"
 #include "fantail/standard_streams.hpp"
 #include "faults/results.hpp"
-#include "fly/fly_scenario.hpp"
 #include "input/shipped.hpp"
-#include "report/results.hpp"
 #include "text/number.hpp"
 #include "text/output_folder.hpp"
 
@@ -97,18 +94,13 @@ void stop_if_interrupted(const fs::path& folder) {
 }
 
 void fly_one(const FaultsOptions& options) {
-  faults::Alone alone = faults::fly_alone(asked_for(options), options.cell, options.run);
-  flight::Flight flight = fly::fly_scenario(alone.scenario, {}, {}, fly::Log::kept);
-  flight.changes = changes_of(options.scenario);
-  flight.notes.insert(flight.notes.begin(), fmt::format("Run {} of {} of a campaign of faults; safe is: {}.",
-                                                        options.run, options.cell, faults::sentence(alone.expected)));
-  std::string name = fmt::format("{}_run_{}", options.cell, options.run);
-  std::ranges::replace(name, '/', '.');
-  const fs::path folder = folder_of(options) / name;
-  report::write_results(flight, report::results(flight), folder);
+  const faults::Campaign campaign = asked_for(options);
+  const faults::Alone alone = faults::fly_alone(campaign, options.cell, options.run);
+  const fs::path folder = folder_of(options) / faults::run_folder(options.cell, options.run);
+  faults::write_run(campaign, options.cell, options.run, alone, folder);
   const auto outcome = alone.findings.outcome(alone.expected);
   fmt::print("{}, run {}: {}\n  safe is: {}\n  it was:  {}\n  report   {}\n", options.cell, options.run,
-             outcome ? "safe" : "RED", faults::sentence(alone.expected), alone.findings.what_it_was(),
+             outcome ? "safe" : "RED", faults::cell_of(options.cell).safe(), alone.findings.what_it_was(),
              (folder / "report.html").string());
   if (!outcome) {
     throw RequirementNotMet{""};
@@ -129,6 +121,7 @@ void fly_all(const FaultsOptions& options) {
       progress.show(static_cast<double>(done));
     });
   }
+  faults::write_worst(result, folder, [&folder] { stop_if_interrupted(folder); });
   const std::string summary = faults::report_json(result, FANTAIL_VERSION);
   const std::array<text::NamedFile, 2> files{
       {{"summary.json", summary}, {"faults.html", faults::report_html(result, FANTAIL_VERSION)}}};

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include <fmt/format.h>
@@ -97,6 +98,7 @@ Run flown(const Twins& twins, const Task& task, std::uint64_t number) {
           .outcome = outcome,
           .apart_deg = 1e-3 * std::round(1e3 * findings.apart_deg),
           .trim_after_s = findings.trim_after_s,
+          .stands_after_s = findings.stands_after_s,
           .what = outcome ? std::string{} : findings.what_it_was()};
 }
 
@@ -182,7 +184,10 @@ Result fly_campaign(const Campaign& campaign, const std::filesystem::path& folde
                 .flights = done};
   for (std::size_t i = 0; i < tasks.size(); ++i) {
     const Cell& cell = tasks[i].cell;
-    result.cells.push_back(concluded(cell, runs[i], known_limit(*cell.row, cell.phase, twins.scenario.plan)));
+    const KnownLimit* limit = known_limit(*cell.row, cell.phase, twins.scenario.plan);
+    const int excused_from_ms = limit != nullptr && limit->last_ms > 0 ? end_of(cell.phase, twins) - limit->last_ms
+                                                                       : std::numeric_limits<int>::min();
+    result.cells.push_back(concluded(cell, runs[i], limit, excused_from_ms));
   }
   return result;
 }

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -35,6 +36,7 @@ struct Run {
   std::optional<Outcome> outcome{};  ///< the first allowed one that it was; empty: none
   double apart_deg = 0.0;            ///< Findings
   double trim_after_s = 0.0;         ///< Findings
+  double stands_after_s = 0.0;       ///< Findings
   std::string what{};                ///< of a flight that was none: what it was
 
   friend bool operator==(const Run&, const Run&) = default;
@@ -58,6 +60,7 @@ struct CellResult {
   std::array<std::uint64_t, outcomes> counts{};  ///< of each Outcome, by its bit
   std::optional<Run> worst{};                    ///< a red one before all others
   std::string figure{};                          ///< of the worst, a clause
+  std::string report{};                          ///< folder of its flight report, beside the page; empty: none
   const KnownLimit* limit = nullptr;
 };
 
@@ -96,11 +99,25 @@ struct Alone {
 };
 [[nodiscard]] Alone fly_alone(const Campaign& campaign, const std::string& cell, std::uint64_t number);
 
+/// Writes the flight report of a run.
+void write_run(const Campaign& campaign, const std::string& cell, std::uint64_t number, const Alone& alone,
+               const std::filesystem::path& folder);
+/// The name of the folder that it goes into.
+[[nodiscard]] std::string run_folder(const std::string& cell, std::uint64_t number);
+
+/// The cells to look at first, as indices: the worst one of each of the five worst faults, red before known limits
+/// before green.
+[[nodiscard]] std::vector<std::size_t> worst_cells(const Result& result);
+/// Flies the worst run of each of them again and writes its flight report into `folder`. `look` is called before each;
+/// what it throws ends it.
+void write_worst(Result& result, const std::filesystem::path& folder, const std::function<void()>& look);
+
 /// A row of a part's file, with a newline, and back; empty for what is no such row.
 [[nodiscard]] std::string row_of(const Run& run);
 [[nodiscard]] std::optional<Run> run_of(std::string_view row);
 
-/// Counts runs of a cell.
-[[nodiscard]] CellResult concluded(const Cell& cell, const std::vector<Run>& runs, const KnownLimit* limit);
+/// Counts runs of a cell. The limit excuses those that begin at `excused_from_ms` after ignition or later.
+[[nodiscard]] CellResult concluded(const Cell& cell, const std::vector<Run>& runs, const KnownLimit* limit,
+                                   int excused_from_ms = std::numeric_limits<int>::min());
 
 }  // namespace fantail::faults

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <bit>
 
 #include <fmt/core.h>
@@ -15,7 +16,7 @@ bool is_worse(const Run& a, const Run& b) {
   }
   const auto measure = [](const Run& run) {
     const bool is_over = run.outcome == Outcome::over || run.outcome == Outcome::no_control;
-    return is_over ? run.trim_after_s : run.apart_deg;
+    return is_over ? std::max(run.trim_after_s, run.stands_after_s) : run.apart_deg;
   };
   return measure(a) > measure(b);
 }
@@ -27,11 +28,12 @@ std::string figure_of(const Run& run) {
   switch (*run.outcome) {
     case Outcome::not_armed: return "not armed";
     case Outcome::no_control: return "no control";
-    case Outcome::over: return fmt::format("at trim after {:.3f} s", run.trim_after_s);
+    case Outcome::over:
+      return fmt::format("at trim after {:.3f} s, canards after {:.3f} s", run.trim_after_s, run.stands_after_s);
+    case Outcome::anything: return fmt::format("{:.1f} deg apart, of which nothing is asked", run.apart_deg);
     case Outcome::holds:
     case Outcome::recovers:
-    case Outcome::goes_on:
-    case Outcome::anything: break;
+    case Outcome::goes_on: break;
   }
   return fmt::format("{:.1f} deg apart", run.apart_deg);
 }
@@ -49,8 +51,9 @@ const char* name(Colour colour) {
   return "not applicable";
 }
 
-CellResult concluded(const Cell& cell, const std::vector<Run>& runs, const KnownLimit* limit) {
+CellResult concluded(const Cell& cell, const std::vector<Run>& runs, const KnownLimit* limit, int excused_from_ms) {
   CellResult result{.cell = cell, .flights = runs.size(), .limit = limit};
+  bool excused = limit != nullptr;
   if (runs.empty()) {
     return result;
   }
@@ -59,6 +62,7 @@ CellResult concluded(const Cell& cell, const std::vector<Run>& runs, const Known
       ++result.counts[static_cast<std::size_t>(std::countr_zero(static_cast<unsigned>(*run.outcome)))];
     } else {
       ++result.red;
+      excused = excused && run.begin_ms >= excused_from_ms;
     }
     if (!result.worst || is_worse(run, *result.worst)) {
       result.worst = run;
@@ -66,7 +70,7 @@ CellResult concluded(const Cell& cell, const std::vector<Run>& runs, const Known
   }
   result.figure = figure_of(*result.worst);
   if (result.red > 0) {
-    result.colour = limit != nullptr ? Colour::known_limit : Colour::red;
+    result.colour = excused ? Colour::known_limit : Colour::red;
   } else {
     result.colour = limit != nullptr ? Colour::limit_without_need : Colour::green;
   }

@@ -59,6 +59,21 @@ double end_of(const Recipe& recipe, double begin_s) {
   return recipe.lasts_s > 0.0 ? begin_s + recipe.lasts_s : for_good_s;
 }
 
+std::string FaultRow::shaft_sentence() const {
+  return std::string{recipe.all_canards ? "the canards may stand " : "the canard that fails may stand "}.append(
+      faults::meaning(shaft));
+}
+
+Shafts shafts_of(const FaultRow& row, std::uint64_t run) {
+  Shafts shafts{};
+  if (row.recipe.all_canards) {
+    shafts.fill(row.shaft);
+  } else {
+    shafts[run % hal::canards] = row.shaft;
+  }
+  return shafts;
+}
+
 std::vector<sim::Fault> faults_of(const Recipe& recipe, double begin_s, std::uint64_t run,
                                   const sim::Scenario& scenario) {
   sim::Fault fault{.kind = recipe.kind,

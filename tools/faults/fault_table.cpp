@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "faults/fault_table.hpp"
 
+#include <algorithm>
+
 // What is safe, device by device, stated before anything was flown. Nothing here is made from what a flight showed; a
 // cell that does not keep to it is red, and a red one that nobody can mend stands in known_limits.cpp.
 namespace fantail::faults {
@@ -9,6 +11,7 @@ namespace {
 using sim::Behaviour;
 using sim::Device;
 using enum Outcome;
+using enum Shaft;
 
 constexpr Expected with(Expected expected, double trim_s) {
   expected.trim_s = trim_s;
@@ -69,57 +72,49 @@ constexpr Recipe reset(hal::ResetCause cause, double gap_s, int times = 1,
   return {.kind = sim::FaultKind::reset, .reset = {.cause = cause, .gap_s = gap_s, .memory = memory}, .times = times};
 }
 
+/// What is safe where a sensor is wrong for good, has spikes, is silent for a while or comes and goes.
+struct SensorCells {
+  Cells for_good;
+  Cells spike;
+  Cells silent_3ms;
+  Cells silent_50ms;
+  Cells silent_2s;
+  Cells flickers;
+};
+constexpr SensorCells of_imu{sensor_that_decides, second_gyro,     harmless,
+                             sensor_gone_50_ms,   sensor_gone_2_s, sensor_flickers};
+constexpr SensorCells of_second_imu{second_gyro, second_gyro, harmless, harmless, harmless, harmless};
+constexpr SensorCells of_accelerometer{for_detection_only, for_detection_only, harmless,
+                                       for_detection_only, for_detection_only, for_detection_only};
+
 // clang-format off: a fault a row
-constexpr auto table = std::to_array<FaultRow>({
-  {"imu", "dead", "does not answer", broken(Device::imu, Behaviour::dead), sensor_that_decides},
-  {"imu", "stuck", "the counts of its last sample come again, as new ones", broken(Device::imu, Behaviour::stuck), sensor_that_decides},
-  {"imu", "repeated", "its last sample comes again, with its old time", broken(Device::imu, Behaviour::repeated), sensor_that_decides},
-  {"imu", "saturated", "the x axes stand at the upper ends of their ranges", broken(Device::imu, Behaviour::saturated), sensor_that_decides},
-  {"imu", "garbage", "random counts, without an error", broken(Device::imu, Behaviour::garbage), sensor_that_decides},
-  {"imu", "spike", "one sample of random counts in 50", again(Device::imu, Behaviour::garbage, 0.001, 0.049), second_gyro},
-  {"imu", "slow", "one new sample in 10 ms", again(Device::imu, Behaviour::repeated, 0.009, 0.001), sensor_that_decides},
-  {"imu", "delayed", "its samples come 20 ms late", delayed(Device::imu, 0.02), sensor_that_decides},
-  {"imu", "nan", "the counts that stand for none, without an error", broken(Device::imu, Behaviour::nan), sensor_that_decides},
-  {"imu", "silent_3ms", "does not answer for 3 ms", for_s(Device::imu, 0.003), harmless},
-  {"imu", "silent_50ms", "does not answer for 50 ms", for_s(Device::imu, 0.05), sensor_gone_50_ms},
-  {"imu", "silent_2s", "does not answer for 2 s", for_s(Device::imu, 2.0), sensor_gone_2_s},
-  {"imu", "flickers_3ms", "does not answer for 3 ms of 30", again(Device::imu, Behaviour::dead, 0.003, 0.027), sensor_flickers},
-  {"imu", "flickers_100ms", "does not answer for 0.1 s of 0.5 s", again(Device::imu, Behaviour::dead, 0.1, 0.4), sensor_flickers},
-  {"imu", "offset_100", "its gyro reads 100 deg/s more about the long axis", offset(sim::FaultKind::imu_offset, 100.0), sensor_that_decides},
-  {"imu", "offset_15", "its gyro reads 15 deg/s more about the long axis", offset(sim::FaultKind::imu_offset, 15.0), sensor_that_decides},
+constexpr std::array<FaultRow, 14> sensor(std::string_view name, Device device, const SensorCells& safe) {
+  return {{
+    {name, "dead", "does not answer", broken(device, Behaviour::dead), safe.for_good},
+    {name, "stuck", "the counts of its last sample come again, as new ones", broken(device, Behaviour::stuck), safe.for_good},
+    {name, "repeated", "its last sample comes again, with its old time", broken(device, Behaviour::repeated), safe.for_good},
+    {name, "saturated", "along the long axis it stands at the upper end of its range", broken(device, Behaviour::saturated), safe.for_good},
+    {name, "garbage", "random counts, without an error", broken(device, Behaviour::garbage), safe.for_good},
+    {name, "spike", "one sample of random counts in 50", again(device, Behaviour::garbage, 0.001, 0.049), safe.spike},
+    {name, "slow", "one new sample in 10 ms", again(device, Behaviour::repeated, 0.009, 0.001), safe.for_good},
+    {name, "delayed", "its samples come 20 ms late", delayed(device, 0.02), safe.for_good},
+    {name, "nan", "the counts that stand for none, without an error", broken(device, Behaviour::nan), safe.for_good},
+    {name, "silent_3ms", "does not answer for 3 ms", for_s(device, 0.003), safe.silent_3ms},
+    {name, "silent_50ms", "does not answer for 50 ms", for_s(device, 0.05), safe.silent_50ms},
+    {name, "silent_2s", "does not answer for 2 s", for_s(device, 2.0), safe.silent_2s},
+    {name, "flickers_3ms", "does not answer for 3 ms of 30", again(device, Behaviour::dead, 0.003, 0.027), safe.flickers},
+    {name, "flickers_100ms", "does not answer for 0.1 s of 0.5 s", again(device, Behaviour::dead, 0.1, 0.4), safe.flickers},
+  }};
+}
 
-  {"second_imu", "dead", "does not answer", broken(Device::second_imu, Behaviour::dead), second_gyro},
-  {"second_imu", "stuck", "the counts of its last sample come again, as new ones", broken(Device::second_imu, Behaviour::stuck), second_gyro},
-  {"second_imu", "repeated", "its last sample comes again, with its old time", broken(Device::second_imu, Behaviour::repeated), second_gyro},
-  {"second_imu", "saturated", "the x axes stand at the upper ends of their ranges", broken(Device::second_imu, Behaviour::saturated), second_gyro},
-  {"second_imu", "garbage", "random counts, without an error", broken(Device::second_imu, Behaviour::garbage), second_gyro},
-  {"second_imu", "spike", "one sample of random counts in 50", again(Device::second_imu, Behaviour::garbage, 0.001, 0.049), second_gyro},
-  {"second_imu", "slow", "one new sample in 10 ms", again(Device::second_imu, Behaviour::repeated, 0.009, 0.001), second_gyro},
-  {"second_imu", "delayed", "its samples come 20 ms late", delayed(Device::second_imu, 0.02), second_gyro},
-  {"second_imu", "nan", "the counts that stand for none, without an error", broken(Device::second_imu, Behaviour::nan), second_gyro},
-  {"second_imu", "silent_3ms", "does not answer for 3 ms", for_s(Device::second_imu, 0.003), harmless},
-  {"second_imu", "silent_50ms", "does not answer for 50 ms", for_s(Device::second_imu, 0.05), harmless},
-  {"second_imu", "silent_2s", "does not answer for 2 s", for_s(Device::second_imu, 2.0), harmless},
-  {"second_imu", "flickers_3ms", "does not answer for 3 ms of 30", again(Device::second_imu, Behaviour::dead, 0.003, 0.027), harmless},
-  {"second_imu", "flickers_100ms", "does not answer for 0.1 s of 0.5 s", again(Device::second_imu, Behaviour::dead, 0.1, 0.4), harmless},
-  {"second_imu", "offset_100", "its gyro reads 100 deg/s more about the long axis", offset(sim::FaultKind::second_imu_offset, 100.0), second_gyro},
-  {"second_imu", "offset_15", "its gyro reads 15 deg/s more about the long axis", offset(sim::FaultKind::second_imu_offset, 15.0), second_gyro},
+constexpr std::array<FaultRow, 2> offsets(std::string_view name, sim::FaultKind kind, const Cells& safe) {
+  return {{
+    {name, "offset_100", "its gyro reads 100 deg/s more about the long axis", offset(kind, 100.0), safe},
+    {name, "offset_15", "its gyro reads 15 deg/s more about the long axis", offset(kind, 15.0), safe},
+  }};
+}
 
-  {"accelerometer", "dead", "does not answer", broken(Device::accelerometer, Behaviour::dead), for_detection_only},
-  {"accelerometer", "stuck", "the counts of its last sample come again, as new ones", broken(Device::accelerometer, Behaviour::stuck), for_detection_only},
-  {"accelerometer", "repeated", "its last sample comes again, with its old time", broken(Device::accelerometer, Behaviour::repeated), for_detection_only},
-  {"accelerometer", "saturated", "its x axis stands at the upper end of its range", broken(Device::accelerometer, Behaviour::saturated), for_detection_only},
-  {"accelerometer", "garbage", "random counts, without an error", broken(Device::accelerometer, Behaviour::garbage), for_detection_only},
-  {"accelerometer", "spike", "one sample of random counts in 50", again(Device::accelerometer, Behaviour::garbage, 0.001, 0.049), for_detection_only},
-  {"accelerometer", "slow", "one new sample in 10 ms", again(Device::accelerometer, Behaviour::repeated, 0.009, 0.001), for_detection_only},
-  {"accelerometer", "delayed", "its samples come 20 ms late", delayed(Device::accelerometer, 0.02), for_detection_only},
-  {"accelerometer", "nan", "the counts that stand for none, without an error", broken(Device::accelerometer, Behaviour::nan), for_detection_only},
-  {"accelerometer", "silent_3ms", "does not answer for 3 ms", for_s(Device::accelerometer, 0.003), harmless},
-  {"accelerometer", "silent_50ms", "does not answer for 50 ms", for_s(Device::accelerometer, 0.05), for_detection_only},
-  {"accelerometer", "silent_2s", "does not answer for 2 s", for_s(Device::accelerometer, 2.0), for_detection_only},
-  {"accelerometer", "flickers_3ms", "does not answer for 3 ms of 30", again(Device::accelerometer, Behaviour::dead, 0.003, 0.027), for_detection_only},
-  {"accelerometer", "flickers_100ms", "does not answer for 0.1 s of 0.5 s", again(Device::accelerometer, Behaviour::dead, 0.1, 0.4), for_detection_only},
-
+constexpr auto others = std::to_array<FaultRow>({
   {"encoder", "dead", "does not answer", broken(Device::encoder, Behaviour::dead), harmless},
   {"encoder", "stuck", "its last reading comes again", broken(Device::encoder, Behaviour::stuck), harmless},
   {"encoder", "saturated", "reads the last count of its turn", broken(Device::encoder, Behaviour::saturated), harmless},
@@ -135,27 +130,27 @@ constexpr auto table = std::to_array<FaultRow>({
   {"encoder", "all_dead", "all four do not answer", all(Device::encoder, Behaviour::dead), harmless},
   {"encoder", "all_stuck", "the last readings of all four come again", all(Device::encoder, Behaviour::stuck), harmless},
 
-  {"servo", "dead", "hears no pulses; friction holds the shaft", broken(Device::servo, Behaviour::dead), harmless},
-  {"servo", "torn_off", "the air turns the shaft back to zero", gear(sim::FaultKind::canard_dead), harmless},
-  {"servo", "stuck", "jammed where it stands", broken(Device::servo, Behaviour::stuck), harmless},
-  {"servo", "hardover", "runs to its positive stop", broken(Device::servo, Behaviour::saturated), harmless},
-  {"servo", "hardover_back", "stands at its negative stop", gear(sim::FaultKind::canard_stuck, -25.0), harmless},
-  {"servo", "slipping", "loses a third of every movement", gear(sim::FaultKind::canard_slipping), harmless},
-  {"servo", "repeated", "hears its last pulse again and again", broken(Device::servo, Behaviour::repeated), harmless},
-  {"servo", "garbage", "hears random pulses of 500 to 2500 us", broken(Device::servo, Behaviour::garbage), harmless},
-  {"servo", "spike", "hears random pulses for 3 ms of 100", again(Device::servo, Behaviour::garbage, 0.003, 0.097), harmless},
-  {"servo", "cut_pulse", "hears pulses cut at a random width", broken(Device::servo, Behaviour::cut), harmless},
-  {"servo", "cut_once", "hears pulses cut at a random width for 3 ms", {.device = Device::servo, .behaviour = Behaviour::cut, .lasts_s = 0.003}, harmless},
-  {"servo", "nan", "hears pulses without width", broken(Device::servo, Behaviour::nan), harmless},
-  {"servo", "slow", "four times the lag, a quarter of the rate limit", broken(Device::servo, Behaviour::slow), harmless},
-  {"servo", "delayed", "hears its pulses 0.1 s late", delayed(Device::servo, 0.1), harmless},
-  {"servo", "silent_50ms", "hears no pulses for 50 ms", for_s(Device::servo, 0.05), harmless},
-  {"servo", "silent_2s", "hears no pulses for 2 s", for_s(Device::servo, 2.0), harmless},
-  {"servo", "flickers_3ms", "hears no pulses for 3 ms of 30", again(Device::servo, Behaviour::dead, 0.003, 0.027), harmless},
-  {"servo", "flickers_1s", "hears no pulses for 1 s of 2 s", again(Device::servo, Behaviour::dead, 1.0, 1.0), harmless},
-  {"servo", "all_dead", "none of the four hears pulses", all(Device::servo, Behaviour::dead), no_servo},
-  {"servo", "all_50ms", "none of the four hears pulses for 50 ms", all(Device::servo, Behaviour::dead, 0.05), {found_or_harmless, back_soon, back_soon, back_soon, stays}},
-  {"servo", "all_cut_once", "all four hear pulses cut at a random width for 3 ms", all(Device::servo, Behaviour::cut, 0.003), {found_or_harmless, back_soon, back_soon, back_soon, stays}},
+  {"servo", "dead", "hears no pulses; friction holds the shaft", broken(Device::servo, Behaviour::dead), harmless, stays_short},
+  {"servo", "torn_off", "the air turns the shaft back to zero", gear(sim::FaultKind::canard_dead), harmless, stays_short},
+  {"servo", "stuck", "jammed where it stands", broken(Device::servo, Behaviour::stuck), harmless, stays_short},
+  {"servo", "hardover", "runs to its positive stop", broken(Device::servo, Behaviour::saturated), harmless, runs_away},
+  {"servo", "hardover_back", "stands at its negative stop", gear(sim::FaultKind::canard_stuck, -25.0), harmless, runs_away},
+  {"servo", "slipping", "loses a third of every movement", gear(sim::FaultKind::canard_slipping), harmless, stays_short},
+  {"servo", "repeated", "hears its last pulse again and again", broken(Device::servo, Behaviour::repeated), harmless, stays_short},
+  {"servo", "garbage", "hears random pulses of 500 to 2500 us", broken(Device::servo, Behaviour::garbage), harmless, runs_away},
+  {"servo", "spike", "hears random pulses for 3 ms of 100", again(Device::servo, Behaviour::garbage, 0.003, 0.097), harmless, jolts},
+  {"servo", "cut_pulse", "hears pulses cut at a random width", broken(Device::servo, Behaviour::cut), harmless, runs_away},
+  {"servo", "cut_once", "hears pulses cut at a random width for 3 ms", {.device = Device::servo, .behaviour = Behaviour::cut, .lasts_s = 0.003}, harmless, jolts},
+  {"servo", "nan", "hears pulses without width", broken(Device::servo, Behaviour::nan), harmless, stays_short},
+  {"servo", "slow", "four times the lag, a quarter of the rate limit", broken(Device::servo, Behaviour::slow), harmless, late},
+  {"servo", "delayed", "hears its pulses 0.1 s late", delayed(Device::servo, 0.1), harmless, late},
+  {"servo", "silent_50ms", "hears no pulses for 50 ms", for_s(Device::servo, 0.05), harmless, stays_short},
+  {"servo", "silent_2s", "hears no pulses for 2 s", for_s(Device::servo, 2.0), harmless, stays_short},
+  {"servo", "flickers_3ms", "hears no pulses for 3 ms of 30", again(Device::servo, Behaviour::dead, 0.003, 0.027), harmless, late},
+  {"servo", "flickers_1s", "hears no pulses for 1 s of 2 s", again(Device::servo, Behaviour::dead, 1.0, 1.0), harmless, stays_short},
+  {"servo", "all_dead", "none of the four hears pulses", all(Device::servo, Behaviour::dead), no_servo, stays_short},
+  {"servo", "all_50ms", "none of the four hears pulses for 50 ms", all(Device::servo, Behaviour::dead, 0.05), {found_or_harmless, back_soon, back_soon, back_soon, stays}, stays_short},
+  {"servo", "all_cut_once", "all four hear pulses cut at a random width for 3 ms", all(Device::servo, Behaviour::cut, 0.003), {found_or_harmless, back_soon, back_soon, back_soon, stays}, jolts},
 
   {"bus", "dead", "carries nothing", broken(Device::bus, Behaviour::dead), harmless},
   {"bus", "flooded", "30 random frames a millisecond", broken(Device::bus, Behaviour::garbage), harmless},
@@ -193,6 +188,20 @@ constexpr auto table = std::to_array<FaultRow>({
   {"processor", "flickers_3ms", "has no ticks for 3 ms of 30", again(Device::processor, Behaviour::dead, 0.003, 0.027), {any_of(not_armed, no_control, holds, over), any_of(no_control, over), any_of(no_control, over), with(any_of(over), 1.0), stays}},
 });
 // clang-format on
+
+template <std::size_t... sizes>
+constexpr auto joined(const std::array<FaultRow, sizes>&... parts) {
+  std::array<FaultRow, (sizes + ...)> all;
+  auto* at = all.data();
+  ((at = std::ranges::copy(parts, at).out), ...);
+  return all;
+}
+
+constexpr auto table =
+    joined(sensor("imu", Device::imu, of_imu), offsets("imu", sim::FaultKind::imu_offset, of_imu.for_good),
+           sensor("second_imu", Device::second_imu, of_second_imu),
+           offsets("second_imu", sim::FaultKind::second_imu_offset, of_second_imu.for_good),
+           sensor("accelerometer", Device::accelerometer, of_accelerometer), others);
 
 }  // namespace
 

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "faults/expected.hpp"
+#include "faults/shaft.hpp"
 #include "sim/fault.hpp"
 #include "sim/scenario.hpp"
 
@@ -45,8 +46,11 @@ struct FaultRow {
   std::string_view meaning;
   Recipe recipe;
   std::array<Expected, phases> expected;
+  Shaft shaft = Shaft::obeys;  ///< of each canard whose servo fails, while it does
 
   [[nodiscard]] const Expected& expect(Phase phase) const { return expected[static_cast<std::size_t>(phase)]; }
+  /// "the canard that fails may stand anywhere within its limit, at trim or not".
+  [[nodiscard]] std::string shaft_sentence() const;
 };
 
 /// All of them, device by device.
@@ -63,6 +67,7 @@ struct KnownLimit {
   bool with_one_gyro;      ///< only where the plan flies on one gyro
   std::string_view why;
   std::string_view what_to_do;
+  int last_ms = 0;  ///< only of a fault that begins so late in its phase; 0: whenever it begins
 };
 [[nodiscard]] std::span<const KnownLimit> known_limits();
 /// Null: none is known.
@@ -74,6 +79,8 @@ struct KnownLimit {
 /// The faults of a flight: `begin_s` after ignition. `run` says which canard, and which random numbers.
 [[nodiscard]] std::vector<sim::Fault> faults_of(const Recipe& recipe, double begin_s, std::uint64_t run,
                                                 const sim::Scenario& scenario);
+/// What that allows each of the four shafts.
+[[nodiscard]] Shafts shafts_of(const FaultRow& row, std::uint64_t run);
 /// When it is gone for good, after ignition; of one that stays, long after every flight.
 [[nodiscard]] double end_of(const Recipe& recipe, double begin_s);
 

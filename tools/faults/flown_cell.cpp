@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 
 #include <fmt/core.h>
 
@@ -34,6 +35,7 @@ void fly(const sim::Scenario& scenario, const std::function<void(const Moment& m
     const hal::sim::WorldSide& hardware = world.hardware();
     Moment moment{.time_s = 1e-6 * static_cast<double>(world.now().count()) - scenario.pad_time_s,
                   .ticked = !world.is_down(),
+                  .true_shaft_rad = world.shafts_rad(),
                   .true_roll_rad = world.truth().roll_angle_rad};
     phase = moment.ticked ? record.phase : phase;
     moment.phase = phase;
@@ -44,6 +46,10 @@ void fly(const sim::Scenario& scenario, const std::function<void(const Moment& m
     take(moment);
     world.advance();
   }
+}
+
+std::size_t ignition_of(const sim::Scenario& scenario) {
+  return static_cast<std::size_t>(std::llround(scenario.pad_time_s * 1e3));
 }
 
 /// From the first moment of a phase of the twin to the one after its last; empty phases are empty stretches.
@@ -71,6 +77,10 @@ Stretch stretch_of(const Twin& twin, Phase phase, std::size_t ignition) {
 
 std::string Cell::name() const { return fmt::format("{}/{}/{}", row->device, row->fault, faults::name(phase)); }
 
+std::string Cell::safe() const {
+  return sentence(expected()) + (row->shaft == Shaft::obeys ? "" : "; " + row->shaft_sentence());
+}
+
 Cell cell_of(const std::string& name) {
   for (const FaultRow& row : fault_table()) {
     for (std::size_t i = 0; i < phases; ++i) {
@@ -86,7 +96,7 @@ Cell cell_of(const std::string& name) {
 }
 
 Twins fly_twins(const sim::Scenario& scenario, std::size_t seeds) {
-  Twins twins{.scenario = scenario, .seeds = {scenario.seed}, .twins = {}, .limits = limits_of(scenario.plan)};
+  Twins twins{.scenario = scenario, .seeds = {scenario.seed}, .twins = {}, .limits = limits_of(scenario)};
   for (std::size_t i = 1; i < seeds; ++i) {
     twins.seeds.push_back(campaign::seed_of_run(scenario.seed, i));
   }
@@ -101,13 +111,30 @@ Twins fly_twins(const sim::Scenario& scenario, std::size_t seeds) {
                                     "nothing to compare a flight with",
                                     scenario.name, seed)};
     }
+    constexpr FaultTime never{.begin_s = 3600.0, .end_s = 3600.0};
+    Judge judge{twins.limits, twin, never, 0.0};
+    fly(own, [&judge](const Moment& moment) { judge.add(moment); });
+    if (const Findings alone = judge.findings(); !alone.breach.empty()) {
+      throw text::Error{text::ErrorKind::bad_configuration,
+                        fmt::format("{}: with seed {} and none of the faults it breaks what holds for every flight: {}",
+                                    scenario.name, seed, alone.what_it_was())};
+    }
     twins.twins.push_back(std::move(twin));
   }
   return twins;
 }
 
+int end_of(Phase phase, const Twins& twins) {
+  const std::size_t ignition = ignition_of(twins.scenario);
+  int end_ms = std::numeric_limits<int>::max();
+  for (const Twin& twin : twins.twins) {
+    end_ms = std::min(end_ms, static_cast<int>(stretch_of(twin, phase, ignition).end) - static_cast<int>(ignition));
+  }
+  return end_ms;
+}
+
 Grid::Grid(const Twins& twins, Phase phase, int step_ms, int every) {
-  const auto ignition = static_cast<std::size_t>(std::llround(twins.scenario.pad_time_s * 1e3));
+  const std::size_t ignition = ignition_of(twins.scenario);
   for (std::size_t seed = 0; seed < twins.twins.size(); ++seed) {
     const Stretch stretch = stretch_of(twins.twins[seed], phase, ignition);
     const auto step = static_cast<std::size_t>(step_ms);
@@ -134,7 +161,7 @@ Findings fly_run(const Twins& twins, const Cell& cell, const Grid::Run& run, std
   const double begin_s = 1e-3 * run.begin_ms;
   Judge judge{twins.limits,
               twins.twins[run.seed],
-              {.begin_s = begin_s, .end_s = end_of(cell.row->recipe, begin_s)},
+              {.begin_s = begin_s, .end_s = end_of(cell.row->recipe, begin_s), .shafts = shafts_of(*cell.row, number)},
               cell.expected().settle_s};
   fly(scenario, [&judge](const Moment& moment) { judge.add(moment); });
   return judge.findings();

@@ -19,6 +19,8 @@ struct Cell {
 
   [[nodiscard]] std::string name() const;  ///< imu/dead/controlling
   [[nodiscard]] const Expected& expected() const { return row->expect(phase); }
+  /// What is safe, with what a failed servo may do meanwhile.
+  [[nodiscard]] std::string safe() const;
 };
 
 /// The cell of a name. Throws text::Error (usage) that says what is allowed.
@@ -29,12 +31,15 @@ struct Twins {
   sim::Scenario scenario;            ///< its own faults are flown by the twins, too
   std::vector<std::uint64_t> seeds;  ///< the first is the scenario's own
   std::vector<Twin> twins;           ///< one a seed
-  CommandLimits limits;
+  Limits limits;
 };
 
 /// Flies them. Throws text::Error (bad_configuration) when one is not armed or never controls: then no phase can be
 /// told from another.
 [[nodiscard]] Twins fly_twins(const sim::Scenario& scenario, std::size_t seeds);
+
+/// When the phase ends, in ms after ignition: with the seed with which it ends first.
+[[nodiscard]] int end_of(Phase phase, const Twins& twins);
 
 /// The grid of one cell: onsets by step, for every seed.
 class Grid {

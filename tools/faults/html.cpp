@@ -22,6 +22,17 @@ page::Tone tone_of(Colour colour) {
   return page::Tone::plain;
 }
 
+const char* word_of(Colour colour) {
+  switch (colour) {
+    case Colour::red: return "RED";
+    case Colour::known_limit: return "a known limit";
+    case Colour::limit_without_need: return "safe, though a limit is listed";
+    case Colour::green:
+    case Colour::not_applicable: break;
+  }
+  return "safe";
+}
+
 std::string word_of(const CellResult& cell) {
   switch (cell.colour) {
     case Colour::green: return fmt::format("safe, {}", cell.flights);
@@ -35,8 +46,13 @@ std::string word_of(const CellResult& cell) {
 
 std::string matrix(const Result& result, std::string_view device) {
   std::vector<page::Column> columns{{"fault"}};
+  std::array<std::size_t, phases> column_of{};  // of the phases that were asked for
   for (std::size_t i = 0; i < phases; ++i) {
-    columns.push_back({std::string{name(static_cast<Phase>(i))}});
+    const auto phase = static_cast<Phase>(i);
+    if (std::ranges::any_of(result.cells, [phase](const CellResult& cell) { return cell.cell.phase == phase; })) {
+      column_of[i] = columns.size();
+      columns.push_back({std::string{name(phase)}});
+    }
   }
   std::vector<std::vector<page::Cell>> rows;
   const FaultRow* last = nullptr;
@@ -49,7 +65,7 @@ std::string matrix(const Result& result, std::string_view device) {
       rows.emplace_back(columns.size());
       rows.back()[0] = {.text = std::string{last->fault}, .below = std::string{last->meaning}};
     }
-    page::Cell& shown = rows.back()[1 + static_cast<std::size_t>(cell.cell.phase)];
+    page::Cell& shown = rows.back()[column_of[static_cast<std::size_t>(cell.cell.phase)]];
     shown = {.text = word_of(cell),
              .tone = tone_of(cell.colour),
              .below = cell.colour == Colour::red || cell.colour == Colour::known_limit ? std::string{} : cell.figure};
@@ -57,28 +73,51 @@ std::string matrix(const Result& result, std::string_view device) {
   return rows.empty() ? "" : page::section(device, page::table(columns, rows));
 }
 
+/// Cells of one fault with one limit, which say the same: a row of them all.
 std::string not_green(const Result& result) {
-  const std::array<page::Column, 3> columns{{{"cell"}, {"worst flight, and what is safe"}, {"why, and what to do"}}};
-  const CellResult* last = nullptr;
+  const std::array<page::Column, 2> columns{
+      {{"fault, and red flights by phase"}, {"worst flight; why, and what to do"}}};
   std::vector<std::vector<page::Cell>> rows;
-  for (const CellResult& cell : result.cells) {
-    if (cell.colour == Colour::green || cell.colour == Colour::not_applicable) {
-      continue;
+  for (const Colour colour : {Colour::red, Colour::known_limit, Colour::limit_without_need}) {
+    const CellResult* first = nullptr;
+    const CellResult* worst = nullptr;
+    for (const CellResult& cell : result.cells) {
+      if (cell.colour != colour) {
+        continue;
+      }
+      if (first == nullptr || first->cell.row != cell.cell.row || first->limit != cell.limit) {
+        first = worst = &cell;
+        rows.push_back({{.text = fmt::format("{} {}", cell.cell.row->device, cell.cell.row->fault),
+                         .tone = tone_of(colour),
+                         .below = word_of(colour)},
+                        {}});
+      }
+      worst = worst->worst->apart_deg < cell.worst->apart_deg ? &cell : worst;
+      rows.back()[0].below += fmt::format("; {}: {} of {}", name(cell.cell.phase), cell.red, cell.flights);
+      rows.back()[1] = {
+          .text = fmt::format("{} ({}, run {})", worst->figure, name(worst->cell.phase), worst->worst->number),
+          .below = cell.limit == nullptr ? "Nobody knows yet."
+                                         : fmt::format("Why: {}. To do: {}.", cell.limit->why, cell.limit->what_to_do)};
     }
-    last = &cell;
-    rows.push_back({{.text = cell.cell.name(),
-                     .tone = tone_of(cell.colour),
-                     .below = fmt::format("{}; run {}, from {:.2f} s after ignition on, seed {}", word_of(cell),
-                                          cell.worst->number, 1e-3 * cell.worst->begin_ms, cell.worst->seed)},
-                    {.text = cell.figure, .below = fmt::format("safe is: {}", sentence(cell.cell.expected()))},
-                    {.text = cell.limit != nullptr ? std::string{cell.limit->why} : "nobody knows yet",
-                     .below = cell.limit != nullptr ? std::string{cell.limit->what_to_do} : ""}});
   }
-  return last == nullptr
-             ? page::paragraph("None.")
-             : page::table(columns, rows) +
-                   page::paragraph(fmt::format("Any run again, with its flight report, such as the last of these: {}",
-                                               run_command(result.campaign, last->cell, last->worst->number)));
+  return rows.empty() ? page::paragraph("None.") : page::table(columns, rows);
+}
+
+std::string worst_flights(const Result& result) {
+  std::vector<page::Link> links;
+  std::string command;
+  for (const std::size_t i : worst_cells(result)) {
+    const CellResult& cell = result.cells[i];
+    links.push_back({.href = cell.report.empty() ? "" : cell.report + "/report.html",
+                     .text = fmt::format("{}, run {}", cell.cell.name(), cell.worst->number),
+                     .about = fmt::format(": {}; {}", word_of(cell.colour), cell.figure)});
+    command = command.empty() ? run_command(result.campaign, cell.cell, cell.worst->number) : command;
+  }
+  return page::list(links) +
+         page::paragraph(
+             "The worst flight of each of the worst faults, with its flight report. Any other again, with "
+             "its report, by its cell and run, as here the first of these: " +
+             command);
 }
 
 std::string stated() {
@@ -93,7 +132,9 @@ std::string stated() {
         rows.back()[1].text += ", " + std::string{name(phase)};
         continue;
       }
-      rows.push_back({{.text = i == 0 ? fmt::format("{}, {}", row.device, row.fault) : ""},
+      const bool says_shaft = i == 0 && row.shaft != Shaft::obeys;
+      rows.push_back({{.text = i == 0 ? fmt::format("{}, {}", row.device, row.fault) : "",
+                       .below = says_shaft ? row.shaft_sentence() : ""},
                       {.text = std::string{name(phase)}},
                       {.text = safe}});
       before = safe;
@@ -102,18 +143,25 @@ std::string stated() {
   return page::table(columns, rows);
 }
 
+std::string onsets_of(const Campaign& campaign) {
+  const std::string seeds = campaign.seeds == 1 ? fmt::format("seed {}", campaign.seed)
+                                                : fmt::format("{} seeds from {}", campaign.seeds, campaign.seed);
+  return fmt::format("an onset each {} ms, three in each phase at least; {}", campaign.step_ms * campaign.every, seeds);
+}
+
 std::vector<std::string> how() {
   return {
       "A cell is a device, a fault and the phase in which the fault begins. Its flights differ by when it begins and "
       "by the seed.",
       "In every flight no command may go beyond the smallest of plan limit, hard limit and mechanical stop; none may "
-      "be off "
-      "trim in Armed, Launched or Finished; none may move away from trim in Safe after ignition; each tick comes to "
-      "its end; and "
-      "Controlling comes from Launched alone, or from a resumed flight.",
+      "be off trim in Armed, Launched or Finished; none may move away from trim in Safe after ignition; each tick "
+      "comes to its end; and Controlling comes from Launched alone, or from a resumed flight.",
+      "The true shafts are held to the same, by the play and the spread of the servos, and with the time that a servo "
+      "needs to get there. What the shaft of a failed servo may do is stated with its fault, below; the shafts of the "
+      "others are held to all of it.",
       "Roll is held against the same flight, of the same seed, without the fault: degrees apart are degrees from it.",
-      "Judged are the true roll angle, the pulses on the servo lines and the phase. What the avionics believes does "
-      "not count."};
+      "Judged are the true roll angle, the true canard shafts, the pulses on the servo lines and the phase. What the "
+      "avionics believes does not count."};
 }
 
 }  // namespace
@@ -132,16 +180,17 @@ std::string report_html(const Result& result, const std::string& version) {
   return page::html(
       {.kind = "Fantail campaign of faults",
        .title = result.scenario,
-       .subtitle = fmt::format("{}, plan {}; onsets {} ms apart, each {}th, {} seed(s) from {}; Fantail {}",
-                               result.vehicle, result.plan, result.campaign.step_ms, result.campaign.every,
-                               result.campaign.seeds, result.campaign.seed, version),
+       .subtitle =
+           fmt::format("{}, plan {}; {}; Fantail {}", result.vehicle, result.plan, onsets_of(result.campaign), version),
        .tone = red ? page::Tone::bad : page::Tone::good,
        .verdict_heading = red ? "Red" : "No red cell",
        .verdict = headline(result),
-       .body_html = page::section("Not green", not_green(result)) +
-                    page::paragraph("Below: what a cell came to, with its number of flights, and its worst flight. "
-                                    "Phases: " +
-                                    phases_text + ".") +
+       .body_html = page::section("The worst flights", worst_flights(result)) +
+                    page::section("Not green", not_green(result)) +
+                    page::section("Cell by cell",
+                                  page::paragraph("What it came to, its number of flights, and its worst flight. "
+                                                  "Phases: " +
+                                                  phases_text + ".")) +
                     matrices + page::section("How it is judged", page::list(how())) +
                     page::section("What is safe, stated beforehand", stated()) +
                     page::section("Again", page::paragraph(command_of(result.campaign)))});

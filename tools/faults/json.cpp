@@ -36,14 +36,10 @@ json::Value json_of(const CellResult& result, const Campaign& campaign) {
       counts[name(outcome)] = result.counts[bit];
     }
   }
-  json::Value value{{"cell", result.cell.name()},
-                    {"device", result.cell.row->device},
-                    {"fault", result.cell.row->fault},
-                    {"phase", name(result.cell.phase)},
-                    {"safe", sentence(result.cell.expected())},
-                    {"result", name(result.colour)},
-                    {"flights", result.flights},
-                    {"red", result.red}};
+  json::Value value{{"cell", result.cell.name()},      {"device", result.cell.row->device},
+                    {"fault", result.cell.row->fault}, {"phase", name(result.cell.phase)},
+                    {"safe", result.cell.safe()},      {"result", name(result.colour)},
+                    {"flights", result.flights},       {"red", result.red}};
   if (result.worst) {
     value["outcomes"] = counts;
     value["worst"] = {{"run", result.worst->number},
@@ -51,8 +47,12 @@ json::Value json_of(const CellResult& result, const Campaign& campaign) {
                       {"seed", result.worst->seed},
                       {"apart_deg", result.worst->apart_deg},
                       {"trim_after_s", json::rounded(result.worst->trim_after_s)},
+                      {"stands_after_s", json::rounded(result.worst->stands_after_s)},
                       {"what", result.figure},
                       {"command", run_command(campaign, result.cell, result.worst->number)}};
+  }
+  if (!result.report.empty()) {
+    value["worst"]["report"] = result.report + "/report.html";
   }
   if (result.limit != nullptr) {
     value["limit"] = {{"why", result.limit->why}, {"what_to_do", result.limit->what_to_do}};
@@ -73,12 +73,14 @@ std::string headline(const Result& result) {
   const std::size_t red = count(result, Colour::red);
   const std::size_t limits = count(result, Colour::known_limit);
   const std::size_t without_need = count(result, Colour::limit_without_need);
-  return fmt::format("{} flights in {} cells. {}{}{}", result.flights, flown,
-                     red == 0 ? "No cell is red but for a known limit." : fmt::format("{} cells are RED.", red),
-                     limits == 0 ? std::string{} : fmt::format(" {} are red for a limit that is known.", limits),
-                     without_need == 0
-                         ? std::string{}
-                         : fmt::format(" {} are green, though a limit is listed for them.", without_need));
+  const auto cells = [](std::size_t number) {
+    return fmt::format("{} {}", number, number == 1 ? "cell is" : "cells are");
+  };
+  std::string text = fmt::format("{} flights in {} cells. ", result.flights, flown);
+  text += red == 0 ? "No cell is red but for a known limit." : cells(red) + " RED.";
+  text += limits == 0 ? std::string{} : fmt::format(" {} red for a limit that is known.", cells(limits));
+  text += without_need == 0 ? std::string{} : fmt::format(" {} green, though a limit is listed.", cells(without_need));
+  return text;
 }
 
 std::string command_of(const Campaign& campaign) {

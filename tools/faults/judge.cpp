@@ -16,12 +16,22 @@ constexpr double rounding_rad = 0.001 * degree;
 // After a reset a canard is commanded from where its encoder reads it to trim, whose noise and play are this much.
 constexpr double encoder_rad = 0.3 * degree;
 constexpr double early_s = 0.1;
+constexpr double same_tick_s = 0.0005;
+
+bool is_at_rest(core::Phase phase) {
+  return phase == core::Phase::armed || phase == core::Phase::launched || phase == core::Phase::finished;
+}
+
+const char* word(core::Phase phase) {
+  return phase == core::Phase::armed ? "Armed" : phase == core::Phase::launched ? "Launched" : "Finished";
+}
 
 }  // namespace
 
-CommandLimits limits_of(const core::FlightPlan& plan) {
+Limits limits_of(const sim::Scenario& scenario) {
   constexpr double hard_limit_rad = 20.0 * degree;
-  CommandLimits limits;
+  const core::FlightPlan& plan = scenario.plan;
+  Limits limits{.shafts = shaft_limits(scenario)};
   for (std::size_t i = 0; i < core::canard_count; ++i) {
     const core::CanardPlan& canard = plan.canards.each[i];
     limits.trim_rad[i] = static_cast<double>(canard.trim.radians());
@@ -45,6 +55,7 @@ void Judge::add(const Moment& moment) {
     breach(moment, "a tick that did not come to its end");
   }
   look_at_commands(moment);
+  look_at_shafts(moment);
   look_at_phase(moment);
   look_at_roll(moment);
   last_ticked_ = moment.ticked;
@@ -59,8 +70,7 @@ void Judge::breach(const Moment& moment, const std::string& what) {
 }
 
 void Judge::look_at_commands(const Moment& moment) {
-  const bool rests = moment.phase == core::Phase::armed || moment.phase == core::Phase::launched ||
-                     moment.phase == core::Phase::finished;
+  const bool rests = is_at_rest(moment.phase);
   for (std::size_t i = 0; i < core::canard_count; ++i) {
     const std::optional<double>& commanded = moment.commanded_rad[i];
     if (!commanded) {
@@ -74,9 +84,7 @@ void Judge::look_at_commands(const Moment& moment) {
     const double off_rad = std::abs(*commanded - limits_.trim_rad[i]);
     if (moment.ticked && rests && off_rad > rounding_rad) {
       breach(moment, fmt::format("canard {} commanded {:.3f} deg off its trim in {}", i + 1, off_rad / degree,
-                                 moment.phase == core::Phase::armed      ? "Armed"
-                                 : moment.phase == core::Phase::launched ? "Launched"
-                                                                         : "Finished"));
+                                 word(moment.phase)));
     }
     const bool in_safe = moment.ticked && last_ticked_ && moment.phase == core::Phase::safe &&
                          phase_ == core::Phase::safe && moment.time_s > 0.0;
@@ -88,6 +96,45 @@ void Judge::look_at_commands(const Moment& moment) {
     }
     off_trim_rad_[i] = off_rad;
   }
+}
+
+// Written so that an angle that is no number is a breach, too.
+void Judge::look_at_shafts(const Moment& moment) {
+  const ShaftLimits& own = limits_.shafts;
+  const bool fails = moment.time_s > fault_.begin_s - same_tick_s && moment.time_s < fault_.end_s + own.travel_s;
+  const bool in_safe = moment.phase == core::Phase::safe && moment.time_s > 0.0;
+  rests_from_s_ = is_at_rest(moment.phase) ? rests_from_s_.value_or(moment.time_s) : std::optional<double>{};
+  std::array<double, core::canard_count> least_rad{};
+  for (std::size_t i = 0; i < core::canard_count; ++i) {
+    const Shaft shaft = fails ? fault_.shafts[i] : Shaft::obeys;
+    const double angle_rad = moment.true_shaft_rad[i];
+    const double off_rad = std::abs(angle_rad - limits_.trim_rad[i]);
+    const bool may_be_off = shaft == Shaft::runs_away || shaft == Shaft::stays_short;
+    least_rad[i] = least_off_rad_ && !may_be_off ? std::min((*least_off_rad_)[i], off_rad) : off_rad;
+    if (shaft == Shaft::runs_away) {
+      continue;
+    }
+    const double allowed_rad = own.off_rad[i] + (shaft == Shaft::jolts ? jolt_rad : 0.0);
+    if (!(std::abs(angle_rad) <= limits_.limit_rad[i] + allowed_rad)) {
+      breach(moment, fmt::format("canard {} truly stands at {:.3f} deg; its limit is {:.3f}", i + 1, angle_rad / degree,
+                                 limits_.limit_rad[i] / degree));
+    }
+    if (may_be_off) {
+      continue;
+    }
+    const double travel_s = own.travel_s * (shaft == Shaft::late ? late_times : 1.0);
+    if (rests_from_s_ && moment.time_s > *rests_from_s_ + travel_s && !(off_rad <= allowed_rad)) {
+      breach(moment, fmt::format("canard {} truly stands {:.3f} deg off its trim in {}", i + 1, off_rad / degree,
+                                 word(moment.phase)));
+    }
+    if (in_safe && !(off_rad <= least_rad[i] + 2.0 * allowed_rad + encoder_rad)) {
+      breach(moment, fmt::format("canard {} truly moves away from its trim in Safe, after ignition", i + 1));
+    }
+    if (moment.time_s >= fault_.begin_s && off_rad > allowed_rad + encoder_rad) {
+      findings_.stands_after_s = moment.time_s - fault_.begin_s;
+    }
+  }
+  least_off_rad_ = in_safe ? std::optional{least_rad} : std::nullopt;
 }
 
 void Judge::look_at_phase(const Moment& moment) {
@@ -130,6 +177,7 @@ void Judge::look_at_roll(const Moment& moment) {
 Findings Judge::findings() const {
   constexpr std::size_t early = static_cast<std::size_t>(early_s * 1e3);
   Findings all = findings_;
+  all.travel_s = limits_.shafts.travel_s;
   all.lasted = control_end_ && twin_.control_end && *control_end_ + early >= *twin_.control_end;
   return all;
 }
@@ -141,7 +189,9 @@ bool Findings::is(Outcome outcome, const Expected& e) const {
     case Outcome::holds: return lasted && apart_deg <= e.within_deg;
     case Outcome::recovers: return lasted && apart_settled_deg <= e.within_deg && apart_deg <= e.meanwhile_deg;
     case Outcome::goes_on: return lasted && apart_deg <= e.meanwhile_deg;
-    case Outcome::over: return last_phase != core::Phase::controlling && trim_after_s <= e.trim_s;
+    case Outcome::over:
+      return last_phase != core::Phase::controlling && trim_after_s <= e.trim_s &&
+             stands_after_s <= e.trim_s + travel_s;
     case Outcome::anything: break;
   }
   return true;
@@ -170,9 +220,8 @@ std::string Findings::what_it_was() const {
   if (!controlled) {
     return "no control";
   }
-  return fmt::format(
-      "{}, up to {:.1f} deg from the flight without the fault, last command off trim {:.3f} s after it began",
-      lasted ? "control went on" : "control ended early", apart_deg, trim_after_s);
+  return fmt::format("{}, {:.1f} deg apart; off trim until {:.3f} s after it began, canards until {:.3f} s",
+                     lasted ? "control went on" : "control ended early", apart_deg, trim_after_s, stands_after_s);
 }
 
 }  // namespace fantail::faults

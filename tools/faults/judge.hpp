@@ -10,9 +10,10 @@
 #include "core/flight_phase.hpp"
 #include "core/flight_plan.hpp"
 #include "faults/expected.hpp"
+#include "faults/shaft.hpp"
 
-// Judges a flight with a fault by what truly was: roll angle and pulses as the world has them, and the phase. Shares
-// nothing with the flight report, and asks nothing of what the avionics believes.
+// Judges a flight with a fault by what truly was: roll angle, canard shafts and pulses as the world has them, and the
+// phase. Shares nothing with the flight report, and asks nothing of what the avionics believes.
 namespace fantail::faults {
 
 /// One millisecond of a flight.
@@ -23,15 +24,17 @@ struct Moment {
   bool completed = true;  ///< and that tick came to its end
   /// Shaft angles that the pulses on the servo lines ask for; empty: no pulse.
   std::array<std::optional<double>, core::canard_count> commanded_rad{};
+  std::array<double, core::canard_count> true_shaft_rad{};
   double true_roll_rad = 0.0;
 };
 
-/// What every command is held to.
-struct CommandLimits {
+/// What every command and every shaft is held to.
+struct Limits {
   std::array<double, core::canard_count> trim_rad{};
   std::array<double, core::canard_count> limit_rad{};  ///< smallest of plan, hard limit and mechanical stop
+  ShaftLimits shafts{};
 };
-[[nodiscard]] CommandLimits limits_of(const core::FlightPlan& plan);
+[[nodiscard]] Limits limits_of(const sim::Scenario& scenario);
 
 /// The same flight without the fault, moment by moment.
 struct Twin {
@@ -44,10 +47,11 @@ struct Twin {
   void add(const Moment& moment);
 };
 
-/// When the fault was there, in seconds after ignition.
+/// When the fault was there, in seconds after ignition, and what it allows the shafts meanwhile.
 struct FaultTime {
   double begin_s = 0.0;
   double end_s = 0.0;  ///< after the flight: it stayed
+  Shafts shafts{};
 };
 
 /// What a flight came to.
@@ -58,6 +62,8 @@ struct Findings {
   double apart_deg = 0.0;  ///< largest difference from the twin's roll, from the fault on while the twin controls
   double apart_settled_deg = 0.0;  ///< likewise, from settle_s after the end of the fault on
   double trim_after_s = 0.0;       ///< from the begin of the fault to the last command off trim; 0: none was
+  double stands_after_s = 0.0;     ///< likewise, to when the last shaft that obeys truly stood off trim
+  double travel_s = 0.0;           ///< ShaftLimits, which an outcome allows beside its own time
   core::Phase last_phase = core::Phase::safe;
   std::string breach{};   ///< of what holds for every flight; empty: none
   double breach_s = 0.0;  ///< after ignition
@@ -72,13 +78,15 @@ struct Findings {
 /// Is given a flight, moment after moment. The breaches it looks for:
 ///   - a command beyond its limit, or one that is no angle;
 ///   - a command off trim in Armed, Launched or Finished, or, after ignition, one in Safe that moves away from trim;
+///   - a shaft that truly stands beyond its limit, stands off trim in Armed, Launched or Finished for longer than it
+///     takes to get there, or, in Safe after ignition, moves away from trim; what a failed servo may do is Shaft's;
 ///   - a tick that did not come to its end;
 ///   - Controlling that came from another phase than Launched, or after a reset, from another than Launched or
 ///     Controlling; anything but a reset after Finished.
 class Judge {
  public:
   /// `tunnel`: control may begin from Armed.
-  Judge(const CommandLimits& limits, const Twin& twin, const FaultTime& fault, double settle_s, bool tunnel = false)
+  Judge(const Limits& limits, const Twin& twin, const FaultTime& fault, double settle_s, bool tunnel = false)
       : limits_{limits}, twin_{twin}, fault_{fault}, settle_s_{settle_s}, tunnel_{tunnel} {}
 
   void add(const Moment& moment);
@@ -87,10 +95,11 @@ class Judge {
  private:
   void breach(const Moment& moment, const std::string& what);
   void look_at_commands(const Moment& moment);
+  void look_at_shafts(const Moment& moment);
   void look_at_phase(const Moment& moment);
   void look_at_roll(const Moment& moment);
 
-  const CommandLimits& limits_;
+  const Limits& limits_;
   const Twin& twin_;
   FaultTime fault_;
   double settle_s_;
@@ -102,7 +111,9 @@ class Judge {
   core::Phase before_gap_ = core::Phase::safe;  ///< the last one before the processor was down
   bool last_ticked_ = false;
   bool after_gap_ = false;                                 ///< since then, only Safe
-  std::array<double, core::canard_count> off_trim_rad_{};  ///< in the moment before
+  std::array<double, core::canard_count> off_trim_rad_{};  ///< of commands, in the moment before
+  std::optional<double> rests_from_s_{};                   ///< the shafts have been asked to be at trim since then
+  std::optional<std::array<double, core::canard_count>> least_off_rad_{};  ///< of shafts, since Safe began
 };
 
 }  // namespace fantail::faults

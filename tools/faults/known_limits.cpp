@@ -14,14 +14,14 @@ constexpr unsigned launched = at(Phase::launched, Phase::controlling);
 constexpr unsigned armed = at(Phase::armed) | launched;
 constexpr unsigned before_launch = at(Phase::armed, Phase::launched);
 constexpr bool one_gyro = true;
+constexpr int after_self_test_ms = 250;  // of the pad
 
 constexpr std::string_view believed =
     "one gyro that is wrong, and says nothing of it, is believed: there is nothing to hold it against";
 constexpr std::string_view fit_a_second = "fly on two gyros: second_imu.fitted, and sensors.gyros = \"two_agree\"";
 constexpr std::string_view wrong_force =
     "the accelerometer of the IMU is integrated alone: one that is wrong and says nothing makes launch, speed and "
-    "height "
-    "wrong; control begins late or ends before apogee, at trim";
+    "height wrong; control begins late or ends before apogee, at trim";
 constexpr std::string_view late =
     "while the two accelerometers do not agree no launch is detected; when they do, roll angle, height and speed begin "
     "there, control comes late and ends before apogee";
@@ -29,10 +29,12 @@ constexpr std::string_view look_at_bus =
     "do not launch with an accelerometer or IMU fault on the bus; after a flight look at the time of detection";
 constexpr std::string_view too_far =
     "one canard far off takes more roll moment than the other three have within their limit";
+constexpr std::string_view untested =
+    "one canard far off takes more roll moment than the other three have; in the last quarter of a second before "
+    "arming the self-test has already seen it move";
 constexpr std::string_view stop_near =
     "let the linkage stop a canard a little beyond the plan limit, and keep 4 times the fin offset plus that stop "
-    "below 3 "
-    "times the plan limit";
+    "below 3 times the plan limit";
 
 // clang-format off: a limit a row
 constexpr auto limits = std::to_array<KnownLimit>({
@@ -49,6 +51,9 @@ constexpr auto limits = std::to_array<KnownLimit>({
     {"accelerometer", "silent_2s", before_launch, false, late, look_at_bus},
     {"servo", "hardover", controlling, false, too_far, stop_near},
     {"servo", "hardover_back", armed, false, too_far, stop_near},
+    {"servo", "hardover_back", at(Phase::pad), false, untested, stop_near, after_self_test_ms},
+    {"servo", "garbage", at(Phase::pad), false, untested, stop_near, after_self_test_ms},
+    {"servo", "cut_pulse", at(Phase::pad), false, untested, stop_near, after_self_test_ms},
     {"servo", "garbage", armed, false, too_far, stop_near},
     {"servo", "cut_pulse", armed, false, too_far, stop_near},
 });

@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* head = "run,seed,begin_ms,outcome,apart_deg,trim_after_s,what\n";
+constexpr const char* head = "run,seed,begin_ms,outcome,apart_deg,trim_after_s,stands_after_s,what\n";
 constexpr const char* end_mark = "end\n";  // of a file that is whole
 
 campaign::Identity read_identity(const fs::path& file, const campaign::Identity& names) {
@@ -50,12 +50,13 @@ bool read(std::string_view text, Number& number) {
 }  // namespace
 
 std::string row_of(const Run& run) {
-  return fmt::format("{},{},{},{},{},{},{}\n", run.number, run.seed, run.begin_ms,
-                     run.outcome ? name(*run.outcome) : "none", run.apart_deg, run.trim_after_s, run.what);
+  return fmt::format("{},{},{},{},{},{},{},{}\n", run.number, run.seed, run.begin_ms,
+                     run.outcome ? name(*run.outcome) : "none", run.apart_deg, run.trim_after_s, run.stands_after_s,
+                     run.what);
 }
 
 std::optional<Run> run_of(std::string_view row) {
-  std::array<std::string_view, 6> cells;
+  std::array<std::string_view, 7> cells;
   for (std::string_view& cell : cells) {
     const std::size_t comma = row.find(',');
     if (comma == std::string_view::npos) {
@@ -74,7 +75,8 @@ std::optional<Run> run_of(std::string_view row) {
     }
   }
   const bool is_read = read(cells[0], run.number) && read(cells[1], run.seed) && read(cells[2], run.begin_ms) &&
-                       read(cells[4], run.apart_deg) && read(cells[5], run.trim_after_s);
+                       read(cells[4], run.apart_deg) && read(cells[5], run.trim_after_s) &&
+                       read(cells[6], run.stands_after_s);
   return known && is_read ? std::optional{std::move(run)} : std::nullopt;
 }
 

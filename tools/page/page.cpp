@@ -169,6 +169,17 @@ std::string list(std::span<const Cell> sentences) {
   return out + "</ul>\n";
 }
 
+std::string list(std::span<const Link> links) {
+  std::string out = "<ul>\n";
+  for (const auto& [href, text, about] : links) {
+    const std::string shown = printed(text);
+    out += fmt::format("<li>{}{}</li>\n",
+                       href.empty() ? shown : fmt::format("<a href=\"{}\">{}</a>", escape_html(href), shown),
+                       printed(about));
+  }
+  return out + "</ul>\n";
+}
+
 std::string list(std::span<const std::string> sentences) {
   std::vector<Cell> plain;
   for (const std::string& sentence : sentences) {

@@ -82,4 +82,12 @@ struct Figure {
 [[nodiscard]] std::string list(std::span<const std::string> sentences);
 [[nodiscard]] std::string list(std::span<const Cell> sentences);
 
+struct Link {
+  std::string href{};  ///< empty: the text alone
+  std::string text{};
+  std::string about{};  ///< follows it
+};
+/// <ul>, escaped.
+[[nodiscard]] std::string list(std::span<const Link> links);
+
 }  // namespace fantail::page
