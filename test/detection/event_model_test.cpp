@@ -178,7 +178,8 @@ TEST(ReadingsOfAnEvent, UpTurnsByTheAngleThatThePitchRateAddsUpTo) {
   motion->turns = true;
   motion->pitch_rate_rad_s.fill(2.0F);
   sim::Random random{1, 1};
-  make_readings(Kind::bias, 0, *motion, random, *readings);
+  begin_readings(Kind::bias, 0, *motion, random, *readings);
+  finish_readings(*motion, random, *readings);
   EXPECT_NEAR(readings->up_x[500], std::cos(0.3 + 1.0), 1e-4);
   EXPECT_NEAR(readings->up_z[500], std::sin(0.3 + 1.0), 1e-4);
 }
@@ -190,7 +191,8 @@ TEST(ReadingsOfAnEvent, AtTheEndsOfItsRangeAnAccelerometerSaysSo) {
   motion->axial_m_s2[10] = 250.0F;   // beyond 16 g and below 32 g
   motion->axial_m_s2[20] = -250.0F;  // likewise downwards
   sim::Random random{1, 1};
-  make_readings(Kind::drop, 0, *motion, random, *readings);
+  begin_readings(Kind::drop, 0, *motion, random, *readings);
+  finish_readings(*motion, random, *readings);
   EXPECT_EQ(readings->quality[0][10], core::SampleQuality::saturated);
   EXPECT_EQ(readings->axial_m_s2[0][10], 16.0F * core::standard_gravity_m_s2);
   EXPECT_EQ(readings->quality[1][10], core::SampleQuality::valid);

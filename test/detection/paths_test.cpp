@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: MIT
+#include <memory>
+
 #include <gtest/gtest.h>
 
+#include "detection/event_models.hpp"
 #include "detection/rehearsal.hpp"
+#include "detection/screen.hpp"
 #include "seed.hpp"
 
 namespace fantail::detection {
@@ -35,6 +39,36 @@ TEST(Paths, TheFastPathGivesTheAnswerOfTheWholeFlightLaw) {
   EXPECT_GT(detected, 100U);
   EXPECT_GT(controlling, 5U);
   EXPECT_GT(quiet, 1'000U);
+}
+
+// Of many more, through the detector alone.
+TEST(Paths, WhereTheScreenSaysThatNoRuleFiresNoneDoes) {
+  const std::uint32_t seed = test::seed(7);
+  std::vector<Rule> rules = rules_of({});
+  rules.push_back(rules.front());
+  rules.back().plan.launch_detection.accelerometers = core::AccelerometerRule::two_agree;
+  rules.back().plan.launch_detection.single_allowed = true;
+  const auto motion = std::make_unique<Motion>();
+  const auto readings = std::make_unique<Readings>();
+  std::size_t kept_out = 0;
+  std::size_t fired = 0;
+  for (std::size_t kind = 0; kind < event_kinds; ++kind) {
+    for (std::uint64_t event = 0; event < 500; ++event) {
+      Streams streams = streams_of(seed, static_cast<Kind>(kind), event);
+      make_event(static_cast<Kind>(kind), streams, *motion, false);
+      begin_readings(static_cast<Kind>(kind), event, *motion, streams.axial, *readings);
+      finish_readings(*motion, streams.axial, *readings);
+      for (const Rule& rule : rules) {
+        const bool may = may_fire(rule.plan.launch_detection, *motion, *readings);
+        const bool does = fires(rule.plan, *readings, motion->length);
+        ASSERT_TRUE(may || !does) << kind_table[kind].name << ' ' << event << ' ' << rule.name();
+        kept_out += may ? 0 : 1;
+        fired += does ? 1 : 0;
+      }
+    }
+  }
+  EXPECT_GT(kept_out, 10'000U);
+  EXPECT_GT(fired, 400U);
 }
 
 TEST(Paths, ALaunchIsDetectedAfterItsCrossingAndControlledBeyondTheGuide) {

@@ -37,7 +37,8 @@ std::vector<Chunk> chunks_of(const Campaign& campaign) {
 Tally played(const Campaign& campaign, const Chunk& chunk) {
   Rehearsal rehearsal{campaign.rules};
   Tally tally{campaign.rules.size()};
-  for (std::uint64_t event = chunk.first; event < chunk.first + chunk.events; ++event) {
+  for (std::uint64_t turn = chunk.first; turn < chunk.first + chunk.events; ++turn) {
+    const std::uint64_t event = campaign.event(chunk.kind, turn);
     const std::vector<Answer>& answers = rehearsal.play(campaign.seed, chunk.kind, event);
     const Motion& motion = rehearsal.motion();
     tally.count(chunk.kind, event, campaign.rules, answers,

@@ -21,12 +21,16 @@ struct Campaign {
   std::uint64_t seed = 1;
   std::uint64_t events = 10'000;   ///< of each kind that is no launch
   std::uint64_t launches = 1'000;  ///< of each kind that is one
+  bool both_well = false;          ///< only events in which both accelerometers are: those with an even number
 
   [[nodiscard]] std::uint64_t number_of(Kind kind) const { return is_launch(kind) ? launches : events; }
+  [[nodiscard]] std::uint64_t event(Kind kind, std::uint64_t turn) const {
+    return both_well && !is_launch(kind) ? 2 * turn : turn;
+  }
   [[nodiscard]] std::uint64_t total() const;
 };
 
-/// Events that are played and stored together; which are in which depends on nothing but their number.
+/// Events that are played and stored together; which are in which depends on nothing but their turn.
 [[nodiscard]] constexpr std::uint64_t events_of_a_chunk(Kind kind) { return is_launch(kind) ? 512 : 4'096; }
 
 /// A tally for each kind that was asked for, in the order of the enumeration; empty for the others.
@@ -41,8 +45,8 @@ struct Results {
 /// there; so does one with more events or other kinds. Without a folder nothing is kept.
 ///
 /// `look` is told how many events are done, on the caller's thread; what it throws comes out of here, and what was
-/// finished stays. Throws text::Error (bad_configuration) for a folder with a campaign of another seed, other rules or
-/// another version; text::OutputError.
+/// finished stays. Throws text::Error (bad_configuration) for a folder with a campaign of another seed, other rules,
+/// other models or another version; text::OutputError.
 [[nodiscard]] Results play(const Campaign& campaign, const std::optional<std::filesystem::path>& folder,
                            const std::string& version, unsigned threads,
                            const std::function<void(std::uint64_t done)>& look);

@@ -7,6 +7,7 @@
 
 #include <fmt/core.h>
 
+#include "detection/fingerprint.hpp"
 #include "json/value.hpp"
 #include "text/error.hpp"
 #include "text/output_folder.hpp"
@@ -21,8 +22,12 @@ std::string identity_line(const Campaign& campaign, const std::string& version) 
     const std::string rule_text = identity_of(rule);
     rules.push_back({{"names", rule.name()}, {"sha256", text::sha256(std::as_bytes(std::span{rule_text}))}});
   }
-  // Another number when a model draws something else than before: parts of both are not one campaign.
-  return json::Value{{"detection", 1}, {"version", version}, {"seed", campaign.seed}, {"rules", rules}}.dump();
+  return json::Value{{"events", fingerprint(campaign.rules)},
+                     {"version", version},
+                     {"seed", campaign.seed},
+                     {"both_well", campaign.both_well},
+                     {"rules", rules}}
+      .dump();
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include "detection/readings.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "detection/shapes.hpp"
 #include "sim/rotation.hpp"
@@ -11,7 +12,6 @@ namespace fantail::detection {
 namespace {
 
 // As the shipped vehicles have them.
-constexpr float force_noise_m_s2 = 0.3F;
 constexpr float rate_noise_rad_s = static_cast<float>(0.1 * sim::radians_per_degree);
 constexpr float weight_m_s2 = core::standard_gravity_m_s2;
 
@@ -94,20 +94,31 @@ core::Vector3 across(const core::Vector3& bias, float z, float noise_y, float no
 
 }  // namespace
 
-void make_readings(Kind kind, std::uint64_t event, const Motion& motion, sim::Random& random, Readings& readings) {
+void begin_readings(Kind kind, std::uint64_t event, const Motion& motion, sim::Random& random, Readings& readings) {
   readings.errors = drawn_errors(kind, event, motion, random);
   follow_up(motion, readings);
-  const float first_bias = readings.errors.bias_m_s2[0].x;
-  const float second_bias = readings.errors.bias_m_s2[1].x;
+  float smallest = std::numeric_limits<float>::max();
+  float largest = std::numeric_limits<float>::lowest();
+  for (std::size_t i = 0; i < motion.length; ++i) {
+    const float felt = motion.axial_m_s2[i] + motion.carried[i] * weight_m_s2 * readings.up_x[i];
+    readings.felt_m_s2[i] = felt;
+    smallest = felt < smallest ? felt : smallest;
+    largest = felt > largest ? felt : largest;
+  }
+  readings.smallest_felt_m_s2 = smallest;
+  readings.largest_felt_m_s2 = largest;
+}
+
+void finish_readings(const Motion& motion, sim::Random& random, Readings& readings) {
   const SensorErrors& errors = readings.errors;
+  const float first_bias = errors.bias_m_s2[0].x;
+  const float second_bias = errors.bias_m_s2[1].x;
+  const auto& felt = readings.felt_m_s2;
   const std::size_t stuck_from = errors.condition == Condition::stuck ? errors.onset : motion.length;
-  const auto felt = [&](std::size_t i) {
-    return motion.axial_m_s2[i] + motion.carried[i] * weight_m_s2 * readings.up_x[i];
-  };
   for (std::size_t i = 0; i < motion.length; ++i) {
     const auto noise = random.gaussians<2>();
-    const float now = felt(i);
-    const float of_the_bad = i < stuck_from ? now : felt(stuck_from);
+    const float now = felt[i];
+    const float of_the_bad = i < stuck_from ? now : felt[stuck_from];
     readings.axial_m_s2[0][i] =
         (errors.bad == 0 ? of_the_bad : now) + first_bias + force_noise_m_s2 * static_cast<float>(noise[0]);
     readings.axial_m_s2[1][i] =
@@ -120,12 +131,6 @@ void make_readings(Kind kind, std::uint64_t event, const Motion& motion, sim::Ra
   }
   if (errors.condition != Condition::well && errors.condition != Condition::stuck) {
     make_bad(errors, motion.length, readings);
-  }
-  readings.largest_m_s2 = 0.0F;
-  for (const auto& values : readings.axial_m_s2) {
-    for (std::size_t i = 0; i < motion.length; ++i) {
-      readings.largest_m_s2 = std::max(readings.largest_m_s2, values[i]);
-    }
   }
 }
 

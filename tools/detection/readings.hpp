@@ -26,18 +26,24 @@ struct SensorErrors {
   std::size_t onset = 0;  ///< from this step on
 };
 
+inline constexpr float force_noise_m_s2 = 0.3F;  ///< of each accelerometer, as the shipped vehicles have it
+
 /// What both accelerometers say along the axis, with noise, zeros, ends of range and the fault, and which way is up.
 struct Readings {
   SensorErrors errors;
+  std::array<float, Motion::most> felt_m_s2;  ///< specific force along the axis
+  float smallest_felt_m_s2 = 0.0F;
+  float largest_felt_m_s2 = 0.0F;
   std::array<std::array<float, Motion::most>, 2> axial_m_s2;
   std::array<std::array<core::SampleQuality, Motion::most>, 2> quality;
   std::array<float, Motion::most> up_x;
   std::array<float, Motion::most> up_z;
-  float largest_m_s2 = 0.0F;  ///< of all axial values; one at the end of its range has that of the range
 };
 
-/// `random`: Streams::axial of this event.
-void make_readings(Kind kind, std::uint64_t event, const Motion& motion, sim::Random& random, Readings& readings);
+/// In two parts, because the second is needed for few events and takes longer than all else: what is felt and how the
+/// accelerometers are, and then what they say. `random`: Streams::axial of this event.
+void begin_readings(Kind kind, std::uint64_t event, const Motion& motion, sim::Random& random, Readings& readings);
+void finish_readings(const Motion& motion, sim::Random& random, Readings& readings);
 
 /// The whole of what the flight law is given, tick by tick. Before the event the rocket has stood still for as long as
 /// the estimator's average takes; to save time these ticks are 4 ms apart, which is no gap to any plan.

@@ -5,6 +5,7 @@
 
 #include "core/autopilot.hpp"
 #include "core/launch_detector.hpp"
+#include "detection/screen.hpp"
 
 namespace fantail::detection {
 namespace {
@@ -19,6 +20,22 @@ core::AccelerometerSample axial_sample(const Readings& readings, std::size_t whi
           .quality = readings.quality[which][step]};
 }
 
+float share_of_gate(const core::GuidePlan& guide, const core::Motion& motion) {
+  const float distance = motion.distance_along_guide_m / (guide.length_m + guide.clearance_m);
+  const float speed = guide.minimum_speed_m_s > 0.0F ? motion.speed_m_s / guide.minimum_speed_m_s : 1.0F;
+  return std::max(0.0F, std::min(distance, speed));
+}
+
+/// Nothing more can come: control has begun, or the launch was none and there is no time left for the rest without
+/// which another one is not listened for.
+bool is_settled(const core::FlightPlan& plan, const Answer& answer, core::Phase phase, std::size_t steps_left) {
+  return answer.controlling ||
+         (answer.detected && phase == core::Phase::armed &&
+          core::Microseconds{static_cast<std::int64_t>(steps_left) * 1'000} < plan.motion.rest_time);
+}
+
+}  // namespace
+
 bool fires(const core::FlightPlan& plan, const Readings& readings, std::size_t length) {
   core::LaunchDetector detector{plan.launch_detection, plan.motion.stale_time};
   for (std::size_t i = 0; i < length; ++i) {
@@ -30,19 +47,8 @@ bool fires(const core::FlightPlan& plan, const Readings& readings, std::size_t l
   return false;
 }
 
-float share_of_gate(const core::GuidePlan& guide, const core::Motion& motion) {
-  const float distance = motion.distance_along_guide_m / (guide.length_m + guide.clearance_m);
-  const float speed = guide.minimum_speed_m_s > 0.0F ? motion.speed_m_s / guide.minimum_speed_m_s : 1.0F;
-  return std::max(0.0F, std::min(distance, speed));
-}
-
-}  // namespace
-
 Rehearsal::Rehearsal(std::span<const Rule> rules)
     : rules_{rules},
-      least_threshold_m_s2_{
-          std::ranges::min(rules, {}, [](const Rule& rule) { return rule.plan.launch_detection.threshold_m_s2; })
-              .plan.launch_detection.threshold_m_s2},
       motion_{std::make_unique<Motion>()},
       readings_{std::make_unique<Readings>()},
       answers_(rules.size()),
@@ -53,11 +59,12 @@ const std::vector<Answer>& Rehearsal::play(std::uint64_t seed, Kind kind, std::u
   Streams streams = streams_of(seed, kind, event);
   const bool whole = path == Path::full || is_launch(kind);
   make_event(kind, streams, *motion_, whole);
-  make_readings(kind, event, *motion_, streams.axial, *readings_);
+  begin_readings(kind, event, *motion_, streams.axial, *readings_);
   wanted_.assign(rules_.size(), whole);
-  if (!whole) {
-    detect(wanted_);
-    if (std::ranges::none_of(wanted_, [](bool fired) { return fired; })) {
+  if (whole) {
+    finish_readings(*motion_, streams.axial, *readings_);
+  } else {
+    if (!any_fires(streams.axial)) {
       return answers_;
     }
     // Once more, now with what goes on across the axis.
@@ -68,14 +75,22 @@ const std::vector<Answer>& Rehearsal::play(std::uint64_t seed, Kind kind, std::u
   return answers_;
 }
 
-void Rehearsal::detect(std::vector<bool>& fired) const {
-  // A low-pass gives no more than the largest it was given, so without a sample at the threshold nothing fires.
-  if (readings_->largest_m_s2 < least_threshold_m_s2_) {
-    return;
-  }
+bool Rehearsal::any_fires(sim::Random& axial) {
+  bool any = false;
   for (std::size_t rule = 0; rule < rules_.size(); ++rule) {
-    fired[rule] = fires(rules_[rule].plan, *readings_, motion_->length);
+    wanted_[rule] = may_fire(rules_[rule].plan.launch_detection, *motion_, *readings_);
+    any = any || wanted_[rule];
   }
+  if (!any) {
+    return false;
+  }
+  finish_readings(*motion_, axial, *readings_);
+  any = false;
+  for (std::size_t rule = 0; rule < rules_.size(); ++rule) {
+    wanted_[rule] = wanted_[rule] && fires(rules_[rule].plan, *readings_, motion_->length);
+    any = any || wanted_[rule];
+  }
+  return any;
 }
 
 void Rehearsal::fly(const std::vector<bool>& wanted, sim::Random others) {
@@ -100,8 +115,9 @@ void Rehearsal::fly(const std::vector<bool>& wanted, sim::Random others) {
     const core::Inputs& inputs = maker.step(step);
     for (std::size_t rule = 0; rule < rules_.size(); ++rule) {
       if (laws[rule]) {
-        follow(rule, step, laws[rule]->step(inputs));
-        if (answers_[rule].controlling && !on_tick) {
+        const core::TickRecord& record = laws[rule]->step(inputs);
+        follow(rule, step, record);
+        if (!on_tick && is_settled(rules_[rule].plan, answers_[rule], record.phase, motion_->length - step)) {
           laws[rule].reset();
           --at_work;
         }

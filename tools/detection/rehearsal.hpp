@@ -29,9 +29,14 @@ struct Answer {
 
 /// Which way an event goes through the flight law.
 enum class Path : std::uint8_t {
-  fast,  ///< the product's launch detector alone, and the whole law only where that fires; of launches the whole law
+  /// Nothing where no noise can make a rule fire; else the product's launch detector alone; and the whole law only
+  /// where that fires. Of launches the whole law.
+  fast,
   full,  ///< the whole law always
 };
+
+/// Does the launch detector of this plan fire in an event of so many steps?
+[[nodiscard]] bool fires(const core::FlightPlan& plan, const Readings& readings, std::size_t length);
 
 /// Events, one after the other, through several rules. Holds the room that an event takes: one for each thread.
 class Rehearsal {
@@ -50,12 +55,11 @@ class Rehearsal {
   [[nodiscard]] const Readings& readings() const { return *readings_; }
 
  private:
-  void detect(std::vector<bool>& fired) const;
+  [[nodiscard]] bool any_fires(sim::Random& axial);
   void fly(const std::vector<bool>& wanted, sim::Random others);
   void follow(std::size_t rule, std::size_t step, const core::TickRecord& record);
 
   std::span<const Rule> rules_;
-  float least_threshold_m_s2_;
   std::unique_ptr<Motion> motion_;
   std::unique_ptr<Readings> readings_;
   std::vector<Answer> answers_;

@@ -33,6 +33,7 @@ struct DetectionOptions {
   std::size_t launches = 1'000;
   std::string seed;
   std::string event;
+  bool both_well = false;
   std::optional<double> at_most_percent;
   unsigned threads = 0;
   std::string out;
@@ -57,13 +58,15 @@ std::string objection_to_whole_number(const std::string& text) {
 detection::Campaign asked_for(const DetectionOptions& options) {
   detection::Campaign campaign{
       .rules = detection::rules_of(options.plans), .kinds = {}, .events = options.events, .launches = options.launches};
+  campaign.both_well = options.both_well;
   if (!options.seed.empty()) {
     campaign.seed = *text::whole_number(options.seed);
   }
   for (std::size_t i = 0; i < detection::kinds; ++i) {
     const auto kind = static_cast<detection::Kind>(i);
     const bool asked = std::ranges::find(options.kinds, detection::info(kind).name) != options.kinds.end();
-    if (asked || options.kinds.empty()) {
+    const bool usual = options.kinds.empty() && !(options.both_well && kind == detection::Kind::launch_one_bad);
+    if (asked || usual) {
       campaign.kinds.push_back(kind);
     }
   }
@@ -140,6 +143,8 @@ void fill_detection(const Verb& verb) {
       .check(objection_to_kind);
   verb.option("--events", options->events, "How many of each kind that is no launch").range(0.0, 1e9).show_default();
   verb.option("--launches", options->launches, "How many of each kind that is a launch").range(0.0, 1e9).show_default();
+  verb.flag("--both-well", options->both_well,
+            "Only events in which both accelerometers are well; else in every second one of two is bad");
   verb.option("--seed", options->seed, "Of all that is drawn [1]").check(objection_to_whole_number);
   verb.option("--event", options->event, "Show this one event of --kind again, instead of a campaign")
       .check(objection_to_whole_number)
