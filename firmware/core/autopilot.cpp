@@ -51,11 +51,13 @@ const TickRecord& Autopilot::step(const Inputs& inputs) {
                                                         : DetectionState::quiet;
 
   const Phase before = flight_phase_.phase();
+  const bool agree = before != Phase::launched || launch_detector_.agrees(inputs.time, inputs.accelerometers);
   const bool changed = flight_phase_.update({.time = inputs.time,
                                              .arm_switch_closed = inputs.arm_switch_closed,
                                              .arm_command = inputs.arm_command,
                                              .start_command = inputs.start_command,
                                              .launch_detected = record.detection == DetectionState::detected,
+                                             .accelerometers_agree = agree,
                                              .timing_fault = record.timing_fault,
                                              .canard_fault = canard_fault_},
                                             record.motion);

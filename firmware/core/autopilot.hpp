@@ -46,7 +46,8 @@ class Autopilot {
   /// The memory of the law is not what it was: a flight is over, as far as control goes.
   void give_up(Microseconds time) { flight_phase_.give_up(time); }
 
-  /// All of this object that decides about a command in flight; nothing but step() changes any of it.
+  /// All of this object that decides about a command in flight, but for the launch detector, which in flight can only
+  /// put off the beginning of control. Nothing but step() changes any of it.
   [[nodiscard]] std::span<const std::byte> flight_memory() const;
 
   /// Is this canard still moved by what the plan, of which this was made, says?

@@ -91,7 +91,9 @@ std::optional<FlightPhase::Transition> FlightPhase::from_launched(const PhaseInp
   // gives speed without distance, a drifting accelerometer distance without speed. Lower bounds serve as well: what is
   // at least beyond the guide is beyond it; with a range of 16 g they say so of a guide of 6 m after 0.3 s.
   const bool beyond_guide = motion.distance_along_guide_m >= guide_.length_m + guide_.clearance_m;
-  if (beyond_guide && motion.speed_m_s > guide_.minimum_speed_m_s) {
+  // Meets DET-4.
+  // Both figures come from one accelerometer. When another one disagrees, it may be stuck in a rocket that is shaken.
+  if (beyond_guide && motion.speed_m_s > guide_.minimum_speed_m_s && inputs.accelerometers_agree) {
     return Transition{Phase::controlling, PhaseReason::guide_clear};
   }
   // A real launch is clear of the guide within about half a second; what takes this long was something else.

@@ -47,6 +47,7 @@ struct PhaseInputs {
   bool arm_command = false;
   bool start_command = false;
   bool launch_detected = false;
+  bool accelerometers_agree = true;  ///< in Launched; without it control does not begin
   bool timing_fault = false;
   bool canard_fault = false;
 };

@@ -4,6 +4,13 @@
 #include "core/finite.hpp"
 
 namespace fantail::core {
+namespace {
+
+// A sensor that stands still agrees with one that swings for a part of each swing, and of the shakes by hand that carry
+// it through the guide's gate nine in ten have shorter ones than this.
+constexpr Microseconds agreement_time{250'000};
+
+}  // namespace
 
 LaunchDetector::LaunchDetector(const LaunchDetectionPlan& plan, Microseconds stale_time)
     : plan_{plan}, stale_time_{stale_time}, channels_{Channel{plan.low_pass_hz}, Channel{plan.low_pass_hz}} {}
@@ -21,12 +28,24 @@ LaunchDetector::Health LaunchDetector::health(Microseconds now, const Channel& c
   return channel.last_time == sample.time ? Health::repeated : Health::good;
 }
 
-LaunchDetector::Health LaunchDetector::feed(Channel& channel, Microseconds now, const AccelerometerSample& sample) {
+LaunchDetector::Health LaunchDetector::take(Channel& channel, Microseconds now,
+                                            const AccelerometerSample& sample) const {
   // A clock that jumped back would make every later sample look old: start over.
   if (channel.last_time > now) {
     channel = Channel{plan_.low_pass_hz};
   }
   const Health verdict = health(now, channel, sample);
+  if (verdict == Health::good) {
+    channel.last_time = sample.time;
+    channel.saturated = sample.quality == SampleQuality::saturated;
+    channel.low_pass.update(sample.time, sample.specific_force_m_s2.x);
+  }
+  return verdict;
+}
+
+LaunchDetector::Health LaunchDetector::feed(Channel& channel, Microseconds now, const AccelerometerSample& sample) {
+  const std::optional<Microseconds> last_time = channel.last_time;
+  const Health verdict = take(channel, now, sample);
   if (verdict == Health::bad) {
     channel.forget_hold();
   }
@@ -34,13 +53,10 @@ LaunchDetector::Health LaunchDetector::feed(Channel& channel, Microseconds now, 
     return verdict;
   }
   // Nobody measured what happened in a gap, so no hold reaches across it.
-  if (channel.last_time && sample.time - *channel.last_time > stale_time_) {
+  if (last_time && sample.time - *last_time > stale_time_) {
     channel.forget_hold();
   }
-  channel.last_time = sample.time;
-  channel.saturated = sample.quality == SampleQuality::saturated;
-  const float filtered = channel.low_pass.update(sample.time, sample.specific_force_m_s2.x);
-  const float observed = plan_.low_pass ? filtered : sample.specific_force_m_s2.x;
+  const float observed = plan_.low_pass ? *channel.low_pass.output() : sample.specific_force_m_s2.x;
   if (observed < plan_.threshold_m_s2 && !channel.saturated) {
     channel.forget_hold();
     return verdict;
@@ -87,6 +103,24 @@ DetectionState LaunchDetector::update(Microseconds now, const std::array<Acceler
   }
   const DetectionState both = channels_[0].state();
   return both == channels_[1].state() ? both : DetectionState::holding;
+}
+
+// Meets DET-4.
+bool LaunchDetector::agrees(Microseconds now, const std::array<AccelerometerSample, 2>& samples) {
+  if (plan_.accelerometers == AccelerometerRule::one) {
+    return true;
+  }
+  // The hold has done its work: its beginning is from now on when they last disagreed.
+  std::optional<Microseconds>& disagreed = channels_[0].above_since;
+  if (channels_[0].hold_complete) {
+    channels_[0].forget_hold();
+  }
+  const bool first_measures = take(channels_[0], now, samples[0]) != Health::bad;
+  const bool second_measures = take(channels_[1], now, samples[1]) != Health::bad;
+  if (first_measures && second_measures && disagree()) {
+    disagreed = now;
+  }
+  return !disagreed || now - *disagreed >= agreement_time;
 }
 
 }  // namespace fantail::core

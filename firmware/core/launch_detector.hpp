@@ -32,6 +32,10 @@ class LaunchDetector {
 
   DetectionState update(Microseconds now, const std::array<AccelerometerSample, 2>& samples);
 
+  /// After a detection, in place of update(): false while control must not begin, because in the last quarter of a
+  /// second two accelerometers have disagreed. While only one measures, nobody disagrees with it.
+  [[nodiscard]] bool agrees(Microseconds now, const std::array<AccelerometerSample, 2>& samples);
+
   /// Forgets holds and filter states.
   void reset();
 
@@ -69,7 +73,9 @@ class LaunchDetector {
   };
 
   [[nodiscard]] Health health(Microseconds now, const Channel& channel, const AccelerometerSample& sample) const;
-  Health feed(Channel& channel, Microseconds now, const AccelerometerSample& sample);
+  [[gnu::noinline]] Health take(Channel& channel, Microseconds now, const AccelerometerSample& sample) const;
+  /// Not written into its two callers, which would cost 200 bytes of flash.
+  [[gnu::noinline]] Health feed(Channel& channel, Microseconds now, const AccelerometerSample& sample);
   [[nodiscard]] bool disagree() const;
 
   LaunchDetectionPlan plan_;

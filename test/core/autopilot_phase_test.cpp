@@ -19,6 +19,7 @@ class Bench {
                          bool arm = false) {
     rig_.advance(ms(1), acceleration_m_s2, roll_rate_rad_s);
     Inputs inputs = rig_.inputs();
+    inputs.accelerometers[1].specific_force_m_s2.x += second_more_m_s2_;
     inputs.arm_switch_closed = switch_closed;
     inputs.arm_command = arm;
     for (std::size_t i = 0; i < canard_count; ++i) {
@@ -38,6 +39,7 @@ class Bench {
     run(ms(200), 0.0);
   }
   void stick_one_canard() { stuck_ = true; }
+  void let_the_second_accelerometer_read_more_by(float m_s2) { second_more_m_s2_ = m_s2; }
   [[nodiscard]] const TickRecord& record() const { return record_; }
 
  private:
@@ -45,6 +47,7 @@ class Bench {
   Autopilot autopilot_;
   TickRecord record_;
   bool stuck_ = false;
+  float second_more_m_s2_ = 0.0F;
 };
 
 TEST(AutopilotPhase, DisarmingInTheMiddleOfAHoldStartsItAgain) {
@@ -59,6 +62,27 @@ TEST(AutopilotPhase, DisarmingInTheMiddleOfAHoldStartsItAgain) {
     ASSERT_EQ(bench.tick(40.0).phase, Phase::armed) << t;
   }
   EXPECT_EQ(bench.tick(40.0).phase, Phase::launched);
+}
+
+// As a sensor that stands still while a rocket is shaken does: after the detection the other one reads something else.
+TEST(AutopilotPhase, TwoAccelerometersThatDisagreeAfterTheDetectionPutOffControl) {
+  FlightPlan plan = default_plan();
+  plan.launch_detection.accelerometers = AccelerometerRule::two_agree;
+  Bench bench{plan};
+  bench.arm_on_pad();
+  bench.run(ms(200), 40.0);
+  ASSERT_EQ(bench.record().phase, Phase::launched);
+  EXPECT_EQ(bench.record().detection, DetectionState::quiet);
+  bench.let_the_second_accelerometer_read_more_by(-20.0F);
+  bench.run(ms(800), 40.0);
+  EXPECT_GT(bench.record().motion.distance_along_guide_m, 15.0F);
+  EXPECT_EQ(bench.record().phase, Phase::launched);
+  EXPECT_EQ(bench.record().command, Angle{});
+  bench.let_the_second_accelerometer_read_more_by(0.0F);
+  bench.run(ms(250), 40.0);
+  EXPECT_EQ(bench.record().phase, Phase::launched);
+  bench.run(ms(50), 40.0);
+  EXPECT_EQ(bench.record().phase, Phase::controlling);
 }
 
 TEST(AutopilotPhase, CanardThatIsStuckEndsControlOnlyWhenThePlanSaysSo) {

@@ -85,6 +85,18 @@ TEST(FlightPhase, GuideIsClearOnlyBeyondItAndFastEnough) {
   EXPECT_EQ(sequence.phases().control_start(), sequence.next.time);
 }
 
+TEST(FlightPhase, GuideIsNotClearWhileTwoAccelerometersDisagree) {
+  Sequence sequence;
+  sequence.arm().launch();
+  sequence.next.accelerometers_agree = false;
+  sequence.clear_guide().expect(Phase::launched, PhaseReason::launch_detected);
+  sequence.next.accelerometers_agree = true;
+  sequence.tick();
+  sequence.expect(Phase::controlling, PhaseReason::guide_clear);
+  sequence.next.accelerometers_agree = false;  // later nobody asks
+  EXPECT_FALSE(sequence.tick());
+}
+
 TEST(FlightPhase, GuideThatIsNotClearedInTimeGoesBackToArmed) {
   Sequence sequence;
   sequence.arm().launch();

@@ -101,5 +101,67 @@ TEST(LaunchDetector, SaturatedAccelerometerMayReadTooLittleButNotTooMuch) {
   }
 }
 
+TEST(LaunchDetector, AfterADetectionTheTwoAgreeFromTheFirstTickOn) {
+  Bench bench{launch_2_rule()};
+  ASSERT_EQ(bench.hold_level(ms(0), ms(101), 3.0F), ms(100));
+  for (int t = 101; t < 400; ++t) {
+    ASSERT_TRUE(bench.agrees(ms(t), t < 200 ? 3.0F : -1.0F, t < 200 ? 3.0F : -1.0F)) << t;  // also without thrust
+  }
+}
+
+TEST(LaunchDetector, ADisagreementAfterADetectionCountsForAQuarterOfASecond) {
+  Bench bench{launch_2_rule()};
+  ASSERT_EQ(bench.hold_level(ms(0), ms(101), 3.0F), ms(100));
+  // The low-passed difference passes 0.5 of 2 g after 0.29 time constants of 9.95 ms, and is below it again after 1.37,
+  // which are 13.6 ms: with the 14th sample, so that the 13th is the last that differs.
+  std::optional<Microseconds> first;
+  std::optional<Microseconds> last;
+  for (int t = 101; t < 600; ++t) {
+    if (!bench.agrees(ms(t), 3.0F, t < 140 ? 1.0F : 3.0F)) {
+      first = first.value_or(ms(t));
+      last = ms(t);
+    }
+  }
+  EXPECT_EQ(first, ms(103));
+  EXPECT_EQ(last, ms(152 + 249));
+}
+
+TEST(LaunchDetector, AfterADetectionOneThatDoesNotMeasureDisagreesWithNobody) {
+  Bench bench{launch_2_rule()};
+  ASSERT_EQ(bench.hold_level(ms(0), ms(101), 3.0F), ms(100));
+  for (int t = 101; t < 500; ++t) {
+    EXPECT_TRUE(bench.agrees(ms(t), sample(ms(t), 3.0F), sample(ms(t), 0.0F, SampleQuality::absent))) << t;
+  }
+}
+
+TEST(LaunchDetector, AfterADetectionOneAtTheEndOfItsRangeMayReadTooLittle) {
+  Bench bench{launch_2_rule()};
+  ASSERT_EQ(bench.hold_level(ms(0), ms(101), 3.0F), ms(100));
+  for (int t = 101; t < 500; ++t) {
+    EXPECT_TRUE(bench.agrees(ms(t), sample(ms(t), 16.0F, SampleQuality::saturated), sample(ms(t), 20.0F))) << t;
+  }
+  EXPECT_FALSE(bench.agrees(ms(500), sample(ms(500), 16.0F, SampleQuality::saturated), sample(ms(500), -90.0F)));
+}
+
+TEST(LaunchDetector, RuleOfOneAccelerometerAsksNobodyWhetherItAgrees) {
+  Bench bench{launch_1_rule()};
+  ASSERT_EQ(bench.hold_level(ms(0), ms(201), 3.0F), ms(200));
+  for (int t = 201; t < 300; ++t) {
+    EXPECT_TRUE(bench.agrees(ms(t), 3.0F, -7.0F)) << t;
+  }
+}
+
+TEST(LaunchDetector, WhoDisagreedInAFlightThatWasNoneMayBeDetectedAgain) {
+  Bench bench{launch_2_rule()};
+  ASSERT_EQ(bench.hold_level(ms(0), ms(101), 3.0F), ms(100));
+  EXPECT_TRUE(bench.agrees(ms(101), 3.0F, 3.0F));
+  for (int t = 102; t < 200; ++t) {
+    (void)bench.agrees(ms(t), 3.0F, -3.0F);
+  }
+  bench.reset();
+  ASSERT_EQ(bench.hold_level(ms(3'000), ms(3'101), 3.0F), ms(3'100));
+  EXPECT_TRUE(bench.agrees(ms(3'101), 3.0F, 3.0F));
+}
+
 }  // namespace
 }  // namespace fantail::core

@@ -48,6 +48,15 @@ class Bench {
     return detector_.update(now, {first, second});
   }
 
+  bool agrees(Microseconds time, float first_g, float second_g) {
+    return agrees(time, sample(time, first_g), sample(time, second_g));
+  }
+  bool agrees(Microseconds now, const AccelerometerSample& first, const AccelerometerSample& second) {
+    return detector_.agrees(now, {first, second});
+  }
+
+  void reset() { detector_.reset(); }
+
   /// 1 kHz from `begin` on, exclusive of `end`; when it fired, if it did.
   std::optional<Microseconds> hold_level(Microseconds begin, Microseconds end, float axial_g) {
     std::optional<Microseconds> fired;

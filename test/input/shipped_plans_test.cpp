@@ -48,7 +48,8 @@ TEST(ShippedPlans, SecondLaunchHasTwoAccelerometersOneStepAndTheProductChirp) {
   EXPECT_EQ(plan.launch_detection.hold, Microseconds{100'000});
   EXPECT_EQ(plan.launch_detection.accelerometers, core::AccelerometerRule::two_agree);
   EXPECT_TRUE(plan.launch_detection.low_pass);
-  EXPECT_EQ(plan.launch_detection.low_pass_hz, 16.0F);
+  EXPECT_EQ(plan.launch_detection.low_pass_hz, 8.0F);
+  EXPECT_FLOAT_EQ(plan.launch_detection.disagreement_m_s2, 2.0F * 9.80665F);
   EXPECT_EQ(plan.motion.height_origin, core::HeightOrigin::replay);
   EXPECT_EQ(plan.guide.length_m, 4.0F);
   EXPECT_EQ(plan.guide.clearance_m, 2.0F);

@@ -34,6 +34,7 @@ void LaunchDetector::reset() {}
 DetectionState LaunchDetector::update(Microseconds, const std::array<AccelerometerSample, 2>&) {
   return proof::any_of<DetectionState>(5);
 }
+bool LaunchDetector::agrees(Microseconds, const std::array<AccelerometerSample, 2>&) { return nondet_bool(); }
 
 CanardMonitor::CanardMonitor(const MonitorPlan& monitor, const CanardsPlan&) : plan_{monitor}, servo_lag_s_{1.0F} {}
 void CanardMonitor::bridge() {}

@@ -37,6 +37,7 @@ int main() {
                            .arm_command = nondet_bool(),
                            .start_command = nondet_bool(),
                            .launch_detected = nondet_bool(),
+                           .accelerometers_agree = nondet_bool(),
                            .timing_fault = nondet_bool(),
                            .canard_fault = nondet_bool()};
   Motion motion{};
@@ -65,7 +66,7 @@ int main() {
          motion.at_rest_for >= motion_plan.rest_time));
   CLAIM(!(from == Phase::launched && to == Phase::controlling) ||
         (motion.distance_along_guide_m >= guide.length_m + guide.clearance_m &&
-         motion.speed_m_s > guide.minimum_speed_m_s && !inputs.timing_fault));
+         motion.speed_m_s > guide.minimum_speed_m_s && inputs.accelerometers_agree && !inputs.timing_fault));
   CLAIM(from != Phase::launched || to == Phase::launched || to == Phase::controlling || to == Phase::armed);
   CLAIM(from != Phase::controlling || to == Phase::controlling || to == Phase::finished);
   CLAIM(from != Phase::finished || to == Phase::finished);

@@ -89,6 +89,7 @@ PROOFS = [
                 "inputs.start_command",
             ),
             Bug("control begins inside the guide", PHASE, "beyond_guide && motion.speed_m_s", "motion.speed_m_s"),
+            Bug("control begins by one of two", PHASE, " && inputs.accelerometers_agree", ""),
             Bug(
                 "Finished is not final",
                 PHASE,
@@ -111,7 +112,7 @@ PROOFS = [
                 "*channel.above_since >= plan_.hold / 2",
             ),
             Bug("one sample late", DETECTOR, "*channel.above_since >= plan_.hold", "*channel.above_since > plan_.hold"),
-            Bug("a hold reaches across a gap", DETECTOR, "sample.time - *channel.last_time > stale_time_", "false"),
+            Bug("a hold reaches across a gap", DETECTOR, "sample.time - *last_time > stale_time_", "false"),
             Bug(
                 "of two accelerometers one is enough",
                 DETECTOR,

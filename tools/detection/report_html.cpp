@@ -4,6 +4,7 @@
 
 #include <fmt/core.h>
 
+#include "detection/bounds_chart.hpp"
 #include "detection/report.hpp"
 #include "detection/shown_event.hpp"
 #include "page/chart.hpp"
@@ -185,7 +186,9 @@ std::string models(const Report& report) {
 
 std::string report_html(const Report& report) {
   const std::vector<std::string> wrong = failures(report);
-  std::string body;
+  const std::string bounds = bounds_svg(report);
+  std::string body = bounds.empty() ? "" : page::section("Events that are no launch, both accelerometers well",
+                                                         page::figure(bounds, ""));
   for (std::size_t rule = 0; rule < report.campaign.rules.size(); ++rule) {
     body += page::section(report.campaign.rules[rule].name(), events_html(report, rule) + launches_html(report, rule));
   }

@@ -22,8 +22,11 @@ core::FlightPlan plan_of(const std::string& name) {
   if (name != published_launch_2) {
     return input::read_plan(input::Document::load(input::find_input(input::Shipped::plan, name).string()));
   }
-  const std::array<input::Override, 3> as_printed{
+  // Nothing is printed of how far the two may differ, nor behind which filter: the defaults.
+  const std::array<input::Override, 5> as_printed{
       {{.section = "launch_detection", .key = "low_pass", .value = "false"},
+       {.section = "launch_detection", .key = "low_pass_hz", .value = "16"},
+       {.section = "launch_detection", .key = "disagreement_g", .value = "0.5"},
        {.section = "guide", .key = "minimum_speed_m_s", .value = "0"},
        {.section = "motion", .key = "height_origin", .value = "\"velocity_only\""}}};
   return input::changed_plan(plan_of("tasha3_launch2"), as_printed);

@@ -6,9 +6,9 @@
 
 #include <fmt/core.h>
 
+#include "flight/named_source.hpp"
 #include "flight/table.hpp"
 #include "flight/units.hpp"
-#include "input/messages.hpp"
 #include "text/error.hpp"
 #include "text/number.hpp"
 
@@ -49,34 +49,10 @@ const Named& named(const std::string& where, const std::string& word) {
     return *found;
   }
   std::vector<std::string> names;
-  std::string allowed;
   for (const Named& one : known_quantities) {
     names.emplace_back(one.name);
-    allowed += fmt::format(" {}", one.name);
   }
-  std::string message = fmt::format("unknown quantity {}", flight::in_quotes(word));
-  if (const auto meant = input::suggestion(word, names)) {
-    message += fmt::format("; did you mean {}?", *meant);
-  }
-  refuse_word(where, fmt::format("{} Allowed:{}", message, allowed));
-}
-
-const flight::Unit& unit_of(const std::string& where, const Named& quantity, const std::string& source,
-                            std::string& column) {
-  const std::string allowed = flight::unit_names(quantity.dimension);
-  const std::size_t colon = source.rfind(':');
-  if (colon == std::string::npos || colon == 0) {
-    refuse_word(where, fmt::format("{}: its unit is missing, as in {}:{}; allowed: {}", flight::in_quotes(source),
-                                   source, allowed.substr(0, allowed.find(',')), allowed));
-  }
-  const std::string word = source.substr(colon + 1);
-  const flight::Unit* const unit = flight::find_unit(word);
-  if (unit == nullptr || unit->dimension != quantity.dimension) {
-    refuse_word(where,
-                fmt::format("{} is no unit of {}; allowed: {}", flight::in_quotes(word), quantity.name, allowed));
-  }
-  column = source.substr(0, colon);
-  return *unit;
+  flight::refuse_unknown_quantity(where, word, names);
 }
 
 // Takes "-" and "SCALE*" off the front of a column's name.
@@ -101,12 +77,15 @@ double sign_and_scale(const std::string& where, std::string& column) {
   return factor;
 }
 
-Source source_of(const std::string& where, const std::string& word, const std::string& text) {
-  const Named& quantity = named(where, word);
-  Source source{.quantity = quantity.quantity, .from_rest = quantity.from_rest, .words = text};
-  const flight::Unit& unit = unit_of(where, quantity, text, source.column);
-  source.unit = unit.name;
-  source.factor = sign_and_scale(where, source.column) * unit.si;
+Source source_of(const flight::NamedSource& said) {
+  const Named& quantity = named(said.where, said.quantity);
+  const auto [column, unit] = flight::column_in_unit(said.where, quantity.name, said.source, quantity.dimension);
+  Source source{.quantity = quantity.quantity,
+                .column = column,
+                .unit = std::string{unit->name},
+                .from_rest = quantity.from_rest,
+                .words = said.source};
+  source.factor = sign_and_scale(said.where, source.column) * unit->si;
   return source;
 }
 
@@ -118,24 +97,14 @@ std::string_view name(Quantity quantity) {
 
 Sources parse_columns(std::string_view text, const std::string& option) {
   Sources sources;
-  while (true) {
-    const std::size_t comma = std::min(text.find(','), text.size());
-    const std::string part{text.substr(0, comma)};
-    const std::size_t equals = part.find('=');
-    const std::string where = fmt::format("{} {}", option, part);
-    if (equals == std::string::npos || equals == 0 || equals + 1 == part.size()) {
-      refuse_word(where, "expected QUANTITY=COLUMN:UNIT, several with commas between, as in time=ts:s,axial=-Ay:m/s2");
+  for (const flight::NamedSource& said : flight::named_sources(text, option, "time=ts:s,axial=-Ay:m/s2")) {
+    Source source = source_of(said);
+    if (find(sources, source.quantity) != nullptr) {
+      refuse_word(said.where, fmt::format("the quantity {} appears twice", name(source.quantity)));
     }
-    sources.push_back(source_of(where, part.substr(0, equals), part.substr(equals + 1)));
-    const auto same = [&](const Source& other) { return other.quantity == sources.back().quantity; };
-    if (std::ranges::count_if(sources, same) > 1) {
-      refuse_word(where, fmt::format("the quantity {} appears twice", name(sources.back().quantity)));
-    }
-    if (comma == text.size()) {
-      return sources;
-    }
-    text.remove_prefix(comma + 1);
+    sources.push_back(std::move(source));
   }
+  return sources;
 }
 
 Sources merged(const Sources& first, const Sources& second) {

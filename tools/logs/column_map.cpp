@@ -7,6 +7,7 @@
 #include <fmt/core.h>
 
 #include "flight/columns.hpp"
+#include "flight/named_source.hpp"
 #include "flight/units.hpp"
 #include "input/document.hpp"
 #include "input/messages.hpp"
@@ -48,41 +49,18 @@ std::optional<std::string_view> column_called(std::string_view word) {
   return {};
 }
 
-[[noreturn]] void refuse_unknown(const std::string& where, const std::string& word) {
-  const std::vector<std::string> names = quantity_names();
-  std::string message = fmt::format("unknown quantity {}", flight::in_quotes(word));
-  if (const auto meant = input::suggestion(word, names)) {
-    message += "; did you mean " + *meant + "?";
-  }
-  message += " Allowed:";
-  for (const std::string& name : names) {
-    message += " " + name;
-  }
-  refuse(where, message);
-}
-
-// "p:rad/s", behind "roll_rate=". A name may contain colons itself, a unit none.
+// "p:rad/s", behind "roll_rate=".
 MappedColumn mapped(const std::string& where, const std::string& word, const std::string& source) {
   const auto ours = column_called(word);
   if (!ours) {
-    refuse_unknown(where, word);
+    flight::refuse_unknown_quantity(where, word, quantity_names());
   }
   const auto dimension = flight::quantity_of(*ours).dimension;
   if (!dimension) {
     return {.ours = std::string{*ours}, .theirs = source, .unit = {}};
   }
-  const std::string allowed = flight::unit_names(*dimension);
-  const std::size_t colon = source.rfind(':');
-  if (colon == std::string::npos || colon == 0) {
-    refuse(where, fmt::format("{}: its unit is missing, as in {}:{}; allowed: {}", flight::in_quotes(source), source,
-                              allowed.substr(0, allowed.find(',')), allowed));
-  }
-  const std::string unit = source.substr(colon + 1);
-  const flight::Unit* const known = flight::find_unit(unit);
-  if (known == nullptr || known->dimension != *dimension) {
-    refuse(where, fmt::format("{} is no unit of {}; allowed: {}", flight::in_quotes(unit), word, allowed));
-  }
-  return {.ours = std::string{*ours}, .theirs = source.substr(0, colon), .unit = unit};
+  const auto [column, unit] = flight::column_in_unit(where, word, source, *dimension);
+  return {.ours = std::string{*ours}, .theirs = column, .unit = std::string{unit->name}};
 }
 
 void add(ColumnMap& map, const std::string& where, MappedColumn column) {
@@ -96,20 +74,10 @@ void add(ColumnMap& map, const std::string& where, MappedColumn column) {
 
 ColumnMap parse_column_map(std::string_view text, const std::string& option) {
   ColumnMap map;
-  while (true) {
-    const std::size_t comma = std::min(text.find(','), text.size());
-    const std::string part{text.substr(0, comma)};
-    const std::size_t equals = part.find('=');
-    const std::string where = fmt::format("{} {}", option, part);
-    if (equals == std::string::npos || equals == 0 || equals + 1 == part.size()) {
-      refuse(where, "expected QUANTITY=COLUMN:UNIT, several with commas between, as in time=t:ms,roll_rate=p:rad/s");
-    }
-    add(map, where, mapped(where, part.substr(0, equals), part.substr(equals + 1)));
-    if (comma == text.size()) {
-      return map;
-    }
-    text.remove_prefix(comma + 1);
+  for (const auto& [where, quantity, source] : flight::named_sources(text, option, "time=t:ms,roll_rate=p:rad/s")) {
+    add(map, where, mapped(where, quantity, source));
   }
+  return map;
 }
 
 ColumnMap read_column_map(const std::filesystem::path& file) {
