@@ -81,13 +81,16 @@ std::string bounds_svg(const Report& report) {
     return {};
   }
   double least = 100.0;
+  double most = 0.0;
   for (const Kind kind : rows) {
     for (std::size_t rule = 0; rule < rules; ++rule) {
-      least = std::min(least, percent_bound(well(report, kind, rule)));
+      const double bound = percent_bound(well(report, kind, rule));
+      least = std::min(least, bound);
+      most = std::max(most, bound);
     }
   }
   // At least a decade of bar.
-  const page::Range x{std::floor(std::log10(least)) - 1.0, 2.0};
+  const page::Range x{std::floor(std::log10(least)) - 1.0, std::ceil(std::log10(most))};
   const std::vector<page::Tick> ticks = decades(x);
   const double row = bar_row * static_cast<double>(rules) + gap;
   const double top = legend_row * static_cast<double>(rules) + 6.0;

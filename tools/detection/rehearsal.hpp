@@ -21,6 +21,8 @@ struct Answer {
   std::optional<std::size_t> controlling{};  ///< from here on the canards may move
   /// How far a detection came towards the gate of height and speed: at 1 it opens. Of the two the smaller share.
   float nearness = 0.0F;
+  /// Beyond the gate, and kept from control by accelerometers that disagree.
+  static constexpr float held_back = 0.999F;
   // Of launches.
   std::optional<std::size_t> crossing{};  ///< the thrust alone is first at the rule's threshold
   float distance_error_m = 0.0F;          ///< estimated less true distance along the guide, at control start

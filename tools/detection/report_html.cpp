@@ -56,9 +56,9 @@ std::string launches_html(const Report& report, std::size_t rule) {
                                              {"accelerometers"},
                                              {"launches", true},
                                              {"missed", true},
-                                             {"latency / ms: 50, 99 %", true},
-                                             {"way / m: 1, 50, 99 %", true},
-                                             {"error / m: 1, 50, 99 %", true},
+                                             {"latency / ms", true},
+                                             {"way / m", true},
+                                             {"error / m", true},
                                              {"inside the guide", true}}};
   std::vector<std::vector<page::Cell>> rows;
   for (const Kind kind : report.campaign.kinds) {
@@ -66,8 +66,8 @@ std::string launches_html(const Report& report, std::size_t rule) {
       const Count& count = report.results.of_kind[index(kind)]->of_rule[rule][condition];
       if (count.events > 0) {
         const auto three = [](const Histogram& of) {
-          return fmt::format("{}, {}, {}", point_text(of, 0.01, 0.01, 2), point_text(of, 0.5, 0.01, 2),
-                             point_text(of, 0.99, 0.01, 2));
+          return fmt::format("{}, {}, {}", point_text(of, 0.01, 0.01, 1), point_text(of, 0.5, 0.01, 1),
+                             point_text(of, 0.99, 0.01, 1));
         };
         rows.push_back({{std::string{info(kind).name}},
                         {std::string{condition_names[condition]}},
@@ -86,8 +86,9 @@ std::string launches_html(const Report& report, std::size_t rule) {
              ? ""
              : page::table(columns, rows) +
                    page::note(
-                       "Latency: from the thrust's first crossing of the threshold. Way: the true one along the guide "
-                       "at control start, and error what the estimate has more than that.");
+                       "Latency: from the thrust's first crossing of the threshold, of 50 and 99 % of the launches. "
+                       "Way: the true one along the guide at control start, and error what the estimate has more than "
+                       "that; of 1, 50 and 99 %.");
 }
 
 page::Series shares(const Histogram& histogram, double scale, std::string name, page::Role role) {
@@ -121,6 +122,12 @@ page::Chart by_thrust_chart(const Report& report, Kind kind) {
   return chart;
 }
 
+/// Four times the least median: what lies far beyond is rare, and would leave no room for the rest.
+std::optional<page::Range> most_of(const std::vector<double>& medians) {
+  const double least = medians.empty() ? 0.0 : std::ranges::min(medians);
+  return least > 0.0 ? std::optional<page::Range>{{0.0, 4.0 * least}} : std::nullopt;
+}
+
 /// Of all rules beside each other, the launches of one kind.
 std::string distributions(const Report& report, Kind kind) {
   page::Chart latency{.label = "Share of the launches detected within a time",
@@ -131,10 +138,14 @@ std::string distributions(const Report& report, Kind kind) {
                   .x_label = "true way along the guide / m",
                   .y_label = "in control / %",
                   .width = page::half_page};
+  std::vector<double> latencies;
+  std::vector<double> ways;
   for (std::size_t rule = 0; rule < report.campaign.rules.size(); ++rule) {
     const Count& count = report.results.of_kind[index(kind)]->of_rule[rule][0];
     if (count.controlling > 0) {
       const std::string name = report.campaign.rules[rule].name();
+      latencies.push_back(1e-3 * count.latency_ms.point(0.5).value_or(0));
+      ways.push_back(1e-2 * count.distance_cm.point(0.5).value_or(0));
       latency.series.push_back(shares(count.latency_ms, 1e-3, name, roles[rule % roles.size()]));
       way.series.push_back(shares(count.distance_cm, 1e-2, name, roles[rule % roles.size()]));
     }
@@ -142,6 +153,8 @@ std::string distributions(const Report& report, Kind kind) {
   if (latency.series.empty()) {
     return {};
   }
+  latency.x_range = most_of(latencies);
+  way.x_range = most_of(ways);
   const std::array<std::string, 2> plots{page::figure(latency), page::figure(way)};
   return page::section(fmt::format("How late: {}", info(kind).name),
                        page::side_by_side(plots) + page::figure(by_thrust_chart(report, kind)));
@@ -163,12 +176,12 @@ std::string worst_events(const Report& report) {
     }
     if (worst) {
       const ShownEvent shown = show_event(report.campaign, *worst, at.event);
-      body += page::paragraph(fmt::format("Worst of {}: {}", report.campaign.rules[rule].name(),
-                                          command_of(report.campaign, *worst, at.event))) +
-              sentences_html(shown) + shown.figures_html;
+      body += page::section(fmt::format("Worst event of {}", report.campaign.rules[rule].name()),
+                            page::paragraph(command_of(report.campaign, *worst, at.event)) + sentences_html(shown) +
+                                shown.figures_html);
     }
   }
-  return body.empty() ? "" : page::section("Worst events", body);
+  return body;
 }
 
 std::string models(const Report& report) {

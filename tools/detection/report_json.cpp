@@ -81,6 +81,7 @@ std::string report_json(const Report& report) {
                           {"seed", report.campaign.seed},
                           {"events_of_each_kind", report.campaign.events},
                           {"launches_of_each_kind", report.campaign.launches},
+                          {"both_well", report.campaign.both_well},
                           {"at_most", report.at_most},
                           {"failures", failures(report)},
                           {"rules", rules}};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "detection/shown_event.hpp"
 
+#include <algorithm>
 #include <limits>
 #include <span>
 #include <sstream>
@@ -35,9 +36,10 @@ page::Chart readings_chart(const Rehearsal& rehearsal, const std::vector<Rule>& 
     chart.series.push_back(std::move(series));
   }
   for (const Rule& rule : rules) {
-    chart.levels.push_back({.value = static_cast<double>(rule.plan.launch_detection.threshold_m_s2) / sim::gravity_m_s2,
-                            .label = "threshold",
-                            .role = page::Role::limit});
+    const double value = static_cast<double>(rule.plan.launch_detection.threshold_m_s2) / sim::gravity_m_s2;
+    if (std::ranges::find(chart.levels, value, &page::Level::value) == chart.levels.end()) {
+      chart.levels.push_back({.value = value, .label = "threshold", .role = page::Role::limit});
+    }
   }
   return chart;
 }
@@ -55,6 +57,9 @@ std::string said(const Rule& rule, const Answer& answer, bool launch) {
                           text::fixed(static_cast<double>(answer.distance_error_m), 2));
     }
     return text;
+  }
+  if (answer.nearness >= Answer::held_back) {
+    return text + ", no control: it is beyond the gate, but the accelerometers disagree";
   }
   return text +
          fmt::format(", no control: {} % of the gate", text::fixed(100.0 * static_cast<double>(answer.nearness), 0));
