@@ -2,6 +2,7 @@
 """What a row of the table of proofs is."""
 
 import dataclasses
+import re
 
 
 @dataclasses.dataclass(frozen=True)
@@ -26,6 +27,10 @@ class Proof:
     quick: bool = False
     seconds: int = 120  # of the processor, for each run
     megabytes: int = 3000  # of address space
+
+    def claims(self, folder):
+        """How many its harness has: the prover must have looked at each."""
+        return len(re.findall(r"^\s*CLAIM\(", (folder / self.harness).read_text(), re.MULTILINE))
 
 
 # The harness looks at private members.

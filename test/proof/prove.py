@@ -25,113 +25,10 @@ import time
 import figures
 import kept
 import prover
+from job import HERE, Stop, jobs_of
 
-HERE = pathlib.Path(__file__).resolve().parent
-SOURCES = HERE.parent.parent
 VERSION = "ESBMC version 8.4.0"
 AT_ONCE = max(1, min(2, len(os.sched_getaffinity(0))))
-
-
-class Stop(Exception):
-    def __init__(self, code, why):
-        super().__init__(why)
-        self.code = code
-
-
-class Job:
-    """One run of the prover and what must come of it."""
-
-    def __init__(self, proof, kind, label, includes, options):
-        self.proof, self.kind, self.label = proof, kind, label
-        self.includes, self.options = includes, options
-        self.verdict = None
-        self.digest = ""
-        self.kept = False
-
-    @property
-    def name(self):
-        return f"{self.proof.name}, {self.label}"
-
-    @property
-    def place(self):
-        """Where it writes, in the build folder, without the ending."""
-        return f"{self.proof.name}/{self.label.split(':')[0].replace(' ', '_')}"
-
-    def folders(self):
-        return [
-            *self.includes,
-            *(HERE / f for f in self.proof.stubs),
-            HERE / "stubs",
-            HERE,
-            SOURCES / "firmware",
-            SOURCES / "hal" / "include",
-        ]
-
-    def command(self, esbmc):
-        checks = () if self.proof.checks else prover.WITHOUT_CHECKS
-        language = "c11" if self.proof.harness.endswith(".c") else "c++20"
-        return [
-            esbmc,
-            HERE / self.proof.harness,
-            *(w for f in self.folders() for w in ("-I", f)),
-            "--std",
-            language,
-            *prover.OPTIONS,
-            *checks,
-            *self.proof.options,
-            *self.options,
-        ]
-
-    def fault(self):
-        """Why this did not end as it must; empty if it did."""
-        v = self.verdict
-        if v.kind == prover.NONE:
-            return v.why
-        if self.kind == "claims":
-            return "" if v.kind == prover.HOLDS else f"refuted: {v.why}"
-        if v.kind == prover.HOLDS:
-            return "this place is never reached" if self.kind == "place" else "the seeded bug was not refuted"
-        wanted = ("reached",) if self.kind == "place" else self.proof.refuted_by
-        return "" if v.why.startswith(wanted) else f"refuted by something else: {v.why}"
-
-    def line(self):
-        fault = self.fault()
-        if self.kept:
-            return f"{'as before':24}  {self.name}"
-        word = "FAILED" if fault else {"claims": "proved", "place": "reached", "bug": "refuted"}[self.kind]
-        claims = f" ({self.verdict.claims} claims)" if self.verdict.claims else ""
-        cost = f"{self.verdict.seconds:6.1f} s {self.verdict.megabytes:5.0f} MB"
-        return f"{word:8}{cost}  {self.name}{claims}{': ' + fault if fault else ''}"
-
-
-def with_bug(bug, folder):
-    """The folder of a copy of the bug's source file with the bug in it, to be searched before the sources."""
-    source = SOURCES / "firmware" / bug.file
-    text = source.read_text()
-    if text.count(bug.text) != 1:
-        raise Stop(
-            1,
-            f'{bug.file} has {text.count(bug.text)} times, instead of once, what the seeded bug "{bug.says}" replaces: {bug.text}',
-        )
-    copy = folder / bug.file
-    copy.parent.mkdir(parents=True, exist_ok=True)
-    copy.write_text(text.replace(bug.text, bug.replacement))
-    return folder
-
-
-def jobs_of(proof, build, quick):
-    """Its runs; of a quick look only the first place and the first bug."""
-    places, bugs = proof.places, proof.bugs
-    if quick:
-        places, bugs = min(places, 1), bugs[:1]
-    folder = build / proof.name
-    folder.mkdir(parents=True, exist_ok=True)
-    jobs = [Job(proof, "claims", "claims", [], [])]
-    for place in range(1, places + 1):
-        jobs.append(Job(proof, "place", f"place {place}", [], ["-D", f"PROOF_REACHABLE={place}"]))
-    for number, bug in enumerate(bugs, 1):
-        jobs.append(Job(proof, "bug", f"bug {number}: {bug.says}", [with_bug(bug, folder / f"bug{number}")], []))
-    return jobs
 
 
 def run(jobs, esbmc, build, say):
@@ -206,11 +103,14 @@ def prove(options):
     proofs = table(options.table)
     unknown = sorted(set(options.names) - {proof.name for proof in proofs})
     if unknown:
-        raise Stop(64, f"there is no proof {', '.join(unknown)}; prove --list names them")
+        raise Stop(64, f"there is no proof {', '.join(map(repr, unknown))}; prove --list names them")
     if options.names:
         proofs = [proof for proof in proofs if proof.name in options.names]
     if options.quick:
         proofs = [proof for proof in proofs if proof.quick]
+    if options.list and options.json:
+        print(json.dumps([{"name": proof.name, "quick": proof.quick, "says": proof.says} for proof in proofs], indent=1))
+        return 0
     if options.list:
         for proof in proofs:
             print(f"{proof.name:22}{'quick  ' if proof.quick else '       '}{proof.says}")
@@ -240,11 +140,12 @@ def prove(options):
     if not options.names and not options.quick:  # a part must not stand for the whole
         figures_file.write_text(json.dumps(figures.page(rows, seconds, passed, command, notes), indent=1) + "\n")
     if options.json:
-        print(json.dumps({"passed": passed, "seconds": round(seconds, 1), "proofs": rows}, indent=1))
+        print(json.dumps({"passed": passed, "quick": options.quick, "seconds": round(seconds, 1), "proofs": rows}, indent=1))
     bad = [row["name"] for row in rows if not row["proved"]]
     cpu = sum(row["cpu_seconds"] for row in rows)
     print(
-        f"prove: {len(rows) - len(bad)} of {len(rows)} properties proved, {sum(row['bugs_refuted'] for row in rows)} of "
+        f"prove: {len(rows) - len(bad)} of {len(rows)} properties "
+        f"{'hold, each with its first place and bug alone' if options.quick else 'proved'}, {sum(row['bugs_refuted'] for row in rows)} of "
         f"{sum(row['bugs'] for row in rows)} seeded bugs refuted, in {seconds:.0f} s ({cpu:.0f} CPU s"
         + (f"; taken from earlier calls: {len(jobs) - len(to_run)} of {len(jobs)} runs)" if options.resume else ")")
         + (f"; NOT PROVED: {', '.join(bad)}; what the prover said is in {build}/NAME/*.log" if bad else ""),

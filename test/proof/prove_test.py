@@ -1,99 +1,19 @@
 # SPDX-License-Identifier: MIT
-"""prove.py with a prover that misbehaves: whatever it does, nothing may count as proved that was not.
-
-The prover is a shell script that is told by the name of the harness what to do. What it is asked can be seen in its words:
-PROOF_REACHABLE for a place, a folder bug1 for a seeded bug.
-"""
+"""prove.py with a prover that misbehaves: whatever it does, nothing may count as proved that was not."""
 
 import json
 import os
-import pathlib
 import re
 import signal
 import subprocess
-import sys
-import tempfile
 import time
 import unittest
 
 import proofs
-
-HERE = pathlib.Path(__file__).resolve().parent
-
-PROVER = r"""#!/bin/sh
-[ "$1" = --version ] && echo "ESBMC version 8.4.0 64-bit x86_64 linux" && exit 0
-holds() { echo "  PASSED  [main.assertion.1]  line 1  claim: x == y"; echo "VERIFICATION SUCCESSFUL"; exit 0; }
-fails() { printf 'Violated property:\n  file x line 1 column 1\n  %s\n\nVERIFICATION FAILED\n' "$1"; exit 1; }
-kind=claims
-case "$*" in *PROOF_REACHABLE=*) kind=place ;; */bug1*) kind=bug ;; esac
-case "$(basename "$1" .cpp),$kind" in
-  good,claims) holds ;;
-  good,place) fails reached ;;
-  good,bug) fails "claim: x == y" ;;
-  no_body,claims) echo "WARNING: no body for function sin"; holds ;;
-  time,claims) while :; do :; done ;;
-  sleeps,claims) echo $$ >"$FAKE_PID"; exec sleep 600 ;;
-  killed,claims) kill -9 $$ ;;
-  crashed,claims) echo "VERIFICATION SUCCESSFUL"; kill -11 $$ ;;
-  memory,claims) exec python3 -c 'b = bytearray(1 << 32); print("VERIFICATION SUCCESSFUL")' ;;
-  silent,claims) exit 0 ;;
-  no_claim,claims) echo "VERIFICATION SUCCESSFUL"; exit 0 ;;
-  both,claims) echo "VERIFICATION FAILED"; holds ;;
-  unknown,claims) echo "VERIFICATION UNKNOWN"; exit 0 ;;
-  wrong_code,claims) echo "  PASSED  [x]  line 1  claim: x"; echo "VERIFICATION SUCCESSFUL"; exit 3 ;;
-  refuted,claims) fails "claim: x == y" ;;
-  parse,claims) echo "x.cpp:1:1: error: no such thing"; echo "ERROR: PARSING ERROR"; exit 6 ;;
-  unreachable,place) holds ;;
-  missed,bug) holds ;;
-  unwinding,bug) fails "unwinding assertion loop 3" ;;
-  elsewhere,place) fails "claim: x == y" ;;
-  *,claims) holds ;;
-  *,place) fails reached ;;
-  *,bug) fails "claim: x == y" ;;
-esac
-"""
-
-TABLE = """
-import sys
-sys.path.insert(0, {here!r})
-from proof import Bug, Proof
-BUG = Bug("clamp gone", "core/canard_mixer.cpp", {text!r}, "")
-PROOFS = [Proof(name, name, {work!r} + name + ".cpp", 1, (BUG,), quick=name == "good", seconds=1, megabytes=1000) for name in {names!r}]
-"""
-
-ONCE = "angle = clamp(wanted, canard.limit);"
+from misbehaving_prover import HERE, Called
 
 
-class Prove(unittest.TestCase):
-    def setUp(self):
-        self.folder = tempfile.TemporaryDirectory()
-        self.addCleanup(self.folder.cleanup)
-        self.work = pathlib.Path(self.folder.name)
-        self.prover = self.work / "esbmc"
-        self.prover.write_text(PROVER)
-        self.prover.chmod(0o755)
-
-    def command(self, names, *words, text=ONCE):
-        table = self.work / "table.py"
-        table.write_text(TABLE.format(here=str(HERE), work=f"{self.work}/", names=names, text=text))
-        for name in names:
-            harness = self.work / f"{name}.cpp"
-            if not harness.exists():
-                harness.write_text('#include "core/canard_mixer.cpp"\n#include "beside.hpp"\n#include <cmath>\n')
-        return [
-            sys.executable,
-            "-B",
-            str(HERE / "prove.py"),
-            str(self.prover),
-            str(self.work / "build"),
-            "--table",
-            str(table),
-            *words,
-        ]
-
-    def prove(self, names, *words, **options):
-        return subprocess.run(self.command(names, *words, **options), capture_output=True, text=True, timeout=120)
-
+class Prove(Called):
     def is_red(self, name, sentence):
         done = self.prove(["good", name])
         self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
@@ -149,6 +69,16 @@ class Prove(unittest.TestCase):
     def test_success_without_a_claim_is_red(self):
         self.is_red("no_claim", "there was no claim in what it looked at")
 
+    def test_fewer_claims_than_the_harness_has_are_red(self):
+        (self.work / "few.cpp").write_text("CLAIM(x == y);\n  CLAIM(y == z);\n")
+        self.is_red("few", "1 claims were looked at, and the harness has 2")
+
+    def test_a_quick_look_does_not_say_that_all_was_looked_at(self):
+        done = self.prove(["good"], "--quick", bugs="BUG, BUG")
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        self.assertIn("1 of 1 properties hold, each with its first place and bug alone, 1 of 2 seeded bugs refuted", done.stdout)
+        self.assertFalse((self.work / "build/figures/proofs.json").exists())
+
     def test_two_verdicts_are_red(self):
         self.is_red("both", "it did not say what it found")
 
@@ -187,9 +117,10 @@ class Prove(unittest.TestCase):
         self.assertIn("times, instead of once", done.stderr)
 
     def test_an_unknown_name_is_wrong_usage(self):
-        done = self.prove(["good"], "bad")
-        self.assertEqual(done.returncode, 64)
-        self.assertIn("there is no proof bad", done.stderr)
+        for name in ("bad", ""):
+            done = self.prove(["good"], name)
+            self.assertEqual(done.returncode, 64)
+            self.assertIn(f"there is no proof '{name}'", done.stderr)
 
     def test_a_quick_look_that_would_look_at_nothing_is_wrong_usage(self):
         self.assertEqual(self.prove(["good", "refuted"], "--quick", "refuted").returncode, 64)
@@ -210,55 +141,6 @@ class Prove(unittest.TestCase):
         said = json.loads(done.stdout)
         self.assertEqual([proof["proved"] for proof in said["proofs"]], [True, False])
         self.assertEqual(said["proofs"][1]["faults"], ["bug 1: clamp gone: the seeded bug was not refuted"])
-
-    def test_a_run_is_not_repeated_while_everything_that_it_read_is_the_same(self):
-        beside = self.work / "beside.hpp"
-        beside.write_text("// as it was\n")
-        first = self.prove(["good"])
-        self.assertEqual(first.returncode, 0, first.stdout + first.stderr)
-        log = self.work / "build/prove/good/claims.log"
-        log.unlink()
-        again = self.prove(["good"], "--resume")
-        self.assertEqual(again.returncode, 0, again.stdout + again.stderr)
-        self.assertFalse(log.exists())
-        self.assertIn("taken from earlier calls: 3 of 3 runs", again.stdout)
-        notes = json.loads((self.work / "build/figures/proofs.json").read_text())["notes"]
-        self.assertEqual(notes[-1], "3 of 3 runs are of earlier calls, in which the prover read the same.")
-        for change in (
-            lambda: beside.write_text("// another text\n"),
-            lambda: beside.unlink(),
-            lambda: (self.work / "good.cpp").write_text("#include <cmath>\n"),
-            lambda: self.prover.write_text(PROVER + "# another prover\n"),
-        ):
-            change()
-            done = self.prove(["good"], "--resume")
-            self.assertIn("taken from earlier calls: 0 of 3 runs", done.stdout)
-            self.assertTrue(log.exists())
-            log.unlink()
-
-    def test_without_resume_everything_is_run_again(self):
-        self.prove(["good"])
-        log = self.work / "build/prove/good/claims.log"
-        log.unlink()
-        self.assertEqual(self.prove(["good"]).returncode, 0)
-        self.assertTrue(log.exists())
-
-    def test_what_was_red_or_is_damaged_is_run_again(self):
-        self.assertEqual(self.prove(["missed"]).returncode, 1)
-        done = self.prove(["missed"], "--resume")
-        self.assertEqual(done.returncode, 1)
-        self.assertIn("taken from earlier calls: 2 of 3 runs", done.stdout)
-        for name, text in (("claims", ""), ("place_1", '{"digest": 1}'), ("claims", '["verdict"]')):
-            (self.work / f"build/prove/missed/{name}.json").write_text(text)
-            self.assertIn("taken from earlier calls: 1 of 3 runs", self.prove(["missed"], "--resume").stdout)
-
-    def test_a_kept_verdict_that_is_not_the_wanted_one_counts_for_nothing(self):
-        self.prove(["good"])
-        file = self.work / "build/prove/good/bug_1.json"
-        file.write_text(file.read_text().replace('"refuted"', '"holds"'))
-        done = self.prove(["good"], "--resume")
-        self.assertEqual(done.returncode, 0)
-        self.assertIn("taken from earlier calls: 2 of 3 runs", done.stdout)
 
     def test_two_at_once_in_a_folder_are_refused(self):
         pid_file = self.work / "pid"

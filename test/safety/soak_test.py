@@ -6,10 +6,22 @@ import io
 import json
 import os
 import pathlib
+import subprocess
 import sys
 import tempfile
+import time
 
 TOOLS = pathlib.Path(sys.argv[1])
+ENDED = """
+import sys
+sys.path.insert(0, sys.argv[1])
+import soak
+root = sys.argv[2]
+open(root + "/sleeps.sh", "w").write("#!/bin/sh\\necho $$ >" + root + "/pid\\nexec sleep 600\\n")
+soak.STEPS = [("sleeps", "It sleeps", "nights", 1, "/bin/sh " + root + "/sleeps.sh", {}, [])]
+sys.argv = ["soak.py", root]
+sys.exit(soak.main())
+"""
 
 
 def load(name):
@@ -53,11 +65,36 @@ def main():
             code, said, result = soak(root, [step(name, command, reads)])
             assert code == 1 and not result["passed"], (name, said)
 
-        # What this commit has passed is not run again, what it has not is.
+        # A program that says it passed and has run no test.
+        empty = root / "empty.sh"
+        empty.write_text("#!/bin/sh\necho '[  PASSED  ] 0 tests.'\n")
+        one = root / "one.sh"
+        one.write_text("#!/bin/sh\necho '[  PASSED  ] 1 test.'\n")
+        for program in (empty, one):
+            program.chmod(0o755)
+        assert soak(root, [step("empty", f"{empty} --gtest_filter=No.Test")])[0] == 1
+        code, said, result = soak(root, [step("one", f"{one} --gtest_filter=A.Test")])
+        assert code == 0 and "1 tests passed" in result["tables"][0]["rows"][0][3], result
+
+        # What these sources have passed is not run again, what it has not is.
         code, said, result = soak(root, [count, step("no", "true")], "--resume")
         assert code == 0 and "1 of 2 steps" in said and "count: passed" not in said, said
+        assert result["command"] == "./dev soak --resume" and "1 of 2 are of an earlier call" in result["notes"][1], result
+        (root / "firmware").mkdir()
+        (root / "firmware/new.cpp").write_text("")
+        code, said, _ = soak(root, [count, step("no", "true")], "--resume")
+        assert code == 0 and "2 of 2 steps" in said, said
         code, said, result = soak(root, [count, step("new", "true")], "--only", "count")
         assert code == 0 and len(result["tables"][0]["rows"]) == 1
+
+        # An end from outside ends the steps.
+        module = subprocess.Popen([sys.executable, "-B", "-c", ENDED, str(TOOLS), str(root)], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
+        while not (root / "pid").exists() or not (root / "pid").read_text().strip():
+            time.sleep(0.02)
+        module.terminate()
+        assert b"--resume goes on" in module.communicate(timeout=60)[1] and module.returncode == 130
+        pid = int((root / "pid").read_text())
+        assert not pathlib.Path(f"/proc/{pid}").exists() or "State:\tZ" in pathlib.Path(f"/proc/{pid}/status").read_text()
 
         # A step that is in the table and was not run is no success.
         module = load("soak")

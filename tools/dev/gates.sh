@@ -65,16 +65,20 @@ sanitized_commands() {
   configured build/host-asan host-asan && cmake --build --preset host-asan --target "$@"
 }
 
-# soak [--short] [--resume]: --short is a thousandth of the runs, to check that it works.
+# soak [--short] [--resume] [--seed S]: --short is a thousandth of the runs, to check that it works.
 soak() {
-  local page="" word code=0
+  local page="" word before="" code=0
   for word in "$@"; do
-    case "$word" in
+    case "$before$word" in
       --short) page=build/figures/soak_short.md ;;
-      --resume) ;;
+      --resume | --seed) ;;
+      --seed[1-9]*) ;;
       *) usage ;;
     esac
+    before=""
+    [ "$word" != --seed ] || before=--seed
   done
+  [ -z "$before" ] || usage
   take_turn
   # shellcheck disable=SC2086
   need $soak_packages

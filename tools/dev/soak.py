@@ -3,7 +3,7 @@
 #
 #   soak.py ROOT [--short] [--resume] [--only NAME...]
 #
-# Each step writes build/soak/NAME.log and NAME.json as it ends; --resume leaves out those that this commit has passed. Exit code 1 if
+# Each step writes build/soak/NAME.log and NAME.json as it ends; --resume leaves out those that the same sources have passed. Exit code 1 if
 # a step failed or could not be read, 130 after an interrupt.
 import argparse
 import hashlib
@@ -45,6 +45,7 @@ STEPS = [
           ("state", 4096, "the flight law from any state, with any samples"),
           ("table", 4096, "any bytes as MAT-file, Parquet file or trajectory")]],
 ]
+TESTS_PASSED = ("tests passed", r"\[  PASSED  \] ([1-9]\d*) tests?\b")
 
 
 def seeds_of(target, folder, root):
@@ -61,8 +62,10 @@ def seeds_of(target, folder, root):
 
 
 class Step:
-    def __init__(self, row, arguments, folder, commit):
+    def __init__(self, row, arguments, folder, made_of):
         self.name, self.title, self.unit, count, command, environment, self.reads = row
+        if "--gtest_filter=" in command:  # a name that no test has would pass
+            self.reads = [*self.reads, TESTS_PASSED]
         self.count = max(count // 1000, 1) if arguments.short else count
         fill = {"n": self.count, "seed": arguments.seed, "host": "build/host", "fuzz": "build/fuzz"}
         self.command = command.format(**fill)
@@ -70,7 +73,7 @@ class Step:
         self.environment["FANTAIL_SEED"] = str(arguments.seed)
         self.log = folder / f"{self.name}.log"
         self.file = folder / f"{self.name}.json"
-        self.key = f"{commit} {self.count}"
+        self.key = f"{made_of} {self.count}"
         self.process = None
 
     @property
@@ -129,10 +132,11 @@ def run(steps, root):
         for step in running:
             if step.process and step.process.poll() is None:
                 os.killpg(step.process.pid, signal.SIGKILL)
+                step.process.wait()
     return not failed
 
 
-def figures(steps, earlier, seconds, short):
+def figures(steps, earlier, seconds, arguments):
     rows = []
     passed = True
     for step in steps:
@@ -146,19 +150,23 @@ def figures(steps, earlier, seconds, short):
         more = ", ".join(f"{value} {what}" for what, value in kept["found"])
         rows.append([step.anchored_title, f"{kept['count']:,} {step.unit}", "none" if kept["passed"] else "**yes**", f"{kept['seconds']:.0f}"
                      + (f"; {more}" if more else "")])
-    notes = [f"{earlier} of {len(steps)} are of an earlier call at the same sources, and their time is not in the whole."] if earlier else []
-    return {"title": "The long tests", "command": "./dev soak" + (" --short" if short else ""), "seconds": seconds, "passed": passed,
+    notes = [f"The seed was {arguments.seed}."]
+    if earlier:
+        notes.append(f"{earlier} of {len(steps)} are of an earlier call with the same sources, and with its seed; their time is not in the whole.")
+    words = "".join(f" --{word}" for word in ("short", "resume") if getattr(arguments, word))
+    return {"title": "The long tests", "command": "./dev soak" + words, "seconds": seconds, "passed": passed,
             "tables": [{"caption": "", "columns": ["test", "how many", "failures", "time in s; more"], "rows": rows}],
             "notes": notes}
 
 
 def sources(root):
-    """What the steps run on: the commit, and of a tree that was changed since then the changes."""
-    def git(*words):
-        return subprocess.run(["git", *words], cwd=root, capture_output=True, check=False).stdout
-
-    commit = git("describe", "--always", "--dirty").decode().strip()
-    return commit + hashlib.sha256(git("diff", "HEAD")).hexdigest()[:12] if commit.endswith("-dirty") else commit or "without git"
+    """A digest of all that the steps are made of: another file, or other words in one, and nothing counts as passed before."""
+    digest = hashlib.sha256()
+    for top in ("CMakeLists.txt", "CMakePresets.json", "cmake", "firmware", "hal", "sim", "tools", "test", "third_party"):
+        for path in [root / top, *sorted((root / top).rglob("*"))]:
+            if path.is_file() and "__pycache__" not in path.parts:
+                digest.update(f"{path.relative_to(root)}\n".encode() + path.read_bytes())
+    return digest.hexdigest()
 
 
 def main():
@@ -169,15 +177,16 @@ def main():
     parser.add_argument("--only", nargs="+", default=[])
     parser.add_argument("--seed", type=int, default=random.SystemRandom().randrange(1, 2**24))
     arguments = parser.parse_args()
+    signal.signal(signal.SIGTERM, signal.default_int_handler)  # its steps end with it
     root = arguments.root.resolve()
     folder = root / "build/soak"
     folder.mkdir(parents=True, exist_ok=True)
-    commit = sources(root)
+    made_of = sources(root)
     unknown = set(arguments.only) - {row[0] for row in STEPS}
     if unknown:
         print(f"soak: no step {', '.join(sorted(unknown))}; there are {', '.join(row[0] for row in STEPS)}", file=sys.stderr)
         return 64
-    steps = [Step(row, arguments, folder, commit) for row in STEPS
+    steps = [Step(row, arguments, folder, made_of) for row in STEPS
              if (not arguments.only or row[0] in arguments.only) and not (arguments.short and row[0] == "cuts")]
     to_run = [step for step in steps if not (arguments.resume and step.passed_before())]
     print(f"soak: {len(to_run)} of {len(steps)} steps, seed {arguments.seed}", flush=True)
@@ -190,7 +199,7 @@ def main():
     except KeyboardInterrupt:
         print("soak: interrupted; ./dev soak --resume goes on with what is not finished", file=sys.stderr)
         return 130
-    result = figures(steps, len(steps) - len(to_run), time.monotonic() - begun, arguments.short)
+    result = figures(steps, len(steps) - len(to_run), time.monotonic() - begun, arguments)
     (root / "build/figures").mkdir(exist_ok=True)
     (root / "build/figures/soak.json").write_text(json.dumps(result))
     return 0 if passed and result["passed"] else 1
