@@ -31,12 +31,26 @@ VERSION = "ESBMC version 8.4.0"
 AT_ONCE = max(1, min(2, len(os.sched_getaffinity(0))))
 
 
+class Asked:
+    """To end. An exception in the middle of the start of a run would leave a process that nobody knows."""
+
+    to_end = False
+
+    def __call__(self, number, frame):
+        self.to_end = True
+
+
 def run(jobs, esbmc, build, say):
     """Every job, AT_ONCE at a time, the longest first."""
+    asked = Asked()
+    for number in (signal.SIGINT, signal.SIGTERM):
+        signal.signal(number, asked)
     waiting = sorted(jobs, key=lambda job: -job.proof.seconds)
     running, done, said_at, begun = {}, 0, time.monotonic(), time.monotonic()
     try:
         while waiting or running:
+            if asked.to_end:
+                raise KeyboardInterrupt
             while waiting and len(running) < AT_ONCE:
                 job = waiting.pop(0)
                 running[job] = prover.Run(job.command(esbmc), build / f"{job.place}.log", job.proof.seconds, job.proof.megabytes)

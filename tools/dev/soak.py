@@ -112,11 +112,25 @@ class Step:
         return passed
 
 
+class Asked:
+    """To end. An exception in the middle of the start of a step would leave a process that nobody knows."""
+
+    to_end = False
+
+    def __call__(self, number, frame):
+        self.to_end = True
+
+
 def run(steps, root):
     waiting, running, failed = list(steps), [], False
     said = begun = time.monotonic()
+    asked = Asked()
+    for number in (signal.SIGINT, signal.SIGTERM):
+        signal.signal(number, asked)
     try:
         while waiting or running:
+            if asked.to_end:
+                raise KeyboardInterrupt
             while waiting and len(running) < (os.cpu_count() or 1):
                 running.append(waiting.pop(0))
                 running[-1].start(root)
@@ -177,7 +191,6 @@ def main():
     parser.add_argument("--only", nargs="+", default=[])
     parser.add_argument("--seed", type=int, default=random.SystemRandom().randrange(1, 2**24))
     arguments = parser.parse_args()
-    signal.signal(signal.SIGTERM, signal.default_int_handler)  # its steps end with it
     root = arguments.root.resolve()
     folder = root / "build/soak"
     folder.mkdir(parents=True, exist_ok=True)
