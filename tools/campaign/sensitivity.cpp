@@ -6,8 +6,9 @@
 #include <cstddef>
 #include <numeric>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
+#include "linear/dense.hpp"
 #include "sim/random.hpp"
 
 namespace fantail::campaign {
@@ -110,11 +111,11 @@ Sensitivity sensitivity(const std::vector<std::vector<double>>& quantities, cons
     x.col(i) = standardised(quantities[static_cast<std::size_t>(i)]);
   }
   const Eigen::VectorXd y = standardised(result);
-  const Eigen::LDLT<Eigen::MatrixXd> normal_equations{x.transpose() * x};
+  const linear::Factors normal_equations{linear::gram(x)};
   constexpr double least_condition = 1e-9;
-  const bool independent = normal_equations.rcond() > least_condition;
-  const Eigen::MatrixXd inverse = normal_equations.solve(Eigen::MatrixXd::Identity(count, count));
-  const Eigen::VectorXd slopes = x.colPivHouseholderQr().solve(y);
+  const bool independent = normal_equations.reciprocal_condition() > least_condition;
+  const Eigen::MatrixXd inverse = normal_equations.inverse();
+  const Eigen::VectorXd slopes = linear::least_squares(x, y);
   const auto freedom = static_cast<double>(runs - count - 1);
   const double residual = (y - x * slopes).squaredNorm() / freedom;
   Sensitivity all{.of_quantity = {}, .explained = 1.0 - residual};

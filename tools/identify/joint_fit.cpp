@@ -6,12 +6,12 @@
 #include <utility>
 
 #include <Eigen/LU>
-#include <Eigen/QR>
 #include <fmt/core.h>
 
 #include "identify/model/alpha_fit.hpp"
 #include "identify/model/least_squares.hpp"
 #include "identify/model/open_loop.hpp"
+#include "linear/dense.hpp"
 #include "text/error.hpp"
 
 namespace fantail::identify {
@@ -121,8 +121,7 @@ Together together_at(const std::vector<Member>& members, const Eigen::Vector2d& 
   for (const Member& m : members) {
     const Answer at = answer(m.record, m.airframe, m.model_with(constants));
     // Canards that stood still say nothing of beta: what has no inverse has no weight.
-    const Eigen::Matrix2d weight =
-        Eigen::Matrix2d{scale * m.score_covariance * scale}.completeOrthogonalDecomposition().pseudoInverse();
+    const Eigen::Matrix2d weight = linear::pseudo_inverse(Eigen::Matrix2d{scale * m.score_covariance * scale});
     const Eigen::Matrix2d information = scale * at.information * scale;
     result.information.emplace_back(information * weight * information);
     sum += result.information.back();

@@ -7,9 +7,10 @@
 #include <limits>
 #include <numbers>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <fmt/core.h>
 
+#include "linear/dense.hpp"
 #include "tunnel/statistics.hpp"
 
 namespace fantail::tunnel {
@@ -46,7 +47,7 @@ class Samples {
       const double envelope = std::exp(-decay * t);
       columns.row(i) << 1.0, envelope * std::cos(frequency * t), envelope * std::sin(frequency * t);
     }
-    const Eigen::Vector3d solution = columns.colPivHouseholderQr().solve(values);
+    const Eigen::Vector3d solution = linear::least_squares(columns, values);
     return {.at = {solution[0], solution[1], solution[2], decay, frequency},
             .cost = (columns * solution - values).squaredNorm()};
   }
@@ -104,7 +105,7 @@ Fit least_squares(const Samples& samples) {
     const Samples::Equations e = samples.equations(best.at);
     Normal damped = e.normal;
     damped.diagonal() *= 1.0 + damping;
-    const Parameters next = best.at + damped.ldlt().solve(e.right);
+    const Parameters next = best.at + linear::Factors{damped}.solve(e.right).col(0);
     const double cost = samples.equations(next).cost;
     if (!(cost < best.cost)) {
       damping *= 10.0;
@@ -190,7 +191,7 @@ Swing swing_of(const SwingStretch& stretch, const Samples& samples, const Fit& f
   const auto n = static_cast<double>(samples.size());
   const double worth = std::min(known_mean(residuals).independent_samples, n);
   const double variance = fit.cost / std::max(n - static_cast<double>(parameters), 1.0) * (n / worth);
-  const Normal covariance = variance * samples.equations(fit.at).normal.ldlt().solve(Normal::Identity());
+  const Normal covariance = variance * linear::Factors{samples.equations(fit.at).normal}.inverse();
   const Eigen::Matrix2d both = covariance.bottomRightCorner<2, 2>();
   const double s = fit.at[3];
   const double w = fit.at[4];

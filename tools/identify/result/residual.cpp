@@ -7,10 +7,10 @@
 #include <limits>
 #include <vector>
 
-#include <Eigen/Cholesky>
 #include <fmt/core.h>
 
 #include "identify/model/least_squares.hpp"
+#include "linear/dense.hpp"
 #include "text/degrees.hpp"
 #include "text/number.hpp"
 
@@ -72,12 +72,12 @@ class Likelihood {
       spread *= 1.0 - gain;
     }
     const Eigen::MatrixXd full = gram.selfadjointView<Eigen::Lower>();
-    const Eigen::LDLT<Eigen::MatrixXd> known{full.topLeftCorner(unknowns, unknowns)};
+    const linear::Factors known{full.topLeftCorner(unknowns, unknowns)};
     const Eigen::VectorXd side = full.topRightCorner(unknowns, 1);
-    const double rest = full(unknowns, unknowns) - side.dot(known.solve(side));
+    const double rest = full(unknowns, unknowns) - side.dot(known.solve(side).col(0));
     const double freedom = static_cast<double>(rows_.rows() - unknowns);
     const double variance = std::max(rest / freedom, std::numeric_limits<double>::min());
-    const double log_known = known.vectorD().cwiseAbs().array().max(1e-300).log().sum();
+    const double log_known = known.pivots().cwiseAbs().array().max(1e-300).log().sum();
     return {.cost = freedom * std::log(variance) + log_known + log_determinant, .variance_rad2 = variance};
   }
 

@@ -5,8 +5,6 @@
 #include <cmath>
 #include <functional>
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <fmt/core.h>
 
 #include "identify/closed_loop/closed_loop.hpp"
@@ -14,6 +12,7 @@
 #include "identify/model/least_squares.hpp"
 #include "identify/model/open_loop.hpp"
 #include "identify/result/residual.hpp"
+#include "linear/dense.hpp"
 #include "text/number.hpp"
 
 namespace fantail::identify::result {
@@ -29,9 +28,9 @@ MatrixXd inverse_information(const MatrixXd& columns) {
   const VectorXd length = columns.colwise().norm().cwiseMax(1e-300);
   const MatrixXd unit = columns * length.cwiseInverse().asDiagonal();
   // Numbers that the data do not tell apart must come out as unknown, not as a failed inversion.
-  MatrixXd gram = unit.transpose() * unit;
+  MatrixXd gram = linear::gram(unit);
   gram.diagonal().array() += 1e-14;
-  const MatrixXd inverse = gram.ldlt().solve(MatrixXd::Identity(gram.rows(), gram.cols()));
+  const MatrixXd inverse = linear::Factors{gram}.inverse();
   return length.cwiseInverse().asDiagonal() * inverse * length.cwiseInverse().asDiagonal();
 }
 
@@ -42,10 +41,10 @@ MatrixXd undetermined(const MatrixXd& columns, const VectorXd& size) {
   constexpr double times = 1e3;
   const VectorXd length = columns.colwise().norm().cwiseMax(1e-300);
   const MatrixXd unit = columns * length.cwiseInverse().asDiagonal();
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> gram{unit.transpose() * unit};
+  const linear::Eigensystem gram = linear::eigensystem(linear::gram(unit));
   MatrixXd covariance = MatrixXd::Zero(columns.cols(), columns.cols());
-  for (Index k = 0; k < columns.cols() && gram.eigenvalues()(k) < nothing; ++k) {
-    const VectorXd direction = gram.eigenvectors().col(k).cwiseQuotient(length);
+  for (Index k = 0; k < columns.cols() && gram.values(k) < nothing; ++k) {
+    const VectorXd direction = gram.vectors.col(k).cwiseQuotient(length);
     const VectorXd scaled = times / direction.cwiseQuotient(size).cwiseAbs().maxCoeff() * direction;
     covariance += scaled * scaled.transpose();
   }
@@ -79,11 +78,11 @@ Weights weights(const Record& record, const Sensitivities& s, Start start, const
                 const MatrixXd& inverse) {
   const Index numbers = s.numbers.cols() + s.lag.cols();
   Weights result;
-  result.of_angles = (inverse * fitted.transpose()).topRows(numbers);
+  result.of_angles = linear::product(inverse, fitted.transpose()).topRows(numbers);
   if (start == Start::measured) {
     // An error of the first angle shifts the modelled angle of the whole segment.
-    const MatrixXd shift = result.of_angles * s.start_angle;
-    result.of_start_rates = result.of_angles * s.start_rate;
+    const MatrixXd shift = linear::product(result.of_angles, s.start_angle);
+    result.of_start_rates = linear::product(result.of_angles, s.start_rate);
     for (std::size_t k = 0; k < record.segment_begin.size(); ++k) {
       result.of_angles.col(static_cast<Index>(record.segment_begin[k])) -= shift.col(static_cast<Index>(k));
     }
@@ -147,11 +146,12 @@ Uncertainty uncertainty_of(const Record& record, const RollModel& model, const S
   const ResidualNoise noise = estimate_noise(record.time_s, residual, everything);
   const Weights weight = weights(record, sensitivities, start, fitted, inverse);
 
-  MatrixXd covariance = weight.of_angles * noise.covariance_times(record.time_s, weight.of_angles.transpose());
+  MatrixXd covariance =
+      linear::product(weight.of_angles, noise.covariance_times(record.time_s, weight.of_angles.transpose()));
   if (start == Start::measured) {
     const double rate_variance = residual_of(record.roll_rate_rad_s, simulation.roll_rate_rad_s).squaredNorm() /
                                  static_cast<double>(record.size());
-    covariance += rate_variance * weight.of_start_rates * weight.of_start_rates.transpose();
+    covariance += rate_variance * linear::product(weight.of_start_rates, weight.of_start_rates.transpose());
   }
   VectorXd size = VectorXd::Ones(fitted.cols());
   const std::vector<double> found = model.numbers();
