@@ -38,11 +38,12 @@ build() { # NAME COMPILER FLAGS
 fly() { # NAME FLY_ALONE
   for scenario in "$source_folder"/sim/scenarios/*.toml; do
     name="$(basename "$scenario" .toml)"
-    # A quarter of an hour each, of what tunnel_swirl_with does, too.
-    case "$name" in tunnel_flow | tunnel_swirl_without) continue ;; esac
+    # A quarter of an hour each, of what tunnel_swirl_with does, too. Without optimisation that one, ten minutes of a rocket
+    # that rolls freely, would take a third of the time of this test.
+    case "$1,$name" in *,tunnel_flow | *,tunnel_swirl_without | gcc-O0,tunnel_swirl_with) continue ;; esac
     "$2" "$scenario" "$work/flights/$1/$name"
-    # Every model once that the shipped scenarios leave alone.
-    case "$name" in tunnel* | gimbal | bench_axes) continue ;; esac
+    # Every model that the shipped scenarios leave alone, with what flies and with the bench that has no fault.
+    case "$name" in tunnel* | gimbal | bench_axes | bench_canard*) continue ;; esac
     "$2" "$scenario" "$work/flights/$1/$name-isa" environment.density=isa launch_guide.tilt_deg=7 \
       imu.misalignment_deg=1 accelerometer.delay_s=0.004 excitation.form=sweep excitation.amplitude_variation_deg=1
     case "$name" in bench*) continue ;; esac # without an airframe
@@ -68,11 +69,10 @@ fly older-processor "$normal"
 compared=0
 different=0
 for build in gcc-O0 clang-O2 older-processor; do
-  for flight in "$work"/flights/normal/*; do
-    for file in "$flight"/*; do
-      file="$(basename "$file")"
+  for flight in "$work/flights/$build"/*; do
+    for file in "$work/flights/normal/$(basename "$flight")"/*; do
       compared=$((compared + 1))
-      cmp "$flight/$file" "$work/flights/$build/$(basename "$flight")/$file" || different=$((different + 1))
+      cmp "$file" "$flight/$(basename "$file")" || different=$((different + 1))
     done
   done
 done
