@@ -30,6 +30,12 @@ stage() {
   return "$code"
 }
 
+fetch_tools() {
+  stage python python_tools
+  stage prover prover_of_proofs ||
+    echo "dev: pip could not install the model checker (no network?): the proofs are SKIPPED" >&2
+}
+
 run_tests() {
   all="" times=""
   if [ "${1:-}" = --only ] && [ $# -eq 2 ]; then
@@ -47,11 +53,16 @@ run_tests() {
   : >build/times.txt
   # shellcheck disable=SC2086
   if [ -n "$all" ]; then stage packages need $all_packages; else stage packages need $test_packages; fi
-  stage python python_tools
-  [ -z "$all" ] || stage prover prover_of_proofs ||
-    echo "dev: pip could not install the model checker (no network?): the proofs are SKIPPED" >&2
-  # Without --all the tests on the emulated processor are skipped.
-  [ -z "$all" ] || stage build_arm arm_build "the images for the emulated processor" all
+  if [ -z "$all" ]; then
+    stage python python_tools
+  else
+    # pip waits for the network, or has work for one core; meanwhile what needs nothing of it is built.
+    fetch_tools 9>&- &
+    fetching=$!
+    # Without --all the tests on the emulated processor are skipped.
+    stage build_arm arm_build "the images for the emulated processor" all
+    wait "$fetching"
+  fi
   host_options=FANTAIL_TESTS
   stage build_host host_build "the tests" all
   leave_turn
