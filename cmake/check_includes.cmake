@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
 cmake_minimum_required(VERSION 3.25)
-# Usage: cmake -D ROOT=<project> [-D EXACT=ON] -P check_includes.cmake
+# Usage: cmake -D ROOT=<project> [-D EXACT=ON] [-D STAMP=<file>] -P check_includes.cmake
 # Reads every #include of the product and refuses those that layers.cmake does not allow; with EXACT also what it allows and
 # nobody needs. And it refuses a member that is `inline` in its .cpp alone: other translation units see it without, which the
-# standard forbids without a compiler having to say so.
+# standard forbids without a compiler having to say so. If all is well it touches STAMP, and lists in STAMP.d what it has read.
 include(${CMAKE_CURRENT_LIST_DIR}/layers.cmake)
 
 set(standard "^[a-z_]+$") # <vector>, <cmath>: the standard library has no dots and no slashes
@@ -12,6 +12,7 @@ set(pure "firmware/core" "firmware/protocol")
 set(pure_standard "^(algorithm|array|bit|chrono|cmath|compare|concepts|cstddef|cstdint|cstring|limits|numbers|numeric|optional|span|string_view|tuple|type_traits|utility|variant)$")
 set(names "") # of the folders, by the #include
 set(wrong "")
+set(read "")
 foreach(row IN LISTS FANTAIL_LAYERS)
   fantail_split("${row}" layer)
   fantail_include_name("${layer_0}" own)
@@ -48,6 +49,7 @@ foreach(row IN LISTS FANTAIL_LAYERS)
         list(APPEND others ${single_1})
       endif()
     endforeach()
+    string(APPEND read " \\\n ${ROOT}/${source}")
     file(STRINGS ${ROOT}/${source} lines REGEX "^[ \t]*#[ \t]*include")
     foreach(line IN LISTS lines)
       set(ok FALSE)
@@ -96,4 +98,8 @@ foreach(row IN LISTS FANTAIL_LAYERS)
 endforeach()
 if(wrong)
   message(FATAL_ERROR "what the layers do not allow (cmake/layers.cmake lists them):\n${wrong}")
+endif()
+if(STAMP)
+  file(WRITE ${STAMP}.d "${STAMP}:${read}\n")
+  file(TOUCH ${STAMP})
 endif()

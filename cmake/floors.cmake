@@ -172,7 +172,12 @@ function(fantail_executable name)
   add_dependencies(${name} check_includes)
 endfunction()
 
-add_custom_target(check_includes ALL
-  COMMAND ${CMAKE_COMMAND} -D ROOT=${PROJECT_SOURCE_DIR} -D EXACT=ON -P ${PROJECT_SOURCE_DIR}/cmake/check_includes.cmake
+# Again when one of the files that it read has changed; a new one has to be named by one of them.
+add_custom_command(OUTPUT ${PROJECT_BINARY_DIR}/includes.checked
+  COMMAND ${CMAKE_COMMAND} -D ROOT=${PROJECT_SOURCE_DIR} -D EXACT=ON -D STAMP=${PROJECT_BINARY_DIR}/includes.checked
+          -P ${PROJECT_SOURCE_DIR}/cmake/check_includes.cmake
+  DEPENDS ${PROJECT_SOURCE_DIR}/cmake/check_includes.cmake ${PROJECT_SOURCE_DIR}/cmake/layers.cmake
+  DEPFILE ${PROJECT_BINARY_DIR}/includes.checked.d
   COMMENT "Checking that includes only point down"
   VERBATIM)
+add_custom_target(check_includes ALL DEPENDS ${PROJECT_BINARY_DIR}/includes.checked)
