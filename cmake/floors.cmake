@@ -49,8 +49,11 @@ endif()
 # Headers of this folder are included as <prefix>/file.hpp. It links the libraries of the folders that stand in its row of
 # layers.cmake (ONLY: of these of them, where programs beside it link the others); USES and PRIVATE_USES are what is not ours.
 #
-# With FANTAIL_TESTS each library has a twin, <name>_sanitized, compiled for the address and undefined-behaviour
-# sanitizers and built only for the tests that ask for it (fantail_test(... SANITIZED)).
+# With FANTAIL_TESTS the libraries of FANTAIL_TWINNED have a twin, <name>_sanitized, compiled for the address and
+# undefined-behaviour sanitizers and built only for the tests that ask for it (fantail_test(... SANITIZED)): what flies, and
+# the reader of its logs. What these link besides is compiled once; ./dev sanitize has everything under the sanitizers.
+set(FANTAIL_TWINNED fantail_core fantail_protocol fantail_protocol_generated fantail_hal fantail_hal_sim fantail_avionics
+  fantail_flight_log)
 function(fantail_library name)
   cmake_parse_arguments(ARG "FLIGHT" "INCLUDE_AS" "SOURCES;ONLY;USES;PRIVATE_USES" ${ARGN})
   if(NOT ARG_ONLY)
@@ -89,7 +92,7 @@ function(fantail_library name)
   if(ARG_SOURCES)
     add_dependencies(${name} check_includes)
   endif()
-  if(FANTAIL_TESTS AND NOT FANTAIL_SANITIZE)
+  if(FANTAIL_TESTS AND NOT FANTAIL_SANITIZE AND name IN_LIST FANTAIL_TWINNED)
     fantail_sanitized_twin(${name})
   endif()
 endfunction()
@@ -107,12 +110,16 @@ function(fantail_allowed_here result)
   message(FATAL_ERROR "${here} has no row in cmake/layers.cmake")
 endfunction()
 
-# What a target links, with its own libraries replaced by their twins.
+# What a target links, with the libraries that have twins replaced by them.
 function(fantail_twins result)
-  list(TRANSFORM ARGN REPLACE "^(fantail_[a-z0-9_]+)$" "\\1_sanitized")
-  # Nor of these: one is options, the other little more than somebody else's parser, which takes the compiler very long.
-  list(TRANSFORM ARGN REPLACE "^(fantail_(flight_)?flags|fantail_json)_sanitized$" "\\1")
-  set(${result} ${ARGN} PARENT_SCOPE)
+  set(${result} "")
+  foreach(library IN LISTS ARGN)
+    if(library IN_LIST FANTAIL_TWINNED)
+      string(APPEND library _sanitized)
+    endif()
+    list(APPEND ${result} ${library})
+  endforeach()
+  set(${result} ${${result}} PARENT_SCOPE)
 endfunction()
 
 function(fantail_sanitized_twin name)
