@@ -3,71 +3,83 @@
 # `host-asan`, the processor and the linter see each alone, so an #include that is missing is found there.
 
 # An unnamed namespace is then one for eight files. These files give a name in it to another thing than a file beside
-# them does, and are compiled alone; a new one of this kind does not compile until it stands here. One is there because GCC 12
-# invents a warning of it (tools/bench/verdict.cpp). What has compile options of its own is alone without it.
+# them does, but not the files of one row, which are compiled together; a new one of this kind does not compile until it
+# stands here or below.
+#
+# folder | its files that are compiled together, apart from the others
+set(FANTAIL_COMPILED_APART
+  "hal/stm32f4|edge_timer.cpp frozen_counts.cpp second_imu.cpp"
+  "test/avionics|arming_alone_test.cpp arming_refusal_test.cpp avionics_test.cpp board_watch_test.cpp bus_receiver_test.cpp two_benches_test.cpp"
+  "test/avionics|flight_memory_starts_test.cpp flight_memory_test.cpp"
+  "test/bench|cycle_test.cpp exercise_test.cpp zero_test.cpp"
+  "test/bench|measurement_test.cpp sheet_test.cpp"
+  "test/campaign|merge_test.cpp parallel_for_test.cpp spread_test.cpp statistics_test.cpp unit_points_test.cpp"
+  "test/core|canard_mixer_test.cpp launch_detector_pair_test.cpp launch_detector_test.cpp"
+  "test/core|canard_monitor_test.cpp launch_detector_reset_test.cpp motion_estimator_test.cpp trig_test.cpp"
+  "test/core|autopilot_flight_test.cpp motion_estimator_roll_test.cpp pd_controller_test.cpp"
+  "test/core|autopilot_sharing_test.cpp loop_overrun_test.cpp pad_window_test.cpp"
+  "test/core|flight_phase_test.cpp gyro_gate_test.cpp"
+  "test/hal/stm32f4|fake_ism330dhcx.cpp reset_cause_test.cpp servo_test.cpp slow_oscillator_test.cpp spi_bus_test.cpp supply_test.cpp watchdog_test.cpp"
+  "test/hal/stm32f4|encoder_test.cpp fake_kx134.cpp"
+  "test/input|manual_test.cpp plan_file_test.cpp shipped_plans_test.cpp"
+  "test/input|scenario_file_test.cpp vehicle_file_test.cpp"
+  "test/paper|identification_test.cpp launch_roll_test.cpp"
+  "test/predict|drawn_wind_test.cpp windy_prediction_test.cpp"
+  "test/sil|estimator_test.cpp recorded_flight_test.cpp slow_pc_test.cpp"
+  "test/sil|go_oracle_test.cpp two_gyros_test.cpp"
+  "test/sil|gyro_silence_test.cpp random_launch.cpp"
+  "test/sil|replayed_flight_test.cpp resumed_flight_test.cpp"
+  "test/sil|six_dof_test.cpp truth_oracle.cpp"
+  "test/sim|felt_motion_test.cpp rigid_flight_test.cpp roll_plant_test.cpp servo_fault_test.cpp servo_load_test.cpp servo_test.cpp"
+  "test/sim|gimbal_test.cpp inertial_model_test.cpp wind_test.cpp"
+  "test/system|bench_trouble_test.cpp fly_test.cpp fly_trajectory_test.cpp log_export_test.cpp"
+  "tools/bench|sheet.cpp sheet_text.cpp turn_figures.cpp watch.cpp"
+  "tools/fantail|plan_check.cpp tunnel_stability.cpp"
+  "tools/input|file_kind.cpp geometry_checks.cpp number_field.cpp vehicle_fields.cpp"
+  "tools/link|plan_reader.cpp plan_sender.cpp"
+  "tools/predict|json.cpp run.cpp text.cpp"
+  "tools/report|path_section.cpp results.cpp running_figures.cpp summary_json.cpp"
+  "tools/tunnel|swing.cpp swirl.cpp swirl_report.cpp"
+)
+
+# What fits into none of these rows is compiled alone. One is here because GCC 12 invents a warning of it
+# (tools/bench/verdict.cpp). What has compile options of its own is alone without it.
 set(FANTAIL_COMPILED_ALONE
   firmware/avionics/flight_memory.cpp firmware/avionics/memory_watch.cpp firmware/avionics/recorder.cpp
   firmware/core/canard_monitor.cpp
   firmware/protocol/bus_decode_bench.cpp
-  hal/stm32f4/edge_timer.cpp hal/stm32f4/frozen_counts.cpp hal/stm32f4/imu.cpp hal/stm32f4/second_imu.cpp
+  hal/stm32f4/imu.cpp
   sim/servo.cpp sim/thrust_curve.cpp
-  test/avionics/arming_alone_test.cpp test/avionics/arming_refusal_test.cpp test/avionics/avionics_test.cpp test/avionics/board_watch_test.cpp
-  test/avionics/bus_receiver_test.cpp test/avionics/flight_memory_starts_test.cpp test/avionics/flight_memory_test.cpp
-  test/avionics/bench_mode_alone_test.cpp test/avionics/self_test_alone_test.cpp test/avionics/two_benches_test.cpp
-  test/bench/axes_mounting_test.cpp test/bench/cycle_test.cpp test/bench/exercise_test.cpp test/bench/measurement_test.cpp
-  test/bench/sheet_test.cpp test/bench/zero_test.cpp
+  test/avionics/bench_mode_alone_test.cpp test/avionics/self_test_alone_test.cpp
+  test/bench/axes_mounting_test.cpp
   test/benchmark/recorded_flight.cpp
-  test/campaign/merge_test.cpp test/campaign/parallel_for_test.cpp test/campaign/question_test.cpp
-  test/campaign/spread_test.cpp test/campaign/statistics_test.cpp test/campaign/unit_points_test.cpp
-  test/core/autopilot_flight_test.cpp test/core/autopilot_sharing_test.cpp test/core/canard_mixer_test.cpp
-  test/core/canard_monitor_test.cpp test/core/flight_phase_test.cpp test/core/gyro_gate_test.cpp
-  test/core/gyro_pair_test.cpp test/core/launch_detector_pair_test.cpp test/core/launch_detector_property_test.cpp
-  test/core/launch_detector_reset_test.cpp test/core/launch_detector_test.cpp test/core/loop_overrun_test.cpp
-  test/core/motion_estimator_rest_test.cpp test/core/motion_estimator_roll_test.cpp test/core/motion_estimator_test.cpp
-  test/core/pad_window_test.cpp test/core/pd_controller_test.cpp test/core/trig_test.cpp
-  test/hal/stm32f4/encoder_test.cpp test/hal/stm32f4/fake_ism330dhcx.cpp test/hal/stm32f4/fake_kx134.cpp
-  test/hal/stm32f4/flash_test.cpp test/hal/stm32f4/register_world.cpp test/hal/stm32f4/reset_cause_test.cpp
-  test/hal/stm32f4/servo_test.cpp test/hal/stm32f4/slow_oscillator_test.cpp test/hal/stm32f4/spi_bus_test.cpp
-  test/hal/stm32f4/supply_test.cpp test/hal/stm32f4/watchdog_test.cpp
-  test/identify/mistakes_test.cpp
+  test/campaign/question_test.cpp
+  test/core/gyro_pair_test.cpp test/core/launch_detector_property_test.cpp test/core/motion_estimator_rest_test.cpp
+  test/hal/stm32f4/flash_test.cpp test/hal/stm32f4/register_world.cpp
   test/identify/closed_loop/simulation_test.cpp
-  test/input/manual_test.cpp test/input/plan_file_test.cpp test/input/scenario_file_test.cpp
-  test/input/shipped_plans_test.cpp test/input/vehicle_file_test.cpp
+  test/identify/mistakes_test.cpp
   test/page/chart_test.cpp test/page/heat_map_test.cpp
-  test/paper/identification_test.cpp test/paper/launch_roll_test.cpp
-  test/predict/drawn_wind_test.cpp test/predict/prediction_test.cpp test/predict/windy_prediction_test.cpp
+  test/predict/prediction_test.cpp
   test/protocol/log_tick_test.cpp
-  test/sil/estimator_test.cpp test/sil/go_oracle_test.cpp test/sil/gyro_silence_test.cpp test/sil/random_launch.cpp
-  test/sil/recorded_flight_test.cpp test/sil/replayed_flight_test.cpp test/sil/resumed_flight_test.cpp
-  test/sil/six_dof_test.cpp test/sil/slow_pc_test.cpp test/sil/truth_oracle.cpp test/sil/two_gyros_test.cpp
   test/sil/verdict_oracle_test.cpp
-  test/sim/felt_motion_test.cpp test/sim/gimbal_test.cpp test/sim/inertial_model_test.cpp test/sim/random_test.cpp
-  test/sim/rigid_flight_test.cpp test/sim/roll_plant_test.cpp test/sim/servo_fault_test.cpp test/sim/servo_load_test.cpp
-  test/sim/servo_spread_test.cpp test/sim/servo_test.cpp test/sim/wind_test.cpp
+  test/sim/random_test.cpp test/sim/servo_spread_test.cpp
   test/stability/loop_at_speed_test.cpp
-  test/system/bench_trouble_test.cpp test/system/fly_trajectory_test.cpp test/system/log_export_test.cpp test/system/fly_test.cpp
   test/telemetry/lossy_link_test.cpp
   test/trajectory/trajectory_test.cpp
   test/tune/tuning_test.cpp
   tools/airframe/model/fin_set.cpp
   tools/airframe/openrocket/read.cpp
-  tools/bench/axes.cpp tools/bench/sheet.cpp tools/bench/sheet_csv.cpp tools/bench/sheet_text.cpp
-  tools/bench/turn_figures.cpp tools/bench/verdict.cpp tools/bench/watch.cpp
+  tools/bench/axes.cpp tools/bench/sheet_csv.cpp tools/bench/verdict.cpp
   tools/campaign/html.cpp tools/campaign/json.cpp
-  tools/fantail/plan_check.cpp tools/fantail/tunnel_flow.cpp tools/fantail/tunnel_stability.cpp
-  tools/fantail/tunnel_steps.cpp tools/fantail/tunnel_swirl.cpp
+  tools/fantail/tunnel_flow.cpp tools/fantail/tunnel_steps.cpp tools/fantail/tunnel_swirl.cpp
   tools/flight/read_csv.cpp tools/flight/turning.cpp
   tools/identify/lag_doubt.cpp
-  tools/input/file_kind.cpp tools/input/geometry_checks.cpp tools/input/number_field.cpp tools/input/scenario_fields.cpp
-  tools/input/vehicle_fields.cpp
-  tools/link/log_reader.cpp tools/link/plan_reader.cpp tools/link/plan_sender.cpp tools/link/session.cpp
+  tools/input/scenario_fields.cpp
+  tools/link/log_reader.cpp tools/link/session.cpp
   tools/log_export/ulog.cpp
   tools/page/live.cpp
-  tools/predict/json.cpp tools/predict/run.cpp tools/predict/text.cpp
-  tools/report/path_section.cpp tools/report/results.cpp tools/report/running_figures.cpp tools/report/summary_json.cpp
   tools/report/verdict.cpp
-  tools/tunnel/steps_report.cpp tools/tunnel/swing.cpp tools/tunnel/swing_log.cpp tools/tunnel/swirl.cpp
-  tools/tunnel/swirl_report.cpp tools/tunnel/tunnel_log.cpp
+  tools/tunnel/steps_report.cpp tools/tunnel/swing_log.cpp tools/tunnel/tunnel_log.cpp
 )
 
 # fantail_compiled_together(<target> <source of this folder>...)
@@ -75,11 +87,29 @@ function(fantail_compiled_together name)
   if(CMAKE_CROSSCOMPILING OR FANTAIL_ONE_BY_ONE)
     return()
   endif()
-  set_target_properties(${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+  set_target_properties(${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+  # At the end of the folder, when it is known which have options of their own.
+  cmake_language(EVAL CODE "cmake_language(DEFER CALL fantail_groups \"${ARGN}\")")
+endfunction()
+
+function(fantail_groups sources)
   cmake_path(RELATIVE_PATH CMAKE_CURRENT_SOURCE_DIR BASE_DIRECTORY ${PROJECT_SOURCE_DIR} OUTPUT_VARIABLE here)
-  foreach(source IN LISTS ARGN)
-    if(${here}/${source} IN_LIST FANTAIL_COMPILED_ALONE)
-      set_property(SOURCE ${source} PROPERTY SKIP_UNITY_BUILD_INCLUSION ON)
+  set(together 0)
+  foreach(source IN LISTS sources)
+    get_property(options SOURCE ${source} PROPERTY COMPILE_OPTIONS)
+    if(options OR "${here}/${source}" IN_LIST FANTAIL_COMPILED_ALONE)
+      continue()
     endif()
+    set(group "")
+    foreach(apart IN LISTS FANTAIL_COMPILED_APART)
+      if("${apart} " MATCHES "^${here}[|](.* )?${source} ")
+        string(REGEX REPLACE ".*[|]([a-z0-9_]*).*" "\\1" group "${apart}") # its first file
+      endif()
+    endforeach()
+    if(NOT group)
+      math(EXPR group "${together} / 8")
+      math(EXPR together "${together} + 1")
+    endif()
+    set_property(SOURCE ${source} PROPERTY UNITY_GROUP ${group})
   endforeach()
 endfunction()
