@@ -127,10 +127,13 @@ TEST(LaunchDetector, ADisagreementAfterADetectionCountsForAQuarterOfASecond) {
 }
 
 TEST(LaunchDetector, AfterADetectionOneThatDoesNotMeasureDisagreesWithNobody) {
-  Bench bench{launch_2_rule()};
-  ASSERT_EQ(bench.hold_level(ms(0), ms(101), 3.0F), ms(100));
-  for (int t = 101; t < 500; ++t) {
-    EXPECT_TRUE(bench.agrees(ms(t), sample(ms(t), 3.0F), sample(ms(t), 0.0F, SampleQuality::absent))) << t;
+  for (const bool first_is_lost : {false, true}) {
+    Bench bench{launch_2_rule()};
+    ASSERT_EQ(bench.hold_level(ms(0), ms(101), 3.0F), ms(100));
+    for (int t = 101; t < 500; ++t) {
+      const AccelerometerSample other = sample(ms(t), 6.0F);
+      EXPECT_TRUE(first_is_lost ? bench.agrees(ms(t), {}, other) : bench.agrees(ms(t), other, {})) << t;
+    }
   }
 }
 

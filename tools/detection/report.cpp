@@ -92,6 +92,15 @@ std::string launch_lines(const Report& report, std::size_t rule) {
   return text;
 }
 
+/// All of it in one line, for scripts too.
+std::string sum_line(const Report& report, std::size_t rule) {
+  const Sum events = events_of(report.results, rule);
+  const Sum launches = launches_of(report.results, rule);
+  return fmt::format("{}: {} events, false actuations {}; {} launches, missed {}\n", report.campaign.rules[rule].name(),
+                     events.events, with_bound(events.controlling, events.events), launches.events,
+                     with_bound(launches.events - launches.detected, launches.events));
+}
+
 }  // namespace
 
 Sum one_bad_of(const Tally& tally, std::size_t rule) {
@@ -132,8 +141,11 @@ std::vector<std::string> failures(const Report& report) {
     }
     const std::string name = report.campaign.rules[rule].name();
     const Sum events = events_of(report.results, rule);
-    if (events.controlling > 0) {
-      result.push_back(fmt::format("{}: {} false actuations in {} events", name, events.controlling, events.events));
+    if (static_cast<double>(events.controlling) > report.false_at_most * static_cast<double>(events.events)) {
+      result.push_back(fmt::format("{}: {} false actuations in {} events", name, events.controlling, events.events) +
+                       (report.false_at_most > 0.0 ? fmt::format(", more than the {} % asked for",
+                                                                 text::brief(100.0 * report.false_at_most, 6))
+                                                   : std::string{}));
     }
     const Sum launches = launches_of(report.results, rule);
     const std::uint64_t missed = launches.events - launches.detected;
@@ -169,8 +181,12 @@ std::string report_text(const Report& report) {
     text += any_event ? events_table(report, rule) : "";
     text += launch_lines(report, rule);
   }
+  text += '\n';
+  for (std::size_t rule = 0; rule < campaign.rules.size(); ++rule) {
+    text += sum_line(report, rule);
+  }
   if (report.results.played > 0 && report.results.processor_s > 0.0) {
-    text += fmt::format("\nplayed now: {} events, {:.0f} a second and core\n", report.results.played,
+    text += fmt::format("played now: {} events, {:.0f} a second and core\n", report.results.played,
                         static_cast<double>(report.results.played) / report.results.processor_s);
   }
   for (const std::string& failure : failures(report)) {

@@ -14,6 +14,7 @@ struct Report {
   Results results;
   std::string version;
   std::optional<double> at_most;  ///< missed launches of a judged rule, a share
+  double false_at_most = 0.0;     ///< false actuations of a judged rule, a share
 };
 
 /// A rule's counts over some kinds and conditions.

@@ -213,9 +213,10 @@ std::string report_html(const Report& report) {
       .title = "Does it believe that it flies?",
       .subtitle = fmt::format("{} events and launches, seed {}", report.campaign.total(), report.campaign.seed),
       .tone = wrong.empty() ? page::Tone::good : page::Tone::bad,
-      .verdict_heading = wrong.empty() ? "No false actuation" : "Not met",
-      .verdict = wrong.empty() ? "No judged plan moved a canard in an event that was no launch."
-                               : "At least one judged plan did what it must not.",
+      .verdict_heading = wrong.empty() ? "Met" : "Not met",
+      .verdict = !wrong.empty()               ? "At least one judged plan did what it must not."
+                 : report.false_at_most > 0.0 ? "The judged plans moved canards as seldom as asked for."
+                                              : "No judged plan moved a canard in an event that was no launch.",
       .body_html = body + worst_events(report) + models(report),
       .footer = "Shares \"at most\" are 95 % bounds (Clopper and Pearson, one-sided). Fantail " + report.version};
   for (const std::string& failure : wrong) {

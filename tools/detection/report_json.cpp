@@ -83,6 +83,7 @@ std::string report_json(const Report& report) {
                           {"launches_of_each_kind", report.campaign.launches},
                           {"both_well", report.campaign.both_well},
                           {"at_most", report.at_most},
+                          {"false_at_most", report.false_at_most},
                           {"failures", failures(report)},
                           {"rules", rules}};
   return value.pretty();

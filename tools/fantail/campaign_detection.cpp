@@ -35,6 +35,7 @@ struct DetectionOptions {
   std::string event;
   bool both_well = false;
   std::optional<double> at_most_percent;
+  double false_at_most_percent = 0.0;
   unsigned threads = 0;
   std::string out;
   bool json = false;
@@ -114,6 +115,7 @@ void detect(const DetectionOptions& options) {
   if (options.at_most_percent) {
     report.at_most = *options.at_most_percent / 100.0;
   }
+  report.false_at_most = options.false_at_most_percent / 100.0;
   report.results = play(report.campaign, folder, options.threads);
   const std::string summary = detection::report_json(report);
   const std::array<text::NamedFile, 2> results{
@@ -151,6 +153,10 @@ void fill_detection(const Verb& verb) {
       .value_name("NUMBER");
   verb.option("--at-most", options->at_most_percent,
               "Ask that no more launches are missed than so many per cent, both accelerometers well; else exit code 1")
+      .range(0.0, 100.0)
+      .value_name("PERCENT");
+  verb.option("--false-at-most", options->false_at_most_percent,
+              "Let so many per cent of the events that are no launch move a canard [none]")
       .range(0.0, 100.0)
       .value_name("PERCENT");
   verb.option("--threads", options->threads, "How many at once [as many as the machine can]").range(1, 1024);

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <cctype>
+#include <filesystem>
 
 #include <fmt/core.h>
 
@@ -49,14 +51,18 @@ page::Series from_law(const Heard& heard, const std::vector<double>& values, con
       .name = name, .role = Role::model, .x = shifted(heard.trace.time_s, zero_s(heard)), .y = scaled(values, factor)};
 }
 
+// Of neighbours that are shaded alike nobody sees where one ends: what comes before a launch is not shaded, and control
+// has a colour.
 std::vector<page::ShadedRange> phases(const Heard& heard) {
   std::vector<page::ShadedRange> ranges;
   const double end_s = heard.trace.time_s.back();
   for (std::size_t i = 0; i < heard.events.size(); ++i) {
     const double from_s = std::max(heard.events[i].time_s, heard.trace.time_s.front());
     const double to_s = std::min(i + 1 < heard.events.size() ? heard.events[i + 1].time_s : end_s, end_s);
-    if (from_s < to_s) {
-      ranges.push_back({from_s - zero_s(heard), to_s - zero_s(heard), flight::display_name(heard.events[i].to)});
+    const core::Phase phase = heard.events[i].to;
+    if (from_s < to_s && phase != core::Phase::armed) {
+      ranges.push_back({from_s - zero_s(heard), to_s - zero_s(heard), flight::display_name(phase),
+                        phase == core::Phase::controlling ? Role::second_model : Role::neutral});
     }
   }
   return ranges;
@@ -75,12 +81,18 @@ std::vector<page::Level> moments(const Heard& heard) {
   return levels;
 }
 
+std::string in_lower_case(std::string_view heading) {
+  std::string label{heading};
+  label.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(label.front())));
+  return label;
+}
+
 std::string chart(const Heard& heard, std::string_view heading, std::string_view unit, double height,
                   std::vector<page::Series> series, std::vector<page::Level> levels) {
   std::erase_if(series, [](const page::Series& one) { return one.x.empty(); });
   return page::section(heading, page::figure({.label = fmt::format("{} over time", heading),
                                               .x_label = heard.lift_off_s ? "time after lift-off / s" : "time / s",
-                                              .y_label = fmt::format("{} / {}", heading, unit),
+                                              .y_label = fmt::format("{} / {}", in_lower_case(heading), unit),
                                               .height = height,
                                               .series = std::move(series),
                                               .shaded_ranges = phases(heard),
@@ -167,8 +179,8 @@ std::string comparison_table(const Heard& heard) {
 }  // namespace
 
 std::string as_html(const Heard& heard) {
-  page::Page page{.kind = "Fantail: a log, flown through the flight law", .title = heard.log.name};
-  page.subtitle = fmt::format("Plan {}. {} rows, {} samples a second", heard.plan, heard.log.rows,
+  page::Page page{.kind = "Fantail: a log, flown through the flight law", .title = std::filesystem::path{heard.log.name}.filename().string()};
+  page.subtitle = fmt::format("{}. Plan {}. {} rows, {} samples a second", heard.log.name, heard.plan, heard.log.rows,
                               text::brief(1.0 / heard.log.interval_s, 1));
   switch (finding(heard)) {
     case Finding::heard:
