@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "detection/bounds_chart.hpp"
 #include "detection/fingerprint.hpp"
 #include "detection/report.hpp"
 #include "detection/shown_event.hpp"
@@ -176,6 +177,22 @@ TEST_F(DetectionCampaign, NoneOfAHundredThousandEventsMovesACanardOfTheSecondLau
     EXPECT_EQ(well.events, 9'091U);
     EXPECT_EQ(well.controlling, 0U) << info(kind).name;
   }
+}
+
+TEST_F(DetectionCampaign, TheChartOfBoundsHasABarForEachRuleOfEachKindOfEvent) {
+  const Report report{
+      .campaign = small(), .results = play(small(), std::nullopt, "1", 2, look_away), .version = "1", .at_most = {}};
+  const std::string svg = bounds_svg(report);
+  std::size_t bars = 0;
+  for (std::size_t at = 0; (at = svg.find("<title>", at)) != std::string::npos; ++at) {
+    ++bars;
+  }
+  EXPECT_EQ(bars, 2 * report.campaign.rules.size());
+  EXPECT_NE(svg.find(">drop</text>"), std::string::npos);
+  EXPECT_EQ(svg.find(">launch</text>"), std::string::npos);
+  Report launches = report;
+  launches.campaign.kinds = {Kind::launch};
+  EXPECT_EQ(bounds_svg(launches), "");
 }
 
 TEST(ShownEventOfACampaign, HasTheAnswerThatWasCounted) {

@@ -142,8 +142,7 @@ void Rehearsal::follow(std::size_t rule, std::size_t step, const core::TickRecor
   }
   answer.detected = answer.detected.value_or(step);
   if (record.phase == core::Phase::launched) {
-    answer.nearness =
-        std::max(answer.nearness, std::min(Answer::held_back, share_of_gate(plan.guide, record.motion)));
+    answer.nearness = std::max(answer.nearness, std::min(Answer::held_back, share_of_gate(plan.guide, record.motion)));
   } else if (!answer.controlling) {
     answer.controlling = step;
     answer.nearness = 1.0F;

@@ -176,9 +176,9 @@ std::string worst_events(const Report& report) {
     }
     if (worst) {
       const ShownEvent shown = show_event(report.campaign, *worst, at.event);
-      body += page::section(fmt::format("Worst event of {}", report.campaign.rules[rule].name()),
-                            page::paragraph(command_of(report.campaign, *worst, at.event)) + sentences_html(shown) +
-                                shown.figures_html);
+      body += page::section(
+          fmt::format("Worst event of {}", report.campaign.rules[rule].name()),
+          page::paragraph(command_of(report.campaign, *worst, at.event)) + sentences_html(shown) + shown.figures_html);
     }
   }
   return body;
@@ -200,8 +200,9 @@ std::string models(const Report& report) {
 std::string report_html(const Report& report) {
   const std::vector<std::string> wrong = failures(report);
   const std::string bounds = bounds_svg(report);
-  std::string body = bounds.empty() ? "" : page::section("Events that are no launch, both accelerometers well",
-                                                         page::figure(bounds, ""));
+  std::string body =
+      bounds.empty() ? ""
+                     : page::section("Events that are no launch, both accelerometers well", page::figure(bounds, ""));
   for (std::size_t rule = 0; rule < report.campaign.rules.size(); ++rule) {
     body += page::section(report.campaign.rules[rule].name(), events_html(report, rule) + launches_html(report, rule));
   }

@@ -60,9 +60,10 @@ bool may_fire(const core::LaunchDetectionPlan& plan, const Motion& motion, const
   if (readings.largest_felt_m_s2 + most < plan.threshold_m_s2) {
     return false;
   }
-  const float share = plan.low_pass ? core::lag_fraction(2.0F * std::numbers::pi_v<float> * plan.low_pass_hz *
-                                                         static_cast<float>(step_s))
-                                    : 1.0F;
+  const float share =
+      plan.low_pass
+          ? core::lag_fraction(2.0F * std::numbers::pi_v<float> * plan.low_pass_hz * static_cast<float>(step_s))
+          : 1.0F;
   const Said said = said_by(*which, errors, motion.length);
   float filtered = std::min(readings.felt_m_s2[0] + most, range);
   core::Microseconds above{-1'000};

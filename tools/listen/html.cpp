@@ -179,7 +179,8 @@ std::string comparison_table(const Heard& heard) {
 }  // namespace
 
 std::string as_html(const Heard& heard) {
-  page::Page page{.kind = "Fantail: a log, flown through the flight law", .title = std::filesystem::path{heard.log.name}.filename().string()};
+  page::Page page{.kind = "Fantail: a log, flown through the flight law",
+                  .title = std::filesystem::path{heard.log.name}.filename().string()};
   page.subtitle = fmt::format("{}. Plan {}. {} rows, {} samples a second", heard.log.name, heard.plan, heard.log.rows,
                               text::brief(1.0 / heard.log.interval_s, 1));
   switch (finding(heard)) {
