@@ -127,6 +127,20 @@ TEST_F(DetectionCampaign, OfBothWellEveryEventIs) {
   EXPECT_EQ(campaign.event(Kind::launch, 7), 7U);
 }
 
+TEST_F(DetectionCampaign, OfNoneThereIsAReportAllTheSame) {
+  Campaign campaign = small();
+  campaign.launches = 0;
+  campaign.events = 0;
+  const Report report{
+      .campaign = campaign, .results = play(campaign, std::nullopt, "1", 2, look_away), .version = "1", .at_most = 0.0};
+  EXPECT_TRUE(failures(report).empty());
+  EXPECT_NE(report_text(report).find("tasha3_launch1: 0 events, false actuations 0 of 0; 0 launches, missed 0 of 0"),
+            std::string::npos)
+      << report_text(report);
+  EXPECT_NO_THROW((void)report_json(report));
+  EXPECT_NE(report_html(report).find("<html"), std::string::npos);
+}
+
 TEST_F(DetectionCampaign, TheReportSaysWhichJudgedPlanMovedACanard) {
   Report report{
       .campaign = small(), .results = play(small(), std::nullopt, "1", 2, look_away), .version = "1", .at_most = 0.0};

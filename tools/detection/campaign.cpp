@@ -102,12 +102,11 @@ Results play(const Campaign& campaign, const std::optional<std::filesystem::path
   Results results;
   results.played = done - stored;
   results.processor_s = 1e-6 * static_cast<double>(microseconds);
+  for (const Kind kind : campaign.kinds) {
+    results.of_kind[index(kind)].emplace(campaign.rules.size());  // also of none
+  }
   for (std::size_t i = 0; i < chunks.size(); ++i) {
-    auto& sum = results.of_kind[index(chunks[i].kind)];
-    if (!sum) {
-      sum.emplace(campaign.rules.size());
-    }
-    sum->add(*tallies[i]);
+    results.of_kind[index(chunks[i].kind)]->add(*tallies[i]);
   }
   return results;
 }
