@@ -69,19 +69,19 @@ std::string launches_html(const Report& report, std::size_t rule) {
           return fmt::format("{}, {}, {}", point_text(of, 0.01, 0.01, 1), point_text(of, 0.5, 0.01, 1),
                              point_text(of, 0.99, 0.01, 1));
         };
-        rows.push_back(
-            {{std::string{info(kind).name}},
-             {std::string{condition_names[condition]}},
-             number_cell(count.events),
-             {.text = with_bound(count.events - count.detected, count.events),
-              .below = fmt::format("worst: event {}", count.worst.event)},
-             {fmt::format("{}, {}", point_text(count.latency_ms, 0.5, 1.0, 0),
-                          point_text(count.latency_ms, 0.99, 1.0, 0))},
-             {three(count.distance_cm)},
-             {three(count.error_cm)},
-             {.text = fmt::format("{}", count.inside_guide),
-              .below = fmt::format("at most {:.2g} %", 100.0 * upper_bound_95(count.inside_guide, count.controlling)),
-              .tone = count.inside_guide > 0 ? page::Tone::bad : page::Tone::good}});
+        rows.push_back({{std::string{info(kind).name}},
+                        {std::string{condition_names[condition]}},
+                        number_cell(count.events),
+                        {.text = with_bound(count.events - count.detected, count.events),
+                         .below = fmt::format("worst: event {}", count.worst.event)},
+                        {fmt::format("{}, {}", point_text(count.latency_ms, 0.5, 1.0, 0),
+                                     point_text(count.latency_ms, 0.99, 1.0, 0))},
+                        {three(count.distance_cm)},
+                        {three(count.error_cm)},
+                        {.text = fmt::format("{}", count.inside_guide),
+                         .tone = count.inside_guide > 0 ? page::Tone::bad : page::Tone::good,
+                         .below = fmt::format("at most {:.2g} %",
+                                              100.0 * upper_bound_95(count.inside_guide, count.controlling))}});
       }
     }
   }
