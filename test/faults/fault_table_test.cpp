@@ -126,6 +126,8 @@ TEST(FaultCell, IsAsRedAsItsWorstRunAndALimitExcusesIt) {
   const faults::Run later{.number = 3, .begin_ms = 500, .outcome = {}, .what = "it spun"};
   EXPECT_EQ(concluded(cell, {held, later}, &limit, 500).colour, Colour::known_limit);
   EXPECT_EQ(concluded(cell, {held, later}, &limit, 501).colour, Colour::red);
+  EXPECT_EQ(concluded(cell, {held, later}, &limit, 501).limit, nullptr);
+  EXPECT_EQ(concluded(cell, {held, ended}, &limit, 501).colour, Colour::green) << "none began so late";
   EXPECT_EQ(concluded(cell, {held, later}, nullptr, 500).colour, Colour::red);
   const CellResult red = concluded(cell, {held, spun, ended}, nullptr);
   EXPECT_EQ(red.colour, Colour::red);

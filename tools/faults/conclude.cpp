@@ -52,8 +52,9 @@ const char* name(Colour colour) {
 }
 
 CellResult concluded(const Cell& cell, const std::vector<Run>& runs, const KnownLimit* limit, int excused_from_ms) {
-  CellResult result{.cell = cell, .flights = runs.size(), .limit = limit};
-  bool excused = limit != nullptr;
+  const auto is_late = [&](const Run& run) { return run.begin_ms >= excused_from_ms; };
+  bool excused = limit != nullptr && std::ranges::any_of(runs, is_late);
+  CellResult result{.cell = cell, .flights = runs.size(), .limit = excused ? limit : nullptr};
   if (runs.empty()) {
     return result;
   }
@@ -62,7 +63,7 @@ CellResult concluded(const Cell& cell, const std::vector<Run>& runs, const Known
       ++result.counts[static_cast<std::size_t>(std::countr_zero(static_cast<unsigned>(*run.outcome)))];
     } else {
       ++result.red;
-      excused = excused && run.begin_ms >= excused_from_ms;
+      excused = excused && is_late(run);
     }
     if (!result.worst || is_worse(run, *result.worst)) {
       result.worst = run;
@@ -71,8 +72,9 @@ CellResult concluded(const Cell& cell, const std::vector<Run>& runs, const Known
   result.figure = figure_of(*result.worst);
   if (result.red > 0) {
     result.colour = excused ? Colour::known_limit : Colour::red;
+    result.limit = excused ? limit : nullptr;
   } else {
-    result.colour = limit != nullptr ? Colour::limit_without_need : Colour::green;
+    result.colour = result.limit != nullptr ? Colour::limit_without_need : Colour::green;
   }
   return result;
 }

@@ -56,6 +56,7 @@ std::string matrix(const Result& result, std::string_view device) {
   }
   std::vector<std::vector<page::Cell>> rows;
   const FaultRow* last = nullptr;
+  bool is_flown = false;
   for (const CellResult& cell : result.cells) {
     if (cell.cell.row->device != device) {
       continue;
@@ -65,10 +66,14 @@ std::string matrix(const Result& result, std::string_view device) {
       rows.emplace_back(columns.size());
       rows.back()[0] = {.text = std::string{last->fault}, .below = std::string{last->meaning}};
     }
+    is_flown = is_flown || cell.colour != Colour::not_applicable;
     page::Cell& shown = rows.back()[column_of[static_cast<std::size_t>(cell.cell.phase)]];
     shown = {.text = word_of(cell),
              .tone = tone_of(cell.colour),
              .below = cell.colour == Colour::red || cell.colour == Colour::known_limit ? std::string{} : cell.figure};
+  }
+  if (!rows.empty() && !is_flown) {
+    return page::section(device, page::paragraph("Not applicable: this rocket flies without it."));
   }
   return rows.empty() ? "" : page::section(device, page::table(columns, rows));
 }
@@ -120,24 +125,55 @@ std::string worst_flights(const Result& result) {
              command);
 }
 
-std::string stated() {
-  const std::array<page::Column, 3> columns{{{"device, fault"}, {"phase"}, {"safe is"}}};
-  std::vector<std::vector<page::Cell>> rows;
+/// Faults of one device of which the same is safe, in all phases.
+struct SameSafe {
+  std::array<std::string, phases> safe{};
+  std::string shaft{};
+  std::string faults{};
+};
+
+std::vector<SameSafe> same_safe(std::string_view device) {
+  std::vector<SameSafe> all;
   for (const FaultRow& row : fault_table()) {
-    std::string before;
+    if (row.device != device) {
+      continue;
+    }
+    SameSafe one{.shaft = row.shaft == Shaft::obeys ? "" : row.shaft_sentence(), .faults = std::string{row.fault}};
     for (std::size_t i = 0; i < phases; ++i) {
-      const auto phase = static_cast<Phase>(i);
-      const std::string safe = sentence(row.expect(phase));
-      if (safe == before) {
-        rows.back()[1].text += ", " + std::string{name(phase)};
-        continue;
+      one.safe[i] = sentence(row.expected[i]);
+    }
+    const auto same =
+        std::ranges::find_if(all, [&](const SameSafe& it) { return it.safe == one.safe && it.shaft == one.shaft; });
+    if (same == all.end()) {
+      all.push_back(std::move(one));
+    } else {
+      same->faults += ", " + one.faults;
+    }
+  }
+  return all;
+}
+
+std::string stated(const Result& result) {
+  const std::array<page::Column, 3> columns{{{"device, faults"}, {"phase"}, {"safe is"}}};
+  std::vector<std::vector<page::Cell>> rows;
+  for (const std::string_view device : device_names()) {
+    if (std::ranges::none_of(result.cells, [&](const CellResult& cell) { return cell.cell.row->device == device; })) {
+      continue;
+    }
+    for (const SameSafe& group : same_safe(device)) {
+      std::string before;
+      for (std::size_t i = 0; i < phases; ++i) {
+        const std::string phase{name(static_cast<Phase>(i))};
+        if (group.safe[i] == before) {
+          rows.back()[1].text += ", " + phase;
+          continue;
+        }
+        before = group.safe[i];
+        rows.push_back({{}, {.text = phase}, {.text = before}});
+        if (i == 0) {
+          rows.back()[0] = {.text = std::string{device} + ": " + group.faults, .below = group.shaft};
+        }
       }
-      const bool says_shaft = i == 0 && row.shaft != Shaft::obeys;
-      rows.push_back({{.text = i == 0 ? fmt::format("{}, {}", row.device, row.fault) : "",
-                       .below = says_shaft ? row.shaft_sentence() : ""},
-                      {.text = std::string{name(phase)}},
-                      {.text = safe}});
-      before = safe;
     }
   }
   return page::table(columns, rows);
@@ -192,7 +228,7 @@ std::string report_html(const Result& result, const std::string& version) {
                                                   "Phases: " +
                                                   phases_text + ".")) +
                     matrices + page::section("How it is judged", page::list(how())) +
-                    page::section("What is safe, stated beforehand", stated()) +
+                    page::section("What is safe, stated beforehand", stated(result)) +
                     page::section("Again", page::paragraph(command_of(result.campaign)))});
 }
 
