@@ -43,7 +43,7 @@ quick() {
   call 0 tune tasha3_launch2 --flights 4
   call 0 fly tunnel_steps
   call 0 tunnel steps out/tunnel_steps
-  call 1 predict tasha3_launch1
+  call 1 predict tasha3_launch1 --runs 40
   call 0 campaign tasha3_launch2 --runs 64
   call 0 campaign detection --plan tasha3_launch2 --kind drop --events 64
   call 0 campaign faults tasha3_launch2 --device bus --phase launched
