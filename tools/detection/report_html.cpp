@@ -52,8 +52,7 @@ std::string point_text(const Histogram& histogram, double share, double scale, i
 }
 
 std::string launches_html(const Report& report, std::size_t rule) {
-  const std::array<page::Column, 8> columns{{{"launch"},
-                                             {"accelerometers"},
+  const std::array<page::Column, 7> columns{{{"launch, accelerometers"},
                                              {"launches", true},
                                              {"missed", true},
                                              {"latency / ms", true},
@@ -69,8 +68,7 @@ std::string launches_html(const Report& report, std::size_t rule) {
           return fmt::format("{}, {}, {}", point_text(of, 0.01, 0.01, 1), point_text(of, 0.5, 0.01, 1),
                              point_text(of, 0.99, 0.01, 1));
         };
-        rows.push_back({{std::string{info(kind).name}},
-                        {std::string{condition_names[condition]}},
+        rows.push_back({{.text = std::string{info(kind).name}, .below = std::string{condition_names[condition]}},
                         number_cell(count.events),
                         {.text = with_bound(count.events - count.detected, count.events),
                          .below = fmt::format("worst: event {}", count.worst.event)},
