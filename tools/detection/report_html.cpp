@@ -52,13 +52,13 @@ std::string point_text(const Histogram& histogram, double share, double scale, i
 }
 
 std::string launches_html(const Report& report, std::size_t rule) {
-  const std::array<page::Column, 7> columns{{{"launch, accelerometers"},
+  const std::array<page::Column, 7> columns{{{"launch"},
                                              {"launches", true},
                                              {"missed", true},
                                              {"latency / ms", true},
                                              {"way / m", true},
                                              {"error / m", true},
-                                             {"inside the guide", true}}};
+                                             {"in guide", true}}};
   std::vector<std::vector<page::Cell>> rows;
   for (const Kind kind : report.campaign.kinds) {
     for (std::size_t condition = 0; condition < conditions && is_launch(kind); ++condition) {
@@ -89,7 +89,7 @@ std::string launches_html(const Report& report, std::size_t rule) {
                    page::note(
                        "Latency: from the thrust's first crossing of the threshold, of 50 and 99 % of the launches. "
                        "Way: the true one along the guide at control start, and error what the estimate has more than "
-                       "that; of 1, 50 and 99 %.");
+                       "that; of 1, 50 and 99 %. In guide: control starts while the rocket truly is in it.");
 }
 
 page::Series shares(const Histogram& histogram, double scale, std::string name, page::Role role) {
