@@ -155,9 +155,10 @@ void fill_faults(const Verb& verb) {
   cell.value_name("CELL");
   verb.option("--run", options->run, "Its number, as the page says").range(0, 1e9).needs(cell);
   verb.option("--threads", options->threads, "How many to fly at once [as many as the machine can]").range(1, 1024);
-  verb.option("--out", options->out,
-              "Folder for faults.html, summary.json, the parts and the worst flights [out/faults/SCENARIO, with what was "
-              "changed in the name]")
+  verb.option(
+          "--out", options->out,
+          "Folder for faults.html, summary.json, the parts and the worst flights [out/faults/SCENARIO, with what was "
+          "changed in the name]")
       .check(objection_to_folder);
   verb.flag("--json", options->json, "Print summary.json instead of the text");
   verb.examples(
