@@ -17,11 +17,11 @@ const Sources sources = parse_columns("time=t:ms,axial=a:g,height=h:ft", "--colu
 
 flight::Table table(const std::string& rows) { return flight::Table::parse("t,a,h\n" + rows, "log.csv"); }
 
-// 20 rows, 10 ms apart; line n of the file is row n - 2.
-std::string rows(const std::string& instead_of_row_7 = "70,1,0\n") {
+// 20 rows, 100 ms apart; line n of the file is row n - 2.
+std::string rows(const std::string& instead_of_row_7 = "700,1,0\n") {
   std::string text;
   for (int i = 0; i < 20; ++i) {
-    text += i == 7 ? instead_of_row_7 : fmt::format("{},1,0\n", 10 * i);
+    text += i == 7 ? instead_of_row_7 : fmt::format("{},1,0\n", 100 * i);
   }
   return text;
 }
@@ -31,15 +31,15 @@ bool says(const ImuLog& log, const std::string& part) {
 }
 
 TEST(ImuLog, HasSiUnitsAndSaysWhatItTakesForGranted) {
-  const ImuLog log = imu_log(table(rows("70,2,10\n")), sources);
+  const ImuLog log = imu_log(table(rows("700,2,10\n")), sources);
   ASSERT_EQ(log.axial.value.size(), 20U);
-  EXPECT_NEAR(log.axial.time_s[7], 0.07, 1e-12);
+  EXPECT_NEAR(log.axial.time_s[7], 0.7, 1e-12);
   EXPECT_NEAR(log.axial.value[7], 2.0 * 9.80665, 1e-12);
   EXPECT_NEAR(log.height.value[7], 3.048, 1e-12);
-  EXPECT_NEAR(log.interval_s, 0.01, 1e-12);
+  EXPECT_NEAR(log.interval_s, 0.1, 1e-12);
   EXPECT_FALSE(log.roll_rate.is_there());
   EXPECT_TRUE(says(log, "y and z, the sides, is not in the log"));
-  EXPECT_TRUE(says(log, "The rate of roll and pitch and yaw is not in the log"));
+  EXPECT_TRUE(says(log, "The rates of roll, pitch and yaw are not in the log"));
 }
 
 TEST(ImuLog, AddsOneGToAForceWhoseZeroIsThePad) {
@@ -48,7 +48,7 @@ TEST(ImuLog, AddsOneGToAForceWhoseZeroIsThePad) {
 }
 
 TEST(ImuLog, TakesTheLastOfRowsWithOneTime) {
-  const ImuLog log = imu_log(table(rows("60,3,1\n60,4,\n")), sources);
+  const ImuLog log = imu_log(table(rows("600,3,1\n600,4,\n")), sources);
   EXPECT_EQ(log.axial.value.size(), 19U);
   EXPECT_NEAR(log.axial.value[6], 4.0 * 9.80665, 1e-12);
   EXPECT_NEAR(log.height.value[6], 0.3048, 1e-12) << "a cell without a number has no news";
@@ -56,7 +56,7 @@ TEST(ImuLog, TakesTheLastOfRowsWithOneTime) {
 }
 
 TEST(ImuLog, CountsWhatIsNoNumberAsNotSampled) {
-  const ImuLog log = imu_log(table(rows("70,NaN,0\n")), sources);
+  const ImuLog log = imu_log(table(rows("700,NaN,0\n")), sources);
   EXPECT_EQ(log.axial.value.size(), 19U);
   EXPECT_EQ(log.height.value.size(), 20U);
   EXPECT_TRUE(says(log, "1 of 20 cells of a are no numbers, the first in line 9"));
@@ -66,13 +66,47 @@ TEST(ImuLog, IsRefusedByFileAndLine) {
   const auto refused = [](const flight::Table& what, const std::vector<std::string>& parts) {
     expect_refusal(ErrorKind::bad_data, parts, [&] { (void)imu_log(what, sources); });
   };
-  refused(table(rows("55,1,0\n")), {"log.csv:9", "55", "before that of line 8, 60"});
+  refused(table(rows("550,1,0\n")), {"log.csv:9", "550", "before that of line 8, 600"});
   refused(table(rows("x,1,0\n")), {"1 of 20 rows", "column t", "line 9"});
   refused(table("0,1,0\n10,1,0\n"), {"2 samples of the axial specific force; at least 10"});
   refused(table(""), {"0 samples"});
   refused(flight::Table::parse("t,acc,h\n0,1,2\n", "log.csv"), {"no column a ", "t, acc, h", "--columns axial="});
   refused(flight::Table::parse("t,a\n0,1\n", "log.csv"), {"no column h", "--columns height="});
   refused(table(rows() + "90000000,1,0\n"), {"longer than 21600 s", "is the time t really in ms?"});
+}
+
+// Seconds read as milliseconds: 20 s of 100 Hz are 20 ms of 100 kHz.
+TEST(ImuLog, WhoseTimeIsHardlyInItsUnitIsRefused) {
+  const auto log = [](double interval, int samples) {
+    std::string text = "t,a\n";
+    for (int i = 0; i < samples; ++i) {
+      text += fmt::format("{},1\n", interval * i);
+    }
+    return flight::Table::parse(text, "log.csv");
+  };
+  const Sources in_ms = parse_columns("time=t:ms,axial=a:g", "--columns");
+  expect_refusal(ErrorKind::bad_data, {"log.csv", "20 ms", "shorter than 1 s", "is the time t really in ms?"},
+                 [&] { (void)imu_log(log(0.01, 2001), in_ms); });
+  expect_refusal(ErrorKind::bad_data, {"log.csv", "100000 samples a second", "is the time t really in ms?"},
+                 [&] { (void)imu_log(log(0.01, 150'001), in_ms); });
+  EXPECT_EQ(imu_log(log(0.0625, 17'000), in_ms).axial.time_s.size(), 17'000U) << "16 kHz";
+}
+
+TEST(ImuLog, NamesTheRatesThatItLacks) {
+  const flight::Table with = flight::Table::parse(
+      "t,a,r\n" +
+          [] {
+            std::string text;
+            for (int i = 0; i < 20; ++i) {
+              text += fmt::format("{},1,0\n", 100 * i);
+            }
+            return text;
+          }(),
+      "log.csv");
+  EXPECT_TRUE(says(imu_log(with, parse_columns("time=t:ms,axial=a:g,roll_rate=r:rpm", "x")),
+                   "The rates of pitch and yaw are not in the log; they are taken as 0, so"));
+  EXPECT_TRUE(says(imu_log(with, parse_columns("time=t:ms,axial=a:g,roll_rate=r:rpm,yaw_rate=r:rpm", "x")),
+                   "The rate of pitch is not in the log; it is taken as 0."));
 }
 
 TEST(ImuLog, OfNothingButForceIsNoLog) {

@@ -121,6 +121,15 @@ Signal signal_of(const flight::Table& table, const Clock& clock, const Source& s
   return signal;
 }
 
+// "roll, pitch and yaw"
+std::string in_a_row(const std::vector<std::string>& words) {
+  std::string row = words.front();
+  for (std::size_t i = 1; i < words.size(); ++i) {
+    row += (i + 1 == words.size() ? " and " : ", ") + words[i];
+  }
+  return row;
+}
+
 void note_what_is_missing(ImuLog& log) {
   const auto missing = [&](const Signal& signal) { return !signal.is_there(); };
   if (missing(log.lateral_y) || missing(log.lateral_z)) {
@@ -129,30 +138,46 @@ void note_what_is_missing(ImuLog& log) {
                                     : !missing(log.lateral_z) ? "y"
                                                               : "y and z, the sides,"));
   }
-  std::string rates;
+  std::vector<std::string> rates;
   for (const auto& [what, signal] :
        {std::pair{"roll", &log.roll_rate}, std::pair{"pitch", &log.pitch_rate}, std::pair{"yaw", &log.yaw_rate}}) {
-    rates += signal->is_there() ? std::string{} : fmt::format("{}{}", rates.empty() ? "" : " and ", what);
+    if (missing(*signal)) {
+      rates.emplace_back(what);
+    }
   }
   if (!rates.empty()) {
-    log.notes.push_back(fmt::format("The rate of {} is not in the log; it is taken as 0{}.", rates,
-                                    missing(log.pitch_rate) && missing(log.yaw_rate)
-                                        ? ", so the rocket is taken to keep the direction of its guide"
-                                        : ""));
+    const bool one = rates.size() == 1;
+    log.notes.push_back(
+        fmt::format("The {} of {} {} not in the log; {} taken as 0{}.", one ? "rate" : "rates", in_a_row(rates),
+                    one ? "is" : "are", one ? "it is" : "they are",
+                    knows_tilt(log) ? "" : ", so the rocket is taken to keep the direction of its guide"));
   }
 }
 
-void refuse_nonsense(const ImuLog& log, const Sources& sources) {
+void refuse_few_samples(const ImuLog& log) {
   if (log.axial.time_s.size() < fewest_samples) {
     refuse(fmt::format("{}: {} samples of the axial specific force; at least {} are needed", log.name,
                        log.axial.time_s.size(), fewest_samples));
   }
+}
+
+void refuse_unlikely_time(const ImuLog& log, const Sources& sources) {
+  const Source& time = *find(sources, Quantity::time);
+  const auto doubt_unit = [&](const std::string& what) {
+    refuse(fmt::format("{}: {}; is the time {} really in {}?", log.name, what, time.column, time.unit));
+  };
   const double long_s = log.end_s() - log.begin_s();
+  const auto from_first_to_last = [&](const std::string& length, const std::string& than) {
+    doubt_unit(fmt::format("from its first sample to its last it is {}, {} s", length, than));
+  };
   if (long_s > longest_log_s) {
-    refuse(
-        fmt::format("{}: from its first sample to its last it is {} s, longer than {} s; is the time {} really in {}?",
-                    log.name, input::about(long_s), longest_log_s, find(sources, Quantity::time)->column,
-                    find(sources, Quantity::time)->unit));
+    from_first_to_last(input::about(long_s) + " s", fmt::format("longer than {}", longest_log_s));
+  }
+  if (long_s < shortest_log_s) {
+    from_first_to_last(input::about(1e3 * long_s) + " ms", fmt::format("shorter than {}", shortest_log_s));
+  }
+  if (log.interval_s * fastest_log_hz < 1.0 - 1e-9) {
+    doubt_unit(fmt::format("{} samples a second, faster than {}", input::about(1.0 / log.interval_s), fastest_log_hz));
   }
 }
 
@@ -172,8 +197,9 @@ ImuLog imu_log(const flight::Table& table, const Sources& sources) {
       log.*place.signal = signal_of(table, clock, *source, log.notes);
     }
   }
-  refuse_nonsense(log, sources);
+  refuse_few_samples(log);
   log.interval_s = logs::usual_interval_s(log.axial.time_s);
+  refuse_unlikely_time(log, sources);
   note_what_is_missing(log);
   return log;
 }

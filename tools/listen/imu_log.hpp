@@ -49,13 +49,19 @@ struct ImuLog {
   [[nodiscard]] double end_s() const { return axial.time_s.back(); }
 };
 
-/// Longest log that is flown: beyond it time is hardly in the unit that was stated.
+/// Does the log say how the rocket turns about its sides?
+[[nodiscard]] inline bool knows_tilt(const ImuLog& log) { return log.pitch_rate.is_there() || log.yaw_rate.is_there(); }
+
+/// Longest and shortest log that is flown, and the fastest: beyond them time is hardly in the unit that was stated.
 inline constexpr double longest_log_s = 6.0 * 3600.0;
+inline constexpr double shortest_log_s = 1.0;
+inline constexpr double fastest_log_hz = 20'000.0;
 
 /// The columns of a table that `sources` name. Of rows with one time the last counts: loggers write a row again when
 /// another sensor of it has news. Throws text::Error (bad_data), naming file and line: a column that is not there, no
 /// time or axial force among the sources, time that goes back, more than 1 % of rows without a time, fewer than ten
-/// samples of the axial force, a log longer than longest_log_s.
+/// samples of the axial force, a log longer than longest_log_s, shorter than shortest_log_s or faster than
+/// fastest_log_hz.
 [[nodiscard]] ImuLog imu_log(const flight::Table& table, const Sources& sources);
 
 /// Height and speed of another file: a barometer's own log.
