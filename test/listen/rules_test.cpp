@@ -39,6 +39,31 @@ TEST(LiftOff, IsNoKnock) {
   EXPECT_NEAR(lift_off_s(knock(0.17)).value(), 1.0, 0.011) << "more than half of 0.3 s counts";
 }
 
+// 3 g above that of the pad for 0.25 s are 7 m/s, which a hand gives; a boost of 1.5 s begins two seconds later.
+TEST(LiftOff, IsNoBumpThatLastsUnlessItIsTheBeginningOfAFlight) {
+  const auto bump = [](double launch_s) {
+    return signal(6.0, 0.01, [=](double t) {
+      return t > 1.0 && t < 1.25 ? 4.0 * g : t > launch_s && t < launch_s + 1.5 ? 8.0 * g : t > launch_s ? -g : g;
+    });
+  };
+  EXPECT_NEAR(lift_off_s(bump(3.0)).value(), 3.0, 0.011);
+  EXPECT_NEAR(lift_off_s(bump(1.5)).value(), 1.5, 0.011);
+  EXPECT_NEAR(lift_off_s(bump(1.3)).value(), 1.0, 0.011) << "a twentieth of a second apart they are one push";
+  EXPECT_EQ(lift_off_s(bump(9.0)), std::nullopt);
+}
+
+TEST(LiftOff, IsNoRowOfStrokesOfAHand) {
+  const Signal axial = signal(8.0, 0.01, [](double t) {
+    return t < 1.0 ? g : std::fmod(t, 0.5) < 0.25 ? 4 * g : -2 * g;
+  });
+  EXPECT_EQ(lift_off_s(axial), std::nullopt);
+}
+
+TEST(LiftOff, OfALogThatEndsInThePushIsItsBeginning) {
+  const Signal axial = signal(1.2, 0.01, [](double t) { return t < 1.0 ? g : 5.0 * g; });
+  EXPECT_NEAR(lift_off_s(axial).value(), 1.0, 0.011);
+}
+
 TEST(LiftOff, ThatShakesThroughTwoGIsTheFirstCrossing) {
   // 40 ms above, 20 ms below: two thirds of the time.
   const Signal axial = signal(3.0, 0.01, [](double t) { return t < 1.0 ? g : std::fmod(t, 0.06) < 0.04 ? 6 * g : g; });
@@ -56,6 +81,9 @@ TEST(LiftOff, OfAnAccelerometerThatEndsBelowTwoGIsWhereItReachesItsEnd) {
   const Signal axial =
       signal(3.0, 0.01, [&](double t) { return std::min(19.6, (t < 1.0 ? g : 5.0 * g) + noise(random)); });
   EXPECT_NEAR(lift_off_s(axial).value(), 1.0, 0.011);
+  const Signal bump =
+      signal(3.0, 0.01, [&](double t) { return std::min(19.6, (t < 1.0 || t > 1.25 ? g : 5.0 * g) + noise(random)); });
+  EXPECT_EQ(lift_off_s(bump), std::nullopt) << "a quarter of a second at the end";
 }
 
 struct Noise {

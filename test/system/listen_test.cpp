@@ -83,6 +83,26 @@ TEST(Listen, WritesAPageAndPrintsTheClosedForm) {
   EXPECT_NEAR(json["law"]["apogee_s"].number(), 15.0, 0.06);
 }
 
+// A hand in the guide, 3 g above the pad's for a quarter of a second; the launch comes two seconds later.
+TEST(Listen, TellsABumpFromTheLaunchAfterIt) {
+  const Folder folder;
+  std::string log = "s,a\n";
+  for (int i = 0; i <= 2000; ++i) {
+    const double t = 0.01 * i;
+    const double axial = t > 8.0 && t < 8.25 ? 4.0 : t < 10.0 ? 1.0 : t < 11.5 ? 6.0 : -0.5;
+    log += fmt::format("{:.2f},{}\n", t, axial);
+  }
+  folder.write("log.csv", log);
+  const Outcome outcome =
+      fantail({"listen", "log.csv", "--columns", "time=s:s,axial=a:g", "--json"}, {.working_folder = folder.path()});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const Json json = json::parse(outcome.out);
+  EXPECT_EQ(json["finding"].text(), "imagined_and_missed");
+  EXPECT_NEAR(json["lift_off_s"].number(), 10.0, 0.011);
+  EXPECT_NEAR(json["false_detections_s"][0].number(), 8.1, 0.02);
+  EXPECT_EQ(json["doubts"].size(), 0U);
+}
+
 TEST(Listen, ReadsAnExportOfAltosUi) {
   const Folder folder;
   const std::string log = made_log(
@@ -117,6 +137,8 @@ TEST(Listen, RefusesWhatItCannotHear) {
   Refusal({{"log.csv", made + "20000,1,0\n19000,1,0\n"}}, of_made, 65,
           {"log.csv:2004", "19000", "before that of line 2003"});
   Refusal({{"log.csv", made}}, with("time=alt:s,axial=Ay:g"), 65, {"1 samples of the axial"});
+  Refusal({{"log.csv", made}}, with("time=ms:us,axial=-Ay:g"), 65,
+          {"it is 20 ms, shorter than 1 s", "is the time ms really in us?"});
   Refusal({{"log.csv", made}}, {"listen", "log.csv", "--map", "altus"}, 64, {"altus", "altos", "px4"});
   Refusal({{"log.csv", made}}, {"listen", "log.csv", "--map", "altos"}, 65, {"no column time", "--columns time="});
   Refusal({{"log.csv", made}}, {"listen", "log.csv", "--barometer", "log.csv"}, 64, {"--barometer-columns"});

@@ -38,6 +38,18 @@ Event event_of(double time_s, const core::TickRecord& record) {
           .tilt_rad = static_cast<double>(record.motion.tilt.radians())};
 }
 
+// The last event is Controlling, and the one before it the Launched that led there.
+void follow_control(Heard& heard, bool early) {
+  if (early) {
+    heard.early_control_s = heard.events.back().time_s;
+    return;
+  }
+  if (!heard.detected_s) {
+    heard.detected_s = heard.events[heard.events.size() - 2].time_s;
+  }
+  heard.control = heard.events.back();
+}
+
 // Detections, control and apogee, as the ticks go by.
 void follow(Heard& heard, double time_s, const core::TickRecord& record) {
   const bool is_new = heard.events.empty() || heard.events.back().to != record.phase;
@@ -52,8 +64,8 @@ void follow(Heard& heard, double time_s, const core::TickRecord& record) {
       heard.detected_s = time_s;
     }
   }
-  if (is_new && record.phase == core::Phase::controlling && heard.detected_s && !heard.control) {
-    heard.control = heard.events.back();
+  if (is_new && record.phase == core::Phase::controlling) {
+    follow_control(heard, early);
   }
   if (early || !heard.detected_s) {
     heard.longest_rest_s =
@@ -177,6 +189,7 @@ Heard fly_log(ImuLog log, const Question& question, const Watch& watch) {
     }
   }
   find_peaks(heard);
+  heard.doubts = doubts_of(heard);
   heard.notes = notes_of(heard, question);
   return heard;
 }

@@ -55,10 +55,13 @@ struct Heard {
   std::optional<double> lift_off_s{};  ///< by the rule of lift_off.hpp, log's clock
   std::vector<Event> events{};         ///< from Armed on
   std::vector<double> false_detections_s{};
-  std::optional<double> detected_s{};  ///< the first Launched that is none of these
-  std::optional<Event> control{};      ///< the first Controlling after it
-  double longest_rest_s = 0.0;         ///< that the law saw before lift-off, or in the whole log
-  std::optional<double> apogee_s{};    ///< by the law: its vertical speed changes its sign
+  /// The first Launched that is none of these, or the one of these in which the law still was at lift-off, if it went
+  /// on from there to Controlling.
+  std::optional<double> detected_s{};
+  std::optional<double> early_control_s{};  ///< Controlling before lift-off, or in a log without one
+  std::optional<Event> control{};           ///< the first Controlling after it
+  double longest_rest_s = 0.0;              ///< that the law saw before lift-off, or in the whole log
+  std::optional<double> apogee_s{};         ///< by the law: its vertical speed changes its sign
   double apogee_m = 0.0;
   double tilt_at_apogee_rad = 0.0;
   bool is_lower_bound = false;        ///< height and speed at apogee, or at the end, as the law says itself
@@ -67,7 +70,11 @@ struct Heard {
   std::optional<Peak> log_fastest{};  ///< m/s, of the log's own speed in the same time
   LogHeight log_height{};
   Trace trace{};
-  std::vector<std::string> notes{};  ///< what a reader must know, a sentence each
+  std::vector<std::string> doubts{};  ///< why the finding may be wrong, a sentence each
+  std::vector<std::string> notes{};   ///< what a reader must know, a sentence each
+
+  /// Does the log begin in thrust, as far as anybody can tell?
+  [[nodiscard]] bool begins_at_lift_off() const { return lift_off_s && *lift_off_s <= log.begin_s(); }
 
   /// After lift-off, where that is known.
   [[nodiscard]] std::optional<double> since_lift_off_s(std::optional<double> time_s) const {

@@ -6,7 +6,6 @@
 #include <fmt/core.h>
 
 #include "flight/phase_names.hpp"
-#include "listen/lift_off.hpp"
 #include "listen/outputs.hpp"
 #include "listen/sentences.hpp"
 #include "page/page.hpp"
@@ -139,9 +138,13 @@ std::string charts(const Heard& heard) {
          chart(heard, "Height", "m", tall,
                {from_log(heard, heard.log_height.above_pad, "log", 1.0), from_law(heard, trace.height_m, "law")},
                moments(heard)) +
-         chart(heard, "Tilt", "deg", flat, {from_law(heard, trace.tilt_rad, "law", text::degrees(1.0))}, {}) +
-         chart(heard, "Roll rate", "(deg/s)", flat, {from_law(heard, trace.roll_rate_rad_s, "law", text::degrees(1.0))},
-               {});
+         (knows_tilt(heard.log)
+              ? chart(heard, "Tilt", "deg", flat, {from_law(heard, trace.tilt_rad, "law", text::degrees(1.0))}, {})
+              : "") +
+         (heard.log.roll_rate.is_there()
+              ? chart(heard, "Roll rate", "(deg/s)", flat,
+                      {from_law(heard, trace.roll_rate_rad_s, "law", text::degrees(1.0))}, {})
+              : "");
 }
 
 std::string phase_table(const Heard& heard) {
@@ -167,13 +170,28 @@ std::string comparison_table(const Heard& heard) {
   for (const Row& row : comparison(heard)) {
     rows.push_back({{row.what}, {row.law}, {row.log}});
   }
-  return page::section("The law beside the log",
-                       page::table(columns, rows) +
-                           page::note(fmt::format(
-                               "Lift-off is the first rise of the axial specific force through {} g that lasts for at "
-                               "least half of the next {} s. The log's apogee is where a running median of its height "
-                               "over 0.5 s is largest.",
-                               lift_off_g, lift_off_window_s)));
+  return page::section(
+      "The law beside the log",
+      page::table(columns, rows) +
+          page::note(lift_off_rule() + " The log's apogee is where a running median of its height over 0.5 s is "
+                                       "largest."));
+}
+
+struct Verdict {
+  page::Tone tone;
+  std::string_view heading;
+};
+
+Verdict verdict_of(Finding finding) {
+  switch (finding) {
+    case Finding::heard: return {page::Tone::good, "Heard"};
+    case Finding::late: return {page::Tone::bad, "Late"};
+    case Finding::imagined: return {page::Tone::bad, "Imagined"};
+    case Finding::imagined_and_missed: return {page::Tone::bad, "Imagined, and the launch missed"};
+    case Finding::missed: return {page::Tone::bad, "Missed"};
+    case Finding::no_launch: break;
+  }
+  return {page::Tone::unsure, "No launch"};
 }
 
 }  // namespace
@@ -183,25 +201,14 @@ std::string as_html(const Heard& heard) {
                   .title = std::filesystem::path{heard.log.name}.filename().string()};
   page.subtitle = fmt::format("{}. Plan {}. {} rows, {} samples a second", heard.log.name, heard.plan, heard.log.rows,
                               text::brief(1.0 / heard.log.interval_s, 1));
-  switch (finding(heard)) {
-    case Finding::heard:
-      page.tone = page::Tone::good;
-      page.verdict_heading = "Heard";
-      break;
-    case Finding::imagined:
-      page.tone = page::Tone::bad;
-      page.verdict_heading = "Imagined";
-      break;
-    case Finding::missed:
-      page.tone = page::Tone::bad;
-      page.verdict_heading = "Missed";
-      break;
-    case Finding::no_launch:
-      page.tone = page::Tone::unsure;
-      page.verdict_heading = "No launch";
-      break;
+  const Verdict verdict = verdict_of(finding(heard));
+  const bool doubtful = !heard.doubts.empty();
+  page.tone = doubtful && verdict.tone == page::Tone::good ? page::Tone::unsure : verdict.tone;
+  page.verdict_heading = std::string{verdict.heading} + (doubtful ? ", in doubt" : "");
+  for (const std::string& doubt : heard.doubts) {
+    page.verdict += doubt + " ";
   }
-  page.verdict = headline(heard);
+  page.verdict += headline(heard);
   page.body_html = phase_table(heard) + comparison_table(heard) + charts(heard) +
                    page::section("How it was flown", page::list(heard.notes));
   return page::html(page);

@@ -14,7 +14,9 @@ using json::rounded;
 std::string_view name_of(Finding finding) {
   switch (finding) {
     case Finding::heard: return "heard";
+    case Finding::late: return "late";
     case Finding::imagined: return "imagined";
+    case Finding::imagined_and_missed: return "imagined_and_missed";
     case Finding::missed: return "missed";
     case Finding::no_launch: return "no_launch";
   }
@@ -79,6 +81,7 @@ std::string as_json(const Heard& heard, std::string_view version) {
   const Json json = {{"log", heard.log.name},
                      {"plan", heard.plan},
                      {"finding", name_of(finding(heard))},
+                     {"doubts", heard.doubts},
                      {"headline", headline(heard)},
                      {"rows", heard.log.rows},
                      {"from_s", rounded(heard.log.begin_s())},
@@ -91,6 +94,7 @@ std::string as_json(const Heard& heard, std::string_view version) {
                      {"detected_s", rounded(heard.detected_s)},
                      {"detected_since_lift_off_s", rounded(heard.since_lift_off_s(heard.detected_s))},
                      {"false_detections_s", false_detections(heard)},
+                     {"early_control_s", rounded(heard.early_control_s)},
                      {"phases", events(heard)},
                      {"peak_axial_m_s2", rounded(heard.hardest.value)},
                      {"is_lower_bound", heard.is_lower_bound},
@@ -100,7 +104,8 @@ std::string as_json(const Heard& heard, std::string_view version) {
                        {"apogee_s", rounded(heard.apogee_s)},
                        {"apogee_since_lift_off_s", rounded(heard.since_lift_off_s(heard.apogee_s))},
                        {"apogee_m", rounded(where(turned, heard.apogee_m))},
-                       {"tilt_at_apogee_deg", rounded(where(turned, text::degrees(heard.tilt_at_apogee_rad)))}}},
+                       {"tilt_at_apogee_deg",
+                        rounded(where(turned && knows_tilt(heard.log), text::degrees(heard.tilt_at_apogee_rad)))}}},
                      {"log_itself",
                       {{"top_speed_m_s", heard.log_fastest ? Json(rounded(heard.log_fastest->value)) : Json{}},
                        {"apogee_s", rounded(height.apogee_s)},

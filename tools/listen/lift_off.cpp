@@ -32,11 +32,43 @@ double above_s(const Signal& axial, std::size_t first, double from_s, double thr
   return sum;
 }
 
+// Is the push that begins at a crossing, the sample before which is first - 1, more than a bump?
+bool makes_a_flight(const Signal& axial, std::size_t first, double from_s, double threshold_m_s2,
+                    const std::optional<RangeEnd>& end) {
+  const double pause_m_s2 = push_end_g / lift_off_g * threshold_m_s2;
+  double impulse_m_s = 0.0;
+  double clipped_s = 0.0;
+  double low_since_s = from_s;
+  double last_s = from_s;
+  double last_m_s2 = axial.value[first];
+  for (std::size_t i = first; i < axial.time_s.size(); ++i) {
+    const double now_m_s2 = axial.value[i];
+    const double step_s = axial.time_s[i] - last_s;
+    impulse_m_s += step_s * (0.5 * (last_m_s2 + now_m_s2) - one_g_m_s2);
+    clipped_s += end && end->holds(now_m_s2) && end->holds(last_m_s2) ? step_s : 0.0;
+    if (impulse_m_s >= flight_impulse_m_s || clipped_s >= flight_clipped_s) {
+      return true;
+    }
+    if (now_m_s2 >= pause_m_s2) {
+      low_since_s = axial.time_s[i];
+    } else if (last_m_s2 >= pause_m_s2) {
+      low_since_s = crossing_s(axial, i, pause_m_s2);
+    }
+    if (now_m_s2 < pause_m_s2 && axial.time_s[i] - low_since_s >= push_pause_s) {
+      return false;
+    }
+    last_s = axial.time_s[i];
+    last_m_s2 = now_m_s2;
+  }
+  return true;
+}
+
 }  // namespace
 
 std::optional<double> lift_off_s(const Signal& axial) {
   double threshold_m_s2 = lift_off_g * one_g_m_s2;
-  if (const auto end = range_end(axial, Side::positive); end && end->value < threshold_m_s2) {
+  const auto end = range_end(axial, Side::positive);
+  if (end && end->value < threshold_m_s2) {
     threshold_m_s2 = end->value * (1.0 - 1e-9);
   }
   for (std::size_t i = 0; i < axial.time_s.size(); ++i) {
@@ -45,7 +77,8 @@ std::optional<double> lift_off_s(const Signal& axial) {
       continue;
     }
     const double from_s = i == 0 ? axial.time_s[0] : crossing_s(axial, i, threshold_m_s2);
-    if (above_s(axial, i, from_s, threshold_m_s2) >= 0.5 * lift_off_window_s) {
+    if (above_s(axial, i, from_s, threshold_m_s2) >= 0.5 * lift_off_window_s &&
+        makes_a_flight(axial, i, from_s, threshold_m_s2, end)) {
       return from_s;
     }
   }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include <fmt/core.h>
@@ -77,17 +78,102 @@ std::optional<double> pad_mean(const Heard& heard, const Signal& signal) {
   return count > 0.0 ? std::optional{sum / count} : std::nullopt;
 }
 
+// Of what the axial force reads at rest: the guess that explains it.
+std::string guess(double rest_g) {
+  constexpr double about = 0.3;
+  const auto is = [&](double g) { return std::abs(rest_g - g) < about; };
+  return is(-1.0)  ? "its sign seems to be wrong (a minus before the column turns it around): "
+         : is(0.0) ? "gravity seems not to be in it (axial_from_rest), or its unit is wrong: "
+         : is(2.0) ? "gravity seems to be in it twice (axial instead of axial_from_rest): "
+                   : "";
+}
+
+struct Rest {
+  double mean_m_s2 = 0.0;
+  std::string where{};
+};
+
+// What the axial force reads at rest: before lift-off; of a log that is not known to have any of that, at its
+// beginning.
+std::optional<Rest> at_rest(const Heard& heard) {
+  if (const auto mean = heard.lift_off_s ? pad_mean(heard, heard.log.axial) : std::nullopt) {
+    return Rest{*mean, "Before lift-off"};
+  }
+  constexpr double most_s = 1.0;
+  constexpr double hold_s = 0.3;
+  double until_s = heard.log.begin_s() + most_s;
+  for (const Event& event : heard.events) {
+    until_s = event.to == core::Phase::launched ? std::min(until_s, event.time_s - hold_s) : until_s;
+  }
+  const Signal& axial = heard.log.axial;
+  const auto count = std::ranges::lower_bound(axial.time_s, until_s) - axial.time_s.begin();
+  if (count == 0) {
+    return std::nullopt;
+  }
+  const double sum = std::accumulate(axial.value.begin(), axial.value.begin() + count, 0.0);
+  return Rest{sum / static_cast<double>(count),
+              until_s < heard.log.begin_s() + most_s ? "Before the first detection" : "In its first second"};
+}
+
 // The sign, the unit and the axis of the one column that nothing can be heard without.
 std::string axial_doubt(const Heard& heard) {
   constexpr double most_off_g = 0.3;
-  const auto mean = pad_mean(heard, heard.log.axial);
-  if (!mean || std::abs(*mean / one_g_m_s2 - 1.0) <= most_off_g) {
+  const auto rest = at_rest(heard);
+  if (!rest || std::abs(rest->mean_m_s2 / one_g_m_s2 - 1.0) <= most_off_g) {
     return {};
   }
+  const double rest_g = rest->mean_m_s2 / one_g_m_s2;
   return fmt::format(
-      "Before lift-off the axial force reads {} g in the mean, where a rocket in its guide reads 1 g: is it "
-      "the right axis, sign and unit, and is gravity in it (axial) or not (axial_from_rest)?",
-      text::fixed(*mean / one_g_m_s2, 2));
+      "{} the axial force reads {} g in the mean, where a rocket in its guide reads 1 g: {}is it the right axis, sign "
+      "and unit, and is gravity in it (axial) or not (axial_from_rest)?",
+      rest->where, text::fixed(rest_g, 2), guess(rest_g));
+}
+
+std::string begin_doubt(const Heard& heard) {
+  return heard.begins_at_lift_off()
+             ? fmt::format(
+                   "The log begins above {} g, so its first sample counts as lift-off: nothing before it is "
+                   "known. Should it begin on the pad, the axial force is not what it was said to be.",
+                   lift_off_g)
+             : "";
+}
+
+std::string end_doubt(const Heard& heard) {
+  const auto after_s = heard.since_lift_off_s(heard.log.end_s());
+  return after_s && *after_s < late_s ? fmt::format(
+                                            "The log ends {} s after lift-off: whether a flight followed is not "
+                                            "in it.",
+                                            text::fixed(*after_s, 2))
+                                      : "";
+}
+
+// A barometer is slow, and Mach 1 and the wind disturb it; five seconds after a launch all that is small.
+std::string height_doubt(const Heard& heard) {
+  constexpr double after_s = 5.0;
+  constexpr double enough_s = 3.0;
+  constexpr double least_m = 10.0;
+  const Signal& height = heard.log_height.above_pad;
+  if (!heard.lift_off_s || !height.is_there() || height.time_s.back() < *heard.lift_off_s + enough_s) {
+    return {};
+  }
+  double rise_m = 0.0;
+  for (std::size_t i = 0; i < height.time_s.size() && height.time_s[i] < *heard.lift_off_s + after_s; ++i) {
+    if (height.time_s[i] > *heard.lift_off_s) {
+      rise_m = std::max(rise_m, height.value[i]);
+    }
+  }
+  return rise_m >= least_m ? ""
+                           : fmt::format(
+                                 "The log's own height rises by no more than {} m in the {} s after lift-off: was it a "
+                                 "flight, and is the height what it was said to be?",
+                                 text::fixed(rise_m, 1), after_s);
+}
+
+std::string interval_doubt(const Heard& heard) {
+  constexpr double much_s = 0.25;
+  return heard.log.interval_s > much_s
+             ? "A quarter of a second and more between samples is much for a flight; is time in milliseconds?"
+             : "";
 }
 
 // A gyro whose zero is farther off than the plan's quiet rate turns for ever, as far as the law can tell.
@@ -159,44 +245,69 @@ std::string unbelievable_sentence(const Heard& heard) {
 
 Finding finding(const Heard& heard) {
   if (!heard.false_detections_s.empty()) {
-    return Finding::imagined;
+    return heard.lift_off_s && !heard.detected_s ? Finding::imagined_and_missed : Finding::imagined;
   }
   if (!heard.lift_off_s) {
     return Finding::no_launch;
   }
-  return heard.detected_s ? Finding::heard : Finding::missed;
+  if (!heard.detected_s) {
+    return Finding::missed;
+  }
+  return *heard.since_lift_off_s(heard.detected_s) > late_s ? Finding::late : Finding::heard;
 }
 
 std::string headline(const Heard& heard) {
   const std::size_t early = heard.false_detections_s.size();
-  const std::string before = early == 0   ? "and nothing before it"
-                             : early == 1 ? "and one launch that was none before it"
-                                          : fmt::format("and {} launches that were none before it", early);
-  if (heard.detected_s) {
-    return fmt::format("Launch detected {:.3f} s after lift-off, {}.", *heard.since_lift_off_s(heard.detected_s),
-                       before);
+  const std::string control =
+      heard.early_control_s
+          ? fmt::format(
+                " Before any launch control began, at {:.3f} s of the log's clock: the canards would have moved.",
+                *heard.early_control_s)
+          : "";
+  if (!heard.lift_off_s) {
+    return early == 0 ? "There is no lift-off in this log, and no launch was detected."
+                      : fmt::format("There is no lift-off in this log, and {} detected all the same.{}",
+                                    early == 1 ? "a launch was" : fmt::format("{} launches were", early), control);
   }
-  if (heard.lift_off_s) {
-    return early == 0 ? "The launch was not detected." : fmt::format("The launch was not detected, {}.", before);
+  const std::string what = early == 0   ? "nothing"
+                           : early == 1 ? "one launch that was none"
+                                        : fmt::format("{} launches that were none", early);
+  const std::string before = text::fixed(*heard.lift_off_s - heard.log.begin_s(), 2);
+  const auto since_s = heard.since_lift_off_s(heard.detected_s);
+  if (!since_s) {
+    return early == 0 ? "The launch was not detected."
+                      : fmt::format("The launch was not detected, and {} none {}, in the {} s before it.{}",
+                                    early == 1 ? "one that was" : fmt::format("{} that were", early),
+                                    early == 1 ? "was" : "were", before, control);
   }
-  return early == 0 ? "There is no lift-off in this log, and no launch was detected."
-                    : fmt::format("There is no lift-off in this log, and {} detected all the same.",
-                                  early == 1 ? "a launch was" : fmt::format("{} launches were", early));
+  return *since_s < 0.0 && early > 0
+             ? fmt::format("Launch detected {:.3f} s before lift-off, and the flight controlled from there.", -*since_s)
+             : fmt::format(
+                   "Launch detected {:.3f} s after lift-off{}{}.", *since_s, *since_s > late_s ? ", which is late" : "",
+                   heard.begins_at_lift_off() ? "" : fmt::format(", and {} in the {} s before it", what, before));
+}
+
+std::string lift_off_rule() {
+  return fmt::format(
+      "Lift-off is the first rise of the axial specific force through {} g that lasts for at least half of the next {} "
+      "s and begins a push of {} m/s or more, until the force has been below {} g for {} s.",
+      lift_off_g, lift_off_window_s, flight_impulse_m_s, push_end_g, push_pause_s);
+}
+
+std::vector<std::string> doubts_of(const Heard& heard) {
+  std::vector<std::string> doubts{axial_doubt(heard), begin_doubt(heard), interval_doubt(heard), height_doubt(heard),
+                                  end_doubt(heard)};
+  std::erase(doubts, std::string{});
+  return doubts;
 }
 
 std::vector<std::string> notes_of(const Heard& heard, const Question& question) {
-  std::vector<std::string> notes{rate_sentence(heard), gap_sentence(heard), second_sentence(heard), axial_doubt(heard),
+  std::vector<std::string> notes{rate_sentence(heard), gap_sentence(heard), second_sentence(heard),
                                  pad_sentence(heard, question)};
   for (const Clipped& clipped : heard.clipped) {
     notes.push_back(clipped_sentence(heard, clipped));
   }
   notes.push_back(unbelievable_sentence(heard));
-  if (heard.lift_off_s && *heard.lift_off_s <= heard.log.begin_s()) {
-    notes.push_back(fmt::format("The log begins above {} g, so its first sample counts as lift-off.", lift_off_g));
-  }
-  if (heard.log.interval_s > 0.25) {
-    notes.emplace_back("A quarter of a second and more between samples is much for a flight; is time in milliseconds?");
-  }
   notes.insert(notes.end(), heard.log.notes.begin(), heard.log.notes.end());
   std::erase(notes, std::string{});
   return notes;

@@ -10,15 +10,25 @@
 namespace fantail::listen {
 
 enum class Finding : std::uint8_t {
-  heard,      ///< the launch was detected, and nothing before it
-  imagined,   ///< a launch was detected before lift-off, or in a log without one
-  missed,     ///< lift-off, and no detection
-  no_launch,  ///< neither
+  heard,                ///< the launch was detected, and nothing before it
+  late,                 ///< likewise, but more than late_s after lift-off
+  imagined,             ///< a launch was detected before lift-off, or in a log without one
+  imagined_and_missed,  ///< a launch was detected before lift-off, and the real one was not
+  missed,               ///< lift-off, and no detection
+  no_launch,            ///< neither
 };
 
+/// After it a detection is no longer that of the beginning of a flight.
+inline constexpr double late_s = 1.0;
+
 [[nodiscard]] Finding finding(const Heard& heard);
-/// "Launch detected 0.061 s after lift-off, and nothing before it."
+/// "Launch detected 0.061 s after lift-off, and nothing in the 4.3 s before it."
 [[nodiscard]] std::string headline(const Heard& heard);
+/// The rule of lift_off.hpp, a sentence.
+[[nodiscard]] std::string lift_off_rule();
+
+/// Why the finding may be wrong: columns, signs, units and clocks that do not look right.
+[[nodiscard]] std::vector<std::string> doubts_of(const Heard& heard);
 
 /// What a reader must know of how it was flown: the log's own notes, its rate, gaps, what is fed twice, ends of ranges.
 [[nodiscard]] std::vector<std::string> notes_of(const Heard& heard, const Question& question);

@@ -2,7 +2,6 @@
 #include <fmt/core.h>
 
 #include "flight/phase_names.hpp"
-#include "listen/lift_off.hpp"
 #include "listen/outputs.hpp"
 #include "listen/sentences.hpp"
 #include "text/degrees.hpp"
@@ -65,36 +64,39 @@ std::vector<Row> comparison(const Heard& heard) {
                        : unknown});
   rows.push_back({"apogee / m", heard.apogee_s ? at_least(heard) + text::fixed(heard.apogee_m, 1) : unknown,
                   height.apogee_s ? text::fixed(height.apogee_m, 1) : unknown});
-  rows.push_back({"tilt at the law's apogee / deg",
-                  heard.apogee_s ? text::fixed(text::degrees(heard.tilt_at_apogee_rad), 1) : unknown, unknown});
+  rows.push_back(
+      {"tilt at the law's apogee / deg",
+       heard.apogee_s && knows_tilt(heard.log) ? text::fixed(text::degrees(heard.tilt_at_apogee_rad), 1) : unknown,
+       unknown});
   return rows;
 }
 
 std::string as_text(const Heard& heard) {
   const core::LaunchDetectionPlan& rule = heard.flown.launch_detection;
   std::string text = fmt::format(
-      "{}: {} rows, {:.3f} s to {:.3f} s{}\nplan {}: {} g for {} s{}, {}\n\n{}\n", heard.log.name, heard.log.rows,
+      "{}: {} rows, {:.3f} s to {:.3f} s{}\nplan {}: {} g for {} s{}, {}\n\n", heard.log.name, heard.log.rows,
       heard.log.begin_s(), heard.log.end_s(),
       heard.log.columns_from.empty() ? "" : ", columns of " + heard.log.columns_from, heard.plan,
       text::brief(static_cast<double>(rule.threshold_m_s2) / one_g_m_s2, 2),
       text::brief(static_cast<double>(core::seconds(rule.hold)), 3),
       rule.low_pass ? fmt::format(", low-passed at {} Hz", text::brief(static_cast<double>(rule.low_pass_hz), 1)) : "",
-      rule.accelerometers == core::AccelerometerRule::two_agree ? "two accelerometers that agree" : "one accelerometer",
-      headline(heard));
-  text += fmt::format("\n  {:<12} {:<28} {:>10} {:>14} {:>10} {:>10} {:>8}\n", "phase", "because", "log / s",
+      rule.accelerometers == core::AccelerometerRule::two_agree ? "two accelerometers that agree"
+                                                                : "one accelerometer");
+  for (const std::string& doubt : heard.doubts) {
+    text += "In doubt: " + doubt + "\n";
+  }
+  text += headline(heard) + "\n";
+  text += fmt::format("\n  {:<12} {:<34} {:>10} {:>14} {:>10} {:>10} {:>8}\n", "phase", "because", "log / s",
                       "lift-off + / s", "height / m", "v / (m/s)", "tilt/deg");
   for (const PhaseRow& row : phase_rows(heard)) {
-    text += fmt::format("  {:<12} {:<28} {:>10} {:>14} {:>10} {:>10} {:>8}\n", row.phase, row.reason, row.log_time,
+    text += fmt::format("  {:<12} {:<34} {:>10} {:>14} {:>10} {:>10} {:>8}\n", row.phase, row.reason, row.log_time,
                         row.since_lift_off, row.height, row.speed, row.tilt);
   }
   text += fmt::format("\n  {:<32} {:<36} {}\n", "", "the law", "the log");
   for (const Row& row : comparison(heard)) {
     text += fmt::format("  {:<32} {:<36} {}\n", row.what, row.law, row.log);
   }
-  text += fmt::format(
-      "\nNote: Lift-off is the first rise of the axial specific force through {} g that lasts for at least half of the "
-      "next {} s.",
-      lift_off_g, lift_off_window_s);
+  text += "\nNote: " + lift_off_rule();
   for (const std::string& note : heard.notes) {
     text += "\nNote: " + note;
   }
