@@ -49,7 +49,7 @@ set(FANTAIL_LAYERS
   "tools/log_export|core protocol text table_file json input flight flight_log telemetry|fmt/"
   "tools/bench|core protocol hal avionics sim text json page replies link|fmt/"
   "tools/campaign|sim text json linear page input flight report fly|fmt/"
-  "tools/hardover|sim text json page fly campaign|fmt/"
+  "tools/hardover|core sim text json page fly campaign|fmt/"
   "tools/predict|core sim text json page flight report stability fly campaign|fmt/"
   "tools/tune|core sim text json page input flight report stability fly campaign predict|fmt/"
   "tools/paper|core sim text json page input flight report identify identify/model identify/closed_loop tunnel fly|fmt/"

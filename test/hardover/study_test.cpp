@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "hardover/study.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -26,17 +27,39 @@ Study study(const std::vector<std::string>& changes, const Options& options) {
 // what the roll angle is at that moment, which only says to which side it goes.
 TEST(Hardover, WithoutWindItDoesNotMatterWhichOfTheFourItIs) {
   const Study found = study({}, {.step_s = 3.0, .coupler_m = 0.8, .threads = 2});
-  ASSERT_EQ(found.effects.size() % 4, 0U);
-  const std::size_t instants = found.effects.size() / 4;
-  ASSERT_GE(instants, 3U);
+  ASSERT_EQ(found.effects.size() % 8, 0U);
+  EXPECT_EQ(found.instants, found.effects.size() / 8);
+  ASSERT_GE(found.instants, 3U);
   for (std::size_t i = 0; i < found.effects.size(); ++i) {
     const Effect& of = found.effects[i];
-    const Effect& first = found.effects[i % instants];
-    EXPECT_EQ(of.canard, i / instants);
+    const Effect& first = found.effects[i % (2 * found.instants)];
+    EXPECT_EQ(of.canard, i / (2 * found.instants));
     EXPECT_EQ(of.from_s, first.from_s);
+    EXPECT_EQ(of.stop_rad, first.stop_rad);
     EXPECT_NEAR(of.side_force_n, first.side_force_n, 0.05 * first.side_force_n + 0.05) << i;
     EXPECT_NEAR(text::degrees(of.turned_rad), text::degrees(first.turned_rad), 2.0) << i;
   }
+}
+
+// To one side the canard works against the fin offset, which the others balance, and to the other with it.
+TEST(Hardover, BothStopsAreFlownAndWorstIsTheWorseOfThem) {
+  const Study found = study({}, {.step_s = 2.5, .coupler_m = {}, .threads = 2});
+  Effect worst_of[2]{};
+  for (const Effect& one : found.effects) {
+    EXPECT_EQ(std::abs(one.stop_rad), found.stop_rad);
+    Effect& worst = worst_of[one.stop_rad > 0.0 ? 1 : 0];
+    worst.side_force_n = std::max(worst.side_force_n, one.side_force_n);
+    worst.angle_of_attack_rad = std::max(worst.angle_of_attack_rad, one.angle_of_attack_rad);
+    worst.rolled_rad = std::max(worst.rolled_rad, one.rolled_rad);
+  }
+  EXPECT_EQ(found.worst().side_force_n, std::max(worst_of[0].side_force_n, worst_of[1].side_force_n));
+  EXPECT_EQ(found.worst().angle_of_attack_rad,
+            std::max(worst_of[0].angle_of_attack_rad, worst_of[1].angle_of_attack_rad));
+  EXPECT_EQ(found.worst().rolled_rad, std::max(worst_of[0].rolled_rad, worst_of[1].rolled_rad));
+  // The offset of -4.9 degrees takes 19.6 of the 27 degrees that three canards have: what is left is less than 25, and
+  // the rocket spins. The positive stop does their work, and more.
+  EXPECT_GT(text::degrees(worst_of[0].rolled_rad), 360.0);
+  EXPECT_LT(text::degrees(worst_of[1].rolled_rad), 30.0);
 }
 
 // At its stop of 25 degrees against three that stand at 9 at most: the sum across the axis is at most that of 25 + 9
@@ -71,10 +94,43 @@ TEST(Hardover, TheBendingMomentIsTheForceTimesItsDistanceFromTheCoupler) {
   EXPECT_EQ(found.worst().moment_n_m.value(), found.worst().side_force_n * (0.8 - found.position_m));
 }
 
+TEST(Hardover, InFrontOfTheCanardsNothingBendsAndOutsideOfTheRocketIsRefused) {
+  EXPECT_EQ(study({}, {.step_s = 9.0, .coupler_m = 0.0, .threads = 2}).worst().moment_n_m, 0.0);
+  for (const double outside_m : {-0.1, 9.0}) {
+    try {
+      (void)study({}, {.step_s = 9.0, .coupler_m = outside_m, .threads = 2});
+      FAIL() << "it flew";
+    } catch (const text::Error& error) {
+      EXPECT_NE(std::string{error.what()}.find("allowed: 0 to 1."), std::string::npos) << error.what();
+    }
+  }
+}
+
+TEST(Hardover, SaysHowItWasMadeAndFromHowManyFlights) {
+  Study found = study({"run.canard_fault=end_control"}, {.step_s = 5.0, .coupler_m = {}, .threads = 2});
+  found.made = {.command = "fantail campaign hardover x --step 5", .version = "v9", .changes = {"a.b=c"}};
+  const std::string text = study_text(found);
+  const std::string page = study_html(found);
+  const std::string json = study_json(found);
+  for (const std::string& all : {text, page, json}) {
+    for (const char* const part :
+         {"fantail campaign hardover x --step 5", "v9", "a.b=c", "tasha3_launch2", "end_control"}) {
+      EXPECT_NE(all.find(part), std::string::npos) << part << " in\n" << all;
+    }
+    EXPECT_EQ(all.find("go on controlling"), std::string::npos) << all;
+    EXPECT_EQ(all.find("ending moment"), std::string::npos) << "nobody asked for one\n" << all;
+  }
+  EXPECT_NE(text.find("16 flights"), std::string::npos) << text;
+  EXPECT_NE(text.find("With so few instants"), std::string::npos) << text;
+  EXPECT_NE(page.find("At worst of 16 flights"), std::string::npos);
+  const std::string usual = study_text(study({}, {.step_s = 5.0, .coupler_m = 0.8, .threads = 2}));
+  EXPECT_NE(usual.find("go on controlling"), std::string::npos) << usual;
+  EXPECT_NE(usual.find("Bending moment"), std::string::npos) << usual;
+}
+
 TEST(Hardover, EarlyItTurnsTheWayMoreThanLate) {
   const Study found = study({}, {.step_s = 4.0, .coupler_m = {}, .threads = 2});
-  const std::size_t instants = found.effects.size() / 4;
-  EXPECT_GT(found.effects[0].away_m, 2.0 * found.effects[instants - 1].away_m);
+  EXPECT_GT(found.effects[0].away_m, 2.0 * found.effects[found.instants - 1].away_m);
   EXPECT_GT(found.effects[0].away_m, 1.0);
 }
 
@@ -82,7 +138,9 @@ TEST(Hardover, EarlyItTurnsTheWayMoreThanLate) {
 // less than that of a stop at 25 degrees, and the rocket is back on its way.
 TEST(Hardover, CutPulsesTurnTheRocketByLittle) {
   const Study cut = study({}, {.failure = Failure::cut_pulses, .step_s = 2.0, .coupler_m = {}, .threads = 2});
+  EXPECT_EQ(cut.effects.size(), 4 * cut.instants);
   for (const Effect& one : cut.effects) {
+    EXPECT_EQ(one.stop_rad, 0.0);
     if (one.side_force_n > 0.0) {
       EXPECT_LE(text::degrees(one.side_force_n / (one.pressure_pa * cut.side_area_m2)), 600.0 * (cut_s + 0.01));
     }

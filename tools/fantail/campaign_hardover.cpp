@@ -17,6 +17,7 @@
 #include "hardover/study.hpp"
 #include "input/shipped.hpp"
 #include "text/output_folder.hpp"
+#include "text/shell_word.hpp"
 
 namespace fantail::tool {
 namespace {
@@ -31,6 +32,19 @@ struct HardoverOptions {
   bool json = false;
 };
 
+std::string command_of(const HardoverOptions& options) {
+  const HardoverOptions usual;
+  std::string command = "fantail campaign hardover " + text::shell_word(options.scenario.scenario);
+  for (const std::string& change : options.scenario.changes) {
+    command += " --set " + text::shell_word(change);
+  }
+  command += options.scenario.seed.empty() ? "" : " --seed " + options.scenario.seed;
+  command += options.failure == usual.failure ? "" : " --failure " + options.failure;
+  command += options.study.step_s == usual.study.step_s ? "" : fmt::format(" --step {}", options.study.step_s);
+  command += options.study.coupler_m ? fmt::format(" --coupler {}", *options.study.coupler_m) : "";
+  return command;
+}
+
 void fly(const HardoverOptions& options) {
   std::vector<std::string> changes = changes_of(options.scenario);
   hardover::Options asked = options.study;
@@ -41,7 +55,7 @@ void fly(const HardoverOptions& options) {
   const std::string name = variant_name(input::name_of_file(options.scenario.scenario), changes);
   const fs::path folder = options.out.empty() ? fs::path{"out"} / "hardover" / name : fs::path{options.out};
   std::optional<Progress> progress;
-  const hardover::Study study = hardover::fly(load(options.scenario), asked, [&](std::size_t done, std::size_t of) {
+  hardover::Study study = hardover::fly(load(options.scenario), asked, [&](std::size_t done, std::size_t of) {
     if (take_interrupt()) {
       throw Interrupted{"interrupted; nothing was written"};
     }
@@ -52,6 +66,7 @@ void fly(const HardoverOptions& options) {
     progress->show(static_cast<double>(done));
   });
   progress.reset();
+  study.made = {.command = command_of(options), .version = FANTAIL_VERSION, .changes = changes_of(options.scenario)};
   text::OutputFolder{folder}.write(std::array{text::NamedFile{"hardover.html", hardover::study_html(study)},
                                               text::NamedFile{"hardover.json", hardover::study_json(study)}});
   if (options.json) {
@@ -67,14 +82,14 @@ void fill_hardover(const Verb& verb) {
   auto options = std::make_shared<HardoverOptions>();
   add_scenario_options(verb, options->scenario);
   verb.option("--failure", options->failure,
-              "How the canard fails: runs to its stop for good, or hears cut pulses for 20 ms")
+              "How the canard fails: runs to a stop for good (both are flown), or hears cut pulses for 20 ms")
       .one_of({"hard_over", "cut_pulses"})
       .show_default();
   verb.option("--step", options->study.step_s, "Seconds between the instants at which a canard fails")
       .range(0.01, 10.0)
       .show_default();
   verb.option("--coupler", options->study.coupler_m,
-              "Where the bending moment is wanted, from the tip of the nose in metres")
+              "Where the bending moment is wanted, from the tip of the nose in metres; within the rocket")
       .range(0.0, 30.0)
       .value_name("M");
   verb.option("--threads", options->study.threads, "How many to fly at once [as many as the machine can]")

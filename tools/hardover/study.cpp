@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include <fmt/core.h>
+
 #include "campaign/parallel_for.hpp"
 #include "fly/describe.hpp"
 #include "sim/atmosphere.hpp"
@@ -22,6 +24,8 @@ struct Flown {
   std::vector<double> pressure_pa;
   std::vector<double> angle_of_attack_rad;
   std::vector<double> air_speed_m_s;
+  std::vector<double> roll_rate_rad_s;
+  std::vector<double> roll_angle_rad;
   double clear_s = 0.0;  ///< after ignition
   double apogee_s = 0.0;
   double apogee_m = 0.0;
@@ -45,6 +49,8 @@ Flown flown(const sim::Scenario& scenario) {
       out.pressure_pa.push_back(0.5 * density_kg_m3 * truth.speed_m_s * truth.speed_m_s);
       out.angle_of_attack_rad.push_back(path.angle_of_attack_rad);
       out.air_speed_m_s.push_back(truth.speed_m_s);
+      out.roll_rate_rad_s.push_back(truth.roll_rate_rad_s);
+      out.roll_angle_rad.push_back(truth.roll_angle_rad);
       if (path.position_m.z > out.apogee_m) {
         out.apogee_m = path.position_m.z;
         out.apogee_at_m = path.position_m;
@@ -65,9 +71,8 @@ double angle_between_rad(const sim::Vector3& a, const sim::Vector3& b) {
   return std::atan2(length(cross(a, b)), dot(a, b));
 }
 
-Effect effect_of(const Flown& failed, const Flown& sound, std::size_t canard, double from_s, const Study& study) {
-  Effect effect{.canard = canard, .from_s = from_s};
-  const auto from = static_cast<std::size_t>(std::lround(1e3 * from_s));
+Effect effect_of(const Flown& failed, const Flown& sound, Effect effect, const Study& study) {
+  const auto from = static_cast<std::size_t>(std::lround(1e3 * effect.from_s));
   // Behind apogee it falls, whatever a canard does.
   const std::size_t until =
       std::min(failed.velocity_m_s.size(), static_cast<std::size_t>(std::lround(1e3 * failed.apogee_s)));
@@ -75,6 +80,10 @@ Effect effect_of(const Flown& failed, const Flown& sound, std::size_t canard, do
     if (const double force_n = failed.push_m2[i] * failed.pressure_pa[i]; force_n > effect.side_force_n) {
       effect.side_force_n = force_n;
       effect.pressure_pa = failed.pressure_pa[i];
+    }
+    effect.roll_rate_rad_s = std::max(effect.roll_rate_rad_s, std::abs(failed.roll_rate_rad_s[i]));
+    if (i < sound.roll_angle_rad.size()) {
+      effect.rolled_rad = std::max(effect.rolled_rad, std::abs(failed.roll_angle_rad[i] - sound.roll_angle_rad[i]));
     }
     if (failed.air_speed_m_s[i] < slowest_m_s) {
       continue;
@@ -87,20 +96,28 @@ Effect effect_of(const Flown& failed, const Flown& sound, std::size_t canard, do
   effect.apogee_m = failed.apogee_m;
   effect.away_m = std::hypot(failed.apogee_at_m.x - sound.apogee_at_m.x, failed.apogee_at_m.y - sound.apogee_at_m.y);
   if (study.options.coupler_m) {
-    effect.moment_n_m = effect.side_force_n * std::abs(*study.options.coupler_m - study.position_m);
+    effect.moment_n_m = effect.side_force_n * std::max(0.0, *study.options.coupler_m - study.position_m);
   }
   return effect;
 }
 
 sim::Fault fault_of(const Effect& effect, Failure failure) {
-  sim::Fault fault{
-      .kind = sim::FaultKind::canard_hardover, .canard = effect.canard, .from_s = effect.from_s, .until_s = 0.0};
+  sim::Fault fault{.kind = sim::FaultKind::canard_stuck,
+                   .canard = effect.canard,
+                   .from_s = effect.from_s,
+                   .until_s = 0.0,
+                   .angle_rad = effect.stop_rad};
   if (failure == Failure::cut_pulses) {
     fault.kind = sim::FaultKind::device;
+    fault.angle_rad.reset();
     fault.until_s = effect.from_s + cut_s;
     fault.misbehaviour = {.device = sim::Device::servo, .behaviour = sim::Behaviour::cut};
   }
   return fault;
+}
+
+std::vector<double> stops_rad(const Study& study) {
+  return study.options.failure == Failure::hard_over ? std::vector{study.stop_rad, -study.stop_rad} : std::vector{0.0};
 }
 
 /// The canards' own numbers, or those that follow from the shape.
@@ -129,6 +146,16 @@ void complete(sim::Scenario& scenario) {
   scenario.motion = sim::FlightMotion::six_dof;
 }
 
+void refuse_station_outside(const sim::Vehicle& vehicle, const std::optional<double>& coupler_m) {
+  const double length_m = vehicle.airframe->length_m;
+  if (coupler_m && !(*coupler_m >= 0.0 && *coupler_m <= length_m)) {
+    throw text::Error{text::ErrorKind::bad_configuration,
+                      fmt::format("the coupler at {:g} m from the tip of the nose lies outside of {}; allowed: 0 to "
+                                  "{:g} m",
+                                  *coupler_m, vehicle.name, length_m)};
+  }
+}
+
 }  // namespace
 
 Effect Study::worst() const {
@@ -141,6 +168,8 @@ Effect Study::worst() const {
       worst.moment_n_m = one.moment_n_m;
     }
     worst.angle_of_attack_rad = std::max(worst.angle_of_attack_rad, one.angle_of_attack_rad);
+    worst.roll_rate_rad_s = std::max(worst.roll_rate_rad_s, one.roll_rate_rad_s);
+    worst.rolled_rad = std::max(worst.rolled_rad, one.rolled_rad);
     worst.turned_rad = std::max(worst.turned_rad, one.turned_rad);
     worst.apogee_m = std::min(worst.apogee_m, one.apogee_m);
     worst.away_m = std::max(worst.away_m, one.away_m);
@@ -151,9 +180,13 @@ Effect Study::worst() const {
 Study fly(sim::Scenario scenario, const Options& options,
           const std::function<void(std::size_t done, std::size_t of)>& look) {
   complete(scenario);
+  refuse_station_outside(scenario.vehicle, options.coupler_m);
   const Flown sound = flown(scenario);
   Study study{.scenario = scenario.name,
               .vehicle = scenario.vehicle.name,
+              .plan = scenario.plan_name,
+              .seed = scenario.seed,
+              .policy = scenario.plan.run.canard_fault,
               .side_area_m2 = *scenario.vehicle.canard_air.side_area_m2,
               .position_m = *scenario.vehicle.canard_air.position_m,
               .stop_rad = scenario.vehicle.servo.stop_rad,
@@ -162,17 +195,26 @@ Study fly(sim::Scenario scenario, const Options& options,
               .last_s = sound.apogee_s,
               .sound_apogee_m = sound.apogee_m,
               .sound_angle_of_attack_rad = 0.0,
-              .options = options,
-              .effects = {}};
+              .sound_roll_rate_rad_s = 0.0,
+              .options = options};
   for (std::size_t i = static_cast<std::size_t>(std::lround(1e3 * sound.clear_s)); i < sound.air_speed_m_s.size();
        ++i) {
+    if (static_cast<double>(i) < 1e3 * sound.apogee_s) {
+      study.sound_roll_rate_rad_s = std::max(study.sound_roll_rate_rad_s, std::abs(sound.roll_rate_rad_s[i]));
+    }
     if (sound.air_speed_m_s[i] >= slowest_m_s) {
       study.sound_angle_of_attack_rad = std::max(study.sound_angle_of_attack_rad, sound.angle_of_attack_rad[i]);
     }
   }
+  const auto instant_s = [&](std::size_t k) { return sound.clear_s + static_cast<double>(k) * options.step_s; };
+  while (instant_s(study.instants) < sound.apogee_s) {
+    ++study.instants;
+  }
   for (std::size_t canard = 0; canard < scenario.vehicle.canards.size(); ++canard) {
-    for (std::size_t k = 0; sound.clear_s + static_cast<double>(k) * options.step_s < sound.apogee_s; ++k) {
-      study.effects.push_back({.canard = canard, .from_s = sound.clear_s + static_cast<double>(k) * options.step_s});
+    for (const double stop_rad : stops_rad(study)) {
+      for (std::size_t k = 0; k < study.instants; ++k) {
+        study.effects.push_back({.canard = canard, .stop_rad = stop_rad, .from_s = instant_s(k)});
+      }
     }
   }
   campaign::parallel_for(
@@ -181,7 +223,7 @@ Study fly(sim::Scenario scenario, const Options& options,
         Effect& effect = study.effects[i];
         sim::Scenario broken = scenario;
         broken.faults.push_back(fault_of(effect, options.failure));
-        effect = effect_of(flown(broken), sound, effect.canard, effect.from_s, study);
+        effect = effect_of(flown(broken), sound, effect, study);
       },
       [&](std::size_t done) { look(done, study.effects.size()); });
   return study;

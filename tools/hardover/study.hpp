@@ -8,12 +8,13 @@
 #include <string>
 #include <vector>
 
+#include "core/flight_plan.hpp"
 #include "sim/scenario.hpp"
 
 namespace fantail::hardover {
 
 enum class Failure : std::uint8_t {
-  hard_over,   ///< runs to its positive stop and stays there
+  hard_over,   ///< stands at a stop from one instant to the next, and stays there; both stops are flown
   cut_pulses,  ///< hears its pulses cut off at random parts of their width, for cut_s: what a reset can do to it
 };
 inline constexpr double cut_s = 0.02;
@@ -23,8 +24,8 @@ inline constexpr double cut_s = 0.02;
 ///
 /// Side force of the canards: F = 1/2 rho v^2 A |sum of the four deflections as vectors across the axis|, with A of a
 /// canard as in sim::CanardAerodynamics::side_area_m2. Bending moment at a station behind them: F times the distance,
-/// without the relief by the inertia of what lies in front of it and without the lift of the nose at an angle of
-/// attack.
+/// and none in front of them; without the relief by the inertia of what lies in front of it and without the lift of the
+/// nose at an angle of attack.
 struct Options {
   Failure failure = Failure::hard_over;
   double step_s = 0.25;               ///< between the instants at which the canard fails, above zero
@@ -35,10 +36,13 @@ struct Options {
 /// Of one flight, from the instant of the failure on.
 struct Effect {
   std::size_t canard;                ///< 0 to 3
+  double stop_rad;                   ///< at which it stands, with its sign; 0 with cut pulses
   double from_s;                     ///< after ignition
   double side_force_n = 0.0;         ///< largest, of the canards
   double pressure_pa = 0.0;          ///< dynamic pressure at that instant
   double angle_of_attack_rad = 0.0;  ///< largest, while the rocket is faster than slowest_m_s
+  double roll_rate_rad_s = 0.0;      ///< largest, either way
+  double rolled_rad = 0.0;           ///< its roll angle from that of the sound rocket at the same time, largest
   double turned_rad = 0.0;  ///< its way against that of the sound rocket at the same time, largest, both as fast
   double apogee_m = 0.0;
   double away_m = 0.0;                 ///< its apogee from that of the sound rocket, over ground
@@ -48,9 +52,19 @@ struct Effect {
 /// Slower, an angle in the flow says little.
 inline constexpr double slowest_m_s = 20.0;
 
+/// How somebody gets the same again.
+struct Made {
+  std::string command{};
+  std::string version{};
+  std::vector<std::string> changes{};  ///< "run.canard_fault=end_control"
+};
+
 struct Study {
   std::string scenario;
   std::string vehicle;
+  std::string plan;
+  std::uint64_t seed;
+  core::CanardFaultPolicy policy;
   double side_area_m2;
   double position_m;  ///< of the canards
   double stop_rad;
@@ -59,17 +73,20 @@ struct Study {
   double last_s;                    ///< ... to apogee
   double sound_apogee_m;
   double sound_angle_of_attack_rad;
+  double sound_roll_rate_rad_s;  ///< largest, either way, from the end of the guide to apogee
   Options options;
-  std::vector<Effect> effects;  ///< by canard, then by time
+  std::size_t instants = 0;
+  std::vector<Effect> effects{};  ///< by canard, then by stop, the positive one first, then by time
+  Made made{};                    ///< the caller's
 
   /// The largest of each figure, wherever it stands.
   [[nodiscard]] Effect worst() const;
 };
 
-/// Flies the scenario in six degrees of freedom: once as it is and once for each canard and instant. Where the vehicle
-/// does not say canard_side_area_m2 and canard_position_m they come from its shape and its roll torque. `look`: how
-/// many of how many flights are done. Throws text::Error when the vehicle says neither, has no airframe, or does not
-/// lift off.
+/// Flies the scenario in six degrees of freedom: once as it is and once for each canard, stop and instant. Where the
+/// vehicle does not say canard_side_area_m2 and canard_position_m they come from its shape and its roll torque. `look`:
+/// how many of how many flights are done. Throws text::Error when the vehicle says neither, has no airframe, does not
+/// lift off, or does not reach as far as the coupler.
 [[nodiscard]] Study fly(sim::Scenario scenario, const Options& options,
                         const std::function<void(std::size_t done, std::size_t of)>& look);
 
