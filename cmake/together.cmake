@@ -50,10 +50,12 @@ set(FANTAIL_COMPILED_ALONE
   firmware/protocol/bus_decode_bench.cpp
   hal/stm32f4/imu.cpp
   sim/servo.cpp sim/thrust_curve.cpp
-  test/avionics/bench_mode_alone_test.cpp test/avionics/self_test_alone_test.cpp
+  test/avionics/bench_mode_alone_test.cpp test/avionics/bus_flood_test.cpp test/avionics/new_plan_force_test.cpp
+  test/avionics/plan_out_of_range_test.cpp test/avionics/self_test_alone_test.cpp test/avionics/watchdog_test.cpp
   test/bench/axes_mounting_test.cpp
   test/benchmark/recorded_flight.cpp
   test/campaign/question_test.cpp
+  test/core/canard_fault_flight_test.cpp test/core/clock_fault_test.cpp
   test/core/gyro_pair_test.cpp test/core/launch_detector_property_test.cpp test/core/motion_estimator_rest_test.cpp
   test/hal/stm32f4/flash_test.cpp test/hal/stm32f4/register_world.cpp
   test/identify/closed_loop/simulation_test.cpp
