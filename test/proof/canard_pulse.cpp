@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// From any state of the mixer, with the canards of any validated plan and any inputs: the pulse of a driven canard is a
-// number within 800.2 us of the plan's centre, so between 99 and 2901 us; and a canard that is not driven has the angle
-// and the pulse zero. That it is between 500 and 2500 us, which a plan must make sure of at both ends of its limit, is
-// not proved.
+// From any state of the mixer, with the canards of any validated plan and any inputs: the pulse of canard 1, if that is
+// driven, is a number within 800.2 us of the plan's centre, so between 99 and 2901 us; and if it is not driven, angle
+// and pulse are zero. Canard 1 stands for the four (canard_trim.cpp). That a pulse is between 500 and 2500 us, which a
+// plan must make sure of at both ends of its limit, is not proved.
 #include "any_mixer.hpp"
 #include "core/canard_mixer.cpp"
 

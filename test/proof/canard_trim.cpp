@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // From any state of the mixer, with the canards of any validated plan: when the roll command is zero and nothing is
-// requested, a canard whose first motion is done is commanded to its trim, exactly, and says that it is not limited; a
-// canard that is in its first motion and says that it is not limited is at its trim. A request that is not a number
-// means trim, too. A pulse is a number that differs from the plan's centre by no more than 800.1 us.
+// requested, canard 1, when its first motion is done, is commanded to its trim, exactly, and says that it is not
+// limited; when it is in its first motion and says that it is not limited, it is at its trim. A request that is not a
+// number means trim, too. Canard 1 stands for the four: CanardMixer::drive() is given one canard's own plan, state,
+// encoder and wish, and nothing of the others.
 #include "any_mixer.hpp"
 #include "core/canard_mixer.cpp"
 

@@ -7,7 +7,9 @@
 // force has been above the threshold without a break. Before a tick the detector is in any state in which its memory of
 // that agrees with Run; after one tick with any samples at any times it must agree again, and its answer must be the
 // one that Run demands. A new and a reset detector agree (first lines of main). The low-pass is replaced by any number
-// (any_filter/core/low_pass.hpp), so this holds with it and without; the plan may be any.
+// (any_filter/core/low_pass.hpp), so this holds with it and without; the plan may be any. "At or above" is "not below":
+// an output of the filter that is no number counts as above, here and in the code. No sample can make one, because one
+// that is no number is of no use (`sensible` below).
 #include "core/launch_detector.cpp"
 
 #include "proof.hpp"

@@ -2,10 +2,14 @@
 // From any state of PlanTransfer, while the phase is not Safe (or the plan must not change for another reason: `safe`
 // is what Avionics::plan_may_change() says), one message or one tick:
 //   - begins no transfer, takes no data, and begins no write to the flash;
-//   - brings no plan into force: none is handed out but one that was stored, checked as a whole, while it was Safe;
+//   - makes no plan ready to be handed out: one becomes so only in a tick in which the plan may change, and only when
+//     its write has ended;
 //   - ends a transfer of which nothing has been written.
-// And Safe or not: a write begins only of a block whose checksum is the announced one and that is a valid plan; the
-// announced size is never more than the buffer's.
+// And Safe or not: a plan is handed out only if it was ready, and once; a write begins only of a block whose checksum
+// is the announced one and that is a valid plan; the announced size is never more than the buffer's.
+// take_plan() itself does not ask whether the plan may change. Avionics::tick() calls it first of all, before anything
+// that could change what plan_may_change() said at the end of the tick before; that is not proved but tested
+// (NewPlan.OneThatIsWrittenWhileTheRocketIsCarriedIsNotInForceBeforeItRestsAgain).
 #include "avionics/plan_transfer.cpp"
 
 #include <cstdlib>
@@ -59,6 +63,7 @@ int main() {
   const protocol::TransferState before = transfer.state_;
   const std::uint8_t index = transfer.next_index_;
   const bool waited = transfer.plan_waits_;
+  const bool was_ready = before == protocol::TransferState::stored && waited;
   const bool safe = nondet_bool();
   const core::Microseconds now = any_instant();
   using enum protocol::TransferState;
@@ -77,15 +82,16 @@ int main() {
   } else if (step == 2) {
     transfer.update(now, safe);
     CLAIM(writes_begun == 0 || (writes_begun == 1 && safe && before == receiving && checksum_agrees && block_is_valid));
-    CLAIM(safe || transfer.state_ != stored || before == stored);
+    CLAIM(transfer.state_ != stored || before == stored || (safe && before == writing));
     CLAIM(safe || transfer.state_ != receiving);
     CLAIM(!transfer.plan_waits_ || waited || writes_begun == 1);
     REACHABLE(2, writes_begun == 1);
     REACHABLE(3, transfer.state_ == stored && before == writing);
   } else {
-    CLAIM(!transfer.take_plan() || (before == stored && waited && !transfer.plan_waits_));
-    REACHABLE(4, before == stored && waited);
+    CLAIM(!transfer.take_plan() || (was_ready && !transfer.plan_waits_));
+    REACHABLE(4, was_ready);
   }
+  CLAIM(transfer.state_ != stored || !transfer.plan_waits_ || was_ready || (step == 2 && safe));
   CLAIM(transfer.begin_.size <= protocol::largest_plan_block);
   CLAIM(step == 2 || writes_begun == 0);
   return 0;

@@ -58,7 +58,7 @@ PROOFS = [
     ),
     Proof(
         "plan_transfer",
-        "A plan is transferred, written and brought into force only in Safe, and only a whole and valid one",
+        "A plan is transferred, written and made ready to come into force only in Safe, and only a whole and valid one",
         "plan_transfer.cpp",
         4,
         (
