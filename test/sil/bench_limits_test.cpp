@@ -79,7 +79,7 @@ TEST(BenchLimits, NoCanardIsEverToldMoreThanItsLimitAndAllAreCentredAtTheEnd) {
 
 struct CtrlC {};
 
-TEST(BenchLimits, AnInterruptAtAnyMomentCentresTheCanards) {
+TEST(BenchLimits, AnInterruptAtFiveMomentsOfAnExerciseCentresTheCanards) {
   for (const double at_s : {0.1, 1.0, 2.5, 7.7, 20.0}) {
     BenchAtWorld place{"bench_healthy"};
     link::AvionicsLink link{place.bus()};
