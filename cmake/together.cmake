@@ -34,7 +34,6 @@ set(FANTAIL_COMPILED_APART
   "test/sim|gimbal_test.cpp inertial_model_test.cpp wind_test.cpp"
   "test/system|bench_trouble_test.cpp fly_test.cpp fly_trajectory_test.cpp log_export_test.cpp"
   "tools/bench|sheet.cpp sheet_text.cpp turn_figures.cpp watch.cpp"
-  "tools/fantail|plan_check.cpp tunnel_stability.cpp"
   "tools/input|file_kind.cpp geometry_checks.cpp number_field.cpp vehicle_fields.cpp"
   "tools/link|plan_reader.cpp plan_sender.cpp"
   "tools/predict|json.cpp run.cpp text.cpp"
@@ -73,7 +72,8 @@ set(FANTAIL_COMPILED_ALONE
   tools/airframe/openrocket/read.cpp
   tools/bench/axes.cpp tools/bench/sheet_csv.cpp tools/bench/verdict.cpp
   tools/campaign/html.cpp tools/campaign/json.cpp
-  tools/fantail/tunnel_flow.cpp tools/fantail/tunnel_steps.cpp tools/fantail/tunnel_swirl.cpp
+  tools/fantail/plan_check.cpp tools/fantail/tunnel_flow.cpp tools/fantail/tunnel_stability.cpp
+  tools/fantail/tunnel_steps.cpp tools/fantail/tunnel_swirl.cpp
   tools/flight/read_csv.cpp tools/flight/turning.cpp
   tools/identify/lag_doubt.cpp
   tools/input/scenario_fields.cpp
