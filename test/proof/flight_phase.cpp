@@ -6,6 +6,7 @@
 //   - Controlling is entered from Launched of a launch plan, or by the start command of a tunnel plan at rest; so there
 //   is
 //     no way from Safe to Controlling without switch and command, and no command starts a launch plan;
+//   - from Launched only beyond the guide, fast enough, and while the accelerometers agree;
 //   - Launched is entered from Armed, by a detection that was listened for;
 //   - Finished is final, and Controlling is left for Finished alone.
 #include "core/flight_phase.cpp"
