@@ -130,9 +130,9 @@ TEST(Watchdog, IsFedAfterTheLastCallOfADeviceInEveryTickAndSoByNoneThatHangsInOn
   Entropy entropy{order, sim_entropy};
   Board board{order, sim.board};
   BackupMemory backup{order, sim_backup};
-  Avionics avionics{{clock, imu, accelerometer, servo, encoder, arm_switch, bus, flash, console, watchdog, entropy,
-                     board, backup},
-                    core::default_plan()};
+  Avionics avionics{
+      {clock, imu, accelerometer, servo, encoder, arm_switch, bus, flash, console, watchdog, entropy, board, backup},
+      core::default_plan()};
   ASSERT_EQ(order.fed, 0) << "nor before the first tick";
 
   // With something to do for each of them: reports, a self-test, an arming command, the boot counter in the flash.
