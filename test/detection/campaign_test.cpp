@@ -85,19 +85,6 @@ TEST_F(DetectionCampaign, WhoInterruptsItKeepsWhatIsFinished) {
   expect_equal(rest, play(campaign, std::nullopt, "1", 1, look_away));
 }
 
-TEST_F(DetectionCampaign, AFolderOfAnotherSeedIsRefusedByName) {
-  (void)play(small(), folder_, "1", 1, look_away);
-  Campaign other = small();
-  other.seed = 2;
-  try {
-    (void)play(other, folder_, "1", 1, look_away);
-    FAIL();
-  } catch (const text::Error& error) {
-    EXPECT_EQ(error.kind(), text::ErrorKind::bad_configuration);
-    EXPECT_NE(std::string{error.what()}.find("\"seed\":2"), std::string::npos) << error.what();
-  }
-}
-
 TEST_F(DetectionCampaign, PartsThatOtherModelsOrAnotherLawHaveMadeAreRefused) {
   (void)play(small(), folder_, "1", 1, look_away);
   Campaign other = small();
@@ -111,7 +98,7 @@ TEST_F(DetectionCampaign, PartsThatOtherModelsOrAnotherLawHaveMadeAreRefused) {
   std::stringstream content;
   content << std::ifstream{folder_ / "parts.jsonl"}.rdbuf();
   std::string text = content.str();
-  const std::size_t digest = text.find(before);
+  const std::size_t digest = text.find(before.substr(0, 16));
   ASSERT_NE(digest, std::string::npos);
   text[digest] = text[digest] == '0' ? '1' : '0';
   std::ofstream{folder_ / "parts.jsonl"} << text;
@@ -134,7 +121,8 @@ TEST_F(DetectionCampaign, OfNoneThereIsAReportAllTheSame) {
   const Report report{
       .campaign = campaign, .results = play(campaign, std::nullopt, "1", 2, look_away), .version = "1", .at_most = 0.0};
   EXPECT_TRUE(failures(report).empty());
-  EXPECT_NE(report_text(report).find("tasha3_launch1: 0 events, false actuations 0 of 0; 0 launches, missed 0 of 0"),
+  EXPECT_NE(report_text(report).find("tasha3_launch1: 0 events, false actuations 0 of 0; 0 with one accelerometer bad, "
+                                     "false actuations 0 of 0; 0 launches, missed 0 of 0"),
             std::string::npos)
       << report_text(report);
   EXPECT_NO_THROW((void)report_json(report));
@@ -142,8 +130,11 @@ TEST_F(DetectionCampaign, OfNoneThereIsAReportAllTheSame) {
 }
 
 TEST_F(DetectionCampaign, TheReportSaysWhichJudgedPlanMovedACanard) {
+  const std::vector<std::string> names{"tasha3_launch1", "tasha3_launch2", published_launch_2};
+  Campaign campaign = small();
+  campaign.rules = rules_of(names);
   Report report{
-      .campaign = small(), .results = play(small(), std::nullopt, "1", 2, look_away), .version = "1", .at_most = 0.0};
+      .campaign = campaign, .results = play(campaign, std::nullopt, "1", 2, look_away), .version = "1", .at_most = 0.0};
   std::uint64_t of_published = 0;
   for (std::size_t rule = 0; rule < report.campaign.rules.size(); ++rule) {
     const Sum events = events_of(report.results, rule);
@@ -159,17 +150,12 @@ TEST_F(DetectionCampaign, TheReportSaysWhichJudgedPlanMovedACanard) {
   for (const std::string& failure : failures(report)) {
     EXPECT_EQ(failure.find("missed"), std::string::npos) << failure;
   }
-  // Of tasha3_launch1 most shakes that have a stuck accelerometer count.
-  report.false_at_most = 1.0;
-  EXPECT_TRUE(failures(report).empty());
-  report.false_at_most = 1e-6;
-  EXPECT_NE(failures(report).at(0).find("false actuations in 600 events, more than the 0.0001 % asked for"),
-            std::string::npos)
-      << failures(report).at(0);
   const std::string text = report_text(report);
   EXPECT_NE(text.find("shaking"), std::string::npos);
-  EXPECT_NE(text.find("tasha3_launch1: 600 events, false actuations "), std::string::npos) << text;
+  EXPECT_NE(text.find("tasha3_launch1: 300 events, false actuations "), std::string::npos) << text;
   EXPECT_NE(text.find("; 60 launches, missed "), std::string::npos) << text;
+  // Most shakes in which its accelerometer is stuck.
+  EXPECT_NE(text.find("known limit: tasha3_launch1: false actuations "), std::string::npos) << text;
   EXPECT_NO_THROW((void)json::parse(report_json(report)));
   EXPECT_NE(report_html(report).find("<svg"), std::string::npos);
 }

@@ -136,7 +136,7 @@ TEST(FaultWorst, AreTheWorstCellsOfFiveFaultsRedOnesFirst) {
 TEST_F(FaultCampaign, WritesTheFlightReportsOfItsWorstFlightsBesideThePageThatLinksToThem) {
   Result result = fly_campaign(resets(), folder_, "v", 2, quiet);
   int looks = 0;
-  write_worst(result, folder_, [&looks] { ++looks; });
+  write_worst(result, prepare(result.campaign), folder_, [&looks] { ++looks; });
   EXPECT_EQ(looks, 4);
   const std::string page = report_html(result, "v");
   const std::string summary = report_json(result, "v");
@@ -148,7 +148,7 @@ TEST_F(FaultCampaign, WritesTheFlightReportsOfItsWorstFlightsBesideThePageThatLi
     EXPECT_NE(summary.find("\"" + cell.report + "/report.html\""), std::string::npos);
   }
   const auto interrupt = [] { throw std::runtime_error{"interrupted"}; };
-  EXPECT_THROW(write_worst(result, folder_, interrupt), std::runtime_error);
+  EXPECT_THROW(write_worst(result, prepare(result.campaign), folder_, interrupt), std::runtime_error);
 }
 
 // The judge sees a command beyond a limit in a flight of the simulator, too: here the limit is a degree less than what

@@ -45,7 +45,7 @@ TEST(CampaignFaults, OneRunAgainWritesTheSameReportAndSaysWhatTheFailedServoMayD
   const std::string run = std::to_string(cell["worst"]["run"].count());
   const Outcome outcome = fantail({"campaign", "faults", "tasha3_launch2", "--every", "1000", "--cell",
                                    "servo/hardover_back/launched", "--run", run, "--out", folder / "again"});
-  EXPECT_EQ(outcome.exit_code, 1) << outcome.out;
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << "a known limit, as the whole campaign says";
   EXPECT_NE(outcome.out.find("the canard that fails may stand anywhere up to its mechanical stop"), std::string::npos)
       << outcome.out;
   const std::string flight = "/servo.hardover_back.launched_run_" + run + "/flight.csv";

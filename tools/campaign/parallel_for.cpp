@@ -49,7 +49,9 @@ struct StopAtEnd {
 
 void parallel_for(std::size_t count, unsigned threads, const std::function<void(std::size_t)>& work,
                   const std::function<void(std::size_t)>& look) {
-  const std::size_t wanted = threads > 0 ? threads : std::max(1U, std::thread::hardware_concurrency());
+  const std::size_t at_once = std::max(1U, std::thread::hardware_concurrency());
+  // More would not be faster: each would only take longer for its piece, and to come to an end.
+  const std::size_t wanted = std::min<std::size_t>(threads > 0 ? threads : at_once, 4 * at_once);
   Pool pool;
   std::vector<std::jthread> threads_at_work;
   const StopAtEnd stop_at_end{pool};

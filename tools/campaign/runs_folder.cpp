@@ -15,6 +15,7 @@
 #include <unistd.h>
 
 #include "campaign/seed_of_run.hpp"
+#include "campaign/stored_parts.hpp"
 #include "json/value.hpp"
 #include "text/deflate.hpp"
 #include "text/error.hpp"
@@ -35,6 +36,7 @@ constexpr const char* chunks_name = "chunks";
 }  // namespace
 
 void require_no_other(const fs::path& folder, const Identity& identity) {
+  require_no_other_kind(folder, RunsFolder::identity_name);
   std::error_code ignored;
   if (!fs::exists(folder / RunsFolder::identity_name, ignored)) {
     return;

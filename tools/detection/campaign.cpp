@@ -5,6 +5,7 @@
 #include <atomic>
 #include <ctime>
 #include <memory>
+#include <mutex>
 
 #include "campaign/parallel_for.hpp"
 #include "detection/parts_file.hpp"
@@ -34,15 +35,26 @@ std::vector<Chunk> chunks_of(const Campaign& campaign) {
   return chunks;
 }
 
-Tally played(const Campaign& campaign, const Chunk& chunk) {
+/// What the threads that play and the one that looks have in common.
+struct Shared {
+  std::atomic<std::uint64_t> done;
+  std::atomic<bool> stop{false};
+};
+
+/// Empty: stopped.
+std::optional<Tally> played(const Campaign& campaign, const Chunk& chunk, Shared& shared) {
   Rehearsal rehearsal{campaign.rules};
   Tally tally{campaign.rules.size()};
   for (std::uint64_t turn = chunk.first; turn < chunk.first + chunk.events; ++turn) {
+    if (shared.stop) {
+      return std::nullopt;
+    }
     const std::uint64_t event = campaign.event(chunk.kind, turn);
     const std::vector<Answer>& answers = rehearsal.play(campaign.seed, chunk.kind, event);
     const Motion& motion = rehearsal.motion();
     tally.count(chunk.kind, event, campaign.rules, answers,
                 {.ignition = motion.ignition, .peak_g = static_cast<int>(motion.peak_thrust_m_s2 / sim::gravity_m_s2)});
+    ++shared.done;
   }
   return tally;
 }
@@ -64,50 +76,63 @@ std::uint64_t Campaign::total() const {
   return sum;
 }
 
-Results play(const Campaign& campaign, const std::optional<std::filesystem::path>& folder, const std::string& version,
+void Campaign::drop_empty_kinds() {
+  std::erase_if(kinds, [this](Kind kind) { return number_of(kind) == 0; });
+}
+
+Results play(const Campaign& campaign, const std::optional<std::filesystem::path>& folder, const std::string& program,
              unsigned threads, const std::function<void(std::uint64_t done)>& look) {
   std::unique_ptr<PartsFile> parts;
   if (folder) {
-    parts = std::make_unique<PartsFile>(*folder, campaign, version);
+    parts = std::make_unique<PartsFile>(*folder, campaign, program);
   }
   const std::vector<Chunk> chunks = chunks_of(campaign);
-  std::vector<std::optional<Tally>> tallies(chunks.size());
+  Results results;
+  for (const Kind kind : campaign.kinds) {
+    results.of_kind[index(kind)].emplace(campaign.rules.size());
+  }
   std::vector<std::size_t> to_play;
   std::uint64_t stored = 0;
   for (std::size_t i = 0; i < chunks.size(); ++i) {
     const Tally* const there = parts ? parts->find(chunks[i].kind, chunks[i].number, chunks[i].events) : nullptr;
     if (there != nullptr) {
-      tallies[i] = *there;
+      results.of_kind[index(chunks[i].kind)]->add(*there);
       stored += chunks[i].events;
     } else {
       to_play.push_back(i);
     }
   }
-  std::atomic<std::uint64_t> done{stored};
+  Shared shared{.done = stored};
   std::atomic<std::uint64_t> microseconds{0};
+  std::mutex adding;
   campaign::parallel_for(
       to_play.size(), threads,
-      [&](std::size_t index) {
-        const Chunk& chunk = chunks[to_play[index]];
+      [&](std::size_t i) {
+        const Chunk& chunk = chunks[to_play[i]];
         const double begin_s = thread_time_s();
-        tallies[to_play[index]] = played(campaign, chunk);
+        const std::optional<Tally> tally = played(campaign, chunk, shared);
         microseconds += static_cast<std::uint64_t>(1e6 * (thread_time_s() - begin_s));
-        if (parts) {
-          parts->store(chunk.kind, chunk.number, chunk.events, *tallies[to_play[index]]);
+        if (!tally) {
+          return;
         }
-        done += chunk.events;
+        if (parts) {
+          parts->store(chunk.kind, chunk.number, chunk.events, *tally);
+        }
+        const std::lock_guard lock{adding};  // in any order: the sum is the same
+        results.of_kind[index(chunk.kind)]->add(*tally);
       },
-      [&](std::size_t) { look(done); });
+      [&](std::size_t) {
+        try {
+          look(shared.done);
+        } catch (...) {
+          shared.stop = true;
+          throw;
+        }
+      });
 
-  Results results;
-  results.played = done - stored;
+  results.played = shared.done - stored;
+  results.damaged = parts ? parts->damaged() : 0;
   results.processor_s = 1e-6 * static_cast<double>(microseconds);
-  for (const Kind kind : campaign.kinds) {
-    results.of_kind[index(kind)].emplace(campaign.rules.size());  // also of none
-  }
-  for (std::size_t i = 0; i < chunks.size(); ++i) {
-    results.of_kind[index(chunks[i].kind)]->add(*tallies[i]);
-  }
   return results;
 }
 

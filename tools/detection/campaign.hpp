@@ -28,6 +28,9 @@ struct Campaign {
     return both_well && !is_launch(kind) ? 2 * turn : turn;
   }
   [[nodiscard]] std::uint64_t total() const;
+
+  /// Leaves out the kinds of which there is to be none.
+  void drop_empty_kinds();
 };
 
 /// Events that are played and stored together; which are in which depends on nothing but their turn.
@@ -36,19 +39,21 @@ struct Campaign {
 /// A tally for each kind that was asked for, in the order of the enumeration; empty for the others.
 struct Results {
   std::array<std::optional<Tally>, kinds> of_kind{};
-  std::uint64_t played = 0;  ///< in this call; the others were stored
-  double processor_s = 0.0;  ///< what the played ones took, on all threads together
+  std::uint64_t played = 0;   ///< in this call; the others were stored
+  std::uint64_t damaged = 0;  ///< stored parts that could not be believed, and were played again
+  double processor_s = 0.0;   ///< what the played ones took, on all threads together
 };
 
 /// Plays all events on several threads (0: as many as the machine has). The counts do not depend on the threads, nor on
 /// how often it was interrupted: `folder` keeps finished chunks in parts.jsonl, and the same campaign goes on from
 /// there; so does one with more events or other kinds. Without a folder nothing is kept.
 ///
-/// `look` is told how many events are done, on the caller's thread; what it throws comes out of here, and what was
-/// finished stays. Throws text::Error (bad_configuration) for a folder with a campaign of another seed, other rules,
-/// other models or another version; text::OutputError.
+/// `look` is told how many events are done, those of unfinished chunks too, on the caller's thread; what it throws ends
+/// all after the present event and comes out of here, and finished chunks stay. Throws text::Error (bad_configuration)
+/// for a folder with a campaign of another seed, other rules, other models or another program, or of another kind;
+/// text::OutputError.
 [[nodiscard]] Results play(const Campaign& campaign, const std::optional<std::filesystem::path>& folder,
-                           const std::string& version, unsigned threads,
+                           const std::string& program, unsigned threads,
                            const std::function<void(std::uint64_t done)>& look);
 
 }  // namespace fantail::detection

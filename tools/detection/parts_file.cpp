@@ -1,78 +1,119 @@
 // SPDX-License-Identifier: MIT
 #include "detection/parts_file.hpp"
 
-#include <span>
-#include <system_error>
-#include <vector>
+#include <array>
+#include <optional>
+#include <string_view>
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include "detection/fingerprint.hpp"
 #include "json/value.hpp"
 #include "text/error.hpp"
 #include "text/output_folder.hpp"
-#include "text/sha256.hpp"
 
 namespace fantail::detection {
 namespace {
 
-std::string identity_line(const Campaign& campaign, const std::string& version) {
-  std::vector<json::Value> rules;
+constexpr std::string_view seal_mark = R"(,"seal":")";
+constexpr std::string_view seal_end = R"("})";
+constexpr std::size_t seal_digits = 16;
+
+campaign::Identity identity_of(const Campaign& campaign, const std::string& program) {
+  std::string names;
+  std::string texts;
   for (const Rule& rule : campaign.rules) {
-    const std::string rule_text = identity_of(rule);
-    rules.push_back({{"names", rule.name()}, {"sha256", text::sha256(std::as_bytes(std::span{rule_text}))}});
+    names += (names.empty() ? "" : "; ") + rule.name();
+    texts += identity_of(rule) + '\n';
   }
-  return json::Value{{"events", fingerprint(campaign.rules)},
-                     {"version", version},
-                     {"seed", campaign.seed},
-                     {"both_well", campaign.both_well},
-                     {"rules", rules}}
-      .dump();
+  return {{"seed", fmt::format("{}", campaign.seed)},
+          {"both_well", campaign.both_well ? "yes" : "no"},
+          {"plans", names},
+          {"rules", campaign::short_digest(texts)},
+          {"program", program},
+          {"events", fingerprint(campaign.rules).substr(0, seal_digits)}};
+}
+
+/// The JSON that was sealed; empty when the line is no sealed one, or its seal is another.
+std::optional<std::string> opened(const std::string& line, const campaign::Identity& identity) {
+  const std::size_t tail = seal_mark.size() + seal_digits + seal_end.size();
+  if (line.size() <= tail || !line.ends_with(seal_end) ||
+      line.compare(line.size() - tail, seal_mark.size(), seal_mark) != 0) {
+    return std::nullopt;
+  }
+  std::string content = line.substr(0, line.size() - tail) + '}';
+  const std::string seal = line.substr(line.size() - seal_digits - seal_end.size(), seal_digits);
+  return seal == campaign::seal(identity, PartsFile::name, content) ? std::optional{std::move(content)} : std::nullopt;
 }
 
 }  // namespace
 
-PartsFile::PartsFile(const std::filesystem::path& folder, const Campaign& campaign, const std::string& version)
-    : file_{folder / name} {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  const std::string identity = identity_line(campaign, version);
-  const bool is_there = std::filesystem::exists(file_, error);
-  if (is_there) {
-    read(identity, campaign.rules.size());
+PartsFile::PartsFile(const std::filesystem::path& folder, const Campaign& campaign, const std::string& program)
+    : folder_{folder}, file_{folder / name}, identity_{identity_of(campaign, program)} {
+  campaign::require_no_other_kind(folder, name);
+  if (!read(campaign.rules.size()) || damaged_ > 0) {
+    begin_anew();
   }
   out_.open(file_, std::ios::app);
-  if (!is_there) {
-    out_ << identity << '\n';
-  } else {
-    out_ << '\n';  // ends a line that was cut
-  }
   if (!out_.flush()) {
     throw text::OutputError{file_.string() + ": cannot be written"};
   }
 }
 
-void PartsFile::read(const std::string& identity, std::size_t rules) {
+bool PartsFile::read(std::size_t rules) {
   std::ifstream in{file_};
   std::string line;
-  std::getline(in, line);
-  if (line != identity) {
-    throw text::Error{text::ErrorKind::bad_configuration,
-                      fmt::format("{}: is of another campaign: {} there, {} here; choose another --out, or remove it",
-                                  file_.string(), line.substr(0, 400), identity)};
+  if (!std::getline(in, line)) {
+    return false;
   }
+  const bool is_torn = in.eof() && line.starts_with('{');  // by a disk that was full
+  if (is_torn) {
+    return false;
+  }
+  campaign::Identity there;
+  try {
+    there = campaign::parse_identity(line);
+  } catch (const json::Error&) {
+    throw text::Error{text::ErrorKind::bad_configuration,
+                      file_.string() +
+                          ": choose another folder with --out, or remove this file; no campaign of "
+                          "detections has written it"};
+  }
+  campaign::require_same(folder_, there, identity_);
   while (std::getline(in, line)) {
     try {
-      const json::Value value = json::parse(line);
-      const auto kind = kind_of(value["kind"].text());
-      if (kind) {
-        parts_.insert_or_assign({*kind, value["chunk"].count()},
-                                Part{value["events"].count(), tally_of(value["tally"], rules)});
+      const auto content = opened(line, identity_);
+      if (!content) {
+        ++damaged_;
+        continue;
       }
-    } catch (const json::Error&) {
-      continue;  // cut, and so played again
+      const json::Value value = json::parse(*content);
+      parts_.insert_or_assign({kind_of(value["kind"].text()).value(), value["chunk"].count()},
+                              Part{value["events"].count(), tally_of(value["tally"], rules)});
+    } catch (const std::exception&) {
+      ++damaged_;
     }
   }
+  return true;
+}
+
+void PartsFile::begin_anew() const {
+  std::string content = campaign::identity_json(identity_);
+  for (const auto& [chunk, part] : parts_) {
+    content += line_of(chunk, part.events, part.tally);
+  }
+  const std::array files{text::NamedFile{.name = name, .content = std::move(content)}};
+  text::OutputFolder{folder_}.write(files);
+}
+
+std::string PartsFile::line_of(const Name& chunk, std::uint64_t events, const Tally& tally) const {
+  std::string line =
+      json::Value{
+          {"kind", info(chunk.first).name}, {"chunk", chunk.second}, {"events", events}, {"tally", tally_json(tally)}}
+          .dump();
+  const std::string seal = campaign::seal(identity_, PartsFile::name, line);
+  line.pop_back();
+  return fmt::format("{}{}{}{}\n", line, seal_mark, seal, seal_end);
 }
 
 const Tally* PartsFile::find(Kind kind, std::uint64_t chunk, std::uint64_t events) const {
@@ -81,9 +122,7 @@ const Tally* PartsFile::find(Kind kind, std::uint64_t chunk, std::uint64_t event
 }
 
 void PartsFile::store(Kind kind, std::uint64_t chunk, std::uint64_t events, const Tally& tally) {
-  const json::Value value{
-      {"kind", info(kind).name}, {"chunk", chunk}, {"events", events}, {"tally", tally_json(tally)}};
-  const std::string line = value.dump() + '\n';
+  const std::string line = line_of({kind, chunk}, events, tally);
   const std::lock_guard lock{mutex_};
   if (!out_.write(line.data(), static_cast<std::streamsize>(line.size())).flush()) {
     throw text::OutputError{file_.string() + ": cannot be written; what was finished before is kept"};

@@ -10,14 +10,6 @@
 namespace fantail::detection {
 namespace {
 
-constexpr std::array<Kind, 2> launches_of_well{Kind::launch, Kind::launch_at_2_g};
-
-void add(Sum& sum, const Count& count) {
-  sum.events += count.events;
-  sum.detected += count.detected;
-  sum.controlling += count.controlling;
-}
-
 std::string events_table(const Report& report, std::size_t rule) {
   std::string text = fmt::format("  {:<10} {:>10} {:>20} {:>30}   {}\n", "event", "events", "launch imagined",
                                  "false actuations", "with one accelerometer bad");
@@ -94,69 +86,18 @@ std::string launch_lines(const Report& report, std::size_t rule) {
 
 /// All of it in one line, for scripts too.
 std::string sum_line(const Report& report, std::size_t rule) {
-  const Sum events = events_of(report.results, rule);
+  const Sum well = well_events_of(report.results, rule);
+  const Sum bad = bad_events_of(report.results, rule);
   const Sum launches = launches_of(report.results, rule);
-  return fmt::format("{}: {} events, false actuations {}; {} launches, missed {}\n", report.campaign.rules[rule].name(),
-                     events.events, with_bound(events.controlling, events.events), launches.events,
-                     with_bound(launches.events - launches.detected, launches.events));
+  return fmt::format(
+      "{}: {} events, false actuations {}; {} with one accelerometer bad, false actuations {}; {} launches, missed "
+      "{}\n",
+      report.campaign.rules[rule].name(), well.events, with_bound(well.controlling, well.events), bad.events,
+      with_bound(bad.controlling, bad.events), launches.events,
+      with_bound(launches.events - launches.detected, launches.events));
 }
 
 }  // namespace
-
-Sum one_bad_of(const Tally& tally, std::size_t rule) {
-  Sum sum;
-  for (std::size_t condition = 1; condition < conditions; ++condition) {
-    add(sum, tally.of_rule[rule][condition]);
-  }
-  return sum;
-}
-
-Sum events_of(const Results& results, std::size_t rule) {
-  Sum sum;
-  for (std::size_t kind = 0; kind < event_kinds; ++kind) {
-    if (results.of_kind[kind]) {
-      for (const Count& count : results.of_kind[kind]->of_rule[rule]) {
-        add(sum, count);
-      }
-    }
-  }
-  return sum;
-}
-
-Sum launches_of(const Results& results, std::size_t rule) {
-  Sum sum;
-  for (const Kind kind : launches_of_well) {
-    if (results.of_kind[index(kind)]) {
-      add(sum, results.of_kind[index(kind)]->of_rule[rule][0]);
-    }
-  }
-  return sum;
-}
-
-std::vector<std::string> failures(const Report& report) {
-  std::vector<std::string> result;
-  for (std::size_t rule = 0; rule < report.campaign.rules.size(); ++rule) {
-    if (!report.campaign.rules[rule].judged) {
-      continue;
-    }
-    const std::string name = report.campaign.rules[rule].name();
-    const Sum events = events_of(report.results, rule);
-    if (static_cast<double>(events.controlling) > report.false_at_most * static_cast<double>(events.events)) {
-      result.push_back(fmt::format("{}: {} false actuations in {} events", name, events.controlling, events.events) +
-                       (report.false_at_most > 0.0 ? fmt::format(", more than the {} % asked for",
-                                                                 text::brief(100.0 * report.false_at_most, 6))
-                                                   : std::string{}));
-    }
-    const Sum launches = launches_of(report.results, rule);
-    const std::uint64_t missed = launches.events - launches.detected;
-    if (report.at_most && launches.events > 0 &&
-        static_cast<double>(missed) > *report.at_most * static_cast<double>(launches.events)) {
-      result.push_back(fmt::format("{}: {} of {} launches missed, more than the {} % asked for", name, missed,
-                                   launches.events, text::brief(100.0 * *report.at_most, 6)));
-    }
-  }
-  return result;
-}
 
 std::string with_bound(std::uint64_t count, std::uint64_t of) {
   const double bound = 100.0 * upper_bound_95(count, of);
@@ -189,8 +130,11 @@ std::string report_text(const Report& report) {
     text += fmt::format("played now: {} events, {:.0f} a second and core\n", report.results.played,
                         static_cast<double>(report.results.played) / report.results.processor_s);
   }
-  for (const std::string& failure : failures(report)) {
-    text += failure + '\n';
+  for (const Requirement& requirement : requirements(report)) {
+    text += fmt::format("{}: {}\n", name(requirement.verdict), requirement.sentence);
+  }
+  for (const std::string& limit : known_limits(report)) {
+    text += "known limit: " + limit + '\n';
   }
   return text;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,8 +14,8 @@ struct Report {
   Campaign campaign;
   Results results;
   std::string version;
-  std::optional<double> at_most;  ///< missed launches of a judged rule, a share
-  double false_at_most = 0.0;     ///< false actuations of a judged rule, a share
+  std::optional<double> at_most;  ///< missed launches of a judged rule, a share: asked of its 95 % bound
+  double false_at_most = 0.0;     ///< false actuations of a judged rule, likewise; 0: none may be seen
 };
 
 /// A rule's counts over some kinds and conditions.
@@ -26,13 +27,36 @@ struct Sum {
 
 /// Of all events that are no launches, in every condition.
 [[nodiscard]] Sum events_of(const Results& results, std::size_t rule);
+/// Of these, both accelerometers well, and all others.
+[[nodiscard]] Sum well_events_of(const Results& results, std::size_t rule);
+[[nodiscard]] Sum bad_events_of(const Results& results, std::size_t rule);
 /// Of all launches with both accelerometers well.
 [[nodiscard]] Sum launches_of(const Results& results, std::size_t rule);
 /// Of one kind, all conditions but `well`.
 [[nodiscard]] Sum one_bad_of(const Tally& tally, std::size_t rule);
 
-/// What a judged rule did that it must not, a sentence each; empty when nothing.
+enum class Verdict : std::uint8_t { met, not_met, not_judged };
+[[nodiscard]] const char* name(Verdict verdict);
+
+/// What is asked of a judged rule. Both accelerometers are well in everything that is judged.
+struct Requirement {
+  Verdict verdict = Verdict::not_judged;
+  std::string sentence{};
+};
+/// Of each judged rule that it moves no canard in an event that is no launch, and, where at_most says so, that it
+/// misses no more launches. What was not played is not judged.
+[[nodiscard]] std::vector<Requirement> requirements(const Report& report);
+/// Not met when one is not; met when any is; else not judged.
+[[nodiscard]] Verdict verdict(const std::vector<Requirement>& requirements);
+/// The sentences of those that are not met.
 [[nodiscard]] std::vector<std::string> failures(const Report& report);
+/// What a judged rule does with one accelerometer bad, which nobody asks of it: a sentence for each that has moved a
+/// canard, with the reason.
+[[nodiscard]] std::vector<std::string> known_limits(const Report& report);
+
+/// Is there going to be anything that at_most can be asked of, and false_at_most?
+[[nodiscard]] bool judges_launches(const Campaign& campaign);
+[[nodiscard]] bool judges_events(const Campaign& campaign);
 
 [[nodiscard]] std::string report_text(const Report& report);
 /// Events that a command can show again are named by it.

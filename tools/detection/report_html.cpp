@@ -16,8 +16,12 @@ namespace {
 
 page::Cell number_cell(std::uint64_t value) { return {.text = fmt::format("{}", value)}; }
 
-page::Cell bad_if_any(std::uint64_t count, std::uint64_t of) {
-  return {.text = with_bound(count, of), .tone = count > 0 ? page::Tone::bad : page::Tone::good};
+/// Any is bad where it is judged.
+page::Cell bad_if_any(std::uint64_t count, std::uint64_t of, bool judged) {
+  return {.text = with_bound(count, of),
+          .tone = count == 0 ? page::Tone::good
+                  : judged   ? page::Tone::bad
+                             : page::Tone::unsure};
 }
 
 std::string events_html(const Report& report, std::size_t rule) {
@@ -37,7 +41,7 @@ std::string events_html(const Report& report, std::size_t rule) {
              {std::string{condition_names[condition]}},
              number_cell(count.events),
              {with_bound(count.detected, count.events)},
-             bad_if_any(count.controlling, count.events),
+             bad_if_any(count.controlling, count.events, report.campaign.rules[rule].judged && condition == 0),
              {.text = text::fixed(100.0 * count.worst.value, 0) + " %",
               .below = count.worst.value > 0.0 ? fmt::format("event {}", count.worst.event) : std::string{}}});
       }
@@ -196,33 +200,68 @@ std::string models(const Report& report) {
   return page::section("Models", page::table(columns, rows));
 }
 
+page::Tone tone_of(Verdict verdict) {
+  return verdict == Verdict::met       ? page::Tone::good
+         : verdict == Verdict::not_met ? page::Tone::bad
+                                       : page::Tone::unsure;
+}
+
+std::string what_was_judged(const Report& report, Verdict verdict) {
+  if (std::ranges::none_of(report.campaign.rules, &Rule::judged)) {
+    return "No plan was played that is judged.";
+  }
+  if (verdict == Verdict::not_met) {
+    return "At least one judged plan did what it must not.";
+  }
+  const std::size_t kinds_of_event = static_cast<std::size_t>(
+      std::ranges::count_if(report.campaign.kinds, [](Kind kind) { return !is_launch(kind); }));
+  const auto judged = std::ranges::find_if(report.campaign.rules, &Rule::judged) - report.campaign.rules.begin();
+  const std::uint64_t events = well_events_of(report.results, static_cast<std::size_t>(judged)).events;
+  std::string text = events == 0
+                         ? std::string{"No event that is no launch was played with both accelerometers well."}
+                         : fmt::format("{} events of {} kinds that are no launch, both accelerometers well: {}.",
+                                       events, kinds_of_event,
+                                       report.false_at_most > 0.0 ? "no more false actuations than asked for"
+                                                                  : "no judged plan moved a canard");
+  if (report.at_most && verdict == Verdict::met) {
+    text += " No more launches missed than asked for.";
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string report_html(const Report& report) {
-  const std::vector<std::string> wrong = failures(report);
   const std::string bounds = bounds_svg(report);
   std::string body =
       bounds.empty() ? ""
                      : page::section("Events that are no launch, both accelerometers well", page::figure(bounds, ""));
   for (std::size_t rule = 0; rule < report.campaign.rules.size(); ++rule) {
-    body += page::section(report.campaign.rules[rule].name(), events_html(report, rule) + launches_html(report, rule));
+    const std::string shown = report.campaign.rules[rule].judged ? "" : " (shown, not judged)";
+    body += page::section(report.campaign.rules[rule].name() + shown,
+                          events_html(report, rule) + launches_html(report, rule));
   }
   for (const Kind kind : {Kind::launch, Kind::launch_at_2_g}) {
     body += report.results.of_kind[index(kind)] ? distributions(report, kind) : "";
   }
+  const std::vector<Requirement> asked = requirements(report);
+  const Verdict came = verdict(asked);
   page::Page page{
       .kind = "Fantail campaign of detections",
       .title = "Does it believe that it flies?",
       .subtitle = fmt::format("{} events and launches, seed {}", report.campaign.total(), report.campaign.seed),
-      .tone = wrong.empty() ? page::Tone::good : page::Tone::bad,
-      .verdict_heading = wrong.empty() ? "Met" : "Not met",
-      .verdict = !wrong.empty()               ? "At least one judged plan did what it must not."
-                 : report.false_at_most > 0.0 ? "The judged plans moved canards as seldom as asked for."
-                                              : "No judged plan moved a canard in an event that was no launch.",
+      .tone = tone_of(came),
+      .verdict_heading = came == Verdict::met       ? "Met"
+                         : came == Verdict::not_met ? "Not met"
+                                                    : "Not judged",
+      .verdict = what_was_judged(report, came),
       .body_html = body + worst_events(report) + models(report),
       .footer = "Shares \"at most\" are 95 % bounds (Clopper and Pearson, one-sided). Fantail " + report.version};
-  for (const std::string& failure : wrong) {
-    page.findings.push_back({.what = failure});
+  for (const Requirement& requirement : asked) {
+    page.findings.push_back({.what = fmt::format("{}: ", name(requirement.verdict)), .about = requirement.sentence});
+  }
+  for (const std::string& limit : known_limits(report)) {
+    page.findings.push_back({.what = "known limit, not judged: ", .about = limit});
   }
   return page::html(page);
 }

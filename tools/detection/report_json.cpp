@@ -65,6 +65,7 @@ std::string report_json(const Report& report) {
       }
     }
     const Sum events = events_of(report.results, rule);
+    const Sum well = well_events_of(report.results, rule);
     const Sum launches = launches_of(report.results, rule);
     rules.push_back({{"plans", report.campaign.rules[rule].names},
                      {"judged", report.campaign.rules[rule].judged},
@@ -72,10 +73,17 @@ std::string report_json(const Report& report) {
                      {"launches_imagined", events.detected},
                      {"false_actuations", events.controlling},
                      {"false_actuations_at_most", upper_bound_95(events.controlling, events.events)},
+                     {"events_both_well", well.events},
+                     {"false_actuations_both_well", well.controlling},
+                     {"false_actuations_both_well_at_most", upper_bound_95(well.controlling, well.events)},
                      {"launches", launches.events},
                      {"launches_missed", launches.events - launches.detected},
                      {"launches_missed_at_most", upper_bound_95(launches.events - launches.detected, launches.events)},
                      {"rows", rows}});
+  }
+  std::vector<json::Value> asked;
+  for (const Requirement& requirement : requirements(report)) {
+    asked.push_back({{"verdict", name(requirement.verdict)}, {"sentence", requirement.sentence}});
   }
   const json::Value value{{"version", report.version},
                           {"seed", report.campaign.seed},
@@ -84,7 +92,10 @@ std::string report_json(const Report& report) {
                           {"both_well", report.campaign.both_well},
                           {"at_most", report.at_most},
                           {"false_at_most", report.false_at_most},
+                          {"verdict", name(verdict(requirements(report)))},
+                          {"requirements", asked},
                           {"failures", failures(report)},
+                          {"known_limits", known_limits(report)},
                           {"rules", rules}};
   return value.pretty();
 }

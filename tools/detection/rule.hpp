@@ -13,7 +13,7 @@ namespace fantail::detection {
 struct Rule {
   std::vector<std::string> names;
   core::FlightPlan plan;
-  bool judged = true;  ///< may be flown: a false actuation of it is a failure of the campaign
+  bool judged = true;  ///< a false actuation of it is a failure of the campaign
 
   [[nodiscard]] std::string name() const;  ///< of all of them, with commas
 };
@@ -23,7 +23,9 @@ struct Rule {
 inline constexpr const char* published_launch_2 = "published_launch2";
 
 /// The rules of these plans (shipped names, files, or the one above), each once: plans whose launch detection, guide,
-/// motion, sensors and start are the same are one rule. Without names: all shipped launch plans and the one above.
+/// motion, sensors and start are the same are one rule. Without names: all shipped launch plans and the one above, and
+/// judged are those that ask two accelerometers; the others are shown beside them. A plan that is named is judged, but
+/// for the one above.
 /// Throws text::Error: for a name or a file that is none, and for a plan that does not start by launch detection.
 [[nodiscard]] std::vector<Rule> rules_of(std::span<const std::string> plans);
 

@@ -12,12 +12,15 @@
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
+#include "avionics/identity.hpp"
 #include "detection/campaign.hpp"
 #include "detection/report.hpp"
 #include "detection/shown_event.hpp"
 #include "fantail/interrupt.hpp"
 #include "fantail/progress.hpp"
 #include "fantail/run.hpp"
+#include "fantail/scenario_options.hpp"
+#include "fantail/standard_streams.hpp"
 #include "text/number.hpp"
 #include "text/output_folder.hpp"
 
@@ -74,8 +77,26 @@ detection::Campaign asked_for(const DetectionOptions& options) {
   return campaign;
 }
 
+/// Another folder for each campaign that cannot go on in one of the others, and for a page of some kinds alone.
 files::path folder_of(const DetectionOptions& options) {
-  return options.out.empty() ? files::path{"out"} / "campaign" / "detection" : files::path{options.out};
+  std::vector<std::string> changes;
+  const auto add = [&changes](std::string_view name, const std::string& value) {
+    changes.push_back(fmt::format("{}={}", name, value));
+  };
+  for (const std::string& plan : options.plans) {
+    add("plan", plan);
+  }
+  for (const std::string& kind : options.event.empty() ? options.kinds : std::vector<std::string>{}) {
+    add("kind", kind);
+  }
+  if (options.both_well) {
+    changes.emplace_back("both_well");
+  }
+  if (!options.seed.empty()) {
+    add("seed", options.seed);
+  }
+  return options.out.empty() ? files::path{"out"} / "campaign" / variant_name("detection", changes)
+                             : files::path{options.out};
 }
 
 void show_one(const DetectionOptions& options) {
@@ -95,11 +116,12 @@ void show_one(const DetectionOptions& options) {
 detection::Results play(const detection::Campaign& campaign, const files::path& folder, unsigned threads) {
   Progress progress{"detection",
                     {.unit = "events", .rate = " a second", .total = static_cast<double>(campaign.total())}};
-  return detection::play(campaign, folder, FANTAIL_VERSION, threads, [&](std::uint64_t done) {
+  const std::string program = fmt::format("{} ({})", FANTAIL_VERSION, avionics::git_hash());
+  return detection::play(campaign, folder, program, threads, [&](std::uint64_t done) {
     if (take_interrupt()) {
-      throw Interrupted{
-          fmt::format("interrupted after {} of {} events; they are kept in {}, and the same command goes on from there",
-                      done, campaign.total(), folder.string())};
+      throw Interrupted{fmt::format(
+          "interrupted after {} of {} events; finished parts are kept in {}, and the same command goes on from there",
+          done, campaign.total(), folder.string())};
     }
     progress.show(static_cast<double>(done));
   });
@@ -112,11 +134,30 @@ void detect(const DetectionOptions& options) {
   }
   const files::path folder = folder_of(options);
   detection::Report report{.campaign = asked_for(options), .results = {}, .version = FANTAIL_VERSION, .at_most = {}};
+  report.campaign.drop_empty_kinds();
+  if (report.campaign.kinds.empty()) {
+    throw UsageError{
+        "there is nothing to play; allowed: --events or --launches of 1 or more, for a --kind that is asked for"};
+  }
   if (options.at_most_percent) {
     report.at_most = *options.at_most_percent / 100.0;
+    if (!detection::judges_launches(report.campaign)) {
+      throw UsageError{
+          "--at-most is asked of launches with both accelerometers well, by a plan that is judged, and none is to be "
+          "played; allowed: --kind launch or launch_at_2_g, --launches of 1 or more, and another plan than "
+          "published_launch2"};
+    }
+  }
+  if (options.false_at_most_percent > 0.0 && !detection::judges_events(report.campaign)) {
+    throw UsageError{
+        "--false-at-most is asked of events that are no launch, by a plan that is judged, and none is to be played"};
   }
   report.false_at_most = options.false_at_most_percent / 100.0;
   report.results = play(report.campaign, folder, options.threads);
+  if (report.results.damaged > 0) {
+    say(fmt::format("fantail: {} stored parts in {} were damaged, and have been played again\n", report.results.damaged,
+                    folder.string()));
+  }
   const std::string summary = detection::report_json(report);
   const std::array<text::NamedFile, 2> results{
       {{"summary.json", summary}, {"detection.html", detection::report_html(report)}}};
@@ -126,7 +167,7 @@ void detect(const DetectionOptions& options) {
   } else {
     fmt::print("{}  page  {}\n", detection::report_text(report), (folder / "detection.html").string());
   }
-  if (!detection::failures(report).empty()) {
+  if (detection::verdict(detection::requirements(report)) == detection::Verdict::not_met) {
     throw RequirementNotMet{""};
   }
 }
@@ -138,7 +179,7 @@ void fill_detection(const Verb& verb) {
   verb.option(
           "--plan", options->plans,
           "A shipped plan, a plan file, or published_launch2; may be given again [all shipped launch plans, and the "
-          "second launch's rule as printed, which is shown and not judged]")
+          "second launch's rule as printed; of these, judged are those that ask two accelerometers]")
       .one_word_each_time();
   verb.option("--kind", options->kinds, "Only this kind of event; may be given again [all]")
       .one_word_each_time()
@@ -151,25 +192,31 @@ void fill_detection(const Verb& verb) {
   verb.option("--event", options->event, "Show this one event of --kind again, instead of a campaign")
       .check(objection_to_whole_number)
       .value_name("NUMBER");
-  verb.option("--at-most", options->at_most_percent,
-              "Ask that no more launches are missed than so many per cent, both accelerometers well; else exit code 1")
+  verb.option(
+          "--at-most", options->at_most_percent,
+          "Ask that no more launches are missed than so many per cent, both accelerometers well, by the 95 % bound; "
+          "else exit code 1")
       .range(0.0, 100.0)
       .value_name("PERCENT");
   verb.option("--false-at-most", options->false_at_most_percent,
-              "Let so many per cent of the events that are no launch move a canard [none]")
+              "Let so many per cent of the events that are no launch move a canard, both accelerometers well, by the "
+              "95 % bound [none]")
       .range(0.0, 100.0)
       .value_name("PERCENT");
-  verb.option("--threads", options->threads, "How many at once [as many as the machine can]").range(1, 1024);
-  verb.option("--out", options->out, "Folder for detection.html, summary.json and parts.jsonl [out/campaign/detection]")
+  verb.option("--threads", options->threads, "How many at once [as many as the machine can]").range(1, 256);
+  verb.option(
+          "--out", options->out,
+          "Folder for detection.html, summary.json and parts.jsonl [out/campaign/detection, with what was changed in "
+          "the name]")
       .check(objection_to_folder);
   verb.flag("--json", options->json, "Print summary.json instead of the text");
   verb.examples(
       "Armed, and in hands, dropped, on the road, shaken, beside another launch: how often does it believe that it "
-      "flies, "
-      "and how often do its canards move? Of launches: how many are missed, how late, how high?\n"
+      "flies, and how often do its canards move? Of launches: how many are missed, how late, how high?\n"
       "A campaign that was interrupted goes on when the same command is given again, also with more events.\n"
-      "Exit code 0: no judged plan moved a canard in an event that was no launch, and what was asked for is met; else "
-      "1.\n"
+      "Exit code 0: no judged plan moved a canard in an event that was no launch, both accelerometers well, and what "
+      "was "
+      "asked for is met; else 1. What comes of one bad accelerometer is shown.\n"
       "Examples:\n"
       "  fantail campaign detection --plan tasha3_launch2 --events 100000\n"
       "  fantail campaign detection --kind launch --launches 100000 --at-most 0.1\n"

@@ -8,8 +8,9 @@
 #include <string>
 #include <vector>
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
+#include "avionics/identity.hpp"
 #include "campaign/setup.hpp"
 #include "fantail/interrupt.hpp"
 #include "fantail/progress.hpp"
@@ -40,6 +41,7 @@ struct FaultsOptions {
   unsigned threads = 0;
   std::string out;
   bool json = false;
+  bool list = false;
 };
 
 faults::Campaign asked_for(const FaultsOptions& options) {
@@ -93,35 +95,57 @@ void stop_if_interrupted(const fs::path& folder) {
   }
 }
 
+/// The flights without a fault, of every seed.
+faults::Prepared prepare_shown(const faults::Campaign& campaign, unsigned threads) {
+  Progress progress{"flying without faults",
+                    {.unit = "seeds", .rate = " a second", .total = static_cast<double>(campaign.seeds)}};
+  return faults::prepare(campaign, threads, [&](std::size_t done) {
+    give_up_if_interrupted();
+    progress.show(static_cast<double>(done));
+  });
+}
+
 void fly_one(const FaultsOptions& options) {
   const faults::Campaign campaign = asked_for(options);
-  const faults::Alone alone = faults::fly_alone(campaign, options.cell, options.run);
+  const faults::Prepared prepared = prepare_shown(faults::only(campaign, options.cell), options.threads);
+  const faults::Alone alone = faults::fly_alone(prepared, options.cell, options.run);
   const fs::path folder = folder_of(options) / faults::run_folder(options.cell, options.run);
   faults::write_run(campaign, options.cell, options.run, alone, folder);
-  const auto outcome = alone.findings.outcome(alone.expected);
-  fmt::print("{}, run {}: {}\n  safe is: {}\n  it was:  {}\n  report   {}\n", options.cell, options.run,
-             outcome ? "safe" : "RED", faults::cell_of(options.cell).safe(), alone.findings.what_it_was(),
-             (folder / "report.html").string());
-  if (!outcome) {
+  const std::string report = (folder / "report.html").string();
+  fmt::print("{}", options.json ? faults::run_json(campaign, alone, report, FANTAIL_VERSION)
+                                : faults::run_text(alone, report));
+  if (alone.judged.colour == faults::Colour::red) {
     throw RequirementNotMet{""};
+  }
+}
+
+void list_names() {
+  for (const faults::FaultRow& row : faults::fault_table()) {
+    fmt::print("{:13} {:18} {}\n", row.device, row.fault, row.meaning);
   }
 }
 
 void fly_all(const FaultsOptions& options) {
   const faults::Campaign campaign = asked_for(options);
   const fs::path folder = folder_of(options);
-  const faults::Extent extent = faults::extent_of(campaign);
+  const faults::Prepared prepared = prepare_shown(campaign, options.threads);
+  const faults::Extent& extent = prepared.extent;
   say(fmt::format("fantail: {} flights in {} cells\n", extent.flights, extent.cells));
+  const std::string program = fmt::format("{} ({})", FANTAIL_VERSION, avionics::git_hash());
   faults::Result result;
   {
     Progress progress{"flying " + input::name_of_file(campaign.scenario),
                       {.unit = "runs", .rate = " a second", .total = static_cast<double>(extent.flights)}};
-    result = faults::fly_campaign(campaign, folder, FANTAIL_VERSION, options.threads, [&](std::uint64_t done) {
+    result = faults::fly_campaign(prepared, folder, program, options.threads, [&](std::uint64_t done) {
       stop_if_interrupted(folder);
       progress.show(static_cast<double>(done));
     });
   }
-  faults::write_worst(result, folder, [&folder] { stop_if_interrupted(folder); });
+  if (result.damaged > 0) {
+    say(fmt::format("fantail: {} stored parts in {} were damaged, and have been flown again\n", result.damaged,
+                    folder.string()));
+  }
+  faults::write_worst(result, prepared, folder, [&folder] { stop_if_interrupted(folder); });
   const std::string summary = faults::report_json(result, FANTAIL_VERSION);
   const std::array<text::NamedFile, 2> files{
       {{"summary.json", summary}, {"faults.html", faults::report_html(result, FANTAIL_VERSION)}}};
@@ -141,10 +165,12 @@ void fly_all(const FaultsOptions& options) {
 void fill_faults(const Verb& verb) {
   auto options = std::make_shared<FaultsOptions>();
   add_scenario_options(verb, options->scenario);
-  verb.option("--device", options->device, "Only the faults of this device [all]").value_name("NAME");
-  verb.option("--fault", options->fault, "Only this fault [all]").value_name("NAME");
-  verb.option("--phase", options->phase, "Only faults that begin in this phase [all]")
-      .one_of({"pad", "armed", "launched", "controlling", "after_control"});
+  auto device = verb.option("--device", options->device, "Only the faults of this device, as --list has them [all]");
+  device.value_name("NAME");
+  auto fault = verb.option("--fault", options->fault, "Only this fault, likewise [all]");
+  fault.value_name("NAME");
+  auto phase = verb.option("--phase", options->phase, "Only faults that begin in this phase [all]");
+  phase.one_of({"pad", "armed", "launched", "controlling", "after_control"});
   verb.option("--step-ms", options->step_ms, "Milliseconds between two onsets").range(1, 10000).show_default();
   auto every =
       verb.option("--every", options->every, "Of these onsets each so-manieth, but at least three in each phase");
@@ -152,25 +178,34 @@ void fill_faults(const Verb& verb) {
   verb.flag("--whole", options->whole, "Every onset: --every 1").excludes(every);
   verb.option("--seeds", options->seeds, "Fly each onset with so many seeds").range(1, 10000).show_default();
   auto cell = verb.option("--cell", options->cell, "Fly one run again: of this cell, DEVICE/FAULT/PHASE");
-  cell.value_name("CELL");
+  cell.value_name("CELL").excludes(device).excludes(fault).excludes(phase);
   verb.option("--run", options->run, "Its number, as the page says").range(0, 1e9).needs(cell);
-  verb.option("--threads", options->threads, "How many to fly at once [as many as the machine can]").range(1, 1024);
+  verb.option("--threads", options->threads, "How many to fly at once [as many as the machine can]").range(1, 256);
   verb.option(
           "--out", options->out,
           "Folder for faults.html, summary.json, the parts and the worst flights [out/faults/SCENARIO, with what was "
           "changed in the name]")
       .check(objection_to_folder);
-  verb.flag("--json", options->json, "Print summary.json instead of the text");
+  verb.flag("--json", options->json, "Print summary.json instead of the text; of one run, what it came to");
+  verb.flag("--list", options->list, "Say which devices and faults there are, and fly nothing");
   verb.examples(
       "A campaign that was interrupted goes on when the same command is given again.\n"
-      "Exit code 0: no cell is red but for a known limit; 1: one is.\n"
+      "Exit code 0: no cell, and no run alone, is red but for a known limit; 1: one is.\n"
       "Examples:\n"
       "  fantail campaign faults tasha3_launch2              each device, fault and phase, some onsets of each\n"
       "  fantail campaign faults tasha3_launch2 --device imu --phase controlling --whole\n"
       "                                                      every 10 ms of control, whatever the IMU does\n"
       "  fantail campaign faults tasha3_launch2 --cell imu/dead/controlling --run 7\n"
       "                                                      one of its runs again, with a flight report");
-  verb.action([options] { options->cell.empty() ? fly_all(*options) : fly_one(*options); });
+  verb.action([options] {
+    if (options->list) {
+      list_names();
+    } else if (options->cell.empty()) {
+      fly_all(*options);
+    } else {
+      fly_one(*options);
+    }
+  });
 }
 
 }  // namespace fantail::tool

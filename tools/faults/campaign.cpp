@@ -5,12 +5,14 @@
 #include <atomic>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "campaign/parallel_for.hpp"
 #include "campaign/setup.hpp"
+#include "faults/fingerprint.hpp"
 #include "faults/parts.hpp"
 #include "text/error.hpp"
 
@@ -19,10 +21,10 @@ namespace {
 
 constexpr std::uint64_t runs_of_a_part = 128;
 
-/// A cell that is asked for, with its grid; `grid` is empty where the scenario cannot have the fault.
+/// A cell that is asked for, with the grid of its phase; null where the scenario cannot have the fault.
 struct Task {
   Cell cell;
-  std::optional<Grid> grid;
+  std::shared_ptr<const Grid> grid;
 };
 
 struct Part {
@@ -59,7 +61,29 @@ void check(const Campaign& campaign) {
   }
 }
 
+/// No row of the table has them: says which there are of the name that is wrong, or of the device.
+[[noreturn]] void refuse_names(const Campaign& campaign) {
+  const std::vector<std::string_view> devices = device_names();
+  if (!campaign.device.empty() && std::ranges::find(devices, campaign.device) == devices.end()) {
+    refuse(fmt::format("there is no device \"{}\"; allowed: {}", campaign.device, fmt::join(devices, ", ")));
+  }
+  std::vector<std::string_view> names;
+  for (const FaultRow& row : fault_table()) {
+    if ((campaign.device.empty() || campaign.device == row.device) &&
+        std::ranges::find(names, row.fault) == names.end()) {
+      names.push_back(row.fault);
+    }
+  }
+  refuse(fmt::format("there is no fault \"{}\"{}; allowed: {}", campaign.fault,
+                     campaign.device.empty() ? std::string{} : " of device " + campaign.device,
+                     fmt::join(names, ", ")));
+}
+
 std::vector<Task> tasks_of(const Campaign& campaign, const Twins& twins) {
+  std::array<std::shared_ptr<const Grid>, phases> grids;
+  for (std::size_t i = 0; i < phases; ++i) {
+    grids[i] = std::make_shared<Grid>(twins, static_cast<Phase>(i), campaign.step_ms, campaign.every);
+  }
   std::vector<Task> tasks;
   for (const FaultRow& row : fault_table()) {
     for (std::size_t i = 0; i < phases; ++i) {
@@ -72,26 +96,28 @@ std::vector<Task> tasks_of(const Campaign& campaign, const Twins& twins) {
       }
       Task task{.cell = {.row = &row, .phase = phase}, .grid = {}};
       if (task.cell.expected().applies() && why_not(row, twins.scenario).empty()) {
-        task.grid.emplace(twins, phase, campaign.step_ms, campaign.every);
+        task.grid = grids[i];
       }
       tasks.push_back(std::move(task));
     }
   }
   if (tasks.empty()) {
-    std::string asked;
-    for (const auto& [what, word] : {std::pair{"device", campaign.device}, std::pair{"fault", campaign.fault},
-                                     std::pair{"phase", campaign.phase}}) {
-      asked += word.empty() ? std::string{} : fmt::format(" {} \"{}\"", what, word);
-    }
-    refuse(fmt::format("there is no cell of{}; the devices: {}", asked, fmt::join(device_names(), ", ")));
+    refuse_names(campaign);
   }
   return tasks;
 }
 
-Run flown(const Twins& twins, const Task& task, std::uint64_t number) {
-  const Grid::Run& at = (*task.grid)[number];
-  const Findings findings = fly_run(twins, task.cell, at, number);
-  const auto outcome = findings.outcome(task.cell.expected());
+Extent extent_of(const Campaign& campaign, const Twins& twins) {
+  Extent extent;
+  for (const Task& task : tasks_of(campaign, twins)) {
+    extent.cells += task.grid ? 1 : 0;
+    extent.flights += task.grid ? task.grid->size() : 0;
+  }
+  return extent;
+}
+
+Run run_of(const Twins& twins, const Cell& cell, const Grid::Run& at, std::uint64_t number, const Findings& findings) {
+  const auto outcome = findings.outcome(cell.expected());
   return {.number = number,
           .seed = twins.seeds[at.seed],
           .begin_ms = at.begin_ms,
@@ -102,18 +128,35 @@ Run flown(const Twins& twins, const Task& task, std::uint64_t number) {
           .what = outcome ? std::string{} : findings.what_it_was()};
 }
 
+Run flown(const Twins& twins, const Task& task, std::uint64_t number) {
+  const Grid::Run at = (*task.grid)[number];
+  return run_of(twins, task.cell, at, number, fly_run(twins, task.cell, at, number));
+}
+
+/// The limit of a cell, and from when on it excuses.
+struct CellLimit {
+  const KnownLimit* limit;
+  int excused_from_ms;
+};
+CellLimit limit_of(const Cell& cell, const Twins& twins) {
+  const KnownLimit* const limit = known_limit(*cell.row, cell.phase, twins.scenario.plan);
+  return {.limit = limit,
+          .excused_from_ms = limit != nullptr && limit->last_ms > 0 ? end_of(cell.phase, twins) - limit->last_ms
+                                                                    : std::numeric_limits<int>::min()};
+}
+
 bool belongs(const std::vector<Run>& runs, const Twins& twins, const Task& task, const Part& part) {
   bool is = runs.size() == part.end - part.begin;
   for (std::uint64_t i = 0; is && i < runs.size(); ++i) {
-    const Grid::Run& at = (*task.grid)[part.begin + i];
+    const Grid::Run at = (*task.grid)[part.begin + i];
     is = runs[i].number == part.begin + i && runs[i].seed == twins.seeds[at.seed] && runs[i].begin_ms == at.begin_ms;
   }
   return is;
 }
 
-campaign::Identity identity_of(const Campaign& campaign, const std::string& version) {
+campaign::Identity identity_of(const Campaign& campaign, const std::string& program, const Twins& twins) {
   const campaign::Campaign words = words_of(campaign);
-  campaign::Identity identity = campaign::identity_of(words, campaign::files_of(words), {}, version);
+  campaign::Identity identity = campaign::identity_of(words, campaign::files_of(words), {}, program);
   std::erase_if(identity, [](const auto& entry) {
     return entry.first == "runs" || entry.first == "sampling" || entry.first == "stop" || entry.first == "tables" ||
            entry.first == "shard";
@@ -125,37 +168,53 @@ campaign::Identity identity_of(const Campaign& campaign, const std::string& vers
   identity.emplace_back("step_ms", fmt::format("{}", campaign.step_ms));
   identity.emplace_back("every", fmt::format("{}", campaign.every));
   identity.emplace_back("seeds", fmt::format("{}", campaign.seeds));
+  identity.emplace_back("flights", fingerprint(twins));
   return identity;
 }
 
 }  // namespace
 
-Extent extent_of(const Campaign& campaign) {
+Prepared prepare(const Campaign& campaign, unsigned threads, const std::function<void(std::size_t)>& look) {
   check(campaign);
-  Extent extent;
-  for (const Task& task : tasks_of(campaign, fly_twins(scenario_of(campaign), campaign.seeds))) {
-    extent.cells += task.grid ? 1 : 0;
-    extent.flights += task.grid ? task.grid->size() : 0;
+  const sim::Scenario scenario = scenario_of(campaign);
+  // By the first seed, before the others are flown.
+  const std::uint64_t of_one = extent_of(campaign, fly_twins(scenario, 1)).flights;
+  if (of_one > most_flights / campaign.seeds) {
+    refuse(
+        fmt::format("these are about {} flights; allowed: {}; take fewer seeds, a larger --every or --step-ms, or one "
+                    "device, fault or phase",
+                    of_one * campaign.seeds, most_flights));
   }
-  return extent;
+  Twins twins = fly_twins(scenario, campaign.seeds, threads, look);
+  const Extent extent = extent_of(campaign, twins);
+  return {.campaign = campaign, .twins = std::move(twins), .extent = extent};
 }
 
-Result fly_campaign(const Campaign& campaign, const std::filesystem::path& folder, const std::string& version,
+Extent extent_of(const Campaign& campaign) { return prepare(campaign).extent; }
+
+Result fly_campaign(const Campaign& campaign, const std::filesystem::path& folder, const std::string& program,
                     unsigned threads, const std::function<void(std::uint64_t)>& look) {
-  check(campaign);
-  const Twins twins = fly_twins(scenario_of(campaign), campaign.seeds);
+  return fly_campaign(prepare(campaign, threads), folder, program, threads, look);
+}
+
+Result fly_campaign(const Prepared& prepared, const std::filesystem::path& folder, const std::string& program,
+                    unsigned threads, const std::function<void(std::uint64_t)>& look) {
+  const Campaign& campaign = prepared.campaign;
+  const Twins& twins = prepared.twins;
   const std::vector<Task> tasks = tasks_of(campaign, twins);
-  const PartsFolder store{folder, identity_of(campaign, version)};
+  const PartsFolder store{folder, identity_of(campaign, program, twins)};
   std::vector<Part> parts;
-  std::vector<std::vector<Run>> runs(tasks.size());
+  std::vector<CellLimit> limits;
   for (std::size_t i = 0; i < tasks.size(); ++i) {
+    limits.push_back(limit_of(tasks[i].cell, twins));
     const std::uint64_t size = tasks[i].grid ? tasks[i].grid->size() : 0;
-    runs[i].resize(size);
     for (std::uint64_t begin = 0; begin < size; begin += runs_of_a_part) {
       parts.push_back({.task = i, .begin = begin, .end = std::min(begin + runs_of_a_part, size)});
     }
   }
+  std::vector<CellSum> sums(parts.size());
   std::atomic<std::uint64_t> done{0};
+  std::atomic<bool> stop{false};
   campaign::parallel_for(
       parts.size(), threads,
       [&](std::size_t i) {
@@ -167,45 +226,79 @@ Result fly_campaign(const Campaign& campaign, const std::filesystem::path& folde
           done += own->size();
         } else {
           own.emplace();
-          for (std::uint64_t number = part.begin; number < part.end; ++number) {
+          for (std::uint64_t number = part.begin; number < part.end && !stop; ++number) {
             own->push_back(flown(twins, task, number));
             ++done;
           }
+          if (stop) {
+            return;
+          }
           store.store(name, *own);
         }
-        std::ranges::move(*own, runs[part.task].begin() + static_cast<std::ptrdiff_t>(part.begin));
+        for (const Run& run : *own) {
+          sums[i].add(run, limits[part.task].excused_from_ms);
+        }
       },
-      [&](std::size_t) { look(done); });
+      [&](std::size_t) {
+        try {
+          look(done);
+        } catch (...) {
+          stop = true;
+          throw;
+        }
+      });
   Result result{.campaign = campaign,
                 .scenario = twins.scenario.name,
                 .vehicle = twins.scenario.vehicle.name,
                 .plan = twins.scenario.plan_name,
                 .cells = {},
-                .flights = done};
+                .flights = done,
+                .damaged = store.damaged()};
+  std::vector<CellSum> cells(tasks.size());
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    cells[parts[i].task].add(sums[i]);
+  }
   for (std::size_t i = 0; i < tasks.size(); ++i) {
-    const Cell& cell = tasks[i].cell;
-    const KnownLimit* limit = known_limit(*cell.row, cell.phase, twins.scenario.plan);
-    const int excused_from_ms = limit != nullptr && limit->last_ms > 0 ? end_of(cell.phase, twins) - limit->last_ms
-                                                                       : std::numeric_limits<int>::min();
-    result.cells.push_back(concluded(cell, runs[i], limit, excused_from_ms));
+    result.cells.push_back(conclude(tasks[i].cell, cells[i], limits[i].limit));
   }
   return result;
 }
 
-Alone fly_alone(const Campaign& campaign, const std::string& cell_name, std::uint64_t number) {
-  check(campaign);
+Alone fly_alone(const Campaign& campaign, const std::string& cell, std::uint64_t number) {
+  return fly_alone(prepare(only(campaign, cell)), cell, number);
+}
+
+Alone fly_alone(const Prepared& prepared, const std::string& cell_name, std::uint64_t number) {
+  const Twins& twins = prepared.twins;
   const Cell cell = cell_of(cell_name);
-  const Twins twins = fly_twins(scenario_of(campaign), campaign.seeds);
   if (const std::string why = why_not(*cell.row, twins.scenario); !why.empty()) {
     refuse(cell_name + ": " + why);
   }
-  const Grid grid{twins, cell.phase, campaign.step_ms, campaign.every};
+  const Grid grid{twins, cell.phase, prepared.campaign.step_ms, prepared.campaign.every};
   if (number >= grid.size()) {
     refuse(fmt::format("{}: run {}; allowed: 0 to {}", cell_name, number, grid.size() - 1));
   }
-  return {.scenario = faults::scenario_of(twins, cell, grid[number], number),
-          .expected = cell.expected(),
-          .findings = fly_run(twins, cell, grid[number], number)};
+  const Grid::Run at = grid[number];
+  Alone alone{.scenario = faults::scenario_of(twins, cell, at, number),
+              .expected = cell.expected(),
+              .findings = fly_run(twins, cell, at, number),
+              .run = {},
+              .judged = {}};
+  alone.run = run_of(twins, cell, at, number, alone.findings);
+  const CellLimit limit = limit_of(cell, twins);
+  alone.judged = concluded(cell, std::vector{alone.run}, limit.limit, limit.excused_from_ms);
+  if (alone.judged.colour == Colour::limit_without_need) {
+    alone.judged.colour = Colour::green;  // one run does not say that the cell has no need of it
+  }
+  return alone;
+}
+
+Campaign only(Campaign campaign, const std::string& cell_name) {
+  const Cell cell = cell_of(cell_name);
+  campaign.device = cell.row->device;
+  campaign.fault = cell.row->fault;
+  campaign.phase = name(cell.phase);
+  return campaign;
 }
 
 }  // namespace fantail::faults

@@ -47,20 +47,36 @@ enum class Colour : std::uint8_t {
   green,
   red,
   known_limit,         ///< red, and nothing in this avionics can help it
+  not_judged,          ///< green, by flights of which nothing is asked but what holds for every one
   limit_without_need,  ///< green, and known_limits.cpp says that it may be red
   not_applicable,
 };
 [[nodiscard]] const char* name(Colour colour);
+
+/// Runs of a cell, counted one by one, so that none has to be kept.
+struct CellSum {
+  std::uint64_t flights = 0;
+  std::uint64_t red = 0;
+  std::uint64_t late = 0;                        ///< begun when the limit excuses them
+  std::uint64_t red_early = 0;                   ///< not excused
+  std::array<std::uint64_t, outcomes> counts{};  ///< of each Outcome, by its bit
+  std::optional<Run> worst{};                    ///< a red one before all others; of equals the first
+
+  /// The limit, where there is one, excuses those that begin at `excused_from_ms` after ignition or later.
+  void add(const Run& run, int excused_from_ms = std::numeric_limits<int>::min());
+  /// Runs that come after these.
+  void add(const CellSum& later);
+};
 
 struct CellResult {
   Cell cell;
   Colour colour = Colour::not_applicable;
   std::uint64_t flights = 0;
   std::uint64_t red = 0;
-  std::array<std::uint64_t, outcomes> counts{};  ///< of each Outcome, by its bit
-  std::optional<Run> worst{};                    ///< a red one before all others
-  std::string figure{};                          ///< of the worst, a clause
-  std::string report{};                          ///< folder of its flight report, beside the page; empty: none
+  std::array<std::uint64_t, outcomes> counts{};
+  std::optional<Run> worst{};
+  std::string figure{};  ///< of the worst, a clause
+  std::string report{};  ///< folder of its flight report, beside the page; empty: none
   const KnownLimit* limit = nullptr;
 };
 
@@ -71,24 +87,42 @@ struct Result {
   std::string plan;
   std::vector<CellResult> cells;  ///< a row of the table after the other, phase by phase
   std::uint64_t flights = 0;
+  std::uint64_t damaged = 0;  ///< stored parts that could not be believed, and were flown again
 };
 
-/// Of the cells that the campaign asks for and the scenario can have: how many flights they are. Throws text::Error for
-/// a name that the table has not, and for a scenario without control.
+/// Of the cells that the campaign asks for and the scenario can have: how many flights they are.
 struct Extent {
   std::size_t cells = 0;
   std::uint64_t flights = 0;
 };
+/// A campaign of more is refused: with that it would take days.
+inline constexpr std::uint64_t most_flights = 10'000'000;
+
+/// A campaign that can be flown, with what it takes from its flights without any fault.
+struct Prepared {
+  Campaign campaign;
+  Twins twins;
+  Extent extent;
+};
+/// Flies the twins. `look` is called with how many are done, a few times a second, from this thread; what it throws
+/// ends it. Throws text::Error for a name that the table has not, for a scenario without control, and for too many
+/// flights, before they are listed.
+[[nodiscard]] Prepared prepare(const Campaign& campaign, unsigned threads = 0,
+                               const std::function<void(std::size_t done)>& look = {});
 [[nodiscard]] Extent extent_of(const Campaign& campaign);
 
-/// Flies every run that `folder` does not hold yet. Runs are stored by parts, each under another name first and then
-/// renamed, so that whoever begins again finds a part whole or not at all; what `look` throws ends the campaign, and
-/// the parts that are finished stay. The result depends on the campaign alone, not on threads or interruptions. `look`
-/// is called with the flights done, a few times a second, from this thread.
+/// Flies every run that `folder` does not hold yet. Runs are stored by parts, each sealed with the campaign and the
+/// program that have made it, under another name first and then renamed, so that whoever begins again finds a part
+/// whole or not at all; what `look` throws ends the campaign after the present flights, and the parts that are finished
+/// stay. The result depends on the campaign alone, not on threads or interruptions. `look` is called with the flights
+/// done, a few times a second, from this thread.
 ///
 /// Throws text::Error (bad_configuration) when the folder holds another campaign.
+[[nodiscard]] Result fly_campaign(const Prepared& prepared, const std::filesystem::path& folder,
+                                  const std::string& program, unsigned threads,
+                                  const std::function<void(std::uint64_t done)>& look);
 [[nodiscard]] Result fly_campaign(const Campaign& campaign, const std::filesystem::path& folder,
-                                  const std::string& version, unsigned threads,
+                                  const std::string& program, unsigned threads,
                                   const std::function<void(std::uint64_t done)>& look);
 
 /// One run of a cell again. Throws text::Error for a cell that the scenario cannot have and a number that it has not.
@@ -96,8 +130,14 @@ struct Alone {
   sim::Scenario scenario;
   Expected expected;
   Findings findings;
+  Run run;
+  CellResult judged;  ///< as if it were the cell's only one: the same verdict as the campaign's
 };
+[[nodiscard]] Alone fly_alone(const Prepared& prepared, const std::string& cell, std::uint64_t number);
 [[nodiscard]] Alone fly_alone(const Campaign& campaign, const std::string& cell, std::uint64_t number);
+
+/// A campaign of this cell alone, whose runs are those of the whole one. Throws text::Error (usage) for no cell.
+[[nodiscard]] Campaign only(Campaign campaign, const std::string& cell);
 
 /// Writes the flight report of a run.
 void write_run(const Campaign& campaign, const std::string& cell, std::uint64_t number, const Alone& alone,
@@ -110,13 +150,16 @@ void write_run(const Campaign& campaign, const std::string& cell, std::uint64_t 
 [[nodiscard]] std::vector<std::size_t> worst_cells(const Result& result);
 /// Flies the worst run of each of them again and writes its flight report into `folder`. `look` is called before each;
 /// what it throws ends it.
-void write_worst(Result& result, const std::filesystem::path& folder, const std::function<void()>& look);
+void write_worst(Result& result, const Prepared& prepared, const std::filesystem::path& folder,
+                 const std::function<void()>& look);
 
 /// A row of a part's file, with a newline, and back; empty for what is no such row.
 [[nodiscard]] std::string row_of(const Run& run);
 [[nodiscard]] std::optional<Run> run_of(std::string_view row);
 
-/// Counts runs of a cell. The limit excuses those that begin at `excused_from_ms` after ignition or later.
+/// What a cell came to.
+[[nodiscard]] CellResult conclude(const Cell& cell, const CellSum& sum, const KnownLimit* limit);
+/// The limit excuses those that begin at `excused_from_ms` after ignition or later.
 [[nodiscard]] CellResult concluded(const Cell& cell, const std::vector<Run>& runs, const KnownLimit* limit,
                                    int excused_from_ms = std::numeric_limits<int>::min());
 

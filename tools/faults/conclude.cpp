@@ -46,37 +46,69 @@ const char* name(Colour colour) {
     case Colour::red: return "red";
     case Colour::known_limit: return "known limit";
     case Colour::limit_without_need: return "green, though a limit is listed";
+    case Colour::not_judged: return "not judged further";
     case Colour::not_applicable: break;
   }
   return "not applicable";
 }
 
-CellResult concluded(const Cell& cell, const std::vector<Run>& runs, const KnownLimit* limit, int excused_from_ms) {
-  const auto is_late = [&](const Run& run) { return run.begin_ms >= excused_from_ms; };
-  bool excused = limit != nullptr && std::ranges::any_of(runs, is_late);
-  CellResult result{.cell = cell, .flights = runs.size(), .limit = excused ? limit : nullptr};
-  if (runs.empty()) {
+void CellSum::add(const Run& run, int excused_from_ms) {
+  const bool is_late = run.begin_ms >= excused_from_ms;
+  ++flights;
+  late += is_late ? 1 : 0;
+  if (run.outcome) {
+    ++counts[static_cast<std::size_t>(std::countr_zero(static_cast<unsigned>(*run.outcome)))];
+  } else {
+    ++red;
+    red_early += is_late ? 0 : 1;
+  }
+  if (!worst || is_worse(run, *worst)) {
+    worst = run;
+  }
+}
+
+void CellSum::add(const CellSum& later) {
+  flights += later.flights;
+  red += later.red;
+  late += later.late;
+  red_early += later.red_early;
+  for (std::size_t i = 0; i < outcomes; ++i) {
+    counts[i] += later.counts[i];
+  }
+  if (later.worst && (!worst || is_worse(*later.worst, *worst))) {
+    worst = later.worst;
+  }
+}
+
+CellResult conclude(const Cell& cell, const CellSum& sum, const KnownLimit* limit) {
+  const bool excused = limit != nullptr && sum.late > 0 && sum.red_early == 0;
+  CellResult result{.cell = cell,
+                    .flights = sum.flights,
+                    .red = sum.red,
+                    .counts = sum.counts,
+                    .worst = sum.worst,
+                    .limit = excused ? limit : nullptr};
+  if (!sum.worst) {
     return result;
   }
-  for (const Run& run : runs) {
-    if (run.outcome) {
-      ++result.counts[static_cast<std::size_t>(std::countr_zero(static_cast<unsigned>(*run.outcome)))];
-    } else {
-      ++result.red;
-      excused = excused && is_late(run);
-    }
-    if (!result.worst || is_worse(run, *result.worst)) {
-      result.worst = run;
-    }
-  }
   result.figure = figure_of(*result.worst);
-  if (result.red > 0) {
+  constexpr auto anything = static_cast<std::size_t>(std::countr_zero(static_cast<unsigned>(Outcome::anything)));
+  if (sum.red > 0) {
     result.colour = excused ? Colour::known_limit : Colour::red;
-    result.limit = excused ? limit : nullptr;
+  } else if (sum.counts[anything] > 0) {
+    result.colour = Colour::not_judged;
   } else {
-    result.colour = result.limit != nullptr ? Colour::limit_without_need : Colour::green;
+    result.colour = excused ? Colour::limit_without_need : Colour::green;
   }
   return result;
+}
+
+CellResult concluded(const Cell& cell, const std::vector<Run>& runs, const KnownLimit* limit, int excused_from_ms) {
+  CellSum sum;
+  for (const Run& run : runs) {
+    sum.add(run, excused_from_ms);
+  }
+  return conclude(cell, sum, limit);
 }
 
 }  // namespace fantail::faults

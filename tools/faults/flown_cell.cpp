@@ -8,6 +8,7 @@
 
 #include <fmt/core.h>
 
+#include "campaign/parallel_for.hpp"
 #include "campaign/seed_of_run.hpp"
 #include "sim/world.hpp"
 #include "text/error.hpp"
@@ -73,6 +74,27 @@ Stretch stretch_of(const Twin& twin, Phase phase, std::size_t ignition) {
   return {*twin.control_end + 1, twin.phases.size()};
 }
 
+Twin fly_twin(sim::Scenario scenario, std::uint64_t seed, const Limits& limits) {
+  scenario.seed = seed;
+  Twin twin;
+  fly(scenario, [&twin](const Moment& moment) { twin.add(moment); });
+  if (!twin.control_begin) {
+    throw text::Error{text::ErrorKind::bad_configuration,
+                      fmt::format("{}: with seed {} it comes to no control without any of the faults, so there is "
+                                  "nothing to compare a flight with",
+                                  scenario.name, seed)};
+  }
+  constexpr FaultTime no_fault{.begin_s = 3600.0, .end_s = 3600.0};
+  Judge judge{limits, twin, no_fault, 0.0};
+  fly(scenario, [&judge](const Moment& moment) { judge.add(moment); });
+  if (const Findings alone = judge.findings(); !alone.breach.empty()) {
+    throw text::Error{text::ErrorKind::bad_configuration,
+                      fmt::format("{}: with seed {} and none of the faults it breaks what holds for every flight: {}",
+                                  scenario.name, seed, alone.what_it_was())};
+  }
+  return twin;
+}
+
 }  // namespace
 
 std::string Cell::name() const { return fmt::format("{}/{}/{}", row->device, row->fault, faults::name(phase)); }
@@ -95,32 +117,16 @@ Cell cell_of(const std::string& name) {
                                 Cell{.row = fault_table().data(), .phase = Phase::controlling}.name())};
 }
 
-Twins fly_twins(const sim::Scenario& scenario, std::size_t seeds) {
+Twins fly_twins(const sim::Scenario& scenario, std::size_t seeds, unsigned threads,
+                const std::function<void(std::size_t)>& look) {
   Twins twins{.scenario = scenario, .seeds = {scenario.seed}, .twins = {}, .limits = limits_of(scenario)};
   for (std::size_t i = 1; i < seeds; ++i) {
     twins.seeds.push_back(campaign::seed_of_run(scenario.seed, i));
   }
-  for (const std::uint64_t seed : twins.seeds) {
-    sim::Scenario own = scenario;
-    own.seed = seed;
-    Twin twin;
-    fly(own, [&twin](const Moment& moment) { twin.add(moment); });
-    if (!twin.control_begin) {
-      throw text::Error{text::ErrorKind::bad_configuration,
-                        fmt::format("{}: with seed {} it comes to no control without any of the faults, so there is "
-                                    "nothing to compare a flight with",
-                                    scenario.name, seed)};
-    }
-    constexpr FaultTime never{.begin_s = 3600.0, .end_s = 3600.0};
-    Judge judge{twins.limits, twin, never, 0.0};
-    fly(own, [&judge](const Moment& moment) { judge.add(moment); });
-    if (const Findings alone = judge.findings(); !alone.breach.empty()) {
-      throw text::Error{text::ErrorKind::bad_configuration,
-                        fmt::format("{}: with seed {} and none of the faults it breaks what holds for every flight: {}",
-                                    scenario.name, seed, alone.what_it_was())};
-    }
-    twins.twins.push_back(std::move(twin));
-  }
+  twins.twins.resize(seeds);
+  campaign::parallel_for(
+      seeds, threads, [&](std::size_t i) { twins.twins[i] = fly_twin(scenario, twins.seeds[i], twins.limits); },
+      look ? look : [](std::size_t) {});
   return twins;
 }
 
@@ -141,10 +147,17 @@ Grid::Grid(const Twins& twins, Phase phase, int step_ms, int every) {
     // So that a short phase is not left out: of a few onsets as many as a third of them leave.
     const std::size_t steps = (stretch.end - stretch.begin + step - 1) / step;
     const std::size_t stride = step * std::clamp<std::size_t>(steps / 3, 1, static_cast<std::size_t>(every));
-    for (std::size_t at = stretch.begin; at < stretch.end; at += stride) {
-      runs_.push_back({.seed = seed, .begin_ms = static_cast<int>(at) - static_cast<int>(ignition)});
-    }
+    rows_.push_back({.first = size_,
+                     .begin_ms = static_cast<int>(stretch.begin) - static_cast<int>(ignition),
+                     .stride_ms = static_cast<int>(stride)});
+    size_ += (stretch.end - stretch.begin + stride - 1) / stride;
   }
+}
+
+Grid::Run Grid::operator[](std::uint64_t run) const {
+  const auto row = std::ranges::upper_bound(rows_, run, {}, &Row::first) - 1;
+  return {.seed = static_cast<std::size_t>(row - rows_.begin()),
+          .begin_ms = row->begin_ms + static_cast<int>(run - row->first) * row->stride_ms};
 }
 
 sim::Scenario scenario_of(const Twins& twins, const Cell& cell, const Grid::Run& run, std::uint64_t number) {

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -34,28 +35,36 @@ struct Twins {
   Limits limits;
 };
 
-/// Flies them. Throws text::Error (bad_configuration) when one is not armed or never controls: then no phase can be
-/// told from another.
-[[nodiscard]] Twins fly_twins(const sim::Scenario& scenario, std::size_t seeds);
+/// Flies them, on several threads (0: as many as the machine has). `look` is called with how many are done, a few times
+/// a second, from this thread; what it throws ends it. Throws text::Error (bad_configuration) when one is not armed or
+/// never controls: then no phase can be told from another.
+[[nodiscard]] Twins fly_twins(const sim::Scenario& scenario, std::size_t seeds, unsigned threads = 0,
+                              const std::function<void(std::size_t done)>& look = {});
 
 /// When the phase ends, in ms after ignition: with the seed with which it ends first.
 [[nodiscard]] int end_of(Phase phase, const Twins& twins);
 
-/// The grid of one cell: onsets by step, for every seed.
+/// The grid of the cells of one phase: onsets by step, for every seed. Runs are found, not kept.
 class Grid {
  public:
   /// Every `every`-th onset of the steps within the phase, seed by seed, and at least three a phase.
   Grid(const Twins& twins, Phase phase, int step_ms, int every);
 
-  [[nodiscard]] std::uint64_t size() const { return runs_.size(); }
+  [[nodiscard]] std::uint64_t size() const { return size_; }
   struct Run {
     std::size_t seed = 0;  ///< which of the twins
     int begin_ms = 0;      ///< after ignition
   };
-  [[nodiscard]] const Run& operator[](std::uint64_t run) const { return runs_[run]; }
+  [[nodiscard]] Run operator[](std::uint64_t run) const;
 
  private:
-  std::vector<Run> runs_{};
+  struct Row {
+    std::uint64_t first = 0;  ///< run of this seed
+    int begin_ms = 0;
+    int stride_ms = 0;
+  };
+  std::vector<Row> rows_{};  ///< one a seed
+  std::uint64_t size_ = 0;
 };
 
 /// The scenario of one run: what a flight of it alone needs.

@@ -17,20 +17,10 @@ page::Tone tone_of(Colour colour) {
     case Colour::red: return page::Tone::bad;
     case Colour::known_limit:
     case Colour::limit_without_need: return page::Tone::unsure;
+    case Colour::not_judged:
     case Colour::not_applicable: break;
   }
   return page::Tone::plain;
-}
-
-const char* word_of(Colour colour) {
-  switch (colour) {
-    case Colour::red: return "RED";
-    case Colour::known_limit: return "a known limit";
-    case Colour::limit_without_need: return "safe, though a limit is listed";
-    case Colour::green:
-    case Colour::not_applicable: break;
-  }
-  return "safe";
 }
 
 std::string word_of(const CellResult& cell) {
@@ -39,6 +29,7 @@ std::string word_of(const CellResult& cell) {
     case Colour::red: return fmt::format("RED, {} of {}", cell.red, cell.flights);
     case Colour::known_limit: return fmt::format("limit, {} of {}", cell.red, cell.flights);
     case Colour::limit_without_need: return fmt::format("safe, {}; a limit is listed", cell.flights);
+    case Colour::not_judged: return fmt::format("not judged further, {}", cell.flights);
     case Colour::not_applicable: break;
   }
   return "not applicable";
@@ -195,6 +186,8 @@ std::vector<std::string> how() {
       "The true shafts are held to the same, by the play and the spread of the servos, and with the time that a servo "
       "needs to get there. What the shaft of a failed servo may do is stated with its fault, below; the shafts of the "
       "others are held to all of it.",
+      "\"Not judged further\" are flights of which nothing is asked beyond that: where no servo obeys, the air alone "
+      "turns the rocket.",
       "Roll is held against the same flight, of the same seed, without the fault: degrees apart are degrees from it.",
       "Judged are the true roll angle, the true canard shafts, the pulses on the servo lines and the phase. What the "
       "avionics believes does not count."};

@@ -66,6 +66,18 @@ std::size_t count(const Result& result, Colour colour) {
 
 }  // namespace
 
+const char* word_of(Colour colour) {
+  switch (colour) {
+    case Colour::red: return "RED";
+    case Colour::known_limit: return "a known limit";
+    case Colour::limit_without_need: return "safe, though a limit is listed";
+    case Colour::not_judged: return "not judged further";
+    case Colour::green:
+    case Colour::not_applicable: break;
+  }
+  return "safe";
+}
+
 bool has_red(const Result& result) { return count(result, Colour::red) > 0; }
 
 std::string headline(const Result& result) {
@@ -73,6 +85,7 @@ std::string headline(const Result& result) {
   const std::size_t red = count(result, Colour::red);
   const std::size_t limits = count(result, Colour::known_limit);
   const std::size_t without_need = count(result, Colour::limit_without_need);
+  const std::size_t not_judged = count(result, Colour::not_judged);
   const auto cells = [](std::size_t number) {
     return fmt::format("{} {}", number, number == 1 ? "cell is" : "cells are");
   };
@@ -80,6 +93,8 @@ std::string headline(const Result& result) {
   text += red == 0 ? "No cell is red but for a known limit." : cells(red) + " RED.";
   text += limits == 0 ? std::string{} : fmt::format(" {} red for a limit that is known.", cells(limits));
   text += without_need == 0 ? std::string{} : fmt::format(" {} green, though a limit is listed.", cells(without_need));
+  text += not_judged == 0 ? std::string{}
+                          : fmt::format(" {} not judged beyond what holds for every flight.", cells(not_judged));
   return text;
 }
 
@@ -114,9 +129,43 @@ std::string report_json(const Result& result, const std::string& version) {
                         {"red", count(result, Colour::red)},
                         {"known_limits", count(result, Colour::known_limit)},
                         {"limits_without_need", count(result, Colour::limit_without_need)},
+                        {"not_judged", count(result, Colour::not_judged)},
                         {"not_applicable", count(result, Colour::not_applicable)},
                         {"cells", cells}};
   return all.pretty();
+}
+
+std::string run_text(const Alone& alone, const std::string& report) {
+  const CellResult& judged = alone.judged;
+  std::string text = fmt::format("{}, run {}: {}\n  safe is: {}\n  it was:  {}\n", judged.cell.name(), alone.run.number,
+                                 word_of(judged.colour), judged.cell.safe(), alone.findings.what_it_was());
+  if (judged.colour == Colour::known_limit) {
+    text += fmt::format("  why:     {}\n  to do:   {}\n", judged.limit->why, judged.limit->what_to_do);
+  }
+  return text + fmt::format("  report   {}\n", report);
+}
+
+std::string run_json(const Campaign& campaign, const Alone& alone, const std::string& report,
+                     const std::string& version) {
+  const CellResult& judged = alone.judged;
+  json::Value value{{"version", version},
+                    {"scenario", alone.scenario.name},
+                    {"cell", judged.cell.name()},
+                    {"run", alone.run.number},
+                    {"begin_s", json::rounded(1e-3 * alone.run.begin_ms)},
+                    {"seed", alone.run.seed},
+                    {"safe", judged.cell.safe()},
+                    {"result", name(judged.colour)},
+                    {"was", alone.findings.what_it_was()},
+                    {"apart_deg", alone.run.apart_deg},
+                    {"trim_after_s", json::rounded(alone.run.trim_after_s)},
+                    {"stands_after_s", json::rounded(alone.run.stands_after_s)},
+                    {"command", run_command(campaign, judged.cell, alone.run.number)},
+                    {"report", report}};
+  if (judged.colour == Colour::known_limit) {
+    value["limit"] = {{"why", judged.limit->why}, {"what_to_do", judged.limit->what_to_do}};
+  }
+  return value.pretty();
 }
 
 std::string report_text(const Result& result) {

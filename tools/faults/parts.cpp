@@ -18,27 +18,27 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* head = "run,seed,begin_ms,outcome,apart_deg,trim_after_s,stands_after_s,what\n";
-constexpr const char* end_mark = "end\n";  // of a file that is whole
+constexpr std::string_view end_mark = "end ";  // before the seal of a file that is whole
+constexpr std::size_t end_size = 4 + 16 + 1;
 
-campaign::Identity read_identity(const fs::path& file, const campaign::Identity& names) {
-  campaign::Identity identity;
+campaign::Identity read_identity(const fs::path& file) {
   try {
-    const json::Value all = json::parse(campaign::file_content(file));
-    for (const auto& [name, value] : names) {
-      if (const json::Value* there = all.find(name)) {
-        identity.emplace_back(name, there->text());
-      }
-    }
+    return campaign::parse_identity(campaign::file_content(file));
   } catch (const json::Error& error) {
     throw text::Error{text::ErrorKind::bad_data,
-                      file.string() + ": is not what a campaign of faults writes: " + error.what()};
+                      fmt::format("{}: choose another folder with --out, or remove this one; "
+                                  "no campaign of faults has written this file: {}",
+                                  file.string(), error.what())};
   }
-  return identity;
 }
 
 fs::path file_of(const fs::path& folder, std::string part) {
   std::ranges::replace(part, '/', '.');
   return folder / (part + ".csv");
+}
+
+std::string end_of(const campaign::Identity& identity, const std::string& part, std::string_view rows) {
+  return fmt::format("{}{}\n", end_mark, campaign::seal(identity, part, rows));
 }
 
 template <typename Number>
@@ -80,29 +80,40 @@ std::optional<Run> run_of(std::string_view row) {
   return known && is_read ? std::optional{std::move(run)} : std::nullopt;
 }
 
-PartsFolder::PartsFolder(fs::path folder, const campaign::Identity& identity) : parts_{folder / "parts"} {
+PartsFolder::PartsFolder(const fs::path& folder, campaign::Identity identity)
+    : parts_{folder / "parts"}, identity_{std::move(identity)} {
+  campaign::require_no_other_kind(folder, identity_name);
   const fs::path file = folder / identity_name;
   std::error_code error;
   if (fs::exists(file, error)) {
-    const campaign::Identity there = read_identity(file, identity);
-    if (const std::string differs = campaign::difference(there, "there", identity, "here"); !differs.empty()) {
-      throw text::Error{text::ErrorKind::bad_configuration, folder.string() + ": holds another campaign: " + differs +
-                                                                "; take another folder, or remove that one"};
-    }
+    campaign::require_same(folder, read_identity(file), identity_);
     return;
   }
-  const std::array files{text::NamedFile{.name = identity_name, .content = campaign::identity_json(identity)}};
+  const std::array files{text::NamedFile{.name = identity_name, .content = campaign::identity_json(identity_)}};
   text::OutputFolder{folder}.write(files);
 }
 
 std::optional<std::vector<Run>> PartsFolder::stored(const std::string& part) const {
-  const std::string content = campaign::file_content(file_of(parts_, part));
+  const fs::path file = file_of(parts_, part);
+  auto runs = read(part, campaign::file_content(file));
+  std::error_code error;
+  if (!runs && fs::exists(file, error)) {
+    ++damaged_;
+  }
+  return runs;
+}
+
+std::optional<std::vector<Run>> PartsFolder::read(const std::string& part, const std::string& content) const {
   std::string_view text = content;
-  if (!text.starts_with(head) || !text.ends_with(end_mark)) {
+  if (!text.starts_with(head) || text.size() < std::string_view{head}.size() + end_size) {
     return std::nullopt;
   }
+  const std::string_view rows = text.substr(0, text.size() - end_size);
+  if (text.substr(rows.size()) != end_of(identity_, part, rows)) {
+    return std::nullopt;
+  }
+  text = rows;
   text.remove_prefix(std::string_view{head}.size());
-  text.remove_suffix(std::string_view{end_mark}.size());
   std::vector<Run> runs;
   while (!text.empty()) {
     const std::size_t end = text.find('\n');
@@ -121,7 +132,7 @@ void PartsFolder::store(const std::string& part, const std::vector<Run>& runs) c
   for (const Run& run : runs) {
     content += row_of(run);
   }
-  content += end_mark;
+  content += end_of(identity_, part, content);
   const std::array files{
       text::NamedFile{.name = file_of(parts_, part).filename().string(), .content = std::move(content)}};
   text::OutputFolder{parts_}.write(files);

@@ -10,12 +10,20 @@ namespace fantail::faults {
 /// Any cell red that no known limit excuses.
 [[nodiscard]] bool has_red(const Result& result);
 
+/// "safe", "RED", "a known limit", "not judged further".
+[[nodiscard]] const char* word_of(Colour colour);
+
 /// "4 of 470 cells are red, ...": the answer, in a sentence or two.
 [[nodiscard]] std::string headline(const Result& result);
 
 /// What a person types to fly it, and one run of it alone.
 [[nodiscard]] std::string command_of(const Campaign& campaign);
 [[nodiscard]] std::string run_command(const Campaign& campaign, const Cell& cell, std::uint64_t number);
+
+/// What one run came to, with why and what to do where a limit is known; `report` is its flight report.
+[[nodiscard]] std::string run_text(const Alone& alone, const std::string& report);
+[[nodiscard]] std::string run_json(const Campaign& campaign, const Alone& alone, const std::string& report,
+                                   const std::string& version);
 
 [[nodiscard]] std::string report_html(const Result& result, const std::string& version);
 [[nodiscard]] std::string report_json(const Result& result, const std::string& version);

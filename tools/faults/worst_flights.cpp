@@ -65,13 +65,14 @@ void write_run(const Campaign& campaign, const std::string& cell, std::uint64_t 
       fmt::format("Run {} of {} of a campaign of faults; safe is: {}.", number, cell, cell_of(cell).safe()), folder);
 }
 
-void write_worst(Result& result, const std::filesystem::path& folder, const std::function<void()>& look) {
+void write_worst(Result& result, const Prepared& prepared, const std::filesystem::path& folder,
+                 const std::function<void()>& look) {
   for (const std::size_t i : worst_cells(result)) {
     look();
     CellResult& cell = result.cells[i];
     const std::string name = cell.cell.name();
     cell.report = run_folder(name, cell.worst->number);
-    write_run(result.campaign, name, cell.worst->number, fly_alone(result.campaign, name, cell.worst->number),
+    write_run(result.campaign, name, cell.worst->number, fly_alone(prepared, name, cell.worst->number),
               folder / cell.report);
   }
 }

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <array>
+
+#include <fmt/core.h>
+
+#include "detection/report.hpp"
+#include "text/number.hpp"
+
+// What is asked of a rule, and what came of it.
+namespace fantail::detection {
+namespace {
+
+constexpr std::array<Kind, 2> launches_of_well{Kind::launch, Kind::launch_at_2_g};
+
+void add(Sum& sum, const Count& count) {
+  sum.events += count.events;
+  sum.detected += count.detected;
+  sum.controlling += count.controlling;
+}
+
+std::string percent(double share) { return text::brief(100.0 * share, 6) + " %"; }
+
+Requirement no_false_actuation(const Report& report, std::size_t rule) {
+  const std::string name = report.campaign.rules[rule].name();
+  const Sum events = well_events_of(report.results, rule);
+  if (events.events == 0) {
+    return {.sentence = name + ": no event that is no launch was played with both accelerometers well"};
+  }
+  const bool is_asked = report.false_at_most > 0.0;
+  const bool is_met =
+      is_asked ? upper_bound_95(events.controlling, events.events) <= report.false_at_most : events.controlling == 0;
+  return {.verdict = is_met ? Verdict::met : Verdict::not_met,
+          .sentence = fmt::format("{}: false actuations {} in {} events with both accelerometers well{}", name,
+                                  with_bound(events.controlling, events.events), events.events,
+                                  is_asked ? ", and at most " + percent(report.false_at_most) + " asked for" : "")};
+}
+
+Requirement launches_missed(const Report& report, std::size_t rule) {
+  const std::string name = report.campaign.rules[rule].name();
+  const Sum launches = launches_of(report.results, rule);
+  if (launches.events == 0) {
+    return {.sentence = name + ": no launch was played with both accelerometers well"};
+  }
+  const std::uint64_t missed = launches.events - launches.detected;
+  const bool is_met = upper_bound_95(missed, launches.events) <= *report.at_most;
+  const bool may_be = static_cast<double>(missed) <= *report.at_most * static_cast<double>(launches.events);
+  return {.verdict = is_met ? Verdict::met : Verdict::not_met,
+          .sentence = fmt::format("{}: missed {} of {} launches, and at most {} asked for{}", name,
+                                  with_bound(missed, launches.events), launches.events, percent(*report.at_most),
+                                  !is_met && may_be ? "; more launches may show it" : "")};
+}
+
+bool judges(const Campaign& campaign, bool launches) {
+  return std::ranges::any_of(campaign.rules, &Rule::judged) && std::ranges::any_of(campaign.kinds, [&](Kind kind) {
+           return campaign.number_of(kind) > 0 && is_launch(kind) == launches && kind != Kind::launch_one_bad;
+         });
+}
+
+}  // namespace
+
+Sum one_bad_of(const Tally& tally, std::size_t rule) {
+  Sum sum;
+  for (std::size_t condition = 1; condition < conditions; ++condition) {
+    add(sum, tally.of_rule[rule][condition]);
+  }
+  return sum;
+}
+
+Sum events_of(const Results& results, std::size_t rule) {
+  Sum sum;
+  for (std::size_t kind = 0; kind < event_kinds; ++kind) {
+    if (results.of_kind[kind]) {
+      for (const Count& count : results.of_kind[kind]->of_rule[rule]) {
+        add(sum, count);
+      }
+    }
+  }
+  return sum;
+}
+
+Sum well_events_of(const Results& results, std::size_t rule) {
+  Sum sum;
+  for (std::size_t kind = 0; kind < event_kinds; ++kind) {
+    if (results.of_kind[kind]) {
+      add(sum, results.of_kind[kind]->of_rule[rule][0]);
+    }
+  }
+  return sum;
+}
+
+Sum bad_events_of(const Results& results, std::size_t rule) {
+  const Sum all = events_of(results, rule);
+  const Sum well = well_events_of(results, rule);
+  return {.events = all.events - well.events,
+          .detected = all.detected - well.detected,
+          .controlling = all.controlling - well.controlling};
+}
+
+Sum launches_of(const Results& results, std::size_t rule) {
+  Sum sum;
+  for (const Kind kind : launches_of_well) {
+    if (results.of_kind[index(kind)]) {
+      add(sum, results.of_kind[index(kind)]->of_rule[rule][0]);
+    }
+  }
+  return sum;
+}
+
+const char* name(Verdict verdict) {
+  return verdict == Verdict::met ? "met" : verdict == Verdict::not_met ? "not met" : "not judged";
+}
+
+std::vector<Requirement> requirements(const Report& report) {
+  std::vector<Requirement> all;
+  for (std::size_t rule = 0; rule < report.campaign.rules.size(); ++rule) {
+    if (report.campaign.rules[rule].judged) {
+      all.push_back(no_false_actuation(report, rule));
+      if (report.at_most) {
+        all.push_back(launches_missed(report, rule));
+      }
+    }
+  }
+  return all;
+}
+
+Verdict verdict(const std::vector<Requirement>& requirements) {
+  const auto any = [&](Verdict one) {
+    return std::ranges::find(requirements, one, &Requirement::verdict) != requirements.end();
+  };
+  return any(Verdict::not_met) ? Verdict::not_met : any(Verdict::met) ? Verdict::met : Verdict::not_judged;
+}
+
+std::vector<std::string> failures(const Report& report) {
+  std::vector<std::string> sentences;
+  for (const Requirement& requirement : requirements(report)) {
+    if (requirement.verdict == Verdict::not_met) {
+      sentences.push_back(requirement.sentence);
+    }
+  }
+  return sentences;
+}
+
+std::vector<std::string> known_limits(const Report& report) {
+  std::vector<std::string> sentences;
+  for (std::size_t i = 0; i < report.campaign.rules.size(); ++i) {
+    const Rule& rule = report.campaign.rules[i];
+    const Sum bad = bad_events_of(report.results, i);
+    if (rule.judged && bad.controlling > 0) {
+      const bool is_one = rule.plan.launch_detection.accelerometers == core::AccelerometerRule::one;
+      sentences.push_back(fmt::format(
+          "{}: false actuations {} in {} events with one accelerometer bad: {}", rule.name(),
+          with_bound(bad.controlling, bad.events), bad.events,
+          is_one
+              ? "it believes one accelerometer, whatever that says"
+              : "one that stands still agrees for moments with one that is shaken, and looks like thrust meanwhile"));
+    }
+  }
+  return sentences;
+}
+
+bool judges_launches(const Campaign& campaign) { return judges(campaign, true); }
+
+bool judges_events(const Campaign& campaign) { return judges(campaign, false); }
+
+}  // namespace fantail::detection
