@@ -34,7 +34,6 @@ void Arming::receive(const Situation& now, const Permission& permission, const p
       if (refusal_ == ArmRefusal::none) {
         if (const auto nonce = fresh_nonce(permission)) {
           issued_ = Issued{.nonce = *nonce, .time = now.time};
-          expired_ = false;
         } else {
           refusal_ = ArmRefusal::no_nonce;
         }

@@ -35,7 +35,6 @@ std::uint32_t SelfTest::record_bytes(const core::FlightPlan& plan) {
 }
 
 // Meets BEN-8, BUS-1.
-// Meets BEN-8, BUS-1.
 protocol::ArmRefusal SelfTest::start(const Situation& now, bool session_open) {
   using protocol::ArmRefusal;
   if (running()) {
@@ -65,7 +64,7 @@ void SelfTest::update(const core::Inputs& inputs, const core::TickRecord& record
   const bool moves = record.motion.at_rest_for == Microseconds{0};
   if (state_ == SelfTestState::passed && moves) {  // what was tested is not what stands there now
     if (record.phase == core::Phase::safe) {
-      fail(inputs.time, SelfTestFailure::moved);
+      fail(SelfTestFailure::moved);
     } else {
       state_ = SelfTestState::not_run;  // a flight is no failure, but whoever disarms needs another test
     }
@@ -74,17 +73,17 @@ void SelfTest::update(const core::Inputs& inputs, const core::TickRecord& record
     return;
   }
   if (record.phase != core::Phase::safe) {
-    fail(inputs.time, SelfTestFailure::not_safe);
+    fail(SelfTestFailure::not_safe);
   } else if (board_faulty) {
-    fail(inputs.time, SelfTestFailure::board_fault);
+    fail(SelfTestFailure::board_fault);
   } else if (const auto failure = judge_gyros(record)) {
-    fail(inputs.time, *failure);
+    fail(*failure);
   } else if (record.motion.gyro == core::SensorState::failed && !record.gyro_vote) {
-    fail(inputs.time, SelfTestFailure::gyro_failed);
+    fail(SelfTestFailure::gyro_failed);
   } else if (stage_ == Stage::still) {
     stand_still(inputs, record, flash);
   } else if (moves) {
-    fail(inputs.time, SelfTestFailure::moved);
+    fail(SelfTestFailure::moved);
   } else {
     move_canards(record);
   }
@@ -111,7 +110,7 @@ void SelfTest::stand_still(const core::Inputs& inputs, const core::TickRecord& r
   if (!average(inputs)) {
     // Where the whole IMU is silent, its gyro is named, as without a second one.
     const bool without_imu = record.gyro_vote == core::GyroVote::second || record.gyro_vote == core::GyroVote::neither;
-    return fail(inputs.time, without_imu ? SelfTestFailure::gyro_failed : SelfTestFailure::accelerometer_failed);
+    return fail(without_imu ? SelfTestFailure::gyro_failed : SelfTestFailure::accelerometer_failed);
   }
   if (record.motion.at_rest_for == Microseconds{0}) {
     restart_averages(inputs.time);
@@ -121,14 +120,14 @@ void SelfTest::stand_still(const core::Inputs& inputs, const core::TickRecord& r
   if (!still || !counted) {
     if (inputs.time - started_ >= patience) {
       // A rocket in which a sensor is off by more than the plan's tolerance is never at rest: that is the better name.
-      fail(inputs.time, still ? SelfTestFailure::timed_out : judge_sensors().value_or(SelfTestFailure::moved));
+      fail(still ? SelfTestFailure::timed_out : judge_sensors().value_or(SelfTestFailure::moved));
     }
     return;
   }
   if (const auto failure = judge_sensors()) {
-    fail(inputs.time, *failure);
+    fail(*failure);
   } else if (const auto of_flash = judge_flash(flash)) {
-    fail(inputs.time, *of_flash);
+    fail(*of_flash);
   } else {
     begin_move(inputs.time, Stage::centre, 0);
   }
@@ -207,7 +206,7 @@ void SelfTest::begin_move(Microseconds now, Stage stage, std::size_t canard) {
 void SelfTest::move_canards(const core::TickRecord& record) {
   for (std::size_t i = 0; i < core::canard_count; ++i) {
     if (record.verdicts[i] == core::CanardVerdict::dead) {
-      return fail(record.time, SelfTestFailure::encoder_silent, i);
+      return fail(SelfTestFailure::encoder_silent, i);
     }
     if (record.time - stage_started_ >= watched_from && record.encoders[i]) {
       encoder_sum_[i] += *record.encoders[i];
@@ -217,7 +216,6 @@ void SelfTest::move_canards(const core::TickRecord& record) {
   if (record.time - stage_started_ < move_time) {
     return;
   }
-  ended_ = record.time;
   judge_canards();
   if (!running()) {
     return;
@@ -230,6 +228,7 @@ void SelfTest::move_canards(const core::TickRecord& record) {
     begin_move(record.time, Stage::out, *canard_ + 1);
   } else {
     state_ = SelfTestState::passed;
+    ended_ = record.time;
     canard_.reset();
   }
 }
@@ -240,12 +239,12 @@ void SelfTest::judge_canards() {
   for (std::size_t k = 1; k <= core::canard_count; ++k) {
     const std::size_t i = (*canard_ + k) % core::canard_count;
     if (encoder_samples_[i] < 1.0F) {
-      return fail(ended_, SelfTestFailure::encoder_silent, i);
+      return fail(SelfTestFailure::encoder_silent, i);
     }
     const Angle off = encoder_sum_[i] / encoder_samples_[i] - asked_of(i);
     if (abs(off) > swing(*canard_) / 3.0F) {
       const bool its_turn = i == *canard_ || stage_ == Stage::centre;
-      return fail(ended_, its_turn ? SelfTestFailure::canard_did_not_follow : SelfTestFailure::another_canard_moved, i);
+      return fail(its_turn ? SelfTestFailure::canard_did_not_follow : SelfTestFailure::another_canard_moved, i);
     }
   }
 }
@@ -276,11 +275,10 @@ std::size_t SelfTest::needed_accelerometers() const {
   return plan_->launch_detection.accelerometers == core::AccelerometerRule::two_agree ? 2 : 1;
 }
 
-void SelfTest::fail(Microseconds now, SelfTestFailure failure, std::optional<std::size_t> canard) {
+void SelfTest::fail(SelfTestFailure failure, std::optional<std::size_t> canard) {
   state_ = SelfTestState::failed;
   failure_ = failure;
   canard_ = canard;
-  ended_ = now;
 }
 
 }  // namespace fantail::avionics

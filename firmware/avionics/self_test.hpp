@@ -65,7 +65,7 @@ class SelfTest {
   void move_canards(const core::TickRecord& record);
   void judge_canards();
   void begin_move(core::Microseconds now, Stage stage, std::size_t canard);
-  void fail(core::Microseconds now, protocol::SelfTestFailure failure, std::optional<std::size_t> canard = {});
+  void fail(protocol::SelfTestFailure failure, std::optional<std::size_t> canard = {});
   [[nodiscard]] std::optional<protocol::SelfTestFailure> judge_gyros(const core::TickRecord& record);
   [[nodiscard]] std::size_t needed_accelerometers() const;
   [[nodiscard]] core::Angle swing(std::size_t canard) const;
@@ -77,7 +77,7 @@ class SelfTest {
   std::optional<std::size_t> canard_;
   core::Microseconds started_{};
   core::Microseconds stage_started_{};
-  core::Microseconds ended_{};
+  core::Microseconds ended_{};         ///< when the last one passed
   core::Microseconds gyros_agreed_{};  ///< when they last did
   Stage stage_ = Stage::still;
   std::array<Average, 2> averages_{};

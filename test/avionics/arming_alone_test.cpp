@@ -84,13 +84,40 @@ TEST(ArmingAlone, ANonceLivesFiveSecondsToTheMicrosecond) {
   for (const bool in_time : {true, false}) {
     Armed rocket;
     const std::uint32_t nonce = rocket.begin();
-    rocket.now.time += Arming::nonce_lifetime + Microseconds{in_time ? 0 : 1};
+    rocket.now.time += Microseconds{in_time ? 5'000'000 : 5'000'001};
     rocket.arming.update(rocket.now);
     EXPECT_EQ(rocket.arming.nonce().has_value(), in_time);
     EXPECT_EQ(rocket.arming.refusal(), in_time ? ArmRefusal::none : ArmRefusal::nonce_expired);
     EXPECT_EQ(rocket.say(ArmAction::confirm, nonce), in_time ? ArmRefusal::none : ArmRefusal::nonce_expired);
     EXPECT_EQ(rocket.say(ArmAction::confirm, nonce), ArmRefusal::no_nonce) << "a second attempt has nothing to confirm";
   }
+}
+
+TEST(ArmingAlone, AConfirmationThatComesTooLateIsRefusedAlsoBeforeTheTickHasSeenTheTime) {
+  Armed rocket;
+  const std::uint32_t nonce = rocket.begin();
+  rocket.now.time += Arming::nonce_lifetime + Microseconds{1};
+  EXPECT_EQ(rocket.say(ArmAction::confirm, nonce), ArmRefusal::nonce_expired);
+  EXPECT_FALSE(rocket.arming.take_arm_command());
+}
+
+TEST(ArmingAlone, WhereNobodyHasBegunThereIsNothingToConfirm) {
+  Armed rocket;
+  EXPECT_EQ(rocket.arming.refusal(), ArmRefusal::none);
+  EXPECT_EQ(rocket.say(ArmAction::confirm), ArmRefusal::no_nonce);
+}
+
+TEST(ArmingAlone, WhatAPermissionDoesNotSayIsNotPermitted) {
+  Armed untested;
+  untested.permission = {.power_up = 7};
+  EXPECT_EQ(untested.say(ArmAction::begin), ArmRefusal::self_test_not_passed);
+  Armed uncounted;
+  uncounted.permission = {.self_test_passed = true};
+  EXPECT_EQ(uncounted.say(ArmAction::begin), ArmRefusal::no_nonce);
+  EXPECT_EQ(uncounted.say(ArmAction::start), ArmRefusal::not_a_tunnel_plan);
+  Armed without_a_random_number;
+  without_a_random_number.permission = {.self_test_passed = true, .power_up = 7};
+  EXPECT_EQ(without_a_random_number.begin(), 0xBC74651FU) << "see the finisher below";
 }
 
 TEST(ArmingAlone, ANewNonceTakesTheReproachOfTheOldOneAway) {

@@ -4,6 +4,7 @@
 
 #include "avionics/bench_mode.hpp"
 #include "core/flight_plan_fields.hpp"
+#include "protocol/bus_codec.hpp"
 
 namespace fantail::avionics {
 namespace {
@@ -112,6 +113,28 @@ TEST(BenchModeAlone, EachObjectionRefusesASessionAndLeavesTheStateAsItWas) {
   bench.say(SessionAction::open, number + 1);
   EXPECT_EQ(bench.mode.take_refusal()->reason, SessionReason::other_session);
   EXPECT_EQ(bench.mode.session(), number);
+}
+
+// Frames carry eight bits that are made of the number.
+TEST(BenchModeAlone, ANumberThatFramesDoNotTellFromTheLastOneIsRefused) {
+  std::uint16_t alike = number + 1;
+  while (protocol::told_apart(number, alike)) {
+    alike += 1;
+  }
+  Bench first;
+  EXPECT_TRUE(first.say(SessionAction::open, alike));
+  EXPECT_TRUE(first.mode.open()) << "there was no session before";
+  Bench bench;
+  bench.say(SessionAction::open);
+  bench.say(SessionAction::close);
+  bench.say(SessionAction::open, alike);
+  EXPECT_FALSE(bench.mode.open());
+  EXPECT_EQ(bench.mode.take_refusal()->reason, SessionReason::number_too_similar);
+  bench.say(SessionAction::open);
+  EXPECT_TRUE(bench.mode.open()) << "the same bench, which has begun anew";
+  bench.say(SessionAction::close);
+  bench.say(SessionAction::open, number + 1);
+  EXPECT_EQ(bench.mode.session(), number + 1);
 }
 
 TEST(BenchModeAlone, EndsWithThePhaseAndWithMotion) {

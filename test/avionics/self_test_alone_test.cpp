@@ -39,6 +39,7 @@ TEST(SelfTestAlone, AsksForEachCanardAloneToItsSwingFromTrim) {
       const float expected_deg = (i == 1 ? -1.0F : 0.0F) + (its_turn ? (i == 1 ? 2.5F : 3.0F) : 0.0F);
       EXPECT_NEAR(rocket.test.canard_request().value()[i].degrees(), expected_deg, 1e-5F) << move << " " << i;
     }
+    EXPECT_EQ(rocket.test.canard(), move == 0 ? 0U : static_cast<std::size_t>(move - 1) / 2);
     rocket.tick();
   }
   rocket.expect(SelfTestFailure::none);
@@ -93,7 +94,7 @@ TEST(SelfTestAlone, OfTwoGyrosTheOneIsNamedThatIsWithoutVoteForMoreThanATenthOfA
     rocket.record.gyro_vote = vote;
     rocket.run(100);
     EXPECT_TRUE(rocket.test.running());
-    rocket.tick();
+    rocket.tick_at(Microseconds{600'001});
     rocket.expect(failure);
   }
 }
@@ -182,8 +183,9 @@ TEST(SelfTestAlone, WaitsTwelveSecondsForTheFlashAndSaysSo) {
         rocket.flash.plan = protocol::PlanSource::built_in;
       }
       rocket.run(11'999);
+      rocket.tick_at(Microseconds{11'999'999});
       EXPECT_TRUE(rocket.test.running());
-      rocket.tick();
+      rocket.tick_at(Microseconds{12'000'000});
       rocket.expect(SelfTestFailure::timed_out);
     }
   }
@@ -202,6 +204,28 @@ TEST(SelfTestAlone, OfARocketThatIsNeverStillTheSensorThatIsOffIsNamed) {
     r.inputs.accelerometers[0].quality = core::SampleQuality::valid;
   }};
   just_moved.run(12'000).expect(SelfTestFailure::moved);
+}
+
+TEST(SelfTestAlone, OneSampleIsEnoughToNameASensor) {
+  for (const auto& [factor, failure] :
+       {std::pair{1.2F, SelfTestFailure::specific_force_not_one_g}, std::pair{1.0F, SelfTestFailure::moved}}) {
+    TestedRocket rocket{[factor = factor](TestedRocket& r) {
+      const bool just_moved = r.tested_for() == Microseconds{11'999'000};
+      r.record.motion.at_rest_for = Microseconds{just_moved ? 0 : 1};
+      r.inputs.accelerometers[0].specific_force_m_s2.x = factor * core::standard_gravity_m_s2;
+    }};
+    rocket.run(12'000).expect(failure);
+  }
+}
+
+TEST(SelfTestAlone, APlanThatNeedsOneAccelerometerJudgesThatOne) {
+  for (const std::size_t silent : {std::size_t{0}, std::size_t{1}}) {
+    TestedRocket rocket{
+        [=](TestedRocket& r) { r.inputs.accelerometers[silent].quality = core::SampleQuality::absent; }};
+    rocket.plan.launch_detection.accelerometers = core::AccelerometerRule::one;
+    rocket.run(whole_test);
+    rocket.expect(silent == 0 ? SelfTestFailure::accelerometer_failed : SelfTestFailure::none);
+  }
 }
 
 TEST(SelfTestAlone, AnAxialForceOffByATenthOfOneGIsBorneAndNotMore) {
@@ -226,6 +250,25 @@ TEST(SelfTestAlone, TwoAccelerometersMayDifferByWhatThePlanAllowsEitherWay) {
     rocket.run(whole_test);
     rocket.expect(std::abs(apart_m_s2) < 1.0F ? SelfTestFailure::none : SelfTestFailure::accelerometers_disagree);
   }
+}
+
+TEST(SelfTestAlone, TwoAccelerometersMayDifferByExactlyWhatThePlanAllows) {
+  for (const std::size_t more : {std::size_t{0}, std::size_t{1}}) {
+    TestedRocket rocket{[=](TestedRocket& r) {
+      r.inputs.accelerometers[more].specific_force_m_s2.x = 10.0F;
+      r.inputs.accelerometers[1 - more].specific_force_m_s2.x = 9.0F;
+    }};
+    rocket.plan.launch_detection.disagreement_m_s2 = 1.0F;
+    rocket.run(whole_test).expect(SelfTestFailure::none);
+  }
+}
+
+TEST(SelfTestAlone, RoomIsNeededForWholeSecondsOfAFlightAndHalfAMinuteAfterIt) {
+  core::FlightPlan plan = core::default_plan();
+  plan.run.control_time = Microseconds{0};
+  EXPECT_EQ(SelfTest::record_bytes(plan), 80'000U * 31U);
+  plan.run.control_time = Microseconds{29'999'970};
+  EXPECT_EQ(SelfTest::record_bytes(plan), 80'000U * 60U);
 }
 
 TEST(SelfTestAlone, TheFlashIsJudgedBeforeACanardMoves) {

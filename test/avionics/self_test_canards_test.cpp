@@ -34,6 +34,46 @@ TEST(SelfTestAlone, WhatMovesWithoutBeingAskedIsNamed) {
   in_turn.run(still_ticks + 2 * move_ticks).expect(SelfTestFailure::canard_did_not_follow, 0);
 }
 
+TEST(SelfTestAlone, EveryCanardIsWatchedWhileOneMovesThoseThatFollowItFirst) {
+  for (const std::size_t wrong : {std::size_t{1}, std::size_t{2}, std::size_t{3}}) {
+    TestedRocket rocket;
+    rocket.run(still_ticks + move_ticks);
+    rocket.change = [=](TestedRocket& r) { r.record.encoders[wrong] = 2_deg; };
+    rocket.run(move_ticks).expect(SelfTestFailure::another_canard_moved, wrong);
+  }
+  TestedRocket two;
+  two.run(still_ticks + move_ticks);
+  two.change = [](TestedRocket& r) { r.record.encoders[1] = r.record.encoders[3] = 2_deg; };
+  two.run(move_ticks).expect(SelfTestFailure::another_canard_moved, 1);
+  TestedRocket swapped;
+  swapped.run(still_ticks + move_ticks);
+  swapped.change = [](TestedRocket& r) { std::swap(r.record.encoders[0], r.record.encoders[2]); };
+  swapped.run(move_ticks).expect(SelfTestFailure::another_canard_moved, 2);
+}
+
+TEST(SelfTestAlone, FromThreeToFourTenthsOfASecondEncodersAreReadToTheMicrosecond) {
+  constexpr Microseconds moves_from{3'000'000};
+  for (const Microseconds read : {Microseconds{299'999}, Microseconds{300'000}}) {
+    TestedRocket rocket;
+    rocket.run(still_ticks);
+    rocket.change = [=](TestedRocket& r) {
+      r.record.encoders[3].reset();
+      if (r.tested_for() == moves_from + read) {
+        r.record.encoders[3] = 3_deg / 3.0F;  // just within what is borne
+      }
+    };
+    rocket.tick_at(moves_from + read);
+    rocket.tick_at(moves_from + Microseconds{399'999});
+    EXPECT_EQ(rocket.test.canard_request().value()[0], Angle{}) << "the centre is not over";
+    rocket.tick_at(moves_from + Microseconds{400'000});
+    if (read < Microseconds{300'000}) {
+      rocket.expect(SelfTestFailure::encoder_silent, 3);
+    } else {
+      EXPECT_EQ(rocket.test.canard_request().value()[0], 3_deg);
+    }
+  }
+}
+
 TEST(SelfTestAlone, ACanardHasThreeTenthsOfASecondToArrive) {
   for (const int late : {300, 330}) {
     TestedRocket rocket;
@@ -88,8 +128,8 @@ TEST(SelfTestAlone, MotionEndsItWhileTheCanardsMoveAndVoidsAPassOnThePad) {
 TEST(SelfTestAlone, APassIsGoodForAMinuteToTheMicrosecond) {
   TestedRocket rocket;
   rocket.run(whole_test);
-  EXPECT_TRUE(rocket.test.passed(rocket.inputs.time + SelfTest::validity));
-  EXPECT_FALSE(rocket.test.passed(rocket.inputs.time + SelfTest::validity + Microseconds{1}));
+  EXPECT_TRUE(rocket.test.passed(rocket.inputs.time + Microseconds{60'000'000}));
+  EXPECT_FALSE(rocket.test.passed(rocket.inputs.time + Microseconds{60'000'001}));
   EXPECT_FALSE(TestedRocket{}.test.passed(tested_from));
 }
 
@@ -102,7 +142,9 @@ TEST(SelfTestAlone, AnotherOneBeginsWithoutWhatTheLastOneFound) {
   EXPECT_EQ(rocket.test.start({.time = rocket.inputs.time}, false), protocol::ArmRefusal::none);
   EXPECT_EQ(rocket.test.failure(), SelfTestFailure::none);
   EXPECT_FALSE(rocket.test.canard());
-  rocket.run(whole_test).expect(SelfTestFailure::none);
+  rocket.run(still_ticks - 1);
+  EXPECT_FALSE(rocket.test.canard_request()) << "it has its still seconds, too";
+  rocket.run(whole_test - still_ticks + 1).expect(SelfTestFailure::none);
 }
 
 }  // namespace

@@ -53,6 +53,11 @@ struct TestedRocket {
     change(*this);
     test.update(inputs, record, flash, board_faulty);
   }
+  /// One tick at this time after the beginning, between which nothing was measured.
+  void tick_at(Microseconds time) {
+    inputs.time = tested_from + time - tick_time;
+    tick();
+  }
   TestedRocket& run(int ticks) {
     for (int i = 0; i < ticks; ++i) {
       tick();

@@ -156,6 +156,22 @@ TEST(CanardMixer, FirstMotionStartsAtTheEncoderAndKeepsItsRate) {
       << "only the first motion is slow";
 }
 
+TEST(CanardMixer, ACanardThatStandsWhereItShouldHasNoFirstMotion) {
+  CanardMixer mixer{default_plan().canards, 9_deg};
+  EXPECT_FALSE(mixed(mixer, Microseconds{}, Angle{}, std::nullopt, at_zero)[0].limited);
+  EXPECT_EQ(mixed(mixer, tick, 9_deg, std::nullopt, at_zero)[0].angle, 9_deg);
+}
+
+TEST(CanardMixer, OfWhatStoodInTheCommandsNothingIsLeft) {
+  CanardMixer mixer{default_plan().canards, 9_deg};
+  CanardCommands commands;
+  commands.fill({.angle = 5_deg, .pulse_us = 1500.0F, .driven = true, .limited = true});
+  mixer.mix(Microseconds{}, Angle{}, std::nullopt, silent, commands);
+  for (const CanardCommand& command : commands) {
+    EXPECT_TRUE(command.angle == Angle{} && command.pulse_us == 0.0F && !command.driven && !command.limited);
+  }
+}
+
 TEST(CanardMixer, ASilentEncoderKeepsItsCanardOffForHalfASecondOnly) {
   CanardMixer mixer{default_plan().canards, 9_deg};
   EncoderAngles encoders = at_zero;
@@ -230,6 +246,7 @@ TEST(CanardMixer, WhatACanardAddsToTheRollIsItsAngleFromTrimInItsSenseUpToTwoDeg
   EXPECT_TRUE(mixer.contribution(1, Angle::from_degrees(-16.99F)));
   EXPECT_FALSE(mixer.contribution(1, Angle::from_degrees(17.01F)));
   EXPECT_FALSE(mixer.contribution(1, Angle::from_degrees(-17.01F)));
+  EXPECT_TRUE(mixer.contribution(1, 15_deg + 2_deg));
   EXPECT_FALSE(mixer.contribution(1, std::nullopt));
   EXPECT_FALSE(mixer.contribution(1, not_a_number()));
 }

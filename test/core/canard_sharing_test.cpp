@@ -175,6 +175,22 @@ TEST(CanardSharing, ASilentEncoderOfAStuckCanardLeavesItWhereItWasSeen) {
   EXPECT_LE(abs(rig.run(500, 3_deg) - 5_deg), near);
 }
 
+TEST(CanardSharing, OneThatFallsSilentAfterASingleTickStaysJudged) {
+  Rig rig;
+  rig.stick(0, -3_deg);
+  rig.tick(3_deg);
+  EXPECT_TRUE(rig.sharing().is_active());
+  rig.silent[0] = true;
+  EXPECT_LE(abs(rig.run(2 * hand_over, 3_deg) - 5_deg), near);
+}
+
+TEST(CanardSharing, BeforeItsFirstTickItReachesWhatThePlanAllows) {
+  const Rig rig;
+  EXPECT_EQ(rig.sharing().reach().lowest, -9_deg);
+  EXPECT_EQ(rig.sharing().reach().highest, 9_deg);
+  EXPECT_EQ(rig.sharing().asked_of_each(4_deg), 4_deg);
+}
+
 TEST(CanardSharing, WithMoreThanTwoJudgedNothingIsShared) {
   Rig rig;
   for (const std::size_t canard : {0U, 1U}) {

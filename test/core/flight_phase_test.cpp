@@ -258,21 +258,30 @@ TEST(FlightPhase, TunnelKnowsNoLaunchNoApogeeAndNoTilt) {
   sequence.expect(Phase::finished, PhaseReason::gyro_failed);
 }
 
-TEST(FlightPhase, DamagedMemoryEndsAFlightAndNothingElse) {
-  Sequence sequence;
-  FlightPhase safe = sequence.phases();
-  safe.give_up(ms(1));
-  EXPECT_EQ(safe.phase(), Phase::safe);
-  FlightPhase armed = sequence.arm().phases();
-  armed.give_up(ms(1));
-  EXPECT_EQ(armed.phase(), Phase::armed);
-  EXPECT_EQ(armed.reason(), PhaseReason::armed_by_switch_and_command);
-  FlightPhase launched = sequence.launch().phases();
-  launched.give_up(ms(1));
-  EXPECT_EQ(launched.phase(), Phase::finished);
-  EXPECT_EQ(launched.reason(), PhaseReason::memory_fault);
-  launched.give_up(ms(2));
-  EXPECT_EQ(launched.reason(), PhaseReason::memory_fault);
+TEST(FlightPhase, WhatNoInputSaysHasNotHappened) {
+  FlightPlan plan = default_plan();
+  plan.run.canard_fault = CanardFaultPolicy::end_control;
+  FlightPhase safe{plan.run, plan.guide, plan.motion};
+  Motion still;
+  still.gyro = SensorState::fresh;
+  still.at_rest_for = plan.motion.rest_time;
+  EXPECT_FALSE(safe.update({.arm_command = true}, still)) << "by a switch";
+  EXPECT_FALSE(safe.update({.arm_switch_closed = true}, still)) << "by a command";
+
+  FlightPhase flown = safe;
+  ASSERT_TRUE(flown.update({.arm_switch_closed = true, .arm_command = true}, still));
+  EXPECT_FALSE(flown.update({.arm_switch_closed = true}, still)) << "by a launch";
+  ASSERT_TRUE(flown.update({.arm_switch_closed = true, .launch_detected = true}, still));
+  EXPECT_FALSE(flown.update({}, still)) << "by a timing fault";
+  Motion fast = still;
+  fast.distance_along_guide_m = fast.speed_m_s = 100.0F;
+  ASSERT_TRUE(flown.update({}, fast));
+  EXPECT_FALSE(flown.update({}, fast)) << "by a fault of a canard";
+
+  const FlightPlan in_tunnel = tunnel_plan();
+  FlightPhase tunnel{in_tunnel.run, in_tunnel.guide, in_tunnel.motion};
+  ASSERT_TRUE(tunnel.update({.arm_switch_closed = true, .arm_command = true}, still));
+  EXPECT_FALSE(tunnel.update({.arm_switch_closed = true}, still)) << "by a start";
 }
 
 TEST(FlightPhase, LaunchPlanDoesNotStartOnTheTunnelsCommand) {

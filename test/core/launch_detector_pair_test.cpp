@@ -40,6 +40,7 @@ TEST(LaunchDetector, OneOfTwoAccelerometersAloneIsRefusedUnlessThePlanAllowsIt) 
       for (int t = 0; t < 300; ++t) {
         const AccelerometerSample good = sample(ms(t), 3.0F);
         const auto state = first_is_lost ? bench.feed(ms(t), {}, good) : bench.feed(ms(t), good, {});
+        EXPECT_TRUE(allowed || state == DetectionState::bad_sample) << t;
         if (state == DetectionState::detected && !fired) {
           fired = ms(t);
         }
@@ -88,6 +89,19 @@ TEST(LaunchDetector, DisagreementUpToHalfAGIsCalibrationNotAFault) {
     state = bench.feed(ms(t), 3.0F, 3.49F);
   }
   EXPECT_EQ(state, DetectionState::detected);
+}
+
+TEST(LaunchDetector, ADifferenceOfExactlyWhatThePlanAllowsIsAllowed) {
+  LaunchDetectionPlan plan = launch_2_rule();
+  plan.disagreement_m_s2 = 4.0F;
+  const auto of = [](float axial_m_s2) {
+    return AccelerometerSample{.specific_force_m_s2 = {axial_m_s2, 0.0F, 0.0F}, .quality = SampleQuality::valid};
+  };
+  for (const bool first_is_more : {false, true}) {
+    Bench bench{plan};
+    const auto state = first_is_more ? bench.feed({}, of(34.0F), of(30.0F)) : bench.feed({}, of(30.0F), of(34.0F));
+    EXPECT_EQ(state, DetectionState::holding);
+  }
 }
 
 TEST(LaunchDetector, SaturatedAccelerometerMayReadTooLittleButNotTooMuch) {

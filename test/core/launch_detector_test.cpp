@@ -121,6 +121,21 @@ TEST(LaunchDetector, StaleInvalidAbsentAndNotFiniteSamplesRestartTheHold) {
   }
 }
 
+TEST(LaunchDetector, ATickThatComesTwiceAddsAndTakesNothing) {
+  Bench bench{launch_1_rule()};
+  bench.hold_level(ms(0), ms(100), 3.0F);
+  EXPECT_EQ(bench.feed(ms(99), 3.0F), DetectionState::holding);
+  EXPECT_EQ(bench.hold_level(ms(100), ms(500), 3.0F), ms(200));
+}
+
+TEST(LaunchDetector, IsQuietAgainWhenADetectionIsOver) {
+  Bench bench{launch_1_rule()};
+  bench.hold_level(ms(0), ms(200), 3.0F);
+  EXPECT_EQ(bench.feed(ms(200), 3.0F), DetectionState::detected);
+  EXPECT_EQ(bench.feed(ms(201), 1.0F), DetectionState::quiet);
+  EXPECT_EQ(bench.feed(ms(202), 3.0F), DetectionState::holding);
+}
+
 TEST(LaunchDetector, SampleThatIsReadAgainUntilItIsStaleRestartsTheHold) {
   Bench bench{launch_1_rule()};
   bench.hold_level(ms(0), ms(199), 3.0F);

@@ -49,6 +49,13 @@ TEST(PdController, LiteralReadingComparesTheRateWithTheReferenceAngle) {
   EXPECT_NEAR(command.unclamped.degrees(), 0.5F * 15.0F + 0.05F * (45.0F - 10.0F), 1e-5F);
 }
 
+TEST(PdController, AFactorIsOnBothGainsAndAnEstimateOfTheOffsetIsTakenAway) {
+  const Adaptation adaptation{.gain_factor = 0.5F, .offset_estimate = 1_deg};
+  const RollCommand command = pd_controller(gains(0.8F, 0.04F, 20_deg), 10_deg, 4_deg, rad(30.0F), 2_deg, adaptation);
+  EXPECT_NEAR(command.before_excitation.degrees(), 0.4F * (10.0F - 4.0F) - 0.02F * 30.0F - 1.0F, 1e-5F);
+  EXPECT_NEAR(command.unclamped.degrees(), 0.4F * (10.0F - 4.0F) - 0.02F * 30.0F - 1.0F + 2.0F, 1e-5F);
+}
+
 TEST(PdController, TheClampComesAfterTheExcitation) {
   // 8 deg from the law and 4 deg from the excitation: clamped first it would be 12 deg or 6 + 4.
   const RollCommand command = pd_controller(gains(1.0F, 0.0F, 6_deg), 8_deg, 0_deg, 0.0F, 4_deg);
