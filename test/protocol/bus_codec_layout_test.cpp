@@ -200,5 +200,11 @@ TEST(BusCodecFlags, ANonceAFieldAndABatteryAreThereOnlyWithTheirFlag) {
   EXPECT_EQ(encode(BoardReport{.battery_mv = std::uint16_t{0}}), FrameBuilder{0x133}.put(62, 1, 1).plain());
 }
 
+TEST(BusCodecFlags, WhatIsAbsentLeavesNothingInItsPlace) {
+  EXPECT_EQ(encode(ArmReply{}), FrameBuilder{0x121}.plain());
+  EXPECT_EQ(encode(PlanReply{}), FrameBuilder{0x122}.plain());
+  EXPECT_EQ(encode(BoardReport{}), FrameBuilder{0x133}.plain());
+}
+
 }  // namespace
 }  // namespace fantail::protocol
