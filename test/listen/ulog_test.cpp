@@ -6,6 +6,7 @@
 #include <random>
 #include <string>
 
+#include <fmt/core.h>
 #include <gtest/gtest.h>
 
 #include "listen/refused.hpp"
@@ -152,6 +153,49 @@ TEST(Ulog, IsReadOnBehindDamageFromTheNextSyncMessage) {
   // Rows 1 to 5, the air data at 5 and its companions lie before that message; 15 to 20 ms are lost.
   EXPECT_EQ(column(read, "timestamp").values.size(), 24U - 6U);
   EXPECT_NE(read.notes[0].find("damaged in one place"), std::string::npos) << read.notes[0];
+}
+
+// A size that is wrong reaches over sound messages: they are lost with it, and counted.
+TEST(Ulog, CountsWhatAMessageOfAWrongSizeReachesOver) {
+  std::string file = whole();
+  const std::string message_there = combined(1'004'000, 10.5F);
+  const std::size_t at = file.find(message_there);
+  file[at] = static_cast<char>(3 * message_there.size() - 3);  // now it ends where the third one ends
+  const UlogColumns read = read_ulog(file, "a.ulg");
+  EXPECT_EQ(column(read, "timestamp").values.size(), 24U - 6U);
+  const std::size_t next = file.find(sync_message, at) + sync_message.size();
+  EXPECT_EQ(read.notes[0], fmt::format("The ULog is damaged in one place: {} bytes are left out, the first at byte {}.",
+                                       next - at, at));
+}
+
+TEST(Ulog, LeavesOutAMessageThatStandsAloneWithItsTime) {
+  for (const std::uint64_t time_us : {1'060'000ULL, 1'000'100ULL, 4'000'000'000ULL}) {
+    std::string file = whole();
+    const std::string was = combined(1'036'000, 18.5F);
+    file.replace(file.find(was), was.size(), combined(time_us, 18.5F));
+    std::string more;
+    for (std::uint64_t i = 0; i < 100; ++i) {
+      more += combined(1'100'000 + 4000 * i, 9.5F);
+    }
+    const UlogColumns read = read_ulog(file + more, "a.ulg");
+    EXPECT_EQ(column(read, "timestamp").values.size(), 24U - 1U + 100U) << time_us;
+    EXPECT_EQ(read.notes[0], "One message that stands alone with its time is left out.");
+  }
+}
+
+TEST(Ulog, WhoseTimeGoesBackIsRefused) {
+  std::string back;
+  for (std::uint64_t i = 0; i < 10; ++i) {
+    back += combined(1'050'000 + 4000 * i, 9.5F);
+  }
+  expect_refusal(text::ErrorKind::bad_data, {"a.ulg", "sensor_combined", "from 1.076000 s to 1.050000 s"},
+                 [&] { (void)read_ulog(whole() + back, "a.ulg"); });
+  std::string often;
+  for (std::uint64_t i = 0; i < 200; ++i) {
+    often += combined(1'100'000 + 4000 * i - (i % 50 == 49 ? 8000 : 0), 9.5F);
+  }
+  expect_refusal(text::ErrorKind::bad_data, {"a.ulg", "again and again: 4 of 224"},
+                 [&] { (void)read_ulog(whole() + often, "a.ulg"); });
 }
 
 TEST(Ulog, OfAnyBytesEndsInATableOrARefusal) {

@@ -64,9 +64,8 @@ std::optional<std::pair<const Type*, std::size_t>> type_of(std::string_view text
 
 }  // namespace
 
-std::vector<UlogField> ulog_fields(std::string_view format) {
-  std::vector<UlogField> fields;
-  std::size_t offset = 0;
+UlogFormat ulog_format(std::string_view format) {
+  UlogFormat result;
   while (!format.empty()) {
     const std::size_t end = std::min(format.find(';'), format.size());
     const std::string_view text = format.substr(0, end);
@@ -74,18 +73,21 @@ std::vector<UlogField> ulog_fields(std::string_view format) {
     const std::size_t space = text.find(' ');
     const auto type = type_of(text.substr(0, space));
     if (space == std::string_view::npos || !type) {
+      result.whole = false;
       break;
     }
     const std::string name{text.substr(space + 1)};
+    const bool is_padding = name.starts_with("_padding");
     for (std::size_t i = 0; i < type->second; ++i) {
-      if (type->second <= most_elements && !name.starts_with("_padding")) {
-        fields.push_back(
-            {type->second == 1 ? name : fmt::format("{}[{}]", name, i), type->first->size, type->first->read, offset});
+      if (type->second <= most_elements && !is_padding) {
+        result.fields.push_back({type->second == 1 ? name : fmt::format("{}[{}]", name, i), type->first->size,
+                                 type->first->read, result.size});
       }
-      offset += type->first->size;
+      result.size += type->first->size;
     }
+    result.padding = is_padding ? type->second * type->first->size : 0;
   }
-  return fields;
+  return result;
 }
 
 }  // namespace fantail::listen

@@ -16,8 +16,17 @@ struct UlogField {
   std::size_t offset;  ///< from the begin of the message's data
 };
 
-/// The figures of a format, "uint64_t timestamp;float[3] gyro_rad;", up to the first field that is another message:
-/// what lies behind that is at no known place. Without padding and arrays of more than 16.
-[[nodiscard]] std::vector<UlogField> ulog_fields(std::string_view format);
+/// What lies where in the data of a message.
+struct UlogFormat {
+  std::vector<UlogField> fields{};  ///< without padding and arrays of more than 16
+  std::size_t size = 0;             ///< bytes of all
+  std::size_t padding = 0;          ///< of these at the end, which a logger leaves out
+  bool whole = true;                ///< false: the rest is other messages, at no known place and of no known size
+
+  [[nodiscard]] bool fits(std::size_t bytes) const { return !whole || bytes == size || bytes == size - padding; }
+};
+
+/// Of "uint64_t timestamp;float[3] gyro_rad;".
+[[nodiscard]] UlogFormat ulog_format(std::string_view format);
 
 }  // namespace fantail::listen
