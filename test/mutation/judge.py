@@ -93,7 +93,7 @@ def sentences(verdict):
         wrong.append(f"{verdict.score:.1%} of the mutants were noticed, which is less than {SCORE:.0%}")
     for r in verdict.unlisted:
         what = "no test notices, in a file that allows none" if r in verdict.strict else "no test notices"
-        wrong.append(f"{r['id']}: {what}: \"{r['now']}\" instead of \"{r['was']}\"")
+        wrong.append(f"{r['id']}: {what} ({r['by']}): \"{r['now']}\" instead of \"{r['was']}\"")
     wrong += [f"{r['id']}: stands in survivors.txt and is noticed by {r['by']}" for r in verdict.stale]
     wrong += [f"survivors.txt: no mutant of {entry.file} makes \"{entry.now}\" of \"{entry.was}\"" for entry in verdict.gone]
     return wrong

@@ -16,6 +16,8 @@ class Mutant:
     function: str  # that encloses it; empty at the level of a namespace or class
     was: str  # the lines that it changes, with single spaces
     now: str
+    last_line: int = 0  # that it changes
+    early: bool = False  # whether the compiler may have computed it before any test runs
 
     @property
     def id(self):

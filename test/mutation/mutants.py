@@ -34,7 +34,7 @@ def mutants(file, path, arguments):
     if errors:
         raise ValueError(f"{path} cannot be parsed, so nobody knows its mutants: {errors[0]}")
     maker = Maker(file, path)
-    maker.walk(unit.cursor, "")
+    maker.walk(unit.cursor, "", True)
     return sorted(maker.found.values(), key=lambda m: (m.begin, m.end, m.operator))
 
 
@@ -44,6 +44,7 @@ class Maker:
         with open(path, "rb") as stream:
             self.text = stream.read()
         self.found = {}
+        self.early = True  # of what is walked
 
     def inside(self, cursor):
         at = cursor.extent.start
@@ -61,25 +62,30 @@ class Maker:
                     for middle in (self.text[begin:end], replacement.encode()))
         self.found[begin, end, replacement] = Mutant(
             self.file, begin, end, replacement, operator, self.text.count(b"\n", 0, begin) + 1, begin - first + 1,
-            function, " ".join(was.split()), " ".join(now.split()))
+            function, " ".join(was.split()), " ".join(now.split()), self.text.count(b"\n", 0, end) + 1, self.early)
 
     def replace(self, cursor, replacement, operator, function):
         self.add(cursor.extent.start.offset, cursor.extent.end.offset, replacement, operator, function)
 
-    def walk(self, cursor, function):
+    def walk(self, cursor, function, early):
         for child in cursor.get_children():
             if cursor.kind == Kind.TRANSLATION_UNIT and not self.inside(child):
                 continue
-            if child.kind == Kind.STATIC_ASSERT or self.is_consteval(child):
+            if child.kind == Kind.STATIC_ASSERT or self.is_declared(child, "consteval"):
                 continue
-            own = child.spelling if child.kind in FUNCTIONS else function
+            own, sooner = function, early
+            if child.kind in FUNCTIONS:
+                own, sooner = child.spelling, self.is_declared(child, "constexpr")
+            elif child.kind in (Kind.PARM_DECL, Kind.FIELD_DECL):  # what it is without being told
+                sooner = True
+            self.early = sooner
             self.visit(child, own)
-            self.walk(child, own)
+            self.walk(child, own, sooner)
 
-    def is_consteval(self, cursor):
+    def is_declared(self, cursor, word):
         if cursor.kind not in FUNCTIONS:
             return False
-        return re.search(r"\bconsteval\b", self.source(cursor).split("(")[0]) is not None
+        return re.search(rf"\b{word}\b", self.source(cursor).split("(")[0]) is not None
 
     def visit(self, cursor, function):
         if not self.inside(cursor):

@@ -21,14 +21,18 @@ clang.cindex.Config.set_library_file("/usr/lib/x86_64-linux-gnu/libclang-19.so.1
 
 
 def changes(text, arguments=("-std=c++20", "-x", "c++")):
-    """operator -> the lines that it makes."""
+    """(operator, the lines that it makes) of each."""
+    return {(m.operator, m.now) for m in slips(text, arguments)}
+
+
+def slips(text, arguments=("-std=c++20", "-x", "c++")):
     with tempfile.TemporaryDirectory() as folder:
         path = pathlib.Path(folder, "a.cpp")
         path.write_text(text)
         found = mutants.mutants("a.cpp", str(path), list(arguments))
         again = mutants.mutants("a.cpp", str(path), list(arguments))
         assert found == again and len({m.id + m.now for m in found}) == len(found)
-        return {(m.operator, m.now) for m in found}
+        return found
 
 
 class Slips(unittest.TestCase):
@@ -67,6 +71,16 @@ class Slips(unittest.TestCase):
 
     def test_none_of_what_only_the_compiler_runs(self):
         self.assertEqual(changes("consteval int f() { return 3; }\nstatic_assert(1 < 2);\n"), set())
+
+    def test_what_the_compiler_may_have_computed_is_marked(self):
+        text = ("constexpr int f() { return 31; }\nint g(int x = 41);\nint g(int x) {\n  const int y = 51;\n"
+                "  return x + y + 61;\n}\nint h = 71;\nstruct S {\n  int y = 81;\n  int z() { return 91; }\n};\n")
+        marked = {m.replacement: m.early for m in slips(text) if m.operator == "one more"}
+        self.assertEqual(marked, {"32": True, "42": True, "52": False, "62": False, "72": True, "82": True, "92": False})
+
+    def test_every_line_that_a_slip_changes_is_known(self):
+        found = [m for m in slips("int g(int, int);\nvoid f(int x) {\n  g(x,\n    x);\n}\n") if m.operator == "removed"]
+        self.assertEqual([(m.line, m.last_line) for m in found], [(3, 4)])
 
     def test_a_text_that_cannot_be_parsed_is_an_error_and_not_a_file_without_mutants(self):
         with self.assertRaisesRegex(ValueError, "cannot be parsed"):

@@ -23,6 +23,7 @@ import threading
 import time
 
 sys.dont_write_bytecode = True  # not between the sources
+import catalogue
 import judge
 import trial
 import workshop
@@ -101,21 +102,6 @@ def select(mutants, options):
                   key=lambda m: (m.file, m.begin, m.end))
 
 
-def all_mutants(shop, files, progress):
-    import clang.cindex  # not before the options are read: --help needs no libclang
-
-    import mutants
-    for library in ("/usr/lib/x86_64-linux-gnu/libclang-19.so.1", "libclang-19.so.1"):
-        if os.path.exists(library) or not library.startswith("/"):
-            clang.cindex.Config.set_library_file(library)
-            break
-    found = []
-    for number, file in enumerate(files, 1):
-        progress.say(f"reading {number} of {len(files)}: {file}")
-        found += mutants.mutants(file, str(shop.root / file), shop.parse_arguments(file))
-    return found
-
-
 def run_all(court, chosen, results_file, results, progress):
     """Tries them, as many at a time as there are processors, and writes each result as it comes."""
     places, lock, stop = threading.local(), threading.Lock(), threading.Event()
@@ -145,6 +131,7 @@ def run_all(court, chosen, results_file, results, progress):
                 future.result()
         except BaseException:
             stop.set()
+            trial.end_all()
             pool.shutdown(cancel_futures=True)
             raise
 
@@ -189,13 +176,13 @@ def main(arguments, root):
         results = read_results(results_path, header) if options.resume else []
         folder.mkdir(parents=True, exist_ok=True)
         shop = workshop.Workshop(root, build / "host", folder)
-        everything = all_mutants(shop, options.file or files, progress)
+        everything = catalogue.all_mutants(shop, options.file or files, progress.say)
         chosen = select(everything, options)
         tried = {(r["file"], r["begin"], r["now"]) for r in results}
         left = [m for m in chosen if (m.file, m.begin, m.now) not in tried]
         print(f"seed {options.seed}; the same again with --seed {options.seed}", file=sys.stderr)
         court = trial.Court(shop, progress.say)
-        court.prepare(any(m.file.endswith(".hpp") for m in left), options.resume)
+        court.prepare()
         progress = Progress(len(left))
         with results_path.open("a" if options.resume else "w") as stream:
             if not options.resume:

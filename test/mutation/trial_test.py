@@ -11,6 +11,7 @@ import shutil
 import sys
 import tempfile
 import unittest
+import unittest.mock
 
 sys.dont_write_bytecode = True  # not between the sources
 import judge
@@ -19,22 +20,45 @@ import trial
 import workshop
 from mutant import Mutant
 
-PRODUCT = "int counted(int to) {\n  volatile int i = 0;\n  while (i < to) {\n    i = i + 1;\n  }\n  return i;\n}\n"
-HEADER = "inline int doubled(int x) { return x * 2; }\n"
-USER = '#include "core/doubled.hpp"\nint doubled_by_product(int x) { return doubled(x); }\n'
-TEST = """#include <cstdio>
-int counted(int);
-int doubled_by_product(int);
-int main() {
-  if (counted(3) != 3 || doubled_by_product(0) != 0) {
-    std::puts("[  FAILED  ] Counted.Three (0 ms)");
-    return 1;
+PRODUCT = """constexpr int limit = 9;
+int counted(int to) {
+  if (to < 0) {
+    return -1;
   }
-  std::puts("[  PASSED  ] 1 test.");
+  if (to > limit) {
+    return -2;
+  }
+  volatile int i = 0;
+  while (i < to) {
+    i = i + 1;
+  }
+  return i;
 }
 """
-NINJA = "rule link\n  command = : && c++ test.o -o $out && :\n" + "".join(
-    f"build test/{name}/test_{name}: link\n" for name in workshop.FOLDERS)
+HEADER = "inline int doubled(int x) { return x * 2; }\n"
+USER = """#include "core/doubled.hpp"
+int doubled_by_product(int x) { return doubled(x); }
+int four_times(int x) { return doubled(x) + doubled(x); }
+int optimised() {
+#ifdef __OPTIMIZE__
+  return 1;
+#else
+  return 0;
+#endif
+}
+"""
+TEST = """#include <gtest/gtest.h>
+int counted(int);
+int doubled_by_product(int);
+int optimised();
+TEST(Counted, Three) { EXPECT_EQ(counted(3), 3); }
+TEST(Counted, Negative) { EXPECT_LT(counted(-1), 0); EXPECT_EQ(counted(9), 9); }
+TEST(Doubled, Zero) { EXPECT_EQ(doubled_by_product(0), 0); }
+"""
+NINJA = ("rule link\n  command = : && c++ test.o /usr/lib/x86_64-linux-gnu/libgtest.a -o $out && :\n"
+         "build test/core/test_core: link\n")
+COMPILED = {}  # what never changes is compiled once: name or text -> object
+RUNNER = ("runner.o", "runner.key")
 
 
 class Project:
@@ -44,25 +68,36 @@ class Project:
         self.root = pathlib.Path(folder)
         self.build = self.root / "build"
         for path, text in {"firmware/core/counted.cpp": PRODUCT, "firmware/core/user.cpp": USER,
-                           "firmware/core/doubled.hpp": HEADER, "build/test.cpp": test, "build/build.ninja": NINJA}.items():
+                           "firmware/core/doubled.hpp": HEADER, "build/test.cpp": test, "build/build.ninja": NINJA,
+                           workshop.RUNNER: pathlib.Path(__file__).with_name("runner.cpp").read_text()}.items():
             (self.root / path).parent.mkdir(parents=True, exist_ok=True)
             (self.root / path).write_text(text)
         commands = [{"file": str(self.root / file), "directory": str(self.build),
                      "command": f"{compiler} -O2 -I{self.root}/firmware -o x.o -c {self.root / file}"}
                     for file in ("firmware/core/counted.cpp", "firmware/core/user.cpp")]
         (self.build / "compile_commands.json").write_text(json.dumps(commands))
-        workshop.tool(["c++", "-c", "test.cpp", "-o", "test.o"], self.build, "the test of this test")
+        if test not in COMPILED:
+            workshop.tool(["c++", "-std=c++20", "-c", "test.cpp", "-o", "test.o"], self.build, "the test of this test")
+            COMPILED[test] = (self.build / "test.o").read_bytes()
+        (self.build / "test.o").write_bytes(COMPILED[test])
         self.shop = workshop.Workshop(self.root, self.build, self.root / "build/mutation")
 
     def court(self):
         court = trial.Court(self.shop)
-        court.prepare(True)
+        self.shop.folder.mkdir(exist_ok=True)
+        for name in RUNNER:
+            if name in COMPILED:
+                (self.shop.folder / name).write_bytes(COMPILED[name])
+        court.prepare()
+        for name in RUNNER:
+            COMPILED[name] = (self.shop.folder / name).read_bytes()
         return court
 
-    def outcome(self, court, was, now, file="firmware/core/counted.cpp", function=""):
+    def outcome(self, court, was, now, file="firmware/core/counted.cpp", function="", early=False):
         text = (self.root / file).read_text()
         begin = text.index(was)
-        mutant = Mutant(file, begin, begin + len(was), now, "slip", 1, 1, function, was, now)
+        line = text.count("\n", 0, begin) + 1
+        mutant = Mutant(file, begin, begin + len(was), now, "slip", line, 1, function, was, now, line, early)
         place = self.root / "build/mutation/place"
         place.mkdir(exist_ok=True)
         return court.try_mutant(mutant, place)
@@ -72,19 +107,28 @@ class InAFolder(unittest.TestCase):
     def setUp(self):
         self.folder = tempfile.mkdtemp()
         self.addCleanup(shutil.rmtree, self.folder)
+        for what, only in (("workshop.FOLDERS", ("core",)), ("trial.PROGRAMS", {"core": ("core",)})):
+            patched = unittest.mock.patch(what, only)
+            patched.start()
+            self.addCleanup(patched.stop)
 
 
 class Trial(InAFolder):
     def test_each_outcome(self):
         project = Project(self.folder)
         court = project.court()
-        court.limit = lambda *_: 1  # second of the processor
+        with unittest.mock.patch("trial.LEAST_LIMIT_S", 1):
+            self.assertEqual(project.outcome(court, "i = i + 1", "i = i"), ("timeout", "test_core Counted.Three"))
         self.assertEqual(project.outcome(court, "i < to", "i <= to"), ("killed", "test_core Counted.Three"))
-        self.assertEqual(project.outcome(court, "i < to", "i != to"), ("survived", ""))
+        self.assertEqual(project.outcome(court, "i < to", "i != to"), ("survived", "2 tests reach it"))
         self.assertEqual(project.outcome(court, "i = i + 1", "i = 1 + i"), ("same", ""))
         self.assertEqual(project.outcome(court, "i < to", "i <"), ("invalid", ""))
-        self.assertEqual(project.outcome(court, "i = i + 1", "i = i"), ("timeout", "test_core"))
         self.assertEqual(project.outcome(court, "return i", "__builtin_trap()")[0], "killed")
+
+    def test_what_only_the_optimiser_sees_to_be_the_same_is_the_same(self):
+        project = Project(self.folder)
+        court = project.court()
+        self.assertEqual(project.outcome(court, "doubled(x) + doubled(x)", "x * 2 + x * 2", "firmware/core/user.cpp"), ("same", ""))
 
     def test_a_mutant_of_a_header_takes_the_place_of_every_copy(self):
         project = Project(self.folder)
@@ -95,16 +139,53 @@ class Trial(InAFolder):
         self.assertEqual(project.outcome(court, "x * 2", "2 * x", header, "doubled")[0], "same")
         self.assertEqual(project.outcome(court, "x * 2", "x + 2", header)[0], "killed")
 
+    def test_only_tests_that_reach_a_line_are_asked(self):
+        project = Project(self.folder)
+        court = project.court()
+        self.assertEqual(project.outcome(court, "return -2", "return -3")[1], "0 tests reach it")
+        self.assertEqual(project.outcome(court, "return -1", "return -3")[1], "1 tests reach it")
+        # What the compiler may have computed is noticed by whoever reaches the file.
+        self.assertEqual(project.outcome(court, "return -2", "return -3", early=True)[1], "2 tests reach it")
+        self.assertEqual(project.outcome(court, "limit = 9", "limit = 8", early=True), ("killed", "test_core Counted.Negative"))
+
+    def test_what_was_prepared_is_kept_until_something_changes(self):
+        project = Project(self.folder)
+        project.court()
+        again = Project(self.folder)
+        with unittest.mock.patch("trial.run_tests", side_effect=AssertionError), \
+                unittest.mock.patch.object(again.shop, "keep", side_effect=AssertionError):
+            again.court()
+        other = Project(self.folder, test=TEST.replace("counted(3), 3", "counted(4), 4"))
+        with unittest.mock.patch("trial.run_tests", side_effect=workshop.ToolFailure("asked")):
+            self.assertRaisesRegex(workshop.ToolFailure, "asked", other.court)
+        (project.root / "firmware/core/doubled.hpp").write_text(HEADER.replace("x * 2", "x * 0"))
+        court = trial.Court(workshop.Workshop(project.root, project.build, project.shop.folder))
+        court.prepare()
+        self.assertEqual(project.outcome(court, "x * 0", "0 * x", "firmware/core/doubled.hpp", "doubled")[0], "same")
+
     def test_tests_that_fail_without_a_mutant_are_no_judge(self):
-        project = Project(self.folder, test=TEST.replace("counted(3) != 3", "counted(3) != 4"))
         with self.assertRaisesRegex(workshop.ToolFailure, "fails without any mutant"):
-            project.outcome(project.court(), "i < to", "i <= to")
+            Project(self.folder, test=TEST.replace("counted(3), 3", "counted(3), 4")).court()
+
+    def test_nor_are_those_that_fail_only_as_they_are_compiled_for_mutants(self):
+        project = Project(self.folder, test=TEST.replace("doubled_by_product(0), 0", "optimised(), 0"))
+        court = project.court()
+        with self.assertRaisesRegex(workshop.ToolFailure, "fails without any mutant"):
+            project.outcome(court, "return 1", "return 2", "firmware/core/user.cpp")
 
     def test_tests_that_run_nothing_are_no_judge(self):
-        for words in ("", "[  PASSED  ] 0 tests."):
-            project = Project(self.folder, test=TEST.replace("[  PASSED  ] 1 test.", words))
-            with self.assertRaisesRegex(workshop.ToolFailure, "has passed no test"):
-                project.outcome(project.court(), "i < to", "i != to")
+        with self.assertRaisesRegex(workshop.ToolFailure, "has not run what it should"):
+            Project(self.folder, test=TEST.replace("EXPECT_EQ(counted(3), 3)", "GTEST_SKIP()")).court()
+        with self.assertRaisesRegex(workshop.ToolFailure, "names no tests"):
+            Project(self.folder, test="#include <gtest/gtest.h>\nint counted(int);\nint three = counted(3);\n").court()
+
+    def test_a_program_that_ends_in_the_middle_is_loud(self):
+        for script in ("exit 0", "echo passed A.B 0.1; exit 0", "echo failed A.B 0.1", "echo passed A.B 0.1; echo end; exit 1"):
+            program = pathlib.Path(self.folder, "program")
+            program.write_text(f"#!/bin/sh\n{script}\n")
+            program.chmod(0o755)
+            with self.assertRaisesRegex(workshop.ToolFailure, "has not run what it should"):
+                trial.run_tests(program, [("A.B", 1)], program.parent)
 
     def test_a_program_that_cannot_be_linked_is_loud(self):
         project = Project(self.folder)
