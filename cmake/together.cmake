@@ -32,7 +32,7 @@ set(FANTAIL_COMPILED_APART
   "test/sil|six_dof_test.cpp truth_oracle.cpp"
   "test/sim|felt_motion_test.cpp rigid_flight_test.cpp roll_plant_test.cpp servo_fault_test.cpp servo_load_test.cpp servo_test.cpp"
   "test/sim|gimbal_test.cpp inertial_model_test.cpp wind_test.cpp"
-  "test/system|bench_trouble_test.cpp fly_test.cpp fly_trajectory_test.cpp log_export_test.cpp"
+  "test/system|bench_trouble_test.cpp fly_test.cpp log_export_test.cpp"
   "tools/bench|sheet.cpp sheet_text.cpp turn_figures.cpp watch.cpp"
   "tools/input|file_kind.cpp geometry_checks.cpp number_field.cpp vehicle_fields.cpp"
   "tools/link|plan_reader.cpp plan_sender.cpp"
@@ -65,6 +65,7 @@ set(FANTAIL_COMPILED_ALONE
   test/sil/verdict_oracle_test.cpp
   test/sim/random_test.cpp test/sim/servo_spread_test.cpp
   test/stability/loop_at_speed_test.cpp
+  test/system/fly_trajectory_test.cpp
   test/telemetry/lossy_link_test.cpp
   test/trajectory/trajectory_test.cpp
   test/tune/tuning_test.cpp
