@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "campaign/parallel_for.hpp"
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <chrono>
+#include <mutex>
+#include <set>
 #include <stdexcept>
 #include <thread>
 
@@ -22,6 +25,19 @@ TEST(ParallelFor, DoesEveryPieceOfWorkOnce) {
       EXPECT_EQ(times, 1) << threads << " threads";
     }
   }
+}
+
+TEST(ParallelFor, TakesAtMostFourThreadsForEachProcessor) {
+  std::mutex mutex;
+  std::set<std::thread::id> seen;
+  parallel_for(
+      2000, 1000,
+      [&](std::size_t) {
+        const std::lock_guard lock{mutex};
+        seen.insert(std::this_thread::get_id());
+      },
+      look_away);
+  EXPECT_LE(seen.size(), std::size_t{4} * std::max(1U, std::thread::hardware_concurrency()));
 }
 
 TEST(ParallelFor, TellsTheCallerOnTheCallersThreadAndAtTheEndThatAllIsDone) {

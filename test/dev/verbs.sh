@@ -46,7 +46,12 @@ quick() {
   call 1 predict tasha3_launch1 --runs 40
   call 0 campaign tasha3_launch2 --runs 64
   call 0 campaign detection --plan tasha3_launch2 --kind drop --events 64
+  call 64 campaign detection --events 0 --launches 0
+  call 64 campaign detection --kind launch_one_bad --launches 4 --at-most 10
+  call 1 campaign detection --plan tasha3_launch2 --kind launch --launches 5 --at-most 0.1
   call 0 campaign faults tasha3_launch2 --device bus --phase launched
+  call 0 campaign faults tasha3_launch2 --cell imu/offset_100/controlling
+  call 64 campaign faults tasha3_launch2 --cell imu/dead/armed --device imu
   call 0 paper
   call 0 airframe tasha3_launch2
   call 0 new my_rocket --from tasha3_launch2

@@ -190,13 +190,6 @@ Prepared prepare(const Campaign& campaign, unsigned threads, const std::function
   return {.campaign = campaign, .twins = std::move(twins), .extent = extent};
 }
 
-Extent extent_of(const Campaign& campaign) { return prepare(campaign).extent; }
-
-Result fly_campaign(const Campaign& campaign, const std::filesystem::path& folder, const std::string& program,
-                    unsigned threads, const std::function<void(std::uint64_t)>& look) {
-  return fly_campaign(prepare(campaign, threads), folder, program, threads, look);
-}
-
 Result fly_campaign(const Prepared& prepared, const std::filesystem::path& folder, const std::string& program,
                     unsigned threads, const std::function<void(std::uint64_t)>& look) {
   const Campaign& campaign = prepared.campaign;
@@ -262,10 +255,6 @@ Result fly_campaign(const Prepared& prepared, const std::filesystem::path& folde
     result.cells.push_back(conclude(tasks[i].cell, cells[i], limits[i].limit));
   }
   return result;
-}
-
-Alone fly_alone(const Campaign& campaign, const std::string& cell, std::uint64_t number) {
-  return fly_alone(prepare(only(campaign, cell)), cell, number);
 }
 
 Alone fly_alone(const Prepared& prepared, const std::string& cell_name, std::uint64_t number) {

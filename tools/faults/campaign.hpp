@@ -109,7 +109,7 @@ struct Prepared {
 /// flights, before they are listed.
 [[nodiscard]] Prepared prepare(const Campaign& campaign, unsigned threads = 0,
                                const std::function<void(std::size_t done)>& look = {});
-[[nodiscard]] Extent extent_of(const Campaign& campaign);
+[[nodiscard]] inline Extent extent_of(const Campaign& campaign) { return prepare(campaign).extent; }
 
 /// Flies every run that `folder` does not hold yet. Runs are stored by parts, each sealed with the campaign and the
 /// program that have made it, under another name first and then renamed, so that whoever begins again finds a part
@@ -121,9 +121,11 @@ struct Prepared {
 [[nodiscard]] Result fly_campaign(const Prepared& prepared, const std::filesystem::path& folder,
                                   const std::string& program, unsigned threads,
                                   const std::function<void(std::uint64_t done)>& look);
-[[nodiscard]] Result fly_campaign(const Campaign& campaign, const std::filesystem::path& folder,
-                                  const std::string& program, unsigned threads,
-                                  const std::function<void(std::uint64_t done)>& look);
+[[nodiscard]] inline Result fly_campaign(const Campaign& campaign, const std::filesystem::path& folder,
+                                         const std::string& program, unsigned threads,
+                                         const std::function<void(std::uint64_t done)>& look) {
+  return fly_campaign(prepare(campaign, threads), folder, program, threads, look);
+}
 
 /// One run of a cell again. Throws text::Error for a cell that the scenario cannot have and a number that it has not.
 struct Alone {
@@ -134,10 +136,12 @@ struct Alone {
   CellResult judged;  ///< as if it were the cell's only one: the same verdict as the campaign's
 };
 [[nodiscard]] Alone fly_alone(const Prepared& prepared, const std::string& cell, std::uint64_t number);
-[[nodiscard]] Alone fly_alone(const Campaign& campaign, const std::string& cell, std::uint64_t number);
 
 /// A campaign of this cell alone, whose runs are those of the whole one. Throws text::Error (usage) for no cell.
 [[nodiscard]] Campaign only(Campaign campaign, const std::string& cell);
+[[nodiscard]] inline Alone fly_alone(const Campaign& campaign, const std::string& cell, std::uint64_t number) {
+  return fly_alone(prepare(only(campaign, cell)), cell, number);
+}
 
 /// Writes the flight report of a run.
 void write_run(const Campaign& campaign, const std::string& cell, std::uint64_t number, const Alone& alone,
