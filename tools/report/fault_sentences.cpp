@@ -17,9 +17,9 @@ std::string unmeasured(const flight::Flight& flight) {
   const flight::Unmeasured& u = flight.unmeasured;
   std::string text;
   if (u.silent_from_s) {
-    text += fmt::format(
-        " The gyro gave no usable rate for {} s in all, first at {} s; no roll was commanded meanwhile.",
-        text::fixed(u.silent_for_s, 3), text::fixed(*u.silent_from_s, 2));
+    text +=
+        fmt::format(" The gyro gave no usable rate for {} s in all, first at {} s; no roll was commanded meanwhile.",
+                    text::fixed(u.silent_for_s, 3), text::fixed(*u.silent_from_s, 2));
   }
   if (u.speed_bound_from_s) {
     text += fmt::format(

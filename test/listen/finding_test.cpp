@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+// What is said of logs with launches that were none, late ones and doubtful columns.
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include <gtest/gtest.h>
+
+#include "listen/fly_log.hpp"
+#include "listen/made_log.hpp"
+#include "listen/outputs.hpp"
+#include "listen/sentences.hpp"
+
+namespace fantail::listen {
+namespace {
+
+using namespace made;
+
+// 120 ms of 10 g fire the detector; the guide is not cleared, and after two seconds at rest the law listens again.
+TEST(FlyLog, WithAKnockBeforeTheLaunchNamesTheLaunchThatWasNone) {
+  const auto knocked = [](double width_s) {
+    return [=](double t) { return t > 4.0 && t < 4.0 + width_s ? 10.0 * g : t < 10.0 ? g : constant_push(t - 5.0); };
+  };
+  const Heard heard = fly_log(log_of(signal(25.0, 0.01, knocked(0.12))), question());
+  EXPECT_EQ(finding(heard), Finding::imagined);
+  ASSERT_EQ(heard.false_detections_s.size(), 1U);
+  EXPECT_NEAR(heard.false_detections_s[0], 4.1, 0.02);
+  EXPECT_NEAR(heard.since_lift_off_s(heard.detected_s).value(), 0.11, 0.01);
+  EXPECT_NE(headline(heard).find("one launch that was none in the 9.99 s before it"), std::string::npos)
+      << headline(heard);
+  EXPECT_EQ(finding(fly_log(log_of(signal(25.0, 0.01, knocked(0.04))), question())), Finding::heard);
+}
+
+// 3 g above the pad's for 0.25 s; the boost begins before the law has seen its two seconds at rest, and after.
+TEST(FlyLog, WithABumpThatLastsNamesItAndTheLaunchThatIsMissedForIt) {
+  const auto bumped = [](double launch_s) {
+    return fly_log(log_of(signal(launch_s + 12.0, 0.01,
+                                 [=](double t) {
+                                   return t > 4.0 && t < 4.25 ? 4.0 * g
+                                                              : constant_push(t < launch_s ? 0.0 : t - launch_s + 5.0);
+                                 })),
+                   question());
+  };
+  const Heard missed = bumped(6.0);
+  EXPECT_EQ(finding(missed), Finding::imagined_and_missed);
+  EXPECT_NEAR(missed.lift_off_s.value(), 6.0, 0.011);
+  ASSERT_EQ(missed.false_detections_s.size(), 1U);
+  EXPECT_NEAR(missed.false_detections_s[0], 4.1, 0.02);
+  EXPECT_EQ(missed.detected_s, std::nullopt);
+  EXPECT_EQ(headline(missed), "The launch was not detected, and one that was none was, in the 5.99 s before it.");
+  EXPECT_NE(as_json(missed, "1").find("\"imagined_and_missed\""), std::string::npos);
+
+  const Heard after = bumped(12.0);
+  EXPECT_EQ(finding(after), Finding::imagined);
+  EXPECT_NEAR(after.since_lift_off_s(after.detected_s).value(), 0.11, 0.01);
+
+  const Heard through = bumped(4.6);
+  EXPECT_EQ(finding(through), Finding::imagined);
+  EXPECT_NEAR(through.since_lift_off_s(through.detected_s).value(), -0.49, 0.02);
+  EXPECT_TRUE(through.control) << "the law was in Launched when the rocket left";
+  EXPECT_NE(headline(through).find("s before lift-off"), std::string::npos) << headline(through);
+}
+
+TEST(FlyLog, OfOneStrokeByHandIsALaunchThatWasNone) {
+  const auto stroke = [](double width_s) {
+    ImuLog log = log_of(signal(12.0, 0.01, [=](double t) { return t > 5.0 && t < 5.0 + width_s ? 4.0 * g : g; }));
+    log.height = signal(12.0, 0.1, [](double) { return 0.0; });
+    return fly_log(std::move(log), question());
+  };
+  for (const double width_s : {0.13, 0.20, 0.30}) {
+    const Heard heard = stroke(width_s);
+    EXPECT_EQ(finding(heard), Finding::imagined) << width_s;
+    EXPECT_EQ(heard.lift_off_s, std::nullopt) << width_s;
+    EXPECT_EQ(headline(heard), "There is no lift-off in this log, and a launch was detected all the same.");
+  }
+}
+
+// 17 m/s within half a second are beyond the gates of guide and speed: the canards would have moved.
+TEST(FlyLog, OfAPushThatPassesTheGatesSaysThatControlBegan) {
+  Question easy = question();
+  easy.plan.guide.length_m = 1.0F;
+  easy.plan.guide.clearance_m = 0.1F;
+  const Heard heard =
+      fly_log(log_of(signal(12.0, 0.01, [](double t) { return t > 5.0 && t < 5.22 ? 9.0 * g : g; })), easy);
+  EXPECT_EQ(finding(heard), Finding::imagined);
+  ASSERT_TRUE(heard.early_control_s);
+  EXPECT_NEAR(*heard.early_control_s, 5.2, 0.1);
+  EXPECT_NE(headline(heard).find("control began"), std::string::npos) << headline(heard);
+  EXPECT_FALSE(heard.control);
+}
+
+TEST(FlyLog, DetectedSecondsAfterLiftOffIsLateAndNotGreen) {
+  ImuLog log = log_of(signal(20.0, 0.01, constant_push));
+  log.second_axial = signal(20.0, 0.01, [](double t) { return t < 6.5 ? g : constant_push(t); });
+  const Heard heard = fly_log(std::move(log), question());
+  EXPECT_NEAR(heard.since_lift_off_s(heard.detected_s).value(), 1.61, 0.02);
+  EXPECT_EQ(finding(heard), Finding::late);
+  EXPECT_NE(headline(heard).find("late"), std::string::npos) << headline(heard);
+  EXPECT_NE(as_json(heard, "1").find("\"late\""), std::string::npos);
+  EXPECT_EQ(as_html(heard).find(">Heard<"), std::string::npos);
+}
+
+// axial_from_rest where axial was meant: the pad reads 2 g, and the whole log lies above the threshold of lift-off.
+TEST(FlyLog, WithGravityTwiceDoubtsThePad) {
+  std::mt19937 random{test::seed()};
+  std::normal_distribution<double> noise{0.0, 0.2};
+  const Heard heard =
+      fly_log(log_of(signal(12.0, 0.01, [&](double t) { return constant_push(t) + g + noise(random); })), question());
+  EXPECT_EQ(finding(heard), Finding::late);
+  EXPECT_TRUE(doubts(heard, "gravity seems to be in it twice")) << as_text(heard);
+}
+
+TEST(FlyLog, OfALogThatBeginsInThrustSaysThatNothingBeforeItIsKnown) {
+  const Heard heard = fly_log(log_of(signal(10.0, 0.01, [](double t) { return t < 2.0 ? 5.0 * g : 0.0; })), question());
+  EXPECT_EQ(finding(heard), Finding::heard);
+  EXPECT_EQ(headline(heard).find("nothing in the"), std::string::npos) << headline(heard);
+  EXPECT_TRUE(doubts(heard, "The log begins above 2 g"));
+}
+
+TEST(FlyLog, WhoseHeightStandsStillAfterLiftOffDoubtsTheFlight) {
+  ImuLog log = log_of(signal(20.0, 0.01, constant_push));
+  log.height = signal(20.0, 0.1, [](double t) { return 100.0 + std::fmod(t, 0.5); });
+  const Heard flat = fly_log(std::move(log), question());
+  EXPECT_TRUE(doubts(flat, "height rises by no more than 0.")) << as_text(flat);
+}
+
+TEST(FlyLog, SaysItsDoubtsBeforeItsFinding) {
+  const Heard reversed = fly_log(log_of(signal(10.0, 0.01, [](double t) { return -constant_push(t); })), question());
+  const std::string text = as_text(reversed);
+  const std::size_t doubt = text.find("In doubt: In its first second the axial force reads -1.00 g");
+  ASSERT_NE(doubt, std::string::npos) << text;
+  EXPECT_NE(text.find("its sign seems to be wrong"), std::string::npos) << text;
+  EXPECT_LT(doubt, text.find("There is no lift-off"));
+  EXPECT_EQ(text.find("Before lift-off"), std::string::npos) << text;
+  EXPECT_NE(as_json(reversed, "1").find("\"doubts\": [\n"), std::string::npos) << as_json(reversed, "1");
+}
+
+}  // namespace
+}  // namespace fantail::listen

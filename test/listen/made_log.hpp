@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/flight_plan_members.hpp"
+#include "listen/fly_log.hpp"
+
+// Logs that somebody might have made, and what is said of them.
+namespace fantail::listen::made {
+
+inline constexpr double g = 9.80665;
+
+inline Signal signal(double end_s, double interval_s, const std::function<double(double)>& value) {
+  Signal made{.words = "a"};
+  for (int i = 0; i * interval_s <= end_s + 1e-9; ++i) {
+    made.time_s.push_back(i * interval_s);
+    made.value.push_back(value(i * interval_s + 1e-9));
+  }
+  return made;
+}
+
+inline ImuLog log_of(Signal axial, double interval_s = 0.01) {
+  ImuLog log{.name = "made.csv", .rows = axial.time_s.size(), .axial = std::move(axial), .interval_s = interval_s};
+  return log;
+}
+
+inline Question question() { return {.plan_name = "default", .plan = core::default_plan()}; }
+
+// 5 s on the pad, 5 g for 2 s, free fall.
+inline double constant_push(double t) { return t < 5.0 ? g : t < 7.0 ? 5.0 * g : 0.0; }
+
+inline bool has(const std::vector<std::string>& sentences, const std::string& part) {
+  return std::ranges::any_of(sentences, [&](const std::string& one) { return one.find(part) != std::string::npos; });
+}
+
+inline bool says(const Heard& heard, const std::string& part) { return has(heard.notes, part); }
+inline bool doubts(const Heard& heard, const std::string& part) { return has(heard.doubts, part); }
+
+}  // namespace fantail::listen::made
