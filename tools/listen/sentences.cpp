@@ -17,7 +17,7 @@ namespace fantail::listen {
 namespace {
 
 // What the pad's average of the law is made of, with its guard (core/pad_window.hpp).
-constexpr double pad_window_s = 3.5;
+constexpr double law_pad_window_s = 3.5;
 
 std::string in_ms(double time_s) { return text::brief(1e3 * time_s, 3); }
 
@@ -197,14 +197,14 @@ std::string pad_sentence(const Heard& heard, const Question& question) {
                         text::brief(question.pad_s, 3),
                         has_mean ? "the mean of what it reads up to 0.1 s before lift-off" : "what it reads first")
           : "";
-  if (heard.longest_rest_s >= pad_window_s) {
+  if (heard.longest_rest_s >= law_pad_window_s) {
     return padded;
   }
   return padded + (padded.empty() ? "" : " ") +
          fmt::format(
              "The law saw the rocket at rest for {} s at the longest before lift-off, less than the {} "
              "s of its average on the pad: it took the guide as upright and the gyro as without offset.",
-             text::fixed(heard.longest_rest_s, 2), pad_window_s) +
+             text::fixed(heard.longest_rest_s, 2), law_pad_window_s) +
          why_no_rest(heard);
 }
 
