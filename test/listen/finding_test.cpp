@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What is said of logs with launches that were none, late ones and doubtful columns.
-#include <algorithm>
-#include <cmath>
-#include <functional>
+#include <random>
 
 #include <gtest/gtest.h>
 
@@ -10,6 +8,7 @@
 #include "listen/made_log.hpp"
 #include "listen/outputs.hpp"
 #include "listen/sentences.hpp"
+#include "random/seed.hpp"
 
 namespace fantail::listen {
 namespace {
