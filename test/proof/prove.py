@@ -117,7 +117,7 @@ def prove(options):
     proofs = table(options.table)
     unknown = sorted(set(options.names) - {proof.name for proof in proofs})
     if unknown:
-        raise Stop(64, f"there is no proof {', '.join(map(repr, unknown))}; prove --list names them")
+        raise Stop(64, f"there is no proof {', '.join(name or repr(name) for name in unknown)}; prove --list names them")
     if options.names:
         proofs = [proof for proof in proofs if proof.name in options.names]
     if options.quick:

@@ -117,10 +117,10 @@ class Prove(Called):
         self.assertIn("times, instead of once", done.stderr)
 
     def test_an_unknown_name_is_wrong_usage(self):
-        for name in ("bad", ""):
+        for name, named in (("bad", "bad"), ("", "''")):
             done = self.prove(["good"], name)
             self.assertEqual(done.returncode, 64)
-            self.assertIn(f"there is no proof '{name}'", done.stderr)
+            self.assertIn(f"there is no proof {named};", done.stderr)
 
     def test_a_quick_look_that_would_look_at_nothing_is_wrong_usage(self):
         self.assertEqual(self.prove(["good", "refuted"], "--quick", "refuted").returncode, 64)

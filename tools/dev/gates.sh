@@ -81,9 +81,10 @@ soak() {
   [ -z "$before" ] || usage
   take_turn
   # shellcheck disable=SC2086
-  need $soak_packages
+  need $soak_packages $prove_packages
+  prover_of_proofs || refuse "the model checker could not be installed (see above), and the soak has every proof in it"
   host_options=FANTAIL_TESTS
-  host_build "the soak tests" test_avionics test_memory_campaign test_sil test_core
+  host_build "the soak tests" test_avionics test_memory_campaign test_sil test_core fantail fantail-campaign
   build "the fuzzers" build/fuzz 600 fuzz_commands
   leave_turn
   /usr/bin/python3 tools/dev/soak.py . "$@" || code=$?

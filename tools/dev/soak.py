@@ -12,13 +12,18 @@ import os
 import pathlib
 import random
 import re
+import shutil
 import signal
 import subprocess
 import sys
 import time
 
 # name, title, what is counted, how many (a run of --short: a thousandth), command, environment, what to read from its output.
-# {n} is how many, {seed} the seed, {host} and {fuzz} the builds.
+# {n} is how many, {seed} the seed, {host} and {fuzz} the builds, and of the campaigns and proofs {every}, {false},
+# {missed} and {proofs}: with --short fewer flights, the bounds that so few events can show, and the quick proofs.
+DETECTION = ("{host}/fantail campaign detection --plan tasha3_launch2 --both-well --seed {seed} --threads 1 --out build/soak/out_")
+DETECTION_READS = [("events", r": (\d+) events, false"), ("false actuations", r"false actuations (\d+)"),
+                   ("launches", r"; (\d+) launches"), ("missed", r"launches, missed (\d+)")]
 STEPS = [
     ("frames", "Random and mutated frames to the avionics", "frames", 100_000_000,
      "{host}/test/avionics/test_avionics --gtest_brief=1 --gtest_filter=BusFrames.*", {"FANTAIL_FRAMES": "{n}"}, []),
@@ -33,6 +38,17 @@ STEPS = [
     ("law", "Flight law with random plans and samples: flights of 12 000 ticks", "flights", 83_334,
      "{host}/test/core/test_core --gtest_brief=1 --gtest_filter=Autopilot.WhateverComesInTheCommandsKeepTheirLimits",
      {"RC_PARAMS": "seed={seed} max_success={n}"}, []),
+    ("events", "Events that are no launch: 11 kinds, both accelerometers well", "events of each kind", 909_091,
+     DETECTION + "events --kind handling --kind drop --kind transport --kind shaking --kind chuff --kind misfire --kind neighbour "
+     "--kind gust --kind vibration --kind bias --kind tilt --events {n} --launches 0 --false-at-most {false}", {}, DETECTION_READS[:2]),
+    ("launches", "Launches, half of them with vibration of 2 g rms", "launches of each kind", 500_000,
+     DETECTION + "launches --kind launch --kind launch_at_2_g --events 0 --launches {n} --at-most {missed}", {}, DETECTION_READS[2:]),
+    ("faults", "Every device broken in every phase of a launch", "campaign", 1,
+     "{host}/fantail campaign faults tasha3_launch2 --every {every} --threads 1 --out build/soak/out_faults", {},
+     [("flights", r"(\d+) flights in \d+ cells\."), ("cells red for a known limit", r"(\d+) cells? (?:is|are) red for a limit")]),
+    ("proofs", "Every proof, with its seeded bugs", "run", 1,
+     "build/prove-venv/bin/python -B test/proof/prove.py build/prove-venv/esbmc build/soak/proofs {proofs}", {},
+     [("properties", r"(\d+ of \d+) properties"), ("seeded bugs refuted", r"(\d+ of \d+) seeded bugs")]),
     *[(f"fuzz_{target}", f"Fuzzing: {about}", "inputs", 1_000_000,
        f"{{fuzz}}/test/fuzz/{target}_fuzz -runs={{n}} -max_len={most} -print_final_stats=1 -artifact_prefix=build/soak/{target}_ "
        f"build/soak/found_{target} build/soak/seeds_{target}", {},
@@ -67,7 +83,9 @@ class Step:
         if "--gtest_filter=" in command:  # a name that no test has would pass
             self.reads = [*self.reads, TESTS_PASSED]
         self.count = max(count // 1000, 1) if arguments.short else count
-        fill = {"n": self.count, "seed": arguments.seed, "host": "build/host", "fuzz": "build/fuzz"}
+        fill = {"n": self.count, "seed": arguments.seed, "host": "build/host", "fuzz": "build/fuzz",
+                **({"every": 1000, "false": 0.1, "missed": 2, "proofs": "--quick"} if arguments.short else
+                   {"every": 10, "false": 0.0001, "missed": 0.05, "proofs": ""})}
         self.command = command.format(**fill)
         self.environment = {name: value.format(**fill) for name, value in environment.items()}
         self.environment["FANTAIL_SEED"] = str(arguments.seed)
@@ -206,6 +224,8 @@ def main():
     for step in to_run:
         if step.name.startswith("fuzz_"):
             seeds_of(step.name[5:], folder, root)
+        if not arguments.resume:  # a campaign goes on from what it finds there
+            shutil.rmtree(folder / f"out_{step.name}", ignore_errors=True)
     begun = time.monotonic()
     try:
         passed = run(to_run, root)
