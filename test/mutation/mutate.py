@@ -2,7 +2,7 @@
 """Usage: mutate.py [--sample N] [--seed S] [--all] [--file F]... [--resume] [--json] [--check-options]
 
 Changes the code that moves canards in one place at a time and asks whether a test notices (docs/coverage.md). It needs
-build/host with test_core, test_protocol and test_avionics; build/mutation takes objects, programs and results.jsonl, one line
+build/host with test_core, test_protocol and test_avionics; build/mutation takes objects, programs and results_*.jsonl, one line
 a trial. --check-options: no more than that.
 
 Exit code: 0 noticed, or the survivor has its reason in survivors.txt; 1 not; 64 usage; 65 survivors.txt is wrong, or
@@ -25,6 +25,7 @@ import time
 sys.dont_write_bytecode = True  # not between the sources
 import catalogue
 import judge
+import stored
 import trial
 import workshop
 
@@ -81,20 +82,6 @@ class Progress:
             print("\r\033[K", end="", file=sys.stderr, flush=True)
 
 
-def read_results(path, header):
-    """The trials that an earlier run has left, of the same sources and selection."""
-    lines = path.read_text().splitlines()
-    whole = []
-    for line in lines:
-        try:
-            whole.append(json.loads(line))
-        except ValueError:
-            break  # cut off while it was being written
-    if not whole or whole[0] != header:
-        raise ValueError(f"{path}: results of other sources, tests or options; begin anew without --resume")
-    return whole[1:]
-
-
 def select(mutants, options):
     if options.all or options.file:
         return mutants
@@ -139,17 +126,19 @@ def run_all(court, chosen, results_file, results, progress):
 def parse(arguments, root):
     parser = argparse.ArgumentParser(prog="./dev mutate", usage=(
         "./dev mutate [--sample N] [--seed S] [--all] [--file F]... [--resume] [--json]"))
-    parser.add_argument("--sample", type=int, default=300, help="so many mutants, drawn from all [300]")
+    parser.add_argument("--sample", type=int, help="so many mutants, drawn from all [300]")
     parser.add_argument("--seed", type=int, help="of the draw [a new one, which is printed]")
     parser.add_argument("--all", action="store_true", help="every mutant: hours")
     parser.add_argument("--file", action="append", default=[], help="every mutant of this file; may be given again")
-    parser.add_argument("--resume", action="store_true", help="go on where an interrupted run has stopped")
+    parser.add_argument("--resume", action="store_true", help="go on where an interrupted run has stopped: with the options given, or else the last one")
     parser.add_argument("--json", action="store_true", help="print the page of figures as JSON")
     parser.add_argument("--check-options", action="store_true", help=argparse.SUPPRESS)
     parser.error = lambda message: (print(f"mutate: {message}; ./dev mutate --help", file=sys.stderr), sys.exit(64))
     options = parser.parse_args(arguments)
-    if options.sample < 1:
+    if options.sample is not None and options.sample < 1:
         parser.error(f"--sample {options.sample}: it must be at least 1")
+    if sum((options.sample is not None, options.all, bool(options.file))) > 1:
+        parser.error("--sample, --all and --file: one of them")
     files = sources(root)
     if unknown := [file for file in options.file if file not in files]:
         parser.error(f"--file {unknown[0]}: not one of the {len(files)} files that are mutated, for example {files[0]}")
@@ -163,18 +152,27 @@ def main(arguments, root):
     signal.signal(signal.SIGTERM, signal.default_int_handler)
     begun, build = time.monotonic(), pathlib.Path(root, "build")
     folder = build / "mutation"
-    results_path = folder / "results.jsonl"
+    results_path = None
     progress = Progress(0)
     try:
-        if options.resume and options.seed is None and results_path.exists():
-            options.seed = json.loads(results_path.open().readline() or "{}").get("seed")
+        if options.resume and options.sample is None and not options.all and not options.file:
+            last = stored.newest_selection(folder)
+            if last is None:
+                raise FileNotFoundError(2, "", str(folder / "results_*.jsonl"))
+            vars(options).update(last)
+        if options.sample is None:
+            options.sample = 300
+        if options.resume and options.seed is None and (last := stored.newest_selection(folder)):
+            options.seed = last["seed"]
         if options.seed is None:
             options.seed = random.SystemRandom().randrange(2**31)
         known = judge.read_survivors(pathlib.Path(root, "test/mutation/survivors.txt"))
         header = {"sources": fingerprint(root), "seed": options.seed, "all": options.all, "file": options.file,
                   "sample": options.sample}
-        results = read_results(results_path, header) if options.resume else []
         folder.mkdir(parents=True, exist_ok=True)
+        path = stored.path_of(folder, header)
+        results = stored.read(path, header) if options.resume else []
+        results_path = path if options.resume else None
         shop = workshop.Workshop(root, build / "host", folder)
         everything = catalogue.all_mutants(shop, options.file or files, progress.say)
         chosen = select(everything, options)
@@ -184,7 +182,8 @@ def main(arguments, root):
         court = trial.Court(shop, progress.say)
         court.prepare()
         progress = Progress(len(left))
-        with results_path.open("a" if options.resume else "w") as stream:
+        results_path = path
+        with path.open("a" if options.resume else "w") as stream:
             if not options.resume:
                 stream.write(json.dumps(header) + "\n")
                 stream.flush()
@@ -192,7 +191,8 @@ def main(arguments, root):
         progress.end()
     except KeyboardInterrupt:
         progress.end()
-        print(f"mutate: interrupted; what was tried is in {results_path}: go on with --resume", file=sys.stderr)
+        print("mutate: interrupted" + (f"; what was tried is in {results_path}: go on with --resume" if results_path else
+                                       " before anything was tried"), file=sys.stderr)
         return 130
     except workshop.ToolFailure as error:
         progress.end()
@@ -214,7 +214,8 @@ def main(arguments, root):
     page = judge.page(verdict, command, time.monotonic() - begun, what)
     figures = build / "figures"
     figures.mkdir(exist_ok=True)
-    (figures / "mutation.json").write_text(json.dumps(page, indent=1) + "\n")
+    if not options.file:  # a part must not stand for the whole
+        (figures / "mutation.json").write_text(json.dumps(page, indent=1) + "\n")
     print(json.dumps(page) if options.json else "\n".join(
         [what, *("  ".join(f"{cell:>9}" if i else f"{cell:<44}" for i, cell in enumerate(row))
                  for row in [page["tables"][0]["columns"], *page["tables"][0]["rows"]]), *page["notes"]]))

@@ -11,7 +11,6 @@ import concurrent.futures
 import dataclasses
 import itertools
 import os
-import pathlib
 import re
 import shutil
 import signal

@@ -15,7 +15,6 @@ import unittest.mock
 
 sys.dont_write_bytecode = True  # not between the sources
 import judge
-import mutate
 import trial
 import workshop
 from mutant import Mutant
@@ -275,17 +274,6 @@ class Judgement(InAFolder):
             path.write_text(text)
             with self.assertRaisesRegex(ValueError, f":{line}:"):
                 judge.read_survivors(path)
-
-    def test_results_that_were_cut_off_are_resumed_and_those_of_other_sources_are_not(self):
-        path, header = pathlib.Path(self.folder, "results.jsonl"), {"sources": "1", "seed": 2}
-        whole = json.dumps(header) + "\n" + json.dumps(result("killed")) + "\n"
-        path.write_text(whole + '{"id": "cut o')
-        self.assertEqual(mutate.read_results(path, header), [result("killed")])
-        with self.assertRaisesRegex(ValueError, "other sources"):
-            mutate.read_results(path, header | {"sources": "2"})
-        path.write_text("")
-        with self.assertRaises(ValueError):
-            mutate.read_results(path, header)
 
 
 if __name__ == "__main__":
