@@ -138,6 +138,14 @@ TEST(LaunchDetector, ADisagreementAfterADetectionCountsForAQuarterOfASecond) {
   }
   EXPECT_EQ(first, ms(103));
   EXPECT_EQ(last, ms(152 + 249));
+
+  Bench again{launch_2_rule()};
+  ASSERT_EQ(again.hold_level(ms(0), ms(101), 3.0F), ms(100));
+  for (int t = 101; t <= 401; ++t) {
+    (void)again.agrees(ms(t), 3.0F, t < 140 ? 1.0F : 3.0F);
+  }
+  EXPECT_FALSE(again.agrees(ms(152 + 250) - Microseconds{1}, 3.0F, 3.0F));
+  EXPECT_TRUE(again.agrees(ms(152 + 250), 3.0F, 3.0F));
 }
 
 TEST(LaunchDetector, AfterADetectionOneThatDoesNotMeasureDisagreesWithNobody) {

@@ -11,6 +11,7 @@
 
 #include "chaos.hpp"
 #include "core/autopilot.hpp"
+#include "core/canard_sharing.hpp"
 #include "protocol/tick_digest.hpp"
 #include "seed.hpp"
 
@@ -51,6 +52,34 @@ RC_GTEST_PROP(StateBlock, ALawThatIsGivenTheStateOfAnotherGoesOnAsTheOtherDoes, 
     RC_ASSERT(tick_digest(flown.step(inputs)) == tick_digest(replayed.step(inputs)));
   }
   RC_ASSERT(state_of(replayed) == state_of(flown));
+}
+
+// In a long flight with a broken canard the others have taken over for good: that state must come back after a reset.
+TEST(StateBlock, AShareThatIsTakenOverWholeComesBackAndNothingBeyondItDoes) {
+  core::CanardVerdicts verdicts{};
+  core::CanardContributions contributions{};
+  contributions.fill(core::Angle{});
+  verdicts[0] = core::CanardVerdict::stalled;
+  contributions[0] = core::Angle::from_degrees(-6.0F);
+  const auto limit = core::Angle::from_degrees(9.0F);
+  core::CanardSharing sharing{limit};
+  for (int ticks = 0; ticks < 1'000; ++ticks) {
+    sharing.update(verdicts, contributions);
+  }
+  std::array<std::byte, 64> room{};
+  StateWriter writer{room};
+  sharing.visit_state(writer);
+  const std::span<std::byte> state{room.data(), writer.size()};
+  core::CanardSharing taken_back{limit};
+  StateReader reader{state};
+  taken_back.visit_state(reader);
+  ASSERT_TRUE(reader.ok());
+  taken_back.update(verdicts, contributions);
+  EXPECT_EQ(taken_back.asked_of_each(core::Angle{}), sharing.asked_of_each(core::Angle{}));
+  state[0] = static_cast<std::byte>(std::to_integer<int>(state[0]) + 1);
+  StateReader beyond{state};
+  taken_back.visit_state(beyond);
+  EXPECT_FALSE(beyond.ok());
 }
 
 TEST(StateBlock, WrittenInPartsOfAnySizeItIsTheWholeAndNothingBeside) {
