@@ -13,6 +13,7 @@
 #include <unistd.h>
 
 #include "airframe/openrocket/read.hpp"
+#include "chosen_input.hpp"
 #include "core/flight_plan_fields.hpp"
 #include "input/document.hpp"
 #include "input/plan_file.hpp"
@@ -20,8 +21,6 @@
 #include "input/scenario_file.hpp"
 #include "input/shipped.hpp"
 #include "input/vehicle_file.hpp"
-#include "target.hpp"
-#include "text/error.hpp"
 
 namespace fantail::fuzz {
 namespace {
@@ -77,12 +76,5 @@ std::vector<std::string> seeds() {
 
 // NOLINTNEXTLINE(readability-identifier-naming): libFuzzer calls it so
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  if (size > 0) {
-    try {
-      fantail::fuzz::read(data[0], std::string_view{reinterpret_cast<const char*>(data) + 1, size - 1});
-    } catch (const fantail::text::Error& error) {
-      fantail::fuzz::require_sentence(error.what());
-    }
-  }
-  return 0;
+  return fantail::fuzz::read_chosen(data, size, fantail::fuzz::read);
 }

@@ -8,13 +8,12 @@
 #include <utility>
 #include <vector>
 
+#include "chosen_input.hpp"
 #include "core/flight_plan_members.hpp"
 #include "listen/fly_log.hpp"
 #include "listen/load.hpp"
 #include "listen/maps.hpp"
 #include "listen/ulog.hpp"
-#include "target.hpp"
-#include "text/error.hpp"
 
 namespace fantail::fuzz {
 namespace {
@@ -126,12 +125,5 @@ std::vector<std::string> seeds() {
 
 // NOLINTNEXTLINE(readability-identifier-naming): libFuzzer calls it so
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  if (size > 0) {
-    try {
-      fantail::fuzz::read(data[0], std::string(reinterpret_cast<const char*>(data) + 1, size - 1));
-    } catch (const fantail::text::Error& error) {
-      fantail::fuzz::require_sentence(error.what());
-    }
-  }
-  return 0;
+  return fantail::fuzz::read_chosen(data, size, fantail::fuzz::read);
 }

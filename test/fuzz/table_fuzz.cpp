@@ -9,12 +9,11 @@
 #include <utility>
 #include <vector>
 
+#include "chosen_input.hpp"
 #include "input/scenario_file.hpp"
 #include "table_file/mat_writer.hpp"
 #include "table_file/parquet_writer.hpp"
 #include "table_file/read.hpp"
-#include "target.hpp"
-#include "text/error.hpp"
 #include "trajectory/trajectory.hpp"
 
 namespace fantail::fuzz {
@@ -63,12 +62,5 @@ std::vector<std::string> seeds() {
 
 // NOLINTNEXTLINE(readability-identifier-naming): libFuzzer calls it so
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  if (size > 0) {
-    try {
-      fantail::fuzz::read(data[0], std::string(reinterpret_cast<const char*>(data) + 1, size - 1));
-    } catch (const fantail::text::Error& error) {
-      fantail::fuzz::require_sentence(error.what());
-    }
-  }
-  return 0;
+  return fantail::fuzz::read_chosen(data, size, fantail::fuzz::read);
 }
