@@ -13,6 +13,7 @@ import hashlib
 import json
 import re
 import struct
+import sys
 
 import workshop
 from workshop import ToolFailure
@@ -110,7 +111,9 @@ def list_tests(program):
     names = re.findall(r"^[\w/]+\.[\w/]+$", text, re.M)
     if code != 0 or not names:
         raise ToolFailure(f"{program.name} names no tests: {text[-500:]}")
-    return [name for name in names if "DISABLED_" not in name]
+    if disabled := [name for name in names if "DISABLED_" in name]:
+        print(f"mutate: {program.name}: these tests are disabled and can notice nothing: {', '.join(disabled)}", file=sys.stderr)
+    return [name for name in names if name not in disabled]
 
 
 def trace(run_tests, program, place, names):
