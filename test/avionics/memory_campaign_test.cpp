@@ -41,18 +41,25 @@ enum class Outcome : std::uint8_t {
   right,    // every pulse as without the flip, within 0.1 degrees
   named,    // control is over, at trim, and the board says why: memory_damaged
   neutral,  // at trim for another reason that the phase gives
+  late,     // at trim until control begins, later than without the flip: the launch detector's part in flight
   verdict,  // as right or nearly so, but a canard is reported as faulty
   crash,    // on a board a hard fault: canards to trim, a reset, and the flight is resumed
   wrong,    // within the limits, and nobody knows
   beyond,   // a limit: never
 };
-constexpr std::array<std::string_view, 7> names{"right",   "named fault, at trim", "neutral",       "named canard",
-                                                "a crash", "wrong and unnamed",    "BEYOND A LIMIT"};
+constexpr std::array<std::string_view, 8> names{
+    "right",   "named fault, at trim", "neutral",       "later control", "named canard",
+    "a crash", "wrong and unnamed",    "BEYOND A LIMIT"};
 
 constexpr Microseconds watched{1'000'000};
 constexpr double right_deg = 0.1;
 
 using Angles = std::array<double, hal::canards>;
+
+struct Tick {
+  Angles commanded_deg;
+  core::Phase phase;
+};
 
 Angles commanded(const BoardRig& rig) {
   Angles angles{};
@@ -62,15 +69,19 @@ Angles commanded(const BoardRig& rig) {
   return angles;
 }
 
-Outcome judge(FlyingRig& rig, std::span<const Angles> right) {
+Outcome judge(FlyingRig& rig, std::span<const Tick> right) {
   const double limit_deg = static_cast<double>(core::default_plan().controller.canard_limit.degrees()) + 0.001;
   bool same = true;
   bool canard = false;
+  bool late = false;
   const core::TickRecord* record = nullptr;
-  for (const Angles& wanted : right) {
+  for (const auto& [wanted, phase] : right) {
     record = &rig.fly();
     canard = canard || !core::all_healthy(record->verdicts);
     const Angles angles = commanded(rig);
+    // Only while nothing has differed before: what comes after a later beginning is control, from where the rocket is.
+    late = late || (same && record->phase == core::Phase::launched && phase == core::Phase::controlling &&
+                    rig.all_pulses_are(0.0));
     for (std::size_t i = 0; i < hal::canards; ++i) {
       if (std::abs(angles[i]) > limit_deg) {
         return Outcome::beyond;
@@ -88,14 +99,17 @@ Outcome judge(FlyingRig& rig, std::span<const Angles> right) {
   if (same) {
     return Outcome::right;
   }
-  return at_trim && record->phase != core::Phase::controlling ? Outcome::neutral : Outcome::wrong;
+  if (at_trim && record->phase != core::Phase::controlling) {
+    return Outcome::neutral;
+  }
+  return late ? Outcome::late : Outcome::wrong;
 }
 
 /// Memory that a child writes and its parent reads.
-std::span<Angles> memory_for_both(std::int64_t count) {
+std::span<Tick> memory_for_both(std::int64_t count) {
   const auto size = static_cast<std::size_t>(count);
-  void* const memory = mmap(nullptr, size * sizeof(Angles), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
-  return {static_cast<Angles*>(memory), size};
+  void* const memory = mmap(nullptr, size * sizeof(Tick), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+  return {static_cast<Tick*>(memory), size};
 }
 
 /// The rest of the flight with this bit flipped, in a process of its own.
@@ -115,7 +129,7 @@ struct Campaign {
   std::map<std::string, std::array<int, names.size()>> counts{};
   int flips = 0;
 
-  void flip(FlyingRig& rig, std::span<const Angles> right) {
+  void flip(FlyingRig& rig, std::span<const Tick> right) {
     const std::vector<Target> targets = control_state(rig.avionics());
     std::size_t bits = 0;
     for (const Target& target : targets) {
@@ -154,7 +168,7 @@ TEST(MemoryCampaign, AFlippedBitGivesTheRightOutputANamedFaultOrTrimAndNeverACom
   const int most = wanted != nullptr ? std::atoi(wanted) : 2000;
   constexpr int flips_an_instant = 50;
   Campaign campaign;
-  const std::span<Angles> right = memory_for_both(watched / millisecond);
+  const std::span<Tick> right = memory_for_both(watched / millisecond);
   while (campaign.flips < most) {
     FlyingRig rig;
     rig.disturbance_rad = std::uniform_real_distribution{-0.04, 0.04}(campaign.random);
@@ -164,9 +178,9 @@ TEST(MemoryCampaign, AFlippedBitGivesTheRightOutputANamedFaultOrTrimAndNeverACom
       rig.fly_for(std::uniform_int_distribution{1, 500}(campaign.random) * millisecond);
       // The flight that the others are held against is flown by a child, too.
       static_cast<void>(in_a_child([&] {
-        for (Angles& angles : right) {
-          rig.fly();
-          angles = commanded(rig);
+        for (Tick& tick : right) {
+          const core::TickRecord& record = rig.fly();
+          tick = {commanded(rig), record.phase};
         }
         return Outcome::right;
       }));
