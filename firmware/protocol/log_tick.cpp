@@ -114,7 +114,7 @@ void pack(const LogTick& tick, SampleTimes& times, std::span<std::byte> out) {
   put<4>(out, digest_at, tick.digest);
   times.imu = tick.imu_time;
   times.accelerometer = tick.accelerometer_time;
-  if (tick.second_gyro) {
+  if (tick.second_gyro && out.size() >= largest_log_tick) {
     put<2>(out, second_age_at, age(tick.time, tick.second_gyro->time));
     put_counts(out, second_rate_at, tick.second_gyro->rate_counts);
     put<1>(out, second_status_at, static_cast<std::uint32_t>(tick.second_gyro->status));

@@ -75,7 +75,7 @@ inline constexpr std::size_t largest_log_tick = log_tick_size + second_gyro_size
 using PackedTick = std::array<std::byte, log_tick_size>;
 
 /// `times`: of the tick before; becomes those of this one. `out`: largest_log_tick with a second gyro, log_tick_size
-/// without one.
+/// without one. A second gyro that comes although there is no room for it is left out: by a bit that flips in the plan.
 void pack(const LogTick& tick, SampleTimes& times, std::span<std::byte> out);
 /// Of one gyro.
 [[nodiscard]] inline PackedTick pack(const LogTick& tick, SampleTimes& times) {

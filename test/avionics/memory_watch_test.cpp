@@ -77,6 +77,19 @@ TEST(MemoryWatch, InFlightADamagedPlanDoesTheSame) {
   EXPECT_TRUE(is_damaged(rig));
 }
 
+// Until it is found, ticks come with a second gyro for which the recorder has no room.
+TEST(MemoryWatch, APlanThatSuddenlyAsksForTwoGyrosMakesNoTickLargerThanItsPlace) {
+  for (int places = 0; places < 15; ++places) {
+    FlyingRig rig;
+    rig.launch_to_control();
+    rig.fly_for(second + places * 40 * millisecond);
+    plan_in(rig.avionics()).sensors.gyros = core::GyroRule::two_agree;
+    rig.fly_for(second);
+    EXPECT_TRUE(rig.all_pulses_are(0.0));
+    EXPECT_TRUE(is_damaged(rig));
+  }
+}
+
 TEST(MemoryWatch, WithNoPlanLeftNobodyKnowsATrimAndTheServosGetNoPulses) {
   FlyingRig rig;
   rig.launch_to_control();

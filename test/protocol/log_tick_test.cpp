@@ -95,6 +95,18 @@ TEST(LogTick, ASecondGyroComesBackAndChangesNoOtherByte) {
   EXPECT_FALSE(unpack_tick(now, bytes, unpacking)) << "there are three states of a device";
 }
 
+TEST(LogTick, ASecondGyroThatFindsNoRoomIsLeftOutAndNothingBehindTheTickIsWritten) {
+  LogTick tick = some_tick();
+  tick.second_gyro = {.time = now, .rate_counts = {1, 2, 3}, .status = DeviceStatus::ok};
+  std::array<std::byte, largest_log_tick> bytes{};
+  SampleTimes packing;
+  pack(tick, packing, std::span{bytes}.first(log_tick_size));
+  SampleTimes of_one;
+  EXPECT_TRUE(std::ranges::equal(std::span{bytes}.first(log_tick_size), pack(some_tick(), of_one)));
+  EXPECT_TRUE(
+      std::ranges::all_of(std::span{bytes}.subspan(log_tick_size), [](std::byte b) { return b == std::byte{}; }));
+}
+
 TEST(LogTick, ACanardsCommandIsKeptToAThousandthOfADegree) {
   SampleTimes times;
   const auto back = unpack_tick(now, pack(some_tick(), times), times);
