@@ -4,6 +4,7 @@
 // it may crash; what came of it is the child's exit code. FANTAIL_FLIPS says how many, 2000 otherwise.
 #include <array>
 #include <bit>
+#include <cerrno>
 #include <cmath>
 #include <cstdlib>
 #include <iostream>
@@ -11,6 +12,7 @@
 #include <map>
 #include <random>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -120,7 +122,9 @@ Outcome in_a_child(Rest rest) {
     _exit(static_cast<int>(rest()));
   }
   int status = 0;
-  waitpid(child, &status, 0);
+  if (child < 0 || waitpid(child, &status, 0) != child) {
+    throw std::system_error(errno, std::generic_category(), "a flight in a process of its own");
+  }
   return WIFEXITED(status) ? static_cast<Outcome>(WEXITSTATUS(status)) : Outcome::crash;
 }
 
