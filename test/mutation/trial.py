@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""Puts one mutant on trial: compile it, link it into the test programs, run the tests that reach it until one of them notices.
+"""Puts one mutant on trial: compile it, link it into the test programs, run their tests until one of them notices.
 
 Outcomes: `invalid` does not compile; `same` has the objects of the original, so nothing can notice it; `killed` and
-`timeout` were noticed, by a test that passes on the original; `survived` passed every test that reaches it (reach.py).
+`timeout` were noticed, by a test that passes on the original; `survived` passed every test of its programs, those that
+reach it first (reach.py).
 Whatever else happens is a ToolFailure.
 """
 
@@ -18,6 +19,7 @@ import subprocess
 import threading
 
 import reach
+import symbols
 import workshop
 from workshop import ToolFailure
 
@@ -158,19 +160,22 @@ class Court:
         original = self.shop.folder / "plain" / obj.name
         if obj.read_bytes() == original.read_bytes():
             return "same", ""
-        outcome = self.tests(mutant, place, [obj], [], workshop.exports_data(original))
+        outcome = self.tests(mutant, place, [obj], [], symbols.exports_data(original))
         if outcome[0] != "survived":
             return outcome
         # The optimiser sees more: if the product's own flags make no difference of it, there is none.
-        folder = self.shop.folder / "own"
+        folder, apart = self.shop.folder / "own", place / "own"
         folder.mkdir(exist_ok=True)
+        apart.mkdir(exist_ok=True)
         with self.compiling:
             if not self.shop.fresh(folder, mutant.file, "own"):
-                self.shop.keep(place, folder, mutant.file, "own")
-        obj, errors = self.shop.compile(place, mutant.file, "own", text)
+                self.shop.keep(apart, folder, mutant.file, "own")
+        obj, errors = self.shop.compile(apart, mutant.file, "own", text)
         if obj is None:
             raise ToolFailure(f"{mutant.id} compiles only without inlining: {errors[-2000:]}")
-        return ("same", "") if obj.read_bytes() == (folder / obj.name).read_bytes() else outcome
+        if obj.read_bytes() == (folder / obj.name).read_bytes():
+            return "same", ""
+        return self.others(mutant, place, [place / original.name], outcome)
 
     def try_header(self, mutant, place, text):
         """First the fewest objects that have the function, then all of the product that read the header. Tests are not
@@ -180,11 +185,11 @@ class Court:
         dependents = self.shop.dependents(mutant.file, folder)
         chosen = []
         if mutant.function:
-            symbols = {f: workshop.defined_functions(folder / self.shop.object_name(f), mutant.function) for f in dependents}
-            chosen = workshop.fewest(symbols) if symbols else []
+            found = {f: symbols.defined_functions(folder / self.shop.object_name(f), mutant.function) for f in dependents}
+            chosen = symbols.fewest(found) if found else []
         stages = [chosen, dependents] if chosen and len(chosen) < len(dependents) else [dependents]
-        exports = any(workshop.exports_data(folder / self.shop.object_name(f)) for f in dependents) if mutant.early else False
-        outcome = "same", ""
+        exports = any(symbols.exports_data(folder / self.shop.object_name(f)) for f in dependents) if mutant.early else False
+        outcome, changed = ("same", ""), []
         for files in stages:
             objects, differs = [], False
             for file in files:
@@ -195,32 +200,48 @@ class Court:
                 objects.append(obj)
             if not differs:
                 continue
-            outcome = self.tests(mutant, place, objects, dependents, exports)
+            outcome, changed = self.tests(mutant, place, objects, dependents, exports), objects
             if outcome[0] != "survived":
                 return outcome
-        return outcome
+        return self.others(mutant, place, changed, outcome, text) if changed else outcome
 
     def tests(self, mutant, place, objects, readers, exports):
+        """By those that reach it."""
         reached = 0
         for program in PROGRAMS[mutant.file.split("/")[1]]:
             with self.lock:
                 killers = list(self.killers[mutant.file])
             tests = sorted(self.reach.of(mutant, program, readers, exports),
                            key=lambda t: (killers.index(t[0]) - KILLERS if t[0] in killers and t[1] < 1 else t[1]))
-            if not tests:
-                continue
             reached += len(tests)
-            linked, _ = self.shop.link(place, program, objects, self.archive("plain"))
-            limits = {name: LEAST_LIMIT_S + int(5 * seconds) for name, seconds in tests}
-            run = run_tests(linked, list(limits.items()), place)
-            if run.outcome != "passed":
-                self.confirm(program, run.test, limits[run.test])
-                with self.lock:
-                    if run.test in self.killers[mutant.file]:
-                        self.killers[mutant.file].remove(run.test)
-                    self.killers[mutant.file].appendleft(run.test)
-                return {"failed": "killed"}.get(run.outcome, run.outcome), f"test_{program} {run.test}"
+            if tests and (noticed := self.noticed(mutant, place, program, objects, tests)):
+                return noticed
         return "survived", f"{reached} tests reach it"
+
+    def others(self, mutant, place, objects, outcome, header=None):
+        """By all tests: reach.py may be wrong. `header`: the text of one, of which a test that reads it has values of its own."""
+        for program in PROGRAMS[mutant.file.split("/")[1]]:
+            instead = self.shop.tests_with(place, program, mutant.file, header) if header is not None and mutant.early else {}
+            if instead is None:
+                return "invalid", ""
+            tests = sorted(self.reach.tests[program], key=lambda t: t[1])
+            if noticed := self.noticed(mutant, place, program, objects, tests, instead):
+                return noticed
+        return outcome[0], f"{outcome[1]}, no other notices it"
+
+    def noticed(self, mutant, place, program, objects, tests, instead=()):
+        """(outcome, by which program and test), or None."""
+        linked, _ = self.shop.link(place, program, objects, self.archive("plain"), instead=instead)
+        limits = {name: LEAST_LIMIT_S + int(5 * seconds) for name, seconds in tests}
+        run = run_tests(linked, list(limits.items()), place)
+        if run.outcome == "passed":
+            return None
+        self.confirm(program, run.test, limits[run.test])
+        with self.lock:
+            if run.test in self.killers[mutant.file]:
+                self.killers[mutant.file].remove(run.test)
+            self.killers[mutant.file].appendleft(run.test)
+        return {"failed": "killed"}.get(run.outcome, run.outcome), f"test_{program} {run.test}"
 
 
 def check_compiler(shop):

@@ -34,9 +34,12 @@ int counted(int to) {
   return i;
 }
 """
-HEADER = "inline int doubled(int x) { return x * 2; }\n"
+HEADER = """inline int doubled(int x) { return x * 2; }
+struct Box { int value = 3; };
+"""
 USER = """#include "core/doubled.hpp"
 int doubled_by_product(int x) { return doubled(x); }
+int boxed() { return Box{}.value; }
 int four_times(int x) { return doubled(x) + doubled(x); }
 int optimised() {
 #ifdef __OPTIMIZE__
@@ -47,9 +50,11 @@ int optimised() {
 }
 """
 TEST = """#include <gtest/gtest.h>
+#include "core/doubled.hpp"
 int counted(int);
 int doubled_by_product(int);
 int optimised();
+TEST(Box, Three) { EXPECT_EQ(Box{}.value, 3); }
 TEST(Counted, Three) { EXPECT_EQ(counted(3), 3); }
 TEST(Counted, Negative) { EXPECT_LT(counted(-1), 0); EXPECT_EQ(counted(9), 9); }
 TEST(Doubled, Zero) { EXPECT_EQ(doubled_by_product(0), 0); }
@@ -74,9 +79,11 @@ class Project:
         commands = [{"file": str(self.root / file), "directory": str(self.build),
                      "command": f"{compiler} -O2 -I{self.root}/firmware -o x.o -c {self.root / file}"}
                     for file in ("firmware/core/counted.cpp", "firmware/core/user.cpp")]
+        commands.append({"file": str(self.build / "test.cpp"), "directory": str(self.build),
+                         "command": f"c++ -std=c++20 -I{self.root}/firmware -o test.o -c {self.build}/test.cpp"})
         (self.build / "compile_commands.json").write_text(json.dumps(commands))
         if test not in COMPILED:
-            workshop.tool(["c++", "-std=c++20", "-c", "test.cpp", "-o", "test.o"], self.build, "the test of this test")
+            workshop.tool(["c++", "-std=c++20", "-I../firmware", "-c", "test.cpp", "-o", "test.o"], self.build, "the test of this test")
             COMPILED[test] = (self.build / "test.o").read_bytes()
         (self.build / "test.o").write_bytes(COMPILED[test])
         self.shop = workshop.Workshop(self.root, self.build, self.root / "build/mutation")
@@ -122,9 +129,8 @@ class Trial(InAFolder):
         self.assertEqual(outcome, "timeout")
         self.assertIn(test, ("test_core Counted.Three", "test_core Counted.Negative"))
         outcome, test = project.outcome(court, "i < to", "i <= to")
-        self.assertEqual(outcome, "killed")
-        self.assertIn(test, ("test_core Counted.Three", "test_core Counted.Negative"))
-        self.assertEqual(project.outcome(court, "i < to", "i != to"), ("survived", "2 tests reach it"))
+        self.assertIn((outcome, test), [("killed", "test_core Counted.Three"), ("killed", "test_core Counted.Negative")])
+        self.assertEqual(project.outcome(court, "i < to", "i != to"), ("survived", "2 tests reach it, no other notices it"))
         self.assertEqual(project.outcome(court, "i = i + 1", "i = 1 + i"), ("same", ""))
         self.assertEqual(project.outcome(court, "i < to", "i <"), ("invalid", ""))
         self.assertEqual(project.outcome(court, "return i", "__builtin_trap()")[0], "killed")
@@ -143,14 +149,28 @@ class Trial(InAFolder):
         self.assertEqual(project.outcome(court, "x * 2", "2 * x", header, "doubled")[0], "same")
         self.assertEqual(project.outcome(court, "x * 2", "x + 2", header)[0], "killed")
 
-    def test_only_tests_that_reach_a_line_are_asked(self):
+    def test_tests_that_reach_a_line_are_asked_first(self):
         project = Project(self.folder)
         court = project.court()
-        self.assertEqual(project.outcome(court, "return -2", "return -3")[1], "0 tests reach it")
-        self.assertEqual(project.outcome(court, "return -1", "return -3")[1], "1 tests reach it")
+        self.assertEqual(project.outcome(court, "return -2", "return -3")[1], "0 tests reach it, no other notices it")
+        self.assertEqual(project.outcome(court, "return -1", "return -3")[1], "1 tests reach it, no other notices it")
         # What the compiler may have computed is noticed by whoever reaches the file.
-        self.assertEqual(project.outcome(court, "return -2", "return -3", early=True)[1], "2 tests reach it")
+        self.assertEqual(project.outcome(court, "return -2", "return -3", early=True)[1], "2 tests reach it, no other notices it")
         self.assertEqual(project.outcome(court, "limit = 9", "limit = 8", early=True), ("killed", "test_core Counted.Negative"))
+
+    def test_one_that_the_table_of_lines_has_missed_is_asked_before_anything_is_called_a_survivor(self):
+        project = Project(self.folder)
+        court = project.court()
+        with unittest.mock.patch.object(court.reach, "of", return_value=[]):
+            self.assertEqual(project.outcome(court, "return i", "return 4")[0], "killed")
+            self.assertEqual(project.outcome(court, "x * 2", "x + 2", "firmware/core/doubled.hpp", "doubled")[0], "killed")
+
+    def test_a_test_that_has_a_value_of_a_header_itself_notices_another_value(self):
+        project = Project(self.folder)
+        court = project.court()
+        header = "firmware/core/doubled.hpp"
+        self.assertEqual(project.outcome(court, "value = 3", "value = 4", header, early=True), ("killed", "test_core Box.Three"))
+        self.assertEqual(project.outcome(court, "value = 3", "value = 3.5", header, early=True), ("same", ""))
 
     def test_what_was_prepared_is_kept_until_something_changes(self):
         project = Project(self.folder)

@@ -54,6 +54,7 @@ def tool(arguments, cwd, what):
 class Workshop:
     def __init__(self, root, build, folder):
         self.root, self.build, self.folder = pathlib.Path(root), pathlib.Path(build), pathlib.Path(folder)
+        self.units = {}  # object of the build -> (its source, the words that compile it)
         self.commands = self.read_commands()
         self.product = sorted(file for file in self.commands
                               if re.match(rf"firmware/({'|'.join(FOLDERS)})/", file) or file.endswith("/identity.cpp"))
@@ -75,7 +76,9 @@ class Workshop:
             if "_sanitized.dir" in entry["command"] or not words:
                 continue
             out, source = words.index("-o"), words.index("-c")
+            obj = self.build / words[out + 1]
             del words[max(out, source) : max(out, source) + 2], words[min(out, source) : min(out, source) + 2]
+            self.units[obj] = entry["file"], words
             for file in files:
                 commands.setdefault(file.removeprefix(f"{self.root}/"), words)
         return commands
@@ -225,6 +228,27 @@ class Workshop:
                 found.append(file)
         return found
 
+    def tests_with(self, place, name, header, text):
+        """The objects of test_<name> that read this header, compiled with `text` instead of it: object -> new object.
+        None when one of them is not C++ then."""
+        include, made = header.removeprefix("firmware/"), {}
+        path = place / "overlay" / include
+        shutil.rmtree(place / "overlay", ignore_errors=True)
+        path.parent.mkdir(parents=True)
+        path.write_bytes(text)
+        for obj in self.links[name][0]:
+            code, read = tool(["ninja", "-C", str(self.build), "-t", "deps", os.path.relpath(obj, self.build)], None, "ninja")
+            known = code == 0 and "deps not found" not in read
+            if known and not any(line.endswith("/" + include) for line in read.splitlines()):
+                continue
+            source, words = self.units[pathlib.Path(obj)]
+            out = place / f"test{len(made)}.o"
+            command = [words[0], "-Ioverlay", *words[1:], "-w", "-c", source]
+            if self.run_compiler(command, place, source, out)[0] is None:
+                return None
+            made[obj] = out
+        return made
+
     def runner(self):
         """Compiles runner.cpp, if that has not been done."""
         command = ["c++", "-O1", "-std=c++20", "-c", str(self.root / RUNNER)]
@@ -239,9 +263,11 @@ class Workshop:
             raise ToolFailure(f"{RUNNER} cannot be compiled: {errors[-2000:]}")
         key.write_text(digest)
 
-    def link(self, place, name, first, archive, *options):
-        """test_<name> with the objects `first` before all others: (the program, what the linker says)."""
+    def link(self, place, name, first, archive, *options, instead=()):
+        """test_<name> with the objects `first` before all others, and of its own those in `instead` (object -> another):
+        (the program, what the linker says)."""
         objects, libraries = self.links[name]
+        objects = [str(dict(instead).get(obj, obj)) for obj in objects]
         program = place / f"test_{name}"
         program.unlink(missing_ok=True)
         command = ["c++", "-fuse-ld=gold", *options, *map(str, first), str(self.folder / "runner.o"), *objects, str(archive),
@@ -250,30 +276,3 @@ class Workshop:
         if code != 0 or not program.is_file():
             raise ToolFailure(f"test_{name} cannot be linked: {messages[-2000:]}")
         return program, messages
-
-
-def defined_functions(obj, function):
-    """The symbols of the inline functions of this name that the object has a copy of."""
-    code, text = tool(["nm", "-C", "--defined-only", str(obj)], None, "nm")
-    if code != 0:
-        raise ToolFailure(f"nm {obj}: {text[-500:]}")
-    word = re.compile(rf"(?<![\w~]){re.escape(function)}(?!\w)")
-    return {line[19:] for line in text.splitlines() if line[17:18] in "WVu" and word.search(line)}
-
-
-def exports_data(obj):
-    """Whether other files see data of this object, so that they need not call it to notice a change."""
-    code, text = tool(["nm", "--defined-only", "--extern-only", str(obj)], None, "nm")
-    if code != 0:
-        raise ToolFailure(f"nm {obj}: {text[-500:]}")
-    return re.search(r"^\w* [BDGRSVu] ", text, re.M) is not None
-
-
-def fewest(symbols_of):
-    """Object -> symbols: few objects that have all of the symbols between them."""
-    left, chosen = set().union(*symbols_of.values()), []
-    while left:
-        best = max(symbols_of, key=lambda o: (len(symbols_of[o] & left), o))
-        chosen.append(best)
-        left -= symbols_of[best]
-    return chosen
