@@ -84,6 +84,14 @@ def main():
         (root / "firmware/new.cpp").write_text("")
         code, said, _ = soak(root, [count, step("no", "true")], "--resume")
         assert code == 0 and "2 of 2 steps" in said, said
+        # A new tool changes nothing of what the flight code alone decides; what that is made of does.
+        both = [step("frames", "true"), step("events", "true")]
+        for new, to_run in [("tools/new.cpp", 1), ("test/listen/new.cpp", 1), ("test/core/new.cpp", 2), ("test/seed.hpp", 2)]:
+            assert soak(root, both, "--resume")[0] == 0
+            (root / new).parent.mkdir(parents=True, exist_ok=True)
+            (root / new).write_text("")
+            code, said, _ = soak(root, both, "--resume")
+            assert code == 0 and f"{to_run} of 2 steps" in said, (new, said)
         code, said, result = soak(root, [count, step("new", "true")], "--only", "count")
         assert code == 0 and len(result["tables"][0]["rows"]) == 1
 

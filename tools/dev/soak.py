@@ -3,8 +3,8 @@
 #
 #   soak.py ROOT [--short] [--resume] [--only NAME...]
 #
-# Each step writes build/soak/NAME.log and NAME.json as it ends; --resume leaves out those that the same sources have passed. Exit code 1 if
-# a step failed or could not be read, 130 after an interrupt.
+# Each step writes build/soak/NAME.log and NAME.json as it ends; --resume leaves out those that the same sources have passed: of
+# what only the flight code decides, its sources alone. Exit code 1 if a step failed or could not be read, 130 after an interrupt.
 import argparse
 import hashlib
 import json
@@ -61,6 +61,11 @@ STEPS = [
           ("state", 4096, "the flight law from any state, with any samples"),
           ("table", 4096, "any bytes as MAT-file, Parquet file or trajectory")]],
 ]
+# What a step is made of: these hang on less than all sources.
+BUILT_BY = ("CMakeLists.txt", "CMakePresets.json", "cmake", "third_party")
+FLIGHT_CODE = (*BUILT_BY, "firmware", "hal", "test/avionics", "test/core", "test/random", "test/proof", "test/*.*")
+EVERYTHING = (*BUILT_BY, "firmware", "hal", "sim", "tools", "test")
+OF_FLIGHT_CODE = ("frames", "flips", "cuts", "law", "proofs")
 TESTS_PASSED = ("tests passed", r"\[  PASSED  \] ([1-9]\d*) tests?\b")
 
 
@@ -191,11 +196,11 @@ def figures(steps, earlier, seconds, arguments):
             "notes": notes}
 
 
-def sources(root):
-    """A digest of all that the steps are made of: another file, or other words in one, and nothing counts as passed before."""
+def sources(root, parts):
+    """A digest of all that is there: another file, or other words in one, and what hangs on it does not count as passed before."""
     digest = hashlib.sha256()
-    for top in ("CMakeLists.txt", "CMakePresets.json", "cmake", "firmware", "hal", "sim", "tools", "test", "third_party"):
-        for path in [root / top, *sorted((root / top).rglob("*"))]:
+    for top in (path for part in parts for path in sorted(root.glob(part))):
+        for path in [top, *sorted(top.rglob("*"))]:
             if path.is_file() and "__pycache__" not in path.parts:
                 digest.update(f"{path.relative_to(root)}\n".encode() + path.read_bytes())
     return digest.hexdigest()
@@ -212,12 +217,12 @@ def main():
     root = arguments.root.resolve()
     folder = root / "build/soak"
     folder.mkdir(parents=True, exist_ok=True)
-    made_of = sources(root)
+    flight_code, everything = sources(root, FLIGHT_CODE), sources(root, EVERYTHING)
     unknown = set(arguments.only) - {row[0] for row in STEPS}
     if unknown:
         print(f"soak: no step {', '.join(sorted(unknown))}; there are {', '.join(row[0] for row in STEPS)}", file=sys.stderr)
         return 64
-    steps = [Step(row, arguments, folder, made_of) for row in STEPS
+    steps = [Step(row, arguments, folder, flight_code if row[0] in OF_FLIGHT_CODE else everything) for row in STEPS
              if (not arguments.only or row[0] in arguments.only) and not (arguments.short and row[0] == "cuts")]
     to_run = [step for step in steps if not (arguments.resume and step.passed_before())]
     print(f"soak: {len(to_run)} of {len(steps)} steps, seed {arguments.seed}", flush=True)
