@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: MIT
 """Usage: trial_test.py
 
-Mutants of a project of one file, made by hand, with the compiler of this machine and with compilers that lie; and what is
-said of results, lists of survivors and runs that were cut off. It takes a few seconds.
+Mutants of a project of one file, made by hand, with the compiler of this machine and with compilers that lie.
 """
 
 import json
+import os
 import pathlib
 import shutil
 import sys
@@ -14,7 +14,6 @@ import unittest
 import unittest.mock
 
 sys.dont_write_bytecode = True  # not between the sources
-import judge
 import trial
 import workshop
 from mutant import Mutant
@@ -63,6 +62,9 @@ NINJA = ("rule link\n  command = : && c++ test.o /usr/lib/x86_64-linux-gnu/libgt
          "build test/core/test_core: link\n")
 COMPILED = {}  # what never changes is compiled once: name or text -> object
 RUNNER = ("runner.o", "runner.key")
+# Every project lies in the same place, one after another: what one has prepared is prepared for the others of its kind.
+PLACE = tempfile.mkdtemp()
+PREPARED = {}  # (compiler, test) -> a copy of what the mutants have in common
 
 
 class Project:
@@ -87,6 +89,7 @@ class Project:
             COMPILED[test] = (self.build / "test.o").read_bytes()
         (self.build / "test.o").write_bytes(COMPILED[test])
         self.shop = workshop.Workshop(self.root, self.build, self.root / "build/mutation")
+        self.kind = compiler, test
 
     def court(self):
         court = trial.Court(self.shop)
@@ -94,9 +97,14 @@ class Project:
         for name in RUNNER:
             if name in COMPILED:
                 (self.shop.folder / name).write_bytes(COMPILED[name])
+        if self.kind in PREPARED:
+            shutil.copytree(PREPARED[self.kind], self.shop.folder, dirs_exist_ok=True)
         court.prepare()
         for name in RUNNER:
             COMPILED[name] = (self.shop.folder / name).read_bytes()
+        if self.kind not in PREPARED:
+            PREPARED[self.kind] = f"{PLACE}/prepared{len(PREPARED)}"
+            shutil.copytree(self.shop.folder, PREPARED[self.kind])
         return court
 
     def outcome(self, court, was, now, file="firmware/core/counted.cpp", function="", early=False):
@@ -111,7 +119,8 @@ class Project:
 
 class InAFolder(unittest.TestCase):
     def setUp(self):
-        self.folder = tempfile.mkdtemp()
+        self.folder = f"{PLACE}/project"
+        os.mkdir(self.folder)
         self.addCleanup(shutil.rmtree, self.folder)
         for what, only in (("workshop.FOLDERS", ("core",)), ("trial.PROGRAMS", {"core": ("core",)})):
             patched = unittest.mock.patch(what, only)
@@ -247,54 +256,8 @@ class LyingCompiler(InAFolder):
             Project(self.folder, "/nowhere/g++").court()
 
 
-def result(outcome, line="a", file="firmware/core/trig.cpp"):
-    return {"id": f"{file}:1:1:slip", "file": file, "was": line, "now": "b", "outcome": outcome, "by": "a test"}
-
-
-KNOWN = {("firmware/core/trig.cpp", "a", "b"): judge.Known("firmware/core/trig.cpp", "a", "b", "it is the same")}
-
-
-class Judgement(InAFolder):
-    def verdict(self, results, known=None, keys=None):
-        known = known or {}
-        return judge.judge(results, known, keys if keys is not None else set(known))
-
-    def test_the_score_is_of_what_could_be_noticed(self):
-        verdict = self.verdict([result("killed")] * 18 + [result("timeout"), result("survived"), result("same"),
-                                                          result("invalid")])
-        self.assertEqual((verdict.score, verdict.passed), (0.95, True))
-        self.assertFalse(self.verdict([result("killed")] * 18 + [result("survived")]).passed)
-
-    def test_nothing_judged_is_no_success(self):
-        for results in ([], [result("same"), result("invalid")]):
-            self.assertFalse(self.verdict(results).passed)
-
-    def test_a_survivor_with_its_reason_is_none(self):
-        verdict = self.verdict([result("killed", "x"), result("survived")], KNOWN)
-        self.assertEqual((verdict.score, verdict.unlisted, verdict.passed), (1.0, [], True))
-
-    def test_one_that_is_noticed_must_leave_the_list(self):
-        self.assertFalse(self.verdict([result("killed")], KNOWN).passed)
-
-    def test_so_must_one_that_is_no_mutant_any_more(self):
-        self.assertFalse(self.verdict([result("killed", "x")], KNOWN, set()).passed)
-
-    def test_where_limits_and_arming_are_no_survivor_is_allowed(self):
-        verdict = self.verdict([result("killed")] * 1000 + [result("survived", "c", "firmware/avionics/arming.cpp")])
-        self.assertEqual((verdict.passed, len(verdict.strict)), (False, 1))
-        self.assertIn("allows none", judge.sentences(verdict)[0])
-
-    def test_the_list_is_read_and_its_mistakes_are_named(self):
-        path = pathlib.Path(self.folder, "survivors.txt")
-        entry = "file: firmware/core/trig.cpp\nwas: a\nnow: b\nwhy: it is the same\n"
-        path.write_text("# a comment\n" + entry)
-        self.assertEqual(judge.read_survivors(path), KNOWN)
-        for text, line in ((entry.replace("why:", "because:"), 4), (entry.replace("was: a\n", ""), 4),
-                           (entry.replace("it is the same", ""), 5), (entry + "why: twice\n", 5)):
-            path.write_text(text)
-            with self.assertRaisesRegex(ValueError, f":{line}:"):
-                judge.read_survivors(path)
-
-
 if __name__ == "__main__":
-    unittest.main()
+    try:
+        unittest.main()
+    finally:
+        shutil.rmtree(PLACE)

@@ -176,7 +176,7 @@ format() {
   # shellcheck disable=SC2086
   need $format_packages
   # shellcheck disable=SC2086 # a list of words
-  sources "*.[ch]pp" firmware hal python sim tools test | xargs clang-format-19 $how
+  sources "*.[ch]pp" firmware hal python sim tools test | xargs -n 100 -P "$(nproc)" clang-format-19 $how
 }
 
 # sources PATTERN FOLDER...: the files whose names match. Not git's list: that is empty, without an error, if git does not

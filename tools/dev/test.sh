@@ -11,7 +11,7 @@ python_tools() {
   rm -rf build/test-venv
   # Debian's Python, not the first in PATH: the package list provides its modules.
   if /usr/bin/python3 -m venv build/test-venv &&
-    build/test-venv/bin/pip -q --disable-pip-version-check install --no-deps -r build/test-requirements.txt; then
+    build/test-venv/bin/pip -q --disable-pip-version-check install --no-compile --no-deps -r build/test-requirements.txt; then
     cp build/test-requirements.txt build/test-venv/requirements.txt
     rm -f build/host/build.ninja # what was configured without nanobind looks for it again
   else
