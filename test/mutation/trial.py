@@ -2,8 +2,8 @@
 """Puts one mutant on trial: compile it, link it into the test programs, run their tests until one of them notices.
 
 Outcomes: `invalid` does not compile; `same` has the objects of the original, so nothing can notice it; `killed` and
-`timeout` were noticed, by a test that passes on the original; `survived` passed every test of its programs, those that
-reach it first (reach.py).
+`timeout` were noticed, by a test that passes on the original; `survived` passed every test that
+reaches it (reach.py), and every short one of its programs.
 Whatever else happens is a ToolFailure.
 """
 
@@ -27,6 +27,7 @@ from workshop import ToolFailure
 PROGRAMS = {"core": ("core", "protocol", "avionics"), "protocol": ("protocol", "avionics"), "avionics": ("avionics",)}
 MEMORY_KB = 4 << 20
 LEAST_LIMIT_S = 2  # of the processor, for a test that takes no time
+SHORT_S = 0.5  # as traced; the longer tests take three quarters of the time, and are asked only when they reach a mutant
 KILLERS = 8  # so many tests, which have noticed mutants of the file last, come first
 
 
@@ -160,7 +161,7 @@ class Court:
         original = self.shop.folder / "plain" / obj.name
         if obj.read_bytes() == original.read_bytes():
             return "same", ""
-        outcome = self.tests(mutant, place, [obj], [], symbols.exports_data(original))
+        asked, outcome = self.tests(mutant, place, [obj], [], symbols.exports_data(original))
         if outcome[0] != "survived":
             return outcome
         # The optimiser sees more: if the product's own flags make no difference of it, there is none.
@@ -175,7 +176,7 @@ class Court:
             raise ToolFailure(f"{mutant.id} compiles only without inlining: {errors[-2000:]}")
         if obj.read_bytes() == (folder / obj.name).read_bytes():
             return "same", ""
-        return self.others(mutant, place, [place / original.name], outcome)
+        return self.others(mutant, place, [place / original.name], asked)
 
     def try_header(self, mutant, place, text):
         """First the fewest objects that have the function, then all of the product that read the header. Tests are not
@@ -189,7 +190,7 @@ class Court:
             chosen = symbols.fewest(found) if found else []
         stages = [chosen, dependents] if chosen and len(chosen) < len(dependents) else [dependents]
         exports = any(symbols.exports_data(folder / self.shop.object_name(f)) for f in dependents) if mutant.early else False
-        outcome, changed = ("same", ""), []
+        outcome, asked, changed = ("same", ""), set(), []
         for files in stages:
             objects, differs = [], False
             for file in files:
@@ -200,34 +201,39 @@ class Court:
                 objects.append(obj)
             if not differs:
                 continue
-            outcome, changed = self.tests(mutant, place, objects, dependents, exports), objects
+            (asked, outcome), changed = self.tests(mutant, place, objects, dependents, exports), objects
             if outcome[0] != "survived":
                 return outcome
-        return self.others(mutant, place, changed, outcome, text) if changed else outcome
+        return self.others(mutant, place, changed, asked, text) if changed else outcome
 
     def tests(self, mutant, place, objects, readers, exports):
-        """By those that reach it."""
-        reached = 0
+        """By those that reach it: (which, outcome)."""
+        asked = set()
         for program in PROGRAMS[mutant.file.split("/")[1]]:
             with self.lock:
                 killers = list(self.killers[mutant.file])
             tests = sorted(self.reach.of(mutant, program, readers, exports),
                            key=lambda t: (killers.index(t[0]) - KILLERS if t[0] in killers and t[1] < 1 else t[1]))
-            reached += len(tests)
+            asked |= {(program, name) for name, _ in tests}
             if tests and (noticed := self.noticed(mutant, place, program, objects, tests)):
-                return noticed
-        return "survived", f"{reached} tests reach it"
+                return asked, noticed
+        return asked, ("survived", "")
 
-    def others(self, mutant, place, objects, outcome, header=None):
-        """By all tests: reach.py may be wrong. `header`: the text of one, of which a test that reads it has values of its own."""
+    def others(self, mutant, place, objects, asked, header=None):
+        """By all short tests, because reach.py may be wrong. `header`: the text of one; a test that reads it may have values
+        of its own from it, and is asked again."""
+        compiled = header is not None and mutant.early
+        count = 0
         for program in PROGRAMS[mutant.file.split("/")[1]]:
-            instead = self.shop.tests_with(place, program, mutant.file, header) if header is not None and mutant.early else {}
+            instead = self.shop.tests_with(place, program, mutant.file, header) if compiled else {}
             if instead is None:
                 return "invalid", ""
-            tests = sorted(self.reach.tests[program], key=lambda t: t[1])
-            if noticed := self.noticed(mutant, place, program, objects, tests, instead):
+            tests = sorted(((name, seconds) for name, seconds in self.reach.tests[program]
+                            if seconds < SHORT_S and (instead or (program, name) not in asked)), key=lambda t: t[1])
+            count += len({(program, name) for name, _ in tests} - asked)
+            if tests and (noticed := self.noticed(mutant, place, program, objects, tests, instead)):
                 return noticed
-        return outcome[0], f"{outcome[1]}, no other notices it"
+        return "survived", f"{len(asked)} tests reach it, nor do {count} others notice it"
 
     def noticed(self, mutant, place, program, objects, tests, instead=()):
         """(outcome, by which program and test), or None."""

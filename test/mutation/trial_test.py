@@ -139,7 +139,7 @@ class Trial(InAFolder):
         self.assertIn(test, ("test_core Counted.Three", "test_core Counted.Negative"))
         outcome, test = project.outcome(court, "i < to", "i <= to")
         self.assertIn((outcome, test), [("killed", "test_core Counted.Three"), ("killed", "test_core Counted.Negative")])
-        self.assertEqual(project.outcome(court, "i < to", "i != to"), ("survived", "2 tests reach it, no other notices it"))
+        self.assertEqual(project.outcome(court, "i < to", "i != to"), ("survived", "2 tests reach it, nor do 2 others notice it"))
         self.assertEqual(project.outcome(court, "i = i + 1", "i = 1 + i"), ("same", ""))
         self.assertEqual(project.outcome(court, "i < to", "i <"), ("invalid", ""))
         self.assertEqual(project.outcome(court, "return i", "__builtin_trap()")[0], "killed")
@@ -161,10 +161,10 @@ class Trial(InAFolder):
     def test_tests_that_reach_a_line_are_asked_first(self):
         project = Project(self.folder)
         court = project.court()
-        self.assertEqual(project.outcome(court, "return -2", "return -3")[1], "0 tests reach it, no other notices it")
-        self.assertEqual(project.outcome(court, "return -1", "return -3")[1], "1 tests reach it, no other notices it")
+        self.assertEqual(project.outcome(court, "return -2", "return -3")[1], "0 tests reach it, nor do 4 others notice it")
+        self.assertEqual(project.outcome(court, "return -1", "return -3")[1], "1 tests reach it, nor do 3 others notice it")
         # What the compiler may have computed is noticed by whoever reaches the file.
-        self.assertEqual(project.outcome(court, "return -2", "return -3", early=True)[1], "2 tests reach it, no other notices it")
+        self.assertEqual(project.outcome(court, "return -2", "return -3", early=True)[1], "2 tests reach it, nor do 2 others notice it")
         self.assertEqual(project.outcome(court, "limit = 9", "limit = 8", early=True), ("killed", "test_core Counted.Negative"))
 
     def test_one_that_the_table_of_lines_has_missed_is_asked_before_anything_is_called_a_survivor(self):
