@@ -123,6 +123,20 @@ TEST(FlyLog, WhoseHeightStandsStillAfterLiftOffDoubtsTheFlight) {
   EXPECT_TRUE(doubts(flat, "height rises by no more than 0.")) << as_text(flat);
 }
 
+// A rocket that is carried uphill: its height has a top, which is no apogee of a flight.
+TEST(FlyLog, WithoutLiftOffHasNoApogeeAndNoTimeAfterIt) {
+  ImuLog log = log_of(signal(10.0, 0.01, [](double) { return g; }));
+  log.height = signal(10.0, 0.1, [](double t) { return 100.0 + 5.0 * t - 0.5 * t * t; });
+  const Heard heard = fly_log(std::move(log), question());
+  EXPECT_EQ(heard.lift_off_s, std::nullopt);
+  EXPECT_EQ(heard.log_height.apogee_s, std::nullopt);
+  for (const Row& row : comparison(heard)) {
+    EXPECT_TRUE(!row.what.starts_with("apogee") || (row.law == "-" && row.log == "-")) << row.what << " " << row.log;
+  }
+  EXPECT_NE(as_text(heard).find("0.00 s of the log's clock"), std::string::npos) << as_text(heard);
+  EXPECT_EQ(as_html(heard).find("apogee, log"), std::string::npos);
+}
+
 TEST(FlyLog, SaysItsDoubtsBeforeItsFinding) {
   const Heard reversed = fly_log(log_of(signal(10.0, 0.01, [](double t) { return -constant_push(t); })), question());
   const std::string text = as_text(reversed);

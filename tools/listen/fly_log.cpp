@@ -160,7 +160,7 @@ Heard fly_log(ImuLog log, const Question& question, const Watch& watch) {
   const double stale_s = static_cast<double>(core::seconds(question.plan.motion.stale_time));
   heard.longest_bridge_s = question.longest_bridge_s.value_or(longest_bridge_s(heard.log.interval_s, stale_s));
   heard.gaps = gaps(heard.log.axial, heard.longest_bridge_s);
-  heard.log_height = log_height(heard.log.height, heard.lift_off_s.value_or(heard.log.begin_s()));
+  heard.log_height = log_height(heard.log.height, heard.lift_off_s);
   find_clipped(heard);
 
   const double begin_s = heard.log.begin_s() - question.pad_s;

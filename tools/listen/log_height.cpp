@@ -47,13 +47,16 @@ double zero_of(const Signal& height, double lift_off_s) {
 
 }  // namespace
 
-LogHeight log_height(const Signal& height, double lift_off_s) {
+LogHeight log_height(const Signal& height, std::optional<double> lift_off_s) {
   LogHeight result{.above_pad = height};
   if (!height.is_there()) {
     return result;
   }
-  const double zero = zero_of(height, lift_off_s);
+  const double zero = lift_off_s ? zero_of(height, *lift_off_s) : height.value.front();
   std::ranges::for_each(result.above_pad.value, [&](double& value) { value -= zero; });
+  if (!lift_off_s) {
+    return result;
+  }
   const Signal samples = thinned(result.above_pad);
   const std::vector<double>& time_s = samples.time_s;
   std::vector<double> window;
@@ -66,7 +69,7 @@ LogHeight log_height(const Signal& height, double lift_off_s) {
     while (end < time_s.size() && time_s[end] <= time_s[i] + 0.5 * median_window_s + rounding) {
       ++end;
     }
-    if (time_s[i] < lift_off_s) {
+    if (time_s[i] < *lift_off_s) {
       continue;
     }
     window.assign(samples.value.begin() + static_cast<std::ptrdiff_t>(begin),

@@ -15,7 +15,8 @@ struct LogHeight {
 };
 
 /// Apogee is where a running median over 0.5 s is largest, after lift-off: the charge of a parachute and the passage of
-/// Mach 1 put spikes into a barometer. Empty apogee: no height there, or one that ends while it still rises.
-[[nodiscard]] LogHeight log_height(const Signal& height, double lift_off_s);
+/// Mach 1 put spikes into a barometer. Empty apogee: no lift-off, no height there, or one that ends while it still
+/// rises.
+[[nodiscard]] LogHeight log_height(const Signal& height, std::optional<double> lift_off_s);
 
 }  // namespace fantail::listen

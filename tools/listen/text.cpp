@@ -14,10 +14,11 @@ constexpr const char* unknown = "-";
 
 std::string seconds(const std::optional<double>& time_s) { return time_s ? text::fixed(*time_s, 3) : unknown; }
 
-// "at 12.345 s", after lift-off where that is known.
+// "12.34 s after lift-off", or by the log's clock where there is none.
 std::string moment(const Heard& heard, double time_s) {
   const auto since = heard.since_lift_off_s(time_s);
-  return since ? fmt::format("{} s after lift-off", text::fixed(*since, 2)) : fmt::format("{:.2f} s", time_s);
+  return since ? fmt::format("{} s after lift-off", text::fixed(*since, 2))
+               : fmt::format("{:.2f} s of the log's clock", time_s);
 }
 
 std::string at_least(const Heard& heard) { return heard.is_lower_bound ? "at least " : ""; }
@@ -55,13 +56,9 @@ std::vector<Row> comparison(const Heard& heard) {
                                                     moment(heard, heard.log_fastest->time_s))
                                       : unknown});
   }
-  rows.push_back(
-      {"apogee after lift-off / s",
-       heard.apogee_s
-           ? at_least(heard) + seconds(heard.lift_off_s ? heard.since_lift_off_s(heard.apogee_s) : heard.apogee_s)
-           : unknown,
-       height.apogee_s ? seconds(heard.lift_off_s ? heard.since_lift_off_s(height.apogee_s) : height.apogee_s)
-                       : unknown});
+  rows.push_back({"apogee after lift-off / s",
+                  heard.apogee_s ? at_least(heard) + seconds(heard.since_lift_off_s(heard.apogee_s)) : unknown,
+                  seconds(heard.since_lift_off_s(height.apogee_s))});
   rows.push_back({"apogee / m", heard.apogee_s ? at_least(heard) + text::fixed(heard.apogee_m, 1) : unknown,
                   height.apogee_s ? text::fixed(height.apogee_m, 1) : unknown});
   rows.push_back(
