@@ -123,6 +123,27 @@ TEST(FlyLog, WhoseHeightStandsStillAfterLiftOffDoubtsTheFlight) {
   EXPECT_TRUE(doubts(flat, "height rises by no more than 0.")) << as_text(flat);
 }
 
+TEST(FlyLog, OfTwoLaunchesJudgesTheFirstAndNamesTheOther) {
+  const auto two = [](double t) { return constant_push(t < 60.0 ? t : t - 60.0); };
+  const Heard heard = fly_log(log_of(signal(80.0, 0.01, two)), question());
+  EXPECT_EQ(finding(heard), Finding::heard);
+  EXPECT_TRUE(says(heard, "Another push that by the rule would be a lift-off begins at 64.99 s of the log's clock"));
+  EXPECT_TRUE(says(heard, "Only the first is judged."));
+  EXPECT_TRUE(heard.doubts.empty());
+  EXPECT_NE(as_json(heard, "1").find("\"further_lift_offs_s\": [\n    64.99"), std::string::npos)
+      << as_json(heard, "1");
+  EXPECT_FALSE(says(fly_log(log_of(signal(20.0, 0.01, constant_push)), question()), "Another push"));
+}
+
+// Of the first launch the second accelerometer says nothing, and the plan asks for two.
+TEST(FlyLog, ThatHearsOnlyTheSecondOfTwoLaunchesDoubtsThatItIsTheSameFlight) {
+  ImuLog log = log_of(signal(80.0, 0.01, [](double t) { return constant_push(t < 60.0 ? t : t - 60.0); }));
+  log.second_axial = signal(80.0, 0.01, [](double t) { return t < 60.0 ? g : constant_push(t - 60.0); });
+  const Heard heard = fly_log(std::move(log), question());
+  EXPECT_NEAR(heard.detected_s.value(), 65.1, 0.02);
+  EXPECT_TRUE(doubts(heard, "comes after the push that begins at 64.99 s")) << as_text(heard);
+}
+
 // A rocket that is carried uphill: its height has a top, which is no apogee of a flight.
 TEST(FlyLog, WithoutLiftOffHasNoApogeeAndNoTimeAfterIt) {
   ImuLog log = log_of(signal(10.0, 0.01, [](double) { return g; }));

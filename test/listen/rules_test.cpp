@@ -25,6 +25,11 @@ Signal signal(double end_s, double interval_s, const std::function<double(double
   return made;
 }
 
+std::optional<double> lift_off_s(const Signal& axial) {
+  const std::vector<double> all = lift_offs_s(axial);
+  return all.empty() ? std::nullopt : std::optional{all[0]};
+}
+
 TEST(LiftOff, IsWhereTheLineBetweenTwoSamplesCrossesTwoG) {
   // From 1 g at 1.0 s to 6 g at 1.1 s: 2 g a fifth of the way.
   const Signal axial = signal(3.0, 0.1, [](double t) { return t < 1.05 ? g : 6.0 * g; });
@@ -62,6 +67,18 @@ TEST(LiftOff, IsNoRowOfStrokesOfAHand) {
 TEST(LiftOff, OfALogThatEndsInThePushIsItsBeginning) {
   const Signal axial = signal(1.2, 0.01, [](double t) { return t < 1.0 ? g : 5.0 * g; });
   EXPECT_NEAR(lift_off_s(axial).value(), 1.0, 0.011);
+}
+
+// 4 g more than the pad for 2 s, and again 20 s later; between them 0.25 s of the same, which a parachute may give.
+TEST(LiftOff, OfEachPushThatMakesAFlightIsFoundOnceAndOfNoOther) {
+  const auto in = [](double t, double from, double long_s) { return t > from && t < from + long_s; };
+  const Signal axial = signal(40.0, 0.01, [&](double t) {
+    return in(t, 5.0, 2.0) || in(t, 12.0, 0.25) || in(t, 25.0, 2.0) ? (std::fmod(t, 0.1) < 0.05 ? 6.0 : 1.8) * g : g;
+  });
+  const std::vector<double> all = lift_offs_s(axial);
+  ASSERT_EQ(all.size(), 2U);
+  EXPECT_NEAR(all[0], 5.0, 0.011);
+  EXPECT_NEAR(all[1], 25.0, 0.011);
 }
 
 TEST(LiftOff, ThatShakesThroughTwoGIsTheFirstCrossing) {

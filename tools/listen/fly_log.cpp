@@ -153,8 +153,10 @@ Heard fly_log(ImuLog log, const Question& question, const Watch& watch) {
                                   question.plan_name)};
   }
   Heard heard{.log = std::move(log), .plan = question.plan_name, .flown = question.plan};
-  heard.lift_off_s = lift_off_s(heard.log.axial);
-  if (heard.lift_off_s) {
+  heard.further_lift_offs_s = lift_offs_s(heard.log.axial);
+  if (!heard.further_lift_offs_s.empty()) {
+    heard.lift_off_s = heard.further_lift_offs_s.front();
+    heard.further_lift_offs_s.erase(heard.further_lift_offs_s.begin());
     heard.log.interval_s = interval_around_s(heard.log.axial, *heard.lift_off_s, heard.log.interval_s);
   }
   const double stale_s = static_cast<double>(core::seconds(question.plan.motion.stale_time));

@@ -52,8 +52,9 @@ struct Heard {
   std::vector<Gap> gaps{};  ///< of the axial force
   std::vector<Clipped> clipped{};
 
-  std::optional<double> lift_off_s{};  ///< by the rule of lift_off.hpp, log's clock
-  std::vector<Event> events{};         ///< from Armed on
+  std::optional<double> lift_off_s{};         ///< by the rule of lift_off.hpp, log's clock
+  std::vector<double> further_lift_offs_s{};  ///< by the same rule; none of them is judged
+  std::vector<Event> events{};                ///< from Armed on
   std::vector<double> false_detections_s{};
   /// The first Launched that is none of these, or the one of these in which the law still was at lift-off, if it went
   /// on from there to Controlling.

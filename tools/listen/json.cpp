@@ -37,9 +37,9 @@ Json events(const Heard& heard) {
   return list;
 }
 
-Json false_detections(const Heard& heard) {
+Json times(const std::vector<double>& times_s) {
   Json list = Json::array();
-  for (const double time_s : heard.false_detections_s) {
+  for (const double time_s : times_s) {
     list.push_back(rounded(time_s));
   }
   return list;
@@ -91,9 +91,10 @@ std::string as_json(const Heard& heard, std::string_view version) {
                      {"gaps", gaps_of(heard)},
                      {"ends_of_range", clipped(heard)},
                      {"lift_off_s", rounded(heard.lift_off_s)},
+                     {"further_lift_offs_s", times(heard.further_lift_offs_s)},
                      {"detected_s", rounded(heard.detected_s)},
                      {"detected_since_lift_off_s", rounded(heard.since_lift_off_s(heard.detected_s))},
-                     {"false_detections_s", false_detections(heard)},
+                     {"false_detections_s", times(heard.false_detections_s)},
                      {"early_control_s", rounded(heard.early_control_s)},
                      {"phases", events(heard)},
                      {"peak_axial_m_s2", rounded(heard.hardest.value)},

@@ -2,6 +2,7 @@
 #include "listen/lift_off.hpp"
 
 #include <algorithm>
+#include <optional>
 
 #include "listen/range_end.hpp"
 
@@ -32,12 +33,18 @@ double above_s(const Signal& axial, std::size_t first, double from_s, double thr
   return sum;
 }
 
-// Is the push that begins at a crossing, the sample before which is first - 1, more than a bump?
-bool makes_a_flight(const Signal& axial, std::size_t first, double from_s, double threshold_m_s2,
-                    const std::optional<RangeEnd>& end) {
+struct Push {
+  bool makes_a_flight;  ///< is more than a bump
+  std::size_t end;      ///< the sample at which it is over
+};
+
+// The push that begins at a crossing, the sample before which is first - 1.
+Push push_from(const Signal& axial, std::size_t first, double from_s, double threshold_m_s2,
+               const std::optional<RangeEnd>& end) {
   const double pause_m_s2 = push_end_g / lift_off_g * threshold_m_s2;
   double impulse_m_s = 0.0;
   double clipped_s = 0.0;
+  bool makes_a_flight = false;
   double low_since_s = from_s;
   double last_s = from_s;
   double last_m_s2 = axial.value[first];
@@ -46,43 +53,42 @@ bool makes_a_flight(const Signal& axial, std::size_t first, double from_s, doubl
     const double step_s = axial.time_s[i] - last_s;
     impulse_m_s += step_s * (0.5 * (last_m_s2 + now_m_s2) - one_g_m_s2);
     clipped_s += end && end->holds(now_m_s2) && end->holds(last_m_s2) ? step_s : 0.0;
-    if (impulse_m_s >= flight_impulse_m_s || clipped_s >= flight_clipped_s) {
-      return true;
-    }
+    makes_a_flight = makes_a_flight || impulse_m_s >= flight_impulse_m_s || clipped_s >= flight_clipped_s;
     if (now_m_s2 >= pause_m_s2) {
       low_since_s = axial.time_s[i];
     } else if (last_m_s2 >= pause_m_s2) {
       low_since_s = crossing_s(axial, i, pause_m_s2);
     }
     if (now_m_s2 < pause_m_s2 && axial.time_s[i] - low_since_s >= push_pause_s) {
-      return false;
+      return {makes_a_flight, i};
     }
     last_s = axial.time_s[i];
     last_m_s2 = now_m_s2;
   }
-  return true;
+  return {true, axial.time_s.size()};
 }
 
 }  // namespace
 
-std::optional<double> lift_off_s(const Signal& axial) {
+std::vector<double> lift_offs_s(const Signal& axial) {
   double threshold_m_s2 = lift_off_g * one_g_m_s2;
   const auto end = range_end(axial, Side::positive);
   if (end && end->value < threshold_m_s2) {
     threshold_m_s2 = end->value * (1.0 - 1e-9);
   }
+  std::vector<double> found;
   for (std::size_t i = 0; i < axial.time_s.size(); ++i) {
     const bool rises = axial.value[i] >= threshold_m_s2 && (i == 0 || axial.value[i - 1] < threshold_m_s2);
-    if (!rises) {
+    const double from_s = rises && i > 0 ? crossing_s(axial, i, threshold_m_s2) : axial.time_s[i];
+    if (!rises || above_s(axial, i, from_s, threshold_m_s2) < 0.5 * lift_off_window_s) {
       continue;
     }
-    const double from_s = i == 0 ? axial.time_s[0] : crossing_s(axial, i, threshold_m_s2);
-    if (above_s(axial, i, from_s, threshold_m_s2) >= 0.5 * lift_off_window_s &&
-        makes_a_flight(axial, i, from_s, threshold_m_s2, end)) {
-      return from_s;
+    if (const Push push = push_from(axial, i, from_s, threshold_m_s2, end); push.makes_a_flight) {
+      found.push_back(from_s);
+      i = push.end;
     }
   }
-  return std::nullopt;
+  return found;
 }
 
 }  // namespace fantail::listen

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <optional>
+#include <vector>
 
 #include "listen/imu_log.hpp"
 
@@ -14,8 +14,9 @@ namespace fantail::listen {
 /// when the log ends in it. A hand gives less (docs/detection.md).
 ///
 /// In the log's clock, between samples on a straight line; the first sample of a log that begins so. Readings at the
-/// end of a range that ends below 2 g count as above it. Empty: never.
-[[nodiscard]] std::optional<double> lift_off_s(const Signal& axial);
+/// end of a range that ends below 2 g count as above it. Behind the first come those of further pushes: of another
+/// launch, another stage, the shock of a parachute, the landing. Empty: never.
+[[nodiscard]] std::vector<double> lift_offs_s(const Signal& axial);
 
 inline constexpr double lift_off_g = 2.0;
 inline constexpr double lift_off_window_s = 0.3;

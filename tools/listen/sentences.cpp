@@ -147,6 +147,17 @@ std::string end_doubt(const Heard& heard) {
                                       : "";
 }
 
+// The law hears until control ends, so that what it did may belong to a later push.
+std::string other_flight_doubt(const Heard& heard) {
+  const auto did_s = heard.control ? std::optional{heard.control->time_s} : heard.detected_s;
+  return !heard.further_lift_offs_s.empty() && did_s >= heard.further_lift_offs_s.front()
+             ? fmt::format(
+                   "What the law heard comes after the push that begins at {} s of the log's clock: if that is another "
+                   "launch, the figures are of that one, and the first was not followed.",
+                   text::fixed(heard.further_lift_offs_s.front(), 2))
+             : "";
+}
+
 // A barometer is slow, and Mach 1 and the wind disturb it; five seconds after a launch all that is small.
 std::string height_doubt(const Heard& heard) {
   constexpr double after_s = 5.0;
@@ -230,6 +241,17 @@ std::string clipped_sentence(const Heard& heard, const Clipped& clipped) {
   return sentence + (is_rate ? ": angles that follow from it are too small." : ".");
 }
 
+std::string further_sentence(const Heard& heard) {
+  const std::size_t count = heard.further_lift_offs_s.size();
+  return count == 0 ? ""
+                    : fmt::format(
+                          "{} that by the rule would be a lift-off {} at {} s of the log's clock: another launch, "
+                          "another stage, the shock of a parachute or the landing. Only the first is judged.",
+                          count == 1 ? "Another push" : fmt::format("{} further pushes", count),
+                          count == 1 ? "begins" : "begin, the first of them",
+                          text::fixed(heard.further_lift_offs_s.front(), 2));
+}
+
 std::string unbelievable_sentence(const Heard& heard) {
   const auto beyond = std::ranges::count_if(heard.log.axial.value, [](double value) {
     return std::abs(value) > static_cast<double>(core::largest_specific_force_m_s2);
@@ -244,15 +266,15 @@ std::string unbelievable_sentence(const Heard& heard) {
 }  // namespace
 
 std::vector<std::string> doubts_of(const Heard& heard) {
-  std::vector<std::string> doubts{axial_doubt(heard), begin_doubt(heard), interval_doubt(heard), height_doubt(heard),
-                                  end_doubt(heard)};
+  std::vector<std::string> doubts{axial_doubt(heard),  begin_doubt(heard), interval_doubt(heard),
+                                  height_doubt(heard), end_doubt(heard),   other_flight_doubt(heard)};
   std::erase(doubts, std::string{});
   return doubts;
 }
 
 std::vector<std::string> notes_of(const Heard& heard, const Question& question) {
-  std::vector<std::string> notes{rate_sentence(heard), gap_sentence(heard), second_sentence(heard),
-                                 pad_sentence(heard, question)};
+  std::vector<std::string> notes{further_sentence(heard), rate_sentence(heard), gap_sentence(heard),
+                                 second_sentence(heard), pad_sentence(heard, question)};
   for (const Clipped& clipped : heard.clipped) {
     notes.push_back(clipped_sentence(heard, clipped));
   }
