@@ -172,6 +172,23 @@ TEST(FlyLog, OfAnAccelerometerAtTheEndOfItsRangeSaysThatItsFiguresAreLowerBounds
   EXPECT_FALSE(says(helped, "lower bounds"));
 }
 
+// From 1 g at 5.0 s to the end of the range, 6 g, at 5.2 s: the plan's 2.5 g are passed at 5.06 s, and the hold is 0.1
+// s.
+TEST(FlyLog, OfASlowLogThatSaturatesIsNotDetectedBeforeTheLineHasPassedTheThreshold) {
+  std::mt19937 random{test::seed()};
+  std::normal_distribution<double> noise{0.0, 0.05};
+  const Heard heard =
+      fly_log(log_of(signal(20.0, 0.2,
+                            [&](double t) {
+                              return t < 5.1 ? g + (t > 4.9 ? 0.0 : noise(random)) : t < 9.1 ? 6.0 * g : noise(random);
+                            }),
+                     0.2),
+              question());
+  ASSERT_EQ(heard.clipped.size(), 1U);
+  EXPECT_GE(heard.detected_s.value(), 5.16);
+  EXPECT_LE(heard.detected_s.value(), 5.20);
+}
+
 TEST(FlyLog, OfTwoAccelerometersThatDisagreeIsMissedByAPlanThatAsksForTwo) {
   ImuLog log = log_of(signal(20.0, 0.01, constant_push));
   log.second_axial = signal(20.0, 0.01, [](double) { return g; });

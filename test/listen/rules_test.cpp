@@ -9,6 +9,7 @@
 #include "listen/lift_off.hpp"
 #include "listen/log_height.hpp"
 #include "listen/range_end.hpp"
+#include "listen/sensors.hpp"
 #include "random/seed.hpp"
 
 namespace fantail::listen {
@@ -146,6 +147,21 @@ TEST(RangeEnd, IsNoPeakAndNoHeldSampleAndNothingOfALogWithoutNoise) {
   EXPECT_EQ(range_end(slow, Side::positive), std::nullopt);
   EXPECT_EQ(range_end(signal(4.0, 0.01, [](double t) { return t < 1.0 ? g : 5.0 * g; }), Side::positive), std::nullopt);
   EXPECT_EQ(range_end(Signal{}, Side::positive), std::nullopt);
+}
+
+// From 1 g on by 20 m/s2 a second from 2 s on: 60 m/s2 are reached at 4.51 s, and the first sample there is at 4.6 s.
+TEST(Channel, OfARampIsAtTheEndOfItsRangeFromItsFirstSampleThereOnAndNotBefore) {
+  const Signal ramp = signal(9.0, 0.2, [](double t) {
+    return t < 2.1 ? g + 0.01 * t : t < 8.1 ? std::min(60.0, g + 20.0 * (t - 2.0)) : 0.0;
+  });
+  Channel channel{ramp, 2.0, 0.0};
+  for (int i = 0; i < 9000; ++i) {
+    const double t = 1e-3 * i + 5e-4;
+    const Channel::Sample sample = channel.at(t).value();
+    EXPECT_EQ(sample.at_positive_end, t > 4.6 && t < 8.0) << t;
+    EXPECT_TRUE(t < 2.2 || t > 4.4 || std::abs(sample.value - (g + 20.0 * (t - 2.0))) < 1e-9) << t;
+    EXPECT_FALSE(sample.at_negative_end);
+  }
 }
 
 TEST(LogHeight, CountsFromThePadAndHasItsApogeeWhereTheMedianIsLargest) {

@@ -37,11 +37,8 @@ std::optional<Channel::Sample> Channel::at(double time_s) {
   if (!place) {
     return std::nullopt;
   }
-  const auto either = [&](const std::optional<RangeEnd>& end) {
-    return end && (end->holds(signal_.value[place->before]) ||
-                   (place->part > 0.0 && end->holds(signal_.value[place->before + 1])));
-  };
-  return Sample{place->of(signal_.value), either(positive_), either(negative_)};
+  const double value = place->of(signal_.value);
+  return Sample{value, positive_ && positive_->holds(value), negative_ && negative_->holds(value)};
 }
 
 Sensors::Sensors(const ImuLog& log, double longest_gap_s, double pad_end_s, const core::FlightPlan& plan)

@@ -23,7 +23,8 @@ class Channel {
     bool at_negative_end = false;
   };
 
-  /// Times in increasing order. Empty in a gap. A signal that the log does not have is zero.
+  /// Times in increasing order. Empty in a gap. A signal that the log does not have is zero. At an end is what reads as
+  /// much: not the line that leads there.
   [[nodiscard]] std::optional<Sample> at(double time_s);
 
  private:
