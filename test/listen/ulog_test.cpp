@@ -9,8 +9,11 @@
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 
+#include "listen/load.hpp"
+#include "listen/maps.hpp"
 #include "listen/refused.hpp"
 #include "random/seed.hpp"
+#include "system/folder.hpp"
 
 namespace fantail::listen {
 namespace {
@@ -88,6 +91,26 @@ TEST(Ulog, GivesARowForEachMessageOfItsTwoTopicsInOrderOfTime) {
   EXPECT_EQ(column(read, "baro_device_id").values[1], 12.0);
   ASSERT_EQ(read.notes.size(), 1U);
   EXPECT_EQ(read.notes[0], "The logger says that it dropped 25 ms.");
+}
+
+// Motion every 4 ms but for 12 ms once, height every 20 ms.
+TEST(Ulog, ThatIsSoundHasOneNoteOnItsTwoTopicsWithTheLargestGapOfEach) {
+  std::string file = head();
+  for (std::uint64_t i = 0; i < 400; ++i) {
+    file += i == 200 || i == 201 ? std::string{} : combined(1'000'000 + 4000 * i, 9.5F);
+    file += i % 5 == 0 ? air(1'000'000 + 4000 * i, 100.0F) : std::string{};
+  }
+  const test::Folder folder;
+  const Loaded loaded = load(folder.write("a.ulg", file));
+  const ImuLog log = imu_log(loaded.table, sources_of(*find_map("px4")), loaded.clocks);
+  EXPECT_TRUE(loaded.notes.empty());
+  ASSERT_EQ(log.notes.size(), 1U) << log.notes[1];
+  EXPECT_EQ(
+      log.notes[0],
+      "Motion and height were logged apart and are merged, each sample at its own time. The largest gap is 12 ms in "
+      "the motion and 20 ms in the height.");
+  EXPECT_EQ(log.axial.time_s.size(), 398U);
+  EXPECT_EQ(log.height.time_s.size(), 80U);
 }
 
 TEST(Ulog, WithoutItsTopicIsRefusedWithThoseThatAreThere) {

@@ -71,7 +71,7 @@ listen::ImuLog read(const ListenOptions& o) {
   listen::Loaded loaded = listen::load(o.log);
   std::string from;
   const listen::Sources what = sources(o, loaded.table, from);
-  listen::ImuLog log = listen::imu_log(loaded.table, what);
+  listen::ImuLog log = listen::imu_log(loaded.table, what, loaded.clocks);
   log.columns_from = from;
   log.notes.insert(log.notes.begin(), loaded.notes.begin(), loaded.notes.end());
   if (!o.barometer.empty()) {

@@ -154,6 +154,27 @@ void note_what_is_missing(ImuLog& log) {
   }
 }
 
+double longest_interval_s(const Signal& signal) {
+  double longest_s = 0.0;
+  for (std::size_t i = 1; i < signal.time_s.size(); ++i) {
+    longest_s = std::max(longest_s, signal.time_s[i] - signal.time_s[i - 1]);
+  }
+  return longest_s;
+}
+
+std::string merging(const ImuLog& log) {
+  double motion_s = 0.0;
+  for (const Place& place : places) {
+    const bool is_motion = place.quantity != Quantity::height && place.quantity != Quantity::speed;
+    motion_s = std::max(motion_s, is_motion ? longest_interval_s(log.*place.signal) : 0.0);
+  }
+  return fmt::format(
+      "Motion and height were logged apart and are merged, each sample at its own time. The largest gap is {:.4g} ms "
+      "in "
+      "the motion and {:.4g} ms in the height.",
+      1e3 * motion_s, 1e3 * longest_interval_s(log.height));
+}
+
 void refuse_few_samples(const ImuLog& log) {
   if (log.axial.time_s.size() < fewest_samples) {
     refuse(fmt::format("{}: {} samples of the axial specific force; at least {} are needed", log.name,
@@ -183,9 +204,10 @@ void refuse_unlikely_time(const ImuLog& log, const Sources& sources) {
 
 }  // namespace
 
-ImuLog imu_log(const flight::Table& table, const Sources& sources) {
+ImuLog imu_log(const flight::Table& table, const Sources& sources, Clocks clocks) {
   ImuLog log{.name = table.name(), .rows = table.rows()};
-  const Clock clock = clock_of(table, sources, log.notes);
+  std::vector<std::string> of_rows;
+  const Clock clock = clock_of(table, sources, of_rows);
   const Source* const axial = find(sources, Quantity::axial);
   if (axial == nullptr) {
     refuse(fmt::format("{}: nobody said which column is the axial specific force: --columns axial=COLUMN:UNIT",
@@ -194,12 +216,17 @@ ImuLog imu_log(const flight::Table& table, const Sources& sources) {
   for (const Place& place : places) {
     const Source* const source = find(sources, place.quantity);
     if (source != nullptr && (source->must_be_there || table.find(source->column))) {
-      log.*place.signal = signal_of(table, clock, *source, log.notes);
+      log.*place.signal = signal_of(table, clock, *source, of_rows);
     }
   }
   refuse_few_samples(log);
   log.interval_s = logs::usual_interval_s(log.axial.time_s);
   refuse_unlikely_time(log, sources);
+  if (clocks == Clocks::one) {
+    log.notes = of_rows;
+  } else if (log.height.is_there()) {
+    log.notes.push_back(merging(log));
+  }
   note_what_is_missing(log);
   return log;
 }

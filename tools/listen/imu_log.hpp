@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -57,12 +58,16 @@ inline constexpr double longest_log_s = 6.0 * 3600.0;
 inline constexpr double shortest_log_s = 1.0;
 inline constexpr double fastest_log_hz = 20'000.0;
 
+/// Have all columns of a table their numbers in the same rows, or is it several tables, sorted into one by time, as the
+/// topics of a ULog are?
+enum class Clocks : std::uint8_t { one, several };
+
 /// The columns of a table that `sources` name. Of rows with one time the last counts: loggers write a row again when
 /// another sensor of it has news. Throws text::Error (bad_data), naming file and line: a column that is not there, no
 /// time or axial force among the sources, time that goes back, more than 1 % of rows without a time, fewer than ten
 /// samples of the axial force, a log longer than longest_log_s, shorter than shortest_log_s or faster than
 /// fastest_log_hz.
-[[nodiscard]] ImuLog imu_log(const flight::Table& table, const Sources& sources);
+[[nodiscard]] ImuLog imu_log(const flight::Table& table, const Sources& sources, Clocks clocks = Clocks::one);
 
 /// Height and speed of another file: a barometer's own log.
 void add_barometer(ImuLog& log, const flight::Table& table, const Sources& sources);

@@ -120,14 +120,15 @@ Loaded load(const std::filesystem::path& file) {
   if (ending == ".ulg") {
     const std::string bytes = flight::Table::read(name);
     UlogColumns read = read_ulog(bytes, name);
-    return {flight::Table::parse(csv_of(read.columns), name, flight::Table::Rows::by_number), std::move(read.notes)};
+    return {flight::Table::parse(csv_of(read.columns), name, flight::Table::Rows::by_number), std::move(read.notes),
+            Clocks::several};
   }
   if (ending == ".mat" || ending == ".parquet" || ending == ".ftl" || ending == ".mcap" || ending == ".lcmlog") {
-    return {logs::load_table(file, {}), {}};
+    return {.table = logs::load_table(file, {})};
   }
   std::vector<std::string> notes;
   std::string text = tidy(flight::Table::read(name), notes);
-  return {flight::Table::parse(std::move(text), name), std::move(notes)};
+  return {.table = flight::Table::parse(std::move(text), name), .notes = std::move(notes)};
 }
 
 }  // namespace fantail::listen

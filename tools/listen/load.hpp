@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "flight/table.hpp"
+#include "listen/imu_log.hpp"
 
 namespace fantail::listen {
 
@@ -17,6 +18,7 @@ namespace fantail::listen {
 struct Loaded {
   flight::Table table;
   std::vector<std::string> notes{};  ///< a sentence each: damage that was read around
+  Clocks clocks = Clocks::one;
 };
 
 /// The table in a log: ULog (.ulg, see ulog.hpp), MAT-file, Parquet file, else CSV through tidy(). Throws text::Error
