@@ -144,6 +144,45 @@ TEST(FlyLog, ThatHearsOnlyTheSecondOfTwoLaunchesDoubtsThatItIsTheSameFlight) {
   EXPECT_TRUE(doubts(heard, "comes after the push that begins at 64.99 s")) << as_text(heard);
 }
 
+// Nothing between 4.9 s and 5.6 s, in which the push begins at 5.0 s; half a second of it is bridged by nobody.
+TEST(FlyLog, WhoseLiftOffLiesInAGapGivesItNoTimeAndDoubtsIt) {
+  ImuLog log = log_of(signal(20.0, 0.01, constant_push));
+  std::erase_if(log.axial.value, [&, i = 0](double) mutable {
+    const double t = log.axial.time_s[static_cast<std::size_t>(i++)];
+    return t > 4.905 && t < 5.595;
+  });
+  std::erase_if(log.axial.time_s, [](double t) { return t > 4.905 && t < 5.595; });
+  const Heard heard = fly_log(std::move(log), question());
+  EXPECT_EQ(finding(heard), Finding::heard);
+  EXPECT_TRUE(doubts(heard, "Lift-off lies in a gap of the log, from 4.900 s to 5.600 s of its clock"))
+      << as_text(heard);
+  EXPECT_NEAR(heard.detected_s.value(), 5.70, 0.005) << "a hold behind the gap";
+  EXPECT_EQ(heard.since_lift_off_s(heard.detected_s), std::nullopt);
+  EXPECT_TRUE(headline(heard).starts_with("Launch detected 0.10")) << headline(heard);
+  EXPECT_NE(headline(heard).find(" s to 0.80"), std::string::npos) << headline(heard);
+  EXPECT_NE(headline(heard).find("after lift-off, which lies in a gap of the log, and nothing in the 4.90 s before the "
+                                 "gap."),
+            std::string::npos)
+      << headline(heard);
+  EXPECT_EQ(comparison(heard)[0].log, "4.900 to 5.600, a gap");
+  const std::string json = as_json(heard, "1");
+  EXPECT_NE(json.find("\"lift_off_s\": null"), std::string::npos) << json;
+  EXPECT_NE(json.find("\"lift_off_gap\": {"), std::string::npos) << json;
+  EXPECT_EQ(as_html(heard).find("time after lift-off"), std::string::npos);
+}
+
+TEST(FlyLog, WhosePushIsJudgedAcrossAGapDoubtsIt) {
+  ImuLog log = log_of(signal(20.0, 0.01, constant_push));
+  std::erase_if(log.axial.value, [&, i = 0](double) mutable {
+    const double t = log.axial.time_s[static_cast<std::size_t>(i++)];
+    return t > 5.105 && t < 5.595;
+  });
+  std::erase_if(log.axial.time_s, [](double t) { return t > 5.105 && t < 5.595; });
+  const Heard heard = fly_log(std::move(log), question());
+  EXPECT_NEAR(heard.lift_off_s.value(), 4.9925, 1e-6);
+  EXPECT_TRUE(doubts(heard, "A gap of the log begins 0.11 s after lift-off")) << as_text(heard);
+}
+
 // A rocket that is carried uphill: its height has a top, which is no apogee of a flight.
 TEST(FlyLog, WithoutLiftOffHasNoApogeeAndNoTimeAfterIt) {
   ImuLog log = log_of(signal(10.0, 0.01, [](double) { return g; }));

@@ -162,6 +162,12 @@ Heard fly_log(ImuLog log, const Question& question, const Watch& watch) {
   const double stale_s = static_cast<double>(core::seconds(question.plan.motion.stale_time));
   heard.longest_bridge_s = question.longest_bridge_s.value_or(longest_bridge_s(heard.log.interval_s, stale_s));
   heard.gaps = gaps(heard.log.axial, heard.longest_bridge_s);
+  for (const Gap& gap : heard.gaps) {
+    if (heard.lift_off_s && gap.from_s < *heard.lift_off_s && *heard.lift_off_s <= gap.to_s) {
+      heard.lift_off_gap = gap;
+      heard.lift_off_s = gap.from_s;
+    }
+  }
   heard.log_height = log_height(heard.log.height, heard.lift_off_s);
   find_clipped(heard);
 

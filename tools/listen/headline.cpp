@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What was heard, in a sentence.
+#include <algorithm>
+
 #include <fmt/core.h>
 
 #include "listen/lift_off.hpp"
@@ -18,7 +20,9 @@ Finding finding(const Heard& heard) {
   if (!heard.detected_s) {
     return Finding::missed;
   }
-  return *heard.since_lift_off_s(heard.detected_s) > late_s ? Finding::late : Finding::heard;
+  // What is late even if lift-off was where its gap ends.
+  const double latest_s = heard.lift_off_gap ? heard.lift_off_gap->to_s : *heard.lift_off_s;
+  return *heard.detected_s - latest_s > late_s ? Finding::late : Finding::heard;
 }
 
 std::string headline(const Heard& heard) {
@@ -38,18 +42,35 @@ std::string headline(const Heard& heard) {
                            : early == 1 ? "one launch that was none"
                                         : fmt::format("{} launches that were none", early);
   const std::string before = text::fixed(*heard.lift_off_s - heard.log.begin_s(), 2);
-  const auto since_s = heard.since_lift_off_s(heard.detected_s);
-  if (!since_s) {
+  if (!heard.detected_s) {
     return early == 0 ? "The launch was not detected."
                       : fmt::format("The launch was not detected, and {} none {}, in the {} s before it.{}",
                                     early == 1 ? "one that was" : fmt::format("{} that were", early),
                                     early == 1 ? "was" : "were", before, control);
   }
-  return *since_s < 0.0 && early > 0
-             ? fmt::format("Launch detected {:.3f} s before lift-off, and the flight controlled from there.", -*since_s)
-             : fmt::format(
-                   "Launch detected {:.3f} s after lift-off{}{}.", *since_s, *since_s > late_s ? ", which is late" : "",
-                   heard.begins_at_lift_off() ? "" : fmt::format(", and {} in the {} s before it", what, before));
+  const auto& gap = heard.lift_off_gap;
+  const double since_s = *heard.detected_s - *heard.lift_off_s;
+  if (since_s < 0.0 && early > 0) {
+    return fmt::format("Launch detected {}{:.3f} s before lift-off, and the flight controlled from there.",
+                       gap ? "at least " : "", -since_s);
+  }
+  return fmt::format(
+      "Launch detected {}{:.3f} s after lift-off{}{}{}.",
+      gap ? fmt::format("{:.3f} s to ", std::max(0.0, *heard.detected_s - gap->to_s)) : "", since_s,
+      gap ? ", which lies in a gap of the log" : "", finding(heard) == Finding::late ? ", which is late" : "",
+      heard.begins_at_lift_off() ? ""
+                                 : fmt::format(", and {} in the {} s before {}", what, before, gap ? "the gap" : "it"));
+}
+
+std::string further_sentence(const Heard& heard) {
+  const std::size_t count = heard.further_lift_offs_s.size();
+  return count == 0 ? ""
+                    : fmt::format(
+                          "{} that by the rule would be a lift-off {} at {} s of the log's clock: another launch, "
+                          "another stage, the shock of a parachute or the landing. Only the first is judged.",
+                          count == 1 ? "Another push" : fmt::format("{} further pushes", count),
+                          count == 1 ? "begins" : "begin, the first of them",
+                          text::fixed(heard.further_lift_offs_s.front(), 2));
 }
 
 std::string lift_off_rule() {

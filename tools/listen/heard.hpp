@@ -52,7 +52,9 @@ struct Heard {
   std::vector<Gap> gaps{};  ///< of the axial force
   std::vector<Clipped> clipped{};
 
-  std::optional<double> lift_off_s{};         ///< by the rule of lift_off.hpp, log's clock
+  /// By the rule of lift_off.hpp, log's clock. Where that is in a gap: the gap, and here its begin.
+  std::optional<double> lift_off_s{};
+  std::optional<Gap> lift_off_gap{};
   std::vector<double> further_lift_offs_s{};  ///< by the same rule; none of them is judged
   std::vector<Event> events{};                ///< from Armed on
   std::vector<double> false_detections_s{};
@@ -75,11 +77,13 @@ struct Heard {
   std::vector<std::string> notes{};   ///< what a reader must know, a sentence each
 
   /// Does the log begin in thrust, as far as anybody can tell?
-  [[nodiscard]] bool begins_at_lift_off() const { return lift_off_s && *lift_off_s <= log.begin_s(); }
+  [[nodiscard]] bool begins_at_lift_off() const { return lift_off_s && !lift_off_gap && *lift_off_s <= log.begin_s(); }
 
+  /// Empty also where it lies in a gap.
+  [[nodiscard]] std::optional<double> known_lift_off_s() const { return lift_off_gap ? std::nullopt : lift_off_s; }
   /// After lift-off, where that is known.
   [[nodiscard]] std::optional<double> since_lift_off_s(std::optional<double> time_s) const {
-    return time_s && lift_off_s ? std::optional{*time_s - *lift_off_s} : std::nullopt;
+    return time_s && known_lift_off_s() ? std::optional{*time_s - *lift_off_s} : std::nullopt;
   }
 };
 

@@ -21,7 +21,7 @@ constexpr double tall = 280.0;
 constexpr double flat = 190.0;
 
 // Time from here on in the charts: after lift-off where it is known.
-double zero_s(const Heard& heard) { return heard.lift_off_s.value_or(0.0); }
+double zero_s(const Heard& heard) { return heard.known_lift_off_s().value_or(0.0); }
 
 std::vector<double> shifted(std::vector<double> time_s, double by_s) {
   std::ranges::for_each(time_s, [&](double& t) { t -= by_s; });
@@ -74,7 +74,7 @@ std::vector<page::Level> moments(const Heard& heard) {
       levels.push_back({.value = *time_s - zero_s(heard), .label = label, .upright = true});
     }
   };
-  mark(heard.lift_off_s, "lift-off");
+  mark(heard.known_lift_off_s(), "lift-off");
   mark(heard.apogee_s, "apogee, law");
   mark(heard.log_height.apogee_s, "apogee, log");
   return levels;
@@ -89,20 +89,21 @@ std::string in_lower_case(std::string_view heading) {
 std::string chart(const Heard& heard, std::string_view heading, std::string_view unit, double height,
                   std::vector<page::Series> series, std::vector<page::Level> levels) {
   std::erase_if(series, [](const page::Series& one) { return one.x.empty(); });
-  return page::section(heading, page::figure({.label = fmt::format("{} over time", heading),
-                                              .x_label = heard.lift_off_s ? "time after lift-off / s" : "time / s",
-                                              .y_label = fmt::format("{} / {}", in_lower_case(heading), unit),
-                                              .height = height,
-                                              .series = std::move(series),
-                                              .shaded_ranges = phases(heard),
-                                              .levels = std::move(levels),
-                                              .sampled = true,
-                                              .least_left = 48.0}));
+  return page::section(heading,
+                       page::figure({.label = fmt::format("{} over time", heading),
+                                     .x_label = heard.known_lift_off_s() ? "time after lift-off / s" : "time / s",
+                                     .y_label = fmt::format("{} / {}", in_lower_case(heading), unit),
+                                     .height = height,
+                                     .series = std::move(series),
+                                     .shaded_ranges = phases(heard),
+                                     .levels = std::move(levels),
+                                     .sampled = true,
+                                     .least_left = 48.0}));
 }
 
 // The half second in which everything is decided.
 std::string close_up(const Heard& heard, std::vector<page::Level> levels) {
-  if (!heard.lift_off_s) {
+  if (!heard.known_lift_off_s()) {
     return {};
   }
   constexpr page::Range around_lift_off{-0.5, 1.5};

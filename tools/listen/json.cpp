@@ -45,10 +45,12 @@ Json times(const std::vector<double>& times_s) {
   return list;
 }
 
+Json json_of(const Gap& gap) { return {{"from_s", rounded(gap.from_s)}, {"to_s", rounded(gap.to_s)}}; }
+
 Json gaps_of(const Heard& heard) {
   Json list = Json::array();
   for (const Gap& gap : heard.gaps) {
-    list.push_back({{"from_s", rounded(gap.from_s)}, {"to_s", rounded(gap.to_s)}});
+    list.push_back(json_of(gap));
   }
   return list;
 }
@@ -90,7 +92,8 @@ std::string as_json(const Heard& heard, std::string_view version) {
                      {"longest_bridge_s", rounded(heard.longest_bridge_s)},
                      {"gaps", gaps_of(heard)},
                      {"ends_of_range", clipped(heard)},
-                     {"lift_off_s", rounded(heard.lift_off_s)},
+                     {"lift_off_s", rounded(heard.known_lift_off_s())},
+                     {"lift_off_gap", heard.lift_off_gap ? json_of(*heard.lift_off_gap) : Json{}},
                      {"further_lift_offs_s", times(heard.further_lift_offs_s)},
                      {"detected_s", rounded(heard.detected_s)},
                      {"detected_since_lift_off_s", rounded(heard.since_lift_off_s(heard.detected_s))},

@@ -147,6 +147,24 @@ std::string end_doubt(const Heard& heard) {
                                       : "";
 }
 
+std::string lift_off_gap_doubt(const Heard& heard) {
+  if (heard.lift_off_gap) {
+    return fmt::format(
+        "Lift-off lies in a gap of the log, from {:.3f} s to {:.3f} s of its clock, in which the law was given nothing "
+        "new: when it was, nobody knows.",
+        heard.lift_off_gap->from_s, heard.lift_off_gap->to_s);
+  }
+  for (const Gap& gap : heard.gaps) {
+    if (heard.lift_off_s && gap.to_s > *heard.lift_off_s && gap.from_s < *heard.lift_off_s + lift_off_window_s) {
+      return fmt::format(
+          "A gap of the log begins {:.2f} s after lift-off, and the rule of lift-off takes the force to run straight "
+          "across it.",
+          gap.from_s - *heard.lift_off_s);
+    }
+  }
+  return {};
+}
+
 // The law hears until control ends, so that what it did may belong to a later push.
 std::string other_flight_doubt(const Heard& heard) {
   const auto did_s = heard.control ? std::optional{heard.control->time_s} : heard.detected_s;
@@ -164,7 +182,7 @@ std::string height_doubt(const Heard& heard) {
   constexpr double enough_s = 3.0;
   constexpr double least_m = 10.0;
   const Signal& height = heard.log_height.above_pad;
-  if (!heard.lift_off_s || !height.is_there() || height.time_s.back() < *heard.lift_off_s + enough_s) {
+  if (!heard.known_lift_off_s() || !height.is_there() || height.time_s.back() < *heard.lift_off_s + enough_s) {
     return {};
   }
   double rise_m = 0.0;
@@ -241,17 +259,6 @@ std::string clipped_sentence(const Heard& heard, const Clipped& clipped) {
   return sentence + (is_rate ? ": angles that follow from it are too small." : ".");
 }
 
-std::string further_sentence(const Heard& heard) {
-  const std::size_t count = heard.further_lift_offs_s.size();
-  return count == 0 ? ""
-                    : fmt::format(
-                          "{} that by the rule would be a lift-off {} at {} s of the log's clock: another launch, "
-                          "another stage, the shock of a parachute or the landing. Only the first is judged.",
-                          count == 1 ? "Another push" : fmt::format("{} further pushes", count),
-                          count == 1 ? "begins" : "begin, the first of them",
-                          text::fixed(heard.further_lift_offs_s.front(), 2));
-}
-
 std::string unbelievable_sentence(const Heard& heard) {
   const auto beyond = std::ranges::count_if(heard.log.axial.value, [](double value) {
     return std::abs(value) > static_cast<double>(core::largest_specific_force_m_s2);
@@ -266,8 +273,9 @@ std::string unbelievable_sentence(const Heard& heard) {
 }  // namespace
 
 std::vector<std::string> doubts_of(const Heard& heard) {
-  std::vector<std::string> doubts{axial_doubt(heard),  begin_doubt(heard), interval_doubt(heard),
-                                  height_doubt(heard), end_doubt(heard),   other_flight_doubt(heard)};
+  std::vector<std::string> doubts{axial_doubt(heard),       begin_doubt(heard),  lift_off_gap_doubt(heard),
+                                  interval_doubt(heard),    height_doubt(heard), end_doubt(heard),
+                                  other_flight_doubt(heard)};
   std::erase(doubts, std::string{});
   return doubts;
 }

@@ -24,6 +24,8 @@ inline constexpr double late_s = 1.0;
 [[nodiscard]] Finding finding(const Heard& heard);
 /// "Launch detected 0.061 s after lift-off, and nothing in the 4.3 s before it."
 [[nodiscard]] std::string headline(const Heard& heard);
+/// That further pushes would be lift-offs, and are not judged; empty where there are none.
+[[nodiscard]] std::string further_sentence(const Heard& heard);
 /// The rule of lift_off.hpp, a sentence.
 [[nodiscard]] std::string lift_off_rule();
 

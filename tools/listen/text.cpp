@@ -14,7 +14,7 @@ constexpr const char* unknown = "-";
 
 std::string seconds(const std::optional<double>& time_s) { return time_s ? text::fixed(*time_s, 3) : unknown; }
 
-// "12.34 s after lift-off", or by the log's clock where there is none.
+// "12.34 s after lift-off", or by the log's clock where that is not known.
 std::string moment(const Heard& heard, double time_s) {
   const auto since = heard.since_lift_off_s(time_s);
   return since ? fmt::format("{} s after lift-off", text::fixed(*since, 2))
@@ -42,7 +42,9 @@ std::vector<PhaseRow> phase_rows(const Heard& heard) {
 std::vector<Row> comparison(const Heard& heard) {
   const LogHeight& height = heard.log_height;
   std::vector<Row> rows;
-  rows.push_back({"lift-off, log's clock / s", unknown, seconds(heard.lift_off_s)});
+  const auto& gap = heard.lift_off_gap;
+  rows.push_back({"lift-off, log's clock / s", unknown,
+                  gap ? fmt::format("{:.3f} to {:.3f}, a gap", gap->from_s, gap->to_s) : seconds(heard.lift_off_s)});
   rows.push_back({"detected after lift-off / s", seconds(heard.since_lift_off_s(heard.detected_s)), unknown});
   rows.push_back({"detected before lift-off", std::to_string(heard.false_detections_s.size()), unknown});
   rows.push_back(
@@ -56,8 +58,8 @@ std::vector<Row> comparison(const Heard& heard) {
                                                     moment(heard, heard.log_fastest->time_s))
                                       : unknown});
   }
-  rows.push_back({"apogee after lift-off / s",
-                  heard.apogee_s ? at_least(heard) + seconds(heard.since_lift_off_s(heard.apogee_s)) : unknown,
+  const auto apogee_s = heard.since_lift_off_s(heard.apogee_s);
+  rows.push_back({"apogee after lift-off / s", apogee_s ? at_least(heard) + seconds(apogee_s) : unknown,
                   seconds(heard.since_lift_off_s(height.apogee_s))});
   rows.push_back({"apogee / m", heard.apogee_s ? at_least(heard) + text::fixed(heard.apogee_m, 1) : unknown,
                   height.apogee_s ? text::fixed(height.apogee_m, 1) : unknown});
