@@ -127,6 +127,26 @@ TEST(FaultExtent, WhoInterruptsTheFlightsWithoutFaultsEndsThem) {
   EXPECT_THROW((void)prepare(campaign, 2, [](std::size_t) { throw Stop{}; }), Stop);
 }
 
+TEST(FaultNames, WordsOfTheCommandLineThatAreNoneAreWrongUsage) {
+  for (const auto& [device, fault] : {std::pair{"bar", ""}, std::pair{"imu", "foo"}, std::pair{"", "foo"}}) {
+    Campaign campaign = switches();
+    campaign.device = device;
+    campaign.fault = fault;
+    try {
+      (void)extent_of(campaign);
+      FAIL() << device << " " << fault;
+    } catch (const text::Error& error) {
+      EXPECT_EQ(error.kind(), text::ErrorKind::usage) << error.what();
+    }
+  }
+  try {
+    (void)fly_alone(switches(), "arm_switch/open/launched", 1'000'000);
+    FAIL() << "it flew";
+  } catch (const text::Error& error) {
+    EXPECT_EQ(error.kind(), text::ErrorKind::usage) << error.what();
+  }
+}
+
 TEST(FaultNames, AFaultThatIsNoneIsAnsweredWithThoseThatThereAre) {
   Campaign campaign = switches();
   campaign.fault = "foo";

@@ -33,8 +33,8 @@ struct Part {
   std::uint64_t end = 0;
 };
 
-[[noreturn]] void refuse(const std::string& complaint) {
-  throw text::Error{text::ErrorKind::bad_configuration, complaint};
+[[noreturn]] void refuse(const std::string& complaint, text::ErrorKind kind = text::ErrorKind::bad_configuration) {
+  throw text::Error{kind, complaint};
 }
 
 campaign::Campaign words_of(const Campaign& campaign) {
@@ -65,7 +65,8 @@ void check(const Campaign& campaign) {
 [[noreturn]] void refuse_names(const Campaign& campaign) {
   const std::vector<std::string_view> devices = device_names();
   if (!campaign.device.empty() && std::ranges::find(devices, campaign.device) == devices.end()) {
-    refuse(fmt::format("there is no device \"{}\"; allowed: {}", campaign.device, fmt::join(devices, ", ")));
+    refuse(fmt::format("there is no device \"{}\"; allowed: {}", campaign.device, fmt::join(devices, ", ")),
+           text::ErrorKind::usage);
   }
   std::vector<std::string_view> names;
   for (const FaultRow& row : fault_table()) {
@@ -75,8 +76,8 @@ void check(const Campaign& campaign) {
     }
   }
   refuse(fmt::format("there is no fault \"{}\"{}; allowed: {}", campaign.fault,
-                     campaign.device.empty() ? std::string{} : " of device " + campaign.device,
-                     fmt::join(names, ", ")));
+                     campaign.device.empty() ? std::string{} : " of device " + campaign.device, fmt::join(names, ", ")),
+         text::ErrorKind::usage);
 }
 
 std::vector<Task> tasks_of(const Campaign& campaign, const Twins& twins) {
@@ -265,7 +266,7 @@ Alone fly_alone(const Prepared& prepared, const std::string& cell_name, std::uin
   }
   const Grid grid{twins, cell.phase, prepared.campaign.step_ms, prepared.campaign.every};
   if (number >= grid.size()) {
-    refuse(fmt::format("{}: run {}; allowed: 0 to {}", cell_name, number, grid.size() - 1));
+    refuse(fmt::format("{}: run {}; allowed: 0 to {}", cell_name, number, grid.size() - 1), text::ErrorKind::usage);
   }
   const Grid::Run at = grid[number];
   Alone alone{.scenario = faults::scenario_of(twins, cell, at, number),
