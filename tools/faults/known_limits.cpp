@@ -34,7 +34,9 @@ constexpr std::string_view untested =
     "arming the self-test has already seen it move";
 constexpr std::string_view stop_near =
     "let the linkage stop a canard a little beyond the plan limit, and keep 4 times the fin offset plus that stop "
-    "below 3 times the plan limit";
+    "below 3 times the plan limit, which no stop beyond its plan limit does for the shipped rocket (28.6 of 27 deg): "
+    "there "
+    "the fins must be straighter or the plan limit larger";
 
 // clang-format off: a limit a row
 constexpr auto limits = std::to_array<KnownLimit>({
