@@ -128,6 +128,17 @@ TEST(Hardover, SaysHowItWasMadeAndFromHowManyFlights) {
   EXPECT_NE(usual.find("Bending moment"), std::string::npos) << usual;
 }
 
+// Across a wind of 30 m/s the rocket never comes to 20 m/s along its axis, sound or not: that is no angle of 0.
+TEST(Hardover, OfARocketThatIsNeverFastItSaysSoInsteadOfAnAngleOfAttack) {
+  const Study found = study({"wind.speed_m_s=30"}, {.step_s = 9.0, .coupler_m = {}, .threads = 1});
+  EXPECT_EQ(found.sound_angle_of_attack_rad, std::nullopt);
+  EXPECT_NE(study_text(found).find("of the sound rocket in the same wind: it was never that fast."), std::string::npos)
+      << study_text(found);
+  EXPECT_NE(study_json(found).find("\"sound_angle_of_attack_deg\": null"), std::string::npos);
+  const Study calm = study({}, {.step_s = 9.0, .coupler_m = {}, .threads = 1});
+  EXPECT_NE(study_text(calm).find("wind: up to 0.0 deg."), std::string::npos) << study_text(calm);
+}
+
 TEST(Hardover, EarlyItTurnsTheWayMoreThanLate) {
   const Study found = study({}, {.step_s = 4.0, .coupler_m = {}, .threads = 2});
   EXPECT_GT(found.effects[0].away_m, 2.0 * found.effects[found.instants - 1].away_m);

@@ -72,6 +72,14 @@ std::string what_the_others_do(const Study& study) {
   return {};
 }
 
+std::string up_to(const std::optional<double>& angle_rad) {
+  return angle_rad ? fmt::format("up to {} deg", fixed(degrees(*angle_rad), 1)) : "it was never that fast";
+}
+
+std::optional<double> in_degrees(const std::optional<double>& angle_rad) {
+  return angle_rad ? std::optional{degrees(*angle_rad)} : std::nullopt;
+}
+
 std::vector<std::string> remarks(const Study& study) {
   std::vector<std::string> list{
       fmt::format("Flown in six degrees of freedom with run.canard_fault = {}. {}{}", name_of(study.policy),
@@ -85,12 +93,12 @@ std::vector<std::string> remarks(const Study& study) {
                   study.stall_rad ? fmt::format("Lift grows with the angle up to the stall at {} deg.",
                                                 fixed(degrees(*study.stall_rad), 0))
                                   : "The vehicle states no stall, so that lift grows with the angle up to the stop."),
-      fmt::format(
-          "The angle of attack is up to {} deg, that of the sound rocket up to {} deg in the same wind, while it is "
-          "faster than {} m/s. The sound rocket rolls at up to {} deg/s. Where the plan's tilt limit ends control, a "
-          "rocket rolls on from there.",
-          fixed(degrees(study.worst().angle_of_attack_rad), 1), fixed(degrees(study.sound_angle_of_attack_rad), 1),
-          fixed(slowest_m_s, 0), fixed(degrees(study.sound_roll_rate_rad_s), 0)),
+      fmt::format("Angle of attack while faster than {} m/s through the air, along the axis: {}; of the sound rocket "
+                  "in the same "
+                  "wind: {}. The sound rocket rolls at up to {} deg/s. Where the plan's tilt limit ends control, a "
+                  "rocket rolls on from there.",
+                  fixed(slowest_m_s, 0), up_to(study.worst().angle_of_attack_rad),
+                  up_to(study.sound_angle_of_attack_rad), fixed(degrees(study.sound_roll_rate_rad_s), 0)),
       "How far it drifts under a parachute is the same as for the sound rocket, from another apogee. A rocket that "
       "breaks is not in here."};
   if (study.options.coupler_m) {
@@ -128,7 +136,7 @@ std::vector<const Effect*> of_canard(const Study& study, std::size_t canard) {
   return list;
 }
 
-double larger(double a, double b) { return std::max(a, b); }
+double larger(double a, double b) { return std::fmax(a, b); }  // of a figure that is not known the other
 double smaller(double a, double b) { return std::min(a, b); }
 
 /// Of each canard, at the worse of its stops.
@@ -169,7 +177,7 @@ std::string table(const Study& study) {
                     {fmt::format("{}", one.canard + 1)},
                     {one.stop_rad == 0.0 ? "-" : text::brief(degrees(one.stop_rad), 1)},
                     {fixed(one.side_force_n, 2)},
-                    {fixed(degrees(one.angle_of_attack_rad), 1)},
+                    {one.angle_of_attack_rad ? fixed(degrees(*one.angle_of_attack_rad), 1) : "-"},
                     {fixed(degrees(one.rolled_rad), 0)},
                     {fixed(degrees(one.roll_rate_rad_s), 0)},
                     {fixed(degrees(one.turned_rad), 1)},
@@ -189,7 +197,7 @@ json::Value json(const Effect& one) {
           {"side_force_n", json::rounded(one.side_force_n)},
           {"dynamic_pressure_pa", json::rounded(one.pressure_pa)},
           {"moment_n_m", json::Value{json::rounded(one.moment_n_m)}},
-          {"angle_of_attack_deg", json::rounded(degrees(one.angle_of_attack_rad))},
+          {"angle_of_attack_deg", json::Value{json::rounded(in_degrees(one.angle_of_attack_rad))}},
           {"rolled_deg", json::rounded(degrees(one.rolled_rad))},
           {"roll_rate_deg_s", json::rounded(degrees(one.roll_rate_rad_s))},
           {"way_turned_deg", json::rounded(degrees(one.turned_rad))},
@@ -216,35 +224,36 @@ std::string study_json(const Study& study) {
     effects.push_back(json(one));
   }
   const Effect worst = study.worst();
-  const json::Value all = {{"scenario", study.scenario},
-                           {"vehicle", study.vehicle},
-                           {"plan", study.plan},
-                           {"changes", study.made.changes},
-                           {"seed", study.seed},
-                           {"canard_fault", name_of(study.policy)},
-                           {"failure", study.options.failure == Failure::hard_over ? "hard_over" : "cut_pulses"},
-                           {"canard_side_area_m2", json::rounded(study.side_area_m2)},
-                           {"canard_position_m", json::rounded(study.position_m)},
-                           {"stop_deg", json::rounded(degrees(study.stop_rad))},
-                           {"sound_apogee_m", json::rounded(study.sound_apogee_m)},
-                           {"sound_angle_of_attack_deg", json::rounded(degrees(study.sound_angle_of_attack_rad))},
-                           {"sound_roll_rate_deg_s", json::rounded(degrees(study.sound_roll_rate_rad_s))},
-                           {"worst",
-                            {{"side_force_n", json::rounded(worst.side_force_n)},
-                             {"moment_n_m", json::Value{json::rounded(worst.moment_n_m)}},
-                             {"angle_of_attack_deg", json::rounded(degrees(worst.angle_of_attack_rad))},
-                             {"rolled_deg", json::rounded(degrees(worst.rolled_rad))},
-                             {"roll_rate_deg_s", json::rounded(degrees(worst.roll_rate_rad_s))},
-                             {"way_turned_deg", json::rounded(degrees(worst.turned_rad))},
-                             {"lowest_apogee_m", json::rounded(worst.apogee_m)},
-                             {"apogee_moved_m", json::rounded(worst.away_m)}}},
-                           {"flights", study.effects.size()},
-                           {"instants", study.instants},
-                           {"step_s", json::rounded(study.options.step_s)},
-                           {"coupler_m", json::Value{json::rounded(study.options.coupler_m)}},
-                           {"effects", effects},
-                           {"command", study.made.command},
-                           {"version", study.made.version}};
+  const json::Value all = {
+      {"scenario", study.scenario},
+      {"vehicle", study.vehicle},
+      {"plan", study.plan},
+      {"changes", study.made.changes},
+      {"seed", study.seed},
+      {"canard_fault", name_of(study.policy)},
+      {"failure", study.options.failure == Failure::hard_over ? "hard_over" : "cut_pulses"},
+      {"canard_side_area_m2", json::rounded(study.side_area_m2)},
+      {"canard_position_m", json::rounded(study.position_m)},
+      {"stop_deg", json::rounded(degrees(study.stop_rad))},
+      {"sound_apogee_m", json::rounded(study.sound_apogee_m)},
+      {"sound_angle_of_attack_deg", json::Value{json::rounded(in_degrees(study.sound_angle_of_attack_rad))}},
+      {"sound_roll_rate_deg_s", json::rounded(degrees(study.sound_roll_rate_rad_s))},
+      {"worst",
+       {{"side_force_n", json::rounded(worst.side_force_n)},
+        {"moment_n_m", json::Value{json::rounded(worst.moment_n_m)}},
+        {"angle_of_attack_deg", json::Value{json::rounded(in_degrees(worst.angle_of_attack_rad))}},
+        {"rolled_deg", json::rounded(degrees(worst.rolled_rad))},
+        {"roll_rate_deg_s", json::rounded(degrees(worst.roll_rate_rad_s))},
+        {"way_turned_deg", json::rounded(degrees(worst.turned_rad))},
+        {"lowest_apogee_m", json::rounded(worst.apogee_m)},
+        {"apogee_moved_m", json::rounded(worst.away_m)}}},
+      {"flights", study.effects.size()},
+      {"instants", study.instants},
+      {"step_s", json::rounded(study.options.step_s)},
+      {"coupler_m", json::Value{json::rounded(study.options.coupler_m)}},
+      {"effects", effects},
+      {"command", study.made.command},
+      {"version", study.made.version}};
   return all.pretty();
 }
 
@@ -256,8 +265,8 @@ std::string study_html(const Study& study) {
       page::figure(chart(study, "apogee moved over ground / m", [](const Effect& e) { return e.away_m; })),
       page::figure(chart(study, "apogee / m", [](const Effect& e) { return e.apogee_m; }, smaller))};
   const std::array<std::string, 2> third{
-      page::figure(
-          chart(study, "angle of attack / deg", [](const Effect& e) { return degrees(e.angle_of_attack_rad); })),
+      page::figure(chart(study, "angle of attack / deg",
+                         [](const Effect& e) { return in_degrees(e.angle_of_attack_rad).value_or(std::nan("")); })),
       page::figure(chart(study, "rolled away / deg", [](const Effect& e) { return degrees(e.rolled_rad); }))};
   return page::html(
       {.kind = "Fantail: one canard that fails",

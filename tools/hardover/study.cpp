@@ -88,7 +88,7 @@ Effect effect_of(const Flown& failed, const Flown& sound, Effect effect, const S
     if (failed.air_speed_m_s[i] < slowest_m_s) {
       continue;
     }
-    effect.angle_of_attack_rad = std::max(effect.angle_of_attack_rad, failed.angle_of_attack_rad[i]);
+    effect.angle_of_attack_rad = std::max(effect.angle_of_attack_rad, std::optional{failed.angle_of_attack_rad[i]});
     if (i < sound.velocity_m_s.size() && length(sound.velocity_m_s[i]) >= slowest_m_s) {
       effect.turned_rad = std::max(effect.turned_rad, angle_between_rad(failed.velocity_m_s[i], sound.velocity_m_s[i]));
     }
@@ -194,7 +194,7 @@ Study fly(sim::Scenario scenario, const Options& options,
               .first_s = sound.clear_s,
               .last_s = sound.apogee_s,
               .sound_apogee_m = sound.apogee_m,
-              .sound_angle_of_attack_rad = 0.0,
+              .sound_angle_of_attack_rad = {},
               .sound_roll_rate_rad_s = 0.0,
               .options = options};
   for (std::size_t i = static_cast<std::size_t>(std::lround(1e3 * sound.clear_s)); i < sound.air_speed_m_s.size();
@@ -203,7 +203,8 @@ Study fly(sim::Scenario scenario, const Options& options,
       study.sound_roll_rate_rad_s = std::max(study.sound_roll_rate_rad_s, std::abs(sound.roll_rate_rad_s[i]));
     }
     if (sound.air_speed_m_s[i] >= slowest_m_s) {
-      study.sound_angle_of_attack_rad = std::max(study.sound_angle_of_attack_rad, sound.angle_of_attack_rad[i]);
+      study.sound_angle_of_attack_rad =
+          std::max(study.sound_angle_of_attack_rad, std::optional{sound.angle_of_attack_rad[i]});
     }
   }
   const auto instant_s = [&](std::size_t k) { return sound.clear_s + static_cast<double>(k) * options.step_s; };

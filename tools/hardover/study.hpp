@@ -35,14 +35,14 @@ struct Options {
 
 /// Of one flight, from the instant of the failure on.
 struct Effect {
-  std::size_t canard;                ///< 0 to 3
-  double stop_rad;                   ///< at which it stands, with its sign; 0 with cut pulses
-  double from_s;                     ///< after ignition
-  double side_force_n = 0.0;         ///< largest, of the canards
-  double pressure_pa = 0.0;          ///< dynamic pressure at that instant
-  double angle_of_attack_rad = 0.0;  ///< largest, while the rocket is faster than slowest_m_s
-  double roll_rate_rad_s = 0.0;      ///< largest, either way
-  double rolled_rad = 0.0;           ///< its roll angle from that of the sound rocket at the same time, largest
+  std::size_t canard;                           ///< 0 to 3
+  double stop_rad;                              ///< at which it stands, with its sign; 0 with cut pulses
+  double from_s;                                ///< after ignition
+  double side_force_n = 0.0;                    ///< largest, of the canards
+  double pressure_pa = 0.0;                     ///< dynamic pressure at that instant
+  std::optional<double> angle_of_attack_rad{};  ///< largest, while the rocket is faster than slowest_m_s; empty: never
+  double roll_rate_rad_s = 0.0;                 ///< largest, either way
+  double rolled_rad = 0.0;  ///< its roll angle from that of the sound rocket at the same time, largest
   double turned_rad = 0.0;  ///< its way against that of the sound rocket at the same time, largest, both as fast
   double apogee_m = 0.0;
   double away_m = 0.0;                 ///< its apogee from that of the sound rocket, over ground
@@ -72,8 +72,8 @@ struct Study {
   double first_s;                   ///< the instants: from the end of the guide ...
   double last_s;                    ///< ... to apogee
   double sound_apogee_m;
-  double sound_angle_of_attack_rad;
-  double sound_roll_rate_rad_s;  ///< largest, either way, from the end of the guide to apogee
+  std::optional<double> sound_angle_of_attack_rad;  ///< likewise
+  double sound_roll_rate_rad_s;                     ///< largest, either way, from the end of the guide to apogee
   Options options;
   std::size_t instants = 0;
   std::vector<Effect> effects{};  ///< by canard, then by stop, the positive one first, then by time
