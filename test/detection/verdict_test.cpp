@@ -115,5 +115,15 @@ TEST(DetectionVerdict, OfTheShippedPlansThoseThatAskTwoAccelerometersAreJudgedAn
   EXPECT_TRUE(rules_of(first).front().judged);
 }
 
+TEST(DetectionVerdict, TheCommandOfAnEventHasItsSeedAndThePlansThatWereAskedFor) {
+  Campaign campaign{.rules = {}, .kinds = {Kind::shaking}};
+  EXPECT_EQ(command_of(campaign, Kind::shaking, 12), "fantail campaign detection --kind shaking --event 12");
+  campaign.seed = 7;
+  campaign.plans = {"tasha3_launch2", "my plan.toml"};
+  EXPECT_EQ(
+      command_of(campaign, Kind::shaking, 12),
+      "fantail campaign detection --kind shaking --event 12 --seed 7 --plan tasha3_launch2 --plan 'my plan.toml'");
+}
+
 }  // namespace
 }  // namespace fantail::detection

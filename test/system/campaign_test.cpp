@@ -2,6 +2,8 @@
 #include <csignal>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
+#include <sstream>
 #include <string>
 #include <thread>
 
@@ -127,6 +129,27 @@ TEST(Campaign, ThatFindsNoRoomOnTheDiskKeepsTheChunksBefore) {
   EXPECT_EQ(outcome.exit_code, 74) << outcome.err;
   EXPECT_NE(outcome.err.find("00000000.csv.gz"), std::string::npos) << outcome.err;
   EXPECT_EQ(fantail(words).exit_code, 0) << "and goes on";
+}
+
+TEST(Campaign, OfDetectionsHasACommandForItsWorstEventThatSaysTheSameOfItsPlanAgain) {
+  const Folder folder;
+  const Outcome all = fantail({"campaign", "detection", "--plan", "tasha3_launch1", "--kind", "shaking", "--events",
+                               "40", "--seed", "3", "--out", folder / "all"});
+  const std::string page = content(folder / "all/detection.html");
+  const std::size_t at = page.find("fantail campaign detection --kind shaking");
+  ASSERT_NE(at, std::string::npos) << all.err;
+  std::istringstream command{page.substr(at, page.find('<', at) - at)};
+  Words words{std::istream_iterator<std::string>{command}, {}};
+  words.erase(words.begin());
+  words.insert(words.end(), {"--out", folder / "one"});
+  const Outcome one = fantail(words);
+  ASSERT_EQ(one.exit_code, 0) << one.err;
+  EXPECT_NE(one.out.find("tasha3_launch1: "), std::string::npos) << one.out;
+  EXPECT_EQ(one.out.find("tasha3_launch2: "), std::string::npos) << one.out;
+  std::istringstream lines{one.out.substr(0, one.out.find("  page"))};
+  for (std::string line; std::getline(lines, line);) {
+    EXPECT_NE(page.find(line.substr(line.find_first_not_of(' '))), std::string::npos) << line;
+  }
 }
 
 TEST(Campaign, OfWordsThatMakeNoSenseIsRefused) {

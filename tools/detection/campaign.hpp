@@ -19,9 +19,10 @@ struct Campaign {
   std::vector<Rule> rules;
   std::vector<Kind> kinds;  ///< each once
   std::uint64_t seed = 1;
-  std::uint64_t events = 10'000;   ///< of each kind that is no launch
-  std::uint64_t launches = 1'000;  ///< of each kind that is one
-  bool both_well = false;          ///< only events in which both accelerometers are: those with an even number
+  std::uint64_t events = 10'000;     ///< of each kind that is no launch
+  std::uint64_t launches = 1'000;    ///< of each kind that is one
+  bool both_well = false;            ///< only events in which both accelerometers are: those with an even number
+  std::vector<std::string> plans{};  ///< by name or file, that made the rules; empty: the usual ones
 
   [[nodiscard]] std::uint64_t number_of(Kind kind) const { return is_launch(kind) ? launches : events; }
   [[nodiscard]] std::uint64_t event(Kind kind, std::uint64_t turn) const {

@@ -6,6 +6,7 @@
 #include <fmt/core.h>
 
 #include "text/number.hpp"
+#include "text/shell_word.hpp"
 
 namespace fantail::detection {
 namespace {
@@ -107,8 +108,12 @@ std::string with_bound(std::uint64_t count, std::uint64_t of) {
 }
 
 std::string command_of(const Campaign& campaign, Kind kind, std::uint64_t event) {
-  return fmt::format("fantail campaign detection --kind {} --event {}{}", info(kind).name, event,
-                     campaign.seed == Campaign{}.seed ? "" : fmt::format(" --seed {}", campaign.seed));
+  std::string command = fmt::format("fantail campaign detection --kind {} --event {}{}", info(kind).name, event,
+                                    campaign.seed == Campaign{}.seed ? "" : fmt::format(" --seed {}", campaign.seed));
+  for (const std::string& plan : campaign.plans) {
+    command += " --plan " + text::shell_word(plan);
+  }
+  return command;
 }
 
 std::string report_text(const Report& report) {

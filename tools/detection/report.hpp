@@ -63,7 +63,7 @@ struct Requirement {
 [[nodiscard]] std::string report_json(const Report& report);
 [[nodiscard]] std::string report_html(const Report& report);
 
-/// "fantail campaign detection --kind shaking --event 12", with the seed where it is not the usual one.
+/// "fantail campaign detection --kind shaking --event 12", with seed and plans where they are not the usual ones.
 [[nodiscard]] std::string command_of(const Campaign& campaign, Kind kind, std::uint64_t event);
 
 /// A number of events as "0 (at most 0.0031 %)", with the 95 % bound of their share.

@@ -63,6 +63,7 @@ detection::Campaign asked_for(const DetectionOptions& options) {
   detection::Campaign campaign{
       .rules = detection::rules_of(options.plans), .kinds = {}, .events = options.events, .launches = options.launches};
   campaign.both_well = options.both_well;
+  campaign.plans = options.plans;
   if (!options.seed.empty()) {
     campaign.seed = *text::whole_number(options.seed);
   }
