@@ -115,6 +115,26 @@ TEST(Listen, ReadsAnExportOfAltosUi) {
   EXPECT_NEAR(json::parse(outcome.out)["law"]["top_speed_m_s"].number(), 8.0 * g, 0.5);
 }
 
+TEST(Listen, SaysOfWhichColumnsAMapIs) {
+  const Folder folder;
+  folder.write("log.csv", made);
+  folder.write("cats.csv", made_log("ts,Ax,Ay,Az,Gx,Gy,Gz,b", [](double t, double axial) {
+                 return fmt::format("{},0,{},0,0,0,0,{}", t, -axial, axial);
+               }));
+  const auto said = [&](const Words& words) {
+    const std::string out = fantail(words, {.working_folder = folder.path()}).out;
+    return out.substr(0, out.find('\n'));
+  };
+  Words words = of_made;
+  words.insert(words.end(), {"--map", "cats"});
+  EXPECT_EQ(said(words).find("cats"), std::string::npos) << "its columns are none of that file's\n" << said(words);
+  EXPECT_TRUE(said({"listen", "cats.csv"}).ends_with(", columns of the map cats, which fits them"))
+      << said({"listen", "cats.csv"});
+  const Words mixed{"listen", "cats.csv", "--columns", "axial=b:m/s2"};
+  EXPECT_TRUE(said(mixed).ends_with(", columns as typed, and for the rest columns of the map cats, which fits them"))
+      << said(mixed);
+}
+
 TEST(Listen, FollowsAnotherPlan) {
   const Folder folder;
   folder.write("log.csv", made);
@@ -146,7 +166,8 @@ TEST(Listen, RefusesWhatItCannotHear) {
           {"listen", "log.csv", "--columns", "time=ms:ms,axial=-Ay:g", "--barometer", "log.csv", "--barometer-columns",
            "time=ms:ms,speed=alt:m/s"},
           64, {"the height is missing"});
-  Refusal({{"log.ftl", "x"}}, {"listen", "log.ftl", "--map", "px4"}, 65, {"log.ftl"});
+  Refusal({{"log.ftl", "x"}}, {"listen", "log.ftl", "--map", "px4"}, 65,
+          {"log.ftl", "listen reads no files that end in .ftl"});
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <memory>
@@ -63,8 +64,14 @@ listen::Sources sources(const ListenOptions& o, const flight::Table& table, std:
                     "--columns time=COLUMN:UNIT,axial=COLUMN:UNIT. {}",
                     table.name(), flight::missing_column("known", table.columns()))};
   }
-  from = fmt::format("the map {}{}", map->name, o.map.empty() ? ", which fits them" : "");
-  return listen::merged(typed, listen::sources_of(*map));
+  const listen::Sources of_map = listen::sources_of(*map);
+  const bool uses_map = std::ranges::any_of(of_map, [&](const listen::Source& source) {
+    return listen::find(typed, source.quantity) == nullptr && table.find(source.column);
+  });
+  from = uses_map ? fmt::format("{}columns of the map {}{}", typed.empty() ? "" : "columns as typed, and for the rest ",
+                                map->name, o.map.empty() ? ", which fits them" : "")
+                  : "";
+  return listen::merged(typed, of_map);
 }
 
 listen::ImuLog read(const ListenOptions& o) {
@@ -128,7 +135,9 @@ std::string objection_to_map(const std::string& text) {
 
 void fill(const Verb& verb) {
   auto options = std::make_shared<ListenOptions>();
-  verb.option("LOG", options->log, "A CSV, MAT or Parquet file, or a ULog (.ulg)").required();
+  verb.option("LOG", options->log,
+              "A ULog (.ulg), MAT (.mat) or Parquet file (.parquet), or a CSV file of any other name")
+      .required();
   verb.option("--columns", options->columns,
               "QUANTITY=[-][SCALE*]COLUMN:UNIT for time, axial (or axial_from_rest, zero on the pad), second_axial, "
               "lateral_y, lateral_z, roll_rate, pitch_rate, yaw_rate, height, speed; x points to the nose")

@@ -43,7 +43,7 @@ struct ImuLog {
   Signal height{};
   Signal speed{};
   double interval_s = 0.0;           ///< the usual one of `axial`; of a log that was flown the one around lift-off
-  std::string columns_from{};        ///< "the map altos"; of the person's own columns empty
+  std::string columns_from{};        ///< "columns of the map altos"; where all are the person's own, empty
   std::vector<std::string> notes{};  ///< a sentence each: what was left out, assumed, doubtful
 
   [[nodiscard]] double begin_s() const { return axial.time_s.front(); }

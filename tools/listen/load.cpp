@@ -11,6 +11,7 @@
 #include "listen/ulog.hpp"
 #include "logs/load_table.hpp"
 #include "text/csv_cell.hpp"
+#include "text/error.hpp"
 #include "text/number.hpp"
 
 namespace fantail::listen {
@@ -123,7 +124,16 @@ Loaded load(const std::filesystem::path& file) {
     return {flight::Table::parse(csv_of(read.columns), name, flight::Table::Rows::by_number), std::move(read.notes),
             Clocks::several};
   }
-  if (ending == ".mat" || ending == ".parquet" || ending == ".ftl" || ending == ".mcap" || ending == ".lcmlog") {
+  if (ending == ".ftl" || ending == ".mcap" || ending == ".lcmlog" || ending == ".xlsx") {
+    (void)flight::Table::read(name);  // one that is missing is that first
+    throw text::Error{
+        text::ErrorKind::bad_data,
+        fmt::format(
+            "{}: listen reads no files that end in {}; allowed: CSV (any other ending), .mat, .parquet and .ulg "
+            "(fantail log export writes the first three from an .ftl)",
+            name, ending)};
+  }
+  if (ending == ".mat" || ending == ".parquet") {
     return {.table = logs::load_table(file, {})};
   }
   std::vector<std::string> notes;

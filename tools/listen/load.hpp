@@ -22,7 +22,7 @@ struct Loaded {
 };
 
 /// The table in a log: ULog (.ulg, see ulog.hpp), MAT-file, Parquet file, else CSV through tidy(). Throws text::Error
-/// as those do.
+/// as those do, and (bad_data) for other kinds of log, by the ends of their names.
 [[nodiscard]] Loaded load(const std::filesystem::path& file);
 
 }  // namespace fantail::listen

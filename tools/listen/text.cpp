@@ -74,9 +74,8 @@ std::string as_text(const Heard& heard) {
   const core::LaunchDetectionPlan& rule = heard.flown.launch_detection;
   std::string text = fmt::format(
       "{}: {} rows, {:.3f} s to {:.3f} s{}\nplan {}: {} g for {} s{}, {}\n\n", heard.log.name, heard.log.rows,
-      heard.log.begin_s(), heard.log.end_s(),
-      heard.log.columns_from.empty() ? "" : ", columns of " + heard.log.columns_from, heard.plan,
-      text::brief(static_cast<double>(rule.threshold_m_s2) / one_g_m_s2, 2),
+      heard.log.begin_s(), heard.log.end_s(), heard.log.columns_from.empty() ? "" : ", " + heard.log.columns_from,
+      heard.plan, text::brief(static_cast<double>(rule.threshold_m_s2) / one_g_m_s2, 2),
       text::brief(static_cast<double>(core::seconds(rule.hold)), 3),
       rule.low_pass ? fmt::format(", low-passed at {} Hz", text::brief(static_cast<double>(rule.low_pass_hz), 1)) : "",
       rule.accelerometers == core::AccelerometerRule::two_agree ? "two accelerometers that agree"
