@@ -112,6 +112,18 @@ TEST(AutopilotResume, TheEstimateOfTheOffsetIsThatFromBeforeTheGap) {
   EXPECT_GT(rig.tick(0.1F).offset_estimate, before);
 }
 
+// As in Integral.IsPulledBackByWhatTheLimitTakesOffTheCommand, from where the command meets its limit of 9 degrees:
+// within 60 ms, in which the estimate grows by a tenth of a degree.
+TEST(AutopilotResume, TheEstimateOfTheOffsetKnowsWhatTheLimitTookOffTheCommand) {
+  ResumeRig rig{integral_plan()};
+  for (int i = 0; i < 1500; ++i) {
+    rig.tick(2.0F);
+  }
+  const TickRecord& record = rig.tick(2.0F);
+  EXPECT_TRUE(record.saturated);
+  EXPECT_NEAR(record.offset_estimate.degrees(), (9.0 - 5.73) * (1.0 - std::exp(-1.5 * 0.5 / 0.5)), 0.1);
+}
+
 TEST(AutopilotResume, TheEstimateOfTheOffsetWaitsForASilentGyro) {
   ResumeRig rig{integral_plan()};
   for (int i = 0; i < 500; ++i) {

@@ -84,15 +84,16 @@ TEST(CanardMonitor, HealthyCanardsNeverReportAtFullExcitation) {
 }
 
 TEST(CanardMonitor, HealthyReversedAndTrimmedCanardsNeverReport) {
-  FlightPlan plan = default_plan();
-  plan.canards.each[1].direction = Direction::reversed;
-  plan.canards.each[2].trim = 4_deg;
-  plan.canards.each[3].direction = Direction::reversed;
-  plan.canards.each[3].trim = -3_deg;
-  Bench bench{plan};
-  while (bench.time_s() < 10.0) {
-    const double roll = saturated_product_chirp_deg(bench.time_s());
-    ASSERT_EQ(bench.step({roll, -roll, roll + 4.0, -roll - 3.0}), Verdicts{}) << bench.time_s();
+  for (const std::size_t reversed : {0U, 1U}) {  // and the one opposite
+    FlightPlan plan = default_plan();
+    plan.canards.each[reversed].direction = plan.canards.each[reversed + 2].direction = Direction::reversed;
+    plan.canards.each[2].trim = 4_deg;
+    plan.canards.each[3].trim = -3_deg;
+    Bench bench{plan};
+    while (bench.time_s() < 10.0) {
+      const double even = saturated_product_chirp_deg(bench.time_s()) * (reversed == 0 ? -1.0 : 1.0);
+      ASSERT_EQ(bench.step({even, -even, even + 4.0, -even - 3.0}), Verdicts{}) << bench.time_s();
+    }
   }
 }
 
