@@ -63,6 +63,15 @@ def main():
     assert "[figures detection](figures/soak.md#detection)" in page, page
     assert run({**TREE, "docs/trace.md": page}, "--check")[0] == 0
 
+    # A text that is copied to another page takes its links with it.
+    texts = changed(docs_safety_md=("| LIM-1 | stays within |", "| LIM-1 | stays [within](#limits), as [PHS-1] and [a page](page.md#part) say |"))
+    texts["docs/safety.md"] = texts["docs/safety.md"].replace("| H1 | a canard moves |", "| H1 | a canard [moves](#moves) |")
+    code, said, page_of_texts = run(texts)
+    assert (code, said) == (0, ""), said
+    assert "stays [within](safety.md#limits), as [PHS-1](#phs-1) and [a page](page.md#part) say" in page_of_texts, page_of_texts
+    assert "H1 a canard [moves](safety.md#moves)" in page_of_texts, page_of_texts
+    expect_fault("LIM-1 names PHS-9, which is no requirement", changed(docs_safety_md=("| LIM-1 | stays within |", "| LIM-1 | as [PHS-9] |")))
+
     expect_fault("LIM-1 names Mixer.StaysWithin, which does not exist", changed(test_core_mixer_test_cpp=("StaysWithin", "StaysInside")))
     expect_fault("nothing in the code says that it meets LIM-1", changed(firmware_core_mixer_cpp=("Meets LIM-1.", "")))
     expect_fault("LIM-1 is made in core/mixer, but no comment there", changed(firmware_core_mixer_cpp=("Meets LIM-1.", "")))

@@ -110,6 +110,16 @@ class Trace:
             links += [link(text, place) for text, place in found]
         return links
 
+    def text(self, identifier, cell):
+        """A cell of docs/safety.md as it stands on another page: its links lead to where they led."""
+
+        def to_row(found):
+            if found[1] not in self.requirements:
+                self.fault(f"docs/safety.md: {identifier} names {found[1]}, which is no requirement")
+            return f"[{found[1]}](#{found[1].lower()})"
+
+        return re.sub(rf"\[({ID})\](?!\()", to_row, cell.replace("](#", "](safety.md#"))
+
     def page(self):
         self.used = set()
         lines = [
@@ -136,7 +146,7 @@ class Trace:
                     self.fault(f"docs/safety.md: hazard {identifier} names {one}, which is no requirement")
             if not wanted:
                 self.fault(f"docs/safety.md: hazard {identifier} names no requirement")
-            lines.append(f"| {identifier} {row[1]} | {', '.join(f'[{one}](#{one.lower()})' for one in dict.fromkeys(wanted))} |")
+            lines.append(f"| {identifier} {self.text(identifier, row[1])} | {', '.join(f'[{one}](#{one.lower()})' for one in dict.fromkeys(wanted))} |")
         lines += ["", "| requirement | code | shown by |", "|---|---|---|"]
         for identifier, (_, text, made_in, shown_by) in self.requirements.items():
             code = self.met.get(identifier, [])
@@ -155,7 +165,7 @@ class Trace:
             if identifier not in named:
                 self.fault(f"docs/safety.md: no hazard names {identifier}")
             where = ", ".join(link(f"{pathlib.PurePath(name).name}:{number}", (name, number)) for name, number in code)
-            lines.append(f'| <a id="{identifier.lower()}"></a>**{identifier}** {text} | {where} | {", ".join(shown)} |')
+            lines.append(f'| <a id="{identifier.lower()}"></a>**{identifier}** {self.text(identifier, text)} | {where} | {", ".join(shown)} |')
         for name, (path, _) in self.proofs.items():
             if ("proof", name) not in self.used:
                 self.fault(f"{path}: no requirement in docs/safety.md names the proof {name}")
