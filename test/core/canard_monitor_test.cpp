@@ -83,6 +83,7 @@ TEST(CanardMonitor, HealthyCanardsNeverReportAtFullExcitation) {
   }
 }
 
+// Nor when all depart alike, as seen in the sense of each.
 TEST(CanardMonitor, HealthyReversedAndTrimmedCanardsNeverReport) {
   for (const std::size_t reversed : {0U, 1U}) {  // and the one opposite
     FlightPlan plan = default_plan();
@@ -90,6 +91,11 @@ TEST(CanardMonitor, HealthyReversedAndTrimmedCanardsNeverReport) {
     plan.canards.each[2].trim = 4_deg;
     plan.canards.each[3].trim = -3_deg;
     Bench bench{plan};
+    bench.spoil = [&](EncoderAngles& encoders) {
+      for (std::size_t i = 0; bench.time_s() > 5.0 && i < canard_count; ++i) {
+        encoders[i] = *encoders[i] + (plan.canards.each[i].direction == Direction::reversed ? -2_deg : 2_deg);
+      }
+    };
     while (bench.time_s() < 10.0) {
       const double even = saturated_product_chirp_deg(bench.time_s()) * (reversed == 0 ? -1.0 : 1.0);
       ASSERT_EQ(bench.step({even, -even, even + 4.0, -even - 3.0}), Verdicts{}) << bench.time_s();
