@@ -44,7 +44,9 @@ class FirstMotion {
     }
     const float moved = std::abs(command.angle.radians() - *position_rad_);
     position_rad_ = command.angle.radians();
-    reached_ = command.angle.radians() == target_rad;
+    // Of canards that share a work the record does not say what each is asked for, but whether it was given it.
+    const bool shares = plan.run.canard_fault == CanardFaultPolicy::share;
+    reached_ = *position_rad_ == target_rad || (shares && (!command.limited || std::abs(*position_rad_) == limit));
     return moved <= plan.canards.first_motion_rate_rad_s * std::max(elapsed_s, 0.0F) + 1e-6F;
   }
 
