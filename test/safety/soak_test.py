@@ -86,7 +86,8 @@ def main():
         assert code == 0 and "2 of 2 steps" in said, said
         # A new tool changes nothing of what the flight code alone decides; what that is made of does.
         both = [step("frames", "true"), step("events", "true")]
-        for new, to_run in [("tools/new.cpp", 1), ("test/listen/new.cpp", 1), ("test/core/new.cpp", 2), ("test/seed.hpp", 2)]:
+        for new, to_run in [("tools/new.cpp", 1), ("test/listen/new.cpp", 1), ("test/core/new.cpp", 1), ("test/core/new.hpp", 2),
+                              ("test/avionics/new.cpp", 2), ("test/seed.hpp", 2)]:
             assert soak(root, both, "--resume")[0] == 0
             (root / new).parent.mkdir(parents=True, exist_ok=True)
             (root / new).write_text("")

@@ -63,9 +63,10 @@ STEPS = [
 ]
 # What a step is made of: these hang on less than all sources.
 BUILT_BY = ("CMakeLists.txt", "CMakePresets.json", "cmake", "third_party")
-FLIGHT_CODE = (*BUILT_BY, "firmware", "hal", "test/avionics", "test/core", "test/random", "test/proof", "test/*.*")
 EVERYTHING = (*BUILT_BY, "firmware", "hal", "sim", "tools", "test")
-OF_FLIGHT_CODE = ("frames", "flips", "cuts", "law", "proofs")
+FLIGHT_CODE = (*BUILT_BY, "firmware", "hal", "test/*.*", "test/random", "test/core/*.hpp")
+MADE_OF = {**dict.fromkeys(("frames", "flips", "cuts"), (*FLIGHT_CODE, "test/avionics")),
+           "law": (*FLIGHT_CODE, "test/core/*.cpp", "test/core/CMakeLists.txt", "test/proof"), "proofs": (*FLIGHT_CODE, "test/proof")}
 TESTS_PASSED = ("tests passed", r"\[  PASSED  \] ([1-9]\d*) tests?\b")
 
 
@@ -217,12 +218,12 @@ def main():
     root = arguments.root.resolve()
     folder = root / "build/soak"
     folder.mkdir(parents=True, exist_ok=True)
-    flight_code, everything = sources(root, FLIGHT_CODE), sources(root, EVERYTHING)
+    made_of = {parts: sources(root, parts) for parts in {EVERYTHING, *MADE_OF.values()}}
     unknown = set(arguments.only) - {row[0] for row in STEPS}
     if unknown:
         print(f"soak: no step {', '.join(sorted(unknown))}; there are {', '.join(row[0] for row in STEPS)}", file=sys.stderr)
         return 64
-    steps = [Step(row, arguments, folder, flight_code if row[0] in OF_FLIGHT_CODE else everything) for row in STEPS
+    steps = [Step(row, arguments, folder, made_of[MADE_OF.get(row[0], EVERYTHING)]) for row in STEPS
              if (not arguments.only or row[0] in arguments.only) and not (arguments.short and row[0] == "cuts")]
     to_run = [step for step in steps if not (arguments.resume and step.passed_before())]
     print(f"soak: {len(to_run)} of {len(steps)} steps, seed {arguments.seed}", flush=True)
