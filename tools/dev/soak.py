@@ -3,8 +3,8 @@
 #
 #   soak.py ROOT [--short] [--resume] [--only NAME...]
 #
-# Each step writes build/soak/NAME.log and NAME.json as it ends; --resume leaves out those that the same sources have passed: of
-# what only the flight code decides, its sources alone. Exit code 1 if a step failed or could not be read, 130 after an interrupt.
+# Each step writes build/soak/NAME.log and NAME.json as it ends; --resume leaves out those that the same sources have passed.
+# Exit code 1 if a step failed or could not be read, 130 after an interrupt.
 import argparse
 import hashlib
 import json
@@ -61,12 +61,10 @@ STEPS = [
           ("state", 4096, "the flight law from any state, with any samples"),
           ("table", 4096, "any bytes as MAT-file, Parquet file or trajectory")]],
 ]
-# What a step is made of: these hang on less than all sources.
-BUILT_BY = ("CMakeLists.txt", "CMakePresets.json", "cmake", "third_party")
-EVERYTHING = (*BUILT_BY, "firmware", "hal", "sim", "tools", "test")
-FLIGHT_CODE = (*BUILT_BY, "firmware", "hal", "test/*.*", "test/random", "test/core/*.hpp")
-MADE_OF = {**dict.fromkeys(("frames", "flips", "cuts"), (*FLIGHT_CODE, "test/avionics")),
-           "law": (*FLIGHT_CODE, "test/core/*.cpp", "test/core/CMakeLists.txt", "test/proof"), "proofs": (*FLIGHT_CODE, "test/proof")}
+# What a step is made of: a program of what ninja says and of what is always there; the proofs, and what is no program of a build:
+PROOFS = ("firmware", "hal", "test/proof")
+EVERYTHING = ("CMakeLists.txt", "CMakePresets.json", "cmake", "firmware", "hal", "sim", "third_party", "tools", "test")
+ALWAYS = ("CMakeLists.txt", "CMakePresets.json", "cmake", "firmware/plans", "sim/*/*.toml", "sim/*/*.csv")
 TESTS_PASSED = ("tests passed", r"\[  PASSED  \] ([1-9]\d*) tests?\b")
 
 
@@ -84,7 +82,7 @@ def seeds_of(target, folder, root):
 
 
 class Step:
-    def __init__(self, row, arguments, folder, made_of):
+    def __init__(self, row, arguments, folder, builds):
         self.name, self.title, self.unit, count, command, environment, self.reads = row
         if "--gtest_filter=" in command:  # a name that no test has would pass
             self.reads = [*self.reads, TESTS_PASSED]
@@ -97,7 +95,7 @@ class Step:
         self.environment["FANTAIL_SEED"] = str(arguments.seed)
         self.log = folder / f"{self.name}.log"
         self.file = folder / f"{self.name}.json"
-        self.key = f"{made_of} {self.count}"
+        self.key = f"{builds.digest(self.name, self.command)} {self.count}"
         self.process = None
 
     @property
@@ -197,14 +195,54 @@ def figures(steps, earlier, seconds, arguments):
             "notes": notes}
 
 
-def sources(root, parts):
-    """A digest of all that is there: another file, or other words in one, and what hangs on it does not count as passed before."""
+def digest_of(root, paths):
+    """Another file, or other words in one, and what hangs on it does not count as passed before."""
     digest = hashlib.sha256()
-    for top in (path for part in parts for path in sorted(root.glob(part))):
-        for path in [top, *sorted(top.rglob("*"))]:
-            if path.is_file() and "__pycache__" not in path.parts:
-                digest.update(f"{path.relative_to(root)}\n".encode() + path.read_bytes())
+    for path in sorted(paths):
+        digest.update(f"{path.relative_to(root)}\n".encode() + path.read_bytes())
     return digest.hexdigest()
+
+
+def below(root, parts):
+    tops = [path for part in parts for path in root.glob(part)]
+    return {path for top in tops for path in [top, *top.rglob("*")] if path.is_file() and "__pycache__" not in path.parts}
+
+
+class Builds:
+    """What the programs of build folders are compiled from."""
+
+    def __init__(self, root):
+        self.root, self.read = root, {}
+
+    def ninja(self, build, *words):
+        done = subprocess.run(["ninja", "-C", build, "-t", *words], cwd=self.root, capture_output=True, text=True, check=False)
+        return done.stdout if done.returncode == 0 else ""
+
+    def sources(self, command):
+        """Files below the root; none for a command that is no program of a build folder."""
+        match = re.match(r"(build/(?:host|fuzz))/(\S+)", command)
+        programs = [match[2], "fantail-campaign"] if match and match[2] == "fantail" else [match[2]] if match else []
+        inputs = set(self.ninja(match[1], "inputs", *programs).split()) if programs else set()
+        if not inputs:
+            return set()
+        if match[1] not in self.read:
+            self.read[match[1]], target = {}, None
+            for line in self.ninja(match[1], "deps").splitlines():
+                if line.startswith(" "):
+                    self.read[match[1]][target].append(line.strip())
+                elif line:
+                    target = line.split(":")[0]
+                    self.read[match[1]][target] = []
+        files = {file for name in inputs for file in [name, *self.read[match[1]].get(name, [])]}
+        paths = {(self.root / match[1] / file).resolve() for file in files}  # headers are links in the build folder
+        paths = {path for path in paths if path.is_relative_to(self.root) and not path.is_relative_to(self.root / "build")}
+        return {path for path in paths if path.is_file()}
+
+    def digest(self, name, command):
+        if name == "proofs":
+            return digest_of(self.root, below(self.root, PROOFS))
+        sources = self.sources(command)
+        return digest_of(self.root, sources | below(self.root, ALWAYS) if sources else below(self.root, EVERYTHING))
 
 
 def main():
@@ -218,12 +256,12 @@ def main():
     root = arguments.root.resolve()
     folder = root / "build/soak"
     folder.mkdir(parents=True, exist_ok=True)
-    made_of = {parts: sources(root, parts) for parts in {EVERYTHING, *MADE_OF.values()}}
+    builds = Builds(root)
     unknown = set(arguments.only) - {row[0] for row in STEPS}
     if unknown:
         print(f"soak: no step {', '.join(sorted(unknown))}; there are {', '.join(row[0] for row in STEPS)}", file=sys.stderr)
         return 64
-    steps = [Step(row, arguments, folder, made_of[MADE_OF.get(row[0], EVERYTHING)]) for row in STEPS
+    steps = [Step(row, arguments, folder, builds) for row in STEPS
              if (not arguments.only or row[0] in arguments.only) and not (arguments.short and row[0] == "cuts")]
     to_run = [step for step in steps if not (arguments.resume and step.passed_before())]
     print(f"soak: {len(to_run)} of {len(steps)} steps, seed {arguments.seed}", flush=True)
