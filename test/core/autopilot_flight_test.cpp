@@ -72,6 +72,21 @@ TEST(AutopilotFlight, PositiveRollIsAnsweredByANegativeCommand) {
 
 // A knock that fires the low-passed rule (LaunchDetector, KnockOf16GFor80Ms...). The speed it seems to leave behind,
 // 11.8 m/s, would pass for a cleared guide 0.5 s later.
+TEST(AutopilotFlight, TheGainScheduleWeakensTheCommandOfAPlanThatHasNothingElseToAdapt) {
+  FlightPlan plan = launch_2_plan();
+  plan.gain_schedule.speeds_count = plan.gain_schedule.factors_count = 1;
+  plan.gain_schedule.speeds_m_s = {30.0F};
+  plan.gain_schedule.factors = {0.5F};
+  Rocket scheduled{plan};
+  Rocket constant{launch_2_plan()};
+  scheduled.fly_to_control();
+  constant.fly_to_control();
+  const Angle half = scheduled.run(ms(100), 40.0, 0.3).command;
+  const Angle whole = constant.run(ms(100), 40.0, 0.3).command;
+  EXPECT_LT(whole, Angle{});
+  EXPECT_NEAR(half.radians(), 0.5F * whole.radians(), 1e-6F);
+}
+
 TEST(AutopilotFlight, KnockThatFiresTheLowPassedRuleNeverMovesACanard) {
   // It still stands in the guide; or it was thrown up in it, which leaves the low-passed output 5 ms sooner.
   for (const auto& [after_g, length] : {std::pair{1.0, ms(80)}, {0.0, ms(85)}}) {

@@ -118,16 +118,18 @@ TEST(CanardMonitor, ACanardThatDoesNotMoveIsStalledAfterTheHold) {
   EXPECT_EQ(bench.step_all(8.0), verdicts_with(2, CanardVerdict::stalled));
 }
 
-TEST(CanardMonitor, ACanardThatMovesToTheWrongPlaceIsSlipping) {
-  Bench bench;
-  bench.step_all(0.0);
-  bench.spoil = [&bench](EncoderAngles& encoders) {
-    encoders[1] = Angle::from_degrees(static_cast<float>(0.3 * bench.shaft_deg[1] * (1.0 + 0.2 * bench.time_s())));
-  };
-  for (int i = 0; i < 400; ++i) {
-    bench.step_all(9.0);
+TEST(CanardMonitor, ACanardThatMovesToTheWrongPlaceIsSlippingWhicheverWayItMoves) {
+  for (const double command_deg : {9.0, -9.0}) {
+    Bench bench;
+    bench.step_all(0.0);
+    bench.spoil = [&bench](EncoderAngles& encoders) {
+      encoders[1] = Angle::from_degrees(static_cast<float>(0.3 * bench.shaft_deg[1] * (1.0 + 0.2 * bench.time_s())));
+    };
+    for (int i = 0; i < 400; ++i) {
+      bench.step_all(command_deg);
+    }
+    EXPECT_EQ(bench.step_all(command_deg), verdicts_with(1, CanardVerdict::slipping));
   }
-  EXPECT_EQ(bench.step_all(9.0), verdicts_with(1, CanardVerdict::slipping));
 }
 
 TEST(CanardMonitor, ACanardStuckNearTheMiddleOfAFastExcitationIsReported) {
@@ -156,6 +158,41 @@ TEST(CanardMonitor, ACanardAwayFromTheOthersIsDisagreeingAndItsNeighboursAreNot)
     bench.step_all(4.0);
   }
   EXPECT_EQ(bench.step_all(4.0), verdicts_with(3, CanardVerdict::disagreeing));
+}
+
+// The middle of the other three is each time one of the other two.
+TEST(CanardMonitor, OfTwoAgainstTwoAllDisagree) {
+  Bench bench;
+  bench.spoil = [&bench](EncoderAngles& encoders) {
+    for (std::size_t i = 0; i < canard_count; ++i) {
+      const double off_deg = (i < 2 ? 0.0 : 2.0) + 0.1 * static_cast<double>(i);
+      encoders[i] =
+          Angle::from_degrees(static_cast<float>(bench.shaft_deg[i] + (bench.time_s() > 0.5 ? off_deg : 0.0)));
+    }
+  };
+  for (int i = 0; i < 700; ++i) {
+    bench.step_all(0.0);
+  }
+  Verdicts all;
+  all.fill(CanardVerdict::disagreeing);
+  EXPECT_EQ(bench.step_all(0.0), all);
+}
+
+TEST(CanardMonitor, AVerdictStaysUntilTheDifferenceHasBeenGoneForHalfTheHold) {
+  Bench bench;
+  bool apart = true;
+  bench.spoil = [&](EncoderAngles& encoders) { encoders[3] = apart ? Angle{} + 2_deg : Angle{}; };
+  apart = false;
+  bench.step_all(0.0);
+  apart = true;
+  for (int i = 0; i < 200; ++i) {
+    bench.step_all(0.0);
+  }
+  apart = false;
+  for (int i = 0; i < 49; ++i) {
+    ASSERT_EQ(bench.step_all(0.0), verdicts_with(3, CanardVerdict::disagreeing)) << i;
+  }
+  EXPECT_EQ(bench.step_all(0.0), Verdicts{});
 }
 
 TEST(CanardMonitor, WithOneEncoderDeadTheOtherThreeStillWatchEachOther) {
