@@ -182,7 +182,7 @@ TEST_F(DetectionCampaign, NoneOfAHundredThousandEventsMovesACanardOfTheSecondLau
 TEST_F(DetectionCampaign, TheChartOfBoundsHasABarForEachRuleOfEachKindOfEvent) {
   const Report report{
       .campaign = small(), .results = play(small(), std::nullopt, "1", 2, look_away), .version = "1", .at_most = {}};
-  const std::string svg = bounds_svg(report);
+  const std::string svg = bounds_svg(report, 880.0);
   std::size_t bars = 0;
   for (std::size_t at = 0; (at = svg.find("<title>", at)) != std::string::npos; ++at) {
     ++bars;
@@ -192,7 +192,7 @@ TEST_F(DetectionCampaign, TheChartOfBoundsHasABarForEachRuleOfEachKindOfEvent) {
   EXPECT_EQ(svg.find(">launch</text>"), std::string::npos);
   Report launches = report;
   launches.campaign.kinds = {Kind::launch};
-  EXPECT_EQ(bounds_svg(launches), "");
+  EXPECT_EQ(bounds_svg(launches, 880.0), "");
 }
 
 TEST(ShownEventOfACampaign, HasTheAnswerThatWasCounted) {

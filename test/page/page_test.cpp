@@ -69,6 +69,22 @@ TEST(Page, ParagraphsListsAndCaptionsAreEscaped) {
   EXPECT_TRUE(holds(section("a & b", ""), "<h2>a &amp; b</h2>"));
 }
 
+TEST(Page, AWideChartIsDrawnNarrowTooAndOneOfThemIsShown) {
+  const std::string both = figure(Chart{.label = "Roll"}, "A caption");
+  EXPECT_TRUE(holds(both, "<figure><svg class=\"wide chart\""));
+  EXPECT_TRUE(holds(both, "</svg><svg class=\"narrow chart\""));
+  EXPECT_TRUE(holds(both, "--w:428"));
+  EXPECT_TRUE(both.ends_with("</svg><figcaption>A caption</figcaption></figure>\n"));
+  EXPECT_EQ(figure(Chart{.width = half_page}), figure(svg(Chart{.width = half_page}), ""));
+  const std::string page = html(example());
+  EXPECT_TRUE(holds(page, "figure > .narrow { display: none; }"));
+  EXPECT_TRUE(holds(page, "figure > .wide { display: none; }"));
+}
+
+TEST(Page, ATableThatIsWiderThanItsPlaceShowsAShadowWhereThereIsMore) {
+  EXPECT_TRUE(holds(html(example()), "right / 18px calc(100% - 2px) no-repeat scroll"));
+}
+
 TEST(Page, NumbersOfATableStandRightAndTonesAreClasses) {
   const std::vector<Column> columns{{"what <is>"}, {"value", true}};
   const std::vector<std::vector<Cell>> rows{{{"a&b"}, {"-1.5", Tone::bad}}, {{"c", Tone::good}, {"2"}}};

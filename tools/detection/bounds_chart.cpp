@@ -42,12 +42,12 @@ std::vector<page::Tick> decades(const page::Range& range) {
   return ticks;
 }
 
-void draw_legend(page::SvgPlot& plot, const Report& report) {
+void draw_legend(page::SvgPlot& plot, const Report& report, double width) {
   for (std::size_t rule = 0; rule < report.campaign.rules.size(); ++rule) {
     const double y = legend_row * static_cast<double>(rule);
     plot.add("<path class=\"line {}\" d=\"M2 {:.1f}h16\"/><text x=\"24\" y=\"{:.1f}\">{}</text>",
              page::class_of(roles[rule % roles.size()]), y + 9.0, y + 13.0,
-             page::printed(page::shortened(report.campaign.rules[rule].name(), page::full_page - 30.0)));
+             page::printed(page::shortened(report.campaign.rules[rule].name(), width - 30.0)));
   }
 }
 
@@ -74,7 +74,7 @@ void draw_row(page::SvgPlot& plot, const Report& report, Kind kind, double top) 
 
 }  // namespace
 
-std::string bounds_svg(const Report& report) {
+std::string bounds_svg(const Report& report, double width) {
   const std::vector<Kind> rows = rows_of(report);
   const std::size_t rules = report.campaign.rules.size();
   if (rows.empty()) {
@@ -96,15 +96,15 @@ std::string bounds_svg(const Report& report) {
   const double top = legend_row * static_cast<double>(rules) + 6.0;
   const double bottom = top + row * static_cast<double>(rows.size());
   page::SvgPlot plot;
-  plot.place({84.0, top, page::full_page - page::end_margin(ticks), bottom}, x, {0.0, 1.0});
-  plot.begin("chart", "False actuations of each kind of event, with their 95 % bounds", page::full_page,
+  plot.place({84.0, top, width - page::end_margin(ticks), bottom}, x, {0.0, 1.0});
+  plot.begin("chart", "False actuations of each kind of event, with their 95 % bounds", width,
              bottom + page::tick_row + page::label_row + 7.0);
   plot.outline("frame");
   for (const page::Tick& tick : ticks) {
     plot.add("<path class=\"grid\" d=\"M{:.1f} {:.1f}V{:.1f}\"/>", plot.x(tick.value), top, bottom);
   }
   plot.x_axis(ticks, "events that move a canard / %: counted (dot), and at most (bar)");
-  draw_legend(plot, report);
+  draw_legend(plot, report, width);
   for (std::size_t i = 0; i < rows.size(); ++i) {
     draw_row(plot, report, rows[i], top + row * static_cast<double>(i) + 0.5 * gap);
   }

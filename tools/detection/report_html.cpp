@@ -232,10 +232,10 @@ std::string what_was_judged(const Report& report, Verdict verdict) {
 }  // namespace
 
 std::string report_html(const Report& report) {
-  const std::string bounds = bounds_svg(report);
-  std::string body =
-      bounds.empty() ? ""
-                     : page::section("Events that are no launch, both accelerometers well", page::figure(bounds, ""));
+  const std::string bounds = bounds_svg(report, page::full_page);
+  std::string body = bounds.empty() ? ""
+                                    : page::section("Events that are no launch, both accelerometers well",
+                                                    page::figure(bounds, bounds_svg(report, page::half_page), ""));
   for (std::size_t rule = 0; rule < report.campaign.rules.size(); ++rule) {
     const std::string shown = report.campaign.rules[rule].judged ? "" : " (shown, not judged)";
     body += page::section(report.campaign.rules[rule].name() + shown,

@@ -60,6 +60,12 @@ std::string verdict(const Page& page) {
                      findings.empty() ? "" : "<ul>\n" + findings + "</ul>\n");
 }
 
+// Of the svg itself, beside those that it has.
+std::string with_class(std::string_view svg, std::string_view name) {
+  constexpr std::string_view begin = "<svg class=\"";
+  return svg.starts_with(begin) ? fmt::format("{}{} {}", begin, name, svg.substr(begin.size())) : std::string{svg};
+}
+
 }  // namespace
 
 std::string html(const Page& page) {
@@ -119,7 +125,18 @@ std::string figure(std::string_view svg, std::string_view caption) {
                          : fmt::format("<figure>{}<figcaption>{}</figcaption></figure>\n", svg, printed(caption));
 }
 
-std::string figure(const Chart& chart, std::string_view caption) { return figure(svg(chart), caption); }
+std::string figure(std::string_view wide_svg, std::string_view narrow_svg, std::string_view caption) {
+  return figure(with_class(wide_svg, "wide") + with_class(narrow_svg, "narrow"), caption);
+}
+
+std::string figure(const Chart& chart, std::string_view caption) {
+  if (chart.width <= half_page) {
+    return figure(svg(chart), caption);
+  }
+  Chart narrow = chart;
+  narrow.width = half_page;
+  return figure(svg(chart), svg(narrow), caption);
+}
 
 std::string side_by_side(std::span<const std::string> parts_html) {
   std::string out = "<div class=\"pair\">\n";

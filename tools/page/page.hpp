@@ -54,6 +54,9 @@ struct Page {
 [[nodiscard]] std::string note(std::string_view text);
 /// <figure> around an svg, the caption escaped.
 [[nodiscard]] std::string figure(std::string_view svg, std::string_view caption);
+/// The same drawn twice: on a screen as wide as a telephone's, and on any other. Never both are shown.
+[[nodiscard]] std::string figure(std::string_view wide_svg, std::string_view narrow_svg, std::string_view caption);
+/// A chart wider than half a page is drawn narrow, too.
 [[nodiscard]] std::string figure(const Chart& chart, std::string_view caption = {});
 /// Figures or sections, two beside each other where there is room.
 [[nodiscard]] std::string side_by_side(std::span<const std::string> parts_html);
