@@ -139,6 +139,40 @@ TEST(Hardover, OfARocketThatIsNeverFastItSaysSoInsteadOfAnAngleOfAttack) {
   EXPECT_NE(study_text(calm).find("wind: up to 0.0 deg."), std::string::npos) << study_text(calm);
 }
 
+/// Of the verdict at the top of the page.
+std::string verdict_of(const std::string& page) {
+  const std::size_t begin = page.find("<p>", page.find("class=\"verdict"));
+  return page.substr(begin, page.find("</p>", begin) - begin);
+}
+
+TEST(Hardover, TheHeadlineIsTwoSentencesAndThePageSaysWhatItsWordsMeanAndWhichStopACurveIs) {
+  const Study found = study({}, {.step_s = 5.0, .coupler_m = 0.8, .threads = 2});
+  const std::string page = study_html(found);
+  const std::string verdict = verdict_of(page);
+  std::size_t sentences = 0;
+  for (std::size_t at = 0; (at = verdict.find(". ", at)) != std::string::npos; ++at) {
+    ++sentences;
+  }
+  EXPECT_EQ(sentences, 1U) << verdict;
+  EXPECT_LT(verdict.size(), 230U) << verdict;
+  for (const char* const part :
+       {"Way turned: ", "Rolled away: ", "Moved: ", "stop at +25 deg", "stop at \u221225 deg", "bending moment"}) {
+    EXPECT_NE(page.find(part), std::string::npos) << part;
+  }
+  const std::string cut =
+      study_html(study({}, {.failure = Failure::cut_pulses, .step_s = 5.0, .coupler_m = {}, .threads = 2}));
+  EXPECT_EQ(cut.find("stop at"), std::string::npos);
+}
+
+TEST(Hardover, SaysThatItsRowsClearNoRange) {
+  const Study found = study({}, {.step_s = 9.0, .coupler_m = {}, .threads = 2});
+  for (const std::string& all : {study_text(found), study_html(found)}) {
+    EXPECT_NE(all.find("Distances count from the sound rocket"), std::string::npos) << all;
+    EXPECT_NE(all.find("the launch guide and the wind are those of the scenario"), std::string::npos) << all;
+    EXPECT_NE(all.find("These rows clear no range by themselves"), std::string::npos) << all;
+  }
+}
+
 TEST(Hardover, EarlyItTurnsTheWayMoreThanLate) {
   const Study found = study({}, {.step_s = 4.0, .coupler_m = {}, .threads = 2});
   EXPECT_GT(found.effects[0].away_m, 2.0 * found.effects[found.instants - 1].away_m);

@@ -6,7 +6,6 @@
 #include <fmt/core.h>
 
 #include "hardover/study.hpp"
-#include "json/value.hpp"
 #include "page/page.hpp"
 #include "text/degrees.hpp"
 #include "text/number.hpp"
@@ -23,20 +22,59 @@ std::string what_fails(const Study& study) {
              : fmt::format("whose pulses are cut off for {} ms", fixed(1e3 * cut_s, 0));
 }
 
-/// The worst of all canards and instants in one sentence.
+/// The worst of all canards and instants.
 std::string headline(const Study& study) {
   const Effect worst = study.worst();
-  const std::string moment = worst.moment_n_m
-                                 ? fmt::format(" and bends it at {} m by up to {} N m",
-                                               fixed(*study.options.coupler_m, 2), fixed(*worst.moment_n_m, 2))
-                                 : "";
   return fmt::format(
-      "One canard {} pushes this rocket to the side by up to {} N{}, rolls it away by up to {} deg, at up to {} deg/s, "
-      "turns its way by up to {} deg and moves its apogee by up to {} m over ground, to a height of {} m at the "
-      "lowest; the sound rocket reaches {} m.",
-      what_fails(study), fixed(worst.side_force_n, 1), moment, fixed(degrees(worst.rolled_rad), 0),
-      fixed(degrees(worst.roll_rate_rad_s), 0), fixed(degrees(worst.turned_rad), 1), fixed(worst.away_m, 0),
-      fixed(worst.apogee_m, 0), fixed(study.sound_apogee_m, 0));
+      "One canard {} turns this rocket's way by up to {} deg and moves its apogee by up to {} m. It rolls the rocket "
+      "away by up to {} deg and pushes it aside by up to {} N.",
+      what_fails(study), fixed(degrees(worst.turned_rad), 1), fixed(worst.away_m, 0),
+      fixed(degrees(worst.rolled_rad), 0), fixed(worst.side_force_n, 1));
+}
+
+/// What else there is of the worst, for the terminal; the page has it in figures.
+std::string further(const Study& study) {
+  const Effect worst = study.worst();
+  const std::string moment =
+      worst.moment_n_m
+          ? fmt::format("; bending at {} m {} N m", fixed(*study.options.coupler_m, 2), fixed(*worst.moment_n_m, 2))
+          : "";
+  return fmt::format("At worst: roll {} deg/s{}; lowest apogee {} m, and the sound rocket reaches {} m.",
+                     fixed(degrees(worst.roll_rate_rad_s), 0), moment, fixed(worst.apogee_m, 0),
+                     fixed(study.sound_apogee_m, 0));
+}
+
+std::string figures(const Study& study) {
+  const Effect worst = study.worst();
+  std::vector<page::Figure> list{
+      {"way turned", fixed(degrees(worst.turned_rad), 1), "deg", "at most"},
+      {"apogee moved", fixed(worst.away_m, 0), "m", "at most, over ground"},
+      {"lowest apogee", fixed(worst.apogee_m, 0), "m",
+       fmt::format("sound rocket: {} m", fixed(study.sound_apogee_m, 0))},
+      {"rolled away", fixed(degrees(worst.rolled_rad), 0), "deg", "at most"},
+      {"roll rate", fixed(degrees(worst.roll_rate_rad_s), 0), "deg/s",
+       fmt::format("at most; sound rocket: {}", fixed(degrees(study.sound_roll_rate_rad_s), 0))},
+      {"side force", fixed(worst.side_force_n, 1), "N", "at most, of the canards"}};
+  if (worst.moment_n_m) {
+    list.push_back({"bending moment", fixed(*worst.moment_n_m, 2), "N m",
+                    fmt::format("at most, {} m from the tip", fixed(*study.options.coupler_m, 2))});
+  }
+  return page::figure_row(list);
+}
+
+/// What the rows are not.
+std::string_view no_clearance() {
+  return "Distances count from the sound rocket's apogee and not from the launch guide; the launch guide and the wind "
+         "are those of the scenario, and others can give more. These rows clear no range by themselves: they have no "
+         "point of impact and no flight without a parachute.";
+}
+
+std::vector<std::string> definitions() {
+  return {"Sound rocket: the same flight without the failure; the two are compared until apogee.",
+          fmt::format("Way turned: the largest angle between its velocity and the sound rocket's, above {} m/s.",
+                      fixed(slowest_m_s, 0)),
+          "Rolled away: the largest difference of its roll angle from the sound rocket's.",
+          "Moved: how far its apogee is from the sound rocket's over ground, to whichever side."};
 }
 
 /// From how much the worst was taken.
@@ -48,15 +86,6 @@ std::string base(const Study& study) {
       study.effects.size(), study.options.failure == Failure::hard_over ? ", each stop," : "", study.instants,
       fixed(study.options.step_s, 2), fixed(study.first_s, 2), fixed(study.last_s, 2),
       study.instants < few ? " With so few instants what lies between them can be worse (--step)." : "");
-}
-
-std::string_view name_of(core::CanardFaultPolicy policy) {
-  switch (policy) {
-    case core::CanardFaultPolicy::share: return "share";
-    case core::CanardFaultPolicy::continue_control: return "continue";
-    case core::CanardFaultPolicy::end_control: return "end_control";
-  }
-  return "unknown";
 }
 
 std::string what_the_others_do(const Study& study) {
@@ -74,10 +103,6 @@ std::string what_the_others_do(const Study& study) {
 
 std::string up_to(const std::optional<double>& angle_rad) {
   return angle_rad ? fmt::format("up to {} deg", fixed(degrees(*angle_rad), 1)) : "it was never that fast";
-}
-
-std::optional<double> in_degrees(const std::optional<double>& angle_rad) {
-  return angle_rad ? std::optional{degrees(*angle_rad)} : std::nullopt;
 }
 
 std::vector<std::string> remarks(const Study& study) {
@@ -126,40 +151,45 @@ std::vector<page::Page::Fact> facts(const Study& study) {
           {"command", study.made.command}};
 }
 
-std::vector<const Effect*> of_canard(const Study& study, std::size_t canard) {
-  std::vector<const Effect*> list;
-  for (const Effect& one : study.effects) {
-    if (one.canard == canard) {
-      list.push_back(&one);
-    }
-  }
-  return list;
+/// With its sign: which stop it is.
+std::string stop_text(double stop_rad) {
+  return fmt::format("{}{}", stop_rad > 0.0 ? "+" : "", text::brief(degrees(stop_rad), 1));
 }
 
 double larger(double a, double b) { return std::fmax(a, b); }  // of a figure that is not known the other
 double smaller(double a, double b) { return std::min(a, b); }
 
-/// Of each canard, at the worse of its stops.
+/// Of each stop, by the canard that does worst.
 page::Chart chart(const Study& study, const std::string& label, double (*value)(const Effect&),
                   double (*worse)(double, double) = larger) {
   page::Chart chart{
       .label = label, .x_label = "canard fails, s after ignition", .y_label = label, .width = page::half_page};
-  constexpr std::array roles{page::Role::measured, page::Role::model, page::Role::second_model, page::Role::target};
-  for (std::size_t canard = 0; canard < roles.size(); ++canard) {
-    page::Series series{.name = fmt::format("canard {}", canard + 1), .role = roles[canard]};
-    const std::vector<const Effect*> flights = of_canard(study, canard);
-    for (std::size_t i = 0; i < flights.size(); ++i) {
-      if (i < study.instants) {
-        series.x.push_back(flights[i]->from_s);
-        series.y.push_back(value(*flights[i]));
-      } else {
-        double& of_other_stop = series.y[i % study.instants];
-        of_other_stop = worse(of_other_stop, value(*flights[i]));
-      }
+  for (const Effect& one : study.effects) {
+    const bool is_other_stop = one.stop_rad < 0.0;
+    const std::size_t curve = is_other_stop ? 1 : 0;
+    if (chart.series.size() <= curve) {
+      chart.series.push_back({.name = one.stop_rad == 0.0 ? "" : "stop at " + stop_text(one.stop_rad) + " deg",
+                              .role = is_other_stop ? page::Role::model : page::Role::measured});
     }
-    chart.series.push_back(std::move(series));
+    page::Series& series = chart.series[curve];
+    if (one.canard == 0) {
+      series.x.push_back(one.from_s);
+      series.y.push_back(value(one));
+    } else {
+      double& worst =
+          series.y[static_cast<std::size_t>(std::ranges::lower_bound(series.x, one.from_s) - series.x.begin())];
+      worst = worse(worst, value(one));
+    }
   }
   return chart;
+}
+
+/// What a curve is.
+std::string curves(const Study& study) {
+  return study.options.failure == Failure::hard_over
+             ? "A curve is a stop, and at each instant the worst of the four canards. A canard at its positive stop "
+               "rolls the rocket the positive way."
+             : "At each instant the worst of the four canards.";
 }
 
 std::string table(const Study& study) {
@@ -175,7 +205,7 @@ std::string table(const Study& study) {
   for (const Effect& one : study.effects) {
     rows.push_back({{fixed(one.from_s, 2)},
                     {fmt::format("{}", one.canard + 1)},
-                    {one.stop_rad == 0.0 ? "-" : text::brief(degrees(one.stop_rad), 1)},
+                    {one.stop_rad == 0.0 ? "-" : stop_text(one.stop_rad)},
                     {fixed(one.side_force_n, 2)},
                     {one.angle_of_attack_rad ? fixed(degrees(*one.angle_of_attack_rad), 1) : "-"},
                     {fixed(degrees(one.rolled_rad), 0)},
@@ -190,25 +220,10 @@ std::string table(const Study& study) {
   return page::table(columns, rows);
 }
 
-json::Value json(const Effect& one) {
-  return {{"canard", one.canard + 1},
-          {"stop_deg", json::rounded(degrees(one.stop_rad))},
-          {"from_s", json::rounded(one.from_s)},
-          {"side_force_n", json::rounded(one.side_force_n)},
-          {"dynamic_pressure_pa", json::rounded(one.pressure_pa)},
-          {"moment_n_m", json::Value{json::rounded(one.moment_n_m)}},
-          {"angle_of_attack_deg", json::Value{json::rounded(in_degrees(one.angle_of_attack_rad))}},
-          {"rolled_deg", json::rounded(degrees(one.rolled_rad))},
-          {"roll_rate_deg_s", json::rounded(degrees(one.roll_rate_rad_s))},
-          {"way_turned_deg", json::rounded(degrees(one.turned_rad))},
-          {"apogee_m", json::rounded(one.apogee_m)},
-          {"apogee_moved_m", json::rounded(one.away_m)}};
-}
-
 }  // namespace
 
 std::string study_text(const Study& study) {
-  std::string text = headline(study) + "\n" + base(study) + "\n";
+  std::string text = fmt::format("{}\n{}\n{}\n  {}\n", headline(study), further(study), base(study), no_clearance());
   for (const std::string& remark : remarks(study)) {
     text += "  " + remark + "\n";
   }
@@ -216,45 +231,6 @@ std::string study_text(const Study& study) {
     text += fact.value.empty() ? "" : fmt::format("  {:<8} {}\n", fact.label, fact.value);
   }
   return text;
-}
-
-std::string study_json(const Study& study) {
-  json::Value effects = json::Value::array();
-  for (const Effect& one : study.effects) {
-    effects.push_back(json(one));
-  }
-  const Effect worst = study.worst();
-  const json::Value all = {
-      {"scenario", study.scenario},
-      {"vehicle", study.vehicle},
-      {"plan", study.plan},
-      {"changes", study.made.changes},
-      {"seed", study.seed},
-      {"canard_fault", name_of(study.policy)},
-      {"failure", study.options.failure == Failure::hard_over ? "hard_over" : "cut_pulses"},
-      {"canard_side_area_m2", json::rounded(study.side_area_m2)},
-      {"canard_position_m", json::rounded(study.position_m)},
-      {"stop_deg", json::rounded(degrees(study.stop_rad))},
-      {"sound_apogee_m", json::rounded(study.sound_apogee_m)},
-      {"sound_angle_of_attack_deg", json::Value{json::rounded(in_degrees(study.sound_angle_of_attack_rad))}},
-      {"sound_roll_rate_deg_s", json::rounded(degrees(study.sound_roll_rate_rad_s))},
-      {"worst",
-       {{"side_force_n", json::rounded(worst.side_force_n)},
-        {"moment_n_m", json::Value{json::rounded(worst.moment_n_m)}},
-        {"angle_of_attack_deg", json::Value{json::rounded(in_degrees(worst.angle_of_attack_rad))}},
-        {"rolled_deg", json::rounded(degrees(worst.rolled_rad))},
-        {"roll_rate_deg_s", json::rounded(degrees(worst.roll_rate_rad_s))},
-        {"way_turned_deg", json::rounded(degrees(worst.turned_rad))},
-        {"lowest_apogee_m", json::rounded(worst.apogee_m)},
-        {"apogee_moved_m", json::rounded(worst.away_m)}}},
-      {"flights", study.effects.size()},
-      {"instants", study.instants},
-      {"step_s", json::rounded(study.options.step_s)},
-      {"coupler_m", json::Value{json::rounded(study.options.coupler_m)}},
-      {"effects", effects},
-      {"command", study.made.command},
-      {"version", study.made.version}};
-  return all.pretty();
 }
 
 std::string study_html(const Study& study) {
@@ -266,7 +242,7 @@ std::string study_html(const Study& study) {
       page::figure(chart(study, "apogee / m", [](const Effect& e) { return e.apogee_m; }, smaller))};
   const std::array<std::string, 2> third{
       page::figure(chart(study, "angle of attack / deg",
-                         [](const Effect& e) { return in_degrees(e.angle_of_attack_rad).value_or(std::nan("")); })),
+                         [](const Effect& e) { return degrees(e.angle_of_attack_rad.value_or(std::nan(""))); })),
       page::figure(chart(study, "rolled away / deg", [](const Effect& e) { return degrees(e.rolled_rad); }))};
   return page::html(
       {.kind = "Fantail: one canard that fails",
@@ -274,10 +250,13 @@ std::string study_html(const Study& study) {
        .subtitle = study.vehicle,
        .facts = facts(study),
        .verdict_heading = fmt::format("At worst of {} flights", study.effects.size()),
-       .verdict = headline(study) + " " + base(study),
-       .body_html = page::section("When it fails",
-                                  page::side_by_side(first) + page::side_by_side(second) + page::side_by_side(third)) +
-                    page::section("How this is known", page::list(remarks(study))) +
+       .verdict = headline(study),
+       .findings = {{.about = std::string{no_clearance()}}},
+       .body_html = page::section("The largest of each figure", figures(study)) +
+                    page::section("What the words mean", page::list(definitions())) +
+                    page::section("When it fails", page::paragraph(curves(study)) + page::side_by_side(first) +
+                                                       page::side_by_side(second) + page::side_by_side(third)) +
+                    page::section("How this is known", page::paragraph(base(study)) + page::list(remarks(study))) +
                     page::section("Every flight", table(study))});
 }
 

@@ -6,6 +6,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/flight_plan.hpp"
@@ -89,6 +90,9 @@ struct Study {
 /// lift off, or does not reach as far as the coupler.
 [[nodiscard]] Study fly(sim::Scenario scenario, const Options& options,
                         const std::function<void(std::size_t done, std::size_t of)>& look);
+
+/// As a plan has it: "share".
+[[nodiscard]] std::string_view name_of(core::CanardFaultPolicy policy);
 
 [[nodiscard]] std::string study_text(const Study& study);
 [[nodiscard]] std::string study_json(const Study& study);
