@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include "faults/results.hpp"
+#include "input/scenario_file.hpp"
 #include "text/error.hpp"
 
 namespace fantail::faults {
@@ -182,6 +183,60 @@ TEST(FaultAlone, IsNotJudgedFurtherWhereTheWholeCellIsNot) {
   EXPECT_NE(headline(result).find("1 cell is not judged beyond what holds for every flight."), std::string::npos);
   EXPECT_NE(report_html(result, "1").find("not judged further, 1"), std::string::npos);
   EXPECT_NE(report_json(result, "1").find("\"not_judged\": 1"), std::string::npos);
+}
+
+TEST(FaultHeadline, OfAKnownLimitTheBarIsAmberAndTheWorstCellIsNamed) {
+  const KnownLimit limit{
+      .device = "servo", .fault = "hardover", .phases = 0, .with_one_gyro = false, .why = "w", .what_to_do = "d"};
+  const auto red = [](double apart_deg) {
+    return faults::Run{.apart_deg = apart_deg,
+                       .what = std::to_string(static_cast<int>(apart_deg)) + " deg off; and more"};
+  };
+  Result result;
+  result.cells = {concluded(cell_of("servo/hardover/controlling"), {red(645.0)}, &limit),
+                  concluded(cell_of("servo/garbage/controlling"), {red(714.0)}, &limit)};
+  EXPECT_NE(headline(result).find("2 cells are red for a limit that is known, at worst servo/garbage/controlling: 714 "
+                                  "deg off."),
+            std::string::npos)
+      << headline(result);
+  const std::string amber = report_html(result, "1");
+  EXPECT_NE(amber.find("class=\"verdict unsure\""), std::string::npos);
+  EXPECT_EQ(amber.find("No red cell"), std::string::npos);
+  result.cells.push_back(concluded(cell_of("servo/dead/controlling"), {red(100.0)}, nullptr));
+  EXPECT_NE(headline(result).find("1 cell is RED, at worst servo/dead/controlling: 100 deg off."), std::string::npos);
+  EXPECT_NE(report_html(result, "1").find("class=\"verdict bad\""), std::string::npos);
+  result.cells = {concluded(cell_of("servo/dead/controlling"), {faults::Run{.outcome = Outcome::holds}}, nullptr)};
+  EXPECT_NE(report_html(result, "1").find("class=\"verdict good\""), std::string::npos);
+}
+
+TEST(FaultLimit, SaysWhetherTheRocketThatWasFlownKeepsTheRuleOfTheStop) {
+  const KnownLimit limit{
+      .device = "servo", .fault = "hardover", .phases = 0, .with_one_gyro = false, .why = "w", .what_to_do = "d"};
+  const auto about = [&](const std::vector<std::string>& changes) {
+    std::vector<input::Override> overrides;
+    for (const std::string& change : changes) {
+      overrides.push_back(input::parse_override(change));
+    }
+    return about_rocket(&limit, input::load_scenario("tasha3_launch2", overrides));
+  };
+  EXPECT_EQ(
+      about({}),
+      "The rocket that was flown breaks this rule: 4 x 4.9 deg of fin offset + 25 deg of stop is 44.6 deg, and 3 x 9 "
+      "deg of plan limit is 27 deg. No stop keeps it: one at the plan limit makes 28.6 deg. What does is less fin "
+      "offset, or a larger plan limit with a stop just beyond it");
+  EXPECT_NE(about({"controller.canard_limit_deg=12"}).find("breaks this rule: "), std::string::npos);
+  EXPECT_NE(about({"controller.canard_limit_deg=12"}).find("A stop between 12 and 16.4 deg keeps it"),
+            std::string::npos);
+  EXPECT_EQ(
+      about({"controller.canard_limit_deg=12", "servo.stop_deg=12.5"}),
+      "The rocket that was flown keeps this rule: 4 x 4.9 deg of fin offset + 12.5 deg of stop is 32.1 deg, and 3 x "
+      "12 deg of plan limit is 36 deg");
+  EXPECT_EQ(about({"servo.stop_deg=5"}),
+            "The rocket that was flown breaks this rule: its stop of 5 deg is inside its plan limit of 9 deg");
+  const KnownLimit other{
+      .device = "imu", .fault = "stuck", .phases = 0, .with_one_gyro = false, .why = "w", .what_to_do = "d"};
+  EXPECT_EQ(about_rocket(&other, input::load_scenario("tasha3_launch2", {})), "");
+  EXPECT_EQ(about_rocket(nullptr, input::load_scenario("tasha3_launch2", {})), "");
 }
 
 }  // namespace

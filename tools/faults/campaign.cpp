@@ -254,6 +254,7 @@ Result fly_campaign(const Prepared& prepared, const std::filesystem::path& folde
   }
   for (std::size_t i = 0; i < tasks.size(); ++i) {
     result.cells.push_back(conclude(tasks[i].cell, cells[i], limits[i].limit));
+    result.cells.back().of_rocket = about_rocket(result.cells.back().limit, twins.scenario);
   }
   return result;
 }
@@ -277,6 +278,7 @@ Alone fly_alone(const Prepared& prepared, const std::string& cell_name, std::uin
   alone.run = run_of(twins, cell, at, number, alone.findings);
   const CellLimit limit = limit_of(cell, twins);
   alone.judged = concluded(cell, std::vector{alone.run}, limit.limit, limit.excused_from_ms);
+  alone.judged.of_rocket = about_rocket(alone.judged.limit, twins.scenario);
   if (alone.judged.colour == Colour::limit_without_need) {
     alone.judged.colour = Colour::green;  // one run does not say that the cell has no need of it
   }

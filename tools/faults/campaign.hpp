@@ -78,6 +78,8 @@ struct CellResult {
   std::string figure{};  ///< of the worst, a clause
   std::string report{};  ///< folder of its flight report, beside the page; empty: none
   const KnownLimit* limit = nullptr;
+  std::string
+      of_rocket{};  ///< whether the rocket that was flown does what the limit asks for; empty: nobody computes it
 };
 
 struct Result {
@@ -160,6 +162,10 @@ void write_worst(Result& result, const Prepared& prepared, const std::filesystem
 /// A row of a part's file, with a newline, and back; empty for what is no such row.
 [[nodiscard]] std::string row_of(const Run& run);
 [[nodiscard]] std::optional<Run> run_of(std::string_view row);
+
+/// Of the limit of one canard far off: does this rocket keep the rule of its stop, and could it with another? A
+/// sentence; empty: it is another limit.
+[[nodiscard]] std::string about_rocket(const KnownLimit* limit, const sim::Scenario& scenario);
 
 /// What a cell came to.
 [[nodiscard]] CellResult conclude(const Cell& cell, const CellSum& sum, const KnownLimit* limit);

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <bit>
+#include <cmath>
 
 #include <fmt/core.h>
 
 #include "faults/campaign.hpp"
+#include "text/degrees.hpp"
+#include "text/number.hpp"
 
 namespace fantail::faults {
 namespace {
@@ -78,6 +81,39 @@ void CellSum::add(const CellSum& later) {
   if (later.worst && (!worst || is_worse(*later.worst, *worst))) {
     worst = later.worst;
   }
+}
+
+std::string about_rocket(const KnownLimit* limit, const sim::Scenario& scenario) {
+  if (limit == nullptr || limit->device != "servo") {
+    return {};
+  }
+  double offset_rad = 0.0;
+  for (const sim::DisturbanceNode& node : scenario.disturbance) {
+    offset_rad = std::max(offset_rad, std::abs(node.angle_rad));
+  }
+  const auto shown = [](double angle_rad) { return text::brief(text::degrees(angle_rad), 1); };
+  const double limit_rad = static_cast<double>(scenario.plan.controller.canard_limit.radians());
+  const double stop_rad = scenario.vehicle.servo.stop_rad;
+  const double most_rad = 3.0 * limit_rad - 4.0 * offset_rad;  // of the stop
+  if (stop_rad < limit_rad) {
+    return fmt::format(
+        "The rocket that was flown breaks this rule: its stop of {} deg is inside its plan limit of {} deg",
+        shown(stop_rad), shown(limit_rad));
+  }
+  const std::string sum = fmt::format(
+      "4 x {} deg of fin offset + {} deg of stop is {} deg, and 3 x {} deg of plan limit is {} deg", shown(offset_rad),
+      shown(stop_rad), shown(4.0 * offset_rad + stop_rad), shown(limit_rad), shown(3.0 * limit_rad));
+  if (stop_rad < most_rad) {
+    return "The rocket that was flown keeps this rule: " + sum;
+  }
+  return fmt::format(
+      "The rocket that was flown breaks this rule: {}. {}", sum,
+      most_rad > limit_rad
+          ? fmt::format("A stop between {} and {} deg keeps it", shown(limit_rad), shown(most_rad))
+          : fmt::format(
+                "No stop keeps it: one at the plan limit makes {} deg. What does is less fin offset, or a larger "
+                "plan limit with a stop just beyond it",
+                shown(4.0 * offset_rad + limit_rad)));
 }
 
 CellResult conclude(const Cell& cell, const CellSum& sum, const KnownLimit* limit) {

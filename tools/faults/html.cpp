@@ -93,7 +93,7 @@ std::string not_green(const Result& result) {
       rows.back()[1] = {
           .text = fmt::format("{} ({}, run {})", worst->figure, name(worst->cell.phase), worst->worst->number),
           .below = cell.limit == nullptr ? "Nobody knows yet."
-                                         : fmt::format("Why: {}. To do: {}.", cell.limit->why, cell.limit->what_to_do)};
+                                         : fmt::format("Why: {}. To do: {}.", cell.limit->why, what_to_do(cell))};
     }
   }
   return rows.empty() ? page::paragraph("None.") : page::table(columns, rows);
@@ -206,13 +206,18 @@ std::string report_html(const Result& result, const std::string& version) {
     phases_text += fmt::format("{}{}: {}", i == 0 ? "" : "; ", name(phase), meaning(phase));
   }
   const bool red = has_red(result);
+  const bool limit = has_red_limit(result);
   return page::html(
       {.kind = "Fantail campaign of faults",
        .title = result.scenario,
        .subtitle =
            fmt::format("{}, plan {}; {}; Fantail {}", result.vehicle, result.plan, onsets_of(result.campaign), version),
-       .tone = red ? page::Tone::bad : page::Tone::good,
-       .verdict_heading = red ? "Red" : "No red cell",
+       .tone = red     ? page::Tone::bad
+               : limit ? page::Tone::unsure
+                       : page::Tone::good,
+       .verdict_heading = red     ? "Red"
+                          : limit ? "Red for a known limit"
+                                  : "No red cell",
        .verdict = headline(result),
        .body_html = page::section("The worst flights", worst_flights(result)) +
                     page::section("Not green", not_green(result)) +

@@ -55,9 +55,22 @@ json::Value json_of(const CellResult& result, const Campaign& campaign) {
     value["worst"]["report"] = result.report + "/report.html";
   }
   if (result.limit != nullptr) {
-    value["limit"] = {{"why", result.limit->why}, {"what_to_do", result.limit->what_to_do}};
+    value["limit"] = {{"why", result.limit->why}, {"what_to_do", what_to_do(result)}};
   }
   return value;
+}
+
+/// ", at worst servo/dead/controlling: control went on, 12.3 deg apart": the flight that is farthest off.
+std::string worst_of(const Result& result, Colour colour) {
+  const CellResult* worst = nullptr;
+  for (const CellResult& cell : result.cells) {
+    if (cell.colour == colour && (worst == nullptr || worst->worst->apart_deg < cell.worst->apart_deg)) {
+      worst = &cell;
+    }
+  }
+  return worst == nullptr
+             ? ""
+             : fmt::format(", at worst {}: {}", worst->cell.name(), worst->figure.substr(0, worst->figure.find(';')));
 }
 
 std::size_t count(const Result& result, Colour colour) {
@@ -80,6 +93,12 @@ const char* word_of(Colour colour) {
 
 bool has_red(const Result& result) { return count(result, Colour::red) > 0; }
 
+bool has_red_limit(const Result& result) { return count(result, Colour::known_limit) > 0; }
+
+std::string what_to_do(const CellResult& cell) {
+  return fmt::format("{}{}{}", cell.limit->what_to_do, cell.of_rocket.empty() ? "" : ". ", cell.of_rocket);
+}
+
 std::string headline(const Result& result) {
   const std::size_t flown = result.cells.size() - count(result, Colour::not_applicable);
   const std::size_t red = count(result, Colour::red);
@@ -90,8 +109,11 @@ std::string headline(const Result& result) {
     return fmt::format("{} {}", number, number == 1 ? "cell is" : "cells are");
   };
   std::string text = fmt::format("{} flights in {} cells. ", result.flights, flown);
-  text += red == 0 ? "No cell is red but for a known limit." : cells(red) + " RED.";
-  text += limits == 0 ? std::string{} : fmt::format(" {} red for a limit that is known.", cells(limits));
+  text += red == 0 ? "No cell is red but for a known limit."
+                   : fmt::format("{} RED{}.", cells(red), worst_of(result, Colour::red));
+  text += limits == 0 ? std::string{}
+                      : fmt::format(" {} red for a limit that is known{}.", cells(limits),
+                                    worst_of(result, Colour::known_limit));
   text += without_need == 0 ? std::string{} : fmt::format(" {} green, though a limit is listed.", cells(without_need));
   text += not_judged == 0 ? std::string{}
                           : fmt::format(" {} not judged beyond what holds for every flight.", cells(not_judged));
@@ -140,7 +162,7 @@ std::string run_text(const Alone& alone, const std::string& report) {
   std::string text = fmt::format("{}, run {}: {}\n  safe is: {}\n  it was:  {}\n", judged.cell.name(), alone.run.number,
                                  word_of(judged.colour), judged.cell.safe(), alone.findings.what_it_was());
   if (judged.colour == Colour::known_limit) {
-    text += fmt::format("  why:     {}\n  to do:   {}\n", judged.limit->why, judged.limit->what_to_do);
+    text += fmt::format("  why:     {}\n  to do:   {}\n", judged.limit->why, what_to_do(judged));
   }
   return text + fmt::format("  report   {}\n", report);
 }
@@ -163,7 +185,7 @@ std::string run_json(const Campaign& campaign, const Alone& alone, const std::st
                     {"command", run_command(campaign, judged.cell, alone.run.number)},
                     {"report", report}};
   if (judged.colour == Colour::known_limit) {
-    value["limit"] = {{"why", judged.limit->why}, {"what_to_do", judged.limit->what_to_do}};
+    value["limit"] = {{"why", judged.limit->why}, {"what_to_do", what_to_do(judged)}};
   }
   return value.pretty();
 }

@@ -10,6 +10,11 @@ namespace fantail::faults {
 /// Any cell red that no known limit excuses.
 [[nodiscard]] bool has_red(const Result& result);
 
+/// Any cell red for a known limit.
+[[nodiscard]] bool has_red_limit(const Result& result);
+/// Of a cell with a known limit: what a team has to do, and whether the rocket that was flown already does.
+[[nodiscard]] std::string what_to_do(const CellResult& cell);
+
 /// "safe", "RED", "a known limit", "not judged further".
 [[nodiscard]] const char* word_of(Colour colour);
 
