@@ -76,6 +76,23 @@ TEST(DetectionVerdict, WithBothWellAFalseActuationIsAFailureAndWithOneBadAKnownL
   EXPECT_EQ(verdict(requirements(report)), Verdict::met);
 }
 
+TEST(DetectionVerdict, TheWorstKindAndItsBoundStandBesideThePooledOne) {
+  Report report = of("tasha3_launch2", {Kind::shaking, Kind::chuff, Kind::gust});
+  count_of(report, Kind::shaking) = {.events = 100};
+  count_of(report, Kind::chuff) = {.events = 100};
+  count_of(report, Kind::chuff).worst.value = 0.9F;
+  count_of(report, Kind::gust) = {.events = 800};
+  EXPECT_TRUE(says(report,
+                   "false actuations 0 (at most 0.3 %) in 1000 events with both accelerometers well; of the "
+                   "worst kind alone, chuff, 0 (at most 3 %) in 100"));
+  EXPECT_NE(
+      report_html(report).find(
+          "tasha3_launch2: of the worst kind, chuff, 0 (at most 3 %) of 100; of all kinds together 0 (at most 0.3 %)."),
+      std::string::npos);
+  const Report alone = of("tasha3_launch2", {Kind::shaking});
+  EXPECT_EQ(worst_kind_of(alone, 0), std::nullopt) << "one kind is not pooled";
+}
+
 TEST(DetectionVerdict, NothingIsAskedOfARuleThatIsShown) {
   Report report = of(published_launch_2, {Kind::shaking, Kind::launch});
   report.at_most = 0.1;

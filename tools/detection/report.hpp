@@ -35,6 +35,10 @@ struct Sum {
 /// Of one kind, all conditions but `well`.
 [[nodiscard]] Sum one_bad_of(const Tally& tally, std::size_t rule);
 
+/// Of the kinds that are no launch, both accelerometers well, the one whose bound is the largest; of equals the one
+/// that came nearest to the gate. Empty: fewer than two kinds were played.
+[[nodiscard]] std::optional<Kind> worst_kind_of(const Report& report, std::size_t rule);
+
 enum class Verdict : std::uint8_t { met, not_met, not_judged };
 [[nodiscard]] const char* name(Verdict verdict);
 

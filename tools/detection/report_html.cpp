@@ -223,6 +223,14 @@ std::string what_was_judged(const Report& report, Verdict verdict) {
                                        events, kinds_of_event,
                                        report.false_at_most > 0.0 ? "no more false actuations than asked for"
                                                                   : "no judged plan moved a canard");
+  if (const std::optional<Kind> kind = worst_kind_of(report, static_cast<std::size_t>(judged))) {
+    const Count& count = report.results.of_kind[index(*kind)]->of_rule[static_cast<std::size_t>(judged)][0];
+    const Sum all = well_events_of(report.results, static_cast<std::size_t>(judged));
+    text +=
+        fmt::format(" {}: of the worst kind, {}, {} of {}; of all kinds together {}.",
+                    report.campaign.rules[static_cast<std::size_t>(judged)].name(), info(*kind).name,
+                    with_bound(count.controlling, count.events), count.events, with_bound(all.controlling, all.events));
+  }
   if (report.at_most && verdict == Verdict::met) {
     text += " No more launches missed than asked for.";
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include <fmt/core.h>
 
@@ -21,6 +22,17 @@ void add(Sum& sum, const Count& count) {
 
 std::string percent(double share) { return text::brief(100.0 * share, 6) + " %"; }
 
+/// A bound of all kinds together says little of the one that comes near.
+std::string of_worst_kind(const Report& report, std::size_t rule) {
+  const std::optional<Kind> kind = worst_kind_of(report, rule);
+  if (!kind) {
+    return {};
+  }
+  const Count& count = report.results.of_kind[index(*kind)]->of_rule[rule][0];
+  return fmt::format("; of the worst kind alone, {}, {} in {}", info(*kind).name,
+                     with_bound(count.controlling, count.events), count.events);
+}
+
 Requirement no_false_actuation(const Report& report, std::size_t rule) {
   const std::string name = report.campaign.rules[rule].name();
   const Sum events = well_events_of(report.results, rule);
@@ -31,9 +43,10 @@ Requirement no_false_actuation(const Report& report, std::size_t rule) {
   const bool is_met =
       is_asked ? upper_bound_95(events.controlling, events.events) <= report.false_at_most : events.controlling == 0;
   return {.verdict = is_met ? Verdict::met : Verdict::not_met,
-          .sentence = fmt::format("{}: false actuations {} in {} events with both accelerometers well{}", name,
+          .sentence = fmt::format("{}: false actuations {} in {} events with both accelerometers well{}{}", name,
                                   with_bound(events.controlling, events.events), events.events,
-                                  is_asked ? ", and at most " + percent(report.false_at_most) + " asked for" : "")};
+                                  is_asked ? ", and at most " + percent(report.false_at_most) + " asked for" : "",
+                                  of_worst_kind(report, rule))};
 }
 
 Requirement launches_missed(const Report& report, std::size_t rule) {
@@ -87,6 +100,26 @@ Sum well_events_of(const Results& results, std::size_t rule) {
     }
   }
   return sum;
+}
+
+std::optional<Kind> worst_kind_of(const Report& report, std::size_t rule) {
+  std::optional<Kind> worst;
+  std::pair<double, float> most{};
+  std::size_t played = 0;
+  for (const Kind kind : report.campaign.kinds) {
+    const auto& tally = report.results.of_kind[index(kind)];
+    if (is_launch(kind) || !tally || tally->of_rule[rule][0].events == 0) {
+      continue;
+    }
+    const Count& count = tally->of_rule[rule][0];
+    const std::pair<double, float> bad{upper_bound_95(count.controlling, count.events), count.worst.value};
+    ++played;
+    if (!worst || bad > most) {
+      worst = kind;
+      most = bad;
+    }
+  }
+  return played > 1 ? worst : std::nullopt;
 }
 
 Sum bad_events_of(const Results& results, std::size_t rule) {
