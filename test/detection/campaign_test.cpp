@@ -203,7 +203,15 @@ TEST(ShownEventOfACampaign, HasTheAnswerThatWasCounted) {
     if (answers.back().controlling) {
       const ShownEvent shown = show_event(campaign, Kind::shaking, event);
       EXPECT_NE(shown.text.find("the canards move"), std::string::npos) << shown.text;
-      EXPECT_NE(shown.figures_html.find("<svg"), std::string::npos);
+      EXPECT_NE(shown.text.find("range of the kind"), std::string::npos) << shown.text;
+      EXPECT_LT(shown.text.find("gate: control may begin"), shown.text.find("% of the gate")) << shown.text;
+      EXPECT_NE(shown.verdict.find("This is no launch."), std::string::npos) << shown.verdict;
+      const std::string page = event_html(campaign, Kind::shaking, event, shown);
+      EXPECT_LT(page.find(shown.verdict), page.find("<svg"));
+      for (const char* const line :
+           {"threshold of tasha3_launch1", "control by published_launch2", "gate of tasha3_launch2 ..."}) {
+        EXPECT_NE(page.find(line), std::string::npos) << line;
+      }
       return;
     }
   }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <fmt/core.h>
+#include <fmt/format.h>
 
 #include "detection/rehearsal.hpp"
 #include "detection/report.hpp"
@@ -20,6 +21,54 @@ namespace fantail::detection {
 namespace {
 
 double seconds(std::size_t step) { return 1e-3 * static_cast<double>(step); }
+
+/// The first of a rule's plans stands for them all.
+std::string short_name(const Rule& rule) { return rule.names.front() + (rule.names.size() > 1 ? " ..." : ""); }
+
+/// A line across, named by its plan; those of several plans at one value are one line.
+void add_level(page::Chart& chart, double value, const std::string& what, const Rule& rule) {
+  const auto same = std::ranges::find(chart.levels, value, &page::Level::value);
+  if (same != chart.levels.end()) {
+    same->label += ", " + short_name(rule);
+  } else {
+    chart.levels.push_back({.value = value, .label = what + " of " + short_name(rule), .role = page::Role::limit});
+  }
+}
+
+/// Beyond both lines of the gate control may begin.
+void add_gates(page::Chart& speed, page::Chart& way, const std::vector<Rule>& rules) {
+  for (const Rule& rule : rules) {
+    const core::GuidePlan& guide = rule.plan.guide;
+    if (guide.minimum_speed_m_s > 0.0F) {
+      add_level(speed, static_cast<double>(guide.minimum_speed_m_s), "gate", rule);
+    }
+    add_level(way, static_cast<double>(guide.length_m + guide.clearance_m), "gate", rule);
+  }
+}
+
+std::string names_of(const std::vector<std::string>& names) { return fmt::format("{}", fmt::join(names, "; ")); }
+
+/// Who does what, first those of whom it is bad.
+void judge(ShownEvent& shown, const std::vector<Rule>& rules, const std::vector<Answer>& answers, bool launch,
+           bool both_well) {
+  std::vector<std::string> do_it;
+  std::vector<std::string> do_not;
+  for (std::size_t rule = 0; rule < rules.size(); ++rule) {
+    const bool does = launch ? answers[rule].detected.has_value() : answers[rule].controlling.has_value();
+    (does ? do_it : do_not).push_back(rules[rule].name());
+    shown.is_bad = shown.is_bad || (rules[rule].judged && both_well && does != launch);
+  }
+  if (launch) {
+    shown.verdict = do_not.empty()  ? "Every plan detects this launch."
+                    : do_it.empty() ? "No plan detects this launch."
+                                    : fmt::format("Detected by {}; missed by {}.", names_of(do_it), names_of(do_not));
+  } else {
+    shown.verdict = do_it.empty()    ? "This is no launch, and no plan moves a canard."
+                    : do_not.empty() ? "This is no launch, and every plan moves the canards."
+                                     : fmt::format("This is no launch. The canards are moved by {}; not by {}.",
+                                                   names_of(do_it), names_of(do_not));
+  }
+}
 
 page::Chart readings_chart(const Rehearsal& rehearsal, const std::vector<Rule>& rules) {
   page::Chart chart{.label = "Specific force along the axis as the accelerometers read it",
@@ -36,10 +85,8 @@ page::Chart readings_chart(const Rehearsal& rehearsal, const std::vector<Rule>& 
     chart.series.push_back(std::move(series));
   }
   for (const Rule& rule : rules) {
-    const double value = static_cast<double>(rule.plan.launch_detection.threshold_m_s2) / sim::gravity_m_s2;
-    if (std::ranges::find(chart.levels, value, &page::Level::value) == chart.levels.end()) {
-      chart.levels.push_back({.value = value, .label = "threshold", .role = page::Role::limit});
-    }
+    add_level(chart, static_cast<double>(rule.plan.launch_detection.threshold_m_s2) / sim::gravity_m_s2, "threshold",
+              rule);
   }
   return chart;
 }
@@ -90,22 +137,30 @@ ShownEvent show_event(const Campaign& campaign, Kind kind, std::uint64_t event) 
   shown.text = fmt::format("{} {}, seed {}: {} s, {} deg from the vertical\n", info(kind).name, event, campaign.seed,
                            text::fixed(seconds(rehearsal.motion().length), 3),
                            text::fixed(rehearsal.motion().start_pitch_rad / sim::radians_per_degree, 1));
-  shown.text += fmt::format("  {}\n", info(kind).what);
+  shown.text += fmt::format("  range of the kind, from which this event is drawn: {}\n", info(kind).what);
   shown.text += errors.condition == Condition::well
                     ? std::string{"  both accelerometers well\n"}
                     : fmt::format("  {}: the {} accelerometer, from {} s\n",
                                   condition_names[static_cast<std::size_t>(errors.condition)],
                                   errors.bad == 0 ? "first" : "second", text::fixed(seconds(errors.onset), 3));
+  shown.text +=
+      "  gate: control may begin where the way along the guide, as believed, is beyond the guide and a clearance, and "
+      "the "
+      "speed, as believed, is at the least that the plan asks for; the share of it is the smaller of the two\n";
   for (std::size_t rule = 0; rule < campaign.rules.size(); ++rule) {
     shown.text += fmt::format("  {}\n", said(campaign.rules[rule], answers[rule], is_launch(kind)));
   }
   page::Chart readings = readings_chart(rehearsal, campaign.rules);
-  for (const Answer& answer : answers) {
-    if (answer.controlling) {
-      readings.levels.push_back(
-          {.value = seconds(*answer.controlling), .label = "control", .upright = true, .role = page::Role::limit});
+  for (std::size_t rule = 0; rule < campaign.rules.size(); ++rule) {
+    if (answers[rule].controlling) {
+      readings.levels.push_back({.value = seconds(*answers[rule].controlling),
+                                 .label = "control by " + short_name(campaign.rules[rule]),
+                                 .upright = true,
+                                 .role = page::Role::limit});
     }
   }
+  add_gates(speed, way, campaign.rules);
+  judge(shown, campaign.rules, answers, is_launch(kind), errors.condition == Condition::well);
   shown.figures_html = page::figure(readings) + page::figure(speed) + page::figure(way);
   return shown;
 }
@@ -123,6 +178,9 @@ std::string event_html(const Campaign& campaign, Kind kind, std::uint64_t event,
   const page::Page page{.kind = "Fantail campaign of detections",
                         .title = fmt::format("{} {}", info(kind).name, event),
                         .subtitle = command_of(campaign, kind, event),
+                        .tone = shown.is_bad ? page::Tone::bad : page::Tone::plain,
+                        .verdict_heading = "What came of it",
+                        .verdict = shown.verdict,
                         .body_html = page::section("What happens", sentences_html(shown)) + shown.figures_html};
   return page::html(page);
 }

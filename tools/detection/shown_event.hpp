@@ -16,6 +16,8 @@ inline constexpr std::array<page::Role, 4> roles{page::Role::measured, page::Rol
 
 /// One event of a campaign again, tick by tick.
 struct ShownEvent {
+  std::string verdict;       ///< in a sentence: who moves canards, or who detects
+  bool is_bad = false;       ///< a judged rule moves a canard without a launch, or misses one with both well
   std::string text;          ///< what happens in it and what each rule makes of it
   std::string figures_html;  ///< what the accelerometers read, and speed and way that each rule believed in
 };
