@@ -88,7 +88,24 @@ TEST(FlownVerdict, CanardsThatCannotComeBackFarEnoughHaveNoAuthority) {
   const Judged flown = fly(scenario);
   EXPECT_LT(*flown.figures.authority_margin_rad, 0.0) << flown.verdict.text;
   EXPECT_EQ(flown.verdict.outcome, Outcome::not_held);
-  EXPECT_TRUE(flown.says("the fin offset of -2.0 deg is beyond what they can balance")) << flown.verdict.text;
+  EXPECT_TRUE(
+      flown.says("canards 1, 2 do not follow their commands, and the fin offset of -2.0 deg is, with that, beyond "
+                 "what they can balance"))
+      << flown.verdict.text;
+}
+
+TEST(FlownVerdict, WhereACanardStandsAtItsStopTheFinOffsetIsNotBlamedAlone) {
+  sim::Scenario scenario = launch2();
+  scenario.faults.push_back({.kind = sim::FaultKind::canard_stuck,
+                             .canard = 0,
+                             .from_s = 0.0,
+                             .until_s = 0.0,
+                             .angle_rad = -scenario.vehicle.servo.stop_rad});
+  const Judged flown = fly(scenario);
+  EXPECT_EQ(flown.verdict.outcome, Outcome::not_held);
+  EXPECT_TRUE(flown.says("canard 1 does not follow its command, and the fin offset of -4.9 deg is, with that, beyond"))
+      << flown.verdict.text;
+  EXPECT_FALSE(flown.says("4.9 deg is beyond what")) << flown.verdict.text;
 }
 
 // 850 N for half a second, 22 g: as much impulse as the usual motor.

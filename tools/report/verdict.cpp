@@ -2,6 +2,7 @@
 #include "report/verdict.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
 
@@ -121,11 +122,37 @@ std::string why_nothing_settles(const flight::Flight& flight, const Figures& f) 
                    text::fixed(1.0 / fastest_rad_s, 0), text::fixed(*f.control_time_s, 1));
 }
 
+/// "canard 1 does not follow its command": stalled or slipping for its monitor, when control ended; empty: none.
+std::string not_following(const flight::Flight& flight) {
+  std::array<bool, core::canard_count> is_off{};
+  for (const auto& [time_s, canard, verdict] : flight.canard_verdict_changes) {
+    if (time_s <= flight.events.control_end_s.value_or(time_s)) {
+      is_off[canard] = verdict == core::CanardVerdict::stalled || verdict == core::CanardVerdict::slipping ||
+                       (is_off[canard] && verdict != core::CanardVerdict::healthy);
+    }
+  }
+  std::string text;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < is_off.size(); ++i) {
+    if (is_off[i]) {
+      text += fmt::format("{}{}", count++ == 0 ? "" : ", ", i + 1);
+    }
+  }
+  if (count > 1) {
+    return fmt::format("canards {} do not follow their commands", text);
+  }
+  return count == 1 ? fmt::format("canard {} does not follow its command", text) : text;
+}
+
 Verdict judge_control(const flight::Flight& flight, const Figures& f) {
   const std::string rest = saturation_and_margin(f);
   if (f.at_limit_since_s && f.offset_beyond_limit) {
-    const std::string cause = fmt::format("{}: the fin offset of {} is beyond what they can balance; roll not held",
-                                          at_limit(f), degrees_text(*f.offset_at_limit_rad));
+    const std::string off = not_following(flight);
+    const std::string offset = fmt::format("the fin offset of {}", degrees_text(*f.offset_at_limit_rad));
+    const std::string cause =
+        off.empty() ? fmt::format("{}: {} is beyond what they can balance; roll not held", at_limit(f), offset)
+                    : fmt::format("{}: {}, and {} is, with that, beyond what they can balance; roll not held",
+                                  at_limit(f), off, offset);
     return {Outcome::not_held, fmt::format("{} {}", sentence(cause), sentence(rest))};
   }
   const std::string ended_at_limit = f.at_limit_since_s ? fmt::format(" {}", sentence(at_limit(f))) : "";
