@@ -173,5 +173,14 @@ TEST(Campaign, OfWordsThatMakeNoSenseIsRefused) {
                         {"wide.toml", "servo.delay_s", "allowed: 0 to 0.05", "outside = \"truncate\""}};
 }
 
+TEST(CampaignHardover, TakesChangesThatPlayAPartInSixDegreesOfFreedomAlone) {
+  const Folder folder;
+  const Outcome outcome = fantail({"campaign", "hardover", "--step", "9", "--set", "wind.speed_m_s=6", "--set",
+                                   "wind.from_deg=180", "--set", "launch_guide.azimuth_deg=90", "--out", folder / "h"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("wind.from_deg=180, launch_guide.azimuth_deg=90"), std::string::npos) << outcome.out;
+  EXPECT_EQ(outcome.out.find("flight.motion"), std::string::npos) << "nobody has asked for that";
+}
+
 }  // namespace
 }  // namespace fantail::test

@@ -15,6 +15,7 @@
 #include "fantail/run.hpp"
 #include "fantail/scenario_options.hpp"
 #include "hardover/study.hpp"
+#include "input/scenario_file.hpp"
 #include "input/shipped.hpp"
 #include "text/output_folder.hpp"
 #include "text/shell_word.hpp"
@@ -45,6 +46,16 @@ std::string command_of(const HardoverOptions& options) {
   return command;
 }
 
+/// What plays a part in six degrees of freedom alone may be changed, too: they are flown, whatever the scenario says.
+ScenarioOptions in_six_dof(ScenarioOptions options) {
+  const sim::Scenario as_written = input::load_scenario(options.scenario, {});
+  // Of another one the study itself says what is missing.
+  if (as_written.surroundings == sim::Surroundings::flight && as_written.vehicle.airframe) {
+    options.changes.push_back("flight.motion=six_dof");
+  }
+  return options;
+}
+
 void fly(const HardoverOptions& options) {
   std::vector<std::string> changes = changes_of(options.scenario);
   hardover::Options asked = options.study;
@@ -55,16 +66,17 @@ void fly(const HardoverOptions& options) {
   const std::string name = variant_name(input::name_of_file(options.scenario.scenario), changes);
   const fs::path folder = options.out.empty() ? fs::path{"out"} / "hardover" / name : fs::path{options.out};
   std::optional<Progress> progress;
-  hardover::Study study = hardover::fly(load(options.scenario), asked, [&](std::size_t done, std::size_t of) {
-    if (take_interrupt()) {
-      throw Interrupted{"interrupted; nothing was written"};
-    }
-    if (!progress) {
-      progress.emplace("flying " + name,
-                       Progress::Measure{.unit = "flights", .rate = " a second", .total = static_cast<double>(of)});
-    }
-    progress->show(static_cast<double>(done));
-  });
+  hardover::Study study =
+      hardover::fly(load(in_six_dof(options.scenario)), asked, [&](std::size_t done, std::size_t of) {
+        if (take_interrupt()) {
+          throw Interrupted{"interrupted; nothing was written"};
+        }
+        if (!progress) {
+          progress.emplace("flying " + name,
+                           Progress::Measure{.unit = "flights", .rate = " a second", .total = static_cast<double>(of)});
+        }
+        progress->show(static_cast<double>(done));
+      });
   progress.reset();
   study.made = {.command = command_of(options), .version = FANTAIL_VERSION, .changes = changes_of(options.scenario)};
   text::OutputFolder{folder}.write(std::array{text::NamedFile{"hardover.html", hardover::study_html(study)},
