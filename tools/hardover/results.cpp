@@ -252,7 +252,7 @@ std::string study_html(const Study& study) {
        .verdict_heading = fmt::format("At worst of {} flights", study.effects.size()),
        .verdict = headline(study),
        .findings = {{.about = std::string{no_clearance()}}},
-       .body_html = page::section("The largest of each figure", figures(study)) +
+       .body_html = page::section("At worst, each figure by itself", figures(study)) +
                     page::section("What the words mean", page::list(definitions())) +
                     page::section("When it fails", page::paragraph(curves(study)) + page::side_by_side(first) +
                                                        page::side_by_side(second) + page::side_by_side(third)) +
