@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <optional>
+
 #include "hardover/study.hpp"
 #include "json/value.hpp"
 #include "text/degrees.hpp"
