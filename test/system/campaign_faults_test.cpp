@@ -7,6 +7,7 @@
 #include "json/value.hpp"
 #include "system/folder.hpp"
 #include "system/process.hpp"
+#include "system/refusal.hpp"
 
 namespace fantail::test {
 namespace {
@@ -50,6 +51,12 @@ TEST(CampaignFaults, OneRunAgainWritesTheSameReportAndSaysWhatTheFailedServoMayD
       << outcome.out;
   const std::string flight = "/servo.hardover_back.launched_run_" + run + "/flight.csv";
   EXPECT_EQ(content(folder / ("again" + flight)), content(folder / ("all" + flight)));
+}
+
+TEST(CampaignFaults, OfADeviceThatTheRocketFliesWithoutIsRefusedAsARunAloneIs) {
+  const std::string why = "second_imu: the rocket does not fly on a second IMU";
+  Refusal({}, faults_of("second_imu", "pad", "x"), 78, {why});
+  Refusal({}, {"campaign", "faults", "tasha3_launch2", "--cell", "second_imu/dead/pad", "--out", "x"}, 78, {why});
 }
 
 }  // namespace

@@ -109,10 +109,16 @@ std::vector<Task> tasks_of(const Campaign& campaign, const Twins& twins) {
 }
 
 Extent extent_of(const Campaign& campaign, const Twins& twins) {
+  const std::vector<Task> tasks = tasks_of(campaign, twins);
   Extent extent;
-  for (const Task& task : tasks_of(campaign, twins)) {
+  for (const Task& task : tasks) {
     extent.cells += task.grid ? 1 : 0;
     extent.flights += task.grid ? task.grid->size() : 0;
+  }
+  if (extent.flights == 0) {  // and would be green
+    const std::string why = why_not(*tasks.front().cell.row, twins.scenario);
+    refuse(why.empty() ? fmt::format("{}: has nothing of the phase {}", twins.scenario.name, campaign.phase)
+                       : fmt::format("{}: {}", tasks.front().cell.row->device, why));
   }
   return extent;
 }
