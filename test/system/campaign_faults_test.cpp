@@ -59,5 +59,11 @@ TEST(CampaignFaults, OfADeviceThatTheRocketFliesWithoutIsRefusedAsARunAloneIs) {
   Refusal({}, {"campaign", "faults", "tasha3_launch2", "--cell", "second_imu/dead/pad", "--out", "x"}, 78, {why});
 }
 
+TEST(CampaignFaults, AnEmptyWordDoesNotMeanAll) {
+  for (const char* option : {"--device", "--fault", "--cell"}) {
+    Refusal({}, {"campaign", "faults", option, "", "--out", "x"}, 64, {option, "is empty"});
+  }
+}
+
 }  // namespace
 }  // namespace fantail::test

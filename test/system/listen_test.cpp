@@ -170,5 +170,11 @@ TEST(Listen, RefusesWhatItCannotHear) {
           {"log.ftl", "listen reads no files that end in .ftl"});
 }
 
+TEST(Listen, RefusesAnEmptyWordForColumnsOrBarometer) {
+  for (const char* option : {"--columns", "--barometer", "--barometer-columns"}) {
+    Refusal({{"log.csv", made}}, {"listen", "log.csv", option, ""}, 64, {option, "is empty"});
+  }
+}
+
 }  // namespace
 }  // namespace fantail::test

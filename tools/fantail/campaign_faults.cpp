@@ -125,6 +125,9 @@ void list_names() {
   }
 }
 
+/// Whoever leaves a word out asks for all; whoever gives an empty one has made a mistake.
+std::string objection_to_nothing(const std::string& text) { return text.empty() ? "the name is empty" : ""; }
+
 void fly_all(const FaultsOptions& options) {
   const faults::Campaign campaign = asked_for(options);
   const fs::path folder = folder_of(options);
@@ -166,9 +169,9 @@ void fill_faults(const Verb& verb) {
   auto options = std::make_shared<FaultsOptions>();
   add_scenario_options(verb, options->scenario);
   auto device = verb.option("--device", options->device, "Only the faults of this device, as --list has them [all]");
-  device.value_name("NAME");
+  device.value_name("NAME").check(objection_to_nothing);
   auto fault = verb.option("--fault", options->fault, "Only this fault, likewise [all]");
-  fault.value_name("NAME");
+  fault.value_name("NAME").check(objection_to_nothing);
   auto phase = verb.option("--phase", options->phase, "Only faults that begin in this phase [all]");
   phase.one_of({"pad", "armed", "launched", "controlling", "after_control"});
   verb.option("--step-ms", options->step_ms, "Milliseconds between two onsets").range(1, 10000).show_default();
@@ -178,7 +181,7 @@ void fill_faults(const Verb& verb) {
   verb.flag("--whole", options->whole, "Every onset: --every 1").excludes(every);
   verb.option("--seeds", options->seeds, "Fly each onset with so many seeds").range(1, 10000).show_default();
   auto cell = verb.option("--cell", options->cell, "Fly one run again: of this cell, DEVICE/FAULT/PHASE");
-  cell.value_name("CELL").excludes(device).excludes(fault).excludes(phase);
+  cell.value_name("CELL").check(objection_to_nothing).excludes(device).excludes(fault).excludes(phase);
   verb.option("--run", options->run, "Its number, as the page says").range(0, 1e9).needs(cell);
   verb.option("--threads", options->threads, "How many to fly at once [as many as the machine can]").range(1, 256);
   verb.option(

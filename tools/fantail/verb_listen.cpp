@@ -133,6 +133,8 @@ std::string objection_to_map(const std::string& text) {
              : fmt::format("\"{}\" is no map of a logger's columns; allowed: {}", text, names_of_maps());
 }
 
+std::string objection_to_nothing(const std::string& text) { return text.empty() ? "it is empty" : ""; }
+
 void fill(const Verb& verb) {
   auto options = std::make_shared<ListenOptions>();
   verb.option("LOG", options->log,
@@ -141,13 +143,17 @@ void fill(const Verb& verb) {
   verb.option("--columns", options->columns,
               "QUANTITY=[-][SCALE*]COLUMN:UNIT for time, axial (or axial_from_rest, zero on the pad), second_axial, "
               "lateral_y, lateral_z, roll_rate, pitch_rate, yaw_rate, height, speed; x points to the nose")
+      .check(objection_to_nothing)
       .value_name("QUANTITY=COLUMN:UNIT,...");
   verb.option("--map", options->map,
               fmt::format("A logger's columns, [the one that fits]: {}; --columns goes before it", names_of_maps()))
       .check(objection_to_map)
       .value_name("MAP");
-  verb.option("--barometer", options->barometer, "A file of its own that has the height").value_name("FILE");
+  verb.option("--barometer", options->barometer, "A file of its own that has the height")
+      .check(objection_to_nothing)
+      .value_name("FILE");
   verb.option("--barometer-columns", options->barometer_columns, "Its time, height and speed, as in --columns")
+      .check(objection_to_nothing)
       .value_name("QUANTITY=COLUMN:UNIT,...");
   verb.option("--plan", options->plan, "The flight plan: a shipped name or a path").show_default();
   verb.option("--longest-gap", options->longest_gap_s,
