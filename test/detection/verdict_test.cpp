@@ -93,6 +93,19 @@ TEST(DetectionVerdict, TheWorstKindAndItsBoundStandBesideThePooledOne) {
   EXPECT_EQ(worst_kind_of(alone, 0), std::nullopt) << "one kind is not pooled";
 }
 
+TEST(DetectionVerdict, ThatNoEventAtAllMayMoveACanardIsShownByNoBound) {
+  Report report = of("tasha3_launch2", {Kind::shaking});
+  count_of(report, Kind::shaking) = {.events = 10};
+  EXPECT_EQ(verdict(requirements(report)), Verdict::met);
+  EXPECT_NE(report_json(report).find("\"false_at_most\": null"), std::string::npos);
+  report.false_at_most = 0.0;
+  EXPECT_EQ(verdict(requirements(report)), Verdict::not_met);
+  EXPECT_TRUE(says(report,
+                   "false actuations 0 (at most 25.9 %) in 10 events with both accelerometers well, and at most "
+                   "0 % asked for"));
+  EXPECT_NE(report_json(report).find("\"false_at_most\": 0"), std::string::npos);
+}
+
 TEST(DetectionVerdict, NothingIsAskedOfARuleThatIsShown) {
   Report report = of(published_launch_2, {Kind::shaking, Kind::launch});
   report.at_most = 0.1;

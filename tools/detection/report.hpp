@@ -14,8 +14,8 @@ struct Report {
   Campaign campaign;
   Results results;
   std::string version;
-  std::optional<double> at_most;  ///< missed launches of a judged rule, a share: asked of its 95 % bound
-  double false_at_most = 0.0;     ///< false actuations of a judged rule, likewise; 0: none may be seen
+  std::optional<double> at_most;          ///< missed launches of a judged rule, a share: asked of its 95 % bound
+  std::optional<double> false_at_most{};  ///< false actuations of a judged rule, likewise; empty: none may be seen
 };
 
 /// A rule's counts over some kinds and conditions.

@@ -39,13 +39,13 @@ Requirement no_false_actuation(const Report& report, std::size_t rule) {
   if (events.events == 0) {
     return {.sentence = name + ": no event that is no launch was played with both accelerometers well"};
   }
-  const bool is_asked = report.false_at_most > 0.0;
+  const bool is_asked = report.false_at_most.has_value();
   const bool is_met =
-      is_asked ? upper_bound_95(events.controlling, events.events) <= report.false_at_most : events.controlling == 0;
+      is_asked ? upper_bound_95(events.controlling, events.events) <= *report.false_at_most : events.controlling == 0;
   return {.verdict = is_met ? Verdict::met : Verdict::not_met,
           .sentence = fmt::format("{}: false actuations {} in {} events with both accelerometers well{}{}", name,
                                   with_bound(events.controlling, events.events), events.events,
-                                  is_asked ? ", and at most " + percent(report.false_at_most) + " asked for" : "",
+                                  is_asked ? ", and at most " + percent(*report.false_at_most) + " asked for" : "",
                                   of_worst_kind(report, rule))};
 }
 

@@ -38,7 +38,7 @@ struct DetectionOptions {
   std::string event;
   bool both_well = false;
   std::optional<double> at_most_percent;
-  double false_at_most_percent = 0.0;
+  std::optional<double> false_at_most_percent;
   unsigned threads = 0;
   std::string out;
   bool json = false;
@@ -149,11 +149,13 @@ void detect(const DetectionOptions& options) {
           "published_launch2"};
     }
   }
-  if (options.false_at_most_percent > 0.0 && !detection::judges_events(report.campaign)) {
-    throw UsageError{
-        "--false-at-most is asked of events that are no launch, by a plan that is judged, and none is to be played"};
+  if (options.false_at_most_percent) {
+    report.false_at_most = *options.false_at_most_percent / 100.0;
+    if (!detection::judges_events(report.campaign)) {
+      throw UsageError{
+          "--false-at-most is asked of events that are no launch, by a plan that is judged, and none is to be played"};
+    }
   }
-  report.false_at_most = options.false_at_most_percent / 100.0;
   report.results = play(report.campaign, folder, options.threads);
   if (report.results.damaged > 0) {
     say(fmt::format("fantail: {} stored parts in {} were damaged, and have been played again\n", report.results.damaged,
@@ -201,7 +203,7 @@ void fill_detection(const Verb& verb) {
       .value_name("PERCENT");
   verb.option("--false-at-most", options->false_at_most_percent,
               "Let so many per cent of the events that are no launch move a canard, both accelerometers well, by the "
-              "95 % bound [none]")
+              "95 % bound, which is never 0 [none of those that are played]")
       .range(0.0, 100.0)
       .value_name("PERCENT");
   verb.option("--threads", options->threads, "How many at once [as many as the machine can]").range(1, 256);
