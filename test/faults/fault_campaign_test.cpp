@@ -107,6 +107,20 @@ TEST_F(FaultCampaign, ARunAloneIsTheRunOfTheCampaign) {
   EXPECT_NEAR(alone.findings.apart_deg, worst.apart_deg, 0.0005);
 }
 
+TEST(FaultOnsets, OfAPhaseWithoutThreeStepsAreAllOfThemAndThePageSaysNoMore) {
+  Result result;
+  result.campaign = resets();
+  result.cells = {{.cell = cell_of("bus/dead/pad")}};
+  result.campaign.step_ms = 10'000;
+  EXPECT_EQ(extent_of(result.campaign).flights, 4U);
+  const auto says = [&](const std::string& text) { return report_html(result, "v").find(text) != std::string::npos; };
+  EXPECT_TRUE(
+      says("in each phase an onset each 10000000 ms, or closer so that there are at least three, but not closer than "
+           "10000 ms; seed 1"));
+  result.campaign.every = 1;
+  EXPECT_TRUE(says("in each phase an onset each 10000 ms; seed 1"));
+}
+
 CellResult of(const char* cell, Colour colour, double apart_deg, std::optional<Outcome> outcome = Outcome::holds) {
   return {.cell = cell_of(cell),
           .colour = colour,

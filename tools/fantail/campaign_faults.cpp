@@ -176,7 +176,8 @@ void fill_faults(const Verb& verb) {
   phase.one_of({"pad", "armed", "launched", "controlling", "after_control"});
   verb.option("--step-ms", options->step_ms, "Milliseconds between two onsets").range(1, 10000).show_default();
   auto every =
-      verb.option("--every", options->every, "Of these onsets each so-manieth, but at least three in each phase");
+      verb.option("--every", options->every,
+                  "Of these onsets each so-manieth, but at least three in each phase, or all where it has fewer");
   every.range(1, 100000).show_default();
   verb.flag("--whole", options->whole, "Every onset: --every 1").excludes(every);
   verb.option("--seeds", options->seeds, "Fly each onset with so many seeds").range(1, 10000).show_default();

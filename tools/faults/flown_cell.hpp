@@ -47,7 +47,8 @@ struct Twins {
 /// The grid of the cells of one phase: onsets by step, for every seed. Runs are found, not kept.
 class Grid {
  public:
-  /// Every `every`-th onset of the steps within the phase, seed by seed, and at least three a phase.
+  /// Every `every`-th onset of the steps within the phase, seed by seed, and at least three a
+  /// phase, or all where it has fewer.
   Grid(const Twins& twins, Phase phase, int step_ms, int every);
 
   [[nodiscard]] std::uint64_t size() const { return size_; }

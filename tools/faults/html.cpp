@@ -173,7 +173,11 @@ std::string stated(const Result& result) {
 std::string onsets_of(const Campaign& campaign) {
   const std::string seeds = campaign.seeds == 1 ? fmt::format("seed {}", campaign.seed)
                                                 : fmt::format("{} seeds from {}", campaign.seeds, campaign.seed);
-  return fmt::format("an onset each {} ms, three in each phase at least; {}", campaign.step_ms * campaign.every, seeds);
+  const std::string closer =
+      campaign.every == 1
+          ? ""
+          : fmt::format(", or closer so that there are at least three, but not closer than {} ms", campaign.step_ms);
+  return fmt::format("in each phase an onset each {} ms{}; {}", campaign.step_ms * campaign.every, closer, seeds);
 }
 
 std::vector<std::string> how() {
