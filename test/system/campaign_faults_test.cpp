@@ -65,5 +65,7 @@ TEST(CampaignFaults, AnEmptyWordDoesNotMeanAll) {
   }
 }
 
+TEST(CampaignFaults, TheListIsTextAlone) { Refusal({}, {"campaign", "faults", "--list", "--json"}, 64, {"--json"}); }
+
 }  // namespace
 }  // namespace fantail::test

@@ -182,5 +182,24 @@ TEST(CampaignHardover, TakesChangesThatPlayAPartInSixDegreesOfFreedomAlone) {
   EXPECT_EQ(outcome.out.find("flight.motion"), std::string::npos) << "nobody has asked for that";
 }
 
+TEST(CampaignDetection, OneEventTakesNoOptionOfTheWholeCampaign) {
+  for (const Words& option : {Words{"--json"}, Words{"--at-most", "1"}, Words{"--false-at-most", "1"},
+                              Words{"--events", "9"}, Words{"--launches", "9"}}) {
+    Words words{"campaign", "detection", "--kind", "shaking", "--event", "277"};
+    words.insert(words.end(), option.begin(), option.end());
+    Refusal({}, words, 64, {option.front(), "--event"});
+  }
+}
+
+TEST(CampaignDetection, BothWellShowsNoEventThatItLeavesOut) {
+  Refusal({}, {"campaign", "detection", "--both-well", "--kind", "shaking", "--event", "277"}, 64,
+          {"--both-well leaves out shaking 277: one accelerometer is bad in it"});
+  const Folder folder;
+  EXPECT_EQ(
+      fantail({"campaign", "detection", "--both-well", "--kind", "shaking", "--event", "278", "--out", folder / "x"})
+          .exit_code,
+      0);
+}
+
 }  // namespace
 }  // namespace fantail::test

@@ -107,6 +107,10 @@ void show_one(const DetectionOptions& options) {
   const detection::Campaign campaign = asked_for(options);
   const detection::Kind kind = campaign.kinds.front();
   const std::uint64_t event = *text::whole_number(options.event);
+  if (options.both_well && !detection::is_launch(kind) && campaign.event(kind, event / 2) != event) {
+    throw UsageError{
+        fmt::format("--both-well leaves out {} {}: one accelerometer is bad in it", detection::info(kind).name, event)};
+  }
   const detection::ShownEvent shown = detection::show_event(campaign, kind, event);
   const std::array<text::NamedFile, 1> page{{{fmt::format("{}_{}.html", detection::info(kind).name, event),
                                               detection::event_html(campaign, kind, event, shown)}}};
@@ -187,32 +191,36 @@ void fill_detection(const Verb& verb) {
   verb.option("--kind", options->kinds, "Only this kind of event; may be given again [all]")
       .one_word_each_time()
       .check(objection_to_kind);
-  verb.option("--events", options->events, "How many of each kind that is no launch").range(0.0, 1e9).show_default();
-  verb.option("--launches", options->launches, "How many of each kind that is a launch").range(0.0, 1e9).show_default();
+  auto events = verb.option("--events", options->events, "How many of each kind that is no launch");
+  events.range(0.0, 1e9).show_default();
+  auto launches = verb.option("--launches", options->launches, "How many of each kind that is a launch");
+  launches.range(0.0, 1e9).show_default();
   verb.flag("--both-well", options->both_well,
             "Only events in which both accelerometers are well; else in every second one of two is bad");
   verb.option("--seed", options->seed, "Of all that is drawn [1]").check(objection_to_whole_number);
-  verb.option("--event", options->event, "Show this one event of --kind again, instead of a campaign")
-      .check(objection_to_whole_number)
-      .value_name("NUMBER");
+  auto event = verb.option("--event", options->event, "Show this one event of --kind again, instead of a campaign");
+  event.check(objection_to_whole_number).value_name("NUMBER");
+  event.excludes(events).excludes(launches);
   verb.option(
           "--at-most", options->at_most_percent,
           "Ask that no more launches are missed than so many per cent, both accelerometers well, by the 95 % bound; "
           "else exit code 1")
       .range(0.0, 100.0)
-      .value_name("PERCENT");
+      .value_name("PERCENT")
+      .excludes(event);
   verb.option("--false-at-most", options->false_at_most_percent,
               "Let so many per cent of the events that are no launch move a canard, both accelerometers well, by the "
               "95 % bound, which is never 0 [none of those that are played]")
       .range(0.0, 100.0)
-      .value_name("PERCENT");
+      .value_name("PERCENT")
+      .excludes(event);
   verb.option("--threads", options->threads, "How many at once [as many as the machine can]").range(1, 256);
   verb.option(
           "--out", options->out,
           "Folder for detection.html, summary.json and parts.jsonl [out/campaign/detection, with what was changed in "
           "the name]")
       .check(objection_to_folder);
-  verb.flag("--json", options->json, "Print summary.json instead of the text");
+  verb.flag("--json", options->json, "Print summary.json instead of the text").excludes(event);
   verb.examples(
       "Armed, and in hands, dropped, on the road, shaken, beside another launch: how often does it believe that it "
       "flies, and how often do its canards move? Of launches: how many are missed, how late, how high?\n"
