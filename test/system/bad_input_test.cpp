@@ -26,6 +26,7 @@ TEST(UnknownScenario, IsRefusedWithTheShippedNamesAndASuggestion) {
           {"unknown scenario \"tasha_launch2\"", "did you mean tasha3_launch2?", names_of_scenarios});
   Refusal({}, {"fly", "wholly-other"}, 66, {"unknown scenario \"wholly-other\"", names_of_scenarios});
   Refusal({}, {"fly", ""}, 66, {"unknown scenario \"\"", names_of_scenarios});
+  Refusal({}, {"campaign", "hardover", ""}, 66, {"unknown scenario \"\"", names_of_scenarios});
 }
 
 TEST(UnknownPlan, IsRefusedWithTheShippedNamesAndASuggestion) {

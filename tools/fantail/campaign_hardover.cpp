@@ -57,6 +57,7 @@ ScenarioOptions in_six_dof(ScenarioOptions options) {
 }
 
 void fly(const HardoverOptions& options) {
+  const sim::Scenario scenario = load(in_six_dof(options.scenario));  // first: what is no scenario has no name
   std::vector<std::string> changes = changes_of(options.scenario);
   hardover::Options asked = options.study;
   if (options.failure == "cut_pulses") {
@@ -66,17 +67,16 @@ void fly(const HardoverOptions& options) {
   const std::string name = variant_name(input::name_of_file(options.scenario.scenario), changes);
   const fs::path folder = options.out.empty() ? fs::path{"out"} / "hardover" / name : fs::path{options.out};
   std::optional<Progress> progress;
-  hardover::Study study =
-      hardover::fly(load(in_six_dof(options.scenario)), asked, [&](std::size_t done, std::size_t of) {
-        if (take_interrupt()) {
-          throw Interrupted{"interrupted; nothing was written"};
-        }
-        if (!progress) {
-          progress.emplace("flying " + name,
-                           Progress::Measure{.unit = "flights", .rate = " a second", .total = static_cast<double>(of)});
-        }
-        progress->show(static_cast<double>(done));
-      });
+  hardover::Study study = hardover::fly(scenario, asked, [&](std::size_t done, std::size_t of) {
+    if (take_interrupt()) {
+      throw Interrupted{"interrupted; nothing was written"};
+    }
+    if (!progress) {
+      progress.emplace("flying " + name,
+                       Progress::Measure{.unit = "flights", .rate = " a second", .total = static_cast<double>(of)});
+    }
+    progress->show(static_cast<double>(done));
+  });
   progress.reset();
   study.made = {.command = command_of(options), .version = FANTAIL_VERSION, .changes = changes_of(options.scenario)};
   text::OutputFolder{folder}.write(std::array{text::NamedFile{"hardover.html", hardover::study_html(study)},
