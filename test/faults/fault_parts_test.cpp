@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <future>
 #include <sstream>
 
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include "faults/parts.hpp"
 #include "faults/results.hpp"
 #include "input/scenario_file.hpp"
 #include "text/error.hpp"
@@ -109,6 +111,23 @@ TEST_F(FaultParts, AFolderOfAnotherKindOfCampaignIsRefused) {
   std::ofstream{folder_ / "parts.jsonl"} << "";
   EXPECT_NE(refusal_of([&] { (void)fly(); }).find("parts.jsonl of fantail campaign detection"), std::string::npos);
   EXPECT_FALSE(fs::exists(folder_ / "faults.json"));
+}
+
+TEST_F(FaultParts, OfTwoCampaignsThatBeginAtOnceInANewFolderOneIsRefused) {
+  for (int round = 0; round < 20; ++round) {
+    fs::remove_all(folder_);
+    const auto is_refused = [this](const char* seed) {
+      try {
+        const PartsFolder folder{folder_, {{"seed", seed}}};
+      } catch (const text::Error&) {
+        return true;
+      }
+      return false;
+    };
+    auto other = std::async(std::launch::async, is_refused, "2");
+    const bool one = is_refused("1");
+    ASSERT_NE(one, other.get()) << round;
+  }
 }
 
 TEST(FaultExtent, TooManyFlightsAreRefusedBeforeTheyAreListed) {

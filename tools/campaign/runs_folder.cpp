@@ -97,6 +97,23 @@ Identity read_identity(const fs::path& folder) {
   return identity;
 }
 
+Beginning::Beginning(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (!error) {
+    lock_ = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (lock_ < 0 || flock(lock_, LOCK_EX) != 0) {
+      error = std::error_code{errno, std::generic_category()};
+    }
+  }
+  if (error) {
+    close(lock_);
+    throw text::OutputError{folder.string() + ": " + error.message()};
+  }
+}
+
+Beginning::~Beginning() { close(lock_); }
+
 RunsFolder::RunsFolder(fs::path folder, const Identity& identity, std::vector<Spread> spreads)
     : folder_{std::move(folder)}, spreads_{std::move(spreads)}, lock_{-1} {
   const fs::path file = folder_ / identity_name;

@@ -46,6 +46,19 @@ void require_no_other(const std::filesystem::path& folder, const Identity& ident
 /// Empty for a file that cannot be read.
 [[nodiscard]] std::string file_content(const std::filesystem::path& file);
 
+/// Of several that begin in one folder at once the only one, while it lives: else each would find the folder empty.
+/// Makes the folder. Throws text::OutputError.
+class Beginning {
+ public:
+  explicit Beginning(const std::filesystem::path& folder);
+  ~Beginning();
+  Beginning(const Beginning&) = delete;
+  Beginning& operator=(const Beginning&) = delete;
+
+ private:
+  int lock_ = -1;
+};
+
 /// The runs of one campaign in a folder, while it is flown: a chunk is written under another name, brought to the disk
 /// and then renamed, so that whoever begins again finds it whole or not at all. One process at a time.
 class RunsFolder {

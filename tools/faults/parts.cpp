@@ -83,6 +83,7 @@ std::optional<Run> run_of(std::string_view row) {
 PartsFolder::PartsFolder(const fs::path& folder, campaign::Identity identity)
     : parts_{folder / "parts"}, identity_{std::move(identity)} {
   campaign::require_no_other_kind(folder, identity_name);
+  const campaign::Beginning beginning{folder};
   const fs::path file = folder / identity_name;
   std::error_code error;
   if (fs::exists(file, error)) {
