@@ -114,6 +114,7 @@ TEST(DetectionVerdict, NothingIsAskedOfARuleThatIsShown) {
   EXPECT_FALSE(judges_launches(report.campaign));
   EXPECT_FALSE(judges_events(report.campaign));
   EXPECT_NE(report_html(report).find("No plan was played that is judged."), std::string::npos);
+  EXPECT_NE(report_text(report).find("not judged: no plan was played that is judged\n"), std::string::npos);
 }
 
 TEST(DetectionVerdict, IsOfLaunchesOnlyWhereThereAreSome) {

@@ -138,6 +138,7 @@ std::string report_text(const Report& report) {
   for (const Requirement& requirement : requirements(report)) {
     text += fmt::format("{}: {}\n", name(requirement.verdict), requirement.sentence);
   }
+  text += std::ranges::none_of(campaign.rules, &Rule::judged) ? "not judged: no plan was played that is judged\n" : "";
   for (const std::string& limit : known_limits(report)) {
     text += "known limit: " + limit + '\n';
   }

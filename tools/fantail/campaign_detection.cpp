@@ -186,7 +186,8 @@ void fill_detection(const Verb& verb) {
   verb.option(
           "--plan", options->plans,
           "A shipped plan, a plan file, or published_launch2; may be given again [all shipped launch plans, and the "
-          "second launch's rule as printed; of these, judged are those that ask two accelerometers]")
+          "second launch's rule as printed; of these, judged are those that ask two accelerometers]. One that is named "
+          "is judged, but for published_launch2")
       .one_word_each_time();
   verb.option("--kind", options->kinds, "Only this kind of event; may be given again [all]")
       .one_word_each_time()
