@@ -39,7 +39,7 @@ std::string text_in(const fs::path& file) {
 std::string refusal_of(const auto& call) {
   try {
     call();
-  } catch (const text::Error& error) {
+  } catch (const std::exception& error) {
     return error.what();
   }
   return "nothing was refused";
@@ -111,6 +111,12 @@ TEST_F(FaultParts, AFolderOfAnotherKindOfCampaignIsRefused) {
   std::ofstream{folder_ / "parts.jsonl"} << "";
   EXPECT_NE(refusal_of([&] { (void)fly(); }).find("parts.jsonl of fantail campaign detection"), std::string::npos);
   EXPECT_FALSE(fs::exists(folder_ / "faults.json"));
+}
+
+TEST_F(FaultParts, OneThatIsAFolderIsNamed) {
+  fs::remove(parts_.at(0));
+  fs::create_directory(parts_[0]);
+  EXPECT_EQ(refusal_of([&] { (void)fly(); }), parts_[0].string() + ": is a folder, and no place for a file");
 }
 
 TEST_F(FaultParts, OfTwoCampaignsThatBeginAtOnceInANewFolderOneIsRefused) {

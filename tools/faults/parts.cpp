@@ -21,9 +21,17 @@ constexpr const char* head = "run,seed,begin_ms,outcome,apart_deg,trim_after_s,s
 constexpr std::string_view end_mark = "end ";  // before the seal of a file that is whole
 constexpr std::size_t end_size = 4 + 16 + 1;
 
+std::string content_of(const fs::path& file) {
+  std::error_code error;
+  if (fs::is_directory(file, error)) {
+    throw text::OutputError{file.string() + ": is a folder, and no place for a file"};
+  }
+  return campaign::file_content(file);
+}
+
 campaign::Identity read_identity(const fs::path& file) {
   try {
-    return campaign::parse_identity(campaign::file_content(file));
+    return campaign::parse_identity(content_of(file));
   } catch (const json::Error& error) {
     throw text::Error{text::ErrorKind::bad_data,
                       fmt::format("{}: choose another folder with --out, or remove this one; "
@@ -96,7 +104,7 @@ PartsFolder::PartsFolder(const fs::path& folder, campaign::Identity identity)
 
 std::optional<std::vector<Run>> PartsFolder::stored(const std::string& part) const {
   const fs::path file = file_of(parts_, part);
-  auto runs = read(part, campaign::file_content(file));
+  auto runs = read(part, content_of(file));
   std::error_code error;
   if (!runs && fs::exists(file, error)) {
     ++damaged_;
