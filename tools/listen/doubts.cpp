@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+// Why the finding may be wrong.
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/core.h>
+
+#include "listen/lift_off.hpp"
+#include "listen/pad.hpp"
+#include "listen/sentences.hpp"
+#include "text/number.hpp"
+
+namespace fantail::listen {
+namespace {
+
+// Of what the axial force reads at rest: the guess that explains it.
+std::string guess(double rest_g) {
+  constexpr double about = 0.3;
+  const auto is = [&](double g) { return std::abs(rest_g - g) < about; };
+  return is(-1.0)  ? "its sign seems to be wrong (a minus before the column turns it around): "
+         : is(0.0) ? "gravity seems not to be in it (axial_from_rest), or its unit is wrong: "
+         : is(2.0) ? "gravity seems to be in it twice (axial instead of axial_from_rest): "
+                   : "";
+}
+
+// The sign, the unit and the axis of the one column that nothing can be heard without.
+std::string axial_doubt(const Heard& heard) {
+  constexpr double most_off_g = 0.3;
+  const auto rest = at_rest(heard, heard.log.axial);
+  if (!rest || std::abs(rest->mean_m_s2 / one_g_m_s2 - 1.0) <= most_off_g) {
+    return {};
+  }
+  const double rest_g = rest->mean_m_s2 / one_g_m_s2;
+  return fmt::format(
+      "{} the axial force reads {} g in the mean, where a rocket in its guide reads 1 g: {}is it the right axis, sign "
+      "and unit, and is gravity in it (axial) or not (axial_from_rest)?",
+      rest->where, text::fixed(rest_g, 2), guess(rest_g));
+}
+
+std::string begin_doubt(const Heard& heard) {
+  return heard.begins_at_lift_off()
+             ? fmt::format(
+                   "The log begins above {} g, so its first sample counts as lift-off: nothing before it is "
+                   "known. Should it begin on the pad, the axial force is not what it was said to be.",
+                   lift_off_g)
+             : "";
+}
+
+std::string end_doubt(const Heard& heard) {
+  const auto after_s = heard.since_lift_off_s(heard.log.end_s());
+  return after_s && *after_s < late_s ? fmt::format(
+                                            "The log ends {} s after lift-off: whether a flight followed is not "
+                                            "in it.",
+                                            text::fixed(*after_s, 2))
+                                      : "";
+}
+
+std::string lift_off_gap_doubt(const Heard& heard) {
+  if (heard.lift_off_gap) {
+    return fmt::format(
+        "Lift-off lies in a gap of the log, from {:.3f} s to {:.3f} s of its clock, in which the law was given nothing "
+        "new: when it was, nobody knows.",
+        heard.lift_off_gap->from_s, heard.lift_off_gap->to_s);
+  }
+  for (const Gap& gap : heard.gaps) {
+    if (heard.lift_off_s && gap.to_s > *heard.lift_off_s && gap.from_s < *heard.lift_off_s + lift_off_window_s) {
+      return fmt::format(
+          "A gap of the log begins {:.2f} s after lift-off, and the rule of lift-off takes the force to run straight "
+          "across it.",
+          gap.from_s - *heard.lift_off_s);
+    }
+  }
+  return {};
+}
+
+// The law hears until control ends, so that what it did may belong to a later push.
+std::string other_flight_doubt(const Heard& heard) {
+  const auto did_s = heard.control ? std::optional{heard.control->time_s} : heard.detected_s;
+  return !heard.further_lift_offs_s.empty() && did_s >= heard.further_lift_offs_s.front()
+             ? fmt::format(
+                   "What the law heard comes after the push that begins at {} s of the log's clock: if that is another "
+                   "launch, the figures are of that one, and the first was not followed.",
+                   text::fixed(heard.further_lift_offs_s.front(), 2))
+             : "";
+}
+
+// A barometer is slow, and Mach 1 and the wind disturb it; five seconds after a launch all that is small.
+std::string height_doubt(const Heard& heard) {
+  constexpr double after_s = 5.0;
+  constexpr double enough_s = 3.0;
+  constexpr double least_m = 10.0;
+  const Signal& height = heard.log_height.above_pad;
+  if (!heard.known_lift_off_s() || !height.is_there() || height.time_s.back() < *heard.lift_off_s + enough_s) {
+    return {};
+  }
+  double rise_m = 0.0;
+  for (std::size_t i = 0; i < height.time_s.size() && height.time_s[i] < *heard.lift_off_s + after_s; ++i) {
+    if (height.time_s[i] > *heard.lift_off_s) {
+      rise_m = std::max(rise_m, height.value[i]);
+    }
+  }
+  return rise_m >= least_m ? ""
+                           : fmt::format(
+                                 "The log's own height rises by no more than {} m in the {} s after lift-off: was it a "
+                                 "flight, and is the height what it was said to be?",
+                                 text::fixed(rise_m, 1), after_s);
+}
+
+std::string interval_doubt(const Heard& heard) {
+  constexpr double much_s = 0.25;
+  return heard.log.interval_s > much_s
+             ? "A quarter of a second and more between samples is much for a flight; is time in milliseconds?"
+             : "";
+}
+
+}  // namespace
+
+std::vector<std::string> doubts_of(const Heard& heard) {
+  std::vector<std::string> doubts{axial_doubt(heard),       begin_doubt(heard),  lift_off_gap_doubt(heard),
+                                  interval_doubt(heard),    height_doubt(heard), end_doubt(heard),
+                                  other_flight_doubt(heard)};
+  std::erase(doubts, std::string{});
+  return doubts;
+}
+
+}  // namespace fantail::listen
