@@ -13,28 +13,35 @@
 namespace fantail::listen {
 namespace {
 
-// Of what the axial force reads at rest: the guess that explains it.
-std::string guess(double rest_g) {
+// Of what an axial force reads at rest: the guess that explains it.
+std::string guess(double rest_g, const char* quantity) {
   constexpr double about = 0.3;
   const auto is = [&](double g) { return std::abs(rest_g - g) < about; };
   return is(-1.0)  ? "its sign seems to be wrong (a minus before the column turns it around): "
-         : is(0.0) ? "gravity seems not to be in it (axial_from_rest), or its unit is wrong: "
-         : is(2.0) ? "gravity seems to be in it twice (axial instead of axial_from_rest): "
+         : is(0.0) ? fmt::format("gravity seems not to be in it ({}_from_rest), or its unit is wrong: ", quantity)
+         : is(2.0) ? fmt::format("gravity seems to be in it twice ({0} instead of {0}_from_rest): ", quantity)
                    : "";
 }
 
-// The sign, the unit and the axis of the one column that nothing can be heard without.
-std::string axial_doubt(const Heard& heard) {
+// The sign, the unit and the axis of the columns that nothing can be heard without.
+std::string axial_doubt(const Heard& heard, const Signal& axial, const char* what, const char* quantity) {
   constexpr double most_off_g = 0.3;
-  const auto rest = at_rest(heard, heard.log.axial);
+  const auto rest = at_rest(heard, axial);
   if (!rest || std::abs(rest->mean_m_s2 / one_g_m_s2 - 1.0) <= most_off_g) {
     return {};
   }
   const double rest_g = rest->mean_m_s2 / one_g_m_s2;
   return fmt::format(
-      "{} the axial force reads {} g in the mean, where a rocket in its guide reads 1 g: {}is it the right axis, sign "
-      "and unit, and is gravity in it (axial) or not (axial_from_rest)?",
-      rest->where, text::fixed(rest_g, 2), guess(rest_g));
+      "{} {} reads {} g in the mean, where a rocket in its guide reads 1 g: {}is it the right axis, sign "
+      "and unit, and is gravity in it ({}) or not ({}_from_rest)?",
+      rest->where, what, text::fixed(rest_g, 2), guess(rest_g, quantity), quantity, quantity);
+}
+
+// What the law refused because of it.
+std::string disagreement_doubt(const Heard& heard) {
+  return is_refused_for_disagreement(heard)
+             ? disagreement_sentence(heard) + " Are both columns what they were said to be?"
+             : "";
 }
 
 std::string begin_doubt(const Heard& heard) {
@@ -116,8 +123,14 @@ std::string interval_doubt(const Heard& heard) {
 }  // namespace
 
 std::vector<std::string> doubts_of(const Heard& heard) {
-  std::vector<std::string> doubts{axial_doubt(heard),       begin_doubt(heard),  lift_off_gap_doubt(heard),
-                                  interval_doubt(heard),    height_doubt(heard), end_doubt(heard),
+  std::vector<std::string> doubts{axial_doubt(heard, heard.log.axial, "the axial force", "axial"),
+                                  axial_doubt(heard, heard.log.second_axial, "the second axial force", "second_axial"),
+                                  disagreement_doubt(heard),
+                                  begin_doubt(heard),
+                                  lift_off_gap_doubt(heard),
+                                  interval_doubt(heard),
+                                  height_doubt(heard),
+                                  end_doubt(heard),
                                   other_flight_doubt(heard)};
   std::erase(doubts, std::string{});
   return doubts;

@@ -50,6 +50,26 @@ void follow_control(Heard& heard, bool early) {
   heard.control = heard.events.back();
 }
 
+void add_tick(Disagreement& disagreement, double time_s) {
+  disagreement.first_s = disagreement.in_all_s == 0.0 ? time_s : disagreement.first_s;
+  disagreement.in_all_s += tick_s;
+}
+
+// What the law does not do because two accelerometers differ. Beyond the guide nothing else holds control back
+// (core/flight_phase.cpp).
+void follow_disagreement(Heard& heard, double time_s, const core::TickRecord& record, bool is_new) {
+  if (record.detection == core::DetectionState::disagreement && !heard.detected_s &&
+      time_s <= listened_until_s(heard)) {
+    add_tick(heard.no_hold, time_s);
+  }
+  const core::GuidePlan& guide = heard.flown.guide;
+  if (record.phase == core::Phase::launched && !is_new &&
+      record.motion.distance_along_guide_m >= guide.length_m + guide.clearance_m &&
+      record.motion.speed_m_s > guide.minimum_speed_m_s) {
+    add_tick(heard.no_control, time_s);
+  }
+}
+
 // Detections, control and apogee, as the ticks go by.
 void follow(Heard& heard, double time_s, const core::TickRecord& record) {
   const bool is_new = heard.events.empty() || heard.events.back().to != record.phase;
@@ -66,6 +86,9 @@ void follow(Heard& heard, double time_s, const core::TickRecord& record) {
   }
   if (is_new && record.phase == core::Phase::controlling) {
     follow_control(heard, early);
+  }
+  if (heard.lift_off_s && time_s >= *heard.lift_off_s) {
+    follow_disagreement(heard, time_s, record, is_new);
   }
   if (early || !heard.detected_s) {
     heard.longest_rest_s =

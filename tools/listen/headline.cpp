@@ -10,6 +10,10 @@
 
 namespace fantail::listen {
 
+double listened_until_s(const Heard& heard) {
+  return (heard.lift_off_gap ? heard.lift_off_gap->to_s : heard.lift_off_s.value_or(heard.log.begin_s())) + late_s;
+}
+
 Finding finding(const Heard& heard) {
   if (!heard.false_detections_s.empty()) {
     return heard.lift_off_s && !heard.detected_s ? Finding::imagined_and_missed : Finding::imagined;
@@ -21,8 +25,7 @@ Finding finding(const Heard& heard) {
     return Finding::missed;
   }
   // What is late even if lift-off was where its gap ends.
-  const double latest_s = heard.lift_off_gap ? heard.lift_off_gap->to_s : *heard.lift_off_s;
-  return *heard.detected_s - latest_s > late_s ? Finding::late : Finding::heard;
+  return *heard.detected_s > listened_until_s(heard) ? Finding::late : Finding::heard;
 }
 
 std::string headline(const Heard& heard) {

@@ -43,6 +43,12 @@ struct Peak {
   double time_s = 0.0;
 };
 
+/// For how long two accelerometers differed by more than the plan allows.
+struct Disagreement {
+  double first_s = 0.0;  ///< log's clock
+  double in_all_s = 0.0;
+};
+
 /// A log, flown through the law.
 struct Heard {
   ImuLog log{};
@@ -63,8 +69,10 @@ struct Heard {
   std::optional<double> detected_s{};
   std::optional<double> early_control_s{};  ///< Controlling before lift-off, or in a log without one
   std::optional<Event> control{};           ///< the first Controlling after it
-  double longest_rest_s = 0.0;              ///< that the law saw before lift-off, or in the whole log
-  std::optional<double> apogee_s{};         ///< by the law: its vertical speed changes its sign
+  Disagreement no_hold{};       ///< while the law listened, between lift-off and late_s behind it: its hold began again
+  Disagreement no_control{};    ///< in Launched, beyond the guide: control did not begin for it
+  double longest_rest_s = 0.0;  ///< that the law saw before lift-off, or in the whole log
+  std::optional<double> apogee_s{};  ///< by the law: its vertical speed changes its sign
   double apogee_m = 0.0;
   double tilt_at_apogee_rad = 0.0;
   bool is_lower_bound = false;        ///< height and speed at apogee, or at the end, as the law says itself

@@ -99,6 +99,8 @@ std::string as_json(const Heard& heard, std::string_view version) {
                      {"detected_since_lift_off_s", rounded(heard.since_lift_off_s(heard.detected_s))},
                      {"false_detections_s", times(heard.false_detections_s)},
                      {"early_control_s", rounded(heard.early_control_s)},
+                     {"disagreed_before_detection_s", rounded(heard.no_hold.in_all_s)},
+                     {"disagreed_before_control_s", rounded(heard.no_control.in_all_s)},
                      {"phases", events(heard)},
                      {"peak_axial_m_s2", rounded(heard.hardest.value)},
                      {"is_lower_bound", heard.is_lower_bound},

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include "core/inputs.hpp"
 #include "listen/pad.hpp"
@@ -132,9 +132,53 @@ std::string unbelievable_sentence(const Heard& heard) {
 
 }  // namespace
 
+bool is_refused_for_disagreement(const Heard& heard) {
+  const Finding found = finding(heard);
+  const bool not_in_time = found == Finding::missed || found == Finding::imagined_and_missed || found == Finding::late;
+  return (not_in_time && heard.no_hold.in_all_s > 0.0) || (!heard.control && heard.no_control.in_all_s > 0.0);
+}
+
+std::string disagreement_sentence(const Heard& heard) {
+  const Disagreement& no_hold = heard.no_hold;
+  const Disagreement& no_control = heard.no_control;
+  if (no_hold.in_all_s <= 0.0 && no_control.in_all_s <= 0.0) {
+    return {};
+  }
+  const core::LaunchDetectionPlan& rule = heard.flown.launch_detection;
+  std::vector<std::string> refused;
+  if (no_hold.in_all_s > 0.0) {
+    const auto& gap = heard.lift_off_gap;
+    const bool in_time = heard.detected_s && *heard.detected_s <= listened_until_s(heard);
+    refused.push_back(fmt::format(
+        "for {} ms {}{}, the first time at {:.3f} s of the log's clock, and each time the law began its hold again",
+        in_ms(no_hold.in_all_s),
+        in_time ? "between "
+        : gap   ? "up to a second behind "
+                : "in the second after ",
+        std::string{gap ? "the gap of lift-off" : "lift-off"} + (in_time ? " and the detection" : ""),
+        no_hold.first_s));
+  }
+  if (no_control.in_all_s > 0.0) {
+    refused.push_back(fmt::format(
+        "less than a quarter of a second before the law took the rocket to be beyond its guide, or then, so that it "
+        "began no control for {} ms, from {:.3f} s on",
+        in_ms(no_control.in_all_s), no_control.first_s));
+  }
+  return fmt::format("The two accelerometers differed by more than the plan's {} g{}: {}.",
+                     text::brief(static_cast<double>(rule.disagreement_m_s2) / one_g_m_s2, 2),
+                     rule.low_pass ? fmt::format(" behind its low-pass of {} Hz",
+                                                 text::brief(static_cast<double>(rule.low_pass_hz), 1))
+                                   : "",
+                     fmt::join(refused, "; "));
+}
+
 std::vector<std::string> notes_of(const Heard& heard, const Question& question) {
-  std::vector<std::string> notes{further_sentence(heard), rate_sentence(heard), gap_sentence(heard),
-                                 second_sentence(heard), pad_sentence(heard, question)};
+  std::vector<std::string> notes{further_sentence(heard),
+                                 rate_sentence(heard),
+                                 gap_sentence(heard),
+                                 second_sentence(heard),
+                                 is_refused_for_disagreement(heard) ? "" : disagreement_sentence(heard),
+                                 pad_sentence(heard, question)};
   for (const Clipped& clipped : heard.clipped) {
     notes.push_back(clipped_sentence(heard, clipped));
   }

@@ -20,6 +20,8 @@ enum class Finding : std::uint8_t {
 
 /// After it a detection is no longer that of the beginning of a flight.
 inline constexpr double late_s = 1.0;
+/// late_s after lift-off, or after its gap, where there is a lift-off.
+[[nodiscard]] double listened_until_s(const Heard& heard);
 
 [[nodiscard]] Finding finding(const Heard& heard);
 /// "Launch detected 0.061 s after lift-off, and nothing in the 4.3 s before it."
@@ -28,6 +30,11 @@ inline constexpr double late_s = 1.0;
 [[nodiscard]] std::string further_sentence(const Heard& heard);
 /// The rule of lift_off.hpp, a sentence.
 [[nodiscard]] std::string lift_off_rule();
+
+/// Where two accelerometers differed, and what the law did not do for it; empty where nothing came of it.
+[[nodiscard]] std::string disagreement_sentence(const Heard& heard);
+/// Was the launch not heard, or late, or never controlled, and the two differed meanwhile?
+[[nodiscard]] bool is_refused_for_disagreement(const Heard& heard);
 
 /// Why the finding may be wrong: columns, signs, units and clocks that do not look right.
 [[nodiscard]] std::vector<std::string> doubts_of(const Heard& heard);

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+// What is said of columns that are not what they were said to be, and of how the log was flown.
+#include <cmath>
+
+#include <fmt/core.h>
+#include <gtest/gtest.h>
+
+#include "listen/fly_log.hpp"
+#include "listen/made_log.hpp"
+#include "listen/outputs.hpp"
+#include "listen/sentences.hpp"
+
+namespace fantail::listen {
+namespace {
+
+using namespace made;
+
+Heard with_second(const std::function<double(double)>& second, double disagreement_g = 0.5) {
+  ImuLog log = log_of(signal(20.0, 0.01, constant_push));
+  log.second_axial = signal(20.0, 0.01, second);
+  Question asked = question();
+  asked.plan.launch_detection.disagreement_m_s2 = static_cast<float>(disagreement_g * g);
+  return fly_log(std::move(log), asked);
+}
+
+TEST(Doubts, OfASecondAccelerometerThatDoesNotReadOneGOnThePadAreThoseOfTheFirst) {
+  const Heard in_g = with_second([](double t) { return constant_push(t) / g; });
+  EXPECT_EQ(finding(in_g), Finding::missed);
+  EXPECT_TRUE(doubts(in_g, "Before lift-off the second axial force reads 0.10 g in the mean")) << as_text(in_g);
+  EXPECT_TRUE(doubts(in_g, "gravity seems not to be in it (second_axial_from_rest), or its unit is wrong"));
+  EXPECT_FALSE(doubts(in_g, "the axial force reads")) << as_text(in_g);
+
+  const Heard reversed = with_second([](double t) { return -constant_push(t); });
+  EXPECT_TRUE(doubts(reversed, "the second axial force reads -1.00 g in the mean")) << as_text(reversed);
+  EXPECT_TRUE(doubts(reversed, "its sign seems to be wrong"));
+  const Heard half = with_second([](double t) { return 0.5 * constant_push(t); });
+  EXPECT_TRUE(doubts(half, "the second axial force reads 0.50 g in the mean")) << as_text(half);
+  EXPECT_TRUE(doubts(half, "is gravity in it (second_axial) or not (second_axial_from_rest)?"));
+  EXPECT_TRUE(with_second(constant_push).doubts.empty());
+}
+
+// It reads 1 g on the pad, and under thrust 1 g too little, then 3 g.
+TEST(Doubts, SayThatTheLawRefusedALaunchBecauseTheTwoAccelerometersDisagree) {
+  const auto short_of = [](double by_g) {
+    return [=](double t) { return constant_push(t) - (t >= 5.0 && t < 7.0 ? by_g * g : 0.0); };
+  };
+  const Heard refused = with_second(short_of(1.0));
+  EXPECT_EQ(finding(refused), Finding::missed);
+  EXPECT_TRUE(doubts(refused, "The two accelerometers differed by more than the plan's 0.5 g")) << as_text(refused);
+  EXPECT_TRUE(doubts(refused, "in the second after lift-off")) << as_text(refused);
+  EXPECT_NEAR(refused.no_hold.in_all_s, 0.99, 0.015);
+  EXPECT_NEAR(refused.no_hold.first_s, 5.0, 0.02);
+  EXPECT_NE(as_json(refused, "1").find("\"disagreed_before_detection_s\": 0.9"), std::string::npos);
+
+  const Heard agreed = with_second(short_of(1.0), 2.0);
+  EXPECT_EQ(finding(agreed), Finding::heard);
+  EXPECT_TRUE(agreed.doubts.empty()) << agreed.doubts[0];
+  EXPECT_FALSE(says(agreed, "differed"));
+  EXPECT_EQ(agreed.no_hold.in_all_s, 0.0);
+}
+
+TEST(Doubts, DoNotCountADisagreementThatTheLaunchWasHeardThrough) {
+  const Heard shaken = with_second([](double t) { return constant_push(t) - (t >= 5.0 && t < 5.1 ? g : 0.0); });
+  EXPECT_EQ(finding(shaken), Finding::heard);
+  EXPECT_TRUE(shaken.doubts.empty()) << shaken.doubts[0];
+  EXPECT_TRUE(says(shaken, "The two accelerometers differed by more than the plan's 0.5 g")) << as_text(shaken);
+  EXPECT_TRUE(says(shaken, "between lift-off and the detection")) << as_text(shaken);
+}
+
+// They agree for as long as the hold takes, and from then on differ by a g.
+TEST(Doubts, SayThatTheLawHeldControlBackBecauseTheTwoAccelerometersDisagree) {
+  const Heard held = with_second([](double t) { return constant_push(t) - (t >= 5.2 && t < 7.0 ? g : 0.0); });
+  EXPECT_TRUE(held.detected_s);
+  EXPECT_FALSE(held.control);
+  EXPECT_TRUE(doubts(held, "beyond its guide, or then, so that it began no control for")) << as_text(held);
+  EXPECT_GT(held.no_control.in_all_s, 0.5);
+}
+
+}  // namespace
+}  // namespace fantail::listen
