@@ -76,5 +76,32 @@ TEST(Doubts, SayThatTheLawHeldControlBackBecauseTheTwoAccelerometersDisagree) {
   EXPECT_GT(held.no_control.in_all_s, 0.5);
 }
 
+// 100 gaps of half a second under the parachute, one of them before apogee.
+TEST(Notes, CountTheGapsUpToApogeeAndThoseBehindIt) {
+  ImuLog log = log_of(signal(70.0, 0.01, constant_push));
+  log.height = signal(70.0, 0.1, [](double t) {
+    return t < 5.0 ? 0.0 : t < 15.0 ? 392.0 - 3.92 * (15.0 - t) * (15.0 - t) : 392.0 - 5.0 * (t - 15.0);
+  });
+  const auto is_lost = [](double t) { return (t > 10.005 && t < 10.495) || (t > 20.0 && std::fmod(t, 1.0) > 0.505); };
+  std::erase_if(log.axial.value, [&, i = std::size_t{0}](double) mutable { return is_lost(log.axial.time_s[i++]); });
+  std::erase_if(log.axial.time_s, is_lost);
+  const Heard heard = fly_log(std::move(log), question());
+  EXPECT_GT(heard.gaps.size(), 40U);
+  EXPECT_TRUE(says(heard, fmt::format("{} gaps of the log are longer than the 100 ms", heard.gaps.size())))
+      << as_text(heard);
+  EXPECT_TRUE(says(heard, "1 begins before apogee")) << as_text(heard);
+  EXPECT_TRUE(says(heard, "The longest of these is from 10.000 s to 10.500 s")) << as_text(heard);
+}
+
+TEST(Notes, OfGapsThatAreAllBehindApogeeSaySo) {
+  ImuLog log = log_of(signal(70.0, 0.01, constant_push));
+  const auto is_lost = [](double t) { return t > 30.0 && std::fmod(t, 1.0) > 0.505; };
+  std::erase_if(log.axial.value, [&, i = std::size_t{0}](double) mutable { return is_lost(log.axial.time_s[i++]); });
+  std::erase_if(log.axial.time_s, is_lost);
+  const Heard heard = fly_log(std::move(log), question());
+  EXPECT_TRUE(says(heard, "none begins before apogee")) << as_text(heard);
+  EXPECT_FALSE(says(heard, "old samples")) << as_text(heard);
+}
+
 }  // namespace
 }  // namespace fantail::listen

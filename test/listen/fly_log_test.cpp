@@ -138,7 +138,7 @@ TEST(FlyLog, WithAGapInTheHoldIsDetectedAHoldAfterIt) {
   const Heard heard = fly_log(std::move(log), question());
   ASSERT_EQ(heard.gaps.size(), 1U);
   EXPECT_NEAR(heard.detected_s.value(), 5.60, 0.003);
-  EXPECT_TRUE(says(heard, "One gap is longer than the 100 ms"));
+  EXPECT_TRUE(says(heard, "One gap of the log is longer than the 100 ms"));
   EXPECT_TRUE(says(heard, "stale after 5 ms"));
 }
 

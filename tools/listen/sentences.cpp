@@ -20,12 +20,6 @@ constexpr double law_pad_window_s = 3.5;
 
 std::string in_ms(double time_s) { return text::brief(1e3 * time_s, 3); }
 
-// The end of what matters: what a log of minutes under a parachute lacks is nobody's concern.
-double end_of_interest_s(const Heard& heard) {
-  return std::max(heard.apogee_s.value_or(heard.log.begin_s()),
-                  heard.log_height.apogee_s.value_or(heard.log.begin_s()));
-}
-
 std::string rate_sentence(const Heard& heard) {
   return fmt::format(
       "The log's usual interval {}is {} ms ({} samples a second). Between two samples every value runs in a straight "
@@ -34,19 +28,47 @@ std::string rate_sentence(const Heard& heard) {
       text::brief(1.0 / heard.log.interval_s, 1));
 }
 
-std::string gap_sentence(const Heard& heard) {
-  std::vector<Gap> before = heard.gaps;
-  if (heard.apogee_s || heard.log_height.apogee_s) {
-    std::erase_if(before, [&](const Gap& gap) { return gap.from_s > end_of_interest_s(heard); });
+// What a log of minutes under a parachute lacks behind apogee is nobody's concern.
+struct EndOfInterest {
+  double time_s = 0.0;
+  const char* whose = "";
+};
+
+std::optional<EndOfInterest> end_of_interest(const Heard& heard) {
+  const auto& law_s = heard.apogee_s;
+  const auto& log_s = heard.log_height.apogee_s;
+  if (law_s && log_s) {
+    return EndOfInterest{std::max(*law_s, *log_s), "the later of the law's and the log's"};
   }
-  if (before.empty()) {
+  return law_s   ? std::optional{EndOfInterest{*law_s, "the law's"}}
+         : log_s ? std::optional{EndOfInterest{*log_s, "the log's"}}
+                 : std::nullopt;
+}
+
+// All of them are counted, as in the JSON, and those of the flight apart.
+std::string gap_sentence(const Heard& heard) {
+  const auto end = end_of_interest(heard);
+  std::vector<Gap> flown = heard.gaps;
+  std::erase_if(flown, [&](const Gap& gap) { return end && gap.from_s >= end->time_s; });
+  if (heard.gaps.empty()) {
     return {};
   }
-  const auto longest = std::ranges::max_element(before, {}, [](const Gap& gap) { return gap.to_s - gap.from_s; });
+  const std::string longer =
+      fmt::format("longer than the {} ms that are bridged by a straight line", in_ms(heard.longest_bridge_s));
+  const std::string all =
+      heard.gaps.size() == 1 ? "One gap of the log is" : fmt::format("{} gaps of the log are", heard.gaps.size());
+  if (flown.empty()) {
+    return fmt::format("{} {}; none begins before apogee ({}).", all, longer, end->whose);
+  }
+  const auto longest = std::ranges::max_element(flown, {}, [](const Gap& gap) { return gap.to_s - gap.from_s; });
   return fmt::format(
-      "{} longer than the {} ms that are bridged by a straight line: the law was given its old samples there, which "
-      "are stale after {} ms. The longest is from {:.3f} s to {:.3f} s of the log's clock.",
-      before.size() == 1 ? "One gap is" : fmt::format("{} gaps are", before.size()), in_ms(heard.longest_bridge_s),
+      "{} {}{}. There the law was given its old samples, which are stale after {} ms. The longest of these is from "
+      "{:.3f} s to {:.3f} s of the log's clock.",
+      all, longer,
+      flown.size() == heard.gaps.size()
+          ? ""
+          : fmt::format("; {} before apogee ({})",
+                        flown.size() == 1 ? "1 begins" : fmt::format("{} begin", flown.size()), end->whose),
       in_ms(static_cast<double>(core::seconds(heard.flown.motion.stale_time))), longest->from_s, longest->to_s);
 }
 
