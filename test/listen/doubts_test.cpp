@@ -103,5 +103,16 @@ TEST(Notes, OfGapsThatAreAllBehindApogeeSaySo) {
   EXPECT_FALSE(says(heard, "old samples")) << as_text(heard);
 }
 
+TEST(Notes, OfALogFasterThanTheLawSayThatOnlyWhatFallsOnItsTicksIsUsed) {
+  const auto flown = [](double interval_s) {
+    return fly_log(log_of(signal(10.0, interval_s, constant_push), interval_s), question());
+  };
+  const Heard fast = flown(0.0005);
+  EXPECT_TRUE(says(fast, "2000 samples a second")) << as_text(fast);
+  EXPECT_TRUE(says(fast, "the log is faster than that")) << as_text(fast);
+  EXPECT_FALSE(says(fast, "faster motion than the log's")) << as_text(fast);
+  EXPECT_TRUE(says(flown(0.001), "faster motion than the log's is not in it"));
+}
+
 }  // namespace
 }  // namespace fantail::listen

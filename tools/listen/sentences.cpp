@@ -21,11 +21,18 @@ constexpr double law_pad_window_s = 3.5;
 std::string in_ms(double time_s) { return text::brief(1e3 * time_s, 3); }
 
 std::string rate_sentence(const Heard& heard) {
+  constexpr double tick_s = 1e-3;
+  const bool is_faster = heard.log.interval_s < tick_s * (1.0 - 1e-6);
   return fmt::format(
       "The log's usual interval {}is {} ms ({} samples a second). Between two samples every value runs in a straight "
-      "line, on which the law was flown 1000 times a second: faster motion than the log's is not in it.",
+      "line, on which the law was flown 1000 times a second: {}",
       heard.lift_off_s ? "around lift-off " : "", in_ms(heard.log.interval_s),
-      text::brief(1.0 / heard.log.interval_s, 1));
+      text::brief(1.0 / heard.log.interval_s, 1),
+      is_faster
+          ? "the log is faster than that, and the law was given only what the line reads at its ticks. Nothing is "
+            "averaged, so that it may have missed what comes and goes between two of them, and took motion faster "
+            "than 500 Hz for slower motion."
+          : "faster motion than the log's is not in it.");
 }
 
 // What a log of minutes under a parachute lacks behind apogee is nobody's concern.
