@@ -114,5 +114,14 @@ TEST(Notes, OfALogFasterThanTheLawSayThatOnlyWhatFallsOnItsTicksIsUsed) {
   EXPECT_TRUE(says(flown(0.001), "faster motion than the log's is not in it"));
 }
 
+TEST(Doubts, OfALogWithAQuarterOfASecondBetweenSamplesAreThereFromExactlyThatOn) {
+  const auto flown = [](double interval_s) {
+    return fly_log(log_of(signal(20.0, interval_s, constant_push), interval_s), question());
+  };
+  EXPECT_TRUE(doubts(flown(0.25), "A quarter of a second and more"));
+  EXPECT_TRUE(doubts(flown(0.3), "A quarter of a second and more"));
+  EXPECT_FALSE(doubts(flown(0.24), "A quarter of a second and more"));
+}
+
 }  // namespace
 }  // namespace fantail::listen

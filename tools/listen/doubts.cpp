@@ -114,8 +114,8 @@ std::string height_doubt(const Heard& heard) {
 }
 
 std::string interval_doubt(const Heard& heard) {
-  constexpr double much_s = 0.25;
-  return heard.log.interval_s > much_s
+  constexpr double much_s = 0.25 * (1.0 - 1e-6);  // times of a log's clock are rounded
+  return heard.log.interval_s >= much_s
              ? "A quarter of a second and more between samples is much for a flight; is time in milliseconds?"
              : "";
 }
