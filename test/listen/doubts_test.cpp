@@ -123,5 +123,30 @@ TEST(Doubts, OfALogWithAQuarterOfASecondBetweenSamplesAreThereFromExactlyThatOn)
   EXPECT_FALSE(doubts(flown(0.24), "A quarter of a second and more"));
 }
 
+// Of the closed form, 40 g m at 15 s, with another unit.
+Heard with_height(double scale) {
+  ImuLog log = log_of(signal(25.0, 0.01, constant_push));
+  log.height = signal(25.0, 0.05, [=](double t) {
+    const double coast = std::max(t - 7.0, 0.0);
+    const double push = std::clamp(t - 5.0, 0.0, 2.0);
+    return scale * (250.0 + 2.0 * g * push * push + 8.0 * g * coast - 0.5 * g * coast * coast);
+  });
+  return fly_log(std::move(log), question());
+}
+
+TEST(Doubts, OfAHeightInFeetThatWasGivenAsMetresNameBothHeights) {
+  const Heard feet = with_height(1.0 / 0.3048);
+  EXPECT_EQ(finding(feet), Finding::heard);
+  EXPECT_TRUE(doubts(feet, "Up to apogee the log's own height gains 1287 m, and that of the law 39")) << as_text(feet);
+  EXPECT_TRUE(doubts(feet, "feet given as metres")) << as_text(feet);
+  EXPECT_EQ(as_html(feet).find(">Heard<"), std::string::npos);
+  const Heard metres_as_feet = with_height(0.3048);
+  EXPECT_TRUE(doubts(metres_as_feet, "gains 120 m, and that of the law 39")) << as_text(metres_as_feet);
+  EXPECT_FALSE(doubts(metres_as_feet, "feet given as metres"));
+  for (const double sound : {0.55, 1.0, 1.9}) {
+    EXPECT_TRUE(with_height(sound).doubts.empty()) << sound << " " << as_text(with_height(sound));
+  }
+}
+
 }  // namespace
 }  // namespace fantail::listen

@@ -113,6 +113,26 @@ std::string height_doubt(const Heard& heard) {
                                  text::fixed(rise_m, 1), after_s);
 }
 
+// Tilt that nobody measured and a parachute that opens early make a third of it; a wrong unit makes more. The law's
+// height may be smaller where it is a lower bound.
+std::string apogee_doubt(const Heard& heard) {
+  constexpr double most_times = 2.0;
+  const double law_m = heard.apogee_m;
+  const double log_m = heard.log_height.apogee_m;
+  const bool log_is_larger = log_m > most_times * law_m;
+  if (!heard.apogee_s || !heard.log_height.apogee_s || !height_doubt(heard).empty() ||
+      !(log_is_larger ? !heard.is_lower_bound : law_m > most_times * log_m)) {
+    return {};
+  }
+  const bool like_feet = law_m > 0.0 && log_m > 2.5 * law_m && log_m < 4.0 * law_m;
+  return fmt::format(
+      "Up to apogee the log's own height gains {} m, and that of the law {} m, more than {} times apart: is the height "
+      "in "
+      "the unit that was stated{}, and are axial force and rates?",
+      text::fixed(log_m, 0), text::fixed(law_m, 0), most_times,
+      like_feet ? " (feet given as metres read 3.3 times too much)" : "");
+}
+
 std::string interval_doubt(const Heard& heard) {
   constexpr double much_s = 0.25 * (1.0 - 1e-6);  // times of a log's clock are rounded
   return heard.log.interval_s >= much_s
@@ -130,6 +150,7 @@ std::vector<std::string> doubts_of(const Heard& heard) {
                                   lift_off_gap_doubt(heard),
                                   interval_doubt(heard),
                                   height_doubt(heard),
+                                  apogee_doubt(heard),
                                   end_doubt(heard),
                                   other_flight_doubt(heard)};
   std::erase(doubts, std::string{});
