@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
+#include <filesystem>
 #include <functional>
 #include <map>
 
@@ -81,6 +82,43 @@ TEST(Listen, WritesAPageAndPrintsTheClosedForm) {
   EXPECT_NEAR(json["law"]["top_speed_m_s"].number(), 8.0 * g, 0.5);
   EXPECT_NEAR(json["law"]["apogee_m"].number(), 40.0 * g, 2.0);
   EXPECT_NEAR(json["law"]["apogee_s"].number(), 15.0, 0.06);
+}
+
+TEST(Listen, OverwritesThePageOfTheSameFileAndNoOthers) {
+  const Folder folder;
+  folder.write("a/log.csv", made);
+  folder.write("b/log.csv", made);
+  const auto listen_to = [&](const std::string& log) {
+    Words words = of_made;
+    words[1] = log;
+    return fantail(words, {.working_folder = folder.path()});
+  };
+  const auto whose = [&](const std::string& name) {
+    return json::parse(content(folder / ("out/listen/" + name + "/listen.json")))["log"].text();
+  };
+  EXPECT_EQ(listen_to("a/log.csv").err, "");
+  const Outcome other = listen_to("b/log.csv");
+  ASSERT_EQ(other.exit_code, 0) << other.err;
+  EXPECT_NE(
+      other.err.find("out/listen/log has the page of another file, a/log.csv, which is not overwritten. This one is "
+                     "in out/listen/log_2"),
+      std::string::npos)
+      << other.err;
+  EXPECT_NE(other.out.find("page  out/listen/log_2/listen.html"), std::string::npos) << other.out;
+  EXPECT_EQ(whose("log"), "a/log.csv");
+  EXPECT_EQ(whose("log_2"), "b/log.csv");
+
+  EXPECT_EQ(listen_to("./b/../a/log.csv").err, "") << "the same file by another path";
+  EXPECT_EQ(whose("log"), "./b/../a/log.csv");
+  EXPECT_EQ(listen_to("b/log.csv").exit_code, 0);
+  EXPECT_EQ(whose("log_2"), "b/log.csv");
+  EXPECT_FALSE(std::filesystem::exists(folder / "out/listen/log_3"));
+
+  Words there = of_made;
+  there[1] = "b/log.csv";
+  there.insert(there.end(), {"--out", "out/listen/log"});
+  EXPECT_EQ(fantail(there, {.working_folder = folder.path()}).err, "");
+  EXPECT_EQ(whose("log"), "b/log.csv") << "asked for by name";
 }
 
 // A hand in the guide, 3 g above the pad's for a quarter of a second; the launch comes two seconds later.

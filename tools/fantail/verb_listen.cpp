@@ -19,6 +19,7 @@
 #include "listen/load.hpp"
 #include "listen/maps.hpp"
 #include "listen/outputs.hpp"
+#include "listen/page_folder.hpp"
 #include "text/output_folder.hpp"
 
 namespace fantail::tool {
@@ -104,9 +105,9 @@ listen::Heard fly(const ListenOptions& o, listen::ImuLog log) {
   });
 }
 
-std::filesystem::path output_folder(const ListenOptions& o) {
-  const std::string name = std::filesystem::path{o.log}.stem().string();
-  return o.out.empty() ? std::filesystem::path{"out"} / "listen" / name : std::filesystem::path{o.out};
+listen::PageFolder output_folder(const ListenOptions& o) {
+  return o.out.empty() ? listen::page_folder(std::filesystem::path{"out"} / "listen", o.log)
+                       : listen::PageFolder{.folder = o.out};
 }
 
 void listen_to(const ListenOptions& o) {
@@ -115,10 +116,13 @@ void listen_to(const ListenOptions& o) {
   }
   const listen::Heard heard = fly(o, read(o));
   give_up_if_interrupted();
-  const std::filesystem::path folder = output_folder(o);
+  const auto [folder, remark] = output_folder(o);
   const std::string json = listen::as_json(heard, FANTAIL_VERSION);
   text::OutputFolder{folder, {o.log}}.write(
       std::array{text::NamedFile{"listen.html", listen::as_html(heard)}, text::NamedFile{"listen.json", json}});
+  if (!remark.empty()) {
+    fmt::print(stderr, "fantail: {} This one is in {}; --out names another place.\n", remark, folder.string());
+  }
   if (o.json) {
     fmt::print("{}", json);
   } else {
@@ -165,7 +169,9 @@ void fill(const Verb& verb) {
               "The rocket stood still for so long before the log, s, reading the mean of what it reads up to lift-off")
       .check(within(0.0, 3600.0))
       .value_name("S");
-  verb.option("--out", options->out, "Folder for listen.html and listen.json [out/listen/LOG]")
+  verb.option("--out", options->out,
+              "Folder for listen.html and listen.json [out/listen/LOG, where that has the page of another file "
+              "out/listen/LOG_2, ...]")
       .check(objection_to_folder);
   verb.flag("--json", options->json, "Print listen.json instead of the text");
   verb.examples(

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#include "listen/page_folder.hpp"
+
+#include <gtest/gtest.h>
+
+#include "system/folder.hpp"
+
+namespace fantail::listen {
+namespace {
+
+TEST(PageFolder, IsNamedAfterTheLogWhereNobodyElsesPageIs) {
+  const test::Folder folder;
+  const std::string a = folder.write("a/log.csv", "x");
+  const std::string b = folder.write("b/log.ulg", "x");
+  const auto place = [&](const std::string& log) { return page_folder(folder.path() / "out", log); };
+  EXPECT_EQ(place(a).folder, folder.path() / "out/log");
+  folder.write("out/log/listen.json", "{\"log\": \"" + a + "\"}");
+  EXPECT_EQ(place(a).folder, folder.path() / "out/log");
+  EXPECT_EQ(place(a).remark, "");
+  EXPECT_EQ(place(b).folder, folder.path() / "out/log_2");
+  EXPECT_NE(place(b).remark.find("has the page of another file, " + a), std::string::npos) << place(b).remark;
+  folder.write("out/log_2/listen.json", "{\"log\": \"" + b + "\"}");
+  EXPECT_EQ(place(b).folder, folder.path() / "out/log_2");
+  EXPECT_EQ(place((folder.path() / "a/../a/log.csv").string()).folder, folder.path() / "out/log");
+}
+
+TEST(PageFolder, LeavesAPageThatDoesNotSayWhoseItIs) {
+  const test::Folder folder;
+  const std::string log = folder.write("log.csv", "x");
+  for (const std::string json : {"", "{", "[1]", "{\"log\": 1}"}) {
+    folder.write("out/log/listen.json", json);
+    const PageFolder place = page_folder(folder.path() / "out", log);
+    EXPECT_EQ(place.folder, folder.path() / "out/log_2") << json;
+    EXPECT_NE(place.remark.find("a file that it does not name"), std::string::npos) << place.remark;
+  }
+}
+
+}  // namespace
+}  // namespace fantail::listen

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#include "listen/page_folder.hpp"
+
+#include <fstream>
+#include <sstream>
+
+#include <fmt/core.h>
+
+#include "json/value.hpp"
+
+namespace fantail::listen {
+namespace {
+
+namespace fs = std::filesystem;
+
+// The log that the page in a folder is of, by its own words; empty: it does not say.
+std::string whose(const fs::path& folder) {
+  std::ifstream stream{folder / "listen.json", std::ios::binary};
+  std::ostringstream text;
+  text << stream.rdbuf();
+  try {
+    return json::parse(text.str())["log"].text();
+  } catch (const json::Error&) {
+    return {};
+  }
+}
+
+// A file that is gone, or whose name is no UTF-8, is known by its words.
+bool is_same_file(const std::string& by_page, const fs::path& log) {
+  std::error_code not_there;
+  return fs::equivalent(by_page, log, not_there) || by_page == json::parse(json::Value{log.string()}.dump()).text() ||
+         fs::absolute(by_page).lexically_normal() == fs::absolute(log).lexically_normal();
+}
+
+}  // namespace
+
+PageFolder page_folder(const fs::path& under, const fs::path& log) {
+  const std::string name = log.stem().string();
+  PageFolder place{.folder = under / name};
+  for (int number = 2;; ++number) {
+    std::error_code ignored;
+    if (!fs::exists(place.folder / "listen.json", ignored) && !fs::exists(place.folder / "listen.html", ignored)) {
+      return place;
+    }
+    const std::string other = whose(place.folder);
+    if (!other.empty() && is_same_file(other, log)) {
+      return place;
+    }
+    if (place.remark.empty()) {
+      place.remark = fmt::format("{} has the page of {}, which is not overwritten.", place.folder.string(),
+                                 other.empty() ? "a file that it does not name" : "another file, " + other);
+    }
+    place.folder = under / fmt::format("{}_{}", name, number);
+  }
+}
+
+}  // namespace fantail::listen
