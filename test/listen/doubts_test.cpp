@@ -59,6 +59,13 @@ TEST(Doubts, SayThatTheLawRefusedALaunchBecauseTheTwoAccelerometersDisagree) {
   EXPECT_EQ(agreed.no_hold.in_all_s, 0.0);
 }
 
+// They differ on the pad already, which was before.
+TEST(Doubts, OfADisagreementCountOnlyTheSecondAfterLiftOff) {
+  const Heard reversed = with_second([](double t) { return -constant_push(t); });
+  EXPECT_TRUE(doubts(reversed, "for 1000 ms in the second after lift-off (there first at 4.993 s"))
+      << as_text(reversed);
+}
+
 TEST(Doubts, DoNotCountADisagreementThatTheLaunchWasHeardThrough) {
   const Heard shaken = with_second([](double t) { return constant_push(t) - (t >= 5.0 && t < 5.1 ? g : 0.0); });
   EXPECT_EQ(finding(shaken), Finding::heard);

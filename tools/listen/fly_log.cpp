@@ -58,8 +58,7 @@ void add_tick(Disagreement& disagreement, double time_s) {
 // What the law does not do because two accelerometers differ. Beyond the guide nothing else holds control back
 // (core/flight_phase.cpp).
 void follow_disagreement(Heard& heard, double time_s, const core::TickRecord& record, bool is_new) {
-  if (record.detection == core::DetectionState::disagreement && !heard.detected_s &&
-      time_s <= listened_until_s(heard)) {
+  if (record.detection == core::DetectionState::disagreement && !heard.detected_s && time_s < listened_until_s(heard)) {
     add_tick(heard.no_hold, time_s);
   }
   const core::GuidePlan& guide = heard.flown.guide;

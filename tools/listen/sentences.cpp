@@ -179,7 +179,7 @@ std::string disagreement_sentence(const Heard& heard) {
     const auto& gap = heard.lift_off_gap;
     const bool in_time = heard.detected_s && *heard.detected_s <= listened_until_s(heard);
     refused.push_back(fmt::format(
-        "for {} ms {}{}, the first time at {:.3f} s of the log's clock, and each time the law began its hold again",
+        "for {} ms {}{} (there first at {:.3f} s of the log's clock), and each time the law began its hold again",
         in_ms(no_hold.in_all_s),
         in_time ? "between "
         : gap   ? "up to a second behind "
