@@ -145,8 +145,7 @@ ShownEvent show_event(const Campaign& campaign, Kind kind, std::uint64_t event) 
                                   errors.bad == 0 ? "first" : "second", text::fixed(seconds(errors.onset), 3));
   shown.text +=
       "  gate: control may begin where the way along the guide, as believed, is beyond the guide and a clearance, and "
-      "the "
-      "speed, as believed, is at the least that the plan asks for; the share of it is the smaller of the two\n";
+      "the speed, as believed, is at the least that the plan asks for; the share of it is the smaller of the two\n";
   for (std::size_t rule = 0; rule < campaign.rules.size(); ++rule) {
     shown.text += fmt::format("  {}\n", said(campaign.rules[rule], answers[rule], is_launch(kind)));
   }

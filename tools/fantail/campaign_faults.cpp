@@ -125,9 +125,6 @@ void list_names() {
   }
 }
 
-/// Whoever leaves a word out asks for all; whoever gives an empty one has made a mistake.
-std::string objection_to_nothing(const std::string& text) { return text.empty() ? "the name is empty" : ""; }
-
 void fly_all(const FaultsOptions& options) {
   const faults::Campaign campaign = asked_for(options);
   const fs::path folder = folder_of(options);

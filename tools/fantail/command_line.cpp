@@ -188,6 +188,8 @@ std::string objection_to_time(const std::string& text) {
   return text::number(text) ? "" : '"' + text + "\" is not a number of seconds";
 }
 
+std::string objection_to_nothing(const std::string& text) { return text.empty() ? "it is empty" : ""; }
+
 std::string objection_to_folder(const std::string& text) { return text.empty() ? "the name of a folder is empty" : ""; }
 
 }  // namespace fantail::tool

@@ -81,6 +81,8 @@ void read_command_line(const std::string& name, const std::string& meaning, void
 /// Both ends included. The library's own range would take "nan".
 [[nodiscard]] Objection within(double low, double high);
 [[nodiscard]] std::string objection_to_time(const std::string& text);
+/// Whoever leaves a word out asks for what is usual; whoever gives an empty one has made a mistake.
+[[nodiscard]] std::string objection_to_nothing(const std::string& text);
 [[nodiscard]] std::string objection_to_folder(const std::string& text);
 
 }  // namespace fantail::tool

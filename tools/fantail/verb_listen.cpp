@@ -137,8 +137,6 @@ std::string objection_to_map(const std::string& text) {
              : fmt::format("\"{}\" is no map of a logger's columns; allowed: {}", text, names_of_maps());
 }
 
-std::string objection_to_nothing(const std::string& text) { return text.empty() ? "it is empty" : ""; }
-
 void fill(const Verb& verb) {
   auto options = std::make_shared<ListenOptions>();
   verb.option("LOG", options->log,

@@ -5,7 +5,6 @@
 #include <atomic>
 #include <cmath>
 #include <limits>
-#include <memory>
 #include <utility>
 
 #include <fmt/format.h>
@@ -14,18 +13,13 @@
 #include "campaign/setup.hpp"
 #include "faults/fingerprint.hpp"
 #include "faults/parts.hpp"
+#include "faults/tasks.hpp"
 #include "text/error.hpp"
 
 namespace fantail::faults {
 namespace {
 
 constexpr std::uint64_t runs_of_a_part = 128;
-
-/// A cell that is asked for, with the grid of its phase; null where the scenario cannot have the fault.
-struct Task {
-  Cell cell;
-  std::shared_ptr<const Grid> grid;
-};
 
 struct Part {
   std::size_t task = 0;
@@ -59,68 +53,6 @@ void check(const Campaign& campaign) {
   if (campaign.step_ms < 1 || campaign.every < 1 || campaign.seeds < 1) {
     refuse("step, every and seeds; allowed: 1 or more");
   }
-}
-
-/// No row of the table has them: says which there are of the name that is wrong, or of the device.
-[[noreturn]] void refuse_names(const Campaign& campaign) {
-  const std::vector<std::string_view> devices = device_names();
-  if (!campaign.device.empty() && std::ranges::find(devices, campaign.device) == devices.end()) {
-    refuse(fmt::format("there is no device \"{}\"; allowed: {}", campaign.device, fmt::join(devices, ", ")),
-           text::ErrorKind::usage);
-  }
-  std::vector<std::string_view> names;
-  for (const FaultRow& row : fault_table()) {
-    if ((campaign.device.empty() || campaign.device == row.device) &&
-        std::ranges::find(names, row.fault) == names.end()) {
-      names.push_back(row.fault);
-    }
-  }
-  refuse(fmt::format("there is no fault \"{}\"{}; allowed: {}", campaign.fault,
-                     campaign.device.empty() ? std::string{} : " of device " + campaign.device, fmt::join(names, ", ")),
-         text::ErrorKind::usage);
-}
-
-std::vector<Task> tasks_of(const Campaign& campaign, const Twins& twins) {
-  std::array<std::shared_ptr<const Grid>, phases> grids;
-  for (std::size_t i = 0; i < phases; ++i) {
-    grids[i] = std::make_shared<Grid>(twins, static_cast<Phase>(i), campaign.step_ms, campaign.every);
-  }
-  std::vector<Task> tasks;
-  for (const FaultRow& row : fault_table()) {
-    for (std::size_t i = 0; i < phases; ++i) {
-      const auto phase = static_cast<Phase>(i);
-      const bool wanted = (campaign.device.empty() || campaign.device == row.device) &&
-                          (campaign.fault.empty() || campaign.fault == row.fault) &&
-                          (campaign.phase.empty() || campaign.phase == name(phase));
-      if (!wanted) {
-        continue;
-      }
-      Task task{.cell = {.row = &row, .phase = phase}, .grid = {}};
-      if (task.cell.expected().applies() && why_not(row, twins.scenario).empty()) {
-        task.grid = grids[i];
-      }
-      tasks.push_back(std::move(task));
-    }
-  }
-  if (tasks.empty()) {
-    refuse_names(campaign);
-  }
-  return tasks;
-}
-
-Extent extent_of(const Campaign& campaign, const Twins& twins) {
-  const std::vector<Task> tasks = tasks_of(campaign, twins);
-  Extent extent;
-  for (const Task& task : tasks) {
-    extent.cells += task.grid ? 1 : 0;
-    extent.flights += task.grid ? task.grid->size() : 0;
-  }
-  if (extent.flights == 0) {  // and would be green
-    const std::string why = why_not(*tasks.front().cell.row, twins.scenario);
-    refuse(why.empty() ? fmt::format("{}: has nothing of the phase {}", twins.scenario.name, campaign.phase)
-                       : fmt::format("{}: {}", tasks.front().cell.row->device, why));
-  }
-  return extent;
 }
 
 Run run_of(const Twins& twins, const Cell& cell, const Grid::Run& at, std::uint64_t number, const Findings& findings) {

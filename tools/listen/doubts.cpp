@@ -127,8 +127,7 @@ std::string apogee_doubt(const Heard& heard) {
   const bool like_feet = law_m > 0.0 && log_m > 2.5 * law_m && log_m < 4.0 * law_m;
   return fmt::format(
       "Up to apogee the log's own height gains {} m, and that of the law {} m, more than {} times apart: is the height "
-      "in "
-      "the unit that was stated{}, and are axial force and rates?",
+      "in the unit that was stated{}, and are axial force and rates?",
       text::fixed(log_m, 0), text::fixed(law_m, 0), most_times,
       like_feet ? " (feet given as metres read 3.3 times too much)" : "");
 }
