@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <future>
 #include <sstream>
 #include <stdexcept>
 
@@ -10,6 +11,7 @@
 
 #include "detection/bounds_chart.hpp"
 #include "detection/fingerprint.hpp"
+#include "detection/parts_file.hpp"
 #include "detection/report.hpp"
 #include "detection/shown_event.hpp"
 #include "text/error.hpp"
@@ -83,6 +85,25 @@ TEST_F(DetectionCampaign, WhoInterruptsItKeepsWhatIsFinished) {
   const Results rest = play(campaign, folder_, "1", 1, look_away);
   EXPECT_LE(rest.played, campaign.total());
   expect_equal(rest, play(campaign, std::nullopt, "1", 1, look_away));
+}
+
+TEST_F(DetectionCampaign, OfTwoThatBeginAtOnceInANewFolderOneIsRefused) {
+  for (int round = 0; round < 20; ++round) {
+    fs::remove_all(folder_);
+    const auto is_refused = [this](std::uint64_t seed) {
+      Campaign campaign = small();
+      campaign.seed = seed;
+      try {
+        const PartsFile parts{folder_, campaign, "1"};
+      } catch (const text::Error&) {
+        return true;
+      }
+      return false;
+    };
+    auto other = std::async(std::launch::async, is_refused, 2);
+    const bool one = is_refused(1);
+    ASSERT_NE(one, other.get()) << round;
+  }
 }
 
 TEST_F(DetectionCampaign, PartsThatOtherModelsOrAnotherLawHaveMadeAreRefused) {

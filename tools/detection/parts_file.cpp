@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "campaign/runs_folder.hpp"
 #include "detection/fingerprint.hpp"
 #include "json/value.hpp"
 #include "text/error.hpp"
@@ -50,6 +51,7 @@ std::optional<std::string> opened(const std::string& line, const campaign::Ident
 
 PartsFile::PartsFile(const std::filesystem::path& folder, const Campaign& campaign, const std::string& program)
     : folder_{folder}, file_{folder / name}, identity_{identity_of(campaign, program)} {
+  const campaign::Beginning beginning{folder};
   campaign::require_no_other_kind(folder, name);
   if (!read(campaign.rules.size()) || damaged_ > 0) {
     begin_anew();
