@@ -2,6 +2,7 @@
 #include "detection/report.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/core.h>
 
@@ -100,11 +101,15 @@ std::string sum_line(const Report& report, std::size_t rule) {
 
 }  // namespace
 
-std::string with_bound(std::uint64_t count, std::uint64_t of) {
+// Rounded up: "at most" is not to say less than the bound.
+std::string bound_text(std::uint64_t count, std::uint64_t of) {
   const double bound = 100.0 * upper_bound_95(count, of);
-  return of == 0      ? "0 of 0"
-         : bound < 10 ? fmt::format("{} (at most {:.2g} %)", count, bound)
-                      : fmt::format("{} (at most {:.1f} %)", count, bound);
+  const double unit = bound < 10.0 ? std::pow(10.0, std::floor(std::log10(bound)) - 1.0) : 0.1;
+  return fmt::format("at most {:.3g} %", unit * std::ceil(bound / unit - 1e-9));
+}
+
+std::string with_bound(std::uint64_t count, std::uint64_t of) {
+  return of == 0 ? "0 of 0" : fmt::format("{} ({})", count, bound_text(count, of));
 }
 
 std::string command_of(const Campaign& campaign, Kind kind, std::uint64_t event) {

@@ -70,6 +70,9 @@ struct Requirement {
 /// "fantail campaign detection --kind shaking --event 12", with seed and plans where they are not the usual ones.
 [[nodiscard]] std::string command_of(const Campaign& campaign, Kind kind, std::uint64_t event);
 
+/// The 95 % bound of the share of `count` among `of`, which are at least one: "at most 0.0031 %".
+[[nodiscard]] std::string bound_text(std::uint64_t count, std::uint64_t of);
+
 /// A number of events as "0 (at most 0.0031 %)", with the 95 % bound of their share.
 [[nodiscard]] std::string with_bound(std::uint64_t count, std::uint64_t of);
 

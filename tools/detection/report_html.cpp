@@ -81,9 +81,11 @@ std::string launches_html(const Report& report, std::size_t rule) {
                         {three(count.distance_cm)},
                         {three(count.error_cm)},
                         {.text = fmt::format("{}", count.inside_guide),
-                         .tone = count.inside_guide > 0 ? page::Tone::bad : page::Tone::good,
-                         .below = fmt::format("at most {:.2g} %",
-                                              100.0 * upper_bound_95(count.inside_guide, count.controlling))}});
+                         .tone = count.inside_guide > 0  ? page::Tone::bad
+                                 : count.controlling > 0 ? page::Tone::good
+                                                         : page::Tone::unsure,
+                         .below = count.controlling > 0 ? bound_text(count.inside_guide, count.controlling)
+                                                        : "none was controlled"}});
       }
     }
   }

@@ -188,7 +188,8 @@ void fill_faults(const Verb& verb) {
           "changed in the name]")
       .check(objection_to_folder);
   auto json = verb.flag("--json", options->json, "Print summary.json instead of the text; of one run, what it came to");
-  verb.flag("--list", options->list, "Say which devices and faults there are, and fly nothing").excludes(json);
+  auto list = verb.flag("--list", options->list, "Say which devices and faults there are, and fly nothing");
+  list.excludes(json).excludes(device).excludes(fault).excludes(phase).excludes(cell);
   verb.examples(
       "A campaign that was interrupted goes on when the same command is given again.\n"
       "Exit code 0: no cell, and no run alone, is red but for a known limit; 1: one is.\n"
