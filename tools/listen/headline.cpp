@@ -78,9 +78,12 @@ std::string further_sentence(const Heard& heard) {
 
 std::string lift_off_rule() {
   return fmt::format(
-      "Lift-off is the first rise of the axial specific force through {} g that lasts for at least half of the next {} "
-      "s and begins a push of {} m/s or more, until the force has been below {} g for {} s.",
-      lift_off_g, lift_off_window_s, flight_impulse_m_s, push_end_g, push_pause_s);
+      "Lift-off is the first rise of the axial specific force through {0} g that lasts for at least half of the next "
+      "{1} s and begins a push of {2} m/s or more, until the force has been below {3} g for {4} s. {5} s at the end of "
+      "the accelerometer's range make such a push too, as does one in which the log ends; a range that ends below {0} "
+      "g "
+      "counts as above it at its end.",
+      lift_off_g, lift_off_window_s, flight_impulse_m_s, push_end_g, push_pause_s, flight_clipped_s);
 }
 
 }  // namespace fantail::listen
