@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "core/gyro_gate.hpp"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "core/flight_plan_fields.hpp"
@@ -22,13 +24,23 @@ class Gate {
   explicit Gate(float rate_rad_s = 1.0F) { at(0, rate_rad_s); }
 
   SensorState at(int time_ms, float rate_rad_s, SampleQuality quality = SampleQuality::valid, int measured_ms = -1) {
-    const GyroSample sample{.time = ms(measured_ms < 0 ? time_ms : measured_ms),
-                            .rate_rad_s = {rate_rad_s, 0.0F, 0.0F},
-                            .quality = quality};
+    return at(time_ms, Vector3{rate_rad_s, 0.0F, 0.0F}, quality, measured_ms);
+  }
+  SensorState at(int time_ms, const Vector3& rate_rad_s, SampleQuality quality = SampleQuality::valid,
+                 int measured_ms = -1) {
+    const GyroSample sample{
+        .time = ms(measured_ms < 0 ? time_ms : measured_ms), .rate_rad_s = rate_rad_s, .quality = quality};
     const SensorState state = gate_.update(ms(time_ms), sample, flies, last_rate_rad_s_);
-    last_rate_rad_s_ = state == SensorState::fresh ? rate_rad_s : last_rate_rad_s_;
+    last_rate_rad_s_ = state == SensorState::fresh ? rate_rad_s.x : last_rate_rad_s_;
     return state;
   }
+  /// The fifth of five samples, one a millisecond, is the first that is believed.
+  void expect_five_are_asked_for(int first_ms, const Vector3& rate_rad_s) {
+    for (int i = 0; i < 5; ++i) {
+      EXPECT_EQ(at(first_ms + i, rate_rad_s), i < 4 ? SensorState::lost : SensorState::fresh) << i;
+    }
+  }
+  void skip_to(int time_ms) { gate_.skip_to(ms(time_ms)); }
 
   bool flies = true;
 
@@ -55,12 +67,24 @@ TEST(GyroGate, AGapThatIsNotStaleCostsNoWaiting) {
 }
 
 TEST(GyroGate, AfterASilenceTheFifthOfFiveSamplesThatAgreeIsBelieved) {
-  Gate gate;
-  for (int t = 50; t < 54; ++t) {
-    EXPECT_EQ(gate.at(t, 3.0F), SensorState::lost);
+  for (const Vector3 rate : {Vector3{3.0F, 0.0F, 0.0F}, {0.0F, 3.0F, 0.0F}, {0.0F, 0.0F, 3.0F}}) {
+    Gate gate;
+    gate.expect_five_are_asked_for(50, rate);
+    EXPECT_EQ(gate.at(55, rate), SensorState::fresh);
   }
-  EXPECT_EQ(gate.at(54, 3.0F), SensorState::fresh);
-  EXPECT_EQ(gate.at(55, 3.0F), SensorState::fresh);
+}
+
+TEST(GyroGate, EverySilenceIsFollowedByFiveSamplesThatAgree) {
+  Gate gate;
+  gate.expect_five_are_asked_for(50, {3.0F, 0.0F, 0.0F});
+  gate.expect_five_are_asked_for(100, {3.0F, 0.0F, 0.0F});
+}
+
+TEST(GyroGate, AClockThatWasSetBackWhileNobodyWatchedDoesNotKeepTheGyroOutUntilItIsWhereItWas) {
+  Gate gate;
+  gate.expect_five_are_asked_for(50, {3.0F, 0.0F, 0.0F});
+  gate.skip_to(10);
+  gate.expect_five_are_asked_for(30, {3.0F, 0.0F, 0.0F});
 }
 
 TEST(GyroGate, AfterASilenceSamplesThatDoNotAgreeAreNotBelieved) {
@@ -75,6 +99,10 @@ TEST(GyroGate, ASampleThatIsRepeatedDoesNotAgreeWithItself) {
   for (int t = 50; t < 55; ++t) {
     EXPECT_EQ(gate.at(t, 3.0F, SampleQuality::valid, 50), SensorState::lost);
   }
+  // It counts as one of five.
+  for (int t = 55; t < 59; ++t) {
+    EXPECT_EQ(gate.at(t, 3.0F), t < 58 ? SensorState::lost : SensorState::fresh) << t;
+  }
 }
 
 TEST(GyroGate, TheEndOfTheRangeIsBelievedOfARateThatWasOnItsWayThereAndNotOfAJump) {
@@ -83,6 +111,12 @@ TEST(GyroGate, TheEndOfTheRangeIsBelievedOfARateThatWasOnItsWayThereAndNotOfAJum
     EXPECT_EQ(Gate{sense * 20.0F}.at(1, sense * 34.9F, SampleQuality::saturated), SensorState::lost);
     EXPECT_EQ(Gate{sense * -30.0F}.at(1, sense * 34.9F, SampleQuality::saturated), SensorState::lost);
   }
+}
+
+TEST(GyroGate, OfTheEndOfTheRangeThreeQuartersAreOnTheWayThere) {
+  // 24 of 32 are exactly three quarters; the other one is the next smaller float.
+  EXPECT_EQ(Gate{24.0F}.at(1, 32.0F, SampleQuality::saturated), SensorState::fresh);
+  EXPECT_EQ(Gate{std::nextafter(24.0F, 0.0F)}.at(1, 32.0F, SampleQuality::saturated), SensorState::lost);
 }
 
 TEST(GyroGate, OnThePadAGyroThatComesBackIsBelievedAtOnce) {
