@@ -114,6 +114,24 @@ TEST(Chirp, PhaseIsThatOfWholeNumbersToTheLastBit) {
   }
 }
 
+// 5 Hz/s, half of which is a whole number of nHz/s: no digit is cut off.
+TEST(Chirp, PhaseOfASweepUpwardsAndDownwardsIsThatOfWholeNumbersToTheLastBit) {
+  for (const bool downwards : {false, true}) {
+    ExcitationPlan plan = published(ExcitationForm::sweep);
+    plan.begin = Microseconds{0};
+    plan.end = Microseconds{10'000'000};
+    plan.sweep_first_hz = downwards ? 50.5F : 0.5F;
+    plan.sweep_last_hz = downwards ? 0.5F : 50.5F;
+    Chirp chirp{plan};
+    for (std::int64_t t = 0; t < plan.end.count(); t += 9'973) {
+      const std::int64_t frequency_phz =
+          downwards ? 50'500'000'000'000 - 2'500'000 * t : 500'000'000'000 + 2'500'000 * t;
+      const float expected_rad = plan.amplitude.radians() * sin_turns(turns_of(frequency_phz, t));
+      ASSERT_EQ(chirp.update(Microseconds{t}).radians(), expected_rad) << t << " us, downwards: " << downwards;
+    }
+  }
+}
+
 TEST(Chirp, SweepRunsEvenlyFromTwoToTenHertzWithAContinuousPhase) {
   const ExcitationPlan plan = published(ExcitationForm::sweep);
   EXPECT_EQ(excitation_deg(plan, 400'000), 0.0);

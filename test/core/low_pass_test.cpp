@@ -59,6 +59,18 @@ TEST(LowPass, RepeatedTimeChangesNothing) {
   EXPECT_EQ(low_pass.update(one_ms, 50.0F), before);
 }
 
+TEST(LowPass, RepeatedTimeChangesNothingAlsoRightAfterTheFirstSample) {
+  LowPass low_pass{16.0F};
+  low_pass.update(one_ms, 1.0F);
+  EXPECT_EQ(low_pass.update(one_ms, 50.0F), 1.0F);
+}
+
+TEST(LowPass, AFirstStepOfAWholeSecondArrivesWhollyAtItsInput) {
+  LowPass low_pass{16.0F};  // a hundred time constants
+  low_pass.update(Microseconds{0}, 0.0F);
+  EXPECT_NEAR(low_pass.update(Microseconds{1'000'000}, 1.0F), 1.0F, 1e-5F);
+}
+
 TEST(LowPass, SurvivesAClockThatRunsBackwards) {
   LowPass low_pass{16.0F};
   low_pass.update(Microseconds{100'000}, 1.0F);

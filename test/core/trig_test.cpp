@@ -128,8 +128,11 @@ TEST(Trig, WhatCannotBeComputedIsNotANumberInsteadOfAWrongOne) {
   for (const float bad : {infinity, -infinity, not_a_number, 1000001.0F, -1000001.0F, 1e30F}) {
     EXPECT_TRUE(std::isnan(sin_turns(bad))) << bad;
   }
-  EXPECT_FALSE(std::isnan(sine(10000.0F)));
-  EXPECT_FALSE(std::isnan(sin_turns(-1e6F)));
+  for (const float sense : {1.0F, -1.0F}) {
+    EXPECT_FALSE(std::isnan(sine(sense * 10000.0F)));
+    EXPECT_FALSE(std::isnan(cosine(sense * 10000.0F)));
+    EXPECT_FALSE(std::isnan(sin_turns(sense * 1e6F)));
+  }
 }
 
 TEST(Trig, ArcTangentTakesOneInfinityAndRefusesTwo) {
