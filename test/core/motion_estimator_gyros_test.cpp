@@ -81,5 +81,45 @@ TEST(MotionGyros, BeforeTheFirstSampleNothingIsKnownAndNothingIsBridgedOrABound)
   EXPECT_EQ(gyros.estimator.gyro_vote(), GyroVote::neither);
 }
 
+Inputs on_the_pad(Microseconds measured, float roll_rate_rad_s, float across_m_s2) {
+  Inputs inputs;
+  inputs.time = measured;
+  inputs.gyro = {.time = measured, .rate_rad_s = {roll_rate_rad_s, 0.0F, 0.0F}, .quality = SampleQuality::valid};
+  inputs.accelerometers.fill(
+      {.time = measured, .specific_force_m_s2 = {0.0F, across_m_s2, 0.0F}, .quality = SampleQuality::valid});
+  return inputs;
+}
+
+TEST(MotionOnThePad, TheFirstBiasOfAllIsTheMeanOfTheFirstThreeSeconds) {
+  MotionEstimator estimator{default_plan().motion};
+  for (int t = 0; t <= 3'501; ++t) {
+    estimator.update(on_the_pad(Microseconds{t * 1'000}, 0.03125F, standard_gravity_m_s2));
+  }
+  EXPECT_NEAR(estimator.motion(Microseconds{3'501'000}).roll_rate_rad_s, 0.0F, 1e-7F);
+}
+
+// As in PadWindow.AStepOfTheForceIsMotionWhenItsSquareHasComeThroughALowPassOf16Hertz. The step of a second is of a
+// hundred time constants.
+TEST(MotionOnThePad, AStepOfTheForceIsMotionWhenItsSquareHasComeThroughALowPassOf16Hertz) {
+  MotionPlan plan = default_plan().motion;
+  plan.rest_tolerance_m_s2 = 0.1F * standard_gravity_m_s2;
+  for (const Microseconds step : {Microseconds{1'770}, Microseconds{1'880}, Microseconds{1'000'000}}) {
+    MotionEstimator estimator{plan};
+    estimator.update(on_the_pad(Microseconds{0}, 0.0F, standard_gravity_m_s2));
+    estimator.update(on_the_pad(step, 0.0F, 1.5F * standard_gravity_m_s2));
+    const bool rests = estimator.motion(step + Microseconds{1}).at_rest_for > Microseconds{0};
+    EXPECT_EQ(rests, step < Microseconds{1'820}) << step.count();
+  }
+}
+
+TEST(MotionOnThePad, InNoTimeNoForceComesThroughTheLowPass) {
+  MotionEstimator estimator{default_plan().motion};
+  Inputs inputs = on_the_pad(Microseconds{500}, 0.0F, standard_gravity_m_s2);
+  inputs.time = Microseconds{1'000};
+  estimator.update(inputs);
+  estimator.update(on_the_pad(Microseconds{1'000}, 0.0F, 3.0F * standard_gravity_m_s2));
+  EXPECT_EQ(estimator.motion(Microseconds{2'000}).at_rest_for, Microseconds{1'000});
+}
+
 }  // namespace
 }  // namespace fantail::core

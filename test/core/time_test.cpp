@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "core/time.hpp"
 
+#include <cmath>
 #include <limits>
 #include <random>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -44,6 +46,36 @@ TEST(Time, AWideNumberBecomesTheFloatThatTheCompilersOwnConversionMakesOfIt) {
   for (const std::int64_t end : {std::numeric_limits<std::int64_t>::min(), std::numeric_limits<std::int64_t>::max(),
                                  std::int64_t{0}, (std::int64_t{1} << 55) + (std::int64_t{1} << 31)}) {
     ASSERT_EQ(wide_to_float(end), static_cast<float>(end)) << end;
+  }
+}
+
+TEST(Time, ZeroIsThePositiveOne) { EXPECT_FALSE(std::signbit(wide_to_float(0))); }
+
+TEST(Time, DifferencesOfADayAreSecondsToo) {
+  EXPECT_FLOAT_EQ(seconds(Microseconds{86'400'000'000}), 86'400.0F);
+  EXPECT_FLOAT_EQ(seconds(Microseconds{-86'400'000'000}), -86'400.0F);
+}
+
+TEST(Time, MillionthsAreTheNearestWholeNumber) {
+  for (const auto& [value, expected] : {std::pair{0.0F, 0LL},
+                                        {1.25F, 1'250'000},
+                                        {-1.25F, -1'250'000},
+                                        {0.6e-6F, 1},
+                                        {0.4e-6F, 0},
+                                        {-0.6e-6F, -1},
+                                        {-0.4e-6F, 0},
+                                        {3'600.0F, 3'600'000'000LL},
+                                        {1.4e-6F, 1},
+                                        {-1.4e-6F, -1}}) {
+    EXPECT_EQ(millionths(value), expected) << value;
+  }
+  EXPECT_EQ(from_seconds(0.25F), Microseconds{250'000});
+}
+
+TEST(Time, ASpanUpToALimitIsNeitherNegativeNorLonger) {
+  constexpr Microseconds most{5};
+  for (const auto& [span, expected] : {std::pair{-1, 0}, {0, 0}, {1, 1}, {4, 4}, {5, 5}, {6, 5}}) {
+    EXPECT_EQ(up_to(most, Microseconds{span}), Microseconds{expected}) << span;
   }
 }
 

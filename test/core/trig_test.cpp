@@ -111,6 +111,11 @@ TEST(Trig, ArcTangentOfTheAxesIsExact) {
   EXPECT_EQ(core::atan2(smallest, smallest).radians(), pi / 4.0F);
 }
 
+TEST(Trig, ArcTangentIsTheNearestFloatWhereTheSlopesThatAreFoldedBegin) {
+  constexpr float slope = 0.4142135623730950F;  // tan(pi / 8)
+  EXPECT_EQ(core::atan2(slope, 1.0F).radians(), static_cast<float>(std::atan(static_cast<double>(slope))));
+}
+
 TEST(Trig, EveryFunctionIsOddOrEvenToTheLastBit) {
   sweep(0.0, 10000.0, 200'000, [](float x) {
     ASSERT_EQ(sine(-x), -sine(x)) << x;
