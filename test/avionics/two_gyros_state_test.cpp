@@ -36,14 +36,18 @@ TEST(TwoGyrosState, ALawThatDoubtsBothGyrosIsResumed) {
   inputs.accelerometers.fill(
       {.time = {}, .specific_force_m_s2 = {.x = core::standard_gravity_m_s2}, .quality = core::SampleQuality::valid});
   inputs.gyro.quality = core::SampleQuality::valid;
-  const auto run = [&](int ticks, float second_rad_s) {
+  std::optional<core::GyroVote> vote;
+  const auto run = [&](int ticks, float more_rad_s) {
     for (int i = 0; i < ticks; ++i) {
       inputs.time += millisecond;
       clock.shows = inputs.time;
       inputs.gyro.time = inputs.accelerometers[0].time = inputs.accelerometers[1].time = inputs.time;
+      inputs.gyro.rate_rad_s.x = i % 2 == 0 ? 0.001F : -0.001F;  // one that repeats itself would be put aside
       inputs.second_gyro = inputs.gyro;
-      inputs.second_gyro->rate_rad_s.x = second_rad_s;
-      kept.keep(law.step(inputs), plan_crc, std::nullopt, law);
+      inputs.second_gyro->rate_rad_s.x += more_rad_s;
+      const core::TickRecord record = law.step(inputs);
+      vote = record.gyro_vote;
+      kept.keep(record, plan_crc, std::nullopt, law);
     }
   };
   run(5'000, 0.0F);
@@ -55,6 +59,7 @@ TEST(TwoGyrosState, ALawThatDoubtsBothGyrosIsResumed) {
   inputs.start_command = false;
   run(40, 5.0F);
   ASSERT_EQ(law.phase(), Phase::controlling);
+  ASSERT_EQ(vote, core::GyroVote::disagree);
   core::Inputs first = inputs;
   first.time += 60 * millisecond;
   EXPECT_TRUE(resume(memory, first, plan));
