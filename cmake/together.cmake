@@ -52,7 +52,8 @@ set(FANTAIL_COMPILED_ALONE
   hal/stm32f4/imu.cpp
   sim/servo.cpp sim/thrust_curve.cpp
   test/avionics/bench_mode_alone_test.cpp test/avionics/bus_flood_test.cpp test/avionics/new_plan_force_test.cpp
-  test/avionics/plan_out_of_range_test.cpp test/avionics/self_test_alone_test.cpp test/avionics/two_gyros_state_test.cpp test/avionics/watchdog_test.cpp
+  test/avionics/plan_out_of_range_test.cpp test/avionics/self_test_alone_test.cpp
+  test/avionics/two_gyros_state_test.cpp test/avionics/watchdog_test.cpp
   test/bench/axes_mounting_test.cpp
   test/benchmark/recorded_flight.cpp
   test/campaign/question_test.cpp
