@@ -17,7 +17,7 @@ set(FANTAIL_COMPILED_APART
   "test/core|canard_mixer_test.cpp launch_detector_pair_test.cpp launch_detector_test.cpp"
   "test/core|canard_monitor_test.cpp launch_detector_reset_test.cpp motion_estimator_test.cpp trig_test.cpp"
   "test/core|autopilot_flight_test.cpp motion_estimator_roll_test.cpp pd_controller_test.cpp"
-  "test/core|autopilot_sharing_test.cpp loop_overrun_test.cpp pad_window_test.cpp"
+  "test/core|autopilot_record_test.cpp autopilot_sharing_test.cpp loop_overrun_test.cpp pad_window_test.cpp"
   "test/core|flight_phase_test.cpp gyro_gate_test.cpp"
   "test/core|chirp_variation_test.cpp gyro_pair_limits_test.cpp pad_window_limits_test.cpp"
   "test/core|motion_estimator_bridge_test.cpp motion_estimator_gyros_test.cpp motion_estimator_limits_test.cpp"
