@@ -189,14 +189,6 @@ TEST(FlightPlan, TheMechanicalStopMustNotLieInsideThePlanLimit) {
   expect_fault(plan, "canards", "mechanical_stop_deg", 3);
 }
 
-TEST(FlightPlan, AServoMustMoveWithItsPulse) {
-  FlightPlan plan = default_plan();
-  for (const float dead : {0.0F, -0.5F, 0.5F}) {
-    plan.canards.each[1].pulse_per_radian_us = dead;
-    expect_fault(plan, "canards", "pulse_per_degree_us", 1);
-  }
-}
-
 TEST(FlightPlan, EveryAngleInsideThePlanLimitHasAPulseThatAServoUnderstands) {
   FlightPlan plan = default_plan();
   plan.controller.canard_limit = 20_deg;
@@ -266,6 +258,7 @@ TEST(FlightPlan, AnObserverNeedsEveryNumberOfItsModel) {
     const auto fault = validate(plan);
     ASSERT_TRUE(fault.has_value());
     EXPECT_EQ(fault->rule, PlanRule::observer_has_model);
+    EXPECT_EQ(fault->slot, 0U);
     EXPECT_EQ(flight_plan_fields()[fault->field].get(plan, 0), 0.0F) << "the one that is missing is named";
   }
 }
@@ -288,7 +281,7 @@ TEST(FlightPlan, EveryRuleHasASentenceOfItsOwn) {
   std::set<std::string_view> sentences;
   for (int rule = 0; rule <= static_cast<int>(PlanRule::axes_differ); ++rule) {
     const std::string_view text = sentence(static_cast<PlanRule>(rule));
-    EXPECT_NE(text, "unknown rule");
+    EXPECT_TRUE(text != "" && text != "unknown rule") << rule;
     EXPECT_TRUE(sentences.insert(text).second) << text;
   }
   EXPECT_EQ(sentence(static_cast<PlanRule>(static_cast<int>(PlanRule::axes_differ) + 1)), "unknown rule");

@@ -54,13 +54,14 @@ TEST(RollReference, AStepAtZeroHasNoInitialAngle) {
   EXPECT_EQ(roll_reference(plan, Microseconds{0}), 45_deg);
 }
 
-// Every half wave of 100 s, at its first and last microsecond. The frequencies are whole numbers of millihertz, so the
-// k-th half wave begins at the first microsecond at or after k * 500 000 000 / millihertz: integers, no rounding.
-TEST(RollReference, SquareWaveTurnsAtExactMultiplesOfTheHalfPeriodForAHundredSeconds) {
-  for (const std::int64_t millihertz : {100, 300, 500, 700, 900, 1000, 3000, 7000, 9999, 10000}) {
+// Every half wave of ten minutes, at its first and last microsecond. The frequencies are whole numbers of millihertz,
+// so the k-th half wave begins at the first microsecond at or after k * 500 000 000 / millihertz: integers, no
+// rounding.
+TEST(RollReference, SquareWaveTurnsAtExactMultiplesOfTheHalfPeriodForTenMinutes) {
+  for (const std::int64_t millihertz : {100, 300, 500, 700, 900, 1000, 3000, 7000, 9973, 9999, 10000}) {
     const Microseconds begin{1'000'000};
     const ReferencePlan plan = square_wave(static_cast<float>(millihertz) / 1000.0F, begin);
-    const std::int64_t half_waves = millihertz / 5;
+    const std::int64_t half_waves = 6 * millihertz / 5;
     for (std::int64_t k = 0; k <= half_waves; ++k) {
       const Microseconds turn{(k * 500'000'000 + millihertz - 1) / millihertz};
       const Angle here = k % 2 == 0 ? 45_deg : -10_deg;

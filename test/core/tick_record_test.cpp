@@ -1,31 +1,48 @@
 // SPDX-License-Identifier: MIT
 #include "core/tick_record.hpp"
 
-#include <set>
+#include <cstdint>
+#include <string_view>
+#include <vector>
 
 #include <gtest/gtest.h>
 
 namespace fantail::core {
 namespace {
 
-// Walks an enumeration from its first value until its names end; every name must be new.
+// Of the values from the first on; the one after the last is unknown.
 template <typename Enumeration>
-std::size_t distinct_names() {
-  std::set<std::string_view> names;
-  for (std::uint8_t value = 0; name(static_cast<Enumeration>(value)) != "unknown"; ++value) {
-    EXPECT_TRUE(names.insert(name(static_cast<Enumeration>(value))).second);
+std::vector<std::string_view> names_of() {
+  std::vector<std::string_view> names;
+  for (std::uint8_t value = 0; name(static_cast<Enumeration>(value)) != "unknown" && value < 100; ++value) {
+    names.push_back(name(static_cast<Enumeration>(value)));
   }
-  return names.size();
+  return names;
 }
 
-TEST(TickRecord, EveryValueOfAnEnumerationHasANameOfItsOwn) {
-  EXPECT_EQ(distinct_names<Phase>(), static_cast<std::size_t>(Phase::finished) + 1);
-  EXPECT_EQ(distinct_names<PhaseReason>(), phase_reasons);
-  EXPECT_EQ(distinct_names<CanardVerdict>(), static_cast<std::size_t>(CanardVerdict::disagreeing) + 1);
-  EXPECT_EQ(distinct_names<SensorState>(), sensor_states);
-  EXPECT_EQ(distinct_names<GyroVote>(), gyro_votes);
-  EXPECT_EQ(distinct_names<CommandStatus>(), command_statuses);
-  EXPECT_EQ(distinct_names<DetectionState>(), static_cast<std::size_t>(DetectionState::disagreement) + 1);
+using Names = std::vector<std::string_view>;
+
+// As they stand in the tables and logs of every flight so far: another name would break whatever reads them.
+TEST(TickRecord, EveryValueOfAnEnumerationKeepsItsName) {
+  EXPECT_EQ(names_of<Phase>(), (Names{"safe", "armed", "launched", "controlling", "finished"}));
+  EXPECT_EQ(names_of<PhaseReason>(),
+            (Names{"power_on", "armed_by_switch_and_command", "disarmed_by_switch", "launch_detected", "guide_clear",
+                   "tunnel_start_command", "guide_not_cleared_in_time", "gyro_failed_before_control",
+                   "timing_fault_before_control", "control_time_over", "apogee", "tilted_too_far", "gyro_failed",
+                   "timing_fault", "canard_fault", "memory_fault"}));
+  EXPECT_EQ(names_of<CanardVerdict>(), (Names{"healthy", "dead", "stalled", "slipping", "disagreeing"}));
+  EXPECT_EQ(names_of<SensorState>(), (Names{"fresh", "coasting", "lost", "failed"}));
+  EXPECT_EQ(names_of<GyroVote>(), (Names{"both", "first", "second", "disagree", "neither"}));
+  EXPECT_EQ(names_of<CommandStatus>(), (Names{"outside_control", "controlling", "gyro_lost", "not_finite"}));
+  EXPECT_EQ(names_of<DetectionState>(), (Names{"quiet", "holding", "detected", "bad_sample", "disagreement"}));
+}
+
+TEST(TickRecord, EveryValueOfAnEnumerationHasAName) {
+  EXPECT_EQ(names_of<PhaseReason>().size(), phase_reasons);
+  EXPECT_EQ(names_of<CanardVerdict>().size(), canard_verdicts);
+  EXPECT_EQ(names_of<SensorState>().size(), sensor_states);
+  EXPECT_EQ(names_of<GyroVote>().size(), gyro_votes);
+  EXPECT_EQ(names_of<CommandStatus>().size(), command_statuses);
 }
 
 TEST(TickRecord, BeginsSafeWithoutACommandOrADrivenCanard) {
