@@ -201,5 +201,30 @@ TEST(FlightMemory, AClockThatRanOnForHalfTheAssumedGapIsBelievedAndOneThatRanLes
   EXPECT_EQ(goes_on_after(30 * millisecond - Microseconds{1}), 60 * millisecond);
 }
 
+// A tick that ends a gap has no length; then the servo brings the canard to its command, and each millisecond takes two
+// off the 100 of the hold.
+TEST(FlightMemory, AVerdictOnACanardOutlivesTheResetUntilHalfTheHoldHasGone) {
+  Kept rig;
+  rig.inputs.encoders.fill(core::Angle{});
+  rig.run(100);
+  rig.inputs.encoders[2] = core::Angle::from_degrees(4.0F);
+  rig.run(200);
+  Domain domain{rig.memory};
+  FlightMemory found{domain, rig.clock, ResetCause::watchdog};
+  core::Autopilot law{rig.plan};
+  core::Inputs inputs = rig.after(60 * millisecond);
+  ASSERT_TRUE(found.resume(inputs, plan_crc, law));
+  for (int i = 0; i <= 50; ++i) {
+    const core::TickRecord& record = law.step(inputs);
+    ASSERT_EQ(record.verdicts[2] == core::CanardVerdict::healthy, i == 50) << i;
+    for (std::size_t canard = 0; canard < core::canard_count; ++canard) {
+      const core::Angle at = *inputs.encoders[canard];
+      inputs.encoders[canard] = at + (record.canards[canard].angle - at) / 25.0F;
+    }
+    inputs.time += millisecond;
+    inputs.gyro.time = inputs.time;
+  }
+}
+
 }  // namespace
 }  // namespace fantail::avionics
