@@ -231,9 +231,12 @@ TEST(CanardMonitor, ACanardIsExpectedAtItsCommandOnceATenThousandthOfADegreeIsLe
   EXPECT_NEAR(ticks, 25.0 * std::log(static_cast<double>(far_off.degrees()) / 0.0001), 2.0);
 }
 
+// Neither behind the first time nor behind another.
 TEST(CanardMonitor, ATimeThatRepeatsMovesNothing) {
   PutBench bench{Microseconds{10'000}, never};
   bench.commands[0].angle = far_off;
+  bench.after(0);
+  EXPECT_EQ(bench.expected(0), Angle{});
   bench.after(1000);
   const std::optional<Angle> before = bench.expected(0);
   EXPECT_GT(before, Angle{});
