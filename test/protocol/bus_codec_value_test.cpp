@@ -129,6 +129,22 @@ TEST(BusCodecValue, MotionIsClampedAtTheEndsOfItsSignals) {
   }
 }
 
+TEST(BusCodecValue, WhatElseIsReportedIsClampedAtTheEndsOfItsSignalToo) {
+  for (const float sign : {-1.0F, 1.0F}) {
+    const float rate_rad_s = sign * 1000.0F;
+    const float force_m_s2 = sign * 1e6F;
+    const BusFrame gyro = encode(GyroReport{.rate_rad_s = {rate_rad_s, rate_rad_s, rate_rad_s}});
+    const BusFrame accelerometer =
+        encode(AccelerometerReport{.specific_force_m_s2 = {force_m_s2, force_m_s2, force_m_s2}});
+    for (const unsigned start : {0U, 16U, 32U}) {
+      EXPECT_EQ(signed_bits(gyro, start, 16), static_cast<int>(sign) * 32'767);
+      EXPECT_EQ(signed_bits(accelerometer, start, 16), static_cast<int>(sign) * 32'767);
+    }
+    const BusFrame status = encode(StatusReport{.roll_command = core::Angle::from_degrees(sign * 1e6F)});
+    EXPECT_EQ(signed_bits(status, 24, 12), static_cast<int>(sign) * 2047);
+  }
+}
+
 TEST(BusCodecValue, MotionKeepsItsResolution) {
   const auto decoded = decode_from_avionics(encode(MotionReport{.roll_angle = core::Angle::from_degrees(-1234.56F),
                                                                 .roll_rate_rad_s = 6.2831853F,

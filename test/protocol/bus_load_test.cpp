@@ -169,6 +169,16 @@ TEST(BusLoad, ThereIsNoBoundOnAFullBusAndNoneForAFrameThatIsNotThere) {
   EXPECT_GT(bus_load(frames), 1.0F);
 }
 
+// One frame alone, so long that nothing but a time was meant.
+TEST(BusLoad, ABoundIsBelowAMinuteOrNone) {
+  const auto alone = [](std::uint32_t bits) {
+    return worst_latency(std::array{PeriodicFrame{.id = 1, .bits = bits, .period = std::chrono::minutes{3}}}, 1);
+  };
+  EXPECT_EQ(alone(59'999'999), Microseconds{59'999'999});
+  EXPECT_FALSE(alone(60'000'000));
+  EXPECT_FALSE(alone(60'000'001));
+}
+
 // A frame without a period: only its first one is looked at, and what it then holds up.
 constexpr Microseconds endless = std::chrono::minutes{1};
 
