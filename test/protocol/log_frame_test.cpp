@@ -34,6 +34,39 @@ TEST(LogFrame, LiesThereAsItsDocumentationSays) {
                                  [](std::byte b) { return std::to_integer<std::uint8_t>(b); }));
 }
 
+// What lies in flash, in logs and in their readers: docs/flight_log.md.
+TEST(LogFrame, ARecordsTypeAndTheLongestPayloadAreThoseOfTheFormat) {
+  EXPECT_EQ(static_cast<int>(LogRecord::header), 1);
+  EXPECT_EQ(static_cast<int>(LogRecord::checkpoint), 2);
+  EXPECT_EQ(static_cast<int>(LogRecord::tick), 3);
+  EXPECT_EQ(static_cast<int>(LogRecord::event), 4);
+  EXPECT_EQ(static_cast<int>(LogRecord::health), 5);
+  EXPECT_EQ(largest_log_payload, 4096U);
+}
+
+TEST(LogFrame, AHeadOfWhichNothingIsSaidIsZerosAndLeavesWhatIsBehindItAlone) {
+  std::array<std::byte, 20> bytes{};
+  bytes.fill(std::byte{0x5A});
+  encode(LogFrameHead{}, bytes);
+  EXPECT_EQ(bytes[0], std::byte{0xA5});
+  for (std::size_t i = 1; i < bytes.size(); ++i) {
+    EXPECT_EQ(bytes.at(i), i < 14 ? std::byte{} : std::byte{0x5A}) << i;
+  }
+}
+
+TEST(LogFrame, TheReaderSaysHowFarItIsAndWhereItHasFoundAFrame) {
+  std::vector<std::byte> bytes = frame(1, std::vector<std::byte>(5));
+  append(bytes, std::vector<std::byte>(3, std::byte{0xFF}));
+  append(bytes, frame(2, {}));
+  LogFrameReader reader{bytes};
+  EXPECT_EQ(reader.position(), 0U);
+  EXPECT_EQ(reader.foreign_bytes(), 0U);
+  EXPECT_EQ(reader.next()->position, 0U);
+  EXPECT_EQ(reader.position(), 23U);
+  EXPECT_EQ(reader.next()->position, 26U);
+  EXPECT_EQ(reader.position(), 44U);
+}
+
 TEST(LogFrame, ComesBackWithEverythingInIt) {
   const std::vector<std::byte> payload(300, std::byte{0x5A});
   const LogFrameHead head{.type = 9, .length = 300, .sequence = 77, .time = core::Microseconds{(1LL << 48) - 1}};

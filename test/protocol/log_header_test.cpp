@@ -53,6 +53,68 @@ TEST(LogHeader, ComesBackWithEverythingInIt) {
   EXPECT_EQ(header->schema, "tick 50\n");
 }
 
+// All that is not text: log_header.hpp and docs/flight_log.md say what lies where.
+TEST(LogHeader, LiesThereAsItsDocumentationSays) {
+  const std::array<std::byte, 0x0102> plan{};
+  const LogHeader header{.flight = 0x03040506,
+                         .power_up = 0x0708090A,
+                         .state_layout = 0x0B0C0D0E,
+                         .rate_scale_rad_s = 1.0F,
+                         .specific_force_scale_m_s2 = -2.0F,
+                         .accelerometer_scale_m_s2 = 0.5F,
+                         .firmware_version = "abc",
+                         .git_hash = "d",
+                         .vehicle = "ef",
+                         .sensors = "g",
+                         .plan_block = plan};
+  constexpr std::array<std::uint8_t, 28> numbers{0x01, 0x00, 0x02, 0x01, 0x06, 0x05, 0x04, 0x03, 0x0A, 0x09,
+                                                 0x08, 0x07, 0x0E, 0x0D, 0x0C, 0x0B, 0x00, 0x00, 0x80, 0x3F,
+                                                 0x00, 0x00, 0x00, 0xC0, 0x00, 0x00, 0x00, 0x3F};
+  std::string expected(156, '\0');
+  std::ranges::copy(numbers, expected.begin());
+  expected.replace(28, 3, "abc").replace(60, 1, "d").replace(92, 2, "ef").replace(124, 1, "g");
+  const auto bytes = encode(header);
+  ASSERT_EQ(bytes.size(), expected.size());
+  EXPECT_TRUE(std::ranges::equal(bytes, std::as_bytes(std::span{expected})));
+  const auto back = decode_log_header(payload_of(header));
+  ASSERT_TRUE(back);
+  EXPECT_EQ(back->flight, 0x03040506U);
+  EXPECT_EQ(back->power_up, 0x0708090AU);
+  EXPECT_EQ(back->state_layout, 0x0B0C0D0EU);
+  EXPECT_EQ(back->specific_force_scale_m_s2, -2.0F);
+  EXPECT_EQ(back->accelerometer_scale_m_s2, 0.5F);
+  EXPECT_EQ(back->plan_block.size(), plan.size());
+}
+
+TEST(LogHeader, OneOfWhichNothingIsSaidHasZerosBehindItsVersion) {
+  const auto bytes = encode(LogHeader{});
+  EXPECT_EQ(bytes[0], std::byte{1});
+  EXPECT_TRUE(std::ranges::all_of(std::span{bytes}.subspan(1), [](std::byte b) { return b == std::byte{}; }));
+  EXPECT_EQ(encode_second_rate_scale(LogHeader{}), (std::array<std::byte, 4>{}));
+}
+
+// Without a plan block and without a schema: nothing behind what every header has.
+TEST(LogHeader, TheShortestOneIsRead) {
+  const LogHeader of_two_gyros{.second_rate_scale_rad_s = 1.0F};
+  EXPECT_TRUE(decode_log_header(encode(LogHeader{})));
+  const auto fixed = encode(of_two_gyros);
+  std::vector<std::byte> bytes{fixed.begin(), fixed.end()};
+  append(bytes, encode_second_rate_scale(of_two_gyros));
+  const auto back = decode_log_header(bytes);
+  ASSERT_TRUE(back);
+  EXPECT_EQ(back->second_rate_scale_rad_s, 1.0F);
+  EXPECT_TRUE(back->plan_block.empty() && back->schema.empty());
+}
+
+// Two bytes: 0x0102 is not 2, and who knows what stands behind such a header.
+TEST(LogHeader, AVersionHasTwoBytes) {
+  const auto back = decode_log_header(payload_of({.format_version = 0x0102, .schema = "later"}));
+  ASSERT_TRUE(back);
+  EXPECT_EQ(back->format_version, 0x0102);
+  EXPECT_FALSE(back->second_rate_scale_rad_s);
+  EXPECT_EQ(back->schema, "later");
+}
+
 TEST(LogHeader, OfTwoGyrosHasASecondScaleAndAVersionOfItsOwn) {
   const std::array<std::byte, 2> plan{std::byte{1}, std::byte{2}};
   const LogHeader header{.second_rate_scale_rad_s = 0.0025F, .plan_block = plan, .schema = "tick 50\n"};
