@@ -179,6 +179,12 @@ TEST(BusLoad, ABoundIsBelowAMinuteOrNone) {
   EXPECT_FALSE(alone(60'000'001));
 }
 
+TEST(BusLoad, AFrameOfWhichOnlyThePeriodIsKnownIsTheMostUrgentAndTakesNoTime) {
+  const std::array frames{PeriodicFrame{.period = Microseconds{1000}}};
+  EXPECT_EQ(bus_load(frames), 0.0F);
+  EXPECT_EQ(worst_latency(frames, 0), Microseconds{0});
+}
+
 // A frame without a period: only its first one is looked at, and what it then holds up.
 constexpr Microseconds endless = std::chrono::minutes{1};
 

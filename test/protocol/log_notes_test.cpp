@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "protocol/log_notes.hpp"
 
+#include <algorithm>
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <set>
+#include <span>
 #include <string_view>
 
 #include <gtest/gtest.h>
@@ -21,6 +24,34 @@ TEST(LogEvent, ComesBackWithEverythingInIt) {
                        .index = 3,
                        .number = 0x12345678};
   EXPECT_EQ(unpack_event(now, pack(event)), event);
+}
+
+// As log_schema.cpp tells readers of other versions.
+TEST(LogNotes, EveryByteIsWhereTheSchemaSays) {
+  const auto event =
+      pack(LogEvent{.kind = LogEventKind::canard_verdict, .value = 1, .detail = 2, .index = 3, .number = 0x04050607});
+  EXPECT_EQ(event, std::bit_cast<decltype(event)>(std::array<std::uint8_t, 8>{3, 1, 2, 3, 7, 6, 5, 4}));
+  const auto health = pack(LogHealth{.verdicts = {core::CanardVerdict::dead, core::CanardVerdict::stalled,
+                                                  core::CanardVerdict::slipping, core::CanardVerdict::disagreeing},
+                                     .gyro = core::SensorState::coasting,
+                                     .accelerometer = core::SensorState::lost,
+                                     .bus_state = 5,
+                                     .longest_tick_us = 0x0607,
+                                     .longest_queue = 0x0809,
+                                     .ticks_dropped = 0x0A0B0C0D,
+                                     .unsent = 0x0E0F1011,
+                                     .bus_errors = 0x12131415});
+  EXPECT_EQ(health, std::bit_cast<decltype(health)>(std::array<std::uint8_t, 23>{
+                        1,    2,    3,    4,    1,    2,    5,    0x07, 0x06, 0x09, 0x08, 0x0D,
+                        0x0C, 0x0B, 0x0A, 0x11, 0x10, 0x0F, 0x0E, 0x15, 0x14, 0x13, 0x12}));
+}
+
+TEST(LogNotes, OneOfWhichNothingIsSaidHasNoNumbers) {
+  EXPECT_EQ(pack(LogEvent{}), (std::array<std::byte, 8>{}));
+  const auto health = pack(LogHealth{});
+  EXPECT_EQ(health[4], std::byte{3});  // of a sensor that nobody has heard of: failed
+  EXPECT_EQ(health[5], std::byte{3});
+  EXPECT_TRUE(std::ranges::all_of(std::span{health}.subspan(6), [](std::byte b) { return b == std::byte{}; }));
 }
 
 TEST(LogEvent, OneOfWhichThisVersionKnowsNothingIsRefused) {
@@ -84,7 +115,11 @@ template <typename Enumeration>
 std::size_t distinct_names() {
   std::set<std::string_view> names;
   for (std::uint8_t value = 0; name(static_cast<Enumeration>(value)) != "unknown"; ++value) {
-    EXPECT_TRUE(names.insert(name(static_cast<Enumeration>(value))).second);
+    EXPECT_FALSE(name(static_cast<Enumeration>(value)).empty());
+    if (!names.insert(name(static_cast<Enumeration>(value))).second) {
+      ADD_FAILURE() << "twice: " << name(static_cast<Enumeration>(value));
+      break;
+    }
   }
   return names.size();
 }

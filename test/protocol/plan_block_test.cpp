@@ -209,7 +209,7 @@ TEST(PlanBlock, WhateverIsWrongIsCalledByItsName) {
   other[0] = std::byte{'X'};
   EXPECT_EQ(fault_of(sealed(other)), PlanBlockFault::no_plan_block);
 
-  for (const unsigned version : {0U, 1U, 3U, 255U, 256U, 0xFFFFU}) {
+  for (const unsigned version : {0U, 1U, 3U, 255U, 256U, 258U, 0xFFFFU}) {
     other = block;
     other[4] = static_cast<std::byte>(version);
     other[5] = static_cast<std::byte>(version >> 8U);
@@ -276,13 +276,15 @@ TEST(PlanBlock, BitsThatDoNotFitTheirFieldAreRefusedByField) {
       EXPECT_EQ(core::flight_plan_fields()[reading.plan_fault->field].key, key);
     }
   }
-  for (const std::uint32_t length : {9U, 256U, 0xFFFFFFFFU}) {
+  for (const std::uint32_t length : {9U, 256U, 0x01000002U, 0xFFFFFFFFU}) {
     Block other = block;
     set_word(other, place_of("step_times_s") - 4, length);
     const PlanBlockReading reading = read_plan_block(sealed(other));
     EXPECT_EQ(reading.fault, PlanBlockFault::refused) << length;
     ASSERT_TRUE(reading.plan_fault.has_value()) << length;
     EXPECT_EQ(core::flight_plan_fields()[reading.plan_fault->field].key, "step_times_s");
+    EXPECT_EQ(reading.plan_fault->slot, 0U) << length;
+    EXPECT_EQ(reading.plan_fault->rule, core::PlanRule::too_many_values) << length;
   }
 }
 

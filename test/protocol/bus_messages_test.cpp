@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#include "protocol/bus_messages.hpp"
+
+#include <cstdint>
+
+#include <gtest/gtest.h>
+
+#include "bus_rig.hpp"
+#include "protocol/bus_codec.hpp"
+
+namespace fantail::protocol {
+namespace {
+
+template <typename Message>
+void expect_zeros(std::uint16_t id) {
+  EXPECT_EQ(encode_any(Message{}, 0), FrameBuilder{id}.done()) << std::hex << id;
+}
+
+// What nobody has set must not look like a report of something.
+TEST(BusMessages, OneOfWhichNothingIsSaidIsAFrameOfZeros) {
+  expect_zeros<BenchRequest>(0x010);
+  expect_zeros<BenchSession>(0x020);
+  expect_zeros<ArmRequest>(0x030);
+  expect_zeros<PlanBegin>(0x040);
+  expect_zeros<PlanData>(0x041);
+  expect_zeros<LogRequest>(0x050);
+  expect_zeros<CommandReport>(0x100);
+  expect_zeros<EncoderReport>(0x101);
+  expect_zeros<StatusReport>(0x110);
+  expect_zeros<MotionReport>(0x111);
+  expect_zeros<SessionReply>(0x120);
+  expect_zeros<ArmReply>(0x121);
+  expect_zeros<PlanReply>(0x122);
+  expect_zeros<LogReply>(0x123);
+  expect_zeros<RejectionReport>(0x131);
+  expect_zeros<LimitReport>(0x132);
+  expect_zeros<BoardReport>(0x133);
+  expect_zeros<LogData>(0x180);
+}
+
+// But for a sensor of which nothing is known, which is a failed one, and the version.
+TEST(BusMessages, ASensorOfWhichNothingIsSaidHasFailedOrIsAbsent) {
+  EXPECT_EQ(encode(HealthReport{}), FrameBuilder{0x130}.put(16, 2, 3).put(18, 2, 3).plain());
+  EXPECT_EQ(encode(GyroReport{}), FrameBuilder{0x134}.put(62, 2, 3).plain());
+  EXPECT_EQ(encode(AccelerometerReport{}), FrameBuilder{0x135}.put(62, 2, 3).plain());
+}
+
+// docs/can.md describes version 2, chunks of 256 * 7 bytes and six causes of a rejection.
+TEST(BusMessages, TheNumbersOfTheProtocolAreThoseOfItsManual) {
+  EXPECT_EQ(encode(HeartbeatReport{}), FrameBuilder{0x140}.put(0, 8, 2).plain());
+  EXPECT_EQ(largest_log_chunk, 1792);
+  EXPECT_EQ(rejection_count, 6U);
+  EXPECT_EQ(RejectionReport{}.count.size(), static_cast<std::size_t>(Rejection::stale) + 1);
+}
+
+}  // namespace
+}  // namespace fantail::protocol
