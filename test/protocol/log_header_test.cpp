@@ -76,7 +76,8 @@ TEST(LogHeader, LiesThereAsItsDocumentationSays) {
   const auto bytes = encode(header);
   ASSERT_EQ(bytes.size(), expected.size());
   EXPECT_TRUE(std::ranges::equal(bytes, std::as_bytes(std::span{expected})));
-  const auto back = decode_log_header(payload_of(header));
+  const std::vector<std::byte> payload = payload_of(header);
+  const auto back = decode_log_header(payload);
   ASSERT_TRUE(back);
   EXPECT_EQ(back->flight, 0x03040506U);
   EXPECT_EQ(back->power_up, 0x0708090AU);
@@ -108,7 +109,8 @@ TEST(LogHeader, TheShortestOneIsRead) {
 
 // Two bytes: 0x0102 is not 2, and who knows what stands behind such a header.
 TEST(LogHeader, AVersionHasTwoBytes) {
-  const auto back = decode_log_header(payload_of({.format_version = 0x0102, .schema = "later"}));
+  const std::vector<std::byte> bytes = payload_of({.format_version = 0x0102, .schema = "later"});
+  const auto back = decode_log_header(bytes);
   ASSERT_TRUE(back);
   EXPECT_EQ(back->format_version, 0x0102);
   EXPECT_FALSE(back->second_rate_scale_rad_s);
