@@ -207,7 +207,7 @@ TEST(StateBlockValues, ALayoutIsKnownByTheFnvHashOfTheKindsOfItsValues) {
     }
     return hash;
   };
-  enum Kind : std::uint32_t { number = 1, angle = 2, count = 3, time = 4, flag = 5, below = 6, optional = 7 };
+  enum Kind : std::uint8_t { number = 1, angle = 2, count = 3, time = 4, flag = 5, below = 6, optional = 7 };
   OneOfEach law;
   StateLayout layout;
   law.visit_state(layout);
