@@ -5,6 +5,7 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <new>
 #include <set>
 #include <span>
 #include <string_view>
@@ -44,6 +45,13 @@ TEST(LogNotes, EveryByteIsWhereTheSchemaSays) {
   EXPECT_EQ(health, std::bit_cast<decltype(health)>(std::array<std::uint8_t, 23>{
                         1,    2,    3,    4,    1,    2,    5,    0x07, 0x06, 0x09, 0x08, 0x0D,
                         0x0C, 0x0B, 0x0A, 0x11, 0x10, 0x0F, 0x0E, 0x15, 0x14, 0x13, 0x12}));
+}
+
+TEST(LogNotes, AHealthRecordLeavesWhatLiesBehindItAlone) {
+  std::array<std::byte, 24> room{};
+  room.fill(std::byte{0x5A});
+  new (room.data()) std::array<std::byte, 23>(pack(LogHealth{}));  // made where it lies
+  EXPECT_EQ(room.back(), std::byte{0x5A});
 }
 
 TEST(LogNotes, OneOfWhichNothingIsSaidHasNoNumbers) {

@@ -125,6 +125,27 @@ TEST(LogTickLayout, ASampleOfThisVeryTickAndATickThatTookNoTimeAreKeptAsZeros) {
   EXPECT_EQ(back->duration_before, Microseconds{0});
 }
 
+// For the tick that follows, whose samples may be too old for their ages.
+TEST(LogTickLayout, TheTimesOfTheSamplesAreHandedOn) {
+  const LogTick tick = tick_of_known_bytes();
+  std::array<std::byte, largest_log_tick> bytes{};
+  SampleTimes packing;
+  pack(tick, packing, bytes);
+  SampleTimes unpacking;
+  ASSERT_TRUE(unpack_tick(time_of_tick, bytes, unpacking));
+  for (const SampleTimes& times : {packing, unpacking}) {
+    EXPECT_EQ(times.imu, tick.imu_time);
+    EXPECT_EQ(times.accelerometer, tick.accelerometer_time);
+    EXPECT_EQ(times.second_gyro, tick.second_gyro->time);
+  }
+  pack({.time = time_of_tick, .second_gyro = LogSecondGyro{}}, packing, bytes);  // what was measured is too old
+  const auto back = unpack_tick(time_of_tick, bytes, unpacking);
+  ASSERT_TRUE(back && back->second_gyro);
+  EXPECT_EQ(back->imu_time, tick.imu_time);
+  EXPECT_EQ(back->accelerometer_time, tick.accelerometer_time);
+  EXPECT_EQ(back->second_gyro->time, tick.second_gyro->time);
+}
+
 TEST(LogTickLayout, NoDeviceHasAFourthStatus) {
   const auto accepts = [](std::size_t at, std::uint32_t word) {
     SampleTimes times;
