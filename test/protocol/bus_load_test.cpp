@@ -83,6 +83,17 @@ TEST(BusLoad, TheNaiveCrc15GivesTheCheckValueOfItsCatalogueEntry) {
 // then, because the stuff bit ends the run, after every five more: 6 of them.
 TEST(BusLoad, AFrameOfZerosHasAStuffBitAfterEveryFive) { EXPECT_EQ(bits_on_wire(BusFrame{}), 34U + 6U + 13U); }
 
+TEST(BusLoad, FramesOfEveryLengthHaveTheBitsOfTheirText) {
+  core::RandomStream random{7};
+  for (unsigned i = 0; i < 60; ++i) {
+    BusFrame frame{.id = static_cast<std::uint16_t>(random.whole(0, 2047)), .length = static_cast<std::uint8_t>(i % 9)};
+    for (std::size_t k = 0; k < frame.length; ++k) {
+      frame.data.at(k) = static_cast<std::uint8_t>(random.chance(0.5) ? random.whole(0, 255) : 0xFF * (i % 2));
+    }
+    EXPECT_EQ(bits_on_wire(frame), naive_bits(frame)) << i;
+  }
+}
+
 RC_GTEST_PROP(BusLoad, ExactBitsEqualTheTextOfTheWireAndNeverExceedTheWorst, (std::uint32_t seed)) {
   core::RandomStream random{seed};
   for (int i = 0; i < 100; ++i) {
@@ -177,6 +188,13 @@ TEST(BusLoad, ABoundIsBelowAMinuteOrNone) {
   EXPECT_EQ(alone(59'999'999), Microseconds{59'999'999});
   EXPECT_FALSE(alone(60'000'000));
   EXPECT_FALSE(alone(60'000'001));
+}
+
+// The more urgent one comes again a bit after the bus has fallen idle and the other one has begun.
+TEST(BusLoad, AFrameThatIsReadyOneBitTooLateDoesNotTakePart) {
+  const std::array frames{PeriodicFrame{.id = 1, .bits = 100, .period = Microseconds{101}},
+                          PeriodicFrame{.id = 2, .bits = 1, .period = Microseconds{1000}}};
+  EXPECT_EQ(worst_latency(frames, 2), Microseconds{101});
 }
 
 TEST(BusLoad, AFrameOfWhichOnlyThePeriodIsKnownIsTheMostUrgentAndTakesNoTime) {

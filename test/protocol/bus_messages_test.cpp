@@ -45,6 +45,24 @@ TEST(BusMessages, ASensorOfWhichNothingIsSaidHasFailedOrIsAbsent) {
   EXPECT_EQ(encode(AccelerometerReport{}), FrameBuilder{0x135}.put(62, 2, 3).plain());
 }
 
+// Values in which each signal has bits of its own, up to its last one.
+TEST(BusMessages, WhatIsSaidLiesInItsOwnSignal) {
+  EXPECT_EQ(encode(ArmRequest{.nonce = 0x89ABCDEF}, 5),
+            FrameBuilder{0x030}.put(16, 32, 0x89ABCDEF).put(52, 4, 5).with_crc());
+  EXPECT_EQ(encode(LogRequest{.tag = 9, .offset = 0x89ABCDEF, .size = 4095}, 5),
+            FrameBuilder{0x050}.put(4, 4, 9).put(8, 32, 0x89ABCDEF).put(40, 12, 4095).put(52, 4, 5).with_crc());
+  EXPECT_EQ(encode(LogRequest{.tag = 15}, 0), FrameBuilder{0x050}.put(4, 4, 15).with_crc());
+  EXPECT_EQ(encode(ArmReply{.nonce = 0x89ABCDEF}), FrameBuilder{0x121}.put(20, 1, 1).put(32, 32, 0x89ABCDEF).plain());
+  EXPECT_EQ(encode(BoardReport{.flash_failed = true, .overruns = 0x81}),
+            FrameBuilder{0x133}.put(48, 8, 0x81).put(63, 1, 1).plain());
+  EXPECT_EQ(encode(GyroReport{.quality = core::SampleQuality::valid, .time_ms = 16'383}),
+            FrameBuilder{0x134}.put(48, 14, 16'383).plain());
+  EXPECT_EQ(encode(GyroReport{.quality = core::SampleQuality::valid, .time_ms = 16'384}), FrameBuilder{0x134}.plain());
+  EXPECT_EQ(encode(HeartbeatReport{.uptime_ms = 0xFFFFFF, .plan_crc = 0x89ABCDEF}),
+            FrameBuilder{0x140}.put(0, 8, 2).put(8, 24, 0xFFFFFF).put(32, 32, 0x89ABCDEF).plain());
+  EXPECT_EQ(encode(HeartbeatReport{.uptime_ms = 0x01000001}), FrameBuilder{0x140}.put(0, 8, 2).put(8, 24, 1).plain());
+}
+
 // docs/can.md describes version 2, chunks of 256 * 7 bytes and six causes of a rejection.
 TEST(BusMessages, TheNumbersOfTheProtocolAreThoseOfItsManual) {
   EXPECT_EQ(encode(HeartbeatReport{}), FrameBuilder{0x140}.put(0, 8, 2).plain());

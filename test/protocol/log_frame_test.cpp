@@ -69,13 +69,14 @@ TEST(LogFrame, TheReaderSaysHowFarItIsAndWhereItHasFoundAFrame) {
 
 TEST(LogFrame, ComesBackWithEverythingInIt) {
   const std::vector<std::byte> payload(300, std::byte{0x5A});
-  const LogFrameHead head{.type = 9, .length = 300, .sequence = 77, .time = core::Microseconds{(1LL << 48) - 1}};
+  const LogFrameHead head{
+      .type = 9, .length = 300, .sequence = 0x8A0B0C0D, .time = core::Microseconds{(1LL << 48) - 1}};
   const std::vector<std::byte> bytes = frame(head, payload);
   LogFrameReader reader{bytes};
   const auto found = reader.next();
   ASSERT_TRUE(found);
   EXPECT_EQ(found->head.type, 9);
-  EXPECT_EQ(found->head.sequence, 77U);
+  EXPECT_EQ(found->head.sequence, 0x8A0B0C0DU);
   EXPECT_EQ(found->head.time, head.time);
   EXPECT_TRUE(std::ranges::equal(found->payload, payload));
   EXPECT_EQ(found->position, 0U);
@@ -116,6 +117,16 @@ TEST(LogFrame, EverySingleBitThatIsFlippedCostsOneFrameAndNoMore) {
     EXPECT_EQ(sequences(reader), expected) << "bit " << bit;
     bytes[bit / 8] ^= std::byte{1} << (bit % 8);
   }
+}
+
+// An intact checksum alone is none: a reader that began anywhere would take what is left of a frame for another.
+TEST(LogFrame, WhatDoesNotBeginWithTheSyncByteIsNoFrameWhateverItsChecksum) {
+  std::vector<std::byte> bytes = frame(1, std::vector<std::byte>(5));
+  bytes[0] = std::byte{0xA4};
+  put<4>(bytes, bytes.size() - 4, crc32c(std::span{bytes}.first(bytes.size() - 4)));
+  LogFrameReader reader{bytes};
+  EXPECT_FALSE(reader.next());
+  EXPECT_EQ(reader.foreign_bytes(), bytes.size());
 }
 
 TEST(LogFrame, ACutLeavesTheFramesBeforeIt) {
