@@ -137,6 +137,8 @@ TEST(LogHeader, OfTwoGyrosHasASecondScaleAndAVersionOfItsOwn) {
 
 TEST(LogHeader, TheSchemaOfTwoGyrosIsThatOfOneAndMore) {
   EXPECT_TRUE(log_schema_of_two_gyros().starts_with(log_schema()));
+  EXPECT_TRUE(log_schema().starts_with("tick 50\n0 u16:0.3 phase\n"));
+  EXPECT_TRUE(log_schema().ends_with("19 u32 bus_errors frame\n"));
   EXPECT_NE(log_schema_of_two_gyros().find("second_gyro"), std::string_view::npos);
   EXPECT_EQ(log_schema().find("second_gyro"), std::string_view::npos);
 }

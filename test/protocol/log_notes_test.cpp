@@ -74,6 +74,7 @@ TEST(LogEvent, OneOfWhichThisVersionKnowsNothingIsRefused) {
   EXPECT_FALSE(accepts(number(LogEventKind::phase), 0, 16, 0));
   EXPECT_TRUE(accepts(number(LogEventKind::canard_verdict), 4, 0, 3));
   EXPECT_FALSE(accepts(number(LogEventKind::canard_verdict), 4, 0, 4));
+  EXPECT_TRUE(accepts(number(LogEventKind::recording_ended), 3, 0, 0));
   EXPECT_FALSE(accepts(number(LogEventKind::recording_ended), 4, 0, 0));
   EXPECT_TRUE(accepts(number(LogEventKind::recording_began), 1, 0, 0));
   EXPECT_FALSE(accepts(number(LogEventKind::recording_began), 2, 0, 0));
