@@ -19,6 +19,7 @@ template <std::size_t bytes>
 using WordOf = std::conditional_t<(bytes > 4), std::uint64_t, std::uint32_t>;
 
 template <std::size_t bytes>
+  requires(bytes > 0 && bytes <= sizeof(std::uint64_t))
 constexpr void put(std::span<std::byte> out, std::size_t at, std::uint64_t value) {
   // To the Cortex-M4 GCC gives four stores of a byte where nothing says that an address is even.
   if (std::endian::native == std::endian::little && !std::is_constant_evaluated()) {
@@ -33,6 +34,7 @@ constexpr void put(std::span<std::byte> out, std::size_t at, std::uint64_t value
 }
 
 template <std::size_t bytes>
+  requires(bytes > 0 && bytes <= sizeof(std::uint64_t))
 [[nodiscard]] constexpr std::uint64_t get(std::span<const std::byte> in, std::size_t at) {
   return [first = in.data() + at]<std::size_t... i>(std::index_sequence<i...>) {
     return ((static_cast<WordOf<bytes>>(first[i]) << (8U * i)) | ...);

@@ -42,7 +42,6 @@ std::size_t LogFrameWriter::begin(LogFrameHead head, const Parts& payload, std::
 
 std::size_t LogFrameWriter::write(std::span<std::byte> out) {
   std::size_t size = 0;
-  std::size_t summed = 0;
   while (!done() && size < out.size()) {
     std::span<const std::byte>& part = parts_[part_];
     const std::size_t count = std::min(part.size(), out.size() - size);
@@ -53,14 +52,13 @@ std::size_t LogFrameWriter::write(std::span<std::byte> out) {
       part_ += 1;
       if (part_ == tail) {
         // Over what lies together, because a word need not end where a part does.
-        crc_ = crc32c(crc_, out.subspan(summed, size - summed));
-        summed = size;
+        crc_ = crc32c(crc_, out.first(size));
         put<4>(tail_, 0, crc_);
       }
     }
   }
   if (part_ < tail) {
-    crc_ = crc32c(crc_, out.subspan(summed, size - summed));
+    crc_ = crc32c(crc_, out.first(size));
   }
   return size;
 }
