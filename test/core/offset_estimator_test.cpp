@@ -163,6 +163,16 @@ TEST(Observer, WaitsWhereTheSpeedTellsNothing) {
   }
 }
 
+// d' = w ((p' + a p) / b - u - d) with p' = 0 and d = 0, where a / b is alpha / (beta v).
+TEST(Observer, BeginsWhereTheSpeedTellsEnoughAtTenMetresPerSecond) {
+  Loop loop{plan_with(OffsetRejection::observer)};
+  loop.tick_with(measured(0.25F, 10.0F), 0_deg);
+  const auto command_rad = static_cast<double>(loop.command().radians());
+  EXPECT_EQ(loop.estimate_deg(), 0.0);
+  loop.tick_with(measured(0.25F, 10.0F), 0_deg);
+  EXPECT_NEAR(rad(loop.estimate_deg()), 0.001 * 6.0 * (23.0 / (9.0 * 10.0) * 0.25 - command_rad), 1e-8);
+}
+
 class Either : public testing::TestWithParam<OffsetRejection> {
  protected:
   Loop loop{plan_with(GetParam())};
@@ -194,6 +204,20 @@ TEST_P(Either, GoesOnBehindAGapWithoutAJump) {
   EXPECT_NEAR(loop.estimate_deg(), before_deg, 0.3);
 }
 
+TEST_P(Either, ATickWithoutAMeasuredRateIsAGapToo) {
+  for (const bool lost : {true, false}) {
+    Loop gap{plan_with(GetParam())};
+    gap.run(200, measured(), 2_deg);
+    const double before_deg = gap.estimate_deg();
+    Motion unknown = measured(3.0F);
+    unknown.gyro = lost ? SensorState::lost : SensorState::fresh;
+    unknown.rate_is_lower_bound = !lost;
+    gap.tick_with(unknown, 2_deg);
+    gap.tick_with(measured(5.0F), 2_deg);
+    EXPECT_NEAR(gap.estimate_deg(), before_deg, 0.002);  // as above
+  }
+}
+
 TEST_P(Either, NeverGoesBeyondThePlanLimit) {
   for (const float sign : {1.0F, -1.0F}) {
     for (int i = 0; i < 5'000; ++i) {
@@ -201,6 +225,16 @@ TEST_P(Either, NeverGoesBeyondThePlanLimit) {
       ASSERT_LE(std::abs(loop.estimate_deg()), 9.0001);
     }
     EXPECT_NEAR(std::abs(loop.estimate_deg()), 9.0, 0.1);
+  }
+}
+
+// An error of 30000 degrees asks for 15 degrees at once, and a rate that jumps by 50 rad/s for 70.
+TEST_P(Either, StopsAtThePlanLimitItselfInTheTickThatWouldGoBeyondIt) {
+  for (const float sign : {1.0F, -1.0F}) {
+    Loop jumps{plan_with(GetParam())};
+    jumps.tick_with(measured(), 0_deg);
+    jumps.tick_with(measured(sign * 50.0F), Angle::from_degrees(sign * -30'000.0F));
+    EXPECT_EQ(jumps.estimate_deg(), static_cast<double>((sign * 9_deg).degrees()));
   }
 }
 

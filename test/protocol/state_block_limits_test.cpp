@@ -4,8 +4,13 @@
 
 #include <gtest/gtest.h>
 
+#include "core/chirp.hpp"
+#include "core/compensated_sum.hpp"
 #include "core/flight_plan_fields.hpp"
+#include "core/low_pass.hpp"
 #include "core/motion_estimator.hpp"
+#include "core/offset_estimator.hpp"
+#include "known_roll_model.hpp"
 #include "protocol/state_block.hpp"
 
 namespace fantail::protocol {
@@ -46,6 +51,86 @@ TEST(StateBlock, OfAMotionEstimatorEveryPlaceEveryStateOfASensorAndEveryDoubtIsR
   const core::MotionEstimator two{plan.motion, plan.sensors};
   EXPECT_TRUE(accepts(two, 1, 3)) << "both doubted";
   EXPECT_FALSE(accepts(two, 1, 4));
+}
+
+/// `to` goes on from what `from` remembers.
+template <typename Part>
+void hand_over(Part& from, Part& to) {
+  std::vector<std::byte> bytes(4'096);
+  StateWriter writer{bytes};
+  from.visit_state(writer);
+  bytes.resize(writer.size());
+  StateReader reader{bytes};
+  to.visit_state(reader);
+  ASSERT_TRUE(reader.ok());
+}
+
+// Beyond what the canards reach, so that integral action remembers that too.
+void turn(core::OffsetEstimator& estimator, float rate_rad_s) {
+  core::Motion motion;
+  motion.gyro = core::SensorState::fresh;
+  motion.roll_rate_rad_s = rate_rad_s;
+  motion.speed_m_s = 60.0F;
+  const auto degree = core::Angle::from_degrees(1.0F);
+  estimator.update(motion, degree, 1.0F, {-3.0F * degree, 3.0F * degree});
+  estimator.remember({.before_excitation = 5.0F * degree, .command = 3.0F * degree});
+}
+
+TEST(StateBlock, AnOffsetEstimatorThatIsGivenAStateGoesOnBitForBit) {
+  for (const auto rejection : {core::OffsetRejection::integral, core::OffsetRejection::observer}) {
+    core::FlightPlan plan = core::default_plan();
+    plan.offset.rejection = rejection;
+    plan.roll_model = core::known_roll_model;
+    core::OffsetEstimator estimator{plan};
+    turn(estimator, 0.125F);
+    turn(estimator, 0.25F);
+    core::OffsetEstimator other{plan};
+    hand_over(estimator, other);
+    EXPECT_NE(other.estimate(), core::Angle{});
+    EXPECT_EQ(other.estimate(), estimator.estimate());
+    turn(estimator, 0.375F);
+    turn(other, 0.375F);
+    EXPECT_EQ(other.estimate(), estimator.estimate());
+  }
+}
+
+// By another seed it would vary by other numbers: until they are over, the present tenth of a second's are remembered.
+TEST(StateBlock, AChirpThatIsGivenAStateGoesOnWithWhatWasDrawn) {
+  core::ExcitationPlan plan = core::default_plan().excitation;
+  plan.form = core::ExcitationForm::sweep;
+  plan.amplitude_variation = core::Angle::from_degrees(2.0F);
+  plan.frequency_variation_hz = 1.0F;
+  core::Chirp chirp{plan};
+  ASSERT_NE(chirp.update(plan.begin + core::Microseconds{250'000}), core::Angle{});
+  plan.variation_seed += 1;
+  core::Chirp other{plan};
+  hand_over(chirp, other);
+  for (const int since_begin_us : {251'000, 299'999}) {
+    const core::Microseconds time = plan.begin + core::Microseconds{since_begin_us};
+    const core::Angle expected = chirp.update(time);
+    EXPECT_EQ(other.update(time), expected);
+    EXPECT_NE(core::Chirp{plan}.update(time), expected);
+  }
+}
+
+TEST(StateBlock, ASumThatIsGivenAStateCarriesOnWhatItsFloatCouldNotHold) {
+  core::CompensatedSum sum;
+  sum.add(0x1p24F);
+  sum.add(1.0F);  // the next float is two more
+  core::CompensatedSum other;
+  hand_over(sum, other);
+  EXPECT_EQ(other.value(), 0x1p24F);
+  other.add(1.0F);
+  EXPECT_EQ(other.value(), 0x1p24F + 2.0F);
+}
+
+TEST(StateBlock, ALowPassThatIsGivenAStateGoesOnFromItsOutputAndItsTime) {
+  core::LowPass low_pass{16.0F};
+  low_pass.update(core::Microseconds{1'000}, 3.0F);
+  core::LowPass other{16.0F};
+  hand_over(low_pass, other);
+  EXPECT_EQ(other.output(), 3.0F);
+  EXPECT_EQ(other.update(core::Microseconds{2'000}, 5.0F), low_pass.update(core::Microseconds{2'000}, 5.0F));
 }
 
 }  // namespace

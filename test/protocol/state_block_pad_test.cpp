@@ -62,5 +62,18 @@ TEST(StateBlock, APadWindowThatIsGivenAStateInFlightKeepsItsAverageUntilItHasSee
   expect_mean(other, 4'900, 7'900);
 }
 
+// Of a step of 4 m/s2 the low-pass lets a tenth through in the first millisecond; without what it remembered it would
+// let all of it through.
+TEST(StateBlock, APadWindowThatIsGivenAStateTakesOneNoisySampleForNoMotion) {
+  for (const StateExtent extent : {StateExtent::whole, StateExtent::in_flight}) {
+    PadWindow stood{core::default_plan().motion};
+    stand(stood, 0, 1'000);
+    PadWindow other{core::default_plan().motion};
+    give_state(stood, other, extent);
+    other.update(core::Microseconds{1'000'000}, {}, {core::standard_gravity_m_s2 + 4.0F, 0.0F, 0.0F});
+    EXPECT_EQ(other.at_rest_for(core::Microseconds{1'000'000}), core::Microseconds{1'000'000});
+  }
+}
+
 }  // namespace
 }  // namespace fantail::protocol
