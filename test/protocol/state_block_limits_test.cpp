@@ -133,5 +133,23 @@ TEST(StateBlock, ALowPassThatIsGivenAStateGoesOnFromItsOutputAndItsTime) {
   EXPECT_EQ(other.update(core::Microseconds{2'000}, 5.0F), low_pass.update(core::Microseconds{2'000}, 5.0F));
 }
 
+TEST(StateBlock, AMotionEstimatorThatIsGivenAStateKnowsHowTheGuideIsTilted) {
+  const core::FlightPlan plan = core::default_plan();
+  core::MotionEstimator estimator{plan.motion};
+  core::Inputs inputs;
+  inputs.gyro.quality = core::SampleQuality::valid;
+  inputs.accelerometers.fill(
+      {.specific_force_m_s2 = {.x = 0.8F * core::standard_gravity_m_s2, .y = 0.6F * core::standard_gravity_m_s2},
+       .quality = core::SampleQuality::valid});
+  for (int i = 0; i < 4'000; ++i) {
+    inputs.time += core::Microseconds{1'000};
+    inputs.gyro.time = inputs.accelerometers[0].time = inputs.accelerometers[1].time = inputs.time;
+    estimator.update(inputs);
+  }
+  core::MotionEstimator other{plan.motion};
+  hand_over(estimator, other);
+  EXPECT_NEAR(other.motion(inputs.time).tilt.radians(), 0.6435011F, 1e-5F) << "atan(0.6 / 0.8)";
+}
+
 }  // namespace
 }  // namespace fantail::protocol
