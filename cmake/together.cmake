@@ -19,7 +19,7 @@ set(FANTAIL_COMPILED_APART
   "test/core|autopilot_flight_test.cpp motion_estimator_roll_test.cpp pd_controller_test.cpp"
   "test/core|autopilot_record_test.cpp autopilot_sharing_test.cpp loop_overrun_test.cpp pad_window_test.cpp"
   "test/core|flight_phase_test.cpp gyro_gate_test.cpp"
-  "test/core|chirp_variation_test.cpp gyro_pair_limits_test.cpp initial_values_test.cpp pad_window_limits_test.cpp"
+  "test/core|autopilot_memory_test.cpp chirp_variation_test.cpp gyro_pair_limits_test.cpp initial_values_test.cpp pad_window_limits_test.cpp"
   "test/core|motion_estimator_bridge_test.cpp motion_estimator_gyros_test.cpp motion_estimator_limits_test.cpp"
   "test/hal/stm32f4|fake_ism330dhcx.cpp reset_cause_test.cpp servo_test.cpp slow_oscillator_test.cpp spi_bus_test.cpp supply_test.cpp watchdog_test.cpp"
   "test/hal/stm32f4|encoder_test.cpp fake_kx134.cpp"

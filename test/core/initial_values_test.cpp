@@ -3,6 +3,7 @@
 // nothing has been measured, and nothing has happened.
 #include <gtest/gtest.h>
 
+#include "core/flight_plan.hpp"
 #include "core/inputs.hpp"
 #include "core/motion_estimator.hpp"
 #include "core/tick_record.hpp"
@@ -60,13 +61,20 @@ TEST(InitialValues, OfARecordHaveNeitherAFaultNorAMissedTickNorALimit) {
 }
 
 // A rocket with four canards, and two accelerometers.
-TEST(InitialValues, ThereAreFourCanardsAndTwoAccelerometers) {
+TEST(Limits, ThereAreFourCanardsAndTwoAccelerometers) {
   EXPECT_EQ(canard_count, 4U);
   EXPECT_EQ(Inputs{}.accelerometers.size(), 2U);
 }
 
+// As the manual says of a plan.
+TEST(Limits, APlanHasRoomForSixRowsOfGainsAndEightStepsAndNoCanardGoesBeyondTwentyDegrees) {
+  EXPECT_EQ(most_schedule_rows, 6U);
+  EXPECT_EQ(most_reference_steps, 8U);
+  EXPECT_NEAR(hard_canard_limit.radians(), 0.3490658504F, 1e-7F);
+}
+
 // 1000 g and 16 turns a second, rounded; the standard's gravity.
-TEST(InitialValues, TheLargestThatIsAMeasurementIsThatOfAnySensorThatFitsARocket) {
+TEST(Limits, TheLargestThatIsAMeasurementIsThatOfAnySensorThatFitsARocket) {
   EXPECT_EQ(largest_specific_force_m_s2, 10'000.0F);
   EXPECT_EQ(largest_rate_rad_s, 100.0F);
   EXPECT_EQ(standard_gravity_m_s2, 9.80665F);
