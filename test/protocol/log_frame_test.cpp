@@ -54,6 +54,12 @@ TEST(LogFrame, AHeadOfWhichNothingIsSaidIsZerosAndLeavesWhatIsBehindItAlone) {
   }
 }
 
+TEST(LogFrame, OneOfWhichNothingIsSaidIsEmptyAndLiesAtTheBeginning) {
+  const LogFrame nothing{};
+  EXPECT_EQ(nothing.position, 0U);
+  EXPECT_TRUE(nothing.payload.empty());
+}
+
 TEST(LogFrame, TheReaderSaysHowFarItIsAndWhereItHasFoundAFrame) {
   std::vector<std::byte> bytes = frame(1, std::vector<std::byte>(5));
   append(bytes, std::vector<std::byte>(3, std::byte{0xFF}));

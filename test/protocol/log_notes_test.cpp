@@ -47,6 +47,9 @@ TEST(LogNotes, EveryByteIsWhereTheSchemaSays) {
                         0x0C, 0x0B, 0x0A, 0x11, 0x10, 0x0F, 0x0E, 0x15, 0x14, 0x13, 0x12}));
 }
 
+// As log_notes.hpp says it: two times of 8 bytes each, then the state.
+TEST(LogNotes, TheStateOfACheckpointLiesBehindTwoTimes) { EXPECT_EQ(log_checkpoint_times_size, 2U * 8U); }
+
 TEST(LogNotes, AHealthRecordLeavesWhatLiesBehindItAlone) {
   std::array<std::byte, 24> room{};
   room.fill(std::byte{0x5A});

@@ -190,12 +190,14 @@ TEST(StateBlockValues, WhatIsMissingOrBeyondItsEndIsRefusedAndReadAsZero) {
   std::vector<std::byte> state = known_state();
   state[39] = std::byte{core::phases};
   state[27] = std::byte{0x40};
+  state[43] = std::byte{0x7F};  // the number is infinite
   OneOfEach law;
   StateReader reader{state};
   law.visit_state(reader);
   EXPECT_FALSE(reader.ok());
   EXPECT_EQ(law.phase, core::Phase::safe);
   EXPECT_EQ(law.time, core::Microseconds{0});
+  EXPECT_EQ(law.number, 0.0F);
 }
 
 // A log's header has it, and a reader of another version must come to the same: FNV-1a over the numbers of the kinds.
