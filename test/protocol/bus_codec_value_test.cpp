@@ -178,6 +178,7 @@ TEST(BusCodecValue, APlaceThatDoesNotFitIsClamped) {
 }
 
 TEST(BusChoices, WhatIsNoValueOfAnEnumerationHasNoChoice) {
+  EXPECT_EQ(no_choice, 256U);  // no byte of a frame is that
   EXPECT_NE(protocol::choice(PlanBlockFault{}), no_choice);
   EXPECT_EQ(protocol::choice(static_cast<PlanBlockFault>(0xFF)), no_choice);
   EXPECT_EQ(protocol::choice(static_cast<Accelerometer>(0xFF)), no_choice);
