@@ -21,7 +21,7 @@ import threading
 import reach
 import symbols
 import workshop
-from workshop import ToolFailure
+from workshop import LinkFailure, ToolFailure
 
 # The programs that may notice a mutant of a folder: its own first.
 PROGRAMS = {"core": ("core", "protocol", "avionics"), "protocol": ("protocol", "avionics"), "avionics": ("avionics",)}
@@ -201,7 +201,13 @@ class Court:
                 objects.append(obj)
             if not differs:
                 continue
-            (asked, outcome), changed = self.tests(mutant, place, objects, dependents, exports), objects
+            changed = objects
+            try:
+                asked, outcome = self.tests(mutant, place, objects, dependents, exports)
+            except LinkFailure:
+                if not mutant.early:
+                    raise
+                outcome = "survived", ""  # the tests are compiled with it, too, in others()
             if outcome[0] != "survived":
                 return outcome
         return self.others(mutant, place, changed, asked, text) if changed else outcome

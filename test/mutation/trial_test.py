@@ -35,10 +35,13 @@ int counted(int to) {
 """
 HEADER = """inline int doubled(int x) { return x * 2; }
 struct Box { int value = 3; };
+template <int n> struct Row { int length = n; };
+using Two = Row<2>;
 """
 USER = """#include "core/doubled.hpp"
 int doubled_by_product(int x) { return doubled(x); }
 int boxed() { return Box{}.value; }
+int length_of(Two row) { return row.length; }
 int four_times(int x) { return doubled(x) + doubled(x); }
 int optimised() {
 #ifdef __OPTIMIZE__
@@ -53,7 +56,8 @@ TEST = """#include <gtest/gtest.h>
 int counted(int);
 int doubled_by_product(int);
 int optimised();
-TEST(Box, Three) { EXPECT_EQ(Box{}.value, 3); }
+int length_of(Two row);
+TEST(Box, Three) { EXPECT_EQ(Box{}.value, 3); EXPECT_EQ(length_of(Two{}), 2); }
 TEST(Counted, Three) { EXPECT_EQ(counted(3), 3); }
 TEST(Counted, Negative) { EXPECT_LT(counted(-1), 0); EXPECT_EQ(counted(9), 9); }
 TEST(Doubled, Zero) { EXPECT_EQ(doubled_by_product(0), 0); }
@@ -180,6 +184,12 @@ class Trial(InAFolder):
         header = "firmware/core/doubled.hpp"
         self.assertEqual(project.outcome(court, "value = 3", "value = 4", header, early=True), ("killed", "test_core Box.Three"))
         self.assertEqual(project.outcome(court, "value = 3", "value = 3.5", header, early=True), ("same", ""))
+
+    def test_a_header_that_changes_the_name_of_a_function_is_compiled_into_the_tests_too(self):
+        project = Project(self.folder)
+        court = project.court()
+        header = "firmware/core/doubled.hpp"
+        self.assertEqual(project.outcome(court, "Row<2>", "Row<3>", header, early=True), ("killed", "test_core Box.Three"))
 
     def test_what_was_prepared_is_kept_until_something_changes(self):
         project = Project(self.folder)

@@ -51,6 +51,10 @@ def tool(arguments, cwd, what):
     return done.returncode, done.stdout
 
 
+class LinkFailure(ToolFailure):
+    """The objects do not fit each other: a header that only some of them read anew may have changed the name of a function."""
+
+
 class Workshop:
     def __init__(self, root, build, folder):
         self.root, self.build, self.folder = pathlib.Path(root), pathlib.Path(build), pathlib.Path(folder)
@@ -274,5 +278,5 @@ class Workshop:
                    *libraries, "-o", str(program)]
         code, messages = tool(command, place, f"linking test_{name}")
         if code != 0 or not program.is_file():
-            raise ToolFailure(f"test_{name} cannot be linked: {messages[-2000:]}")
+            raise LinkFailure(f"test_{name} cannot be linked: {messages[-2000:]}")
         return program, messages
