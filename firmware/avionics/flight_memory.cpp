@@ -208,9 +208,9 @@ void FlightMemory::keep(const core::TickRecord& record, std::uint32_t plan_crc,
   const std::span<std::byte> half = flight_half(memory, sequence_ % 2);
   break_seal(half);
   const std::size_t size = write_state(law, half.subspan(state_at), StateExtent::in_flight);
-  // uncovered: every state fits (a test measures it); part of a state would be none
+  // uncovered: every state fits (a test measures it)
   if (size > most_state) {
-    return;
+    return;  // part of a state would be none
   }
   put<4>(half, sealed_from, sequence_);
   put<8>(half, time_at, static_cast<std::uint64_t>(record.time.count()));
