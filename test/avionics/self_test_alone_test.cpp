@@ -209,10 +209,10 @@ TEST(SelfTestAlone, OfARocketThatIsNeverStillTheSensorThatIsOffIsNamed) {
 TEST(SelfTestAlone, OneSampleIsEnoughToNameASensor) {
   for (const auto& [factor, failure] :
        {std::pair{1.2F, SelfTestFailure::specific_force_not_one_g}, std::pair{1.0F, SelfTestFailure::moved}}) {
-    TestedRocket rocket{[factor = factor](TestedRocket& r) {
+    TestedRocket rocket{[read_g = factor](TestedRocket& r) {
       const bool just_moved = r.tested_for() == Microseconds{11'999'000};
       r.record.motion.at_rest_for = Microseconds{just_moved ? 0 : 1};
-      r.inputs.accelerometers[0].specific_force_m_s2.x = factor * core::standard_gravity_m_s2;
+      r.inputs.accelerometers[0].specific_force_m_s2.x = read_g * core::standard_gravity_m_s2;
     }};
     rocket.run(12'000).expect(failure);
   }
