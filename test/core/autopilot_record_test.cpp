@@ -9,53 +9,12 @@
 #include "known_roll_model.hpp"
 #include "rocket.hpp"
 #include "state_copy.hpp"
+#include "tunnel_run.hpp"
 
 namespace fantail::core {
 namespace {
 
 using namespace literals;
-
-constexpr Microseconds one_tick{1'000};
-
-// In the tunnel, under control, with canards that stand at zero.
-struct TunnelRun {
-  Autopilot law;
-  Inputs inputs{};
-
-  explicit TunnelRun(const FlightPlan& plan) : law{plan} {
-    inputs.arm_switch_closed = true;
-    for (auto& sample : inputs.accelerometers) {
-      sample = {.specific_force_m_s2 = {.x = standard_gravity_m_s2}, .quality = SampleQuality::valid};
-    }
-    inputs.gyro.quality = SampleQuality::valid;
-    inputs.encoders.fill(Angle{});
-    run(5000);
-    inputs.arm_command = true;
-    tick();
-    inputs.arm_command = false;
-    inputs.start_command = true;
-    tick();
-    inputs.start_command = false;
-    EXPECT_EQ(law.phase(), Phase::controlling);
-  }
-  void wait(Microseconds time) {
-    inputs.time += time;
-    inputs.gyro.time = inputs.time;
-    for (auto& sample : inputs.accelerometers) {
-      sample.time = inputs.time;
-    }
-  }
-  const TickRecord& tick(float rate_rad_s = 0.0F) {
-    wait(one_tick);
-    inputs.gyro.rate_rad_s.x = rate_rad_s;
-    return law.step(inputs);
-  }
-  void run(int ticks, float rate_rad_s = 0.0F) {
-    for (int i = 0; i < ticks; ++i) {
-      tick(rate_rad_s);
-    }
-  }
-};
 
 FlightPlan busy_plan() {
   FlightPlan plan = tunnel_plan();

@@ -6,69 +6,19 @@
 
 #include "core/autopilot.hpp"
 #include "core/flight_plan_fields.hpp"
+#include "tunnel_run.hpp"
 
 namespace fantail::core {
 namespace {
 
 constexpr Microseconds millisecond{1'000};
 
-// A rocket in the tunnel, where control begins on command and nothing but the roll rate matters.
-FlightPlan tunnel_plan() {
-  FlightPlan plan = default_plan();
-  plan.run.start = Start::tunnel;
-  return plan;
-}
-
-struct ResumeRig {
-  FlightPlan plan;
-  Autopilot law{plan};
-  Inputs inputs{};
-
-  explicit ResumeRig(const FlightPlan& flown = tunnel_plan()) : plan{flown} {
-    inputs.arm_switch_closed = true;
-    for (auto& sample : inputs.accelerometers) {
-      sample = {.specific_force_m_s2 = {.x = standard_gravity_m_s2}, .quality = SampleQuality::valid};
-    }
-    inputs.gyro.quality = SampleQuality::valid;
-    inputs.encoders.fill(Angle{});
-    for (int i = 0; i < 5000; ++i) {
-      tick();
-    }
-    inputs.arm_command = true;
-    tick();
-    inputs.arm_command = false;
-    inputs.start_command = true;
-    tick();
-    inputs.start_command = false;
-    EXPECT_EQ(law.phase(), Phase::controlling);
-  }
-
-  void wait(Microseconds time) {
-    inputs.time += time;
-    inputs.gyro.time = inputs.time;
-    for (auto& sample : inputs.accelerometers) {
-      sample.time = inputs.time;
-    }
-  }
-  const TickRecord& tick(float rate_rad_s = 0.0F) {
-    wait(millisecond);
-    inputs.gyro.rate_rad_s.x = rate_rad_s;
-    return law.step(inputs);
-  }
-  const TickRecord& resume(Microseconds gap, float rate_rad_s) {
-    wait(gap);
-    inputs.gyro.rate_rad_s.x = rate_rad_s;
-    law.resume(inputs);
-    return law.step(inputs);
-  }
-};
-
 TEST(AutopilotResume, AGapEndsControlWithoutItAndDoesNotWithIt) {
-  ResumeRig without;
+  TunnelRun without;
   without.wait(60 * millisecond);
   EXPECT_EQ(without.law.step(without.inputs).reason, PhaseReason::timing_fault);
 
-  ResumeRig with;
+  TunnelRun with;
   const TickRecord& record = with.resume(60 * millisecond, 0.0F);
   EXPECT_EQ(record.phase, Phase::controlling);
   EXPECT_FALSE(record.timing_fault);
@@ -76,7 +26,7 @@ TEST(AutopilotResume, AGapEndsControlWithoutItAndDoesNotWithIt) {
 }
 
 TEST(AutopilotResume, TheRollAngleGoesOnByTheRateTimesTheGap) {
-  ResumeRig rig;
+  TunnelRun rig;
   for (int i = 0; i < 100; ++i) {
     rig.tick(5.0F);
   }
@@ -85,7 +35,7 @@ TEST(AutopilotResume, TheRollAngleGoesOnByTheRateTimesTheGap) {
 }
 
 TEST(AutopilotResume, ARateThatChangesEvenlyIsBridgedExactly) {
-  ResumeRig rig;
+  TunnelRun rig;
   for (int i = 0; i < 100; ++i) {
     rig.tick(2.0F);
   }
@@ -100,7 +50,7 @@ FlightPlan integral_plan() {
 }
 
 TEST(AutopilotResume, TheEstimateOfTheOffsetIsThatFromBeforeTheGap) {
-  ResumeRig rig{integral_plan()};
+  TunnelRun rig{integral_plan()};
   for (int i = 0; i < 500; ++i) {
     rig.tick(0.1F);
   }
@@ -115,7 +65,7 @@ TEST(AutopilotResume, TheEstimateOfTheOffsetIsThatFromBeforeTheGap) {
 // As in Integral.IsPulledBackByWhatTheLimitTakesOffTheCommand, from where the command meets its limit of 9 degrees:
 // within 60 ms, in which the estimate grows by a tenth of a degree.
 TEST(AutopilotResume, TheEstimateOfTheOffsetKnowsWhatTheLimitTookOffTheCommand) {
-  ResumeRig rig{integral_plan()};
+  TunnelRun rig{integral_plan()};
   for (int i = 0; i < 1500; ++i) {
     rig.tick(2.0F);
   }
@@ -125,7 +75,7 @@ TEST(AutopilotResume, TheEstimateOfTheOffsetKnowsWhatTheLimitTookOffTheCommand) 
 }
 
 TEST(AutopilotResume, TheEstimateOfTheOffsetWaitsForASilentGyro) {
-  ResumeRig rig{integral_plan()};
+  TunnelRun rig{integral_plan()};
   for (int i = 0; i < 500; ++i) {
     rig.tick(0.1F);
   }
@@ -138,7 +88,7 @@ TEST(AutopilotResume, TheEstimateOfTheOffsetWaitsForASilentGyro) {
 }
 
 TEST(AutopilotResume, NothingIsEstimatedOutsideOfControl) {
-  ResumeRig rig{integral_plan()};
+  TunnelRun rig{integral_plan()};
   for (int i = 0; i < 500; ++i) {
     rig.tick(0.1F);
   }
@@ -151,7 +101,7 @@ TEST(AutopilotResume, NothingIsEstimatedOutsideOfControl) {
 }
 
 TEST(AutopilotResume, WithoutAUsableSampleTheLastRateIsTakenToHaveStayed) {
-  ResumeRig rig;
+  TunnelRun rig;
   for (int i = 0; i < 100; ++i) {
     rig.tick(4.0F);
   }
@@ -178,7 +128,7 @@ TEST(AutopilotResume, BeforeAnyRateWasMeasuredThereIsNothingToGoOnWith) {
 TEST(AutopilotResume, OfTwoGyrosTheOneIsBridgedWithThatHasASample) {
   FlightPlan plan = tunnel_plan();
   plan.sensors.gyros = GyroRule::two_agree;
-  ResumeRig rig{plan};
+  TunnelRun rig{plan};
   Angle before;
   for (int i = 0; i < 10; ++i) {
     rig.inputs.gyro.quality = SampleQuality::absent;
@@ -192,7 +142,7 @@ TEST(AutopilotResume, OfTwoGyrosTheOneIsBridgedWithThatHasASample) {
 }
 
 TEST(AutopilotResume, AGyroThatStaysSilentEndsControlAfterThePlansLongestGap) {
-  ResumeRig rig;
+  TunnelRun rig;
   rig.tick(4.0F);
   rig.inputs.gyro.quality = SampleQuality::absent;
   rig.resume(60 * millisecond, 4.0F);
@@ -207,7 +157,7 @@ TEST(AutopilotResume, AGyroThatStaysSilentEndsControlAfterThePlansLongestGap) {
 // Spinning about an axis that leans: a rotation of more than a radian is still one. The tilt of the axis after a turn
 // about the fixed axis n by the angle a is that of Rodrigues' formula.
 TEST(AutopilotResume, TheAttitudeTurnsAsFarAsTheRatesSay) {
-  ResumeRig rig;
+  TunnelRun rig;
   const float along = 10.0F;
   const float across = 3.0F;
   rig.inputs.gyro.rate_rad_s.y = across;
@@ -233,8 +183,8 @@ TEST(AutopilotResume, ReferenceAndExcitationAreThoseOfTheTimeAsIfNothingHadBeen)
   plan.excitation.amplitude_variation = Angle::from_radians(0.01F);
   plan.excitation.frequency_variation_hz = 0.3F;
   for (const int gap_ms : {20, 60, 250}) {
-    ResumeRig interrupted{plan};
-    ResumeRig other{plan};
+    TunnelRun interrupted{plan};
+    TunnelRun other{plan};
     for (int i = 0; i < 777; ++i) {
       interrupted.tick();
       other.tick();
@@ -254,7 +204,7 @@ TEST(AutopilotResume, ReferenceAndExcitationAreThoseOfTheTimeAsIfNothingHadBeen)
 }
 
 TEST(AutopilotResume, ACanardThatWasPushedAsideInTheGapIsNotCondemned) {
-  ResumeRig rig;
+  TunnelRun rig;
   rig.tick();
   const Angle aside = Angle::from_radians(0.15F);
   rig.inputs.encoders.fill(aside);
@@ -271,7 +221,7 @@ TEST(AutopilotResume, ACanardThatWasPushedAsideInTheGapIsNotCondemned) {
 }
 
 TEST(AutopilotResume, AnEncoderThatWasSilentBeforeTheGapIsNotDeadBecauseOfIt) {
-  ResumeRig rig;
+  TunnelRun rig;
   rig.inputs.encoders[2].reset();
   rig.tick();
   EXPECT_EQ(rig.resume(60 * millisecond, 0.0F).verdicts[2], CanardVerdict::healthy);

@@ -7,6 +7,7 @@
 
 #include "core/flight_phase.hpp"
 #include "core/flight_plan_fields.hpp"
+#include "tunnel_run.hpp"
 
 namespace fantail::core {
 
@@ -67,11 +68,5 @@ class Sequence {
   FlightPlan plan_;
   FlightPhase phases_;
 };
-
-inline FlightPlan tunnel_plan() {
-  FlightPlan plan = default_plan();
-  plan.run.start = Start::tunnel;
-  return plan;
-}
 
 }  // namespace fantail::core

@@ -9,16 +9,11 @@
 #include "core/autopilot.hpp"
 #include "core/flight_plan_fields.hpp"
 #include "motion_rig.hpp"
+#include "tunnel_run.hpp"
 
 namespace fantail::core {
 
 inline Microseconds ms(int value) { return Microseconds{value * 1'000LL}; }
-
-inline FlightPlan tunnel_plan() {
-  FlightPlan plan = default_plan();
-  plan.run.start = Start::tunnel;
-  return plan;
-}
 
 /// An autopilot on a rig, at 1 kHz, with canards that stand where they are told.
 class Rocket {
