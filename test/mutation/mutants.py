@@ -85,7 +85,9 @@ class Maker:
     def is_declared(self, cursor, word):
         if cursor.kind not in FUNCTIONS:
             return False
-        return re.search(rf"\b{word}\b", self.source(cursor).split("(")[0]) is not None
+        # Before the name: a template's requires-clause may have parentheses of its own there.
+        before_name = self.text[cursor.extent.start.offset : cursor.location.offset].decode()
+        return re.search(rf"\b{word}\b", before_name) is not None
 
     def visit(self, cursor, function):
         if not self.inside(cursor):

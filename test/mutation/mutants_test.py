@@ -78,6 +78,13 @@ class Slips(unittest.TestCase):
         marked = {m.replacement: m.early for m in slips(text) if m.operator == "one more"}
         self.assertEqual(marked, {"32": True, "42": True, "52": False, "62": False, "72": True, "82": True, "92": False})
 
+    def test_a_template_is_what_stands_before_its_name_also_after_a_condition_in_parentheses(self):
+        text = ("template <int n>\n  requires(n > 0)\nconstexpr int f() { return 31; }\n"
+                "template <int n>\n  requires(n > 0)\nconsteval int g() { return 41; }\n"
+                "template <class T>\nint h(T x) { return 51; }\n")
+        marked = {m.replacement: m.early for m in slips(text) if m.operator == "one more" and m.replacement != "1"}
+        self.assertEqual(marked, {"32": True, "52": False})
+
     def test_every_line_that_a_slip_changes_is_known(self):
         found = [m for m in slips("int g(int, int);\nvoid f(int x) {\n  g(x,\n    x);\n}\n") if m.operator == "removed"]
         self.assertEqual([(m.line, m.last_line) for m in found], [(3, 4)])
