@@ -65,6 +65,14 @@ def main():
             code, said, result = soak(root, [step(name, command, reads)])
             assert code == 1 and not result["passed"], (name, said)
 
+        # A program that was not built is known before the first step, not after an hour.
+        module = load("soak")
+        module.STEPS = [step("touches", "touch touched"), step("none", "build/fuzz/none_fuzz -runs=1")]
+        sys.argv = ["soak.py", str(root)]
+        with contextlib.redirect_stderr(io.StringIO()) as said:
+            assert module.main() == 66 and "none cannot run: there is no build/fuzz/none_fuzz" in said.getvalue(), said.getvalue()
+        assert not (root / "touched").exists()
+
         # A program that says it passed and has run no test.
         empty = root / "empty.sh"
         empty.write_text("#!/bin/sh\necho '[  PASSED  ] 0 tests.'\n")

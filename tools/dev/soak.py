@@ -4,7 +4,7 @@
 #   soak.py ROOT [--short] [--resume] [--only NAME...]
 #
 # Each step writes build/soak/NAME.log and NAME.json as it ends; --resume leaves out those that the same sources have passed.
-# Exit code 1 if a step failed or could not be read, 130 after an interrupt.
+# Exit code 1 if a step failed or could not be read, 66 if the program of one is not there, 130 after an interrupt.
 import argparse
 import hashlib
 import json
@@ -91,6 +91,7 @@ class Step:
                 **({"every": 1000, "false": 0.1, "missed": 2, "proofs": "--quick"} if arguments.short else
                    {"every": 10, "false": 0.0001, "missed": 0.05, "proofs": ""})}
         self.command = command.format(**fill)
+        self.program = self.command.split()[0]
         self.environment = {name: value.format(**fill) for name, value in environment.items()}
         self.environment["FANTAIL_SEED"] = str(arguments.seed)
         self.log = folder / f"{self.name}.log"
@@ -264,6 +265,10 @@ def main():
     steps = [Step(row, arguments, folder, builds) for row in STEPS
              if (not arguments.only or row[0] in arguments.only) and not (arguments.short and row[0] == "cuts")]
     to_run = [step for step in steps if not (arguments.resume and step.passed_before())]
+    for step in to_run:  # not after an hour
+        if not (root / step.program).exists() and not shutil.which(step.program):
+            print(f"soak: {step.name} cannot run: there is no {step.program}", file=sys.stderr)
+            return 66
     print(f"soak: {len(to_run)} of {len(steps)} steps, seed {arguments.seed}", flush=True)
     for step in to_run:
         if step.name.startswith("fuzz_"):
