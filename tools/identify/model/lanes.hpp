@@ -44,8 +44,9 @@ using FourInMemory [[gnu::vector_size(lanes * sizeof(double)), gnu::aligned(alig
 }  // namespace fantail::identify::model
 
 /// Before a function: compiled for the vector registers that every PC of the build has, of two numbers, and for those
-/// of four that PCs have had since about 2013; the program takes what its processor has. NumPy does the same.
-#if defined(__x86_64__)
+/// of four that PCs have had since about 2013; the program takes what its processor has. NumPy does the same. Not with
+/// Clang, which hands vectors to what such a function calls in other registers than the called one expects.
+#if defined(__x86_64__) && !defined(__clang__)
 #define FANTAIL_AS_WIDE_AS_THE_PROCESSOR [[gnu::target_clones("avx2", "default")]]
 #else
 #define FANTAIL_AS_WIDE_AS_THE_PROCESSOR
