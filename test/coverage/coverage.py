@@ -199,7 +199,7 @@ def main():
         return 65
     judgements = judge_all(texts, sources)
     wrong = [f"{path}:{line}: {what}" for path, j in judgements.items() for line, what in j.wrong]
-    page = {"title": "Coverage of the code that moves canards", "command": options.command,
+    page = {"title": "Coverage of flight law, protocol and four files of the avionics", "command": options.command,
             "seconds": round(options.seconds, 1), "passed": not wrong, "tables": [table(judgements)],
             "notes": [f"{len(wrong)} places are neither reached nor have a reason, or have a stale one", *wrong]
             if wrong else ["every line, branch and condition was reached or has its reason beside it",

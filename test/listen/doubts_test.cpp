@@ -23,6 +23,41 @@ Heard with_second(const std::function<double(double)>& second, double disagreeme
   return fly_log(std::move(log), asked);
 }
 
+// 1.85 g for 6 s is no lift-off by the rule; free fall, and then the shock of the parachute is.
+double weak_push(double t) { return t < 5.0 ? g : t < 11.0 ? 1.85 * g : t < 18.0 ? 0.0 : t < 18.7 ? 5.0 * g : g; }
+
+TEST(Doubts, OfALiftOffBehindAWeakPushAndAFallThatItIsTheParachute) {
+  const Heard heard = fly_log(log_of(signal(30.0, 0.01, weak_push)), question());
+  ASSERT_NEAR(heard.lift_off_s.value(), 18.0, 0.02);
+  EXPECT_TRUE(doubts(heard, "From 4.99 s") &&
+              doubts(heard, "before lift-off, the axial force is not between 0.5 and 1.5 g for more than 0.5 s"))
+      << as_text(heard);
+  // Bumps of a tenth of a second on the way to the guide are none.
+  const auto bumped = [](double t) { return t > 2.0 && t < 2.1 ? 0.1 * g : constant_push(t); };
+  EXPECT_FALSE(doubts(fly_log(log_of(signal(20.0, 0.01, bumped)), question()), "before lift-off"));
+}
+
+TEST(Doubts, OfNoLiftOffWhereTheHeightRisesThatThereIsNone) {
+  ImuLog log = log_of(signal(12.0, 0.01, weak_push));
+  log.height = signal(12.0, 0.05, [](double t) { return t < 5.0 ? 100.0 : 100.0 + 4.0 * (t - 5.0) * (t - 5.0); });
+  const Heard heard = fly_log(std::move(log), question());
+  EXPECT_EQ(finding(heard), Finding::no_launch);
+  EXPECT_TRUE(doubts(heard, "The log's own height rises by 196 m: was that a launch that pushed too weakly"))
+      << as_text(heard);
+}
+
+TEST(Doubts, OfAHeightWithoutASampleInTheFlightItsClockAndNotItsUnit) {
+  ImuLog log = log_of(signal(20.0, 0.01, constant_push));
+  log.height = signal(3.0, 0.05, [](double) { return 100.0; });
+  for (double& time_s : log.height.time_s) {
+    time_s += 1000.0;
+  }
+  const Heard heard = fly_log(std::move(log), question());
+  EXPECT_TRUE(doubts(heard, "has no sample in the 5 s after lift-off, and is left out: is it on the same clock"))
+      << as_text(heard);
+  EXPECT_EQ(heard.log_height.apogee_s, std::nullopt);
+}
+
 TEST(Doubts, OfASecondAccelerometerThatDoesNotReadOneGOnThePadAreThoseOfTheFirst) {
   const Heard in_g = with_second([](double t) { return constant_push(t) / g; });
   EXPECT_EQ(finding(in_g), Finding::missed);

@@ -122,7 +122,7 @@ TEST(FlyLog, AtRestHearsNothing) {
   const Heard heard = fly_log(log_of(signal(10.0, 0.01, [](double) { return g; })), question());
   EXPECT_EQ(finding(heard), Finding::no_launch);
   EXPECT_EQ(heard.events.size(), 1U);
-  EXPECT_EQ(headline(heard), "There is no lift-off in this log, and no launch was detected.");
+  EXPECT_EQ(headline(heard), "By the rule of lift-off there is none in this log, and no launch was detected.");
 }
 
 // What the law gets across a gap is stale: no hold reaches across it.

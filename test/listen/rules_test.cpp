@@ -178,6 +178,13 @@ TEST(LogHeight, CountsFromThePadAndHasItsApogeeWhereTheMedianIsLargest) {
 TEST(LogHeight, ThatStillRisesHasNoApogee) {
   EXPECT_EQ(log_height(signal(5.0, 0.05, [](double t) { return 10.0 * t; }), 1.0).apogee_s, std::nullopt);
   EXPECT_EQ(log_height(Signal{}, 1.0).apogee_s, std::nullopt);
+  // Two flights of the same height: the first one's.
+  const Signal twice =
+      signal(60.0, 0.05, [](double t) { return std::max(0.0, 100.0 - 4.0 * std::pow(std::fmod(t, 30.0) - 10.0, 2)); });
+  EXPECT_NEAR(log_height(twice, 6.0).apogee_s.value(), 10.0, 0.03);
+  const Signal higher = signal(
+      60.0, 0.05, [](double t) { return t < 30.0 ? std::max(0.0, 100.0 - 4.0 * (t - 10.0) * (t - 10.0)) : 300.0; });
+  EXPECT_NEAR(log_height(higher, 6.0, 29.0).apogee_s.value(), 10.0, 0.03);
 }
 
 }  // namespace

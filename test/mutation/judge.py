@@ -107,7 +107,7 @@ def page(verdict, command, seconds, what):
     score = "nothing was judged" if verdict.score is None else (
         f"{verdict.score:.1%} noticed of those that could be, without the survivors that have their reason in "
         "test/mutation/survivors.txt")
-    return {"title": "Mutation of the code that moves canards", "command": command, "seconds": round(seconds, 1),
+    return {"title": "Mutation of flight law, protocol and four files of the avionics", "command": command, "seconds": round(seconds, 1),
             "passed": verdict.passed,
             "tables": [{"caption": what, "columns": ["file", "killed", "too slow", "survived", "same object", "not C++"],
                         "rows": rows}],

@@ -19,6 +19,7 @@ SAFETY = """# Safety case
 TREE = {
     "docs/safety.md": SAFETY,
     "docs/figures/soak.md": "# Soak\n\n## False launches <a id=\"detection\"></a>\n",
+    "docs/proofs.md": "## What is proved\n\n| `mixer` | `core/mixer` | each command stays within its limits |\n\n## What it takes\n",
     "firmware/core/mixer.cpp": "// Meets LIM-1.\nint a;\n",
     "firmware/core/phase.hpp": "int b;\n  // Meets PHS-1.\n",
     "hal/x.cpp": "int c;\n",
@@ -72,6 +73,20 @@ def main():
     assert "H1 a canard [moves](safety.md#moves)" in page_of_texts, page_of_texts
     expect_fault("LIM-1 names PHS-9, which is no requirement", changed(docs_safety_md=("| LIM-1 | stays within |", "| LIM-1 | as [PHS-9] |")))
 
+    # A test that is not compiled, or that does nothing, is none.
+    test = TREE["test/core/mixer_test.cpp"]
+    whole = "TEST(Mixer, StaysWithin) {}\n"
+    for unseen in ("#if 0\n" + whole + "#endif\n", "/*\n" + whole + "*/\n", "// " + whole,
+                   "TEST(Mixer, StaysWithin) {\n  GTEST_SKIP();\n}\n"):
+        expect_fault("LIM-1 names Mixer.StaysWithin, which does not exist", {**TREE, "test/core/mixer_test.cpp": test.replace(whole, unseen)})
+    assert run({**TREE, "test/core/mixer_test.cpp": test.replace(whole, "#if LINUX\n" + whole + "#endif\n")})[0] == 0
+    expect_fault("PHS-1 is not read there", changed(firmware_core_mixer_cpp=("Meets LIM-1.", "Meets LIM-1 and PHS-1.")))
+    below = TREE["docs/safety.md"] + "\n## Rules\n\n| g | met | outputs by [LIM-9] |\n"
+    expect_fault("docs/safety.md: names LIM-9, which is no requirement", {**TREE, "docs/safety.md": below})
+    below = TREE["docs/safety.md"] + "\nsee [LIM-1] and [PHS-1]\n\n[LIM-1]: trace.md#lim-1\n"
+    expect_fault("[PHS-1] leads nowhere", {**TREE, "docs/safety.md": below})
+    # A page of figures is no statement.
+    expect_fault("does not state the proof mixer", changed(docs_proofs_md=("| `core/mixer` | each command stays within its limits |", "| 3 | 2 of 2 | 89 | 341 |")))
     expect_fault("LIM-1 names Mixer.StaysWithin, which does not exist", changed(test_core_mixer_test_cpp=("StaysWithin", "StaysInside")))
     expect_fault("nothing in the code says that it meets LIM-1", changed(firmware_core_mixer_cpp=("Meets LIM-1.", "")))
     expect_fault("LIM-1 is made in core/mixer, but no comment there", changed(firmware_core_mixer_cpp=("Meets LIM-1.", "")))

@@ -24,7 +24,7 @@ class Plan : public testing::TestWithParam<std::string> {
 TEST_P(Plan, MayFly) {
   const Outcome outcome = fantail({"plan", "check", GetParam()});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-  EXPECT_NE(outcome.out.find("may fly"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("the firmware takes this plan"), std::string::npos) << outcome.out;
   const Outcome json = fantail({"plan", "check", GetParam(), "--json"});
   EXPECT_EQ(json::parse(json.out)["may_fly"], true);
 }
@@ -117,6 +117,24 @@ TEST(PlanCompile, WritesNothingForAPlanThatMayNotFly) {
   const Outcome outcome = fantail({"plan", "compile", "bad.toml"}, {.working_folder = folder.path()});
   EXPECT_EQ(outcome.exit_code, 78);
   EXPECT_EQ(folder.listing(), std::vector<std::string>{"bad.toml"});
+}
+
+TEST(PlanCheckWarnings, NameEachFieldByWhichALaunchIsImaginedMoreEasilyThanByTheShippedPlan) {
+  const Folder folder;
+  folder.write("weak.toml",
+               "[launch_detection]\nthreshold_g = 1.5\nhold_s = 0.05\n[guide]\nlength_m = 0\nminimum_speed_m_s = 10\n");
+  const Outcome outcome = fantail({"plan", "check", "weak.toml"}, {.working_folder = folder.path()});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  for (const char* what :
+       {"low_pass_hz = 16; 8 there", "threshold_g = 1.5; 2 or more there", "hold_s is less than 0.1",
+        "guide.length_m = 0", "minimum_speed_m_s = 10; 14 there", "fantail campaign detection --plan weak.toml"}) {
+    EXPECT_NE(outcome.out.find(what), std::string::npos) << what << '\n' << outcome.out;
+  }
+  const Outcome json = fantail({"plan", "check", "weak.toml", "--json"}, {.working_folder = folder.path()});
+  EXPECT_EQ(json::parse(json.out)["weaker_than_shipped"].size(), 5U);
+  for (const char* shipped : {"tasha3_launch2", "tunnel_steps"}) {
+    EXPECT_EQ(fantail({"plan", "check", shipped}).out.find("warning"), std::string::npos) << shipped;
+  }
 }
 
 struct Bad {

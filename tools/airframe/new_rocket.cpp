@@ -28,11 +28,13 @@ constexpr std::string_view plan_text = R"(
 [launch_detection]
 threshold_g = 2.5
 hold_s = 0.1
+low_pass_hz = 8 # this and the next two as in the shipped plan of two accelerometers: docs/detection.md has the counts
+disagreement_g = 2
 
 [guide] # where control may begin
 length_m = 4
 clearance_m = 2
-minimum_speed_m_s = 10
+minimum_speed_m_s = 14
 
 [controller] # fantail fly says their margins; fantail predict, once there are tunnel results, better ones
 proportional_gain = {proportional_gain}
@@ -255,7 +257,8 @@ NewFiles files_of(const NewRocket& rocket) {
   const model::BuildUp b = model::build_up(rocket.vehicle);
   const bool whole = b.at_liftoff && b.after_burnout;
   const std::string first_line = fmt::format("# {}. Made by fantail new.\n", rocket.name);
-  const core::FlightPlan usual = core::default_plan();
+  core::FlightPlan usual = core::default_plan();
+  usual.guide.minimum_speed_m_s = 14.0F;  // as in plan_text
   const auto first = first_gains(with_roll_of_shape(rocket.vehicle, b), b, usual);
   const stability::Gains gains = first ? first->gains : gains_of(usual);
   const Offset offset = fin_offset(*rocket.vehicle.geometry, b);

@@ -14,7 +14,10 @@ import sys
 
 ID = r"[A-Z]{3}-\d+"
 TEST = re.compile(r"\b(?:TEST|TEST_F|TEST_P|TYPED_TEST|RC_GTEST_PROP|RC_GTEST_FIXTURE_PROP)\(\s*(\w+),\s*(\w+)")
-MEETS = re.compile(rf"//.*\bMeets ((?:{ID})(?:, {ID})*)")
+MEETS = re.compile(rf"//.*\bMeets ((?:{ID})(?:, {ID})*)(.*)")
+# What the compiler does not see, or a test that does nothing, shows nothing.
+UNSEEN = re.compile(r"/\*.*?\*/|^[ \t]*//[^\n]*|^[ \t]*#[ \t]*if[ \t]+(?:0|false)\b.*?^[ \t]*#[ \t]*(?:endif|else|elif)[^\n]*", re.DOTALL | re.MULTILINE)
+SKIPPED = re.compile(r"[^{;]*\{\s*GTEST_SKIP\(")
 
 
 def rows_of(text, heading):
@@ -60,6 +63,8 @@ class Trace:
                 name = path.relative_to(self.root).as_posix()
                 for number, line in enumerate(path.read_text().splitlines(), 1):
                     found = MEETS.search(line)
+                    for further in re.findall(ID, found.group(2)) if found else ():
+                        self.fault(f"{name}:{number}: {further} is not read there: numbers follow each other with commas (Meets LIM-1, LIM-2)")
                     for identifier in re.findall(ID, found.group(1)) if found else ():
                         places.setdefault(identifier, []).append((name, number))
                         if identifier not in self.requirements:
@@ -69,8 +74,10 @@ class Trace:
     def test_places(self):
         places = {}
         for path in sorted((self.root / "test").rglob("*.cpp")):
-            text = path.read_text()
+            text = UNSEEN.sub(lambda unseen: re.sub(r"[^\n]", " ", unseen[0]), path.read_text())
             for found in TEST.finditer(text):
+                if SKIPPED.match(text, found.end()):
+                    continue
                 number = text.count("\n", 0, found.start()) + 1
                 places.setdefault(f"{found[1]}.{found[2]}", (path.relative_to(self.root).as_posix(), number))
         return places
@@ -166,7 +173,18 @@ class Trace:
                 self.fault(f"docs/safety.md: no hazard names {identifier}")
             where = ", ".join(link(f"{pathlib.PurePath(name).name}:{number}", (name, number)) for name, number in code)
             lines.append(f'| <a id="{identifier.lower()}"></a>**{identifier}** {self.text(identifier, text)} | {where} | {", ".join(shown)} |')
+        page = self.root / "docs/proofs.md"
+        stated = page.read_text().partition("## What is proved")[2].partition("\n## ")[0] if page.exists() else ""
+        targets = set(re.findall(rf"^\[({ID})\]: trace\.md#", self.safety, re.MULTILINE))
+        for identifier in sorted(set(re.findall(rf"\[({ID})\](?![(:])", self.safety))):
+            if identifier not in self.requirements:
+                self.fault(f"docs/safety.md: names {identifier}, which is no requirement")
+            elif targets and identifier not in targets:
+                self.fault(f"docs/safety.md: [{identifier}] leads nowhere: a line [{identifier}]: trace.md#{identifier.lower()} is missing")
         for name, (path, _) in self.proofs.items():
+            row = re.search(rf"^\|[^|]*`{name}`[^|]*\|[^|]*\|([^|]*)\|$", stated, re.MULTILINE)
+            if not row or len(row[1].split()) < 5:
+                self.fault(f"docs/proofs.md: the table of what is proved does not state the proof {name}")
             if ("proof", name) not in self.used:
                 self.fault(f"{path}: no requirement in docs/safety.md names the proof {name}")
         linked = set(re.findall(r"\]\(figures/\w+\.md#(\w+)\)", self.safety))

@@ -210,8 +210,8 @@ void fill_detection(const Verb& verb) {
       .value_name("PERCENT")
       .excludes(event);
   verb.option("--false-at-most", options->false_at_most_percent,
-              "Let so many per cent of the events that are no launch move a canard, both accelerometers well, by the "
-              "95 % bound, which is never 0 [none of those that are played]")
+              "Let so many per cent of the events that are no launch, of all kinds together, move a canard, both "
+              "accelerometers well, by the 95 % bound, which is never 0 [none of those that are played]")
       .range(0.0, 100.0)
       .value_name("PERCENT")
       .excludes(event);

@@ -16,6 +16,7 @@
 #include "stability/speed_range.hpp"
 #include "text/degrees.hpp"
 #include "text/number.hpp"
+#include "text/shell_word.hpp"
 
 namespace fantail::tool {
 namespace {
@@ -146,8 +147,45 @@ LoopCheck check_loop(const Subject& subject) {
   return found;
 }
 
+/// Where a plan for a launch is weaker than those that the safety case is about (docs/safety.md, "Which plans"). The
+/// firmware takes it all the same.
+std::vector<std::string> weaker_than_shipped(const core::FlightPlan& plan) {
+  std::vector<std::string> weaker;
+  if (plan.run.start != core::Start::launch) {
+    return weaker;
+  }
+  const core::LaunchDetectionPlan& rule = plan.launch_detection;
+  const core::GuidePlan& guide = plan.guide;
+  const auto add = [&](bool is, std::string_view what) {
+    if (is) {
+      weaker.emplace_back(what);
+    }
+  };
+  const auto value = [](float number, double unit, int digits) {
+    return text::brief(static_cast<double>(number) / unit, digits);
+  };
+  constexpr double g_m_s2 = 9.80665;
+  const bool two = rule.accelerometers == core::AccelerometerRule::two_agree;
+  add(!two, "launch_detection.accelerometers = \"one\"; two must agree there");
+  add(two && rule.single_allowed, "launch_detection.single_allowed = true; one alone is not believed there");
+  add(!rule.low_pass, "launch_detection.low_pass = false; 8 Hz there");
+  add(rule.low_pass && rule.low_pass_hz > 8.0F,
+      fmt::format("launch_detection.low_pass_hz = {}; 8 there", value(rule.low_pass_hz, 1.0, 1)));
+  add(rule.threshold_m_s2 < static_cast<float>(1.999 * g_m_s2),
+      fmt::format("launch_detection.threshold_g = {}; 2 or more there", value(rule.threshold_m_s2, g_m_s2, 2)));
+  add(rule.hold < std::chrono::milliseconds{100}, "launch_detection.hold_s is less than 0.1");
+  add(guide.length_m <= 0.0F, "guide.length_m = 0: control does not wait for the end of a guide");
+  add(guide.minimum_speed_m_s < 14.0F,
+      fmt::format("guide.minimum_speed_m_s = {}; 14 there", value(guide.minimum_speed_m_s, 1.0, 1)));
+  return weaker;
+}
+
 json::Value json_of(const Subject& subject, const LoopCheck& loop) {
   json::Value all{{"plan", subject.file}, {"may_fly", true}};
+  all["weaker_than_shipped"] = json::Value::array();
+  for (const std::string& what : weaker_than_shipped(subject.plan)) {
+    all["weaker_than_shipped"].push_back(what);
+  }
   if (!subject.scenario) {
     return all;
   }
@@ -173,7 +211,17 @@ void check_plan(const PlanCheck& asked) {
     fmt::print("{}\n", json_of(found, loop).dump());
     return;
   }
-  fmt::print("{}: every field is known and within its range; this plan may fly\n", found.file);
+  fmt::print("{}: every field is known and within its range: the firmware takes this plan\n", found.file);
+  if (const std::vector<std::string> weaker = weaker_than_shipped(found.plan); !weaker.empty()) {
+    fmt::print(
+        "{}: warning: launches may be imagined more easily than by the shipped plan of two accelerometers, of which "
+        "the safety case has its figures:\n",
+        found.file);
+    for (const std::string& what : weaker) {
+      fmt::print("  {}\n", what);
+    }
+    fmt::print("  measure it: fantail campaign detection --plan {}\n", text::shell_word(found.file));
+  }
   if (!loop.sentence.empty()) {
     fmt::print("{}: {}{}\n", found.file, loop.warns ? "warning: " : "", loop.sentence);
   }

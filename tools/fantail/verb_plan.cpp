@@ -81,11 +81,11 @@ struct Action {
 
 constexpr Action checking{
     "check",
-    "Say whether a plan may fly",
+    "Say whether the firmware takes a plan, and where it is weaker than the shipped ones",
     false,
     "; left out: that of --scenario",
     check,
-    "Exit code 0: it may fly, warnings or not; 78: it may not.\n"
+    "Exit code 0: the firmware takes it, warnings or not; 78: it does not.\n"
     "Examples:\n"
     "  fantail plan check my_plan.toml         may it fly? If not: file, line, value, allowed range\n"
     "  fantail plan check tasha3_launch1       a shipped plan\n"

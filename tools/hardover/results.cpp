@@ -81,10 +81,11 @@ std::vector<std::string> definitions() {
 std::string base(const Study& study) {
   constexpr std::size_t few = 20;
   return fmt::format(
-      "The worst of {} flights: each of four canards{} at {} instants, every {} s from the end of the guide, {} s "
+      "The worst of {} flights: each of four canards{} at {}, every {} s from the end of the guide, {} s "
       "after ignition, to apogee at {} s.{}",
-      study.effects.size(), study.options.failure == Failure::hard_over ? ", each stop," : "", study.instants,
-      fixed(study.options.step_s, 2), fixed(study.first_s, 2), fixed(study.last_s, 2),
+      study.effects.size(), study.options.failure == Failure::hard_over ? ", each stop," : "",
+      study.instants == 1 ? "one instant" : fmt::format("{} instants", study.instants), fixed(study.options.step_s, 2),
+      fixed(study.first_s, 2), fixed(study.last_s, 2),
       study.instants < few ? " With so few instants what lies between them can be worse (--step)." : "");
 }
 

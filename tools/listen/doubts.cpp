@@ -80,6 +80,24 @@ std::string lift_off_gap_doubt(const Heard& heard) {
   return {};
 }
 
+// Of a gyro that is silent the law says that it has failed; here it is the log that says nothing.
+std::string silence_doubt(const Heard& heard) {
+  for (const Event& event : heard.events) {
+    const bool is_silence =
+        event.reason == core::PhaseReason::gyro_failed || event.reason == core::PhaseReason::gyro_failed_before_control;
+    for (const Gap& gap : heard.gaps) {
+      if (is_silence && gap.from_s < event.time_s && event.time_s <= gap.to_s + 0.1) {
+        return fmt::format(
+            "At {:.3f} s of the log's clock the law took its gyro for failed: the log has a gap there, from {:.3f} s "
+            "to {:.3f} s. "
+            "What it would have done without the gap, nobody knows.",
+            event.time_s, gap.from_s, gap.to_s);
+      }
+    }
+  }
+  return {};
+}
+
 // The law hears until control ends, so that what it did may belong to a later push.
 std::string other_flight_doubt(const Heard& heard) {
   const auto did_s = heard.control ? std::optional{heard.control->time_s} : heard.detected_s;
@@ -91,13 +109,71 @@ std::string other_flight_doubt(const Heard& heard) {
              : "";
 }
 
+// A pad is 1 g. What pushes for long before it, or falls, is a flight that the rule of lift-off did not see.
+std::string pad_doubt(const Heard& heard) {
+  constexpr double least_g = 0.5;
+  constexpr double most_g = 1.5;
+  constexpr double longest_s = 0.5;
+  const Signal& axial = heard.log.axial;
+  double from_s = 0.0;
+  double off_s = 0.0;
+  for (std::size_t i = 1; heard.lift_off_s && i < axial.time_s.size() && axial.time_s[i] < *heard.lift_off_s - 0.1;
+       ++i) {
+    const double g = axial.value[i] / one_g_m_s2;
+    off_s = g > least_g && g < most_g ? 0.0 : off_s + axial.time_s[i] - axial.time_s[i - 1];
+    from_s = off_s > 0.0 ? from_s : axial.time_s[i];
+    if (off_s > longest_s) {
+      return fmt::format(
+          "From {:.2f} s of the log's clock on, before lift-off, the axial force is not between {} and {} g for more "
+          "than {} s: is that a "
+          "launch that pushed too weakly for the rule of lift-off, and what follows the shock of its parachute?",
+          from_s, least_g, most_g, longest_s);
+    }
+  }
+  return {};
+}
+
+// Without a lift-off the height is asked: it must not have flown.
+std::string flown_doubt(const Heard& heard) {
+  constexpr double least_m = 20.0;
+  const Signal& height = heard.log.height;
+  if (heard.lift_off_s || !height.is_there()) {
+    return {};
+  }
+  double lowest_m = height.value.front();
+  double rise_m = 0.0;
+  for (const double value : height.value) {
+    lowest_m = std::min(lowest_m, value);
+    rise_m = std::max(rise_m, value - lowest_m);
+  }
+  return rise_m < least_m ? ""
+                          : fmt::format(
+                                "The log's own height rises by {} m: was that a launch that pushed too weakly for the "
+                                "rule of lift-off, or "
+                                "is the axial force not what it was said to be?",
+                                text::fixed(rise_m, 0));
+}
+
 // A barometer is slow, and Mach 1 and the wind disturb it; five seconds after a launch all that is small.
 std::string height_doubt(const Heard& heard) {
-  constexpr double after_s = 5.0;
+  constexpr double after_s = height_within_s;
   constexpr double enough_s = 3.0;
   constexpr double least_m = 10.0;
   const Signal& height = heard.log_height.above_pad;
-  if (!heard.known_lift_off_s() || !height.is_there() || height.time_s.back() < *heard.lift_off_s + enough_s) {
+  if (!heard.known_lift_off_s() || !height.is_there()) {
+    return {};
+  }
+  const auto is_early = [&](double time_s) {
+    return time_s > *heard.lift_off_s && time_s < *heard.lift_off_s + after_s;
+  };
+  if (std::ranges::none_of(height.time_s, is_early) && heard.log.end_s() >= *heard.lift_off_s + enough_s) {
+    return fmt::format(
+        "The log's own height has no sample in the {} s after lift-off, and is left out: is it on the same clock, and "
+        "in the same unit of "
+        "time?",
+        after_s);
+  }
+  if (height.time_s.back() < *heard.lift_off_s + enough_s) {
     return {};
   }
   double rise_m = 0.0;
@@ -146,7 +222,10 @@ std::vector<std::string> doubts_of(const Heard& heard) {
                                   axial_doubt(heard, heard.log.second_axial, "the second axial force", "second_axial"),
                                   disagreement_doubt(heard),
                                   begin_doubt(heard),
+                                  pad_doubt(heard),
+                                  flown_doubt(heard),
                                   lift_off_gap_doubt(heard),
+                                  silence_doubt(heard),
                                   interval_doubt(heard),
                                   height_doubt(heard),
                                   apogee_doubt(heard),

@@ -190,7 +190,9 @@ Heard fly_log(ImuLog log, const Question& question, const Watch& watch) {
       heard.lift_off_s = gap.from_s;
     }
   }
-  heard.log_height = log_height(heard.log.height, heard.lift_off_s);
+  heard.log_height =
+      log_height(heard.log.height, heard.lift_off_s,
+                 heard.further_lift_offs_s.empty() ? std::nullopt : std::optional{heard.further_lift_offs_s.front()});
   find_clipped(heard);
 
   const double begin_s = heard.log.begin_s() - question.pad_s;

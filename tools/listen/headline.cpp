@@ -37,17 +37,25 @@ std::string headline(const Heard& heard) {
                 *heard.early_control_s)
           : "";
   if (!heard.lift_off_s) {
-    return early == 0 ? "There is no lift-off in this log, and no launch was detected."
-                      : fmt::format("There is no lift-off in this log, and {} detected all the same.{}",
-                                    early == 1 ? "a launch was" : fmt::format("{} launches were", early), control);
+    return early == 0
+               ? "By the rule of lift-off there is none in this log, and no launch was detected."
+               : fmt::format("By the rule of lift-off there is none in this log, and {} detected all the same.{}",
+                             early == 1 ? "a launch was" : fmt::format("{} launches were", early), control);
   }
   const std::string what = early == 0   ? "nothing"
                            : early == 1 ? "one launch that was none"
                                         : fmt::format("{} launches that were none", early);
-  const std::string before = text::fixed(*heard.lift_off_s - heard.log.begin_s(), 2);
+  const double before_s = *heard.lift_off_s - heard.log.begin_s();
+  double in_gaps_s = 0.0;
+  for (const Gap& gap : heard.gaps) {
+    in_gaps_s += std::max(0.0, std::min(gap.to_s, *heard.lift_off_s) - gap.from_s);
+  }
+  const std::string before =
+      text::fixed(before_s, 2) + " s" +
+      (in_gaps_s > 0.0 ? fmt::format(", {} s of them without samples,", text::fixed(in_gaps_s, 2)) : "");
   if (!heard.detected_s) {
     return early == 0 ? "The launch was not detected."
-                      : fmt::format("The launch was not detected, and {} none {}, in the {} s before it.{}",
+                      : fmt::format("The launch was not detected, and {} none {}, in the {} before it.{}",
                                     early == 1 ? "one that was" : fmt::format("{} that were", early),
                                     early == 1 ? "was" : "were", before, control);
   }
@@ -62,7 +70,7 @@ std::string headline(const Heard& heard) {
       gap ? fmt::format("{:.3f} s to ", std::max(0.0, *heard.detected_s - gap->to_s)) : "", since_s,
       gap ? ", which lies in a gap of the log" : "", finding(heard) == Finding::late ? ", which is late" : "",
       heard.begins_at_lift_off() ? ""
-                                 : fmt::format(", and {} in the {} s before {}", what, before, gap ? "the gap" : "it"));
+                                 : fmt::format(", and {} in the {} before {}", what, before, gap ? "the gap" : "it"));
 }
 
 std::string further_sentence(const Heard& heard) {

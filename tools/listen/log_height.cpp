@@ -47,14 +47,15 @@ double zero_of(const Signal& height, double lift_off_s) {
 
 }  // namespace
 
-LogHeight log_height(const Signal& height, std::optional<double> lift_off_s) {
+LogHeight log_height(const Signal& height, std::optional<double> lift_off_s, std::optional<double> until_s) {
   LogHeight result{.above_pad = height};
   if (!height.is_there()) {
     return result;
   }
   const double zero = lift_off_s ? zero_of(height, *lift_off_s) : height.value.front();
   std::ranges::for_each(result.above_pad.value, [&](double& value) { value -= zero; });
-  if (!lift_off_s) {
+  const auto is_early = [&](double time_s) { return time_s > *lift_off_s && time_s < *lift_off_s + height_within_s; };
+  if (!lift_off_s || std::ranges::none_of(height.time_s, is_early)) {
     return result;
   }
   const Signal samples = thinned(result.above_pad);
@@ -62,6 +63,7 @@ LogHeight log_height(const Signal& height, std::optional<double> lift_off_s) {
   std::vector<double> window;
   std::optional<double> best;
   double first_s = 0.0;
+  bool is_on_top = false;
   for (std::size_t i = 0, begin = 0, end = 0; i < time_s.size(); ++i) {
     while (time_s[begin] < time_s[i] - 0.5 * median_window_s - rounding) {
       ++begin;
@@ -69,7 +71,7 @@ LogHeight log_height(const Signal& height, std::optional<double> lift_off_s) {
     while (end < time_s.size() && time_s[end] <= time_s[i] + 0.5 * median_window_s + rounding) {
       ++end;
     }
-    if (time_s[i] < *lift_off_s) {
+    if (time_s[i] < *lift_off_s || (until_s && time_s[i] >= *until_s)) {
       continue;
     }
     window.assign(samples.value.begin() + static_cast<std::ptrdiff_t>(begin),
@@ -79,8 +81,12 @@ LogHeight log_height(const Signal& height, std::optional<double> lift_off_s) {
       first_s = time_s[i];
       result.apogee_s = first_s;
       result.apogee_m = here;
-    } else if (here > *best - rounding) {  // medians around the top are often equal: apogee is in their middle
+      is_on_top = true;
+    } else if (is_on_top &&
+               here > *best - rounding) {  // medians around the top are often equal: apogee is in their middle
       result.apogee_s = 0.5 * (first_s + time_s[i]);
+    } else {
+      is_on_top = false;
     }
   }
   if (result.apogee_s && time_s.back() - *result.apogee_s < least_after_s) {
