@@ -35,6 +35,37 @@ TEST(TomlTree, GivesAValueOnlyAsTheKindThatItIs) {
   EXPECT_FALSE(root["list"].is_table());
 }
 
+// toml++ asks whether such a character is white space, and answers by undefined behaviour.
+TEST(TomlTree, RefusesWhatIsNotAsciiOutsideOfQuotesAndCommentsByItsPlace) {
+  for (const char* content :
+       {"a = 1\nb = [3.\u031a-5, 7]\n", "a = 1\nb = \u00e9\n", "a = 1\n\u00e9 = 2\n", "a = 1\nb = \"x\\\u00e9\"\n"}) {
+    try {
+      (void)tree_of(content);
+      FAIL() << content;
+    } catch (const text::Error& error) {
+      const std::string said = error.what();
+      EXPECT_NE(said.find(":2:"), std::string::npos) << said;
+      EXPECT_NE(said.find("not ASCII, outside of quotes and comments"), std::string::npos) << said;
+    }
+  }
+}
+
+TEST(TomlTree, TakesEveryLetterInQuotesAndComments) {
+  const TomlTree tree = tree_of(
+      "\xEF\xBB\xBF# \u00e9\n"
+      "a = \"Fl\u00fcgel \\\" \u706b\"\n"
+      "b = '\u00e9\\'\n"
+      "c = \"\"\"\n\u00e9 \"\" x\"\"\"\"\n"
+      "d = '''\u00e9'''\n"
+      "\"\u00e9\" = 5 # \u00e9");
+  const TomlNode root = tree.root();
+  EXPECT_EQ(root["a"].text(), "Fl\u00fcgel \" \u706b");
+  EXPECT_EQ(root["b"].text(), "\u00e9\\");
+  EXPECT_EQ(root["c"].text(), "\u00e9 \"\" x\"");
+  EXPECT_EQ(root["d"].text(), "\u00e9");
+  EXPECT_EQ(root["\u00e9"].integer(), 5);
+}
+
 TEST(TomlTree, HasDatesAndTimesButAsNoKindThatAnybodyAsksFor) {
   const TomlTree tree = tree_of("a = 2015-12-04\nb = 07:32:00\nc = 2015-12-04T07:32:00Z\n");
   for (const char* key : {"a", "b", "c"}) {

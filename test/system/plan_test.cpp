@@ -127,7 +127,7 @@ TEST(PlanCheckWarnings, NameEachFieldByWhichALaunchIsImaginedMoreEasilyThanByThe
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   for (const char* what :
        {"low_pass_hz = 16; 8 there", "threshold_g = 1.5; 2 or more there", "hold_s is less than 0.1",
-        "guide.length_m = 0", "minimum_speed_m_s = 10; 14 there", "fantail campaign detection --plan weak.toml"}) {
+        "guide.length_m = 0", "minimum_speed_m_s = 10; 17 there", "fantail campaign detection --plan weak.toml"}) {
     EXPECT_NE(outcome.out.find(what), std::string::npos) << what << '\n' << outcome.out;
   }
   const Outcome json = fantail({"plan", "check", "weak.toml", "--json"}, {.working_folder = folder.path()});

@@ -34,7 +34,7 @@ disagreement_g = 2
 [guide] # where control may begin
 length_m = 4
 clearance_m = 2
-minimum_speed_m_s = 14
+minimum_speed_m_s = 17
 
 [controller] # fantail fly says their margins; fantail predict, once there are tunnel results, better ones
 proportional_gain = {proportional_gain}
@@ -258,7 +258,7 @@ NewFiles files_of(const NewRocket& rocket) {
   const bool whole = b.at_liftoff && b.after_burnout;
   const std::string first_line = fmt::format("# {}. Made by fantail new.\n", rocket.name);
   core::FlightPlan usual = core::default_plan();
-  usual.guide.minimum_speed_m_s = 14.0F;  // as in plan_text
+  usual.guide.minimum_speed_m_s = 17.0F;  // as in plan_text
   const auto first = first_gains(with_roll_of_shape(rocket.vehicle, b), b, usual);
   const stability::Gains gains = first ? first->gains : gains_of(usual);
   const Offset offset = fin_offset(*rocket.vehicle.geometry, b);

@@ -175,8 +175,8 @@ std::vector<std::string> weaker_than_shipped(const core::FlightPlan& plan) {
       fmt::format("launch_detection.threshold_g = {}; 2 or more there", value(rule.threshold_m_s2, g_m_s2, 2)));
   add(rule.hold < std::chrono::milliseconds{100}, "launch_detection.hold_s is less than 0.1");
   add(guide.length_m <= 0.0F, "guide.length_m = 0: control does not wait for the end of a guide");
-  add(guide.minimum_speed_m_s < 14.0F,
-      fmt::format("guide.minimum_speed_m_s = {}; 14 there", value(guide.minimum_speed_m_s, 1.0, 1)));
+  add(guide.minimum_speed_m_s < 17.0F,
+      fmt::format("guide.minimum_speed_m_s = {}; 17 there", value(guide.minimum_speed_m_s, 1.0, 1)));
   return weaker;
 }
 

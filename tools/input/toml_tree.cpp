@@ -1,8 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "input/toml_tree.hpp"
 
+#include <algorithm>
+#include <cstddef>
+#include <fstream>
+#include <iterator>
 #include <sstream>
+#include <string_view>
 
+#include <fmt/core.h>
 #include <toml++/toml.h>
 
 #include "text/error.hpp"
@@ -21,6 +27,59 @@ template <typename Value>
 std::optional<Value> value_of(const void* node) {
   const auto* value = as<Value>(node);
   return value == nullptr ? std::nullopt : std::optional<Value>{value->get()};
+}
+
+// Where a string ends that begins at `at`; the place of what may not be in it, or the end of the text, ends it too.
+std::size_t end_of_string(std::string_view text, std::size_t at) {
+  const char quote = text[at];
+  const bool is_long = text.substr(at).starts_with(std::string(3, quote));
+  for (std::size_t i = at + (is_long ? 3 : 1); i < text.size(); ++i) {
+    if (text[i] == '\\' && quote == '"') {
+      ++i;
+      if (i < text.size() && static_cast<unsigned char>(text[i]) >= 0x80) {
+        return i;
+      }
+    } else if (text[i] == quote && (!is_long || text.substr(i).starts_with(std::string(3, quote)))) {
+      i += is_long ? 3 : 1;
+      while (is_long && i < text.size() && text[i] == quote) {  // up to two more are its last characters
+        ++i;
+      }
+      return i;
+    } else if (text[i] == '\n' && !is_long) {
+      return i;
+    }
+  }
+  return text.size();
+}
+
+// The first character that is not ASCII outside of strings and comments, where TOML has none. To toml++ 3.3 one of
+// U+00A1 to U+0499 there is undefined behaviour: it asks whether that is white space.
+std::optional<std::size_t> foreign_character(std::string_view text) {
+  std::size_t i = text.starts_with("\xEF\xBB\xBF") ? 3 : 0;
+  while (i < text.size()) {
+    if (static_cast<unsigned char>(text[i]) >= 0x80) {
+      return i;
+    }
+    if (text[i] == '#') {
+      i = std::min(text.find('\n', i), text.size());
+    } else if (text[i] == '"' || text[i] == '\'') {
+      i = end_of_string(text, i);
+    } else {
+      ++i;
+    }
+  }
+  return std::nullopt;
+}
+
+void refuse_foreign_characters(const std::string& text, const std::string& file) {
+  if (const auto at = foreign_character(text)) {
+    const auto before = std::string_view{text}.substr(0, *at);
+    const std::size_t line_begin = before.rfind('\n') == std::string_view::npos ? 0 : before.rfind('\n') + 1;
+    throw text::Error{
+        text::ErrorKind::bad_data,
+        fmt::format("{}:{}:{}: not valid TOML: a character that is not ASCII, outside of quotes and comments", file,
+                    std::ranges::count(before, '\n') + 1, *at - line_begin + 1)};
+  }
 }
 
 std::string describe(const toml::parse_error& error, const std::string& file) {
@@ -99,8 +158,12 @@ TomlTree::TomlTree() : root_{new Root} {}
 
 TomlTree TomlTree::read(const std::string& file) {
   TomlTree tree;
+  std::ifstream stream{file, std::ios::binary};
+  const std::string text{std::istreambuf_iterator<char>{stream}, {}};
+  refuse_foreign_characters(text, file);
   try {
-    tree.root_->table = toml::parse_file(file);
+    // Of what cannot be opened, and of a folder, toml++ says what is wrong.
+    tree.root_->table = text.empty() ? toml::parse_file(file) : toml::parse(text, file);
   } catch (const toml::parse_error& error) {
     throw text::Error{text::ErrorKind::bad_data, describe(error, file)};
   }
@@ -112,7 +175,9 @@ TomlNode TomlTree::root() const { return TomlNode{static_cast<const toml::node*>
 void TomlTree::put(const std::string& table, const std::string& key, const std::string& value) {
   toml::table parsed;
   try {
-    parsed = toml::parse("value = " + value);
+    if (!foreign_character(value)) {
+      parsed = toml::parse("value = " + value);
+    }
   } catch (const toml::parse_error&) {
     parsed.clear();
   }

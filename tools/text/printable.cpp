@@ -42,6 +42,13 @@ std::size_t character(std::string_view text) {
 }  // namespace
 
 std::string printable(std::string_view text) {
+  // Whoever gives a word of 4000 characters need not read it whole, twice.
+  constexpr std::size_t longest = 3000;
+  constexpr std::size_t kept_at_the_end = 900;
+  if (text.size() > longest) {
+    return printable(text.substr(0, longest - kept_at_the_end)) + " ... " +
+           printable(text.substr(text.size() - kept_at_the_end));
+  }
   std::string result;
   while (!text.empty()) {
     const std::size_t length = character(text);

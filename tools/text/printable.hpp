@@ -7,7 +7,7 @@
 namespace fantail::text {
 
 /// Text out of a file as it may stand on a terminal and in JSON: whatever is no printable character in UTF-8 becomes a
-/// question mark.
+/// question mark, and of a text of more than 3000 bytes the middle becomes " ... ".
 [[nodiscard]] std::string printable(std::string_view text);
 
 }  // namespace fantail::text
