@@ -104,6 +104,14 @@ def main():
             subprocess.run(["ninja", "-C", build], check=True, stdout=subprocess.DEVNULL)
             code, said, _ = soak(root, [step("one", "build/host/one")], "--resume")
             assert code == 0 and f"{to_run} of 1 steps" in said, (new, said)
+        # What has failed is run again, what has passed is not, whatever has changed; the page says of which commit that is.
+        assert soak(root, [count, step("no", "false")])[0] == 1
+        (root / "firmware/new.cpp").write_text("int a;\n")
+        subprocess.run("git init -q && git add firmware && git -c user.name=a -c user.email=a@b commit -qm a", shell=True, cwd=root, check=True)
+        code, said, result = soak(root, [count, step("no", "true")], "--failed")
+        assert code == 0 and "1 of 2 steps" in said and "count: passed" not in said, said
+        assert result["tables"][0]["rows"][0][3].endswith("at a tree without git"), result
+        assert "at " not in result["tables"][0]["rows"][1][3] and "1 of 2 passed in an earlier call" in result["notes"][1], result
         code, said, result = soak(root, [count, step("new", "true")], "--only", "count")
         assert code == 0 and len(result["tables"][0]["rows"]) == 1
 

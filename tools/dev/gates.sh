@@ -65,13 +65,13 @@ sanitized_commands() {
   configured build/host-asan host-asan && cmake --build --preset host-asan --target "$@"
 }
 
-# soak [--short] [--resume] [--seed S]: --short is a thousandth of the runs, to check that it works.
+# soak [--short] [--resume | --failed] [--seed S]: --short is a thousandth of the runs, to check that it works.
 soak() {
   local page="" word before="" code=0
   for word in "$@"; do
     case "$before$word" in
       --short) page=build/figures/soak_short.md ;;
-      --resume | --seed) ;;
+      --resume | --failed | --seed) ;;
       --seed[1-9]*) ;;
       *) usage ;;
     esac

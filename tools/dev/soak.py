@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: MIT
 # The long tests, as many at once as there are cores; their figures as JSON for a page of docs/figures.
 #
-#   soak.py ROOT [--short] [--resume] [--only NAME...]
+#   soak.py ROOT [--short] [--resume | --failed] [--only NAME...]
 #
-# Each step writes build/soak/NAME.log and NAME.json as it ends; --resume leaves out those that the same sources have passed.
+# Each step writes build/soak/NAME.log and NAME.json as it ends; --resume leaves out those that the same sources have passed, --failed
+# those that any sources have passed: then the page says of each row of which commit it is.
 # Exit code 1 if a step failed or could not be read, 66 if the program of one is not there, 130 after an interrupt.
 import argparse
 import hashlib
@@ -68,6 +69,11 @@ ALWAYS = ("CMakeLists.txt", "CMakePresets.json", "cmake", "firmware/plans", "sim
 TESTS_PASSED = ("tests passed", r"\[  PASSED  \] ([1-9]\d*) tests?\b")
 
 
+def commit(root):
+    said = subprocess.run(["git", "describe", "--always", "--dirty"], cwd=root, capture_output=True, text=True, check=False)
+    return said.stdout.strip() or "a tree without git"
+
+
 def seeds_of(target, folder, root):
     """The files that a fuzzer begins from; what it finds goes into the build folder, not into the sources."""
     (folder / f"found_{target}").mkdir(parents=True, exist_ok=True)
@@ -104,16 +110,17 @@ class Step:
         """The safety case names a row of the page by the step's name."""
         return f'<a id="{self.name}"></a>{self.title}'
 
-    def passed_before(self):
+    def passed_before(self, with_any_sources):
         try:
             kept = json.loads(self.file.read_text())
-            return kept["key"] == self.key and kept["passed"]
+            return (with_any_sources or kept["key"] == self.key) and kept["count"] == self.count and kept["passed"]
         except (OSError, ValueError, KeyError):
             return False
 
     def start(self, root):
         self.file.unlink(missing_ok=True)
         self.begun = time.monotonic()
+        self.commit = commit(root)
         with self.log.open("w") as log:
             self.process = subprocess.Popen(self.command.split(), cwd=root, stdout=log, stderr=subprocess.STDOUT,
                                             env={**os.environ, **self.environment}, start_new_session=True)
@@ -127,7 +134,7 @@ class Step:
             found.append([what, values[-1] if values else "not said"])
         passed = self.process.returncode == 0 and "[  FAILED  ]" not in text and all(value != "not said" for _, value in found)
         result = {"key": self.key, "title": self.title, "unit": self.unit, "count": self.count, "seconds": seconds, "passed": passed,
-                  "found": found, "command": self.command, "environment": self.environment}
+                  "found": found, "commit": self.commit, "command": self.command, "environment": self.environment}
         new = self.file.with_suffix(".new")
         new.write_text(json.dumps(result))
         new.replace(self.file)
@@ -173,9 +180,10 @@ def run(steps, root):
     return not failed
 
 
-def figures(steps, earlier, seconds, arguments):
+def figures(steps, earlier, seconds, arguments, root):
     rows = []
     passed = True
+    others, now = 0, commit(root)
     for step in steps:
         try:
             kept = json.loads(step.file.read_text())
@@ -185,12 +193,18 @@ def figures(steps, earlier, seconds, arguments):
             continue
         passed = passed and kept["passed"]
         more = ", ".join(f"{value} {what}" for what, value in kept["found"])
+        if arguments.failed and kept["commit"] != now:
+            others += 1
+            more += f"{', ' if more else ''}at {kept['commit']}"
         rows.append([step.anchored_title, f"{kept['count']:,} {step.unit}", "none" if kept["passed"] else "**yes**", f"{kept['seconds']:.0f}"
                      + (f"; {more}" if more else "")])
     notes = [f"The seed was {arguments.seed}."]
-    if earlier:
+    if others:
+        notes.append(f"{others} of {len(steps)} passed in an earlier call, at the commit that their rows name, and were not run again with what "
+                     "has changed since. Their time is not in the whole.")
+    elif earlier:
         notes.append(f"{earlier} of {len(steps)} are of an earlier call with the same sources, and with its seed; their time is not in the whole.")
-    words = "".join(f" --{word}" for word in ("short", "resume") if getattr(arguments, word))
+    words = "".join(f" --{word}" for word in ("short", "resume", "failed") if getattr(arguments, word))
     return {"title": "The long tests", "command": "./dev soak" + words, "seconds": seconds, "passed": passed,
             "tables": [{"caption": "", "columns": ["test", "how many", "failures", "time in s; more"], "rows": rows}],
             "notes": notes}
@@ -251,6 +265,7 @@ def main():
     parser.add_argument("root", type=pathlib.Path)
     parser.add_argument("--short", action="store_true")
     parser.add_argument("--resume", action="store_true")
+    parser.add_argument("--failed", action="store_true")
     parser.add_argument("--only", nargs="+", default=[])
     parser.add_argument("--seed", type=int, default=random.SystemRandom().randrange(1, 2**24))
     arguments = parser.parse_args()
@@ -264,7 +279,7 @@ def main():
         return 64
     steps = [Step(row, arguments, folder, builds) for row in STEPS
              if (not arguments.only or row[0] in arguments.only) and not (arguments.short and row[0] == "cuts")]
-    to_run = [step for step in steps if not (arguments.resume and step.passed_before())]
+    to_run = [step for step in steps if not ((arguments.resume or arguments.failed) and step.passed_before(arguments.failed))]
     for step in to_run:  # not after an hour
         if not (root / step.program).exists() and not shutil.which(step.program):
             print(f"soak: {step.name} cannot run: there is no {step.program}", file=sys.stderr)
@@ -281,7 +296,7 @@ def main():
     except KeyboardInterrupt:
         print("soak: interrupted; ./dev soak --resume goes on with what is not finished", file=sys.stderr)
         return 130
-    result = figures(steps, len(steps) - len(to_run), time.monotonic() - begun, arguments)
+    result = figures(steps, len(steps) - len(to_run), time.monotonic() - begun, arguments, root)
     (root / "build/figures").mkdir(exist_ok=True)
     (root / "build/figures/soak.json").write_text(json.dumps(result))
     return 0 if passed and result["passed"] else 1
