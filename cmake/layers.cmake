@@ -45,6 +45,7 @@ set(FANTAIL_LAYERS
   "tools/fly|core sim input flight replies stability airframe/model|fmt/"
   "tools/hil|core protocol world_link sim text|fmt/ fcntl\\.h poll\\.h sched\\.h sys/ termios\\.h unistd\\.h"
   "tools/telemetry|core hal avionics json replies|fmt/ lcm/ fantail_lcm/ arpa/inet\\.h netinet/in\\.h poll\\.h sys/socket\\.h unistd\\.h"
+  "tools/live|core hal json page telemetry|fmt/ arpa/inet\\.h"
   "tools/gateway|hal link telemetry|"
   "tools/log_export|core protocol text table_file json input flight flight_log telemetry|fmt/"
   "tools/bench|core protocol hal avionics sim text json page replies link|fmt/"
@@ -55,7 +56,7 @@ set(FANTAIL_LAYERS
   "tools/paper|core sim text json page input flight report identify identify/model identify/closed_loop tunnel fly|fmt/"
   "tools/detection|core sim text json page input campaign|fmt/"
   "tools/faults|core sim text json page input campaign|fmt/"
-  "tools/fantail|core protocol avionics hal/linux sim text json page input flight report flight_log logs identify identify/model identify/result tunnel replies link trajectory stability fly hil telemetry gateway log_export bench campaign hardover predict tune paper airframe airframe/openrocket listen detection faults|fmt/ fcntl\\.h poll\\.h sys/ unistd\\.h"
+  "tools/fantail|core protocol avionics hal/linux sim text json page input flight report flight_log logs identify identify/model identify/result tunnel replies link trajectory stability fly hil telemetry live gateway log_export bench campaign hardover predict tune paper airframe airframe/openrocket listen detection faults|fmt/ fcntl\\.h poll\\.h sys/ unistd\\.h"
   "python/bindings|core protocol sim text json input flight report flight_log logs identify identify/model identify/result fly campaign predict|nanobind/")
 
 # Headers of others that only one file of a folder includes, behind a header of ours. Of our own folders there is no exception.
@@ -67,6 +68,7 @@ set(FANTAIL_SINGLE_FILES
   "firmware/protocol/generated/canard_bus.h|stdbool\\.h stddef\\.h stdint\\.h"
   "tools/input/toml_tree.cpp|toml\\+\\+/"
   "tools/json/value.cpp|nlohmann/"
+  "tools/live/server.cpp|httplib\\.h"
   "tools/text/output_folder.cpp|fcntl\\.h unistd\\.h sys/"
   "tools/fantail/command_line.cpp|CLI/"
   "tools/text/deflate.cpp|zlib\\.h"

@@ -18,7 +18,7 @@ Packet state(std::int64_t sequence) {
 
 void listen_to_the_end(const std::string& url, Receiver& receiver) {
   Subscription subscription{Url{url}};
-  while (subscription.listen(receiver, {})) {
+  while (subscription.listen([&](auto channel, auto bytes) { receiver.take(channel, bytes, {}); })) {
     subscription.wait(std::chrono::milliseconds{100});
   }
 }

@@ -2,7 +2,7 @@
 # shellcheck shell=dash
 # The Debian packages that are needed, and installing them. Part of ./dev, which has set $root.
 
-fly_packages="g++ cmake ninja-build libeigen3-dev libtomlplusplus-dev libcli11-dev libfmt-dev nlohmann-json3-dev libmd-dev liblcm-dev liblcm-bin libzip-dev libpugixml-dev"
+fly_packages="g++ cmake ninja-build libeigen3-dev libtomlplusplus-dev libcli11-dev libfmt-dev nlohmann-json3-dev libmd-dev liblcm-dev liblcm-bin libcpp-httplib-dev libzip-dev libpugixml-dev"
 can_packages="user-mode-linux busybox-static can-utils iproute2"
 test_packages="$fly_packages $can_packages libgtest-dev libgmock-dev librapidcheck-dev python3-venv python3-dev"
 firmware_packages="gcc-arm-none-eabi libnewlib-arm-none-eabi libstdc++-arm-none-eabi-newlib libeigen3-dev cmake ninja-build git python3"
@@ -14,9 +14,10 @@ coverage_packages="$test_packages clang-19 llvm-19 libclang-rt-19-dev"
 mutation_packages="$test_packages python3-clang-19 libclang-common-19-dev"
 soak_packages="$test_packages clang-19 libclang-rt-19-dev"
 bench_packages="$fly_packages libbenchmark-dev libceres-dev python3-venv"
+browser_packages="chromium chromium-driver"
 cluster_packages="slurmctld slurmd slurm-client munge"
 # With --all no test may be skipped, and the tests call the verbs of this script, except those that take hours.
-all_packages="$test_packages $arm_packages $gate_packages $coverage_packages $mutation_packages $format_packages $cluster_packages"
+all_packages="$test_packages $arm_packages $gate_packages $coverage_packages $mutation_packages $format_packages $cluster_packages $browser_packages"
 
 system_name() {
   # shellcheck disable=SC1091

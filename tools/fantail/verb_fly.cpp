@@ -16,6 +16,7 @@
 #include "fantail/flight_computer_option.hpp"
 #include "fantail/interrupt.hpp"
 #include "fantail/lcm_output.hpp"
+#include "fantail/page_output.hpp"
 #include "fantail/progress.hpp"
 #include "fantail/run.hpp"
 #include "fantail/scenario_options.hpp"
@@ -25,6 +26,7 @@
 #include "report/gain_margin_text.hpp"
 #include "report/results.hpp"
 #include "text/degrees.hpp"
+#include "text/shell_word.hpp"
 #include "trajectory/trajectory.hpp"
 
 namespace fantail::tool {
@@ -57,6 +59,7 @@ struct FlyOptions {
   std::string out;
   std::string lcm;
   FlightComputerOptions computer;
+  PageOptions page;
   bool realtime = false;
   bool json = false;
 };
@@ -98,7 +101,7 @@ void print_summary(const flight::Flight& flight, const report::Results& results)
 }
 
 flight::Flight fly_and_show(const sim::Scenario& scenario, FlightComputerOption& computer, LcmOutput& lcm,
-                            bool realtime) {
+                            PageOutput& page, bool realtime) {
   Progress progress{"flying " + scenario.name,
                     {.unit = "s", .rate = " x real time", .total = fly::expected_length_s(scenario)}};
   const auto look = [&progress](double simulated_s) {
@@ -115,6 +118,7 @@ flight::Flight fly_and_show(const sim::Scenario& scenario, FlightComputerOption&
       wall_clock.wait_for(record.time);
     }
     lcm.report(record, surroundings);
+    page.report(record, surroundings);
   };
   return fly::fly_scenario(scenario, look, observe, fly::Log::kept, computer.maker());
 }
@@ -193,12 +197,42 @@ Task campaign_task(const FlyOptions& options) {
           .folder = folder / fmt::format("run_{}", *options.run)};
 }
 
+/// How far from its reference the roll comes to rest, where that is the same all the time.
+std::optional<double> settles_off_rad(const sim::Scenario& scenario) {
+  const core::FlightPlan& plan = scenario.plan;
+  const auto& offset = scenario.disturbance;
+  if (flight::rejects_offset(plan)) {
+    return 0.0;
+  }
+  const double gain =
+      static_cast<double>(plan.controller.proportional_gain) * sim::left_by_fins(scenario.vehicle.canard_air);
+  const bool is_constant =
+      plan.gain_schedule.speeds_count == 0 && gain > 0.0 &&
+      std::ranges::all_of(offset, [&](const auto& node) { return node.angle_rad == offset.front().angle_rad; });
+  return is_constant ? std::optional{offset.empty() ? 0.0 : offset.front().angle_rad / gain} : std::nullopt;
+}
+
+std::string command_of(const FlyOptions& options, const std::vector<std::string>& changes) {
+  std::string command = "fantail fly " + text::shell_word(options.scenario.scenario);
+  for (const std::string& change : changes) {
+    command += " --set " + text::shell_word(change);
+  }
+  return command + " --realtime --page";
+}
+
 void fly_and_report(const FlyOptions& options) {
+  if (options.page.wanted() && !options.realtime) {
+    throw UsageError{"--page shows a flight while it is flown, by the clock: add --realtime"};
+  }
   auto [scenario, changes, notes, usual_folder] = options.run ? campaign_task(options) : task_of(options);
   check_faults(options, scenario);
   LcmOutput lcm{options.lcm};
+  PageOutput page{options.page,
+                  {.name = scenario.name + ", simulated", .settles_off_rad = settles_off_rad(scenario)},
+                  command_of(options, changes)};
   FlightComputerOption computer{options.computer};
-  flight::Flight flight = fly_and_show(scenario, computer, lcm, options.realtime);
+  page.wait_for_viewer();
+  flight::Flight flight = fly_and_show(scenario, computer, lcm, page, options.realtime);
   flight.changes = std::move(changes);
   flight.notes.insert(flight.notes.begin(), notes.begin(), notes.end());
   std::ranges::copy(computer.notes(), std::back_inserter(flight.notes));
@@ -209,6 +243,7 @@ void fly_and_report(const FlyOptions& options) {
   if (options.json) {
     fmt::print("{}", results.summary);
     (void)lcm.finish();
+    (void)page.finish();
     return;
   }
   print_summary(flight, results);
@@ -218,6 +253,9 @@ void fly_and_report(const FlyOptions& options) {
   }
   if (const std::string sent = lcm.finish(); !sent.empty()) {
     fmt::print("  lcm     {}\n", sent);
+  }
+  if (const std::string shown = page.finish(); !shown.empty()) {
+    fmt::print("  page    {}\n", shown);
   }
 }
 
@@ -245,6 +283,7 @@ void fill(const Verb& verb) {
       .check(objection_to_folder);
   add_flight_computer_options(verb, options->computer);
   add_lcm_option(verb, options->lcm, "Publish the flight as LCM messages");
+  add_page_options(verb, options->page);
   verb.flag("--realtime", options->realtime, "Fly no faster than real time; the files are the same");
   verb.flag("--json", options->json, "Print summary.json instead of the text");
   verb.examples(
@@ -262,7 +301,8 @@ void fill(const Verb& verb) {
       "                                                      one flight of a campaign again, with its report\n"
       "  fantail fly tasha3_launch2 --on emulator            on the emulated processor of the board: the same bytes\n"
       "  fantail fly --realtime --lcm udpm://239.255.76.67:7667\n"
-      "                                                      by the clock, for fantail watch in another terminal");
+      "                                                      by the clock, for fantail watch in another terminal\n"
+      "  fantail fly --realtime --page                       by the clock, on a page for browsers");
   verb.action([options] { fly_and_report(*options); });
 }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <array>
 #include <memory>
 #include <optional>
 #include <string>
@@ -8,12 +9,14 @@
 #include "fantail/can_place.hpp"
 #include "fantail/interrupt.hpp"
 #include "fantail/lcm_output.hpp"
+#include "fantail/page_output.hpp"
 #include "fantail/run.hpp"
 #include "fantail/standard_streams.hpp"
 #include "gateway/gateway.hpp"
 #include "link/place.hpp"
 #include "link/session.hpp"
 #include "replies/sentence.hpp"
+#include "text/shell_word.hpp"
 
 namespace fantail::tool {
 namespace {
@@ -21,6 +24,7 @@ namespace {
 struct GatewayOptions {
   std::string interface;
   std::string url;
+  PageOptions page;
   std::optional<double> seconds;
 };
 
@@ -31,7 +35,7 @@ constexpr hal::Microseconds between_words{1'000'000};
 /// Says on standard error what a person should know while it happens.
 class StatusPrinter {
  public:
-  StatusPrinter(std::string interface, const gateway::Gateway& gateway, const telemetry::Publisher& publisher,
+  StatusPrinter(std::string interface, const gateway::Gateway& gateway, const telemetry::Publisher* publisher,
                 hal::Microseconds now)
       : interface_{std::move(interface)}, gateway_{gateway}, publisher_{publisher}, silence_{longest_silence, now} {}
 
@@ -63,7 +67,7 @@ class StatusPrinter {
       tell(fmt::format("{} frames lost", lost - lost_));
       lost_ = lost;
     }
-    const std::uint64_t failed = publisher_.figures().failed;
+    const std::uint64_t failed = publisher_ != nullptr ? publisher_->figures().failed : 0;
     if (failed > 0 && !failure_told_) {
       failure_told_ = true;
       tell("LCM does not take the messages: is the network down?");
@@ -75,7 +79,7 @@ class StatusPrinter {
 
   std::string interface_;
   const gateway::Gateway& gateway_;
-  const telemetry::Publisher& publisher_;
+  const telemetry::Publisher* publisher_;  ///< null: no LCM
   link::Timeout silence_;
   std::uint64_t frames_ = 0;
   hal::CanState state_ = hal::CanState::error_active;
@@ -86,12 +90,38 @@ class StatusPrinter {
   bool failure_told_ = false;
 };
 
+/// To the network, to the page, or to both.
+class Outlets final : public telemetry::Sink {
+ public:
+  Outlets(telemetry::Sink* lcm, telemetry::Sink* page) : sinks_{lcm, page} {}
+  void send(const telemetry::Packet& packet) override {
+    for (telemetry::Sink* sink : sinks_) {
+      if (sink != nullptr) {
+        sink->send(packet);
+      }
+    }
+  }
+
+ private:
+  std::array<telemetry::Sink*, 2> sinks_;
+};
+
 void run(const GatewayOptions& options) {
+  if (options.url.empty() && !options.page.wanted()) {
+    throw UsageError{"there is nowhere to send to: --lcm URL, --page or both are needed"};
+  }
   CanPlace place{options.interface};
-  telemetry::Publisher publisher{telemetry::open_outlet(telemetry::Url{options.url})};
-  gateway::Gateway gateway{place.bus(), publisher};
-  StatusPrinter printer{options.interface, gateway, publisher, place.now()};
-  fmt::print("{} to {}; Ctrl-C ends\n", options.interface, options.url);
+  std::unique_ptr<telemetry::Publisher> publisher;
+  if (!options.url.empty()) {
+    publisher = std::make_unique<telemetry::Publisher>(telemetry::open_outlet(telemetry::Url{options.url}));
+  }
+  PageOutput page{options.page,
+                  {.name = options.interface},
+                  "fantail gateway --can " + text::shell_word(options.interface) + " --page"};
+  Outlets outlets{publisher.get(), page.sink()};
+  gateway::Gateway gateway{place.bus(), outlets};
+  StatusPrinter printer{options.interface, gateway, publisher.get(), place.now()};
+  fmt::print("{} to {}; Ctrl-C ends\n", options.interface, options.url.empty() ? "the page" : options.url);
   std::fflush(stdout);
   const hal::Microseconds end = options.seconds
                                     ? place.now() + hal::Microseconds{static_cast<std::int64_t>(1e6 * *options.seconds)}
@@ -107,13 +137,19 @@ void run(const GatewayOptions& options) {
   const link::LinkFigures& heard = gateway.heard();
   fmt::print("frames: {} of the avionics, {} lost, {} damaged, {} foreign, {} overrun\n", heard.frames, heard.lost,
              heard.damaged, heard.foreign, gateway.overrun());
-  fmt::print("{}\n", report_of(publisher.finish(), options.url));
+  if (const std::string shown = page.finish(); !shown.empty()) {
+    fmt::print("page: {}\n", shown);
+  }
+  if (publisher) {
+    fmt::print("{}\n", report_of(publisher->finish(), options.url));
+  }
 }
 
 void fill(const Verb& verb) {
   auto options = std::make_shared<GatewayOptions>();
   verb.option("--can", options->interface, "CAN interface, for example vcan0 or can0").required().value_name("IF");
-  add_lcm_option(verb, options->url, "Where the messages go").required();
+  add_lcm_option(verb, options->url, "Where the messages go");
+  add_page_options(verb, options->page);
   verb.option("--for,--seconds", options->seconds, "End after so many seconds; without it, by Ctrl-C")
       .range(0.0, 1e9)
       .value_name("SECONDS");
@@ -121,6 +157,7 @@ void fill(const Verb& verb) {
       "Examples:\n"
       "  fantail gateway --can can0 --lcm 'udpm://239.255.76.67:7667?ttl=1'    for everyone on this network\n"
       "  fantail gateway --can can0 --lcm udpm://                              for this computer alone\n"
+      "  fantail gateway --can can0 --page                                     on a page, for a browser\n"
       "  fantail gateway --can vcan0 --lcm file:///tmp/pad.lcmlog --for 60     a minute, into a log");
   verb.action([options] { run(*options); });
 }

@@ -14,6 +14,7 @@
 #include "fantail/interrupt.hpp"
 #include "fantail/lcm_output.hpp"
 #include "fantail/pad_script.hpp"
+#include "fantail/page_output.hpp"
 #include "fantail/run.hpp"
 #include "fantail/scenario_options.hpp"
 #include "fantail/standard_streams.hpp"
@@ -27,6 +28,7 @@
 #include "sim/world.hpp"
 #include "telemetry/tick_reporter.hpp"
 #include "text/output_folder.hpp"
+#include "text/shell_word.hpp"
 
 namespace fantail::tool {
 namespace {
@@ -51,6 +53,7 @@ struct NodeOptions {
   std::string interface;
   std::string flash;
   std::string lcm;
+  PageOptions page;
   std::optional<double> seconds;
 };
 
@@ -146,22 +149,28 @@ void run_node(const NodeOptions& options) {
   hal::on_linux::Console console;
   hal::on_linux::Entropy entropy;
   LcmOutput lcm{options.lcm};
+  PageOutput page{options.page,
+                  {.name = scenario.name + " on " + options.interface},
+                  fmt::format("fantail node {} --can {} --page", text::shell_word(options.scenario.scenario),
+                              text::shell_word(options.interface))};
+  const bool is_told = lcm.is_on() || page.is_on();
   telemetry::LimitTap tap{bus};
-  PadEar ear{lcm.is_on() ? static_cast<hal::CanBus&>(tap) : bus};
+  PadEar ear{is_told ? static_cast<hal::CanBus&>(tap) : bus};
   Node node{scenario, {.can_bus = ear, .flash = *flash, .console = console, .entropy = entropy}, ear};
   fmt::print("{} ({}) on {}; type help for the commands at the pad, Ctrl-C ends\n", scenario.name,
              scenario.vehicle.name, options.interface);
   std::fflush(stdout);
-  if (lcm.is_on()) {
+  if (is_told) {
     node.observe([&](const core::TickRecord& record, SteadyClock::duration took) {
       const hal::CanCounters counters = bus.counters();
-      lcm.report(record, {.limits_rad = tap.limits_rad(),
-                          .tick_s = std::chrono::duration<double>{took}.count(),
-                          .late_ticks = node.pace().late(),
-                          .bus = telemetry::Health::Bus{.state = bus.state(),
-                                                        .unsent = counters.unsent,
-                                                        .overrun = counters.overrun,
-                                                        .errors = counters.errors}});
+      const telemetry::Surroundings surroundings{
+          .limits_rad = tap.limits_rad(),
+          .tick_s = std::chrono::duration<double>{took}.count(),
+          .late_ticks = node.pace().late(),
+          .bus = telemetry::Health::Bus{
+              .state = bus.state(), .unsent = counters.unsent, .overrun = counters.overrun, .errors = counters.errors}};
+      lcm.report(record, surroundings);
+      page.report(record, surroundings);
     });
   }
   node.run(options.seconds);
@@ -175,6 +184,9 @@ void run_node(const NodeOptions& options) {
   if (const std::string sent = lcm.finish(); !sent.empty()) {
     fmt::print("{}\n", sent);
   }
+  if (const std::string shown = page.finish(); !shown.empty()) {
+    fmt::print("page: {}\n", shown);
+  }
 }
 
 void fill(const Verb& verb) {
@@ -186,6 +198,7 @@ void fill(const Verb& verb) {
               "[out/SCENARIO/flash.bin]")
       .value_name("FILE");
   add_lcm_option(verb, options->lcm, "Publish the flight as LCM messages");
+  add_page_options(verb, options->page);
   verb.option("--for", options->seconds, "End after so many seconds; without it, by Ctrl-C")
       .range(0.0, 1e9)
       .value_name("SECONDS");

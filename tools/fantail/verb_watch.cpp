@@ -8,11 +8,13 @@
 
 #include "fantail/interrupt.hpp"
 #include "fantail/lcm_output.hpp"
+#include "fantail/page_output.hpp"
 #include "fantail/run.hpp"
 #include "fantail/standard_streams.hpp"
 #include "hal/linux/clock.hpp"
 #include "telemetry/panel.hpp"
 #include "telemetry/subscription.hpp"
+#include "text/shell_word.hpp"
 
 namespace fantail::tool {
 namespace {
@@ -21,6 +23,7 @@ struct WatchOptions {
   std::string url;
   std::optional<double> seconds;
   bool json = false;
+  PageOptions page;
 };
 
 // A person reads a few times a second, a log once.
@@ -29,11 +32,11 @@ constexpr hal::Microseconds line_period{1'000'000};
 
 /// Listens until `end`. False: there will be no more, or Ctrl-C.
 bool listen_until(hal::Microseconds end, const hal::Clock& clock, telemetry::Subscription& subscription,
-                  telemetry::Receiver& receiver) {
+                  const telemetry::Subscription::Take& take) {
   using std::chrono::milliseconds;
   for (hal::Microseconds now = clock.now(); now < end; now = clock.now()) {
     subscription.wait(std::chrono::ceil<milliseconds>(end - now));
-    if (!subscription.listen(receiver, clock.now()) || take_interrupt()) {
+    if (!subscription.listen(take) || take_interrupt()) {
       return false;
     }
   }
@@ -45,6 +48,12 @@ void watch(const WatchOptions& options) {
   telemetry::Receiver receiver;
   telemetry::Panel panel{options.url, receiver};
   const hal::on_linux::Clock clock;
+  PageOutput page{
+      options.page, {.name = options.url}, "fantail watch --lcm " + text::shell_word(options.url) + " --page"};
+  const auto take = [&](std::string_view channel, std::span<const std::byte> bytes) {
+    receiver.take(channel, bytes, clock.now());
+    page.take(channel, bytes);
+  };
   const bool screen = !options.json && ::isatty(STDOUT_FILENO) == 1;
   const hal::Microseconds period = screen ? screen_period : line_period;
   const hal::Microseconds end =
@@ -54,12 +63,15 @@ void watch(const WatchOptions& options) {
   }
   bool more = true;
   for (hal::Microseconds next = std::min(period, end); more; next = std::min(next + period, end)) {
-    more = listen_until(next, clock, subscription, receiver) && next < end;
+    more = listen_until(next, clock, subscription, take) && next < end;
     panel.look(clock.now());
     const std::string text = screen ? "\033[H\033[J" + panel.table() : (options.json ? panel.json() : panel.lines());
     if (!show_live(text)) {
       return;
     }
+  }
+  if (const std::string shown = page.finish(); !shown.empty()) {
+    say("page: " + shown + "\n");
   }
 }
 
@@ -70,10 +82,12 @@ void fill(const Verb& verb) {
       .range(0.0, 1e9)
       .value_name("SECONDS");
   verb.flag("--json", options->json, "One object a second, one a line");
+  add_page_options(verb, options->page);
   verb.examples(
       "Examples:\n"
       "  fantail watch --lcm udpm://239.255.76.67:7667            a live panel; Ctrl-C ends\n"
       "  fantail watch --lcm udpm:// | tee flight.txt             lines, from LCM's default address\n"
+      "  fantail watch --lcm udpm:// --page                       in a browser, too, for everybody in the room\n"
       "  fantail watch --lcm file:///tmp/flight.lcmlog --json     a log at its own pace, for a script");
   verb.action([options] { watch(*options); });
 }

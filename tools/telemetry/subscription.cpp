@@ -24,7 +24,7 @@ struct Subscription::Lcm {
   }
   static void hand_over(const lcm_recv_buf_t* buffer, const char* channel, void* user) {
     const auto* self = static_cast<const Lcm*>(user);
-    self->receiver->take(channel, {static_cast<const std::byte*>(buffer->data), buffer->data_size}, self->now);
+    (*self->take)(channel, {static_cast<const std::byte*>(buffer->data), buffer->data_size});
   }
   [[nodiscard]] bool has_something() const {
     pollfd descriptor{.fd = lcm_get_fileno(handle), .events = POLLIN, .revents = 0};
@@ -33,8 +33,7 @@ struct Subscription::Lcm {
 
   lcm_t* handle = nullptr;
   bool is_file = false;
-  Receiver* receiver = nullptr;  ///< in a call of listen()
-  hal::Microseconds now{};
+  const Take* take = nullptr;  ///< in a call of listen()
 };
 
 Subscription::Subscription(const Url& url) : lcm_{std::make_unique<Lcm>()} {
@@ -61,9 +60,8 @@ void Subscription::wait(std::chrono::milliseconds at_most) const {
   (void)::poll(&descriptor, 1, static_cast<int>(at_most.count()));
 }
 
-bool Subscription::listen(Receiver& receiver, hal::Microseconds now) {
-  lcm_->receiver = &receiver;
-  lcm_->now = now;
+bool Subscription::listen(const Take& take) {
+  lcm_->take = &take;
   // A log played as fast as it goes always has something; the listener must get round to showing it.
   for (int i = 0; i < most_waiting && lcm_->has_something(); ++i) {
     if (lcm_handle(lcm_->handle) < 0) {

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <chrono>
+#include <cstddef>
+#include <functional>
 #include <memory>
+#include <span>
+#include <string_view>
 
-#include "hal/clock.hpp"
-#include "telemetry/receiver.hpp"
 #include "telemetry/url.hpp"
 
 namespace fantail::telemetry {
@@ -22,8 +24,10 @@ class Subscription {
   /// Until something has come, at most so long; a signal ends it early.
   void wait(std::chrono::milliseconds at_most) const;
 
-  /// Hands over all that has come, as of `now`. False: the log has ended.
-  bool listen(Receiver& receiver, hal::Microseconds now);
+  /// Takes one message: its channel and its bytes.
+  using Take = std::function<void(std::string_view channel, std::span<const std::byte> bytes)>;
+  /// Hands over all that has come. False: the log has ended.
+  bool listen(const Take& take);
 
  private:
   struct Lcm;

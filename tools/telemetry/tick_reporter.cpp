@@ -63,7 +63,7 @@ Canards canards_of(const core::TickRecord& record, const Limits& limits_rad) {
 void TickReporter::report(const core::TickRecord& record, const Surroundings& surroundings) {
   changes_.look(record.time, record.phase, record.reason, sender_);
   changes_.look(record.time, record.verdicts, sender_);
-  if (ticks_ % state_period == 0) {
+  if (ticks_ % ticks_between_states_ == 0) {
     sender_.send(record.time, state_of(record));
     sender_.send(record.time, canards_of(record, surroundings.limits_rad));
   }

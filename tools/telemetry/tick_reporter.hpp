@@ -25,13 +25,15 @@ struct Surroundings {
 [[nodiscard]] State state_of(const core::TickRecord& record);
 [[nodiscard]] Canards canards_of(const core::TickRecord& record, const Limits& limits_rad);
 
-/// Turns ticks into messages: events at once, state and canards every tenth tick, health every hundredth.
+/// Turns ticks into messages: events at once, state and canards every tenth tick or as often as asked, health every
+/// hundredth.
 class TickReporter {
  public:
   static constexpr std::int64_t state_period = 10;    ///< ticks, 100 Hz
   static constexpr std::int64_t health_period = 100;  ///< 10 Hz
 
-  explicit TickReporter(Sink& sink) : sender_{sink} {}
+  explicit TickReporter(Sink& sink, std::int64_t ticks_between_states = state_period)
+      : sender_{sink}, ticks_between_states_{ticks_between_states} {}
 
   /// Once a tick, in order.
   void report(const core::TickRecord& record, const Surroundings& surroundings = {});
@@ -39,6 +41,7 @@ class TickReporter {
  private:
   Sender sender_;
   Changes changes_;
+  std::int64_t ticks_between_states_;
   std::int64_t ticks_ = 0;
   std::optional<double> longest_tick_s_;
 };

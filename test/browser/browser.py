@@ -1,0 +1,98 @@
+# SPDX-License-Identifier: MIT
+"""A real headless Chromium, driven through WebDriver (chromedriver), which is plain HTTP: no package of Python is needed."""
+
+import base64
+import json
+import pathlib
+import shutil
+import socket
+import subprocess
+import tempfile
+import time
+import urllib.error
+import urllib.request
+
+
+def is_there():
+    return shutil.which("chromedriver") is not None and shutil.which("chromium") is not None
+
+
+def free_port():
+    with socket.socket() as one:
+        one.bind(("127.0.0.1", 0))
+        return one.getsockname()[1]
+
+
+class Browser:
+    """With `width` and `height` of the window in CSS pixels. To be used in a `with`."""
+
+    def __init__(self, width=1280, height=900, dark=False):
+        self.folder = tempfile.TemporaryDirectory()
+        port = free_port()
+        self.driver = subprocess.Popen(["chromedriver", f"--port={port}"], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        self.base = f"http://127.0.0.1:{port}"
+        arguments = ["--headless=new", "--no-sandbox", "--disable-gpu", "--hide-scrollbars", "--disable-dev-shm-usage",
+                     f"--user-data-dir={self.folder.name}", f"--window-size={width},{height}"]
+        if dark:
+            arguments.append("--force-dark-mode")
+        try:
+            self.wait_for_driver()
+            options = {"browserName": "chrome", "goog:chromeOptions": {"args": arguments}, "goog:loggingPrefs": {"browser": "ALL"}}
+            self.session = self.call("POST", "/session", {"capabilities": {"alwaysMatch": options}})["sessionId"]
+        except BaseException:
+            self.driver.kill()
+            raise
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *unused):
+        try:
+            self.call("DELETE", f"/session/{self.session}")
+        finally:
+            self.driver.terminate()
+            self.driver.wait()
+            self.folder.cleanup()
+
+    def wait_for_driver(self):
+        for _ in range(600):
+            try:
+                if self.call("GET", "/status")["ready"]:
+                    return
+            except (urllib.error.URLError, ConnectionError):
+                pass
+            time.sleep(0.1)
+        raise RuntimeError("chromedriver does not answer")
+
+    def call(self, method, path, content=None):
+        data = None if content is None and method != "POST" else json.dumps(content or {}).encode()
+        request = urllib.request.Request(self.base + path, data, {"Content-Type": "application/json"}, method=method)
+        try:
+            with urllib.request.urlopen(request, timeout=120) as answer:
+                return json.loads(answer.read())["value"]
+        except urllib.error.HTTPError as error:
+            raise RuntimeError(f"{method} {path}: {error.read().decode(errors='replace')[:2000]}") from error
+
+    def open(self, url):
+        self.call("POST", f"/session/{self.session}/url", {"url": url})
+
+    def run(self, script, *arguments):
+        """What the script returns: `return document.title`."""
+        return self.call("POST", f"/session/{self.session}/execute/sync", {"script": script, "args": list(arguments)})
+
+    def wait_until(self, script, seconds=60.0):
+        end = time.monotonic() + seconds
+        while time.monotonic() < end:
+            if value := self.run(script):
+                return value
+            time.sleep(0.05)
+        raise AssertionError(f"not within {seconds} s: {script}")
+
+    def picture(self, file):
+        pathlib.Path(file).parent.mkdir(parents=True, exist_ok=True)
+        pathlib.Path(file).write_bytes(base64.b64decode(self.call("GET", f"/session/{self.session}/screenshot")))
+
+    def complaints(self):
+        """Errors and warnings of the page's console since the last call."""
+        entries = self.call("POST", f"/session/{self.session}/se/log", {"type": "browser"})
+        return [entry["message"] for entry in entries if entry["level"] in ("SEVERE", "WARNING")]

@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: MIT
+#include "live/server.hpp"
+
+#include <chrono>
+#include <optional>
+#include <thread>
+#include <vector>
+
+#include <arpa/inet.h>
+#include <gtest/gtest.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+namespace fantail::live {
+namespace {
+
+using namespace std::chrono_literals;
+
+/// A browser of the plainest kind.
+class Browser {
+ public:
+  explicit Browser(int port) : socket_{::socket(AF_INET, SOCK_STREAM, 0)} {
+    const sockaddr_in place{.sin_family = AF_INET,
+                            .sin_port = htons(static_cast<std::uint16_t>(port)),
+                            .sin_addr = {htonl(INADDR_LOOPBACK)},
+                            .sin_zero = {}};
+    const timeval patience{.tv_sec = 10, .tv_usec = 0};
+    ::setsockopt(socket_, SOL_SOCKET, SO_RCVTIMEO, &patience, sizeof patience);
+    // So that a viewer that takes nothing is full soon.
+    constexpr int small = 4096;
+    ::setsockopt(socket_, SOL_SOCKET, SO_RCVBUF, &small, sizeof small);
+    EXPECT_EQ(::connect(socket_, reinterpret_cast<const sockaddr*>(&place), sizeof place),
+              0);  // NOLINT: the call's own way
+  }
+  Browser(Browser&& other) noexcept : socket_{std::exchange(other.socket_, -1)}, read_{std::move(other.read_)} {}
+  ~Browser() {
+    if (socket_ >= 0) {
+      ::close(socket_);
+    }
+  }
+  Browser(const Browser&) = delete;
+  Browser& operator=(const Browser&) = delete;
+
+  void ask(const std::string& text) const {
+    EXPECT_EQ(::send(socket_, text.data(), text.size(), MSG_NOSIGNAL), static_cast<ssize_t>(text.size()));
+  }
+  void get(const std::string& path, const std::string& host) const {
+    ask("GET " + path + " HTTP/1.1\r\nHost: " + host + "\r\n\r\n");
+  }
+
+  /// All up to and with `end`, or what came before the connection was closed or patience ended.
+  std::string read_to(const std::string& end) {
+    for (;;) {
+      if (const std::size_t at = read_.find(end); at != std::string::npos) {
+        std::string text = read_.substr(0, at + end.size());
+        read_.erase(0, text.size());
+        return text;
+      }
+      std::array<char, 4096> piece{};
+      const ssize_t size = ::recv(socket_, piece.data(), piece.size(), 0);
+      if (size <= 0) {
+        return std::exchange(read_, {});
+      }
+      read_.append(piece.data(), static_cast<std::size_t>(size));
+    }
+  }
+
+ private:
+  int socket_;
+  std::string read_;
+};
+
+struct Served {
+  explicit Served(std::string greeting = "hello")
+      : server{{.port = 0}, "<p>the page</p>", [greeting = std::move(greeting)] { return greeting; }},
+        port{server.address().port},
+        host{"127.0.0.1:" + std::to_string(port)} {}
+
+  [[nodiscard]] Browser open(const std::string& path) const {
+    Browser browser{port};
+    browser.get(path, host);
+    return browser;
+  }
+  [[nodiscard]] std::string status(const std::string& request) const {
+    Browser browser{port};
+    browser.ask(request);
+    return browser.read_to("\r\n");
+  }
+  [[nodiscard]] std::string status_of(const std::string& method, const std::string& path,
+                                      const std::string& asked) const {
+    return status(method + " " + path + " HTTP/1.1\r\nHost: " + asked + "\r\nContent-Length: 0\r\n\r\n");
+  }
+  void wait_for_viewers(std::size_t count) const {
+    for (int i = 0; i < 1000 && server.figures().viewers != count; ++i) {
+      std::this_thread::sleep_for(10ms);
+    }
+    EXPECT_EQ(server.figures().viewers, count);
+  }
+
+  Server server;
+  int port;
+  std::string host;
+};
+
+TEST(LiveServer, ServesThePageAndLetsNothingElseIntoIt) {
+  const Served served;
+  Browser browser = served.open("/");
+  const std::string head = browser.read_to("\r\n\r\n");
+  EXPECT_TRUE(head.starts_with("HTTP/1.1 200")) << head;
+  EXPECT_NE(head.find("Content-Security-Policy: default-src 'none'"), std::string::npos);
+  EXPECT_NE(head.find("X-Content-Type-Options: nosniff"), std::string::npos);
+  EXPECT_EQ(browser.read_to("</p>"), "<p>the page</p>");
+}
+
+TEST(LiveServer, AViewerIsGreetedAndThenSentEveryFrame) {
+  Served served;
+  Browser browser = served.open("/events");
+  EXPECT_NE(browser.read_to("\r\n\r\n").find("text/event-stream"), std::string::npos);
+  EXPECT_NE(browser.read_to("\n\n").find("data: hello\n\n"), std::string::npos);
+  for (int i = 0; i < 20; ++i) {
+    served.server.show("frame " + std::to_string(i));
+    const std::string event = browser.read_to("\n\n");
+    EXPECT_NE(event.find("data: frame " + std::to_string(i) + "\n\n"), std::string::npos) << event;
+  }
+  EXPECT_EQ(served.server.figures().frames_dropped, 0U);
+  for (int i = 0; i < 1000 && served.server.figures().frames_sent < 21; ++i) {
+    std::this_thread::sleep_for(10ms);  // counted behind the write
+  }
+  EXPECT_EQ(served.server.figures().frames_sent, 21U);
+}
+
+TEST(LiveServer, TenViewersAtOnceGetTheSameFrames) {
+  Served served;
+  std::vector<Browser> browsers;
+  for (int i = 0; i < 10; ++i) {
+    browsers.push_back(served.open("/events"));
+  }
+  served.wait_for_viewers(10);
+  served.server.show("for all");
+  for (Browser& browser : browsers) {
+    EXPECT_NE(browser.read_to("data: for all\n\n").find("data: for all"), std::string::npos);
+  }
+}
+
+TEST(LiveServer, AViewerThatHasGoneIsForgotten) {
+  Served served;
+  {
+    const Browser browser = served.open("/events");
+    served.wait_for_viewers(1);
+  }
+  served.server.show("x");
+  served.wait_for_viewers(0);
+}
+
+TEST(LiveServer, WhoAsksUnderAnotherNameWithAnotherMethodOrForSomethingElseIsRefused) {
+  const Served served;
+  EXPECT_EQ(served.status_of("GET", "/", "evil.example:" + std::to_string(served.port)), "HTTP/1.1 403 Forbidden\r\n");
+  EXPECT_EQ(served.status_of("GET", "/events", "evil.example"), "HTTP/1.1 403 Forbidden\r\n");
+  EXPECT_EQ(served.status("GET / HTTP/1.1\r\n\r\n"), "HTTP/1.1 403 Forbidden\r\n");
+  EXPECT_EQ(served.status("GET / HTTP/1.1\r\nHost: " + served.host + "\r\nHost: evil.example\r\n\r\n"),
+            "HTTP/1.1 403 Forbidden\r\n");
+  for (const char* method : {"POST", "PUT", "DELETE", "PATCH", "OPTIONS"}) {
+    EXPECT_EQ(served.status_of(method, "/", served.host), "HTTP/1.1 405 Method Not Allowed\r\n") << method;
+  }
+  for (const char* path :
+       {"/index.html", "/../etc/passwd", "/%2e%2e/%2e%2e/etc/passwd", "/events/..", "//", "/\xff", "/?x=<script>y"}) {
+    const std::string status = served.status_of("GET", path, served.host);
+    EXPECT_TRUE(status == "HTTP/1.1 404 Not Found\r\n" || status == "HTTP/1.1 400 Bad Request\r\n" ||
+                (std::string{path} == "/?x=<script>y" && status == "HTTP/1.1 200 OK\r\n"))
+        << path << ' ' << status;
+  }
+  // Of what is far too long or no HTTP at all there may be no answer, but there is one for the next.
+  (void)served.status("GET /" + std::string(100'000, 'a') + " HTTP/1.1\r\n\r\n");
+  (void)served.status("\x16\x03\x01 hello\r\n\r\n");
+  EXPECT_EQ(served.status_of("GET", "/", served.host), "HTTP/1.1 200 OK\r\n");
+}
+
+TEST(LiveServer, AHundredViewersThatTakeNothingCostNothingAndAreLetGo) {
+  Served served;
+  std::vector<Browser> stalled;
+  for (int i = 0; i < 100; ++i) {
+    stalled.push_back(served.open("/events"));
+  }
+  served.wait_for_viewers(Server::most_viewers);
+  const std::string frame(4000, 'x');
+  for (int i = 0; i < 400; ++i) {
+    served.server.show(frame);
+  }
+  // All of them are still there, each in the middle of a frame that it does not take: nobody has waited for that.
+  EXPECT_EQ(served.server.figures().viewers, Server::most_viewers);
+  EXPECT_GT(served.server.figures().frames_dropped, 0U);
+  for (int i = 0; i < 1000 && served.server.figures().refused < 100U - Server::most_viewers; ++i) {
+    std::this_thread::sleep_for(10ms);
+  }
+  EXPECT_EQ(served.server.figures().refused, 100U - Server::most_viewers);
+  EXPECT_EQ(served.status_of("GET", "/", served.host), "HTTP/1.1 200 OK\r\n") << "the page is there for the next";
+  for (int i = 0; i < 20'000 && served.server.figures().viewers > 0; ++i) {
+    served.server.show(frame);
+    std::this_thread::sleep_for(1ms);
+  }
+  EXPECT_EQ(served.server.figures().viewers, 0U);
+  Browser next = served.open("/events");
+  EXPECT_NE(next.read_to("data: hello\n\n").find("hello"), std::string::npos);
+}
+
+TEST(LiveServer, AnAddressThatIsTakenIsSaidAndNotShared) {
+  const Served served;
+  try {
+    const Server second{{.port = served.port}, "", [] { return std::string{}; }};
+    FAIL() << "two servers at one port";
+  } catch (const std::runtime_error& error) {
+    EXPECT_NE(std::string{error.what()}.find("another program listens there"), std::string::npos) << error.what();
+    EXPECT_NE(std::string{error.what()}.find(std::to_string(served.port)), std::string::npos) << error.what();
+  }
+  EXPECT_THROW((Server{{.host = "192.0.2.1", .port = 0}, "", [] { return std::string{}; }}), std::runtime_error)
+      << "an address that no computer has";
+}
+
+TEST(LiveServer, EndsWithViewersThatWait) {
+  auto served = std::make_optional<Served>();
+  Browser browser = served->open("/events");
+  served->wait_for_viewers(1);
+  served.reset();
+  EXPECT_NE(browser.read_to("never").find("hello"), std::string::npos)
+      << "what was sent before is there, and then the end";
+  EXPECT_EQ(Served{}.status_of("GET", "/", "x"), "HTTP/1.1 403 Forbidden\r\n") << "and the next one can begin";
+}
+
+}  // namespace
+}  // namespace fantail::live

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+#include "fantail/page_output.hpp"
+
+#include <chrono>
+#include <thread>
+#include <utility>
+
+#include <fmt/core.h>
+
+#include "fantail/interrupt.hpp"
+#include "fantail/standard_streams.hpp"
+
+namespace fantail::tool {
+
+void add_page_options(const Verb& verb, PageOptions& options) {
+  verb.flag(
+      "--page", options.page,
+      "Show the flight live on a page for browsers at http://127.0.0.1:8080/, which only this computer reaches. The "
+      "page only shows: nothing on it can move or arm anything");
+  verb.option("--page-at", options.at,
+              "The same at another address; 0.0.0.0 is for everybody on the network, port 0 is any free one")
+      .check(live::objection_to_address)
+      .value_name("HOST:PORT");
+}
+
+PageOutput::PageOutput(const PageOptions& options, live::Source source, const std::string& command) {
+  if (!options.wanted()) {
+    return;
+  }
+  const live::Address address = options.at.empty() ? live::Address{} : live::address_of(options.at);
+  const live::PanelWords words{.source = source.name, .command = command, .version = FANTAIL_VERSION};
+  page_ = std::make_unique<live::LivePage>(address, std::move(source), words);
+  say(fmt::format(
+      "page: {}{}\n", page_->address().url(),
+      address.is_of_this_computer_alone() ? "" : ", for everybody who reaches this computer; it only shows"));
+}
+
+void PageOutput::wait_for_viewer() const {
+  using Clock = std::chrono::steady_clock;
+  constexpr std::chrono::seconds longest{10};
+  if (!page_) {
+    return;
+  }
+  say(fmt::format("page: it begins when a browser has opened the page, or in {} s\n", longest.count()));
+  for (const auto end = Clock::now() + longest; page_->figures().viewers == 0 && Clock::now() < end;) {
+    give_up_if_interrupted();
+    std::this_thread::sleep_for(std::chrono::milliseconds{20});
+  }
+}
+
+telemetry::Publisher& PageOutput::publisher() {
+  if (!publisher_) {
+    publisher_ = std::make_unique<telemetry::Publisher>(std::make_unique<live::PageOutlet>(*page_));
+  }
+  return *publisher_;
+}
+
+void PageOutput::report(const core::TickRecord& record, const telemetry::Surroundings& surroundings) {
+  if (!page_) {
+    return;
+  }
+  if (!reporter_) {
+    constexpr std::int64_t every_tick = 1;
+    reporter_ = std::make_unique<telemetry::TickReporter>(publisher(), every_tick);
+  }
+  reporter_->report(record, surroundings);
+}
+
+telemetry::Sink* PageOutput::sink() { return page_ ? &publisher() : nullptr; }
+
+void PageOutput::take(std::string_view channel, std::span<const std::byte> bytes) {
+  if (page_) {
+    page_->take(channel, bytes);
+  }
+}
+
+std::string PageOutput::finish() {
+  if (!page_) {
+    return {};
+  }
+  std::uint64_t lost = 0;
+  if (publisher_) {
+    lost = publisher_->finish().dropped;
+  } else {
+    page_->finish();
+  }
+  const live::ServerFigures figures = page_->figures();
+  return fmt::format("{} viewer{} at the same time at most, {} frames, {} dropped because a viewer was slow{}",
+                     figures.most_viewers, figures.most_viewers == 1 ? "" : "s", figures.frames_sent,
+                     figures.frames_dropped, lost > 0 ? fmt::format("; {} messages never reached the page", lost) : "");
+}
+
+}  // namespace fantail::tool

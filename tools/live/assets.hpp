@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string_view>
+
+namespace fantail::live {
+
+// The files of assets/, compiled in by embed.cmake.
+extern const std::string_view panel_html;  ///< with {names} in place of what panel.cpp puts there
+extern const std::string_view panel_css;
+extern const std::string_view panel_js;
+
+}  // namespace fantail::live

@@ -1,0 +1,300 @@
+// SPDX-License-Identifier: MIT
+// Shows the frames of /events. Nothing goes the other way.
+(() => {
+  "use strict";
+  const span_s = 30;
+  const signals = 7;  // roll, reference, rate, command, mean of the canards, height, speed: plot_history.hpp
+  const longest_line_s = 0.25;
+  const $ = (id) => document.getElementById(id);
+  const minus = (text) => text.replace("-", "\u2212");
+  const fixed = (value, digits) => value == null ? "\u2013" : minus(value.toFixed(digits));
+  const signed = (value, digits) => value == null ? "\u2013" : (value < 0 ? "\u2212" : "+") + Math.abs(value).toFixed(digits);
+  const color = (name) => getComputedStyle(document.documentElement).getPropertyValue("--" + name).trim();
+  const text = (id, words) => { const at = $(id); if (at.textContent !== words) at.textContent = words; };
+
+  let now = null;        // the newest frame
+  let settlesOff = null, connected = false, lostSince = null, changed = false;
+  let dropped = 0, drawn = 0;  // frames that did not reach this page, and frames that it has shown
+  let columns = Array.from({length: signals + 1}, () => []), events = [];
+
+  // --- what comes ---
+  function take(frame) {
+    if (now && frame.source === undefined) {
+      if (frame.frame <= now.frame) return;
+      dropped += frame.frame - now.frame - 1;
+    }
+    if (frame.source !== undefined) settlesOff = frame.settles_off_deg;  // the first of a connection tells everything
+    if (frame.source !== undefined || (now && frame.run !== now.run)) {
+      columns = columns.map(() => []);
+      events = [];
+    }
+    now = frame;
+    for (const row of frame.plot) addStretch(row);
+    events.push(...frame.events);
+    while (events.length > 100) events.shift();
+    const first = columns[0].findIndex((time) => time > (frame.time_s ?? 0) - span_s - 1);
+    if (first > 200) columns = columns.map((column) => column.slice(first));
+    if (frame.events.length > 0 || frame.source !== undefined) showEvents();
+    changed = true;
+  }
+
+  function addStretch(row) {
+    const [begin, end, times] = [row[0] / 1000, row[1] / 1000, columns[0]];
+    if (times.length > 0 && begin - times[times.length - 1] > longest_line_s) {
+      times.push((begin + times[times.length - 1]) / 2);
+      for (let i = 1; i <= signals; i++) columns[i].push(null);
+    }
+    for (const which of end > begin ? [0, 1] : [1]) {
+      times.push(which === 0 ? begin : end);
+      for (let i = 0; i < signals; i++) {
+        const value = row[2 + 2 * i + which];
+        columns[i + 1].push(value === null ? null : value / 100);
+      }
+    }
+  }
+
+  function listen() {
+    const source = new EventSource("events");
+    source.onmessage = (message) => {
+      [connected, lostSince] = [true, null];
+      take(JSON.parse(message.data));
+    };
+    source.onerror = () => {  // a browser tries again by itself, but not after every kind of failure
+      source.close();
+      if (connected || lostSince === null) lostSince = performance.now();
+      connected = false;
+      changed = true;
+      setTimeout(listen, 1000);
+    };
+  }
+
+  // --- words and numbers ---
+  const phases = {
+    safe: ["SAFE", "not armed; canards at trim, on the bench or in a self-test they move"],
+    armed: ["ARMED", "waits for the launch; canards at trim"],
+    launched: ["LAUNCHED", "not yet clear of the guide; canards at trim"],
+    controlling: ["CONTROLLING", "the canards hold the roll"],
+    finished: ["FINISHED", "control is over; canards at trim"],
+  };
+
+  function showWords() {
+    const link = now ? now.link : {is: "silent"};
+    const old = !connected || link.is === "old";
+    document.body.classList.toggle("is-old", old && now !== null && now.phase !== undefined);
+    if (!connected) {
+      const since = lostSince === null ? "" : ` for ${((performance.now() - lostSince) / 1000).toFixed(0)} s`;
+      text("link", now ? `OLD: no connection${since}; this is the last that came` : "no connection; trying again");
+    } else {
+      text("link", link.is === "live" ? "live" : link.is === "silent" ? "nothing received yet"
+        : `OLD: nothing new for ${link.age_s.toFixed(0)} s; this is the last that came`);
+    }
+    $("link").className = "pill " + (connected && link.is === "live" ? "live" : old ? "old" : "");
+    if (!now || now.phase === undefined) return;
+    const [word, about] = phases[now.phase] ?? [now.phase, ""];
+    text("phase", word);
+    text("phase-about", about + (now.timing_fault ? "; TIMING FAULT" : ""));
+    $("phase-card").className = "card phase " + now.phase;
+    text("clock", now.since_launch_s == null ? "\u2013" : "T+" + now.since_launch_s.toFixed(1) + " s");
+    for (const [id, name] of [["height", "height_m"], ["speed", "speed_m_s"], ["tilt", "tilt_deg"], ["force", "force_m_s2"]]) {
+      text(id, fixed(now[name], 1));
+    }
+    text("time", fixed(now.time_s, 2));
+    text("roll", signed(now.roll_deg, 1));
+    text("rate", signed(now.rate_deg_s, 1));
+    text("link-about", `In the last ${link.span_s} s: ${link.received} messages received, ${link.lost} lost, ${link.late} late`
+      + (link.restarts > 0 ? `; the sender has begun anew ${link.restarts} times` : "")
+      + `; ${dropped} frames did not reach this page.`);
+    const health = now.health;
+    text("sensors", health ? `Gyro ${health.gyro}, accelerometer ${health.accelerometer}`
+      + (health.longest_tick_us == null ? "" : `; longest tick ${health.longest_tick_us} us`)
+      + (health.late_ticks == null ? "" : `, ${health.late_ticks} late`) + "." : "");
+  }
+
+  function showCanards() {
+    const rows = $("canards");
+    const list = now.canards ?? [];
+    if (list.length === 0) return;
+    while (rows.children.length < list.length || rows.children[0].children.length < 5) {
+      if (rows.children[0]?.children.length === 1) rows.replaceChildren();
+      const row = rows.insertRow();
+      for (let i = 0; i < 5; i++) row.insertCell().className = i > 0 && i < 4 ? "n" : "";
+    }
+    list.forEach((canard, i) => {
+      const verdict = canard.verdict ?? "unknown";
+      const words = [String(i + 1), signed(canard.command_deg, 2), signed(canard.encoder_deg, 2), fixed(canard.limit_deg, 2),
+                     verdict + (canard.limited ? ", limited" : "")];
+      words.forEach((word, j) => { const cell = rows.children[i].children[j]; if (cell.textContent !== word) cell.textContent = word; });
+      rows.children[i].children[4].className = verdict === "healthy" ? "good" : canard.verdict ? "bad" : "";
+    });
+  }
+
+  function showEvents() {
+    if (events.length === 0) return;
+    $("events").replaceChildren(...events.slice().reverse().map((event) => {
+      const item = document.createElement("li");
+      item.append(Object.assign(document.createElement("time"), {textContent: event.time_s.toFixed(2) + " s"}), event.text);
+      return item;
+    }));
+  }
+
+  // --- drawings ---
+  const svg = (kind, attributes, parent) => {
+    const element = parent.appendChild(document.createElementNS("http://www.w3.org/2000/svg", kind));
+    for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value);
+    return element;
+  };
+  const turned = (element, degrees) => element.setAttribute("transform", `rotate(${degrees.toFixed(2)})`);
+  const hide = (element, hidden) => element.setAttribute("visibility", hidden ? "hidden" : "visible");
+
+  // Clockwise is positive: from behind, as the canards see it.
+  const dial = (() => {
+    const at = $("dial");
+    svg("circle", {r: 92, class: "rim"}, at);
+    for (let degrees = 0; degrees < 360; degrees += 15) {
+      turned(svg("line", {y1: degrees % 45 === 0 ? -78 : -85, y2: -92, class: "tick"}, at), degrees);
+    }
+    for (const [degrees, name] of [[0, "0"], [90, "90"], [180, "180"], [270, "\u221290"]]) {
+      const angle = degrees * Math.PI / 180;
+      svg("text", {x: (62 * Math.sin(angle)).toFixed(1), y: (-62 * Math.cos(angle)).toFixed(1)}, at).textContent = name;
+    }
+    const reference = svg("g", {}, at);
+    svg("path", {d: "M0 -93 l7 -14 h-14 z", class: "reference"}, reference);
+    const settle = svg("g", {}, at);
+    svg("circle", {cy: -100, r: 5.5, class: "settle"}, settle);
+    const needle = svg("g", {}, at);
+    svg("line", {y1: 22, y2: 0, class: "tail"}, needle);
+    svg("line", {y2: -76, class: "needle"}, needle);
+    return {at, reference, settle, needle};
+  })();
+
+  const rocket = (() => {
+    const at = $("rocket");
+    const body = svg("g", {}, at);
+    const canards = [0, 1, 2, 3].map((i) => {
+      const arm = svg("g", {transform: `rotate(${90 * i})`}, body);
+      svg("line", {y1: -30, y2: -72, class: "shaft"}, arm);
+      const tip = svg("g", {transform: "translate(0 -72)"}, arm);
+      const fin = svg("path", {d: "M0 -24 Q6 -14 4 0 L1 24 H-1 L-4 0 Q-6 -14 0 -24 Z", class: "fin"}, tip);
+      const asked = svg("line", {y1: -32, y2: 32, class: "asked"}, tip);
+      const name = svg("text", {x: 26, y: -50}, arm);
+      name.textContent = i + 1;
+      return {asked, fin, name};
+    });
+    svg("circle", {r: 30, class: "body"}, body);
+    svg("line", {y1: -30, y2: -14, class: "up"}, body);
+    return {at, body, canards};
+  })();
+
+  function draw() {
+    const {roll_deg: roll, reference_deg: reference} = now;
+    const settle = settlesOff == null || reference == null ? null : reference + settlesOff;
+    for (const [mark, angle] of [[dial.needle, roll], [dial.reference, reference], [dial.settle, settle]]) {
+      hide(mark, angle == null);
+      if (angle != null) turned(mark, angle);
+    }
+    $("settle-key").hidden = settlesOff == null;
+    turned(rocket.body, roll ?? 0);
+    (now.canards ?? []).forEach((canard, i) => {
+      const {fin, asked, name} = rocket.canards[i];
+      fin.setAttribute("class", "fin" + (canard.encoder_deg == null ? " unknown" : "")
+        + (canard.verdict && canard.verdict !== "healthy" ? " bad" : ""));
+      turned(fin, canard.encoder_deg ?? 0);
+      hide(asked, canard.command_deg == null);
+      if (canard.command_deg != null) turned(asked, canard.command_deg);
+      name.setAttribute("transform", `rotate(${(-90 * i - (roll ?? 0)).toFixed(2)} 26 -50)`);
+    });
+  }
+
+  // Once a second, for who does not see the drawings.
+  function describe() {
+    if (!now || now.phase === undefined) return;
+    dial.at.setAttribute("aria-label", `Roll angle ${signed(now.roll_deg, 1)} degrees, reference ${signed(now.reference_deg, 1)}`);
+    rocket.at.setAttribute("aria-label", "Encoders of the canards in degrees: "
+      + (now.canards ?? []).map((canard, i) => `${i + 1}: ${signed(canard.encoder_deg, 2)}`).join(", "));
+    for (const {place, title, lines} of plots) {
+      place.setAttribute("aria-label", title + ", now: "
+        + lines.map(([name, column]) => `${name} ${fixed(columns[column][columns[column].length - 1] ?? null, 1)}`).join(", "));
+    }
+  }
+
+  // --- plots: name, column, colour, dashed ---
+  const plots = [
+    {title: "Roll angle", unit: "deg", lines: [["roll", 1, "measured", false], ["reference", 2, "model", true]]},
+    {title: "Canards", unit: "deg", lines: [["mean of the encoders", 5, "measured", false], ["command", 4, "model", true]]},
+    {title: "Roll rate", unit: "deg/s", lines: [["roll rate", 3, "measured", false]]},
+    {title: "Height and speed", unit: "m, m/s", lines: [["height", 6, "measured", false], ["speed", 7, "model", true]]},
+  ];
+  const height = 150;
+
+  function build() {
+    $("plots").replaceChildren();
+    for (const plot of plots) {
+      const holder = Object.assign(document.createElement("div"), {className: "plot"});
+      const title = document.createElement("h3");
+      title.append(`${plot.title}, ${plot.unit}`);
+      for (const [name, , role, dashed] of plot.lines) {
+        const key = document.createElement("span");
+        const swatch = Object.assign(document.createElement("i"), {className: dashed ? "dashed" : ""});
+        swatch.style.setProperty("--role", `var(--${role})`);
+        key.append(swatch, name);
+        title.append(key);
+      }
+      plot.place = document.createElement("div");
+      plot.place.role = "img";
+      plot.place.setAttribute("aria-label", plot.title);
+      holder.append(title, plot.place);
+      $("plots").append(holder);
+      plot.chart = new uPlot(options(plot, plot.place.clientWidth), data(plot), plot.place);
+    }
+  }
+
+  const data = (plot) => [columns[0], ...plot.lines.map(([, column]) => columns[column])];
+
+  function options(plot, width) {
+    const axis = {stroke: color("soft"), font: "11px system-ui, sans-serif", grid: {stroke: color("line"), width: 1}, ticks: {show: false}};
+    const numbers = (chart, ticks) => ticks.map((tick) => minus(String(tick)));
+    return {
+      width, height, legend: {show: false}, cursor: {show: false},
+      scales: {
+        x: {time: false, range: () => { const end = Math.max(now?.time_s ?? span_s, span_s); return [end - span_s, end]; }},
+        y: {range: (chart, low, high) => {
+          if (low == null) return [-1, 1];
+          const margin = Math.max((high - low) * .08, .5);
+          return [low - margin, high + margin];
+        }},
+      },
+      axes: [{...axis, size: 24, space: 60, values: numbers}, {...axis, size: 46, gap: 4, space: 24, values: numbers}],
+      series: [{}, ...plot.lines.map(([, , role, dashed]) =>
+        ({stroke: color(role), width: dashed ? 1.5 : 2, dash: dashed ? [7, 4] : undefined, points: {show: false}}))],
+    };
+  }
+
+  function step() {
+    if (changed) {
+      changed = false;
+      drawn += 1;
+      showWords();
+      if (now?.phase !== undefined) {
+        showCanards();
+        draw();
+      }
+      for (const plot of plots) plot.chart.setData(data(plot));
+    }
+    requestAnimationFrame(step);
+  }
+
+  build();
+  new ResizeObserver(() => {
+    for (const {chart, place} of plots) {
+      if (place.clientWidth > 0 && place.clientWidth !== chart.width) chart.setSize({width: place.clientWidth, height});
+    }
+  }).observe($("plots"));
+  matchMedia("(prefers-color-scheme: dark)").addEventListener("change", build);
+  setInterval(() => {
+    describe();
+    if (!connected) changed = true;  // the age goes on
+  }, 1000);
+  listen();
+  requestAnimationFrame(step);
+  window.fantail = {figures: () => ({drawn, dropped, connected, frame: now?.frame ?? null, time_s: now?.time_s ?? null, phase: now?.phase ?? null})};
+})();

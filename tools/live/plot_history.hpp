@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <deque>
+#include <optional>
+
+#include "hal/clock.hpp"
+#include "json/value.hpp"
+#include "telemetry/messages.hpp"
+
+namespace fantail::live {
+
+/// What the page plots, in degrees, m and m/s, in the order of the page's script.
+inline constexpr std::size_t signals = 7;
+/// Roll angle, reference, roll rate, command, mean of the canards, height, speed.
+using Sample = std::array<std::optional<double>, signals>;
+[[nodiscard]] Sample sample_of(const telemetry::State& state, const std::optional<double>& canard_rad);
+
+/// The last half minute, thinned without losing a peak: each stretch of 25 ms becomes two points, the lowest and the
+/// highest value of every signal in the order of their time.
+class PlotHistory {
+ public:
+  static constexpr hal::Microseconds stretch{25'000};
+  static constexpr hal::Microseconds kept{30'000'000};
+
+  /// By the rocket's clock. One that is not behind the newest is left out.
+  void add(hal::Microseconds time, const Sample& sample);
+  void clear();
+
+  /// Of each stretch since the last call [begin in ms, end in ms, value, value, value, ...]: of each signal two, in
+  /// hundredths or null.
+  [[nodiscard]] json::Value take_news();
+  /// The same of all that is kept, up to what take_news() has told.
+  [[nodiscard]] json::Value all_told() const;
+
+ private:
+  struct Extremes {
+    double low = 0.0;
+    double high = 0.0;
+    bool low_came_first = true;
+  };
+  struct Stretch {
+    hal::Microseconds begin{};
+    hal::Microseconds end{};
+    std::array<std::optional<Extremes>, signals> extremes{};
+  };
+  static void widen(std::optional<Extremes>& extremes, double value);
+  static json::Value json_of(const Stretch& stretch);
+
+  std::deque<Stretch> stretches_;
+  std::size_t untold_ = 0;  ///< so many of them, the newest
+};
+
+}  // namespace fantail::live

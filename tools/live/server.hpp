@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "live/address.hpp"
+
+namespace fantail::live {
+
+/// What has become of the frames, over all viewers so far.
+struct ServerFigures {
+  std::size_t viewers = 0;           ///< now
+  std::size_t most_viewers = 0;      ///< at the same time
+  std::uint64_t frames_sent = 0;     ///< to one viewer each
+  std::uint64_t frames_dropped = 0;  ///< because a viewer did not take them in time
+  std::uint64_t bytes_sent = 0;
+  std::uint64_t refused = 0;  ///< viewers that were too many
+};
+
+/// Serves one page, and to each browser that shows it the same frames as server-sent events. Read-only: GET / and GET
+/// /events are answered, and everything else is refused. Whoever calls show() never waits for a viewer.
+class Server {
+ public:
+  static constexpr std::size_t most_viewers = 32;
+  /// Of a viewer that takes nothing, for about a second of frames; then the oldest is dropped.
+  static constexpr std::size_t most_waiting = 40;
+
+  /// `greeting` makes what a viewer is sent first; it is called in the server's threads. Throws std::runtime_error when
+  /// the address cannot be listened at.
+  Server(const Address& address, std::string page_html, std::function<std::string()> greeting);
+  /// Ends every connection.
+  ~Server();
+  Server(const Server&) = delete;
+  Server& operator=(const Server&) = delete;
+
+  /// With the port that was found.
+  [[nodiscard]] const Address& address() const;
+  /// One frame, without a line break, to each viewer.
+  void show(std::string frame);
+  [[nodiscard]] ServerFigures figures() const;
+
+ private:
+  struct Http;
+  std::unique_ptr<Http> http_;
+};
+
+}  // namespace fantail::live
