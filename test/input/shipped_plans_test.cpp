@@ -53,7 +53,7 @@ TEST(ShippedPlans, SecondLaunchHasTwoAccelerometersOneStepAndTheProductChirp) {
   EXPECT_EQ(plan.motion.height_origin, core::HeightOrigin::replay);
   EXPECT_EQ(plan.guide.length_m, 4.0F);
   EXPECT_EQ(plan.guide.clearance_m, 2.0F);
-  EXPECT_EQ(plan.guide.minimum_speed_m_s, 14.0F);
+  EXPECT_EQ(plan.guide.minimum_speed_m_s, 17.0F);
   EXPECT_EQ(plan.guide.clearance_time, Microseconds{1'500'000});
   EXPECT_EQ(plan.controller.proportional_gain, 0.5F);
   EXPECT_EQ(plan.controller.derivative_gain_s, 0.05F);
