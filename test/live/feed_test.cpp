@@ -50,7 +50,7 @@ TEST(LiveFeed, BeforeTheFirstMessageNothingIsClaimed) {
 
 TEST(LiveFeed, AFrameHasWhatWasHeardInDegrees) {
   Heard heard;
-  heard.hear_state({.phase = core::Phase::armed,
+  heard.hear_state({.phase = core::Phase::controlling,
                     .saturated = true,
                     .roll_angle_rad = 30.0 * degree,
                     .reference_rad = -20.0 * degree,
@@ -63,7 +63,7 @@ TEST(LiveFeed, AFrameHasWhatWasHeardInDegrees) {
   heard.hear(encode(Stamp{.run = 7, .sequence = 0, .time = heard.now}, canards));
   const Value frame = heard.frame();
   EXPECT_EQ(frame["link"]["is"].text(), "live");
-  EXPECT_EQ(frame["phase"].text(), "armed");
+  EXPECT_EQ(frame["phase"].text(), "controlling");
   EXPECT_EQ(frame["roll_deg"].number(), 30.0);
   EXPECT_EQ(frame["reference_deg"].number(), -20.0);
   EXPECT_EQ(frame["height_m"].number(), 12.3);
@@ -75,6 +75,14 @@ TEST(LiveFeed, AFrameHasWhatWasHeardInDegrees) {
   EXPECT_TRUE(frame["canards"][0]["encoder_deg"].is_null());
   EXPECT_EQ(frame["canards"][2]["verdict"].text(), "stalled");
   EXPECT_TRUE(frame["health"].is_null());
+}
+
+TEST(LiveFeed, OutsideOfControlThereIsNoReference) {
+  Heard heard;
+  heard.hear_state({.phase = core::Phase::finished, .reference_rad = 0.0});
+  const Value frame = heard.frame();
+  EXPECT_TRUE(frame["reference_deg"].is_null());
+  EXPECT_TRUE(frame["plot"][0][4].is_null());
 }
 
 TEST(LiveFeed, FramesAreNumberedAndEachTellsItsNewsOnce) {

@@ -114,7 +114,7 @@ Json Feed::now_json(hal::Microseconds now) const {
   json["reason"] = core::name(content.reason);
   json["roll_deg"] = angle(content.roll_angle_rad);
   json["rate_deg_s"] = angle(content.roll_rate_rad_s);
-  json["reference_deg"] = angle(content.reference_rad);
+  json["reference_deg"] = angle(reference_in_force(content));
   json["command_deg"] = angle(content.command_rad);
   json["saturated"] = content.saturated;
   json["timing_fault"] = content.timing_fault;

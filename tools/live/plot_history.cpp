@@ -19,10 +19,14 @@ Json hundredths(double value) {
 
 }  // namespace
 
+std::optional<double> reference_in_force(const telemetry::State& state) {
+  return state.phase == core::Phase::controlling ? state.reference_rad : std::nullopt;
+}
+
 Sample sample_of(const telemetry::State& state, const std::optional<double>& canard_rad) {
   using telemetry::degrees;
   return {degrees(state.roll_angle_rad),
-          degrees(state.reference_rad),
+          degrees(reference_in_force(state)),
           degrees(state.roll_rate_rad_s),
           degrees(state.command_rad),
           degrees(canard_rad),

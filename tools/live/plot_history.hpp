@@ -16,6 +16,8 @@ namespace fantail::live {
 inline constexpr std::size_t signals = 7;
 /// Roll angle, reference, roll rate, command, mean of the canards, height, speed.
 using Sample = std::array<std::optional<double>, signals>;
+/// The roll angle that the law turns to, rad: only in Controlling is there one.
+[[nodiscard]] std::optional<double> reference_in_force(const telemetry::State& state);
 [[nodiscard]] Sample sample_of(const telemetry::State& state, const std::optional<double>& canard_rad);
 
 /// The last half minute, thinned without losing a peak: each stretch of 25 ms becomes two points, the lowest and the
