@@ -37,8 +37,9 @@ TEST(TomlTree, GivesAValueOnlyAsTheKindThatItIs) {
 
 // toml++ asks whether such a character is white space, and answers by undefined behaviour.
 TEST(TomlTree, RefusesWhatIsNotAsciiOutsideOfQuotesAndCommentsByItsPlace) {
-  for (const char* content :
-       {"a = 1\nb = [3.\u031a-5, 7]\n", "a = 1\nb = \u00e9\n", "a = 1\n\u00e9 = 2\n", "a = 1\nb = \"x\\\u00e9\"\n"}) {
+  for (const char* content : {"a = 1\nb = [3.\u031a-5, 7]\n", "a = 1\nb = \u00e9\n", "a = 1\n\u00e9 = 2\n",
+                              "a = 1\nb = \"x\\\u00e9\"\n", "a = 1\nb = 0.B'B\u00fd'\n", "a = 1\nb = 0.'\u00e9'\n",
+                              "a = 1\nb = 'x' '\u00e9'\n", "a = 1\nb = -\"\u00e9\"\n"}) {
     try {
       (void)tree_of(content);
       FAIL() << content;
@@ -57,13 +58,17 @@ TEST(TomlTree, TakesEveryLetterInQuotesAndComments) {
       "b = '\u00e9\\'\n"
       "c = \"\"\"\n\u00e9 \"\" x\"\"\"\"\n"
       "d = '''\u00e9'''\n"
-      "\"\u00e9\" = 5 # \u00e9");
+      "\"\u00e9\" = 5 # \u00e9\n"
+      "e = [ # \u00e9\n  \"\u00e9\", '\u00fc' ]\n"
+      "t . \"\u00e9\" = { '\u00fc' = 1 }\n");
   const TomlNode root = tree.root();
   EXPECT_EQ(root["a"].text(), "Fl\u00fcgel \" \u706b");
   EXPECT_EQ(root["b"].text(), "\u00e9\\");
   EXPECT_EQ(root["c"].text(), "\u00e9 \"\" x\"");
   EXPECT_EQ(root["d"].text(), "\u00e9");
   EXPECT_EQ(root["\u00e9"].integer(), 5);
+  EXPECT_EQ(root["e"].elements()->size(), 2U);
+  EXPECT_EQ(root["t"]["\u00e9"]["\u00fc"].integer(), 1);
 }
 
 TEST(TomlTree, HasDatesAndTimesButAsNoKindThatAnybodyAsksFor) {

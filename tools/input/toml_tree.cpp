@@ -53,20 +53,26 @@ std::size_t end_of_string(std::string_view text, std::size_t at) {
 }
 
 // The first character that is not ASCII outside of strings and comments, where TOML has none. To toml++ 3.3 one of
-// U+00A1 to U+0499 there is undefined behaviour: it asks whether that is white space.
+// U+00A1 to U+0499 there is undefined behaviour: it asks whether that is white space. A quote begins a string where a
+// key or a value may begin; anywhere else toml++ reads on over it.
 std::optional<std::size_t> foreign_character(std::string_view text) {
+  char before = '\n';       // the last one that is no blank
+  bool has_equals = false;  // in this line
   std::size_t i = text.starts_with("\xEF\xBB\xBF") ? 3 : 0;
   while (i < text.size()) {
-    if (static_cast<unsigned char>(text[i]) >= 0x80) {
+    const char now = text[i];
+    const bool may_begin =
+        std::string_view{"\n=[,{"}.find(before) != std::string_view::npos || (before == '.' && !has_equals);
+    if (static_cast<unsigned char>(now) >= 0x80) {
       return i;
     }
-    if (text[i] == '#') {
+    if (now == '#') {
       i = std::min(text.find('\n', i), text.size());
-    } else if (text[i] == '"' || text[i] == '\'') {
-      i = end_of_string(text, i);
-    } else {
-      ++i;
+      continue;
     }
+    has_equals = now != '\n' && (has_equals || now == '=');
+    i = (now == '"' || now == '\'') && may_begin ? end_of_string(text, i) : i + 1;
+    before = now == ' ' || now == '\t' || now == '\r' ? before : now;
   }
   return std::nullopt;
 }
