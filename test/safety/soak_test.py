@@ -12,6 +12,7 @@ import tempfile
 import time
 
 TOOLS = pathlib.Path(sys.argv[1])
+sys.path.insert(0, str(TOOLS))  # soak.py imports from there
 ENDED = """
 import sys
 sys.path.insert(0, sys.argv[1])

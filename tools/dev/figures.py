@@ -22,8 +22,8 @@ def processor():
         return platform.machine()
 
 
-def commit():
-    said = subprocess.run(["git", "describe", "--always", "--dirty"], capture_output=True, text=True, check=False)
+def commit(root="."):
+    said = subprocess.run(["git", "describe", "--always", "--dirty"], cwd=root, capture_output=True, text=True, check=False)
     return said.stdout.strip() or "a tree without git"
 
 

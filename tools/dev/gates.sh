@@ -87,7 +87,7 @@ soak() {
   host_build "the soak tests" test_avionics test_memory_campaign test_sil test_core fantail fantail-campaign
   build "the fuzzers" build/fuzz 600 fuzz_commands
   leave_turn
-  /usr/bin/python3 tools/dev/soak.py . "$@" || code=$?
+  /usr/bin/python3 -B tools/dev/soak.py . "$@" || code=$?
   [ "$code" -le 1 ] || exit "$code"
   /usr/bin/python3 tools/dev/figures.py "${page:-docs/figures/soak.md}" "Soak before a release" "./dev soak" build/figures/soak.json
 }

@@ -19,6 +19,8 @@ import subprocess
 import sys
 import time
 
+from figures import commit
+
 # name, title, what is counted, how many (a run of --short: a thousandth), command, environment, what to read from its output.
 # {n} is how many, {seed} the seed, {host} and {fuzz} the builds, and of the campaigns and proofs {every}, {false},
 # {missed} and {proofs}: with --short fewer flights, the bounds that so few events can show, and the quick proofs.
@@ -67,11 +69,6 @@ PROOFS = ("firmware", "hal", "test/proof")
 EVERYTHING = ("CMakeLists.txt", "CMakePresets.json", "cmake", "firmware", "hal", "sim", "third_party", "tools", "test")
 ALWAYS = ("CMakeLists.txt", "CMakePresets.json", "cmake", "firmware/plans", "sim/*/*.toml", "sim/*/*.csv")
 TESTS_PASSED = ("tests passed", r"\[  PASSED  \] ([1-9]\d*) tests?\b")
-
-
-def commit(root):
-    said = subprocess.run(["git", "describe", "--always", "--dirty"], cwd=root, capture_output=True, text=True, check=False)
-    return said.stdout.strip() or "a tree without git"
 
 
 def seeds_of(target, folder, root):
@@ -181,9 +178,7 @@ def run(steps, root):
 
 
 def figures(steps, earlier, seconds, arguments, root):
-    rows = []
-    passed = True
-    others, now = 0, commit(root)
+    rows, passed, others, now = [], True, 0, commit(root)
     for step in steps:
         try:
             kept = json.loads(step.file.read_text())
@@ -263,9 +258,8 @@ class Builds:
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("root", type=pathlib.Path)
-    parser.add_argument("--short", action="store_true")
-    parser.add_argument("--resume", action="store_true")
-    parser.add_argument("--failed", action="store_true")
+    for word in ("--short", "--resume", "--failed"):
+        parser.add_argument(word, action="store_true")
     parser.add_argument("--only", nargs="+", default=[])
     parser.add_argument("--seed", type=int, default=random.SystemRandom().randrange(1, 2**24))
     arguments = parser.parse_args()

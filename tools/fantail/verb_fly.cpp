@@ -14,6 +14,7 @@
 #include "campaign/repeat.hpp"
 #include "core/time.hpp"
 #include "fantail/flight_computer_option.hpp"
+#include "fantail/fly_page.hpp"
 #include "fantail/interrupt.hpp"
 #include "fantail/lcm_output.hpp"
 #include "fantail/page_output.hpp"
@@ -26,7 +27,6 @@
 #include "report/gain_margin_text.hpp"
 #include "report/results.hpp"
 #include "text/degrees.hpp"
-#include "text/shell_word.hpp"
 #include "trajectory/trajectory.hpp"
 
 namespace fantail::tool {
@@ -197,29 +197,6 @@ Task campaign_task(const FlyOptions& options) {
           .folder = folder / fmt::format("run_{}", *options.run)};
 }
 
-/// How far from its reference the roll comes to rest, where that is the same all the time.
-std::optional<double> settles_off_rad(const sim::Scenario& scenario) {
-  const core::FlightPlan& plan = scenario.plan;
-  const auto& offset = scenario.disturbance;
-  if (flight::rejects_offset(plan)) {
-    return 0.0;
-  }
-  const double gain =
-      static_cast<double>(plan.controller.proportional_gain) * sim::left_by_fins(scenario.vehicle.canard_air);
-  const bool is_constant =
-      plan.gain_schedule.speeds_count == 0 && gain > 0.0 &&
-      std::ranges::all_of(offset, [&](const auto& node) { return node.angle_rad == offset.front().angle_rad; });
-  return is_constant ? std::optional{offset.empty() ? 0.0 : offset.front().angle_rad / gain} : std::nullopt;
-}
-
-std::string command_of(const FlyOptions& options, const std::vector<std::string>& changes) {
-  std::string command = "fantail fly " + text::shell_word(options.scenario.scenario);
-  for (const std::string& change : changes) {
-    command += " --set " + text::shell_word(change);
-  }
-  return command + " --realtime --page";
-}
-
 void fly_and_report(const FlyOptions& options) {
   if (options.page.wanted() && !options.realtime) {
     throw UsageError{"--page shows a flight while it is flown, by the clock: add --realtime"};
@@ -229,7 +206,7 @@ void fly_and_report(const FlyOptions& options) {
   LcmOutput lcm{options.lcm};
   PageOutput page{options.page,
                   {.name = scenario.name + ", simulated", .settles_off_rad = settles_off_rad(scenario)},
-                  command_of(options, changes)};
+                  command_of(options.scenario.scenario, changes)};
   FlightComputerOption computer{options.computer};
   page.wait_for_viewer();
   flight::Flight flight = fly_and_show(scenario, computer, lcm, page, options.realtime);
