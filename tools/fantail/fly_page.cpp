@@ -25,7 +25,9 @@ std::optional<double> settles_off_rad(const sim::Scenario& scenario) {
 std::string command_of(const std::string& scenario, const std::vector<std::string>& changes) {
   std::string command = "fantail fly " + text::shell_word(scenario);
   for (const std::string& change : changes) {
-    command += " --set " + text::shell_word(change);
+    const bool is_option = change.starts_with("seed=") || change.starts_with("trajectory=");
+    command += is_option ? " --" : " --set ";
+    command += text::shell_word(change);
   }
   return command + " --realtime --page";
 }

@@ -27,6 +27,7 @@
 #include "report/gain_margin_text.hpp"
 #include "report/results.hpp"
 #include "text/degrees.hpp"
+#include "text/shell_word.hpp"
 #include "trajectory/trajectory.hpp"
 
 namespace fantail::tool {
@@ -206,7 +207,9 @@ void fly_and_report(const FlyOptions& options) {
   LcmOutput lcm{options.lcm};
   PageOutput page{options.page,
                   {.name = scenario.name + ", simulated", .settles_off_rad = settles_off_rad(scenario)},
-                  command_of(options.scenario.scenario, changes)};
+                  options.run ? fmt::format("fantail fly --campaign {} --run {} --realtime --page",
+                                            text::shell_word(options.campaign), *options.run)
+                              : command_of(options.scenario.scenario, changes)};
   FlightComputerOption computer{options.computer};
   page.wait_for_viewer();
   flight::Flight flight = fly_and_show(scenario, computer, lcm, page, options.realtime);
