@@ -78,7 +78,7 @@ set(FANTAIL_COMPILED_ALONE
   tools/campaign/html.cpp tools/campaign/json.cpp
   tools/fantail/plan_check.cpp tools/fantail/tunnel_flow.cpp tools/fantail/tunnel_stability.cpp
   tools/fantail/tunnel_steps.cpp tools/fantail/tunnel_swirl.cpp
-  tools/flight/read_csv.cpp tools/flight/turning.cpp
+  tools/flight/free_roll.cpp tools/flight/read_csv.cpp tools/flight/turning.cpp
   tools/identify/lag_doubt.cpp
   tools/input/scenario_fields.cpp
   tools/link/log_reader.cpp tools/link/session.cpp

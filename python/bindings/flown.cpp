@@ -80,6 +80,7 @@ void Flown::keep_only(const std::vector<std::string>& names) {
   free(flight.rows);
   free(flight.path);
   free(flight.turning);
+  free(flight.without_control);
   free(flight.tunnel_readings);
   free(flight.log);
 }

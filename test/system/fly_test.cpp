@@ -11,7 +11,7 @@ namespace fantail::test {
 namespace {
 
 using Names = std::vector<std::string>;
-const Names results{"flight.csv", "flight.ftl", "report.html", "summary.json"};
+const Names results{"flight.csv", "flight.ftl", "report.html", "summary.json", "without_control.csv"};
 
 json::Value summary(const std::string& folder) {
   return json::parse(content(std::filesystem::path{folder} / "summary.json"));
@@ -22,9 +22,9 @@ TEST(Fly, FliesTheSecondLaunchIntoAFolderOfItsNameWhenNothingIsSaid) {
   const Outcome outcome = fantail({"fly"}, {.working_folder = folder.path()});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_EQ(outcome.err, "");
-  EXPECT_EQ(folder.listing(),
-            (Names{"out", "out/tasha3_launch2", "out/tasha3_launch2/flight.csv", "out/tasha3_launch2/flight.ftl",
-                   "out/tasha3_launch2/report.html", "out/tasha3_launch2/summary.json"}));
+  EXPECT_EQ(folder.listing(), (Names{"out", "out/tasha3_launch2", "out/tasha3_launch2/flight.csv",
+                                     "out/tasha3_launch2/flight.ftl", "out/tasha3_launch2/report.html",
+                                     "out/tasha3_launch2/summary.json", "out/tasha3_launch2/without_control.csv"}));
   EXPECT_NE(outcome.out.find("out/tasha3_launch2/report.html"), std::string::npos) << outcome.out;
   EXPECT_EQ(summary(folder / "out/tasha3_launch2")["scenario"], "tasha3_launch2");
 }
@@ -55,7 +55,7 @@ TEST(Fly, ReplacesAnEarlierResultAndLeavesOtherFilesAlone) {
   EXPECT_EQ(fantail({"fly", "--out", folder / "out"}).exit_code, 0);
   EXPECT_EQ(summary(folder / "out")["seed"], 1);
   EXPECT_EQ(content(folder / "out/notes.txt"), "mine");
-  EXPECT_EQ(folder.listing().size(), 6U);  // the folder, four results, the notes: nothing temporary
+  EXPECT_EQ(folder.listing().size(), 7U);  // the folder, five results, the notes: nothing temporary
 }
 
 // Three seconds: a start command that comes before the avionics can be armed is refused.

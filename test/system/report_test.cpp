@@ -96,12 +96,16 @@ TEST(Report, OfAFolderOfFlySaysTheSameAsFly) {
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   const Json before = json::parse(flown.out);
   const Json after = json::parse(outcome.out);
-  for (const char* key :
-       {"scenario", "vehicle", "plan", "seed", "events", "apogee_m", "max_speed_m_s", "control_time_s",
-        "saturated_fraction", "phase_changes", "canard_verdicts", "notes", "final_phase"}) {
+  for (const char* key : {"scenario", "vehicle", "plan", "seed", "events", "apogee_m", "max_speed_m_s",
+                          "control_time_s", "saturated_fraction", "phase_changes", "canard_verdicts", "notes",
+                          "final_phase", "roll_turns_without_control"}) {
     EXPECT_EQ(after[key], before[key]) << key;
   }
+  EXPECT_FALSE(after["roll_turns_without_control"].is_null());
   EXPECT_EQ(content(folder / "out/report/flown/flight.csv"), content(folder / "flown/flight.csv"));
+  EXPECT_NE(content(folder / "out/report/flown/report.html").find("<code>fantail report flown</code>"),
+            std::string::npos);
+  EXPECT_NE(content(folder / "flown/report.html").find("<code>fantail fly tasha3_launch2</code>"), std::string::npos);
 }
 
 TEST(Report, OfTwoFlightsHasTheDifferencesOfCompare) {

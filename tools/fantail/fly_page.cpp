@@ -29,7 +29,7 @@ std::string command_of(const std::string& scenario, const std::vector<std::strin
     command += is_option ? " --" : " --set ";
     command += text::shell_word(change);
   }
-  return command + " --realtime --page";
+  return command;
 }
 
 }  // namespace fantail::tool

@@ -203,8 +203,8 @@ std::vector<std::filesystem::path> files_to_spare(const std::filesystem::path& l
   std::vector<std::filesystem::path> all{in_folder ? log / "flight.ftl" : log};
   for (const std::filesystem::path& folder : {in_folder ? log : log.parent_path(), target.parent_path()}) {
     if (std::filesystem::exists(folder / "summary.json")) {
-      for (const char* name :
-           {"flight.csv", "flight.ftl", "summary.json", "report.html", "tunnel.csv", "trajectory.csv", "turning.csv"}) {
+      for (const char* name : {"flight.csv", "flight.ftl", "summary.json", "report.html", "tunnel.csv",
+                               "trajectory.csv", "turning.csv", "without_control.csv"}) {
         all.push_back(folder / name);
       }
     }

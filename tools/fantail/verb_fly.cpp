@@ -1,18 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <chrono>
 #include <filesystem>
 #include <iterator>
 #include <memory>
 #include <optional>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "campaign/repeat.hpp"
-#include "core/time.hpp"
 #include "fantail/flight_computer_option.hpp"
 #include "fantail/fly_page.hpp"
 #include "fantail/interrupt.hpp"
@@ -21,8 +18,10 @@
 #include "fantail/progress.hpp"
 #include "fantail/run.hpp"
 #include "fantail/scenario_options.hpp"
+#include "fantail/wall_clock.hpp"
 #include "flight/phase_names.hpp"
 #include "fly/fly_scenario.hpp"
+#include "fly/without_control.hpp"
 #include "hil/wire.hpp"
 #include "report/gain_margin_text.hpp"
 #include "report/results.hpp"
@@ -32,25 +31,6 @@
 
 namespace fantail::tool {
 namespace {
-
-/// Holds a simulated flight back to real time; the flight's bytes are the same as without it.
-class WallClock {
- public:
-  /// Returns when as much time has passed since the first call as between the two simulated times. A PC that was a
-  /// little late catches up; one that has slept does not make up for it.
-  void wait_for(core::Microseconds simulated) {
-    using Clock = std::chrono::steady_clock;
-    constexpr std::chrono::seconds most_debt{1};
-    const auto now = Clock::now();
-    if (!zero_ || now > *zero_ + simulated + most_debt) {
-      zero_ = now - simulated;
-    }
-    std::this_thread::sleep_until(*zero_ + simulated);
-  }
-
- private:
-  std::optional<std::chrono::steady_clock::time_point> zero_;
-};
 
 struct FlyOptions {
   ScenarioOptions scenario{.scenario = "tasha3_launch2", .seed = {}, .changes = {}};
@@ -122,6 +102,15 @@ flight::Flight fly_and_show(const sim::Scenario& scenario, FlightComputerOption&
     page.report(record, surroundings);
   };
   return fly::fly_scenario(scenario, look, observe, fly::Log::kept, computer.maker());
+}
+
+std::vector<flight::FreeRollPoint> roll_without_control(const sim::Scenario& scenario, const flight::Flight& flight) {
+  Progress progress{"flying it without control",
+                    {.unit = "s", .rate = " x real time", .total = fly::expected_length_s(scenario)}};
+  return fly::roll_without_control(scenario, flight, [&progress](double simulated_s) {
+    give_up_if_interrupted();
+    progress.show(simulated_s);
+  });
 }
 
 /// What makes the flight another one than that of the scenario as it stands.
@@ -205,14 +194,17 @@ void fly_and_report(const FlyOptions& options) {
   auto [scenario, changes, notes, usual_folder] = options.run ? campaign_task(options) : task_of(options);
   check_faults(options, scenario);
   LcmOutput lcm{options.lcm};
+  const std::string command =
+      options.run ? fmt::format("fantail fly --campaign {} --run {}", text::shell_word(options.campaign), *options.run)
+                  : command_of(options.scenario.scenario, changes);
   PageOutput page{options.page,
                   {.name = scenario.name + ", simulated", .settles_off_rad = settles_off_rad(scenario)},
-                  options.run ? fmt::format("fantail fly --campaign {} --run {} --realtime --page",
-                                            text::shell_word(options.campaign), *options.run)
-                              : command_of(options.scenario.scenario, changes)};
+                  command + " --realtime --page"};
   FlightComputerOption computer{options.computer};
   page.wait_for_viewer();
   flight::Flight flight = fly_and_show(scenario, computer, lcm, page, options.realtime);
+  flight.without_control = roll_without_control(scenario, flight);
+  flight.command = options.computer.on == "host" ? command : fmt::format("{} --on {}", command, options.computer.on);
   flight.changes = std::move(changes);
   flight.notes.insert(flight.notes.begin(), notes.begin(), notes.end());
   std::ranges::copy(computer.notes(), std::back_inserter(flight.notes));
@@ -257,7 +249,7 @@ void fill(const Verb& verb) {
           "--out", options->out,
           "Folder for flight.csv, summary.json, report.html, flight.ftl (what the avionics recorded itself) and, "
           "of a tunnel run, tunnel.csv, of a flight in six degrees of freedom or on a trajectory, trajectory.csv, "
-          "on the gimbal or on pins, turning.csv "
+          "on the gimbal or on pins, turning.csv, and how it would have rolled without control, without_control.csv "
           "[out/SCENARIO, with what --set and --seed change: out/SCENARIO+CHANGES; of a campaign, run_NUMBER in its "
           "folder]")
       .check(objection_to_folder);

@@ -18,6 +18,7 @@
 #include "report/results.hpp"
 #include "text/number.hpp"
 #include "text/output_folder.hpp"
+#include "text/shell_word.hpp"
 
 namespace fantail::tool {
 namespace {
@@ -37,7 +38,8 @@ struct ReportOptions {
 std::filesystem::path default_folder(const std::string& name) { return std::filesystem::path{"out"} / "report" / name; }
 
 void report_one(const ReportOptions& options) {
-  const flight::Flight flight = logs::read_flight(options.a);
+  flight::Flight flight = logs::read_flight(options.a);
+  flight.command = "fantail report " + text::shell_word(options.a);
   give_up_if_interrupted();
   const report::Results results = report::results(flight);
   const std::filesystem::path folder =

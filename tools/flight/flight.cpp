@@ -163,6 +163,7 @@ void set_time_zero(Flight& flight, double zero_s) {
   std::ranges::for_each(flight.rows, [&](auto& r) { move(r.time_s); });
   std::ranges::for_each(flight.path, [&](auto& point) { move(point.time_s); });
   std::ranges::for_each(flight.turning, [&](auto& point) { move(point.time_s); });
+  std::ranges::for_each(flight.without_control, [&](auto& point) { move(point.time_s); });
   std::ranges::for_each(flight.tunnel_readings, [&](auto& reading) { move(reading.time_s); });
 }
 

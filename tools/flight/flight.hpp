@@ -11,6 +11,7 @@
 
 #include "core/flight_plan.hpp"
 #include "core/tick_record.hpp"
+#include "flight/free_roll.hpp"
 #include "flight/path.hpp"
 #include "flight/turning.hpp"
 
@@ -162,6 +163,7 @@ struct Flight {
   std::optional<FlownAirframe> airframe;  ///< of a simulated one
   std::string plan_name;
   std::string version;                ///< of the program that flew it
+  std::string command;                ///< that makes its files again, as it is typed; empty: nobody knows
   std::optional<std::uint64_t> seed;  ///< of a simulated one
   std::vector<std::string> changes;   ///< of the scenario, on the command line: "controller.canard_limit_deg=9"
   bool tunnel = false;
@@ -186,9 +188,10 @@ struct Flight {
   std::vector<TunnelReading> tunnel_readings;  ///< empty in flight
   std::vector<PathPoint> path;                 ///< empty along a straight line, in the tunnel, and of real flights
   PathFrame path_frame = PathFrame::compass;
-  std::optional<double> trajectory_end_s;  ///< of the trajectory that was flown on, where it ends before apogee
-  std::vector<TurnPoint> turning;          ///< of a simulated run on the gimbal or on pins; else empty
-  std::vector<std::byte> log;              ///< what the avionics recorded itself; empty: nothing
+  std::optional<double> trajectory_end_s;      ///< of the trajectory that was flown on, where it ends before apogee
+  std::vector<TurnPoint> turning;              ///< of a simulated run on the gimbal or on pins; else empty
+  std::vector<FreeRollPoint> without_control;  ///< of a simulated flight with control, or empty; the rows' clock
+  std::vector<std::byte> log;                  ///< what the avionics recorded itself; empty: nothing
   Known known;
 };
 

@@ -132,6 +132,9 @@ flight::Flight read_flight(const std::filesystem::path& path) {
   if (is_there(path / "turning.csv")) {
     flight.turning = flight::read_turning(flight::Table::load((path / "turning.csv").string()));
   }
+  if (is_there(path / "without_control.csv")) {
+    flight.without_control = flight::read_free_roll(flight::Table::load((path / "without_control.csv").string()));
+  }
   add_plan(flight, path);
   return flight;
 }

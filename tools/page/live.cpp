@@ -61,6 +61,30 @@ Json levels_of(const Chart& chart) {
   return levels;
 }
 
+Json hundredths(const std::vector<double>& values) {
+  Json all = Json::array();
+  for (const double value : values) {
+    all.push_back(hundredths(value));
+  }
+  return all;
+}
+
+Json data_of(const RollScene& scene) {
+  Json canards = Json::array();
+  for (const std::vector<double>& one : scene.canards_deg) {
+    canards.push_back(hundredths(one));
+  }
+  return {{"name", scene.name},
+          {"note", scene.note},
+          {"begin", json::rounded(scene.begin_s, 3)},
+          {"step", json::rounded(scene.step_s, 3)},
+          {"shown", json::rounded(scene.shown_s, 3)},
+          {"from", json::rounded(scene.from_s, 3)},
+          {"roll", hundredths(scene.roll_deg)},
+          {"free", scene.without_control_deg.empty() ? Json{} : hundredths(scene.without_control_deg)},
+          {"canards", std::move(canards)}};
+}
+
 Json data_of(const Chart& chart) {
   std::vector<std::vector<double>> columns;
   Json series = Json::array();
@@ -68,6 +92,18 @@ Json data_of(const Chart& chart) {
     if (anything_in(one)) {
       columns.push_back(one.y);
       series.push_back({{"name", one.name}, {"role", class_of(one.role)}, {"step", one.mark == Mark::step}});
+    }
+  }
+  Json bands = Json::array();
+  for (const Area& area : chart.areas) {
+    if (anything_in(area)) {
+      bands.push_back({{"low", columns.size()}, {"high", columns.size() + 1}, {"role", class_of(area.role)}});
+      columns.push_back(area.low);
+      columns.push_back(area.high);
+      const Json edge{{"name", ""}, {"role", class_of(area.role)}, {"step", false}, {"edge", true}};
+      series.push_back(edge);
+      series.push_back(edge);
+      series[series.size() - 1]["name"] = area.name;
     }
   }
   if (columns.empty()) {
@@ -86,9 +122,9 @@ Json data_of(const Chart& chart) {
     }
     series[s]["hundredths"] = std::move(values);
   }
-  Json data{{"title", chart.label},       {"unit", chart.y_label},      {"wide", wide},
-            {"height", chart.height},     {"levels", levels_of(chart)}, {"milliseconds", std::move(times)},
-            {"series", std::move(series)}};
+  Json data{{"title", chart.label},        {"unit", chart.y_label},      {"wide", wide},
+            {"height", chart.height},      {"levels", levels_of(chart)}, {"milliseconds", std::move(times)},
+            {"series", std::move(series)}, {"bands", std::move(bands)}};
   if (chart.y_range) {
     data["sight"] = {{"low", chart.y_range->low}, {"high", chart.y_range->high}};
   }
@@ -117,7 +153,15 @@ std::string data_of(const LiveCharts& live) {
       plots.push_back(std::move(one));
     }
   }
-  return Json{{"views", views}, {"stripes", stripes}, {"events", events}, {"plots", plots}}.dump();
+  for (const Chart& chart : live.more) {
+    if (Json one = data_of(chart); !one.is_null()) {
+      one["more"] = true;
+      plots.push_back(std::move(one));
+    }
+  }
+  return Json{{"views", views}, {"stripes", stripes},      {"events", events},
+              {"plots", plots}, {"more", live.more_label}, {"scene", live.scene ? data_of(*live.scene) : Json{}}}
+      .dump();
 }
 
 }  // namespace
@@ -138,9 +182,10 @@ std::string live_scripts(const LiveCharts& live) {
     return {};
   }
   return fmt::format(
-      "<script type=\"application/json\" id=\"live-data\">{}</script>\n<script>\n/*\n{}*/\n{}</script>\n<script>\n{}"
+      "<script type=\"application/json\" id=\"live-data\">{}</script>\n<script>\n/*\n{}*/\n{}</script>\n<script>\n{}{}"
       "</script>\n",
-      escape_script_json(data_of(live)), uplot_licence, uplot_js, live_js);
+      escape_script_json(data_of(live)), uplot_licence, uplot_js,
+      live.scene ? fmt::format("{}{}", rocket_js, scene_js) : "", live_js);
 }
 
 }  // namespace fantail::page

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "page/chart.hpp"
+#include "page/roll_scene.hpp"
 
 namespace fantail::page {
 
@@ -20,6 +22,9 @@ struct LiveCharts {
   /// The label is the title, the y label the unit. All series of a chart have the same x; those without a number are
   /// left out. Stripes and upright levels are those of the first chart. A y range is what is always in sight at least.
   std::vector<Chart> charts{};
+  std::vector<Chart> more{};  ///< likewise, shown when a reader asks for them
+  std::string more_label{};   ///< of the button
+  std::optional<RollScene> scene{};
   std::vector<View> views{};  ///< stretches worth a button; the first is shown at first. Not empty if there are charts
 };
 

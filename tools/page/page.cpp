@@ -60,6 +60,15 @@ std::string verdict(const Page& page) {
                      findings.empty() ? "" : "<ul>\n" + findings + "</ul>\n");
 }
 
+std::string footer(const Page& page) {
+  const std::string made =
+      page.command.empty() ? "" : fmt::format("<p>Made by <code>{}</code></p>\n", escape_html(page.command));
+  return page.footer.empty() && made.empty()
+             ? ""
+             : fmt::format("<footer>{}{}</footer>\n",
+                           page.footer.empty() ? "" : fmt::format("<p>{}</p>\n", printed(page.footer)), made);
+}
+
 // Of the svg itself, beside those that it has.
 std::string with_class(std::string_view svg, std::string_view name) {
   constexpr std::string_view begin = "<svg class=\"";
@@ -77,8 +86,7 @@ std::string html(const Page& page) {
       "<meta name=\"color-scheme\" content=\"light dark\">\n<title>{}{}{}</title>\n<style>{}{}{}</style>\n</head>\n"
       "<body>\n<main>\n{}{}{}{}</main>\n{}</body>\n</html>\n",
       title, title.empty() || kind.empty() ? "" : " \u00b7 ", kind, page.live.charts.empty() ? "" : uplot_css,
-      chart_css, page_css, header(page), verdict(page), page.body_html,
-      page.footer.empty() ? "" : fmt::format("<footer>{}</footer>\n", printed(page.footer)), live_scripts(page.live));
+      chart_css, page_css, header(page), verdict(page), page.body_html, footer(page), live_scripts(page.live));
 }
 
 std::string escape_html(std::string_view text) {

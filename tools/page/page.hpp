@@ -34,7 +34,8 @@ struct Page {
   bool stamped = false;             ///< the verdict's heading is large: PASS
   std::string body_html{};
   std::string footer{};
-  LiveCharts live{};  ///< of a live_figure() in the body
+  std::string command{};  ///< that makes this page again, as it is typed; below the footer
+  LiveCharts live{};      ///< of a live_figure() in the body
 };
 
 [[nodiscard]] std::string html(const Page& page);

@@ -1,21 +1,16 @@
 // SPDX-License-Identifier: MIT
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <functional>
-#include <limits>
 #include <optional>
-#include <span>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
 #include <fmt/core.h>
 
-#include "flight/columns.hpp"
 #include "flight/phase_names.hpp"
+#include "report/chart_drawer.hpp"
 #include "report/descent.hpp"
 #include "report/html.hpp"
 #include "text/degrees.hpp"
@@ -27,17 +22,6 @@ namespace {
 using page::Chart;
 using page::Mark;
 using page::Role;
-using Value = std::function<double(const flight::Row&)>;
-
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-constexpr double tall = 300.0;
-constexpr double flat = 200.0;
-constexpr double small = 150.0;
-
-// A column of flight.csv.
-Value column(std::string_view name) {
-  return [found = flight::find_column(name)](const flight::Row& row) { return found->written(row); };
-}
 
 Role role_of(core::Phase phase) {
   switch (phase) {
@@ -114,89 +98,6 @@ std::vector<page::Level> event_marks(const flight::Flight& flight) {
   return marks;
 }
 
-// What the plots show at first: from a second before lift-off or control start to half a second after control and
-// apogee, so that neither minutes on the pad nor a tumbling descent squeeze the flight. flight.csv has everything.
-struct Window {
-  double begin_s = 0.0;
-  double end_s = 0.0;
-};
-
-Window plot_window(const flight::Flight& flight) {
-  if (flight.rows.empty()) {
-    return {};
-  }
-  Window window{flight.rows.front().time_s, flight.rows.back().time_s};
-  const flight::Events& e = flight.events;
-  if (const auto start = e.liftoff_s ? e.liftoff_s : e.control_start_s) {
-    window.begin_s = std::max(window.begin_s, *start - 1.0);
-  }
-  if (e.control_end_s || e.apogee_s) {
-    const double over_s = std::max(e.control_end_s.value_or(window.begin_s), e.apogee_s.value_or(window.begin_s));
-    window.end_s = std::min(window.end_s, over_s + 0.5);
-  }
-  return window;
-}
-
-class Drawer {
- public:
-  explicit Drawer(const flight::Flight& flight)
-      : flight_{flight},
-        rows_{std::ranges::lower_bound(flight.rows, plot_window(flight).begin_s, {}, &flight::Row::time_s),
-              flight.rows.end()} {
-    for (const flight::Row& row : rows_) {
-      time_s_.push_back(row.time_s);
-    }
-  }
-
-  [[nodiscard]] Chart chart(std::string label, std::string unit, double width, double height,
-                            std::vector<page::Series> series) const {
-    return {.label = std::move(label),
-            .x_label = "time / s",
-            .y_label = std::move(unit),
-            .width = width,
-            .height = height,
-            .series = std::move(series),
-            .sampled = true};
-  }
-  [[nodiscard]] page::Series line(std::string name, Role role, const Value& value, Mark mark = Mark::line) const {
-    page::Series series{.name = std::move(name), .role = role, .mark = mark, .x = time_s_};
-    std::ranges::transform(rows_, std::back_inserter(series.y), value);
-    return series;
-  }
-  // References and commands mean something only while somebody follows them.
-  [[nodiscard]] Value in_control(const Value& value) const {
-    return [value, always = !flight_.known.phase](const flight::Row& row) {
-      return always || row.phase == core::Phase::controlling ? value(row) : unknown;
-    };
-  }
-  // The plan limit and a strip beyond it are always in sight.
-  [[nodiscard]] Chart with_limits(Chart chart) const {
-    if (!flight_.known.plan) {
-      return chart;
-    }
-    core::Angle stop = flight_.plan.canards.each.front().mechanical_stop;
-    for (const core::CanardPlan& canard : flight_.plan.canards.each) {
-      stop = std::min(stop, canard.mechanical_stop);
-    }
-    const core::Angle plan = flight_.plan.controller.canard_limit;
-    for (const auto& [name, angle] :
-         {std::pair{"plan limit", plan}, {"mechanical stop", stop}, {"hard limit", core::hard_canard_limit}}) {
-      const double limit_deg = static_cast<double>(angle.degrees());
-      const std::string label = fmt::format("{} {} deg", name, text::brief(limit_deg, 3));
-      chart.levels.push_back({.value = limit_deg, .label = label, .role = Role::limit});
-      chart.levels.push_back({.value = -limit_deg, .role = Role::limit});
-    }
-    const double sight_deg = 1.35 * static_cast<double>(plan.degrees());
-    chart.y_range = page::Range{-sight_deg, sight_deg};
-    return chart;
-  }
-
- private:
-  const flight::Flight& flight_;
-  std::span<const flight::Row> rows_;
-  std::vector<double> time_s_{};
-};
-
 bool rests_at_reference(const flight::Flight& flight) {
   return flight.known.plan && flight::rejects_offset(flight.plan);
 }
@@ -208,22 +109,22 @@ std::string settles_at(const flight::Flight& flight) {
   return flight.plan.gain_schedule.speeds_count > 0 ? "settles at R + u_d/(f kp)" : "settles at R + u_d/kp";
 }
 
-Chart disturbance(const flight::Flight& flight, const Drawer& drawer) {
+Chart disturbance(const flight::Flight& flight, const ChartDrawer& drawer) {
   const page::Series truth = drawer.line("u_d", Role::target, column("true_disturbance_deg"));
   if (!rests_at_reference(flight)) {
-    return drawer.chart("True disturbance (equivalent fin offset u_d)", "deg", page::full_page, flat, {truth});
+    return drawer.chart("True disturbance (equivalent fin offset u_d)", "deg", page::full_page, flat_chart, {truth});
   }
   return drawer.chart(
-      "Disturbance (equivalent fin offset u_d), and what the law takes it for", "deg", page::full_page, flat,
+      "Disturbance (equivalent fin offset u_d), and what the law takes it for", "deg", page::full_page, flat_chart,
       {truth, drawer.line("estimate", Role::measured, drawer.in_control(column("offset_estimate_deg")))});
 }
 
-Chart roll_angle(const flight::Flight& flight, const Drawer& drawer) {
-  const Value settle = [&flight](const flight::Row& row) {
-    return text::in_degrees(flight::settle_point_rad(row, flight)).value_or(unknown);
+Chart roll_angle(const flight::Flight& flight, const ChartDrawer& drawer) {
+  const RowValue settle = [&flight](const flight::Row& row) {
+    return text::in_degrees(flight::settle_point_rad(row, flight)).value_or(unknown_value);
   };
   Chart chart =
-      drawer.chart("Roll angle", "deg", page::full_page, tall,
+      drawer.chart("Roll angle", "deg", page::full_page, tall_chart,
                    {drawer.line("reference R", Role::reference, drawer.in_control(column("reference_deg")), Mark::step),
                     drawer.line(settles_at(flight), Role::second_model, drawer.in_control(settle), Mark::step),
                     drawer.line("true", Role::target, column("true_roll_angle_deg")),
@@ -235,35 +136,21 @@ Chart roll_angle(const flight::Flight& flight, const Drawer& drawer) {
   return chart;
 }
 
-std::vector<Chart> all_charts(const flight::Flight& flight) {
-  const Drawer drawer{flight};
-  const bool excites = flight.known.plan && flight.plan.excitation.form != core::ExcitationForm::none;
-  const Value excitation = excites ? column("excitation_deg") : [](const flight::Row&) { return unknown; };
-  std::vector<Chart> all{
-      roll_angle(flight, drawer),
-      drawer.chart("Roll rate", "deg/s", page::full_page, flat,
-                   {drawer.line("true", Role::target, column("true_roll_rate_deg_s")),
-                    drawer.line("estimate", Role::measured, column("roll_rate_deg_s"))}),
-      drawer.with_limits(drawer.chart("Command and canards", "deg", page::full_page, flat,
-                                      {drawer.line("excitation", Role::neutral, drawer.in_control(excitation)),
-                                       drawer.line("command", Role::target, column("command_deg")),
-                                       drawer.line("encoder mean", Role::measured, column("canard_deg"))})),
-      drawer.with_limits(disturbance(flight, drawer))};
-  for (std::size_t i = 1; i <= core::canard_count; ++i) {
-    all.push_back(drawer.with_limits(
-        drawer.chart(fmt::format("Canard {}", i), "deg", page::half_page, small,
-                     {drawer.line("command", Role::target, column(fmt::format("command_{}_deg", i))),
-                      drawer.line("encoder", Role::measured, column(fmt::format("encoder_{}_deg", i)))})));
-  }
+std::vector<Chart> all_charts(const flight::Flight& flight, const ChartDrawer& drawer) {
+  std::vector<Chart> all{roll_angle(flight, drawer),
+                         drawer.chart("Roll rate", "deg/s", page::full_page, flat_chart,
+                                      {drawer.line("true", Role::target, column("true_roll_rate_deg_s")),
+                                       drawer.line("estimate", Role::measured, column("roll_rate_deg_s"))}),
+                         canards_together(flight, drawer), drawer.with_limits(disturbance(flight, drawer))};
   const page::Series true_speed =
       drawer.line(flight.path.empty() ? "true" : "true, through the air", Role::target, column("true_speed_m_s"));
   if (flight.tunnel) {  // on a string nothing accelerates, so there is no estimate
-    all.push_back(drawer.chart("Air speed", "m/s", page::half_page, small, {true_speed}));
+    all.push_back(drawer.chart("Air speed", "m/s", page::half_page, small_chart, {true_speed}));
   } else {
-    all.push_back(drawer.chart("Height", "m", page::half_page, small,
+    all.push_back(drawer.chart("Height", "m", page::half_page, small_chart,
                                {drawer.line("true", Role::target, column("true_height_m")),
                                 drawer.line("estimate", Role::measured, column("height_m"))}));
-    all.push_back(drawer.chart("Speed", "m/s", page::half_page, small,
+    all.push_back(drawer.chart("Speed", "m/s", page::half_page, small_chart,
                                {true_speed, drawer.line(flight.path.empty() ? "estimate" : "estimate, over ground",
                                                         Role::measured, column("speed_m_s"))}));
   }
@@ -271,7 +158,7 @@ std::vector<Chart> all_charts(const flight::Flight& flight) {
 }
 
 std::vector<page::LiveCharts::View> views(const flight::Flight& flight) {
-  const Window window = plot_window(flight);
+  const PlotWindow window = plot_window(flight);
   const flight::Events& e = flight.events;
   std::vector<page::LiveCharts::View> all{{flight.tunnel ? "Run" : "Flight", window.begin_s, window.end_s}};
   if (!flight.tunnel && e.liftoff_s && e.control_start_s) {
@@ -289,7 +176,15 @@ std::vector<page::LiveCharts::View> views(const flight::Flight& flight) {
 }  // namespace
 
 page::LiveCharts charts(const flight::Flight& flight) {
-  return flight.rows.empty() ? page::LiveCharts{} : page::LiveCharts{all_charts(flight), views(flight)};
+  if (flight.rows.empty()) {
+    return {};
+  }
+  const ChartDrawer drawer{flight};
+  return {.charts = all_charts(flight, drawer),
+          .more = canards_alone(drawer),
+          .more_label = "Each canard alone",
+          .scene = roll_scene(flight, plot_window(flight).begin_s),
+          .views = views(flight)};
 }
 
 }  // namespace fantail::report

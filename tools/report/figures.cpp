@@ -2,6 +2,7 @@
 #include "report/figures.hpp"
 
 #include <algorithm>
+#include <numbers>
 #include <span>
 
 #include "report/running_figures.hpp"
@@ -33,6 +34,11 @@ Figures figures(const flight::Flight& flight) {
   Figures f = running.figures(flight);
   if (const auto control = under_control(flight); !control.empty()) {
     f.side_deflection = side_deflection(flight, control);
+    const auto begin_rad = flight::free_roll_angle_rad(flight.without_control, control.front().time_s);
+    const auto end_rad = flight::free_roll_angle_rad(flight.without_control, control.back().time_s);
+    if (begin_rad && end_rad) {
+      f.roll_turns_without_control = (*end_rad - *begin_rad) / (2.0 * std::numbers::pi);
+    }
   }
   return f;
 }

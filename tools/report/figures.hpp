@@ -27,6 +27,7 @@ struct Figures {
                                                ///< the least under control; negative: they cannot balance it
   std::optional<double> authority_rad;         ///< how far they deflect in the sense that this u_d needs
   std::optional<double> roll_turns;            ///< net turns from control start to its end
+  std::optional<double> roll_turns_without_control;  ///< those of the same rocket with its canards at trim
   /// First tick of the saturation that lasts to the end of control, when that is at least half a second.
   std::optional<double> at_limit_since_s;
   double command_at_end_rad = 0.0;              ///< last command under control

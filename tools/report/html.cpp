@@ -59,6 +59,7 @@ std::string figure_list(const flight::Flight& flight, const Figures& f) {
                     fmt::format("at {} m/s; gain margin {}", fixed(margin.speed_m_s, 0), gain_margin_text(margin))});
   }
   add("Net roll", f.roll_turns, 2, "turns", "under control");
+  add("Net roll without control", f.roll_turns_without_control, 2, "turns", "canards at trim");
   if (flight.known.phase) {
     list.push_back({"Final phase", flight::display_name(f.final_phase), "", ""});
   }
@@ -182,7 +183,13 @@ std::string html(const flight::Flight& flight, const Figures& figures, const Ver
                       "Every tick is in flight.csv, every figure in summary.json, beside this page. The plots "
                       "leave out most samples but no peak. Plots drawn with uPlot (MIT licence, in the source of "
                       "this page).",
+                  .command = flight.command,
                   .live = charts(flight)};
+  if (figures.roll_turns && figures.roll_turns_without_control) {
+    page.findings.push_back(
+        {"", fmt::format("Under control it turned by {} turns; with its canards at trim it would have turned by {}.",
+                         fixed(*figures.roll_turns, 2), fixed(*figures.roll_turns_without_control, 2))});
+  }
   if (!flight.changes.empty()) {
     page.findings.push_back({"", fmt::format("Changed on the command line: {}.", fmt::join(flight.changes, ", "))});
   }
@@ -191,9 +198,9 @@ std::string html(const flight::Flight& flight, const Figures& figures, const Ver
   }
   const std::array<std::string, 2> columns{page::section("Events", event_table(flight)),
                                            page::section("Phases", phase_table(flight) + canard_table(flight))};
-  page.body_html = page::section("Figures", figure_list(flight, figures)) +
-                   page::section("The flight", page::live_figure(page.live, "Roll angle over time")) +
-                   path_section(flight) + turning_section(flight) + page::side_by_side(columns) + about_section(flight);
+  page.body_html = page::section("The flight", page::live_figure(page.live, "Roll angle over time")) +
+                   page::section("Figures", figure_list(flight, figures)) + path_section(flight) +
+                   turning_section(flight) + page::side_by_side(columns) + about_section(flight);
   return page::html(page);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "flight/flight.hpp"
@@ -22,6 +23,10 @@ namespace fantail::report {
 /// What the report shows of a flight over time: phases as stripes, events as upright levels, and in degrees, metres and
 /// seconds what was known on board and what was true. The first is the roll angle. Empty without a row.
 [[nodiscard]] page::LiveCharts charts(const flight::Flight& flight);
+
+/// The rocket as it rolled from `begin_s` on, and as it would have rolled without control where that is known. Truth
+/// where there is any, else the estimate. Empty where no roll angle is known.
+[[nodiscard]] std::optional<page::RollScene> roll_scene(const flight::Flight& flight, double begin_s);
 
 /// report.html: one page that loads nothing. Verdict, figures, tables and a picture of the roll angle are plain HTML;
 /// where scripts run, plots with a common cursor take the picture's place.

@@ -25,6 +25,7 @@ constexpr const char* own_log = "flight.ftl";
 constexpr const char* own_readings = "tunnel.csv";
 constexpr const char* own_path = "trajectory.csv";
 constexpr const char* own_turning = "turning.csv";
+constexpr const char* own_free_roll = "without_control.csv";
 
 std::vector<text::NamedFile> result_files(const flight::Flight& flight, const Results& results) {
   return {{"flight.csv", csv(flight)},
@@ -56,12 +57,13 @@ void write_results(const flight::Flight& flight, const Results& results, const s
   add(own_readings, !flight.tunnel_readings.empty(), [&] { return flight::tunnel_csv(flight); });
   add(own_path, !flight.path.empty(), [&] { return flight::trajectory_csv(flight.path, flight.path_frame); });
   add(own_turning, !flight.turning.empty(), [&] { return flight::turning_csv(flight.turning); });
+  add(own_free_roll, !flight.without_control.empty(), [&] { return flight::free_roll_csv(flight.without_control); });
   text::OutputFolder{folder}.write(files, of_others);
 }
 
 void write_report(const flight::Flight& flight, const Results& results, const std::filesystem::path& folder,
                   const std::filesystem::path& input) {
-  for (const char* name : {own_log, own_readings, own_path, own_turning}) {
+  for (const char* name : {own_log, own_readings, own_path, own_turning, own_free_roll}) {
     std::error_code not_there;
     if (std::filesystem::exists(folder / name, not_there)) {
       throw text::OutputError{(folder / name).string() +

@@ -16,15 +16,18 @@ std::optional<double> across_rad(const core::CanardsPlan& plan, const flight::Ro
     if (!row.encoders_rad[i]) {
       return {};
     }
-    const core::CanardPlan& canard = plan.each[i];
-    const double from_trim_rad = *row.encoders_rad[i] - static_cast<double>(canard.trim.radians());
-    roll_rad[i] = canard.direction == core::Direction::reversed ? -from_trim_rad : from_trim_rad;
+    roll_rad[i] = deflection_rad(plan.each[i], *row.encoders_rad[i]);
   }
   // Two that are opposite and roll alike push to opposite sides.
   return std::hypot(roll_rad[0] - roll_rad[2], roll_rad[1] - roll_rad[3]);
 }
 
 }  // namespace
+
+double deflection_rad(const core::CanardPlan& canard, double angle_rad) {
+  const double from_trim_rad = angle_rad - static_cast<double>(canard.trim.radians());
+  return canard.direction == core::Direction::reversed ? -from_trim_rad : from_trim_rad;
+}
 
 std::optional<SideDeflection> side_deflection(const flight::Flight& flight, std::span<const flight::Row> control) {
   if (!flight.known.plan) {

@@ -8,6 +8,9 @@
 
 namespace fantail::report {
 
+/// Of a canard from the angle of its shaft: from trim, and positive in the sense that rolls the rocket positively.
+[[nodiscard]] double deflection_rad(const core::CanardPlan& canard, double angle_rad);
+
 /// What four canards that do not stand alike do beside rolling the rocket: the sum of their deflections as vectors
 /// across the axis, with the canards numbered around the rocket so that 1 lies opposite 3, and 2 opposite 4. An angle
 /// of one canard; zero while all four turn alike. Deflections are those of the encoders, from the trims of the plan.

@@ -164,6 +164,7 @@ std::string summary_json(const flight::Flight& flight, const Figures& figures, c
                   {"unmeasured", unmeasured(flight.unmeasured)},
                   {"at_apogee", path(flight)},
                   {"roll_turns", rounded(figures.roll_turns)},
+                  {"roll_turns_without_control", rounded(figures.roll_turns_without_control)},
                   {"at_limit_since_s", rounded(figures.at_limit_since_s)},
                   {"final_phase", flight.known.phase ? Json(core::name(figures.final_phase)) : Json{}},
                   {"phase_changes", phase_changes(flight)},

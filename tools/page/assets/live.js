@@ -9,26 +9,42 @@
   const place = document.getElementById("live");
   const color = (name) => getComputedStyle(document.documentElement).getPropertyValue("--" + name).trim();
   const strokes = {
-    target: {width: 4.5, alpha: .6}, measured: {width: 1.6}, model: {width: 1.6}, second: {width: 1.8, dash: [7, 4]},
+    target: {width: 5}, measured: {width: 1.6}, model: {width: 1.8, dash: [10, 4]}, second: {width: 1.8, dash: [7, 4]},
     reference: {width: 1.5}, limit: {width: 1.4}, neutral: {width: 1},
   };
   const number = (value) => String(value).replace("-", "\u2212");
 
-  const charts = [];
+  const charts = [];  // beside data.plots; null: nobody has asked for it yet
   let view = [data.views[0].begin, data.views[0].end];
   let spreading = false;  // one plot's new range is being given to the others
 
   function show(begin, end) {
     view = [begin, end];
     spreading = true;
-    for (const chart of charts) chart.setScale("x", {min: begin, max: end});
+    for (const chart of charts) chart?.setScale("x", {min: begin, max: end});
     spreading = false;
     drawTimeline();
-    for (const button of toolbar.querySelectorAll("button")) {
+    if (scene) queueMicrotask(placeCursors);  // when the plots have taken their new range
+    for (const button of toolbar.querySelectorAll("[data-begin]")) {
       const pressed = Number(button.dataset.begin) === begin && Number(button.dataset.end) === end;
       button.setAttribute("aria-pressed", pressed);
     }
   }
+
+  // --- the rocket that turns: its time is where the cursor of the plots stands ---
+  function placeCursors() {
+    const inside = scene.time() >= view[0] && scene.time() <= view[1];
+    for (const chart of charts) {
+      chart?.setCursor(inside ? {left: chart.valToPos(scene.time(), "x"), top: 1} : {left: -10, top: -10});
+    }
+  }
+  function followPointer(chart) {
+    chart.over.addEventListener("mousemove", () => {
+      if (!scene.isPlaying()) scene.go(chart.posToVal(chart.cursor.left, "x"));
+    });
+    chart.over.addEventListener("mouseleave", placeCursors);
+  }
+  const scene = data.scene ? fantailScene(data.scene, number, placeCursors) : null;
 
   // --- the strip of event names that stays in sight above the plots ---
   const timeline = document.createElement("div");
@@ -145,15 +161,24 @@
       series: [
         {label: "time", value: (chart, value) => value == null ? "\u2013" : number(value.toFixed(3)) + " s"},
         ...plot.series.map((series) => {
-          const stroke = plot.series.length > 1 ? strokes[series.role] : {width: 2};
+          const stroke = series.edge ? {width: 0} : plot.series.length > 1 ? strokes[series.role] : {width: 2};
           return {
-            ...stroke, label: series.name, stroke: color(series.role), alpha: stroke.alpha ?? 1,
+            ...stroke, label: series.name, stroke: color(series.role),
             paths: series.step ? uPlot.paths.stepped({align: 1}) : undefined, points: {show: false},
-            value: (chart, value) => value == null ? "\u2013" : number(value.toFixed(2)),
+            value: (chart, value, i, sample) => {
+              const values = series.edge && sample != null ? [chart.data[i - 1][sample], value] : [value];
+              return values.includes(null) || value == null ? "\u2013" : values.map((one) => number(one.toFixed(2))).join(" to ");
+            },
           };
         }),
       ],
+      bands: plot.bands.map(({low, high, role}) =>
+        ({series: [high + 1, low + 1], fill: `color-mix(in srgb, ${color(role)} 28%, transparent)`})),
+      legend: {markers: {fill: (chart, i) => plot.series[i - 1]?.edge ? `color-mix(in srgb, ${color(plot.series[i - 1].role)} 28%, transparent)` : null}},
       hooks: {
+        init: [(chart) => chart.root.querySelectorAll(".u-series").forEach((row, i) => {
+          if (plot.series[i - 1]?.edge && !plot.series[i - 1].name) row.style.display = "none";  // the lower edge of a band
+        })],
         drawClear: [(chart) => drawBackground(chart, plot)],
         draw: [(chart) => nameLevels(chart, plot.levels)],
         setScale: [(chart, key) => {
@@ -179,7 +204,8 @@
   }
   const toolbar = element("div", {className: "toolbar"});
   const content = document.createElement("div");
-  content.append(stripes, toolbar, timeline);
+  const more = element("div", {hidden: true});
+  content.append(toolbar, timeline);
   const holders = [];
   let pair = null;
   for (const plot of data.plots) {
@@ -187,12 +213,13 @@
     const title = element("h3", {textContent: plot.title + " "});
     title.append(element("small", {textContent: plot.unit}));
     holder.append(title);
+    const place = plot.more ? more : content;
     if (plot.wide) {
       pair = null;
-    } else if (!pair) {
-      content.append(pair = element("div", {className: "pair"}));
+    } else if (pair?.parentNode !== place) {
+      place.append(pair = element("div", {className: "pair"}));
     }
-    (pair ?? content).append(holder);
+    (pair ?? place).append(holder);
     holders.push(holder);
   }
   for (const {label, begin, end} of data.views) {
@@ -202,26 +229,41 @@
     button.addEventListener("click", () => show(begin, end));
     toolbar.append(button);
   }
-  toolbar.append(element("span", {
-    className: "hint", textContent: "Drag across a plot to look closer; double-click goes back.",
-  }));
+  if (more.hasChildNodes()) {
+    const button = element("button", {type: "button", textContent: data.more});
+    button.setAttribute("aria-pressed", false);
+    button.addEventListener("click", () => {
+      more.hidden = !more.hidden;
+      button.setAttribute("aria-pressed", !more.hidden);
+      build();
+    });
+    toolbar.append(button);
+    content.append(more);
+  }
 
   function build() {
-    for (const chart of charts.splice(0)) chart.destroy();
+    for (const chart of charts.splice(0)) chart?.destroy();
     data.plots.forEach((plot, i) => {
-      charts.push(new uPlot(chartOptions(plot, holders[i].clientWidth, plot.height), unpacked.get(plot), holders[i]));
+      charts.push(plot.more && more.hidden ? null
+        : new uPlot(chartOptions(plot, holders[i].clientWidth, plot.height), unpacked.get(plot), holders[i]));
     });
+    if (scene) charts.filter(Boolean).forEach(followPointer);
+    scene?.draw();
     show(...view);
   }
 
-  place.replaceChildren(content);
+  toolbar.append(stripes);
+  content.append(element("p", {className: "note hint", textContent: "Drag across a plot to look closer; double-click goes back."}));
+  place.replaceChildren(...(scene ? [scene.stage] : []), content);
+  place.classList.toggle("with-stage", scene !== null);
   build();
   let lastWidth = content.clientWidth;
   new ResizeObserver(() => {
     if (content.clientWidth === lastWidth) return;
     lastWidth = content.clientWidth;
-    charts.forEach((chart, i) => chart.setSize({width: holders[i].clientWidth, height: data.plots[i].height}));
-    drawTimeline();
+    charts.forEach((chart, i) => chart?.setSize({width: holders[i].clientWidth, height: data.plots[i].height}));
+    scene?.draw();
+    show(...view);
   }).observe(content);
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", build);
 })();

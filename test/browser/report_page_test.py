@@ -1,0 +1,101 @@
+# SPDX-License-Identifier: MIT
+"""Usage: report_page_test.py FANTAIL PICTURES
+
+The report of a flight in a real browser: the rocket that turns, what plays it, and the plots that go with it. Pictures go
+into the folder PICTURES. Exit code 77: there is no Chromium here (package chromium-driver).
+"""
+
+import csv
+import pathlib
+import subprocess
+import sys
+import unittest
+
+sys.dont_write_bytecode = True  # not between the sources
+import browser
+
+FANTAIL, PICTURES = sys.argv[1], pathlib.Path(sys.argv[2])
+FOLDER = PICTURES / "report"
+
+ANGLES = "return [...document.querySelectorAll('.scene b')].map((one) => one.textContent)"
+TIME = "return document.querySelector('.player output').textContent"
+# What the cursor of the first plot shows of the true roll angle.
+LEGEND = "return [...document.querySelectorAll('.u-legend')][0].querySelectorAll('.u-value')[3].textContent"
+SCRUB = """const slider = document.querySelector('.player input');
+slider.value = arguments[0]; slider.dispatchEvent(new Event('input'));"""
+
+
+def degrees(text):
+    return float(text.rstrip("°").replace("\u2212", "-"))
+
+
+def column_at(file, name, time_s):
+    """Of the row nearest to a time."""
+    with open(FOLDER / file, newline="") as table:
+        rows = [(abs(float(row["time_s"]) - time_s), float(row[name])) for row in csv.DictReader(table) if row[name]]
+    return min(rows)[1]
+
+
+class ReportPage(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        subprocess.run([FANTAIL, "fly", "--out", FOLDER], check=True, stdout=subprocess.DEVNULL)
+
+    def setUp(self):
+        self.page = self.enterContext(browser.Browser(1280, 1043))  # 900 of which are the page's
+        self.page.open((FOLDER / "report.html").absolute().as_uri())
+        self.page.wait_until("return document.querySelectorAll('.uplot').length >= 6")
+
+    def tearDown(self):
+        self.assertEqual(self.page.complaints(), [])
+
+    def test_the_first_plot_is_in_sight_before_anybody_scrolls(self):
+        self.assertGreater(self.page.run("return document.querySelector('.uplot').getBoundingClientRect().bottom"), 300)
+        self.assertLess(self.page.run("return document.querySelector('.u-wrap').getBoundingClientRect().bottom"), 900)
+        self.page.picture(PICTURES / "report_first.png")
+
+    def test_a_time_that_is_chosen_turns_both_rockets_and_the_plots_show_it(self):
+        for time_s in (1.5, 3.0, 8.0):
+            self.page.run(SCRUB, time_s)
+            flown, free = (degrees(one) for one in self.page.run(ANGLES))
+            self.assertAlmostEqual(flown, column_at("flight.csv", "true_roll_angle_deg", time_s), delta=0.1)
+            self.assertAlmostEqual(free, column_at("without_control.csv", "true_roll_angle_deg", time_s), delta=1.0)
+            self.assertAlmostEqual(degrees(self.page.run(LEGEND)), flown, delta=1.0)
+        label = self.page.run("return document.querySelector('.scene canvas').getAttribute('aria-label')")
+        self.assertRegex(label, r"^As flown, 8\.00 s: rolled by .*° ?, .* turns$")
+
+    def test_played_it_goes_on_by_itself_at_the_speed_that_is_chosen_and_can_be_stopped(self):
+        play = "document.querySelector('.play').click();"
+        self.page.run("document.querySelector('.player button[aria-label^=\"4 \"]').click();" + play)
+        self.page.wait_until("return parseFloat(document.querySelector('.player output').textContent) > 2 && 1")
+        self.page.run(play)
+        stood = self.page.run(TIME)
+        self.assertEqual(self.page.run(TIME), stood)
+        self.assertEqual(self.page.run("return document.querySelector('.play').textContent"), "Play")
+        self.page.run(play)  # on from there, to the end
+        self.page.wait_until("return document.querySelector('.play').textContent === 'Play' && 1")
+        self.assertGreater(float(self.page.run(TIME).split()[0]), 10.0)
+        self.page.run(play)  # again from the beginning
+        self.assertLess(float(self.page.run(TIME).split()[0].replace("\u2212", "-")), 5.0)
+
+    def test_a_pointer_over_a_plot_turns_the_rocket_to_its_time(self):
+        before = self.page.run(ANGLES)
+        self.page.run("""const over = document.querySelector('.u-over'), box = over.getBoundingClientRect();
+            const at = {clientX: box.left + box.width / 3, clientY: box.top + 50, bubbles: true};
+            over.dispatchEvent(new MouseEvent('mouseenter', at)); over.dispatchEvent(new MouseEvent('mousemove', at));""")
+        self.assertNotEqual(self.page.run(ANGLES), before)
+
+    def test_each_canard_alone_is_shown_when_it_is_asked_for(self):
+        titles = "return [...document.querySelectorAll('.plot')].filter((one) => one.offsetHeight > 0).map((one) => one.textContent)"
+        self.assertFalse(any("Canard 3" in one for one in self.page.run(titles)))
+        self.page.run("[...document.querySelectorAll('.toolbar button')].find((one) => one.textContent === 'Each canard alone').click()")
+        self.assertTrue(any("Canard 3" in one for one in self.page.run(titles)))
+        self.assertEqual(self.page.run("return document.querySelectorAll('.uplot').length"), 10)
+
+
+if __name__ == "__main__":
+    if not browser.is_there():
+        print("SKIPPED: the package chromium-driver is not installed")
+        sys.exit(77)
+    PICTURES.mkdir(parents=True, exist_ok=True)
+    unittest.main(argv=sys.argv[:1])

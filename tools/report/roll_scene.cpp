@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <span>
+
+#include "report/html.hpp"
+#include "report/side_deflection.hpp"
+#include "text/degrees.hpp"
+
+namespace fantail::report {
+namespace {
+
+using flight::Flight;
+using flight::Row;
+
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+constexpr double finest_step_s = 0.02;
+constexpr double most_samples = 3000.0;
+
+double in_degrees(const std::optional<double>& angle_rad) { return text::in_degrees(angle_rad).value_or(unknown); }
+
+/// What the air sees of a canard: its encoder, or where that is silent its command, from its trim and in the sense of
+/// roll.
+double canard_deg(const Flight& flight, const Row& row, std::size_t canard) {
+  const std::optional<double>& angle_rad =
+      row.encoders_rad[canard] ? row.encoders_rad[canard] : row.commands_rad[canard];
+  if (!angle_rad) {
+    return unknown;
+  }
+  return text::degrees(flight.known.plan ? deflection_rad(flight.plan.canards.each[canard], *angle_rad) : *angle_rad);
+}
+
+/// At apogee or at the end of control, whichever came first: what control has come to.
+std::optional<double> most_telling_s(const Flight& flight) {
+  const flight::Events& e = flight.events;
+  return e.control_end_s && e.apogee_s ? std::min(e.control_end_s, e.apogee_s) : e.control_end_s;
+}
+
+}  // namespace
+
+std::optional<page::RollScene> roll_scene(const Flight& flight, double begin_s) {
+  const auto first = std::ranges::lower_bound(flight.rows, begin_s, {}, &Row::time_s);
+  const std::span<const Row> rows{first, flight.rows.end()};
+  const auto knows_roll = [](const Row& row) { return row.truth || std::isfinite(row.roll_angle_rad); };
+  if (rows.size() < 2 || std::ranges::none_of(rows, knows_roll)) {
+    return std::nullopt;
+  }
+  const bool is_true = std::ranges::any_of(rows, [](const Row& row) { return row.truth.has_value(); });
+  const double length_s = rows.back().time_s - rows.front().time_s;
+  page::RollScene scene{.name = "As flown",
+                        .begin_s = rows.front().time_s,
+                        .step_s = std::max(finest_step_s, std::ceil(1e3 * length_s / most_samples) / 1e3),
+                        .shown_s = most_telling_s(flight).value_or(rows.front().time_s),
+                        .from_s = rows.front().time_s};
+  scene.note = is_true
+                   ? "Seen from behind and the right; positive roll is clockwise. Roll as it truly was."
+                   : "Seen from behind and the right; positive roll is clockwise. Roll as the flight computer knew it.";
+  if (!flight.without_control.empty()) {
+    scene.note += " Without control: the same rocket, seed and faults, with its canards at trim.";
+  }
+  const auto samples = static_cast<std::size_t>(length_s / scene.step_s) + 1;
+  for (std::size_t i = 0; i < samples; ++i) {
+    const double time_s = scene.begin_s + scene.step_s * static_cast<double>(i);
+    const auto row = std::ranges::lower_bound(rows, time_s - 1e-6, {}, &Row::time_s);
+    // In a gap of the log nobody knows how it stood.
+    const bool is_known = row != rows.end() && row->time_s - time_s < scene.step_s;
+    scene.roll_deg.push_back(!is_known    ? unknown
+                             : row->truth ? text::degrees(row->truth->roll_angle_rad)
+                             : is_true    ? unknown
+                                          : text::degrees(row->roll_angle_rad));
+    for (std::size_t canard = 0; canard < core::canard_count; ++canard) {
+      scene.canards_deg[canard].push_back(is_known ? canard_deg(flight, *row, canard) : unknown);
+    }
+    if (!flight.without_control.empty()) {
+      scene.without_control_deg.push_back(in_degrees(flight::free_roll_angle_rad(flight.without_control, time_s)));
+    }
+  }
+  return scene;
+}
+
+}  // namespace fantail::report
