@@ -70,6 +70,7 @@ set(FANTAIL_SINGLE_FILES
   "tools/json/value.cpp|nlohmann/"
   "tools/live/server.cpp|httplib\\.h"
   "tools/text/output_folder.cpp|fcntl\\.h unistd\\.h sys/"
+  "tools/fantail/card_output.cpp|spawn\\.h"
   "tools/fantail/command_line.cpp|CLI/"
   "tools/text/deflate.cpp|zlib\\.h"
   "tools/text/sha256.cpp|sha256\\.h"

@@ -69,16 +69,19 @@ class Verdict:
 
 
 def judge(results, known, all_keys):
-    """`results`: one dict a trial. `all_keys`: the keys of every mutant of the sources, tried or not."""
+    """`results`: one dict a trial. `all_keys`: how often each key is that of a mutant of the sources, tried or not."""
     counts = collections.defaultdict(collections.Counter)
     for result in results:
         counts[result["file"]][result["outcome"]] += 1
     unlisted = [r for r in results if r["outcome"] == "survived" and key_of(r) not in known]
     noticed = sum(r["outcome"] in NOTICED for r in results)
     judged = noticed + len(unlisted)
-    # Two mutants may read the same (the same slip twice in a line): one that lives is enough.
+    # Two mutants may read the same (the same slip twice in a line, the same line twice in a file): one that lives is enough, and
+    # one that a sample has left out may.
     alive = {key_of(r) for r in results if r["outcome"] in ("survived", "same")}
-    stale = [r for r in results if r["outcome"] in NOTICED and key_of(r) in known and key_of(r) not in alive]
+    tried = collections.Counter(key_of(r) for r in results)
+    stale = [r for r in results if r["outcome"] in NOTICED and key_of(r) in known and key_of(r) not in alive
+             and tried[key_of(r)] >= all_keys[key_of(r)]]
     return Verdict(dict(counts), noticed / judged if judged else None, unlisted,
                    [r for r in unlisted if pathlib.Path(r["file"]).stem in STRICT], stale,
                    [entry for key, entry in known.items() if key not in all_keys])

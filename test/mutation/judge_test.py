@@ -4,6 +4,7 @@
 What is said of results and of the list of survivors.
 """
 
+import collections
 import pathlib
 import sys
 import tempfile
@@ -23,7 +24,7 @@ KNOWN = {("firmware/core/trig.cpp", "a", "b"): judge.Known("firmware/core/trig.c
 class Judgement(unittest.TestCase):
     def verdict(self, results, known=None, keys=None):
         known = known or {}
-        return judge.judge(results, known, keys if keys is not None else set(known))
+        return judge.judge(results, known, collections.Counter(list(known if keys is None else keys)))
 
     def test_the_score_is_of_what_could_be_noticed(self):
         verdict = self.verdict([result("killed")] * 18 + [result("timeout"), result("survived"), result("same"),
@@ -41,6 +42,12 @@ class Judgement(unittest.TestCase):
 
     def test_one_that_is_noticed_must_leave_the_list(self):
         self.assertFalse(self.verdict([result("killed")], KNOWN).passed)
+
+    def test_but_not_while_another_that_reads_the_same_was_left_out_of_the_sample(self):
+        twice = 2 * list(KNOWN)
+        self.assertTrue(self.verdict([result("killed")], KNOWN, twice).passed)
+        self.assertTrue(self.verdict([result("killed"), result("survived")], KNOWN, twice).passed)
+        self.assertFalse(self.verdict([result("killed")] * 2, KNOWN, twice).passed)
 
     def test_so_must_one_that_is_no_mutant_any_more(self):
         self.assertFalse(self.verdict([result("killed", "x")], KNOWN, set()).passed)

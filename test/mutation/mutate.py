@@ -11,6 +11,7 @@ results of other sources were to be resumed; 66 there is nothing to resume; 70 c
 """
 
 import argparse
+import collections
 import concurrent.futures
 import hashlib
 import json
@@ -208,7 +209,7 @@ def main(arguments, root):
         print(f"mutate: {error}", file=sys.stderr)
         return 65
     in_scope = {entry for entry in known.values() if not options.file or entry.file in options.file}
-    verdict = judge.judge(results, {e.key: e for e in in_scope}, {(m.file, m.was, m.now) for m in everything})
+    verdict = judge.judge(results, {e.key: e for e in in_scope}, collections.Counter((m.file, m.was, m.now) for m in everything))
     what = f"{len(results)} of {len(everything)} mutants" + ("" if options.all or options.file else f", seed {options.seed}")
     command = " ".join(["./dev mutate", *arguments])
     page = judge.page(verdict, command, time.monotonic() - begun, what)

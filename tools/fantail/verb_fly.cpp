@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "campaign/repeat.hpp"
+#include "fantail/card_output.hpp"
 #include "fantail/flight_computer_option.hpp"
 #include "fantail/fly_page.hpp"
 #include "fantail/interrupt.hpp"
@@ -23,6 +24,7 @@
 #include "fly/fly_scenario.hpp"
 #include "fly/without_control.hpp"
 #include "hil/wire.hpp"
+#include "report/card.hpp"
 #include "report/gain_margin_text.hpp"
 #include "report/results.hpp"
 #include "text/degrees.hpp"
@@ -42,6 +44,7 @@ struct FlyOptions {
   FlightComputerOptions computer;
   PageOptions page;
   bool realtime = false;
+  bool card = false;
   bool json = false;
 };
 
@@ -191,6 +194,9 @@ void fly_and_report(const FlyOptions& options) {
   if (options.page.wanted() && !options.realtime) {
     throw UsageError{"--page shows a flight while it is flown, by the clock: add --realtime"};
   }
+  if (options.card) {
+    check_card_program();
+  }
   auto [scenario, changes, notes, usual_folder] = options.run ? campaign_task(options) : task_of(options);
   check_faults(options, scenario);
   LcmOutput lcm{options.lcm};
@@ -208,7 +214,10 @@ void fly_and_report(const FlyOptions& options) {
   flight.changes = std::move(changes);
   flight.notes.insert(flight.notes.begin(), notes.begin(), notes.end());
   std::ranges::copy(computer.notes(), std::back_inserter(flight.notes));
-  const report::Results results = report::results(flight);
+  report::Results results = report::results(flight);
+  if (options.card) {
+    results.card_png = png_of(report::card_svg(flight, results.figures, results.verdict));
+  }
   const std::filesystem::path folder = options.out.empty() ? usual_folder : std::filesystem::path{options.out};
   give_up_if_interrupted();
   report::write_results(flight, results, folder);
@@ -222,6 +231,9 @@ void fly_and_report(const FlyOptions& options) {
   fmt::print("\n  report  {}\n  data    {}\n", (folder / "report.html").string(), (folder / "flight.csv").string());
   if (!flight.log.empty()) {
     fmt::print("  log     {}\n", (folder / "flight.ftl").string());
+  }
+  if (options.card) {
+    fmt::print("  card    {}\n", (folder / "card.png").string());
   }
   if (const std::string sent = lcm.finish(); !sent.empty()) {
     fmt::print("  lcm     {}\n", sent);
@@ -257,6 +269,7 @@ void fill(const Verb& verb) {
   add_lcm_option(verb, options->lcm, "Publish the flight as LCM messages");
   add_page_options(verb, options->page);
   verb.flag("--realtime", options->realtime, "Fly no faster than real time; the files are the same");
+  add_card_option(verb, options->card);
   verb.flag("--json", options->json, "Print summary.json instead of the text");
   verb.examples(
       "Examples:\n"

@@ -8,6 +8,7 @@
 
 #include <fmt/core.h>
 
+#include "fantail/card_output.hpp"
 #include "fantail/compare_results.hpp"
 #include "fantail/interrupt.hpp"
 #include "fantail/log_file.hpp"
@@ -15,6 +16,7 @@
 #include "logs/compare.hpp"
 #include "logs/flight_file.hpp"
 #include "logs/roll_log.hpp"
+#include "report/card.hpp"
 #include "report/results.hpp"
 #include "text/number.hpp"
 #include "text/output_folder.hpp"
@@ -32,6 +34,7 @@ struct ReportOptions {
   std::string align = "none";
   std::optional<double> shift_s;
   bool remove_offset = false;
+  bool card = false;
   bool json = false;
 };
 
@@ -41,7 +44,10 @@ void report_one(const ReportOptions& options) {
   flight::Flight flight = logs::read_flight(options.a);
   flight.command = "fantail report " + text::shell_word(options.a);
   give_up_if_interrupted();
-  const report::Results results = report::results(flight);
+  report::Results results = report::results(flight);
+  if (options.card) {
+    results.card_png = png_of(report::card_svg(flight, results.figures, results.verdict));
+  }
   const std::filesystem::path folder =
       options.out.empty() ? default_folder(name_of_log(options.a)) : std::filesystem::path{options.out};
   report::write_report(flight, results, folder, options.a);
@@ -54,6 +60,9 @@ void report_one(const ReportOptions& options) {
     fmt::print("  {}\n", note);
   }
   fmt::print("\n  report  {}\n  data    {}\n", (folder / "report.html").string(), (folder / "flight.csv").string());
+  if (options.card) {
+    fmt::print("  card    {}\n", (folder / "card.png").string());
+  }
 }
 
 void report_two(const ReportOptions& options) {
@@ -113,6 +122,7 @@ void fill(const Verb& verb) {
       .needs(b);
   verb.flag("--remove-offset", options->remove_offset, "Roll angles count from different zeros: let both begin at A's")
       .needs(b);
+  add_card_option(verb, options->card);
   verb.flag("--json", options->json, "Print summary.json, of two flights compare.json, instead of the text");
   verb.examples(
       "Examples:\n"
@@ -122,7 +132,15 @@ void fill(const Verb& verb) {
       "  fantail report old_logger.csv --out /tmp/page --json a table from elsewhere, for a script\n"
       "\n"
       "Figures of how far two flights are apart, with limits for a script: fantail compare.");
-  verb.action([options] { options->b.empty() ? report_one(*options) : report_two(*options); });
+  verb.action([options] {
+    if (options->card && !options->b.empty()) {
+      throw UsageError{"--card shows one flight, not two over each other"};
+    }
+    if (options->card) {
+      check_card_program();
+    }
+    options->b.empty() ? report_one(*options) : report_two(*options);
+  });
 }
 
 }  // namespace

@@ -57,6 +57,7 @@ void write_results(const flight::Flight& flight, const Results& results, const s
   add(own_readings, !flight.tunnel_readings.empty(), [&] { return flight::tunnel_csv(flight); });
   add(own_path, !flight.path.empty(), [&] { return flight::trajectory_csv(flight.path, flight.path_frame); });
   add(own_turning, !flight.turning.empty(), [&] { return flight::turning_csv(flight.turning); });
+  add("card.png", !results.card_png.empty(), [&] { return results.card_png; });
   add(own_free_roll, !flight.without_control.empty(), [&] { return flight::free_roll_csv(flight.without_control); });
   text::OutputFolder{folder}.write(files, of_others);
 }
@@ -71,7 +72,11 @@ void write_report(const flight::Flight& flight, const Results& results, const st
                               "another folder"};
     }
   }
-  text::OutputFolder{folder, {input}}.write(result_files(flight, results));
+  std::vector<text::NamedFile> files = result_files(flight, results);
+  if (!results.card_png.empty()) {
+    files.push_back({"card.png", results.card_png});
+  }
+  text::OutputFolder{folder, {input}}.write(files);
 }
 
 }  // namespace fantail::report

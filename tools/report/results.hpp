@@ -14,6 +14,7 @@ struct Results {
   Figures figures;
   Verdict verdict;
   std::string summary;
+  std::string card_png{};  ///< card_svg() as a picture, for card.png; empty: nobody wants it
 };
 
 [[nodiscard]] Results results(const flight::Flight& flight);

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "report/html.hpp"
+#include "report/roll_truth.hpp"
 #include "report/side_deflection.hpp"
 #include "text/degrees.hpp"
 
@@ -46,7 +47,7 @@ std::optional<page::RollScene> roll_scene(const Flight& flight, double begin_s) 
   if (rows.size() < 2 || std::ranges::none_of(rows, knows_roll)) {
     return std::nullopt;
   }
-  const bool is_true = std::ranges::any_of(rows, [](const Row& row) { return row.truth.has_value(); });
+  const bool is_true = knows_true_roll(rows);
   const double length_s = rows.back().time_s - rows.front().time_s;
   page::RollScene scene{.name = "As flown",
                         .begin_s = rows.front().time_s,
@@ -65,10 +66,7 @@ std::optional<page::RollScene> roll_scene(const Flight& flight, double begin_s) 
     const auto row = std::ranges::lower_bound(rows, time_s - 1e-6, {}, &Row::time_s);
     // In a gap of the log nobody knows how it stood.
     const bool is_known = row != rows.end() && row->time_s - time_s < scene.step_s;
-    scene.roll_deg.push_back(!is_known    ? unknown
-                             : row->truth ? text::degrees(row->truth->roll_angle_rad)
-                             : is_true    ? unknown
-                                          : text::degrees(row->roll_angle_rad));
+    scene.roll_deg.push_back(is_known ? roll_deg(*row, is_true) : unknown);
     for (std::size_t canard = 0; canard < core::canard_count; ++canard) {
       scene.canards_deg[canard].push_back(is_known ? canard_deg(flight, *row, canard) : unknown);
     }
