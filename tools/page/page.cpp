@@ -146,6 +146,10 @@ std::string figure(const Chart& chart, std::string_view caption) {
   return figure(svg(chart), svg(narrow), caption);
 }
 
+std::string on_demand(std::string_view what, std::string_view body_html) {
+  return fmt::format("<details><summary>{}</summary>\n{}</details>\n", printed(what), body_html);
+}
+
 std::string side_by_side(std::span<const std::string> parts_html) {
   std::string out = "<div class=\"pair\">\n";
   for (const std::string& one : parts_html) {

@@ -59,6 +59,8 @@ struct Page {
 [[nodiscard]] std::string figure(std::string_view wide_svg, std::string_view narrow_svg, std::string_view caption);
 /// A chart wider than half a page is drawn narrow, too.
 [[nodiscard]] std::string figure(const Chart& chart, std::string_view caption = {});
+/// Folded away until a reader opens it.
+[[nodiscard]] std::string on_demand(std::string_view what, std::string_view body_html);
 /// Figures or sections, two beside each other where there is room.
 [[nodiscard]] std::string side_by_side(std::span<const std::string> parts_html);
 

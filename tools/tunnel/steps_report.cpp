@@ -11,6 +11,7 @@
 #include "text/number.hpp"
 #include "tunnel/json.hpp"
 #include "tunnel/steps.hpp"
+#include "tunnel/steps_overlay.hpp"
 
 namespace fantail::tunnel {
 namespace {
@@ -270,7 +271,8 @@ std::string steps_html(const StepsHeading& heading, const StepTable& table) {
   for (const StepResult& result : table.steps) {
     all += responses(result);
   }
-  body += page::section("Step responses, measured and modelled", all);
+  body += page::section("All steps together", overlay_html(table));
+  body += page::section("Each step, measured and modelled", page::on_demand("Show each step alone", all));
   body += table.remarks.empty() ? "" : page::section("Remarks", page::list(table.remarks));
   return page::html(
       {.kind = "Fantail tunnel report: steps", .title = heading.log, .subtitle = basis(heading), .body_html = body});
