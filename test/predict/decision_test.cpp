@@ -150,7 +150,8 @@ void end_with(Prediction& p, std::size_t from, std::size_t to, report::Outcome o
 // It used to be "Go": 150 of the 150 that could be judged.
 TEST(Decision, WhatCannotBeJudgedCountsAgainstALaunch) {
   Prediction p = good();
-  end_with(p, 150, 200, report::Outcome::not_judged, "Roll not judged: control lasted only 0.63 s; saturated 0 %.");
+  end_with(p, 150, 200, report::Outcome::not_judged,
+           "Roll not judged: control lasted only 0.63 s; canards at their limit 0.0 % of control time.");
   p.held = share(150, 200);
   p.not_judged = 50;
   const Decision d = decide(p, {});
@@ -187,7 +188,7 @@ TEST(Decision, ARocketThatNeverComesUnderControlIsNoGoAndTheCauseIsSaidOnce) {
 TEST(Decision, SaysWhatTheFirstRunThatIsNotHeldCameTo) {
   Prediction p = good();
   end_with(p, 7, 50, report::Outcome::not_held,
-           "Roll not held: up to 28.2 deg from where this law settles; saturated 29.0 % of control time.");
+           "Roll not held: up to 28.2 deg from where this law settles; canards at their limit 29.0 % of control time.");
   end_with(p, 50, 60, report::Outcome::oscillates, "The canards oscillate at 13 Hz between -1.3 and 8.3 deg. Roll.");
   p.held = share(147, 200);
   EXPECT_EQ(

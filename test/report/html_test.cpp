@@ -32,7 +32,8 @@ TEST(Html, LoadsNothingFromAnywhere) {
   EXPECT_EQ(page.find("@import"), std::string::npos);
   EXPECT_EQ(page.find("<link"), std::string::npos);
   EXPECT_EQ(page.find("url("), std::string::npos);
-  EXPECT_EQ(page.find("href"), std::string::npos);
+  EXPECT_EQ(page.find("href=\"#settles\""), page.find("href"));
+  EXPECT_EQ(page.find("href"), page.rfind("href"));  // and no other
   EXPECT_EQ(page.find("fetch("), std::string::npos);
   EXPECT_EQ(page.find("XMLHttpRequest"), std::string::npos);
 }
@@ -61,6 +62,9 @@ TEST(Html, SaysWhereTheLawOfThePlanComesToRestAndDrawsItsEstimate) {
   EXPECT_NE(published.find("True disturbance"), std::string::npos);
   synthetic.flight.plan.offset.rejection = core::OffsetRejection::integral;
   const std::string rejecting = page_of(synthetic.flight);
+  EXPECT_NE(published.find("It settles at R\u00a0+\u00a0u_d/kp. <a href=\"#settles\">"), std::string::npos);
+  EXPECT_NE(published.find("id=\"settles\">A proportional"), std::string::npos);
+  EXPECT_NE(rejecting.find("It settles at the reference R. <a"), std::string::npos);
   EXPECT_EQ(rejecting.find("u_d/kp"), std::string::npos);
   EXPECT_NE(rejecting.find("settles at R"), std::string::npos);
   EXPECT_NE(rejecting.find("comes to rest at the reference R"), std::string::npos);
@@ -129,7 +133,7 @@ TEST(Html, WritesNegativeNumbersInSentencesWithTheMinusOfItsFigures) {
   });
   const std::string text = without_scripts(page_of(synthetic.flight));
   EXPECT_NE(text.find("commanded to their limit (\u22129 deg)"), std::string::npos) << text.substr(0, text.find("<dl"));
-  EXPECT_NE(text.find("authority margin \u22123.0 deg"), std::string::npos);
+  EXPECT_NE(text.find(", 3.0 deg too few against the fin offset"), std::string::npos);
 }
 
 TEST(Html, APathInAPlaneIsShownWithoutDirections) {

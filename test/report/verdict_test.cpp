@@ -24,8 +24,8 @@ TEST(Verdict, AHeldFlightNamesErrorSaturationAndMargin) {
   const Verdict v = verdict_of(synthetic.flight);
   EXPECT_EQ(v.outcome, Outcome::held);
   EXPECT_EQ(v.text,
-            "Roll stayed within 2.1 deg of where this law settles; saturated 6.0 % of control time; authority margin "
-            "4.0 deg.");
+            "Roll stayed within 2.1 deg of where this law settles; canards at their limit 6.0 % of control time, 4.0 "
+            "deg to spare against the fin offset.");
 }
 
 TEST(Verdict, ATrajectoryThatEndsInTheClimbIsNoWholeFlight) {
@@ -36,7 +36,7 @@ TEST(Verdict, ATrajectoryThatEndsInTheClimbIsNoWholeFlight) {
   EXPECT_FALSE(v.ended_early);  // it was not control that ended
   EXPECT_EQ(v.text,
             "Until the trajectory ends at 4.50 s, before apogee: roll stayed within 0.0 deg of where this law settles; "
-            "saturated 0.0 % of control time; authority margin 4.0 deg.");
+            "canards at their limit 0.0 % of control time, 4.0 deg to spare against the fin offset.");
   SyntheticFlight lost = held;
   lost.each_controlled([](flight::Row& row) { row.truth->roll_angle_rad += text::radians(-24.0); });
   EXPECT_EQ(verdict_of(lost.flight).outcome, Outcome::not_held);
@@ -75,8 +75,8 @@ TEST(Verdict, ALargeErrorIsNotCalledHeld) {
   const Verdict v = verdict_of(synthetic.flight);
   EXPECT_EQ(v.outcome, Outcome::not_held);
   EXPECT_EQ(v.text,
-            "Roll not held: up to 24.0 deg from where this law settles; saturated 0.0 % of control time; authority "
-            "margin 4.0 deg.");
+            "Roll not held: up to 24.0 deg from where this law settles; canards at their limit 0.0 % of control time, "
+            "4.0 deg to spare against the fin offset.");
 }
 
 TEST(Verdict, AnOffsetBeyondTheCanardsIsSaidPlainly) {
@@ -94,7 +94,8 @@ TEST(Verdict, AnOffsetBeyondTheCanardsIsSaidPlainly) {
   EXPECT_EQ(v.text,
             "Canards commanded to their limit (+6 deg) from 1.68 s to the end of control: the fin offset of -7.3 deg "
             "is beyond what "
-            "they can balance; roll not held. Saturated 71.6 % of control time; authority margin -1.3 deg.");
+            "they can balance; roll not held. Canards at their limit 71.6 % of control time, 1.3 deg too few against "
+            "the fin offset.");
 }
 
 TEST(Verdict, CanardsAtTheirLimitForAnotherReasonAreNotBlamedOnTheOffset) {
@@ -104,8 +105,8 @@ TEST(Verdict, CanardsAtTheirLimitForAnotherReasonAreNotBlamedOnTheOffset) {
     row.command_rad = text::radians(-9.0);
   });
   EXPECT_EQ(verdict_of(synthetic.flight).text,
-            "Roll stayed within 0.0 deg of where this law settles; saturated 25.7 % of control time; authority margin "
-            "4.0 deg. Canards "
+            "Roll stayed within 0.0 deg of where this law settles; canards at their limit 25.7 % of control time, 4.0 "
+            "deg to spare against the fin offset. Canards "
             "commanded to their limit (-9 deg) from 3.50 s to the end of control.");
 }
 
@@ -155,8 +156,8 @@ TEST(Verdict, ControlThatAFaultEndedBeforeApogeeIsCutShort) {
   EXPECT_EQ(v.outcome, Outcome::cut_short);
   EXPECT_EQ(v.text,
             "Control ended at 3.00 s, 1.40 s before apogee: the gyro failed. After that the rocket turned by up to 0.0 "
-            "deg until apogee. Until then: roll stayed within 0.0 deg of where this law settles; saturated 0.0 % of "
-            "control time; authority margin 4.0 deg.");
+            "deg until apogee. Until then: roll stayed within 0.0 deg of where this law settles; canards at their "
+            "limit 0.0 % of control time, 4.0 deg to spare against the fin offset.");
 }
 
 TEST(Verdict, WhatTheRocketTurnsAfterAnEarlyEndOfControlCounts) {
@@ -254,7 +255,8 @@ TEST(Verdict, ControlThatNeverSettledIsNotJudged) {
   synthetic.end_control(1.1, core::PhaseReason::control_time_over);
   const Verdict v = verdict_of(synthetic.flight);
   EXPECT_EQ(v.outcome, Outcome::not_judged);
-  EXPECT_TRUE(v.text.starts_with("Roll not judged: control lasted only 0.50 s; saturated 0.0 %")) << v.text;
+  EXPECT_TRUE(v.text.starts_with("Roll not judged: control lasted only 0.50 s; canards at their limit 0.0 %"))
+      << v.text;
 
   SyntheticFlight restless;
   restless.each_controlled(
@@ -265,17 +267,16 @@ TEST(Verdict, ControlThatNeverSettledIsNotJudged) {
 TEST(Verdict, WithoutTruthTheSettlePointIsUnknown) {
   SyntheticFlight synthetic;
   synthetic.each_controlled([](flight::Row& row) { row.truth.reset(); });
-  EXPECT_EQ(
-      verdict_of(synthetic.flight).text,
-      "Roll not judged: the fin offset, and with it where roll should settle, is unknown; saturated 0.0 % of control "
-      "time.");
+  EXPECT_EQ(verdict_of(synthetic.flight).text,
+            "Roll not judged: the fin offset, and with it where roll should settle, is unknown; canards at their limit "
+            "0.0 % of control time.");
 }
 
 TEST(Verdict, WithoutProportionalGainTheOffsetIsNotCalledUnknown) {
   SyntheticFlight synthetic;
   synthetic.flight.plan.controller.proportional_gain = 0.0F;
   EXPECT_TRUE(verdict_of(synthetic.flight)
-                  .text.starts_with("Roll not judged: without proportional gain nothing holds an angle; saturated"));
+                  .text.starts_with("Roll not judged: without proportional gain nothing holds an angle; canards"));
 }
 
 TEST(Verdict, AFaultyCanardIsNamedOnceWithItsNumberAndWhatBecameOfIt) {
@@ -283,8 +284,10 @@ TEST(Verdict, AFaultyCanardIsNamedOnceWithItsNumberAndWhatBecameOfIt) {
   synthetic.flight.canard_verdict_changes = {{3.1, 1, core::CanardVerdict::stalled},
                                              {3.3, 1, core::CanardVerdict::healthy},
                                              {3.4, 1, core::CanardVerdict::slipping}};
-  EXPECT_TRUE(verdict_of(synthetic.flight)
-                  .text.ends_with("4.0 deg. Canard 2 stalled, slipping from 3.10 s to the end, healthy in between."));
+  EXPECT_TRUE(
+      verdict_of(synthetic.flight)
+          .text.ends_with(
+              "against the fin offset. Canard 2 stalled, slipping from 3.10 s to the end, healthy in between."));
   synthetic.flight.canard_verdict_changes.push_back({10.4, 1, core::CanardVerdict::healthy});
   EXPECT_TRUE(
       verdict_of(synthetic.flight)

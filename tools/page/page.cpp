@@ -50,9 +50,10 @@ std::string verdict(const Page& page) {
     return {};
   }
   std::string findings;
-  for (const auto& [what, about] : page.findings) {
+  for (const auto& [what, about, target] : page.findings) {
     findings +=
-        fmt::format("<li>{}{}</li>\n", what.empty() ? "" : fmt::format("<b>{}</b> ", printed(what)), printed(about));
+        fmt::format("<li>{}{}{}</li>\n", what.empty() ? "" : fmt::format("<b>{}</b> ", printed(what)), printed(about),
+                    target.empty() ? "" : fmt::format(" <a href=\"#{}\">What that means</a>", target));
   }
   return fmt::format("<section class=\"verdict {}{}\">\n<h2>{}</h2>\n{}{}</section>\n", class_of(page.tone),
                      page.stamped ? " stamped" : "", printed(page.verdict_heading),
@@ -127,6 +128,10 @@ std::string section(std::string_view heading, std::string_view body_html) {
 std::string paragraph(std::string_view text) { return fmt::format("<p>{}</p>\n", printed(text)); }
 
 std::string note(std::string_view text) { return unless_empty("p", "note", text); }
+
+std::string note(std::string_view text, std::string_view id) {
+  return fmt::format("<p class=\"note\" id=\"{}\">{}</p>\n", id, printed(text));
+}
 
 std::string figure(std::string_view svg, std::string_view caption) {
   return caption.empty() ? fmt::format("<figure>{}</figure>\n", svg)

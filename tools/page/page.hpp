@@ -22,6 +22,7 @@ struct Page {
   struct Finding {
     std::string what{};  ///< in bold; may be empty
     std::string about{};
+    std::string target{};  ///< id of what explains it further down; empty: nothing does
   };
   std::string kind{};  ///< "Fantail identification report", small above the title
   std::string title{};
@@ -53,6 +54,8 @@ struct Page {
 [[nodiscard]] std::string paragraph(std::string_view text);
 /// Small print below a table or figures, likewise.
 [[nodiscard]] std::string note(std::string_view text);
+/// With an id, for a finding to point to.
+[[nodiscard]] std::string note(std::string_view text, std::string_view id);
 /// <figure> around an svg, the caption escaped.
 [[nodiscard]] std::string figure(std::string_view svg, std::string_view caption);
 /// The same drawn twice: on a screen as wide as a telephone's, and on any other. Never both are shown.

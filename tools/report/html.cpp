@@ -23,6 +23,28 @@ namespace {
 using text::fixed;
 using Rows = std::vector<std::vector<page::Cell>>;
 
+/// Of the law of this plan, as in the legend of the roll angle.
+std::string settle_point(const flight::Flight& flight) {
+  if (flight::rejects_offset(flight.plan)) {
+    return "the reference R";
+  }
+  return flight.plan.gain_schedule.speeds_count > 0 ? "R\u00a0+\u00a0u_d/(f\u00a0kp)" : "R\u00a0+\u00a0u_d/kp";
+}
+
+std::string where_it_settles(const flight::Flight& flight) {
+  return fmt::format(
+      "{} The hold error is measured from there, without the {} after control start and after each reference step.",
+      flight::rejects_offset(flight.plan)
+          ? "This law takes its estimate of the fin offset u_d off the command, so it comes to rest at the reference "
+            "R, as far as the canards reach and as soon as the estimate is right."
+      : flight.plan.gain_schedule.speeds_count > 0
+          ? "This loop comes to rest at R\u00a0+\u00a0u_d/(f\u00a0kp), f the factor of the gain schedule, not at the "
+            "reference R: an angle error has to balance the fin offset."
+          : "A proportional-derivative loop comes to rest at R\u00a0+\u00a0u_d/kp, not at the reference R: an angle "
+            "error has to balance the fin offset.",
+      flight.tunnel ? "two seconds" : "second");
+}
+
 std::string figure_list(const flight::Flight& flight, const Figures& f) {
   std::vector<page::Figure> list;
   const auto add = [&list](std::string label, const std::optional<double>& value, int decimals, std::string unit,
@@ -65,17 +87,7 @@ std::string figure_list(const flight::Flight& flight, const Figures& f) {
   }
   std::string html = page::figure_row(list);
   if (f.largest_hold_error_rad) {
-    html += page::note(fmt::format(
-        "{} The hold error is measured from there, without the {} after control start and after each reference step.",
-        flight::rejects_offset(flight.plan)
-            ? "This law takes its estimate of the fin offset u_d off the command, so it comes to rest at the reference "
-              "R, as far as the canards reach and as soon as the estimate is right."
-        : flight.plan.gain_schedule.speeds_count > 0
-            ? "This loop comes to rest at R\u00a0+\u00a0u_d/(f\u00a0kp), f the factor of the gain schedule, not at the "
-              "reference R: an angle error has to balance the fin offset."
-            : "A proportional-derivative loop comes to rest at R\u00a0+\u00a0u_d/kp, not at the reference R: an angle "
-              "error has to balance the fin offset.",
-        flight.tunnel ? "two seconds" : "second"));
+    html += page::note(where_it_settles(flight), "settles");
   }
   return html;
 }
@@ -185,6 +197,9 @@ std::string html(const flight::Flight& flight, const Figures& figures, const Ver
                       "this page).",
                   .command = flight.command,
                   .live = charts(flight)};
+  if (figures.largest_hold_error_rad) {
+    page.findings.push_back({"", fmt::format("It settles at {}.", settle_point(flight)), "settles"});
+  }
   if (figures.roll_turns && figures.roll_turns_without_control) {
     page.findings.push_back(
         {"", fmt::format("Under control it turned by {} turns; with its canards at trim it would have turned by {}.",

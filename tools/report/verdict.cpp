@@ -25,9 +25,7 @@ std::string signed_limit(double radians) {
 }
 
 std::string sentence(std::string clause) {
-  if (clause.front() >= 'a' && clause.front() <= 'z') {
-    clause.front() = static_cast<char>(clause.front() - 'a' + 'A');
-  }
+  clause.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(clause.front())));
   return clause + ".";
 }
 
@@ -64,11 +62,12 @@ std::string why_no_control(const flight::Flight& flight) {
 }
 
 std::string saturation_and_margin(const Figures& f) {
-  std::string text = f.saturated_fraction
-                         ? fmt::format("saturated {} % of control time", text::fixed(100.0 * *f.saturated_fraction, 1))
-                         : "saturation is not in the log";
+  std::string text = f.saturated_fraction ? fmt::format("canards at their limit {} % of control time",
+                                                        text::fixed(100.0 * *f.saturated_fraction, 1))
+                                          : "the log does not say when canards were at their limit";
   if (f.authority_margin_rad) {
-    text += "; authority margin " + degrees_text(*f.authority_margin_rad);
+    text += fmt::format(", {} {} against the fin offset", degrees_text(std::abs(*f.authority_margin_rad)),
+                        *f.authority_margin_rad < 0.0 ? "too few" : "to spare");
   }
   return text;
 }
