@@ -56,9 +56,18 @@ TEST(Page, FactsAndFindingsStandWithTitleAndVerdict) {
   EXPECT_FALSE(holds(text, "Date"));
   EXPECT_TRUE(holds(text, "<section class=\"verdict bad stamped\">"));
   EXPECT_TRUE(holds(text, "<li><b>Canard 3:</b> told \u22129</li>\n<li>and &lt;so&gt; on</li>"));
-  EXPECT_TRUE(holds(text, "<footer><p>Made by x &amp; y</p>\n</footer>\n</main>"));
+  EXPECT_TRUE(holds(text, "<footer>\n<p>Made by x &amp; y</p>\n</footer>\n</main>"));
   page.command = "fantail fly --set a.b=-1 <x>";
-  EXPECT_TRUE(holds(html(page), "<p>Made by <code>fantail fly --set a.b=-1 &lt;x&gt;</code></p>"));  // it can be copied
+  EXPECT_TRUE(
+      holds(html(page), "<p>Made by <code>fantail fly --set a.b=-1 &lt;x&gt;</code>.</p>"));  // it can be copied
+}
+
+TEST(Page, SaysWhatMadeItOnceThatIsKnown) {
+  EXPECT_FALSE(holds(html(example()), "Made by"));
+  set_made_by("fantail identify <a>", "1.2");
+  const std::string page = html(example());
+  set_made_by("", "");
+  EXPECT_TRUE(holds(page, "<p>Made by <code>fantail identify &lt;a&gt;</code>, Fantail 1.2.</p>\n</footer>\n</main>"));
 }
 
 TEST(Page, ParagraphsListsAndCaptionsAreEscaped) {

@@ -74,6 +74,24 @@ TEST(RollScene, HasASecondRocketWhereItIsKnownHowItWouldHaveRolled) {
             std::string::npos);
 }
 
+TEST(RollScene, HasThePathAndTheWindOfAFlightThatGoesAnywhere) {
+  SyntheticFlight synthetic;
+  EXPECT_FALSE(roll_scene(synthetic.flight, 0.0)->path);
+  synthetic.flight.path = {{.time_s = 0.0}, {.time_s = 2.0, .north_m = 3.0, .east_m = -4.0, .height_m = 50.0}};
+  page::RollScene scene = roll_scene(synthetic.flight, 0.0).value();
+  ASSERT_TRUE(scene.path);
+  EXPECT_EQ(scene.path->height_m.size(), scene.roll_deg.size());
+  EXPECT_DOUBLE_EQ(scene.path->north_m[sample_at(scene, 1.0)], 0.0);
+  EXPECT_DOUBLE_EQ(scene.path->east_m[sample_at(scene, 3.0)], -4.0);
+  EXPECT_FALSE(scene.path->wind);
+  synthetic.flight.wind = {.speed_m_s = 5.0, .from_rad = text::radians(270.0), .height_m = 10.0};
+  scene = roll_scene(synthetic.flight, 0.0).value();
+  EXPECT_EQ(scene.path->wind->words, "wind 5 m/s from the west");
+  EXPECT_NEAR(std::sin(scene.path->wind->to_rad), 1.0, 1e-9);  // to the east
+  synthetic.flight.path_frame = flight::PathFrame::plane;
+  EXPECT_FALSE(roll_scene(synthetic.flight, 0.0)->path) << "nobody knows where it points";
+}
+
 TEST(RollScene, IsThereOnlyWhereARollAngleIsKnown) {
   SyntheticFlight synthetic;
   EXPECT_FALSE(roll_scene(flight::Flight{}, 0.0));

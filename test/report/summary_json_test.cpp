@@ -36,6 +36,16 @@ TEST(SummaryJson, HasEveryKeyOfTheContract) {
   EXPECT_EQ(summary["phase_changes"][1]["reason"], "launch_detected");
 }
 
+TEST(SummaryJson, SaysTheMeanWindOfAFlightThatHadOne) {
+  SyntheticFlight synthetic;
+  EXPECT_TRUE(summary_of(synthetic.flight)["wind"].is_null());
+  synthetic.flight.wind = {.speed_m_s = 5.0, .from_rad = text::radians(270.0), .height_m = 10.0};
+  const auto wind = summary_of(synthetic.flight)["wind"];
+  EXPECT_EQ(wind["speed_m_s"], 5.0);
+  EXPECT_EQ(wind["from_deg"], 270.0);
+  EXPECT_EQ(wind["height_m"], 10.0);
+}
+
 TEST(SummaryJson, WhatDoesNotExistIsNull) {
   SyntheticFlight synthetic;
   synthetic.never_controlled(-0.5, core::Phase::armed, core::PhaseReason::armed_by_switch_and_command);

@@ -6,10 +6,14 @@
 #include <string>
 #include <vector>
 
+#include <fmt/core.h>
+
 #include "fantail/interrupt.hpp"
 #include "fantail/standard_streams.hpp"
 #include "fantail/verb_table.hpp"
+#include "page/page.hpp"
 #include "text/error.hpp"
+#include "text/shell_word.hpp"
 
 namespace fantail::tool {
 namespace {
@@ -52,6 +56,19 @@ ExitCode run_words(const VerbEntry& entry, void (*fill)(const Verb& verb), const
   return output_was_taken() ? ExitCode::done : complain_about_output();
 }
 
+/// What was typed, without where the results go and how they are told: a page says the same wherever it lies.
+std::string command_of(const char* name, const std::vector<std::string>& words) {
+  std::string command = fmt::format("fantail {}", name);
+  for (auto word = words.begin(); word != words.end(); ++word) {
+    if (*word == "--out") {
+      word += word + 1 != words.end() ? 1 : 0;
+    } else if (*word != "--json" && !word->starts_with("--out=")) {
+      command.append(1, ' ').append(text::shell_word(*word));
+    }
+  }
+  return command;
+}
+
 }  // namespace
 
 int run(const char* name, void (*fill)(const Verb& verb), int argc, char** argv) {
@@ -59,7 +76,9 @@ int run(const char* name, void (*fill)(const Verb& verb), int argc, char** argv)
   catch_interrupts();
   try {
     const VerbEntry& entry = *std::ranges::find(verb_table, name, &VerbEntry::name);
-    return static_cast<int>(run_words(entry, fill, {argv + 1, argv + argc}));
+    const std::vector<std::string> words{argv + 1, argv + argc};
+    page::set_made_by(command_of(name, words), FANTAIL_VERSION);
+    return static_cast<int>(run_words(entry, fill, words));
   } catch (...) {  // not even a message can be made: memory has run out
     return static_cast<int>(ExitCode::internal_error);
   }

@@ -156,6 +156,13 @@ struct FlownAirframe {
   std::vector<std::string> changes{};  ///< of the scenario, on the command line
 };
 
+/// The wind of a simulated flight in six degrees of freedom, without gusts and turbulence.
+struct MeanWind {
+  double speed_m_s = 0.0;  ///< at `height_m` above ground
+  double from_rad = 0.0;   ///< where it comes from: 0 north, a quarter of a turn east
+  double height_m = 0.0;
+};
+
 /// One flown flight: all that flight.csv, summary.json and report.html are made from.
 struct Flight {
   std::string scenario;
@@ -188,6 +195,7 @@ struct Flight {
   std::vector<TunnelReading> tunnel_readings;  ///< empty in flight
   std::vector<PathPoint> path;                 ///< empty along a straight line, in the tunnel, and of real flights
   PathFrame path_frame = PathFrame::compass;
+  std::optional<MeanWind> wind;
   std::optional<double> trajectory_end_s;      ///< of the trajectory that was flown on, where it ends before apogee
   std::vector<TurnPoint> turning;              ///< of a simulated run on the gimbal or on pins; else empty
   std::vector<FreeRollPoint> without_control;  ///< of a simulated flight with control, or empty; the rows' clock

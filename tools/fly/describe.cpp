@@ -84,6 +84,9 @@ flight::Flight describe(const sim::Scenario& scenario) {
     const auto& assumed = scenario.vehicle.airframe_assumed;
     flight.notes.insert(flight.notes.end(), assumed.begin(), assumed.end());
     flight.notes.push_back(static_margins(scenario.vehicle.airframe.value()));
+    flight.wind = {.speed_m_s = scenario.wind.speed_m_s,
+                   .from_rad = scenario.wind.from_rad,
+                   .height_m = scenario.wind.reference_height_m};
   }
   for (const sim::Fault& fault : scenario.faults) {
     flight.notes.push_back(fault_text(fault, scenario));

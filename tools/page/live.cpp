@@ -69,6 +69,22 @@ Json hundredths(const std::vector<double>& values) {
   return all;
 }
 
+Json decimetres(const std::vector<double>& values_m) {
+  Json all = Json::array();
+  for (const double value_m : values_m) {
+    all.push_back(std::isfinite(value_m) ? Json(static_cast<std::int64_t>(std::llround(value_m * 10.0))) : Json{});
+  }
+  return all;
+}
+
+Json data_of(const ScenePath& path) {
+  return {
+      {"north", decimetres(path.north_m)},
+      {"east", decimetres(path.east_m)},
+      {"height", decimetres(path.height_m)},
+      {"wind", path.wind ? Json{{"to", json::rounded(path.wind->to_rad, 3)}, {"words", path.wind->words}} : Json{}}};
+}
+
 Json data_of(const RollScene& scene) {
   Json canards = Json::array();
   for (const std::vector<double>& one : scene.canards_deg) {
@@ -82,7 +98,8 @@ Json data_of(const RollScene& scene) {
           {"from", json::rounded(scene.from_s, 3)},
           {"roll", hundredths(scene.roll_deg)},
           {"free", scene.without_control_deg.empty() ? Json{} : hundredths(scene.without_control_deg)},
-          {"canards", std::move(canards)}};
+          {"canards", std::move(canards)},
+          {"path", scene.path ? data_of(*scene.path) : Json{}}};
 }
 
 Json data_of(const Chart& chart) {
@@ -185,7 +202,7 @@ std::string live_scripts(const LiveCharts& live) {
       "<script type=\"application/json\" id=\"live-data\">{}</script>\n<script>\n/*\n{}*/\n{}</script>\n<script>\n{}{}"
       "</script>\n",
       escape_script_json(data_of(live)), uplot_licence, uplot_js,
-      live.scene ? fmt::format("{}{}", rocket_js, scene_js) : "", live_js);
+      live.scene ? fmt::format("{}{}{}", rocket_js, path_js, scene_js) : "", live_js);
 }
 
 }  // namespace fantail::page

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "page/page.hpp"
 
+#include <utility>
+
 #include <fmt/core.h>
 
 #include "page/assets.hpp"
@@ -61,13 +63,26 @@ std::string verdict(const Page& page) {
                      findings.empty() ? "" : "<ul>\n" + findings + "</ul>\n");
 }
 
+struct Origin {
+  std::string command{};
+  std::string version{};
+};
+
+Origin& origin_of_pages() {
+  static Origin origin;
+  return origin;
+}
+
+std::string made_by(const Page& page) {
+  const Origin& origin = origin_of_pages();
+  const std::string& command = page.command.empty() ? origin.command : page.command;
+  const std::string version = origin.version.empty() ? "" : fmt::format(", Fantail {}", escape_html(origin.version));
+  return command.empty() ? "" : fmt::format("<p>Made by <code>{}</code>{}.</p>\n", escape_html(command), version);
+}
+
 std::string footer(const Page& page) {
-  const std::string made =
-      page.command.empty() ? "" : fmt::format("<p>Made by <code>{}</code></p>\n", escape_html(page.command));
-  return page.footer.empty() && made.empty()
-             ? ""
-             : fmt::format("<footer>{}{}</footer>\n",
-                           page.footer.empty() ? "" : fmt::format("<p>{}</p>\n", printed(page.footer)), made);
+  const std::string text = (page.footer.empty() ? "" : paragraph(page.footer)) + made_by(page);
+  return text.empty() ? "" : fmt::format("<footer>\n{}</footer>\n", text);
 }
 
 // Of the svg itself, beside those that it has.
@@ -88,6 +103,10 @@ std::string html(const Page& page) {
       "<body>\n<main>\n{}{}{}{}</main>\n{}</body>\n</html>\n",
       title, title.empty() || kind.empty() ? "" : " \u00b7 ", kind, page.live.charts.empty() ? "" : uplot_css,
       chart_css, page_css, header(page), verdict(page), page.body_html, footer(page), live_scripts(page.live));
+}
+
+void set_made_by(std::string command, std::string version) {
+  origin_of_pages() = {std::move(command), std::move(version)};
 }
 
 std::string escape_html(std::string_view text) {

@@ -35,11 +35,15 @@ struct Page {
   bool stamped = false;             ///< the verdict's heading is large: PASS
   std::string body_html{};
   std::string footer{};
-  std::string command{};  ///< that makes this page again, as it is typed; below the footer
+  std::string command{};  ///< that makes this page again, as it is typed; empty: that of set_made_by()
   LiveCharts live{};      ///< of a live_figure() in the body
 };
 
 [[nodiscard]] std::string html(const Page& page);
+
+/// What the last line of the pages of this program says: the command that makes them, and its version. To be called
+/// before the first page is made, by who knows what was typed; without it there is no such line.
+void set_made_by(std::string command, std::string version);
 
 /// Text for HTML or SVG, between tags or inside a quoted attribute.
 [[nodiscard]] std::string escape_html(std::string_view text);

@@ -192,6 +192,12 @@ void add_summary(flight::Flight& flight, const std::filesystem::path& file) {
       lowest_deg && highest_deg) {
     flight.canard_reach = {.lowest_rad = text::radians(*lowest_deg), .highest_rad = text::radians(*highest_deg)};
   }
+  const Json& wind = member(summary, "wind");
+  if (const auto speed_m_s = number(wind, "speed_m_s"), from_deg = number(wind, "from_deg"); speed_m_s && from_deg) {
+    flight.wind = {.speed_m_s = *speed_m_s,
+                   .from_rad = text::radians(*from_deg),
+                   .height_m = number(wind, "height_m").value_or(0.0)};
+  }
   flight.side_moment_m3 = number(summary, "canard_side_moment_m3");
   flight.left_by_fins = number(summary, "left_by_fins").value_or(flight.left_by_fins);
   const Json& imposed = member(summary, "imposed_roll");

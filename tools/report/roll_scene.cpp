@@ -2,12 +2,16 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <span>
+
+#include <fmt/core.h>
 
 #include "report/html.hpp"
 #include "report/roll_truth.hpp"
 #include "report/side_deflection.hpp"
 #include "text/degrees.hpp"
+#include "text/number.hpp"
 
 namespace fantail::report {
 namespace {
@@ -36,6 +40,28 @@ double canard_deg(const Flight& flight, const Row& row, std::size_t canard) {
 std::optional<double> most_telling_s(const Flight& flight) {
   const flight::Events& e = flight.events;
   return e.control_end_s && e.apogee_s ? std::min(e.control_end_s, e.apogee_s) : e.control_end_s;
+}
+
+/// Of a path by the compass; where the plane of another program's points nobody knows.
+std::optional<page::ScenePath> path_of(const Flight& flight, const page::RollScene& scene) {
+  if (flight.path.empty() || flight.path_frame == flight::PathFrame::plane) {
+    return std::nullopt;
+  }
+  page::ScenePath path;
+  for (std::size_t i = 0; i < scene.roll_deg.size(); ++i) {
+    const double time_s = scene.begin_s + scene.step_s * static_cast<double>(i);
+    const flight::PathPoint* at = flight::point_at(flight.path, time_s);
+    path.north_m.push_back(at != nullptr ? at->north_m : unknown);
+    path.east_m.push_back(at != nullptr ? at->east_m : unknown);
+    path.height_m.push_back(at != nullptr ? at->height_m : unknown);
+  }
+  if (flight.wind && flight.wind->speed_m_s > 0.0) {
+    const double from_rad = flight.wind->from_rad;
+    const std::string from = compass({.north_m = std::cos(from_rad), .east_m = std::sin(from_rad)});
+    path.wind = {.to_rad = from_rad + std::numbers::pi,
+                 .words = fmt::format("wind {} m/s from the {}", text::brief(flight.wind->speed_m_s, 1), from)};
+  }
+  return path;
 }
 
 }  // namespace
@@ -73,6 +99,10 @@ std::optional<page::RollScene> roll_scene(const Flight& flight, double begin_s) 
     if (!flight.without_control.empty()) {
       scene.without_control_deg.push_back(in_degrees(flight::free_roll_angle_rad(flight.without_control, time_s)));
     }
+  }
+  scene.path = path_of(flight, scene);
+  if (scene.path) {
+    scene.note += " The path has one scale for all directions, and is seen from the south.";
   }
   return scene;
 }

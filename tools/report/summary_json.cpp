@@ -94,6 +94,13 @@ Json canard_reach(const flight::Flight& flight) {
                : Json{};
 }
 
+Json wind(const flight::Flight& flight) {
+  return flight.wind ? Json{{"speed_m_s", rounded(flight.wind->speed_m_s)},
+                            {"from_deg", rounded(text::degrees(flight.wind->from_rad))},
+                            {"height_m", rounded(flight.wind->height_m)}}
+                     : Json{};
+}
+
 Json unmeasured(const flight::Unmeasured& u) {
   return {{"spin_from_s", rounded(u.spin_from_s)},
           {"spin_for_s", rounded(u.spin_for_s)},
@@ -162,6 +169,7 @@ std::string summary_json(const flight::Flight& flight, const Figures& figures, c
                   {"canard_reach_deg", canard_reach(flight)},
                   {"left_by_fins", rounded(flight.left_by_fins)},
                   {"unmeasured", unmeasured(flight.unmeasured)},
+                  {"wind", wind(flight)},
                   {"at_apogee", path(flight)},
                   {"roll_turns", rounded(figures.roll_turns)},
                   {"roll_turns_without_control", rounded(figures.roll_turns_without_control)},

@@ -49,6 +49,24 @@ function fantailScene(data, number, show) {
   const rockets = [rocket(data.name, data.roll, data.canards, false)];
   if (data.free) rockets.push(rocket("Without control", data.free, trim, true));
 
+  // --- where it is: only of a flight that knows ---
+  const height = (t) => { const metres = at(data.path.height, t); return metres == null ? "\u2013" : number((10 * metres).toFixed(0)) + " m"; };
+  function path() {
+    const canvas = element("canvas", {role: "img"});
+    const metres = element("b");
+    const wind = data.path.wind?.words ?? "no wind";
+    const draw = fantailPath(canvas, data.path);
+    return {
+      box: element("figure", {}, element("figcaption", {}, element("span", {textContent: "Height"}), metres, element("span", {textContent: wind})), canvas),
+      draw() {
+        metres.textContent = height(time);
+        draw((time - data.begin) / data.step);
+      },
+      describe: () => canvas.setAttribute("aria-label", `Path at ${number(time.toFixed(2))} s: height ${height(time)}, ${wind}`),
+    };
+  }
+  if (data.path) rockets.push(path());
+
   const play = element("button", {type: "button", className: "play"});
   const clock = element("output");
   const slider = element("input", {type: "range", min: data.begin, max: end, step: data.step / 2});
