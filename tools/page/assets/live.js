@@ -23,11 +23,23 @@
     spreading = true;
     for (const chart of charts) chart.setScale("x", {min: begin, max: end});
     spreading = false;
+    charts.forEach((chart, i) => chart.root.querySelector(".u-wrap").setAttribute("aria-label", inWords(data.plots[i])));
     drawTimeline();
     for (const button of toolbar.querySelectorAll("button")) {
       const pressed = Number(button.dataset.begin) === begin && Number(button.dataset.end) === end;
       button.setAttribute("aria-pressed", pressed);
     }
+  }
+
+  // For who does not see a plot: between what values each of its lines runs in the view.
+  function inWords(plot) {
+    const [times, ...columns] = unpacked.get(plot);
+    const lines = plot.series.map(({name}, i) => {
+      const seen = columns[i].filter((value, j) => value !== null && times[j] >= view[0] && times[j] <= view[1]);
+      return seen.length === 0 ? name + " has no data"
+        : `${name} ${number(Math.min(...seen).toFixed(1))} to ${number(Math.max(...seen).toFixed(1))}`;
+    });
+    return `${plot.title}, ${plot.unit}, from ${number(view[0].toFixed(1))} to ${number(view[1].toFixed(1))} s: ${lines.join("; ")}`;
   }
 
   // --- the strip of event names that stays in sight above the plots ---
@@ -209,7 +221,9 @@
   function build() {
     for (const chart of charts.splice(0)) chart.destroy();
     data.plots.forEach((plot, i) => {
-      charts.push(new uPlot(chartOptions(plot, holders[i].clientWidth, plot.height), unpacked.get(plot), holders[i]));
+      const height = plot.height * (!document.documentElement.matches(".on-paper") ? 1 : plot.wide ? .65 : .78);
+      charts.push(new uPlot(chartOptions(plot, holders[i].clientWidth, height), unpacked.get(plot), holders[i]));
+      charts[i].root.querySelector(".u-wrap").role = "img";
     });
     show(...view);
   }
@@ -224,4 +238,12 @@
     drawTimeline();
   }).observe(content);
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", build);
+  // On paper: as wide as the sheet, in its colours (page.css, chart.css).
+  const onPaper = (is) => () => {
+    document.documentElement.classList.toggle("on-paper", is);
+    mostRows = 1;
+    build();
+  };
+  addEventListener("beforeprint", onPaper(true));
+  addEventListener("afterprint", onPaper(false));
 })();
