@@ -14,7 +14,7 @@ coverage_packages="$test_packages clang-19 llvm-19 libclang-rt-19-dev"
 mutation_packages="$test_packages python3-clang-19 libclang-common-19-dev"
 soak_packages="$test_packages clang-19 libclang-rt-19-dev"
 bench_packages="$fly_packages libbenchmark-dev libceres-dev python3-venv"
-browser_packages="chromium chromium-driver"
+browser_packages="chromium chromium-driver poppler-utils"
 cluster_packages="slurmctld slurmd slurm-client munge"
 # With --all no test may be skipped, and the tests call the verbs of this script, except those that take hours.
 all_packages="$test_packages $arm_packages $gate_packages $coverage_packages $mutation_packages $format_packages $cluster_packages $browser_packages"
