@@ -79,7 +79,7 @@ std::string mark(const char* role, double position_m, double foot_y, const std::
   const bool at_end = x + 5.0 + page::text_width(label) > scale.width;
   return fmt::format(
       R"(<path class="{0} dots" d="M{1:.1f},{2:.1f}h0.01"/><path class="{0} level" d="M{1:.1f},{2:.1f}V{3:.1f}"/>)"
-      R"(<text class="axis" x="{4:.1f}" y="{5:.1f}" text-anchor="{6}">{7}</text>)",
+      R"(<text class="axis mark" x="{4:.1f}" y="{5:.1f}" text-anchor="{6}">{7}</text>)",
       role, x, scale.axis_y, foot_y, at_end ? x - 5.0 : x + 5.0, foot_y, at_end ? "end" : "start",
       page::escape_html(label));
 }
@@ -106,12 +106,13 @@ std::string side_view(const sim::Geometry& shape, const Summary& summary, double
   const double foot_y = edge + 2.0 * half + label_row;
   svg += fmt::format(R"(<path class="limit line" d="M{:.1f},{:.1f}H{:.1f}"/>)", scale.x(pressure.low), scale.axis_y,
                      scale.x(pressure.high));
-  svg += mark("limit", pressure.value, foot_y,
-              fmt::format("centre of pressure {} m", ::fantail::text::fixed(pressure.value, 3)), scale);
   if (summary.centre_of_gravity_m) {
     svg += mark("reference", *summary.centre_of_gravity_m, foot_y + label_row,
                 fmt::format("centre of gravity {} m", ::fantail::text::fixed(*summary.centre_of_gravity_m, 3)), scale);
   }
+  // Last: where there is little room, the other line goes through its label.
+  svg += mark("limit", pressure.value, foot_y,
+              fmt::format("centre of pressure {} m", ::fantail::text::fixed(pressure.value, 3)), scale);
   return svg + "</svg>";
 }
 

@@ -221,7 +221,7 @@
   function build() {
     for (const chart of charts.splice(0)) chart.destroy();
     data.plots.forEach((plot, i) => {
-      const height = plot.height * (!document.documentElement.matches(".on-paper") ? 1 : plot.wide ? .65 : .78);
+      const height = plot.height * (!document.documentElement.matches(".on-paper") ? 1 : plot.wide ? .65 : .7);
       charts.push(new uPlot(chartOptions(plot, holders[i].clientWidth, height), unpacked.get(plot), holders[i]));
       charts[i].root.querySelector(".u-wrap").role = "img";
     });
