@@ -92,6 +92,10 @@ class Browser:
         """What the script gives to the function that is its last argument."""
         return self.call("POST", f"/session/{self.session}/execute/async", {"script": script, "args": list(arguments)})
 
+    def patience(self, seconds):
+        """With scripts; a busy machine needs it."""
+        self.call("POST", f"/session/{self.session}/timeouts", {"script": 1000 * seconds})
+
     def picture(self, file):
         pathlib.Path(file).parent.mkdir(parents=True, exist_ok=True)
         pathlib.Path(file).write_bytes(base64.b64decode(self.call("GET", f"/session/{self.session}/screenshot")))
